@@ -1,0 +1,11 @@
+// Everything.
+#pragma once
+
+#include "dymsum/planar_sum.h"
+#include "dymsum/progress.h"
+#include "dymsum/rational.h"
+#include "dymsum/region.h"
+#include "dymsum/region_io.h"
+#include "dymsum/result.h"
+#include "dymsum/shapes.h"
+#include "dymsum/trace.h"

@@ -1,0 +1,160 @@
+// Exact Minkowski sums of planar regions: P (+) Q = { p + q : p in P, q in Q }, with holes, several parts, lower-dimensional
+// operands, tight features, and the provenance of every edge and vertex.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dymsum/progress.h"
+#include "dymsum/rational.h"
+#include "dymsum/region.h"
+#include "dymsum/trace.h"
+
+namespace dymsum {
+
+/// How the boundary is found. All three give the identical canonical result.
+enum class Engine {
+  fast,     ///< interior mask, grid, kill rule, collision tests only where needed (the default)
+  brute,    ///< all pairs of segments, every loop tested against all pairs of edges: the reference
+  winding,  ///< kinetic convolution and winding numbers; no collision test for faces
+};
+
+/// closed: the sum of closed sets. open: touching is allowed, the boundary includes the tight features. regular: closure of
+/// the interior; tight features and lower-dimensional pieces are dropped.
+enum class Semantics { closed, open, regular };
+
+struct SumOptions {
+  Engine engine = Engine::fast;
+  Semantics semantics = Semantics::closed;
+  Progress progress;      ///< see progress.h
+  bool trace = false;     ///< record the stages in PlanarSum::trace
+  int min_tier_bits = 0;  ///< use at least this number tier (29, 61, 512; above: arbitrary), for tests
+};
+
+/// A segment of the convolution: an edge of one operand added to a vertex of the other, by their numbers in the regions.
+struct Contact {
+  enum class Kind : std::uint8_t {
+    edge_of_p,  ///< edge p of P + vertex q of Q
+    edge_of_q,  ///< vertex p of P + edge q of Q
+  };
+  Kind kind = Kind::edge_of_p;
+  std::uint32_t p = 0, q = 0;
+  friend bool operator==(const Contact&, const Contact&) = default;
+};
+
+/// A vertex of the result: the common point of two segments of the convolution. Where a boundary turns from one segment
+/// into the next at a sum of two vertices, `corner` names that pair. Which contacts are named is one valid choice where
+/// several coincide; the position is unique.
+struct SumVertex {
+  static constexpr std::uint32_t kNone = 0xffffffff;
+  Point at;                                ///< position rounded to nearest, for reading and drawing
+  Contact in, out;                         ///< the edge that arrives and the edge that leaves
+  std::uint32_t corner_p = kNone, corner_q = kNone;  ///< vertex of P + vertex of Q, or kNone at a crossing
+};
+
+/// A boundary ring; interior on the left: outer rings counter-clockwise, holes clockwise. Edge k runs from vertices[k] to
+/// the next one along vertices[k].out. No collinear vertices; starts at the lexicographically smallest vertex.
+struct SumRing {
+  std::vector<SumVertex> vertices;
+};
+
+struct SumPart {
+  SumRing outer;
+  std::vector<SumRing> holes;
+};
+
+/// A maximal segment of a tight feature or of a lower-dimensional piece; from < to lexicographically.
+struct SumSegment {
+  SumVertex from, to;
+};
+
+/// Sizes of the three convolutions of a pair of operands (see docs/design/planar-sum.md).
+struct ConvolutionSizes {
+  std::uint64_t full = 0, kinetic = 0, reduced = 0;
+  friend bool operator==(const ConvolutionSizes&, const ConvolutionSizes&) = default;
+};
+
+/// The work that was done.
+struct SumStats {
+  int tier_bits = 0;                   ///< 29, 61, 512, or 0 for arbitrary precision
+  std::uint64_t reduced_segments = 0;  ///< (kinetic ones for Engine::winding)
+  std::uint64_t live_segments = 0;     ///< not wholly inside masked cells
+  std::uint64_t cell_entries = 0;
+  std::uint64_t pair_tests = 0;
+  std::uint64_t crossings = 0;         ///< crossings found between live segments
+  std::uint64_t degenerate_nodes = 0;  ///< places handled by the slow vertex routine
+  std::uint64_t loops = 0;             ///< closed loops found
+  std::uint64_t collision_tests = 0;
+  std::uint64_t filtered_signs = 0;    ///< signs decided by the floating-point filter in the exact layer (not the hot loop)
+  std::uint64_t exact_signs = 0;       ///< signs that needed exact integers
+  int mask_grid = 0;                   ///< cells along the longer side, 0 without a mask
+  std::uint64_t peak_bytes = 0;        ///< peak of the engine's own arrays
+  struct Stage {
+    std::string_view name;
+    double ms;
+  };
+  std::vector<Stage> stages;
+};
+
+/// The exact sum. Coordinates are exact rationals behind rounded ones.
+class PlanarSum {
+ public:
+  std::vector<SumPart> parts;              ///< the closure of the interior, sorted; ring order canonical
+  std::vector<SumSegment> segments;        ///< one-dimensional pieces of the set (lower-dimensional operands, exact fits of erode)
+  std::vector<SumVertex> points;           ///< isolated points of the set (likewise)
+  std::vector<SumSegment> tight_segments;  ///< touching without overlap allowed only exactly here: cracks in the open sum
+  std::vector<SumVertex> tight_points;     ///< the same: punctures of the open sum
+  SumStats stats;
+  std::optional<PlanarTrace> trace;
+
+  std::size_t hole_count() const;
+  std::size_t vertex_count() const;  ///< of all rings
+  Rational area_exact() const;
+  double area() const;
+
+  /// The exact position of a vertex of this sum.
+  RationalPoint exact(const SumVertex& vertex) const;
+
+  /// The set rounded to doubles, every vertex correctly rounded. Error rounding_changed_topology, with the place, where
+  /// rounding would make rings cross, merge or collapse. Tight features are not part of the set.
+  Result<Region> rounded() const;
+  /// As rounded(), but vertices that collide after rounding are merged and rings and features that collapse are dropped; the report says how many.
+  Result<Repaired> rounded_with_repair() const;
+
+  /// Same set and same tight features, exactly. Provenance and stats are not compared.
+  friend bool operator==(const PlanarSum& a, const PlanarSum& b);
+
+  /// Internal: the integer operands behind the exact positions.
+  std::shared_ptr<const class ExactSource> source;
+};
+
+/// P (+) Q. Either may be empty (then the sum is), have several parts and holes, or be polylines and points.
+/// Exact: every decision is the sign of an integer expression. Errors: cancelled.
+/// Cost: O(n log n + m log m + N + A + k log k) for N reduced segments, A grid cell entries and k live crossings.
+/// Source: Behar 2016, chapter 3, corrected (docs/design/planar-sum.md).
+Result<PlanarSum> minkowski_sum(const Region& p, const Region& q, const SumOptions& options = {});
+
+/// The no-fit polygon of B around A: A (+) -B, the positions of B's reference point at which B meets A. Provenance numbers refer to A and B.
+Result<PlanarSum> nfp(const Region& a, const Region& b, const SumOptions& options = {});
+
+/// P (-) Q = { x : x + Q inside P }, the inner fit, including positions without any freedom as `segments` and `points`, which are
+/// also listed as tight. Errors: unsupported_operand when P has polylines or points, or when Q is empty; cancelled.
+Result<PlanarSum> erode(const Region& p, const Region& q, const SumOptions& options = {});
+
+/// The union of regions, as the sum with the origin of all their parts together (semantics as for sums). Provenance: `p` numbers
+/// run through the regions one after the other.
+Result<PlanarSum> union_of(const std::vector<Region>& regions, const SumOptions& options = {});
+
+/// Counts only: O(n log m + m log n).
+ConvolutionSizes convolution_sizes(const Region& p, const Region& q);
+
+/// True when z lies in the sum: closed and regular operands meet (closed), or overlap (open). Exact; O(nm).
+bool contains(const Region& p, const Region& q, Point z, Semantics semantics = Semantics::closed);
+
+}  // namespace dymsum

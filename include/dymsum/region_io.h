@@ -1,0 +1,53 @@
+// Files of planar regions and pictures. Readers return plain data that is not yet validated, so that a caller can choose
+// between Region::create (refuse) and repair (mend and report).
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dymsum/planar_sum.h"
+#include "dymsum/region.h"
+#include "dymsum/result.h"
+
+namespace dymsum {
+
+/// poly: the thesis's format (number of chains; per chain `n out|in`, n points, an index line; # comments; glued numbers such as
+/// `-6.64248.788605` are split). wkt: any geometry. geojson: geometry, feature or collection. svg: path, polygon, polyline, rect,
+/// circle-free. json: a nesting instance with `items`.
+enum class RegionFormat { poly, wkt, geojson, svg, json };
+
+/// The format a path's extension names.
+Result<RegionFormat> region_format(std::string_view path);
+
+/// One named shape of a file. Most files hold one; nesting instances and GeoJSON collections may hold several.
+struct NamedShape {
+  std::string name;
+  RegionData data;
+};
+
+/// Reads all shapes of a file; "-" is standard input (format then needed). "file.json#3" or "file.json#name" selects one shape.
+/// Errors: cannot_open, unsupported_format, malformed, truncated, not_finite, each with file and line.
+Result<std::vector<NamedShape>> read_shapes(const std::string& path);
+Result<std::vector<NamedShape>> parse_shapes(std::string_view text, RegionFormat format, std::string_view name_for_errors);
+
+/// The file's only or selected shape. Error malformed when the file holds several and none is selected.
+Result<RegionData> read_region_data(const std::string& path);
+
+/// The region in a format, coordinates with the fewest digits that read back to the same doubles.
+std::string format_region(const Region& region, RegionFormat format);
+
+/// Writes text to a path ("-" is standard output) through a temporary file beside it, so that an existing file is replaced only by
+/// a complete one. Error cannot_write.
+Result<bool> write_file(const std::string& path, std::string_view text);
+
+/// Pictures (SVG text). `draw_sum` shows P, Q and the sum with tight features; `draw_trace` the stages side by side.
+std::string draw_region(const Region& region);
+std::string draw_sum(const Region& p, const Region& q, const PlanarSum& sum);
+std::string draw_trace(const Region& p, const Region& q, const PlanarSum& sum);
+
+/// The sum as JSON text: rings with rounded and exact coordinates and the provenance of every edge and vertex.
+std::string sum_to_json(const PlanarSum& sum);
+
+}  // namespace dymsum

@@ -1,0 +1,93 @@
+// Results and errors: every function that can meet bad data returns a Result, whose error says what is wrong, where,
+// and with which evidence. Broken contracts (calling value() on an error) throw std::logic_error.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+namespace dymsum {
+
+/// What went wrong. Each code has a test that provokes it and checks the evidence.
+enum class Code {
+  // files
+  cannot_open,         ///< the file does not exist or cannot be read
+  cannot_write,        ///< the output could not be written completely; any older file is untouched
+  unsupported_format,  ///< the file extension names no format that can be read or written
+  malformed,           ///< the text does not follow its format: bad number, missing keyword, wrong nesting
+  truncated,           ///< the file ends before what it announces
+  // regions
+  not_finite,         ///< a coordinate is NaN or infinite
+  too_few_vertices,   ///< a ring with fewer than three, or a polyline with fewer than two vertices
+  repeated_vertex,    ///< two consecutive vertices are equal
+  no_area,            ///< a ring that encloses no area
+  wrong_orientation,  ///< an outer ring runs clockwise, or a hole counter-clockwise
+  self_crossing,      ///< a ring crosses itself or runs along itself
+  rings_cross,        ///< two rings cross or run along each other
+  hole_outside,       ///< a hole is not inside its outer ring, or lies inside another hole
+  parts_overlap,      ///< two parts share interior points
+  // sums
+  unsupported_operand,        ///< the operation is not defined for such an operand
+  rounding_changed_topology,  ///< rounding the exact result to doubles would change its topology
+  cancelled,                  ///< the progress callback asked to stop
+};
+
+/// The name of a code as it is written in code, for messages and JSON.
+std::string_view name(Code code);
+
+/// Where and what: every field is set only where it applies. Indices count from 0, lines from 1. Rings of a part:
+/// 0 is the outer ring, 1, 2, ... its holes.
+struct Evidence {
+  std::string file;
+  std::optional<std::int64_t> line;
+  std::optional<std::int64_t> part, ring, vertex;
+  std::optional<std::int64_t> other_part, other_ring, other_vertex;
+  std::optional<double> x, y;  ///< a place, in the input's coordinates
+
+  friend bool operator==(const Evidence&, const Evidence&) = default;
+};
+
+struct Error {
+  Code code = Code::malformed;
+  std::string message;  ///< one sentence, without the evidence
+  Evidence evidence;
+
+  /// File, line, part, ring, vertex and place in front of and behind the sentence: "a.poly:12: ring 1, vertex 3: ...".
+  std::string to_string() const;
+  friend bool operator==(const Error&, const Error&) = default;
+};
+
+/// A value or an Error. `value()` on an error throws std::logic_error carrying the error's text.
+template <class T>
+class [[nodiscard]] Result {
+ public:
+  Result(T value) : state_(std::move(value)) {}
+  Result(Error error) : state_(std::move(error)) {}
+
+  bool ok() const { return state_.index() == 0; }
+  explicit operator bool() const { return ok(); }
+
+  const T& value() const& {
+    require();
+    return std::get<0>(state_);
+  }
+  T&& value() && {
+    require();
+    return std::get<0>(std::move(state_));
+  }
+  const T& operator*() const& { return value(); }
+  const T* operator->() const { return &value(); }
+  const Error& error() const { return std::get<1>(state_); }
+
+ private:
+  void require() const {
+    if (!ok()) throw std::logic_error("value() called on an error: " + std::get<1>(state_).to_string());
+  }
+  std::variant<T, Error> state_;
+};
+
+}  // namespace dymsum
