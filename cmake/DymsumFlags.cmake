@@ -1,0 +1,21 @@
+# The compiler flags of everything in this project. Contraction is off and fast-math is never on: the floating-point
+# filters are proved for plain IEEE double operations in the written order.
+
+set(DYMSUM_SANITIZE_FLAGS -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES AND PROJECT_IS_TOP_LEVEL)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()
+
+function(dymsum_set_flags target)
+  set_target_properties(${target} PROPERTIES CXX_STANDARD_REQUIRED ON CXX_EXTENSIONS OFF)
+  target_compile_features(${target} PRIVATE cxx_std_20)
+  target_compile_options(${target} PRIVATE -ffp-contract=off -Wall -Wextra -Wpedantic)
+  if(DYMSUM_WARNINGS_AS_ERRORS)
+    target_compile_options(${target} PRIVATE -Werror)
+  endif()
+  if(DYMSUM_SANITIZE)
+    target_compile_options(${target} PRIVATE ${DYMSUM_SANITIZE_FLAGS})
+    target_link_options(${target} PUBLIC ${DYMSUM_SANITIZE_FLAGS})
+  endif()
+endfunction()
