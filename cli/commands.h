@@ -1,0 +1,16 @@
+// The verbs. Each function adds one to the application; when the command line chooses it, it sets `action`.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "sum_command.h"
+
+namespace dymsum::cli {
+
+void add_sum(CLI::App& app, Action& action);
+void add_nfp(CLI::App& app, Action& action);
+void add_erode(CLI::App& app, Action& action);
+void add_info(CLI::App& app, Action& action);
+void add_convert(CLI::App& app, Action& action);
+
+}  // namespace dymsum::cli

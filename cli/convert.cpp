@@ -1,0 +1,57 @@
+// dymsum convert IN OUT
+#include <iostream>
+#include <memory>
+
+#include "commands.h"
+#include "progress_bar.h"
+#include "report.h"
+#include "tier.h"
+
+namespace dymsum::cli {
+namespace {
+
+struct ConvertCommand {
+  std::string in, out;
+  bool json = false, canonical = false;
+  InputOptions input;
+  OutputOptions output;
+};
+
+ExitCode run(const ConvertCommand& command) {
+  if (command.json && command.out == "-") throw Stop(kUsage, "--json and the output - both want standard output");
+  const RegionFormat format = output_format(command.out, command.output);
+  auto [input, timing] = timed(1, [&] { return read_input(command.in, command.input); });
+  if (command.canonical) input.region = input.region.canonical();
+  const InterruptGuard guard;
+  write_text(command.out, format_region(input.region, format));
+  if (!command.json) return kDone;
+  const int tier = tier_of(input.region);
+  const Json report = {{"inputs", inputs_json({input})},
+                       {"tier", tier},
+                       {"time_ms", {{"median", timing.median_ms}, {"min", timing.min_ms}, {"stages", Json::object()}}},
+                       {"output", command.out},
+                       {"outer", input.region.parts().size()},
+                       {"holes", input.region.hole_count()},
+                       {"vertices", input.region.vertex_count()}};
+  std::cout << report.dump(2) << "\n";
+  return kDone;
+}
+
+}  // namespace
+
+void add_convert(CLI::App& app, Action& action) {
+  auto command = std::make_shared<ConvertCommand>();
+  CLI::App* verb = app.add_subcommand("convert", "Read a region and write it in another format, coordinates unchanged");
+  verb->add_option("IN", command->in, "File, FILE#NAME for one shape of several, or - for standard input")->required();
+  verb->add_option("OUT", command->out, "File .poly .wkt .geojson .svg .json, or - for standard output")->required();
+  verb->add_option("--to", command->output.to, "Format of the output -")
+      ->check(CLI::IsMember({"poly", "wkt", "geojson", "svg", "json"}))
+      ->capture_default_str();
+  verb->add_flag("--canonical", command->canonical, "Write the canonical form: equal sets become equal files");
+  verb->add_flag("--json", command->json, "Print one JSON object that says what was converted");
+  add_input_options(*verb, command->input);
+  verb->footer("Example: dymsum convert monkey.poly monkey.geojson --repair");
+  verb->callback([command, &action] { action = [command] { return run(*command); }; });
+}
+
+}  // namespace dymsum::cli

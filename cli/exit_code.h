@@ -1,0 +1,28 @@
+// How a run of the command line ends.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace dymsum::cli {
+
+enum ExitCode {
+  kDone = 0,
+  kUsage = 1,        ///< the command line itself is wrong
+  kBadInput = 2,     ///< an input or output file is, with the evidence
+  kDefect = 3,       ///< our defect
+  kNo = 4,           ///< the answer is "no"
+  kInterrupted = 130 ///< by Ctrl-C
+};
+
+/// Ends the command with this code and message; thrown by anything below a subcommand, caught in main.
+class Stop : public std::runtime_error {
+ public:
+  Stop(ExitCode code, const std::string& message) : std::runtime_error(message), code_(code) {}
+  ExitCode code() const { return code_; }
+
+ private:
+  ExitCode code_;
+};
+
+}  // namespace dymsum::cli

@@ -1,0 +1,131 @@
+// dymsum info F
+#include <algorithm>
+#include <array>
+#include <iostream>
+#include <memory>
+
+#include "commands.h"
+#include "report.h"
+#include "tier.h"
+
+namespace dymsum::cli {
+namespace {
+
+struct InfoCommand {
+  std::string file;
+  bool json = false;
+  InputOptions input;
+  OutputOptions output;
+};
+
+/// One shape of the file: its region when it is valid.
+struct Shape {
+  std::string name;
+  Result<Region> region;
+};
+
+Json shape_json(const Shape& shape) {
+  Json json = {{"name", shape.name}, {"valid", shape.region.ok()}};
+  if (!shape.region) {
+    json["code"] = std::string(name(shape.region.error().code));
+    json["error"] = shape.region.error().to_string();
+    return json;
+  }
+  const Region& region = *shape.region;
+  json.update({{"tier", tier_of(region)},
+               {"outer", region.parts().size()},
+               {"holes", region.hole_count()},
+               {"vertices", region.vertex_count()},
+               {"polylines", region.polylines().size()},
+               {"points", region.points().size()},
+               {"bounds", bounds(region)},
+               {"area", area(region)}});
+  return json;
+}
+
+void print_shape(const Shape& shape) {
+  if (!shape.name.empty()) std::cout << shape.name << ": ";
+  if (!shape.region) {
+    std::cout << "not valid (" << name(shape.region.error().code) << ")\n";
+    return;
+  }
+  const Region& region = *shape.region;
+  const std::array<double, 4> box = bounds(region);
+  const auto precision = std::cout.precision(17);
+  std::cout << "valid, " << counted(region.parts().size(), "part") << ", "
+            << counted(region.hole_count(), "hole") << ", " << counted(region.vertex_count(), "vertex", "vertices");
+  if (!region.polylines().empty()) std::cout << ", " << counted(region.polylines().size(), "polyline");
+  if (!region.points().empty()) std::cout << ", " << counted(region.points().size(), "isolated point");
+  std::cout << "\n  bounds [" << box[0] << ", " << box[2] << "] x [" << box[1] << ", " << box[3] << "]\n  area "
+            << area(region) << "\n  " << tier_name(tier_of(region)) << " integers\n";
+  std::cout.precision(precision);
+}
+
+Json file_json(const InfoCommand& command, const std::vector<Shape>& shapes, const Timing& timing) {
+  std::vector<Input> inputs;
+  Json list = Json::array();
+  int tier = 29;
+  for (const Shape& shape : shapes) {
+    list.push_back(shape_json(shape));
+    if (!shape.region) continue;
+    const std::string selected = shapes.size() == 1 ? command.file : command.file + "#" + shape.name;
+    inputs.push_back({selected, *shape.region});
+    const int bits = list.back()["tier"];
+    tier = tier == 0 || bits == 0 ? 0 : std::max(tier, bits);
+  }
+  return {{"inputs", inputs_json(inputs)},
+          {"tier", tier},
+          {"time_ms", {{"median", timing.median_ms}, {"min", timing.min_ms}, {"stages", Json::object()}}},
+          {"shapes", list}};
+}
+
+std::vector<Shape> read_and_validate(const InfoCommand& command) {
+  std::vector<NamedShape> named = read_all(command.file, command.input);
+  std::vector<Shape> shapes;
+  for (NamedShape& shape : named) {
+    const std::string file = named.size() == 1 ? command.file : command.file + "#" + shape.name;
+    shapes.push_back({shape.name, make_region(std::move(shape.data), file, command.input)});
+  }
+  return shapes;
+}
+
+/// The pictures of the file's first valid shape.
+void draw(const InfoCommand& command, const std::vector<Shape>& shapes) {
+  for (const std::string& file : command.output.files) {
+    if (output_format(file, command.output) != RegionFormat::svg) throw Stop(kUsage, "info draws .svg pictures only");
+    if (shapes.size() != 1) throw Stop(kUsage, "select one shape to draw: " + command.file + "#NAME");
+    if (shapes.front().region) write_text(file, draw_region(*shapes.front().region));
+  }
+}
+
+ExitCode run(const InfoCommand& command) {
+  const auto [shapes, timing] = timed(1, [&] { return read_and_validate(command); });
+  draw(command, shapes);
+  if (command.json) {
+    std::cout << file_json(command, shapes, timing).dump(2) << "\n";
+  } else {
+    for (const Shape& shape : shapes) print_shape(shape);
+  }
+  std::string errors;
+  for (const Shape& shape : shapes) {
+    if (!shape.region) errors += (errors.empty() ? "" : "\n") + shape.region.error().to_string();
+  }
+  if (!errors.empty()) throw Stop(kBadInput, errors);
+  return kDone;
+}
+
+}  // namespace
+
+void add_info(CLI::App& app, Action& action) {
+  auto command = std::make_shared<InfoCommand>();
+  command->output.to = "svg";
+  CLI::App* verb = app.add_subcommand("info", "Parts, holes, vertices, bounds, area, validity and tier of a file");
+  verb->add_option("F", command->file, "File, FILE#NAME for one shape of several, or - for standard input")->required();
+  verb->add_option("-o", command->output.files, "Draw the region (.svg)")->type_name("FILE")->allow_extra_args(false);
+  verb->add_flag("--json", command->json, "Print one JSON object");
+  add_input_options(*verb, command->input);
+  verb->footer("Example: dymsum info neuron.poly --json");
+  verb->callback([command, &action] { action = [command] { return run(*command); }; });
+}
+
+}  // namespace dymsum::cli

@@ -1,0 +1,71 @@
+#include "inputs.h"
+
+#include <algorithm>
+#include <cctype>
+#include <iostream>
+#include <iterator>
+#include <utility>
+
+#include "exit_code.h"
+
+namespace dymsum::cli {
+
+void stop_with(const Error& error) {
+  if (error.code == Code::cancelled) throw Stop(kInterrupted, "interrupted");
+  throw Stop(kBadInput, error.to_string());
+}
+
+RegionFormat format_named(const std::string& name) { return require(region_format("." + name)); }
+
+RegionFormat format_of_text(std::string_view text) {
+  const auto first = std::find_if_not(text.begin(), text.end(), [](unsigned char c) { return std::isspace(c) != 0; });
+  if (first == text.end()) return RegionFormat::poly;
+  if (*first == '<') return RegionFormat::svg;
+  if (*first == '{' || *first == '[') {
+    return text.find("\"items\"") == std::string_view::npos ? RegionFormat::geojson : RegionFormat::json;
+  }
+  return std::isalpha(static_cast<unsigned char>(*first)) != 0 ? RegionFormat::wkt : RegionFormat::poly;
+}
+
+std::vector<NamedShape> read_all(const std::string& file, const InputOptions& options) {
+  if (file != "-") return require(read_shapes(file));
+  const std::string text{std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
+  const RegionFormat format = options.from.empty() ? format_of_text(text) : format_named(options.from);
+  return require(parse_shapes(text, format, "standard input"));
+}
+
+Result<Region> make_region(RegionData data, const std::string& file, const InputOptions& options) {
+  const auto in_file = [&](Error error) {
+    if (error.evidence.file.empty()) error.evidence.file = file == "-" ? "standard input" : file;
+    return error;
+  };
+  if (!options.repair) {
+    Result<Region> region = Region::create(std::move(data));
+    if (!region) return in_file(region.error());
+    return region;
+  }
+  Result<Repaired> repaired = repair(std::move(data));
+  if (!repaired) return in_file(repaired.error());
+  if (repaired->report.changed()) std::cerr << file << ": repaired: " << repaired->report.to_string() << "\n";
+  return std::move(repaired).value().region;
+}
+
+Input read_input(const std::string& file, const InputOptions& options) {
+  if (file != "-") return {file, require(make_region(require(read_region_data(file)), file, options))};
+  std::vector<NamedShape> shapes = read_all(file, options);
+  if (shapes.size() != 1) {
+    throw Stop(kBadInput, "standard input: holds " + std::to_string(shapes.size()) + " shapes, and one is needed");
+  }
+  return {file, require(make_region(std::move(shapes.front().data), file, options))};
+}
+
+std::vector<Input> read_inputs(const std::vector<std::string>& files, const InputOptions& options) {
+  if (std::count(files.begin(), files.end(), "-") > 1) {
+    throw Stop(kUsage, "standard input can be only one of the operands");
+  }
+  std::vector<Input> inputs;
+  for (const std::string& file : files) inputs.push_back(read_input(file, options));
+  return inputs;
+}
+
+}  // namespace dymsum::cli

@@ -1,0 +1,50 @@
+// Reading the operands a command line names.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dymsum/region.h"
+#include "dymsum/region_io.h"
+
+namespace dymsum::cli {
+
+struct InputOptions {
+  bool repair = false;  ///< mend with dymsum::repair and print its report on standard error
+  std::string from;     ///< the format of standard input; empty: told from its first characters
+};
+
+struct Input {
+  std::string file;  ///< as it was written on the command line
+  Region region;
+};
+
+/// The value of a Result, or a Stop with its error: kInterrupted for cancelled, kBadInput otherwise.
+template <class T>
+T require(Result<T> result);
+[[noreturn]] void stop_with(const Error& error);
+
+/// All shapes of FILE, FILE#NAME or "-".
+std::vector<NamedShape> read_all(const std::string& file, const InputOptions& options);
+/// The one valid region of FILE, FILE#NAME or "-".
+Input read_input(const std::string& file, const InputOptions& options);
+/// The operands P and Q; at most one of them may be standard input.
+std::vector<Input> read_inputs(const std::vector<std::string>& files, const InputOptions& options);
+
+/// Validates, or repairs where asked, one shape of a file.
+Result<Region> make_region(RegionData data, const std::string& file, const InputOptions& options);
+
+/// The format whose name is given ("poly", "wkt", "geojson", "svg", "json").
+RegionFormat format_named(const std::string& name);
+/// poly for digits, comments and signs; svg for "<"; wkt for letters; for "{" json when it has "items", else geojson.
+RegionFormat format_of_text(std::string_view text);
+
+template <class T>
+T require(Result<T> result) {
+  if (!result) stop_with(result.error());
+  return std::move(result).value();
+}
+
+}  // namespace dymsum::cli

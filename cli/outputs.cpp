@@ -1,0 +1,78 @@
+#include "outputs.h"
+
+#include <algorithm>
+#include <iostream>
+#include <optional>
+#include <utility>
+
+#include "exit_code.h"
+#include "progress_bar.h"
+
+namespace dymsum::cli {
+namespace {
+
+/// Rounds a sum once, and only when an output needs it.
+class Rounded {
+ public:
+  Rounded(const PlanarSum& sum, bool with_repair) : sum_(sum), with_repair_(with_repair) {}
+
+  const Region& region() {
+    if (!region_) region_ = with_repair_ ? repaired() : checked();
+    return *region_;
+  }
+
+ private:
+  Region checked() const {
+    Result<Region> region = sum_.rounded();
+    if (region) return std::move(region).value();
+    throw Stop(kBadInput, region.error().to_string() + " (--round-repair merges what collides; .json keeps it exact)");
+  }
+  Region repaired() const {
+    Repaired repaired = require(sum_.rounded_with_repair());
+    if (repaired.report.changed()) std::cerr << "rounding: " << repaired.report.to_string() << "\n";
+    return std::move(repaired.region);
+  }
+
+  const PlanarSum& sum_;
+  bool with_repair_;
+  std::optional<Region> region_;
+};
+
+}  // namespace
+
+bool is_stage_picture(const std::string& file) { return file.ends_with("stages.svg"); }
+
+bool writes_to_stdout(const OutputOptions& options) {
+  return std::find(options.files.begin(), options.files.end(), "-") != options.files.end();
+}
+
+RegionFormat output_format(const std::string& file, const OutputOptions& options) {
+  return file == "-" ? format_named(options.to) : require(region_format(file));
+}
+
+void check_outputs(const OutputOptions& options) {
+  for (const std::string& file : options.files) output_format(file, options);
+}
+
+void write_text(const std::string& file, const std::string& text) { require(write_file(file, text)); }
+
+void write_sum(const Region& p, const Region& q, const PlanarSum& sum, const OutputOptions& options) {
+  Rounded rounded(sum, options.round_repair);
+  std::vector<std::string> texts;
+  for (const std::string& file : options.files) {
+    const RegionFormat format = output_format(file, options);
+    if (is_stage_picture(file)) {
+      texts.push_back(draw_trace(p, q, sum));
+    } else if (format == RegionFormat::svg) {
+      texts.push_back(draw_sum(p, q, sum));
+    } else if (format == RegionFormat::json) {
+      texts.push_back(sum_to_json(sum));
+    } else {
+      texts.push_back(format_region(rounded.region(), format));
+    }
+  }
+  throw_if_interrupted();
+  for (std::size_t i = 0; i < texts.size(); ++i) write_text(options.files[i], texts[i]);
+}
+
+}  // namespace dymsum::cli

@@ -1,0 +1,35 @@
+// Writing results to the places `-o` names.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "dymsum/planar_sum.h"
+#include "dymsum/region.h"
+#include "dymsum/region_io.h"
+#include "inputs.h"
+
+namespace dymsum::cli {
+
+struct OutputOptions {
+  std::vector<std::string> files;  ///< "-" is standard output
+  std::string to = "wkt";          ///< the format of standard output
+  bool round_repair = false;       ///< where rounding collapses something: rounded_with_repair instead of an error
+};
+
+/// Whether a file's name asks for the picture of the stages ("stages.svg", "x.stages.svg").
+bool is_stage_picture(const std::string& file);
+bool writes_to_stdout(const OutputOptions& options);
+
+/// The format of every output is known: before any long work.
+void check_outputs(const OutputOptions& options);
+
+/// Every output of a sum: the exact sum for .json, pictures for .svg, the rounded set otherwise. Nothing is written
+/// before everything is ready; every file is replaced as a whole.
+void write_sum(const Region& p, const Region& q, const PlanarSum& sum, const OutputOptions& options);
+
+void write_text(const std::string& file, const std::string& text);
+RegionFormat output_format(const std::string& file, const OutputOptions& options);
+
+}  // namespace dymsum::cli

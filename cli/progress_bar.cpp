@@ -1,0 +1,57 @@
+#include "progress_bar.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <iostream>
+#include <string>
+
+#include "exit_code.h"
+
+namespace dymsum::cli {
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+extern "C" void on_interrupt(int) {
+  interrupted = 1;
+  std::signal(SIGINT, SIG_DFL);
+}
+
+}  // namespace
+
+InterruptGuard::InterruptGuard() { std::signal(SIGINT, on_interrupt); }
+InterruptGuard::~InterruptGuard() { std::signal(SIGINT, SIG_DFL); }
+
+void throw_if_interrupted() {
+  if (interrupted != 0) throw Stop(kInterrupted, "interrupted");
+}
+
+ProgressBar::ProgressBar()
+    : next_draw_(Clock::now() + std::chrono::seconds(1)), terminal_(isatty(STDERR_FILENO) == 1) {}
+
+ProgressBar::~ProgressBar() {
+  if (drawn_) std::cerr << "\r\x1b[K" << std::flush;
+}
+
+Progress ProgressBar::callback() {
+  return [this](std::string_view stage, double fraction) {
+    if (terminal_) draw(stage, fraction);
+    return interrupted == 0;
+  };
+}
+
+void ProgressBar::draw(std::string_view stage, double fraction) {
+  const auto now = Clock::now();
+  if (now < next_draw_) return;
+  next_draw_ = now + std::chrono::milliseconds(100);
+  drawn_ = true;
+  constexpr int kWidth = 40;
+  const double share = std::clamp(fraction, 0.0, 1.0);
+  const auto full = static_cast<std::size_t>(share * kWidth);
+  std::cerr << "\r[" << std::string(full, '#') << std::string(kWidth - full, '.') << "] "
+            << static_cast<int>(share * 100) << "% " << stage << "\x1b[K" << std::flush;
+}
+
+}  // namespace dymsum::cli

@@ -1,0 +1,35 @@
+// What a command says about its result: one JSON object, or a few lines for a person.
+#pragma once
+
+#include <iosfwd>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "dymsum/planar_sum.h"
+#include "inputs.h"
+#include "timing.h"
+
+namespace dymsum::cli {
+
+using Json = nlohmann::ordered_json;
+
+struct SumReport {
+  std::string verb;
+  std::vector<Input> inputs;
+  const PlanarSum* sum = nullptr;
+  ConvolutionSizes convolution;
+  Timing timing;
+  std::string engine, semantics;
+};
+
+Json inputs_json(const std::vector<Input>& inputs);
+Json sum_json(const SumReport& report);
+void print_sum(std::ostream& out, const SumReport& report);
+
+/// "29-bit", "61-bit", "512-bit" or "arbitrary precision" for 0.
+std::string tier_name(int bits);
+/// "1 hole", "2 holes"; `many` where the plural is not regular.
+std::string counted(std::size_t n, const std::string& one, const std::string& many = "");
+
+}  // namespace dymsum::cli

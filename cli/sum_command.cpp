@@ -1,0 +1,105 @@
+#include "sum_command.h"
+
+#include <iostream>
+#include <map>
+
+#include "progress_bar.h"
+#include "report.h"
+
+namespace dymsum::cli {
+namespace {
+
+const std::map<std::string, Engine> kEngines = {
+    {"fast", Engine::fast}, {"brute", Engine::brute}, {"winding", Engine::winding}};
+const std::map<std::string, Semantics> kSemantics = {
+    {"closed", Semantics::closed}, {"open", Semantics::open}, {"regular", Semantics::regular}};
+
+SumOptions sum_options(const SumCommand& command) {
+  SumOptions options;
+  options.engine = kEngines.at(command.engine);
+  options.semantics = kSemantics.at(command.semantics);
+  for (const std::string& file : command.output.files) options.trace |= is_stage_picture(file);
+  return options;
+}
+
+void check(const SumCommand& command) {
+  if (command.json && writes_to_stdout(command.output)) {
+    throw Stop(kUsage, "--json and -o - both want standard output");
+  }
+  check_outputs(command.output);
+}
+
+bool is_empty(const PlanarSum& sum) { return sum.parts.empty() && sum.segments.empty() && sum.points.empty(); }
+
+}  // namespace
+
+void add_input_options(CLI::App& verb, InputOptions& options) {
+  verb.add_flag("--repair", options.repair,
+                "Merge duplicate and collinear vertices, fix orientation, and say on standard error what changed");
+  verb.add_option("--from", options.from, "Format of standard input; otherwise told from its first characters")
+      ->check(CLI::IsMember({"poly", "wkt", "geojson", "svg", "json"}));
+}
+
+void add_sum_options(CLI::App& verb, SumCommand& command, const char* first, const char* second) {
+  verb.add_option(first, command.operands[0], "File, FILE#NAME for one shape of several, or - for standard input")
+      ->required();
+  verb.add_option(second, command.operands[1], "The same")->required();
+  verb.add_option("-o", command.output.files,
+                  "Write the result; repeatable; by extension .poly .wkt .geojson (rounded), .json (exact, with "
+                  "provenance), .svg (picture), stages.svg (the stages); - is standard output")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+  verb.add_option("--to", command.output.to, "Format of -o -")
+      ->check(CLI::IsMember({"poly", "wkt", "geojson", "svg", "json"}))
+      ->capture_default_str();
+  verb.add_flag("--round-repair", command.output.round_repair,
+                "Where rounding would change the topology, merge what collides instead of refusing");
+  verb.add_option("--engine", command.engine, "How the boundary is found; all give the same result")
+      ->check(CLI::IsMember({"fast", "brute", "winding"}))
+      ->capture_default_str();
+  verb.add_option("--semantics", command.semantics,
+                  "closed: sum of closed sets; open: touching is allowed; regular: no tight features")
+      ->check(CLI::IsMember({"closed", "open", "regular"}))
+      ->capture_default_str();
+  verb.add_flag("--json", command.json, "Print one JSON object with the result's summary");
+  verb.add_option("--repeat", command.repeat, "Compute N times and report the median and minimum time")
+      ->type_name("N")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1000000000}))
+      ->capture_default_str();
+  add_input_options(verb, command.input);
+}
+
+ExitCode run_sum(const SumCommand& command, bool empty_is_no) {
+  check(command);
+  SumReport report;
+  report.verb = command.verb;
+  report.engine = command.engine;
+  report.semantics = command.semantics;
+  report.inputs = read_inputs(command.operands, command.input);
+  const Region& p = report.inputs[0].region;
+  const Region& q = report.inputs[1].region;
+
+  const InterruptGuard guard;
+  SumOptions options = sum_options(command);
+  const auto compute = [&] {
+    ProgressBar bar;
+    options.progress = bar.callback();
+    PlanarSum sum = require(command.compute(p, q, options));
+    throw_if_interrupted();
+    return sum;
+  };
+  const auto [sum, timing] = timed(command.repeat, compute);
+  report.sum = &sum;
+  report.timing = timing;
+  report.convolution = convolution_sizes(p, command.reflects_second ? negated(q) : q);
+
+  write_sum(p, q, sum, command.output);
+  if (command.json) {
+    std::cout << sum_json(report).dump(2) << "\n";
+  } else {
+    print_sum(writes_to_stdout(command.output) ? std::cerr : std::cout, report);
+  }
+  return empty_is_no && is_empty(sum) ? kNo : kDone;
+}
+
+}  // namespace dymsum::cli
