@@ -1,0 +1,70 @@
+#include "dymsum/result.h"
+
+#include <charconv>
+
+namespace dymsum {
+
+namespace {
+
+std::string to_text(double v) {
+  char buffer[32];
+  const auto end = std::to_chars(buffer, buffer + sizeof buffer, v).ptr;
+  return std::string(buffer, end);
+}
+
+void append(std::string& text, std::string_view label, std::optional<std::int64_t> value) {
+  if (!value) return;
+  if (!text.empty()) text += ", ";
+  text.append(label).append(" ").append(std::to_string(*value));
+}
+
+}  // namespace
+
+std::string_view name(Code code) {
+  switch (code) {
+    case Code::cannot_open: return "cannot_open";
+    case Code::cannot_write: return "cannot_write";
+    case Code::unsupported_format: return "unsupported_format";
+    case Code::malformed: return "malformed";
+    case Code::truncated: return "truncated";
+    case Code::not_finite: return "not_finite";
+    case Code::too_few_vertices: return "too_few_vertices";
+    case Code::repeated_vertex: return "repeated_vertex";
+    case Code::no_area: return "no_area";
+    case Code::wrong_orientation: return "wrong_orientation";
+    case Code::self_crossing: return "self_crossing";
+    case Code::rings_cross: return "rings_cross";
+    case Code::hole_outside: return "hole_outside";
+    case Code::parts_overlap: return "parts_overlap";
+    case Code::unsupported_operand: return "unsupported_operand";
+    case Code::rounding_changed_topology: return "rounding_changed_topology";
+    case Code::cancelled: return "cancelled";
+  }
+  throw std::logic_error("name(Code): not a code");
+}
+
+std::string Error::to_string() const {
+  std::string text = evidence.file;
+  if (evidence.line) text += (text.empty() ? "line " : ":") + std::to_string(*evidence.line);
+  if (!text.empty()) text += ": ";
+
+  std::string where;
+  append(where, "part", evidence.part);
+  append(where, "ring", evidence.ring);
+  append(where, "vertex", evidence.vertex);
+  if (!where.empty()) text += where + ": ";
+  text += message;
+
+  std::string other;
+  append(other, "part", evidence.other_part);
+  append(other, "ring", evidence.other_ring);
+  append(other, "vertex", evidence.other_vertex);
+  if (!other.empty()) text += " (the other: " + other + ")";
+
+  if (evidence.x && evidence.y) text += " at (" + to_text(*evidence.x) + ", " + to_text(*evidence.y) + ")";
+  else if (evidence.x) text += " at x = " + to_text(*evidence.x);
+  else if (evidence.y) text += " at y = " + to_text(*evidence.y);
+  return text;
+}
+
+}  // namespace dymsum

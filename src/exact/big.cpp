@@ -1,0 +1,103 @@
+#include "exact/big.h"
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace dymsum::exact {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// num / den rounded half to even to an integer; num >= 0, den > 0.
+BigInteger round_half_even(const BigInteger& num, const BigInteger& den) {
+  BigInteger quotient, remainder;
+  boost::multiprecision::divide_qr(num, den, quotient, remainder);
+  remainder <<= 1;
+  const int against_half = remainder.compare(den);
+  if (against_half > 0 || (against_half == 0 && bit_test(quotient, 0))) ++quotient;
+  return quotient;
+}
+
+/// The double nearest to num / den; num > 0, den > 0.
+double round_positive(BigInteger num, BigInteger den) {
+  // 2^(e - 1) < num / den < 2^(e + 1)
+  const std::int64_t e = static_cast<std::int64_t>(msb(num)) - static_cast<std::int64_t>(msb(den));
+  if (e > 1025) return kInfinity;
+  if (e < -1076) return 0;  // below 2^-1075, half the smallest subnormal
+  const bool below = e >= 0 ? num < (den << static_cast<unsigned>(e)) : (num << static_cast<unsigned>(-e)) < den;
+  // floor(log2(num / den)) - 52 is the exponent of the last of 53 bits; subnormals keep fewer
+  const int unit = std::max(static_cast<int>(e) - (below ? 1 : 0) - 52, -1074);
+  if (unit < 0) num <<= static_cast<unsigned>(-unit);
+  if (unit > 0) den <<= static_cast<unsigned>(unit);
+  const auto mantissa = static_cast<std::uint64_t>(round_half_even(num, den));  // <= 2^53: exact as a double
+  return std::ldexp(static_cast<double>(mantissa), unit);  // exact, or infinite from 2^1024 on
+}
+
+BigInteger parse_digits(std::string_view digits) {
+  const std::size_t first = digits.find_first_not_of('0');
+  if (digits.empty() || digits.find_first_not_of("0123456789") != std::string_view::npos)
+    throw std::invalid_argument("exact_value: not a decimal integer: '" + std::string(digits) + "'");
+  // Boost reads a leading 0 as octal
+  return first == std::string_view::npos ? BigInteger(0) : BigInteger(std::string(digits.substr(first)));
+}
+
+}  // namespace
+
+Big to_big(std::int64_t v) { return Big::from_int64(v); }
+
+Big to_big(i128 v) {
+  BigInteger r = static_cast<std::int64_t>(v >> 64);
+  r <<= 64;
+  r += static_cast<std::uint64_t>(v);
+  return Big(std::move(r));
+}
+
+Big to_big(const std::uint64_t* limbs, int count) {
+  BigInteger r = static_cast<std::int64_t>(limbs[count - 1]);
+  for (int i = count - 2; i >= 0; --i) {
+    r <<= 64;
+    r += limbs[i];
+  }
+  return Big(std::move(r));
+}
+
+double to_double(const Big& a) {
+  if (sign(a) == 0) return 0;
+  const double magnitude = round_positive(abs(a.value()), 1);
+  return sign(a) < 0 ? -magnitude : magnitude;
+}
+
+BigRational exact_value(double v) {
+  if (!std::isfinite(v)) throw std::domain_error("exact_value: not a finite number");
+  int e = 0;
+  const auto m = static_cast<std::int64_t>(std::ldexp(std::frexp(v, &e), 53));
+  e -= 53;
+  if (e >= 0) return BigRational(BigInteger(BigInteger(m) << e));
+  return BigRational(BigInteger(m), BigInteger(BigInteger(1) << -e));
+}
+
+BigRational exact_value(const Rational& v) {
+  const std::string_view num = v.num;
+  const bool negative = num.starts_with('-');
+  const BigInteger n = parse_digits(negative ? num.substr(1) : num), d = parse_digits(v.den);
+  if (d == 0) throw std::invalid_argument("exact_value: zero denominator");
+  return BigRational(negative ? BigInteger(-n) : n, d);
+}
+
+BigRational ratio(const Big& num, const Big& den) {
+  if (sign(den) == 0) throw std::domain_error("ratio: zero denominator");
+  return BigRational(num.value(), den.value());
+}
+
+Rational to_rational(const BigRational& v) { return {numerator(v).str(), denominator(v).str()}; }
+
+double round_to_double(const BigRational& v) {
+  if (v.is_zero()) return 0;
+  const double magnitude = round_positive(abs(numerator(v)), denominator(v));
+  return v < 0 && magnitude != 0 ? -magnitude : magnitude;
+}
+
+}  // namespace dymsum::exact

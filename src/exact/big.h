@@ -1,0 +1,87 @@
+// Arbitrary precision behind the same operations as Int<B>, so that templated code runs with either, and exact rationals
+// with their one rounding to doubles. Includes Boost.Multiprecision: include int.h alone where that is enough.
+#pragma once
+
+#include <boost/multiprecision/cpp_int.hpp>
+#include <compare>
+#include <cstdint>
+#include <utility>
+
+#include "dymsum/rational.h"
+#include "exact/int.h"
+
+namespace dymsum::exact {
+
+using BigInteger = boost::multiprecision::cpp_int;
+using BigRational = boost::multiprecision::cpp_rational;
+
+/// An integer of any size. Int<B> converts implicitly, so products of a Big and a small constant Int need no care.
+class Big {
+ public:
+  Big() = default;
+  explicit Big(BigInteger value) : value_(std::move(value)) {}
+  template <int B>
+  Big(const Int<B>& v);  // NOLINT(google-explicit-constructor)
+
+  static Big from_int64(std::int64_t v) { return Big(BigInteger(v)); }
+  /// m * 2^shift - n * 2^other_shift, shifts >= 0.
+  static Big from_dyadic_difference(std::int64_t m, int shift, std::int64_t n, int other_shift) {
+    return Big(BigInteger((BigInteger(m) << shift) - (BigInteger(n) << other_shift)));
+  }
+
+  const BigInteger& value() const { return value_; }
+
+  friend Big operator+(const Big& a, const Big& b) { return Big(BigInteger(a.value_ + b.value_)); }
+  friend Big operator-(const Big& a, const Big& b) { return Big(BigInteger(a.value_ - b.value_)); }
+  friend Big operator*(const Big& a, const Big& b) { return Big(BigInteger(a.value_ * b.value_)); }
+  friend Big operator-(const Big& a) { return Big(BigInteger(-a.value_)); }
+  friend bool operator==(const Big& a, const Big& b) { return a.value_ == b.value_; }
+  friend std::strong_ordering operator<=>(const Big& a, const Big& b) { return a.value_.compare(b.value_) <=> 0; }
+
+ private:
+  BigInteger value_;
+};
+
+/// The same integer.
+Big to_big(std::int64_t v);
+Big to_big(i128 v);
+/// From limbs in two's complement, least significant first.
+Big to_big(const std::uint64_t* limbs, int count);
+
+template <int N>
+Big to_big(const Limbs<N>& v) {
+  return to_big(v.w.data(), N);
+}
+template <int B>
+Big to_big(const Int<B>& v) {
+  return to_big(v.raw());
+}
+template <int B>
+Big::Big(const Int<B>& v) : Big(to_big(v)) {}
+
+inline int sign(const Big& a) { return a.value().sign(); }
+inline Big abs(const Big& a) { return sign(a) < 0 ? -a : a; }
+/// The nearest double (ties to even): relative error at most 2^-53, exact when it has at most 53 significant bits; infinite
+/// past the double range.
+double to_double(const Big& a);
+template <int K>
+Big shift_left(const Big& a) {
+  static_assert(K >= 0);
+  return Big(BigInteger(a.value() << K));
+}
+
+/// The number a finite double stands for, m 2^e. Throws std::domain_error for NaN and infinities.
+BigRational exact_value(double v);
+/// The number behind a public value. Throws std::invalid_argument unless num is [-]digits and den digits, not all zero.
+BigRational exact_value(const Rational& v);
+/// num/den.
+BigRational ratio(const Big& num, const Big& den);
+
+/// The public value of a rational: lowest terms, positive denominator.
+Rational to_rational(const BigRational& v);
+
+/// The double nearest to v, ties to even, subnormals included; values of at least 2^1024 - 2^970 in magnitude give
+/// infinity, as in IEEE 754. Zero is always +0, also for negative v that round to zero.
+double round_to_double(const BigRational& v);
+
+}  // namespace dymsum::exact
