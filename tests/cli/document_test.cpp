@@ -1,0 +1,71 @@
+// What README.md shows is what happens: its program is the example, its output is the program's, its commands work.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "process.h"
+
+namespace dymsum::cli_test {
+namespace {
+
+const std::filesystem::path kSource = DYMSUM_SOURCE_DIR;
+
+/// The texts between ```KIND and ``` of README.md.
+std::vector<std::string> blocks(const std::string& kind) {
+  const std::string text = read_text(kSource / "README.md");
+  std::vector<std::string> found;
+  const std::string opening = "\n```" + kind + "\n";
+  for (std::size_t at = text.find(opening); at != std::string::npos; at = text.find(opening, at)) {
+    at += opening.size();
+    found.push_back(text.substr(at, text.find("```", at) - at));
+  }
+  return found;
+}
+
+TEST(Readme, ProgramIsTheExampleAndPrintsWhatIsShown) {
+  ASSERT_EQ(blocks("cpp").size(), 1U);
+  ASSERT_EQ(blocks("text").size(), 1U);
+  const std::string program = blocks("cpp").front();
+  EXPECT_EQ(program, read_text(kSource / "examples/first_sum.cpp"));
+  EXPECT_LE(std::count(program.begin(), program.end(), '\n'), 15);
+  const Workplace work;
+  const Outcome outcome = work.run("'" DYMSUM_EXAMPLES_DIR "/first_sum'");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, blocks("text").front());
+}
+
+TEST(Readme, EveryDymsumCommandWorks) {
+  const Workplace work;
+  ASSERT_EQ(work.run("'" DYMSUM_EXAMPLES_DIR "/demo_shapes' .").code, 0);
+  std::size_t commands = 0;
+  for (const std::string& block : blocks("console")) {
+    std::istringstream lines(block);
+    for (std::string line; std::getline(lines, line);) {
+      if (line.rfind("$ dymsum ", 0) != 0) continue;
+      ++commands;
+      const Outcome outcome = work.run(line.substr(2));
+      EXPECT_EQ(outcome.code, 0) << line << "\n" << outcome.err;
+    }
+  }
+  EXPECT_GE(commands, 5U);
+}
+
+TEST(Readme, EveryFileItNamesExists) {
+  const std::string text = read_text(kSource / "README.md");
+  std::size_t links = 0;
+  for (std::size_t at = text.find("]("); at != std::string::npos; at = text.find("](", at)) {
+    at += 2;
+    const std::string target = text.substr(at, text.find(')', at) - at);
+    if (target.rfind("http", 0) == 0) continue;
+    ++links;
+    EXPECT_TRUE(std::filesystem::exists(kSource / target)) << target;
+  }
+  EXPECT_GE(links, 3U);
+}
+
+}  // namespace
+}  // namespace dymsum::cli_test

@@ -1,0 +1,51 @@
+// Long work: the progress bar, and Ctrl-C.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "dymsum/dymsum.h"
+#include "process.h"
+
+namespace dymsum::cli_test {
+namespace {
+
+/// A sum repeated for about ever.
+constexpr const char* kLong = "dymsum sum a.wkt a.wkt --repeat 1000000 -o sum.wkt -o sum.svg";
+
+class LongWork : public testing::Test {
+ protected:
+  LongWork() { work.write("a.wkt", format_region(shapes::noisy_star(300, 0.6, 11), RegionFormat::wkt)); }
+  Workplace work;
+};
+
+TEST_F(LongWork, CtrlCEndsWith130AndLeavesNoFile) {
+  work.write("sum.wkt", "older\n");
+  const Outcome outcome = work.run(std::string("timeout --preserve-status -s INT 0.5 ") + kLong);
+  EXPECT_EQ(outcome.code, 130) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(outcome.err, "dymsum: interrupted\n");
+  EXPECT_EQ(work.read("sum.wkt"), "older\n");
+  EXPECT_EQ(work.file_count(), 2U) << "no sum.svg and no temporary file";
+}
+
+TEST_F(LongWork, OneSlowComputationIsInterruptedInside) {
+  work.write("b.wkt", format_region(shapes::noisy_star(1500, 0.9, 5), RegionFormat::wkt));
+  const Outcome outcome = work.run(
+      "time timeout --preserve-status -s INT -k 60 0.5 dymsum sum b.wkt b.wkt --engine brute -o sum.wkt");
+  EXPECT_EQ(outcome.code, 130) << outcome.err;
+  EXPECT_FALSE(work.exists("sum.wkt"));
+}
+
+TEST_F(LongWork, TheBarIsOnlyForTerminals) {
+  work.write("b.wkt", format_region(shapes::noisy_star(1500, 0.9, 5), RegionFormat::wkt));
+  const std::string command = "timeout --preserve-status -s INT -k 60 2.5 dymsum sum b.wkt b.wkt --engine brute";
+  const Outcome piped = work.run(command);
+  EXPECT_EQ(piped.err, "dymsum: interrupted\n");
+  const Outcome terminal = work.run("script -qec '" + command + "' typescript");
+  EXPECT_EQ(terminal.code, 130) << terminal.out;
+  EXPECT_NE(terminal.out.find("% "), std::string::npos) << terminal.out;
+  EXPECT_NE(terminal.out.find("["), std::string::npos);
+}
+
+}  // namespace
+}  // namespace dymsum::cli_test

@@ -1,0 +1,57 @@
+// The order of the rooms holds in this checkout, and a tree that breaks it in every way is caught.
+#include "layering.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace dymsum::layering {
+namespace {
+
+std::string text_of(const Violation& v) {
+  return v.file + ":" + std::to_string(v.line) + ": " + v.include + ": " + v.why;
+}
+
+TEST(Layering, RoomsUseOnlyWhatStandsBeforeThem) {
+  const Reading reading = read_tree(DYMSUM_SOURCE_DIR);
+  EXPECT_GT(reading.files, 30U);
+  for (const Violation& violation : reading.violations) ADD_FAILURE() << text_of(violation);
+}
+
+TEST(Layering, EveryKindOfViolationIsFound) {
+  const Reading reading = read_tree(DYMSUM_SOURCE_DIR "/tests/layering/fixture");
+  std::vector<std::string> found;
+  for (const Violation& violation : reading.violations) found.push_back(text_of(violation));
+  const std::vector<std::string> expected = {
+      "cli/reaches_inside.cpp:3: \"exact/number.h\": only public headers may be used here",
+      "examples/reaches_inside.cpp:2: \"exact/number.h\": only public headers may be used here",
+      "include/dymsum/uses_a_room.h:4: \"exact/number.h\": public headers include only the standard library and each "
+      "other",
+      "include/dymsum/uses_boost.h:3: <boost/multiprecision/cpp_int.hpp>: third-party header that this room may not "
+      "use",
+      "src/apps/reaches_inside.cpp:3: \"planar/shape.h\": only public headers may be used here",
+      "src/exact/looks_up.cpp:3: \"planar/shape.h\": room planar stands after room exact",
+      "src/exact/looks_up.cpp:4: <gmpxx.h>: third-party header that this room may not use",
+      "src/exact/looks_up.cpp:5: \"planar/missing.h\": no such file",
+      "src/exact/looks_up.cpp:6: \"dymsum/missing.h\": no such public header",
+      "src/exact/looks_up.cpp:7: \"../planar/shape.h\": no such room",
+      "src/planar/looks_into_a_room_inside.cpp:2: \"planar/scaling/window.h\": room planar/scaling stands after room "
+      "planar",
+      "src/utils/anything.h:0: : src/ has no such room",
+  };
+  EXPECT_EQ(found, expected);
+}
+
+TEST(Layering, WhatIsAllowedIsNotReported) {
+  const Reading reading = read_tree(DYMSUM_SOURCE_DIR "/tests/layering/fixture");
+  const auto mentions = [&](const std::string& file) {
+    return std::any_of(reading.violations.begin(), reading.violations.end(),
+                       [&](const Violation& v) { return v.file == file; });
+  };
+  EXPECT_FALSE(mentions("src/planar/shape.h"));
+  EXPECT_FALSE(mentions("src/planar/scaling/window.h"));
+  EXPECT_EQ(reading.files, 13U);
+}
+
+}  // namespace
+}  // namespace dymsum::layering
