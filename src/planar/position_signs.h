@@ -16,8 +16,8 @@ int compare(const exact::BigRational& a, const exact::BigRational& b);
 /// Lexicographic order: -1, 0, 1.
 int compare(const Position& a, const Position& b);
 
-/// A position with its nearest doubles. Rounding to nearest is monotone: nearest coordinates that differ are in the order
-/// of the exact ones.
+/// A position with its nearest doubles. Rounding to nearest is monotone: nearest coordinates that differ are in the
+/// order of the exact ones.
 struct Spot {
   Position exact;
   Point nearest;
@@ -31,7 +31,7 @@ int compare_x(const Spot& a, const Spot& b);
 int compare_y(const Spot& a, const Spot& b);
 /// Lexicographic order: -1, 0, 1.
 int compare(const Spot& a, const Spot& b);
-/// The sign of (b - a) x (c - a): 1 where c lies to the left of the directed line from a to b, 0 on it, -1 to the right.
+/// The sign of (b - a) x (c - a): 1 where c lies left of the directed line from a to b, 0 on it, -1 right.
 int orientation(const Spot& a, const Spot& b, const Spot& c);
 /// The same sign from the doubles alone, or 0 where their error bound does not decide.
 int orientation_filtered(Point a, Point b, Point c);
