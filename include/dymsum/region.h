@@ -73,6 +73,7 @@ class Region {
   friend bool operator==(const Region& a, const Region& b);
 
  private:
+  friend class TrustedRegion;  // internal: makes regions that are known to be valid
   RegionData data_;
 };
 
@@ -82,7 +83,10 @@ struct RepairReport {
   std::size_t collinear_vertices = 0;  ///< vertices in the middle of straight lines, and spikes, dropped
   std::size_t reversed_rings = 0;      ///< outer rings made counter-clockwise, holes made clockwise
   std::size_t dropped_rings = 0;       ///< rings that enclosed nothing
-  bool changed() const { return duplicate_vertices + collinear_vertices + reversed_rings + dropped_rings > 0; }
+  std::size_t polylines_to_points = 0;  ///< polylines with only one place, made points
+  bool changed() const {
+    return duplicate_vertices + collinear_vertices + reversed_rings + dropped_rings + polylines_to_points > 0;
+  }
   std::string to_string() const;
 };
 
@@ -92,10 +96,13 @@ struct Repaired {
 };
 
 /// The named repair: merges duplicate vertices, drops collinear vertices, spikes and empty rings, fixes orientation, and
-/// reports what it changed. Crossings and misplaced holes are not repaired: they come back as the errors of Region::create.
+/// reports what it changed. Polylines lose duplicate vertices and vertices in the middle of straight lines, but not their
+/// folds. Crossings and misplaced holes are not repaired: they come back as the errors of Region::create, with the indices
+/// of `data`.
 Result<Repaired> repair(RegionData data);
 
-/// Exact (twice the) area sign helpers are internal; this is the area rounded once, for reports.
+/// The area: the exact sum rounded once, for reports (exact but for terms 2^-900 times smaller than the largest coordinate
+/// squared). Infinite past the double range.
 double area(const Region& region);
 
 /// Smallest and largest coordinates {min x, min y, max x, max y}; zeros for the empty region.

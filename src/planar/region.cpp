@@ -1,0 +1,118 @@
+// What a region tells about itself.
+#include "dymsum/region.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace dymsum {
+
+namespace {
+
+// f(chain) for all vertex lists of a region, in the order of the vertex numbers.
+template <class F>
+void for_each_chain(const RegionData& data, F f) {
+  for (const Part& part : data.parts) {
+    f(part.outer);
+    for (const Ring& hole : part.holes) f(hole);
+  }
+  for (const Polyline& line : data.polylines) f(line);
+  f(data.points);
+}
+
+// An exact sum of doubles, as partial sums of increasing size that do not overlap (Shewchuk 1997), rounded once at the end.
+class ExactSum {
+ public:
+  void add(double x) {
+    std::size_t kept = 0;
+    for (double y : partials_) {
+      if (std::abs(x) < std::abs(y)) std::swap(x, y);
+      const double high = x + y;
+      const double low = y - (high - x);
+      if (low != 0) partials_[kept++] = low;
+      x = high;
+    }
+    partials_.resize(kept);
+    partials_.push_back(x);
+  }
+
+  // The product exactly: its rounding error is a double.
+  void add_product(double a, double b) {
+    const double product = a * b;
+    add(product);
+    add(std::fma(a, b, -product));
+  }
+
+  double rounded() const {
+    std::size_t n = partials_.size();
+    if (n == 0) return 0;
+    double high = partials_[--n], low = 0;
+    while (n > 0 && low == 0) {
+      const double x = high, y = partials_[--n];
+      high = x + y;
+      low = y - (high - x);
+    }
+    // Exactly halfway so far: what is left decides.
+    if (n > 0 && ((low < 0 && partials_[n - 1] < 0) || (low > 0 && partials_[n - 1] > 0))) {
+      const double y = low * 2;
+      const double x = high + y;
+      if (x - high == y) high = x;
+    }
+    return high;
+  }
+
+ private:
+  std::vector<double> partials_;
+};
+
+}  // namespace
+
+bool Region::empty() const { return data_.parts.empty() && data_.polylines.empty() && data_.points.empty(); }
+
+std::size_t Region::vertex_count() const {
+  std::size_t count = 0;
+  for_each_chain(data_, [&count](const std::vector<Point>& chain) { count += chain.size(); });
+  return count;
+}
+
+std::size_t Region::hole_count() const {
+  std::size_t count = 0;
+  for (const Part& part : data_.parts) count += part.holes.size();
+  return count;
+}
+
+std::array<double, 4> bounds(const Region& region) {
+  if (region.empty()) return {0, 0, 0, 0};
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  std::array<double, 4> box{kInfinity, kInfinity, -kInfinity, -kInfinity};
+  for_each_chain(region.data(), [&box](const std::vector<Point>& chain) {
+    for (const Point p : chain) {
+      box = {std::min(box[0], p.x), std::min(box[1], p.y), std::max(box[2], p.x), std::max(box[3], p.y)};
+    }
+  });
+  return box;
+}
+
+double area(const Region& region) {
+  const std::array<double, 4> box = bounds(region);
+  const double largest = std::max({std::abs(box[0]), std::abs(box[1]), std::abs(box[2]), std::abs(box[3])});
+  if (largest == 0) return 0;
+  // Powers of two keep products within the double range.
+  const int exponent = std::ilogb(largest) + 1;
+  const auto unit = [exponent](double x) { return std::scalbn(x, -exponent); };
+  ExactSum twice;
+  const auto add_ring = [&twice, unit](const Ring& ring) {
+    for (std::size_t i = 0, before = ring.size() - 1; i < ring.size(); before = i++) {
+      const Point a{unit(ring[before].x), unit(ring[before].y)}, b{unit(ring[i].x), unit(ring[i].y)};
+      twice.add_product(a.x, b.y);
+      twice.add_product(-a.y, b.x);
+    }
+  };
+  for (const Part& part : region.parts()) {
+    add_ring(part.outer);
+    for (const Ring& hole : part.holes) add_ring(hole);
+  }
+  return std::scalbn(twice.rounded(), 2 * exponent - 1);
+}
+
+}  // namespace dymsum
