@@ -99,7 +99,8 @@ TEST_F(Cli, ErodeEndsWithFourWhereNothingFits) {
 
 TEST_F(Cli, OutputsFollowTheExtension) {
   const Outcome outcome = work.run(
-      "dymsum sum frame.wkt square.wkt -o a.poly -o a.wkt -o a.geojson -o a.json -o a.svg -o stages.svg -o x.stages.svg");
+      "dymsum sum frame.wkt square.wkt -o a.poly -o a.wkt -o a.geojson -o a.json -o a.svg -o stages.svg "
+      "-o x.stages.svg");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const Result<RegionData> wkt = read_region_data((work.folder() / "work/a.wkt").string());
   ASSERT_TRUE(wkt.ok());
@@ -158,7 +159,8 @@ TEST_F(Cli, InfoDescribesAFile) {
 
 TEST_F(Cli, WrongUsageEndsWithOne) {
   for (const char* arguments :
-       {"", "glue a b", "sum square.wkt", "sum square.wkt square.wkt --engine slow", "sum square.wkt square.wkt --repeat 0",
+       {"", "glue a b", "sum square.wkt", "sum square.wkt square.wkt --engine slow",
+        "sum square.wkt square.wkt --repeat 0",
         "sum square.wkt square.wkt --json -o -", "sum - - ", "sum square.wkt square.wkt --semantics ajar",
         "convert square.wkt", "convert square.wkt - --json", "info square.wkt -o square.poly",
         "sum square.wkt square.wkt --nothing"}) {
