@@ -1,0 +1,40 @@
+// The whole sum by definition: cut the plane by every edge + vertex of the operands, ask for each vertex, edge and face of
+// that arrangement whether it belongs to the sum, and keep what separates the answers. For tiny operands.
+#pragma once
+
+#include <vector>
+
+#include "membership.h"
+#include "dymsum/planar_sum.h"
+
+namespace dymsum::oracles {
+
+/// What the result of a sum must be. All lists sorted.
+template <class N>
+struct ReferenceSum {
+  std::vector<Pt<N>> stops;            ///< every vertex of the arrangement
+  std::vector<Seg<N>> rim;             ///< boundary of the parts, cut at every stop, interior on the left
+  std::vector<Seg<N>> segments;        ///< maximal, a < b
+  std::vector<Pt<N>> points;
+  bool knows_tight = true;             ///< false where tight features are not defined (see reference_sum)
+  std::vector<Seg<N>> tight_segments;  ///< maximal, a < b
+  std::vector<Pt<N>> tight_points;
+  std::size_t cells_asked = 0;
+};
+
+/// P (+) Q. closed: M, with T = F \ cl int F for F the complement of the open sum, unless both operands have
+/// polylines or points, which add parts of M outside the open sum's closure. open: the same without such pairs. regular: parts only.
+template <class N>
+ReferenceSum<N> reference_sum(const RegionData& p, const RegionData& q, Semantics semantics);
+
+/// { x : x + Q inside P }; its segments and points are its tight features.
+template <class N>
+ReferenceSum<N> reference_erode(const RegionData& p, const RegionData& q);
+
+/// True when a polyline or point of p meets a polyline or point of q in the sum's definition: both have some.
+bool has_thin_pair(const RegionData& p, const RegionData& q);
+
+extern template struct ReferenceSum<Small>;
+extern template struct ReferenceSum<Big>;
+
+}  // namespace dymsum::oracles
