@@ -43,6 +43,7 @@ class Big {
 };
 
 /// The same integer.
+inline const Big& to_big(const Big& v) { return v; }
 Big to_big(std::int64_t v);
 Big to_big(i128 v);
 /// From limbs in two's complement, least significant first.

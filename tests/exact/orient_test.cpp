@@ -1,0 +1,149 @@
+#include "exact/orient.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "exact/gmp_bridge.h"
+
+namespace dymsum::exact {
+namespace {
+
+constexpr std::uint64_t kSeed = 31337;
+constexpr double kMax = std::numeric_limits<double>::max();
+
+int cross_by_gmp(Point a, Point b, Point c, Point d) {
+  const mpq_class ux = mpq_class(b.x) - mpq_class(a.x), uy = mpq_class(b.y) - mpq_class(a.y);
+  const mpq_class wx = mpq_class(d.x) - mpq_class(c.x), wy = mpq_class(d.y) - mpq_class(c.y);
+  return sgn(mpq_class(ux * wy - uy * wx));
+}
+
+int dot_by_gmp(Point a, Point b, Point c, Point d) {
+  const mpq_class ux = mpq_class(b.x) - mpq_class(a.x), uy = mpq_class(b.y) - mpq_class(a.y);
+  const mpq_class wx = mpq_class(d.x) - mpq_class(c.x), wy = mpq_class(d.y) - mpq_class(c.y);
+  return sgn(mpq_class(ux * wx + uy * wy));
+}
+
+struct RungTally {
+  std::array<int, 4> by_rung{};
+  int wrong = 0, zeros = 0;
+
+  void see(SignAnswer answer, int expected) {
+    ++by_rung[static_cast<int>(answer.rung)];
+    wrong += answer.sign != expected;
+    zeros += expected == 0;
+  }
+  void all(Point a, Point b, Point c, Point d) {
+    see(cross_answer(a, b, c, d), cross_by_gmp(a, b, c, d));
+    see(dot_answer(a, b, c, d), dot_by_gmp(a, b, c, d));
+    see(cross_answer(a, b, a, c), cross_by_gmp(a, b, a, c));
+    EXPECT_EQ(orient_sign(a, b, c), cross_sign(a, b, a, c));
+  }
+  int at(Rung rung) const { return by_rung[static_cast<int>(rung)]; }
+};
+
+template <class Draw>
+RungTally tally(std::uint64_t seed, int rounds, Draw draw) {
+  std::mt19937_64 random(seed);
+  RungTally t;
+  for (int i = 0; i < rounds; ++i) {
+    const auto point = [&] {
+      const double x = draw(random), y = draw(random);
+      return Point{x, y};
+    };
+    const Point a = point(), b = point(), c = point(), d = point();
+    t.all(a, b, c, d);
+  }
+  return t;
+}
+
+TEST(Orient, TheFilterAnswersNearlyAllGenericCalls) {
+  const RungTally t = tally(kSeed, 5000, [](auto& random) { return static_cast<double>(random() >> 11) * 0x1p-53; });
+  EXPECT_EQ(t.wrong, 0);
+  EXPECT_GT(t.at(Rung::filter), 14990);
+}
+
+TEST(Orient, TinyGridsNeedNoMoreThanTheNarrowExactRung) {
+  const RungTally t = tally(kSeed, 5000, [](auto& random) { return static_cast<double>(random() % 4); });
+  EXPECT_EQ(t.wrong, 0);
+  EXPECT_GT(t.zeros, 1000);
+  EXPECT_EQ(t.at(Rung::int61), t.zeros);  // the filter opens only on zeros here
+  EXPECT_EQ(t.at(Rung::int125) + t.at(Rung::big), 0);
+}
+
+TEST(Orient, ArbitraryExponentsReachEveryRung) {
+  const RungTally t = tally(kSeed, 5000, [](auto& random) {
+    for (;;) {
+      const double v = std::bit_cast<double>(random());
+      if (std::isfinite(v)) return v;
+    }
+  });
+  EXPECT_EQ(t.wrong, 0);
+  EXPECT_GT(t.at(Rung::big), 1000);
+  EXPECT_GT(t.at(Rung::filter), 1000);
+}
+
+TEST(Orient, ExtremesOfTheRangeUnderflowAndOverflow) {
+  const std::array<double, 13> values = {0,    0x1p-1074, -0x1p-1074, 0x3p-1074, 0x1p-1022, 0x1p-540,   -0x1p-537,
+                                         1.0,  0x1p512,   -0x1p1023,  kMax,      -kMax,     0x1.fp-500};
+  const RungTally t = tally(kSeed, 20000, [&](auto& random) { return values[random() % values.size()]; });
+  EXPECT_EQ(t.wrong, 0);
+  EXPECT_GT(t.zeros, 100);
+  for (const Rung rung : {Rung::filter, Rung::int61, Rung::big}) EXPECT_GT(t.at(rung), 100);
+}
+
+TEST(Orient, NearlyCollinearPointsOfEveryScale) {
+  std::mt19937_64 random(kSeed);
+  RungTally t;
+  for (int i = 0; i < 5000; ++i) {
+    // c is on the line ab, rounded, or one or two ulps beside it
+    const double scale = std::ldexp(1.0, static_cast<int>(random() % 80) - 40), along = static_cast<double>(random() % 1000) / 37;
+    const auto unit = [&] { return static_cast<double>(random() >> 11) * 0x1p-53 * scale; };
+    const Point a{unit(), unit()}, b{unit(), unit()};
+    Point c{a.x + along * (b.x - a.x), a.y + along * (b.y - a.y)};
+    for (int k = static_cast<int>(random() % 3); k > 0; --k) c.y = std::nextafter(c.y, random() % 2 ? kMax : -kMax);
+    t.all(a, b, c, a);
+  }
+  EXPECT_EQ(t.wrong, 0);
+  EXPECT_GT(t.at(Rung::int61), 500);
+  EXPECT_GT(t.at(Rung::int125), 10);
+}
+
+TEST(Orient, AFarOffsetCostsNoBits) {
+  // the extent is 2^53 units at an offset of 2^90 units in one operand: the exact rung stays narrow
+  const Point a{0x1p60, 0x1p60}, b{0x1p60 + 0x1p20, 0x1p60 + 0x1p20}, c{0x1p60 + 0x1p21, 0x1p60 + 0x1p21};
+  EXPECT_EQ(cross_answer(a, b, a, c).rung, Rung::int61);
+  EXPECT_EQ(cross_answer(a, b, a, c).sign, 0);
+}
+
+TEST(Orient, CountsTellWhoAnswered) {
+  FilterCounts counts;
+  EXPECT_EQ(orient_sign({0, 0}, {1, 0}, {0, 1}, counts), 1);
+  EXPECT_EQ(counts, (FilterCounts{1, 0}));
+  EXPECT_EQ(orient_sign({0, 0}, {1, 1}, {2, 2}, counts), 0);
+  EXPECT_EQ(counts, (FilterCounts{1, 1}));
+  EXPECT_EQ(dot_sign({0, 0}, {1, 0}, {0, 0}, {0, 1}, counts), 0);
+  EXPECT_EQ(dot_sign({0, 0}, {1, 0}, {0, 0}, {-3, 1}, counts), -1);
+  EXPECT_EQ(cross_sign({0, 0}, {1, 0}, {5, 5}, {6, 4}, counts), -1);
+  EXPECT_EQ(counts, (FilterCounts{3, 2}));
+}
+
+TEST(Orient, SwapsChangeTheSignAndRotationsKeepIt) {
+  std::mt19937_64 random(kSeed);
+  int zeros = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const auto point = [&] { return Point{0.1 * static_cast<double>(random() % 8), 0.7 * static_cast<double>(random() % 8)}; };
+    const Point a = point(), b = point(), c = point();
+    const int s = orient_sign(a, b, c);
+    zeros += s == 0;
+    ASSERT_EQ(orient_sign(b, c, a), s);
+    ASSERT_EQ(orient_sign(b, a, c), -s);
+    ASSERT_EQ(cross_sign(a, b, b, c), s);
+  }
+  EXPECT_GT(zeros, 100);
+}
+
+}  // namespace
+}  // namespace dymsum::exact
