@@ -1,0 +1,53 @@
+// A region as an SVG picture that reads back as the same region: the marked paths hold its own coordinates, and the group
+// around them, which is for looking at only, turns y up.
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "io/picture.h"
+#include "io/readers.h"
+
+namespace dymsum {
+
+namespace io {
+
+void draw_marked(Picture& picture, const RegionData& data, const Placement& placement, std::string_view fill, std::string_view edge) {
+  std::size_t vertices = 0;
+  for (const Part& part : data.parts) {
+    vertices += part.outer.size();
+    for (const Ring& hole : part.holes) vertices += hole.size();
+  }
+  picture.open_group("transform=\"" + placement.matrix() + "\"");
+  picture.open_group(fill_style(fill, edge, stroke_for(vertices)));
+  // vector-effect is not inherited
+  const std::string part_mark = "data-dymsum=\"part\" vector-effect=\"non-scaling-stroke\"";
+  for (const Part& part : data.parts) picture.path(exact_path(part), part_mark);
+  picture.close_group();
+  std::string lines, dots;
+  for (const Polyline& line : data.polylines) append_exact_ring(lines, line, false);
+  for (const Point p : data.points) {
+    append_exact_ring(dots, {p}, false);
+    dots += "h0";
+  }
+  picture.path(lines, "data-dymsum=\"polylines\" " + line_style(edge, 2));
+  picture.path(dots, "data-dymsum=\"points\" " + dot_style(edge, 6));
+  picture.close_group();
+}
+
+std::string write_svg(const RegionData& data) {
+  constexpr double kSide = 720, kMargin = 24, kCaption = 30;
+  Extent extent;
+  extent.add(data);
+  const double scale = fitting_scale(extent.width(), extent.height(), kSide, kSide);
+  const double width = std::max(scale * extent.width(), 260.0), height = std::max(scale * extent.height(), 24.0);
+  Picture picture(width + 2 * kMargin, height + 2 * kMargin + kCaption, "region");
+  draw_marked(picture, data, place(extent, scale, kMargin, kMargin + height), palette::kSum, palette::kSumEdge);
+  picture.text(kMargin, kMargin + height + kCaption, 13, palette::kQuiet, describe(data));
+  return std::move(picture).finish();
+}
+
+}  // namespace io
+
+std::string draw_region(const Region& region) { return io::write_svg(region.data()); }
+
+}  // namespace dymsum

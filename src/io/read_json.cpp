@@ -1,0 +1,54 @@
+#include <cmath>
+
+#include "io/json_shapes.h"
+#include "io/number_text.h"
+#include "io/readers.h"
+
+namespace dymsum::io {
+
+JsonValue require_member(const Source& source, const JsonValue& object, std::string_view key) {
+  if (!object.is_object()) {
+    source.fail_on_line(Code::malformed, "expected an object with '" + std::string(key) + "'", object.line());
+  }
+  const auto value = object.find(key);
+  if (!value) source.fail_on_line(Code::malformed, "the object has no '" + std::string(key) + "'", object.line());
+  return *value;
+}
+
+const std::string& require_text(const Source& source, const JsonValue& value, std::string_view what) {
+  if (value.kind() != JsonKind::string) {
+    source.fail_on_line(Code::malformed, "expected " + std::string(what) + " as a string", value.line());
+  }
+  return value.text();
+}
+
+Point require_position(const Source& source, const JsonValue& value) {
+  if (value.kind() != JsonKind::pair) {
+    source.fail_on_line(Code::malformed, "expected a position of two numbers, [x, y]", value.line());
+  }
+  return value.pair();
+}
+
+std::vector<Point> require_positions(const Source& source, const JsonValue& value) {
+  std::vector<Point> points;
+  visit_array(source, value, "positions", [&](const JsonValue& p) { points.push_back(require_position(source, p)); });
+  return points;
+}
+
+std::optional<std::string> name_of(const JsonValue& value) {
+  if (value.kind() == JsonKind::string) return value.text();
+  if (value.kind() != JsonKind::number) return std::nullopt;
+  std::string text;
+  append_number(text, value.number());
+  return text;
+}
+
+std::vector<NamedShape> read_json(const Source& source) {
+  const JsonTape tape(source);
+  const JsonValue root = tape.root();
+  if (root.find("items")) return read_nesting(source, root);
+  if (root.find("type")) return read_geojson(source, root);
+  source.fail_on_line(Code::malformed, "expected an object with 'items' (nesting instance) or 'type' (GeoJSON)", root.line());
+}
+
+}  // namespace dymsum::io

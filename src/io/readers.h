@@ -1,0 +1,28 @@
+// The readers and writers behind region_io.h. Readers throw ReadFailure.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "dymsum/region_io.h"
+#include "io/source.h"
+
+namespace dymsum::io {
+
+/// Shapes as they stand in the file; a shape without a name of its own has an empty one.
+std::vector<NamedShape> read_poly(const Source& source);
+std::vector<NamedShape> read_wkt(const Source& source);
+/// GeoJSON or a nesting instance, told apart by what the outermost object holds.
+std::vector<NamedShape> read_json(const Source& source);
+std::vector<NamedShape> read_svg(const Source& source);
+
+std::string write_poly(const RegionData& data);
+std::string write_wkt(const RegionData& data);
+std::string write_geojson(const RegionData& data);
+std::string write_nesting(const RegionData& data);
+std::string write_svg(const RegionData& data);
+
+/// format_region before validation: what the readers give, in a format.
+std::string format_region_data(const RegionData& data, RegionFormat format);
+
+}  // namespace dymsum::io
