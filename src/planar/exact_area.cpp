@@ -1,0 +1,118 @@
+#include "planar/exact_area.h"
+
+#include <cstddef>
+#include <span>
+#include <utility>
+
+namespace dymsum::planar {
+
+namespace {
+
+using exact::BigInteger;
+
+/// (x / w, y / w), w > 0.
+struct Vertex {
+  BigInteger x, y, w;
+};
+
+Vertex homogeneous(const Position& p) {
+  BigInteger x = numerator(p.x), y = numerator(p.y), xd = denominator(p.x), yd = denominator(p.y);
+  if (xd == yd) return {std::move(x), std::move(y), std::move(xd)};
+  const BigInteger common = gcd(xd, yd);
+  yd /= common;
+  xd /= common;
+  x *= yd;
+  y *= xd;
+  xd *= common;
+  xd *= yd;
+  return {std::move(x), std::move(y), std::move(xd)};
+}
+
+/// A fraction with a product of known factors as denominator.
+struct Fraction {
+  BigInteger numerator, denominator;
+};
+
+/// The cross products of edges first .. last - 1 of a ring sum up to numerator / (w(first) denominator w(last)). Two
+/// neighbours share one w, so every w enters the denominator once.
+Fraction chain_sum(std::span<const Vertex> ring, std::size_t first, std::size_t last) {
+  const Vertex& a = ring[first];
+  const Vertex& b = ring[last % ring.size()];
+  if (last - first == 1) return {a.x * b.y - b.x * a.y, 1};
+  const std::size_t middle = (first + last) / 2;
+  const Fraction left = chain_sum(ring, first, middle), right = chain_sum(ring, middle, last);
+  const BigInteger after = right.denominator * b.w, before = a.w * left.denominator;
+  const BigInteger shared = left.denominator * ring[middle].w;
+  return {left.numerator * after + right.numerator * before, shared * right.denominator};
+}
+
+/// Unreduced sum of the rings' cross products.
+Fraction ring_sums(std::span<const std::vector<Vertex>> rings) {
+  if (rings.size() == 1) {
+    const std::vector<Vertex>& ring = rings[0];
+    Fraction sum = chain_sum(ring, 0, ring.size());
+    sum.denominator *= ring[0].w * ring[0].w;
+    return sum;
+  }
+  const Fraction left = ring_sums(rings.first(rings.size() / 2)), right = ring_sums(rings.subspan(rings.size() / 2));
+  return {left.numerator * right.denominator + right.numerator * left.denominator,
+          left.denominator * right.denominator};
+}
+
+BigInteger product_of(std::span<const BigInteger> factors) {
+  if (factors.size() == 1) return factors[0];
+  return product_of(factors.first(factors.size() / 2)) * product_of(factors.subspan(factors.size() / 2));
+}
+
+/// The product over factors f of gcd(f, value): the value's remainder is taken by ever smaller products of factors.
+BigInteger product_of_gcds(std::span<const BigInteger> factors, const BigInteger& value) {
+  if (factors.size() == 1) return gcd(factors[0], BigInteger(value % factors[0]));
+  const auto left = factors.first(factors.size() / 2), right = factors.subspan(factors.size() / 2);
+  return product_of_gcds(left, BigInteger(value % product_of(left))) *
+         product_of_gcds(right, BigInteger(value % product_of(right)));
+}
+
+}  // namespace
+
+Rational ExactArea::to_rational() const { return {numerator.str(), denominator.str()}; }
+
+// The quotient's first 64 bits or more, and a last bit set when something follows: this rounds as the quotient does.
+double ExactArea::to_double() const {
+  if (numerator.is_zero()) return 0;
+  const BigInteger magnitude = abs(numerator);
+  const auto shift = static_cast<std::int64_t>(msb(denominator)) - static_cast<std::int64_t>(msb(magnitude)) + 64;
+  BigInteger quotient, remainder;
+  if (shift >= 0)
+    divide_qr(BigInteger(magnitude << shift), denominator, quotient, remainder);
+  else
+    divide_qr(magnitude, BigInteger(denominator << -shift), quotient, remainder);
+  quotient <<= 1;
+  if (!remainder.is_zero()) quotient += 1;
+  if (numerator.sign() < 0) quotient = -quotient;
+  const BigInteger scale = BigInteger(1) << (shift >= 0 ? shift + 1 : -shift);
+  if (shift >= 0) return exact::round_to_double(exact::BigRational(quotient, scale));
+  return exact::round_to_double(exact::BigRational(quotient * scale, 2));
+}
+
+// With D the product of the factors f of the denominator, gcd(N, D) = gcd(N, product of gcd(f, N)): for every prime, the
+// smaller of its powers in N and D is the smaller of that in N and the sum over f of the smaller of those in N and f.
+ExactArea exact_area(const std::vector<std::vector<Position>>& rings) {
+  std::vector<std::vector<Vertex>> vertices;
+  std::vector<BigInteger> factors{2};
+  for (const std::vector<Position>& ring : rings) {
+    if (ring.empty()) continue;
+    std::vector<Vertex>& to = vertices.emplace_back();
+    for (const Position& p : ring) to.push_back(homogeneous(p));
+    for (const Vertex& v : to)
+      if (v.w != 1) factors.push_back(v.w);
+    if (to[0].w != 1) factors.push_back(to[0].w);
+  }
+  if (vertices.empty()) return {};
+  Fraction sum = ring_sums(vertices);
+  sum.denominator *= 2;
+  const BigInteger part = product_of_gcds(factors, BigInteger(abs(sum.numerator) % sum.denominator));
+  const BigInteger common = gcd(part, BigInteger(abs(sum.numerator) % part));
+  return {sum.numerator / common, sum.denominator / common};
+}
+
+}  // namespace dymsum::planar
