@@ -89,7 +89,8 @@ BigRational exact_value(const Rational& v) {
 
 BigRational ratio(const Big& num, const Big& den) {
   if (sign(den) == 0) throw std::domain_error("ratio: zero denominator");
-  return BigRational(num.value(), den.value());
+  // Boost 1.74's rational throws for a negative denominator of unbounded type
+  return sign(den) > 0 ? BigRational(num.value(), den.value()) : BigRational((-num).value(), (-den).value());
 }
 
 Rational to_rational(const BigRational& v) { return {numerator(v).str(), denominator(v).str()}; }

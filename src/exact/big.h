@@ -75,7 +75,7 @@ Big shift_left(const Big& a) {
 BigRational exact_value(double v);
 /// The number behind a public value. Throws std::invalid_argument unless num is [-]digits and den digits, not all zero.
 BigRational exact_value(const Rational& v);
-/// num/den.
+/// num/den, den of either sign (BigRational's own constructor wants a positive one). Throws std::domain_error for den = 0.
 BigRational ratio(const Big& num, const Big& den);
 
 /// The public value of a rational: lowest terms, positive denominator.

@@ -157,7 +157,7 @@ TEST(Rounding, EndsOfTheRange) {
 }
 
 TEST(Rationals, PublicValuesAreCanonicalAndRoundTrip) {
-  EXPECT_EQ(to_rational(BigRational(6, -4)), (Rational{"-3", "2"}));
+  EXPECT_EQ(to_rational(BigRational(-6, 4)), (Rational{"-3", "2"}));
   EXPECT_EQ(to_rational(ratio(Big::from_int64(6), Big::from_int64(-4))), (Rational{"-3", "2"}));
   EXPECT_EQ(to_rational(BigRational(0)), Rational{});
   EXPECT_THROW((void)ratio(Big::from_int64(1), Big{}), std::domain_error);
