@@ -94,8 +94,9 @@ double ExactArea::to_double() const {
   return exact::round_to_double(exact::BigRational(quotient * scale, 2));
 }
 
-// With D the product of the factors f of the denominator, gcd(N, D) = gcd(N, product of gcd(f, N)): for every prime, the
-// smaller of its powers in N and D is the smaller of that in N and the sum over f of the smaller of those in N and f.
+// With D the product of the factors f of the denominator, gcd(N, D) = gcd(N, product of gcd(f, N)): for every prime,
+// the smaller of its powers in N and D is the smaller of that in N and the sum over f of the smaller of those in N and
+// f.
 ExactArea exact_area(const std::vector<std::vector<Position>>& rings) {
   std::vector<std::vector<Vertex>> vertices;
   std::vector<BigInteger> factors{2};

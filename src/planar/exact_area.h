@@ -8,8 +8,8 @@
 
 namespace dymsum::planar {
 
-/// numerator / denominator in lowest terms, denominator > 0. Two integers rather than a BigRational: that would look for
-/// common factors again, by a binary gcd of quadratic cost.
+/// numerator / denominator in lowest terms, denominator > 0. Two integers rather than a BigRational: that would look
+/// for common factors again, by a binary gcd of quadratic cost.
 struct ExactArea {
   exact::BigInteger numerator = 0, denominator = 1;
 

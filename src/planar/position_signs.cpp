@@ -81,11 +81,11 @@ int compare(const Spot& a, const Spot& b) {
   return order != 0 ? order : compare_y(a, b);
 }
 
-// Let u = 2^-53 and X the largest |x|. Each nearest x errs by at most u X (normal range), so a difference of two errs by
-// at most 2 u X, plus u |difference| <= 2 u X for its own rounding: ex = 4 u X. With ey alike, the products err by at most
-// ex (|qy| + |ry|) + ey (|qx| + |rx|) + 2 ex ey, and rounding adds 3 u (|qx ry| + |qy rx|). All is doubled to cover the
-// rounding of the bound itself. kTiny covers coordinates rounded to subnormals, kSmallest products that underflow.
-// Infinite or NaN values fail the last comparison.
+// Let u = 2^-53 and X the largest |x|. Each nearest x errs by at most u X (normal range), so a difference of two errs
+// by at most 2 u X, plus u |difference| <= 2 u X for its own rounding: ex = 4 u X. With ey alike, the products err by
+// at most ex (|qy| + |ry|) + ey (|qx| + |rx|) + 2 ex ey, and rounding adds 3 u (|qx ry| + |qy rx|). All is doubled to
+// cover the rounding of the bound itself. kTiny covers coordinates rounded to subnormals, kSmallest products that
+// underflow. Infinite or NaN values fail the last comparison.
 int orientation_filtered(Point a, Point b, Point c) {
   constexpr double u = std::numeric_limits<double>::epsilon() / 2, kTiny = 0x1p-1070, kSmallest = 0x1p-400;
   const double ex = 4 * u * std::max({std::fabs(a.x), std::fabs(b.x), std::fabs(c.x)}) + kTiny;

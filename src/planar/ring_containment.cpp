@@ -68,8 +68,8 @@ Spot between(const Spot& a, const Spot& b, const exact::BigRational& t) {
   return make_spot(Position{a.exact.x + t * (b.exact.x - a.exact.x), a.exact.y + t * (b.exact.y - a.exact.y)});
 }
 
-/// Tries inner's vertices, then points of its first edge. Rings that do not cross touch inside that edge only at vertices
-/// of outer, so of one more point than outer has vertices, one lies off it.
+/// Tries inner's vertices, then points of its first edge. Rings that do not cross touch inside that edge only at
+/// vertices of outer, so of one more point than outer has vertices, one lies off it.
 bool contains_exactly(const std::vector<Spot>& outer, const std::vector<Spot>& inner) {
   for (const Spot& v : inner)
     if (const Location at = locate(outer, v); at != Location::boundary) return at == Location::inside;

@@ -20,14 +20,14 @@ namespace dymsum::planar {
 ///    interior points.
 /// Error rounding_changed_topology otherwise, with part, ring and vertex numbers of the sum where rings are concerned,
 /// and the place. Not checked: that a part smaller than the rounding lies in the same hole of another part as before.
-/// Cost: O(n log n + m) for n vertices and m pairs of edge and vertex with overlapping x ranges, exact arithmetic on the
-/// pairs that doubles do not tell apart; O(s n) for s segments.
+/// Cost: O(n log n + m) for n vertices and m pairs of edge and vertex with overlapping x ranges, exact arithmetic on
+/// the pairs that doubles do not tell apart; O(s n) for s segments.
 Result<Region> rounded(const PlanarSum& sum);
 
 /// As rounded(), with nothing but validity promised of the result: vertices that collide are merged, rings that
-/// collapse are dropped, segments that collapse become points, all by dymsum::repair, which also drops vertices that rounding
-/// made collinear; the report counts everything, equal points as duplicate vertices. Error rounding_changed_topology
-/// where coordinates are not finite or the repaired data are still not valid.
+/// collapse are dropped, segments that collapse become points, all by dymsum::repair, which also drops vertices that
+/// rounding made collinear; the report counts everything, equal points as duplicate vertices. Error
+/// rounding_changed_topology where coordinates are not finite or the repaired data are still not valid.
 Result<Repaired> rounded_with_repair(const PlanarSum& sum);
 
 }  // namespace dymsum::planar
