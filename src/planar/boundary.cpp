@@ -1,0 +1,237 @@
+#include "planar/boundary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+namespace dymsum::planar {
+namespace {
+
+int half(const Soup& soup, std::uint32_t s) {
+  const double dx = soup.dx(s), dy = soup.dy(s);
+  return dy > 0 || (dy == 0 && dx > 0) ? 0 : 1;
+}
+
+// How often the direction passes +x counter-clockwise: +1 or -1 for a loop that bounds one face.
+int turning_number(const Soup& soup, const std::vector<Step>& steps) {
+  int turns = 0;
+  std::uint32_t last = steps.back().segment;
+  for (const Step& step : steps) {
+    const std::uint32_t s = step.segment;
+    const int from = half(soup, last), to = half(soup, s);
+    if (from != to) {
+      const int c = soup.cross(last, s);
+      if (c > 0 && from == 1) ++turns;
+      if (c < 0 && from == 0) --turns;
+    }
+    last = s;
+  }
+  return turns;
+}
+
+}  // namespace
+
+std::vector<BoundaryLoop> find_loops(const Soup& soup, const Arrangement& arrangement) {
+  std::vector<BoundaryLoop> loops;
+  std::vector<bool> seen(arrangement.sub_count(), false);
+  std::vector<Step> path;
+  for (std::uint32_t s = 0; s < soup.size(); ++s) {
+    const std::uint32_t first = arrangement.first_sub(s), count = arrangement.event_count(s) + 1;
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const Step start{first + k, s};
+      if (seen[start.sub] || !arrangement.alive_at_start(start)) continue;
+      // The successor map is injective, so a walk either comes back to its start or belongs to no cycle.
+      path.clear();
+      Step at = start;
+      do {
+        seen[at.sub] = true;
+        path.push_back(at);
+        at = arrangement.successor(at);
+      } while (at.sub != kNone && !seen[at.sub]);
+      if (at.sub != start.sub) continue;
+      BoundaryLoop loop{path, 0};
+      loop.turning = turning_number(soup, path);
+      loops.push_back(std::move(loop));
+    }
+  }
+  return loops;
+}
+
+SortedLoops verify_loops(const Soup& soup, const Arrangement& arrangement, std::vector<BoundaryLoop> loops,
+                         Collision& collision, bool connected) {
+  SortedLoops out;
+  // A connected sum has exactly one counter-clockwise loop, the one that reaches farthest left.
+  std::size_t outer = loops.size();
+  if (connected) {
+    double best = INFINITY, second = INFINITY, error = 0;
+    for (std::size_t i = 0; i < loops.size(); ++i) {
+      if (loops[i].turning < 0) continue;
+      double low = INFINITY;
+      for (const Step& step : loops[i].steps) {
+        const Place p = arrangement.end_place(step);
+        low = std::min(low, p.x - p.error);
+        error = std::max(error, p.error);
+      }
+      if (low < best) {
+        second = best;
+        best = low;
+        outer = i;
+      } else {
+        second = std::min(second, low);
+      }
+    }
+    if (!(second - best > 4 * error)) outer = loops.size();  // undecided: test them all
+    std::size_t count = 0;
+    for (const BoundaryLoop& loop : loops) count += loop.turning > 0;
+    if (count == 1)
+      for (std::size_t i = 0; i < loops.size(); ++i)
+        if (loops[i].turning > 0) outer = i;
+  }
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    bool keep = i == outer;
+    if (!keep && (outer == loops.size() || loops[i].turning < 0)) {
+      // The longest sub-edge gives the sample that is easiest to decide.
+      const auto length = [&](const Step& s) {
+        return (arrangement.end_parameter(s) - arrangement.start_parameter(s)) *
+               (std::abs(soup.dx(s.segment)) + std::abs(soup.dy(s.segment)));
+      };
+      const Step* longest = &loops[i].steps[0];
+      double best = length(*longest);
+      for (const Step& step : loops[i].steps)
+        if (const double l = length(step); l > best) {
+          best = l;
+          longest = &step;
+        }
+      keep = !collision.overlaps_right_of(arrangement.sample(*longest));
+    }
+    (keep ? out.kept : out.dropped).push_back(std::move(loops[i]));
+  }
+  return out;
+}
+
+// At a node that several kept passes share, every pass in is joined to the next way out clockwise from it: interior pairing. Rings
+// then bound connected interiors; those that still meet themselves are cut at the repeated node.
+std::vector<BoundaryLoop> simple_rings(const Soup& soup, const Arrangement& arrangement, std::vector<BoundaryLoop> loops) {
+  struct Pass {
+    Step in, out;
+  };
+  std::unordered_map<std::uint32_t, std::vector<Pass>> nodes;
+  bool repeated = false;
+  for (const BoundaryLoop& loop : loops)
+    for (std::size_t i = 0; i < loop.steps.size(); ++i) {
+      const std::uint32_t node = arrangement.end_node(loop.steps[i]);
+      if (node == kNone) continue;
+      auto& passes = nodes[node];
+      passes.push_back({loop.steps[i], loop.steps[(i + 1) % loop.steps.size()]});
+      repeated |= passes.size() > 1;
+    }
+  if (!repeated) return loops;
+
+  std::unordered_map<std::uint32_t, Step> next;  // by sub-edge
+  std::vector<Step> order;
+  for (const BoundaryLoop& loop : loops)
+    for (std::size_t i = 0; i < loop.steps.size(); ++i) {
+      next[loop.steps[i].sub] = loop.steps[(i + 1) % loop.steps.size()];
+      order.push_back(loop.steps[i]);
+    }
+  for (auto& [node, passes] : nodes) {
+    if (passes.size() < 2) continue;
+    struct Ray {
+      Step step;
+      bool out;
+    };
+    std::vector<Ray> rays;
+    for (const Pass& p : passes) {
+      rays.push_back({p.in, false});
+      rays.push_back({p.out, true});
+    }
+    const auto ray_half = [&](const Ray& r) { return half(soup, r.step.segment) ^ (r.out ? 0 : 1); };
+    std::sort(rays.begin(), rays.end(), [&](const Ray& a, const Ray& b) {
+      if (ray_half(a) != ray_half(b)) return ray_half(a) < ray_half(b);
+      const int c = soup.cross(a.step.segment, b.step.segment) * (a.out == b.out ? 1 : -1);
+      return c > 0;
+    });
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      if (rays[i].out) continue;
+      const Ray& before = rays[(i + rays.size() - 1) % rays.size()];
+      next[rays[i].step.sub] = before.step;
+    }
+  }
+  std::vector<BoundaryLoop> rings;
+  std::unordered_map<std::uint32_t, bool> seen;
+  for (const Step& start : order) {
+    if (seen[start.sub]) continue;
+    std::vector<Step> path;
+    std::unordered_map<std::uint32_t, std::size_t> at_node;  // node -> length of the path that ends there
+    Step at = start;
+    const auto emit = [&](std::size_t from) {
+      BoundaryLoop ring;
+      ring.steps.assign(path.begin() + from, path.end());
+      ring.turning = turning_number(soup, ring.steps);
+      for (std::size_t i = from; i < path.size(); ++i)
+        if (const std::uint32_t n = arrangement.end_node(path[i]); n != kNone && i + 1 != path.size()) at_node.erase(n);
+      path.resize(from);
+      rings.push_back(std::move(ring));
+    };
+    do {
+      seen[at.sub] = true;
+      path.push_back(at);
+      const std::uint32_t node = arrangement.end_node(at);
+      const Step following = next[at.sub];
+      if (node != kNone) {
+        const auto it = at_node.find(node);
+        if (it != at_node.end()) {
+          emit(it->second);
+        } else {
+          at_node[node] = path.size();
+        }
+      }
+      at = following;
+    } while (at.sub != start.sub);
+    if (!path.empty()) emit(0);
+  }
+  return rings;
+}
+
+Contact contact_of(const Soup& soup, std::uint32_t segment) {
+  const SoupSegment& g = soup.segments[segment];
+  const std::uint32_t edge = soup.operands[g.side()]->edge_number[g.edge()];
+  const std::uint32_t vertex = soup.operands[1 - g.side()]->source[g.vertex];
+  return g.side() == 0 ? Contact{Contact::Kind::edge_of_p, edge, vertex} : Contact{Contact::Kind::edge_of_q, vertex, edge};
+}
+
+SumVertex vertex_of(const Soup& soup, std::uint32_t in, std::uint32_t out, const SubEnd& end, const Place& place) {
+  SumVertex v;
+  v.in = contact_of(soup, in);
+  v.out = contact_of(soup, out);
+  if (end.pair) {
+    const Pair corner = soup.exact(end.at);
+    v.corner_p = corner.p;
+    v.corner_q = corner.q;
+  }
+  v.at = soup.lattice.to_input(place.x, place.y);
+  return v;
+}
+
+double input_error(const Lattice& lattice, double grid_error) {
+  const auto& o = lattice.offset;
+  const double reach = std::abs(o[0].x) + std::abs(o[1].x) + std::abs(o[0].y) + std::abs(o[1].y);
+  const double span = std::ldexp(lattice.span, lattice.double_exponent);
+  return std::ldexp(grid_error, lattice.double_exponent) + 0x1p-50 * (reach + span);
+}
+
+SumRing make_ring(const Soup& soup, const Arrangement& arrangement, const BoundaryLoop& loop, double& error) {
+  const std::vector<Step>& steps = loop.steps;
+  const std::size_t n = steps.size();
+  SumRing ring;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Step &in = steps[i], &out = steps[(i + 1) % n];
+    if (in.segment == out.segment || soup.cross(in.segment, out.segment) == 0) continue;  // straight on
+    const Place place = arrangement.end_place(in);
+    error = std::max(error, place.error);
+    ring.vertices.push_back(vertex_of(soup, in.segment, out.segment, arrangement.end_of(in), place));
+  }
+  return ring;
+}
+
+}  // namespace dymsum::planar

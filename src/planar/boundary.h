@@ -1,0 +1,45 @@
+// From the arrangement to the boundary: loops, which of them are true, and rings with interior on the left.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "dymsum/planar_sum.h"
+#include "planar/arrangement.h"
+#include "planar/collision.h"
+#include "planar/soup.h"
+
+namespace dymsum::planar {
+
+using Step = Arrangement::Step;
+
+/// A cycle of the successor map; the set's outside is on its right.
+struct BoundaryLoop {
+  std::vector<Step> steps;
+  int turning = 0;  ///< 1 counter-clockwise, -1 clockwise
+};
+
+/// All cycles.
+std::vector<BoundaryLoop> find_loops(const Soup& soup, const Arrangement& arrangement);
+
+/// Splits loops into true and false ones. With `connected`, the sum has one outer boundary, which needs no test.
+struct SortedLoops {
+  std::vector<BoundaryLoop> kept, dropped;
+};
+SortedLoops verify_loops(const Soup& soup, const Arrangement& arrangement, std::vector<BoundaryLoop> loops, Collision& collision,
+                         bool connected);
+
+/// Loops that meet themselves or each other at nodes are cut there so that every ring is simple and bounds a connected interior.
+std::vector<BoundaryLoop> simple_rings(const Soup& soup, const Arrangement& arrangement, std::vector<BoundaryLoop> loops);
+
+/// Provenance.
+Contact contact_of(const Soup& soup, std::uint32_t segment);
+SumVertex vertex_of(const Soup& soup, std::uint32_t in, std::uint32_t out, const SubEnd& end, const Place& place);
+
+/// The ring of a loop with collinear steps merged; grows `error` to the largest error of a position, in input coordinates.
+SumRing make_ring(const Soup& soup, const Arrangement& arrangement, const BoundaryLoop& loop, double& error);
+
+/// A bound on the error of a rounded position in input coordinates.
+double input_error(const Lattice& lattice, double grid_error);
+
+}  // namespace dymsum::planar

@@ -1,0 +1,265 @@
+#include "planar/collision.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace dymsum::planar {
+
+Collision::Collision(const Lattice& lattice, const Operand& p, const Operand& q, bool use_tree)
+    : lattice_(lattice), operands_{&p, &q}, use_tree_(use_tree) {
+  for (int op = 0; op < 2; ++op) {
+    const Operand& o = *operands_[op];
+    for (std::uint32_t c = 0; c < o.components.size(); ++c) {
+      Tree tree;
+      tree.component = c;
+      build(tree, o, o.components[c].first, o.components[c].last);
+      trees_[op].push_back(std::move(tree));
+    }
+  }
+}
+
+// Walk edges are spatially coherent, so halving their range is a good tree.
+std::uint32_t Collision::build(Tree& tree, const Operand& o, std::uint32_t first, std::uint32_t last) {
+  constexpr std::uint32_t kLeaf = 4;
+  const std::uint32_t id = static_cast<std::uint32_t>(tree.nodes.size());
+  tree.nodes.push_back({});
+  Node node{INFINITY, INFINITY, -INFINITY, -INFINITY, first, last, 0, 0};
+  if (last - first > kLeaf) {
+    const std::uint32_t middle = first + (last - first) / 2;
+    node.left = build(tree, o, first, middle);
+    node.right = build(tree, o, middle, last);
+    const Node &a = tree.nodes[node.left], &b = tree.nodes[node.right];
+    node.x0 = std::min(a.x0, b.x0);
+    node.y0 = std::min(a.y0, b.y0);
+    node.x1 = std::max(a.x1, b.x1);
+    node.y1 = std::max(a.y1, b.y1);
+  } else {
+    for (std::uint32_t i = first; i < last; ++i)
+      for (const std::uint32_t s : {o.source[i], o.source[o.next[i]]}) {
+        const double x = lattice_.x[o.op][s], y = lattice_.y[o.op][s];
+        node.x0 = std::min(node.x0, x);
+        node.y0 = std::min(node.y0, y);
+        node.x1 = std::max(node.x1, x);
+        node.y1 = std::max(node.y1, y);
+      }
+  }
+  tree.nodes[id] = node;
+  return id;
+}
+
+bool Collision::overlaps(const Place& x) {
+  displaced_ = false;
+  return test(x);
+}
+
+bool Collision::overlaps_right_of(const Place& x) {
+  displaced_ = true;
+  return test(x);
+}
+
+// The side of the line of (edge + vertex) on which x lies: of the edge, with Q reflected and moved to x.
+int Collision::side(std::uint32_t op, std::uint32_t edge, std::uint32_t vertex) {
+  const Operand &o = *operands_[op], &other = *operands_[1 - op];
+  const std::uint32_t a = o.source[edge], v = other.source[vertex];
+  const double ex = o.ex[edge], ey = o.ey[edge];
+  const double sx = lattice_.x[op][a] + lattice_.x[1 - op][v], sy = lattice_.y[op][a] + lattice_.y[1 - op][v];
+  const double value = ex * (x_->y - sy) - ey * (x_->x - sx);
+  // The place's error, and at most 16 roundings as for segments (soup.h).
+  const double bound = (std::abs(ex) + std::abs(ey)) * (x_->error + 0x1p-49 * lattice_.span);
+  if (value > bound || value < -bound) {
+    ++counts_.filtered;
+    return value > 0 ? 1 : -1;
+  }
+  ++counts_.exact;
+  const Segment s{o.edge(edge), v};
+  const int exact = lattice_.side(s, *x_);
+  if (exact != 0 || !displaced_) return exact;
+  // d x (right normal of the carrier) = -(d . carrier); if that is zero too, d x carrier decides, as edges are not zero.
+  const int first = -lattice_.dot(s.edge, x_->on.edge);
+  return first != 0 ? first : lattice_.cross(s.edge, x_->on.edge);
+}
+
+// The sign of d . (x - vertex - start), or of -d . (x - vertex - end): both positive strictly between the ends.
+int Collision::along(std::uint32_t op, std::uint32_t edge, std::uint32_t vertex, bool from_end) {
+  const Operand& o = *operands_[op];
+  Edge e = o.edge(edge);
+  if (from_end) std::swap(e.from, e.to);
+  return lattice_.along({e, operands_[1 - op]->source[vertex]}, *x_);
+}
+
+bool Collision::test(const Place& x) {
+  ++counts_.tests;
+  x_ = &x;
+  for (const Tree& tp : trees_[0])
+    for (const Tree& tq : trees_[1]) {
+      const int dp = operands_[0]->components[tp.component].dimension, dq = operands_[1]->components[tq.component].dimension;
+      if (dp != 2 && dq != 2 && !with_parallelograms) continue;
+      if (test_components(tp, tq)) return true;
+    }
+  return false;
+}
+
+bool Collision::test_components(const Tree& tp, const Tree& tq) {
+  const double margin = x_->error + 0x1p-49 * lattice_.span;
+  const Component &cp = operands_[0]->components[tp.component], &cq = operands_[1]->components[tq.component];
+  const bool parallelogram = cp.dimension != 2 && cq.dimension != 2;
+  const auto apart = [&](const Node& a, const Node& b) {
+    return a.x1 < x_->x - b.x1 - margin || a.x0 > x_->x - b.x0 + margin || a.y1 < x_->y - b.y1 - margin ||
+           a.y0 > x_->y - b.y0 + margin;
+  };
+  const auto leaves = [&](const Node& a, const Node& b) {
+    for (std::uint32_t e = a.first; e < a.last; ++e)
+      for (std::uint32_t f = b.first; f < b.last; ++f)
+        if (edges_overlap(e, f, parallelogram)) return true;
+    return false;
+  };
+  if (!use_tree_) {
+    const Node all_p{0, 0, 0, 0, cp.first, cp.last, 0, 0}, all_q{0, 0, 0, 0, cq.first, cq.last, 0, 0};
+    if (leaves(all_p, all_q)) return true;
+  } else {
+    std::array<std::pair<std::uint32_t, std::uint32_t>, 128> stack;  // two per level, of at most 2 x 32 levels
+    std::size_t top = 0;
+    stack[top++] = {0, 0};
+    while (top > 0) {
+      const auto [i, j] = stack[--top];
+      const Node &a = tp.nodes[i], &b = tq.nodes[j];
+      if (apart(a, b)) continue;
+      if (a.left == 0 && b.left == 0) {
+        if (leaves(a, b)) return true;
+      } else if (b.left == 0 || (a.left != 0 && a.last - a.first >= b.last - b.first)) {
+        stack[top++] = {a.left, j};
+        stack[top++] = {a.right, j};
+      } else {
+        stack[top++] = {i, b.left};
+        stack[top++] = {i, b.right};
+      }
+    }
+  }
+  if (parallelogram) return false;
+  // No boundaries overlap: one component may hold the other, which then holds its first outer vertex.
+  const Node &a = tp.nodes[0], &b = tq.nodes[0];
+  if (apart(a, b)) return false;
+  if (cp.dimension == 2 && contains_vertex(0, cp, cq.first)) return true;
+  return cq.dimension == 2 && contains_vertex(1, cq, cp.first);
+}
+
+// Walk edges e of P and f of Q. Proper crossing, or a contact whose cones overlap.
+bool Collision::edges_overlap(std::uint32_t e, std::uint32_t f, bool parallelogram) {
+  ++counts_.edge_pairs;
+  const Operand &p = *operands_[0], &q = *operands_[1];
+  const bool edge_p = p.next[e] != e, edge_q = q.next[f] != f;  // a point has no edge
+  if (!edge_p && !edge_q) return false;
+  const std::uint32_t e1 = p.next[e], f1 = q.next[f];
+  int s1 = 0, s2 = 0, s3 = 0, s4 = 0;
+  if (edge_p) {
+    s1 = side(0, e, f);
+    s2 = edge_q ? side(0, e, f1) : s1;
+    if (s1 * s2 > 0) return false;
+  }
+  if (edge_q) {
+    s3 = side(1, f, e);
+    s4 = edge_p ? side(1, f, e1) : s3;
+    if (s3 * s4 > 0) return false;
+  }
+  if (edge_p && edge_q && s1 != 0 && s2 != 0 && s3 != 0 && s4 != 0) return true;
+  if (parallelogram) return false;
+  // Contacts of the walk vertices that start the two edges; the others come with their own edges.
+  if (edge_p && s1 == 0) {
+    const int from = along(0, e, f, false), to = along(0, e, f, true);
+    if (from > 0 && to > 0 && cones_overlap(e, true, f, false)) return true;
+    if (from == 0 && cones_overlap(e, false, f, false)) return true;
+  }
+  if (edge_q && s3 == 0) {
+    const int from = along(1, f, e, false), to = along(1, f, e, true);
+    if (from > 0 && to > 0 && cones_overlap(e, false, f, true)) return true;
+  }
+  return false;
+}
+
+// The open cone of P at walk vertex i (or along walk edge i) against that of the reflected Q at j.
+struct Collision::Cone {
+  // From ray a counter-clockwise to ray b, each an edge times a sign; area: the open sector, otherwise just the two rays.
+  Edge a, b;
+  int sign_a, sign_b;
+  bool area;
+};
+
+bool Collision::cones_overlap(std::uint32_t i, bool whole_edge_p, std::uint32_t j, bool whole_edge_q) {
+  const auto cone = [&](std::uint32_t op, std::uint32_t k, bool whole_edge, int reflect) {
+    const Operand& o = *operands_[op];
+    Cone c;
+    c.a = o.edge(k);
+    c.sign_a = reflect;
+    c.b = whole_edge ? c.a : o.edge(o.prev[k]);
+    c.sign_b = -reflect;
+    std::uint32_t component = 0;
+    while (o.components[component].last <= k) ++component;
+    c.area = o.components[component].dimension == 2;
+    return c;
+  };
+  const Operand &p = *operands_[0], &q = *operands_[1];
+  if (p.next[i] == i || q.next[j] == j) return false;  // a point touches
+  const Cone a = cone(0, i, whole_edge_p, 1), b = cone(1, j, whole_edge_q, -1);
+  // Position of direction d relative to the open or half-open sector [c.a, c.b): turn t(c.a, d) < t(c.a, c.b).
+  const auto turn = [&](const Edge& from, int sf, const Edge& to, int st) {
+    const int c = lattice_.cross(from, to) * sf * st;
+    if (c > 0) return 1;                                         // in (0, pi)
+    if (c < 0) return 3;                                         // in (pi, 2 pi)
+    return lattice_.dot(from, to) * sf * st > 0 ? 0 : 2;         // 0 or pi
+  };
+  const auto inside = [&](const Cone& c, const Edge& d, int sd, bool closed_start) {
+    const int to_d = turn(c.a, c.sign_a, d, sd);
+    if (to_d == 0) return closed_start;
+    int to_b = turn(c.a, c.sign_a, c.b, c.sign_b);
+    if (to_b == 0) return true;  // a full turn
+    if (to_d != to_b) return to_d < to_b;
+    if (to_d == 2) return false;
+    return lattice_.cross(d, c.b) * sd * c.sign_b > 0;
+  };
+  if (a.area && b.area) return inside(a, b.a, b.sign_a, true) || inside(b, a.a, a.sign_a, true);
+  if (a.area) return inside(a, b.a, b.sign_a, false) || inside(a, b.b, b.sign_b, false);
+  if (b.area) return inside(b, a.a, a.sign_a, false) || inside(b, a.b, a.sign_b, false);
+  return false;
+}
+
+// The sign of the height of holder vertex a over the other operand's vertex v, reflected and moved to x.
+int Collision::height(std::uint32_t holder, std::uint32_t a, std::uint32_t v) {
+  const double value = lattice_.y[holder][a] + lattice_.y[1 - holder][v] - x_->y;
+  const double bound = x_->error + 0x1p-50 * lattice_.span;
+  if (value > bound || value < -bound) return value > 0 ? 1 : -1;
+  ++counts_.exact;
+  const int exact = lattice_.height(holder == 0 ? Pair{a, v} : Pair{v, a}, *x_);
+  if (exact != 0 || !displaced_) return exact;
+  // x moves by (dy, -dx) first, then by (dx, dy); the vertex seen from it moves the other way.
+  const Point d = lattice_.vector(x_->on.edge);
+  return d.x != 0 ? (d.x > 0 ? 1 : -1) : (d.y > 0 ? -1 : 1);
+}
+
+// Whether a vertex of the other operand, moved to x, lies strictly inside component c of `holder`: winding number by a ray to +x,
+// vertices at the ray's height counting as below it.
+bool Collision::contains_vertex(std::uint32_t holder, const Component& c, std::uint32_t vertex) {
+  const Operand &o = *operands_[holder], &other = *operands_[1 - holder];
+  const std::uint32_t v = other.source[vertex];
+  const double vy = x_->y - lattice_.y[1 - holder][v];
+  const double margin = x_->error + 0x1p-49 * lattice_.span;
+  int winding = 0;
+  for (std::uint32_t i = c.first; i < c.last; ++i) {
+    const std::uint32_t a = o.source[i], b = o.source[o.next[i]];
+    const double ay = lattice_.y[holder][a], by = lattice_.y[holder][b];
+    if ((ay < vy - margin && by < vy - margin) || (ay > vy + margin && by > vy + margin)) continue;
+    const int ha = height(holder, a, v), hb = height(holder, b, v);
+    if (ha * hb > 0) continue;
+    if (ha == 0 && hb == 0) {
+      if (along(holder, i, vertex, false) >= 0 && along(holder, i, vertex, true) >= 0) return false;  // on the boundary
+      continue;
+    }
+    const int s = side(holder, i, vertex);
+    if (s == 0) return false;  // on the boundary
+    if (ha <= 0 && hb > 0 && s > 0) ++winding;
+    if (ha > 0 && hb <= 0 && s < 0) --winding;
+  }
+  return winding > 0;
+}
+
+}  // namespace dymsum::planar

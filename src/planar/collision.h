@@ -1,0 +1,64 @@
+// Whether a position lies in the open set M = int P + Q or P + int Q, exactly: the operands overlap when Q, reflected, is moved there.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "planar/lattice.h"
+#include "planar/operand.h"
+
+namespace dymsum::planar {
+
+struct CollisionCounts {
+  std::uint64_t tests = 0, edge_pairs = 0, filtered = 0, exact = 0;
+};
+
+class Collision {
+ public:
+  /// `use_tree` off: every pair of edges is looked at (the reference).
+  Collision(const Lattice& lattice, const Operand& p, const Operand& q, bool use_tree);
+
+  /// Whether x itself lies in M. Touching is not overlapping.
+  bool overlaps(const Place& x);
+  /// Whether the open face that touches x on the right of segment `on` (the one x lies on) lies in M: x is moved infinitely little
+  /// to the right and then infinitely less ahead.
+  bool overlaps_right_of(const Place& x);
+
+  /// Pairs of components without area are looked at too, as the interiors of the parallelograms of their edges.
+  bool with_parallelograms = false;
+
+  const CollisionCounts& counts() const { return counts_; }
+
+ private:
+  struct Node {
+    double x0, y0, x1, y1;
+    std::uint32_t first, last;  // walk edges
+    std::uint32_t left, right;  // 0: leaf
+  };
+  struct Tree {
+    std::vector<Node> nodes;
+    std::uint32_t component = 0;
+  };
+  struct Cone;
+
+  std::uint32_t build(Tree& tree, const Operand& o, std::uint32_t first, std::uint32_t last);
+  bool test(const Place& x);
+  bool test_components(const Tree& tp, const Tree& tq);
+  bool edges_overlap(std::uint32_t e, std::uint32_t f, bool parallelogram);
+  bool contains_vertex(std::uint32_t holder, const Component& c, std::uint32_t vertex);
+  int height(std::uint32_t holder, std::uint32_t a, std::uint32_t v);
+  bool cones_overlap(std::uint32_t i, bool whole_edge_p, std::uint32_t j, bool whole_edge_q);
+  int side(std::uint32_t op, std::uint32_t edge, std::uint32_t vertex);
+  int along(std::uint32_t op, std::uint32_t edge, std::uint32_t vertex, bool from_end);
+
+  const Lattice& lattice_;
+  std::array<const Operand*, 2> operands_;
+  bool use_tree_;
+  std::array<std::vector<Tree>, 2> trees_;  // per component, over its edges
+  const Place* x_ = nullptr;
+  bool displaced_ = false;
+  CollisionCounts counts_;
+};
+
+}  // namespace dymsum::planar

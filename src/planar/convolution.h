@@ -1,0 +1,90 @@
+// The convolutions of two operands: which edge + vertex sums can lie on the boundary of the sum, found by merging edges sorted by
+// direction. Definition and proofs: docs/design/planar-sum.md.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "dymsum/planar_sum.h"
+#include "planar/lattice.h"
+#include "planar/operand.h"
+
+namespace dymsum::planar {
+
+/// Walk edges of one component (or of its outer loop, or without its filled holes) by direction, counter-clockwise from +x.
+struct DirectionList {
+  std::vector<std::uint32_t> edges;
+  std::vector<double> keys;         ///< pseudo-angles in [0, 4]
+  std::vector<std::uint32_t> rank;  ///< walk edge - base -> position in edges, or kNoRank
+  std::uint32_t base = 0;
+};
+inline constexpr std::uint32_t kNoRank = 0xffffffff;
+
+/// The edges of the other operand's component that a vertex meets: positions lo, lo + 1, ... of `list`, modulo its length;
+/// they form the segments base, base + 1, ...
+struct Turn {
+  std::uint32_t list = 0, lo = 0, count = 0, base = 0;
+};
+
+/// A segment by walk edge of one side and walk vertex of the other: side 0 is edge of P + vertex of Q.
+struct WalkSegment {
+  std::uint32_t side = 0, edge = 0, vertex = 0;
+};
+
+/// The reduced convolution as ranges: segment ids are 0 .. size - 1, side 0 first; (edge, vertex) <-> id in O(1).
+class ReducedConvolution {
+ public:
+  ReducedConvolution(const Lattice& lattice, const Operand& p, const Operand& q);
+
+  std::uint32_t size() const { return size_; }
+  /// The id of a segment, or kNoRank if it is not in the reduced convolution. O(1).
+  std::uint32_t find(std::uint32_t side, std::uint32_t edge, std::uint32_t vertex) const;
+  /// The segment that continues `s` at its end, or kNoRank. Unique.
+  std::uint32_t next(const WalkSegment& s) const;
+  std::uint32_t prev(const WalkSegment& s) const;
+
+  /// Calls f(WalkSegment) for every segment in the order of ids.
+  template <class F>
+  void for_each(F&& f) const {
+    for (std::uint32_t side = 0; side < 2; ++side) {
+      const Operand& o = *operands_[1 - side];
+      const std::uint32_t columns = columns_[side];
+      for (std::uint32_t v = 0; v < o.size(); ++v)
+        for (std::uint32_t c = 0; c < columns; ++c) {
+          const Turn& t = turns_[side][std::size_t{v} * columns + c];
+          if (t.count == 0) continue;
+          const auto& edges = lists_[t.list].edges;
+          const std::uint32_t n = static_cast<std::uint32_t>(edges.size());
+          for (std::uint32_t k = 0, at = t.lo; k < t.count; ++k) {
+            f(WalkSegment{side, edges[at], v});
+            if (++at == n) at = 0;
+          }
+        }
+    }
+  }
+
+  const std::vector<DirectionList>& lists() const { return lists_; }
+  std::size_t filled_holes() const { return filled_holes_; }
+
+ private:
+  void add_pair(std::uint32_t cp, std::uint32_t cq);
+
+  const Lattice& lattice_;
+  std::array<const Operand*, 2> operands_;
+  std::array<std::uint32_t, 2> columns_{};  ///< components of the edge side
+  std::array<std::vector<Turn>, 2> turns_;  ///< [side][vertex * columns + component of the edge side]
+  std::array<std::vector<std::uint32_t>, 2> component_of_;  ///< walk vertex -> component
+  std::vector<DirectionList> lists_;
+  std::array<std::vector<std::array<std::uint32_t, 2>>, 2> plain_lists_;  ///< [op][component] {all, outer only}
+  std::uint32_t size_ = 0;
+  std::size_t filled_holes_ = 0;
+};
+
+/// The order of directions: by half plane (angles [0, pi) first), then counter-clockwise. -1, 0, 1.
+int compare_directions(const Lattice& lattice, const Edge& d, const Edge& e);
+
+/// Whether a hole of one component cannot hold the other component, by bounding boxes, exactly: then it does not show in the sum.
+bool hole_is_filled(const Lattice& lattice, const Operand& holed, const Loop& hole, const Operand& other, const Component& component);
+
+}  // namespace dymsum::planar

@@ -1,0 +1,231 @@
+#include "planar/crossings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <tuple>
+
+namespace dymsum::planar {
+
+CrossingFinder::Entry CrossingFinder::entry(std::uint32_t s) const {
+  const SoupBox& b = soup_.boxes[s];
+  const double dx = soup_.dx(s), dy = soup_.dy(s);
+  return {b.ax, b.ay, b.bx, b.by, dx, dy, soup_.side_error * (std::abs(dx) + std::abs(dy)), s};
+}
+
+void CrossingFinder::all_pairs() {
+  const std::uint32_t n = static_cast<std::uint32_t>(soup_.size());
+  cell_.resize(n);
+  for (std::uint32_t s = 0; s < n; ++s) cell_[s] = entry(s);
+  for (std::uint32_t i = 0; i < n && !stopped; ++i) {
+    if (poll != nullptr && i % 256 == 0 && !(*poll)(double(i) / n)) stopped = true;
+    const Entry& a = cell_[i];
+    for (std::uint32_t j = i + 1; j < n; ++j) {
+      const Entry& b = cell_[j];
+      const double o1 = a.dx * (b.ay - a.ay) - a.dy * (b.ax - a.ax);
+      const double o2 = a.dx * (b.by - a.ay) - a.dy * (b.bx - a.ax);
+      if ((o1 > a.error && o2 > a.error) || (o1 < -a.error && o2 < -a.error)) continue;
+      test(a, b, o1, o2);
+    }
+  }
+  out_.pair_tests = std::uint64_t(n) * (n - (n > 0)) / 2;
+  peak_bytes_ = cell_.capacity() * sizeof(Entry);
+  finish();
+}
+
+// o1, o2: the sides of b's ends with respect to a. Precondition: they do not prove that b stays on one side.
+void CrossingFinder::test(const Entry& a, const Entry& b, double o1, double o2) {
+  const double o3 = b.dx * (a.ay - b.ay) - b.dy * (a.ax - b.ax);
+  const double o4 = b.dx * (a.by - b.ay) - b.dy * (a.bx - b.ax);
+  if ((o3 > b.error && o4 > b.error) || (o3 < -b.error && o4 < -b.error)) return;
+  if (std::abs(o1) > a.error && std::abs(o2) > a.error && std::abs(o3) > b.error && std::abs(o4) > b.error)
+    return add_crossing(a, b, o3, o4, o1, o2);
+  exact_test(a, b);
+}
+
+// a_start, a_end: the sides of a's ends with respect to b, of opposite signs.
+void CrossingFinder::add_crossing(const Entry& a, const Entry& b, double a_start, double a_end, double b_start, double b_end) {
+  Crossing c;
+  c.a = a.id;
+  c.b = b.id;
+  const double da = a_start - a_end, db = b_start - b_end;
+  c.ta = a_start / da;
+  c.tb = b_start / db;
+  // Numerator and denominator err by at most 1.5 and 3 side errors; t is at most 1.
+  c.ea = static_cast<float>(8 * b.error / std::abs(da) + 0x1p-50);
+  c.eb = static_cast<float>(8 * a.error / std::abs(db) + 0x1p-50);
+  // b's ends go from b_start to b_end across a: d_a x d_b has the sign of b_end.
+  c.sign = b_end > b_start ? 1 : -1;
+  if (grid_ != nullptr) {
+    // The crossing belongs to the cell that holds it; near a border every cell reports it and duplicates are dropped later.
+    const double x = (a.ax + c.ta * a.dx) * grid_->per_cell, y = (a.ay + c.ta * a.dy) * grid_->per_cell;
+    const double error = kReach / 2 + c.ea * (std::abs(a.dx) + std::abs(a.dy)) * grid_->per_cell;
+    const double fx = x - column_, fy = y - row_;
+    if (fx < -error || fx > 1 + error || fy < -error || fy > 1 + error) return;
+    if (!(fx > error && fx < 1 - error && fy > error && fy < 1 - error)) {
+      ambiguous_.push_back(c);
+      return;
+    }
+  }
+  out_.crossings.push_back(c);
+}
+
+void CrossingFinder::add_touch(std::uint32_t segment, WalkPair pair) {
+  const SoupBox& s = soup_.boxes[segment];
+  const Pair v = soup_.exact(pair);
+  const Lattice& l = soup_.lattice;
+  const double x = l.x[0][v.p] + l.x[1][v.q], y = l.y[0][v.p] + l.y[1][v.q];
+  const double dx = soup_.dx(segment), dy = soup_.dy(segment);
+  const bool by_x = std::abs(dx) > std::abs(dy);
+  const double t = by_x ? (x - s.ax) / dx : (y - s.ay) / dy;
+  const double error = 4 * soup_.point_error / std::max(std::abs(dx), std::abs(dy)) + 0x1p-50;
+  out_.touches.push_back({segment, pair, std::clamp(t, 0.0, 1.0), static_cast<float>(error)});
+}
+
+// At least one side is zero or too small for doubles.
+void CrossingFinder::exact_test(const Entry& a, const Entry& b) {
+  const std::uint32_t i = a.id, j = b.id;
+  const WalkPair a0 = soup_.start(i), a1 = soup_.end(i), b0 = soup_.start(j), b1 = soup_.end(j);
+  const bool chained = a1 == b0 || b1 == a0 || a0 == b0 || a1 == b1;
+  // Segments of one chain share an end; they meet elsewhere only when they fold back onto each other.
+  if (chained && soup_.cross(i, j) != 0) return;
+  const Segment sa = soup_.exact(i), sb = soup_.exact(j);
+  const Lattice& l = soup_.lattice;
+  const int s1 = l.side(sa, soup_.exact(b0)), s2 = l.side(sa, soup_.exact(b1));
+  out_.exact_signs += 4;
+  if (s1 * s2 > 0) return;
+  const int s3 = l.side(sb, soup_.exact(a0)), s4 = l.side(sb, soup_.exact(a1));
+  if (s3 * s4 > 0) return;
+  if (s1 != 0 && s2 != 0 && s3 != 0 && s4 != 0) {
+    // Opposite on both: the crossing parameters come from doubles that may be smaller than their error; keep t in [0, 1].
+    const double o1 = a.dx * (b.ay - a.ay) - a.dy * (b.ax - a.ax), o2 = a.dx * (b.by - a.ay) - a.dy * (b.bx - a.ax);
+    const double o3 = b.dx * (a.ay - b.ay) - b.dy * (a.ax - b.ax), o4 = b.dx * (a.by - b.ay) - b.dy * (a.bx - b.ax);
+    const auto signed_magnitude = [](double o, int s, double error) { return s * std::max(std::abs(o), error * 0.5); };
+    const double tiny = 0x1p-1000;
+    add_crossing(a, b, signed_magnitude(o3, s3, b.error + tiny), signed_magnitude(o4, s4, b.error + tiny),
+                 signed_magnitude(o1, s1, a.error + tiny), signed_magnitude(o2, s2, a.error + tiny));
+    return;
+  }
+  const auto within = [&](std::uint32_t s, const Segment& e, WalkPair from, WalkPair to, WalkPair v) {
+    // v lies on the line of s: register it if it lies on s.
+    const Pair x = soup_.exact(v);
+    if (l.same(x, soup_.exact(from))) {
+      if (!(v == from)) out_.same.emplace_back(v, from);
+    } else if (l.same(x, soup_.exact(to))) {
+      if (!(v == to)) out_.same.emplace_back(v, to);
+    } else if (l.along(e, x) > 0 && l.along({{e.edge.op, e.edge.to, e.edge.from}, e.vertex}, x) > 0) {
+      add_touch(s, v);
+    }
+  };
+  if (s1 == 0) within(i, sa, a0, a1, b0);
+  if (s2 == 0) within(i, sa, a0, a1, b1);
+  if (s3 == 0) within(j, sb, b0, b1, a0);
+  if (s4 == 0) within(j, sb, b0, b1, a1);
+}
+
+void CrossingFinder::test_cell(std::span<const std::uint32_t> ids) {
+  const std::size_t n = ids.size();
+  cell_.resize(n);
+  for (std::size_t k = 0; k < n; ++k) cell_[k] = entry(ids[k]);
+  out_.pair_tests += n * (n - 1) / 2;
+  for (std::size_t i = 0; i + 1 < n; ++i) {
+    const Entry& a = cell_[i];
+    const double ax = a.ax, ay = a.ay, dx = a.dx, dy = a.dy, error = a.error;
+    for (std::size_t j = i + 1; j < n; ++j) {
+      const Entry& b = cell_[j];
+      const double o1 = dx * (b.ay - ay) - dy * (b.ax - ax);
+      const double o2 = dx * (b.by - ay) - dy * (b.bx - ax);
+      if ((o1 > error && o2 > error) || (o1 < -error && o2 < -error)) continue;
+      test(a, b, o1, o2);
+    }
+  }
+}
+
+void CrossingFinder::grid(const Grid& grid, const InteriorMask* mask, std::vector<DeadMark>& dead_marks) {
+  grid_ = &grid;
+  mask_ = mask;
+  struct Item {
+    std::uint32_t cell, segment;
+  };
+  std::vector<Item> items;
+  items.reserve(soup_.size() * 2);
+  const std::uint32_t columns = static_cast<std::uint32_t>(grid.columns);
+  std::vector<std::uint32_t> start(std::size_t(grid.rows) * columns + 1, 0);
+  for (std::uint32_t s = 0; s < soup_.size(); ++s) {
+    const SoupBox& b = soup_.boxes[s];
+    for_each_cell_run(grid, b.ax, b.ay, b.bx, b.by, [&](int row, int c0, int c1) {
+      std::uint32_t cell = static_cast<std::uint32_t>(row) * columns + static_cast<std::uint32_t>(c0);
+      for (int c = c0; c <= c1; ++c, ++cell) {
+        if (mask != nullptr && mask->dead(row, c)) {
+          if (c > c0 && mask->dead(row, c - 1)) continue;
+          // A point of the segment near the centre of the cell, by the slower-changing coordinate's inverse.
+          const double dx = b.bx - b.ax, dy = b.by - b.ay;
+          const double x_low = std::max(c * grid.cell, std::min(b.ax, b.bx));
+          const double x_high = std::min((c + 1) * grid.cell, std::max(b.ax, b.bx));
+          const double y_low = std::max(row * grid.cell, std::min(b.ay, b.by));
+          const double y_high = std::min((row + 1) * grid.cell, std::max(b.ay, b.by));
+          double t0 = 0, t1 = 1;
+          if (std::abs(dx) > 0) {
+            const double u = (x_low - b.ax) / dx, v = (x_high - b.ax) / dx;
+            t0 = std::max(t0, std::min(u, v));
+            t1 = std::min(t1, std::max(u, v));
+          }
+          if (std::abs(dy) > 0) {
+            const double u = (y_low - b.ay) / dy, v = (y_high - b.ay) / dy;
+            t0 = std::max(t0, std::min(u, v));
+            t1 = std::min(t1, std::max(u, v));
+          }
+          // Only where the segment certainly passes through the cell, not just within reach of it.
+          if (t1 > t0) dead_marks.push_back({s, 0.5 * (t0 + t1)});
+          continue;
+        }
+        items.push_back({cell, s});
+        ++start[cell + 1];
+      }
+    });
+  }
+  out_.cell_entries = items.size();
+  for (std::size_t c = 1; c < start.size(); ++c) start[c] += start[c - 1];
+  std::vector<std::uint32_t> ids(items.size());
+  {
+    std::vector<std::uint32_t> at(start.begin(), start.end() - 1);
+    for (const Item& item : items) ids[at[item.cell]++] = item.segment;
+    peak_bytes_ = items.capacity() * sizeof(Item) + start.size() * 8 + ids.size() * 4;
+  }
+  items = {};
+  for (int r = 0; r < grid.rows && !stopped; ++r) {
+    if (poll != nullptr && !(*poll)(double(r) / grid.rows)) stopped = true;
+    for (int c = 0; c < grid.columns; ++c) {
+      const std::size_t cell = std::size_t(r) * columns + c;
+      const std::uint32_t from = start[cell], to = start[cell + 1];
+      if (to - from < 2) continue;
+      row_ = r;
+      column_ = c;
+      test_cell({ids.data() + from, to - from});
+    }
+  }
+  finish();
+}
+
+// Drops what several cells have reported.
+void CrossingFinder::finish() {
+  const auto by_segments = [](const Crossing& a, const Crossing& b) { return std::tie(a.a, a.b) < std::tie(b.a, b.b); };
+  for (Crossing& c : ambiguous_)
+    if (c.a > c.b) {
+      std::swap(c.a, c.b);
+      std::swap(c.ta, c.tb);
+      std::swap(c.ea, c.eb);
+      c.sign = -c.sign;
+    }
+  std::sort(ambiguous_.begin(), ambiguous_.end(), by_segments);
+  for (std::size_t i = 0; i < ambiguous_.size(); ++i)
+    if (i == 0 || by_segments(ambiguous_[i - 1], ambiguous_[i])) out_.crossings.push_back(ambiguous_[i]);
+  const auto touch_key = [](const Touch& t) { return std::tie(t.segment, t.pair.p, t.pair.q); };
+  std::sort(out_.touches.begin(), out_.touches.end(),
+            [&](const Touch& a, const Touch& b) { return touch_key(a) < touch_key(b); });
+  out_.touches.erase(std::unique(out_.touches.begin(), out_.touches.end(),
+                                 [&](const Touch& a, const Touch& b) { return touch_key(a) == touch_key(b); }),
+                     out_.touches.end());
+}
+
+}  // namespace dymsum::planar

@@ -1,0 +1,259 @@
+#include "planar/lattice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+#include "exact/grid.h"
+#include "exact/int.h"
+
+namespace dymsum::planar {
+namespace {
+
+using exact::Big;
+using exact::BigRational;
+
+// Widths for coordinates |X| <= 2^B: edge vectors B + 1 bits, pair sums B + 1, their differences B + 2, side and along values
+// 2B + 4, cut parameters N / D with 2B + 4 and 2B + 4, mediants one more, sides of places 4B + 11. Int computes and proves them.
+template <class C>
+class LatticeOf final : public Lattice {
+  struct Vec {
+    C x, y;
+  };
+  using EdgeC = decltype(C{} - C{});
+  struct EdgeVec {
+    EdgeC x, y;
+  };
+  using DiffC = decltype((C{} + C{}) - (C{} + C{}));
+  using Value = decltype(EdgeC{} * DiffC{} - EdgeC{} * DiffC{});
+  using Wide = decltype(Value{} + Value{});
+  struct Ratio {
+    Value n, d;  // d > 0
+  };
+  struct WideRatio {
+    Wide n, d;
+  };
+
+ public:
+  explicit LatticeOf(int exponent) : exponent_(exponent) {}
+
+  int cross(const Edge& d, const Edge& e) const override {
+    const EdgeVec a = edge(d), b = edge(e);
+    return exact::sign(a.x * b.y - a.y * b.x);
+  }
+  int dot(const Edge& d, const Edge& e) const override {
+    const EdgeVec a = edge(d), b = edge(e);
+    return exact::sign(a.x * b.x + a.y * b.y);
+  }
+  int compare_extent(const Edge& d, const Edge& e, int axis) const override {
+    const EdgeVec a = edge(d), b = edge(e);
+    return axis == 0 ? exact::sign(a.x - b.x) : exact::sign(a.y - b.y);
+  }
+  int side(const Segment& s, Pair v) const override { return exact::sign(side_value(s, v)); }
+  int along(const Segment& s, Pair v) const override { return exact::sign(along_value(s, v)); }
+  bool same(Pair a, Pair b) const override {
+    const SumVec u = sum(a), v = sum(b);
+    return u.x == v.x && u.y == v.y;
+  }
+
+  // x = on.start + d N / D, so D (d_s x (x - s.start)) = D (d_s x (on.start - s.start)) + N (d_s x d_on).
+  int side(const Segment& s, const Place& x) const override {
+    const EdgeVec a = edge(s.edge), b = edge(x.on.edge);
+    const Value at_start = side_value(s, start_of(x.on));
+    const Value slope = widen(a.x * b.y - a.y * b.x);
+    return sign_at(x, at_start, slope);
+  }
+  int along(const Segment& s, const Place& x) const override {
+    const EdgeVec a = edge(s.edge), b = edge(x.on.edge);
+    const Value at_start = along_value(s, start_of(x.on));
+    const Value slope = widen(a.x * b.x + a.y * b.y);
+    return sign_at(x, at_start, slope);
+  }
+
+  // D (v - start) - N d.
+  int height(Pair v, const Place& x) const override {
+    const WideRatio t = ratio(x);
+    return exact::sign(t.d * (sum(v).y - sum(start_of(x.on)).y) - t.n * edge(x.on.edge).y);
+  }
+
+  int compare(const Segment& on, const Cut& a, const Cut& b) const override {
+    const Ratio s = parameter(on, a), t = parameter(on, b);
+    return exact::sign(s.n * t.d - t.n * s.d);
+  }
+
+  Position position(const Place& x) const override {
+    const SumVec s = sum(start_of(x.on));
+    const EdgeVec d = edge(x.on.edge);
+    const WideRatio t = ratio(x);
+    const BigRational r(number(t.n), number(t.d));
+    return in_input(BigRational(number(s.x)) + r * BigRational(number(d.x)), BigRational(number(s.y)) + r * BigRational(number(d.y)));
+  }
+  Position position(Pair v) const override {
+    const SumVec s = sum(v);
+    return in_input(BigRational(number(s.x)), BigRational(number(s.y)));
+  }
+
+ private:
+  template <class T>
+  static Value widen(const T& v) {
+    return Value(v);
+  }
+  template <class T>
+  static boost::multiprecision::cpp_int number(const T& v) {
+    if constexpr (std::is_same_v<T, Big>) {
+      return v.value();
+    } else {
+      return exact::to_big(v).value();
+    }
+  }
+  Position in_input(const BigRational& gx, const BigRational& gy) const {
+    const BigRational unit = unit_rational();
+    return {BigRational(gx * unit + exact::exact_value(offset[0].x) + exact::exact_value(offset[1].x)),
+            BigRational(gy * unit + exact::exact_value(offset[0].y) + exact::exact_value(offset[1].y))};
+  }
+  BigRational unit_rational() const {
+    boost::multiprecision::cpp_int power = 1;
+    power <<= std::abs(exponent_);
+    return exponent_ >= 0 ? BigRational(power) : BigRational(boost::multiprecision::cpp_int(1), power);
+  }
+
+  // Coordinates are recovered from the inputs when a filter has failed: a few operations, and no second copy of the operands.
+  Vec at(std::uint32_t op, std::uint32_t i) const {
+    const Point& v = input[op][i];
+    return {exact::grid_coordinate<C>(v.x, offset[op].x, exponent_), exact::grid_coordinate<C>(v.y, offset[op].y, exponent_)};
+  }
+  struct SumVec {
+    decltype(C{} + C{}) x, y;
+  };
+  SumVec sum(Pair v) const {
+    const Vec a = at(0, v.p), b = at(1, v.q);
+    return {a.x + b.x, a.y + b.y};
+  }
+
+  EdgeVec edge(const Edge& e) const {
+    const Vec a = at(e.op, e.from), b = at(e.op, e.to);
+    return {b.x - a.x, b.y - a.y};
+  }
+  auto difference(const Segment& s, Pair v) const {
+    const SumVec a = sum(v), o = sum(start_of(s));
+    struct {
+      DiffC x, y;
+    } d{a.x - o.x, a.y - o.y};
+    return d;
+  }
+  Value side_value(const Segment& s, Pair v) const {
+    const EdgeVec e = edge(s.edge);
+    const auto d = difference(s, v);
+    return e.x * d.y - e.y * d.x;
+  }
+  Value along_value(const Segment& s, Pair v) const {
+    const EdgeVec e = edge(s.edge);
+    const auto d = difference(s, v);
+    return e.x * d.x + e.y * d.y;
+  }
+
+  // The parameter of a cut on `on`, 0 at its start and 1 at its end.
+  Ratio parameter(const Segment& on, const Cut& cut) const {
+    const EdgeVec d = edge(on.edge);
+    Ratio r;
+    if (cut.kind == Cut::Kind::crossing) {
+      const EdgeVec b = edge(cut.by.edge);
+      r.n = side_value(cut.by, start_of(on));
+      r.d = widen(d.x * b.y - d.y * b.x);  // = -(b x d)
+    } else {
+      const auto v = difference(on, cut.pair);
+      if (exact::sign(d.x) != 0) {
+        r.n = widen(v.x);
+        r.d = widen(d.x);
+      } else {
+        r.n = widen(v.y);
+        r.d = widen(d.y);
+      }
+    }
+    if (exact::sign(r.d) < 0) {
+      r.n = -r.n;
+      r.d = -r.d;
+    }
+    return r;
+  }
+  WideRatio ratio(const Place& x) const {
+    const Ratio a = parameter(x.on, x.first);
+    if (!x.between) return {Wide(a.n), Wide(a.d)};
+    const Ratio b = parameter(x.on, x.second);
+    return {a.n + b.n, a.d + b.d};
+  }
+  int sign_at(const Place& x, const Value& at_start, const Value& slope) const {
+    const WideRatio t = ratio(x);
+    return exact::sign(t.d * at_start + t.n * slope);
+  }
+
+  int exponent_;
+};
+
+}  // namespace
+
+Point Lattice::vector(const Edge& e) const {
+  const Point &a = input[e.op][e.from], &b = input[e.op][e.to];
+  return {std::ldexp(b.x - a.x, -double_exponent), std::ldexp(b.y - a.y, -double_exponent)};
+}
+
+Point Lattice::to_input(double gx, double gy) const {
+  return {std::ldexp(gx, double_exponent) + (offset[0].x + offset[1].x),
+          std::ldexp(gy, double_exponent) + (offset[0].y + offset[1].y)};
+}
+
+namespace {
+
+// The smallest corner of the bounding box: its coordinates are coordinates of vertices, hence on the grid.
+Point low_corner(std::span<const Point> points) {
+  if (points.empty()) return {};
+  Point low = points[0];
+  for (const Point& p : points) low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+  return low;
+}
+
+}  // namespace
+
+std::unique_ptr<Lattice> make_lattice(std::span<const Point> p, std::span<const Point> q, int min_tier_bits) {
+  const std::array<Point, 2> offset{low_corner(p), low_corner(q)};
+  std::vector<double> all;
+  all.reserve(2 * (p.size() + q.size()));
+  double extent = 0;
+  for (int op = 0; op < 2; ++op)
+    for (const Point& v : op == 0 ? p : q) {
+      all.push_back(v.x);
+      all.push_back(v.y);
+      extent = std::max({extent, v.x - offset[op].x, v.y - offset[op].y});
+    }
+  const int exponent = exact::common_exponent(all);
+  // One unit in the last place covers the rounding of the differences.
+  const int bits = exact::bits_needed(std::nextafter(extent, INFINITY), exponent);
+  const exact::Tier tier = exact::choose_tier(bits, min_tier_bits);
+  std::unique_ptr<Lattice> lattice;
+  switch (tier) {
+    case exact::Tier::b29: lattice = std::make_unique<LatticeOf<exact::Int<29>>>(exponent); break;
+    case exact::Tier::b61: lattice = std::make_unique<LatticeOf<exact::Int<61>>>(exponent); break;
+    case exact::Tier::b512: lattice = std::make_unique<LatticeOf<exact::Int<125>>>(exponent); break;
+    case exact::Tier::arbitrary: lattice = std::make_unique<LatticeOf<Big>>(exponent); break;
+  }
+  lattice->tier_bits = static_cast<int>(tier);
+  // Sides have at most 2 B + 4 bits; doubles hold 53.
+  lattice->exact_doubles = bits <= 24;
+  // Doubles count grid units while these fit well, else 2^-60 of the extent, so that nothing overflows.
+  lattice->double_exponent = bits <= 61 ? exponent : std::ilogb(extent) - 60;
+  lattice->input = {std::vector<Point>(p.begin(), p.end()), std::vector<Point>(q.begin(), q.end())};
+  lattice->offset = offset;
+  for (int op = 0; op < 2; ++op) {
+    double reach = 0;
+    for (const Point& v : lattice->input[op]) {
+      // The difference of two doubles is rounded once; the power of two is exact.
+      lattice->x[op].push_back(std::ldexp(v.x - offset[op].x, -lattice->double_exponent));
+      lattice->y[op].push_back(std::ldexp(v.y - offset[op].y, -lattice->double_exponent));
+      reach = std::max({reach, lattice->x[op].back(), lattice->y[op].back()});
+    }
+    lattice->span += reach;
+  }
+  return lattice;
+}
+
+}  // namespace dymsum::planar

@@ -1,0 +1,151 @@
+#include "planar/operand.h"
+
+#include <cmath>
+#include <utility>
+
+namespace dymsum::planar {
+namespace {
+
+class Builder {
+ public:
+  Builder(std::uint32_t op, const Lattice& lattice) : lattice_(lattice) { out_.op = op; }
+
+  void begin_component(int dimension) {
+    Component c;
+    c.dimension = dimension;
+    c.first_loop = static_cast<std::uint32_t>(out_.loops.size());
+    c.first = static_cast<std::uint32_t>(out_.size());
+    out_.components.push_back(c);
+  }
+  void end_component() {
+    out_.components.back().last_loop = static_cast<std::uint32_t>(out_.loops.size());
+    out_.components.back().last = static_cast<std::uint32_t>(out_.size());
+  }
+
+  // A closed walk through source vertices; numbers[i] is the number of the edge from walk[i] to walk[i + 1].
+  void add_loop(LoopKind kind, const std::vector<std::uint32_t>& walk, const std::vector<std::uint32_t>& numbers) {
+    Loop loop;
+    loop.kind = kind;
+    loop.component = static_cast<std::uint32_t>(out_.components.size() - 1);
+    loop.first = static_cast<std::uint32_t>(out_.size());
+    const std::size_t n = walk.size();
+    std::vector<std::uint8_t>& keep = keep_;
+    keep.assign(n, 1);
+    for (std::size_t i = 0; i < n; ++i) {
+      const Turn t = turn(walk[(i + n - 1) % n], walk[i], walk[(i + 1) % n]);
+      keep[i] = t == Turn::straight ? 0 : t == Turn::right ? 1 : 2;
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+      if (keep[i] == 0) continue;
+      out_.source.push_back(walk[i]);
+      // The straight run that starts here; backward runs of a polyline carry the number of their forward run.
+      out_.edge_number.push_back(numbers[i]);
+      out_.convex.push_back(keep[i] == 2);
+    }
+    loop.last = static_cast<std::uint32_t>(out_.size());
+    const std::uint32_t m = loop.last - loop.first;
+    for (std::uint32_t i = 0; i < m; ++i) {
+      out_.next.push_back(loop.first + (i + 1 == m ? 0 : i + 1));
+      out_.prev.push_back(loop.first + (i == 0 ? m - 1 : i - 1));
+    }
+    out_.loops.push_back(loop);
+  }
+
+  void add_point(std::uint32_t source) {
+    begin_component(0);
+    Loop loop;
+    loop.kind = LoopKind::point;
+    loop.component = static_cast<std::uint32_t>(out_.components.size() - 1);
+    loop.first = static_cast<std::uint32_t>(out_.size());
+    loop.last = loop.first + 1;
+    out_.source.push_back(source);
+    out_.edge_number.push_back(source);
+    out_.convex.push_back(1);
+    out_.next.push_back(loop.first);
+    out_.prev.push_back(loop.first);
+    out_.loops.push_back(loop);
+    end_component();
+  }
+
+  Operand finish() && {
+    out_.ex.reserve(out_.size());
+    out_.ey.reserve(out_.size());
+    for (std::uint32_t i = 0; i < out_.size(); ++i) {
+      const Point d = lattice_.vector(out_.edge(i));
+      out_.ex.push_back(d.x);
+      out_.ey.push_back(d.y);
+    }
+    return std::move(out_);
+  }
+
+ private:
+  enum class Turn { straight, right, convex };
+
+  Turn turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+    const Edge in{out_.op, a, b}, out{out_.op, b, c};
+    const Point d = lattice_.vector(in), e = lattice_.vector(out);
+    const double value = d.x * e.y - d.y * e.x;
+    // Vectors, products and difference are rounded once each: 4 roundings of the products, or underflow.
+    const double bound = 0x1p-50 * (std::abs(d.x * e.y) + std::abs(d.y * e.x)) + 0x1p-1000;
+    if (value > bound) return Turn::convex;
+    if (value < -bound) return Turn::right;
+    const int s = lattice_.cross(in, out);
+    if (s != 0) return s > 0 ? Turn::convex : Turn::right;
+    return lattice_.dot(in, out) > 0 ? Turn::straight : Turn::convex;  // folding back: the tip of a spike
+  }
+
+  const Lattice& lattice_;
+  Operand out_;
+  std::vector<std::uint8_t> keep_;
+};
+
+}  // namespace
+
+std::vector<Point> source_vertices(const RegionData& region) {
+  std::vector<Point> all;
+  for (const Part& part : region.parts) {
+    all.insert(all.end(), part.outer.begin(), part.outer.end());
+    for (const Ring& hole : part.holes) all.insert(all.end(), hole.begin(), hole.end());
+  }
+  for (const Polyline& line : region.polylines) all.insert(all.end(), line.begin(), line.end());
+  all.insert(all.end(), region.points.begin(), region.points.end());
+  return all;
+}
+
+Operand make_operand(const RegionData& region, std::uint32_t op, const Lattice& lattice) {
+  Builder builder(op, lattice);
+  std::uint32_t at = 0;
+  std::vector<std::uint32_t> walk, numbers;
+  const auto ring = [&](const Ring& r, LoopKind kind) {
+    walk.clear();
+    for (std::size_t i = 0; i < r.size(); ++i) walk.push_back(at++);
+    builder.add_loop(kind, walk, walk);
+  };
+  for (const Part& part : region.parts) {
+    builder.begin_component(2);
+    ring(part.outer, LoopKind::outer);
+    for (const Ring& hole : part.holes) ring(hole, LoopKind::hole);
+    builder.end_component();
+  }
+  for (const Polyline& line : region.polylines) {
+    const std::uint32_t n = static_cast<std::uint32_t>(line.size());
+    builder.begin_component(1);
+    walk.clear();
+    numbers.clear();
+    for (std::uint32_t i = 0; i + 1 < n; ++i) {
+      walk.push_back(at + i);
+      numbers.push_back(at + i);
+    }
+    for (std::uint32_t i = n - 1; i > 0; --i) {
+      walk.push_back(at + i);
+      numbers.push_back(at + i - 1);
+    }
+    builder.add_loop(LoopKind::curve, walk, numbers);
+    builder.end_component();
+    at += n;
+  }
+  for (std::size_t i = 0; i < region.points.size(); ++i) builder.add_point(at++);
+  return std::move(builder).finish();
+}
+
+}  // namespace dymsum::planar

@@ -1,0 +1,374 @@
+#include "planar/sum_engine.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <functional>
+
+#include "planar/part_nesting.h"
+#include "planar/pieces.h"
+#include "planar/winding.h"
+
+namespace dymsum::planar {
+namespace {
+
+class StageClock {
+ public:
+  explicit StageClock(SumStats& stats) : stats_(stats), last_(std::chrono::steady_clock::now()) {}
+  void done(std::string_view name) {
+    const auto now = std::chrono::steady_clock::now();
+    stats_.stages.push_back({name, std::chrono::duration<double, std::milli>(now - last_).count()});
+    last_ = now;
+  }
+
+ private:
+  SumStats& stats_;
+  std::chrono::steady_clock::time_point last_;
+};
+
+Error cancelled() { return {Code::cancelled, "stopped on request", {}}; }
+
+// Chains of the reduced convolution; segments behind `reduced` (parallelogram sides) have no chain and meet by coincidence.
+class ReducedChain final : public Chain {
+ public:
+  ReducedChain(const Soup& soup, const ReducedConvolution& convolution, std::vector<std::uint32_t> live, std::uint32_t reduced)
+      : soup_(soup), convolution_(convolution), live_(std::move(live)), reduced_(reduced) {}
+
+  std::uint32_t next(std::uint32_t s) const override {
+    if (s >= reduced_) return kNone;
+    const SoupSegment& g = soup_.segments[s];
+    return live(convolution_.next({g.side(), g.edge(), g.vertex}));
+  }
+  void incident(WalkPair v, std::vector<Incidence>& out) const override {
+    const Operand &p = *soup_.operands[0], &q = *soup_.operands[1];
+    add(convolution_.find(0, v.p, v.q), true, out);
+    add(convolution_.find(1, v.q, v.p), true, out);
+    add(convolution_.find(0, p.prev[v.p], v.q), false, out);
+    add(convolution_.find(1, q.prev[v.q], v.p), false, out);
+    for (std::uint32_t s = reduced_; s < soup_.size(); ++s) {
+      if (soup_.start(s) == v) out.push_back({s, true});
+      if (soup_.end(s) == v) out.push_back({s, false});
+    }
+  }
+  std::size_t bytes() const { return live_.capacity() * 4; }
+
+ private:
+  std::uint32_t live(std::uint32_t id) const {
+    if (id == kNoRank) return kNone;
+    return live_.empty() ? id : live_[id];
+  }
+  void add(std::uint32_t id, bool starts, std::vector<Incidence>& out) const {
+    if (const std::uint32_t s = live(id); s != kNone) out.push_back({s, starts});
+  }
+
+  const Soup& soup_;
+  const ReducedConvolution& convolution_;
+  std::vector<std::uint32_t> live_;  // id -> segment of the soup; empty: the identity
+  std::uint32_t reduced_;
+};
+
+// The sides of the parallelograms of every pair of edges of two components without area, counter-clockwise.
+void add_parallelograms(const Lattice& lattice, const Operand& p, const Operand& q, Soup& soup) {
+  for (const Component& cp : p.components)
+    for (const Component& cq : q.components) {
+      if (cp.dimension != 1 || cq.dimension != 1) continue;
+      for (std::uint32_t e = cp.first; e < cp.last; ++e)
+        for (std::uint32_t f = cq.first; f < cq.last; ++f) {
+          if (lattice.cross(p.edge(e), q.edge(f)) <= 0) continue;
+          for (const WalkSegment& w : {WalkSegment{0, e, f}, WalkSegment{1, f, p.next[e]}}) soup.add(w, soup.box(w));
+        }
+    }
+}
+
+bool has_dimension_below_two(const Operand& o) {
+  return std::any_of(o.components.begin(), o.components.end(), [](const Component& c) { return c.dimension < 2; });
+}
+
+// Below this many segments testing all pairs is cheaper than filling a grid; below the second, a mask does not pay.
+constexpr std::size_t kAllPairs = 64;
+constexpr std::size_t kMask = 300;
+
+// Cells along the longer side for n segments.
+int cells_for(std::size_t n) {
+  return std::clamp(static_cast<int>(std::sqrt(static_cast<double>(n))), 8, 1024);
+}
+
+Grid plain_grid(const Lattice& lattice, std::size_t n) {
+  double width = 0, height = 0;
+  for (int op = 0; op < 2; ++op) {
+    width += *std::max_element(lattice.x[op].begin(), lattice.x[op].end());
+    height += *std::max_element(lattice.y[op].begin(), lattice.y[op].end());
+  }
+  const double longer = std::max(width, height);
+  Grid g;
+  const int cells = cells_for(n);
+  g.cell = longer / cells;
+  g.per_cell = cells / longer;
+  g.columns = static_cast<int>(width * g.per_cell) + 1;
+  g.rows = static_cast<int>(height * g.per_cell) + 1;
+  return g;
+}
+
+void trace_stages(const Soup& soup, const InteriorMask* mask, const Arrangement& arrangement, const SortedLoops& loops,
+                  const ReducedConvolution& convolution, PlanarTrace& trace) {
+  const Lattice& lattice = soup.lattice;
+  convolution.for_each([&](const WalkSegment& w) {
+    const SoupBox b = soup.box(w);
+    trace.convolution.push_back({lattice.to_input(b.ax, b.ay), lattice.to_input(b.bx, b.by), w.side == 0});
+  });
+  if (mask != nullptr)
+    for (int r = 0; r < mask->grid().rows; ++r)
+      for (int c = 0; c < mask->grid().columns; ++c) {
+        if (!mask->dead(r, c)) continue;
+        const int first = c;
+        while (c + 1 < mask->grid().columns && mask->dead(r, c + 1)) ++c;
+        const double h = mask->grid().cell;
+        trace.masked_cells.push_back({lattice.to_input(first * h, r * h), lattice.to_input((c + 1) * h, (r + 1) * h)});
+      }
+  for (const Crossing& c : arrangement.crossings()) {
+    const SoupBox& b = soup.boxes[c.a];
+    trace.crossings.push_back(lattice.to_input(b.ax + c.ta * (b.bx - b.ax), b.ay + c.ta * (b.by - b.ay)));
+  }
+  const auto ring = [&](const BoundaryLoop& loop) {
+    Ring r;
+    for (const Step& step : loop.steps) {
+      const Place p = arrangement.end_place(step);
+      r.push_back(lattice.to_input(p.x, p.y));
+    }
+    return r;
+  };
+  for (const BoundaryLoop& loop : loops.kept) trace.kept_loops.push_back(ring(loop));
+  for (const BoundaryLoop& loop : loops.dropped) trace.dropped_loops.push_back(ring(loop));
+}
+
+// Cracks and punctures: candidates of the arrangement that are not inside the open sum.
+void find_tight(const Soup& soup, const Arrangement& arrangement, Collision& collision, RawBoundary& out, double& grid_error) {
+  for (const Step& step : arrangement.covered_subs()) {
+    if (collision.overlaps(arrangement.sample(step))) continue;
+    const Place from = arrangement.start_place(step), to = arrangement.end_place(step);
+    const SubEnd a = arrangement.start_of(step), b = arrangement.end_of(step);
+    grid_error = std::max({grid_error, from.error, to.error});
+    const std::uint32_t s = step.segment;
+    out.cracks.push_back({vertex_of(soup, s, a.pair ? s : a.other, a, from), vertex_of(soup, s, b.pair ? s : b.other, b, to)});
+  }
+  for (const Arrangement::CoveredNode& node : arrangement.covered_nodes()) {
+    if (collision.overlaps(node.place)) continue;
+    grid_error = std::max(grid_error, node.place.error);
+    out.punctures.push_back(vertex_of(soup, node.segment, node.end.pair ? node.segment : node.end.other, node.end, node.place));
+  }
+}
+
+bool connected_sum(const RegionData& p, const RegionData& q, const Operand& op, const Operand& oq) {
+  (void)p;
+  (void)q;
+  return op.components.size() == 1 && oq.components.size() == 1 &&
+         (op.components[0].dimension == 2 || oq.components[0].dimension == 2);
+}
+
+bool run_reduced(const RegionData& p, const RegionData& q, const SumOptions& options, SumState& state) {
+  const Lattice& lattice = *state.lattice;
+  const Operand &op = *state.p, &oq = *state.q;
+  SumStats& stats = state.stats;
+  StageClock clock(stats);
+  const std::function<bool(double)> poll = [&](double share) { return !options.progress || options.progress("crossings", share); };
+
+  const ReducedConvolution convolution(lattice, op, oq);
+  const std::uint32_t n = convolution.size();
+  stats.reduced_segments = n;
+  const bool fast = options.engine == Engine::fast;
+  std::optional<InteriorMask> mask;
+  if (fast && n >= kMask) {
+    mask.emplace(lattice, op, oq, cells_for(n));
+    stats.mask_grid = cells_for(n);
+    clock.done("mask");
+  }
+  Soup soup(lattice, op, oq);
+  std::vector<std::uint32_t> live;
+  if (mask) {
+    live.reserve(n);
+    const Grid& g = mask->grid();
+    const double reach = 2 * kReach * g.cell;
+    convolution.for_each([&](const WalkSegment& w) {
+      const SoupBox b = soup.box(w);
+      const bool dead = mask->all_dead(g.row(std::min(b.ay, b.by) - reach), g.column(std::min(b.ax, b.bx) - reach),
+                                       g.row(std::max(b.ay, b.by) + reach), g.column(std::max(b.ax, b.bx) + reach));
+      live.push_back(dead ? kNone : static_cast<std::uint32_t>(soup.size()));
+      if (!dead) soup.add(w, b);
+    });
+  } else {
+    soup.reserve(n);
+    convolution.for_each([&](const WalkSegment& w) { soup.add(w, soup.box(w)); });
+  }
+  const std::uint32_t reduced_live = static_cast<std::uint32_t>(soup.size());
+  const bool closed = options.semantics != Semantics::open;
+  const bool parallelograms = closed && has_dimension_below_two(op) && has_dimension_below_two(oq);
+  if (parallelograms) add_parallelograms(lattice, op, oq, soup);
+  const ReducedChain chain(soup, convolution, std::move(live), reduced_live);
+  stats.live_segments = soup.size();
+  clock.done("convolution");
+  if (options.progress && !options.progress("convolution", 1)) return false;
+
+  Meetings meetings;
+  std::vector<DeadMark> marks;
+  CrossingFinder finder(soup, meetings);
+  finder.poll = &poll;
+  if (!fast || soup.size() < kAllPairs) {
+    finder.all_pairs();
+  } else {
+    finder.grid(mask ? mask->grid() : plain_grid(lattice, soup.size()), mask ? &*mask : nullptr, marks);
+  }
+  if (finder.stopped) return false;
+  stats.crossings = meetings.crossings.size();
+  stats.cell_entries = meetings.cell_entries;
+  stats.pair_tests = meetings.pair_tests;
+  stats.exact_signs += meetings.exact_signs;
+  clock.done("crossings");
+
+  const Arrangement arrangement(soup, std::move(meetings), chain, marks);
+  stats.degenerate_nodes = arrangement.degenerate_nodes();
+  stats.exact_signs += arrangement.exact_orders();
+  clock.done("arrangement");
+
+  std::vector<BoundaryLoop> loops = find_loops(soup, arrangement);
+  stats.loops = loops.size();
+  clock.done("loops");
+  if (options.progress && !options.progress("loops", 1)) return false;
+
+  Collision collision(lattice, op, oq, fast);
+  collision.with_parallelograms = parallelograms;
+  const bool connected = fast && !parallelograms && connected_sum(p, q, op, oq);
+  SortedLoops sorted = verify_loops(soup, arrangement, std::move(loops), collision, connected);
+  if (state.trace) trace_stages(soup, mask ? &*mask : nullptr, arrangement, sorted, convolution, *state.trace);
+  double grid_error = soup.point_error;
+  for (const BoundaryLoop& ring : simple_rings(soup, arrangement, std::move(sorted.kept))) {
+    state.boundary.rings.push_back(make_ring(soup, arrangement, ring, grid_error));
+    state.boundary.outer.push_back(ring.turning > 0);
+  }
+  clock.done("collision");
+  if (options.semantics != Semantics::regular && !parallelograms)
+    find_tight(soup, arrangement, collision, state.boundary, grid_error);
+  state.boundary.at_error = input_error(lattice, grid_error);
+  stats.collision_tests = collision.counts().tests;
+  stats.filtered_signs += collision.counts().filtered;
+  stats.exact_signs += collision.counts().exact;
+  stats.peak_bytes = soup.segments.capacity() * sizeof(SoupSegment) + soup.boxes.capacity() * sizeof(SoupBox) + chain.bytes() +
+                     (mask ? mask->bytes() : 0) + std::max(finder.peak_bytes(), arrangement.bytes()) +
+                     marks.capacity() * sizeof(DeadMark);
+  clock.done("tight");
+  return true;
+}
+
+}  // namespace
+
+Result<SumState> compute_boundary(const RegionData& p, const RegionData& q, const SumOptions& options) {
+  SumState state;
+  const auto start = std::chrono::steady_clock::now();
+  const std::vector<Point> vp = source_vertices(p), vq = source_vertices(q);
+  std::unique_ptr<Lattice> lattice = make_lattice(vp, vq, options.min_tier_bits);
+  state.p = std::make_unique<Operand>(make_operand(p, 0, *lattice));
+  state.q = std::make_unique<Operand>(make_operand(q, 1, *lattice));
+  state.lattice = std::move(lattice);
+  state.stats.tier_bits = state.lattice->tier_bits;
+  state.stats.stages.push_back(
+      {"operands", std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count()});
+  if (options.trace) state.trace.emplace();
+  if (vp.empty() || vq.empty()) return state;
+  const bool done = options.engine == Engine::winding ? run_winding(options, state) : run_reduced(p, q, options, state);
+  if (!done) return cancelled();
+  return state;
+}
+
+void lower_dimensional_candidates(const Lattice& lattice, const Operand& p, const Operand& q, std::vector<SumSegment>& segments,
+                                  std::vector<SumVertex>& points) {
+  const auto corner = [&](std::uint32_t i, std::uint32_t j, const Contact& line) {
+    SumVertex v;
+    v.in = v.out = line;
+    v.corner_p = p.source[i];
+    v.corner_q = q.source[j];
+    v.at = lattice.to_input(lattice.x[0][p.source[i]] + lattice.x[1][q.source[j]],
+                            lattice.y[0][p.source[i]] + lattice.y[1][q.source[j]]);
+    return v;
+  };
+  const auto of_p = [&](std::uint32_t e, std::uint32_t j) {
+    return Contact{Contact::Kind::edge_of_p, p.edge_number[e], q.source[j]};
+  };
+  const auto of_q = [&](std::uint32_t i, std::uint32_t f) {
+    return Contact{Contact::Kind::edge_of_q, p.source[i], q.edge_number[f]};
+  };
+  for (const Component& cp : p.components)
+    for (const Component& cq : q.components) {
+      if (cp.dimension == 2 || cq.dimension == 2) continue;
+      for (std::uint32_t i = cp.first; i < cp.last; ++i)
+        for (std::uint32_t j = cq.first; j < cq.last; ++j) {
+          if (cp.dimension == 0 && cq.dimension == 0) {
+            points.push_back(corner(i, j, {}));
+          } else if (cp.dimension == 0) {
+            segments.push_back({corner(i, j, of_q(i, j)), corner(i, q.next[j], of_q(i, j))});
+          } else if (cq.dimension == 0) {
+            segments.push_back({corner(i, j, of_p(i, j)), corner(p.next[i], j, of_p(i, j))});
+          } else if (lattice.cross(p.edge(i), q.edge(j)) == 0 && lattice.dot(p.edge(i), q.edge(j)) > 0) {
+            segments.push_back({corner(i, j, of_p(i, j)), corner(p.next[i], q.next[j], of_p(i, j))});
+          }
+        }
+    }
+}
+
+void merge_pieces(const ExactSource& source, const std::vector<SumPart>& parts, const std::vector<SumSegment>& candidates,
+                  const std::vector<SumVertex>& candidate_points, std::vector<SumSegment>& segments, std::vector<SumVertex>& points) {
+  std::vector<std::vector<Position>> rings;
+  std::vector<const SumRing*> ring_of;
+  for (const SumPart& part : parts) {
+    ring_of.push_back(&part.outer);
+    for (const SumRing& hole : part.holes) ring_of.push_back(&hole);
+  }
+  for (const SumRing* ring : ring_of) {
+    rings.emplace_back();
+    for (const SumVertex& v : ring->vertices) rings.back().push_back(source.position(v));
+  }
+  std::vector<PieceCandidate> lines;
+  std::vector<Position> spots;
+  for (const SumSegment& s : candidates) lines.push_back({source.position(s.from), source.position(s.to)});
+  for (const SumVertex& v : candidate_points) spots.push_back(source.position(v));
+  const Pieces pieces = lower_dimensional_pieces(rings, lines, spots);
+  const auto vertex = [&](const PieceEnd& end) {
+    if (end.cut_ring == PieceEnd::kNone) {
+      const bool is_a = compare(end.at, lines[end.candidate].a) == 0;
+      return is_a ? candidates[end.candidate].from : candidates[end.candidate].to;
+    }
+    SumVertex v;
+    v.in = candidates[end.candidate].from.in;
+    v.out = ring_of[end.cut_ring]->vertices[end.cut_edge].out;
+    v.at = {exact::round_to_double(end.at.x), exact::round_to_double(end.at.y)};
+    return v;
+  };
+  for (const PieceSegment& s : pieces.segments) segments.push_back({vertex(s.from), vertex(s.to)});
+  for (const PiecePoint& p : pieces.points) points.push_back(candidate_points[p.candidate]);
+}
+
+PlanarSum finish_sum(SumState state, Numbering numbering, const SumOptions& options) {
+  PlanarSum sum;
+  StageClock clock(state.stats);
+  const auto source = std::make_shared<SumSource>(state.lattice, std::move(numbering));
+  sum.source = source;
+  RawBoundary& raw = state.boundary;
+  sum.parts = group_rings(std::move(raw.rings), raw.outer, *source, raw.at_error);
+  canonicalize(sum.parts, *source, raw.at_error);
+  if (!raw.cracks.empty() || !raw.punctures.empty())
+    merge_pieces(*source, {}, raw.cracks, raw.punctures, sum.tight_segments, sum.tight_points);
+  if (options.semantics == Semantics::closed) {
+    std::vector<SumSegment> lines;
+    std::vector<SumVertex> points;
+    lower_dimensional_candidates(*state.lattice, *state.p, *state.q, lines, points);
+    if (!lines.empty() || !points.empty()) merge_pieces(*source, sum.parts, lines, points, sum.segments, sum.points);
+  }
+  if (state.trace) {
+    for (const SumVertex& v : sum.tight_points) state.trace->tight_points.push_back(v.at);
+    for (const SumSegment& s : sum.tight_segments) state.trace->tight_segments.push_back({s.from.at, s.to.at});
+  }
+  clock.done("output");
+  sum.stats = std::move(state.stats);
+  sum.trace = std::move(state.trace);
+  return sum;
+}
+
+}  // namespace dymsum::planar

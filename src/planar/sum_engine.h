@@ -1,0 +1,44 @@
+// The driver of planar sums: the stages of docs/design/planar-sum.md in their order.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "dymsum/planar_sum.h"
+#include "planar/boundary.h"
+#include "planar/sum_source.h"
+
+namespace dymsum::planar {
+
+/// What the boundary engines find, before canonical output.
+struct RawBoundary {
+  std::vector<SumRing> rings;       ///< interior on the left
+  std::vector<std::uint8_t> outer;  ///< per ring: counter-clockwise
+  std::vector<SumSegment> cracks;   ///< closed sub-edges of tight segments, not merged
+  std::vector<SumVertex> punctures; ///< candidates that are not on cracks are tight points
+  double at_error = 0;              ///< |at - exact| in input coordinates
+};
+
+struct SumState {
+  std::shared_ptr<const Lattice> lattice;
+  std::unique_ptr<Operand> p, q;
+  RawBoundary boundary;
+  SumStats stats;
+  std::optional<PlanarTrace> trace;
+};
+
+/// Operands on their lattice, then the boundary by the chosen engine.
+Result<SumState> compute_boundary(const RegionData& p, const RegionData& q, const SumOptions& options);
+
+/// Canonical order, parts, tight features, lower-dimensional pieces.
+PlanarSum finish_sum(SumState state, Numbering numbering, const SumOptions& options);
+
+/// Lower-dimensional pieces of the closed sum: segments and points from pairs of components without area. Appends candidates.
+void lower_dimensional_candidates(const Lattice& lattice, const Operand& p, const Operand& q, std::vector<SumSegment>& segments,
+                                  std::vector<SumVertex>& points);
+
+/// Positions of candidates -> maximal pieces with provenance.
+void merge_pieces(const ExactSource& source, const std::vector<SumPart>& parts, const std::vector<SumSegment>& candidates,
+                  const std::vector<SumVertex>& candidate_points, std::vector<SumSegment>& segments, std::vector<SumVertex>& points);
+
+}  // namespace dymsum::planar
