@@ -4,12 +4,24 @@
 #include <string>
 #include <utility>
 
+#include "io/number_text.h"
 #include "io/picture.h"
 #include "io/readers.h"
 
 namespace dymsum {
 
 namespace io {
+
+namespace {
+
+/// Inside the group that scales: vector-effect would do the same, but not every renderer knows it.
+std::string scaled_stroke(std::string_view edge, double width, double scale) {
+  std::string style = "stroke=\"" + std::string(edge) + "\" stroke-linejoin=\"round\" stroke-linecap=\"round\" stroke-width=\"";
+  append_number(style, width / scale);
+  return style + "\"";
+}
+
+}  // namespace
 
 void draw_marked(Picture& picture, const RegionData& data, const Placement& placement, std::string_view fill, std::string_view edge) {
   std::size_t vertices = 0;
@@ -18,10 +30,9 @@ void draw_marked(Picture& picture, const RegionData& data, const Placement& plac
     for (const Ring& hole : part.holes) vertices += hole.size();
   }
   picture.open_group("transform=\"" + placement.matrix() + "\"");
-  picture.open_group(fill_style(fill, edge, stroke_for(vertices)));
-  // vector-effect is not inherited
-  const std::string part_mark = "data-dymsum=\"part\" vector-effect=\"non-scaling-stroke\"";
-  for (const Part& part : data.parts) picture.path(exact_path(part), part_mark);
+  picture.open_group("fill=\"" + std::string(fill) + "\" fill-rule=\"evenodd\" " +
+                     scaled_stroke(edge, stroke_for(vertices), placement.scale));
+  for (const Part& part : data.parts) picture.path(exact_path(part), "data-dymsum=\"part\"");
   picture.close_group();
   std::string lines, dots;
   for (const Polyline& line : data.polylines) append_exact_ring(lines, line, false);
@@ -29,8 +40,8 @@ void draw_marked(Picture& picture, const RegionData& data, const Placement& plac
     append_exact_ring(dots, {p}, false);
     dots += "h0";
   }
-  picture.path(lines, "data-dymsum=\"polylines\" " + line_style(edge, 2));
-  picture.path(dots, "data-dymsum=\"points\" " + dot_style(edge, 6));
+  picture.path(lines, "data-dymsum=\"polylines\" fill=\"none\" " + scaled_stroke(edge, 2, placement.scale));
+  picture.path(dots, "data-dymsum=\"points\" fill=\"none\" " + scaled_stroke(edge, 6, placement.scale));
   picture.close_group();
 }
 

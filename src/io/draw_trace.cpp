@@ -45,10 +45,10 @@ class TraceDrawing {
     Picture picture(2 * kMargin + columns * kPanel + (columns - 1) * kGap,
                     2 * kMargin + rows * (height_ + kTitle) + (rows - 1) * kGap, "trace");
     if (sum_.trace) define_convolution(picture);
-    panel(picture, "Operands", "P: " + describe(p_.data()) + "   Q: " + describe(q_.data()), [&] { operands(picture); });
+    panel(picture, "Operands", "P (amber): " + describe(p_.data()) + " · Q (green): " + describe(q_.data()), [&] { operands(picture); });
     if (sum_.trace) stages(picture);
     const std::string tight = describe_tight(sum_);
-    panel(picture, "Result", describe(result_) + (tight.empty() ? "" : "; " + tight), [&] {
+    panel(picture, "Result", describe(result_) + (tight.empty() ? "" : " · " + tight), [&] {
       draw_plain(picture, result_, placement_, palette::kSum, palette::kSumEdge);
       draw_tight(picture, sum_, placement_);
     });
@@ -83,8 +83,8 @@ class TraceDrawing {
   /// Written once, shown in three panels.
   void define_convolution(Picture& picture) const {
     const std::size_t count = trace_.convolution.size();
-    const double width = count < 500 ? 1.2 : count < 4000 ? 0.7 : 0.4;
-    const double opacity = count < 500 ? 1 : count < 4000 ? 0.8 : 0.6;
+    const double width = count < 500 ? 1.2 : count < 4000 ? 0.7 : 0.5;
+    const double opacity = count < 500 ? 1 : count < 4000 ? 0.85 : 0.7;
     picture.raw("<defs>\n<g id=\"convolution\">\n");
     picture.path(of_p_, line_style(palette::kPEdge, width, opacity));
     picture.path(of_q_, line_style(palette::kQEdge, width, opacity));

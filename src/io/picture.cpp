@@ -210,8 +210,6 @@ std::string describe(const RegionData& data) {
   return text;
 }
 
-std::string describe(const PlanarSum& sum) { return describe(rounded_data(sum)); }
-
 std::string describe_tight(const PlanarSum& sum) {
   std::string text;
   if (!sum.tight_segments.empty()) text = counted(sum.tight_segments.size(), "tight segment", "tight segments");

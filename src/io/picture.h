@@ -1,4 +1,4 @@
-// Pieces of SVG pictures: y points up, strokes keep their width at any scale, a small palette.
+// Pieces of SVG pictures: y points up, strokes legible at any scale, a small palette.
 #pragma once
 
 #include <cstddef>
@@ -101,7 +101,6 @@ double stroke_for(std::size_t vertices);
 /// "3 holes", "1 hole".
 std::string counted(std::size_t count, std::string_view one, std::string_view many);
 std::string describe(const RegionData& data);
-std::string describe(const PlanarSum& sum);
 std::string describe_tight(const PlanarSum& sum);
 
 /// A region, on a canvas and not to be read back.
