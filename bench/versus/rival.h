@@ -1,19 +1,21 @@
 // What every rival says about a sum, in numbers that can be compared with ours, and how everyone is timed.
 #pragma once
 
+#include <time.h>
+
 #include <algorithm>
-#include <chrono>
 #include <cstddef>
 #include <string>
 #include <vector>
 
 namespace dymsum::bench {
 
-/// Repeat at least `least` times, and on until `most` times or until `budget_ms` are used.
+/// Repeat at least `least` times unless `enough_ms` are used before, and on until `most` times or `budget_ms`; once at least.
 struct Repeats {
   int least = 1;
   int most = 1;
   double budget_ms = 0;
+  double enough_ms = 0;
 };
 
 struct Times {
@@ -29,17 +31,29 @@ struct Times {
   double min() const { return ms.empty() ? 0 : *std::min_element(ms.begin(), ms.end()); }
 };
 
+/// Processor time of this process, all threads together: unlike the wall clock it does not charge a long run for what else
+/// the machine does, and it gives nothing away to a rival that uses one thread.
+inline double cpu_ms() {
+  timespec now;
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
 /// Times `work()`, whose result is destroyed outside the timed part; the last result is handed to `keep`.
 template <class Work, class Keep>
 Times measure(const Repeats& repeats, Work&& work, Keep&& keep) {
   Times times;
   double used = 0;
-  while (static_cast<int>(times.ms.size()) < repeats.least ||
-         (static_cast<int>(times.ms.size()) < repeats.most && used < repeats.budget_ms)) {
-    const auto start = std::chrono::steady_clock::now();
+  const auto again = [&] {
+    const int runs = static_cast<int>(times.ms.size());
+    return runs == 0 || (runs < repeats.least && used < repeats.enough_ms) ||
+           (runs < repeats.most && used < repeats.budget_ms);
+  };
+  while (again()) {
+    const double start = cpu_ms();
     auto result = work();
-    const auto stop = std::chrono::steady_clock::now();
-    times.ms.push_back(std::chrono::duration<double, std::milli>(stop - start).count());
+    const double stop = cpu_ms();
+    times.ms.push_back(stop - start);
     used += times.ms.back();
     keep(std::move(result));
   }
