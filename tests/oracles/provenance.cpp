@@ -1,0 +1,171 @@
+#include "provenance.h"
+
+#include <cmath>
+#include <optional>
+#include <sstream>
+#include <vector>
+
+#include "numbers.h"
+
+namespace dymsum::oracles {
+namespace {
+
+/// A region's vertices by number, and for each the number of the vertex its edge runs to, if it starts one.
+template <class N>
+struct Numbered {
+  std::vector<Pt<N>> vertices;
+  std::vector<std::optional<std::size_t>> next;
+  std::vector<bool> on_ring;
+};
+
+template <class N>
+Numbered<N> numbered(const Region& region, int sign) {
+  Numbered<N> out;
+  const auto add = [&](const Point& c) {
+    const N x = from_double<N>(c.x), y = from_double<N>(c.y);
+    out.vertices.push_back(sign > 0 ? Pt<N>{x, y} : Pt<N>{-x, -y});
+    out.next.push_back(out.vertices.size());
+    out.on_ring.push_back(false);
+  };
+  const auto add_ring = [&](const Ring& ring) {
+    const std::size_t first = out.vertices.size();
+    for (const Point& c : ring) add(c);
+    for (std::size_t i = first; i < out.on_ring.size(); ++i) out.on_ring[i] = true;
+    out.next.back() = first;
+  };
+  for (const Part& part : region.parts()) {
+    add_ring(part.outer);
+    for (const Ring& hole : part.holes) add_ring(hole);
+  }
+  for (const Polyline& line : region.polylines()) {
+    for (const Point& c : line) add(c);
+    out.next.back().reset();
+  }
+  for (const Point& c : region.points()) {
+    add(c);
+    out.next.back().reset();
+  }
+  return out;
+}
+
+template <class N>
+std::string text(const Pt<N>& c) {
+  std::ostringstream out;
+  out << "(" << to_big(c.x) << ", " << to_big(c.y) << ")";
+  return out.str();
+}
+
+bool nearest(double rounded, const Big& exact) {
+  const auto distance = [&](double value) {
+    const Big gap = from_double<Big>(value) - exact;
+    return gap < 0 ? Big(-gap) : gap;
+  };
+  const Big here = distance(rounded);
+  return here <= distance(std::nextafter(rounded, INFINITY)) && here <= distance(std::nextafter(rounded, -INFINITY));
+}
+
+template <class N>
+class Checker {
+ public:
+  Checker(const Region& p, const Region& q, Combination combination, const PlanarSum& sum)
+      : p_(numbered<N>(p, 1)), q_(numbered<N>(q, combination == Combination::sum ? 1 : -1)),
+        combination_(combination), sum_(sum) {}
+
+  std::string run() {
+    for (const SumPart& part : sum_.parts) {
+      check_ring(part.outer);
+      for (const SumRing& hole : part.holes) check_ring(hole);
+    }
+    for (const auto* segments : {&sum_.segments, &sum_.tight_segments})
+      for (const SumSegment& s : *segments) check_lone(s.from), check_lone(s.to);
+    for (const auto* points : {&sum_.points, &sum_.tight_points})
+      for (const SumVertex& v : *points) check_lone(v);
+    return wrong_;
+  }
+
+ private:
+  void complain(const std::string& what, const Pt<N>& at) {
+    if (wrong_.empty()) wrong_ = "provenance: " + what + " at " + text(at);
+  }
+
+  Pt<N> place(const SumVertex& v) {
+    const RationalPoint at = sum_.exact(v);
+    return {from_digits<N>(at.x.num, at.x.den), from_digits<N>(at.y.num, at.y.den)};
+  }
+
+  /// The segment a contact names, and whether both its features exist.
+  std::optional<Seg<N>> segment(const Contact& contact) {
+    const bool of_p = contact.kind == Contact::Kind::edge_of_p;
+    if (contact.p >= p_.vertices.size() || contact.q >= q_.vertices.size()) return std::nullopt;
+    const Numbered<N>& owner = of_p ? p_ : q_;
+    const std::size_t edge = of_p ? contact.p : contact.q;
+    if (!owner.next[edge]) return std::nullopt;
+    const Pt<N>& corner = of_p ? q_.vertices[contact.q] : p_.vertices[contact.p];
+    return Seg<N>{owner.vertices[edge] + corner, owner.vertices[*owner.next[edge]] + corner};
+  }
+
+  bool directed(const Contact& contact) {
+    if (combination_ == Combination::erosion) return contact.kind == Contact::Kind::edge_of_p;
+    return contact.kind == Contact::Kind::edge_of_p ? p_.on_ring[contact.p] : q_.on_ring[contact.q];
+  }
+
+  void check_place(const SumVertex& v, const Pt<N>& at) {
+    if (!nearest(v.at.x, to_big(at.x)) || !nearest(v.at.y, to_big(at.y))) complain("position not rounded to nearest", at);
+    if (v.corner_p == SumVertex::kNone && v.corner_q == SumVertex::kNone) return;
+    if (v.corner_p >= p_.vertices.size() || v.corner_q >= q_.vertices.size()) return complain("corner does not exist", at);
+    if (p_.vertices[v.corner_p] + q_.vertices[v.corner_q] != at) complain("corner lies elsewhere", at);
+  }
+
+  /// An edge that starts (or ends) at `at` and has its other end at `other` runs along the contact.
+  void check_along(const Contact& contact, const Pt<N>& at, const Pt<N>& other, bool starts) {
+    const std::optional<Seg<N>> s = segment(contact);
+    if (!s) return complain("contact does not exist", at);
+    if (!on_segment(*s, at)) return complain("vertex is off its contact", at);
+    if (turn(s->a, s->b, other) != 0) return complain("edge is off the line of its contact", at);
+    const Pt<N> way = other - at, ahead = s->b - at, back = s->a - at;
+    const auto dot = [](const Pt<N>& u, const Pt<N>& v) { return u.x * v.x + u.y * v.y; };
+    const bool over_b = dot(way, ahead) > N(0), over_a = dot(way, back) > N(0);
+    if (!over_a && !over_b) return complain("edge only touches its contact", at);
+    if (directed(contact) && (starts ? !over_b : !over_a)) complain("edge runs against its contact", at);
+  }
+
+  void check_ring(const SumRing& ring) {
+    const std::size_t n = ring.vertices.size();
+    std::vector<Pt<N>> at;
+    for (const SumVertex& v : ring.vertices) at.push_back(place(v));
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t j = (i + 1) % n;
+      check_place(ring.vertices[i], at[i]);
+      check_along(ring.vertices[i].out, at[i], at[j], true);
+      check_along(ring.vertices[j].in, at[j], at[i], false);
+    }
+  }
+
+  /// A vertex of a feature: on its contacts where these exist, otherwise a named corner.
+  void check_lone(const SumVertex& v) {
+    const Pt<N> at = place(v);
+    check_place(v, at);
+    for (const Contact& contact : {v.in, v.out}) {
+      const std::optional<Seg<N>> s = segment(contact);
+      if (s && !on_segment(*s, at)) complain("feature is off its contact", at);
+      if (!s && v.corner_p == SumVertex::kNone) complain("feature names neither contact nor corner", at);
+    }
+  }
+
+  Numbered<N> p_, q_;
+  Combination combination_;
+  const PlanarSum& sum_;
+  std::string wrong_;
+};
+
+}  // namespace
+
+std::string check_provenance(const Region& p, const Region& q, Combination combination, const PlanarSum& sum) {
+  try {
+    return Checker<Small>(p, q, combination, sum).run();
+  } catch (const Overflow&) {
+    return Checker<Big>(p, q, combination, sum).run();
+  }
+}
+
+}  // namespace dymsum::oracles
