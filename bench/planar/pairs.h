@@ -24,7 +24,7 @@ struct Pair {
   Group group = Group::thesis;
   Region p, q;
   bool no_fit = false;  ///< P (+) -Q instead of P (+) Q
-  bool large = true;    ///< both from the larger models of the thesis (figures 3.6 and 3.7)
+  bool large = false;   ///< both from the larger models of the thesis (figures 3.6 and 3.7)
 };
 
 struct Pairs {

@@ -1,0 +1,108 @@
+// dymsum_bench_planar: our planar sums measured against CGAL and Clipper in one process.
+#include <algorithm>
+#include <cstring>
+#include <exception>
+#include <iostream>
+#include <string>
+
+#include "planar/report.h"
+
+namespace dymsum::bench {
+namespace {
+
+struct Options {
+  bool demo = false, ours = false, quick = false;
+  std::string results, only;
+};
+
+constexpr const char* kUsage =
+    "dymsum_bench_planar [--demo | --ours] [--quick] [--only TEXT] [--results DIR]\n"
+    "  (default)      all pairs against CGAL's reduced convolution, its other methods where they finish, and Clipper\n"
+    "  --demo         a short table, under a minute\n"
+    "  --ours         our engine alone, with its work and what a piece of work costs\n"
+    "  --quick        of the rivals, CGAL's reduced convolution only\n"
+    "  --only TEXT    only pairs whose name contains TEXT\n"
+    "  --results DIR  also write planar.csv, planar.md and the figures into DIR\n"
+    "Environment: DYMSUM_DATA, a folder with planar/ and nesting/ (else ../shared/data beside the checkout, where present).\n";
+
+bool parse(int argc, char** argv, Options& options) {
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word == "--demo") {
+      options.demo = true;
+    } else if (word == "--ours") {
+      options.ours = true;
+    } else if (word == "--quick") {
+      options.quick = true;
+    } else if ((word == "--results" || word == "--only") && i + 1 < argc) {
+      (word == "--results" ? options.results : options.only) = argv[++i];
+    } else {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Seconds for each of the rivals other than CGAL's reduced convolution. The many small pairs get little: where the full
+/// convolution or a decomposition needs longer than that, it is not in the running.
+double others_limit_s(const Pair& pair, const Options& options) {
+  if (options.ours || options.quick) return 0;
+  if (options.demo) return 2;
+  if (pair.group == Group::swim || pair.group == Group::shirts) return 0;
+  if (pair.group == Group::thesis) return pair.p.vertex_count() * pair.q.vertex_count() <= 4000 ? 2 : 0;
+  return 10;
+}
+
+bool is_table(Group group) { return group == Group::swim || group == Group::shirts; }
+
+int run(const Options& options) {
+  const std::string data = data_folder();
+  Pairs pairs = options.demo ? demo_pairs(data) : all_pairs(data);
+  for (const std::string& note : pairs.notes) std::cout << note << "\n";
+  std::cout << "Times: median (and least) processor time in milliseconds; inputs are built before the clock starts. "
+               "CGAL: 5.5.1,\nreduced convolution with EPECK, unless another column. Ratio: CGAL / ours. Check: holes, "
+               "vertices, area.\n\n";
+  if (options.ours) print_work_heading(std::cout);
+  else print_heading(std::cout);
+  std::vector<Row> rows;
+  for (std::size_t i = 0; i < pairs.list.size(); ++i) {
+    const Pair& pair = pairs.list[i];
+    if (pair.name.find(options.only) == std::string::npos) continue;
+    std::cerr << "[" << i + 1 << "/" << pairs.list.size() << "] " << pair.name << "\n";
+    rows.push_back(measure_pair(pair, {!options.ours, others_limit_s(pair, options)}));
+    const Row& row = rows.back();
+    if (options.ours) {
+      if (!is_table(row.group)) print_work(std::cout, row);
+    } else if (!is_table(row.group) || (row.verdict != Verdict::equal && row.verdict != Verdict::unknown)) {
+      print_row(std::cout, row);
+    }
+    std::cout.flush();
+  }
+  if (!options.ours) {
+    for (const Group group : {Group::swim, Group::shirts}) print_table(std::cout, group, rows);
+    print_summary(std::cout, rows);
+  }
+  if (!options.results.empty() && !write_results(options.results, rows)) {
+    std::cerr << "cannot write into " << options.results << "\n";
+    return 2;
+  }
+  const bool mismatch = std::any_of(rows.begin(), rows.end(), [](const Row& r) { return r.verdict == Verdict::mismatch; });
+  return mismatch ? 3 : 0;
+}
+
+}  // namespace
+}  // namespace dymsum::bench
+
+int main(int argc, char** argv) {
+  dymsum::bench::Options options;
+  if (!dymsum::bench::parse(argc, argv, options)) {
+    std::cerr << dymsum::bench::kUsage;
+    return 1;
+  }
+  try {
+    return dymsum::bench::run(options);
+  } catch (const std::exception& problem) {
+    std::cerr << problem.what() << "\n";
+    return 3;
+  }
+}

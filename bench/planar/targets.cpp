@@ -1,0 +1,135 @@
+// The promises about speed and memory, and the thesis's own numbers.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <ostream>
+
+#include "planar/report.h"
+
+namespace dymsum::bench {
+namespace {
+
+std::string text(const char* format, double a, double b = 0) {
+  char buffer[160];
+  std::snprintf(buffer, sizeof buffer, format, a, b);
+  return buffer;
+}
+
+const Row* find(const std::vector<Row>& rows, const std::string& name) {
+  for (const Row& row : rows) {
+    if (row.name == name) return &row;
+  }
+  return nullptr;
+}
+
+double geometric_mean(const std::vector<Row>& rows, const Group* group = nullptr) {
+  double sum = 0, count = 0;
+  for (const Row& row : rows) {
+    if (!row.reduced.finished || (group != nullptr && row.group != *group)) continue;
+    sum += std::log(row.ratio());
+    count += 1;
+  }
+  return count > 0 ? std::exp(sum / count) : 0;
+}
+
+template <class Value, class Counts>
+const Row* least(const std::vector<Row>& rows, Value&& value, Counts&& counts) {
+  const Row* best = nullptr;
+  for (const Row& row : rows) {
+    if (counts(row) && (best == nullptr || value(row) < value(*best))) best = &row;
+  }
+  return best;
+}
+
+void add_ratio_of(std::vector<Target>& list, const std::vector<Row>& rows, const std::string& pair, double promised) {
+  const Row* row = find(rows, pair);
+  if (row == nullptr || !row->reduced.finished) return;
+  list.push_back({pair + ": at least " + text("%.0f times CGAL's reduced convolution", promised),
+                  text("%.0f times", row->ratio()), row->ratio() >= promised});
+}
+
+}  // namespace
+
+std::vector<Target> targets(const std::vector<Row>& rows) {
+  std::vector<Target> list;
+  const auto measured = [](const Row& row) { return row.reduced.finished; };
+  const auto ratio = [](const Row& row) { return row.ratio(); };
+
+  const double mean = geometric_mean(rows);
+  list.push_back({"geometric mean over all pairs: at least 100 times CGAL's reduced convolution", text("%.0f times", mean),
+                  mean >= 100});
+  if (const Row* row = least(rows, ratio, [&](const Row& r) { return measured(r) && r.ours.vertices > 20; })) {
+    list.push_back({"every pair with more than 20 vertices in the sum: at least 25 times",
+                    text("least %.1f times, ", row->ratio()) + row->name, row->ratio() >= 25});
+  }
+  const auto slower = std::count_if(rows.begin(), rows.end(), [&](const Row& r) { return measured(r) && r.ratio() < 1; });
+  list.push_back({"no pair slower than CGAL", text("%.0f slower", static_cast<double>(slower)), slower == 0});
+  add_ratio_of(list, rows, "monkey + bird", 100);
+  add_ratio_of(list, rows, "neuron + disc 32", 100);
+  add_ratio_of(list, rows, "star 200 + star 200, noise 0.9", 1000);
+  if (const Row* row = least(rows, ratio, [&](const Row& r) { return measured(r) && r.group == Group::swim; })) {
+    list.push_back({"every swim no-fit polygon: at most 1/50 of CGAL's time",
+                    text("least %.1f times, ", row->ratio()) + row->name, row->ratio() >= 50});
+  }
+  const auto fewer_bytes = [](const Row& r) {
+    return -static_cast<double>(r.ours.stats.peak_bytes) / static_cast<double>(r.ours.stats.reduced_segments);
+  };
+  const auto big = [](const Row& r) { return r.ours.stats.reduced_segments >= 1000 && r.ours.stats.peak_bytes > 0; };
+  if (const Row* row = least(rows, fewer_bytes, big)) {
+    list.push_back({"peak memory at most 120 bytes per reduced segment (sums of 1000 segments or more)",
+                    text("most %.0f bytes, ", -fewer_bytes(*row)) + row->name, -fewer_bytes(*row) <= 120});
+  }
+  const auto wrong =
+      std::count_if(rows.begin(), rows.end(), [](const Row& r) { return r.verdict == Verdict::mismatch; });
+  const auto defects =
+      std::count_if(rows.begin(), rows.end(), [](const Row& r) { return r.verdict == Verdict::cgal_defect; });
+  list.push_back({"same holes, vertices and area as CGAL",
+                  text("%.0f differ; %.0f more where CGAL contradicts itself", static_cast<double>(wrong),
+                       static_cast<double>(defects)),
+                  wrong == 0});
+  return list;
+}
+
+std::vector<std::string> thesis_counts(const std::vector<Row>& rows) {
+  struct Printed {
+    const char* pair;
+    double reduced, full;  // full 0: not printed
+  };
+  std::vector<std::string> lines;
+  for (const Printed& printed : {Printed{"neuron + disc 32", 3196, 0}, Printed{"monkey + bird", 16425, 0},
+                                 Printed{"dog + bird (real)", 2921, 38342}, Printed{"star + star (real)", 382, 1608}}) {
+    const Row* row = find(rows, printed.pair);
+    if (row == nullptr) continue;
+    const double reduced = static_cast<double>(row->ours.convolution.reduced);
+    const double full = static_cast<double>(row->ours.convolution.full);
+    std::string line = std::string(printed.pair) + text(": %.0f reduced of %.0f full segments; ", reduced, full) +
+                       text("the thesis prints %.0f", printed.reduced);
+    if (printed.full > 0) line += text(" of %.0f", printed.full);
+    line += text(" (reduced %+.2f %%", 100 * (reduced / printed.reduced - 1));
+    if (printed.full > 0) line += text(", full %+.2f %%", 100 * (full / printed.full - 1));
+    lines.push_back(line + ")");
+  }
+  return lines;
+}
+
+void print_summary(std::ostream& out, const std::vector<Row>& rows) {
+  out << "\n== Sizes of the convolutions\n";
+  for (const std::string& line : thesis_counts(rows)) out << line << "\n";
+  out << "\n== Ratios to CGAL's reduced convolution, geometric means\n";
+  for (const Group group : {Group::real, Group::stars, Group::holes, Group::swim, Group::shirts, Group::thesis}) {
+    const double mean = geometric_mean(rows, &group);
+    if (mean > 0) out << name(group) << ": " << text("%.0f", mean) << "\n";
+  }
+  const Row* best = least(rows, [](const Row& r) { return r.ratio_to_best_cgal(); },
+                          [](const Row& r) { return r.reduced.finished; });
+  if (best != nullptr) {
+    out << "against whichever CGAL method was fastest: least " << text("%.1f", best->ratio_to_best_cgal()) << ", "
+        << best->name << "\n";
+  }
+  out << "\n== Promises\n";
+  for (const Target& target : targets(rows)) {
+    out << (target.met ? "met      " : "NOT met  ") << target.promise << ": " << target.measured << "\n";
+  }
+}
+
+}  // namespace dymsum::bench
