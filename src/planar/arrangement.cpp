@@ -231,6 +231,8 @@ void Arrangement::process_node(std::vector<Spot>& spots, const std::vector<WalkP
       where.place = place(spot.segment, event_cut(e, spot.segment), e.t, e.error);
     }
     placed = true;
+    // Between events at one place there is nothing.
+    for (std::uint32_t k = spot.begin + 1; k < spot.end; ++k) flags_[first_sub(spot.segment) + k] |= kDead;
     add(spot.segment, spot.begin, false);
     add(spot.segment, spot.end, true);
   }

@@ -119,6 +119,10 @@ class LatticeOf final : public Lattice {
 
   // Coordinates are recovered from the inputs when a filter has failed: a few operations, and no second copy of the operands.
   Vec at(std::uint32_t op, std::uint32_t i) const {
+    if constexpr (std::is_same_v<C, exact::Int<29>>) {
+      // Up to 53 bits the doubles are the integers.
+      return {C::from_int64(static_cast<std::int64_t>(x[op][i])), C::from_int64(static_cast<std::int64_t>(y[op][i]))};
+    }
     const Point& v = input[op][i];
     return {exact::grid_coordinate<C>(v.x, offset[op].x, exponent_), exact::grid_coordinate<C>(v.y, offset[op].y, exponent_)};
   }
