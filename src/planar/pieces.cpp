@@ -118,9 +118,10 @@ std::vector<Cut> cuts_of(const Run& run, const Rings& rings) {
       const Spot& a = rings[r][k];
       const Spot& b = rings[r][k + 1 == rings[r].size() ? 0 : k + 1];
       if (boxes_apart(*run.low, *run.high, a, b)) continue;
-      const int side = orientation(*run.low, *run.high, a);
-      if (side == 0) add(a, r, k);
-      if (side * orientation(*run.low, *run.high, b) < 0) add(crossing(*run.low, *run.high, a, b), r, k);
+      const int side = orientation(*run.low, *run.high, a), next_side = orientation(*run.low, *run.high, b);
+      // a vertex is named by an edge that leaves the line, so that the two lines determine it
+      if (side == 0) add(a, r, next_side != 0 ? k : k == 0 ? rings[r].size() - 1 : k - 1);
+      if (side * next_side < 0) add(crossing(*run.low, *run.high, a, b), r, k);
     }
   }
   std::stable_sort(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b) { return compare(a.at, b.at) < 0; });
