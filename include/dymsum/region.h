@@ -101,8 +101,8 @@ struct Repaired {
 /// of `data`.
 Result<Repaired> repair(RegionData data);
 
-/// The area: the exact sum rounded once, for reports (exact but for terms 2^-900 times smaller than the largest coordinate
-/// squared). Infinite past the double range.
+/// The area for reports: the exact sum of products of coordinates, rounded once. (Not quite exact are only products 2^900
+/// times smaller than the product of the largest |x| and the largest |y|.) Infinite past the double range.
 double area(const Region& region);
 
 /// Smallest and largest coordinates {min x, min y, max x, max y}; zeros for the empty region.

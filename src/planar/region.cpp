@@ -20,7 +20,8 @@ void for_each_chain(const RegionData& data, F f) {
   f(data.points);
 }
 
-// An exact sum of doubles, as partial sums of increasing size that do not overlap (Shewchuk 1997), rounded once at the end.
+// An exact sum of doubles, as partial sums of increasing size that do not overlap (Shewchuk 1997), rounded once at the
+// end.
 class ExactSum {
  public:
   void add(double x) {
@@ -95,24 +96,27 @@ std::array<double, 4> bounds(const Region& region) {
 
 double area(const Region& region) {
   const std::array<double, 4> box = bounds(region);
-  const double largest = std::max({std::abs(box[0]), std::abs(box[1]), std::abs(box[2]), std::abs(box[3])});
-  if (largest == 0) return 0;
-  // Powers of two keep products within the double range.
-  const int exponent = std::ilogb(largest) + 1;
-  const auto unit = [exponent](double x) { return std::scalbn(x, -exponent); };
+  const double width = std::max(std::abs(box[0]), std::abs(box[2]));
+  const double height = std::max(std::abs(box[1]), std::abs(box[3]));
+  if (width == 0 || height == 0) return 0;
+  // Powers of two per axis keep products within the double range.
+  const int x_exponent = std::ilogb(width) + 1, y_exponent = std::ilogb(height) + 1;
+  const auto unit = [=](Point p) { return Point{std::scalbn(p.x, -x_exponent), std::scalbn(p.y, -y_exponent)}; };
   ExactSum twice;
   const auto add_ring = [&twice, unit](const Ring& ring) {
-    for (std::size_t i = 0, before = ring.size() - 1; i < ring.size(); before = i++) {
-      const Point a{unit(ring[before].x), unit(ring[before].y)}, b{unit(ring[i].x), unit(ring[i].y)};
+    Point a = unit(ring.back());
+    for (const Point p : ring) {
+      const Point b = unit(p);
       twice.add_product(a.x, b.y);
       twice.add_product(-a.y, b.x);
+      a = b;
     }
   };
   for (const Part& part : region.parts()) {
     add_ring(part.outer);
     for (const Ring& hole : part.holes) add_ring(hole);
   }
-  return std::scalbn(twice.rounded(), 2 * exponent - 1);
+  return std::scalbn(twice.rounded(), x_exponent + y_exponent - 1);
 }
 
 }  // namespace dymsum

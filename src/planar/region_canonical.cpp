@@ -32,8 +32,8 @@ std::vector<Point> without_straight_vertices(const std::vector<Point>& chain, bo
   return kept;
 }
 
-// Rotates a cyclic sequence to its lexicographically least rotation, which starts at a smallest vertex. Linear: two candidate
-// starts race, and the loser skips all that it shared with the winner.
+// Rotates a cyclic sequence to its lexicographically least rotation, which starts at a smallest vertex. Linear: two
+// candidate starts race, and the loser skips all that it shared with the winner.
 void rotate_to_least(std::vector<Point>& ring) {
   const std::size_t n = ring.size();
   std::size_t i = 0, j = 1, same = 0;

@@ -19,8 +19,8 @@ struct Mended {
   std::vector<std::uint32_t> source;
 };
 
-// Drops duplicates, straight vertices and spikes of a ring until there are none. Every drop can make the vertices before it
-// droppable: the list of kept ones is a stack. What remains to mend at the seam is dropped from either end.
+// Drops duplicates, straight vertices and spikes of a ring until there are none. Every drop can make the vertices
+// before it droppable: the list of kept ones is a stack. What remains to mend at the seam is dropped from either end.
 class RingMender {
  public:
   explicit RingMender(const Ring& ring, RepairReport& report) : ring_(ring), report_(report) {}
@@ -76,8 +76,8 @@ class RingMender {
   std::size_t first_ = 0;
 };
 
-// True when the ring runs counter-clockwise. All its rays at the lexicographically smallest point go right, and what lies
-// under the lowest is outside. Requires a mended ring; means nothing for one that crosses itself.
+// True when the ring runs counter-clockwise. All its rays at the lexicographically smallest point go right, and what
+// lies under the lowest is outside. Requires a mended ring; means nothing for one that crosses itself.
 bool runs_counter_clockwise(const Ring& ring) {
   const Point start = *std::min_element(ring.begin(), ring.end(), less);
   bool first = true, outgoing = true;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <span>
 #include <stdexcept>
 
@@ -22,11 +21,12 @@ namespace {
 
 constexpr std::uint32_t kNone = RingPlace::kNone;
 
-// The place where two properly crossing segments meet, rounded: for messages. Halves and a scale keep it finite.
+// The place where two properly crossing segments meet, rounded: for messages. A power of two keeps products in range.
 Point rough_crossing(const SweepStatus::Edge& a, const SweepStatus::Edge& b) {
-  double scale = 0;
-  for (Point p : {a.left, a.right, b.left, b.right}) scale = std::max({scale, std::abs(p.x), std::abs(p.y)});
-  const auto scaled = [scale](Point p) { return Point{p.x / scale / 4, p.y / scale / 4}; };
+  double largest = 0;
+  for (const Point p : {a.left, a.right, b.left, b.right}) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+  const int shift = -2 - std::ilogb(largest);
+  const auto scaled = [shift](Point p) { return Point{std::scalbn(p.x, shift), std::scalbn(p.y, shift)}; };
   const Point a0 = scaled(a.left), a1 = scaled(a.right), b0 = scaled(b.left), b1 = scaled(b.right);
   const double cross = (a1.x - a0.x) * (b1.y - b0.y) - (a1.y - a0.y) * (b1.x - b0.x);
   const double along = (b0.x - a0.x) * (b1.y - b0.y) - (b0.y - a0.y) * (b1.x - b0.x);
@@ -207,8 +207,8 @@ bool RingSweep::strands_interleave(Point p) {
   return true;
 }
 
-// A ring is met first at its lexicographically smallest point, where all its rays go right. What lies under the lowest of
-// them is outside the ring: the face above the edge below it.
+// A ring is met first at its lexicographically smallest point, where all its rays go right. What lies under the lowest
+// of them is outside the ring: the face above the edge below it.
 void RingSweep::place_new_rings() {
   for (std::size_t i = 0; i < right_.size(); ++i) {
     const Ray& ray = right_[i];
@@ -245,8 +245,8 @@ void RingSweep::update_status() {
   check_neighbours(top, above);
 }
 
-// `lower` is strictly below `upper` right after the current point: they cross exactly when that is reversed at the end of
-// the shorter one.
+// `lower` is strictly below `upper` right after the current point: they cross exactly when that is reversed at the end
+// of the shorter one.
 void RingSweep::check_neighbours(Node lower, Node upper) {
   if (lower == SweepStatus::kNone || upper == SweepStatus::kNone || layout_.clash) return;
   const SweepStatus::Edge& a = status_.edge(lower);

@@ -47,13 +47,13 @@ struct RingLayout {
   std::vector<RingPlace> rings;
 };
 
-/// Rings that do not cross and do not run along themselves or each other can be pulled apart, by as little as one likes,
-/// into disjoint simple curves: touching points, however many strands meet there, separate into strands side by side.
-/// This decides whether that is so and, if it is, returns direction and nesting of those curves.
-/// Requires finite coordinates, at least three vertices a ring and no two consecutive ones equal.
-/// Exact: orientation signs of input points only. O(n log n) expected time for n vertices whatever the input; about 45
-/// bytes a vertex and 80 an edge that meets the sweep line. Source: Shamos and Hoey 1976, with several edges through one
-/// point: the strands there, sorted once by direction, are chords of a circle that must not interleave.
+/// Rings that do not cross and do not run along themselves or each other can be pulled apart, by as little as one
+/// likes, into disjoint simple curves: touching points, however many strands meet there, separate into strands side by
+/// side. This decides whether that is so and, if it is, returns direction and nesting of those curves. Requires finite
+/// coordinates, at least three vertices a ring and no two consecutive ones equal. Exact: orientation signs of input
+/// points only. O(n log n) expected time for n vertices whatever the input; about 45 bytes a vertex and 80 an edge that
+/// meets the sweep line. Source: Shamos and Hoey 1976, with several edges through one point: the strands there, sorted
+/// once by direction, are chords of a circle that must not interleave.
 RingLayout layout_rings(const RingList& rings);
 
 }  // namespace dymsum::planar

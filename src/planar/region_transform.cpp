@@ -12,7 +12,9 @@ namespace {
 // Every vertex through f, in place; with `reverse`, rings run the other way round from the same first vertex.
 template <class F>
 void map_region(RegionData& data, F f, bool reverse) {
-  const auto map_chain = [f](std::vector<Point>& chain) { std::transform(chain.begin(), chain.end(), chain.begin(), f); };
+  const auto map_chain = [f](std::vector<Point>& chain) {
+    std::transform(chain.begin(), chain.end(), chain.begin(), f);
+  };
   const auto map_ring = [map_chain, reverse](Ring& ring) {
     map_chain(ring);
     if (reverse && !ring.empty()) std::reverse(ring.begin() + 1, ring.end());

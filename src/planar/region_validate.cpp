@@ -130,8 +130,12 @@ class LayoutCheck {
       const char* what = is_outer(r) ? "an outer ring runs clockwise" : "a hole runs counter-clockwise";
       return ring_error(Code::wrong_orientation, what, r);
     }
+    for (const std::uint32_t r : outer_of_part_) {
+      if (auto error = misplaced_outer(r)) return error;
+    }
     for (std::uint32_t r = 0; r < rings_.ring_count(); ++r) {
-      if (auto error = is_outer(r) ? misplaced_outer(r) : misplaced_hole(r)) return error;
+      if (is_outer(r)) continue;
+      if (auto error = misplaced_hole(r)) return error;
     }
     return std::nullopt;
   }

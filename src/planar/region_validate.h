@@ -11,12 +11,12 @@ namespace dymsum::planar {
 /// The first coordinate that is NaN or infinite, with its part and ring, or chain, and vertex.
 std::optional<Error> check_finite(const RegionData& data);
 
-/// What makes `data` not a valid region (see Region), or nothing. Evidence: `part`, `ring`, `vertex` (the start of the first
-/// edge), the `other_` ones, and the place (not of a coordinate that is not finite); for polylines `ring` and for points
-/// `vertex` count them, and `part` is not set. Of two edges the first is the one with the smaller number; of two rings the
-/// first is the misplaced one: the hole, or the part inside another one, and its vertex a lexicographically smallest one.
-/// Checks run in this order: coordinates; lengths, repeated vertices, area; crossings; orientation; nesting.
-/// Exact. O(n log n) for n vertices.
+/// What makes `data` not a valid region (see Region), or nothing. Evidence: `part`, `ring`, `vertex` (the start of the
+/// first edge), the `other_` ones, and the place (not of a coordinate that is not finite); for polylines `ring` and for
+/// points `vertex` count them, and `part` is not set. Of two edges the first is the one with the smaller number; of two
+/// rings the first is the misplaced one: the hole, or the part inside another one, and its vertex a lexicographically
+/// smallest one. Checks run in this order: coordinates; lengths, repeated vertices, area; crossings; orientation;
+/// nesting. Exact. O(n log n) for n vertices.
 std::optional<Error> validate(const RegionData& data);
 
 /// Region made of data that are known to be valid, such as a reflected region.
