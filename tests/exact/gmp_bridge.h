@@ -13,27 +13,30 @@
 
 namespace dymsum::exact {
 
-template <int N>
-mpz_class to_mpz(const Limbs<N>& v) {
+// The two directions work on plain limbs, so that a test over many widths compiles them once.
+inline mpz_class import_limbs(const std::uint64_t* limbs, int count) {
   mpz_class r;
-  mpz_import(r.get_mpz_t(), N, -1, sizeof(std::uint64_t), 0, 0, v.w.data());
-  if (v.negative()) r -= mpz_class(1) << (64 * N);
+  mpz_import(r.get_mpz_t(), count, -1, sizeof(std::uint64_t), 0, 0, limbs);
+  if (static_cast<std::int64_t>(limbs[count - 1]) < 0) r -= mpz_class(1) << (64 * count);
   return r;
+}
+
+inline void export_limbs(const mpz_class& v, std::uint64_t* limbs, int count) {
+  const mpz_class wrapped = v < 0 ? mpz_class(v + (mpz_class(1) << (64 * count))) : v;
+  mpz_export(limbs, nullptr, -1, sizeof(std::uint64_t), 0, 0, wrapped.get_mpz_t());
 }
 
 template <int B>
 mpz_class to_mpz(const Int<B>& v) {
-  return to_mpz(to_limbs(v.raw()));
+  const auto limbs = to_limbs(v.raw());
+  return import_limbs(limbs.w.data(), limb_count(B));
 }
 
 /// Requires |v| <= 2^B.
 template <int B>
 Int<B> from_mpz(const mpz_class& v) {
-  constexpr int kLimbs = limb_count(B);
-  const mpz_class modulus = mpz_class(1) << (64 * kLimbs);
-  const mpz_class wrapped = v < 0 ? mpz_class(v + modulus) : v;
-  Limbs<kLimbs> limbs;
-  mpz_export(limbs.w.data(), nullptr, -1, sizeof(std::uint64_t), 0, 0, wrapped.get_mpz_t());
+  Limbs<limb_count(B)> limbs;
+  export_limbs(v, limbs.w.data(), limb_count(B));
   if constexpr (B <= 62) {
     return Int<B>::from_raw(static_cast<std::int64_t>(limbs.w[0]));
   } else if constexpr (B <= 126) {

@@ -59,19 +59,22 @@ static_assert(Int<300>{} == Int<2>::from_int64(0));
 
 int ordering(std::strong_ordering o) { return o < 0 ? -1 : o > 0 ? 1 : 0; }
 
+// One function for all widths: the tests below have some hundred instantiations.
+void expect_results(int a, int c, const mpz_class& x, const mpz_class& y, const mpz_class& sum, const mpz_class& difference,
+                    const mpz_class& product, int order, bool equal) {
+  ASSERT_TRUE(sum == x + y && difference == x - y && product == x * y && order == sgn(mpz_class(x - y)) && equal == (x == y))
+      << "widths " << a << ' ' << c << " of " << x << " and " << y << ": sum " << sum << ", difference " << difference
+      << ", product " << product << ", order " << order << ", equal " << equal;
+}
+
 template <int A, int C>
-void check_pair(std::mt19937_64& random) {
+[[gnu::noinline]] void check_pair(std::mt19937_64& random) {
   const auto as = hard_integers(random, A, 12), cs = hard_integers(random, C, 12);
   for (const mpz_class& x : as) {
     const Int<A> a = from_mpz<A>(x);
     for (const mpz_class& y : cs) {
       const Int<C> c = from_mpz<C>(y);
-      ASSERT_EQ(to_mpz(a + c), x + y) << A << ' ' << C << ' ' << x << ' ' << y;
-      ASSERT_EQ(to_mpz(a - c), x - y) << A << ' ' << C << ' ' << x << ' ' << y;
-      ASSERT_EQ(to_mpz(a * c), x * y) << A << ' ' << C << ' ' << x << ' ' << y;
-      ASSERT_EQ(ordering(a <=> c), sgn(mpz_class(x - y))) << A << ' ' << C << ' ' << x << ' ' << y;
-      ASSERT_EQ(a == c, x == y);
-      ASSERT_EQ(a < c, x < y);
+      expect_results(A, C, x, y, to_mpz(a + c), to_mpz(a - c), to_mpz(a * c), ordering(a <=> c), a == c);
     }
   }
 }
@@ -89,39 +92,53 @@ void check_table(std::uint64_t seed, std::integer_sequence<int, As...> widths) {
 
 TEST(Int, ArithmeticAndOrderAgreeWithGmpForEveryPairOfStorages) {
   RecordProperty("seed", std::to_string(kSeed));
-  check_table(kSeed, std::integer_sequence<int, 1, 30, 62, 63, 126, 127, 190, 254>{});
+  check_table(kSeed, std::integer_sequence<int, 1, 62, 63, 126, 127, 254>{});
 }
 
 TEST(Int, ArithmeticAgreesWithGmpAtTheWidthsOfTheTiers) {
-  check_table(kSeed + 1, std::integer_sequence<int, 0, 29, 31, 61, 124, 125>{});
+  check_table(kSeed + 1, std::integer_sequence<int, 0, 29, 61, 125>{});
+}
+
+struct Unary {
+  mpz_class value, negation, magnitude, shifted1, shifted64, shifted131, wider1, wider200;
+  int sign;
+  bool fits_half, fits_itself, equals_wider;
+};
+
+void expect_unary(int bits, const mpz_class& x, const Unary& got) {
+  SCOPED_TRACE(::testing::Message() << x << " in " << bits << " bits");
+  ASSERT_EQ(got.value, x);
+  ASSERT_EQ(got.negation, -x);
+  ASSERT_EQ(got.magnitude, mpz_class(abs(x)));
+  ASSERT_EQ(got.shifted1, x << 1);
+  ASSERT_EQ(got.shifted64, x << 64);
+  ASSERT_EQ(got.shifted131, x << 131);
+  ASSERT_EQ(got.wider1, x);
+  ASSERT_EQ(got.wider200, x);
+  ASSERT_EQ(got.sign, sgn(x));
+  ASSERT_EQ(got.fits_half, abs(x) <= mpz_class(1) << (bits / 2));
+  ASSERT_TRUE(got.fits_itself && got.equals_wider);
+}
+
+/// Relative error at most 2^-52; exact with at most 53 significant bits.
+void expect_close(int bits, const mpz_class& x, double d) {
+  const mpq_class error = abs(mpq_class(d) - mpq_class(x));
+  ASSERT_LE(error * (mpz_class(1) << 52), abs(x)) << bits << ' ' << x;
+  if (x != 0 && mpz_sizeinbase(x.get_mpz_t(), 2) - mpz_scan1(x.get_mpz_t(), 0) <= 53) {
+    ASSERT_EQ(error, 0) << bits << ' ' << x;
+  }
 }
 
 template <int B>
-void check_width(std::uint64_t seed) {
+[[gnu::noinline]] void check_width(std::uint64_t seed) {
   std::mt19937_64 random(seed + B);
-  const mpq_class allowed(mpz_class(1), mpz_class(1) << 52);
-  for (const mpz_class& x : hard_integers(random, B, 300)) {
+  for (const mpz_class& x : hard_integers(random, B, 200)) {
     const Int<B> a = from_mpz<B>(x);
-    ASSERT_EQ(to_mpz(a), x) << B;
-    ASSERT_EQ(to_mpz(-a), -x) << B << ' ' << x;
-    ASSERT_EQ(to_mpz(abs(a)), mpz_class(abs(x))) << B << ' ' << x;
-    ASSERT_EQ(sign(a), sgn(x)) << B << ' ' << x;
-    ASSERT_EQ(to_mpz(shift_left<1>(a)), x * 2) << B << ' ' << x;
-    ASSERT_EQ(to_mpz(shift_left<63>(a)), x << 63) << B << ' ' << x;
-    ASSERT_EQ(to_mpz(shift_left<64>(a)), x << 64) << B << ' ' << x;
-    ASSERT_EQ(to_mpz(shift_left<131>(a)), x << 131) << B << ' ' << x;
-    ASSERT_EQ(to_mpz(Int<B + 1>(a)), x);
-    ASSERT_EQ(to_mpz(Int<B + 64>(a)), x);
-    ASSERT_EQ(to_mpz(Int<B + 200>(a)), x);
-    ASSERT_EQ(Int<B + 200>(a), a);
-    ASSERT_EQ(fits<B / 2>(a), abs(x) <= (mpz_class(1) << (B / 2)));
-    ASSERT_TRUE(fits<B>(a));
-    const double d = to_double(a);
-    const mpq_class error = abs(mpq_class(d) - mpq_class(x));
-    ASSERT_LE(error, allowed * abs(x)) << B << ' ' << x;
-    if (x != 0 && mpz_sizeinbase(x.get_mpz_t(), 2) - mpz_scan1(x.get_mpz_t(), 0) <= 53) {
-      ASSERT_EQ(error, 0) << B << ' ' << x;
-    }
+    const Int<B + 200> wide = a;
+    expect_unary(B, x, {to_mpz(a), to_mpz(-a), to_mpz(abs(a)), to_mpz(shift_left<1>(a)), to_mpz(shift_left<64>(a)),
+                        to_mpz(shift_left<131>(a)), to_mpz(Int<B + 1>(a)), to_mpz(wide), sign(a), fits<B / 2>(a), fits<B>(a),
+                        wide == a});
+    expect_close(B, x, to_double(a));
   }
   EXPECT_EQ(to_mpz(Int<B>{}), 0);
   EXPECT_EQ(to_mpz(Int<B>::max()), mpz_class(1) << B);
@@ -133,19 +150,16 @@ void check_widths(std::integer_sequence<int, Bs...>) {
 }
 
 TEST(Int, UnaryOperationsConversionsAndDoublesAgreeWithGmpAtEveryStorageBoundary) {
-  check_widths(std::integer_sequence<int, 0, 1, 29, 52, 53, 54, 61, 62, 63, 64, 65, 117, 118, 125, 126, 127, 128, 129, 190,
-                                     191, 252, 254, 255, 256, 508, 510, 511>{});
+  check_widths(std::integer_sequence<int, 0, 1, 29, 53, 54, 61, 62, 63, 64, 117, 125, 126, 127, 190, 191, 252, 254, 255, 508, 511>{});
 }
 
 TEST(Int, DoublesOfTwoLimbIntegersAreCloseWhereTheHalvesMeet) {
   std::mt19937_64 random(kSeed);
-  const mpq_class allowed(mpz_class(1), mpz_class(1) << 52);
   for (int i = 0; i < 20000; ++i) {
     // a high half of any length above a low half around the sign change and the rounding boundaries
     const mpz_class low = (mpz_class(1) << static_cast<int>(random() % 64)) + random_integer(random, 12);
     const mpz_class x = (random_integer(random, 61) << 64) + (random() % 2 ? low : mpz_class(-low));
-    const double d = to_double(from_mpz<126>(x));
-    ASSERT_LE(abs(mpq_class(d) - mpq_class(x)), allowed * abs(x)) << x;
+    expect_close(126, x, to_double(from_mpz<126>(x)));
   }
 }
 
