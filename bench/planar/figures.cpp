@@ -51,26 +51,26 @@ std::string stage_shares(const std::vector<Row>& rows) {
       found->values[i] += stage.ms;
     }
   }
-  return draw_shares({"Share of each stage in our time (thesis, figure 3.6)", "pairs of the larger models", "share of the time",
-                      names(chosen), "one run per pair, each pair's total is 1"},
+  return draw_shares({"Share of each stage in our time (thesis, figure 3.6)", "pairs of the larger models",
+                      "share of the time", names(chosen), "one run per pair, each pair's total is 1"},
                      series);
 }
 
 /// Figure 3.7: reduced, kinetic and full convolution of pairs of the larger models, in the order of the full ones.
 std::string convolution_plot(const std::vector<Row>& rows) {
   std::vector<const Row*> chosen = rows_of_thesis_set(rows, true);
-  std::stable_sort(chosen.begin(), chosen.end(), [](const Row* a, const Row* b) {
-    return a->ours.convolution.full < b->ours.convolution.full;
-  });
+  std::stable_sort(chosen.begin(), chosen.end(),
+                   [](const Row* a, const Row* b) { return a->ours.convolution.full < b->ours.convolution.full; });
   std::vector<Series> series{{"full", colour(1), {}}, {"kinetic", colour(7), {}}, {"reduced", colour(0), {}}};
   for (const Row* row : chosen) {
     series[0].values.push_back(static_cast<double>(row->ours.convolution.full));
     series[1].values.push_back(static_cast<double>(row->ours.convolution.kinetic));
     series[2].values.push_back(static_cast<double>(row->ours.convolution.reduced));
   }
-  return draw_dots({"Segments of the three convolutions (thesis, figure 3.7)", "pairs of the larger models", "segments",
-                    names(chosen), "full: the thesis's and CGAL's; kinetic: signed short turns; reduced: ours and the thesis's"},
-                   series);
+  return draw_dots(
+      {"Segments of the three convolutions (thesis, figure 3.7)", "pairs of the larger models", "segments",
+       names(chosen), "full: the thesis's and CGAL's; kinetic: signed short turns; reduced: ours and the thesis's"},
+      series);
 }
 
 bool write(const std::string& path, const std::string& text) {

@@ -23,7 +23,8 @@ constexpr const char* kUsage =
     "  --quick        of the rivals, CGAL's reduced convolution only\n"
     "  --only TEXT    only pairs whose name contains TEXT\n"
     "  --results DIR  also write planar.csv, planar.md and the figures into DIR\n"
-    "Environment: DYMSUM_DATA, a folder with planar/ and nesting/ (else ../shared/data beside the checkout, where present).\n";
+    "Environment: DYMSUM_DATA, a folder with planar/ and nesting/ (else ../shared/data beside the checkout, where "
+    "present).\n";
 
 bool parse(int argc, char** argv, Options& options) {
   for (int i = 1; i < argc; ++i) {
@@ -43,8 +44,8 @@ bool parse(int argc, char** argv, Options& options) {
   return true;
 }
 
-/// Seconds for each of the rivals other than CGAL's reduced convolution. The many small pairs get little: where the full
-/// convolution or a decomposition needs longer than that, it is not in the running.
+/// Seconds for each of the rivals other than CGAL's reduced convolution. The many small pairs get little: where the
+/// full convolution or a decomposition needs longer than that, it is not in the running.
 double others_limit_s(const Pair& pair, const Options& options) {
   if (options.ours || options.quick) return 0;
   if (options.demo) return 2;
@@ -62,8 +63,10 @@ int run(const Options& options) {
   std::cout << "Times: median (and least) processor time in milliseconds; inputs are built before the clock starts. "
                "CGAL: 5.5.1,\nreduced convolution with EPECK, unless another column. Ratio: CGAL / ours. Check: holes, "
                "vertices, area.\n\n";
-  if (options.ours) print_work_heading(std::cout);
-  else print_heading(std::cout);
+  if (options.ours)
+    print_work_heading(std::cout);
+  else
+    print_heading(std::cout);
   std::vector<Row> rows;
   for (std::size_t i = 0; i < pairs.list.size(); ++i) {
     const Pair& pair = pairs.list[i];
@@ -86,7 +89,8 @@ int run(const Options& options) {
     std::cerr << "cannot write into " << options.results << "\n";
     return 2;
   }
-  const bool mismatch = std::any_of(rows.begin(), rows.end(), [](const Row& r) { return r.verdict == Verdict::mismatch; });
+  const bool mismatch =
+      std::any_of(rows.begin(), rows.end(), [](const Row& r) { return r.verdict == Verdict::mismatch; });
   return mismatch ? 3 : 0;
 }
 

@@ -43,8 +43,8 @@ double rounded_area(const PlanarSum& sum) {
 OurAnswer our_answer(const Pair& pair) {
   OurAnswer ours;
   PlanarSum sum;
-  const Times times =
-      measure(kOurRepeats, [&] { return sum_of(pair); }, [&](PlanarSum&& last) { sum = std::move(last); });
+  const Times times = measure(
+      kOurRepeats, [&] { return sum_of(pair); }, [&](PlanarSum&& last) { sum = std::move(last); });
   ours.median_ms = times.median();
   ours.min_ms = times.min();
   ours.runs = static_cast<int>(times.ms.size());
@@ -81,7 +81,8 @@ std::string difference(const OurAnswer& ours, const RivalAnswer& rival) {
   return text.str();
 }
 
-/// Compares with the reduced convolution; where it differs, asks CGAL's vertical decomposition, which shares no code with it.
+/// Compares with the reduced convolution; where it differs, asks CGAL's vertical decomposition, which shares no code
+/// with it.
 void judge(Row& row, const CgalOperands& operands, double limit_s) {
   if (!row.reduced.finished) {
     row.remark = "CGAL reduced convolution " + row.reduced.why_not;

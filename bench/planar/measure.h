@@ -26,7 +26,7 @@ enum class Verdict {
   equal,        ///< same holes, same vertices, same area
   cgal_defect,  ///< they differ, and another CGAL method says what we say
   mismatch,
-  unknown,      ///< CGAL gave no answer
+  unknown,  ///< CGAL gave no answer
 };
 
 struct Row {
@@ -45,8 +45,8 @@ struct Row {
 };
 
 struct Effort {
-  bool rivals = true;          ///< measure CGAL's reduced convolution
-  double others_limit_s = 0;   ///< seconds each other rival gets in its own process; 0 leaves them out
+  bool rivals = true;         ///< measure CGAL's reduced convolution
+  double others_limit_s = 0;  ///< seconds each other rival gets in its own process; 0 leaves them out
 };
 
 Row measure_pair(const Pair& pair, const Effort& effort);

@@ -115,7 +115,8 @@ void add_table(Pairs& pairs, const std::string& data, Group group) {
   const std::vector<Region> items = read_all(data + "/nesting/" + label + ".json", label, pairs);
   for (std::size_t i = 0; i < items.size(); ++i) {
     for (std::size_t j = 0; j < items.size(); ++j) {
-      pairs.list.push_back({label + " nfp " + std::to_string(i) + ", " + std::to_string(j), group, items[i], items[j], true});
+      pairs.list.push_back(
+          {label + " nfp " + std::to_string(i) + ", " + std::to_string(j), group, items[i], items[j], true});
     }
   }
 }

@@ -9,11 +9,11 @@
 namespace dymsum::bench {
 
 enum class Group {
-  thesis,   ///< all pairs of the thesis-like set
-  stars,    ///< random stars
-  holes,    ///< grates and pockets
-  real,     ///< the thesis's own polygons
-  swim,     ///< no-fit polygons of a nesting instance
+  thesis,  ///< all pairs of the thesis-like set
+  stars,   ///< random stars
+  holes,   ///< grates and pockets
+  real,    ///< the thesis's own polygons
+  swim,    ///< no-fit polygons of a nesting instance
   shirts,
 };
 

@@ -19,10 +19,14 @@ std::string number(double x) {
 std::string escaped(std::string_view text) {
   std::string result;
   for (const char c : text) {
-    if (c == '&') result += "&amp;";
-    else if (c == '<') result += "&lt;";
-    else if (c == '>') result += "&gt;";
-    else result += c;
+    if (c == '&')
+      result += "&amp;";
+    else if (c == '<')
+      result += "&lt;";
+    else if (c == '>')
+      result += "&gt;";
+    else
+      result += c;
   }
   return result;
 }
@@ -53,7 +57,8 @@ class Sheet {
   double step() const { return panel_width() / std::max<double>(1, static_cast<double>(text_.positions.size())); }
   double x(std::size_t i) const { return kLeft + (static_cast<double>(i) + 0.5) * step(); }
   double y(double value) const {
-    const double share = logarithmic_ ? std::log(value / low_) / std::log(high_ / low_) : (value - low_) / (high_ - low_);
+    const double share =
+        logarithmic_ ? std::log(value / low_) / std::log(high_ / low_) : (value - low_) / (high_ - low_);
     return kTop + kPanel * (1 - share);
   }
 

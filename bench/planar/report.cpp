@@ -51,8 +51,8 @@ double per(double amount, double count) { return count > 0 ? amount / count : 0;
 void print_heading(std::ostream& out) {
   char line[256];
   std::snprintf(line, sizeof line, "%-32s %9s %8s %6s %5s | %9s %9s | %9s %9s %7s | %8s %8s %8s %8s | %s\n", "pair",
-                "corners", "reduced", "sum", "holes", "ours ms", "(min)", "CGAL ms", "(min)", "ratio", "full", "bisector",
-                "vertical", "Clipper", "check");
+                "corners", "reduced", "sum", "holes", "ours ms", "(min)", "CGAL ms", "(min)", "ratio", "full",
+                "bisector", "vertical", "Clipper", "check");
   out << line;
 }
 
@@ -61,8 +61,8 @@ void print_row(std::ostream& out, const Row& row) {
   const OurAnswer& ours = row.ours;
   const std::string sizes = std::to_string(row.p_vertices) + "+" + std::to_string(row.q_vertices);
   std::snprintf(line, sizeof line, "%-32s %9s %8llu %6zu %5zu | %9s %9s | %9s %9s %7s | %8s %8s %8s %8s | %s\n",
-                row.name.c_str(), sizes.c_str(), static_cast<unsigned long long>(ours.convolution.reduced), ours.vertices,
-                ours.holes, milliseconds(ours.median_ms).c_str(), milliseconds(ours.min_ms).c_str(),
+                row.name.c_str(), sizes.c_str(), static_cast<unsigned long long>(ours.convolution.reduced),
+                ours.vertices, ours.holes, milliseconds(ours.median_ms).c_str(), milliseconds(ours.min_ms).c_str(),
                 times(row.reduced).c_str(), row.reduced.finished ? milliseconds(row.reduced.min_ms).c_str() : "-",
                 row.reduced.finished ? ratio_text(row.ratio()).c_str() : "-", times(row.full).c_str(),
                 times(row.angle_bisector).c_str(), times(row.vertical).c_str(), times(row.clipper).c_str(),
@@ -91,17 +91,19 @@ void print_table(std::ostream& out, Group group, const std::vector<Row>& rows) {
   }
   if (count == 0) return;
   char line[256];
-  std::snprintf(line, sizeof line,
-                "%-32s %zu no-fit polygons | ours %s ms each | CGAL %s ms each | ratio of totals %s, least %s | %zu equal\n",
-                name(group), count, milliseconds(per(ours, count)).c_str(), milliseconds(per(cgal, count)).c_str(),
-                ratio_text(cgal / ours).c_str(), ratio_text(least).c_str(), equal);
+  std::snprintf(
+      line, sizeof line,
+      "%-32s %zu no-fit polygons | ours %s ms each | CGAL %s ms each | ratio of totals %s, least %s | %zu equal\n",
+      name(group), count, milliseconds(per(ours, count)).c_str(), milliseconds(per(cgal, count)).c_str(),
+      ratio_text(cgal / ours).c_str(), ratio_text(least).c_str(), equal);
   out << line;
 }
 
 void print_work_heading(std::ostream& out) {
   char line[256];
-  std::snprintf(line, sizeof line, "%-32s %4s %8s %8s %8s %8s %6s %6s | %9s %8s %8s %8s | %s\n", "pair", "tier", "reduced",
-                "live", "pairs", "crossing", "loops", "tests", "ms", "ns/seg", "ns/cross", "B/seg", "stages, ms");
+  std::snprintf(line, sizeof line, "%-32s %4s %8s %8s %8s %8s %6s %6s | %9s %8s %8s %8s | %s\n", "pair", "tier",
+                "reduced", "live", "pairs", "crossing", "loops", "tests", "ms", "ns/seg", "ns/cross", "B/seg",
+                "stages, ms");
   out << line;
 }
 
@@ -125,7 +127,8 @@ std::string to_csv(const std::vector<Row>& rows) {
   std::ostringstream out;
   out.precision(9);
   out << "group,pair,p_vertices,q_vertices,full,kinetic,reduced,tier,vertices,holes,area,ours_median_ms,ours_min_ms,"
-         "ours_runs,cgal_median_ms,cgal_min_ms,cgal_runs,ratio,cgal_full_ms,cgal_bisector_ms,cgal_vertical_ms,clipper_ms,"
+         "ours_runs,cgal_median_ms,cgal_min_ms,cgal_runs,ratio,cgal_full_ms,cgal_bisector_ms,cgal_vertical_ms,clipper_"
+         "ms,"
          "live_segments,pair_tests,crossings,loops,collision_tests,peak_bytes,check,remark\n";
   const auto ms = [&](const RivalAnswer& answer) {
     if (answer.finished) out << answer.median_ms;
@@ -134,9 +137,9 @@ std::string to_csv(const std::vector<Row>& rows) {
   for (const Row& row : rows) {
     const OurAnswer& o = row.ours;
     out << name(row.group) << ",\"" << row.name << "\"," << row.p_vertices << ',' << row.q_vertices << ','
-        << o.convolution.full << ',' << o.convolution.kinetic << ',' << o.convolution.reduced << ',' << o.stats.tier_bits
-        << ',' << o.vertices << ',' << o.holes << ',' << o.area << ',' << o.median_ms << ',' << o.min_ms << ',' << o.runs
-        << ',';
+        << o.convolution.full << ',' << o.convolution.kinetic << ',' << o.convolution.reduced << ','
+        << o.stats.tier_bits << ',' << o.vertices << ',' << o.holes << ',' << o.area << ',' << o.median_ms << ','
+        << o.min_ms << ',' << o.runs << ',';
     ms(row.reduced);
     if (row.reduced.finished) out << row.reduced.min_ms;
     out << ',' << row.reduced.runs << ',';
@@ -144,19 +147,21 @@ std::string to_csv(const std::vector<Row>& rows) {
     out << ',';
     for (const RivalAnswer* other : {&row.full, &row.angle_bisector, &row.vertical, &row.clipper}) ms(*other);
     out << o.stats.live_segments << ',' << o.stats.pair_tests << ',' << o.stats.crossings << ',' << o.stats.loops << ','
-        << o.stats.collision_tests << ',' << o.stats.peak_bytes << ',' << verdict_text(row.verdict) << ",\"" << row.remark
-        << "\"\n";
+        << o.stats.collision_tests << ',' << o.stats.peak_bytes << ',' << verdict_text(row.verdict) << ",\""
+        << row.remark << "\"\n";
   }
   return out.str();
 }
 
 std::string to_markdown(const std::vector<Row>& rows) {
   std::ostringstream out;
-  out << "# Planar sums against CGAL 5.5.1 and Clipper 6\n\nMade by `./run bench planar --results docs/results`. Times are "
+  out << "# Planar sums against CGAL 5.5.1 and Clipper 6\n\nMade by `./run bench planar --results docs/results`. Times "
+         "are "
          "medians in milliseconds of processor time on one machine; trust the ratios.\n\n";
   out << "| promise | measured | |\n|---|---|---|\n";
   for (const Target& target : targets(rows)) {
-    out << "| " << target.promise << " | " << target.measured << " | " << (target.met ? "met" : "**NOT met**") << " |\n";
+    out << "| " << target.promise << " | " << target.measured << " | " << (target.met ? "met" : "**NOT met**")
+        << " |\n";
   }
   out << "\n## Sizes of the convolutions\n\n";
   for (const std::string& line : thesis_counts(rows)) out << "- " << line << "\n";
@@ -164,16 +169,19 @@ std::string to_markdown(const std::vector<Row>& rows) {
   bool first = true;
   for (const Row& row : rows) {
     if (first || row.group != group) {
-      out << "\n## " << name(row.group) << "\n\n| pair | corners | reduced | sum | holes | ours | CGAL reduced convolution | "
-             "ratio | CGAL full | bisector | vertical | Clipper | check |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
+      out << "\n## " << name(row.group)
+          << "\n\n| pair | corners | reduced | sum | holes | ours | CGAL reduced convolution | "
+             "ratio | CGAL full | bisector | vertical | Clipper | check "
+             "|\n|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
     }
     first = false;
     group = row.group;
-    out << "| " << row.name << " | " << row.p_vertices << " + " << row.q_vertices << " | " << row.ours.convolution.reduced
-        << " | " << row.ours.vertices << " | " << row.ours.holes << " | " << milliseconds(row.ours.median_ms) << " | "
-        << times(row.reduced) << " | " << (row.reduced.finished ? ratio_text(row.ratio()) : "-") << " | "
-        << times(row.full) << " | " << times(row.angle_bisector) << " | " << times(row.vertical) << " | "
-        << times(row.clipper) << " | " << verdict_text(row.verdict) << " |\n";
+    out << "| " << row.name << " | " << row.p_vertices << " + " << row.q_vertices << " | "
+        << row.ours.convolution.reduced << " | " << row.ours.vertices << " | " << row.ours.holes << " | "
+        << milliseconds(row.ours.median_ms) << " | " << times(row.reduced) << " | "
+        << (row.reduced.finished ? ratio_text(row.ratio()) : "-") << " | " << times(row.full) << " | "
+        << times(row.angle_bisector) << " | " << times(row.vertical) << " | " << times(row.clipper) << " | "
+        << verdict_text(row.verdict) << " |\n";
   }
   return out.str();
 }

@@ -56,13 +56,14 @@ std::vector<Target> targets(const std::vector<Row>& rows) {
   const auto ratio = [](const Row& row) { return row.ratio(); };
 
   const double mean = geometric_mean(rows);
-  list.push_back({"geometric mean over all pairs: at least 100 times CGAL's reduced convolution", text("%.0f times", mean),
-                  mean >= 100});
+  list.push_back({"geometric mean over all pairs: at least 100 times CGAL's reduced convolution",
+                  text("%.0f times", mean), mean >= 100});
   if (const Row* row = least(rows, ratio, [&](const Row& r) { return measured(r) && r.ours.vertices > 20; })) {
     list.push_back({"every pair with more than 20 vertices in the sum: at least 25 times",
                     text("least %.1f times, ", row->ratio()) + row->name, row->ratio() >= 25});
   }
-  const auto slower = std::count_if(rows.begin(), rows.end(), [&](const Row& r) { return measured(r) && r.ratio() < 1; });
+  const auto slower =
+      std::count_if(rows.begin(), rows.end(), [&](const Row& r) { return measured(r) && r.ratio() < 1; });
   list.push_back({"no pair slower than CGAL", text("%.0f slower", static_cast<double>(slower)), slower == 0});
   add_ratio_of(list, rows, "monkey + bird", 100);
   add_ratio_of(list, rows, "neuron + disc 32", 100);
@@ -120,8 +121,8 @@ void print_summary(std::ostream& out, const std::vector<Row>& rows) {
     const double mean = geometric_mean(rows, &group);
     if (mean > 0) out << name(group) << ": " << text("%.0f", mean) << "\n";
   }
-  const Row* best = least(rows, [](const Row& r) { return r.ratio_to_best_cgal(); },
-                          [](const Row& r) { return r.reduced.finished; });
+  const Row* best = least(
+      rows, [](const Row& r) { return r.ratio_to_best_cgal(); }, [](const Row& r) { return r.reduced.finished; });
   if (best != nullptr) {
     out << "against whichever CGAL method was fastest: least " << text("%.1f", best->ratio_to_best_cgal()) << ", "
         << best->name << "\n";

@@ -85,7 +85,9 @@ void describe(const PolygonWithHoles& sum, RivalAnswer& answer) {
   for (const auto& ring : rings) answer.vertices += ring.size();
   if (answer.vertices <= kExactAreaVertices) {
     std::vector<Exact> terms;
-    for (const auto& ring : rings) area_terms<Exact>(ring, [](const Kernel::FT& x) { return CGAL::exact(x); }, terms);
+    for (const auto& ring : rings)
+      area_terms<Exact>(
+          ring, [](const Kernel::FT& x) { return CGAL::exact(x); }, terms);
     const Exact area = balanced_sum(std::move(terms)) / Exact(2);
     answer.area = CGAL::to_double(area);
     std::ostringstream text;
@@ -98,7 +100,8 @@ void describe(const PolygonWithHoles& sum, RivalAnswer& answer) {
     const Kernel::Vector_2 shift = CGAL::ORIGIN - origin;
     for (auto& ring : rings) {
       for (auto& point : ring) point = point + shift;
-      area_terms<double>(ring, [](const Kernel::FT& x) { return CGAL::to_double(CGAL::exact(x)); }, terms);
+      area_terms<double>(
+          ring, [](const Kernel::FT& x) { return CGAL::to_double(CGAL::exact(x)); }, terms);
     }
     answer.area = balanced_sum(std::move(terms)) / 2;
   }
@@ -106,8 +109,7 @@ void describe(const PolygonWithHoles& sum, RivalAnswer& answer) {
 
 PolygonWithHoles compute(const PolygonWithHoles& p, const PolygonWithHoles& q, CgalMethod method) {
   switch (method) {
-    case CgalMethod::reduced_convolution:
-      return CGAL::minkowski_sum_by_reduced_convolution_2(p, q);
+    case CgalMethod::reduced_convolution: return CGAL::minkowski_sum_by_reduced_convolution_2(p, q);
     case CgalMethod::full_convolution:
       return CGAL::minkowski_sum_by_full_convolution_2(p.outer_boundary(), q.outer_boundary());
     case CgalMethod::small_side_angle_bisector:

@@ -10,10 +10,10 @@
 namespace dymsum::bench {
 
 enum class CgalMethod {
-  reduced_convolution,         ///< minkowski_sum_by_reduced_convolution_2
-  full_convolution,            ///< minkowski_sum_by_full_convolution_2, no holes
-  small_side_angle_bisector,   ///< decomposition, no holes
-  vertical_decomposition,      ///< decomposition, holes allowed
+  reduced_convolution,        ///< minkowski_sum_by_reduced_convolution_2
+  full_convolution,           ///< minkowski_sum_by_full_convolution_2, no holes
+  small_side_angle_bisector,  ///< decomposition, no holes
+  vertical_decomposition,     ///< decomposition, holes allowed
 };
 
 const char* name(CgalMethod method);

@@ -75,7 +75,8 @@ RivalAnswer ClipperOperands::sum(const Repeats& repeats) const {
   try {
     ClipperLib::Paths last;
     const Times times = measure(
-        repeats, [&] { return compute(paths_->p, paths_->q); }, [&](ClipperLib::Paths&& sum) { last = std::move(sum); });
+        repeats, [&] { return compute(paths_->p, paths_->q); },
+        [&](ClipperLib::Paths&& sum) { last = std::move(sum); });
     answer.median_ms = times.median();
     answer.min_ms = times.min();
     answer.runs = static_cast<int>(times.ms.size());

@@ -1,5 +1,5 @@
-// Clipper 6 (Debian's libpolyclipping-dev), the permissive but inexact choice: coordinates are scaled to integers and every
-// crossing is rounded to that grid.
+// Clipper 6 (Debian's libpolyclipping-dev), the permissive but inexact choice: coordinates are scaled to integers and
+// every crossing is rounded to that grid.
 #pragma once
 
 #include <memory>
@@ -9,14 +9,15 @@
 
 namespace dymsum::bench {
 
-/// Two operands as Clipper paths on one integer grid, built before any clock starts. Each must be one part without holes:
-/// Clipper's MinkowskiSum takes single paths.
+/// Two operands as Clipper paths on one integer grid, built before any clock starts. Each must be one part without
+/// holes: Clipper's MinkowskiSum takes single paths.
 class ClipperOperands {
  public:
   ClipperOperands(const RegionData& p, const RegionData& q);
   ~ClipperOperands();
 
-  /// ClipperLib::MinkowskiSum, which sums the two boundaries, joined with a translate of each operand to fill the inside.
+  /// ClipperLib::MinkowskiSum, which sums the two boundaries, joined with a translate of each operand to fill the
+  /// inside.
   RivalAnswer sum(const Repeats& repeats) const;
   /// The same in a forked child, stopped after `limit_s` seconds.
   RivalAnswer sum_in_child(const Repeats& repeats, double limit_s) const;

@@ -10,7 +10,8 @@
 
 namespace dymsum::bench {
 
-/// Repeat at least `least` times unless `enough_ms` are used before, and on until `most` times or `budget_ms`; once at least.
+/// Repeat at least `least` times unless `enough_ms` are used before, and on until `most` times or `budget_ms`; once at
+/// least.
 struct Repeats {
   int least = 1;
   int most = 1;
@@ -31,8 +32,8 @@ struct Times {
   double min() const { return ms.empty() ? 0 : *std::min_element(ms.begin(), ms.end()); }
 };
 
-/// Processor time of this process, all threads together: unlike the wall clock it does not charge a long run for what else
-/// the machine does, and it gives nothing away to a rival that uses one thread.
+/// Processor time of this process, all threads together: unlike the wall clock it does not charge a long run for what
+/// else the machine does, and it gives nothing away to a rival that uses one thread.
 inline double cpu_ms() {
   timespec now;
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
