@@ -72,23 +72,26 @@ class TapeWriter : public nlohmann::json_sax<nlohmann::json> {
     return close();
   }
 
-  bool parse_error(std::size_t position, const std::string& token, const nlohmann::detail::exception& error) override {
-    const std::size_t end = position < source_.text.size() ? position : source_.text.size();
-    const std::size_t start = end > token.size() ? end - token.size() : 0;
+  /// `position` characters have been read, the last one by the token that does not fit.
+  bool parse_error(std::size_t position, const std::string&, const nlohmann::detail::exception& error) override {
+    const std::string_view text = source_.text;
+    const std::size_t end = position < text.size() ? position : text.size();
+    std::size_t start = end > 0 ? end - 1 : 0;
+    while (start > 0 && !is_delimiter(text[start]) && !is_delimiter(text[start - 1])) --start;
+    const std::string_view word = text.substr(start, text.substr(start).find_first_of(kDelimiters, 1));
     constexpr int kNumberOverflow = 406;
-    if (error.id == kNumberOverflow || spells_no_finite_number(source_.text.substr(start))) {
-      source_.fail(Code::not_finite, "the number " + quoted(one_word(source_.text.substr(start))) + " is not a finite double", start);
+    if (error.id == kNumberOverflow || spells_no_finite_number(word)) {
+      source_.fail(Code::not_finite, "the number " + quoted(word) + " is not a finite double", start);
     }
-    const bool ended = source_.text.find_first_not_of(" \t\r\n", end) == std::string_view::npos &&
-                       std::string_view(error.what()).find("unexpected end of input") != std::string_view::npos;
-    if (ended) source_.fail(Code::truncated, "the JSON text ends too early", source_.text.size());
-    source_.fail(Code::malformed, "no JSON value at " + quoted(one_word(source_.text.substr(start))), start);
+    if (position > text.size()) source_.fail(Code::truncated, "the JSON text ends too early", text.size());
+    source_.fail(Code::malformed, "no JSON value at " + quoted(word), start);
   }
 
  private:
   static constexpr std::size_t kMostNested = 200;
 
-  static std::string_view one_word(std::string_view text) { return text.substr(0, text.find_first_of(" \t\r\n,]}")); }
+  static constexpr std::string_view kDelimiters = " \t\r\n,:[]{}";
+  static bool is_delimiter(char c) { return kDelimiters.find(c) != std::string_view::npos; }
 
   static bool spells_no_finite_number(std::string_view text) {
     if (!text.empty() && text[0] == '-') text.remove_prefix(1);

@@ -46,7 +46,7 @@ class SvgReader {
 
   [[noreturn]] void refuse_document(const pugi::xml_parse_result& result) const {
     const auto offset = static_cast<std::size_t>(result.offset);
-    const bool ended = source_.text.find_first_not_of(" \t\r\n", offset) == std::string_view::npos;
+    const bool ended = source_.text.find('>', offset) == std::string_view::npos;
     source_.fail(ended ? Code::truncated : Code::malformed, std::string("XML: ") + result.description(), offset);
   }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <numeric>
 #include <utility>
+#include <vector>
 
 #include "exact/orient.h"
 
@@ -28,7 +29,7 @@ class RingNester {
   }
 
   bool nest() {
-    // A ring around another starts no later in x, and is not narrower or not lower where both start together.
+    // A ring around another starts no later in x and, where both start together, ends no earlier.
     std::vector<std::size_t> order(rings_.size()), active;
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::sort(order.begin(), order.end(), [this](std::size_t a, std::size_t b) { return before(a, b); });
@@ -36,10 +37,18 @@ class RingNester {
       std::erase_if(active, [&](std::size_t j) { return places_[j].high.x < places_[i].low.x; });
       steps_ += active.size();
       for (const std::size_t j : active) {
-        if (box_contains(places_[j], places_[i]) && contains(j, i)) settle(i, j);
+        if (box_contains(places_[j], places_[i]) && contains(j, i)) {
+          settle(i, j);
+        } else if (box_contains(places_[i], places_[j]) && contains(i, j)) {  // boxes are equal
+          settle(j, i);
+        }
         if (steps_ > kMostSteps) return false;
       }
       active.push_back(i);
+    }
+    for (Place& place : places_) {
+      const auto shallower = [this](std::uint32_t a, std::uint32_t b) { return depth(a) < depth(b); };
+      if (!place.around.empty()) place.innermost = *std::max_element(place.around.begin(), place.around.end(), shallower);
     }
     return true;
   }
@@ -53,7 +62,7 @@ class RingNester {
       parts.push_back({std::move(rings_[i]), {}});
     }
     for (std::size_t i = 0; i < rings_.size(); ++i) {
-      if (is_hole(i)) parts[part_of[places_[i].around]].holes.push_back(std::move(rings_[i]));
+      if (is_hole(i)) parts[part_of[places_[i].innermost]].holes.push_back(std::move(rings_[i]));
     }
     for (Part& part : parts) orient_rings(part);
     return parts;
@@ -64,8 +73,8 @@ class RingNester {
 
   struct Place {
     Point low, high;
-    std::size_t around = 0;  ///< the innermost ring around this one, where depth > 0
-    std::size_t depth = 0;   ///< number of rings around this one
+    std::vector<std::uint32_t> around;  ///< the rings around this one
+    std::uint32_t innermost = 0;        ///< of them, where there are any
   };
 
   void measure(std::size_t i) {
@@ -81,8 +90,6 @@ class RingNester {
     const Place &p = places_[a], &q = places_[b];
     if (p.low.x != q.low.x) return p.low.x < q.low.x;
     if (p.high.x != q.high.x) return p.high.x > q.high.x;
-    if (p.low.y != q.low.y) return p.low.y < q.low.y;
-    if (p.high.y != q.high.y) return p.high.y > q.high.y;
     return a < b;
   }
 
@@ -103,7 +110,9 @@ class RingNester {
         if (std::min(a.x, b.x) <= p.x) return 0;
         continue;
       }
-      const int turn = exact::orient_sign(a, b, p);
+      const exact::SignAnswer answer = exact::cross_answer(a, b, a, p);
+      if (answer.rung != exact::Rung::filter) steps_ += answer.rung == exact::Rung::big ? 10'000 : 100;
+      const int turn = answer.sign;
       if (turn == 0) return 0;
       // the edge crosses the ray to the right of p: half-open in y, p on the edge's left when it rises
       if ((a.y > p.y) != (b.y > p.y) && (turn > 0) == (b.y > a.y)) inside = !inside;
@@ -126,13 +135,14 @@ class RingNester {
   }
 
   void settle(std::size_t inner, std::size_t outer) {
-    Place& place = places_[inner];
-    if (place.depth == 0 || places_[outer].depth > places_[place.around].depth) place.around = outer;
-    ++place.depth;
+    places_[inner].around.push_back(static_cast<std::uint32_t>(outer));
+    steps_ += 50;  // bounds the memory of these lists
   }
 
+  std::size_t depth(std::size_t i) const { return places_[i].around.size(); }
+
   /// The second condition fails only for rings that cross others.
-  bool is_hole(std::size_t i) const { return places_[i].depth % 2 == 1 && places_[places_[i].around].depth % 2 == 0; }
+  bool is_hole(std::size_t i) const { return depth(i) % 2 == 1 && depth(places_[i].innermost) % 2 == 0; }
 
   std::vector<Ring> rings_;
   std::vector<Place> places_;

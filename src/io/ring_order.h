@@ -17,8 +17,8 @@ void orient_rings(Part& part);
 
 /// Even-odd nesting of rings that do not cross: a ring inside an even number of others starts a part, one inside an odd
 /// number is a hole of the innermost ring around it. Exact. Rings are oriented; parts come in the order of their outer rings.
-/// Returns false, with `parts` unchanged, when that would take more than about 10^9 steps (tens of thousands of rings
-/// around one another). Rings that cross are put somewhere: validation finds them.
+/// Returns false, with `parts` unchanged, when that would take more than about 10^9 steps (thousands of large rings, or tens of
+/// thousands of small ones, around one another). Rings that cross are put somewhere: validation finds them.
 bool nest_rings(std::vector<Ring> rings, std::vector<Part>& parts);
 
 }  // namespace dymsum::io

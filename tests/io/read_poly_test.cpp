@@ -1,0 +1,120 @@
+#include <limits>
+
+#include "io/reading.h"
+
+namespace dymsum::io_test {
+namespace {
+
+constexpr RegionFormat kPoly = RegionFormat::poly;
+
+Evidence refused(std::string_view text, Code code, std::int64_t line, std::string_view words) {
+  return expect_refused(text, kPoly, code, line, words);
+}
+
+TEST(ReadPoly, an_in_chain_is_a_hole_of_the_last_out_chain) {
+  const RegionData data = read_one(
+      "4\n"
+      "3 out\n0 0\n9 0\n0 9\n1 2 3\n"
+      "3 in\n1 1\n1 2\n2 1\n1 2 3\n"
+      "3 out\n20 0\n29 0\n20 9\n1 2 3\n"
+      "3 in\n21 1\n21 2\n22 1\n1 2 3\n",
+      kPoly);
+  const Part first{{{0, 0}, {9, 0}, {0, 9}}, {{{1, 1}, {1, 2}, {2, 1}}}};
+  const Part second{{{20, 0}, {29, 0}, {20, 9}}, {{{21, 1}, {21, 2}, {22, 1}}}};
+  EXPECT_EQ(data, (RegionData{{first, second}, {}, {}}));
+}
+
+TEST(ReadPoly, glued_numbers_split_at_the_second_decimal_point) {
+  const RegionData data = read_one("1\n3 out\n-6.64248.788605\n7.84688.042924\n1.5e1.25\n", kPoly);
+  EXPECT_EQ(data.parts.at(0).outer, (Ring{{-6.64248, .788605}, {7.84688, .042924}, {15, .25}}));
+}
+
+TEST(ReadPoly, comments_blank_lines_tabs_and_carriage_returns_are_skipped) {
+  const RegionData plain = read_one("1\n3 out\n0 0\n1 0\n0 1\n1 2 3\n", kPoly);
+  EXPECT_EQ(read_one("# head\r\n\r\n1 # one\r\n\t3   out#kind\r\n0\t0\r\n1 0 # x y\r\n  0 1\r\n#c\r\n1 2 3 #end\r\n\r\n", kPoly), plain);
+  EXPECT_EQ(read_one("\xEF\xBB\xBF"
+                     "1 3 out 0 0 1 0 0 1",
+                     kPoly),
+            plain);
+}
+
+TEST(ReadPoly, the_index_line_orders_the_points) {
+  EXPECT_EQ(read_one("1\n3 out\n0 0\n0 1\n1 0\n1 3 2\n", kPoly).parts.at(0).outer, (Ring{{0, 0}, {1, 0}, {0, 1}}));
+}
+
+TEST(ReadPoly, the_index_line_may_be_missing) {
+  const RegionData data = read_one("2\n3 out\n0 0\n1 0\n0 1\n3 out\n5 5\n6 5\n5 6", kPoly);
+  ASSERT_EQ(data.parts.size(), 2u);
+  EXPECT_EQ(data.parts[1].outer, (Ring{{5, 5}, {6, 5}, {5, 6}}));
+}
+
+TEST(ReadPoly, polylines_and_points_are_chains_of_their_own_kinds) {
+  const RegionData data = read_one("2\n2 open\n0 0\n1 1\n1 2\n2 points\n3 3\n4 4\n1 2\n", kPoly);
+  EXPECT_EQ(data, (RegionData{{}, {{{0, 0}, {1, 1}}}, {{3, 3}, {4, 4}}}));
+  EXPECT_EQ(read_one("0\n", kPoly), RegionData{});
+}
+
+TEST(ReadPoly, no_chain_is_checked_or_mended) {
+  const RegionData data = read_one("2\n0 out\n3 out\n0 0\n0 0\n0 0\n", kPoly);
+  EXPECT_EQ(data.parts.at(0).outer.size(), 0u);
+  EXPECT_EQ(data.parts.at(1).outer, (Ring{{0, 0}, {0, 0}, {0, 0}}));
+}
+
+TEST(ReadPoly, numbers_are_the_nearest_doubles) {
+  const RegionData data = read_one("1\n3 points\n+0.1 1e-400\n1.7976931348623157e308 5e-324\n-.5 5.\n", kPoly);
+  EXPECT_EQ(data.points, (std::vector<Point>{{0.1, 0}, {std::numeric_limits<double>::max(), 5e-324}, {-0.5, 5}}));
+}
+
+TEST(ReadPoly, refuses_text_that_is_no_poly_file) {
+  refused("hello\n", Code::malformed, 1, "the number of chains instead of 'hello'");
+  refused("1\nthree out\n", Code::malformed, 2, "number of points");
+  refused("1\n-3 out\n", Code::malformed, 2, "'-3'");
+  refused("1\n3 around\n0 0\n", Code::malformed, 2, "'around'");
+  refused("1\n3 in\n0 0\n1 0\n0 1\n", Code::malformed, 2, "without an 'out' chain");
+  refused("1\n3 out\n0 0\n1 0\n0 1\n1 2 3\nmore\n", Code::malformed, 7, "after the last chain");
+}
+
+TEST(ReadPoly, a_bad_coordinate_is_named_with_chain_vertex_and_line) {
+  const Evidence bad = refused("2\n3 out\n0 0\n1 0\n0 1\n3 in\n0 0\n1 0x\n0 1\n", Code::malformed, 8, "'0x'");
+  EXPECT_EQ(bad.part, 0);
+  EXPECT_EQ(bad.ring, 1);
+  EXPECT_EQ(bad.vertex, 1);
+  refused("1\n3 out\n0 0\n1,0\n", Code::malformed, 4, "'1,0'");
+  refused("1\n3 out\n0 0\n1 1.5.\n", Code::malformed, 4, "'1.5.'");
+  refused("1\n3 out\n0 0\n1 5-2\n", Code::malformed, 4, "'5-2'");
+}
+
+TEST(ReadPoly, coordinates_must_be_finite) {
+  for (const char* bad : {"nan", "inf", "-inf", "NAN", "1e999", "-1e999", "1e99999999999999999999"}) {
+    const Evidence evidence = refused("1\n3 out\n0 0\n1 " + std::string(bad) + "\n0 1\n", Code::not_finite, 4, bad);
+    EXPECT_EQ(evidence.vertex, 1);
+  }
+  refused("1\n1 points\n0 " + std::string(400, '9') + "e-50\n", Code::not_finite, 3, "finite");
+}
+
+TEST(ReadPoly, an_index_line_must_be_a_permutation) {
+  refused("1\n3 out\n0 0\n1 0\n0 1\n1 2 2\n", Code::malformed, 6, "2 comes twice");
+  refused("1\n3 out\n0 0\n1 0\n0 1\n0 1 2\n", Code::malformed, 6, "0 is outside");
+  refused("1\n3 out\n0 0\n1 0\n0 1\n1 2 4\n", Code::malformed, 6, "4 is outside");
+  refused("1\n3 out\n0 0\n1 0\n0 1\n1 2 3 1\n", Code::malformed, 6, "comes twice");
+  refused("1\n3 out\n0 0\n1 0\n0 1\n1 2.5 3\n", Code::malformed, 6, "'2.5'");
+  refused("2\n3 out\n0 0\n1 0\n0 1\n1 2\n3 out\n0 0\n1 0\n0 1\n", Code::malformed, 6, "2 numbers for 3 points");
+}
+
+TEST(ReadPoly, a_file_that_ends_early_is_truncated) {
+  refused("", Code::truncated, 1, "ends before the number of chains");
+  refused("# only a comment\n\n", Code::truncated, 1, "ends before the number of chains");
+  refused("2\n3 out\n0 0\n1 0\n0 1\n1 2 3\n", Code::truncated, 6, "announces 2 chains and ends after 1");
+  refused("1\n3", Code::truncated, 2, "the kind");
+  refused("1\n3 out\n0 0\n1", Code::truncated, 4, "3 points");
+  refused("1\n3 out\n0 0\n1 0\n0 1\n1 2", Code::truncated, 6, "2 numbers for 3 points");
+}
+
+TEST(ReadPoly, huge_announced_counts_allocate_nothing) {
+  refused("1\n18446744073709551615 out\n0 0\n", Code::truncated, 3, "ends before them");
+  refused("1\n99999999999999999999999999 out\n0 0\n", Code::truncated, 3, "ends before them");
+  refused("18446744073709551615\n3 out\n0 0\n1 0\n0 1\n1 2 3\n", Code::truncated, 6, "ends after 1");
+}
+
+}  // namespace
+}  // namespace dymsum::io_test

@@ -1,0 +1,143 @@
+#include "io/reading.h"
+
+namespace dymsum::io_test {
+namespace {
+
+std::string svg(const std::string& body) { return "<svg xmlns=\"http://www.w3.org/2000/svg\">\n" + body + "\n</svg>\n"; }
+
+RegionData read(const std::string& body) { return read_one(svg(body), RegionFormat::svg); }
+
+Evidence refused(const std::string& body, Code code, std::int64_t line, std::string_view words) {
+  return expect_refused(svg(body), RegionFormat::svg, code, line, words);
+}
+
+Ring ring_of(const std::string& body) {
+  const RegionData data = read(body);
+  return data.parts.size() == 1 && data.parts[0].holes.empty() ? data.parts[0].outer : Ring{};
+}
+
+TEST(ReadSvg, path_commands_absolute_and_relative) {
+  const Ring square{{1, 2}, {5, 2}, {5, 6}, {1, 6}};
+  EXPECT_EQ(ring_of("<path d='M1 2 L5 2 L5 6 L1 6 Z'/>"), square);
+  EXPECT_EQ(ring_of("<path d='m1,2 4,0 0,4 -4,0z'/>"), square);
+  EXPECT_EQ(ring_of("<path d='M1 2H5V6H1Z'/>"), square);
+  EXPECT_EQ(ring_of("<path d='M1 2h4v4h-4V2z'/>"), square);
+  EXPECT_EQ(ring_of("<path d='M1 2 5 2 5 6\n1 6 1 2Z'/>"), square);
+  EXPECT_EQ(ring_of("<path d='M1 2 C1 2 5 2 5 2 Q5 2 5 6 A0 3 0 01 1 6Z'/>"), square);
+  EXPECT_EQ(ring_of("<path d='M.5.5 1.5-.5e0L1 2z'/>"), (Ring{{.5, .5}, {1.5, -.5}, {1, 2}}));
+}
+
+TEST(ReadSvg, a_new_subpath_starts_where_the_last_one_closed) {
+  const RegionData data = read("<path d='M1 1 L2 1 L1 2 Z l -5 0 l 0 -5 z m 20 20 l 1 0 l 0 1 z'/>");
+  ASSERT_EQ(data.parts.size(), 3u);
+  EXPECT_EQ(data.parts[1].outer, (Ring{{1, 1}, {-4, 1}, {-4, -4}}));
+  EXPECT_EQ(data.parts[2].outer, (Ring{{21, 21}, {22, 21}, {22, 22}}));
+}
+
+TEST(ReadSvg, open_subpaths_polylines_and_lines_are_polylines) {
+  const RegionData data = read("<path d='M0 0L1 1M2 2'/><polyline points='0,0 1,0 1,1'/><line x1='1' y1='2' x2='3px'/>");
+  EXPECT_EQ(data, (RegionData{{}, {{{0, 0}, {1, 1}}, {{0, 0}, {1, 0}, {1, 1}}, {{1, 2}, {3, 0}}}, {}}));
+}
+
+TEST(ReadSvg, subpaths_nest_even_odd_whatever_their_orientation) {
+  const RegionData data = read(
+      "<path d='M2 2L2 8L8 8L8 2Z M0 0L0 10L10 10L10 0Z M4 4L6 4L6 6L4 6Z M20 0L21 0L20 1Z M1 1L1.5 1L1 1.5Z'/>");
+  const std::vector<Part> expected = {
+      {{{0, 0}, {10, 0}, {10, 10}, {0, 10}}, {{{2, 2}, {2, 8}, {8, 8}, {8, 2}}, {{1, 1}, {1, 1.5}, {1.5, 1}}}},
+      {{{4, 4}, {6, 4}, {6, 6}, {4, 6}}, {}},
+      {{{20, 0}, {21, 0}, {20, 1}}, {}}};
+  EXPECT_EQ(data.parts, expected);
+}
+
+TEST(ReadSvg, shapes_of_different_elements_do_not_nest) {
+  const RegionData data = read("<rect x='0' y='0' width='10' height='10'/><polygon points='1,1 2,1 1,2 1,1'/>");
+  ASSERT_EQ(data.parts.size(), 2u);
+  EXPECT_EQ(data.parts[0].outer, (Ring{{0, 0}, {10, 0}, {10, 10}, {0, 10}}));
+  EXPECT_EQ(data.parts[1].outer, (Ring{{1, 1}, {2, 1}, {1, 2}}));
+}
+
+TEST(ReadSvg, transforms_apply_from_the_outside_in) {
+  EXPECT_EQ(ring_of("<g transform='translate(10 20)'><g transform='scale(2)'><polygon points='0,0 1,0 0,1'/></g></g>"),
+            (Ring{{10, 20}, {12, 20}, {10, 22}}));
+  EXPECT_EQ(ring_of("<polygon transform='scale(2, 4), translate(1)' points='0,0 1,0 0,1'/>"), (Ring{{2, 0}, {4, 0}, {2, 4}}));
+  EXPECT_EQ(ring_of("<polygon transform='matrix(0 1 -1 0 5 6)' points='0,0 1,0 0,1'/>"), (Ring{{5, 6}, {5, 7}, {4, 6}}));
+  // a reflection: the ring is oriented afterwards
+  EXPECT_EQ(ring_of("<polygon transform='scale(1 -1)' points='0,0 1,0 0,1'/>"), (Ring{{0, 0}, {0, -1}, {1, 0}}));
+  const RegionData data = read("<g transform='translate(1)'><g/></g><line x2='1'/>");
+  EXPECT_EQ(data.polylines, (std::vector<Polyline>{{{0, 0}, {1, 0}}}));
+}
+
+TEST(ReadSvg, what_is_not_drawn_is_not_read) {
+  EXPECT_EQ(read("<title>M0 0</title><defs><path d='M0 0C1 1 2 2 3 3'/></defs><clipPath><rect width='1' height='1'/></clipPath><!-- <rect/> -->"),
+            RegionData{});
+}
+
+TEST(ReadSvg, marked_files_read_back_without_their_transforms) {
+  const RegionData data = read_one(
+      "<svg data-dymsum='region'><rect width='9' height='9'/><g transform='matrix(2 0 0 -2 9 9)'>"
+      "<path data-dymsum='part' d='M0 0L0 4L4 0ZM1 1L2 1L1 2Z'/><path data-dymsum='polylines' d='M0 0L1 1L0 0M2 2L3 3'/>"
+      "<path data-dymsum='points' d='M5 5h0M6 6h0'/></g><path d='M0 0C1 1 2 2 3 3'/></svg>",
+      RegionFormat::svg);
+  EXPECT_EQ(data, (RegionData{{{{{0, 0}, {0, 4}, {4, 0}}, {{{1, 1}, {2, 1}, {1, 2}}}}},
+                              {{{0, 0}, {1, 1}, {0, 0}}, {{2, 2}, {3, 3}}},
+                              {{5, 5}, {6, 6}}}));
+}
+
+TEST(ReadSvg, curves_are_refused_by_name) {
+  refused("<path d='M0 0\nC1 1 2 2 3 3Z'/>", Code::malformed, 3, "command C");
+  refused("<path d='M0 0q1 1 2 0'/>", Code::malformed, 2, "command q");
+  refused("<path d='M0 0A1 1 0 0 1 2 2'/>", Code::malformed, 2, "command A");
+  refused("<path d='M0 0\n\nS1 1 2 2'/>", Code::malformed, 4, "command S");
+  refused("<path d='M0 0t1 1'/>", Code::malformed, 2, "command t");
+  refused("\n<circle r='3'/>", Code::malformed, 3, "'circle'");
+  refused("<ellipse rx='3' ry='2'/>", Code::malformed, 2, "'ellipse'");
+  refused("<rect width='3' height='3' rx='1'/>", Code::malformed, 2, "round corners");
+  refused("<use href='#a'/>", Code::malformed, 2, "'use'");
+}
+
+TEST(ReadSvg, refuses_what_does_not_follow_the_format) {
+  refused("<path d='L0 0'/>", Code::malformed, 2, "start with a move");
+  refused("<path id='d' class = \"a d='\"\n d='M0 0\nL1 x'/>", Code::malformed, 4, "expected a number at 'x'");
+  refused("<path d='M0 0 W 3'/>", Code::malformed, 2, "'W'");
+  refused("<path d='M0 0 L 3'/>", Code::malformed, 2, "attribute ends");
+  refused("<path d='M0 0 A 1 1 0 2 0 1 1'/>", Code::malformed, 2, "flag");
+  refused("<polygon points='1,2 3'/>", Code::malformed, 2, "attribute ends");
+  refused("<rect width='3em' height='3'/>", Code::malformed, 2, "'width'");
+  refused("<g transform='rotate(30)'/>\n<g transform='rotate(30)'><line x2='1'/></g>", Code::malformed, 3, "'rotate'");
+  refused("<line transform='scale(1 2 3)' x2='1'/>", Code::malformed, 2, "3 arguments");
+  refused("<line transform='scale 1' x2='1'/>", Code::malformed, 2, "a transform such as");
+  refused("<line transform='scale(1' x2='1'/>", Code::malformed, 2, "')'");
+  expect_refused("<html>\n</html>", RegionFormat::svg, Code::malformed, 1, "not svg");
+  expect_refused("<svg>\n<g>\n</svg>", RegionFormat::svg, Code::malformed, 3, "XML");
+  expect_refused("<svg data-dymsum='trace'/>", RegionFormat::svg, Code::malformed, 1, "stages");
+  expect_refused("<svg data-dymsum='region'>\n<path data-dymsum='part' d='M0 0L1 0'/></svg>", RegionFormat::svg, Code::malformed, 2, "not closed");
+  expect_refused("<svg data-dymsum='region'>\n<path data-dymsum='whole' d='M0 0L1 0'/></svg>", RegionFormat::svg, Code::malformed, 2, "'whole'");
+}
+
+TEST(ReadSvg, coordinates_must_be_finite) {
+  refused("<path d='M0 0\nL1e999 0'/>", Code::not_finite, 3, "1e999");
+  refused("<path d='M0 0 L nan 0'/>", Code::not_finite, 2, "nan");
+  refused("<path d='M1e308 0l1e308 0'/>", Code::not_finite, 2, "double range");
+  refused("<line transform='scale(1e10)' x2='1e300'/>", Code::not_finite, 2, "double range");
+}
+
+TEST(ReadSvg, a_file_that_ends_early_is_truncated) {
+  expect_refused("<svg>\n<g>\n<path d='M0 0", RegionFormat::svg, Code::truncated, 3, "XML");
+  expect_refused("", RegionFormat::svg, Code::truncated, 1, "XML");
+}
+
+TEST(ReadSvg, deep_nesting_is_refused) {
+  std::string body;
+  for (int i = 0; i < 100000; ++i) body += "<g>";
+  for (int i = 0; i < 100000; ++i) body += "</g>";
+  refused(body, Code::malformed, 2, "nested deeper than 200");
+}
+
+TEST(ReadSvg, very_many_rings_around_one_another_are_refused_in_time) {
+  std::string path = "<path d='";
+  for (int i = 0; i < 60000; ++i) path += "M0 0L9 0L0 9Z";
+  refused(path + "'/>", Code::malformed, 2, "too many rings");
+}
+
+}  // namespace
+}  // namespace dymsum::io_test

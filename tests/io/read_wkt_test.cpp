@@ -1,0 +1,88 @@
+#include "io/reading.h"
+
+namespace dymsum::io_test {
+namespace {
+
+constexpr RegionFormat kWkt = RegionFormat::wkt;
+
+Evidence refused(std::string_view text, Code code, std::int64_t line, std::string_view words) {
+  return expect_refused(text, kWkt, code, line, words);
+}
+
+TEST(ReadWkt, closing_vertices_are_dropped) {
+  EXPECT_EQ(read_one("POLYGON ((0 0, 4 0, 0 4, 0 0), (1 1, 1 2, 2 1, 1 1))", kWkt).parts,
+            (std::vector<Part>{{{{0, 0}, {4, 0}, {0, 4}}, {{{1, 1}, {1, 2}, {2, 1}}}}}));
+}
+
+TEST(ReadWkt, rings_are_oriented_by_their_place_and_keep_their_first_vertex) {
+  EXPECT_EQ(read_one("POLYGON ((0 0, 0 4, 4 0, 0 0), (1 1, 2 1, 1 2, 1 1))", kWkt).parts,
+            (std::vector<Part>{{{{0, 0}, {4, 0}, {0, 4}}, {{{1, 1}, {1, 2}, {2, 1}}}}}));
+}
+
+TEST(ReadWkt, every_kind_of_geometry) {
+  const auto shapes = read_all(
+      "point(1 2)\n"
+      "LINESTRING (0 0, 1 1)\n"
+      "MULTIPOINT ((1 2), EMPTY, (3 4))\n"
+      "MULTIPOINT (1 2, 3 4)\n"
+      "MULTILINESTRING ((0 0, 1 1), (2 2, 3 3))\n"
+      "MultiPolygon (((0 0, 1 0, 0 1, 0 0)), ((5 5, 6 5, 5 6, 5 5)))\n"
+      "GEOMETRYCOLLECTION (POINT (1 1), GEOMETRYCOLLECTION (LINESTRING (0 0, 1 0)), POLYGON ((0 0, 1 0, 0 1, 0 0)))\n",
+      kWkt);
+  ASSERT_EQ(shapes.size(), 7u);
+  const Part corner{{{0, 0}, {1, 0}, {0, 1}}, {}};
+  EXPECT_EQ(shapes[0].data, (RegionData{{}, {}, {{1, 2}}}));
+  EXPECT_EQ(shapes[1].data, (RegionData{{}, {{{0, 0}, {1, 1}}}, {}}));
+  EXPECT_EQ(shapes[2].data, (RegionData{{}, {}, {{1, 2}, {3, 4}}}));
+  EXPECT_EQ(shapes[3].data, shapes[2].data);
+  EXPECT_EQ(shapes[4].data, (RegionData{{}, {{{0, 0}, {1, 1}}, {{2, 2}, {3, 3}}}, {}}));
+  EXPECT_EQ(shapes[5].data, (RegionData{{corner, {{{5, 5}, {6, 5}, {5, 6}}, {}}}, {}, {}}));
+  EXPECT_EQ(shapes[6].data, (RegionData{{corner}, {{{0, 0}, {1, 0}}}, {{1, 1}}}));
+  EXPECT_EQ(shapes[0].name, "0");
+  EXPECT_EQ(shapes[6].name, "6");
+}
+
+TEST(ReadWkt, empty_geometries) {
+  for (const char* kind : {"POINT", "LINESTRING", "POLYGON", "MULTIPOINT", "MULTILINESTRING", "MULTIPOLYGON", "GEOMETRYCOLLECTION"}) {
+    EXPECT_EQ(read_one(std::string(kind) + " EMPTY", kWkt), RegionData{}) << kind;
+  }
+}
+
+TEST(ReadWkt, a_sole_shape_is_named_after_its_file) {
+  const auto shapes = parse_shapes("POINT (1 2)", kWkt, "some/dir/thing.wkt");
+  ASSERT_TRUE(shapes.ok());
+  EXPECT_EQ(shapes->at(0).name, "thing");
+}
+
+TEST(ReadWkt, refuses_what_does_not_follow_the_format) {
+  refused("POINT (1 2)\nCIRCLE (1 2)\n", Code::malformed, 2, "instead of 'CIRCLE'");
+  refused("POINT Z (1 2 3)", Code::malformed, 1, "'('");
+  refused("POLYGON Z ((0 0 1, 1 0 1, 0 1 1, 0 0 1))", Code::malformed, 1, "not planar");
+  refused("POLYGON ((0 0,\n1 0 7,\n0 1, 0 0))", Code::malformed, 2, "after two coordinates");
+  refused("POLYGON ((0 0,\n1 0x,\n0 1, 0 0))", Code::malformed, 2, "'0x'");
+  refused("POLYGON ((0 0, 1 0, 0 1\n, 0 0.5))", Code::malformed, 1, "not closed");
+  refused("LINESTRING (0 0; 1 1)", Code::malformed, 1, "'0;'");
+  refused("\nPOINT (1)", Code::malformed, 2, "a coordinate");
+}
+
+TEST(ReadWkt, coordinates_must_be_finite) {
+  refused("LINESTRING (0 0,\n1 1e999)", Code::not_finite, 2, "1e999");
+  refused("POINT (nan 0)", Code::not_finite, 1, "nan");
+  refused("POINT (0 -Infinity)", Code::not_finite, 1, "-Infinity");
+}
+
+TEST(ReadWkt, a_file_that_ends_early_is_truncated) {
+  refused("", Code::truncated, 1, "first geometry");
+  refused("POLYGON ((0 0, 1 0,\n0 1", Code::truncated, 2, "',' or ')'");
+  refused("POLYGON ((0 0, 1 0,\n", Code::truncated, 1, "a coordinate");
+  refused("POLYGON", Code::truncated, 1, "'('");
+}
+
+TEST(ReadWkt, deep_nesting_is_refused) {
+  std::string text;
+  for (int i = 0; i < 100000; ++i) text += "GEOMETRYCOLLECTION(";
+  refused(text, Code::malformed, 1, "nested deeper than 32");
+}
+
+}  // namespace
+}  // namespace dymsum::io_test
