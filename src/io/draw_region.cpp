@@ -1,5 +1,5 @@
-// A region as an SVG picture that reads back as the same region: the marked paths hold its own coordinates, and the group
-// around them, which is for looking at only, turns y up.
+// A region as an SVG picture that reads back as the same region: the marked paths hold its own coordinates, and the
+// group around them, which is for looking at only, turns y up.
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -16,14 +16,16 @@ namespace {
 
 /// Inside the group that scales: vector-effect would do the same, but not every renderer knows it.
 std::string scaled_stroke(std::string_view edge, double width, double scale) {
-  std::string style = "stroke=\"" + std::string(edge) + "\" stroke-linejoin=\"round\" stroke-linecap=\"round\" stroke-width=\"";
+  std::string style =
+      "stroke=\"" + std::string(edge) + "\" stroke-linejoin=\"round\" stroke-linecap=\"round\" stroke-width=\"";
   append_number(style, width / scale);
   return style + "\"";
 }
 
 }  // namespace
 
-void draw_marked(Picture& picture, const RegionData& data, const Placement& placement, std::string_view fill, std::string_view edge) {
+void draw_marked(Picture& picture, const RegionData& data, const Placement& placement, std::string_view fill,
+                 std::string_view edge) {
   std::size_t vertices = 0;
   for (const Part& part : data.parts) {
     vertices += part.outer.size();

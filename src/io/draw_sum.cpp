@@ -24,9 +24,11 @@ std::string draw_sum(const Region& p, const Region& q, const PlanarSum& sum) {
   const double scale = fitting_scale(width_left + box_sum.width(), std::max(height_left, box_sum.height()),
                                      kWidth - 2 * kMargin - kGap, kHeight - 2 * kMargin - 2 * kTitle - kLegend);
   constexpr double kCharacter = 7.2;  // of the captions, on average
-  const double captions = kCharacter * static_cast<double>(std::max(describe(p.data()).size(), describe(q.data()).size()));
+  const double captions =
+      kCharacter * static_cast<double>(std::max(describe(p.data()).size(), describe(q.data()).size()));
   const double left = std::max(scale * width_left, captions);
-  const double height_p = scale * box_p.height(), height_q = scale * box_q.height(), height_sum = scale * box_sum.height();
+  const double height_p = scale * box_p.height(), height_q = scale * box_q.height(),
+               height_sum = scale * box_sum.height();
   const double inner = std::max(height_p + height_q + 2 * kTitle + kGap / 2, height_sum + kTitle);
   const double x_sum = kMargin + left + kGap;
   const double width = x_sum + std::max(scale * box_sum.width(), 300.0) + kMargin;

@@ -45,7 +45,8 @@ class TraceDrawing {
     Picture picture(2 * kMargin + columns * kPanel + (columns - 1) * kGap,
                     2 * kMargin + rows * (height_ + kTitle) + (rows - 1) * kGap, "trace");
     if (sum_.trace) define_convolution(picture);
-    panel(picture, "Operands", "P (amber): " + describe(p_.data()) + " · Q (green): " + describe(q_.data()), [&] { operands(picture); });
+    panel(picture, "Operands", "P (amber): " + describe(p_.data()) + " · Q (green): " + describe(q_.data()),
+          [&] { operands(picture); });
     if (sum_.trace) stages(picture);
     const std::string tight = describe_tight(sum_);
     panel(picture, "Result", describe(result_) + (tight.empty() ? "" : " · " + tight), [&] {
@@ -115,21 +116,26 @@ class TraceDrawing {
           counted(segments, "segment: ", "segments: ") + with_commas(edges_of_p_) + " edges of P (amber), " +
               with_commas(segments - edges_of_p_) + " edges of Q (green)",
           [&] { show_convolution(picture, 1); });
-    panel(picture, "Masked cells", counted(trace_.masked_cells.size(), "run", "runs") + " of cells proved to be interior", [&] {
-      CanvasPath cells(placement_);
-      for (const auto& cell : trace_.masked_cells) cells.box(cell.low, cell.high);
-      picture.path(cells.data(), "fill=\"" + std::string(palette::kSum) + "\" stroke=\"" + std::string(palette::kSum) +
-                                     "\" stroke-width=\"0.3\"");
-      show_convolution(picture, 0.45);
-    });
-    panel(picture, "Crossings", counted(trace_.crossings.size(), "crossing", "crossings") + " between live segments", [&] {
-      show_convolution(picture, 0.4);
-      const std::size_t count = trace_.crossings.size();
-      CanvasPath dots(placement_);
-      for (const Point x : trace_.crossings) dots.dot(x);
-      picture.path(dots.data(), dot_style("#6a3fb5", count < 100 ? 5 : count < 2000 ? 3 : 1.8, count < 2000 ? 1 : 0.7));
-    });
-    panel(picture, "Loops", with_commas(trace_.kept_loops.size()) + " kept (blue), " + with_commas(trace_.dropped_loops.size()) + " dropped (grey)",
+    panel(picture, "Masked cells",
+          counted(trace_.masked_cells.size(), "run", "runs") + " of cells proved to be interior", [&] {
+            CanvasPath cells(placement_);
+            for (const auto& cell : trace_.masked_cells) cells.box(cell.low, cell.high);
+            picture.path(cells.data(), "fill=\"" + std::string(palette::kSum) + "\" stroke=\"" +
+                                           std::string(palette::kSum) + "\" stroke-width=\"0.3\"");
+            show_convolution(picture, 0.45);
+          });
+    panel(picture, "Crossings", counted(trace_.crossings.size(), "crossing", "crossings") + " between live segments",
+          [&] {
+            show_convolution(picture, 0.4);
+            const std::size_t count = trace_.crossings.size();
+            CanvasPath dots(placement_);
+            for (const Point x : trace_.crossings) dots.dot(x);
+            const double diameter = count < 100 ? 5 : count < 2000 ? 3 : 1.8;
+            picture.path(dots.data(), dot_style("#6a3fb5", diameter, count < 2000 ? 1 : 0.7));
+          });
+    panel(picture, "Loops",
+          with_commas(trace_.kept_loops.size()) + " kept (blue), " + with_commas(trace_.dropped_loops.size()) +
+              " dropped (grey)",
           [&] { loops(picture); });
   }
 
@@ -161,6 +167,8 @@ class TraceDrawing {
 
 }  // namespace io
 
-std::string draw_trace(const Region& p, const Region& q, const PlanarSum& sum) { return io::TraceDrawing(p, q, sum).draw(); }
+std::string draw_trace(const Region& p, const Region& q, const PlanarSum& sum) {
+  return io::TraceDrawing(p, q, sum).draw();
+}
 
 }  // namespace dymsum

@@ -32,7 +32,8 @@ std::vector<Point> require_positions(const Source& source, const JsonValue& valu
 /// Calls visit(JsonValue) for each value of an array. Failure malformed for other kinds, and for two bare numbers.
 template <class Visit>
 void visit_array(const Source& source, const JsonValue& value, const std::string& what, Visit visit) {
-  if (value.kind() != JsonKind::array) source.fail_on_line(Code::malformed, "expected an array of " + what, value.line());
+  if (value.kind() != JsonKind::array)
+    source.fail_on_line(Code::malformed, "expected an array of " + what, value.line());
   value.each(visit);
 }
 

@@ -46,7 +46,8 @@ class CountingIterator {
 /// Receives the parser's events and writes the tape. Throws through the parser, which holds no resources but its own.
 class TapeWriter : public nlohmann::json_sax<nlohmann::json> {
  public:
-  TapeWriter(const Source& source, const Progress& progress, std::vector<JsonToken>& tokens, std::vector<std::string>& texts)
+  TapeWriter(const Source& source, const Progress& progress, std::vector<JsonToken>& tokens,
+             std::vector<std::string>& texts)
       : source_(source), progress_(progress), tokens_(tokens), texts_(texts) {}
 
   bool null() override { return add({JsonKind::null, progress_.line, 0, {}}); }
@@ -141,7 +142,8 @@ JsonTape::JsonTape(const Source& source) {
   Progress progress;
   TapeWriter writer(source, progress, tokens_, texts_);
   const char* const text = source.text.data();
-  nlohmann::json::sax_parse(CountingIterator(text, &progress), CountingIterator(text + source.text.size(), &progress), &writer);
+  nlohmann::json::sax_parse(CountingIterator(text, &progress), CountingIterator(text + source.text.size(), &progress),
+                            &writer);
 }
 
 const JsonToken& JsonValue::token() const { return tape_->tokens_[index_]; }

@@ -1,5 +1,5 @@
-// A JSON text as one flat array of tokens with line numbers. A pair of numbers, which is what large files consist of, is a
-// single token, so ten million vertices take 320 MB. Nothing is recursive.
+// A JSON text as one flat array of tokens with line numbers. A pair of numbers, which is what large files consist of,
+// is a single token, so ten million vertices take 320 MB. Nothing is recursive.
 #pragma once
 
 #include <cstddef>
@@ -33,7 +33,7 @@ class JsonValue {
   JsonKind kind() const { return token().kind; }
   bool is_object() const { return kind() == JsonKind::object; }
   std::int64_t line() const { return token().line; }
-  Point pair() const { return token().pair; }      ///< requires kind pair
+  Point pair() const { return token().pair; }       ///< requires kind pair
   double number() const { return token().pair.x; }  ///< requires kind number
   const std::string& text() const;                  ///< requires kind string
   /// What an object has under a key, the first where there are several; nothing for other kinds.
@@ -56,7 +56,8 @@ class JsonValue {
 
 class JsonTape {
  public:
-  /// Reads a whole text. Throws ReadFailure: malformed, truncated, not_finite (numbers past the double range, NaN, Infinity).
+  /// Reads a whole text. Throws ReadFailure: malformed, truncated, not_finite (numbers past the double range, NaN,
+  /// Infinity).
   explicit JsonTape(const Source& source);
 
   JsonValue root() const { return {*this, 0}; }

@@ -135,13 +135,16 @@ CanvasPath& CanvasPath::box(Point low, Point high) {
 
 Picture::Picture(double width, double height, std::string_view mark) {
   const std::string w = number(width, 0), h = number(height, 0);
-  out_ = R"(<svg xmlns="http://www.w3.org/2000/svg" width=")" + w + "\" height=\"" + h + "\" viewBox=\"0 0 " + w + " " + h + "\"";
-  out_ += " data-dymsum=\"" + std::string(mark) + "\" font-family=\"Inter, Helvetica, Arial, 'DejaVu Sans', sans-serif\">\n";
+  out_ = R"(<svg xmlns="http://www.w3.org/2000/svg" width=")" + w + "\" height=\"" + h + "\" viewBox=\"0 0 " + w + " " +
+         h + "\"";
+  out_ += " data-dymsum=\"" + std::string(mark) +
+          "\" font-family=\"Inter, Helvetica, Arial, 'DejaVu Sans', sans-serif\">\n";
   out_ += "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
 }
 
 void Picture::text(double x, double y, double size, std::string_view fill, std::string_view text, bool bold) {
-  out_ += "<text x=\"" + number(x) + "\" y=\"" + number(y) + "\" font-size=\"" + number(size) + "\" fill=\"" + std::string(fill) + "\"";
+  out_ += "<text x=\"" + number(x) + "\" y=\"" + number(y) + "\" font-size=\"" + number(size) + "\" fill=\"" +
+          std::string(fill) + "\"";
   out_ += bold ? " font-weight=\"600\">" : ">";
   append_escaped(out_, text);
   out_ += "</text>\n";
@@ -165,17 +168,16 @@ void Picture::path(std::string_view d, std::string_view attributes) {
 }
 
 void Picture::swatch(double x, double y, std::string_view fill, std::string_view edge, std::string_view label) {
-  out_ += "<rect x=\"" + number(x) + "\" y=\"" + number(y - 11) + "\" width=\"14\" height=\"14\" rx=\"3\" fill=\"" + std::string(fill) +
-          "\" stroke=\"" + std::string(edge) + "\"/>\n";
+  out_ += "<rect x=\"" + number(x) + "\" y=\"" + number(y - 11) + "\" width=\"14\" height=\"14\" rx=\"3\" fill=\"" +
+          std::string(fill) + "\" stroke=\"" + std::string(edge) + "\"/>\n";
   text(x + 21, y + 1, 13, palette::kInk, label);
 }
 
 std::string Picture::finish() && { return std::move(out_) + "</svg>\n"; }
 
 std::string fill_style(std::string_view fill, std::string_view edge, double width) {
-  return "fill=\"" + std::string(fill) + "\" fill-rule=\"evenodd\" " +
-         "stroke=\"" + std::string(edge) + "\" stroke-width=\"" + number(width) +
-         "\" stroke-linejoin=\"round\" vector-effect=\"non-scaling-stroke\"";
+  return "fill=\"" + std::string(fill) + "\" fill-rule=\"evenodd\" " + "stroke=\"" + std::string(edge) +
+         "\" stroke-width=\"" + number(width) + "\" stroke-linejoin=\"round\" vector-effect=\"non-scaling-stroke\"";
 }
 
 std::string line_style(std::string_view edge, double width, double opacity) {
@@ -185,7 +187,9 @@ std::string line_style(std::string_view edge, double width, double opacity) {
   return style;
 }
 
-std::string dot_style(std::string_view edge, double diameter, double opacity) { return line_style(edge, diameter, opacity); }
+std::string dot_style(std::string_view edge, double diameter, double opacity) {
+  return line_style(edge, diameter, opacity);
+}
 
 double stroke_for(std::size_t vertices) { return vertices < 200 ? 1.6 : vertices < 1500 ? 1.1 : 0.7; }
 
@@ -217,7 +221,8 @@ std::string describe_tight(const PlanarSum& sum) {
   return text + (text.empty() ? "" : ", ") + counted(sum.tight_points.size(), "tight point", "tight points");
 }
 
-void draw_plain(Picture& picture, const RegionData& data, const Placement& placement, std::string_view fill, std::string_view edge) {
+void draw_plain(Picture& picture, const RegionData& data, const Placement& placement, std::string_view fill,
+                std::string_view edge) {
   std::size_t vertices = 0;
   std::string d;
   for (const Part& part : data.parts) {

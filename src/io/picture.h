@@ -104,10 +104,12 @@ std::string describe(const RegionData& data);
 std::string describe_tight(const PlanarSum& sum);
 
 /// A region, on a canvas and not to be read back.
-void draw_plain(Picture& picture, const RegionData& data, const Placement& placement, std::string_view fill, std::string_view edge);
+void draw_plain(Picture& picture, const RegionData& data, const Placement& placement, std::string_view fill,
+                std::string_view edge);
 
 /// A region whose paths carry data-dymsum marks and exact coordinates: what read_svg reads back.
-void draw_marked(Picture& picture, const RegionData& data, const Placement& placement, std::string_view fill, std::string_view edge);
+void draw_marked(Picture& picture, const RegionData& data, const Placement& placement, std::string_view fill,
+                 std::string_view edge);
 
 /// A sum's rings as plain lists, rounded; its lower-dimensional pieces as polylines and points.
 RegionData rounded_data(const PlanarSum& sum);

@@ -50,7 +50,8 @@ class GeoJsonReader {
   Ring read_ring(const JsonValue& value) const {
     Ring ring = require_positions(source_, value);
     if (ring.empty() || ring.front() != ring.back()) {
-      source_.fail_on_line(Code::malformed, "the ring is not closed: its last position differs from its first", value.line());
+      source_.fail_on_line(Code::malformed, "the ring is not closed: its last position differs from its first",
+                           value.line());
     }
     if (ring.size() > 1) ring.pop_back();
     return ring;
@@ -76,7 +77,8 @@ class GeoJsonReader {
                   [&](const JsonValue& g) { read_geometry(g, data); });
       return;
     }
-    static constexpr std::string_view kKnown[] = {"Point", "MultiPoint", "LineString", "MultiLineString", "Polygon", "MultiPolygon"};
+    static constexpr std::string_view kKnown[] = {"Point",           "MultiPoint", "LineString",
+                                                  "MultiLineString", "Polygon",    "MultiPolygon"};
     if (std::find(std::begin(kKnown), std::end(kKnown), type) == std::end(kKnown)) {
       source_.fail_on_line(Code::malformed, "unknown GeoJSON type " + quoted(type), value.line());
     }
@@ -89,7 +91,8 @@ class GeoJsonReader {
     } else if (type == "LineString") {
       data.polylines.push_back(require_positions(source_, coordinates));
     } else if (type == "MultiLineString") {
-      visit_array(source_, coordinates, "lines", [&](const JsonValue& line) { data.polylines.push_back(require_positions(source_, line)); });
+      visit_array(source_, coordinates, "lines",
+                  [&](const JsonValue& line) { data.polylines.push_back(require_positions(source_, line)); });
     } else if (type == "Polygon") {
       read_polygon(coordinates, data);
     } else {
@@ -102,6 +105,8 @@ class GeoJsonReader {
 
 }  // namespace
 
-std::vector<NamedShape> read_geojson(const Source& source, const JsonValue& root) { return GeoJsonReader(source).read(root); }
+std::vector<NamedShape> read_geojson(const Source& source, const JsonValue& root) {
+  return GeoJsonReader(source).read(root);
+}
 
 }  // namespace dymsum::io

@@ -48,7 +48,8 @@ std::vector<NamedShape> read_json(const Source& source) {
   const JsonValue root = tape.root();
   if (root.find("items")) return read_nesting(source, root);
   if (root.find("type")) return read_geojson(source, root);
-  source.fail_on_line(Code::malformed, "expected an object with 'items' (nesting instance) or 'type' (GeoJSON)", root.line());
+  source.fail_on_line(Code::malformed, "expected an object with 'items' (nesting instance) or 'type' (GeoJSON)",
+                      root.line());
 }
 
 }  // namespace dymsum::io

@@ -1,5 +1,5 @@
-// Nesting instances as jagua-rs reads them: items[].shape {type, data} with the types simple_polygon, polygon (outer, inner),
-// multi_polygon, rectangle; besides, of our own: region (parts, polylines, points).
+// Nesting instances as jagua-rs reads them: items[].shape {type, data} with the types simple_polygon, polygon (outer,
+// inner), multi_polygon, rectangle; besides, of our own: region (parts, polylines, points).
 #include <cmath>
 #include <utility>
 
@@ -48,7 +48,8 @@ class NestingReader {
   Part read_polygon(const JsonValue& value) const {
     Part part{require_positions(source_, require_member(source_, value, "outer")), {}};
     if (const auto inner = value.find("inner"); inner && inner->kind() != JsonKind::null) {
-      visit_array(source_, *inner, "holes", [&](const JsonValue& hole) { part.holes.push_back(require_positions(source_, hole)); });
+      visit_array(source_, *inner, "holes",
+                  [&](const JsonValue& hole) { part.holes.push_back(require_positions(source_, hole)); });
     }
     return part;
   }
@@ -90,6 +91,8 @@ class NestingReader {
 
 }  // namespace
 
-std::vector<NamedShape> read_nesting(const Source& source, const JsonValue& root) { return NestingReader(source).read(root); }
+std::vector<NamedShape> read_nesting(const Source& source, const JsonValue& root) {
+  return NestingReader(source).read(root);
+}
 
 }  // namespace dymsum::io

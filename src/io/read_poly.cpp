@@ -22,7 +22,8 @@ class PolyReader {
     for (std::uint64_t k = 0; k < chains; ++k) {
       skip();
       if (at_end()) {
-        fail(Code::truncated, "the file announces " + std::to_string(chains) + " chains and ends after " + std::to_string(k));
+        fail(Code::truncated,
+             "the file announces " + std::to_string(chains) + " chains and ends after " + std::to_string(k));
       }
       read_chain();
     }
@@ -117,7 +118,8 @@ class PolyReader {
   double read_coordinate(std::uint64_t announced, const Evidence& evidence) {
     skip();
     if (at_end()) {
-      fail(Code::truncated, "a chain announces " + std::to_string(announced) + " points and the file ends before them", evidence);
+      fail(Code::truncated, "a chain announces " + std::to_string(announced) + " points and the file ends before them",
+           evidence);
     }
     const ScannedNumber number = scan_number(text_.substr(at_));
     if (number.length > 0 && !std::isfinite(number.value)) {
@@ -158,7 +160,8 @@ class PolyReader {
       if (index < 1 || index > vertices.size() || seen[index - 1]) {
         at_ = line_start;
         fail(Code::malformed, "the index line is not a permutation of 1 to " + std::to_string(vertices.size()) + ": " +
-                                  std::to_string(index) + (index < 1 || index > vertices.size() ? " is outside" : " comes twice"));
+                                  std::to_string(index) +
+                                  (index < 1 || index > vertices.size() ? " is outside" : " comes twice"));
       }
       seen[index - 1] = true;
       ordered.push_back(vertices[index - 1]);
@@ -166,8 +169,8 @@ class PolyReader {
     if (ordered.size() != vertices.size()) {
       const Code code = at_end() ? Code::truncated : Code::malformed;
       at_ = line_start;
-      fail(code, "the index line has " + std::to_string(ordered.size()) + " numbers for " + std::to_string(vertices.size()) +
-                     " points");
+      fail(code, "the index line has " + std::to_string(ordered.size()) + " numbers for " +
+                     std::to_string(vertices.size()) + " points");
     }
     vertices = std::move(ordered);
   }

@@ -41,7 +41,8 @@ std::string extension(std::string_view path) {
   const std::size_t slash = path.rfind('/');
   if (dot == std::string_view::npos || (slash != std::string_view::npos && slash > dot)) return "";
   std::string text(path.substr(dot));
-  std::transform(text.begin(), text.end(), text.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
   return text;
 }
 
@@ -79,7 +80,8 @@ Result<std::string> read_file(const std::string& path) {
   std::array<char, 1 << 16> block;
   std::size_t count = 0;
   while ((count = std::fread(block.data(), 1, block.size(), file.get())) > 0) text.append(block.data(), count);
-  if (std::ferror(file.get())) return file_error(Code::cannot_open, std::string("reading failed: ") + std::strerror(errno), path);
+  if (std::ferror(file.get()))
+    return file_error(Code::cannot_open, std::string("reading failed: ") + std::strerror(errno), path);
   return text;
 }
 
@@ -112,11 +114,14 @@ void name_shapes(std::vector<NamedShape>& shapes, std::string_view file) {
 Result<NamedShape> select(std::vector<NamedShape> shapes, const std::string& wanted, const std::string& file) {
   const auto named = [&](const NamedShape& shape) { return shape.name == wanted; };
   const auto count = std::count_if(shapes.begin(), shapes.end(), named);
-  if (count > 1) return file_error(Code::malformed, std::to_string(count) + " shapes are named " + io::quoted(wanted), file);
+  if (count > 1)
+    return file_error(Code::malformed, std::to_string(count) + " shapes are named " + io::quoted(wanted), file);
   if (count == 1) return std::move(*std::find_if(shapes.begin(), shapes.end(), named));
   const io::ScannedCount place = io::scan_count(wanted);
-  if (place.length > 0 && place.length == wanted.size() && place.value < shapes.size()) return std::move(shapes[place.value]);
-  return file_error(Code::malformed, "no shape " + io::quoted(wanted) + " among " + std::to_string(shapes.size()), file);
+  if (place.length > 0 && place.length == wanted.size() && place.value < shapes.size())
+    return std::move(shapes[place.value]);
+  return file_error(Code::malformed, "no shape " + io::quoted(wanted) + " among " + std::to_string(shapes.size()),
+                    file);
 }
 
 }  // namespace
@@ -127,7 +132,8 @@ Result<RegionFormat> region_format(std::string_view path) {
   return file_error(Code::unsupported_format, "the extension is none of .poly, .wkt, .geojson, .svg, .json", path);
 }
 
-Result<std::vector<NamedShape>> parse_shapes(std::string_view text, RegionFormat format, std::string_view name_for_errors) {
+Result<std::vector<NamedShape>> parse_shapes(std::string_view text, RegionFormat format,
+                                             std::string_view name_for_errors) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   try {
@@ -160,8 +166,10 @@ Result<RegionData> read_region_data(const std::string& path) {
   std::vector<NamedShape> shapes = std::move(read).value();
   if (shapes.size() == 1) return std::move(shapes[0].data);
   if (shapes.empty()) return file_error(Code::malformed, "the file holds no shape", path);
-  return file_error(Code::malformed,
-                    "the file holds " + std::to_string(shapes.size()) + " shapes: select one as in " + path + "#" + shapes[0].name, path);
+  return file_error(
+      Code::malformed,
+      "the file holds " + std::to_string(shapes.size()) + " shapes: select one as in " + path + "#" + shapes[0].name,
+      path);
 }
 
 }  // namespace dymsum

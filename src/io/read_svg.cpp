@@ -1,5 +1,5 @@
-// SVG: path, polygon, polyline, rect and line elements, all together one shape, coordinates as they stand in the file (SVG's y
-// axis points down; nothing is flipped). Our own files carry data-dymsum attributes and read back exactly.
+// SVG: path, polygon, polyline, rect and line elements, all together one shape, coordinates as they stand in the file
+// (SVG's y axis points down; nothing is flipped). Our own files carry data-dymsum attributes and read back exactly.
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -97,8 +97,10 @@ class SvgReader {
       const Point from{length(node, "x1"), length(node, "y1")}, to{length(node, "x2"), length(node, "y2")};
       take_polyline(node, {from, to});
     }
-    if (name == "circle" || name == "ellipse") fail(node, "the element " + quoted(name) + " is a curve, and only straight lines can be read");
-    if (name == "use" || name == "image" || name == "foreignObject") fail(node, "the element " + quoted(name) + " cannot be read");
+    if (name == "circle" || name == "ellipse")
+      fail(node, "the element " + quoted(name) + " is a curve, and only straight lines can be read");
+    if (name == "use" || name == "image" || name == "foreignObject")
+      fail(node, "the element " + quoted(name) + " cannot be read");
     return false;
   }
 

@@ -1,5 +1,5 @@
-// Well-known text: geometries one after the other, usually one a line; each is a shape. Rings are closed in the file (the
-// closing vertex is dropped) and oriented here, because the format leaves orientation open.
+// Well-known text: geometries one after the other, usually one a line; each is a shape. Rings are closed in the file
+// (the closing vertex is dropped) and oriented here, because the format leaves orientation open.
 #include <cmath>
 #include <string>
 #include <utility>
@@ -95,7 +95,8 @@ class WktReader {
       source_.fail(Code::not_finite, "the coordinate " + quoted(rest_of_word()) + " is not a finite double", at_);
     }
     const std::size_t end = at_ + number.length;
-    if (end < text_.size() && !is_blank(text_[end]) && text_[end] != ',' && text_[end] != ')') fail_expecting("a coordinate");
+    if (end < text_.size() && !is_blank(text_[end]) && text_[end] != ',' && text_[end] != ')')
+      fail_expecting("a coordinate");
     at_ = end;
     return number.value;
   }
@@ -104,7 +105,8 @@ class WktReader {
     const double x = read_coordinate();
     const double y = read_coordinate();
     skip();
-    if (at_ < text_.size() && text_[at_] != ',' && text_[at_] != ')') fail_expecting("',' or ')' after two coordinates");
+    if (at_ < text_.size() && text_[at_] != ',' && text_[at_] != ')')
+      fail_expecting("',' or ')' after two coordinates");
     return {x, y};
   }
 
@@ -118,7 +120,8 @@ class WktReader {
     skip();
     const std::size_t start = at_;
     Ring ring = read_points();
-    if (ring.front() != ring.back()) source_.fail(Code::malformed, "the ring is not closed: its last vertex differs from its first", start);
+    if (ring.front() != ring.back())
+      source_.fail(Code::malformed, "the ring is not closed: its last vertex differs from its first", start);
     if (ring.size() > 1) ring.pop_back();
     return ring;
   }
@@ -154,7 +157,8 @@ class WktReader {
   void read_geometry(int depth) {
     skip();
     const std::size_t start = at_;
-    if (depth > kMostNested) source_.fail(Code::malformed, "collections nested deeper than " + std::to_string(kMostNested), start);
+    if (depth > kMostNested)
+      source_.fail(Code::malformed, "collections nested deeper than " + std::to_string(kMostNested), start);
     const std::string kind = read_word();
     if (kind == "POINT") {
       read_single_point();

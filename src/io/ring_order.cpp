@@ -48,7 +48,8 @@ class RingNester {
     }
     for (Place& place : places_) {
       const auto shallower = [this](std::uint32_t a, std::uint32_t b) { return depth(a) < depth(b); };
-      if (!place.around.empty()) place.innermost = *std::max_element(place.around.begin(), place.around.end(), shallower);
+      if (!place.around.empty())
+        place.innermost = *std::max_element(place.around.begin(), place.around.end(), shallower);
     }
     return true;
   }

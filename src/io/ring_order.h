@@ -7,18 +7,19 @@
 
 namespace dymsum::io {
 
-/// 1 when a ring that does not cross itself runs counter-clockwise, -1 clockwise; 0 when it encloses nothing or has a spike
-/// at its lexicographically smallest vertex. Exact: the lowest ray at that vertex leaves it exactly when the ring runs
-/// counter-clockwise. Requires finite coordinates. Cost: O(n).
+/// 1 when a ring that does not cross itself runs counter-clockwise, -1 clockwise; 0 when it encloses nothing or has a
+/// spike at its lexicographically smallest vertex. Exact: the lowest ray at that vertex leaves it exactly when the ring
+/// runs counter-clockwise. Requires finite coordinates. Cost: O(n).
 int ring_sign(const Ring& ring);
 
 /// Outer ring counter-clockwise, holes clockwise; the first vertex stays first. Rings of sign 0 stay as they are.
 void orient_rings(Part& part);
 
 /// Even-odd nesting of rings that do not cross: a ring inside an even number of others starts a part, one inside an odd
-/// number is a hole of the innermost ring around it. Exact. Rings are oriented; parts come in the order of their outer rings.
-/// Returns false, with `parts` unchanged, when that would take more than about 10^9 steps (thousands of large rings, or tens of
-/// thousands of small ones, around one another). Rings that cross are put somewhere: validation finds them.
+/// number is a hole of the innermost ring around it. Exact. Rings are oriented; parts come in the order of their outer
+/// rings. Returns false, with `parts` unchanged, when that would take more than about 10^9 steps (thousands of large
+/// rings, or tens of thousands of small ones, around one another). Rings that cross are put somewhere: validation finds
+/// them.
 bool nest_rings(std::vector<Ring> rings, std::vector<Part>& parts);
 
 }  // namespace dymsum::io

@@ -58,11 +58,14 @@ void SvgNumbers::read_flag() {
 }
 
 void SvgNumbers::fail(const std::string& message) const {
-  source_.fail_on_line(Code::malformed, at_end() ? message + ", but the attribute ends" : message + " at " + quoted(one_word(rest())),
+  source_.fail_on_line(Code::malformed,
+                       at_end() ? message + ", but the attribute ends" : message + " at " + quoted(one_word(rest())),
                        line());
 }
 
-void SvgNumbers::fail_before(const std::string& message) const { source_.fail_on_line(Code::malformed, message, line()); }
+void SvgNumbers::fail_before(const std::string& message) const {
+  source_.fail_on_line(Code::malformed, message, line());
+}
 
 void SvgNumbers::fail_not_finite(const std::string& message) const {
   source_.fail_on_line(Code::not_finite, message, line());

@@ -1,4 +1,5 @@
-// Numbers in SVG attributes: separated by blanks, a comma, or nothing where a sign or second decimal point starts the next.
+// Numbers in SVG attributes: separated by blanks, a comma, or nothing where a sign or second decimal point starts the
+// next.
 #pragma once
 
 #include <cstddef>

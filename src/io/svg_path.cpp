@@ -57,7 +57,8 @@ class PathReader {
   }
 
   [[noreturn]] void refuse_curve(char command) const {
-    numbers_.fail_before(std::string("the path command ") + command + " draws a curve, and only straight lines can be read");
+    numbers_.fail_before(std::string("the path command ") + command +
+                         " draws a curve, and only straight lines can be read");
   }
 
   Point read_point(Point base) {

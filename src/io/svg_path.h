@@ -23,8 +23,8 @@ struct Subpath {
   bool closed = false;
 };
 
-/// The subpaths of path data. Curves that are plainly straight (control points at the ends, radius zero) are lines; other
-/// curves fail as malformed, naming the command.
+/// The subpaths of path data. Curves that are plainly straight (control points at the ends, radius zero) are lines;
+/// other curves fail as malformed, naming the command.
 std::vector<Subpath> parse_path(const Source& source, const SvgText& text);
 
 /// The points of polygon and polyline elements.

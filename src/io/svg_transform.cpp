@@ -24,8 +24,8 @@ SvgTransform make_transform(const SvgNumbers& numbers, const std::string& name, 
 SvgTransform SvgTransform::after(const SvgTransform& inner) const {
   if (identity()) return inner;
   if (inner.identity()) return *this;
-  return {a * inner.a + c * inner.b,     b * inner.a + d * inner.b,     a * inner.c + c * inner.d,
-          b * inner.c + d * inner.d,     a * inner.e + c * inner.f + e, b * inner.e + d * inner.f + f};
+  return {a * inner.a + c * inner.b, b * inner.a + d * inner.b,     a * inner.c + c * inner.d,
+          b * inner.c + d * inner.d, a * inner.e + c * inner.f + e, b * inner.e + d * inner.f + f};
 }
 
 Point SvgTransform::apply(Point p) const {
@@ -43,7 +43,8 @@ SvgTransform parse_transform(const Source& source, const SvgText& text) {
       numbers.advance();
     }
     numbers.skip();
-    if (name.empty() || numbers.at_end() || numbers.peek() != '(') numbers.fail("expected a transform such as translate(x, y)");
+    if (name.empty() || numbers.at_end() || numbers.peek() != '(')
+      numbers.fail("expected a transform such as translate(x, y)");
     numbers.advance();
     std::vector<double> values;
     while (numbers.at_number()) values.push_back(numbers.read());

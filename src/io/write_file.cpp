@@ -134,7 +134,8 @@ Result<bool> write_file(const std::string& path, std::string_view text) {
                                                                  : std::filesystem::path(path);
   Draft draft(target.empty() ? std::filesystem::path(path) : target);
   if (const int error = draft.open()) return cannot_write(path, "no file can be made here", error);
-  if (const int error = draft.write(text)) return cannot_write(path, "writing failed, an older file is untouched", error);
+  if (const int error = draft.write(text))
+    return cannot_write(path, "writing failed, an older file is untouched", error);
   if (const int error = draft.publish()) return cannot_write(path, "the finished file cannot take its name", error);
   return true;
 }

@@ -95,13 +95,15 @@ void each_geometry(std::string& out, const RegionData& data, const Style& style,
   if (data.parts.size() == 1) {
     emit("Polygon", [&] { append_polygon(out, data.parts[0], style); });
   } else if (!data.parts.empty()) {
-    emit("MultiPolygon", [&] { append_list(out, data.parts, style, [&](const Part& part) { append_polygon(out, part, style); }); });
+    emit("MultiPolygon",
+         [&] { append_list(out, data.parts, style, [&](const Part& part) { append_polygon(out, part, style); }); });
   }
   if (data.polylines.size() == 1) {
     emit("LineString", [&] { append_points(out, data.polylines[0], style); });
   } else if (!data.polylines.empty()) {
-    emit("MultiLineString",
-         [&] { append_list(out, data.polylines, style, [&](const Polyline& line) { append_points(out, line, style); }); });
+    emit("MultiLineString", [&] {
+      append_list(out, data.polylines, style, [&](const Polyline& line) { append_points(out, line, style); });
+    });
   }
   if (!data.points.empty()) emit("MultiPoint", [&] { append_points(out, data.points, style); });
 }
@@ -210,6 +212,8 @@ std::string format_region_data(const RegionData& data, RegionFormat format) {
 
 }  // namespace io
 
-std::string format_region(const Region& region, RegionFormat format) { return io::format_region_data(region.data(), format); }
+std::string format_region(const Region& region, RegionFormat format) {
+  return io::format_region_data(region.data(), format);
+}
 
 }  // namespace dymsum

@@ -13,8 +13,8 @@
 
 namespace dymsum::fuzz {
 
-/// Empty when all is well: an error has a file, a line inside the text and a sentence; shapes that are valid regions come
-/// back from every format as they were.
+/// Empty when all is well: an error has a file, a line inside the text and a sentence; shapes that are valid regions
+/// come back from every format as they were.
 inline std::string check_reader(std::string_view text, RegionFormat format) {
   const auto shapes = parse_shapes(text, format, "fuzzed");
   if (!shapes) {
@@ -22,17 +22,21 @@ inline std::string check_reader(std::string_view text, RegionFormat format) {
     if (error.evidence.file != "fuzzed" || error.message.empty()) return "an error without file or sentence";
     std::int64_t lines = 1;
     for (const char c : text) lines += c == '\n';
-    if (!error.evidence.line || *error.evidence.line < 1 || *error.evidence.line > lines) return "an error without a line of the file";
-    if (error.code != Code::malformed && error.code != Code::truncated && error.code != Code::not_finite) return "an error of another room";
+    if (!error.evidence.line || *error.evidence.line < 1 || *error.evidence.line > lines)
+      return "an error without a line of the file";
+    if (error.code != Code::malformed && error.code != Code::truncated && error.code != Code::not_finite)
+      return "an error of another room";
     return "";
   }
   for (const NamedShape& shape : *shapes) {
     const auto region = Region::create(shape.data);
     if (!region) continue;
-    for (const RegionFormat other : {RegionFormat::poly, RegionFormat::wkt, RegionFormat::geojson, RegionFormat::svg, RegionFormat::json}) {
+    for (const RegionFormat other :
+         {RegionFormat::poly, RegionFormat::wkt, RegionFormat::geojson, RegionFormat::svg, RegionFormat::json}) {
       const auto again = parse_shapes(format_region(*region, other), other, "again");
       if (!again) return "our own text is refused: " + again.error().to_string();
-      if (again->size() != 1 || again->front().data != region->data()) return "a region changed on its way through a file";
+      if (again->size() != 1 || again->front().data != region->data())
+        return "a region changed on its way through a file";
     }
   }
   return "";

@@ -1,5 +1,5 @@
-// The main of fuzz targets built without libFuzzer: runs the target once on every file named, and on every file below every
-// folder named, in the order of their names.
+// The main of fuzz targets built without libFuzzer: runs the target once on every file named, and on every file below
+// every folder named, in the order of their names.
 #include <algorithm>
 #include <cstddef>
 #include <cstdio>

@@ -38,9 +38,25 @@ class Mutator {
   std::size_t below(std::size_t end) { return end == 0 ? 0 : random_() % end; }
 
   void mutate(std::string& text, const std::string& other) {
-    static const std::string kWords[] = {"NaN", "-inf", "1e999", "-1e999", "1e-999", "99999999999999999999", "4294967296", "-1", "0", "1.2.3",
-                                         "#", "(", ")", "[", "]", "{", "}", "\"", "<", ">", "'", ",", "EMPTY", "in", "out", "open", "Z", "M",
-                                         "C", "null", "\n", "\r\n", " ", std::string(1, '\0'), "\xFF", "&#0;", "<!--", "<![CDATA["};
+    static const std::string kWords[] = {"NaN",        "-inf",
+                                         "1e999",      "-1e999",
+                                         "1e-999",     "99999999999999999999",
+                                         "4294967296", "-1",
+                                         "0",          "1.2.3",
+                                         "#",          "(",
+                                         ")",          "[",
+                                         "]",          "{",
+                                         "}",          "\"",
+                                         "<",          ">",
+                                         "'",          ",",
+                                         "EMPTY",      "in",
+                                         "out",        "open",
+                                         "Z",          "M",
+                                         "C",          "null",
+                                         "\n",         "\r\n",
+                                         " ",          std::string(1, '\0'),
+                                         "\xFF",       "&#0;",
+                                         "<!--",       "<![CDATA["};
     const std::size_t at = below(text.size() + 1), length = below(std::min<std::size_t>(40, text.size() - at) + 1);
     switch (below(7)) {
       case 0: text.resize(at); break;
@@ -93,7 +109,8 @@ TEST(DamagedFiles, every_truncation_of_every_seed) {
 TEST(DamagedFiles, a_file_of_one_format_read_as_another) {
   for (const char* folder : {"read_poly", "read_wkt", "read_json", "read_svg"}) {
     for (const std::string& text : seeds_of(folder)) {
-      for (const RegionFormat format : kFormats) EXPECT_EQ(fuzz::check_reader(text, format), "") << folder << extension(format);
+      for (const RegionFormat format : kFormats)
+        EXPECT_EQ(fuzz::check_reader(text, format), "") << folder << extension(format);
     }
   }
 }

@@ -50,7 +50,8 @@ TEST(NumberText, a_number_ends_where_it_ends) {
   EXPECT_EQ(scan_number("7e").length, 1u);
   EXPECT_EQ(scan_number("+2 ").length, 2u);
   EXPECT_EQ(scan_number("0x10").length, 1u);
-  for (const char* none : {"", "x", "+", "-", ".", "+-1", "++1", "+inf", " 1"}) EXPECT_EQ(scan_number(none).length, 0u) << none;
+  for (const char* none : {"", "x", "+", "-", ".", "+-1", "++1", "+inf", " 1"})
+    EXPECT_EQ(scan_number(none).length, 0u) << none;
 }
 
 TEST(NumberText, past_the_double_range_is_infinite_and_below_it_is_zero) {

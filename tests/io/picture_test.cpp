@@ -88,7 +88,8 @@ TEST(Pictures, a_region_is_drawn_inside_its_canvas_with_y_up) {
 }
 
 TEST(Pictures, empty_and_flat_regions_have_pictures) {
-  for (const RegionData& data : {RegionData{}, RegionData{{}, {}, {{1, 2}}}, RegionData{{}, {{{0, 0}, {0, 5}}}, {}}, RegionData{{}, {{{-1e308, 0}, {1e308, 0}}}, {}}}) {
+  for (const RegionData& data : {RegionData{}, RegionData{{}, {}, {{1, 2}}}, RegionData{{}, {{{0, 0}, {0, 5}}}, {}},
+                                 RegionData{{}, {{{-1e308, 0}, {1e308, 0}}}, {}}}) {
     const auto region = Region::create(data);
     ASSERT_TRUE(region.ok());
     const std::string svg = draw_region(*region);
@@ -133,7 +134,8 @@ TEST(Pictures, a_trace_has_a_panel_for_every_stage) {
   const std::string svg = draw_trace(p, p, sum);
   const auto document = parse(svg);
   EXPECT_EQ(occurrences(svg, "font-weight=\"600\""), 6u);
-  for (const char* words : {"3 segments: 1 edges of P (amber), 2 edges of Q (green)", "1 run of cells", "1 crossing between", "1 kept (blue), 1 dropped (grey)"}) {
+  for (const char* words : {"3 segments: 1 edges of P (amber), 2 edges of Q (green)", "1 run of cells",
+                            "1 crossing between", "1 kept (blue), 1 dropped (grey)"}) {
     EXPECT_NE(svg.find(words), std::string::npos) << words;
   }
 }
@@ -173,7 +175,8 @@ TEST(SumJson, holds_positions_and_provenance) {
 
 TEST(SumJson, of_the_empty_sum) {
   const auto json = nlohmann::json::parse(sum_to_json(PlanarSum{}));
-  for (const char* key : {"parts", "segments", "points", "tight_segments", "tight_points"}) EXPECT_TRUE(json.at(key).empty()) << key;
+  for (const char* key : {"parts", "segments", "points", "tight_segments", "tight_points"})
+    EXPECT_TRUE(json.at(key).empty()) << key;
 }
 
 }  // namespace

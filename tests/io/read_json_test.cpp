@@ -12,15 +12,18 @@ Evidence refused(std::string_view text, Code code, std::int64_t line, std::strin
 
 TEST(ReadGeoJson, a_polygon_loses_its_closing_vertices_and_gets_its_orientation) {
   const char* text = R"({"type":"Polygon","coordinates":[[[0,0],[0,4],[4,0],[0,0]],[[1,1],[2,1],[1,2],[1,1]]]})";
-  EXPECT_EQ(read_one(text, kGeoJson).parts, (std::vector<Part>{{{{0, 0}, {4, 0}, {0, 4}}, {{{1, 1}, {1, 2}, {2, 1}}}}}));
+  EXPECT_EQ(read_one(text, kGeoJson).parts,
+            (std::vector<Part>{{{{0, 0}, {4, 0}, {0, 4}}, {{{1, 1}, {1, 2}, {2, 1}}}}}));
 }
 
 TEST(ReadGeoJson, every_kind_of_geometry) {
   const RegionData data = read_one(
       R"({"type":"GeometryCollection","geometries":[
       {"type":"Point","coordinates":[1,2]}, {"type":"MultiPoint","coordinates":[[3,4],[5,6]]},
-      {"coordinates":[[0,0],[1,1.5]],"type":"LineString"}, {"type":"MultiLineString","coordinates":[[[7,7],[8,8]],[[9,9],[1e1,10]]]},
-      {"type":"MultiPolygon","coordinates":[[[[0,0],[1,0],[0,1],[0,0]]],[[[5,5],[6,5],[5,6],[5,5]]]]}, {"type":"Polygon","coordinates":[]}]})",
+      {"coordinates":[[0,0],[1,1.5]],"type":"LineString"},
+      {"type":"MultiLineString","coordinates":[[[7,7],[8,8]],[[9,9],[1e1,10]]]},
+      {"type":"MultiPolygon","coordinates":[[[[0,0],[1,0],[0,1],[0,0]]],[[[5,5],[6,5],[5,6],[5,5]]]]},
+      {"type":"Polygon","coordinates":[]}]})",
       kGeoJson);
   const RegionData expected{{{{{0, 0}, {1, 0}, {0, 1}}, {}}, {{{5, 5}, {6, 5}, {5, 6}}, {}}},
                             {{{0, 0}, {1, 1.5}}, {{7, 7}, {8, 8}}, {{9, 9}, {10, 10}}},
@@ -48,21 +51,25 @@ TEST(ReadGeoJson, refuses_what_does_not_follow_the_format) {
   refused("{\"type\":\n7}", Code::malformed, 2, "'type' as a string");
   refused("{\"type\":\"Polygon\"}", Code::malformed, 1, "no 'coordinates'");
   refused("{\"type\":\"Polygon\",\"coordinates\":[\n[[0,0],[1,0],[0,1]]]}", Code::malformed, 2, "not closed");
-  refused("{\"type\":\"Polygon\",\"coordinates\":[\n[[0,0],[1,0],\n[0,1,5],[0,0]]]}", Code::malformed, 3, "two numbers");
+  refused("{\"type\":\"Polygon\",\"coordinates\":[\n[[0,0],[1,0],\n[0,1,5],[0,0]]]}", Code::malformed, 3,
+          "two numbers");
   refused("{\"type\":\"LineString\",\"coordinates\":[[0,0],\n\n[1,\"0\"]]}", Code::malformed, 3, "two numbers");
   refused("{\"type\":\"LineString\",\"coordinates\":[0,0]}", Code::malformed, 1, "array of positions");
   refused("{\"type\":\"Feature\",\"properties\":{}}", Code::malformed, 1, "no 'geometry'");
-  refused("{\"type\":\"FeatureCollection\",\"features\":[\n{\"type\":\"Point\",\"coordinates\":[1,2]}]}", Code::malformed, 2, "expected a Feature");
+  refused("{\"type\":\"FeatureCollection\",\"features\":[\n{\"type\":\"Point\",\"coordinates\":[1,2]}]}",
+          Code::malformed, 2, "expected a Feature");
 }
 
 TEST(ReadNesting, items_are_shapes_named_by_id_and_kept_as_they_are) {
   const auto shapes = read_all(
       R"({"name":"n","items":[
       {"id":3,"demand":1,"shape":{"type":"simple_polygon","data":[[0,0],[0,3],[3,3],[3,3],[0,0]]}},
-      {"id":"frame","shape":{"type":"polygon","data":{"outer":[[0,0],[4,0],[4,4],[0,4]],"inner":[[[1,1],[2,1],[1,2]]]}}},
+      {"id":"frame","shape":{"type":"polygon","data":{"outer":[[0,0],[4,0],[4,4],[0,4]],
+      "inner":[[[1,1],[2,1],[1,2]]]}}},
       {"shape":{"type":"polygon","outer":[[0,0],[4,0],[4,4]]}},
       {"id":4,"shape":{"type":"rectangle","data":{"x_min":1,"y_min":2,"width":3,"height":4}}},
-      {"id":5,"shape":{"type":"multi_polygon","data":[{"outer":[[0,0],[1,0],[0,1]],"inner":null},{"outer":[[5,5],[6,5],[5,6]]}]}}]})",
+      {"id":5,"shape":{"type":"multi_polygon","data":[{"outer":[[0,0],[1,0],[0,1]],"inner":null},
+      {"outer":[[5,5],[6,5],[5,6]]}]}}]})",
       kJson);
   ASSERT_EQ(shapes.size(), 5u);
   EXPECT_EQ(shapes[0].name, "3");
@@ -76,7 +83,8 @@ TEST(ReadNesting, items_are_shapes_named_by_id_and_kept_as_they_are) {
 }
 
 TEST(ReadNesting, duplicate_vertices_and_clockwise_rings_are_left_to_repair) {
-  const RegionData data = read_one(R"({"items":[{"shape":{"type":"simple_polygon","data":[[0,0],[0,3],[3,3],[3,3],[0,0]]}}]})", kJson);
+  const RegionData data =
+      read_one(R"({"items":[{"shape":{"type":"simple_polygon","data":[[0,0],[0,3],[3,3],[3,3],[0,0]]}}]})", kJson);
   EXPECT_FALSE(Region::create(data).ok());
   const auto repaired = repair(data);
   ASSERT_TRUE(repaired.ok());
@@ -89,12 +97,18 @@ TEST(ReadNesting, refuses_what_does_not_follow_the_format) {
   refused("{\"name\":\"x\"}", Code::malformed, 1, "'items'");
   refused("{\"items\":\n7}", Code::malformed, 2, "array of items");
   refused("{\"items\":[\n\n{\"id\":1}]}", Code::malformed, 3, "no 'shape'");
-  refused("{\"items\":[\n{\"shape\":\n{\"type\":\"spline\",\"data\":[]}}]}", Code::malformed, 3, "unknown shape type 'spline'");
-  refused("{\"items\":[{\"shape\":{\"type\":\"simple_polygon\",\"data\":[\n[0,0],\n[1]]}}]}", Code::malformed, 3, "two numbers");
-  refused("{\"items\":[{\"shape\":{\"type\":\"rectangle\",\"data\":{\"x_min\":0,\"y_min\":\"0\",\"width\":1,\"height\":1}}}]}",
-          Code::malformed, 1, "a number as 'y_min'");
-  refused("{\"items\":[{\"shape\":{\"type\":\"rectangle\",\"data\":{\"x_min\":1e308,\"y_min\":0,\"width\":1e308,\"height\":1}}}]}",
-          Code::not_finite, 1, "double range");
+  refused("{\"items\":[\n{\"shape\":\n{\"type\":\"spline\",\"data\":[]}}]}", Code::malformed, 3,
+          "unknown shape type 'spline'");
+  refused("{\"items\":[{\"shape\":{\"type\":\"simple_polygon\",\"data\":[\n[0,0],\n[1]]}}]}", Code::malformed, 3,
+          "two numbers");
+  refused(
+      "{\"items\":[{\"shape\":{\"type\":\"rectangle\",\"data\":{\"x_min\":0,\"y_min\":\"0\",\"width\":1,\"height\":1}}}"
+      "]}",
+      Code::malformed, 1, "a number as 'y_min'");
+  refused(
+      "{\"items\":[{\"shape\":{\"type\":\"rectangle\",\"data\":{\"x_min\":1e308,\"y_min\":0,\"width\":1e308,\"height\":"
+      "1}}}]}",
+      Code::not_finite, 1, "double range");
 }
 
 TEST(ReadJson, broken_text_is_refused_at_its_line) {

@@ -31,7 +31,10 @@ TEST(ReadPoly, glued_numbers_split_at_the_second_decimal_point) {
 
 TEST(ReadPoly, comments_blank_lines_tabs_and_carriage_returns_are_skipped) {
   const RegionData plain = read_one("1\n3 out\n0 0\n1 0\n0 1\n1 2 3\n", kPoly);
-  EXPECT_EQ(read_one("# head\r\n\r\n1 # one\r\n\t3   out#kind\r\n0\t0\r\n1 0 # x y\r\n  0 1\r\n#c\r\n1 2 3 #end\r\n\r\n", kPoly), plain);
+  EXPECT_EQ(
+      read_one("# head\r\n\r\n1 # one\r\n\t3   out#kind\r\n0\t0\r\n1 0 # x y\r\n  0 1\r\n#c\r\n1 2 3 #end\r\n\r\n",
+               kPoly),
+      plain);
   EXPECT_EQ(read_one("\xEF\xBB\xBF"
                      "1 3 out 0 0 1 0 0 1",
                      kPoly),

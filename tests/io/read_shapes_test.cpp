@@ -62,7 +62,10 @@ TEST(ReadShapes, one_shape_is_selected_by_name_or_place) {
 TEST(ReadShapes, a_selection_must_name_one_shape) {
   const Folder folder("select");
   save(folder / "two.json", kTwoItems);
-  save(folder / "same.json", R"({"items":[{"id":1,"shape":{"type":"multi_polygon","data":[]}},{"id":1,"shape":{"type":"multi_polygon","data":[]}}]})");
+  save(
+      folder / "same.json",
+      R"({"items":[{"id":1,"shape":{"type":"multi_polygon","data":[]}},
+                 {"id":1,"shape":{"type":"multi_polygon","data":[]}}]})");
   save(folder / "none.json", R"({"items":[]})");
   const Error several = error_of(folder / "two.json");
   EXPECT_EQ(several.code, Code::malformed);
@@ -105,7 +108,9 @@ TEST(ReadShapes, errors_name_the_file_as_it_was_given) {
 
 TEST(ReadShapes, long_lists_in_every_text_format) {
   for (const RegionFormat format : {RegionFormat::poly, RegionFormat::wkt, RegionFormat::geojson, RegionFormat::json}) {
-    std::string text = format == RegionFormat::poly ? "1\n200000 points\n" : format == RegionFormat::wkt ? "MULTIPOINT (" : R"({"type":"MultiPoint","coordinates":[)";
+    std::string text = format == RegionFormat::poly  ? "1\n200000 points\n"
+                       : format == RegionFormat::wkt ? "MULTIPOINT ("
+                                                     : R"({"type":"MultiPoint","coordinates":[)";
     const bool json = format == RegionFormat::geojson || format == RegionFormat::json;
     for (int k = 0; k < 200000; ++k) {
       const std::string x = std::to_string(k), y = std::to_string(-k);

@@ -3,7 +3,9 @@
 namespace dymsum::io_test {
 namespace {
 
-std::string svg(const std::string& body) { return "<svg xmlns=\"http://www.w3.org/2000/svg\">\n" + body + "\n</svg>\n"; }
+std::string svg(const std::string& body) {
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\">\n" + body + "\n</svg>\n";
+}
 
 RegionData read(const std::string& body) { return read_one(svg(body), RegionFormat::svg); }
 
@@ -35,13 +37,14 @@ TEST(ReadSvg, a_new_subpath_starts_where_the_last_one_closed) {
 }
 
 TEST(ReadSvg, open_subpaths_polylines_and_lines_are_polylines) {
-  const RegionData data = read("<path d='M0 0L1 1M2 2'/><polyline points='0,0 1,0 1,1'/><line x1='1' y1='2' x2='3px'/>");
+  const RegionData data =
+      read("<path d='M0 0L1 1M2 2'/><polyline points='0,0 1,0 1,1'/><line x1='1' y1='2' x2='3px'/>");
   EXPECT_EQ(data, (RegionData{{}, {{{0, 0}, {1, 1}}, {{0, 0}, {1, 0}, {1, 1}}, {{1, 2}, {3, 0}}}, {}}));
 }
 
 TEST(ReadSvg, subpaths_nest_even_odd_whatever_their_orientation) {
-  const RegionData data = read(
-      "<path d='M2 2L2 8L8 8L8 2Z M0 0L0 10L10 10L10 0Z M4 4L6 4L6 6L4 6Z M20 0L21 0L20 1Z M1 1L1.5 1L1 1.5Z'/>");
+  const RegionData data =
+      read("<path d='M2 2L2 8L8 8L8 2Z M0 0L0 10L10 10L10 0Z M4 4L6 4L6 6L4 6Z M20 0L21 0L20 1Z M1 1L1.5 1L1 1.5Z'/>");
   const std::vector<Part> expected = {
       {{{0, 0}, {10, 0}, {10, 10}, {0, 10}}, {{{2, 2}, {2, 8}, {8, 8}, {8, 2}}, {{1, 1}, {1, 1.5}, {1.5, 1}}}},
       {{{4, 4}, {6, 4}, {6, 6}, {4, 6}}, {}},
@@ -59,8 +62,10 @@ TEST(ReadSvg, shapes_of_different_elements_do_not_nest) {
 TEST(ReadSvg, transforms_apply_from_the_outside_in) {
   EXPECT_EQ(ring_of("<g transform='translate(10 20)'><g transform='scale(2)'><polygon points='0,0 1,0 0,1'/></g></g>"),
             (Ring{{10, 20}, {12, 20}, {10, 22}}));
-  EXPECT_EQ(ring_of("<polygon transform='scale(2, 4), translate(1)' points='0,0 1,0 0,1'/>"), (Ring{{2, 0}, {4, 0}, {2, 4}}));
-  EXPECT_EQ(ring_of("<polygon transform='matrix(0 1 -1 0 5 6)' points='0,0 1,0 0,1'/>"), (Ring{{5, 6}, {5, 7}, {4, 6}}));
+  EXPECT_EQ(ring_of("<polygon transform='scale(2, 4), translate(1)' points='0,0 1,0 0,1'/>"),
+            (Ring{{2, 0}, {4, 0}, {2, 4}}));
+  EXPECT_EQ(ring_of("<polygon transform='matrix(0 1 -1 0 5 6)' points='0,0 1,0 0,1'/>"),
+            (Ring{{5, 6}, {5, 7}, {4, 6}}));
   // a reflection: the ring is oriented afterwards
   EXPECT_EQ(ring_of("<polygon transform='scale(1 -1)' points='0,0 1,0 0,1'/>"), (Ring{{0, 0}, {0, -1}, {1, 0}}));
   const RegionData data = read("<g transform='translate(1)'><g/></g><line x2='1'/>");
@@ -68,14 +73,16 @@ TEST(ReadSvg, transforms_apply_from_the_outside_in) {
 }
 
 TEST(ReadSvg, what_is_not_drawn_is_not_read) {
-  EXPECT_EQ(read("<title>M0 0</title><defs><path d='M0 0C1 1 2 2 3 3'/></defs><clipPath><rect width='1' height='1'/></clipPath><!-- <rect/> -->"),
+  EXPECT_EQ(read("<title>M0 0</title><defs><path d='M0 0C1 1 2 2 3 3'/></defs><clipPath><rect width='1' "
+                 "height='1'/></clipPath><!-- <rect/> -->"),
             RegionData{});
 }
 
 TEST(ReadSvg, marked_files_read_back_without_their_transforms) {
   const RegionData data = read_one(
       "<svg data-dymsum='region'><rect width='9' height='9'/><g transform='matrix(2 0 0 -2 9 9)'>"
-      "<path data-dymsum='part' d='M0 0L0 4L4 0ZM1 1L2 1L1 2Z'/><path data-dymsum='polylines' d='M0 0L1 1L0 0M2 2L3 3'/>"
+      "<path data-dymsum='part' d='M0 0L0 4L4 0ZM1 1L2 1L1 2Z'/><path data-dymsum='polylines' d='M0 0L1 1L0 0M2 2L3 "
+      "3'/>"
       "<path data-dymsum='points' d='M5 5h0M6 6h0'/></g><path d='M0 0C1 1 2 2 3 3'/></svg>",
       RegionFormat::svg);
   EXPECT_EQ(data, (RegionData{{{{{0, 0}, {0, 4}, {4, 0}}, {{{1, 1}, {2, 1}, {1, 2}}}}},
@@ -110,8 +117,10 @@ TEST(ReadSvg, refuses_what_does_not_follow_the_format) {
   expect_refused("<html>\n</html>", RegionFormat::svg, Code::malformed, 1, "not svg");
   expect_refused("<svg>\n<g>\n</svg>", RegionFormat::svg, Code::malformed, 3, "XML");
   expect_refused("<svg data-dymsum='trace'/>", RegionFormat::svg, Code::malformed, 1, "stages");
-  expect_refused("<svg data-dymsum='region'>\n<path data-dymsum='part' d='M0 0L1 0'/></svg>", RegionFormat::svg, Code::malformed, 2, "not closed");
-  expect_refused("<svg data-dymsum='region'>\n<path data-dymsum='whole' d='M0 0L1 0'/></svg>", RegionFormat::svg, Code::malformed, 2, "'whole'");
+  expect_refused("<svg data-dymsum='region'>\n<path data-dymsum='part' d='M0 0L1 0'/></svg>", RegionFormat::svg,
+                 Code::malformed, 2, "not closed");
+  expect_refused("<svg data-dymsum='region'>\n<path data-dymsum='whole' d='M0 0L1 0'/></svg>", RegionFormat::svg,
+                 Code::malformed, 2, "'whole'");
 }
 
 TEST(ReadSvg, coordinates_must_be_finite) {

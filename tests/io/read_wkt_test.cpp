@@ -43,7 +43,8 @@ TEST(ReadWkt, every_kind_of_geometry) {
 }
 
 TEST(ReadWkt, empty_geometries) {
-  for (const char* kind : {"POINT", "LINESTRING", "POLYGON", "MULTIPOINT", "MULTILINESTRING", "MULTIPOLYGON", "GEOMETRYCOLLECTION"}) {
+  for (const char* kind :
+       {"POINT", "LINESTRING", "POLYGON", "MULTIPOINT", "MULTILINESTRING", "MULTIPOLYGON", "GEOMETRYCOLLECTION"}) {
     EXPECT_EQ(read_one(std::string(kind) + " EMPTY", kWkt), RegionData{}) << kind;
   }
 }

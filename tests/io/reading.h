@@ -16,8 +16,8 @@
 
 namespace dymsum::io_test {
 
-inline constexpr RegionFormat kFormats[] = {RegionFormat::poly, RegionFormat::wkt, RegionFormat::geojson, RegionFormat::svg,
-                                            RegionFormat::json};
+inline constexpr RegionFormat kFormats[] = {RegionFormat::poly, RegionFormat::wkt, RegionFormat::geojson,
+                                            RegionFormat::svg, RegionFormat::json};
 
 inline std::string_view extension(RegionFormat format) {
   constexpr std::string_view kNames[] = {".poly", ".wkt", ".geojson", ".svg", ".json"};
@@ -42,8 +42,10 @@ inline RegionData read_one(std::string_view text, RegionFormat format) {
   return std::move(shapes[0].data);
 }
 
-/// The reader refuses the text with this code, at this line, and a sentence that contains `words`. Returns the evidence.
-inline Evidence expect_refused(std::string_view text, RegionFormat format, Code code, std::int64_t line, std::string_view words) {
+/// The reader refuses the text with this code, at this line, and a sentence that contains `words`. Returns the
+/// evidence.
+inline Evidence expect_refused(std::string_view text, RegionFormat format, Code code, std::int64_t line,
+                               std::string_view words) {
   const auto shapes = parse_shapes(text, format, "dir/test.file");
   if (shapes) {
     ADD_FAILURE() << "accepted:\n" << text.substr(0, 400);
@@ -61,8 +63,8 @@ inline Evidence expect_refused(std::string_view text, RegionFormat format, Code 
 class Folder {
  public:
   explicit Folder(const std::string& name)
-      : path_(std::filesystem::temp_directory_path() / ("dymsum-" + name + "-" + std::to_string(::getpid()) +
-                                                        "-" + std::to_string(reinterpret_cast<std::uintptr_t>(this)))) {
+      : path_(std::filesystem::temp_directory_path() / ("dymsum-" + name + "-" + std::to_string(::getpid()) + "-" +
+                                                        std::to_string(reinterpret_cast<std::uintptr_t>(this)))) {
     std::filesystem::remove_all(path_);
     std::filesystem::create_directories(path_);
   }

@@ -38,10 +38,11 @@ TEST_F(RealFiles, every_polygon_is_a_valid_region_of_its_known_size) {
   struct Size {
     std::size_t vertices, holes;
   };
-  const std::map<std::string, Size> known = {{"beetle", {1285, 0}}, {"bird", {275, 0}},       {"dog", {145, 0}},     {"dragon", {62, 0}},
-                                             {"egg", {64, 0}},      {"fisheye", {816, 3}},    {"hole3", {496, 3}},   {"mammoth", {403, 0}},
-                                             {"monkey", {1204, 0}}, {"neuron", {1815, 18}},   {"star", {44, 0}},     {"star5", {2560, 0}},
-                                             {"texas", {139, 0}},   {"torus1", {96, 1}},      {"torus2", {80, 1}},   {"wierd1", {100, 0}}};
+  const std::map<std::string, Size> known = {
+      {"beetle", {1285, 0}}, {"bird", {275, 0}},     {"dog", {145, 0}},   {"dragon", {62, 0}},
+      {"egg", {64, 0}},      {"fisheye", {816, 3}},  {"hole3", {496, 3}}, {"mammoth", {403, 0}},
+      {"monkey", {1204, 0}}, {"neuron", {1815, 18}}, {"star", {44, 0}},   {"star5", {2560, 0}},
+      {"texas", {139, 0}},   {"torus1", {96, 1}},    {"torus2", {80, 1}}, {"wierd1", {100, 0}}};
   for (const auto& [file, size] : known) {
     const auto region = Region::create(read("planar/" + file + ".poly"));
     ASSERT_TRUE(region.ok()) << file << ": " << region.error().to_string();

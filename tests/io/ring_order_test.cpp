@@ -27,7 +27,8 @@ TEST(RingOrder, a_sliver_thinner_than_rounding_has_its_exact_sign) {
   EXPECT_EQ(ring_sign({{-x, -x}, {x, x + step}, {x, x}}), -1);
 }
 
-// Two lobes that touch at the leftmost vertex: the ring passes there twice, and only the lowest ray tells its orientation.
+// Two lobes that touch at the leftmost vertex: the ring passes there twice, and only the lowest ray tells its
+// orientation.
 TEST(RingOrder, a_ring_that_touches_itself_at_its_leftmost_vertex) {
   const Ring ring = {{0, 0}, {3, -3}, {3, -1}, {0, 0}, {3, 1}, {3, 3}};
   EXPECT_EQ(ring_sign(ring), 1);
@@ -54,7 +55,9 @@ TEST(RingOrder, a_diamond_that_touches_its_square_with_every_vertex_is_a_hole) {
   const Ring diamond = {{2, 0}, {4, 2}, {2, 4}, {0, 2}};
   for (const bool diamond_first : {true, false}) {
     std::vector<Part> parts;
-    ASSERT_TRUE(nest_rings(diamond_first ? std::vector<Ring>{diamond, square(0, 0, 4)} : std::vector<Ring>{square(0, 0, 4), diamond}, parts));
+    ASSERT_TRUE(nest_rings(
+        diamond_first ? std::vector<Ring>{diamond, square(0, 0, 4)} : std::vector<Ring>{square(0, 0, 4), diamond},
+        parts));
     ASSERT_EQ(parts.size(), 1u);
     EXPECT_EQ(parts[0].outer, square(0, 0, 4));
     EXPECT_EQ(parts[0].holes, (std::vector<Ring>{{{2, 0}, {0, 2}, {2, 4}, {4, 2}}}));

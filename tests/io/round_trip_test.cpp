@@ -71,7 +71,8 @@ class RandomData {
 };
 
 TEST(RoundTrip, random_regions_with_any_coordinates) {
-  for (std::uint64_t seed = 1; seed <= 400; ++seed) expect_round_trip(RandomData(seed).next(), "seed " + std::to_string(seed));
+  for (std::uint64_t seed = 1; seed <= 400; ++seed)
+    expect_round_trip(RandomData(seed).next(), "seed " + std::to_string(seed));
 }
 
 TEST(RoundTrip, nothing_and_the_smallest_things) {
@@ -86,7 +87,8 @@ TEST(RoundTrip, generated_regions_with_holes) {
   expect_round_trip(shapes::grate(6, 2, 0.7, 9).data(), "grate");
   expect_round_trip(shapes::pockets(7, 1).data(), "pockets");
   expect_round_trip(shapes::disc(97, 1.0 / 3).data(), "disc");
-  for (std::uint64_t seed = 1; seed <= 5; ++seed) expect_round_trip(shapes::random_polygon(120, 4, seed).data(), "random polygon");
+  for (std::uint64_t seed = 1; seed <= 5; ++seed)
+    expect_round_trip(shapes::random_polygon(120, 4, seed).data(), "random polygon");
 }
 
 TEST(RoundTrip, through_the_public_functions) {
