@@ -60,6 +60,9 @@ class Region {
   const std::vector<Polyline>& polylines() const { return data_.polylines; }
   const std::vector<Point>& points() const { return data_.points; }
 
+  /// Points at which rings touch themselves or each other, sorted; usually none.
+  const std::vector<Point>& touching_points() const { return touching_points_; }
+
   bool empty() const;
   std::size_t vertex_count() const;
   std::size_t hole_count() const;
@@ -75,6 +78,7 @@ class Region {
  private:
   friend class TrustedRegion;  // internal: makes regions that are known to be valid
   RegionData data_;
+  std::vector<Point> touching_points_;
 };
 
 /// What repair changed, in numbers and in words.

@@ -196,7 +196,7 @@ std::vector<BoundaryLoop> simple_rings(const Soup& soup, const Arrangement& arra
 Contact contact_of(const Soup& soup, std::uint32_t segment) {
   const SoupSegment& g = soup.segments[segment];
   const std::uint32_t edge = soup.operands[g.side()]->edge_number[g.edge()];
-  const std::uint32_t vertex = soup.operands[1 - g.side()]->source[g.vertex];
+  const std::uint32_t vertex = soup.operands[1 - g.side()]->vertex_number[g.vertex];
   return g.side() == 0 ? Contact{Contact::Kind::edge_of_p, edge, vertex} : Contact{Contact::Kind::edge_of_q, vertex, edge};
 }
 
@@ -205,9 +205,8 @@ SumVertex vertex_of(const Soup& soup, std::uint32_t in, std::uint32_t out, const
   v.in = contact_of(soup, in);
   v.out = contact_of(soup, out);
   if (end.pair) {
-    const Pair corner = soup.exact(end.at);
-    v.corner_p = corner.p;
-    v.corner_q = corner.q;
+    v.corner_p = soup.operands[0]->vertex_number[end.at.p];
+    v.corner_q = soup.operands[1]->vertex_number[end.at.q];
   }
   v.at = soup.lattice.to_input(place.x, place.y);
   return v;

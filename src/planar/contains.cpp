@@ -19,9 +19,9 @@ struct Query {
   Pair z;
 };
 
-Query make_query(const RegionData& p, const RegionData& q, Point z) {
+Query make_query(const EngineRegion& p, const EngineRegion& q, Point z) {
   Query query;
-  std::vector<Point> vp = source_vertices(p), vq = source_vertices(q);
+  std::vector<Point> vp = source_vertices(p.data), vq = source_vertices(q.data);
   query.z = {static_cast<std::uint32_t>(vp.size()), static_cast<std::uint32_t>(vq.size())};
   vp.push_back(z);
   vq.push_back({0, 0});
@@ -91,7 +91,7 @@ bool boundaries_meet(const Query& query, const Component& cp, const Component& c
 
 bool contains(const Region& p, const Region& q, Point z, Semantics semantics) {
   if (p.empty() || q.empty() || !std::isfinite(z.x) || !std::isfinite(z.y)) return false;
-  const Query query = make_query(p.data(), q.data(), z);
+  const Query query = make_query(separate_touching(p.data(), p.touching_points()), separate_touching(q.data(), q.touching_points()), z);
   if (semantics != Semantics::open)
     for (const Component& cp : query.p.components)
       for (const Component& cq : query.q.components)

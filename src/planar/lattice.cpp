@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <type_traits>
 
 #include "exact/grid.h"
@@ -117,14 +118,20 @@ class LatticeOf final : public Lattice {
     return exponent_ >= 0 ? BigRational(power) : BigRational(boost::multiprecision::cpp_int(1), power);
   }
 
-  // Coordinates are recovered from the inputs when a filter has failed: a few operations, and no second copy of the operands.
   Vec at(std::uint32_t op, std::uint32_t i) const {
     if constexpr (std::is_same_v<C, exact::Int<29>>) {
       // Up to 53 bits the doubles are the integers.
       return {C::from_int64(static_cast<std::int64_t>(x[op][i])), C::from_int64(static_cast<std::int64_t>(y[op][i]))};
     }
-    const Point& v = input[op][i];
-    return {exact::grid_coordinate<C>(v.x, offset[op].x, exponent_), exact::grid_coordinate<C>(v.y, offset[op].y, exponent_)};
+    std::call_once(filled_, [this] { fill(); });
+    return integers_[op][i];
+  }
+  // Integers are made when a filter has failed for the first time; most problems never ask.
+  void fill() const {
+    for (int op = 0; op < 2; ++op)
+      for (const Point& v : input[op])
+        integers_[op].push_back({exact::grid_coordinate<C>(v.x, offset[op].x, exponent_),
+                                 exact::grid_coordinate<C>(v.y, offset[op].y, exponent_)});
   }
   struct SumVec {
     decltype(C{} + C{}) x, y;
@@ -192,6 +199,8 @@ class LatticeOf final : public Lattice {
   }
 
   int exponent_;
+  mutable std::once_flag filled_;
+  mutable std::array<std::vector<Vec>, 2> integers_;
 };
 
 }  // namespace

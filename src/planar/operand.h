@@ -8,6 +8,7 @@
 
 #include "dymsum/region.h"
 #include "planar/lattice.h"
+#include "planar/separate_touching.h"
 
 namespace dymsum::planar {
 
@@ -34,7 +35,8 @@ struct Operand {
   std::uint32_t op = 0;
   std::vector<std::uint32_t> source;       ///< walk vertex -> source vertex
   std::vector<std::uint32_t> next, prev;   ///< walk vertex -> walk vertex
-  std::vector<std::uint32_t> edge_number;  ///< walk edge -> edge number in the region
+  std::vector<std::uint32_t> vertex_number;  ///< walk vertex -> vertex number in the region
+  std::vector<std::uint32_t> edge_number;    ///< walk edge -> edge number in the region
   std::vector<std::uint8_t> convex;        ///< strictly convex, tip of a spike, or a point: it can touch with its vertex
   std::vector<double> ex, ey;              ///< walk edge vectors
   std::vector<Loop> loops;
@@ -48,6 +50,6 @@ struct Operand {
 std::vector<Point> source_vertices(const RegionData& region);
 
 /// Walks and components of operand `op` whose source vertices `lattice` holds.
-Operand make_operand(const RegionData& region, std::uint32_t op, const Lattice& lattice);
+Operand make_operand(const EngineRegion& region, std::uint32_t op, const Lattice& lattice);
 
 }  // namespace dymsum::planar

@@ -94,7 +94,7 @@ Region Region::canonical() const {
   for (const Point p : data_.points) result.points.push_back({p.x + 0.0, p.y + 0.0});
   std::sort(result.points.begin(), result.points.end(), less);
   result.points.erase(std::unique(result.points.begin(), result.points.end()), result.points.end());
-  return planar::trusted_region(std::move(result));
+  return planar::trusted_region(std::move(result), touching_points_);
 }
 
 bool operator==(const Region& a, const Region& b) {

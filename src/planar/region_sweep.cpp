@@ -110,7 +110,10 @@ void RingSweep::visit(std::span<const std::uint32_t> vertices) {
   collect_rays_right(vertices);
   collect_rays_left(p);
   if (!sort_rays_right(p)) return;
-  if (right_.size() + left_.size() > 2 && strands_interleave(p)) return;
+  if (right_.size() + left_.size() > 2) {
+    if (strands_interleave(p)) return;
+    layout_.touching_points.push_back(p);
+  }
   place_new_rings();
   update_status();
 }

@@ -45,6 +45,7 @@ struct RingPlace {
 struct RingLayout {
   std::optional<RingClash> clash;  ///< the first one that the sweep notices; `rings` then tells nothing
   std::vector<RingPlace> rings;
+  std::vector<Point> touching_points;  ///< where several strands meet, lexicographically
 };
 
 /// Rings that do not cross and do not run along themselves or each other can be pulled apart, by as little as one

@@ -33,7 +33,9 @@ Region negated(const Region& region) {
   RegionData data = region.data();
   // Half a turn keeps orientations. Subtracting from zero leaves no negative zeros.
   map_region(data, [](Point p) { return Point{0 - p.x, 0 - p.y}; }, false);
-  return planar::trusted_region(std::move(data));
+  std::vector<Point> touching(region.touching_points().rbegin(), region.touching_points().rend());
+  for (Point& p : touching) p = {0 - p.x, 0 - p.y};
+  return planar::trusted_region(std::move(data), std::move(touching));
 }
 
 Result<Region> translated(const Region& region, double dx, double dy) {

@@ -12,21 +12,25 @@ namespace dymsum {
 /// Internal: makes regions without validation.
 class TrustedRegion {
  public:
-  static Region make(RegionData data) {
+  static Region make(RegionData data, std::vector<Point> touching_points) {
     Region region;
     region.data_ = std::move(data);
+    region.touching_points_ = std::move(touching_points);
     return region;
   }
 };
 
 Result<Region> Region::create(RegionData data) {
-  if (std::optional<Error> error = planar::validate(data)) return *std::move(error);
-  return planar::trusted_region(std::move(data));
+  planar::Validation checked = planar::validate(data);
+  if (checked.error) return *std::move(checked.error);
+  return planar::trusted_region(std::move(data), std::move(checked.touching_points));
 }
 
 namespace planar {
 
-Region trusted_region(RegionData data) { return TrustedRegion::make(std::move(data)); }
+Region trusted_region(RegionData data, std::vector<Point> touching_points) {
+  return TrustedRegion::make(std::move(data), std::move(touching_points));
+}
 
 namespace {
 
@@ -140,6 +144,8 @@ class LayoutCheck {
     return std::nullopt;
   }
 
+  const std::vector<Point>& touching_points() const { return layout_.touching_points; }
+
  private:
   void add_ring(const Ring& ring, std::size_t part) {
     rings_.add(ring);
@@ -226,10 +232,12 @@ std::optional<Error> check_finite(const RegionData& data) {
   return std::nullopt;
 }
 
-std::optional<Error> validate(const RegionData& data) {
-  if (auto error = check_finite(data)) return error;
-  if (auto error = check_chains(data, check_ring, check_polyline)) return error;
-  return LayoutCheck(data).run();
+Validation validate(const RegionData& data) {
+  if (auto error = check_finite(data)) return {std::move(error), {}};
+  if (auto error = check_chains(data, check_ring, check_polyline)) return {std::move(error), {}};
+  LayoutCheck layout(data);
+  if (auto error = layout.run()) return {std::move(error), {}};
+  return {std::nullopt, layout.touching_points()};
 }
 
 }  // namespace planar

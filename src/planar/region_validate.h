@@ -17,9 +17,13 @@ std::optional<Error> check_finite(const RegionData& data);
 /// rings the first is the misplaced one: the hole, or the part inside another one, and its vertex a lexicographically
 /// smallest one. Checks run in this order: coordinates; lengths, repeated vertices, area; crossings; orientation;
 /// nesting. Exact. O(n log n) for n vertices.
-std::optional<Error> validate(const RegionData& data);
+struct Validation {
+  std::optional<Error> error;
+  std::vector<Point> touching_points;  ///< of the rings; only without an error
+};
+Validation validate(const RegionData& data);
 
-/// Region made of data that are known to be valid, such as a reflected region.
-Region trusted_region(RegionData data);
+/// Region made of data that are known to be valid, such as a reflected region, with the points at which its rings touch.
+Region trusted_region(RegionData data, std::vector<Point> touching_points);
 
 }  // namespace dymsum::planar

@@ -158,14 +158,13 @@ void find_tight(const Soup& soup, const Arrangement& arrangement, Collision& col
   }
 }
 
-bool connected_sum(const RegionData& p, const RegionData& q, const Operand& op, const Operand& oq) {
-  (void)p;
-  (void)q;
+// One component each, at least one of them with interior: then the open sum is connected.
+bool connected_sum(const Operand& op, const Operand& oq) {
   return op.components.size() == 1 && oq.components.size() == 1 &&
          (op.components[0].dimension == 2 || oq.components[0].dimension == 2);
 }
 
-bool run_reduced(const RegionData& p, const RegionData& q, const SumOptions& options, SumState& state) {
+bool run_reduced(const SumOptions& options, SumState& state) {
   const Lattice& lattice = *state.lattice;
   const Operand &op = *state.p, &oq = *state.q;
   SumStats& stats = state.stats;
@@ -236,7 +235,7 @@ bool run_reduced(const RegionData& p, const RegionData& q, const SumOptions& opt
 
   Collision collision(lattice, op, oq, fast);
   collision.with_parallelograms = parallelograms;
-  const bool connected = fast && !parallelograms && connected_sum(p, q, op, oq);
+  const bool connected = fast && !parallelograms && connected_sum(op, oq);
   SortedLoops sorted = verify_loops(soup, arrangement, std::move(loops), collision, connected);
   if (state.trace) trace_stages(soup, mask ? &*mask : nullptr, arrangement, sorted, convolution, *state.trace);
   double grid_error = soup.point_error;
@@ -260,10 +259,10 @@ bool run_reduced(const RegionData& p, const RegionData& q, const SumOptions& opt
 
 }  // namespace
 
-Result<SumState> compute_boundary(const RegionData& p, const RegionData& q, const SumOptions& options) {
+Result<SumState> compute_boundary(const EngineRegion& p, const EngineRegion& q, const SumOptions& options) {
   SumState state;
   const auto start = std::chrono::steady_clock::now();
-  const std::vector<Point> vp = source_vertices(p), vq = source_vertices(q);
+  const std::vector<Point> vp = source_vertices(p.data), vq = source_vertices(q.data);
   std::unique_ptr<Lattice> lattice = make_lattice(vp, vq, options.min_tier_bits);
   state.p = std::make_unique<Operand>(make_operand(p, 0, *lattice));
   state.q = std::make_unique<Operand>(make_operand(q, 1, *lattice));
@@ -273,7 +272,7 @@ Result<SumState> compute_boundary(const RegionData& p, const RegionData& q, cons
       {"operands", std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count()});
   if (options.trace) state.trace.emplace();
   if (vp.empty() || vq.empty()) return state;
-  const bool done = options.engine == Engine::winding ? run_winding(options, state) : run_reduced(p, q, options, state);
+  const bool done = options.engine == Engine::winding ? run_winding(options, state) : run_reduced(options, state);
   if (!done) return cancelled();
   return state;
 }
@@ -283,17 +282,17 @@ void lower_dimensional_candidates(const Lattice& lattice, const Operand& p, cons
   const auto corner = [&](std::uint32_t i, std::uint32_t j, const Contact& line) {
     SumVertex v;
     v.in = v.out = line;
-    v.corner_p = p.source[i];
-    v.corner_q = q.source[j];
+    v.corner_p = p.vertex_number[i];
+    v.corner_q = q.vertex_number[j];
     v.at = lattice.to_input(lattice.x[0][p.source[i]] + lattice.x[1][q.source[j]],
                             lattice.y[0][p.source[i]] + lattice.y[1][q.source[j]]);
     return v;
   };
   const auto of_p = [&](std::uint32_t e, std::uint32_t j) {
-    return Contact{Contact::Kind::edge_of_p, p.edge_number[e], q.source[j]};
+    return Contact{Contact::Kind::edge_of_p, p.edge_number[e], q.vertex_number[j]};
   };
   const auto of_q = [&](std::uint32_t i, std::uint32_t f) {
-    return Contact{Contact::Kind::edge_of_q, p.source[i], q.edge_number[f]};
+    return Contact{Contact::Kind::edge_of_q, p.vertex_number[i], q.edge_number[f]};
   };
   for (const Component& cp : p.components)
     for (const Component& cq : q.components) {
@@ -343,6 +342,13 @@ void merge_pieces(const ExactSource& source, const std::vector<SumPart>& parts, 
   };
   for (const PieceSegment& s : pieces.segments) segments.push_back({vertex(s.from), vertex(s.to)});
   for (const PiecePoint& p : pieces.points) points.push_back(candidate_points[p.candidate]);
+}
+
+Numbering number_both(const EngineRegion& p, const EngineRegion& q) {
+  Numbering n;
+  number_region(p, 0, n);
+  number_region(q, 1, n);
+  return n;
 }
 
 PlanarSum finish_sum(SumState state, Numbering numbering, const SumOptions& options) {

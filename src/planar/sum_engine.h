@@ -28,7 +28,9 @@ struct SumState {
 };
 
 /// Operands on their lattice, then the boundary by the chosen engine.
-Result<SumState> compute_boundary(const RegionData& p, const RegionData& q, const SumOptions& options);
+Result<SumState> compute_boundary(const EngineRegion& p, const EngineRegion& q, const SumOptions& options);
+
+Numbering number_both(const EngineRegion& p, const EngineRegion& q);
 
 /// Canonical order, parts, tight features, lower-dimensional pieces.
 PlanarSum finish_sum(SumState state, Numbering numbering, const SumOptions& options);

@@ -1,15 +1,25 @@
 #include "planar/sum_source.h"
 
+#include <algorithm>
+
 namespace dymsum::planar {
 
-void number_region(const RegionData& region, std::uint32_t op, Numbering& out) {
+void number_region(const EngineRegion& engine_region, std::uint32_t op, Numbering& out) {
+  const RegionData& region = engine_region.data;
+  std::uint32_t size = 0;
+  for (const auto* numbers : {&engine_region.vertex_number, &engine_region.edge_number})
+    for (const std::uint32_t n : *numbers) size = n == SumVertex::kNone ? size : std::max(size, n + 1);
+  out.vertex[op].assign(size, 0);
+  out.edge[op].assign(size, {0, 0});
+  const auto set = [&](std::uint32_t source, std::uint32_t from, std::uint32_t to) {
+    const std::uint32_t v = engine_region.vertex_number[source], e = engine_region.edge_number[source];
+    if (v != SumVertex::kNone) out.vertex[op][v] = source;
+    if (e != SumVertex::kNone) out.edge[op][e] = {from, to};
+  };
   std::uint32_t at = 0;
   const auto ring = [&](const Ring& r) {
     const std::uint32_t n = static_cast<std::uint32_t>(r.size());
-    for (std::uint32_t i = 0; i < n; ++i) {
-      out.vertex[op].push_back(at + i);
-      out.edge[op].push_back({at + i, at + (i + 1 == n ? 0 : i + 1)});
-    }
+    for (std::uint32_t i = 0; i < n; ++i) set(at + i, at + i, at + (i + 1 == n ? 0 : i + 1));
     at += n;
   };
   for (const Part& part : region.parts) {
@@ -18,17 +28,11 @@ void number_region(const RegionData& region, std::uint32_t op, Numbering& out) {
   }
   for (const Polyline& line : region.polylines) {
     const std::uint32_t n = static_cast<std::uint32_t>(line.size());
-    for (std::uint32_t i = 0; i < n; ++i) {
-      out.vertex[op].push_back(at + i);
-      // The last vertex starts no edge; its entry keeps the numbering dense.
-      out.edge[op].push_back(i + 1 < n ? std::array{at + i, at + i + 1} : std::array{at + i - 1, at + i});
-    }
+    // The last vertex starts no edge.
+    for (std::uint32_t i = 0; i < n; ++i) set(at + i, at + (i + 1 < n ? i : i - 1), at + (i + 1 < n ? i + 1 : i));
     at += n;
   }
-  for (std::size_t i = 0; i < region.points.size(); ++i, ++at) {
-    out.vertex[op].push_back(at);
-    out.edge[op].push_back({at, at});
-  }
+  for (std::size_t i = 0; i < region.points.size(); ++i, ++at) set(at, at, at);
 }
 
 Segment SumSource::segment(const Contact& contact) const {

@@ -7,6 +7,7 @@
 
 #include "planar/exact_source.h"
 #include "planar/lattice.h"
+#include "planar/separate_touching.h"
 
 namespace dymsum::planar {
 
@@ -16,8 +17,8 @@ struct Numbering {
   std::array<std::vector<std::array<std::uint32_t, 2>>, 2> edge;
 };
 
-/// The numbering of region.h.
-void number_region(const RegionData& region, std::uint32_t op, Numbering& out);
+/// The source vertices and straight runs behind the numbers of an engine region.
+void number_region(const EngineRegion& region, std::uint32_t op, Numbering& out);
 
 class SumSource final : public ExactSource {
  public:

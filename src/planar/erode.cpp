@@ -1,0 +1,101 @@
+// P (-) Q: the complement of (closure of the complement of P) (+) -Q. The complement is cut off by a frame wide enough that the
+// frame's own boundary plays no part.
+#include <algorithm>
+#include <cmath>
+
+#include "dymsum/planar_sum.h"
+#include "planar/sum_engine.h"
+
+namespace dymsum {
+namespace {
+
+using planar::EngineRegion;
+using planar::separate_touching;
+
+// The number of the frame's own vertices and edges.
+constexpr std::uint32_t kFrame = SumVertex::kNone;
+
+// Integers are grid points of any grid with a unit of at most 1; a power of two at least as large as everything else is one of any.
+double frame_margin(const Region& p, const Region& q) {
+  const auto bp = bounds(p), bq = bounds(q);
+  const double reach = std::max({bp[2] - bp[0], bp[3] - bp[1], bq[2] - bq[0], bq[3] - bq[1], std::abs(bp[0]), std::abs(bp[1]),
+                                 std::abs(bp[2]), std::abs(bp[3])});
+  return std::ldexp(1.0, std::ilogb(std::max(reach, 0x1p-1000)) + 2);
+}
+
+// The frame with P cut out, under the numbers of P.
+EngineRegion complement_of(const Region& p, const Region& q) {
+  RegionData data;
+  std::vector<std::uint32_t> vertex_number(4, kFrame), edge_number(4, kFrame);
+  const double m = frame_margin(p, q);
+  data.parts.push_back({{{-m, -m}, {m, -m}, {m, m}, {-m, m}}, {}});
+  const auto reversed = [&](const Ring& ring, std::uint32_t first) {
+    const std::uint32_t n = static_cast<std::uint32_t>(ring.size());
+    for (std::uint32_t k = 0; k < n; ++k) {
+      const std::uint32_t at = n - 1 - k;
+      vertex_number.push_back(first + at);
+      edge_number.push_back(first + (at == 0 ? n - 1 : at - 1));
+    }
+    return Ring(ring.rbegin(), ring.rend());
+  };
+  // Outer rings of P are holes of the frame and come first; holes of P are parts.
+  std::uint32_t at = 0;
+  for (const Part& part : p.parts()) {
+    data.parts[0].holes.push_back(reversed(part.outer, at));
+    at += static_cast<std::uint32_t>(part.outer.size());
+    for (const Ring& hole : part.holes) at += static_cast<std::uint32_t>(hole.size());
+  }
+  at = 0;
+  for (const Part& part : p.parts()) {
+    at += static_cast<std::uint32_t>(part.outer.size());
+    for (const Ring& hole : part.holes) {
+      data.parts.push_back({reversed(hole, at), {}});
+      at += static_cast<std::uint32_t>(hole.size());
+    }
+  }
+  EngineRegion complement = separate_touching(data, p.touching_points());
+  for (std::uint32_t& n : complement.vertex_number) n = vertex_number[n];
+  for (std::uint32_t& n : complement.edge_number) n = edge_number[n];
+  return complement;
+}
+
+bool of_frame(const Contact& c) { return c.p == kFrame; }
+
+}  // namespace
+
+Result<PlanarSum> erode(const Region& p, const Region& q, const SumOptions& options) {
+  if (!p.polylines().empty() || !p.points().empty())
+    return Error{Code::unsupported_operand, "only a region without polylines and points can be eroded", {}};
+  if (q.empty()) return Error{Code::unsupported_operand, "every position holds the empty region", {}};
+  if (p.empty()) return PlanarSum{};
+  const EngineRegion complement = complement_of(p, q);
+  const Region reflected = negated(q);
+  const EngineRegion tool = separate_touching(reflected.data(), reflected.touching_points());
+  SumOptions open = options;
+  if (open.semantics == Semantics::closed) open.semantics = Semantics::open;
+  Result<planar::SumState> computed = planar::compute_boundary(complement, tool, open);
+  if (!computed.ok()) return computed.error();
+  planar::SumState state = std::move(computed).value();
+  // Positions that hold Q are what the sum leaves free: its rings the other way round, without the frame's.
+  planar::RawBoundary inner;
+  inner.at_error = state.boundary.at_error;
+  for (std::size_t i = 0; i < state.boundary.rings.size(); ++i) {
+    SumRing& ring = state.boundary.rings[i];
+    if (std::any_of(ring.vertices.begin(), ring.vertices.end(), [](const SumVertex& v) { return of_frame(v.in); })) continue;
+    std::reverse(ring.vertices.begin(), ring.vertices.end());
+    for (SumVertex& v : ring.vertices) std::swap(v.in, v.out);
+    inner.rings.push_back(std::move(ring));
+    inner.outer.push_back(!state.boundary.outer[i]);
+  }
+  inner.cracks = std::move(state.boundary.cracks);
+  inner.punctures = std::move(state.boundary.punctures);
+  state.boundary = std::move(inner);
+  PlanarSum result = planar::finish_sum(std::move(state), planar::number_both(complement, tool), open);
+  if (options.semantics == Semantics::closed) {
+    result.segments = result.tight_segments;
+    result.points = result.tight_points;
+  }
+  return result;
+}
+
+}  // namespace dymsum
