@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "planar/arrangement.h"
@@ -24,7 +25,8 @@ class SegmentGraph {
   };
   /// Part of a segment between two neighbouring nodes on it.
   struct SubEdge {
-    std::uint32_t from = 0, to = 0, segment = 0;  ///< nodes
+    std::uint32_t from = 0, to = 0, segment = 0;
+    std::uint32_t from_event = kNone, to_event = kNone;  ///< internal: kNone at the segment's ends
   };
   /// The sub-edges [first, last) between nodes low < high; they coincide.
   struct Edge {
@@ -39,10 +41,14 @@ class SegmentGraph {
   const std::vector<Node>& nodes() const { return nodes_; }
   const std::vector<SubEdge>& sub_edges() const { return sub_edges_; }
   const std::vector<Edge>& edges() const { return edges_; }
-  /// The rays of a node, counter-clockwise.
-  std::vector<Ray> rays(std::uint32_t node) const;
+  /// The rays of a node, counter-clockwise; their directions differ.
+  std::span<const Ray> rays(std::uint32_t node) const {
+    return {rays_.data() + first_ray_[node], rays_.data() + first_ray_[node + 1]};
+  }
   /// The order of two rays of one node by direction, counter-clockwise from +x: -1, 0, 1.
   int compare(const Ray& a, const Ray& b) const;
+  /// Whether a sub-edge runs from the low to the high node of its edge.
+  static bool forward(const Edge& e, const SubEdge& s) { return s.from == e.low; }
 
   /// Some point strictly inside an edge, on the segment of its first sub-edge.
   Place sample(std::uint32_t edge) const;
@@ -57,6 +63,7 @@ class SegmentGraph {
     float error;
     std::uint32_t ref;
   };
+  // A place on a segment: one of its ends or an event.
   struct Stop {
     SubEnd end;
     Cut cut;
@@ -66,8 +73,12 @@ class SegmentGraph {
   void build_events();
   void find_nodes();
   void find_edges();
+  void find_rays();
   int compare_events(std::uint32_t s, const Event& a, const Event& b);
+  WalkPair touched(const Event& e) const { return meetings_.touches[e.ref - meetings_.crossings.size()].pair; }
+  bool is_touch(const Event& e) const { return e.ref >= meetings_.crossings.size(); }
   Stop stop(std::uint32_t s, const Event& e) const;
+  Stop end_stop(std::uint32_t s, bool start) const;
   Place place(std::uint32_t s, const Stop& stop) const;
 
   const Soup& soup_;
@@ -76,7 +87,6 @@ class SegmentGraph {
   std::vector<Event> events_;
   std::vector<Node> nodes_;
   std::vector<SubEdge> sub_edges_;
-  std::vector<Stop> stops_;  // of the sub-edge's `from` and `to`, in pairs
   std::vector<Edge> edges_;
   std::vector<std::uint32_t> first_ray_;
   std::vector<Ray> rays_;
