@@ -1,5 +1,6 @@
-// Arbitrary precision behind the same operations as Int<B>, so that templated code runs with either, and exact rationals
-// with their one rounding to doubles. Includes Boost.Multiprecision: include int.h alone where that is enough.
+// Arbitrary precision behind the same operations as Int<B>, so that templated code runs with either, and exact
+// rationals with their one rounding to doubles. Includes Boost.Multiprecision: include int.h alone where that is
+// enough.
 #pragma once
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -62,8 +63,8 @@ Big::Big(const Int<B>& v) : Big(to_big(v)) {}
 
 inline int sign(const Big& a) { return a.value().sign(); }
 inline Big abs(const Big& a) { return sign(a) < 0 ? -a : a; }
-/// The nearest double (ties to even): relative error at most 2^-53, exact when it has at most 53 significant bits; infinite
-/// past the double range.
+/// The nearest double (ties to even): relative error at most 2^-53, exact when it has at most 53 significant bits;
+/// infinite past the double range.
 double to_double(const Big& a);
 template <int K>
 Big shift_left(const Big& a) {
@@ -75,7 +76,8 @@ Big shift_left(const Big& a) {
 BigRational exact_value(double v);
 /// The number behind a public value. Throws std::invalid_argument unless num is [-]digits and den digits, not all zero.
 BigRational exact_value(const Rational& v);
-/// num/den, den of either sign (BigRational's own constructor wants a positive one). Throws std::domain_error for den = 0.
+/// num/den, den of either sign (BigRational's own constructor wants a positive one). Throws std::domain_error when den
+/// is zero.
 BigRational ratio(const Big& num, const Big& den);
 
 /// The public value of a rational: lowest terms, positive denominator.

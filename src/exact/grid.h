@@ -1,5 +1,6 @@
-// The lossless grid. Finite doubles are integers times a power of two; all coordinates of a problem share the largest unit
-// 2^exponent that divides every one of them, and are integers of proved width on that grid. The width picks the number tier.
+// The lossless grid. Finite doubles are integers times a power of two; all coordinates of a problem share the largest
+// unit 2^exponent that divides every one of them, and are integers of proved width on that grid. The width picks the
+// number tier.
 #pragma once
 
 #include <cassert>
@@ -35,8 +36,8 @@ int bits_needed(double low, double high, double offset, int exponent);
 /// that leaves the narrowest coordinates. Requires low <= high, finite, multiples of 2^exponent.
 double grid_center(double low, double high, int exponent);
 
-/// A number tier, named by the SumOptions::min_tier_bits value that asks for it. Coordinates X are bounded by 2^B with B = 29, 61,
-/// 125 and unbounded. The largest number any planar predicate builds is the order of two crossings on one segment,
+/// A number tier, named by the SumOptions::min_tier_bits value that asks for it. Coordinates X are bounded by 2^B with
+/// B = 29, 61, 125 and unbounded. The widest sign of the hot path is the order of two crossings on one segment,
 ///   edge       p2 - p1                  |.| <= 2^(B+1)
 ///   sum        p + q                            2^(B+1)
 ///   gap        (p + q) - (p' + q')              2^(B+2)
@@ -51,7 +52,8 @@ constexpr int coordinate_bits(Tier tier) {
   return tier == Tier::b29 ? 29 : tier == Tier::b61 ? 61 : tier == Tier::b512 ? 125 : -1;
 }
 
-/// The narrowest tier whose coordinates hold `bits` bits and that is at least min_tier_bits (29, 61, 512; above: arbitrary).
+/// The narrowest tier whose coordinates hold `bits` bits and that is at least min_tier_bits (29, 61, 512; above:
+/// arbitrary).
 constexpr Tier choose_tier(int bits, int min_tier_bits) {
   if (bits <= coordinate_bits(Tier::b29) && min_tier_bits <= 29) return Tier::b29;
   if (bits <= coordinate_bits(Tier::b61) && min_tier_bits <= 61) return Tier::b61;

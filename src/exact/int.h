@@ -1,5 +1,6 @@
-// Integers whose type proves their size. Int<B> holds any integer v with |v| <= 2^B; every operator returns the width its
-// result needs, so an expression whose type fits its storage cannot overflow, and one that does not fit does not compile.
+// Integers whose type proves their size. Int<B> holds any integer v with |v| <= 2^B; every operator returns the width
+// its result needs, so an expression whose type fits its storage cannot overflow, and one that does not fit does not
+// compile.
 //
 // Widths: |x| <= 2^A and |y| <= 2^C give |x + y|, |x - y| <= 2^(max(A, C) + 1), |x y| <= 2^(A + C), |-x| <= 2^A,
 // |x 2^K| <= 2^(A + K). The bound is inclusive, which is what makes the product rule tight.
@@ -25,7 +26,8 @@ static_assert(limb_count(62) == 1 && limb_count(63) == 2 && limb_count(126) == 2
 template <int B>
 using IntRaw = std::conditional_t<(B <= 62), std::int64_t, std::conditional_t<(B <= 126), i128, Limbs<limb_count(B)>>>;
 
-/// The raw value of one width as the raw value of another: exact when the target is at least as wide, else modulo its size.
+/// The raw value of one width as the raw value of another: exact when the target is at least as wide, else modulo its
+/// size.
 template <int To, class Raw>
 constexpr IntRaw<To> raw_cast(const Raw& v) {
   if constexpr (std::is_same_v<IntRaw<To>, Raw>) {
@@ -198,8 +200,8 @@ constexpr Int<B + K> shift_left(const Int<B>& a) {
 /// 2^e for -1022 <= e <= 1023.
 constexpr double power_of_two(int e) { return std::bit_cast<double>(static_cast<std::uint64_t>(e + 1023) << 52); }
 
-/// The double nearest to a non-negative integer: its 64 leading bits with a sticky lowest bit are rounded once, correctly, and
-/// scaling by a power of two is exact or overflows to infinity.
+/// The double nearest to a non-negative integer: its 64 leading bits with a sticky lowest bit are rounded once,
+/// correctly, and scaling by a power of two is exact or overflows to infinity.
 template <int N>
 double limbs_to_double(const Limbs<N>& magnitude) {
   int top = N - 1;
@@ -216,12 +218,13 @@ double limbs_to_double(const Limbs<N>& magnitude) {
   return std::ldexp(rounded, 64 * top - zeros);
 }
 
-/// The value with relative error at most 2^-52, exact when it has at most 53 significant bits; infinite past the double range.
+/// The value with relative error at most 2^-52, exact when it has at most 53 significant bits; infinite past the double
+/// range.
 ///
 /// Two limbs: v = h 2^64 + l with l in [-2^63, 2^63); h, l and the sum are rounded, with u = 2^-53.
-/// |h| <= 2^53: h is exact, rounding l errs by at most 2^9 <= 2^-54 |v| when h != 0 (then |v| >= 2^63), the sum by u: below 2u.
-/// |h| > 2^53: h errs by u / (1 + u), the sum by as much, together 2u - u^2 at most up to terms in u^3, and rounding l errs
-/// by 2^9 < 2^-108 |v| < u^2 |v|: below 2u = 2^-52.
+/// Where |h| <= 2^53, h is exact, rounding l errs by at most 2^9 <= 2^-54 |v| when h != 0 (then |v| >= 2^63) and the
+/// sum by u: below 2u. Where |h| > 2^53, h errs by u / (1 + u) and the sum by as much, together 2u - u^2 at most up to
+/// terms in u^3, and rounding l errs by 2^9 < 2^-108 |v| < u^2 |v| / 2: below 2u = 2^-52.
 template <int B>
 double to_double(const Int<B>& a) {
   if constexpr (B <= 62) {

@@ -1,5 +1,5 @@
-// Two's complement integers of a fixed number of 64-bit limbs, least significant first: the storage of exact::Int past 126
-// bits. All operations are modulo 2^(64 N); exact::Int proves that nothing is lost.
+// Two's complement integers of a fixed number of 64-bit limbs, least significant first: the storage of exact::Int past
+// 126 bits. All operations are modulo 2^(64 N); exact::Int proves that nothing is lost.
 #pragma once
 
 #include <array>
@@ -92,8 +92,8 @@ constexpr Limbs<R> limbs_multiply_unsigned(const Limbs<N>& a, const Limbs<M>& b)
   return r;
 }
 
-/// The same for two limbs each, the product of two __int128, written out because the crossing order of the 61-bit tier lives
-/// on it: four multiplications, carries without loops.
+/// The same for two limbs each, the product of two __int128, written out because the crossing order of the 61-bit tier
+/// lives on it: four multiplications, carries without loops.
 constexpr Limbs<4> limbs_multiply_unsigned_2x2(const Limbs<2>& a, const Limbs<2>& b) {
   const u128 low = static_cast<u128>(a.w[0]) * b.w[0], high = static_cast<u128>(a.w[1]) * b.w[1];
   const u128 cross1 = static_cast<u128>(a.w[0]) * b.w[1], cross2 = static_cast<u128>(a.w[1]) * b.w[0];
@@ -117,8 +117,8 @@ constexpr void limbs_subtract_if(Limbs<R>& a, bool negative, const Limbs<M>& b) 
   }
 }
 
-/// The signed product modulo 2^(64 R), R <= N + M: with a = ua - 2^(64 N) [a < 0] and b alike, the signed product is the unsigned
-/// one less 2^(64 N) ub [a < 0] and 2^(64 M) ua [b < 0]; the fourth term is a multiple of 2^(64 (N + M)).
+/// The signed product modulo 2^(64 R), R <= N + M: with a = ua - 2^(64 N) [a < 0] and b alike, the signed product is
+/// the unsigned one less 2^(64 N) ub [a < 0] and 2^(64 M) ua [b < 0]; the fourth term is a multiple of 2^(64 (N + M)).
 template <int R, int N, int M>
 constexpr Limbs<R> limbs_multiply(const Limbs<N>& a, const Limbs<M>& b) {
   static_assert(R <= N + M);

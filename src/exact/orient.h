@@ -1,5 +1,6 @@
-// Exact signs of 2x2 determinants and scalar products of plain doubles of any exponents: a floating-point filter with a proved
-// error bound answers almost always; what it leaves open is computed in integers on the common grid of the arguments.
+// Exact signs of 2x2 determinants and scalar products of plain doubles of any exponents: a floating-point filter with a
+// proved error bound answers almost always; what it leaves open is computed in integers on the common grid of the
+// arguments.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// Signs of small polynomials over exact integers, generic in the number type (Int of any widths, mixed, or Big). Exact by
-// construction: the intermediate types are as wide as the values can be.
+// Signs of small polynomials over exact integers, generic in the number type (Int of any widths, mixed, or Big). Exact
+// by construction: the intermediate types are as wide as the values can be.
 #pragma once
 
 #include "exact/int.h"

@@ -48,11 +48,13 @@ TEST(Error, TextNamesEveryPieceOfEvidence) {
   e.evidence.x = 0.1;
   e.evidence.y = -2;
   EXPECT_EQ(e.to_string(),
-            "a.poly:12: part 0, ring 1, vertex 3: the ring crosses itself (the other: part 2, ring 0, vertex 9) at (0.1, -2)");
+            "a.poly:12: part 0, ring 1, vertex 3: the ring crosses itself (the other: part 2, ring 0, vertex 9) "
+            "at (0.1, -2)");
 }
 
 TEST(Error, PartialEvidence) {
-  Error in_file{Code::malformed, "bad number", {}}, on_line = in_file, at_x{Code::not_finite, "not finite", {}}, at_y = at_x;
+  Error in_file{Code::malformed, "bad number", {}}, on_line = in_file;
+  Error at_x{Code::not_finite, "not finite", {}}, at_y = at_x;
   in_file.evidence.file = "x.wkt";
   EXPECT_EQ(in_file.to_string(), "x.wkt: bad number");
   on_line.evidence.line = 4;

@@ -1,5 +1,5 @@
-// GMP as the witness: conversions between exact::Int and mpz_class that touch only the raw storage, and the integers on which
-// fixed widths go wrong.
+// GMP as the witness: conversions between exact::Int and mpz_class that touch only the raw storage, and the integers on
+// which fixed widths go wrong.
 #pragma once
 
 #include <gmpxx.h>

@@ -155,7 +155,8 @@ void check_coordinates(int bits) {
   int used = 0;
   for (int i = 0; i < 20000; ++i) {
     const double offset = i % 3 == 0 ? 0.0 : everyday_double(random);
-    const double v = i % 3 == 1 ? offset + std::ldexp(static_cast<double>(random() % 1000), -20) : everyday_double(random);
+    const double near = offset + std::ldexp(static_cast<double>(random() % 1000), -20);
+    const double v = i % 3 == 1 ? near : everyday_double(random);
     const std::vector<double> both = {v, offset};
     const int e = common_exponent(both) - static_cast<int>(random() % 3);
     if (bits >= 0 && bits_needed(v, v, offset, e) > bits) continue;

@@ -60,9 +60,10 @@ static_assert(Int<300>{} == Int<2>::from_int64(0));
 int ordering(std::strong_ordering o) { return o < 0 ? -1 : o > 0 ? 1 : 0; }
 
 // One function for all widths: the tests below have some hundred instantiations.
-void expect_results(int a, int c, const mpz_class& x, const mpz_class& y, const mpz_class& sum, const mpz_class& difference,
-                    const mpz_class& product, int order, bool equal) {
-  ASSERT_TRUE(sum == x + y && difference == x - y && product == x * y && order == sgn(mpz_class(x - y)) && equal == (x == y))
+void expect_results(int a, int c, const mpz_class& x, const mpz_class& y, const mpz_class& sum,
+                    const mpz_class& difference, const mpz_class& product, int order, bool equal) {
+  ASSERT_TRUE(sum == x + y && difference == x - y && product == x * y && order == sgn(mpz_class(x - y)) &&
+              equal == (x == y))
       << "widths " << a << ' ' << c << " of " << x << " and " << y << ": sum " << sum << ", difference " << difference
       << ", product " << product << ", order " << order << ", equal " << equal;
 }
@@ -136,8 +137,8 @@ template <int B>
     const Int<B> a = from_mpz<B>(x);
     const Int<B + 200> wide = a;
     expect_unary(B, x, {to_mpz(a), to_mpz(-a), to_mpz(abs(a)), to_mpz(shift_left<1>(a)), to_mpz(shift_left<64>(a)),
-                        to_mpz(shift_left<131>(a)), to_mpz(Int<B + 1>(a)), to_mpz(wide), sign(a), fits<B / 2>(a), fits<B>(a),
-                        wide == a});
+                        to_mpz(shift_left<131>(a)), to_mpz(Int<B + 1>(a)), to_mpz(wide), sign(a), fits<B / 2>(a),
+                        fits<B>(a), wide == a});
     expect_close(B, x, to_double(a));
   }
   EXPECT_EQ(to_mpz(Int<B>{}), 0);
@@ -150,7 +151,8 @@ void check_widths(std::integer_sequence<int, Bs...>) {
 }
 
 TEST(Int, UnaryOperationsConversionsAndDoublesAgreeWithGmpAtEveryStorageBoundary) {
-  check_widths(std::integer_sequence<int, 0, 1, 29, 53, 54, 61, 62, 63, 64, 117, 125, 126, 127, 190, 191, 252, 254, 255, 508, 511>{});
+  check_widths(std::integer_sequence<int, 0, 1, 29, 53, 54, 61, 62, 63, 64, 117>{});
+  check_widths(std::integer_sequence<int, 125, 126, 127, 190, 191, 252, 254, 255, 508, 511>{});
 }
 
 TEST(Int, DoublesOfTwoLimbIntegersAreCloseWhereTheHalvesMeet) {
@@ -171,7 +173,8 @@ TEST(Int, LargeWidthsPastTheDoubleRangeBecomeInfinite) {
 }
 
 TEST(Int, SmallIntegersRoundTrip) {
-  for (std::int64_t v : {std::int64_t{0}, std::int64_t{1}, std::int64_t{-1}, std::int64_t{1} << 40, -(std::int64_t{1} << 40)}) {
+  constexpr std::int64_t kTop = std::int64_t{1} << 40;
+  for (std::int64_t v : {std::int64_t{0}, std::int64_t{1}, std::int64_t{-1}, kTop, -kTop}) {
     EXPECT_EQ(to_mpz(Int<40>::from_int64(v)), mpz_class(static_cast<long>(v)));
     EXPECT_EQ(to_mpz(Int<100>::from_int64(v)), mpz_class(static_cast<long>(v)));
     EXPECT_EQ(to_mpz(Int<400>::from_int64(v)), mpz_class(static_cast<long>(v)));

@@ -99,7 +99,8 @@ TEST(Orient, NearlyCollinearPointsOfEveryScale) {
   RungTally t;
   for (int i = 0; i < 5000; ++i) {
     // c is on the line ab, rounded, or one or two ulps beside it
-    const double scale = std::ldexp(1.0, static_cast<int>(random() % 80) - 40), along = static_cast<double>(random() % 1000) / 37;
+    const double scale = std::ldexp(1.0, static_cast<int>(random() % 80) - 40);
+    const double along = static_cast<double>(random() % 1000) / 37;
     const auto unit = [&] { return static_cast<double>(random() >> 11) * 0x1p-53 * scale; };
     const Point a{unit(), unit()}, b{unit(), unit()};
     Point c{a.x + along * (b.x - a.x), a.y + along * (b.y - a.y)};
@@ -134,7 +135,10 @@ TEST(Orient, SwapsChangeTheSignAndRotationsKeepIt) {
   std::mt19937_64 random(kSeed);
   int zeros = 0;
   for (int i = 0; i < 3000; ++i) {
-    const auto point = [&] { return Point{0.1 * static_cast<double>(random() % 8), 0.7 * static_cast<double>(random() % 8)}; };
+    const auto point = [&] {
+      const double x = 0.1 * static_cast<double>(random() % 8), y = 0.7 * static_cast<double>(random() % 8);
+      return Point{x, y};
+    };
     const Point a = point(), b = point(), c = point();
     const int s = orient_sign(a, b, c);
     zeros += s == 0;

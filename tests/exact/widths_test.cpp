@@ -1,4 +1,5 @@
-// The bit budget of the planar predicates, attained: every chain edge, gap, D, N, order at the corners of the coordinate range.
+// The bit budget of the planar predicates, attained: every chain edge, gap, D, N, order at the corners of the
+// coordinate range.
 #include <gtest/gtest.h>
 
 #include <array>
