@@ -112,6 +112,36 @@ TEST(Orient, NearlyCollinearPointsOfEveryScale) {
   EXPECT_GT(t.at(Rung::int125), 10);
 }
 
+TEST(Orient, RungsChangeExactlyAtTheirWidths) {
+  // o, (1, 1) and (r, r) on the unit grid: the extent r decides, one bit early or late would be seen
+  const auto rung = [](double r) { return cross_answer({0, 0}, {1, 1}, {0, 0}, {r, r}).rung; };
+  EXPECT_EQ(rung(0x1p61), Rung::int61);
+  EXPECT_EQ(rung(std::nextafter(0x1p61, kMax)), Rung::int125);
+  EXPECT_EQ(rung(0x1p62), Rung::int125);
+  EXPECT_EQ(rung(0x1p125), Rung::int125);
+  EXPECT_EQ(rung(std::nextafter(0x1p125, kMax)), Rung::big);
+  EXPECT_EQ(rung(0x1p126), Rung::big);
+  for (const double r : {0x1p61, 0x1p62, 0x1p125, 0x1p126}) {
+    RungTally t;
+    const double next = std::nextafter(r, kMax);
+    t.all({0, 0}, {1, 1}, {0, 0}, {next, next});
+    t.all({0, 0}, {r, next}, {0, 0}, {next, next + (next - r)});
+    t.all({0, 0}, {r, r}, {-1, 1}, {r, -r});
+    t.all({-1, 0}, {r, r}, {0, -1}, {r, r});
+    EXPECT_EQ(t.wrong, 0) << r;
+  }
+}
+
+TEST(Orient, RoundedDifferencesWhoseProductsUnderflowAreNotTrusted) {
+  // With u = b - a and w = d - c, l = ux wy is 2^-1075 (1 - 2^-55)(1 + 2^-52) and r = uy wx is 2^-1075 (1 + 2^-53)^2 > l.
+  // In doubles ux rounds up and l to 2^-1074; uy and wx round down and r to 0: the rounded sign is wrong.
+  const Point a{0x1p-555, -0x1p-553}, b{0x1p-500, 0x1p-500};
+  const Point c{-0x1p-628, 0}, d{0x1p-575, 0x1.0000000000001p-575};
+  EXPECT_GT((b.x - a.x) * (d.y - c.y) - (b.y - a.y) * (d.x - c.x), 0);
+  ASSERT_EQ(cross_by_gmp(a, b, c, d), -1);
+  EXPECT_EQ(cross_sign(a, b, c, d), -1);
+}
+
 TEST(Orient, AFarOffsetCostsNoBits) {
   // the extent is 2^53 units at an offset of 2^90 units in one operand: the exact rung stays narrow
   const Point a{0x1p60, 0x1p60}, b{0x1p60 + 0x1p20, 0x1p60 + 0x1p20}, c{0x1p60 + 0x1p21, 0x1p60 + 0x1p21};
