@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 #include "numbers.h"
@@ -14,7 +15,7 @@ namespace {
 template <class N>
 struct Numbered {
   std::vector<Pt<N>> vertices;
-  std::vector<std::optional<std::size_t>> next;
+  std::vector<std::optional<std::size_t>> next, previous;
   std::vector<bool> on_ring;
 };
 
@@ -45,6 +46,9 @@ Numbered<N> numbered(const Region& region, int sign) {
     add(c);
     out.next.back().reset();
   }
+  out.previous.resize(out.vertices.size());
+  for (std::size_t i = 0; i < out.vertices.size(); ++i)
+    if (out.next[i]) out.previous[*out.next[i]] = i;
   return out;
 }
 
@@ -101,7 +105,24 @@ class Checker {
     const std::size_t edge = of_p ? contact.p : contact.q;
     if (!owner.next[edge]) return std::nullopt;
     const Pt<N>& corner = of_p ? q_.vertices[contact.q] : p_.vertices[contact.p];
-    return Seg<N>{owner.vertices[edge] + corner, owner.vertices[*owner.next[edge]] + corner};
+    const auto [from, to] = straight_run(owner, edge);
+    return Seg<N>{owner.vertices[from] + corner, owner.vertices[to] + corner};
+  }
+
+  /// The ends of the longest straight run of edges through an edge: collinear vertices of an operand end no contact.
+  static std::pair<std::size_t, std::size_t> straight_run(const Numbered<N>& owner, std::size_t edge) {
+    const auto goes_on = [&](std::size_t a, std::size_t b, std::size_t c) {
+      const Pt<N>&u = owner.vertices[a], &v = owner.vertices[b], &w = owner.vertices[c];
+      return turn(u, v, w) == 0 && (v.x - u.x) * (w.x - v.x) + (v.y - u.y) * (w.y - v.y) > N(0);
+    };
+    std::size_t from = edge, to = *owner.next[edge];
+    while (owner.next[to] && goes_on(from, to, *owner.next[to])) to = *owner.next[to];
+    while (owner.previous[from] && goes_on(*owner.previous[from], from, to)) from = *owner.previous[from];
+    return {from, to};
+  }
+
+  static bool has_edge(const Numbered<N>& owner, std::size_t vertex) {
+    return owner.next[vertex].has_value() || owner.previous[vertex].has_value();
   }
 
   bool directed(const Contact& contact) {
@@ -145,6 +166,8 @@ class Checker {
   void check_lone(const SumVertex& v) {
     const Pt<N> at = place(v);
     check_place(v, at);
+    if (v.corner_p < p_.vertices.size() && v.corner_q < q_.vertices.size() && !has_edge(p_, v.corner_p) && !has_edge(q_, v.corner_q))
+      return;  // the sum of two points has no contacts
     for (const Contact& contact : {v.in, v.out}) {
       const std::optional<Seg<N>> s = segment(contact);
       if (s && !on_segment(*s, at)) complain("feature is off its contact", at);
