@@ -51,7 +51,7 @@ void expect_nearest(const mpq_class& v, double d) {
 }
 
 TEST(Big, ArithmeticAndConversionsAgreeWithGmp) {
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random = seeded(kSeed);
   for (int i = 0; i < 3000; ++i) {
     const mpz_class x = random_integer(random, 1500), y = random_integer(random, i % 2 ? 1500 : 60);
     const Big a = from_mpz_big(x), b = from_mpz_big(y);
@@ -71,7 +71,7 @@ TEST(Big, ArithmeticAndConversionsAgreeWithGmp) {
 
 template <int B>
 void check_from_int() {
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random = seeded(kSeed);
   for (const mpz_class& x : hard_integers(random, B, 50)) {
     ASSERT_EQ(to_mpz(to_big(from_mpz<B>(x))), x) << B;
     ASSERT_EQ(to_mpz(Big(from_mpz<B>(x))), x) << B;
@@ -96,7 +96,7 @@ TEST(Big, DyadicDifferences) {
 }
 
 TEST(Rounding, DoublesAreTheirOwnNearest) {
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random = seeded(kSeed);
   int subnormal = 0;
   for (int i = 0; i < 20000; ++i) {
     const double d = std::bit_cast<double>(i % 8 == 0 ? random() & 0x800fffffffffffff : random());
@@ -109,7 +109,7 @@ TEST(Rounding, DoublesAreTheirOwnNearest) {
 }
 
 TEST(Rounding, HalfwaysAndTheirNeighbourhoodGoToEven) {
-  std::mt19937_64 random(kSeed + 1);
+  std::mt19937_64 random = seeded(kSeed + 1);
   const mpq_class nudge(mpz_class(1), mpz_class(1) << 2000);
   for (int i = 0; i < 3000; ++i) {
     double d = std::bit_cast<double>(random());
@@ -127,7 +127,7 @@ TEST(Rounding, HalfwaysAndTheirNeighbourhoodGoToEven) {
 }
 
 TEST(Rounding, RandomFractions) {
-  std::mt19937_64 random(kSeed + 2);
+  std::mt19937_64 random = seeded(kSeed + 2);
   for (int i = 0; i < 4000; ++i) {
     const mpz_class den = abs(random_integer(random, i % 3 ? 1200 : 90)) + 1;
     mpq_class v(random_integer(random, i % 2 ? 1200 : 90), den);
@@ -161,7 +161,7 @@ TEST(Rationals, PublicValuesAreCanonicalAndRoundTrip) {
   EXPECT_EQ(to_rational(ratio(Big::from_int64(6), Big::from_int64(-4))), (Rational{"-3", "2"}));
   EXPECT_EQ(to_rational(BigRational(0)), Rational{});
   EXPECT_THROW((void)ratio(Big::from_int64(1), Big{}), std::domain_error);
-  std::mt19937_64 random(kSeed + 3);
+  std::mt19937_64 random = seeded(kSeed + 3);
   for (int i = 0; i < 500; ++i) {
     mpq_class v(random_integer(random, 300), abs(random_integer(random, 300)) + 1);
     v.canonicalize();

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <iostream>
 #include <random>
 #include <vector>
 
@@ -44,6 +45,12 @@ Int<B> from_mpz(const mpz_class& v) {
   } else {
     return Int<B>::from_raw(limbs);
   }
+}
+
+/// The generator of a test; its seed goes into the output, so that a failure can be replayed.
+inline std::mt19937_64 seeded(std::uint64_t seed) {
+  std::cout << "seed " << seed << '\n';
+  return std::mt19937_64(seed);
 }
 
 /// An integer with |v| <= 2^bits: any bit length up to it, with long runs of equal bits now and then.

@@ -46,7 +46,7 @@ struct RungTally {
 
 template <class Draw>
 RungTally tally(std::uint64_t seed, int rounds, Draw draw) {
-  std::mt19937_64 random(seed);
+  std::mt19937_64 random = seeded(seed);
   RungTally t;
   for (int i = 0; i < rounds; ++i) {
     const auto point = [&] {
@@ -95,7 +95,7 @@ TEST(Orient, ExtremesOfTheRangeUnderflowAndOverflow) {
 }
 
 TEST(Orient, NearlyCollinearPointsOfEveryScale) {
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random = seeded(kSeed);
   RungTally t;
   for (int i = 0; i < 5000; ++i) {
     // c is on the line ab, rounded, or one or two ulps beside it
@@ -162,7 +162,7 @@ TEST(Orient, CountsTellWhoAnswered) {
 }
 
 TEST(Orient, SwapsChangeTheSignAndRotationsKeepIt) {
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random = seeded(kSeed);
   int zeros = 0;
   for (int i = 0; i < 3000; ++i) {
     const auto point = [&] {
