@@ -48,7 +48,7 @@ bool parse(int argc, char** argv, Options& options) {
 /// full convolution or a decomposition needs longer than that, it is not in the running.
 double others_limit_s(const Pair& pair, const Options& options) {
   if (options.ours || options.quick) return 0;
-  if (options.demo) return 2;
+  if (options.demo) return 1;
   if (pair.group == Group::swim || pair.group == Group::shirts) return 0;
   if (pair.group == Group::thesis) return pair.p.vertex_count() * pair.q.vertex_count() <= 4000 ? 2 : 0;
   return 10;

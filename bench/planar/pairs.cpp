@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -13,17 +14,33 @@
 namespace dymsum::bench {
 namespace {
 
-std::optional<Region> mended(const NamedShape& shape, const std::string& label, Pairs& pairs) {
-  Result<Region> region = Region::create(shape.data);
-  if (region.ok()) return std::move(region).value();
-  Result<Repaired> repaired = repair(shape.data);
-  if (!repaired.ok()) {
-    pairs.notes.push_back(label + ": left out: " + repaired.error().to_string());
-    return std::nullopt;
+/// Shapes that are valid, or can be repaired; a note for those that cannot, and one for all that were repaired alike.
+class Mender {
+ public:
+  Mender(std::string label, Pairs& pairs) : label_(std::move(label)), pairs_(pairs) {}
+  ~Mender() {
+    for (const auto& [what, count] : repaired_) {
+      pairs_.notes.push_back(label_ + ": repaired in " + std::to_string(count) + " shapes: " + what);
+    }
   }
-  pairs.notes.push_back(label + ": repaired: " + repaired.value().report.to_string());
-  return std::move(repaired).value().region;
-}
+
+  std::optional<Region> operator()(const NamedShape& shape) {
+    Result<Region> region = Region::create(shape.data);
+    if (region.ok()) return std::move(region).value();
+    Result<Repaired> repaired = repair(shape.data);
+    if (!repaired.ok()) {
+      pairs_.notes.push_back(label_ + " " + shape.name + ": left out: " + repaired.error().to_string());
+      return std::nullopt;
+    }
+    ++repaired_[repaired.value().report.to_string()];
+    return std::move(repaired).value().region;
+  }
+
+ private:
+  std::string label_;
+  Pairs& pairs_;
+  std::map<std::string, int> repaired_;
+};
 
 std::vector<Region> read_all(const std::string& path, const std::string& label, Pairs& pairs) {
   std::vector<Region> regions;
@@ -32,8 +49,9 @@ std::vector<Region> read_all(const std::string& path, const std::string& label, 
     pairs.notes.push_back(label + ": left out: " + shapes.error().to_string());
     return regions;
   }
+  Mender mended(label, pairs);
   for (const NamedShape& shape : shapes.value()) {
-    std::optional<Region> region = mended(shape, label + " " + shape.name, pairs);
+    std::optional<Region> region = mended(shape);
     if (region) regions.push_back(std::move(*region));
   }
   return regions;
@@ -125,12 +143,18 @@ void add_table(Pairs& pairs, const std::string& data, Group group) {
 
 const char* name(Group group) {
   switch (group) {
-    case Group::thesis: return "thesis-like set";
-    case Group::stars: return "stars";
-    case Group::holes: return "grates and pockets";
-    case Group::real: return "real polygons";
-    case Group::swim: return "swim";
-    case Group::shirts: return "shirts";
+    case Group::thesis:
+      return "thesis-like set";
+    case Group::stars:
+      return "stars";
+    case Group::holes:
+      return "grates and pockets";
+    case Group::real:
+      return "real polygons";
+    case Group::swim:
+      return "swim";
+    case Group::shirts:
+      return "shirts";
   }
   return "";
 }
@@ -151,14 +175,19 @@ Pairs all_pairs(const std::string& data) {
 }
 
 Pairs demo_pairs(const std::string& data) {
+  Pairs all;
+  add_real(all, data);
+  add_star(all, 100, 0.9, "0.9");
+  add_grates_and_pockets(all);
+  add_thesis_pairs(all);
+  std::set<std::string> shown{
+      "neuron + disc 32",      "monkey + bird",        "bird + bird (real)",  "star 100 + star 100, noise 0.9",
+      "crossing grates 5 + 5", "pockets 20 + disc 16", "airplane + insignia", "G1 + hand1",
+      "pentagon + U"};
+  if (data.empty()) shown.insert({"bird + bird", "bird + dog"});
   Pairs pairs;
-  add_real(pairs, data);
-  add_star(pairs, 100, 0.9, "0.9");
-  add_grates_and_pockets(pairs);
-  static const std::set<std::string> shown{"bird + bird", "airplane + insignia", "hand1 + G1", "pentagon + U"};
-  Pairs thesis;
-  add_thesis_pairs(thesis);
-  for (Pair& pair : thesis.list) {
+  pairs.notes = std::move(all.notes);
+  for (Pair& pair : all.list) {
     if (shown.count(pair.name) > 0) pairs.list.push_back(std::move(pair));
   }
   return pairs;
