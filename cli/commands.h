@@ -1,9 +1,11 @@
 // The verbs. Each function adds one to the application; when the command line chooses it, it sets `action`.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "exit_code.h"
 
-#include "sum_command.h"
+namespace CLI {
+class App;
+}
 
 namespace dymsum::cli {
 

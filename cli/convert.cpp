@@ -1,10 +1,12 @@
 // dymsum convert IN OUT
+#include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
 
 #include "commands.h"
 #include "progress_bar.h"
 #include "report.h"
+#include "sum_command.h"
 #include "tier.h"
 
 namespace dymsum::cli {

@@ -1,6 +1,7 @@
 // How a run of the command line ends.
 #pragma once
 
+#include <functional>
 #include <stdexcept>
 #include <string>
 
@@ -14,6 +15,9 @@ enum ExitCode {
   kNo = 4,           ///< the answer is "no"
   kInterrupted = 130 ///< by Ctrl-C
 };
+
+/// What the verb chosen on the command line does.
+using Action = std::function<ExitCode()>;
 
 /// Ends the command with this code and message; thrown by anything below a subcommand, caught in main.
 class Stop : public std::runtime_error {

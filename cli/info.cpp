@@ -1,4 +1,5 @@
 // dymsum info F
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <iostream>
@@ -6,6 +7,7 @@
 
 #include "commands.h"
 #include "report.h"
+#include "sum_command.h"
 #include "tier.h"
 
 namespace dymsum::cli {

@@ -1,4 +1,5 @@
 // dymsum VERB INPUTS [options]
+#include <CLI/CLI.hpp>
 #include <exception>
 #include <iostream>
 

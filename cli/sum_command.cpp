@@ -1,7 +1,9 @@
 #include "sum_command.h"
 
+#include <CLI/CLI.hpp>
 #include <iostream>
 #include <map>
+#include <memory>
 
 #include "progress_bar.h"
 #include "report.h"
@@ -31,19 +33,7 @@ void check(const SumCommand& command) {
 
 bool is_empty(const PlanarSum& sum) { return sum.parts.empty() && sum.segments.empty() && sum.points.empty(); }
 
-}  // namespace
-
-void add_input_options(CLI::App& verb, InputOptions& options) {
-  verb.add_flag("--repair", options.repair,
-                "Merge duplicate and collinear vertices, fix orientation, and say on standard error what changed");
-  verb.add_option("--from", options.from, "Format of standard input; otherwise told from its first characters")
-      ->check(CLI::IsMember({"poly", "wkt", "geojson", "svg", "json"}));
-}
-
-void add_sum_options(CLI::App& verb, SumCommand& command, const char* first, const char* second) {
-  verb.add_option(first, command.operands[0], "File, FILE#NAME for one shape of several, or - for standard input")
-      ->required();
-  verb.add_option(second, command.operands[1], "The same")->required();
+void add_sum_options(CLI::App& verb, SumCommand& command) {
   verb.add_option("-o", command.output.files,
                   "Write the result; repeatable; by extension .poly .wkt .geojson (rounded), .json (exact, with "
                   "provenance), .svg (picture), stages.svg (the stages); - is standard output")
@@ -66,13 +56,34 @@ void add_sum_options(CLI::App& verb, SumCommand& command, const char* first, con
       ->type_name("N")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1000000000}))
       ->capture_default_str();
-  add_input_options(verb, command.input);
 }
 
-ExitCode run_sum(const SumCommand& command, bool empty_is_no) {
+}  // namespace
+
+void add_input_options(CLI::App& verb, InputOptions& options) {
+  verb.add_flag("--repair", options.repair,
+                "Merge duplicate and collinear vertices, fix orientation, and say on standard error what changed");
+  verb.add_option("--from", options.from, "Format of standard input; otherwise told from its first characters")
+      ->check(CLI::IsMember({"poly", "wkt", "geojson", "svg", "json"}));
+}
+
+void add_sum_verb(CLI::App& app, const SumVerb& verb, Action& action) {
+  auto command = std::make_shared<SumCommand>();
+  CLI::App& parser = *app.add_subcommand(verb.name, verb.description);
+  const char* const operand =
+      "File, FILE#NAME for one shape of several, or - for standard input";
+  parser.add_option(verb.first, command->operands[0], operand)->required();
+  parser.add_option(verb.second, command->operands[1], operand)->required();
+  add_sum_options(parser, *command);
+  add_input_options(parser, command->input);
+  parser.footer("Example: " + verb.example);
+  parser.callback([verb, command, &action] { action = [verb, command] { return run_sum(verb, *command); }; });
+}
+
+ExitCode run_sum(const SumVerb& verb, const SumCommand& command) {
   check(command);
   SumReport report;
-  report.verb = command.verb;
+  report.verb = verb.name;
   report.engine = command.engine;
   report.semantics = command.semantics;
   report.inputs = read_inputs(command.operands, command.input);
@@ -84,14 +95,14 @@ ExitCode run_sum(const SumCommand& command, bool empty_is_no) {
   const auto compute = [&] {
     ProgressBar bar;
     options.progress = bar.callback();
-    PlanarSum sum = require(command.compute(p, q, options));
+    PlanarSum sum = require(verb.compute(p, q, options));
     throw_if_interrupted();
     return sum;
   };
   const auto [sum, timing] = timed(command.repeat, compute);
   report.sum = &sum;
   report.timing = timing;
-  report.convolution = convolution_sizes(p, command.reflects_second ? negated(q) : q);
+  report.convolution = convolution_sizes(p, verb.reflects_second ? negated(q) : q);
 
   write_sum(p, q, sum, command.output);
   if (command.json) {
@@ -99,7 +110,7 @@ ExitCode run_sum(const SumCommand& command, bool empty_is_no) {
   } else {
     print_sum(writes_to_stdout(command.output) ? std::cerr : std::cout, report);
   }
-  return empty_is_no && is_empty(sum) ? kNo : kDone;
+  return verb.empty_is_no && is_empty(sum) ? kNo : kDone;
 }
 
 }  // namespace dymsum::cli

@@ -1,7 +1,6 @@
 // What sum, nfp and erode share: their options, and running one of them.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
 #include <vector>
@@ -11,31 +10,36 @@
 #include "inputs.h"
 #include "outputs.h"
 
+namespace CLI {
+class App;
+}
+
 namespace dymsum::cli {
 
-/// What the verb chosen on the command line does; returns the exit code.
-using Action = std::function<ExitCode()>;
+/// What makes a verb of this kind.
+struct SumVerb {
+  std::string name, first, second, description, example;
+  /// The public function it calls.
+  std::function<Result<PlanarSum>(const Region&, const Region&, const SumOptions&)> compute;
+  bool reflects_second = false;  ///< the convolution behind it is that of P and -Q
+  bool empty_is_no = false;      ///< an empty result ends with kNo
+};
 
+/// What the command line asks of it.
 struct SumCommand {
-  std::string verb;
   std::vector<std::string> operands{"", ""};
   std::string engine = "fast", semantics = "closed";
   std::size_t repeat = 1;
   bool json = false;
   InputOptions input;
   OutputOptions output;
-
-  /// The computation, of the public function's type.
-  std::function<Result<PlanarSum>(const Region&, const Region&, const SumOptions&)> compute;
-  /// The second operand of the convolution behind it: Q or -Q.
-  bool reflects_second = false;
 };
 
-/// Declares operands named `first` and `second` and all options.
-void add_sum_options(CLI::App& verb, SumCommand& command, const char* first, const char* second);
+/// Adds the verb with its operands and all options.
+void add_sum_verb(CLI::App& app, const SumVerb& verb, Action& action);
 
-/// Reads, computes, writes the outputs and reports. kNo when `empty_is_no` and the result is empty.
-ExitCode run_sum(const SumCommand& command, bool empty_is_no = false);
+/// Reads, computes, writes the outputs and reports.
+ExitCode run_sum(const SumVerb& verb, const SumCommand& command);
 
 /// Declares --repair and --from.
 void add_input_options(CLI::App& verb, InputOptions& options);
