@@ -52,7 +52,7 @@ std::string stage_shares(const std::vector<Row>& rows) {
     }
   }
   return draw_shares({"Share of each stage in our time (thesis, figure 3.6)", "pairs of the larger models",
-                      "share of the time", names(chosen), "one run per pair, each pair's total is 1"},
+                      "share of the time", names(chosen), "medians over all repetitions; each pair's total is 1"},
                      series);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <sstream>
 
 #include "versus/cgal.h"
@@ -40,11 +41,30 @@ double rounded_area(const PlanarSum& sum) {
   return twice / 2;
 }
 
+/// The median of each stage over all repetitions.
+class StageTimes {
+ public:
+  void add(const std::vector<SumStats::Stage>& stages) {
+    for (const SumStats::Stage& stage : stages) times_[stage.name].ms.push_back(stage.ms);
+  }
+  void put_medians(std::vector<SumStats::Stage>& stages) const {
+    for (SumStats::Stage& stage : stages) stage.ms = times_.at(stage.name).median();
+  }
+
+ private:
+  std::map<std::string_view, Times> times_;
+};
+
 OurAnswer our_answer(const Pair& pair) {
   OurAnswer ours;
   PlanarSum sum;
+  StageTimes stages;
   const Times times = measure(
-      kOurRepeats, [&] { return sum_of(pair); }, [&](PlanarSum&& last) { sum = std::move(last); });
+      kOurRepeats, [&] { return sum_of(pair); },
+      [&](PlanarSum&& last) {
+        stages.add(last.stats.stages);
+        sum = std::move(last);
+      });
   ours.median_ms = times.median();
   ours.min_ms = times.min();
   ours.runs = static_cast<int>(times.ms.size());
@@ -52,6 +72,7 @@ OurAnswer our_answer(const Pair& pair) {
   ours.holes = sum.hole_count();
   ours.vertices = sum.vertex_count();
   ours.stats = sum.stats;
+  stages.put_medians(ours.stats.stages);
   ours.convolution = convolution_sizes(pair.p, pair.no_fit ? negated(pair.q) : pair.q);
   if (ours.vertices <= kExactAreaVertices) {
     const Rational area = sum.area_exact();
@@ -120,6 +141,8 @@ Row measure_pair(const Pair& pair, const Effort& effort) {
   row.large = pair.large;
   row.p_vertices = pair.p.vertex_count();
   row.q_vertices = pair.q.vertex_count();
+  row.p_corners = pair.p.canonical().vertex_count();
+  row.q_corners = pair.q.canonical().vertex_count();
   row.ours = our_answer(pair);
   if (!effort.rivals) return row;
   const Region second = pair.no_fit ? negated(pair.q) : pair.q;

@@ -34,6 +34,7 @@ struct Row {
   Group group = Group::thesis;
   bool large = false;
   std::size_t p_vertices = 0, q_vertices = 0;
+  std::size_t p_corners = 0, q_corners = 0;  ///< vertices that are not collinear with their neighbours
   OurAnswer ours;
   RivalAnswer reduced, full, angle_bisector, vertical, clipper;
   Verdict verdict = Verdict::unknown;

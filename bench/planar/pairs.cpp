@@ -121,6 +121,7 @@ void add_real(Pairs& pairs, const std::string& data) {
     if (p && q) pairs.list.push_back({label, Group::real, *p, *q});
   };
   add("neuron + disc 32", neuron, shapes::disc(32, 1));
+  add("neuron + small disc 32", neuron, shapes::disc(32, 1.0 / 64));  // no hole of the neuron is filled
   add("monkey + bird", monkey, bird);
   add("bird + bird (real)", bird, bird);
   add("dog + bird (real)", dog, bird);

@@ -116,8 +116,8 @@ class Sheet {
 }  // namespace
 
 std::string colour(std::size_t index) {
-  static const std::array<const char*, 8> colours{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
-                                                  "#e69f00", "#56b4e9", "#f0e442", "#777777"};
+  static const std::array<const char*, 10> colours{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00",
+                                                   "#56b4e9", "#f0e442", "#777777", "#000000", "#8c510a"};
   return colours[index % colours.size()];
 }
 
