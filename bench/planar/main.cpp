@@ -84,6 +84,11 @@ int run(const Options& options) {
   if (!options.ours) {
     for (const Group group : {Group::swim, Group::shirts}) print_table(std::cout, group, rows);
     print_summary(std::cout, rows);
+    if (options.demo || !options.only.empty()) {
+      std::cout << "\nThe promises are measured over all pairs: ./run bench planar\n";
+    } else {
+      print_promises(std::cout, rows);
+    }
   }
   if (!options.results.empty() && !write_results(options.results, rows)) {
     std::cerr << "cannot write into " << options.results << "\n";

@@ -132,6 +132,9 @@ void print_summary(std::ostream& out, const std::vector<Row>& rows) {
     out << "against whichever CGAL method was fastest: least " << text("%.1f", best->ratio_to_best_cgal()) << ", "
         << best->name << "\n";
   }
+}
+
+void print_promises(std::ostream& out, const std::vector<Row>& rows) {
   out << "\n== Promises\n";
   for (const Target& target : targets(rows)) {
     out << (target.met ? "met      " : "NOT met  ") << target.promise << ": " << target.measured << "\n";
