@@ -4,6 +4,8 @@
 #include <iostream>
 #include <map>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "progress_bar.h"
 #include "report.h"
@@ -92,14 +94,15 @@ ExitCode run_sum(const SumVerb& verb, const SumCommand& command) {
 
   const InterruptGuard guard;
   SumOptions options = sum_options(command);
+  std::optional<ProgressBar> bar(std::in_place);
+  options.progress = bar->callback();
   const auto compute = [&] {
-    ProgressBar bar;
-    options.progress = bar.callback();
     PlanarSum sum = require(verb.compute(p, q, options));
     throw_if_interrupted();
     return sum;
   };
   const auto [sum, timing] = timed(command.repeat, compute);
+  bar.reset();
   report.sum = &sum;
   report.timing = timing;
   report.convolution = convolution_sizes(p, verb.reflects_second ? negated(q) : q);
