@@ -2,41 +2,24 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <functional>
 #include <optional>
 #include <stdexcept>
 #include <unordered_map>
+#include <utility>
 
 #include "planar/boundary.h"
 #include "planar/collision.h"
 #include "planar/crossings.h"
 #include "planar/kinetic.h"
 #include "planar/segment_graph.h"
+#include "planar/winding_numbers.h"
 
 namespace dymsum::planar {
 namespace {
 
 using Edge = SegmentGraph::Edge;
 using Ray = SegmentGraph::Ray;
-
-// Winding numbers left and right of an edge, seen from its low end.
-struct Sides {
-  int left = 0, right = 0;
-};
-
-// Closed walks of a soup, every segment counted `sign` times.
-struct Tracing {
-  explicit Tracing(const SumState& state) : soup(*state.lattice, *state.p, *state.q) {}
-
-  void add(const WalkSegment& w, int sign) {
-    soup.add(w, soup.box(w));
-    signs.push_back(sign);
-  }
-
-  Soup soup;
-  std::vector<int> signs;
-};
 
 // The parallelograms of all pairs of edges of two components without area: polylines are walked there and back, so that the two
 // sides added for (e, f) meet the two added for the backward edges.
@@ -51,77 +34,6 @@ void add_parallelograms(const Lattice& lattice, const Operand& p, const Operand&
           tracing.add({1, f, p.next[e]}, 1);
         }
     }
-}
-
-// The winding number at x moved infinitely little to the right of its segment, then infinitely less ahead: signed crossings of
-// the ray from there to +x.
-int winding_right_of(const Tracing& tracing, const Place& x) {
-  const Soup& soup = tracing.soup;
-  const Lattice& lattice = soup.lattice;
-  const Point d = lattice.vector(x.on.edge);
-  const int tie = d.x != 0 ? (d.x > 0 ? 1 : -1) : (d.y > 0 ? -1 : 1);  // of the height of a vertex over x, when it is zero
-  const auto height = [&](WalkPair v) {
-    const int h = lattice.height(soup.exact(v), x);
-    return h != 0 ? h : tie;
-  };
-  const double margin = x.error + 2 * soup.point_error + 0x1p-50 * lattice.span;
-  int winding = 0;
-  for (std::uint32_t s = 0; s < soup.size(); ++s) {
-    const SoupBox& b = soup.boxes[s];
-    if (std::max(b.ay, b.by) < x.y - margin || std::min(b.ay, b.by) > x.y + margin || std::max(b.ax, b.bx) < x.x - margin) continue;
-    const int from = height(soup.start(s)), to = height(soup.end(s));
-    if (from == to) continue;
-    int side = lattice.side(soup.exact(s), x);
-    if (side == 0) side = -lattice.dot(soup.exact(s).edge, x.on.edge);
-    if (side == 0) side = lattice.cross(soup.exact(s).edge, x.on.edge);
-    // An upward segment is crossed from its left, a downward one from its right.
-    if (side == to) winding += to * tracing.signs[s];
-  }
-  return winding;
-}
-
-// Winding numbers of all edges: one ray for every connected piece of the graph, then around its nodes.
-std::vector<Sides> find_windings(const Tracing& tracing, const SegmentGraph& graph) {
-  const auto& edges = graph.edges();
-  std::vector<int> jump(edges.size(), 0);  // left minus right
-  for (std::size_t i = 0; i < edges.size(); ++i)
-    for (std::uint32_t k = edges[i].first; k < edges[i].last; ++k) {
-      const SegmentGraph::SubEdge& s = graph.sub_edges()[k];
-      jump[i] += SegmentGraph::forward(edges[i], s) ? tracing.signs[s.segment] : -tracing.signs[s.segment];
-    }
-  std::vector<Sides> sides(edges.size());
-  std::vector<std::uint8_t> known(edges.size(), 0);
-  std::vector<std::uint32_t> open;  // nodes with a known edge
-  std::vector<std::uint8_t> done(graph.nodes().size(), 0);
-  const auto set_right = [&](const Ray& ray, int right) {
-    const Sides found = ray.forward ? Sides{right + jump[ray.edge], right} : Sides{right, right - jump[ray.edge]};
-    if (known[ray.edge] && (sides[ray.edge].left != found.left || sides[ray.edge].right != found.right))
-      throw std::logic_error("winding numbers: the tracing is not closed");
-    sides[ray.edge] = found;
-    known[ray.edge] = 1;
-    const Edge& e = edges[ray.edge];
-    for (const std::uint32_t v : {e.low, e.high})
-      if (!done[v]) {
-        done[v] = 1;
-        open.push_back(v);
-      }
-  };
-  for (std::uint32_t seed = 0; seed < edges.size(); ++seed) {
-    if (known[seed]) continue;
-    const bool forward = SegmentGraph::forward(edges[seed], graph.sub_edges()[edges[seed].first]);
-    set_right({seed, forward}, winding_right_of(tracing, graph.sample(seed)));
-    while (!open.empty()) {
-      const auto rays = graph.rays(open.back());
-      open.pop_back();
-      std::size_t first = 0;
-      while (!known[rays[first].edge]) ++first;
-      for (std::size_t k = 0; k < rays.size(); ++k) {
-        const Ray &ray = rays[(first + k) % rays.size()], &following = rays[(first + k + 1) % rays.size()];
-        set_right(following, ray.forward ? sides[ray.edge].left : sides[ray.edge].right);
-      }
-    }
-  }
-  return sides;
 }
 
 // An edge of the boundary with interior on its left.
@@ -280,10 +192,33 @@ bool thin(const Operand& o) {
   return std::any_of(o.components.begin(), o.components.end(), [](const Component& c) { return c.dimension < 2; });
 }
 
+Tracing make_tracing(SumState& state, bool parallelograms) {
+  Tracing tracing(*state.lattice, *state.p, *state.q);
+  for (const KineticSegment& s : kinetic_convolution(*state.lattice, *state.p, *state.q)) tracing.add(s.walk, s.sign);
+  state.stats.reduced_segments = tracing.soup.size();
+  if (parallelograms) add_parallelograms(*state.lattice, *state.p, *state.q, tracing);
+  state.stats.live_segments = tracing.soup.size();
+  state.stats.peak_bytes = tracing.soup.segments.capacity() * sizeof(SoupSegment) + tracing.soup.boxes.capacity() * sizeof(SoupBox);
+  return tracing;
+}
+
+// Nothing when stopped on request.
+std::optional<Meetings> find_meetings(const Soup& soup, const SumOptions& options, SumStats& stats) {
+  Meetings meetings;
+  CrossingFinder finder(soup, meetings);
+  const std::function<bool(double)> poll = [&](double share) { return !options.progress || options.progress("crossings", share); };
+  finder.poll = &poll;
+  finder.all_pairs();
+  if (finder.stopped) return std::nullopt;
+  stats.crossings = meetings.crossings.size();
+  stats.pair_tests = meetings.pair_tests;
+  stats.exact_signs += meetings.exact_signs;
+  return meetings;
+}
+
 }  // namespace
 
 bool run_winding(const SumOptions& options, SumState& state) {
-  const Lattice& lattice = *state.lattice;
   SumStats& stats = state.stats;
   auto last = std::chrono::steady_clock::now();
   const auto done = [&](std::string_view name) {
@@ -292,28 +227,15 @@ bool run_winding(const SumOptions& options, SumState& state) {
     last = now;
     return !options.progress || options.progress(name, 1);
   };
-
-  Tracing tracing(state);
-  for (const KineticSegment& s : kinetic_convolution(lattice, *state.p, *state.q)) tracing.add(s.walk, s.sign);
-  stats.reduced_segments = tracing.soup.size();
   const bool parallelograms = options.semantics != Semantics::open && thin(*state.p) && thin(*state.q);
-  if (parallelograms) add_parallelograms(lattice, *state.p, *state.q, tracing);
+  const Tracing tracing = make_tracing(state, parallelograms);
   const Soup& soup = tracing.soup;
-  stats.live_segments = soup.size();
   if (!done("convolution")) return false;
 
-  Meetings meetings;
-  CrossingFinder finder(soup, meetings);
-  const std::function<bool(double)> poll = [&](double share) { return !options.progress || options.progress("crossings", share); };
-  finder.poll = &poll;
-  finder.all_pairs();
-  if (finder.stopped) return false;
-  stats.crossings = meetings.crossings.size();
-  stats.pair_tests = meetings.pair_tests;
-  stats.exact_signs += meetings.exact_signs;
-  if (!done("crossings")) return false;
+  std::optional<Meetings> meetings = find_meetings(soup, options, stats);
+  if (!meetings || !done("crossings")) return false;
 
-  const SegmentGraph graph(soup, std::move(meetings));
+  const SegmentGraph graph(soup, *std::move(meetings));
   stats.exact_signs += graph.exact_orders();
   for (const SegmentGraph::Node& v : graph.nodes()) stats.degenerate_nodes += v.passes > 2;
   if (!done("arrangement")) return false;
@@ -333,15 +255,14 @@ bool run_winding(const SumOptions& options, SumState& state) {
   if (!done("loops")) return false;
 
   if (options.semantics != Semantics::regular && !parallelograms) {
-    Collision collision(lattice, *state.p, *state.q, false);
+    Collision collision(*state.lattice, *state.p, *state.q, false);
     find_tight(tracing, graph, sides, collision, state.boundary, error);
     stats.collision_tests = collision.counts().tests;
     stats.filtered_signs += collision.counts().filtered;
     stats.exact_signs += collision.counts().exact;
   }
-  state.boundary.at_error = input_error(lattice, error);
-  stats.peak_bytes = soup.segments.capacity() * sizeof(SoupSegment) + soup.boxes.capacity() * sizeof(SoupBox) +
-                     std::max(finder.peak_bytes(), graph.bytes());
+  state.boundary.at_error = input_error(*state.lattice, error);
+  stats.peak_bytes += graph.bytes();
   return done("tight");
 }
 

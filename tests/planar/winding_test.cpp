@@ -3,6 +3,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <stdexcept>
 
 #include "dymsum/planar_sum.h"
 #include "dymsum/region_io.h"
@@ -10,9 +11,11 @@
 #include "oracles/check_sum.h"
 #include "oracles/pair_text.h"
 #include "oracles/tiny_regions.h"
+#include "planar/collision.h"
 #include "planar/kinetic.h"
 #include "planar/segment_graph.h"
 #include "planar/separate_touching.h"
+#include "planar/winding_numbers.h"
 
 namespace dymsum::planar {
 namespace {
@@ -37,28 +40,30 @@ struct Operands {
   Operand p, q;
 };
 
-struct Tracing {
-  explicit Tracing(const Operands& o) : soup(*o.lattice, o.p, o.q) {
-    for (const KineticSegment& s : kinetic_convolution(*o.lattice, o.p, o.q)) {
-      soup.add(s.walk, soup.box(s.walk));
-      signs.push_back(s.sign);
-    }
+Tracing kinetic_tracing(const Operands& o) {
+  Tracing tracing(*o.lattice, o.p, o.q);
+  for (const KineticSegment& s : kinetic_convolution(*o.lattice, o.p, o.q)) tracing.add(s.walk, s.sign);
+  return tracing;
+}
+
+/// The winding number at a place given in lattice units. Operands on small integers only: these doubles are exact.
+int winding_at(const Tracing& tracing, double x, double y) {
+  int winding = 0;
+  for (std::uint32_t s = 0; s < tracing.soup.size(); ++s) {
+    const SoupBox& b = tracing.soup.boxes[s];
+    if ((b.ay > y) == (b.by > y)) continue;
+    const double side = (b.bx - b.ax) * (y - b.ay) - (b.by - b.ay) * (x - b.ax);
+    if (b.by > b.ay && side > 0) winding += tracing.signs[s];
+    if (b.by < b.ay && side < 0) winding -= tracing.signs[s];
   }
-  /// The winding number at a place given in lattice units. Operands on small integers only: these doubles are exact.
-  int winding(double x, double y) const {
-    int winding = 0;
-    for (std::uint32_t s = 0; s < soup.size(); ++s) {
-      const SoupBox& b = soup.boxes[s];
-      if ((b.ay > y) == (b.by > y)) continue;
-      const double side = (b.bx - b.ax) * (y - b.ay) - (b.by - b.ay) * (x - b.ax);
-      if (b.by > b.ay && side > 0) winding += signs[s];
-      if (b.by < b.ay && side < 0) winding -= signs[s];
-    }
-    return winding;
-  }
-  Soup soup;
-  std::vector<int> signs;
-};
+  return winding;
+}
+
+SegmentGraph graph_of(const Tracing& tracing) {
+  Meetings meetings;
+  CrossingFinder(tracing.soup, meetings).all_pairs();
+  return SegmentGraph(tracing.soup, std::move(meetings));
+}
 
 template <class Check>
 void for_tiny_pairs(int count, const Check& check) {
@@ -77,13 +82,13 @@ TEST(KineticWinding, is_positive_exactly_in_the_open_sum) {
   int inside = 0, outside = 0, several = 0;
   for_tiny_pairs(400, [&](const Region& p, const Region& q, oracles::Random& random) {
     const Operands o(p, q);
-    const Tracing tracing(o);
+    const Tracing tracing = kinetic_tracing(o);
     const double unit = std::ldexp(1.0, o.lattice->double_exponent);
     const auto a = bounds(p), b = bounds(q);
     for (int i = 0; i < 12; ++i) {
       const double gx = random.below(static_cast<int>(a[2] + b[2] - a[0] - b[0]) + 1) + 419.0 / 1024;
       const double gy = random.below(static_cast<int>(a[3] + b[3] - a[1] - b[1]) + 1) + 31.0 / 8192;
-      const int winding = tracing.winding(gx / unit, gy / unit);
+      const int winding = winding_at(tracing, gx / unit, gy / unit);
       const Point z = {o.lattice->offset[0].x + o.lattice->offset[1].x + gx, o.lattice->offset[0].y + o.lattice->offset[1].y + gy};
       ASSERT_EQ(winding > 0, contains(p, q, z, Semantics::open)) << "winding number " << winding << " at " << z.x << " " << z.y;
       ASSERT_GE(winding, 0);
@@ -101,16 +106,14 @@ TEST(KineticWinding, is_positive_exactly_in_the_open_sum) {
 TEST(KineticWinding, is_one_where_a_square_covers_the_hole_of_a_frame) {
   const Region frame = Region::create({{{{{0, 0}, {8, 0}, {8, 8}, {0, 8}}, {{{3, 3}, {3, 5}, {5, 5}, {5, 3}}}}}, {}, {}}).value();
   const Operands o(frame, shapes::rectangle(-2, -2, 2, 2));
-  EXPECT_EQ(Tracing(o).winding(6.25, 6.125), 1);  // (4.25, 4.125) in the plane: the square covers the hole
-  EXPECT_EQ(Tracing(o).winding(-1, 6.125), 0);
+  EXPECT_EQ(winding_at(kinetic_tracing(o), 6.25, 6.125), 1);  // (4.25, 4.125) in the plane: the square covers the hole
+  EXPECT_EQ(winding_at(kinetic_tracing(o), -1, 6.125), 0);
 }
 
 TEST(SegmentGraph, cuts_at_every_meeting_and_merges_what_coincides) {
   const Operands o(shapes::rectangle(0, 0, 2, 2), shapes::rectangle(0, 0, 1, 1));
-  const Tracing tracing(o);
-  Meetings meetings;
-  CrossingFinder(tracing.soup, meetings).all_pairs();
-  const SegmentGraph graph(tracing.soup, std::move(meetings));
+  const Tracing tracing = kinetic_tracing(o);
+  const SegmentGraph graph = graph_of(tracing);
   EXPECT_EQ(graph.nodes().size(), 8u);  // four corners, and where two parallel edges follow each other
   EXPECT_EQ(graph.edges().size(), 8u);
   for (std::uint32_t v = 0; v < 8; ++v) EXPECT_EQ(graph.rays(v).size(), 2u);
@@ -121,10 +124,8 @@ TEST(SegmentGraph, is_planar) {
   std::size_t crossings = 0, merged = 0;
   for_tiny_pairs(200, [&](const Region& p, const Region& q, oracles::Random&) {
     const Operands o(p, q);
-    const Tracing tracing(o);
-    Meetings meetings;
-    CrossingFinder(tracing.soup, meetings).all_pairs();
-    const SegmentGraph graph(tracing.soup, std::move(meetings));
+    const Tracing tracing = kinetic_tracing(o);
+    const SegmentGraph graph = graph_of(tracing);
     const std::size_t n = graph.nodes().size(), m = graph.edges().size();
     std::vector<std::uint32_t> parent(n);
     for (std::uint32_t v = 0; v < n; ++v) parent[v] = v;
@@ -163,6 +164,36 @@ TEST(SegmentGraph, is_planar) {
   });
   EXPECT_GT(crossings, 300u);
   EXPECT_GT(merged, 300u);
+}
+
+TEST(WindingNumbers, around_nodes_are_those_of_rays_and_positive_exactly_inside) {
+  std::size_t edges = 0, boundary = 0;
+  for_tiny_pairs(200, [&](const Region& p, const Region& q, oracles::Random&) {
+    const Operands o(p, q);
+    const Tracing tracing = kinetic_tracing(o);
+    const SegmentGraph graph = graph_of(tracing);
+    const std::vector<Sides> sides = find_windings(tracing, graph);
+    Collision collision(*o.lattice, o.p, o.q, false);
+    for (std::uint32_t e = 0; e < sides.size(); ++e) {
+      const SegmentGraph::Edge& edge = graph.edges()[e];
+      const Place x = graph.sample(e);
+      const bool forward = SegmentGraph::forward(edge, graph.sub_edges()[edge.first]);
+      const int right = forward ? sides[e].right : sides[e].left;
+      ASSERT_EQ(winding_right_of(tracing, x), right);
+      ASSERT_EQ(collision.overlaps_right_of(x), right > 0);
+      ++edges;
+      boundary += (sides[e].left > 0) != (sides[e].right > 0);
+    }
+  });
+  EXPECT_GT(edges, 3000u);
+  EXPECT_GT(boundary, 500u);
+}
+
+TEST(WindingNumbers, of_a_tracing_that_is_not_closed_are_refused) {
+  const Operands o(shapes::rectangle(0, 0, 2, 2), shapes::rectangle(0, 0, 1, 1));
+  Tracing tracing = kinetic_tracing(o);
+  tracing.signs[0] = 2;
+  EXPECT_THROW(find_windings(tracing, graph_of(tracing)), std::logic_error);
 }
 
 TEST(WindingEngine, gives_the_sum_by_definition_and_those_of_the_other_engines) {
