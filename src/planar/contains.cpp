@@ -63,10 +63,12 @@ bool edges_meet(const Lattice& l, const Edge& e, const Edge& f, Pair z) {
   const int s3 = l.side({f, e.from}, z), s4 = l.side({f, e.to}, z);
   if (s3 * s4 > 0) return false;
   if (s1 * s2 < 0 && s3 * s4 < 0) return true;
-  return lies_on(l, {e, f.from}, z) || lies_on(l, {e, f.to}, z) || lies_on(l, {f, e.from}, z) || lies_on(l, {f, e.to}, z);
+  return lies_on(l, {e, f.from}, z) || lies_on(l, {e, f.to}, z) || lies_on(l, {f, e.from}, z) ||
+         lies_on(l, {f, e.to}, z);
 }
 
-// Whether the boundaries of two components meet; with `regular`, only where that puts z into the closure of an open set.
+// Whether the boundaries of two components meet; with `regular`, only where that puts z into the closure of an open
+// set.
 bool boundaries_meet(const Query& query, const Component& cp, const Component& cq, bool regular) {
   const Lattice& l = *query.lattice;
   const bool thin = cp.dimension < 2 && cq.dimension < 2;
@@ -91,7 +93,8 @@ bool boundaries_meet(const Query& query, const Component& cp, const Component& c
 
 bool contains(const Region& p, const Region& q, Point z, Semantics semantics) {
   if (p.empty() || q.empty() || !std::isfinite(z.x) || !std::isfinite(z.y)) return false;
-  const Query query = make_query(separate_touching(p.data(), p.touching_points()), separate_touching(q.data(), q.touching_points()), z);
+  const Query query =
+      make_query(separate_touching(p.data(), p.touching_points()), separate_touching(q.data(), q.touching_points()), z);
   if (semantics != Semantics::open)
     for (const Component& cp : query.p.components)
       for (const Component& cq : query.q.components)

@@ -8,8 +8,8 @@ namespace dymsum {
 
 using namespace planar;
 
-// A reflex vertex turns the short way in the kinetic convolution and the long way, counter-clockwise, in the full one: the two
-// half-open arcs are complements.
+// A reflex vertex turns the short way in the kinetic convolution and the long way, counter-clockwise, in the full one:
+// the two half-open arcs are complements.
 ConvolutionSizes convolution_sizes(const Region& p, const Region& q) {
   ConvolutionSizes sizes;
   if (p.empty() || q.empty()) return sizes;

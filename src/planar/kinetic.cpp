@@ -22,8 +22,8 @@ std::vector<std::uint32_t> edges_by_direction(const Lattice& lattice, const Oper
 }
 
 // The number of edges whose direction is less than that of d, or not greater (`equal_too`).
-std::uint32_t count_below(const Lattice& lattice, const Operand& o, const std::vector<std::uint32_t>& edges, const Edge& d,
-                          bool equal_too) {
+std::uint32_t count_below(const Lattice& lattice, const Operand& o, const std::vector<std::uint32_t>& edges,
+                          const Edge& d, bool equal_too) {
   const auto at = std::partition_point(edges.begin(), edges.end(), [&](std::uint32_t e) {
     const int order = compare_directions(lattice, o.edge(e), d);
     return order < 0 || (equal_too && order == 0);
@@ -32,9 +32,9 @@ std::uint32_t count_below(const Lattice& lattice, const Operand& o, const std::v
 }
 
 // The turns of the vertices of component c of operand o against the edges of a component of the other operand.
-void component_turns(const Lattice& lattice, const Operand& o, const Component& c, const std::vector<std::uint8_t>& filled,
-                     const Operand& other, const std::vector<std::uint32_t>& edges,
-                     const std::function<void(const KineticTurn&)>& f) {
+void component_turns(const Lattice& lattice, const Operand& o, const Component& c,
+                     const std::vector<std::uint8_t>& filled, const Operand& other,
+                     const std::vector<std::uint32_t>& edges, const std::function<void(const KineticTurn&)>& f) {
   const std::uint32_t n = static_cast<std::uint32_t>(edges.size());
   for (std::uint32_t l = c.first_loop; l < c.last_loop; ++l) {
     const Loop& loop = o.loops[l];
@@ -45,7 +45,8 @@ void component_turns(const Lattice& lattice, const Operand& o, const Component& 
         Edge from = o.edge(o.prev[v]), to = o.edge(v);
         t.sign = o.convex[v] ? 1 : -1;
         if (t.sign < 0) std::swap(from, to);
-        // Operand 1 is the one that is turned: an edge of P parallel to the edge in of Q is not met, one parallel to out is.
+        // Operand 1 is the one that is turned: an edge of P parallel to the edge in of Q is not met, one parallel to
+        // out is.
         t.lo = count_below(lattice, other, edges, from, o.op == 1);
         const std::uint32_t hi = count_below(lattice, other, edges, to, o.op == 1);
         t.count = compare_directions(lattice, from, to) < 0 ? hi - t.lo : hi + n - t.lo;

@@ -93,7 +93,8 @@ void SegmentGraph::build_events() {
               [&](const Event& a, const Event& b) { return compare_events(s, a, b) < 0; });
 }
 
-// A node is a class of crossings and pairs of vertices: those at one place of one segment, and pairs known to be at one place.
+// A node is a class of crossings and pairs of vertices: those at one place of one segment, and pairs known to be at one
+// place.
 void SegmentGraph::find_nodes() {
   std::vector<std::uint32_t> parent(meetings_.crossings.size());
   std::iota(parent.begin(), parent.end(), 0u);
@@ -153,7 +154,8 @@ void SegmentGraph::find_nodes() {
 // Segments are straight: sub-edges between the same two nodes coincide.
 void SegmentGraph::find_edges() {
   const auto key = [](const SubEdge& s) { return std::pair{std::min(s.from, s.to), std::max(s.from, s.to)}; };
-  std::stable_sort(sub_edges_.begin(), sub_edges_.end(), [&](const SubEdge& a, const SubEdge& b) { return key(a) < key(b); });
+  std::stable_sort(sub_edges_.begin(), sub_edges_.end(),
+                   [&](const SubEdge& a, const SubEdge& b) { return key(a) < key(b); });
   for (std::uint32_t i = 0; i < sub_edges_.size();) {
     const auto ends = key(sub_edges_[i]);
     Edge e{ends.first, ends.second, i, i + 1};
@@ -206,7 +208,8 @@ Place SegmentGraph::sample(std::uint32_t edge) const {
   p.x = 0.5 * (a.x + b.x);
   p.y = 0.5 * (a.y + b.y);
   // Anywhere between the ends; the factor covers the roundings here.
-  p.error = 0.625 * std::max(std::abs(b.x - a.x), std::abs(b.y - a.y)) + 2 * (a.error + b.error) + 0x1p-51 * soup_.lattice.span;
+  p.error = 0.625 * std::max(std::abs(b.x - a.x), std::abs(b.y - a.y)) + 2 * (a.error + b.error) +
+            0x1p-51 * soup_.lattice.span;
   return p;
 }
 

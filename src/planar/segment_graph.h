@@ -1,5 +1,5 @@
-// The planar graph that the segments of a soup form when they are cut at all their meetings: nodes are places, every edge stands
-// for all sub-edges between its two nodes. Knows no convolution and decides nothing about sides.
+// The planar graph that the segments of a soup form when they are cut at all their meetings: nodes are places, every
+// edge stands for all sub-edges between its two nodes. Knows no convolution and decides nothing about sides.
 #pragma once
 
 #include <cstdint>

@@ -21,8 +21,8 @@ namespace {
 using Edge = SegmentGraph::Edge;
 using Ray = SegmentGraph::Ray;
 
-// The parallelograms of all pairs of edges of two components without area: polylines are walked there and back, so that the two
-// sides added for (e, f) meet the two added for the backward edges.
+// The parallelograms of all pairs of edges of two components without area: polylines are walked there and back, so that
+// the two sides added for (e, f) meet the two added for the backward edges.
 void add_parallelograms(const Lattice& lattice, const Operand& p, const Operand& q, Tracing& tracing) {
   for (const Component& cp : p.components)
     for (const Component& cq : q.components) {
@@ -119,9 +119,11 @@ class Boundary {
     BoundaryEdge out{forward ? e.low : e.high, forward ? e.high : e.low, kNone};
     for (std::uint32_t k = e.first; k < e.last; ++k) {
       const SegmentGraph::SubEdge& s = graph_.sub_edges()[k];
-      if (tracing_.signs[s.segment] > 0 && SegmentGraph::forward(e, s) == forward) out.segment = std::min(out.segment, s.segment);
+      if (tracing_.signs[s.segment] > 0 && SegmentGraph::forward(e, s) == forward)
+        out.segment = std::min(out.segment, s.segment);
     }
-    if (out.segment == kNone) throw std::logic_error("winding numbers: a boundary edge without a segment that bounds it");
+    if (out.segment == kNone)
+      throw std::logic_error("winding numbers: a boundary edge without a segment that bounds it");
     return out;
   }
 
@@ -145,11 +147,12 @@ bool may_be_crack(const Tracing& tracing, const SegmentGraph& graph, const Sides
 bool may_be_puncture(const SegmentGraph& graph, const std::vector<Sides>& sides, std::uint32_t node) {
   if (graph.nodes()[node].passes < 3) return false;
   const auto rays = graph.rays(node);
-  return std::all_of(rays.begin(), rays.end(), [&](const Ray& r) { return sides[r.edge].left > 0 && sides[r.edge].right > 0; });
+  return std::all_of(rays.begin(), rays.end(),
+                     [&](const Ray& r) { return sides[r.edge].left > 0 && sides[r.edge].right > 0; });
 }
 
-void find_tight(const Tracing& tracing, const SegmentGraph& graph, const std::vector<Sides>& sides, Collision& collision,
-                RawBoundary& out, double& error) {
+void find_tight(const Tracing& tracing, const SegmentGraph& graph, const std::vector<Sides>& sides,
+                Collision& collision, RawBoundary& out, double& error) {
   const Soup& soup = tracing.soup;
   const auto vertex = [&](std::uint32_t node, std::uint32_t segment) {
     const SegmentGraph::Node& v = graph.nodes()[node];
@@ -166,7 +169,8 @@ void find_tight(const Tracing& tracing, const SegmentGraph& graph, const std::ve
   }
   for (std::uint32_t v = 0; v < graph.nodes().size(); ++v)
     if (may_be_puncture(graph, sides, v) && !collision.overlaps(graph.nodes()[v].place))
-      out.punctures.push_back(vertex(v, graph.nodes()[v].end.pair ? graph.nodes()[v].segment : graph.nodes()[v].end.other));
+      out.punctures.push_back(
+          vertex(v, graph.nodes()[v].end.pair ? graph.nodes()[v].segment : graph.nodes()[v].end.other));
 }
 
 void trace_stages(const Soup& soup, const SegmentGraph& graph, const std::vector<std::vector<BoundaryEdge>>& rings,
@@ -178,7 +182,8 @@ void trace_stages(const Soup& soup, const SegmentGraph& graph, const std::vector
   };
   for (std::uint32_t s = 0; s < soup.size(); ++s) {
     const SoupBox& b = soup.boxes[s];
-    trace.convolution.push_back({lattice.to_input(b.ax, b.ay), lattice.to_input(b.bx, b.by), soup.segments[s].side() == 0});
+    trace.convolution.push_back(
+        {lattice.to_input(b.ax, b.ay), lattice.to_input(b.bx, b.by), soup.segments[s].side() == 0});
   }
   for (std::uint32_t v = 0; v < graph.nodes().size(); ++v)
     if (!graph.nodes()[v].end.pair) trace.crossings.push_back(at(v));
@@ -198,7 +203,8 @@ Tracing make_tracing(SumState& state, bool parallelograms) {
   state.stats.reduced_segments = tracing.soup.size();
   if (parallelograms) add_parallelograms(*state.lattice, *state.p, *state.q, tracing);
   state.stats.live_segments = tracing.soup.size();
-  state.stats.peak_bytes = tracing.soup.segments.capacity() * sizeof(SoupSegment) + tracing.soup.boxes.capacity() * sizeof(SoupBox);
+  state.stats.peak_bytes =
+      tracing.soup.segments.capacity() * sizeof(SoupSegment) + tracing.soup.boxes.capacity() * sizeof(SoupBox);
   return tracing;
 }
 
@@ -206,7 +212,9 @@ Tracing make_tracing(SumState& state, bool parallelograms) {
 std::optional<Meetings> find_meetings(const Soup& soup, const SumOptions& options, SumStats& stats) {
   Meetings meetings;
   CrossingFinder finder(soup, meetings);
-  const std::function<bool(double)> poll = [&](double share) { return !options.progress || options.progress("crossings", share); };
+  const std::function<bool(double)> poll = [&](double share) {
+    return !options.progress || options.progress("crossings", share);
+  };
   finder.poll = &poll;
   finder.all_pairs();
   if (finder.stopped) return std::nullopt;

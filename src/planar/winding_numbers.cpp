@@ -10,7 +10,7 @@ namespace {
 // Left minus right of every edge.
 std::vector<int> jumps(const Tracing& tracing, const SegmentGraph& graph) {
   const auto& edges = graph.edges();
-  std::vector<int> jump(edges.size(), 0);  // left minus right
+  std::vector<int> jump(edges.size(), 0);
   for (std::size_t i = 0; i < edges.size(); ++i)
     for (std::uint32_t k = edges[i].first; k < edges[i].last; ++k) {
       const SegmentGraph::SubEdge& s = graph.sub_edges()[k];
@@ -25,7 +25,8 @@ int winding_right_of(const Tracing& tracing, const Place& x) {
   const Soup& soup = tracing.soup;
   const Lattice& lattice = soup.lattice;
   const Point d = lattice.vector(x.on.edge);
-  const int tie = d.x != 0 ? (d.x > 0 ? 1 : -1) : (d.y > 0 ? -1 : 1);  // of the height of a vertex over x, when it is zero
+  const int tie =
+      d.x != 0 ? (d.x > 0 ? 1 : -1) : (d.y > 0 ? -1 : 1);  // of the height of a vertex over x, when it is zero
   const auto height = [&](WalkPair v) {
     const int h = lattice.height(soup.exact(v), x);
     return h != 0 ? h : tie;
@@ -34,7 +35,9 @@ int winding_right_of(const Tracing& tracing, const Place& x) {
   int winding = 0;
   for (std::uint32_t s = 0; s < soup.size(); ++s) {
     const SoupBox& b = soup.boxes[s];
-    if (std::max(b.ay, b.by) < x.y - margin || std::min(b.ay, b.by) > x.y + margin || std::max(b.ax, b.bx) < x.x - margin) continue;
+    if (std::max(b.ay, b.by) < x.y - margin || std::min(b.ay, b.by) > x.y + margin ||
+        std::max(b.ax, b.bx) < x.x - margin)
+      continue;
     const int from = height(soup.start(s)), to = height(soup.end(s));
     if (from == to) continue;
     int side = lattice.side(soup.exact(s), x);
@@ -76,7 +79,8 @@ std::vector<Sides> find_windings(const Tracing& tracing, const SegmentGraph& gra
       std::size_t first = 0;
       while (!known[rays[first].edge]) ++first;
       for (std::size_t k = 0; k < rays.size(); ++k) {
-        const SegmentGraph::Ray &ray = rays[(first + k) % rays.size()], &following = rays[(first + k + 1) % rays.size()];
+        const SegmentGraph::Ray &ray = rays[(first + k) % rays.size()],
+                                &following = rays[(first + k + 1) % rays.size()];
         set_right(following, ray.forward ? sides[ray.edge].left : sides[ray.edge].right);
       }
     }

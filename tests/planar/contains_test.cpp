@@ -31,7 +31,9 @@ TEST(Contains, equals_membership_by_definition_on_tiny_grids) {
     for (int i = 0; i < 12; ++i) {
       // Grid places are where sets touch; halves lie between.
       const double step = i % 3 == 0 ? 0.5 : 1;
-      const auto pick = [&](double low, double high) { return low - 1 + step * random.below(static_cast<int>((high - low + 2) / step) + 1); };
+      const auto pick = [&](double low, double high) {
+        return low - 1 + step * random.below(static_cast<int>((high - low + 2) / step) + 1);
+      };
       const Point z{pick(a[0] + b[0], a[2] + b[2]), pick(a[1] + b[1], a[3] + b[3])};
       const oracles::Pt<Big> exact{from_double<Big>(z.x), from_double<Big>(z.y)};
       const bool meets = member.meets(exact), overlaps = member.overlaps(exact);
@@ -54,7 +56,8 @@ Region segment(Point a, Point b) { return Region::create({{}, {{a, b}}, {}}).val
 Region point(Point a) { return Region::create({{}, {}, {a}}).value(); }
 
 TEST(Contains, an_exact_fit_is_closed_but_not_open) {
-  const Region plate = Region::create({{{{{0, 0}, {9, 0}, {9, 9}, {0, 9}}, {{{3, 3}, {3, 5}, {5, 5}, {5, 3}}}}}, {}, {}}).value();
+  const Region plate =
+      Region::create({{{{{0, 0}, {9, 0}, {9, 9}, {0, 9}}, {{{3, 3}, {3, 5}, {5, 5}, {5, 3}}}}}, {}, {}}).value();
   const Region square = shapes::rectangle(-1, -1, 1, 1);
   EXPECT_TRUE(contains(plate, square, {4, 4}, Semantics::closed));
   EXPECT_FALSE(contains(plate, square, {4, 4}, Semantics::open));
@@ -106,13 +109,15 @@ TEST(Contains, nothing_in_an_empty_sum_or_at_no_place) {
   EXPECT_FALSE(contains(square, square, {0, std::numeric_limits<double>::infinity()}));
 }
 
-// The sum of 0.1 and 0.2 is not a double: both neighbours must be told apart from it, and far translations change nothing.
+// The sum of 0.1 and 0.2 is not a double: both neighbours must be told apart from it, and far translations change
+// nothing.
 TEST(Contains, decides_what_doubles_cannot_hold) {
   const Region p = shapes::rectangle(0, 0, 0.1, 1), q = shapes::rectangle(0, 0, 0.2, 1);
   EXPECT_FALSE(contains(p, q, {0.1 + 0.2, 1}));  // rounded up
   EXPECT_TRUE(contains(p, q, {std::nextafter(0.1 + 0.2, 0), 1}));
   EXPECT_TRUE(contains(p, q, {std::nextafter(0.1 + 0.2, 0), 0.5}, Semantics::open));
-  const Region far = shapes::rectangle(0x1p60, 0, 0x1p60 + 0x1p10, 1), back = shapes::rectangle(-0x1p60, 0, -0x1p60 + 0x1p10, 1);
+  const Region far = shapes::rectangle(0x1p60, 0, 0x1p60 + 0x1p10, 1),
+               back = shapes::rectangle(-0x1p60, 0, -0x1p60 + 0x1p10, 1);
   EXPECT_TRUE(contains(far, back, {0, 1}));
   EXPECT_FALSE(contains(far, back, {-0x1p-1000, 1}));
   EXPECT_TRUE(contains(far, back, {0x1p-1000, 1}));

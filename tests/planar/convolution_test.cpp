@@ -23,7 +23,8 @@ constexpr std::uint64_t kSeed = 271828;
 
 struct Operands {
   Operands(const Region& a, const Region& b) {
-    const EngineRegion ea = separate_touching(a.data(), a.touching_points()), eb = separate_touching(b.data(), b.touching_points());
+    const EngineRegion ea = separate_touching(a.data(), a.touching_points()),
+                       eb = separate_touching(b.data(), b.touching_points());
     lattice = make_lattice(source_vertices(ea.data), source_vertices(eb.data), 0);
     p = make_operand(ea, 0, *lattice);
     q = make_operand(eb, 1, *lattice);
@@ -45,7 +46,8 @@ void for_pairs(int count, const Check& check) {
     check(Region::create(p).value(), Region::create(q).value());
     if (::testing::Test::HasFailure()) return;
   }
-  const Region shapes[] = {shapes::star(7, 1, 3), shapes::grate(4, 3, 1, 5), shapes::random_polygon(20, 2, 5), shapes::comb(3, 2, 1, 4)};
+  const Region shapes[] = {shapes::star(7, 1, 3), shapes::grate(4, 3, 1, 5), shapes::random_polygon(20, 2, 5),
+                           shapes::comb(3, 2, 1, 4)};
   for (const Region& p : shapes)
     for (const Region& q : shapes) check(p, q);
 }
@@ -76,8 +78,9 @@ TEST(KineticConvolution, starts_as_many_segments_at_every_pair_of_vertices_as_it
   EXPECT_GT(reversed, 1000u);
 }
 
-/// The position of direction e in the turn from a to b, counter-clockwise: rotating e by an infinitesimal angle, clockwise when
-/// `clockwise`, puts it strictly between them. Angles are compared by quarter turns and cross products alone.
+/// The position of direction e in the turn from a to b, counter-clockwise: rotating e by an infinitesimal angle,
+/// clockwise when `clockwise`, puts it strictly between them. Angles are compared by quarter turns and cross products
+/// alone.
 bool strictly_between(const Operands& o, const Edge& a, const Edge& e, const Edge& b, bool clockwise) {
   const auto turn = [&](const Edge& from, const Edge& to) {  // 0, (0, pi), pi, (pi, 2 pi)
     const int c = o.lattice->cross(from, to);
@@ -183,7 +186,8 @@ TEST(ConvolutionSizes, of_empty_and_thin_operands) {
 }
 
 TEST(ConvolutionSizes, a_hole_too_small_for_the_other_operand_counts_nothing) {
-  const Region plate = Region::create({{{{{0, 0}, {9, 0}, {9, 9}, {0, 9}}, {{{3, 3}, {3, 5}, {5, 5}, {5, 3}}}}}, {}, {}}).value();
+  const Region plate =
+      Region::create({{{{{0, 0}, {9, 0}, {9, 9}, {0, 9}}, {{{3, 3}, {3, 5}, {5, 5}, {5, 3}}}}}, {}, {}}).value();
   EXPECT_EQ(convolution_sizes(plate, shapes::rectangle(0, 0, 3, 1)).reduced, 8u);
   EXPECT_EQ(convolution_sizes(plate, shapes::rectangle(0, 0, 3, 1)).full, 8u);
   // It fits exactly, or is smaller: the hole's four edges and the four edges that turn at its reflex corners.
@@ -191,8 +195,10 @@ TEST(ConvolutionSizes, a_hole_too_small_for_the_other_operand_counts_nothing) {
   EXPECT_EQ(convolution_sizes(plate, shapes::rectangle(0, 0, 1, 1)).kinetic, 16u);
 }
 
-// The thesis counts with collinear vertices kept and turns closed at both ends (star + star: 382 of 1608, dog + bird: 2921 of 38342,
-// neuron + disc: 3196); here collinear vertices are dropped and turns are half-open.
+// The thesis keeps collinear vertices and closes turns at both ends (star + star: 382 of 1608, dog + bird: 2921 of
+// 38342, neuron
+// + disc: 3196). Here collinear vertices are dropped and turns are half-open. With the neuron's 29 collinear vertices
+// kept there is one more segment for each (3195 and 5119), and 33 more in the full convolution (34135).
 TEST(ConvolutionSizes, of_the_shapes_of_the_thesis) {
   const std::filesystem::path folder = std::filesystem::path(DYMSUM_SOURCE_DIR) / "../shared/data/planar";
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no thesis data";
@@ -201,8 +207,6 @@ TEST(ConvolutionSizes, of_the_shapes_of_the_thesis) {
   };
   const Region neuron = load("neuron.poly"), bird = load("bird.poly"), star = load("star.poly");
   EXPECT_EQ(convolution_sizes(neuron, shapes::disc(32, 0.01)), (ConvolutionSizes{33178, 5090, 3166}));
-  // 29 of the neuron's vertices are collinear: one more segment each (3195 and 5119), and 33 in the full convolution (34135).
-  EXPECT_EQ(33178 + 29 * 33, 34135);
   EXPECT_EQ(convolution_sizes(load("monkey.poly"), bird), (ConvolutionSizes{319708, 31334, 16406}));
   EXPECT_EQ(convolution_sizes(load("dog.poly"), bird), (ConvolutionSizes{36722, 5043, 2726}));
   EXPECT_EQ(convolution_sizes(star, star), (ConvolutionSizes{1428, 540, 312}));

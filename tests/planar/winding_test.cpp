@@ -1,4 +1,5 @@
-// The winding engine: winding numbers against membership, the graph of segments, and the same sums as the other engines.
+// The winding engine: winding numbers against membership, the graph of segments, and the same sums as the other
+// engines.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -31,7 +32,8 @@ Result<PlanarSum> sum_by(Engine engine, const Region& p, const Region& q, Semant
 
 struct Operands {
   Operands(const Region& a, const Region& b) {
-    const EngineRegion ea = separate_touching(a.data(), a.touching_points()), eb = separate_touching(b.data(), b.touching_points());
+    const EngineRegion ea = separate_touching(a.data(), a.touching_points()),
+                       eb = separate_touching(b.data(), b.touching_points());
     lattice = make_lattice(source_vertices(ea.data), source_vertices(eb.data), 0);
     p = make_operand(ea, 0, *lattice);
     q = make_operand(eb, 1, *lattice);
@@ -89,8 +91,10 @@ TEST(KineticWinding, is_positive_exactly_in_the_open_sum) {
       const double gx = random.below(static_cast<int>(a[2] + b[2] - a[0] - b[0]) + 1) + 419.0 / 1024;
       const double gy = random.below(static_cast<int>(a[3] + b[3] - a[1] - b[1]) + 1) + 31.0 / 8192;
       const int winding = winding_at(tracing, gx / unit, gy / unit);
-      const Point z = {o.lattice->offset[0].x + o.lattice->offset[1].x + gx, o.lattice->offset[0].y + o.lattice->offset[1].y + gy};
-      ASSERT_EQ(winding > 0, contains(p, q, z, Semantics::open)) << "winding number " << winding << " at " << z.x << " " << z.y;
+      const Point z = {o.lattice->offset[0].x + o.lattice->offset[1].x + gx,
+                       o.lattice->offset[0].y + o.lattice->offset[1].y + gy};
+      ASSERT_EQ(winding > 0, contains(p, q, z, Semantics::open))
+          << "winding number " << winding << " at " << z.x << " " << z.y;
       ASSERT_GE(winding, 0);
       inside += winding > 0;
       several += winding > 1;
@@ -104,7 +108,8 @@ TEST(KineticWinding, is_positive_exactly_in_the_open_sum) {
 
 // Without the hole filter the Euler characteristic vanishes where one operand covers a hole of the other.
 TEST(KineticWinding, is_one_where_a_square_covers_the_hole_of_a_frame) {
-  const Region frame = Region::create({{{{{0, 0}, {8, 0}, {8, 8}, {0, 8}}, {{{3, 3}, {3, 5}, {5, 5}, {5, 3}}}}}, {}, {}}).value();
+  const Region frame =
+      Region::create({{{{{0, 0}, {8, 0}, {8, 8}, {0, 8}}, {{{3, 3}, {3, 5}, {5, 5}, {5, 3}}}}}, {}, {}}).value();
   const Operands o(frame, shapes::rectangle(-2, -2, 2, 2));
   EXPECT_EQ(winding_at(kinetic_tracing(o), 6.25, 6.125), 1);  // (4.25, 4.125) in the plane: the square covers the hole
   EXPECT_EQ(winding_at(kinetic_tracing(o), -1, 6.125), 0);
@@ -214,9 +219,9 @@ TEST(WindingEngine, gives_the_sum_by_definition_and_those_of_the_other_engines) 
 }
 
 TEST(WindingEngine, gives_the_sums_of_the_other_engines_on_larger_shapes) {
-  const Region shapes[] = {shapes::star(9, 1, 3),          shapes::grate(5, 3, 1, 7),          shapes::random_polygon(40, 3, 11),
-                           shapes::comb(5, 2, 1, 4),       shapes::gear(8, 2, 3),              shapes::spiral(2, 9, 1.5, 0.5),
-                           shapes::noisy_star(30, 0.6, 4), shapes::letter_u(4, 4, 1),          shapes::pockets(4, 1)};
+  const Region shapes[] = {shapes::star(9, 1, 3),          shapes::grate(5, 3, 1, 7), shapes::random_polygon(40, 3, 11),
+                           shapes::comb(5, 2, 1, 4),       shapes::gear(8, 2, 3),     shapes::spiral(2, 9, 1.5, 0.5),
+                           shapes::noisy_star(30, 0.6, 4), shapes::letter_u(4, 4, 1), shapes::pockets(4, 1)};
   for (const Region& p : shapes)
     for (const Region& q : shapes) {
       const Result<PlanarSum> mine = sum_by(Engine::winding, p, q);
@@ -235,7 +240,8 @@ TEST(WindingEngine, tests_no_face_for_collision) {
   ASSERT_TRUE(sum.ok());
   EXPECT_EQ(sum->stats.collision_tests, 0u);
   EXPECT_GT(sum->hole_count(), 0u);
-  EXPECT_EQ(sum->stats.reduced_segments, convolution_sizes(shapes::grate(4, 3, 1, 5), shapes::star(5, 0.2, 0.6)).kinetic);
+  EXPECT_EQ(sum->stats.reduced_segments,
+            convolution_sizes(shapes::grate(4, 3, 1, 5), shapes::star(5, 0.2, 0.6)).kinetic);
 }
 
 TEST(WindingEngine, stops_on_request_at_every_stage) {
@@ -257,7 +263,8 @@ TEST(WindingEngine, agrees_on_the_shapes_of_the_thesis) {
     return Region::create(read_region_data((folder / name).string()).value()).value();
   };
   const Region star = load("star.poly"), texas = load("texas.poly"), dog = load("dog.poly");
-  for (const auto& [p, q] : {std::pair{star, star}, std::pair{star, negated(star)}, std::pair{texas, star}, std::pair{dog, star}})
+  for (const auto& [p, q] :
+       {std::pair{star, star}, std::pair{star, negated(star)}, std::pair{texas, star}, std::pair{dog, star}})
     EXPECT_TRUE(*sum_by(Engine::winding, p, q) == *sum_by(Engine::fast, p, q));
 }
 
