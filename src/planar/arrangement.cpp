@@ -221,7 +221,8 @@ void Arrangement::process_node(std::vector<Spot>& spots, const std::vector<WalkP
     rays.push_back({sign * soup_.dx(s), sign * soup_.dy(s), s, sub, out});
     flags_[sub] |= out ? kDegenerateStart : kDegenerateEnd;
   };
-  CoveredNode where;
+  Node where;
+  where.number = static_cast<std::uint32_t>(degenerate_nodes_);
   bool placed = false;
   for (const Spot& spot : spots) {
     const Event& e = events_[first_event_[spot.segment] + spot.begin];
@@ -257,7 +258,7 @@ void Arrangement::process_node(std::vector<Spot>& spots, const std::vector<WalkP
 
 // A sector between two neighbouring rays is free unless the ray before it leaves with it on its left, or the ray behind it arrives
 // with it on its left. The boundary of a free sector comes in on the first and goes out on the second.
-void Arrangement::link_rays(std::vector<Ray>& rays, const CoveredNode& where) {
+void Arrangement::link_rays(std::vector<Ray>& rays, const Node& where) {
   const auto half = [](const Ray& r) { return r.dy > 0 || (r.dy == 0 && r.dx > 0) ? 0 : 1; };
   const auto compare = [&](const Ray& a, const Ray& b) {
     if (half(a) != half(b)) return half(a) < half(b) ? -1 : 1;
@@ -280,7 +281,7 @@ void Arrangement::link_rays(std::vector<Ray>& rays, const CoveredNode& where) {
     groups.push_back(g);
     i = g.end;
   }
-  bool free = false;
+  nodes_.push_back(where);
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const Group &from = groups[g], &to = groups[(g + 1) % groups.size()];
     if (from.left && from.right) {
@@ -292,13 +293,11 @@ void Arrangement::link_rays(std::vector<Ray>& rays, const CoveredNode& where) {
         }
     }
     if (from.left || to.right) continue;
-    free = true;
     const Step step{rays[to.begin].sub, rays[to.begin].segment};
     flags_[step.sub] |= kEntered;
-    const Link link{step, static_cast<std::uint32_t>(degenerate_nodes_)};
+    const Link link{step, where.number};
     for (std::size_t k = from.begin; k < from.end; ++k) links_[rays[k].sub] = link;
   }
-  if (!free) covered_nodes_.push_back(where);
 }
 
 bool Arrangement::alive_at_start(Step at) const {
@@ -407,7 +406,7 @@ Place Arrangement::place(std::uint32_t s, const Cut& cut, double t, double t_err
   p.x = t == 1 ? b.bx : b.ax + t * dx;
   p.y = t == 1 ? b.by : b.ay + t * dy;
   // The start, the step (t's own error, its rounding and the direction's) and the final sum.
-  p.error = t == 0 || t == 1 ? soup_.point_error : 2 * soup_.point_error + (t_error + 0x1p-50) * length + 0x1p-51 * soup_.lattice.span;
+  p.error = t == 0 || t == 1 ? soup_.point_error : 2 * soup_.point_error + (t_error + 0x1p-51) * length + 0x1p-52 * soup_.lattice.span;
   return p;
 }
 

@@ -70,13 +70,14 @@ class Arrangement {
   Place sample(Step at) const;
   Place place(std::uint32_t s, const Cut& cut, double t, double t_error) const;
 
-  /// A degenerate node without a free sector: a candidate for a tight point.
-  struct CoveredNode {
+  /// A degenerate node: a candidate for a tight point unless the boundary passes through it.
+  struct Node {
+    std::uint32_t number = 0;  ///< as in end_node
     std::uint32_t segment = 0;
     SubEnd end;
     Place place;
   };
-  const std::vector<CoveredNode>& covered_nodes() const { return covered_nodes_; }
+  const std::vector<Node>& nodes() const { return nodes_; }
   /// Sub-edges covered from both sides by coinciding segments, candidates for tight segments; each place once.
   const std::vector<Step>& covered_subs() const { return covered_subs_; }
   std::uint64_t degenerate_nodes() const { return degenerate_nodes_; }
@@ -103,7 +104,7 @@ class Arrangement {
   struct Ray;
   struct Spot;
   void process_node(std::vector<Spot>& spots, const std::vector<WalkPair>& pairs);
-  void link_rays(std::vector<Ray>& rays, const CoveredNode& where);
+  void link_rays(std::vector<Ray>& rays, const Node& where);
   std::pair<std::uint32_t, std::uint32_t> equal_run(std::uint32_t s, std::uint32_t k) const;
   double denominator(std::uint32_t s, const Cut& cut, double& relative_error) const;
   Cut event_cut(const Event& e, std::uint32_t segment) const;
@@ -126,7 +127,7 @@ class Arrangement {
     std::uint32_t node = 0;
   };
   std::unordered_map<std::uint32_t, Link> links_;  // at degenerate ends
-  std::vector<CoveredNode> covered_nodes_;
+  std::vector<Node> nodes_;
   std::vector<Step> covered_subs_;
   std::uint64_t degenerate_nodes_ = 0;
   mutable std::uint64_t exact_orders_ = 0;

@@ -86,7 +86,8 @@ void CrossingFinder::add_touch(std::uint32_t segment, WalkPair pair) {
 void CrossingFinder::exact_test(const Entry& a, const Entry& b) {
   const std::uint32_t i = a.id, j = b.id;
   const WalkPair a0 = soup_.start(i), a1 = soup_.end(i), b0 = soup_.start(j), b1 = soup_.end(j);
-  const bool chained = a1 == b0 || b1 == a0 || a0 == b0 || a1 == b1;
+  const bool in_chains = i < first_unchained && j < first_unchained;
+  const bool chained = in_chains && (a1 == b0 || b1 == a0 || a0 == b0 || a1 == b1);
   // Segments of one chain share an end; they meet elsewhere only when they fold back onto each other.
   if (chained && soup_.cross(i, j) != 0) return;
   const Segment sa = soup_.exact(i), sb = soup_.exact(j);
@@ -110,9 +111,9 @@ void CrossingFinder::exact_test(const Entry& a, const Entry& b) {
     // v lies on the line of s: register it if it lies on s.
     const Pair x = soup_.exact(v);
     if (l.same(x, soup_.exact(from))) {
-      if (!(v == from)) out_.same.emplace_back(v, from);
+      if (!in_chains || !(v == from)) out_.same.emplace_back(v, from);
     } else if (l.same(x, soup_.exact(to))) {
-      if (!(v == to)) out_.same.emplace_back(v, to);
+      if (!in_chains || !(v == to)) out_.same.emplace_back(v, to);
     } else if (l.along(e, x) > 0 && l.along({{e.edge.op, e.edge.to, e.edge.from}, e.vertex}, x) > 0) {
       add_touch(s, v);
     }

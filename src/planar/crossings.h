@@ -53,6 +53,8 @@ class CrossingFinder {
 
   const std::function<bool(double)>* poll = nullptr;
   bool stopped = false;
+  /// Segments from this number on belong to no chain: their shared ends are meetings like any other.
+  std::uint32_t first_unchained = 0xffffffff;
 
  private:
   struct Entry {

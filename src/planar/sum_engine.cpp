@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
+#include <unordered_set>
 
 #include "planar/part_nesting.h"
 #include "planar/pieces.h"
@@ -142,7 +143,14 @@ void trace_stages(const Soup& soup, const InteriorMask* mask, const Arrangement&
 }
 
 // Cracks and punctures: candidates of the arrangement that are not inside the open sum.
-void find_tight(const Soup& soup, const Arrangement& arrangement, Collision& collision, RawBoundary& out, double& grid_error) {
+// A sector that no segment covers may still lie inside: where a chain ends at a reflex vertex its contact covers more than the half
+// discs of its segments. So every node off the boundary is tested, not only those whose sectors are all covered.
+void find_tight(const Soup& soup, const Arrangement& arrangement, const std::vector<BoundaryLoop>& kept, Collision& collision,
+                RawBoundary& out, double& grid_error) {
+  if (arrangement.nodes().empty()) return;
+  std::unordered_set<std::uint32_t> on_boundary;
+  for (const BoundaryLoop& loop : kept)
+    for (const Step& step : loop.steps) on_boundary.insert(arrangement.end_node(step));
   for (const Step& step : arrangement.covered_subs()) {
     if (collision.overlaps(arrangement.sample(step))) continue;
     const Place from = arrangement.start_place(step), to = arrangement.end_place(step);
@@ -151,8 +159,8 @@ void find_tight(const Soup& soup, const Arrangement& arrangement, Collision& col
     const std::uint32_t s = step.segment;
     out.cracks.push_back({vertex_of(soup, s, a.pair ? s : a.other, a, from), vertex_of(soup, s, b.pair ? s : b.other, b, to)});
   }
-  for (const Arrangement::CoveredNode& node : arrangement.covered_nodes()) {
-    if (collision.overlaps(node.place)) continue;
+  for (const Arrangement::Node& node : arrangement.nodes()) {
+    if (on_boundary.contains(node.number) || collision.overlaps(node.place)) continue;
     grid_error = std::max(grid_error, node.place.error);
     out.punctures.push_back(vertex_of(soup, node.segment, node.end.pair ? node.segment : node.end.other, node.end, node.place));
   }
@@ -211,6 +219,7 @@ bool run_reduced(const SumOptions& options, SumState& state) {
   std::vector<DeadMark> marks;
   CrossingFinder finder(soup, meetings);
   finder.poll = &poll;
+  finder.first_unchained = reduced_live;
   if (!fast || soup.size() < kAllPairs) {
     finder.all_pairs();
   } else {
@@ -237,15 +246,16 @@ bool run_reduced(const SumOptions& options, SumState& state) {
   collision.with_parallelograms = parallelograms;
   const bool connected = fast && !parallelograms && connected_sum(op, oq);
   SortedLoops sorted = verify_loops(soup, arrangement, std::move(loops), collision, connected);
+  clock.done("collision");
   if (state.trace) trace_stages(soup, mask ? &*mask : nullptr, arrangement, sorted, convolution, *state.trace);
   double grid_error = soup.point_error;
+  if (options.semantics != Semantics::regular && !parallelograms)
+    find_tight(soup, arrangement, sorted.kept, collision, state.boundary, grid_error);
+  clock.done("tight");
   for (const BoundaryLoop& ring : simple_rings(soup, arrangement, std::move(sorted.kept))) {
     state.boundary.rings.push_back(make_ring(soup, arrangement, ring, grid_error));
     state.boundary.outer.push_back(ring.turning > 0);
   }
-  clock.done("collision");
-  if (options.semantics != Semantics::regular && !parallelograms)
-    find_tight(soup, arrangement, collision, state.boundary, grid_error);
   state.boundary.at_error = input_error(lattice, grid_error);
   stats.collision_tests = collision.counts().tests;
   stats.filtered_signs += collision.counts().filtered;
@@ -253,7 +263,7 @@ bool run_reduced(const SumOptions& options, SumState& state) {
   stats.peak_bytes = soup.segments.capacity() * sizeof(SoupSegment) + soup.boxes.capacity() * sizeof(SoupBox) + chain.bytes() +
                      (mask ? mask->bytes() : 0) + std::max(finder.peak_bytes(), arrangement.bytes()) +
                      marks.capacity() * sizeof(DeadMark);
-  clock.done("tight");
+  clock.done("rings");
   return true;
 }
 
@@ -306,7 +316,9 @@ void lower_dimensional_candidates(const Lattice& lattice, const Operand& p, cons
           } else if (cq.dimension == 0) {
             segments.push_back({corner(i, j, of_p(i, j)), corner(p.next[i], j, of_p(i, j))});
           } else if (lattice.cross(p.edge(i), q.edge(j)) == 0 && lattice.dot(p.edge(i), q.edge(j)) > 0) {
-            segments.push_back({corner(i, j, of_p(i, j)), corner(p.next[i], q.next[j], of_p(i, j))});
+            // Edge by edge, so that every piece lies on its contact.
+            segments.push_back({corner(i, j, of_p(i, j)), corner(p.next[i], j, of_p(i, j))});
+            segments.push_back({corner(p.next[i], j, of_q(p.next[i], j)), corner(p.next[i], q.next[j], of_q(p.next[i], j))});
           }
         }
     }
@@ -372,6 +384,7 @@ PlanarSum finish_sum(SumState state, Numbering numbering, const SumOptions& opti
     for (const SumSegment& s : sum.tight_segments) state.trace->tight_segments.push_back({s.from.at, s.to.at});
   }
   clock.done("output");
+  sum.at_error = raw.at_error;
   sum.stats = std::move(state.stats);
   sum.trace = std::move(state.trace);
   return sum;
