@@ -53,7 +53,7 @@ struct Contact {
 /// several coincide; the position is unique.
 struct SumVertex {
   static constexpr std::uint32_t kNone = 0xffffffff;
-  Point at;                                ///< position rounded to nearest, for reading and drawing
+  Point at;                                ///< position within PlanarSum::at_error, for reading and drawing
   Contact in, out;                         ///< the edge that arrives and the edge that leaves
   std::uint32_t corner_p = kNone, corner_q = kNone;  ///< vertex of P + vertex of Q, or kNone at a crossing
 };
@@ -102,7 +102,8 @@ struct SumStats {
   std::vector<Stage> stages;
 };
 
-/// The exact sum. Coordinates are exact rationals behind rounded ones.
+/// The exact sum. Coordinates are exact rationals behind approximate ones with a stated error (some units in the last place of the
+/// sum's extent); exact() and rounded() give what was promised.
 class PlanarSum {
  public:
   std::vector<SumPart> parts;              ///< the closure of the interior, sorted; ring order canonical
@@ -110,6 +111,7 @@ class PlanarSum {
   std::vector<SumVertex> points;           ///< isolated points of the set (likewise)
   std::vector<SumSegment> tight_segments;  ///< touching without overlap allowed only exactly here: cracks in the open sum
   std::vector<SumVertex> tight_points;     ///< the same: punctures of the open sum
+  double at_error = 0;                     ///< |at - exact| is at most this in each coordinate, for every vertex
   SumStats stats;
   std::optional<PlanarTrace> trace;
 
