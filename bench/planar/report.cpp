@@ -19,9 +19,9 @@ std::string milliseconds(double ms) {
   return text;
 }
 
-std::string times(const RivalAnswer& answer) {
+std::string times(RivalAnswer answer) {
   if (answer.finished) return milliseconds(answer.median_ms);
-  if (answer.why_not.rfind("stopped after", 0) == 0) return ">" + answer.why_not.substr(14);
+  if (answer.why_not.rfind("stopped after", 0) == 0) return answer.why_not.replace(0, 14, ">");
   if (answer.why_not.rfind("crashed", 0) == 0) return "crash";
   if (answer.why_not == "cannot take holes") return "holes";
   return answer.why_not.empty() ? "-" : "failed";
