@@ -2,6 +2,7 @@
 // failing test prints. Lines `#` comments, `p WKT`, `q WKT`, `op sum|nfp|erode`, `expect KEY VALUE...`.
 #pragma once
 
+#include <ostream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -16,6 +17,7 @@ struct Case {
   RegionData p, q;
   std::string op = "sum";
   std::vector<std::pair<std::string, std::string>> expect;
+  friend std::ostream& operator<<(std::ostream& out, const Case& one) { return out << one.name; }
 };
 
 /// Throws std::runtime_error with the offending text.

@@ -1,5 +1,6 @@
 #include "provenance.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <sstream>
@@ -59,13 +60,9 @@ std::string text(const Pt<N>& c) {
   return out.str();
 }
 
-bool nearest(double rounded, const Big& exact) {
-  const auto distance = [&](double value) {
-    const Big gap = from_double<Big>(value) - exact;
-    return gap < 0 ? Big(-gap) : gap;
-  };
-  const Big here = distance(rounded);
-  return here <= distance(std::nextafter(rounded, INFINITY)) && here <= distance(std::nextafter(rounded, -INFINITY));
+bool within(double rounded, const Big& exact, double error) {
+  const Big gap = from_double<Big>(rounded) - exact;
+  return (gap < 0 ? Big(-gap) : gap) <= from_double<Big>(error);
 }
 
 template <class N>
@@ -76,6 +73,7 @@ class Checker {
         combination_(combination), sum_(sum) {}
 
   std::string run() {
+    check_error_bound();
     for (const SumPart& part : sum_.parts) {
       check_ring(part.outer);
       for (const SumRing& hole : part.holes) check_ring(hole);
@@ -95,6 +93,15 @@ class Checker {
   Pt<N> place(const SumVertex& v) {
     const RationalPoint at = sum_.exact(v);
     return {from_digits<N>(at.x.num, at.x.den), from_digits<N>(at.y.num, at.y.den)};
+  }
+
+  /// The stated error is small against the extent of the operands: 2^-40 of it.
+  void check_error_bound() {
+    double extent = 0;
+    for (const auto* operand : {&p_, &q_})
+      for (const Pt<N>& c : operand->vertices)
+        for (const N& value : {c.x, c.y}) extent = std::max(extent, std::fabs(to_big(value).template convert_to<double>()));
+    if (sum_.at_error > extent * 0x1p-40) wrong_ = "provenance: the error bound of positions is too large";
   }
 
   /// The segment a contact names, and whether both its features exist.
@@ -131,7 +138,8 @@ class Checker {
   }
 
   void check_place(const SumVertex& v, const Pt<N>& at) {
-    if (!nearest(v.at.x, to_big(at.x)) || !nearest(v.at.y, to_big(at.y))) complain("position not rounded to nearest", at);
+    if (!within(v.at.x, to_big(at.x), sum_.at_error) || !within(v.at.y, to_big(at.y), sum_.at_error))
+      complain("position farther off than at_error", at);
     if (v.corner_p == SumVertex::kNone && v.corner_q == SumVertex::kNone) return;
     if (v.corner_p >= p_.vertices.size() || v.corner_q >= q_.vertices.size()) return complain("corner does not exist", at);
     if (p_.vertices[v.corner_p] + q_.vertices[v.corner_q] != at) complain("corner lies elsewhere", at);

@@ -269,7 +269,6 @@ ReferenceSum<N> reference_sum(const RegionData& p, const RegionData& q, Semantic
     out.segments.clear();
     out.points.clear();
   }
-  out.knows_tight = semantics == Semantics::regular || !has_thin_pair(p, q);
   return out;
 }
 

@@ -16,14 +16,14 @@ struct ReferenceSum {
   std::vector<Seg<N>> rim;             ///< boundary of the parts, cut at every stop, interior on the left
   std::vector<Seg<N>> segments;        ///< maximal, a < b
   std::vector<Pt<N>> points;
-  bool knows_tight = true;             ///< false where tight features are not defined (see reference_sum)
   std::vector<Seg<N>> tight_segments;  ///< maximal, a < b
   std::vector<Pt<N>> tight_points;
   std::size_t cells_asked = 0;
 };
 
-/// P (+) Q. closed: M, with T = F \ cl int F for F the complement of the open sum, unless both operands have
-/// polylines or points, which add parts of M outside the open sum's closure. open: the same without such pairs. regular: parts only.
+/// P (+) Q. closed: M, with the tight part T = F \ cl int F for F the complement of the open sum; where both operands have
+/// polylines or points, these add to M outside the closure of the open sum and T is not reported. open: the same as if such pairs
+/// added nothing, with T. regular: parts only.
 template <class N>
 ReferenceSum<N> reference_sum(const RegionData& p, const RegionData& q, Semantics semantics);
 

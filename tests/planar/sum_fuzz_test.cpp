@@ -2,6 +2,7 @@
 // first one; pair k of seed s is pair 0 of seed s + k, so that a failure replays alone.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <string>
 
@@ -47,7 +48,7 @@ TEST(SumFuzz, tiny_grid_pairs_equal_the_sum_by_definition) {
   EXPECT_GT(thin, count / 100);
 }
 
-/// The double coordinates of the pair are the tiny grid's times a power of two plus noise in the last bits: nearly degenerate.
+/// Tiny-grid coordinates plus noise of 2^-40: nearly degenerate, and in the widest fixed tier.
 RegionData shaken(const RegionData& region, Random& random) {
   RegionData out = region;
   const auto shake = [&](std::vector<Point>& list) {
@@ -63,13 +64,18 @@ RegionData shaken(const RegionData& region, Random& random) {
 }
 
 TEST(SumFuzz, free_coordinates_equal_the_sum_by_definition) {
-  const std::uint64_t seed = first_seed(1000000), count = pairs() / 100;
+  const std::uint64_t seed = first_seed(1000000), count = std::min<std::uint64_t>(pairs() / 100, 300);
   std::uint64_t checked = 0;
   for (std::uint64_t k = 0; k < count; ++k) {
     Random random(seed + k);
-    const RegionData p = shaken(random_parts(random, 4), random), q = shaken(random_region(random, 3), random);
+    RegionData p, q;
+    p.parts.push_back({random_polygon(random, 4, 3 + random.below(3)), {}});
+    if (random.chance(70)) q.parts.push_back({random_polygon(random, 3, 3 + random.below(2)), {}});
+    else q.polylines.push_back(random_polygon(random, 3, 3));
+    p = shaken(p, random);
+    q = shaken(q, random);
     const std::string wrong = verdict(p, q);
-    if (refused(wrong)) continue;  // touching rings came apart or crossed
+    if (refused(wrong)) continue;  // a flat corner crossed its neighbour
     ++checked;
     ASSERT_EQ(wrong, "") << "DYMSUM_FUZZ_SEED=" << seed + k << " DYMSUM_FUZZ_PAIRS=100\n" << to_text(p, q);
   }

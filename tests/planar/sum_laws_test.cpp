@@ -268,6 +268,59 @@ TEST(SumLaws, convex_operand_with_itself_doubles) {
   }
 }
 
+/// Distance of a double from an exact number, and whether no neighbour is nearer.
+bool nearest(double rounded, const Big& exact) {
+  const auto distance = [&](double value) {
+    const Big gap = from_double<Big>(value) - exact;
+    return gap < 0 ? Big(-gap) : gap;
+  };
+  const Big here = distance(rounded);
+  return here <= distance(std::nextafter(rounded, INFINITY)) && here <= distance(std::nextafter(rounded, -INFINITY));
+}
+
+bool nearest(const Point& rounded, const Pt<Big>& exact) { return nearest(rounded.x, exact.x) && nearest(rounded.y, exact.y); }
+
+/// The rounded ring's vertices are the exact ones in order; where another vertex touches an edge, it may be named in between.
+void expect_rounded(const Ring& have, const ExactRing<Big>& want, const std::vector<Pt<Big>>& all) {
+  std::size_t next = 0;
+  for (const Point& c : have) {
+    if (next < want.size() && nearest(c, want[next])) {
+      ++next;
+    } else {
+      EXPECT_TRUE(std::any_of(all.begin(), all.end(), [&](const Pt<Big>& other) { return nearest(c, other); }));
+    }
+  }
+  EXPECT_EQ(next, want.size());
+}
+
+TEST(SumLaws, rounded_vertices_are_the_nearest_doubles) {
+  int rounded_pairs = 0;
+  for_pairs(kPairs, [&](const RegionData& p, const RegionData& q, Random&) {
+    const PlanarSum sum = sum_of(p, q);
+    const Result<Region> region = sum.rounded();
+    if (!region.ok()) {
+      EXPECT_EQ(region.error().code, Code::rounding_changed_topology);
+      return;
+    }
+    ++rounded_pairs;
+    const ExactShape<Big> shape = exact_shape<Big>(sum);
+    std::vector<Pt<Big>> all = shape.points;
+    for (const Seg<Big>& s : shape.segments) all.insert(all.end(), {s.a, s.b});
+    for (const auto& part : shape.parts) {
+      all.insert(all.end(), part.outer.begin(), part.outer.end());
+      for (const auto& hole : part.holes) all.insert(all.end(), hole.begin(), hole.end());
+    }
+    ASSERT_EQ(region->parts().size(), shape.parts.size());
+    for (std::size_t i = 0; i < shape.parts.size(); ++i) {
+      expect_rounded(region->parts()[i].outer, shape.parts[i].outer, all);
+      ASSERT_EQ(region->parts()[i].holes.size(), shape.parts[i].holes.size());
+      for (std::size_t k = 0; k < shape.parts[i].holes.size(); ++k)
+        expect_rounded(region->parts()[i].holes[k], shape.parts[i].holes[k], all);
+    }
+  });
+  EXPECT_GT(rounded_pairs, kPairs * 9 / 10);
+}
+
 TEST(SumLaws, area_is_the_area_of_the_rings) {
   for_pairs(kPairs, [](const RegionData& p, const RegionData& q, Random&) {
     const PlanarSum sum = sum_of(p, q);
