@@ -91,6 +91,12 @@ int Collision::along(std::uint32_t op, std::uint32_t edge, std::uint32_t vertex,
 bool Collision::test(const Place& x) {
   ++counts_.tests;
   x_ = &x;
+  // Places are asked about in spatial order, so what crossed at the last ones often crosses here.
+  for (std::size_t k = 0; use_tree_ && k < witness_count_; ++k)
+    if (edges_cross(witnesses_[k][0], witnesses_[k][1])) {
+      ++counts_.witnessed;
+      return true;
+    }
   for (const Tree& tp : trees_[0])
     for (const Tree& tq : trees_[1]) {
       const int dp = operands_[0]->components[tp.component].dimension, dq = operands_[1]->components[tq.component].dimension;
@@ -144,6 +150,22 @@ bool Collision::test_components(const Tree& tp, const Tree& tq) {
   return cq.dimension == 2 && contains_vertex(1, cq, cp.first);
 }
 
+// Doubles only: the filter of side() for all four signs.
+bool Collision::edges_cross(std::uint32_t e, std::uint32_t f) {
+  const auto sides = [&](std::uint32_t op, std::uint32_t edge, std::uint32_t other_edge) {
+    const Operand &o = *operands_[op], &other = *operands_[1 - op];
+    const std::uint32_t a = o.source[edge];
+    const double ex = o.ex[edge], ey = o.ey[edge];
+    const double bound = (std::abs(ex) + std::abs(ey)) * (x_->error + 0x1p-49 * lattice_.span);
+    const auto value = [&](std::uint32_t v) {
+      return ex * (x_->y - lattice_.y[op][a] - lattice_.y[1 - op][v]) - ey * (x_->x - lattice_.x[op][a] - lattice_.x[1 - op][v]);
+    };
+    const double s = value(other.source[other_edge]), t = value(other.source[other.next[other_edge]]);
+    return (s > bound && t < -bound) || (s < -bound && t > bound);
+  };
+  return sides(0, e, f) && sides(1, f, e);
+}
+
 // Walk edges e of P and f of Q. Proper crossing, or a contact whose cones overlap.
 bool Collision::edges_overlap(std::uint32_t e, std::uint32_t f, bool parallelogram) {
   ++counts_.edge_pairs;
@@ -162,7 +184,12 @@ bool Collision::edges_overlap(std::uint32_t e, std::uint32_t f, bool parallelogr
     s4 = edge_p ? side(1, f, e1) : s3;
     if (s3 * s4 > 0) return false;
   }
-  if (edge_p && edge_q && s1 != 0 && s2 != 0 && s3 != 0 && s4 != 0) return true;
+  if (edge_p && edge_q && s1 != 0 && s2 != 0 && s3 != 0 && s4 != 0) {
+    witnesses_[next_witness_] = {e, f};
+    next_witness_ = (next_witness_ + 1) % witnesses_.size();
+    witness_count_ = std::min(witness_count_ + 1, witnesses_.size());
+    return true;
+  }
   if (parallelogram) return false;
   // Contacts of the walk vertices that start the two edges; the others come with their own edges.
   if (edge_p && s1 == 0) {

@@ -11,7 +11,7 @@
 namespace dymsum::planar {
 
 struct CollisionCounts {
-  std::uint64_t tests = 0, edge_pairs = 0, filtered = 0, exact = 0;
+  std::uint64_t tests = 0, edge_pairs = 0, filtered = 0, exact = 0, witnessed = 0;
 };
 
 class Collision {
@@ -45,6 +45,7 @@ class Collision {
   std::uint32_t build(Tree& tree, const Operand& o, std::uint32_t first, std::uint32_t last);
   bool test(const Place& x);
   bool test_components(const Tree& tp, const Tree& tq);
+  bool edges_cross(std::uint32_t e, std::uint32_t f);
   bool edges_overlap(std::uint32_t e, std::uint32_t f, bool parallelogram);
   bool contains_vertex(std::uint32_t holder, const Component& c, std::uint32_t vertex);
   int height(std::uint32_t holder, std::uint32_t a, std::uint32_t v);
@@ -59,6 +60,8 @@ class Collision {
   const Place* x_ = nullptr;
   bool displaced_ = false;
   CollisionCounts counts_;
+  std::array<std::array<std::uint32_t, 2>, 4> witnesses_{};  ///< pairs of edges that crossed properly lately
+  std::size_t witness_count_ = 0, next_witness_ = 0;
 };
 
 }  // namespace dymsum::planar

@@ -92,6 +92,13 @@ void CrossingFinder::exact_test(const Entry& a, const Entry& b) {
   if (chained && soup_.cross(i, j) != 0) return;
   const Segment sa = soup_.exact(i), sb = soup_.exact(j);
   const Lattice& l = soup_.lattice;
+  if (a.ax == b.ax && a.ay == b.ay && a.bx == b.bx && a.by == b.by && l.same(soup_.exact(a0), soup_.exact(b0)) &&
+      l.same(soup_.exact(a1), soup_.exact(b1))) {
+    // The same segment twice, which is everywhere in P + P.
+    if (!in_chains || !(a0 == b0)) out_.same.emplace_back(a0, b0);
+    if (!in_chains || !(a1 == b1)) out_.same.emplace_back(a1, b1);
+    return;
+  }
   const int s1 = l.side(sa, soup_.exact(b0)), s2 = l.side(sa, soup_.exact(b1));
   out_.exact_signs += 4;
   if (s1 * s2 > 0) return;

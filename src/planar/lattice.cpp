@@ -205,11 +205,6 @@ class LatticeOf final : public Lattice {
 
 }  // namespace
 
-Point Lattice::vector(const Edge& e) const {
-  const Point &a = input[e.op][e.from], &b = input[e.op][e.to];
-  return {std::ldexp(b.x - a.x, -double_exponent), std::ldexp(b.y - a.y, -double_exponent)};
-}
-
 Point Lattice::to_input(double gx, double gy) const {
   return {std::ldexp(gx, double_exponent) + (offset[0].x + offset[1].x),
           std::ldexp(gy, double_exponent) + (offset[0].y + offset[1].y)};
@@ -253,15 +248,18 @@ std::unique_ptr<Lattice> make_lattice(std::span<const Point> p, std::span<const 
   // Sides have at most 2 B + 4 bits; doubles hold 53.
   lattice->exact_doubles = bits <= 24;
   // Doubles count grid units while these fit well, else 2^-60 of the extent, so that nothing overflows.
-  lattice->double_exponent = bits <= 61 ? exponent : std::ilogb(extent) - 60;
+  lattice->double_exponent = bits <= 61 ? std::max(exponent, -1000) : std::ilogb(extent) - 60;
+  lattice->per_unit = std::ldexp(1.0, -lattice->double_exponent);
   lattice->input = {std::vector<Point>(p.begin(), p.end()), std::vector<Point>(q.begin(), q.end())};
   lattice->offset = offset;
   for (int op = 0; op < 2; ++op) {
     double reach = 0;
+    lattice->x[op].reserve(lattice->input[op].size());
+    lattice->y[op].reserve(lattice->input[op].size());
     for (const Point& v : lattice->input[op]) {
       // The difference of two doubles is rounded once; the power of two is exact.
-      lattice->x[op].push_back(std::ldexp(v.x - offset[op].x, -lattice->double_exponent));
-      lattice->y[op].push_back(std::ldexp(v.y - offset[op].y, -lattice->double_exponent));
+      lattice->x[op].push_back((v.x - offset[op].x) * lattice->per_unit);
+      lattice->y[op].push_back((v.y - offset[op].y) * lattice->per_unit);
       reach = std::max({reach, lattice->x[op].back(), lattice->y[op].back()});
     }
     lattice->span += reach;

@@ -91,8 +91,12 @@ class Lattice {
   std::array<std::vector<Point>, 2> input;
   std::array<Point, 2> offset;
 
+  double per_unit = 1;         ///< 2^-double_exponent
   /// Edge vector, each component rounded once.
-  Point vector(const Edge& e) const;
+  Point vector(const Edge& e) const {
+    const Point &a = input[e.op][e.from], &b = input[e.op][e.to];
+    return {(b.x - a.x) * per_unit, (b.y - a.y) * per_unit};
+  }
   /// A rounded position in input coordinates.
   Point to_input(double gx, double gy) const;
 };
