@@ -119,8 +119,8 @@ bool meet(const Pieces<I>& p, const Pieces<I>& r, bool thin_pairs) {
   return false;
 }
 
-/// The interior of p's parts meets r, or the interior of r's parts meets p. Without a proper crossing the rims only touch at
-/// their vertices, so between these each edge stays inside, outside or along the other rim, and its midpoints tell.
+/// The interior of p's parts meets r, or the interior of r's parts meets p. A proper crossing enters the half-plane on the left of a
+/// rim's edge. Without one the rims only touch at their vertices, so between these each edge stays inside, outside or along the other rim, and its midpoints tell.
 template <class I>
 bool overlap(const Pieces<I>& p, const Pieces<I>& r) {
   if (any_cross(p.rim, r.rim) || any_cross(p.rim, r.lines) || any_cross(p.lines, r.rim)) return true;
@@ -234,6 +234,22 @@ bool ask_at(const Pieces<Big>& p, const Pieces<Big>& q, const Pt<Big>& z, int si
 
 }  // namespace
 
+/// Rims that touch do so at vertices of their edges: inside an edge, the region is locally the half-plane on its left.
+template <class N>
+std::vector<Seg<N>> cut_where_touched(const std::vector<Seg<N>>& rim) {
+  std::vector<Seg<N>> out;
+  for (const Seg<N>& s : rim) {
+    std::vector<Pt<N>> stops{s.a, s.b};
+    for (const Seg<N>& e : rim)
+      if (on_segment(s, e.a)) stops.push_back(e.a);
+    std::sort(stops.begin(), stops.end());
+    stops.erase(std::unique(stops.begin(), stops.end()), stops.end());
+    if (s.b < s.a) std::reverse(stops.begin(), stops.end());
+    for (std::size_t i = 0; i + 1 < stops.size(); ++i) out.push_back({stops[i], stops[i + 1]});
+  }
+  return out;
+}
+
 template <class N>
 Pieces<N> pieces_of(const RegionData& region) {
   Pieces<N> out;
@@ -248,6 +264,7 @@ Pieces<N> pieces_of(const RegionData& region) {
     add_ring(part.outer);
     for (const Ring& hole : part.holes) add_ring(hole);
   }
+  out.rim = cut_where_touched(out.rim);
   for (const Polyline& line : region.polylines) {
     for (std::size_t i = 0; i + 1 < line.size(); ++i) out.lines.push_back({exact(line[i]), exact(line[i + 1])});
     for (const Point& c : line) out.corners.push_back(exact(c));

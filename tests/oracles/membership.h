@@ -10,7 +10,8 @@
 
 namespace dymsum::oracles {
 
-/// The pieces of a region: `rim` the edges of the parts with the interior on their left, `lines` the edges of the polylines,
+/// The pieces of a region: `rim` the edges of the parts with the interior on their left, cut where another
+/// ring touches them, `lines` the edges of the polylines,
 /// `dots` the points; `corners` all vertices of rim and lines.
 template <class N>
 struct Pieces {

@@ -151,6 +151,21 @@ TEST(Membership, holds_is_the_complement_of_overlapping_the_outside) {
   EXPECT_GT(held, 300);
 }
 
+TEST(Membership, a_line_through_a_touched_edge_enters_nothing) {
+  RegionData pinched = polygon({{0, 0}, {2, 0}, {0, 2}}), pole;  // the hole's three vertices lie on the outer ring
+  pinched.parts[0].holes.push_back({{1, 1}, {1, 0}, {0, 1}});
+  pole.polylines.push_back({{0, 0}, {0, 1}});
+  const Membership<Small> member(pinched, pole);
+  EXPECT_TRUE(member.meets(at_half(2, 1)));
+  EXPECT_FALSE(member.overlaps(at_half(2, 1)));  // along the hole's edge, and out through the touched point
+  const auto sum = reference_sum<Small>(pinched, pole, Semantics::closed);
+  EXPECT_EQ(sum.tight_segments.size(), 1u);
+  RegionData bow = polygon({{0, 0}, {2, 0}, {2, 1}, {0, 1}});
+  bow.parts.push_back({{{1, 1}, {2, 2}, {0, 2}}, {}});  // stands on the middle of the box's upper edge
+  EXPECT_TRUE((Membership<Small>(bow, pole).holds(at_half(2, 1))));
+  EXPECT_FALSE((Membership<Small>(bow, pole).holds(at_half(1, 1))));
+}
+
 TEST(Membership, is_the_same_in_both_number_types) {
   Random random(kSeed + 3);
   for (int pair = 0; pair < 60; ++pair) {
