@@ -1,20 +1,43 @@
 // Writes generated shapes as WKT files into a folder: operands for the command line. Usage: demo_shapes FOLDER
 #include <dymsum/dymsum.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 
+namespace {
+
+using namespace dymsum;
+
+/// A plate with holes like the reflected star: smaller, of exactly its size, and larger. In the sum with the star the
+/// first one fills up, the second one leaves a single point, the others leave holes.
+Region plate_for(const Region& star) {
+  RegionData data = shapes::rectangle(0, 0, 42, 16).data();
+  double left = 1;
+  for (const double scale : {0.75, 1.0, 1.5, 2.5}) {
+    Ring hole = star.parts().front().outer;
+    std::reverse(hole.begin(), hole.end());
+    for (Point& p : hole) p = {left + 3 * scale - p.x * scale, 8 - p.y * scale};
+    data.parts.front().holes.push_back(hole);
+    left += 6 * scale + 1;
+  }
+  return Region::create(data).value();
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
-  using namespace dymsum;
   if (argc != 2) {
     std::cerr << "usage: demo_shapes FOLDER\n";
     return 1;
   }
   const std::filesystem::path folder = argv[1];
   std::filesystem::create_directories(folder);
+  const Region star = shapes::star(5, 1.5, 3);
   const std::vector<shapes::Named> all = {
       {"gear", shapes::gear(12, 8, 10)},
-      {"star", shapes::star(5, 1, 3)},
+      {"star", star},
+      {"plate", plate_for(star)},
       {"disc", shapes::disc(16, 1)},
       {"disc32", shapes::disc(32, 1)},
       {"grate", shapes::grate(5, 4, 1, 12)},

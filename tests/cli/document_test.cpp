@@ -38,7 +38,7 @@ TEST(Readme, ProgramIsTheExampleAndPrintsWhatIsShown) {
   EXPECT_EQ(outcome.out, blocks("text").front());
 }
 
-TEST(Readme, EveryDymsumCommandWorks) {
+TEST(Readme, EveryDymsumCommandWorksAndDrawsThePicture) {
   const Workplace work;
   ASSERT_EQ(work.run("'" DYMSUM_EXAMPLES_DIR "/demo_shapes' .").code, 0);
   std::size_t commands = 0;
@@ -52,6 +52,7 @@ TEST(Readme, EveryDymsumCommandWorks) {
     }
   }
   EXPECT_GE(commands, 5U);
+  EXPECT_TRUE(work.read("hero.svg") == read_text(kSource / "docs/figures/hero.svg")) << "draw the picture again";
 }
 
 TEST(Readme, EveryFileItNamesExists) {
