@@ -211,9 +211,25 @@ Ring random_polygon(Random& random, int grid, int corners) {
   }
 }
 
+/// A frame and, mostly, parts inside its hole.
+RegionData random_islands(Random& random, int grid) {
+  const double g = std::max(grid, 4);
+  RegionData out = region_of({{0, 0}, {g, 0}, {g, g}, {0, g}});
+  Ring hole{{1, 1}, {g - 1, 1}, {g - 1, g - 1}, {1, g - 1}};
+  if (random.chance(40)) hole[static_cast<std::size_t>(random.below(4))] = {g / 2, g / 2};
+  if (random.chance(30)) hole[static_cast<std::size_t>(random.below(4))] = {static_cast<double>(random.below(2)), 1};
+  if (!is_simple(hole) || doubled_area_of(hole) <= 0 || !may_cut(out, 0, hole)) hole = {{1, 1}, {g - 1, 1}, {g - 1, g - 1}, {1, g - 1}};
+  std::reverse(hole.begin(), hole.end());
+  out.parts[0].holes.push_back(std::move(hole));
+  try_part(random, out, static_cast<int>(g), 3 + random.below(2));
+  if (random.chance(30)) try_part(random, out, static_cast<int>(g), 3);
+  return out;
+}
+
 RegionData random_parts(Random& random, int grid) {
   const int kind = random.below(100);
-  if (kind < 25) return random_cells(random, grid);
+  if (kind < 20) return random_cells(random, grid);
+  if (kind < 25) return random_islands(random, grid);
   RegionData out = region_of(random_polygon(random, grid, 3 + random.below(kind < 70 ? 4 : 3)));
   if (kind >= 70 && kind < 85) {
     out = region_of(random_polygon(random, grid, 4));
@@ -263,6 +279,7 @@ Pair random_pair(Random& random, int grid) {
     if (random.chance(15)) q = mapped(q, 0, 1, 1, 0);
     return {p, q};
   }
+  if (kind < 86) return {random_islands(random, grid + 3), region_of(random_polygon(random, 1, 3 + random.below(2)))};
   const int size = std::max(grid, 4), width = 3 + random.below(size - 2), height = 3 + random.below(size - 2);
   std::vector<bool> cells(static_cast<std::size_t>(width * height));
   for (std::size_t i = 0; i < cells.size(); ++i) cells[i] = i == 0 || random.chance(70);

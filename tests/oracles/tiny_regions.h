@@ -14,7 +14,7 @@ namespace dymsum::oracles {
 RegionData random_region(Random& random, int grid);
 
 /// Two random regions; in a third of the pairs Q is made to fit P: it is minus one of P's holes, or a box that slides or fits
-/// between P's lattice cells.
+/// between P's lattice cells, or tiny beside a frame with islands.
 struct Pair {
   RegionData p, q;
 };
