@@ -27,11 +27,10 @@ TEST(Layering, EveryKindOfViolationIsFound) {
       "examples/reaches_inside.cpp:2: \"exact/number.h\": only public headers may be used here",
       "include/dymsum/uses_a_room.h:4: \"exact/number.h\": public headers include only the standard library and each "
       "other",
-      "include/dymsum/uses_boost.h:3: <boost/multiprecision/cpp_int.hpp>: third-party header that this room may not "
-      "use",
+      "include/dymsum/uses_boost.h:3: <boost/multiprecision/cpp_int.hpp>: a foreign header that this room may not use",
       "src/apps/reaches_inside.cpp:3: \"planar/shape.h\": only public headers may be used here",
       "src/exact/looks_up.cpp:3: \"planar/shape.h\": room planar stands after room exact",
-      "src/exact/looks_up.cpp:4: <gmpxx.h>: third-party header that this room may not use",
+      "src/exact/looks_up.cpp:4: <gmpxx.h>: a foreign header that this room may not use",
       "src/exact/looks_up.cpp:5: \"planar/missing.h\": no such file",
       "src/exact/looks_up.cpp:6: \"dymsum/missing.h\": no such public header",
       "src/exact/looks_up.cpp:7: \"../planar/shape.h\": no such room",
