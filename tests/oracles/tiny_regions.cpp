@@ -221,7 +221,13 @@ RegionData random_islands(Random& random, int grid) {
   if (!is_simple(hole) || doubled_area_of(hole) <= 0 || !may_cut(out, 0, hole)) hole = {{1, 1}, {g - 1, 1}, {g - 1, g - 1}, {1, g - 1}};
   std::reverse(hole.begin(), hole.end());
   out.parts[0].holes.push_back(std::move(hole));
-  try_part(random, out, static_cast<int>(g), 3 + random.below(2));
+  if (random.chance(50) && out.parts[0].holes[0].size() == 4) {
+    const double x = 2 + random.below(static_cast<int>(g) - 3), y = 2 + random.below(static_cast<int>(g) - 3);
+    const RegionData island = region_of({{x, y}, {x + 1, y}, {x + 1, y + 1}, {x, y + 1}});
+    if (!share_interior(out, island) && !run_together(out, island)) out.parts.push_back(island.parts[0]);
+  } else {
+    try_part(random, out, static_cast<int>(g), 3 + random.below(2));
+  }
   if (random.chance(30)) try_part(random, out, static_cast<int>(g), 3);
   return out;
 }
@@ -279,7 +285,7 @@ Pair random_pair(Random& random, int grid) {
     if (random.chance(15)) q = mapped(q, 0, 1, 1, 0);
     return {p, q};
   }
-  if (kind < 86) return {random_islands(random, grid + 3), region_of(random_polygon(random, 1, 3 + random.below(2)))};
+  if (kind < 87) return {random_islands(random, grid + 3), region_of(random_polygon(random, 1, 3 + random.below(2)))};
   const int size = std::max(grid, 4), width = 3 + random.below(size - 2), height = 3 + random.below(size - 2);
   std::vector<bool> cells(static_cast<std::size_t>(width * height));
   for (std::size_t i = 0; i < cells.size(); ++i) cells[i] = i == 0 || random.chance(70);
