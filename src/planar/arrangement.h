@@ -11,29 +11,11 @@
 
 namespace dymsum::planar {
 
-inline constexpr std::uint32_t kNone = 0xffffffff;
-
 /// What bounds a sub-edge: the end of a segment at a pair of vertices, or its crossing with another segment.
 struct SubEnd {
   bool pair = true;
   WalkPair at;
   std::uint32_t other = 0;
-};
-
-/// A segment that starts or ends at a pair.
-struct Incidence {
-  std::uint32_t segment = 0;
-  bool starts = false;
-};
-
-/// How the segments of a soup hang together at their ends.
-class Chain {
- public:
-  virtual ~Chain() = default;
-  /// The segment that continues s at its end in the generic case, or kNone.
-  virtual std::uint32_t next(std::uint32_t s) const = 0;
-  /// Appends all segments that start or end at a pair of walk vertices.
-  virtual void incident(WalkPair v, std::vector<Incidence>& out) const = 0;
 };
 
 /// Sub-edges: segment s with k events has k + 1 sub-edges, numbered first_sub(s) + 0 .. k; sub-edge i starts at event i - 1.

@@ -193,6 +193,9 @@ std::vector<BoundaryLoop> simple_rings(const Soup& soup, const Arrangement& arra
   return rings;
 }
 
+// Doubles worse than this share of the span are replaced by the rounded exact position.
+constexpr double kPoor = 0x1p-38;
+
 Contact contact_of(const Soup& soup, std::uint32_t segment) {
   const SoupSegment& g = soup.segments[segment];
   const std::uint32_t edge = soup.operands[g.side()]->edge_number[g.edge()];
@@ -208,7 +211,13 @@ SumVertex vertex_of(const Soup& soup, std::uint32_t in, std::uint32_t out, const
     v.corner_p = soup.operands[0]->vertex_number[end.at.p];
     v.corner_q = soup.operands[1]->vertex_number[end.at.q];
   }
-  v.at = soup.lattice.to_input(place.x, place.y);
+  if (place.error > kPoor * soup.lattice.span) {
+    // Nearly parallel lines: the doubles know too little.
+    const Lattice::Position p = soup.lattice.position(place);
+    v.at = {exact::round_to_double(p.x), exact::round_to_double(p.y)};
+  } else {
+    v.at = soup.lattice.to_input(place.x, place.y);
+  }
   return v;
 }
 
@@ -228,7 +237,7 @@ SumRing make_ring(const Soup& soup, const Arrangement& arrangement, const Bounda
     const Step &in = steps[i], &out = steps[(i + 1) % n];
     if (in.segment == out.segment || soup.cross(in.segment, out.segment) == 0) continue;  // straight on
     const Place place = arrangement.end_place(in);
-    error = std::max(error, place.error);
+    error = std::max(error, std::min(place.error, kPoor * soup.lattice.span));
     ring.vertices.push_back(vertex_of(soup, in.segment, out.segment, arrangement.end_of(in), place));
   }
   return ring;

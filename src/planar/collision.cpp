@@ -146,8 +146,8 @@ bool Collision::test_components(const Tree& tp, const Tree& tq) {
   // No boundaries overlap: one component may hold the other, which then holds its first outer vertex.
   const Node &a = tp.nodes[0], &b = tq.nodes[0];
   if (apart(a, b)) return false;
-  if (cp.dimension == 2 && contains_vertex(0, cp, cq.first)) return true;
-  return cq.dimension == 2 && contains_vertex(1, cq, cp.first);
+  if (cp.dimension == 2 && contains_vertex(0, tp, cq.first)) return true;
+  return cq.dimension == 2 && contains_vertex(1, tq, cp.first);
 }
 
 // Doubles only: the filter of side() for all four signs.
@@ -263,28 +263,40 @@ int Collision::height(std::uint32_t holder, std::uint32_t a, std::uint32_t v) {
   return d.x != 0 ? (d.x > 0 ? 1 : -1) : (d.y > 0 ? -1 : 1);
 }
 
-// Whether a vertex of the other operand, moved to x, lies strictly inside component c of `holder`: winding number by a ray to +x,
+// Whether a vertex of the other operand, moved to x, lies strictly inside a component of `holder`: winding number by a ray to +x,
 // vertices at the ray's height counting as below it.
-bool Collision::contains_vertex(std::uint32_t holder, const Component& c, std::uint32_t vertex) {
+bool Collision::contains_vertex(std::uint32_t holder, const Tree& tree, std::uint32_t vertex) {
   const Operand &o = *operands_[holder], &other = *operands_[1 - holder];
   const std::uint32_t v = other.source[vertex];
-  const double vy = x_->y - lattice_.y[1 - holder][v];
+  const double vx = x_->x - lattice_.x[1 - holder][v], vy = x_->y - lattice_.y[1 - holder][v];
   const double margin = x_->error + 0x1p-49 * lattice_.span;
   int winding = 0;
-  for (std::uint32_t i = c.first; i < c.last; ++i) {
-    const std::uint32_t a = o.source[i], b = o.source[o.next[i]];
-    const double ay = lattice_.y[holder][a], by = lattice_.y[holder][b];
-    if ((ay < vy - margin && by < vy - margin) || (ay > vy + margin && by > vy + margin)) continue;
-    const int ha = height(holder, a, v), hb = height(holder, b, v);
-    if (ha * hb > 0) continue;
-    if (ha == 0 && hb == 0) {
-      if (along(holder, i, vertex, false) >= 0 && along(holder, i, vertex, true) >= 0) return false;  // on the boundary
+  std::array<std::uint32_t, 64> stack;
+  std::size_t top = 0;
+  stack[top++] = 0;
+  while (top > 0) {
+    const Node& node = tree.nodes[stack[--top]];
+    if (node.y1 < vy - margin || node.y0 > vy + margin || node.x1 < vx - margin) continue;
+    if (node.left != 0) {
+      stack[top++] = node.left;
+      stack[top++] = node.right;
       continue;
     }
-    const int s = side(holder, i, vertex);
-    if (s == 0) return false;  // on the boundary
-    if (ha <= 0 && hb > 0 && s > 0) ++winding;
-    if (ha > 0 && hb <= 0 && s < 0) --winding;
+    for (std::uint32_t i = node.first; i < node.last; ++i) {
+      const std::uint32_t a = o.source[i], b = o.source[o.next[i]];
+      const double ay = lattice_.y[holder][a], by = lattice_.y[holder][b];
+      if ((ay < vy - margin && by < vy - margin) || (ay > vy + margin && by > vy + margin)) continue;
+      const int ha = height(holder, a, v), hb = height(holder, b, v);
+      if (ha * hb > 0) continue;
+      if (ha == 0 && hb == 0) {
+        if (along(holder, i, vertex, false) >= 0 && along(holder, i, vertex, true) >= 0) return false;  // on the boundary
+        continue;
+      }
+      const int s = side(holder, i, vertex);
+      if (s == 0) return false;  // on the boundary
+      if (ha <= 0 && hb > 0 && s > 0) ++winding;
+      if (ha > 0 && hb <= 0 && s < 0) --winding;
+    }
   }
   return winding > 0;
 }

@@ -47,7 +47,7 @@ class Collision {
   bool test_components(const Tree& tp, const Tree& tq);
   bool edges_cross(std::uint32_t e, std::uint32_t f);
   bool edges_overlap(std::uint32_t e, std::uint32_t f, bool parallelogram);
-  bool contains_vertex(std::uint32_t holder, const Component& c, std::uint32_t vertex);
+  bool contains_vertex(std::uint32_t holder, const Tree& tree, std::uint32_t vertex);
   int height(std::uint32_t holder, std::uint32_t a, std::uint32_t v);
   bool cones_overlap(std::uint32_t i, bool whole_edge_p, std::uint32_t j, bool whole_edge_q);
   int side(std::uint32_t op, std::uint32_t edge, std::uint32_t vertex);

@@ -21,7 +21,7 @@ struct Query {
 
 Query make_query(const EngineRegion& p, const EngineRegion& q, Point z) {
   Query query;
-  std::vector<Point> vp = source_vertices(p.data), vq = source_vertices(q.data);
+  std::vector<Point> vp = source_vertices(p.data()), vq = source_vertices(q.data());
   query.z = {static_cast<std::uint32_t>(vp.size()), static_cast<std::uint32_t>(vq.size())};
   vp.push_back(z);
   vq.push_back({0, 0});

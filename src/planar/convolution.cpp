@@ -78,16 +78,29 @@ DirectionList sort_by_direction(const Lattice& lattice, const Operand& o, std::v
   return list;
 }
 
-std::vector<std::uint32_t> edges_of(const Operand& o, const Component& c, bool with_holes,
-                                    const std::vector<std::uint8_t>* skip_loop = nullptr) {
+std::vector<std::uint32_t> edges_of(const Operand& o, const Component& c) {
   std::vector<std::uint32_t> edges;
-  for (std::uint32_t l = c.first_loop; l < c.last_loop; ++l) {
-    const Loop& loop = o.loops[l];
-    if (loop.kind == LoopKind::point || (loop.kind == LoopKind::hole && !with_holes)) continue;
-    if (skip_loop != nullptr && (*skip_loop)[l]) continue;
-    for (std::uint32_t i = loop.first; i < loop.last; ++i) edges.push_back(i);
-  }
+  for (std::uint32_t l = c.first_loop; l < c.last_loop; ++l)
+    for (std::uint32_t i = o.loops[l].first; o.loops[l].kind != LoopKind::point && i < o.loops[l].last; ++i) edges.push_back(i);
   return edges;
+}
+
+// The sublist of the loops that `keep` accepts.
+template <class Keep>
+DirectionList sublist(const DirectionList& all, const Operand& o, const Component& c, Keep keep) {
+  DirectionList list;
+  list.base = all.base;
+  list.rank.assign(all.rank.size(), kNoRank);
+  std::vector<std::uint8_t> kept(all.rank.size(), 0);
+  for (std::uint32_t l = c.first_loop; l < c.last_loop; ++l)
+    if (keep(l)) std::fill(kept.begin() + (o.loops[l].first - all.base), kept.begin() + (o.loops[l].last - all.base), 1);
+  for (std::size_t i = 0; i < all.edges.size(); ++i) {
+    if (!kept[all.edges[i] - all.base]) continue;
+    list.rank[all.edges[i] - all.base] = static_cast<std::uint32_t>(list.edges.size());
+    list.edges.push_back(all.edges[i]);
+    list.keys.push_back(all.keys[i]);
+  }
+  return list;
 }
 
 // For every position of `own` the number of directions in `other` that are less (lower) or not greater (upper): two merges.
@@ -159,11 +172,11 @@ ReducedConvolution::ReducedConvolution(const Lattice& lattice, const Operand& p,
       for (std::uint32_t v = component.first; v < component.last; ++v) component_of_[op][v] = c;
       std::array<std::uint32_t, 2> ids;
       ids[0] = static_cast<std::uint32_t>(lists_.size());
-      lists_.push_back(sort_by_direction(lattice, o, edges_of(o, component, true)));
+      lists_.push_back(sort_by_direction(lattice, o, edges_of(o, component)));
       ids[1] = ids[0];
       if (component.last_loop - component.first_loop > 1) {
         ids[1] = static_cast<std::uint32_t>(lists_.size());
-        lists_.push_back(sort_by_direction(lattice, o, edges_of(o, component, false)));
+        lists_.push_back(sublist(lists_[ids[0]], o, component, [&](std::uint32_t l) { return l == component.first_loop; }));
       }
       plain_lists_[op].push_back(ids);
     }
@@ -201,7 +214,7 @@ void ReducedConvolution::add_pair(std::uint32_t cp, std::uint32_t cq) {
       lists[op][0] = lists[op][1];
     } else if (count > 0) {
       lists[op][0] = static_cast<std::uint32_t>(lists_.size());
-      lists_.push_back(sort_by_direction(lattice_, o, edges_of(o, c, true, &filled[op])));
+      lists_.push_back(sublist(lists_[plain_lists_[op][index[op]][0]], o, c, [&](std::uint32_t l) { return !filled[op][l]; }));
     }
   }
   for (std::uint32_t side = 0; side < 2; ++side) {
@@ -223,7 +236,10 @@ void ReducedConvolution::add_pair(std::uint32_t cp, std::uint32_t cq) {
       }
       if (n == 0) continue;
       Positions& at = positions[variant];
-      if (at.lower.empty()) at = merge_positions(lattice_, o, own, edge_operand, lists_[list]);
+      if (at.lower.empty()) {
+        at = merge_positions(lattice_, o, own, edge_operand, lists_[list]);
+        for (std::size_t i = 0; i < at.lower.size(); ++i) parallel_pairs_ += at.upper[i] != at.lower[i];
+      }
       for (std::uint32_t v = loop.first; v < loop.last; ++v) {
         if (!o.convex[v]) continue;
         const std::uint32_t in = own.rank[o.prev[v] - own.base], out = own.rank[v - own.base];

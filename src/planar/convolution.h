@@ -66,6 +66,8 @@ class ReducedConvolution {
 
   const std::vector<DirectionList>& lists() const { return lists_; }
   std::size_t filled_holes() const { return filled_holes_; }
+  /// How many edges of one operand have one of the other in the same direction.
+  std::size_t parallel_pairs() const { return parallel_pairs_; }
 
  private:
   void add_pair(std::uint32_t cp, std::uint32_t cq);
@@ -78,7 +80,7 @@ class ReducedConvolution {
   std::vector<DirectionList> lists_;
   std::array<std::vector<std::array<std::uint32_t, 2>>, 2> plain_lists_;  ///< [op][component] {all, outer only}
   std::uint32_t size_ = 0;
-  std::size_t filled_holes_ = 0;
+  std::size_t filled_holes_ = 0, parallel_pairs_ = 0;
 };
 
 /// The order of directions: by half plane (angles [0, pi) first), then counter-clockwise. -1, 0, 1.

@@ -15,7 +15,7 @@ ConvolutionSizes convolution_sizes(const Region& p, const Region& q) {
   if (p.empty() || q.empty()) return sizes;
   const EngineRegion ep = separate_touching(p.data(), p.touching_points());
   const EngineRegion eq = separate_touching(q.data(), q.touching_points());
-  const std::vector<Point> vp = source_vertices(ep.data), vq = source_vertices(eq.data);
+  const std::vector<Point> vp = source_vertices(ep.data()), vq = source_vertices(eq.data());
   const std::unique_ptr<Lattice> lattice = make_lattice(vp, vq, 0);
   const Operand op = make_operand(ep, 0, *lattice), oq = make_operand(eq, 1, *lattice);
   for_each_kinetic_turn(*lattice, op, oq, [&](const KineticTurn& t) {

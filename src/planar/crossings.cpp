@@ -10,7 +10,7 @@ namespace dymsum::planar {
 CrossingFinder::Entry CrossingFinder::entry(std::uint32_t s) const {
   const SoupBox& b = soup_.boxes[s];
   const double dx = soup_.dx(s), dy = soup_.dy(s);
-  return {b.ax, b.ay, b.bx, b.by, dx, dy, soup_.side_error * (std::abs(dx) + std::abs(dy)), s};
+  return {b.ax, b.ay, b.bx, b.by, dx, dy, soup_.side_error * (std::abs(dx) + std::abs(dy)), soup_.start(s), soup_.end(s), s};
 }
 
 void CrossingFinder::all_pairs() {
@@ -40,6 +40,12 @@ void CrossingFinder::test(const Entry& a, const Entry& b, double o1, double o2) 
   if ((o3 > b.error && o4 > b.error) || (o3 < -b.error && o4 < -b.error)) return;
   if (std::abs(o1) > a.error && std::abs(o2) > a.error && std::abs(o3) > b.error && std::abs(o4) > b.error)
     return add_crossing(a, b, o3, o4, o1, o2);
+  if (a.end == b.start || b.end == a.start) {
+    // Neighbours in a chain that do not fold back meet in their common end only.
+    const double u = a.dx * b.dy, v = a.dy * b.dx;
+    if (std::abs(u - v) > 0x1p-50 * (std::abs(u) + std::abs(v)) + 0x1p-1000 && a.id < first_unchained && b.id < first_unchained)
+      return;
+  }
   exact_test(a, b);
 }
 
@@ -85,9 +91,10 @@ void CrossingFinder::add_touch(std::uint32_t segment, WalkPair pair) {
 // At least one side is zero or too small for doubles.
 void CrossingFinder::exact_test(const Entry& a, const Entry& b) {
   const std::uint32_t i = a.id, j = b.id;
-  const WalkPair a0 = soup_.start(i), a1 = soup_.end(i), b0 = soup_.start(j), b1 = soup_.end(j);
+  const WalkPair a0 = a.start, a1 = a.end, b0 = b.start, b1 = b.end;
   const bool in_chains = i < first_unchained && j < first_unchained;
-  const bool chained = in_chains && (a1 == b0 || b1 == a0 || a0 == b0 || a1 == b1);
+  const bool chained = in_chains && (a1 == b0 || b1 == a0 || a0 == b0 || a1 == b1 ||
+                                     (chain_ != nullptr && (chain_->next(i) == j || chain_->next(j) == i)));
   // Segments of one chain share an end; they meet elsewhere only when they fold back onto each other.
   if (chained && soup_.cross(i, j) != 0) return;
   const Segment sa = soup_.exact(i), sb = soup_.exact(j);
@@ -156,7 +163,8 @@ void CrossingFinder::grid(const Grid& grid, const InteriorMask* mask, std::vecto
     std::uint32_t cell, segment;
   };
   std::vector<Item> items;
-  items.reserve(soup_.size() * 2);
+  items.reserve(soup_.size() * 3);
+  out_.crossings.reserve(soup_.size() * 2);
   const std::uint32_t columns = static_cast<std::uint32_t>(grid.columns);
   std::vector<std::uint32_t> start(std::size_t(grid.rows) * columns + 1, 0);
   for (std::uint32_t s = 0; s < soup_.size(); ++s) {

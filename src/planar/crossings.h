@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "planar/chain.h"
 #include "planar/grid.h"
 #include "planar/interior_mask.h"
 #include "planar/soup.h"
@@ -45,7 +46,7 @@ struct DeadMark {
 /// called now and then and stops the search when it returns false.
 class CrossingFinder {
  public:
-  CrossingFinder(const Soup& soup, Meetings& out) : soup_(soup), out_(out) {}
+  CrossingFinder(const Soup& soup, Meetings& out, const Chain* chain = nullptr) : soup_(soup), chain_(chain), out_(out) {}
 
   void all_pairs();
   void grid(const Grid& grid, const InteriorMask* mask, std::vector<DeadMark>& dead_marks);
@@ -59,6 +60,7 @@ class CrossingFinder {
  private:
   struct Entry {
     double ax, ay, bx, by, dx, dy, error;
+    WalkPair start, end;
     std::uint32_t id;
   };
   Entry entry(std::uint32_t s) const;
@@ -70,6 +72,7 @@ class CrossingFinder {
   void finish();
 
   const Soup& soup_;
+  const Chain* chain_;
   Meetings& out_;
   const Grid* grid_ = nullptr;
   const InteriorMask* mask_ = nullptr;

@@ -4,12 +4,17 @@
 #include <cmath>
 
 #include "dymsum/planar_sum.h"
+#include "planar/region_sweep.h"
 #include "planar/sum_engine.h"
 
 namespace dymsum {
 namespace {
 
 using planar::EngineRegion;
+using planar::layout_rings;
+using planar::RingLayout;
+using planar::RingList;
+using planar::RingPlace;
 using planar::separate_touching;
 
 // The number of the frame's own vertices and edges.
@@ -38,24 +43,48 @@ EngineRegion complement_of(const Region& p, const Region& q) {
     }
     return Ring(ring.rbegin(), ring.rend());
   };
-  // Outer rings of P are holes of the frame and come first; holes of P are parts.
+  // The complement's parts are the frame and P's holes; an outer ring of P is a hole of the one directly around it.
+  RingList list;
+  std::vector<std::uint32_t> first;  // ring -> number of its first vertex
+  std::vector<std::size_t> part_of_hole;
   std::uint32_t at = 0;
+  const auto add = [&](const Ring& ring, bool hole) {
+    list.add(ring);
+    first.push_back(at);
+    at += static_cast<std::uint32_t>(ring.size());
+    part_of_hole.push_back(hole ? data.parts.size() : 0);
+    if (hole) data.parts.emplace_back();
+  };
+  std::vector<const Ring*> rings;
   for (const Part& part : p.parts()) {
-    data.parts[0].holes.push_back(reversed(part.outer, at));
-    at += static_cast<std::uint32_t>(part.outer.size());
-    for (const Ring& hole : part.holes) at += static_cast<std::uint32_t>(hole.size());
-  }
-  at = 0;
-  for (const Part& part : p.parts()) {
-    at += static_cast<std::uint32_t>(part.outer.size());
+    add(part.outer, false);
+    rings.push_back(&part.outer);
     for (const Ring& hole : part.holes) {
-      data.parts.push_back({reversed(hole, at), {}});
-      at += static_cast<std::uint32_t>(hole.size());
+      add(hole, true);
+      rings.push_back(&hole);
+    }
+  }
+  const RingLayout layout = layout_rings(list);
+  for (std::size_t k = 0; k < data.parts.size(); ++k) {
+    for (std::size_t r = 0; r < rings.size(); ++r)
+      if (k > 0 && part_of_hole[r] == k) data.parts[k].outer = reversed(*rings[r], first[r]);
+    for (std::size_t r = 0; r < rings.size(); ++r) {
+      if (part_of_hole[r] != 0) continue;
+      const std::uint32_t around = layout.rings[r].container;
+      if ((around == RingPlace::kNone ? 0 : part_of_hole[around]) == k)
+        data.parts[k].holes.push_back(reversed(*rings[r], first[r]));
     }
   }
   EngineRegion complement = separate_touching(data, p.touching_points());
-  for (std::uint32_t& n : complement.vertex_number) n = vertex_number[n];
-  for (std::uint32_t& n : complement.edge_number) n = edge_number[n];
+  if (complement.borrowed != nullptr) {
+    complement.borrowed = nullptr;
+    complement.own = std::move(data);
+    complement.vertex_numbers = std::move(vertex_number);
+    complement.edge_numbers = std::move(edge_number);
+  } else {
+    for (std::uint32_t& n : complement.vertex_numbers) n = vertex_number[n];
+    for (std::uint32_t& n : complement.edge_numbers) n = edge_number[n];
+  }
   return complement;
 }
 
@@ -90,7 +119,7 @@ Result<PlanarSum> erode(const Region& p, const Region& q, const SumOptions& opti
   inner.cracks = std::move(state.boundary.cracks);
   inner.punctures = std::move(state.boundary.punctures);
   state.boundary = std::move(inner);
-  PlanarSum result = planar::finish_sum(std::move(state), planar::number_both(complement, tool), open);
+  PlanarSum result = planar::finish_sum(std::move(state), open);
   if (options.semantics == Semantics::closed) {
     result.segments = result.tight_segments;
     result.points = result.tight_points;

@@ -95,14 +95,22 @@ Raster rasterize(const Lattice& lattice, const Operand& o, const Grid& cells) {
     for (std::uint32_t i = loop.first; i < loop.last; ++i) {
       const std::uint32_t s = o.source[i], t = o.source[o.next[i]];
       const double ax = x[s], ay = y[s], bx = x[t], by = y[t];
-      for_each_cell_run(cells, ax, ay, bx, by, [&](int r, int c0, int c1) { raster.touch.set_run(r, c0, c1); });
-      if (!area) continue;
+      const int r0 = cells.row(std::min(ay, by) - rim), c0 = cells.column(std::min(ax, bx) - rim);
+      if (r0 == cells.row(std::max(ay, by) + rim) && c0 == cells.column(std::max(ax, bx) + rim)) {
+        // Inside one cell with its rim: the common case of fine operands.
+        raster.touch.set_run(r0, c0, c0);
+        if (area) boundary.set_run(r0, c0, c0);
+        if (!area || (ay - (r0 + 0.5) * cells.cell < 0) == (by - (r0 + 0.5) * cells.cell < 0)) continue;
+      } else {
+        for_each_cell_run(cells, ax, ay, bx, by, [&](int r, int first, int last) { raster.touch.set_run(r, first, last); });
+        if (!area) continue;
       // The cells that meet the edge swept by a square of half-width rim: cells are larger than the square, so they meet the
       // path of one of its corners.
       for (const double sx : {-rim, rim})
         for (const double sy : {-rim, rim})
           for_each_cell_run(cells, ax + sx, ay + sy, bx + sx, by + sy,
-                            [&](int r, int c0, int c1) { boundary.set_run(r, c0, c1); });
+                            [&](int r, int first, int last) { boundary.set_run(r, first, last); });
+      }
       const int sign = ay < by ? 1 : -1;
       const double low = ay < by ? ay : by, high = ay < by ? by : ay;
       const double slope = (bx - ax) / (by - ay);
@@ -181,7 +189,8 @@ InteriorMask::InteriorMask(const Lattice& lattice, const Operand& p, const Opera
   Bitmap dead(grid_.rows, grid_.columns);
   const RunRows inner_p(rp.inner), inner_q(rq.inner), touch_p(rp.touch), touch_q(rq.touch);
   const RunRows corners_p(inner_corners(rp.inner)), corners_q(inner_corners(rq.inner));
-  add_sums(dead, inner_p, part[0].rows, inner_q, part[1].rows, 1);
+  // Inner cells that form no block of four still make pairs.
+  if (corners_p.runs.empty() || corners_q.runs.empty()) add_sums(dead, inner_p, part[0].rows, inner_q, part[1].rows, 1);
   add_sums(dead, corners_p, part[0].rows, touch_q, part[1].rows, 0);
   add_sums(dead, touch_p, part[0].rows, corners_q, part[1].rows, 0);
   words_ = dead.words;

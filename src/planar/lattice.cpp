@@ -57,6 +57,11 @@ class LatticeOf final : public Lattice {
     return u.x == v.x && u.y == v.y;
   }
 
+  int compare_coordinate(Pair a, Pair b, int axis) const override {
+    const SumVec u = sum(a), v = sum(b);
+    return axis == 0 ? exact::sign(u.x - v.x) : exact::sign(u.y - v.y);
+  }
+
   // x = on.start + d N / D, so D (d_s x (x - s.start)) = D (d_s x (on.start - s.start)) + N (d_s x d_on).
   int side(const Segment& s, const Place& x) const override {
     const EdgeVec a = edge(s.edge), b = edge(x.on.edge);

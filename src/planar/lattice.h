@@ -69,6 +69,8 @@ class Lattice {
   virtual int side(const Segment& s, Pair v) const = 0;
   virtual int along(const Segment& s, Pair v) const = 0;
   virtual bool same(Pair a, Pair b) const = 0;
+  /// The sign of a - b along an axis (0 = x, 1 = y).
+  virtual int compare_coordinate(Pair a, Pair b, int axis) const = 0;
   /// The same for any place.
   virtual int side(const Segment& s, const Place& x) const = 0;
   virtual int along(const Segment& s, const Place& x) const = 0;

@@ -13,47 +13,43 @@ using planar::separate_touching;
 Result<PlanarSum> sum_of(const EngineRegion& p, const EngineRegion& q, const SumOptions& options) {
   Result<planar::SumState> state = planar::compute_boundary(p, q, options);
   if (!state.ok()) return state.error();
-  return planar::finish_sum(std::move(state).value(), planar::number_both(p, q), options);
+  return planar::finish_sum(std::move(state).value(), options);
 }
 
 EngineRegion engine_region(const Region& r) { return separate_touching(r.data(), r.touching_points()); }
 
-// Appends b; its numbers follow those of a.
-void append(EngineRegion& a, const EngineRegion& b, std::uint32_t first_number) {
-  if (a.data == RegionData{}) {
-    a = b;
-    return;
+std::array<std::uint32_t, 3> group_sizes(const RegionData& r) {
+  std::array<std::uint32_t, 3> count{};
+  for (const Part& part : r.parts) {
+    count[0] += static_cast<std::uint32_t>(part.outer.size());
+    for (const Ring& hole : part.holes) count[0] += static_cast<std::uint32_t>(hole.size());
   }
-  // Parts, polylines and points of both interleave in the numbering order of region data: rebuild the number lists group by group.
-  const auto split = [](const EngineRegion& r) {
-    std::array<std::size_t, 3> count{};
-    for (const Part& part : r.data.parts) {
-      count[0] += part.outer.size();
-      for (const Ring& hole : part.holes) count[0] += hole.size();
-    }
-    for (const Polyline& line : r.data.polylines) count[1] += line.size();
-    count[2] = r.data.points.size();
-    return count;
-  };
-  const auto ca = split(a), cb = split(b);
-  EngineRegion out;
-  std::size_t ia = 0, ib = 0;
+  for (const Polyline& line : r.polylines) count[1] += static_cast<std::uint32_t>(line.size());
+  count[2] = static_cast<std::uint32_t>(r.points.size());
+  return count;
+}
+
+// All regions as one. Region data are numbered parts first, then polylines, then points, so the groups are joined one by one.
+EngineRegion join(const std::vector<Region>& regions) {
+  EngineRegion all;
   for (int group = 0; group < 3; ++group) {
-    for (std::size_t k = 0; k < ca[group]; ++k, ++ia) {
-      out.vertex_number.push_back(a.vertex_number[ia]);
-      out.edge_number.push_back(a.edge_number[ia]);
-    }
-    for (std::size_t k = 0; k < cb[group]; ++k, ++ib) {
-      out.vertex_number.push_back(first_number + b.vertex_number[ib]);
-      out.edge_number.push_back(first_number + b.edge_number[ib]);
+    std::uint32_t first_number = 0;
+    for (const Region& region : regions) {
+      const EngineRegion r = engine_region(region);
+      const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+      if (group == 0) append(all.own.parts, r.data().parts);
+      if (group == 1) append(all.own.polylines, r.data().polylines);
+      if (group == 2) append(all.own.points, r.data().points);
+      const auto sizes = group_sizes(r.data());
+      std::uint32_t at = group == 0 ? 0 : group == 1 ? sizes[0] : sizes[0] + sizes[1];
+      for (std::uint32_t k = 0; k < sizes[group]; ++k, ++at) {
+        all.vertex_numbers.push_back(first_number + r.vertex_number(at));
+        all.edge_numbers.push_back(first_number + r.edge_number(at));
+      }
+      first_number += static_cast<std::uint32_t>(region.vertex_count());
     }
   }
-  const auto join = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
-  out.data = std::move(a.data);
-  join(out.data.parts, b.data.parts);
-  join(out.data.polylines, b.data.polylines);
-  join(out.data.points, b.data.points);
-  a = std::move(out);
+  return all;
 }
 
 }  // namespace
@@ -67,13 +63,8 @@ Result<PlanarSum> nfp(const Region& a, const Region& b, const SumOptions& option
 }
 
 Result<PlanarSum> union_of(const std::vector<Region>& regions, const SumOptions& options) {
-  EngineRegion all;
-  std::uint32_t first_number = 0;
-  for (const Region& r : regions) {
-    append(all, engine_region(r), first_number);
-    first_number += static_cast<std::uint32_t>(r.vertex_count());
-  }
-  return sum_of(all, separate_touching({{}, {}, {Point{0, 0}}}, {}), options);
+  const RegionData origin{{}, {}, {Point{0, 0}}};
+  return sum_of(join(regions), separate_touching(origin, {}), options);
 }
 
 }  // namespace dymsum

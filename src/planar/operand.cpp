@@ -39,8 +39,8 @@ class Builder {
       if (keep[i] == 0) continue;
       out_.source.push_back(walk[i]);
       // The straight run that starts here; backward runs of a polyline carry the number of their forward run.
-      out_.edge_number.push_back(region_.edge_number[numbers[i]]);
-      out_.vertex_number.push_back(region_.vertex_number[walk[i]]);
+      out_.edge_number.push_back(region_.edge_number(numbers[i]));
+      out_.vertex_number.push_back(region_.vertex_number(walk[i]));
       out_.convex.push_back(keep[i] == 2);
     }
     loop.last = static_cast<std::uint32_t>(out_.size());
@@ -60,8 +60,8 @@ class Builder {
     loop.first = static_cast<std::uint32_t>(out_.size());
     loop.last = loop.first + 1;
     out_.source.push_back(source);
-    out_.edge_number.push_back(region_.edge_number[source]);
-    out_.vertex_number.push_back(region_.vertex_number[source]);
+    out_.edge_number.push_back(region_.edge_number(source));
+    out_.vertex_number.push_back(region_.vertex_number(source));
     out_.convex.push_back(1);
     out_.next.push_back(loop.first);
     out_.prev.push_back(loop.first);
@@ -117,7 +117,7 @@ std::vector<Point> source_vertices(const RegionData& region) {
 
 Operand make_operand(const EngineRegion& engine_region, std::uint32_t op, const Lattice& lattice) {
   Builder builder(op, engine_region, lattice);
-  const RegionData& region = engine_region.data;
+  const RegionData& region = engine_region.data();
   std::uint32_t at = 0;
   std::vector<std::uint32_t> walk, numbers;
   const auto ring = [&](const Ring& r, LoopKind kind) {

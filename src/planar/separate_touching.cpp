@@ -1,7 +1,6 @@
 #include "planar/separate_touching.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "exact/orient.h"
 #include "planar/region_sweep.h"
@@ -107,30 +106,30 @@ class Separation {
     };
     const auto number = [&](std::size_t r) {
       for (const std::uint32_t n : rings[r]) {
-        result.vertex_number.push_back(nodes_[n].vertex_number);
-        result.edge_number.push_back(nodes_[n].edge_number);
+        result.vertex_numbers.push_back(nodes_[n].vertex_number);
+        result.edge_numbers.push_back(nodes_[n].edge_number);
       }
     };
     for (std::size_t r = 0; r < rings.size(); ++r) {
       if (!layout.rings[r].counter_clockwise) continue;
-      result.data.parts.push_back({points_of(r), {}});
+      result.own.parts.push_back({points_of(r), {}});
       number(r);
       for (std::size_t h = 0; h < rings.size(); ++h)
         if (layout.rings[h].container == r && !layout.rings[h].counter_clockwise) {
-          result.data.parts.back().holes.push_back(points_of(h));
+          result.own.parts.back().holes.push_back(points_of(h));
           number(h);
         }
     }
     append_lower(data);
   }
   void append_lower(const RegionData& data) {
-    result.data.polylines = data.polylines;
-    result.data.points = data.points;
+    result.own.polylines = data.polylines;
+    result.own.points = data.points;
     std::size_t rest = data.points.size();
     for (const Polyline& line : data.polylines) rest += line.size();
     for (std::size_t i = 0; i < rest; ++i, ++number_) {
-      result.vertex_number.push_back(number_);
-      result.edge_number.push_back(number_);
+      result.vertex_numbers.push_back(number_);
+      result.edge_numbers.push_back(number_);
     }
   }
 
@@ -143,16 +142,7 @@ class Separation {
 EngineRegion separate_touching(const RegionData& data, const std::vector<Point>& touching_points) {
   if (!touching_points.empty()) return Separation(data, touching_points).result;
   EngineRegion same;
-  same.data = data;
-  std::size_t count = data.points.size();
-  for (const Part& part : data.parts) {
-    count += part.outer.size();
-    for (const Ring& hole : part.holes) count += hole.size();
-  }
-  for (const Polyline& line : data.polylines) count += line.size();
-  same.vertex_number.resize(count);
-  std::iota(same.vertex_number.begin(), same.vertex_number.end(), 0);
-  same.edge_number = same.vertex_number;
+  same.borrowed = &data;
   return same;
 }
 

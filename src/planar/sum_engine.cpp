@@ -1,6 +1,7 @@
 #include "planar/sum_engine.h"
 
 #include <algorithm>
+#include <bit>
 #include <chrono>
 #include <cmath>
 #include <functional>
@@ -68,6 +69,39 @@ class ReducedChain final : public Chain {
   std::uint32_t reduced_;
 };
 
+// Segments by their ends. Sums of operands with common edge vectors, above all P + P, hold most segments twice; one is enough.
+class SameSegments {
+ public:
+  explicit SameSegments(const Soup& soup) : soup_(soup) {}
+  void reserve(std::size_t n) { slots_.assign(std::bit_ceil(2 * n + 1), kNone); }
+
+  // The earlier segment with exactly the same ends, or kNone; then s is remembered.
+  std::uint32_t find_or_add(std::uint32_t s) {
+    const SoupBox& b = soup_.boxes[s];
+    const std::size_t mask = slots_.size() - 1;
+    std::size_t at = hash(b) & mask;
+    for (; slots_[at] != kNone; at = (at + 1) & mask) {
+      const std::uint32_t t = slots_[at];
+      const SoupBox& c = soup_.boxes[t];
+      if (b.ax == c.ax && b.ay == c.ay && b.bx == c.bx && b.by == c.by &&
+          soup_.lattice.same(soup_.exact(soup_.start(s)), soup_.exact(soup_.start(t))) &&
+          soup_.lattice.same(soup_.exact(soup_.end(s)), soup_.exact(soup_.end(t))))
+        return t;
+    }
+    slots_[at] = s;
+    return kNone;
+  }
+
+ private:
+  static std::size_t hash(const SoupBox& b) {
+    std::uint64_t h = 0;
+    for (const double v : {b.ax, b.ay, b.bx, b.by}) h = (h ^ std::bit_cast<std::uint64_t>(v)) * 0x9e3779b97f4a7c15;
+    return h ^ (h >> 32);
+  }
+  const Soup& soup_;
+  std::vector<std::uint32_t> slots_;
+};
+
 // The sides of the parallelograms of every pair of edges of two components without area, counter-clockwise.
 void add_parallelograms(const Lattice& lattice, const Operand& p, const Operand& q, Soup& soup) {
   for (const Component& cp : p.components)
@@ -89,9 +123,10 @@ bool has_dimension_below_two(const Operand& o) {
 constexpr std::size_t kAllPairs = 64;
 constexpr std::size_t kMask = 300;
 
-// Cells along the longer side for n segments.
+// Cells along the longer side for n segments: finer grids cost more in the mask than they save in pairs.
+constexpr double kCellsPerRoot = 1.4;
 int cells_for(std::size_t n) {
-  return std::clamp(static_cast<int>(std::sqrt(static_cast<double>(n))), 8, 1024);
+  return std::clamp(static_cast<int>(kCellsPerRoot * std::sqrt(static_cast<double>(n))), 8, 1024);
 }
 
 Grid plain_grid(const Lattice& lattice, std::size_t n) {
@@ -155,13 +190,13 @@ void find_tight(const Soup& soup, const Arrangement& arrangement, const std::vec
     if (collision.overlaps(arrangement.sample(step))) continue;
     const Place from = arrangement.start_place(step), to = arrangement.end_place(step);
     const SubEnd a = arrangement.start_of(step), b = arrangement.end_of(step);
-    grid_error = std::max({grid_error, from.error, to.error});
+    grid_error = std::max(grid_error, std::min(std::max(from.error, to.error), 0x1p-38 * soup.lattice.span));
     const std::uint32_t s = step.segment;
     out.cracks.push_back({vertex_of(soup, s, a.pair ? s : a.other, a, from), vertex_of(soup, s, b.pair ? s : b.other, b, to)});
   }
   for (const Arrangement::Node& node : arrangement.nodes()) {
     if (on_boundary.contains(node.number) || collision.overlaps(node.place)) continue;
-    grid_error = std::max(grid_error, node.place.error);
+    grid_error = std::max(grid_error, std::min(node.place.error, 0x1p-38 * soup.lattice.span));
     out.punctures.push_back(vertex_of(soup, node.segment, node.end.pair ? node.segment : node.end.other, node.end, node.place));
   }
 }
@@ -182,6 +217,7 @@ bool run_reduced(const SumOptions& options, SumState& state) {
   const ReducedConvolution convolution(lattice, op, oq);
   const std::uint32_t n = convolution.size();
   stats.reduced_segments = n;
+  clock.done("directions");
   const bool fast = options.engine == Engine::fast;
   std::optional<InteriorMask> mask;
   if (fast && n >= kMask) {
@@ -191,16 +227,26 @@ bool run_reduced(const SumOptions& options, SumState& state) {
   }
   Soup soup(lattice, op, oq);
   std::vector<std::uint32_t> live;
-  if (mask) {
+  SameSegments same(soup);
+  const bool merge = fast && convolution.parallel_pairs() * 4 > op.size() + oq.size();
+  if (mask || merge) {
     live.reserve(n);
-    const Grid& g = mask->grid();
+    const Grid g = mask ? mask->grid() : Grid{};
+    if (merge) same.reserve(n);
     const double reach = 2 * kReach * g.cell;
     convolution.for_each([&](const WalkSegment& w) {
       const SoupBox b = soup.box(w);
-      const bool dead = mask->all_dead(g.row(std::min(b.ay, b.by) - reach), g.column(std::min(b.ax, b.bx) - reach),
+      const bool dead = mask && mask->all_dead(g.row(std::min(b.ay, b.by) - reach), g.column(std::min(b.ax, b.bx) - reach),
                                        g.row(std::max(b.ay, b.by) + reach), g.column(std::max(b.ax, b.bx) + reach));
       live.push_back(dead ? kNone : static_cast<std::uint32_t>(soup.size()));
-      if (!dead) soup.add(w, b);
+      if (dead) return;
+      soup.add(w, b);
+      if (!merge) return;
+      if (const std::uint32_t twin = same.find_or_add(live.back()); twin != kNone) {
+        live.back() = twin;
+        soup.segments.pop_back();
+        soup.boxes.pop_back();
+      }
     });
   } else {
     soup.reserve(n);
@@ -217,7 +263,7 @@ bool run_reduced(const SumOptions& options, SumState& state) {
 
   Meetings meetings;
   std::vector<DeadMark> marks;
-  CrossingFinder finder(soup, meetings);
+  CrossingFinder finder(soup, meetings, &chain);
   finder.poll = &poll;
   finder.first_unchained = reduced_live;
   if (!fast || soup.size() < kAllPairs) {
@@ -272,7 +318,7 @@ bool run_reduced(const SumOptions& options, SumState& state) {
 Result<SumState> compute_boundary(const EngineRegion& p, const EngineRegion& q, const SumOptions& options) {
   SumState state;
   const auto start = std::chrono::steady_clock::now();
-  const std::vector<Point> vp = source_vertices(p.data), vq = source_vertices(q.data);
+  const std::vector<Point> vp = source_vertices(p.data()), vq = source_vertices(q.data());
   std::unique_ptr<Lattice> lattice = make_lattice(vp, vq, options.min_tier_bits);
   state.p = std::make_unique<Operand>(make_operand(p, 0, *lattice));
   state.q = std::make_unique<Operand>(make_operand(q, 1, *lattice));
@@ -324,7 +370,7 @@ void lower_dimensional_candidates(const Lattice& lattice, const Operand& p, cons
     }
 }
 
-void merge_pieces(const ExactSource& source, const std::vector<SumPart>& parts, const std::vector<SumSegment>& candidates,
+void merge_pieces(const SumSource& source, const std::vector<SumPart>& parts, const std::vector<SumSegment>& candidates,
                   const std::vector<SumVertex>& candidate_points, std::vector<SumSegment>& segments, std::vector<SumVertex>& points) {
   std::vector<std::vector<Position>> rings;
   std::vector<const SumRing*> ring_of;
@@ -348,7 +394,10 @@ void merge_pieces(const ExactSource& source, const std::vector<SumPart>& parts, 
     }
     SumVertex v;
     v.in = candidates[end.candidate].from.in;
-    v.out = ring_of[end.cut_ring]->vertices[end.cut_edge].out;
+    const SumRing& ring = *ring_of[end.cut_ring];
+    const SumVertex &from = ring.vertices[end.cut_edge], &to = ring.vertices[(end.cut_edge + 1) % ring.vertices.size()];
+    // An edge merged from several contacts is named by its first and its last one.
+    v.out = source.on_contact(from.out, end.at) ? from.out : to.in;
     v.at = {exact::round_to_double(end.at.x), exact::round_to_double(end.at.y)};
     return v;
   };
@@ -356,29 +405,20 @@ void merge_pieces(const ExactSource& source, const std::vector<SumPart>& parts, 
   for (const PiecePoint& p : pieces.points) points.push_back(candidate_points[p.candidate]);
 }
 
-Numbering number_both(const EngineRegion& p, const EngineRegion& q) {
-  Numbering n;
-  number_region(p, 0, n);
-  number_region(q, 1, n);
-  return n;
-}
-
-PlanarSum finish_sum(SumState state, Numbering numbering, const SumOptions& options) {
+PlanarSum finish_sum(SumState state, const SumOptions& options) {
   PlanarSum sum;
   StageClock clock(state.stats);
-  const auto source = std::make_shared<SumSource>(state.lattice, std::move(numbering));
-  sum.source = source;
   RawBoundary& raw = state.boundary;
+  std::vector<SumSegment> lines;
+  std::vector<SumVertex> points;
+  if (options.semantics == Semantics::closed) lower_dimensional_candidates(*state.lattice, *state.p, *state.q, lines, points);
+  const auto source = std::make_shared<SumSource>(state.lattice, std::move(state.p), std::move(state.q));
+  sum.source = source;
   sum.parts = group_rings(std::move(raw.rings), raw.outer, *source, raw.at_error);
   canonicalize(sum.parts, *source, raw.at_error);
   if (!raw.cracks.empty() || !raw.punctures.empty())
     merge_pieces(*source, {}, raw.cracks, raw.punctures, sum.tight_segments, sum.tight_points);
-  if (options.semantics == Semantics::closed) {
-    std::vector<SumSegment> lines;
-    std::vector<SumVertex> points;
-    lower_dimensional_candidates(*state.lattice, *state.p, *state.q, lines, points);
-    if (!lines.empty() || !points.empty()) merge_pieces(*source, sum.parts, lines, points, sum.segments, sum.points);
-  }
+  if (!lines.empty() || !points.empty()) merge_pieces(*source, sum.parts, lines, points, sum.segments, sum.points);
   if (state.trace) {
     for (const SumVertex& v : sum.tight_points) state.trace->tight_points.push_back(v.at);
     for (const SumSegment& s : sum.tight_segments) state.trace->tight_segments.push_back({s.from.at, s.to.at});

@@ -30,17 +30,15 @@ struct SumState {
 /// Operands on their lattice, then the boundary by the chosen engine.
 Result<SumState> compute_boundary(const EngineRegion& p, const EngineRegion& q, const SumOptions& options);
 
-Numbering number_both(const EngineRegion& p, const EngineRegion& q);
-
 /// Canonical order, parts, tight features, lower-dimensional pieces.
-PlanarSum finish_sum(SumState state, Numbering numbering, const SumOptions& options);
+PlanarSum finish_sum(SumState state, const SumOptions& options);
 
 /// Lower-dimensional pieces of the closed sum: segments and points from pairs of components without area. Appends candidates.
 void lower_dimensional_candidates(const Lattice& lattice, const Operand& p, const Operand& q, std::vector<SumSegment>& segments,
                                   std::vector<SumVertex>& points);
 
 /// Positions of candidates -> maximal pieces with provenance.
-void merge_pieces(const ExactSource& source, const std::vector<SumPart>& parts, const std::vector<SumSegment>& candidates,
+void merge_pieces(const SumSource& source, const std::vector<SumPart>& parts, const std::vector<SumSegment>& candidates,
                   const std::vector<SumVertex>& candidate_points, std::vector<SumSegment>& segments, std::vector<SumVertex>& points);
 
 }  // namespace dymsum::planar

@@ -2,58 +2,71 @@
 
 #include <algorithm>
 
+#include "planar/position_signs.h"
+
 namespace dymsum::planar {
 
-void number_region(const EngineRegion& engine_region, std::uint32_t op, Numbering& out) {
-  const RegionData& region = engine_region.data;
-  std::uint32_t size = 0;
-  for (const auto* numbers : {&engine_region.vertex_number, &engine_region.edge_number})
-    for (const std::uint32_t n : *numbers) size = n == SumVertex::kNone ? size : std::max(size, n + 1);
-  out.vertex[op].assign(size, 0);
-  out.edge[op].assign(size, {0, 0});
-  const auto set = [&](std::uint32_t source, std::uint32_t from, std::uint32_t to) {
-    const std::uint32_t v = engine_region.vertex_number[source], e = engine_region.edge_number[source];
-    if (v != SumVertex::kNone) out.vertex[op][v] = source;
-    if (e != SumVertex::kNone) out.edge[op][e] = {from, to};
-  };
-  std::uint32_t at = 0;
-  const auto ring = [&](const Ring& r) {
-    const std::uint32_t n = static_cast<std::uint32_t>(r.size());
-    for (std::uint32_t i = 0; i < n; ++i) set(at + i, at + i, at + (i + 1 == n ? 0 : i + 1));
-    at += n;
-  };
-  for (const Part& part : region.parts) {
-    ring(part.outer);
-    for (const Ring& hole : part.holes) ring(hole);
-  }
-  for (const Polyline& line : region.polylines) {
-    const std::uint32_t n = static_cast<std::uint32_t>(line.size());
-    // The last vertex starts no edge.
-    for (std::uint32_t i = 0; i < n; ++i) set(at + i, at + (i + 1 < n ? i : i - 1), at + (i + 1 < n ? i + 1 : i));
-    at += n;
-  }
-  for (std::size_t i = 0; i < region.points.size(); ++i, ++at) set(at, at, at);
+const SumSource::Numbering& SumSource::numbering(std::uint32_t op) const {
+  std::call_once(numbered_, [this] {
+    for (std::uint32_t k = 0; k < 2; ++k) {
+      const Operand& o = *operands_[k];
+      Numbering& n = numbering_[k];
+      // Numbers of an erosion's frame are not given to anyone.
+      std::uint32_t size = 0;
+      for (const auto* numbers : {&o.vertex_number, &o.edge_number})
+        for (const std::uint32_t v : *numbers) size = v == SumVertex::kNone ? size : std::max(size, v + 1);
+      n.vertex.assign(size, 0);
+      n.edge.assign(size, {0, 0});
+      for (std::uint32_t i = 0; i < o.size(); ++i) {
+        if (o.vertex_number[i] != SumVertex::kNone) n.vertex[o.vertex_number[i]] = o.source[i];
+        if (o.edge_number[i] != SumVertex::kNone) n.edge[o.edge_number[i]] = {o.source[i], o.source[o.next[i]]};
+      }
+    }
+  });
+  return numbering_[op];
 }
 
 Segment SumSource::segment(const Contact& contact) const {
   const bool of_p = contact.kind == Contact::Kind::edge_of_p;
-  const auto [from, to] = numbering_.edge[of_p ? 0 : 1][of_p ? contact.p : contact.q];
-  return {{of_p ? 0u : 1u, from, to}, numbering_.vertex[of_p ? 1 : 0][of_p ? contact.q : contact.p]};
+  const auto [from, to] = numbering(of_p ? 0 : 1).edge[of_p ? contact.p : contact.q];
+  return {{of_p ? 0u : 1u, from, to}, numbering(of_p ? 1 : 0).vertex[of_p ? contact.q : contact.p]};
+}
+
+Pair SumSource::corner(const SumVertex& v) const {
+  return {numbering(0).vertex[v.corner_p], numbering(1).vertex[v.corner_q]};
 }
 
 ExactSource::Position SumSource::position(const SumVertex& vertex) const {
-  Place place;
+  Lattice::Position p;
   if (vertex.corner_p != SumVertex::kNone) {
-    const Pair corner{numbering_.vertex[0][vertex.corner_p], numbering_.vertex[1][vertex.corner_q]};
-    // Any segment through the corner carries it; a point + point has none.
-    Lattice::Position p = lattice_->position(corner);
-    return {std::move(p.x), std::move(p.y)};
+    p = lattice_->position(corner(vertex));
+  } else {
+    Place place;
+    place.on = segment(vertex.in);
+    place.first.kind = Cut::Kind::crossing;
+    place.first.by = segment(vertex.out);
+    p = lattice_->position(place);
   }
-  place.on = segment(vertex.in);
-  place.first.kind = Cut::Kind::crossing;
-  place.first.by = segment(vertex.out);
-  Lattice::Position p = lattice_->position(place);
   return {std::move(p.x), std::move(p.y)};
+}
+
+int SumSource::compare_x(const SumVertex& a, const SumVertex& b) const {
+  if (a.corner_p == SumVertex::kNone || b.corner_p == SumVertex::kNone) return ExactSource::compare_x(a, b);
+  return lattice_->compare_coordinate(corner(a), corner(b), 0);
+}
+
+int SumSource::compare_y(const SumVertex& a, const SumVertex& b) const {
+  if (a.corner_p == SumVertex::kNone || b.corner_p == SumVertex::kNone) return ExactSource::compare_y(a, b);
+  return lattice_->compare_coordinate(corner(a), corner(b), 1);
+}
+
+bool SumSource::on_contact(const Contact& contact, const Position& at) const {
+  const Segment s = segment(contact);
+  const auto spot = [&](Pair v) {
+    Lattice::Position p = lattice_->position(v);
+    return make_spot(Position{std::move(p.x), std::move(p.y)});
+  };
+  return on_segment(spot(start_of(s)), spot(end_of(s)), make_spot(at));
 }
 
 }  // namespace dymsum::planar

@@ -3,35 +3,41 @@
 
 #include <array>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 #include "planar/exact_source.h"
 #include "planar/lattice.h"
-#include "planar/separate_touching.h"
+#include "planar/operand.h"
 
 namespace dymsum::planar {
 
-/// Vertex and edge numbers of the two regions as they appear in contacts, by source vertices of the lattice.
-struct Numbering {
-  std::array<std::vector<std::uint32_t>, 2> vertex;
-  std::array<std::vector<std::array<std::uint32_t, 2>>, 2> edge;
-};
-
-/// The source vertices and straight runs behind the numbers of an engine region.
-void number_region(const EngineRegion& region, std::uint32_t op, Numbering& out);
-
 class SumSource final : public ExactSource {
  public:
-  SumSource(std::shared_ptr<const Lattice> lattice, Numbering numbering)
-      : lattice_(std::move(lattice)), numbering_(std::move(numbering)) {}
+  SumSource(std::shared_ptr<const Lattice> lattice, std::unique_ptr<const Operand> p, std::unique_ptr<const Operand> q)
+      : lattice_(std::move(lattice)), operands_{std::move(p), std::move(q)} {}
 
   Position position(const SumVertex& vertex) const override;
+  int compare_x(const SumVertex& a, const SumVertex& b) const override;
+  int compare_y(const SumVertex& a, const SumVertex& b) const override;
+
+  /// Whether a position lies on the closed segment that a contact names.
+  bool on_contact(const Contact& contact, const Position& at) const;
 
  private:
+  // The source vertices behind the numbers in contacts.
+  struct Numbering {
+    std::vector<std::uint32_t> vertex;
+    std::vector<std::array<std::uint32_t, 2>> edge;
+  };
+  const Numbering& numbering(std::uint32_t op) const;
   Segment segment(const Contact& contact) const;
+  Pair corner(const SumVertex& v) const;
 
   std::shared_ptr<const Lattice> lattice_;
-  Numbering numbering_;
+  std::array<std::unique_ptr<const Operand>, 2> operands_;
+  mutable std::once_flag numbered_;
+  mutable std::array<Numbering, 2> numbering_;  // made when first asked for
 };
 
 }  // namespace dymsum::planar

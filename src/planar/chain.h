@@ -1,0 +1,28 @@
+// How the segments of a soup hang together at their ends.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "planar/soup.h"
+
+namespace dymsum::planar {
+
+inline constexpr std::uint32_t kNone = 0xffffffff;
+
+/// A segment that starts or ends at a pair.
+struct Incidence {
+  std::uint32_t segment = 0;
+  bool starts = false;
+};
+
+class Chain {
+ public:
+  virtual ~Chain() = default;
+  /// The segment that continues s at its end in the generic case, or kNone.
+  virtual std::uint32_t next(std::uint32_t s) const = 0;
+  /// Appends all segments that start or end at a pair of walk vertices.
+  virtual void incident(WalkPair v, std::vector<Incidence>& out) const = 0;
+};
+
+}  // namespace dymsum::planar
