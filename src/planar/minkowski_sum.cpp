@@ -36,6 +36,7 @@ EngineRegion join(const std::vector<Region>& regions) {
     std::uint32_t first_number = 0;
     for (const Region& region : regions) {
       const EngineRegion r = engine_region(region);
+      all.touching |= r.touching;
       const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
       if (group == 0) append(all.own.parts, r.data().parts);
       if (group == 1) append(all.own.polylines, r.data().polylines);

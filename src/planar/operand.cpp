@@ -33,7 +33,9 @@ class Builder {
     keep.assign(n, 1);
     for (std::size_t i = 0; i < n; ++i) {
       const Turn t = turn(walk[(i + n - 1) % n], walk[i], walk[(i + 1) % n]);
-      keep[i] = t == Turn::straight ? 0 : t == Turn::right ? 1 : 2;
+      // Where a walk goes straight from one ring's edge to another's, the vertex stays: a contact names an edge of one ring.
+      const bool same_run = !region_.touching || region_.edge_number(numbers[i]) == region_.edge_number(numbers[(i + n - 1) % n]);
+      keep[i] = t == Turn::convex ? 2 : t == Turn::straight && same_run ? 0 : 1;
     }
     for (std::size_t i = 0; i < n; ++i) {
       if (keep[i] == 0) continue;

@@ -29,6 +29,7 @@ class Separation {
       for (const Ring& hole : part.holes) add_ring(hole, touching);
     }
     for (const Point& z : touching) pair_at(z);
+    result.touching = true;
     collect(data);
   }
 

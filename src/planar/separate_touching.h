@@ -13,6 +13,7 @@ namespace dymsum::planar {
 struct EngineRegion {
   const RegionData* borrowed = nullptr;  ///< without touching points: the region's own data, which must outlive this
   RegionData own;
+  bool touching = false;  ///< edges of different rings may follow each other
   std::vector<std::uint32_t> vertex_numbers, edge_numbers;  ///< empty: unchanged
 
   const RegionData& data() const { return borrowed != nullptr ? *borrowed : own; }
