@@ -8,8 +8,8 @@
 
 namespace dymsum::cli {
 
-/// While one lives, Ctrl-C only sets a flag, which the progress callback and throw_if_interrupted() read, so that no file
-/// is left half-written; a second Ctrl-C kills. Before that, while inputs are read, Ctrl-C kills at once.
+/// While one lives, Ctrl-C only sets a flag, which the progress callback and throw_if_interrupted() read, so that no
+/// file is left half-written; a second Ctrl-C kills. Before that, while inputs are read, Ctrl-C kills at once.
 class InterruptGuard {
  public:
   InterruptGuard();

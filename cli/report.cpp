@@ -86,7 +86,8 @@ void print_sum(std::ostream& out, const SumReport& report) {
   out << report.verb << " of";
   for (std::size_t i = 0; i < report.inputs.size(); ++i) {
     const Input& input = report.inputs[i];
-    out << (i == 0 ? " " : " and ") << input.file << " (" << counted(input.region.vertex_count(), "vertex", "vertices") << ")";
+    out << (i == 0 ? " " : " and ") << input.file << " ("
+        << counted(input.region.vertex_count(), "vertex", "vertices") << ")";
   }
   out << "\n  " << counted(sum.parts.size(), "part") << ", " << counted(sum.hole_count(), "hole") << ", "
       << counted(sum.vertex_count(), "vertex", "vertices");

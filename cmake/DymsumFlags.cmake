@@ -11,8 +11,8 @@ function(dymsum_set_flags target)
   set_target_properties(${target} PROPERTIES CXX_STANDARD_REQUIRED ON CXX_EXTENSIONS OFF)
   target_compile_features(${target} PRIVATE cxx_std_20)
   target_compile_options(${target} PRIVATE -ffp-contract=off -Wall -Wextra -Wpedantic)
-  # Two warnings of GCC's optimiser are wrong about correct code: -Wrestrict about `"x" + std::string` (GCC bug 105651), and
-  # -Wmaybe-uninitialized about the union inside Boost's cpp_int.
+  # Two warnings of GCC's optimiser are wrong about correct code: -Wrestrict about `"x" + std::string` (GCC bug 105651),
+  # and -Wmaybe-uninitialized about the union inside Boost's cpp_int.
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_compile_options(${target} PRIVATE -Wno-restrict -Wno-maybe-uninitialized)
   endif()
