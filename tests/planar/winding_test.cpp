@@ -34,7 +34,7 @@ struct Operands {
   Operands(const Region& a, const Region& b) {
     const EngineRegion ea = separate_touching(a.data(), a.touching_points()),
                        eb = separate_touching(b.data(), b.touching_points());
-    lattice = make_lattice(source_vertices(ea.data), source_vertices(eb.data), 0);
+    lattice = make_lattice(source_vertices(ea.data()), source_vertices(eb.data()), 0);
     p = make_operand(ea, 0, *lattice);
     q = make_operand(eb, 1, *lattice);
   }
