@@ -44,12 +44,14 @@ void component_turns(const Lattice& lattice, const Operand& o, const Component& 
       if (loop.kind != LoopKind::point) {
         Edge from = o.edge(o.prev[v]), to = o.edge(v);
         t.sign = o.convex[v] ? 1 : -1;
+        const int order = compare_directions(lattice, from, to);
+        if (order == 0) continue;  // straight on, where rings touch: no turn
         if (t.sign < 0) std::swap(from, to);
         // Operand 1 is the one that is turned: an edge of P parallel to the edge in of Q is not met, one parallel to
         // out is.
         t.lo = count_below(lattice, other, edges, from, o.op == 1);
         const std::uint32_t hi = count_below(lattice, other, edges, to, o.op == 1);
-        t.count = compare_directions(lattice, from, to) < 0 ? hi - t.lo : hi + n - t.lo;
+        t.count = order * t.sign < 0 ? hi - t.lo : hi + n - t.lo;
         if (t.lo == n) t.lo = 0;
       }
       f(t);
