@@ -203,6 +203,8 @@ Contact contact_of(const Soup& soup, std::uint32_t segment) {
   return g.side() == 0 ? Contact{Contact::Kind::edge_of_p, edge, vertex} : Contact{Contact::Kind::edge_of_q, vertex, edge};
 }
 
+double position_error(const Soup& soup, const Place& place) { return std::min(place.error, kPoor * soup.lattice.span); }
+
 SumVertex vertex_of(const Soup& soup, std::uint32_t in, std::uint32_t out, const SubEnd& end, const Place& place) {
   SumVertex v;
   v.in = contact_of(soup, in);
@@ -211,7 +213,7 @@ SumVertex vertex_of(const Soup& soup, std::uint32_t in, std::uint32_t out, const
     v.corner_p = soup.operands[0]->vertex_number[end.at.p];
     v.corner_q = soup.operands[1]->vertex_number[end.at.q];
   }
-  if (place.error > kPoor * soup.lattice.span) {
+  if (position_error(soup, place) < place.error) {
     // Nearly parallel lines: the doubles know too little.
     const Lattice::Position p = soup.lattice.position(place);
     v.at = {exact::round_to_double(p.x), exact::round_to_double(p.y)};
@@ -237,7 +239,7 @@ SumRing make_ring(const Soup& soup, const Arrangement& arrangement, const Bounda
     const Step &in = steps[i], &out = steps[(i + 1) % n];
     if (in.segment == out.segment || soup.cross(in.segment, out.segment) == 0) continue;  // straight on
     const Place place = arrangement.end_place(in);
-    error = std::max(error, std::min(place.error, kPoor * soup.lattice.span));
+    error = std::max(error, position_error(soup, place));
     ring.vertices.push_back(vertex_of(soup, in.segment, out.segment, arrangement.end_of(in), place));
   }
   return ring;

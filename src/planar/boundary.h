@@ -39,6 +39,9 @@ SumVertex vertex_of(const Soup& soup, std::uint32_t in, std::uint32_t out, const
 /// The ring of a loop with collinear steps merged; grows `error` to the largest error of a position, in input coordinates.
 SumRing make_ring(const Soup& soup, const Arrangement& arrangement, const BoundaryLoop& loop, double& error);
 
+/// The error of the position that vertex_of gives to a place, in grid units.
+double position_error(const Soup& soup, const Place& place);
+
 /// A bound on the error of a rounded position in input coordinates.
 double input_error(const Lattice& lattice, double grid_error);
 

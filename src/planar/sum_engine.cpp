@@ -190,13 +190,13 @@ void find_tight(const Soup& soup, const Arrangement& arrangement, const std::vec
     if (collision.overlaps(arrangement.sample(step))) continue;
     const Place from = arrangement.start_place(step), to = arrangement.end_place(step);
     const SubEnd a = arrangement.start_of(step), b = arrangement.end_of(step);
-    grid_error = std::max(grid_error, std::min(std::max(from.error, to.error), 0x1p-38 * soup.lattice.span));
+    grid_error = std::max({grid_error, position_error(soup, from), position_error(soup, to)});
     const std::uint32_t s = step.segment;
     out.cracks.push_back({vertex_of(soup, s, a.pair ? s : a.other, a, from), vertex_of(soup, s, b.pair ? s : b.other, b, to)});
   }
   for (const Arrangement::Node& node : arrangement.nodes()) {
     if (on_boundary.contains(node.number) || collision.overlaps(node.place)) continue;
-    grid_error = std::max(grid_error, std::min(node.place.error, 0x1p-38 * soup.lattice.span));
+    grid_error = std::max(grid_error, position_error(soup, node.place));
     out.punctures.push_back(vertex_of(soup, node.segment, node.end.pair ? node.segment : node.end.other, node.end, node.place));
   }
 }

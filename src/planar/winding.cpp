@@ -78,7 +78,7 @@ class Boundary {
       const BoundaryEdge &in = edges[i], &out = edges[(i + 1) % edges.size()];
       if (tracing_.soup.cross(in.segment, out.segment) == 0) continue;  // straight on
       const SegmentGraph::Node& node = graph_.nodes()[in.to];
-      error = std::max(error, node.place.error);
+      error = std::max(error, position_error(tracing_.soup, node.place));
       ring.vertices.push_back(vertex_of(tracing_.soup, in.segment, out.segment, node.end, node.place));
     }
     return ring;
@@ -156,7 +156,7 @@ void find_tight(const Tracing& tracing, const SegmentGraph& graph, const std::ve
   const Soup& soup = tracing.soup;
   const auto vertex = [&](std::uint32_t node, std::uint32_t segment) {
     const SegmentGraph::Node& v = graph.nodes()[node];
-    error = std::max(error, v.place.error);
+    error = std::max(error, position_error(soup, v.place));
     if (v.end.pair) return vertex_of(soup, segment, segment, v.end, v.place);
     const bool parallel = soup.cross(segment, v.segment) == 0;
     return vertex_of(soup, segment, parallel ? v.end.other : v.segment, v.end, v.place);

@@ -119,6 +119,8 @@ Expected by_definition(const Operands& o) {
             if (lv.kind != LoopKind::point) {
               const Edge in = vertices.edge(vertices.prev[v]), way_out = vertices.edge(v);
               convex = vertices.convex[v];
+              const bool straight = o.lattice->cross(in, way_out) == 0 && o.lattice->dot(in, way_out) > 0;
+              if (straight) continue;  // where rings touch: no turn
               // Q is turned counter-clockwise: against it, edges of P turn clockwise.
               met = convex ? strictly_between(o, in, edges.edge(e), way_out, side == 0)
                            : strictly_between(o, way_out, edges.edge(e), in, side == 0);
