@@ -87,6 +87,16 @@ class LatticeOf final : public Lattice {
     return exact::sign(s.n * t.d - t.n * s.d);
   }
 
+  // start + d N / D over one denominator each, then crosswise.
+  int compare_coordinate(const Place& a, const Place& b, int axis) const override {
+    const WideRatio s = ratio(a), t = ratio(b);
+    const SumVec from_a = sum(start_of(a.on)), from_b = sum(start_of(b.on));
+    const EdgeVec d = edge(a.on.edge), e = edge(b.on.edge);
+    const auto u = axis == 0 ? from_a.x * s.d + d.x * s.n : from_a.y * s.d + d.y * s.n;
+    const auto v = axis == 0 ? from_b.x * t.d + e.x * t.n : from_b.y * t.d + e.y * t.n;
+    return exact::sign(u * t.d - v * s.d);
+  }
+
   Position position(const Place& x) const override {
     const SumVec s = sum(start_of(x.on));
     const EdgeVec d = edge(x.on.edge);

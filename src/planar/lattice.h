@@ -78,6 +78,8 @@ class Lattice {
   virtual int height(Pair v, const Place& x) const = 0;
   /// Order along `on` of two cuts on it: -1, 0, 1.
   virtual int compare(const Segment& on, const Cut& a, const Cut& b) const = 0;
+  /// The sign of a - b along an axis, for any places.
+  virtual int compare_coordinate(const Place& a, const Place& b, int axis) const = 0;
   /// The exact position in input coordinates.
   struct Position {
     exact::BigRational x, y;

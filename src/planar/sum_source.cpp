@@ -41,23 +41,35 @@ ExactSource::Position SumSource::position(const SumVertex& vertex) const {
   if (vertex.corner_p != SumVertex::kNone) {
     p = lattice_->position(corner(vertex));
   } else {
-    Place place;
-    place.on = segment(vertex.in);
-    place.first.kind = Cut::Kind::crossing;
-    place.first.by = segment(vertex.out);
-    p = lattice_->position(place);
+    p = lattice_->position(crossing(vertex));
   }
   return {std::move(p.x), std::move(p.y)};
 }
 
+Place SumSource::crossing(const SumVertex& v) const {
+  Place place;
+  place.on = segment(v.in);
+  place.first.kind = Cut::Kind::crossing;
+  place.first.by = segment(v.out);
+  return place;
+}
+
+// Corners against corners and crossings against crossings in fixed-width integers; the rest is rare.
+std::optional<int> SumSource::compare(const SumVertex& a, const SumVertex& b, int axis) const {
+  const bool corner_a = a.corner_p != SumVertex::kNone, corner_b = b.corner_p != SumVertex::kNone;
+  if (corner_a && corner_b) return lattice_->compare_coordinate(corner(a), corner(b), axis);
+  if (!corner_a && !corner_b) return lattice_->compare_coordinate(crossing(a), crossing(b), axis);
+  return std::nullopt;
+}
+
 int SumSource::compare_x(const SumVertex& a, const SumVertex& b) const {
-  if (a.corner_p == SumVertex::kNone || b.corner_p == SumVertex::kNone) return ExactSource::compare_x(a, b);
-  return lattice_->compare_coordinate(corner(a), corner(b), 0);
+  const std::optional<int> sign = compare(a, b, 0);
+  return sign ? *sign : ExactSource::compare_x(a, b);
 }
 
 int SumSource::compare_y(const SumVertex& a, const SumVertex& b) const {
-  if (a.corner_p == SumVertex::kNone || b.corner_p == SumVertex::kNone) return ExactSource::compare_y(a, b);
-  return lattice_->compare_coordinate(corner(a), corner(b), 1);
+  const std::optional<int> sign = compare(a, b, 1);
+  return sign ? *sign : ExactSource::compare_y(a, b);
 }
 
 bool SumSource::on_contact(const Contact& contact, const Position& at) const {

@@ -4,6 +4,7 @@
 #include <array>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 #include "planar/exact_source.h"
@@ -33,6 +34,8 @@ class SumSource final : public ExactSource {
   const Numbering& numbering(std::uint32_t op) const;
   Segment segment(const Contact& contact) const;
   Pair corner(const SumVertex& v) const;
+  Place crossing(const SumVertex& v) const;
+  std::optional<int> compare(const SumVertex& a, const SumVertex& b, int axis) const;
 
   std::shared_ptr<const Lattice> lattice_;
   std::array<std::unique_ptr<const Operand>, 2> operands_;
