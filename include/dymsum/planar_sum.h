@@ -138,7 +138,7 @@ class PlanarSum {
 };
 
 /// P (+) Q. Either may be empty (then the sum is), have several parts and holes, or be polylines and points.
-/// Exact: every decision is the sign of an integer expression. Errors: cancelled.
+/// Exact: every decision is the sign of an integer expression. Errors: cancelled; unsupported_operand for coordinates beyond 2^1000.
 /// Cost: O(n log n + m log m + N + A + k log k) for N reduced segments, A grid cell entries and k live crossings.
 /// Source: Behar 2016, chapter 3, corrected (docs/design/planar-sum.md).
 Result<PlanarSum> minkowski_sum(const Region& p, const Region& q, const SumOptions& options = {});

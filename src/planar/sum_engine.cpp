@@ -315,10 +315,25 @@ bool run_reduced(const SumOptions& options, SumState& state) {
 
 }  // namespace
 
+// Differences of larger coordinates overflow in doubles.
+std::optional<Error> too_large(const std::vector<Point>& vertices) {
+  constexpr double kLimit = 0x1p1000;
+  for (const Point& v : vertices) {
+    if (std::abs(v.x) <= kLimit && std::abs(v.y) <= kLimit) continue;
+    Error error{Code::unsupported_operand, "a coordinate is larger than 2^1000", {}};
+    error.evidence.x = v.x;
+    error.evidence.y = v.y;
+    return error;
+  }
+  return std::nullopt;
+}
+
 Result<SumState> compute_boundary(const EngineRegion& p, const EngineRegion& q, const SumOptions& options) {
   SumState state;
   const auto start = std::chrono::steady_clock::now();
   const std::vector<Point> vp = source_vertices(p.data()), vq = source_vertices(q.data());
+  for (const auto* vertices : {&vp, &vq})
+    if (std::optional<Error> error = too_large(*vertices)) return *std::move(error);
   std::unique_ptr<Lattice> lattice = make_lattice(vp, vq, options.min_tier_bits);
   state.p = std::make_unique<Operand>(make_operand(p, 0, *lattice));
   state.q = std::make_unique<Operand>(make_operand(q, 1, *lattice));
