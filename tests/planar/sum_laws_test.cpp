@@ -219,7 +219,7 @@ TEST(SumLaws, number_tiers_agree) {
 TEST(SumLaws, huge_and_minute_coordinates_only_scale) {
   for_pairs(kPairs / 2, [](const RegionData& p, const RegionData& q, Random&) {
     const ExactShape<Big> unit = shape_of(p, q);
-    for (const int power : {26, 58, 500, 1000, -30, -900}) {
+    for (const int power : {26, 58, 500, 960, -30, -900}) {
       const double factor = std::ldexp(1.0, power);
       Affine<Big> map = linear(0, 0, 0, 0);
       map.xx = map.yy = from_double<Big>(factor);
