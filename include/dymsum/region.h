@@ -5,12 +5,17 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "dymsum/result.h"
 
 namespace dymsum {
+
+namespace planar {
+class PreparedRegion;
+}
 
 struct Point {
   double x = 0, y = 0;
@@ -75,10 +80,14 @@ class Region {
   /// Equality of canonical forms.
   friend bool operator==(const Region& a, const Region& b);
 
+  /// Internal: what sums keep of this region, so that the next sum with it starts faster. Null for the default region.
+  planar::PreparedRegion* prepared() const { return prepared_.get(); }
+
  private:
   friend class TrustedRegion;  // internal: makes regions that are known to be valid
   RegionData data_;
   std::vector<Point> touching_points_;
+  std::shared_ptr<planar::PreparedRegion> prepared_;  // shared by copies, which have the same data
 };
 
 /// What repair changed, in numbers and in words.

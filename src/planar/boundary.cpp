@@ -224,11 +224,10 @@ SumVertex vertex_of(const Soup& soup, std::uint32_t in, std::uint32_t out, const
 }
 
 double input_error(const Lattice& lattice, double grid_error) {
-  const auto& o = lattice.offset;
-  const double reach = std::abs(o[0].x) + std::abs(o[1].x) + std::abs(o[0].y) + std::abs(o[1].y);
-  const double span = std::ldexp(lattice.span, lattice.double_exponent);
+  const Point &a = lattice.points[0]->offset, &b = lattice.points[1]->offset;
+  const double reach = std::abs(a.x) + std::abs(b.x) + std::abs(a.y) + std::abs(b.y);
   // The sum of the offsets and the final sum are rounded.
-  return std::ldexp(grid_error, lattice.double_exponent) + 0x1p-52 * (reach + span);
+  return grid_error * lattice.unit + 0x1p-52 * (reach + lattice.span * lattice.unit);
 }
 
 SumRing make_ring(const Soup& soup, const Arrangement& arrangement, const BoundaryLoop& loop, double& error) {

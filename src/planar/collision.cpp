@@ -7,46 +7,7 @@
 namespace dymsum::planar {
 
 Collision::Collision(const Lattice& lattice, const Operand& p, const Operand& q, bool use_tree)
-    : lattice_(lattice), operands_{&p, &q}, use_tree_(use_tree) {
-  for (int op = 0; op < 2; ++op) {
-    const Operand& o = *operands_[op];
-    for (std::uint32_t c = 0; c < o.components.size(); ++c) {
-      Tree tree;
-      tree.component = c;
-      build(tree, o, o.components[c].first, o.components[c].last);
-      trees_[op].push_back(std::move(tree));
-    }
-  }
-}
-
-// Walk edges are spatially coherent, so halving their range is a good tree.
-std::uint32_t Collision::build(Tree& tree, const Operand& o, std::uint32_t first, std::uint32_t last) {
-  constexpr std::uint32_t kLeaf = 4;
-  const std::uint32_t id = static_cast<std::uint32_t>(tree.nodes.size());
-  tree.nodes.push_back({});
-  Node node{INFINITY, INFINITY, -INFINITY, -INFINITY, first, last, 0, 0};
-  if (last - first > kLeaf) {
-    const std::uint32_t middle = first + (last - first) / 2;
-    node.left = build(tree, o, first, middle);
-    node.right = build(tree, o, middle, last);
-    const Node &a = tree.nodes[node.left], &b = tree.nodes[node.right];
-    node.x0 = std::min(a.x0, b.x0);
-    node.y0 = std::min(a.y0, b.y0);
-    node.x1 = std::max(a.x1, b.x1);
-    node.y1 = std::max(a.y1, b.y1);
-  } else {
-    for (std::uint32_t i = first; i < last; ++i)
-      for (const std::uint32_t s : {o.source[i], o.source[o.next[i]]}) {
-        const double x = lattice_.x[o.op][s], y = lattice_.y[o.op][s];
-        node.x0 = std::min(node.x0, x);
-        node.y0 = std::min(node.y0, y);
-        node.x1 = std::max(node.x1, x);
-        node.y1 = std::max(node.y1, y);
-      }
-  }
-  tree.nodes[id] = node;
-  return id;
-}
+    : lattice_(lattice), operands_{&p, &q}, use_tree_(use_tree) {}
 
 bool Collision::overlaps(const Place& x) {
   displaced_ = false;
@@ -61,9 +22,8 @@ bool Collision::overlaps_right_of(const Place& x) {
 // The side of the line of (edge + vertex) on which x lies: of the edge, with Q reflected and moved to x.
 int Collision::side(std::uint32_t op, std::uint32_t edge, std::uint32_t vertex) {
   const Operand &o = *operands_[op], &other = *operands_[1 - op];
-  const std::uint32_t a = o.source[edge], v = other.source[vertex];
   const double ex = o.ex[edge], ey = o.ey[edge];
-  const double sx = lattice_.x[op][a] + lattice_.x[1 - op][v], sy = lattice_.y[op][a] + lattice_.y[1 - op][v];
+  const double sx = o.x[edge] + other.x[vertex], sy = o.y[edge] + other.y[vertex];
   const double value = ex * (x_->y - sy) - ey * (x_->x - sx);
   // The place's error, and at most 16 roundings as for segments (soup.h).
   const double bound = (std::abs(ex) + std::abs(ey)) * (x_->error + 0x1p-49 * lattice_.span);
@@ -72,7 +32,7 @@ int Collision::side(std::uint32_t op, std::uint32_t edge, std::uint32_t vertex) 
     return value > 0 ? 1 : -1;
   }
   ++counts_.exact;
-  const Segment s{o.edge(edge), v};
+  const Segment s{o.edge(edge), other.source[vertex]};
   const int exact = lattice_.side(s, *x_);
   if (exact != 0 || !displaced_) return exact;
   // d x (right normal of the carrier) = -(d . carrier); if that is zero too, d x carrier decides, as edges are not zero.
@@ -97,18 +57,20 @@ bool Collision::test(const Place& x) {
       ++counts_.witnessed;
       return true;
     }
-  for (const Tree& tp : trees_[0])
-    for (const Tree& tq : trees_[1]) {
-      const int dp = operands_[0]->components[tp.component].dimension, dq = operands_[1]->components[tq.component].dimension;
+  for (std::uint32_t cp = 0; cp < operands_[0]->components.size(); ++cp)
+    for (std::uint32_t cq = 0; cq < operands_[1]->components.size(); ++cq) {
+      const int dp = operands_[0]->components[cp].dimension, dq = operands_[1]->components[cq].dimension;
       if (dp != 2 && dq != 2 && !with_parallelograms) continue;
-      if (test_components(tp, tq)) return true;
+      if (test_components(cp, cq)) return true;
     }
   return false;
 }
 
-bool Collision::test_components(const Tree& tp, const Tree& tq) {
+bool Collision::test_components(std::uint32_t p_component, std::uint32_t q_component) {
+  using Node = EdgeTree::Node;
+  const EdgeTree &tp = operands_[0]->trees[p_component], &tq = operands_[1]->trees[q_component];
   const double margin = x_->error + 0x1p-49 * lattice_.span;
-  const Component &cp = operands_[0]->components[tp.component], &cq = operands_[1]->components[tq.component];
+  const Component &cp = operands_[0]->components[p_component], &cq = operands_[1]->components[q_component];
   const bool parallelogram = cp.dimension != 2 && cq.dimension != 2;
   const auto apart = [&](const Node& a, const Node& b) {
     return a.x1 < x_->x - b.x1 - margin || a.x0 > x_->x - b.x0 + margin || a.y1 < x_->y - b.y1 - margin ||
@@ -154,13 +116,12 @@ bool Collision::test_components(const Tree& tp, const Tree& tq) {
 bool Collision::edges_cross(std::uint32_t e, std::uint32_t f) {
   const auto sides = [&](std::uint32_t op, std::uint32_t edge, std::uint32_t other_edge) {
     const Operand &o = *operands_[op], &other = *operands_[1 - op];
-    const std::uint32_t a = o.source[edge];
-    const double ex = o.ex[edge], ey = o.ey[edge];
+    const double ex = o.ex[edge], ey = o.ey[edge], ax = x_->x - o.x[edge], ay = x_->y - o.y[edge];
     const double bound = (std::abs(ex) + std::abs(ey)) * (x_->error + 0x1p-49 * lattice_.span);
     const auto value = [&](std::uint32_t v) {
-      return ex * (x_->y - lattice_.y[op][a] - lattice_.y[1 - op][v]) - ey * (x_->x - lattice_.x[op][a] - lattice_.x[1 - op][v]);
+      return ex * (ay - other.y[v]) - ey * (ax - other.x[v]);
     };
-    const double s = value(other.source[other_edge]), t = value(other.source[other.next[other_edge]]);
+    const double s = value(other_edge), t = value(other.next[other_edge]);
     return (s > bound && t < -bound) || (s < -bound && t > bound);
   };
   return sides(0, e, f) && sides(1, f, e);
@@ -252,11 +213,13 @@ bool Collision::cones_overlap(std::uint32_t i, bool whole_edge_p, std::uint32_t 
 
 // The sign of the height of holder vertex a over the other operand's vertex v, reflected and moved to x.
 int Collision::height(std::uint32_t holder, std::uint32_t a, std::uint32_t v) {
-  const double value = lattice_.y[holder][a] + lattice_.y[1 - holder][v] - x_->y;
+  const Operand &o = *operands_[holder], &other = *operands_[1 - holder];
+  const double value = o.y[a] + other.y[v] - x_->y;
   const double bound = x_->error + 0x1p-50 * lattice_.span;
   if (value > bound || value < -bound) return value > 0 ? 1 : -1;
   ++counts_.exact;
-  const int exact = lattice_.height(holder == 0 ? Pair{a, v} : Pair{v, a}, *x_);
+  const std::uint32_t own = o.source[a], its = other.source[v];
+  const int exact = lattice_.height(holder == 0 ? Pair{own, its} : Pair{its, own}, *x_);
   if (exact != 0 || !displaced_) return exact;
   // x moves by (dy, -dx) first, then by (dx, dy); the vertex seen from it moves the other way.
   const Point d = lattice_.vector(x_->on.edge);
@@ -265,17 +228,16 @@ int Collision::height(std::uint32_t holder, std::uint32_t a, std::uint32_t v) {
 
 // Whether a vertex of the other operand, moved to x, lies strictly inside a component of `holder`: winding number by a ray to +x,
 // vertices at the ray's height counting as below it.
-bool Collision::contains_vertex(std::uint32_t holder, const Tree& tree, std::uint32_t vertex) {
+bool Collision::contains_vertex(std::uint32_t holder, const EdgeTree& tree, std::uint32_t vertex) {
   const Operand &o = *operands_[holder], &other = *operands_[1 - holder];
-  const std::uint32_t v = other.source[vertex];
-  const double vx = x_->x - lattice_.x[1 - holder][v], vy = x_->y - lattice_.y[1 - holder][v];
+  const double vx = x_->x - other.x[vertex], vy = x_->y - other.y[vertex];
   const double margin = x_->error + 0x1p-49 * lattice_.span;
   int winding = 0;
   std::array<std::uint32_t, 64> stack;
   std::size_t top = 0;
   stack[top++] = 0;
   while (top > 0) {
-    const Node& node = tree.nodes[stack[--top]];
+    const EdgeTree::Node& node = tree.nodes[stack[--top]];
     if (node.y1 < vy - margin || node.y0 > vy + margin || node.x1 < vx - margin) continue;
     if (node.left != 0) {
       stack[top++] = node.left;
@@ -283,10 +245,9 @@ bool Collision::contains_vertex(std::uint32_t holder, const Tree& tree, std::uin
       continue;
     }
     for (std::uint32_t i = node.first; i < node.last; ++i) {
-      const std::uint32_t a = o.source[i], b = o.source[o.next[i]];
-      const double ay = lattice_.y[holder][a], by = lattice_.y[holder][b];
+      const double ay = o.y[i], by = o.y[o.next[i]];
       if ((ay < vy - margin && by < vy - margin) || (ay > vy + margin && by > vy + margin)) continue;
-      const int ha = height(holder, a, v), hb = height(holder, b, v);
+      const int ha = height(holder, i, vertex), hb = height(holder, o.next[i], vertex);
       if (ha * hb > 0) continue;
       if (ha == 0 && hb == 0) {
         if (along(holder, i, vertex, false) >= 0 && along(holder, i, vertex, true) >= 0) return false;  // on the boundary

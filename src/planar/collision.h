@@ -31,23 +31,13 @@ class Collision {
   const CollisionCounts& counts() const { return counts_; }
 
  private:
-  struct Node {
-    double x0, y0, x1, y1;
-    std::uint32_t first, last;  // walk edges
-    std::uint32_t left, right;  // 0: leaf
-  };
-  struct Tree {
-    std::vector<Node> nodes;
-    std::uint32_t component = 0;
-  };
   struct Cone;
 
-  std::uint32_t build(Tree& tree, const Operand& o, std::uint32_t first, std::uint32_t last);
   bool test(const Place& x);
-  bool test_components(const Tree& tp, const Tree& tq);
+  bool test_components(std::uint32_t p_component, std::uint32_t q_component);
   bool edges_cross(std::uint32_t e, std::uint32_t f);
   bool edges_overlap(std::uint32_t e, std::uint32_t f, bool parallelogram);
-  bool contains_vertex(std::uint32_t holder, const Tree& tree, std::uint32_t vertex);
+  bool contains_vertex(std::uint32_t holder, const EdgeTree& tree, std::uint32_t vertex);
   int height(std::uint32_t holder, std::uint32_t a, std::uint32_t v);
   bool cones_overlap(std::uint32_t i, bool whole_edge_p, std::uint32_t j, bool whole_edge_q);
   int side(std::uint32_t op, std::uint32_t edge, std::uint32_t vertex);
@@ -56,7 +46,6 @@ class Collision {
   const Lattice& lattice_;
   std::array<const Operand*, 2> operands_;
   bool use_tree_;
-  std::array<std::vector<Tree>, 2> trees_;  // per component, over its edges
   const Place* x_ = nullptr;
   bool displaced_ = false;
   CollisionCounts counts_;

@@ -6,6 +6,7 @@
 #include "planar/collision.h"
 #include "planar/lattice.h"
 #include "planar/operand.h"
+#include "planar/prepared_region.h"
 
 namespace dymsum {
 namespace {
@@ -15,19 +16,21 @@ using namespace planar;
 // P and z - Q on one lattice: z is the sum of vertex `z` of P and vertex `origin` of Q.
 struct Query {
   std::unique_ptr<Lattice> lattice;
-  Operand p, q;
+  std::shared_ptr<const Operand> p, q;
   Pair z;
 };
 
-Query make_query(const EngineRegion& p, const EngineRegion& q, Point z) {
+Query make_query(const Region& p, const Region& q, Point z) {
   Query query;
-  std::vector<Point> vp = source_vertices(p.data()), vq = source_vertices(q.data());
+  query.p = prepared_operand(p, 0);
+  query.q = prepared_operand(q, 1);
+  std::vector<Point> vp = query.p->points->input, vq = query.q->points->input;
   query.z = {static_cast<std::uint32_t>(vp.size()), static_cast<std::uint32_t>(vq.size())};
   vp.push_back(z);
   vq.push_back({0, 0});
-  query.lattice = make_lattice(vp, vq, 0);
-  query.p = make_operand(p, 0, *query.lattice);
-  query.q = make_operand(q, 1, *query.lattice);
+  query.lattice = make_lattice(place_points(std::move(vp)), place_points(std::move(vq)), 0);
+  query.p = placed_on(*query.lattice, std::move(query.p));
+  query.q = placed_on(*query.lattice, std::move(query.q));
   return query;
 }
 
@@ -36,13 +39,13 @@ std::optional<Place> place_of(const Query& query) {
   const Lattice& l = *query.lattice;
   Place x;
   x.first.pair = query.z;
-  x.x = l.x[0][query.z.p] + l.x[1][query.z.q];
-  x.y = l.y[0][query.z.p] + l.y[1][query.z.q];
+  x.x = l.points[0]->x[query.z.p] + l.points[1]->x[query.z.q];
+  x.y = l.points[0]->y[query.z.p] + l.points[1]->y[query.z.q];
   x.error = l.exact_doubles ? 0 : 0x1p-51 * l.span;  // two rounded coordinates and their rounded sum
   for (std::uint32_t op = 0; op < 2; ++op) {
     const std::uint32_t own = op == 0 ? query.z.p : query.z.q, other = op == 0 ? query.z.q : query.z.p;
     for (std::uint32_t v = 0; v < own; ++v)
-      if (!(l.input[op][v] == l.input[op][own])) {
+      if (!(l.points[op]->input[v] == l.points[op]->input[own])) {
         x.on = {{op, own, v}, other};
         return x;
       }
@@ -75,7 +78,7 @@ bool boundaries_meet(const Query& query, const Component& cp, const Component& c
   if (regular && thin && (cp.dimension == 0 || cq.dimension == 0)) return false;
   for (std::uint32_t i = cp.first; i < cp.last; ++i)
     for (std::uint32_t j = cq.first; j < cq.last; ++j) {
-      const Edge e = query.p.edge(i), f = query.q.edge(j);
+      const Edge e = query.p->edge(i), f = query.q->edge(j);
       if (cp.dimension == 0 && cq.dimension == 0) {
         if (l.same({e.from, f.from}, query.z)) return true;
       } else if (cp.dimension == 0) {
@@ -93,14 +96,13 @@ bool boundaries_meet(const Query& query, const Component& cp, const Component& c
 
 bool contains(const Region& p, const Region& q, Point z, Semantics semantics) {
   if (p.empty() || q.empty() || !std::isfinite(z.x) || !std::isfinite(z.y)) return false;
-  const Query query =
-      make_query(separate_touching(p.data(), p.touching_points()), separate_touching(q.data(), q.touching_points()), z);
+  const Query query = make_query(p, q, z);
   if (semantics != Semantics::open)
-    for (const Component& cp : query.p.components)
-      for (const Component& cq : query.q.components)
+    for (const Component& cp : query.p->components)
+      for (const Component& cq : query.q->components)
         if (boundaries_meet(query, cp, cq, semantics == Semantics::regular)) return true;
   const std::optional<Place> x = place_of(query);
-  return x && Collision(*query.lattice, query.p, query.q, true).overlaps(*x);
+  return x && Collision(*query.lattice, *query.p, *query.q, true).overlaps(*x);
 }
 
 }  // namespace dymsum

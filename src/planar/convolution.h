@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <vector>
 
 #include "dymsum/planar_sum.h"
@@ -11,15 +12,6 @@
 #include "planar/operand.h"
 
 namespace dymsum::planar {
-
-/// Walk edges of one component (or of its outer loop, or without its filled holes) by direction, counter-clockwise from +x.
-struct DirectionList {
-  std::vector<std::uint32_t> edges;
-  std::vector<double> keys;         ///< pseudo-angles in [0, 4]
-  std::vector<std::uint32_t> rank;  ///< walk edge - base -> position in edges, or kNoRank
-  std::uint32_t base = 0;
-};
-inline constexpr std::uint32_t kNoRank = 0xffffffff;
 
 /// The edges of the other operand's component that a vertex meets: positions lo, lo + 1, ... of `list`, modulo its length;
 /// they form the segments base, base + 1, ...
@@ -54,7 +46,7 @@ class ReducedConvolution {
         for (std::uint32_t c = 0; c < columns; ++c) {
           const Turn& t = turns_[side][std::size_t{v} * columns + c];
           if (t.count == 0) continue;
-          const auto& edges = lists_[t.list].edges;
+          const auto& edges = lists_[t.list]->edges;
           const std::uint32_t n = static_cast<std::uint32_t>(edges.size());
           for (std::uint32_t k = 0, at = t.lo; k < t.count; ++k) {
             f(WalkSegment{side, edges[at], v});
@@ -64,7 +56,6 @@ class ReducedConvolution {
     }
   }
 
-  const std::vector<DirectionList>& lists() const { return lists_; }
   std::size_t filled_holes() const { return filled_holes_; }
   /// How many edges of one operand have one of the other in the same direction.
   std::size_t parallel_pairs() const { return parallel_pairs_; }
@@ -76,15 +67,11 @@ class ReducedConvolution {
   std::array<const Operand*, 2> operands_;
   std::array<std::uint32_t, 2> columns_{};  ///< components of the edge side
   std::array<std::vector<Turn>, 2> turns_;  ///< [side][vertex * columns + component of the edge side]
-  std::array<std::vector<std::uint32_t>, 2> component_of_;  ///< walk vertex -> component
-  std::vector<DirectionList> lists_;
-  std::array<std::vector<std::array<std::uint32_t, 2>>, 2> plain_lists_;  ///< [op][component] {all, outer only}
+  std::vector<const DirectionList*> lists_;
+  std::deque<DirectionList> own_lists_;  ///< without some of a component's holes
   std::uint32_t size_ = 0;
   std::size_t filled_holes_ = 0, parallel_pairs_ = 0;
 };
-
-/// The order of directions: by half plane (angles [0, pi) first), then counter-clockwise. -1, 0, 1.
-int compare_directions(const Lattice& lattice, const Edge& d, const Edge& e);
 
 /// Whether a hole of one component cannot hold the other component, by bounding boxes, exactly: then it does not show in the sum.
 bool hole_is_filled(const Lattice& lattice, const Operand& holed, const Loop& hole, const Operand& other, const Component& component);

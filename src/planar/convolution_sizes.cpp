@@ -3,6 +3,7 @@
 #include "planar/kinetic.h"
 #include "planar/lattice.h"
 #include "planar/operand.h"
+#include "planar/prepared_region.h"
 
 namespace dymsum {
 
@@ -13,11 +14,11 @@ using namespace planar;
 ConvolutionSizes convolution_sizes(const Region& p, const Region& q) {
   ConvolutionSizes sizes;
   if (p.empty() || q.empty()) return sizes;
-  const EngineRegion ep = separate_touching(p.data(), p.touching_points());
-  const EngineRegion eq = separate_touching(q.data(), q.touching_points());
-  const std::vector<Point> vp = source_vertices(ep.data()), vq = source_vertices(eq.data());
-  const std::unique_ptr<Lattice> lattice = make_lattice(vp, vq, 0);
-  const Operand op = make_operand(ep, 0, *lattice), oq = make_operand(eq, 1, *lattice);
+  std::shared_ptr<const Operand> kept_p = prepared_operand(p, 0), kept_q = prepared_operand(q, 1);
+  const std::unique_ptr<Lattice> lattice = make_lattice(kept_p->points, kept_q->points, 0);
+  kept_p = placed_on(*lattice, std::move(kept_p));
+  kept_q = placed_on(*lattice, std::move(kept_q));
+  const Operand &op = *kept_p, &oq = *kept_q;
   for_each_kinetic_turn(*lattice, op, oq, [&](const KineticTurn& t) {
     sizes.kinetic += t.count;
     sizes.full += t.sign > 0 ? t.count : t.edges->size() - t.count;

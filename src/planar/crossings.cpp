@@ -78,9 +78,8 @@ void CrossingFinder::add_crossing(const Entry& a, const Entry& b, double a_start
 
 void CrossingFinder::add_touch(std::uint32_t segment, WalkPair pair) {
   const SoupBox& s = soup_.boxes[segment];
-  const Pair v = soup_.exact(pair);
-  const Lattice& l = soup_.lattice;
-  const double x = l.x[0][v.p] + l.x[1][v.q], y = l.y[0][v.p] + l.y[1][v.q];
+  const Operand &p = *soup_.operands[0], &q = *soup_.operands[1];
+  const double x = p.x[pair.p] + q.x[pair.q], y = p.y[pair.p] + q.y[pair.q];
   const double dx = soup_.dx(segment), dy = soup_.dy(segment);
   const bool by_x = std::abs(dx) > std::abs(dy);
   const double t = by_x ? (x - s.ax) / dx : (y - s.ay) / dy;

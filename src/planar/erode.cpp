@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "dymsum/planar_sum.h"
+#include "planar/prepared_region.h"
 #include "planar/region_sweep.h"
+#include "planar/separate_touching.h"
 #include "planar/sum_engine.h"
 
 namespace dymsum {
@@ -97,12 +99,9 @@ Result<PlanarSum> erode(const Region& p, const Region& q, const SumOptions& opti
     return Error{Code::unsupported_operand, "only a region without polylines and points can be eroded", {}};
   if (q.empty()) return Error{Code::unsupported_operand, "every position holds the empty region", {}};
   if (p.empty()) return PlanarSum{};
-  const EngineRegion complement = complement_of(p, q);
-  const Region reflected = negated(q);
-  const EngineRegion tool = separate_touching(reflected.data(), reflected.touching_points());
   SumOptions open = options;
   if (open.semantics == Semantics::closed) open.semantics = Semantics::open;
-  Result<planar::SumState> computed = planar::compute_boundary(complement, tool, open);
+  Result<planar::SumState> computed = planar::compute_boundary(planar::make_operand(complement_of(p, q), 0), planar::prepared_operand(q, 1, true), open);
   if (!computed.ok()) return computed.error();
   planar::SumState state = std::move(computed).value();
   // Positions that hold Q are what the sum leaves free: its rings the other way round, without the frame's.

@@ -82,19 +82,18 @@ struct Raster {
 // Boundary cells are those within 32 kReach cells of the boundary, so that an inner cell keeps a rim of that width.
 constexpr double kRim = 32 * kReach;
 
-Raster rasterize(const Lattice& lattice, const Operand& o, const Grid& cells) {
+Raster rasterize(const Operand& o, const Grid& cells) {
   Raster raster{Bitmap(cells.rows, cells.columns), Bitmap(cells.rows, cells.columns)};
   Bitmap boundary(cells.rows, cells.columns);
   std::vector<int> winding(std::size_t(cells.rows) * (cells.columns + 1), 0);
-  const std::vector<double>&x = lattice.x[o.op], &y = lattice.y[o.op];
   const double rim = kRim * cells.cell;
   bool has_area = false;
   for (const Loop& loop : o.loops) {
     const bool area = loop.kind == LoopKind::outer || loop.kind == LoopKind::hole;
     has_area |= area;
     for (std::uint32_t i = loop.first; i < loop.last; ++i) {
-      const std::uint32_t s = o.source[i], t = o.source[o.next[i]];
-      const double ax = x[s], ay = y[s], bx = x[t], by = y[t];
+      const std::uint32_t t = o.next[i];
+      const double ax = o.x[i], ay = o.y[i], bx = o.x[t], by = o.y[t];
       const int r0 = cells.row(std::min(ay, by) - rim), c0 = cells.column(std::min(ax, bx) - rim);
       if (r0 == cells.row(std::max(ay, by) + rim) && c0 == cells.column(std::max(ax, bx) + rim)) {
         // Inside one cell with its rim: the common case of fine operands.
@@ -162,17 +161,11 @@ void add_sums(Bitmap& target, const RunRows& a, int rows_a, const RunRows& b, in
             target.set_run(i + j + d, a.runs[k].first + b.runs[l].first, a.runs[k].last + b.runs[l].last + spread);
 }
 
-double extent(const std::vector<double>& v) {
-  double m = 0;
-  for (double c : v) m = std::max(m, c);
-  return m;
-}
-
 }  // namespace
 
-InteriorMask::InteriorMask(const Lattice& lattice, const Operand& p, const Operand& q, int cells) {
-  const std::array<double, 2> width{extent(lattice.x[0]), extent(lattice.x[1])};
-  const std::array<double, 2> height{extent(lattice.y[0]), extent(lattice.y[1])};
+InteriorMask::InteriorMask(const Operand& p, const Operand& q, int cells) {
+  const std::array<double, 2> width{p.points->width, q.points->width};
+  const std::array<double, 2> height{p.points->height, q.points->height};
   const double longer = std::max(width[0] + width[1], height[0] + height[1]);
   Grid g;
   g.cell = longer / cells;
@@ -185,7 +178,7 @@ InteriorMask::InteriorMask(const Lattice& lattice, const Operand& p, const Opera
   grid_ = g;
   grid_.columns = part[0].columns + part[1].columns;
   grid_.rows = part[0].rows + part[1].rows;
-  const Raster rp = rasterize(lattice, p, part[0]), rq = rasterize(lattice, q, part[1]);
+  const Raster rp = rasterize(p, part[0]), rq = rasterize(q, part[1]);
   Bitmap dead(grid_.rows, grid_.columns);
   const RunRows inner_p(rp.inner), inner_q(rq.inner), touch_p(rp.touch), touch_q(rq.touch);
   const RunRows corners_p(inner_corners(rp.inner)), corners_q(inner_corners(rq.inner));

@@ -15,7 +15,7 @@ namespace dymsum::planar {
 class InteriorMask {
  public:
   /// `cells` along the longer side of the sum's bounding box.
-  InteriorMask(const Lattice& lattice, const Operand& p, const Operand& q, int cells);
+  InteriorMask(const Operand& p, const Operand& q, int cells);
 
   const Grid& grid() const { return grid_; }
   bool dead(int row, int column) const { return (bits_[std::size_t(row) * words_ + column / 64] >> (column % 64)) & 1; }

@@ -36,7 +36,7 @@ class LatticeOf final : public Lattice {
   };
 
  public:
-  explicit LatticeOf(int exponent) : exponent_(exponent) {}
+  LatticeOf(int exponent, int unit) : exponent_(exponent), per_grid_unit_(std::ldexp(1.0, std::clamp(unit - exponent, -1000, 1000))) {}
 
   int cross(const Edge& d, const Edge& e) const override {
     const EdgeVec a = edge(d), b = edge(e);
@@ -124,8 +124,8 @@ class LatticeOf final : public Lattice {
   }
   Position in_input(const BigRational& gx, const BigRational& gy) const {
     const BigRational unit = unit_rational();
-    return {BigRational(gx * unit + exact::exact_value(offset[0].x) + exact::exact_value(offset[1].x)),
-            BigRational(gy * unit + exact::exact_value(offset[0].y) + exact::exact_value(offset[1].y))};
+    return {BigRational(gx * unit + exact::exact_value(points[0]->offset.x) + exact::exact_value(points[1]->offset.x)),
+            BigRational(gy * unit + exact::exact_value(points[0]->offset.y) + exact::exact_value(points[1]->offset.y))};
   }
   BigRational unit_rational() const {
     boost::multiprecision::cpp_int power = 1;
@@ -135,8 +135,10 @@ class LatticeOf final : public Lattice {
 
   Vec at(std::uint32_t op, std::uint32_t i) const {
     if constexpr (std::is_same_v<C, exact::Int<29>>) {
-      // Up to 53 bits the doubles are the integers.
-      return {C::from_int64(static_cast<std::int64_t>(x[op][i])), C::from_int64(static_cast<std::int64_t>(y[op][i]))};
+      // Up to 53 bits the doubles are exact multiples of the grid's unit.
+      const PlacedPoints& o = *points[op];
+      return {C::from_int64(static_cast<std::int64_t>(o.x[i] * per_grid_unit_)),
+              C::from_int64(static_cast<std::int64_t>(o.y[i] * per_grid_unit_))};
     }
     std::call_once(filled_, [this] { fill(); });
     return integers_[op][i];
@@ -144,9 +146,9 @@ class LatticeOf final : public Lattice {
   // Integers are made when a filter has failed for the first time; most problems never ask.
   void fill() const {
     for (int op = 0; op < 2; ++op)
-      for (const Point& v : input[op])
-        integers_[op].push_back({exact::grid_coordinate<C>(v.x, offset[op].x, exponent_),
-                                 exact::grid_coordinate<C>(v.y, offset[op].y, exponent_)});
+      for (const Point& v : points[op]->input)
+        integers_[op].push_back({exact::grid_coordinate<C>(v.x, points[op]->offset.x, exponent_),
+                                 exact::grid_coordinate<C>(v.y, points[op]->offset.y, exponent_)});
   }
   struct SumVec {
     decltype(C{} + C{}) x, y;
@@ -214,6 +216,7 @@ class LatticeOf final : public Lattice {
   }
 
   int exponent_;
+  double per_grid_unit_;  // used where unit and grid differ by few bits
   mutable std::once_flag filled_;
   mutable std::array<std::vector<Vec>, 2> integers_;
 };
@@ -221,8 +224,7 @@ class LatticeOf final : public Lattice {
 }  // namespace
 
 Point Lattice::to_input(double gx, double gy) const {
-  return {std::ldexp(gx, double_exponent) + (offset[0].x + offset[1].x),
-          std::ldexp(gy, double_exponent) + (offset[0].y + offset[1].y)};
+  return {gx * unit + (points[0]->offset.x + points[1]->offset.x), gy * unit + (points[0]->offset.y + points[1]->offset.y)};
 }
 
 namespace {
@@ -235,50 +237,79 @@ Point low_corner(std::span<const Point> points) {
   return low;
 }
 
+void place(PlacedPoints& points, int unit) {
+  const double per_unit = std::ldexp(1.0, -unit);
+  points.unit = unit;
+  points.x.clear();
+  points.y.clear();
+  points.x.reserve(points.input.size());
+  points.y.reserve(points.input.size());
+  points.width = points.height = 0;
+  for (const Point& v : points.input) {
+    // The difference of two doubles is rounded once; the power of two is exact.
+    points.x.push_back((v.x - points.offset.x) * per_unit);
+    points.y.push_back((v.y - points.offset.y) * per_unit);
+    points.width = std::max(points.width, points.x.back());
+    points.height = std::max(points.height, points.y.back());
+  }
+}
+
+// One unit in the last place covers the rounding of the differences.
+int bits_of(double extent, int exponent) { return exact::bits_needed(std::nextafter(extent, INFINITY), exponent); }
+
+// Grid units while these fit well, else 2^-60 of the extent, so that nothing overflows.
+int unit_for(double extent, int exponent, int bits) {
+  return bits <= 61 ? std::max(exponent, -1000) : std::max(std::ilogb(extent) - 60, -1000);
+}
+
 }  // namespace
 
-std::unique_ptr<Lattice> make_lattice(std::span<const Point> p, std::span<const Point> q, int min_tier_bits) {
-  const std::array<Point, 2> offset{low_corner(p), low_corner(q)};
+std::shared_ptr<const PlacedPoints> place_points(std::vector<Point> input) {
+  auto points = std::make_shared<PlacedPoints>();
+  points->input = std::move(input);
+  points->offset = low_corner(points->input);
   std::vector<double> all;
-  all.reserve(2 * (p.size() + q.size()));
-  double extent = 0;
-  for (int op = 0; op < 2; ++op)
-    for (const Point& v : op == 0 ? p : q) {
-      all.push_back(v.x);
-      all.push_back(v.y);
-      extent = std::max({extent, v.x - offset[op].x, v.y - offset[op].y});
-    }
-  const int exponent = exact::common_exponent(all);
-  // One unit in the last place covers the rounding of the differences.
-  const int bits = exact::bits_needed(std::nextafter(extent, INFINITY), exponent);
+  all.reserve(2 * points->input.size());
+  for (const Point& v : points->input) {
+    all.push_back(v.x);
+    all.push_back(v.y);
+    points->extent = std::max({points->extent, v.x - points->offset.x, v.y - points->offset.y});
+  }
+  points->exponent = exact::common_exponent(all);
+  place(*points, points->moderate() ? 0 : unit_for(points->extent, points->exponent, bits_of(points->extent, points->exponent)));
+  return points;
+}
+
+std::unique_ptr<Lattice> make_lattice(std::shared_ptr<const PlacedPoints> p, std::shared_ptr<const PlacedPoints> q, int min_tier_bits) {
+  std::array<std::shared_ptr<const PlacedPoints>, 2> points{std::move(p), std::move(q)};
+  const double extent = std::max(points[0]->extent, points[1]->extent);
+  // All-zero coordinates are on every grid.
+  const auto no_grid = [](const PlacedPoints& o) { return o.extent == 0 && o.offset == Point{}; };
+  const int exponent = no_grid(*points[0])   ? points[1]->exponent
+                       : no_grid(*points[1]) ? points[0]->exponent
+                                             : std::min(points[0]->exponent, points[1]->exponent);
+  const int bits = bits_of(extent, exponent);
+  const int unit = points[0]->moderate() && points[1]->moderate() ? 0 : unit_for(extent, exponent, bits);
+  for (auto& o : points) {
+    if (o->unit == unit) continue;
+    auto moved = std::make_shared<PlacedPoints>(*o);
+    place(*moved, unit);
+    o = std::move(moved);
+  }
   const exact::Tier tier = exact::choose_tier(bits, min_tier_bits);
   std::unique_ptr<Lattice> lattice;
   switch (tier) {
-    case exact::Tier::b29: lattice = std::make_unique<LatticeOf<exact::Int<29>>>(exponent); break;
-    case exact::Tier::b61: lattice = std::make_unique<LatticeOf<exact::Int<61>>>(exponent); break;
-    case exact::Tier::b512: lattice = std::make_unique<LatticeOf<exact::Int<125>>>(exponent); break;
-    case exact::Tier::arbitrary: lattice = std::make_unique<LatticeOf<Big>>(exponent); break;
+    case exact::Tier::b29: lattice = std::make_unique<LatticeOf<exact::Int<29>>>(exponent, unit); break;
+    case exact::Tier::b61: lattice = std::make_unique<LatticeOf<exact::Int<61>>>(exponent, unit); break;
+    case exact::Tier::b512: lattice = std::make_unique<LatticeOf<exact::Int<125>>>(exponent, unit); break;
+    case exact::Tier::arbitrary: lattice = std::make_unique<LatticeOf<Big>>(exponent, unit); break;
   }
   lattice->tier_bits = static_cast<int>(tier);
   // Sides have at most 2 B + 4 bits; doubles hold 53.
   lattice->exact_doubles = bits <= 24;
-  // Doubles count grid units while these fit well, else 2^-60 of the extent, so that nothing overflows.
-  lattice->double_exponent = bits <= 61 ? std::max(exponent, -1000) : std::ilogb(extent) - 60;
-  lattice->per_unit = std::ldexp(1.0, -lattice->double_exponent);
-  lattice->input = {std::vector<Point>(p.begin(), p.end()), std::vector<Point>(q.begin(), q.end())};
-  lattice->offset = offset;
-  for (int op = 0; op < 2; ++op) {
-    double reach = 0;
-    lattice->x[op].reserve(lattice->input[op].size());
-    lattice->y[op].reserve(lattice->input[op].size());
-    for (const Point& v : lattice->input[op]) {
-      // The difference of two doubles is rounded once; the power of two is exact.
-      lattice->x[op].push_back((v.x - offset[op].x) * lattice->per_unit);
-      lattice->y[op].push_back((v.y - offset[op].y) * lattice->per_unit);
-      reach = std::max({reach, lattice->x[op].back(), lattice->y[op].back()});
-    }
-    lattice->span += reach;
-  }
+  lattice->unit = std::ldexp(1.0, unit);
+  for (const auto& o : points) lattice->span += std::max(o->width, o->height);
+  lattice->points = std::move(points);
   return lattice;
 }
 

@@ -54,6 +54,22 @@ struct Place {
   double x = 0, y = 0, error = 0;  ///< |x - exact| and |y - exact| are at most error
 };
 
+/// The source vertices of one operand: as given, and relative to the smallest corner of their bounding box.
+struct PlacedPoints {
+  std::vector<Point> input;
+  Point offset;
+  std::vector<double> x, y;   ///< input - offset in units of 2^unit, rounded once
+  double width = 0, height = 0;  ///< the largest x and y
+  double extent = 0;          ///< the larger of both, in input units
+  int exponent = 0;           ///< the largest grid that holds them: all are multiples of 2^exponent
+  int unit = 0;
+  /// Nothing can over- or underflow when the unit is 1.
+  bool moderate() const { return exponent >= -400 && extent <= 0x1p400; }
+};
+
+/// Placed in units of 1 where they are moderate, else of their own grid or 2^-60 of their extent.
+std::shared_ptr<const PlacedPoints> place_points(std::vector<Point> input);
+
 /// Integer operands and exact signs. Coordinates are grid units relative to one offset per operand, so that a translation of an
 /// operand never costs bits.
 class Lattice {
@@ -90,22 +106,20 @@ class Lattice {
   int tier_bits = 0;           ///< 29, 61, 512, 0
   bool exact_doubles = false;  ///< every planar sign of degree two is exact when computed in doubles
   double span = 0;             ///< every pair sum has coordinates in [0, span]; a rounding errs by at most span * 2^-53
-  int double_exponent = 0;     ///< doubles count units of 2^double_exponent: grid units in the two small tiers
-  std::array<std::vector<double>, 2> x, y;  ///< the source vertices relative to their operand's offset, rounded once
-  std::array<std::vector<Point>, 2> input;
-  std::array<Point, 2> offset;
+  double unit = 1;             ///< doubles count multiples of this power of two: 1 unless an operand is huge or minute
+  std::array<std::shared_ptr<const PlacedPoints>, 2> points;
 
-  double per_unit = 1;         ///< 2^-double_exponent
   /// Edge vector, each component rounded once.
   Point vector(const Edge& e) const {
-    const Point &a = input[e.op][e.from], &b = input[e.op][e.to];
-    return {(b.x - a.x) * per_unit, (b.y - a.y) * per_unit};
+    const PlacedPoints& o = *points[e.op];
+    const Point &a = o.input[e.from], &b = o.input[e.to];
+    return {(b.x - a.x) / unit, (b.y - a.y) / unit};
   }
   /// A rounded position in input coordinates.
   Point to_input(double gx, double gy) const;
 };
 
-/// Places both operands on their common grid. `min_tier_bits` forces a larger tier. Both spans hold source vertices.
-std::unique_ptr<Lattice> make_lattice(std::span<const Point> p, std::span<const Point> q, int min_tier_bits);
+/// Both operands on their common grid. `min_tier_bits` forces a larger tier. Points are placed anew when their units differ.
+std::unique_ptr<Lattice> make_lattice(std::shared_ptr<const PlacedPoints> p, std::shared_ptr<const PlacedPoints> q, int min_tier_bits);
 
 }  // namespace dymsum::planar

@@ -2,16 +2,19 @@
 
 #include <array>
 
+#include "planar/prepared_region.h"
+#include "planar/separate_touching.h"
 #include "planar/sum_engine.h"
 
 namespace dymsum {
 namespace {
 
 using planar::EngineRegion;
+using planar::Operand;
 using planar::separate_touching;
 
-Result<PlanarSum> sum_of(const EngineRegion& p, const EngineRegion& q, const SumOptions& options) {
-  Result<planar::SumState> state = planar::compute_boundary(p, q, options);
+Result<PlanarSum> sum_of(std::shared_ptr<const Operand> p, std::shared_ptr<const Operand> q, const SumOptions& options) {
+  Result<planar::SumState> state = planar::compute_boundary(std::move(p), std::move(q), options);
   if (!state.ok()) return state.error();
   return planar::finish_sum(std::move(state).value(), options);
 }
@@ -56,16 +59,16 @@ EngineRegion join(const std::vector<Region>& regions) {
 }  // namespace
 
 Result<PlanarSum> minkowski_sum(const Region& p, const Region& q, const SumOptions& options) {
-  return sum_of(engine_region(p), engine_region(q), options);
+  return sum_of(planar::prepared_operand(p, 0), planar::prepared_operand(q, 1), options);
 }
 
 Result<PlanarSum> nfp(const Region& a, const Region& b, const SumOptions& options) {
-  return minkowski_sum(a, negated(b), options);
+  return sum_of(planar::prepared_operand(a, 0), planar::prepared_operand(b, 1, true), options);
 }
 
 Result<PlanarSum> union_of(const std::vector<Region>& regions, const SumOptions& options) {
   const RegionData origin{{}, {}, {Point{0, 0}}};
-  return sum_of(join(regions), separate_touching(origin, {}), options);
+  return sum_of(planar::make_operand(join(regions), 0), planar::make_operand(separate_touching(origin, {}), 1), options);
 }
 
 }  // namespace dymsum

@@ -6,6 +6,33 @@
 namespace dymsum::planar {
 namespace {
 
+std::vector<Point> source_vertices(const RegionData& region) {
+  std::vector<Point> all;
+  for (const Part& part : region.parts) {
+    all.insert(all.end(), part.outer.begin(), part.outer.end());
+    for (const Ring& hole : part.holes) all.insert(all.end(), hole.begin(), hole.end());
+  }
+  for (const Polyline& line : region.polylines) all.insert(all.end(), line.begin(), line.end());
+  all.insert(all.end(), region.points.begin(), region.points.end());
+  return all;
+}
+
+// Everything that counts in the lattice's units.
+void place(Operand& o, const Lattice& lattice) {
+  const std::size_t n = o.size();
+  o.points = lattice.points[o.op];
+  for (auto* list : {&o.x, &o.y, &o.ex, &o.ey}) list->resize(n);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    o.x[i] = o.points->x[o.source[i]];
+    o.y[i] = o.points->y[o.source[i]];
+    const Point d = lattice.vector(o.edge(i));
+    o.ex[i] = d.x;
+    o.ey[i] = d.y;
+  }
+  o.trees.clear();
+  for (const Component& c : o.components) o.trees.push_back(make_edge_tree(o, c.first, c.last));
+}
+
 class Builder {
  public:
   Builder(std::uint32_t op, const EngineRegion& region, const Lattice& lattice) : region_(region), lattice_(lattice) { out_.op = op; }
@@ -72,18 +99,37 @@ class Builder {
   }
 
   Operand finish() && {
-    out_.ex.reserve(out_.size());
-    out_.ey.reserve(out_.size());
-    for (std::uint32_t i = 0; i < out_.size(); ++i) {
-      const Point d = lattice_.vector(out_.edge(i));
-      out_.ex.push_back(d.x);
-      out_.ey.push_back(d.y);
+    place(out_, lattice_);
+    for (std::uint32_t c = 0; c < out_.components.size(); ++c) {
+      const Component& component = out_.components[c];
+      out_.component_of.insert(out_.component_of.end(), component.last - component.first, c);
+      const std::uint32_t all = static_cast<std::uint32_t>(out_.directions.size());
+      out_.directions.push_back(sort_by_direction(lattice_, out_, component));
+      out_.component_directions.push_back({all, all});
+      if (component.last_loop - component.first_loop == 1) continue;
+      std::vector<std::uint8_t> keep(out_.loops.size(), 0);
+      keep[component.first_loop] = 1;
+      out_.directions.push_back(sublist(out_.directions[all], out_, component, keep));
+      out_.component_directions.back()[1] = all + 1;
     }
+    for (Loop& loop : out_.loops) find_extremes(loop);
     return std::move(out_);
   }
 
  private:
   enum class Turn { straight, right, convex };
+
+  void find_extremes(Loop& loop) const {
+    const std::vector<Point>& v = out_.points->input;
+    loop.min_x = loop.max_x = loop.min_y = loop.max_y = out_.source[loop.first];
+    for (std::uint32_t i = loop.first; i < loop.last; ++i) {
+      const std::uint32_t s = out_.source[i];
+      if (v[s].x < v[loop.min_x].x) loop.min_x = s;
+      if (v[s].x > v[loop.max_x].x) loop.max_x = s;
+      if (v[s].y < v[loop.min_y].y) loop.min_y = s;
+      if (v[s].y > v[loop.max_y].y) loop.max_y = s;
+    }
+  }
 
   Turn turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
     const Edge in{out_.op, a, b}, out{out_.op, b, c};
@@ -106,20 +152,14 @@ class Builder {
 
 }  // namespace
 
-std::vector<Point> source_vertices(const RegionData& region) {
-  std::vector<Point> all;
-  for (const Part& part : region.parts) {
-    all.insert(all.end(), part.outer.begin(), part.outer.end());
-    for (const Ring& hole : part.holes) all.insert(all.end(), hole.begin(), hole.end());
-  }
-  for (const Polyline& line : region.polylines) all.insert(all.end(), line.begin(), line.end());
-  all.insert(all.end(), region.points.begin(), region.points.end());
-  return all;
-}
-
-Operand make_operand(const EngineRegion& engine_region, std::uint32_t op, const Lattice& lattice) {
-  Builder builder(op, engine_region, lattice);
+std::shared_ptr<const Operand> make_operand(const EngineRegion& engine_region, std::uint32_t op) {
   const RegionData& region = engine_region.data();
+  // Against an operand without vertices.
+  std::array<std::shared_ptr<const PlacedPoints>, 2> points;
+  points[op] = place_points(source_vertices(region));
+  points[1 - op] = place_points({});
+  const std::unique_ptr<Lattice> lattice = make_lattice(points[0], points[1], 0);
+  Builder builder(op, engine_region, *lattice);
   std::uint32_t at = 0;
   std::vector<std::uint32_t> walk, numbers;
   const auto ring = [&](const Ring& r, LoopKind kind) {
@@ -151,7 +191,23 @@ Operand make_operand(const EngineRegion& engine_region, std::uint32_t op, const 
     at += n;
   }
   for (std::size_t i = 0; i < region.points.size(); ++i) builder.add_point(at++);
-  return std::move(builder).finish();
+  return std::make_shared<const Operand>(std::move(builder).finish());
+}
+
+std::shared_ptr<const Operand> placed_on(const Lattice& lattice, std::shared_ptr<const Operand> operand) {
+  if (lattice.points[operand->op] == operand->points) return operand;
+  auto moved = std::make_shared<Operand>(*operand);
+  place(*moved, lattice);
+  return moved;
+}
+
+const Point* too_large(const Operand& operand) {
+  constexpr double kLimit = 0x1p1000;
+  const PlacedPoints& points = *operand.points;
+  if (points.extent + std::abs(points.offset.x) + std::abs(points.offset.y) <= kLimit) return nullptr;
+  for (const Point& v : points.input)
+    if (!(std::abs(v.x) <= kLimit && std::abs(v.y) <= kLimit)) return &v;
+  return nullptr;
 }
 
 }  // namespace dymsum::planar

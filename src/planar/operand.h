@@ -1,12 +1,15 @@
 // An operand of a planar sum as the convolution sees it: closed walks with the interior on their left, collinear vertices
-// dropped, grouped into connected components.
+// dropped, grouped into connected components; and everything about them that does not depend on the other operand.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "dymsum/region.h"
+#include "planar/directions.h"
+#include "planar/edge_tree.h"
 #include "planar/lattice.h"
 #include "planar/separate_touching.h"
 
@@ -23,6 +26,7 @@ enum class LoopKind : std::uint8_t {
 struct Loop {
   LoopKind kind = LoopKind::outer;
   std::uint32_t component = 0, first = 0, last = 0;
+  std::uint32_t min_x = 0, max_x = 0, min_y = 0, max_y = 0;  ///< source vertices that span its bounding box
 };
 
 /// Loops [first_loop, last_loop), the outer one first; walk vertices [first, last).
@@ -38,18 +42,28 @@ struct Operand {
   std::vector<std::uint32_t> vertex_number;  ///< walk vertex -> vertex number in the region
   std::vector<std::uint32_t> edge_number;    ///< walk edge -> edge number in the region
   std::vector<std::uint8_t> convex;        ///< strictly convex, tip of a spike, or a point: it can touch with its vertex
-  std::vector<double> ex, ey;              ///< walk edge vectors
+  std::vector<double> x, y;                ///< walk vertices, in the units of `points`
+  std::vector<double> ex, ey;              ///< walk edge vectors, each component rounded once
   std::vector<Loop> loops;
   std::vector<Component> components;
+  std::vector<std::uint32_t> component_of; ///< walk vertex -> component
+  std::vector<DirectionList> directions;
+  std::vector<std::array<std::uint32_t, 2>> component_directions;  ///< per component: all its edges, its outer loop's
+  std::vector<EdgeTree> trees;             ///< per component
+  std::shared_ptr<const PlacedPoints> points;  ///< the source vertices
 
   std::size_t size() const { return source.size(); }
   Edge edge(std::uint32_t i) const { return {op, source[i], source[next[i]]}; }
 };
 
-/// The source vertices of a region in the numbering of region.h.
-std::vector<Point> source_vertices(const RegionData& region);
+/// Operand `op` (0 = P, 1 = Q) of a region. O(n log n); independent of the other operand, so that it can be kept.
+std::shared_ptr<const Operand> make_operand(const EngineRegion& region, std::uint32_t op);
 
-/// Walks and components of operand `op` whose source vertices `lattice` holds.
-Operand make_operand(const EngineRegion& region, std::uint32_t op, const Lattice& lattice);
+/// The operand in the units and relative to the offset of a lattice that places its points differently: because the other operand
+/// is huge or minute, or because it holds further points.
+std::shared_ptr<const Operand> placed_on(const Lattice& lattice, std::shared_ptr<const Operand> operand);
+
+/// The vertex whose coordinates no sum can take: larger than 2^1000, so that differences overflow.
+const Point* too_large(const Operand& operand);
 
 }  // namespace dymsum::planar

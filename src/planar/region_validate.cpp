@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "exact/orient.h"
+#include "planar/prepared_region.h"
 #include "planar/region_sweep.h"
 
 namespace dymsum {
@@ -16,6 +17,7 @@ class TrustedRegion {
     Region region;
     region.data_ = std::move(data);
     region.touching_points_ = std::move(touching_points);
+    region.prepared_ = std::make_shared<planar::PreparedRegion>();
     return region;
   }
 };

@@ -44,10 +44,9 @@ class Soup {
   }
   SoupBox box(const WalkSegment& w) const {
     const Operand &o = *operands[w.side], &other = *operands[1 - w.side];
-    const std::uint32_t a = o.source[w.edge], b = o.source[o.next[w.edge]], v = other.source[w.vertex];
-    const double vx = lattice.x[1 - w.side][v], vy = lattice.y[1 - w.side][v];
-    const auto &x = lattice.x[w.side], &y = lattice.y[w.side];
-    return {x[a] + vx, y[a] + vy, x[b] + vx, y[b] + vy};
+    const std::uint32_t to = o.next[w.edge];
+    const double vx = other.x[w.vertex], vy = other.y[w.vertex];
+    return {o.x[w.edge] + vx, o.y[w.edge] + vy, o.x[to] + vx, o.y[to] + vy};
   }
   void add(const WalkSegment& w, const SoupBox& b) {
     segments.push_back({(w.side << 31) | w.edge, w.vertex});

@@ -130,11 +130,8 @@ int cells_for(std::size_t n) {
 }
 
 Grid plain_grid(const Lattice& lattice, std::size_t n) {
-  double width = 0, height = 0;
-  for (int op = 0; op < 2; ++op) {
-    width += *std::max_element(lattice.x[op].begin(), lattice.x[op].end());
-    height += *std::max_element(lattice.y[op].begin(), lattice.y[op].end());
-  }
+  const double width = lattice.points[0]->width + lattice.points[1]->width;
+  const double height = lattice.points[0]->height + lattice.points[1]->height;
   const double longer = std::max(width, height);
   Grid g;
   const int cells = cells_for(n);
@@ -221,7 +218,7 @@ bool run_reduced(const SumOptions& options, SumState& state) {
   const bool fast = options.engine == Engine::fast;
   std::optional<InteriorMask> mask;
   if (fast && n >= kMask) {
-    mask.emplace(lattice, op, oq, cells_for(n));
+    mask.emplace(op, oq, cells_for(n));
     stats.mask_grid = cells_for(n);
     clock.done("mask");
   }
@@ -315,34 +312,24 @@ bool run_reduced(const SumOptions& options, SumState& state) {
 
 }  // namespace
 
-// Differences of larger coordinates overflow in doubles.
-std::optional<Error> too_large(const std::vector<Point>& vertices) {
-  constexpr double kLimit = 0x1p1000;
-  for (const Point& v : vertices) {
-    if (std::abs(v.x) <= kLimit && std::abs(v.y) <= kLimit) continue;
-    Error error{Code::unsupported_operand, "a coordinate is larger than 2^1000", {}};
-    error.evidence.x = v.x;
-    error.evidence.y = v.y;
-    return error;
-  }
-  return std::nullopt;
-}
-
-Result<SumState> compute_boundary(const EngineRegion& p, const EngineRegion& q, const SumOptions& options) {
+Result<SumState> compute_boundary(std::shared_ptr<const Operand> p, std::shared_ptr<const Operand> q, const SumOptions& options) {
   SumState state;
   const auto start = std::chrono::steady_clock::now();
-  const std::vector<Point> vp = source_vertices(p.data()), vq = source_vertices(q.data());
-  for (const auto* vertices : {&vp, &vq})
-    if (std::optional<Error> error = too_large(*vertices)) return *std::move(error);
-  std::unique_ptr<Lattice> lattice = make_lattice(vp, vq, options.min_tier_bits);
-  state.p = std::make_unique<Operand>(make_operand(p, 0, *lattice));
-  state.q = std::make_unique<Operand>(make_operand(q, 1, *lattice));
-  state.lattice = std::move(lattice);
+  for (const Operand* o : {p.get(), q.get()})
+    if (const Point* v = too_large(*o)) {
+      Error error{Code::unsupported_operand, "a coordinate is larger than 2^1000", {}};
+      error.evidence.x = v->x;
+      error.evidence.y = v->y;
+      return error;
+    }
+  state.lattice = make_lattice(p->points, q->points, options.min_tier_bits);
+  state.p = placed_on(*state.lattice, std::move(p));
+  state.q = placed_on(*state.lattice, std::move(q));
   state.stats.tier_bits = state.lattice->tier_bits;
   state.stats.stages.push_back(
       {"operands", std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count()});
   if (options.trace) state.trace.emplace();
-  if (vp.empty() || vq.empty()) return state;
+  if (state.p->size() == 0 || state.q->size() == 0) return state;
   const bool done = options.engine == Engine::winding ? run_winding(options, state) : run_reduced(options, state);
   if (!done) return cancelled();
   return state;
@@ -355,8 +342,7 @@ void lower_dimensional_candidates(const Lattice& lattice, const Operand& p, cons
     v.in = v.out = line;
     v.corner_p = p.vertex_number[i];
     v.corner_q = q.vertex_number[j];
-    v.at = lattice.to_input(lattice.x[0][p.source[i]] + lattice.x[1][q.source[j]],
-                            lattice.y[0][p.source[i]] + lattice.y[1][q.source[j]]);
+    v.at = lattice.to_input(p.x[i] + q.x[j], p.y[i] + q.y[j]);
     return v;
   };
   const auto of_p = [&](std::uint32_t e, std::uint32_t j) {

@@ -21,14 +21,14 @@ struct RawBoundary {
 
 struct SumState {
   std::shared_ptr<const Lattice> lattice;
-  std::unique_ptr<Operand> p, q;
+  std::shared_ptr<const Operand> p, q;
   RawBoundary boundary;
   SumStats stats;
   std::optional<PlanarTrace> trace;
 };
 
-/// Operands on their lattice, then the boundary by the chosen engine.
-Result<SumState> compute_boundary(const EngineRegion& p, const EngineRegion& q, const SumOptions& options);
+/// Operands (P as operand 0, Q as 1) on their lattice, then the boundary by the chosen engine.
+Result<SumState> compute_boundary(std::shared_ptr<const Operand> p, std::shared_ptr<const Operand> q, const SumOptions& options);
 
 /// Canonical order, parts, tight features, lower-dimensional pieces.
 PlanarSum finish_sum(SumState state, const SumOptions& options);

@@ -15,7 +15,7 @@ namespace dymsum::planar {
 
 class SumSource final : public ExactSource {
  public:
-  SumSource(std::shared_ptr<const Lattice> lattice, std::unique_ptr<const Operand> p, std::unique_ptr<const Operand> q)
+  SumSource(std::shared_ptr<const Lattice> lattice, std::shared_ptr<const Operand> p, std::shared_ptr<const Operand> q)
       : lattice_(std::move(lattice)), operands_{std::move(p), std::move(q)} {}
 
   Position position(const SumVertex& vertex) const override;
@@ -38,7 +38,7 @@ class SumSource final : public ExactSource {
   std::optional<int> compare(const SumVertex& a, const SumVertex& b, int axis) const;
 
   std::shared_ptr<const Lattice> lattice_;
-  std::array<std::unique_ptr<const Operand>, 2> operands_;
+  std::array<std::shared_ptr<const Operand>, 2> operands_;
   mutable std::once_flag numbered_;
   mutable std::array<Numbering, 2> numbering_;  // made when first asked for
 };

@@ -14,7 +14,7 @@
 #include "oracles/tiny_regions.h"
 #include "planar/convolution.h"
 #include "planar/kinetic.h"
-#include "planar/separate_touching.h"
+#include "planar/prepared_region.h"
 
 namespace dymsum::planar {
 namespace {
@@ -23,11 +23,10 @@ constexpr std::uint64_t kSeed = 271828;
 
 struct Operands {
   Operands(const Region& a, const Region& b) {
-    const EngineRegion ea = separate_touching(a.data(), a.touching_points()),
-                       eb = separate_touching(b.data(), b.touching_points());
-    lattice = make_lattice(source_vertices(ea.data()), source_vertices(eb.data()), 0);
-    p = make_operand(ea, 0, *lattice);
-    q = make_operand(eb, 1, *lattice);
+    const auto kept_p = prepared_operand(a, 0), kept_q = prepared_operand(b, 1);
+    lattice = make_lattice(kept_p->points, kept_q->points, 0);
+    p = *placed_on(*lattice, kept_p);
+    q = *placed_on(*lattice, kept_q);
   }
   const Operand& of(std::uint32_t op) const { return op == 0 ? p : q; }
 

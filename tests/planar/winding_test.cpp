@@ -15,7 +15,7 @@
 #include "planar/collision.h"
 #include "planar/kinetic.h"
 #include "planar/segment_graph.h"
-#include "planar/separate_touching.h"
+#include "planar/prepared_region.h"
 #include "planar/winding_numbers.h"
 
 namespace dymsum::planar {
@@ -32,11 +32,10 @@ Result<PlanarSum> sum_by(Engine engine, const Region& p, const Region& q, Semant
 
 struct Operands {
   Operands(const Region& a, const Region& b) {
-    const EngineRegion ea = separate_touching(a.data(), a.touching_points()),
-                       eb = separate_touching(b.data(), b.touching_points());
-    lattice = make_lattice(source_vertices(ea.data()), source_vertices(eb.data()), 0);
-    p = make_operand(ea, 0, *lattice);
-    q = make_operand(eb, 1, *lattice);
+    const auto kept_p = prepared_operand(a, 0), kept_q = prepared_operand(b, 1);
+    lattice = make_lattice(kept_p->points, kept_q->points, 0);
+    p = *placed_on(*lattice, kept_p);
+    q = *placed_on(*lattice, kept_q);
   }
   std::unique_ptr<Lattice> lattice;
   Operand p, q;
@@ -85,14 +84,14 @@ TEST(KineticWinding, is_positive_exactly_in_the_open_sum) {
   for_tiny_pairs(400, [&](const Region& p, const Region& q, oracles::Random& random) {
     const Operands o(p, q);
     const Tracing tracing = kinetic_tracing(o);
-    const double unit = std::ldexp(1.0, o.lattice->double_exponent);
+    const double unit = o.lattice->unit;
     const auto a = bounds(p), b = bounds(q);
     for (int i = 0; i < 12; ++i) {
       const double gx = random.below(static_cast<int>(a[2] + b[2] - a[0] - b[0]) + 1) + 419.0 / 1024;
       const double gy = random.below(static_cast<int>(a[3] + b[3] - a[1] - b[1]) + 1) + 31.0 / 8192;
       const int winding = winding_at(tracing, gx / unit, gy / unit);
-      const Point z = {o.lattice->offset[0].x + o.lattice->offset[1].x + gx,
-                       o.lattice->offset[0].y + o.lattice->offset[1].y + gy};
+      const Point z = {o.lattice->points[0]->offset.x + o.lattice->points[1]->offset.x + gx,
+                       o.lattice->points[0]->offset.y + o.lattice->points[1]->offset.y + gy};
       ASSERT_EQ(winding > 0, contains(p, q, z, Semantics::open))
           << "winding number " << winding << " at " << z.x << " " << z.y;
       ASSERT_GE(winding, 0);

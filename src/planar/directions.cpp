@@ -1,0 +1,91 @@
+#include "planar/directions.h"
+
+#include <algorithm>
+
+#include "planar/operand.h"
+
+namespace dymsum::planar {
+namespace {
+
+int half(const Point& d) { return d.y > 0 || (d.y == 0 && d.x > 0) ? 0 : 1; }
+
+std::vector<std::uint32_t> edges_of(const Operand& o, const Component& c) {
+  std::vector<std::uint32_t> edges;
+  for (std::uint32_t l = c.first_loop; l < c.last_loop; ++l)
+    for (std::uint32_t i = o.loops[l].first; o.loops[l].kind != LoopKind::point && i < o.loops[l].last; ++i) edges.push_back(i);
+  return edges;
+}
+
+}  // namespace
+
+int compare_directions(const Lattice& lattice, const Edge& d, const Edge& e) {
+  const int hd = half(lattice.vector(d)), he = half(lattice.vector(e));
+  if (hd != he) return hd < he ? -1 : 1;
+  return -lattice.cross(d, e);
+}
+
+// Sorts by key into buckets, then repairs with exact comparisons; nearly linear unless directions cluster.
+DirectionList sort_by_direction(const Lattice& lattice, const Operand& o, const Component& c) {
+  const std::vector<std::uint32_t> edges = edges_of(o, c);
+  DirectionList list;
+  const std::size_t n = edges.size();
+  if (n == 0) return list;
+  struct Item {
+    double key;
+    std::uint32_t edge;
+  };
+  std::vector<Item> items(n);
+  std::vector<std::uint32_t> start(n + 2, 0);
+  const double per_key = static_cast<double>(n) / 4.0;
+  const auto bucket = [&](double key) { return std::min<std::size_t>(n - 1, static_cast<std::size_t>(key * per_key)); };
+  std::vector<double> keys(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    keys[i] = pseudo_angle(o.ex[edges[i]], o.ey[edges[i]]);
+    ++start[bucket(keys[i]) + 1];
+  }
+  for (std::size_t b = 1; b < start.size(); ++b) start[b] += start[b - 1];
+  for (std::size_t i = 0; i < n; ++i) items[start[bucket(keys[i])]++] = {keys[i], edges[i]};
+  const auto less = [&](const Item& a, const Item& b) {
+    return compare_directions(lattice, a.key, o.edge(a.edge), b.key, o.edge(b.edge)) < 0;
+  };
+  // Buckets are sorted among each other up to the keys' error, so few elements move between them.
+  for (std::size_t b = 0, from = 0; b < n; ++b) {
+    const std::size_t to = start[b];
+    if (to - from > 16) std::sort(items.begin() + from, items.begin() + to, less);
+    from = to;
+  }
+  for (std::size_t i = 1; i < n; ++i) {
+    const Item item = items[i];
+    std::size_t j = i;
+    for (; j > 0 && less(item, items[j - 1]); --j) items[j] = items[j - 1];
+    items[j] = item;
+  }
+  list.base = edges.front();
+  list.rank.assign(edges.back() - edges.front() + 1, kNoRank);
+  list.edges.resize(n);
+  list.keys.resize(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    list.edges[i] = items[i].edge;
+    list.keys[i] = items[i].key;
+    list.rank[items[i].edge - list.base] = static_cast<std::uint32_t>(i);
+  }
+  return list;
+}
+
+DirectionList sublist(const DirectionList& all, const Operand& o, const Component& c, const std::vector<std::uint8_t>& keep) {
+  DirectionList list;
+  list.base = all.base;
+  list.rank.assign(all.rank.size(), kNoRank);
+  std::vector<std::uint8_t> kept(all.rank.size(), 0);
+  for (std::uint32_t l = c.first_loop; l < c.last_loop; ++l)
+    if (keep[l]) std::fill(kept.begin() + (o.loops[l].first - all.base), kept.begin() + (o.loops[l].last - all.base), 1);
+  for (std::size_t i = 0; i < all.edges.size(); ++i) {
+    if (!kept[all.edges[i] - all.base]) continue;
+    list.rank[all.edges[i] - all.base] = static_cast<std::uint32_t>(list.edges.size());
+    list.edges.push_back(all.edges[i]);
+    list.keys.push_back(all.keys[i]);
+  }
+  return list;
+}
+
+}  // namespace dymsum::planar

@@ -1,0 +1,22 @@
+// Bounding boxes over the edges of a component: walk edges are spatially coherent, so halving their range is a good tree.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace dymsum::planar {
+
+struct Operand;
+
+struct EdgeTree {
+  struct Node {
+    double x0, y0, x1, y1;
+    std::uint32_t first, last;  ///< walk edges
+    std::uint32_t left, right;  ///< 0: a leaf
+  };
+  std::vector<Node> nodes;  ///< the root first
+};
+
+EdgeTree make_edge_tree(const Operand& o, std::uint32_t first, std::uint32_t last);
+
+}  // namespace dymsum::planar

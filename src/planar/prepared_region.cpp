@@ -1,0 +1,26 @@
+#include "planar/prepared_region.h"
+
+#include "planar/separate_touching.h"
+
+namespace dymsum::planar {
+
+std::shared_ptr<const Operand> PreparedRegion::operand(const Region& region, std::uint32_t op, bool reflected) {
+  Slot& slot = slots_[2 * op + (reflected ? 1 : 0)];
+  std::call_once(slot.made, [&] {
+    if (reflected) {
+      const Region turned = negated(region);
+      slot.operand = make_operand(separate_touching(turned.data(), turned.touching_points()), op);
+    } else {
+      slot.operand = make_operand(separate_touching(region.data(), region.touching_points()), op);
+    }
+  });
+  return slot.operand;
+}
+
+std::shared_ptr<const Operand> prepared_operand(const Region& region, std::uint32_t op, bool reflected) {
+  PreparedRegion* kept = region.prepared();
+  if (kept != nullptr) return kept->operand(region, op, reflected);
+  return make_operand(separate_touching(region.data(), {}), op);  // the empty region
+}
+
+}  // namespace dymsum::planar
