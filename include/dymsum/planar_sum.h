@@ -99,7 +99,7 @@ struct SumStats {
     std::string_view name;
     double ms;
   };
-  std::vector<Stage> stages;
+  std::vector<Stage> stages;           ///< for operands of more than 100 vertices together: reading the clock takes time
 };
 
 /// The exact sum. Coordinates are exact rationals behind approximate ones with a stated error (some units in the last place of the

@@ -19,8 +19,17 @@ struct Arrangement::Spot {
   friend bool operator==(const Spot&, const Spot&) = default;
 };
 
-Arrangement::Arrangement(const Soup& soup, Meetings meetings, const Chain& chain, const std::vector<DeadMark>& dead_marks)
-    : soup_(soup), chain_(chain), meetings_(std::move(meetings)) {
+Arrangement::Arrangement(const Soup& soup, Meetings meetings, const Chain& chain, const Array<DeadMark>& dead_marks)
+    : soup_(soup),
+      chain_(chain),
+      meetings_(std::move(meetings)),
+      first_event_(soup.memory),
+      events_(soup.memory),
+      positions_(soup.memory),
+      flags_(soup.memory),
+      links_(soup.memory),
+      nodes_(soup.memory),
+      covered_subs_(soup.memory) {
   build_events();
   sort_events();
   flags_.assign(sub_count(), 0);
@@ -54,7 +63,7 @@ void Arrangement::build_events() {
   for (const Touch& t : meetings_.touches) ++first_event_[t.segment + 1];
   for (std::size_t s = 0; s < n; ++s) first_event_[s + 1] += first_event_[s];
   events_.resize(first_event_[n]);
-  std::vector<std::uint32_t> at(first_event_.begin(), first_event_.end() - 1);
+  Array<std::uint32_t> at(first_event_.begin(), first_event_.end() - 1, soup_.memory);
   for (std::uint32_t c = 0; c < meetings_.crossings.size(); ++c) {
     const Crossing& x = meetings_.crossings[c];
     events_[at[x.a]++] = {x.ta, x.ea, c};
@@ -112,7 +121,7 @@ void Arrangement::sort_events() {
 }
 
 // A mark near an event may fall on either side of it: both sub-edges are dead then, so either answer is right.
-void Arrangement::mark_dead(const std::vector<DeadMark>& marks) {
+void Arrangement::mark_dead(const Array<DeadMark>& marks) {
   for (const DeadMark& m : marks) {
     const Event* first = events_.data() + first_event_[m.segment];
     const Event* last = first + event_count(m.segment);
@@ -131,9 +140,9 @@ std::pair<std::uint32_t, std::uint32_t> Arrangement::equal_run(std::uint32_t s, 
 
 // Places where crossings coincide, or segments end on others, are classes of crossings and pairs of vertices.
 void Arrangement::find_degenerate_nodes() {
-  std::unordered_map<std::uint64_t, std::uint32_t> index;  // element -> dense number
-  std::vector<std::uint64_t> elements;
-  std::vector<std::uint32_t> parent;
+  std::pmr::unordered_map<std::uint64_t, std::uint32_t> index(soup_.memory);  // element -> dense number
+  Array<std::uint64_t> elements(soup_.memory);
+  Array<std::uint32_t> parent(soup_.memory);
   constexpr std::uint64_t kPair = std::uint64_t{1} << 63;
   const auto element = [&](std::uint64_t key) {
     const auto [it, fresh] = index.try_emplace(key, static_cast<std::uint32_t>(elements.size()));
@@ -158,7 +167,7 @@ void Arrangement::find_degenerate_nodes() {
     std::uint32_t element;
     Spot spot;
   };
-  std::vector<Touched> spots;
+  Array<Touched> spots(soup_.memory);
   for (std::uint32_t s = 0; s < soup_.size(); ++s) {
     const Event* first = events_.data() + first_event_[s];
     const std::uint32_t n = event_count(s);
@@ -186,7 +195,7 @@ void Arrangement::find_degenerate_nodes() {
       spots.push_back({e, {s, begin, end}});
     }
   }
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pair_elements;  // class, element
+  Array<std::pair<std::uint32_t, std::uint32_t>> pair_elements(soup_.memory);  // class, element
   for (std::uint32_t e = 0; e < elements.size(); ++e)
     if (elements[e] & kPair) pair_elements.emplace_back(find(e), e);
   for (Touched& t : spots) t.element = find(t.element);
@@ -194,8 +203,8 @@ void Arrangement::find_degenerate_nodes() {
   std::sort(spots.begin(), spots.end(), [](const Touched& a, const Touched& b) {
     return std::tie(a.element, a.spot.segment, a.spot.begin) < std::tie(b.element, b.spot.segment, b.spot.begin);
   });
-  std::vector<Spot> node;
-  std::vector<WalkPair> pairs;
+  Array<Spot> node(soup_.memory);
+  Array<WalkPair> pairs(soup_.memory);
   std::size_t i = 0, j = 0;
   while (i < spots.size() || j < pair_elements.size()) {
     const std::uint32_t root = std::min(i < spots.size() ? spots[i].element : kNone,
@@ -212,9 +221,9 @@ void Arrangement::find_degenerate_nodes() {
   }
 }
 
-void Arrangement::process_node(std::vector<Spot>& spots, const std::vector<WalkPair>& pairs) {
+void Arrangement::process_node(const Array<Spot>& spots, const Array<WalkPair>& pairs) {
   ++degenerate_nodes_;
-  std::vector<Ray> rays;
+  Array<Ray> rays(soup_.memory);
   const auto add = [&](std::uint32_t s, std::uint32_t k, bool out) {
     const double sign = out ? 1 : -1;
     const std::uint32_t sub = first_sub(s) + k;
@@ -237,7 +246,7 @@ void Arrangement::process_node(std::vector<Spot>& spots, const std::vector<WalkP
     add(spot.segment, spot.begin, false);
     add(spot.segment, spot.end, true);
   }
-  std::vector<Incidence> incident;
+  Array<Incidence> incident(soup_.memory);
   for (const WalkPair& v : pairs) {
     incident.clear();
     chain_.incident(v, incident);
@@ -258,7 +267,7 @@ void Arrangement::process_node(std::vector<Spot>& spots, const std::vector<WalkP
 
 // A sector between two neighbouring rays is free unless the ray before it leaves with it on its left, or the ray behind it arrives
 // with it on its left. The boundary of a free sector comes in on the first and goes out on the second.
-void Arrangement::link_rays(std::vector<Ray>& rays, const Node& where) {
+void Arrangement::link_rays(Array<Ray>& rays, const Node& where) {
   const auto half = [](const Ray& r) { return r.dy > 0 || (r.dy == 0 && r.dx > 0) ? 0 : 1; };
   const auto compare = [&](const Ray& a, const Ray& b) {
     if (half(a) != half(b)) return half(a) < half(b) ? -1 : 1;
@@ -273,7 +282,7 @@ void Arrangement::link_rays(std::vector<Ray>& rays, const Node& where) {
     std::size_t begin, end;
     bool left = false, right = false;  // covered on the ray's left (something leaves), right (something arrives)
   };
-  std::vector<Group> groups;
+  Array<Group> groups(soup_.memory);
   for (std::size_t i = 0; i < rays.size();) {
     Group g{i, i + 1};
     while (g.end < rays.size() && compare(rays[i], rays[g.end]) == 0) ++g.end;
@@ -371,6 +380,21 @@ Place Arrangement::end_place(Step at) const {
   return place(at.segment, event_cut(e, at.segment), e.t, e.error);
 }
 
+// As place() does.
+Arrangement::RoundedEnd Arrangement::rounded_end(Step at) const {
+  const std::uint32_t s = at.segment, k = at.sub - first_sub(s);
+  const SoupBox& b = soup_.boxes[s];
+  if (k == event_count(s)) return {b.bx, b.by, soup_.point_error};
+  const Event& e = events_[first_event_[s] + k];
+  const double dx = soup_.dx(s), dy = soup_.dy(s);
+  return {b.ax + e.t * dx, b.ay + e.t * dy, step_error(e.error, dx, dy)};
+}
+
+// The start, the step (t's own error, its rounding and the direction's) and the final sum.
+double Arrangement::step_error(double t_error, double dx, double dy) const {
+  return 2 * soup_.point_error + (t_error + 0x1p-51) * std::max(std::abs(dx), std::abs(dy)) + 0x1p-52 * soup_.lattice.span;
+}
+
 Cut Arrangement::start_cut(Step at) const {
   const std::uint32_t k = at.sub - first_sub(at.segment);
   if (k > 0) return event_cut(events_[first_event_[at.segment] + k - 1], at.segment);
@@ -402,11 +426,10 @@ Place Arrangement::place(std::uint32_t s, const Cut& cut, double t, double t_err
   p.on = soup_.exact(s);
   p.first = cut;
   const SoupBox& b = soup_.boxes[s];
-  const double dx = soup_.dx(s), dy = soup_.dy(s), length = std::max(std::abs(dx), std::abs(dy));
+  const double dx = soup_.dx(s), dy = soup_.dy(s);
   p.x = t == 1 ? b.bx : b.ax + t * dx;
   p.y = t == 1 ? b.by : b.ay + t * dy;
-  // The start, the step (t's own error, its rounding and the direction's) and the final sum.
-  p.error = t == 0 || t == 1 ? soup_.point_error : 2 * soup_.point_error + (t_error + 0x1p-51) * length + 0x1p-52 * soup_.lattice.span;
+  p.error = t == 0 || t == 1 ? soup_.point_error : step_error(t_error, dx, dy);
   return p;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory_resource>
 #include <unordered_map>
 #include <vector>
 
@@ -21,7 +22,7 @@ struct SubEnd {
 /// Sub-edges: segment s with k events has k + 1 sub-edges, numbered first_sub(s) + 0 .. k; sub-edge i starts at event i - 1.
 class Arrangement {
  public:
-  Arrangement(const Soup& soup, Meetings meetings, const Chain& chain, const std::vector<DeadMark>& dead_marks);
+  Arrangement(const Soup& soup, Meetings meetings, const Chain& chain, const Array<DeadMark>& dead_marks);
 
   std::uint32_t sub_count() const { return first_event_.back() + static_cast<std::uint32_t>(soup_.size()); }
   std::uint32_t first_sub(std::uint32_t s) const { return first_event_[s] + s; }
@@ -44,6 +45,11 @@ class Arrangement {
   SubEnd end_of(Step at) const;
   Place start_place(Step at) const;
   Place end_place(Step at) const;
+  /// Where a sub-edge ends, rounded: |x - exact| and |y - exact| are at most error.
+  struct RoundedEnd {
+    double x = 0, y = 0, error = 0;
+  };
+  RoundedEnd rounded_end(Step at) const;
   Cut start_cut(Step at) const;
   Cut end_cut(Step at) const;
   double start_parameter(Step at) const;
@@ -59,13 +65,13 @@ class Arrangement {
     SubEnd end;
     Place place;
   };
-  const std::vector<Node>& nodes() const { return nodes_; }
+  const Array<Node>& nodes() const { return nodes_; }
   /// Sub-edges covered from both sides by coinciding segments, candidates for tight segments; each place once.
-  const std::vector<Step>& covered_subs() const { return covered_subs_; }
+  const Array<Step>& covered_subs() const { return covered_subs_; }
   std::uint64_t degenerate_nodes() const { return degenerate_nodes_; }
   std::uint64_t exact_orders() const { return exact_orders_; }
   std::uint64_t crossing_count() const { return meetings_.crossings.size(); }
-  const std::vector<Crossing>& crossings() const { return meetings_.crossings; }
+  const Array<Crossing>& crossings() const { return meetings_.crossings; }
   std::size_t bytes() const;
   bool sub_dead(std::uint32_t sub) const { return flags_[sub] & kDead; }
 
@@ -81,14 +87,15 @@ class Arrangement {
 
   void build_events();
   void sort_events();
-  void mark_dead(const std::vector<DeadMark>& marks);
+  void mark_dead(const Array<DeadMark>& marks);
   void find_degenerate_nodes();
   struct Ray;
   struct Spot;
-  void process_node(std::vector<Spot>& spots, const std::vector<WalkPair>& pairs);
-  void link_rays(std::vector<Ray>& rays, const Node& where);
+  void process_node(const Array<Spot>& spots, const Array<WalkPair>& pairs);
+  void link_rays(Array<Ray>& rays, const Node& where);
   std::pair<std::uint32_t, std::uint32_t> equal_run(std::uint32_t s, std::uint32_t k) const;
   double denominator(std::uint32_t s, const Cut& cut, double& relative_error) const;
+  double step_error(double t_error, double dx, double dy) const;
   Cut event_cut(const Event& e, std::uint32_t segment) const;
   SubEnd event_end(const Event& e, std::uint32_t segment) const;
   int compare_events(std::uint32_t s, const Event& a, const Event& b) const;
@@ -97,20 +104,20 @@ class Arrangement {
   const Soup& soup_;
   const Chain& chain_;
   Meetings meetings_;
-  std::vector<std::uint32_t> first_event_;
-  std::vector<Event> events_;
+  Array<std::uint32_t> first_event_;
+  Array<Event> events_;
   struct Positions {
     std::uint32_t a, b;  // event indices within the two segments
   };
-  std::vector<Positions> positions_;  // per crossing
-  std::vector<std::uint8_t> flags_;   // per sub-edge
+  Array<Positions> positions_;  // per crossing
+  Array<std::uint8_t> flags_;   // per sub-edge
   struct Link {
     Step to;
     std::uint32_t node = 0;
   };
-  std::unordered_map<std::uint32_t, Link> links_;  // at degenerate ends
-  std::vector<Node> nodes_;
-  std::vector<Step> covered_subs_;
+  std::pmr::unordered_map<std::uint32_t, Link> links_;  // at degenerate ends
+  Array<Node> nodes_;
+  Array<Step> covered_subs_;
   std::uint64_t degenerate_nodes_ = 0;
   mutable std::uint64_t exact_orders_ = 0;
 };

@@ -13,7 +13,7 @@ int half(const Soup& soup, std::uint32_t s) {
 }
 
 // How often the direction passes +x counter-clockwise: +1 or -1 for a loop that bounds one face.
-int turning_number(const Soup& soup, const std::vector<Step>& steps) {
+int turning_number(const Soup& soup, const Array<Step>& steps) {
   int turns = 0;
   std::uint32_t last = steps.back().segment;
   for (const Step& step : steps) {
@@ -31,10 +31,10 @@ int turning_number(const Soup& soup, const std::vector<Step>& steps) {
 
 }  // namespace
 
-std::vector<BoundaryLoop> find_loops(const Soup& soup, const Arrangement& arrangement) {
-  std::vector<BoundaryLoop> loops;
-  std::vector<bool> seen(arrangement.sub_count(), false);
-  std::vector<Step> path;
+Array<BoundaryLoop> find_loops(const Soup& soup, const Arrangement& arrangement) {
+  Array<BoundaryLoop> loops(soup.memory);
+  Array<std::uint8_t> seen(arrangement.sub_count(), 0, soup.memory);
+  Array<Step> path(soup.memory);
   for (std::uint32_t s = 0; s < soup.size(); ++s) {
     const std::uint32_t first = arrangement.first_sub(s), count = arrangement.event_count(s) + 1;
     for (std::uint32_t k = 0; k < count; ++k) {
@@ -44,12 +44,12 @@ std::vector<BoundaryLoop> find_loops(const Soup& soup, const Arrangement& arrang
       path.clear();
       Step at = start;
       do {
-        seen[at.sub] = true;
+        seen[at.sub] = 1;
         path.push_back(at);
         at = arrangement.successor(at);
       } while (at.sub != kNone && !seen[at.sub]);
       if (at.sub != start.sub) continue;
-      BoundaryLoop loop{path, 0};
+      BoundaryLoop loop{Array<Step>(path, soup.memory), 0};
       loop.turning = turning_number(soup, path);
       loops.push_back(std::move(loop));
     }
@@ -57,36 +57,44 @@ std::vector<BoundaryLoop> find_loops(const Soup& soup, const Arrangement& arrang
   return loops;
 }
 
-SortedLoops verify_loops(const Soup& soup, const Arrangement& arrangement, std::vector<BoundaryLoop> loops,
-                         Collision& collision, bool connected) {
-  SortedLoops out;
-  // A connected sum has exactly one counter-clockwise loop, the one that reaches farthest left.
-  std::size_t outer = loops.size();
-  if (connected) {
-    double best = INFINITY, second = INFINITY, error = 0;
-    for (std::size_t i = 0; i < loops.size(); ++i) {
-      if (loops[i].turning < 0) continue;
-      double low = INFINITY;
-      for (const Step& step : loops[i].steps) {
-        const Place p = arrangement.end_place(step);
-        low = std::min(low, p.x - p.error);
-        error = std::max(error, p.error);
-      }
-      if (low < best) {
-        second = best;
-        best = low;
-        outer = i;
-      } else {
-        second = std::min(second, low);
-      }
+namespace {
+
+// Of the loops of a connected sum the one that is its outer boundary: the only counter-clockwise one, or of several false ones that
+// which reaches farthest left. loops.size() when doubles do not tell.
+std::size_t outer_loop(const Arrangement& arrangement, const Array<BoundaryLoop>& loops) {
+  std::size_t outer = loops.size(), count = 0;
+  for (std::size_t i = 0; i < loops.size(); ++i)
+    if (loops[i].turning > 0) {
+      outer = i;
+      ++count;
     }
-    if (!(second - best > 4 * error)) outer = loops.size();  // undecided: test them all
-    std::size_t count = 0;
-    for (const BoundaryLoop& loop : loops) count += loop.turning > 0;
-    if (count == 1)
-      for (std::size_t i = 0; i < loops.size(); ++i)
-        if (loops[i].turning > 0) outer = i;
+  if (count <= 1) return outer;
+  double best = INFINITY, second = INFINITY, error = 0;
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    if (loops[i].turning < 0) continue;
+    double low = INFINITY;
+    for (const Step& step : loops[i].steps) {
+      const Arrangement::RoundedEnd p = arrangement.rounded_end(step);
+      low = std::min(low, p.x - p.error);
+      error = std::max(error, p.error);
+    }
+    if (low < best) {
+      second = best;
+      best = low;
+      outer = i;
+    } else {
+      second = std::min(second, low);
+    }
   }
+  return second - best > 4 * error ? outer : loops.size();
+}
+
+}  // namespace
+
+SortedLoops verify_loops(const Soup& soup, const Arrangement& arrangement, Array<BoundaryLoop> loops,
+                         Collision& collision, bool connected) {
+  SortedLoops out{Array<BoundaryLoop>(soup.memory), Array<BoundaryLoop>(soup.memory)};
+  const std::size_t outer = connected ? outer_loop(arrangement, loops) : loops.size();
   for (std::size_t i = 0; i < loops.size(); ++i) {
     bool keep = i == outer;
     if (!keep && (outer == loops.size() || loops[i].turning < 0)) {
@@ -111,7 +119,7 @@ SortedLoops verify_loops(const Soup& soup, const Arrangement& arrangement, std::
 
 // At a node that several kept passes share, every pass in is joined to the next way out clockwise from it: interior pairing. Rings
 // then bound connected interiors; those that still meet themselves are cut at the repeated node.
-std::vector<BoundaryLoop> simple_rings(const Soup& soup, const Arrangement& arrangement, std::vector<BoundaryLoop> loops) {
+Array<BoundaryLoop> simple_rings(const Soup& soup, const Arrangement& arrangement, Array<BoundaryLoop> loops) {
   struct Pass {
     Step in, out;
   };
@@ -157,7 +165,7 @@ std::vector<BoundaryLoop> simple_rings(const Soup& soup, const Arrangement& arra
       next[rays[i].step.sub] = before.step;
     }
   }
-  std::vector<BoundaryLoop> rings;
+  Array<BoundaryLoop> rings(soup.memory);
   std::unordered_map<std::uint32_t, bool> seen;
   for (const Step& start : order) {
     if (seen[start.sub]) continue;
@@ -224,6 +232,7 @@ SumVertex vertex_of(const Soup& soup, std::uint32_t in, std::uint32_t out, const
 }
 
 double input_error(const Lattice& lattice, double grid_error) {
+  if (grid_error == 0 && lattice.exact_input) return 0;
   const Point &a = lattice.points[0]->offset, &b = lattice.points[1]->offset;
   const double reach = std::abs(a.x) + std::abs(b.x) + std::abs(a.y) + std::abs(b.y);
   // The sum of the offsets and the final sum are rounded.
@@ -231,15 +240,34 @@ double input_error(const Lattice& lattice, double grid_error) {
 }
 
 SumRing make_ring(const Soup& soup, const Arrangement& arrangement, const BoundaryLoop& loop, double& error) {
-  const std::vector<Step>& steps = loop.steps;
+  const Array<Step>& steps = loop.steps;
   const std::size_t n = steps.size();
+  const double poor = kPoor * soup.lattice.span;
   SumRing ring;
+  ring.vertices.reserve(n);
+  Contact out = contact_of(soup, steps[0].segment);
   for (std::size_t i = 0; i < n; ++i) {
-    const Step &in = steps[i], &out = steps[(i + 1) % n];
-    if (in.segment == out.segment || soup.cross(in.segment, out.segment) == 0) continue;  // straight on
-    const Place place = arrangement.end_place(in);
-    error = std::max(error, position_error(soup, place));
-    ring.vertices.push_back(vertex_of(soup, in.segment, out.segment, arrangement.end_of(in), place));
+    const Step &step = steps[i], &next = steps[i + 1 == n ? 0 : i + 1];
+    if (step.segment == next.segment) continue;
+    const Contact in = out;
+    out = contact_of(soup, next.segment);
+    if (soup.cross(step.segment, next.segment) == 0) continue;  // straight on
+    const Arrangement::RoundedEnd at = arrangement.rounded_end(step);
+    if (at.error > poor) {
+      const Place place = arrangement.end_place(step);
+      error = std::max(error, position_error(soup, place));
+      ring.vertices.push_back(vertex_of(soup, step.segment, next.segment, arrangement.end_of(step), place));
+      continue;
+    }
+    error = std::max(error, at.error);
+    SumVertex& v = ring.vertices.emplace_back();
+    v.in = in;
+    v.out = out;
+    if (const SubEnd end = arrangement.end_of(step); end.pair) {
+      v.corner_p = soup.operands[0]->vertex_number[end.at.p];
+      v.corner_q = soup.operands[1]->vertex_number[end.at.q];
+    }
+    v.at = soup.lattice.to_input(at.x, at.y);
   }
   return ring;
 }

@@ -15,22 +15,22 @@ using Step = Arrangement::Step;
 
 /// A cycle of the successor map; the set's outside is on its right.
 struct BoundaryLoop {
-  std::vector<Step> steps;
+  Array<Step> steps;
   int turning = 0;  ///< 1 counter-clockwise, -1 clockwise
 };
 
 /// All cycles.
-std::vector<BoundaryLoop> find_loops(const Soup& soup, const Arrangement& arrangement);
+Array<BoundaryLoop> find_loops(const Soup& soup, const Arrangement& arrangement);
 
 /// Splits loops into true and false ones. With `connected`, the sum has one outer boundary, which needs no test.
 struct SortedLoops {
-  std::vector<BoundaryLoop> kept, dropped;
+  Array<BoundaryLoop> kept, dropped;
 };
-SortedLoops verify_loops(const Soup& soup, const Arrangement& arrangement, std::vector<BoundaryLoop> loops, Collision& collision,
+SortedLoops verify_loops(const Soup& soup, const Arrangement& arrangement, Array<BoundaryLoop> loops, Collision& collision,
                          bool connected);
 
 /// Loops that meet themselves or each other at nodes are cut there so that every ring is simple and bounds a connected interior.
-std::vector<BoundaryLoop> simple_rings(const Soup& soup, const Arrangement& arrangement, std::vector<BoundaryLoop> loops);
+Array<BoundaryLoop> simple_rings(const Soup& soup, const Arrangement& arrangement, Array<BoundaryLoop> loops);
 
 /// Provenance.
 Contact contact_of(const Soup& soup, std::uint32_t segment);

@@ -18,11 +18,15 @@ struct Incidence {
 
 class Chain {
  public:
+  explicit Chain(std::pmr::memory_resource* memory) : next_(memory) {}
   virtual ~Chain() = default;
   /// The segment that continues s at its end in the generic case, or kNone.
-  virtual std::uint32_t next(std::uint32_t s) const = 0;
+  std::uint32_t next(std::uint32_t s) const { return next_[s]; }
   /// Appends all segments that start or end at a pair of walk vertices.
-  virtual void incident(WalkPair v, std::vector<Incidence>& out) const = 0;
+  virtual void incident(WalkPair v, Array<Incidence>& out) const = 0;
+
+ protected:
+  Array<std::uint32_t> next_;
 };
 
 }  // namespace dymsum::planar

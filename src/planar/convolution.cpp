@@ -7,27 +7,27 @@
 namespace dymsum::planar {
 namespace {
 
-// For every position of `own` the number of directions in `other` that are less (lower) or not greater (upper): two merges.
-struct Positions {
-  std::vector<std::uint32_t> lower, upper;
-};
-Positions merge_positions(const Lattice& lattice, const Operand& own_op, const DirectionList& own, const Operand& other_op,
-                          const DirectionList& other) {
-  Positions p;
+// For every position of `own` the number of directions in `other` that are less, or (upper) not greater: one merge. Counts the
+// positions that have an equal direction, unless upper.
+template <bool upper>
+std::size_t merge_positions(const Lattice& lattice, const Operand& own_op, const DirectionList& own, const Operand& other_op,
+                            const DirectionList& other, Array<std::uint32_t>& bound) {
   const std::size_t n = own.edges.size(), m = other.edges.size();
-  p.lower.resize(n);
-  p.upper.resize(n);
-  std::size_t lo = 0;
+  bound.resize(n);
+  std::size_t at = 0, equal = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    const Edge d = own_op.edge(own.edges[i]);
     const double key = own.keys[i];
-    while (lo < m && compare_directions(lattice, other.keys[lo], other_op.edge(other.edges[lo]), key, d) < 0) ++lo;
-    std::size_t up = lo;
-    while (up < m && compare_directions(lattice, other.keys[up], other_op.edge(other.edges[up]), key, d) == 0) ++up;
-    p.lower[i] = static_cast<std::uint32_t>(lo);
-    p.upper[i] = static_cast<std::uint32_t>(up);
+    for (; at < m; ++at) {
+      const double gap = other.keys[at] - key;
+      if (gap < -kAngleError) continue;
+      if (gap > kAngleError) break;
+      const int c = compare_directions(lattice, other_op.edge(other.edges[at]), own_op.edge(own.edges[i]));
+      if (!upper) equal += c == 0;
+      if (c > 0 || (c == 0 && !upper)) break;
+    }
+    bound[i] = static_cast<std::uint32_t>(at);
   }
-  return p;
+  return equal;
 }
 
 }  // namespace
@@ -41,8 +41,8 @@ bool hole_is_filled(const Lattice& lattice, const Operand& holed, const Loop& ho
          lattice.compare_extent({holed.op, hole.min_y, hole.max_y}, {other.op, outer.min_y, outer.max_y}, 1) < 0;
 }
 
-ReducedConvolution::ReducedConvolution(const Lattice& lattice, const Operand& p, const Operand& q)
-    : lattice_(lattice), operands_{&p, &q} {
+ReducedConvolution::ReducedConvolution(const Lattice& lattice, const Operand& p, const Operand& q, std::pmr::memory_resource* memory)
+    : lattice_(lattice), operands_{&p, &q}, turns_{Array<Turn>(memory), Array<Turn>(memory)}, lists_(memory) {
   for (const Operand* o : operands_)
     for (const DirectionList& list : o->directions) lists_.push_back(&list);
   for (std::uint32_t side = 0; side < 2; ++side) {
@@ -51,7 +51,7 @@ ReducedConvolution::ReducedConvolution(const Lattice& lattice, const Operand& p,
   }
   for (std::uint32_t cp = 0; cp < p.components.size(); ++cp)
     for (std::uint32_t cq = 0; cq < q.components.size(); ++cq)
-      if (p.components[cp].dimension == 2 || q.components[cq].dimension == 2) add_pair(cp, cq);
+      if (p.components[cp].dimension == 2 || q.components[cq].dimension == 2) add_pair(cp, cq, memory);
   for (auto& side : turns_)
     for (Turn& t : side) {
       t.base = size_;
@@ -59,7 +59,7 @@ ReducedConvolution::ReducedConvolution(const Lattice& lattice, const Operand& p,
     }
 }
 
-void ReducedConvolution::add_pair(std::uint32_t cp, std::uint32_t cq) {
+void ReducedConvolution::add_pair(std::uint32_t cp, std::uint32_t cq, std::pmr::memory_resource* memory) {
   const std::array<std::uint32_t, 2> index{cp, cq};
   const std::uint32_t lists_of_p = static_cast<std::uint32_t>(operands_[0]->directions.size());
   std::array<std::array<std::uint32_t, 2>, 2> lists{operands_[0]->component_directions[cp], operands_[1]->component_directions[cq]};
@@ -83,9 +83,9 @@ void ReducedConvolution::add_pair(std::uint32_t cp, std::uint32_t cq) {
     } else if (count > 0) {
       std::vector<std::uint8_t> keep(filled[op]);
       for (std::uint8_t& k : keep) k = !k;
-      own_lists_.push_back(sublist(*lists_[whole[op]], o, c, keep));
+      own_lists_.push_front(sublist(*lists_[whole[op]], o, c, keep));
       lists[op][0] = static_cast<std::uint32_t>(lists_.size());
-      lists_.push_back(&own_lists_.back());
+      lists_.push_back(&own_lists_.front());
     }
   }
   for (std::uint32_t side = 0; side < 2; ++side) {
@@ -93,7 +93,7 @@ void ReducedConvolution::add_pair(std::uint32_t cp, std::uint32_t cq) {
     const Operand &edge_operand = *operands_[side], &o = *operands_[vertex_op];
     const Component& c = o.components[index[vertex_op]];
     const DirectionList& own = *lists_[whole[vertex_op]];
-    std::array<Positions, 2> positions;  // against the list with holes, without
+    std::array<Array<std::uint32_t>, 2> positions{Array<std::uint32_t>(memory), Array<std::uint32_t>(memory)};  // with holes, without
     for (std::uint32_t l = c.first_loop; l < c.last_loop; ++l) {
       const Loop& loop = o.loops[l];
       if (!filled[vertex_op].empty() && filled[vertex_op][l]) continue;
@@ -106,16 +106,17 @@ void ReducedConvolution::add_pair(std::uint32_t cp, std::uint32_t cq) {
         continue;
       }
       if (n == 0) continue;
-      Positions& at = positions[variant];
-      if (at.lower.empty()) {
-        at = merge_positions(lattice_, o, own, edge_operand, *lists_[list]);
-        for (std::size_t i = 0; i < at.lower.size(); ++i) parallel_pairs_ += at.upper[i] != at.lower[i];
+      // Half-open turns with opposite ends: (in, out] against edges of P, [in, out) against edges of Q.
+      Array<std::uint32_t>& bound = positions[variant];
+      if (bound.empty()) {
+        if (side == 0)
+          merge_positions<true>(lattice_, o, own, edge_operand, *lists_[list], bound);
+        else
+          parallel_edges_ += merge_positions<false>(lattice_, o, own, edge_operand, *lists_[list], bound);
       }
       for (std::uint32_t v = loop.first; v < loop.last; ++v) {
         if (!o.convex[v]) continue;
         const std::uint32_t in = own.rank[o.prev[v] - own.base], out = own.rank[v - own.base];
-        // Half-open turns with opposite ends: (in, out] against edges of P, [in, out) against edges of Q.
-        const std::vector<std::uint32_t>& bound = side == 0 ? at.upper : at.lower;
         const std::uint32_t lo = bound[in], hi = bound[out];
         const bool wraps = out < in;
         Turn t;

@@ -4,9 +4,11 @@
 
 #include <array>
 #include <cstdint>
-#include <deque>
+#include <forward_list>
+#include <span>
 #include <vector>
 
+#include "base/scratch.h"
 #include "dymsum/planar_sum.h"
 #include "planar/lattice.h"
 #include "planar/operand.h"
@@ -27,7 +29,8 @@ struct WalkSegment {
 /// The reduced convolution as ranges: segment ids are 0 .. size - 1, side 0 first; (edge, vertex) <-> id in O(1).
 class ReducedConvolution {
  public:
-  ReducedConvolution(const Lattice& lattice, const Operand& p, const Operand& q);
+  ReducedConvolution(const Lattice& lattice, const Operand& p, const Operand& q,
+                     std::pmr::memory_resource* memory = std::pmr::get_default_resource());
 
   std::uint32_t size() const { return size_; }
   /// The id of a segment, or kNoRank if it is not in the reduced convolution. O(1).
@@ -36,41 +39,41 @@ class ReducedConvolution {
   std::uint32_t next(const WalkSegment& s) const;
   std::uint32_t prev(const WalkSegment& s) const;
 
+  /// Calls f(side, vertex, edges, lo, count) for every vertex that has segments, in the order of ids: with the edges at positions lo,
+  /// lo + 1, ... of the cyclic list.
+  template <class F>
+  void for_each_turn(F&& f) const {
+    for (std::uint32_t side = 0; side < 2; ++side) {
+      const std::uint32_t columns = columns_[side], vertices = static_cast<std::uint32_t>(operands_[1 - side]->size());
+      const Turn* t = turns_[side].data();
+      for (std::uint32_t v = 0; v < vertices; ++v)
+        for (std::uint32_t c = 0; c < columns; ++c, ++t)
+          if (t->count != 0) f(side, v, std::span<const std::uint32_t>(lists_[t->list]->edges), t->lo, t->count);
+    }
+  }
   /// Calls f(WalkSegment) for every segment in the order of ids.
   template <class F>
   void for_each(F&& f) const {
-    for (std::uint32_t side = 0; side < 2; ++side) {
-      const Operand& o = *operands_[1 - side];
-      const std::uint32_t columns = columns_[side];
-      for (std::uint32_t v = 0; v < o.size(); ++v)
-        for (std::uint32_t c = 0; c < columns; ++c) {
-          const Turn& t = turns_[side][std::size_t{v} * columns + c];
-          if (t.count == 0) continue;
-          const auto& edges = lists_[t.list]->edges;
-          const std::uint32_t n = static_cast<std::uint32_t>(edges.size());
-          for (std::uint32_t k = 0, at = t.lo; k < t.count; ++k) {
-            f(WalkSegment{side, edges[at], v});
-            if (++at == n) at = 0;
-          }
-        }
-    }
+    for_each_turn([&](std::uint32_t side, std::uint32_t v, std::span<const std::uint32_t> edges, std::uint32_t lo, std::uint32_t count) {
+      for (std::uint32_t k = 0, at = lo; k < count; ++k, at = at + 1 == edges.size() ? 0 : at + 1) f(WalkSegment{side, edges[at], v});
+    });
   }
 
   std::size_t filled_holes() const { return filled_holes_; }
-  /// How many edges of one operand have one of the other in the same direction.
-  std::size_t parallel_pairs() const { return parallel_pairs_; }
+  /// How many edges of P have one of Q in the same direction.
+  std::size_t parallel_edges() const { return parallel_edges_; }
 
  private:
-  void add_pair(std::uint32_t cp, std::uint32_t cq);
+  void add_pair(std::uint32_t cp, std::uint32_t cq, std::pmr::memory_resource* memory);
 
   const Lattice& lattice_;
   std::array<const Operand*, 2> operands_;
   std::array<std::uint32_t, 2> columns_{};  ///< components of the edge side
-  std::array<std::vector<Turn>, 2> turns_;  ///< [side][vertex * columns + component of the edge side]
-  std::vector<const DirectionList*> lists_;
-  std::deque<DirectionList> own_lists_;  ///< without some of a component's holes
+  std::array<Array<Turn>, 2> turns_;  ///< [side][vertex * columns + component of the edge side]
+  Array<const DirectionList*> lists_;
+  std::forward_list<DirectionList> own_lists_;  ///< without some of a component's holes
   std::uint32_t size_ = 0;
-  std::size_t filled_holes_ = 0, parallel_pairs_ = 0;
+  std::size_t filled_holes_ = 0, parallel_edges_ = 0;
 };
 
 /// Whether a hole of one component cannot hold the other component, by bounding boxes, exactly: then it does not show in the sum.

@@ -7,65 +7,101 @@
 
 namespace dymsum::planar {
 
-CrossingFinder::Entry CrossingFinder::entry(std::uint32_t s) const {
-  const SoupBox& b = soup_.boxes[s];
-  const double dx = soup_.dx(s), dy = soup_.dy(s);
-  return {b.ax, b.ay, b.bx, b.by, dx, dy, soup_.side_error * (std::abs(dx) + std::abs(dy)), soup_.start(s), soup_.end(s), s};
+namespace {
+
+// The top bit of each 16-bit field; bounds stay below it.
+constexpr std::uint64_t kGuard = 0x8000800080008000;
+constexpr int kQuanta = 0x7fff;
+
+// Fields of `low`: x0, y0, -x1, -y1; of `high`: x1, y1, -x0, -y0, negated ones counted from the top. Boxes meet when no field of
+// one's low exceeds that of the other's high, that is, when no field of the difference borrows the guard.
+bool boxes_meet(std::uint64_t high, std::uint64_t low) { return (((high | kGuard) - low) & kGuard) == kGuard; }
+
+}  // namespace
+
+void CrossingFinder::make_keys() {
+  const double per_quantum = (kQuanta - 2) / soup_.lattice.span;
+  // Monotone; one quantum more at the upper end covers the rounding of the coordinates. A span that is minute or huge, so that the
+  // factor is not a number of use, leaves all boxes meeting.
+  const auto quantum = [&](double v) { return std::isfinite(per_quantum) ? std::clamp(static_cast<int>(v * per_quantum), 0, kQuanta - 1) : 0; };
+  const auto word = [](int a, int b, int c, int d) {
+    return static_cast<std::uint64_t>(a) | static_cast<std::uint64_t>(b) << 16 | static_cast<std::uint64_t>(c) << 32 |
+           static_cast<std::uint64_t>(d) << 48;
+  };
+  keys_.resize(soup_.size());
+  for (std::size_t s = 0; s < soup_.size(); ++s) {
+    const SoupBox& b = soup_.boxes[s];
+    const int x0 = quantum(std::min(b.ax, b.bx)), y0 = quantum(std::min(b.ay, b.by));
+    const int x1 = quantum(std::max(b.ax, b.bx)) + 1, y1 = quantum(std::max(b.ay, b.by)) + 1;
+    keys_[s] = {word(x0, y0, kQuanta - x1, kQuanta - y1), word(x1, y1, kQuanta - x0, kQuanta - y0)};
+  }
 }
 
 void CrossingFinder::all_pairs() {
   const std::uint32_t n = static_cast<std::uint32_t>(soup_.size());
-  cell_.resize(n);
-  for (std::uint32_t s = 0; s < n; ++s) cell_[s] = entry(s);
+  make_keys();
+  near_.resize(n);
   for (std::uint32_t i = 0; i < n && !stopped; ++i) {
-    if (poll != nullptr && i % 256 == 0 && !(*poll)(double(i) / n)) stopped = true;
-    const Entry& a = cell_[i];
+    if (poll != nullptr && i % 256 == 255 && !(*poll)(double(i) / n)) stopped = true;
+    const std::uint64_t high = keys_[i].high;
+    std::uint32_t* near = near_.data();
     for (std::uint32_t j = i + 1; j < n; ++j) {
-      const Entry& b = cell_[j];
-      const double o1 = a.dx * (b.ay - a.ay) - a.dy * (b.ax - a.ax);
-      const double o2 = a.dx * (b.by - a.ay) - a.dy * (b.bx - a.ax);
-      if ((o1 > a.error && o2 > a.error) || (o1 < -a.error && o2 < -a.error)) continue;
-      test(a, b, o1, o2);
+      *near = j;
+      near += boxes_meet(high, keys_[j].low);
     }
+    for (const std::uint32_t* j = near_.data(); j != near; ++j) test(i, *j);
   }
   out_.pair_tests = std::uint64_t(n) * (n - (n > 0)) / 2;
-  peak_bytes_ = cell_.capacity() * sizeof(Entry);
+  peak_bytes_ = keys_.capacity() * sizeof(BoxKey) + near_.capacity() * 4;
   finish();
 }
 
-// o1, o2: the sides of b's ends with respect to a. Precondition: they do not prove that b stays on one side.
-void CrossingFinder::test(const Entry& a, const Entry& b, double o1, double o2) {
-  const double o3 = b.dx * (a.ay - b.ay) - b.dy * (a.ax - b.ax);
-  const double o4 = b.dx * (a.by - b.ay) - b.dy * (a.bx - b.ax);
-  if ((o3 > b.error && o4 > b.error) || (o3 < -b.error && o4 < -b.error)) return;
-  if (std::abs(o1) > a.error && std::abs(o2) > a.error && std::abs(o3) > b.error && std::abs(o4) > b.error)
-    return add_crossing(a, b, o3, o4, o1, o2);
-  if (a.end == b.start || b.end == a.start) {
+void CrossingFinder::test(std::uint32_t i, std::uint32_t j) {
+  const SoupBox &a = soup_.boxes[i], &b = soup_.boxes[j];
+  const double a_dx = soup_.dx(i), a_dy = soup_.dy(i), b_dx = soup_.dx(j), b_dy = soup_.dy(j);
+  if (chain_ != nullptr && (chain_->next(i) == j || chain_->next(j) == i)) {
     // Neighbours in a chain that do not fold back meet in their common end only.
-    const double u = a.dx * b.dy, v = a.dy * b.dx;
-    if (std::abs(u - v) > 0x1p-50 * (std::abs(u) + std::abs(v)) + 0x1p-1000 && a.id < first_unchained && b.id < first_unchained)
+    const double u = a_dx * b_dy, v = a_dy * b_dx;
+    if (std::abs(u - v) > 0x1p-50 * (std::abs(u) + std::abs(v)) + 0x1p-1000) return;
+  }
+  const double a_error = soup_.side_error * (std::abs(a_dx) + std::abs(a_dy));
+  const double b_error = soup_.side_error * (std::abs(b_dx) + std::abs(b_dy));
+  const double o1 = a_dx * (b.ay - a.ay) - a_dy * (b.ax - a.ax);
+  const double o2 = a_dx * (b.by - a.ay) - a_dy * (b.bx - a.ax);
+  if ((o1 > a_error && o2 > a_error) || (o1 < -a_error && o2 < -a_error)) return;
+  const double o3 = b_dx * (a.ay - b.ay) - b_dy * (a.ax - b.ax);
+  const double o4 = b_dx * (a.by - b.ay) - b_dy * (a.bx - b.ax);
+  if ((o3 > b_error && o4 > b_error) || (o3 < -b_error && o4 < -b_error)) return;
+  if (std::abs(o1) > a_error && std::abs(o2) > a_error && std::abs(o3) > b_error && std::abs(o4) > b_error)
+    return add_crossing(i, j, o3, o4, o1, o2);
+  if (soup_.end(i) == soup_.start(j) || soup_.end(j) == soup_.start(i)) {
+    // So do others that share an end.
+    const double u = a_dx * b_dy, v = a_dy * b_dx;
+    if (std::abs(u - v) > 0x1p-50 * (std::abs(u) + std::abs(v)) + 0x1p-1000 && i < first_unchained && j < first_unchained)
       return;
   }
-  exact_test(a, b);
+  exact_test(i, j);
 }
 
 // a_start, a_end: the sides of a's ends with respect to b, of opposite signs.
-void CrossingFinder::add_crossing(const Entry& a, const Entry& b, double a_start, double a_end, double b_start, double b_end) {
+void CrossingFinder::add_crossing(std::uint32_t i, std::uint32_t j, double a_start, double a_end, double b_start, double b_end) {
   Crossing c;
-  c.a = a.id;
-  c.b = b.id;
+  c.a = i;
+  c.b = j;
   const double da = a_start - a_end, db = b_start - b_end;
   c.ta = a_start / da;
   c.tb = b_start / db;
   // Numerator and denominator err by at most 1.5 and 3 side errors; t is at most 1.
-  c.ea = static_cast<float>(8 * b.error / std::abs(da) + 0x1p-50);
-  c.eb = static_cast<float>(8 * a.error / std::abs(db) + 0x1p-50);
+  c.ea = static_cast<float>(8 * soup_.error(j) / std::abs(da) + 0x1p-50);
+  c.eb = static_cast<float>(8 * soup_.error(i) / std::abs(db) + 0x1p-50);
   // b's ends go from b_start to b_end across a: d_a x d_b has the sign of b_end.
   c.sign = b_end > b_start ? 1 : -1;
   if (grid_ != nullptr) {
     // The crossing belongs to the cell that holds it; near a border every cell reports it and duplicates are dropped later.
-    const double x = (a.ax + c.ta * a.dx) * grid_->per_cell, y = (a.ay + c.ta * a.dy) * grid_->per_cell;
-    const double error = kReach / 2 + c.ea * (std::abs(a.dx) + std::abs(a.dy)) * grid_->per_cell;
+    const SoupBox& a = soup_.boxes[i];
+    const double dx = soup_.dx(i), dy = soup_.dy(i);
+    const double x = (a.ax + c.ta * dx) * grid_->per_cell, y = (a.ay + c.ta * dy) * grid_->per_cell;
+    const double error = kReach / 2 + c.ea * (std::abs(dx) + std::abs(dy)) * grid_->per_cell;
     const double fx = x - column_, fy = y - row_;
     if (fx < -error || fx > 1 + error || fy < -error || fy > 1 + error) return;
     if (!(fx > error && fx < 1 - error && fy > error && fy < 1 - error)) {
@@ -88,9 +124,9 @@ void CrossingFinder::add_touch(std::uint32_t segment, WalkPair pair) {
 }
 
 // At least one side is zero or too small for doubles.
-void CrossingFinder::exact_test(const Entry& a, const Entry& b) {
-  const std::uint32_t i = a.id, j = b.id;
-  const WalkPair a0 = a.start, a1 = a.end, b0 = b.start, b1 = b.end;
+void CrossingFinder::exact_test(std::uint32_t i, std::uint32_t j) {
+  const SoupBox &a = soup_.boxes[i], &b = soup_.boxes[j];
+  const WalkPair a0 = soup_.start(i), a1 = soup_.end(i), b0 = soup_.start(j), b1 = soup_.end(j);
   const bool in_chains = i < first_unchained && j < first_unchained;
   const bool chained = in_chains && (a1 == b0 || b1 == a0 || a0 == b0 || a1 == b1 ||
                                      (chain_ != nullptr && (chain_->next(i) == j || chain_->next(j) == i)));
@@ -112,12 +148,13 @@ void CrossingFinder::exact_test(const Entry& a, const Entry& b) {
   if (s3 * s4 > 0) return;
   if (s1 != 0 && s2 != 0 && s3 != 0 && s4 != 0) {
     // Opposite on both: the crossing parameters come from doubles that may be smaller than their error; keep t in [0, 1].
-    const double o1 = a.dx * (b.ay - a.ay) - a.dy * (b.ax - a.ax), o2 = a.dx * (b.by - a.ay) - a.dy * (b.bx - a.ax);
-    const double o3 = b.dx * (a.ay - b.ay) - b.dy * (a.ax - b.ax), o4 = b.dx * (a.by - b.ay) - b.dy * (a.bx - b.ax);
+    const double a_dx = soup_.dx(i), a_dy = soup_.dy(i), b_dx = soup_.dx(j), b_dy = soup_.dy(j);
+    const double o1 = a_dx * (b.ay - a.ay) - a_dy * (b.ax - a.ax), o2 = a_dx * (b.by - a.ay) - a_dy * (b.bx - a.ax);
+    const double o3 = b_dx * (a.ay - b.ay) - b_dy * (a.ax - b.ax), o4 = b_dx * (a.by - b.ay) - b_dy * (a.bx - b.ax);
     const auto signed_magnitude = [](double o, int s, double error) { return s * std::max(std::abs(o), error * 0.5); };
-    const double tiny = 0x1p-1000;
-    add_crossing(a, b, signed_magnitude(o3, s3, b.error + tiny), signed_magnitude(o4, s4, b.error + tiny),
-                 signed_magnitude(o1, s1, a.error + tiny), signed_magnitude(o2, s2, a.error + tiny));
+    const double a_error = soup_.error(i) + 0x1p-1000, b_error = soup_.error(j) + 0x1p-1000;
+    add_crossing(i, j, signed_magnitude(o3, s3, b_error), signed_magnitude(o4, s4, b_error), signed_magnitude(o1, s1, a_error),
+                 signed_magnitude(o2, s2, a_error));
     return;
   }
   const auto within = [&](std::uint32_t s, const Segment& e, WalkPair from, WalkPair to, WalkPair v) {
@@ -139,33 +176,35 @@ void CrossingFinder::exact_test(const Entry& a, const Entry& b) {
 
 void CrossingFinder::test_cell(std::span<const std::uint32_t> ids) {
   const std::size_t n = ids.size();
-  cell_.resize(n);
-  for (std::size_t k = 0; k < n; ++k) cell_[k] = entry(ids[k]);
+  if (cell_.size() < n) {
+    cell_.resize(2 * n);
+    near_.resize(2 * n);
+  }
+  for (std::size_t k = 0; k < n; ++k) cell_[k] = keys_[ids[k]].low;
   out_.pair_tests += n * (n - 1) / 2;
   for (std::size_t i = 0; i + 1 < n; ++i) {
-    const Entry& a = cell_[i];
-    const double ax = a.ax, ay = a.ay, dx = a.dx, dy = a.dy, error = a.error;
+    const std::uint64_t high = keys_[ids[i]].high;
+    std::uint32_t* near = near_.data();
     for (std::size_t j = i + 1; j < n; ++j) {
-      const Entry& b = cell_[j];
-      const double o1 = dx * (b.ay - ay) - dy * (b.ax - ax);
-      const double o2 = dx * (b.by - ay) - dy * (b.bx - ax);
-      if ((o1 > error && o2 > error) || (o1 < -error && o2 < -error)) continue;
-      test(a, b, o1, o2);
+      *near = ids[j];
+      near += boxes_meet(high, cell_[j]);
     }
+    for (const std::uint32_t* j = near_.data(); j != near; ++j) test(ids[i], *j);
   }
 }
 
-void CrossingFinder::grid(const Grid& grid, const InteriorMask* mask, std::vector<DeadMark>& dead_marks) {
+void CrossingFinder::grid(const Grid& grid, const InteriorMask* mask, Array<DeadMark>& dead_marks) {
   grid_ = &grid;
   mask_ = mask;
+  make_keys();
   struct Item {
     std::uint32_t cell, segment;
   };
-  std::vector<Item> items;
+  Array<Item> items(soup_.memory);
   items.reserve(soup_.size() * 3);
   out_.crossings.reserve(soup_.size() * 2);
   const std::uint32_t columns = static_cast<std::uint32_t>(grid.columns);
-  std::vector<std::uint32_t> start(std::size_t(grid.rows) * columns + 1, 0);
+  Array<std::uint32_t> start(std::size_t(grid.rows) * columns + 1, 0, soup_.memory);
   for (std::uint32_t s = 0; s < soup_.size(); ++s) {
     const SoupBox& b = soup_.boxes[s];
     for_each_cell_run(grid, b.ax, b.ay, b.bx, b.by, [&](int row, int c0, int c1) {
@@ -201,13 +240,13 @@ void CrossingFinder::grid(const Grid& grid, const InteriorMask* mask, std::vecto
   }
   out_.cell_entries = items.size();
   for (std::size_t c = 1; c < start.size(); ++c) start[c] += start[c - 1];
-  std::vector<std::uint32_t> ids(items.size());
+  Array<std::uint32_t> ids(items.size(), soup_.memory);
   {
-    std::vector<std::uint32_t> at(start.begin(), start.end() - 1);
+    Array<std::uint32_t> at(start.begin(), start.end() - 1, soup_.memory);
     for (const Item& item : items) ids[at[item.cell]++] = item.segment;
-    peak_bytes_ = items.capacity() * sizeof(Item) + start.size() * 8 + ids.size() * 4;
+    peak_bytes_ = items.capacity() * sizeof(Item) + start.size() * 8 + ids.size() * 4 + keys_.capacity() * sizeof(BoxKey);
   }
-  items = {};
+  items = Array<Item>(soup_.memory);
   for (int r = 0; r < grid.rows && !stopped; ++r) {
     if (poll != nullptr && !(*poll)(double(r) / grid.rows)) stopped = true;
     for (int c = 0; c < grid.columns; ++c) {

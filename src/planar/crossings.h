@@ -30,9 +30,11 @@ struct Touch {
 };
 
 struct Meetings {
-  std::vector<Crossing> crossings;
-  std::vector<Touch> touches;
-  std::vector<std::pair<WalkPair, WalkPair>> same;  ///< different pairs at the same place
+  explicit Meetings(std::pmr::memory_resource* memory) : crossings(memory), touches(memory), same(memory) {}
+
+  Array<Crossing> crossings;
+  Array<Touch> touches;
+  Array<std::pair<WalkPair, WalkPair>> same;  ///< different pairs at the same place
   std::uint64_t cell_entries = 0, pair_tests = 0, exact_signs = 0;
 };
 
@@ -46,10 +48,11 @@ struct DeadMark {
 /// called now and then and stops the search when it returns false.
 class CrossingFinder {
  public:
-  CrossingFinder(const Soup& soup, Meetings& out, const Chain* chain = nullptr) : soup_(soup), chain_(chain), out_(out) {}
+  CrossingFinder(const Soup& soup, Meetings& out, const Chain* chain = nullptr)
+      : soup_(soup), chain_(chain), out_(out), keys_(soup.memory), cell_(soup.memory), near_(soup.memory), ambiguous_(soup.memory) {}
 
   void all_pairs();
-  void grid(const Grid& grid, const InteriorMask* mask, std::vector<DeadMark>& dead_marks);
+  void grid(const Grid& grid, const InteriorMask* mask, Array<DeadMark>& dead_marks);
   std::size_t peak_bytes() const { return peak_bytes_; }
 
   const std::function<bool(double)>* poll = nullptr;
@@ -58,15 +61,14 @@ class CrossingFinder {
   std::uint32_t first_unchained = 0xffffffff;
 
  private:
-  struct Entry {
-    double ax, ay, bx, by, dx, dy, error;
-    WalkPair start, end;
-    std::uint32_t id;
+  // Boxes in 15-bit quanta of the span, four to a word, so that one subtraction compares all four bounds.
+  struct BoxKey {
+    std::uint64_t low, high;
   };
-  Entry entry(std::uint32_t s) const;
-  void test(const Entry& a, const Entry& b, double o1, double o2);
-  void exact_test(const Entry& a, const Entry& b);
-  void add_crossing(const Entry& a, const Entry& b, double a_start, double a_end, double b_start, double b_end);
+  void make_keys();
+  void test(std::uint32_t a, std::uint32_t b);
+  void exact_test(std::uint32_t a, std::uint32_t b);
+  void add_crossing(std::uint32_t a, std::uint32_t b, double a_start, double a_end, double b_start, double b_end);
   void add_touch(std::uint32_t segment, WalkPair pair);
   void test_cell(std::span<const std::uint32_t> ids);
   void finish();
@@ -77,8 +79,10 @@ class CrossingFinder {
   const Grid* grid_ = nullptr;
   const InteriorMask* mask_ = nullptr;
   int row_ = 0, column_ = 0;
-  std::vector<Entry> cell_;
-  std::vector<Crossing> ambiguous_;  // found near a cell border, perhaps several times
+  Array<BoxKey> keys_;
+  Array<std::uint64_t> cell_;       // the low keys of the segments of one cell
+  Array<std::uint32_t> near_;       // those whose boxes meet the box of one of them
+  Array<Crossing> ambiguous_;  // found near a cell border, perhaps several times
   std::size_t peak_bytes_ = 0;
 };
 

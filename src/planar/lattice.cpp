@@ -1,6 +1,7 @@
 #include "planar/lattice.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <mutex>
 #include <type_traits>
@@ -140,15 +141,18 @@ class LatticeOf final : public Lattice {
       return {C::from_int64(static_cast<std::int64_t>(o.x[i] * per_grid_unit_)),
               C::from_int64(static_cast<std::int64_t>(o.y[i] * per_grid_unit_))};
     }
-    std::call_once(filled_, [this] { fill(); });
+    if (!filled_.load(std::memory_order_acquire)) fill();
     return integers_[op][i];
   }
   // Integers are made when a filter has failed for the first time; most problems never ask.
   void fill() const {
+    const std::lock_guard lock(filling_);
+    if (filled_.load(std::memory_order_relaxed)) return;
     for (int op = 0; op < 2; ++op)
       for (const Point& v : points[op]->input)
         integers_[op].push_back({exact::grid_coordinate<C>(v.x, points[op]->offset.x, exponent_),
                                  exact::grid_coordinate<C>(v.y, points[op]->offset.y, exponent_)});
+    filled_.store(true, std::memory_order_release);
   }
   struct SumVec {
     decltype(C{} + C{}) x, y;
@@ -217,7 +221,8 @@ class LatticeOf final : public Lattice {
 
   int exponent_;
   double per_grid_unit_;  // used where unit and grid differ by few bits
-  mutable std::once_flag filled_;
+  mutable std::mutex filling_;
+  mutable std::atomic<bool> filled_ = false;
   mutable std::array<std::vector<Vec>, 2> integers_;
 };
 
@@ -280,7 +285,7 @@ std::shared_ptr<const PlacedPoints> place_points(std::vector<Point> input) {
   return points;
 }
 
-std::unique_ptr<Lattice> make_lattice(std::shared_ptr<const PlacedPoints> p, std::shared_ptr<const PlacedPoints> q, int min_tier_bits) {
+std::shared_ptr<Lattice> make_lattice(std::shared_ptr<const PlacedPoints> p, std::shared_ptr<const PlacedPoints> q, int min_tier_bits) {
   std::array<std::shared_ptr<const PlacedPoints>, 2> points{std::move(p), std::move(q)};
   const double extent = std::max(points[0]->extent, points[1]->extent);
   // All-zero coordinates are on every grid.
@@ -297,18 +302,21 @@ std::unique_ptr<Lattice> make_lattice(std::shared_ptr<const PlacedPoints> p, std
     o = std::move(moved);
   }
   const exact::Tier tier = exact::choose_tier(bits, min_tier_bits);
-  std::unique_ptr<Lattice> lattice;
+  std::shared_ptr<Lattice> lattice;
   switch (tier) {
-    case exact::Tier::b29: lattice = std::make_unique<LatticeOf<exact::Int<29>>>(exponent, unit); break;
-    case exact::Tier::b61: lattice = std::make_unique<LatticeOf<exact::Int<61>>>(exponent, unit); break;
-    case exact::Tier::b512: lattice = std::make_unique<LatticeOf<exact::Int<125>>>(exponent, unit); break;
-    case exact::Tier::arbitrary: lattice = std::make_unique<LatticeOf<Big>>(exponent, unit); break;
+    case exact::Tier::b29: lattice = std::make_shared<LatticeOf<exact::Int<29>>>(exponent, unit); break;
+    case exact::Tier::b61: lattice = std::make_shared<LatticeOf<exact::Int<61>>>(exponent, unit); break;
+    case exact::Tier::b512: lattice = std::make_shared<LatticeOf<exact::Int<125>>>(exponent, unit); break;
+    case exact::Tier::arbitrary: lattice = std::make_shared<LatticeOf<Big>>(exponent, unit); break;
   }
   lattice->tier_bits = static_cast<int>(tier);
   // Sides have at most 2 B + 4 bits; doubles hold 53.
   lattice->exact_doubles = bits <= 24;
   lattice->unit = std::ldexp(1.0, unit);
   for (const auto& o : points) lattice->span += std::max(o->width, o->height);
+  double reach = lattice->span * lattice->unit;
+  for (const auto& o : points) reach += std::max(std::abs(o->offset.x), std::abs(o->offset.y));
+  lattice->exact_input = lattice->exact_doubles && reach <= std::ldexp(1.0, std::min(exponent + 50, 1000));
   lattice->points = std::move(points);
   return lattice;
 }

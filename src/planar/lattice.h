@@ -105,6 +105,7 @@ class Lattice {
 
   int tier_bits = 0;           ///< 29, 61, 512, 0
   bool exact_doubles = false;  ///< every planar sign of degree two is exact when computed in doubles
+  bool exact_input = false;    ///< pair sums in input coordinates are doubles without rounding
   double span = 0;             ///< every pair sum has coordinates in [0, span]; a rounding errs by at most span * 2^-53
   double unit = 1;             ///< doubles count multiples of this power of two: 1 unless an operand is huge or minute
   std::array<std::shared_ptr<const PlacedPoints>, 2> points;
@@ -120,6 +121,6 @@ class Lattice {
 };
 
 /// Both operands on their common grid. `min_tier_bits` forces a larger tier. Points are placed anew when their units differ.
-std::unique_ptr<Lattice> make_lattice(std::shared_ptr<const PlacedPoints> p, std::shared_ptr<const PlacedPoints> q, int min_tier_bits);
+std::shared_ptr<Lattice> make_lattice(std::shared_ptr<const PlacedPoints> p, std::shared_ptr<const PlacedPoints> q, int min_tier_bits);
 
 }  // namespace dymsum::planar

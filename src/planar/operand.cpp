@@ -1,5 +1,6 @@
 #include "planar/operand.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -33,6 +34,8 @@ void place(Operand& o, const Lattice& lattice) {
   for (const Component& c : o.components) o.trees.push_back(make_edge_tree(o, c.first, c.last));
 }
 
+constexpr std::uint32_t kUnnumbered = 0xffffffff;  // SumVertex::kNone
+
 class Builder {
  public:
   Builder(std::uint32_t op, const EngineRegion& region, const Lattice& lattice) : region_(region), lattice_(lattice) { out_.op = op; }
@@ -45,8 +48,11 @@ class Builder {
     out_.components.push_back(c);
   }
   void end_component() {
-    out_.components.back().last_loop = static_cast<std::uint32_t>(out_.loops.size());
-    out_.components.back().last = static_cast<std::uint32_t>(out_.size());
+    Component& c = out_.components.back();
+    c.last_loop = static_cast<std::uint32_t>(out_.loops.size());
+    c.last = static_cast<std::uint32_t>(out_.size());
+    const auto outer = out_.convex.begin() + c.first;
+    c.convex = c.dimension == 2 && std::all_of(outer, outer + out_.loops[c.first_loop].last - c.first, [](auto f) { return f != 0; });
   }
 
   // A closed walk through source vertices; numbers[i] is the number of the edge from walk[i] to walk[i + 1].
@@ -113,12 +119,25 @@ class Builder {
       out_.component_directions.back()[1] = all + 1;
     }
     for (Loop& loop : out_.loops) find_extremes(loop);
+    invert_numbers();
     return std::move(out_);
   }
 
  private:
   enum class Turn { straight, right, convex };
 
+  // Vertices and edges of an erosion's frame have no numbers.
+  void invert_numbers() {
+    std::uint32_t size = 0;
+    for (const auto* numbers : {&out_.vertex_number, &out_.edge_number})
+      for (const std::uint32_t v : *numbers) size = v == kUnnumbered ? size : std::max(size, v + 1);
+    out_.numbered_vertex.assign(size, 0);
+    out_.numbered_edge.assign(size, {0, 0});
+    for (std::uint32_t i = 0; i < out_.size(); ++i) {
+      if (out_.vertex_number[i] != kUnnumbered) out_.numbered_vertex[out_.vertex_number[i]] = out_.source[i];
+      if (out_.edge_number[i] != kUnnumbered) out_.numbered_edge[out_.edge_number[i]] = {out_.source[i], out_.source[out_.next[i]]};
+    }
+  }
   void find_extremes(Loop& loop) const {
     const std::vector<Point>& v = out_.points->input;
     loop.min_x = loop.max_x = loop.min_y = loop.max_y = out_.source[loop.first];
@@ -158,7 +177,7 @@ std::shared_ptr<const Operand> make_operand(const EngineRegion& engine_region, s
   std::array<std::shared_ptr<const PlacedPoints>, 2> points;
   points[op] = place_points(source_vertices(region));
   points[1 - op] = place_points({});
-  const std::unique_ptr<Lattice> lattice = make_lattice(points[0], points[1], 0);
+  const std::shared_ptr<Lattice> lattice = make_lattice(points[0], points[1], 0);
   Builder builder(op, engine_region, *lattice);
   std::uint32_t at = 0;
   std::vector<std::uint32_t> walk, numbers;

@@ -32,6 +32,7 @@ struct Loop {
 /// Loops [first_loop, last_loop), the outer one first; walk vertices [first, last).
 struct Component {
   int dimension = 2;
+  bool convex = false;  ///< two-dimensional, and all vertices of the outer loop are convex
   std::uint32_t first_loop = 0, last_loop = 0, first = 0, last = 0;
 };
 
@@ -41,6 +42,8 @@ struct Operand {
   std::vector<std::uint32_t> next, prev;   ///< walk vertex -> walk vertex
   std::vector<std::uint32_t> vertex_number;  ///< walk vertex -> vertex number in the region
   std::vector<std::uint32_t> edge_number;    ///< walk edge -> edge number in the region
+  std::vector<std::uint32_t> numbered_vertex;  ///< vertex number -> source vertex
+  std::vector<std::array<std::uint32_t, 2>> numbered_edge;  ///< edge number -> the source vertices of its walk edge
   std::vector<std::uint8_t> convex;        ///< strictly convex, tip of a spike, or a point: it can touch with its vertex
   std::vector<double> x, y;                ///< walk vertices, in the units of `points`
   std::vector<double> ex, ey;              ///< walk edge vectors, each component rounded once

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/scratch.h"
 #include "planar/convolution.h"
 #include "planar/lattice.h"
 #include "planar/operand.h"
@@ -29,7 +30,9 @@ struct SoupBox {
 
 class Soup {
  public:
-  Soup(const Lattice& lattice, const Operand& p, const Operand& q) : lattice(lattice), operands{&p, &q} {
+  Soup(const Lattice& lattice, const Operand& p, const Operand& q,
+       std::pmr::memory_resource* memory = std::pmr::get_default_resource())
+      : lattice(lattice), operands{&p, &q}, segments(memory), boxes(memory), memory(memory) {
     const double roundings = lattice.span;
     // cross(d, v - a): d once rounded, v and a two roundings each and one more for the difference, two products, one sum; at most
     // 16 roundings of |d|_1 span.
@@ -38,15 +41,30 @@ class Soup {
     point_error = lattice.exact_doubles ? 0 : 0x1p-51 * roundings;
   }
 
-  void reserve(std::size_t n) {
-    segments.reserve(n);
-    boxes.reserve(n);
-  }
   SoupBox box(const WalkSegment& w) const {
     const Operand &o = *operands[w.side], &other = *operands[1 - w.side];
     const std::uint32_t to = o.next[w.edge];
     const double vx = other.x[w.vertex], vy = other.y[w.vertex];
     return {o.x[w.edge] + vx, o.y[w.edge] + vy, o.x[to] + vx, o.y[to] + vy};
+  }
+  /// All segments of a convolution, in the order of their ids.
+  void add(const ReducedConvolution& convolution) {
+    std::size_t i = size();
+    segments.resize(i + convolution.size());
+    boxes.resize(segments.size());
+    SoupSegment* segment = segments.data() + i;
+    SoupBox* to = boxes.data() + i;
+    convolution.for_each_turn([&](std::uint32_t side, std::uint32_t v, std::span<const std::uint32_t> edges, std::uint32_t lo,
+                                  std::uint32_t count) {
+      const double *x = operands[side]->x.data(), *y = operands[side]->y.data();
+      const std::uint32_t* next = operands[side]->next.data();
+      const double vx = operands[1 - side]->x[v], vy = operands[1 - side]->y[v];
+      for (std::uint32_t k = 0, at = lo; k < count; ++k, at = at + 1 == edges.size() ? 0 : at + 1) {
+        const std::uint32_t e = edges[at], end = next[e];
+        *segment++ = {(side << 31) | e, v};
+        *to++ = {x[e] + vx, y[e] + vy, x[end] + vx, y[end] + vy};
+      }
+    });
   }
   void add(const WalkSegment& w, const SoupBox& b) {
     segments.push_back({(w.side << 31) | w.edge, w.vertex});
@@ -86,8 +104,9 @@ class Soup {
 
   const Lattice& lattice;
   std::array<const Operand*, 2> operands;
-  std::vector<SoupSegment> segments;
-  std::vector<SoupBox> boxes;
+  Array<SoupSegment> segments;
+  Array<SoupBox> boxes;
+  std::pmr::memory_resource* memory;  ///< of the arrays of everything that is done with this soup
   double side_error = 0, point_error = 0;
 };
 

@@ -14,10 +14,16 @@
 namespace dymsum::planar {
 namespace {
 
+// Reading the clock takes as long as a stage of a small sum.
+bool timed(const Operand& p, const Operand& q) { return p.size() + q.size() > 100; }
+
 class StageClock {
  public:
-  explicit StageClock(SumStats& stats) : stats_(stats), last_(std::chrono::steady_clock::now()) {}
+  StageClock(SumStats& stats, bool runs) : stats_(stats), runs_(runs) {
+    if (runs) last_ = std::chrono::steady_clock::now();
+  }
   void done(std::string_view name) {
+    if (!runs_) return;
     const auto now = std::chrono::steady_clock::now();
     stats_.stages.push_back({name, std::chrono::duration<double, std::milli>(now - last_).count()});
     last_ = now;
@@ -25,6 +31,7 @@ class StageClock {
 
  private:
   SumStats& stats_;
+  bool runs_;
   std::chrono::steady_clock::time_point last_;
 };
 
@@ -33,15 +40,15 @@ Error cancelled() { return {Code::cancelled, "stopped on request", {}}; }
 // Chains of the reduced convolution; segments behind `reduced` (parallelogram sides) have no chain and meet by coincidence.
 class ReducedChain final : public Chain {
  public:
-  ReducedChain(const Soup& soup, const ReducedConvolution& convolution, std::vector<std::uint32_t> live, std::uint32_t reduced)
-      : soup_(soup), convolution_(convolution), live_(std::move(live)), reduced_(reduced) {}
-
-  std::uint32_t next(std::uint32_t s) const override {
-    if (s >= reduced_) return kNone;
-    const SoupSegment& g = soup_.segments[s];
-    return live(convolution_.next({g.side(), g.edge(), g.vertex}));
+  ReducedChain(const Soup& soup, const ReducedConvolution& convolution, Array<std::uint32_t> live, std::uint32_t reduced)
+      : Chain(soup.memory), soup_(soup), convolution_(convolution), live_(std::move(live)), reduced_(reduced) {
+    next_.resize(soup.size(), kNone);
+    for (std::uint32_t s = 0; s < reduced; ++s) {
+      const SoupSegment& g = soup.segments[s];
+      next_[s] = this->live(convolution.next({g.side(), g.edge(), g.vertex}));
+    }
   }
-  void incident(WalkPair v, std::vector<Incidence>& out) const override {
+  void incident(WalkPair v, Array<Incidence>& out) const override {
     const Operand &p = *soup_.operands[0], &q = *soup_.operands[1];
     add(convolution_.find(0, v.p, v.q), true, out);
     add(convolution_.find(1, v.q, v.p), true, out);
@@ -52,27 +59,27 @@ class ReducedChain final : public Chain {
       if (soup_.end(s) == v) out.push_back({s, false});
     }
   }
-  std::size_t bytes() const { return live_.capacity() * 4; }
+  std::size_t bytes() const { return live_.capacity() * 4 + next_.capacity() * 4; }
 
  private:
   std::uint32_t live(std::uint32_t id) const {
     if (id == kNoRank) return kNone;
     return live_.empty() ? id : live_[id];
   }
-  void add(std::uint32_t id, bool starts, std::vector<Incidence>& out) const {
+  void add(std::uint32_t id, bool starts, Array<Incidence>& out) const {
     if (const std::uint32_t s = live(id); s != kNone) out.push_back({s, starts});
   }
 
   const Soup& soup_;
   const ReducedConvolution& convolution_;
-  std::vector<std::uint32_t> live_;  // id -> segment of the soup; empty: the identity
+  Array<std::uint32_t> live_;  // id -> segment of the soup; empty: the identity
   std::uint32_t reduced_;
 };
 
 // Segments by their ends. Sums of operands with common edge vectors, above all P + P, hold most segments twice; one is enough.
 class SameSegments {
  public:
-  explicit SameSegments(const Soup& soup) : soup_(soup) {}
+  explicit SameSegments(const Soup& soup) : soup_(soup), slots_(soup.memory) {}
   void reserve(std::size_t n) { slots_.assign(std::bit_ceil(2 * n + 1), kNone); }
 
   // The earlier segment with exactly the same ends, or kNone; then s is remembered.
@@ -99,7 +106,7 @@ class SameSegments {
     return h ^ (h >> 32);
   }
   const Soup& soup_;
-  std::vector<std::uint32_t> slots_;
+  Array<std::uint32_t> slots_;
 };
 
 // The sides of the parallelograms of every pair of edges of two components without area, counter-clockwise.
@@ -120,7 +127,7 @@ bool has_dimension_below_two(const Operand& o) {
 }
 
 // Below this many segments testing all pairs is cheaper than filling a grid; below the second, a mask does not pay.
-constexpr std::size_t kAllPairs = 64;
+constexpr std::size_t kAllPairs = 128;
 constexpr std::size_t kMask = 300;
 
 // Cells along the longer side for n segments: finer grids cost more in the mask than they save in pairs.
@@ -177,7 +184,7 @@ void trace_stages(const Soup& soup, const InteriorMask* mask, const Arrangement&
 // Cracks and punctures: candidates of the arrangement that are not inside the open sum.
 // A sector that no segment covers may still lie inside: where a chain ends at a reflex vertex its contact covers more than the half
 // discs of its segments. So every node off the boundary is tested, not only those whose sectors are all covered.
-void find_tight(const Soup& soup, const Arrangement& arrangement, const std::vector<BoundaryLoop>& kept, Collision& collision,
+void find_tight(const Soup& soup, const Arrangement& arrangement, const Array<BoundaryLoop>& kept, Collision& collision,
                 RawBoundary& out, double& grid_error) {
   if (arrangement.nodes().empty()) return;
   std::unordered_set<std::uint32_t> on_boundary;
@@ -204,14 +211,21 @@ bool connected_sum(const Operand& op, const Operand& oq) {
          (op.components[0].dimension == 2 || oq.components[0].dimension == 2);
 }
 
+// Convex regions whose holes the other one fills: the reduced convolution is the boundary of the sum, a convex polygon.
+bool is_boundary(const ReducedConvolution& convolution, const Operand& p, const Operand& q) {
+  return p.components.size() == 1 && q.components.size() == 1 && p.components[0].convex && q.components[0].convex &&
+         convolution.filled_holes() + 2 == p.loops.size() + q.loops.size();
+}
+
 bool run_reduced(const SumOptions& options, SumState& state) {
   const Lattice& lattice = *state.lattice;
   const Operand &op = *state.p, &oq = *state.q;
   SumStats& stats = state.stats;
-  StageClock clock(stats);
+  StageClock clock(stats, timed(op, oq));
   const std::function<bool(double)> poll = [&](double share) { return !options.progress || options.progress("crossings", share); };
 
-  const ReducedConvolution convolution(lattice, op, oq);
+  Scratch scratch;
+  const ReducedConvolution convolution(lattice, op, oq, &scratch);
   const std::uint32_t n = convolution.size();
   stats.reduced_segments = n;
   clock.done("directions");
@@ -222,10 +236,10 @@ bool run_reduced(const SumOptions& options, SumState& state) {
     stats.mask_grid = cells_for(n);
     clock.done("mask");
   }
-  Soup soup(lattice, op, oq);
-  std::vector<std::uint32_t> live;
+  Soup soup(lattice, op, oq, &scratch);
+  Array<std::uint32_t> live(&scratch);
   SameSegments same(soup);
-  const bool merge = fast && convolution.parallel_pairs() * 4 > op.size() + oq.size();
+  const bool merge = fast && convolution.parallel_edges() * 8 > op.size() + oq.size();
   if (mask || merge) {
     live.reserve(n);
     const Grid g = mask ? mask->grid() : Grid{};
@@ -246,8 +260,7 @@ bool run_reduced(const SumOptions& options, SumState& state) {
       }
     });
   } else {
-    soup.reserve(n);
-    convolution.for_each([&](const WalkSegment& w) { soup.add(w, soup.box(w)); });
+    soup.add(convolution);
   }
   const std::uint32_t reduced_live = static_cast<std::uint32_t>(soup.size());
   const bool closed = options.semantics != Semantics::open;
@@ -258,12 +271,14 @@ bool run_reduced(const SumOptions& options, SumState& state) {
   clock.done("convolution");
   if (options.progress && !options.progress("convolution", 1)) return false;
 
-  Meetings meetings;
-  std::vector<DeadMark> marks;
+  Meetings meetings(&scratch);
+  Array<DeadMark> marks(&scratch);
   CrossingFinder finder(soup, meetings, &chain);
   finder.poll = &poll;
   finder.first_unchained = reduced_live;
-  if (!fast || soup.size() < kAllPairs) {
+  if (fast && is_boundary(convolution, op, oq)) {
+    // Nothing meets.
+  } else if (!fast || soup.size() < kAllPairs) {
     finder.all_pairs();
   } else {
     finder.grid(mask ? mask->grid() : plain_grid(lattice, soup.size()), mask ? &*mask : nullptr, marks);
@@ -280,7 +295,7 @@ bool run_reduced(const SumOptions& options, SumState& state) {
   stats.exact_signs += arrangement.exact_orders();
   clock.done("arrangement");
 
-  std::vector<BoundaryLoop> loops = find_loops(soup, arrangement);
+  Array<BoundaryLoop> loops = find_loops(soup, arrangement);
   stats.loops = loops.size();
   clock.done("loops");
   if (options.progress && !options.progress("loops", 1)) return false;
@@ -314,7 +329,7 @@ bool run_reduced(const SumOptions& options, SumState& state) {
 
 Result<SumState> compute_boundary(std::shared_ptr<const Operand> p, std::shared_ptr<const Operand> q, const SumOptions& options) {
   SumState state;
-  const auto start = std::chrono::steady_clock::now();
+  StageClock clock(state.stats, timed(*p, *q));
   for (const Operand* o : {p.get(), q.get()})
     if (const Point* v = too_large(*o)) {
       Error error{Code::unsupported_operand, "a coordinate is larger than 2^1000", {}};
@@ -326,8 +341,7 @@ Result<SumState> compute_boundary(std::shared_ptr<const Operand> p, std::shared_
   state.p = placed_on(*state.lattice, std::move(p));
   state.q = placed_on(*state.lattice, std::move(q));
   state.stats.tier_bits = state.lattice->tier_bits;
-  state.stats.stages.push_back(
-      {"operands", std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count()});
+  clock.done("operands");
   if (options.trace) state.trace.emplace();
   if (state.p->size() == 0 || state.q->size() == 0) return state;
   const bool done = options.engine == Engine::winding ? run_winding(options, state) : run_reduced(options, state);
@@ -408,7 +422,7 @@ void merge_pieces(const SumSource& source, const std::vector<SumPart>& parts, co
 
 PlanarSum finish_sum(SumState state, const SumOptions& options) {
   PlanarSum sum;
-  StageClock clock(state.stats);
+  StageClock clock(state.stats, timed(*state.p, *state.q));
   RawBoundary& raw = state.boundary;
   std::vector<SumSegment> lines;
   std::vector<SumVertex> points;

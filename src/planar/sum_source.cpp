@@ -6,34 +6,14 @@
 
 namespace dymsum::planar {
 
-const SumSource::Numbering& SumSource::numbering(std::uint32_t op) const {
-  std::call_once(numbered_, [this] {
-    for (std::uint32_t k = 0; k < 2; ++k) {
-      const Operand& o = *operands_[k];
-      Numbering& n = numbering_[k];
-      // Numbers of an erosion's frame are not given to anyone.
-      std::uint32_t size = 0;
-      for (const auto* numbers : {&o.vertex_number, &o.edge_number})
-        for (const std::uint32_t v : *numbers) size = v == SumVertex::kNone ? size : std::max(size, v + 1);
-      n.vertex.assign(size, 0);
-      n.edge.assign(size, {0, 0});
-      for (std::uint32_t i = 0; i < o.size(); ++i) {
-        if (o.vertex_number[i] != SumVertex::kNone) n.vertex[o.vertex_number[i]] = o.source[i];
-        if (o.edge_number[i] != SumVertex::kNone) n.edge[o.edge_number[i]] = {o.source[i], o.source[o.next[i]]};
-      }
-    }
-  });
-  return numbering_[op];
-}
-
 Segment SumSource::segment(const Contact& contact) const {
   const bool of_p = contact.kind == Contact::Kind::edge_of_p;
-  const auto [from, to] = numbering(of_p ? 0 : 1).edge[of_p ? contact.p : contact.q];
-  return {{of_p ? 0u : 1u, from, to}, numbering(of_p ? 1 : 0).vertex[of_p ? contact.q : contact.p]};
+  const auto [from, to] = operands_[of_p ? 0 : 1]->numbered_edge[of_p ? contact.p : contact.q];
+  return {{of_p ? 0u : 1u, from, to}, operands_[of_p ? 1 : 0]->numbered_vertex[of_p ? contact.q : contact.p]};
 }
 
 Pair SumSource::corner(const SumVertex& v) const {
-  return {numbering(0).vertex[v.corner_p], numbering(1).vertex[v.corner_q]};
+  return {operands_[0]->numbered_vertex[v.corner_p], operands_[1]->numbered_vertex[v.corner_q]};
 }
 
 ExactSource::Position SumSource::position(const SumVertex& vertex) const {

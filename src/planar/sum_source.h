@@ -3,9 +3,7 @@
 
 #include <array>
 #include <memory>
-#include <mutex>
 #include <optional>
-#include <vector>
 
 #include "planar/exact_source.h"
 #include "planar/lattice.h"
@@ -26,12 +24,6 @@ class SumSource final : public ExactSource {
   bool on_contact(const Contact& contact, const Position& at) const;
 
  private:
-  // The source vertices behind the numbers in contacts.
-  struct Numbering {
-    std::vector<std::uint32_t> vertex;
-    std::vector<std::array<std::uint32_t, 2>> edge;
-  };
-  const Numbering& numbering(std::uint32_t op) const;
   Segment segment(const Contact& contact) const;
   Pair corner(const SumVertex& v) const;
   Place crossing(const SumVertex& v) const;
@@ -39,8 +31,6 @@ class SumSource final : public ExactSource {
 
   std::shared_ptr<const Lattice> lattice_;
   std::array<std::shared_ptr<const Operand>, 2> operands_;
-  mutable std::once_flag numbered_;
-  mutable std::array<Numbering, 2> numbering_;  // made when first asked for
 };
 
 }  // namespace dymsum::planar

@@ -21,6 +21,7 @@ class VertexOrder {
   int compare(const SumVertex& a, const SumVertex& b) const {
     if (const double d = a.at.x - b.at.x; d > slack_ || d < -slack_) return d > 0 ? 1 : -1;
     if (same_place(a, b)) return 0;
+    if (slack_ == 0) return a.at.y != b.at.y ? (a.at.y > b.at.y ? 1 : -1) : 0;  // the doubles are the exact positions
     if (const int sign = source_.compare_x(a, b); sign != 0) return sign;
     if (const double d = a.at.y - b.at.y; d > slack_ || d < -slack_) return d > 0 ? 1 : -1;
     return source_.compare_y(a, b);

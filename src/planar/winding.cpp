@@ -210,7 +210,7 @@ Tracing make_tracing(SumState& state, bool parallelograms) {
 
 // Nothing when stopped on request.
 std::optional<Meetings> find_meetings(const Soup& soup, const SumOptions& options, SumStats& stats) {
-  Meetings meetings;
+  Meetings meetings(soup.memory);
   CrossingFinder finder(soup, meetings);
   const std::function<bool(double)> poll = [&](double share) {
     return !options.progress || options.progress("crossings", share);

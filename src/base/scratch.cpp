@@ -1,0 +1,66 @@
+#include "base/scratch.h"
+
+#include <bit>
+#include <functional>
+#include <new>
+
+namespace dymsum {
+namespace {
+
+// Freed blocks by size class, the powers of two and the middles between them.
+class Blocks {
+ public:
+  ~Blocks() {
+    for (auto& list : lists_)
+      for (void* block : list) ::operator delete(block);
+  }
+  void* take(std::size_t bytes) {
+    const std::size_t c = size_class(bytes);
+    if (c >= kClasses || lists_[c].empty()) return ::operator new(c < kClasses ? class_size(c) : bytes);
+    void* block = lists_[c].back();
+    lists_[c].pop_back();
+    kept_ -= class_size(c);
+    return block;
+  }
+  void give(void* block, std::size_t bytes) {
+    const std::size_t c = size_class(bytes);
+    if (c >= kClasses || kept_ + class_size(c) > kMost) return ::operator delete(block);
+    lists_[c].push_back(block);
+    kept_ += class_size(c);
+  }
+
+ private:
+  static constexpr std::size_t kMost = 16 << 20, kClasses = 48;
+
+  // Class 2 k holds 2^k bytes, class 2 k + 1 holds 3 * 2^(k - 1).
+  static constexpr std::size_t class_size(std::size_t c) {
+    return c % 2 == 0 ? std::size_t{1} << c / 2 : std::size_t{3} << (c / 2 - 1);
+  }
+  static std::size_t size_class(std::size_t bytes) {
+    const std::size_t c = 2 * static_cast<std::size_t>(std::bit_width(bytes - 1));
+    return class_size(c - 1) >= bytes ? c - 1 : c;
+  }
+
+  std::array<std::vector<void*>, kClasses> lists_;
+  std::size_t kept_ = 0;
+};
+
+thread_local Blocks blocks;
+
+}  // namespace
+
+void* Scratch::do_allocate(std::size_t bytes, std::size_t alignment) {
+  const std::size_t from = (used_ + alignment - 1) & ~(alignment - 1);
+  if (bytes > kSmall || from + bytes > kBuffer) return blocks.take(bytes < 64 ? 64 : bytes);
+  used_ = from + bytes;
+  return buffer_ + from;
+}
+
+void Scratch::do_deallocate(void* pointer, std::size_t bytes, std::size_t) {
+  auto* at = static_cast<std::byte*>(pointer);
+  const std::less<const std::byte*> before;
+  if (before(at, buffer_) || !before(at, buffer_ + kBuffer)) return blocks.give(pointer, bytes < 64 ? 64 : bytes);
+  if (at + bytes == buffer_ + used_) used_ = static_cast<std::size_t>(at - buffer_);  // the last one handed out
+}
+
+}  // namespace dymsum
