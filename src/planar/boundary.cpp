@@ -228,7 +228,7 @@ double input_error(const Lattice& lattice, double grid_error) {
   const double reach = std::abs(o[0].x) + std::abs(o[1].x) + std::abs(o[0].y) + std::abs(o[1].y);
   const double span = std::ldexp(lattice.span, lattice.double_exponent);
   // The sum of the offsets and the final sum are rounded.
-  return std::ldexp(grid_error, lattice.double_exponent) + 0x1p-52 * (reach + span);
+  return std::ldexp(grid_error, lattice.double_exponent) + 0x1p-52 * (reach + span) + lattice.offset_error;
 }
 
 SumRing make_ring(const Soup& soup, const Arrangement& arrangement, const BoundaryLoop& loop, double& error) {

@@ -33,6 +33,18 @@ void CrossingFinder::all_pairs() {
   finish();
 }
 
+void CrossingFinder::pairs(std::span<const std::array<std::uint32_t, 2>> list) {
+  for (const auto& [i, j] : list) {
+    const Entry a = entry(i), b = entry(j);
+    const double o1 = a.dx * (b.ay - a.ay) - a.dy * (b.ax - a.ax);
+    const double o2 = a.dx * (b.by - a.ay) - a.dy * (b.bx - a.ax);
+    if ((o1 > a.error && o2 > a.error) || (o1 < -a.error && o2 < -a.error)) continue;
+    test(a, b, o1, o2);
+  }
+  out_.pair_tests = list.size();
+  finish();
+}
+
 // o1, o2: the sides of b's ends with respect to a. Precondition: they do not prove that b stays on one side.
 void CrossingFinder::test(const Entry& a, const Entry& b, double o1, double o2) {
   const double o3 = b.dx * (a.ay - b.ay) - b.dy * (a.ax - b.ax);
@@ -43,7 +55,7 @@ void CrossingFinder::test(const Entry& a, const Entry& b, double o1, double o2) 
   if (a.end == b.start || b.end == a.start) {
     // Neighbours in a chain that do not fold back meet in their common end only.
     const double u = a.dx * b.dy, v = a.dy * b.dx;
-    if (std::abs(u - v) > 0x1p-50 * (std::abs(u) + std::abs(v)) + 0x1p-1000 && a.id < first_unchained && b.id < first_unchained)
+    if (std::abs(u - v) > 0x1p-49 * (std::abs(u) + std::abs(v)) + 0x1p-1000 && a.id < first_unchained && b.id < first_unchained)
       return;
   }
   exact_test(a, b);

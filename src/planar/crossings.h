@@ -49,6 +49,8 @@ class CrossingFinder {
   CrossingFinder(const Soup& soup, Meetings& out, const Chain* chain = nullptr) : soup_(soup), chain_(chain), out_(out) {}
 
   void all_pairs();
+  /// Just these pairs of segments.
+  void pairs(std::span<const std::array<std::uint32_t, 2>> list);
   void grid(const Grid& grid, const InteriorMask* mask, std::vector<DeadMark>& dead_marks);
   std::size_t peak_bytes() const { return peak_bytes_; }
 

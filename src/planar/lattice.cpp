@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
+#include <optional>
 #include <type_traits>
 
 #include "exact/grid.h"
@@ -36,7 +37,8 @@ class LatticeOf final : public Lattice {
   };
 
  public:
-  explicit LatticeOf(int exponent) : exponent_(exponent) {}
+  LatticeOf(int exponent, std::array<Point, 2> origin, std::optional<LatticeScale> scale)
+      : exponent_(exponent), origin_(origin), scale_(std::move(scale)) {}
 
   int cross(const Edge& d, const Edge& e) const override {
     const EdgeVec a = edge(d), b = edge(e);
@@ -123,9 +125,15 @@ class LatticeOf final : public Lattice {
     }
   }
   Position in_input(const BigRational& gx, const BigRational& gy) const {
-    const BigRational unit = unit_rational();
-    return {BigRational(gx * unit + exact::exact_value(offset[0].x) + exact::exact_value(offset[1].x)),
-            BigRational(gy * unit + exact::exact_value(offset[0].y) + exact::exact_value(offset[1].y))};
+    BigRational unit = unit_rational();
+    std::array<BigRational, 2> x{exact::exact_value(origin_[0].x), exact::exact_value(origin_[1].x)};
+    std::array<BigRational, 2> y{exact::exact_value(origin_[0].y), exact::exact_value(origin_[1].y)};
+    if (scale_) {
+      x[scale_->op] *= BigRational(scale_->x, scale_->den);
+      y[scale_->op] *= BigRational(scale_->y, scale_->den);
+      unit /= scale_->den;
+    }
+    return {BigRational(gx * unit + x[0] + x[1]), BigRational(gy * unit + y[0] + y[1])};
   }
   BigRational unit_rational() const {
     boost::multiprecision::cpp_int power = 1;
@@ -136,17 +144,26 @@ class LatticeOf final : public Lattice {
   Vec at(std::uint32_t op, std::uint32_t i) const {
     if constexpr (std::is_same_v<C, exact::Int<29>>) {
       // Up to 53 bits the doubles are the integers.
-      return {C::from_int64(static_cast<std::int64_t>(x[op][i])), C::from_int64(static_cast<std::int64_t>(y[op][i]))};
+      if (!scale_)
+        return {C::from_int64(static_cast<std::int64_t>(x[op][i])), C::from_int64(static_cast<std::int64_t>(y[op][i]))};
     }
     std::call_once(filled_, [this] { fill(); });
     return integers_[op][i];
   }
   // Integers are made when a filter has failed for the first time; most problems never ask.
   void fill() const {
-    for (int op = 0; op < 2; ++op)
-      for (const Point& v : input[op])
-        integers_[op].push_back({exact::grid_coordinate<C>(v.x, offset[op].x, exponent_),
-                                 exact::grid_coordinate<C>(v.y, offset[op].y, exponent_)});
+    for (std::uint32_t op = 0; op < 2; ++op)
+      for (const Point& v : input[op]) {
+        if (!scale_) {
+          integers_[op].push_back({exact::grid_coordinate<C>(v.x, origin_[op].x, exponent_),
+                                   exact::grid_coordinate<C>(v.y, origin_[op].y, exponent_)});
+          continue;
+        }
+        const bool scaled = op == scale_->op;
+        const Big bx = exact::grid_coordinate<Big>(v.x, origin_[op].x, exponent_), by = exact::grid_coordinate<Big>(v.y, origin_[op].y, exponent_);
+        integers_[op].push_back({exact::narrowed<C>(Big(exact::BigInteger(bx.value() * (scaled ? scale_->x : scale_->den)))),
+                                 exact::narrowed<C>(Big(exact::BigInteger(by.value() * (scaled ? scale_->y : scale_->den))))});
+      }
   }
   struct SumVec {
     decltype(C{} + C{}) x, y;
@@ -214,6 +231,8 @@ class LatticeOf final : public Lattice {
   }
 
   int exponent_;
+  std::array<Point, 2> origin_;  // exact, where `offset` is rounded after scaling
+  std::optional<LatticeScale> scale_;
   mutable std::once_flag filled_;
   mutable std::array<std::vector<Vec>, 2> integers_;
 };
@@ -235,51 +254,105 @@ Point low_corner(std::span<const Point> points) {
   return low;
 }
 
-}  // namespace
+// The smallest k with n <= 2^k, for n > 0.
+int factor_bits(const exact::BigInteger& n) {
+  const int top = static_cast<int>(msb(n));
+  return (n & (n - 1)) == 0 ? top : top + 1;
+}
 
-std::unique_ptr<Lattice> make_lattice(std::span<const Point> p, std::span<const Point> q, int min_tier_bits) {
-  const std::array<Point, 2> offset{low_corner(p), low_corner(q)};
-  std::vector<double> all;
-  all.reserve(2 * (p.size() + q.size()));
-  double extent = 0;
-  for (int op = 0; op < 2; ++op)
-    for (const Point& v : op == 0 ? p : q) {
-      all.push_back(v.x);
-      all.push_back(v.y);
-      extent = std::max({extent, v.x - offset[op].x, v.y - offset[op].y});
-    }
-  const int exponent = exact::common_exponent(all);
+struct GridOf {
+  std::array<Point, 2> offset;  // exact
+  std::array<double, 2> extent{};
+  int exponent = 0;
+};
+
+std::unique_ptr<Lattice> build(std::span<const Point> p, std::span<const Point> q, const GridOf& grid,
+                               std::optional<LatticeScale> scale, int min_tier_bits) {
+  const std::array<Point, 2>& offset = grid.offset;
+  const std::array<double, 2>& extent = grid.extent;
+  const int exponent = grid.exponent;
   // One unit in the last place covers the rounding of the differences.
-  const int bits = exact::bits_needed(std::nextafter(extent, INFINITY), exponent);
+  const auto bits_of = [&](double e) { return exact::bits_needed(std::nextafter(e, INFINITY), exponent); };
+  const double longest = std::max(extent[0], extent[1]);
+  const int plain_bits = bits_of(longest);
+  int bits = plain_bits;
+  if (scale) {
+    bits = 0;
+    for (std::uint32_t op = 0; op < 2; ++op)
+      bits = std::max(bits, bits_of(extent[op]) + (op == scale->op ? std::max(factor_bits(scale->x), factor_bits(scale->y))
+                                                                  : factor_bits(scale->den)));
+  }
   const exact::Tier tier = exact::choose_tier(bits, min_tier_bits);
+  const bool dyadic = !scale || (scale->den & (scale->den - 1)) == 0;
+  Point factor{1, 1};
+  if (scale)
+    factor = {exact::round_to_double(BigRational(scale->x, scale->den)), exact::round_to_double(BigRational(scale->y, scale->den))};
+  const std::uint32_t scaled_op = scale ? scale->op : 2;
+  const double den = scale ? exact::round_to_double(BigRational(scale->den)) : 1;
   std::unique_ptr<Lattice> lattice;
   switch (tier) {
-    case exact::Tier::b29: lattice = std::make_unique<LatticeOf<exact::Int<29>>>(exponent); break;
-    case exact::Tier::b61: lattice = std::make_unique<LatticeOf<exact::Int<61>>>(exponent); break;
-    case exact::Tier::b512: lattice = std::make_unique<LatticeOf<exact::Int<125>>>(exponent); break;
-    case exact::Tier::arbitrary: lattice = std::make_unique<LatticeOf<Big>>(exponent); break;
+    case exact::Tier::b29: lattice = std::make_unique<LatticeOf<exact::Int<29>>>(exponent, offset, std::move(scale)); break;
+    case exact::Tier::b61: lattice = std::make_unique<LatticeOf<exact::Int<61>>>(exponent, offset, std::move(scale)); break;
+    case exact::Tier::b512: lattice = std::make_unique<LatticeOf<exact::Int<125>>>(exponent, offset, std::move(scale)); break;
+    case exact::Tier::arbitrary: lattice = std::make_unique<LatticeOf<Big>>(exponent, offset, std::move(scale)); break;
   }
   lattice->tier_bits = static_cast<int>(tier);
-  // Sides have at most 2 B + 4 bits; doubles hold 53.
-  lattice->exact_doubles = bits <= 24;
+  // Sides have at most 2 B + 4 bits; doubles hold 53. A power of two below scaled coordinates changes nothing.
+  lattice->exact_doubles = bits <= 24 && dyadic;
   // Doubles count grid units while these fit well, else 2^-60 of the extent, so that nothing overflows.
-  lattice->double_exponent = bits <= 61 ? std::max(exponent, -1000) : std::ilogb(extent) - 60;
+  lattice->double_exponent = plain_bits <= 61 ? std::max(exponent, -1000) : std::ilogb(longest) - 60;
   lattice->per_unit = std::ldexp(1.0, -lattice->double_exponent);
   lattice->input = {std::vector<Point>(p.begin(), p.end()), std::vector<Point>(q.begin(), q.end())};
+  lattice->integers_per_unit = std::ldexp(den, lattice->double_exponent - exponent);
   lattice->offset = offset;
-  for (int op = 0; op < 2; ++op) {
+  lattice->grid_exponent = exponent;
+  for (std::uint32_t op = 0; op < 2; ++op) {
     double reach = 0;
     lattice->x[op].reserve(lattice->input[op].size());
     lattice->y[op].reserve(lattice->input[op].size());
+    if (op == scaled_op) {
+      lattice->stretch[op] = factor;
+      lattice->offset[op] = {offset[op].x * factor.x, offset[op].y * factor.y};
+      // The factor and the product are rounded.
+      lattice->offset_error = 0x1p-51 * (std::abs(lattice->offset[op].x) + std::abs(lattice->offset[op].y));
+    }
+    const Point f = lattice->stretch[op];
     for (const Point& v : lattice->input[op]) {
       // The difference of two doubles is rounded once; the power of two is exact.
-      lattice->x[op].push_back((v.x - offset[op].x) * lattice->per_unit);
-      lattice->y[op].push_back((v.y - offset[op].y) * lattice->per_unit);
+      lattice->x[op].push_back((v.x - offset[op].x) * lattice->per_unit * f.x);
+      lattice->y[op].push_back((v.y - offset[op].y) * lattice->per_unit * f.y);
       reach = std::max({reach, lattice->x[op].back(), lattice->y[op].back()});
     }
     lattice->span += reach;
   }
   return lattice;
+}
+
+}  // namespace
+
+std::unique_ptr<Lattice> make_lattice(std::span<const Point> p, std::span<const Point> q, int min_tier_bits) {
+  GridOf grid;
+  grid.offset = {low_corner(p), low_corner(q)};
+  std::vector<double> all;
+  all.reserve(2 * (p.size() + q.size()));
+  for (int op = 0; op < 2; ++op)
+    for (const Point& v : op == 0 ? p : q) {
+      all.push_back(v.x);
+      all.push_back(v.y);
+      grid.extent[op] = std::max({grid.extent[op], v.x - grid.offset[op].x, v.y - grid.offset[op].y});
+    }
+  grid.exponent = exact::common_exponent(all);
+  return build(p, q, grid, std::nullopt, min_tier_bits);
+}
+
+std::unique_ptr<Lattice> make_scaled_lattice(const Lattice& unscaled, const LatticeScale& scale, int min_tier_bits) {
+  GridOf grid;
+  grid.offset = unscaled.offset;
+  grid.exponent = unscaled.grid_exponent;
+  for (int op = 0; op < 2; ++op)
+    for (const Point& v : unscaled.input[op])
+      grid.extent[op] = std::max({grid.extent[op], v.x - grid.offset[op].x, v.y - grid.offset[op].y});
+  return build(unscaled.input[0], unscaled.input[1], grid, scale, min_tier_bits);
 }
 
 }  // namespace dymsum::planar

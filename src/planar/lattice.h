@@ -91,21 +91,37 @@ class Lattice {
   bool exact_doubles = false;  ///< every planar sign of degree two is exact when computed in doubles
   double span = 0;             ///< every pair sum has coordinates in [0, span]; a rounding errs by at most span * 2^-53
   int double_exponent = 0;     ///< doubles count units of 2^double_exponent: grid units in the two small tiers
-  std::array<std::vector<double>, 2> x, y;  ///< the source vertices relative to their operand's offset, rounded once
+  /// The source vertices relative to their operand's offset, rounded once (scaled ones three times).
+  std::array<std::vector<double>, 2> x, y;
   std::array<std::vector<Point>, 2> input;
   std::array<Point, 2> offset;
+  int grid_exponent = 0;       ///< unscaled coordinates are integers times 2^grid_exponent
 
   double per_unit = 1;         ///< 2^-double_exponent
-  /// Edge vector, each component rounded once.
+  std::array<Point, 2> stretch{Point{1, 1}, Point{1, 1}};  ///< the factors of a scaled lattice, rounded
+  double integers_per_unit = 1;  ///< the exact layer's integers per unit of the doubles; may be infinite for huge exponents
+  double offset_error = 0;     ///< of the sum of the offsets, in input coordinates, beyond its own rounding
+  /// Edge vector, each component rounded once (three times where the operand is scaled).
   Point vector(const Edge& e) const {
     const Point &a = input[e.op][e.from], &b = input[e.op][e.to];
-    return {(b.x - a.x) * per_unit, (b.y - a.y) * per_unit};
+    return {(b.x - a.x) * per_unit * stretch[e.op].x, (b.y - a.y) * per_unit * stretch[e.op].y};
   }
   /// A rounded position in input coordinates.
   Point to_input(double gx, double gy) const;
 };
 
+/// diag(x, y) / den applied to operand `op`, about the origin of its input coordinates.
+struct LatticeScale {
+  exact::BigInteger x = 1, y = 1, den = 1;  ///< all positive
+  std::uint32_t op = 0;
+};
+
 /// Places both operands on their common grid. `min_tier_bits` forces a larger tier. Both spans hold source vertices.
 std::unique_ptr<Lattice> make_lattice(std::span<const Point> p, std::span<const Point> q, int min_tier_bits);
+
+/// The lattice of two operands of which one is scaled: integers are the scaled operand's times x or y and the other's times den; the
+/// doubles still count unscaled grid units. `input` holds the unscaled vertices.
+/// Requires: `unscaled` comes from make_lattice. O(n), a few operations a vertex.
+std::unique_ptr<Lattice> make_scaled_lattice(const Lattice& unscaled, const LatticeScale& scale, int min_tier_bits);
 
 }  // namespace dymsum::planar

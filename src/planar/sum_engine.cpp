@@ -341,8 +341,12 @@ Result<SumState> compute_boundary(const EngineRegion& p, const EngineRegion& q, 
   state.stats.tier_bits = state.lattice->tier_bits;
   state.stats.stages.push_back(
       {"operands", std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count()});
+  return compute_boundary(std::move(state), options);
+}
+
+Result<SumState> compute_boundary(SumState state, const SumOptions& options) {
   if (options.trace) state.trace.emplace();
-  if (vp.empty() || vq.empty()) return state;
+  if (state.p->size() == 0 || state.q->size() == 0) return state;
   const bool done = options.engine == Engine::winding ? run_winding(options, state) : run_reduced(options, state);
   if (!done) return cancelled();
   return state;

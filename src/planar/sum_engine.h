@@ -30,6 +30,12 @@ struct SumState {
 /// Operands on their lattice, then the boundary by the chosen engine.
 Result<SumState> compute_boundary(const EngineRegion& p, const EngineRegion& q, const SumOptions& options);
 
+/// The same for operands that are already on a lattice: state.lattice, state.p, state.q.
+Result<SumState> compute_boundary(SumState state, const SumOptions& options);
+
+/// The error for coordinates beyond 2^1000, if there is one.
+std::optional<Error> too_large(const std::vector<Point>& vertices);
+
 /// Canonical order, parts, tight features, lower-dimensional pieces.
 PlanarSum finish_sum(SumState state, const SumOptions& options);
 
