@@ -315,6 +315,11 @@ bool run_reduced(const SumOptions& options, SumState& state) {
 
 }  // namespace
 
+void find_tight_features(const Soup& soup, const Arrangement& arrangement, const std::vector<BoundaryLoop>& kept, Collision& collision,
+                         RawBoundary& out, double& grid_error) {
+  find_tight(soup, arrangement, kept, collision, out, grid_error);
+}
+
 // Differences of larger coordinates overflow in doubles.
 std::optional<Error> too_large(const std::vector<Point>& vertices) {
   constexpr double kLimit = 0x1p1000;

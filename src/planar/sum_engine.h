@@ -36,6 +36,10 @@ Result<SumState> compute_boundary(SumState state, const SumOptions& options);
 /// The error for coordinates beyond 2^1000, if there is one.
 std::optional<Error> too_large(const std::vector<Point>& vertices);
 
+/// Appends the cracks and punctures of an arrangement; `kept` are its true loops. Grows `grid_error` to the largest error of a position.
+void find_tight_features(const Soup& soup, const Arrangement& arrangement, const std::vector<BoundaryLoop>& kept, Collision& collision,
+                         RawBoundary& out, double& grid_error);
+
 /// Canonical order, parts, tight features, lower-dimensional pieces.
 PlanarSum finish_sum(SumState state, const SumOptions& options);
 

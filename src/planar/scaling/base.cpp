@@ -1,0 +1,57 @@
+#include "planar/scaling/base.h"
+
+#include <algorithm>
+
+namespace dymsum::planar {
+
+Result<std::shared_ptr<const ScalingBase>> ScalingBase::create(const Region& p, const Region& q, std::uint32_t scaled,
+                                                               int min_tier_bits) {
+  auto base = std::make_shared<ScalingBase>();
+  base->scaled = scaled;
+  base->min_tier_bits = min_tier_bits;
+  const std::array<EngineRegion, 2> regions{separate_touching(p.data(), p.touching_points()),
+                                            separate_touching(q.data(), q.touching_points())};
+  const std::array<std::vector<Point>, 2> vertices{source_vertices(regions[0].data()), source_vertices(regions[1].data())};
+  for (const auto& list : vertices)
+    if (std::optional<Error> error = too_large(list)) return *std::move(error);
+  base->lattice = make_lattice(vertices[0], vertices[1], min_tier_bits);
+  for (std::uint32_t op = 0; op < 2; ++op) {
+    base->operands[op] = make_operand(regions[op], op, *base->lattice);
+    const Operand& o = base->operands[op];
+    for (const Component& c : o.components) base->regular &= c.dimension == 2;
+    base->connected &= o.components.size() == 1;
+    for (const double x : base->lattice->x[op]) base->width[op] = std::max(base->width[op], x);
+    for (const double y : base->lattice->y[op]) base->height[op] = std::max(base->height[op], y);
+  }
+  return std::shared_ptr<const ScalingBase>(std::move(base));
+}
+
+LatticeScale ScalingBase::lattice_scale(const ScaleValue& x, const ScaleValue& y) const {
+  const exact::BigInteger common = boost::multiprecision::lcm(x.den, y.den);
+  return {exact::BigInteger(x.num * (common / x.den)), exact::BigInteger(y.num * (common / y.den)), common, scaled};
+}
+
+std::unique_ptr<Lattice> ScalingBase::lattice_at(const LatticeScale& scale) const {
+  return make_scaled_lattice(*lattice, scale, min_tier_bits);
+}
+
+std::unique_ptr<Operand> ScalingBase::operand_at(std::uint32_t op, const Lattice& at) const {
+  auto o = std::make_unique<Operand>(operands[op]);
+  if (op != scaled) return o;
+  for (std::uint32_t i = 0; i < o->size(); ++i) {
+    const Point d = at.vector(o->edge(i));
+    o->ex[i] = d.x;
+    o->ey[i] = d.y;
+  }
+  return o;
+}
+
+const SumSource& ScalingSource::source() const {
+  std::call_once(made_, [this] {
+    std::shared_ptr<const Lattice> lattice = base_->lattice_at(scale_);
+    source_ = std::make_unique<SumSource>(lattice, base_->operand_at(0, *lattice), base_->operand_at(1, *lattice));
+  });
+  return *source_;
+}
+
+}  // namespace dymsum::planar
