@@ -33,6 +33,7 @@ enum class Code {
   // sums
   unsupported_operand,        ///< the operation is not defined for such an operand
   rounding_changed_topology,  ///< rounding the exact result to doubles would change its topology
+  bad_scale,                  ///< a scale that is not a positive number, or beyond the supported range
   cancelled,                  ///< the progress callback asked to stop
 };
 

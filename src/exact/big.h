@@ -63,6 +63,21 @@ Big::Big(const Int<B>& v) : Big(to_big(v)) {}
 
 inline int sign(const Big& a) { return a.value().sign(); }
 inline Big abs(const Big& a) { return sign(a) < 0 ? -a : a; }
+/// The same integer as a C. Requires |v| <= 2^B for C = Int<B>, asserted in debug builds.
+template <class C>
+C narrowed(const Big& v) {
+  if constexpr (std::is_same_v<C, Big>) {
+    return v;
+  } else {
+    static_assert(C::kBits <= 126);
+    const BigInteger magnitude = boost::multiprecision::abs(v.value());
+    const BigInteger word = (BigInteger(1) << 64) - 1;
+    const u128 low = static_cast<std::uint64_t>(magnitude & word), high = static_cast<std::uint64_t>((magnitude >> 64) & word);
+    const i128 raw = static_cast<i128>((high << 64) | low);
+    return C::from_raw(raw_cast<C::kBits>(v.value().sign() < 0 ? -raw : raw));
+  }
+}
+
 /// The nearest double (ties to even): relative error at most 2^-53, exact when it has at most 53 significant bits;
 /// infinite past the double range.
 double to_double(const Big& a);

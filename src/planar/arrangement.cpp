@@ -436,12 +436,13 @@ Place Arrangement::place(std::uint32_t s, const Cut& cut, double t, double t_err
 // |denominator| of a cut's parameter as the lattice takes it, for the mediant.
 double Arrangement::denominator(std::uint32_t s, const Cut& cut, double& relative_error) const {
   const double dx = soup_.dx(s), dy = soup_.dy(s);
-  relative_error = 0x1p-50;
+  relative_error = 0x1p-50;  // three roundings
   if (cut.kind == Cut::Kind::pair) return dx != 0 ? std::abs(dx) : std::abs(dy);
   const Point b = soup_.lattice.vector(cut.by.edge);
   const double u = dx * b.y, v = dy * b.x, d = std::abs(u - v);
-  relative_error = d > 0 ? std::min(1.0, 0x1p-50 * (std::abs(u) + std::abs(v)) / d) : 1.0;
-  return d;
+  relative_error = d > 0 ? std::min(1.0, 0x1p-49 * (std::abs(u) + std::abs(v)) / d) : 1.0;
+  // In the integers of the exact layer, against which the other kind of cut is measured once less.
+  return d * soup_.lattice.integers_per_unit;
 }
 
 Place Arrangement::sample(Step at) const {
@@ -449,7 +450,11 @@ Place Arrangement::sample(Step at) const {
   double error_from = 0, error_to = 0;
   const double d0 = denominator(at.segment, from, error_from), d1 = denominator(at.segment, to, error_to);
   const double t0 = start_parameter(at), t1 = end_parameter(at);
-  const double weight = d0 + d1 > 0 ? d1 / (d0 + d1) : 0.5;
+  double weight = d0 + d1 > 0 ? d1 / (d0 + d1) : 0.5;
+  if (!(weight >= 0 && weight <= 1)) {
+    weight = 0.5;
+    error_from = 1;  // beyond the doubles: anywhere on the sub-edge
+  }
   const std::uint32_t k = at.sub - first_sub(at.segment);
   const Event* first = events_.data() + first_event_[at.segment];
   const double e0 = k > 0 ? first[k - 1].error : 0.0, e1 = k < event_count(at.segment) ? first[k].error : 0.0;

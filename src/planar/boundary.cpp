@@ -231,12 +231,14 @@ SumVertex vertex_of(const Soup& soup, std::uint32_t in, std::uint32_t out, const
   return v;
 }
 
+// The sum of the offsets and the final sum are rounded.
+double rounding_error(const Lattice& lattice) {
+  return 0x1p-52 * (lattice.base_reach + lattice.span * lattice.unit) + lattice.base_error;
+}
+
 double input_error(const Lattice& lattice, double grid_error) {
   if (grid_error == 0 && lattice.exact_input) return 0;
-  const Point &a = lattice.points[0]->offset, &b = lattice.points[1]->offset;
-  const double reach = std::abs(a.x) + std::abs(b.x) + std::abs(a.y) + std::abs(b.y);
-  // The sum of the offsets and the final sum are rounded.
-  return grid_error * lattice.unit + 0x1p-52 * (reach + lattice.span * lattice.unit);
+  return grid_error * lattice.unit + rounding_error(lattice);
 }
 
 SumRing make_ring(const Soup& soup, const Arrangement& arrangement, const BoundaryLoop& loop, double& error) {

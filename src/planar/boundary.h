@@ -42,7 +42,8 @@ SumRing make_ring(const Soup& soup, const Arrangement& arrangement, const Bounda
 /// The error of the position that vertex_of gives to a place, in grid units.
 double position_error(const Soup& soup, const Place& place);
 
-/// A bound on the error of a rounded position in input coordinates.
+/// A bound on the error of rounding to input coordinates, and of a rounded position there.
+double rounding_error(const Lattice& lattice);
 double input_error(const Lattice& lattice, double grid_error);
 
 }  // namespace dymsum::planar

@@ -51,10 +51,12 @@ int Collision::along(std::uint32_t op, std::uint32_t edge, std::uint32_t vertex,
 bool Collision::test(const Place& x) {
   ++counts_.tests;
   x_ = &x;
+  answered_by_.reset();
   // Places are asked about in spatial order, so what crossed at the last ones often crosses here.
   for (std::size_t k = 0; use_tree_ && k < witness_count_; ++k)
     if (edges_cross(witnesses_[k][0], witnesses_[k][1])) {
       ++counts_.witnessed;
+      answered_by_ = witnesses_[k];
       return true;
     }
   for (std::uint32_t cp = 0; cp < operands_[0]->components.size(); ++cp)
@@ -147,6 +149,7 @@ bool Collision::edges_overlap(std::uint32_t e, std::uint32_t f, bool parallelogr
   }
   if (edge_p && edge_q && s1 != 0 && s2 != 0 && s3 != 0 && s4 != 0) {
     witnesses_[next_witness_] = {e, f};
+    answered_by_ = {e, f};
     next_witness_ = (next_witness_ + 1) % witnesses_.size();
     witness_count_ = std::min(witness_count_ + 1, witnesses_.size());
     return true;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "planar/lattice.h"
@@ -28,6 +29,9 @@ class Collision {
   /// Pairs of components without area are looked at too, as the interiors of the parallelograms of their edges.
   bool with_parallelograms = false;
 
+  /// The walk edges of P and Q whose proper crossing answered the last question with yes, if that is how it was answered.
+  std::optional<std::array<std::uint32_t, 2>> crossing_edges() const { return answered_by_; }
+
   const CollisionCounts& counts() const { return counts_; }
 
  private:
@@ -50,6 +54,7 @@ class Collision {
   bool displaced_ = false;
   CollisionCounts counts_;
   std::array<std::array<std::uint32_t, 2>, 4> witnesses_{};  ///< pairs of edges that crossed properly lately
+  std::optional<std::array<std::uint32_t, 2>> answered_by_;
   std::size_t witness_count_ = 0, next_witness_ = 0;
 };
 

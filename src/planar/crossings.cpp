@@ -56,13 +56,19 @@ void CrossingFinder::all_pairs() {
   finish();
 }
 
+void CrossingFinder::pairs(std::span<const std::array<std::uint32_t, 2>> list) {
+  for (const auto& [i, j] : list) test(i, j);
+  out_.pair_tests = list.size();
+  finish();
+}
+
 void CrossingFinder::test(std::uint32_t i, std::uint32_t j) {
   const SoupBox &a = soup_.boxes[i], &b = soup_.boxes[j];
   const double a_dx = soup_.dx(i), a_dy = soup_.dy(i), b_dx = soup_.dx(j), b_dy = soup_.dy(j);
   if (chain_ != nullptr && (chain_->next(i) == j || chain_->next(j) == i)) {
     // Neighbours in a chain that do not fold back meet in their common end only.
     const double u = a_dx * b_dy, v = a_dy * b_dx;
-    if (std::abs(u - v) > 0x1p-50 * (std::abs(u) + std::abs(v)) + 0x1p-1000) return;
+    if (std::abs(u - v) > 0x1p-49 * (std::abs(u) + std::abs(v)) + 0x1p-1000) return;
   }
   const double a_error = soup_.side_error * (std::abs(a_dx) + std::abs(a_dy));
   const double b_error = soup_.side_error * (std::abs(b_dx) + std::abs(b_dy));
@@ -77,7 +83,7 @@ void CrossingFinder::test(std::uint32_t i, std::uint32_t j) {
   if (soup_.end(i) == soup_.start(j) || soup_.end(j) == soup_.start(i)) {
     // So do others that share an end.
     const double u = a_dx * b_dy, v = a_dy * b_dx;
-    if (std::abs(u - v) > 0x1p-50 * (std::abs(u) + std::abs(v)) + 0x1p-1000 && i < first_unchained && j < first_unchained)
+    if (std::abs(u - v) > 0x1p-49 * (std::abs(u) + std::abs(v)) + 0x1p-1000 && i < first_unchained && j < first_unchained)
       return;
   }
   exact_test(i, j);

@@ -1,6 +1,7 @@
 // All places where segments of a soup meet: proper crossings, and touches (every sign that is zero).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -30,7 +31,7 @@ struct Touch {
 };
 
 struct Meetings {
-  explicit Meetings(std::pmr::memory_resource* memory) : crossings(memory), touches(memory), same(memory) {}
+  explicit Meetings(std::pmr::memory_resource* memory = std::pmr::get_default_resource()) : crossings(memory), touches(memory), same(memory) {}
 
   Array<Crossing> crossings;
   Array<Touch> touches;
@@ -52,6 +53,8 @@ class CrossingFinder {
       : soup_(soup), chain_(chain), out_(out), keys_(soup.memory), cell_(soup.memory), near_(soup.memory), ambiguous_(soup.memory) {}
 
   void all_pairs();
+  /// Just these pairs of segments.
+  void pairs(std::span<const std::array<std::uint32_t, 2>> list);
   void grid(const Grid& grid, const InteriorMask* mask, Array<DeadMark>& dead_marks);
   std::size_t peak_bytes() const { return peak_bytes_; }
 

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cmath>
 #include <mutex>
+#include <optional>
 #include <type_traits>
 
 #include "exact/grid.h"
@@ -37,7 +38,8 @@ class LatticeOf final : public Lattice {
   };
 
  public:
-  LatticeOf(int exponent, int unit) : exponent_(exponent), per_grid_unit_(std::ldexp(1.0, std::clamp(unit - exponent, -1000, 1000))) {}
+  LatticeOf(int exponent, int unit, std::optional<LatticeScale> scale)
+      : exponent_(exponent), per_grid_unit_(std::ldexp(1.0, std::clamp(unit - exponent, -1000, 1000))), scale_(std::move(scale)) {}
 
   int cross(const Edge& d, const Edge& e) const override {
     const EdgeVec a = edge(d), b = edge(e);
@@ -124,9 +126,18 @@ class LatticeOf final : public Lattice {
     }
   }
   Position in_input(const BigRational& gx, const BigRational& gy) const {
-    const BigRational unit = unit_rational();
-    return {BigRational(gx * unit + exact::exact_value(points[0]->offset.x) + exact::exact_value(points[1]->offset.x)),
-            BigRational(gy * unit + exact::exact_value(points[0]->offset.y) + exact::exact_value(points[1]->offset.y))};
+    BigRational unit = unit_rational();
+    std::array<BigRational, 2> x, y;
+    for (std::uint32_t op = 0; op < 2; ++op) {
+      x[op] = exact::exact_value(points[op]->offset.x);
+      y[op] = exact::exact_value(points[op]->offset.y);
+    }
+    if (scale_) {
+      x[scale_->op] *= BigRational(scale_->x, scale_->den);
+      y[scale_->op] *= BigRational(scale_->y, scale_->den);
+      unit /= scale_->den;
+    }
+    return {BigRational(gx * unit + x[0] + x[1]), BigRational(gy * unit + y[0] + y[1])};
   }
   BigRational unit_rational() const {
     boost::multiprecision::cpp_int power = 1;
@@ -136,10 +147,12 @@ class LatticeOf final : public Lattice {
 
   Vec at(std::uint32_t op, std::uint32_t i) const {
     if constexpr (std::is_same_v<C, exact::Int<29>>) {
-      // Up to 53 bits the doubles are exact multiples of the grid's unit.
-      const PlacedPoints& o = *points[op];
-      return {C::from_int64(static_cast<std::int64_t>(o.x[i] * per_grid_unit_)),
-              C::from_int64(static_cast<std::int64_t>(o.y[i] * per_grid_unit_))};
+      if (!scale_) {
+        // Up to 53 bits the doubles are exact multiples of the grid's unit.
+        const PlacedPoints& o = *points[op];
+        return {C::from_int64(static_cast<std::int64_t>(o.x[i] * per_grid_unit_)),
+                C::from_int64(static_cast<std::int64_t>(o.y[i] * per_grid_unit_))};
+      }
     }
     if (!filled_.load(std::memory_order_acquire)) fill();
     return integers_[op][i];
@@ -148,10 +161,19 @@ class LatticeOf final : public Lattice {
   void fill() const {
     const std::lock_guard lock(filling_);
     if (filled_.load(std::memory_order_relaxed)) return;
-    for (int op = 0; op < 2; ++op)
-      for (const Point& v : points[op]->input)
-        integers_[op].push_back({exact::grid_coordinate<C>(v.x, points[op]->offset.x, exponent_),
-                                 exact::grid_coordinate<C>(v.y, points[op]->offset.y, exponent_)});
+    for (std::uint32_t op = 0; op < 2; ++op) {
+      const Point& origin = points[op]->offset;
+      for (const Point& v : points[op]->input) {
+        if (!scale_) {
+          integers_[op].push_back({exact::grid_coordinate<C>(v.x, origin.x, exponent_), exact::grid_coordinate<C>(v.y, origin.y, exponent_)});
+          continue;
+        }
+        const bool scaled = op == scale_->op;
+        const Big x = exact::grid_coordinate<Big>(v.x, origin.x, exponent_), y = exact::grid_coordinate<Big>(v.y, origin.y, exponent_);
+        integers_[op].push_back({exact::narrowed<C>(Big(exact::BigInteger(x.value() * (scaled ? scale_->x : scale_->den)))),
+                                 exact::narrowed<C>(Big(exact::BigInteger(y.value() * (scaled ? scale_->y : scale_->den))))});
+      }
+    }
     filled_.store(true, std::memory_order_release);
   }
   struct SumVec {
@@ -221,6 +243,7 @@ class LatticeOf final : public Lattice {
 
   int exponent_;
   double per_grid_unit_;  // used where unit and grid differ by few bits
+  std::optional<LatticeScale> scale_;
   mutable std::mutex filling_;
   mutable std::atomic<bool> filled_ = false;
   mutable std::array<std::vector<Vec>, 2> integers_;
@@ -229,7 +252,7 @@ class LatticeOf final : public Lattice {
 }  // namespace
 
 Point Lattice::to_input(double gx, double gy) const {
-  return {gx * unit + (points[0]->offset.x + points[1]->offset.x), gy * unit + (points[0]->offset.y + points[1]->offset.y)};
+  return {gx * unit + base.x, gy * unit + base.y};
 }
 
 namespace {
@@ -252,8 +275,8 @@ void place(PlacedPoints& points, int unit) {
   points.width = points.height = 0;
   for (const Point& v : points.input) {
     // The difference of two doubles is rounded once; the power of two is exact.
-    points.x.push_back((v.x - points.offset.x) * per_unit);
-    points.y.push_back((v.y - points.offset.y) * per_unit);
+    points.x.push_back((v.x - points.offset.x) * per_unit * points.stretch.x);
+    points.y.push_back((v.y - points.offset.y) * per_unit * points.stretch.y);
     points.width = std::max(points.width, points.x.back());
     points.height = std::max(points.height, points.y.back());
   }
@@ -285,6 +308,52 @@ std::shared_ptr<const PlacedPoints> place_points(std::vector<Point> input) {
   return points;
 }
 
+namespace {
+
+// The smallest k with n <= 2^k, for n > 0.
+int factor_bits(const exact::BigInteger& n) {
+  const int top = static_cast<int>(msb(n));
+  return (n & (n - 1)) == 0 ? top : top + 1;
+}
+
+// Points in units of 2^unit, `exponent` the grid of both.
+std::shared_ptr<Lattice> build(std::array<std::shared_ptr<const PlacedPoints>, 2> points, int exponent, int unit, int bits,
+                               std::optional<LatticeScale> scale, int min_tier_bits) {
+  const exact::Tier tier = exact::choose_tier(bits, min_tier_bits);
+  const bool dyadic = !scale || (scale->den & (scale->den - 1)) == 0;
+  const double den = scale ? exact::round_to_double(BigRational(scale->den)) : 1;
+  const std::uint32_t scaled = scale ? scale->op : 2;
+  std::shared_ptr<Lattice> lattice;
+  switch (tier) {
+    case exact::Tier::b29: lattice = std::make_shared<LatticeOf<exact::Int<29>>>(exponent, unit, std::move(scale)); break;
+    case exact::Tier::b61: lattice = std::make_shared<LatticeOf<exact::Int<61>>>(exponent, unit, std::move(scale)); break;
+    case exact::Tier::b512: lattice = std::make_shared<LatticeOf<exact::Int<125>>>(exponent, unit, std::move(scale)); break;
+    case exact::Tier::arbitrary: lattice = std::make_shared<LatticeOf<Big>>(exponent, unit, std::move(scale)); break;
+  }
+  lattice->tier_bits = static_cast<int>(tier);
+  // Sides have at most 2 B + 4 bits; doubles hold 53. A power of two below scaled coordinates changes nothing.
+  lattice->exact_doubles = bits <= 24 && dyadic;
+  lattice->unit = std::ldexp(1.0, unit);
+  lattice->grid_exponent = exponent;
+  lattice->integers_per_unit = std::ldexp(den, unit - exponent);
+  for (std::uint32_t op = 0; op < 2; ++op) {
+    const PlacedPoints& o = *points[op];
+    lattice->span += std::max(o.width, o.height);
+    const double x = o.offset.x * o.stretch.x, y = o.offset.y * o.stretch.y;
+    lattice->base.x += x;
+    lattice->base.y += y;
+    lattice->base_reach += std::abs(x) + std::abs(y);
+    // The factor and the product are rounded.
+    if (op == scaled) lattice->base_error = 0x1p-51 * (std::abs(x) + std::abs(y));
+  }
+  lattice->exact_input = lattice->exact_doubles && scaled == 2 &&
+                         lattice->span * lattice->unit + lattice->base_reach <= std::ldexp(1.0, std::min(exponent + 50, 1000));
+  lattice->points = std::move(points);
+  return lattice;
+}
+
+}  // namespace
+
 std::shared_ptr<Lattice> make_lattice(std::shared_ptr<const PlacedPoints> p, std::shared_ptr<const PlacedPoints> q, int min_tier_bits) {
   std::array<std::shared_ptr<const PlacedPoints>, 2> points{std::move(p), std::move(q)};
   const double extent = std::max(points[0]->extent, points[1]->extent);
@@ -301,24 +370,21 @@ std::shared_ptr<Lattice> make_lattice(std::shared_ptr<const PlacedPoints> p, std
     place(*moved, unit);
     o = std::move(moved);
   }
-  const exact::Tier tier = exact::choose_tier(bits, min_tier_bits);
-  std::shared_ptr<Lattice> lattice;
-  switch (tier) {
-    case exact::Tier::b29: lattice = std::make_shared<LatticeOf<exact::Int<29>>>(exponent, unit); break;
-    case exact::Tier::b61: lattice = std::make_shared<LatticeOf<exact::Int<61>>>(exponent, unit); break;
-    case exact::Tier::b512: lattice = std::make_shared<LatticeOf<exact::Int<125>>>(exponent, unit); break;
-    case exact::Tier::arbitrary: lattice = std::make_shared<LatticeOf<Big>>(exponent, unit); break;
-  }
-  lattice->tier_bits = static_cast<int>(tier);
-  // Sides have at most 2 B + 4 bits; doubles hold 53.
-  lattice->exact_doubles = bits <= 24;
-  lattice->unit = std::ldexp(1.0, unit);
-  for (const auto& o : points) lattice->span += std::max(o->width, o->height);
-  double reach = lattice->span * lattice->unit;
-  for (const auto& o : points) reach += std::max(std::abs(o->offset.x), std::abs(o->offset.y));
-  lattice->exact_input = lattice->exact_doubles && reach <= std::ldexp(1.0, std::min(exponent + 50, 1000));
-  lattice->points = std::move(points);
-  return lattice;
+  return build(std::move(points), exponent, unit, bits, std::nullopt, min_tier_bits);
+}
+
+std::shared_ptr<Lattice> make_scaled_lattice(const Lattice& unscaled, const LatticeScale& scale, int min_tier_bits) {
+  const int exponent = unscaled.grid_exponent, unit = unscaled.points[0]->unit;
+  std::array<std::shared_ptr<const PlacedPoints>, 2> points = unscaled.points;
+  int bits = 0;
+  for (std::uint32_t op = 0; op < 2; ++op)
+    bits = std::max(bits, bits_of(points[op]->extent, exponent) + (op == scale.op ? std::max(factor_bits(scale.x), factor_bits(scale.y))
+                                                                                 : factor_bits(scale.den)));
+  auto stretched = std::make_shared<PlacedPoints>(*points[scale.op]);
+  stretched->stretch = {exact::round_to_double(BigRational(scale.x, scale.den)), exact::round_to_double(BigRational(scale.y, scale.den))};
+  place(*stretched, unit);
+  points[scale.op] = std::move(stretched);
+  return build(std::move(points), exponent, unit, bits, scale, min_tier_bits);
 }
 
 }  // namespace dymsum::planar

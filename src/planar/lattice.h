@@ -60,6 +60,7 @@ struct PlacedPoints {
   Point offset;
   std::vector<double> x, y;   ///< input - offset in units of 2^unit, rounded once
   double width = 0, height = 0;  ///< the largest x and y
+  Point stretch{1, 1};        ///< the factors by which x and y are scaled besides, rounded: three roundings in all
   double extent = 0;          ///< the larger of both, in input units
   int exponent = 0;           ///< the largest grid that holds them: all are multiples of 2^exponent
   int unit = 0;
@@ -108,13 +109,18 @@ class Lattice {
   bool exact_input = false;    ///< pair sums in input coordinates are doubles without rounding
   double span = 0;             ///< every pair sum has coordinates in [0, span]; a rounding errs by at most span * 2^-53
   double unit = 1;             ///< doubles count multiples of this power of two: 1 unless an operand is huge or minute
+  double integers_per_unit = 1;  ///< the exact layer's integers per unit of the doubles; may be infinite for huge exponents
+  int grid_exponent = 0;       ///< unscaled coordinates are integers times 2^grid_exponent
   std::array<std::shared_ptr<const PlacedPoints>, 2> points;
+  Point base;                  ///< the sum of the offsets in input coordinates, rounded
+  double base_reach = 0;       ///< the sum of their absolute coordinates
+  double base_error = 0;       ///< of base, beyond one rounding
 
-  /// Edge vector, each component rounded once.
+  /// Edge vector, each component rounded once, three times where the operand is scaled.
   Point vector(const Edge& e) const {
     const PlacedPoints& o = *points[e.op];
     const Point &a = o.input[e.from], &b = o.input[e.to];
-    return {(b.x - a.x) / unit, (b.y - a.y) / unit};
+    return {(b.x - a.x) / unit * o.stretch.x, (b.y - a.y) / unit * o.stretch.y};
   }
   /// A rounded position in input coordinates.
   Point to_input(double gx, double gy) const;
@@ -122,5 +128,15 @@ class Lattice {
 
 /// Both operands on their common grid. `min_tier_bits` forces a larger tier. Points are placed anew when their units differ.
 std::shared_ptr<Lattice> make_lattice(std::shared_ptr<const PlacedPoints> p, std::shared_ptr<const PlacedPoints> q, int min_tier_bits);
+
+/// diag(x, y) / den applied to operand `op`, about the origin of its input coordinates.
+struct LatticeScale {
+  exact::BigInteger x = 1, y = 1, den = 1;  ///< all positive
+  std::uint32_t op = 0;
+};
+
+/// The lattice of two operands of which one is scaled: integers are the scaled operand's times x or y and the other's times den; the
+/// doubles still count units of the unscaled lattice, which make_lattice has made. O(n), a few operations a vertex.
+std::shared_ptr<Lattice> make_scaled_lattice(const Lattice& unscaled, const LatticeScale& scale, int min_tier_bits);
 
 }  // namespace dymsum::planar

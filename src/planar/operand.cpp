@@ -30,6 +30,9 @@ void place(Operand& o, const Lattice& lattice) {
     o.ex[i] = d.x;
     o.ey[i] = d.y;
   }
+  // A scale per axis keeps the order of the directions, but not their angles.
+  for (DirectionList& list : o.directions)
+    for (std::size_t k = 0; k < list.edges.size(); ++k) list.keys[k] = pseudo_angle(o.ex[list.edges[k]], o.ey[list.edges[k]]);
   o.trees.clear();
   for (const Component& c : o.components) o.trees.push_back(make_edge_tree(o, c.first, c.last));
 }
@@ -220,13 +223,18 @@ std::shared_ptr<const Operand> placed_on(const Lattice& lattice, std::shared_ptr
   return moved;
 }
 
-const Point* too_large(const Operand& operand) {
+std::optional<Error> too_large(const Operand& operand) {
   constexpr double kLimit = 0x1p1000;
   const PlacedPoints& points = *operand.points;
-  if (points.extent + std::abs(points.offset.x) + std::abs(points.offset.y) <= kLimit) return nullptr;
-  for (const Point& v : points.input)
-    if (!(std::abs(v.x) <= kLimit && std::abs(v.y) <= kLimit)) return &v;
-  return nullptr;
+  if (points.extent + std::abs(points.offset.x) + std::abs(points.offset.y) <= kLimit) return std::nullopt;
+  for (const Point& v : points.input) {
+    if (std::abs(v.x) <= kLimit && std::abs(v.y) <= kLimit) continue;
+    Error error{Code::unsupported_operand, "a coordinate is larger than 2^1000", {}};
+    error.evidence.x = v.x;
+    error.evidence.y = v.y;
+    return error;
+  }
+  return std::nullopt;
 }
 
 }  // namespace dymsum::planar

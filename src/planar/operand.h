@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "dymsum/region.h"
@@ -63,10 +64,10 @@ struct Operand {
 std::shared_ptr<const Operand> make_operand(const EngineRegion& region, std::uint32_t op);
 
 /// The operand in the units and relative to the offset of a lattice that places its points differently: because the other operand
-/// is huge or minute, or because it holds further points.
+/// is huge or minute, because it is scaled, or because there are further points.
 std::shared_ptr<const Operand> placed_on(const Lattice& lattice, std::shared_ptr<const Operand> operand);
 
-/// The vertex whose coordinates no sum can take: larger than 2^1000, so that differences overflow.
-const Point* too_large(const Operand& operand);
+/// The error for a coordinate that no sum can take: larger than 2^1000, so that differences overflow.
+std::optional<Error> too_large(const Operand& operand);
 
 }  // namespace dymsum::planar

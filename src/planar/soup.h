@@ -95,7 +95,8 @@ class Soup {
 
   int cross(std::uint32_t s, std::uint32_t t) const {
     const double a = dx(s) * dy(t), b = dy(s) * dx(t), value = a - b;
-    const double bound = 0x1p-50 * (std::abs(a) + std::abs(b)) + 0x1p-1000;
+    // Scaled components carry three roundings each: seven in a product, one in the difference.
+    const double bound = 0x1p-49 * (std::abs(a) + std::abs(b)) + 0x1p-1000;
     if (value > bound) return 1;
     if (value < -bound) return -1;
     return lattice.cross(exact(s).edge, exact(t).edge);

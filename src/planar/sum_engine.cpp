@@ -327,21 +327,25 @@ bool run_reduced(const SumOptions& options, SumState& state) {
 
 }  // namespace
 
+void find_tight_features(const Soup& soup, const Arrangement& arrangement, const Array<BoundaryLoop>& kept, Collision& collision,
+                         RawBoundary& out, double& grid_error) {
+  find_tight(soup, arrangement, kept, collision, out, grid_error);
+}
+
 Result<SumState> compute_boundary(std::shared_ptr<const Operand> p, std::shared_ptr<const Operand> q, const SumOptions& options) {
   SumState state;
   StageClock clock(state.stats, timed(*p, *q));
   for (const Operand* o : {p.get(), q.get()})
-    if (const Point* v = too_large(*o)) {
-      Error error{Code::unsupported_operand, "a coordinate is larger than 2^1000", {}};
-      error.evidence.x = v->x;
-      error.evidence.y = v->y;
-      return error;
-    }
+    if (std::optional<Error> error = too_large(*o)) return *std::move(error);
   state.lattice = make_lattice(p->points, q->points, options.min_tier_bits);
   state.p = placed_on(*state.lattice, std::move(p));
   state.q = placed_on(*state.lattice, std::move(q));
   state.stats.tier_bits = state.lattice->tier_bits;
   clock.done("operands");
+  return compute_boundary(std::move(state), options);
+}
+
+Result<SumState> compute_boundary(SumState state, const SumOptions& options) {
   if (options.trace) state.trace.emplace();
   if (state.p->size() == 0 || state.q->size() == 0) return state;
   const bool done = options.engine == Engine::winding ? run_winding(options, state) : run_reduced(options, state);
@@ -440,6 +444,8 @@ PlanarSum finish_sum(SumState state, const SumOptions& options) {
   }
   clock.done("output");
   sum.at_error = raw.at_error;
+  // Where pieces are cut off, their ends are rounded even if all other positions are exact.
+  if (!sum.segments.empty() || !sum.tight_segments.empty()) sum.at_error = std::max(sum.at_error, rounding_error(*state.lattice));
   sum.stats = std::move(state.stats);
   sum.trace = std::move(state.trace);
   return sum;

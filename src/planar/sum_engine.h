@@ -30,6 +30,13 @@ struct SumState {
 /// Operands (P as operand 0, Q as 1) on their lattice, then the boundary by the chosen engine.
 Result<SumState> compute_boundary(std::shared_ptr<const Operand> p, std::shared_ptr<const Operand> q, const SumOptions& options);
 
+/// The same for operands that are already on a lattice: state.lattice, state.p, state.q.
+Result<SumState> compute_boundary(SumState state, const SumOptions& options);
+
+/// Appends the cracks and punctures of an arrangement; `kept` are its true loops. Grows `grid_error` to the largest error of a position.
+void find_tight_features(const Soup& soup, const Arrangement& arrangement, const Array<BoundaryLoop>& kept, Collision& collision,
+                         RawBoundary& out, double& grid_error);
+
 /// Canonical order, parts, tight features, lower-dimensional pieces.
 PlanarSum finish_sum(SumState state, const SumOptions& options);
 

@@ -29,6 +29,7 @@ TEST(Code, EveryCodeHasItsOwnName) {
   EXPECT_EQ(names.size(), static_cast<std::size_t>(Code::cancelled) + 1);
   EXPECT_EQ(name(Code::cannot_open), "cannot_open");
   EXPECT_EQ(name(Code::rounding_changed_topology), "rounding_changed_topology");
+  EXPECT_EQ(name(Code::bad_scale), "bad_scale");
   EXPECT_THROW((void)name(static_cast<Code>(1000)), std::logic_error);
 }
 

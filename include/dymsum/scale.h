@@ -1,0 +1,32 @@
+// Exact positive scales.
+#pragma once
+
+#include <string_view>
+
+#include "dymsum/rational.h"
+#include "dymsum/result.h"
+
+namespace dymsum {
+
+/// An exact scale s with 2^-64 <= s <= 2^64; numerator and denominator have at most 4096 bits.
+class Scale {
+ public:
+  Scale() = default;  ///< 1
+
+  /// The double at face value. Errors: not_finite for NaN and infinities; bad_scale for zero, negative and out of range.
+  static Result<Scale> of(double value);
+  /// Errors: malformed when num or den are no integers; bad_scale as above, and for a zero denominator.
+  static Result<Scale> of(const Rational& value);
+  /// "3/2", "1.01" or "1e-3", each exactly what it says: 1.01 is 101/100. Errors: malformed; bad_scale.
+  static Result<Scale> parse(std::string_view text);
+
+  const Rational& exact() const { return value_; }
+  double approx() const { return approx_; }  ///< the nearest double
+  friend bool operator==(const Scale& a, const Scale& b) { return a.value_ == b.value_; }
+
+ private:
+  Rational value_{"1", "1"};
+  double approx_ = 1;
+};
+
+}  // namespace dymsum

@@ -1,0 +1,156 @@
+// Planar sums that stay exact while an operand scales: one object holds P (+) Q and follows the scale. Setting a scale updates what the
+// change touches; the result equals a fresh computation at that scale, always.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "dymsum/planar_sum.h"
+#include "dymsum/scale.h"
+
+namespace dymsum {
+
+/// Which operand is multiplied by s, about the origin of its coordinates.
+enum class ScaledOperand : std::uint8_t { p, q };
+
+/// How frames are made. automatic: the controller chooses between the two by their measured cost, with hysteresis. All give the
+/// identical sum.
+enum class ScalingMode : std::uint8_t {
+  automatic,
+  window,   ///< always update inside windows, however short they live
+  rebuild,  ///< always compute from scratch
+};
+
+struct ScalingOptions {
+  ScaledOperand scaled = ScaledOperand::p;
+  Semantics semantics = Semantics::closed;
+  ScalingMode mode = ScalingMode::automatic;
+  double window = 0;      ///< relative width of windows (0.05: from s to 1.05 s); 0: chosen by the controller
+  int min_tier_bits = 0;  ///< use at least this number tier (29, 61, 512; above: arbitrary), for tests
+  Progress progress;      ///< asked between stages of a rebuild, see progress.h
+};
+
+/// The work of one frame.
+struct FrameWork {
+  bool rebuilt = false;        ///< computed from scratch, without a window
+  bool new_window = false;     ///< a window was built
+  bool degenerate = false;     ///< something touches at this very scale: the vertex routine of the static engine was used
+  std::uint64_t pieces = 0;          ///< pieces of segments that are live in the window
+  std::uint64_t candidates = 0;      ///< pairs of pieces that may meet in the window
+  std::uint64_t pieces_repaired = 0; ///< whose list of crossings was looked at
+  std::uint64_t lists_changed = 0;   ///< whose list of crossings changed
+  std::uint64_t crossings_changed = 0;  ///< crossings that came or went in those lists, each counted at both segments
+  std::uint64_t loops_traced = 0;    ///< cycles walked
+  std::uint64_t loops_kept = 0;      ///< cycles carried over without a look
+  std::uint64_t witnessed = 0;       ///< false loops proved false by the collision remembered for them
+  std::uint64_t collision_tests = 0;
+  std::uint64_t exact_signs = 0;     ///< signs of this frame that doubles did not decide
+  double window_low = 0, window_high = 0;  ///< scales the window covers; 0, 0 without one
+  double ms = 0;                     ///< wall time of the frame
+  std::uint64_t peak_bytes = 0;      ///< of the window's arrays
+};
+
+/// What happened to a ring from one frame to the next. Identities last as long as a ring shares a vertex (by its contacts) with a ring
+/// of the frame before; they are never used again.
+struct RingChange {
+  enum class Kind : std::uint8_t {
+    appeared,
+    disappeared,
+    reshaped,  ///< still there, with other vertices
+    moved,     ///< the same vertices at other positions
+  };
+  Kind kind = Kind::moved;
+  std::uint64_t ring = 0;           ///< identity
+  std::uint32_t vertices_appeared = 0, vertices_disappeared = 0;  ///< by contacts
+  friend bool operator==(const RingChange&, const RingChange&) = default;
+};
+
+struct FrameChanges {
+  std::vector<RingChange> rings;  ///< sorted by identity; rings that did not even move are not listed
+  std::int64_t tight_points = 0, tight_segments = 0;  ///< how many more (or fewer) there are now
+  bool topology = false;  ///< the number of parts, of holes, of tight features or lower-dimensional pieces changed
+};
+
+/// An exact scale at which segments of the convolution begin or cease to meet.
+struct ScaleEvent {
+  enum class Kind : std::uint8_t {
+    vertex_on_segment,  ///< the end of a segment lies on another one
+    three_segments,     ///< three segments meet in a point inside all of them
+  };
+  Rational s;
+  double approx = 0;
+  Kind kind = Kind::vertex_on_segment;
+  bool visible = false;   ///< the boundary's combinatorics or its tight features differ before, at or after it
+  bool topology = false;  ///< the numbers of parts, holes or tight features differ before, at or after it
+};
+
+class ScalingSum {
+ public:
+  /// P (+) Q with one operand to be scaled, at s = 1. General regions; polylines and points make every frame a rebuild.
+  /// Errors: unsupported_operand for coordinates beyond 2^1000; cancelled.
+  static Result<ScalingSum> create(const Region& p, const Region& q, const ScalingOptions& options = {});
+
+  ScalingSum(ScalingSum&&) noexcept;
+  ScalingSum& operator=(ScalingSum&&) noexcept;
+  ~ScalingSum();
+
+  /// Moves to a scale. On an error (bad_scale, not_finite, cancelled) nothing changes. Cost of a frame inside a window: O(pieces
+  /// checked + work reported + boundary).
+  Result<FrameChanges> set(double s);
+  Result<FrameChanges> set(const Scale& s);
+  /// diag(sx, sy) times the scaled operand; directions change, so frames are rebuilt unless sx = sy.
+  Result<FrameChanges> set(const Scale& sx, const Scale& sy);
+
+  const Scale& scale() const;
+  /// The exact sum at the current scale; valid until the next set(). Copies stay valid for ever.
+  const PlanarSum& sum() const;
+  /// Identities of the rings of sum(), part by part, outer ring first.
+  std::vector<std::uint64_t> ring_ids() const;
+  const FrameWork& work() const;
+  /// A hash of the sum's combinatorics: rings and tight features by the contacts of their vertices, no positions. Constant between
+  /// consecutive visible events.
+  std::uint64_t combinatorial_hash() const;
+
+  /// The events in [a, b] in order; a value with events of both kinds is listed once, as vertex_on_segment. Only events outside the
+  /// part of the sum's interior that its mask proves; every visible event is among them. Costs one exact frame per value.
+  /// Does not move the sum. Errors: bad_scale when a > b; cancelled.
+  Result<std::vector<ScaleEvent>> events(const Scale& a, const Scale& b, const Progress& progress = {}) const;
+  /// The first visible event after s and at most `limit`, if there is one; with `topology`, the first that changes the topology.
+  Result<std::optional<ScaleEvent>> next_event(const Scale& s, const Scale& limit, bool topology = false,
+                                               const Progress& progress = {}) const;
+
+ private:
+  class State;
+  explicit ScalingSum(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+/// The thesis's pair events (6.2.2) over s in (0, infinity), counted without storing them: for each pair of convolution segments the
+/// finite ends of the interval of scales at which they meet. O(N^2) time, O(N) memory.
+struct PairEventCount {
+  std::uint64_t segments = 0;
+  std::uint64_t pairs_that_meet = 0;  ///< pairs with a non-empty interval
+  std::uint64_t events = 0;           ///< ends of these intervals strictly between 0 and infinity
+  std::uint64_t exact_pairs = 0;      ///< pairs that doubles did not decide
+};
+Result<PairEventCount> count_pair_events(const Region& p, const Region& q, ScaledOperand scaled, const Progress& progress = {});
+
+/// One copy of a master shape: scaled about its origin, then moved.
+struct ScaledCopy {
+  Scale scale;
+  Point at;
+};
+/// The obstacles s_i P + z_i of an environment summed with Q: for each copy the sum s_i P (+) Q (not moved by z_i), in the order given,
+/// from one ScalingSum that visits the scales in order. Figure 6.11 of the thesis.
+struct CopySum {
+  PlanarSum sum;
+  Point at;        ///< add it to every position
+  FrameWork work;
+};
+Result<std::vector<CopySum>> scaled_copies(const Region& master, const Region& q, const std::vector<ScaledCopy>& copies,
+                                           const ScalingOptions& options = {});
+
+}  // namespace dymsum

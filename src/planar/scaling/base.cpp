@@ -1,0 +1,48 @@
+#include "planar/scaling/base.h"
+
+#include "planar/prepared_region.h"
+
+namespace dymsum::planar {
+
+Result<std::shared_ptr<const ScalingBase>> ScalingBase::create(const Region& p, const Region& q, std::uint32_t scaled,
+                                                               int min_tier_bits) {
+  auto base = std::make_shared<ScalingBase>();
+  base->scaled = scaled;
+  base->min_tier_bits = min_tier_bits;
+  std::array<std::shared_ptr<const Operand>, 2> kept{prepared_operand(p, 0), prepared_operand(q, 1)};
+  for (const auto& o : kept)
+    if (std::optional<Error> error = too_large(*o)) return *std::move(error);
+  base->lattice = make_lattice(kept[0]->points, kept[1]->points, min_tier_bits);
+  for (std::uint32_t op = 0; op < 2; ++op) {
+    base->operands[op] = *placed_on(*base->lattice, kept[op]);
+    const Operand& o = base->operands[op];
+    for (const Component& c : o.components) base->regular &= c.dimension == 2;
+    base->connected &= o.components.size() == 1;
+    base->width[op] = o.points->width;
+    base->height[op] = o.points->height;
+  }
+  return std::shared_ptr<const ScalingBase>(std::move(base));
+}
+
+LatticeScale ScalingBase::lattice_scale(const ScaleValue& x, const ScaleValue& y) const {
+  const exact::BigInteger common = boost::multiprecision::lcm(x.den, y.den);
+  return {exact::BigInteger(x.num * (common / x.den)), exact::BigInteger(y.num * (common / y.den)), common, scaled};
+}
+
+std::shared_ptr<Lattice> ScalingBase::lattice_at(const LatticeScale& scale) const {
+  return make_scaled_lattice(*lattice, scale, min_tier_bits);
+}
+
+std::shared_ptr<const Operand> ScalingBase::operand_at(std::uint32_t op, const Lattice& at) const {
+  return placed_on(at, std::shared_ptr<const Operand>(shared_from_this(), &operands[op]));
+}
+
+const SumSource& ScalingSource::source() const {
+  std::call_once(made_, [this] {
+    std::shared_ptr<const Lattice> lattice = base_->lattice_at(scale_);
+    source_ = std::make_unique<SumSource>(lattice, base_->operand_at(0, *lattice), base_->operand_at(1, *lattice));
+  });
+  return *source_;
+}
+
+}  // namespace dymsum::planar

@@ -1,0 +1,50 @@
+// What never changes while an operand scales: the operands, their unscaled lattice and walks; and how everything is placed at a scale.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include "dymsum/scaling_sum.h"
+#include "planar/scaling/scale_value.h"
+#include "planar/sum_engine.h"
+
+namespace dymsum::planar {
+
+class ScalingBase : public std::enable_shared_from_this<ScalingBase> {
+ public:
+  /// Errors: unsupported_operand.
+  static Result<std::shared_ptr<const ScalingBase>> create(const Region& p, const Region& q, std::uint32_t scaled, int min_tier_bits);
+
+  std::uint32_t scaled = 0;  ///< operand
+  int min_tier_bits = 0;
+  std::shared_ptr<const Lattice> lattice;  ///< at scale 1
+  std::array<Operand, 2> operands;
+  std::array<double, 2> width{}, height{};  ///< of the operands, in the lattice's doubles
+  bool regular = true;    ///< every component has area
+  bool connected = true;  ///< one component each
+
+  LatticeScale lattice_scale(const ScaleValue& x, const ScaleValue& y) const;
+  std::shared_ptr<Lattice> lattice_at(const LatticeScale& scale) const;
+  /// The walks with edge vectors of a lattice.
+  std::shared_ptr<const Operand> operand_at(std::uint32_t op, const Lattice& at) const;
+};
+
+/// Exact positions at one scale; the lattice is made when first asked for.
+class ScalingSource final : public ExactSource {
+ public:
+  ScalingSource(std::shared_ptr<const ScalingBase> base, LatticeScale scale) : base_(std::move(base)), scale_(std::move(scale)) {}
+  Position position(const SumVertex& vertex) const override { return source().position(vertex); }
+  int compare_x(const SumVertex& a, const SumVertex& b) const override { return source().compare_x(a, b); }
+  int compare_y(const SumVertex& a, const SumVertex& b) const override { return source().compare_y(a, b); }
+
+ private:
+  const SumSource& source() const;
+  std::shared_ptr<const ScalingBase> base_;
+  LatticeScale scale_;
+  mutable std::once_flag made_;
+  mutable std::unique_ptr<const SumSource> source_;
+};
+
+}  // namespace dymsum::planar

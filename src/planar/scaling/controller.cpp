@@ -1,0 +1,65 @@
+#include "planar/scaling/controller.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dymsum::planar {
+namespace {
+
+constexpr double kWidest = 1.0;       // a window covers at most a factor of e ahead
+constexpr double kFrames = 2;         // and at least this many steps
+constexpr double kMostFrames = 64;
+constexpr double kNarrowest = 1e-6;
+constexpr double kHysteresis = 0.05;  // relative gain below which the width stays
+
+}  // namespace
+
+void WindowController::close_window() {
+  if (served_ == 0) return;
+  const double cost = spent_ / static_cast<double>(served_);
+  // Climb towards the cheapest width; turn round when it got dearer by more than noise.
+  if (last_cost_ > 0 && cost > last_cost_ * (1 + kHysteresis)) factor_ = 1 / factor_;
+  if (last_cost_ == 0 || std::abs(cost - last_cost_) > kHysteresis * last_cost_)
+    frames_ahead_ = std::clamp(frames_ahead_ * factor_, kFrames, kMostFrames);
+  last_cost_ = cost;
+  spent_ = 0;
+  served_ = 0;
+}
+
+void WindowController::rebuilt(double ms) {
+  static_ms_ = static_ms_ == 0 ? ms : 0.75 * static_ms_ + 0.25 * ms;
+  if (rest_ > 0) --rest_;
+}
+
+void WindowController::built(double ms) {
+  spent_ = ms;
+  served_ = 1;
+}
+
+WindowController::Choice WindowController::choose(double step, const ScalingOptions& options) {
+  const double size = std::abs(step);
+  if (options.mode == ScalingMode::rebuild) return {};
+  if (options.window > 0) {
+    const double width = std::log1p(options.window);
+    return {true, 0.1 * width, width};
+  }
+  const std::uint64_t served = served_;
+  close_window();
+  if (options.mode == ScalingMode::automatic) {
+    // A window that cost more a frame than computing from scratch: leave it for a while, or until steps get much smaller.
+    if (served > 0 && last_cost_ > static_ms_) {
+      bad_step_ = bad_step_ == 0 ? size : std::min(bad_step_, size);
+      rest_ = backoff_;
+      backoff_ = std::min<std::uint64_t>(2 * backoff_, 256);
+    } else if (served > 0) {
+      bad_step_ = 0;
+      backoff_ = 8;
+    }
+    if (kFrames * size > kWidest) return {};
+    if (rest_ > 0 && size > 0.5 * bad_step_) return {};
+  }
+  const double ahead = std::clamp(frames_ahead_ * size, kNarrowest, kWidest), behind = std::max(0.75 * size, kNarrowest);
+  return step >= 0 ? Choice{true, std::min(behind, ahead), ahead} : Choice{true, ahead, std::min(behind, ahead)};
+}
+
+}  // namespace dymsum::planar

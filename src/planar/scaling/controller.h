@@ -1,0 +1,41 @@
+// Chooses how wide the next window is, or that a frame is better computed from scratch, by what frames have cost so far.
+#pragma once
+
+#include <cstdint>
+
+#include "dymsum/scaling_sum.h"
+
+namespace dymsum::planar {
+
+/// All scales here are natural logarithms.
+class WindowController {
+ public:
+  struct Choice {
+    bool window = false;
+    double behind = 0, ahead = 0;  ///< how far the window reaches below and above the scale
+  };
+  /// For a frame outside the current window, `step` after the last one.
+  Choice choose(double step, const ScalingOptions& options);
+
+  /// What was measured: a frame from scratch; a frame that built a window; a frame inside one.
+  void rebuilt(double ms);
+  void built(double ms);
+  void updated(double ms) {
+    spent_ += ms;
+    ++served_;
+  }
+
+ private:
+  void close_window();
+
+  double static_ms_ = 0;
+  double frames_ahead_ = 6;   ///< how many steps a window covers ahead
+  double factor_ = 1.5;       ///< what that was last multiplied by
+  double last_cost_ = 0;      ///< a frame of the last window, with its share of the building
+  double spent_ = 0;
+  std::uint64_t served_ = 0;  ///< frames of the open window
+  double bad_step_ = 0;       ///< windows did not pay at this step
+  std::uint64_t rest_ = 0, backoff_ = 8;  ///< frames until they are tried again
+};
+
+}  // namespace dymsum::planar

@@ -1,0 +1,344 @@
+#include "planar/scaling/frame_loops.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dymsum::planar {
+namespace {
+
+int half(const LiveSegment& s) { return s.dy > 0 || (s.dy == 0 && s.dx > 0) ? 0 : 1; }
+
+std::uint64_t mixed(std::uint64_t h, std::uint64_t v) {
+  h = (h ^ v) * 0x9e3779b97f4a7c15u;
+  return h ^ (h >> 29);
+}
+
+// Window coordinates of sums: each operand's coordinate one rounding, tau one, product, sum.
+constexpr double kPoint = 0x1p-49;
+
+}  // namespace
+
+std::size_t FrameLoops::bytes() const {
+  std::size_t n = seen_.capacity() * 4 + loops_.capacity() * sizeof(FrameLoop);
+  for (const FrameLoop& l : loops_) n += l.steps.capacity() * sizeof(Step) + l.vertices.capacity() * sizeof(MovingVertex);
+  return n;
+}
+
+void FrameLoops::update(double tau, FramePlace& place, bool whole, FrameWork& work) {
+  const Window& window = lists_.window();
+  if (seen_.size() != lists_.sub_limit() || walk_ > 0xfffffff0) {
+    seen_.assign(lists_.sub_limit(), 0);
+    walk_ = 0;
+  }
+  const std::uint32_t first_walk = ++walk_;
+  std::vector<FrameLoop> gone;
+  std::vector<std::uint8_t> look;
+  if (whole) {
+    gone = std::move(loops_);
+    loops_.clear();
+  } else {
+    std::size_t to = 0;
+    for (std::size_t i = 0; i < loops_.size(); ++i) {
+      bool changed = false, touched = false;
+      for (const Step& s : loops_[i].steps) {
+        changed |= lists_.has_changed(s.piece);
+        touched |= lists_.touched(s.piece);
+      }
+      if (changed) {
+        gone.push_back(std::move(loops_[i]));
+        continue;
+      }
+      work.loops_kept += !touched;
+      look.push_back(touched);
+      if (to != i) loops_[to] = std::move(loops_[i]);
+      ++to;
+    }
+    loops_.resize(to);
+  }
+  const std::size_t fresh = loops_.size();
+  if (whole) {
+    for (std::uint32_t i = 0; i < window.pieces.size(); ++i) trace(i, work);
+  } else {
+    // A new cycle passes a piece whose list changed: elsewhere the successor map is as it was.
+    for (const std::uint32_t i : lists_.changed()) trace(i, work);
+  }
+  walk_ = std::max(walk_, first_walk);
+  for (std::size_t i = fresh; i < loops_.size(); ++i) {
+    FrameLoop& loop = loops_[i];
+    for (const FrameLoop& old : gone)
+      if (old.key == loop.key) loop.witness = old.witness;
+    look.push_back(1);
+  }
+  verify(tau, place, fresh, look, work);
+  for (std::size_t i = fresh; i < loops_.size(); ++i)
+    if (loops_[i].kept) make_vertices(loops_[i]);
+}
+
+void FrameLoops::trace(std::uint32_t piece, FrameWork& work) {
+  const std::uint32_t n = lists_.count(piece);
+  for (std::uint32_t k = 0; k <= n; ++k) {
+    const Step start{piece, k};
+    if (seen_[lists_.first_sub(piece) + k] >= walk_ || !lists_.alive_at_start(start)) continue;
+    path_.clear();
+    Step at = start;
+    do {
+      seen_[lists_.first_sub(at.piece) + at.sub] = walk_;
+      path_.push_back(at);
+      at = lists_.successor(at);
+    } while (at.piece != kNone && seen_[lists_.first_sub(at.piece) + at.sub] < walk_);
+    if (!(at == start)) continue;
+    ++work.loops_traced;
+    FrameLoop loop;
+    loop.steps = path_;
+    loop.turning = turning_number(path_);
+    loop.key = key_of(path_);
+    loops_.push_back(std::move(loop));
+  }
+}
+
+int FrameLoops::turning_number(const std::vector<Step>& steps) const {
+  const Window& window = lists_.window();
+  int turns = 0;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const Step &from = steps[i], &to = steps[(i + 1) % steps.size()];
+    const Piece& p = window.pieces[from.piece];
+    const int hf = half(window.segments[p.segment]), ht = half(window.segments[window.pieces[to.piece].segment]);
+    if (hf == ht) continue;
+    int c = p.next_turn;
+    if (from.sub < lists_.count(from.piece)) {
+      const Candidate& x = window.candidates[lists_.crossing(from.piece, from.sub)];
+      c = x.a == from.piece ? x.sign : -x.sign;
+    }
+    if (c > 0 && hf == 1) ++turns;
+    if (c < 0 && hf == 0) --turns;
+  }
+  return turns;
+}
+
+// Independent of where the cycle starts.
+std::uint64_t FrameLoops::key_of(const std::vector<Step>& steps) const {
+  std::uint64_t sum = steps.size();
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const Step &s = steps[i], &t = steps[(i + 1) % steps.size()];
+    const bool end = s.sub == lists_.count(s.piece);
+    sum += mixed(mixed(s.piece, t.piece), end ? kNone : lists_.crossing(s.piece, s.sub));
+  }
+  return sum;
+}
+
+void FrameLoops::verify(double tau, FramePlace& place, std::size_t fresh, const std::vector<std::uint8_t>& look, FrameWork& work) {
+  // A connected sum has exactly one counter-clockwise true loop, the one that reaches farthest left.
+  std::size_t outer = loops_.size();
+  if (place.base().connected) {
+    std::size_t ccw = 0, last = 0;
+    for (std::size_t i = 0; i < loops_.size(); ++i)
+      if (loops_[i].turning > 0) {
+        ++ccw;
+        last = i;
+        if (i < fresh && !look[i] && loops_[i].kept) outer = i;
+      }
+    if (outer == loops_.size() && ccw == 1) outer = last;
+    if (outer == loops_.size()) {
+      double best = INFINITY, second = INFINITY, error = 0;
+      std::size_t leftmost = loops_.size();
+      for (std::size_t i = 0; i < loops_.size(); ++i) {
+        if (loops_[i].turning < 0) continue;
+        double low = INFINITY;
+        for (const Step& s : loops_[i].steps) {
+          const MovingVertex v = vertex_after(s, 0, 0);
+          low = std::min(low, v.x.at(tau) - v.error);
+          error = std::max(error, v.error);
+        }
+        if (low < best) {
+          second = best;
+          best = low;
+          leftmost = i;
+        } else {
+          second = std::min(second, low);
+        }
+      }
+      if (second - best > 4 * error) outer = leftmost;
+    }
+  }
+  for (std::size_t i = 0; i < loops_.size(); ++i) {
+    if (!look[i]) continue;
+    FrameLoop& loop = loops_[i];
+    if (i == outer) {
+      loop.kept = true;
+    } else if (outer != loops_.size() && loop.turning > 0) {
+      loop.kept = false;
+    } else {
+      loop.kept = !is_false(loop, tau, place, work);
+    }
+    if (i < fresh && loop.kept && loop.vertices.empty()) make_vertices(loop);
+  }
+}
+
+bool FrameLoops::is_false(FrameLoop& loop, double tau, FramePlace& place, FrameWork& work) {
+  if (loop.witness && witnessed(loop, tau)) {
+    ++work.witnessed;
+    return true;
+  }
+  ++work.collision_tests;
+  Collision& collision = place.collision();
+  const bool overlap = collision.overlaps_right_of(sample(loop, tau, place));
+  loop.witness = collision.crossing_edges();
+  return overlap;
+}
+
+FrameLoops::Cutting FrameLoops::end_cut(Step s, bool at_end) const {
+  const Window& window = lists_.window();
+  const LiveSegment& on = window.segments[window.pieces[s.piece].segment];
+  Cutting c;
+  c.relative_error = 0x1p-50;
+  const bool end = at_end && s.sub == lists_.count(s.piece), start = !at_end && s.sub == 0;
+  if (end || start) {
+    c.cut.pair = window.exact(end ? on.end : on.start);
+    c.t = end ? (on.moving ? Linear{0, 1} : Linear{1, 0}) : Linear{0, 0};
+    c.error = 0;
+    c.denominator = on.dx != 0 ? std::abs(on.dx) : std::abs(on.dy);
+    return c;
+  }
+  const Candidate& x = window.candidates[lists_.crossing(s.piece, at_end ? s.sub : s.sub - 1)];
+  const bool a = x.a == s.piece;
+  const std::uint32_t other = window.pieces[a ? x.b : x.a].segment;
+  const LiveSegment& by = window.segments[other];
+  c.t = a ? x.ta : x.tb;
+  c.error = a ? x.error_a : x.error_b;
+  c.cut.kind = Cut::Kind::crossing;
+  c.cut.by = window.exact(other);
+  const double u = on.dx * by.dy, v = on.dy * by.dx, d = std::abs(u - v);
+  c.denominator = d * window.base().lattice->integers_per_unit;
+  c.relative_error = d > 0 ? std::min(1.0, 0x1p-48 * (std::abs(u) + std::abs(v)) / d) : 1.0;
+  return c;
+}
+
+// The mediant of the cuts at both ends of the longest sub-edge, as the exact layer takes it.
+Place FrameLoops::sample(const FrameLoop& loop, double tau, FramePlace& place) const {
+  const Window& window = lists_.window();
+  const std::uint32_t moving = window.frame().moving;
+  const Step* longest = nullptr;
+  double best = -1;
+  for (const Step& s : loop.steps) {
+    const LiveSegment& on = window.segments[window.pieces[s.piece].segment];
+    const double l = (end_cut(s, true).t.at(tau) - end_cut(s, false).t.at(tau)) * (std::abs(on.dx) + std::abs(on.dy));
+    if (l > best) {
+      best = l;
+      longest = &s;
+    }
+  }
+  const std::uint32_t segment = window.pieces[longest->piece].segment;
+  const LiveSegment& on = window.segments[segment];
+  const Cutting from = end_cut(*longest, false), to = end_cut(*longest, true);
+  // Denominators of crossings with an edge of the scaled operand grow with the scale; all are integers over the scale's denominator.
+  const auto weight_of = [&](const Cutting& c) {
+    if (c.cut.kind == Cut::Kind::pair) return c.denominator;
+    const double den = exact::round_to_double(exact::BigRational(place.value().den));
+    return c.denominator * den * (c.cut.by.edge.op == place.base().scaled ? place.value().approx : 1);
+  };
+  const double d0 = weight_of(from), d1 = weight_of(to), t0 = from.t.at(tau), t1 = to.t.at(tau);
+  double weight = d0 + d1 > 0 ? d1 / (d0 + d1) : 0.5, relative = from.relative_error + to.relative_error + 0x1p-50;
+  if (!(weight >= 0 && weight <= 1)) {
+    weight = 0.5;
+    relative = 1;
+  }
+  const double t = t0 + weight * (t1 - t0), t_error = from.error + to.error + std::abs(t1 - t0) * 2 * relative + 0x1p-49 * std::max(1.0, tau);
+  Place p;
+  p.on = window.exact(segment);
+  p.first = from.cut;
+  p.second = to.cut;
+  p.between = true;
+  const double grow = place.blow_up(moving);
+  p.x = grow * (on.x.at(tau) + t * on.dx);
+  p.y = grow * (on.y.at(tau) + t * on.dy);
+  p.error = grow * (t_error * std::max(std::abs(on.dx), std::abs(on.dy)) + kPoint * window.span()) * (1 + 0x1p-40);
+  if (!std::isfinite(p.error)) {
+    // Nearly parallel lines, of which the doubles know nothing: the exact position, rounded.
+    const Lattice& l = place.lattice();
+    const Lattice::Position at = l.position(p);
+    const Place origin{window.exact(segment), {Cut::Kind::pair, start_of(window.exact(segment)), {}}, {}, false, 0, 0, 0};
+    const Lattice::Position start = l.position(origin);
+    p.x = grow * on.x.at(tau) + exact::round_to_double(exact::BigRational(at.x - start.x)) / l.unit;
+    p.y = grow * on.y.at(tau) + exact::round_to_double(exact::BigRational(at.y - start.y)) / l.unit;
+    p.error = grow * 0x1p-48 * window.span();
+  }
+  return p;
+}
+
+// The remembered edges cross properly when Q, reflected, stands at some point of the loop, and so they do at a point just right of it.
+bool FrameLoops::witnessed(const FrameLoop& loop, double tau) const {
+  const Window& window = lists_.window();
+  const Step s = loop.steps[0];
+  const LiveSegment& on = window.segments[window.pieces[s.piece].segment];
+  const Cutting from = end_cut(s, false), to = end_cut(s, true);
+  const double t = 0.5 * (from.t.at(tau) + to.t.at(tau));
+  const double x = on.x.at(tau) + t * on.dx, y = on.y.at(tau) + t * on.dy;
+  const double error = (from.error + to.error + 0x1p-49 * std::max(1.0, tau)) * std::max(std::abs(on.dx), std::abs(on.dy)) + kPoint * window.span();
+  const std::uint32_t m = window.frame().moving;
+  const Lattice& l = *window.base().lattice;
+  const auto sides = [&](std::uint32_t op, std::uint32_t edge, std::uint32_t other_edge) {
+    const Operand &o = window.base().operands[op], &other = window.base().operands[1 - op];
+    const std::uint32_t a = o.source[edge];
+    const double ex = o.ex[edge], ey = o.ey[edge], bound = (std::abs(ex) + std::abs(ey)) * (error + 0x1p-48 * window.span());
+    const auto value = [&](std::uint32_t v) {
+      const double sx = (op == m ? tau : 1) * l.points[op]->x[a] + (op == m ? 1 : tau) * l.points[1 - op]->x[v];
+      const double sy = (op == m ? tau : 1) * l.points[op]->y[a] + (op == m ? 1 : tau) * l.points[1 - op]->y[v];
+      return ex * (y - sy) - ey * (x - sx);
+    };
+    const double u = value(other.source[other_edge]), v = value(other.source[other.next[other_edge]]);
+    return (u > bound && v < -bound) || (u < -bound && v > bound);
+  };
+  const auto [e, f] = *loop.witness;
+  return sides(0, e, f) && sides(1, f, e);
+}
+
+Contact FrameLoops::contact(std::uint32_t segment) const {
+  const Window& window = lists_.window();
+  const WalkSegment& w = window.segments[segment].walk;
+  const std::uint32_t edge = window.base().operands[w.side].edge_number[w.edge];
+  const std::uint32_t vertex = window.base().operands[1 - w.side].vertex_number[w.vertex];
+  return w.side == 0 ? Contact{Contact::Kind::edge_of_p, edge, vertex} : Contact{Contact::Kind::edge_of_q, vertex, edge};
+}
+
+MovingVertex FrameLoops::vertex_after(Step s, std::uint32_t in, std::uint32_t out) const {
+  const Window& window = lists_.window();
+  const LiveSegment& on = window.segments[window.pieces[s.piece].segment];
+  MovingVertex v;
+  v.error = kPoint * window.span();
+  if (s.sub == lists_.count(s.piece)) {
+    v.vertex.corner_p = window.base().operands[0].vertex_number[on.end.p];
+    v.vertex.corner_q = window.base().operands[1].vertex_number[on.end.q];
+    const Lattice& l = *window.base().lattice;
+    const Pair x = window.exact(on.end);
+    const std::uint32_t m = window.frame().moving, move = m == 0 ? x.p : x.q, rest = m == 0 ? x.q : x.p;
+    v.x = {l.points[1 - m]->x[rest], l.points[m]->x[move]};
+    v.y = {l.points[1 - m]->y[rest], l.points[m]->y[move]};
+  } else {
+    const Candidate& c = window.candidates[lists_.crossing(s.piece, s.sub)];
+    const LiveSegment &a = window.segments[window.pieces[c.a].segment], &b = window.segments[window.pieces[c.b].segment];
+    const double ea = c.error_a * std::max(std::abs(a.dx), std::abs(a.dy)), eb = c.error_b * std::max(std::abs(b.dx), std::abs(b.dy));
+    const LiveSegment& best = ea <= eb ? a : b;
+    const Linear& t = ea <= eb ? c.ta : c.tb;
+    v.x = {best.x.a + best.dx * t.a, best.x.b + best.dx * t.b};
+    v.y = {best.y.a + best.dy * t.a, best.y.b + best.dy * t.b};
+    v.error += std::min(ea, eb);
+    // Where the line is followed far outside the piece, a and b cancel at tau.
+    v.error += 0x1p-50 * (std::abs(v.x.a) + std::abs(v.y.a) + (std::abs(v.x.b) + std::abs(v.y.b)) * window.frame().tau1);
+  }
+  v.vertex.in = contact(in);
+  v.vertex.out = contact(out);
+  return v;
+}
+
+void FrameLoops::make_vertices(FrameLoop& loop) const {
+  const Window& window = lists_.window();
+  loop.vertices.clear();
+  for (std::size_t i = 0; i < loop.steps.size(); ++i) {
+    const Step &s = loop.steps[i], &t = loop.steps[(i + 1) % loop.steps.size()];
+    const Piece& p = window.pieces[s.piece];
+    if (s.sub == lists_.count(s.piece) && p.next_turn == 0) continue;  // straight on
+    loop.vertices.push_back(vertex_after(s, p.segment, window.pieces[t.piece].segment));
+  }
+}
+
+}  // namespace dymsum::planar

@@ -1,0 +1,68 @@
+// The cycles of a window's arrangement, carried from frame to frame: those whose pieces were not looked at stay as they are, the others
+// are walked again, and what is new is proved true or false.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "planar/scaling/piece_lists.h"
+
+namespace dymsum::planar {
+
+/// A vertex of the sum that moves with tau, in the window's coordinates.
+struct MovingVertex {
+  SumVertex vertex;
+  Linear x, y;
+  double error = 0;  ///< of the position anywhere in the window
+};
+
+struct FrameLoop {
+  std::vector<PieceLists::Step> steps;
+  int turning = 0;
+  bool kept = false;                ///< a true boundary
+  std::uint64_t key = 0;            ///< of the cyclic sequence of pieces and crossings
+  std::uint64_t ring = 0;           ///< identity of a true one
+  std::optional<std::array<std::uint32_t, 2>> witness;  ///< of a false one: walk edges that crossed properly
+  std::vector<MovingVertex> vertices;  ///< of a true one
+};
+
+class FrameLoops {
+ public:
+  explicit FrameLoops(PieceLists& lists) : lists_(lists) {}
+
+  /// After a repair without degeneracies. `whole`: nothing is known about earlier loops.
+  void update(double tau, FramePlace& place, bool whole, FrameWork& work);
+  const std::vector<FrameLoop>& loops() const { return loops_; }
+  std::vector<FrameLoop>& loops() { return loops_; }
+  std::size_t bytes() const;
+
+ private:
+  using Step = PieceLists::Step;
+  void trace(std::uint32_t piece, FrameWork& work);
+  int turning_number(const std::vector<Step>& steps) const;
+  std::uint64_t key_of(const std::vector<Step>& steps) const;
+  void verify(double tau, FramePlace& place, std::size_t fresh, const std::vector<std::uint8_t>& look, FrameWork& work);
+  bool is_false(FrameLoop& loop, double tau, FramePlace& place, FrameWork& work);
+  struct Cutting {
+    Linear t;
+    double error;
+    Cut cut;
+    double denominator, relative_error;
+  };
+  Cutting end_cut(Step s, bool at_end) const;
+  Place sample(const FrameLoop& loop, double tau, FramePlace& place) const;
+  bool witnessed(const FrameLoop& loop, double tau) const;
+  void make_vertices(FrameLoop& loop) const;
+  MovingVertex vertex_after(Step s, std::uint32_t in, std::uint32_t out) const;
+  Contact contact(std::uint32_t segment) const;
+
+  PieceLists& lists_;
+  std::vector<FrameLoop> loops_;
+  std::vector<std::uint32_t> seen_;  ///< sub-edge -> walk
+  std::uint32_t walk_ = 0;
+  std::vector<Step> path_;
+};
+
+}  // namespace dymsum::planar

@@ -1,0 +1,42 @@
+// One frame: the exact scale, and exact signs at it, made when first asked for.
+#pragma once
+
+#include <memory>
+
+#include "planar/collision.h"
+#include "planar/scaling/base.h"
+
+namespace dymsum::planar {
+
+class FramePlace {
+ public:
+  FramePlace(std::shared_ptr<const ScalingBase> base, const ScaleValue& s)
+      : base_(std::move(base)), value_(s), scale_(base_->lattice_scale(s, s)) {}
+
+  const ScaleValue& value() const { return value_; }
+  const LatticeScale& scale() const { return scale_; }
+  const ScalingBase& base() const { return *base_; }
+  /// The parameter of a window whose operand `moving` moves.
+  double tau(std::uint32_t moving) const {
+    return moving == base_->scaled ? value_.approx : exact::round_to_double(exact::BigRational(value_.den, value_.num));
+  }
+  /// What the window's coordinates are multiplied by.
+  double blow_up(std::uint32_t moving) const { return moving == base_->scaled ? 1 : value_.approx; }
+
+  const Lattice& lattice();
+  const Operand& operand(std::uint32_t op);
+  Collision& collision();
+  bool has_collision() const { return collision_ != nullptr; }
+  std::shared_ptr<const Lattice> share_lattice() { lattice(); return lattice_; }
+  std::uint64_t exact_signs = 0;
+
+ private:
+  std::shared_ptr<const ScalingBase> base_;
+  ScaleValue value_;
+  LatticeScale scale_;
+  std::shared_ptr<const Lattice> lattice_;
+  std::shared_ptr<const Operand> scaled_;
+  std::unique_ptr<Collision> collision_;
+};
+
+}  // namespace dymsum::planar

@@ -1,0 +1,188 @@
+#include "planar/scaling/piece_lists.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dymsum::planar {
+
+Meet meet(const Window& window, std::uint32_t a, std::uint32_t b, FramePlace& place) {
+  const Lattice& l = place.lattice();
+  const Segment sa = window.exact(a), sb = window.exact(b);
+  const Pair a0 = start_of(sa), a1 = end_of(sa), b0 = start_of(sb), b1 = end_of(sb);
+  place.exact_signs += 4;
+  const int s1 = l.side(sa, b0), s2 = l.side(sa, b1);
+  if (s1 * s2 > 0) return Meet::none;
+  const int s3 = l.side(sb, a0), s4 = l.side(sb, a1);
+  if (s3 * s4 > 0) return Meet::none;
+  if (s1 != 0 && s2 != 0 && s3 != 0 && s4 != 0) return Meet::crossing;
+  const auto on = [&](const Segment& s, Pair v) {
+    const Segment back{{s.edge.op, s.edge.to, s.edge.from}, s.vertex};
+    return l.along(s, v) >= 0 && l.along(back, v) >= 0;
+  };
+  if ((s1 == 0 && on(sa, b0)) || (s2 == 0 && on(sa, b1)) || (s3 == 0 && on(sb, a0)) || (s4 == 0 && on(sb, a1))) return Meet::degenerate;
+  return Meet::none;
+}
+
+PieceLists::PieceLists(Window& window) : window_(window) {
+  const std::size_t n = window.pieces.size();
+  low_.assign(n, INFINITY);
+  high_.assign(n, -INFINITY);
+  count_.assign(n, 0);
+  list_.assign(window.of.size(), 0);
+  touched_.assign(n, 0);
+  changed_at_.assign(n, 0);
+}
+
+std::size_t PieceLists::bytes() const {
+  return (low_.capacity() + high_.capacity()) * 8 +
+         (count_.capacity() + list_.capacity() + touched_.capacity() + changed_at_.capacity() + changed_.capacity()) * 4 +
+         items_.capacity() * sizeof(Item);
+}
+
+bool PieceLists::repair(double tau, FramePlace& place, FrameWork& work) {
+  ++frame_;
+  changed_.clear();
+  bool generic = window_.folds.empty();
+  const std::uint32_t n = static_cast<std::uint32_t>(count_.size());
+  for (std::uint32_t i = 0; i < n; ++i) {
+    if (tau > low_[i] && tau < high_[i]) continue;
+    ++work.pieces_repaired;
+    generic &= refresh(i, tau, place, work);
+  }
+  work.lists_changed += changed_.size();
+  return generic;
+}
+
+int PieceLists::compare(std::uint32_t piece, const Item& a, const Item& b, FramePlace& place) const {
+  const double gap = a.t - b.t, error = a.error + b.error;
+  if (gap > error) return 1;
+  if (gap < -error) return -1;
+  if (a.candidate == b.candidate) return 0;
+  const auto cut = [&](const Item& item) {
+    const Candidate& c = window_.candidates[item.candidate];
+    Cut x;
+    x.kind = Cut::Kind::crossing;
+    x.by = window_.exact(window_.pieces[c.a == piece ? c.b : c.a].segment);
+    return x;
+  };
+  ++place.exact_signs;
+  return place.lattice().compare(window_.exact(window_.pieces[piece].segment), cut(a), cut(b));
+}
+
+bool PieceLists::refresh(std::uint32_t i, double tau, FramePlace& place, FrameWork& work) {
+  touched_[i] = frame_;
+  double low = -INFINITY, high = INFINITY;
+  bool generic = true, exact = false;
+  items_.clear();
+  for (std::uint32_t k = window_.first_of[i]; k < window_.first_of[i + 1]; ++k) {
+    const std::uint32_t id = window_.of[k];
+    const Candidate& c = window_.candidates[id];
+    if (tau <= c.out_low) {
+      high = std::min(high, c.out_low);
+      continue;
+    }
+    if (tau >= c.out_high) {
+      low = std::max(low, c.out_high);
+      continue;
+    }
+    if (tau > c.in_low && tau < c.in_high) {
+      low = std::max(low, c.in_low);
+      high = std::min(high, c.in_high);
+    } else {
+      exact = true;
+      const Meet m = meet(window_, window_.pieces[c.a].segment, window_.pieces[c.b].segment, place);
+      if (m == Meet::none) continue;
+      if (m == Meet::degenerate) {
+        generic = false;
+        continue;
+      }
+    }
+    const bool a = c.a == i;
+    items_.push_back({a ? c.ta.at(tau) : c.tb.at(tau), a ? c.error_a : c.error_b, id});
+  }
+  const auto order = [&](const Item& a, const Item& b) { return compare(i, a, b, place); };
+  if (items_.size() > 24) {
+    std::sort(items_.begin(), items_.end(), [&](const Item& a, const Item& b) { return order(a, b) < 0; });
+  } else {
+    for (std::size_t k = 1; k < items_.size(); ++k) {
+      const Item e = items_[k];
+      std::size_t j = k;
+      for (; j > 0 && order(e, items_[j - 1]) < 0; --j) items_[j] = items_[j - 1];
+      items_[j] = e;
+    }
+  }
+  for (std::size_t k = 0; k + 1 < items_.size(); ++k) {
+    const Item &a = items_[k], &b = items_[k + 1];
+    const double gap = b.t - a.t, margin = gap - (a.error + b.error);
+    if (!(margin > 0)) {
+      exact = true;
+      if (order(a, b) == 0) generic = false;
+      continue;
+    }
+    const auto slope = [&](const Item& item) {
+      const Candidate& c = window_.candidates[item.candidate];
+      return c.a == i ? c.ta.b : c.tb.b;
+    };
+    const double closing = slope(a) - slope(b);
+    // While the doubles stay apart by more than their errors; a little less, for rounding.
+    if (closing > 0) high = std::min(high, tau + margin / closing * (1 - 0x1p-30));
+    if (closing < 0) low = std::max(low, tau + margin / closing * (1 - 0x1p-30));
+  }
+  if (exact || !generic) {
+    low_[i] = INFINITY;
+    high_[i] = -INFINITY;
+  } else {
+    low_[i] = low;
+    high_[i] = high;
+  }
+  if (!generic) {
+    count_[i] = 0;
+    changed_.push_back(i);
+    changed_at_[i] = frame_;
+    return false;
+  }
+  std::uint32_t* list = list_.data() + window_.first_of[i];
+  const std::uint32_t n = static_cast<std::uint32_t>(items_.size());
+  bool same = n == count_[i];
+  for (std::uint32_t k = 0; same && k < n; ++k) same = list[k] == items_[k].candidate;
+  if (same) return true;
+  // Lists are short: what came and what went.
+  std::uint32_t stayed = 0;
+  for (std::uint32_t k = 0; k < count_[i]; ++k)
+    for (const Item& item : items_) stayed += item.candidate == list[k];
+  work.crossings_changed += (count_[i] - stayed) + (n - stayed);
+  for (std::uint32_t k = 0; k < n; ++k) {
+    list[k] = items_[k].candidate;
+    Candidate& c = window_.candidates[list[k]];
+    (c.a == i ? c.at_a : c.at_b) = k;
+  }
+  count_[i] = n;
+  changed_.push_back(i);
+  changed_at_[i] = frame_;
+  return true;
+}
+
+bool PieceLists::alive_at_start(Step s) const {
+  if (dead(s)) return false;
+  if (s.sub == 0) return true;
+  const Candidate& c = window_.candidates[crossing(s.piece, s.sub - 1)];
+  return (c.a == s.piece ? c.sign : -c.sign) > 0;
+}
+
+PieceLists::Step PieceLists::successor(Step s) const {
+  if (dead(s)) return {};
+  Step to;
+  if (s.sub == count_[s.piece]) {
+    to = {window_.pieces[s.piece].next, 0};
+    if (to.piece == kNone) return {};
+  } else {
+    const std::uint32_t id = crossing(s.piece, s.sub);
+    const Candidate& c = window_.candidates[id];
+    const bool a = c.a == s.piece;
+    if ((a ? c.sign : -c.sign) > 0) return {};
+    to = a ? Step{c.b, c.at_b + 1} : Step{c.a, c.at_a + 1};
+  }
+  return dead(to) ? Step{} : to;
+}
+
+}  // namespace dymsum::planar

@@ -1,0 +1,70 @@
+// For every piece of a window the crossings on it in order, kept true from frame to frame. Each list knows an interval of scales over
+// which it certainly stays as it is; only lists whose interval was left are looked at.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "planar/scaling/frame_place.h"
+#include "planar/scaling/window.h"
+
+namespace dymsum::planar {
+
+class PieceLists {
+ public:
+  explicit PieceLists(Window& window);
+
+  /// Brings every list to this frame. False when something touches here: the lists of the pieces involved are then unspecified, and
+  /// will be looked at again.
+  bool repair(double tau, FramePlace& place, FrameWork& work);
+
+  std::uint32_t count(std::uint32_t piece) const { return count_[piece]; }
+  /// The crossing at position k.
+  std::uint32_t crossing(std::uint32_t piece, std::uint32_t k) const { return list_[window_.first_of[piece] + k]; }
+  std::uint32_t position(std::uint32_t crossing, std::uint32_t piece) const {
+    const Candidate& c = window_.candidates[crossing];
+    return c.a == piece ? c.at_a : c.at_b;
+  }
+  /// Sub-edges are numbered first_sub(piece) + 0 .. count; the numbers of different pieces never overlap.
+  std::uint32_t first_sub(std::uint32_t piece) const { return window_.first_of[piece] + piece; }
+  std::uint32_t sub_limit() const { return window_.first_of.back() + static_cast<std::uint32_t>(count_.size()); }
+
+  struct Step {
+    std::uint32_t piece = kNone, sub = 0;
+    friend bool operator==(const Step&, const Step&) = default;
+  };
+  bool dead(Step s) const {
+    const Piece& p = window_.pieces[s.piece];
+    return (s.sub == 0 && p.head_cut) || (s.sub == count_[s.piece] && p.tail_cut);
+  }
+  bool alive_at_start(Step s) const;
+  Step successor(Step s) const;
+
+  /// Pieces looked at by the last repair, and those among them whose list changed.
+  bool touched(std::uint32_t piece) const { return touched_[piece] == frame_; }
+  const std::vector<std::uint32_t>& changed() const { return changed_; }
+  bool has_changed(std::uint32_t piece) const { return changed_at_[piece] == frame_; }
+  Window& window() const { return window_; }
+  std::size_t bytes() const;
+
+ private:
+  struct Item {
+    double t, error;
+    std::uint32_t candidate;
+  };
+  bool refresh(std::uint32_t piece, double tau, FramePlace& place, FrameWork& work);
+  int compare(std::uint32_t piece, const Item& a, const Item& b, FramePlace& place) const;
+
+  Window& window_;
+  std::vector<double> low_, high_;  ///< the list of a piece is certain strictly between
+  std::vector<std::uint32_t> count_, list_;
+  std::vector<std::uint32_t> touched_, changed_at_, changed_;
+  std::vector<Item> items_;
+  std::uint32_t frame_ = 0;
+};
+
+/// How two live segments meet at an exact scale.
+enum class Meet { none, crossing, degenerate };
+Meet meet(const Window& window, std::uint32_t a, std::uint32_t b, FramePlace& place);
+
+}  // namespace dymsum::planar

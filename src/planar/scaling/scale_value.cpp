@@ -1,0 +1,133 @@
+#include "planar/scaling/scale_value.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <optional>
+#include <string>
+
+namespace dymsum {
+namespace {
+
+using exact::BigInteger;
+using exact::BigRational;
+
+constexpr unsigned kMaxBits = 4096;
+
+Error bad(std::string message) { return {Code::bad_scale, std::move(message), {}}; }
+
+bool is_integer(std::string_view text) {
+  if (text.starts_with('-')) text.remove_prefix(1);
+  return !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
+}
+
+Result<BigRational> checked(BigRational v, const std::string& text) {
+  if (v.sign() == 0) return bad("a scale of zero leaves no shape");
+  if (v.sign() < 0) return bad("a scale has to be positive; reflect the operand first: " + text);
+  const BigInteger limit = BigInteger(1) << 64;
+  if (v > BigRational(limit) || v < BigRational(BigInteger(1), limit)) return bad("a scale has to lie between 2^-64 and 2^64: " + text);
+  if (msb(numerator(v)) >= kMaxBits || msb(denominator(v)) >= kMaxBits)
+    return bad("numerator and denominator of a scale may have at most 4096 bits");
+  return v;
+}
+
+/// digits[.digits][e[sign]digits] as a rational.
+std::optional<BigRational> decimal(std::string_view text) {
+  BigInteger mantissa = 0;
+  long exponent = 0;
+  bool negative = false, any = false, point = false;
+  std::size_t i = 0;
+  if (i < text.size() && (text[i] == '-' || text[i] == '+')) negative = text[i++] == '-';
+  for (; i < text.size(); ++i) {
+    if (text[i] == '.' && !point) {
+      point = true;
+    } else if (std::isdigit(static_cast<unsigned char>(text[i]))) {
+      mantissa = mantissa * 10 + (text[i] - '0');
+      exponent -= point;
+      any = true;
+    } else {
+      break;
+    }
+  }
+  if (!any) return std::nullopt;
+  if (i < text.size()) {
+    if (text[i] != 'e' && text[i] != 'E') return std::nullopt;
+    const std::string digits(text.substr(i + 1 + (i + 1 < text.size() && text[i + 1] == '+')));
+    if (!is_integer(digits) || digits.size() > 6) return std::nullopt;
+    exponent += std::stol(digits);
+  }
+  if (std::abs(exponent) > 5000) return std::nullopt;
+  const BigInteger power = boost::multiprecision::pow(BigInteger(10), static_cast<unsigned>(std::abs(exponent)));
+  BigRational value = exponent >= 0 ? BigRational(BigInteger(mantissa * power)) : BigRational(mantissa, power);
+  if (negative) value = -value;
+  return value;
+}
+
+}  // namespace
+
+Result<Scale> Scale::of(double value) {
+  if (!std::isfinite(value)) return Error{Code::not_finite, "a scale has to be a finite number", {}};
+  const Result<BigRational> v = checked(exact::exact_value(value), std::to_string(value));
+  if (!v) return v.error();
+  Scale s;
+  s.value_ = exact::to_rational(*v);
+  s.approx_ = value;
+  return s;
+}
+
+Result<Scale> Scale::of(const Rational& value) {
+  const std::string text = value.to_string().substr(0, 60);
+  if (!is_integer(value.num) || !is_integer(value.den)) return Error{Code::malformed, "a scale has to be a quotient of integers: " + text, {}};
+  if (value.num.size() + value.den.size() > 4 * kMaxBits) return bad("numerator and denominator of a scale may have at most 4096 bits");
+  const BigInteger den(value.den);
+  if (den == 0) return bad("a scale with denominator zero: " + text);
+  const Result<BigRational> v = checked(exact::ratio(exact::Big(BigInteger(value.num)), exact::Big(den)), text);
+  if (!v) return v.error();
+  Scale s;
+  s.value_ = exact::to_rational(*v);
+  s.approx_ = exact::round_to_double(*v);
+  return s;
+}
+
+Result<Scale> Scale::parse(std::string_view text) {
+  const std::string shown(text.substr(0, 60));
+  if (text.size() > 4 * kMaxBits) return bad("numerator and denominator of a scale may have at most 4096 bits");
+  if (const std::size_t slash = text.find('/'); slash != std::string_view::npos)
+    return of(Rational{std::string(text.substr(0, slash)), std::string(text.substr(slash + 1))});
+  const std::optional<BigRational> value = decimal(text);
+  if (!value) return Error{Code::malformed, "not a scale: \"" + shown + "\"", {}};
+  const Result<BigRational> v = checked(*value, shown);
+  if (!v) return v.error();
+  Scale s;
+  s.value_ = exact::to_rational(*v);
+  s.approx_ = exact::round_to_double(*v);
+  return s;
+}
+
+namespace planar {
+
+ScaleValue scale_value(const Scale& scale) {
+  return {BigInteger(scale.exact().num), BigInteger(scale.exact().den), scale.approx()};
+}
+
+ScaleValue scale_value(const BigRational& value) {
+  return {numerator(value), denominator(value), exact::round_to_double(value)};
+}
+
+exact::BigRational simple_between(const BigRational& a, const BigRational& b) {
+  // The first power of two 2^k that fits twice between them has a multiple strictly inside; smaller k are tried first.
+  const BigRational width = b - a;
+  const double w = exact::round_to_double(width);
+  int k = w > 0x1p-1000 ? static_cast<int>(std::floor(-std::log2(w))) - 1 : 0;
+  for (;; ++k) {
+    const BigInteger one = BigInteger(1) << static_cast<unsigned>(std::abs(k));
+    const BigRational scaled = k >= 0 ? BigRational(a * one) : BigRational(a / one);
+    BigInteger floor = numerator(scaled) / denominator(scaled);
+    if (scaled.sign() < 0 && floor * denominator(scaled) != numerator(scaled)) floor -= 1;
+    const BigRational candidate = k >= 0 ? BigRational(BigInteger(floor + 1), one) : BigRational(BigInteger((floor + 1) * one));
+    if (candidate > a && candidate < b) return candidate;
+  }
+}
+
+}  // namespace planar
+}  // namespace dymsum

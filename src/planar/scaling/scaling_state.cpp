@@ -1,0 +1,412 @@
+#include "planar/scaling/scaling_state.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <map>
+
+#include "planar/part_nesting.h"
+#include "planar/scaling/degenerate_frame.h"
+#include "planar/vertex_order.h"
+
+namespace dymsum {
+
+using namespace planar;
+using exact::BigRational;
+
+namespace {
+
+double now_ms() {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+std::uint64_t mixed(std::uint64_t h, std::uint64_t v) {
+  h = (h ^ v) * 0x9e3779b97f4a7c15u;
+  return h ^ (h >> 29);
+}
+
+std::uint64_t key(const Contact& c) { return mixed(mixed(static_cast<std::uint64_t>(c.kind), c.p), c.q); }
+std::uint64_t key(const SumVertex& v) { return mixed(mixed(key(v.in), key(v.out)), v.corner_p == SumVertex::kNone ? 0 : mixed(v.corner_p, v.corner_q)); }
+
+std::vector<const SumRing*> rings_of(const PlanarSum& sum) {
+  std::vector<const SumRing*> rings;
+  for (const SumPart& part : sum.parts) {
+    rings.push_back(&part.outer);
+    for (const SumRing& hole : part.holes) rings.push_back(&hole);
+  }
+  return rings;
+}
+
+bool same_rings(const SumRing& a, const SumRing& b) {
+  return std::equal(a.vertices.begin(), a.vertices.end(), b.vertices.begin(), b.vertices.end(),
+                    [](const SumVertex& u, const SumVertex& v) { return u.in == v.in && u.out == v.out && u.corner_p == v.corner_p && u.corner_q == v.corner_q; });
+}
+
+// A lattice that only answers which holes are too small for the other operand throughout a range of scales: filled there only if filled at
+// the end where the hole is largest in proportion.
+class FillLattice final : public Lattice {
+ public:
+  FillLattice(const Lattice& plain, const Lattice& low, const Lattice& high, std::uint32_t scaled)
+      : Lattice(plain), plain_(plain), low_(low), high_(high), scaled_(scaled) {}
+  int cross(const Edge& d, const Edge& e) const override { return plain_.cross(d, e); }
+  int dot(const Edge& d, const Edge& e) const override { return plain_.dot(d, e); }
+  int compare_extent(const Edge& hole, const Edge& other, int axis) const override {
+    return (hole.op == scaled_ ? high_ : low_).compare_extent(hole, other, axis);
+  }
+  int side(const Segment& s, Pair v) const override { return plain_.side(s, v); }
+  int along(const Segment& s, Pair v) const override { return plain_.along(s, v); }
+  bool same(Pair a, Pair b) const override { return plain_.same(a, b); }
+  int compare_coordinate(Pair a, Pair b, int axis) const override { return plain_.compare_coordinate(a, b, axis); }
+  int side(const Segment& s, const Place& x) const override { return plain_.side(s, x); }
+  int along(const Segment& s, const Place& x) const override { return plain_.along(s, x); }
+  int height(Pair v, const Place& x) const override { return plain_.height(v, x); }
+  int compare(const Segment& on, const Cut& a, const Cut& b) const override { return plain_.compare(on, a, b); }
+  int compare_coordinate(const Place& a, const Place& b, int axis) const override { return plain_.compare_coordinate(a, b, axis); }
+  Position position(const Place& x) const override { return plain_.position(x); }
+  Position position(Pair v) const override { return plain_.position(v); }
+
+ private:
+  const Lattice &plain_, &low_, &high_;
+  std::uint32_t scaled_;
+};
+
+bool has_holes(const Operand& o) { return o.loops.size() > o.components.size(); }
+
+constexpr std::uint32_t kMaskFrom = 300;  // segments from which a mask pays
+
+}  // namespace
+
+ReducedConvolution& ScalingSum::State::convolution_for(double low, double high) {
+  if (convolution_ != nullptr && low >= fill_low_ && high <= fill_high_) return *convolution_;
+  const bool holes = has_holes(base->operands[0]) || has_holes(base->operands[1]);
+  fill_low_ = holes ? low / 1.5 : 0;
+  fill_high_ = holes ? high * 1.5 : INFINITY;
+  if (!holes) {
+    convolution_ = std::make_unique<ReducedConvolution>(*base->lattice, base->operands[0], base->operands[1]);
+    return *convolution_;
+  }
+  const ScaleValue a = scale_value(exact::exact_value(fill_low_)), b = scale_value(exact::exact_value(fill_high_));
+  const auto at_low = base->lattice_at(base->lattice_scale(a, a)), at_high = base->lattice_at(base->lattice_scale(b, b));
+  const FillLattice fill(*base->lattice, *at_low, *at_high, base->scaled);
+  convolution_ = std::make_unique<ReducedConvolution>(fill, base->operands[0], base->operands[1]);
+  return *convolution_;
+}
+
+const ExactForms& ScalingSum::State::forms() const {
+  if (forms_ == nullptr) forms_ = std::make_unique<ExactForms>(*base);
+  return *forms_;
+}
+
+std::uint64_t ScalingSum::State::hash() const {
+  // Lines instead of contacts: where segments coincide at every scale, any of them may be named.
+  const auto segment = [&](const Contact& c) {
+    const bool of_p = c.kind == Contact::Kind::edge_of_p;
+    const Operand &o = base->operands[of_p ? 0 : 1], &other = base->operands[of_p ? 1 : 0];
+    const auto find = [](const std::vector<std::uint32_t>& numbers, std::uint32_t n) {
+      return static_cast<std::uint32_t>(std::find(numbers.begin(), numbers.end(), n) - numbers.begin());
+    };
+    return Segment{o.edge(find(o.edge_number, of_p ? c.p : c.q)), other.source[find(other.vertex_number, of_p ? c.q : c.p)]};
+  };
+  std::unordered_map<std::uint64_t, std::uint64_t> lines;
+  const auto line = [&](const Contact& c) {
+    const auto [it, fresh] = lines.try_emplace(key(c), 0);
+    if (fresh) it->second = forms().line_hash(segment(c));
+    return it->second;
+  };
+  std::uint64_t total = sum.parts.size();
+  for (const SumRing* ring : rings_of(sum)) {
+    std::uint64_t h = ring->vertices.size();
+    for (const SumVertex& v : ring->vertices) h += mixed(line(v.in), line(v.out));
+    total += mixed(h, 1);
+  }
+  for (const SumSegment& s : sum.tight_segments) total += mixed(line(s.from.in), 2);
+  total += 3 * sum.tight_points.size() + 5 * sum.segments.size() + 7 * sum.points.size();
+  return total;
+}
+
+void ScalingSum::State::drop_window() {
+  loops_.reset();
+  lists_.reset();
+  window_.reset();
+  loops_known_ = false;
+}
+
+WindowSettings ScalingSum::State::settings_for(const BigRational& low, const BigRational& high, double at) const {
+  WindowSettings settings;
+  // The operand that is smaller here moves.
+  const std::uint32_t k = base->scaled;
+  const auto size = [&](std::uint32_t op) { return std::max(base->width[op], base->height[op]); };
+  const bool scaled_moves = size(k) * at <= size(1 - k);
+  settings.frame.moving = scaled_moves ? k : 1 - k;
+  // A little wider than asked for, so that rounding cannot leave anything out.
+  const double a = exact::round_to_double(scaled_moves ? low : BigRational(1 / high));
+  const double b = exact::round_to_double(scaled_moves ? high : BigRational(1 / low));
+  settings.frame.tau0 = a * (1 - 0x1p-40);
+  settings.frame.tau1 = b * (1 + 0x1p-40);
+  settings.frame.centre_x = base->width[settings.frame.moving] / 2;
+  settings.frame.centre_y = base->height[settings.frame.moving] / 2;
+  settings.shrink = shrink;
+  return settings;
+}
+
+bool ScalingSum::State::build_window(const ScaleValue& s, double behind, double ahead) {
+  const double low = s.approx * std::exp(-behind), high = s.approx * std::exp(ahead);
+  ReducedConvolution& convolution = convolution_for(low, high);
+  WindowSettings settings = settings_for(exact::exact_value(low), exact::exact_value(high), s.approx);
+  const double n = convolution.size();
+  settings.cells = std::clamp(static_cast<int>(1.4 * std::sqrt(n)), 8, 1024);
+  settings.mask = n >= kMaskFrom;
+  drop_window();
+  window_ = std::make_unique<Window>(*base, convolution, settings);
+  lists_ = std::make_unique<PieceLists>(*window_);
+  loops_ = std::make_unique<FrameLoops>(*lists_);
+  low_ = low;
+  high_ = high;
+  return true;
+}
+
+Result<ScalingSum::State::NextFrame> ScalingSum::State::rebuilt_frame(const ScaleValue& x, const ScaleValue& y, FrameWork& work) {
+  work.rebuilt = true;
+  SumOptions sum_options;
+  sum_options.semantics = options.semantics;
+  sum_options.progress = options.progress;
+  SumState state;
+  state.lattice = base->lattice_at(base->lattice_scale(x, y));
+  state.p = base->operand_at(0, *state.lattice);
+  state.q = base->operand_at(1, *state.lattice);
+  state.stats.tier_bits = state.lattice->tier_bits;
+  Result<SumState> computed = compute_boundary(std::move(state), sum_options);
+  if (!computed) return computed.error();
+  NextFrame next;
+  next.sum = finish_sum(std::move(computed).value(), sum_options);
+  work.exact_signs = next.sum.stats.exact_signs;
+  work.collision_tests = next.sum.stats.collision_tests;
+  work.loops_traced = next.sum.stats.loops;
+  return next;
+}
+
+// The kept loops at tau: rings in canonical order.
+ScalingSum::State::NextFrame ScalingSum::State::assemble(double tau, FramePlace& place) {
+  NextFrame next;
+  const auto source = std::make_shared<ScalingSource>(base, place.scale());
+  next.sum.source = source;
+  const Lattice& l = *base->lattice;
+  const double grow = place.blow_up(window_->frame().moving), unit = l.unit, s = place.value().approx;
+  const std::uint32_t k = base->scaled;
+  const double ox = l.points[k]->offset.x * s + l.points[1 - k]->offset.x, oy = l.points[k]->offset.y * s + l.points[1 - k]->offset.y;
+  const double reach = (std::abs(l.points[k]->offset.x) + std::abs(l.points[k]->offset.y)) * s + std::abs(l.points[1 - k]->offset.x) + std::abs(l.points[1 - k]->offset.y);
+  const double span = window_->span(), poor = 0x1p-38 * span;
+  double error = 0;
+  std::vector<SumRing> rings;
+  std::vector<std::uint8_t> outer;
+  std::vector<FrameLoop*> kept;
+  for (FrameLoop& loop : loops_->loops()) {
+    if (!loop.kept) continue;
+    SumRing ring;
+    ring.vertices.reserve(loop.vertices.size());
+    for (const MovingVertex& v : loop.vertices) {
+      SumVertex w = v.vertex;
+      if (v.error <= poor) {
+        w.at = {grow * v.x.at(tau) * unit + ox, grow * v.y.at(tau) * unit + oy};
+        error = std::max(error, v.error);
+      } else {
+        const ExactSource::Position p = source->position(w);
+        w.at = {exact::round_to_double(p.x), exact::round_to_double(p.y)};
+        error = std::max(error, poor);
+      }
+      ring.vertices.push_back(w);
+    }
+    rings.push_back(std::move(ring));
+    outer.push_back(loop.turning > 0);
+    kept.push_back(&loop);
+  }
+  // Evaluation, the blow-up and the offsets add a few roundings.
+  const double at_error = grow * (error + 0x1p-49 * span) * unit * (1 + 0x1p-40) + 0x1p-50 * reach;
+  next.sum.at_error = at_error;
+  const VertexOrder order(*source, at_error);
+  std::map<std::uint64_t, std::pair<std::uint64_t, bool>> known;  // first vertex -> identity, carried over
+  std::size_t outers = 0;
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    std::vector<SumVertex>& v = rings[i].vertices;
+    std::size_t first = 0;
+    for (std::size_t j = 1; j < v.size(); ++j)
+      if (v[j].at.x - v[first].at.x <= 2 * at_error && order.compare(v[j], v[first]) < 0) first = j;
+    if (first != 0) {
+      std::rotate(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(first), v.end());
+      std::rotate(kept[i]->vertices.begin(), kept[i]->vertices.begin() + static_cast<std::ptrdiff_t>(first), kept[i]->vertices.end());
+    }
+    outers += outer[i];
+  }
+  next.matched = loops_known_;
+  if (outers == 1) {
+    std::vector<std::size_t> holes;
+    SumPart part;
+    for (std::size_t i = 0; i < rings.size(); ++i) {
+      if (!outer[i]) {
+        holes.push_back(i);
+        continue;
+      }
+      part.outer = std::move(rings[i]);
+      next.ids.push_back(kept[i]->ring);
+    }
+    // Rings share no vertices where nothing touches, so their first vertices order them.
+    std::sort(holes.begin(), holes.end(), [&](std::size_t a, std::size_t b) { return order.compare(rings[a].vertices[0], rings[b].vertices[0]) < 0; });
+    for (const std::size_t i : holes) {
+      part.holes.push_back(std::move(rings[i]));
+      next.ids.push_back(kept[i]->ring);
+    }
+    next.sum.parts.push_back(std::move(part));
+  } else {
+    for (std::size_t i = 0; i < rings.size(); ++i) known[key(rings[i].vertices[0])] = {kept[i]->ring, true};
+    next.sum.parts = group_rings(std::move(rings), outer, *source, at_error);
+    canonicalize(next.sum.parts, *source, at_error);
+    for (const SumRing* ring : rings_of(next.sum)) next.ids.push_back(known.at(key(ring->vertices[0])).first);
+  }
+  return next;
+}
+
+ScalingSum::State::NextFrame ScalingSum::State::window_frame(const ScaleValue& s, FrameWork& work) {
+  FramePlace place(base, s);
+  const double tau = place.tau(window_->frame().moving);
+  const bool generic = lists_->repair(tau, place, work);
+  NextFrame next;
+  if (!generic) {
+    work.degenerate = true;
+    SumOptions sum_options;
+    sum_options.semantics = options.semantics;
+    SumState state = degenerate_frame(*window_, *convolution_, place, options.semantics);
+    work.loops_traced = state.stats.loops;
+    next.sum = finish_sum(std::move(state), sum_options);
+    loops_known_ = false;
+    loops_->loops().clear();
+  } else {
+    // Identities of rings whose loops are walked anew are found by the vertices they share with rings that are gone.
+    std::unordered_map<std::uint64_t, std::uint64_t> gone;
+    loops_->update(tau, place, !loops_known_, work);
+    next = assemble(tau, place);
+    loops_known_ = true;
+  }
+  if (place.has_collision()) work.collision_tests = std::max<std::uint64_t>(work.collision_tests, place.collision().counts().tests);
+  work.exact_signs += place.exact_signs;
+  if (place.has_collision()) work.exact_signs += place.collision().counts().exact;
+  work.pieces = window_->pieces.size();
+  work.candidates = window_->candidates.size();
+  work.window_low = low_;
+  work.window_high = high_;
+  work.peak_bytes = window_->bytes() + lists_->bytes() + loops_->bytes();
+  return next;
+}
+
+FrameChanges ScalingSum::State::take(NextFrame next, bool same_place) {
+  FrameChanges changes;
+  const std::vector<const SumRing*> before = rings_of(sum), after = rings_of(next.sum);
+  std::vector<std::uint64_t> ids(after.size(), 0);
+  // Rings carried over by their loops keep their identity; the others take that of the first ring with which they share a vertex.
+  std::unordered_map<std::uint64_t, std::size_t> index;  // identity -> ring before
+  for (std::size_t i = 0; i < before.size(); ++i) index[ring_ids[i]] = i;
+  std::vector<std::uint8_t> taken(before.size(), 0);
+  std::vector<std::size_t> open;
+  for (std::size_t i = 0; i < after.size(); ++i) {
+    const std::uint64_t id = next.matched ? next.ids[i] : 0;
+    const auto it = id == 0 ? index.end() : index.find(id);
+    if (it == index.end()) {
+      open.push_back(i);
+      continue;
+    }
+    ids[i] = id;
+    taken[it->second] = 1;
+    if (!same_place) changes.rings.push_back({RingChange::Kind::moved, id, 0, 0});
+  }
+  if (!open.empty() || std::count(taken.begin(), taken.end(), 0) > 0) {
+    std::unordered_map<std::uint64_t, std::size_t> owner;
+    for (std::size_t i = 0; i < before.size(); ++i)
+      if (!taken[i])
+        for (const SumVertex& v : before[i]->vertices) owner.try_emplace(key(v), i);
+    for (const std::size_t i : open) {
+      std::uint32_t shared = 0;
+      std::size_t from = before.size();
+      for (const SumVertex& v : after[i]->vertices) {
+        const auto it = owner.find(key(v));
+        if (it == owner.end()) continue;
+        if (from == before.size() && !taken[it->second]) from = it->second;
+        shared += it->second == from;
+      }
+      const auto size = static_cast<std::uint32_t>(after[i]->vertices.size());
+      if (from == before.size()) {
+        ids[i] = next_ring_++;
+        changes.rings.push_back({RingChange::Kind::appeared, ids[i], size, 0});
+        continue;
+      }
+      taken[from] = 1;
+      ids[i] = ring_ids[from];
+      const auto old = static_cast<std::uint32_t>(before[from]->vertices.size());
+      const bool same = size == old && shared == size && same_rings(*before[from], *after[i]);
+      if (!same || !same_place)
+        changes.rings.push_back({same ? RingChange::Kind::moved : RingChange::Kind::reshaped, ids[i], size - std::min(shared, size),
+                                 old - std::min(shared, old)});
+    }
+    for (std::size_t i = 0; i < before.size(); ++i)
+      if (!taken[i])
+        changes.rings.push_back({RingChange::Kind::disappeared, ring_ids[i], 0, static_cast<std::uint32_t>(before[i]->vertices.size())});
+  }
+  std::sort(changes.rings.begin(), changes.rings.end(), [](const RingChange& a, const RingChange& b) { return a.ring < b.ring; });
+  changes.tight_points = static_cast<std::int64_t>(next.sum.tight_points.size()) - static_cast<std::int64_t>(sum.tight_points.size());
+  changes.tight_segments = static_cast<std::int64_t>(next.sum.tight_segments.size()) - static_cast<std::int64_t>(sum.tight_segments.size());
+  changes.topology = sum.parts.size() != next.sum.parts.size() || before.size() != after.size() || changes.tight_points != 0 ||
+                     changes.tight_segments != 0 || sum.segments.size() != next.sum.segments.size() || sum.points.size() != next.sum.points.size();
+  // The loops learn the identities of their rings.
+  if (loops_known_ && loops_ != nullptr) {
+    std::unordered_map<std::uint64_t, std::uint64_t> by_start;
+    for (FrameLoop& loop : loops_->loops())
+      if (loop.kept && loop.ring == 0) by_start[key(loop.vertices[0].vertex)] = 0;
+    if (!by_start.empty()) {
+      for (std::size_t i = 0; i < after.size(); ++i)
+        if (const auto it = by_start.find(key(after[i]->vertices[0])); it != by_start.end()) it->second = ids[i];
+      for (FrameLoop& loop : loops_->loops())
+        if (loop.kept && loop.ring == 0) loop.ring = by_start[key(loop.vertices[0].vertex)];
+    }
+  }
+  sum = std::move(next.sum);
+  ring_ids = std::move(ids);
+  return changes;
+}
+
+Result<FrameChanges> ScalingSum::State::move_to(const Scale& x, const Scale& y) {
+  const double start = now_ms();
+  const ScaleValue sx = scale_value(x), sy = scale_value(y);
+  FrameWork next_work;
+  std::optional<NextFrame> next;
+  const bool empty = base->operands[0].size() == 0 || base->operands[1].size() == 0;
+  const bool uniform = x == y, windowable = uniform && base->regular && !empty && scale == scale_y;
+  const bool inside = windowable && window_ != nullptr && sx.approx > low_ && sx.approx < high_;
+  const double step = std::log(sx.approx / scale.approx());
+  bool built = false;
+  if (inside && options.mode != ScalingMode::rebuild) {
+    next = window_frame(sx, next_work);
+  } else if (windowable) {
+    const WindowController::Choice choice = controller_.choose(step, options);
+    if (choice.window) {
+      if (options.progress && !options.progress("window", 0)) return Error{Code::cancelled, "stopped on request", {}};
+      build_window(sx, choice.behind, choice.ahead);
+      next_work.new_window = built = true;
+      next = window_frame(sx, next_work);
+    }
+  }
+  if (!next) {
+    Result<NextFrame> rebuilt = rebuilt_frame(sx, sy, next_work);
+    if (!rebuilt) return rebuilt.error();
+    drop_window();
+    next = std::move(rebuilt).value();
+  }
+  FrameChanges changes = take(*std::move(next), x == scale && y == scale_y);
+  scale = x;
+  scale_y = y;
+  next_work.ms = now_ms() - start;
+  if (next_work.rebuilt) controller_.rebuilt(next_work.ms);
+  else if (built) controller_.built(next_work.ms);
+  else controller_.updated(next_work.ms);
+  work = next_work;
+  return changes;
+}
+
+}  // namespace dymsum

@@ -1,0 +1,62 @@
+// The state behind a ScalingSum: one window, its lists and loops, and the current frame.
+#pragma once
+
+#include <memory>
+#include <unordered_map>
+
+#include "dymsum/scaling_sum.h"
+#include "planar/scaling/controller.h"
+#include "planar/scaling/exact_forms.h"
+#include "planar/scaling/frame_loops.h"
+
+namespace dymsum {
+
+class ScalingSum::State {
+ public:
+  State(std::shared_ptr<const planar::ScalingBase> base, ScalingOptions options)
+      : base(std::move(base)), options(std::move(options)) {}
+
+  /// Moves to diag(x, y). Changes nothing on an error.
+  Result<FrameChanges> move_to(const Scale& x, const Scale& y);
+
+  std::shared_ptr<const planar::ScalingBase> base;
+  ScalingOptions options;
+  Scale scale, scale_y;
+  PlanarSum sum;
+  std::vector<std::uint64_t> ring_ids;
+  FrameWork work;
+  double shrink = 1;  ///< tests only, see WindowSettings
+
+  planar::ReducedConvolution& convolution_for(double low, double high);
+  planar::WindowSettings settings_for(const exact::BigRational& low, const exact::BigRational& high, double at) const;
+  planar::Window* window() const { return window_.get(); }
+  const planar::ExactForms& forms() const;
+  std::uint64_t hash() const;
+
+ private:
+  struct NextFrame {
+    PlanarSum sum;
+    std::vector<std::uint64_t> ids;
+    std::vector<std::uint8_t> moved_only;  ///< per ring: carried over with its vertices
+    bool matched = false;                  ///< ids and moved_only are known
+  };
+  bool build_window(const planar::ScaleValue& s, double behind, double ahead);
+  void drop_window();
+  Result<NextFrame> rebuilt_frame(const planar::ScaleValue& x, const planar::ScaleValue& y, FrameWork& work);
+  NextFrame window_frame(const planar::ScaleValue& s, FrameWork& work);
+  NextFrame assemble(double tau, planar::FramePlace& place);
+  FrameChanges take(NextFrame next, bool same_place);
+
+  planar::WindowController controller_;
+  std::unique_ptr<planar::ReducedConvolution> convolution_;
+  double fill_low_ = 0, fill_high_ = 0;  ///< scales for which the convolution's filled holes are right
+  std::unique_ptr<planar::Window> window_;
+  std::unique_ptr<planar::PieceLists> lists_;
+  std::unique_ptr<planar::FrameLoops> loops_;
+  double low_ = 0, high_ = 0;     ///< scales the window covers
+  bool loops_known_ = false;
+  std::uint64_t next_ring_ = 1;
+  mutable std::unique_ptr<planar::ExactForms> forms_;
+};
+
+}  // namespace dymsum

@@ -1,0 +1,106 @@
+// A window of scales: the pieces of convolution segments that can bound the sum somewhere in it, and the pairs of pieces that can meet.
+// Built once; frames inside the window only look here.
+//
+// One operand is held fixed and the other multiplied by tau: c(tau) = fixed + tau moving. With the scaled operand moving, tau is the
+// scale; with the other one moving, tau is its inverse and everything is divided by the scale, which changes no sign. The smaller operand
+// moves, so sweeps are short. All positions along segments are linear in tau when measured in multiples of the unscaled edge vector.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "planar/chain.h"
+#include "planar/convolution.h"
+#include "planar/scaling/base.h"
+#include "planar/scaling/swept_mask.h"
+
+namespace dymsum::planar {
+
+/// a + b tau.
+struct Linear {
+  double a = 0, b = 0;
+  double at(double tau) const { return a + b * tau; }
+};
+
+/// A segment of the reduced convolution that is live somewhere in the window.
+struct LiveSegment {
+  WalkSegment walk;
+  Linear x, y;       ///< where it starts
+  double dx, dy;     ///< the unscaled edge vector
+  bool moving;       ///< an edge of the moving operand: its length is tau, otherwise 1
+  WalkPair start, end;
+  std::uint32_t first_piece = 0, last_piece = 0;  ///< its pieces [first_piece, last_piece)
+
+  double length(double tau) const { return moving ? tau : 1; }
+};
+
+/// A stretch of a live segment between its ends or places in dead cells. What reaches into a dead cell is false.
+struct Piece {
+  std::uint32_t segment = 0;
+  bool head_cut = false, tail_cut = false;  ///< ends in a dead cell instead of at the segment's end
+  Linear head, tail;                        ///< where, when cut
+  std::uint32_t next = kNone;               ///< the piece that continues at an uncut tail
+  std::int8_t next_turn = 0;                ///< sign of the turn into it
+};
+
+/// Two pieces that may meet in the window. They cross properly at the scales of one open interval; doubles know it up to brackets:
+/// not outside (out_low, out_high), certainly inside (in_low, in_high), and exact signs decide in between.
+struct Candidate {
+  std::uint32_t a, b;      ///< pieces
+  Linear ta, tb;           ///< where on a and on b
+  double error_a, error_b; ///< of ta and tb, anywhere in the window
+  double out_low, in_low, in_high, out_high;
+  std::int32_t sign;       ///< of d_a x d_b; 0: parallel, they never cross properly
+  std::uint32_t at_a = 0, at_b = 0;  ///< place in the lists of a and b, while crossing
+};
+
+struct WindowSettings {
+  WindowFrame frame;
+  int cells = 64;       ///< along the grid's longer side
+  bool mask = true;
+  double shrink = 1;    ///< tests: sweep masks and pairs over this share of the window only; less than 1 is wrong
+};
+
+class Window {
+ public:
+  Window(const ScalingBase& base, const ReducedConvolution& convolution, const WindowSettings& settings);
+
+  const ScalingBase& base() const { return base_; }
+  const WindowFrame& frame() const { return frame_; }
+  double span() const { return span_; }  ///< coordinates in the window are at most this
+  bool covers(double tau) const { return tau > frame_.tau0 && tau < frame_.tau1; }
+
+  std::vector<LiveSegment> segments;
+  std::vector<Piece> pieces;
+  std::vector<Candidate> candidates;
+  std::vector<std::uint32_t> first_of;  ///< piece -> its candidates are of[first_of[i] .. first_of[i + 1])
+  std::vector<std::uint32_t> of;
+  /// Segments that run back along each other from a common end at every scale.
+  std::vector<std::array<std::uint32_t, 2>> folds;
+  std::vector<std::uint32_t> live;      ///< id in the convolution -> live segment or kNone
+
+  Segment exact(std::uint32_t segment) const;
+  Pair exact(WalkPair v) const { return {base_.operands[0].source[v.p], base_.operands[1].source[v.q]}; }
+  std::uint64_t pair_tests = 0;
+  std::size_t bytes() const;
+
+ private:
+  /// The ends of a piece at both ends of the window, in the window's frame.
+  struct Entry {
+    double ax[2], ay[2], bx[2], by[2];
+    double dx, dy, error;
+  };
+  void add_segment(const WalkSegment& w, std::uint32_t id, const SweptMask& mask);
+  void add_pieces(const SweptMask& mask);
+  void find_candidates(const SweptMask& mask);
+  void test(std::uint32_t i, std::uint32_t j);
+  void link_pieces(const ReducedConvolution& convolution);
+
+  const ScalingBase& base_;
+  WindowFrame frame_, swept_;
+  double span_ = 0;
+  std::vector<Entry> entries_;
+};
+
+}  // namespace dymsum::planar
