@@ -29,7 +29,8 @@ Arrangement::Arrangement(const Soup& soup, Meetings meetings, const Chain& chain
       flags_(soup.memory),
       links_(soup.memory),
       nodes_(soup.memory),
-      covered_subs_(soup.memory) {
+      covered_subs_(soup.memory),
+      suspects_(soup.memory) {
   build_events();
   sort_events();
   flags_.assign(sub_count(), 0);
@@ -97,21 +98,39 @@ int Arrangement::compare_events(std::uint32_t s, const Event& a, const Event& b)
   return soup_.lattice.compare(soup_.exact(s), event_cut(a, s), event_cut(b, s));
 }
 
+// By parameter first. Only where neighbours are closer than their errors, by exact comparison; those are remembered.
 void Arrangement::sort_events() {
   constexpr std::uint32_t kInsertion = 24;
+  const auto by_parameter = [](const Event& a, const Event& b) { return a.t < b.t; };
+  const auto insertion = [](Event* first, std::uint32_t n, auto&& less) {
+    for (std::uint32_t i = 1; i < n; ++i) {
+      const Event e = first[i];
+      std::uint32_t j = i;
+      for (; j > 0 && less(e, first[j - 1]); --j) first[j] = first[j - 1];
+      first[j] = e;
+    }
+  };
   for (std::uint32_t s = 0; s < soup_.size(); ++s) {
     Event* first = events_.data() + first_event_[s];
     const std::uint32_t n = event_count(s);
-    if (n > kInsertion) {
-      std::sort(first, first + n, [&](const Event& a, const Event& b) { return compare_events(s, a, b) < 0; });
-    } else {
-      for (std::uint32_t i = 1; i < n; ++i) {
-        const Event e = first[i];
-        std::uint32_t j = i;
-        for (; j > 0 && compare_events(s, e, first[j - 1]) < 0; --j) first[j] = first[j - 1];
-        first[j] = e;
-      }
+    if (n == 0) continue;
+    if (n > kInsertion)
+      std::sort(first, first + n, by_parameter);
+    else
+      insertion(first, n, by_parameter);
+    bool close = false, touched = (first[0].ref & kTouchBit) != 0;
+    for (std::uint32_t i = 1; i < n; ++i) {
+      close |= !(first[i].t - first[i - 1].t > double(first[i].error) + double(first[i - 1].error));
+      touched |= (first[i].ref & kTouchBit) != 0;
     }
+    if (close) {
+      const auto exactly = [&](const Event& a, const Event& b) { return compare_events(s, a, b) < 0; };
+      if (n > kInsertion)
+        std::sort(first, first + n, exactly);
+      else
+        insertion(first, n, exactly);
+    }
+    if (close || touched) suspects_.push_back(s);
     for (std::uint32_t i = 0; i < n; ++i) {
       if (first[i].ref & kTouchBit) continue;
       Positions& p = positions_[first[i].ref];
@@ -168,7 +187,7 @@ void Arrangement::find_degenerate_nodes() {
     Spot spot;
   };
   Array<Touched> spots(soup_.memory);
-  for (std::uint32_t s = 0; s < soup_.size(); ++s) {
+  for (const std::uint32_t s : suspects_) {
     const Event* first = events_.data() + first_event_[s];
     const std::uint32_t n = event_count(s);
     for (std::uint32_t k = 0; k < n;) {

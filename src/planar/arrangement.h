@@ -118,6 +118,7 @@ class Arrangement {
   std::pmr::unordered_map<std::uint32_t, Link> links_;  // at degenerate ends
   Array<Node> nodes_;
   Array<Step> covered_subs_;
+  Array<std::uint32_t> suspects_;  // segments with touches, or with events that may coincide
   std::uint64_t degenerate_nodes_ = 0;
   mutable std::uint64_t exact_orders_ = 0;
 };

@@ -94,14 +94,11 @@ void CrossingFinder::add_crossing(std::uint32_t i, std::uint32_t j, double a_sta
   Crossing c;
   c.a = i;
   c.b = j;
-  const double da = a_start - a_end, db = b_start - b_end;
-  c.ta = a_start / da;
-  c.tb = b_start / db;
-  // Numerator and denominator err by at most 1.5 and 3 side errors; t is at most 1.
-  c.ea = static_cast<float>(8 * soup_.error(j) / std::abs(da) + 0x1p-50);
-  c.eb = static_cast<float>(8 * soup_.error(i) / std::abs(db) + 0x1p-50);
-  // b's ends go from b_start to b_end across a: d_a x d_b has the sign of b_end.
-  c.sign = b_end > b_start ? 1 : -1;
+  // Numerator and denominator err by at most 1.5 and 3 side errors; t is at most 1, its quotient rounded three times.
+  const double per_a = 1 / (a_start - a_end);
+  c.ta = a_start * per_a;
+  c.ea = static_cast<float>(8 * soup_.error(j) * std::abs(per_a) + 0x1p-50);
+  bool ambiguous = false;
   if (grid_ != nullptr) {
     // The crossing belongs to the cell that holds it; near a border every cell reports it and duplicates are dropped later.
     const SoupBox& a = soup_.boxes[i];
@@ -110,12 +107,14 @@ void CrossingFinder::add_crossing(std::uint32_t i, std::uint32_t j, double a_sta
     const double error = kReach / 2 + c.ea * (std::abs(dx) + std::abs(dy)) * grid_->per_cell;
     const double fx = x - column_, fy = y - row_;
     if (fx < -error || fx > 1 + error || fy < -error || fy > 1 + error) return;
-    if (!(fx > error && fx < 1 - error && fy > error && fy < 1 - error)) {
-      ambiguous_.push_back(c);
-      return;
-    }
+    ambiguous = !(fx > error && fx < 1 - error && fy > error && fy < 1 - error);
   }
-  out_.crossings.push_back(c);
+  const double per_b = 1 / (b_start - b_end);
+  c.tb = b_start * per_b;
+  c.eb = static_cast<float>(8 * soup_.error(i) * std::abs(per_b) + 0x1p-50);
+  // b's ends go from b_start to b_end across a: d_a x d_b has the sign of b_end.
+  c.sign = b_end > b_start ? 1 : -1;
+  (ambiguous ? ambiguous_ : out_.crossings).push_back(c);
 }
 
 void CrossingFinder::add_touch(std::uint32_t segment, WalkPair pair) {

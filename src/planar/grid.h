@@ -20,15 +20,15 @@ struct Grid {
 /// most 2^-38 of a cell for up to 2^12 cells; interpolation along a segment of slope up to 2^12 keeps that below 2^-24.
 inline constexpr double kReach = 0x1p-14;
 
-/// Calls f(row, first column, last column) for every row, such that every cell within kReach cells of the segment is visited, and
-/// no cell farther than 4 kReach cells. Requires finite coordinates.
+/// Calls f(row, first column, last column) for every row, such that every cell within `cells` of the segment is visited (`cells` times
+/// the size of a cell), and no cell farther than 4 times that. Requires finite coordinates, cells >= kReach.
 template <class F>
-void for_each_cell_run(const Grid& grid, double ax, double ay, double bx, double by, F&& f) {
+void for_each_cell_run(const Grid& grid, double ax, double ay, double bx, double by, F&& f, double cells = kReach) {
   if (ay > by) {
     std::swap(ax, bx);
     std::swap(ay, by);
   }
-  const double reach = kReach * grid.cell;
+  const double reach = cells * grid.cell;
   const int r0 = grid.row(ay - reach), r1 = grid.row(by + reach);
   const double x_low = std::min(ax, bx), x_high = std::max(ax, bx);
   if (r0 == r1) {

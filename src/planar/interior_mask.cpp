@@ -103,12 +103,7 @@ Raster rasterize(const Operand& o, const Grid& cells) {
       } else {
         for_each_cell_run(cells, ax, ay, bx, by, [&](int r, int first, int last) { raster.touch.set_run(r, first, last); });
         if (!area) continue;
-      // The cells that meet the edge swept by a square of half-width rim: cells are larger than the square, so they meet the
-      // path of one of its corners.
-      for (const double sx : {-rim, rim})
-        for (const double sy : {-rim, rim})
-          for_each_cell_run(cells, ax + sx, ay + sy, bx + sx, by + sy,
-                            [&](int r, int first, int last) { boundary.set_run(r, first, last); });
+        for_each_cell_run(cells, ax, ay, bx, by, [&](int r, int first, int last) { boundary.set_run(r, first, last); }, kRim);
       }
       const int sign = ay < by ? 1 : -1;
       const double low = ay < by ? ay : by, high = ay < by ? by : ay;
