@@ -114,7 +114,9 @@ void CrossingFinder::add_crossing(std::uint32_t i, std::uint32_t j, double a_sta
   c.eb = static_cast<float>(8 * soup_.error(i) * std::abs(per_b) + 0x1p-50);
   // b's ends go from b_start to b_end across a: d_a x d_b has the sign of b_end.
   c.sign = b_end > b_start ? 1 : -1;
-  (ambiguous ? ambiguous_ : out_.crossings).push_back(c);
+  auto& list = ambiguous ? ambiguous_ : out_.crossings;
+  if (list.size() == list.capacity()) list.reserve(64 + list.size() + list.size() / 3);  // the largest array of all: little slack
+  list.push_back(c);
 }
 
 void CrossingFinder::add_touch(std::uint32_t segment, WalkPair pair) {
@@ -206,8 +208,7 @@ void CrossingFinder::grid(const Grid& grid, const InteriorMask* mask, Array<Dead
     std::uint32_t cell, segment;
   };
   Array<Item> items(soup_.memory);
-  items.reserve(soup_.size() * 3);
-  out_.crossings.reserve(soup_.size() * 2);
+  items.reserve(soup_.size() * 3 / 2);
   const std::uint32_t columns = static_cast<std::uint32_t>(grid.columns);
   Array<std::uint32_t> start(std::size_t(grid.rows) * columns + 1, 0, soup_.memory);
   for (std::uint32_t s = 0; s < soup_.size(); ++s) {

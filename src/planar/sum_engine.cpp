@@ -239,7 +239,8 @@ bool run_reduced(const SumOptions& options, SumState& state) {
   Soup soup(lattice, op, oq, &scratch);
   Array<std::uint32_t> live(&scratch);
   SameSegments same(soup);
-  const bool merge = fast && convolution.parallel_edges() * 8 > op.size() + oq.size();
+  const bool boundary = fast && is_boundary(convolution, op, oq);
+  const bool merge = fast && !boundary && convolution.parallel_edges() * 8 > op.size() + oq.size();
   if (mask || merge) {
     live.reserve(n);
     const Grid g = mask ? mask->grid() : Grid{};
@@ -276,7 +277,7 @@ bool run_reduced(const SumOptions& options, SumState& state) {
   CrossingFinder finder(soup, meetings, &chain);
   finder.poll = &poll;
   finder.first_unchained = reduced_live;
-  if (fast && is_boundary(convolution, op, oq)) {
+  if (boundary) {
     // Nothing meets.
   } else if (!fast || soup.size() < kAllPairs) {
     finder.all_pairs();
