@@ -5,6 +5,8 @@
 #include <new>
 
 namespace dymsum {
+
+#ifndef __SANITIZE_ADDRESS__
 namespace {
 
 // Freed blocks by size class, the powers of two and the middles between them.
@@ -48,6 +50,15 @@ class Blocks {
 thread_local Blocks blocks;
 
 }  // namespace
+#endif
+
+#ifdef __SANITIZE_ADDRESS__
+
+// Every array an allocation of its own, so that the sanitizer sees its ends.
+void* Scratch::do_allocate(std::size_t bytes, std::size_t) { return ::operator new(bytes); }
+void Scratch::do_deallocate(void* pointer, std::size_t, std::size_t) { ::operator delete(pointer); }
+
+#else
 
 void* Scratch::do_allocate(std::size_t bytes, std::size_t alignment) {
   const std::size_t from = (used_ + alignment - 1) & ~(alignment - 1);
@@ -62,5 +73,7 @@ void Scratch::do_deallocate(void* pointer, std::size_t bytes, std::size_t) {
   if (before(at, buffer_) || !before(at, buffer_ + kBuffer)) return blocks.give(pointer, bytes < 64 ? 64 : bytes);
   if (at + bytes == buffer_ + used_) used_ = static_cast<std::size_t>(at - buffer_);  // the last one handed out
 }
+
+#endif
 
 }  // namespace dymsum

@@ -222,7 +222,7 @@ int Collision::height(std::uint32_t holder, std::uint32_t a, std::uint32_t v) {
   if (value > bound || value < -bound) return value > 0 ? 1 : -1;
   ++counts_.exact;
   const std::uint32_t own = o.source[a], its = other.source[v];
-  const int exact = lattice_.height(holder == 0 ? Pair{own, its} : Pair{its, own}, *x_);
+  const int exact = lattice_.compare_coordinate(holder == 0 ? Pair{own, its} : Pair{its, own}, *x_, 1);
   if (exact != 0 || !displaced_) return exact;
   // x moves by (dy, -dx) first, then by (dx, dy); the vertex seen from it moves the other way.
   const Point d = lattice_.vector(x_->on.edge);

@@ -84,9 +84,11 @@ class LatticeOf final : public Lattice {
   }
 
   // D (v - start) - N d.
-  int height(Pair v, const Place& x) const override {
+  int compare_coordinate(Pair v, const Place& x, int axis) const override {
     const WideRatio t = ratio(x);
-    return exact::sign(t.d * (sum(v).y - sum(start_of(x.on)).y) - t.n * edge(x.on.edge).y);
+    const SumVec at = sum(v), from = sum(start_of(x.on));
+    const EdgeVec d = edge(x.on.edge);
+    return axis == 0 ? exact::sign(t.d * (at.x - from.x) - t.n * d.x) : exact::sign(t.d * (at.y - from.y) - t.n * d.y);
   }
 
   int compare(const Segment& on, const Cut& a, const Cut& b) const override {

@@ -91,11 +91,10 @@ class Lattice {
   /// The same for any place.
   virtual int side(const Segment& s, const Place& x) const = 0;
   virtual int along(const Segment& s, const Place& x) const = 0;
-  /// The sign of (v - x).y.
-  virtual int height(Pair v, const Place& x) const = 0;
   /// Order along `on` of two cuts on it: -1, 0, 1.
   virtual int compare(const Segment& on, const Cut& a, const Cut& b) const = 0;
   /// The sign of a - b along an axis, for any places.
+  virtual int compare_coordinate(Pair a, const Place& b, int axis) const = 0;
   virtual int compare_coordinate(const Place& a, const Place& b, int axis) const = 0;
   /// The exact position in input coordinates.
   struct Position {

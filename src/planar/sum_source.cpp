@@ -34,23 +34,17 @@ Place SumSource::crossing(const SumVertex& v) const {
   return place;
 }
 
-// Corners against corners and crossings against crossings in fixed-width integers; the rest is rare.
-std::optional<int> SumSource::compare(const SumVertex& a, const SumVertex& b, int axis) const {
+int SumSource::compare(const SumVertex& a, const SumVertex& b, int axis) const {
   const bool corner_a = a.corner_p != SumVertex::kNone, corner_b = b.corner_p != SumVertex::kNone;
   if (corner_a && corner_b) return lattice_->compare_coordinate(corner(a), corner(b), axis);
-  if (!corner_a && !corner_b) return lattice_->compare_coordinate(crossing(a), crossing(b), axis);
-  return std::nullopt;
+  if (corner_a) return lattice_->compare_coordinate(corner(a), crossing(b), axis);
+  if (corner_b) return -lattice_->compare_coordinate(corner(b), crossing(a), axis);
+  return lattice_->compare_coordinate(crossing(a), crossing(b), axis);
 }
 
-int SumSource::compare_x(const SumVertex& a, const SumVertex& b) const {
-  const std::optional<int> sign = compare(a, b, 0);
-  return sign ? *sign : ExactSource::compare_x(a, b);
-}
+int SumSource::compare_x(const SumVertex& a, const SumVertex& b) const { return compare(a, b, 0); }
 
-int SumSource::compare_y(const SumVertex& a, const SumVertex& b) const {
-  const std::optional<int> sign = compare(a, b, 1);
-  return sign ? *sign : ExactSource::compare_y(a, b);
-}
+int SumSource::compare_y(const SumVertex& a, const SumVertex& b) const { return compare(a, b, 1); }
 
 bool SumSource::on_contact(const Contact& contact, const Position& at) const {
   const Segment s = segment(contact);

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <memory>
-#include <optional>
 
 #include "planar/exact_source.h"
 #include "planar/lattice.h"
@@ -27,7 +26,7 @@ class SumSource final : public ExactSource {
   Segment segment(const Contact& contact) const;
   Pair corner(const SumVertex& v) const;
   Place crossing(const SumVertex& v) const;
-  std::optional<int> compare(const SumVertex& a, const SumVertex& b, int axis) const;
+  int compare(const SumVertex& a, const SumVertex& b, int axis) const;
 
   std::shared_ptr<const Lattice> lattice_;
   std::array<std::shared_ptr<const Operand>, 2> operands_;

@@ -28,7 +28,7 @@ int winding_right_of(const Tracing& tracing, const Place& x) {
   const int tie =
       d.x != 0 ? (d.x > 0 ? 1 : -1) : (d.y > 0 ? -1 : 1);  // of the height of a vertex over x, when it is zero
   const auto height = [&](WalkPair v) {
-    const int h = lattice.height(soup.exact(v), x);
+    const int h = lattice.compare_coordinate(soup.exact(v), x, 1);
     return h != 0 ? h : tie;
   };
   const double margin = x.error + 2 * soup.point_error + 0x1p-50 * lattice.span;

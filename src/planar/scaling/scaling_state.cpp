@@ -59,7 +59,7 @@ class FillLattice final : public Lattice {
   int compare_coordinate(Pair a, Pair b, int axis) const override { return plain_.compare_coordinate(a, b, axis); }
   int side(const Segment& s, const Place& x) const override { return plain_.side(s, x); }
   int along(const Segment& s, const Place& x) const override { return plain_.along(s, x); }
-  int height(Pair v, const Place& x) const override { return plain_.height(v, x); }
+  int compare_coordinate(Pair a, const Place& b, int axis) const override { return plain_.compare_coordinate(a, b, axis); }
   int compare(const Segment& on, const Cut& a, const Cut& b) const override { return plain_.compare(on, a, b); }
   int compare_coordinate(const Place& a, const Place& b, int axis) const override { return plain_.compare_coordinate(a, b, axis); }
   Position position(const Place& x) const override { return plain_.position(x); }

@@ -1,0 +1,52 @@
+// What sums keep with a region must not show: not between copies, roles and partners, nor between threads.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <thread>
+#include <vector>
+
+#include "dymsum/planar_sum.h"
+#include "dymsum/shapes.h"
+#include "planar/prepared_region.h"
+
+namespace dymsum {
+namespace {
+
+TEST(PreparedRegion, IsSharedByCopiesAndMadeOncePerRole) {
+  const Region star = shapes::star(7, 1, 3);
+  const Region copy = star;
+  EXPECT_EQ(planar::prepared_operand(star, 0), planar::prepared_operand(copy, 0));
+  EXPECT_EQ(planar::prepared_operand(star, 1, true), planar::prepared_operand(copy, 1, true));
+  EXPECT_NE(planar::prepared_operand(star, 0), planar::prepared_operand(star, 1));
+  EXPECT_NE(planar::prepared_operand(star, 1), planar::prepared_operand(star, 1, true));
+  EXPECT_EQ(planar::prepared_operand(Region(), 0)->size(), 0u);
+}
+
+// The same region first with a partner of its own size, then with a huge, a minute and a far one.
+TEST(PreparedRegion, ServesPartnersOfEverySize) {
+  const Region p = shapes::random_polygon(12, 3, 5);
+  for (const double factor : {1.0, 0x1p80, 0x1p-80, 0x1p500, 0x1p-500}) {
+    const Region q = scaled(shapes::star(5, 1, 2), factor, factor).value();
+    const Region fresh_p = Region::create(p.data()).value(), fresh_q = Region::create(q.data()).value();
+    SumOptions brute;
+    brute.engine = Engine::brute;
+    EXPECT_TRUE(minkowski_sum(p, q).value() == minkowski_sum(fresh_p, fresh_q, brute).value()) << factor;
+    EXPECT_TRUE(nfp(p, q).value() == minkowski_sum(fresh_p, negated(fresh_q), brute).value()) << factor;
+    EXPECT_TRUE(minkowski_sum(q, p).value() == minkowski_sum(fresh_p, fresh_q, brute).value()) << factor;
+  }
+}
+
+TEST(PreparedRegion, IsMadeOnceByManyThreads) {
+  for (int round = 0; round < 20; ++round) {
+    const Region p = shapes::noisy_star(40, 0.5, round), q = shapes::noisy_star(30, 0.5, 100 + round);
+    const PlanarSum expected = minkowski_sum(Region::create(p.data()).value(), Region::create(q.data()).value()).value();
+    std::atomic<int> equal = 0;
+    std::vector<std::thread> threads;
+    for (int t = 0; t < 4; ++t) threads.emplace_back([&] { equal += minkowski_sum(p, q).value() == expected; });
+    for (std::thread& t : threads) t.join();
+    EXPECT_EQ(equal, 4);
+  }
+}
+
+}  // namespace
+}  // namespace dymsum
