@@ -38,7 +38,14 @@ class LatticeOf final : public Lattice {
 
  public:
   LatticeOf(int exponent, std::array<Point, 2> origin, std::optional<LatticeScale> scale)
-      : exponent_(exponent), origin_(origin), scale_(std::move(scale)) {}
+      : exponent_(exponent), origin_(origin), scale_(std::move(scale)) {
+    if constexpr (!std::is_same_v<C, Big>) {
+      if (!scale_) return;
+      const C other = exact::narrowed<C>(Big(scale_->den));
+      for (std::uint32_t op = 0; op < 2; ++op)
+        factor_[op] = op == scale_->op ? Vec{exact::narrowed<C>(Big(scale_->x)), exact::narrowed<C>(Big(scale_->y))} : Vec{other, other};
+    }
+  }
 
   int cross(const Edge& d, const Edge& e) const override {
     const EdgeVec a = edge(d), b = edge(e);
@@ -147,22 +154,41 @@ class LatticeOf final : public Lattice {
       if (!scale_)
         return {C::from_int64(static_cast<std::int64_t>(x[op][i])), C::from_int64(static_cast<std::int64_t>(y[op][i]))};
     }
+    if constexpr (!std::is_same_v<C, Big>) {
+      if (scale_) {
+        // The product fits: the tier was chosen for it.
+        const SharedIntegers& shared = unscaled();
+        const auto& v = shared.at[op][i];
+        const Vec& f = factor_[op];
+        return {C::from_raw(static_cast<typename C::Raw>(static_cast<typename C::Raw>(v[0]) * f.x.raw())),
+                C::from_raw(static_cast<typename C::Raw>(static_cast<typename C::Raw>(v[1]) * f.y.raw()))};
+      }
+    }
     std::call_once(filled_, [this] { fill(); });
     return integers_[op][i];
+  }
+  const SharedIntegers& unscaled() const {
+    std::call_once(integers->made, [this] {
+      for (int op = 0; op < 2; ++op)
+        for (const Point& v : input[op])
+          integers->at[op].push_back({exact::grid_coordinate<exact::Int<125>>(v.x, origin_[op].x, exponent_).raw(),
+                                      exact::grid_coordinate<exact::Int<125>>(v.y, origin_[op].y, exponent_).raw()});
+    });
+    return *integers;
   }
   // Integers are made when a filter has failed for the first time; most problems never ask.
   void fill() const {
     for (std::uint32_t op = 0; op < 2; ++op)
       for (const Point& v : input[op]) {
-        if (!scale_) {
-          integers_[op].push_back({exact::grid_coordinate<C>(v.x, origin_[op].x, exponent_),
-                                   exact::grid_coordinate<C>(v.y, origin_[op].y, exponent_)});
-          continue;
+        integers_[op].push_back({exact::grid_coordinate<C>(v.x, origin_[op].x, exponent_),
+                                 exact::grid_coordinate<C>(v.y, origin_[op].y, exponent_)});
+        if constexpr (std::is_same_v<C, Big>) {
+          if (!scale_) continue;
+          Vec& w = integers_[op].back();
+          const bool scaled = op == scale_->op;
+          w.x = w.x * Big(scaled ? scale_->x : scale_->den);
+          w.y = w.y * Big(scaled ? scale_->y : scale_->den);
         }
-        const bool scaled = op == scale_->op;
-        const Big bx = exact::grid_coordinate<Big>(v.x, origin_[op].x, exponent_), by = exact::grid_coordinate<Big>(v.y, origin_[op].y, exponent_);
-        integers_[op].push_back({exact::narrowed<C>(Big(exact::BigInteger(bx.value() * (scaled ? scale_->x : scale_->den)))),
-                                 exact::narrowed<C>(Big(exact::BigInteger(by.value() * (scaled ? scale_->y : scale_->den))))});
       }
   }
   struct SumVec {
@@ -233,6 +259,7 @@ class LatticeOf final : public Lattice {
   int exponent_;
   std::array<Point, 2> origin_;  // exact, where `offset` is rounded after scaling
   std::optional<LatticeScale> scale_;
+  std::array<Vec, 2> factor_{};  // of the integers, where scaled
   mutable std::once_flag filled_;
   mutable std::array<std::vector<Vec>, 2> integers_;
 };
@@ -267,7 +294,7 @@ struct GridOf {
 };
 
 std::unique_ptr<Lattice> build(std::span<const Point> p, std::span<const Point> q, const GridOf& grid,
-                               std::optional<LatticeScale> scale, int min_tier_bits) {
+                               std::optional<LatticeScale> scale, std::shared_ptr<SharedIntegers> integers, int min_tier_bits) {
   const std::array<Point, 2>& offset = grid.offset;
   const std::array<double, 2>& extent = grid.extent;
   const int exponent = grid.exponent;
@@ -306,6 +333,7 @@ std::unique_ptr<Lattice> build(std::span<const Point> p, std::span<const Point> 
   lattice->integers_per_unit = std::ldexp(den, lattice->double_exponent - exponent);
   lattice->offset = offset;
   lattice->grid_exponent = exponent;
+  lattice->integers = std::move(integers);
   for (std::uint32_t op = 0; op < 2; ++op) {
     double reach = 0;
     lattice->x[op].reserve(lattice->input[op].size());
@@ -342,7 +370,7 @@ std::unique_ptr<Lattice> make_lattice(std::span<const Point> p, std::span<const 
       grid.extent[op] = std::max({grid.extent[op], v.x - grid.offset[op].x, v.y - grid.offset[op].y});
     }
   grid.exponent = exact::common_exponent(all);
-  return build(p, q, grid, std::nullopt, min_tier_bits);
+  return build(p, q, grid, std::nullopt, std::make_shared<SharedIntegers>(), min_tier_bits);
 }
 
 std::unique_ptr<Lattice> make_scaled_lattice(const Lattice& unscaled, const LatticeScale& scale, int min_tier_bits) {
@@ -352,7 +380,7 @@ std::unique_ptr<Lattice> make_scaled_lattice(const Lattice& unscaled, const Latt
   for (int op = 0; op < 2; ++op)
     for (const Point& v : unscaled.input[op])
       grid.extent[op] = std::max({grid.extent[op], v.x - grid.offset[op].x, v.y - grid.offset[op].y});
-  return build(unscaled.input[0], unscaled.input[1], grid, scale, min_tier_bits);
+  return build(unscaled.input[0], unscaled.input[1], grid, scale, unscaled.integers, min_tier_bits);
 }
 
 }  // namespace dymsum::planar

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <span>
 #include <vector>
 
@@ -54,6 +55,12 @@ struct Place {
   double x = 0, y = 0, error = 0;  ///< |x - exact| and |y - exact| are at most error
 };
 
+/// The unscaled integers of both operands, shared by the lattices of all scales; made when first asked for. Requires 125 bits or fewer.
+struct SharedIntegers {
+  std::once_flag made;
+  std::array<std::vector<std::array<exact::i128, 2>>, 2> at;
+};
+
 /// Integer operands and exact signs. Coordinates are grid units relative to one offset per operand, so that a translation of an
 /// operand never costs bits.
 class Lattice {
@@ -95,6 +102,7 @@ class Lattice {
   std::array<std::vector<double>, 2> x, y;
   std::array<std::vector<Point>, 2> input;
   std::array<Point, 2> offset;
+  std::shared_ptr<SharedIntegers> integers;  ///< of unscaled coordinates
   int grid_exponent = 0;       ///< unscaled coordinates are integers times 2^grid_exponent
 
   double per_unit = 1;         ///< 2^-double_exponent
