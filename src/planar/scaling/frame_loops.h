@@ -20,9 +20,13 @@ struct MovingVertex {
 
 struct FrameLoop {
   std::vector<PieceLists::Step> steps;
+  struct Between {
+    std::uint32_t piece, from, to;  ///< crossings at the ends of a sub-edge, kNone at a segment's own end
+    friend bool operator==(const Between&, const Between&) = default;
+  };
+  std::vector<Between> edges;       ///< per step; unlike steps it stays valid when lists change
   int turning = 0;
   bool kept = false;                ///< a true boundary
-  std::uint64_t key = 0;            ///< of the cyclic sequence of pieces and crossings
   std::uint64_t ring = 0;           ///< identity of a true one
   std::optional<std::array<std::uint32_t, 2>> witness;  ///< of a false one: walk edges that crossed properly
   std::vector<MovingVertex> vertices;  ///< of a true one
@@ -40,10 +44,11 @@ class FrameLoops {
 
  private:
   using Step = PieceLists::Step;
+  enum class Look : std::uint8_t { none, known, test };  ///< carried over; status inherited; nothing known
   void trace(std::uint32_t piece, FrameWork& work);
   int turning_number(const std::vector<Step>& steps) const;
-  std::uint64_t key_of(const std::vector<Step>& steps) const;
-  void verify(double tau, FramePlace& place, std::size_t fresh, const std::vector<std::uint8_t>& look, FrameWork& work);
+  void verify(double tau, FramePlace& place, std::size_t fresh, const std::vector<Look>& look, FrameWork& work);
+  bool undisturbed(const FrameLoop::Between& edge, double tau) const;
   bool is_false(FrameLoop& loop, double tau, FramePlace& place, FrameWork& work);
   struct Cutting {
     Linear t;
@@ -62,6 +67,7 @@ class FrameLoops {
   std::vector<FrameLoop> loops_;
   std::vector<std::uint32_t> seen_;  ///< sub-edge -> walk
   std::uint32_t walk_ = 0;
+  double last_tau_ = 0;  ///< of the last update
   std::vector<Step> path_;
 };
 

@@ -21,8 +21,9 @@ double now_ms() {
 }
 
 std::uint64_t mixed(std::uint64_t h, std::uint64_t v) {
-  h = (h ^ v) * 0x9e3779b97f4a7c15u;
-  return h ^ (h >> 29);
+  h ^= v + 0x9e3779b97f4a7c15u + (h << 6) + (h >> 2);
+  h *= 0xff51afd7ed558ccdu;
+  return h ^ (h >> 32);
 }
 
 std::uint64_t key(const Contact& c) { return mixed(mixed(static_cast<std::uint64_t>(c.kind), c.p), c.q); }
