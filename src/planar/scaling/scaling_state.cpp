@@ -73,6 +73,8 @@ class FillLattice final : public Lattice {
 
 bool has_holes(const Operand& o) { return o.loops.size() > o.components.size(); }
 
+int cells_for(double n) { return std::clamp(static_cast<int>(1.4 * std::sqrt(n)), 8, 1024); }
+
 constexpr std::uint32_t kMaskFrom = 300;  // segments from which a mask pays
 
 }  // namespace
@@ -150,12 +152,22 @@ WindowSettings ScalingSum::State::settings_for(const BigRational& low, const Big
   return settings;
 }
 
+// The width at which the ends of the moving operand sweep kSweep cells: beyond it masks lose more than longer windows gain.
+double ScalingSum::State::widest_window(double s) const {
+  constexpr double kSweep = 3;
+  const std::uint32_t k = base->scaled;
+  const auto size = [&](std::uint32_t op) { return std::max(base->width[op], base->height[op]) * (op == k ? s : 1); };
+  const double cells = convolution_ == nullptr ? 64 : cells_for(convolution_->size());
+  const double moving = std::min(size(0), size(1)), cell = (size(0) + size(1)) / cells;
+  return moving > 0 ? kSweep * cell / (0.5 * moving) : 1;
+}
+
 bool ScalingSum::State::build_window(const ScaleValue& s, double behind, double ahead) {
   const double low = s.approx * std::exp(-behind), high = s.approx * std::exp(ahead);
   ReducedConvolution& convolution = convolution_for(low, high);
   WindowSettings settings = settings_for(exact::exact_value(low), exact::exact_value(high), s.approx);
   const double n = convolution.size();
-  settings.cells = std::clamp(static_cast<int>(1.4 * std::sqrt(n)), 8, 1024);
+  settings.cells = cells_for(n);
   settings.mask = n >= kMaskFrom;
   drop_window();
   window_ = std::make_unique<Window>(*base, convolution, settings);
@@ -385,7 +397,7 @@ Result<FrameChanges> ScalingSum::State::move_to(const Scale& x, const Scale& y) 
   if (inside && options.mode != ScalingMode::rebuild) {
     next = window_frame(sx, next_work);
   } else if (windowable) {
-    const WindowController::Choice choice = controller_.choose(step, options);
+    const WindowController::Choice choice = controller_.choose(step, widest_window(sx.approx), options);
     if (choice.window) {
       if (options.progress && !options.progress("window", 0)) return Error{Code::cancelled, "stopped on request", {}};
       build_window(sx, choice.behind, choice.ahead);

@@ -42,6 +42,7 @@ class ScalingSum::State {
   };
   bool build_window(const planar::ScaleValue& s, double behind, double ahead);
   void drop_window();
+  double widest_window(double s) const;
   Result<NextFrame> rebuilt_frame(const planar::ScaleValue& x, const planar::ScaleValue& y, FrameWork& work);
   NextFrame window_frame(const planar::ScaleValue& s, FrameWork& work);
   NextFrame assemble(double tau, planar::FramePlace& place);
