@@ -8,14 +8,6 @@ namespace {
 
 int half(const LiveSegment& s) { return s.dy > 0 || (s.dy == 0 && s.dx > 0) ? 0 : 1; }
 
-struct BetweenHash {
-  std::size_t operator()(const FrameLoop::Between& e) const {
-    std::uint64_t h = (std::uint64_t{e.piece} << 32 | e.from) * 0x9e3779b97f4a7c15u;
-    h = (h ^ (h >> 32) ^ e.to) * 0xbf58476d1ce4e5b9u;
-    return static_cast<std::size_t>(h ^ (h >> 31));
-  }
-};
-
 // Window coordinates of sums: each operand's coordinate one rounding, tau one, product, sum.
 constexpr double kPoint = 0x1p-49;
 
@@ -66,8 +58,10 @@ void FrameLoops::update(double tau, FramePlace& place, bool whole, FrameWork& wo
   const Window& window = lists_.window();
   if (seen_.size() != lists_.sub_limit() || walk_ > 0xfffffff0) {
     seen_.assign(lists_.sub_limit(), 0);
+    owners_.assign(window.pieces.size(), {});
     walk_ = 0;
   }
+  ended_.clear();
   ++walk_;
   std::vector<FrameLoop> gone;
   std::vector<Look> look;
@@ -92,6 +86,7 @@ void FrameLoops::update(double tau, FramePlace& place, bool whole, FrameWork& wo
       }
       work.loops_kept += !touched;
       look.push_back(!touched ? Look::none : any_undisturbed(loops_[i]) ? Look::known : Look::test);
+      loops_[i].fresh = false;
       if (to != i) loops_[to] = std::move(loops_[i]);
       ++to;
     }
@@ -105,27 +100,30 @@ void FrameLoops::update(double tau, FramePlace& place, bool whole, FrameWork& wo
     for (const std::uint32_t i : lists_.changed()) trace(i, work);
   }
   // What is new inherits its status from any sub-edge that it shares with an old loop, if nothing came between.
-  std::unordered_map<FrameLoop::Between, const FrameLoop*, BetweenHash> old_edges;
   if (loops_.size() > fresh)
-    for (const FrameLoop& old : gone)
-      for (const FrameLoop::Between& e : old.edges) old_edges.emplace(e, &old);
+    for (std::uint32_t g = 0; g < gone.size(); ++g)
+      for (std::uint32_t k = 0; k < gone[g].edges.size(); ++k)
+        if (Owner& owner = owners_[gone[g].edges[k].piece]; owner.walk != walk_) owner = {walk_, g, k};
   for (std::size_t i = fresh; i < loops_.size(); ++i) {
     FrameLoop& loop = loops_[i];
     Look status = Look::test;
     for (const FrameLoop::Between& e : loop.edges) {
-      const auto it = old_edges.find(e);
-      if (it == old_edges.end()) continue;
-      if (!loop.witness) loop.witness = it->second->witness;
+      const Owner& owner = owners_[e.piece];
+      if (owner.walk != walk_ || !(gone[owner.loop].edges[owner.edge] == e)) continue;
+      if (!loop.witness) loop.witness = gone[owner.loop].witness;
       if (!undisturbed(e, tau)) continue;
-      loop.kept = it->second->kept;
+      loop.kept = gone[owner.loop].kept;
       status = Look::known;
       break;
     }
     look.push_back(status);
   }
   verify(tau, place, fresh, look, work);
-  for (std::size_t i = fresh; i < loops_.size(); ++i)
-    if (loops_[i].kept) make_vertices(loops_[i]);
+  std::vector<std::uint8_t> claimed(gone.size(), 0);
+  for (std::size_t i = 0; i < loops_.size(); ++i)
+    if (loops_[i].kept && loops_[i].vertices.empty()) make_vertices(loops_[i], gone, claimed);
+  for (std::size_t g = 0; g < gone.size(); ++g)
+    if (gone[g].kept && !claimed[g] && gone[g].ring != 0) ended_.push_back({gone[g].ring, static_cast<std::uint32_t>(gone[g].vertices.size())});
   last_tau_ = tau;
 }
 
@@ -217,7 +215,6 @@ void FrameLoops::verify(double tau, FramePlace& place, std::size_t fresh, const 
     } else {
       loop.kept = !is_false(loop, tau, place, work);
     }
-    if (i < fresh && loop.kept && loop.vertices.empty()) make_vertices(loop);
   }
 }
 
@@ -377,14 +374,26 @@ MovingVertex FrameLoops::vertex_after(Step s, std::uint32_t in, std::uint32_t ou
   return v;
 }
 
-void FrameLoops::make_vertices(FrameLoop& loop) const {
+void FrameLoops::make_vertices(FrameLoop& loop, const std::vector<FrameLoop>& gone, std::vector<std::uint8_t>& claimed) const {
   const Window& window = lists_.window();
   loop.vertices.clear();
+  loop.vertices.reserve(loop.steps.size());
+  std::uint32_t from = kNone;
   for (std::size_t i = 0; i < loop.steps.size(); ++i) {
-    const Step &s = loop.steps[i], &t = loop.steps[(i + 1) % loop.steps.size()];
+    const Step &s = loop.steps[i], &t = loop.steps[i + 1 == loop.steps.size() ? 0 : i + 1];
     const Piece& p = window.pieces[s.piece];
     if (s.sub == lists_.count(s.piece) && p.next_turn == 0) continue;  // straight on
     loop.vertices.push_back(vertex_after(s, p.segment, window.pieces[t.piece].segment));
+    const Owner& owner = owners_[s.piece];
+    if (gone.empty() || owner.walk != walk_ || gone[owner.loop].edges[owner.edge].to != loop.edges[i].to) continue;
+    // The first ring with a common vertex lends its identity.
+    if (from == kNone && gone[owner.loop].kept && !claimed[owner.loop]) {
+      from = owner.loop;
+      claimed[from] = 1;
+      loop.ring = gone[from].ring;
+      loop.vertices_before = static_cast<std::uint32_t>(gone[from].vertices.size());
+    }
+    loop.vertices_shared += owner.loop == from;
   }
 }
 

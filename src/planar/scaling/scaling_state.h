@@ -36,9 +36,8 @@ class ScalingSum::State {
  private:
   struct NextFrame {
     PlanarSum sum;
-    std::vector<std::uint64_t> ids;
-    std::vector<std::uint8_t> moved_only;  ///< per ring: carried over with its vertices
-    bool matched = false;                  ///< ids and moved_only are known
+    std::vector<planar::FrameLoop*> loops;  ///< of the sum's rings, in their order; empty unless it came from loops
+    bool followed = false;                  ///< the loops remember the frame before
   };
   bool build_window(const planar::ScaleValue& s, double behind, double ahead);
   void drop_window();
@@ -47,6 +46,8 @@ class ScalingSum::State {
   NextFrame window_frame(const planar::ScaleValue& s, FrameWork& work);
   NextFrame assemble(double tau, planar::FramePlace& place);
   FrameChanges take(NextFrame next, bool same_place);
+  std::vector<std::uint64_t> match_rings(const PlanarSum& next, bool same_place, FrameChanges& changes);
+  std::vector<std::uint64_t> follow_rings(const NextFrame& next, bool same_place, FrameChanges& changes);
 
   planar::WindowController controller_;
   std::unique_ptr<planar::ReducedConvolution> convolution_;
