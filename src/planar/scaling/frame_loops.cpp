@@ -118,7 +118,7 @@ void FrameLoops::update(double tau, FramePlace& place, bool whole, FrameWork& wo
     }
     look.push_back(status);
   }
-  verify(tau, place, fresh, look, work);
+  verify(tau, place, look, work);
   std::vector<std::uint8_t> claimed(gone.size(), 0);
   for (std::size_t i = 0; i < loops_.size(); ++i)
     if (loops_[i].kept && loops_[i].vertices.empty()) make_vertices(loops_[i], gone, claimed);
@@ -171,7 +171,7 @@ int FrameLoops::turning_number(const std::vector<Step>& steps) const {
   return turns;
 }
 
-void FrameLoops::verify(double tau, FramePlace& place, std::size_t fresh, const std::vector<Look>& look, FrameWork& work) {
+void FrameLoops::verify(double tau, FramePlace& place, const std::vector<Look>& look, FrameWork& work) {
   // A connected sum has exactly one counter-clockwise true loop, the one that reaches farthest left.
   std::size_t outer = loops_.size();
   if (place.base().connected) {

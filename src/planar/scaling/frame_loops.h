@@ -51,7 +51,7 @@ class FrameLoops {
   enum class Look : std::uint8_t { none, known, test };  ///< carried over; status inherited; nothing known
   void trace(std::uint32_t piece, FrameWork& work);
   int turning_number(const std::vector<Step>& steps) const;
-  void verify(double tau, FramePlace& place, std::size_t fresh, const std::vector<Look>& look, FrameWork& work);
+  void verify(double tau, FramePlace& place, const std::vector<Look>& look, FrameWork& work);
   bool undisturbed(const FrameLoop::Between& edge, double tau) const;
   bool is_false(FrameLoop& loop, double tau, FramePlace& place, FrameWork& work);
   struct Cutting {

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "planar/part_nesting.h"
+#include "planar/scaling/fill_lattice.h"
 #include "planar/scaling/degenerate_frame.h"
 #include "planar/vertex_order.h"
 
@@ -42,34 +43,6 @@ bool same_rings(const SumRing& a, const SumRing& b) {
   return std::equal(a.vertices.begin(), a.vertices.end(), b.vertices.begin(), b.vertices.end(),
                     [](const SumVertex& u, const SumVertex& v) { return u.in == v.in && u.out == v.out && u.corner_p == v.corner_p && u.corner_q == v.corner_q; });
 }
-
-// A lattice that only answers which holes are too small for the other operand throughout a range of scales: filled there only if filled at
-// the end where the hole is largest in proportion.
-class FillLattice final : public Lattice {
- public:
-  FillLattice(const Lattice& plain, const Lattice& low, const Lattice& high, std::uint32_t scaled)
-      : Lattice(plain), plain_(plain), low_(low), high_(high), scaled_(scaled) {}
-  int cross(const Edge& d, const Edge& e) const override { return plain_.cross(d, e); }
-  int dot(const Edge& d, const Edge& e) const override { return plain_.dot(d, e); }
-  int compare_extent(const Edge& hole, const Edge& other, int axis) const override {
-    return (hole.op == scaled_ ? high_ : low_).compare_extent(hole, other, axis);
-  }
-  int side(const Segment& s, Pair v) const override { return plain_.side(s, v); }
-  int along(const Segment& s, Pair v) const override { return plain_.along(s, v); }
-  bool same(Pair a, Pair b) const override { return plain_.same(a, b); }
-  int compare_coordinate(Pair a, Pair b, int axis) const override { return plain_.compare_coordinate(a, b, axis); }
-  int side(const Segment& s, const Place& x) const override { return plain_.side(s, x); }
-  int along(const Segment& s, const Place& x) const override { return plain_.along(s, x); }
-  int height(Pair v, const Place& x) const override { return plain_.height(v, x); }
-  int compare(const Segment& on, const Cut& a, const Cut& b) const override { return plain_.compare(on, a, b); }
-  int compare_coordinate(const Place& a, const Place& b, int axis) const override { return plain_.compare_coordinate(a, b, axis); }
-  Position position(const Place& x) const override { return plain_.position(x); }
-  Position position(Pair v) const override { return plain_.position(v); }
-
- private:
-  const Lattice &plain_, &low_, &high_;
-  std::uint32_t scaled_;
-};
 
 bool has_holes(const Operand& o) { return o.loops.size() > o.components.size(); }
 
@@ -160,6 +133,15 @@ double ScalingSum::State::widest_window(double s) const {
   const double cells = convolution_ == nullptr ? 64 : cells_for(convolution_->size());
   const double moving = std::min(size(0), size(1)), cell = (size(0) + size(1)) / cells;
   return moving > 0 ? kSweep * cell / (0.5 * moving) : 1;
+}
+
+std::unique_ptr<Window> ScalingSum::State::window_between(const BigRational& low, const BigRational& high) {
+  const double a = exact::round_to_double(low), b = exact::round_to_double(high);
+  ReducedConvolution& convolution = convolution_for(a * (1 - 0x1p-30), b * (1 + 0x1p-30));
+  WindowSettings settings = settings_for(low, high, a);
+  settings.cells = cells_for(convolution.size());
+  settings.mask = convolution.size() >= kMaskFrom;
+  return std::make_unique<Window>(*base, convolution, settings);
 }
 
 bool ScalingSum::State::build_window(const ScaleValue& s, double behind, double ahead) {
