@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "dymsum/planar_sum.h"
+#include "planar/complement.h"
 #include "planar/region_sweep.h"
 #include "planar/sum_engine.h"
 
@@ -28,8 +29,9 @@ double frame_margin(const Region& p, const Region& q) {
   return std::ldexp(1.0, std::ilogb(std::max(reach, 0x1p-1000)) + 2);
 }
 
-// The frame with P cut out, under the numbers of P.
-EngineRegion complement_of(const Region& p, const Region& q) {
+}  // namespace
+
+EngineRegion planar::complement_of(const Region& p, const Region& q) {
   RegionData data;
   std::vector<std::uint32_t> vertex_number(4, kFrame), edge_number(4, kFrame);
   const double m = frame_margin(p, q);
@@ -88,6 +90,8 @@ EngineRegion complement_of(const Region& p, const Region& q) {
   return complement;
 }
 
+namespace {
+
 bool of_frame(const Contact& c) { return c.p == kFrame; }
 
 }  // namespace
@@ -97,7 +101,7 @@ Result<PlanarSum> erode(const Region& p, const Region& q, const SumOptions& opti
     return Error{Code::unsupported_operand, "only a region without polylines and points can be eroded", {}};
   if (q.empty()) return Error{Code::unsupported_operand, "every position holds the empty region", {}};
   if (p.empty()) return PlanarSum{};
-  const EngineRegion complement = complement_of(p, q);
+  const EngineRegion complement = planar::complement_of(p, q);
   const Region reflected = negated(q);
   const EngineRegion tool = separate_touching(reflected.data(), reflected.touching_points());
   SumOptions open = options;

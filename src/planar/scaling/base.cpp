@@ -6,12 +6,19 @@ namespace dymsum::planar {
 
 Result<std::shared_ptr<const ScalingBase>> ScalingBase::create(const Region& p, const Region& q, std::uint32_t scaled,
                                                                int min_tier_bits) {
+  const std::array<EngineRegion, 2> regions{separate_touching(p.data(), p.touching_points()),
+                                            separate_touching(q.data(), q.touching_points())};
+  return create(regions, {}, scaled, min_tier_bits);
+}
+
+Result<std::shared_ptr<const ScalingBase>> ScalingBase::create(const std::array<EngineRegion, 2>& regions,
+                                                               const std::array<std::vector<Point>, 2>& further, std::uint32_t scaled,
+                                                               int min_tier_bits) {
   auto base = std::make_shared<ScalingBase>();
   base->scaled = scaled;
   base->min_tier_bits = min_tier_bits;
-  const std::array<EngineRegion, 2> regions{separate_touching(p.data(), p.touching_points()),
-                                            separate_touching(q.data(), q.touching_points())};
-  const std::array<std::vector<Point>, 2> vertices{source_vertices(regions[0].data()), source_vertices(regions[1].data())};
+  std::array<std::vector<Point>, 2> vertices{source_vertices(regions[0].data()), source_vertices(regions[1].data())};
+  for (int op = 0; op < 2; ++op) vertices[op].insert(vertices[op].end(), further[op].begin(), further[op].end());
   for (const auto& list : vertices)
     if (std::optional<Error> error = too_large(list)) return *std::move(error);
   base->lattice = make_lattice(vertices[0], vertices[1], min_tier_bits);

@@ -18,6 +18,10 @@ class ScalingBase {
   /// Errors: unsupported_operand.
   static Result<std::shared_ptr<const ScalingBase>> create(const Region& p, const Region& q, std::uint32_t scaled, int min_tier_bits);
 
+  /// The same for regions prepared for the engine, with further source vertices behind their own that belong to no walk.
+  static Result<std::shared_ptr<const ScalingBase>> create(const std::array<EngineRegion, 2>& regions, const std::array<std::vector<Point>, 2>& further,
+                                                           std::uint32_t scaled, int min_tier_bits);
+
   std::uint32_t scaled = 0;  ///< operand
   int min_tier_bits = 0;
   std::shared_ptr<const Lattice> lattice;  ///< at scale 1
