@@ -12,6 +12,8 @@ namespace dymsum::cli {
 void add_sum(CLI::App& app, Action& action);
 void add_nfp(CLI::App& app, Action& action);
 void add_erode(CLI::App& app, Action& action);
+void add_scale(CLI::App& app, Action& action);
+void add_scale_range(CLI::App& app, Action& action);
 void add_info(CLI::App& app, Action& action);
 void add_convert(CLI::App& app, Action& action);
 

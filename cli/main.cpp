@@ -25,6 +25,8 @@ ExitCode run(int argc, char** argv) {
   add_sum(app, action);
   add_nfp(app, action);
   add_erode(app, action);
+  add_scale(app, action);
+  add_scale_range(app, action);
   add_info(app, action);
   add_convert(app, action);
   try {

@@ -1,7 +1,9 @@
 // Exact positive scales.
 #pragma once
 
+#include <cstddef>
 #include <string_view>
+#include <vector>
 
 #include "dymsum/rational.h"
 #include "dymsum/result.h"
@@ -28,5 +30,9 @@ class Scale {
   Rational value_{"1", "1"};
   double approx_ = 1;
 };
+
+/// from, from + step, ... up to `to`, exactly; with `percent` each is 1 + step / 100 times the one before, rounded to a multiple of 2^-40
+/// (relative to 1) so that the numbers stay short. A step that leads away is taken downwards. Errors: bad_scale for more than `most`.
+Result<std::vector<Scale>> scale_steps(const Scale& from, const Scale& to, const Scale& step, bool percent, std::size_t most);
 
 }  // namespace dymsum

@@ -78,7 +78,7 @@ struct FrameChanges {
 struct ScaleEvent {
   enum class Kind : std::uint8_t {
     vertex_on_segment,  ///< the end of a segment lies on another one
-    three_segments,     ///< three segments meet in a point inside all of them
+    three_segments,     ///< three segments have a point in common
   };
   Rational s;
   double approx = 0;
@@ -122,8 +122,9 @@ class ScalingSum {
   Result<std::optional<ScaleEvent>> next_event(const Scale& s, const Scale& limit, bool topology = false,
                                                const Progress& progress = {}) const;
 
+  class State;  ///< internal
+
  private:
-  class State;
   explicit ScalingSum(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };

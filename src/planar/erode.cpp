@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "dymsum/planar_sum.h"
+#include "planar/complement.h"
 #include "planar/prepared_region.h"
 #include "planar/region_sweep.h"
 #include "planar/separate_touching.h"
@@ -30,8 +31,9 @@ double frame_margin(const Region& p, const Region& q) {
   return std::ldexp(1.0, std::ilogb(std::max(reach, 0x1p-1000)) + 2);
 }
 
-// The frame with P cut out, under the numbers of P.
-EngineRegion complement_of(const Region& p, const Region& q) {
+}  // namespace
+
+EngineRegion planar::complement_of(const Region& p, const Region& q) {
   RegionData data;
   std::vector<std::uint32_t> vertex_number(4, kFrame), edge_number(4, kFrame);
   const double m = frame_margin(p, q);
@@ -90,6 +92,8 @@ EngineRegion complement_of(const Region& p, const Region& q) {
   return complement;
 }
 
+namespace {
+
 bool of_frame(const Contact& c) { return c.p == kFrame; }
 
 }  // namespace
@@ -101,7 +105,7 @@ Result<PlanarSum> erode(const Region& p, const Region& q, const SumOptions& opti
   if (p.empty()) return PlanarSum{};
   SumOptions open = options;
   if (open.semantics == Semantics::closed) open.semantics = Semantics::open;
-  Result<planar::SumState> computed = planar::compute_boundary(planar::make_operand(complement_of(p, q), 0), planar::prepared_operand(q, 1, true), open);
+  Result<planar::SumState> computed = planar::compute_boundary(planar::make_operand(planar::complement_of(p, q), 0), planar::prepared_operand(q, 1, true), open);
   if (!computed.ok()) return computed.error();
   planar::SumState state = std::move(computed).value();
   // Positions that hold Q are what the sum leaves free: its rings the other way round, without the frame's.

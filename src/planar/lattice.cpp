@@ -39,7 +39,14 @@ class LatticeOf final : public Lattice {
 
  public:
   LatticeOf(int exponent, int unit, std::optional<LatticeScale> scale)
-      : exponent_(exponent), per_grid_unit_(std::ldexp(1.0, std::clamp(unit - exponent, -1000, 1000))), scale_(std::move(scale)) {}
+      : exponent_(exponent), per_grid_unit_(std::ldexp(1.0, std::clamp(unit - exponent, -1000, 1000))), scale_(std::move(scale)) {
+    if constexpr (!std::is_same_v<C, Big>) {
+      if (!scale_) return;
+      const C other = exact::narrowed<C>(Big(scale_->den));
+      for (std::uint32_t op = 0; op < 2; ++op)
+        factor_[op] = op == scale_->op ? Vec{exact::narrowed<C>(Big(scale_->x)), exact::narrowed<C>(Big(scale_->y))} : Vec{other, other};
+    }
+  }
 
   int cross(const Edge& d, const Edge& e) const override {
     const EdgeVec a = edge(d), b = edge(e);
@@ -160,8 +167,26 @@ class LatticeOf final : public Lattice {
                 C::from_int64(static_cast<std::int64_t>(o.y[i] * per_grid_unit_))};
       }
     }
+    if constexpr (!std::is_same_v<C, Big>) {
+      if (scale_) {
+        // The product fits: the tier was chosen for it.
+        const auto& v = unscaled().at[op][i];
+        const Vec& f = factor_[op];
+        return {C::from_raw(static_cast<typename C::Raw>(static_cast<typename C::Raw>(v[0]) * f.x.raw())),
+                C::from_raw(static_cast<typename C::Raw>(static_cast<typename C::Raw>(v[1]) * f.y.raw()))};
+      }
+    }
     if (!filled_.load(std::memory_order_acquire)) fill();
     return integers_[op][i];
+  }
+  const SharedIntegers& unscaled() const {
+    std::call_once(integers->made, [this] {
+      for (int op = 0; op < 2; ++op)
+        for (const Point& v : points[op]->input)
+          integers->at[op].push_back({exact::grid_coordinate<exact::Int<125>>(v.x, points[op]->offset.x, exponent_).raw(),
+                                      exact::grid_coordinate<exact::Int<125>>(v.y, points[op]->offset.y, exponent_).raw()});
+    });
+    return *integers;
   }
   // Integers are made when a filter has failed for the first time; most problems never ask.
   void fill() const {
@@ -170,14 +195,14 @@ class LatticeOf final : public Lattice {
     for (std::uint32_t op = 0; op < 2; ++op) {
       const Point& origin = points[op]->offset;
       for (const Point& v : points[op]->input) {
-        if (!scale_) {
-          integers_[op].push_back({exact::grid_coordinate<C>(v.x, origin.x, exponent_), exact::grid_coordinate<C>(v.y, origin.y, exponent_)});
-          continue;
+        integers_[op].push_back({exact::grid_coordinate<C>(v.x, origin.x, exponent_), exact::grid_coordinate<C>(v.y, origin.y, exponent_)});
+        if constexpr (std::is_same_v<C, Big>) {
+          if (!scale_) continue;
+          Vec& w = integers_[op].back();
+          const bool scaled = op == scale_->op;
+          w.x = w.x * Big(scaled ? scale_->x : scale_->den);
+          w.y = w.y * Big(scaled ? scale_->y : scale_->den);
         }
-        const bool scaled = op == scale_->op;
-        const Big x = exact::grid_coordinate<Big>(v.x, origin.x, exponent_), y = exact::grid_coordinate<Big>(v.y, origin.y, exponent_);
-        integers_[op].push_back({exact::narrowed<C>(Big(exact::BigInteger(x.value() * (scaled ? scale_->x : scale_->den)))),
-                                 exact::narrowed<C>(Big(exact::BigInteger(y.value() * (scaled ? scale_->y : scale_->den))))});
       }
     }
     filled_.store(true, std::memory_order_release);
@@ -250,6 +275,7 @@ class LatticeOf final : public Lattice {
   int exponent_;
   double per_grid_unit_;  // used where unit and grid differ by few bits
   std::optional<LatticeScale> scale_;
+  std::array<Vec, 2> factor_{};  // of the integers, where scaled
   mutable std::mutex filling_;
   mutable std::atomic<bool> filled_ = false;
   mutable std::array<std::vector<Vec>, 2> integers_;
@@ -390,7 +416,9 @@ std::shared_ptr<Lattice> make_scaled_lattice(const Lattice& unscaled, const Latt
   stretched->stretch = {exact::round_to_double(BigRational(scale.x, scale.den)), exact::round_to_double(BigRational(scale.y, scale.den))};
   place(*stretched, unit);
   points[scale.op] = std::move(stretched);
-  return build(std::move(points), exponent, unit, bits, scale, min_tier_bits);
+  std::shared_ptr<Lattice> lattice = build(std::move(points), exponent, unit, bits, scale, min_tier_bits);
+  lattice->integers = unscaled.integers;
+  return lattice;
 }
 
 }  // namespace dymsum::planar

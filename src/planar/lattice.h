@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <span>
 #include <vector>
 
@@ -71,6 +72,12 @@ struct PlacedPoints {
 /// Placed in units of 1 where they are moderate, else of their own grid or 2^-60 of their extent.
 std::shared_ptr<const PlacedPoints> place_points(std::vector<Point> input);
 
+/// The unscaled integers of both operands, shared by the lattices of all scales; made when first asked for. Requires 125 bits or fewer.
+struct SharedIntegers {
+  std::once_flag made;
+  std::array<std::vector<std::array<exact::i128, 2>>, 2> at;
+};
+
 /// Integer operands and exact signs. Coordinates are grid units relative to one offset per operand, so that a translation of an
 /// operand never costs bits.
 class Lattice {
@@ -111,6 +118,7 @@ class Lattice {
   double integers_per_unit = 1;  ///< the exact layer's integers per unit of the doubles; may be infinite for huge exponents
   int grid_exponent = 0;       ///< unscaled coordinates are integers times 2^grid_exponent
   std::array<std::shared_ptr<const PlacedPoints>, 2> points;
+  std::shared_ptr<SharedIntegers> integers;  ///< of unscaled coordinates, only for lattices that are scaled
   Point base;                  ///< the sum of the offsets in input coordinates, rounded
   double base_reach = 0;       ///< the sum of their absolute coordinates
   double base_error = 0;       ///< of base, beyond one rounding
@@ -135,7 +143,7 @@ struct LatticeScale {
 };
 
 /// The lattice of two operands of which one is scaled: integers are the scaled operand's times x or y and the other's times den; the
-/// doubles still count units of the unscaled lattice, which make_lattice has made. O(n), a few operations a vertex.
+/// doubles still count units of the unscaled lattice, which make_lattice has made and whose `integers` are set. O(n), a few operations a vertex.
 std::shared_ptr<Lattice> make_scaled_lattice(const Lattice& unscaled, const LatticeScale& scale, int min_tier_bits);
 
 }  // namespace dymsum::planar

@@ -223,9 +223,8 @@ std::shared_ptr<const Operand> placed_on(const Lattice& lattice, std::shared_ptr
   return moved;
 }
 
-std::optional<Error> too_large(const Operand& operand) {
+std::optional<Error> too_large(const PlacedPoints& points) {
   constexpr double kLimit = 0x1p1000;
-  const PlacedPoints& points = *operand.points;
   if (points.extent + std::abs(points.offset.x) + std::abs(points.offset.y) <= kLimit) return std::nullopt;
   for (const Point& v : points.input) {
     if (std::abs(v.x) <= kLimit && std::abs(v.y) <= kLimit) continue;

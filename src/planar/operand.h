@@ -68,6 +68,7 @@ std::shared_ptr<const Operand> make_operand(const EngineRegion& region, std::uin
 std::shared_ptr<const Operand> placed_on(const Lattice& lattice, std::shared_ptr<const Operand> operand);
 
 /// The error for a coordinate that no sum can take: larger than 2^1000, so that differences overflow.
-std::optional<Error> too_large(const Operand& operand);
+std::optional<Error> too_large(const PlacedPoints& points);
+inline std::optional<Error> too_large(const Operand& operand) { return too_large(*operand.points); }
 
 }  // namespace dymsum::planar

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -66,6 +68,21 @@ inline std::vector<std::string> static_answer(const Region& p, const Region& q, 
   const double fp = q_scales ? b : a, fq = q_scales ? a : b;
   const Result<PlanarSum> sum = minkowski_sum(multiplied(p, fp, fp), multiplied(q, fq, fq), options);
   return described(*sum, exact::BigRational(1));
+}
+
+/// Coordinates rounded to integers from 0 to size.
+inline Region on_integers(const Region& region, double size) {
+  const auto box = bounds(region);
+  const double f = size / std::max(box[2] - box[0], box[3] - box[1]);
+  RegionData data = region.data();
+  const auto all = [&](std::vector<Point>& list) {
+    for (Point& p : list) p = {std::round((p.x - box[0]) * f), std::round((p.y - box[1]) * f)};
+  };
+  for (Part& part : data.parts) {
+    all(part.outer);
+    for (Ring& hole : part.holes) all(hole);
+  }
+  return Region::create(std::move(data)).value();
 }
 
 inline Scale scale_of(long a, long b) { return Scale::of(Rational{std::to_string(a), std::to_string(b)}).value(); }

@@ -1,6 +1,7 @@
 // The scaling sum against the static engine on integers, which shares none of its windows, lists or scaled lattices.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -58,21 +59,6 @@ TEST(ScalingSum, tiny_pairs_equal_the_static_engine_at_every_step) {
   EXPECT_GT(kept, 0u);
 }
 
-/// Coordinates rounded to integers below 2^bits.
-Region on_integers(const Region& region, double size) {
-  const auto box = bounds(region);
-  const double f = size / std::max(box[2] - box[0], box[3] - box[1]);
-  RegionData data = region.data();
-  const auto all = [&](std::vector<Point>& list) {
-    for (Point& p : list) p = {std::round((p.x - box[0]) * f), std::round((p.y - box[1]) * f)};
-  };
-  for (Part& part : data.parts) {
-    all(part.outer);
-    for (Ring& hole : part.holes) all(hole);
-  }
-  return Region::create(std::move(data)).value();
-}
-
 struct Shape {
   const char* name;
   Region p, q;
@@ -109,6 +95,181 @@ TEST(ScalingSum, larger_pairs_with_masks_equal_the_static_engine) {
         }
         EXPECT_GT(fast, 5u) << shape.name;
       }
+}
+
+Shape middling() {
+  return {"random with holes and star", on_integers(shapes::random_polygon(60, 3, 5), 3000), on_integers(shapes::noisy_star(16, 0.6, 4), 500)};
+}
+
+TEST(ScalingSum, forward_and_back_returns_the_identical_state) {
+  const Shape shape = middling();
+  ScalingSum sum = ScalingSum::create(shape.p, shape.q).value();
+  std::vector<std::vector<std::string>> seen;
+  std::vector<std::uint64_t> hashes;
+  for (int k = 0; k < 40; ++k) {
+    ASSERT_TRUE(sum.set(1 + k / 64.0).ok());
+    seen.push_back(described(sum.sum(), exact::BigRational(1)));
+    hashes.push_back(sum.combinatorial_hash());
+  }
+  for (int k = 39; k >= 0; --k) {
+    ASSERT_TRUE(sum.set(1 + k / 64.0).ok());
+    EXPECT_EQ(described(sum.sum(), exact::BigRational(1)), seen[static_cast<std::size_t>(k)]) << k;
+    EXPECT_EQ(sum.combinatorial_hash(), hashes[static_cast<std::size_t>(k)]) << k;
+  }
+}
+
+TEST(ScalingSum, non_uniform_scales_equal_the_static_engine) {
+  const Shape shape = middling();
+  for (const bool q_scales : {false, true}) {
+    ScalingOptions options;
+    options.scaled = q_scales ? ScaledOperand::q : ScaledOperand::p;
+    ScalingSum sum = ScalingSum::create(shape.p, shape.q, options).value();
+    oracles::Random random(3);
+    for (int k = 0; k < 20; ++k) {
+      const long a = 50 + random.below(100), b = 50 + random.below(100);
+      ASSERT_TRUE(sum.set(scale_of(a, 100), scale_of(b, 100)).ok());
+      const Region p = multiplied(shape.p, q_scales ? 100.0 : double(a), q_scales ? 100.0 : double(b));
+      const Region q = multiplied(shape.q, q_scales ? double(a) : 100.0, q_scales ? double(b) : 100.0);
+      EXPECT_EQ(ours(sum, 100), described(minkowski_sum(p, q).value(), exact::BigRational(1)));
+      ASSERT_TRUE(sum.set(scale_of(a, 100)).ok());
+      EXPECT_EQ(ours(sum, 100), static_answer(shape.p, shape.q, double(a), 100, q_scales, Semantics::closed));
+    }
+  }
+}
+
+TEST(ScalingSum, a_frame_without_event_touches_no_loop) {
+  const Shape shape = middling();
+  ScalingOptions options;
+  options.mode = ScalingMode::window;
+  options.window = 0.1;
+  ScalingSum sum = ScalingSum::create(shape.p, shape.q, options).value();
+  const auto at = [](double s) { return Scale::of(s).value(); };
+  ASSERT_TRUE(sum.set(1.015625).ok());
+  // Two neighbouring scales with no event between them, visible or not.
+  const auto events = sum.events(at(1.015625), at(1.0625)).value();
+  ASSERT_FALSE(events.empty());
+  double low = 0, high = 0;
+  for (std::size_t i = 0; i + 1 < events.size(); ++i)
+    if (events[i + 1].approx - events[i].approx > high - low) {
+      low = events[i].approx;
+      high = events[i + 1].approx;
+    }
+  ASSERT_GT(high - low, 1e-6);
+  ASSERT_TRUE(sum.set(low + 0.25 * (high - low)).ok());
+  const auto changes = sum.set(low + 0.75 * (high - low)).value();
+  EXPECT_FALSE(sum.work().new_window);
+  EXPECT_FALSE(sum.work().rebuilt);
+  EXPECT_EQ(sum.work().lists_changed, 0u);
+  EXPECT_EQ(sum.work().loops_traced, 0u);
+  EXPECT_EQ(sum.work().collision_tests, 0u);
+  EXPECT_EQ(sum.work().exact_signs, 0u);
+  EXPECT_FALSE(changes.topology);
+  for (const RingChange& c : changes.rings) EXPECT_EQ(c.kind, RingChange::Kind::moved);
+  EXPECT_EQ(changes.rings.size(), sum.ring_ids().size());
+  // The same scale again: not even that.
+  EXPECT_TRUE(sum.set(low + 0.75 * (high - low)).value().rings.empty());
+}
+
+TEST(ScalingSum, identities_and_changes_account_for_every_ring) {
+  const Shape shape = middling();
+  ScalingSum sum = ScalingSum::create(shape.p, shape.q).value();
+  std::vector<std::uint64_t> alive = sum.ring_ids();
+  std::vector<std::uint64_t> ended;
+  for (int k = 0; k < 200; ++k) {
+    const FrameChanges changes = sum.set(0.5 + k / 128.0).value();
+    std::vector<std::uint64_t> next = alive;
+    for (const RingChange& c : changes.rings) {
+      if (c.kind == RingChange::Kind::appeared) {
+        EXPECT_EQ(std::count(ended.begin(), ended.end(), c.ring), 0) << "an identity used again";
+        next.push_back(c.ring);
+      } else {
+        const auto it = std::find(next.begin(), next.end(), c.ring);
+        ASSERT_NE(it, next.end());
+        if (c.kind == RingChange::Kind::disappeared) {
+          ended.push_back(c.ring);
+          next.erase(it);
+        }
+      }
+    }
+    std::vector<std::uint64_t> now = sum.ring_ids();
+    std::sort(now.begin(), now.end());
+    std::sort(next.begin(), next.end());
+    EXPECT_EQ(now, next) << k;
+    EXPECT_EQ(now.size(), sum.sum().parts.size() + sum.sum().hole_count());
+    alive = now;
+  }
+  EXPECT_FALSE(ended.empty());
+}
+
+TEST(ScalingSum, many_random_steps_equal_a_rebuild) {
+  const bool heavy = std::getenv("DYMSUM_FUZZ_PAIRS") != nullptr;
+  const Shape shape = middling();
+  ScalingSum sum = ScalingSum::create(shape.p, shape.q).value();
+  oracles::Random random(11);
+  long a = 4096;
+  for (int step = 0; step < (heavy ? 100000 : 2000); ++step) {
+    a = std::clamp(a + random.below(33) - 16 + (random.chance(1) ? random.below(4000) - 2000 : 0), 400L, 40000L);
+    ASSERT_TRUE(sum.set(scale_of(a, 4096)).ok());
+    if (step % (heavy ? 100 : 20) != 0) continue;
+    ASSERT_EQ(ours(sum, 4096), static_answer(shape.p, shape.q, double(a), 4096, false, Semantics::closed)) << "step " << step << ", s = " << a << "/4096";
+  }
+}
+
+TEST(ScalingSum, bad_scales_are_refused_and_change_nothing) {
+  const Shape shape = middling();
+  ScalingSum sum = ScalingSum::create(shape.p, shape.q).value();
+  ASSERT_TRUE(sum.set(1.25).ok());
+  const auto before = described(sum.sum(), exact::BigRational(1));
+  EXPECT_EQ(sum.set(0.0).error().code, Code::bad_scale);
+  EXPECT_EQ(sum.set(-1.0).error().code, Code::bad_scale);
+  EXPECT_EQ(sum.set(NAN).error().code, Code::not_finite);
+  EXPECT_EQ(sum.set(INFINITY).error().code, Code::not_finite);
+  EXPECT_EQ(sum.set(0x1p-65).error().code, Code::bad_scale);
+  EXPECT_EQ(sum.set(0x1p65).error().code, Code::bad_scale);
+  EXPECT_EQ(sum.set(0x1p-1074).error().code, Code::bad_scale);
+  EXPECT_EQ(Scale::of(Rational{"1", "0"}).error().code, Code::bad_scale);
+  EXPECT_EQ(Scale::of(Rational{"x", "2"}).error().code, Code::malformed);
+  EXPECT_EQ(Scale::of(Rational{"1", std::string(2000, '7')}).error().code, Code::bad_scale);
+  EXPECT_EQ(Scale::parse("1/").error().code, Code::malformed);
+  EXPECT_EQ(Scale::parse("").error().code, Code::malformed);
+  EXPECT_EQ(Scale::parse("1.2.3").error().code, Code::malformed);
+  EXPECT_EQ(Scale::parse("1e999999999").error().code, Code::malformed);
+  EXPECT_EQ(Scale::parse("nan").error().code, Code::malformed);
+  EXPECT_EQ(Scale::parse("-2").error().code, Code::bad_scale);
+  EXPECT_EQ(Scale::parse("1.01").value().exact().to_string(), "101/100");
+  EXPECT_EQ(Scale::parse("25e-1").value().exact().to_string(), "5/2");
+  EXPECT_EQ(sum.scale(), Scale::of(1.25).value());
+  EXPECT_EQ(described(sum.sum(), exact::BigRational(1)), before);
+  for (const double s : {0x1p-64, 0x1p64, 1e-9, 1e9}) EXPECT_TRUE(sum.set(s).ok()) << s;
+}
+
+TEST(ScalingSum, a_cancelled_frame_changes_nothing) {
+  const Shape shape = middling();
+  ScalingOptions options;
+  bool stop = false;
+  options.progress = [&](std::string_view, double) { return !stop; };
+  ScalingSum sum = ScalingSum::create(shape.p, shape.q, options).value();
+  const auto before = described(sum.sum(), exact::BigRational(1));
+  stop = true;
+  EXPECT_EQ(sum.set(3.0).error().code, Code::cancelled);
+  EXPECT_EQ(described(sum.sum(), exact::BigRational(1)), before);
+  stop = false;
+  ASSERT_TRUE(sum.set(3.0).ok());
+  EXPECT_EQ(ours(sum, 1), static_answer(shape.p, shape.q, 3, 1, false, Semantics::closed));
+}
+
+TEST(ScalingSum, copies_of_a_master_shape_equal_their_own_sums) {
+  const Shape shape = middling();
+  std::vector<ScaledCopy> copies;
+  oracles::Random random(5);
+  for (int k = 0; k < 12; ++k) copies.push_back({scale_of(40 + random.below(160), 100), {double(100 * k), double(50 * k)}});
+  const std::vector<CopySum> sums = scaled_copies(shape.p, shape.q, copies).value();
+  ASSERT_EQ(sums.size(), copies.size());
+  for (std::size_t k = 0; k < sums.size(); ++k) {
+    const long a = std::lround(copies[k].scale.approx() * 100);
+    EXPECT_EQ(described(sums[k].sum, exact::BigRational(100)), static_answer(shape.p, shape.q, double(a), 100, false, Semantics::closed));
+    EXPECT_EQ(sums[k].at, copies[k].at);
+  }
 }
 
 }  // namespace

@@ -6,13 +6,28 @@ namespace dymsum::planar {
 
 Result<std::shared_ptr<const ScalingBase>> ScalingBase::create(const Region& p, const Region& q, std::uint32_t scaled,
                                                                int min_tier_bits) {
+  return create({prepared_operand(p, 0), prepared_operand(q, 1)}, {}, scaled, min_tier_bits);
+}
+
+Result<std::shared_ptr<const ScalingBase>> ScalingBase::create(const std::array<std::shared_ptr<const Operand>, 2>& kept,
+                                                               const std::array<std::vector<Point>, 2>& further, std::uint32_t scaled,
+                                                               int min_tier_bits) {
   auto base = std::make_shared<ScalingBase>();
   base->scaled = scaled;
   base->min_tier_bits = min_tier_bits;
-  std::array<std::shared_ptr<const Operand>, 2> kept{prepared_operand(p, 0), prepared_operand(q, 1)};
-  for (const auto& o : kept)
-    if (std::optional<Error> error = too_large(*o)) return *std::move(error);
-  base->lattice = make_lattice(kept[0]->points, kept[1]->points, min_tier_bits);
+  std::array<std::shared_ptr<const PlacedPoints>, 2> points;
+  for (std::uint32_t op = 0; op < 2; ++op) {
+    if (std::optional<Error> error = too_large(*kept[op])) return *std::move(error);
+    points[op] = kept[op]->points;
+    if (further[op].empty()) continue;
+    std::vector<Point> all = points[op]->input;
+    all.insert(all.end(), further[op].begin(), further[op].end());
+    points[op] = place_points(std::move(all));
+    if (std::optional<Error> error = too_large(*points[op])) return *std::move(error);
+  }
+  const std::shared_ptr<Lattice> lattice = make_lattice(points[0], points[1], min_tier_bits);
+  lattice->integers = std::make_shared<SharedIntegers>();
+  base->lattice = lattice;
   for (std::uint32_t op = 0; op < 2; ++op) {
     base->operands[op] = *placed_on(*base->lattice, kept[op]);
     const Operand& o = base->operands[op];

@@ -17,6 +17,11 @@ class ScalingBase : public std::enable_shared_from_this<ScalingBase> {
   /// Errors: unsupported_operand.
   static Result<std::shared_ptr<const ScalingBase>> create(const Region& p, const Region& q, std::uint32_t scaled, int min_tier_bits);
 
+  /// The same for operands, with further source vertices behind their own that belong to no walk.
+  static Result<std::shared_ptr<const ScalingBase>> create(const std::array<std::shared_ptr<const Operand>, 2>& kept,
+                                                           const std::array<std::vector<Point>, 2>& further, std::uint32_t scaled,
+                                                           int min_tier_bits);
+
   std::uint32_t scaled = 0;  ///< operand
   int min_tier_bits = 0;
   std::shared_ptr<const Lattice> lattice;  ///< at scale 1

@@ -36,7 +36,7 @@ void WindowController::built(double ms) {
   served_ = 1;
 }
 
-WindowController::Choice WindowController::choose(double step, const ScalingOptions& options) {
+WindowController::Choice WindowController::choose(double step, double widest, const ScalingOptions& options) {
   const double size = std::abs(step);
   if (options.mode == ScalingMode::rebuild) return {};
   if (options.window > 0) {
@@ -58,7 +58,8 @@ WindowController::Choice WindowController::choose(double step, const ScalingOpti
     if (kFrames * size > kWidest) return {};
     if (rest_ > 0 && size > 0.5 * bad_step_) return {};
   }
-  const double ahead = std::clamp(frames_ahead_ * size, kNarrowest, kWidest), behind = std::max(0.75 * size, kNarrowest);
+  const double wide = std::min(frames_ahead_ * size, std::max(widest, (kFrames + 0.5) * size));
+  const double ahead = std::clamp(wide, kNarrowest, kWidest), behind = std::max(0.02 * size, kNarrowest);
   return step >= 0 ? Choice{true, std::min(behind, ahead), ahead} : Choice{true, ahead, std::min(behind, ahead)};
 }
 

@@ -14,8 +14,9 @@ class WindowController {
     bool window = false;
     double behind = 0, ahead = 0;  ///< how far the window reaches below and above the scale
   };
-  /// For a frame outside the current window, `step` after the last one.
-  Choice choose(double step, const ScalingOptions& options);
+  /// For a frame outside the current window, `step` after the last one; windows should not be wider than `widest`, unless that is less
+  /// than a few steps.
+  Choice choose(double step, double widest, const ScalingOptions& options);
 
   /// What was measured: a frame from scratch; a frame that built a window; a frame inside one.
   void rebuilt(double ms);

@@ -8,11 +8,6 @@ namespace {
 
 int half(const LiveSegment& s) { return s.dy > 0 || (s.dy == 0 && s.dx > 0) ? 0 : 1; }
 
-std::uint64_t mixed(std::uint64_t h, std::uint64_t v) {
-  h = (h ^ v) * 0x9e3779b97f4a7c15u;
-  return h ^ (h >> 29);
-}
-
 // Window coordinates of sums: each operand's coordinate one rounding, tau one, product, sum.
 constexpr double kPoint = 0x1p-49;
 
@@ -24,17 +19,58 @@ std::size_t FrameLoops::bytes() const {
   return n;
 }
 
+// Whether a sub-edge has existed, with nothing between its ends, at every scale since the last frame. A point inside it then moved
+// continuously without meeting another segment, so what lies on its right is inside or outside the sum as it was (docs/design/scaling-sum.md).
+bool FrameLoops::undisturbed(const FrameLoop::Between& edge, double tau) const {
+  const Window& window = lists_.window();
+  const double low = std::min(tau, last_tau_), high = std::max(tau, last_tau_);
+  const LiveSegment& segment = window.segments[window.pieces[edge.piece].segment];
+  struct End {
+    Linear t;
+    double error;
+  };
+  const auto end = [&](std::uint32_t id, Linear at_end) {
+    if (id == kNone) return End{at_end, 0};
+    const Candidate& c = window.candidates[id];
+    return c.a == edge.piece ? End{c.ta, c.error_a} : End{c.tb, c.error_b};
+  };
+  for (const std::uint32_t id : {edge.from, edge.to})
+    if (id != kNone && !(window.candidates[id].in_low < low && window.candidates[id].in_high > high)) return false;
+  const End from = end(edge.from, {0, 0}), to = end(edge.to, segment.moving ? Linear{0, 1} : Linear{1, 0});
+  const double margin = from.error + to.error + 0x1p-48 * std::max(1.0, high);
+  for (const double x : {low, high})
+    if (!(to.t.at(x) - from.t.at(x) > margin)) return false;
+  for (std::uint32_t k = window.first_of[edge.piece]; k < window.first_of[edge.piece + 1]; ++k) {
+    const std::uint32_t id = window.of[k];
+    const Candidate& c = window.candidates[id];
+    if (id == edge.from || id == edge.to || c.out_high <= low || c.out_low >= high) continue;
+    const bool a = c.a == edge.piece;
+    const Linear& t = a ? c.ta : c.tb;
+    const double apart = margin + (a ? c.error_a : c.error_b), u = std::max(low, c.out_low), v = std::min(high, c.out_high);
+    const bool before = from.t.at(u) - t.at(u) > apart && from.t.at(v) - t.at(v) > apart;
+    const bool behind = t.at(u) - to.t.at(u) > apart && t.at(v) - to.t.at(v) > apart;
+    if (!before && !behind) return false;
+  }
+  return true;
+}
+
 void FrameLoops::update(double tau, FramePlace& place, bool whole, FrameWork& work) {
   const Window& window = lists_.window();
   if (seen_.size() != lists_.sub_limit() || walk_ > 0xfffffff0) {
     seen_.assign(lists_.sub_limit(), 0);
+    owners_.assign(window.pieces.size(), {});
     walk_ = 0;
   }
-  const std::uint32_t first_walk = ++walk_;
+  ended_.clear();
+  ++walk_;
   std::vector<FrameLoop> gone;
-  std::vector<std::uint8_t> look;
+  std::vector<Look> look;
+  const auto any_undisturbed = [&](const FrameLoop& loop) {
+    for (const FrameLoop::Between& edge : loop.edges)
+      if (undisturbed(edge, tau)) return true;
+    return false;
+  };
   if (whole) {
-    gone = std::move(loops_);
     loops_.clear();
   } else {
     std::size_t to = 0;
@@ -49,7 +85,8 @@ void FrameLoops::update(double tau, FramePlace& place, bool whole, FrameWork& wo
         continue;
       }
       work.loops_kept += !touched;
-      look.push_back(touched);
+      look.push_back(!touched ? Look::none : any_undisturbed(loops_[i]) ? Look::known : Look::test);
+      loops_[i].fresh = false;
       if (to != i) loops_[to] = std::move(loops_[i]);
       ++to;
     }
@@ -62,20 +99,37 @@ void FrameLoops::update(double tau, FramePlace& place, bool whole, FrameWork& wo
     // A new cycle passes a piece whose list changed: elsewhere the successor map is as it was.
     for (const std::uint32_t i : lists_.changed()) trace(i, work);
   }
-  walk_ = std::max(walk_, first_walk);
+  // What is new inherits its status from any sub-edge that it shares with an old loop, if nothing came between.
+  if (loops_.size() > fresh)
+    for (std::uint32_t g = 0; g < gone.size(); ++g)
+      for (std::uint32_t k = 0; k < gone[g].edges.size(); ++k)
+        if (Owner& owner = owners_[gone[g].edges[k].piece]; owner.walk != walk_) owner = {walk_, g, k};
   for (std::size_t i = fresh; i < loops_.size(); ++i) {
     FrameLoop& loop = loops_[i];
-    for (const FrameLoop& old : gone)
-      if (old.key == loop.key) loop.witness = old.witness;
-    look.push_back(1);
+    Look status = Look::test;
+    for (const FrameLoop::Between& e : loop.edges) {
+      const Owner& owner = owners_[e.piece];
+      if (owner.walk != walk_ || !(gone[owner.loop].edges[owner.edge] == e)) continue;
+      if (!loop.witness) loop.witness = gone[owner.loop].witness;
+      if (!undisturbed(e, tau)) continue;
+      loop.kept = gone[owner.loop].kept;
+      status = Look::known;
+      break;
+    }
+    look.push_back(status);
   }
-  verify(tau, place, fresh, look, work);
-  for (std::size_t i = fresh; i < loops_.size(); ++i)
-    if (loops_[i].kept) make_vertices(loops_[i]);
+  verify(tau, place, look, work);
+  std::vector<std::uint8_t> claimed(gone.size(), 0);
+  for (std::size_t i = 0; i < loops_.size(); ++i)
+    if (loops_[i].kept && loops_[i].vertices.empty()) make_vertices(loops_[i], gone, claimed);
+  for (std::size_t g = 0; g < gone.size(); ++g)
+    if (gone[g].kept && !claimed[g] && gone[g].ring != 0) ended_.push_back({gone[g].ring, static_cast<std::uint32_t>(gone[g].vertices.size())});
+  last_tau_ = tau;
 }
 
 void FrameLoops::trace(std::uint32_t piece, FrameWork& work) {
-  const std::uint32_t n = lists_.count(piece);
+  const auto n_of = [&](std::uint32_t i) { return lists_.count(i); };
+  const std::uint32_t n = n_of(piece);
   for (std::uint32_t k = 0; k <= n; ++k) {
     const Step start{piece, k};
     if (seen_[lists_.first_sub(piece) + k] >= walk_ || !lists_.alive_at_start(start)) continue;
@@ -91,7 +145,9 @@ void FrameLoops::trace(std::uint32_t piece, FrameWork& work) {
     FrameLoop loop;
     loop.steps = path_;
     loop.turning = turning_number(path_);
-    loop.key = key_of(path_);
+    for (const Step& s : path_)
+      loop.edges.push_back({s.piece, s.sub == 0 ? kNone : lists_.crossing(s.piece, s.sub - 1),
+                            s.sub == n_of(s.piece) ? kNone : lists_.crossing(s.piece, s.sub)});
     loops_.push_back(std::move(loop));
   }
 }
@@ -115,18 +171,7 @@ int FrameLoops::turning_number(const std::vector<Step>& steps) const {
   return turns;
 }
 
-// Independent of where the cycle starts.
-std::uint64_t FrameLoops::key_of(const std::vector<Step>& steps) const {
-  std::uint64_t sum = steps.size();
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    const Step &s = steps[i], &t = steps[(i + 1) % steps.size()];
-    const bool end = s.sub == lists_.count(s.piece);
-    sum += mixed(mixed(s.piece, t.piece), end ? kNone : lists_.crossing(s.piece, s.sub));
-  }
-  return sum;
-}
-
-void FrameLoops::verify(double tau, FramePlace& place, std::size_t fresh, const std::vector<std::uint8_t>& look, FrameWork& work) {
+void FrameLoops::verify(double tau, FramePlace& place, const std::vector<Look>& look, FrameWork& work) {
   // A connected sum has exactly one counter-clockwise true loop, the one that reaches farthest left.
   std::size_t outer = loops_.size();
   if (place.base().connected) {
@@ -135,7 +180,7 @@ void FrameLoops::verify(double tau, FramePlace& place, std::size_t fresh, const 
       if (loops_[i].turning > 0) {
         ++ccw;
         last = i;
-        if (i < fresh && !look[i] && loops_[i].kept) outer = i;
+        if (look[i] != Look::test && loops_[i].kept) outer = i;
       }
     if (outer == loops_.size() && ccw == 1) outer = last;
     if (outer == loops_.size()) {
@@ -161,7 +206,7 @@ void FrameLoops::verify(double tau, FramePlace& place, std::size_t fresh, const 
     }
   }
   for (std::size_t i = 0; i < loops_.size(); ++i) {
-    if (!look[i]) continue;
+    if (look[i] != Look::test) continue;
     FrameLoop& loop = loops_[i];
     if (i == outer) {
       loop.kept = true;
@@ -170,7 +215,6 @@ void FrameLoops::verify(double tau, FramePlace& place, std::size_t fresh, const 
     } else {
       loop.kept = !is_false(loop, tau, place, work);
     }
-    if (i < fresh && loop.kept && loop.vertices.empty()) make_vertices(loop);
   }
 }
 
@@ -330,14 +374,26 @@ MovingVertex FrameLoops::vertex_after(Step s, std::uint32_t in, std::uint32_t ou
   return v;
 }
 
-void FrameLoops::make_vertices(FrameLoop& loop) const {
+void FrameLoops::make_vertices(FrameLoop& loop, const std::vector<FrameLoop>& gone, std::vector<std::uint8_t>& claimed) const {
   const Window& window = lists_.window();
   loop.vertices.clear();
+  loop.vertices.reserve(loop.steps.size());
+  std::uint32_t from = kNone;
   for (std::size_t i = 0; i < loop.steps.size(); ++i) {
-    const Step &s = loop.steps[i], &t = loop.steps[(i + 1) % loop.steps.size()];
+    const Step &s = loop.steps[i], &t = loop.steps[i + 1 == loop.steps.size() ? 0 : i + 1];
     const Piece& p = window.pieces[s.piece];
     if (s.sub == lists_.count(s.piece) && p.next_turn == 0) continue;  // straight on
     loop.vertices.push_back(vertex_after(s, p.segment, window.pieces[t.piece].segment));
+    const Owner& owner = owners_[s.piece];
+    if (gone.empty() || owner.walk != walk_ || gone[owner.loop].edges[owner.edge].to != loop.edges[i].to) continue;
+    // The first ring with a common vertex lends its identity.
+    if (from == kNone && gone[owner.loop].kept && !claimed[owner.loop]) {
+      from = owner.loop;
+      claimed[from] = 1;
+      loop.ring = gone[from].ring;
+      loop.vertices_before = static_cast<std::uint32_t>(gone[from].vertices.size());
+    }
+    loop.vertices_shared += owner.loop == from;
   }
 }
 

@@ -20,10 +20,16 @@ struct MovingVertex {
 
 struct FrameLoop {
   std::vector<PieceLists::Step> steps;
+  struct Between {
+    std::uint32_t piece, from, to;  ///< crossings at the ends of a sub-edge, kNone at a segment's own end
+    friend bool operator==(const Between&, const Between&) = default;
+  };
+  std::vector<Between> edges;       ///< per step; unlike steps it stays valid when lists change
   int turning = 0;
   bool kept = false;                ///< a true boundary
-  std::uint64_t key = 0;            ///< of the cyclic sequence of pieces and crossings
-  std::uint64_t ring = 0;           ///< identity of a true one
+  std::uint64_t ring = 0;           ///< identity of a true one, 0: not yet given
+  bool fresh = true;                ///< walked anew in this frame
+  std::uint32_t vertices_before = 0, vertices_shared = 0;  ///< of a fresh one: of the ring whose identity it has taken, and both
   std::optional<std::array<std::uint32_t, 2>> witness;  ///< of a false one: walk edges that crossed properly
   std::vector<MovingVertex> vertices;  ///< of a true one
 };
@@ -36,14 +42,17 @@ class FrameLoops {
   void update(double tau, FramePlace& place, bool whole, FrameWork& work);
   const std::vector<FrameLoop>& loops() const { return loops_; }
   std::vector<FrameLoop>& loops() { return loops_; }
+  /// Rings that the last update has ended: identity and number of vertices.
+  const std::vector<std::pair<std::uint64_t, std::uint32_t>>& ended() const { return ended_; }
   std::size_t bytes() const;
 
  private:
   using Step = PieceLists::Step;
+  enum class Look : std::uint8_t { none, known, test };  ///< carried over; status inherited; nothing known
   void trace(std::uint32_t piece, FrameWork& work);
   int turning_number(const std::vector<Step>& steps) const;
-  std::uint64_t key_of(const std::vector<Step>& steps) const;
-  void verify(double tau, FramePlace& place, std::size_t fresh, const std::vector<std::uint8_t>& look, FrameWork& work);
+  void verify(double tau, FramePlace& place, const std::vector<Look>& look, FrameWork& work);
+  bool undisturbed(const FrameLoop::Between& edge, double tau) const;
   bool is_false(FrameLoop& loop, double tau, FramePlace& place, FrameWork& work);
   struct Cutting {
     Linear t;
@@ -54,14 +63,20 @@ class FrameLoops {
   Cutting end_cut(Step s, bool at_end) const;
   Place sample(const FrameLoop& loop, double tau, FramePlace& place) const;
   bool witnessed(const FrameLoop& loop, double tau) const;
-  void make_vertices(FrameLoop& loop) const;
+  void make_vertices(FrameLoop& loop, const std::vector<FrameLoop>& gone, std::vector<std::uint8_t>& claimed) const;
   MovingVertex vertex_after(Step s, std::uint32_t in, std::uint32_t out) const;
   Contact contact(std::uint32_t segment) const;
 
   PieceLists& lists_;
   std::vector<FrameLoop> loops_;
   std::vector<std::uint32_t> seen_;  ///< sub-edge -> walk
+  struct Owner {
+    std::uint32_t walk = 0, loop = 0, edge = 0;
+  };
+  std::vector<Owner> owners_;        ///< piece -> the first sub-edge on it of a loop that the current update took apart
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> ended_;
   std::uint32_t walk_ = 0;
+  double last_tau_ = 0;  ///< of the last update
   std::vector<Step> path_;
 };
 

@@ -104,6 +104,29 @@ Result<Scale> Scale::parse(std::string_view text) {
   return s;
 }
 
+Result<std::vector<Scale>> scale_steps(const Scale& from, const Scale& to, const Scale& step, bool percent, std::size_t most) {
+  const BigRational first = exact::exact_value(from.exact()), last = exact::exact_value(to.exact()), by = exact::exact_value(step.exact());
+  const bool up = last >= first;
+  const BigInteger grid = BigInteger(1) << 40;
+  std::vector<Scale> scales;
+  for (BigRational s = first; up ? s <= last : s >= last;) {
+    if (scales.size() == most) return bad("more than " + std::to_string(most) + " steps");
+    Result<Scale> next = Scale::of(exact::to_rational(s));
+    if (!next) return next.error();
+    scales.push_back(std::move(next).value());
+    BigRational then;
+    if (percent) {
+      const BigRational ratio = 1 + by / 100, wanted = up ? BigRational(s * ratio) : BigRational(s / ratio);
+      then = BigRational(BigInteger(numerator(wanted) * grid / denominator(wanted)), grid);
+    } else {
+      then = up ? BigRational(s + by) : BigRational(s - by);
+    }
+    if (then == s || then.sign() <= 0) break;
+    s = then;
+  }
+  return scales;
+}
+
 namespace planar {
 
 ScaleValue scale_value(const Scale& scale) {

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "planar/part_nesting.h"
+#include "planar/scaling/fill_lattice.h"
 #include "planar/scaling/degenerate_frame.h"
 #include "planar/vertex_order.h"
 
@@ -21,8 +22,9 @@ double now_ms() {
 }
 
 std::uint64_t mixed(std::uint64_t h, std::uint64_t v) {
-  h = (h ^ v) * 0x9e3779b97f4a7c15u;
-  return h ^ (h >> 29);
+  h ^= v + 0x9e3779b97f4a7c15u + (h << 6) + (h >> 2);
+  h *= 0xff51afd7ed558ccdu;
+  return h ^ (h >> 32);
 }
 
 std::uint64_t key(const Contact& c) { return mixed(mixed(static_cast<std::uint64_t>(c.kind), c.p), c.q); }
@@ -42,35 +44,9 @@ bool same_rings(const SumRing& a, const SumRing& b) {
                     [](const SumVertex& u, const SumVertex& v) { return u.in == v.in && u.out == v.out && u.corner_p == v.corner_p && u.corner_q == v.corner_q; });
 }
 
-// A lattice that only answers which holes are too small for the other operand throughout a range of scales: filled there only if filled at
-// the end where the hole is largest in proportion.
-class FillLattice final : public Lattice {
- public:
-  FillLattice(const Lattice& plain, const Lattice& low, const Lattice& high, std::uint32_t scaled)
-      : Lattice(plain), plain_(plain), low_(low), high_(high), scaled_(scaled) {}
-  int cross(const Edge& d, const Edge& e) const override { return plain_.cross(d, e); }
-  int dot(const Edge& d, const Edge& e) const override { return plain_.dot(d, e); }
-  int compare_extent(const Edge& hole, const Edge& other, int axis) const override {
-    return (hole.op == scaled_ ? high_ : low_).compare_extent(hole, other, axis);
-  }
-  int side(const Segment& s, Pair v) const override { return plain_.side(s, v); }
-  int along(const Segment& s, Pair v) const override { return plain_.along(s, v); }
-  bool same(Pair a, Pair b) const override { return plain_.same(a, b); }
-  int compare_coordinate(Pair a, Pair b, int axis) const override { return plain_.compare_coordinate(a, b, axis); }
-  int side(const Segment& s, const Place& x) const override { return plain_.side(s, x); }
-  int along(const Segment& s, const Place& x) const override { return plain_.along(s, x); }
-  int compare_coordinate(Pair a, const Place& b, int axis) const override { return plain_.compare_coordinate(a, b, axis); }
-  int compare(const Segment& on, const Cut& a, const Cut& b) const override { return plain_.compare(on, a, b); }
-  int compare_coordinate(const Place& a, const Place& b, int axis) const override { return plain_.compare_coordinate(a, b, axis); }
-  Position position(const Place& x) const override { return plain_.position(x); }
-  Position position(Pair v) const override { return plain_.position(v); }
-
- private:
-  const Lattice &plain_, &low_, &high_;
-  std::uint32_t scaled_;
-};
-
 bool has_holes(const Operand& o) { return o.loops.size() > o.components.size(); }
+
+int cells_for(double n) { return std::clamp(static_cast<int>(1.4 * std::sqrt(n)), 8, 1024); }
 
 constexpr std::uint32_t kMaskFrom = 300;  // segments from which a mask pays
 
@@ -149,12 +125,31 @@ WindowSettings ScalingSum::State::settings_for(const BigRational& low, const Big
   return settings;
 }
 
+// The width at which the ends of the moving operand sweep kSweep cells: beyond it masks lose more than longer windows gain.
+double ScalingSum::State::widest_window(double s) const {
+  constexpr double kSweep = 3;
+  const std::uint32_t k = base->scaled;
+  const auto size = [&](std::uint32_t op) { return std::max(base->width[op], base->height[op]) * (op == k ? s : 1); };
+  const double cells = convolution_ == nullptr ? 64 : cells_for(convolution_->size());
+  const double moving = std::min(size(0), size(1)), cell = (size(0) + size(1)) / cells;
+  return moving > 0 ? kSweep * cell / (0.5 * moving) : 1;
+}
+
+std::unique_ptr<Window> ScalingSum::State::window_between(const BigRational& low, const BigRational& high) {
+  const double a = exact::round_to_double(low), b = exact::round_to_double(high);
+  ReducedConvolution& convolution = convolution_for(a * (1 - 0x1p-30), b * (1 + 0x1p-30));
+  WindowSettings settings = settings_for(low, high, a);
+  settings.cells = cells_for(convolution.size());
+  settings.mask = convolution.size() >= kMaskFrom;
+  return std::make_unique<Window>(*base, convolution, settings);
+}
+
 bool ScalingSum::State::build_window(const ScaleValue& s, double behind, double ahead) {
   const double low = s.approx * std::exp(-behind), high = s.approx * std::exp(ahead);
   ReducedConvolution& convolution = convolution_for(low, high);
   WindowSettings settings = settings_for(exact::exact_value(low), exact::exact_value(high), s.approx);
   const double n = convolution.size();
-  settings.cells = std::clamp(static_cast<int>(1.4 * std::sqrt(n)), 8, 1024);
+  settings.cells = cells_for(n);
   settings.mask = n >= kMaskFrom;
   drop_window();
   window_ = std::make_unique<Window>(*base, convolution, settings);
@@ -224,7 +219,6 @@ ScalingSum::State::NextFrame ScalingSum::State::assemble(double tau, FramePlace&
   const double at_error = grow * (error + 0x1p-49 * span) * unit * (1 + 0x1p-40) + 0x1p-50 * reach;
   next.sum.at_error = at_error;
   const VertexOrder order(*source, at_error);
-  std::map<std::uint64_t, std::pair<std::uint64_t, bool>> known;  // first vertex -> identity, carried over
   std::size_t outers = 0;
   for (std::size_t i = 0; i < rings.size(); ++i) {
     std::vector<SumVertex>& v = rings[i].vertices;
@@ -237,7 +231,7 @@ ScalingSum::State::NextFrame ScalingSum::State::assemble(double tau, FramePlace&
     }
     outers += outer[i];
   }
-  next.matched = loops_known_;
+  next.followed = loops_known_;
   if (outers == 1) {
     std::vector<std::size_t> holes;
     SumPart part;
@@ -247,20 +241,22 @@ ScalingSum::State::NextFrame ScalingSum::State::assemble(double tau, FramePlace&
         continue;
       }
       part.outer = std::move(rings[i]);
-      next.ids.push_back(kept[i]->ring);
+      next.loops.push_back(kept[i]);
     }
     // Rings share no vertices where nothing touches, so their first vertices order them.
     std::sort(holes.begin(), holes.end(), [&](std::size_t a, std::size_t b) { return order.compare(rings[a].vertices[0], rings[b].vertices[0]) < 0; });
     for (const std::size_t i : holes) {
       part.holes.push_back(std::move(rings[i]));
-      next.ids.push_back(kept[i]->ring);
+      next.loops.push_back(kept[i]);
     }
     next.sum.parts.push_back(std::move(part));
   } else {
-    for (std::size_t i = 0; i < rings.size(); ++i) known[key(rings[i].vertices[0])] = {kept[i]->ring, true};
+    // Several parts: the rings go through the grouping of the static engine, and are recognised by their first vertices.
+    std::map<std::uint64_t, FrameLoop*> loop_at;
+    for (std::size_t i = 0; i < rings.size(); ++i) loop_at[key(rings[i].vertices[0])] = kept[i];
     next.sum.parts = group_rings(std::move(rings), outer, *source, at_error);
     canonicalize(next.sum.parts, *source, at_error);
-    for (const SumRing* ring : rings_of(next.sum)) next.ids.push_back(known.at(key(ring->vertices[0])).first);
+    for (const SumRing* ring : rings_of(next.sum)) next.loops.push_back(loop_at.at(key(ring->vertices[0])));
   }
   return next;
 }
@@ -280,8 +276,6 @@ ScalingSum::State::NextFrame ScalingSum::State::window_frame(const ScaleValue& s
     loops_known_ = false;
     loops_->loops().clear();
   } else {
-    // Identities of rings whose loops are walked anew are found by the vertices they share with rings that are gone.
-    std::unordered_map<std::uint64_t, std::uint64_t> gone;
     loops_->update(tau, place, !loops_known_, work);
     next = assemble(tau, place);
     loops_known_ = true;
@@ -297,75 +291,71 @@ ScalingSum::State::NextFrame ScalingSum::State::window_frame(const ScaleValue& s
   return next;
 }
 
-FrameChanges ScalingSum::State::take(NextFrame next, bool same_place) {
-  FrameChanges changes;
-  const std::vector<const SumRing*> before = rings_of(sum), after = rings_of(next.sum);
+// Rings of frames that know nothing of each other: one takes the identity of the first ring with which it shares a vertex.
+std::vector<std::uint64_t> ScalingSum::State::match_rings(const PlanarSum& next, bool same_place, FrameChanges& changes) {
+  const std::vector<const SumRing*> before = rings_of(sum), after = rings_of(next);
   std::vector<std::uint64_t> ids(after.size(), 0);
-  // Rings carried over by their loops keep their identity; the others take that of the first ring with which they share a vertex.
-  std::unordered_map<std::uint64_t, std::size_t> index;  // identity -> ring before
-  for (std::size_t i = 0; i < before.size(); ++i) index[ring_ids[i]] = i;
   std::vector<std::uint8_t> taken(before.size(), 0);
-  std::vector<std::size_t> open;
+  std::unordered_map<std::uint64_t, std::size_t> owner;
+  for (std::size_t i = 0; i < before.size(); ++i)
+    for (const SumVertex& v : before[i]->vertices) owner.try_emplace(key(v), i);
   for (std::size_t i = 0; i < after.size(); ++i) {
-    const std::uint64_t id = next.matched ? next.ids[i] : 0;
-    const auto it = id == 0 ? index.end() : index.find(id);
-    if (it == index.end()) {
-      open.push_back(i);
+    std::uint32_t shared = 0;
+    std::size_t from = before.size();
+    for (const SumVertex& v : after[i]->vertices) {
+      const auto it = owner.find(key(v));
+      if (it == owner.end()) continue;
+      if (from == before.size() && !taken[it->second]) from = it->second;
+      shared += it->second == from;
+    }
+    const auto size = static_cast<std::uint32_t>(after[i]->vertices.size());
+    if (from == before.size()) {
+      ids[i] = next_ring_++;
+      changes.rings.push_back({RingChange::Kind::appeared, ids[i], size, 0});
       continue;
     }
-    ids[i] = id;
-    taken[it->second] = 1;
-    if (!same_place) changes.rings.push_back({RingChange::Kind::moved, id, 0, 0});
+    taken[from] = 1;
+    ids[i] = ring_ids[from];
+    const auto old = static_cast<std::uint32_t>(before[from]->vertices.size());
+    shared = std::min({shared, size, old});
+    const bool same = size == old && shared == size && same_rings(*before[from], *after[i]);
+    if (!same || !same_place)
+      changes.rings.push_back({same ? RingChange::Kind::moved : RingChange::Kind::reshaped, ids[i], size - shared, old - shared});
   }
-  if (!open.empty() || std::count(taken.begin(), taken.end(), 0) > 0) {
-    std::unordered_map<std::uint64_t, std::size_t> owner;
-    for (std::size_t i = 0; i < before.size(); ++i)
-      if (!taken[i])
-        for (const SumVertex& v : before[i]->vertices) owner.try_emplace(key(v), i);
-    for (const std::size_t i : open) {
-      std::uint32_t shared = 0;
-      std::size_t from = before.size();
-      for (const SumVertex& v : after[i]->vertices) {
-        const auto it = owner.find(key(v));
-        if (it == owner.end()) continue;
-        if (from == before.size() && !taken[it->second]) from = it->second;
-        shared += it->second == from;
-      }
-      const auto size = static_cast<std::uint32_t>(after[i]->vertices.size());
-      if (from == before.size()) {
-        ids[i] = next_ring_++;
-        changes.rings.push_back({RingChange::Kind::appeared, ids[i], size, 0});
-        continue;
-      }
-      taken[from] = 1;
-      ids[i] = ring_ids[from];
-      const auto old = static_cast<std::uint32_t>(before[from]->vertices.size());
-      const bool same = size == old && shared == size && same_rings(*before[from], *after[i]);
-      if (!same || !same_place)
-        changes.rings.push_back({same ? RingChange::Kind::moved : RingChange::Kind::reshaped, ids[i], size - std::min(shared, size),
-                                 old - std::min(shared, old)});
+  for (std::size_t i = 0; i < before.size(); ++i)
+    if (!taken[i]) changes.rings.push_back({RingChange::Kind::disappeared, ring_ids[i], 0, static_cast<std::uint32_t>(before[i]->vertices.size())});
+  return ids;
+}
+
+// The same between two frames of one window, from what the loops remember.
+std::vector<std::uint64_t> ScalingSum::State::follow_rings(const NextFrame& next, bool same_place, FrameChanges& changes) {
+  std::vector<std::uint64_t> ids;
+  for (FrameLoop* loop : next.loops) {
+    const auto size = static_cast<std::uint32_t>(loop->vertices.size());
+    if (loop->ring == 0) {
+      loop->ring = next_ring_++;
+      changes.rings.push_back({RingChange::Kind::appeared, loop->ring, size, 0});
+    } else if (loop->fresh && !(loop->vertices_before == size && loop->vertices_shared == size)) {
+      changes.rings.push_back({RingChange::Kind::reshaped, loop->ring, size - loop->vertices_shared, loop->vertices_before - loop->vertices_shared});
+    } else if (!same_place) {
+      changes.rings.push_back({RingChange::Kind::moved, loop->ring, 0, 0});
     }
-    for (std::size_t i = 0; i < before.size(); ++i)
-      if (!taken[i])
-        changes.rings.push_back({RingChange::Kind::disappeared, ring_ids[i], 0, static_cast<std::uint32_t>(before[i]->vertices.size())});
+    ids.push_back(loop->ring);
   }
+  for (const auto& [ring, vertices] : loops_->ended()) changes.rings.push_back({RingChange::Kind::disappeared, ring, 0, vertices});
+  return ids;
+}
+
+FrameChanges ScalingSum::State::take(NextFrame next, bool same_place) {
+  FrameChanges changes;
+  std::vector<std::uint64_t> ids = next.followed ? follow_rings(next, same_place, changes) : match_rings(next.sum, same_place, changes);
+  if (!next.followed)
+    for (std::size_t i = 0; i < next.loops.size(); ++i) next.loops[i]->ring = ids[i];
   std::sort(changes.rings.begin(), changes.rings.end(), [](const RingChange& a, const RingChange& b) { return a.ring < b.ring; });
   changes.tight_points = static_cast<std::int64_t>(next.sum.tight_points.size()) - static_cast<std::int64_t>(sum.tight_points.size());
   changes.tight_segments = static_cast<std::int64_t>(next.sum.tight_segments.size()) - static_cast<std::int64_t>(sum.tight_segments.size());
-  changes.topology = sum.parts.size() != next.sum.parts.size() || before.size() != after.size() || changes.tight_points != 0 ||
+  changes.topology = sum.parts.size() != next.sum.parts.size() || sum.hole_count() != next.sum.hole_count() || changes.tight_points != 0 ||
                      changes.tight_segments != 0 || sum.segments.size() != next.sum.segments.size() || sum.points.size() != next.sum.points.size();
-  // The loops learn the identities of their rings.
-  if (loops_known_ && loops_ != nullptr) {
-    std::unordered_map<std::uint64_t, std::uint64_t> by_start;
-    for (FrameLoop& loop : loops_->loops())
-      if (loop.kept && loop.ring == 0) by_start[key(loop.vertices[0].vertex)] = 0;
-    if (!by_start.empty()) {
-      for (std::size_t i = 0; i < after.size(); ++i)
-        if (const auto it = by_start.find(key(after[i]->vertices[0])); it != by_start.end()) it->second = ids[i];
-      for (FrameLoop& loop : loops_->loops())
-        if (loop.kept && loop.ring == 0) loop.ring = by_start[key(loop.vertices[0].vertex)];
-    }
-  }
   sum = std::move(next.sum);
   ring_ids = std::move(ids);
   return changes;
@@ -384,7 +374,7 @@ Result<FrameChanges> ScalingSum::State::move_to(const Scale& x, const Scale& y) 
   if (inside && options.mode != ScalingMode::rebuild) {
     next = window_frame(sx, next_work);
   } else if (windowable) {
-    const WindowController::Choice choice = controller_.choose(step, options);
+    const WindowController::Choice choice = controller_.choose(step, widest_window(sx.approx), options);
     if (choice.window) {
       if (options.progress && !options.progress("window", 0)) return Error{Code::cancelled, "stopped on request", {}};
       build_window(sx, choice.behind, choice.ahead);

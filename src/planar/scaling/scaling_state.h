@@ -29,6 +29,8 @@ class ScalingSum::State {
 
   planar::ReducedConvolution& convolution_for(double low, double high);
   planar::WindowSettings settings_for(const exact::BigRational& low, const exact::BigRational& high, double at) const;
+  /// A window of its own for the events in [low, high].
+  std::unique_ptr<planar::Window> window_between(const exact::BigRational& low, const exact::BigRational& high);
   planar::Window* window() const { return window_.get(); }
   const planar::ExactForms& forms() const;
   std::uint64_t hash() const;
@@ -36,16 +38,18 @@ class ScalingSum::State {
  private:
   struct NextFrame {
     PlanarSum sum;
-    std::vector<std::uint64_t> ids;
-    std::vector<std::uint8_t> moved_only;  ///< per ring: carried over with its vertices
-    bool matched = false;                  ///< ids and moved_only are known
+    std::vector<planar::FrameLoop*> loops;  ///< of the sum's rings, in their order; empty unless it came from loops
+    bool followed = false;                  ///< the loops remember the frame before
   };
   bool build_window(const planar::ScaleValue& s, double behind, double ahead);
   void drop_window();
+  double widest_window(double s) const;
   Result<NextFrame> rebuilt_frame(const planar::ScaleValue& x, const planar::ScaleValue& y, FrameWork& work);
   NextFrame window_frame(const planar::ScaleValue& s, FrameWork& work);
   NextFrame assemble(double tau, planar::FramePlace& place);
   FrameChanges take(NextFrame next, bool same_place);
+  std::vector<std::uint64_t> match_rings(const PlanarSum& next, bool same_place, FrameChanges& changes);
+  std::vector<std::uint64_t> follow_rings(const NextFrame& next, bool same_place, FrameChanges& changes);
 
   planar::WindowController controller_;
   std::unique_ptr<planar::ReducedConvolution> convolution_;

@@ -1,0 +1,61 @@
+// At which scales does a part fit: along a path past obstacles, at one place inside a container, or anywhere inside it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "dymsum/planar_sum.h"
+#include "dymsum/scale.h"
+
+namespace dymsum {
+
+/// A contact of part and obstacle at one exact scale.
+struct ScaleContact {
+  enum class Kind : std::uint8_t {
+    vertex_on_edge,    ///< a vertex of the part on an edge of the obstacle (or container)
+    edge_on_vertex,    ///< an edge of the part on a vertex of the obstacle
+    vertex_on_vertex,  ///< a vertex of the part on a vertex of the obstacle, on the way between two waypoints
+  };
+  Kind kind = Kind::vertex_on_edge;
+  std::uint32_t part = 0;      ///< number of the part's vertex or edge
+  std::uint32_t obstacle = 0;  ///< number of the obstacle's edge or vertex
+  std::uint32_t leg = 0;       ///< between waypoints leg and leg + 1
+  Rational along{"0", "1"};    ///< how far along that leg, in [0, 1]
+  RationalPoint at;            ///< where the reference point of the part stands
+};
+
+/// A closed interval of scales; without `low` it begins at 0 (not included), without `high` it has no end.
+struct ScaleInterval {
+  std::optional<Rational> low, high;
+  std::vector<ScaleContact> at_low, at_high;  ///< the contacts that begin or end exactly there
+};
+
+/// An exact set of scales.
+struct ScaleRange {
+  std::vector<ScaleInterval> free;  ///< in order, disjoint
+  std::uint64_t critical = 0;       ///< scales at which something comes into contact
+  std::uint64_t tested = 0;         ///< scales at which the question was decided exactly
+
+  bool contains(const Scale& s) const;
+  /// The trap: the scale up to which all smaller parts are free, and just above which the path is blocked. None: never blocked.
+  /// Zero: blocked at every small scale.
+  std::optional<Rational> trap() const;
+};
+
+/// The scales s for which s `part` (about the origin of its coordinates), moved along the path, never overlaps the obstacles; touching
+/// is allowed. `path` is a polyline of translations with at least one waypoint. Valid is not monotone in s unless the part is star-shaped
+/// about its reference point: hence a set.
+/// Exact. Errors: unsupported_operand for a path without waypoints, empty or lower-dimensional operands, coordinates beyond 2^1000;
+/// not_finite; cancelled. Cost: O(L N) exact values and, per value, O(L N) filtered signs, for L waypoints and N convolution segments.
+/// Source: Behar 2016, 6.6.1; applications.md, section 7.
+Result<ScaleRange> scale_range(const Region& part, const std::vector<Point>& path, const Region& obstacles, const Progress& progress = {});
+
+/// The scales at which s `part`, placed at `at`, lies inside the container.
+Result<ScaleRange> fit_range(const Region& part, const Region& container, Point at, const Progress& progress = {});
+
+/// The scales at which s `part` lies inside the container at some translation: erode(container, s part) is not empty. Contacts are not
+/// named. Cost: an exact frame per event of the scaling sum.
+Result<ScaleRange> fit_range(const Region& part, const Region& container, const Progress& progress = {});
+
+}  // namespace dymsum

@@ -1,0 +1,12 @@
+// The complement of a region inside a frame, for questions about what lies inside.
+#pragma once
+
+#include "planar/separate_touching.h"
+
+namespace dymsum::planar {
+
+/// The frame with P cut out, under the numbers of P; the frame's own vertices and edges have the number SumVertex::kNone. The frame is
+/// wide enough that its boundary plays no part in sums with -Q.
+EngineRegion complement_of(const Region& p, const Region& q);
+
+}  // namespace dymsum::planar

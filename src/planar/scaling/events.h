@@ -1,0 +1,19 @@
+// Exact scales at which segments begin or cease to meet.
+#pragma once
+
+#include <vector>
+
+#include "planar/scaling/scaling_state.h"
+
+namespace dymsum::planar {
+
+struct EventValue {
+  exact::BigRational s;
+  ScaleEvent::Kind kind = ScaleEvent::Kind::vertex_on_segment;
+};
+
+/// All events in [low, high] among the segments live in a window, sorted, each value once. Every scale there at which the boundary's
+/// combinatorics change is among them.
+std::vector<EventValue> events_of(const Window& window, const ExactForms& forms, const exact::BigRational& low, const exact::BigRational& high);
+
+}  // namespace dymsum::planar
