@@ -416,8 +416,7 @@ void merge_pieces(const SumSource& source, const std::vector<SumPart>& parts, co
     v.in = candidates[end.candidate].from.in;
     const SumRing& ring = *ring_of[end.cut_ring];
     const SumVertex &from = ring.vertices[end.cut_edge], &to = ring.vertices[(end.cut_edge + 1) % ring.vertices.size()];
-    // An edge merged from several contacts is named by its first and its last one.
-    v.out = source.on_contact(from.out, end.at) ? from.out : to.in;
+    v.out = source.contact_at(from.out, to.in, end.at);
     v.at = {exact::round_to_double(end.at.x), exact::round_to_double(end.at.y)};
     return v;
   };

@@ -1,6 +1,6 @@
 #include "planar/sum_source.h"
 
-#include <algorithm>
+#include <stdexcept>
 
 #include "planar/position_signs.h"
 
@@ -53,6 +53,27 @@ bool SumSource::on_contact(const Contact& contact, const Position& at) const {
     return make_spot(Position{std::move(p.x), std::move(p.y)});
   };
   return on_segment(spot(start_of(s)), spot(end_of(s)), make_spot(at));
+}
+
+// An edge merged from three contacts or more does not remember those in the middle: they are looked for among all on its line.
+Contact SumSource::contact_at(const Contact& first, const Contact& last, const Position& at) const {
+  if (on_contact(first, at)) return first;
+  if (on_contact(last, at)) return last;
+  const Segment line = segment(first);
+  for (std::uint32_t op = 0; op < 2; ++op) {
+    const Operand &o = *operands_[op], &other = *operands_[1 - op];
+    for (std::uint32_t e = 0; e < o.size(); ++e) {
+      if (o.next[e] == e || lattice_->cross(o.edge(e), line.edge) != 0) continue;
+      for (std::uint32_t v = 0; v < other.size(); ++v) {
+        const Pair start = op == 0 ? Pair{o.source[e], other.source[v]} : Pair{other.source[v], o.source[e]};
+        if (lattice_->side(line, start) != 0) continue;
+        const Contact c = op == 0 ? Contact{Contact::Kind::edge_of_p, o.edge_number[e], other.vertex_number[v]}
+                                  : Contact{Contact::Kind::edge_of_q, other.vertex_number[v], o.edge_number[e]};
+        if (c.p != SumVertex::kNone && c.q != SumVertex::kNone && on_contact(c, at)) return c;
+      }
+    }
+  }
+  throw std::logic_error("SumSource: a position on a ring edge lies on no contact");
 }
 
 }  // namespace dymsum::planar
