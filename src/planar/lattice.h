@@ -94,6 +94,9 @@ class Lattice {
   virtual Position position(const Place& x) const = 0;
   virtual Position position(Pair v) const = 0;
 
+  /// Requires tier_bits != 0.
+  virtual const SharedIntegers& unscaled_integers() const = 0;
+
   int tier_bits = 0;           ///< 29, 61, 512, 0
   bool exact_doubles = false;  ///< every planar sign of degree two is exact when computed in doubles
   double span = 0;             ///< every pair sum has coordinates in [0, span]; a rounding errs by at most span * 2^-53

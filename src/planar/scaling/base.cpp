@@ -25,6 +25,12 @@ Result<std::shared_ptr<const ScalingBase>> ScalingBase::create(const std::array<
   for (std::uint32_t op = 0; op < 2; ++op) {
     base->operands[op] = make_operand(regions[op], op, *base->lattice);
     const Operand& o = base->operands[op];
+    std::vector<std::uint32_t>& numbers = base->source_of[op];
+    for (std::uint32_t i = 0; i < o.size(); ++i) {
+      if (o.vertex_number[i] == SumVertex::kNone) continue;
+      if (o.vertex_number[i] >= numbers.size()) numbers.resize(o.vertex_number[i] + 1, 0);
+      numbers[o.vertex_number[i]] = o.source[i];
+    }
     for (const Component& c : o.components) base->regular &= c.dimension == 2;
     base->connected &= o.components.size() == 1;
     for (const double x : base->lattice->x[op]) base->width[op] = std::max(base->width[op], x);
@@ -51,6 +57,31 @@ std::unique_ptr<Operand> ScalingBase::operand_at(std::uint32_t op, const Lattice
     o->ey[i] = d.y;
   }
   return o;
+}
+
+// Sums of vertices need no lattice: (p - p') num + (q - q') den, with P and Q the other way round when Q scales.
+std::optional<int> ScalingSource::compare_corners(const SumVertex& a, const SumVertex& b, int axis) const {
+  const Lattice& l = *base_->lattice;
+  if (a.corner_p == SumVertex::kNone || b.corner_p == SumVertex::kNone || l.tier_bits == 0) return std::nullopt;
+  const SharedIntegers& integers = l.unscaled_integers();
+  exact::BigInteger sum = 0;
+  for (std::uint32_t op = 0; op < 2; ++op) {
+    const std::uint32_t i = base_->source_of[op][op == 0 ? a.corner_p : a.corner_q], j = base_->source_of[op][op == 0 ? b.corner_p : b.corner_q];
+    const exact::i128 d = integers.at[op][i][axis] - integers.at[op][j][axis];
+    if (d == 0) continue;
+    sum += exact::to_big(d).value() * (op != scale_.op ? scale_.den : axis == 0 ? scale_.x : scale_.y);
+  }
+  return sum.sign();
+}
+
+int ScalingSource::compare_x(const SumVertex& a, const SumVertex& b) const {
+  const std::optional<int> sign = compare_corners(a, b, 0);
+  return sign ? *sign : source().compare_x(a, b);
+}
+
+int ScalingSource::compare_y(const SumVertex& a, const SumVertex& b) const {
+  const std::optional<int> sign = compare_corners(a, b, 1);
+  return sign ? *sign : source().compare_y(a, b);
 }
 
 const SumSource& ScalingSource::source() const {

@@ -27,6 +27,7 @@ class ScalingBase {
   std::shared_ptr<const Lattice> lattice;  ///< at scale 1
   std::array<Operand, 2> operands;
   std::array<double, 2> width{}, height{};  ///< of the operands, in the lattice's doubles
+  std::array<std::vector<std::uint32_t>, 2> source_of;  ///< vertex number in the region -> source vertex
   bool regular = true;    ///< every component has area
   bool connected = true;  ///< one component each
 
@@ -41,11 +42,12 @@ class ScalingSource final : public ExactSource {
  public:
   ScalingSource(std::shared_ptr<const ScalingBase> base, LatticeScale scale) : base_(std::move(base)), scale_(std::move(scale)) {}
   Position position(const SumVertex& vertex) const override { return source().position(vertex); }
-  int compare_x(const SumVertex& a, const SumVertex& b) const override { return source().compare_x(a, b); }
-  int compare_y(const SumVertex& a, const SumVertex& b) const override { return source().compare_y(a, b); }
+  int compare_x(const SumVertex& a, const SumVertex& b) const override;
+  int compare_y(const SumVertex& a, const SumVertex& b) const override;
 
  private:
   const SumSource& source() const;
+  std::optional<int> compare_corners(const SumVertex& a, const SumVertex& b, int axis) const;
   std::shared_ptr<const ScalingBase> base_;
   LatticeScale scale_;
   mutable std::once_flag made_;
