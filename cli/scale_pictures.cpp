@@ -92,7 +92,7 @@ std::string film_strip(const std::vector<PicturedFrame>& frames, std::size_t col
     const double x = gap + cw * double(i % per_row), y = gap + ch * double(i / per_row);
     svg << "<g transform=\"translate(" << number(x) << ' ' << number(y) << ")\"><text y=\"10\">s = " << escaped(frames[i].label) << "</text>\n"
         << "<g transform=\"translate(0 " << number(text) << ") scale(" << number(factor) << ") translate(" << number(-box[0]) << ' ' << number(-box[1])
-        << ")\"><path d=\"" << frames[i].path << "\" fill=\"#9ecae1\" fill-rule=\"evenodd\" stroke=\"#08519c\" vector-effect=\"non-scaling-stroke\"/>";
+        << ")\"><path d=\"" << frames[i].path << "\" fill=\"#9ecae1\" fill-rule=\"evenodd\" stroke=\"#08519c\" stroke-width=\"" << number(0.8 / factor) << "\"/>";
     for (const Point& p : frames[i].tight)
       svg << "<circle cx=\"" << number(p.x) << "\" cy=\"" << number(p.y) << "\" r=\"" << number(2.5 / factor) << "\" fill=\"#d7301f\"/>";
     svg << "</g></g>\n";

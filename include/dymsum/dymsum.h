@@ -7,5 +7,8 @@
 #include "dymsum/region.h"
 #include "dymsum/region_io.h"
 #include "dymsum/result.h"
+#include "dymsum/scale.h"
+#include "dymsum/scale_range.h"
+#include "dymsum/scaling_sum.h"
 #include "dymsum/shapes.h"
 #include "dymsum/trace.h"

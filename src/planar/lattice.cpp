@@ -120,6 +120,7 @@ class LatticeOf final : public Lattice {
     const BigRational r(number(t.n), number(t.d));
     return in_input(BigRational(number(s.x)) + r * BigRational(number(d.x)), BigRational(number(s.y)) + r * BigRational(number(d.y)));
   }
+  const SharedIntegers& unscaled_integers() const override { return unscaled(); }
   Position position(Pair v) const override {
     const SumVec s = sum(v);
     return in_input(BigRational(number(s.x)), BigRational(number(s.y)));

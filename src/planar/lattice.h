@@ -110,6 +110,9 @@ class Lattice {
   virtual Position position(const Place& x) const = 0;
   virtual Position position(Pair v) const = 0;
 
+  /// Requires: tier_bits is not 0 and `integers` are set.
+  virtual const SharedIntegers& unscaled_integers() const = 0;
+
   int tier_bits = 0;           ///< 29, 61, 512, 0
   bool exact_doubles = false;  ///< every planar sign of degree two is exact when computed in doubles
   bool exact_input = false;    ///< pair sums in input coordinates are doubles without rounding

@@ -52,6 +52,32 @@ std::shared_ptr<const Operand> ScalingBase::operand_at(std::uint32_t op, const L
   return placed_on(at, std::shared_ptr<const Operand>(shared_from_this(), &operands[op]));
 }
 
+// Sums of vertices need no lattice: (p - p') num + (q - q') den, with P and Q the other way round when Q scales.
+std::optional<int> ScalingSource::compare_corners(const SumVertex& a, const SumVertex& b, int axis) const {
+  const Lattice& l = *base_->lattice;
+  if (a.corner_p == SumVertex::kNone || b.corner_p == SumVertex::kNone || l.tier_bits == 0) return std::nullopt;
+  const SharedIntegers& integers = l.unscaled_integers();
+  exact::BigInteger sum = 0;
+  for (std::uint32_t op = 0; op < 2; ++op) {
+    const std::vector<std::uint32_t>& source = base_->operands[op].numbered_vertex;
+    const std::uint32_t i = source[op == 0 ? a.corner_p : a.corner_q], j = source[op == 0 ? b.corner_p : b.corner_q];
+    const exact::i128 d = integers.at[op][i][axis] - integers.at[op][j][axis];
+    if (d == 0) continue;
+    sum += exact::to_big(d).value() * (op != scale_.op ? scale_.den : axis == 0 ? scale_.x : scale_.y);
+  }
+  return sum.sign();
+}
+
+int ScalingSource::compare_x(const SumVertex& a, const SumVertex& b) const {
+  const std::optional<int> sign = compare_corners(a, b, 0);
+  return sign ? *sign : source().compare_x(a, b);
+}
+
+int ScalingSource::compare_y(const SumVertex& a, const SumVertex& b) const {
+  const std::optional<int> sign = compare_corners(a, b, 1);
+  return sign ? *sign : source().compare_y(a, b);
+}
+
 const SumSource& ScalingSource::source() const {
   std::call_once(made_, [this] {
     std::shared_ptr<const Lattice> lattice = base_->lattice_at(scale_);

@@ -41,11 +41,12 @@ class ScalingSource final : public ExactSource {
  public:
   ScalingSource(std::shared_ptr<const ScalingBase> base, LatticeScale scale) : base_(std::move(base)), scale_(std::move(scale)) {}
   Position position(const SumVertex& vertex) const override { return source().position(vertex); }
-  int compare_x(const SumVertex& a, const SumVertex& b) const override { return source().compare_x(a, b); }
-  int compare_y(const SumVertex& a, const SumVertex& b) const override { return source().compare_y(a, b); }
+  int compare_x(const SumVertex& a, const SumVertex& b) const override;
+  int compare_y(const SumVertex& a, const SumVertex& b) const override;
 
  private:
   const SumSource& source() const;
+  std::optional<int> compare_corners(const SumVertex& a, const SumVertex& b, int axis) const;
   std::shared_ptr<const ScalingBase> base_;
   LatticeScale scale_;
   mutable std::once_flag made_;

@@ -27,8 +27,19 @@ void WindowController::close_window() {
 }
 
 void WindowController::rebuilt(double ms) {
-  static_ms_ = static_ms_ == 0 ? ms : 0.75 * static_ms_ + 0.25 * ms;
+  // The first measurement is made with cold caches: what is cheaper counts at once, what is dearer slowly.
+  static_ms_ = static_ms_ == 0 || ms < static_ms_ ? ms : 0.9 * static_ms_ + 0.1 * ms;
   if (rest_ > 0) --rest_;
+}
+
+bool WindowController::give_up(double ms) {
+  if (ms <= static_ms_ || static_ms_ == 0) {
+    dear_ = 0;
+    return false;
+  }
+  if (++dear_ < 3) return false;
+  dear_ = 0;
+  return true;
 }
 
 void WindowController::built(double ms) {
@@ -56,6 +67,8 @@ WindowController::Choice WindowController::choose(double step, double widest, co
       backoff_ = 8;
     }
     if (kFrames * size > kWidest) return {};
+    // Once in a while a window would not clearly win: a fresh frame tells what it would have cost.
+    if (served > 0 && last_cost_ > 0.7 * static_ms_ && ++windows_since_ % 4 == 0) return {};
     if (rest_ > 0 && size > 0.5 * bad_step_) return {};
   }
   const double wide = std::min(frames_ahead_ * size, std::max(widest, (kFrames + 0.5) * size));

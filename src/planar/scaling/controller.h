@@ -21,6 +21,8 @@ class WindowController {
   /// What was measured: a frame from scratch; a frame that built a window; a frame inside one.
   void rebuilt(double ms);
   void built(double ms);
+  /// Whether frames inside the window have been dearer than from scratch three times in a row.
+  bool give_up(double ms);
   void updated(double ms) {
     spent_ += ms;
     ++served_;
@@ -35,6 +37,8 @@ class WindowController {
   double last_cost_ = 0;      ///< a frame of the last window, with its share of the building
   double spent_ = 0;
   std::uint64_t served_ = 0;  ///< frames of the open window
+  int dear_ = 0;
+  std::uint64_t windows_since_ = 0;
   double bad_step_ = 0;       ///< windows did not pay at this step
   std::uint64_t rest_ = 0, backoff_ = 8;  ///< frames until they are tried again
 };

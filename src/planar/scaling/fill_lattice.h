@@ -23,6 +23,7 @@ class DelegatingLattice : public Lattice {
   int compare_coordinate(const Place& a, const Place& b, int axis) const override { return plain_.compare_coordinate(a, b, axis); }
   Position position(const Place& x) const override { return plain_.position(x); }
   Position position(Pair v) const override { return plain_.position(v); }
+  const SharedIntegers& unscaled_integers() const override { return plain_.unscaled_integers(); }
 
  private:
   const Lattice& plain_;

@@ -145,6 +145,7 @@ void FrameLoops::trace(std::uint32_t piece, FrameWork& work) {
     FrameLoop loop;
     loop.steps = path_;
     loop.turning = turning_number(path_);
+    loop.edges.reserve(path_.size());
     for (const Step& s : path_)
       loop.edges.push_back({s.piece, s.sub == 0 ? kNone : lists_.crossing(s.piece, s.sub - 1),
                             s.sub == n_of(s.piece) ? kNone : lists_.crossing(s.piece, s.sub)});
@@ -336,14 +337,6 @@ bool FrameLoops::witnessed(const FrameLoop& loop, double tau) const {
   return sides(0, e, f) && sides(1, f, e);
 }
 
-Contact FrameLoops::contact(std::uint32_t segment) const {
-  const Window& window = lists_.window();
-  const WalkSegment& w = window.segments[segment].walk;
-  const std::uint32_t edge = window.base().operands[w.side].edge_number[w.edge];
-  const std::uint32_t vertex = window.base().operands[1 - w.side].vertex_number[w.vertex];
-  return w.side == 0 ? Contact{Contact::Kind::edge_of_p, edge, vertex} : Contact{Contact::Kind::edge_of_q, vertex, edge};
-}
-
 MovingVertex FrameLoops::vertex_after(Step s, std::uint32_t in, std::uint32_t out) const {
   const Window& window = lists_.window();
   const LiveSegment& on = window.segments[window.pieces[s.piece].segment];
@@ -369,8 +362,8 @@ MovingVertex FrameLoops::vertex_after(Step s, std::uint32_t in, std::uint32_t ou
     // Where the line is followed far outside the piece, a and b cancel at tau.
     v.error += 0x1p-50 * (std::abs(v.x.a) + std::abs(v.y.a) + (std::abs(v.x.b) + std::abs(v.y.b)) * window.frame().tau1);
   }
-  v.vertex.in = contact(in);
-  v.vertex.out = contact(out);
+  v.vertex.in = window.segments[in].contact;
+  v.vertex.out = window.segments[out].contact;
   return v;
 }
 

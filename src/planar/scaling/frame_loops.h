@@ -65,7 +65,6 @@ class FrameLoops {
   bool witnessed(const FrameLoop& loop, double tau) const;
   void make_vertices(FrameLoop& loop, const std::vector<FrameLoop>& gone, std::vector<std::uint8_t>& claimed) const;
   MovingVertex vertex_after(Step s, std::uint32_t in, std::uint32_t out) const;
-  Contact contact(std::uint32_t segment) const;
 
   PieceLists& lists_;
   std::vector<FrameLoop> loops_;

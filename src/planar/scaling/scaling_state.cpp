@@ -394,7 +394,10 @@ Result<FrameChanges> ScalingSum::State::move_to(const Scale& x, const Scale& y) 
   next_work.ms = now_ms() - start;
   if (next_work.rebuilt) controller_.rebuilt(next_work.ms);
   else if (built) controller_.built(next_work.ms);
-  else controller_.updated(next_work.ms);
+  else {
+    controller_.updated(next_work.ms);
+    if (options.mode == ScalingMode::automatic && options.window == 0 && controller_.give_up(next_work.ms)) drop_window();
+  }
   work = next_work;
   return changes;
 }

@@ -75,6 +75,8 @@ void Window::add_segment(const WalkSegment& w, std::uint32_t id, const SweptMask
   const std::uint32_t next = o.next[w.edge];
   s.start = w.side == 0 ? WalkPair{w.edge, w.vertex} : WalkPair{w.vertex, w.edge};
   s.end = w.side == 0 ? WalkPair{next, w.vertex} : WalkPair{w.vertex, next};
+  s.contact = w.side == 0 ? Contact{Contact::Kind::edge_of_p, o.edge_number[w.edge], other.vertex_number[w.vertex]}
+                          : Contact{Contact::Kind::edge_of_q, other.vertex_number[w.vertex], o.edge_number[w.edge]};
   segments.push_back(s);
 }
 

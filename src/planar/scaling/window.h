@@ -30,6 +30,7 @@ struct LiveSegment {
   double dx, dy;     ///< the unscaled edge vector
   bool moving;       ///< an edge of the moving operand: its length is tau, otherwise 1
   WalkPair start, end;
+  Contact contact;
   std::uint32_t first_piece = 0, last_piece = 0;  ///< its pieces [first_piece, last_piece)
 
   double length(double tau) const { return moving ? tau : 1; }

@@ -1,0 +1,206 @@
+// dymsum_bench_scaling: frames of scaling sums against our static engine, the thesis's baseline and CGAL, compared exactly at every frame.
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+
+#include "planar/pairs.h"
+#include "scaling/measure.h"
+#include "scaling/scatter.h"
+
+namespace dymsum::bench {
+namespace {
+
+constexpr const char* kUsage =
+    "dymsum_bench_scaling [--quick] [--only TEXT] [--results DIR]\n"
+    "  --quick        without CGAL and the all-pairs baseline\n"
+    "  --only TEXT    only pairs whose name contains TEXT\n"
+    "  --results DIR  also write scaling.md, scaling.csv, figure-6.6.svg and figure-6.7.svg into DIR\n";
+
+struct Options {
+  bool quick = false;
+  std::string only, results;
+};
+
+std::string fixed(double v, int digits = 3) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(digits) << v;
+  return text.str();
+}
+std::string ratio(double a, double b) { return b > 0 && a > 0 ? fixed(a / b, a / b < 10 ? 2 : 0) : "-"; }
+
+class Report {
+ public:
+  void line(const std::string& text) {
+    std::cout << text << std::endl;
+    markdown << text << "\n";
+  }
+  std::ostringstream markdown, csv;
+};
+
+void frames_heading(Report& report) {
+  report.line("| pair | steps | segments | vertices | static ms | frame ms (median) | static / frame | (means) | in window ms | building ms | windows, from scratch, touching | all pairs ms | / frame | CGAL ms | / frame | compared, different |");
+  report.line("|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|");
+}
+
+void frames_line(Report& report, const FramesRow& r) {
+  report.line("| " + r.name + " | " + r.steps + " | " + std::to_string(r.segments) + " | " + std::to_string(r.vertices) + " | " + fixed(r.static_ms) + " | " +
+              fixed(r.frame_ms, 4) + " | **" + ratio(r.static_ms, r.frame_ms) + "** | " + ratio(r.static_mean_ms, r.frame_mean_ms) + " | " + fixed(r.update_ms, 4) +
+              " | " + fixed(r.window_ms) + " | " + std::to_string(r.windows) + ", " + std::to_string(r.rebuilt) + ", " + std::to_string(r.degenerate) + " of " +
+              std::to_string(r.frames) + " | " + (r.all_pairs_ms > 0 ? fixed(r.all_pairs_ms, 1) : "-") + " | " + ratio(r.all_pairs_ms, r.frame_ms) + " | " +
+              (r.cgal_ms > 0 ? fixed(r.cgal_ms, 1) : "-") + " | " + ratio(r.cgal_ms, r.frame_ms) + " | " + std::to_string(r.compared) + ", " +
+              std::to_string(r.different + r.cgal_different) + " |");
+  for (const FrameSample& f : r.samples)
+    report.csv << r.name << "," << r.steps << "," << f.s << "," << f.ms << "," << f.static_ms << "," << f.events << "," << f.crossings << "," << f.rebuilt << ","
+               << f.new_window << "\n";
+}
+
+void target(Report& report, const std::string& promise, const std::string& measured, bool met) {
+  report.line("- " + promise + ": " + measured + (met ? " (met)" : " (**NOT met**)"));
+}
+
+bool wanted(const Options& options, const std::string& name) { return name.find(options.only) != std::string::npos; }
+
+std::string figure(const FramesRow& row, const std::string& title) {
+  std::vector<Dot> events, crossings;
+  for (const FrameSample& f : row.samples) {
+    events.push_back({static_cast<double>(f.events), f.static_ms / f.ms});
+    crossings.push_back({static_cast<double>(f.crossings), f.static_ms / f.ms});
+  }
+  return draw_scatter(title, "crossings that came or went", "speed-up over our static engine", events, "crossings of the frame", crossings);
+}
+
+int run(const Options& options) {
+  Report report;
+  report.csv << "pair,steps,s,frame_ms,static_ms,events,crossings,rebuilt,new_window\n";
+  const std::string data = data_folder();
+  const std::vector<ScalingPair> pairs = frame_pairs(data);
+  report.line("# Scaling sums\n\nWritten by `./run bench scaling --results docs/results`. Processor times in milliseconds; every frame compared exactly with our static "
+              "engine. Inputs are snapped to 22-bit integers and scales to 14 fractional bits, so that s P is the same set for everyone.\n");
+  if (data.empty()) report.line("No data folder (DYMSUM_DATA): the thesis's polygons are left out.\n");
+  report.line("## Steady steps\n");
+  frames_heading(report);
+  std::vector<FramesRow> one_percent;
+  for (const ScalingPair& pair : pairs) {
+    if (!wanted(options, pair.name)) continue;
+    for (const auto& [text, step, frames] : {std::tuple{"0.1 %", 0.001, 100}, std::tuple{"1 %", 0.01, 100}, std::tuple{"10 %", 0.1, 24}}) {
+      FramesPlan plan;
+      plan.steps = text;
+      plan.scales = steady_steps(step, static_cast<std::size_t>(frames));
+      plan.rival_frames = options.quick || step != 0.01 ? 0 : 3;
+      const FramesRow row = measure_frames(pair, plan);
+      frames_line(report, row);
+      if (step == 0.01) one_percent.push_back(row);
+      if (step == 0.1 && pair.name == "neuron + disc 32")
+        target(report, "neuron + disc 32 at 10 %: at most a third of static", ratio(row.static_ms, row.frame_ms) + " times faster", row.static_ms >= 3 * row.frame_ms);
+    }
+  }
+  report.line("\n## Promises at 1 % steps\n");
+  for (const FramesRow& r : one_percent) {
+    target(report, r.name + ": 8 times our static engine", ratio(r.static_ms, r.frame_ms), r.static_ms >= 8 * r.frame_ms);
+    if (r.cgal_ms > 0) target(report, r.name + ": 500 times CGAL", ratio(r.cgal_ms, r.frame_ms), r.cgal_ms >= 500 * r.frame_ms);
+  }
+  report.line("\n## Where rebuilding beats updating\n\nMean frame in ms by step, for windows only, from scratch only, and the controller.\n");
+  report.line("| pair | step | windows only | from scratch only | automatic | automatic / better one |");
+  report.line("|---|---|---|---|---|---|");
+  for (const ScalingPair& pair : pairs) {
+    if (!wanted(options, pair.name) || (pair.name != "neuron + disc 32" && pair.name != "star 100 + star 100" && pair.name != "monkey + bird")) continue;
+    for (const double step : {0.0005, 0.002, 0.01, 0.05, 0.2}) {
+      double mean[3];
+      int k = 0;
+      for (const ScalingMode mode : {ScalingMode::window, ScalingMode::rebuild, ScalingMode::automatic}) {
+        FramesPlan plan;
+        plan.scales = steady_steps(step, step < 0.1 ? 40 : 16);
+        plan.mode = mode;
+        mean[k++] = measure_frames(pair, plan).frame_mean_ms;
+      }
+      report.line("| " + pair.name + " | " + fixed(100 * step, 2) + " % | " + fixed(mean[0]) + " | " + fixed(mean[1]) + " | " + fixed(mean[2]) + " | " +
+                  fixed(mean[2] / std::min(mean[0], mean[1]), 2) + " |");
+    }
+  }
+  report.line("\n## Table 6.1\n\n100 random scales in [0.1, 10], steps of 0.1; rows scale. Each cell: speed-up over the thesis's baseline (all pairs, from scratch) / over our "
+              "static engine (means). Shapes with the vertex counts of the thesis's.\n");
+  double worst = INFINITY, total = 0;
+  std::string line;
+  int column = 0;
+  report.line("| | dog | G1 | G2 | G3 | G4 |\n|---|---|---|---|---|---|");
+  for (const ScalingPair& pair : table_pairs()) {
+    if (!wanted(options, pair.name)) continue;
+    FramesPlan plan;
+    plan.steps = "random";
+    plan.scales = random_scales(100);
+    plan.rival_frames = 5;
+    plan.cgal = false;
+    const FramesRow row = measure_frames(pair, plan);
+    if (row.different > 0) report.line("**different results: " + row.name + "**");
+    const double speed = row.static_mean_ms / row.frame_mean_ms;
+    worst = std::min(worst, speed);
+    total += row.all_pairs_ms / row.frame_mean_ms;
+    if (column % 5 == 0) line = "| " + pair.name.substr(0, pair.name.find(' '));
+    line += " | " + ratio(row.all_pairs_ms, row.frame_mean_ms) + " / " + fixed(speed, 2);
+    if (++column % 5 == 0) report.line(line + " |");
+  }
+  if (column > 0) {
+    report.line("\nMean speed-up over the thesis's baseline: " + fixed(total / column, 1) + " (the thesis: 150.7).\n");
+    target(report, "random scales: never slower than static by more than 1.2", fixed(worst, 2) + " times static at worst", worst >= 1 / 1.2);
+  }
+  if (!data.empty() && (wanted(options, "neuron + disc 32") || wanted(options, "monkey + bird"))) {
+    report.line("\n## The thesis's pair events over (0, infinity)\n\nCounted by streaming: the ends of the intervals of scales at which two segments of the reduced convolution "
+                "cross properly. The thesis has 56,238 and 56,996,430.\n\n| pair | segments | pairs that meet | events | pairs doubles did not decide |\n|---|---|---|---|---|");
+    for (const ScalingPair& pair : pairs) {
+      if (!wanted(options, pair.name) || (pair.name != "neuron + disc 32" && pair.name != "monkey + bird")) continue;
+      const PairEventCount c = count_pair_events(pair.p, pair.q, pair.q_scales ? ScaledOperand::q : ScaledOperand::p).value();
+      report.line("| " + pair.name + " | " + std::to_string(c.segments) + " | " + std::to_string(c.pairs_that_meet) + " | " + std::to_string(c.events) + " | " +
+                  std::to_string(c.exact_pairs) + " |");
+    }
+  }
+  if (options.results.empty()) return 0;
+  std::filesystem::create_directories(options.results);
+  const auto write = [&](const std::string& name, const std::string& text) { std::ofstream(options.results + "/" + name) << text; };
+  write("scaling.csv", report.csv.str());
+  for (const ScalingPair& pair : pairs) {
+    const bool monkey = pair.name == "monkey + bird";
+    if (!wanted(options, pair.name) || (!monkey && pair.name != "neuron + disc 32")) continue;
+    FramesPlan plan;
+    // Steps of all sizes.
+    double s = 1;
+    for (int i = 0; i < 160; ++i) {
+      const double step = std::pow(10, -4 + 3.2 * (i * 37 % 160) / 160);
+      s = s > 4 ? 1 : s * (1 + step);
+      plan.scales.push_back(std::round(s * 0x1p14) * 0x1p-14);
+    }
+    write(monkey ? "figure-6.6.svg" : "figure-6.7.svg", figure(measure_frames(pair, plan), pair.name + ": speed-up of frames"));
+  }
+  report.line("\n![figure 6.6](figure-6.6.svg)\n![figure 6.7](figure-6.7.svg)");
+  write("scaling.md", report.markdown.str());
+  return 0;
+}
+
+}  // namespace
+}  // namespace dymsum::bench
+
+int main(int argc, char** argv) {
+  dymsum::bench::Options options;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word == "--quick") {
+      options.quick = true;
+    } else if ((word == "--only" || word == "--results") && i + 1 < argc) {
+      (word == "--only" ? options.only : options.results) = argv[++i];
+    } else {
+      std::cerr << dymsum::bench::kUsage;
+      return 1;
+    }
+  }
+  try {
+    return dymsum::bench::run(options);
+  } catch (const std::exception& error) {
+    std::cerr << "dymsum_bench_scaling: " << error.what() << "\n";
+    return 3;
+  }
+}
