@@ -46,16 +46,18 @@ int SumSource::compare_x(const SumVertex& a, const SumVertex& b) const { return 
 
 int SumSource::compare_y(const SumVertex& a, const SumVertex& b) const { return compare(a, b, 1); }
 
-bool SumSource::on_contact(const Contact& contact, const Position& at) const {
-  const Segment s = segment(contact);
+bool SumSource::on_segment(const Segment& s, const Position& at) const {
   const auto spot = [&](Pair v) {
     Lattice::Position p = lattice_->position(v);
     return make_spot(Position{std::move(p.x), std::move(p.y)});
   };
-  return on_segment(spot(start_of(s)), spot(end_of(s)), make_spot(at));
+  return planar::on_segment(spot(start_of(s)), spot(end_of(s)), make_spot(at));
 }
 
-// An edge merged from three contacts or more does not remember those in the middle: they are looked for among all on its line.
+bool SumSource::on_contact(const Contact& contact, const Position& at) const { return on_segment(segment(contact), at); }
+
+// An edge merged from three contacts or more does not remember those in the middle, and where rings touch an edge number stands for
+// several walk edges: then all walk edges on the line are looked at.
 Contact SumSource::contact_at(const Contact& first, const Contact& last, const Position& at) const {
   if (on_contact(first, at)) return first;
   if (on_contact(last, at)) return last;
@@ -65,11 +67,11 @@ Contact SumSource::contact_at(const Contact& first, const Contact& last, const P
     for (std::uint32_t e = 0; e < o.size(); ++e) {
       if (o.next[e] == e || lattice_->cross(o.edge(e), line.edge) != 0) continue;
       for (std::uint32_t v = 0; v < other.size(); ++v) {
-        const Pair start = op == 0 ? Pair{o.source[e], other.source[v]} : Pair{other.source[v], o.source[e]};
-        if (lattice_->side(line, start) != 0) continue;
+        const Segment s{o.edge(e), other.source[v]};
+        if (lattice_->side(line, start_of(s)) != 0) continue;
         const Contact c = op == 0 ? Contact{Contact::Kind::edge_of_p, o.edge_number[e], other.vertex_number[v]}
                                   : Contact{Contact::Kind::edge_of_q, other.vertex_number[v], o.edge_number[e]};
-        if (c.p != SumVertex::kNone && c.q != SumVertex::kNone && on_contact(c, at)) return c;
+        if (c.p != SumVertex::kNone && c.q != SumVertex::kNone && on_segment(s, at)) return c;
       }
     }
   }

@@ -26,6 +26,7 @@ class SumSource final : public ExactSource {
 
  private:
   Segment segment(const Contact& contact) const;
+  bool on_segment(const Segment& s, const Position& at) const;
   Pair corner(const SumVertex& v) const;
   Place crossing(const SumVertex& v) const;
   int compare(const SumVertex& a, const SumVertex& b, int axis) const;

@@ -111,5 +111,31 @@ TEST(ScaleEvents, pair_events_of_two_triangles_are_counted) {
   EXPECT_EQ(convex.segments, 6u);
 }
 
+/// Over a wide range holes become filled and open again, so that the convolution is made anew between windows.
+TEST(ScaleEvents, a_plate_whose_holes_fill_one_after_the_other) {
+  RegionData plate;
+  plate.parts.push_back({{{0, 0}, {40, 0}, {40, 20}, {0, 20}}, {}});
+  for (int k = 1; k <= 4; ++k) {
+    const double x = 8.0 * k, r = k;
+    plate.parts[0].holes.push_back({{x - r, 10}, {x, 10 + r}, {x + r, 10}, {x, 10 - r}});
+  }
+  const Region p = Region::create(plate).value(), q = shapes::star(5, 1, 2);
+  const Region tool = multiplied(q, 1, 1);
+  ScalingSum sum = ScalingSum::create(p, tool).value();
+  const std::vector<ScaleEvent> events = sum.events(scale_of(1, 4), scale_of(4, 1)).value();
+  ASSERT_GT(events.size(), 8u);
+  std::size_t most = 0, least = 99;
+  for (const ScaleEvent& e : events) {
+    ASSERT_TRUE(sum.set(Scale::of(e.s).value()).ok());
+    const PlanarSum& updated = sum.sum();
+    most = std::max(most, updated.hole_count());
+    least = std::min(least, updated.hole_count());
+    ScalingSum fresh = ScalingSum::create(p, tool).value();
+    ASSERT_TRUE(fresh.set(Scale::of(e.s).value()).ok());
+    EXPECT_EQ(described(updated, 1), described(fresh.sum(), 1)) << e.s.to_string();
+  }
+  EXPECT_GT(most, least + 1) << most << " " << least;
+}
+
 }  // namespace
 }  // namespace dymsum

@@ -58,13 +58,13 @@ ReducedConvolution& ScalingSum::State::convolution_for(double low, double high) 
   fill_low_ = holes ? low / 1.5 : 0;
   fill_high_ = holes ? high * 1.5 : INFINITY;
   if (!holes) {
-    convolution_ = std::make_unique<ReducedConvolution>(*base->lattice, base->operands[0], base->operands[1]);
+    convolution_ = std::make_shared<ReducedConvolution>(*base->lattice, base->operands[0], base->operands[1]);
     return *convolution_;
   }
   const ScaleValue a = scale_value(exact::exact_value(fill_low_)), b = scale_value(exact::exact_value(fill_high_));
   const auto at_low = base->lattice_at(base->lattice_scale(a, a)), at_high = base->lattice_at(base->lattice_scale(b, b));
   const FillLattice fill(*base->lattice, *at_low, *at_high, base->scaled);
-  convolution_ = std::make_unique<ReducedConvolution>(fill, base->operands[0], base->operands[1]);
+  convolution_ = std::make_shared<ReducedConvolution>(fill, base->operands[0], base->operands[1]);
   return *convolution_;
 }
 
@@ -153,6 +153,7 @@ bool ScalingSum::State::build_window(const ScaleValue& s, double behind, double 
   settings.mask = n >= kMaskFrom;
   drop_window();
   window_ = std::make_unique<Window>(*base, convolution, settings);
+  window_convolution_ = convolution_;
   lists_ = std::make_unique<PieceLists>(*window_);
   loops_ = std::make_unique<FrameLoops>(*lists_);
   low_ = low;
@@ -270,7 +271,7 @@ ScalingSum::State::NextFrame ScalingSum::State::window_frame(const ScaleValue& s
     work.degenerate = true;
     SumOptions sum_options;
     sum_options.semantics = options.semantics;
-    SumState state = degenerate_frame(*window_, *convolution_, place, options.semantics);
+    SumState state = degenerate_frame(*window_, *window_convolution_, place, options.semantics);
     work.loops_traced = state.stats.loops;
     next.sum = finish_sum(std::move(state), sum_options);
     loops_known_ = false;

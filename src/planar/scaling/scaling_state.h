@@ -52,7 +52,8 @@ class ScalingSum::State {
   std::vector<std::uint64_t> follow_rings(const NextFrame& next, bool same_place, FrameChanges& changes);
 
   planar::WindowController controller_;
-  std::unique_ptr<planar::ReducedConvolution> convolution_;
+  std::shared_ptr<planar::ReducedConvolution> convolution_;
+  std::shared_ptr<const planar::ReducedConvolution> window_convolution_;  // the one the window was made from: its ids
   double fill_low_ = 0, fill_high_ = 0;  ///< scales for which the convolution's filled holes are right
   std::unique_ptr<planar::Window> window_;
   std::unique_ptr<planar::PieceLists> lists_;
