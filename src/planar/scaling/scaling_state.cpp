@@ -264,8 +264,9 @@ ScalingSum::State::NextFrame ScalingSum::State::assemble(double tau, FramePlace&
 ScalingSum::State::NextFrame ScalingSum::State::window_frame(const ScaleValue& s, FrameWork& work) {
   FramePlace place(base, s);
   const double tau = place.tau(window_->frame().moving);
-  const bool generic = lists_->repair(tau, place, work);
+  bool generic = lists_->repair(tau, place, work);
   NextFrame next;
+  generic = generic && loops_->update(tau, place, !loops_known_, work);
   if (!generic) {
     work.degenerate = true;
     SumOptions sum_options;
@@ -276,7 +277,6 @@ ScalingSum::State::NextFrame ScalingSum::State::window_frame(const ScaleValue& s
     loops_known_ = false;
     loops_->loops().clear();
   } else {
-    loops_->update(tau, place, !loops_known_, work);
     next = assemble(tau, place);
     loops_known_ = true;
   }
