@@ -138,12 +138,34 @@ bool FrameLoops::update(double tau, FramePlace& place, bool whole, FrameWork& wo
     if (loops_[i].kept && loops_[i].vertices.empty()) make_vertices(loops_[i], gone, claimed);
   for (std::size_t g = 0; g < gone.size(); ++g)
     if (gone[g].kept && !claimed[g] && gone[g].ring != 0) ended_.push_back({gone[g].ring, static_cast<std::uint32_t>(gone[g].vertices.size())});
+  const bool plain = window.nodes.empty() || nodes_are_plain(tau, place, whole, work);
   last_tau_ = tau;
-  return window.nodes.empty() || nodes_are_plain(tau, place, whole, work);
+  return plain;
+}
+
+// Whether nothing on its piece passed a touch at any scale since the last frame.
+bool FrameLoops::quiet(std::uint32_t touch, double tau) const {
+  const Window& window = lists_.window();
+  const PersistentTouch& v = window.touches[touch];
+  const double low = std::min(tau, last_tau_), high = std::max(tau, last_tau_);
+  if (!(v.in_low < low && v.in_high > high)) return false;
+  const auto passes = [&](const Linear& t, double error, const auto& c) {
+    if (c.out_high <= low || c.out_low >= high) return false;
+    const double apart = v.error + error + 0x1p-48 * std::max(1.0, high), u = std::max(low, c.out_low), w = std::min(high, c.out_high);
+    const double gap_u = t.at(u) - v.t.at(u), gap_w = t.at(w) - v.t.at(w);
+    return !(gap_u > apart && gap_w > apart) && !(gap_u < -apart && gap_w < -apart);
+  };
+  for (std::uint32_t k = window.first_of[v.piece]; k < window.first_of[v.piece + 1]; ++k) {
+    const Candidate& c = window.candidates[window.of[k]];
+    if (c.a == v.piece ? passes(c.ta, c.error_a, c) : passes(c.tb, c.error_b, c)) return false;
+  }
+  for (std::uint32_t k = window.first_touch[v.piece]; k < window.first_touch[v.piece + 1]; ++k)
+    if (k != touch && passes(window.touches[k].t, window.touches[k].error, window.touches[k])) return false;
+  return true;
 }
 
 // At every scale something touches in these nodes. The boundary passes those that it passes once; the others have to lie in the open sum.
-// A node that did so does so as long as none of its pieces changes: what could uncover it would come along one of them.
+// A node that did so does so as long as nothing passes it on a piece it lies inside of: what could uncover it would cross that piece there.
 bool FrameLoops::nodes_are_plain(double tau, FramePlace& place, bool whole, FrameWork& work) {
   const Window& window = lists_.window();
   std::fill(visited_.begin(), visited_.end(), 0);
@@ -156,8 +178,11 @@ bool FrameLoops::nodes_are_plain(double tau, FramePlace& place, bool whole, Fram
       nodes_[n].inside = false;
       continue;
     }
-    bool changed = whole;
-    for (std::uint32_t r = window.nodes[n].first_ray; r < window.nodes[n].last_ray; ++r) changed |= lists_.has_changed(window.rays[r].piece) || lists_.touched(window.rays[r].piece);
+    bool changed = whole || lists_.relinked(n);
+    for (std::uint32_t r = window.nodes[n].first_ray; r < window.nodes[n].last_ray && nodes_[n].inside && !changed; ++r) {
+      const PersistentNode::Ray& ray = window.rays[r];
+      changed = ray.touch != kNone && ray.out && lists_.active_touch(ray.touch) && lists_.touched(ray.piece) && !quiet(ray.touch, tau);
+    }
     if (changed) nodes_[n].inside = false;
     if (visited_[n] > 0 || nodes_[n].inside) continue;
     if (!node_inside(n, tau, place, work)) return false;

@@ -56,6 +56,7 @@ class FrameLoops {
   int turning_number(const std::vector<Step>& steps) const;
   void verify(double tau, FramePlace& place, const std::vector<Look>& look, FrameWork& work);
   bool undisturbed(const FrameLoop::Between& edge, double tau) const;
+  bool quiet(std::uint32_t touch, double tau) const;
   bool is_false(FrameLoop& loop, double tau, FramePlace& place, FrameWork& work);
   struct Cutting {
     Linear t;

@@ -31,6 +31,7 @@ PieceLists::PieceLists(Window& window) : window_(window) {
   list_.assign(window.of.size() + window.touches.size(), 0);
   touch_active_.assign(window.touches.size(), 0);
   node_active_.assign(window.nodes.size(), 0);
+  relinked_at_.assign(window.nodes.size(), 0);
   entered_.assign(window.rays.size(), 0);
   link_.assign(window.rays.size(), kNone);
   touched_.assign(n, 0);
@@ -223,6 +224,7 @@ void PieceLists::relink(std::uint32_t node) {
     here.push_back(r);
   }
   node_active_[node] = any;
+  relinked_at_[node] = frame_;
   if (!any) return;
   const std::size_t m = here.size();
   const auto group = [&](std::size_t k) { return window_.rays[here[k]].group; };

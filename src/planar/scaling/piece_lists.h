@@ -39,6 +39,8 @@ class PieceLists {
   std::uint32_t end_node(Step s) const;
   /// Nodes at which something touches now.
   bool active(std::uint32_t node) const { return node_active_[node]; }
+  bool active_touch(std::uint32_t touch) const { return touch_active_[touch]; }
+  bool relinked(std::uint32_t node) const { return relinked_at_[node] == frame_; }
 
   /// Pieces looked at by the last repair, and those among them whose list changed.
   bool touched(std::uint32_t piece) const { return touched_[piece] == frame_; }
@@ -65,6 +67,7 @@ class PieceLists {
   std::vector<std::uint32_t> touched_, changed_at_, changed_;
   std::vector<Item> items_;
   std::vector<std::uint8_t> touch_active_, node_active_, entered_;  ///< per touch, node, ray
+  std::vector<std::uint32_t> relinked_at_;  ///< per node
   std::vector<std::uint32_t> link_;         ///< ray that arrives -> ray that leaves, or kNone
   std::vector<std::uint32_t> dirty_nodes_;  ///< where a touch came or went in this frame
   std::uint32_t frame_ = 0;

@@ -46,7 +46,11 @@ bool same_rings(const SumRing& a, const SumRing& b) {
 
 bool has_holes(const Operand& o) { return o.loops.size() > o.components.size(); }
 
-int cells_for(double n) { return std::clamp(static_cast<int>(1.4 * std::sqrt(n)), 8, 1024); }
+// Finer than the static engine's grid: a mask is paid for once a window. Where segments abound building dominates.
+int cells_for(double n) {
+  const double per_root = n < 4000 ? 4 : n < 30000 ? 3.4 : 2;
+  return std::clamp(static_cast<int>(per_root * std::sqrt(n)), 8, 1024);
+}
 
 constexpr std::uint32_t kMaskFrom = 300;  // segments from which a mask pays
 
