@@ -31,6 +31,12 @@ Result<std::shared_ptr<const ScalingBase>> ScalingBase::create(const std::array<
       if (o.vertex_number[i] >= numbers.size()) numbers.resize(o.vertex_number[i] + 1, 0);
       numbers[o.vertex_number[i]] = o.source[i];
     }
+    std::vector<std::array<std::uint32_t, 2>>& ends = base->ends_of[op];
+    for (std::uint32_t i = 0; i < o.size(); ++i) {
+      if (o.edge_number[i] == SumVertex::kNone) continue;
+      if (o.edge_number[i] >= ends.size()) ends.resize(o.edge_number[i] + 1, {0, 0});
+      ends[o.edge_number[i]] = {o.source[i], o.source[o.next[i]]};
+    }
     for (const Component& c : o.components) base->regular &= c.dimension == 2;
     base->connected &= o.components.size() == 1;
     for (const double x : base->lattice->x[op]) base->width[op] = std::max(base->width[op], x);
@@ -74,12 +80,27 @@ std::optional<int> ScalingSource::compare_corners(const SumVertex& a, const SumV
   return sum.sign();
 }
 
+// Both lie on one contact whose edge is upright (axis 0) or level (axis 1): rectilinear shapes ask this all the time.
+bool ScalingSource::on_common_line(const SumVertex& a, const SumVertex& b, int axis) const {
+  const auto straight = [&](const Contact& c) {
+    const std::uint32_t op = c.kind == Contact::Kind::edge_of_p ? 0 : 1, edge = op == 0 ? c.p : c.q;
+    const auto [from, to] = base_->ends_of[op][edge];
+    const Point &u = base_->lattice->input[op][from], &v = base_->lattice->input[op][to];
+    return axis == 0 ? u.x == v.x : u.y == v.y;
+  };
+  for (const Contact& c : {a.in, a.out})
+    if ((c == b.in || c == b.out) && straight(c)) return true;
+  return false;
+}
+
 int ScalingSource::compare_x(const SumVertex& a, const SumVertex& b) const {
+  if (on_common_line(a, b, 0)) return 0;
   const std::optional<int> sign = compare_corners(a, b, 0);
   return sign ? *sign : source().compare_x(a, b);
 }
 
 int ScalingSource::compare_y(const SumVertex& a, const SumVertex& b) const {
+  if (on_common_line(a, b, 1)) return 0;
   const std::optional<int> sign = compare_corners(a, b, 1);
   return sign ? *sign : source().compare_y(a, b);
 }

@@ -28,6 +28,7 @@ class ScalingBase {
   std::array<Operand, 2> operands;
   std::array<double, 2> width{}, height{};  ///< of the operands, in the lattice's doubles
   std::array<std::vector<std::uint32_t>, 2> source_of;  ///< vertex number in the region -> source vertex
+  std::array<std::vector<std::array<std::uint32_t, 2>>, 2> ends_of;  ///< edge number in the region -> source vertices
   bool regular = true;    ///< every component has area
   bool connected = true;  ///< one component each
 
@@ -47,6 +48,7 @@ class ScalingSource final : public ExactSource {
 
  private:
   const SumSource& source() const;
+  bool on_common_line(const SumVertex& a, const SumVertex& b, int axis) const;
   std::optional<int> compare_corners(const SumVertex& a, const SumVertex& b, int axis) const;
   std::shared_ptr<const ScalingBase> base_;
   LatticeScale scale_;

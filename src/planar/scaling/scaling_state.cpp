@@ -222,6 +222,9 @@ ScalingSum::State::NextFrame ScalingSum::State::assemble(double tau, FramePlace&
   // Evaluation, the blow-up and the offsets add a few roundings.
   const double at_error = grow * (error + 0x1p-49 * span) * unit * (1 + 0x1p-40) + 0x1p-50 * reach;
   next.sum.at_error = at_error;
+  next.sum.stats.tier_bits = place.has_lattice() ? place.lattice().tier_bits : base->lattice->tier_bits;
+  next.sum.stats.reduced_segments = convolution_->size();
+  next.sum.stats.live_segments = window_->segments.size();
   const VertexOrder order(*source, at_error);
   std::size_t outers = 0;
   for (std::size_t i = 0; i < rings.size(); ++i) {
