@@ -105,7 +105,8 @@ class ScalingSum {
   Result<FrameChanges> set(const Scale& sx, const Scale& sy);
 
   const Scale& scale() const;
-  /// The exact sum at the current scale; valid until the next set(). Copies stay valid for ever.
+  /// The exact sum at the current scale; valid until the next set(). Copies stay valid for ever. Of frames inside a window stats hold the
+  /// sizes and the tier only (that of the unscaled operands where no sign needed integers); the rest is in work().
   const PlanarSum& sum() const;
   /// Identities of the rings of sum(), part by part, outer ring first.
   std::vector<std::uint64_t> ring_ids() const;

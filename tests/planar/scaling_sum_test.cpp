@@ -201,6 +201,22 @@ TEST(ScalingSum, identities_and_changes_account_for_every_ring) {
   EXPECT_FALSE(ended.empty());
 }
 
+// P + s P: all edges have parallels, and at reflex vertices ends of segments lie on other segments at every scale.
+TEST(ScalingSum, parallel_operands_are_updated_without_the_vertex_routine) {
+  const Region p = on_integers(shapes::random_polygon(60, 2, 8), 4000);
+  ScalingOptions options;
+  options.mode = ScalingMode::window;
+  options.window = 0.2;
+  ScalingSum sum = ScalingSum::create(p, p, options).value();
+  int updated = 0;
+  for (int k = 65; k < 128; ++k) {
+    ASSERT_TRUE(sum.set(scale_of(k, 64)).ok());
+    ASSERT_EQ(ours(sum, 64), static_answer(p, p, k, 64, false, Semantics::closed)) << k << "/64";
+    updated += !sum.work().degenerate && !sum.work().rebuilt;
+  }
+  EXPECT_GT(updated, 50);
+}
+
 TEST(ScalingSum, many_random_steps_equal_a_rebuild) {
   const bool heavy = std::getenv("DYMSUM_FUZZ_PAIRS") != nullptr;
   const Shape shape = middling();

@@ -68,12 +68,27 @@ std::optional<int> ScalingSource::compare_corners(const SumVertex& a, const SumV
   return sum.sign();
 }
 
+// Both lie on one contact whose edge is upright (axis 0) or level (axis 1): rectilinear shapes ask this all the time.
+bool ScalingSource::on_common_line(const SumVertex& a, const SumVertex& b, int axis) const {
+  const auto straight = [&](const Contact& c) {
+    const std::uint32_t op = c.kind == Contact::Kind::edge_of_p ? 0 : 1, edge = op == 0 ? c.p : c.q;
+    const auto [from, to] = base_->operands[op].numbered_edge[edge];
+    const Point &u = base_->lattice->points[op]->input[from], &v = base_->lattice->points[op]->input[to];
+    return axis == 0 ? u.x == v.x : u.y == v.y;
+  };
+  for (const Contact& c : {a.in, a.out})
+    if ((c == b.in || c == b.out) && straight(c)) return true;
+  return false;
+}
+
 int ScalingSource::compare_x(const SumVertex& a, const SumVertex& b) const {
+  if (on_common_line(a, b, 0)) return 0;
   const std::optional<int> sign = compare_corners(a, b, 0);
   return sign ? *sign : source().compare_x(a, b);
 }
 
 int ScalingSource::compare_y(const SumVertex& a, const SumVertex& b) const {
+  if (on_common_line(a, b, 1)) return 0;
   const std::optional<int> sign = compare_corners(a, b, 1);
   return sign ? *sign : source().compare_y(a, b);
 }

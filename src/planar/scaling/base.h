@@ -46,6 +46,7 @@ class ScalingSource final : public ExactSource {
 
  private:
   const SumSource& source() const;
+  bool on_common_line(const SumVertex& a, const SumVertex& b, int axis) const;
   std::optional<int> compare_corners(const SumVertex& a, const SumVertex& b, int axis) const;
   std::shared_ptr<const ScalingBase> base_;
   LatticeScale scale_;

@@ -48,6 +48,9 @@ SumState degenerate_frame(const Window& window, const ReducedConvolution& convol
 
   const double tau = place.tau(window.frame().moving);
   std::vector<std::array<std::uint32_t, 2>> pairs = window.folds;
+  for (const auto& [a, b] : window.touching) pairs.push_back({std::min(a, b), std::max(a, b)});
+  for (auto& pair : pairs)
+    if (pair[0] > pair[1]) std::swap(pair[0], pair[1]);
   for (const Candidate& c : window.candidates) {
     if (tau <= c.out_low || tau >= c.out_high) continue;
     const std::uint32_t a = window.pieces[c.a].segment, b = window.pieces[c.b].segment;

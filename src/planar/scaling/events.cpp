@@ -16,6 +16,8 @@ class Collector {
 
   std::vector<EventValue> run() {
     for (const Candidate& c : window_.candidates) ends(window_.pieces[c.a].segment, window_.pieces[c.b].segment, c);
+    for (const auto& [i, j] : window_.touching) ends_of(i, j);
+    for (const auto& [i, j] : window_.folds) ends_of(i, j);
     for (std::uint32_t i = 0; i < window_.pieces.size(); ++i) orders(i);
     std::sort(values_.begin(), values_.end(), [](const EventValue& a, const EventValue& b) {
       return a.s < b.s || (a.s == b.s && a.kind < b.kind);
@@ -38,6 +40,10 @@ class Collector {
     const double tau0 = window_.frame().tau0, tau1 = window_.frame().tau1;
     // Crossing throughout the window: no end comes near.
     if (c.in_low <= tau0 && c.in_high >= tau1) return;
+    ends_of(i, j);
+  }
+
+  void ends_of(std::uint32_t i, std::uint32_t j) {
     const Segment a = window_.exact(i), b = window_.exact(j);
     const auto test = [&](const Segment& s, Pair v) {
       const std::optional<BigRational> root = forms_.side(s, v).root();

@@ -31,11 +31,15 @@ bool FrameLoops::undisturbed(const FrameLoop::Between& edge, double tau) const {
   };
   const auto end = [&](std::uint32_t id, Linear at_end) {
     if (id == kNone) return End{at_end, 0};
+    if (id & kTouchBit) return End{window.touches[id & ~kTouchBit].t, window.touches[id & ~kTouchBit].error};
     const Candidate& c = window.candidates[id];
     return c.a == edge.piece ? End{c.ta, c.error_a} : End{c.tb, c.error_b};
   };
-  for (const std::uint32_t id : {edge.from, edge.to})
-    if (id != kNone && !(window.candidates[id].in_low < low && window.candidates[id].in_high > high)) return false;
+  for (const std::uint32_t id : {edge.from, edge.to}) {
+    if (id == kNone) continue;
+    const auto stays = [&](const auto& c) { return c.in_low < low && c.in_high > high; };
+    if (id & kTouchBit ? !stays(window.touches[id & ~kTouchBit]) : !stays(window.candidates[id])) return false;
+  }
   const End from = end(edge.from, {0, 0}), to = end(edge.to, segment.moving ? Linear{0, 1} : Linear{1, 0});
   const double margin = from.error + to.error + 0x1p-48 * std::max(1.0, high);
   for (const double x : {low, high})
@@ -51,14 +55,24 @@ bool FrameLoops::undisturbed(const FrameLoop::Between& edge, double tau) const {
     const bool behind = t.at(u) - to.t.at(u) > apart && t.at(v) - to.t.at(v) > apart;
     if (!before && !behind) return false;
   }
+  for (std::uint32_t k = window.first_touch[edge.piece]; k < window.first_touch[edge.piece + 1]; ++k) {
+    const PersistentTouch& c = window.touches[k];
+    if ((k | kTouchBit) == edge.from || (k | kTouchBit) == edge.to || c.out_high <= low || c.out_low >= high) continue;
+    const double apart = margin + c.error, u = std::max(low, c.out_low), v = std::min(high, c.out_high);
+    const bool before = from.t.at(u) - c.t.at(u) > apart && from.t.at(v) - c.t.at(v) > apart;
+    const bool behind = c.t.at(u) - to.t.at(u) > apart && c.t.at(v) - to.t.at(v) > apart;
+    if (!before && !behind) return false;
+  }
   return true;
 }
 
-void FrameLoops::update(double tau, FramePlace& place, bool whole, FrameWork& work) {
+bool FrameLoops::update(double tau, FramePlace& place, bool whole, FrameWork& work) {
   const Window& window = lists_.window();
   if (seen_.size() != lists_.sub_limit() || walk_ > 0xfffffff0) {
     seen_.assign(lists_.sub_limit(), 0);
     owners_.assign(window.pieces.size(), {});
+    nodes_.assign(window.nodes.size(), {});
+    visited_.assign(window.nodes.size(), 0);
     walk_ = 0;
   }
   ended_.clear();
@@ -124,7 +138,81 @@ void FrameLoops::update(double tau, FramePlace& place, bool whole, FrameWork& wo
     if (loops_[i].kept && loops_[i].vertices.empty()) make_vertices(loops_[i], gone, claimed);
   for (std::size_t g = 0; g < gone.size(); ++g)
     if (gone[g].kept && !claimed[g] && gone[g].ring != 0) ended_.push_back({gone[g].ring, static_cast<std::uint32_t>(gone[g].vertices.size())});
+  const bool plain = window.nodes.empty() || nodes_are_plain(tau, place, whole, work);
   last_tau_ = tau;
+  return plain;
+}
+
+// Whether nothing on its piece passed a touch at any scale since the last frame.
+bool FrameLoops::quiet(std::uint32_t touch, double tau) const {
+  const Window& window = lists_.window();
+  const PersistentTouch& v = window.touches[touch];
+  const double low = std::min(tau, last_tau_), high = std::max(tau, last_tau_);
+  if (!(v.in_low < low && v.in_high > high)) return false;
+  const auto passes = [&](const Linear& t, double error, const auto& c) {
+    if (c.out_high <= low || c.out_low >= high) return false;
+    const double apart = v.error + error + 0x1p-48 * std::max(1.0, high), u = std::max(low, c.out_low), w = std::min(high, c.out_high);
+    const double gap_u = t.at(u) - v.t.at(u), gap_w = t.at(w) - v.t.at(w);
+    return !(gap_u > apart && gap_w > apart) && !(gap_u < -apart && gap_w < -apart);
+  };
+  for (std::uint32_t k = window.first_of[v.piece]; k < window.first_of[v.piece + 1]; ++k) {
+    const Candidate& c = window.candidates[window.of[k]];
+    if (c.a == v.piece ? passes(c.ta, c.error_a, c) : passes(c.tb, c.error_b, c)) return false;
+  }
+  for (std::uint32_t k = window.first_touch[v.piece]; k < window.first_touch[v.piece + 1]; ++k)
+    if (k != touch && passes(window.touches[k].t, window.touches[k].error, window.touches[k])) return false;
+  return true;
+}
+
+// At every scale something touches in these nodes. The boundary passes those that it passes once; the others have to lie in the open sum.
+// A node that did so does so as long as nothing passes it on a piece it lies inside of: what could uncover it would cross that piece there.
+bool FrameLoops::nodes_are_plain(double tau, FramePlace& place, bool whole, FrameWork& work) {
+  const Window& window = lists_.window();
+  std::fill(visited_.begin(), visited_.end(), 0);
+  for (const FrameLoop& loop : loops_)
+    if (loop.kept)
+      for (const Step& s : loop.steps)
+        if (const std::uint32_t node = lists_.end_node(s); node != kNone && ++visited_[node] > 1) return false;
+  for (std::uint32_t n = 0; n < window.nodes.size(); ++n) {
+    if (!lists_.active(n)) {
+      nodes_[n].inside = false;
+      continue;
+    }
+    bool changed = whole || lists_.relinked(n);
+    for (std::uint32_t r = window.nodes[n].first_ray; r < window.nodes[n].last_ray && nodes_[n].inside && !changed; ++r) {
+      const PersistentNode::Ray& ray = window.rays[r];
+      changed = ray.touch != kNone && ray.out && lists_.active_touch(ray.touch) && lists_.touched(ray.piece) && !quiet(ray.touch, tau);
+    }
+    if (changed) nodes_[n].inside = false;
+    if (visited_[n] > 0 || nodes_[n].inside) continue;
+    if (!node_inside(n, tau, place, work)) return false;
+    nodes_[n].inside = true;
+  }
+  return true;
+}
+
+bool FrameLoops::node_inside(std::uint32_t node, double tau, FramePlace& place, FrameWork& work) {
+  const Window& window = lists_.window();
+  const PersistentNode& n = window.nodes[node];
+  const Lattice& l = *window.base().lattice;
+  const Pair v = window.exact(n.at);
+  const std::uint32_t m = window.frame().moving, move = m == 0 ? v.p : v.q, rest = m == 0 ? v.q : v.p;
+  const double x = l.points[1 - m]->x[rest] + tau * l.points[m]->x[move], y = l.points[1 - m]->y[rest] + tau * l.points[m]->y[move];
+  if (nodes_[node].witness && crosses_at(*nodes_[node].witness, x, y, kPoint * window.span(), tau)) {
+    ++work.witnessed;
+    return true;
+  }
+  Place p;
+  p.on = window.exact(window.pieces[window.rays[n.first_ray].piece].segment);
+  p.first.pair = v;
+  const double grow = place.blow_up(m);
+  p.x = grow * x;
+  p.y = grow * y;
+  p.error = grow * 2 * kPoint * window.span();
+  ++work.collision_tests;
+  const bool inside = place.collision().overlaps(p);
+  nodes_[node].witness = place.collision().crossing_edges();
+  return inside;
 }
 
 void FrameLoops::trace(std::uint32_t piece, FrameWork& work) {
@@ -147,8 +235,8 @@ void FrameLoops::trace(std::uint32_t piece, FrameWork& work) {
     loop.turning = turning_number(path_);
     loop.edges.reserve(path_.size());
     for (const Step& s : path_)
-      loop.edges.push_back({s.piece, s.sub == 0 ? kNone : lists_.crossing(s.piece, s.sub - 1),
-                            s.sub == n_of(s.piece) ? kNone : lists_.crossing(s.piece, s.sub)});
+      loop.edges.push_back({s.piece, s.sub == 0 ? kNone : lists_.entry(s.piece, s.sub - 1),
+                            s.sub == n_of(s.piece) ? kNone : lists_.entry(s.piece, s.sub)});
     loops_.push_back(std::move(loop));
   }
 }
@@ -162,8 +250,10 @@ int FrameLoops::turning_number(const std::vector<Step>& steps) const {
     const int hf = half(window.segments[p.segment]), ht = half(window.segments[window.pieces[to.piece].segment]);
     if (hf == ht) continue;
     int c = p.next_turn;
-    if (from.sub < lists_.count(from.piece)) {
-      const Candidate& x = window.candidates[lists_.crossing(from.piece, from.sub)];
+    if (lists_.end_node(from) != kNone) {
+      c = window.cross(p.segment, window.pieces[to.piece].segment);
+    } else if (from.sub < lists_.count(from.piece)) {
+      const Candidate& x = window.candidates[lists_.entry(from.piece, from.sub)];
       c = x.a == from.piece ? x.sign : -x.sign;
     }
     if (c > 0 && hf == 1) ++turns;
@@ -244,7 +334,16 @@ FrameLoops::Cutting FrameLoops::end_cut(Step s, bool at_end) const {
     c.denominator = on.dx != 0 ? std::abs(on.dx) : std::abs(on.dy);
     return c;
   }
-  const Candidate& x = window.candidates[lists_.crossing(s.piece, at_end ? s.sub : s.sub - 1)];
+  const std::uint32_t entry = lists_.entry(s.piece, at_end ? s.sub : s.sub - 1);
+  if (entry & kTouchBit) {
+    const PersistentTouch& touch = window.touches[entry & ~kTouchBit];
+    c.cut.pair = window.exact(window.nodes[touch.node].at);
+    c.t = touch.t;
+    c.error = touch.error;
+    c.denominator = on.dx != 0 ? std::abs(on.dx) : std::abs(on.dy);
+    return c;
+  }
+  const Candidate& x = window.candidates[entry];
   const bool a = x.a == s.piece;
   const std::uint32_t other = window.pieces[a ? x.b : x.a].segment;
   const LiveSegment& by = window.segments[other];
@@ -319,6 +418,12 @@ bool FrameLoops::witnessed(const FrameLoop& loop, double tau) const {
   const double t = 0.5 * (from.t.at(tau) + to.t.at(tau));
   const double x = on.x.at(tau) + t * on.dx, y = on.y.at(tau) + t * on.dy;
   const double error = (from.error + to.error + 0x1p-49 * std::max(1.0, tau)) * std::max(std::abs(on.dx), std::abs(on.dy)) + kPoint * window.span();
+  return crosses_at(*loop.witness, x, y, error, tau);
+}
+
+// Doubles only: the edges of both operands cross properly when Q, reflected, stands at (x, y).
+bool FrameLoops::crosses_at(const std::array<std::uint32_t, 2>& edges, double x, double y, double error, double tau) const {
+  const Window& window = lists_.window();
   const std::uint32_t m = window.frame().moving;
   const Lattice& l = *window.base().lattice;
   const auto sides = [&](std::uint32_t op, std::uint32_t edge, std::uint32_t other_edge) {
@@ -333,7 +438,7 @@ bool FrameLoops::witnessed(const FrameLoop& loop, double tau) const {
     const double u = value(other.source[other_edge]), v = value(other.source[other.next[other_edge]]);
     return (u > bound && v < -bound) || (u < -bound && v > bound);
   };
-  const auto [e, f] = *loop.witness;
+  const auto [e, f] = edges;
   return sides(0, e, f) && sides(1, f, e);
 }
 
@@ -342,16 +447,19 @@ MovingVertex FrameLoops::vertex_after(Step s, std::uint32_t in, std::uint32_t ou
   const LiveSegment& on = window.segments[window.pieces[s.piece].segment];
   MovingVertex v;
   v.error = kPoint * window.span();
-  if (s.sub == lists_.count(s.piece)) {
-    v.vertex.corner_p = window.base().operands[0].vertex_number[on.end.p];
-    v.vertex.corner_q = window.base().operands[1].vertex_number[on.end.q];
+  const bool end = s.sub == lists_.count(s.piece);
+  const std::uint32_t entry = end ? kNone : lists_.entry(s.piece, s.sub);
+  if (end || entry & kTouchBit) {
+    const WalkPair at = end ? on.end : window.nodes[window.touches[entry & ~kTouchBit].node].at;
+    v.vertex.corner_p = window.base().operands[0].vertex_number[at.p];
+    v.vertex.corner_q = window.base().operands[1].vertex_number[at.q];
     const Lattice& l = *window.base().lattice;
-    const Pair x = window.exact(on.end);
+    const Pair x = window.exact(at);
     const std::uint32_t m = window.frame().moving, move = m == 0 ? x.p : x.q, rest = m == 0 ? x.q : x.p;
     v.x = {l.points[1 - m]->x[rest], l.points[m]->x[move]};
     v.y = {l.points[1 - m]->y[rest], l.points[m]->y[move]};
   } else {
-    const Candidate& c = window.candidates[lists_.crossing(s.piece, s.sub)];
+    const Candidate& c = window.candidates[entry];
     const LiveSegment &a = window.segments[window.pieces[c.a].segment], &b = window.segments[window.pieces[c.b].segment];
     const double ea = c.error_a * std::max(std::abs(a.dx), std::abs(a.dy)), eb = c.error_b * std::max(std::abs(b.dx), std::abs(b.dy));
     const LiveSegment& best = ea <= eb ? a : b;
@@ -375,7 +483,9 @@ void FrameLoops::make_vertices(FrameLoop& loop, const std::vector<FrameLoop>& go
   for (std::size_t i = 0; i < loop.steps.size(); ++i) {
     const Step &s = loop.steps[i], &t = loop.steps[i + 1 == loop.steps.size() ? 0 : i + 1];
     const Piece& p = window.pieces[s.piece];
-    if (s.sub == lists_.count(s.piece) && p.next_turn == 0) continue;  // straight on
+    if (lists_.end_node(s) != kNone ? window.cross(p.segment, window.pieces[t.piece].segment) == 0
+                                    : s.sub == lists_.count(s.piece) && p.next_turn == 0)
+      continue;  // straight on
     loop.vertices.push_back(vertex_after(s, p.segment, window.pieces[t.piece].segment));
     const Owner& owner = owners_[s.piece];
     if (gone.empty() || owner.walk != walk_ || gone[owner.loop].edges[owner.edge].to != loop.edges[i].to) continue;

@@ -38,8 +38,9 @@ class FrameLoops {
  public:
   explicit FrameLoops(PieceLists& lists) : lists_(lists) {}
 
-  /// After a repair without degeneracies. `whole`: nothing is known about earlier loops.
-  void update(double tau, FramePlace& place, bool whole, FrameWork& work);
+  /// After a repair without degeneracies. `whole`: nothing is known about earlier loops. False when the boundary passes a node twice or
+  /// a node may be tight: then this frame is one for the vertex routine, and nothing is known afterwards.
+  bool update(double tau, FramePlace& place, bool whole, FrameWork& work);
   const std::vector<FrameLoop>& loops() const { return loops_; }
   std::vector<FrameLoop>& loops() { return loops_; }
   /// Rings that the last update has ended: identity and number of vertices.
@@ -50,9 +51,12 @@ class FrameLoops {
   using Step = PieceLists::Step;
   enum class Look : std::uint8_t { none, known, test };  ///< carried over; status inherited; nothing known
   void trace(std::uint32_t piece, FrameWork& work);
+  bool nodes_are_plain(double tau, FramePlace& place, bool whole, FrameWork& work);
+  bool node_inside(std::uint32_t node, double tau, FramePlace& place, FrameWork& work);
   int turning_number(const std::vector<Step>& steps) const;
   void verify(double tau, FramePlace& place, const std::vector<Look>& look, FrameWork& work);
   bool undisturbed(const FrameLoop::Between& edge, double tau) const;
+  bool quiet(std::uint32_t touch, double tau) const;
   bool is_false(FrameLoop& loop, double tau, FramePlace& place, FrameWork& work);
   struct Cutting {
     Linear t;
@@ -63,6 +67,7 @@ class FrameLoops {
   Cutting end_cut(Step s, bool at_end) const;
   Place sample(const FrameLoop& loop, double tau, FramePlace& place) const;
   bool witnessed(const FrameLoop& loop, double tau) const;
+  bool crosses_at(const std::array<std::uint32_t, 2>& edges, double x, double y, double error, double tau) const;
   void make_vertices(FrameLoop& loop, const std::vector<FrameLoop>& gone, std::vector<std::uint8_t>& claimed) const;
   MovingVertex vertex_after(Step s, std::uint32_t in, std::uint32_t out) const;
 
@@ -75,6 +80,12 @@ class FrameLoops {
   std::vector<Owner> owners_;        ///< piece -> the first sub-edge on it of a loop that the current update took apart
   std::vector<std::pair<std::uint64_t, std::uint32_t>> ended_;
   std::uint32_t walk_ = 0;
+  struct NodeState {
+    bool inside = false;  ///< proved to lie in the open sum
+    std::optional<std::array<std::uint32_t, 2>> witness;
+  };
+  std::vector<NodeState> nodes_;
+  std::vector<std::uint32_t> visited_;  ///< node -> how often kept loops pass it
   double last_tau_ = 0;  ///< of the last update
   std::vector<Step> path_;
 };

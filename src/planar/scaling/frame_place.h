@@ -26,6 +26,7 @@ class FramePlace {
   const Lattice& lattice();
   const Operand& operand(std::uint32_t op);
   Collision& collision();
+  bool has_lattice() const { return lattice_ != nullptr; }
   bool has_collision() const { return collision_ != nullptr; }
   std::shared_ptr<const Lattice> share_lattice() { lattice(); return lattice_; }
   std::uint64_t exact_signs = 0;

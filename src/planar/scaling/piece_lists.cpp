@@ -28,7 +28,12 @@ PieceLists::PieceLists(Window& window) : window_(window) {
   low_.assign(n, INFINITY);
   high_.assign(n, -INFINITY);
   count_.assign(n, 0);
-  list_.assign(window.of.size(), 0);
+  list_.assign(window.of.size() + window.touches.size(), 0);
+  touch_active_.assign(window.touches.size(), 0);
+  node_active_.assign(window.nodes.size(), 0);
+  relinked_at_.assign(window.nodes.size(), 0);
+  entered_.assign(window.rays.size(), 0);
+  link_.assign(window.rays.size(), kNone);
   touched_.assign(n, 0);
   changed_at_.assign(n, 0);
 }
@@ -42,6 +47,7 @@ std::size_t PieceLists::bytes() const {
 bool PieceLists::repair(double tau, FramePlace& place, FrameWork& work) {
   ++frame_;
   changed_.clear();
+  dirty_nodes_.clear();
   bool generic = window_.folds.empty();
   const std::uint32_t n = static_cast<std::uint32_t>(count_.size());
   for (std::uint32_t i = 0; i < n; ++i) {
@@ -50,6 +56,9 @@ bool PieceLists::repair(double tau, FramePlace& place, FrameWork& work) {
     generic &= refresh(i, tau, place, work);
   }
   work.lists_changed += changed_.size();
+  std::sort(dirty_nodes_.begin(), dirty_nodes_.end());
+  dirty_nodes_.erase(std::unique(dirty_nodes_.begin(), dirty_nodes_.end()), dirty_nodes_.end());
+  for (const std::uint32_t node : dirty_nodes_) relink(node);
   return generic;
 }
 
@@ -57,10 +66,14 @@ int PieceLists::compare(std::uint32_t piece, const Item& a, const Item& b, Frame
   const double gap = a.t - b.t, error = a.error + b.error;
   if (gap > error) return 1;
   if (gap < -error) return -1;
-  if (a.candidate == b.candidate) return 0;
+  if (a.entry == b.entry) return 0;
   const auto cut = [&](const Item& item) {
-    const Candidate& c = window_.candidates[item.candidate];
     Cut x;
+    if (item.entry & kTouchBit) {
+      x.pair = window_.exact(window_.nodes[window_.touches[item.entry & ~kTouchBit].node].at);
+      return x;
+    }
+    const Candidate& c = window_.candidates[item.entry];
     x.kind = Cut::Kind::crossing;
     x.by = window_.exact(window_.pieces[c.a == piece ? c.b : c.a].segment);
     return x;
@@ -100,6 +113,31 @@ bool PieceLists::refresh(std::uint32_t i, double tau, FramePlace& place, FrameWo
     const bool a = c.a == i;
     items_.push_back({a ? c.ta.at(tau) : c.tb.at(tau), a ? c.error_a : c.error_b, id});
   }
+  for (std::uint32_t k = window_.first_touch[i]; k < window_.first_touch[i + 1]; ++k) {
+    const PersistentTouch& c = window_.touches[k];
+    bool inside = tau > c.in_low && tau < c.in_high;
+    if (tau <= c.out_low) {
+      high = std::min(high, c.out_low);
+    } else if (tau >= c.out_high) {
+      low = std::max(low, c.out_high);
+    } else if (inside) {
+      low = std::max(low, c.in_low);
+      high = std::min(high, c.in_high);
+    } else {
+      exact = true;
+      const Segment s = window_.exact(window_.pieces[i].segment), back{{s.edge.op, s.edge.to, s.edge.from}, s.vertex};
+      const Pair v = window_.exact(window_.nodes[c.node].at);
+      const int from = place.lattice().along(s, v), to = place.lattice().along(back, v);
+      place.exact_signs += 2;
+      if (from == 0 || to == 0) generic = false;
+      inside = from > 0 && to > 0;
+    }
+    if (touch_active_[k] != inside) {
+      touch_active_[k] = inside;
+      dirty_nodes_.push_back(c.node);
+    }
+    if (inside) items_.push_back({c.t.at(tau), c.error, k | kTouchBit});
+  }
   const auto order = [&](const Item& a, const Item& b) { return compare(i, a, b, place); };
   if (items_.size() > 24) {
     std::sort(items_.begin(), items_.end(), [&](const Item& a, const Item& b) { return order(a, b) < 0; });
@@ -120,7 +158,8 @@ bool PieceLists::refresh(std::uint32_t i, double tau, FramePlace& place, FrameWo
       continue;
     }
     const auto slope = [&](const Item& item) {
-      const Candidate& c = window_.candidates[item.candidate];
+      if (item.entry & kTouchBit) return window_.touches[item.entry & ~kTouchBit].t.b;
+      const Candidate& c = window_.candidates[item.entry];
       return c.a == i ? c.ta.b : c.tb.b;
     };
     const double closing = slope(a) - slope(b);
@@ -137,35 +176,94 @@ bool PieceLists::refresh(std::uint32_t i, double tau, FramePlace& place, FrameWo
   }
   if (!generic) {
     count_[i] = 0;
-    changed_.push_back(i);
-    changed_at_[i] = frame_;
+    mark_changed(i);
     return false;
   }
-  std::uint32_t* list = list_.data() + window_.first_of[i];
+  std::uint32_t* list = list_.data() + base(i);
   const std::uint32_t n = static_cast<std::uint32_t>(items_.size());
   bool same = n == count_[i];
-  for (std::uint32_t k = 0; same && k < n; ++k) same = list[k] == items_[k].candidate;
+  for (std::uint32_t k = 0; same && k < n; ++k) same = list[k] == items_[k].entry;
   if (same) return true;
   // Lists are short: what came and what went.
   std::uint32_t stayed = 0;
   for (std::uint32_t k = 0; k < count_[i]; ++k)
-    for (const Item& item : items_) stayed += item.candidate == list[k];
+    for (const Item& item : items_) stayed += item.entry == list[k];
   work.crossings_changed += (count_[i] - stayed) + (n - stayed);
   for (std::uint32_t k = 0; k < n; ++k) {
-    list[k] = items_[k].candidate;
+    list[k] = items_[k].entry;
+    if (list[k] & kTouchBit) {
+      window_.touches[list[k] & ~kTouchBit].at = k;
+      continue;
+    }
     Candidate& c = window_.candidates[list[k]];
     (c.a == i ? c.at_a : c.at_b) = k;
   }
   count_[i] = n;
-  changed_.push_back(i);
-  changed_at_[i] = frame_;
+  mark_changed(i);
   return true;
+}
+
+void PieceLists::mark_changed(std::uint32_t piece) {
+  if (changed_at_[piece] == frame_) return;
+  changed_.push_back(piece);
+  changed_at_[piece] = frame_;
+}
+
+// The sector rule of planar-sum.md on the rays that are there now; their order never changes.
+void PieceLists::relink(std::uint32_t node) {
+  const PersistentNode& n = window_.nodes[node];
+  std::vector<std::uint32_t> here;
+  bool any = false;
+  for (std::uint32_t r = n.first_ray; r < n.last_ray; ++r) {
+    link_[r] = kNone;
+    entered_[r] = 0;
+    const PersistentNode::Ray& ray = window_.rays[r];
+    mark_changed(ray.piece);
+    if (ray.touch != kNone && !touch_active_[ray.touch]) continue;
+    any |= ray.touch != kNone;
+    here.push_back(r);
+  }
+  node_active_[node] = any;
+  relinked_at_[node] = frame_;
+  if (!any) return;
+  const std::size_t m = here.size();
+  const auto group = [&](std::size_t k) { return window_.rays[here[k]].group; };
+  for (std::size_t k = 0; k < m;) {
+    std::size_t end = k + 1;
+    while (end < m && group(end) == group(k)) ++end;
+    const std::size_t to = end == m ? 0 : end;
+    // Rays of one direction all leave or all arrive; otherwise the window is left to the static routine.
+    if (!window_.rays[here[k]].out && window_.rays[here[to]].out) {
+      entered_[here[to]] = 1;
+      for (std::size_t q = k; q < end; ++q) link_[here[q]] = here[to];
+    }
+    k = end;
+  }
+}
+
+PieceLists::Step PieceLists::target(std::uint32_t ray) const {
+  const PersistentNode::Ray& r = window_.rays[ray];
+  return r.touch == kNone ? Step{r.piece, 0} : Step{r.piece, window_.touches[r.touch].at + 1};
+}
+
+std::uint32_t PieceLists::end_node(Step s) const {
+  if (s.sub < count_[s.piece]) {
+    const std::uint32_t e = entry(s.piece, s.sub);
+    return e & kTouchBit ? window_.touches[e & ~kTouchBit].node : kNone;
+  }
+  const std::uint32_t ray = window_.tail_ray[s.piece];
+  return ray != kNone && node_active_[window_.node_of_ray[ray]] ? window_.node_of_ray[ray] : kNone;
 }
 
 bool PieceLists::alive_at_start(Step s) const {
   if (dead(s)) return false;
-  if (s.sub == 0) return true;
-  const Candidate& c = window_.candidates[crossing(s.piece, s.sub - 1)];
+  if (s.sub == 0) {
+    const std::uint32_t ray = window_.head_ray[s.piece];
+    return ray == kNone || !node_active_[window_.node_of_ray[ray]] || entered_[ray];
+  }
+  const std::uint32_t e = entry(s.piece, s.sub - 1);
+  if (e & kTouchBit) return entered_[window_.touches[e & ~kTouchBit].out_ray];
+  const Candidate& c = window_.candidates[e];
   return (c.a == s.piece ? c.sign : -c.sign) > 0;
 }
 
@@ -173,14 +271,26 @@ PieceLists::Step PieceLists::successor(Step s) const {
   if (dead(s)) return {};
   Step to;
   if (s.sub == count_[s.piece]) {
-    to = {window_.pieces[s.piece].next, 0};
-    if (to.piece == kNone) return {};
+    const std::uint32_t ray = window_.tail_ray[s.piece];
+    if (ray != kNone && node_active_[window_.node_of_ray[ray]]) {
+      if (link_[ray] == kNone) return {};
+      to = target(link_[ray]);
+    } else {
+      to = {window_.pieces[s.piece].next, 0};
+      if (to.piece == kNone) return {};
+    }
   } else {
-    const std::uint32_t id = crossing(s.piece, s.sub);
-    const Candidate& c = window_.candidates[id];
-    const bool a = c.a == s.piece;
-    if ((a ? c.sign : -c.sign) > 0) return {};
-    to = a ? Step{c.b, c.at_b + 1} : Step{c.a, c.at_a + 1};
+    const std::uint32_t e = entry(s.piece, s.sub);
+    if (e & kTouchBit) {
+      const std::uint32_t ray = link_[window_.touches[e & ~kTouchBit].in_ray];
+      if (ray == kNone) return {};
+      to = target(ray);
+    } else {
+      const Candidate& c = window_.candidates[e];
+      const bool a = c.a == s.piece;
+      if ((a ? c.sign : -c.sign) > 0) return {};
+      to = a ? Step{c.b, c.at_b + 1} : Step{c.a, c.at_a + 1};
+    }
   }
   return dead(to) ? Step{} : to;
 }

@@ -19,15 +19,11 @@ class PieceLists {
   bool repair(double tau, FramePlace& place, FrameWork& work);
 
   std::uint32_t count(std::uint32_t piece) const { return count_[piece]; }
-  /// The crossing at position k.
-  std::uint32_t crossing(std::uint32_t piece, std::uint32_t k) const { return list_[window_.first_of[piece] + k]; }
-  std::uint32_t position(std::uint32_t crossing, std::uint32_t piece) const {
-    const Candidate& c = window_.candidates[crossing];
-    return c.a == piece ? c.at_a : c.at_b;
-  }
+  /// What is at position k: a candidate that crosses here, or, with kTouchBit, a persistent touch.
+  std::uint32_t entry(std::uint32_t piece, std::uint32_t k) const { return list_[base(piece) + k]; }
   /// Sub-edges are numbered first_sub(piece) + 0 .. count; the numbers of different pieces never overlap.
-  std::uint32_t first_sub(std::uint32_t piece) const { return window_.first_of[piece] + piece; }
-  std::uint32_t sub_limit() const { return window_.first_of.back() + static_cast<std::uint32_t>(count_.size()); }
+  std::uint32_t first_sub(std::uint32_t piece) const { return base(piece) + piece; }
+  std::uint32_t sub_limit() const { return base(static_cast<std::uint32_t>(count_.size())) + static_cast<std::uint32_t>(count_.size()); }
 
   struct Step {
     std::uint32_t piece = kNone, sub = 0;
@@ -39,6 +35,12 @@ class PieceLists {
   }
   bool alive_at_start(Step s) const;
   Step successor(Step s) const;
+  /// The node in which a sub-edge ends, if something touches there now, or kNone.
+  std::uint32_t end_node(Step s) const;
+  /// Nodes at which something touches now.
+  bool active(std::uint32_t node) const { return node_active_[node]; }
+  bool active_touch(std::uint32_t touch) const { return touch_active_[touch]; }
+  bool relinked(std::uint32_t node) const { return relinked_at_[node] == frame_; }
 
   /// Pieces looked at by the last repair, and those among them whose list changed.
   bool touched(std::uint32_t piece) const { return touched_[piece] == frame_; }
@@ -50,9 +52,13 @@ class PieceLists {
  private:
   struct Item {
     double t, error;
-    std::uint32_t candidate;
+    std::uint32_t entry;
   };
   bool refresh(std::uint32_t piece, double tau, FramePlace& place, FrameWork& work);
+  std::uint32_t base(std::uint32_t piece) const { return window_.first_of[piece] + window_.first_touch[piece]; }
+  void relink(std::uint32_t node);
+  Step target(std::uint32_t ray) const;
+  void mark_changed(std::uint32_t piece);
   int compare(std::uint32_t piece, const Item& a, const Item& b, FramePlace& place) const;
 
   Window& window_;
@@ -60,6 +66,10 @@ class PieceLists {
   std::vector<std::uint32_t> count_, list_;
   std::vector<std::uint32_t> touched_, changed_at_, changed_;
   std::vector<Item> items_;
+  std::vector<std::uint8_t> touch_active_, node_active_, entered_;  ///< per touch, node, ray
+  std::vector<std::uint32_t> relinked_at_;  ///< per node
+  std::vector<std::uint32_t> link_;         ///< ray that arrives -> ray that leaves, or kNone
+  std::vector<std::uint32_t> dirty_nodes_;  ///< where a touch came or went in this frame
   std::uint32_t frame_ = 0;
 };
 

@@ -46,7 +46,11 @@ bool same_rings(const SumRing& a, const SumRing& b) {
 
 bool has_holes(const Operand& o) { return o.loops.size() > o.components.size(); }
 
-int cells_for(double n) { return std::clamp(static_cast<int>(1.4 * std::sqrt(n)), 8, 1024); }
+// Finer than the static engine's grid: a mask is paid for once a window. Where segments abound building dominates.
+int cells_for(double n) {
+  const double per_root = n < 4000 ? 4 : n < 30000 ? 3.4 : 2;
+  return std::clamp(static_cast<int>(per_root * std::sqrt(n)), 8, 1024);
+}
 
 constexpr std::uint32_t kMaskFrom = 300;  // segments from which a mask pays
 
@@ -219,6 +223,9 @@ ScalingSum::State::NextFrame ScalingSum::State::assemble(double tau, FramePlace&
   // Evaluation, the blow-up and the offsets add a few roundings.
   const double at_error = grow * (error + 0x1p-49 * span) * unit * (1 + 0x1p-40) + 0x1p-50 * reach;
   next.sum.at_error = at_error;
+  next.sum.stats.tier_bits = place.has_lattice() ? place.lattice().tier_bits : base->lattice->tier_bits;
+  next.sum.stats.reduced_segments = convolution_->size();
+  next.sum.stats.live_segments = window_->segments.size();
   const VertexOrder order(*source, at_error);
   std::size_t outers = 0;
   for (std::size_t i = 0; i < rings.size(); ++i) {
@@ -265,8 +272,9 @@ ScalingSum::State::NextFrame ScalingSum::State::assemble(double tau, FramePlace&
 ScalingSum::State::NextFrame ScalingSum::State::window_frame(const ScaleValue& s, FrameWork& work) {
   FramePlace place(base, s);
   const double tau = place.tau(window_->frame().moving);
-  const bool generic = lists_->repair(tau, place, work);
+  bool generic = lists_->repair(tau, place, work);
   NextFrame next;
+  generic = generic && loops_->update(tau, place, !loops_known_, work);
   if (!generic) {
     work.degenerate = true;
     SumOptions sum_options;
@@ -277,7 +285,6 @@ ScalingSum::State::NextFrame ScalingSum::State::window_frame(const ScaleValue& s
     loops_known_ = false;
     loops_->loops().clear();
   } else {
-    loops_->update(tau, place, !loops_known_, work);
     next = assemble(tau, place);
     loops_known_ = true;
   }

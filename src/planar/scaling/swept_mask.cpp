@@ -1,5 +1,6 @@
 #include "planar/scaling/swept_mask.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -152,14 +153,64 @@ Bitmap inner_corners(const Bitmap& inner) {
   return e;
 }
 
+// target |= a row of bits moved right.
+void or_shifted(std::uint64_t* target, std::size_t target_words, const std::uint64_t* row, std::size_t words, int shift) {
+  const std::size_t skip = static_cast<std::size_t>(shift) / 64;
+  const int by = shift % 64;
+  std::uint64_t carry = 0;
+  for (std::size_t w = 0; w < words; ++w) {
+    const std::uint64_t v = row[w];
+    target[skip + w] |= (by == 0 ? v : v << by) | carry;
+    carry = by == 0 ? 0 : v >> (64 - by);
+  }
+  if (carry != 0 && skip + words < target_words) target[skip + words] |= carry;
+}
+
+// Rows of b widened to the right by 2^m - 1 cells, for m = 0, 1, ...
+class WidenedRows {
+ public:
+  WidenedRows(const Bitmap& b, int widest) : words_((b.columns + widest + 63) / 64 + 1), rows_(b.rows) {
+    levels_.push_back(std::vector<std::uint64_t>(words_ * b.rows, 0));
+    for (int r = 0; r < b.rows; ++r) std::copy(b.row(r), b.row(r) + b.words, levels_[0].begin() + static_cast<std::ptrdiff_t>(words_ * r));
+    for (int width = 1; 2 * width <= widest; width *= 2) {
+      levels_.push_back(levels_.back());
+      const std::vector<std::uint64_t>& from = levels_[levels_.size() - 2];
+      for (int r = 0; r < b.rows; ++r) or_shifted(&levels_.back()[words_ * r], words_, &from[words_ * r], used(b.columns + width), width);
+    }
+  }
+  /// target |= row r of b, widened to runs of `width`, moved right by `shift`: two overlapping widenings of a power of two.
+  void add(std::uint64_t* target, std::size_t target_words, int r, int width, int shift) const {
+    const int level = std::bit_width(static_cast<unsigned>(width)) - 1;
+    const std::uint64_t* row = &levels_[static_cast<std::size_t>(level)][words_ * r];
+    const std::size_t words = std::min(words_, target_words - static_cast<std::size_t>(shift) / 64);
+    or_shifted(target, target_words, row, words, shift);
+    const int rest = width - (1 << level);
+    if (rest > 0) or_shifted(target, target_words, row, std::min(words_, target_words - static_cast<std::size_t>(shift + rest) / 64), shift + rest);
+  }
+
+ private:
+  std::size_t used(int columns) const { return std::min(words_, static_cast<std::size_t>((columns + 63) / 64)); }
+  std::size_t words_;
+  int rows_;
+  std::vector<std::vector<std::uint64_t>> levels_;
+};
+
 // target |= a + b, plus [0, spread] in both axes.
-void add_sums(Bitmap& target, const RunRows& a, int rows_a, const RunRows& b, int rows_b, int spread) {
-  for (int i = 0; i < rows_a; ++i)
-    for (std::uint32_t k = a.start[i]; k < a.start[i + 1]; ++k)
-      for (int j = 0; j < rows_b; ++j)
-        for (std::uint32_t l = b.start[j]; l < b.start[j + 1]; ++l)
-          for (int d = 0; d <= spread; ++d)
-            target.set_run(i + j + d, a.runs[k].first + b.runs[l].first, a.runs[k].last + b.runs[l].last + spread);
+void add_sums(Bitmap& target, const Bitmap& a, const Bitmap& b, int spread) {
+  const RunRows runs(a);
+  int widest = 1;
+  for (const Run& run : runs.runs) widest = std::max(widest, run.last - run.first + 1 + spread);
+  const WidenedRows wide(b, widest);
+  std::vector<std::uint8_t> filled(static_cast<std::size_t>(b.rows), 0);
+  for (int r = 0; r < b.rows; ++r)
+    for (std::size_t w = 0; w < b.words; ++w) filled[static_cast<std::size_t>(r)] |= b.row(r)[w] != 0;
+  for (int i = 0; i < a.rows; ++i)
+    for (std::uint32_t k = runs.start[i]; k < runs.start[i + 1]; ++k)
+      for (int j = 0; j < b.rows; ++j) {
+        if (!filled[static_cast<std::size_t>(j)]) continue;
+        for (int d = 0; d <= spread; ++d)
+          wide.add(target.row(i + j + d), target.words, j, runs.runs[k].last - runs.runs[k].first + 1 + spread, runs.runs[k].first);
+      }
 }
 
 }  // namespace
@@ -192,15 +243,12 @@ SweptMask::SweptMask(const Lattice& unscaled, const std::array<Operand, 2>& oper
       });
     };
     const Raster rp = raster(0), rq = raster(1);
-    const RunRows touch_p(rp.touch), touch_q(rq.touch);
-    const RunRows corners_p(inner_corners(rp.inner)), corners_q(inner_corners(rq.inner));
+    const Bitmap corners_p = inner_corners(rp.inner), corners_q = inner_corners(rq.inner);
+    const auto any = [](const Bitmap& map) { return std::any_of(map.bits.begin(), map.bits.end(), [](std::uint64_t w) { return w != 0; }); };
     // Inner cells that form no block of four still make pairs.
-    if (corners_p.runs.empty() || corners_q.runs.empty()) {
-      const RunRows inner_p(rp.inner), inner_q(rq.inner);
-      add_sums(dead, inner_p, part[0].rows, inner_q, part[1].rows, 1);
-    }
-    add_sums(dead, corners_p, part[0].rows, touch_q, part[1].rows, 0);
-    add_sums(dead, touch_p, part[0].rows, corners_q, part[1].rows, 0);
+    if (!any(corners_p) || !any(corners_q)) add_sums(dead, rp.inner, rq.inner, 1);
+    add_sums(dead, corners_p, rq.touch, 0);
+    add_sums(dead, corners_q, rp.touch, 0);
   }
   words_ = dead.words;
   bits_ = std::move(dead.bits);

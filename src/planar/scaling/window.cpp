@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
+#include <tuple>
 
 namespace dymsum::planar {
 
@@ -28,6 +31,7 @@ Window::Window(const ScalingBase& base, const ReducedConvolution& convolution, c
   convolution.for_each([&](const WalkSegment& w) { add_segment(w, id++, mask); });
   add_pieces(mask);
   find_candidates(mask);
+  make_nodes();
   link_pieces(convolution);
   entries_ = {};
 }
@@ -215,30 +219,20 @@ void Window::find_candidates(const SweptMask& mask) {
         test(i, j);
       }
   }
-  first_of.assign(n + 1, 0);
-  for (const Candidate& c : candidates) {
-    ++first_of[c.a + 1];
-    ++first_of[c.b + 1];
-  }
-  for (std::uint32_t i = 0; i < n; ++i) first_of[i + 1] += first_of[i];
-  of.resize(first_of[n]);
-  std::vector<std::uint32_t> at(first_of.begin(), first_of.end() - 1);
-  for (std::uint32_t c = 0; c < candidates.size(); ++c) {
-    of[at[candidates[c].a]++] = c;
-    of[at[candidates[c].b]++] = c;
-  }
 }
 
 namespace {
 
-// Narrows the interval of scales at which g(tau) = a + b tau > 0, where g is known up to `error`. False when it is certainly empty.
-bool narrow(const Linear& g, double error, double tau0, double tau1, Candidate& c) {
+// Narrows the interval of scales at which g(tau) = a + b tau > 0, where g is known up to `error`. False when it is certainly empty. Sets
+// `unsure` when doubles know nothing of g in the whole window.
+bool narrow(const Linear& g, double error, double tau0, double tau1, Candidate& c, bool& unsure) {
   const double g0 = g.at(tau0), g1 = g.at(tau1);
   if (g0 > error && g1 > error) return true;
   if (g0 < -error && g1 < -error) return false;
   const double slack = 0x1p-50 * tau1;
   if (g.b == 0 || (std::abs(g0) <= error && std::abs(g1) <= error)) {
     c.in_low = INFINITY;  // exact signs decide at every scale
+    unsure = true;
     return true;
   }
   // Beyond these values the sign is certain; the division and tau itself are rounded.
@@ -301,6 +295,7 @@ void Window::test(std::uint32_t i, std::uint32_t j) {
     const double error = size * (std::abs(a.dx) + std::abs(a.dy)), h0 = h.at(tau0), h1 = h.at(tau1);
     if ((h0 > error && h1 > error) || (h0 < -error && h1 < -error)) return;
     c.in_low = INFINITY;
+    if (std::abs(h0) <= error && std::abs(h1) <= error && always_on(si, exact(b.start))) return touch_parallel(i, j);
     if (h.b != 0 && !(std::abs(h0) <= error && std::abs(h1) <= error)) {
       const double root = -h.a / h.b, wide = error / std::abs(h.b) * (1 + 0x1p-40) + 0x1p-49 * std::abs(root) + 0x1p-50 * tau1;
       c.out_low = root - wide;
@@ -325,15 +320,179 @@ void Window::test(std::uint32_t i, std::uint32_t j) {
     candidates.push_back(c);
     return;
   }
-  const auto bounds = [&](const Piece& p, const LiveSegment& s, const Linear& t, double error) {
-    const bool head = p.head_cut ? narrow_at_cut({t.a - p.head.a, t.b - p.head.b}, tau0, tau1, c) : narrow(t, error, tau0, tau1, c);
-    if (!head) return false;
-    if (p.tail_cut) return narrow_at_cut({p.tail.a - t.a, p.tail.b - t.b}, tau0, tau1, c);
-    return narrow(s.moving ? Linear{-t.a, 1 - t.b} : Linear{1 - t.a, -t.b}, error, tau0, tau1, c);
-  };
-  if (!bounds(pieces[i], a, c.ta, c.error_a) || !bounds(pieces[j], b, c.tb, c.error_b)) return;
+  std::array<bool, 2> at_a{}, at_b{};
+  if (!bounds(i, c.ta, c.error_a, c, at_a) || !bounds(j, c.tb, c.error_b, c, at_b)) return;
   if (c.out_high <= tau0 || c.out_low >= tau1) return;
+  if (at_a[0] || at_a[1] || at_b[0] || at_b[1]) {
+    // An end of one on the line of the other, throughout the window as far as doubles tell: at every scale?
+    const bool a_on_b = (at_a[0] && always_on(sj, exact(a.start))) || (at_a[1] && always_on(sj, exact(a.end)));
+    const bool b_on_a = (at_b[0] && always_on(si, exact(b.start))) || (at_b[1] && always_on(si, exact(b.end)));
+    if (a_on_b && b_on_a) folds.push_back({si, sj});
+    if (a_on_b || b_on_a) touching.push_back({si, sj});
+    if (a_on_b && !b_on_a) add_touch(j, at_a[0] && always_on(sj, exact(a.start)) ? a.start : a.end, c.tb, c.error_b);
+    if (b_on_a && !a_on_b) add_touch(i, at_b[0] && always_on(si, exact(b.start)) ? b.start : b.end, c.ta, c.error_a);
+    if (a_on_b || b_on_a) return;
+  }
   candidates.push_back(c);
+}
+
+bool Window::bounds(std::uint32_t piece, const Linear& t, double error, Candidate& c, std::array<bool, 2>& unsure) const {
+  const Piece& p = pieces[piece];
+  const double tau0 = frame_.tau0, tau1 = frame_.tau1;
+  const bool head = p.head_cut ? narrow_at_cut({t.a - p.head.a, t.b - p.head.b}, tau0, tau1, c) : narrow(t, error, tau0, tau1, c, unsure[0]);
+  if (!head) return false;
+  if (p.tail_cut) return narrow_at_cut({p.tail.a - t.a, p.tail.b - t.b}, tau0, tau1, c);
+  return narrow(segments[p.segment].moving ? Linear{-t.a, 1 - t.b} : Linear{1 - t.a, -t.b}, error, tau0, tau1, c, unsure[1]);
+}
+
+// A side is linear in s: zero at s = 1 and s = 2 is zero always.
+bool Window::always_on(std::uint32_t segment, Pair v) {
+  const Segment s = exact(segment);
+  if (base_.lattice->side(s, v) != 0) return false;
+  if (doubled_ == nullptr) {
+    const ScaleValue two = scale_value(exact::BigRational(2));
+    doubled_ = base_.lattice_at(base_.lattice_scale(two, two));
+  }
+  return doubled_->side(s, v) == 0;
+}
+
+void Window::add_touch(std::uint32_t piece, WalkPair v, const Linear& t, double error) {
+  Candidate c;
+  c.out_low = c.in_low = -INFINITY;
+  c.out_high = c.in_high = INFINITY;
+  std::array<bool, 2> unsure{};
+  if (!bounds(piece, t, error, c, unsure) || c.out_high <= frame_.tau0 || c.out_low >= frame_.tau1) return;
+  PersistentTouch touch;
+  touch.piece = piece;
+  touch.t = t;
+  touch.error = error;
+  touch.out_low = c.out_low;
+  touch.in_low = c.in_low;
+  touch.in_high = c.in_high;
+  touch.out_high = c.out_high;
+  touches.push_back(touch);
+  touch_pair_.push_back(v);
+}
+
+// Two parallel segments on one line at every scale: each end inside the other one touches it.
+void Window::touch_parallel(std::uint32_t i, std::uint32_t j) {
+  const std::size_t before = touches.size();
+  for (const auto& [on_piece, other] : {std::pair{i, j}, std::pair{j, i}}) {
+    const LiveSegment &on = segments[pieces[on_piece].segment], &s = segments[pieces[other].segment];
+    const double length = on.dx * on.dx + on.dy * on.dy, error = 2 * kSide * span_ * (std::abs(on.dx) + std::abs(on.dy)) / length + 0x1p-47 * std::max(1.0, frame_.tau1);
+    for (const bool end : {false, true}) {
+      const double f = end ? (s.moving ? 0 : 1) : 0, m = end && s.moving ? 1 : 0;  // the end lies one vector further, times tau if it moves
+      const double ax = s.x.a + f * s.dx - on.x.a, ay = s.y.a + f * s.dy - on.y.a, bx = s.x.b + m * s.dx - on.x.b, by = s.y.b + m * s.dy - on.y.b;
+      add_touch(on_piece, end ? s.end : s.start, {(ax * on.dx + ay * on.dy) / length, (bx * on.dx + by * on.dy) / length}, error);
+    }
+  }
+  if (touches.size() == before) return;
+  const std::uint32_t si = pieces[i].segment, sj = pieces[j].segment;
+  touching.push_back({si, sj});
+  // Against each other they cover both sides of a line: a crack, unless inside.
+  if (base_.lattice->dot(exact(si).edge, exact(sj).edge) < 0) folds.push_back({si, sj});
+}
+
+int Window::cross(std::uint32_t a, std::uint32_t b) const {
+  const double u = segments[a].dx * segments[b].dy, v = segments[a].dy * segments[b].dx, bound = 0x1p-50 * (std::abs(u) + std::abs(v)) + 0x1p-1000;
+  if (u - v > bound) return 1;
+  if (u - v < -bound) return -1;
+  return base_.lattice->cross(exact(a).edge, exact(b).edge);
+}
+
+// Touches grouped by their pair of vertices; segments through one node meet there only, so they are no candidates.
+void Window::make_nodes() {
+  const std::uint32_t n = static_cast<std::uint32_t>(pieces.size());
+  head_ray.assign(n, kNone);
+  tail_ray.assign(n, kNone);
+  std::vector<std::uint32_t> order(touches.size());
+  for (std::uint32_t k = 0; k < order.size(); ++k) order[k] = k;
+  const auto key = [&](std::uint32_t k) { return std::tuple{touches[k].piece, touch_pair_[k].p, touch_pair_[k].q}; };
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+  order.erase(std::unique(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return key(a) == key(b); }), order.end());
+  std::vector<PersistentTouch> kept;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<PersistentNode::Ray>> at;
+  for (const std::uint32_t k : order) {
+    const auto id = static_cast<std::uint32_t>(kept.size());
+    kept.push_back(touches[k]);
+    auto& list = at[{touch_pair_[k].p, touch_pair_[k].q}];
+    list.push_back({touches[k].piece, id, false, 0});
+    list.push_back({touches[k].piece, id, true, 0});
+  }
+  touches = std::move(kept);
+  touch_pair_ = {};
+  first_touch.assign(n + 1, 0);
+  for (const PersistentTouch& t : touches) ++first_touch[t.piece + 1];
+  for (std::uint32_t i = 0; i < n; ++i) first_touch[i + 1] += first_touch[i];
+  if (!at.empty())
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const LiveSegment& s = segments[pieces[i].segment];
+      if (!pieces[i].head_cut)
+        if (const auto it = at.find({s.start.p, s.start.q}); it != at.end()) it->second.push_back({i, kNone, true, 0});
+      if (!pieces[i].tail_cut)
+        if (const auto it = at.find({s.end.p, s.end.q}); it != at.end()) it->second.push_back({i, kNone, false, 0});
+    }
+  std::set<std::pair<std::uint32_t, std::uint32_t>> together;
+  for (auto& [v, list] : at) {
+    const auto half = [&](const PersistentNode::Ray& r) {
+      const LiveSegment& s = segments[pieces[r.piece].segment];
+      return (s.dy > 0 || (s.dy == 0 && s.dx > 0) ? 0 : 1) ^ (r.out ? 0 : 1);
+    };
+    const auto turn = [&](const PersistentNode::Ray& a, const PersistentNode::Ray& b) {
+      if (half(a) != half(b)) return half(a) < half(b) ? -1 : 1;
+      return -cross(pieces[a.piece].segment, pieces[b.piece].segment) * (a.out == b.out ? 1 : -1);
+    };
+    std::sort(list.begin(), list.end(), [&](const PersistentNode::Ray& a, const PersistentNode::Ray& b) {
+      const int c = turn(a, b);
+      return c != 0 ? c < 0 : std::tie(a.piece, a.out) < std::tie(b.piece, b.out);
+    });
+    PersistentNode node;
+    node.at = {v.first, v.second};
+    node.first_ray = static_cast<std::uint32_t>(rays.size());
+    std::uint32_t group = 0;
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      if (k > 0 && turn(list[k - 1], list[k]) != 0) ++group;
+      list[k].group = group;
+      const std::uint32_t ray = static_cast<std::uint32_t>(rays.size());
+      if (list[k].touch != kNone) {
+        PersistentTouch& t = touches[list[k].touch];
+        t.node = static_cast<std::uint32_t>(nodes.size());
+        (list[k].out ? t.out_ray : t.in_ray) = ray;
+      } else {
+        (list[k].out ? head_ray : tail_ray)[list[k].piece] = ray;
+      }
+      rays.push_back(list[k]);
+      node_of_ray.push_back(static_cast<std::uint32_t>(nodes.size()));
+    }
+    node.last_ray = static_cast<std::uint32_t>(rays.size());
+    // Something that arrives along a ray on which something leaves: covered from both sides.
+    for (std::uint32_t a = node.first_ray; a + 1 < node.last_ray; ++a)
+      for (std::uint32_t b = a + 1; b < node.last_ray && rays[b].group == rays[a].group; ++b)
+        if (rays[a].out != rays[b].out) folds.push_back({pieces[rays[a].piece].segment, pieces[rays[b].piece].segment});
+    for (std::uint32_t a = node.first_ray; a < node.last_ray; ++a)
+      for (std::uint32_t b = a + 1; b < node.last_ray; ++b)
+        if (rays[a].touch != kNone && rays[b].touch != kNone && rays[a].piece != rays[b].piece)
+          together.insert(std::minmax(rays[a].piece, rays[b].piece));
+    nodes.push_back(node);
+  }
+  if (!together.empty())
+    std::erase_if(candidates, [&](const Candidate& c) {
+      if (c.sign == 0 || !together.contains(std::minmax(c.a, c.b))) return false;
+      touching.push_back({pieces[c.a].segment, pieces[c.b].segment});
+      return true;
+    });
+  first_of.assign(n + 1, 0);
+  for (const Candidate& c : candidates) {
+    ++first_of[c.a + 1];
+    ++first_of[c.b + 1];
+  }
+  for (std::uint32_t i = 0; i < n; ++i) first_of[i + 1] += first_of[i];
+  of.resize(first_of[n]);
+  std::vector<std::uint32_t> fill(first_of.begin(), first_of.end() - 1);
+  for (std::uint32_t c = 0; c < candidates.size(); ++c) {
+    of[fill[candidates[c].a]++] = c;
+    of[fill[candidates[c].b]++] = c;
+  }
 }
 
 void Window::link_pieces(const ReducedConvolution& convolution) {

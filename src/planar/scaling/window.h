@@ -56,6 +56,29 @@ struct Candidate {
   std::uint32_t at_a = 0, at_b = 0;  ///< place in the lists of a and b, while crossing
 };
 
+inline constexpr std::uint32_t kTouchBit = 0x80000000;
+
+/// The common end of some segments that lies on a piece's line at every scale: parallel edges of both operands at reflex vertices.
+struct PersistentTouch {
+  std::uint32_t piece = 0, node = 0;
+  Linear t;
+  double error = 0;
+  double out_low, in_low, in_high, out_high;  ///< inside the piece, as for Candidate
+  std::uint32_t in_ray = 0, out_ray = 0;      ///< in the node
+  std::uint32_t at = 0;                       ///< place in the piece's list, while inside
+};
+
+/// A pair of vertices with persistent touches: the rays there in counter-clockwise order.
+struct PersistentNode {
+  struct Ray {
+    std::uint32_t piece = 0, touch = kNone;  ///< kNone: the piece's own end
+    bool out = false;
+    std::uint32_t group = 0;                 ///< equal for equal directions
+  };
+  WalkPair at;
+  std::uint32_t first_ray = 0, last_ray = 0;
+};
+
 struct WindowSettings {
   WindowFrame frame;
   int cells = 64;       ///< along the grid's longer side
@@ -79,8 +102,16 @@ class Window {
   std::vector<std::uint32_t> of;
   /// Segments that run back along each other from a common end at every scale.
   std::vector<std::array<std::uint32_t, 2>> folds;
+  std::vector<PersistentTouch> touches;
+  std::vector<std::uint32_t> first_touch;  ///< piece -> its touches [first_touch[i], first_touch[i + 1])
+  std::vector<PersistentNode> nodes;
+  std::vector<PersistentNode::Ray> rays;
+  std::vector<std::uint32_t> head_ray, tail_ray, node_of_ray;  ///< piece -> ray at its end or kNone; ray -> node
+  std::vector<std::array<std::uint32_t, 2>> touching;  ///< segments that meet in such nodes
   std::vector<std::uint32_t> live;      ///< id in the convolution -> live segment or kNone
 
+  /// The sign of d_a x d_b of two segments.
+  int cross(std::uint32_t a, std::uint32_t b) const;
   Segment exact(std::uint32_t segment) const;
   Pair exact(WalkPair v) const { return {base_.operands[0].source[v.p], base_.operands[1].source[v.q]}; }
   std::uint64_t pair_tests = 0;
@@ -96,12 +127,19 @@ class Window {
   void add_pieces(const SweptMask& mask);
   void find_candidates(const SweptMask& mask);
   void test(std::uint32_t i, std::uint32_t j);
+  bool bounds(std::uint32_t piece, const Linear& t, double error, Candidate& c, std::array<bool, 2>& unsure) const;
+  bool always_on(std::uint32_t segment, Pair v);
+  void add_touch(std::uint32_t piece, WalkPair v, const Linear& t, double error);
+  void touch_parallel(std::uint32_t i, std::uint32_t j);
+  void make_nodes();
   void link_pieces(const ReducedConvolution& convolution);
 
   const ScalingBase& base_;
   WindowFrame frame_, swept_;
   double span_ = 0;
   std::vector<Entry> entries_;
+  std::vector<WalkPair> touch_pair_;      // per touch, until nodes are made
+  std::shared_ptr<Lattice> doubled_;      // the lattice at scale 2: a linear form that is zero there and at 1 is zero
 };
 
 }  // namespace dymsum::planar
