@@ -82,7 +82,7 @@ int run(const Options& options) {
   const std::vector<ScalingPair> pairs = frame_pairs(data);
   report.line("# Scaling sums\n\nWritten by `./run bench scaling --results docs/results`. Processor times in milliseconds; every frame compared exactly with our static "
               "engine. Inputs are snapped to 22-bit integers and scales to 14 fractional bits, so that s P is the same set for everyone. "
-              "Static: `minkowski_sum` from `Region` to `PlanarSum`. All pairs: the reference engine `brute`, which intersects all pairs of segments from scratch as the thesis "
+              "Static: `minkowski_sum` from `Region` to `PlanarSum`. Each sweeps on its own for the times; a third sweep compares. All pairs: the reference engine `brute`, which intersects all pairs of segments from scratch as the thesis "
               "does. CGAL 5.5: reduced convolution with EPECK. Both on three frames of a row; CGAL's reduced convolution loses holes in known cases (see planar.md), ours equals "
               "our independent static engine at every frame.\n");
   if (data.empty()) report.line("No data folder (DYMSUM_DATA): the thesis's polygons are left out.\n");

@@ -40,6 +40,7 @@ Result<std::shared_ptr<const ScalingBase>> ScalingBase::create(const std::array<
 }
 
 LatticeScale ScalingBase::lattice_scale(const ScaleValue& x, const ScaleValue& y) const {
+  if (x == y) return {x.num, x.num, x.den, scaled};
   const exact::BigInteger common = boost::multiprecision::lcm(x.den, y.den);
   return {exact::BigInteger(x.num * (common / x.den)), exact::BigInteger(y.num * (common / y.den)), common, scaled};
 }

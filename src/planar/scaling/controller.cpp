@@ -9,6 +9,7 @@ namespace {
 constexpr double kWidest = 1.0;       // a window covers at most a factor of e ahead
 constexpr double kFrames = 2;         // and at least this many steps
 constexpr double kMostFrames = 64;
+constexpr double kLargestStep = 0.16;  // beyond it no window has been seen to pay
 constexpr double kNarrowest = 1e-6;
 constexpr double kHysteresis = 0.05;  // relative gain below which the width stays
 
@@ -54,6 +55,8 @@ WindowController::Choice WindowController::choose(double step, double widest, co
     const double width = std::log1p(options.window);
     return {true, 0.1 * width, width};
   }
+  // Large steps are remembered for a while: among random jumps a small one is no sweep.
+  recent_ = std::max(size, 0.8 * recent_);
   const std::uint64_t served = served_;
   close_window();
   if (options.mode == ScalingMode::automatic) {
@@ -66,7 +69,7 @@ WindowController::Choice WindowController::choose(double step, double widest, co
       bad_step_ = 0;
       backoff_ = 8;
     }
-    if (kFrames * size > kWidest) return {};
+    if (recent_ > kLargestStep) return {};
     // Once in a while a window would not clearly win: a fresh frame tells what it would have cost.
     if (served > 0 && last_cost_ > 0.7 * static_ms_ && ++windows_since_ % 4 == 0) return {};
     if (rest_ > 0 && size > 0.5 * bad_step_) return {};

@@ -37,6 +37,7 @@ class WindowController {
   double last_cost_ = 0;      ///< a frame of the last window, with its share of the building
   double spent_ = 0;
   std::uint64_t served_ = 0;  ///< frames of the open window
+  double recent_ = 0;         ///< the largest recent step, fading
   int dear_ = 0;
   std::uint64_t windows_since_ = 0;
   double bad_step_ = 0;       ///< windows did not pay at this step

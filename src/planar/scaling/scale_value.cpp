@@ -1,6 +1,7 @@
 #include "planar/scaling/scale_value.h"
 
 #include <algorithm>
+#include <bit>
 #include <cctype>
 #include <cmath>
 #include <optional>
@@ -67,10 +68,16 @@ std::optional<BigRational> decimal(std::string_view text) {
 
 Result<Scale> Scale::of(double value) {
   if (!std::isfinite(value)) return Error{Code::not_finite, "a scale has to be a finite number", {}};
-  const Result<BigRational> v = checked(exact::exact_value(value), std::to_string(value));
-  if (!v) return v.error();
+  if (!(value >= 0x1p-64 && value <= 0x1p64)) return checked(exact::exact_value(value), std::to_string(value)).error();
   Scale s;
-  s.value_ = exact::to_rational(*v);
+  if (value * 0x1p30 == std::floor(value * 0x1p30) && value < 0x1p30) {
+    // A small dyadic fraction, as sweeps use them: lowest terms by hand.
+    auto num = static_cast<std::uint64_t>(value * 0x1p30), den = std::uint64_t{1} << 30;
+    const int common = std::min(std::countr_zero(num), 30);
+    s.value_ = {std::to_string(num >> common), std::to_string(den >> common)};
+  } else {
+    s.value_ = exact::to_rational(exact::exact_value(value));
+  }
   s.approx_ = value;
   return s;
 }

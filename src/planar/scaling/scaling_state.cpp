@@ -304,15 +304,17 @@ std::vector<std::uint64_t> ScalingSum::State::match_rings(const PlanarSum& next,
   const std::vector<const SumRing*> before = rings_of(sum), after = rings_of(next);
   std::vector<std::uint64_t> ids(after.size(), 0);
   std::vector<std::uint8_t> taken(before.size(), 0);
-  std::unordered_map<std::uint64_t, std::size_t> owner;
+  std::vector<std::pair<std::uint64_t, std::size_t>> owner;  // vertex -> ring before, sorted
   for (std::size_t i = 0; i < before.size(); ++i)
-    for (const SumVertex& v : before[i]->vertices) owner.try_emplace(key(v), i);
+    for (const SumVertex& v : before[i]->vertices) owner.emplace_back(key(v), i);
+  std::sort(owner.begin(), owner.end());
   for (std::size_t i = 0; i < after.size(); ++i) {
     std::uint32_t shared = 0;
     std::size_t from = before.size();
     for (const SumVertex& v : after[i]->vertices) {
-      const auto it = owner.find(key(v));
-      if (it == owner.end()) continue;
+      const std::uint64_t k = key(v);
+      const auto it = std::lower_bound(owner.begin(), owner.end(), k, [](const auto& entry, std::uint64_t want) { return entry.first < want; });
+      if (it == owner.end() || it->first != k) continue;
       if (from == before.size() && !taken[it->second]) from = it->second;
       shared += it->second == from;
     }
@@ -371,7 +373,7 @@ FrameChanges ScalingSum::State::take(NextFrame next, bool same_place) {
 
 Result<FrameChanges> ScalingSum::State::move_to(const Scale& x, const Scale& y) {
   const double start = now_ms();
-  const ScaleValue sx = scale_value(x), sy = scale_value(y);
+  const ScaleValue sx = scale_value(x), sy = x == y ? sx : scale_value(y);
   FrameWork next_work;
   std::optional<NextFrame> next;
   const bool empty = base->operands[0].size() == 0 || base->operands[1].size() == 0;
