@@ -110,13 +110,32 @@ bool inside_ring(const ExactRing<N>& ring, const Pt<N>& c) {
   return odd;
 }
 
+template <class N>
+bool on_ring(const ExactRing<N>& ring, const Pt<N>& c) {
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Pt<N>&a = ring[i], &b = ring[(i + 1) % ring.size()];
+    if (turn(a, b, c) == 0 && std::min(a, b) <= c && c <= std::max(a, b)) return true;
+  }
+  return false;
+}
+
+/// A point on a hole's first edge where it touches no outer ring: it may touch them at finitely many points.
+template <class N>
+Pt<N> place_on_first_edge(const ExactRing<N>& hole, const ExactShape<N>& shape) {
+  for (int k = 2;; ++k) {
+    const N t = N(1) / N(k);
+    const Pt<N> m{hole[0].x + (hole[1].x - hole[0].x) * t, hole[0].y + (hole[1].y - hole[0].y) * t};
+    if (k == 1000 || std::none_of(shape.parts.begin(), shape.parts.end(), [&](const ExactPart<N>& part) { return on_ring(part.outer, m); }))
+      return m;
+  }
+}
+
 /// Every hole lies in its own outer ring, and in no smaller one.
 template <class N>
 std::string check_nesting(const ExactShape<N>& shape) {
   for (const ExactPart<N>& part : shape.parts)
     for (const ExactRing<N>& hole : part.holes) {
-      const N half = N(1) / N(2);
-      const Pt<N> m{(hole[0].x + hole[1].x) * half, (hole[0].y + hole[1].y) * half};
+      const Pt<N> m = place_on_first_edge(hole, shape);
       if (!inside_ring(part.outer, m)) return "the hole at " + text(hole[0]) + " lies outside its part";
       for (const ExactPart<N>& other : shape.parts)
         if (inside_ring(other.outer, m) && doubled_area(other.outer) < doubled_area(part.outer))
