@@ -114,7 +114,7 @@ template <class N>
 bool on_ring(const ExactRing<N>& ring, const Pt<N>& c) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Pt<N>&a = ring[i], &b = ring[(i + 1) % ring.size()];
-    if (turn(a, b, c) == 0 && std::min(a, b) <= c && c <= std::max(a, b)) return true;
+    if (turn(a, b, c) == 0 && !(c < std::min(a, b)) && !(std::max(a, b) < c)) return true;
   }
   return false;
 }
