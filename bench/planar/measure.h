@@ -13,6 +13,7 @@ namespace dymsum::bench {
 
 struct OurAnswer {
   double median_ms = 0, min_ms = 0;
+  double fresh_ms = 0;  ///< with regions made anew before the clock starts, so that nothing is kept from earlier sums
   int runs = 0;
   double area = 0;
   std::string area_exact;  ///< "num/den", only for sums small enough to add up
