@@ -248,8 +248,8 @@ bool run_reduced(const SumOptions& options, SumState& state) {
     const double reach = 2 * kReach * g.cell;
     convolution.for_each([&](const WalkSegment& w) {
       const SoupBox b = soup.box(w);
-      const bool dead = mask && mask->all_dead(g.row(std::min(b.ay, b.by) - reach), g.column(std::min(b.ax, b.bx) - reach),
-                                       g.row(std::max(b.ay, b.by) + reach), g.column(std::max(b.ax, b.bx) + reach));
+      const bool dead = mask && mask->live(g.row(std::min(b.ay, b.by) - reach), g.column(std::min(b.ax, b.bx) - reach),
+                                   g.row(std::max(b.ay, b.by) + reach), g.column(std::max(b.ax, b.bx) + reach)) == 0;
       live.push_back(dead ? kNone : static_cast<std::uint32_t>(soup.size()));
       if (dead) return;
       soup.add(w, b);

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "planar/grid.h"
+#include "planar/dead_cells.h"
 #include "planar/operand.h"
 
 namespace dymsum::planar {
@@ -60,28 +60,10 @@ void for_each_swept_run(const Grid& grid, const double (&x)[4], const double (&y
 }
 
 /// Dead cells: their closures, grown by 8 kReach cells, lie in int P + Q or P + int Q at every scale of the window.
-class SweptMask {
+class SweptMask : public DeadCells {
  public:
   /// `cells` along the longer side. Without `use` no cell is dead and only the grid is made.
   SweptMask(const Lattice& unscaled, const std::array<Operand, 2>& operands, const WindowFrame& frame, int cells, bool use);
-
-  const Grid& grid() const { return grid_; }
-  bool dead(int row, int column) const { return (bits_[std::size_t(row) * words_ + column / 64] >> (column % 64)) & 1; }
-  /// How many cells of a rectangle are live. O(1).
-  std::uint32_t live(int row0, int column0, int row1, int column1) const {
-    const std::size_t w = std::size_t(grid_.columns) + 1;
-    const auto at = [&](int r, int c) { return sums_[std::size_t(r) * w + c]; };
-    return at(row1 + 1, column1 + 1) - at(row0, column1 + 1) - at(row1 + 1, column0) + at(row0, column0);
-  }
-  std::size_t dead_cells() const { return dead_cells_; }
-  std::size_t bytes() const { return bits_.size() * 8 + sums_.size() * 4; }
-
- private:
-  Grid grid_;
-  std::size_t words_ = 0;
-  std::vector<std::uint64_t> bits_;
-  std::vector<std::uint32_t> sums_;  ///< live cells left of and below a corner
-  std::size_t dead_cells_ = 0;
 };
 
 }  // namespace dymsum::planar

@@ -1,0 +1,99 @@
+// Rasters of two operands on one grid, and the cells of the sum that they prove to lie inside it. Shared by the mask of one sum and
+// the mask of a range of scales.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "planar/grid.h"
+
+namespace dymsum::planar {
+
+/// Rows of cells, 64 to a word.
+struct Bitmap {
+  int rows = 0, columns = 0;
+  std::size_t words = 0;
+  std::vector<std::uint64_t> bits;
+
+  Bitmap(int r, int c) : rows(r), columns(c), words((c + 63) / 64), bits(words * r, 0) {}
+  std::uint64_t* row(int r) { return bits.data() + words * r; }
+  const std::uint64_t* row(int r) const { return bits.data() + words * r; }
+  bool get(int r, int c) const { return (row(r)[c / 64] >> (c % 64)) & 1; }
+  bool any() const {
+    return std::any_of(bits.begin(), bits.end(), [](std::uint64_t w) { return w != 0; });
+  }
+
+  void set_run(int r, int first, int last) {
+    std::uint64_t* w = row(r);
+    const int a = first / 64, b = last / 64;
+    const std::uint64_t head = ~std::uint64_t{0} << (first % 64), tail = ~std::uint64_t{0} >> (63 - last % 64);
+    if (a == b) {
+      w[a] |= head & tail;
+      return;
+    }
+    w[a] |= head;
+    for (int i = a + 1; i < b; ++i) w[i] = ~std::uint64_t{0};
+    w[b] |= tail;
+  }
+};
+
+/// One operand on the lattice of cells.
+struct Raster {
+  Raster(int rows, int columns) : inner(rows, columns), touch(rows, columns) {}
+  Bitmap inner;  ///< cells that lie in the interior of a component, with a rim
+  Bitmap touch;  ///< cells that certainly hold a point of the operand, up to the rim
+};
+
+/// Boundary cells are those within 32 kReach cells of the boundary, so that an inner cell keeps a rim of that width.
+inline constexpr double kRim = 32 * kReach;
+
+/// Winding numbers at the centres of cells, from the edges that cross the lines through them.
+class CentreWindings {
+ public:
+  explicit CentreWindings(const Grid& cells) : cells_(cells), change_(std::size_t(cells.rows) * (cells.columns + 1), 0) {}
+  void add_edge(double ax, double ay, double bx, double by);
+  /// Cells with positive winding number off the boundary are inner, and inner ones are touched.
+  void fill(const Bitmap& boundary, Raster& raster) const;
+
+ private:
+  const Grid& cells_;
+  std::vector<int> change_;
+};
+
+/// The grid of the sum with `cells` along the longer side, and the operands' parts of it.
+struct SumGrid {
+  SumGrid(std::array<double, 2> width, std::array<double, 2> height, int cells);
+  Grid whole;
+  std::array<Grid, 2> part;
+};
+
+/// The cells of the sum in which every point is one of int P + Q or P + int Q; docs/design/planar-sum.md, "interior mask".
+class DeadCells {
+ public:
+  /// No cell is dead.
+  explicit DeadCells(const Grid& grid);
+  DeadCells(const Grid& grid, const Raster& p, const Raster& q);
+
+  const Grid& grid() const { return grid_; }
+  bool dead(int row, int column) const { return dead_.get(row, column); }
+  /// How many cells of a rectangle are live. O(1).
+  std::uint32_t live(int row0, int column0, int row1, int column1) const {
+    const std::size_t w = std::size_t(grid_.columns) + 1;
+    const auto at = [&](int r, int c) { return sums_[std::size_t(r) * w + c]; };
+    return at(row1 + 1, column1 + 1) - at(row0, column1 + 1) - at(row1 + 1, column0) + at(row0, column0);
+  }
+  std::size_t dead_cells() const { return dead_cells_; }
+  std::size_t bytes() const { return dead_.bits.size() * 8 + sums_.size() * 4; }
+
+ private:
+  void count();
+
+  Grid grid_;
+  Bitmap dead_;
+  std::vector<std::uint32_t> sums_;  // live cells left of and below a corner
+  std::size_t dead_cells_ = 0;
+};
+
+}  // namespace dymsum::planar
