@@ -1,6 +1,8 @@
 // Everything.
 #pragma once
 
+#include "dymsum/mesh.h"
+#include "dymsum/mesh_io.h"
 #include "dymsum/planar_sum.h"
 #include "dymsum/progress.h"
 #include "dymsum/rational.h"
@@ -11,4 +13,5 @@
 #include "dymsum/scale_range.h"
 #include "dymsum/scaling_sum.h"
 #include "dymsum/shapes.h"
+#include "dymsum/solids.h"
 #include "dymsum/trace.h"

@@ -30,6 +30,12 @@ enum class Code {
   rings_cross,        ///< two rings cross or run along each other
   hole_outside,       ///< a hole is not inside its outer ring, or lies inside another hole
   parts_overlap,      ///< two parts share interior points
+  // meshes
+  bad_index,     ///< a face names a vertex that does not exist
+  not_planar,    ///< the vertices of a face do not lie in one plane
+  not_closed,    ///< an edge with a face on one side only
+  not_manifold,  ///< an edge with more than two faces, or a vertex where several fans of faces meet
+  not_convex,    ///< the operation is defined for convex solids only, and an edge or a vertex of this one is not
   // sums
   unsupported_operand,        ///< the operation is not defined for such an operand
   rounding_changed_topology,  ///< rounding the exact result to doubles would change its topology
@@ -47,7 +53,8 @@ struct Evidence {
   std::optional<std::int64_t> line;
   std::optional<std::int64_t> part, ring, vertex;
   std::optional<std::int64_t> other_part, other_ring, other_vertex;
-  std::optional<double> x, y;  ///< a place, in the input's coordinates
+  std::optional<std::int64_t> face, other_face;  ///< of a mesh; an edge is named by vertex and other_vertex
+  std::optional<double> x, y, z;                 ///< a place, in the input's coordinates
 
   friend bool operator==(const Evidence&, const Evidence&) = default;
 };

@@ -36,6 +36,11 @@ std::string_view name(Code code) {
     case Code::rings_cross: return "rings_cross";
     case Code::hole_outside: return "hole_outside";
     case Code::parts_overlap: return "parts_overlap";
+    case Code::bad_index: return "bad_index";
+    case Code::not_planar: return "not_planar";
+    case Code::not_closed: return "not_closed";
+    case Code::not_manifold: return "not_manifold";
+    case Code::not_convex: return "not_convex";
     case Code::unsupported_operand: return "unsupported_operand";
     case Code::rounding_changed_topology: return "rounding_changed_topology";
     case Code::bad_scale: return "bad_scale";
@@ -52,6 +57,7 @@ std::string Error::to_string() const {
   std::string where;
   append(where, "part", evidence.part);
   append(where, "ring", evidence.ring);
+  append(where, "face", evidence.face);
   append(where, "vertex", evidence.vertex);
   if (!where.empty()) text += where + ": ";
   text += message;
@@ -59,10 +65,13 @@ std::string Error::to_string() const {
   std::string other;
   append(other, "part", evidence.other_part);
   append(other, "ring", evidence.other_ring);
+  append(other, "face", evidence.other_face);
   append(other, "vertex", evidence.other_vertex);
   if (!other.empty()) text += " (the other: " + other + ")";
 
-  if (evidence.x && evidence.y) text += " at (" + to_text(*evidence.x) + ", " + to_text(*evidence.y) + ")";
+  if (evidence.x && evidence.y && evidence.z)
+    text += " at (" + to_text(*evidence.x) + ", " + to_text(*evidence.y) + ", " + to_text(*evidence.z) + ")";
+  else if (evidence.x && evidence.y) text += " at (" + to_text(*evidence.x) + ", " + to_text(*evidence.y) + ")";
   else if (evidence.x) text += " at x = " + to_text(*evidence.x);
   else if (evidence.y) text += " at y = " + to_text(*evidence.y);
   return text;

@@ -1,0 +1,118 @@
+// Solids bounded by polygons: the one mesh type. A mesh is the boundary of a closed solid; it may have several shells and may be empty.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "dymsum/result.h"
+
+namespace dymsum {
+
+struct Point3 {
+  double x = 0, y = 0, z = 0;
+  friend bool operator==(const Point3&, const Point3&) = default;
+};
+
+/// A plane polygon without holes, by its vertices' numbers, counter-clockwise seen from outside; the last is joined to the first.
+using Face = std::vector<std::uint32_t>;
+
+/// The plain lists a mesh is made from, not yet validated.
+struct MeshData {
+  std::vector<Point3> vertices;
+  std::vector<Face> faces;
+  friend bool operator==(const MeshData&, const MeshData&) = default;
+};
+
+/// A valid mesh. Coordinates are doubles taken at face value: no snapping, no tolerance.
+///
+/// Valid means, exactly: all coordinates finite; every vertex used and no two at the same place; every face has at least three different
+/// vertices in one plane, and area; every edge has exactly two faces, which run through it in opposite directions; the faces around a
+/// vertex form one fan; every shell encloses positive volume. Not checked: that faces which share no vertex stay apart (a convex mesh is
+/// checked to be convex, which implies it).
+class Mesh {
+ public:
+  Mesh() = default;  ///< the empty mesh
+
+  /// Validates `data`. Errors: not_finite, bad_index, too_few_vertices, repeated_vertex, no_area, not_planar, not_closed, not_manifold,
+  /// wrong_orientation (two faces run through an edge in the same direction, or a shell is inside out), each with face, vertex (and the other
+  /// ones) and a place. Cost: O(n log n).
+  static Result<Mesh> create(MeshData data);
+
+  const MeshData& data() const { return data_; }
+  const std::vector<Point3>& vertices() const { return data_.vertices; }
+  const std::vector<Face>& faces() const { return data_.faces; }
+  bool empty() const { return data_.faces.empty(); }
+  std::size_t shell_count() const { return shells_; }
+  std::size_t edge_count() const;
+  /// The sum of the faces' vertex counts less two each: how many triangles the faces split into.
+  std::size_t triangle_count() const;
+
+  /// The same solid written in one way: coplanar neighbours merged into faces (where the union has no hole and touches itself nowhere),
+  /// vertices in the middle of straight edges and of faces dropped, vertices sorted by x, y, z, every face starting at its smallest
+  /// vertex, faces sorted. Convex solids that are equal have equal canonical forms.
+  Mesh canonical() const;
+
+  /// Equality of canonical forms.
+  friend bool operator==(const Mesh& a, const Mesh& b);
+
+ private:
+  friend class TrustedMesh;  // internal: makes meshes that are known to be valid
+  MeshData data_;
+  std::size_t shells_ = 0;
+};
+
+/// Nothing for a convex solid (flat edges between coplanar faces are allowed), else the error not_convex with the reflex edge and its two
+/// faces, or why there is none: several shells, or a surface that winds around itself; no_area for the empty mesh. Exact. O(n).
+std::optional<Error> convexity_error(const Mesh& mesh);
+
+/// What repair changed, in numbers and in words.
+struct MeshRepairReport {
+  std::size_t duplicate_vertices = 0;  ///< vertices at the same place merged
+  std::size_t unused_vertices = 0;     ///< vertices without a face dropped
+  std::size_t degenerate_faces = 0;    ///< faces without area dropped
+  std::size_t split_faces = 0;         ///< faces that are not plane split into triangles
+  std::size_t reversed_shells = 0;     ///< shells turned inside out made right
+  std::size_t reversed_faces = 0;      ///< single faces turned over to agree with their neighbours
+  bool changed() const {
+    return duplicate_vertices + unused_vertices + degenerate_faces + split_faces + reversed_shells + reversed_faces > 0;
+  }
+  std::string to_string() const;
+};
+
+struct RepairedMesh {
+  Mesh mesh;
+  MeshRepairReport report;
+};
+
+/// The named repair: merges vertices at exactly the same place, drops unused vertices and faces without area, splits faces that are not
+/// plane, orients faces and shells, and reports what it changed. Holes and edges with more than two faces are not repaired: they come
+/// back as the errors of Mesh::create, with the indices of `data`.
+Result<RepairedMesh> repair(MeshData data);
+
+/// The convex hull of points, exactly, in canonical form. Errors: not_finite; no_area when all points lie in one plane. O(n^2) at worst,
+/// about O(n log n) for points in random order.
+Result<Mesh> convex_hull(std::span<const Point3> points);
+
+/// Volume and surface for reports: the volume is the exact sum rounded once, the surface is rounded at every face.
+double volume(const Mesh& mesh);
+double surface_area(const Mesh& mesh);
+
+/// Smallest and largest coordinates {min x, min y, min z, max x, max y, max z}; zeros for the empty mesh.
+std::array<double, 6> bounds(const Mesh& mesh);
+
+/// -mesh: the reflection through the origin. Exact.
+Mesh negated(const Mesh& mesh);
+
+/// mesh + (dx, dy, dz), each coordinate rounded to the nearest double. Errors as Mesh::create when rounding spoils validity.
+Result<Mesh> translated(const Mesh& mesh, double dx, double dy, double dz);
+
+/// diag(sx, sy, sz) mesh, each coordinate rounded to the nearest double (exact for powers of two); a reflecting scale keeps the outside
+/// outside. Errors: unsupported_operand for zero or non-finite factors, then as Mesh::create.
+Result<Mesh> scaled(const Mesh& mesh, double sx, double sy, double sz);
+
+}  // namespace dymsum
