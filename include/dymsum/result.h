@@ -40,6 +40,7 @@ enum class Code {
   unsupported_operand,        ///< the operation is not defined for such an operand
   rounding_changed_topology,  ///< rounding the exact result to doubles would change its topology
   bad_scale,                  ///< a scale that is not a positive number, or beyond the supported range
+  bad_rotation,               ///< a quaternion of zeros, a zero axis, or components beyond 2^30
   cancelled,                  ///< the progress callback asked to stop
 };
 

@@ -44,6 +44,7 @@ std::string_view name(Code code) {
     case Code::unsupported_operand: return "unsupported_operand";
     case Code::rounding_changed_topology: return "rounding_changed_topology";
     case Code::bad_scale: return "bad_scale";
+    case Code::bad_rotation: return "bad_rotation";
     case Code::cancelled: return "cancelled";
   }
   throw std::logic_error("name(Code): not a code");

@@ -1,0 +1,181 @@
+// Minkowski sums of convex solids, kept exact while the operands rotate and scale: DYMSUM, chapter 5 and section 6.4 of Behar's thesis, corrected and
+// made exact (docs/design/convex-motion.md).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "dymsum/mesh.h"
+#include "dymsum/progress.h"
+#include "dymsum/rational.h"
+#include "dymsum/result.h"
+#include "dymsum/rotation.h"
+
+namespace dymsum {
+
+/// A feature of an operand, by the numbers of its mesh.
+struct SolidFeature {
+  enum class Kind : std::uint8_t { vertex, edge, face };
+  Kind kind = Kind::vertex;
+  std::uint32_t a = 0;  ///< the vertex, the edge's smaller vertex, or the smallest of the faces that lie in one plane
+  std::uint32_t b = 0;  ///< the edge's larger vertex, else 0
+  friend auto operator<=>(const SolidFeature&, const SolidFeature&) = default;
+};
+
+/// A facet of a sum: the sum of the features of P and Q that are extreme in its outward direction. Face + vertex, vertex + face and
+/// edge + edge in general; face + edge, edge + face or face + face where directions coincide.
+struct SolidFacet {
+  std::vector<std::uint32_t> vertices;  ///< counter-clockwise seen from outside, from the smallest number on
+  SolidFeature p, q;
+  bool changed = false;  ///< not there before the last move; no part of the value
+  friend bool operator==(const SolidFacet& a, const SolidFacet& b) { return a.p == b.p && a.q == b.q && a.vertices == b.vertices; }
+};
+
+struct RationalPoint3 {
+  Rational x, y, z;
+  friend bool operator==(const RationalPoint3&, const RationalPoint3&) = default;
+};
+
+/// The exact sum of two convex solids. Canonical: facets are whole (no two lie in one plane), vertices are sorted by (p, q), facets by their vertices.
+/// Equal operands at equal poses have equal sums.
+struct SolidSum {
+  /// A vertex of P plus a vertex of Q, by the numbers of their meshes; every vertex of the sum is that in one way only.
+  struct Vertex {
+    std::uint32_t p = 0, q = 0;
+    friend auto operator<=>(const Vertex&, const Vertex&) = default;
+  };
+  std::vector<Vertex> vertices;
+  std::vector<Point3> at;  ///< their positions, each coordinate the double nearest to the exact value
+  std::vector<SolidFacet> facets;
+  SolidPose p_pose, q_pose;
+
+  /// The exact position of a vertex.
+  RationalPoint3 exact(std::size_t vertex) const;
+  /// The sum with its rounded positions; facets with more than three vertices may no longer be plane to the last bit.
+  MeshData rounded() const { return rounded_data(); }
+  std::size_t edge_count() const;
+  double volume() const;  ///< nearest to the exact one
+  Rational volume_exact() const;  ///< from the facets, in exact arithmetic
+  double area() const;
+
+  friend bool operator==(const SolidSum& a, const SolidSum& b) {
+    return a.vertices == b.vertices && a.facets == b.facets && a.p_pose == b.p_pose && a.q_pose == b.q_pose;
+  }
+
+  struct Source;                         // internal: the operands
+  std::shared_ptr<const Source> source;  // internal
+
+ private:
+  MeshData rounded_data() const;
+};
+
+enum class ConvexEngine : std::uint8_t {
+  walk,   ///< two walks over the Gauss maps (the default)
+  brute,  ///< all pairs of features, thesis section 5.2: the reference
+};
+
+/// P (+) Q for convex solids. Errors: not_convex with the reflex edge, no_area for an empty operand.
+/// Cost: O(m + n + k) walking steps for m and n faces and k facets; brute O(m n).
+Result<SolidSum> convex_sum(const Mesh& p, const Mesh& q, const SolidPose& p_pose = {}, const SolidPose& q_pose = {},
+                            ConvexEngine engine = ConvexEngine::walk);
+
+/// The work of one move.
+struct MotionWork {
+  std::uint64_t vertex_checks = 0;  ///< faces whose extreme vertex was looked at; the certificates of the others held
+  std::uint64_t vertex_errors = 0;  ///< of these, wrong and corrected
+  std::uint64_t arc_checks = 0;     ///< edges of P whose crossings were walked
+  std::uint64_t arcs_changed = 0;   ///< of these, changed
+  std::uint64_t steps = 0;          ///< from vertex to vertex, in all walks
+  std::uint64_t facets_added = 0, facets_removed = 0;
+  std::uint64_t exact_signs = 0;    ///< that doubles did not decide
+  friend bool operator==(const MotionWork&, const MotionWork&) = default;
+};
+
+/// How deep a point lies in a sum.
+struct ConvexDepth {
+  bool inside = false;      ///< in the interior
+  double depth = 0;         ///< distance to the nearest facet's plane, rounded; 0 when not inside
+  Rational depth_squared;   ///< exact
+  Point3 direction;         ///< unit outward normal of that facet, rounded: move the point by depth * direction
+  SolidFeature p, q;        ///< the facet
+};
+
+/// Holds P (+) Q and follows the motion of both. Moving corrects the errors that the motion introduces; the result equals a fresh
+/// computation, always. Thread-compatible.
+class ConvexSum {
+ public:
+  /// At the identity. Errors as convex_sum.
+  static Result<ConvexSum> create(const Mesh& p, const Mesh& q);
+
+  ConvexSum(const ConvexSum&);  ///< an independent copy
+  ConvexSum& operator=(const ConvexSum&);
+  ConvexSum(ConvexSum&&) noexcept;
+  ConvexSum& operator=(ConvexSum&&) noexcept;
+  ~ConvexSum();
+
+  /// Moves P and Q. Small motions look at few features: each certificate holds for an angle. No memory is allocated once warm, unless the
+  /// poses are scaled. Positions are evaluated when they are asked for.
+  const MotionWork& set(const SolidPose& p, const SolidPose& q = {});
+  const MotionWork& set(const Rotation& p) { return set(SolidPose{p, {}}); }
+  /// Forgets all certificates and starts from nothing: what moving is compared with.
+  const MotionWork& rebuild(ConvexEngine engine = ConvexEngine::walk);
+
+  const SolidPose& p_pose() const;
+  const SolidPose& q_pose() const;
+  const MotionWork& work() const;
+
+  /// Sizes of the generic sum, before coplanar facets merge: face + vertex of either kind, edge + edge.
+  std::size_t face_vertex_count() const;
+  std::size_t edge_edge_count() const;
+
+  /// The sum at the current poses. O(size log size).
+  SolidSum sum() const;
+  /// From mixed volumes, O(faces): independent of the facets.
+  Rational volume_exact() const;
+  double volume() const;  ///< rounded along the way, relative error about 1e-12
+  /// Whether the combinatorics are those of another sum of the same operands.
+  bool same_combinatorics(const ConvexSum& other) const;
+
+  /// The vertex of the sum that is extreme in a direction (ties: any), and its rounded position.
+  struct Support {
+    SolidSum::Vertex vertex;
+    Point3 at;
+  };
+  Support support(Point3 direction) const;
+  /// How deep a point lies, with the facet that is nearest: a global minimum, exact. O(facets).
+  ConvexDepth depth(Point3 point = {}) const;
+
+  class State;  ///< internal
+
+ private:
+  explicit ConvexSum(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+/// The penetration depth of two convex solids: the shortest translation of Q that separates them, by P (+) -Q. `inside` is whether their interiors
+/// meet.
+Result<ConvexDepth> penetration_depth(const Mesh& p, const Mesh& q, const SolidPose& p_pose = {}, const SolidPose& q_pose = {},
+                                      Point3 q_moved_by = {});
+
+/// What a batch reports for one pose of P.
+struct PoseReport {
+  std::size_t facets = 0;  ///< of the generic sum
+  double volume = 0;
+  Point3 support;
+  ConvexDepth depth;
+};
+struct BatchOptions {
+  Point3 support_direction{0, 0, 1};
+  Point3 depth_point;
+  Progress progress;
+  int threads = 0;  ///< 0: as many as there are cores
+};
+/// P (+) Q at many rotations of P. They are visited in an order that makes steps short (along a curve through all rotations), in as many
+/// parts as there are threads; the reports come in the order given. Errors: as create; cancelled.
+Result<std::vector<PoseReport>> pose_batch(const Mesh& p, const Mesh& q, std::span<const Rotation> poses, const BatchOptions& options = {});
+
+}  // namespace dymsum

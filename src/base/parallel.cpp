@@ -1,0 +1,21 @@
+#include "base/parallel.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+
+namespace dymsum::base {
+
+void parallel_parts(std::size_t parts, int threads, const std::function<void(std::size_t)>& part) {
+  if (parts <= 1 || threads == 1) {
+    for (std::size_t i = 0; i < parts; ++i) part(i);
+    return;
+  }
+  tbb::task_arena arena(threads <= 0 ? tbb::task_arena::automatic : threads);
+  arena.execute([&] { tbb::parallel_for(std::size_t{0}, parts, [&](std::size_t i) { part(i); }); });
+}
+
+int core_count() { return std::max(1, tbb::this_task_arena::max_concurrency()); }
+
+}  // namespace dymsum::base

@@ -1,0 +1,28 @@
+// What a ConvexSum holds.
+#pragma once
+
+#include <memory>
+
+#include "dymsum/convex_sum.h"
+#include "spatial/convex/exact_places.h"
+#include "spatial/convex/overlay.h"
+
+namespace dymsum {
+
+class ConvexSum::State {
+ public:
+  State(std::shared_ptr<const spatial::Polytope> p, std::shared_ptr<const spatial::Polytope> q, std::shared_ptr<const SolidSum::Source> source)
+      : p(std::move(p)), q(std::move(q)), source(std::move(source)), overlay(*this->p, *this->q) {}
+
+  std::shared_ptr<const spatial::Polytope> p, q;
+  std::shared_ptr<const SolidSum::Source> source;
+  spatial::Overlay overlay;
+  SolidPose p_pose, q_pose;
+  spatial::PoseFactors p_factors, q_factors;
+  MotionWork work;
+
+  const spatial::Polytope& poly(int op) const { return op == 0 ? *p : *q; }
+  const MotionWork& report();
+};
+
+}  // namespace dymsum

@@ -1,0 +1,94 @@
+#include "dymsum/convex_sum.h"
+
+#include <utility>
+
+#include "spatial/convex/assemble.h"
+#include "spatial/convex/convex_state.h"
+#include "spatial/convex/mixed_volume.h"
+#include "spatial/convex/place_sum.h"
+
+namespace dymsum {
+
+using spatial::Polytope;
+
+const MotionWork& ConvexSum::State::report() {
+  const spatial::OverlayWork& w = overlay.work();
+  work = {w.vertex_checks, w.vertex_errors, w.arc_checks, w.arcs_changed, w.steps, w.crossings_added + w.vertex_errors,
+          w.crossings_removed + w.vertex_errors, w.exact_signs};
+  return work;
+}
+
+ConvexSum::ConvexSum(std::unique_ptr<State> state) : state_(std::move(state)) {}
+ConvexSum::ConvexSum(const ConvexSum& other) : state_(std::make_unique<State>(*other.state_)) {}
+ConvexSum& ConvexSum::operator=(const ConvexSum& other) { return *this = ConvexSum(other); }
+ConvexSum::ConvexSum(ConvexSum&&) noexcept = default;
+ConvexSum& ConvexSum::operator=(ConvexSum&&) noexcept = default;
+ConvexSum::~ConvexSum() = default;
+
+Result<ConvexSum> ConvexSum::create(const Mesh& p, const Mesh& q) {
+  Result<Polytope> a = spatial::make_polytope(p), b = spatial::make_polytope(q);
+  if (!a) return a.error();
+  if (!b) return b.error();
+  auto source = std::make_shared<SolidSum::Source>();
+  source->vertices = {p.vertices(), q.vertices()};
+  auto state = std::make_unique<State>(std::make_shared<const Polytope>(std::move(a).value()), std::make_shared<const Polytope>(std::move(b).value()),
+                                       std::move(source));
+  state->overlay.build(spatial::RelativeMap());
+  state->report();
+  return ConvexSum(std::move(state));
+}
+
+const MotionWork& ConvexSum::set(const SolidPose& p, const SolidPose& q) {
+  State& s = *state_;
+  if (!(p.scale == s.p_pose.scale)) s.p_factors = spatial::PoseFactors::of(p);
+  if (!(q.scale == s.q_pose.scale)) s.q_factors = spatial::PoseFactors::of(q);
+  s.p_factors.rotation = p.rotation;
+  s.q_factors.rotation = q.rotation;
+  s.p_pose = p;
+  s.q_pose = q;
+  s.overlay.update(spatial::RelativeMap(s.p_factors, s.q_factors));
+  return s.report();
+}
+
+const MotionWork& ConvexSum::rebuild(ConvexEngine engine) {
+  const spatial::RelativeMap map = state_->overlay.signs().map();
+  if (engine == ConvexEngine::walk) {
+    state_->overlay.build(map);
+  } else {
+    state_->overlay.build_brute(map);
+  }
+  return state_->report();
+}
+
+const SolidPose& ConvexSum::p_pose() const { return state_->p_pose; }
+const SolidPose& ConvexSum::q_pose() const { return state_->q_pose; }
+const MotionWork& ConvexSum::work() const { return state_->work; }
+std::size_t ConvexSum::face_vertex_count() const { return state_->p->face_count() + state_->q->face_count(); }
+std::size_t ConvexSum::edge_edge_count() const { return state_->overlay.crossing_count(); }
+bool ConvexSum::same_combinatorics(const ConvexSum& other) const { return state_->overlay == other.state_->overlay; }
+
+SolidSum ConvexSum::sum() const {
+  SolidSum sum;
+  spatial::assemble(state_->overlay, sum);
+  sum.p_pose = state_->p_pose;
+  sum.q_pose = state_->q_pose;
+  sum.source = state_->source;
+  spatial::place_sum(sum);
+  return sum;
+}
+
+Rational ConvexSum::volume_exact() const {
+  return exact::to_rational(spatial::exact_mixed_volume(state_->overlay, state_->p_pose, state_->q_pose));
+}
+double ConvexSum::volume() const { return spatial::mixed_volume(state_->overlay, state_->p_factors, state_->q_factors); }
+
+Result<SolidSum> convex_sum(const Mesh& p, const Mesh& q, const SolidPose& p_pose, const SolidPose& q_pose, ConvexEngine engine) {
+  Result<ConvexSum> sum = ConvexSum::create(p, q);
+  if (!sum) return sum.error();
+  ConvexSum moved = std::move(sum).value();
+  if (!(p_pose == SolidPose()) || !(q_pose == SolidPose())) moved.set(p_pose, q_pose);
+  moved.rebuild(engine);
+  return moved.sum();
+}
+
+}  // namespace dymsum

@@ -1,0 +1,46 @@
+// Exact positions of the vertices of two posed operands over one denominator, so that sums of them are additions of integers.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "dymsum/convex_sum.h"
+#include "exact/big.h"
+
+namespace dymsum {
+
+/// The vertices of the operands as they were given.
+struct SolidSum::Source {
+  std::array<std::vector<Point3>, 2> vertices;
+};
+
+namespace spatial {
+
+using BigVector = std::array<exact::BigInteger, 3>;
+
+/// x -> matrix x / den.
+struct ExactPose {
+  std::array<exact::BigInteger, 9> matrix;
+  exact::BigInteger den;
+  static ExactPose of(const SolidPose& pose);
+};
+
+class ExactPlaces {
+ public:
+  ExactPlaces(const SolidSum::Source& source, const SolidPose& p, const SolidPose& q);
+
+  /// The numerators of the position of vertex v of an operand; positions are numerators times unit().
+  BigVector of(int op, std::uint32_t v) const;
+  /// 2^exponent / denominator.
+  const exact::BigRational& unit() const { return unit_; }
+
+ private:
+  const SolidSum::Source& source_;
+  std::array<std::array<exact::BigInteger, 9>, 2> matrix_;  // over the common denominator
+  int exponent_ = 0;
+  exact::BigRational unit_;
+};
+
+}  // namespace spatial
+}  // namespace dymsum

@@ -1,0 +1,92 @@
+// The overlay of two Gauss maps: which vertex of the other solid is extreme for every face, and which arcs of edges cross. It is the combinatorics of
+// the sum of convex solids, and what a motion updates. docs/design/convex-motion.md.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "spatial/convex/signs.h"
+
+namespace dymsum::spatial {
+
+/// Arcs of an edge of P and an edge of Q that cross: the facet edge + edge of the sum.
+struct Crossing {
+  std::uint32_t p = 0;  ///< edge of P
+  HalfEdge q = 0;       ///< half-edge of Q that leaves the vertex extreme before the crossing, going along p's arc from its left face
+  std::array<std::uint32_t, 2> next{};  ///< the next crossing along the arc of the edge of P, of Q; kNoCrossing at its end
+};
+constexpr std::uint32_t kNoCrossing = ~std::uint32_t{0};
+
+/// What one update did.
+struct OverlayWork {
+  std::uint64_t vertex_checks = 0;   ///< faces whose extreme vertex was checked
+  std::uint64_t vertex_errors = 0;   ///< faces whose extreme vertex changed
+  std::uint64_t steps = 0;           ///< steps from vertex to vertex
+  std::uint64_t arc_checks = 0;      ///< edges of P whose crossings were walked again
+  std::uint64_t arcs_changed = 0;    ///< edges of P whose crossings changed
+  std::uint64_t crossings_added = 0, crossings_removed = 0;
+  std::uint64_t exact_signs = 0;     ///< signs that doubles did not decide
+};
+
+class Overlay {
+ public:
+  Overlay(const Polytope& p, const Polytope& q);
+
+  /// From nothing: by walking over both maps, O(faces + steps).
+  void build(const RelativeMap& map);
+  /// The same by the definition: all faces with all vertices and all edges with all edges. O(m n).
+  void build_brute(const RelativeMap& map);
+  /// From the state at the map before: corrects what the motion made wrong. `use_margins` = false checks everything.
+  void update(const RelativeMap& map, bool use_margins = true);
+
+  const Signs& signs() const { return signs_; }
+  const Polytope& poly(int op) const { return signs_.poly(op); }
+  /// The vertex of the other operand that is extreme in the direction of face f of operand op.
+  std::uint32_t extreme(int op, std::uint32_t f) const { return extreme_[op][f]; }
+  /// The first crossing along the arc of edge e of operand op, from its left face (the face of half-edge 2e) to its right one.
+  std::uint32_t first_crossing(int op, std::uint32_t e) const { return head_[op][e]; }
+  const Crossing& crossing(std::uint32_t id) const { return crossings_[id]; }
+  std::size_t crossing_count() const { return crossings_.size() - free_.size(); }
+
+  const OverlayWork& work() const { return work_; }
+  /// Of the last update or build: faces (operand, face) with another extreme vertex, and crossings that are new. Ids are reused after removal.
+  struct Changes {
+    std::array<std::vector<std::uint32_t>, 2> faces;
+    std::vector<std::uint32_t> crossings;
+  };
+  const Changes& changes() const { return changes_; }
+
+  /// Same extreme vertices, same crossings in the same order along every arc.
+  friend bool operator==(const Overlay& a, const Overlay& b);
+
+ private:
+  void restart();
+  bool climb(int op, std::uint32_t f);
+  void note_change(int op, std::uint32_t f);
+  double walk(int op, std::uint32_t e);
+  void walk_arc(std::uint32_t e);
+  void replace_crossings(std::uint32_t e);
+  std::uint32_t add_crossing(std::uint32_t e, HalfEdge q);
+  void order_along_q();
+  void touch_q(std::uint32_t e);
+
+  Signs signs_;
+  std::array<std::vector<std::uint32_t>, 2> extreme_;
+  std::array<std::vector<std::uint32_t>, 2> head_;
+  std::vector<Crossing> crossings_;
+  std::vector<std::uint32_t> free_;
+  // Certificates: what was checked holds until directions have moved by this angle since the start.
+  double clock_ = 0;
+  std::array<std::vector<double>, 2> vertex_until_;
+  std::vector<double> arc_until_;
+  // Scratch, kept from update to update.
+  std::vector<HalfEdge> walk_;
+  std::vector<std::uint32_t> old_, touched_q_;
+  std::vector<std::uint8_t> is_touched_q_;
+  OverlayWork work_;
+  Changes changes_;
+};
+
+}  // namespace dymsum::spatial

@@ -1,0 +1,269 @@
+#include "spatial/convex/polytope.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <unordered_map>
+
+#include "exact/grid.h"
+
+namespace dymsum::spatial {
+namespace {
+
+using exact::Big;
+
+constexpr std::uint32_t kNone = ~std::uint32_t{0};
+
+void put_on_grid(Polytope& p) {
+  std::vector<double> all;
+  all.reserve(3 * p.at.size());
+  double most = 0;
+  for (const Vec3& v : p.at)
+    for (const double c : {v.x, v.y, v.z}) {
+      all.push_back(c);
+      most = std::max(most, std::abs(c));
+    }
+  p.exponent = exact::common_exponent(all);
+  p.bits = exact::bits_needed(most, p.exponent);
+  if (p.bits <= 61) {
+    const auto on = [&](double c) { return exact::grid_coordinate<exact::Int<61>>(c, p.exponent).raw(); };
+    for (const Vec3& v : p.at) p.grid.push_back({on(v.x), on(v.y), on(v.z)});
+  } else {
+    const auto on = [&](double c) { return exact::grid_coordinate<Big>(c, p.exponent); };
+    for (const Vec3& v : p.at) p.big.push_back({on(v.x), on(v.y), on(v.z)});
+  }
+}
+
+/// The half-edges of a mesh's faces as they stand.
+struct Soup {
+  std::vector<std::uint32_t> origin, face, next, twin;
+};
+
+Soup half_edges(const MeshData& data) {
+  Soup s;
+  std::unordered_map<std::uint64_t, std::uint32_t> seen;
+  for (std::uint32_t f = 0; f < data.faces.size(); ++f) {
+    const Face& face = data.faces[f];
+    const auto first = static_cast<std::uint32_t>(s.origin.size());
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      s.origin.push_back(face[i]);
+      s.face.push_back(f);
+      s.next.push_back(i + 1 < face.size() ? first + static_cast<std::uint32_t>(i) + 1 : first);
+      seen[(std::uint64_t{face[i]} << 32) | face[(i + 1) % face.size()]] = first + static_cast<std::uint32_t>(i);
+    }
+  }
+  s.twin.resize(s.origin.size());
+  for (std::uint32_t h = 0; h < s.origin.size(); ++h) s.twin[h] = seen.at((std::uint64_t{s.origin[s.next[h]]} << 32) | s.origin[h]);
+  return s;
+}
+
+/// A vertex of a face at which its boundary turns: collinear ones give no plane.
+template <class C>
+std::uint32_t corner(const Polytope& p, const Soup& s, std::uint32_t h) {
+  for (std::uint32_t k = h;; k = s.next[k]) {
+    const auto a = p.place<C>(s.origin[k]), b = p.place<C>(s.origin[s.next[k]]), c = p.place<C>(s.origin[s.next[s.next[k]]]);
+    if (exact::leading_sign(exact::cross(b - a, c - b)) != 0) return k;
+    if (s.next[k] == h) return k;
+  }
+}
+
+/// Faces in the same plane get the same group: neighbours are compared, as a convex solid's coplanar faces are connected.
+std::vector<std::uint32_t> coplanar_groups(const Polytope& p, const Soup& s, std::size_t faces, bool merge) {
+  std::vector<std::uint32_t> group(faces), corner_of(faces, kNone);
+  std::iota(group.begin(), group.end(), 0);
+  if (!merge) return group;
+  const auto find = [&](std::uint32_t f) {
+    while (group[f] != f) f = group[f] = group[group[f]];
+    return f;
+  };
+  with_coordinates(p, [&](auto c) {
+    using C = decltype(c);
+    for (std::uint32_t h = 0; h < s.origin.size(); ++h)
+      if (corner_of[s.face[h]] == kNone) corner_of[s.face[h]] = corner<C>(p, s, h);
+    for (std::uint32_t h = 0; h < s.origin.size(); ++h) {
+      if (h > s.twin[h]) continue;
+      const std::uint32_t k = corner_of[s.face[h]];
+      const auto a = p.place<C>(s.origin[k]), b = p.place<C>(s.origin[s.next[k]]), d = p.place<C>(s.origin[s.next[s.next[k]]]);
+      const auto n = exact::cross(b - a, d - b);
+      bool flat = true;  // all of the neighbour's vertices lie in the plane
+      std::uint32_t q = s.twin[h];
+      do {
+        flat = sign(exact::dot(n, p.place<C>(s.origin[q]) - a)) == 0;
+        q = s.next[q];
+      } while (flat && q != s.twin[h]);
+      if (!flat) continue;
+      const std::uint32_t f = find(s.face[h]), g = find(s.face[s.twin[h]]);
+      group[std::max(f, g)] = std::min(f, g);
+    }
+    return 0;
+  });
+  for (std::uint32_t f = 0; f < faces; ++f) group[f] = find(f);
+  return group;
+}
+
+/// Half-edges between different groups whose origins are true vertices, joined over flat vertices.
+class Merging {
+ public:
+  Merging(const Soup& soup, const std::vector<std::uint32_t>& group, std::size_t vertices) : s_(soup), group_(group), degree_(vertices, 0) {
+    for (std::uint32_t h = 0; h < s_.origin.size(); ++h)
+      if (border(h)) ++degree_[s_.origin[h]];
+  }
+  bool is_vertex(std::uint32_t v) const { return degree_[v] >= 3; }
+  /// Borders that leave a true vertex start the edges of the merged solid.
+  bool starts(std::uint32_t h) const { return border(h) && is_vertex(s_.origin[h]); }
+  /// The next border of the same group, after h.
+  std::uint32_t following(std::uint32_t h) const {
+    h = s_.next[h];
+    while (!border(h)) h = s_.next[s_.twin[h]];
+    return h;
+  }
+  /// The last border of the straight edge that h starts.
+  std::uint32_t end(std::uint32_t h) const {
+    for (std::uint32_t k = following(h); !is_vertex(s_.origin[k]); k = following(k)) h = k;
+    return h;
+  }
+
+ private:
+  bool border(std::uint32_t h) const { return group_[s_.face[h]] != group_[s_.face[s_.twin[h]]]; }
+  const Soup& s_;
+  const std::vector<std::uint32_t>& group_;
+  std::vector<std::uint32_t> degree_;
+};
+
+struct Numbering {
+  std::vector<std::uint32_t> vertex, half_edge, face;  // of the soup, kNone where dropped
+};
+
+Numbering number(Polytope& p, const Soup& s, const Merging& merging, const std::vector<std::uint32_t>& group, const Polytope& all) {
+  Numbering to{std::vector<std::uint32_t>(all.at.size(), kNone), std::vector<std::uint32_t>(s.origin.size(), kNone),
+               std::vector<std::uint32_t>(group.size(), kNone)};
+  for (std::uint32_t v = 0; v < all.at.size(); ++v) {
+    if (!merging.is_vertex(v)) continue;
+    to.vertex[v] = p.vertex_count();
+    p.at.push_back(all.at[v]);
+    if (all.big.empty()) {
+      p.grid.push_back(all.grid[v]);
+    } else {
+      p.big.push_back(all.big[v]);
+    }
+    p.source_vertex.push_back(v);
+  }
+  for (std::uint32_t f = 0; f < group.size(); ++f) {
+    if (group[f] != f) continue;
+    to.face[f] = static_cast<std::uint32_t>(p.source_face.size());
+    p.source_face.push_back(f);
+  }
+  HalfEdge made = 0;
+  for (std::uint32_t h = 0; h < s.origin.size(); ++h) {
+    if (!merging.starts(h) || to.half_edge[h] != kNone) continue;
+    to.half_edge[h] = made;
+    to.half_edge[s.twin[merging.end(h)]] = made + 1;
+    made += 2;
+  }
+  return to;
+}
+
+void link(Polytope& p, const Soup& s, const Merging& merging, const std::vector<std::uint32_t>& group, const Numbering& to, std::uint32_t edges) {
+  p.origin.resize(2 * edges);
+  p.face.resize(2 * edges);
+  p.next.resize(2 * edges);
+  p.first.assign(p.source_face.size(), kNone);
+  for (std::uint32_t h = 0; h < s.origin.size(); ++h) {
+    const HalfEdge k = to.half_edge[h];
+    if (k == kNone) continue;
+    p.origin[k] = to.vertex[s.origin[h]];
+    p.face[k] = to.face[group[s.face[h]]];
+    p.next[k] = to.half_edge[merging.following(merging.end(h))];
+    if (p.first[p.face[k]] == kNone) p.first[p.face[k]] = k;
+  }
+}
+
+void make_rings(Polytope& p) {
+  std::vector<HalfEdge> previous(p.next.size());
+  for (HalfEdge h = 0; h < p.next.size(); ++h) previous[p.next[h]] = h;
+  std::vector<HalfEdge> some(p.at.size(), kNone);
+  for (HalfEdge h = 0; h < p.next.size(); ++h)
+    if (some[p.origin[h]] == kNone) some[p.origin[h]] = h;
+  for (std::uint32_t v = 0; v < p.vertex_count(); ++v) {
+    p.ring_start.push_back(static_cast<std::uint32_t>(p.ring.size()));
+    HalfEdge h = some[v];
+    do {
+      p.ring.push_back(h);
+      h = twin(previous[h]);
+    } while (h != some[v]);
+  }
+  p.ring_start.push_back(static_cast<std::uint32_t>(p.ring.size()));
+}
+
+/// The unit vector of an exact one. Components are rounded once each (2^-52), their scaling to a common power of two is exact, and the
+/// length has relative error below 2^-51: together below 2^-50.
+template <class T>
+Vec3 unit(const exact::Vector3<T>& v) {
+  Vec3 d;
+  if constexpr (std::is_same_v<T, Big>) {
+    int top = 0;
+    for (const Big* c : {&v.x, &v.y, &v.z})
+      if (sign(*c) != 0) top = std::max(top, static_cast<int>(msb(boost::multiprecision::abs(c->value()))));
+    const auto small = [&](const Big& c) {
+      const exact::BigInteger m = boost::multiprecision::abs(c.value());
+      const int drop = std::max(0, top - 120);  // what is cut is below 2^-120 of the largest component
+      return to_double(Big(exact::BigInteger(m >> drop))) * (sign(c) < 0 ? -1.0 : 1.0);
+    };
+    d = {small(v.x), small(v.y), small(v.z)};
+  } else {
+    d = {to_double(v.x), to_double(v.y), to_double(v.z)};
+  }
+  const double most = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+  const double s = exact::power_of_two(-std::ilogb(most));
+  d = s * d;
+  return (1 / length(d)) * d;
+}
+
+void make_units(Polytope& p, std::uint32_t edges) {
+  with_coordinates(p, [&](auto c) {
+    using C = decltype(c);
+    p.direction.resize(edges);
+    for (std::uint32_t e = 0; e < edges; ++e) p.direction[e] = unit(p.edge_vector<C>(2 * e));
+    p.normal.resize(p.first.size());
+    for (std::uint32_t f = 0; f < p.first.size(); ++f) p.normal[f] = unit(p.normal_vector<C>(f));
+    return 0;
+  });
+}
+
+void measure(Polytope& p) {
+  const Vec3 centre = p.at[0];
+  for (std::uint32_t f = 0; f < p.face_count(); ++f) {
+    const Vec3 a = p.at[p.origin[p.first[f]]];
+    Vec3 twice;
+    for (HalfEdge h = p.next[p.first[f]]; p.next[h] != p.first[f]; h = p.next[h])
+      twice = twice + cross(p.at[p.origin[h]] - a, p.at[p.target(h)] - a);
+    p.area.push_back(0.5 * twice);
+    p.volume += dot(p.area.back(), a - centre) / 3;
+  }
+}
+
+}  // namespace
+
+Result<Polytope> make_polytope(const Mesh& mesh, bool merge) {
+  if (std::optional<Error> error = convexity_error(mesh)) return std::move(*error);
+  const MeshData& data = mesh.data();
+  Polytope all;
+  for (const Point3& v : data.vertices) all.at.push_back({v.x, v.y, v.z});
+  put_on_grid(all);
+  const Soup soup = half_edges(data);
+  const std::vector<std::uint32_t> group = coplanar_groups(all, soup, data.faces.size(), merge);
+  const Merging merging(soup, group, data.vertices.size());
+
+  Polytope p;
+  p.bits = all.bits;
+  p.exponent = all.exponent;
+  const Numbering to = number(p, soup, merging, group, all);
+  const auto edges = static_cast<std::uint32_t>(std::count_if(to.half_edge.begin(), to.half_edge.end(), [](std::uint32_t h) { return h != kNone; }) / 2);
+  link(p, soup, merging, group, to, edges);
+  make_rings(p);
+  make_units(p, edges);
+  measure(p);
+  return p;
+}
+
+}  // namespace dymsum::spatial

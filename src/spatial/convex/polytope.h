@@ -1,0 +1,86 @@
+// A convex solid as the engine sees it: integers on its own grid, half-edges, unit normals and directions.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "dymsum/mesh.h"
+#include "dymsum/result.h"
+#include "exact/big.h"
+#include "exact/vector3.h"
+#include "spatial/convex/vec3.h"
+
+namespace dymsum::spatial {
+
+/// Half-edge 2e runs along edge e from its first vertex to its second, 2e + 1 back. The face on the left of a half-edge, seen from outside,
+/// is its face.
+using HalfEdge = std::uint32_t;
+constexpr HalfEdge twin(HalfEdge h) { return h ^ 1; }
+
+/// Only true vertices, edges and faces, unless it was made without merging: then flat edges and vertices stay.
+struct Polytope {
+  // Vertices.
+  std::vector<Vec3> at;                              // as given, exact
+  std::vector<std::array<std::int64_t, 3>> grid;     // on the grid, when bits <= 61
+  std::vector<exact::Vector3<exact::Big>> big;       // on the grid, otherwise
+  std::vector<std::uint32_t> source_vertex;          // number in the mesh it was made from
+  std::vector<std::uint32_t> ring_start;             // of each vertex, into ring; one more at the end
+  std::vector<HalfEdge> ring;                        // half-edges that leave a vertex, counter-clockwise seen from outside
+  // Half-edges.
+  std::vector<std::uint32_t> origin, face;
+  std::vector<HalfEdge> next;                        // in the face
+  // Edges and faces.
+  std::vector<Vec3> direction;                       // unit vector of each edge, error below 2^-50
+  std::vector<Vec3> normal;                          // outward unit vector of each face, error below 2^-50
+  std::vector<Vec3> area;                            // outward area vector of each face, rounded
+  std::vector<HalfEdge> first;                       // a half-edge of each face at a strictly convex corner
+  std::vector<std::uint32_t> source_face;            // the smallest number of the mesh's faces that it was merged from
+  double volume = 0;                                 // rounded
+  int bits = 0;                                      // |grid| <= 2^bits
+  int exponent = 0;                                  // grid unit 2^exponent
+
+  std::uint32_t vertex_count() const { return static_cast<std::uint32_t>(at.size()); }
+  std::uint32_t edge_count() const { return static_cast<std::uint32_t>(direction.size()); }
+  std::uint32_t face_count() const { return static_cast<std::uint32_t>(normal.size()); }
+  std::uint32_t target(HalfEdge h) const { return origin[twin(h)]; }
+  std::span<const HalfEdge> leaving(std::uint32_t v) const { return {ring.data() + ring_start[v], ring.data() + ring_start[v + 1]}; }
+  /// The unit vector along a half-edge.
+  Vec3 along(HalfEdge h) const { return (h & 1) ? -direction[h / 2] : direction[h / 2]; }
+
+  /// Coordinates of a vertex as a C. Requires that they fit.
+  template <class C>
+  exact::Vector3<C> place(std::uint32_t v) const {
+    if constexpr (std::is_same_v<C, exact::Big>) {
+      if (!big.empty()) return big[v];
+      return {C::from_int64(grid[v][0]), C::from_int64(grid[v][1]), C::from_int64(grid[v][2])};
+    } else {
+      return {C::from_int64(grid[v][0]), C::from_int64(grid[v][1]), C::from_int64(grid[v][2])};
+    }
+  }
+  template <class C>
+  auto edge_vector(HalfEdge h) const {
+    return place<C>(target(h)) - place<C>(origin[h]);
+  }
+  /// An outward normal of a face: the cross product of two consecutive edges.
+  template <class C>
+  auto normal_vector(std::uint32_t f) const {
+    const HalfEdge h = first[f];
+    return exact::cross(edge_vector<C>(h), edge_vector<C>(next[h]));
+  }
+};
+
+/// Calls f with a value of the narrowest coordinate type (Int<26>, Int<61> or Big) that holds the polytope's.
+template <class F>
+auto with_coordinates(const Polytope& p, F&& f) {
+  if (p.bits <= 26) return f(exact::Int<26>{});
+  if (p.bits <= 61) return f(exact::Int<61>{});
+  return f(exact::Big{});
+}
+
+/// The polytope of a convex mesh: coplanar faces merged, flat vertices dropped, or (merge = false) everything as it stands, which must then
+/// have triangles only. Errors: not_convex, no_area for the empty mesh.
+Result<Polytope> make_polytope(const Mesh& mesh, bool merge = true);
+
+}  // namespace dymsum::spatial

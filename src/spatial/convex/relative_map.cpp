@@ -1,0 +1,133 @@
+#include "spatial/convex/relative_map.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dymsum::spatial {
+namespace {
+
+using exact::Big;
+using exact::BigInteger;
+using exact::i128;
+
+/// N of a quaternion whose components are at most 2^62: entries at most 4 2^124.
+std::array<i128, 9> rotation_matrix(i128 w, i128 x, i128 y, i128 z) {
+  return {w * w + x * x - y * y - z * z, 2 * (x * y - w * z),           2 * (x * z + w * y),
+          2 * (x * y + w * z),           w * w - x * x + y * y - z * z, 2 * (y * z - w * x),
+          2 * (x * z - w * y),           2 * (y * z + w * x),           w * w - x * x - y * y + z * z};
+}
+
+/// Three numbers over one denominator as integers without common divisor: num[k] times the other two denominators.
+std::array<BigInteger, 3> over_one_denominator(const std::array<BigInteger, 3>& num, const std::array<BigInteger, 3>& den) {
+  std::array<BigInteger, 3> v{num[0] * den[1] * den[2], num[1] * den[0] * den[2], num[2] * den[0] * den[1]};
+  const BigInteger d = gcd(gcd(v[0], v[1]), v[2]);
+  for (BigInteger& c : v) c /= d;
+  return v;
+}
+
+double frobenius(const Mat3& m) { return std::sqrt(dot(m[0], m[0]) + dot(m[1], m[1]) + dot(m[2], m[2])); }
+
+}  // namespace
+
+PoseFactors PoseFactors::of(const SolidPose& pose) {
+  PoseFactors f;
+  f.rotation = pose.rotation;
+  for (int k = 0; k < 3; ++k) {
+    if (pose.scale[k] == Scale()) continue;
+    f.scaled = true;
+    f.num[k] = BigInteger(pose.scale[k].exact().num);
+    f.den[k] = BigInteger(pose.scale[k].exact().den);
+  }
+  return f;
+}
+
+RelativeMap::RelativeMap(const PoseFactors& p, const PoseFactors& q) {
+  set_rotation(p.rotation, q.rotation);
+  if (p.scaled || q.scaled) set_scaled(p, q);
+  approximate();
+}
+
+// R = R_P^-1 R_Q by the product of quaternions, without reduction: 2^30 2^30 4 = 2^62.
+void RelativeMap::set_rotation(const Rotation& p, const Rotation& q) {
+  const auto [aw, ax, ay, az] = p.quaternion();
+  const auto [bw, bx, by, bz] = q.quaternion();
+  if (q == Rotation() || p == Rotation()) {
+    bits_ = 62;
+    fixed_[0] = q == Rotation() ? rotation_matrix(aw, -ax, -ay, -az) : rotation_matrix(bw, bx, by, bz);
+  } else {
+    bits_ = 126;
+    fixed_[0] = rotation_matrix(aw * bw + ax * bx + ay * by + az * bz, aw * bx - ax * bw - ay * bz + az * by,
+                                aw * by + ax * bz - ay * bw - az * bx, aw * bz - ax * by + ay * bx - az * bw);
+  }
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 3; ++c) fixed_[1][3 * c + r] = fixed_[0][3 * r + c];
+}
+
+// D_P^-1 R D_Q and D_Q^-1 R^T D_P, each with positive factors that make integers of them.
+void RelativeMap::set_scaled(const PoseFactors& p, const PoseFactors& q) {
+  const std::array<std::array<BigInteger, 3>, 2> left{over_one_denominator(p.den, p.num), over_one_denominator(q.den, q.num)};
+  const std::array<std::array<BigInteger, 3>, 2> right{over_one_denominator(q.num, q.den), over_one_denominator(p.num, p.den)};
+  unsigned most = 0;
+  for (int index = 0; index < 2; ++index)
+    for (int k = 0; k < 9; ++k) {
+      const BigInteger v = exact::to_big(fixed_[index][k]).value() * left[index][k / 3] * right[index][k % 3];
+      if (v != 0) most = std::max(most, static_cast<unsigned>(msb(BigInteger(abs(v)))) + 1);
+      big_[index][k] = Big(v);
+    }
+  bits_ = most <= 62 ? 62 : most <= 126 ? 126 : static_cast<int>(most);
+  if (bits_ > 126) return;
+  for (int index = 0; index < 2; ++index)
+    for (int k = 0; k < 9; ++k) fixed_[index][k] = exact::narrowed<exact::Int<126>>(big_[index][k]).raw();
+}
+
+void RelativeMap::approximate() {
+  for (int index = 0; index < 2; ++index) {
+    int top = 0;
+    std::array<double, 9> d;
+    if (bits_ <= 126) {
+      double most = 0;
+      for (int k = 0; k < 9; ++k) {
+        d[k] = to_double(exact::Int<126>::from_raw(fixed_[index][k]));
+        most = std::max(most, std::abs(d[k]));
+      }
+      top = std::ilogb(most);
+      for (double& v : d) v *= exact::power_of_two(-top);
+    } else {
+      for (int k = 0; k < 9; ++k)
+        if (sign(big_[index][k]) != 0) top = std::max(top, static_cast<int>(msb(BigInteger(abs(big_[index][k].value())))));
+      // 2^-top of a number of up to thousands of bits, rounded once.
+      const exact::BigRational unit(BigInteger(1), BigInteger(1) << static_cast<unsigned>(top));
+      for (int k = 0; k < 9; ++k) d[k] = exact::round_to_double(exact::BigRational(big_[index][k].value()) * unit);
+    }
+    approx_[index] = {Vec3{d[0], d[1], d[2]}, Vec3{d[3], d[4], d[5]}, Vec3{d[6], d[7], d[8]}};
+    norm_[index] = spectral_bound(approx_[index]);
+    // Three factors with relative errors 2^-50, 2^-52, 2^-50, and at most 6 roundings of 2^-53: below 2^-48 of sum |u_i m_ij v_j|, which is at
+    // most the Frobenius norm.
+    error_[index] = 0x1p-48 * frobenius(approx_[index]);
+  }
+}
+
+double spectral_bound(const Mat3& m) {
+  const Mat3 s = transposed(m) * m, s2 = s * s, s4 = s2 * s2;
+  return std::pow(frobenius(s4), 0.125) * (1 + 0x1p-40);
+}
+
+// Directions of Q's edges, seen from P, move by T = L L_before^-1 (up to a factor), normals by T^-T. On the straight path I + t E from the
+// identity to T, E = T - I, a vector v is at most |E v| away from where it started, so it has turned by at most asin |E|; the inverse of
+// I + t E differs from I by at most |E| / (1 - |E|). The sine of the angle bounds both.
+double RelativeMap::angle_from(const RelativeMap& before) const {
+  constexpr double kLarge = 4;
+  Mat3 t = approx_[0] * before.approx_[1];
+  const double trace = t[0].x + t[1].y + t[2].z;
+  if (!(trace > 0)) return kLarge;
+  const double c = 3 / trace;
+  for (int r = 0; r < 3; ++r) t[r] = c * t[r];
+  t[0].x -= 1;
+  t[1].y -= 1;
+  t[2].z -= 1;
+  const double e = spectral_bound(t) + 0x1p-47 * c * norm_[0] * before.norm_[1];
+  if (!(e < 0.4)) return kLarge;
+  return std::asin(e / (1 - e)) * (1 + 0x1p-40);
+}
+
+}  // namespace dymsum::spatial

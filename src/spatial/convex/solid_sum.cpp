@@ -1,0 +1,105 @@
+// Positions and measures of an assembled sum.
+#include <cmath>
+
+#include "spatial/convex/exact_places.h"
+#include "spatial/convex/place_sum.h"
+#include "spatial/convex/vec3.h"
+
+namespace dymsum {
+namespace {
+
+using exact::BigInteger;
+using exact::BigRational;
+using spatial::BigVector;
+using spatial::ExactPlaces;
+using spatial::Vec3;
+
+/// The numerators of all vertices.
+std::vector<BigVector> numerators(const SolidSum& sum, const ExactPlaces& places) {
+  std::array<std::vector<BigVector>, 2> table;
+  std::array<std::vector<bool>, 2> known;
+  for (int op = 0; op < 2; ++op) {
+    table[op].resize(sum.source->vertices[op].size());
+    known[op].resize(table[op].size());
+  }
+  const auto at = [&](int op, std::uint32_t v) -> const BigVector& {
+    if (!known[op][v]) table[op][v] = places.of(op, v);
+    known[op][v] = true;
+    return table[op][v];
+  };
+  std::vector<BigVector> all;
+  all.reserve(sum.vertices.size());
+  for (const SolidSum::Vertex& v : sum.vertices) {
+    const BigVector &a = at(0, v.p), &b = at(1, v.q);
+    all.push_back({a[0] + b[0], a[1] + b[1], a[2] + b[2]});
+  }
+  return all;
+}
+
+BigInteger determinant(const BigVector& a, const BigVector& b, const BigVector& c) {
+  return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+}
+
+BigRational volume_of(const SolidSum& sum) {
+  if (sum.vertices.empty()) return 0;
+  const ExactPlaces places(*sum.source, sum.p_pose, sum.q_pose);
+  const std::vector<BigVector> at = numerators(sum, places);
+  BigInteger six = 0;
+  for (const SolidFacet& f : sum.facets)
+    for (std::size_t i = 1; i + 1 < f.vertices.size(); ++i)
+      six += determinant(at[f.vertices[0]], at[f.vertices[i]], at[f.vertices[i + 1]]);
+  return BigRational(six) * places.unit() * places.unit() * places.unit() / 6;
+}
+
+}  // namespace
+
+namespace spatial {
+
+void place_sum(SolidSum& sum) {
+  const ExactPlaces places(*sum.source, sum.p_pose, sum.q_pose);
+  const std::vector<BigVector> all = numerators(sum, places);
+  sum.at.clear();
+  for (const BigVector& v : all) {
+    const auto rounded = [&](const BigInteger& c) { return exact::round_to_double(BigRational(c) * places.unit()); };
+    sum.at.push_back({rounded(v[0]), rounded(v[1]), rounded(v[2])});
+  }
+}
+
+}  // namespace spatial
+
+RationalPoint3 SolidSum::exact(std::size_t vertex) const {
+  const ExactPlaces places(*source, p_pose, q_pose);
+  const BigVector a = places.of(0, vertices.at(vertex).p), b = places.of(1, vertices.at(vertex).q);
+  const auto value = [&](int k) { return exact::to_rational(BigRational(BigInteger(a[k] + b[k])) * places.unit()); };
+  return {value(0), value(1), value(2)};
+}
+
+MeshData SolidSum::rounded_data() const {
+  MeshData data;
+  data.vertices = at;
+  for (const SolidFacet& f : facets) data.faces.push_back(f.vertices);
+  return data;
+}
+
+std::size_t SolidSum::edge_count() const {
+  std::size_t halves = 0;
+  for (const SolidFacet& f : facets) halves += f.vertices.size();
+  return halves / 2;
+}
+
+Rational SolidSum::volume_exact() const { return exact::to_rational(volume_of(*this)); }
+double SolidSum::volume() const { return exact::round_to_double(volume_of(*this)); }
+
+double SolidSum::area() const {
+  double twice = 0;
+  const auto vec = [&](std::uint32_t v) { return Vec3{at[v].x, at[v].y, at[v].z}; };
+  for (const SolidFacet& f : facets) {
+    Vec3 total;
+    for (std::size_t i = 1; i + 1 < f.vertices.size(); ++i)
+      total = total + cross(vec(f.vertices[i]) - vec(f.vertices[0]), vec(f.vertices[i + 1]) - vec(f.vertices[0]));
+    twice += length(total);
+  }
+  return twice / 2;
+}
+
+}  // namespace dymsum
