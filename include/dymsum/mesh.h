@@ -30,17 +30,17 @@ struct MeshData {
 
 /// A valid mesh. Coordinates are doubles taken at face value: no snapping, no tolerance.
 ///
-/// Valid means, exactly: all coordinates finite; every vertex used and no two at the same place; every face has at least three different
-/// vertices in one plane, and area; every edge has exactly two faces, which run through it in opposite directions; the faces around a
+/// Valid means, exactly: all coordinates finite; every vertex used and no two at the same place; every face is a polygon of at least three
+/// vertices in one plane that does not cross or touch itself; every edge has exactly two faces, which run through it in opposite directions; the faces around a
 /// vertex form one fan; every shell encloses positive volume. Not checked: that faces which share no vertex stay apart (a convex mesh is
 /// checked to be convex, which implies it).
 class Mesh {
  public:
   Mesh() = default;  ///< the empty mesh
 
-  /// Validates `data`. Errors: not_finite, bad_index, too_few_vertices, repeated_vertex, no_area, not_planar, not_closed, not_manifold,
-  /// wrong_orientation (two faces run through an edge in the same direction, or a shell is inside out), each with face, vertex (and the other
-  /// ones) and a place. Cost: O(n log n).
+  /// Validates `data`. Errors: not_finite, bad_index (also for a vertex without a face), too_few_vertices, repeated_vertex, no_area (of a face,
+  /// or a shell without volume), not_planar, self_crossing, not_closed, not_manifold, wrong_orientation (two faces run through an edge in the
+  /// same direction, or a shell is inside out), each with face, vertex (and the other ones) and a place. Cost: O(n log n).
   static Result<Mesh> create(MeshData data);
 
   const MeshData& data() const { return data_; }

@@ -1,0 +1,16 @@
+// The merging of coplanar faces behind Mesh::canonical.
+#pragma once
+
+#include "dymsum/mesh.h"
+
+namespace dymsum::spatial {
+
+/// The canonical form of a valid surface, before it is known whether merging kept it valid. It always is for convex
+/// solids. Exact. O(n log n).
+MeshData merged_and_sorted(const MeshData& data);
+
+/// Vertices and faces as they are, in canonical order: vertices by x, y, z, faces from their smallest vertex, sorted;
+/// vertices without a face dropped, no negative zeros.
+MeshData sorted(const std::vector<Point3>& vertices, std::vector<Face> faces);
+
+}  // namespace dymsum::spatial
