@@ -75,7 +75,9 @@ TEST(ConvexMotion, scaling_and_rotation_together) {
       }
       moving.set(a, b);
       expect_as_rebuilt(moving, "seed " + std::to_string(seed) + " pair " + std::to_string(pair) + " move " + std::to_string(k));
-      if (k % 20 == 0) EXPECT_EQ(moving.sum().volume_exact(), moving.volume_exact());
+      if (k % 20 == 0) {
+        EXPECT_EQ(moving.sum().volume_exact(), moving.volume_exact());
+      }
     }
   }
 }

@@ -6,10 +6,12 @@
 #include <limits>
 #include <random>
 
+#include "exact/int.h"
+
 namespace dymsum::test {
 namespace {
 
-using I = __int128;
+using I = exact::i128;
 
 TEST(Rotation, matrices_are_exactly_orthogonal_at_the_largest_components) {
   const std::int64_t m = std::int64_t{1} << Rotation::kBits;

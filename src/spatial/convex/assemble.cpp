@@ -110,8 +110,8 @@ void number(const Overlay& overlay, std::vector<Draft>& drafts, SolidSum& sum) {
 SolidFeature vertex_feature(const Polytope& p, std::uint32_t v) { return {SolidFeature::Kind::vertex, p.source_vertex[v], 0}; }
 
 SolidFeature edge_feature(const Polytope& p, std::uint32_t a, std::uint32_t b) {
-  const auto [low, high] = std::minmax(p.source_vertex[a], p.source_vertex[b]);
-  return {SolidFeature::Kind::edge, low, high};
+  const std::uint32_t from = p.source_vertex[a], to = p.source_vertex[b];
+  return {SolidFeature::Kind::edge, std::min(from, to), std::max(from, to)};
 }
 
 SolidFeature face_feature(const Polytope& p, std::uint32_t f) { return {SolidFeature::Kind::face, p.source_face[f], 0}; }
