@@ -108,8 +108,9 @@ struct ConvexDepth {
 /// computation, always. Thread-compatible.
 class ConvexSum {
  public:
-  /// At the identity. Errors as convex_sum.
-  static Result<ConvexSum> create(const Mesh& p, const Mesh& q);
+  /// At the identity. Errors as convex_sum. With merge = false flat edges and vertices stay features of their own, as in the thesis: slower, with the
+  /// same sums; faces have to be triangles then (else unsupported_operand).
+  static Result<ConvexSum> create(const Mesh& p, const Mesh& q, bool merge = true);
 
   ConvexSum(const ConvexSum&);  ///< an independent copy
   ConvexSum& operator=(const ConvexSum&);

@@ -25,8 +25,8 @@ ConvexSum::ConvexSum(ConvexSum&&) noexcept = default;
 ConvexSum& ConvexSum::operator=(ConvexSum&&) noexcept = default;
 ConvexSum::~ConvexSum() = default;
 
-Result<ConvexSum> ConvexSum::create(const Mesh& p, const Mesh& q) {
-  Result<Polytope> a = spatial::make_polytope(p), b = spatial::make_polytope(q);
+Result<ConvexSum> ConvexSum::create(const Mesh& p, const Mesh& q, bool merge) {
+  Result<Polytope> a = spatial::make_polytope(p, merge), b = spatial::make_polytope(q, merge);
   if (!a) return a.error();
   if (!b) return b.error();
   auto source = std::make_shared<SolidSum::Source>();

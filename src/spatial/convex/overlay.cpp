@@ -1,6 +1,7 @@
 #include "spatial/convex/overlay.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -9,6 +10,17 @@ namespace {
 
 constexpr double kForever = std::numeric_limits<double>::infinity();
 constexpr double kNever = -kForever;
+
+/// The numbers of the certificates that have ended.
+void find_expired(const std::vector<double>& until, double clock, std::vector<std::uint32_t>& expired) {
+  expired.resize(until.size());
+  std::size_t n = 0;
+  for (std::uint32_t i = 0; i < until.size(); ++i) {
+    expired[n] = i;
+    n += until[i] <= clock;
+  }
+  expired.resize(n);
+}
 
 }  // namespace
 
@@ -22,81 +34,102 @@ Overlay::Overlay(const Polytope& p, const Polytope& q) : signs_(p, q) {
   is_touched_q_.assign(q.edge_count(), 0);
 }
 
+/// Doubles cannot tell whether an edge rises: any that does will do. The vertex it leads to, or v itself, which is then extreme.
+std::uint32_t Overlay::step_near_zero(int op, std::uint32_t f, std::uint32_t v) {
+  for (const HalfEdge h : poly(1 - op).leaving(v))
+    if (signs_.value(op, f, h) >= -signs_.error(op) && signs_.sign(op, f, h) > 0) return poly(1 - op).target(h);
+  return v;
+}
+
 /// Walks from the vertex known so far to the extreme one: every step is along an edge that rises, so none is taken twice. True when it moved.
 bool Overlay::climb(int op, std::uint32_t f) {
   const Polytope& other = poly(1 - op);
   const double error = signs_.error(op);
+  const Vec3 row = signs_.row(op, f);
   const std::uint32_t before = extreme_[op][f];
-  std::uint32_t v = before;
-  for (;;) {
-    double most = -kForever;
-    HalfEdge best = 0;
-    for (const HalfEdge h : other.leaving(v)) {
-      const double value = signs_.value(op, f, h);
-      if (value > most) {
-        most = value;
-        best = h;
-      }
+  for (std::uint32_t v = before;; ++work_.steps) {
+    double most = kNever;
+    std::uint32_t best = 0;
+    for (std::uint32_t k = other.ring_start[v], end = other.ring_start[v + 1]; k < end; ++k) {
+      const double value = dot(row, other.ring_direction[k]);
+      best = value > most ? k : best;
+      most = value > most ? value : most;
     }
-    if (most >= -error && most <= error) {
-      // Doubles cannot tell: any rising edge will do, and without one the vertex is extreme, for this very moment.
-      bool rises = false;
-      for (const HalfEdge h : other.leaving(v)) {
-        if (signs_.value(op, f, h) < -error || signs_.sign(op, f, h) < 0) continue;
-        best = h;
-        rises = true;
-        break;
-      }
-      if (!rises) {
-        vertex_until_[op][f] = clock_;
-        break;
-      }
-    } else if (most < 0) {
+    if (most < -error) {
       vertex_until_[op][f] = clock_ + signs_.margin(op, most);
-      break;
+      extreme_[op][f] = v;
+      return v != before;
     }
-    v = other.target(best);
-    ++work_.steps;
+    std::uint32_t to = other.target(other.ring[best]);
+    if (most <= error) to = step_near_zero(op, f, v);
+    if (to == v) {
+      vertex_until_[op][f] = clock_;  // extreme, but at this very moment only
+      extreme_[op][f] = v;
+      return v != before;
+    }
+    v = to;
   }
-  extreme_[op][f] = v;
-  return v != before;
+}
+
+/// The arc of edge e, which enters the cell of vertex v of the other operand and does not end there, leaves it across the arc of the half-edge from v
+/// whose left face lies on the left of e's circle and whose right face lies on its right: the circle crosses the border of a convex cell once
+/// outwards. Its slot in the ring.
+std::uint32_t Overlay::leaving_slot(int op, std::uint32_t e, std::uint32_t v) const {
+  const Polytope& other = poly(1 - op);
+  const Vec3 along = poly(op).direction[e];
+  const double error = signs_.error(1 - op);
+  const auto on_left = [&](std::uint32_t slot) {
+    const std::uint32_t g = other.ring_face[slot];
+    const double value = dot(signs_.row(1 - op, g), along);
+    if (value > error) return true;
+    if (value < -error) return false;
+    return signs_.sign(1 - op, g, 2 * e) > 0;
+  };
+  const std::uint32_t begin = other.ring_start[v], end = other.ring_start[v + 1];
+  // The face on the right of a half-edge is the face on the left of the one before it in the ring.
+  bool right = on_left(end - 1);
+  for (std::uint32_t k = begin; k < end; ++k) {
+    const bool left = on_left(k);
+    if (left && !right) return k;
+    right = left;
+  }
+  throw std::logic_error("Overlay: an arc does not leave a cell that it enters");
 }
 
 /// The half-edges of the other operand that the arc of edge e crosses, from its left face to its right one, into walk_. Returns the margin of
 /// all the signs that make it so.
-///
-/// The arc leaves the cell of a vertex v across the arc of the half-edge h from v whose left face lies on the left of e's circle and whose right
-/// face lies on its right: the circle crosses the border of a convex cell once outwards.
 double Overlay::walk(int op, std::uint32_t e) {
   const Polytope& other = poly(1 - op);
   const std::uint32_t left = poly(op).face[2 * e], right = poly(op).face[2 * e + 1];
   const std::uint32_t end = extreme_[op][right];
-  double margin = kForever;
+  double mine = kForever, theirs = kForever;
   walk_.clear();
-  for (std::uint32_t v = extreme_[op][left]; v != end;) {
-    const std::span<const HalfEdge> ring = other.leaving(v);
-    // The face on the right of a half-edge is the face on the left of the one before it in the ring.
-    bool right_is_left = signs_.sign(1 - op, other.face[ring.back()], 2 * e) > 0;
-    HalfEdge exit = 0;
-    bool found = false;
-    for (const HalfEdge h : ring) {
-      const bool left_is_left = signs_.sign(1 - op, other.face[h], 2 * e) > 0;
-      if (left_is_left && !right_is_left) {
-        exit = h;
-        found = true;
-        break;
-      }
-      right_is_left = left_is_left;
-    }
-    if (!found || walk_.size() > other.edge_count()) throw std::logic_error("Overlay::walk: an arc does not leave a cell that it enters");
-    margin = std::min({margin, signs_.margin(1 - op, signs_.value(1 - op, other.face[exit], 2 * e)),
-                       signs_.margin(1 - op, signs_.value(1 - op, other.face[twin(exit)], 2 * e)),
-                       signs_.margin(op, signs_.value(op, left, exit)), signs_.margin(op, signs_.value(op, right, exit))});
+  for (std::uint32_t v = extreme_[op][left]; v != end; ++work_.steps) {
+    const HalfEdge exit = other.ring[leaving_slot(op, e, v)];
+    if (walk_.size() > other.edge_count()) throw std::logic_error("Overlay: an arc does not end");
+    mine = std::min({mine, std::abs(signs_.value(op, left, exit)), std::abs(signs_.value(op, right, exit))});
+    theirs = std::min({theirs, std::abs(signs_.value(1 - op, other.face[exit], 2 * e)), std::abs(signs_.value(1 - op, other.face[twin(exit)], 2 * e))});
     walk_.push_back(exit);
     v = other.target(exit);
-    ++work_.steps;
   }
-  return margin;
+  return std::min(signs_.margin(op, mine), signs_.margin(1 - op, theirs));
+}
+
+/// Whether doubles prove that the arc of edge e of P, whose ends are where they were, has the crossings it had: they join its ends, so none is missing when
+/// all are there. Renews the certificate.
+bool Overlay::holds(std::uint32_t e) {
+  const Polytope &p = poly(0), &q = poly(1);
+  const Vec3 f_left = signs_.row(0, p.face[2 * e]), f_right = signs_.row(0, p.face[2 * e + 1]), along = p.direction[e];
+  double mine = kForever, theirs = kForever;
+  for (std::uint32_t id = head_[0][e]; id != kNoCrossing; id = crossings_[id].next[0]) {
+    const HalfEdge h = crossings_[id].q;
+    const Vec3 d = q.along(h);
+    mine = std::min({mine, -dot(f_left, d), dot(f_right, d)});
+    theirs = std::min({theirs, dot(signs_.row(1, q.face[h]), along), -dot(signs_.row(1, q.face[twin(h)]), along)});
+  }
+  if (!(mine > signs_.error(0) && theirs > signs_.error(1))) return false;
+  arc_until_[e] = clock_ + std::min(signs_.margin(0, mine), signs_.margin(1, theirs));
+  return true;
 }
 
 void Overlay::touch_q(std::uint32_t e) {
@@ -114,7 +147,8 @@ std::uint32_t Overlay::add_crossing(std::uint32_t e, HalfEdge q) {
     id = free_.back();
     free_.pop_back();
   }
-  crossings_[id] = {e, q, {kNoCrossing, kNoCrossing}};
+  crossings_[id] = {e, q, {kNoCrossing, head_[1][q / 2]}};
+  head_[1][q / 2] = id;
   changes_.crossings.push_back(id);
   ++work_.crossings_added;
   touch_q(q / 2);
@@ -147,17 +181,22 @@ void Overlay::replace_crossings(std::uint32_t e) {
     last = id;
   }
   *link = kNoCrossing;
-  for (const std::uint32_t o : old_) {
-    if (o == kNoCrossing) continue;
-    touch_q(crossings_[o].q / 2);
-    free_.push_back(o);
-    ++work_.crossings_removed;
-  }
+  for (const std::uint32_t o : old_)
+    if (o != kNoCrossing) remove_crossing(o);
+}
+
+void Overlay::remove_crossing(std::uint32_t id) {
+  const std::uint32_t e = crossings_[id].q / 2;
+  std::uint32_t* link = &head_[1][e];
+  while (*link != id) link = &crossings_[*link].next[1];
+  *link = crossings_[id].next[1];
+  free_.push_back(id);
+  ++work_.crossings_removed;
+  touch_q(e);
 }
 
 /// Walks the arc of an edge of P and corrects its crossings.
 void Overlay::walk_arc(std::uint32_t e) {
-  ++work_.arc_checks;
   arc_until_[e] = clock_ + walk(0, e);
   std::uint32_t id = head_[0][e];
   for (const HalfEdge q : walk_) {
@@ -173,20 +212,28 @@ void Overlay::walk_arc(std::uint32_t e) {
   replace_crossings(e);
 }
 
-/// The order of crossings along the arcs of Q that gained or lost some, by walking those arcs: this finds the same crossings from the other side.
+/// Puts the crossings along the arcs of Q that gained or lost some in order: each leaves the cell that the one before entered.
 void Overlay::order_along_q() {
+  const Polytope &p = poly(0), &q = poly(1);
   for (const std::uint32_t e : touched_q_) {
     is_touched_q_[e] = 0;
-    walk(1, e);
-    std::uint32_t* link = &head_[1][e];
-    for (const HalfEdge p : walk_) {
-      std::uint32_t id = head_[0][p / 2];
-      while (id != kNoCrossing && crossings_[id].q / 2 != e) id = crossings_[id].next[0];
-      if (id == kNoCrossing) throw std::logic_error("Overlay::order_along_q: the two walks disagree");
-      *link = id;
-      link = &crossings_[id].next[1];
+    std::uint32_t v = extreme_[1][q.face[2 * e]];
+    for (std::uint32_t* link = &head_[1][e]; *link != kNoCrossing; link = &crossings_[*link].next[1]) {
+      // The arc of an edge of P lies between the cells of its ends.
+      std::uint32_t* found = link;
+      const auto touches = [&](std::uint32_t id) { return p.origin[2 * crossings_[id].p] == v || p.target(2 * crossings_[id].p) == v; };
+      while (*found != kNoCrossing && !touches(*found)) found = &crossings_[*found].next[1];
+      if (*found == kNoCrossing) throw std::logic_error("Overlay: the crossings of an arc do not join");
+      if (found != link) {
+        const std::uint32_t id = *found;
+        *found = crossings_[id].next[1];
+        crossings_[id].next[1] = *link;
+        *link = id;
+      }
+      const std::uint32_t edge = crossings_[*link].p;
+      v = p.origin[2 * edge] == v ? p.target(2 * edge) : p.origin[2 * edge];
     }
-    *link = kNoCrossing;
+    if (v != extreme_[1][q.face[2 * e + 1]]) throw std::logic_error("Overlay: the crossings of an arc do not lead to its end");
   }
   touched_q_.clear();
 }
@@ -242,6 +289,7 @@ void Overlay::build(const RelativeMap& map) {
     }
   }
   for (std::uint32_t e = 0; e < poly(0).edge_count(); ++e) walk_arc(e);
+  work_.arc_checks = poly(0).edge_count();
   order_along_q();
   work_.exact_signs = signs_.exact_signs() - exact_before;
 }
@@ -251,14 +299,16 @@ void Overlay::update(const RelativeMap& map, bool use_margins) {
   const std::uint64_t exact_before = signs_.exact_signs();
   clock_ += use_margins ? map.angle_from(signs_.map()) : 4;
   signs_.set(map);
-  for (int op = 0; op < 2; ++op)
-    for (std::uint32_t f = 0; f < poly(op).face_count(); ++f) {
-      if (vertex_until_[op][f] > clock_) continue;
-      ++work_.vertex_checks;
+  for (int op = 0; op < 2; ++op) {
+    find_expired(vertex_until_[op], clock_, expired_);
+    work_.vertex_checks += expired_.size();
+    for (const std::uint32_t f : expired_)
       if (climb(op, f)) note_change(op, f);
-    }
-  for (std::uint32_t e = 0; e < poly(0).edge_count(); ++e)
-    if (arc_until_[e] <= clock_) walk_arc(e);
+  }
+  find_expired(arc_until_, clock_, expired_);
+  work_.arc_checks += expired_.size();
+  for (const std::uint32_t e : expired_)
+    if (arc_until_[e] == kNever || !holds(e)) walk_arc(e);
   order_along_q();
   work_.exact_signs = signs_.exact_signs() - exact_before;
 }

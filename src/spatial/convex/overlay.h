@@ -64,11 +64,15 @@ class Overlay {
  private:
   void restart();
   bool climb(int op, std::uint32_t f);
+  std::uint32_t step_near_zero(int op, std::uint32_t f, std::uint32_t v);
   void note_change(int op, std::uint32_t f);
   double walk(int op, std::uint32_t e);
+  std::uint32_t leaving_slot(int op, std::uint32_t e, std::uint32_t v) const;
+  bool holds(std::uint32_t e);
   void walk_arc(std::uint32_t e);
   void replace_crossings(std::uint32_t e);
   std::uint32_t add_crossing(std::uint32_t e, HalfEdge q);
+  void remove_crossing(std::uint32_t id);
   void order_along_q();
   void touch_q(std::uint32_t e);
 
@@ -83,7 +87,7 @@ class Overlay {
   std::vector<double> arc_until_;
   // Scratch, kept from update to update.
   std::vector<HalfEdge> walk_;
-  std::vector<std::uint32_t> old_, touched_q_;
+  std::vector<std::uint32_t> old_, touched_q_, expired_;
   std::vector<std::uint8_t> is_touched_q_;
   OverlayWork work_;
   Changes changes_;

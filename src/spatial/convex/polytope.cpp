@@ -228,6 +228,10 @@ void make_units(Polytope& p, std::uint32_t edges) {
     for (std::uint32_t f = 0; f < p.first.size(); ++f) p.normal[f] = unit(p.normal_vector<C>(f));
     return 0;
   });
+  for (const HalfEdge h : p.ring) {
+    p.ring_direction.push_back(p.along(h));
+    p.ring_face.push_back(p.face[h]);
+  }
 }
 
 void measure(Polytope& p) {
@@ -247,6 +251,8 @@ void measure(Polytope& p) {
 Result<Polytope> make_polytope(const Mesh& mesh, bool merge) {
   if (std::optional<Error> error = convexity_error(mesh)) return std::move(*error);
   const MeshData& data = mesh.data();
+  if (!merge && !std::all_of(data.faces.begin(), data.faces.end(), [](const Face& f) { return f.size() == 3; }))
+    return Error{Code::unsupported_operand, "without merging, all faces have to be triangles", {}};
   Polytope all;
   for (const Point3& v : data.vertices) all.at.push_back({v.x, v.y, v.z});
   put_on_grid(all);

@@ -28,6 +28,8 @@ struct Polytope {
   std::vector<std::uint32_t> source_vertex;          // number in the mesh it was made from
   std::vector<std::uint32_t> ring_start;             // of each vertex, into ring; one more at the end
   std::vector<HalfEdge> ring;                        // half-edges that leave a vertex, counter-clockwise seen from outside
+  std::vector<Vec3> ring_direction;                  // unit vector along each of ring
+  std::vector<std::uint32_t> ring_face;              // face on the left of each of ring
   // Half-edges.
   std::vector<std::uint32_t> origin, face;
   std::vector<HalfEdge> next;                        // in the face
@@ -80,7 +82,7 @@ auto with_coordinates(const Polytope& p, F&& f) {
 }
 
 /// The polytope of a convex mesh: coplanar faces merged, flat vertices dropped, or (merge = false) everything as it stands, which must then
-/// have triangles only. Errors: not_convex, no_area for the empty mesh.
+/// have triangles only. Errors: not_convex, no_area for the empty mesh, unsupported_operand.
 Result<Polytope> make_polytope(const Mesh& mesh, bool merge = true);
 
 }  // namespace dymsum::spatial

@@ -101,6 +101,7 @@ void RelativeMap::approximate() {
     }
     approx_[index] = {Vec3{d[0], d[1], d[2]}, Vec3{d[3], d[4], d[5]}, Vec3{d[6], d[7], d[8]}};
     norm_[index] = spectral_bound(approx_[index]);
+    per_norm_[index] = 1 / norm_[index];
     // Three factors with relative errors 2^-50, 2^-52, 2^-50, and at most 6 roundings of 2^-53: below 2^-48 of sum |u_i m_ij v_j|, which is at
     // most the Frobenius norm.
     error_[index] = 0x1p-48 * frobenius(approx_[index]);

@@ -39,6 +39,7 @@ class RelativeMap {
   const Mat3& approx(int index) const { return approx_[index]; }
   /// At least the spectral norm of approx(index).
   double norm(int index) const { return norm_[index]; }
+  double per_norm(int index) const { return per_norm_[index]; }  ///< 1 / norm
   /// A bound of the error of u . (approx(index) v) for unit vectors u, v with errors below 2^-50.
   double error(int index) const { return error_[index]; }
 
@@ -63,7 +64,7 @@ class RelativeMap {
   std::array<std::array<exact::i128, 9>, 2> fixed_{};
   std::array<std::array<exact::Big, 9>, 2> big_;  // when bits_ > 126
   std::array<Mat3, 2> approx_;
-  std::array<double, 2> norm_{}, error_{};
+  std::array<double, 2> norm_{}, per_norm_{}, error_{};
 };
 
 /// At least the spectral norm, by at most a tenth more: ||m||^8 = ||(m^T m)^4|| <= the Frobenius norm of that.

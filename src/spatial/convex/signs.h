@@ -28,6 +28,8 @@ class Signs {
     const double v = dot(row_[op][f], poly_[1 - op]->direction[h / 2]);
     return (h & 1) ? -v : v;
   }
+  /// n^T M of face f of operand op, n its unit normal.
+  const Vec3& row(int op, std::uint32_t f) const { return row_[op][f]; }
   double error(int op) const { return map_.error(op); }
   /// -1 or 1.
   int sign(int op, std::uint32_t f, HalfEdge h) const {
@@ -39,7 +41,7 @@ class Signs {
   /// -1, 0 or 1: without the infinitesimal rotation.
   int true_sign(int op, std::uint32_t f, HalfEdge h) const;
   /// The angle by which directions have to move at least before the sign of (op, f, h) can change; not positive where doubles cannot tell.
-  double margin(int op, double value) const { return ((value < 0 ? -value : value) - map_.error(op)) / map_.norm(op) - 0x1p-40; }
+  double margin(int op, double value) const { return ((value < 0 ? -value : value) - map_.error(op)) * map_.per_norm(op) - 0x1p-40; }
 
   std::uint64_t exact_signs() const { return exact_signs_; }
 

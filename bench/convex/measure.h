@@ -1,0 +1,44 @@
+// Timings of convex sums in motion. Every system gets the same solids at the same poses; answers are compared.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "dymsum/convex_sum.h"
+#include "dymsum/solids.h"
+
+namespace dymsum::bench {
+
+/// Means per move, in microseconds of processor time; 0 where not measured.
+struct MotionRow {
+  std::string p, q;
+  std::size_t p_triangles = 0, q_triangles = 0, facets = 0;
+  double update_us = 0, static_us = 0, brute_us = 0, brute_merged_us = 0, hull_us = 0;
+  MotionWork work;           ///< totals over all moves
+  std::size_t moves = 0;
+  std::size_t compared = 0, different = 0;  ///< moves at which combinatorics and volumes were compared with static and brute force
+};
+
+struct MotionProtocol {
+  int moves = 100;
+  int brute_moves = 3;  ///< of them, spread evenly, with the brute force
+  int hull_moves = 0;   ///< of them, with CGAL's hull
+  std::uint64_t seed = 1;
+};
+
+/// P turns about random axes, each kept for a random number of moves, by 2 pi / steps a move.
+MotionRow measure_rotation(const solids::NamedMesh& p, const solids::NamedMesh& q, int steps, const MotionProtocol& protocol);
+/// P is scaled by random factors, each in [1/2, 2] and independent per axis.
+MotionRow measure_scaling(const solids::NamedMesh& p, const solids::NamedMesh& q, const MotionProtocol& protocol);
+
+/// Penetration depths of P turned at random and Q moved into it.
+struct DepthRow {
+  std::string p, q, system;
+  double us = 0;
+  std::size_t queries = 0, wrong = 0;  ///< relative error above 1e-6
+  double worst = 0;                    ///< largest relative error
+};
+std::vector<DepthRow> measure_depth(const solids::NamedMesh& p, const solids::NamedMesh& q, int queries);
+
+}  // namespace dymsum::bench
