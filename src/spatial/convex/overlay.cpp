@@ -1,6 +1,7 @@
 #include "spatial/convex/overlay.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -48,20 +49,29 @@ bool Overlay::climb(int op, std::uint32_t f) {
   const Vec3 row = signs_.row(op, f);
   const std::uint32_t before = extreme_[op][f];
   for (std::uint32_t v = before;; ++work_.steps) {
-    double most = kNever;
-    std::uint32_t best = 0;
-    for (std::uint32_t k = other.ring_start[v], end = other.ring_start[v + 1]; k < end; ++k) {
-      const double value = dot(row, other.ring_direction[k]);
-      best = value > most ? k : best;
-      most = value > most ? value : most;
+    const std::uint32_t begin = other.ring_start[v], end = other.ring_start[v + 1];
+    const auto value = [&](std::uint32_t k) { return dot(row, other.ring_direction[k]); };
+    double most = value(begin), also = value(begin + 1);  // two, so that comparisons need not wait for each other; rings have three or more
+    std::uint32_t k = begin + 2;
+    for (; k + 1 < end; k += 2) {
+      const double a = value(k), b = value(k + 1);
+      most = a > most ? a : most;
+      also = b > also ? b : also;
     }
+    if (k < end) also = std::max(also, value(k));
+    most = std::max(most, also);
     if (most < -error) {
       vertex_until_[op][f] = clock_ + signs_.margin(op, most);
       extreme_[op][f] = v;
       return v != before;
     }
-    std::uint32_t to = other.target(other.ring[best]);
-    if (most <= error) to = step_near_zero(op, f, v);
+    if (most > error) {
+      k = begin;
+      while (value(k) != most) ++k;
+      v = other.target(other.ring[k]);
+      continue;
+    }
+    const std::uint32_t to = step_near_zero(op, f, v);
     if (to == v) {
       vertex_until_[op][f] = clock_;  // extreme, but at this very moment only
       extreme_[op][f] = v;
@@ -78,19 +88,26 @@ std::uint32_t Overlay::leaving_slot(int op, std::uint32_t e, std::uint32_t v) co
   const Polytope& other = poly(1 - op);
   const Vec3 along = poly(op).direction[e];
   const double error = signs_.error(1 - op);
-  const auto on_left = [&](std::uint32_t slot) {
-    const std::uint32_t g = other.ring_face[slot];
-    const double value = dot(signs_.row(1 - op, g), along);
-    if (value > error) return true;
-    if (value < -error) return false;
-    return signs_.sign(1 - op, g, 2 * e) > 0;
-  };
-  const std::uint32_t begin = other.ring_start[v], end = other.ring_start[v + 1];
-  // The face on the right of a half-edge is the face on the left of the one before it in the ring.
-  bool right = on_left(end - 1);
-  for (std::uint32_t k = begin; k < end; ++k) {
+  const std::uint32_t begin = other.ring_start[v], size = other.ring_start[v + 1] - begin;
+  // Bit k: the face on the left of half-edge k of the ring lies on the left of the circle; the face on its right is that of the one before it.
+  constexpr std::uint32_t kWord = 64;
+  if (size <= kWord) {
+    std::uint64_t left = 0;
+    bool certain = true;
+    for (std::uint32_t k = 0; k < size; ++k) {
+      const double value = dot(signs_.row(1 - op, other.ring_face[begin + k]), along);
+      left |= std::uint64_t{value > 0} << k;
+      certain &= std::abs(value) > error;
+    }
+    const std::uint64_t right = (left << 1) | (left >> (size - 1));
+    const std::uint64_t exits = left & ~right;
+    if (certain && exits != 0) return begin + static_cast<std::uint32_t>(std::countr_zero(exits));
+  }
+  const auto on_left = [&](std::uint32_t k) { return signs_.sign(1 - op, other.ring_face[begin + k], 2 * e) > 0; };
+  bool right = on_left(size - 1);
+  for (std::uint32_t k = 0; k < size; ++k) {
     const bool left = on_left(k);
-    if (left && !right) return k;
+    if (left && !right) return begin + k;
     right = left;
   }
   throw std::logic_error("Overlay: an arc does not leave a cell that it enters");
