@@ -30,7 +30,8 @@ HalfEdges half_edges_without_twins(const std::vector<Face>& faces) {
 std::vector<EdgeSide> edge_sides(const HalfEdges& edges) {
   std::vector<EdgeSide> sides(edges.size());
   for (std::uint32_t h = 0; h < edges.size(); ++h) {
-    const auto [low, high] = std::minmax(edges.origin[h], edges.target(h));
+    const std::uint32_t a = edges.origin[h], b = edges.target(h);
+    const auto [low, high] = std::minmax(a, b);
     sides[h] = {std::uint64_t{low} << 32 | high, h};
   }
   std::sort(sides.begin(), sides.end());
