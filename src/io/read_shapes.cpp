@@ -1,27 +1,20 @@
 // From a path to shapes: format by extension, selection by "#", and the readers behind it.
 #include <algorithm>
-#include <array>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <system_error>
 #include <utility>
 
 #include "io/number_text.h"
+#include "io/read_file.h"
 #include "io/readers.h"
 
 namespace dymsum {
 
 namespace {
 
-Error file_error(Code code, std::string message, std::string_view file) {
-  Evidence evidence;
-  evidence.file = file;
-  return {code, std::move(message), std::move(evidence)};
-}
+using io::extension;
+using io::file_error;
 
 struct Selection {
   std::string file;
@@ -34,16 +27,6 @@ Selection split_selection(const std::string& path) {
   std::error_code ignored;
   if (hash == std::string::npos || std::filesystem::exists(path, ignored)) return {path, std::nullopt};
   return {path.substr(0, hash), path.substr(hash + 1)};
-}
-
-std::string extension(std::string_view path) {
-  const std::size_t dot = path.rfind('.');
-  const std::size_t slash = path.rfind('/');
-  if (dot == std::string_view::npos || (slash != std::string_view::npos && slash > dot)) return "";
-  std::string text(path.substr(dot));
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return text;
 }
 
 std::optional<RegionFormat> format_of_extension(std::string_view path) {
@@ -65,24 +48,6 @@ Result<RegionFormat> format_of_text(std::string_view text, std::string_view file
   if (first == '#' || io::is_digit(first)) return RegionFormat::poly;
   if (io::is_letter(first)) return RegionFormat::wkt;
   return file_error(Code::unsupported_format, "the text begins like none of .poly, .wkt, .geojson, .svg, .json", file);
-}
-
-Result<std::string> read_file(const std::string& path) {
-  const bool standard = path == "-";
-  std::error_code ignored;
-  if (!standard && std::filesystem::is_directory(path, ignored)) {
-    return file_error(Code::cannot_open, "this is a directory", path);
-  }
-  const auto close = [standard](std::FILE* file) { return standard ? 0 : std::fclose(file); };
-  const std::unique_ptr<std::FILE, decltype(close)> file(standard ? stdin : std::fopen(path.c_str(), "rb"), close);
-  if (!file) return file_error(Code::cannot_open, std::strerror(errno), path);
-  std::string text;
-  std::array<char, 1 << 16> block;
-  std::size_t count = 0;
-  while ((count = std::fread(block.data(), 1, block.size(), file.get())) > 0) text.append(block.data(), count);
-  if (std::ferror(file.get()))
-    return file_error(Code::cannot_open, std::string("reading failed: ") + std::strerror(errno), path);
-  return text;
 }
 
 std::vector<NamedShape> read_format(const io::Source& source, RegionFormat format) {
@@ -149,7 +114,7 @@ Result<std::vector<NamedShape>> read_shapes(const std::string& path) {
   const Selection selection = split_selection(path);
   const std::optional<RegionFormat> known = format_of_extension(selection.file);
   if (selection.file != "-" && !known) return region_format(selection.file).error();
-  const Result<std::string> text = read_file(selection.file);
+  const Result<std::string> text = io::read_file(selection.file);
   if (!text) return text.error();
   const Result<RegionFormat> format = known ? Result<RegionFormat>(*known) : format_of_text(*text, selection.file);
   if (!format) return format.error();

@@ -1,0 +1,49 @@
+#include "io/read_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <system_error>
+#include <utility>
+
+namespace dymsum::io {
+
+Error file_error(Code code, std::string message, std::string_view file) {
+  Evidence evidence;
+  evidence.file = file;
+  return {code, std::move(message), std::move(evidence)};
+}
+
+std::string extension(std::string_view path) {
+  const std::size_t dot = path.rfind('.');
+  const std::size_t slash = path.rfind('/');
+  if (dot == std::string_view::npos || (slash != std::string_view::npos && slash > dot)) return "";
+  std::string text(path.substr(dot));
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return text;
+}
+
+Result<std::string> read_file(const std::string& path) {
+  const bool standard = path == "-";
+  std::error_code ignored;
+  if (!standard && std::filesystem::is_directory(path, ignored)) {
+    return file_error(Code::cannot_open, "this is a directory", path);
+  }
+  const auto close = [standard](std::FILE* file) { return standard ? 0 : std::fclose(file); };
+  const std::unique_ptr<std::FILE, decltype(close)> file(standard ? stdin : std::fopen(path.c_str(), "rb"), close);
+  if (!file) return file_error(Code::cannot_open, std::strerror(errno), path);
+  std::string text;
+  std::array<char, 1 << 16> block;
+  std::size_t count = 0;
+  while ((count = std::fread(block.data(), 1, block.size(), file.get())) > 0) text.append(block.data(), count);
+  if (std::ferror(file.get()))
+    return file_error(Code::cannot_open, std::string("reading failed: ") + std::strerror(errno), path);
+  return text;
+}
+
+}  // namespace dymsum::io

@@ -1,0 +1,20 @@
+// Whole files as bytes, and what paths say about them.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "dymsum/result.h"
+
+namespace dymsum::io {
+
+/// The bytes of a file, or of standard input for "-". Error cannot_open, also for directories.
+Result<std::string> read_file(const std::string& path);
+
+/// From the last dot of the path's last part on, in lower case: ".off"; empty where there is none.
+std::string extension(std::string_view path);
+
+/// An error that is about a file as a whole.
+Error file_error(Code code, std::string message, std::string_view file);
+
+}  // namespace dymsum::io
