@@ -147,8 +147,8 @@ struct ScaledCopy {
   Point at;
 };
 /// The obstacles s_i P + z_i of an environment summed with Q: for each copy the sum s_i P (+) Q (not moved by z_i), in the order given,
-/// from one ScalingSum that visits the scales in order; copies of equal scale share one frame, and their sums one memory of exact
-/// positions. Figure 6.11 of the thesis.
+/// from one sum that visits the scales in order; copies of equal scale share one frame. With ScalingMode::automatic windows are planned
+/// from the scales: where six or more lie within 13 %, the rest is computed from scratch. Figure 6.11 of the thesis.
 struct CopySum {
   PlanarSum sum;
   Point at;        ///< add it to every position

@@ -314,6 +314,23 @@ TEST(ScalingSum, copies_of_equal_scale_share_one_frame) {
   EXPECT_EQ(scaled_copies(shape.p, shape.q, copies, options).error().code, Code::cancelled);
 }
 
+TEST(ScalingSum, copies_of_close_scales_share_a_window) {
+  const Shape shape = middling();
+  std::vector<ScaledCopy> copies;
+  for (int k = 0; k < 12; ++k) copies.push_back({scale_of(100 + 5 * k % 12, 100), {}});  // within 11 %
+  for (const long a : {300, 60}) copies.push_back({scale_of(a, 100), {}});
+  const std::vector<CopySum> sums = scaled_copies(shape.p, shape.q, copies).value();
+  int windows = 0;
+  for (std::size_t k = 0; k < sums.size(); ++k) {
+    windows += sums[k].work.new_window;
+    EXPECT_EQ(sums[k].work.rebuilt, k >= 12) << k;
+    const long a = std::lround(copies[k].scale.approx() * 100);
+    EXPECT_EQ(described(sums[k].sum, exact::BigRational(100)), static_answer(shape.p, shape.q, double(a), 100, false, Semantics::closed)) << k;
+  }
+  EXPECT_EQ(windows, 1);
+  EXPECT_TRUE(scaled_copies(shape.p, shape.q, {}).value().empty());
+}
+
 TEST(ScalingSum, a_robot_is_reflected) {
   const Shape shape = middling();
   for (const bool q_scales : {false, true}) {

@@ -1,8 +1,5 @@
 #include "dymsum/scaling_sum.h"
 
-#include <algorithm>
-#include <numeric>
-
 #include "planar/prepared_region.h"
 #include "planar/scaling/scaling_state.h"
 
@@ -43,31 +40,5 @@ const PlanarSum& ScalingSum::sum() const { return state_->sum; }
 std::vector<std::uint64_t> ScalingSum::ring_ids() const { return state_->ring_ids; }
 const FrameWork& ScalingSum::work() const { return state_->work; }
 std::uint64_t ScalingSum::combinatorial_hash() const { return state_->hash(); }
-
-Result<std::vector<CopySum>> scaled_copies(const Region& master, const Region& q, const std::vector<ScaledCopy>& copies,
-                                           const ScalingOptions& options) {
-  ScalingOptions own = options;
-  own.scaled = ScaledOperand::p;
-  Result<ScalingSum> sum = ScalingSum::create(master, q, own);
-  if (!sum) return sum.error();
-  ScalingSum moving = std::move(sum).value();
-  std::vector<std::size_t> order(copies.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return copies[a].scale.approx() < copies[b].scale.approx(); });
-  std::vector<CopySum> result(copies.size());
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    const std::size_t i = order[k];
-    if (options.progress && !options.progress("copies", static_cast<double>(k) / static_cast<double>(order.size())))
-      return Error{Code::cancelled, "stopped on request", {}};
-    if (k > 0 && copies[i].scale == moving.scale()) {
-      result[i] = {moving.sum(), copies[i].at, {}};
-      continue;
-    }
-    const Result<FrameChanges> moved = moving.set(copies[i].scale);
-    if (!moved) return moved.error();
-    result[i] = {moving.sum(), copies[i].at, moving.work()};
-  }
-  return result;
-}
 
 }  // namespace dymsum
