@@ -39,6 +39,8 @@ std::string milliseconds(double ms) {
 
 std::string tier_name(int bits) { return bits == 0 ? "arbitrary precision" : std::to_string(bits) + "-bit"; }
 
+std::string shown(const Rational& value) { return value.den == "1" ? value.num : value.to_string(); }
+
 std::string counted(std::size_t n, const std::string& one, const std::string& many) {
   return std::to_string(n) + " " + (n == 1 ? one : many.empty() ? one + "s" : many);
 }

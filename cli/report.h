@@ -29,6 +29,8 @@ void print_sum(std::ostream& out, const SumReport& report);
 
 /// "29-bit", "61-bit", "512-bit" or "arbitrary precision" for 0.
 std::string tier_name(int bits);
+/// A rational for a person: "3/2", and "2" for a whole number.
+std::string shown(const Rational& value);
 /// "1 hole", "2 holes"; `many` where the plural is not regular.
 std::string counted(std::size_t n, const std::string& one, const std::string& many = "");
 

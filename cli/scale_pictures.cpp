@@ -1,100 +1,89 @@
 #include "scale_pictures.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
+
+#include "report.h"
 
 namespace dymsum::cli {
 namespace {
 
-std::string number(double v) {
-  std::ostringstream text;
-  text.precision(7);
-  text << v;
-  return text.str();
+Box joined(const std::vector<PicturedFrame>& frames) {
+  Box box;
+  for (const PicturedFrame& f : frames) box.see(f.set.box);
+  return box.drawable();
 }
 
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '<') out += "&lt;";
-    else if (c == '&') out += "&amp;";
-    else out += c;
-  }
-  return out;
+/// A frame in the units of its own drawing, `factor` of which make a unit of the picture.
+void draw(std::ostringstream& svg, const PicturedFrame& frame, double factor) {
+  svg << "<path d=\"" << frame.set.path << "\" fill=\"#9ecae1\" fill-rule=\"evenodd\" stroke=\"#08519c\" stroke-width=\"" << number(0.8 / factor) << "\"/>";
+  for (const Point& p : frame.set.dots)
+    svg << "<circle cx=\"" << number(p.x) << "\" cy=\"" << number(p.y) << "\" r=\"" << number(2.5 / factor) << "\" fill=\"#d7301f\"/>";
 }
 
-std::array<double, 4> joined(const std::vector<PicturedFrame>& frames) {
-  std::array<double, 4> box{INFINITY, INFINITY, -INFINITY, -INFINITY};
-  for (const PicturedFrame& f : frames)
-    if (f.box[0] <= f.box[2])
-      box = {std::min(box[0], f.box[0]), std::min(box[1], f.box[1]), std::max(box[2], f.box[2]), std::max(box[3], f.box[3])};
-  if (!(box[0] <= box[2])) box = {0, 0, 1, 1};
-  if (box[2] - box[0] <= 0) box[2] = box[0] + 1;
-  if (box[3] - box[1] <= 0) box[3] = box[1] + 1;
-  return box;
+void open_svg(std::ostringstream& svg, double width, double height) {
+  svg << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << number(width) << ' ' << number(height)
+      << "\" font-family=\"sans-serif\" font-size=\"11\">\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
+}
+
+/// Opens a group for a drawing whose upper left corner comes to (x, y).
+void open_drawing(std::ostringstream& svg, const Box& box, double factor, double x, double y) {
+  svg << "<g transform=\"translate(" << number(x) << ' ' << number(y) << ") scale(" << number(factor) << ") translate(" << number(-box.x0) << ' '
+      << number(-box.y0) << ")\">";
+}
+
+/// Shows a group during the i-th of n equal parts of `seconds`, again and again.
+void show_during(std::ostringstream& svg, std::size_t i, std::size_t n, double seconds) {
+  const std::string from = number(double(i) / double(n)), to = number(double(i + 1) / double(n));
+  const bool first = i == 0, last = i + 1 == n;
+  svg << "<animate attributeName=\"visibility\" values=\"" << (first ? "" : "hidden;") << "visible" << (last ? "" : ";hidden") << "\" keyTimes=\"0"
+      << (first ? "" : ";" + from) << (last ? "" : ";" + to) << "\" calcMode=\"discrete\" dur=\"" << number(seconds) << "s\" repeatCount=\"indefinite\"/>";
 }
 
 }  // namespace
 
 PicturedFrame pictured(const ScalingSum& sum) {
-  PicturedFrame frame;
-  frame.s = sum.scale().approx();
-  frame.label = sum.scale().exact().den == "1" ? sum.scale().exact().num : sum.scale().exact().to_string();
-  if (frame.label.size() > 14) frame.label = number(frame.s);
-  frame.box = {INFINITY, INFINITY, -INFINITY, -INFINITY};
-  std::ostringstream path;
-  path.precision(7);
-  const auto see = [&](Point p) {
-    frame.box = {std::min(frame.box[0], p.x), std::min(frame.box[1], -p.y), std::max(frame.box[2], p.x), std::max(frame.box[3], -p.y)};
-  };
-  const auto ring = [&](const SumRing& r) {
-    char command = 'M';
-    for (const SumVertex& v : r.vertices) {
-      path << command << v.at.x << ' ' << -v.at.y;
-      command = 'L';
-      see(v.at);
-    }
-    path << 'Z';
-  };
-  for (const SumPart& part : sum.sum().parts) {
-    ring(part.outer);
-    for (const SumRing& hole : part.holes) ring(hole);
-  }
-  const auto line = [&](const SumSegment& s) {
-    path << 'M' << s.from.at.x << ' ' << -s.from.at.y << 'L' << s.to.at.x << ' ' << -s.to.at.y;
-    see(s.from.at);
-    see(s.to.at);
-  };
-  for (const SumSegment& s : sum.sum().segments) line(s);
-  for (const SumSegment& s : sum.sum().tight_segments) line(s);
-  for (const auto* points : {&sum.sum().points, &sum.sum().tight_points})
-    for (const SumVertex& v : *points) {
-      frame.tight.push_back({v.at.x, -v.at.y});
-      see(v.at);
-    }
-  frame.path = path.str();
-  return frame;
+  std::string label = shown(sum.scale().exact());
+  if (label.size() > 14) label = number(sum.scale().approx());
+  return {sum.scale().approx(), label, drawn(sum.sum())};
 }
 
 std::string film_strip(const std::vector<PicturedFrame>& frames, std::size_t columns) {
-  const std::array<double, 4> box = joined(frames);
-  const double width = box[2] - box[0], height = box[3] - box[1], cell = 200, gap = 12, text = 16;
-  const double factor = cell / std::max(width, height);
+  constexpr double kCell = 200, kGap = 12, kText = 16;
+  const Box box = joined(frames);
+  const double factor = kCell / box.size();
   const std::size_t n = std::max<std::size_t>(1, frames.size()), per_row = std::min(columns, n), rows = (n + per_row - 1) / per_row;
-  const double cw = width * factor + gap, ch = height * factor + gap + text;
+  const double cell_width = box.width() * factor + kGap, cell_height = box.height() * factor + kGap + kText;
   std::ostringstream svg;
-  svg << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << number(cw * double(per_row) + gap) << ' ' << number(ch * double(rows) + gap)
-      << "\" font-family=\"sans-serif\" font-size=\"11\">\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
+  open_svg(svg, cell_width * double(per_row) + kGap, cell_height * double(rows) + kGap);
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    const double x = gap + cw * double(i % per_row), y = gap + ch * double(i / per_row);
-    svg << "<g transform=\"translate(" << number(x) << ' ' << number(y) << ")\"><text y=\"10\">s = " << escaped(frames[i].label) << "</text>\n"
-        << "<g transform=\"translate(0 " << number(text) << ") scale(" << number(factor) << ") translate(" << number(-box[0]) << ' ' << number(-box[1])
-        << ")\"><path d=\"" << frames[i].path << "\" fill=\"#9ecae1\" fill-rule=\"evenodd\" stroke=\"#08519c\" stroke-width=\"" << number(0.8 / factor) << "\"/>";
-    for (const Point& p : frames[i].tight)
-      svg << "<circle cx=\"" << number(p.x) << "\" cy=\"" << number(p.y) << "\" r=\"" << number(2.5 / factor) << "\" fill=\"#d7301f\"/>";
+    const double x = kGap + cell_width * double(i % per_row), y = kGap + cell_height * double(i / per_row);
+    svg << "<text x=\"" << number(x) << "\" y=\"" << number(y + 10) << "\">s = " << escaped(frames[i].label) << "</text>\n";
+    open_drawing(svg, box, factor, x, y + kText);
+    draw(svg, frames[i], factor);
+    svg << "</g>\n";
+  }
+  svg << "</svg>\n";
+  return svg.str();
+}
+
+std::string animation(const std::vector<PicturedFrame>& frames) {
+  constexpr double kSize = 600, kGap = 16, kText = 20, kFrameSeconds = 0.08, kLeastSeconds = 2;
+  const Box box = joined(frames);
+  const double factor = kSize / box.size(), width = box.width() * factor;
+  const double seconds = std::max(kLeastSeconds, kFrameSeconds * double(frames.size()));
+  std::ostringstream svg;
+  open_svg(svg, width + 2 * kGap, box.height() * factor + 2 * kGap + kText);
+  svg << "<rect x=\"" << kGap << "\" y=\"" << kGap + 8 << "\" width=\"" << number(width) << "\" height=\"3\" fill=\"#e3e8ec\"/>\n";
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    svg << "<g class=\"frame\" visibility=\"" << (i == 0 ? "visible" : "hidden") << "\">";
+    if (frames.size() > 1) show_during(svg, i, frames.size(), seconds);
+    const double done = frames.size() > 1 ? double(i) / double(frames.size() - 1) : 1;
+    svg << "<text x=\"" << kGap << "\" y=\"" << kGap << "\">s = " << escaped(frames[i].label) << "</text><rect x=\"" << kGap << "\" y=\"" << kGap + 8
+        << "\" width=\"" << number(width * done) << "\" height=\"3\" fill=\"#08519c\"/>";
+    open_drawing(svg, box, factor, kGap, kGap + kText);
+    draw(svg, frames[i], factor);
     svg << "</g></g>\n";
   }
   svg << "</svg>\n";
@@ -102,25 +91,25 @@ std::string film_strip(const std::vector<PicturedFrame>& frames, std::size_t col
 }
 
 std::string scrub_page(const std::vector<PicturedFrame>& frames, const std::vector<ScaleEvent>& events, const std::string& title) {
-  const std::array<double, 4> box = joined(frames);
-  const double margin = 0.03 * std::max(box[2] - box[0], box[3] - box[1]);
+  const Box box = joined(frames);
+  const double margin = 0.03 * box.size();
   nlohmann::json list = nlohmann::json::array(), ticks = nlohmann::json::array();
   for (const PicturedFrame& f : frames) {
     nlohmann::json tight = nlohmann::json::array();
-    for (const Point& p : f.tight) tight.push_back({p.x, p.y});
-    list.push_back({{"s", f.s}, {"label", f.label}, {"d", f.path}, {"tight", tight}});
+    for (const Point& p : f.set.dots) tight.push_back({p.x, p.y});
+    list.push_back({{"s", f.s}, {"label", f.label}, {"d", f.set.path}, {"tight", tight}});
   }
   for (const ScaleEvent& e : events)
-    if (e.visible) ticks.push_back({{"s", e.approx}, {"topology", e.topology}, {"label", e.s.to_string().substr(0, 60)}});
+    if (e.visible) ticks.push_back({{"s", e.approx}, {"topology", e.topology}, {"label", shown(e.s).substr(0, 60)}});
   std::ostringstream html;
   html << "<!doctype html>\n<html lang=\"en\"><meta charset=\"utf-8\"><title>" << escaped(title) << "</title>\n"
        << "<style>body{font:14px sans-serif;margin:1em}svg#sum{width:100%;height:78vh;background:#fff}input{width:100%}#ticks{width:100%;height:18px}</style>\n"
-       << "<h1 style=\"font-size:1.1em\">" << escaped(title) << "</h1>\n<svg id=\"sum\" viewBox=\"" << number(box[0] - margin) << ' ' << number(box[1] - margin)
-       << ' ' << number(box[2] - box[0] + 2 * margin) << ' ' << number(box[3] - box[1] + 2 * margin)
+       << "<h1 style=\"font-size:1.1em\">" << escaped(title) << "</h1>\n<svg id=\"sum\" viewBox=\"" << number(box.x0 - margin) << ' ' << number(box.y0 - margin)
+       << ' ' << number(box.width() + 2 * margin) << ' ' << number(box.height() + 2 * margin)
        << "\"><path id=\"p\" fill=\"#9ecae1\" fill-rule=\"evenodd\" stroke=\"#08519c\" vector-effect=\"non-scaling-stroke\"/><g id=\"t\" fill=\"#d7301f\"></g></svg>\n"
        << "<svg id=\"ticks\" viewBox=\"0 0 1000 18\" preserveAspectRatio=\"none\"></svg>\n<input id=\"s\" type=\"range\" min=\"0\" max=\""
        << (frames.empty() ? 0 : frames.size() - 1) << "\" value=\"0\"><p id=\"l\"></p>\n<script>\nconst frames=" << list.dump() << ",ticks=" << ticks.dump()
-       << ",r=" << number(0.006 * std::max(box[2] - box[0], box[3] - box[1])) << ";\n"
+       << ",r=" << number(0.006 * box.size()) << ";\n"
        << R"(const ns="http://www.w3.org/2000/svg",el=i=>document.getElementById(i);
 function show(i){const f=frames[i];if(!f)return;el("p").setAttribute("d",f.d);el("l").textContent="s = "+f.label;
 el("t").replaceChildren(...f.tight.map(q=>{const c=document.createElementNS(ns,"circle");c.setAttribute("cx",q[0]);c.setAttribute("cy",q[1]);c.setAttribute("r",r);return c}))}

@@ -27,7 +27,7 @@ SumOptions sum_options(const SumCommand& command) {
 }
 
 void check(const SumCommand& command) {
-  if (command.json && writes_to_stdout(command.output)) {
+  if (command.report.json && writes_to_stdout(command.output)) {
     throw Stop(kUsage, "--json and -o - both want standard output");
   }
   check_outputs(command.output);
@@ -53,29 +53,15 @@ void add_sum_options(CLI::App& verb, SumCommand& command) {
                   "closed: sum of closed sets; open: touching is allowed; regular: no tight features")
       ->check(CLI::IsMember({"closed", "open", "regular"}))
       ->capture_default_str();
-  verb.add_flag("--json", command.json, "Print one JSON object with the result's summary");
-  verb.add_option("--repeat", command.repeat, "Compute N times and report the median and minimum time")
-      ->type_name("N")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{1000000000}))
-      ->capture_default_str();
+  add_report_options(verb, command.report, "Compute N times and report the median and minimum time");
 }
 
 }  // namespace
 
-void add_input_options(CLI::App& verb, InputOptions& options) {
-  verb.add_flag("--repair", options.repair,
-                "Merge duplicate and collinear vertices, fix orientation, and say on standard error what changed");
-  verb.add_option("--from", options.from, "Format of standard input; otherwise told from its first characters")
-      ->check(CLI::IsMember({"poly", "wkt", "geojson", "svg", "json"}));
-}
-
 void add_sum_verb(CLI::App& app, const SumVerb& verb, Action& action) {
   auto command = std::make_shared<SumCommand>();
   CLI::App& parser = *app.add_subcommand(verb.name, verb.description);
-  const char* const operand =
-      "File, FILE#NAME for one shape of several, or - for standard input";
-  parser.add_option(verb.first, command->operands[0], operand)->required();
-  parser.add_option(verb.second, command->operands[1], operand)->required();
+  add_operands(parser, verb.first, verb.second, command->operands);
   add_sum_options(parser, *command);
   add_input_options(parser, command->input);
   parser.footer("Example: " + verb.example);
@@ -101,14 +87,14 @@ ExitCode run_sum(const SumVerb& verb, const SumCommand& command) {
     throw_if_interrupted();
     return sum;
   };
-  const auto [sum, timing] = timed(command.repeat, compute);
+  const auto [sum, timing] = timed(command.report.repeat, compute);
   bar.reset();
   report.sum = &sum;
   report.timing = timing;
   report.convolution = convolution_sizes(p, verb.reflects_second ? negated(q) : q);
 
   write_sum(p, q, sum, command.output);
-  if (command.json) {
+  if (command.report.json) {
     std::cout << sum_json(report).dump(2) << "\n";
   } else {
     print_sum(writes_to_stdout(command.output) ? std::cerr : std::cout, report);

@@ -8,6 +8,7 @@
 #include "dymsum/planar_sum.h"
 #include "exit_code.h"
 #include "inputs.h"
+#include "options.h"
 #include "outputs.h"
 
 namespace CLI {
@@ -29,8 +30,7 @@ struct SumVerb {
 struct SumCommand {
   std::vector<std::string> operands{"", ""};
   std::string engine = "fast", semantics = "closed";
-  std::size_t repeat = 1;
-  bool json = false;
+  ReportOptions report;
   InputOptions input;
   OutputOptions output;
 };
@@ -40,8 +40,5 @@ void add_sum_verb(CLI::App& app, const SumVerb& verb, Action& action);
 
 /// Reads, computes, writes the outputs and reports.
 ExitCode run_sum(const SumVerb& verb, const SumCommand& command);
-
-/// Declares --repair and --from.
-void add_input_options(CLI::App& verb, InputOptions& options);
 
 }  // namespace dymsum::cli

@@ -147,7 +147,8 @@ Result<PlanarSum> minkowski_sum(const Region& p, const Region& q, const SumOptio
 Result<PlanarSum> nfp(const Region& a, const Region& b, const SumOptions& options = {});
 
 /// P (-) Q = { x : x + Q inside P }, the inner fit, including positions without any freedom as `segments` and `points`, which are
-/// also listed as tight. Errors: unsupported_operand when P has polylines or points, or when Q is empty; cancelled.
+/// also listed as tight. Errors: unsupported_operand when P has polylines or points, when Q is empty, and for coordinates beyond 2^996;
+/// cancelled.
 Result<PlanarSum> erode(const Region& p, const Region& q, const SumOptions& options = {});
 
 /// The union of regions, as the sum with the origin of all their parts together (semantics as for sums). Provenance: `p` numbers

@@ -15,14 +15,15 @@ struct ScaleContact {
   enum class Kind : std::uint8_t {
     vertex_on_edge,    ///< a vertex of the part on an edge of the obstacle (or container)
     edge_on_vertex,    ///< an edge of the part on a vertex of the obstacle
-    vertex_on_vertex,  ///< a vertex of the part on a vertex of the obstacle, on the way between two waypoints
+    vertex_on_vertex,  ///< a vertex of the part on a vertex of the obstacle
   };
   Kind kind = Kind::vertex_on_edge;
   std::uint32_t part = 0;      ///< number of the part's vertex or edge
   std::uint32_t obstacle = 0;  ///< number of the obstacle's edge or vertex
-  std::uint32_t leg = 0;       ///< between waypoints leg and leg + 1
-  Rational along{"0", "1"};    ///< how far along that leg, in [0, 1]
-  RationalPoint at;            ///< where the reference point of the part stands
+  std::uint32_t leg = 0;       ///< of a path: between waypoints leg and leg + 1
+  Rational along{"0", "1"};    ///< of a path: how far along that leg, in [0, 1]
+  RationalPoint at;            ///< where the reference point of the part stands; for a contact that slides, at its first such place
+  friend bool operator==(const ScaleContact&, const ScaleContact&) = default;
 };
 
 /// A closed interval of scales; without `low` it begins at 0 (not included), without `high` it has no end.
@@ -51,11 +52,12 @@ struct ScaleRange {
 /// Source: Behar 2016, 6.6.1; applications.md, section 7.
 Result<ScaleRange> scale_range(const Region& part, const std::vector<Point>& path, const Region& obstacles, const Progress& progress = {});
 
-/// The scales at which s `part`, placed at `at`, lies inside the container.
+/// The scales at which s `part`, placed at `at`, lies inside the container. Errors here and below: as above, coordinates beyond 2^996.
 Result<ScaleRange> fit_range(const Region& part, const Region& container, Point at, const Progress& progress = {});
 
-/// The scales at which s `part` lies inside the container at some translation: erode(container, s part) is not empty. Contacts are not
-/// named. Cost: an exact frame per event of the scaling sum.
+/// The scales at which s `part` lies inside the container at some translation: erode(container, s part) is not empty. At an end of an
+/// interval the translations left are points and segments; its contacts are those at each of these points, and those that hold
+/// along a stretch of these segments. Cost: an exact frame per event of the scaling sum.
 Result<ScaleRange> fit_range(const Region& part, const Region& container, const Progress& progress = {});
 
 }  // namespace dymsum

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "planar/leftmost_loop.h"
+
 namespace dymsum::planar {
 namespace {
 
@@ -69,24 +71,13 @@ std::size_t outer_loop(const Arrangement& arrangement, const Array<BoundaryLoop>
       ++count;
     }
   if (count <= 1) return outer;
-  double best = INFINITY, second = INFINITY, error = 0;
-  for (std::size_t i = 0; i < loops.size(); ++i) {
-    if (loops[i].turning < 0) continue;
-    double low = INFINITY;
+  const auto for_each_end = [&](std::size_t i, auto&& f) {
     for (const Step& step : loops[i].steps) {
       const Arrangement::RoundedEnd p = arrangement.rounded_end(step);
-      low = std::min(low, p.x - p.error);
-      error = std::max(error, p.error);
+      f(p.x, p.error);
     }
-    if (low < best) {
-      second = best;
-      best = low;
-      outer = i;
-    } else {
-      second = std::min(second, low);
-    }
-  }
-  return second - best > 4 * error ? outer : loops.size();
+  };
+  return leftmost_loop(loops.size(), [&](std::size_t i) { return loops[i].turning < 0; }, for_each_end);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // frame's own boundary plays no part.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "dymsum/planar_sum.h"
 #include "planar/complement.h"
@@ -31,7 +32,36 @@ double frame_margin(const Region& p, const Region& q) {
   return std::ldexp(1.0, std::ilogb(std::max(reach, 0x1p-1000)) + 2);
 }
 
+constexpr double kLargestFramed = 0x1p996;  // widths are at most twice as large, and the frame's coordinates four times that
+
+double size(Point v) { return std::max(std::abs(v.x), std::abs(v.y)); }
+
+/// The vertex with the largest coordinate.
+Point farthest(const Region& r) {
+  Point best;
+  const auto see = [&](const std::vector<Point>& points) {
+    for (const Point& v : points)
+      if (size(v) > size(best)) best = v;
+  };
+  for (const Part& part : r.parts()) {
+    see(part.outer);
+    for (const Ring& hole : part.holes) see(hole);
+  }
+  for (const Polyline& line : r.polylines()) see(line);
+  see(r.points());
+  return best;
+}
+
 }  // namespace
+
+std::optional<Error> planar::too_large_to_frame(const Region& p, const Region& q) {
+  const Point a = farthest(p), b = farthest(q), worst = size(a) >= size(b) ? a : b;
+  if (size(worst) <= kLargestFramed) return std::nullopt;
+  Error error{Code::unsupported_operand, "a coordinate is larger than 2^996, too large to look for room inside a region", {}};
+  error.evidence.x = worst.x;
+  error.evidence.y = worst.y;
+  return error;
+}
 
 EngineRegion planar::complement_of(const Region& p, const Region& q) {
   RegionData data;
@@ -103,6 +133,7 @@ Result<PlanarSum> erode(const Region& p, const Region& q, const SumOptions& opti
     return Error{Code::unsupported_operand, "only a region without polylines and points can be eroded", {}};
   if (q.empty()) return Error{Code::unsupported_operand, "every position holds the empty region", {}};
   if (p.empty()) return PlanarSum{};
+  if (std::optional<Error> error = planar::too_large_to_frame(p, q)) return *std::move(error);
   SumOptions open = options;
   if (open.semantics == Semantics::closed) open.semantics = Semantics::open;
   Result<planar::SumState> computed = planar::compute_boundary(planar::make_operand(planar::complement_of(p, q), 0), planar::prepared_operand(q, 1, true), open);

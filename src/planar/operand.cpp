@@ -174,7 +174,7 @@ class Builder {
 
 }  // namespace
 
-std::shared_ptr<const Operand> make_operand(const EngineRegion& engine_region, std::uint32_t op) {
+std::shared_ptr<Operand> make_operand(const EngineRegion& engine_region, std::uint32_t op) {
   const RegionData& region = engine_region.data();
   // Against an operand without vertices.
   std::array<std::shared_ptr<const PlacedPoints>, 2> points;
@@ -213,7 +213,7 @@ std::shared_ptr<const Operand> make_operand(const EngineRegion& engine_region, s
     at += n;
   }
   for (std::size_t i = 0; i < region.points.size(); ++i) builder.add_point(at++);
-  return std::make_shared<const Operand>(std::move(builder).finish());
+  return std::make_shared<Operand>(std::move(builder).finish());
 }
 
 std::shared_ptr<const Operand> placed_on(const Lattice& lattice, std::shared_ptr<const Operand> operand) {
@@ -234,6 +234,14 @@ std::optional<Error> too_large(const PlacedPoints& points) {
     return error;
   }
   return std::nullopt;
+}
+
+std::optional<Error> too_large(const Operand& operand) {
+  std::optional<Error> error = too_large(*operand.points);
+  if (!error || !operand.reflected) return error;
+  error->evidence.x = 0 - *error->evidence.x;
+  error->evidence.y = 0 - *error->evidence.y;
+  return error;
 }
 
 }  // namespace dymsum::planar

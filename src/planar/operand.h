@@ -39,6 +39,7 @@ struct Component {
 
 struct Operand {
   std::uint32_t op = 0;
+  bool reflected = false;                  ///< of the region's reflection: evidence shows coordinates as the region has them
   std::vector<std::uint32_t> source;       ///< walk vertex -> source vertex
   std::vector<std::uint32_t> next, prev;   ///< walk vertex -> walk vertex
   std::vector<std::uint32_t> vertex_number;  ///< walk vertex -> vertex number in the region
@@ -61,7 +62,7 @@ struct Operand {
 };
 
 /// Operand `op` (0 = P, 1 = Q) of a region. O(n log n); independent of the other operand, so that it can be kept.
-std::shared_ptr<const Operand> make_operand(const EngineRegion& region, std::uint32_t op);
+std::shared_ptr<Operand> make_operand(const EngineRegion& region, std::uint32_t op);
 
 /// The operand in the units and relative to the offset of a lattice that places its points differently: because the other operand
 /// is huge or minute, because it is scaled, or because there are further points.
@@ -69,6 +70,6 @@ std::shared_ptr<const Operand> placed_on(const Lattice& lattice, std::shared_ptr
 
 /// The error for a coordinate that no sum can take: larger than 2^1000, so that differences overflow.
 std::optional<Error> too_large(const PlacedPoints& points);
-inline std::optional<Error> too_large(const Operand& operand) { return too_large(*operand.points); }
+std::optional<Error> too_large(const Operand& operand);
 
 }  // namespace dymsum::planar

@@ -9,7 +9,9 @@ std::shared_ptr<const Operand> PreparedRegion::operand(const Region& region, std
   std::call_once(slot.made, [&] {
     if (reflected) {
       const Region turned = negated(region);
-      slot.operand = make_operand(separate_touching(turned.data(), turned.touching_points()), op);
+      const std::shared_ptr<Operand> made = make_operand(separate_touching(turned.data(), turned.touching_points()), op);
+      made->reflected = true;
+      slot.operand = made;
     } else {
       slot.operand = make_operand(separate_touching(region.data(), region.touching_points()), op);
     }

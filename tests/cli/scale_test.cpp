@@ -51,6 +51,98 @@ TEST_F(ScaleCli, SweepsAreExactAndPicturesAreWritten) {
   EXPECT_NE(work.read("page.html").find("<script>"), std::string::npos);
 }
 
+TEST_F(ScaleCli, AnAnimationShowsEveryFrameInItsTurnAndTheFirstOneWithoutAnimation) {
+  ASSERT_EQ(work.run("dymsum scale plate.wkt peg.wkt --scaled q --at 1,3/2,2,2.5 -o x.anim.svg").code, 0);
+  const std::string svg = work.read("x.anim.svg");
+  const auto count = [&](const std::string& what) {
+    std::size_t n = 0;
+    for (std::size_t at = svg.find(what); at != std::string::npos; at = svg.find(what, at + 1)) ++n;
+    return n;
+  };
+  EXPECT_EQ(count("class=\"frame\""), 4u);
+  EXPECT_EQ(count("class=\"frame\" visibility=\"visible\""), 1u);
+  EXPECT_LT(svg.find("visibility=\"visible\""), svg.find("visibility=\"hidden\""));
+  EXPECT_EQ(count("<animate attributeName=\"visibility\""), 4u);
+  EXPECT_EQ(count("values=\"visible;hidden\" keyTimes=\"0;0.25\""), 1u);
+  EXPECT_EQ(count("values=\"hidden;visible;hidden\" keyTimes=\"0;0.25;0.5\""), 1u);
+  EXPECT_EQ(count("values=\"hidden;visible\" keyTimes=\"0;0.75\""), 1u);
+  EXPECT_EQ(count("<script"), 0u);
+  EXPECT_EQ(count("<circle"), 1u) << "the tight point at s = 2";
+  // One frame has nothing to animate.
+  ASSERT_EQ(work.run("dymsum scale plate.wkt peg.wkt --at 1 -o one.anim.svg").code, 0);
+  EXPECT_EQ(work.read("one.anim.svg").find("<animate"), std::string::npos);
+}
+
+TEST_F(ScaleCli, CopiesOfAMasterShapeEqualTheirOwnSums) {
+  work.write("copies.txt", "# scale x y\n2 0 0\n\n3/2 10 -0.5 # the second\n2 20 1e1\n");
+  const Json report = json("dymsum scale plate.wkt peg.wkt --copies copies.txt --robot --json -o copies.svg");
+  for (const char* key : {"inputs", "tier", "time_ms", "copies", "static_ms", "update_ms", "robot"}) EXPECT_TRUE(report.contains(key)) << key;
+  ASSERT_EQ(report["copies"].size(), 3u);
+  EXPECT_EQ(report["copies"][1]["s"], "3/2");
+  EXPECT_EQ(report["copies"][1]["at"], Json::array({10, -0.5}));
+  EXPECT_EQ(report["copies"][2]["at"], Json::array({20, 10}));
+  // The plate at these scales, and the no-fit polygon by the verb for it.
+  work.write("plate2.wkt", "POLYGON ((0 0, 8 0, 8 8, 0 8, 0 0), (2 2, 2 4, 6 4, 6 2, 2 2))\n");
+  work.write("plate15.wkt", "POLYGON ((0 0, 6 0, 6 6, 0 6, 0 0), (1.5 1.5, 1.5 3, 4.5 3, 4.5 1.5, 1.5 1.5))\n");
+  for (const auto& [k, file] : {std::pair{0, "plate2.wkt"}, std::pair{1, "plate15.wkt"}, std::pair{2, "plate2.wkt"}}) {
+    const Json own = json(std::string("dymsum nfp ") + file + " peg.wkt --json");
+    for (const char* key : {"outer", "holes", "vertices", "area_exact"}) EXPECT_EQ(report["copies"][k][key], own[key]) << k << " " << key;
+  }
+  const std::string svg = work.read("copies.svg");
+  for (const char* what : {"obstacles", "reference point", "#e8a33d", "#9ecae1"}) EXPECT_NE(svg.find(what), std::string::npos) << what;
+  // Without --robot the operand is summed as it is.
+  EXPECT_EQ(json("dymsum scale plate.wkt peg.wkt --copies copies.txt --json")["copies"][0]["area_exact"], json("dymsum sum plate2.wkt peg.wkt --json")["area_exact"]);
+}
+
+TEST_F(ScaleCli, BadFilesOfCopiesAreRefusedWithTheirLine) {
+  const auto refused = [&](const std::string& text, const std::string& where) {
+    work.write("bad.txt", text);
+    const Outcome outcome = work.run("dymsum scale plate.wkt peg.wkt --copies bad.txt");
+    EXPECT_EQ(outcome.code, 2) << text;
+    EXPECT_EQ(outcome.err.find(where), 0u) << outcome.err;
+  };
+  refused("1 0 0\n2 0\n", "bad.txt:2: a copy is a line");
+  refused("1 0 0 0\n", "bad.txt:1: a copy is a line");
+  refused("1 0 x\n", "bad.txt:1: a copy is a line");
+  refused("1 0 inf\n", "bad.txt:1: a copy is a line");
+  refused("\n# none\n1 0 0\n0 1 1\n", "bad.txt:4: a scale of zero");
+  refused("one 0 0\n", "bad.txt:1: not a scale");
+  refused("# none\n", "bad.txt: the file lists no copies");
+  EXPECT_EQ(work.run("dymsum scale plate.wkt peg.wkt --copies nowhere.txt").code, 2);
+  work.write("good.txt", "1 0 0\n");
+  for (const char* more : {"--at 1", "--sweep 1:2:1", "--events", "--scaled q", "-o x.html"})
+    EXPECT_EQ(work.run(std::string("dymsum scale plate.wkt peg.wkt --copies good.txt ") + more).code, 1) << more;
+}
+
+TEST_F(ScaleCli, StepsAreToldAsSteps) {
+  const auto told = [&](const char* step) { return work.run(std::string("dymsum scale plate.wkt peg.wkt --sweep=1:2:") + step); };
+  EXPECT_EQ(told("0").code, 2);
+  EXPECT_NE(told("0").err.find("a step of zero"), std::string::npos);
+  EXPECT_NE(told("0%").err.find("a step of zero"), std::string::npos);
+  EXPECT_NE(told("-1").err.find("a step has to be positive"), std::string::npos);
+  EXPECT_NE(work.run("dymsum scale plate.wkt peg.wkt --sweep=0:2:1").err.find("a scale of zero"), std::string::npos);
+}
+
+TEST_F(ScaleCli, WholeNumbersArePlainInTextAndFractionsInJson) {
+  const std::string text = work.run("dymsum scale-range part.wkt wall.wkt --path \"0,0 2,0\"").out;
+  EXPECT_NE(text.find("(0, 3]"), std::string::npos) << text;
+  EXPECT_EQ(text.find("/1"), std::string::npos) << text;
+  EXPECT_NE(work.run("dymsum scale plate.wkt peg.wkt --at 2").out.find("at s = 2:"), std::string::npos);
+}
+
+TEST_F(ScaleCli, AFitAnywhereNamesWhatHoldsThePart) {
+  work.write("room.wkt", "POLYGON ((0 0, 7 0, 7 3, 0 3, 0 0))\n");
+  const Json free = json("dymsum scale-range peg.wkt room.wkt --inside --json")["free"];
+  ASSERT_EQ(free.size(), 1u);
+  EXPECT_EQ(free[0]["high"], "6/1");
+  ASSERT_EQ(free[0]["at_high"].size(), 4u);
+  EXPECT_EQ(free[0]["at_high"][0]["kind"], "vertex_on_edge");
+  const std::string text = work.run("dymsum scale-range peg.wkt room.wkt --inside").out;
+  EXPECT_NE(text.find("above: vertex 0 of the part on edge 0, part at (6, 3)"), std::string::npos) << text;
+  work.write("nothing.wkt", "POLYGON EMPTY\n");
+  EXPECT_NE(work.run("dymsum scale-range nothing.wkt room.wkt --inside").err.find("the part is empty"), std::string::npos);
+}
+
 TEST_F(ScaleCli, BadScalesAndUsageHaveTheirExitCodes) {
   EXPECT_EQ(work.run("dymsum scale plate.wkt peg.wkt").code, 1);
   EXPECT_EQ(work.run("dymsum scale plate.wkt peg.wkt --sweep 1:2").code, 1);

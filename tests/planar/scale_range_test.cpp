@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "dymsum/shapes.h"
 #include "oracles/random.h"
 #include "planar/scaling_same.h"
@@ -19,6 +21,66 @@ std::string text(const ScaleRange& range) {
   for (const ScaleInterval& i : range.free)
     s += (i.low ? "[" + i.low->to_string() : std::string("(0")) + ", " + (i.high ? i.high->to_string() + "]" : std::string("inf)")) + " ";
   return s;
+}
+
+/// Contacts without their places.
+std::vector<std::string> told(const std::vector<ScaleContact>& contacts) {
+  std::vector<std::string> list;
+  for (const ScaleContact& c : contacts) {
+    const std::string part = std::to_string(c.part), obstacle = std::to_string(c.obstacle);
+    list.push_back(c.kind == ScaleContact::Kind::vertex_on_edge   ? "vertex " + part + " on edge " + obstacle
+                   : c.kind == ScaleContact::Kind::edge_on_vertex ? "edge " + part + " on vertex " + obstacle
+                                                                  : "vertex " + part + " on vertex " + obstacle);
+  }
+  std::sort(list.begin(), list.end());
+  return list;
+}
+
+/// Vertices by number, and the end of the edge that starts there.
+struct Numbered {
+  explicit Numbered(const Region& region) {
+    const auto add = [&](const Ring& r) {
+      for (std::size_t k = 0; k < r.size(); ++k) {
+        start.push_back(r[k]);
+        end.push_back(r[(k + 1) % r.size()]);
+      }
+    };
+    for (const Part& part : region.parts()) {
+      add(part.outer);
+      for (const Ring& hole : part.holes) add(hole);
+    }
+  }
+  std::vector<Point> start, end;
+};
+
+/// What touches when the part stands at (x, y) at scale s, by looking at all pairs.
+std::vector<std::string> touching(const Region& part, const Region& container, const exact::BigRational& s, const RationalPoint& at) {
+  using exact::BigRational;
+  struct Place {
+    BigRational x, y;
+  };
+  const Numbered p(part), c(container);
+  const auto of_part = [&](Point v) {
+    return Place{BigRational(exact::exact_value(at.x) + s * exact::exact_value(v.x)), BigRational(exact::exact_value(at.y) + s * exact::exact_value(v.y))};
+  };
+  const auto of_container = [](Point v) { return Place{exact::exact_value(v.x), exact::exact_value(v.y)}; };
+  const auto same = [](const Place& a, const Place& b) { return a.x == b.x && a.y == b.y; };
+  const auto inside = [&](const Place& a, const Place& b, const Place& v) {
+    const BigRational cross = (b.x - a.x) * (v.y - a.y) - (b.y - a.y) * (v.x - a.x), along = (b.x - a.x) * (v.x - a.x) + (b.y - a.y) * (v.y - a.y);
+    const BigRational length = (b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y);
+    return cross == 0 && along > 0 && along < length;
+  };
+  std::vector<std::string> list;
+  for (std::size_t i = 0; i < p.start.size(); ++i)
+    for (std::size_t k = 0; k < c.start.size(); ++k) {
+      const Place v = of_part(p.start[i]), w = of_part(p.end[i]), a = of_container(c.start[k]), b = of_container(c.end[k]);
+      const std::string part_number = std::to_string(i), number = std::to_string(k);
+      if (same(v, a)) list.push_back("vertex " + part_number + " on vertex " + number);
+      if (inside(a, b, v)) list.push_back("vertex " + part_number + " on edge " + number);
+      if (inside(v, w, a)) list.push_back("edge " + part_number + " on vertex " + number);
+    }
+  std::sort(list.begin(), list.end());
+  return list;
 }
 
 TEST(ScaleRange, a_c_around_a_post_is_free_at_several_scales) {
@@ -168,6 +230,63 @@ TEST(FitRange, random_containers_agree_with_erosions) {
   }
 }
 
+TEST(FitRange, contacts_of_any_placement_name_what_holds_the_part) {
+  // A peg as high as the room slides along it.
+  const ScaleRange slides = fit_range(shapes::rectangle(3, 5, 5, 6), shapes::rectangle(0, 0, 7, 3)).value();
+  ASSERT_EQ(text(slides), "(0, 3/1] ");
+  EXPECT_EQ(told(slides.free[0].at_high),
+            (std::vector<std::string>{"vertex 0 on edge 0", "vertex 1 on edge 0", "vertex 2 on edge 2", "vertex 3 on edge 2"}));
+  for (const ScaleContact& c : slides.free[0].at_high) EXPECT_EQ(c.at, (RationalPoint{{"-9", "1"}, {"-15", "1"}}));
+  // A triangle in itself.
+  const Region t = ring({{-1, -1}, {1, -1}, {0, 1}});
+  const ScaleRange same = fit_range(t, t).value();
+  ASSERT_EQ(text(same), "(0, 1/1] ");
+  EXPECT_EQ(told(same.free[0].at_high), (std::vector<std::string>{"vertex 0 on vertex 0", "vertex 1 on vertex 1", "vertex 2 on vertex 2"}));
+}
+
+TEST(FitRange, a_c_in_a_ring_is_held_from_inside_at_the_low_end_and_from_outside_at_the_high_one) {
+  RegionData frame;
+  frame.parts.push_back({{{-10, -10}, {10, -10}, {10, 10}, {-10, 10}}, {{{-8, -8}, {-8, 8}, {8, 8}, {8, -8}}}});
+  const Region container = Region::create(frame).value();
+  const Region c = ring({{-9.5, -9.5}, {9.5, -9.5}, {9.5, -1}, {8.5, -1}, {8.5, -8.5}, {-8.5, -8.5}, {-8.5, 8.5}, {8.5, 8.5}, {8.5, 1}, {9.5, 1}, {9.5, 9.5}, {-9.5, 9.5}});
+  const ScaleRange range = fit_range(c, container).value();
+  ASSERT_FALSE(range.free.empty());
+  const ScaleInterval& around = range.free.back();
+  ASSERT_TRUE(around.low.has_value());
+  EXPECT_EQ(around.low->to_string(), "16/17");
+  EXPECT_EQ(around.high->to_string(), "20/19");
+  EXPECT_EQ(told(around.at_low), (std::vector<std::string>{"vertex 3 on edge 6", "vertex 4 on vertex 7", "vertex 5 on vertex 4", "vertex 6 on vertex 5",
+                                                           "vertex 7 on vertex 6", "vertex 8 on edge 6"}));
+  EXPECT_EQ(told(around.at_high), (std::vector<std::string>{"vertex 0 on vertex 0", "vertex 1 on vertex 1", "vertex 10 on vertex 2", "vertex 11 on vertex 3",
+                                                            "vertex 2 on edge 1", "vertex 9 on edge 1"}));
+}
+
+TEST(FitRange, contacts_of_random_fits_are_all_that_touch) {
+  int points = 0;
+  for (int round = 0; round < 6; ++round) {
+    const auto seed = static_cast<std::uint64_t>(round) + 1;
+    const Region container = on_integers(shapes::random_polygon(14, 1, seed), 400), part = on_integers(shapes::noisy_star(7, 0.5, seed), 60);
+    const ScaleRange range = fit_range(part, container).value();
+    for (const ScaleInterval& i : range.free)
+      for (const auto& [end, contacts] : {std::pair{i.low, i.at_low}, std::pair{i.high, i.at_high}}) {
+        if (!end) {
+          EXPECT_TRUE(contacts.empty());
+          continue;
+        }
+        // Something has to hold it from at least two sides.
+        EXPECT_GE(contacts.size(), 2u) << round;
+        for (const ScaleContact& c : contacts) {
+          std::vector<ScaleContact> here;
+          for (const ScaleContact& other : contacts)
+            if (other.at == c.at) here.push_back(other);
+          EXPECT_EQ(told(here), touching(part, container, exact::exact_value(*end), c.at)) << "round " << round << ", s = " << end->to_string();
+          ++points;
+        }
+      }
+  }
+  EXPECT_GT(points, 10);
+}
+
 TEST(ScaleRange, inputs_without_an_answer_give_errors) {
   const Region square = shapes::rectangle(0, 0, 1, 1);
   RegionData line;
@@ -176,6 +295,10 @@ TEST(ScaleRange, inputs_without_an_answer_give_errors) {
   EXPECT_EQ(scale_range(square, {}, square).error().code, Code::unsupported_operand);
   EXPECT_EQ(scale_range(thin, {{0, 0}}, square).error().code, Code::unsupported_operand);
   EXPECT_EQ(scale_range(square, {{0, 0}}, Region()).error().code, Code::unsupported_operand);
+  EXPECT_EQ(scale_range(Region(), {{0, 0}}, square).error().message, "the part is empty");
+  EXPECT_EQ(fit_range(Region(), square).error().message, "the part is empty");
+  EXPECT_EQ(fit_range(square, Region()).error().message, "the region of obstacles, or the container, is empty");
+  EXPECT_NE(fit_range(thin, square).error().message, "the part is empty");
   const Error nan = scale_range(square, {{0, 0}, {NAN, 0}}, square).error();
   EXPECT_EQ(nan.code, Code::not_finite);
   EXPECT_EQ(nan.evidence.vertex, 1);

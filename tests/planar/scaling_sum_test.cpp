@@ -252,6 +252,13 @@ TEST(ScalingSum, bad_scales_are_refused_and_change_nothing) {
   EXPECT_EQ(Scale::parse("1e999999999").error().code, Code::malformed);
   EXPECT_EQ(Scale::parse("nan").error().code, Code::malformed);
   EXPECT_EQ(Scale::parse("-2").error().code, Code::bad_scale);
+  EXPECT_EQ(parse_scale_step("1.01").value(), Scale::parse("1.01").value());
+  EXPECT_EQ(parse_scale_step("0").error().message, "a step of zero leads nowhere");
+  EXPECT_EQ(parse_scale_step("-1").error().code, Code::bad_scale);
+  EXPECT_EQ(parse_scale_step("1e30").error().code, Code::bad_scale);
+  EXPECT_EQ(parse_scale_step("1/0").error().code, Code::bad_scale);
+  EXPECT_EQ(parse_scale_step("x").error().code, Code::malformed);
+  EXPECT_EQ(parse_scale_step("1/x").error().code, Code::malformed);
   EXPECT_EQ(Scale::parse("1.01").value().exact().to_string(), "101/100");
   EXPECT_EQ(Scale::parse("25e-1").value().exact().to_string(), "5/2");
   EXPECT_EQ(sum.scale(), Scale::of(1.25).value());
@@ -285,6 +292,56 @@ TEST(ScalingSum, copies_of_a_master_shape_equal_their_own_sums) {
     const long a = std::lround(copies[k].scale.approx() * 100);
     EXPECT_EQ(described(sums[k].sum, exact::BigRational(100)), static_answer(shape.p, shape.q, double(a), 100, false, Semantics::closed));
     EXPECT_EQ(sums[k].at, copies[k].at);
+  }
+}
+
+TEST(ScalingSum, copies_of_equal_scale_share_one_frame) {
+  const Shape shape = middling();
+  std::vector<ScaledCopy> copies;
+  for (int k = 0; k < 12; ++k) copies.push_back({scale_of(2 + k % 4, 3), {double(k), 0}});
+  ScalingOptions options;
+  options.mode = ScalingMode::rebuild;
+  const std::vector<CopySum> sums = scaled_copies(shape.p, shape.q, copies, options).value();
+  int frames = 0;
+  for (std::size_t k = 0; k < sums.size(); ++k) {
+    frames += sums[k].work.rebuilt;
+    EXPECT_EQ(sums[k].work.rebuilt, k < 4);
+    EXPECT_EQ(described(sums[k].sum, exact::BigRational(3)), static_answer(shape.p, shape.q, double(2 + k % 4), 3, false, Semantics::closed));
+  }
+  EXPECT_EQ(frames, 4);
+  const auto stop = [](std::string_view stage, double) { return stage != "copies"; };
+  options.progress = stop;
+  EXPECT_EQ(scaled_copies(shape.p, shape.q, copies, options).error().code, Code::cancelled);
+}
+
+TEST(ScalingSum, copies_of_close_scales_share_a_window) {
+  const Shape shape = middling();
+  std::vector<ScaledCopy> copies;
+  for (int k = 0; k < 12; ++k) copies.push_back({scale_of(100 + 5 * k % 12, 100), {}});  // within 11 %
+  for (const long a : {300, 60}) copies.push_back({scale_of(a, 100), {}});
+  const std::vector<CopySum> sums = scaled_copies(shape.p, shape.q, copies).value();
+  int windows = 0;
+  for (std::size_t k = 0; k < sums.size(); ++k) {
+    windows += sums[k].work.new_window;
+    EXPECT_EQ(sums[k].work.rebuilt, k >= 12) << k;
+    const long a = std::lround(copies[k].scale.approx() * 100);
+    EXPECT_EQ(described(sums[k].sum, exact::BigRational(100)), static_answer(shape.p, shape.q, double(a), 100, false, Semantics::closed)) << k;
+  }
+  EXPECT_EQ(windows, 1);
+  EXPECT_TRUE(scaled_copies(shape.p, shape.q, {}).value().empty());
+}
+
+TEST(ScalingSum, a_robot_is_reflected) {
+  const Shape shape = middling();
+  for (const bool q_scales : {false, true}) {
+    ScalingOptions options;
+    options.reflect_q = true;
+    options.scaled = q_scales ? ScaledOperand::q : ScaledOperand::p;
+    ScalingSum sum = ScalingSum::create(shape.p, shape.q, options).value();
+    for (long a = 100; a < 110; ++a) {
+      ASSERT_TRUE(sum.set(scale_of(a, 100)).ok());
+      ASSERT_EQ(ours(sum, 100), static_answer(shape.p, negated(shape.q), double(a), 100, q_scales, Semantics::closed)) << a;
+    }
   }
 }
 

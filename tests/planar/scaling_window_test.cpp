@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "dymsum/shapes.h"
+#include "oracles/membership.h"
 #include "planar/scaling/scaling_state.h"
 #include "planar/scaling_same.h"
 
@@ -58,6 +61,117 @@ TEST(ScalingWindow, every_candidate_crosses_exactly_where_its_interval_says) {
   }
   EXPECT_GT(crossing, 40u);
   EXPECT_GT(apart, 2u);
+}
+
+/// A plate with a square hole; every edge on a line of the grid that the tests below lay over it.
+Region plate(double size, double low, double high) {
+  RegionData data;
+  data.parts.push_back({{{0, 0}, {size, 0}, {size, size}, {0, size}}, {{{low, low}, {low, high}, {high, high}, {high, low}}}});
+  return Region::create(std::move(data)).value();
+}
+
+/// Dead cells beside live ones: how many there are, and how many of them do not lie in the open sum with the rim that they promise.
+std::pair<int, int> dead_cells_and_wrong_ones(const Region& p, const Region& q, planar::WindowFrame frame, int cells) {
+  auto base = planar::ScalingBase::create(p, q, 1, 0).value();
+  frame.centre_x = base->width[frame.moving] / 2;
+  frame.centre_y = base->height[frame.moving] / 2;
+  const planar::SweptMask mask(*base->lattice, base->operands, frame, cells, true);
+  const planar::Grid& g = mask.grid();
+  int dead = 0, wrong = 0;
+  for (const double tau : {frame.tau0, 0.5 * (frame.tau0 + frame.tau1), frame.tau1}) {
+    const oracles::Membership<oracles::Big> sum(frame.moving == 0 ? multiplied(p, tau, tau).data() : p.data(), frame.moving == 1 ? multiplied(q, tau, tau).data() : q.data());
+    for (int row = 1; row + 1 < g.rows; ++row)
+      for (int column = 1; column + 1 < g.columns; ++column) {
+        if (!mask.dead(row, column) || mask.live(row - 1, column - 1, row + 1, column + 1) == 0) continue;
+        ++dead;
+        const double rim = 8 * planar::kReach;
+        bool inside = true;
+        for (const double y : {row - rim, row + 1 + rim})
+          for (const double x : {column - rim, column + 1 + rim})
+            inside &= sum.overlaps({oracles::from_double<oracles::Big>(x * g.cell - frame.shift_x(tau)), oracles::from_double<oracles::Big>(y * g.cell - frame.shift_y(tau))});
+        wrong += !inside;
+      }
+  }
+  return {dead, wrong};
+}
+
+TEST(ScalingWindow, dead_cells_lie_in_the_open_sum_with_their_rim_at_every_scale) {
+  const auto check = [](const Region& p, const Region& q, std::uint32_t moving, double tau0, double tau1, int cells) {
+    const auto [dead, wrong] = dead_cells_and_wrong_ones(p, q, {moving, tau0, tau1, 0, 0}, cells);
+    EXPECT_GT(dead, 20);
+    EXPECT_EQ(wrong, 0) << cells << " cells from " << tau0 << " to " << tau1;
+  };
+  // Cells of size 1, edges on their borders at both ends of the window: without a rim, cells would end where the sum does.
+  check(plate(32, 8, 24), shapes::rectangle(0, 0, 16, 16), 1, 2, 2, 64);
+  check(plate(32, 8, 24), shapes::rectangle(0, 0, 16, 16), 1, 1.75, 2, 64);
+  check(plate(32, 8, 24), plate(16, 4, 12), 1, 1.75, 2, 64);
+  check(shapes::rectangle(0, 0, 16, 16), plate(32, 8, 24), 0, 1.5, 2, 64);
+  // And anywhere.
+  check(on_integers(shapes::noisy_star(20, 0.5, 1), 3000), on_integers(shapes::noisy_star(11, 0.5, 2), 2000), 1, 1, 1.125, 60);
+}
+
+TEST(ScalingWindow, every_pair_that_meets_is_a_candidate) {
+  for (const bool grates : {false, true}) {
+    const Region p = grates ? shapes::grate(4, 4, 1, 13) : on_integers(shapes::noisy_star(60, 0.6, 3), 4000);
+    const Region q = grates ? shapes::comb(3, 3, 1, 5) : on_integers(shapes::noisy_star(40, 0.6, 4), 3000);
+    auto base = planar::ScalingBase::create(p, q, 0, 0).value();
+    ScalingSum::State state(base, {});
+    const exact::BigRational low(1), high(3, 2);
+    planar::ReducedConvolution& convolution = state.convolution_for(0.9, 1.6);
+    planar::WindowSettings settings = state.settings_for(low, high, 1);
+    settings.mask = false;  // nothing is cut: every piece is a segment
+    settings.cells = 24;
+    const planar::Window window(*base, convolution, settings);
+    std::set<std::pair<std::uint32_t, std::uint32_t>> known;
+    const auto add = [&](std::uint32_t a, std::uint32_t b) { known.insert(std::minmax(a, b)); };
+    for (const planar::Candidate& c : window.candidates) add(window.pieces[c.a].segment, window.pieces[c.b].segment);
+    for (const auto& [a, b] : window.folds) add(a, b);
+    for (const auto& [a, b] : window.touching) add(a, b);
+    const auto n = static_cast<std::uint32_t>(window.segments.size());
+    std::size_t meeting = 0, missed = 0;
+    for (const int k : {100, 103, 111, 125, 140, 150}) {
+      planar::FramePlace place(base, planar::scale_value(exact::BigRational(k, 100)));
+      for (std::uint32_t a = 0; a < n; ++a)
+        for (std::uint32_t b = a + 1; b < n; ++b) {
+          const planar::LiveSegment &s = window.segments[a], &t = window.segments[b];
+          if (s.start == t.start || s.start == t.end || s.end == t.start || s.end == t.end) continue;
+          if (planar::meet(window, a, b, place) == planar::Meet::none) continue;
+          ++meeting;
+          missed += !known.contains({a, b});
+        }
+    }
+    EXPECT_GT(meeting, 300u);
+    EXPECT_EQ(missed, 0u) << (grates ? "grates" : "stars");
+    // Most pairs never meet: something is rejected.
+    EXPECT_LT(known.size(), std::size_t(n) * (n - 1) / 4);
+  }
+}
+
+TEST(ScalingWindow, a_window_keeps_the_convolution_it_was_made_from) {
+  // The tool fits one of the holes exactly at each of the scales below; ten times as large it fills all of them, and the convolution is
+  // another one.
+  RegionData data;
+  data.parts.push_back({{{0, 0}, {80, 0}, {80, 10}, {0, 10}}, {}});
+  for (int k = 33; k < 40; ++k) {
+    const double x = 10 * (k - 33) + 3, size = k / 8.0;
+    data.parts[0].holes.push_back({{x, 2}, {x, 2 + size}, {x + size, 2 + size}, {x + size, 2}});
+  }
+  const Region p = Region::create(data).value(), q = shapes::rectangle(0, 0, 4, 4);
+  ScalingOptions options;
+  options.mode = ScalingMode::window;
+  options.window = 0.25;
+  auto base = planar::ScalingBase::create(p, q, 1, 0).value();
+  ScalingSum::State state(base, options);
+  ASSERT_TRUE(state.move_to(scale_of(1, 1), scale_of(1, 1)).ok());
+  std::size_t degenerate = 0;
+  for (int k = 33; k < 40; ++k) {
+    // Looking for events far away asks for the convolution of other scales.
+    (void)state.window_between(exact::BigRational(k % 2 == 0 ? 20 : 1, 2), exact::BigRational(k % 2 == 0 ? 21 : 2, 2));
+    ASSERT_TRUE(state.move_to(scale_of(k, 32), scale_of(k, 32)).ok());
+    degenerate += state.work.degenerate;
+    EXPECT_EQ(described(state.sum, exact::BigRational(32)), static_answer(p, q, k, 32, true, Semantics::closed)) << k;
+  }
+  EXPECT_EQ(degenerate, 7u);
 }
 
 }  // namespace

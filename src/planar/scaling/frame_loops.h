@@ -50,13 +50,20 @@ class FrameLoops {
  private:
   using Step = PieceLists::Step;
   enum class Look : std::uint8_t { none, known, test };  ///< carried over; status inherited; nothing known
+  void begin();
+  std::vector<Look> carry_over(double tau, std::vector<FrameLoop>& gone, FrameWork& work);
+  void own_edges(const std::vector<FrameLoop>& gone);
+  Look inherit(FrameLoop& loop, double tau, const std::vector<FrameLoop>& gone) const;
   void trace(std::uint32_t piece, FrameWork& work);
   bool nodes_are_plain(double tau, FramePlace& place, bool whole, FrameWork& work);
-  bool node_inside(std::uint32_t node, double tau, FramePlace& place, FrameWork& work);
   int turning_number(const std::vector<Step>& steps) const;
+  std::size_t outer_loop(double tau, const std::vector<Look>& look) const;
   void verify(double tau, FramePlace& place, const std::vector<Look>& look, FrameWork& work);
   bool undisturbed(const FrameLoop::Between& edge, double tau) const;
   bool quiet(std::uint32_t touch, double tau) const;
+
+  // frame_vertices.cpp
+  bool node_inside(std::uint32_t node, double tau, FramePlace& place, FrameWork& work);
   bool is_false(FrameLoop& loop, double tau, FramePlace& place, FrameWork& work);
   struct Cutting {
     Linear t;

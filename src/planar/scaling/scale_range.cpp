@@ -6,6 +6,7 @@
 #include "planar/complement.h"
 #include "planar/prepared_region.h"
 #include "planar/scaling/events.h"
+#include "planar/scaling/fit_contacts.h"
 #include "planar/scaling/path_free.h"
 
 namespace dymsum {
@@ -59,6 +60,8 @@ std::optional<Error> assemble(const PathFree::Critical& critical, const std::opt
 }
 
 std::optional<Error> check(const Region& part, const Region& other) {
+  if (part.empty()) return unsupported("the part is empty");
+  if (other.empty()) return unsupported("the region of obstacles, or the container, is empty");
   if (part.parts().empty() || !part.polylines().empty() || !part.points().empty())
     return unsupported("the part has to be a region without polylines and points");
   if (other.parts().empty() || !other.polylines().empty() || !other.points().empty())
@@ -104,6 +107,82 @@ Region frame_tool(const Region& part, const BigRational& limit) {
   return Region::create({{{{{-reach, -reach}, {reach, -reach}, {reach, reach}, {-reach, reach}}, {}}}, {}, {}}).value();
 }
 
+/// A scale below `limit` at which the part's bounding box, taken a little larger than it is, has room: it is convex, so every smaller part
+/// has room too.
+Result<BigRational> certain_fit(const Region& part, const Region& container, const BigRational& limit) {
+  const auto box = bounds(part);
+  const auto up = [](double v) { return std::nextafter(v, INFINITY); };
+  const double wide = up(box[2] - box[0]), high = up(box[3] - box[1]);
+  BigRational low = limit;
+  for (int k = 0; k < 60; ++k) {
+    low /= 2;
+    const double s = up(exact::round_to_double(low)), w = up(wide * s), h = up(high * s);
+    const Region hull = Region::create({{{{{0, 0}, {w, 0}, {w, h}, {0, h}}, {}}}, {}, {}}).value();
+    const Result<PlanarSum> room = erode(container, hull);
+    if (!room) return room.error();
+    if (!room->parts.empty()) return low;
+  }
+  return unsupported("the container is too thin for its size");
+}
+
+/// The sum of a container's framed complement and a reflected part that scales: what it leaves free are the placements.
+class AnyPlacement {
+ public:
+  static Result<AnyPlacement> create(const Region& part, const Region& container, const BigRational& limit) {
+    EngineRegion frame = complement_of(container, frame_tool(part, limit));
+    // Positions are found by the frame's own numbers, which are unique; contacts are told by those of the container.
+    ObstacleNumbers numbers{std::move(frame.vertex_numbers), std::move(frame.edge_numbers)};
+    frame.vertex_numbers.clear();
+    frame.edge_numbers.clear();
+    Result<std::shared_ptr<const ScalingBase>> base = ScalingBase::create({make_operand(frame, 0), prepared_operand(part, 1, true)}, {}, 1, 0);
+    if (!base) return base.error();
+    return AnyPlacement(std::move(base).value(), std::move(numbers));
+  }
+
+  std::optional<Error> move_to(const BigRational& s) {
+    const Result<Scale> scale = Scale::of(exact::to_rational(s));
+    if (!scale) return scale.error();
+    const Result<FrameChanges> moved = state_->move_to(*scale, *scale);
+    if (!moved) return moved.error();
+    return std::nullopt;
+  }
+  /// After move_to(). Free placements are holes of the sum and its tight features.
+  bool fits() const { return state_->sum.hole_count() + state_->sum.tight_points.size() + state_->sum.tight_segments.size() > 0; }
+  std::vector<ScaleContact> contacts(const BigRational& s) const { return tight_contacts(*base_, state_->sum, s, numbers_); }
+
+  std::vector<EventValue> events(const BigRational& from, const BigRational& to) {
+    return events_of(*state_->window_between(from, to), state_->forms(), from, to);
+  }
+
+ private:
+  static ScalingOptions options() {
+    ScalingOptions options;
+    options.scaled = ScaledOperand::q;
+    options.semantics = Semantics::open;
+    options.mode = ScalingMode::window;
+    options.window = 1.0 / 16;
+    return options;
+  }
+  AnyPlacement(std::shared_ptr<const ScalingBase> base, ObstacleNumbers numbers)
+      : base_(base), numbers_(std::move(numbers)), state_(std::make_unique<ScalingSum::State>(std::move(base), options())) {}
+
+  std::shared_ptr<const ScalingBase> base_;
+  ObstacleNumbers numbers_;
+  std::unique_ptr<ScalingSum::State> state_;
+};
+
+Result<PathFree::Critical> critical_of(AnyPlacement& placement, const BigRational& low, const BigRational& limit, const Progress& progress) {
+  PathFree::Critical critical;
+  for (BigRational from = low; from < limit;) {
+    const double done = exact::round_to_double(BigRational((from - low) / (limit - low)));
+    if (progress && !progress("events", done)) return Error{Code::cancelled, "stopped on request", {}};
+    const BigRational to = std::min<BigRational>(BigRational(from * BigRational(17, 16)), limit);
+    for (const EventValue& e : placement.events(from, to)) critical[e.s];
+    from = to;
+  }
+  return critical;
+}
+
 }  // namespace
 
 bool ScaleRange::contains(const Scale& s) const {
@@ -137,6 +216,7 @@ Result<ScaleRange> scale_range(const Region& part, const std::vector<Point>& pat
 Result<ScaleRange> fit_range(const Region& part, const Region& container, Point at, const Progress& progress) {
   if (!std::isfinite(at.x) || !std::isfinite(at.y)) return Error{Code::not_finite, "the placement is not finite", {}};
   if (std::optional<Error> error = check(part, container)) return *std::move(error);
+  if (std::optional<Error> error = too_large_to_frame(container, part)) return *std::move(error);
   const BigRational limit = box_limit(part, container);
   // Inside the frame also at the placement.
   const Region tool = frame_tool(part, limit);
@@ -149,56 +229,31 @@ Result<ScaleRange> fit_range(const Region& part, const Region& container, Point 
 
 Result<ScaleRange> fit_range(const Region& part, const Region& container, const Progress& progress) {
   if (std::optional<Error> error = check(part, container)) return *std::move(error);
+  if (std::optional<Error> error = too_large_to_frame(container, part)) return *std::move(error);
   const BigRational limit = box_limit(part, container);
-  EngineRegion frame = complement_of(container, frame_tool(part, limit));
-  // Its own numbers, which the frame has too: positions are found by them, and no contact is reported.
-  frame.vertex_numbers.clear();
-  frame.edge_numbers.clear();
-  Result<std::shared_ptr<const ScalingBase>> base = ScalingBase::create({make_operand(frame, 0), prepared_operand(part, 1, true)}, {}, 1, 0);
-  if (!base) return base.error();
-  ScalingOptions options;
-  options.scaled = ScaledOperand::q;
-  options.semantics = Semantics::open;
-  options.mode = ScalingMode::window;
-  options.window = 1.0 / 16;
-  ScalingSum::State state(*base, options);
+  Result<AnyPlacement> made = AnyPlacement::create(part, container, limit);
+  if (!made) return made.error();
+  AnyPlacement placement = std::move(made).value();
+  const Result<BigRational> low = certain_fit(part, container, limit);
+  if (!low) return low.error();
+  const Result<PathFree::Critical> critical = critical_of(placement, *low, limit, progress);
+  if (!critical) return critical.error();
   std::optional<Error> failed;
-  // Free positions are holes of the sum and its tight features.
   const auto fits_at = [&](const BigRational& s) {
-    const Result<Scale> scale = Scale::of(exact::to_rational(s));
-    if (scale) {
-      const Result<FrameChanges> moved = state.move_to(*scale, *scale);
-      if (moved) return state.sum.hole_count() + state.sum.tight_points.size() + state.sum.tight_segments.size() > 0;
-      failed = moved.error();
-    } else {
-      failed = scale.error();
-    }
-    return false;
+    if (!failed) failed = placement.move_to(s);
+    return !failed && placement.fits();
   };
-  // Where the part's bounding box (a convex set) fits, every smaller part fits. The box is taken a little larger than it is.
-  const auto box = bounds(part);
-  const double wide = std::nextafter(box[2] - box[0], INFINITY), high = std::nextafter(box[3] - box[1], INFINITY);
-  BigRational low = limit;
-  for (int k = 0;; ++k) {
-    if (k == 60) return unsupported("the container is too thin for its size");
-    low /= 2;
-    const double s = std::nextafter(exact::round_to_double(low), INFINITY);
-    const Region hull = Region::create({{{{{0, 0}, {std::nextafter(wide * s, INFINITY), 0}, {std::nextafter(wide * s, INFINITY), std::nextafter(high * s, INFINITY)},
-                                           {0, std::nextafter(high * s, INFINITY)}}, {}}}, {}, {}}).value();
-    const Result<PlanarSum> room = erode(container, hull);
-    if (!room) return room.error();
-    if (!room->parts.empty()) break;
-  }
-  PathFree::Critical critical;
-  for (BigRational from = low; from < limit;) {
-    if (progress && !progress("events", exact::round_to_double(BigRational((from - low) / (limit - low))))) return Error{Code::cancelled, "stopped on request", {}};
-    const BigRational to = std::min<BigRational>(BigRational(from * BigRational(17, 16)), limit);
-    for (const EventValue& e : events_of(*state.window_between(from, to), state.forms(), from, to)) critical[e.s];
-    from = to;
-  }
   ScaleRange range;
-  if (std::optional<Error> error = assemble(critical, limit, progress, range, [&](const BigRational& s) { return s <= low || fits_at(s); }))
+  if (std::optional<Error> error = assemble(*critical, limit, progress, range, [&](const BigRational& s) { return s <= *low || fits_at(s); }))
     return *std::move(error);
+  const auto name = [&](const std::optional<Rational>& end, std::vector<ScaleContact>& contacts) {
+    if (!end || !fits_at(exact::exact_value(*end))) return;
+    contacts = placement.contacts(exact::exact_value(*end));
+  };
+  for (ScaleInterval& i : range.free) {
+    name(i.low, i.at_low);
+    name(i.high, i.at_high);
+  }
   if (failed) return *std::move(failed);
   return range;
 }

@@ -22,14 +22,33 @@ bool is_integer(std::string_view text) {
   return !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
 }
 
+Result<BigRational> within_limits(BigRational v, const std::string& what, const std::string& text) {
+  const BigInteger limit = BigInteger(1) << 64;
+  if (v > BigRational(limit) || v < BigRational(BigInteger(1), limit)) return bad("a " + what + " has to lie between 2^-64 and 2^64: " + text);
+  if (msb(numerator(v)) >= kMaxBits || msb(denominator(v)) >= kMaxBits)
+    return bad("numerator and denominator of a " + what + " may have at most 4096 bits");
+  return v;
+}
+
 Result<BigRational> checked(BigRational v, const std::string& text) {
   if (v.sign() == 0) return bad("a scale of zero leaves no shape");
   if (v.sign() < 0) return bad("a scale has to be positive; reflect the operand first: " + text);
-  const BigInteger limit = BigInteger(1) << 64;
-  if (v > BigRational(limit) || v < BigRational(BigInteger(1), limit)) return bad("a scale has to lie between 2^-64 and 2^64: " + text);
-  if (msb(numerator(v)) >= kMaxBits || msb(denominator(v)) >= kMaxBits)
-    return bad("numerator and denominator of a scale may have at most 4096 bits");
-  return v;
+  return within_limits(std::move(v), "scale", text);
+}
+
+Result<BigRational> checked_step(BigRational v, const std::string& text) {
+  if (v.sign() == 0) return bad("a step of zero leads nowhere");
+  if (v.sign() < 0) return bad("a step has to be positive; the ends say which way it leads: " + text);
+  return within_limits(std::move(v), "step", text);
+}
+
+Result<BigRational> rational_of(const Rational& value, std::string_view what) {
+  const std::string name(what), text = value.to_string().substr(0, 60);
+  if (!is_integer(value.num) || !is_integer(value.den)) return Error{Code::malformed, "a " + name + " has to be a quotient of integers: " + text, {}};
+  if (value.num.size() + value.den.size() > 4 * kMaxBits) return bad("numerator and denominator of a " + name + " may have at most 4096 bits");
+  const BigInteger den(value.den);
+  if (den == 0) return bad("a " + name + " with denominator zero: " + text);
+  return exact::ratio(exact::Big(BigInteger(value.num)), exact::Big(den));
 }
 
 /// digits[.digits][e[sign]digits] as a rational.
@@ -64,6 +83,17 @@ std::optional<BigRational> decimal(std::string_view text) {
   return value;
 }
 
+/// "3/2", "1.01" or "1e-3".
+Result<BigRational> number_in(std::string_view text, std::string_view what) {
+  const std::string name(what);
+  if (text.size() > 4 * kMaxBits) return bad("numerator and denominator of a " + name + " may have at most 4096 bits");
+  if (const std::size_t slash = text.find('/'); slash != std::string_view::npos)
+    return rational_of({std::string(text.substr(0, slash)), std::string(text.substr(slash + 1))}, what);
+  const std::optional<BigRational> value = decimal(text);
+  if (!value) return Error{Code::malformed, "not a " + name + ": \"" + std::string(text.substr(0, 60)) + "\"", {}};
+  return *value;
+}
+
 }  // namespace
 
 Result<Scale> Scale::of(double value) {
@@ -83,12 +113,9 @@ Result<Scale> Scale::of(double value) {
 }
 
 Result<Scale> Scale::of(const Rational& value) {
-  const std::string text = value.to_string().substr(0, 60);
-  if (!is_integer(value.num) || !is_integer(value.den)) return Error{Code::malformed, "a scale has to be a quotient of integers: " + text, {}};
-  if (value.num.size() + value.den.size() > 4 * kMaxBits) return bad("numerator and denominator of a scale may have at most 4096 bits");
-  const BigInteger den(value.den);
-  if (den == 0) return bad("a scale with denominator zero: " + text);
-  const Result<BigRational> v = checked(exact::ratio(exact::Big(BigInteger(value.num)), exact::Big(den)), text);
+  const Result<BigRational> number = rational_of(value, "scale");
+  if (!number) return number.error();
+  const Result<BigRational> v = checked(*number, value.to_string().substr(0, 60));
   if (!v) return v.error();
   Scale s;
   s.value_ = exact::to_rational(*v);
@@ -97,18 +124,19 @@ Result<Scale> Scale::of(const Rational& value) {
 }
 
 Result<Scale> Scale::parse(std::string_view text) {
-  const std::string shown(text.substr(0, 60));
-  if (text.size() > 4 * kMaxBits) return bad("numerator and denominator of a scale may have at most 4096 bits");
-  if (const std::size_t slash = text.find('/'); slash != std::string_view::npos)
-    return of(Rational{std::string(text.substr(0, slash)), std::string(text.substr(slash + 1))});
-  const std::optional<BigRational> value = decimal(text);
-  if (!value) return Error{Code::malformed, "not a scale: \"" + shown + "\"", {}};
-  const Result<BigRational> v = checked(*value, shown);
+  const Result<BigRational> number = number_in(text, "scale");
+  if (!number) return number.error();
+  const Result<BigRational> v = checked(*number, std::string(text.substr(0, 60)));
   if (!v) return v.error();
-  Scale s;
-  s.value_ = exact::to_rational(*v);
-  s.approx_ = exact::round_to_double(*v);
-  return s;
+  return of(exact::to_rational(*v));
+}
+
+Result<Scale> parse_scale_step(std::string_view text) {
+  const Result<BigRational> number = number_in(text, "step");
+  if (!number) return number.error();
+  const Result<BigRational> v = checked_step(*number, std::string(text.substr(0, 60)));
+  if (!v) return v.error();
+  return Scale::of(exact::to_rational(*v));
 }
 
 Result<std::vector<Scale>> scale_steps(const Scale& from, const Scale& to, const Scale& step, bool percent, std::size_t most) {

@@ -1,12 +1,11 @@
 #include "dymsum/scaling_sum.h"
 
-#include <algorithm>
-#include <numeric>
-
+#include "planar/prepared_region.h"
 #include "planar/scaling/scaling_state.h"
 
 namespace dymsum {
 
+using planar::prepared_operand;
 using planar::ScalingBase;
 
 ScalingSum::ScalingSum(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -16,7 +15,8 @@ ScalingSum::~ScalingSum() = default;
 
 Result<ScalingSum> ScalingSum::create(const Region& p, const Region& q, const ScalingOptions& options) {
   Result<std::shared_ptr<const ScalingBase>> base =
-      ScalingBase::create(p, q, options.scaled == ScaledOperand::p ? 0 : 1, options.min_tier_bits);
+      ScalingBase::create({prepared_operand(p, 0), prepared_operand(q, 1, options.reflect_q)}, {}, options.scaled == ScaledOperand::p ? 0 : 1,
+                          options.min_tier_bits);
   if (!base) return base.error();
   auto state = std::make_unique<State>(std::move(base).value(), options);
   const ScalingMode mode = state->options.mode;
@@ -40,24 +40,5 @@ const PlanarSum& ScalingSum::sum() const { return state_->sum; }
 std::vector<std::uint64_t> ScalingSum::ring_ids() const { return state_->ring_ids; }
 const FrameWork& ScalingSum::work() const { return state_->work; }
 std::uint64_t ScalingSum::combinatorial_hash() const { return state_->hash(); }
-
-Result<std::vector<CopySum>> scaled_copies(const Region& master, const Region& q, const std::vector<ScaledCopy>& copies,
-                                           const ScalingOptions& options) {
-  ScalingOptions own = options;
-  own.scaled = ScaledOperand::p;
-  Result<ScalingSum> sum = ScalingSum::create(master, q, own);
-  if (!sum) return sum.error();
-  ScalingSum moving = std::move(sum).value();
-  std::vector<std::size_t> order(copies.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return copies[a].scale.approx() < copies[b].scale.approx(); });
-  std::vector<CopySum> result(copies.size());
-  for (const std::size_t i : order) {
-    const Result<FrameChanges> moved = moving.set(copies[i].scale);
-    if (!moved) return moved.error();
-    result[i] = {moving.sum(), copies[i].at, moving.work()};
-  }
-  return result;
-}
 
 }  // namespace dymsum

@@ -8,6 +8,8 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "planar/chain.h"
@@ -79,6 +81,17 @@ struct PersistentNode {
   std::uint32_t first_ray = 0, last_ray = 0;
 };
 
+/// |d x (v - w)| computed in doubles from sums of window coordinates errs by at most this times |d|_1 span: the edge vector carries one
+/// rounding, a sum fixed + tau moving + shift at most six, twice, the difference, product and final difference one each.
+inline constexpr double kWindowSide = 0x1p-48;
+
+/// The ends a and b of a piece at both ends of the window, in the window's frame.
+struct PieceEnds {
+  double ax[2], ay[2], bx[2], by[2];
+  double dx, dy;   ///< the unscaled edge vector
+  double error;    ///< of the side of a point of another piece
+};
+
 struct WindowSettings {
   WindowFrame frame;
   int cells = 64;       ///< along the grid's longer side
@@ -118,26 +131,38 @@ class Window {
   std::size_t bytes() const;
 
  private:
-  /// The ends of a piece at both ends of the window, in the window's frame.
-  struct Entry {
-    double ax[2], ay[2], bx[2], by[2];
-    double dx, dy, error;
-  };
+  using NodeRays = std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<PersistentNode::Ray>>;
+
   void add_segment(const WalkSegment& w, std::uint32_t id, const SweptMask& mask);
+  void link_pieces(const ReducedConvolution& convolution);
+
+  // window_pieces.cpp
   void add_pieces(const SweptMask& mask);
+
+  // window_pairs.cpp
   void find_candidates(const SweptMask& mask);
   void test(std::uint32_t i, std::uint32_t j);
+  void test_parallel(Candidate c);
+  void solve(Candidate& c) const;
   bool bounds(std::uint32_t piece, const Linear& t, double error, Candidate& c, std::array<bool, 2>& unsure) const;
+
+  // window_nodes.cpp
   bool always_on(std::uint32_t segment, Pair v);
+  bool touch_always(const Candidate& c, std::array<bool, 2> at_a, std::array<bool, 2> at_b);
   void add_touch(std::uint32_t piece, WalkPair v, const Linear& t, double error);
   void touch_parallel(std::uint32_t i, std::uint32_t j);
   void make_nodes();
-  void link_pieces(const ReducedConvolution& convolution);
+  NodeRays take_touches();
+  void add_end_rays(NodeRays& at) const;
+  void sort_rays(std::vector<PersistentNode::Ray>& list) const;
+  void add_node(WalkPair at, const std::vector<PersistentNode::Ray>& list);
+  void drop_pairs_through_nodes();
+  void index_candidates();
 
   const ScalingBase& base_;
   WindowFrame frame_, swept_;
   double span_ = 0;
-  std::vector<Entry> entries_;
+  std::vector<PieceEnds> ends_;
   std::vector<WalkPair> touch_pair_;      // per touch, until nodes are made
   std::shared_ptr<Lattice> doubled_;      // the lattice at scale 2: a linear form that is zero there and at 1 is zero
 };

@@ -1,0 +1,29 @@
+// What the command line asks of the verb scale.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "dymsum/scaling_sum.h"
+#include "exit_code.h"
+#include "inputs.h"
+#include "options.h"
+
+namespace dymsum::cli {
+
+struct ScaleCommand {
+  std::vector<std::string> operands{"", ""};
+  std::string sweep, copies, scaled = "p", mode = "automatic", semantics = "closed";
+  std::vector<std::string> at, files;
+  bool robot = false;   ///< Q is a robot: sums with -Q
+  bool events = false;
+  ReportOptions report;
+  InputOptions input;
+};
+
+ScalingOptions scaling_options(const ScaleCommand& command);
+
+/// scale --copies: the sums of the copies of a master shape that a file lists.
+ExitCode run_copies(const ScaleCommand& command);
+
+}  // namespace dymsum::cli

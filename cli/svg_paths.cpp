@@ -1,0 +1,116 @@
+#include "svg_paths.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace dymsum::cli {
+namespace {
+
+/// Collects path data; everything is moved and turned upside down here.
+class Pen {
+ public:
+  explicit Pen(double scale, Point moved) : scale_(scale), moved_(moved) { path_.precision(7); }
+
+  Point place(Point p) const { return {scale_ * p.x + moved_.x, -(scale_ * p.y + moved_.y)}; }
+  void to(char command, Point p) {
+    const Point q = place(p);
+    path_ << command << q.x << ' ' << q.y;
+    set_.box.see(q);
+  }
+  void close() { path_ << 'Z'; }
+  void dot(Point p) {
+    set_.dots.push_back(place(p));
+    set_.box.see(set_.dots.back());
+  }
+  Drawn finish() {
+    set_.path = path_.str();
+    return std::move(set_);
+  }
+
+ private:
+  double scale_;
+  Point moved_;
+  std::ostringstream path_;
+  Drawn set_;
+};
+
+}  // namespace
+
+void Box::see(Point p) {
+  x0 = std::min(x0, p.x);
+  y0 = std::min(y0, p.y);
+  x1 = std::max(x1, p.x);
+  y1 = std::max(y1, p.y);
+}
+
+void Box::see(const Box& other) {
+  if (other.empty()) return;
+  see(Point{other.x0, other.y0});
+  see(Point{other.x1, other.y1});
+}
+
+Box Box::drawable() const {
+  if (empty()) return {0, 0, 1, 1};
+  Box box = *this;
+  if (!(box.width() > 0)) box.x1 = box.x0 + 1;
+  if (!(box.height() > 0)) box.y1 = box.y0 + 1;
+  return box;
+}
+
+Drawn drawn(const PlanarSum& sum, Point moved) {
+  Pen pen(1, moved);
+  const auto ring = [&](const SumRing& r) {
+    for (std::size_t k = 0; k < r.vertices.size(); ++k) pen.to(k == 0 ? 'M' : 'L', r.vertices[k].at);
+    pen.close();
+  };
+  for (const SumPart& part : sum.parts) {
+    ring(part.outer);
+    for (const SumRing& hole : part.holes) ring(hole);
+  }
+  for (const auto* segments : {&sum.segments, &sum.tight_segments})
+    for (const SumSegment& s : *segments) {
+      pen.to('M', s.from.at);
+      pen.to('L', s.to.at);
+    }
+  for (const auto* points : {&sum.points, &sum.tight_points})
+    for (const SumVertex& v : *points) pen.dot(v.at);
+  return pen.finish();
+}
+
+Drawn drawn(const Region& region, double scale, Point moved) {
+  Pen pen(scale, moved);
+  const auto chain = [&](const std::vector<Point>& points) {
+    for (std::size_t k = 0; k < points.size(); ++k) pen.to(k == 0 ? 'M' : 'L', points[k]);
+  };
+  for (const Part& part : region.parts()) {
+    chain(part.outer);
+    pen.close();
+    for (const Ring& hole : part.holes) {
+      chain(hole);
+      pen.close();
+    }
+  }
+  for (const Polyline& line : region.polylines()) chain(line);
+  for (const Point& p : region.points()) pen.dot(p);
+  return pen.finish();
+}
+
+std::string number(double v) {
+  std::ostringstream text;
+  text.precision(7);
+  text << v;
+  return text.str();
+}
+
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '<') out += "&lt;";
+    else if (c == '&') out += "&amp;";
+    else if (c == '"') out += "&quot;";
+    else out += c;
+  }
+  return out;
+}
+
+}  // namespace dymsum::cli

@@ -1,0 +1,43 @@
+// Sets as SVG path data, y downwards.
+#pragma once
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "dymsum/planar_sum.h"
+
+namespace dymsum::cli {
+
+/// An axis-parallel box of the drawing; nothing is in it at first.
+struct Box {
+  double x0 = INFINITY, y0 = INFINITY, x1 = -INFINITY, y1 = -INFINITY;
+
+  bool empty() const { return !(x0 <= x1); }
+  double width() const { return x1 - x0; }
+  double height() const { return y1 - y0; }
+  double size() const { return width() > height() ? width() : height(); }
+  void see(Point p);
+  void see(const Box& other);
+  /// Grown to have area, whatever was seen.
+  Box drawable() const;
+};
+
+/// What a picture needs of a set.
+struct Drawn {
+  std::string path;        ///< rings and segments
+  std::vector<Point> dots;  ///< isolated and tight points
+  Box box;
+};
+
+/// A sum with its tight features, moved.
+Drawn drawn(const PlanarSum& sum, Point moved = {});
+/// A region, scaled about the origin, then moved.
+Drawn drawn(const Region& region, double scale = 1, Point moved = {});
+
+/// A coordinate with seven digits.
+std::string number(double v);
+/// Text for SVG and HTML.
+std::string escaped(const std::string& text);
+
+}  // namespace dymsum::cli

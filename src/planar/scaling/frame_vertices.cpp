@@ -1,0 +1,230 @@
+// Where the loops of a frame are: their vertices, samples beside them, and the collisions remembered there.
+#include <algorithm>
+#include <cmath>
+
+#include "planar/scaling/frame_loops.h"
+
+namespace dymsum::planar {
+namespace {
+
+// Window coordinates of sums: each operand's coordinate one rounding, tau one, product, sum.
+constexpr double kWindowPoint = 0x1p-49;
+
+}  // namespace
+
+bool FrameLoops::node_inside(std::uint32_t node, double tau, FramePlace& place, FrameWork& work) {
+  const Window& window = lists_.window();
+  const PersistentNode& n = window.nodes[node];
+  const Lattice& l = *window.base().lattice;
+  const Pair v = window.exact(n.at);
+  const std::uint32_t m = window.frame().moving, move = m == 0 ? v.p : v.q, rest = m == 0 ? v.q : v.p;
+  const double x = l.points[1 - m]->x[rest] + tau * l.points[m]->x[move], y = l.points[1 - m]->y[rest] + tau * l.points[m]->y[move];
+  if (nodes_[node].witness && crosses_at(*nodes_[node].witness, x, y, kWindowPoint * window.span(), tau)) {
+    ++work.witnessed;
+    return true;
+  }
+  Place p;
+  p.on = window.exact(window.pieces[window.rays[n.first_ray].piece].segment);
+  p.first.pair = v;
+  const double grow = place.blow_up(m);
+  p.x = grow * x;
+  p.y = grow * y;
+  p.error = grow * 2 * kWindowPoint * window.span();
+  ++work.collision_tests;
+  const bool inside = place.collision().overlaps(p);
+  nodes_[node].witness = place.collision().crossing_edges();
+  return inside;
+}
+
+bool FrameLoops::is_false(FrameLoop& loop, double tau, FramePlace& place, FrameWork& work) {
+  if (loop.witness && witnessed(loop, tau)) {
+    ++work.witnessed;
+    return true;
+  }
+  ++work.collision_tests;
+  Collision& collision = place.collision();
+  const bool overlap = collision.overlaps_right_of(sample(loop, tau, place));
+  loop.witness = collision.crossing_edges();
+  return overlap;
+}
+
+FrameLoops::Cutting FrameLoops::end_cut(Step s, bool at_end) const {
+  const Window& window = lists_.window();
+  const LiveSegment& on = window.segments[window.pieces[s.piece].segment];
+  Cutting c;
+  c.relative_error = 0x1p-50;
+  const bool end = at_end && s.sub == lists_.count(s.piece), start = !at_end && s.sub == 0;
+  if (end || start) {
+    c.cut.pair = window.exact(end ? on.end : on.start);
+    c.t = end ? (on.moving ? Linear{0, 1} : Linear{1, 0}) : Linear{0, 0};
+    c.error = 0;
+    c.denominator = on.dx != 0 ? std::abs(on.dx) : std::abs(on.dy);
+    return c;
+  }
+  const std::uint32_t entry = lists_.entry(s.piece, at_end ? s.sub : s.sub - 1);
+  if (entry & kTouchBit) {
+    const PersistentTouch& touch = window.touches[entry & ~kTouchBit];
+    c.cut.pair = window.exact(window.nodes[touch.node].at);
+    c.t = touch.t;
+    c.error = touch.error;
+    c.denominator = on.dx != 0 ? std::abs(on.dx) : std::abs(on.dy);
+    return c;
+  }
+  const Candidate& x = window.candidates[entry];
+  const bool a = x.a == s.piece;
+  const std::uint32_t other = window.pieces[a ? x.b : x.a].segment;
+  const LiveSegment& by = window.segments[other];
+  c.t = a ? x.ta : x.tb;
+  c.error = a ? x.error_a : x.error_b;
+  c.cut.kind = Cut::Kind::crossing;
+  c.cut.by = window.exact(other);
+  const double u = on.dx * by.dy, v = on.dy * by.dx, d = std::abs(u - v);
+  c.denominator = d * window.base().lattice->integers_per_unit;
+  c.relative_error = d > 0 ? std::min(1.0, 0x1p-48 * (std::abs(u) + std::abs(v)) / d) : 1.0;
+  return c;
+}
+
+// The mediant of the cuts at both ends of the longest sub-edge, as the exact layer takes it.
+Place FrameLoops::sample(const FrameLoop& loop, double tau, FramePlace& place) const {
+  const Window& window = lists_.window();
+  const std::uint32_t moving = window.frame().moving;
+  const Step* longest = nullptr;
+  double best = -1;
+  for (const Step& s : loop.steps) {
+    const LiveSegment& on = window.segments[window.pieces[s.piece].segment];
+    const double l = (end_cut(s, true).t.at(tau) - end_cut(s, false).t.at(tau)) * (std::abs(on.dx) + std::abs(on.dy));
+    if (l > best) {
+      best = l;
+      longest = &s;
+    }
+  }
+  const std::uint32_t segment = window.pieces[longest->piece].segment;
+  const LiveSegment& on = window.segments[segment];
+  const Cutting from = end_cut(*longest, false), to = end_cut(*longest, true);
+  // Denominators of crossings with an edge of the scaled operand grow with the scale; all are integers over the scale's denominator.
+  const auto weight_of = [&](const Cutting& c) {
+    if (c.cut.kind == Cut::Kind::pair) return c.denominator;
+    const double den = exact::round_to_double(exact::BigRational(place.value().den));
+    return c.denominator * den * (c.cut.by.edge.op == place.base().scaled ? place.value().approx : 1);
+  };
+  const double d0 = weight_of(from), d1 = weight_of(to), t0 = from.t.at(tau), t1 = to.t.at(tau);
+  double weight = d0 + d1 > 0 ? d1 / (d0 + d1) : 0.5, relative = from.relative_error + to.relative_error + 0x1p-50;
+  if (!(weight >= 0 && weight <= 1)) {
+    weight = 0.5;
+    relative = 1;
+  }
+  const double t = t0 + weight * (t1 - t0), t_error = from.error + to.error + std::abs(t1 - t0) * 2 * relative + 0x1p-49 * std::max(1.0, tau);
+  Place p;
+  p.on = window.exact(segment);
+  p.first = from.cut;
+  p.second = to.cut;
+  p.between = true;
+  const double grow = place.blow_up(moving);
+  p.x = grow * (on.x.at(tau) + t * on.dx);
+  p.y = grow * (on.y.at(tau) + t * on.dy);
+  p.error = grow * (t_error * std::max(std::abs(on.dx), std::abs(on.dy)) + kWindowPoint * window.span()) * (1 + 0x1p-40);
+  if (!std::isfinite(p.error)) {
+    // Nearly parallel lines, of which the doubles know nothing: the exact position, rounded.
+    const Lattice& l = place.lattice();
+    const Lattice::Position at = l.position(p);
+    const Place origin{window.exact(segment), {Cut::Kind::pair, start_of(window.exact(segment)), {}}, {}, false, 0, 0, 0};
+    const Lattice::Position start = l.position(origin);
+    p.x = grow * on.x.at(tau) + exact::round_to_double(exact::BigRational(at.x - start.x)) / l.unit;
+    p.y = grow * on.y.at(tau) + exact::round_to_double(exact::BigRational(at.y - start.y)) / l.unit;
+    p.error = grow * 0x1p-48 * window.span();
+  }
+  return p;
+}
+
+// The remembered edges cross properly when Q, reflected, stands at some point of the loop, and so they do at a point just right of it.
+bool FrameLoops::witnessed(const FrameLoop& loop, double tau) const {
+  const Window& window = lists_.window();
+  const Step s = loop.steps[0];
+  const LiveSegment& on = window.segments[window.pieces[s.piece].segment];
+  const Cutting from = end_cut(s, false), to = end_cut(s, true);
+  const double t = 0.5 * (from.t.at(tau) + to.t.at(tau));
+  const double x = on.x.at(tau) + t * on.dx, y = on.y.at(tau) + t * on.dy;
+  const double error = (from.error + to.error + 0x1p-49 * std::max(1.0, tau)) * std::max(std::abs(on.dx), std::abs(on.dy)) + kWindowPoint * window.span();
+  return crosses_at(*loop.witness, x, y, error, tau);
+}
+
+// Doubles only: the edges of both operands cross properly when Q, reflected, stands at (x, y).
+bool FrameLoops::crosses_at(const std::array<std::uint32_t, 2>& edges, double x, double y, double error, double tau) const {
+  const Window& window = lists_.window();
+  const std::uint32_t m = window.frame().moving;
+  const Lattice& l = *window.base().lattice;
+  const auto sides = [&](std::uint32_t op, std::uint32_t edge, std::uint32_t other_edge) {
+    const Operand &o = window.base().operands[op], &other = window.base().operands[1 - op];
+    const std::uint32_t a = o.source[edge];
+    const double ex = o.ex[edge], ey = o.ey[edge], bound = (std::abs(ex) + std::abs(ey)) * (error + 0x1p-48 * window.span());
+    const auto value = [&](std::uint32_t v) {
+      const double sx = (op == m ? tau : 1) * l.points[op]->x[a] + (op == m ? 1 : tau) * l.points[1 - op]->x[v];
+      const double sy = (op == m ? tau : 1) * l.points[op]->y[a] + (op == m ? 1 : tau) * l.points[1 - op]->y[v];
+      return ex * (y - sy) - ey * (x - sx);
+    };
+    const double u = value(other.source[other_edge]), v = value(other.source[other.next[other_edge]]);
+    return (u > bound && v < -bound) || (u < -bound && v > bound);
+  };
+  const auto [e, f] = edges;
+  return sides(0, e, f) && sides(1, f, e);
+}
+
+MovingVertex FrameLoops::vertex_after(Step s, std::uint32_t in, std::uint32_t out) const {
+  const Window& window = lists_.window();
+  const LiveSegment& on = window.segments[window.pieces[s.piece].segment];
+  MovingVertex v;
+  v.error = kWindowPoint * window.span();
+  const bool end = s.sub == lists_.count(s.piece);
+  const std::uint32_t entry = end ? kNone : lists_.entry(s.piece, s.sub);
+  if (end || entry & kTouchBit) {
+    const WalkPair at = end ? on.end : window.nodes[window.touches[entry & ~kTouchBit].node].at;
+    v.vertex.corner_p = window.base().operands[0].vertex_number[at.p];
+    v.vertex.corner_q = window.base().operands[1].vertex_number[at.q];
+    const Lattice& l = *window.base().lattice;
+    const Pair x = window.exact(at);
+    const std::uint32_t m = window.frame().moving, move = m == 0 ? x.p : x.q, rest = m == 0 ? x.q : x.p;
+    v.x = {l.points[1 - m]->x[rest], l.points[m]->x[move]};
+    v.y = {l.points[1 - m]->y[rest], l.points[m]->y[move]};
+  } else {
+    const Candidate& c = window.candidates[entry];
+    const LiveSegment &a = window.segments[window.pieces[c.a].segment], &b = window.segments[window.pieces[c.b].segment];
+    const double ea = c.error_a * std::max(std::abs(a.dx), std::abs(a.dy)), eb = c.error_b * std::max(std::abs(b.dx), std::abs(b.dy));
+    const LiveSegment& best = ea <= eb ? a : b;
+    const Linear& t = ea <= eb ? c.ta : c.tb;
+    v.x = {best.x.a + best.dx * t.a, best.x.b + best.dx * t.b};
+    v.y = {best.y.a + best.dy * t.a, best.y.b + best.dy * t.b};
+    v.error += std::min(ea, eb);
+    // Where the line is followed far outside the piece, a and b cancel at tau.
+    v.error += 0x1p-50 * (std::abs(v.x.a) + std::abs(v.y.a) + (std::abs(v.x.b) + std::abs(v.y.b)) * window.frame().tau1);
+  }
+  v.vertex.in = window.segments[in].contact;
+  v.vertex.out = window.segments[out].contact;
+  return v;
+}
+
+void FrameLoops::make_vertices(FrameLoop& loop, const std::vector<FrameLoop>& gone, std::vector<std::uint8_t>& claimed) const {
+  const Window& window = lists_.window();
+  loop.vertices.clear();
+  loop.vertices.reserve(loop.steps.size());
+  std::uint32_t from = kNone;
+  for (std::size_t i = 0; i < loop.steps.size(); ++i) {
+    const Step &s = loop.steps[i], &t = loop.steps[i + 1 == loop.steps.size() ? 0 : i + 1];
+    const Piece& p = window.pieces[s.piece];
+    if (lists_.end_node(s) != kNone ? window.cross(p.segment, window.pieces[t.piece].segment) == 0
+                                    : s.sub == lists_.count(s.piece) && p.next_turn == 0)
+      continue;  // straight on
+    loop.vertices.push_back(vertex_after(s, p.segment, window.pieces[t.piece].segment));
+    const Owner& owner = owners_[s.piece];
+    if (gone.empty() || owner.walk != walk_ || gone[owner.loop].edges[owner.edge].to != loop.edges[i].to) continue;
+    // The first ring with a common vertex lends its identity.
+    if (from == kNone && gone[owner.loop].kept && !claimed[owner.loop]) {
+      from = owner.loop;
+      claimed[from] = 1;
+      loop.ring = gone[from].ring;
+      loop.vertices_before = static_cast<std::uint32_t>(gone[from].vertices.size());
+    }
+    loop.vertices_shared += owner.loop == from;
+  }
+}
+
+}  // namespace dymsum::planar

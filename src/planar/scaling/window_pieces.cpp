@@ -1,0 +1,142 @@
+// Cutting: segments of a window lose what lies in dead cells throughout.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "planar/scaling/window.h"
+
+namespace dymsum::planar {
+
+namespace {
+
+/// A segment at both ends of the swept window: where it starts, and its vector.
+struct SweptSegment {
+  double ax[2], ay[2], ex[2], ey[2];
+};
+
+/// A place on a segment, in shares of its length at both ends of the swept window.
+struct CutPlace {
+  double t[2];
+};
+
+SweptSegment swept_segment(const LiveSegment& s, const WindowFrame& swept) {
+  SweptSegment e;
+  for (int k = 0; k < 2; ++k) {
+    const double tau = k == 0 ? swept.tau0 : swept.tau1, length = s.length(tau);
+    e.ax[k] = s.x.at(tau) + swept.shift_x(tau);
+    e.ay[k] = s.y.at(tau) + swept.shift_y(tau);
+    e.ex[k] = s.dx * length;
+    e.ey[k] = s.dy * length;
+  }
+  return e;
+}
+
+PieceEnds ends_between(const SweptSegment& s, const CutPlace& from, const CutPlace& to) {
+  PieceEnds e{};
+  for (int k = 0; k < 2; ++k) {
+    e.ax[k] = s.ax[k] + from.t[k] * s.ex[k];
+    e.ay[k] = s.ay[k] + from.t[k] * s.ey[k];
+    e.bx[k] = s.ax[k] + to.t[k] * s.ex[k];
+    e.by[k] = s.ay[k] + to.t[k] * s.ey[k];
+  }
+  return e;
+}
+
+/// Segments are cut inside dead cells that they meet at both ends of the window (and hence at every scale in between). The cut is the
+/// middle of the chord at both ends and linear in between: the chords and the cell are convex in (x, y, tau).
+class PieceCutter {
+ public:
+  explicit PieceCutter(const SweptMask& mask) : mask_(mask), grid_(mask.grid()), reach_(2 * kReach * grid_.cell) {}
+
+  /// In order along the segment; valid until the next call.
+  const std::vector<CutPlace>& cuts(const SweptSegment& s) {
+    cuts_.clear();
+    const Cells near = cells_near(ends_between(s, {{0, 0}}, {{1, 1}}));
+    if (near.live == near.all) return cuts_;
+    for_each_cell_run(grid_, s.ax[0], s.ay[0], s.ax[0] + s.ex[0], s.ay[0] + s.ey[0], [&](int row, int first, int last) {
+      for (int c = first; c <= last; ++c) {
+        if (!mask_.dead(row, c)) continue;
+        const std::optional<double> from = chord_middle(s, 0, row, c), to = chord_middle(s, 1, row, c);
+        if (from && to) cuts_.push_back({{*from, *to}});
+      }
+    });
+    std::sort(cuts_.begin(), cuts_.end(), [](const CutPlace& a, const CutPlace& b) { return a.t[0] < b.t[0]; });
+    return cuts_;
+  }
+
+  /// Whether a live cell is near what the piece sweeps.
+  bool live(const PieceEnds& e) const { return cells_near(e).live > 0; }
+
+ private:
+  struct Cells {
+    std::uint32_t live, all;
+  };
+
+  Cells cells_near(const PieceEnds& e) const {
+    const auto [x0, x1] = std::minmax({e.ax[0], e.ax[1], e.bx[0], e.bx[1]});
+    const auto [y0, y1] = std::minmax({e.ay[0], e.ay[1], e.by[0], e.by[1]});
+    const int r0 = grid_.row(y0 - reach_), r1 = grid_.row(y1 + reach_), c0 = grid_.column(x0 - reach_), c1 = grid_.column(x1 + reach_);
+    return {mask_.live(r0, c0, r1, c1), static_cast<std::uint32_t>(r1 - r0 + 1) * static_cast<std::uint32_t>(c1 - c0 + 1)};
+  }
+
+  /// The middle of what end k of the sweep has in a cell, if it has anything.
+  std::optional<double> chord_middle(const SweptSegment& s, int k, int row, int column) const {
+    double t0 = 0, t1 = 1;
+    const auto clip = [&](double from, double d, int cell) {
+      const double low = cell * grid_.cell, high = (cell + 1) * grid_.cell;
+      if (d == 0) {
+        if (from < low || from > high) t1 = -1;
+        return;
+      }
+      const double u = (low - from) / d, v = (high - from) / d;
+      t0 = std::max(t0, std::min(u, v));
+      t1 = std::min(t1, std::max(u, v));
+    };
+    clip(s.ax[k], s.ex[k], column);
+    clip(s.ay[k], s.ey[k], row);
+    if (!(t1 > t0)) return std::nullopt;
+    return 0.5 * (t0 + t1);
+  }
+
+  const SweptMask& mask_;
+  const Grid& grid_;
+  double reach_;
+  std::vector<CutPlace> cuts_;
+};
+
+}  // namespace
+
+void Window::add_pieces(const SweptMask& mask) {
+  PieceCutter cutter(mask);
+  const double width = swept_.tau1 - swept_.tau0;
+  for (std::uint32_t n = 0; n < segments.size(); ++n) {
+    LiveSegment& s = segments[n];
+    const SweptSegment swept = swept_segment(s, swept_);
+    const std::vector<CutPlace>& cuts = cutter.cuts(swept);
+    const auto linear = [&](const CutPlace& c) {
+      const double u = c.t[0] * s.length(swept_.tau0), v = c.t[1] * s.length(swept_.tau1);
+      const double slope = width > 0 ? (v - u) / width : 0;
+      return Linear{u - slope * swept_.tau0, slope};
+    };
+    s.first_piece = static_cast<std::uint32_t>(pieces.size());
+    for (std::size_t k = 0; k <= cuts.size(); ++k) {
+      const CutPlace from = k == 0 ? CutPlace{{0, 0}} : cuts[k - 1], to = k == cuts.size() ? CutPlace{{1, 1}} : cuts[k];
+      PieceEnds ends = ends_between(swept, from, to);
+      if (!cuts.empty() && !cutter.live(ends)) continue;
+      ends.dx = s.dx;
+      ends.dy = s.dy;
+      ends.error = kWindowSide * (std::abs(s.dx) + std::abs(s.dy)) * span_;
+      Piece p;
+      p.segment = n;
+      p.head_cut = k > 0;
+      p.tail_cut = k < cuts.size();
+      if (p.head_cut) p.head = linear(from);
+      if (p.tail_cut) p.tail = linear(to);
+      pieces.push_back(p);
+      ends_.push_back(ends);
+    }
+    s.last_piece = static_cast<std::uint32_t>(pieces.size());
+  }
+}
+
+}  // namespace dymsum::planar
