@@ -11,13 +11,13 @@ namespace {
 using namespace dymsum::cli;
 
 constexpr const char* kFooter =
-    "Files: .poly .wkt .geojson .svg .json (nesting instances); FILE#NAME selects one shape of several; - is standard\n"
-    "input or output. Results go to standard output, messages to standard error.\n"
+    "Files: planar .poly .wkt .geojson .svg .json (nesting instances); FILE#NAME selects one shape of several; - is standard\n"
+    "input or output; solid .off .obj .stl .ply. Results go to standard output, messages to standard error.\n"
     "Exit: 0 done, 1 wrong usage, 2 bad input, 3 a defect of dymsum, 4 the answer is no, 130 interrupted.\n"
     "Example: dymsum sum gear.poly disc.wkt --json -o sum.svg -o stages.svg";
 
 ExitCode run(int argc, char** argv) {
-  CLI::App app("dymsum: exact Minkowski sums of planar regions", "dymsum");
+  CLI::App app("dymsum: exact Minkowski sums of planar regions and convex solids", "dymsum");
   app.require_subcommand(1);
   app.set_version_flag("--version", DYMSUM_VERSION);
   app.footer(kFooter);
@@ -27,6 +27,8 @@ ExitCode run(int argc, char** argv) {
   add_erode(app, action);
   add_scale(app, action);
   add_scale_range(app, action);
+  add_rotate(app, action);
+  add_depth(app, action);
   add_info(app, action);
   add_convert(app, action);
   try {

@@ -12,6 +12,8 @@
 #include "report.h"
 #include "scale_command.h"
 #include "scale_pictures.h"
+#include "solid_motion.h"
+#include "solid_operands.h"
 #include "timing.h"
 
 namespace dymsum::cli {
@@ -163,6 +165,7 @@ void print_text(const Sweep& sweep, const std::vector<ScaleEvent>& events, doubl
 }
 
 ExitCode run_scale(const ScaleCommand& command) {
+  if (are_solid(command.operands)) return run_solid_scale(command, command.sweep.empty() ? std::vector<Scale>{} : sweep_scales(command.sweep));
   if (!command.copies.empty()) return run_copies(command);
   const std::vector<Scale> scales = scales_of(command);
   const std::vector<Input> inputs = read_inputs(command.operands, command.input);
@@ -183,7 +186,7 @@ ExitCode run_scale(const ScaleCommand& command) {
 void add_options(CLI::App& verb, ScaleCommand& command) {
   add_operands(verb, "P", "Q", command.operands);
   verb.add_option("--sweep", command.sweep, "FROM:TO:STEP; STEP is added, or with % multiplies: 1:2:1%")->type_name("A:B:STEP");
-  verb.add_option("--at", command.at, "Scales, exact: 3/2, 1.01, 1e-3")->delimiter(',')->type_name("S,S,...");
+  verb.add_option("--at", command.at, "Scales, exact: 3/2, 1.01, 1e-3; of solids also one per axis: 2:1:1/2")->delimiter(',')->type_name("S,S,...");
   verb.add_option("--copies", command.copies, "Copies of P, one `scale x y` a line: the sum of each with Q, from one sum that scales")->type_name("FILE");
   verb.add_flag("--robot", command.robot, "Q is a robot and P an obstacle: sums with -Q");
   verb.add_option("--scaled", command.scaled, "Which operand scales")->check(CLI::IsMember({"p", "q"}))->capture_default_str();

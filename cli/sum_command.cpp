@@ -9,6 +9,8 @@
 
 #include "progress_bar.h"
 #include "report.h"
+#include "solid_operands.h"
+#include "solid_sum.h"
 
 namespace dymsum::cli {
 namespace {
@@ -69,6 +71,7 @@ void add_sum_verb(CLI::App& app, const SumVerb& verb, Action& action) {
 }
 
 ExitCode run_sum(const SumVerb& verb, const SumCommand& command) {
+  if (are_solid(command.operands)) return run_solid_sum(verb, command);
   check(command);
   SumReport report;
   report.verb = verb.name;

@@ -129,6 +129,8 @@ class ConvexSum {
   const SolidPose& q_pose() const;
   const MotionWork& work() const;
 
+  /// The number tier of the coordinates: 26 or 61 bits on each operand's own grid, 0 for arbitrary precision.
+  int tier_bits() const;
   /// Sizes of the generic sum, before coplanar facets merge: face + vertex of either kind, edge + edge.
   std::size_t face_vertex_count() const;
   std::size_t edge_edge_count() const;

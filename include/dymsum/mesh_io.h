@@ -35,7 +35,11 @@ struct FaceColour {
 };
 /// The bytes of a file. Text formats write coordinates that read back as the same doubles; stl and glb round to single precision. Colours
 /// are used by glb, ply and off.
-std::string format_mesh(const Mesh& mesh, MeshFormat format, std::span<const FaceColour> colours = {});
+/// Requires: faces name existing vertices. Faces of more than three vertices need not be plane to the last bit, as those of rounded sums.
+std::string format_mesh(const MeshData& mesh, MeshFormat format, std::span<const FaceColour> colours = {});
+inline std::string format_mesh(const Mesh& mesh, MeshFormat format, std::span<const FaceColour> colours = {}) {
+  return format_mesh(mesh.data(), format, colours);
+}
 /// Replaces the file as a whole. Errors: cannot_write, unsupported_format.
 Result<std::size_t> write_mesh(const Mesh& mesh, const std::string& path);
 

@@ -56,15 +56,15 @@ Result<MeshData> read_mesh(const std::string& path) {
   return parse_mesh(*bytes, *format, path);
 }
 
-std::string format_mesh(const Mesh& mesh, MeshFormat format, std::span<const FaceColour> colours) {
+std::string format_mesh(const MeshData& mesh, MeshFormat format, std::span<const FaceColour> colours) {
   switch (format) {
-    case MeshFormat::off: return io::write_off(mesh.data(), colours);
-    case MeshFormat::obj: return io::write_obj(mesh.data());
-    case MeshFormat::stl: return io::write_stl(mesh.data());
-    case MeshFormat::ply: return io::write_ply(mesh.data(), colours);
+    case MeshFormat::off: return io::write_off(mesh, colours);
+    case MeshFormat::obj: return io::write_obj(mesh);
+    case MeshFormat::stl: return io::write_stl(mesh);
+    case MeshFormat::ply: return io::write_ply(mesh, colours);
     case MeshFormat::glb: break;
   }
-  return io::write_glb(mesh.data(), colours);
+  return io::write_glb(mesh, colours);
 }
 
 Result<std::size_t> write_mesh(const Mesh& mesh, const std::string& path) {

@@ -1,5 +1,6 @@
 #include "dymsum/convex_sum.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "spatial/convex/assemble.h"
@@ -63,6 +64,10 @@ const MotionWork& ConvexSum::rebuild(ConvexEngine engine) {
 const SolidPose& ConvexSum::p_pose() const { return state_->p_pose; }
 const SolidPose& ConvexSum::q_pose() const { return state_->q_pose; }
 const MotionWork& ConvexSum::work() const { return state_->work; }
+int ConvexSum::tier_bits() const {
+  const int bits = std::max(state_->p->bits, state_->q->bits);
+  return bits <= 26 ? 26 : bits <= 61 ? 61 : 0;
+}
 std::size_t ConvexSum::face_vertex_count() const { return state_->p->face_count() + state_->q->face_count(); }
 std::size_t ConvexSum::edge_edge_count() const { return state_->overlay.crossing_count(); }
 bool ConvexSum::same_combinatorics(const ConvexSum& other) const { return state_->overlay == other.state_->overlay; }

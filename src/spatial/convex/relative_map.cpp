@@ -43,7 +43,8 @@ PoseFactors PoseFactors::of(const SolidPose& pose) {
 
 RelativeMap::RelativeMap(const PoseFactors& p, const PoseFactors& q) {
   set_rotation(p.rotation, q.rotation);
-  if (p.scaled || q.scaled) set_scaled(p, q);
+  rotation_ = !p.scaled && !q.scaled;
+  if (!rotation_) set_scaled(p, q);
   approximate();
 }
 
@@ -100,7 +101,8 @@ void RelativeMap::approximate() {
       for (int k = 0; k < 9; ++k) d[k] = exact::round_to_double(exact::BigRational(big_[index][k].value()) * unit);
     }
     approx_[index] = {Vec3{d[0], d[1], d[2]}, Vec3{d[3], d[4], d[5]}, Vec3{d[6], d[7], d[8]}};
-    norm_[index] = spectral_bound(approx_[index]);
+    // Rows of a multiple of a rotation are equally long.
+    norm_[index] = rotation_ ? length(approx_[index][0]) * (1 + 0x1p-40) : spectral_bound(approx_[index]);
     per_norm_[index] = 1 / norm_[index];
     // Three factors with relative errors 2^-50, 2^-52, 2^-50, and at most 6 roundings of 2^-53: below 2^-48 of sum |u_i m_ij v_j|, which is at
     // most the Frobenius norm.
@@ -110,22 +112,29 @@ void RelativeMap::approximate() {
 
 double spectral_bound(const Mat3& m) {
   const Mat3 s = transposed(m) * m, s2 = s * s, s4 = s2 * s2;
-  return std::pow(frobenius(s4), 0.125) * (1 + 0x1p-40);
+  return std::sqrt(std::sqrt(std::sqrt(frobenius(s4)))) * (1 + 0x1p-40);
 }
 
 // Directions of Q's edges, seen from P, move by T = L L_before^-1 (up to a factor), normals by T^-T. On the straight path I + t E from the
 // identity to T, E = T - I, a vector v is at most |E v| away from where it started, so it has turned by at most asin |E|; the inverse of
 // I + t E differs from I by at most |E| / (1 - |E|). The sine of the angle bounds both.
+//
+// For a rotation by phi nothing is turned further than phi, and |E| in the Frobenius norm is 2 sqrt(2) sin(phi / 2).
 double RelativeMap::angle_from(const RelativeMap& before) const {
   constexpr double kLarge = 4;
   Mat3 t = approx_[0] * before.approx_[1];
   const double trace = t[0].x + t[1].y + t[2].z;
-  if (!(trace > 0)) return kLarge;
-  const double c = 3 / trace;
+  const bool turned = rotation_ && before.rotation_;
+  if (!turned && !(trace > 0)) return kLarge;
+  const double c = turned ? before.per_norm_[1] * per_norm_[0] : 3 / trace;
   for (int r = 0; r < 3; ++r) t[r] = c * t[r];
   t[0].x -= 1;
   t[1].y -= 1;
   t[2].z -= 1;
+  if (turned) {
+    const double half_sine = (frobenius(t) + 0x1p-38) / std::sqrt(8.0);
+    return half_sine < 1 ? 2 * std::asin(half_sine) * (1 + 0x1p-40) : kLarge;
+  }
   const double e = spectral_bound(t) + 0x1p-47 * c * norm_[0] * before.norm_[1];
   if (!(e < 0.4)) return kLarge;
   return std::asin(e / (1 - e)) * (1 + 0x1p-40);

@@ -61,6 +61,7 @@ class RelativeMap {
   void approximate();
 
   int bits_ = 62;
+  bool rotation_ = true;  // nothing but a rotation
   std::array<std::array<exact::i128, 9>, 2> fixed_{};
   std::array<std::array<exact::Big, 9>, 2> big_;  // when bits_ > 126
   std::array<Mat3, 2> approx_;

@@ -1,0 +1,101 @@
+// Penetration depth against all facets of the sum, in exact arithmetic.
+#include "convex_cases.h"
+#include "exact/big.h"
+
+namespace dymsum::test {
+namespace {
+
+using exact::BigRational;
+
+std::array<BigRational, 3> exact_point(const RationalPoint3& p) { return {exact::exact_value(p.x), exact::exact_value(p.y), exact::exact_value(p.z)}; }
+
+/// The least signed squared distance to the plane of a facet, from the exact positions of the canonical sum.
+BigRational least_signed_square(const SolidSum& sum, Point3 x) {
+  const std::array<BigRational, 3> at{exact::exact_value(x.x), exact::exact_value(x.y), exact::exact_value(x.z)};
+  std::optional<BigRational> least;
+  for (const SolidFacet& f : sum.facets) {
+    const auto a = exact_point(sum.exact(f.vertices[0])), b = exact_point(sum.exact(f.vertices[1])), c = exact_point(sum.exact(f.vertices[2]));
+    std::array<BigRational, 3> u, v, w;
+    for (int k = 0; k < 3; ++k) {
+      u[k] = b[k] - a[k];
+      v[k] = c[k] - a[k];
+      w[k] = a[k] - at[k];
+    }
+    const std::array<BigRational, 3> n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+    const BigRational d = n[0] * w[0] + n[1] * w[1] + n[2] * w[2], size = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
+    const BigRational signed_square = (d < 0 ? -1 : 1) * d * d / size;
+    if (!least || signed_square < *least) least = signed_square;
+  }
+  return *least;
+}
+
+TEST(ConvexDepth, cubes_have_the_depth_one_expects) {
+  const ConvexDepth d = *penetration_depth(cube(1), cube(2), {}, {}, {2.5, 0.25, 0});
+  EXPECT_TRUE(d.inside);
+  EXPECT_EQ(d.depth, 0.5);
+  EXPECT_EQ(d.depth_squared.to_string(), "1/4");
+  EXPECT_EQ(d.direction, (Point3{1, 0, 0}));
+  EXPECT_FALSE(penetration_depth(cube(1), cube(2), {}, {}, {3, 0, 0})->inside) << "touching is no penetration";
+  EXPECT_FALSE(penetration_depth(cube(1), cube(2), {}, {}, {9, 0, 0})->inside);
+  EXPECT_TRUE(penetration_depth(cube(1), cube(2), {}, {}, {3 - 0x1p-40, 0, 0})->inside);
+}
+
+TEST(ConvexDepth, equals_the_least_distance_to_all_facets) {
+  std::mt19937_64 random(31);
+  std::uniform_int_distribution<int> grid(-12, 12);
+  for (int k = 0; k < 40; ++k) {
+    const Mesh p = k % 2 ? random_grid_polytope(random, 8, 3) : random_round_polytope(random, 12);
+    const Mesh q = k % 3 ? random_round_polytope(random, 9) : random_grid_polytope(random, 6, 2);
+    ConvexSum sum = *ConvexSum::create(p, negated(q));
+    SolidPose pose{random_rotation(random), {}};
+    if (k % 4 == 0) pose.scale = {random_scale(random), random_scale(random), random_scale(random)};
+    if (k % 5 == 0) pose.rotation = Rotation();
+    sum.set(pose);
+    const Point3 x{grid(random) / 8.0, grid(random) / 8.0, grid(random) / 8.0};
+    const ConvexDepth depth = sum.depth(x);
+    const BigRational truth = least_signed_square(sum.sum(), x);
+    EXPECT_EQ(depth.inside, truth > 0);
+    if (truth > 0) {
+      EXPECT_EQ(exact::exact_value(depth.depth_squared), truth);
+    }
+  }
+}
+
+TEST(ConvexDepth, deep_in_a_sum_with_all_facets_equally_far) {
+  // Ties in hundreds: the centre of a sum of a cube with itself, and of a sphere with its reflection.
+  ConvexSum cubes = *ConvexSum::create(cube(1), cube(1));
+  EXPECT_EQ(cubes.depth().depth_squared.to_string(), "4/1");
+  const Mesh ball = solids::geodesic_sphere(2, 1);
+  ConvexSum balls = *ConvexSum::create(ball, negated(ball));
+  EXPECT_EQ(exact::exact_value(balls.depth().depth_squared), least_signed_square(balls.sum(), {}));
+}
+
+TEST(PoseBatch, reports_what_single_sums_say_in_the_order_given) {
+  std::mt19937_64 random(32);
+  const Mesh p = random_round_polytope(random, 60), q = random_round_polytope(random, 40);
+  std::vector<Rotation> poses;
+  for (int k = 0; k < 40; ++k) poses.push_back(random_rotation(random));
+  for (const int threads : {1, 2, 5}) {
+    BatchOptions options;
+    options.threads = threads;
+    options.depth_point = {0.1, 0.2, -0.1};
+    options.support_direction = {1, -1, 2};
+    const std::vector<PoseReport> reports = *pose_batch(p, q, poses, options);
+    ASSERT_EQ(reports.size(), poses.size());
+    for (std::size_t k = 0; k < poses.size(); ++k) {
+      ConvexSum one = *ConvexSum::create(p, q);
+      one.set(poses[k]);
+      EXPECT_EQ(reports[k].facets, one.sum().facets.size());
+      EXPECT_EQ(reports[k].volume, one.volume());
+      EXPECT_EQ(reports[k].support, one.support({1, -1, 2}).at);
+      EXPECT_EQ(reports[k].depth.depth_squared, one.depth({0.1, 0.2, -0.1}).depth_squared);
+    }
+  }
+  BatchOptions stop;
+  stop.progress = [](std::string_view, double done) { return done < 0.5; };
+  EXPECT_EQ(pose_batch(p, q, poses, stop).error().code, Code::cancelled);
+  EXPECT_TRUE(pose_batch(p, q, {}, {})->empty());
+}
+
+}  // namespace
+}  // namespace dymsum::test
