@@ -30,7 +30,10 @@ Json info_json(const SolidInput& input, const std::optional<Error>& not_convex, 
                {"triangles", mesh.triangle_count()},
                {"convex", !not_convex.has_value()}};
   if (not_convex) json["not_convex"] = not_convex->to_string();
-  json.update({{"volume", volume(mesh)}, {"area", surface_area(mesh)}, {"bounds", bounds(mesh)}, {"bits", grid_bits(mesh)}});
+  json.update({{"volume", volume(mesh)},
+               {"area", surface_area(mesh)},
+               {"bounds", bounds(mesh)},
+               {"bits", grid_bits(mesh)}});
   return json;
 }
 
