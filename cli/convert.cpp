@@ -6,6 +6,8 @@
 #include "commands.h"
 #include "progress_bar.h"
 #include "report.h"
+#include "solid_convert.h"
+#include "solid_inputs.h"
 #include "sum_command.h"
 #include "tier.h"
 
@@ -21,6 +23,10 @@ struct ConvertCommand {
 
 ExitCode run(const ConvertCommand& command) {
   if (command.json && command.out == "-") throw Stop(kUsage, "--json and the output - both want standard output");
+  if (names_solid(command.in)) {
+    return run_solid_convert(
+        {command.in, command.out, command.output.to, command.json, command.canonical, command.input});
+  }
   const RegionFormat format = output_format(command.out, command.output);
   auto [input, timing] = timed(1, [&] { return read_input(command.in, command.input); });
   if (command.canonical) input.region = input.region.canonical();
@@ -43,11 +49,11 @@ ExitCode run(const ConvertCommand& command) {
 
 void add_convert(CLI::App& app, Action& action) {
   auto command = std::make_shared<ConvertCommand>();
-  CLI::App* verb = app.add_subcommand("convert", "Read a region and write it in another format, coordinates unchanged");
+  CLI::App* verb = app.add_subcommand("convert", "Read a region or a solid and write it in another format, coordinates unchanged");
   verb->add_option("IN", command->in, "File, FILE#NAME for one shape of several, or - for standard input")->required();
-  verb->add_option("OUT", command->out, "File .poly .wkt .geojson .svg .json, or - for standard output")->required();
+  verb->add_option("OUT", command->out, "File .poly .wkt .geojson .svg .json, of solids .off .obj .stl .ply .glb, or - for standard output")->required();
   verb->add_option("--to", command->output.to, "Format of the output -")
-      ->check(CLI::IsMember({"poly", "wkt", "geojson", "svg", "json"}))
+      ->check(CLI::IsMember({"poly", "wkt", "geojson", "svg", "json", "off", "obj", "stl", "ply", "glb"}))
       ->capture_default_str();
   verb->add_flag("--canonical", command->canonical, "Write the canonical form: equal sets become equal files");
   verb->add_flag("--json", command->json, "Print one JSON object that says what was converted");

@@ -1,5 +1,6 @@
 // dymsum depth P Q
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <iostream>
 #include <memory>
 
@@ -34,7 +35,7 @@ ExitCode run(const DepthCommand& command) {
   SolidPose pose;
   if (!command.axis.empty())
     pose.rotation = require(Rotation::about(parse_point(command.axis, "--axis"), command.degrees / 180 * std::acos(-1.0)));
-  const std::vector<SolidInput> inputs = read_solids(command.operands, command.input);
+  const std::vector<SolidInput> inputs = read_convex_solids(command.operands, command.input);
   const auto [depth, timing] =
       timed(command.report.repeat, [&] { return require(penetration_depth(inputs[0].mesh, inputs[1].mesh, pose, {}, moved)); });
   if (command.report.json) {

@@ -7,6 +7,8 @@
 
 #include "commands.h"
 #include "report.h"
+#include "solid_info.h"
+#include "solid_inputs.h"
 #include "sum_command.h"
 #include "tier.h"
 
@@ -101,6 +103,9 @@ void draw(const InfoCommand& command, const std::vector<Shape>& shapes) {
 }
 
 ExitCode run(const InfoCommand& command) {
+  if (names_solid(command.file)) {
+    return run_solid_info({command.file, command.json, command.input, command.output.files});
+  }
   const auto [shapes, timing] = timed(1, [&] { return read_and_validate(command); });
   draw(command, shapes);
   if (command.json) {
@@ -121,9 +126,9 @@ ExitCode run(const InfoCommand& command) {
 void add_info(CLI::App& app, Action& action) {
   auto command = std::make_shared<InfoCommand>();
   command->output.to = "svg";
-  CLI::App* verb = app.add_subcommand("info", "Parts, holes, vertices, bounds, area, validity and tier of a file");
+  CLI::App* verb = app.add_subcommand("info", "What a file holds: counts, bounds, area or volume, validity, tier");
   verb->add_option("F", command->file, "File, FILE#NAME for one shape of several, or - for standard input")->required();
-  verb->add_option("-o", command->output.files, "Draw the region (.svg)")->type_name("FILE")->allow_extra_args(false);
+  verb->add_option("-o", command->output.files, "Draw the region (.svg) or the solid (.glb)")->type_name("FILE")->allow_extra_args(false);
   verb->add_flag("--json", command->json, "Print one JSON object");
   add_input_options(*verb, command->input);
   verb->footer("Example: dymsum info neuron.poly --json");

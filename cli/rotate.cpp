@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <memory>
+#include <sstream>
 
 #include "commands.h"
 #include "options.h"
@@ -22,7 +23,7 @@ struct RotateCommand {
 ExitCode run(const RotateCommand& command) {
   if (!are_solid(command.operands)) throw Stop(kUsage, "rotate wants convex solids so far: .off .obj .stl .ply");
   const Point3 axis = parse_point(command.axis, "--axis");
-  const std::vector<SolidInput> inputs = read_solids(command.operands, command.input);
+  const std::vector<SolidInput> inputs = read_convex_solids(command.operands, command.input);
   std::vector<SolidFramePose> poses;
   for (std::size_t k = 0; k < command.steps; ++k) {
     const double degrees = command.degrees * static_cast<double>(k) / static_cast<double>(command.steps);

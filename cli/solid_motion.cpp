@@ -107,7 +107,7 @@ ExitCode run_solid_motion(const std::string& verb, const std::vector<SolidInput>
 ExitCode run_solid_scale(const ScaleCommand& command, const std::vector<Scale>& sweep) {
   if (!command.copies.empty() || command.events) throw Stop(kUsage, "--copies and --events are for planar operands");
   if (sweep.empty() == command.at.empty()) throw Stop(kUsage, "give one of --sweep and --at");
-  const std::vector<SolidInput> inputs = read_solids(command.operands, command.input);
+  const std::vector<SolidInput> inputs = read_convex_solids(command.operands, command.input);
   std::vector<SolidFramePose> poses;
   const auto add = [&](const std::array<Scale, 3>& s, const std::string& label) {
     SolidFramePose pose;

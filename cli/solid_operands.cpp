@@ -2,43 +2,21 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <iostream>
+#include <optional>
+#include <utility>
 
-#include "dymsum/mesh_io.h"
 #include "exit_code.h"
 
 namespace dymsum::cli {
 
-bool is_solid_file(const std::string& file) {
-  const Result<MeshFormat> format = mesh_format(file);
-  return format && *format != MeshFormat::glb;
-}
-
 bool are_solid(const std::vector<std::string>& files) {
   std::size_t solids = 0;
-  for (const std::string& file : files) solids += is_solid_file(file);
+  for (const std::string& file : files) solids += names_solid(file);
   if (solids != 0 && solids != files.size()) throw Stop(kUsage, "one operand is planar and the other one solid");
   return solids != 0;
 }
 
-SolidInput read_solid(const std::string& file, const InputOptions& options) {
-  const auto in_file = [&](Error error) -> Error {
-    if (error.evidence.file.empty()) error.evidence.file = file;
-    return error;
-  };
-  MeshData data = require(read_mesh(file));
-  if (!options.repair) {
-    Result<Mesh> mesh = Mesh::create(std::move(data));
-    if (!mesh) stop_with(in_file(mesh.error()));
-    return {file, std::move(mesh).value()};
-  }
-  Result<RepairedMesh> repaired = repair(std::move(data));
-  if (!repaired) stop_with(in_file(repaired.error()));
-  if (repaired->report.changed()) std::cerr << file << ": repaired: " << repaired->report.to_string() << "\n";
-  return {file, std::move(repaired).value().mesh};
-}
-
-std::vector<SolidInput> read_solids(const std::vector<std::string>& files, const InputOptions& options) {
+std::vector<SolidInput> read_convex_solids(const std::vector<std::string>& files, const InputOptions& options) {
   std::vector<SolidInput> inputs;
   for (const std::string& file : files) {
     inputs.push_back(read_solid(file, options));
@@ -49,13 +27,6 @@ std::vector<SolidInput> read_solids(const std::vector<std::string>& files, const
     }
   }
   return inputs;
-}
-
-Json solid_inputs_json(const std::vector<SolidInput>& inputs) {
-  Json list = Json::array();
-  for (const SolidInput& input : inputs)
-    list.push_back({{"file", input.file}, {"vertices", input.mesh.vertices().size()}, {"faces", input.mesh.faces().size()}});
-  return list;
 }
 
 Point3 parse_point(const std::string& text, const std::string& option) {

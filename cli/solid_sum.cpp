@@ -5,6 +5,7 @@
 #include "dymsum/convex_sum.h"
 #include "progress_bar.h"
 #include "report.h"
+#include "solid_operands.h"
 #include "solid_outputs.h"
 #include "timing.h"
 
@@ -22,7 +23,7 @@ ExitCode run_solid_sum(const SumVerb& verb, const SumCommand& command) {
   if (verb.name == "erode") throw Stop(kUsage, "erode is defined for planar regions so far");
   const ConvexEngine engine = engine_of(command);
   check_solid_outputs(command.output.files);
-  const std::vector<SolidInput> inputs = read_solids(command.operands, command.input);
+  const std::vector<SolidInput> inputs = read_convex_solids(command.operands, command.input);
   const InterruptGuard guard;
   const Mesh q = verb.reflects_second ? negated(inputs[1].mesh) : inputs[1].mesh;
   const auto [made, timing] = timed(command.report.repeat, [&] {

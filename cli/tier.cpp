@@ -1,5 +1,6 @@
 #include "tier.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -63,6 +64,26 @@ int tier_of(const Region& region) {
   origin.points = {Point{0, 0}};
   const Region p = require(Region::create(points));
   return require(minkowski_sum(p, require(Region::create(origin)))).stats.tier_bits;
+}
+
+int grid_bits(const Mesh& mesh) {
+  int unit = std::numeric_limits<int>::max();
+  double largest = 0;
+  for (const Point3& p : mesh.vertices()) {
+    for (const double c : {p.x, p.y, p.z}) {
+      unit = std::min(unit, lowest_bit(c));
+      largest = std::max(largest, std::abs(c));
+    }
+  }
+  if (largest == 0) return 0;
+  int exponent = 0;
+  const bool power = std::frexp(largest, &exponent) == 0.5;
+  return exponent - (power ? 1 : 0) - unit;
+}
+
+int tier_of(const Mesh& mesh) {
+  const int bits = grid_bits(mesh);
+  return bits <= 26 ? 26 : bits <= 54 ? 54 : 0;
 }
 
 }  // namespace dymsum::cli

@@ -1,11 +1,17 @@
-// The number tier that a region's coordinates alone ask for.
+// The number tier that the coordinates of a region or a mesh alone ask for.
 #pragma once
 
+#include "dymsum/mesh.h"
 #include "dymsum/region.h"
 
 namespace dymsum::cli {
 
 /// Bits of the integers that hold the region on its lossless grid: 29, 61, 512, or 0 for arbitrary precision.
 int tier_of(const Region& region);
+
+/// The smallest B such that all coordinates of the mesh are at most 2^B of the largest power of two that divides all.
+int grid_bits(const Mesh& mesh);
+/// The tier of those bits: 26, 54, or 0 for arbitrary precision.
+int tier_of(const Mesh& mesh);
 
 }  // namespace dymsum::cli

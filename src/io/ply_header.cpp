@@ -37,6 +37,7 @@ class HeaderReader {
     words_.expect("format");
     read_encoding();
     for (;;) {
+      words_.peek();
       const std::size_t start = words_.offset();
       const std::string_view keyword = words_.take("'end_header'");
       if (keyword == "end_header") break;
@@ -56,6 +57,7 @@ class HeaderReader {
 
  private:
   void read_encoding() {
+    words_.peek();
     const std::size_t start = words_.offset();
     const std::string_view name = words_.take("the encoding");
     if (name == "ascii") {

@@ -40,7 +40,9 @@ class OffReader {
     for (const std::string_view part : {"ST", "C", "N"}) {
       if (prefix.starts_with(part)) prefix.remove_prefix(part.size());
     }
-    if (!prefix.empty()) words_.fail_at(start, Code::malformed, quoted(word) + " files are not read, only three-dimensional ones");
+    if (!prefix.empty()) {
+      words_.fail_at(start, Code::malformed, quoted(word) + " files are not read, only three-dimensional ones");
+    }
     if (same_word(words_.peek(), "BINARY")) words_.fail(Code::malformed, "binary OFF files are not read");
   }
 
@@ -73,9 +75,8 @@ class OffReader {
 
   [[noreturn]] void fail_short(const std::string& what, std::uint64_t announced, std::uint64_t found,
                                const Evidence& evidence) {
-    words_.fail(Code::truncated,
-                "the file announces " + std::to_string(announced) + " " + what + " and ends after " + std::to_string(found),
-                evidence);
+    const std::string announces = "the file announces " + std::to_string(announced) + " " + what;
+    words_.fail(Code::truncated, announces + " and ends after " + std::to_string(found), evidence);
   }
 
   std::size_t size_;

@@ -29,7 +29,8 @@ class TextNumbers {
     words_.fail_at(words_.offset() - 1, code, std::move(message), std::move(evidence));
   }
   void finish() {
-    if (!words_.at_end()) words_.fail(Code::malformed, "unexpected " + quoted(words_.peek()) + " after the last element");
+    if (words_.at_end()) return;
+    words_.fail(Code::malformed, "unexpected " + quoted(words_.peek()) + " after the last element");
   }
 
  private:

@@ -63,7 +63,8 @@ class TextReader {
   MeshData data_;
 };
 
-[[noreturn]] void fail_at_byte(const Source& source, Code code, std::string message, std::size_t byte, Evidence evidence = {}) {
+[[noreturn]] void fail_at_byte(const Source& source, Code code, std::string message, std::size_t byte,
+                               Evidence evidence = {}) {
   evidence.file = source.file;
   throw ReadFailure{Error{code, std::move(message) + " (byte " + std::to_string(byte) + ")", std::move(evidence)}};
 }
@@ -79,8 +80,8 @@ MeshData read_binary(const Source& source) {
   }
   const std::uint64_t count = announced_triangles(bytes), room = (bytes.size() - kHeader) / kTriangle;
   if (count > room) {
-    fail_at_byte(source, Code::truncated, "the file announces " + std::to_string(count) + " triangles and has room for " +
-                 std::to_string(room), bytes.size());
+    const std::string announces = "the file announces " + std::to_string(count) + " triangles";
+    fail_at_byte(source, Code::truncated, announces + " and has room for " + std::to_string(room), bytes.size());
   }
   if (kHeader + count * kTriangle != bytes.size()) {
     fail_at_byte(source, Code::malformed, "bytes follow the last triangle", kHeader + count * kTriangle);

@@ -25,7 +25,7 @@ class Words {
   /// To the start of the next line.
   void skip_line();
 
-  /// The next word, without taking it; empty at the end.
+  /// The next word, without taking it; empty at the end. Afterwards offset() is where it starts.
   std::string_view peek();
   /// Takes the next word. Error truncated, saying that the file ends before `what`.
   std::string_view take(const std::string& what);

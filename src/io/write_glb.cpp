@@ -48,7 +48,8 @@ Triple unit_normal(const Triple& a, const Triple& b, const Triple& c) {
 class GlbWriter {
  public:
   explicit GlbWriter(const MeshData& data) : data_(data) {
-    json_ = {{"asset", {{"version", "2.0"}, {"generator", "dymsum"}}}, {"scene", 0}, {"scenes", {{{"nodes", Json::array()}}}}};
+    json_ = {{"asset", {{"version", "2.0"}, {"generator", "dymsum"}}}, {"scene", 0}};
+    json_["scenes"] = Json::array({Json::object()});
   }
 
   /// A primitive of these triangles in a material of its own.
@@ -56,7 +57,8 @@ class GlbWriter {
     if (triangles.empty()) return;
     std::vector<Triple> places, normals;
     for (const spatial::Triangle& t : triangles) {
-      const Triple a = rounded(data_.vertices[t[0]]), b = rounded(data_.vertices[t[1]]), c = rounded(data_.vertices[t[2]]);
+      const auto corner = [&](std::size_t k) { return rounded(data_.vertices[t[k]]); };
+      const Triple a = corner(0), b = corner(1), c = corner(2);
       places.insert(places.end(), {a, b, c});
       normals.insert(normals.end(), 3, unit_normal(a, b, c));
     }
@@ -77,8 +79,6 @@ class GlbWriter {
       json_["nodes"] = {{{"mesh", 0}, {"rotation", {-half, 0.0, 0.0, half}}}};
       json_["scenes"][0]["nodes"] = {0};
       json_["buffers"] = {{{"byteLength", bytes_.size()}}};
-    } else {
-      json_["scenes"][0].erase("nodes");
     }
     std::string text = json_.dump();
     text.append((4 - text.size() % 4) % 4, ' ');

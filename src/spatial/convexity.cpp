@@ -71,7 +71,8 @@ using Vector = GridPoint<typename FromCentre<C>::Coordinate>;
 template <class C>
 std::vector<Vector<C>> from_barycentre(const std::vector<GridPoint<C>>& points, const std::array<std::uint32_t, 4>& o) {
   const auto line = [&](auto coordinate) {
-    return (coordinate(points[o[0]]) + coordinate(points[o[1]])) + (coordinate(points[o[2]]) + coordinate(points[o[3]]));
+    const auto at = [&](std::size_t k) { return coordinate(points[o[k]]); };
+    return (at(0) + at(1)) + (at(2) + at(3));
   };
   const auto x = line([](const auto& p) { return p.x; }), y = line([](const auto& p) { return p.y; }),
              z = line([](const auto& p) { return p.z; });

@@ -48,7 +48,7 @@ std::vector<GridPoint<C>> grid_points(const std::vector<Point3>& points, const S
   return on_grid;
 }
 
-/// f(points on the grid) with the narrowest number type of the tiers that holds them: Int<29>, Int<61>, Int<125> or Big.
+/// f(points on the grid) with the narrowest number type of the tiers that holds them: Int<29>, Int<61>, Int<125>, Big.
 template <class F>
 auto with_grid_points(const std::vector<Point3>& points, const SpaceGrid& grid, F f) {
   using exact::Tier;

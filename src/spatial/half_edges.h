@@ -15,7 +15,7 @@ struct HalfEdges {
 
   std::vector<std::uint32_t> face_begin;  ///< per face its first half-edge; one more at the end
   std::vector<std::uint32_t> origin, face, next;
-  std::vector<std::uint32_t> twin;  ///< the other side; kNone where an edge has not exactly two sides in opposite directions
+  std::vector<std::uint32_t> twin;  ///< the other side; kNone without exactly one that runs the other way
 
   std::size_t size() const { return origin.size(); }
   std::uint32_t target(std::uint32_t h) const { return origin[next[h]]; }

@@ -101,7 +101,8 @@ void drop_straight_vertices(const std::vector<Point3>& vertices, std::vector<Fac
   for (Face& face : faces) {
     Face kept;
     for (std::size_t i = 0; i < face.size(); ++i) {
-      const std::uint32_t before = face[i == 0 ? face.size() - 1 : i - 1], after = face[i + 1 == face.size() ? 0 : i + 1];
+      const std::uint32_t before = face[i == 0 ? face.size() - 1 : i - 1];
+      const std::uint32_t after = face[i + 1 == face.size() ? 0 : i + 1];
       if (degree[face[i]] == 2 && exact::collinear(vertices[before], vertices[face[i]], vertices[after])) continue;
       kept.push_back(face[i]);
     }

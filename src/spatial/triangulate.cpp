@@ -13,7 +13,8 @@ using exact::Axis;
 /// A polygon that loses its ears one by one; corners are places in the face.
 class Ears {
  public:
-  Ears(const std::vector<Point3>& vertices, const Face& face, View view) : vertices_(vertices), face_(face), view_(view) {
+  Ears(const std::vector<Point3>& vertices, const Face& face, View view)
+      : vertices_(vertices), face_(face), view_(view) {
     const std::size_t n = face.size();
     for (std::size_t i = 0; i < n; ++i) {
       next_.push_back((i + 1) % n);

@@ -1,4 +1,5 @@
-// What README.md shows is what happens: its program is the example, its output is the program's, its commands work.
+// What README.md and the guide to meshes show is what happens: their programs are the examples, their outputs are the
+// programs', their commands work.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,9 +15,9 @@ namespace {
 
 const std::filesystem::path kSource = DYMSUM_SOURCE_DIR;
 
-/// The texts between ```KIND and ``` of README.md.
-std::vector<std::string> blocks(const std::string& kind) {
-  const std::string text = read_text(kSource / "README.md");
+/// The texts between ```KIND and ``` of a document.
+std::vector<std::string> blocks(const std::string& kind, const std::string& document = "README.md") {
+  const std::string text = read_text(kSource / document);
   std::vector<std::string> found;
   const std::string opening = "\n```" + kind + "\n";
   for (std::size_t at = text.find(opening); at != std::string::npos; at = text.find(opening, at)) {
@@ -66,6 +67,29 @@ TEST(Readme, EveryFileItNamesExists) {
     EXPECT_TRUE(std::filesystem::exists(kSource / target)) << target;
   }
   EXPECT_GE(links, 3U);
+}
+
+TEST(MeshGuide, ProgramAndCommandsDoWhatIsShown) {
+  const std::string guide = "docs/guide/meshes.md";
+  ASSERT_EQ(blocks("cpp", guide).size(), 1U);
+  ASSERT_EQ(blocks("text", guide).size(), 1U);
+  ASSERT_EQ(blocks("console", guide).size(), 1U);
+  EXPECT_EQ(blocks("cpp", guide).front(), read_text(kSource / "examples/first_solid.cpp"));
+  const Workplace work;
+  const Outcome program = work.run("'" DYMSUM_EXAMPLES_DIR "/first_solid'");
+  EXPECT_EQ(program.code, 0) << program.err;
+  EXPECT_EQ(program.out, blocks("text", guide).front());
+  std::istringstream lines(blocks("console", guide).front());
+  std::string shown;
+  for (std::string line; std::getline(lines, line);) {
+    shown += line + "\n";
+    if (line.rfind("$ ", 0) != 0) continue;
+    const Outcome outcome = work.run(line.substr(2));
+    EXPECT_EQ(outcome.code, 0) << line << "\n" << outcome.err;
+    EXPECT_NE(blocks("console", guide).front().find(line + "\n" + outcome.out), std::string::npos) << outcome.out;
+  }
+  EXPECT_NE(shown.find("$ dymsum info"), std::string::npos);
+  EXPECT_TRUE(work.exists("dented.glb"));
 }
 
 }  // namespace

@@ -95,6 +95,27 @@ TEST(Convexity, ASurfaceThatWindsTwiceAroundItsAxis) {
   EXPECT_TRUE(error->evidence.face.has_value());
 }
 
+// The same over a limacon, whose small loop lies inside its large one: from the middle of the large one, the faces of
+// the small one are seen from their outside.
+TEST(Convexity, ASurfaceThatWindsTwiceAroundASmallCore) {
+  MeshData data;
+  const double step = std::acos(-1.0) / 12;
+  for (int k = 0; k < 24; ++k) {
+    const double angle = (k + 0.5) * step, r = 0.5 + std::cos(angle);
+    data.vertices.push_back({r * std::cos(angle), r * std::sin(angle), 0});
+  }
+  data.vertices.push_back({0.25, 0, -1});
+  data.vertices.push_back({0.25, 0, 1});
+  for (std::uint32_t u = 0; u < 24; ++u) {
+    const std::uint32_t v = (u + 1) % 24;
+    data.faces.push_back({u, v, 25});
+    data.faces.push_back({v, u, 24});
+  }
+  const std::optional<Error> error = convexity_error(made(data));
+  ASSERT_TRUE(error.has_value());
+  EXPECT_NE(error->message.find("turns away from the middle"), std::string::npos) << error->to_string();
+}
+
 // The hull decides: with the vertices in place of those on it, a mesh is convex exactly when it is its own hull.
 TEST(Convexity, AgreesWithTheHullForRandomDents) {
   int convex = 0, dented = 0;

@@ -73,6 +73,29 @@ TEST(MeshCanonical, AMeshOfSeveralShells) {
   EXPECT_EQ(a.canonical().shell_count(), 2u);
 }
 
+// A ring cut open whose ends lie against each other: the union of its tops would run along itself.
+TEST(MeshCanonical, WhatMergingWouldMakeInvalidIsOnlySorted) {
+  MeshData data = prism({{0, 3, 0}, {-3, 3, 0}, {-3, -3, 0}, {3, -3, 0}, {3, 3, 0}, {0, 2.5, 0}, {0, 1.5, 0},
+                         {1, 1, 0}, {1, -1, 0}, {-1, -1, 0}, {-1, 1, 0}, {0, 1, 0}}, 1);
+  EXPECT_EQ(name(Mesh::create(data).error().code), "self_crossing");
+  data.faces.resize(12);
+  const std::vector<Face> pieces = {{0, 1, 10, 11}, {1, 2, 9, 10}, {2, 3, 8, 9}, {3, 4, 7, 8}, {4, 5, 6, 7}};
+  for (const Face& piece : pieces) {
+    Face bottom, top;
+    for (const std::uint32_t v : piece) {
+      top.push_back(2 * v + 1);
+      bottom.insert(bottom.begin(), 2 * v);
+    }
+    data.faces.push_back(bottom);
+    data.faces.push_back(top);
+  }
+  const Mesh mesh = made(data), canonical = mesh.canonical();
+  EXPECT_EQ(canonical.faces().size(), 22u);
+  EXPECT_TRUE(Mesh::create(canonical.data()).ok());
+  EXPECT_EQ(volume(canonical), volume(mesh));
+  EXPECT_EQ(made(shuffled(data, 5)).canonical().data(), canonical.data());
+}
+
 // Two cubes that touch in a face, as two shells: nothing is merged across.
 TEST(MeshCanonical, TouchingShellsStayApart) {
   MeshData data = joined(cube(), cube(1, {1, 0, 0.5}));

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include <gmpxx.h>
+
 #include "dymsum/solids.h"
 #include "spatial/mesh_cases.h"
 
@@ -67,6 +69,36 @@ TEST(Mesh, VolumeIsExactAndRoundedOnce) {
   const Result<Mesh> scaled_tetrahedron = scaled(made(tetrahedron()), third, 1, 3);
   ASSERT_TRUE(scaled_tetrahedron.ok());
   EXPECT_EQ(volume(*scaled_tetrahedron), third / 2);
+}
+
+// Rational arithmetic of another library: no double is nearer to the exact volume.
+TEST(Mesh, VolumeIsTheNearestDoubleToTheRationalOne) {
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    std::mt19937_64 random(seed);
+    const int spread = seed % 3 == 0 ? 300 : seed % 3 == 1 ? 40 : 1;
+    std::vector<Point3> points(4 + seed % 20);
+    for (Point3& p : points) {
+      for (double* c : {&p.x, &p.y, &p.z}) {
+        *c = std::ldexp(static_cast<double>(random() >> 11) - 0x1p52, static_cast<int>(random() % spread) - 52);
+      }
+    }
+    const Result<Mesh> hull = convex_hull(points);
+    ASSERT_TRUE(hull.ok());
+    mpq_class six = 0;
+    for (const Face& face : hull->faces()) {
+      const auto at = [&](std::size_t k) -> const Point3& { return hull->vertices()[face[k]]; };
+      const mpq_class ax(at(0).x), ay(at(0).y), az(at(0).z);
+      for (std::size_t k = 2; k < face.size(); ++k) {
+        const mpq_class bx(at(k - 1).x), by(at(k - 1).y), bz(at(k - 1).z), cx(at(k).x), cy(at(k).y), cz(at(k).z);
+        six += ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx);
+      }
+    }
+    const double v = volume(*hull);
+    const mpq_class error = abs(mpq_class(v) - six / 6);
+    for (const double other : {std::nextafter(v, 0.0), std::nextafter(v, kMax)}) {
+      EXPECT_LE(error, abs(mpq_class(other) - six / 6)) << seed;
+    }
+  }
 }
 
 TEST(Mesh, TheLargestAndTheSmallestDoubles) {

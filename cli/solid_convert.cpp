@@ -1,0 +1,36 @@
+#include "solid_convert.h"
+
+#include <iostream>
+
+#include "outputs.h"
+#include "progress_bar.h"
+#include "report.h"
+#include "solid_inputs.h"
+#include "tier.h"
+#include "timing.h"
+
+namespace dymsum::cli {
+
+ExitCode run_solid_convert(const SolidConvert& command) {
+  const MeshFormat format = require(mesh_format(command.out == "-" ? "." + command.to : command.out));
+  auto [input, timing] = timed(1, [&] { return read_solid(command.in, command.input); });
+  if (command.canonical) input.mesh = input.mesh.canonical();
+  const InterruptGuard guard;
+  if (command.out == "-") {
+    write_text(command.out, format_mesh(input.mesh, format));
+  } else {
+    require(write_mesh(input.mesh, command.out));
+  }
+  if (!command.json) return kDone;
+  const Json report = {{"inputs", solid_inputs_json({input})},
+                       {"tier", tier_of(input.mesh)},
+                       {"time_ms", {{"median", timing.median_ms}, {"min", timing.min_ms}, {"stages", Json::object()}}},
+                       {"output", command.out},
+                       {"shells", input.mesh.shell_count()},
+                       {"vertices", input.mesh.vertices().size()},
+                       {"faces", input.mesh.faces().size()}};
+  std::cout << report.dump(2) << "\n";
+  return kDone;
+}
+
+}  // namespace dymsum::cli

@@ -1,0 +1,20 @@
+// dymsum convert IN OUT for solids.
+#pragma once
+
+#include <string>
+
+#include "exit_code.h"
+#include "inputs.h"
+
+namespace dymsum::cli {
+
+struct SolidConvert {
+  std::string in, out;
+  std::string to;  ///< the format of the output -
+  bool json = false, canonical = false;
+  InputOptions input;
+};
+
+ExitCode run_solid_convert(const SolidConvert& command);
+
+}  // namespace dymsum::cli

@@ -1,0 +1,90 @@
+#include "solid_info.h"
+
+#include <array>
+#include <iostream>
+#include <optional>
+
+#include "progress_bar.h"
+#include "report.h"
+#include "solid_inputs.h"
+#include "tier.h"
+#include "timing.h"
+
+namespace dymsum::cli {
+namespace {
+
+Json times(const Timing& timing) {
+  return {{"median", timing.median_ms}, {"min", timing.min_ms}, {"stages", Json::object()}};
+}
+
+Json info_json(const SolidInput& input, const std::optional<Error>& not_convex, const Timing& timing) {
+  const Mesh& mesh = input.mesh;
+  Json json = {{"inputs", solid_inputs_json({input})},
+               {"tier", tier_of(mesh)},
+               {"time_ms", times(timing)},
+               {"valid", true},
+               {"shells", mesh.shell_count()},
+               {"vertices", mesh.vertices().size()},
+               {"edges", mesh.edge_count()},
+               {"faces", mesh.faces().size()},
+               {"triangles", mesh.triangle_count()},
+               {"convex", !not_convex.has_value()}};
+  if (not_convex) json["not_convex"] = not_convex->to_string();
+  json.update({{"volume", volume(mesh)},
+               {"area", surface_area(mesh)},
+               {"bounds", bounds(mesh)},
+               {"bits", grid_bits(mesh)}});
+  return json;
+}
+
+Json error_json(const std::string& file, const Error& error, const Timing& timing) {
+  return {{"inputs", Json::array({Json{{"file", file}}})},
+          {"tier", 26},
+          {"time_ms", times(timing)},
+          {"valid", false},
+          {"code", std::string(name(error.code))},
+          {"error", error.to_string()}};
+}
+
+void print_info(const Mesh& mesh, const std::optional<Error>& not_convex) {
+  const std::array<double, 6> box = bounds(mesh);
+  const auto precision = std::cout.precision(17);
+  std::cout << "valid, " << counted(mesh.shell_count(), "shell") << ", "
+            << counted(mesh.vertices().size(), "vertex", "vertices") << ", " << counted(mesh.edge_count(), "edge")
+            << ", " << counted(mesh.faces().size(), "face") << "\n  "
+            << (not_convex ? "not convex: " + not_convex->to_string() : std::string("convex")) << "\n  bounds ["
+            << box[0] << ", " << box[3] << "] x [" << box[1] << ", " << box[4] << "] x [" << box[2] << ", " << box[5]
+            << "]\n  volume " << volume(mesh) << ", surface " << surface_area(mesh) << "\n  "
+            << counted(static_cast<std::size_t>(grid_bits(mesh)), "bit") << " per coordinate, "
+            << tier_name(tier_of(mesh)) << " integers\n";
+  std::cout.precision(precision);
+}
+
+}  // namespace
+
+ExitCode run_solid_info(const SolidInfo& command) {
+  for (const std::string& file : command.pictures) {
+    const Result<MeshFormat> format = mesh_format(file);
+    if (!format || *format != MeshFormat::glb) throw Stop(kUsage, "info draws .glb pictures of solids only");
+  }
+  const auto [mesh, timing] = timed(
+      1, [&] { return make_mesh(require(read_mesh(command.file)), command.file, command.input); });
+  if (!mesh) {
+    if (command.json) std::cout << error_json(command.file, mesh.error(), timing).dump(2) << "\n";
+    else std::cout << "not valid (" << name(mesh.error().code) << ")\n";
+    stop_with(mesh.error());
+  }
+  const std::optional<Error> not_convex = convexity_error(*mesh);
+  {
+    const InterruptGuard guard;
+    for (const std::string& file : command.pictures) require(write_mesh(*mesh, file));
+  }
+  if (command.json) {
+    std::cout << info_json({command.file, *mesh}, not_convex, timing).dump(2) << "\n";
+  } else {
+    print_info(*mesh, not_convex);
+  }
+  return kDone;
+}
+
+}  // namespace dymsum::cli
