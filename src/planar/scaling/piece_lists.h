@@ -2,6 +2,7 @@
 // which it certainly stays as it is; only lists whose interval was left are looked at.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -46,6 +47,8 @@ class PieceLists {
   bool touched(std::uint32_t piece) const { return touched_[piece] == frame_; }
   const std::vector<std::uint32_t>& changed() const { return changed_; }
   bool has_changed(std::uint32_t piece) const { return changed_at_[piece] == frame_; }
+  /// A piece's list certainly stays as it is strictly between these; empty where only exact signs know it.
+  std::array<double, 2> certain(std::uint32_t piece) const { return {low_[piece], high_[piece]}; }
   Window& window() const { return window_; }
   std::size_t bytes() const;
 
