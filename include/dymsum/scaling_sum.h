@@ -47,6 +47,7 @@ struct FrameWork {
   std::uint64_t loops_traced = 0;    ///< cycles walked
   std::uint64_t loops_kept = 0;      ///< cycles carried over without a look
   std::uint64_t witnessed = 0;       ///< false loops proved false by the collision remembered for them
+  std::uint64_t witnesses_lost = 0;  ///< remembered collisions that no longer hold; the loop or touch is tested anew
   std::uint64_t collision_tests = 0;
   std::uint64_t exact_signs = 0;     ///< signs of this frame that doubles did not decide
   double window_low = 0, window_high = 0;  ///< scales the window covers; 0, 0 without one

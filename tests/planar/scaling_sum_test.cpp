@@ -27,7 +27,7 @@ constexpr Mode kModes[] = {{"rebuild", ScalingMode::rebuild, 0}, {"window 40 %",
 TEST(ScalingSum, tiny_pairs_equal_the_static_engine_at_every_step) {
   const char* pairs = std::getenv("DYMSUM_FUZZ_PAIRS");
   const int rounds = pairs != nullptr ? std::atoi(pairs) / 40 : 250;
-  std::uint64_t degenerate = 0, windows = 0, kept = 0;
+  std::uint64_t degenerate = 0, windows = 0, kept = 0, lost = 0;
   for (int round = 0; round < rounds; ++round) {
     oracles::Random random(static_cast<std::uint64_t>(round) + 1);
     const oracles::Pair pair = oracles::random_pair(random, 6);
@@ -49,6 +49,7 @@ TEST(ScalingSum, tiny_pairs_equal_the_static_engine_at_every_step) {
       degenerate += sum.work().degenerate;
       windows += sum.work().new_window;
       kept += sum.work().loops_kept;
+      lost += sum.work().witnesses_lost;
       // Small steps on a grid of simple fractions: most of them are events.
       a = std::max(3L, a + random.below(5) - 2);
       if (random.chance(10)) b = 6 + random.below(12);
@@ -57,6 +58,8 @@ TEST(ScalingSum, tiny_pairs_equal_the_static_engine_at_every_step) {
   EXPECT_GT(degenerate, 0u);
   EXPECT_GT(windows, 0u);
   EXPECT_GT(kept, 0u);
+  // Collisions remembered for touches are looked at again, and found gone.
+  EXPECT_GT(lost, 0u);
 }
 
 struct Shape {

@@ -106,6 +106,8 @@ TEST(ScalingWindow, dead_cells_lie_in_the_open_sum_with_their_rim_at_every_scale
   check(plate(32, 8, 24), shapes::rectangle(0, 0, 16, 16), 1, 1.75, 2, 64);
   check(plate(32, 8, 24), plate(16, 4, 12), 1, 1.75, 2, 64);
   check(shapes::rectangle(0, 0, 16, 16), plate(32, 8, 24), 0, 1.5, 2, 64);
+  // A hole that grows through cells that were inside at the window's start.
+  check(shapes::rectangle(0, 0, 4, 4), plate(16, 4, 12), 1, 1.25, 2, 72);
   // And anywhere.
   check(on_integers(shapes::noisy_star(20, 0.5, 1), 3000), on_integers(shapes::noisy_star(11, 0.5, 2), 2000), 1, 1, 1.125, 60);
 }
@@ -145,6 +147,44 @@ TEST(ScalingWindow, every_pair_that_meets_is_a_candidate) {
     // Most pairs never meet: something is rejected.
     EXPECT_LT(known.size(), std::size_t(n) * (n - 1) / 4);
   }
+}
+
+TEST(ScalingWindow, lists_stay_as_they_are_within_their_intervals) {
+  // Q is smaller and scales, so the window's parameter is the scale.
+  const Region p = on_integers(shapes::noisy_star(40, 0.6, 3), 4000), q = on_integers(shapes::noisy_star(30, 0.6, 4), 3000);
+  auto base = planar::ScalingBase::create(p, q, 1, 0).value();
+  ScalingSum::State state(base, {});
+  const auto window = state.window_between(exact::BigRational(1), exact::BigRational(6, 5)), other = state.window_between(exact::BigRational(1), exact::BigRational(6, 5));
+  ASSERT_EQ(window->frame().moving, 1u);
+  const auto repaired = [&](planar::Window& of, double s) {
+    auto lists = std::make_unique<planar::PieceLists>(of);
+    planar::FramePlace place(base, planar::scale_value(exact::exact_value(s)));
+    FrameWork work;
+    lists->repair(s, place, work);
+    return lists;
+  };
+  const auto list = [](const planar::PieceLists& lists, std::uint32_t piece) {
+    std::vector<std::uint32_t> entries;
+    for (std::uint32_t k = 0; k < lists.count(piece); ++k) entries.push_back(lists.entry(piece, k));
+    return entries;
+  };
+  std::size_t ends = 0, tight = 0;
+  for (const double s : {1.03125, 1.109375, 1.171875}) {
+    const auto lists = repaired(*window, s);
+    for (std::uint32_t i = 0; i < window->pieces.size(); ++i) {
+      const auto [low, high] = lists->certain(i);
+      for (const double end : {low, high}) {
+        if (!(end > window->frame().tau0 && end < window->frame().tau1)) continue;
+        ++ends;
+        const double inside = end + (s - end) * 0x1p-20, outside = end - (s - end) * 0x1p-10;
+        EXPECT_EQ(list(*repaired(*other, inside), i), list(*lists, i)) << "piece " << i << " from " << s << " to " << end;
+        // Intervals are not much shorter than they could be: most end where the list changes.
+        if (list(*repaired(*other, outside), i) != list(*lists, i)) ++tight;
+      }
+    }
+  }
+  EXPECT_GT(ends, 200u);
+  EXPECT_GT(2 * tight, ends);
 }
 
 TEST(ScalingWindow, a_window_keeps_the_convolution_it_was_made_from) {

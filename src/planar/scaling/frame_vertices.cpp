@@ -23,6 +23,7 @@ bool FrameLoops::node_inside(std::uint32_t node, double tau, FramePlace& place, 
     ++work.witnessed;
     return true;
   }
+  work.witnesses_lost += nodes_[node].witness.has_value();
   Place p;
   p.on = window.exact(window.pieces[window.rays[n.first_ray].piece].segment);
   p.first.pair = v;
@@ -41,6 +42,7 @@ bool FrameLoops::is_false(FrameLoop& loop, double tau, FramePlace& place, FrameW
     ++work.witnessed;
     return true;
   }
+  work.witnesses_lost += loop.witness.has_value();
   ++work.collision_tests;
   Collision& collision = place.collision();
   const bool overlap = collision.overlaps_right_of(sample(loop, tau, place));

@@ -23,6 +23,23 @@ Meet meet(const Window& window, std::uint32_t a, std::uint32_t b, FramePlace& pl
   return Meet::none;
 }
 
+// Where tau stands to the interval of something on a piece; the list is certain only as long as that stays so.
+template <class Interval>
+PieceLists::Bracket PieceLists::bracket(const Interval& c, double tau, Certainty& certain) {
+  if (tau <= c.out_low) {
+    certain.high = std::min(certain.high, c.out_low);
+    return Bracket::outside;
+  }
+  if (tau >= c.out_high) {
+    certain.low = std::max(certain.low, c.out_high);
+    return Bracket::outside;
+  }
+  if (!(tau > c.in_low && tau < c.in_high)) return Bracket::unsure;
+  certain.low = std::max(certain.low, c.in_low);
+  certain.high = std::min(certain.high, c.in_high);
+  return Bracket::inside;
+}
+
 PieceLists::PieceLists(Window& window) : window_(window) {
   const std::size_t n = window.pieces.size();
   low_.assign(n, INFINITY);
@@ -84,52 +101,58 @@ int PieceLists::compare(std::uint32_t piece, const Item& a, const Item& b, Frame
 
 bool PieceLists::refresh(std::uint32_t i, double tau, FramePlace& place, FrameWork& work) {
   touched_[i] = frame_;
-  double low = -INFINITY, high = INFINITY;
-  bool generic = true, exact = false;
   items_.clear();
+  Certainty c;
+  collect_crossings(i, tau, place, c);
+  collect_touches(i, tau, place, c);
+  sort_items(i, place);
+  look_at_neighbours(i, tau, place, c);
+  if (c.exact || !c.generic) {
+    c.low = INFINITY;
+    c.high = -INFINITY;
+  }
+  low_[i] = c.low;
+  high_[i] = c.high;
+  if (c.generic) {
+    store(i, work);
+  } else {
+    count_[i] = 0;
+    mark_changed(i);
+  }
+  return c.generic;
+}
+
+// The candidates that cross on the piece here.
+void PieceLists::collect_crossings(std::uint32_t i, double tau, FramePlace& place, Certainty& certain) {
   for (std::uint32_t k = window_.first_of[i]; k < window_.first_of[i + 1]; ++k) {
     const std::uint32_t id = window_.of[k];
     const Candidate& c = window_.candidates[id];
-    if (tau <= c.out_low) {
-      high = std::min(high, c.out_low);
-      continue;
-    }
-    if (tau >= c.out_high) {
-      low = std::max(low, c.out_high);
-      continue;
-    }
-    if (tau > c.in_low && tau < c.in_high) {
-      low = std::max(low, c.in_low);
-      high = std::min(high, c.in_high);
-    } else {
-      exact = true;
+    const Bracket at = bracket(c, tau, certain);
+    if (at == Bracket::outside) continue;
+    if (at == Bracket::unsure) {
+      certain.exact = true;
       const Meet m = meet(window_, window_.pieces[c.a].segment, window_.pieces[c.b].segment, place);
-      if (m == Meet::none) continue;
-      if (m == Meet::degenerate) {
-        generic = false;
-        continue;
-      }
+      certain.generic &= m != Meet::degenerate;
+      if (m != Meet::crossing) continue;
     }
     const bool a = c.a == i;
     items_.push_back({a ? c.ta.at(tau) : c.tb.at(tau), a ? c.error_a : c.error_b, id});
   }
+}
+
+// The touches inside the piece here; their nodes are linked anew where one came or went.
+void PieceLists::collect_touches(std::uint32_t i, double tau, FramePlace& place, Certainty& certain) {
   for (std::uint32_t k = window_.first_touch[i]; k < window_.first_touch[i + 1]; ++k) {
     const PersistentTouch& c = window_.touches[k];
-    bool inside = tau > c.in_low && tau < c.in_high;
-    if (tau <= c.out_low) {
-      high = std::min(high, c.out_low);
-    } else if (tau >= c.out_high) {
-      low = std::max(low, c.out_high);
-    } else if (inside) {
-      low = std::max(low, c.in_low);
-      high = std::min(high, c.in_high);
-    } else {
-      exact = true;
+    const Bracket at = bracket(c, tau, certain);
+    bool inside = at == Bracket::inside;
+    if (at == Bracket::unsure) {
+      certain.exact = true;
       const Segment s = window_.exact(window_.pieces[i].segment), back{{s.edge.op, s.edge.to, s.edge.from}, s.vertex};
       const Pair v = window_.exact(window_.nodes[c.node].at);
       const int from = place.lattice().along(s, v), to = place.lattice().along(back, v);
       place.exact_signs += 2;
-      if (from == 0 || to == 0) generic = false;
+      certain.generic &= from != 0 && to != 0;
       inside = from > 0 && to > 0;
     }
     if (touch_active_[k] != inside) {
@@ -138,52 +161,47 @@ bool PieceLists::refresh(std::uint32_t i, double tau, FramePlace& place, FrameWo
     }
     if (inside) items_.push_back({c.t.at(tau), c.error, k | kTouchBit});
   }
-  const auto order = [&](const Item& a, const Item& b) { return compare(i, a, b, place); };
-  if (items_.size() > 24) {
-    std::sort(items_.begin(), items_.end(), [&](const Item& a, const Item& b) { return order(a, b) < 0; });
-  } else {
-    for (std::size_t k = 1; k < items_.size(); ++k) {
-      const Item e = items_[k];
-      std::size_t j = k;
-      for (; j > 0 && order(e, items_[j - 1]) < 0; --j) items_[j] = items_[j - 1];
-      items_[j] = e;
-    }
+}
+
+void PieceLists::sort_items(std::uint32_t i, FramePlace& place) {
+  const auto before = [&](const Item& a, const Item& b) { return compare(i, a, b, place) < 0; };
+  if (items_.size() > 24) return std::sort(items_.begin(), items_.end(), before);
+  for (std::size_t k = 1; k < items_.size(); ++k) {
+    const Item e = items_[k];
+    std::size_t j = k;
+    for (; j > 0 && before(e, items_[j - 1]); --j) items_[j] = items_[j - 1];
+    items_[j] = e;
   }
+}
+
+// The list is certain while the doubles of neighbours stay apart by more than their errors; a little less, for rounding.
+void PieceLists::look_at_neighbours(std::uint32_t i, double tau, FramePlace& place, Certainty& certain) const {
+  const auto slope = [&](const Item& item) {
+    if (item.entry & kTouchBit) return window_.touches[item.entry & ~kTouchBit].t.b;
+    const Candidate& c = window_.candidates[item.entry];
+    return c.a == i ? c.ta.b : c.tb.b;
+  };
   for (std::size_t k = 0; k + 1 < items_.size(); ++k) {
     const Item &a = items_[k], &b = items_[k + 1];
-    const double gap = b.t - a.t, margin = gap - (a.error + b.error);
+    const double margin = (b.t - a.t) - (a.error + b.error);
     if (!(margin > 0)) {
-      exact = true;
-      if (order(a, b) == 0) generic = false;
+      certain.exact = true;
+      certain.generic &= compare(i, a, b, place) != 0;
       continue;
     }
-    const auto slope = [&](const Item& item) {
-      if (item.entry & kTouchBit) return window_.touches[item.entry & ~kTouchBit].t.b;
-      const Candidate& c = window_.candidates[item.entry];
-      return c.a == i ? c.ta.b : c.tb.b;
-    };
     const double closing = slope(a) - slope(b);
-    // While the doubles stay apart by more than their errors; a little less, for rounding.
-    if (closing > 0) high = std::min(high, tau + margin / closing * (1 - 0x1p-30));
-    if (closing < 0) low = std::max(low, tau + margin / closing * (1 - 0x1p-30));
+    if (closing > 0) certain.high = std::min(certain.high, tau + margin / closing * (1 - 0x1p-30));
+    if (closing < 0) certain.low = std::max(certain.low, tau + margin / closing * (1 - 0x1p-30));
   }
-  if (exact || !generic) {
-    low_[i] = INFINITY;
-    high_[i] = -INFINITY;
-  } else {
-    low_[i] = low;
-    high_[i] = high;
-  }
-  if (!generic) {
-    count_[i] = 0;
-    mark_changed(i);
-    return false;
-  }
+}
+
+// The items become the piece's list, if they are not yet.
+void PieceLists::store(std::uint32_t i, FrameWork& work) {
   std::uint32_t* list = list_.data() + base(i);
   const std::uint32_t n = static_cast<std::uint32_t>(items_.size());
   bool same = n == count_[i];
   for (std::uint32_t k = 0; same && k < n; ++k) same = list[k] == items_[k].entry;
-  if (same) return true;
+  if (same) return;
   // Lists are short: what came and what went.
   std::uint32_t stayed = 0;
   for (std::uint32_t k = 0; k < count_[i]; ++k)
@@ -200,7 +218,6 @@ bool PieceLists::refresh(std::uint32_t i, double tau, FramePlace& place, FrameWo
   }
   count_[i] = n;
   mark_changed(i);
-  return true;
 }
 
 void PieceLists::mark_changed(std::uint32_t piece) {

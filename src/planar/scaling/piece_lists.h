@@ -2,6 +2,8 @@
 // which it certainly stays as it is; only lists whose interval was left are looked at.
 #pragma once
 
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -46,6 +48,8 @@ class PieceLists {
   bool touched(std::uint32_t piece) const { return touched_[piece] == frame_; }
   const std::vector<std::uint32_t>& changed() const { return changed_; }
   bool has_changed(std::uint32_t piece) const { return changed_at_[piece] == frame_; }
+  /// A piece's list certainly stays as it is strictly between these; empty where only exact signs know it.
+  std::array<double, 2> certain(std::uint32_t piece) const { return {low_[piece], high_[piece]}; }
   Window& window() const { return window_; }
   std::size_t bytes() const;
 
@@ -54,7 +58,20 @@ class PieceLists {
     double t, error;
     std::uint32_t entry;
   };
+  /// While a piece is looked at: where its list is certain, whether exact signs were needed, whether nothing touches.
+  struct Certainty {
+    double low = -INFINITY, high = INFINITY;
+    bool exact = false, generic = true;
+  };
+  enum class Bracket : std::uint8_t { outside, inside, unsure };
+  template <class Interval>
+  static Bracket bracket(const Interval& c, double tau, Certainty& certain);
   bool refresh(std::uint32_t piece, double tau, FramePlace& place, FrameWork& work);
+  void collect_crossings(std::uint32_t piece, double tau, FramePlace& place, Certainty& certain);
+  void collect_touches(std::uint32_t piece, double tau, FramePlace& place, Certainty& certain);
+  void sort_items(std::uint32_t piece, FramePlace& place);
+  void look_at_neighbours(std::uint32_t piece, double tau, FramePlace& place, Certainty& certain) const;
+  void store(std::uint32_t piece, FrameWork& work);
   std::uint32_t base(std::uint32_t piece) const { return window_.first_of[piece] + window_.first_touch[piece]; }
   void relink(std::uint32_t node);
   Step target(std::uint32_t ray) const;

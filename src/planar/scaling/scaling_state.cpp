@@ -185,11 +185,8 @@ Result<ScalingSum::State::NextFrame> ScalingSum::State::rebuilt_frame(const Scal
   return next;
 }
 
-// The kept loops at tau: rings in canonical order.
-ScalingSum::State::NextFrame ScalingSum::State::assemble(double tau, FramePlace& place) {
-  NextFrame next;
-  const auto source = std::make_shared<ScalingSource>(base, place.scale());
-  next.sum.source = source;
+// The kept loops at tau as rings, each starting at its smallest vertex; sets what the sum says about its positions.
+ScalingSum::State::KeptRings ScalingSum::State::kept_rings(double tau, FramePlace& place, const ScalingSource& source, PlanarSum& sum) {
   const Lattice& l = *base->lattice;
   const double grow = place.blow_up(window_->frame().moving), unit = l.unit, s = place.value().approx;
   const std::uint32_t k = base->scaled;
@@ -197,9 +194,7 @@ ScalingSum::State::NextFrame ScalingSum::State::assemble(double tau, FramePlace&
   const double reach = (std::abs(l.points[k]->offset.x) + std::abs(l.points[k]->offset.y)) * s + std::abs(l.points[1 - k]->offset.x) + std::abs(l.points[1 - k]->offset.y);
   const double span = window_->span(), poor = 0x1p-38 * span;
   double error = 0;
-  std::vector<SumRing> rings;
-  std::vector<std::uint8_t> outer;
-  std::vector<FrameLoop*> kept;
+  KeptRings kept;
   for (FrameLoop& loop : loops_->loops()) {
     if (!loop.kept) continue;
     SumRing ring;
@@ -210,62 +205,73 @@ ScalingSum::State::NextFrame ScalingSum::State::assemble(double tau, FramePlace&
         w.at = {grow * v.x.at(tau) * unit + ox, grow * v.y.at(tau) * unit + oy};
         error = std::max(error, v.error);
       } else {
-        const ExactSource::Position p = source->position(w);
+        const ExactSource::Position p = source.position(w);
         w.at = {exact::round_to_double(p.x), exact::round_to_double(p.y)};
         error = std::max(error, poor);
       }
       ring.vertices.push_back(w);
     }
-    rings.push_back(std::move(ring));
-    outer.push_back(loop.turning > 0);
-    kept.push_back(&loop);
+    kept.rings.push_back(std::move(ring));
+    kept.outer.push_back(loop.turning > 0);
+    kept.loops.push_back(&loop);
   }
   // Evaluation, the blow-up and the offsets add a few roundings.
-  const double at_error = grow * (error + 0x1p-49 * span) * unit * (1 + 0x1p-40) + 0x1p-50 * reach;
-  next.sum.at_error = at_error;
-  next.sum.stats.tier_bits = place.has_lattice() ? place.lattice().tier_bits : base->lattice->tier_bits;
-  next.sum.stats.reduced_segments = convolution_->size();
-  next.sum.stats.live_segments = window_->segments.size();
-  const VertexOrder order(*source, at_error);
-  std::size_t outers = 0;
-  for (std::size_t i = 0; i < rings.size(); ++i) {
-    std::vector<SumVertex>& v = rings[i].vertices;
+  sum.at_error = grow * (error + 0x1p-49 * span) * unit * (1 + 0x1p-40) + 0x1p-50 * reach;
+  const VertexOrder order(source, sum.at_error);
+  for (std::size_t i = 0; i < kept.rings.size(); ++i) {
+    std::vector<SumVertex>& v = kept.rings[i].vertices;
     std::size_t first = 0;
     for (std::size_t j = 1; j < v.size(); ++j)
-      if (v[j].at.x - v[first].at.x <= 2 * at_error && order.compare(v[j], v[first]) < 0) first = j;
-    if (first != 0) {
-      std::rotate(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(first), v.end());
-      std::rotate(kept[i]->vertices.begin(), kept[i]->vertices.begin() + static_cast<std::ptrdiff_t>(first), kept[i]->vertices.end());
-    }
-    outers += outer[i];
+      if (v[j].at.x - v[first].at.x <= 2 * sum.at_error && order.compare(v[j], v[first]) < 0) first = j;
+    if (first == 0) continue;
+    const auto by = static_cast<std::ptrdiff_t>(first);
+    std::rotate(v.begin(), v.begin() + by, v.end());
+    std::rotate(kept.loops[i]->vertices.begin(), kept.loops[i]->vertices.begin() + by, kept.loops[i]->vertices.end());
   }
+  return kept;
+}
+
+// The rings of one part; and the loops they came from, in their order.
+void ScalingSum::State::join_one_part(KeptRings kept, const VertexOrder& order, NextFrame& next) {
+  std::vector<std::size_t> holes;
+  SumPart part;
+  for (std::size_t i = 0; i < kept.rings.size(); ++i) {
+    if (!kept.outer[i]) {
+      holes.push_back(i);
+      continue;
+    }
+    part.outer = std::move(kept.rings[i]);
+    next.loops.push_back(kept.loops[i]);
+  }
+  // Rings share no vertices where nothing touches, so their first vertices order them.
+  std::sort(holes.begin(), holes.end(), [&](std::size_t a, std::size_t b) { return order.compare(kept.rings[a].vertices[0], kept.rings[b].vertices[0]) < 0; });
+  for (const std::size_t i : holes) {
+    part.holes.push_back(std::move(kept.rings[i]));
+    next.loops.push_back(kept.loops[i]);
+  }
+  next.sum.parts.push_back(std::move(part));
+}
+
+// The kept loops at tau: rings in canonical order.
+ScalingSum::State::NextFrame ScalingSum::State::assemble(double tau, FramePlace& place) {
+  NextFrame next;
+  const auto source = std::make_shared<ScalingSource>(base, place.scale());
+  next.sum.source = source;
+  next.sum.stats.tier_bits = place.has_lattice() ? place.lattice().tier_bits : base->lattice->tier_bits;
+  next.sum.stats.reduced_segments = window_convolution_->size();
+  next.sum.stats.live_segments = window_->segments.size();
   next.followed = loops_known_;
-  if (outers == 1) {
-    std::vector<std::size_t> holes;
-    SumPart part;
-    for (std::size_t i = 0; i < rings.size(); ++i) {
-      if (!outer[i]) {
-        holes.push_back(i);
-        continue;
-      }
-      part.outer = std::move(rings[i]);
-      next.loops.push_back(kept[i]);
-    }
-    // Rings share no vertices where nothing touches, so their first vertices order them.
-    std::sort(holes.begin(), holes.end(), [&](std::size_t a, std::size_t b) { return order.compare(rings[a].vertices[0], rings[b].vertices[0]) < 0; });
-    for (const std::size_t i : holes) {
-      part.holes.push_back(std::move(rings[i]));
-      next.loops.push_back(kept[i]);
-    }
-    next.sum.parts.push_back(std::move(part));
-  } else {
-    // Several parts: the rings go through the grouping of the static engine, and are recognised by their first vertices.
-    std::map<std::uint64_t, FrameLoop*> loop_at;
-    for (std::size_t i = 0; i < rings.size(); ++i) loop_at[key(rings[i].vertices[0])] = kept[i];
-    next.sum.parts = group_rings(std::move(rings), outer, *source, at_error);
-    canonicalize(next.sum.parts, *source, at_error);
-    for (const SumRing* ring : rings_of(next.sum)) next.loops.push_back(loop_at.at(key(ring->vertices[0])));
+  KeptRings kept = kept_rings(tau, place, *source, next.sum);
+  if (std::count(kept.outer.begin(), kept.outer.end(), std::uint8_t{1}) == 1) {
+    join_one_part(std::move(kept), VertexOrder(*source, next.sum.at_error), next);
+    return next;
   }
+  // Several parts: the rings go through the grouping of the static engine, and are recognised by their first vertices.
+  std::map<std::uint64_t, FrameLoop*> loop_at;
+  for (std::size_t i = 0; i < kept.rings.size(); ++i) loop_at[key(kept.rings[i].vertices[0])] = kept.loops[i];
+  next.sum.parts = group_rings(std::move(kept.rings), kept.outer, *source, next.sum.at_error);
+  canonicalize(next.sum.parts, *source, next.sum.at_error);
+  for (const SumRing* ring : rings_of(next.sum)) next.loops.push_back(loop_at.at(key(ring->vertices[0])));
   return next;
 }
 

@@ -8,6 +8,7 @@
 #include "planar/scaling/controller.h"
 #include "planar/scaling/exact_forms.h"
 #include "planar/scaling/frame_loops.h"
+#include "planar/vertex_order.h"
 
 namespace dymsum {
 
@@ -41,11 +42,18 @@ class ScalingSum::State {
     std::vector<planar::FrameLoop*> loops;  ///< of the sum's rings, in their order; empty unless it came from loops
     bool followed = false;                  ///< the loops remember the frame before
   };
+  struct KeptRings {
+    std::vector<SumRing> rings;
+    std::vector<std::uint8_t> outer;
+    std::vector<planar::FrameLoop*> loops;  ///< of the rings
+  };
   bool build_window(const planar::ScaleValue& s, double behind, double ahead);
   void drop_window();
   double widest_window(double s) const;
   Result<NextFrame> rebuilt_frame(const planar::ScaleValue& x, const planar::ScaleValue& y, FrameWork& work);
   NextFrame window_frame(const planar::ScaleValue& s, FrameWork& work);
+  KeptRings kept_rings(double tau, planar::FramePlace& place, const planar::ScalingSource& source, PlanarSum& sum);
+  static void join_one_part(KeptRings kept, const planar::VertexOrder& order, NextFrame& next);
   NextFrame assemble(double tau, planar::FramePlace& place);
   FrameChanges take(NextFrame next, bool same_place);
   std::vector<std::uint64_t> match_rings(const PlanarSum& next, bool same_place, FrameChanges& changes);
