@@ -20,7 +20,7 @@ Mesh geodesic_sphere(int frequency, double radius);       ///< an icosahedron wi
 Mesh ellipsoid(int slices, int stacks, double rx, double ry, double rz);  ///< 2 slices (stacks - 1) triangles
 Mesh triakis_icosahedron(double radius);         ///< 60 triangles
 Mesh truncated_icosidodecahedron(double radius);  ///< 236 triangles
-Mesh rod(int slices, int stacks, double radius, double length);  ///< a capsule: 2 slices (stacks - 1) triangles
+Mesh rod(int slices, int stacks, double radius, double length);  ///< a capsule, stacks odd: 2 slices (stacks - 1) triangles
 
 /// Stand-ins for the models of the thesis's figures 5.3 and 5.4, with their facet counts: cone 78, cube 12, cylinder 140, DD 32 (a
 /// 16-sided dipyramid), ellipse 960, GS1 80, GS2 180, GS3 320, GS4 500, HP 10, T 60, TI 236, v-rod 324.

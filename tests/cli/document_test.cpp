@@ -92,5 +92,28 @@ TEST(MeshGuide, ProgramAndCommandsDoWhatIsShown) {
   EXPECT_TRUE(work.exists("dented.glb"));
 }
 
+TEST(ConvexGuide, ProgramAndCommandsDoWhatIsShown) {
+  const std::string guide = "docs/guide/convex.md";
+  ASSERT_EQ(blocks("cpp", guide).size(), 1U);
+  ASSERT_EQ(blocks("text", guide).size(), 1U);
+  ASSERT_EQ(blocks("console", guide).size(), 1U);
+  EXPECT_EQ(blocks("cpp", guide).front(), read_text(kSource / "examples/turning_solid.cpp"));
+  const Workplace work;
+  const Outcome program = work.run("'" DYMSUM_EXAMPLES_DIR "/turning_solid'");
+  EXPECT_EQ(program.code, 0) << program.err;
+  EXPECT_EQ(program.out, blocks("text", guide).front());
+  EXPECT_EQ(work.run("'" DYMSUM_EXAMPLES_DIR "/demo_solids' .").code, 0);
+  std::istringstream lines(blocks("console", guide).front());
+  int commands = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.rfind("$ ", 0) != 0) continue;
+    const Outcome outcome = work.run(line.substr(2));
+    EXPECT_EQ(outcome.code, 0) << line << "\n" << outcome.err;
+    ++commands;
+  }
+  EXPECT_EQ(commands, 4);
+  EXPECT_TRUE(work.exists("turn.html") && work.exists("sum.glb"));
+}
+
 }  // namespace
 }  // namespace dymsum::cli_test

@@ -12,6 +12,7 @@ namespace {
 /// A sum repeated for about ever.
 constexpr const char* kLong = "dymsum sum a.wkt a.wkt --repeat 1000000 -o sum.wkt -o sum.svg";
 
+// timeout --foreground signals once; without it the signal goes to the whole group as well, and a second Ctrl-C kills.
 class LongWork : public testing::Test {
  protected:
   LongWork() { work.write("a.wkt", format_region(shapes::noisy_star(300, 0.6, 11), RegionFormat::wkt)); }
@@ -20,7 +21,7 @@ class LongWork : public testing::Test {
 
 TEST_F(LongWork, CtrlCEndsWith130AndLeavesNoFile) {
   work.write("sum.wkt", "older\n");
-  const Outcome outcome = work.run(std::string("timeout --preserve-status -s INT 0.5 ") + kLong);
+  const Outcome outcome = work.run(std::string("timeout --foreground --preserve-status -s INT 0.5 ") + kLong);
   EXPECT_EQ(outcome.code, 130) << outcome.err;
   EXPECT_EQ(outcome.out, "");
   EXPECT_EQ(outcome.err, "dymsum: interrupted\n");
@@ -31,14 +32,14 @@ TEST_F(LongWork, CtrlCEndsWith130AndLeavesNoFile) {
 TEST_F(LongWork, OneSlowComputationIsInterruptedInside) {
   work.write("b.wkt", format_region(shapes::noisy_star(1500, 0.9, 5), RegionFormat::wkt));
   const Outcome outcome = work.run(
-      "timeout --preserve-status -s INT -k 60 0.5 dymsum sum b.wkt b.wkt --engine brute -o sum.wkt");
+      "timeout --foreground --preserve-status -s INT -k 60 0.5 dymsum sum b.wkt b.wkt --engine brute -o sum.wkt");
   EXPECT_EQ(outcome.code, 130) << outcome.err;
   EXPECT_FALSE(work.exists("sum.wkt"));
 }
 
 TEST_F(LongWork, TheBarIsOnlyForTerminals) {
   work.write("b.wkt", format_region(shapes::noisy_star(1500, 0.9, 5), RegionFormat::wkt));
-  const std::string command = "timeout --preserve-status -s INT -k 60 2.5 dymsum sum b.wkt b.wkt --engine brute "
+  const std::string command = "timeout --foreground --preserve-status -s INT -k 60 2.5 dymsum sum b.wkt b.wkt --engine brute "
                               "--repeat 1000";
   const Outcome piped = work.run(command);
   EXPECT_EQ(piped.err, "dymsum: interrupted\n");

@@ -15,9 +15,9 @@ constexpr const char* kCube = "OFF\n8 6 0\n-1 -1 -1\n1 -1 -1\n1 1 -1\n-1 1 -1\n-
                               "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
 constexpr const char* kTetrahedron = "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
 
-class SolidCli : public testing::Test {
+class SolidMotionCli : public testing::Test {
  protected:
-  SolidCli() {
+  SolidMotionCli() {
     work.write("cube.off", kCube);
     work.write("tetrahedron.off", kTetrahedron);
   }
@@ -29,7 +29,7 @@ class SolidCli : public testing::Test {
   Workplace work;
 };
 
-TEST_F(SolidCli, SumPrintsEveryKeyOfTheContractAndWritesEveryFormat) {
+TEST_F(SolidMotionCli, SumPrintsEveryKeyOfTheContractAndWritesEveryFormat) {
   const Json report = json("dymsum sum cube.off tetrahedron.off --json -o s.off -o s.obj -o s.stl -o s.ply -o s.glb -o s.json");
   for (const char* key : {"inputs", "tier", "time_ms", "shells", "vertices", "faces", "volume", "volume_exact", "area", "tight", "convolution"})
     EXPECT_TRUE(report.contains(key)) << key;
@@ -44,11 +44,11 @@ TEST_F(SolidCli, SumPrintsEveryKeyOfTheContractAndWritesEveryFormat) {
   EXPECT_EQ(work.read("s.glb").substr(0, 4), "glTF");
 }
 
-TEST_F(SolidCli, NfpIsTheSumWithTheReflection) {
+TEST_F(SolidMotionCli, NfpIsTheSumWithTheReflection) {
   EXPECT_EQ(json("dymsum nfp cube.off tetrahedron.off --json")["vertices"], json("dymsum sum cube.off tetrahedron.off --json")["vertices"]);
 }
 
-TEST_F(SolidCli, RotateFollowsATurnAndWritesAPage) {
+TEST_F(SolidMotionCli, RotateFollowsATurnAndWritesAPage) {
   const Json report = json("dymsum rotate cube.off cube.off --steps 8 --json -o turn.html -o last.glb");
   for (const char* key : {"inputs", "tier", "time_ms", "frames", "static_ms", "update_ms"}) EXPECT_TRUE(report.contains(key)) << key;
   ASSERT_EQ(report["frames"].size(), 8u);
@@ -58,7 +58,7 @@ TEST_F(SolidCli, RotateFollowsATurnAndWritesAPage) {
   EXPECT_NE(work.read("turn.html").find("<canvas>"), std::string::npos);
 }
 
-TEST_F(SolidCli, ScaleTakesOneFactorOrThree) {
+TEST_F(SolidMotionCli, ScaleTakesOneFactorOrThree) {
   const Json report = json("dymsum scale cube.off cube.off --at 1,2,3:1:1/2 --json");
   ASSERT_EQ(report["frames"].size(), 3u);
   EXPECT_EQ(report["frames"][1]["volume_exact"], "216/1");
@@ -66,7 +66,7 @@ TEST_F(SolidCli, ScaleTakesOneFactorOrThree) {
   EXPECT_EQ(json("dymsum scale cube.off cube.off --sweep 1:2:1/2 --json")["frames"].size(), 3u);
 }
 
-TEST_F(SolidCli, DepthTellsTheShortestWayOut) {
+TEST_F(SolidMotionCli, DepthTellsTheShortestWayOut) {
   const Json report = json("dymsum depth cube.off cube.off --move 1.5,0.25,0 --json");
   EXPECT_EQ(report["depth"], 0.5);
   EXPECT_EQ(report["depth_squared_exact"], "1/4");
@@ -75,7 +75,7 @@ TEST_F(SolidCli, DepthTellsTheShortestWayOut) {
   EXPECT_EQ(work.run("dymsum depth cube.off cube.off --axis 0,0,1 --degrees 45").code, 0);
 }
 
-TEST_F(SolidCli, WrongUsageAndBadSolidsAreTold) {
+TEST_F(SolidMotionCli, WrongUsageAndBadSolidsAreTold) {
   work.write("open.off", "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n");
   work.write("dent.off", "OFF\n5 6 0\n0 0 0\n4 0 0\n0 4 0\n0 0 4\n1/2 1 1\n");
   work.write("flat.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 0))");
