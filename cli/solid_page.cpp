@@ -46,7 +46,7 @@ function show() {
     });
     nx *= k;
     if (nz <= 0) return;
-    const light = Math.max(0, (0.35 * nx + 0.5 * ny + 0.8 * nz) / Math.hypot(nx, ny, nz));
+    const light = Math.max(0, (0.35 * nx - 0.5 * ny + 0.8 * nz) / Math.hypot(nx, ny, nz));
     const c = colours[changes.checked && f.c[i] ? 4 : f.k[i]], dim = 0.45 + 0.55 * light;
     draw.fillStyle = 'rgb(' + [1, 3, 5].map(p => Math.round(parseInt(c.slice(p, p + 2), 16) * dim)).join(',') + ')';
     draw.strokeStyle = 'rgba(36,52,71,.55)';

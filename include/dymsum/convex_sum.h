@@ -124,6 +124,8 @@ class ConvexSum {
   const MotionWork& set(const Rotation& p) { return set(SolidPose{p, {}}); }
   /// Forgets all certificates and starts from nothing: what moving is compared with.
   const MotionWork& rebuild(ConvexEngine engine = ConvexEngine::walk);
+  /// The same at other poses.
+  const MotionWork& rebuild(const SolidPose& p, const SolidPose& q, ConvexEngine engine = ConvexEngine::walk);
 
   const SolidPose& p_pose() const;
   const SolidPose& q_pose() const;

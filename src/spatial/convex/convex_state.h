@@ -23,6 +23,8 @@ class ConvexSum::State {
 
   const spatial::Polytope& poly(int op) const { return op == 0 ? *p : *q; }
   const MotionWork& report();
+  /// Keeps the poses and parses them; the map between the operands.
+  spatial::RelativeMap move(const SolidPose& p_to, const SolidPose& q_to);
 };
 
 }  // namespace dymsum

@@ -19,6 +19,16 @@ const MotionWork& ConvexSum::State::report() {
   return work;
 }
 
+spatial::RelativeMap ConvexSum::State::move(const SolidPose& p_to, const SolidPose& q_to) {
+  if (!(p_to.scale == p_pose.scale)) p_factors = spatial::PoseFactors::of(p_to);
+  if (!(q_to.scale == q_pose.scale)) q_factors = spatial::PoseFactors::of(q_to);
+  p_factors.rotation = p_to.rotation;
+  q_factors.rotation = q_to.rotation;
+  p_pose = p_to;
+  q_pose = q_to;
+  return spatial::RelativeMap(p_factors, q_factors);
+}
+
 ConvexSum::ConvexSum(std::unique_ptr<State> state) : state_(std::move(state)) {}
 ConvexSum::ConvexSum(const ConvexSum& other) : state_(std::make_unique<State>(*other.state_)) {}
 ConvexSum& ConvexSum::operator=(const ConvexSum& other) { return *this = ConvexSum(other); }
@@ -40,19 +50,14 @@ Result<ConvexSum> ConvexSum::create(const Mesh& p, const Mesh& q, bool merge) {
 }
 
 const MotionWork& ConvexSum::set(const SolidPose& p, const SolidPose& q) {
-  State& s = *state_;
-  if (!(p.scale == s.p_pose.scale)) s.p_factors = spatial::PoseFactors::of(p);
-  if (!(q.scale == s.q_pose.scale)) s.q_factors = spatial::PoseFactors::of(q);
-  s.p_factors.rotation = p.rotation;
-  s.q_factors.rotation = q.rotation;
-  s.p_pose = p;
-  s.q_pose = q;
-  s.overlay.update(spatial::RelativeMap(s.p_factors, s.q_factors));
-  return s.report();
+  state_->overlay.update(state_->move(p, q));
+  return state_->report();
 }
 
-const MotionWork& ConvexSum::rebuild(ConvexEngine engine) {
-  const spatial::RelativeMap map = state_->overlay.signs().map();
+const MotionWork& ConvexSum::rebuild(ConvexEngine engine) { return rebuild(SolidPose(p_pose()), SolidPose(q_pose()), engine); }
+
+const MotionWork& ConvexSum::rebuild(const SolidPose& p, const SolidPose& q, ConvexEngine engine) {
+  const spatial::RelativeMap map = state_->move(p, q);
   if (engine == ConvexEngine::walk) {
     state_->overlay.build(map);
   } else {

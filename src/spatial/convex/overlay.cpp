@@ -12,6 +12,9 @@ namespace {
 constexpr double kForever = std::numeric_limits<double>::infinity();
 constexpr double kNever = -kForever;
 
+/// Moves by more than this many cells start from neighbouring faces instead of from the vertices before: measured, see docs/design/convex-motion.md.
+constexpr double kLeap = 2;
+
 /// The numbers of the certificates that have ended.
 void find_expired(const std::vector<double>& until, double clock, std::vector<std::uint32_t>& expired) {
   expired.resize(until.size());
@@ -31,6 +34,23 @@ Overlay::Overlay(const Polytope& p, const Polytope& q) : signs_(p, q) {
     vertex_until_[op].assign(poly(op).face_count(), kNever);
     head_[op].assign(poly(op).edge_count(), kNoCrossing);
   }
+  for (int op = 0; op < 2; ++op) {
+    const Polytope& mine = poly(op);
+    std::vector<std::uint8_t> seen(mine.face_count(), 0);
+    seen[0] = 1;
+    visits_[op].push_back({0, 0});
+    for (std::size_t i = 0; i < visits_[op].size(); ++i) {
+      const std::uint32_t f = visits_[op][i].face;
+      HalfEdge h = mine.first[f];
+      do {
+        const std::uint32_t g = mine.face[twin(h)];
+        if (!seen[g]) visits_[op].push_back({g, f});
+        seen[g] = 1;
+        h = mine.next[h];
+      } while (h != mine.first[f]);
+    }
+    cell_[op] = 2 / std::sqrt(static_cast<double>(poly(1 - op).vertex_count()));  // 4 pi = n pi r^2
+  }
   arc_until_.assign(p.edge_count(), kNever);
   is_touched_q_.assign(q.edge_count(), 0);
 }
@@ -42,13 +62,14 @@ std::uint32_t Overlay::step_near_zero(int op, std::uint32_t f, std::uint32_t v) 
   return v;
 }
 
-/// Walks from the vertex known so far to the extreme one: every step is along an edge that rises, so none is taken twice. True when it moved.
-bool Overlay::climb(int op, std::uint32_t f) {
+/// Walks from `start` to the extreme vertex of face f: every step is along an edge that rises, so none is taken twice. True when it is another one than
+/// before.
+bool Overlay::climb(int op, std::uint32_t f, std::uint32_t start) {
   const Polytope& other = poly(1 - op);
   const double error = signs_.error(op);
   const Vec3 row = signs_.row(op, f);
   const std::uint32_t before = extreme_[op][f];
-  for (std::uint32_t v = before;; ++work_.steps) {
+  for (std::uint32_t v = start;; ++work_.steps) {
     const std::uint32_t begin = other.ring_start[v], end = other.ring_start[v + 1];
     const auto value = [&](std::uint32_t k) { return dot(row, other.ring_direction[k]); };
     double most = value(begin), also = value(begin + 1);  // two, so that comparisons need not wait for each other; rings have three or more
@@ -268,6 +289,13 @@ void Overlay::note_change(int op, std::uint32_t f) {
   } while (h != p.first[f]);
 }
 
+/// Neighbouring faces have extreme vertices near by.
+void Overlay::climb_from_neighbours(int op) {
+  work_.vertex_checks += visits_[op].size();
+  for (const Visit& visit : visits_[op])
+    if (climb(op, visit.face, extreme_[op][visit.from])) note_change(op, visit.face);
+}
+
 void Overlay::restart() {
   work_ = {};
   changes_.faces[0].clear();
@@ -282,28 +310,8 @@ void Overlay::build(const RelativeMap& map) {
   crossings_.clear();
   free_.clear();
   for (int op = 0; op < 2; ++op) {
-    // Neighbouring faces have extreme vertices near by.
-    const Polytope& p = poly(op);
-    std::fill(vertex_until_[op].begin(), vertex_until_[op].end(), kNever);
     std::fill(head_[op].begin(), head_[op].end(), kNoCrossing);
-    std::vector<std::uint32_t> queue{0};
-    std::vector<std::uint8_t> seen(p.face_count(), 0);
-    seen[0] = 1;
-    for (std::size_t i = 0; i < queue.size(); ++i) {
-      const std::uint32_t f = queue[i];
-      ++work_.vertex_checks;
-      climb(op, f);
-      HalfEdge h = p.first[f];
-      do {
-        const std::uint32_t g = p.face[twin(h)];
-        if (!seen[g]) {
-          seen[g] = 1;
-          extreme_[op][g] = extreme_[op][f];
-          queue.push_back(g);
-        }
-        h = p.next[h];
-      } while (h != p.first[f]);
-    }
+    climb_from_neighbours(op);
   }
   for (std::uint32_t e = 0; e < poly(0).edge_count(); ++e) walk_arc(e);
   work_.arc_checks = poly(0).edge_count();
@@ -314,18 +322,23 @@ void Overlay::build(const RelativeMap& map) {
 void Overlay::update(const RelativeMap& map, bool use_margins) {
   restart();
   const std::uint64_t exact_before = signs_.exact_signs();
-  clock_ += use_margins ? map.angle_from(signs_.map()) : 4;
+  const double angle = use_margins ? map.angle_from(signs_.map()) : 4;
+  clock_ += angle;
   signs_.set(map);
   for (int op = 0; op < 2; ++op) {
+    if (angle > kLeap * cell_[op]) {
+      climb_from_neighbours(op);
+      continue;
+    }
     find_expired(vertex_until_[op], clock_, expired_);
     work_.vertex_checks += expired_.size();
     for (const std::uint32_t f : expired_)
-      if (climb(op, f)) note_change(op, f);
+      if (climb(op, f, extreme_[op][f])) note_change(op, f);
   }
   find_expired(arc_until_, clock_, expired_);
   work_.arc_checks += expired_.size();
   for (const std::uint32_t e : expired_)
-    if (arc_until_[e] == kNever || !holds(e)) walk_arc(e);
+    if (arc_until_[e] == kNever || angle > kLeap * cell_[0] || !holds(e)) walk_arc(e);
   order_along_q();
   work_.exact_signs = signs_.exact_signs() - exact_before;
 }

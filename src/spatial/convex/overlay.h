@@ -63,7 +63,8 @@ class Overlay {
 
  private:
   void restart();
-  bool climb(int op, std::uint32_t f);
+  bool climb(int op, std::uint32_t f, std::uint32_t start);
+  void climb_from_neighbours(int op);
   std::uint32_t step_near_zero(int op, std::uint32_t f, std::uint32_t v);
   void note_change(int op, std::uint32_t f);
   double walk(int op, std::uint32_t e);
@@ -81,6 +82,12 @@ class Overlay {
   std::array<std::vector<std::uint32_t>, 2> head_;
   std::vector<Crossing> crossings_;
   std::vector<std::uint32_t> free_;
+  // Faces in an order in which each but the first comes after a neighbour, and that neighbour.
+  struct Visit {
+    std::uint32_t face, from;
+  };
+  std::array<std::vector<Visit>, 2> visits_;
+  std::array<double, 2> cell_{};  // the radius of a cell of the other operand's map, if all were alike
   // Certificates: what was checked holds until directions have moved by this angle since the start.
   double clock_ = 0;
   std::array<std::vector<double>, 2> vertex_until_;
