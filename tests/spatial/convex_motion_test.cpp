@@ -13,7 +13,7 @@ void expect_as_rebuilt(const ConvexSum& moved, const std::string& where) {
 }
 
 TEST(ConvexMotion, random_rotations_equal_the_static_sum) {
-  const std::uint64_t seed = setting("DYMSUM_FUZZ_SEED", 21), moves = setting("DYMSUM_FUZZ_MOVES", 600);
+  const std::uint64_t seed = setting("DYMSUM_FUZZ_SEED", 21), moves = setting("DYMSUM_FUZZ_MOVES", 1800);
   std::mt19937_64 random(seed);
   const std::vector<double> angles{1e-6, 1e-3, 0.0126, 0.1, 1, 3};
   for (int pair = 0; pair < 3; ++pair) {
@@ -35,7 +35,7 @@ TEST(ConvexMotion, random_rotations_equal_the_static_sum) {
 }
 
 TEST(ConvexMotion, grid_polytopes_through_ties) {
-  const std::uint64_t seed = setting("DYMSUM_FUZZ_SEED", 22), moves = setting("DYMSUM_FUZZ_MOVES", 600);
+  const std::uint64_t seed = setting("DYMSUM_FUZZ_SEED", 22), moves = setting("DYMSUM_FUZZ_MOVES", 1800);
   std::mt19937_64 random(seed);
   const std::vector<Rotation> turns{*Rotation::of(1, 1, 0, 0), *Rotation::of(1, 0, -1, 0), *Rotation::of(1, 0, 0, 1), *Rotation::of(1, 1, 1, 1),
                                     *Rotation::of(0, 1, 1, 0), *Rotation::of(3, 1, 0, 0), *Rotation::of(7, 0, 1, 0), Rotation()};
@@ -59,7 +59,7 @@ TEST(ConvexMotion, grid_polytopes_through_ties) {
 }
 
 TEST(ConvexMotion, scaling_and_rotation_together) {
-  const std::uint64_t seed = setting("DYMSUM_FUZZ_SEED", 23), moves = setting("DYMSUM_FUZZ_MOVES", 600);
+  const std::uint64_t seed = setting("DYMSUM_FUZZ_SEED", 23), moves = setting("DYMSUM_FUZZ_MOVES", 1800);
   std::mt19937_64 random(seed);
   for (int pair = 0; pair < 2; ++pair) {
     const Mesh p = pair ? random_grid_polytope(random, 14, 3) : random_round_polytope(random, 60);
