@@ -141,6 +141,20 @@ MotionRow measure_scaling(const solids::NamedMesh& p, const solids::NamedMesh& q
   return measure(p, q, poses, protocol);
 }
 
+NefRow measure_nef(const solids::NamedMesh& p, const solids::NamedMesh& q, const Rotation& turn) {
+  NefRow row;
+  row.p = p.name;
+  row.q = q.name;
+  SolidSum sum;
+  row.ours_ms = 1e-3 * repeated_us([&] { sum = *convex_sum(p.mesh, q.mesh, {turn, {}}); });
+  const NefAnswer nef = cgal_nef_sum(posed(p.mesh, {turn, {}}), posed(q.mesh, {}));
+  row.nef_ms = nef.ms;
+  row.vertices = sum.vertices.size();
+  row.nef_vertices = nef.vertices;
+  row.same = row.vertices == row.nef_vertices && std::abs(nef.volume / sum.volume() - 1) < 1e-9;
+  return row;
+}
+
 std::vector<DepthRow> measure_depth(const solids::NamedMesh& p, const solids::NamedMesh& q, int queries) {
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> offset(-0.3, 0.3);

@@ -32,6 +32,15 @@ MotionRow measure_rotation(const solids::NamedMesh& p, const solids::NamedMesh& 
 /// P is scaled by random factors, each in [1/2, 2] and independent per axis.
 MotionRow measure_scaling(const solids::NamedMesh& p, const solids::NamedMesh& q, const MotionProtocol& protocol);
 
+/// One sum at a random pose beside CGAL's Nef polyhedra.
+struct NefRow {
+  std::string p, q;
+  double ours_ms = 0, nef_ms = 0;
+  std::size_t vertices = 0, nef_vertices = 0;
+  bool same = false;  ///< vertices, and volume to 1e-9
+};
+NefRow measure_nef(const solids::NamedMesh& p, const solids::NamedMesh& q, const Rotation& turn);
+
 /// Penetration depths of P turned at random and Q moved into it.
 struct DepthRow {
   std::string p, q, system;

@@ -18,6 +18,14 @@ struct HullAnswer {
 };
 HullAnswer cgal_hull_of_sums(const std::vector<Point3>& p, const std::vector<Point3>& q);
 
+/// CGAL::minkowski_sum_3 on Nef polyhedra (EPECK) of the hulls of the vertices. Seconds for a few dozen faces.
+struct NefAnswer {
+  double ms = 0;
+  std::size_t vertices = 0;
+  double volume = 0;
+};
+NefAnswer cgal_nef_sum(const std::vector<Point3>& p, const std::vector<Point3>& q);
+
 enum class DepthRival { fcl, ccd_gjk_epa, ccd_mpr };
 const char* name(DepthRival rival);
 
