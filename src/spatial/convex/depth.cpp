@@ -32,9 +32,11 @@ class Distances {
       : o_(s.overlay), m_{spatial::pose_matrix(s.p_factors), spatial::pose_matrix(s.q_factors)}, x_{point.x, point.y, point.z} {
     for (int op = 0; op < 2; ++op) {
       cof_[op] = spatial::cofactors(m_[op]);
+      spread_[op] = spatial::spectral_bound(cof_[op]);
       double most = 0;
       for (const Vec3& v : o_.poly(op).at) most = std::max(most, length(v));
-      reach_ += most * spatial::spectral_bound(m_[op]);
+      norm_[op] = spatial::spectral_bound(m_[op]);
+      reach_ += most * norm_[op];
     }
     reach_ += length(x_);
   }
@@ -55,10 +57,10 @@ class Distances {
 
  private:
   std::pair<Vec3, double> normal(const Facet& facet) const {
-    if (facet.op < 2) return {cof_[facet.op] * o_.poly(facet.op).normal[facet.id], spatial::spectral_bound(cof_[facet.op])};
+    if (facet.op < 2) return {cof_[facet.op] * o_.poly(facet.op).normal[facet.id], spread_[facet.op]};
     const spatial::Crossing& c = o_.crossing(facet.id);
     const Vec3 a = m_[1] * o_.poly(1).along(c.q), b = m_[0] * o_.poly(0).along(2 * c.p);
-    return {cross(a, b), spatial::spectral_bound(m_[0]) * spatial::spectral_bound(m_[1])};
+    return {cross(a, b), norm_[0] * norm_[1]};
   }
   Vec3 corner(const Facet& facet) const {
     const auto [p, q] = spatial::corner_of(o_, facet.op, facet.id);
@@ -67,6 +69,7 @@ class Distances {
 
   const Overlay& o_;
   std::array<Mat3, 2> m_, cof_;
+  std::array<double, 2> norm_{}, spread_{};
   Vec3 x_;
   double reach_ = 0;
 };
