@@ -1,6 +1,8 @@
 // Everything.
 #pragma once
 
+#include "dymsum/convex_sum.h"
+#include "dymsum/criticality_map.h"
 #include "dymsum/mesh.h"
 #include "dymsum/mesh_io.h"
 #include "dymsum/planar_sum.h"
@@ -9,6 +11,7 @@
 #include "dymsum/region.h"
 #include "dymsum/region_io.h"
 #include "dymsum/result.h"
+#include "dymsum/rotation.h"
 #include "dymsum/scale.h"
 #include "dymsum/scale_range.h"
 #include "dymsum/scaling_sum.h"
