@@ -66,7 +66,8 @@ class CriticalityMap {
 
   /// The interval of a rotation; of two that meet there, the one after. Errors: bad_rotation when it is not about the axis. O(log size).
   Result<std::size_t> interval(const Rotation& rotation) const;
-  /// How many facets the generic sum has at a rotation: face + vertex and edge + edge, before coplanar ones merge. From the stored structures alone.
+  /// How many facets the generic sum has at a rotation: face + vertex and edge + edge, before coplanar ones merge; at a critical angle those
+  /// after it, and where directions coincide throughout one of the ways to tell them apart. From the stored structures alone. Errors as interval.
   Result<std::size_t> facet_count(const Rotation& rotation) const;
   /// convex_sum(p, q, {rotation}), from the stored structure; coincidences and positions are those of the rotation. Errors as interval.
   Result<SolidSum> at(const Rotation& rotation) const;
