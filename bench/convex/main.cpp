@@ -10,6 +10,7 @@
 #include <map>
 #include <sstream>
 
+#include "convex/criticality.h"
 #include "convex/measure.h"
 #include "convex/thesis.h"
 #include "scaling/scatter.h"
@@ -20,7 +21,7 @@ namespace {
 constexpr const char* kUsage =
     "dymsum_bench_convex [--only TEXT] [--part NAME] [--results DIR]\n"
     "  --only TEXT    only pairs whose name (\"ellipse + GS3\") contains TEXT\n"
-    "  --part NAME    only one of: rotation, steps, cubes, scaling, depth, nef\n"
+    "  --part NAME    only one of: rotation, steps, cubes, scaling, depth, nef, criticality\n"
     "  --results DIR  also write convex.md, convex.csv and the figures into DIR\n";
 
 struct Options {
@@ -190,6 +191,29 @@ void nefs(const Options& options, const std::vector<solids::NamedMesh>& models, 
     }
 }
 
+/// Mayer's criticality map (thesis 2.7).
+void criticality(const Options& options, const std::vector<solids::NamedMesh>& models, Report& report) {
+  report.line("\n## Criticality map of a full turn about (1, 2, 3)\n");
+  report.line("P turns, Q stands still. Memory in kB: of the map (critical angles, structures stored whole now and then, differences, operands), of the same with every structure "
+              "stored whole, and of one ConvexSum. Structure: finding the interval and reading its structure, against an update at 500 steps a turn; sum: to the exact solid with its "
+              "positions, likewise.\n");
+  report.line("| pair | triangles | meetings | critical angles | exact pairs, orders | map kB | all whole kB | ConvexSum kB | map / ConvexSum | build ms | structure us | update us | sum us | "
+              "update + sum us | compared, different |");
+  report.line("|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|");
+  for (const auto& [p, q] : {std::pair{"cube", "cube"}, {"HP", "T"}, {"T", "T"}, {"cone", "GS1"}, {"TI", "T"}, {"GS2", "TI"}, {"GS3", "v-rod"}, {"ellipse", "GS3"}, {"ellipse", "ellipse"}}) {
+    if (!selected(options, model(models, p), model(models, q))) continue;
+    const CriticalityRow r = measure_criticality(model(models, p), model(models, q), {1, 2, 3});
+    const auto kb = [](std::size_t bytes) { return fixed(static_cast<double>(bytes) / 1e3, 0); };
+    const CriticalityStats& s = r.stats;
+    report.line("| " + r.p + " + " + r.q + " | " + std::to_string(r.p_triangles) + ", " + std::to_string(r.q_triangles) + " | " + std::to_string(s.meetings) + " | " +
+                std::to_string(r.angles) + " | " + std::to_string(s.exact_pairs) + ", " + std::to_string(s.exact_orders) + " | " + kb(r.map_bytes) + " | " +
+                kb(r.map_bytes - s.key_bytes - s.difference_bytes + s.full_bytes) + " | " + kb(r.sum_bytes) + " | " +
+                ratio(static_cast<double>(r.map_bytes), static_cast<double>(r.sum_bytes)) + " | " + fixed(r.build_ms, 0) + " | " + fixed(r.structure_us, 1) + " | " +
+                fixed(r.update_us, 1) + " | " + fixed(r.map_sum_us, 0) + " | " + fixed(r.update_sum_us, 0) + " | " + std::to_string(r.compared) + ", " +
+                std::to_string(r.different) + " |");
+  }
+}
+
 Options parse(int argc, char** argv) {
   Options options;
   for (int i = 1; i < argc; ++i) {
@@ -215,6 +239,7 @@ int run(int argc, char** argv) {
   if (options.wants("scaling")) scalings(options, models, report);
   if (options.wants("depth")) depths(options, models, report);
   if (options.wants("nef")) nefs(options, models, report);
+  if (options.wants("criticality")) criticality(options, models, report);
   if (options.results.empty()) return 0;
   std::filesystem::create_directories(options.results);
   const auto write = [&](const std::string& name, const std::string& text) { std::ofstream(options.results + "/" + name) << text; };

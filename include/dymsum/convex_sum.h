@@ -142,6 +142,8 @@ class ConvexSum {
   /// From mixed volumes, O(faces): independent of the facets.
   Rational volume_exact() const;
   double volume() const;  ///< rounded along the way, relative error about 1e-12
+  /// Memory held, operands included (without what lies behind arbitrary precision).
+  std::size_t bytes() const;
   /// Whether the combinatorics are those of another sum of the same operands.
   bool same_combinatorics(const ConvexSum& other) const;
 

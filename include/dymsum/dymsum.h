@@ -1,7 +1,9 @@
 // Everything.
 #pragma once
 
+#include "dymsum/convex_polygon_sum.h"
 #include "dymsum/convex_sum.h"
+#include "dymsum/criticality_map.h"
 #include "dymsum/mesh.h"
 #include "dymsum/mesh_io.h"
 #include "dymsum/planar_sum.h"

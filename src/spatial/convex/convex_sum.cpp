@@ -75,6 +75,11 @@ int ConvexSum::tier_bits() const {
 }
 std::size_t ConvexSum::face_vertex_count() const { return state_->p->face_count() + state_->q->face_count(); }
 std::size_t ConvexSum::edge_edge_count() const { return state_->overlay.crossing_count(); }
+std::size_t ConvexSum::bytes() const {
+  std::size_t total = sizeof(*state_) - sizeof(spatial::Overlay) + state_->overlay.bytes() + state_->p->bytes() + state_->q->bytes();
+  for (const std::vector<Point3>& v : state_->source->vertices) total += v.capacity() * sizeof(Point3);
+  return total;
+}
 bool ConvexSum::same_combinatorics(const ConvexSum& other) const { return state_->overlay == other.state_->overlay; }
 
 SolidSum ConvexSum::sum() const {

@@ -41,6 +41,15 @@ class Overlay {
   /// From the state at the map before: corrects what the motion made wrong. `use_margins` = false checks everything.
   void update(const RelativeMap& map, bool use_margins = true);
 
+  /// The combinatorics as words: the extreme vertex of every face of P, of every face of Q, then per crossing its edge of P and half-edge of Q, kNoCrossing for
+  /// numbers that are free. Crossings that stay keep their place.
+  void capture(std::vector<std::uint32_t>& words) const;
+  /// A captured state as that of a map: without walking, certificates and the order of crossings along arcs. Assembled it is right wherever no
+  /// normal has passed over an arc since; only build may follow.
+  void restore(const RelativeMap& map, std::span<const std::uint32_t> words);
+  /// Memory held.
+  std::size_t bytes() const;
+
   const Signs& signs() const { return signs_; }
   const Polytope& poly(int op) const { return signs_.poly(op); }
   /// The vertex of the other operand that is extreme in the direction of face f of operand op.

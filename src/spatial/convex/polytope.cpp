@@ -248,6 +248,12 @@ void measure(Polytope& p) {
 
 }  // namespace
 
+std::size_t Polytope::bytes() const {
+  const auto of = [](const auto&... v) { return (std::size_t{0} + ... + (v.capacity() * sizeof(v[0]))); };
+  return sizeof(*this) + of(at, grid, big, source_vertex, ring_start, ring, ring_direction, ring_face, origin, face, next, direction, normal, area, first,
+                            source_face);
+}
+
 Result<Polytope> make_polytope(const Mesh& mesh, bool merge) {
   if (std::optional<Error> error = convexity_error(mesh)) return std::move(*error);
   const MeshData& data = mesh.data();

@@ -51,6 +51,9 @@ struct Polytope {
   /// The unit vector along a half-edge.
   Vec3 along(HalfEdge h) const { return (h & 1) ? -direction[h / 2] : direction[h / 2]; }
 
+  /// Memory held, without what lies behind arbitrary precision.
+  std::size_t bytes() const;
+
   /// Coordinates of a vertex as a C. Requires that they fit.
   template <class C>
   exact::Vector3<C> place(std::uint32_t v) const {

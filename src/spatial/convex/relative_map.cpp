@@ -10,8 +10,9 @@ using exact::Big;
 using exact::BigInteger;
 using exact::i128;
 
-/// N of a quaternion whose components are at most 2^62: entries at most 4 2^124.
-std::array<i128, 9> rotation_matrix(i128 w, i128 x, i128 y, i128 z) {
+/// N of a quaternion; of components of at most 2^62: entries at most 4 2^124.
+template <class T>
+std::array<T, 9> rotation_matrix(T w, T x, T y, T z) {
   return {w * w + x * x - y * y - z * z, 2 * (x * y - w * z),           2 * (x * z + w * y),
           2 * (x * y + w * z),           w * w - x * x + y * y - z * z, 2 * (y * z - w * x),
           2 * (x * z - w * y),           2 * (y * z + w * x),           w * w - x * x - y * y + z * z};
@@ -54,10 +55,10 @@ void RelativeMap::set_rotation(const Rotation& p, const Rotation& q) {
   const auto [bw, bx, by, bz] = q.quaternion();
   if (q == Rotation() || p == Rotation()) {
     bits_ = 62;
-    fixed_[0] = q == Rotation() ? rotation_matrix(aw, -ax, -ay, -az) : rotation_matrix(bw, bx, by, bz);
+    fixed_[0] = q == Rotation() ? rotation_matrix<i128>(aw, -ax, -ay, -az) : rotation_matrix<i128>(bw, bx, by, bz);
   } else {
     bits_ = 126;
-    fixed_[0] = rotation_matrix(aw * bw + ax * bx + ay * by + az * bz, aw * bx - ax * bw - ay * bz + az * by,
+    fixed_[0] = rotation_matrix<i128>(aw * bw + ax * bx + ay * by + az * bz, aw * bx - ax * bw - ay * bz + az * by,
                                 aw * by + ax * bz - ay * bw - az * bx, aw * bz - ax * by + ay * bx - az * bw);
   }
   for (int r = 0; r < 3; ++r)
@@ -75,10 +76,30 @@ void RelativeMap::set_scaled(const PoseFactors& p, const PoseFactors& q) {
       if (v != 0) most = std::max(most, static_cast<unsigned>(msb(BigInteger(abs(v)))) + 1);
       big_[index][k] = Big(v);
     }
+  set_big(most);
+}
+
+/// From big_, whose entries are below 2^most.
+void RelativeMap::set_big(unsigned most) {
   bits_ = most <= 62 ? 62 : most <= 126 ? 126 : static_cast<int>(most);
   if (bits_ > 126) return;
   for (int index = 0; index < 2; ++index)
     for (int k = 0; k < 9; ++k) fixed_[index][k] = exact::narrowed<exact::Int<126>>(big_[index][k]).raw();
+}
+
+RelativeMap RelativeMap::turned(const std::array<BigInteger, 4>& quaternion) {
+  const auto& [w, x, y, z] = quaternion;
+  const std::array<BigInteger, 9> m = rotation_matrix<BigInteger>(w, -x, -y, -z);
+  RelativeMap map;
+  unsigned most = 0;
+  for (int k = 0; k < 9; ++k) {
+    if (m[k] != 0) most = std::max(most, static_cast<unsigned>(msb(BigInteger(abs(m[k])))) + 1);
+    map.big_[0][k] = Big(m[k]);
+    map.big_[1][3 * (k % 3) + k / 3] = Big(m[k]);
+  }
+  map.set_big(most);
+  map.approximate();
+  return map;
 }
 
 void RelativeMap::approximate() {

@@ -25,6 +25,8 @@ class RelativeMap {
  public:
   RelativeMap() : RelativeMap(PoseFactors{}, PoseFactors{}) {}
   RelativeMap(const PoseFactors& p, const PoseFactors& q);
+  /// P turned by a quaternion (w, x, y, z) of integers of any size, Q where it is.
+  static RelativeMap turned(const std::array<exact::BigInteger, 4>& quaternion);
 
   /// |entries| <= 2^bits().
   int bits() const { return bits_; }
@@ -58,6 +60,7 @@ class RelativeMap {
   }
   void set_rotation(const Rotation& p, const Rotation& q);
   void set_scaled(const PoseFactors& p, const PoseFactors& q);
+  void set_big(unsigned most);
   void approximate();
 
   int bits_ = 62;

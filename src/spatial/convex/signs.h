@@ -44,6 +44,7 @@ class Signs {
   double margin(int op, double value) const { return ((value < 0 ? -value : value) - map_.error(op)) * map_.per_norm(op) - 0x1p-40; }
 
   std::uint64_t exact_signs() const { return exact_signs_; }
+  std::size_t bytes() const { return sizeof(*this) + (row_[0].capacity() + row_[1].capacity()) * sizeof(Vec3); }
 
   /// Calls f(coordinate, map entry) with values of the narrowest types that hold the operands and the map.
   template <class F>

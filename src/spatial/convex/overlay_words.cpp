@@ -1,0 +1,47 @@
+// Overlays written down and taken up again.
+#include <stdexcept>
+
+#include "spatial/convex/overlay.h"
+
+namespace dymsum::spatial {
+
+void Overlay::capture(std::vector<std::uint32_t>& words) const {
+  words.assign(extreme_[0].begin(), extreme_[0].end());
+  words.insert(words.end(), extreme_[1].begin(), extreme_[1].end());
+  const std::size_t faces = words.size();
+  words.resize(faces + 2 * crossings_.size(), kNoCrossing);
+  for (const std::uint32_t head : head_[0])
+    for (std::uint32_t id = head; id != kNoCrossing; id = crossings_[id].next[0]) {
+      words[faces + 2 * id] = crossings_[id].p;
+      words[faces + 2 * id + 1] = crossings_[id].q;
+    }
+}
+
+void Overlay::restore(const RelativeMap& map, std::span<const std::uint32_t> words) {
+  const std::size_t p = extreme_[0].size(), faces = p + extreme_[1].size();
+  if (words.size() < faces || (words.size() - faces) % 2 != 0) throw std::logic_error("Overlay::restore: not the words of this pair");
+  restart();
+  signs_.set(map);
+  crossings_.clear();
+  free_.clear();
+  touched_q_.clear();
+  for (int op = 0; op < 2; ++op) head_[op].assign(head_[op].size(), kNoCrossing);
+  extreme_[0].assign(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(p));
+  extreme_[1].assign(words.begin() + static_cast<std::ptrdiff_t>(p), words.begin() + static_cast<std::ptrdiff_t>(faces));
+  for (std::size_t k = faces; k < words.size(); k += 2) {
+    if (words[k] == kNoCrossing) continue;
+    const auto id = static_cast<std::uint32_t>(crossings_.size());
+    std::uint32_t &of_p = head_[0][words[k]], &of_q = head_[1][words[k + 1] / 2];
+    crossings_.push_back({words[k], words[k + 1], {of_p, of_q}});
+    of_p = of_q = id;
+  }
+}
+
+std::size_t Overlay::bytes() const {
+  const auto of = [](const auto&... v) { return (std::size_t{0} + ... + (v.capacity() * sizeof(v[0]))); };
+  return sizeof(*this) - sizeof(signs_) + signs_.bytes() +
+         of(extreme_[0], extreme_[1], head_[0], head_[1], crossings_, free_, vertex_until_[0], vertex_until_[1], arc_until_, walk_, old_, touched_q_,
+            expired_, is_touched_q_, changes_.faces[0], changes_.faces[1], changes_.crossings);
+}
+
+}  // namespace dymsum::spatial
