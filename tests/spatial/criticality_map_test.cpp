@@ -197,6 +197,23 @@ TEST(CriticalityMap, coordinates_of_any_size) {
   }
 }
 
+TEST(CriticalityMap, rotations_near_an_angle) {
+  std::mt19937_64 random(60);
+  std::uniform_real_distribution<double> angle(0, 2 * kPi);
+  for (const Axis d : {Axis{0, 0, 1}, Axis{1, -2, 3}, Axis{32768, 32767, -32765}}) {
+    const CriticalityMap map = *CriticalityMap::create(cube(1), cube(1), d);
+    const double length = std::sqrt(double(d[0]) * d[0] + double(d[1]) * d[1] + double(d[2]) * d[2]);
+    for (int k = 0; k < 200; ++k) {
+      const double wanted = angle(random);
+      const Rotation r = map.near(wanted);
+      ASSERT_TRUE(map.interval(r).ok());
+      const auto [w, x, y, z] = r.quaternion();
+      const double along = (double(x) * d[0] + double(y) * d[1] + double(z) * d[2]) / length;
+      EXPECT_LE(std::abs(std::remainder(2 * std::atan2(along, double(w)) - wanted, 2 * kPi)), 0x1p-28 * length);
+    }
+  }
+}
+
 TEST(CriticalityMap, memory_is_that_of_the_differences) {
   std::mt19937_64 random(59);
   const Mesh p = random_round_polytope(random, 60), q = random_round_polytope(random, 60);
