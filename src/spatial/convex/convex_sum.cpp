@@ -20,12 +20,15 @@ const MotionWork& ConvexSum::State::report() {
 }
 
 spatial::RelativeMap ConvexSum::State::move(const SolidPose& p_to, const SolidPose& q_to) {
-  if (!(p_to.scale == p_pose.scale)) p_factors = spatial::PoseFactors::of(p_to);
-  if (!(q_to.scale == q_pose.scale)) q_factors = spatial::PoseFactors::of(q_to);
-  p_factors.rotation = p_to.rotation;
-  q_factors.rotation = q_to.rotation;
-  p_pose = p_to;
-  q_pose = q_to;
+  const auto take = [](const SolidPose& to, SolidPose& pose, spatial::PoseFactors& factors) {
+    if (!(to.scale == pose.scale)) {
+      factors = spatial::PoseFactors::of(to);
+      pose.scale = to.scale;
+    }
+    factors.rotation = pose.rotation = to.rotation;
+  };
+  take(p_to, p_pose, p_factors);
+  take(q_to, q_pose, q_factors);
   return spatial::RelativeMap(p_factors, q_factors);
 }
 
