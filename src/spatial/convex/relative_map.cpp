@@ -70,32 +70,35 @@ void RelativeMap::set_scaled(const PoseFactors& p, const PoseFactors& q) {
   const std::array<std::array<BigInteger, 3>, 2> left{over_one_denominator(p.den, p.num), over_one_denominator(q.den, q.num)};
   const std::array<std::array<BigInteger, 3>, 2> right{over_one_denominator(q.num, q.den), over_one_denominator(p.num, p.den)};
   unsigned most = 0;
+  big_.resize(18);
   for (int index = 0; index < 2; ++index)
     for (int k = 0; k < 9; ++k) {
       const BigInteger v = exact::to_big(fixed_[index][k]).value() * left[index][k / 3] * right[index][k % 3];
       if (v != 0) most = std::max(most, static_cast<unsigned>(msb(BigInteger(abs(v)))) + 1);
-      big_[index][k] = Big(v);
+      big_[9 * index + k] = Big(v);
     }
   set_big(most);
 }
 
-/// From big_, whose entries are below 2^most.
+/// From big_, whose entries are below 2^most; empty afterwards where 126 bits do.
 void RelativeMap::set_big(unsigned most) {
   bits_ = most <= 62 ? 62 : most <= 126 ? 126 : static_cast<int>(most);
   if (bits_ > 126) return;
   for (int index = 0; index < 2; ++index)
-    for (int k = 0; k < 9; ++k) fixed_[index][k] = exact::narrowed<exact::Int<126>>(big_[index][k]).raw();
+    for (int k = 0; k < 9; ++k) fixed_[index][k] = exact::narrowed<exact::Int<126>>(big_[9 * index + k]).raw();
+  big_.clear();
 }
 
 RelativeMap RelativeMap::turned(const std::array<BigInteger, 4>& quaternion) {
   const auto& [w, x, y, z] = quaternion;
   const std::array<BigInteger, 9> m = rotation_matrix<BigInteger>(w, -x, -y, -z);
   RelativeMap map;
+  map.big_.resize(18);
   unsigned most = 0;
   for (int k = 0; k < 9; ++k) {
     if (m[k] != 0) most = std::max(most, static_cast<unsigned>(msb(BigInteger(abs(m[k])))) + 1);
-    map.big_[0][k] = Big(m[k]);
-    map.big_[1][3 * (k % 3) + k / 3] = Big(m[k]);
+    map.big_[k] = Big(m[k]);
+    map.big_[9 + 3 * (k % 3) + k / 3] = Big(m[k]);
   }
   map.set_big(most);
   map.approximate();
@@ -116,10 +119,10 @@ void RelativeMap::approximate() {
       for (double& v : d) v *= exact::power_of_two(-top);
     } else {
       for (int k = 0; k < 9; ++k)
-        if (sign(big_[index][k]) != 0) top = std::max(top, static_cast<int>(msb(BigInteger(abs(big_[index][k].value())))));
+        if (sign(big_[9 * index + k]) != 0) top = std::max(top, static_cast<int>(msb(BigInteger(abs(big_[9 * index + k].value())))));
       // 2^-top of a number of up to thousands of bits, rounded once.
       const exact::BigRational unit(BigInteger(1), BigInteger(1) << static_cast<unsigned>(top));
-      for (int k = 0; k < 9; ++k) d[k] = exact::round_to_double(exact::BigRational(big_[index][k].value()) * unit);
+      for (int k = 0; k < 9; ++k) d[k] = exact::round_to_double(exact::BigRational(big_[9 * index + k].value()) * unit);
     }
     approx_[index] = {Vec3{d[0], d[1], d[2]}, Vec3{d[3], d[4], d[5]}, Vec3{d[6], d[7], d[8]}};
     // Rows of a multiple of a rotation are equally long.

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "dymsum/rotation.h"
 #include "exact/big.h"
@@ -53,7 +54,7 @@ class RelativeMap {
   template <class M>
   M entry(int index, int k) const {
     if constexpr (std::is_same_v<M, exact::Big>) {
-      return bits_ <= 126 ? exact::to_big(fixed_[index][k]) : big_[index][k];
+      return bits_ <= 126 ? exact::to_big(fixed_[index][k]) : big_[9 * index + k];
     } else {
       return M::from_raw(exact::raw_cast<M::kBits>(fixed_[index][k]));
     }
@@ -66,7 +67,7 @@ class RelativeMap {
   int bits_ = 62;
   bool rotation_ = true;  // nothing but a rotation
   std::array<std::array<exact::i128, 9>, 2> fixed_{};
-  std::array<std::array<exact::Big, 9>, 2> big_;  // when bits_ > 126
+  std::vector<exact::Big> big_;  // nine for each index, when bits_ > 126
   std::array<Mat3, 2> approx_;
   std::array<double, 2> norm_{}, per_norm_{}, error_{};
 };
