@@ -78,7 +78,7 @@ enum class ConvexEngine : std::uint8_t {
   brute,  ///< all pairs of features, thesis section 5.2: the reference
 };
 
-/// P (+) Q for convex solids. Errors: not_convex with the reflex edge, no_area for an empty operand.
+/// P (+) Q for convex solids. Errors: not_convex with the reflex edge, no_area for an empty operand, unsupported_operand for coordinates beyond 2^250.
 /// Cost: O(m + n + k) walking steps for m and n faces and k facets; brute O(m n).
 Result<SolidSum> convex_sum(const Mesh& p, const Mesh& q, const SolidPose& p_pose = {}, const SolidPose& q_pose = {},
                             ConvexEngine engine = ConvexEngine::walk);

@@ -114,6 +114,11 @@ TEST(ConvexSum, huge_small_and_wide_coordinates_are_exact) {
 
 TEST(ConvexSum, operands_that_are_not_convex_solids_are_told) {
   EXPECT_EQ(ConvexSum::create(Mesh(), cube(1)).error().code, Code::no_area);
+  EXPECT_TRUE(ConvexSum::create(cube(0x1p250), cube(1)).ok());
+  const Result<ConvexSum> huge = ConvexSum::create(cube(0x1p251), cube(1));
+  ASSERT_FALSE(huge);
+  EXPECT_EQ(huge.error().code, Code::unsupported_operand);
+  EXPECT_TRUE(huge.error().evidence.vertex && huge.error().evidence.z);
   // A cube with a dent.
   MeshData dent = cube(2).data();
   dent.vertices.push_back({0, 0, 0});

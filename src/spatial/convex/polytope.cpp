@@ -259,6 +259,18 @@ Result<Polytope> make_polytope(const Mesh& mesh, bool merge) {
   const MeshData& data = mesh.data();
   if (!merge && !std::all_of(data.faces.begin(), data.faces.end(), [](const Face& f) { return f.size() == 3; }))
     return Error{Code::unsupported_operand, "without merging, all faces have to be triangles", {}};
+  // Scaled by 2^64 and added, the volume of a sum and the square of a depth still are doubles.
+  constexpr double kMost = 0x1p250;
+  for (std::size_t v = 0; v < data.vertices.size(); ++v) {
+    const Point3& at = data.vertices[v];
+    if (std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)}) <= kMost) continue;
+    Error error{Code::unsupported_operand, "a coordinate is beyond 2^250", {}};
+    error.evidence.vertex = static_cast<std::int64_t>(v);
+    error.evidence.x = at.x;
+    error.evidence.y = at.y;
+    error.evidence.z = at.z;
+    return error;
+  }
   Polytope all;
   for (const Point3& v : data.vertices) all.at.push_back({v.x, v.y, v.z});
   put_on_grid(all);
