@@ -120,6 +120,13 @@ class LatticeOf final : public Lattice {
     const BigRational r(number(t.n), number(t.d));
     return in_input(BigRational(number(s.x)) + r * BigRational(number(d.x)), BigRational(number(s.y)) + r * BigRational(number(d.y)));
   }
+  Point position_of_low(std::uint32_t op) const override {
+    Position p = in_input(BigRational(0), BigRational(0));
+    const Point& other = points[1 - op]->offset;
+    p.x -= exact::exact_value(other.x);
+    p.y -= exact::exact_value(other.y);
+    return {exact::round_to_double(p.x), exact::round_to_double(p.y)};
+  }
   const SharedIntegers& unscaled_integers() const override { return unscaled(); }
   Position position(Pair v) const override {
     const SumVec s = sum(v);
@@ -147,9 +154,16 @@ class LatticeOf final : public Lattice {
       y[op] = exact::exact_value(points[op]->offset.y);
     }
     if (scale_) {
-      x[scale_->op] *= BigRational(scale_->x, scale_->den);
-      y[scale_->op] *= BigRational(scale_->y, scale_->den);
       unit /= scale_->den;
+      const std::uint32_t op = scale_->op;
+      if (const auto& turned = points[op]->turned; turned != nullptr) {
+        const BigRational u = x[op], v = y[op];
+        x[op] = (u * scale_->x - v * scale_->turn) / scale_->den + BigRational(turned->low[0]) * unit;
+        y[op] = (u * scale_->turn + v * scale_->y) / scale_->den + BigRational(turned->low[1]) * unit;
+      } else {
+        x[op] *= BigRational(scale_->x, scale_->den);
+        y[op] *= BigRational(scale_->y, scale_->den);
+      }
     }
     return {BigRational(gx * unit + x[0] + x[1]), BigRational(gy * unit + y[0] + y[1])};
   }
@@ -169,6 +183,8 @@ class LatticeOf final : public Lattice {
       }
     }
     if constexpr (!std::is_same_v<C, Big>) {
+      if (const TurnedPoints* turned = points[op]->turned.get(); turned != nullptr)
+        return {C::from_raw(static_cast<typename C::Raw>(turned->at[i][0])), C::from_raw(static_cast<typename C::Raw>(turned->at[i][1]))};
       if (scale_) {
         // The product fits: the tier was chosen for it.
         const auto& v = unscaled().at[op][i];
@@ -195,6 +211,14 @@ class LatticeOf final : public Lattice {
     if (filled_.load(std::memory_order_relaxed)) return;
     for (std::uint32_t op = 0; op < 2; ++op) {
       const Point& origin = points[op]->offset;
+      if constexpr (std::is_same_v<C, Big>) {
+        if (const TurnedPoints* turned = points[op]->turned.get(); turned != nullptr) {
+          for (std::uint32_t i = 0; i < turned->size(); ++i)
+            integers_[op].push_back(turned->at.empty() ? Vec{Big(turned->big[i][0]), Big(turned->big[i][1])}
+                                                       : Vec{exact::to_big(turned->at[i][0]), exact::to_big(turned->at[i][1])});
+          continue;
+        }
+      }
       for (const Point& v : points[op]->input) {
         integers_[op].push_back({exact::grid_coordinate<C>(v.x, origin.x, exponent_), exact::grid_coordinate<C>(v.y, origin.y, exponent_)});
         if constexpr (std::is_same_v<C, Big>) {
@@ -284,6 +308,23 @@ class LatticeOf final : public Lattice {
 
 }  // namespace
 
+Point TurnedPoints::vector(std::uint32_t from, std::uint32_t to) const {
+  if (at.empty()) {
+    const auto component = [&](int axis) { return exact::round_to_double(BigRational(BigRational(big[to][axis] - big[from][axis]) * big_factor)); };
+    return {component(0), component(1)};
+  }
+  return {static_cast<double>(at[to][0] - at[from][0]) * factor, static_cast<double>(at[to][1] - at[from][1]) * factor};
+}
+
+double TurnedPoints::rounded(std::uint32_t i, int axis) const {
+  return at.empty() ? exact::round_to_double(BigRational(BigRational(big[i][axis]) * big_factor)) : static_cast<double>(at[i][axis]) * factor;
+}
+
+int TurnedPoints::compare(std::uint32_t i, std::uint32_t j, int axis) const {
+  if (at.empty()) return big[i][axis].compare(big[j][axis]);
+  return (at[i][axis] > at[j][axis]) - (at[i][axis] < at[j][axis]);
+}
+
 Point Lattice::to_input(double gx, double gy) const {
   return {gx * unit + base.x, gy * unit + base.y};
 }
@@ -356,6 +397,7 @@ std::shared_ptr<Lattice> build(std::array<std::shared_ptr<const PlacedPoints>, 2
   const bool dyadic = !scale || (scale->den & (scale->den - 1)) == 0;
   const double den = scale ? exact::round_to_double(BigRational(scale->den)) : 1;
   const std::uint32_t scaled = scale ? scale->op : 2;
+  const bool turned = scale && points[scaled]->turned != nullptr;
   std::shared_ptr<Lattice> lattice;
   switch (tier) {
     case exact::Tier::b29: lattice = std::make_shared<LatticeOf<exact::Int<29>>>(exponent, unit, std::move(scale)); break;
@@ -366,13 +408,15 @@ std::shared_ptr<Lattice> build(std::array<std::shared_ptr<const PlacedPoints>, 2
   lattice->tier_bits = static_cast<int>(tier);
   // Sides have at most 2 B + 4 bits; doubles hold 53. A power of two below scaled coordinates changes nothing.
   lattice->exact_doubles = bits <= 24 && dyadic;
+  lattice->points = std::move(points);
   lattice->unit = std::ldexp(1.0, unit);
   lattice->grid_exponent = exponent;
   lattice->integers_per_unit = std::ldexp(den, unit - exponent);
   for (std::uint32_t op = 0; op < 2; ++op) {
-    const PlacedPoints& o = *points[op];
+    const PlacedPoints& o = *lattice->points[op];
     lattice->span += std::max(o.width, o.height);
-    const double x = o.offset.x * o.stretch.x, y = o.offset.y * o.stretch.y;
+    const Point at = op == scaled && turned ? lattice->position_of_low(op) : Point{o.offset.x * o.stretch.x, o.offset.y * o.stretch.y};
+    const double x = at.x, y = at.y;
     lattice->base.x += x;
     lattice->base.y += y;
     lattice->base_reach += std::abs(x) + std::abs(y);
@@ -381,7 +425,6 @@ std::shared_ptr<Lattice> build(std::array<std::shared_ptr<const PlacedPoints>, 2
   }
   lattice->exact_input = lattice->exact_doubles && scaled == 2 &&
                          lattice->span * lattice->unit + lattice->base_reach <= std::ldexp(1.0, std::min(exponent + 50, 1000));
-  lattice->points = std::move(points);
   return lattice;
 }
 
@@ -418,6 +461,77 @@ std::shared_ptr<Lattice> make_scaled_lattice(const Lattice& unscaled, const Latt
   place(*stretched, unit);
   points[scale.op] = std::move(stretched);
   std::shared_ptr<Lattice> lattice = build(std::move(points), exponent, unit, bits, scale, min_tier_bits);
+  lattice->integers = unscaled.integers;
+  return lattice;
+}
+
+namespace {
+
+// (x, -turn; turn, y) times the grid integers, relative to the smallest coordinate of each axis; and the bits that needs.
+std::shared_ptr<TurnedPoints> turned_points(const Lattice& unscaled, const LatticeScale& r) {
+  const PlacedPoints& o = *unscaled.points[r.op];
+  auto turned = std::make_shared<TurnedPoints>();
+  const int grid_bits = bits_of(o.extent, unscaled.grid_exponent);
+  // |x X - turn Y| < 2^(grid + den + 1), and a difference of two has one bit more.
+  if (grid_bits + factor_bits(r.den) + 2 <= 125 && unscaled.tier_bits != 0) {
+    const exact::i128 c = exact::narrowed<exact::Int<125>>(Big(r.x)).raw(), s = exact::narrowed<exact::Int<125>>(Big(r.turn)).raw();
+    std::array<exact::i128, 2> low{};
+    const auto& integers = unscaled.unscaled_integers().at[r.op];
+    turned->at.reserve(integers.size());
+    for (const auto& v : integers) turned->at.push_back({c * v[0] - s * v[1], s * v[0] + c * v[1]});
+    if (!turned->at.empty()) low = turned->at[0];
+    for (const auto& v : turned->at)
+      for (int axis = 0; axis < 2; ++axis) low[axis] = std::min(low[axis], v[axis]);
+    for (auto& v : turned->at)
+      for (int axis = 0; axis < 2; ++axis) v[axis] -= low[axis];
+    turned->low = {exact::to_big(low[0]).value(), exact::to_big(low[1]).value()};
+    return turned;
+  }
+  for (const Point& v : o.input) {
+    const exact::BigInteger x = exact::grid_coordinate<Big>(v.x, o.offset.x, unscaled.grid_exponent).value();
+    const exact::BigInteger y = exact::grid_coordinate<Big>(v.y, o.offset.y, unscaled.grid_exponent).value();
+    turned->big.push_back({exact::BigInteger(r.x * x - r.turn * y), exact::BigInteger(r.turn * x + r.y * y)});
+  }
+  if (!turned->big.empty()) turned->low = turned->big[0];
+  for (const auto& v : turned->big)
+    for (int axis = 0; axis < 2; ++axis) turned->low[axis] = std::min(turned->low[axis], v[axis]);
+  for (auto& v : turned->big)
+    for (int axis = 0; axis < 2; ++axis) v[axis] -= turned->low[axis];
+  return turned;
+}
+
+// The integers as x and y, three roundings each.
+void place_turned(PlacedPoints& points, std::shared_ptr<TurnedPoints> turned, const exact::BigInteger& den, int exponent, int unit) {
+  const int shift = exponent - unit;
+  const exact::BigInteger power = exact::BigInteger(1) << std::abs(shift);
+  turned->big_factor = shift < 0 ? BigRational(exact::BigInteger(1), exact::BigInteger(den * power)) : BigRational(power, den);
+  turned->factor = turned->at.empty() ? 0 : exact::round_to_double(turned->big_factor);
+  points.unit = unit;
+  points.width = points.height = 0;
+  points.x.clear();
+  points.y.clear();
+  for (std::uint32_t i = 0; i < turned->size(); ++i) {
+    points.x.push_back(turned->rounded(i, 0));
+    points.y.push_back(turned->rounded(i, 1));
+    points.width = std::max(points.width, points.x.back());
+    points.height = std::max(points.height, points.y.back());
+  }
+  points.turned = std::move(turned);
+}
+
+}  // namespace
+
+std::shared_ptr<Lattice> make_turned_lattice(const Lattice& unscaled, const LatticeScale& rotation, int min_tier_bits) {
+  const int exponent = unscaled.grid_exponent, unit = unscaled.points[0]->unit;
+  std::array<std::shared_ptr<const PlacedPoints>, 2> points = unscaled.points;
+  const std::uint32_t op = rotation.op;
+  const int den = factor_bits(rotation.den);
+  // Rotated differences are at most the diagonal: 1.5 times the larger side.
+  const int bits = std::max(bits_of(points[op]->extent, exponent) + den + 1, bits_of(points[1 - op]->extent, exponent) + den);
+  auto placed = std::make_shared<PlacedPoints>(*points[op]);
+  place_turned(*placed, turned_points(unscaled, rotation), rotation.den, exponent, unit);
+  points[op] = std::move(placed);
+  std::shared_ptr<Lattice> lattice = build(std::move(points), exponent, unit, bits, rotation, min_tier_bits);
   lattice->integers = unscaled.integers;
   return lattice;
 }

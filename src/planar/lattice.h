@@ -55,6 +55,21 @@ struct Place {
   double x = 0, y = 0, error = 0;  ///< |x - exact| and |y - exact| are at most error
 };
 
+/// The vertices of a rotated operand as integers, exactly: a and b of (a, -b; b, a) times the grid integers, minus the smallest coordinate of each axis.
+struct TurnedPoints {
+  std::vector<std::array<exact::i128, 2>> at;         ///< empty where 125 bits are not enough
+  std::vector<std::array<exact::BigInteger, 2>> big;  ///< then these
+  std::array<exact::BigInteger, 2> low;               ///< what was subtracted
+  double factor = 1;                                  ///< of `at`: from integers to the lattice's doubles, rounded
+  exact::BigRational big_factor = 1;                  ///< of `big`: the same
+  std::size_t size() const { return at.empty() ? big.size() : at.size(); }
+  /// The vector from one vertex to another, each component with three roundings.
+  Point vector(std::uint32_t from, std::uint32_t to) const;
+  double rounded(std::uint32_t i, int axis) const;
+  /// The sign of coordinate(i) - coordinate(j) along an axis.
+  int compare(std::uint32_t i, std::uint32_t j, int axis) const;
+};
+
 /// The source vertices of one operand: as given, and relative to the smallest corner of their bounding box.
 struct PlacedPoints {
   std::vector<Point> input;
@@ -62,6 +77,7 @@ struct PlacedPoints {
   std::vector<double> x, y;   ///< input - offset in units of 2^unit, rounded once
   double width = 0, height = 0;  ///< the largest x and y
   Point stretch{1, 1};        ///< the factors by which x and y are scaled besides, rounded: three roundings in all
+  std::shared_ptr<const TurnedPoints> turned;  ///< of a rotated operand: x and y are these then
   double extent = 0;          ///< the larger of both, in input units
   int exponent = 0;           ///< the largest grid that holds them: all are multiples of 2^exponent
   int unit = 0;
@@ -112,6 +128,8 @@ class Lattice {
 
   /// Requires: tier_bits is not 0 and `integers` are set.
   virtual const SharedIntegers& unscaled_integers() const = 0;
+  /// Where the origin of a rotated operand's integers lies in input coordinates, rounded.
+  virtual Point position_of_low(std::uint32_t op) const = 0;
 
   int tier_bits = 0;           ///< 29, 61, 512, 0
   bool exact_doubles = false;  ///< every planar sign of degree two is exact when computed in doubles
@@ -129,6 +147,7 @@ class Lattice {
   /// Edge vector, each component rounded once, three times where the operand is scaled.
   Point vector(const Edge& e) const {
     const PlacedPoints& o = *points[e.op];
+    if (o.turned != nullptr) return o.turned->vector(e.from, e.to);
     const Point &a = o.input[e.from], &b = o.input[e.to];
     return {(b.x - a.x) / unit * o.stretch.x, (b.y - a.y) / unit * o.stretch.y};
   }
@@ -139,14 +158,17 @@ class Lattice {
 /// Both operands on their common grid. `min_tier_bits` forces a larger tier. Points are placed anew when their units differ.
 std::shared_ptr<Lattice> make_lattice(std::shared_ptr<const PlacedPoints> p, std::shared_ptr<const PlacedPoints> q, int min_tier_bits);
 
-/// diag(x, y) / den applied to operand `op`, about the origin of its input coordinates.
+/// diag(x, y) / den, or a rotation, applied to operand `op`, about the origin of its input coordinates.
 struct LatticeScale {
-  exact::BigInteger x = 1, y = 1, den = 1;  ///< all positive
+  exact::BigInteger x = 1, y = 1, den = 1;  ///< all positive; of a rotation x = y has any sign
   std::uint32_t op = 0;
+  exact::BigInteger turn = 0;               ///< not zero: (x, -turn; turn, y) instead, a rotation, x^2 + turn^2 = den^2
 };
 
 /// The lattice of two operands of which one is scaled: integers are the scaled operand's times x or y and the other's times den; the
 /// doubles still count units of the unscaled lattice, which make_lattice has made and whose `integers` are set. O(n), a few operations a vertex.
 std::shared_ptr<Lattice> make_scaled_lattice(const Lattice& unscaled, const LatticeScale& scale, int min_tier_bits);
+/// The same for a rotation, by any angle, zero and pi too: vertices are never snapped.
+std::shared_ptr<Lattice> make_turned_lattice(const Lattice& unscaled, const LatticeScale& rotation, int min_tier_bits);
 
 }  // namespace dymsum::planar

@@ -18,6 +18,28 @@ std::vector<Point> source_vertices(const RegionData& region) {
   return all;
 }
 
+// A rotation moves the first direction to another place of the list.
+void restart(DirectionList& list, const Operand& o, const Lattice& lattice) {
+  const std::size_t n = list.edges.size();
+  std::size_t first = 0;
+  for (std::size_t k = 1; k < n && first == 0; ++k)
+    if (compare_directions(lattice, list.keys[k], o.edge(list.edges[k]), list.keys[k - 1], o.edge(list.edges[k - 1])) < 0) first = k;
+  std::rotate(list.edges.begin(), list.edges.begin() + static_cast<std::ptrdiff_t>(first), list.edges.end());
+  std::rotate(list.keys.begin(), list.keys.begin() + static_cast<std::ptrdiff_t>(first), list.keys.end());
+  for (std::size_t k = 0; k < n; ++k) list.rank[list.edges[k] - list.base] = static_cast<std::uint32_t>(k);
+}
+
+void find_turned_extremes(Loop& loop, const Operand& o, const TurnedPoints& turned) {
+  loop.min_x = loop.max_x = loop.min_y = loop.max_y = o.source[loop.first];
+  for (std::uint32_t i = loop.first; i < loop.last; ++i) {
+    const std::uint32_t s = o.source[i];
+    if (turned.compare(s, loop.min_x, 0) < 0) loop.min_x = s;
+    if (turned.compare(s, loop.max_x, 0) > 0) loop.max_x = s;
+    if (turned.compare(s, loop.min_y, 1) < 0) loop.min_y = s;
+    if (turned.compare(s, loop.max_y, 1) > 0) loop.max_y = s;
+  }
+}
+
 // Everything that counts in the lattice's units.
 void place(Operand& o, const Lattice& lattice) {
   const std::size_t n = o.size();
@@ -33,6 +55,10 @@ void place(Operand& o, const Lattice& lattice) {
   // A scale per axis keeps the order of the directions, but not their angles.
   for (DirectionList& list : o.directions)
     for (std::size_t k = 0; k < list.edges.size(); ++k) list.keys[k] = pseudo_angle(o.ex[list.edges[k]], o.ey[list.edges[k]]);
+  if (o.points->turned != nullptr) {
+    for (DirectionList& list : o.directions) restart(list, o, lattice);
+    for (Loop& loop : o.loops) find_turned_extremes(loop, o, *o.points->turned);
+  }
   o.trees.clear();
   for (const Component& c : o.components) o.trees.push_back(make_edge_tree(o, c.first, c.last));
 }

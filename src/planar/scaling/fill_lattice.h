@@ -24,6 +24,7 @@ class DelegatingLattice : public Lattice {
   Position position(const Place& x) const override { return plain_.position(x); }
   Position position(Pair v) const override { return plain_.position(v); }
   const SharedIntegers& unscaled_integers() const override { return plain_.unscaled_integers(); }
+  Point position_of_low(std::uint32_t op) const override { return plain_.position_of_low(op); }
 
  private:
   const Lattice& plain_;

@@ -7,20 +7,17 @@
 #include <optional>
 #include <string>
 
+#include "exact/rational_text.h"
+
 namespace dymsum {
 namespace {
 
 using exact::BigInteger;
 using exact::BigRational;
 
-constexpr unsigned kMaxBits = 4096;
+constexpr unsigned kMaxBits = exact::kMaxTextBits;
 
 Error bad(std::string message) { return {Code::bad_scale, std::move(message), {}}; }
-
-bool is_integer(std::string_view text) {
-  if (text.starts_with('-')) text.remove_prefix(1);
-  return !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
-}
 
 Result<BigRational> within_limits(BigRational v, const std::string& what, const std::string& text) {
   const BigInteger limit = BigInteger(1) << 64;
@@ -42,58 +39,6 @@ Result<BigRational> checked_step(BigRational v, const std::string& text) {
   return within_limits(std::move(v), "step", text);
 }
 
-Result<BigRational> rational_of(const Rational& value, std::string_view what) {
-  const std::string name(what), text = value.to_string().substr(0, 60);
-  if (!is_integer(value.num) || !is_integer(value.den)) return Error{Code::malformed, "a " + name + " has to be a quotient of integers: " + text, {}};
-  if (value.num.size() + value.den.size() > 4 * kMaxBits) return bad("numerator and denominator of a " + name + " may have at most 4096 bits");
-  const BigInteger den(value.den);
-  if (den == 0) return bad("a " + name + " with denominator zero: " + text);
-  return exact::ratio(exact::Big(BigInteger(value.num)), exact::Big(den));
-}
-
-/// digits[.digits][e[sign]digits] as a rational.
-std::optional<BigRational> decimal(std::string_view text) {
-  BigInteger mantissa = 0;
-  long exponent = 0;
-  bool negative = false, any = false, point = false;
-  std::size_t i = 0;
-  if (i < text.size() && (text[i] == '-' || text[i] == '+')) negative = text[i++] == '-';
-  for (; i < text.size(); ++i) {
-    if (text[i] == '.' && !point) {
-      point = true;
-    } else if (std::isdigit(static_cast<unsigned char>(text[i]))) {
-      mantissa = mantissa * 10 + (text[i] - '0');
-      exponent -= point;
-      any = true;
-    } else {
-      break;
-    }
-  }
-  if (!any) return std::nullopt;
-  if (i < text.size()) {
-    if (text[i] != 'e' && text[i] != 'E') return std::nullopt;
-    const std::string digits(text.substr(i + 1 + (i + 1 < text.size() && text[i + 1] == '+')));
-    if (!is_integer(digits) || digits.size() > 6) return std::nullopt;
-    exponent += std::stol(digits);
-  }
-  if (std::abs(exponent) > 5000) return std::nullopt;
-  const BigInteger power = boost::multiprecision::pow(BigInteger(10), static_cast<unsigned>(std::abs(exponent)));
-  BigRational value = exponent >= 0 ? BigRational(BigInteger(mantissa * power)) : BigRational(mantissa, power);
-  if (negative) value = -value;
-  return value;
-}
-
-/// "3/2", "1.01" or "1e-3".
-Result<BigRational> number_in(std::string_view text, std::string_view what) {
-  const std::string name(what);
-  if (text.size() > 4 * kMaxBits) return bad("numerator and denominator of a " + name + " may have at most 4096 bits");
-  if (const std::size_t slash = text.find('/'); slash != std::string_view::npos)
-    return rational_of({std::string(text.substr(0, slash)), std::string(text.substr(slash + 1))}, what);
-  const std::optional<BigRational> value = decimal(text);
-  if (!value) return Error{Code::malformed, "not a " + name + ": \"" + std::string(text.substr(0, 60)) + "\"", {}};
-  return *value;
-}
-
 }  // namespace
 
 Result<Scale> Scale::of(double value) {
@@ -113,7 +58,7 @@ Result<Scale> Scale::of(double value) {
 }
 
 Result<Scale> Scale::of(const Rational& value) {
-  const Result<BigRational> number = rational_of(value, "scale");
+  const Result<BigRational> number = exact::rational_of(value, "scale", Code::bad_scale);
   if (!number) return number.error();
   const Result<BigRational> v = checked(*number, value.to_string().substr(0, 60));
   if (!v) return v.error();
@@ -124,7 +69,7 @@ Result<Scale> Scale::of(const Rational& value) {
 }
 
 Result<Scale> Scale::parse(std::string_view text) {
-  const Result<BigRational> number = number_in(text, "scale");
+  const Result<BigRational> number = exact::number_in(text, "scale", Code::bad_scale);
   if (!number) return number.error();
   const Result<BigRational> v = checked(*number, std::string(text.substr(0, 60)));
   if (!v) return v.error();
@@ -132,7 +77,7 @@ Result<Scale> Scale::parse(std::string_view text) {
 }
 
 Result<Scale> parse_scale_step(std::string_view text) {
-  const Result<BigRational> number = number_in(text, "step");
+  const Result<BigRational> number = exact::number_in(text, "step", Code::bad_scale);
   if (!number) return number.error();
   const Result<BigRational> v = checked_step(*number, std::string(text.substr(0, 60)));
   if (!v) return v.error();

@@ -1,0 +1,139 @@
+// The exact obstacle of a polygonal robot that translates and rotates: the set of configurations (x, y, theta) at which robot R, turned by theta about the origin of
+// its coordinates and then moved by (x, y), overlaps obstacle O. Its slice at theta is the interior of O (+) -R(theta); its boundary consists of patches of ruled
+// surfaces, and it is computed as a whole: every patch with the exact angles at which it begins and ends. Source: Behar 2016, chapter 4, corrected
+// (docs/design/cspace-obstacle.md).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "dymsum/orientation.h"
+#include "dymsum/planar_sum.h"
+#include "dymsum/progress.h"
+#include "dymsum/region.h"
+#include "dymsum/result.h"
+
+namespace dymsum {
+
+/// A point of configuration space; theta in radians.
+struct Configuration {
+  double x = 0, y = 0, theta = 0;
+  friend bool operator==(const Configuration&, const Configuration&) = default;
+};
+
+/// An angle at which the combinatorics of the slice change: a root of an integer polynomial of degree 2 or 4 in t = tan(theta / 2). Listed by increasing theta in
+/// (-pi, pi].
+struct EventAngle {
+  double theta = 0;            ///< nearest known double
+  double low = 0, high = 0;    ///< the exact angle lies between them
+  std::optional<Orientation> exact;  ///< where the tangent of the half angle is rational
+};
+
+/// What happens at an event angle.
+struct ObstacleEvent {
+  enum class Kind : std::uint8_t {
+    alignment,          ///< an edge of the robot becomes parallel to one of the obstacle: contacts change hands
+    vertex_on_segment,  ///< a vertex contact meets another contact
+    three_segments,     ///< three contacts at once
+    tight,              ///< free at this one angle only: a contact that can be held but neither reached nor left
+  };
+  Kind kind = Kind::alignment;
+  std::uint32_t angle = 0;  ///< number in angles()
+  Point at;                 ///< position (x, y), rounded
+};
+
+/// A piece of ruled surface of the boundary. At every angle of its open interval it is one segment on the line of `contact`, from the meeting with `left` to the meeting
+/// with `right`, with the obstacle on its left.
+struct Patch {
+  static constexpr std::uint32_t kNone = 0xffffffff;
+  Contact contact;         ///< edge_of_p: edge of the obstacle + vertex of the robot (`fixed`); edge_of_q: vertex of the obstacle + edge of the robot (`rotating`)
+  Contact left, right;     ///< the contacts before and behind it along the boundary
+  bool left_corner = false, right_corner = false;  ///< they meet in a common vertex pair, and not in a crossing
+  std::uint32_t begin = kNone, end = kNone;        ///< numbers in angles(); end <= begin: it passes theta = pi; kNone, kNone: it is there at every angle
+  std::uint32_t shell = 0;
+  bool rotating() const { return contact.kind == Contact::Kind::edge_of_q; }
+};
+
+/// A connected piece of the boundary.
+struct Shell {
+  bool outer = true;              ///< the free space it bounds reaches infinity; else it is a cavity of the obstacle
+  std::uint32_t patches = 0;      ///< how many belong to it
+  std::int64_t euler = 0;         ///< vertices - edges + patches of the closed surface
+  std::uint32_t free_component = 0;  ///< the component of free space on its right
+};
+
+/// A piece of free space between two event angles within which one face of the slice stays connected to itself: the nodes of connectivity.
+struct FreeCell {
+  std::uint32_t begin = Patch::kNone, end = Patch::kNone;  ///< as for patches
+  bool unbounded = false;
+  std::uint32_t component = 0;  ///< of free space, touching not counted as a connection
+};
+
+struct ObstacleWork {
+  std::uint64_t windows = 0, segments = 0, candidate_pairs = 0, candidate_triples = 0;
+  std::uint64_t surfaces = 0;           ///< contacts that exist at some angle: the thesis's surfaces before trimming
+  std::uint64_t potential_events = 0, visible_events = 0;
+  std::uint64_t alignments = 0, vertex_events = 0, triple_events = 0, tight_events = 0;
+  std::uint64_t local_updates = 0, slices = 0;  ///< event angles handled near the event; by a whole slice
+  std::uint64_t exact_signs = 0, collision_tests = 0;
+  double ms = 0;
+};
+
+struct ObstacleOptions {
+  bool reference = false;  ///< every slab by a whole static slice and every potential event kept: slow, for comparison
+  Progress progress;
+};
+
+class CspaceObstacle {
+ public:
+  /// Regions with holes and several parts. Errors: unsupported_operand for polylines, points, empty regions and coordinates beyond 2^400; cancelled.
+  static Result<CspaceObstacle> create(const Region& robot, const Region& obstacle, const ObstacleOptions& options = {});
+
+  CspaceObstacle(CspaceObstacle&&) noexcept;
+  CspaceObstacle& operator=(CspaceObstacle&&) noexcept;
+  ~CspaceObstacle();
+
+  const Region& robot() const;
+  const Region& obstacle() const;
+  const std::vector<EventAngle>& angles() const;
+  const std::vector<ObstacleEvent>& events() const;
+  const std::vector<Patch>& patches() const;
+  const std::vector<Shell>& shells() const;
+  const std::vector<FreeCell>& free_cells() const;
+  const ObstacleWork& work() const;
+
+  /// The slab of an orientation: slab k lies between angles k and k + 1, the last one passes pi; all are one slab 0 without events. Nothing at an event angle itself.
+  /// Exact.
+  std::optional<std::uint32_t> slab_of(const Orientation& theta) const;
+  /// A rational orientation inside a slab, with few bits.
+  Orientation inside(std::uint32_t slab) const;
+  /// The boundary in a slab: loops of patch numbers in the order of the boundary, outer rings counter-clockwise, holes clockwise.
+  std::vector<std::vector<std::uint32_t>> loops(std::uint32_t slab) const;
+  /// The free cell on the right of a patch in a slab.
+  std::uint32_t free_cell(std::uint32_t slab, std::uint32_t patch) const;
+
+  /// Where a patch starts and ends at an angle of its interval, in doubles: within a few roundings unless the lines are nearly parallel.
+  std::array<Point, 2> ends(const Patch& patch, double theta) const;
+
+  /// The exact slice O (+) -R(theta), by the static engine.
+  Result<PlanarSum> slice(const Orientation& theta, Semantics semantics = Semantics::closed) const;
+  /// Whether the robot overlaps the obstacle there: touching is free. Exact: the doubles x, y at face value. O(n + m) and more; see ObstacleQueries for fast ones.
+  bool contains(double x, double y, const Orientation& theta) const;
+
+  class State;  ///< internal
+  const State& state() const { return *state_; }
+
+ private:
+  explicit CspaceObstacle(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+/// O (+) -R(theta), exactly, without the obstacle of all angles. Errors as minkowski_sum.
+Result<PlanarSum> cspace_slice(const Region& robot, const Region& obstacle, const Orientation& theta, const SumOptions& options = {});
+
+}  // namespace dymsum

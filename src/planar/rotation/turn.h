@@ -1,0 +1,13 @@
+// Orientations as the lattice wants them.
+#pragma once
+
+#include "dymsum/orientation.h"
+#include "planar/lattice.h"
+
+namespace dymsum::planar {
+
+Orientation orientation_of(const exact::BigRational& tan_half);
+/// The rotation of operand `op`, in lowest terms.
+LatticeScale turn_of(const Orientation& orientation, std::uint32_t op);
+
+}  // namespace dymsum::planar
