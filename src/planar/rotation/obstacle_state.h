@@ -1,0 +1,38 @@
+// What a CspaceObstacle holds.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "dymsum/cspace_obstacle.h"
+#include "exact/algebraic_root.h"
+#include "planar/scaling/base.h"
+
+namespace dymsum::planar {
+
+/// An angle as a root in one of two charts, so that half turns need no exception: theta = 2 atan(t) + pi chart, t in (-1, 1]. Chart 0 covers (-pi/2, pi/2], chart 1 the rest.
+struct ExactAngle {
+  int chart = 0;
+  exact::AlgebraicRoot t;
+};
+
+}  // namespace dymsum::planar
+
+namespace dymsum {
+
+class CspaceObstacle::State {
+ public:
+  Region robot, obstacle;
+  std::shared_ptr<const planar::ScalingBase> base;  ///< operand 0: the obstacle; operand 1: the reflected robot, which turns
+  std::vector<EventAngle> angles;
+  std::vector<planar::ExactAngle> exact_angles;  ///< of `angles`
+  std::vector<ObstacleEvent> events;
+  std::vector<Patch> patches;
+  std::vector<Shell> shells;
+  std::vector<FreeCell> cells;
+  /// Per patch: the free cell on its right from that slab of its interval on; the first entry is for the slab it begins in.
+  std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> patch_cells;
+  ObstacleWork work;
+};
+
+}  // namespace dymsum
