@@ -65,6 +65,32 @@ BigInteger floor_of(const BigRational& x) {
 
 BigRational width(const RootBracket& r) { return r.high().value() - r.low().value(); }
 
+/// n / 2^k as for between(), for 0 <= low, if it has at most 52 bits and hence n and all products here are exact.
+std::optional<double> simplest_between_positive(double low, double high) {
+  const int last = 2 - std::ilogb(high - low);  // 2^-last is below half of high - low, also where that was rounded
+  for (int k = 0; k <= last && k < 900; ++k) {
+    const double scale = power_of_two(k), n = std::floor(low * scale) + 1;
+    if (n >= 0x1p52) return std::nullopt;
+    if (n < high * scale) return n / scale;
+  }
+  return std::nullopt;
+}
+
+/// The simplest number in the hull of both brackets, if it is in the gap.
+std::optional<BigRational> filtered_between(const AlgebraicRoot& a, const AlgebraicRoot& b) {
+  const double low = a.low(), high = b.high();
+  std::optional<double> x = 0.0;
+  if (low >= 0) x = simplest_between_positive(low, high);
+  if (high <= 0) x = simplest_between_positive(-high, -low);
+  if (!x) return std::nullopt;
+  const double middle = high <= 0 ? -*x : *x;
+  // a bound that is not the root is strictly beyond it
+  const bool above = a.high() < middle || (a.high() == middle && a.low() < a.high());
+  const bool below = middle < b.low() || (middle == b.low() && b.low() < b.high());
+  if (!above || !below) return std::nullopt;
+  return exact_value(middle);
+}
+
 /// The one multiple of 1 / c in an open bracket narrower than 1 / c, if there is one. Requires c > 0.
 std::optional<BigRational> candidate(const RootBracket& r, const BigInteger& c) {
   const BigRational x(BigInteger(floor_of(r.low().value() * c) + 1), c);
@@ -119,7 +145,10 @@ std::vector<AlgebraicRoot> roots_in(const Polynomial& p, double lo, double hi, F
   if (const auto brackets = filtered_roots(p, lo, hi)) {
     ++counts.filtered;
     roots.reserve(brackets->size());
-    for (const DoubleBracket& b : *brackets) roots.push_back(AlgebraicRoot(p, b.low, b.high));
+    for (const DoubleBracket& b : *brackets) {
+      const bool zero = b.low < 0 && b.high > 0 && sign(p[0]) == 0;
+      roots.push_back(zero ? AlgebraicRoot(p, 0, 0) : AlgebraicRoot(p, b.low, b.high));
+    }
     return roots;
   }
   ++counts.exact;
@@ -159,6 +188,7 @@ SignAnswer sign_answer_at(const AlgebraicRoot& root, const Polynomial& p) {
 
 BigRational between(const AlgebraicRoot& a, const AlgebraicRoot& b) {
   if (compare(a, b) >= 0) throw std::invalid_argument("between: requires a < b");
+  if (const auto x = filtered_between(a, b)) return *x;
   RootBracket x = a.bracket(), y = b.bracket();
   x.refine_to(2);
   y.refine_to(2);
@@ -186,6 +216,7 @@ BigRational between(const AlgebraicRoot& a, const AlgebraicRoot& b) {
 std::optional<BigRational> rational_value(const AlgebraicRoot& root) {
   RootBracket bracket = root.bracket();
   if (bracket.is_point()) return bracket.low().value();
+  if (proved_without_rational_roots(root.polynomial())) return std::nullopt;
   const Polynomial f = primitive_part(root.polynomial());
   const BigInteger c = boost::multiprecision::abs(f[f.degree()].value());
   bracket.refine_to(static_cast<long>(msb(c)) + 2);

@@ -116,9 +116,9 @@ std::uint64_t times(std::uint64_t a, std::uint64_t b) {
   return sum >= kPrime ? sum - kPrime : sum;
 }
 
-std::uint64_t residue(const Big& v) {
-  const auto r = static_cast<std::uint64_t>(boost::multiprecision::abs(v.value()) % kPrime);
-  return r != 0 && sign(v) < 0 ? kPrime - r : r;
+std::uint64_t residue(const Big& v, std::uint64_t prime) {
+  const auto r = static_cast<std::uint64_t>(boost::multiprecision::abs(v.value()) % prime);
+  return r != 0 && sign(v) < 0 ? prime - r : r;
 }
 
 /// Coefficients modulo kPrime.
@@ -127,7 +127,7 @@ struct Residues {
   int degree = -1;
 
   explicit Residues(const Polynomial& p) : degree(p.degree()) {
-    for (int k = 0; k <= degree; ++k) (*this)[k] = residue(p[k]);
+    for (int k = 0; k <= degree; ++k) (*this)[k] = residue(p[k], kPrime);
     trim();
   }
   std::uint64_t& operator[](int k) { return c[static_cast<std::size_t>(k)]; }
@@ -148,6 +148,20 @@ void reduce(Residues& a, Residues& b) {
     }
     a.trim();
   }
+}
+
+/// f has a root modulo the prime, or its leading coefficient is 0 there.
+bool may_have_root(const Polynomial& f, std::uint64_t prime) {
+  std::array<std::uint64_t, Polynomial::kMaxDegree + 1> c;
+  const auto n = static_cast<std::size_t>(f.degree());
+  for (std::size_t k = 0; k <= n; ++k) c[k] = residue(f[static_cast<int>(k)], prime);
+  if (c[n] == 0) return true;
+  for (std::uint64_t t = 0; t < prime; ++t) {
+    std::uint64_t value = 0;
+    for (std::size_t k = n + 1; k-- > 0;) value = (value * t + c[k]) % prime;
+    if (value == 0) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -224,6 +238,13 @@ bool proved_coprime(const Polynomial& a, const Polynomial& b) {
     std::swap(x, y);
   }
   return y.degree == 0;
+}
+
+bool proved_without_rational_roots(const Polynomial& f) {
+  if (f.is_zero()) return false;
+  for (const unsigned prime : {17, 19, 23, 29, 31, 37, 41, 43, 47, 53, 59, 61})
+    if (!may_have_root(f, prime)) return true;
+  return false;
 }
 
 std::vector<Polynomial> square_free_factors(const Polynomial& p) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace dymsum::exact {
 namespace {
@@ -48,16 +49,23 @@ constexpr std::array<std::array<double, 7>, 7> kBinomials = {{{1},
                                                               {1, 5, 10, 10, 5, 1},
                                                               {1, 6, 15, 20, 15, 6, 1}}};
 
-/// The signs, 0 where open, of the Bernstein coefficients on [l, h].
+/// Where p is to be searched; its signs at the ends are certain.
+struct Interval {
+  DoubleBracket ends;
+  int low_sign = 0, high_sign = 0;
+};
+
+/// The signs, 0 where open, of the Bernstein coefficients on an interval [l, h].
 /// With w = h - l: the coefficients of p(l + w x) by n shifts (2 n roundings at most for each product of terms), times
 /// powers of w (2 n with the rounding of w itself, 1 more), then shifted by 1 in reverse order (n): binomial(n, j)
 /// times the Bernstein coefficients. With 4 for the coefficients of p that is 5 n + 5 units of the same computation on
 /// magnitudes, whose Bernstein coefficients are at most the value of sum |c_k| x^k at |l| + w. 3 more cover the rounding
 /// of that value and the second order.
-std::array<int, 7> bernstein_signs(const Polynomial& p, double l, double h) {
+/// The first and the last coefficient are values of p.
+std::array<int, 7> bernstein_signs(const Polynomial& p, const Interval& interval) {
   const auto n = static_cast<std::size_t>(p.degree());
   auto c = p.approx();
-  const double w = h - l, reach = std::abs(l) + w;
+  const double l = interval.ends.low, w = interval.ends.high - l, reach = std::abs(l) + w;
   double bound = 0;
   for (std::size_t k = n + 1; k-- > 0;) bound = bound * reach + std::abs(c[k]);
   for (std::size_t i = 0; i < n; ++i)
@@ -70,16 +78,17 @@ std::array<int, 7> bernstein_signs(const Polynomial& p, double l, double h) {
   // c[n - j] belongs to the j-th Bernstein coefficient
   const double error = (5 * static_cast<double>(n) + 8) * kUnit * bound + kLost;
   std::array<int, 7> signs{};
-  for (std::size_t j = 0; j <= n; ++j) signs[j] = decided(c[n - j], kBinomials[n][j] * error);
+  for (std::size_t j = 1; j < n; ++j) signs[j] = decided(c[n - j], kBinomials[n][j] * error);
+  signs[0] = interval.low_sign;
+  signs[n] = interval.high_sign;
   return signs;
 }
 
-enum class Content { none, one, unknown, open_end };
+enum class Content { none, one, unknown };
 
 /// Descartes' rule: no change of sign, no root; one change, one simple root. A single open sign between opposite ones
 /// changes nothing.
 Content content(const std::array<int, 7>& signs, std::size_t n) {
-  if (signs[0] == 0 || signs[n] == 0) return Content::open_end;
   int changes = 0, previous = signs[0];
   for (std::size_t j = 1; j <= n; ++j) {
     if (signs[j] == 0) {
@@ -129,6 +138,18 @@ DoubleBracket narrowed(const Polynomial& p, DoubleBracket bracket, int low_sign)
   return bracket;
 }
 
+/// Both parts of an interval, if p is certain to be not 0 where it is divided: not in the middle, which is where roots of
+/// simple polynomials lie.
+std::optional<std::pair<Interval, Interval>> divided(const Polynomial& p, const Interval& i) {
+  for (const double fraction : {0.4873, 0.6127}) {
+    const double x = i.ends.low + fraction * (i.ends.high - i.ends.low);
+    if (!(i.ends.low < x && x < i.ends.high)) return std::nullopt;
+    const int sign = evaluate(p, x).sign();
+    if (sign != 0) return std::pair{Interval{{i.ends.low, x}, i.low_sign, sign}, Interval{{x, i.ends.high}, sign, i.high_sign}};
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<int> filtered_sign(const Polynomial& p, double t) {
@@ -154,22 +175,20 @@ std::optional<int> filtered_sign(const Polynomial& p, double low, double high) {
 std::optional<std::vector<DoubleBracket>> filtered_roots(const Polynomial& p, double lo, double hi) {
   if (p.is_zero() || !(std::max(std::abs(lo), std::abs(hi)) <= kLargest)) return std::nullopt;
   std::vector<DoubleBracket> roots;
-  std::array<DoubleBracket, kMaxIntervals + 1> waiting;  // the leftmost last
+  std::array<Interval, kMaxIntervals + 2> waiting;  // the leftmost last
   std::size_t count = 0;
-  waiting[count++] = {lo, hi};
+  waiting[count++] = {{lo, hi}, evaluate(p, lo).sign(), evaluate(p, hi).sign()};
+  if (waiting[0].low_sign == 0 || waiting[0].high_sign == 0) return std::nullopt;
   for (int i = 0; count > 0; ++i) {
     if (i == kMaxIntervals) return std::nullopt;
-    const DoubleBracket interval = waiting[--count];
-    const auto signs = bernstein_signs(p, interval.low, interval.high);
-    const Content found = content(signs, static_cast<std::size_t>(p.degree()));
-    if (found == Content::open_end) return std::nullopt;
-    if (found == Content::one) roots.push_back(narrowed(p, interval, signs[0]));
+    const Interval interval = waiting[--count];
+    const Content found = content(bernstein_signs(p, interval), static_cast<std::size_t>(p.degree()));
+    if (found == Content::one) roots.push_back(narrowed(p, interval.ends, interval.low_sign));
     if (found != Content::unknown) continue;
-    // Not the middle, which is where roots of simple polynomials lie.
-    const double split = interval.low + 0.4873 * (interval.high - interval.low);
-    if (!(interval.low < split && split < interval.high)) return std::nullopt;
-    waiting[count++] = {split, interval.high};
-    waiting[count++] = {interval.low, split};
+    const auto parts = divided(p, interval);
+    if (!parts) return std::nullopt;
+    waiting[count++] = parts->second;
+    waiting[count++] = parts->first;
   }
   return roots;
 }
