@@ -55,9 +55,9 @@ Polynomial primitive_part(const Polynomial& p);
 /// A positive multiple of a, less a multiple of b, of a degree below b's; primitive. Requires b != 0.
 Polynomial pseudo_remainder(const Polynomial& a, const Polynomial& b);
 
-/// The greatest common divisor: primitive, its leading coefficient positive; zero when both are zero. Euclid's
-/// algorithm on primitive pseudo-remainders (Knuth, TAOCP 2, 4.6.1): for degrees n and coefficients of B bits its
-/// remainders have O(n B) bits, as they divide subresultants.
+/// The greatest common divisor: primitive, its leading coefficient positive; zero when both are zero. By subresultants
+/// (Knuth, TAOCP 2, 4.6.1, Algorithm C), which are determinants: for degrees n and coefficients of B bits they have at
+/// most 2 n (B + log2 n) bits.
 Polynomial gcd(const Polynomial& a, const Polynomial& b);
 
 /// True only if a and b have no common factor of positive degree: they have none modulo the prime 2^61 - 1, which does
