@@ -89,11 +89,22 @@ Terms next_subresultant(Terms a, const Terms& b, const BigInteger& scale) {
   return a;
 }
 
-/// The greatest common divisor, primitive, its leading coefficient positive: Algorithm C of Knuth, TAOCP 2, 4.6.1.
+/// The primitive polynomial with the roots of a and a positive leading coefficient that divides bound: multiplied by bound
+/// over its leading coefficient, a gets small coefficients before their common divisor is computed.
+Terms primitive_below(Terms a, const BigInteger& bound) {
+  const BigInteger leading = a.back();
+  for (BigInteger& term : a) term = BigInteger(term * bound) / leading;
+  make_primitive(a);
+  return a;
+}
+
+/// The greatest common divisor, primitive, its leading coefficient positive: Algorithm C of Knuth, TAOCP 2, 4.6.1. What
+/// divides both leading coefficients bounds that of the divisor.
 Terms common_divisor(Terms a, Terms b) {
   if (a.size() < b.size()) std::swap(a, b);
-  make_primitive(a);
-  make_primitive(b);
+  if (a.empty()) return {};
+  const BigInteger leading = b.empty() ? a.back() : b.back();
+  const BigInteger bound = boost::multiprecision::gcd(a.back(), leading);
   BigInteger g = 1, h = 1;
   while (!b.empty()) {
     if (b.size() == 1) return {1};
@@ -103,10 +114,7 @@ Terms common_divisor(Terms a, Terms b) {
     g = a.back();
     if (drop > 0) h = power(g, drop) / power(h, drop - 1);
   }
-  make_primitive(a);
-  if (!a.empty() && a.back().sign() < 0)
-    for (BigInteger& term : a) term = -term;
-  return a;
+  return primitive_below(std::move(a), bound);
 }
 
 /// a / b. Requires that b is primitive and divides a; the quotient is then integral (Gauss).
