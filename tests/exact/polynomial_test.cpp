@@ -50,7 +50,7 @@ TEST(Polynomial, doubles_err_by_what_is_promised) {
     // the power of two by which the largest coefficient was scaled: one more where rounding reached the next power
     const mpz_class largest = abs(to_mpz(p[at]));
     mpz_class unit = mpz_class(1) << static_cast<unsigned>(mpz_sizeinbase(largest.get_mpz_t(), 2) - 1);
-    if (2 * mpq_class(top) * unit < 3 * largest) unit *= 2;
+    if (4 * mpq_class(top) * unit < 3 * largest) unit *= 2;
     for (int k = 0; k <= p.degree(); ++k) {
       const mpq_class exact = mpq_class(to_mpz(p[k])) / unit;
       const mpq_class error = abs(mpq_class(p.approx()[static_cast<std::size_t>(k)]) - exact);
