@@ -281,6 +281,12 @@ TEST(AlgebraicRoot, neighbours_that_doubles_cannot_tell) {
     EXPECT_EQ(compare(both[0], a), 0);
     EXPECT_EQ(compare(both[1], b), 0);
     EXPECT_EQ(between(both[0], both[1]), x) << "it depends on the numbers only";
+    // A common divisor with its roots elsewhere.
+    const Polynomial more = poly({1, 3});
+    const auto c = roots_in(times(poly({-1, 0, 2}), more), 0, 1), d = roots_in(times(near_root_half(bits), more), 0, 1);
+    EXPECT_EQ(compare(c[0], d[0]), -1);
+    EXPECT_EQ(compare(d[0], c[0]), 1);
+    EXPECT_EQ(sign_at(c[0], times(near_root_half(bits), more)), -1);
   }
 }
 
