@@ -65,8 +65,8 @@ Polynomial gcd(const Polynomial& a, const Polynomial& b);
 bool proved_coprime(const Polynomial& a, const Polynomial& b);
 
 /// True only if f has no rational root: it has no root modulo some small prime that does not divide the leading
-/// coefficient, to which a rational root would be carried. False says nothing; an irreducible f of degree n >= 2 has none
-/// modulo at least one prime in n (Cameron and Cohen, 1992), of which a dozen are tried.
+/// coefficient, to which a rational root would be carried. False says nothing; an irreducible f of degree n >= 2 has
+/// none modulo at least one prime in n (Cameron and Cohen, 1992), of which a dozen are tried.
 bool proved_without_rational_roots(const Polynomial& f);
 
 /// f1, f2, ..., primitive, square-free and pairwise coprime, such that p is a constant times f1 f2^2 f3^3 ...: the

@@ -39,7 +39,7 @@ class RootBracket {
   Dyadic high() const { return {high_, shift_}; }
 
   /// Narrows the bracket. Where f is nearly linear in it the bits gained double with each call, up to 512; a call that
-  /// fails halves what the next one tries, and one that tries a single bit succeeds: ten calls halve the width at least.
+  /// fails halves what the next one tries, and one that tries a single bit succeeds: ten calls at least halve it.
   /// Quadratic interval refinement (Abbott, 2006).
   void refine();
   /// Until high - low <= 2^-bits.
