@@ -89,8 +89,8 @@ Terms next_subresultant(Terms a, const Terms& b, const BigInteger& scale) {
   return a;
 }
 
-/// The primitive polynomial with the roots of a and a positive leading coefficient that divides bound: multiplied by bound
-/// over its leading coefficient, a gets small coefficients before their common divisor is computed.
+/// The primitive polynomial that is a multiple of a, if its leading coefficient is positive and divides bound: times
+/// bound over its leading coefficient, a has small coefficients, whose common divisor is soon computed.
 Terms primitive_below(Terms a, const BigInteger& bound) {
   const BigInteger leading = a.back();
   for (BigInteger& term : a) term = BigInteger(term * bound) / leading;

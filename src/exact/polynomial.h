@@ -1,5 +1,5 @@
-// Polynomials of degree at most 6 with integer coefficients, as rotation events have them in t = tan(theta / 2), and the
-// divisions that tell which roots two of them share and how often one of them has each of its roots.
+// Polynomials of degree at most 6 with integer coefficients, as rotation events have them in t = tan(theta / 2), and
+// the divisions that tell which roots two of them share and how often one of them has each of its roots.
 #pragma once
 
 #include <array>
@@ -65,8 +65,8 @@ Polynomial gcd(const Polynomial& a, const Polynomial& b);
 bool proved_coprime(const Polynomial& a, const Polynomial& b);
 
 /// True only if f has no rational root: it has no root modulo some small prime that does not divide the leading
-/// coefficient, to which a rational root would be carried. False says nothing; an irreducible f of degree 2 to 6 has
-/// none modulo about a third of the primes or more, of which a dozen are tried.
+/// coefficient, to which a rational root would be carried. False says nothing; an irreducible f of degree n >= 2 has
+/// none modulo at least one prime in n (Cameron and Cohen, 1992), of which a dozen are tried.
 bool proved_without_rational_roots(const Polynomial& f);
 
 /// f1, f2, ..., primitive, square-free and pairwise coprime, such that p is a constant times f1 f2^2 f3^3 ...: the

@@ -142,6 +142,9 @@ RootBracket::RootBracket(Polynomial f, const Dyadic& low, const Dyadic& high)
   low_ = low.numerator << (shift_ - low.shift);
   high_ = high.numerator << (shift_ - high.shift);
   low_sign_ = sign(low_);
+  // In a narrow bracket f is nearly linear: the first step may try as many bits as half of those that are known.
+  const long known = static_cast<long>(shift_) - static_cast<long>(msb(BigInteger(high_ - low_)));
+  gain_ = static_cast<unsigned>(std::clamp(known / 2, 1L, 64L));
 }
 
 RootBracket::RootBracket(Polynomial f, const Dyadic& x)
