@@ -1,0 +1,229 @@
+#include "exact/algebraic_root.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <tuple>
+#include <utility>
+
+#include "exact/root_filter.h"
+
+namespace dymsum::exact {
+namespace {
+
+/// By the bounds alone, if they are apart. Both bounds of a root equal it or are strictly beyond it.
+std::optional<int> compare_bounds(const AlgebraicRoot& a, const AlgebraicRoot& b) {
+  const bool below = a.high() <= b.low(), above = b.high() <= a.low();
+  if (below && above) return 0;
+  if (below) return -1;
+  if (above) return 1;
+  return std::nullopt;
+}
+
+Dyadic larger(const Dyadic& a, const Dyadic& b) { return compare(a, b) < 0 ? b : a; }
+Dyadic smaller(const Dyadic& a, const Dyadic& b) { return compare(a, b) < 0 ? a : b; }
+
+int sign_at(const Polynomial& p, const Dyadic& x) { return p.value_at_dyadic(x.numerator, x.shift).sign(); }
+
+/// The common divisor; constant without computing it when a prime shows that nothing is common.
+Polynomial common_factor(const Polynomial& a, const Polynomial& b) {
+  if (a == b) return a;
+  if (proved_coprime(a, b)) return Polynomial({Big::from_int64(1)});
+  return gcd(a, b);
+}
+
+/// Neither is a point. Where the brackets overlap a divisor of both polynomials has no root but the common one, a simple
+/// root; at the ends of the overlap it is not 0, as one of the polynomials is not.
+bool equal_roots(const RootBracket& a, const RootBracket& b) {
+  const Dyadic low = larger(a.low(), b.low()), high = smaller(a.high(), b.high());
+  if (compare(low, high) >= 0) return false;
+  const Polynomial common = common_factor(a.polynomial(), b.polynomial());
+  return common.degree() > 0 && sign_at(common, low) != sign_at(common, high);
+}
+
+/// Of distinct roots. Ends once the brackets are apart.
+int compare_distinct(RootBracket& a, RootBracket& b) {
+  for (;;) {
+    if (compare(a.high(), b.low()) <= 0) return -1;
+    if (compare(b.high(), a.low()) <= 0) return 1;
+    a.refine();
+    b.refine();
+  }
+}
+
+int exact_compare(RootBracket& a, RootBracket& b) {
+  if (b.is_point()) return a.compare_to(b.low());
+  if (a.is_point()) return -b.compare_to(a.low());
+  return equal_roots(a, b) ? 0 : compare_distinct(a, b);
+}
+
+BigInteger floor_of(const BigRational& x) {
+  const BigInteger n = numerator(x) / denominator(x);
+  return x < 0 && BigRational(n) != x ? BigInteger(n - 1) : n;
+}
+
+BigRational width(const RootBracket& r) { return r.high().value() - r.low().value(); }
+
+/// n / 2^k as for between(), for 0 <= low, if it has at most 52 bits and hence n and all products here are exact.
+std::optional<double> simplest_between_positive(double low, double high) {
+  const int last = 2 - std::ilogb(high - low);  // 2^-last is below half of high - low, also where that was rounded
+  for (int k = 0; k <= last && k < 900; ++k) {
+    const double scale = power_of_two(k), n = std::floor(low * scale) + 1;
+    if (n >= 0x1p52) return std::nullopt;
+    if (n < high * scale) return n / scale;
+  }
+  return std::nullopt;
+}
+
+/// The simplest number in the hull of both brackets, if it is in the gap.
+std::optional<BigRational> filtered_between(const AlgebraicRoot& a, const AlgebraicRoot& b) {
+  const double low = a.low(), high = b.high();
+  std::optional<double> x = 0.0;
+  if (low >= 0) x = simplest_between_positive(low, high);
+  if (high <= 0) x = simplest_between_positive(-high, -low);
+  if (!x) return std::nullopt;
+  const double middle = high <= 0 ? -*x : *x;
+  // a bound that is not the root is strictly beyond it
+  const bool above = a.high() < middle || (a.high() == middle && a.low() < a.high());
+  const bool below = middle < b.low() || (middle == b.low() && b.low() < b.high());
+  if (!above || !below) return std::nullopt;
+  return exact_value(middle);
+}
+
+/// The one multiple of 1 / c in an open bracket narrower than 1 / c, if there is one. Requires c > 0.
+std::optional<BigRational> candidate(const RootBracket& r, const BigInteger& c) {
+  const BigRational x(BigInteger(floor_of(r.low().value() * c) + 1), c);
+  return x < r.high().value() ? std::optional(x) : std::nullopt;
+}
+
+std::vector<AlgebraicRoot> merged(std::vector<AlgebraicRoot> roots) {
+  std::sort(roots.begin(), roots.end(),
+            [](const AlgebraicRoot& a, const AlgebraicRoot& b) { return compare(a, b) < 0; });
+  return roots;
+}
+
+}  // namespace
+
+AlgebraicRoot::AlgebraicRoot(Polynomial f, double low, double high) : f_(std::move(f)), low_(low), high_(high) {}
+
+AlgebraicRoot::AlgebraicRoot(const RootBracket& bracket, int multiplicity)
+    : f_(bracket.polynomial()), multiplicity_(multiplicity) {
+  RootBracket narrow = bracket;
+  narrow.refine_to_double();
+  std::tie(low_, high_) = narrow.bounds();
+  if (low_ != high_) bracket_ = std::make_shared<const RootBracket>(std::move(narrow));
+}
+
+AlgebraicRoot AlgebraicRoot::rational(const BigRational& x) {
+  const Polynomial f({Big(BigInteger(-numerator(x))), Big(denominator(x))});
+  const auto [low, high] = double_bounds(x);
+  AlgebraicRoot root(f, low, high);
+  if (!std::isfinite(low) || !std::isfinite(high)) {
+    const BigInteger n = floor_of(x);
+    root.bracket_ = std::make_shared<const RootBracket>(f, Dyadic{BigInteger(n - 1), 0}, Dyadic{BigInteger(n + 1), 0});
+  }
+  return root;
+}
+
+double AlgebraicRoot::approx() const {
+  constexpr double kMost = std::numeric_limits<double>::max();
+  const double low = std::max(low_, -kMost), high = std::min(high_, kMost);
+  return low / 2 + high / 2 == low ? low : low + (high / 2 - low / 2);
+}
+
+RootBracket AlgebraicRoot::bracket() const {
+  if (bracket_) return *bracket_;
+  if (low_ == high_) return {f_, Dyadic::of(low_)};
+  return {f_, Dyadic::of(low_), Dyadic::of(high_)};
+}
+
+std::vector<AlgebraicRoot> roots_in(const Polynomial& p, double lo, double hi, FilterCounts& counts) {
+  if (!std::isfinite(lo) || !std::isfinite(hi)) throw std::domain_error("roots_in: the ends must be finite");
+  std::vector<AlgebraicRoot> roots;
+  if (p.is_zero() || lo >= hi) return roots;
+  if (const auto brackets = filtered_roots(p, lo, hi)) {
+    ++counts.filtered;
+    roots.reserve(brackets->size());
+    for (const DoubleBracket& b : *brackets) {
+      const bool zero = b.low < 0 && b.high > 0 && sign(p[0]) == 0;
+      roots.push_back(zero ? AlgebraicRoot(p, 0, 0) : AlgebraicRoot(p, b.low, b.high));
+    }
+    return roots;
+  }
+  ++counts.exact;
+  int multiplicity = 0;
+  for (const Polynomial& f : square_free_factors(p)) {
+    ++multiplicity;
+    if (f.degree() < 1) continue;
+    for (const RootBracket& b : isolated_roots(f, lo, hi)) roots.push_back(AlgebraicRoot(b, multiplicity));
+  }
+  return merged(std::move(roots));
+}
+
+std::vector<AlgebraicRoot> roots_in(const Polynomial& p, double lo, double hi) {
+  FilterCounts counts;
+  return roots_in(p, lo, hi, counts);
+}
+
+SignAnswer compare_answer(const AlgebraicRoot& a, const AlgebraicRoot& b) {
+  if (const auto s = compare_bounds(a, b)) return {*s, Rung::filter};
+  RootBracket x = a.bracket(), y = b.bracket();
+  return {exact_compare(x, y), Rung::big};
+}
+
+SignAnswer compare_answer(const AlgebraicRoot& a, const BigRational& x) {
+  return compare_answer(a, AlgebraicRoot::rational(x));
+}
+
+SignAnswer sign_answer_at(const AlgebraicRoot& root, const Polynomial& p) {
+  if (p.degree() < 1) return {p.is_zero() ? 0 : sign(p[0]), Rung::filter};
+  if (const auto s = filtered_sign(p, root.low(), root.high())) return {*s, Rung::filter};
+  RootBracket bracket = root.bracket();
+  if (bracket.is_point()) return {sign_at(p, bracket.low()), Rung::big};
+  const Polynomial common = common_factor(root.polynomial(), p);
+  if (common.degree() > 0 && sign_at(common, bracket.low()) != sign_at(common, bracket.high())) return {0, Rung::big};
+  return {sign_of_nonzero(bracket, p), Rung::big};
+}
+
+BigRational between(const AlgebraicRoot& a, const AlgebraicRoot& b) {
+  if (compare(a, b) >= 0) throw std::invalid_argument("between: requires a < b");
+  if (const auto x = filtered_between(a, b)) return *x;
+  RootBracket x = a.bracket(), y = b.bracket();
+  x.refine_to(2);
+  y.refine_to(2);
+  compare_distinct(x, y);
+  // Nothing simpler than the answer lies in the hull of the brackets but what is not between the roots. Brackets
+  // narrower than the gap leave a few candidates; each one that is not between the roots cuts the hull and has a larger
+  // denominator than the one before, or is one of at most two integers.
+  while (width(x) + width(y) > y.low().value() - x.high().value()) {
+    x.refine();
+    y.refine();
+  }
+  Dyadic low = x.low(), high = y.high();
+  for (;;) {
+    const Dyadic middle = simplest_between(low, high);
+    if (x.compare_to(middle) >= 0) {
+      low = middle;
+    } else if (y.compare_to(middle) <= 0) {
+      high = middle;
+    } else {
+      return middle.value();
+    }
+  }
+}
+
+std::optional<BigRational> rational_value(const AlgebraicRoot& root) {
+  RootBracket bracket = root.bracket();
+  if (bracket.is_point()) return bracket.low().value();
+  if (proved_without_rational_roots(root.polynomial())) return std::nullopt;
+  const Polynomial f = primitive_part(root.polynomial());
+  const BigInteger c = boost::multiprecision::abs(f[f.degree()].value());
+  bracket.refine_to(static_cast<long>(msb(c)) + 2);
+  if (bracket.is_point()) return bracket.low().value();
+  const auto x = candidate(bracket, c);
+  if (x && f.sign_at(*x) == 0) return x;
+  return std::nullopt;
+}
+
+}  // namespace dymsum::exact

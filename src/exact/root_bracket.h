@@ -1,0 +1,74 @@
+// Real roots between dyadic rationals of any precision, isolated and narrowed by exact signs.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "exact/polynomial.h"
+
+namespace dymsum::exact {
+
+/// numerator / 2^shift, not necessarily in lowest terms.
+struct Dyadic {
+  BigInteger numerator = 0;
+  unsigned shift = 0;
+
+  /// The number a finite double stands for.
+  static Dyadic of(double v);
+  BigRational value() const { return BigRational(numerator, BigInteger(1) << shift); }
+};
+int compare(const Dyadic& a, const Dyadic& b);
+/// v in [first, second], equal when v is a double, else neighbouring doubles; the second is infinite past their range.
+std::pair<double, double> double_bounds(const BigRational& v);
+/// The dyadic number strictly between that has the smallest denominator; of integers, the one nearest to 0. Requires
+/// low < high.
+Dyadic simplest_between(const Dyadic& low, const Dyadic& high);
+
+/// One root x of a polynomial f. Either low < x < high, f has no other root there, x is a simple root, f(low) and
+/// f(high) are not 0 and hence have opposite signs; or low = x = high.
+class RootBracket {
+ public:
+  /// Requires low < high and the first case above.
+  RootBracket(Polynomial f, const Dyadic& low, const Dyadic& high);
+  /// Requires f(x) = 0.
+  RootBracket(Polynomial f, const Dyadic& x);
+
+  const Polynomial& polynomial() const { return f_; }
+  bool is_point() const { return low_ == high_; }
+  Dyadic low() const { return {low_, shift_}; }
+  Dyadic high() const { return {high_, shift_}; }
+
+  /// Narrows the bracket: its width at least halves in every second call, and where f is nearly linear in it the number
+  /// of bits gained doubles with each call. Quadratic interval refinement (Abbott, 2006).
+  void refine();
+  /// Until high - low <= 2^-bits.
+  void refine_to(long bits);
+  /// Until (high - low) 2^53 < |x| or x is found to be 0; then x is low = high if it is a double.
+  void refine_to_double();
+  /// The sign of root - x; narrows the bracket to the side of x.
+  int compare_to(const Dyadic& x);
+  /// [low, high] in doubles, rounded outwards; equal only when the root is that double.
+  std::pair<double, double> bounds() const;
+
+ private:
+  int sign(const BigInteger& numerator) const { return f_.value_at_dyadic(numerator, shift_).sign(); }
+  void rescale(unsigned more);
+  void reduce();
+  void become_point(const BigInteger& numerator);
+  bool narrow_towards(const BigInteger& left, const BigInteger& width);
+
+  Polynomial f_;
+  BigInteger low_, high_;
+  unsigned shift_ = 0, gain_ = 1;
+  int low_sign_ = 0;
+};
+
+/// The roots of f in (lo, hi], ascending, their brackets within [lo, hi]. Requires a square-free f of positive degree
+/// and lo < hi. Sturm's theorem on halved intervals: it ends because distinct roots of f have a positive distance, by
+/// Mahler more than 2^-(n (B + log2 n) + 1) for degree n and coefficients of B bits.
+std::vector<RootBracket> isolated_roots(const Polynomial& f, double lo, double hi);
+
+/// The sign of p at the root, which narrows the bracket. Requires that p is not 0 there.
+int sign_of_nonzero(RootBracket& root, const Polynomial& p);
+
+}  // namespace dymsum::exact
