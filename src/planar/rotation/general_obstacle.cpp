@@ -6,6 +6,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "planar/rotation/angle_order.h"
 #include "planar/rotation/obstacle_sweep.h"
 #include "planar/rotation/turn.h"
 
@@ -54,17 +55,7 @@ class Export {
     for (std::uint32_t k = 0; k < sweep_.angles.size(); ++k) sorted[order_.of(k)] = &sweep_.angles[k];
     for (std::size_t k = 0; k < sorted.size(); ++k) {
       state_.exact_angles.push_back(*sorted[k]);
-      EventAngle& a = state_.angles[k];
-      const exact::AlgebraicRoot& t = sorted[k]->t;
-      const bool behind = sorted[k]->chart == 1, wrapped = behind && exact::compare(t, exact::BigRational(0)) > 0;
-      const double shift = !behind ? 0 : wrapped ? -std::numbers::pi : std::numbers::pi;
-      a.low = shift + 2 * std::atan(t.low()) - 0x1p-50;
-      a.high = shift + 2 * std::atan(t.high()) + 0x1p-50;
-      a.theta = shift + 2 * std::atan(t.approx());
-      if (const std::optional<exact::BigRational> value = exact::rational_value(t)) {
-        a.exact = orientation_at(sorted[k]->chart, *value);
-        a.theta = a.exact->radians();
-      }
+      state_.angles[k] = event_angle(*sorted[k]);
     }
   }
 
