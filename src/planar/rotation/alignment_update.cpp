@@ -37,10 +37,15 @@ bool ObstacleSweep::alignment_update(TurnEvent& event, const TurnRange& range) {
         k = l = runs.size();
       }
   const double unsure = 1e-9 * (le + lf);
+  const Pair middle{f1, e};
   for (AlignedRun& run : runs) {
-    if (std::abs(run.from - lf) <= unsure || std::abs(run.to - lf) <= unsure) return false;
-    run.on_first = run.from < lf;
-    run.on_second = run.to > lf;
+    // A chain that ends or starts at the vertex between the two behind the event: where that vertex is reflex, the boundary turns there.
+    const bool from_middle = forms_.end(nodes_[nodes_[run.first].prev].segment) == middle;
+    const bool to_middle = TurningForms::start(nodes_[nodes_[run.last].next].segment) == middle;
+    if ((!from_middle && std::abs(run.from - lf) <= unsure) || (!to_middle && std::abs(run.to - lf) <= unsure)) return false;
+    run.on_first = !from_middle && run.from < lf;
+    run.on_second = !to_middle && run.to > lf;
+    if (!run.on_first && !run.on_second) return false;
     if ((run.on_first && !catalog_.may_exist(b2)) || (run.on_second && !catalog_.may_exist(a2))) return false;
   }
   return carry(event, range, runs, {a, b, b2, a2});
