@@ -73,7 +73,7 @@ class Collector {
   void find_crossings() {
     crossings_.resize(w_.segments.size());
     for (const TurnWindow::Meeting& m : w_.meetings) {
-      if (share_end(w_.segments[m.a], w_.segments[m.b])) continue;
+      if (share_end(w_.segments[m.a], w_.segments[m.b]) || forms_.parallel(w_.segments[m.a], w_.segments[m.b])) continue;
       ++out_.pairs;
       for (const auto& [i, j] : {std::pair{m.a, m.b}, std::pair{m.b, m.a}}) {
         const Crossing c = crossing(i, j);
