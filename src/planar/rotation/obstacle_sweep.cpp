@@ -27,6 +27,7 @@ ObstacleSweep::ObstacleSweep(const TurningForms& forms, const TurnCatalog& catal
 
 Point ObstacleSweep::event_place(const TurnEvent& event, Heading h) const {
   if (event.kind == TurnEvent::Kind::vertex_on_segment) return forms_.place(event.v, h);
+  if (event.kind == TurnEvent::Kind::overlap) return forms_.place(TurningForms::start(event.a), h);
   if (event.kind == TurnEvent::Kind::alignment) return forms_.place({forms_.operand(0).next[event.f], forms_.operand(1).next[event.e]}, h);
   const double t = forms_.side(event.b, TurningForms::start(event.a)).at(h) / forms_.cross(event.a, event.b).at(h);
   const Point from = forms_.place(TurningForms::start(event.a), h), d = forms_.direction(event.a, h);
@@ -83,9 +84,9 @@ void ObstacleSweep::start(const TurnRange& range, std::vector<TurnEvent>& events
 void ObstacleSweep::slice(const TurnRange& range, TurnEvent& event, const Behind& behind) {
   ++work.slices;
   now_ = angle(range, event);
-  note(event, event.kind == TurnEvent::Kind::alignment            ? ObstacleEvent::Kind::alignment
-              : event.kind == TurnEvent::Kind::vertex_on_segment ? ObstacleEvent::Kind::vertex_on_segment
-                                                                  : ObstacleEvent::Kind::three_segments,
+  note(event, event.kind == TurnEvent::Kind::alignment        ? ObstacleEvent::Kind::alignment
+              : event.kind == TurnEvent::Kind::three_segments ? ObstacleEvent::Kind::three_segments
+                                                              : ObstacleEvent::Kind::vertex_on_segment,
        event_place(event, Heading::of(event.theta())));
   take_slice(placed_at(*base_, behind.sample()));
 }
@@ -190,6 +191,18 @@ std::vector<std::uint32_t> ObstacleSweep::segments_of(const TurnEvent& event, bo
     unsure |= catalog_.joint(event.v, event.theta()).unsure;
     return all;
   }
+  if (event.kind == TurnEvent::Kind::overlap) {
+    std::vector<std::uint32_t> all{id(event.a), id(event.b)};
+    for (const WalkSegment* s : {&event.a, &event.b})
+      for (const Pair v : {TurningForms::start(*s), forms_.end(*s)}) {
+        const TurnCatalog::Joint joint = catalog_.joint(v, event.theta());
+        unsure |= joint.unsure;
+        const bool starts = v == TurningForms::start(*s);
+        if (starts && joint.has_in) all.push_back(id(joint.in));
+        if (!starts && joint.has_out) all.push_back(id(joint.out));
+      }
+    return all;
+  }
   const std::uint32_t e1 = forms_.operand(1).next[event.e], f1 = forms_.operand(0).next[event.f];
   return {id({1, event.e, event.f}), id({0, event.f, e1}), id({0, event.f, event.e}), id({1, event.e, f1})};
 }
@@ -222,7 +235,7 @@ void ObstacleSweep::pass_group(const Group& group, const TurnRange& range, const
   for (const TurnEvent* event : group) {
     if (visible) break;
     const Heading h = Heading::of(event->theta());
-    visible = event->kind != TurnEvent::Kind::alignment && !filter.inside(event_place(*event, h), h);
+    visible = event->kind != TurnEvent::Kind::alignment && event->kind != TurnEvent::Kind::overlap && !filter.inside(event_place(*event, h), h);
   }
   if (visible) slice(range, *group[0], behind);
 }

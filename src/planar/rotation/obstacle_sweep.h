@@ -144,6 +144,16 @@ class ObstacleSweep {
   // alignment_update.cpp
   bool alignment_update(TurnEvent& event, const TurnRange& range);
   bool carry(TurnEvent& event, const TurnRange& range, const std::vector<AlignedRun>& runs, const std::array<WalkSegment, 4>& s);
+  // overlap_update.cpp
+  bool overlap_update(TurnEvent& event, const TurnRange& range);
+  struct Stretch {
+    std::vector<std::uint32_t> nodes;  ///< along the common line, with those that shrink to a point between them
+    double from = 0, to = 0;
+  };
+  std::vector<Stretch> stretches(const WalkSegment& a, const WalkSegment& b, Heading h) const;
+  void replace(const std::vector<std::uint32_t>& old, const std::vector<WalkSegment>& segments, std::map<std::uint32_t, std::uint32_t>& starts,
+               std::map<std::uint32_t, std::uint32_t>& ends, std::vector<std::uint32_t>& touched);
+  void relink(const std::map<std::uint32_t, std::uint32_t>& starts, const std::map<std::uint32_t, std::uint32_t>& ends, std::vector<std::uint32_t>& touched);
   double place_on(const WalkSegment& s, const WalkSegment& other, bool at_start, Heading h) const;
 
   const TurningForms& forms_;
