@@ -212,9 +212,9 @@ std::optional<std::vector<ObstacleSweep::Path>> ObstacleSweep::paths(const Clust
 }
 
 // A new loop of constant size: whether the face on its right is free, exactly, at an angle between this event and the next one.
-bool ObstacleSweep::born(const Cluster& cluster, const std::vector<int>& cycle, const Behind& behind) {
+bool ObstacleSweep::born(const Cluster& cluster, const std::vector<int>& cycle, const std::function<Orientation()>& behind) {
   ++work.collision_tests;
-  const SumState state = placed_at(*base_, behind.sample());
+  const SumState state = placed_at(*base_, behind());
   Collision collision(*state.lattice, *state.p, *state.q, true);
   const auto exact_segment = [&](int k) {
     const WalkSegment& s = cluster.local[k].segment;
@@ -307,7 +307,7 @@ bool ObstacleSweep::apply(const Cluster& cluster, const std::vector<Path>& paths
   return true;
 }
 
-bool ObstacleSweep::local_update(TurnEvent& event, const TurnRange& range, const Behind& behind, OverlapFilter& filter) {
+bool ObstacleSweep::local_update(TurnEvent& event, const TurnRange& range, const std::function<Orientation()>& behind, OverlapFilter& filter) {
   if (event.kind == TurnEvent::Kind::alignment) return alignment_update(event, range);
   if (event.kind == TurnEvent::Kind::overlap) return overlap_update(event, range);
   const Heading h = Heading::of(event.theta());

@@ -130,7 +130,8 @@ class Collector {
     std::vector<std::array<std::uint32_t, 3>> seen;
     for (const TurnWindow::Meeting& m : w_.meetings)
       for (const auto& [i, j] : {std::pair{m.a, m.b}, std::pair{m.b, m.a}})
-        for (const Pair v : {TurningForms::start(w_.segments[j]), forms_.end(w_.segments[j])}) seen.push_back({i, v.p, v.q});
+        for (const Pair v : {TurningForms::start(w_.segments[j]), forms_.end(w_.segments[j])})
+          if (!forms_.side(w_.segments[i], v).far_from_zero(w_.heading, w_.half, forms_.side_error(w_.segments[i]))) seen.push_back({i, v.p, v.q});
     std::sort(seen.begin(), seen.end());
     seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
     for (const auto& [i, p, q] : seen) vertex_on(i, {p, q});
