@@ -238,7 +238,7 @@ Passed pass_turn(const TurningForms& forms, const TurnCatalog& catalog, Obstacle
       p.range = range_of(first + static_cast<int>(k), windows / 2);
       p.window = std::make_unique<TurnWindow>(grid, catalog, p.range, !reference && pairs > 100);
       p.filter = std::make_unique<OverlapFilter>(forms, *p.window);
-      p.found = events_in(*p.window, forms, catalog, all);
+      p.found = events_in(*p.window, forms, catalog, all, reference ? nullptr : p.filter.get());
     });
     for (int k = first; k < last; ++k) {
       Prepared& p = some[static_cast<std::size_t>(k - first)];

@@ -259,42 +259,56 @@ void ObstacleSweep::pass_pending(const std::function<Orientation()>& behind, Ove
 void ObstacleSweep::pass(const TurnRange& range, std::vector<TurnEvent> events, OverlapFilter& filter) {
   if (!pending_.empty()) pass_pending([&] { return Behind{&range, nullptr, first_event(range, events, forms_)}.sample(forms_); }, filter);
   const double theta_end = range.theta(range.t_high) - 0x1p-40;
-  // A group at one angle, with `next` behind it.
-  const auto pass_run = [&](const Group& group, TurnEvent* next) {
+  const auto compare = [&](TurnEvent* a, TurnEvent* b) { return exact::compare(exact_root(*a, forms_, range), exact_root(*b, forms_, range)); };
+  const auto sort = [&](Group& run) { std::stable_sort(run.begin(), run.end(), [&](TurnEvent* a, TurnEvent* b) { return compare(a, b) < 0; }); };
+  // Runs of events whose intervals overlap.
+  std::vector<Group> runs;
+  double high = -INFINITY;
+  for (TurnEvent& event : events) {
+    if (event.low > high) runs.emplace_back();
+    runs.back().push_back(&event);
+    high = std::max(high, event.high);
+  }
+  // A group at one angle; what follows it is the rest of its run or the next one.
+  const auto pass_run = [&](const Group& group, TurnEvent* next, Group* following) {
     if (group[0]->high >= theta_end && exact::compare(exact_root(*group[0], forms_, range), AlgebraicRoot::of(range.t_high)) == 0) {
       for (TurnEvent* event : group) pending_.push_back(*event);
       pending_range_ = range;
       return;
     }
-    pass_group(group, range, [&] { return Behind{&range, group[0], next}.sample(forms_); }, filter);
+    const auto behind = [&] {
+      if (next == nullptr && following != nullptr) next = *std::min_element(following->begin(), following->end(), [&](TurnEvent* a, TurnEvent* b) { return compare(a, b) < 0; });
+      return Behind{&range, group[0], next}.sample(forms_);
+    };
+    pass_group(group, range, behind, filter);
   };
-  const auto compare = [&](TurnEvent* a, TurnEvent* b) { return exact::compare(exact_root(*a, forms_, range), exact_root(*b, forms_, range)); };
-  // Runs of events whose intervals overlap are put into their exact order.
-  const auto run_from = [&](std::size_t i) {
-    Group run;
-    if (i == events.size()) return run;
-    double high = events[i].high;
-    run.push_back(&events[i]);
-    for (std::size_t k = i + 1; k < events.size() && events[k].low <= high; ++k) {
-      run.push_back(&events[k]);
-      high = std::max(high, events[k].high);
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    Group& run = runs[r];
+    Group* following = r + 1 < runs.size() ? &runs[r + 1] : nullptr;
+    if (run.size() > 1) {
+      if (run.back()->high < theta_end && !matters(run, filter)) continue;
+      sort(run);
     }
-    if (run.size() > 1) std::stable_sort(run.begin(), run.end(), [&](TurnEvent* a, TurnEvent* b) { return compare(a, b) < 0; });
-    return run;
-  };
-  Group run = run_from(0);
-  for (std::size_t i = run.size(); !run.empty();) {
-    Group following = run_from(i);
-    i += following.size();
     for (std::size_t k = 0; k < run.size();) {
       std::size_t l = k + 1;
       while (l < run.size() && compare(run[k], run[l]) == 0) ++l;
-      TurnEvent* next = l < run.size() ? run[l] : following.empty() ? nullptr : following[0];
-      pass_run(Group(run.begin() + static_cast<std::ptrdiff_t>(k), run.begin() + static_cast<std::ptrdiff_t>(l)), next);
+      pass_run(Group(run.begin() + static_cast<std::ptrdiff_t>(k), run.begin() + static_cast<std::ptrdiff_t>(l)), l < run.size() ? run[l] : nullptr, following);
       k = l;
     }
-    run = std::move(following);
   }
+}
+
+// Whether a segment of these events is visible, or a place of theirs is not certainly covered: else nothing can change, in whatever order they come.
+bool ObstacleSweep::matters(const Group& run, const OverlapFilter& filter) const {
+  bool unsure = reference_;
+  for (const TurnEvent* event : run) {
+    for (const std::uint32_t s : segments_of(*event, unsure))
+      if (first_[s] != kNobody) return true;
+    const Heading h = Heading::of(event->theta());
+    const bool point = event->kind == TurnEvent::Kind::vertex_on_segment || event->kind == TurnEvent::Kind::three_segments;
+    if (reference_ || (point && !filter.inside(event_place(*event, h), h))) return true;
+  }
+  return false;
 }
 
 void ObstacleSweep::close(OverlapFilter& filter) {

@@ -107,6 +107,7 @@ class ObstacleSweep {
   // obstacle_sweep.cpp
   void pass_pending(const std::function<Orientation()>& behind, OverlapFilter& filter);
   void pass_group(const Group& group, const TurnRange& range, const std::function<Orientation()>& behind, OverlapFilter& filter);
+  bool matters(const Group& run, const OverlapFilter& filter) const;
   bool conflict(const Group& group, bool& touches_nodes) const;
   std::vector<std::uint32_t> segments_of(const TurnEvent& event, bool& unsure) const;
   std::uint32_t angle(const TurnRange& range, TurnEvent& event);
