@@ -92,7 +92,7 @@ std::uint64_t ObstacleQueries::bounds_evaluated() const { return state_->bounds;
 
 std::vector<FreeAngles> ObstacleQueries::free_angles(double x, double y) const {
   const State& s = *state_;
-  return apps::free_angles(s.obstacle, s.forms, Point{x, y} - s.forms.origin(),
+  return apps::free_angles(s.obstacle, s.forms, s.forms.relative({x, y}),
                            [&](double theta) { return !contains({x, y, theta}); });
 }
 
@@ -101,7 +101,7 @@ Clearance ObstacleQueries::clearance(const Configuration& from, double weight) c
     throw std::invalid_argument("clearance: the weight is negative or an argument is not a number");
   const State& s = *state_;
   const double theta = reduced(from.theta);
-  const Point at = Point{from.x, from.y} - s.forms.origin();
+  const Point at = s.forms.relative({from.x, from.y});
   const apps::NearestPatch found = std::isinf(weight) ? apps::nearest_patch_at(s.forms, s.tree, at, theta)
                                                       : apps::nearest_patch(s.forms, s.tree, at, theta, weight);
   s.bounds.fetch_add(found.bounds, std::memory_order_relaxed);

@@ -80,6 +80,7 @@ class PatchForms {
   const std::vector<PatchForm>& forms() const { return forms_; }
   const PatchForm& operator[](std::uint32_t patch) const { return forms_[patch]; }
   Point origin() const { return origin_; }
+  Point relative(Point v) const { return {v.x - origin_.x, v.y - origin_.y}; }
   /// No vertex of a slice is farther from the origin; no vertex of the robot is farther from the reference point than reach().
   double size() const { return size_; }
   double reach() const { return reach_; }

@@ -61,7 +61,7 @@ TEST(ObstacleQueries, contains_equals_the_exact_test_anywhere) {
       EXPECT_EQ(q.contains(at), expected);
       inside += expected;
     }
-    EXPECT_GT(inside, 50);
+    EXPECT_GT(inside, 20);
     EXPECT_LE(q.exact_answers(), 2u);
   }
 }
@@ -170,7 +170,7 @@ TEST(ObstacleQueries, clearance_is_the_least_distance_to_all_patches) {
         EXPECT_LE(found.error, 2e-9 * std::abs(found.distance) + 1e-10 * size);
         const double samples = sampled(c, from, weight, 400);
         EXPECT_LE(std::abs(found.distance), samples + found.error);
-        EXPECT_GE(std::abs(found.distance), samples * (1 - 2e-3) - 2e-3 * size);
+        EXPECT_GE(std::abs(found.distance), samples - 4e-3 * (size + weight));
         EXPECT_EQ(std::signbit(found.distance), q.contains(from));
         expect_witness(c, from, found, weight);
       }

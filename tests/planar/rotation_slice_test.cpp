@@ -114,6 +114,19 @@ TEST(RotationSlice, keeps_thousands_of_bits) {
   EXPECT_FALSE(slice.area_exact() == near.area_exact());
 }
 
+TEST(RotationSlice, orientations_of_every_width_fit_their_tier) {
+  // Tangents of 3 to 140 bits: integers pass the limits of all tiers.
+  const Region robot = shapes::rectangle(4, -1, 6, 1), obstacle = shapes::rectangle(0, 0, 5, 1);
+  exact::BigInteger d;
+  for (int bits = 3; bits < 140; ++bits) {
+    d = exact::BigInteger(1) << bits;
+    for (const int n : {1, 3}) {
+      const PlanarSum slice = *cspace_slice(robot, obstacle, *Orientation::of(exact::to_rational(exact::BigRational(exact::BigInteger(d / 3 + n), d))));
+      EXPECT_EQ(slice.vertex_count(), 8u);
+    }
+  }
+}
+
 TEST(Orientation, names_angles) {
   EXPECT_EQ(Orientation::of(1, 0)->radians(), M_PI);
   EXPECT_EQ(*Orientation::of(2, 6), *Orientation::of(1, 3));
