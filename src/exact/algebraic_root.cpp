@@ -33,8 +33,8 @@ Polynomial common_factor(const Polynomial& a, const Polynomial& b) {
   return gcd(a, b);
 }
 
-/// Neither is a point. Where the brackets overlap a divisor of both polynomials has no root but the common one, a simple
-/// root; at the ends of the overlap it is not 0, as one of the polynomials is not.
+/// Neither is a point. Where the brackets overlap a divisor of both polynomials has no root but the common one, a
+/// simple root; at the ends of the overlap it is not 0, as one of the polynomials is not.
 bool equal_roots(const RootBracket& a, const RootBracket& b) {
   const Dyadic low = larger(a.low(), b.low()), high = smaller(a.high(), b.high());
   if (compare(low, high) >= 0) return false;
@@ -129,7 +129,7 @@ AlgebraicRoot AlgebraicRoot::rational(const BigRational& x) {
 double AlgebraicRoot::approx() const {
   constexpr double kMost = std::numeric_limits<double>::max();
   const double low = std::max(low_, -kMost), high = std::min(high_, kMost);
-  return low / 2 + high / 2 == low ? low : low + (high / 2 - low / 2);
+  return low + (high / 2 - low / 2);
 }
 
 RootBracket AlgebraicRoot::bracket() const {
@@ -170,6 +170,12 @@ SignAnswer compare_answer(const AlgebraicRoot& a, const AlgebraicRoot& b) {
   if (const auto s = compare_bounds(a, b)) return {*s, Rung::filter};
   RootBracket x = a.bracket(), y = b.bracket();
   return {exact_compare(x, y), Rung::big};
+}
+
+SignAnswer compare_answer(const AlgebraicRoot& a, double x) {
+  if (a.low() > x) return {1, Rung::filter};
+  if (a.high() < x) return {-1, Rung::filter};
+  return compare_answer(a, AlgebraicRoot::of(x));
 }
 
 SignAnswer compare_answer(const AlgebraicRoot& a, const BigRational& x) {

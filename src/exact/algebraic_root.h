@@ -21,8 +21,8 @@ class AlgebraicRoot {
   static AlgebraicRoot rational(const BigRational& x);
   static AlgebraicRoot of(double x) { return rational(exact_value(x)); }
 
-  /// A polynomial of which this is a simple root: the one it was found for or, from the exact path, a square-free factor
-  /// of that.
+  /// A polynomial of which this is a simple root: the one it was found for or, from the exact path, a square-free
+  /// factor of that.
   const Polynomial& polynomial() const { return f_; }
   /// As a root of the polynomial that it was found for.
   int multiplicity() const { return multiplicity_; }
@@ -50,18 +50,18 @@ class AlgebraicRoot {
   std::shared_ptr<const RootBracket> bracket_;  // null where (low, high) isolates the root from the others of f
 };
 
-/// All distinct real roots of p in (lo, hi], ascending, with their multiplicities; none for p = 0, of which every number
-/// is a root. One count per call: exact when doubles could not prove all the roots simple, or lo or hi is too near to a
-/// root for them. Throws std::domain_error unless lo and hi are finite.
-/// Cost: in doubles some dozens of evaluations per root; else square-free factors, Sturm's chain of each, and of the order
-/// of log2(1 / gap) exact signs, gap being the smallest distance of two roots.
+/// All distinct real roots of p in (lo, hi], ascending, with their multiplicities; none for p = 0, of which every
+/// number is a root, and none unless lo < hi. Throws std::domain_error unless lo and hi are finite.
+/// One count per call. Doubles decide when all roots in [lo, hi] are simple and well apart, neither end is a root, and
+/// |lo|, |hi| <= 2^64; by some dozens of evaluations per root. Else square-free factors, Sturm's chain of each, and of
+/// the order of log2(1 / gap) exact signs, gap being the smallest distance of two roots.
 std::vector<AlgebraicRoot> roots_in(const Polynomial& p, double lo, double hi, FilterCounts& counts);
 std::vector<AlgebraicRoot> roots_in(const Polynomial& p, double lo, double hi);
 
-/// -1, 0, 1 for a < b, a = b, a > b. Doubles decide when the bounds are apart. Else a = b exactly when a common divisor of
-/// both polynomials changes sign where the brackets overlap; distinct roots are refined until the brackets are apart,
-/// which ends as their distance is positive: by Mahler's bound for the product of the polynomials, of degree n <= 12
-/// with coefficients of B bits, more than 2^-(n (B + log2 n) + 1).
+/// -1, 0, 1 for a < b, a = b, a > b. Doubles decide when the bounds are apart. Else a = b exactly when a common divisor
+/// of both polynomials changes sign where the brackets overlap; distinct roots are refined until the brackets are
+/// apart, which ends as their distance is positive: by Mahler's bound for the square-free part of the product of the
+/// polynomials, of degree n <= 12 with coefficients of B bits, more than 2^-(n (B + log2 n) + 1).
 SignAnswer compare_answer(const AlgebraicRoot& a, const AlgebraicRoot& b);
 inline int compare(const AlgebraicRoot& a, const AlgebraicRoot& b) { return compare_answer(a, b).sign; }
 inline int compare(const AlgebraicRoot& a, const AlgebraicRoot& b, FilterCounts& counts) {
@@ -69,8 +69,10 @@ inline int compare(const AlgebraicRoot& a, const AlgebraicRoot& b, FilterCounts&
 }
 inline bool operator==(const AlgebraicRoot& a, const AlgebraicRoot& b) { return compare(a, b) == 0; }
 
-/// The sign of a - x.
+/// The sign of a - x, x finite.
+SignAnswer compare_answer(const AlgebraicRoot& a, double x);
 SignAnswer compare_answer(const AlgebraicRoot& a, const BigRational& x);
+inline int compare(const AlgebraicRoot& a, double x) { return compare_answer(a, x).sign; }
 inline int compare(const AlgebraicRoot& a, const BigRational& x) { return compare_answer(a, x).sign; }
 
 /// The sign of p at the root. Doubles on [low, high] decide first. Else it is 0 exactly when a common divisor of p and
@@ -81,12 +83,13 @@ inline int sign_at(const AlgebraicRoot& root, const Polynomial& p, FilterCounts&
   return counts.add(sign_answer_at(root, p));
 }
 
-/// The n / 2^k strictly between a and b with the smallest k >= 0; of integers the one nearest to 0. It depends on the two
-/// numbers only. Requires a < b; throws std::invalid_argument otherwise.
+/// The n / 2^k strictly between a and b with the smallest k >= 0; of integers the one nearest to 0. It depends on the
+/// two numbers only. Requires a < b; throws std::invalid_argument otherwise.
 BigRational between(const AlgebraicRoot& a, const AlgebraicRoot& b);
 
-/// The value of a rational root, nothing for irrational ones: with c the leading coefficient of its polynomial, c times a
-/// rational root is an integer, and a bracket narrower than 1 / c leaves one candidate to evaluate.
+/// The value of a rational root, nothing for irrational ones. Most polynomials without rational roots have none modulo
+/// some small prime either. Else, c being the leading coefficient, c times a rational root is an integer, and a bracket
+/// narrower than 1 / c leaves one candidate to evaluate.
 std::optional<BigRational> rational_value(const AlgebraicRoot& root);
 
 }  // namespace dymsum::exact

@@ -58,10 +58,11 @@ void make_primitive(Terms& terms) {
   for (BigInteger& term : terms) term /= content;
 }
 
-/// a becomes a positive multiple of itself less a multiple of b.
-void reduce(Terms& a, const Terms& b) {
+/// a becomes |lead b|^m a less a multiple of b, of a degree below b's; returns m.
+std::size_t reduce(Terms& a, const Terms& b) {
   const BigInteger leading = boost::multiprecision::abs(b.back());
-  while (a.size() >= b.size()) {
+  std::size_t steps = 0;
+  for (; a.size() >= b.size(); ++steps) {
     const BigInteger factor = b.back().sign() > 0 ? a.back() : BigInteger(-a.back());
     const std::size_t offset = a.size() - b.size();
     for (std::size_t k = 0; k < a.size(); ++k) {
@@ -70,19 +71,50 @@ void reduce(Terms& a, const Terms& b) {
     }
     trim(a);
   }
+  return steps;
 }
 
-Terms common_divisor(Terms a, Terms b) {
-  make_primitive(a);
-  make_primitive(b);
-  while (!b.empty()) {
-    reduce(a, b);
-    make_primitive(a);
-    std::swap(a, b);
+BigInteger power(const BigInteger& base, std::size_t exponent) {
+  return boost::multiprecision::pow(base, static_cast<unsigned>(exponent));
+}
+
+/// The next subresultant, up to its sign: |lead b|^(deg a - deg b + 1) a modulo b, divided by scale, exactly.
+Terms next_subresultant(Terms a, const Terms& b, const BigInteger& scale) {
+  const std::size_t most = a.size() - b.size() + 1, steps = reduce(a, b);
+  const BigInteger missing = power(b.back(), most - steps);
+  for (BigInteger& term : a) {
+    if (steps < most) term *= missing;
+    term /= scale;
   }
-  if (!a.empty() && a.back().sign() < 0)
-    for (BigInteger& term : a) term = -term;
   return a;
+}
+
+/// The primitive polynomial that is a multiple of a, if its leading coefficient is positive and divides bound: times
+/// bound over its leading coefficient, a has small coefficients, whose common divisor is soon computed.
+Terms primitive_below(Terms a, const BigInteger& bound) {
+  const BigInteger leading = a.back();
+  for (BigInteger& term : a) term = BigInteger(term * bound) / leading;
+  make_primitive(a);
+  return a;
+}
+
+/// The greatest common divisor, primitive, its leading coefficient positive: Algorithm C of Knuth, TAOCP 2, 4.6.1. What
+/// divides both leading coefficients bounds that of the divisor.
+Terms common_divisor(Terms a, Terms b) {
+  if (a.size() < b.size()) std::swap(a, b);
+  if (a.empty()) return {};
+  const BigInteger leading = b.empty() ? a.back() : b.back();
+  const BigInteger bound = boost::multiprecision::gcd(a.back(), leading);
+  BigInteger g = 1, h = 1;
+  while (!b.empty()) {
+    if (b.size() == 1) return {1};
+    const std::size_t drop = a.size() - b.size();
+    Terms next = next_subresultant(std::move(a), b, g * power(h, drop));
+    a = std::exchange(b, std::move(next));
+    g = a.back();
+    if (drop > 0) h = power(g, drop) / power(h, drop - 1);
+  }
+  return primitive_below(std::move(a), bound);
 }
 
 /// a / b. Requires that b is primitive and divides a; the quotient is then integral (Gauss).

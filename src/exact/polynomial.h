@@ -1,5 +1,5 @@
-// Polynomials of degree at most 6 with integer coefficients, as rotation events have them in t = tan(theta / 2), and the
-// divisions that tell which roots two of them share and how often one of them has each of its roots.
+// Polynomials of degree at most 6 with integer coefficients, as rotation events have them in t = tan(theta / 2), and
+// the divisions that tell which roots two of them share and how often one of them has each of its roots.
 #pragma once
 
 #include <array>
@@ -55,9 +55,9 @@ Polynomial primitive_part(const Polynomial& p);
 /// A positive multiple of a, less a multiple of b, of a degree below b's; primitive. Requires b != 0.
 Polynomial pseudo_remainder(const Polynomial& a, const Polynomial& b);
 
-/// The greatest common divisor: primitive, its leading coefficient positive; zero when both are zero. Euclid's
-/// algorithm on primitive pseudo-remainders (Knuth, TAOCP 2, 4.6.1): for degrees n and coefficients of B bits its
-/// remainders have O(n B) bits, as they divide subresultants.
+/// The greatest common divisor: primitive, its leading coefficient positive; zero when both are zero. By subresultants
+/// (Knuth, TAOCP 2, 4.6.1, Algorithm C), which are determinants: for degrees n and coefficients of B bits they have at
+/// most 2 n (B + log2 n) bits.
 Polynomial gcd(const Polynomial& a, const Polynomial& b);
 
 /// True only if a and b have no common factor of positive degree: they have none modulo the prime 2^61 - 1, which does
@@ -65,8 +65,8 @@ Polynomial gcd(const Polynomial& a, const Polynomial& b);
 bool proved_coprime(const Polynomial& a, const Polynomial& b);
 
 /// True only if f has no rational root: it has no root modulo some small prime that does not divide the leading
-/// coefficient, to which a rational root would be carried. False says nothing; an irreducible f of degree 2 to 6 has
-/// none modulo about a third of the primes or more, of which a dozen are tried.
+/// coefficient, to which a rational root would be carried. False says nothing; an irreducible f of degree n >= 2 has
+/// none modulo at least one prime in n (Cameron and Cohen, 1992), of which a dozen are tried.
 bool proved_without_rational_roots(const Polynomial& f);
 
 /// f1, f2, ..., primitive, square-free and pairwise coprime, such that p is a constant times f1 f2^2 f3^3 ...: the

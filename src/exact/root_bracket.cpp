@@ -1,8 +1,11 @@
 #include "exact/root_bracket.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <stdexcept>
 
 namespace dymsum::exact {
 namespace {
@@ -94,9 +97,14 @@ int constant_sign(const Polynomial& p, const BigInteger& low, const BigInteger& 
 }  // namespace
 
 Dyadic Dyadic::of(double v) {
-  const BigRational exact = exact_value(v);
-  return {boost::multiprecision::numerator(exact),
-          static_cast<unsigned>(msb(boost::multiprecision::denominator(exact)))};
+  if (!std::isfinite(v)) throw std::domain_error("Dyadic::of: not a finite number");
+  if (v == 0) return {};
+  int e = 0;
+  auto m = static_cast<std::int64_t>(std::ldexp(std::frexp(v, &e), 53));
+  e -= 53;
+  if (e >= 0) return {BigInteger(BigInteger(m) << static_cast<unsigned>(e)), 0};
+  const int common = std::min(std::countr_zero(static_cast<std::uint64_t>(m)), -e);
+  return {BigInteger(m >> common), static_cast<unsigned>(-e - common)};
 }
 
 int compare(const Dyadic& a, const Dyadic& b) {
@@ -134,6 +142,9 @@ RootBracket::RootBracket(Polynomial f, const Dyadic& low, const Dyadic& high)
   low_ = low.numerator << (shift_ - low.shift);
   high_ = high.numerator << (shift_ - high.shift);
   low_sign_ = sign(low_);
+  // In a narrow bracket f is nearly linear: the first step may try as many bits as half of those that are known.
+  const long known = static_cast<long>(shift_) - static_cast<long>(msb(BigInteger(high_ - low_)));
+  gain_ = static_cast<unsigned>(std::clamp(known / 2, 1L, 64L));
 }
 
 RootBracket::RootBracket(Polynomial f, const Dyadic& x)

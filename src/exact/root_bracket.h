@@ -18,7 +18,7 @@ struct Dyadic {
   BigRational value() const { return BigRational(numerator, BigInteger(1) << shift); }
 };
 int compare(const Dyadic& a, const Dyadic& b);
-/// v in [first, second], equal when v is a double, else neighbouring doubles; the second is infinite past their range.
+/// v in [first, second], equal when v is a double, else neighbouring doubles; the outer one infinite past their range.
 std::pair<double, double> double_bounds(const BigRational& v);
 /// The dyadic number strictly between that has the smallest denominator; of integers, the one nearest to 0. Requires
 /// low < high.
@@ -38,8 +38,9 @@ class RootBracket {
   Dyadic low() const { return {low_, shift_}; }
   Dyadic high() const { return {high_, shift_}; }
 
-  /// Narrows the bracket: its width at least halves in every second call, and where f is nearly linear in it the number
-  /// of bits gained doubles with each call. Quadratic interval refinement (Abbott, 2006).
+  /// Narrows the bracket. Where f is nearly linear in it the bits gained double with each call, up to 512; a call that
+  /// fails halves what the next one tries, and one that tries a single bit succeeds: ten calls at least halve it.
+  /// Quadratic interval refinement (Abbott, 2006).
   void refine();
   /// Until high - low <= 2^-bits.
   void refine_to(long bits);

@@ -59,8 +59,8 @@ struct Interval {
 /// With w = h - l: the coefficients of p(l + w x) by n shifts (2 n roundings at most for each product of terms), times
 /// powers of w (2 n with the rounding of w itself, 1 more), then shifted by 1 in reverse order (n): binomial(n, j)
 /// times the Bernstein coefficients. With 4 for the coefficients of p that is 5 n + 5 units of the same computation on
-/// magnitudes, whose Bernstein coefficients are at most the value of sum |c_k| x^k at |l| + w. 3 more cover the rounding
-/// of that value and the second order.
+/// magnitudes, whose Bernstein coefficients are at most the value of sum |c_k| x^k at |l| + w. 3 more cover the
+/// rounding of that value and the second order.
 /// The first and the last coefficient are values of p.
 std::array<int, 7> bernstein_signs(const Polynomial& p, const Interval& interval) {
   const auto n = static_cast<std::size_t>(p.degree());
@@ -138,25 +138,20 @@ DoubleBracket narrowed(const Polynomial& p, DoubleBracket bracket, int low_sign)
   return bracket;
 }
 
-/// Both parts of an interval, if p is certain to be not 0 where it is divided: not in the middle, which is where roots of
-/// simple polynomials lie.
+/// Both parts of an interval, if p is certain to be not 0 where it is divided: not in the middle, which is where roots
+/// of simple polynomials lie.
 std::optional<std::pair<Interval, Interval>> divided(const Polynomial& p, const Interval& i) {
   for (const double fraction : {0.4873, 0.6127}) {
     const double x = i.ends.low + fraction * (i.ends.high - i.ends.low);
     if (!(i.ends.low < x && x < i.ends.high)) return std::nullopt;
     const int sign = evaluate(p, x).sign();
-    if (sign != 0) return std::pair{Interval{{i.ends.low, x}, i.low_sign, sign}, Interval{{x, i.ends.high}, sign, i.high_sign}};
+    if (sign == 0) continue;
+    return std::pair{Interval{{i.ends.low, x}, i.low_sign, sign}, Interval{{x, i.ends.high}, sign, i.high_sign}};
   }
   return std::nullopt;
 }
 
 }  // namespace
-
-std::optional<int> filtered_sign(const Polynomial& p, double t) {
-  if (!(std::abs(t) <= kLargest)) return std::nullopt;
-  const int sign = evaluate(p, t).sign();
-  return sign == 0 ? std::nullopt : std::optional(sign);
-}
 
 std::optional<int> filtered_sign(const Polynomial& p, double low, double high) {
   const double size = std::max(std::abs(low), std::abs(high));

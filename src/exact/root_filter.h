@@ -14,8 +14,6 @@ struct DoubleBracket {
   double low = 0, high = 0;
 };
 
-/// The sign of p at t, if doubles tell.
-std::optional<int> filtered_sign(const Polynomial& p, double t);
 /// The sign that p has at all points of [low, high], if there is one and doubles tell.
 std::optional<int> filtered_sign(const Polynomial& p, double low, double high);
 

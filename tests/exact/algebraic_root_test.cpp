@@ -8,56 +8,12 @@
 #include <cmath>
 #include <map>
 
-#include "exact/gmp_bridge.h"
+#include "exact/polynomials.h"
 
 namespace dymsum::exact {
 namespace {
 
 constexpr std::uint64_t kSeed = 606;
-
-mpz_class to_mpz(const Big& v) { return mpz_class(v.value().str()); }
-mpq_class to_mpq(const BigRational& v) { return mpq_class(v.str()); }
-Big big(const mpz_class& v) { return Big(BigInteger(v.get_str())); }
-Big big(std::int64_t v) { return Big::from_int64(v); }
-BigRational fraction(std::int64_t num, std::int64_t den) { return ratio(big(num), big(den)); }
-
-Polynomial poly(const std::vector<std::int64_t>& c) {
-  std::vector<Big> terms;
-  for (const std::int64_t v : c) terms.push_back(big(v));
-  return Polynomial(terms);
-}
-
-Polynomial times(const Polynomial& a, const Polynomial& b) {
-  std::vector<Big> c(a.is_zero() || b.is_zero() ? 0 : static_cast<std::size_t>(a.degree() + b.degree() + 1));
-  for (int i = 0; i <= a.degree(); ++i)
-    for (int k = 0; k <= b.degree(); ++k) {
-      Big& term = c[static_cast<std::size_t>(i + k)];
-      term = term + a[i] * b[k];
-    }
-  return Polynomial(c);
-}
-
-Polynomial linear(const BigRational& root) {
-  return Polynomial({Big(BigInteger(-numerator(root))), Big(denominator(root))});
-}
-
-Polynomial random_polynomial(std::mt19937_64& random, int degree, int bits) {
-  std::vector<Big> c;
-  for (int k = 0; k <= degree; ++k) c.push_back(big(random_integer(random, bits)));
-  return Polynomial(c);
-}
-
-/// Coefficients of about the same size, roots anywhere: what events in general position look like.
-Polynomial generic_polynomial(std::mt19937_64& random, int degree, int bits) {
-  std::vector<Big> c;
-  const mpz_class top = mpz_class(1) << bits;
-  for (int k = 0; k <= degree; ++k) {
-    mpz_class v = 0;
-    for (int have = 0; have < bits; have += 32) v = (v << 32) + static_cast<std::uint32_t>(random());
-    c.push_back(big(mpz_class(v % top * (random() % 2 ? 1 : -1))));
-  }
-  return Polynomial(c);
-}
 
 // The witness: Sturm's theorem over the rationals, which counts distinct roots in (a, b] also where some are multiple,
 // unless a or b is a multiple one.
@@ -184,7 +140,8 @@ TEST(AlgebraicRoot, rational_roots_come_with_their_multiplicities) {
     Polynomial p = poly({i % 2 ? 3 : -1});
     for (int left = 1 + static_cast<int>(random() % 6); left > 0;) {
       const int most = i % 3 == 0 ? 12 : 1 << 20;
-      const BigRational x = fraction(static_cast<int>(random() % (2 * most)) - most, 1 + static_cast<int>(random() % most));
+      const int num = static_cast<int>(random() % (2 * most)) - most, den = 1 + static_cast<int>(random() % most);
+      const BigRational x = fraction(num, den);
       const int times_x = 1 + static_cast<int>(random() % static_cast<unsigned>(std::min(left, 4)));
       for (int k = 0; k < times_x; ++k) p = times(p, linear(x));
       multiplicities[x] += times_x;
@@ -324,6 +281,12 @@ TEST(AlgebraicRoot, neighbours_that_doubles_cannot_tell) {
     EXPECT_EQ(compare(both[0], a), 0);
     EXPECT_EQ(compare(both[1], b), 0);
     EXPECT_EQ(between(both[0], both[1]), x) << "it depends on the numbers only";
+    // A common divisor with its roots elsewhere.
+    const Polynomial more = poly({1, 3});
+    const auto c = roots_in(times(poly({-1, 0, 2}), more), 0, 1), d = roots_in(times(near_root_half(bits), more), 0, 1);
+    EXPECT_EQ(compare(c[0], d[0]), -1);
+    EXPECT_EQ(compare(d[0], c[0]), 1);
+    EXPECT_EQ(sign_at(c[0], times(near_root_half(bits), more)), -1);
   }
 }
 
@@ -458,8 +421,10 @@ TEST(AlgebraicRoot, compare_is_a_total_order) {
 
 TEST(AlgebraicRoot, rationals_of_any_size) {
   const BigInteger huge = BigInteger(1) << 2000;
-  const AlgebraicRoot a = AlgebraicRoot::rational(BigRational(huge)), b = AlgebraicRoot::rational(BigRational(huge + 2));
-  const AlgebraicRoot tiny = AlgebraicRoot::rational(BigRational(1, huge)), third = AlgebraicRoot::rational(fraction(-1, 3));
+  const AlgebraicRoot a = AlgebraicRoot::rational(BigRational(huge));
+  const AlgebraicRoot b = AlgebraicRoot::rational(BigRational(huge + 2));
+  const AlgebraicRoot tiny = AlgebraicRoot::rational(BigRational(1, huge));
+  const AlgebraicRoot third = AlgebraicRoot::rational(fraction(-1, 3));
   EXPECT_EQ(compare(a, b), -1);
   EXPECT_EQ(compare(a, a), 0);
   EXPECT_EQ(between(a, b), BigRational(huge + 1));
@@ -470,6 +435,10 @@ TEST(AlgebraicRoot, rationals_of_any_size) {
   EXPECT_EQ(between(third, a), BigRational(0));
   EXPECT_EQ(between(a, AlgebraicRoot::rational(BigRational(huge * 4))), BigRational(huge + 1));
   EXPECT_TRUE(std::isfinite(a.approx()));
+  EXPECT_EQ(compare(third, -1.0 / 3), compare(third, exact_value(-1.0 / 3)));
+  EXPECT_EQ(compare(third, 0.25), -1);
+  EXPECT_EQ(compare(a, 1e300), 1);
+  EXPECT_EQ(compare(AlgebraicRoot::of(0.5), 0.5), 0);
   EXPECT_EQ(AlgebraicRoot::of(0.1).low(), 0.1);
   EXPECT_EQ(AlgebraicRoot::of(0.1).high(), 0.1);
 }

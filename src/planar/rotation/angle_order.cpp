@@ -29,12 +29,6 @@ double angle_at(double t, int section) {
   return section == 1 ? theta : section == 0 ? theta - kPi : theta + kPi;
 }
 
-// tan(theta / 2) for a value t of a chart.
-Orientation orientation_at(int chart, const BigRational& t) {
-  if (chart == 0) return orientation_of(t);
-  return t.sign() == 0 ? Orientation::half_turn() : orientation_of(BigRational(-1 / t));
-}
-
 // Whether b comes before c on the way counter-clockwise from a, all the way round when c = a.
 bool on_way(const ExactAngle& a, const ExactAngle& b, const ExactAngle& c) {
   const int ab = compare(a, b), bc = compare(b, c), ac = compare(a, c);

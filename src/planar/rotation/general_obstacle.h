@@ -1,11 +1,11 @@
-// The obstacle of all orientations of regions of any shape.
+// The obstacle of any two regions: windows of angles, their events, and the sweep over them.
 #pragma once
 
 #include "planar/rotation/obstacle_state.h"
 
 namespace dymsum::planar {
 
-/// Fills a state whose regions and base are set. Errors: cancelled.
+/// Fills everything but robot, obstacle and base, which are set. False does not occur. Errors: cancelled; unsupported_operand for regions that touch themselves.
 Result<bool> general_obstacle(CspaceObstacle::State& state, const ObstacleOptions& options);
 
 }  // namespace dymsum::planar

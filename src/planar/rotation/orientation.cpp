@@ -122,6 +122,12 @@ namespace planar {
 
 Orientation orientation_of(const BigRational& tan_half) { return OrientationMaker::make(tan_half); }
 
+// tan(x + pi / 2) = -1 / tan(x).
+Orientation orientation_at(int chart, const BigRational& t) {
+  if (chart == 0) return orientation_of(t);
+  return t.sign() == 0 ? Orientation::half_turn() : orientation_of(BigRational(-1 / t));
+}
+
 LatticeScale turn_of(const Orientation& o, std::uint32_t op) {
   const BigInteger n(o.tan_half().num), d(o.tan_half().den);
   LatticeScale turn{BigInteger(d * d - n * n), BigInteger(d * d - n * n), BigInteger(d * d + n * n), op, BigInteger(2 * n * d)};

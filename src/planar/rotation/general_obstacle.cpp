@@ -1,0 +1,250 @@
+#include "planar/rotation/general_obstacle.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+
+#include "planar/rotation/angle_order.h"
+#include "planar/rotation/obstacle_sweep.h"
+#include "planar/rotation/turn.h"
+
+namespace dymsum::planar {
+namespace {
+
+constexpr std::uint32_t kNobody = ObstacleSweep::kNobody;
+
+/// Windows of a half turn, by the number of pairs of an edge and a vertex.
+int windows_for(double pairs) { return std::clamp(static_cast<int>(4 * std::sqrt(pairs) / 2), 16, 512); }
+int cells_for(double pairs) { return std::clamp(static_cast<int>(std::sqrt(pairs)), 16, 256); }
+
+// By theta in (-pi, pi]: the sweep runs from -pi / 2 to 3 pi / 2.
+struct AngleOrder {
+  std::vector<std::uint32_t> number;  ///< of the sweep's angles
+  explicit AngleOrder(const std::vector<ExactAngle>& angles) : number(angles.size()) {
+    std::uint32_t behind = 0;
+    const auto passes_pi = [&](const ExactAngle& a) { return a.chart == 1 && exact::compare(a.t, exact::BigRational(0)) > 0; };
+    for (const ExactAngle& a : angles) behind += passes_pi(a);
+    std::uint32_t first = behind, wrapped = 0;
+    for (std::size_t k = 0; k < angles.size(); ++k) number[k] = passes_pi(angles[k]) ? wrapped++ : first++;
+  }
+  std::uint32_t of(std::uint32_t k) const { return k == kNobody ? kNobody : number[k]; }
+};
+
+class Export {
+ public:
+  Export(const ObstacleSweep& sweep, const TurningForms& forms, CspaceObstacle::State& state) : sweep_(sweep), forms_(forms), state_(state), order_(sweep.angles) {}
+
+  void run() {
+    add_angles();
+    add_patches();
+    add_cells();
+    add_shells();
+    for (ObstacleEvent event : sweep_.events) {
+      event.angle = order_.of(event.angle);
+      state_.events.push_back(event);
+    }
+    std::stable_sort(state_.events.begin(), state_.events.end(), [](const ObstacleEvent& a, const ObstacleEvent& b) { return a.angle < b.angle; });
+  }
+
+ private:
+  void add_angles() {
+    state_.angles.resize(sweep_.angles.size());
+    std::vector<const ExactAngle*> sorted(sweep_.angles.size());
+    for (std::uint32_t k = 0; k < sweep_.angles.size(); ++k) sorted[order_.of(k)] = &sweep_.angles[k];
+    for (std::size_t k = 0; k < sorted.size(); ++k) {
+      state_.exact_angles.push_back(*sorted[k]);
+      state_.angles[k] = event_angle(*sorted[k]);
+    }
+  }
+
+  Contact contact(std::uint32_t id) const {
+    const std::uint32_t n0 = forms_.size(0), n1 = forms_.size(1);
+    const Operand &p = forms_.operand(0), &q = forms_.operand(1);
+    if (id < n0 * n1) return {Contact::Kind::edge_of_p, p.edge_number[id / n1], q.vertex_number[id % n1]};
+    const std::uint32_t k = id - n0 * n1;
+    return {Contact::Kind::edge_of_q, p.vertex_number[k % n0], q.edge_number[k / n0]};
+  }
+  Pair end_pair(std::uint32_t id, bool at_end) const {
+    const std::uint32_t n0 = forms_.size(0), n1 = forms_.size(1);
+    const WalkSegment s = id < n0 * n1 ? WalkSegment{0, id / n1, id % n1} : WalkSegment{1, (id - n0 * n1) / n0, (id - n0 * n1) % n0};
+    return at_end ? forms_.end(s) : TurningForms::start(s);
+  }
+
+  void add_patches() {
+    const std::vector<ObstacleSweep::Node>& nodes = sweep_.nodes();
+    patch_of_.assign(nodes.size(), kNobody);
+    for (std::uint32_t n = 0; n < nodes.size(); ++n) {
+      // A node that goes on behind the end of the turn belongs to the patch of the one it becomes.
+      if (sweep_.continued(n) != n) continue;
+      if (nodes[n].begin != kNobody && nodes[n].begin == nodes[n].end) continue;  // came and went at one angle
+      patch_of_[n] = static_cast<std::uint32_t>(state_.patches.size());
+      Patch patch;
+      patch.contact = contact(nodes[n].id);
+      patch.left = contact(nodes[n].left);
+      patch.right = contact(nodes[n].right);
+      patch.left_corner = end_pair(nodes[n].left, true) == end_pair(nodes[n].id, false);
+      patch.right_corner = end_pair(nodes[n].id, true) == end_pair(nodes[n].right, false);
+      patch.begin = order_.of(nodes[n].begin);
+      patch.end = order_.of(nodes[n].end);
+      state_.patches.push_back(patch);
+      state_.patch_cells.push_back({});
+      source_.push_back({n});
+    }
+    for (std::uint32_t n = 0; n < nodes.size(); ++n) {
+      const std::uint32_t to = sweep_.continued(n);
+      if (to == n || to == kNobody) continue;
+      patch_of_[n] = patch_of_[to];
+      Patch& patch = state_.patches[patch_of_[to]];
+      patch.begin = order_.of(nodes[n].begin);
+      source_[patch_of_[to]].insert(source_[patch_of_[to]].begin(), n);
+      if (nodes[to].end == kNobody && nodes[n].begin == kNobody) patch.begin = patch.end = Patch::kNone;
+    }
+  }
+
+  // Cells at the end of the turn go on as those at its start.
+  void add_cells() {
+    const std::vector<ObstacleSweep::Node>& nodes = sweep_.nodes();
+    std::vector<std::uint32_t> same(sweep_.cells().size());
+    for (std::uint32_t c = 0; c < same.size(); ++c) same[c] = c;
+    for (std::uint32_t n = 0; n < nodes.size(); ++n)
+      if (const std::uint32_t to = sweep_.continued(n); to != n) {
+        const std::uint32_t first = nodes[to].cells.empty() ? nodes[to].cell : first_cell(to);
+        same[nodes[n].cell] = first;
+        component_.emplace_back(nodes[n].cell, first);
+      }
+    std::vector<std::uint32_t> number(same.size(), kNobody);
+    for (std::uint32_t c = 0; c < same.size(); ++c) {
+      if (same[c] != c) continue;
+      number[c] = static_cast<std::uint32_t>(state_.cells.size());
+      const ObstacleSweep::Cell& cell = sweep_.cells()[c];
+      state_.cells.push_back({order_.of(cell.begin), order_.of(cell.end), cell.unbounded, 0});
+    }
+    for (std::uint32_t c = 0; c < same.size(); ++c)
+      if (same[c] != c) {
+        number[c] = number[same[c]];
+        state_.cells[number[c]].begin = order_.of(sweep_.cells()[c].begin);
+      }
+    number_components(same, number);
+    const auto slab = [&](std::uint32_t angle) {
+      if (angle != kNobody) return order_.of(angle);
+      return sweep_.angles.empty() ? 0 : order_.of(static_cast<std::uint32_t>(sweep_.angles.size() - 1));
+    };
+    for (std::size_t p = 0; p < source_.size(); ++p)
+      for (const std::uint32_t n : source_[p]) {
+        state_.patch_cells[p].emplace_back(slab(nodes[n].begin), number[first_cell(n)]);
+        for (const auto& [angle, cell] : nodes[n].cells) state_.patch_cells[p].emplace_back(slab(angle), number[cell]);
+      }
+  }
+  std::uint32_t first_cell(std::uint32_t n) const { return sweep_.first_cell(n); }
+
+  void number_components(const std::vector<std::uint32_t>& same, const std::vector<std::uint32_t>& number) {
+    // Joined by the sweep, and by the end of the turn.
+    std::vector<std::uint32_t> root(same.size());
+    for (std::uint32_t c = 0; c < root.size(); ++c) root[c] = sweep_.component_of(c);
+    bool changed = true;
+    while (changed) {
+      changed = false;
+      for (const auto& [a, b] : component_) {
+        const std::uint32_t low = std::min(root[a], root[b]), high = std::max(root[a], root[b]);
+        if (low == high) continue;
+        changed = true;
+        for (std::uint32_t& r : root)
+          if (r == high) r = low;
+      }
+    }
+    std::map<std::uint32_t, std::uint32_t> names;
+    for (std::uint32_t c = 0; c < same.size(); ++c)
+      state_.cells[number[c]].component = names.emplace(root[c], static_cast<std::uint32_t>(names.size())).first->second;
+  }
+
+  void add_shells() {
+    std::map<std::uint32_t, std::uint32_t> names;
+    for (std::size_t p = 0; p < state_.patches.size(); ++p) {
+      const std::uint32_t root = sweep_.shell_of(source_[p].back());
+      const auto [it, fresh] = names.emplace(root, static_cast<std::uint32_t>(names.size()));
+      if (fresh) state_.shells.push_back({});
+      Shell& shell = state_.shells[it->second];
+      state_.patches[p].shell = it->second;
+      const FreeCell& cell = state_.cells[state_.patch_cells[p].front().second];
+      if (fresh) {
+        shell.outer = false;
+        shell.free_component = cell.component;
+      }
+      ++shell.patches;
+    }
+    // A component of free space that reaches infinity somewhere.
+    std::vector<std::uint8_t> open;
+    for (const FreeCell& c : state_.cells) {
+      if (open.size() <= c.component) open.resize(c.component + 1, 0);
+      open[c.component] |= c.unbounded;
+    }
+    for (Shell& shell : state_.shells) shell.outer = open[shell.free_component] != 0;
+  }
+
+  const ObstacleSweep& sweep_;
+  const TurningForms& forms_;
+  CspaceObstacle::State& state_;
+  AngleOrder order_;
+  std::vector<std::uint32_t> patch_of_;
+  std::vector<std::vector<std::uint32_t>> source_;  // per patch: its nodes in the order of the turn
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> component_;
+};
+
+TurnRange range_of(int k, int windows) {
+  const int chart = k / windows, i = k % windows;
+  // Equal angles, rounded to short dyadic tangents.
+  const auto end = [&](int j) {
+    if (j == 0 || j == windows) return j == 0 ? -1.0 : 1.0;
+    return std::nearbyint(std::tan((-0.5 + static_cast<double>(j) / windows) * std::numbers::pi / 2) * 0x1p20) * 0x1p-20;
+  };
+  return {chart, end(i), end(i + 1)};
+}
+
+}  // namespace
+
+Result<bool> general_obstacle(CspaceObstacle::State& state, const ObstacleOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  const ScalingBase& base = *state.base;
+  const TurningForms forms(base);
+  const TurnCatalog catalog(forms);
+  const double pairs = static_cast<double>(forms.size(0)) * forms.size(1);
+  if (pairs > 0x1p27) return Error{Code::unsupported_operand, "more than 2^27 pairs of vertices", {}};
+  ObstacleSweep sweep(forms, catalog, state.base, options.reference);
+  const std::vector<Alignment> all = alignments(forms, catalog);
+  const TurnGrid grid(forms, cells_for(pairs));
+  const int windows = windows_for(pairs);
+  std::optional<TurnWindow> window;
+  std::optional<OverlapFilter> filter;
+  for (int k = 0; k < 2 * windows; ++k) {
+    if (options.progress && !options.progress("angles", k / (2.0 * windows))) return Error{Code::cancelled, "stopped on request", {}};
+    const TurnRange range = range_of(k, windows);
+    window.emplace(grid, catalog, range, !options.reference && pairs > 100);
+    filter.emplace(forms, *window);
+    TurnEvents found = events_in(*window, forms, catalog, all);
+    ++sweep.work.windows;
+    sweep.work.segments += window->segments.size();
+    sweep.work.candidate_pairs += found.pairs;
+    sweep.work.candidate_triples += found.triples;
+    sweep.work.potential_events += found.events.size();
+    if (found.always_concurrent) return Error{Code::unsupported_operand, "three contacts that stay at one point at every angle", {}};
+    if (k == 0) sweep.start(range, found.events);
+    sweep.pass(range, std::move(found.events), *filter);
+  }
+  sweep.close(*filter);
+  if (!sweep.closed_turn()) throw std::logic_error("general_obstacle: a full turn does not lead back to its start");
+  Export(sweep, forms, state).run();
+  state.work = sweep.work;
+  for (const ObstacleEvent& e : sweep.events) {
+    state.work.alignments += e.kind == ObstacleEvent::Kind::alignment;
+    state.work.vertex_events += e.kind == ObstacleEvent::Kind::vertex_on_segment;
+    state.work.triple_events += e.kind == ObstacleEvent::Kind::three_segments;
+    state.work.tight_events += e.kind == ObstacleEvent::Kind::tight;
+  }
+  state.work.visible_events = sweep.events.size();
+  state.work.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  return true;
+}
+
+}  // namespace dymsum::planar

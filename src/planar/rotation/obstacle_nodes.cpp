@@ -1,0 +1,148 @@
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+
+#include "planar/rotation/obstacle_sweep.h"
+
+namespace dymsum::planar {
+
+std::uint32_t ObstacleSweep::id(const WalkSegment& s) const {
+  const std::uint32_t n0 = forms_.size(0), n1 = forms_.size(1);
+  return s.side == 0 ? s.edge * n1 + s.vertex : n0 * n1 + s.edge * n0 + s.vertex;
+}
+
+std::uint32_t ObstacleSweep::add_node(const WalkSegment& s, std::uint32_t cell) {
+  const auto n = static_cast<std::uint32_t>(nodes_.size());
+  Node node;
+  node.segment = s;
+  node.id = id(s);
+  node.begin = now_;
+  node.cell = node.born_cell = cell;
+  node.same = first_[node.id];
+  if (node.same != kNobody) nodes_[node.same].before = n;
+  first_[node.id] = n;
+  nodes_.push_back(std::move(node));
+  shell_.push_back(n);
+  return n;
+}
+
+void ObstacleSweep::end_node(std::uint32_t n) {
+  Node& node = nodes_[n];
+  node.alive = false;
+  node.end = now_;
+  if (node.before != kNobody)
+    nodes_[node.before].same = node.same;
+  else
+    first_[node.id] = node.same;
+  if (node.same != kNobody) nodes_[node.same].before = node.before;
+}
+
+void ObstacleSweep::link(std::uint32_t from, std::uint32_t to) {
+  nodes_[from].next = to;
+  nodes_[to].prev = from;
+  join(shell_, from, to);
+}
+
+std::uint32_t ObstacleSweep::find(const std::vector<std::uint32_t>& parents, std::uint32_t i) {
+  while (parents[i] != i) i = parents[i];
+  return i;
+}
+
+void ObstacleSweep::join(std::vector<std::uint32_t>& parents, std::uint32_t a, std::uint32_t b) {
+  const auto root = [&](std::uint32_t i) {
+    while (parents[i] != i) i = parents[i] = parents[parents[i]];
+    return i;
+  };
+  a = root(a);
+  b = root(b);
+  if (a != b) parents[std::max(a, b)] = std::min(a, b);
+}
+
+std::uint32_t ObstacleSweep::new_cell(bool unbounded) {
+  const auto c = static_cast<std::uint32_t>(cells_.size());
+  cells_.push_back({now_, kNobody, unbounded});
+  component_.push_back(c);
+  return c;
+}
+
+// The neighbours of changed nodes keep their segment but may have got another neighbour: then they are other patches.
+void ObstacleSweep::refresh(std::vector<std::uint32_t> touched) {
+  std::sort(touched.begin(), touched.end());
+  touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+  for (const std::uint32_t n : touched) {
+    if (!nodes_[n].alive) continue;
+    const std::uint32_t left = nodes_[nodes_[n].prev].id, right = nodes_[nodes_[n].next].id;
+    if (nodes_[n].left == left && nodes_[n].right == right) continue;
+    if (nodes_[n].begin == now_) {
+      nodes_[n].left = left;
+      nodes_[n].right = right;
+      continue;
+    }
+    const std::uint32_t prev = nodes_[n].prev, next = nodes_[n].next;
+    end_node(n);
+    const std::uint32_t m = add_node(nodes_[n].segment, nodes_[n].cell);
+    join(shell_, n, m);
+    link(prev == n ? m : prev, m);
+    link(m, next == n ? m : next);
+    nodes_[m].left = left;
+    nodes_[m].right = right;
+  }
+}
+
+// Loops through `touched` after cycles were split, joined, born or lost: a loop keeps its free cell if no other one has a claim to it.
+void ObstacleSweep::relabel(const std::vector<std::uint32_t>& touched, const std::vector<std::uint32_t>& lost,
+                            const std::vector<std::pair<std::uint32_t, std::uint32_t>>& more) {
+  std::vector<std::vector<std::uint32_t>> loops;
+  std::map<std::uint32_t, std::size_t> loop_of;
+  std::vector<std::set<std::uint32_t>> claims;
+  std::map<std::uint32_t, std::vector<std::size_t>> holders;
+  for (const std::uint32_t cell : lost) holders[cell];
+  for (const std::uint32_t first : touched) {
+    if (!nodes_[first].alive || loop_of.contains(first)) continue;
+    loops.emplace_back();
+    claims.emplace_back();
+    for (std::uint32_t n = first; loop_of.emplace(n, loops.size() - 1).second; n = nodes_[n].next) {
+      loops.back().push_back(n);
+      if (nodes_[n].cell != kNobody) claims.back().insert(nodes_[n].cell);
+    }
+  }
+  for (const auto& [n, cell] : more)
+    if (const auto l = loop_of.find(n); l != loop_of.end()) claims[l->second].insert(cell);
+  for (std::size_t l = 0; l < loops.size(); ++l)
+    for (const std::uint32_t cell : claims[l]) holders[cell].push_back(l);
+  std::set<std::uint32_t> ended;
+  for (const auto& [cell, by] : holders)
+    if (by.size() != 1 || claims[by[0]].size() != 1) ended.insert(cell);
+  for (const std::uint32_t cell : ended) cells_[cell].end = now_;
+  for (std::size_t l = 0; l < loops.size(); ++l) {
+    const bool keeps = claims[l].size() == 1 && !ended.contains(*claims[l].begin());
+    std::uint32_t cell = keeps ? *claims[l].begin() : kNobody;
+    if (!keeps) {
+      bool unbounded = false;
+      for (const std::uint32_t c : claims[l]) unbounded |= cells_[c].unbounded && turns_left(loops[l]);
+      cell = new_cell(unbounded);
+      for (const std::uint32_t c : claims[l]) join(component_, c, cell);
+    }
+    for (const std::uint32_t n : loops[l]) {
+      if (nodes_[n].cell == cell) continue;
+      if (nodes_[n].begin != now_)
+        nodes_[n].cells.emplace_back(now_, cell);
+      else
+        nodes_[n].born_cell = cell;
+      nodes_[n].cell = cell;
+    }
+  }
+}
+
+// Whether a loop runs counter-clockwise, from the directions of its segments at the last known angle.
+bool ObstacleSweep::turns_left(const std::vector<std::uint32_t>& loop) const {
+  const Heading h = Heading::of(theta_now_);
+  double turning = 0;
+  for (const std::uint32_t n : loop) {
+    const Point d = forms_.direction(nodes_[n].segment, h), e = forms_.direction(nodes_[nodes_[n].next].segment, h);
+    turning += std::atan2(d.x * e.y - d.y * e.x, d.x * e.x + d.y * e.y);
+  }
+  return turning > 0;
+}
+
+}  // namespace dymsum::planar

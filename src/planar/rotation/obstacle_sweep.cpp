@@ -1,0 +1,308 @@
+#include "planar/rotation/obstacle_sweep.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "planar/rotation/slice.h"
+#include "planar/rotation/turn.h"
+
+namespace dymsum::planar {
+
+using exact::AlgebraicRoot;
+using exact::BigRational;
+
+ObstacleSweep::ObstacleSweep(const TurningForms& forms, const TurnCatalog& catalog, std::shared_ptr<const ScalingBase> base, bool reference)
+    : forms_(forms), catalog_(catalog), base_(std::move(base)), reference_(reference), connected_(base_->connected) {
+  first_.assign(std::size_t{2} * forms.size(0) * forms.size(1), kNobody);
+  for (std::uint32_t op = 0; op < 2; ++op) {
+    const Operand& o = forms.operand(op);
+    walk_vertex_[op].assign(o.numbered_vertex.size(), kNobody);
+    walk_edge_[op].assign(o.numbered_edge.size(), kNobody);
+    for (std::uint32_t i = 0; i < o.size(); ++i) {
+      walk_vertex_[op][o.vertex_number[i]] = i;
+      walk_edge_[op][o.edge_number[i]] = i;
+    }
+  }
+}
+
+Point ObstacleSweep::event_place(const TurnEvent& event, Heading h) const {
+  if (event.kind == TurnEvent::Kind::vertex_on_segment) return forms_.place(event.v, h);
+  if (event.kind == TurnEvent::Kind::alignment) return forms_.place({forms_.operand(0).next[event.f], forms_.operand(1).next[event.e]}, h);
+  const double t = forms_.side(event.b, TurningForms::start(event.a)).at(h) / forms_.cross(event.a, event.b).at(h);
+  const Point from = forms_.place(TurningForms::start(event.a), h), d = forms_.direction(event.a, h);
+  return {from.x + t * d.x, from.y + t * d.y};
+}
+
+std::uint32_t ObstacleSweep::angle(const TurnRange& range, TurnEvent& event) {
+  if (now_ != kNobody) return now_;
+  angles.push_back({range.chart, exact_root(event, forms_, range)});
+  theta_now_ = event.theta();
+  return static_cast<std::uint32_t>(angles.size() - 1);
+}
+
+void ObstacleSweep::note(const TurnEvent& event, ObstacleEvent::Kind kind, Point at) {
+  const Heading h = Heading::of(event.theta());
+  const Point c = forms_.centre();
+  const Lattice& l = *base_->lattice;
+  // The forms' doubles leave out the turned centre and the offsets.
+  const Point turned{l.points[1]->offset.x + c.x * l.unit, l.points[1]->offset.y + c.y * l.unit};
+  ObstacleEvent noted;
+  noted.kind = kind;
+  noted.angle = now_;
+  noted.at = {at.x * l.unit + l.points[0]->offset.x + h.c * turned.x - h.s * turned.y, at.y * l.unit + l.points[0]->offset.y + h.s * turned.x + h.c * turned.y};
+  events.push_back(noted);
+}
+
+void ObstacleSweep::note_tight(const TurnEvent& event, Point at, Heading h, const OverlapFilter& filter) {
+  (void)event;
+  (void)at;
+  (void)h;
+  (void)filter;
+}
+
+Orientation ObstacleSweep::Behind::sample() const { return orientation_at(chart, exact::between(from, to)); }
+
+AlgebraicRoot ObstacleSweep::first_bound(const TurnRange& range, std::vector<TurnEvent>& events, const TurningForms& forms) {
+  // The intervals of events may overlap; the least of those that overlap the first one counts.
+  AlgebraicRoot first = AlgebraicRoot::of(range.t_high);
+  for (std::size_t k = 0; k < events.size() && (k == 0 || events[k].low <= events[0].high); ++k)
+    if (const AlgebraicRoot& root = exact_root(events[k], forms, range); exact::compare(root, first) < 0) first = root;
+  return first;
+}
+
+void ObstacleSweep::start(const TurnRange& range, std::vector<TurnEvent>& events) {
+  begin_ = Behind{range.chart, AlgebraicRoot::of(range.t_low), first_bound(range, events, forms_)};
+  take_slice(placed_at(*base_, begin_->sample()));
+  begin_keys_.resize(nodes_.size());
+  for (std::uint32_t n = 0; n < nodes_.size(); ++n) {
+    begin_nodes_.push_back(n);
+    begin_keys_[n] = {nodes_[n].left, nodes_[n].right};
+  }
+}
+
+void ObstacleSweep::slice(const TurnRange& range, TurnEvent& event, const Behind& behind) {
+  ++work.slices;
+  now_ = angle(range, event);
+  note(event, event.kind == TurnEvent::Kind::alignment            ? ObstacleEvent::Kind::alignment
+              : event.kind == TurnEvent::Kind::vertex_on_segment ? ObstacleEvent::Kind::vertex_on_segment
+                                                                  : ObstacleEvent::Kind::three_segments,
+       event_place(event, Heading::of(event.theta())));
+  take_slice(placed_at(*base_, behind.sample()));
+}
+
+// Nodes with the same segment and neighbours stay; the others end and begin here.
+void ObstacleSweep::take_slice(SumState state) {
+  SumOptions options;
+  options.semantics = Semantics::regular;
+  const Result<SumState> computed = compute_boundary(std::move(state), options);
+  if (!computed) throw std::logic_error("ObstacleSweep: a slice failed");
+  const RawBoundary& raw = computed->boundary;
+  const auto segment = [&](const Contact& c) {
+    return c.kind == Contact::Kind::edge_of_p ? WalkSegment{0, walk_edge_[0][c.p], walk_vertex_[1][c.q]} : WalkSegment{1, walk_edge_[1][c.q], walk_vertex_[0][c.p]};
+  };
+  std::map<std::array<std::uint32_t, 3>, std::uint32_t> old;
+  for (std::uint32_t n = 0; n < nodes_.size(); ++n)
+    if (nodes_[n].alive) old[{nodes_[n].id, nodes_[n].left, nodes_[n].right}] = n;
+  std::vector<std::vector<std::uint32_t>> loops;
+  std::vector<std::uint32_t> all;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> fresh_of;  // new node, segment id
+  for (const SumRing& ring : raw.rings) {
+    const std::size_t n = ring.vertices.size();
+    std::vector<std::uint32_t>& loop = loops.emplace_back();
+    for (std::size_t k = 0; k < n; ++k) {
+      const WalkSegment s = segment(ring.vertices[k].out), left = segment(ring.vertices[k].in), right = segment(ring.vertices[(k + 1) % n].out);
+      const auto it = old.find({id(s), id(left), id(right)});
+      if (it != old.end()) {
+        loop.push_back(it->second);
+        old.erase(it);
+        continue;
+      }
+      const std::uint32_t m = add_node(s, kNobody);
+      nodes_[m].left = id(left);
+      nodes_[m].right = id(right);
+      loop.push_back(m);
+    }
+    all.insert(all.end(), loop.begin(), loop.end());
+  }
+  std::vector<std::uint32_t> lost;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> claims;
+  // What goes on along the same line at the event's angle belongs together.
+  for (const auto& [key, n] : old) {
+    lost.push_back(nodes_[n].cell);
+    for (const std::uint32_t m : all)
+      if (nodes_[m].begin == now_ && continues(n, m)) {
+        join(shell_, n, m);
+        claims.emplace_back(m, nodes_[n].cell);
+      }
+  }
+  for (const auto& [key, n] : old) end_node(n);
+  for (std::size_t l = 0; l < loops.size(); ++l)
+    for (std::size_t k = 0; k < loops[l].size(); ++k) link(loops[l][k], loops[l][k + 1 == loops[l].size() ? 0 : k + 1]);
+  if (cells_.empty()) {
+    for (std::size_t l = 0; l < loops.size(); ++l) {
+      const std::uint32_t cell = new_cell(raw.outer[l] != 0);
+      for (const std::uint32_t n : loops[l]) nodes_[n].cell = nodes_[n].born_cell = cell;
+    }
+    return;
+  }
+  std::sort(lost.begin(), lost.end());
+  lost.erase(std::unique(lost.begin(), lost.end()), lost.end());
+  relabel(all, lost, claims);
+}
+
+// Whether an ended node and a new one have a stretch of a line in common at the event's angle.
+bool ObstacleSweep::continues(std::uint32_t n, std::uint32_t m) const {
+  const Heading h = Heading::of(theta_now_);
+  const WalkSegment &s = nodes_[n].segment, &t = nodes_[m].segment;
+  const auto ends = [&](std::uint32_t k) {
+    const Node& node = nodes_[k];
+    const Point from = forms_.place(TurningForms::start(node.segment), h), d = forms_.direction(node.segment, h);
+    const auto at = [&](double u) {
+      u = std::clamp(u, 0.0, 1.0);
+      return Point{from.x + u * d.x, from.y + u * d.y};
+    };
+    const WalkSegment left = segment_of(node.left), right = segment_of(node.right);
+    return std::array<Point, 2>{at(place_on(node.segment, left, true, h)), at(place_on(node.segment, right, false, h))};
+  };
+  const Point d = forms_.direction(s, h), e = forms_.direction(t, h);
+  const double length = std::hypot(d.x, d.y);
+  if (std::abs(d.x * e.y - d.y * e.x) > 1e-9 * length * std::hypot(e.x, e.y) || d.x * e.x + d.y * e.y < 0) return false;
+  const auto a = ends(n), b = ends(m);
+  if (std::abs(d.x * (b[0].y - a[0].y) - d.y * (b[0].x - a[0].x)) > 1e-9 * length * forms_.span()) return false;
+  const auto along = [&](Point p) { return (d.x * (p.x - a[0].x) + d.y * (p.y - a[0].y)) / length; };
+  return std::min(along(a[1]), along(b[1])) - std::max(0.0, along(b[0])) > 1e-9 * forms_.span();
+}
+
+WalkSegment ObstacleSweep::segment_of(std::uint32_t id) const {
+  const std::uint32_t n0 = forms_.size(0), n1 = forms_.size(1);
+  return id < n0 * n1 ? WalkSegment{0, id / n1, id % n1} : WalkSegment{1, (id - n0 * n1) / n0, (id - n0 * n1) % n0};
+}
+
+std::vector<std::uint32_t> ObstacleSweep::segments_of(const TurnEvent& event, bool& unsure) const {
+  if (event.kind == TurnEvent::Kind::three_segments) return {id(event.a), id(event.b), id(event.c)};
+  if (event.kind == TurnEvent::Kind::vertex_on_segment) {
+    std::vector<std::uint32_t> all{id(event.a)};
+    for (std::uint32_t side = 0; side < 2; ++side) {
+      const std::uint32_t own = side == 0 ? event.v.p : event.v.q, other = side == 0 ? event.v.q : event.v.p;
+      all.push_back(id({side, own, other}));
+      all.push_back(id({side, forms_.operand(side).prev[own], other}));
+    }
+    unsure |= catalog_.joint(event.v, event.theta()).unsure;
+    return all;
+  }
+  const std::uint32_t e1 = forms_.operand(1).next[event.e], f1 = forms_.operand(0).next[event.f];
+  return {id({1, event.e, event.f}), id({0, event.f, e1}), id({0, event.f, event.e}), id({1, event.e, f1})};
+}
+
+// Whether two events at one angle share a segment; and whether any of their segments is visible.
+bool ObstacleSweep::conflict(const Group& group, bool& visible) const {
+  std::vector<std::uint32_t> all;
+  bool unsure = false;
+  for (const TurnEvent* event : group)
+    for (const std::uint32_t s : segments_of(*event, unsure)) {
+      all.push_back(s);
+      visible |= first_[s] != kNobody;
+    }
+  std::sort(all.begin(), all.end());
+  return unsure || std::adjacent_find(all.begin(), all.end()) != all.end();
+}
+
+void ObstacleSweep::pass_group(const Group& group, const TurnRange& range, const Behind& behind, OverlapFilter& filter) {
+  now_ = kNobody;
+  theta_now_ = group[0]->theta();
+  if (reference_) return slice(range, *group[0], behind);
+  bool visible = false;
+  const bool shared = group.size() > 1 && conflict(group, visible);
+  if (!shared) {
+    bool settled = true;
+    for (TurnEvent* event : group) settled = local_update(*event, range, behind, filter) && settled;
+    if (!settled) slice(range, *group[0], behind);
+    return;
+  }
+  for (const TurnEvent* event : group) {
+    if (visible) break;
+    const Heading h = Heading::of(event->theta());
+    visible = event->kind != TurnEvent::Kind::alignment && !filter.inside(event_place(*event, h), h);
+  }
+  if (visible) slice(range, *group[0], behind);
+}
+
+void ObstacleSweep::pass_pending(const Behind& behind, OverlapFilter& filter) {
+  if (pending_.empty()) return;
+  Group group;
+  for (TurnEvent& event : pending_) group.push_back(&event);
+  pass_group(group, pending_range_, behind, filter);
+  pending_.clear();
+}
+
+void ObstacleSweep::pass(const TurnRange& range, std::vector<TurnEvent> events, OverlapFilter& filter) {
+  if (!pending_.empty()) pass_pending({range.chart, AlgebraicRoot::of(range.t_low), first_bound(range, events, forms_)}, filter);
+  const AlgebraicRoot window_end = AlgebraicRoot::of(range.t_high);
+  const double theta_end = range.theta(range.t_high) - 0x1p-40;
+  const double shift = range.chart == 1 ? std::numbers::pi : 0.0;
+  // The group [first, last) of events at one angle, with `next` behind it.
+  const auto pass_run = [&](const Group& group, const AlgebraicRoot& next) {
+    if (group[0]->high >= theta_end && exact::compare(exact_root(*group[0], forms_, range), window_end) == 0) {
+      for (TurnEvent* event : group) pending_.push_back(*event);
+      pending_range_ = range;
+      return;
+    }
+    pass_group(group, range, Behind{range.chart, group[0]->root ? *group[0]->root : AlgebraicRoot::of(std::tan((group[0]->high - shift) / 2)), next}, filter);
+  };
+  for (std::size_t i = 0; i < events.size();) {
+    // Events whose intervals overlap are put into their exact order.
+    std::size_t end = i + 1;
+    double high = events[i].high;
+    while (end < events.size() && events[end].low <= high + 0x1p-49) high = std::max(high, events[end++].high);
+    const AlgebraicRoot bound = end < events.size() ? AlgebraicRoot::of(std::tan((events[end].low - shift) / 2)) : window_end;
+    const auto behind_run = [&](TurnEvent& event) { return end < events.size() ? nearer(bound, event, events[end], range) : bound; };
+    Group run;
+    for (std::size_t k = i; k < end; ++k) run.push_back(&events[k]);
+    i = end;
+    if (run.size() == 1) {
+      pass_run(run, behind_run(*run[0]));
+      continue;
+    }
+    const auto compare = [&](TurnEvent* a, TurnEvent* b) { return exact::compare(exact_root(*a, forms_, range), exact_root(*b, forms_, range)); };
+    std::stable_sort(run.begin(), run.end(), [&](TurnEvent* a, TurnEvent* b) { return compare(a, b) < 0; });
+    for (std::size_t k = 0; k < run.size();) {
+      std::size_t l = k + 1;
+      while (l < run.size() && compare(run[k], run[l]) == 0) ++l;
+      const AlgebraicRoot next = l < run.size() ? exact_root(*run[l], forms_, range) : behind_run(*run[k]);
+      pass_run(Group(run.begin() + static_cast<std::ptrdiff_t>(k), run.begin() + static_cast<std::ptrdiff_t>(l)), next);
+      k = l;
+    }
+  }
+}
+
+// A bound behind the event: in doubles where it certainly is in front of the next one.
+AlgebraicRoot ObstacleSweep::nearer(const AlgebraicRoot& bound, TurnEvent& event, TurnEvent& next, const TurnRange& range) {
+  // Behind the event and before the next one by more than the tangent can err.
+  if (next.low - event.high > 0x1p-46) return bound;
+  return exact_root(next, forms_, range);
+}
+
+void ObstacleSweep::close(OverlapFilter& filter) {
+  pass_pending(*begin_, filter);
+  std::map<std::array<std::uint32_t, 3>, std::uint32_t> last;
+  std::size_t alive = 0;
+  for (std::uint32_t n = 0; n < nodes_.size(); ++n)
+    if (nodes_[n].alive) {
+      last[{nodes_[n].id, nodes_[n].left, nodes_[n].right}] = n;
+      ++alive;
+    }
+  closed_ = alive == begin_nodes_.size() && last.size() == alive;
+  continued_.resize(nodes_.size());
+  for (std::uint32_t n = 0; n < nodes_.size(); ++n) continued_[n] = n;
+  for (const std::uint32_t n : begin_nodes_) {
+    const auto it = last.find({nodes_[n].id, begin_keys_[n][0], begin_keys_[n][1]});
+    if (it == last.end()) {
+      closed_ = false;
+      continue;
+    }
+    join(shell_, n, it->second);
+    continued_[it->second] = n;
+  }
+}
+
+}  // namespace dymsum::planar

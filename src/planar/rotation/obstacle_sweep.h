@@ -1,0 +1,170 @@
+// The boundary of the slice while the angle grows: a graph of visible sub-edges, changed at events only. Near a generic event the change follows from the few segments
+// that meet there; where more coincides, a whole slice on the far side of the event is computed and compared.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "planar/rotation/obstacle_state.h"
+#include "planar/rotation/overlap_filter.h"
+#include "planar/rotation/turn_events.h"
+#include "planar/sum_engine.h"
+
+namespace dymsum::planar {
+
+class ObstacleSweep {
+ public:
+  static constexpr std::uint32_t kNobody = 0xffffffff;
+
+  /// A visible sub-edge: a patch while its neighbours stay the same.
+  struct Node {
+    WalkSegment segment;
+    std::uint32_t id = 0;                          ///< of the segment
+    std::uint32_t prev = kNobody, next = kNobody;  ///< along the boundary
+    std::uint32_t left = 0, right = 0;             ///< the segments of prev and next
+    std::uint32_t begin = kNobody, end = kNobody;  ///< angles
+    std::uint32_t same = kNobody, before = kNobody;  ///< the other nodes of this segment, as a list
+    std::uint32_t cell = 0;                        ///< on the right, now
+    std::uint32_t born_cell = kNobody;             ///< when it began
+    bool alive = true;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> cells;  ///< (angle, cell) from the second one on
+  };
+  struct Cell {
+    std::uint32_t begin = kNobody, end = kNobody;
+    bool unbounded = false;
+  };
+
+  ObstacleSweep(const TurningForms& forms, const TurnCatalog& catalog, std::shared_ptr<const ScalingBase> base, bool reference);
+
+  /// The boundary behind the beginning of the first window, before its first event.
+  void start(const TurnRange& range, std::vector<TurnEvent>& events);
+  /// Passes the events of a window.
+  void pass(const TurnRange& range, std::vector<TurnEvent> events, OverlapFilter& filter);
+  /// The first event of a window, or its end.
+  static exact::AlgebraicRoot first_bound(const TurnRange& range, std::vector<TurnEvent>& events, const TurningForms& forms);
+  /// Joins the end of the turn to its start.
+  void close(OverlapFilter& filter);
+  bool closed_turn() const { return closed_; }
+
+  const std::vector<Node>& nodes() const { return nodes_; }
+  const std::vector<Cell>& cells() const { return cells_; }
+  std::uint32_t first_cell(std::uint32_t node) const { return nodes_[node].born_cell; }
+  std::uint32_t shell_of(std::uint32_t node) const { return find(shell_, node); }
+  std::uint32_t component_of(std::uint32_t cell) const { return find(component_, cell); }
+  /// The node that goes on in this one behind the end of the turn, or itself.
+  std::uint32_t continued(std::uint32_t node) const { return continued_.empty() ? node : continued_[node]; }
+  std::vector<ExactAngle> angles;
+  std::vector<ObstacleEvent> events;
+  ObstacleWork work;
+
+ private:
+  struct LocalVertex {
+    int other = -1;
+    bool chain = false;
+  };
+  struct Local {
+    WalkSegment segment;
+    std::uint32_t id = 0;
+    bool opens = false, closes = false;  ///< it starts, or ends, here
+    int count = 0;                       ///< vertices behind the event, in order
+    std::array<LocalVertex, 2> vertices{};
+    std::uint32_t in = kNobody, out = kNobody;  ///< visible nodes that come here and that leave
+    int pieces() const { return count + 1; }
+  };
+  struct Cluster {
+    int size = 0;
+    std::array<Local, 3> local;
+    std::array<std::array<int, 3>, 3> cross{};  ///< signs of direction x direction
+    std::vector<std::uint32_t> vanish;          ///< nodes that shrink to the event
+    Point at;                                   ///< in the forms' doubles
+    bool any() const;
+    int find(std::uint32_t id) const;
+  };
+  struct Path {
+    std::uint32_t in = kNobody, out = kNobody;
+    std::vector<int> segments;  ///< of the cluster
+  };
+  /// Visible sub-edges that follow each other along the common line of two aligned edges, and where they start and end on it.
+  struct AlignedRun {
+    std::uint32_t first = kNobody, last = kNobody;
+    double from = 0, to = 0;
+    bool on_first = false, on_second = false;  ///< the segments behind the event that carry it
+  };
+  /// A stretch behind an event and before the next one, to look at the slice there.
+  struct Behind {
+    int chart = 0;
+    exact::AlgebraicRoot from, to;
+    Orientation sample() const;
+  };
+  using Group = std::vector<TurnEvent*>;
+
+  // obstacle_sweep.cpp
+  void pass_pending(const Behind& behind, OverlapFilter& filter);
+  void pass_group(const Group& group, const TurnRange& range, const Behind& behind, OverlapFilter& filter);
+  bool conflict(const Group& group, bool& touches_nodes) const;
+  std::vector<std::uint32_t> segments_of(const TurnEvent& event, bool& unsure) const;
+  std::uint32_t angle(const TurnRange& range, TurnEvent& event);
+  void slice(const TurnRange& range, TurnEvent& event, const Behind& behind);
+  void take_slice(SumState state);
+  bool continues(std::uint32_t n, std::uint32_t m) const;
+  WalkSegment segment_of(std::uint32_t id) const;
+  exact::AlgebraicRoot nearer(const exact::AlgebraicRoot& bound, TurnEvent& event, TurnEvent& next, const TurnRange& range);
+  void note(const TurnEvent& event, ObstacleEvent::Kind kind, Point at);
+  void note_tight(const TurnEvent& event, Point at, Heading h, const OverlapFilter& filter);
+  Point event_place(const TurnEvent& event, Heading h) const;
+  // obstacle_nodes.cpp
+  std::uint32_t id(const WalkSegment& s) const;
+  std::uint32_t add_node(const WalkSegment& s, std::uint32_t cell);
+  void end_node(std::uint32_t n);
+  void link(std::uint32_t from, std::uint32_t to);
+  void refresh(std::vector<std::uint32_t> touched);
+  void relabel(const std::vector<std::uint32_t>& touched, const std::vector<std::uint32_t>& lost,
+               const std::vector<std::pair<std::uint32_t, std::uint32_t>>& more);
+  std::uint32_t new_cell(bool unbounded);
+  bool turns_left(const std::vector<std::uint32_t>& loop) const;
+  static std::uint32_t find(const std::vector<std::uint32_t>& parents, std::uint32_t i);
+  void join(std::vector<std::uint32_t>& parents, std::uint32_t a, std::uint32_t b);
+  // local_update.cpp
+  bool local_update(TurnEvent& event, const TurnRange& range, const Behind& behind, OverlapFilter& filter);
+  bool gather(Cluster& cluster, Heading h) const;
+  bool fill_triple(Cluster& cluster, const TurnEvent& event, Heading h) const;
+  bool fill_vertex(Cluster& cluster, const TurnEvent& event, Heading h) const;
+  bool find_signs(Cluster& cluster, Heading h) const;
+  bool find_nodes(Cluster& cluster, Heading h) const;
+  bool start_alive(const Cluster& c, int segment, int piece) const;
+  bool end_alive(const Cluster& c, int segment, int piece) const;
+  std::optional<std::vector<Path>> paths(const Cluster& cluster, std::vector<std::vector<int>>& births) const;
+  bool apply(const Cluster& cluster, const std::vector<Path>& paths, const std::vector<std::vector<int>>& births);
+  bool born(const Cluster& cluster, const std::vector<int>& cycle, const Behind& behind);
+  // alignment_update.cpp
+  bool alignment_update(TurnEvent& event, const TurnRange& range);
+  bool carry(TurnEvent& event, const TurnRange& range, const std::vector<AlignedRun>& runs, const std::array<WalkSegment, 4>& s);
+  double place_on(const WalkSegment& s, const WalkSegment& other, bool at_start, Heading h) const;
+
+  const TurningForms& forms_;
+  const TurnCatalog& catalog_;
+  std::shared_ptr<const ScalingBase> base_;
+  bool reference_;
+  bool connected_;
+  std::vector<Node> nodes_;
+  std::vector<std::uint32_t> first_;  ///< per segment id
+  std::vector<Cell> cells_;
+  std::vector<std::uint32_t> shell_, component_;  ///< union-find
+  std::vector<std::uint32_t> begin_nodes_;        ///< at the start of the turn
+  std::vector<std::array<std::uint32_t, 2>> begin_keys_;  ///< their neighbours then
+  std::vector<std::uint32_t> continued_;
+  std::array<std::vector<std::uint32_t>, 2> walk_vertex_, walk_edge_;  ///< by number in the region
+  std::uint32_t now_ = kNobody;   ///< the angle of the group, once something changed there
+  double theta_now_ = 0;          ///< near the angle of the group
+  bool closed_ = false;
+  std::vector<TurnEvent> pending_;  ///< at the very end of the last window
+  TurnRange pending_range_;
+  std::optional<Behind> begin_;     ///< where the turn was begun
+};
+
+}  // namespace dymsum::planar

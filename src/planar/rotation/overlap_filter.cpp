@@ -1,0 +1,106 @@
+#include "planar/rotation/overlap_filter.h"
+
+#include <algorithm>
+
+namespace dymsum::planar {
+
+OverlapFilter::OverlapFilter(const TurningForms& forms, const TurnWindow& window) : forms_(forms), window_(window) {
+  for (std::uint32_t op = 0; op < 2; ++op) {
+    Tree& tree = op == 0 ? fixed_ : turning_;
+    for (const Component& c : forms.operand(op).components)
+      tree.roots.push_back(build(tree, op, c.first, c.last, op == 0 ? 0 : forms.reach() * window.half * 1.0001));
+  }
+}
+
+std::uint32_t OverlapFilter::build(Tree& tree, std::uint32_t op, std::uint32_t first, std::uint32_t last, double grow) const {
+  const auto id = static_cast<std::uint32_t>(tree.nodes.size());
+  tree.nodes.push_back({});
+  Node node{INFINITY, INFINITY, -INFINITY, -INFINITY, first, last, 0, 0};
+  const std::vector<Point>& at = op == 0 ? forms_.points(0) : window_.turned;
+  for (std::uint32_t i = first; i < last; ++i)
+    for (const std::uint32_t v : {i, forms_.operand(op).next[i]}) {
+      node.x0 = std::min(node.x0, at[v].x - grow);
+      node.y0 = std::min(node.y0, at[v].y - grow);
+      node.x1 = std::max(node.x1, at[v].x + grow);
+      node.y1 = std::max(node.y1, at[v].y + grow);
+    }
+  if (last - first > 4) {
+    const std::uint32_t middle = first + (last - first) / 2;
+    node.left = build(tree, op, first, middle, grow);
+    node.right = build(tree, op, middle, last, grow);
+  }
+  tree.nodes[id] = node;
+  return id;
+}
+
+// Fixed edge i against turning edge j, reflected and moved to `at`: the four sides, all beyond their errors.
+bool OverlapFilter::edges_cross(std::uint32_t i, std::uint32_t j, Point at, Heading h) const {
+  const std::uint32_t i1 = forms_.operand(0).next[i], j1 = forms_.operand(1).next[j];
+  const Point a = forms_.points(0)[i], b = forms_.points(0)[i1];
+  const auto place = [&](std::uint32_t v) {
+    const Point p = forms_.points(1)[v];
+    return Point{at.x - (h.c * p.x - h.s * p.y), at.y - (h.s * p.x + h.c * p.y)};
+  };
+  const Point c = place(j), d = place(j1);
+  const auto opposite = [&](Point u, Point v, Point x, Point y) {
+    const double dx = v.x - u.x, dy = v.y - u.y, bound = 0x1p-40 * (std::abs(dx) + std::abs(dy)) * forms_.span();
+    const double s = dx * (x.y - u.y) - dy * (x.x - u.x), t = dx * (y.y - u.y) - dy * (y.x - u.x);
+    return (s > bound && t < -bound) || (s < -bound && t > bound);
+  };
+  return opposite(a, b, c, d) && opposite(c, d, a, b);
+}
+
+// Whether a component certainly holds x in its interior; x relative to the component's own doubles.
+bool OverlapFilter::holds(std::uint32_t op, std::uint32_t component, Point x, Heading h) const {
+  const Operand& o = forms_.operand(op);
+  const Component& c = o.components[component];
+  const double near = 0x1p-36 * forms_.span();
+  const auto at = [&](std::uint32_t v) {
+    const Point p = forms_.points(op)[v];
+    return op == 0 ? p : Point{h.c * p.x - h.s * p.y, h.s * p.x + h.c * p.y};
+  };
+  bool in = false;
+  for (std::uint32_t i = c.first; i < c.last; ++i) {
+    const Point a = at(i), b = at(o.next[i]);
+    if (std::min(a.y, b.y) > x.y + near || std::max(a.y, b.y) < x.y - near || std::max(a.x, b.x) < x.x - near) continue;
+    if (std::abs(a.y - x.y) <= near || std::abs(b.y - x.y) <= near) return false;
+    const double cross = (b.x - a.x) * (x.y - a.y) - (b.y - a.y) * (x.x - a.x), bound = near * (std::abs(b.x - a.x) + std::abs(b.y - a.y));
+    if (std::abs(cross) <= bound) return false;
+    in ^= (cross > 0) == (b.y > a.y);
+  }
+  return in;
+}
+
+bool OverlapFilter::inside(Point at, Heading h) const {
+  const double margin = 0x1p-36 * forms_.span();
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> stack;
+  for (std::uint32_t p = 0; p < fixed_.roots.size(); ++p)
+    for (std::uint32_t q = 0; q < turning_.roots.size(); ++q) {
+      stack.assign(1, {fixed_.roots[p], turning_.roots[q]});
+      while (!stack.empty()) {
+        const auto [i, j] = stack.back();
+        stack.pop_back();
+        const Node &a = fixed_.nodes[i], &b = turning_.nodes[j];
+        if (a.x1 < at.x - b.x1 - margin || a.x0 > at.x - b.x0 + margin || a.y1 < at.y - b.y1 - margin || a.y0 > at.y - b.y0 + margin) continue;
+        if (a.left == 0 && b.left == 0) {
+          for (std::uint32_t e = a.first; e < a.last; ++e)
+            for (std::uint32_t f = b.first; f < b.last; ++f)
+              if (edges_cross(e, f, at, h)) return true;
+        } else if (b.left == 0 || (a.left != 0 && a.last - a.first >= b.last - b.first)) {
+          stack.push_back({a.left, j});
+          stack.push_back({a.right, j});
+        } else {
+          stack.push_back({i, b.left});
+          stack.push_back({i, b.right});
+        }
+      }
+      // No edges cross: one component may hold the other, and then its first vertex.
+      const Component &cp = forms_.operand(0).components[p], &cq = forms_.operand(1).components[q];
+      const Point t = forms_.points(1)[cq.first], f = forms_.points(0)[cp.first];
+      if (holds(0, p, {at.x - (h.c * t.x - h.s * t.y), at.y - (h.s * t.x + h.c * t.y)}, h)) return true;
+      if (holds(1, q, {at.x - f.x, at.y - f.y}, h)) return true;
+    }
+  return false;
+}
+
+}  // namespace dymsum::planar

@@ -1,0 +1,35 @@
+// Whether the robot certainly overlaps the obstacle somewhere near an angle, in doubles.
+#pragma once
+
+#include <vector>
+
+#include "planar/rotation/turn_window.h"
+
+namespace dymsum::planar {
+
+class OverlapFilter {
+ public:
+  OverlapFilter(const TurningForms& forms, const TurnWindow& window);
+
+  /// True only if the open obstacle of angle h holds the position `at` (of the forms' doubles): edges cross properly, or one polygon lies in the other.
+  bool inside(Point at, Heading h) const;
+
+ private:
+  struct Node {
+    double x0, y0, x1, y1;
+    std::uint32_t first, last, left, right;
+  };
+  struct Tree {
+    std::vector<Node> nodes;
+    std::vector<std::uint32_t> roots;  ///< per component
+  };
+  std::uint32_t build(Tree& tree, std::uint32_t op, std::uint32_t first, std::uint32_t last, double grow) const;
+  bool edges_cross(std::uint32_t i, std::uint32_t j, Point at, Heading h) const;
+  bool holds(std::uint32_t op, std::uint32_t component, Point x, Heading h) const;
+
+  const TurningForms& forms_;
+  const TurnWindow& window_;
+  Tree fixed_, turning_;
+};
+
+}  // namespace dymsum::planar

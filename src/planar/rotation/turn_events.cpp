@@ -1,0 +1,239 @@
+#include "planar/rotation/turn_events.h"
+
+#include <algorithm>
+
+namespace dymsum::planar {
+
+using exact::AlgebraicRoot;
+
+namespace {
+
+/// Where doubles look for events they look a little farther, relative to lengths and in radians.
+constexpr double kNear = 0x1p-18;
+
+bool same_pair(Pair a, Pair b) { return a == b; }
+
+class Collector {
+ public:
+  Collector(const TurnWindow& window, const TurningForms& forms, const TurnCatalog& catalog) : w_(window), forms_(forms), catalog_(catalog) {}
+
+  TurnEvents run(const std::vector<Alignment>& all) {
+    add_alignments(all);
+    find_crossings();
+    find_vertices();
+    for (std::uint32_t a = 0; a < w_.segments.size(); ++a) triples_of(a);
+    std::sort(out_.events.begin(), out_.events.end(), [](const TurnEvent& a, const TurnEvent& b) { return a.low < b.low; });
+    return std::move(out_);
+  }
+
+ private:
+  struct Crossing {
+    std::uint32_t other = 0;
+    double low = 0, high = 0;  ///< of the parameter along the segment, at all angles
+  };
+
+  void add_alignments(const std::vector<Alignment>& all) {
+    const double slack = 2 * kAngleSlack;
+    auto at = std::lower_bound(all.begin(), all.end(), w_.low - slack, [](const Alignment& a, double t) { return a.theta < t; });
+    for (; at != all.end() && at->theta <= w_.high + slack; ++at) {
+      TurnEvent event;
+      event.e = at->e;
+      event.f = at->f;
+      event.low = at->theta - kAngleSlack;
+      event.high = at->theta + kAngleSlack;
+      const bool near_end = event.low < w_.low + slack || event.high > w_.high - slack;
+      if (near_end && !falls_inside(event)) continue;
+      out_.events.push_back(std::move(event));
+    }
+  }
+  bool falls_inside(TurnEvent& event) const {
+    const exact::Polynomial p = forms_.exact_alignment(event.e, event.f, w_.range.chart);
+    if (forms_.alignment_chart(event.e, event.f) != w_.range.chart) return false;
+    return !roots_in(p, w_.range.t_low, w_.range.t_high).empty();
+  }
+
+  bool share_end(const WalkSegment& a, const WalkSegment& b) const {
+    const Pair a0 = TurningForms::start(a), a1 = forms_.end(a), b0 = TurningForms::start(b), b1 = forms_.end(b);
+    return same_pair(a0, b0) || same_pair(a0, b1) || same_pair(a1, b0) || same_pair(a1, b1);
+  }
+
+  // The parameter of b's line along a: N / D. Around its value t at the middle, (N - t D) / D is small.
+  Crossing crossing(std::uint32_t i, std::uint32_t j) const {
+    const WalkSegment &a = w_.segments[i], &b = w_.segments[j];
+    const TrigForm n = forms_.side(b, TurningForms::start(a)), d = forms_.cross(a, b);
+    const double at = d.at(w_.heading), least = std::abs(at) - std::abs(d.slope(w_.heading)) * w_.half - 0.5 * d.swing() * w_.half * w_.half - 0x1p-46 * forms_.length1(a) * forms_.length1(b);
+    if (!(least > 0)) return {j, -INFINITY, INFINITY};
+    const double t = n.at(w_.heading) / at;
+    const TrigForm k = n - d.times(t);
+    const double error = forms_.side_error(b) * (1 + std::abs(t));
+    const double radius = (std::abs(k.slope(w_.heading)) * w_.half + 0.5 * k.swing() * w_.half * w_.half + error) / least * (1 + 0x1p-20);
+    return {j, t - radius, t + radius};
+  }
+
+  void find_crossings() {
+    crossings_.resize(w_.segments.size());
+    for (const TurnWindow::Meeting& m : w_.meetings) {
+      if (share_end(w_.segments[m.a], w_.segments[m.b]) || forms_.parallel(w_.segments[m.a], w_.segments[m.b])) continue;
+      ++out_.pairs;
+      for (const auto& [i, j] : {std::pair{m.a, m.b}, std::pair{m.b, m.a}}) {
+        const Crossing c = crossing(i, j);
+        if (c.high >= -kNear && c.low <= 1 + kNear) crossings_[i].push_back(c);
+      }
+    }
+    for (auto& list : crossings_) std::sort(list.begin(), list.end(), [](const Crossing& a, const Crossing& b) { return a.low < b.low; });
+  }
+
+  // Ends of the edge a and of an edge at its vertex: the side of such a pair is zero where the two edges are aligned.
+  bool belongs_to_alignment(const WalkSegment& a, Pair v) const {
+    const Operand &o = forms_.operand(a.side), &other = forms_.operand(1 - a.side);
+    const std::uint32_t x = a.side == 0 ? v.p : v.q, y = a.side == 0 ? v.q : v.p;
+    const bool at_end = x == a.edge || x == o.next[a.edge];
+    return at_end && (y == a.vertex || y == other.next[a.vertex] || y == other.prev[a.vertex]);
+  }
+
+  void find_vertices() {
+    std::vector<std::array<std::uint32_t, 3>> seen;
+    for (const TurnWindow::Meeting& m : w_.meetings)
+      for (const auto& [i, j] : {std::pair{m.a, m.b}, std::pair{m.b, m.a}})
+        for (const Pair v : {TurningForms::start(w_.segments[j]), forms_.end(w_.segments[j])}) seen.push_back({i, v.p, v.q});
+    std::sort(seen.begin(), seen.end());
+    seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
+    for (const auto& [i, p, q] : seen) vertex_on(i, {p, q});
+  }
+
+  void vertex_on(std::uint32_t i, Pair v) {
+    const WalkSegment& a = w_.segments[i];
+    if (belongs_to_alignment(a, v)) return;
+    const TrigForm f = forms_.side(a, v);
+    const double error = forms_.side_error(a);
+    if (f.far_from_zero(w_.heading, w_.half, error)) return;
+    // a + r cos(theta - phase); where it only just reaches zero both roots are at the phase.
+    const double r = std::hypot(f.b, f.g), phase = std::atan2(f.g, f.b), back = r > 0 ? std::acos(std::clamp(-f.a / r, -1.0, 1.0)) : 0;
+    bool near = r <= error;
+    for (const double root : {phase - back, phase + back}) {
+      const double theta = w_.middle + std::remainder(root - w_.middle, kTurn);
+      near |= std::abs(theta - w_.middle) <= w_.half + 2 * kNear && on(a, v, theta) && catalog_.exists(a, theta) != TurnCatalog::Existence::no;
+      near |= std::abs(theta - w_.middle) <= w_.half + 2 * kNear && exists_soon(a, theta) && on(a, v, theta);
+    }
+    if (!near) return;
+    const exact::Polynomial poly = forms_.exact_side(a, v, w_.range.chart);
+    if (poly.is_zero()) return;  // collinear edges of one operand with the same vertex of the other: they meet at no angle
+    for (AlgebraicRoot& root : roots_in(poly, w_.range.t_low, w_.range.t_high)) {
+      TurnEvent event = at(std::move(root), TurnEvent::Kind::vertex_on_segment);
+      if (!on(a, v, event.theta()) || !exists_soon(a, event.theta())) continue;
+      event.a = a;
+      event.v = v;
+      out_.events.push_back(std::move(event));
+    }
+  }
+  bool exists_soon(const WalkSegment& a, double theta) const {
+    return catalog_.exists(a, theta - kNear) != TurnCatalog::Existence::no || catalog_.exists(a, theta + kNear) != TurnCatalog::Existence::no;
+  }
+
+  bool on(const WalkSegment& a, Pair v, double theta) const {
+    const Heading h = Heading::of(theta);
+    const Point d = forms_.direction(a, h), from = forms_.place(TurningForms::start(a), h), x = forms_.place(v, h);
+    const double along = d.x * (x.x - from.x) + d.y * (x.y - from.y), length = d.x * d.x + d.y * d.y;
+    const double slack = kNear * (length + forms_.length1(a) * forms_.span());
+    return along >= -slack && along <= length + slack;
+  }
+
+  bool meet(std::uint32_t i, std::uint32_t j) const {
+    const TurnWindow::Meeting m{std::min(i, j), std::max(i, j)};
+    const auto less = [](const TurnWindow::Meeting& x, const TurnWindow::Meeting& y) { return x.a != y.a ? x.a < y.a : x.b < y.b; };
+    return std::binary_search(w_.meetings.begin(), w_.meetings.end(), m, less) && !share_end(w_.segments[i], w_.segments[j]);
+  }
+
+  void triples_of(std::uint32_t a) {
+    const std::vector<Crossing>& list = crossings_[a];
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      if (list[k].other < a) continue;
+      for (std::size_t l = k + 1; l < list.size() && list[l].low <= list[k].high; ++l)
+        if (list[l].other > a) triple(a, std::min(list[k].other, list[l].other), std::max(list[k].other, list[l].other));
+    }
+  }
+
+  void triple(std::uint32_t i, std::uint32_t j, std::uint32_t k) {
+    const WalkSegment &a = w_.segments[i], &b = w_.segments[j], &c = w_.segments[k];
+    ++out_.triples;
+    if (forms_.concurrency(a, b, c).far_from_zero(w_.heading, w_.half, forms_.concurrency_error(a, b, c)) || !meet(j, k)) return;
+    const exact::Polynomial poly = forms_.exact_concurrency(a, b, c, w_.range.chart);
+    if (poly.is_zero()) {
+      out_.always_concurrent |= all_cross(a, b, c, w_.middle);
+      return;
+    }
+    for (AlgebraicRoot& root : roots_in(poly, w_.range.t_low, w_.range.t_high)) {
+      TurnEvent event = at(std::move(root), TurnEvent::Kind::three_segments);
+      if (!all_cross(a, b, c, event.theta())) continue;
+      event.a = a;
+      event.b = b;
+      event.c = c;
+      out_.events.push_back(std::move(event));
+    }
+  }
+  // All three exist there and each of them holds its crossing with the next, with slack.
+  bool all_cross(const WalkSegment& a, const WalkSegment& b, const WalkSegment& c, double theta) const {
+    for (const WalkSegment* s : {&a, &b, &c})
+      if (catalog_.exists(*s, theta) == TurnCatalog::Existence::no && !exists_soon(*s, theta)) return false;
+    const Heading h = Heading::of(theta);
+    const std::array<const WalkSegment*, 3> s{&a, &b, &c};
+    for (int x = 0; x < 3; ++x)
+      for (const int y : {(x + 1) % 3, (x + 2) % 3}) {
+        const double n = forms_.side(*s[y], TurningForms::start(*s[x])).at(h), d = forms_.cross(*s[x], *s[y]).at(h);
+        const double t = n / d, slack = kNear + 0x1p-44 * forms_.span() / forms_.length1(*s[x]);
+        if (std::abs(d) > kNear * forms_.length1(*s[x]) * forms_.length1(*s[y]) && (t < -slack || t > 1 + slack)) return false;
+      }
+    return true;
+  }
+
+  TurnEvent at(AlgebraicRoot root, TurnEvent::Kind kind) const {
+    TurnEvent event;
+    event.kind = kind;
+    event.low = w_.range.theta(root.low()) - 0x1p-50;
+    event.high = w_.range.theta(root.high()) + 0x1p-50;
+    event.root = std::move(root);
+    return event;
+  }
+
+  const TurnWindow& w_;
+  const TurningForms& forms_;
+  const TurnCatalog& catalog_;
+  std::vector<std::vector<Crossing>> crossings_;
+  TurnEvents out_;
+};
+
+}  // namespace
+
+const AlgebraicRoot& exact_root(TurnEvent& event, const TurningForms& forms, const TurnRange& range) {
+  if (!event.root) {
+    // Edges are parallel twice a turn, once in each chart.
+    std::vector<AlgebraicRoot> roots = roots_in(forms.exact_alignment(event.e, event.f, range.chart), range.t_low, range.t_high);
+    event.root = std::move(roots.at(0));
+    event.low = range.theta(event.root->low()) - 0x1p-50;
+    event.high = range.theta(event.root->high()) + 0x1p-50;
+  }
+  return *event.root;
+}
+
+std::vector<Alignment> alignments(const TurningForms& forms, const TurnCatalog& catalog) {
+  std::vector<Alignment> all;
+  const Operand &fixed = forms.operand(0), &turning = forms.operand(1);
+  for (std::uint32_t e = 0; e < turning.size(); ++e)
+    for (std::uint32_t f = 0; f < fixed.size(); ++f) {
+      const bool any = catalog.may_exist({1, e, f}) || catalog.may_exist({1, e, fixed.next[f]}) || catalog.may_exist({0, f, e}) || catalog.may_exist({0, f, turning.next[e]});
+      if (!any) continue;
+      const double theta = positive_angle(catalog.edge_angle(0, f) - catalog.edge_angle(1, e));
+      // The first window begins at -pi / 2 and does not hold it; what doubles leave open there is tried in both.
+      const double end = 1.5 * std::numbers::pi;
+      if (theta <= end + 2 * kAngleSlack) all.push_back({theta, e, f});
+      if (theta >= end - 2 * kAngleSlack) all.push_back({theta - kTurn, e, f});
+    }
+  std::sort(all.begin(), all.end(), [](const Alignment& a, const Alignment& b) { return a.theta < b.theta; });
+  return all;
+}
+
+TurnEvents events_in(const TurnWindow& window, const TurningForms& forms, const TurnCatalog& catalog, const std::vector<Alignment>& all) {
+  return Collector(window, forms, catalog).run(all);
+}
+
+}  // namespace dymsum::planar

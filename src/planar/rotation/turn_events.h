@@ -1,0 +1,42 @@
+// Everything that can change the boundary within a window: alignments of edges, vertex sums on segments, three segments through one point. A superset, each with its
+// exact angle.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "exact/algebraic_root.h"
+#include "planar/rotation/turn_window.h"
+
+namespace dymsum::planar {
+
+struct TurnEvent {
+  enum class Kind : std::uint8_t { alignment, vertex_on_segment, three_segments };
+  Kind kind = Kind::alignment;
+  double low = 0, high = 0;  ///< theta lies between them
+  WalkSegment a, b, c;       ///< vertex_on_segment: v on a; three_segments: all
+  Pair v;                    ///< by walk vertices
+  std::uint32_t e = 0, f = 0;  ///< alignment: of turning edge e with fixed edge f
+  std::optional<exact::AlgebraicRoot> root;  ///< always, but for alignments only when asked for
+  double theta() const { return (low + high) / 2; }
+};
+
+/// The exact angle.
+const exact::AlgebraicRoot& exact_root(TurnEvent& event, const TurningForms& forms, const TurnRange& range);
+
+/// All pairs of edges by the angle at which they point in the same direction, in doubles.
+struct Alignment {
+  double theta = 0;  ///< in (-pi / 2, 3 pi / 2]
+  std::uint32_t e = 0, f = 0;
+};
+std::vector<Alignment> alignments(const TurningForms& forms, const TurnCatalog& catalog);
+
+struct TurnEvents {
+  std::vector<TurnEvent> events;  ///< by increasing `low`
+  std::uint64_t pairs = 0, triples = 0;
+  bool always_concurrent = false;  ///< three segments stay concurrent at every angle: no event tells when they meet
+};
+TurnEvents events_in(const TurnWindow& window, const TurningForms& forms, const TurnCatalog& catalog, const std::vector<Alignment>& all);
+
+}  // namespace dymsum::planar

@@ -1,0 +1,154 @@
+#include "planar/rotation/turning_forms.h"
+
+#include <algorithm>
+
+#include "exact/grid.h"
+
+namespace dymsum::planar {
+
+using exact::Big;
+using exact::BigInteger;
+using exact::Polynomial;
+
+namespace {
+
+double cross(Point a, Point b) { return a.x * b.y - a.y * b.x; }
+double dot(Point a, Point b) { return a.x * b.x + a.y * b.y; }
+Point minus(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
+
+// (1 + t^2) (a + b cos + g sin), with cos and sin negative in chart 1.
+std::array<BigInteger, 3> quadratic(const BigInteger& a, const BigInteger& b, const BigInteger& g, int chart) {
+  if (chart == 0) return {a + b, 2 * g, a - b};
+  return {a - b, -2 * g, a + b};
+}
+
+Polynomial polynomial(const std::array<BigInteger, 3>& c) { return Polynomial({Big(c[0]), Big(c[1]), Big(c[2])}); }
+
+}  // namespace
+
+TurningForms::TurningForms(const ScalingBase& base) : base_(base), operands_{&base.operands[0], &base.operands[1]} {
+  const Lattice& l = *base.lattice;
+  for (std::uint32_t op = 0; op < 2; ++op) {
+    const Operand& o = *operands_[op];
+    for (std::uint32_t i = 0; i < o.size(); ++i) {
+      points_[op].push_back({o.x[i], o.y[i]});
+      const Point& v = o.points->input[o.source[i]];
+      exact_[op].push_back({exact::grid_coordinate<Big>(v.x, o.points->offset.x, l.grid_exponent).value(),
+                            exact::grid_coordinate<Big>(v.y, o.points->offset.y, l.grid_exponent).value()});
+    }
+  }
+  Point low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
+  for (const Point& p : points_[1]) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  centre_ = {(low.x + high.x) / 2, (low.y + high.y) / 2};
+  for (Point& p : points_[1]) {
+    p = minus(p, centre_);
+    reach_ = std::max(reach_, std::hypot(p.x, p.y));
+  }
+  for (const Point& q : points_[0]) {
+    width_ = std::max(width_, q.x);
+    height_ = std::max(height_, q.y);
+  }
+  span_ = std::max(width_, height_) + 2 * reach_;
+}
+
+TurningForms::Vec TurningForms::at(std::uint32_t op, std::uint32_t v) const { return exact_[op][v]; }
+
+TurningForms::Vec TurningForms::vector(std::uint32_t op, std::uint32_t e) const {
+  const Vec &a = exact_[op][e], &b = exact_[op][operands_[op]->next[e]];
+  return {b.x - a.x, b.y - a.y};
+}
+
+TrigForm TurningForms::side(const WalkSegment& s, Pair v) const {
+  const Pair from = start(s);
+  const Point d = edge(s.side, s.edge), dq = minus(points_[0][v.p], points_[0][from.p]), dp = minus(points_[1][v.q], points_[1][from.q]);
+  if (s.side == 0) return {planar::cross(d, dq), planar::cross(d, dp), dot(d, dp)};
+  return {planar::cross(d, dp), planar::cross(d, dq), -dot(d, dq)};
+}
+
+TrigForm TurningForms::cross(const WalkSegment& s, const WalkSegment& t) const {
+  const Point d = edge(s.side, s.edge), e = edge(t.side, t.edge);
+  if (s.side == t.side) return {planar::cross(d, e), 0, 0};
+  if (s.side == 1) return {0, planar::cross(d, e), -dot(d, e)};
+  return {0, planar::cross(d, e), dot(d, e)};
+}
+
+bool TurningForms::parallel(const WalkSegment& s, const WalkSegment& t) const {
+  if (s.side != t.side) return false;
+  if (s.edge == t.edge) return true;
+  const double value = planar::cross(edge(s.side, s.edge), edge(t.side, t.edge));
+  if (std::abs(value) > 0x1p-48 * length1(s) * length1(t)) return false;
+  return base_.lattice->cross(operands_[s.side]->edge(s.edge), operands_[t.side]->edge(t.edge)) == 0;
+}
+
+// With the origin at the start of a, its own offset vanishes: h_b (d_c x d_a) + h_c (d_a x d_b), and h_k = d_k x (start_k - start_a) = -side(k, start_a).
+TrigForm2 TurningForms::concurrency(const WalkSegment& a, const WalkSegment& b, const WalkSegment& c) const {
+  TrigForm2 sum;
+  sum.add_product(-side(b, start(a)), cross(c, a));
+  sum.add_product(-side(c, start(a)), cross(a, b));
+  return sum;
+}
+
+Polynomial TurningForms::exact_side(const WalkSegment& s, Pair v, int chart) const {
+  const Pair from = start(s);
+  const Vec d = vector(s.side, s.edge);
+  const Vec q1 = at(0, v.p), q0 = at(0, from.p), p1 = at(1, v.q), p0 = at(1, from.q);
+  const Vec dq{q1.x - q0.x, q1.y - q0.y}, dp{p1.x - p0.x, p1.y - p0.y};
+  const auto x = [&](const Vec& w) { return BigInteger(d.x * w.y - d.y * w.x); };
+  const auto dot = [&](const Vec& w) { return BigInteger(d.x * w.x + d.y * w.y); };
+  if (s.side == 0) return polynomial(quadratic(x(dq), x(dp), dot(dp), chart));
+  return polynomial(quadratic(x(dp), x(dq), BigInteger(-dot(dq)), chart));
+}
+
+// d x start.
+TurningForms::Form TurningForms::offset(const WalkSegment& s) const {
+  const Pair from = start(s);
+  const Vec d = vector(s.side, s.edge), q = at(0, from.p), p = at(1, from.q);
+  if (s.side == 0) return {d.x * q.y - d.y * q.x, d.x * p.y - d.y * p.x, d.x * p.x + d.y * p.y};
+  return {d.x * p.y - d.y * p.x, d.x * q.y - d.y * q.x, -(d.x * q.x + d.y * q.y)};
+}
+
+TurningForms::Form TurningForms::exact_cross(const WalkSegment& s, const WalkSegment& t) const {
+  const Vec d = vector(s.side, s.edge), e = vector(t.side, t.edge);
+  const BigInteger x = d.x * e.y - d.y * e.x, dot = d.x * e.x + d.y * e.y;
+  if (s.side == t.side) return {x, 0, 0};
+  return {0, x, s.side == 1 ? BigInteger(-dot) : dot};
+}
+
+Polynomial TurningForms::exact_concurrency(const WalkSegment& a, const WalkSegment& b, const WalkSegment& c, int chart) const {
+  const std::array<const WalkSegment*, 3> lines{&a, &b, &c};
+  const bool same = a.side == b.side && b.side == c.side;
+  std::vector<Big> sum(same ? 3 : 5);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Form h = offset(*lines[k]), d = exact_cross(*lines[(k + 1) % 3], *lines[(k + 2) % 3]);
+    const std::array<BigInteger, 3> u = quadratic(h.a, h.b, h.g, chart);
+    if (same) {
+      // All crosses are constant: of degree two.
+      for (std::size_t i = 0; i < 3; ++i) sum[i] = sum[i] + Big(BigInteger(u[i] * d.a));
+      continue;
+    }
+    const std::array<BigInteger, 3> v = quadratic(d.a, d.b, d.g, chart);
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) sum[i + j] = sum[i + j] + Big(BigInteger(u[i] * v[j]));
+  }
+  return Polynomial(std::move(sum));
+}
+
+Polynomial TurningForms::exact_alignment(std::uint32_t e, std::uint32_t f, int chart) const {
+  const Vec d = vector(1, e), g = vector(0, f);
+  return polynomial(quadratic(0, BigInteger(d.x * g.y - d.y * g.x), BigInteger(-(d.x * g.x + d.y * g.y)), chart));
+}
+
+int TurningForms::alignment_chart(std::uint32_t e, std::uint32_t f) const {
+  const Point d = edge(1, e), g = edge(0, f);
+  const double scale = 0x1p-48 * (std::abs(d.x) + std::abs(d.y)) * (std::abs(g.x) + std::abs(g.y));
+  if (const double v = dot(d, g); std::abs(v) > scale) return v > 0 ? 0 : 1;
+  const Vec u = vector(1, e), v = vector(0, f);
+  const int along = BigInteger(u.x * v.x + u.y * v.y).sign();
+  if (along != 0) return along > 0 ? 0 : 1;
+  return BigInteger(u.x * v.y - u.y * v.x).sign() > 0 ? 0 : 1;
+}
+
+}  // namespace dymsum::planar
