@@ -46,7 +46,7 @@ class Passages {
   // The position is on the line where c + a cos(theta) + b sin(theta) = 0.
   void add(const ContactLine& l, std::uint32_t patch) {
     const Point gap = at_ - l.start.a, d = l.along, r = l.start.b;
-    const Point wave = l.turns ? Point{cross(d, gap), dot(d, gap)} : Point{-cross(d, r), -dot(d, r)};
+    const Point wave = l.turns ? Point{cross(d, gap), -dot(d, gap)} : Point{-cross(d, r), -dot(d, r)};
     const double constant = l.turns ? -cross(d, r) : cross(d, gap);
     const double amplitude = std::hypot(wave.x, wave.y);
     const double error = 0x1p-48 * (std::abs(d.x) + std::abs(d.y)) * (forms_.size() + std::abs(at_.x) + std::abs(at_.y));

@@ -115,16 +115,13 @@ TEST(RotationSlice, keeps_thousands_of_bits) {
 }
 
 TEST(RotationSlice, orientations_of_every_width_fit_their_tier) {
-  // Tangents of 3 to 140 bits: integers pass the limits of all tiers.
-  const Region robot = shapes::rectangle(4, -1, 6, 1), obstacle = shapes::rectangle(0, 0, 5, 1);
-  exact::BigInteger d;
-  for (int bits = 3; bits < 140; ++bits) {
-    d = exact::BigInteger(1) << bits;
-    for (const int n : {1, 3}) {
-      const PlanarSum slice = *cspace_slice(robot, obstacle, *Orientation::of(exact::to_rational(exact::BigRational(exact::BigInteger(d / 3 + n), d))));
-      EXPECT_EQ(slice.vertex_count(), 8u);
+  // Tangents of 3 to 140 bits and operands of 2 to 6: the integers pass the limits of all tiers bit by bit.
+  for (const double width : {3.0, 6.0, 12.0, 24.0, 48.0})
+    for (int bits = 3; bits < 140; ++bits) {
+      const exact::BigInteger d = exact::BigInteger(1) << bits, n = d / 3 + 1;
+      const Orientation theta = *Orientation::of(exact::to_rational(exact::BigRational(n, d)));
+      EXPECT_EQ(cspace_slice(shapes::rectangle(4, -1, 4 + width, 1), shapes::rectangle(0, 0, 5, 1), theta)->vertex_count(), 8u);
     }
-  }
 }
 
 TEST(Orientation, names_angles) {
