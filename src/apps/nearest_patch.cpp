@@ -69,12 +69,15 @@ class Search {
       push_node(node.first + 1);
       return;
     }
-    for (const PatchPiece& piece : tree_.pieces(node))
+    for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
+      if (std::sqrt(square_distance(tree_.box(k), from_, theta_, weight_)) >= best_.distance) continue;
+      const PatchPiece& piece = tree_.piece(k);
       for (const double shift : {-kTurn, 0.0, kTurn}) {
         const double low = piece.low + shift - theta_, high = piece.high + shift - theta_;
         if (low <= kTurn / 2 + kAngleMargin && high >= -kTurn / 2 - kAngleMargin)
           add(piece.patch, (piece.low + piece.high) / 2, (piece.high - piece.low) / 2, shift);
       }
+    }
   }
 
   void halve(const Task& t) {
@@ -137,8 +140,9 @@ NearestPatch nearest_patch_at(const PatchForms& forms, const PatchTree& tree, Po
       stack.push_back(node.first + 1);
       continue;
     }
-    for (const PatchPiece& piece : tree.pieces(node)) {
-      if (off({{0, 0, piece.low}, {0, 0, piece.high}})) continue;
+    for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
+      if (off(tree.box(k))) continue;
+      const PatchPiece& piece = tree.piece(k);
       ++best.bounds;
       const PatchPoint point = distance.nearest(piece.patch, theta, 0);
       if (!(point.distance + point.error < best.distance + best.point.error)) continue;

@@ -110,6 +110,6 @@ Clearance ObstacleQueries::clearance(const Configuration& from, double weight) c
           {found.point.at.x + origin.x, found.point.at.y + origin.y, found.point.theta}};
 }
 
-std::size_t ObstacleQueries::bytes() const { return state_->index.bytes() + state_->tree.nodes().size() * sizeof(apps::PatchTree::Node); }
+std::size_t ObstacleQueries::bytes() const { return state_->index.bytes() + state_->tree.bytes(); }
 
 }  // namespace dymsum

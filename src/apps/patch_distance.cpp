@@ -8,7 +8,6 @@ namespace {
 
 double square(double v) { return v * v; }
 double least_square(Range r) { return r.low > 0 ? square(r.low) : r.high < 0 ? square(r.high) : 0; }
-Range dot(const PointRange& a, const PointRange& b) { return a.x * b.x + a.y * b.y; }
 PointRange from_to(const PointRange& a, Point b) { return {Range{b.x, b.x} - a.x, Range{b.y, b.y} - a.y}; }
 
 }  // namespace
@@ -20,23 +19,27 @@ struct PatchDistance::Slope {
   Range derivative;
 };
 
+// Where the ends are along the line matters only if the nearest point may be one of them.
 PatchPoint PatchDistance::nearest(std::uint32_t patch, double theta, double shift) const {
   const PatchForm& form = forms_[patch];
   const Turn turn(theta);
-  const PlacedEnd a = forms_.end(form, form.left, turn), b = forms_.end(form, form.right, turn);
-  const Point d = b.at - a.at;
-  const double length = dot(d, d), along = length > 0 ? std::clamp(dot(from_ - a.at, d) / length, 0.0, 1.0) : 0;
-  const Point at{a.at.x + along * d.x, a.at.y + along * d.y}, gap = at - from_;
-  const double angle = weight_ * (theta + shift - theta_);
-  return {std::hypot(gap.x, gap.y, angle), 2 * std::max(a.error, b.error), at, theta};
+  const PlacedEnd a = forms_.end_at(form, form.left, theta, turn), b = forms_.end_at(form, form.right, theta, turn);
+  const Point s = place(form.own.start, turn), d = direction(form.own, turn);
+  const double length = std::sqrt(dot(d, d)), at = dot(from_ - s, d) / length;
+  const double from = dot(a.at - s, d) / length, to = dot(b.at - s, d) / length;
+  double error = 0x1p-45 * forms_.size(), along = at;
+  if (at < from + a.error) error += 2 * a.error, along = std::max(at, from);
+  if (at > to - b.error) error += 2 * b.error, along = std::min(along, to);
+  const Point foot{s.x + along / length * d.x, s.y + along / length * d.y}, gap = foot - from_;
+  return {std::hypot(gap.x, gap.y, weight_ * (theta + shift - theta_)), error, foot, theta};
 }
 
-PatchDistance::Slope PatchDistance::to_point(const PatchForm& form, const PatchEnd& end, const Turn& turn, double half) const {
-  const MovingRange p = forms_.end_within(form, end, turn, half);
-  const PointRange gap = from_to(p.at, from_);
-  const PlacedEnd placed = forms_.end(form, end, turn);
+PatchDistance::Slope PatchDistance::to_point(const PatchForm& form, const PatchEnd& end, double theta, const Turn& turn,
+                                             const MovingRange& range) const {
+  const PointRange gap = from_to(range.at, from_);
+  const PlacedEnd placed = forms_.end_at(form, end, theta, turn);
   const Point now = placed.at - from_;
-  return {square(std::max(0.0, std::hypot(now.x, now.y) - 2 * placed.error)), least_square(gap.x) + least_square(gap.y), -2.0 * dot(gap, p.speed)};
+  return {square(std::max(0.0, std::hypot(now.x, now.y) - 2 * placed.error)), least_square(gap.x) + least_square(gap.y), -2.0 * dot(gap, range.speed)};
 }
 
 // The signed distance n . (q - a - R b) to the line, its normal n turning with it or not.
@@ -66,14 +69,16 @@ PatchDistance::Slope PatchDistance::to_line(const PatchForm& form, const Turn& t
 PatchDistance::Bound PatchDistance::lower(std::uint32_t patch, double middle, double half, double shift) const {
   const PatchForm& form = forms_[patch];
   const Turn turn(middle);
-  const MovingRange a = forms_.end_within(form, form.left, turn, half), b = forms_.end_within(form, form.right, turn, half);
+  const MovingRange a = forms_.end_within(form, form.left, middle, turn, half);
+  const MovingRange b = forms_.end_within(form, form.right, middle, turn, half);
   const Point d = direction(form.own, turn);
   const PointRange along = form.own.turns ? turning(d, half) : PointRange{{d.x, d.x}, {d.y, d.y}};
   const Range behind_left = dot(from_to(a.at, from_), along), behind_right = dot(from_to(b.at, from_), along);
   const bool before = a.known && behind_left.high <= 0, after = b.known && behind_right.low >= 0;
   const bool beside = behind_left.low >= 0 && behind_right.high <= 0;
-  const Slope s = before ? to_point(form, form.left, turn, half)
-                         : after ? to_point(form, form.right, turn, half) : to_line(form, turn, half);
+  const Slope s = before  ? to_point(form, form.left, middle, turn, a)
+                  : after ? to_point(form, form.right, middle, turn, b)
+                          : to_line(form, turn, half);
   const double w = weight_ * weight_, angle = middle + shift - theta_;
   const Range angles{angle - half, angle + half}, slope = s.derivative + 2 * w * angles;
   const double now = s.middle + w * angle * angle;

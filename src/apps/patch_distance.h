@@ -33,7 +33,7 @@ class PatchDistance {
 
  private:
   struct Slope;
-  Slope to_point(const PatchForm& form, const PatchEnd& end, const Turn& turn, double half) const;
+  Slope to_point(const PatchForm& form, const PatchEnd& end, double theta, const Turn& turn, const MovingRange& range) const;
   Slope to_line(const PatchForm& form, const Turn& turn, double half) const;
 
   const PatchForms& forms_;

@@ -78,11 +78,7 @@ class FormMaker {
   Numbered obstacle_, robot_;
 };
 
-PointRange operator+(PointRange a, PointRange b) { return {a.x + b.x, a.y + b.y}; }
-PointRange operator-(PointRange a, PointRange b) { return {a.x - b.x, a.y - b.y}; }
-PointRange operator*(Range a, PointRange b) { return {a * b.x, a * b.y}; }
 PointRange around(Point a) { return {{a.x, a.x}, {a.y, a.y}}; }
-Range cross(const PointRange& a, const PointRange& b) { return a.x * b.y - a.y * b.x; }
 Range join(Range a, Range b) { return {std::min(a.low, b.low), std::max(a.high, b.high)}; }
 
 MovingRange moving(const Hinge& h, const Turn& turn, double half) {
@@ -98,6 +94,32 @@ MovingRange moving_along(const ContactLine& l, const Turn& turn, double half) {
 }
 
 Range reciprocal(Range a) { return {1 / a.high, 1 / a.low}; }
+
+// Roughly how far an angle of an obstacle is from its nearest other one.
+double gap_around(const CspaceObstacle& obstacle, std::uint32_t angle) {
+  const std::vector<EventAngle>& all = obstacle.angles();
+  const std::size_t n = all.size();
+  if (n == 1) return 2 * kPi;
+  const auto apart = [&](std::size_t k) { return std::abs(std::remainder(all[k].theta - all[angle].theta, 2 * kPi)); };
+  return std::min(apart((angle + 1) % n), apart((angle + n - 1) % n));
+}
+
+// a + b cos(theta) + c sin(theta), the numerator of the share at which `other` crosses `own`, at theta0 + phi: its
+// coefficients of cos(phi) and sin(phi), and the value at phi = 0. One of the lines turns, the other does not.
+struct Wave {
+  double at_zero = 0, cosine = 0, sine = 0;
+};
+Wave numerator(const ContactLine& own, const ContactLine& other, const Turn& turn) {
+  const Point a = other.start.a - own.start.a, b = other.start.b - own.start.b;
+  if (other.turns) {
+    const Point k = turn * other.along;
+    const double constant = cross(b, other.along);
+    return {constant + cross(a, k), cross(a, k), cross(a, quarter(k))};
+  }
+  const Point arm = turn * b;
+  const double constant = cross(a, other.along);
+  return {constant + cross(arm, other.along), cross(arm, other.along), cross(quarter(arm), other.along)};
+}
 
 }  // namespace
 
@@ -120,25 +142,66 @@ PatchForms::PatchForms(const CspaceObstacle& obstacle) {
   for (const Patch& p : obstacle.patches()) forms_.push_back(maker.form(p));
   size_ = maker.size();
   reach_ = maker.reach();
+  for (std::uint32_t p = 0; p < forms_.size(); ++p)
+    for (PatchEnd* end : {&forms_[p].left, &forms_[p].right}) find_coincidence(obstacle, obstacle.patches()[p], forms_[p].own, *end);
+}
+
+// With phi = theta - theta0 and both lines the same at phi = 0, numerator and denominator are q sin(phi) - p (1 - cos(phi))
+// with p = 0 for the denominator; tan(phi / 2) = (1 - cos(phi)) / sin(phi). Where the crossing lasts until lines become
+// parallel, it stays on the edges, hence they coincide.
+void PatchForms::find_coincidence(const CspaceObstacle& obstacle, const Patch& patch, const ContactLine& own, PatchEnd& end) const {
+  if (end.corner || patch.begin == Patch::kNone || own.turns == end.other.turns) return;
+  for (const std::uint32_t angle : {patch.begin, patch.end}) {
+    const double theta = obstacle.angles()[angle].theta;
+    const Turn turn(theta);
+    const Point d = direction(own, turn), k = direction(end.other, turn);
+    const double lengths = std::hypot(d.x, d.y) * std::hypot(k.x, k.y);
+    if (std::abs(cross(d, k)) > 0x1p-44 * lengths || gap_around(obstacle, angle) < 0x1p-40) continue;
+    const Wave n = numerator(own, end.other, turn);
+    const double down = own.turns ? cross(quarter(d), k) : cross(d, quarter(k));
+    end.coincides = true;
+    end.theta0 = theta;
+    end.share0 = n.sine / down;
+    end.share1 = -n.cosine / down;
+    return;
+  }
 }
 
 // With e = 2^-48 size: the cosine, the sine and the angle err by 2^-50 together, so that a rotated vector of length l errs
-// by less than 2^-49 l, and a hinge by e. Along the line: numerator and denominator are sums of two products of vectors
-// of at most 4 size that err by 4 e: by less than 2^6 size e each.
+// by less than 2^-49 l, and a hinge by e. The share is cross(gap, other) / cross(d, other): the gap errs by 2 e, directions
+// by 2^-49 of their length, products by 2^-51; what the share errs by is multiplied by the length of d, of which the share
+// itself is at most one.
 PlacedEnd PatchForms::end(const PatchForm& form, const PatchEnd& end, const Turn& turn) const {
   const double e = 0x1p-48 * size_;
   if (end.corner) return {place(end.hinge, turn), e};
   const Point s = place(form.own.start, turn), d = direction(form.own, turn);
   const Point gap = place(end.other.start, turn) - s, other = direction(end.other, turn);
   const double across = cross(d, other), share = std::clamp(cross(gap, other) / across, 0.0, 1.0);
-  const double certain = std::abs(across) - 0x1p6 * size_ * e - 0x1p-1000;
+  const double length = std::sqrt(dot(d, d)), product = length * std::sqrt(dot(other, other));
+  const double certain = std::abs(across) - 0x1p-46 * product - 0x1p-1000;
   if (!(certain > 0)) return {share >= 0 ? Point{s.x + share * d.x, s.y + share * d.y} : s, std::numeric_limits<double>::infinity()};
-  return {{s.x + share * d.x, s.y + share * d.y}, 4 * e + 4 * size_ * (0x1p7 * size_ * e / certain)};
+  const double wide = std::abs(gap.x) + std::abs(gap.y) + length;
+  return {{s.x + share * d.x, s.y + share * d.y}, 2 * e + (4 * e + 0x1p-46 * wide) * (product / certain)};
 }
 
-MovingRange PatchForms::end_within(const PatchForm& form, const PatchEnd& end, const Turn& turn, double half) const {
+PlacedEnd PatchForms::end_at(const PatchForm& form, const PatchEnd& end, double theta, const Turn& turn) const {
+  if (!end.coincides) return this->end(form, end, turn);
+  const double phi = std::remainder(theta - end.theta0, 2 * kPi);
+  const double share = std::clamp(end.share0 + end.share1 * std::tan(phi / 2), 0.0, 1.0);
+  const Point s = place(form.own.start, turn), d = direction(form.own, turn);
+  return {{s.x + share * d.x, s.y + share * d.y}, 0x1p-42 * size_};
+}
+
+MovingRange PatchForms::end_within(const PatchForm& form, const PatchEnd& end, double theta, const Turn& turn, double half) const {
   if (end.corner) return moving(end.hinge, turn, half);
   const MovingRange s = moving(form.own.start, turn, half), d = moving_along(form.own, turn, half);
+  if (end.coincides) {
+    const double phi = std::remainder(theta - end.theta0, 2 * kPi);
+    const Range tangent{std::tan((phi - half) / 2), std::tan((phi + half) / 2)}, all = end.share1 * tangent;
+    const Range share{std::clamp(end.share0 + all.low, 0.0, 1.0), std::clamp(end.share0 + all.high, 0.0, 1.0)};
+    const Range faster = (end.share1 / 2) * (Range{1, 1} + tangent * tangent);
+    return {s.at + share * d.at, s.speed + faster * d.at + share * d.speed, true};
+  }
   const MovingRange o = moving(end.other.start, turn, half), k = moving_along(end.other, turn, half);
   const Range across = cross(d.at, k.at);
   if (across.low <= 0 && across.high >= 0) {
@@ -156,7 +219,7 @@ MovingRange PatchForms::end_within(const PatchForm& form, const PatchEnd& end, c
 
 PointRange PatchForms::box(const PatchForm& form, double theta, double half) const {
   const Turn turn(theta);
-  const PointRange a = end_within(form, form.left, turn, half).at, b = end_within(form, form.right, turn, half).at;
+  const PointRange a = end_within(form, form.left, theta, turn, half).at, b = end_within(form, form.right, theta, turn, half).at;
   const double margin = 0x1p-40 * size_;
   const Range wider{-margin, margin};
   return {join(a.x, b.x) + wider, join(a.y, b.y) + wider};

@@ -2,7 +2,9 @@
 // over intervals of angles.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "dymsum/cspace_obstacle.h"
@@ -22,6 +24,11 @@ inline double magnitude(Range a) { return std::max(std::abs(a.low), std::abs(a.h
 struct PointRange {
   Range x, y;
 };
+inline PointRange operator+(const PointRange& a, const PointRange& b) { return {a.x + b.x, a.y + b.y}; }
+inline PointRange operator-(const PointRange& a, const PointRange& b) { return {a.x - b.x, a.y - b.y}; }
+inline PointRange operator*(Range a, const PointRange& b) { return {a * b.x, a * b.y}; }
+inline Range cross(const PointRange& a, const PointRange& b) { return a.x * b.y - a.y * b.x; }
+inline Range dot(const PointRange& a, const PointRange& b) { return a.x * b.x + a.y * b.y; }
 
 /// (cosine, sine) of an angle.
 struct Turn {
@@ -47,6 +54,10 @@ struct PatchEnd {
   bool corner = true;
   Hinge hinge;
   ContactLine other;
+  /// Where both lines coincide at an end of the patch's angles, at `theta0`, the crossing is a quotient of zeros there; as
+  /// a share of the own edge it is share0 + share1 tan((theta - theta0) / 2).
+  bool coincides = false;
+  double theta0 = 0, share0 = 0, share1 = 0;
 };
 
 /// Positions are relative to PatchForms::origin.
@@ -85,9 +96,12 @@ class PatchForms {
   double size() const { return size_; }
   double reach() const { return reach_; }
 
+  /// Proved: lines that coincide somewhere are not taken for granted.
   PlacedEnd end(const PatchForm& form, const PatchEnd& end, const Turn& turn) const;
-  /// Of an end while the angle is within `half` of `theta`, without roundings; requires half <= 1.
-  MovingRange end_within(const PatchForm& form, const PatchEnd& end, const Turn& turn, double half) const;
+  /// The same, and with small errors everywhere, if lines that coincide within 2^-44 do so exactly.
+  PlacedEnd end_at(const PatchForm& form, const PatchEnd& end, double theta, const Turn& turn) const;
+  /// Of an end while the angle is within `half` of `theta`, without roundings; requires half <= 1. `turn` is by theta.
+  MovingRange end_within(const PatchForm& form, const PatchEnd& end, double theta, const Turn& turn, double half) const;
   /// A box around a patch while the angle is within `half` of `theta`, roundings included.
   PointRange box(const PatchForm& form, double theta, double half) const;
 
@@ -95,6 +109,7 @@ class PatchForms {
   static void split(const CspaceObstacle& obstacle, std::uint32_t patch, double longest, std::vector<PatchPiece>& out);
 
  private:
+  void find_coincidence(const CspaceObstacle& obstacle, const Patch& patch, const ContactLine& own, PatchEnd& end) const;
   std::vector<PatchForm> forms_;
   Point origin_;
   double size_ = 0, reach_ = 0;

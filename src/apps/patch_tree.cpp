@@ -31,7 +31,6 @@ PatchTree::PatchTree(const CspaceObstacle& obstacle, const PatchForms& forms, do
   }
   nodes_.emplace_back();
   build(0, 0, static_cast<std::uint32_t>(pieces_.size()), weight);
-  boxes_ = {};
 }
 
 void PatchTree::build(std::uint32_t node, std::uint32_t first, std::uint32_t last, double weight) {
@@ -66,6 +65,10 @@ void PatchTree::build(std::uint32_t node, std::uint32_t first, std::uint32_t las
   nodes_.resize(nodes_.size() + 2);
   build(child, first, middle, weight);
   build(child + 1, middle, last, weight);
+}
+
+std::size_t PatchTree::bytes() const {
+  return nodes_.size() * sizeof(Node) + pieces_.size() * (sizeof(PatchPiece) + sizeof(ConfigurationBox));
 }
 
 double square_distance(const ConfigurationBox& box, Point at, double theta, double weight) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <span>
 #include <vector>
 
 #include "patch_forms.h"
@@ -18,7 +17,7 @@ class PatchTree {
  public:
   struct Node {
     ConfigurationBox box;
-    std::uint32_t first = 0, count = 0;  ///< of pieces(), for leaves; else the first child, the second one follows
+    std::uint32_t first = 0, count = 0;  ///< of the pieces, for leaves; else the first child, the second one follows
     bool leaf = false;
   };
 
@@ -26,12 +25,14 @@ class PatchTree {
   PatchTree(const CspaceObstacle& obstacle, const PatchForms& forms, double weight);
 
   const std::vector<Node>& nodes() const { return nodes_; }  ///< the root first
-  std::span<const PatchPiece> pieces(const Node& leaf) const { return std::span(pieces_).subspan(leaf.first, leaf.count); }
+  const PatchPiece& piece(std::uint32_t k) const { return pieces_[k]; }
+  const ConfigurationBox& box(std::uint32_t piece) const { return boxes_[piece]; }
+  std::size_t bytes() const;
 
  private:
   void build(std::uint32_t node, std::uint32_t first, std::uint32_t last, double weight);
   std::vector<PatchPiece> pieces_;
-  std::vector<ConfigurationBox> boxes_;  ///< of the pieces, while the tree is built
+  std::vector<ConfigurationBox> boxes_;  ///< of the pieces
   std::vector<Node> nodes_;
 };
 
