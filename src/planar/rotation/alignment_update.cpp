@@ -70,16 +70,7 @@ bool ObstacleSweep::carry(TurnEvent& event, const TurnRange& range, const std::v
     if (run.last != run.first) old.push_back(run.last);
     touched.insert(touched.end(), fresh.begin(), fresh.end());
   }
-  for (const auto& [n, to] : starts) {
-    const auto moved = ends.find(nodes_[n].prev);
-    link(moved == ends.end() ? nodes_[n].prev : moved->second, to);
-    touched.push_back(nodes_[to].prev);
-  }
-  for (const auto& [n, from] : ends) {
-    const auto moved = starts.find(nodes_[n].next);
-    link(from, moved == starts.end() ? nodes_[n].next : moved->second);
-    touched.push_back(nodes_[from].next);
-  }
+  relink(starts, ends, touched);
   for (const std::uint32_t n : old) end_node(n);
   refresh(touched);
   return true;

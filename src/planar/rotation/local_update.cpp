@@ -212,9 +212,9 @@ std::optional<std::vector<ObstacleSweep::Path>> ObstacleSweep::paths(const Clust
 }
 
 // A new loop of constant size: whether the face on its right is free, exactly, at an angle between this event and the next one.
-bool ObstacleSweep::born(const Cluster& cluster, const std::vector<int>& cycle, const Behind& behind) {
+bool ObstacleSweep::born(const Cluster& cluster, const std::vector<int>& cycle, const std::function<Orientation()>& behind) {
   ++work.collision_tests;
-  const SumState state = placed_at(*base_, behind.sample());
+  const SumState state = placed_at(*base_, behind());
   Collision collision(*state.lattice, *state.p, *state.q, true);
   const auto exact_segment = [&](int k) {
     const WalkSegment& s = cluster.local[k].segment;
@@ -278,18 +278,7 @@ bool ObstacleSweep::apply(const Cluster& cluster, const std::vector<Path>& paths
   }
   std::vector<std::uint32_t> lost;
   for (const std::uint32_t n : cluster.vanish) lost.push_back(cell_of(n));
-  for (const auto& [n, to] : starts) {
-    const std::uint32_t prev = nodes_[n].prev;
-    const auto moved = ends.find(prev);
-    link(moved == ends.end() ? prev : moved->second, to);
-    touched.push_back(nodes_[to].prev);
-  }
-  for (const auto& [n, from] : ends) {
-    const std::uint32_t next = nodes_[n].next;
-    const auto moved = starts.find(next);
-    link(from, moved == starts.end() ? next : moved->second);
-    touched.push_back(nodes_[from].next);
-  }
+  relink(starts, ends, touched);
   std::sort(old.begin(), old.end());
   old.erase(std::unique(old.begin(), old.end()), old.end());
   for (const std::uint32_t n : old) {
@@ -318,8 +307,9 @@ bool ObstacleSweep::apply(const Cluster& cluster, const std::vector<Path>& paths
   return true;
 }
 
-bool ObstacleSweep::local_update(TurnEvent& event, const TurnRange& range, const Behind& behind, OverlapFilter& filter) {
+bool ObstacleSweep::local_update(TurnEvent& event, const TurnRange& range, const std::function<Orientation()>& behind, OverlapFilter& filter) {
   if (event.kind == TurnEvent::Kind::alignment) return alignment_update(event, range);
+  if (event.kind == TurnEvent::Kind::overlap) return overlap_update(event, range);
   const Heading h = Heading::of(event.theta());
   Cluster cluster;
   const bool filled = event.kind == TurnEvent::Kind::three_segments ? fill_triple(cluster, event, h) : fill_vertex(cluster, event, h);

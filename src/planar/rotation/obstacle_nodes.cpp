@@ -89,6 +89,21 @@ void ObstacleSweep::refresh(std::vector<std::uint32_t> touched) {
   }
 }
 
+// New nodes have the start, or the end, of old ones: their neighbours are those of the old ones, or what has come in place of these.
+void ObstacleSweep::relink(const std::map<std::uint32_t, std::uint32_t>& starts, const std::map<std::uint32_t, std::uint32_t>& ends,
+                           std::vector<std::uint32_t>& touched) {
+  for (const auto& [n, to] : starts) {
+    const auto moved = ends.find(nodes_[n].prev);
+    link(moved == ends.end() ? nodes_[n].prev : moved->second, to);
+    touched.push_back(nodes_[to].prev);
+  }
+  for (const auto& [n, from] : ends) {
+    const auto moved = starts.find(nodes_[n].next);
+    link(from, moved == starts.end() ? nodes_[n].next : moved->second);
+    touched.push_back(nodes_[from].next);
+  }
+}
+
 // Loops through `touched` after cycles were split, joined, born or lost: a loop keeps its free cell if no other one has a claim to it.
 void ObstacleSweep::relabel(const std::vector<std::uint32_t>& touched, const std::vector<std::uint32_t>& lost,
                             const std::vector<std::pair<std::uint32_t, std::uint32_t>>& more) {

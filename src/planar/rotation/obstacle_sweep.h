@@ -45,8 +45,8 @@ class ObstacleSweep {
   void start(const TurnRange& range, std::vector<TurnEvent>& events);
   /// Passes the events of a window.
   void pass(const TurnRange& range, std::vector<TurnEvent> events, OverlapFilter& filter);
-  /// The first event of a window, or its end.
-  static exact::AlgebraicRoot first_bound(const TurnRange& range, std::vector<TurnEvent>& events, const TurningForms& forms);
+  /// The first event of a window, if it has any.
+  static TurnEvent* first_event(const TurnRange& range, std::vector<TurnEvent>& events, const TurningForms& forms);
   /// Joins the end of the turn to its start.
   void close(OverlapFilter& filter);
   bool closed_turn() const { return closed_; }
@@ -97,23 +97,22 @@ class ObstacleSweep {
   };
   /// A stretch behind an event and before the next one, to look at the slice there.
   struct Behind {
-    int chart = 0;
-    exact::AlgebraicRoot from, to;
-    Orientation sample() const;
+    const TurnRange* range = nullptr;
+    TurnEvent *from = nullptr, *to = nullptr;  ///< without them the ends of the range
+    Orientation sample(const TurningForms& forms) const;
   };
   using Group = std::vector<TurnEvent*>;
 
   // obstacle_sweep.cpp
-  void pass_pending(const Behind& behind, OverlapFilter& filter);
-  void pass_group(const Group& group, const TurnRange& range, const Behind& behind, OverlapFilter& filter);
+  void pass_pending(const std::function<Orientation()>& behind, OverlapFilter& filter);
+  void pass_group(const Group& group, const TurnRange& range, const std::function<Orientation()>& behind, OverlapFilter& filter);
   bool conflict(const Group& group, bool& touches_nodes) const;
   std::vector<std::uint32_t> segments_of(const TurnEvent& event, bool& unsure) const;
   std::uint32_t angle(const TurnRange& range, TurnEvent& event);
-  void slice(const TurnRange& range, TurnEvent& event, const Behind& behind);
+  void slice(const TurnRange& range, TurnEvent& event, const std::function<Orientation()>& behind);
   void take_slice(SumState state);
   bool continues(std::uint32_t n, std::uint32_t m) const;
   WalkSegment segment_of(std::uint32_t id) const;
-  exact::AlgebraicRoot nearer(const exact::AlgebraicRoot& bound, TurnEvent& event, TurnEvent& next, const TurnRange& range);
   void note(const TurnEvent& event, ObstacleEvent::Kind kind, Point at);
   void note_tight(const TurnEvent& event, Point at, Heading h, const OverlapFilter& filter);
   Point event_place(const TurnEvent& event, Heading h) const;
@@ -130,7 +129,7 @@ class ObstacleSweep {
   static std::uint32_t find(const std::vector<std::uint32_t>& parents, std::uint32_t i);
   void join(std::vector<std::uint32_t>& parents, std::uint32_t a, std::uint32_t b);
   // local_update.cpp
-  bool local_update(TurnEvent& event, const TurnRange& range, const Behind& behind, OverlapFilter& filter);
+  bool local_update(TurnEvent& event, const TurnRange& range, const std::function<Orientation()>& behind, OverlapFilter& filter);
   bool gather(Cluster& cluster, Heading h) const;
   bool fill_triple(Cluster& cluster, const TurnEvent& event, Heading h) const;
   bool fill_vertex(Cluster& cluster, const TurnEvent& event, Heading h) const;
@@ -140,10 +139,20 @@ class ObstacleSweep {
   bool end_alive(const Cluster& c, int segment, int piece) const;
   std::optional<std::vector<Path>> paths(const Cluster& cluster, std::vector<std::vector<int>>& births) const;
   bool apply(const Cluster& cluster, const std::vector<Path>& paths, const std::vector<std::vector<int>>& births);
-  bool born(const Cluster& cluster, const std::vector<int>& cycle, const Behind& behind);
+  bool born(const Cluster& cluster, const std::vector<int>& cycle, const std::function<Orientation()>& behind);
   // alignment_update.cpp
   bool alignment_update(TurnEvent& event, const TurnRange& range);
   bool carry(TurnEvent& event, const TurnRange& range, const std::vector<AlignedRun>& runs, const std::array<WalkSegment, 4>& s);
+  // overlap_update.cpp
+  bool overlap_update(TurnEvent& event, const TurnRange& range);
+  struct Stretch {
+    std::vector<std::uint32_t> nodes;  ///< along the common line, with those that shrink to a point between them
+    double from = 0, to = 0;
+  };
+  std::vector<Stretch> stretches(const WalkSegment& a, const WalkSegment& b, Heading h) const;
+  void replace(const std::vector<std::uint32_t>& old, const std::vector<WalkSegment>& segments, std::map<std::uint32_t, std::uint32_t>& starts,
+               std::map<std::uint32_t, std::uint32_t>& ends, std::vector<std::uint32_t>& touched);
+  void relink(const std::map<std::uint32_t, std::uint32_t>& starts, const std::map<std::uint32_t, std::uint32_t>& ends, std::vector<std::uint32_t>& touched);
   double place_on(const WalkSegment& s, const WalkSegment& other, bool at_start, Heading h) const;
 
   const TurningForms& forms_;
@@ -164,7 +173,7 @@ class ObstacleSweep {
   bool closed_ = false;
   std::vector<TurnEvent> pending_;  ///< at the very end of the last window
   TurnRange pending_range_;
-  std::optional<Behind> begin_;     ///< where the turn was begun
+  Orientation begin_;               ///< where the turn was begun
 };
 
 }  // namespace dymsum::planar

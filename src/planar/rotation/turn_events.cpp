@@ -73,7 +73,11 @@ class Collector {
   void find_crossings() {
     crossings_.resize(w_.segments.size());
     for (const TurnWindow::Meeting& m : w_.meetings) {
-      if (share_end(w_.segments[m.a], w_.segments[m.b]) || forms_.parallel(w_.segments[m.a], w_.segments[m.b])) continue;
+      if (share_end(w_.segments[m.a], w_.segments[m.b])) continue;
+      if (forms_.parallel(w_.segments[m.a], w_.segments[m.b])) {
+        overlaps(w_.segments[m.a], w_.segments[m.b]);
+        continue;
+      }
       ++out_.pairs;
       for (const auto& [i, j] : {std::pair{m.a, m.b}, std::pair{m.b, m.a}}) {
         const Crossing c = crossing(i, j);
@@ -81,6 +85,37 @@ class Collector {
       }
     }
     for (auto& list : crossings_) std::sort(list.begin(), list.end(), [](const Crossing& a, const Crossing& b) { return a.low < b.low; });
+  }
+
+  // Of two segments with the same direction: the stretch that they share once they are on one line is longer than nothing.
+  bool share_stretch(const WalkSegment& a, const WalkSegment& b, double theta) const {
+    const Heading h = Heading::of(theta);
+    const Point d = forms_.direction(a, h), e = forms_.direction(b, h), s = forms_.place(TurningForms::start(a), h), t = forms_.place(TurningForms::start(b), h);
+    const double length = std::hypot(d.x, d.y), other = std::hypot(e.x, e.y), from = (d.x * (t.x - s.x) + d.y * (t.y - s.y)) / length;
+    return d.x * e.x + d.y * e.y > 0 && std::min(length, from + other) - std::max(0.0, from) > kNear * std::min(length, other) + 0x1p-40 * forms_.span();
+  }
+  bool overlap_at(const WalkSegment& a, const WalkSegment& b, double theta) const {
+    return catalog_.exists(a, theta) == TurnCatalog::Existence::yes && catalog_.exists(b, theta) == TurnCatalog::Existence::yes && share_stretch(a, b, theta);
+  }
+  void overlaps(const WalkSegment& a, const WalkSegment& b) {
+    const TrigForm f = forms_.side(a, TurningForms::start(b));
+    if (f.far_from_zero(w_.heading, w_.half, forms_.side_error(a))) return;
+    const exact::Polynomial poly = forms_.exact_side(a, TurningForms::start(b), w_.range.chart);
+    if (poly.is_zero()) return;
+    for (AlgebraicRoot& root : roots_in(poly, w_.range.t_low, w_.range.t_high)) {
+      TurnEvent event = at(std::move(root), TurnEvent::Kind::overlap);
+      if (!overlap_at(a, b, event.theta())) continue;
+      event.a = a;
+      event.b = b;
+      out_.events.push_back(std::move(event));
+    }
+  }
+  // The vertex is an end of a segment that comes to lie along a: part of an overlap.
+  bool belongs_to_overlap(const WalkSegment& a, Pair v, double theta) const {
+    const TurnCatalog::Joint joint = catalog_.joint(v, theta);
+    if (joint.unsure) return false;
+    return (joint.has_in && forms_.parallel(a, joint.in) && overlap_at(a, joint.in, theta)) ||
+           (joint.has_out && forms_.parallel(a, joint.out) && overlap_at(a, joint.out, theta));
   }
 
   // Ends of the edge a and of an edge at its vertex: the side of such a pair is zero where the two edges are aligned.
@@ -95,7 +130,8 @@ class Collector {
     std::vector<std::array<std::uint32_t, 3>> seen;
     for (const TurnWindow::Meeting& m : w_.meetings)
       for (const auto& [i, j] : {std::pair{m.a, m.b}, std::pair{m.b, m.a}})
-        for (const Pair v : {TurningForms::start(w_.segments[j]), forms_.end(w_.segments[j])}) seen.push_back({i, v.p, v.q});
+        for (const Pair v : {TurningForms::start(w_.segments[j]), forms_.end(w_.segments[j])})
+          if (!forms_.side(w_.segments[i], v).far_from_zero(w_.heading, w_.half, forms_.side_error(w_.segments[i]))) seen.push_back({i, v.p, v.q});
     std::sort(seen.begin(), seen.end());
     seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
     for (const auto& [i, p, q] : seen) vertex_on(i, {p, q});
@@ -120,7 +156,7 @@ class Collector {
     if (poly.is_zero()) return;  // collinear edges of one operand with the same vertex of the other: they meet at no angle
     for (AlgebraicRoot& root : roots_in(poly, w_.range.t_low, w_.range.t_high)) {
       TurnEvent event = at(std::move(root), TurnEvent::Kind::vertex_on_segment);
-      if (!on(a, v, event.theta()) || !exists_soon(a, event.theta())) continue;
+      if (!on(a, v, event.theta()) || !exists_soon(a, event.theta()) || belongs_to_overlap(a, v, event.theta())) continue;
       event.a = a;
       event.v = v;
       out_.events.push_back(std::move(event));
@@ -156,7 +192,7 @@ class Collector {
   void triple(std::uint32_t i, std::uint32_t j, std::uint32_t k) {
     const WalkSegment &a = w_.segments[i], &b = w_.segments[j], &c = w_.segments[k];
     ++out_.triples;
-    if (forms_.concurrency(a, b, c).far_from_zero(w_.heading, w_.half, forms_.concurrency_error(a, b, c)) || !meet(j, k)) return;
+    if (forms_.concurrency(a, b, c).far_from_zero(w_.heading, w_.half, forms_.concurrency_error(a, b, c)) || !meet(j, k) || forms_.parallel(b, c)) return;
     const exact::Polynomial poly = forms_.exact_concurrency(a, b, c, w_.range.chart);
     if (poly.is_zero()) {
       out_.always_concurrent |= all_cross(a, b, c, w_.middle);

@@ -12,12 +12,17 @@
 namespace dymsum::planar {
 
 struct TurnEvent {
-  enum class Kind : std::uint8_t { alignment, vertex_on_segment, three_segments };
+  enum class Kind : std::uint8_t {
+    alignment,          ///< of turning edge e with fixed edge f
+    vertex_on_segment,  ///< v on a
+    three_segments,     ///< a, b and c
+    overlap,            ///< a and b, parallel at every angle and in the same direction, come onto one line and share a stretch of it
+  };
   Kind kind = Kind::alignment;
   double low = 0, high = 0;  ///< theta lies between them
-  WalkSegment a, b, c;       ///< vertex_on_segment: v on a; three_segments: all
+  WalkSegment a, b, c;
   Pair v;                    ///< by walk vertices
-  std::uint32_t e = 0, f = 0;  ///< alignment: of turning edge e with fixed edge f
+  std::uint32_t e = 0, f = 0;
   std::optional<exact::AlgebraicRoot> root;  ///< always, but for alignments only when asked for
   double theta() const { return (low + high) / 2; }
 };
