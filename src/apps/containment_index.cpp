@@ -28,10 +28,6 @@ ContainmentIndex::ContainmentIndex(const CspaceObstacle& obstacle, const PatchFo
     : forms_(forms), bins_(bins_for(obstacle.patches().size())), rows_(64) {
   for (const EventAngle& a : obstacle.angles()) angles_.push_back(a.theta);
   for (const Patch& p : obstacle.patches()) alive_.push_back({p.begin, p.end});
-  for (const Point& o : obstacle.obstacle().touching_points())
-    for (const Point& r : obstacle.robot().touching_points()) pinches_.push_back({o - forms.origin(), {-r.x, -r.y}});
-  const double size = forms.size();
-  around_ = {{-size, size}, {-size, size}};
   for (std::size_t bin = 0; bin < bins_; ++bin) {
     const double low = -kPi + 2 * kPi * static_cast<double>(bin) / static_cast<double>(bins_) - kAngleMargin;
     first_angle_.push_back(static_cast<std::uint32_t>(std::lower_bound(angles_.begin(), angles_.end(), low) - angles_.begin()));
@@ -120,13 +116,6 @@ std::optional<bool> ContainmentIndex::meets_ray(std::uint32_t patch, const Turn&
   return (area > 0) == (yb > ya);
 }
 
-bool ContainmentIndex::near_pinch(Point q, const Turn& turn) const {
-  return std::any_of(pinches_.begin(), pinches_.end(), [&](const Hinge& h) {
-    const Point at = place(h, turn);
-    return std::abs(at.x - q.x) + std::abs(at.y - q.y) < 0x1p-40 * forms_.size();
-  });
-}
-
 std::optional<bool> ContainmentIndex::contains(double x, double y, double theta) const {
   const Point q = Point{x, y} - forms_.origin();
   const double size = forms_.size() * (1 + 0x1p-40);
@@ -135,7 +124,6 @@ std::optional<bool> ContainmentIndex::contains(double x, double y, double theta)
   const std::optional<std::uint32_t> at = slab(bin, theta);
   if (!at) return std::nullopt;
   const Turn turn(theta);
-  if (!pinches_.empty() && near_pinch(q, turn)) return std::nullopt;
   const double row = std::clamp((q.y + forms_.size()) * (static_cast<double>(rows_) / (2 * forms_.size())), 0.0,
                                 static_cast<double>(rows_) - 1);
   const std::size_t cell = bin * rows_ + static_cast<std::size_t>(row);

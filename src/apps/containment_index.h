@@ -8,7 +8,8 @@
 
 namespace dymsum::apps {
 
-/// Angles are cut into bins, positions in every bin into rows; each cell lists the patches that pass through it.
+/// Angles are cut into bins, positions in every bin into rows; each cell lists the patches that pass through it. Relies on
+/// this: between event angles every position without freedom lies on a patch.
 class ContainmentIndex {
  public:
   ContainmentIndex(const CspaceObstacle& obstacle, const PatchForms& forms);
@@ -32,15 +33,12 @@ class ContainmentIndex {
   std::optional<std::uint32_t> slab(std::size_t bin, double theta) const;
   bool alive(std::uint32_t patch, std::uint32_t slab) const;
   std::optional<bool> meets_ray(std::uint32_t patch, const Turn& turn, Point q) const;
-  bool near_pinch(Point q, const Turn& turn) const;
   void build(const CspaceObstacle& obstacle);
 
   const PatchForms& forms_;
   std::vector<double> angles_;             ///< of the events
   std::vector<std::uint32_t> first_angle_; ///< per bin: the first event angle in it or behind it
   std::vector<Bounds> alive_;              ///< slabs of the patches
-  std::vector<Hinge> pinches_;             ///< where operands touch themselves, both at once
-  PointRange around_;
   std::size_t bins_ = 0, rows_ = 0;
   std::vector<std::uint32_t> first_;       ///< per cell: its first entry
   std::vector<Entry> entries_;

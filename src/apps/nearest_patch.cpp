@@ -52,7 +52,8 @@ class Search {
   }
 
  private:
-  double good_enough() const { return best_.distance * (1 - 1e-9) - 0x1p-37 * forms_.size(); }
+  // It is no use to be more exact than the best point is known.
+  double good_enough() const { return best_.distance * (1 - 1e-9) - 0x1p-37 * forms_.size() - best_.point.error; }
 
   void push(const Task& task) {
     if (std::sqrt(task.square) >= best_.distance) return;

@@ -23,12 +23,16 @@ Region polygon(Ring ring) {
 
 Region moved(const Region& region, double dx, double dy) { return *translated(region, dx, dy); }
 
-// Pairs with edges in general directions, in common directions, far from the origin, and with turning radii of all kinds.
+// Pairs with edges in general directions, in common directions, far from the origin, with turning radii of all kinds,
+// with reflex vertices and with holes.
 std::vector<std::pair<Region, Region>> pairs() {
   const Region box = shapes::rectangle(-1, -1, 1, 1), bar = shapes::rectangle(-4, -0.5, 4, 0.5);
   const Region kite = polygon({{0, 0}, {3, 1}, {4, 4}, {1, 3}}), wedge = polygon({{0, 0}, {5, 0}, {0, 1}});
   return {{box, box},  {bar, shapes::disc(32, 2)}, {kite, wedge}, {wedge, moved(kite, 1000, -777)}, {moved(box, 5, 0), wedge},
-          {kite, kite}};
+          {kite, kite},
+          {shapes::letter_l(3, 2, 0.5), shapes::letter_u(4, 3, 0.75)},
+          {shapes::rectangle(-0.4, -0.1, 0.4, 0.1), shapes::grate(3, 2, 0.5, 3)},
+          {polygon({{0, 0}, {2, -1}, {1, 0}, {2, 1}}), polygon({{0, 0}, {4, 0}, {5, 4}, {2, 1}, {0, 3}})}};
 }
 
 // The extent of the obstacle around its middle, and the middle.
@@ -162,15 +166,15 @@ TEST(ObstacleQueries, clearance_is_the_least_distance_to_all_patches) {
     const CspaceObstacle c = make(pair);
     const ObstacleQueries q(c);
     const double size = frame(c).size;
-    for (int k = 0; k < 60; ++k) {
+    for (int k = 0; k < 30; ++k) {
       const Configuration from = anywhere(c, random);
       for (const double weight : {q.gyration_radius(), 0.1, 10.0, 0.0}) {
         SCOPED_TRACE(testing::Message() << from.x << " " << from.y << " " << from.theta << " weight " << weight);
         const Clearance found = q.clearance(from, weight);
         EXPECT_LE(found.error, 2e-9 * std::abs(found.distance) + 1e-10 * size);
-        const double samples = sampled(c, from, weight, 400);
+        const double samples = sampled(c, from, weight, 200);
         EXPECT_LE(std::abs(found.distance), samples + found.error);
-        EXPECT_GE(std::abs(found.distance), samples - 4e-3 * (size + weight));
+        EXPECT_GE(std::abs(found.distance), samples - 8e-3 * (size + weight));
         EXPECT_EQ(std::signbit(found.distance), q.contains(from));
         expect_witness(c, from, found, weight);
       }
@@ -189,12 +193,17 @@ TEST(ObstacleQueries, clearance_for_translations_is_that_of_the_slice) {
       if (k % 4 == 0) from.theta = c.angles()[random() % c.angles().size()].theta;
       const PlanarSum slice = *c.slice(*Orientation::nearest(from.theta));
       double expected = infinity;
-      const auto& ring = slice.parts[0].outer.vertices;
-      for (std::size_t i = 0; i < ring.size(); ++i) {
-        const Point a = ring[i].at, b = ring[(i + 1) % ring.size()].at;
-        const double dx = b.x - a.x, dy = b.y - a.y;
-        const double t = std::clamp(((from.x - a.x) * dx + (from.y - a.y) * dy) / (dx * dx + dy * dy), 0.0, 1.0);
-        expected = std::min(expected, std::hypot(a.x + t * dx - from.x, a.y + t * dy - from.y));
+      const auto add = [&](const SumRing& ring) {
+        for (std::size_t i = 0; i < ring.vertices.size(); ++i) {
+          const Point a = ring.vertices[i].at, b = ring.vertices[(i + 1) % ring.vertices.size()].at;
+          const double dx = b.x - a.x, dy = b.y - a.y;
+          const double t = std::clamp(((from.x - a.x) * dx + (from.y - a.y) * dy) / (dx * dx + dy * dy), 0.0, 1.0);
+          expected = std::min(expected, std::hypot(a.x + t * dx - from.x, a.y + t * dy - from.y));
+        }
+      };
+      for (const SumPart& part : slice.parts) {
+        add(part.outer);
+        for (const SumRing& hole : part.holes) add(hole);
       }
       const Clearance found = q.clearance(from, infinity);
       EXPECT_NEAR(std::abs(found.distance), expected, 1e-11 * (frame(c).size + std::abs(frame(c).x)));
@@ -308,6 +317,20 @@ TEST(ObstacleQueries, free_angles_of_a_bar_beside_a_corner) {
   EXPECT_NEAR(free[0].end, limit, 1e-12);
   EXPECT_NEAR(free[1].begin, M_PI - limit, 1e-12);
   EXPECT_NEAR(free[1].end, -M_PI + limit, 1e-12);
+}
+
+TEST(ObstacleQueries, parts_that_touch_in_a_corner) {
+  Random random(11);
+  RegionData two;
+  two.parts = {{{{0, 0}, {2, 0}, {2, 2}, {0, 2}}, {}}, {{{2, 2}, {4, 2}, {4, 4}, {2, 4}}, {}}};
+  const CspaceObstacle c = make({shapes::rectangle(0, 0, 1, 0.5), *Region::create(two)});
+  const ObstacleQueries q(c);
+  for (int k = 0; k < 500; ++k) {
+    const Orientation o = k % 2 == 0 ? *Orientation::of(static_cast<int>(random() % 3) - 1, 1) : *Orientation::nearest(uniform(random, -3, 3));
+    for (const Point& at : {Point{2, 2}, Point{uniform(random, -1, 5), uniform(random, -1, 5)}, Point{2 + uniform(random, -1e-3, 1e-3), 2}})
+      EXPECT_EQ(q.contains(at.x, at.y, o), c.contains(at.x, at.y, o));
+  }
+  EXPECT_GT(q.exact_answers(), 200u);
 }
 
 TEST(ObstacleQueries, the_radius_of_gyration) {
