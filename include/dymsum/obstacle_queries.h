@@ -1,5 +1,5 @@
-// Fast questions to the obstacle of a robot that translates and rotates: whether a configuration is free, at which angles
-// a position is, and how far a configuration is from the boundary.
+// Fast questions to the obstacle of a robot that translates and rotates: whether a configuration is free, at which
+// angles a position is, and how far a configuration is from the boundary.
 #pragma once
 
 #include <cstdint>
@@ -20,9 +20,9 @@ struct Clearance {
   Configuration nearest;               ///< a point of that patch, rounded, at most `error` farther than the nearest one
 };
 
-/// Angles at which the robot can stand at a position, from `begin` counter-clockwise to `end`, which is less than `begin`
-/// where they pass pi. Each exact end lies within `error` of its double; beyond it the robot would overlap at the contact
-/// of the patch. The whole circle has begin = -pi, end = pi and no patches.
+/// Angles at which the robot can stand at a position, from `begin` counter-clockwise to `end`, which is less than
+/// `begin` where they pass pi. Each exact end lies within `error` of its double; beyond it the robot would overlap at
+/// the contact of the patch. The whole circle has begin = -pi, end = pi and no patches.
 struct FreeAngles {
   double begin = 0, end = 0;
   double begin_error = 0, end_error = 0;
@@ -54,10 +54,10 @@ class ObstacleQueries {
   std::vector<FreeAngles> free_angles(double x, double y) const;
 
   /// The signed distance to the boundary in the metric dx^2 + dy^2 + weight^2 dtheta^2, dtheta being the angle between
-  /// two orientations, in [0, pi]: a global minimum by branch and bound over all patches, within an error that is stated
-  /// with it, mostly 1e-9 of the distance or 1e-11 of the size of the obstacle. The sign is exact. `weight`, a length per
-  /// radian, is not negative; infinite: only translations count. Throws std::invalid_argument for other weights and
-  /// arguments that are not finite. Source: Behar 2016, section 4.4.2, which samples instead.
+  /// two orientations, in [0, pi]: a global minimum by branch and bound over all patches, within an error that is
+  /// stated with it, mostly 1e-9 of the distance or 1e-11 of the size of the obstacle. The sign is exact. `weight`, a
+  /// length per radian, is not negative; infinite: only translations count. Throws std::invalid_argument for other
+  /// weights and arguments that are not finite. Source: Behar 2016, section 4.4.2, which samples instead.
   Clearance clearance(const Configuration& from, double weight) const;
   /// With the robot's radius of gyration about the reference point.
   Clearance clearance(const Configuration& from) const { return clearance(from, gyration_radius()); }

@@ -30,7 +30,8 @@ ContainmentIndex::ContainmentIndex(const CspaceObstacle& obstacle, const PatchFo
   for (const Patch& p : obstacle.patches()) alive_.push_back({p.begin, p.end});
   for (std::size_t bin = 0; bin < bins_; ++bin) {
     const double low = -kPi + 2 * kPi * static_cast<double>(bin) / static_cast<double>(bins_) - kAngleMargin;
-    first_angle_.push_back(static_cast<std::uint32_t>(std::lower_bound(angles_.begin(), angles_.end(), low) - angles_.begin()));
+    const auto first = std::lower_bound(angles_.begin(), angles_.end(), low);
+    first_angle_.push_back(static_cast<std::uint32_t>(first - angles_.begin()));
   }
   first_angle_.push_back(static_cast<std::uint32_t>(angles_.size()));
   build(obstacle);
@@ -56,7 +57,8 @@ void ContainmentIndex::build(const CspaceObstacle& obstacle) {
     for (const PatchPiece& piece : pieces)
       for (std::size_t bin = bin_of(piece.low - kAngleMargin); bin <= bin_of(piece.high + kAngleMargin); ++bin) {
         const double from = -kPi + static_cast<double>(bin) * width;
-        const double low = std::max(from, piece.low) - kAngleMargin, high = std::min(from + width, piece.high) + kAngleMargin;
+        const double low = std::max(from, piece.low) - kAngleMargin;
+        const double high = std::min(from + width, piece.high) + kAngleMargin;
         const PointRange box = forms_.box(forms_[p], (low + high) / 2, std::max(high - low, 0.0) / 2);
         for (std::uint32_t row = row_of(box.y.low); row <= row_of(box.y.high); ++row)
           found.push_back({static_cast<std::uint32_t>(bin * rows_ + row), p,

@@ -8,14 +8,14 @@
 
 namespace dymsum::apps {
 
-/// Angles are cut into bins, positions in every bin into rows; each cell lists the patches that pass through it. Relies on
-/// this: between event angles every position without freedom lies on a patch.
+/// Angles are cut into bins, positions in every bin into rows; each cell lists the patches that pass through it. Relies
+/// on this: between event angles every position without freedom lies on a patch.
 class ContainmentIndex {
  public:
   ContainmentIndex(const CspaceObstacle& obstacle, const PatchForms& forms);
 
-  /// Whether the configuration lies in the obstacle; nothing where doubles do not prove it: on the boundary, near it, or
-  /// near an event angle. `theta` in [-pi, pi] is within 2^-49 of the exact angle.
+  /// Whether the configuration lies in the obstacle; nothing where doubles do not prove it: on the boundary, near it,
+  /// or near an event angle. `theta` in [-pi, pi] is within 2^-49 of the exact angle.
   std::optional<bool> contains(double x, double y, double theta) const;
 
   std::size_t bytes() const;

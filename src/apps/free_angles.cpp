@@ -49,7 +49,8 @@ class Passages {
     const Point wave = l.turns ? Point{cross(d, gap), -dot(d, gap)} : Point{-cross(d, r), -dot(d, r)};
     const double constant = l.turns ? -cross(d, r) : cross(d, gap);
     const double amplitude = std::hypot(wave.x, wave.y);
-    const double error = 0x1p-48 * (std::abs(d.x) + std::abs(d.y)) * (forms_.size() + std::abs(at_.x) + std::abs(at_.y));
+    const double size = forms_.size() + std::abs(at_.x) + std::abs(at_.y);
+    const double error = 0x1p-48 * (std::abs(d.x) + std::abs(d.y)) * size;
     if (std::abs(constant) > amplitude + error) return;
     if (!(amplitude > 0x1p6 * error)) return add_ends(patch);  // on the line all the time, or nearly
     const double value = -constant / amplitude, off = 4 * error / amplitude;
@@ -112,7 +113,13 @@ struct Change {
 FreeAngles between(const Change& begin, const Change& end) {
   const auto middle = [](const Passage& p) { return p.low / 2 + p.high / 2; };
   const auto error = [](const Passage& p) { return (p.high - p.low) / 2 + 0x1p-50; };
-  return {middle(begin.where), middle(end.where), error(begin.where), error(end.where), begin.where.patch, end.where.patch};
+  return {middle(begin.where), middle(end.where),     error(begin.where),
+          error(end.where),    begin.where.patch, end.where.patch};
+}
+
+std::vector<FreeAngles> all_or_none(bool free) {
+  if (!free) return {};
+  return {{-kPi, kPi, 0, 0, Patch::kNone, Patch::kNone}};
 }
 
 }  // namespace
@@ -121,7 +128,7 @@ std::vector<FreeAngles> free_angles(const CspaceObstacle& obstacle, const PatchF
                                     const std::function<bool(double)>& is_free) {
   const std::vector<Passage> passages = merged(Passages(obstacle, forms, at).found());
   const std::size_t n = passages.size();
-  if (n == 0) return is_free(0) ? std::vector<FreeAngles>{{-kPi, kPi, 0, 0, Patch::kNone, Patch::kNone}} : std::vector<FreeAngles>{};
+  if (n == 0) return all_or_none(is_free(0));
   // Between two passages nothing changes: one angle tells. The last gap goes on from the first one across pi.
   std::vector<bool> free_after(n);
   for (std::size_t k = 0; k + 1 < n; ++k) free_after[k] = is_free(passages[k].high / 2 + passages[k + 1].low / 2);
@@ -130,7 +137,7 @@ std::vector<FreeAngles> free_angles(const CspaceObstacle& obstacle, const PatchF
   std::vector<Change> changes;
   for (std::size_t k = 0; k < n; ++k)
     if (free_after[k] != free_after[(k + n - 1) % n]) changes.push_back({passages[k], free_after[k]});
-  if (changes.empty()) return free_after[0] ? std::vector<FreeAngles>{{-kPi, kPi, 0, 0, Patch::kNone, Patch::kNone}} : std::vector<FreeAngles>{};
+  if (changes.empty()) return all_or_none(free_after[0]);
   std::vector<FreeAngles> out;
   for (std::size_t k = 0; k < changes.size(); ++k)
     if (changes[k].to_free) out.push_back(between(changes[k], changes[(k + 1) % changes.size()]));

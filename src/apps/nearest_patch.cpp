@@ -135,7 +135,8 @@ NearestPatch nearest_patch_at(const PatchForms& forms, const PatchTree& tree, Po
   while (!stack.empty()) {
     const PatchTree::Node& node = tree.nodes()[stack.back()];
     stack.pop_back();
-    if (off(node.box) || std::sqrt(square_distance(node.box, from, theta, 0)) >= best.distance + best.point.error) continue;
+    const double bound = std::sqrt(square_distance(node.box, from, theta, 0));
+    if (off(node.box) || bound >= best.distance + best.point.error) continue;
     if (!node.leaf) {
       stack.push_back(node.first);
       stack.push_back(node.first + 1);

@@ -39,7 +39,8 @@ PatchDistance::Slope PatchDistance::to_point(const PatchForm& form, const PatchE
   const PointRange gap = from_to(range.at, from_);
   const PlacedEnd placed = forms_.end_at(form, end, theta, turn);
   const Point now = placed.at - from_;
-  return {square(std::max(0.0, std::hypot(now.x, now.y) - 2 * placed.error)), least_square(gap.x) + least_square(gap.y), -2.0 * dot(gap, range.speed)};
+  const double least_now = std::max(0.0, std::hypot(now.x, now.y) - 2 * placed.error);
+  return {square(least_now), least_square(gap.x) + least_square(gap.y), -2.0 * dot(gap, range.speed)};
 }
 
 // The signed distance n . (q - a - R b) to the line, its normal n turning with it or not.

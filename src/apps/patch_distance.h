@@ -1,5 +1,5 @@
-// The distance of a configuration to one patch: a function of the angle alone, as at every angle the patch is a segment;
-// and lower bounds of it over intervals of angles.
+// The distance of a configuration to one patch: a function of the angle alone, as at every angle the patch is a
+// segment; and lower bounds of it over intervals of angles.
 #pragma once
 
 #include "patch_forms.h"
@@ -20,8 +20,8 @@ class PatchDistance {
   PatchDistance(const PatchForms& forms, Point from, double theta, double weight)
       : forms_(forms), from_(from), theta_(theta), weight_(weight) {}
 
-  /// The point of a patch at an angle that is nearest; `shift` is the multiple of a whole turn that is added to angles of
-  /// the patch when they are compared.
+  /// The point of a patch at an angle that is nearest; `shift` is the multiple of a whole turn that is added to angles
+  /// of the patch when they are compared.
   PatchPoint nearest(std::uint32_t patch, double theta, double shift) const;
 
   struct Bound {
@@ -33,7 +33,8 @@ class PatchDistance {
 
  private:
   struct Slope;
-  Slope to_point(const PatchForm& form, const PatchEnd& end, double theta, const Turn& turn, const MovingRange& range) const;
+  Slope to_point(const PatchForm& form, const PatchEnd& end, double theta, const Turn& turn,
+                 const MovingRange& range) const;
   Slope to_line(const PatchForm& form, const Turn& turn, double half) const;
 
   const PatchForms& forms_;

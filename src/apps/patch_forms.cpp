@@ -46,7 +46,8 @@ Numbered numbered(const Region& region) {
 // Contacts of numbered operands as functions of the angle.
 class FormMaker {
  public:
-  FormMaker(const Region& obstacle, const Region& robot, Point origin) : obstacle_(numbered(obstacle)), robot_(numbered(robot)) {
+  FormMaker(const Region& obstacle, const Region& robot, Point origin)
+      : obstacle_(numbered(obstacle)), robot_(numbered(robot)) {
     for (Point& v : obstacle_.at) v = v - origin;
     for (Point& v : robot_.at) v = {-v.x, -v.y};
   }
@@ -143,13 +144,15 @@ PatchForms::PatchForms(const CspaceObstacle& obstacle) {
   size_ = maker.size();
   reach_ = maker.reach();
   for (std::uint32_t p = 0; p < forms_.size(); ++p)
-    for (PatchEnd* end : {&forms_[p].left, &forms_[p].right}) find_coincidence(obstacle, obstacle.patches()[p], forms_[p].own, *end);
+    for (PatchEnd* end : {&forms_[p].left, &forms_[p].right})
+      find_coincidence(obstacle, obstacle.patches()[p], forms_[p].own, *end);
 }
 
-// With phi = theta - theta0 and both lines the same at phi = 0, numerator and denominator are q sin(phi) - p (1 - cos(phi))
-// with p = 0 for the denominator; tan(phi / 2) = (1 - cos(phi)) / sin(phi). Where the crossing lasts until lines become
-// parallel, it stays on the edges, hence they coincide.
-void PatchForms::find_coincidence(const CspaceObstacle& obstacle, const Patch& patch, const ContactLine& own, PatchEnd& end) const {
+// With phi = theta - theta0 and both lines the same at phi = 0, numerator and denominator are q sin(phi) - p (1 -
+// cos(phi)) with p = 0 for the denominator; tan(phi / 2) = (1 - cos(phi)) / sin(phi). Where the crossing lasts until
+// lines become parallel, it stays on the edges, hence they coincide.
+void PatchForms::find_coincidence(const CspaceObstacle& obstacle, const Patch& patch, const ContactLine& own,
+                                  PatchEnd& end) const {
   if (end.corner || patch.begin == Patch::kNone || own.turns == end.other.turns) return;
   for (const std::uint32_t angle : {patch.begin, patch.end}) {
     const double theta = obstacle.angles()[angle].theta;
@@ -167,10 +170,10 @@ void PatchForms::find_coincidence(const CspaceObstacle& obstacle, const Patch& p
   }
 }
 
-// With e = 2^-48 size: the cosine, the sine and the angle err by 2^-50 together, so that a rotated vector of length l errs
-// by less than 2^-49 l, and a hinge by e. The share is cross(gap, other) / cross(d, other): the gap errs by 2 e, directions
-// by 2^-49 of their length, products by 2^-51; what the share errs by is multiplied by the length of d, of which the share
-// itself is at most one.
+// With e = 2^-48 size: the cosine, the sine and the angle err by 2^-50 together, so that a rotated vector of length l
+// errs by less than 2^-49 l, and a hinge by e. The share is cross(gap, other) / cross(d, other): the gap errs by 2 e,
+// directions by 2^-49 of their length, products by 2^-51; what the share errs by is multiplied by the length of d, of
+// which the share itself is at most one.
 PlacedEnd PatchForms::end(const PatchForm& form, const PatchEnd& end, const Turn& turn) const {
   const double e = 0x1p-48 * size_;
   if (end.corner) return {place(end.hinge, turn), e};
@@ -179,7 +182,7 @@ PlacedEnd PatchForms::end(const PatchForm& form, const PatchEnd& end, const Turn
   const double across = cross(d, other), share = std::clamp(cross(gap, other) / across, 0.0, 1.0);
   const double length = std::sqrt(dot(d, d)), product = length * std::sqrt(dot(other, other));
   const double certain = std::abs(across) - 0x1p-46 * product - 0x1p-1000;
-  if (!(certain > 0)) return {share >= 0 ? Point{s.x + share * d.x, s.y + share * d.y} : s, std::numeric_limits<double>::infinity()};
+  if (!(certain > 0)) return {s, std::numeric_limits<double>::infinity()};
   const double wide = std::abs(gap.x) + std::abs(gap.y) + length;
   return {{s.x + share * d.x, s.y + share * d.y}, 2 * e + (4 * e + 0x1p-46 * wide) * (product / certain)};
 }
@@ -192,7 +195,8 @@ PlacedEnd PatchForms::end_at(const PatchForm& form, const PatchEnd& end, double 
   return {{s.x + share * d.x, s.y + share * d.y}, 0x1p-42 * size_};
 }
 
-MovingRange PatchForms::end_within(const PatchForm& form, const PatchEnd& end, double theta, const Turn& turn, double half) const {
+MovingRange PatchForms::end_within(const PatchForm& form, const PatchEnd& end, double theta, const Turn& turn,
+                                   double half) const {
   if (end.corner) return moving(end.hinge, turn, half);
   const MovingRange s = moving(form.own.start, turn, half), d = moving_along(form.own, turn, half);
   if (end.coincides) {
@@ -219,19 +223,21 @@ MovingRange PatchForms::end_within(const PatchForm& form, const PatchEnd& end, d
 
 PointRange PatchForms::box(const PatchForm& form, double theta, double half) const {
   const Turn turn(theta);
-  const PointRange a = end_within(form, form.left, theta, turn, half).at, b = end_within(form, form.right, theta, turn, half).at;
+  const PointRange a = end_within(form, form.left, theta, turn, half).at;
+  const PointRange b = end_within(form, form.right, theta, turn, half).at;
   const double margin = 0x1p-40 * size_;
   const Range wider{-margin, margin};
   return {join(a.x, b.x) + wider, join(a.y, b.y) + wider};
 }
 
-void PatchForms::split(const CspaceObstacle& obstacle, std::uint32_t patch, double longest, std::vector<PatchPiece>& out) {
+void PatchForms::split(const CspaceObstacle& obstacle, std::uint32_t patch, double longest,
+                       std::vector<PatchPiece>& out) {
   const Patch& p = obstacle.patches()[patch];
   const auto add = [&](double low, double high) {
     const int parts = std::max(1, static_cast<int>(std::ceil((high - low) / longest)));
     for (int k = 0; k < parts; ++k) {
-      const double from = low + (high - low) * k / parts, to = k + 1 == parts ? high : low + (high - low) * (k + 1) / parts;
-      out.push_back({patch, from, to});
+      const double width = (high - low) / parts;
+      out.push_back({patch, low + k * width, k + 1 == parts ? high : low + (k + 1) * width});
     }
   };
   if (p.begin == Patch::kNone) return add(-kPi, kPi);

@@ -17,7 +17,9 @@ struct Range {
 };
 inline Range operator+(Range a, Range b) { return {a.low + b.low, a.high + b.high}; }
 inline Range operator-(Range a, Range b) { return {a.low - b.high, a.high - b.low}; }
-inline Range operator*(double a, Range b) { return a >= 0 ? Range{a * b.low, a * b.high} : Range{a * b.high, a * b.low}; }
+inline Range operator*(double a, Range b) {
+  return a >= 0 ? Range{a * b.low, a * b.high} : Range{a * b.high, a * b.low};
+}
 Range operator*(Range a, Range b);
 inline double magnitude(Range a) { return std::max(std::abs(a.low), std::abs(a.high)); }
 
@@ -54,8 +56,8 @@ struct PatchEnd {
   bool corner = true;
   Hinge hinge;
   ContactLine other;
-  /// Where both lines coincide at an end of the patch's angles, at `theta0`, the crossing is a quotient of zeros there; as
-  /// a share of the own edge it is share0 + share1 tan((theta - theta0) / 2).
+  /// Where both lines coincide at an end of the patch's angles, at `theta0`, the crossing is a quotient of zeros there;
+  /// as a share of the own edge it is share0 + share1 tan((theta - theta0) / 2).
   bool coincides = false;
   double theta0 = 0, share0 = 0, share1 = 0;
 };
@@ -92,7 +94,8 @@ class PatchForms {
   const PatchForm& operator[](std::uint32_t patch) const { return forms_[patch]; }
   Point origin() const { return origin_; }
   Point relative(Point v) const { return {v.x - origin_.x, v.y - origin_.y}; }
-  /// No vertex of a slice is farther from the origin; no vertex of the robot is farther from the reference point than reach().
+  /// No vertex of a slice is farther from the origin; no vertex of the robot is farther from the reference point than
+  /// reach().
   double size() const { return size_; }
   double reach() const { return reach_; }
 
@@ -109,7 +112,8 @@ class PatchForms {
   static void split(const CspaceObstacle& obstacle, std::uint32_t patch, double longest, std::vector<PatchPiece>& out);
 
  private:
-  void find_coincidence(const CspaceObstacle& obstacle, const Patch& patch, const ContactLine& own, PatchEnd& end) const;
+  void find_coincidence(const CspaceObstacle& obstacle, const Patch& patch, const ContactLine& own,
+                        PatchEnd& end) const;
   std::vector<PatchForm> forms_;
   Point origin_;
   double size_ = 0, reach_ = 0;

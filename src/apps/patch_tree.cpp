@@ -43,7 +43,8 @@ void PatchTree::build(std::uint32_t node, std::uint32_t first, std::uint32_t las
     nodes_[node].leaf = true;
     return;
   }
-  const std::array<double, 3> extent{box.high[0] - box.low[0], box.high[1] - box.low[1], weight * (box.high[2] - box.low[2])};
+  const std::array<double, 3> extent{box.high[0] - box.low[0], box.high[1] - box.low[1],
+                                     weight * (box.high[2] - box.low[2])};
   const std::size_t axis = static_cast<std::size_t>(std::max_element(extent.begin(), extent.end()) - extent.begin());
   const std::uint32_t middle = (first + last) / 2;
   std::vector<std::uint32_t> order(last - first);

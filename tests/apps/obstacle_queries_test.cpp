@@ -13,7 +13,9 @@ namespace {
 
 using Random = std::mt19937_64;
 
-double uniform(Random& random, double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); }
+double uniform(Random& random, double low, double high) {
+  return std::uniform_real_distribution<double>(low, high)(random);
+}
 
 Region polygon(Ring ring) {
   RegionData data;
@@ -28,7 +30,11 @@ Region moved(const Region& region, double dx, double dy) { return *translated(re
 std::vector<std::pair<Region, Region>> pairs() {
   const Region box = shapes::rectangle(-1, -1, 1, 1), bar = shapes::rectangle(-4, -0.5, 4, 0.5);
   const Region kite = polygon({{0, 0}, {3, 1}, {4, 4}, {1, 3}}), wedge = polygon({{0, 0}, {5, 0}, {0, 1}});
-  return {{box, box},  {bar, shapes::disc(32, 2)}, {kite, wedge}, {wedge, moved(kite, 1000, -777)}, {moved(box, 5, 0), wedge},
+  return {{box, box},
+          {bar, shapes::disc(32, 2)},
+          {kite, wedge},
+          {wedge, moved(kite, 1000, -777)},
+          {moved(box, 5, 0), wedge},
           {kite, kite},
           {shapes::letter_l(3, 2, 0.5), shapes::letter_u(4, 3, 0.75)},
           {shapes::rectangle(-0.4, -0.1, 0.4, 0.1), shapes::grate(3, 2, 0.5, 3)},
@@ -48,10 +54,13 @@ Frame frame(const CspaceObstacle& c) {
 
 Configuration anywhere(const CspaceObstacle& c, Random& random) {
   const Frame f = frame(c);
-  return {f.x + uniform(random, -1.2, 1.2) * f.size, f.y + uniform(random, -1.2, 1.2) * f.size, uniform(random, -M_PI, M_PI)};
+  return {f.x + uniform(random, -1.2, 1.2) * f.size, f.y + uniform(random, -1.2, 1.2) * f.size,
+          uniform(random, -M_PI, M_PI)};
 }
 
-CspaceObstacle make(const std::pair<Region, Region>& pair) { return CspaceObstacle::create(pair.first, pair.second).value(); }
+CspaceObstacle make(const std::pair<Region, Region>& pair) {
+  return CspaceObstacle::create(pair.first, pair.second).value();
+}
 
 TEST(ObstacleQueries, contains_equals_the_exact_test_anywhere) {
   Random random(1);
@@ -86,8 +95,10 @@ TEST(ObstacleQueries, contains_equals_the_exact_test_on_the_boundary) {
     EXPECT_GT(q.exact_answers(), 5u);
     const Frame f = frame(c);
     for (int k = 0; k < 300; ++k) {
-      const Orientation o = random() % 5 == 0 ? Orientation::half_turn() : *Orientation::of(static_cast<int>(random() % 3) - 1, 1);
-      const double x = std::round(f.x + uniform(random, -1, 1) * f.size), y = std::round(f.y + uniform(random, -1, 1) * f.size);
+      const Orientation o = random() % 5 == 0 ? Orientation::half_turn()
+          : *Orientation::of(static_cast<int>(random() % 3) - 1, 1);
+      const double x = std::round(f.x + uniform(random, -1, 1) * f.size);
+      const double y = std::round(f.y + uniform(random, -1, 1) * f.size);
       EXPECT_EQ(q.contains(x, y, o), c.contains(x, y, o));
     }
   }
@@ -152,11 +163,13 @@ void expect_witness(const CspaceObstacle& c, const Configuration& from, const Cl
   const Patch& p = c.patches()[found.patch];
   const auto [a, b] = c.ends(p, found.nearest.theta);
   const double dx = b.x - a.x, dy = b.y - a.y, length = dx * dx + dy * dy, size = frame(c).size + std::abs(from.x);
-  const double t = length > 0 ? std::clamp(((found.nearest.x - a.x) * dx + (found.nearest.y - a.y) * dy) / length, 0.0, 1.0) : 0.0;
+  const double t = length > 0 ? std::clamp(((found.nearest.x - a.x) * dx + (found.nearest.y - a.y) * dy) / length,
+      0.0, 1.0) : 0.0;
   EXPECT_LT(std::hypot(a.x + t * dx - found.nearest.x, a.y + t * dy - found.nearest.y), 1e-11 * size);
   const double turn = std::remainder(found.nearest.theta - from.theta, 2 * M_PI);
   const double angle = std::isinf(weight) ? 0 : weight * turn;
-  EXPECT_NEAR(std::hypot(found.nearest.x - from.x, found.nearest.y - from.y, angle), std::abs(found.distance), 1e-11 * size);
+  EXPECT_NEAR(std::hypot(found.nearest.x - from.x, found.nearest.y - from.y, angle), std::abs(found.distance),
+      1e-11 * size);
   if (std::isinf(weight)) { EXPECT_NEAR(turn, 0, 1e-13); }
 }
 
@@ -251,7 +264,8 @@ TEST(ObstacleQueries, clearance_is_a_lipschitz_function) {
     const ObstacleQueries q(c);
     const double w = q.gyration_radius();
     for (int k = 0; k < 200; ++k) {
-      const Configuration a = anywhere(c, random), b{a.x + uniform(random, -1, 1), a.y + uniform(random, -1, 1), a.theta + uniform(random, -1, 1)};
+      const Configuration a = anywhere(c, random), b{a.x + uniform(random, -1, 1), a.y + uniform(random, -1, 1),
+          a.theta + uniform(random, -1, 1)};
       const Clearance at = q.clearance(a), to = q.clearance(b);
       const double moved = std::hypot(a.x - b.x, a.y - b.y, w * (a.theta - b.theta));
       EXPECT_LE(std::abs(at.distance - to.distance), moved + at.error + to.error + 1e-12);
@@ -278,7 +292,8 @@ TEST(ObstacleQueries, free_angles_are_those_that_are_free) {
       for (int i = 0; i < 500; ++i) {
         const double theta = uniform(random, -M_PI, M_PI);
         const bool expected = !c.contains(at.x, at.y, *Orientation::nearest(theta));
-        EXPECT_EQ(std::any_of(free.begin(), free.end(), [&](const FreeAngles& f) { return between(f, theta, 0); }), expected);
+        EXPECT_EQ(std::any_of(free.begin(), free.end(), [&](const FreeAngles& f) { return between(f, theta, 0); }),
+            expected);
         if (i > 20) i += 40;
       }
       none += free.empty();
@@ -288,7 +303,8 @@ TEST(ObstacleQueries, free_angles_are_those_that_are_free) {
           continue;
         }
         ++ends;
-        for (const auto& [angle, error, patch, way] : {std::tuple{f.begin, f.begin_error, f.begin_patch, 1}, std::tuple{f.end, f.end_error, f.end_patch, -1}}) {
+        for (const auto& [angle, error, patch, way] : {std::tuple{f.begin, f.begin_error, f.begin_patch, 1},
+            std::tuple{f.end, f.end_error, f.end_patch, -1}}) {
           EXPECT_LT(error, 1e-6);
           const double step = way * (error + 1e-9);
           EXPECT_FALSE(q.contains({at.x, at.y, angle + step}));
@@ -306,12 +322,13 @@ TEST(ObstacleQueries, free_angles_are_those_that_are_free) {
 }
 
 TEST(ObstacleQueries, free_angles_of_a_bar_beside_a_corner) {
-  // A bar of half length 4 and half width 1/2, two above the middle of a square of side 2: free while it is nearly level.
+  // A bar of half length 4 and half width 1/2, two above the middle of a square of side 2: free while it is nearly
+  // level.
   const CspaceObstacle c = make({shapes::rectangle(-4, -0.5, 4, 0.5), shapes::rectangle(-1, -1, 1, 1)});
   const ObstacleQueries q(c);
   const std::vector<FreeAngles> free = q.free_angles(0, 2);
   ASSERT_EQ(free.size(), 2u);
-  // The line at distance 1/2 below (0, 2) touches the corner (1, 1): sin(theta + pi/4) sqrt(2) = ... solved: cos - sin = 1/2.
+  // The line at distance 1/2 below (0, 2) touches a corner (1, 1) at the angle where cos - sin = 1/2.
   const double limit = std::acos(0.5 / std::sqrt(2.0)) - M_PI / 4;
   EXPECT_NEAR(free[0].begin, -limit, 1e-12);
   EXPECT_NEAR(free[0].end, limit, 1e-12);
@@ -326,8 +343,10 @@ TEST(ObstacleQueries, parts_that_touch_in_a_corner) {
   const CspaceObstacle c = make({shapes::rectangle(0, 0, 1, 0.5), *Region::create(two)});
   const ObstacleQueries q(c);
   for (int k = 0; k < 500; ++k) {
-    const Orientation o = k % 2 == 0 ? *Orientation::of(static_cast<int>(random() % 3) - 1, 1) : *Orientation::nearest(uniform(random, -3, 3));
-    for (const Point& at : {Point{2, 2}, Point{uniform(random, -1, 5), uniform(random, -1, 5)}, Point{2 + uniform(random, -1e-3, 1e-3), 2}})
+    const Orientation o = k % 2 == 0 ? *Orientation::of(static_cast<int>(random() % 3) - 1, 1)
+                                     : *Orientation::nearest(uniform(random, -3, 3));
+    for (const Point& at : {Point{2, 2}, Point{uniform(random, -1, 5), uniform(random, -1, 5)},
+        Point{2 + uniform(random, -1e-3, 1e-3), 2}})
       EXPECT_EQ(q.contains(at.x, at.y, o), c.contains(at.x, at.y, o));
   }
   EXPECT_GT(q.exact_answers(), 200u);
