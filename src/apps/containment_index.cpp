@@ -8,7 +8,6 @@ namespace dymsum::apps {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kAngleMargin = 0x1p-46;  // more than event angles and angles of questions err
 
 // About a dozen patches begin in a bin.
 std::size_t bins_for(std::size_t patches) {
@@ -29,7 +28,7 @@ ContainmentIndex::ContainmentIndex(const CspaceObstacle& obstacle, const PatchFo
   for (const EventAngle& a : obstacle.angles()) angles_.push_back(a.theta);
   for (const Patch& p : obstacle.patches()) alive_.push_back({p.begin, p.end});
   for (std::size_t bin = 0; bin < bins_; ++bin) {
-    const double low = -kPi + 2 * kPi * static_cast<double>(bin) / static_cast<double>(bins_) - kAngleMargin;
+    const double low = -kPi + 2 * kPi * static_cast<double>(bin) / static_cast<double>(bins_) - forms_.angle_margin();
     const auto first = std::lower_bound(angles_.begin(), angles_.end(), low);
     first_angle_.push_back(static_cast<std::uint32_t>(first - angles_.begin()));
   }
@@ -44,7 +43,7 @@ std::size_t ContainmentIndex::bin_of(double theta) const {
 
 // Every patch goes to the rows of its box over the angles that it shares with a bin.
 void ContainmentIndex::build(const CspaceObstacle& obstacle) {
-  const double width = 2 * kPi / static_cast<double>(bins_), size = forms_.size();
+  const double width = 2 * kPi / static_cast<double>(bins_), size = forms_.size(), margin = forms_.angle_margin();
   const double per_row = static_cast<double>(rows_) / (2 * size);
   const auto row_of = [&](double y) {
     return static_cast<std::uint32_t>(std::clamp((y + size) * per_row, 0.0, static_cast<double>(rows_) - 1));
@@ -55,10 +54,10 @@ void ContainmentIndex::build(const CspaceObstacle& obstacle) {
     pieces.clear();
     PatchForms::split(obstacle, p, 4 * kPi, pieces);
     for (const PatchPiece& piece : pieces)
-      for (std::size_t bin = bin_of(piece.low - kAngleMargin); bin <= bin_of(piece.high + kAngleMargin); ++bin) {
+      for (std::size_t bin = bin_of(piece.low - margin); bin <= bin_of(piece.high + margin); ++bin) {
         const double from = -kPi + static_cast<double>(bin) * width;
-        const double low = std::max(from, piece.low) - kAngleMargin;
-        const double high = std::min(from + width, piece.high) + kAngleMargin;
+        const double low = std::max(from, piece.low) - margin;
+        const double high = std::min(from + width, piece.high) + margin;
         const PointRange box = forms_.box(forms_[p], (low + high) / 2, std::max(high - low, 0.0) / 2);
         for (std::uint32_t row = row_of(box.y.low); row <= row_of(box.y.high); ++row)
           found.push_back({static_cast<std::uint32_t>(bin * rows_ + row), p,
@@ -84,14 +83,15 @@ std::size_t ContainmentIndex::bytes() const {
 
 std::optional<std::uint32_t> ContainmentIndex::slab(std::size_t bin, double theta) const {
   if (angles_.empty()) return 0;
+  const double margin = forms_.angle_margin();
   const auto first = angles_.begin() + first_angle_[bin], last = angles_.begin() + first_angle_[bin + 1];
   // Bins overlap by the margin; a neighbouring bin's angles may count too.
   auto behind = std::upper_bound(first, last, theta);
   while (behind != angles_.end() && *behind <= theta) ++behind;
-  const auto near = [&](double angle) { return std::abs(angle - theta) <= kAngleMargin; };
+  const auto near = [&](double angle) { return std::abs(angle - theta) <= margin; };
   const auto before = behind == angles_.begin() ? angles_.end() : behind;
   if ((behind != angles_.end() && near(*behind)) || near(*(before - 1))) return std::nullopt;
-  if (theta > kPi - kAngleMargin || theta < -kPi + kAngleMargin) return std::nullopt;
+  if (theta > kPi - margin || theta < -kPi + margin) return std::nullopt;
   return static_cast<std::uint32_t>(before - angles_.begin()) - 1;
 }
 

@@ -8,7 +8,6 @@ namespace dymsum::apps {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kAngleMargin = 0x1p-46;
 
 // A patch may pass through the position at angles within [low, high].
 struct Passage {
@@ -52,28 +51,35 @@ class Passages {
     const double size = forms_.size() + std::abs(at_.x) + std::abs(at_.y);
     const double error = 0x1p-48 * (std::abs(d.x) + std::abs(d.y)) * size;
     if (std::abs(constant) > amplitude + error) return;
-    if (!(amplitude > 0x1p6 * error)) return add_ends(patch);  // on the line all the time, or nearly
+    if (!(amplitude > 0x1p6 * error)) return add_persistent(amplitude == 0, patch);
     const double value = -constant / amplitude, off = 4 * error / amplitude;
     const double phase = std::atan2(wave.y, wave.x);
     const double near = std::acos(std::clamp(value + off, -1.0, 1.0)) - 0x1p-48;
     const double far = std::acos(std::clamp(value - off, -1.0, 1.0)) + 0x1p-48;
-    if (value + off >= 1) return add_turned(phase - far, phase + far, patch);
-    if (value - off <= -1) return add_turned(phase + near, phase + 2 * kPi - near, patch);
-    add_turned(phase - far, phase - near, patch);
-    add_turned(phase + near, phase + far, patch);
+    if (value + off >= 1) return add_turned(phase - far - off, phase + far + off, patch);
+    if (value - off <= -1) return add_turned(phase + near - off, phase + 2 * kPi - near + off, patch);
+    add_turned(phase - far - off, phase - near + off, patch);
+    add_turned(phase + near - off, phase + far + off, patch);
   }
 
-  // While a contact persists the position stays free; only where the patch begins or ends that may change. It is not on
-  // the patch at all where the line misses it by a little.
-  void add_ends(std::uint32_t patch) {
-    for (const PatchPiece& piece : pieces_)
-      for (const double end : {piece.low, piece.high}) add_here(end - kAngleMargin, end + kAngleMargin, patch);
+  // The position is on the line all the time, or nearly. Where it does not move against the line at all, it stays free or
+  // forbidden until the patch ends, however near they are.
+  void add_persistent(bool at_rest, std::uint32_t patch) {
+    const double margin = forms_.angle_margin();
+    for (const PatchPiece& piece : pieces_) {
+      if (!at_rest) {
+        add_here(piece.low - margin, piece.high + margin, patch);
+        continue;
+      }
+      for (const double end : {piece.low, piece.high}) add_here(end - margin, end + margin, patch);
+    }
   }
 
   void add_turned(double low, double high, std::uint32_t patch) {
+    const double margin = forms_.angle_margin();
     for (const double turn : {-2 * kPi, 0.0, 2 * kPi})
       for (const PatchPiece& piece : pieces_)
-        if (high + turn >= piece.low - kAngleMargin && low + turn <= piece.high + kAngleMargin)
+        if (high + turn >= piece.low - margin && low + turn <= piece.high + margin)
           add_here(low + turn - 0x1p-50, high + turn + 0x1p-50, patch);
   }
 

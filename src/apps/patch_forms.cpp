@@ -143,6 +143,7 @@ PatchForms::PatchForms(const CspaceObstacle& obstacle) {
   for (const Patch& p : obstacle.patches()) forms_.push_back(maker.form(p));
   size_ = maker.size();
   reach_ = maker.reach();
+  for (const EventAngle& a : obstacle.angles()) angle_margin_ = std::max(angle_margin_, 2 * (a.high - a.low));
   for (std::uint32_t p = 0; p < forms_.size(); ++p)
     for (PatchEnd* end : {&forms_[p].left, &forms_[p].right})
       find_coincidence(obstacle, obstacle.patches()[p], forms_[p].own, *end);

@@ -98,6 +98,8 @@ class PatchForms {
   /// reach().
   double size() const { return size_; }
   double reach() const { return reach_; }
+  /// More than event angles and the angles of questions err, together.
+  double angle_margin() const { return angle_margin_; }
 
   /// Proved: lines that coincide somewhere are not taken for granted.
   PlacedEnd end(const PatchForm& form, const PatchEnd& end, const Turn& turn) const;
@@ -116,7 +118,7 @@ class PatchForms {
                         PatchEnd& end) const;
   std::vector<PatchForm> forms_;
   Point origin_;
-  double size_ = 0, reach_ = 0;
+  double size_ = 0, reach_ = 0, angle_margin_ = 0x1p-46;
 };
 
 inline double cross(Point a, Point b) { return a.x * b.y - a.y * b.x; }

@@ -336,17 +336,23 @@ TEST(ObstacleQueries, free_angles_of_a_bar_beside_a_corner) {
   EXPECT_NEAR(free[1].end, -M_PI + limit, 1e-12);
 }
 
-TEST(ObstacleQueries, parts_that_touch_in_a_corner) {
+TEST(ObstacleQueries, an_exact_fit_between_parts_is_free) {
   Random random(11);
   RegionData two;
-  two.parts = {{{{0, 0}, {2, 0}, {2, 2}, {0, 2}}, {}}, {{{2, 2}, {4, 2}, {4, 4}, {2, 4}}, {}}};
+  two.parts = {{{{0, 0}, {2, 0}, {2, 2}, {0, 2}}, {}}, {{{2.5, 0}, {4.5, 0}, {4.5, 2}, {2.5, 2}}, {}}};
   const CspaceObstacle c = make({shapes::rectangle(0, 0, 1, 0.5), *Region::create(two)});
   const ObstacleQueries q(c);
+  // Turned by a quarter the robot is as wide as the gap: it stands in it, but neither a little beside that nor turned.
+  const Orientation quarter = *Orientation::of(1, 1);
+  EXPECT_FALSE(q.contains(2.5, 0.5, quarter));
+  EXPECT_FALSE(q.contains({2.5, 0.5, M_PI / 2}));
+  EXPECT_TRUE(q.contains(2.5 + 0x1p-50, 0.5, quarter));
+  EXPECT_TRUE(q.contains({2.5, 0.5, M_PI / 2 + 0x1p-45}));
   for (int k = 0; k < 500; ++k) {
     const Orientation o = k % 2 == 0 ? *Orientation::of(static_cast<int>(random() % 3) - 1, 1)
                                      : *Orientation::nearest(uniform(random, -3, 3));
-    for (const Point& at : {Point{2, 2}, Point{uniform(random, -1, 5), uniform(random, -1, 5)},
-        Point{2 + uniform(random, -1e-3, 1e-3), 2}})
+    for (const Point& at : {Point{2.5, uniform(random, -1, 2)}, Point{uniform(random, -1, 5), uniform(random, -1, 3)},
+                            Point{2 + uniform(random, -1e-3, 1e-3), 2}})
       EXPECT_EQ(q.contains(at.x, at.y, o), c.contains(at.x, at.y, o));
   }
   EXPECT_GT(q.exact_answers(), 200u);
