@@ -20,7 +20,8 @@ std::vector<QueryPair> depth_pairs();
 /// Measures a pair with random configurations around the obstacle and writes rows of markdown tables.
 class QueryTables {
  public:
-  QueryTables(std::ostream& out, std::size_t questions, std::size_t samples) : out_(out), questions_(questions), samples_(samples) {}
+  QueryTables(std::ostream& out, std::size_t questions, std::size_t samples)
+      : out_(out), questions_(questions), samples_(samples) {}
   void heading();
   void row(const QueryPair& pair);
 

@@ -34,11 +34,13 @@ double SampledDepth::descend(const Patch& patch, const Configuration& from, doub
   constexpr double kDelta = 1e-6;
   double best = square(patch, from, share, theta), step = 0.1;
   for (int k = 0; k < 60 && step > 1e-9; ++k) {
-    const double along = (square(patch, from, share + kDelta, theta) - square(patch, from, share - kDelta, theta)) / (2 * kDelta);
-    const double turning = (square(patch, from, share, theta + kDelta) - square(patch, from, share, theta - kDelta)) / (2 * kDelta);
+    const auto at = [&](double u, double t) { return square(patch, from, u, t); };
+    const double along = (at(share + kDelta, theta) - at(share - kDelta, theta)) / (2 * kDelta);
+    const double turning = (at(share, theta + kDelta) - at(share, theta - kDelta)) / (2 * kDelta);
     const double norm = std::hypot(along, turning);
     if (!(norm > 0)) break;
-    const double s = std::clamp(share - step * along / norm, 0.0, 1.0), t = std::clamp(theta - step * turning / norm, low, high);
+    const double s = std::clamp(share - step * along / norm, 0.0, 1.0);
+    const double t = std::clamp(theta - step * turning / norm, low, high);
     const double now = square(patch, from, s, t);
     if (now < best) {
       best = now;
@@ -71,7 +73,8 @@ SampledAnswer SampledDepth::clearance(const Configuration& from) const {
   const std::size_t count = std::min(kNeighbours, samples_.size());
   std::vector<double> far(samples_.size());
   for (std::size_t k = 0; k < samples_.size(); ++k)
-    far[k] = std::hypot(samples_[k].x - from.x, samples_[k].y - from.y, weight_ * wrapped(samples_[k].theta - from.theta));
+    far[k] = std::hypot(samples_[k].x - from.x, samples_[k].y - from.y,
+        weight_ * wrapped(samples_[k].theta - from.theta));
   std::vector<std::size_t> order(samples_.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::nth_element(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count - 1), order.end(),

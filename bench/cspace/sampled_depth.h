@@ -1,5 +1,5 @@
-// The distance to the boundary of a configuration-space obstacle as Behar 2016, section 4.4.2, estimates it: the patches
-// of the ten nearest of uniformly distributed samples, each of them searched by gradient descent from 36 seeds.
+// The distance to the boundary of a configuration-space obstacle as Behar 2016, section 4.4.2, estimates it: the
+// patches of the ten nearest of uniformly distributed samples, each of them searched by gradient descent from 36 seeds.
 #pragma once
 
 #include <cstddef>
@@ -19,8 +19,8 @@ class SampledDepth {
  public:
   static constexpr std::size_t kNeighbours = 10;
 
-  /// The patches that are nearest to the samples come from `exact`, so that the estimate starts from what its own search
-  /// through all patches could find at best.
+  /// The patches that are nearest to the samples come from `exact`, so that the estimate starts from what its own
+  /// search through all patches could find at best.
   SampledDepth(const CspaceObstacle& obstacle, const ObstacleQueries& exact, double weight,
                const std::vector<Configuration>& samples);
 
@@ -30,7 +30,8 @@ class SampledDepth {
 
  private:
   double square(const Patch& patch, const Configuration& from, double share, double theta) const;
-  double descend(const Patch& patch, const Configuration& from, double share, double theta, double low, double high) const;
+  double descend(const Patch& patch, const Configuration& from, double share, double theta, double low,
+      double high) const;
 
   const CspaceObstacle& obstacle_;
   double weight_;

@@ -62,8 +62,8 @@ class Passages {
     add_turned(phase + near - off, phase + far + off, patch);
   }
 
-  // The position is on the line all the time, or nearly. Where it does not move against the line at all, it stays free or
-  // forbidden until the patch ends, however near they are.
+  // The position is on the line all the time, or nearly. Where it does not move against the line at all, it stays free
+  // or forbidden until the patch ends, however near they are.
   void add_persistent(bool at_rest, std::uint32_t patch) {
     const double margin = forms_.angle_margin();
     for (const PatchPiece& piece : pieces_) {

@@ -16,12 +16,15 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-// Of a region about the origin: the root of the mean square distance of its points.
+// Of a region about the origin: the root of the mean square distance of its points. In units of the largest coordinate,
+// as fourth powers leave the range of doubles.
 double radius_of_gyration(const Region& region) {
-  double area = 0, moment = 0;
+  double area = 0, moment = 0, unit = 0;
+  for (const double v : bounds(region)) unit = std::max(unit, std::abs(v));
   const auto add = [&](const Ring& ring) {
     for (std::size_t k = 0; k < ring.size(); ++k) {
-      const Point a = ring[k], b = ring[(k + 1) % ring.size()];
+      const Point u = ring[k], v = ring[(k + 1) % ring.size()];
+      const Point a{u.x / unit, u.y / unit}, b{v.x / unit, v.y / unit};
       const double twice = a.x * b.y - a.y * b.x;
       area += twice / 2;
       moment += twice / 12 * (a.x * a.x + a.y * a.y + a.x * b.x + a.y * b.y + b.x * b.x + b.y * b.y);
@@ -31,7 +34,7 @@ double radius_of_gyration(const Region& region) {
     add(part.outer);
     for (const Ring& hole : part.holes) add(hole);
   }
-  return std::sqrt(std::max(0.0, moment / area));
+  return unit * std::sqrt(std::max(0.0, moment / area));
 }
 
 // In [-pi, pi], within 2^-51 of the angle of Orientation::nearest.
