@@ -95,6 +95,7 @@ void ObstacleSweep::slice(const TurnRange& range, TurnEvent& event, const std::f
               : event.kind == TurnEvent::Kind::three_segments ? ObstacleEvent::Kind::three_segments
                                                               : ObstacleEvent::Kind::vertex_on_segment,
        event_place(event, Heading::of(event.theta())));
+  // Kept even where the slices on both sides agree: at the angle itself something may touch.
   take_slice(placed_at(*base_, behind()));
 }
 
@@ -170,7 +171,7 @@ bool ObstacleSweep::continues(std::uint32_t n, std::uint32_t m) const {
       return Point{from.x + u * d.x, from.y + u * d.y};
     };
     const WalkSegment left = segment_of(node.left), right = segment_of(node.right);
-    return std::array<Point, 2>{at(place_on(node.segment, left, true, h)), at(place_on(node.segment, right, false, h))};
+    return std::array<Point, 2>{at(place_on(node.segment, left, true, h).t), at(place_on(node.segment, right, false, h).t)};
   };
   const Point d = forms_.direction(s, h), e = forms_.direction(t, h);
   const double length = std::hypot(d.x, d.y);

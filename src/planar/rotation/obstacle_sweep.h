@@ -82,6 +82,7 @@ class ObstacleSweep {
     std::array<std::array<int, 3>, 3> cross{};  ///< signs of direction x direction
     std::vector<std::uint32_t> vanish;          ///< nodes that shrink to the event
     Point at;                                   ///< in the forms' doubles
+    double at_error = 0;
     bool any() const;
     int find(std::uint32_t id) const;
   };
@@ -92,7 +93,7 @@ class ObstacleSweep {
   /// Visible sub-edges that follow each other along the common line of two aligned edges, and where they start and end on it.
   struct AlignedRun {
     std::uint32_t first = kNobody, last = kNobody;
-    double from = 0, to = 0;
+    double from = 0, to = 0, error = 0;
     bool on_first = false, on_second = false;  ///< the segments behind the event that carry it
   };
   /// A stretch behind an event and before the next one, to look at the slice there.
@@ -131,8 +132,18 @@ class ObstacleSweep {
   // local_update.cpp
   bool local_update(TurnEvent& event, const TurnRange& range, const std::function<Orientation()>& behind, OverlapFilter& filter);
   bool gather(Cluster& cluster, Heading h) const;
-  bool fill_triple(Cluster& cluster, const TurnEvent& event, Heading h) const;
-  bool fill_vertex(Cluster& cluster, const TurnEvent& event, Heading h) const;
+  /// A parameter along a segment, and how much it may err.
+  struct Located {
+    double t = 0, error = 0;
+  };
+  enum class Fill : std::uint8_t {
+    nothing,  ///< the segments do not meet there
+    unsure,   ///< doubles do not tell, or more coincides
+    done,
+  };
+  static Fill within(Located t);
+  Fill fill_triple(Cluster& cluster, const TurnEvent& event, Heading h) const;
+  Fill fill_vertex(Cluster& cluster, const TurnEvent& event, Heading h) const;
   bool find_signs(Cluster& cluster, Heading h) const;
   bool find_nodes(Cluster& cluster, Heading h) const;
   bool start_alive(const Cluster& c, int segment, int piece) const;
@@ -147,13 +158,13 @@ class ObstacleSweep {
   bool overlap_update(TurnEvent& event, const TurnRange& range);
   struct Stretch {
     std::vector<std::uint32_t> nodes;  ///< along the common line, with those that shrink to a point between them
-    double from = 0, to = 0;
+    double from = 0, to = 0, error = 0;
   };
   std::vector<Stretch> stretches(const WalkSegment& a, const WalkSegment& b, Heading h) const;
   void replace(const std::vector<std::uint32_t>& old, const std::vector<WalkSegment>& segments, std::map<std::uint32_t, std::uint32_t>& starts,
                std::map<std::uint32_t, std::uint32_t>& ends, std::vector<std::uint32_t>& touched);
   void relink(const std::map<std::uint32_t, std::uint32_t>& starts, const std::map<std::uint32_t, std::uint32_t>& ends, std::vector<std::uint32_t>& touched);
-  double place_on(const WalkSegment& s, const WalkSegment& other, bool at_start, Heading h) const;
+  Located place_on(const WalkSegment& s, const WalkSegment& other, bool at_start, Heading h) const;
 
   const TurningForms& forms_;
   const TurnCatalog& catalog_;

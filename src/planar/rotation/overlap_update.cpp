@@ -18,8 +18,10 @@ std::vector<ObstacleSweep::Stretch> ObstacleSweep::stretches(const WalkSegment& 
       const double base = (d.x * (from.x - origin.x) + d.y * (from.y - origin.y)) / length, own = std::hypot(e.x, e.y);
       Stretch stretch;
       stretch.nodes = {n};
-      stretch.from = base + own * place_on(*s, nodes_[nodes_[n].prev].segment, true, h);
-      stretch.to = base + own * place_on(*s, nodes_[nodes_[n].next].segment, false, h);
+      const Located first = place_on(*s, nodes_[nodes_[n].prev].segment, true, h), last = place_on(*s, nodes_[nodes_[n].next].segment, false, h);
+      stretch.from = base + own * first.t;
+      stretch.to = base + own * last.t;
+      stretch.error = own * (first.error + last.error);
       found.push_back(stretch);
     }
   const std::uint32_t ia = id(a), ib = id(b);
@@ -36,6 +38,7 @@ std::vector<ObstacleSweep::Stretch> ObstacleSweep::stretches(const WalkSegment& 
         found[k].nodes.push_back(nodes_[found[k].nodes.back()].next);
         found[k].nodes.insert(found[k].nodes.end(), found[l].nodes.begin(), found[l].nodes.end());
         found[k].to = found[l].to;
+        found[k].error += found[l].error;
         found.erase(found.begin() + static_cast<std::ptrdiff_t>(l));
         joined = true;
       }
@@ -70,8 +73,9 @@ bool ObstacleSweep::overlap_update(TurnEvent& event, const TurnRange& range) {
   for (const Stretch& s : found) {
     const bool from_start = forms_.end(nodes_[nodes_[s.nodes.front()].prev].segment) == start;
     const bool to_end = TurningForms::start(nodes_[nodes_[s.nodes.back()].next].segment) == end;
+    const double near = unsure + s.error;
     for (const double v : {low, high})
-      if ((!(from_start && v == low) && std::abs(s.from - v) <= unsure) || (!(to_end && v == high) && std::abs(s.to - v) <= unsure)) return false;
+      if ((!(from_start && v == low) && !(std::abs(s.from - v) > near)) || (!(to_end && v == high) && !(std::abs(s.to - v) > near))) return false;
     std::vector<WalkSegment> segments;
     if (!from_start && s.from < low) {
       segments.push_back(inner);

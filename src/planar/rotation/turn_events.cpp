@@ -148,23 +148,20 @@ class Collector {
     bool near = r <= error;
     for (const double root : {phase - back, phase + back}) {
       const double theta = w_.middle + std::remainder(root - w_.middle, kTurn);
-      near |= std::abs(theta - w_.middle) <= w_.half + 2 * kNear && on(a, v, theta) && catalog_.exists(a, theta) != TurnCatalog::Existence::no;
-      near |= std::abs(theta - w_.middle) <= w_.half + 2 * kNear && exists_soon(a, theta) && on(a, v, theta);
+      near |= std::abs(theta - w_.middle) <= w_.half + 2 * kNear && on(a, v, theta);
     }
     if (!near) return;
     const exact::Polynomial poly = forms_.exact_side(a, v, w_.range.chart);
     if (poly.is_zero()) return;  // collinear edges of one operand with the same vertex of the other: they meet at no angle
     for (AlgebraicRoot& root : roots_in(poly, w_.range.t_low, w_.range.t_high)) {
       TurnEvent event = at(std::move(root), TurnEvent::Kind::vertex_on_segment);
-      if (!on(a, v, event.theta()) || !exists_soon(a, event.theta()) || belongs_to_overlap(a, v, event.theta())) continue;
+      if (!on(a, v, event.theta()) || !may_exist(a, event.theta()) || belongs_to_overlap(a, v, event.theta())) continue;
       event.a = a;
       event.v = v;
       out_.events.push_back(std::move(event));
     }
   }
-  bool exists_soon(const WalkSegment& a, double theta) const {
-    return catalog_.exists(a, theta - kNear) != TurnCatalog::Existence::no || catalog_.exists(a, theta + kNear) != TurnCatalog::Existence::no;
-  }
+  bool may_exist(const WalkSegment& s, double theta) const { return catalog_.exists(s, theta) != TurnCatalog::Existence::no; }
 
   bool on(const WalkSegment& a, Pair v, double theta) const {
     const Heading h = Heading::of(theta);
@@ -195,7 +192,7 @@ class Collector {
     if (forms_.concurrency(a, b, c).far_from_zero(w_.heading, w_.half, forms_.concurrency_error(a, b, c)) || !meet(j, k) || forms_.parallel(b, c)) return;
     const exact::Polynomial poly = forms_.exact_concurrency(a, b, c, w_.range.chart);
     if (poly.is_zero()) {
-      out_.always_concurrent |= all_cross(a, b, c, w_.middle);
+      out_.always_concurrent |= meets_somewhere(a, b, c);
       return;
     }
     for (AlgebraicRoot& root : roots_in(poly, w_.range.t_low, w_.range.t_high)) {
@@ -207,10 +204,16 @@ class Collector {
       out_.events.push_back(std::move(event));
     }
   }
+  // Whether the lines, concurrent at every angle, may meet within the segments in this window.
+  bool meets_somewhere(const WalkSegment& a, const WalkSegment& b, const WalkSegment& c) const {
+    for (const double theta : {w_.low, w_.middle, w_.high})
+      if (all_cross(a, b, c, theta)) return true;
+    return false;
+  }
   // All three exist there and each of them holds its crossing with the next, with slack.
   bool all_cross(const WalkSegment& a, const WalkSegment& b, const WalkSegment& c, double theta) const {
     for (const WalkSegment* s : {&a, &b, &c})
-      if (catalog_.exists(*s, theta) == TurnCatalog::Existence::no && !exists_soon(*s, theta)) return false;
+      if (!may_exist(*s, theta)) return false;
     const Heading h = Heading::of(theta);
     const std::array<const WalkSegment*, 3> s{&a, &b, &c};
     for (int x = 0; x < 3; ++x)
