@@ -56,9 +56,13 @@ Json inputs_json(const std::vector<Input>& inputs) {
   return list;
 }
 
+Json orientation_json(const Orientation& orientation) {
+  return {{"tan_half", orientation.tan_half().to_string()}, {"radians", orientation.radians()}};
+}
+
 Json sum_json(const SumReport& report) {
   const PlanarSum& sum = *report.sum;
-  return {{"inputs", inputs_json(report.inputs)},
+  Json json = {{"inputs", inputs_json(report.inputs)},
           {"engine", report.engine},
           {"semantics", report.semantics},
           {"tier", sum.stats.tier_bits},
@@ -81,6 +85,8 @@ Json sum_json(const SumReport& report) {
             {"reduced", report.convolution.reduced}}},
           {"crossings", sum.stats.crossings},
           {"work", work_json(sum.stats)}};
+  if (report.orientation) json["orientation"] = orientation_json(*report.orientation);
+  return json;
 }
 
 void print_sum(std::ostream& out, const SumReport& report) {
@@ -90,6 +96,10 @@ void print_sum(std::ostream& out, const SumReport& report) {
     const Input& input = report.inputs[i];
     out << (i == 0 ? " " : " and ") << input.file << " ("
         << counted(input.region.vertex_count(), "vertex", "vertices") << ")";
+  }
+  if (report.orientation) {
+    out << " at tan(theta / 2) = " << shown(report.orientation->tan_half()) << ", theta = "
+        << report.orientation->radians();
   }
   out << "\n  " << counted(sum.parts.size(), "part") << ", " << counted(sum.hole_count(), "hole") << ", "
       << counted(sum.vertex_count(), "vertex", "vertices");

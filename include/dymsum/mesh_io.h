@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "dymsum/mesh.h"
@@ -40,6 +41,9 @@ std::string format_mesh(const MeshData& mesh, MeshFormat format, std::span<const
 inline std::string format_mesh(const Mesh& mesh, MeshFormat format, std::span<const FaceColour> colours = {}) {
   return format_mesh(mesh.data(), format, colours);
 }
+/// glb with notes, name and text, that are kept in the file as extras of its asset.
+std::string format_glb(const MeshData& mesh, std::span<const FaceColour> colours,
+                       std::span<const std::pair<std::string, std::string>> notes);
 /// Replaces the file as a whole. Errors: cannot_write, unsupported_format.
 Result<std::size_t> write_mesh(const Mesh& mesh, const std::string& path);
 

@@ -47,9 +47,10 @@ Triple unit_normal(const Triple& a, const Triple& b, const Triple& c) {
 
 class GlbWriter {
  public:
-  explicit GlbWriter(const MeshData& data) : data_(data) {
+  GlbWriter(const MeshData& data, std::span<const std::pair<std::string, std::string>> notes) : data_(data) {
     json_ = {{"asset", {{"version", "2.0"}, {"generator", "dymsum"}}}, {"scene", 0}};
     json_["scenes"] = Json::array({Json::object()});
+    for (const auto& [name, text] : notes) json_["asset"]["extras"][name] = text;
   }
 
   /// A primitive of these triangles in a material of its own.
@@ -126,15 +127,25 @@ class GlbWriter {
 
 }  // namespace
 
-std::string write_glb(const MeshData& data, std::span<const FaceColour> colours) {
+std::string write_glb(const MeshData& data, std::span<const FaceColour> colours,
+                      std::span<const std::pair<std::string, std::string>> notes) {
   const spatial::Triangles all = spatial::triangulated(data);
   const std::vector<std::size_t> colour_of = colour_of_faces(data, colours);
   std::vector<std::vector<spatial::Triangle>> groups(colours.size() + 1);
   for (std::size_t i = 0; i < all.triangles.size(); ++i) groups[colour_of[all.face[i]]].push_back(all.triangles[i]);
-  GlbWriter writer(data);
+  GlbWriter writer(data, notes);
   for (std::size_t i = 0; i < colours.size(); ++i) writer.add(groups[i], colours[i].rgb);
   writer.add(groups.back(), FaceColour{}.rgb);
   return writer.write();
 }
 
 }  // namespace dymsum::io
+
+namespace dymsum {
+
+std::string format_glb(const MeshData& mesh, std::span<const FaceColour> colours,
+                       std::span<const std::pair<std::string, std::string>> notes) {
+  return io::write_glb(mesh, colours, notes);
+}
+
+}  // namespace dymsum

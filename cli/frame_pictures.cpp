@@ -1,10 +1,12 @@
-#include "scale_pictures.h"
+#include "frame_pictures.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "report.h"
+#include "exit_code.h"
+#include "outputs.h"
+#include "progress_bar.h"
 
 namespace dymsum::cli {
 namespace {
@@ -43,10 +45,29 @@ void show_during(std::ostringstream& svg, std::size_t i, std::size_t n, double s
 
 }  // namespace
 
-PicturedFrame pictured(const ScalingSum& sum) {
-  std::string label = shown(sum.scale().exact());
-  if (label.size() > 14) label = number(sum.scale().approx());
-  return {sum.scale().approx(), label, drawn(sum.sum())};
+std::size_t picture_step(std::size_t frames, const std::vector<std::string>& files) {
+  return files.empty() ? 0 : (frames + kMostPictures - 1) / kMostPictures;
+}
+
+bool is_page(const std::string& file) { return file.ends_with(".html"); }
+
+void check_frame_pictures(const std::vector<std::string>& files) {
+  for (const std::string& file : files)
+    if (!file.ends_with(".svg") && !is_page(file))
+      throw Stop(kUsage, "-o writes .svg (film strip), anim.svg (animation) or .html (page with a slider): " + file);
+}
+
+void write_frame_pictures(const std::vector<std::string>& files, const std::vector<PicturedFrame>& frames,
+                          const std::vector<PicturedTick>& ticks, const std::string& title) {
+  constexpr std::size_t kColumns = 8;
+  std::vector<std::string> texts;
+  for (const std::string& file : files) {
+    texts.push_back(is_page(file)                 ? scrub_page(frames, ticks, title)
+                    : file.ends_with("anim.svg") ? animation(frames)
+                                                  : film_strip(frames, kColumns));
+  }
+  throw_if_interrupted();
+  for (std::size_t i = 0; i < texts.size(); ++i) write_text(files[i], texts[i]);
 }
 
 std::string film_strip(const std::vector<PicturedFrame>& frames, std::size_t columns) {
@@ -59,7 +80,7 @@ std::string film_strip(const std::vector<PicturedFrame>& frames, std::size_t col
   open_svg(svg, cell_width * double(per_row) + kGap, cell_height * double(rows) + kGap);
   for (std::size_t i = 0; i < frames.size(); ++i) {
     const double x = kGap + cell_width * double(i % per_row), y = kGap + cell_height * double(i / per_row);
-    svg << "<text x=\"" << number(x) << "\" y=\"" << number(y + 10) << "\">s = " << escaped(frames[i].label) << "</text>\n";
+    svg << "<text x=\"" << number(x) << "\" y=\"" << number(y + 10) << "\">" << escaped(frames[i].caption) << "</text>\n";
     open_drawing(svg, box, factor, x, y + kText);
     draw(svg, frames[i], factor);
     svg << "</g>\n";
@@ -80,7 +101,7 @@ std::string animation(const std::vector<PicturedFrame>& frames) {
     svg << "<g class=\"frame\" visibility=\"" << (i == 0 ? "visible" : "hidden") << "\">";
     if (frames.size() > 1) show_during(svg, i, frames.size(), seconds);
     const double done = frames.size() > 1 ? double(i) / double(frames.size() - 1) : 1;
-    svg << "<text x=\"" << kGap << "\" y=\"" << kGap << "\">s = " << escaped(frames[i].label) << "</text><rect x=\"" << kGap << "\" y=\"" << kGap + 8
+    svg << "<text x=\"" << kGap << "\" y=\"" << kGap << "\">" << escaped(frames[i].caption) << "</text><rect x=\"" << kGap << "\" y=\"" << kGap + 8
         << "\" width=\"" << number(width * done) << "\" height=\"3\" fill=\"#08519c\"/>";
     open_drawing(svg, box, factor, kGap, kGap + kText);
     draw(svg, frames[i], factor);
@@ -90,17 +111,17 @@ std::string animation(const std::vector<PicturedFrame>& frames) {
   return svg.str();
 }
 
-std::string scrub_page(const std::vector<PicturedFrame>& frames, const std::vector<ScaleEvent>& events, const std::string& title) {
+std::string scrub_page(const std::vector<PicturedFrame>& frames, const std::vector<PicturedTick>& marks,
+                       const std::string& title) {
   const Box box = joined(frames);
   const double margin = 0.03 * box.size();
   nlohmann::json list = nlohmann::json::array(), ticks = nlohmann::json::array();
   for (const PicturedFrame& f : frames) {
     nlohmann::json tight = nlohmann::json::array();
     for (const Point& p : f.set.dots) tight.push_back({p.x, p.y});
-    list.push_back({{"s", f.s}, {"label", f.label}, {"d", f.set.path}, {"tight", tight}});
+    list.push_back({{"at", f.at}, {"label", f.caption}, {"d", f.set.path}, {"tight", tight}});
   }
-  for (const ScaleEvent& e : events)
-    if (e.visible) ticks.push_back({{"s", e.approx}, {"topology", e.topology}, {"label", shown(e.s).substr(0, 60)}});
+  for (const PicturedTick& t : marks) ticks.push_back({{"at", t.at}, {"strong", t.strong}, {"label", t.caption}});
   std::ostringstream html;
   html << "<!doctype html>\n<html lang=\"en\"><meta charset=\"utf-8\"><title>" << escaped(title) << "</title>\n"
        << "<style>body{font:14px sans-serif;margin:1em}svg#sum{width:100%;height:78vh;background:#fff}input{width:100%}#ticks{width:100%;height:18px}</style>\n"
@@ -111,12 +132,12 @@ std::string scrub_page(const std::vector<PicturedFrame>& frames, const std::vect
        << (frames.empty() ? 0 : frames.size() - 1) << "\" value=\"0\"><p id=\"l\"></p>\n<script>\nconst frames=" << list.dump() << ",ticks=" << ticks.dump()
        << ",r=" << number(0.006 * box.size()) << ";\n"
        << R"(const ns="http://www.w3.org/2000/svg",el=i=>document.getElementById(i);
-function show(i){const f=frames[i];if(!f)return;el("p").setAttribute("d",f.d);el("l").textContent="s = "+f.label;
+function show(i){const f=frames[i];if(!f)return;el("p").setAttribute("d",f.d);el("l").textContent=f.label;
 el("t").replaceChildren(...f.tight.map(q=>{const c=document.createElementNS(ns,"circle");c.setAttribute("cx",q[0]);c.setAttribute("cy",q[1]);c.setAttribute("r",r);return c}))}
 el("s").oninput=e=>show(+e.target.value);show(0);
-if(frames.length>1){const a=frames[0].s,b=frames[frames.length-1].s;for(const t of ticks){const x=1000*(t.s-a)/(b-a),l=document.createElementNS(ns,"line");
-for(const [k,v] of [["x1",x],["x2",x],["y1",t.topology?0:8],["y2",18],["stroke",t.topology?"#d7301f":"#777"]])l.setAttribute(k,v);
-const n=document.createElementNS(ns,"title");n.textContent="s = "+t.label;l.append(n);el("ticks").append(l)}}
+if(frames.length>1){const a=frames[0].at,b=frames[frames.length-1].at;for(const t of ticks){const x=1000*(t.at-a)/(b-a),l=document.createElementNS(ns,"line");
+for(const [k,v] of [["x1",x],["x2",x],["y1",t.strong?0:8],["y2",18],["stroke",t.strong?"#d7301f":"#777"]])l.setAttribute(k,v);
+const n=document.createElementNS(ns,"title");n.textContent=t.label;l.append(n);el("ticks").append(l)}}
 </script></html>
 )";
   return html.str();
