@@ -34,6 +34,20 @@ void check(const CspaceCommand& command) {
       throw Stop(kUsage, "-o writes .glb (the boundary), .svg (a film strip of slices) or .json (the patches): " + file);
 }
 
+/// An operand that is no set of parts, or none at all, is told with its file.
+CspaceObstacle obstacle_of(const std::vector<Input>& inputs, const ObstacleOptions& options) {
+  Result<CspaceObstacle> made = CspaceObstacle::create(inputs[0].region, inputs[1].region, options);
+  if (made) return std::move(made).value();
+  Error error = made.error();
+  for (const Input& input : inputs) {
+    const Region& r = input.region;
+    const bool at_fault = r.parts().empty() || !r.polylines().empty() || !r.points().empty();
+    if (error.code == Code::unsupported_operand && at_fault && error.evidence.file.empty())
+      error.evidence.file = input.file;
+  }
+  stop_with(error);
+}
+
 struct CspaceReport {
   const std::vector<Input>& inputs;
   const CspaceObstacle& obstacle;
@@ -131,9 +145,7 @@ ExitCode run_cspace(const CspaceCommand& command) {
   std::optional<ProgressBar> bar(std::in_place);
   ObstacleOptions options;
   options.progress = bar->callback();
-  const auto [obstacle, timing] = timed(command.report.repeat, [&] {
-    return require(CspaceObstacle::create(inputs[0].region, inputs[1].region, options));
-  });
+  const auto [obstacle, timing] = timed(command.report.repeat, [&] { return obstacle_of(inputs, options); });
   std::optional<ObstacleMesh> mesh;
   if (std::any_of(command.files.begin(), command.files.end(), is_glb))
     mesh = require(obstacle_mesh(obstacle, {command.tolerance, options.progress}));

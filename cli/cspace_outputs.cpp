@@ -23,7 +23,7 @@ Json angle_json(const CspaceObstacle& obstacle, std::uint32_t number) {
   if (number == Patch::kNone) return nullptr;
   const EventAngle& a = obstacle.angles()[number];
   Json json = {{"number", number}, {"theta", a.theta}, {"low", a.low}, {"high", a.high}};
-  if (a.exact) json["tan_half"] = a.exact->tan_half().to_string();
+  if (a.exact) json["tan_half"] = orientation_json(*a.exact)["tan_half"];
   return json;
 }
 
@@ -117,20 +117,24 @@ std::string obstacle_glb(const CspaceObstacle& obstacle, const ObstacleMesh& mes
                   "vertices of the obstacle; shades: shells"},
       {"error", "at every angle within " + digits(mesh.tolerance) + " of the exact surface"},
       {"closed", closure(mesh).watertight() ? "yes" : "no"}};
-  return format_glb(mesh_data(mesh), colours_of(obstacle, mesh), notes);
+  const MeshData data = mesh_data(mesh);
+  const std::vector<FaceColour> colours = colours_of(obstacle, mesh);
+  std::vector<std::uint32_t> patches;
+  for (const ObstacleTriangle& t : mesh.triangles) patches.push_back(t.patch);
+  return format_glb(data, {colours, patches, notes});
 }
 
 std::string slice_strip(const CspaceObstacle& obstacle, std::size_t slices, const Progress& progress) {
   constexpr std::size_t kColumns = 6;
   std::vector<PicturedFrame> frames;
   const double step = 2 * kPi / static_cast<double>(slices);
-  for (std::size_t k = 0; k < slices; ++k) {
+  for (std::size_t k = 1; k <= slices; ++k) {
     if (progress && !progress("slices", static_cast<double>(k) / static_cast<double>(slices)))
       stop_with({Code::cancelled, "interrupted", {}});
     const Orientation theta = require(Orientation::nearest(static_cast<double>(k) * step - kPi, step / 1000));
     const PlanarSum slice = require(obstacle.slice(theta));
-    frames.push_back({theta.radians(), digits(theta.radians() / kPi * 180) + "°, tan " + shown(theta.tan_half()),
-                      drawn(slice)});
+    const std::string tangent = theta.is_half_turn() ? "inf" : shown(theta.tan_half());
+    frames.push_back({theta.radians(), digits(theta.radians() / kPi * 180) + "°, tan θ/2 = " + tangent, drawn(slice)});
   }
   return film_strip(frames, kColumns);
 }

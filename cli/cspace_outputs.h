@@ -21,7 +21,7 @@ Json obstacle_json(const CspaceObstacle& obstacle);
 /// the file.
 std::string obstacle_glb(const CspaceObstacle& obstacle, const ObstacleMesh& mesh);
 
-/// Exact slices at the simplest orientations within a thousandth of a step of equal steps of the turn, from -pi on.
+/// Exact slices at the simplest orientations within a thousandth of a step of equal steps of the turn, up to pi.
 std::string slice_strip(const CspaceObstacle& obstacle, std::size_t slices, const Progress& progress);
 
 /// The sizes of the mesh of a GLB file, and whether it is closed.

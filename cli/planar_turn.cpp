@@ -43,7 +43,7 @@ SumOptions sum_options(const PlanarTurn& turn) {
 
 Json frame_json(const PlanarSum& sum, const Pose& pose, double ms) {
   return {{"theta", pose.theta.radians()},
-          {"tan_half", pose.theta.tan_half().to_string()},
+          {"tan_half", orientation_json(pose.theta)["tan_half"]},
           {"outer", sum.parts.size()},
           {"holes", sum.hole_count()},
           {"vertices", sum.vertex_count()},

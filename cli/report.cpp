@@ -57,7 +57,8 @@ Json inputs_json(const std::vector<Input>& inputs) {
 }
 
 Json orientation_json(const Orientation& orientation) {
-  return {{"tan_half", orientation.tan_half().to_string()}, {"radians", orientation.radians()}};
+  const std::string tangent = orientation.is_half_turn() ? "inf" : orientation.tan_half().to_string();
+  return {{"tan_half", tangent}, {"radians", orientation.radians()}};
 }
 
 Json sum_json(const SumReport& report) {
@@ -98,8 +99,8 @@ void print_sum(std::ostream& out, const SumReport& report) {
         << counted(input.region.vertex_count(), "vertex", "vertices") << ")";
   }
   if (report.orientation) {
-    out << " at tan(theta / 2) = " << shown(report.orientation->tan_half()) << ", theta = "
-        << report.orientation->radians();
+    const Orientation& theta = *report.orientation;
+    out << " at tan(theta / 2) = " << (theta.is_half_turn() ? "inf" : shown(theta.tan_half())) << ", theta = " << theta.radians();
   }
   out << "\n  " << counted(sum.parts.size(), "part") << ", " << counted(sum.hole_count(), "hole") << ", "
       << counted(sum.vertex_count(), "vertex", "vertices");
