@@ -119,9 +119,9 @@ std::string obstacle_glb(const CspaceObstacle& obstacle, const ObstacleMesh& mes
       {"closed", closure(mesh).watertight() ? "yes" : "no"}};
   const MeshData data = mesh_data(mesh);
   const std::vector<FaceColour> colours = colours_of(obstacle, mesh);
-  std::vector<std::uint32_t> patches;
-  for (const ObstacleTriangle& t : mesh.triangles) patches.push_back(t.patch);
-  return format_glb(data, {colours, patches, notes});
+  std::vector<std::uint32_t> smooth;  // closing triangles have no direction to share
+  for (const ObstacleTriangle& t : mesh.triangles) smooth.push_back(t.closing ? Patch::kNone : t.patch);
+  return format_glb(data, {colours, smooth, notes});
 }
 
 std::string slice_strip(const CspaceObstacle& obstacle, std::size_t slices, const Progress& progress) {
