@@ -1,6 +1,7 @@
 // The verbs slice and cspace, and rotate with planar operands: keys, exit codes, files.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -43,9 +44,11 @@ class CspaceCli : public testing::Test {
 };
 
 TEST_F(CspaceCli, SliceIsASumWithItsOrientation) {
-  const Json slice = json("dymsum slice peg.wkt slot.wkt --tan-half 0 --json"), nfp = json("dymsum nfp slot.wkt peg.wkt --json");
+  const Json slice = json("dymsum slice peg.wkt slot.wkt --tan-half 0 --json");
+  const Json nfp = json("dymsum nfp slot.wkt peg.wkt --json");
   for (const auto& [key, value] : nfp.items()) EXPECT_TRUE(slice.contains(key)) << key;
-  for (const char* key : {"outer", "holes", "vertices", "area_exact", "tight", "convolution"}) EXPECT_EQ(slice[key], nfp[key]) << key;
+  for (const char* key : {"outer", "holes", "vertices", "area_exact", "tight", "convolution"})
+    EXPECT_EQ(slice[key], nfp[key]) << key;
   EXPECT_EQ(slice["inputs"][0]["file"], "peg.wkt");
   EXPECT_EQ(slice["orientation"]["tan_half"], "0/1");
   EXPECT_EQ(slice["tight"]["segments"], 1) << "the peg is as wide as the slot";
@@ -60,34 +63,41 @@ TEST_F(CspaceCli, SliceIsASumWithItsOrientation) {
 TEST_F(CspaceCli, EveryEngineGivesTheSameSlice) {
   const Json fast = json("dymsum slice rod.wkt cage.wkt --tan-half 2/7 --json");
   EXPECT_EQ(fast["holes"], 1);
-  for (const char* engine : {"brute", "winding"})
-    EXPECT_EQ(json(std::string("dymsum slice rod.wkt cage.wkt --tan-half 2/7 --json --engine ") + engine)["area_exact"], fast["area_exact"]);
+  for (const char* engine : {"brute", "winding"}) {
+    const Json other = json(std::string("dymsum slice rod.wkt cage.wkt --tan-half 2/7 --json --engine ") + engine);
+    EXPECT_EQ(other["area_exact"], fast["area_exact"]) << engine;
+  }
 }
 
 TEST_F(CspaceCli, AnAngleIsMetWithinItsError) {
-  const Json close = json("dymsum slice peg.wkt slot.wkt --angle 0.5 --json"), rough = json("dymsum slice peg.wkt slot.wkt --angle 0.5 --error 1e-2 --json");
+  const Json close = json("dymsum slice peg.wkt slot.wkt --angle 0.5 --json");
+  const Json rough = json("dymsum slice peg.wkt slot.wkt --angle 0.5 --error 1e-2 --json");
   EXPECT_NEAR(close["orientation"]["radians"].get<double>(), 0.5, 1e-15);
   EXPECT_NEAR(rough["orientation"]["radians"].get<double>(), 0.5, 1e-2);
   EXPECT_LT(rough["orientation"]["tan_half"].get<std::string>().size(), 8u);
 }
 
 TEST_F(CspaceCli, SliceWritesWhatSumWrites) {
-  ASSERT_EQ(work.run("dymsum slice rod.wkt cage.wkt --tan-half 1/2 -o s.svg -o stages.svg -o s.json -o s.wkt -o s.poly -o s.geojson").code, 0);
+  const std::string files = " -o s.svg -o stages.svg -o s.json -o s.wkt -o s.poly -o s.geojson";
+  ASSERT_EQ(work.run("dymsum slice rod.wkt cage.wkt --tan-half 1/2" + files).code, 0);
   EXPECT_EQ(Json::parse(work.read("s.json"))["parts"].size(), 1u);
-  EXPECT_EQ(json("dymsum info s.wkt --json")["holes"], 1);
+  EXPECT_EQ(json("dymsum info s.wkt --json")["shapes"][0]["holes"], 1);
   const Outcome out = work.run("dymsum slice rod.wkt cage.wkt --tan-half 1/2 -o - --to wkt");
   EXPECT_EQ(out.out, work.read("s.wkt"));
 }
 
 TEST_F(CspaceCli, CspacePrintsEveryKeyOfTheContract) {
   const Json report = json("dymsum cspace rod.wkt cage.wkt --repeat 2 --json");
-  for (const char* key : {"inputs", "tier", "time_ms", "patches_before_trim", "patches", "shells", "angles", "events", "free_components"})
+  for (const char* key : {"inputs", "tier", "time_ms", "patches_before_trim", "patches", "shells", "angles", "events",
+                          "free_components"})
     EXPECT_TRUE(report.contains(key)) << key;
-  for (const char* key : {"alignment", "vertex_on_segment", "three_segments", "tight"}) EXPECT_TRUE(report["events"].contains(key)) << key;
+  for (const char* key : {"alignment", "vertex_on_segment", "three_segments", "tight"})
+    EXPECT_TRUE(report["events"].contains(key)) << key;
   ASSERT_EQ(report["shells"].size(), 2u);
   int cavities = 0;
   for (const Json& shell : report["shells"]) {
-    for (const char* key : {"kind", "patches", "euler", "component"}) EXPECT_TRUE(shell.contains(key)) << key;
+    for (const char* key : {"kind", "patches", "euler", "component"})
+      EXPECT_TRUE(shell.contains(key)) << key;
     EXPECT_EQ(shell["euler"], 0) << "a torus: the turn closes";
     cavities += shell["kind"] == "cavity";
   }
@@ -107,7 +117,8 @@ TEST_F(CspaceCli, CspaceFilesHoldPatchesSlicesAndAClosedMesh) {
   EXPECT_EQ(file["angles"].size(), report["angles"]);
   EXPECT_EQ(file["angles"][3]["tan_half"], "inf") << "half a turn is an alignment";
   for (const Json& p : file["patches"]) {
-    for (const char* key : {"contact", "left", "right", "theta0", "theta1", "shell"}) ASSERT_TRUE(p.contains(key)) << key;
+    for (const char* key : {"contact", "left", "right", "theta0", "theta1", "shell"})
+      ASSERT_TRUE(p.contains(key)) << key;
     EXPECT_LE(p["theta0"]["low"], p["theta0"]["theta"]);
     EXPECT_TRUE(p["contact"]["kind"] == "fixed" || p["contact"]["kind"] == "rotating");
   }
@@ -128,7 +139,8 @@ Glb read_glb(const std::string& bytes) {
   glb.json = Json::parse(bytes.substr(20, length));
   const auto append = [&](std::vector<std::array<float, 3>>& list, std::size_t accessor) {
     const Json& view = glb.json["bufferViews"][glb.json["accessors"][accessor]["bufferView"].get<std::size_t>()];
-    const std::size_t start = 28 + length + view["byteOffset"].get<std::size_t>(), n = view["byteLength"].get<std::size_t>() / 12;
+    const std::size_t start = 28 + length + view["byteOffset"].get<std::size_t>();
+    const std::size_t n = view["byteLength"].get<std::size_t>() / 12;
     list.resize(list.size() + n);
     std::memcpy(list[list.size() - n].data(), bytes.data() + start, 12 * n);
   };
@@ -142,7 +154,8 @@ Glb read_glb(const std::string& bytes) {
 TEST_F(CspaceCli, TheGlbIsClosedBitByBitAndSaysHowToReadIt) {
   ASSERT_EQ(work.run("dymsum cspace rod.wkt cage.wkt -o c.glb --tolerance 0.01").code, 0);
   const Glb glb = read_glb(work.read("c.glb"));
-  for (const char* note : {"z", "planes", "colours", "error", "closed"}) EXPECT_TRUE(glb.json["asset"]["extras"].contains(note)) << note;
+  for (const char* note : {"z", "planes", "colours", "error", "closed"})
+    EXPECT_TRUE(glb.json["asset"]["extras"].contains(note)) << note;
   EXPECT_EQ(glb.json["asset"]["extras"]["closed"], "yes");
   EXPECT_EQ(glb.json["materials"].size(), 3u) << "two kinds outside, one in the cavity";
   using Corner = std::array<float, 3>;
@@ -166,7 +179,8 @@ TEST_F(CspaceCli, TheGlbIsClosedBitByBitAndSaysHowToReadIt) {
 
 TEST_F(CspaceCli, RotateFollowsPlanarOperands) {
   const Json report = json("dymsum rotate peg.wkt slot.wkt --steps 8 --json -o r.svg -o r.anim.svg -o r.html");
-  for (const char* key : {"inputs", "tier", "time_ms", "frames", "static_ms", "update_ms"}) EXPECT_TRUE(report.contains(key)) << key;
+  for (const char* key : {"inputs", "tier", "time_ms", "frames", "static_ms", "update_ms"})
+    EXPECT_TRUE(report.contains(key)) << key;
   ASSERT_EQ(report["frames"].size(), 8u);
   for (const char* key : {"theta", "tan_half", "outer", "holes", "vertices", "area_exact", "update_ms"})
     EXPECT_TRUE(report["frames"][0].contains(key)) << key;
@@ -180,20 +194,24 @@ TEST_F(CspaceCli, RotateFollowsPlanarOperands) {
   EXPECT_EQ(count("r.svg", "<path"), 8u);
   EXPECT_EQ(count("r.anim.svg", "class=\"frame\""), 8u);
   EXPECT_NE(work.read("r.html").find("<script>"), std::string::npos);
-  const Json quarter = json("dymsum rotate peg.wkt slot.wkt --steps 2 --degrees 180 --error 1e-3 --semantics regular --json");
+  const std::string more = " --error 1e-3 --semantics regular --json";
+  const Json quarter = json("dymsum rotate peg.wkt slot.wkt --steps 2 --degrees 180" + more);
   EXPECT_EQ(quarter["frames"][1]["tan_half"], "1/1");
   EXPECT_EQ(quarter["frames"][0]["tight"]["segments"], 0);
 }
 
 TEST_F(CspaceCli, WrongUsageIsTold) {
   for (const char* command :
-       {"dymsum slice peg.wkt slot.wkt", "dymsum slice peg.wkt slot.wkt --tan-half 1 --angle 1", "dymsum slice peg.wkt slot.wkt --tan-half one",
-        "dymsum slice peg.wkt slot.wkt --tan-half 0/0", "dymsum slice peg.wkt slot.wkt --angle nan", "dymsum slice peg.wkt slot.wkt --angle 1 --error 0",
-        "dymsum slice peg.wkt slot.wkt --tan-half 1 --error 1e-3", "dymsum slice cube.off cube.off --tan-half 1", "dymsum slice peg.wkt cube.off --tan-half 1",
-        "dymsum cspace peg.wkt", "dymsum cspace peg.wkt slot.wkt --tolerance 0", "dymsum cspace peg.wkt slot.wkt --slices 0",
+       {"dymsum slice peg.wkt slot.wkt", "dymsum slice peg.wkt slot.wkt --tan-half 1 --angle 1",
+        "dymsum slice peg.wkt slot.wkt --tan-half one", "dymsum slice peg.wkt slot.wkt --tan-half 0/0",
+        "dymsum slice peg.wkt slot.wkt --angle nan", "dymsum slice peg.wkt slot.wkt --angle 1 --error 0",
+        "dymsum slice peg.wkt slot.wkt --tan-half 1 --error 1e-3", "dymsum slice cube.off cube.off --tan-half 1",
+        "dymsum slice peg.wkt cube.off --tan-half 1", "dymsum cspace peg.wkt",
+        "dymsum cspace peg.wkt slot.wkt --tolerance 0", "dymsum cspace peg.wkt slot.wkt --slices 0",
         "dymsum cspace cube.off cube.off", "dymsum rotate peg.wkt slot.wkt",
         "dymsum rotate peg.wkt slot.wkt --steps 4 --axis 0,0,1", "dymsum rotate peg.wkt slot.wkt --steps 4 --error 0",
-        "dymsum rotate peg.wkt slot.wkt --steps 4 -o last.glb", "dymsum rotate cube.off cube.off --steps 4 --error 1e-3",
+        "dymsum rotate peg.wkt slot.wkt --steps 4 -o last.glb",
+        "dymsum rotate cube.off cube.off --steps 4 --error 1e-3",
         "dymsum cspace peg.wkt slot.wkt -o c.off"}) {
     const Outcome outcome = work.run(command);
     EXPECT_EQ(outcome.code, 1) << command << "\n" << outcome.err;
@@ -223,7 +241,9 @@ TEST_F(CspaceCli, BadInputNamesItsFileAndLeavesNoOutput) {
 }
 
 TEST_F(CspaceCli, CtrlCEndsWith130AndLeavesNoFile) {
-  const Outcome outcome = work.run("timeout --foreground --preserve-status -s INT 0.5 dymsum cspace rod.wkt cage.wkt --repeat 10000000 -o c.glb -o c.svg");
+  const Outcome outcome = work.run(
+      "timeout --foreground --preserve-status -s INT 0.5 dymsum cspace rod.wkt cage.wkt --repeat 10000000 -o c.glb "
+      "-o c.svg");
   EXPECT_EQ(outcome.code, 130) << outcome.err;
   EXPECT_EQ(outcome.err, "dymsum: interrupted\n");
   EXPECT_FALSE(work.exists("c.glb") || work.exists("c.svg"));
