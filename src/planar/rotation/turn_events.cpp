@@ -178,19 +178,26 @@ class Collector {
     return std::binary_search(w_.meetings.begin(), w_.meetings.end(), m, less) && !share_end(w_.segments[i], w_.segments[j]);
   }
 
+  // Every triple is found from its smallest member; with two that are parallel at every angle, from the third one, the only one that crosses both.
   void triples_of(std::uint32_t a) {
     const std::vector<Crossing>& list = crossings_[a];
-    for (std::size_t k = 0; k < list.size(); ++k) {
-      if (list[k].other < a) continue;
-      for (std::size_t l = k + 1; l < list.size() && list[l].low <= list[k].high; ++l)
-        if (list[l].other > a) triple(a, std::min(list[k].other, list[l].other), std::max(list[k].other, list[l].other));
-    }
+    for (std::size_t k = 0; k < list.size(); ++k)
+      for (std::size_t l = k + 1; l < list.size() && list[l].low <= list[k].high; ++l) {
+        const std::uint32_t b = std::min(list[k].other, list[l].other), c = std::max(list[k].other, list[l].other);
+        if (a < b || forms_.parallel(w_.segments[b], w_.segments[c])) triple(a, b, c);
+      }
+  }
+
+  // Opposite directions: a passage between them opens or closes. The same direction: overlaps() sees to it.
+  bool same_direction(const WalkSegment& b, const WalkSegment& c) const {
+    const Point d = forms_.edge(b.side, b.edge), e = forms_.edge(c.side, c.edge);
+    return forms_.parallel(b, c) && d.x * e.x + d.y * e.y > 0;
   }
 
   void triple(std::uint32_t i, std::uint32_t j, std::uint32_t k) {
     const WalkSegment &a = w_.segments[i], &b = w_.segments[j], &c = w_.segments[k];
     ++out_.triples;
-    if (forms_.concurrency(a, b, c).far_from_zero(w_.heading, w_.half, forms_.concurrency_error(a, b, c)) || !meet(j, k) || forms_.parallel(b, c)) return;
+    if (forms_.concurrency(a, b, c).far_from_zero(w_.heading, w_.half, forms_.concurrency_error(a, b, c)) || !meet(j, k) || same_direction(b, c)) return;
     const exact::Polynomial poly = forms_.exact_concurrency(a, b, c, w_.range.chart);
     if (poly.is_zero()) {
       out_.always_concurrent |= meets_somewhere(a, b, c);
