@@ -31,7 +31,7 @@ void check(const CspaceCommand& command) {
   if (are_solid(command.operands)) throw Stop(kUsage, "cspace is for planar operands");
   for (const std::string& file : command.files)
     if (!is_glb(file) && !file.ends_with(".svg") && !file.ends_with(".json"))
-      throw Stop(kUsage, "-o writes .glb (the boundary), .svg (a film strip of slices) or .json (the patches): " + file);
+      throw Stop(kUsage, "-o writes .glb (boundary), .svg (film strip of slices) or .json (patches): " + file);
 }
 
 /// An operand that is no set of parts, or none at all, is told with its file.
@@ -115,8 +115,9 @@ void print_text(const CspaceReport& report) {
             << counted(obstacle.patches().size(), "patch", "patches") << " on " << counted(work.surfaces, "surface")
             << ", " << counted(static_cast<std::size_t>(outer), "outer shell") << ", "
             << counted(shells.size() - static_cast<std::size_t>(outer), "cavity", "cavities") << "\n  "
-            << counted(obstacle.angles().size(), "event angle") << ": " << counted(work.alignments, "alignment") << ", "
-            << work.vertex_events << " of a vertex on a segment, " << work.triple_events << " of three segments, "
+            << counted(obstacle.angles().size(), "event angle") << "; events: "
+            << counted(work.alignments, "alignment") << ", " << work.vertex_events << " of a vertex on a segment, "
+            << work.triple_events << " of three segments, "
             << work.tight_events << " tight\n  free space has "
             << counted(free_components(obstacle), "component") << "\n";
   if (!report.mesh) return;
@@ -125,7 +126,8 @@ void print_text(const CspaceReport& report) {
             << report.mesh->tolerance << (closed.watertight() ? ", watertight" : ", not watertight") << "\n";
 }
 
-std::vector<std::string> output_texts(const CspaceCommand& command, const CspaceReport& report, const Progress& progress) {
+std::vector<std::string> output_texts(const CspaceCommand& command, const CspaceReport& report,
+                                      const Progress& progress) {
   std::vector<std::string> texts;
   for (const std::string& file : command.files) {
     if (is_glb(file))

@@ -48,7 +48,11 @@ const char* kind_name(ObstacleEvent::Kind kind) {
   return "tight";
 }
 
+/// 0 for what can be left to infinity, others for cavities, so that neighbours differ.
 constexpr std::size_t kShades = 5;
+std::size_t shade_of(const CspaceObstacle& obstacle, std::uint32_t shell) {
+  return obstacle.shells()[shell].outer ? 0 : 1 + shell % (kShades - 1);
+}
 
 /// Blue for fixed contacts, orange for rotating ones.
 std::vector<FaceColour> colours_of(const CspaceObstacle& obstacle, const ObstacleMesh& mesh) {
@@ -65,7 +69,7 @@ std::vector<FaceColour> colours_of(const CspaceObstacle& obstacle, const Obstacl
   }
   for (std::uint32_t k = 0; k < mesh.triangles.size(); ++k) {
     const Patch& patch = obstacle.patches()[mesh.triangles[k].patch];
-    colours[(patch.rotating() ? kShades : 0) + patch.shell % kShades].faces.push_back(k);
+    colours[(patch.rotating() ? kShades : 0) + shade_of(obstacle, patch.shell)].faces.push_back(k);
   }
   return colours;
 }
@@ -134,7 +138,8 @@ std::string slice_strip(const CspaceObstacle& obstacle, std::size_t slices, cons
     const Orientation theta = require(Orientation::nearest(static_cast<double>(k) * step - kPi, step / 1000));
     const PlanarSum slice = require(obstacle.slice(theta));
     const std::string tangent = theta.is_half_turn() ? "inf" : shown(theta.tan_half());
-    frames.push_back({theta.radians(), digits(theta.radians() / kPi * 180) + "°, tan θ/2 = " + tangent, drawn(slice)});
+    const std::string degrees = digits(theta.radians() / kPi * 180) + "°";
+    frames.push_back({theta.radians(), degrees + ", tan θ/2 = " + tangent, drawn(slice)});
   }
   return film_strip(frames, kColumns);
 }

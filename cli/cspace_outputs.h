@@ -17,8 +17,8 @@ Json shells_json(const CspaceObstacle& obstacle);
 /// Patches, event angles, events, shells and cells of free space, everything that CspaceObstacle lists.
 Json obstacle_json(const CspaceObstacle& obstacle);
 
-/// Fixed and rotating contacts in two hues, shades by shell; scale, error and the meeting of top and bottom are noted in
-/// the file.
+/// Fixed and rotating contacts in two hues, shades by shell; scale, error and the meeting of top and bottom are noted
+/// in the file.
 std::string obstacle_glb(const CspaceObstacle& obstacle, const ObstacleMesh& mesh);
 
 /// Exact slices at the simplest orientations within a thousandth of a step of equal steps of the turn, up to pi.

@@ -71,7 +71,8 @@ void add_rotate(CLI::App& app, Action& action) {
                                                  "--error (planar) and kept exactly from there")
       ->type_name("DEG")
       ->capture_default_str();
-  verb.add_option("--error", command->error, "Planar: largest error of a frame's angle in radians [1e-6]")->type_name("E");
+  verb.add_option("--error", command->error, "Planar: largest error of a frame's angle in radians [1e-6]")
+      ->type_name("E");
   verb.add_option("--semantics", command->semantics, "Planar: closed, open or regular [closed]")
       ->check(CLI::IsMember({"closed", "open", "regular"}));
   verb.add_option("-o", command->planar.files,

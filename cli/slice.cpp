@@ -32,7 +32,7 @@ SumVerb slice_verb() {
   verb.name = "slice";
   verb.first = "ROBOT";
   verb.second = "OBSTACLE";
-  verb.description = "One orientation of the configuration-space obstacle: OBSTACLE (+) -ROBOT, the robot turned exactly";
+  verb.description = "One orientation of a configuration-space obstacle: OBSTACLE (+) -ROBOT, the robot turned exactly";
   verb.example = "dymsum slice peg.wkt slot.wkt --tan-half 1/3 -o slice.svg";
   verb.planar_only = true;
   verb.reflects_second = true;

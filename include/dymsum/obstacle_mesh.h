@@ -21,7 +21,7 @@ struct ObstacleMeshOptions {
 struct ObstacleTriangle {
   std::array<std::uint32_t, 3> vertices{};  ///< counter-clockwise seen from the free side
   std::uint32_t patch = 0;
-  bool closing = false;  ///< lies in the plane of an event angle and joins the patches that end there to those that begin
+  bool closing = false;  ///< in the plane of an event angle: joins the patches that end there to those that begin
   friend bool operator==(const ObstacleTriangle&, const ObstacleTriangle&) = default;
 };
 

@@ -21,7 +21,8 @@ class Joints {
   }
   std::uint32_t right_of(const Patch& p) {
     if (!p.right_corner) return crossing(p.contact, p.right);
-    return p.rotating() ? corner(p.contact.p, robot_.next[p.contact.q]) : corner(obstacle_.next[p.contact.p], p.contact.q);
+    if (p.rotating()) return corner(p.contact.p, robot_.next[p.contact.q]);
+    return corner(obstacle_.next[p.contact.p], p.contact.q);
   }
   std::size_t size() const { return numbers_.size(); }
 

@@ -34,8 +34,8 @@ struct Station {
 };
 
 /// Layer k lies below station k; layer 0 begins at theta = -pi, and the last station is pi, where both planes are one.
-/// A joint is where two contacts follow each other along the boundary: a sum of two vertices, or a pair of contacts that
-/// cross. There is at most one of a number in a layer.
+/// A joint is where two contacts follow each other along the boundary: a sum of two vertices, or a pair of contacts
+/// that cross. There is at most one of a number in a layer.
 struct ObstacleLayout {
   std::vector<Station> stations;
   std::vector<Piece> pieces;

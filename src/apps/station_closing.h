@@ -15,9 +15,10 @@ struct WalkCorner {
   std::uint32_t joint = 0, patch = 0;
 };
 
-/// The edges of the pieces that end, run forwards, and of those that begin, run backwards, as closed walks: a walk turns
-/// from the ones to the others wherever a joint is there on both sides. Between two such joints the boundary before and
-/// the boundary after are the same set, so every walk goes along each of its lines as often in either direction.
+/// The edges of the pieces that end, run forwards, and of those that begin, run backwards, as closed walks: a walk
+/// turns from the ones to the others wherever a joint is there on both sides. Between two such joints the boundary
+/// before and the boundary after are the same set, so every walk goes along each of its lines as often in either
+/// direction.
 std::vector<std::vector<WalkCorner>> closing_walks(const ObstacleLayout& layout, const Station& station);
 
 /// A vertex of the mesh and the patch of the edge that leaves it.

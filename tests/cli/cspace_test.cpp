@@ -115,6 +115,9 @@ TEST_F(CspaceCli, CspaceFilesHoldPatchesSlicesAndAClosedMesh) {
   const Json file = Json::parse(work.read("c.json"));
   EXPECT_EQ(file["patches"].size(), report["patches"]);
   EXPECT_EQ(file["angles"].size(), report["angles"]);
+  std::size_t events = 0;
+  for (const auto& [kind, n] : report["events"].items()) events += n.get<std::size_t>();
+  EXPECT_EQ(file["events"].size(), events);
   EXPECT_EQ(file["angles"][3]["tan_half"], "inf") << "half a turn is an alignment";
   for (const Json& p : file["patches"]) {
     for (const char* key : {"contact", "left", "right", "theta0", "theta1", "shell"})
