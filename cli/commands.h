@@ -15,6 +15,8 @@ void add_erode(CLI::App& app, Action& action);
 void add_scale(CLI::App& app, Action& action);
 void add_scale_range(CLI::App& app, Action& action);
 void add_rotate(CLI::App& app, Action& action);
+void add_slice(CLI::App& app, Action& action);
+void add_cspace(CLI::App& app, Action& action);
 void add_depth(CLI::App& app, Action& action);
 void add_info(CLI::App& app, Action& action);
 void add_convert(CLI::App& app, Action& action);

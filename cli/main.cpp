@@ -17,7 +17,7 @@ constexpr const char* kFooter =
     "Example: dymsum sum gear.poly disc.wkt --json -o sum.svg -o stages.svg";
 
 ExitCode run(int argc, char** argv) {
-  CLI::App app("dymsum: exact Minkowski sums of planar regions and convex solids", "dymsum");
+  CLI::App app("dymsum: exact Minkowski sums of planar regions and convex solids, and of both in motion", "dymsum");
   app.require_subcommand(1);
   app.set_version_flag("--version", DYMSUM_VERSION);
   app.footer(kFooter);
@@ -28,6 +28,8 @@ ExitCode run(int argc, char** argv) {
   add_scale(app, action);
   add_scale_range(app, action);
   add_rotate(app, action);
+  add_slice(app, action);
+  add_cspace(app, action);
   add_depth(app, action);
   add_info(app, action);
   add_convert(app, action);

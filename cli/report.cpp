@@ -56,9 +56,14 @@ Json inputs_json(const std::vector<Input>& inputs) {
   return list;
 }
 
+Json orientation_json(const Orientation& orientation) {
+  const std::string tangent = orientation.is_half_turn() ? "inf" : orientation.tan_half().to_string();
+  return {{"tan_half", tangent}, {"radians", orientation.radians()}};
+}
+
 Json sum_json(const SumReport& report) {
   const PlanarSum& sum = *report.sum;
-  return {{"inputs", inputs_json(report.inputs)},
+  Json json = {{"inputs", inputs_json(report.inputs)},
           {"engine", report.engine},
           {"semantics", report.semantics},
           {"tier", sum.stats.tier_bits},
@@ -81,6 +86,8 @@ Json sum_json(const SumReport& report) {
             {"reduced", report.convolution.reduced}}},
           {"crossings", sum.stats.crossings},
           {"work", work_json(sum.stats)}};
+  if (report.orientation) json["orientation"] = orientation_json(*report.orientation);
+  return json;
 }
 
 void print_sum(std::ostream& out, const SumReport& report) {
@@ -90,6 +97,10 @@ void print_sum(std::ostream& out, const SumReport& report) {
     const Input& input = report.inputs[i];
     out << (i == 0 ? " " : " and ") << input.file << " ("
         << counted(input.region.vertex_count(), "vertex", "vertices") << ")";
+  }
+  if (report.orientation) {
+    const Orientation& theta = *report.orientation;
+    out << " at tan(theta / 2) = " << (theta.is_half_turn() ? "inf" : shown(theta.tan_half())) << ", theta = " << theta.radians();
   }
   out << "\n  " << counted(sum.parts.size(), "part") << ", " << counted(sum.hole_count(), "hole") << ", "
       << counted(sum.vertex_count(), "vertex", "vertices");

@@ -3,9 +3,11 @@
 
 #include <iosfwd>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "dymsum/orientation.h"
 #include "dymsum/planar_sum.h"
 #include "inputs.h"
 #include "timing.h"
@@ -21,9 +23,12 @@ struct SumReport {
   ConvolutionSizes convolution;
   Timing timing;
   std::string engine, semantics;
+  std::optional<Orientation> orientation;  ///< where an operand is turned
 };
 
 Json inputs_json(const std::vector<Input>& inputs);
+/// {"tan_half": "1/2", "radians": 0.927...}.
+Json orientation_json(const Orientation& orientation);
 Json sum_json(const SumReport& report);
 void print_sum(std::ostream& out, const SumReport& report);
 

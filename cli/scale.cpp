@@ -7,11 +7,11 @@
 
 #include "commands.h"
 #include "dymsum/scaling_sum.h"
+#include "frame_pictures.h"
 #include "outputs.h"
 #include "progress_bar.h"
 #include "report.h"
 #include "scale_command.h"
-#include "scale_pictures.h"
 #include "solid_motion.h"
 #include "solid_operands.h"
 #include "timing.h"
@@ -19,10 +19,7 @@
 namespace dymsum::cli {
 namespace {
 
-constexpr std::size_t kMostFrames = 1000000, kMostPictures = 240;
-
-bool is_page(const std::string& file) { return file.ends_with(".html"); }
-bool is_animation(const std::string& file) { return file.ends_with("anim.svg"); }
+constexpr std::size_t kMostFrames = 1000000;
 
 /// A:B:STEP with an exact step to add, or A:B:N% with a ratio of 1 + N/100.
 std::vector<Scale> sweep_scales(const std::string& text) {
@@ -40,9 +37,7 @@ std::vector<Scale> scales_of(const ScaleCommand& command) {
   std::vector<Scale> scales;
   if (!command.sweep.empty()) scales = sweep_scales(command.sweep);
   for (const std::string& s : command.at) scales.push_back(require(Scale::parse(s)));
-  for (const std::string& file : command.files)
-    if (!file.ends_with(".svg") && !is_page(file))
-      throw Stop(kUsage, "-o writes .svg (film strip), anim.svg (animation) or .html (page with a slider): " + file);
+  check_frame_pictures(command.files);
   return scales;
 }
 
@@ -81,6 +76,20 @@ double static_ms(const Region& p, const Region& q, const ScaleCommand& command, 
   return timing_of(ms).median_ms;
 }
 
+/// The exact scale, or its digits where that is long.
+PicturedFrame pictured(const ScalingSum& sum) {
+  std::string label = shown(sum.scale().exact());
+  if (label.size() > 14) label = number(sum.scale().approx());
+  return {sum.scale().approx(), "s = " + label, drawn(sum.sum())};
+}
+
+std::vector<PicturedTick> ticks_of(const std::vector<ScaleEvent>& events) {
+  std::vector<PicturedTick> ticks;
+  for (const ScaleEvent& e : events)
+    if (e.visible) ticks.push_back({e.approx, "s = " + shown(e.s).substr(0, 60), e.topology});
+  return ticks;
+}
+
 /// All rounds of a sweep: times of every frame; the last round's work, frames and pictures.
 struct Sweep {
   std::optional<ScalingSum> sum;  ///< at the last scale
@@ -103,8 +112,7 @@ void keep(Sweep& sweep, const ScaleCommand& command, bool picture) {
 
 Sweep run_sweep(const Region& p, const Region& q, const ScaleCommand& command, const std::vector<Scale>& scales, const Progress& progress) {
   Sweep sweep;
-  // Pictures show every frame, of a long sweep evenly chosen ones.
-  const std::size_t every = command.files.empty() ? 0 : (scales.size() + kMostPictures - 1) / kMostPictures;
+  const std::size_t every = picture_step(scales.size(), command.files);
   for (std::size_t round = 0; round < command.report.repeat; ++round) {
     sweep.sum = require(ScalingSum::create(p, q, scaling_options(command)));
     for (std::size_t i = 0; i < scales.size(); ++i) {
@@ -122,15 +130,6 @@ std::vector<ScaleEvent> events_of(const Sweep& sweep, const ScaleCommand& comman
   if (!command.events && std::none_of(command.files.begin(), command.files.end(), is_page)) return {};
   const auto [low, high] = std::minmax_element(scales.begin(), scales.end(), [](const Scale& a, const Scale& b) { return a.approx() < b.approx(); });
   return require(sweep.sum->events(*low, *high, progress));
-}
-
-void write_pictures(const Sweep& sweep, const std::vector<ScaleEvent>& events, const std::vector<Input>& inputs, const ScaleCommand& command) {
-  const std::string title = inputs[0].file + " and " + inputs[1].file + ", " + command.scaled + " scales";
-  std::vector<std::string> texts;
-  for (const std::string& file : command.files)
-    texts.push_back(is_page(file) ? scrub_page(sweep.pictures, events, title) : is_animation(file) ? animation(sweep.pictures) : film_strip(sweep.pictures, 8));
-  throw_if_interrupted();
-  for (std::size_t i = 0; i < texts.size(); ++i) write_text(command.files[i], texts[i]);
 }
 
 void print_json(const Sweep& sweep, const std::vector<ScaleEvent>& events, double fresh_ms, const std::vector<Input>& inputs, const ScaleCommand& command) {
@@ -177,7 +176,8 @@ ExitCode run_scale(const ScaleCommand& command) {
   const std::vector<ScaleEvent> events = events_of(sweep, command, scales, progress);
   const double fresh_ms = static_ms(p, q, command, scales);
   bar.reset();
-  write_pictures(sweep, events, inputs, command);
+  const std::string title = inputs[0].file + " and " + inputs[1].file + ", " + command.scaled + " scales";
+  write_frame_pictures(command.files, sweep.pictures, ticks_of(events), title);
   if (command.report.json) print_json(sweep, events, fresh_ms, inputs, command);
   else print_text(sweep, events, fresh_ms, inputs, command, scales.size());
   return kDone;

@@ -60,23 +60,32 @@ void add_sum_options(CLI::App& verb, SumCommand& command) {
 
 }  // namespace
 
+CLI::App& declare_sum_verb(CLI::App& app, const SumVerb& verb, SumCommand& command) {
+  CLI::App& parser = *app.add_subcommand(verb.name, verb.description);
+  add_operands(parser, verb.first, verb.second, command.operands);
+  add_sum_options(parser, command);
+  add_input_options(parser, command.input);
+  parser.footer("Example: " + verb.example);
+  return parser;
+}
+
 void add_sum_verb(CLI::App& app, const SumVerb& verb, Action& action) {
   auto command = std::make_shared<SumCommand>();
-  CLI::App& parser = *app.add_subcommand(verb.name, verb.description);
-  add_operands(parser, verb.first, verb.second, command->operands);
-  add_sum_options(parser, *command);
-  add_input_options(parser, command->input);
-  parser.footer("Example: " + verb.example);
+  CLI::App& parser = declare_sum_verb(app, verb, *command);
   parser.callback([verb, command, &action] { action = [verb, command] { return run_sum(verb, *command); }; });
 }
 
 ExitCode run_sum(const SumVerb& verb, const SumCommand& command) {
-  if (are_solid(command.operands)) return run_solid_sum(verb, command);
+  if (are_solid(command.operands)) {
+    if (verb.planar_only) throw Stop(kUsage, verb.name + " is for planar operands");
+    return run_solid_sum(verb, command);
+  }
   check(command);
   SumReport report;
   report.verb = verb.name;
   report.engine = command.engine;
   report.semantics = command.semantics;
+  report.orientation = verb.orientation;
   report.inputs = read_inputs(command.operands, command.input);
   const Region& p = report.inputs[0].region;
   const Region& q = report.inputs[1].region;
@@ -94,9 +103,10 @@ ExitCode run_sum(const SumVerb& verb, const SumCommand& command) {
   bar.reset();
   report.sum = &sum;
   report.timing = timing;
-  report.convolution = convolution_sizes(p, verb.reflects_second ? negated(q) : q);
+  const std::array<Region, 2> operands = verb.shown ? verb.shown(p, q) : std::array{p, q};
+  report.convolution = convolution_sizes(operands[0], verb.reflects_second ? negated(operands[1]) : operands[1]);
 
-  write_sum(p, q, sum, command.output);
+  write_sum(operands[0], operands[1], sum, command.output);
   if (command.report.json) {
     std::cout << sum_json(report).dump(2) << "\n";
   } else {

@@ -1,10 +1,13 @@
-// What sum, nfp and erode share: their options, and running one of them.
+// What sum, nfp, erode and slice share: their options, and running one of them.
 #pragma once
 
+#include <array>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "dymsum/orientation.h"
 #include "dymsum/planar_sum.h"
 #include "exit_code.h"
 #include "inputs.h"
@@ -24,6 +27,10 @@ struct SumVerb {
   std::function<Result<PlanarSum>(const Region&, const Region&, const SumOptions&)> compute;
   bool reflects_second = false;  ///< the convolution behind it is that of P and -Q
   bool empty_is_no = false;      ///< an empty result ends with kNo
+  bool planar_only = false;
+  std::optional<Orientation> orientation;  ///< of the operand that is turned, for the report
+  /// The operands as pictures show them and as the convolution is counted; empty: as they are read.
+  std::function<std::array<Region, 2>(const Region&, const Region&)> shown;
 };
 
 /// What the command line asks of it.
@@ -35,7 +42,9 @@ struct SumCommand {
   OutputOptions output;
 };
 
-/// Adds the verb with its operands and all options.
+/// Declares the verb with its operands and all options.
+CLI::App& declare_sum_verb(CLI::App& app, const SumVerb& verb, SumCommand& command);
+/// Adds the verb, which needs no further options.
 void add_sum_verb(CLI::App& app, const SumVerb& verb, Action& action);
 
 /// Reads, computes, writes the outputs and reports.

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "dymsum/mesh.h"
@@ -40,6 +41,16 @@ std::string format_mesh(const MeshData& mesh, MeshFormat format, std::span<const
 inline std::string format_mesh(const Mesh& mesh, MeshFormat format, std::span<const FaceColour> colours = {}) {
   return format_mesh(mesh.data(), format, colours);
 }
+/// What a glb file can hold beside the mesh.
+struct GlbLook {
+  std::span<const FaceColour> colours;
+  /// Per face a number: faces of one number look like one smooth surface, with a crease towards all others. Empty: every
+  /// face looks flat.
+  std::span<const std::uint32_t> smooth;
+  /// Names and texts, kept in the file as extras of its asset.
+  std::span<const std::pair<std::string, std::string>> notes;
+};
+std::string format_glb(const MeshData& mesh, const GlbLook& look);
 /// Replaces the file as a whole. Errors: cannot_write, unsupported_format.
 Result<std::size_t> write_mesh(const Mesh& mesh, const std::string& path);
 

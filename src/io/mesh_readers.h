@@ -24,7 +24,7 @@ std::string write_off(const MeshData& data, std::span<const FaceColour> colours)
 std::string write_obj(const MeshData& data);
 std::string write_stl(const MeshData& data);
 std::string write_ply(const MeshData& data, std::span<const FaceColour> colours);
-std::string write_glb(const MeshData& data, std::span<const FaceColour> colours);
+std::string write_glb(const MeshData& data, const GlbLook& look);
 
 /// The nearest single-precision number; the largest finite one where the nearest is infinite.
 float to_float(double value);

@@ -115,5 +115,31 @@ TEST(ConvexGuide, ProgramAndCommandsDoWhatIsShown) {
   EXPECT_TRUE(work.exists("turn.html") && work.exists("sum.glb"));
 }
 
+TEST(CspaceGuide, ProgramAndCommandsDoWhatIsShown) {
+  const std::string guide = "docs/guide/cspace.md";
+  ASSERT_EQ(blocks("cpp", guide).size(), 1U);
+  ASSERT_EQ(blocks("text", guide).size(), 1U);
+  EXPECT_EQ(blocks("cpp", guide).front(), read_text(kSource / "examples/turning_robot.cpp"));
+  const Workplace work;
+  const Outcome program = work.run("'" DYMSUM_EXAMPLES_DIR "/turning_robot'");
+  EXPECT_EQ(program.code, 0) << program.err;
+  EXPECT_EQ(program.out, blocks("text", guide).front());
+  EXPECT_EQ(work.run("'" DYMSUM_EXAMPLES_DIR "/demo_shapes' .").code, 0);
+  int commands = 0, shown = 0;
+  for (const std::string& block : blocks("console", guide)) {
+    const std::string line = block.substr(0, block.find('\n') + 1);
+    ASSERT_EQ(line.substr(0, 9), "$ dymsum ");
+    const Outcome outcome = work.run(line.substr(2));
+    EXPECT_EQ(outcome.code, 0) << line << "\n" << outcome.err;
+    ++commands;
+    if (block == line) continue;  // what it prints has times in it
+    ++shown;
+    EXPECT_EQ(block, line + outcome.out);
+  }
+  EXPECT_EQ(commands, 4);
+  EXPECT_EQ(shown, 2);
+  EXPECT_TRUE(work.exists("obstacle.glb") && work.exists("slices.svg") && work.exists("turn.anim.svg"));
+}
+
 }  // namespace
 }  // namespace dymsum::cli_test

@@ -1,6 +1,7 @@
 #include "planar/rotation/slice.h"
 
 #include "dymsum/cspace_obstacle.h"
+#include "dymsum/orientation_sum.h"
 #include "planar/prepared_region.h"
 #include "planar/rotation/turn.h"
 
@@ -32,6 +33,12 @@ namespace dymsum {
 
 Result<PlanarSum> cspace_slice(const Region& robot, const Region& obstacle, const Orientation& theta, const SumOptions& options) {
   const auto base = planar::turning_base(obstacle, robot, 1, true, {}, options.min_tier_bits);
+  if (!base) return base.error();
+  return planar::sum_at(**base, theta, options);
+}
+
+Result<PlanarSum> rotated_sum(const Region& p, const Region& q, const Orientation& theta, const SumOptions& options) {
+  const auto base = planar::turning_base(p, q, 0, false, {}, options.min_tier_bits);
   if (!base) return base.error();
   return planar::sum_at(**base, theta, options);
 }

@@ -1,0 +1,24 @@
+// Planar regions that turn, frame by frame: what rotate does with planar operands.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "exit_code.h"
+#include "options.h"
+
+namespace dymsum::cli {
+
+struct PlanarTurn {
+  std::vector<std::string> operands{"", ""}, files;
+  std::vector<double> degrees;  ///< of the frames
+  double error = 1e-6;          ///< in radians: the simplest exact orientation within it is taken
+  std::string semantics = "closed";
+  ReportOptions report;
+  InputOptions input;
+};
+
+/// Computes the frames, writes pictures and reports.
+ExitCode run_planar_turn(const PlanarTurn& turn);
+
+}  // namespace dymsum::cli

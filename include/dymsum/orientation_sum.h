@@ -1,0 +1,14 @@
+// Planar sums of which an operand is turned by an exact orientation.
+#pragma once
+
+#include "dymsum/orientation.h"
+#include "dymsum/planar_sum.h"
+
+namespace dymsum {
+
+/// R(theta) P (+) Q: P turned about the origin of its coordinates, never rounded. Provenance numbers refer to P and Q.
+/// Errors as minkowski_sum.
+Result<PlanarSum> rotated_sum(const Region& p, const Region& q, const Orientation& theta,
+                              const SumOptions& options = {});
+
+}  // namespace dymsum
