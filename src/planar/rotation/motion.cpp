@@ -59,7 +59,7 @@ Result<TranslationCheck> check_translation(const Region& robot, const Region& ob
   Result<PlanarSum> slice = cspace_slice(robot, obstacle, theta, options);
   if (!slice) return slice.error();
   const SliceMap map(std::move(slice).value());
-  const SliceMap::Passage passage = map.passage(Spot(*a), Spot(*b), touch == Touching::allowed);
+  const SliceMap::Passage passage = map.passage(SlicePoint(*a), SlicePoint(*b), touch == Touching::allowed);
   TranslationCheck check{passage.free, exact::to_rational(passage.first), to, std::nullopt};
   if (passage.free) return check;
   check.at = to_public(along(*a, *b, passage.first));

@@ -94,7 +94,7 @@ std::uint32_t PathLevels::component_beside(std::size_t k, std::uint32_t face) {
   const std::unique_ptr<SliceMap> map = map_at(obstacle_, beside);
   ++slices_;
   const SliceGraph graph(*map, false, frame_);
-  const std::vector<std::uint32_t> nodes = graph.nodes_at(Spot(inside->centre));
+  const std::vector<std::uint32_t> nodes = graph.nodes_at(SlicePoint(inside->centre));
   const std::optional<std::uint32_t> slab = obstacle_.slab_of(beside);
   if (nodes.empty() || !slab) return kUnknown;
   const std::uint32_t edge = graph.edge_of(graph.trapezoids()[nodes[0]].face);

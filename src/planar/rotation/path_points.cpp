@@ -34,7 +34,7 @@ void PathPoints::rotate(Points& path, const Orientation& to, TurnDirection direc
 }
 
 bool PathPoints::glides(const Orientation& theta, const Position& from, const Position& to) {
-  return levels_.map(levels_.add(theta)).passage(Spot(from), Spot(to), touching_ == Touching::allowed).free;
+  return levels_.map(levels_.add(theta)).passage(SlicePoint(from), SlicePoint(to), touching_ == Touching::allowed).free;
 }
 
 // The shorter way first.

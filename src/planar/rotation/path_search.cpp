@@ -32,8 +32,8 @@ PathSearch::Outcome PathSearch::round(const PathEnd& start, const PathEnd& goal,
   open_.clear();
   steps_.clear();
   goal_angle_ = goal.theta.radians();
-  const std::uint32_t group = levels_.graph(begin).group_at(Spot(start.at));
-  const std::uint32_t wanted = levels_.graph(last).group_at(Spot(goal.at));
+  const std::uint32_t group = levels_.graph(begin).group_at(SlicePoint(start.at));
+  const std::uint32_t wanted = levels_.graph(last).group_at(SlicePoint(goal.at));
   visits(begin)[group] = {true, begin, group, start.at, {}, 0};
   open_.push_back({0, begin, group});
   while (!open_.empty()) {
@@ -54,11 +54,11 @@ PathSearch::Outcome PathSearch::round(const PathEnd& start, const PathEnd& goal,
 // Trapezoids of a group: those with room for the robot first, the near ones before the far ones.
 std::vector<Position> PathSearch::roomy(std::uint32_t level, std::uint32_t group, const Position& near, std::size_t most) {
   const SliceGraph& graph = levels_.graph(level);
-  const Point at = Spot(near).at();
+  const Point at = SlicePoint(near).at();
   std::vector<std::tuple<double, double, std::uint32_t>> order;
   for (std::uint32_t k = 0; k < graph.trapezoids().size(); ++k) {
     if (graph.group_of(k) != group) continue;
-    const Point c = Spot(graph.trapezoids()[k].centre).at();
+    const Point c = SlicePoint(graph.trapezoids()[k].centre).at();
     order.emplace_back(-std::min(room_, graph.trapezoids()[k].size), std::hypot(c.x - at.x, c.y - at.y), k);
   }
   std::sort(order.begin(), order.end());
@@ -69,7 +69,7 @@ std::vector<Position> PathSearch::roomy(std::uint32_t level, std::uint32_t group
 }
 
 bool PathSearch::try_place(std::uint32_t from, std::uint32_t group, std::uint32_t to, TurnDirection direction, const Position& at) {
-  const std::uint32_t reached = levels_.graph(to).group_at(Spot(at));
+  const std::uint32_t reached = levels_.graph(to).group_at(SlicePoint(at));
   if (reached == SliceMap::kNone || visits(to)[reached].reached) return false;
   ++rotations_;
   pivot_.stand(at);
@@ -97,7 +97,7 @@ void PathSearch::expand(std::uint32_t level, std::uint32_t group, TurnDirection 
   for (std::uint32_t g = 0; g < visits(to).size(); ++g) {
     if (visits(to)[g].reached) continue;
     for (const Position& at : roomy(to, g, arrival, places))
-      if (levels_.graph(level).group_at(Spot(at)) == group && try_place(level, group, to, direction, at)) break;
+      if (levels_.graph(level).group_at(SlicePoint(at)) == group && try_place(level, group, to, direction, at)) break;
   }
 }
 

@@ -51,7 +51,7 @@ bool Pivot::overlaps(const Orientation& theta) {
   SumOptions options;
   options.semantics = Semantics::open;
   const SliceMap map(std::move(cspace_slice(robot_, obstacle_, theta, options)).value());
-  return map.where(Spot(at_)) == SliceMap::Where::inside;
+  return map.where(SlicePoint(at_)) == SliceMap::Where::inside;
 }
 
 template <class Visit>

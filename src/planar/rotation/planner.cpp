@@ -39,7 +39,7 @@ class Planner {
  private:
   bool is_free(const PathEnd& end, NoPath::Kind kind) {
     const SliceMap& map = levels_.map(levels_.add(end.theta));
-    const Spot at(end.at);
+    const SlicePoint at(end.at);
     const SliceMap::Where where = map.where(at);
     if (where == SliceMap::Where::outside) return true;
     if (where == SliceMap::Where::touching && options_.touching == Touching::allowed) return true;
@@ -55,7 +55,7 @@ class Planner {
   bool walks_at_once() {
     if (!(start_.theta == goal_.theta)) return false;
     const SliceGraph& graph = levels_.graph(levels_.add(start_.theta));
-    if (graph.group_at(Spot(start_.at)) != graph.group_at(Spot(goal_.at))) return false;
+    if (graph.group_at(SlicePoint(start_.at)) != graph.group_at(SlicePoint(goal_.at))) return false;
     write_path({});
     return true;
   }
@@ -65,13 +65,13 @@ class Planner {
     std::vector<std::uint32_t> all;
     const auto add_at = [&](const Orientation& theta) {
       const std::size_t k = levels_.add(theta);
-      const std::uint32_t group = levels_.graph(k).group_at(Spot(end.at));
+      const std::uint32_t group = levels_.graph(k).group_at(SlicePoint(end.at));
       if (group == kUnknown) return;
       const std::vector<std::uint32_t> more = levels_.components(k, group);
       all.insert(all.end(), more.begin(), more.end());
     };
     add_at(end.theta);
-    if (levels_.map(levels_.add(end.theta)).where(Spot(end.at)) == SliceMap::Where::touching) {
+    if (levels_.map(levels_.add(end.theta)).where(SlicePoint(end.at)) == SliceMap::Where::touching) {
       Pivot pivot(obstacle_.robot(), obstacle_.obstacle());
       pivot.stand(end.at);
       for (const TurnDirection d : {TurnDirection::counter_clockwise, TurnDirection::clockwise}) {
@@ -137,7 +137,7 @@ class Planner {
 
   void write_path(const std::vector<PathStep>& steps) {
     for (const PathPoint& p : PathPoints(obstacle_, levels_, options_.touching).points(start_, steps, goal_)) {
-      const Point near = Spot(p.at).at();
+      const Point near = SlicePoint(p.at).at();
       plan_.path.push_back({p.move, {exact::to_rational(p.at.x), exact::to_rational(p.at.y)}, p.theta, {near.x, near.y, p.theta.radians()}});
     }
   }

@@ -53,26 +53,26 @@ SliceGraph::SliceGraph(const SliceMap& map, bool touching, double frame)
   groups_ = name_pieces(links_, group_);
 }
 
-const Spot& SliceGraph::left(std::uint32_t edge) const {
+const SlicePoint& SliceGraph::left(std::uint32_t edge) const {
   const SliceMap::Edge& e = map_.edges()[edge];
   return map_.spots()[rank_[e.from] < rank_[e.to] ? e.from : e.to];
 }
 
-const Spot& SliceGraph::right(std::uint32_t edge) const {
+const SlicePoint& SliceGraph::right(std::uint32_t edge) const {
   const SliceMap::Edge& e = map_.edges()[edge];
   return map_.spots()[rank_[e.from] < rank_[e.to] ? e.to : e.from];
 }
 
 // The distinct abscissas of the ends of edges, and the frame.
 void SliceGraph::add_lines() {
-  const std::vector<Spot>& spots = map_.spots();
+  const std::vector<SlicePoint>& spots = map_.spots();
   std::vector<std::uint32_t> order(map_.edges().size());
   for (std::size_t k = 0; k < order.size(); ++k) order[k] = map_.edges()[k].from;
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return compare_x(spots[a], spots[b]) < 0; });
   rank_.assign(spots.size(), kNone);
   lines_.push_back({-frame_, 0, exact::exact_value(-frame_)});
   for (std::size_t k = 0; k < order.size(); ++k) {
-    const Spot& s = spots[order[k]];
+    const SlicePoint& s = spots[order[k]];
     if (k == 0 || compare_x(spots[order[k - 1]], s) != 0) lines_.push_back({s.at().x, s.error(), s.exact().x});
     rank_[order[k]] = static_cast<std::uint32_t>(lines_.size() - 1);
   }
@@ -81,7 +81,7 @@ void SliceGraph::add_lines() {
 
 std::array<double, 2> SliceGraph::height(std::uint32_t edge, const Line& line) const {
   if (edge == kBottom || edge == kTop) return {edge == kTop ? frame_ : -frame_, 0};
-  const Spot &a = left(edge), &b = right(edge);
+  const SlicePoint &a = left(edge), &b = right(edge);
   const double e = std::max({a.error(), b.error(), line.error}), dx = b.at().x - a.at().x;
   if (!(dx > 8 * e)) return {a.at().y, std::numeric_limits<double>::infinity()};
   const double slope = (b.at().y - a.at().y) / dx, y = a.at().y + slope * (line.at - a.at().x);
@@ -173,12 +173,12 @@ void SliceGraph::name_faces() {
   }
 }
 
-bool SliceGraph::holds(const Trapezoid& t, const Spot& p) const {
+bool SliceGraph::holds(const Trapezoid& t, const SlicePoint& p) const {
   if (t.low != kBottom && side(left(t.low), right(t.low), p) < 0) return false;
   return t.high == kTop || side(left(t.high), right(t.high), p) <= 0;
 }
 
-std::vector<std::uint32_t> SliceGraph::nodes_at(const Spot& p) const {
+std::vector<std::uint32_t> SliceGraph::nodes_at(const SlicePoint& p) const {
   const auto compare_line = [&](const Line& l) {
     const double d = p.at().x - l.at;
     if (std::abs(d) > 1.01 * (p.error() + l.error) + 0x1p-52 * std::abs(d)) return d > 0 ? 1 : -1;
@@ -193,14 +193,14 @@ std::vector<std::uint32_t> SliceGraph::nodes_at(const Spot& p) const {
     if (holds(trapezoids_[k], p)) nodes.push_back(k);
   if (!touching_) return nodes;
   for (std::uint32_t k = 0; k < map_.cracks().size(); ++k) {
-    const Spot &a = map_.spots()[map_.cracks()[k][0]], &b = map_.spots()[map_.cracks()[k][1]];
+    const SlicePoint &a = map_.spots()[map_.cracks()[k][0]], &b = map_.spots()[map_.cracks()[k][1]];
     if (on_segment(a, b, p)) nodes.push_back(static_cast<std::uint32_t>(trapezoids_.size()) + k);
   }
   return nodes;
 }
 
 // Joins what has p in common, unless all of it is one face.
-void SliceGraph::join_at(const Spot& p) {
+void SliceGraph::join_at(const SlicePoint& p) {
   const std::vector<std::uint32_t> nodes = nodes_at(p);
   const auto one_face = [&](std::uint32_t n) {
     return n < trapezoids_.size() && nodes[0] < trapezoids_.size() && trapezoids_[n].face == trapezoids_[nodes[0]].face;
@@ -211,28 +211,28 @@ void SliceGraph::join_at(const Spot& p) {
 
 void SliceGraph::join_touching() {
   links_.resize(trapezoids_.size() + map_.cracks().size());
-  for (const Spot& s : map_.spots()) join_at(s);
+  for (const SlicePoint& s : map_.spots()) join_at(s);
   // Cracks that cross; meetings at their ends are among the spots.
   for (std::size_t i = 0; i < map_.cracks().size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
-      const std::vector<Spot>& s = map_.spots();
+      const std::vector<SlicePoint>& s = map_.spots();
       const auto [a, b] = map_.cracks()[i];
       const auto [c, d] = map_.cracks()[j];
       if (side(s[a], s[b], s[c]) * side(s[a], s[b], s[d]) >= 0 || side(s[c], s[d], s[a]) * side(s[c], s[d], s[b]) >= 0) continue;
       const Position &p = s[a].exact(), &q = s[b].exact(), &u = s[c].exact(), &v = s[d].exact();
       const BigRational dx = v.x - u.x, dy = v.y - u.y;
       const BigRational share = ((u.x - p.x) * dy - (u.y - p.y) * dx) / ((q.x - p.x) * dy - (q.y - p.y) * dx);
-      join_at(Spot(along(p, q, share)));
+      join_at(SlicePoint(along(p, q, share)));
     }
 }
 
-std::uint32_t SliceGraph::group_at(const Spot& p) const {
+std::uint32_t SliceGraph::group_at(const SlicePoint& p) const {
   const std::vector<std::uint32_t> nodes = nodes_at(p);
   return nodes.empty() ? kNone : group_[nodes[0]];
 }
 
 std::vector<Position> SliceGraph::way(const Position& from, const Position& to) const {
-  const Spot start(from), goal(to);
+  const SlicePoint start(from), goal(to);
   if (map_.passage(start, goal, touching_).free) return {from, to};
   const std::vector<std::uint32_t> ends = nodes_at(goal);
   std::vector<const Link*> by(links_.size(), nullptr);
@@ -271,12 +271,12 @@ std::vector<Position> SliceGraph::pulled(const std::vector<Position>& corners) c
   std::vector<Position> few{corners.front()};
   for (std::size_t k = 0; k + 1 < corners.size();) {
     std::size_t next = corners.size() - 1;
-    while (next > k + 1 && !map_.passage(Spot(corners[k]), Spot(corners[next]), touching_).free) --next;
+    while (next > k + 1 && !map_.passage(SlicePoint(corners[k]), SlicePoint(corners[next]), touching_).free) --next;
     k = next;
     few.push_back(corners[k]);
   }
   for (std::size_t k = 1; k + 1 < few.size(); ++k) {
-    const Spot near(Point{Spot(few[k]).at()}), before(few[k - 1]), after(few[k + 1]);
+    const SlicePoint near(Point{SlicePoint(few[k]).at()}), before(few[k - 1]), after(few[k + 1]);
     if (map_.passage(before, near, touching_).free && map_.passage(near, after, touching_).free) few[k] = near.exact();
   }
   return few;

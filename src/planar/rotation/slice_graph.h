@@ -34,9 +34,9 @@ class SliceGraph {
   /// An edge of the slice with that face on its right; kNone for the whole plane.
   std::uint32_t edge_of(std::uint32_t face) const { return edge_of_face_[face]; }
   /// The closed trapezoids, then the tight features, that hold p.
-  std::vector<std::uint32_t> nodes_at(const Spot& p) const;
+  std::vector<std::uint32_t> nodes_at(const SlicePoint& p) const;
   /// The group of a free place; kNone where it is none.
-  std::uint32_t group_at(const Spot& p) const;
+  std::uint32_t group_at(const SlicePoint& p) const;
   /// The corners of a free way between two places of one group, both included: few, not the shortest.
   std::vector<Position> way(const Position& from, const Position& to) const;
 
@@ -54,17 +54,17 @@ class SliceGraph {
   void add_trapezoid(std::uint32_t column, std::uint32_t low, std::uint32_t high, const Line& middle);
   void join_columns(std::uint32_t line);
   void join_touching();
-  void join_at(const Spot& p);
+  void join_at(const SlicePoint& p);
   void name_faces();
   int compare_heights(std::uint32_t e, std::uint32_t f, const Line& line, std::uint32_t rank) const;
   std::array<double, 2> height(std::uint32_t edge, const Line& line) const;  // with its error
   exact::BigRational exact_height(std::uint32_t edge, const exact::BigRational& x) const;
   exact::BigRational middle_of(std::uint32_t low, std::uint32_t high, const Line& line) const;
-  bool holds(const Trapezoid& t, const Spot& p) const;
+  bool holds(const Trapezoid& t, const SlicePoint& p) const;
   void link(std::uint32_t a, std::uint32_t b, const Position& via);
   std::vector<Position> pulled(const std::vector<Position>& corners) const;
-  const Spot& left(std::uint32_t edge) const;
-  const Spot& right(std::uint32_t edge) const;
+  const SlicePoint& left(std::uint32_t edge) const;
+  const SlicePoint& right(std::uint32_t edge) const;
 
   const SliceMap& map_;
   bool touching_;

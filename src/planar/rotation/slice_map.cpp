@@ -16,7 +16,7 @@ BigRational cross(const BigRational& ax, const BigRational& ay, const BigRationa
 }
 
 // Whether the boxes of the segments are certainly apart.
-bool boxes_apart(const Spot& a, const Spot& b, const Spot& c, const Spot& d) {
+bool boxes_apart(const SlicePoint& a, const SlicePoint& b, const SlicePoint& c, const SlicePoint& d) {
   const double e = 2 * std::max({a.error(), b.error(), c.error(), d.error()});
   const auto [ax0, ax1] = std::minmax(a.at().x, b.at().x);
   const auto [ay0, ay1] = std::minmax(a.at().y, b.at().y);
@@ -33,23 +33,23 @@ BigRational share_of(const Position& a, const Position& b, const Position& p) {
 
 }  // namespace
 
-Spot::Spot(Position exact) : at_{exact::round_to_double(exact.x), exact::round_to_double(exact.y)} {
+SlicePoint::SlicePoint(Position exact) : at_{exact::round_to_double(exact.x), exact::round_to_double(exact.y)} {
   error_ = std::max(std::abs(at_.x), std::abs(at_.y)) * 0x1p-52 + 0x1p-1060;
   exact_ = std::move(exact);
 }
 
-Spot::Spot(Point p) : at_(p) {}
+SlicePoint::SlicePoint(Point p) : at_(p) {}
 
-Spot::Spot(const PlanarSum& sum, const SumVertex& vertex)
+SlicePoint::SlicePoint(const PlanarSum& sum, const SumVertex& vertex)
     : at_(vertex.at), error_(sum.at_error), sum_(&sum), vertex_(&vertex) {}
 
-const Position& Spot::exact() const {
+const Position& SlicePoint::exact() const {
   if (!exact_) exact_ = sum_ != nullptr ? sum_->source->position(*vertex_) : Position{exact::exact_value(at_.x), exact::exact_value(at_.y)};
   return *exact_;
 }
 
 // Each difference errs by at most twice the largest error and one rounding, hence each product by what is added up.
-int side(const Spot& a, const Spot& b, const Spot& c) {
+int side(const SlicePoint& a, const SlicePoint& b, const SlicePoint& c) {
   const double e = 2 * std::max({a.error(), b.error(), c.error()});
   const double bx = b.at().x - a.at().x, by = b.at().y - a.at().y, cx = c.at().x - a.at().x, cy = c.at().y - a.at().y;
   const double det = bx * cy - by * cx;
@@ -60,21 +60,21 @@ int side(const Spot& a, const Spot& b, const Spot& c) {
   return sign_of(cross(q.x - p.x, q.y - p.y, r.x - p.x, r.y - p.y));
 }
 
-int compare_x(const Spot& a, const Spot& b) {
+int compare_x(const SlicePoint& a, const SlicePoint& b) {
   const double d = a.at().x - b.at().x;
   if (std::abs(d) > 1.01 * (a.error() + b.error()) + 0x1p-52 * std::abs(d)) return d > 0 ? 1 : -1;
   return a.exact().x.compare(b.exact().x);
 }
 
-int compare_y(const Spot& a, const Spot& b) {
+int compare_y(const SlicePoint& a, const SlicePoint& b) {
   const double d = a.at().y - b.at().y;
   if (std::abs(d) > 1.01 * (a.error() + b.error()) + 0x1p-52 * std::abs(d)) return d > 0 ? 1 : -1;
   return a.exact().y.compare(b.exact().y);
 }
 
-bool same(const Spot& a, const Spot& b) { return compare_x(a, b) == 0 && compare_y(a, b) == 0; }
+bool same(const SlicePoint& a, const SlicePoint& b) { return compare_x(a, b) == 0 && compare_y(a, b) == 0; }
 
-bool on_segment(const Spot& a, const Spot& b, const Spot& p) {
+bool on_segment(const SlicePoint& a, const SlicePoint& b, const SlicePoint& p) {
   if (boxes_apart(a, b, p, p) || side(a, b, p) != 0) return false;
   return compare_x(a, p) * compare_x(p, b) >= 0 && compare_y(a, p) * compare_y(p, b) >= 0;
 }
@@ -106,10 +106,10 @@ void SliceMap::add(const SumRing& ring) {
   }
 }
 
-SliceMap::Where SliceMap::where(const Spot& p) const {
+SliceMap::Where SliceMap::where(const SlicePoint& p) const {
   bool inside = false;
   for (const Edge& e : edges_) {
-    const Spot &a = spots_[e.from], &b = spots_[e.to];
+    const SlicePoint &a = spots_[e.from], &b = spots_[e.to];
     if (on_segment(a, b, p)) return Where::touching;
     // A ray upwards meets the edge, whose left end belongs to it.
     const int ahead = compare_x(a, p), behind = compare_x(b, p);
@@ -122,14 +122,14 @@ SliceMap::Where SliceMap::where(const Spot& p) const {
   return Where::inside;
 }
 
-std::uint32_t SliceMap::edge_at(const Spot& p) const {
+std::uint32_t SliceMap::edge_at(const SlicePoint& p) const {
   for (std::uint32_t k = 0; k < edges_.size(); ++k)
     if (on_segment(spots_[edges_[k].from], spots_[edges_[k].to], p)) return k;
   return kNone;
 }
 
 // The shares of a to b at which it meets the segment from c to d: one, or both ends of what they have in common.
-void SliceMap::add_meetings(const Spot& a, const Spot& b, const Spot& c, const Spot& d, std::uint32_t edge,
+void SliceMap::add_meetings(const SlicePoint& a, const SlicePoint& b, const SlicePoint& c, const SlicePoint& d, std::uint32_t edge,
                             std::vector<std::pair<BigRational, std::uint32_t>>& to) const {
   if (boxes_apart(a, b, c, d)) return;
   const int from = side(a, b, c), til = side(a, b, d);
@@ -147,13 +147,13 @@ void SliceMap::add_meetings(const Spot& a, const Spot& b, const Spot& c, const S
   to.emplace_back(cross(u.x - p.x, u.y - p.y, dx, dy) / cross(q.x - p.x, q.y - p.y, dx, dy), edge);
 }
 
-SliceMap::Passage SliceMap::standing(const Spot& a, bool touching_allowed) const {
+SliceMap::Passage SliceMap::standing(const SlicePoint& a, bool touching_allowed) const {
   const Where w = where(a);
   if (w == Where::outside || (w == Where::touching && touching_allowed)) return {};
   return {false, 0, edge_at(a)};
 }
 
-SliceMap::Passage SliceMap::passage(const Spot& a, const Spot& b, bool touching_allowed) const {
+SliceMap::Passage SliceMap::passage(const SlicePoint& a, const SlicePoint& b, bool touching_allowed) const {
   if (same(a, b)) return standing(a, touching_allowed);
   std::vector<std::pair<BigRational, std::uint32_t>> meetings;
   for (std::uint32_t k = 0; k < edges_.size(); ++k)
@@ -173,7 +173,7 @@ SliceMap::Passage SliceMap::passage(const Spot& a, const Spot& b, bool touching_
   for (std::size_t k = 0; k + 1 < meetings.size(); ++k) {
     const BigRational &low = meetings[k].first, &high = meetings[k + 1].first;
     if (low == high) continue;
-    const Spot middle(along(a.exact(), b.exact(), BigRational((low + high) / 2)));
+    const SlicePoint middle(along(a.exact(), b.exact(), BigRational((low + high) / 2)));
     if (where(middle) != Where::inside) continue;
     Passage blocked{false, low, kNone};
     for (const auto& [share, edge] : meetings)

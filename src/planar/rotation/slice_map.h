@@ -14,12 +14,12 @@ namespace dymsum::planar {
 using Position = ExactSource::Position;
 
 /// A rational point behind doubles within error() of it. The rational one of a vertex is made when it is first wanted, so
-/// a Spot is used by one thread, and those of a sum not longer than it.
-class Spot {
+/// a SlicePoint is used by one thread, and those of a sum not longer than it.
+class SlicePoint {
  public:
-  explicit Spot(Position exact);
-  explicit Spot(Point p);
-  Spot(const PlanarSum& sum, const SumVertex& vertex);
+  explicit SlicePoint(Position exact);
+  explicit SlicePoint(Point p);
+  SlicePoint(const PlanarSum& sum, const SumVertex& vertex);
 
   Point at() const { return at_; }
   double error() const { return error_; }
@@ -34,12 +34,12 @@ class Spot {
 };
 
 /// The sign of (b - a) x (c - a).
-int side(const Spot& a, const Spot& b, const Spot& c);
-int compare_x(const Spot& a, const Spot& b);
-int compare_y(const Spot& a, const Spot& b);
-bool same(const Spot& a, const Spot& b);
+int side(const SlicePoint& a, const SlicePoint& b, const SlicePoint& c);
+int compare_x(const SlicePoint& a, const SlicePoint& b);
+int compare_y(const SlicePoint& a, const SlicePoint& b);
+bool same(const SlicePoint& a, const SlicePoint& b);
 /// Whether p lies on the closed segment from a to b.
-bool on_segment(const Spot& a, const Spot& b, const Spot& p);
+bool on_segment(const SlicePoint& a, const SlicePoint& b, const SlicePoint& p);
 /// a + share (b - a).
 Position along(const Position& a, const Position& b, const exact::BigRational& share);
 
@@ -66,27 +66,27 @@ class SliceMap {
   SliceMap(const SliceMap&) = delete;
   SliceMap& operator=(const SliceMap&) = delete;
 
-  const std::vector<Spot>& spots() const { return spots_; }
+  const std::vector<SlicePoint>& spots() const { return spots_; }
   const std::vector<Edge>& edges() const { return edges_; }
   /// Spots that are the ends of the tight segments; a tight point is both of its ends.
   const std::vector<std::array<std::uint32_t, 2>>& cracks() const { return cracks_; }
 
   /// Touching: on the boundary of the open slice, tight features included. O(n).
-  Where where(const Spot& p) const;
+  Where where(const SlicePoint& p) const;
   /// An edge that p lies on, or kNone.
-  std::uint32_t edge_at(const Spot& p) const;
+  std::uint32_t edge_at(const SlicePoint& p) const;
   /// The straight way from a to b against the open slice; against the closed one where touching is forbidden.
   /// The first share is that of the earliest point behind which every neighbourhood is entered, or of the earliest touch.
-  Passage passage(const Spot& a, const Spot& b, bool touching_allowed) const;
+  Passage passage(const SlicePoint& a, const SlicePoint& b, bool touching_allowed) const;
 
  private:
   void add(const SumRing& ring);
-  void add_meetings(const Spot& a, const Spot& b, const Spot& c, const Spot& d, std::uint32_t edge,
+  void add_meetings(const SlicePoint& a, const SlicePoint& b, const SlicePoint& c, const SlicePoint& d, std::uint32_t edge,
                     std::vector<std::pair<exact::BigRational, std::uint32_t>>& to) const;
-  Passage standing(const Spot& a, bool touching_allowed) const;
+  Passage standing(const SlicePoint& a, bool touching_allowed) const;
 
   PlanarSum slice_;
-  std::vector<Spot> spots_;
+  std::vector<SlicePoint> spots_;
   std::vector<Edge> edges_;
   std::vector<std::array<std::uint32_t, 2>> cracks_;
 };
