@@ -284,13 +284,15 @@ Region random_shape(Random& random, int reach, int most, double scale) {
   }
 }
 
-// A random cave: what is left of a box.
+// A random cave: a star with deep corners, cut out of a box.
 Region random_cave(Random& random) {
   for (;;) {
-    RegionData data = random_shape(random, 6, 16, 1).data();
-    const Ring& wall = data.parts[0].outer;
-    Part part{box(-8, -8, 8, 8), {Ring(wall.rbegin(), wall.rend())}};
-    if (data.parts.size() == 1 && data.parts[0].holes.empty()) return *Region::create({{part}, {}, {}});
+    Part part{box(-8, -8, 8, 8), {Ring{}}};
+    for (int k = 0; k < 14; ++k) {
+      const double r = 1 + static_cast<double>(random() % 6), angle = -2 * kPi * k / 14;
+      part.holes[0].push_back({std::round(2 * r * std::cos(angle)) / 2, std::round(2 * r * std::sin(angle)) / 2});
+    }
+    if (Result<Region> cave = Region::create({{part}, {}, {}})) return std::move(cave).value();
   }
 }
 
@@ -304,7 +306,7 @@ TEST(Planner, random_scenes_agree_with_a_flood_fill) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Random random(seed);
     const bool cave = seed % 3 != 0;
-    const Region robot = random_shape(random, 3, 5, cave ? 0.25 : 0.5);
+    const Region robot = random_shape(random, 3, 5, cave ? 0.75 : 0.5);
     const Region obstacle = cave ? random_cave(random) : random_shape(random, 5, 14, 1);
     const CspaceObstacle c = obstacle_of(robot, obstacle);
     constexpr int kSteps = 29, kTurns = 40;
@@ -333,7 +335,7 @@ TEST(Planner, random_scenes_agree_with_a_flood_fill) {
   }
   std::cout << found << " found, " << none << " none, " << reached_by_flood << " reached by the flood fill, slowest " << slowest << " ms\n";
   EXPECT_EQ(undecided, 0);
-  if (!first && !count) EXPECT_TRUE(found > 0 && none > 0 && reached_by_flood > 0);
+  EXPECT_TRUE(first || count || (found > 0 && none > 0 && reached_by_flood > 0));
 }
 
 }  // namespace
