@@ -22,9 +22,11 @@ bool ObstacleSweep::alignment_update(TurnEvent& event, const TurnRange& range) {
       AlignedRun run;
       run.first = run.last = n;
       const double length = second ? lf : le, base = second ? le : 0;
-      run.from = base + length * place_on(node.segment, nodes_[node.prev].segment, true, h);
-      run.to = base + length * place_on(node.segment, nodes_[node.next].segment, false, h);
-      if (!(run.from <= run.to + 1e-9 * (le + lf))) return false;
+      const Located from = place_on(node.segment, nodes_[node.prev].segment, true, h), to = place_on(node.segment, nodes_[node.next].segment, false, h);
+      run.from = base + length * from.t;
+      run.to = base + length * to.t;
+      run.error = length * (from.error + to.error);
+      if (!(run.from <= run.to + run.error)) return false;
       runs.push_back(run);
     }
   // A run over the vertex between the two is one.
@@ -33,6 +35,7 @@ bool ObstacleSweep::alignment_update(TurnEvent& event, const TurnRange& range) {
       if (k != l && nodes_[runs[k].last].next == runs[l].first && nodes_[runs[k].last].id != nodes_[runs[l].first].id) {
         runs[k].last = runs[l].last;
         runs[k].to = runs[l].to;
+        runs[k].error += runs[l].error;
         runs.erase(runs.begin() + static_cast<std::ptrdiff_t>(l));
         k = l = runs.size();
       }
@@ -42,7 +45,8 @@ bool ObstacleSweep::alignment_update(TurnEvent& event, const TurnRange& range) {
     // A chain that ends or starts at the vertex between the two behind the event: where that vertex is reflex, the boundary turns there.
     const bool from_middle = forms_.end(nodes_[nodes_[run.first].prev].segment) == middle;
     const bool to_middle = TurningForms::start(nodes_[nodes_[run.last].next].segment) == middle;
-    if ((!from_middle && std::abs(run.from - lf) <= unsure) || (!to_middle && std::abs(run.to - lf) <= unsure)) return false;
+    const double near = unsure + run.error;
+    if ((!from_middle && !(std::abs(run.from - lf) > near)) || (!to_middle && !(std::abs(run.to - lf) > near))) return false;
     run.on_first = !from_middle && run.from < lf;
     run.on_second = !to_middle && run.to > lf;
     if (!run.on_first && !run.on_second) return false;
@@ -70,16 +74,7 @@ bool ObstacleSweep::carry(TurnEvent& event, const TurnRange& range, const std::v
     if (run.last != run.first) old.push_back(run.last);
     touched.insert(touched.end(), fresh.begin(), fresh.end());
   }
-  for (const auto& [n, to] : starts) {
-    const auto moved = ends.find(nodes_[n].prev);
-    link(moved == ends.end() ? nodes_[n].prev : moved->second, to);
-    touched.push_back(nodes_[to].prev);
-  }
-  for (const auto& [n, from] : ends) {
-    const auto moved = starts.find(nodes_[n].next);
-    link(from, moved == starts.end() ? nodes_[n].next : moved->second);
-    touched.push_back(nodes_[from].next);
-  }
+  relink(starts, ends, touched);
   for (const std::uint32_t n : old) end_node(n);
   refresh(touched);
   return true;

@@ -1,11 +1,13 @@
 #include "planar/rotation/general_obstacle.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <map>
+#include <memory>
+#include <optional>
 #include <stdexcept>
 
+#include "base/parallel.h"
 #include "planar/rotation/angle_order.h"
 #include "planar/rotation/obstacle_sweep.h"
 #include "planar/rotation/turn.h"
@@ -16,7 +18,7 @@ namespace {
 constexpr std::uint32_t kNobody = ObstacleSweep::kNobody;
 
 /// Windows of a half turn, by the number of pairs of an edge and a vertex.
-int windows_for(double pairs) { return std::clamp(static_cast<int>(4 * std::sqrt(pairs) / 2), 16, 512); }
+int windows_for(double pairs) { return std::clamp(static_cast<int>(0.6 * std::sqrt(pairs)), 16, 512); }
 int cells_for(double pairs) { return std::clamp(static_cast<int>(std::sqrt(pairs)), 16, 256); }
 
 // By theta in (-pi, pi]: the sweep runs from -pi / 2 to 3 pi / 2.
@@ -181,6 +183,37 @@ class Export {
       open[c.component] |= c.unbounded;
     }
     for (Shell& shell : state_.shells) shell.outer = open[shell.free_component] != 0;
+    add_euler(names);
+  }
+
+  // Over a range of angles without events a shell is made of tubes, which count nothing. Where a + b tubes end and begin at one place it gains 2 - (a + b): 1 where a loop
+  // is born or vanishes, -1 where one splits.
+  void add_euler(const std::map<std::uint32_t, std::uint32_t>& shell_names) {
+    const std::vector<ObstacleSweep::Cell>& cells = sweep_.cells();
+    const auto count = static_cast<std::uint32_t>(cells.size());
+    // A cell at its beginning and at its end: 2 c and 2 c + 1.
+    std::vector<std::uint32_t> place(2 * count);
+    for (std::uint32_t k = 0; k < place.size(); ++k) place[k] = k;
+    const auto find = [&](std::uint32_t k) {
+      while (place[k] != k) k = place[k] = place[place[k]];
+      return k;
+    };
+    for (const ObstacleSweep::CellLink& link : sweep_.cell_links()) place[find(2 * link.from + 1)] = find(2 * link.to);
+    std::vector<std::uint32_t> shell_of_cell(count, kNobody);
+    for (std::uint32_t n = 0; n < sweep_.nodes().size(); ++n) {
+      const std::uint32_t shell = shell_names.at(sweep_.shell_of(n));
+      shell_of_cell[sweep_.first_cell(n)] = shell;
+      for (const auto& [angle, cell] : sweep_.nodes()[n].cells) shell_of_cell[cell] = shell;
+    }
+    std::map<std::uint32_t, std::pair<std::int64_t, std::uint32_t>> ends;  // place -> tubes that end there, their shell
+    for (std::uint32_t c = 0; c < count; ++c)
+      for (const bool at_end : {false, true}) {
+        if ((at_end ? cells[c].end : cells[c].begin) == kNobody || shell_of_cell[c] == kNobody) continue;
+        auto& entry = ends[find(2 * c + at_end)];
+        ++entry.first;
+        entry.second = shell_of_cell[c];
+      }
+    for (const auto& [at, entry] : ends) state_.shells[entry.second].euler += 2 - entry.first;
   }
 
   const ObstacleSweep& sweep_;
@@ -202,48 +235,96 @@ TurnRange range_of(int k, int windows) {
   return {chart, end(i), end(i + 1)};
 }
 
+/// A window with its events.
+struct Prepared {
+  TurnRange range;
+  std::unique_ptr<TurnWindow> window;
+  std::unique_ptr<OverlapFilter> filter;
+  TurnEvents found;
+};
+
+void count(const TurnWindow& window, const TurnEvents& found, ObstacleWork& work) {
+  ++work.windows;
+  work.segments += window.segments.size();
+  work.candidate_pairs += found.pairs;
+  work.candidate_triples += found.triples;
+  work.potential_events += found.events.size();
+}
+
+enum class Passed : std::uint8_t { turn, always_concurrent, cancelled };
+
+// Windows are prepared side by side, some at a time, and passed one after the other.
+Passed pass_turn(const TurningForms& forms, const TurnCatalog& catalog, ObstacleSweep& sweep, bool reference, const Progress& progress) {
+  constexpr int kAtATime = 16;
+  const double pairs = static_cast<double>(forms.size(0)) * forms.size(1);
+  const std::vector<Alignment> all = alignments(forms, catalog);
+  const TurnGrid grid(forms, cells_for(pairs));
+  const int windows = 2 * windows_for(pairs);
+  std::vector<Prepared> some(kAtATime);
+  for (int first = 0; first < windows; first += kAtATime) {
+    if (progress && !progress("angles", static_cast<double>(first) / windows)) return Passed::cancelled;
+    const int last = std::min(windows, first + kAtATime);
+    base::parallel_parts(static_cast<std::size_t>(last - first), 0, [&](std::size_t k) {
+      Prepared& p = some[k];
+      p.range = range_of(first + static_cast<int>(k), windows / 2);
+      p.window = std::make_unique<TurnWindow>(grid, catalog, p.range, !reference && pairs > 100);
+      p.filter = std::make_unique<OverlapFilter>(forms, *p.window);
+      p.found = events_in(*p.window, forms, catalog, all, reference ? nullptr : p.filter.get());
+    });
+    for (int k = first; k < last; ++k) {
+      Prepared& p = some[static_cast<std::size_t>(k - first)];
+      count(*p.window, p.found, sweep.work);
+      if (p.found.always_concurrent && !reference) return Passed::always_concurrent;
+      if (k == 0) sweep.start(p.range, p.found.events);
+      sweep.pass(p.range, std::move(p.found.events), *p.filter);
+    }
+    if (last == windows) sweep.close(*some[static_cast<std::size_t>(last - first - 1)].filter);
+  }
+  return Passed::turn;
+}
+
+std::uint64_t surfaces(const TurningForms& forms, const TurnCatalog& catalog) {
+  std::uint64_t n = 0;
+  for (std::uint32_t side = 0; side < 2; ++side)
+    for (std::uint32_t e = 0; e < forms.size(side); ++e)
+      for (std::uint32_t v = 0; v < forms.size(1 - side); ++v) n += catalog.may_exist({side, e, v});
+  return n;
+}
+
 }  // namespace
 
 Result<bool> general_obstacle(CspaceObstacle::State& state, const ObstacleOptions& options) {
-  const auto start = std::chrono::steady_clock::now();
-  const ScalingBase& base = *state.base;
-  const TurningForms forms(base);
-  const TurnCatalog catalog(forms);
-  const double pairs = static_cast<double>(forms.size(0)) * forms.size(1);
-  if (pairs > 0x1p27) return Error{Code::unsupported_operand, "more than 2^27 pairs of vertices", {}};
-  ObstacleSweep sweep(forms, catalog, state.base, options.reference);
-  const std::vector<Alignment> all = alignments(forms, catalog);
-  const TurnGrid grid(forms, cells_for(pairs));
-  const int windows = windows_for(pairs);
-  std::optional<TurnWindow> window;
-  std::optional<OverlapFilter> filter;
-  for (int k = 0; k < 2 * windows; ++k) {
-    if (options.progress && !options.progress("angles", k / (2.0 * windows))) return Error{Code::cancelled, "stopped on request", {}};
-    const TurnRange range = range_of(k, windows);
-    window.emplace(grid, catalog, range, !options.reference && pairs > 100);
-    filter.emplace(forms, *window);
-    TurnEvents found = events_in(*window, forms, catalog, all);
-    ++sweep.work.windows;
-    sweep.work.segments += window->segments.size();
-    sweep.work.candidate_pairs += found.pairs;
-    sweep.work.candidate_triples += found.triples;
-    sweep.work.potential_events += found.events.size();
-    if (found.always_concurrent) return Error{Code::unsupported_operand, "three contacts that stay at one point at every angle", {}};
-    if (k == 0) sweep.start(range, found.events);
-    sweep.pass(range, std::move(found.events), *filter);
+  for (const Region* region : {&state.robot, &state.obstacle}) {
+    if (region->touching_points().empty()) continue;
+    Error error{Code::unsupported_operand, "rings that touch themselves or each other have no obstacle of all angles yet", {}};
+    error.evidence.x = region->touching_points()[0].x;
+    error.evidence.y = region->touching_points()[0].y;
+    return error;
   }
-  sweep.close(*filter);
-  if (!sweep.closed_turn()) throw std::logic_error("general_obstacle: a full turn does not lead back to its start");
-  Export(sweep, forms, state).run();
-  state.work = sweep.work;
-  for (const ObstacleEvent& e : sweep.events) {
+  const TurningForms forms(*state.base);
+  const TurnCatalog catalog(forms);
+  if (static_cast<double>(forms.size(0)) * forms.size(1) > 0x1p27) return Error{Code::unsupported_operand, "more than 2^27 pairs of vertices", {}};
+  // Where three contacts stay at one point at every angle, no event tells when they meet: then every slab is a whole slice.
+  bool reference = options.reference;
+  std::optional<ObstacleSweep> sweep;
+  for (;;) {
+    sweep.emplace(forms, catalog, state.base, reference);
+    const Passed passed = pass_turn(forms, catalog, *sweep, reference, options.progress);
+    if (passed == Passed::cancelled) return Error{Code::cancelled, "stopped on request", {}};
+    if (passed == Passed::turn) break;
+    reference = true;
+  }
+  if (!sweep->closed_turn()) throw std::logic_error("general_obstacle: a full turn does not lead back to its start");
+  Export(*sweep, forms, state).run();
+  state.work = sweep->work;
+  state.work.surfaces = surfaces(forms, catalog);
+  for (const ObstacleEvent& e : sweep->events) {
     state.work.alignments += e.kind == ObstacleEvent::Kind::alignment;
     state.work.vertex_events += e.kind == ObstacleEvent::Kind::vertex_on_segment;
     state.work.triple_events += e.kind == ObstacleEvent::Kind::three_segments;
     state.work.tight_events += e.kind == ObstacleEvent::Kind::tight;
   }
-  state.work.visible_events = sweep.events.size();
-  state.work.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  state.work.visible_events = sweep->events.size();
   return true;
 }
 

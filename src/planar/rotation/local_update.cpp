@@ -42,35 +42,59 @@ bool ObstacleSweep::find_signs(Cluster& cluster, Heading h) const {
 }
 
 // Behind the event the crossings with b and c on a are in the order sign(G) sign(a x b) sign(a x c), G being the concurrency.
-bool ObstacleSweep::fill_triple(Cluster& cluster, const TurnEvent& event, Heading h) const {
+ObstacleSweep::Fill ObstacleSweep::fill_triple(Cluster& cluster, const TurnEvent& event, Heading h) const {
   cluster.size = 3;
   const std::array<WalkSegment, 3> s{event.a, event.b, event.c};
   for (int k = 0; k < 3; ++k) {
     cluster.local[k].segment = s[k];
     cluster.local[k].id = id(s[k]);
-    if (catalog_.exists(s[k], event.theta()) != TurnCatalog::Existence::yes) return false;
+    const TurnCatalog::Existence exists = catalog_.exists(s[k], event.theta());
+    if (exists != TurnCatalog::Existence::yes) return exists == TurnCatalog::Existence::no ? Fill::nothing : Fill::unsure;
   }
-  if (!find_signs(cluster, h) || !event.root->changes_sign()) return false;
+  if (!find_signs(cluster, h) || !event.root->changes_sign()) return Fill::unsure;
+  for (int k = 0; k < 3; ++k) {
+    const Located t = place_on(s[k], s[(k + 1) % 3], false, h), u = place_on(s[k], s[(k + 2) % 3], false, h);
+    if (const Fill inside = within(t.error < u.error ? t : u); inside != Fill::done) return inside;
+  }
   const TrigForm2 g = forms_.concurrency(event.a, event.b, event.c);
   const int after = sign_of(g.slope(h), 4096 * forms_.concurrency_error(event.a, event.b, event.c));
-  if (after == 0) return false;
+  if (after == 0) return Fill::unsure;
   for (int k = 0; k < 3; ++k) {
     const int i = (k + 1) % 3, j = (k + 2) % 3;
     const bool i_last = after * cluster.cross[k][i] * cluster.cross[k][j] > 0;
     cluster.local[k].count = 2;
     cluster.local[k].vertices = {LocalVertex{i_last ? j : i, false}, LocalVertex{i_last ? i : j, false}};
   }
-  const double t = forms_.side(event.b, TurningForms::start(event.a)).at(h) / forms_.cross(event.a, event.b).at(h);
-  const Point from = forms_.place(TurningForms::start(event.a), h), d = forms_.direction(event.a, h);
-  cluster.at = {from.x + t * d.x, from.y + t * d.y};
-  return true;
+  // The crossing of the two that are least parallel.
+  cluster.at_error = INFINITY;
+  for (int k = 0; k < 3; ++k) {
+    const Located t = place_on(s[k], s[(k + 1) % 3], false, h);
+    const Point from = forms_.place(TurningForms::start(s[k]), h), d = forms_.direction(s[k], h);
+    const double error = t.error * forms_.length1(s[k]) + 0x1p-46 * forms_.span();
+    if (!(error < cluster.at_error)) continue;
+    cluster.at_error = error;
+    cluster.at = {from.x + t.t * d.x, from.y + t.t * d.y};
+  }
+  return Fill::done;
+}
+
+// Strictly between the ends of a segment, or not on it, or too near to an end.
+ObstacleSweep::Fill ObstacleSweep::within(Located t) {
+  if (t.t < -t.error || t.t > 1 + t.error) return Fill::nothing;
+  return t.t > t.error && t.t < 1 - t.error ? Fill::done : Fill::unsure;
 }
 
 // The vertex goes to one side of a; the segments that end and start there cross a or not.
-bool ObstacleSweep::fill_vertex(Cluster& cluster, const TurnEvent& event, Heading h) const {
+ObstacleSweep::Fill ObstacleSweep::fill_vertex(Cluster& cluster, const TurnEvent& event, Heading h) const {
   const TurnCatalog::Joint joint = catalog_.joint(event.v, event.theta());
-  if (joint.unsure || catalog_.exists(event.a, event.theta()) != TurnCatalog::Existence::yes) return false;
+  const TurnCatalog::Existence exists = catalog_.exists(event.a, event.theta());
+  if (exists == TurnCatalog::Existence::no) return Fill::nothing;
+  if (joint.unsure || exists == TurnCatalog::Existence::unsure) return Fill::unsure;
   cluster.at = forms_.place(event.v, h);
+  cluster.at_error = 0x1p-46 * forms_.span();
+  const Point from = forms_.place(TurningForms::start(event.a), h), d = forms_.direction(event.a, h);
+  const double t = (d.x * (cluster.at.x - from.x) + d.y * (cluster.at.y - from.y)) / (d.x * d.x + d.y * d.y);
+  if (const Fill inside = within({t, 4 * cluster.at_error / forms_.length1(event.a)}); inside != Fill::done) return inside;
   cluster.size = 1;
   cluster.local[0].segment = event.a;
   cluster.local[0].id = id(event.a);
@@ -86,9 +110,9 @@ bool ObstacleSweep::fill_vertex(Cluster& cluster, const TurnEvent& event, Headin
     cluster.local[out].opens = true;
   }
   for (int k = 1; k < cluster.size; ++k) cluster.local[k].id = id(cluster.local[k].segment);
-  if (!find_signs(cluster, h) || !event.root->changes_sign()) return false;
+  if (!find_signs(cluster, h) || !event.root->changes_sign()) return Fill::unsure;
   const int side = sign_of(forms_.side(event.a, event.v).slope(h), 4096 * forms_.side_error(event.a));
-  if (side == 0) return false;
+  if (side == 0) return Fill::unsure;
   Local& a = cluster.local[0];
   const bool in_crosses = in >= 0 && side == cluster.cross[0][in], out_crosses = out >= 0 && side == -cluster.cross[0][out];
   if (in >= 0) {
@@ -108,13 +132,15 @@ bool ObstacleSweep::fill_vertex(Cluster& cluster, const TurnEvent& event, Headin
   } else if (in_crosses || out_crosses) {
     a.vertices[a.count++] = {in_crosses ? in : out, false};
   }
-  return true;
+  return Fill::done;
 }
 
-double ObstacleSweep::place_on(const WalkSegment& s, const WalkSegment& other, bool at_start, Heading h) const {
+ObstacleSweep::Located ObstacleSweep::place_on(const WalkSegment& s, const WalkSegment& other, bool at_start, Heading h) const {
   const Pair own = at_start ? TurningForms::start(s) : forms_.end(s);
-  if ((at_start ? forms_.end(other) : TurningForms::start(other)) == own) return at_start ? 0 : 1;
-  return forms_.side(other, TurningForms::start(s)).at(h) / forms_.cross(s, other).at(h);
+  if ((at_start ? forms_.end(other) : TurningForms::start(other)) == own) return {at_start ? 0.0 : 1.0, 0};
+  const double d = forms_.cross(s, other).at(h), t = forms_.side(other, TurningForms::start(s)).at(h) / d;
+  // The numerator errs by its bound, the denominator by a share of the lengths.
+  return {t, (forms_.side_error(other) + std::abs(t) * 0x1p-46 * forms_.length1(s) * forms_.length1(other)) / std::abs(d)};
 }
 
 // The visible sub-edges that reach the event: those bounded by another segment of the cluster, and those that pass.
@@ -133,9 +159,10 @@ bool ObstacleSweep::find_nodes(Cluster& cluster, Heading h) const {
         if (local.opens || local.closes) continue;
         const Point from = forms_.place(TurningForms::start(local.segment), h), d = forms_.direction(local.segment, h);
         const double t = (d.x * (cluster.at.x - from.x) + d.y * (cluster.at.y - from.y)) / (d.x * d.x + d.y * d.y);
-        const double u = place_on(local.segment, nodes_[node.prev].segment, true, h), v = place_on(local.segment, nodes_[node.next].segment, false, h);
-        if (!(std::abs(t - u) > kUnsure && std::abs(t - v) > kUnsure)) return false;
-        passes = t > u && t < v;
+        const double error = kUnsure + 4 * cluster.at_error / forms_.length1(local.segment);
+        const Located u = place_on(local.segment, nodes_[node.prev].segment, true, h), v = place_on(local.segment, nodes_[node.next].segment, false, h);
+        if (!(std::abs(t - u.t) > error + u.error && std::abs(t - v.t) > error + v.error)) return false;
+        passes = t > u.t && t < v.t;
         if (!passes) continue;
       }
       if (ends || passes) {
@@ -212,9 +239,9 @@ std::optional<std::vector<ObstacleSweep::Path>> ObstacleSweep::paths(const Clust
 }
 
 // A new loop of constant size: whether the face on its right is free, exactly, at an angle between this event and the next one.
-bool ObstacleSweep::born(const Cluster& cluster, const std::vector<int>& cycle, const Behind& behind) {
+bool ObstacleSweep::born(const Cluster& cluster, const std::vector<int>& cycle, const std::function<Orientation()>& behind) {
   ++work.collision_tests;
-  const SumState state = placed_at(*base_, behind.sample());
+  const SumState state = placed_at(*base_, behind());
   Collision collision(*state.lattice, *state.p, *state.q, true);
   const auto exact_segment = [&](int k) {
     const WalkSegment& s = cluster.local[k].segment;
@@ -278,18 +305,7 @@ bool ObstacleSweep::apply(const Cluster& cluster, const std::vector<Path>& paths
   }
   std::vector<std::uint32_t> lost;
   for (const std::uint32_t n : cluster.vanish) lost.push_back(cell_of(n));
-  for (const auto& [n, to] : starts) {
-    const std::uint32_t prev = nodes_[n].prev;
-    const auto moved = ends.find(prev);
-    link(moved == ends.end() ? prev : moved->second, to);
-    touched.push_back(nodes_[to].prev);
-  }
-  for (const auto& [n, from] : ends) {
-    const std::uint32_t next = nodes_[n].next;
-    const auto moved = starts.find(next);
-    link(from, moved == starts.end() ? next : moved->second);
-    touched.push_back(nodes_[from].next);
-  }
+  relink(starts, ends, touched);
   std::sort(old.begin(), old.end());
   old.erase(std::unique(old.begin(), old.end()), old.end());
   for (const std::uint32_t n : old) {
@@ -318,21 +334,21 @@ bool ObstacleSweep::apply(const Cluster& cluster, const std::vector<Path>& paths
   return true;
 }
 
-bool ObstacleSweep::local_update(TurnEvent& event, const TurnRange& range, const Behind& behind, OverlapFilter& filter) {
+bool ObstacleSweep::local_update(TurnEvent& event, const TurnRange& range, const std::function<Orientation()>& behind, OverlapFilter& filter) {
   if (event.kind == TurnEvent::Kind::alignment) return alignment_update(event, range);
+  if (event.kind == TurnEvent::Kind::overlap) return overlap_update(event, range);
   const Heading h = Heading::of(event.theta());
   Cluster cluster;
-  const bool filled = event.kind == TurnEvent::Kind::three_segments ? fill_triple(cluster, event, h) : fill_vertex(cluster, event, h);
-  if (!filled) {
-    // Not generic: of no interest where everything is covered.
-    return !filled && filter.inside(event_place(event, h), h);
-  }
+  const Fill filled = event.kind == TurnEvent::Kind::three_segments ? fill_triple(cluster, event, h) : fill_vertex(cluster, event, h);
+  if (filled == Fill::nothing) return true;
+  // Not generic: of no interest where everything is covered.
+  if (filled == Fill::unsure) return filter.inside(event_place(event, h), h);
   if (!find_nodes(cluster, h)) return false;
   std::vector<std::vector<int>> births;
   const std::optional<std::vector<Path>> found = paths(cluster, births);
   if (!cluster.any()) {
     if (births.empty() || filter.inside(cluster.at, h)) {
-      if (births.empty()) note_tight(event, cluster.at, h, filter);
+      if (births.empty()) note_tight(event, range, cluster.at, h, filter);
       return true;
     }
   }

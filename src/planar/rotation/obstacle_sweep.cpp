@@ -27,6 +27,7 @@ ObstacleSweep::ObstacleSweep(const TurningForms& forms, const TurnCatalog& catal
 
 Point ObstacleSweep::event_place(const TurnEvent& event, Heading h) const {
   if (event.kind == TurnEvent::Kind::vertex_on_segment) return forms_.place(event.v, h);
+  if (event.kind == TurnEvent::Kind::overlap) return forms_.place(TurningForms::start(event.a), h);
   if (event.kind == TurnEvent::Kind::alignment) return forms_.place({forms_.operand(0).next[event.f], forms_.operand(1).next[event.e]}, h);
   const double t = forms_.side(event.b, TurningForms::start(event.a)).at(h) / forms_.cross(event.a, event.b).at(h);
   const Point from = forms_.place(TurningForms::start(event.a), h), d = forms_.direction(event.a, h);
@@ -53,26 +54,27 @@ void ObstacleSweep::note(const TurnEvent& event, ObstacleEvent::Kind kind, Point
   events.push_back(noted);
 }
 
-void ObstacleSweep::note_tight(const TurnEvent& event, Point at, Heading h, const OverlapFilter& filter) {
-  (void)event;
-  (void)at;
-  (void)h;
-  (void)filter;
+// Between two angles of one chart; in doubles where these are far enough apart.
+Orientation ObstacleSweep::Behind::sample(const TurningForms& forms) const {
+  const AlgebraicRoot low = from != nullptr ? exact_root(*from, forms, *range) : AlgebraicRoot::of(range->t_low);
+  const AlgebraicRoot high = to != nullptr ? exact_root(*to, forms, *range) : AlgebraicRoot::of(range->t_high);
+  return orientation_at(range->chart, exact::between(low, high));
 }
 
-Orientation ObstacleSweep::Behind::sample() const { return orientation_at(chart, exact::between(from, to)); }
-
-AlgebraicRoot ObstacleSweep::first_bound(const TurnRange& range, std::vector<TurnEvent>& events, const TurningForms& forms) {
-  // The intervals of events may overlap; the least of those that overlap the first one counts.
-  AlgebraicRoot first = AlgebraicRoot::of(range.t_high);
-  for (std::size_t k = 0; k < events.size() && (k == 0 || events[k].low <= events[0].high); ++k)
-    if (const AlgebraicRoot& root = exact_root(events[k], forms, range); exact::compare(root, first) < 0) first = root;
+TurnEvent* ObstacleSweep::first_event(const TurnRange& range, std::vector<TurnEvent>& events, const TurningForms& forms) {
+  // The intervals of events may overlap.
+  TurnEvent* first = nullptr;
+  for (TurnEvent& event : events) {
+    if (first != nullptr && event.low > first->high) break;
+    if (first == nullptr || exact::compare(exact_root(event, forms, range), exact_root(*first, forms, range)) < 0) first = &event;
+  }
   return first;
 }
 
 void ObstacleSweep::start(const TurnRange& range, std::vector<TurnEvent>& events) {
-  begin_ = Behind{range.chart, AlgebraicRoot::of(range.t_low), first_bound(range, events, forms_)};
-  take_slice(placed_at(*base_, begin_->sample()));
+  begin_ = Behind{&range, nullptr, first_event(range, events, forms_)}.sample(forms_);
+  take_slice(placed_at(*base_, begin_));
+  if (!connected_) join_faces(begin_);
   begin_keys_.resize(nodes_.size());
   for (std::uint32_t n = 0; n < nodes_.size(); ++n) {
     begin_nodes_.push_back(n);
@@ -80,14 +82,16 @@ void ObstacleSweep::start(const TurnRange& range, std::vector<TurnEvent>& events
   }
 }
 
-void ObstacleSweep::slice(const TurnRange& range, TurnEvent& event, const Behind& behind) {
+void ObstacleSweep::slice(const TurnRange& range, TurnEvent& event, const std::function<Orientation()>& behind) {
   ++work.slices;
   now_ = angle(range, event);
-  note(event, event.kind == TurnEvent::Kind::alignment            ? ObstacleEvent::Kind::alignment
-              : event.kind == TurnEvent::Kind::vertex_on_segment ? ObstacleEvent::Kind::vertex_on_segment
-                                                                  : ObstacleEvent::Kind::three_segments,
+  note(event, event.kind == TurnEvent::Kind::alignment        ? ObstacleEvent::Kind::alignment
+              : event.kind == TurnEvent::Kind::three_segments ? ObstacleEvent::Kind::three_segments
+                                                              : ObstacleEvent::Kind::vertex_on_segment,
        event_place(event, Heading::of(event.theta())));
-  take_slice(placed_at(*base_, behind.sample()));
+  // Kept even where the slices on both sides agree: at the angle itself something may touch.
+  take_slice(placed_at(*base_, behind()));
+  note_tight_slice(event, range);
 }
 
 // Nodes with the same segment and neighbours stay; the others end and begin here.
@@ -97,9 +101,6 @@ void ObstacleSweep::take_slice(SumState state) {
   const Result<SumState> computed = compute_boundary(std::move(state), options);
   if (!computed) throw std::logic_error("ObstacleSweep: a slice failed");
   const RawBoundary& raw = computed->boundary;
-  const auto segment = [&](const Contact& c) {
-    return c.kind == Contact::Kind::edge_of_p ? WalkSegment{0, walk_edge_[0][c.p], walk_vertex_[1][c.q]} : WalkSegment{1, walk_edge_[1][c.q], walk_vertex_[0][c.p]};
-  };
   std::map<std::array<std::uint32_t, 3>, std::uint32_t> old;
   for (std::uint32_t n = 0; n < nodes_.size(); ++n)
     if (nodes_[n].alive) old[{nodes_[n].id, nodes_[n].left, nodes_[n].right}] = n;
@@ -110,7 +111,7 @@ void ObstacleSweep::take_slice(SumState state) {
     const std::size_t n = ring.vertices.size();
     std::vector<std::uint32_t>& loop = loops.emplace_back();
     for (std::size_t k = 0; k < n; ++k) {
-      const WalkSegment s = segment(ring.vertices[k].out), left = segment(ring.vertices[k].in), right = segment(ring.vertices[(k + 1) % n].out);
+      const WalkSegment s = walk_segment(ring.vertices[k].out), left = walk_segment(ring.vertices[k].in), right = walk_segment(ring.vertices[(k + 1) % n].out);
       const auto it = old.find({id(s), id(left), id(right)});
       if (it != old.end()) {
         loop.push_back(it->second);
@@ -140,7 +141,7 @@ void ObstacleSweep::take_slice(SumState state) {
     for (std::size_t k = 0; k < loops[l].size(); ++k) link(loops[l][k], loops[l][k + 1 == loops[l].size() ? 0 : k + 1]);
   if (cells_.empty()) {
     for (std::size_t l = 0; l < loops.size(); ++l) {
-      const std::uint32_t cell = new_cell(raw.outer[l] != 0);
+      const std::uint32_t cell = new_cell(connected_ && raw.outer[l] != 0);
       for (const std::uint32_t n : loops[l]) nodes_[n].cell = nodes_[n].born_cell = cell;
     }
     return;
@@ -162,7 +163,7 @@ bool ObstacleSweep::continues(std::uint32_t n, std::uint32_t m) const {
       return Point{from.x + u * d.x, from.y + u * d.y};
     };
     const WalkSegment left = segment_of(node.left), right = segment_of(node.right);
-    return std::array<Point, 2>{at(place_on(node.segment, left, true, h)), at(place_on(node.segment, right, false, h))};
+    return std::array<Point, 2>{at(place_on(node.segment, left, true, h).t), at(place_on(node.segment, right, false, h).t)};
   };
   const Point d = forms_.direction(s, h), e = forms_.direction(t, h);
   const double length = std::hypot(d.x, d.y);
@@ -190,6 +191,18 @@ std::vector<std::uint32_t> ObstacleSweep::segments_of(const TurnEvent& event, bo
     unsure |= catalog_.joint(event.v, event.theta()).unsure;
     return all;
   }
+  if (event.kind == TurnEvent::Kind::overlap) {
+    std::vector<std::uint32_t> all{id(event.a), id(event.b)};
+    for (const WalkSegment* s : {&event.a, &event.b})
+      for (const Pair v : {TurningForms::start(*s), forms_.end(*s)}) {
+        const TurnCatalog::Joint joint = catalog_.joint(v, event.theta());
+        unsure |= joint.unsure;
+        const bool starts = v == TurningForms::start(*s);
+        if (starts && joint.has_in) all.push_back(id(joint.in));
+        if (!starts && joint.has_out) all.push_back(id(joint.out));
+      }
+    return all;
+  }
   const std::uint32_t e1 = forms_.operand(1).next[event.e], f1 = forms_.operand(0).next[event.f];
   return {id({1, event.e, event.f}), id({0, event.f, e1}), id({0, event.f, event.e}), id({1, event.e, f1})};
 }
@@ -207,9 +220,15 @@ bool ObstacleSweep::conflict(const Group& group, bool& visible) const {
   return unsure || std::adjacent_find(all.begin(), all.end()) != all.end();
 }
 
-void ObstacleSweep::pass_group(const Group& group, const TurnRange& range, const Behind& behind, OverlapFilter& filter) {
+void ObstacleSweep::pass_group(const Group& group, const TurnRange& range, const std::function<Orientation()>& behind, OverlapFilter& filter) {
   now_ = kNobody;
   theta_now_ = group[0]->theta();
+  cells_changed_ = false;
+  change(group, range, behind, filter);
+  if (cells_changed_ && !connected_) join_faces(behind());
+}
+
+void ObstacleSweep::change(const Group& group, const TurnRange& range, const std::function<Orientation()>& behind, OverlapFilter& filter) {
   if (reference_) return slice(range, *group[0], behind);
   bool visible = false;
   const bool shared = group.size() > 1 && conflict(group, visible);
@@ -219,15 +238,10 @@ void ObstacleSweep::pass_group(const Group& group, const TurnRange& range, const
     if (!settled) slice(range, *group[0], behind);
     return;
   }
-  for (const TurnEvent* event : group) {
-    if (visible) break;
-    const Heading h = Heading::of(event->theta());
-    visible = event->kind != TurnEvent::Kind::alignment && !filter.inside(event_place(*event, h), h);
-  }
-  if (visible) slice(range, *group[0], behind);
+  if (visible || matters(group, filter)) slice(range, *group[0], behind);
 }
 
-void ObstacleSweep::pass_pending(const Behind& behind, OverlapFilter& filter) {
+void ObstacleSweep::pass_pending(const std::function<Orientation()>& behind, OverlapFilter& filter) {
   if (pending_.empty()) return;
   Group group;
   for (TurnEvent& event : pending_) group.push_back(&event);
@@ -236,54 +250,62 @@ void ObstacleSweep::pass_pending(const Behind& behind, OverlapFilter& filter) {
 }
 
 void ObstacleSweep::pass(const TurnRange& range, std::vector<TurnEvent> events, OverlapFilter& filter) {
-  if (!pending_.empty()) pass_pending({range.chart, AlgebraicRoot::of(range.t_low), first_bound(range, events, forms_)}, filter);
-  const AlgebraicRoot window_end = AlgebraicRoot::of(range.t_high);
+  if (!pending_.empty()) pass_pending([&] { return Behind{&range, nullptr, first_event(range, events, forms_)}.sample(forms_); }, filter);
   const double theta_end = range.theta(range.t_high) - 0x1p-40;
-  const double shift = range.chart == 1 ? std::numbers::pi : 0.0;
-  // The group [first, last) of events at one angle, with `next` behind it.
-  const auto pass_run = [&](const Group& group, const AlgebraicRoot& next) {
-    if (group[0]->high >= theta_end && exact::compare(exact_root(*group[0], forms_, range), window_end) == 0) {
+  const auto compare = [&](TurnEvent* a, TurnEvent* b) { return exact::compare(exact_root(*a, forms_, range), exact_root(*b, forms_, range)); };
+  const auto sort = [&](Group& run) { std::stable_sort(run.begin(), run.end(), [&](TurnEvent* a, TurnEvent* b) { return compare(a, b) < 0; }); };
+  // Runs of events whose intervals overlap.
+  std::vector<Group> runs;
+  double high = -INFINITY;
+  for (TurnEvent& event : events) {
+    if (event.low > high) runs.emplace_back();
+    runs.back().push_back(&event);
+    high = std::max(high, event.high);
+  }
+  // A group at one angle; what follows it is the rest of its run or the next one.
+  const auto pass_run = [&](const Group& group, TurnEvent* next, Group* following) {
+    if (group[0]->high >= theta_end && exact::compare(exact_root(*group[0], forms_, range), AlgebraicRoot::of(range.t_high)) == 0) {
       for (TurnEvent* event : group) pending_.push_back(*event);
       pending_range_ = range;
       return;
     }
-    pass_group(group, range, Behind{range.chart, group[0]->root ? *group[0]->root : AlgebraicRoot::of(std::tan((group[0]->high - shift) / 2)), next}, filter);
+    const auto behind = [&] {
+      if (next == nullptr && following != nullptr) next = *std::min_element(following->begin(), following->end(), [&](TurnEvent* a, TurnEvent* b) { return compare(a, b) < 0; });
+      return Behind{&range, group[0], next}.sample(forms_);
+    };
+    pass_group(group, range, behind, filter);
   };
-  for (std::size_t i = 0; i < events.size();) {
-    // Events whose intervals overlap are put into their exact order.
-    std::size_t end = i + 1;
-    double high = events[i].high;
-    while (end < events.size() && events[end].low <= high + 0x1p-49) high = std::max(high, events[end++].high);
-    const AlgebraicRoot bound = end < events.size() ? AlgebraicRoot::of(std::tan((events[end].low - shift) / 2)) : window_end;
-    const auto behind_run = [&](TurnEvent& event) { return end < events.size() ? nearer(bound, event, events[end], range) : bound; };
-    Group run;
-    for (std::size_t k = i; k < end; ++k) run.push_back(&events[k]);
-    i = end;
-    if (run.size() == 1) {
-      pass_run(run, behind_run(*run[0]));
-      continue;
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    Group& run = runs[r];
+    Group* following = r + 1 < runs.size() ? &runs[r + 1] : nullptr;
+    if (run.size() > 1) {
+      if (run.back()->high < theta_end && !matters(run, filter)) continue;
+      sort(run);
     }
-    const auto compare = [&](TurnEvent* a, TurnEvent* b) { return exact::compare(exact_root(*a, forms_, range), exact_root(*b, forms_, range)); };
-    std::stable_sort(run.begin(), run.end(), [&](TurnEvent* a, TurnEvent* b) { return compare(a, b) < 0; });
     for (std::size_t k = 0; k < run.size();) {
       std::size_t l = k + 1;
       while (l < run.size() && compare(run[k], run[l]) == 0) ++l;
-      const AlgebraicRoot next = l < run.size() ? exact_root(*run[l], forms_, range) : behind_run(*run[k]);
-      pass_run(Group(run.begin() + static_cast<std::ptrdiff_t>(k), run.begin() + static_cast<std::ptrdiff_t>(l)), next);
+      pass_run(Group(run.begin() + static_cast<std::ptrdiff_t>(k), run.begin() + static_cast<std::ptrdiff_t>(l)), l < run.size() ? run[l] : nullptr, following);
       k = l;
     }
   }
 }
 
-// A bound behind the event: in doubles where it certainly is in front of the next one.
-AlgebraicRoot ObstacleSweep::nearer(const AlgebraicRoot& bound, TurnEvent& event, TurnEvent& next, const TurnRange& range) {
-  // Behind the event and before the next one by more than the tangent can err.
-  if (next.low - event.high > 0x1p-46) return bound;
-  return exact_root(next, forms_, range);
+// Whether a segment of these events is visible, or a place of theirs is not certainly covered: else nothing can change, in whatever order they come.
+bool ObstacleSweep::matters(const Group& run, const OverlapFilter& filter) const {
+  bool unsure = reference_;
+  for (const TurnEvent* event : run) {
+    for (const std::uint32_t s : segments_of(*event, unsure))
+      if (first_[s] != kNobody) return true;
+    const Heading h = Heading::of(event->theta());
+    const bool point = event->kind == TurnEvent::Kind::vertex_on_segment || event->kind == TurnEvent::Kind::three_segments;
+    if (reference_ || (point && !filter.inside(event_place(*event, h), h))) return true;
+  }
+  return false;
 }
 
 void ObstacleSweep::close(OverlapFilter& filter) {
-  pass_pending(*begin_, filter);
+  pass_pending([this] { return begin_; }, filter);
   std::map<std::array<std::uint32_t, 3>, std::uint32_t> last;
   std::size_t alive = 0;
   for (std::uint32_t n = 0; n < nodes_.size(); ++n)

@@ -45,14 +45,19 @@ class ObstacleSweep {
   void start(const TurnRange& range, std::vector<TurnEvent>& events);
   /// Passes the events of a window.
   void pass(const TurnRange& range, std::vector<TurnEvent> events, OverlapFilter& filter);
-  /// The first event of a window, or its end.
-  static exact::AlgebraicRoot first_bound(const TurnRange& range, std::vector<TurnEvent>& events, const TurningForms& forms);
+  /// The first event of a window, if it has any.
+  static TurnEvent* first_event(const TurnRange& range, std::vector<TurnEvent>& events, const TurningForms& forms);
   /// Joins the end of the turn to its start.
   void close(OverlapFilter& filter);
   bool closed_turn() const { return closed_; }
 
   const std::vector<Node>& nodes() const { return nodes_; }
   const std::vector<Cell>& cells() const { return cells_; }
+  /// A free cell that goes on in another one at an angle.
+  struct CellLink {
+    std::uint32_t from = 0, to = 0;
+  };
+  const std::vector<CellLink>& cell_links() const { return cell_links_; }
   std::uint32_t first_cell(std::uint32_t node) const { return nodes_[node].born_cell; }
   std::uint32_t shell_of(std::uint32_t node) const { return find(shell_, node); }
   std::uint32_t component_of(std::uint32_t cell) const { return find(component_, cell); }
@@ -82,6 +87,7 @@ class ObstacleSweep {
     std::array<std::array<int, 3>, 3> cross{};  ///< signs of direction x direction
     std::vector<std::uint32_t> vanish;          ///< nodes that shrink to the event
     Point at;                                   ///< in the forms' doubles
+    double at_error = 0;
     bool any() const;
     int find(std::uint32_t id) const;
   };
@@ -92,30 +98,36 @@ class ObstacleSweep {
   /// Visible sub-edges that follow each other along the common line of two aligned edges, and where they start and end on it.
   struct AlignedRun {
     std::uint32_t first = kNobody, last = kNobody;
-    double from = 0, to = 0;
+    double from = 0, to = 0, error = 0;
     bool on_first = false, on_second = false;  ///< the segments behind the event that carry it
   };
   /// A stretch behind an event and before the next one, to look at the slice there.
   struct Behind {
-    int chart = 0;
-    exact::AlgebraicRoot from, to;
-    Orientation sample() const;
+    const TurnRange* range = nullptr;
+    TurnEvent *from = nullptr, *to = nullptr;  ///< without them the ends of the range
+    Orientation sample(const TurningForms& forms) const;
   };
   using Group = std::vector<TurnEvent*>;
 
   // obstacle_sweep.cpp
-  void pass_pending(const Behind& behind, OverlapFilter& filter);
-  void pass_group(const Group& group, const TurnRange& range, const Behind& behind, OverlapFilter& filter);
+  void pass_pending(const std::function<Orientation()>& behind, OverlapFilter& filter);
+  void pass_group(const Group& group, const TurnRange& range, const std::function<Orientation()>& behind, OverlapFilter& filter);
+  void join_faces(const Orientation& at);
+  std::uint32_t cell_at(const SumRing& ring) const;
+  WalkSegment walk_segment(const Contact& c) const;
+  bool matters(const Group& run, const OverlapFilter& filter) const;
+  void change(const Group& group, const TurnRange& range, const std::function<Orientation()>& behind, OverlapFilter& filter);
   bool conflict(const Group& group, bool& touches_nodes) const;
   std::vector<std::uint32_t> segments_of(const TurnEvent& event, bool& unsure) const;
   std::uint32_t angle(const TurnRange& range, TurnEvent& event);
-  void slice(const TurnRange& range, TurnEvent& event, const Behind& behind);
+  void slice(const TurnRange& range, TurnEvent& event, const std::function<Orientation()>& behind);
   void take_slice(SumState state);
   bool continues(std::uint32_t n, std::uint32_t m) const;
   WalkSegment segment_of(std::uint32_t id) const;
-  exact::AlgebraicRoot nearer(const exact::AlgebraicRoot& bound, TurnEvent& event, TurnEvent& next, const TurnRange& range);
   void note(const TurnEvent& event, ObstacleEvent::Kind kind, Point at);
-  void note_tight(const TurnEvent& event, Point at, Heading h, const OverlapFilter& filter);
+  // tight_events.cpp
+  void note_tight(TurnEvent& event, const TurnRange& range, Point at, Heading h, const OverlapFilter& filter);
+  void note_tight_slice(TurnEvent& event, const TurnRange& range);
   Point event_place(const TurnEvent& event, Heading h) const;
   // obstacle_nodes.cpp
   std::uint32_t id(const WalkSegment& s) const;
@@ -130,21 +142,41 @@ class ObstacleSweep {
   static std::uint32_t find(const std::vector<std::uint32_t>& parents, std::uint32_t i);
   void join(std::vector<std::uint32_t>& parents, std::uint32_t a, std::uint32_t b);
   // local_update.cpp
-  bool local_update(TurnEvent& event, const TurnRange& range, const Behind& behind, OverlapFilter& filter);
+  bool local_update(TurnEvent& event, const TurnRange& range, const std::function<Orientation()>& behind, OverlapFilter& filter);
   bool gather(Cluster& cluster, Heading h) const;
-  bool fill_triple(Cluster& cluster, const TurnEvent& event, Heading h) const;
-  bool fill_vertex(Cluster& cluster, const TurnEvent& event, Heading h) const;
+  /// A parameter along a segment, and how much it may err.
+  struct Located {
+    double t = 0, error = 0;
+  };
+  enum class Fill : std::uint8_t {
+    nothing,  ///< the segments do not meet there
+    unsure,   ///< doubles do not tell, or more coincides
+    done,
+  };
+  static Fill within(Located t);
+  Fill fill_triple(Cluster& cluster, const TurnEvent& event, Heading h) const;
+  Fill fill_vertex(Cluster& cluster, const TurnEvent& event, Heading h) const;
   bool find_signs(Cluster& cluster, Heading h) const;
   bool find_nodes(Cluster& cluster, Heading h) const;
   bool start_alive(const Cluster& c, int segment, int piece) const;
   bool end_alive(const Cluster& c, int segment, int piece) const;
   std::optional<std::vector<Path>> paths(const Cluster& cluster, std::vector<std::vector<int>>& births) const;
   bool apply(const Cluster& cluster, const std::vector<Path>& paths, const std::vector<std::vector<int>>& births);
-  bool born(const Cluster& cluster, const std::vector<int>& cycle, const Behind& behind);
+  bool born(const Cluster& cluster, const std::vector<int>& cycle, const std::function<Orientation()>& behind);
   // alignment_update.cpp
   bool alignment_update(TurnEvent& event, const TurnRange& range);
   bool carry(TurnEvent& event, const TurnRange& range, const std::vector<AlignedRun>& runs, const std::array<WalkSegment, 4>& s);
-  double place_on(const WalkSegment& s, const WalkSegment& other, bool at_start, Heading h) const;
+  // overlap_update.cpp
+  bool overlap_update(TurnEvent& event, const TurnRange& range);
+  struct Stretch {
+    std::vector<std::uint32_t> nodes;  ///< along the common line, with those that shrink to a point between them
+    double from = 0, to = 0, error = 0;
+  };
+  std::vector<Stretch> stretches(const WalkSegment& a, const WalkSegment& b, Heading h) const;
+  void replace(const std::vector<std::uint32_t>& old, const std::vector<WalkSegment>& segments, std::map<std::uint32_t, std::uint32_t>& starts,
+               std::map<std::uint32_t, std::uint32_t>& ends, std::vector<std::uint32_t>& touched);
+  void relink(const std::map<std::uint32_t, std::uint32_t>& starts, const std::map<std::uint32_t, std::uint32_t>& ends, std::vector<std::uint32_t>& touched);
+  Located place_on(const WalkSegment& s, const WalkSegment& other, bool at_start, Heading h) const;
 
   const TurningForms& forms_;
   const TurnCatalog& catalog_;
@@ -159,12 +191,14 @@ class ObstacleSweep {
   std::vector<std::array<std::uint32_t, 2>> begin_keys_;  ///< their neighbours then
   std::vector<std::uint32_t> continued_;
   std::array<std::vector<std::uint32_t>, 2> walk_vertex_, walk_edge_;  ///< by number in the region
+  std::vector<CellLink> cell_links_;
+  bool cells_changed_ = false;    ///< in the group
   std::uint32_t now_ = kNobody;   ///< the angle of the group, once something changed there
   double theta_now_ = 0;          ///< near the angle of the group
   bool closed_ = false;
   std::vector<TurnEvent> pending_;  ///< at the very end of the last window
   TurnRange pending_range_;
-  std::optional<Behind> begin_;     ///< where the turn was begun
+  Orientation begin_;               ///< where the turn was begun
 };
 
 }  // namespace dymsum::planar

@@ -15,7 +15,8 @@ bool same_pair(Pair a, Pair b) { return a == b; }
 
 class Collector {
  public:
-  Collector(const TurnWindow& window, const TurningForms& forms, const TurnCatalog& catalog) : w_(window), forms_(forms), catalog_(catalog) {}
+  Collector(const TurnWindow& window, const TurningForms& forms, const TurnCatalog& catalog, const OverlapFilter* filter)
+      : w_(window), forms_(forms), catalog_(catalog), filter_(filter) {}
 
   TurnEvents run(const std::vector<Alignment>& all) {
     add_alignments(all);
@@ -74,6 +75,10 @@ class Collector {
     crossings_.resize(w_.segments.size());
     for (const TurnWindow::Meeting& m : w_.meetings) {
       if (share_end(w_.segments[m.a], w_.segments[m.b])) continue;
+      if (forms_.parallel(w_.segments[m.a], w_.segments[m.b])) {
+        overlaps(w_.segments[m.a], w_.segments[m.b]);
+        continue;
+      }
       ++out_.pairs;
       for (const auto& [i, j] : {std::pair{m.a, m.b}, std::pair{m.b, m.a}}) {
         const Crossing c = crossing(i, j);
@@ -81,6 +86,37 @@ class Collector {
       }
     }
     for (auto& list : crossings_) std::sort(list.begin(), list.end(), [](const Crossing& a, const Crossing& b) { return a.low < b.low; });
+  }
+
+  // Of two segments with the same direction: the stretch that they share once they are on one line is longer than nothing.
+  bool share_stretch(const WalkSegment& a, const WalkSegment& b, double theta) const {
+    const Heading h = Heading::of(theta);
+    const Point d = forms_.direction(a, h), e = forms_.direction(b, h), s = forms_.place(TurningForms::start(a), h), t = forms_.place(TurningForms::start(b), h);
+    const double length = std::hypot(d.x, d.y), other = std::hypot(e.x, e.y), from = (d.x * (t.x - s.x) + d.y * (t.y - s.y)) / length;
+    return d.x * e.x + d.y * e.y > 0 && std::min(length, from + other) - std::max(0.0, from) > kNear * std::min(length, other) + 0x1p-40 * forms_.span();
+  }
+  bool overlap_at(const WalkSegment& a, const WalkSegment& b, double theta) const {
+    return catalog_.exists(a, theta) == TurnCatalog::Existence::yes && catalog_.exists(b, theta) == TurnCatalog::Existence::yes && share_stretch(a, b, theta);
+  }
+  void overlaps(const WalkSegment& a, const WalkSegment& b) {
+    const TrigForm f = forms_.side(a, TurningForms::start(b));
+    if (f.far_from_zero(w_.heading, w_.half, forms_.side_error(a))) return;
+    const exact::Polynomial poly = forms_.exact_side(a, TurningForms::start(b), w_.range.chart);
+    if (poly.is_zero()) return;
+    for (AlgebraicRoot& root : roots_in(poly, w_.range.t_low, w_.range.t_high)) {
+      TurnEvent event = at(std::move(root), TurnEvent::Kind::overlap);
+      if (!overlap_at(a, b, event.theta())) continue;
+      event.a = a;
+      event.b = b;
+      out_.events.push_back(std::move(event));
+    }
+  }
+  // The vertex is an end of a segment that comes to lie along a: part of an overlap.
+  bool belongs_to_overlap(const WalkSegment& a, Pair v, double theta) const {
+    const TurnCatalog::Joint joint = catalog_.joint(v, theta);
+    if (joint.unsure) return false;
+    return (joint.has_in && forms_.parallel(a, joint.in) && overlap_at(a, joint.in, theta)) ||
+           (joint.has_out && forms_.parallel(a, joint.out) && overlap_at(a, joint.out, theta));
   }
 
   // Ends of the edge a and of an edge at its vertex: the side of such a pair is zero where the two edges are aligned.
@@ -95,7 +131,8 @@ class Collector {
     std::vector<std::array<std::uint32_t, 3>> seen;
     for (const TurnWindow::Meeting& m : w_.meetings)
       for (const auto& [i, j] : {std::pair{m.a, m.b}, std::pair{m.b, m.a}})
-        for (const Pair v : {TurningForms::start(w_.segments[j]), forms_.end(w_.segments[j])}) seen.push_back({i, v.p, v.q});
+        for (const Pair v : {TurningForms::start(w_.segments[j]), forms_.end(w_.segments[j])})
+          if (!forms_.side(w_.segments[i], v).far_from_zero(w_.heading, w_.half, forms_.side_error(w_.segments[i]))) seen.push_back({i, v.p, v.q});
     std::sort(seen.begin(), seen.end());
     seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
     for (const auto& [i, p, q] : seen) vertex_on(i, {p, q});
@@ -112,23 +149,20 @@ class Collector {
     bool near = r <= error;
     for (const double root : {phase - back, phase + back}) {
       const double theta = w_.middle + std::remainder(root - w_.middle, kTurn);
-      near |= std::abs(theta - w_.middle) <= w_.half + 2 * kNear && on(a, v, theta) && catalog_.exists(a, theta) != TurnCatalog::Existence::no;
-      near |= std::abs(theta - w_.middle) <= w_.half + 2 * kNear && exists_soon(a, theta) && on(a, v, theta);
+      near |= std::abs(theta - w_.middle) <= w_.half + 2 * kNear && on(a, v, theta);
     }
     if (!near) return;
     const exact::Polynomial poly = forms_.exact_side(a, v, w_.range.chart);
     if (poly.is_zero()) return;  // collinear edges of one operand with the same vertex of the other: they meet at no angle
     for (AlgebraicRoot& root : roots_in(poly, w_.range.t_low, w_.range.t_high)) {
       TurnEvent event = at(std::move(root), TurnEvent::Kind::vertex_on_segment);
-      if (!on(a, v, event.theta()) || !exists_soon(a, event.theta())) continue;
+      if (!on(a, v, event.theta()) || !may_exist(a, event.theta()) || belongs_to_overlap(a, v, event.theta())) continue;
       event.a = a;
       event.v = v;
-      out_.events.push_back(std::move(event));
+      if (!covered(event, forms_.place(v, Heading::of(event.theta())))) out_.events.push_back(std::move(event));
     }
   }
-  bool exists_soon(const WalkSegment& a, double theta) const {
-    return catalog_.exists(a, theta - kNear) != TurnCatalog::Existence::no || catalog_.exists(a, theta + kNear) != TurnCatalog::Existence::no;
-  }
+  bool may_exist(const WalkSegment& s, double theta) const { return catalog_.exists(s, theta) != TurnCatalog::Existence::no; }
 
   bool on(const WalkSegment& a, Pair v, double theta) const {
     const Heading h = Heading::of(theta);
@@ -144,22 +178,29 @@ class Collector {
     return std::binary_search(w_.meetings.begin(), w_.meetings.end(), m, less) && !share_end(w_.segments[i], w_.segments[j]);
   }
 
+  // Every triple is found from its smallest member; with two that are parallel at every angle, from the third one, the only one that crosses both.
   void triples_of(std::uint32_t a) {
     const std::vector<Crossing>& list = crossings_[a];
-    for (std::size_t k = 0; k < list.size(); ++k) {
-      if (list[k].other < a) continue;
-      for (std::size_t l = k + 1; l < list.size() && list[l].low <= list[k].high; ++l)
-        if (list[l].other > a) triple(a, std::min(list[k].other, list[l].other), std::max(list[k].other, list[l].other));
-    }
+    for (std::size_t k = 0; k < list.size(); ++k)
+      for (std::size_t l = k + 1; l < list.size() && list[l].low <= list[k].high; ++l) {
+        const std::uint32_t b = std::min(list[k].other, list[l].other), c = std::max(list[k].other, list[l].other);
+        if (a < b || forms_.parallel(w_.segments[b], w_.segments[c])) triple(a, b, c);
+      }
+  }
+
+  // Opposite directions: a passage between them opens or closes. The same direction: overlaps() sees to it.
+  bool same_direction(const WalkSegment& b, const WalkSegment& c) const {
+    const Point d = forms_.edge(b.side, b.edge), e = forms_.edge(c.side, c.edge);
+    return forms_.parallel(b, c) && d.x * e.x + d.y * e.y > 0;
   }
 
   void triple(std::uint32_t i, std::uint32_t j, std::uint32_t k) {
     const WalkSegment &a = w_.segments[i], &b = w_.segments[j], &c = w_.segments[k];
     ++out_.triples;
-    if (forms_.concurrency(a, b, c).far_from_zero(w_.heading, w_.half, forms_.concurrency_error(a, b, c)) || !meet(j, k)) return;
+    if (forms_.concurrency(a, b, c).far_from_zero(w_.heading, w_.half, forms_.concurrency_error(a, b, c)) || !meet(j, k) || same_direction(b, c)) return;
     const exact::Polynomial poly = forms_.exact_concurrency(a, b, c, w_.range.chart);
     if (poly.is_zero()) {
-      out_.always_concurrent |= all_cross(a, b, c, w_.middle);
+      out_.always_concurrent |= meets_somewhere(a, b, c);
       return;
     }
     for (AlgebraicRoot& root : roots_in(poly, w_.range.t_low, w_.range.t_high)) {
@@ -168,13 +209,19 @@ class Collector {
       event.a = a;
       event.b = b;
       event.c = c;
-      out_.events.push_back(std::move(event));
+      if (!covered(event, crossing_place(event))) out_.events.push_back(std::move(event));
     }
+  }
+  // Whether the lines, concurrent at every angle, may meet within the segments in this window.
+  bool meets_somewhere(const WalkSegment& a, const WalkSegment& b, const WalkSegment& c) const {
+    for (const double theta : {w_.low, w_.middle, w_.high})
+      if (all_cross(a, b, c, theta)) return true;
+    return false;
   }
   // All three exist there and each of them holds its crossing with the next, with slack.
   bool all_cross(const WalkSegment& a, const WalkSegment& b, const WalkSegment& c, double theta) const {
     for (const WalkSegment* s : {&a, &b, &c})
-      if (catalog_.exists(*s, theta) == TurnCatalog::Existence::no && !exists_soon(*s, theta)) return false;
+      if (!may_exist(*s, theta)) return false;
     const Heading h = Heading::of(theta);
     const std::array<const WalkSegment*, 3> s{&a, &b, &c};
     for (int x = 0; x < 3; ++x)
@@ -184,6 +231,26 @@ class Collector {
         if (std::abs(d) > kNear * forms_.length1(*s[x]) * forms_.length1(*s[y]) && (t < -slack || t > 1 + slack)) return false;
       }
     return true;
+  }
+
+  // Certainly inside the obstacle, where nothing is visible: the margins of the filter are wider than what angle and place may err.
+  bool covered(const TurnEvent& event, std::optional<Point> place) const {
+    if (filter_ == nullptr || !place || event.high - event.low > 0x1p-42) return false;
+    return filter_->inside(*place, Heading::of(event.theta()));
+  }
+  // Where the two cross that are least parallel, if they are not nearly parallel.
+  std::optional<Point> crossing_place(const TurnEvent& event) const {
+    const Heading h = Heading::of(event.theta());
+    const std::array<const WalkSegment*, 3> s{&event.a, &event.b, &event.c};
+    for (int k = 0; k < 3; ++k) {
+      const WalkSegment &a = *s[static_cast<std::size_t>(k)], &b = *s[static_cast<std::size_t>((k + 1) % 3)];
+      const double d = forms_.cross(a, b).at(h);
+      if (std::abs(d) < 0x1p-5 * forms_.length1(a) * forms_.length1(b)) continue;
+      const double t = forms_.side(b, TurningForms::start(a)).at(h) / d;
+      const Point from = forms_.place(TurningForms::start(a), h), along = forms_.direction(a, h);
+      return Point{from.x + t * along.x, from.y + t * along.y};
+    }
+    return std::nullopt;
   }
 
   TurnEvent at(AlgebraicRoot root, TurnEvent::Kind kind) const {
@@ -198,6 +265,7 @@ class Collector {
   const TurnWindow& w_;
   const TurningForms& forms_;
   const TurnCatalog& catalog_;
+  const OverlapFilter* filter_;
   std::vector<std::vector<Crossing>> crossings_;
   TurnEvents out_;
 };
@@ -232,8 +300,9 @@ std::vector<Alignment> alignments(const TurningForms& forms, const TurnCatalog& 
   return all;
 }
 
-TurnEvents events_in(const TurnWindow& window, const TurningForms& forms, const TurnCatalog& catalog, const std::vector<Alignment>& all) {
-  return Collector(window, forms, catalog).run(all);
+TurnEvents events_in(const TurnWindow& window, const TurningForms& forms, const TurnCatalog& catalog, const std::vector<Alignment>& all,
+                     const OverlapFilter* filter) {
+  return Collector(window, forms, catalog, filter).run(all);
 }
 
 }  // namespace dymsum::planar

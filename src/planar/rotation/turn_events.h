@@ -7,17 +7,23 @@
 #include <vector>
 
 #include "exact/algebraic_root.h"
+#include "planar/rotation/overlap_filter.h"
 #include "planar/rotation/turn_window.h"
 
 namespace dymsum::planar {
 
 struct TurnEvent {
-  enum class Kind : std::uint8_t { alignment, vertex_on_segment, three_segments };
+  enum class Kind : std::uint8_t {
+    alignment,          ///< of turning edge e with fixed edge f
+    vertex_on_segment,  ///< v on a
+    three_segments,     ///< a, b and c
+    overlap,            ///< a and b, parallel at every angle and in the same direction, come onto one line and share a stretch of it
+  };
   Kind kind = Kind::alignment;
   double low = 0, high = 0;  ///< theta lies between them
-  WalkSegment a, b, c;       ///< vertex_on_segment: v on a; three_segments: all
+  WalkSegment a, b, c;
   Pair v;                    ///< by walk vertices
-  std::uint32_t e = 0, f = 0;  ///< alignment: of turning edge e with fixed edge f
+  std::uint32_t e = 0, f = 0;
   std::optional<exact::AlgebraicRoot> root;  ///< always, but for alignments only when asked for
   double theta() const { return (low + high) / 2; }
 };
@@ -37,6 +43,8 @@ struct TurnEvents {
   std::uint64_t pairs = 0, triples = 0;
   bool always_concurrent = false;  ///< three segments stay concurrent at every angle: no event tells when they meet
 };
-TurnEvents events_in(const TurnWindow& window, const TurningForms& forms, const TurnCatalog& catalog, const std::vector<Alignment>& all);
+/// With a filter, without those at places that are certainly covered.
+TurnEvents events_in(const TurnWindow& window, const TurningForms& forms, const TurnCatalog& catalog, const std::vector<Alignment>& all,
+                     const OverlapFilter* filter);
 
 }  // namespace dymsum::planar

@@ -130,21 +130,32 @@ void TurnWindow::find_meetings(const DeadCells& dead) {
   for (std::size_t k = 2; k < start.size(); ++k) start[k] += start[k - 1];
   entries.resize(start.back());
   runs([&](std::size_t cell, std::uint32_t i) { entries[start[cell + 1]++] = i; });
-  std::vector<std::uint64_t> pairs;
-  for (std::size_t cell = 0; cell + 2 < start.size() + 1 && cell + 1 < start.size(); ++cell)
-    for (std::uint32_t k = start[cell]; k < start[cell + 1]; ++k)
-      for (std::uint32_t l = k + 1; l < start[cell + 1]; ++l) {
-        const std::uint32_t i = entries[k], j = entries[l];
-        const Box &a = boxes_[i], &b = boxes_[j];
-        if (a.x0 > b.x1 || b.x0 > a.x1 || a.y0 > b.y1 || b.y0 > a.y1) continue;
-        pairs.push_back(std::uint64_t{std::min(i, j)} << 32 | std::max(i, j));
-      }
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-  for (const std::uint64_t p : pairs) {
-    const std::uint32_t i = static_cast<std::uint32_t>(p >> 32), j = static_cast<std::uint32_t>(p);
-    if (may_meet(i, j)) meetings.push_back({i, j});
-  }
+  // Every cell lists its segments in their order, so a segment looks at the tails of its cells' lists; the stamp tells whom it has met.
+  std::vector<std::uint32_t> stamp(segments.size(), ~std::uint32_t{0});
+  std::uint32_t last = ~std::uint32_t{0};
+  std::vector<std::uint32_t> met;
+  const auto flush = [&] {
+    std::sort(met.begin(), met.end());
+    for (const std::uint32_t j : met)
+      if (may_meet(last, j)) meetings.push_back({last, j});
+    met.clear();
+  };
+  runs([&](std::size_t cell, std::uint32_t i) {
+    if (i != last) {
+      flush();
+      last = i;
+    }
+    const Box& a = boxes_[i];
+    for (std::uint32_t k = start[cell + 1]; k-- > start[cell];) {
+      const std::uint32_t j = entries[k];
+      if (j <= i) break;
+      const Box& b = boxes_[j];
+      if (a.x0 > b.x1 || b.x0 > a.x1 || a.y0 > b.y1 || b.y0 > a.y1 || stamp[j] == i) continue;
+      stamp[j] = i;
+      met.push_back(j);
+    }
+  });
+  flush();
 }
 
 }  // namespace dymsum::planar

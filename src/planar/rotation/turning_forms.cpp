@@ -75,6 +75,14 @@ TrigForm TurningForms::cross(const WalkSegment& s, const WalkSegment& t) const {
   return {0, planar::cross(d, e), dot(d, e)};
 }
 
+bool TurningForms::parallel(const WalkSegment& s, const WalkSegment& t) const {
+  if (s.side != t.side) return false;
+  if (s.edge == t.edge) return true;
+  const double value = planar::cross(edge(s.side, s.edge), edge(t.side, t.edge));
+  if (std::abs(value) > 0x1p-48 * length1(s) * length1(t)) return false;
+  return base_.lattice->cross(operands_[s.side]->edge(s.edge), operands_[t.side]->edge(t.edge)) == 0;
+}
+
 // With the origin at the start of a, its own offset vanishes: h_b (d_c x d_a) + h_c (d_a x d_b), and h_k = d_k x (start_k - start_a) = -side(k, start_a).
 TrigForm2 TurningForms::concurrency(const WalkSegment& a, const WalkSegment& b, const WalkSegment& c) const {
   TrigForm2 sum;

@@ -91,6 +91,8 @@ class TurningForms {
   /// d x (v - start), d . (v - start), d x d'.
   TrigForm side(const WalkSegment& s, Pair v) const;
   TrigForm cross(const WalkSegment& s, const WalkSegment& t) const;
+  /// Parallel at every angle. Exact.
+  bool parallel(const WalkSegment& s, const WalkSegment& t) const;
   TrigForm2 concurrency(const WalkSegment& a, const WalkSegment& b, const WalkSegment& c) const;
   double concurrency_error(const WalkSegment& a, const WalkSegment& b, const WalkSegment& c) const {
     return 0x1p-44 * length1(a) * length1(b) * length1(c) * span_;
