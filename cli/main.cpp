@@ -28,6 +28,7 @@ ExitCode run(int argc, char** argv) {
   add_scale(app, action);
   add_scale_range(app, action);
   add_rotate(app, action);
+  add_path(app, action);
   add_depth(app, action);
   add_info(app, action);
   add_convert(app, action);

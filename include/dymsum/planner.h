@@ -58,7 +58,7 @@ struct Plan {
 
 struct PlanOptions {
   Touching touching = Touching::allowed;
-  std::uint32_t most_rounds = 24;  ///< of refinement
+  std::uint32_t most_rounds = 48;  ///< of refinement
   Progress progress;
 };
 

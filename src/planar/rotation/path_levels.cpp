@@ -64,7 +64,7 @@ std::vector<Orientation> PathLevels::between(std::size_t k) const {
 }
 
 // The free cell on the right of an edge of a slice at an orientation of that slab.
-std::uint32_t PathLevels::component_in_slab(std::uint32_t slab, const SliceMap& map, std::uint32_t edge) {
+std::uint32_t PathLevels::cell_in_slab(std::uint32_t slab, const SliceMap& map, std::uint32_t edge) {
   const auto [at, fresh] = patches_.try_emplace(slab);
   if (fresh)
     for (const auto& loop : obstacle_.loops(slab)) at->second.insert(at->second.end(), loop.begin(), loop.end());
@@ -74,7 +74,7 @@ std::uint32_t PathLevels::component_in_slab(std::uint32_t slab, const SliceMap& 
   for (const std::uint32_t p : at->second) {
     const Patch& patch = obstacle_.patches()[p];
     if (patch.contact != e.contact) continue;
-    near.push_back(obstacle_.free_cells()[obstacle_.free_cell(slab, p)].component);
+    near.push_back(obstacle_.free_cell(slab, p));
     if (patch.left == e.before) return near.back();
   }
   const bool one = !near.empty() && std::all_of(near.begin(), near.end(), [&](auto c) { return c == near[0]; });
@@ -82,7 +82,7 @@ std::uint32_t PathLevels::component_in_slab(std::uint32_t slab, const SliceMap& 
 }
 
 // At an event angle: at an orientation next to it, up to which a place of the face stays free.
-std::uint32_t PathLevels::component_beside(std::size_t k, std::uint32_t face) {
+std::uint32_t PathLevels::cell_beside(std::size_t k, std::uint32_t face) {
   const SliceGraph& at = graph(k);
   const auto inside = std::find_if(at.trapezoids().begin(), at.trapezoids().end(),
                                    [&](const auto& t) { return t.face == face; });
@@ -98,26 +98,26 @@ std::uint32_t PathLevels::component_beside(std::size_t k, std::uint32_t face) {
   const std::optional<std::uint32_t> slab = obstacle_.slab_of(beside);
   if (nodes.empty() || !slab) return kUnknown;
   const std::uint32_t edge = graph.edge_of(graph.trapezoids()[nodes[0]].face);
-  return edge == kUnknown ? kUnknown : component_in_slab(*slab, *map, edge);
+  return edge == kUnknown ? kUnknown : cell_in_slab(*slab, *map, edge);
 }
 
-std::uint32_t PathLevels::component(std::size_t k, std::uint32_t face) {
+std::uint32_t PathLevels::cell(std::size_t k, std::uint32_t face) {
   const SliceGraph& at = graph(k);
   auto& known = known_[levels_[k].get()];
   known.resize(at.faces());
   if (known[face]) return *known[face];
-  std::uint32_t component = kUnknown;
-  if (const std::optional<std::uint32_t> slab = obstacle_.slab_of(theta(k))) {
+  std::uint32_t cell = kUnknown;
+  if (const std::optional<std::uint32_t> slab = this->slab(k)) {
     const std::uint32_t edge = at.edge_of(face);
-    if (edge != kUnknown) component = component_in_slab(*slab, map(k), edge);
+    if (edge != kUnknown) cell = cell_in_slab(*slab, map(k), edge);
   } else {
-    component = component_beside(k, face);
+    cell = cell_beside(k, face);
   }
-  known[face] = component;
-  return component;
+  known[face] = cell;
+  return cell;
 }
 
-std::vector<std::uint32_t> PathLevels::components(std::size_t k, std::uint32_t group) {
+std::vector<std::uint32_t> PathLevels::cells(std::size_t k, std::uint32_t group) {
   std::vector<std::uint32_t> all;
   const SliceGraph& at = graph(k);
   std::vector<bool> seen(at.faces(), false);
@@ -125,8 +125,15 @@ std::vector<std::uint32_t> PathLevels::components(std::size_t k, std::uint32_t g
     const std::uint32_t face = at.trapezoids()[n].face;
     if (at.group_of(n) != group || seen[face]) continue;
     seen[face] = true;
-    all.push_back(component(k, face));
+    all.push_back(cell(k, face));
   }
+  return all;
+}
+
+std::vector<std::uint32_t> PathLevels::components(std::size_t k, std::uint32_t group) {
+  std::vector<std::uint32_t> all = cells(k, group);
+  for (std::uint32_t& c : all)
+    if (c != kUnknown) c = obstacle_.free_cells()[c].component;
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end()), all.end());
   return all;

@@ -38,14 +38,18 @@ class PathLevels {
   /// One or two more between level k and the next, nearer to the event between them.
   std::vector<Orientation> between(std::size_t k) const;
 
-  /// The component of free space of a face of a level; kNone where it is not known.
-  std::uint32_t component(std::size_t k, std::uint32_t face);
-  /// The components of all faces that a group of a level consists of.
+  /// The free cell of a face of a level, at an event angle that of the slab behind it; kNone where it is not known.
+  std::uint32_t cell(std::size_t k, std::uint32_t face);
+  /// The free cells of all faces that a group of a level consists of.
+  std::vector<std::uint32_t> cells(std::size_t k, std::uint32_t group);
+  /// Their components.
   std::vector<std::uint32_t> components(std::size_t k, std::uint32_t group);
+  /// The slab of a level; nothing at an event angle.
+  std::optional<std::uint32_t> slab(std::size_t k) const { return obstacle_.slab_of(levels_[k]->theta); }
 
  private:
-  std::uint32_t component_in_slab(std::uint32_t slab, const SliceMap& map, std::uint32_t edge);
-  std::uint32_t component_beside(std::size_t k, std::uint32_t face);
+  std::uint32_t cell_in_slab(std::uint32_t slab, const SliceMap& map, std::uint32_t edge);
+  std::uint32_t cell_beside(std::size_t k, std::uint32_t face);
 
   const CspaceObstacle& obstacle_;
   Touching touching_;

@@ -13,7 +13,7 @@ double turn_between(double a, double b) { return std::abs(std::remainder(a - b, 
 
 PathSearch::PathSearch(const CspaceObstacle& obstacle, PathLevels& levels, Touching touching,
                        std::function<bool(std::uint32_t, std::uint32_t)> joined)
-    : levels_(levels), touching_(touching), joined_(std::move(joined)), pivot_(obstacle.robot(), obstacle.obstacle()) {
+    : obstacle_(obstacle), levels_(levels), touching_(touching), joined_(std::move(joined)), pivot_(obstacle.robot(), obstacle.obstacle()) {
   const Pose pose(obstacle.robot(), obstacle.obstacle());
   room_ = pose.reach() * pose.reach();
 }
@@ -112,19 +112,25 @@ void PathSearch::collect(std::uint32_t level, std::uint32_t group) {
   std::reverse(steps_.begin(), steps_.end());
 }
 
-// Whether a piece of one level is reached, and one of the other is not, of components that belong together.
-bool PathSearch::mismatch(std::uint32_t from, std::uint32_t to) {
-  const auto any_joined = [&](const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b) {
-    for (const std::uint32_t c : a)
-      for (const std::uint32_t d : b)
-        if (c == SliceMap::kNone || d == SliceMap::kNone || joined_(c, d)) return true;
-    return false;
-  };
-  for (std::uint32_t g = 0; g < visits(from).size(); ++g) {
-    if (!visits(from)[g].reached) continue;
-    for (std::uint32_t h = 0; h < visits(to).size(); ++h)
-      if (!visits(to)[h].reached && any_joined(levels_.components(from, g), levels_.components(to, h))) return true;
-  }
+// Whether pieces of two free cells at neighbouring levels may be joined between them.
+bool PathSearch::neighbours(std::uint32_t level, std::uint32_t cell, std::uint32_t next, std::uint32_t next_cell) const {
+  if (cell == SliceMap::kNone || next_cell == SliceMap::kNone || cell == next_cell) return true;
+  const std::vector<FreeCell>& cells = obstacle_.free_cells();
+  if (!joined_(cells[cell].component, cells[next_cell].component)) return false;
+  const std::optional<std::uint32_t> slab = levels_.slab(level), next_slab = levels_.slab(next);
+  if (!slab || !next_slab) return true;
+  return slab != next_slab && (cells[cell].end == *next_slab || cells[next_cell].begin == *next_slab);
+}
+
+// Whether a piece of one of two neighbouring levels is reached, and one of the other is not that it may be joined to.
+bool PathSearch::mismatch(std::uint32_t level, std::uint32_t next) {
+  for (std::uint32_t g = 0; g < visits(level).size(); ++g)
+    for (std::uint32_t h = 0; h < visits(next).size(); ++h) {
+      if (visits(level)[g].reached == visits(next)[h].reached) continue;
+      for (const std::uint32_t c : levels_.cells(level, g))
+        for (const std::uint32_t d : levels_.cells(next, h))
+          if (neighbours(level, c, next, d)) return true;
+    }
   return false;
 }
 
@@ -132,7 +138,7 @@ void PathSearch::refine() {
   std::vector<Orientation> more;
   const auto n = static_cast<std::uint32_t>(levels_.size());
   for (std::uint32_t k = 0; k < n; ++k) {
-    if (!mismatch(k, (k + 1) % n) && !mismatch((k + 1) % n, k)) continue;
+    if (!mismatch(k, (k + 1) % n)) continue;
     const std::vector<Orientation> between = levels_.between(k);
     more.insert(more.end(), between.begin(), between.end());
   }

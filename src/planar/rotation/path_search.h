@@ -32,7 +32,8 @@ class PathSearch {
   Outcome round(const PathEnd& start, const PathEnd& goal, std::size_t places, const Progress& progress);
   /// The steps of the last round that found a way; the goal is then reached by translations.
   const std::vector<PathStep>& steps() const { return steps_; }
-  /// More levels where the last round reached a piece, and not its neighbour of the same component.
+  /// More levels where the last round reached a piece, and not one next to it of the same free cell, or of one that begins
+  /// or ends between them.
   void refine();
   std::uint64_t rotations() const { return rotations_; }
 
@@ -54,8 +55,10 @@ class PathSearch {
   std::vector<Position> roomy(std::uint32_t level, std::uint32_t group, const Position& near, std::size_t most);
   std::vector<Visit>& visits(std::uint32_t level);
   void collect(std::uint32_t level, std::uint32_t group);
-  bool mismatch(std::uint32_t from, std::uint32_t to);
+  bool neighbours(std::uint32_t level, std::uint32_t cell, std::uint32_t next, std::uint32_t next_cell) const;
+  bool mismatch(std::uint32_t level, std::uint32_t next);
 
+  const CspaceObstacle& obstacle_;
   PathLevels& levels_;
   Touching touching_;
   std::function<bool(std::uint32_t, std::uint32_t)> joined_;
