@@ -99,6 +99,9 @@ class Collector {
     return may_exist(a, theta) && may_exist(b, theta) && share_stretch(a, b, theta);
   }
   void overlaps(const WalkSegment& a, const WalkSegment& b) {
+    // One edge at both ends of another one: on one line only where the two edges are aligned.
+    const Operand& other = forms_.operand(1 - a.side);
+    if (a.edge == b.edge && (other.next[a.vertex] == b.vertex || other.prev[a.vertex] == b.vertex)) return;
     const TrigForm f = forms_.side(a, TurningForms::start(b));
     if (f.far_from_zero(w_.heading, w_.half, forms_.side_error(a))) return;
     const exact::Polynomial poly = forms_.exact_side(a, TurningForms::start(b), w_.range.chart);
