@@ -15,7 +15,7 @@ constexpr double kPi = std::numbers::pi;
 constexpr double kWidth = 1180, kHeight = 760, kMargin = 40;
 constexpr double kStep = kPi / 36;  // of theta from one quadrangle to the next, at most
 constexpr int kPiecesAcross = 16;   // of an edge as long as the slice is wide
-constexpr int kShades = 6;
+constexpr int kShades = 10;
 
 struct Place {
   double x, y, z;
