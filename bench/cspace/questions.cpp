@@ -1,22 +1,17 @@
 #include "cspace/questions.h"
 
-#include <ostream>
-
-#if __has_include("cspace/queries.h")
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <numbers>
+#include <ostream>
 #include <random>
 #include <vector>
 
 #include "cspace/queries.h"
 #include "dymsum/obstacle_queries.h"
-#endif
 
 namespace dymsum::bench {
-
-#if __has_include("cspace/queries.h")
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -63,7 +58,7 @@ void contains_row(std::ostream& out, const QueryPair& pair) {
 
 }  // namespace
 
-bool write_questions(std::ostream& out) {
+void write_questions(std::ostream& out) {
   out << "| P/Q | contains ns, single | ns, in a batch | exact test ns | inside % | compared, different |\n"
          "|---|---|---|---|---|---|\n";
   for (const QueryPair& pair : depth_pairs()) contains_row(out, pair);
@@ -75,10 +70,6 @@ bool write_questions(std::ostream& out) {
          "| P/Q | mean error | query ms | precomputation s |\n|---|---|---|---|\n"
          "| bar/circle | 0.00004 | 7.8 | 50.1 |\n| bar/sewing | 0.00067 | 6.5 | 80.1 |\n"
          "| star/star | 0.0004 | 8.5 | 398.2 |\n| grate 1/grate 2 | 0.0001 | 12.0 | 862.2 |\n";
-  return true;
 }
-#else
-bool write_questions(std::ostream&) { return false; }
-#endif
 
 }  // namespace dymsum::bench

@@ -21,10 +21,10 @@ std::optional<int> compare_bounds(const AlgebraicRoot& a, const AlgebraicRoot& b
   return std::nullopt;
 }
 
-Dyadic larger(const Dyadic& a, const Dyadic& b) { return compare(a, b) < 0 ? b : a; }
-Dyadic smaller(const Dyadic& a, const Dyadic& b) { return compare(a, b) < 0 ? a : b; }
+DyadicNumber larger(const DyadicNumber& a, const DyadicNumber& b) { return compare(a, b) < 0 ? b : a; }
+DyadicNumber smaller(const DyadicNumber& a, const DyadicNumber& b) { return compare(a, b) < 0 ? a : b; }
 
-int sign_at(const Polynomial& p, const Dyadic& x) { return p.value_at_dyadic(x.numerator, x.shift).sign(); }
+int sign_at(const Polynomial& p, const DyadicNumber& x) { return p.value_at_dyadic(x.numerator, x.shift).sign(); }
 
 /// The common divisor; constant without computing it when a prime shows that nothing is common.
 Polynomial common_factor(const Polynomial& a, const Polynomial& b) {
@@ -36,7 +36,7 @@ Polynomial common_factor(const Polynomial& a, const Polynomial& b) {
 /// Neither is a point. Where the brackets overlap a divisor of both polynomials has no root but the common one, a
 /// simple root; at the ends of the overlap it is not 0, as one of the polynomials is not.
 bool equal_roots(const RootBracket& a, const RootBracket& b) {
-  const Dyadic low = larger(a.low(), b.low()), high = smaller(a.high(), b.high());
+  const DyadicNumber low = larger(a.low(), b.low()), high = smaller(a.high(), b.high());
   if (compare(low, high) >= 0) return false;
   const Polynomial common = common_factor(a.polynomial(), b.polynomial());
   return common.degree() > 0 && sign_at(common, low) != sign_at(common, high);
@@ -121,7 +121,7 @@ AlgebraicRoot AlgebraicRoot::rational(const BigRational& x) {
   AlgebraicRoot root(f, low, high);
   if (!std::isfinite(low) || !std::isfinite(high)) {
     const BigInteger n = floor_of(x);
-    root.bracket_ = std::make_shared<const RootBracket>(f, Dyadic{BigInteger(n - 1), 0}, Dyadic{BigInteger(n + 1), 0});
+    root.bracket_ = std::make_shared<const RootBracket>(f, DyadicNumber{BigInteger(n - 1), 0}, DyadicNumber{BigInteger(n + 1), 0});
   }
   return root;
 }
@@ -134,8 +134,8 @@ double AlgebraicRoot::approx() const {
 
 RootBracket AlgebraicRoot::bracket() const {
   if (bracket_) return *bracket_;
-  if (low_ == high_) return {f_, Dyadic::of(low_)};
-  return {f_, Dyadic::of(low_), Dyadic::of(high_)};
+  if (low_ == high_) return {f_, DyadicNumber::of(low_)};
+  return {f_, DyadicNumber::of(low_), DyadicNumber::of(high_)};
 }
 
 std::vector<AlgebraicRoot> roots_in(const Polynomial& p, double lo, double hi, FilterCounts& counts) {
@@ -206,9 +206,9 @@ BigRational between(const AlgebraicRoot& a, const AlgebraicRoot& b) {
     x.refine();
     y.refine();
   }
-  Dyadic low = x.low(), high = y.high();
+  DyadicNumber low = x.low(), high = y.high();
   for (;;) {
-    const Dyadic middle = simplest_between(low, high);
+    const DyadicNumber middle = simplest_between(low, high);
     if (x.compare_to(middle) >= 0) {
       low = middle;
     } else if (y.compare_to(middle) <= 0) {

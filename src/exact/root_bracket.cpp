@@ -96,8 +96,8 @@ int constant_sign(const Polynomial& p, const BigInteger& low, const BigInteger& 
 
 }  // namespace
 
-Dyadic Dyadic::of(double v) {
-  if (!std::isfinite(v)) throw std::domain_error("Dyadic::of: not a finite number");
+DyadicNumber DyadicNumber::of(double v) {
+  if (!std::isfinite(v)) throw std::domain_error("DyadicNumber::of: not a finite number");
   if (v == 0) return {};
   int e = 0;
   auto m = static_cast<std::int64_t>(std::ldexp(std::frexp(v, &e), 53));
@@ -107,7 +107,7 @@ Dyadic Dyadic::of(double v) {
   return {BigInteger(m >> common), static_cast<unsigned>(-e - common)};
 }
 
-int compare(const Dyadic& a, const Dyadic& b) {
+int compare(const DyadicNumber& a, const DyadicNumber& b) {
   if (a.shift == b.shift) return a.numerator.compare(b.numerator);
   if (a.shift < b.shift) return BigInteger(a.numerator << (b.shift - a.shift)).compare(b.numerator);
   return a.numerator.compare(BigInteger(b.numerator << (a.shift - b.shift)));
@@ -122,12 +122,12 @@ std::pair<double, double> double_bounds(const BigRational& v) {
   return {nearest, std::nextafter(nearest, kInfinity)};
 }
 
-Dyadic simplest_between(const Dyadic& low, const Dyadic& high) {
+DyadicNumber simplest_between(const DyadicNumber& low, const DyadicNumber& high) {
   const unsigned shift = std::max(low.shift, high.shift);
   const BigInteger l = low.numerator << (shift - low.shift), h = high.numerator << (shift - high.shift);
   if (l.sign() < 0 && h.sign() > 0) return {0, 0};
   if (h.sign() <= 0) {
-    Dyadic mirrored = simplest_between({BigInteger(-h), shift}, {BigInteger(-l), shift});
+    DyadicNumber mirrored = simplest_between({BigInteger(-h), shift}, {BigInteger(-l), shift});
     return {BigInteger(-mirrored.numerator), mirrored.shift};
   }
   for (unsigned drop = shift;; --drop) {
@@ -137,7 +137,7 @@ Dyadic simplest_between(const Dyadic& low, const Dyadic& high) {
   }
 }
 
-RootBracket::RootBracket(Polynomial f, const Dyadic& low, const Dyadic& high)
+RootBracket::RootBracket(Polynomial f, const DyadicNumber& low, const DyadicNumber& high)
     : f_(std::move(f)), shift_(std::max(low.shift, high.shift)) {
   low_ = low.numerator << (shift_ - low.shift);
   high_ = high.numerator << (shift_ - high.shift);
@@ -147,7 +147,7 @@ RootBracket::RootBracket(Polynomial f, const Dyadic& low, const Dyadic& high)
   gain_ = static_cast<unsigned>(std::clamp(known / 2, 1L, 64L));
 }
 
-RootBracket::RootBracket(Polynomial f, const Dyadic& x)
+RootBracket::RootBracket(Polynomial f, const DyadicNumber& x)
     : f_(std::move(f)), low_(x.numerator), high_(x.numerator), shift_(x.shift) {}
 
 void RootBracket::rescale(unsigned more) {
@@ -226,11 +226,11 @@ void RootBracket::refine_to_double() {
   };
   while (!is_point() && wide()) refine();
   if (is_point()) return;
-  const double candidate = round_to_double(Dyadic{BigInteger(low_ + high_), shift_ + 1}.value());
-  if (std::isfinite(candidate)) compare_to(Dyadic::of(candidate));
+  const double candidate = round_to_double(DyadicNumber{BigInteger(low_ + high_), shift_ + 1}.value());
+  if (std::isfinite(candidate)) compare_to(DyadicNumber::of(candidate));
 }
 
-int RootBracket::compare_to(const Dyadic& x) {
+int RootBracket::compare_to(const DyadicNumber& x) {
   const int against_low = exact::compare(x, low()), against_high = exact::compare(x, high());
   if (is_point()) return -against_low;
   if (against_low <= 0) return 1;
@@ -252,7 +252,7 @@ std::pair<double, double> RootBracket::bounds() const {
 
 std::vector<RootBracket> isolated_roots(const Polynomial& f, double lo, double hi) {
   const SturmChain chain(f);
-  const Dyadic from = Dyadic::of(lo), to = Dyadic::of(hi);
+  const DyadicNumber from = DyadicNumber::of(lo), to = DyadicNumber::of(hi);
   const unsigned shift = std::max(from.shift, to.shift);
   const BigInteger low = from.numerator << (shift - from.shift), high = to.numerator << (shift - to.shift);
   std::vector<Interval> waiting{{low, high, shift, chain.variations(low, shift), chain.variations(high, shift)}};
@@ -272,7 +272,7 @@ std::vector<RootBracket> isolated_roots(const Polynomial& f, double lo, double h
 
 int sign_of_nonzero(RootBracket& root, const Polynomial& p) {
   for (;;) {
-    const Dyadic low = root.low(), high = root.high();
+    const DyadicNumber low = root.low(), high = root.high();
     if (const int s = constant_sign(p, low.numerator, high.numerator, low.shift)) return s;
     root.refine();
   }

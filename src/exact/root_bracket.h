@@ -9,34 +9,34 @@
 namespace dymsum::exact {
 
 /// numerator / 2^shift, not necessarily in lowest terms.
-struct Dyadic {
+struct DyadicNumber {
   BigInteger numerator = 0;
   unsigned shift = 0;
 
   /// The number a finite double stands for.
-  static Dyadic of(double v);
+  static DyadicNumber of(double v);
   BigRational value() const { return BigRational(numerator, BigInteger(1) << shift); }
 };
-int compare(const Dyadic& a, const Dyadic& b);
+int compare(const DyadicNumber& a, const DyadicNumber& b);
 /// v in [first, second], equal when v is a double, else neighbouring doubles; the outer one infinite past their range.
 std::pair<double, double> double_bounds(const BigRational& v);
 /// The dyadic number strictly between that has the smallest denominator; of integers, the one nearest to 0. Requires
 /// low < high.
-Dyadic simplest_between(const Dyadic& low, const Dyadic& high);
+DyadicNumber simplest_between(const DyadicNumber& low, const DyadicNumber& high);
 
 /// One root x of a polynomial f. Either low < x < high, f has no other root there, x is a simple root, f(low) and
 /// f(high) are not 0 and hence have opposite signs; or low = x = high.
 class RootBracket {
  public:
   /// Requires low < high and the first case above.
-  RootBracket(Polynomial f, const Dyadic& low, const Dyadic& high);
+  RootBracket(Polynomial f, const DyadicNumber& low, const DyadicNumber& high);
   /// Requires f(x) = 0.
-  RootBracket(Polynomial f, const Dyadic& x);
+  RootBracket(Polynomial f, const DyadicNumber& x);
 
   const Polynomial& polynomial() const { return f_; }
   bool is_point() const { return low_ == high_; }
-  Dyadic low() const { return {low_, shift_}; }
-  Dyadic high() const { return {high_, shift_}; }
+  DyadicNumber low() const { return {low_, shift_}; }
+  DyadicNumber high() const { return {high_, shift_}; }
 
   /// Narrows the bracket. Where f is nearly linear in it the bits gained double with each call, up to 512; a call that
   /// fails halves what the next one tries, and one that tries a single bit succeeds: ten calls at least halve it.
@@ -47,7 +47,7 @@ class RootBracket {
   /// Until (high - low) 2^53 < |x| or x is found to be 0; then x is low = high if it is a double.
   void refine_to_double();
   /// The sign of root - x; narrows the bracket to the side of x.
-  int compare_to(const Dyadic& x);
+  int compare_to(const DyadicNumber& x);
   /// [low, high] in doubles, rounded outwards; equal only when the root is that double.
   std::pair<double, double> bounds() const;
 

@@ -527,9 +527,12 @@ std::shared_ptr<Lattice> make_turned_lattice(const Lattice& unscaled, const Latt
   const std::uint32_t op = rotation.op;
   const int den = factor_bits(rotation.den);
   // Rotated differences are at most the diagonal: 1.5 times the larger side.
-  const int bits = std::max(bits_of(points[op]->extent, exponent) + den + 1, bits_of(points[1 - op]->extent, exponent) + den);
+  int bits = std::max(bits_of(points[op]->extent, exponent) + den + 1, bits_of(points[1 - op]->extent, exponent) + den);
   auto placed = std::make_shared<PlacedPoints>(*points[op]);
-  place_turned(*placed, turned_points(unscaled, rotation), rotation.den, exponent, unit);
+  std::shared_ptr<TurnedPoints> turned = turned_points(unscaled, rotation);
+  // Integers that were too wide to be turned in 125 bits may seem to fit by one bit.
+  if (turned->at.empty()) bits = std::max(bits, exact::coordinate_bits(exact::Tier::b512) + 1);
+  place_turned(*placed, std::move(turned), rotation.den, exponent, unit);
   points[op] = std::move(placed);
   std::shared_ptr<Lattice> lattice = build(std::move(points), exponent, unit, bits, rotation, min_tier_bits);
   lattice->integers = unscaled.integers;

@@ -68,8 +68,9 @@ class Judge {
     if (name.starts_with("dymsum/")) return fs::exists(root_ / "include" / name) ? "" : "no such public header";
     if (room_ == "include") return "public headers include only the standard library and each other";
     if (fs::exists((root_ / path_).parent_path() / name) && name.find("..") == std::string::npos) return "";
-    if (room_ == "cli" || room_ == "apps" || room_ == "examples") return "only public headers may be used here";
     const std::string other = room_of(name);
+    if (room_ == "apps" && other == "base") return fs::exists(root_ / "src" / name) ? "" : "no such file";
+    if (room_ == "cli" || room_ == "apps" || room_ == "examples") return "only public headers may be used here";
     if (other.empty()) return "no such room";
     if (!fs::exists(root_ / "src" / name)) return "no such file";
     return rank(other) <= rank(room_) ? "" : "room " + other + " stands after room " + room_;

@@ -21,7 +21,8 @@ struct Reading {
 
 /// Everything in include/, src/, cli/ and examples/ below `root` that breaks the order of the rooms:
 /// public headers include the standard library and each other; a room in src/ includes public headers, itself, the
-/// rooms before it and its own foreign headers; src/apps, cli, examples include public headers and themselves.
+/// rooms before it and its own foreign headers; src/apps, cli, examples include public headers and themselves, src/apps
+/// also base.
 Reading read_tree(const std::filesystem::path& root);
 
 }  // namespace dymsum::layering

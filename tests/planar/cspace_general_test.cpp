@@ -2,7 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <random>
+#include <set>
 
 #include "dymsum/cspace_obstacle.h"
 #include "dymsum/shapes.h"
@@ -63,34 +66,188 @@ void expect_slices(const CspaceObstacle& c, Random& random, std::uint32_t most) 
   }
 }
 
-Region random_shape(Random& random, int reach, int most, bool hole) {
+Ring random_ring(Random& random, int reach, int most, double dx) {
   const auto at = [&] { return static_cast<double>(static_cast<int>(random() % static_cast<unsigned>(2 * reach + 1)) - reach); };
+  Ring ring;
+  const int n = 3 + static_cast<int>(random() % static_cast<unsigned>(most - 2));
+  for (int i = 0; i < n; ++i) ring.push_back({at() + dx, at()});
+  return ring;
+}
+
+Region random_shape(Random& random, int reach, int most, bool hole, int parts = 1) {
   for (;;) {
     RegionData data;
-    data.parts.emplace_back();
-    const int n = 3 + static_cast<int>(random() % static_cast<unsigned>(most - 2));
-    for (int i = 0; i < n; ++i) data.parts[0].outer.push_back({at(), at()});
-    if (hole) data.parts[0].holes.push_back({{at(), at()}, {at(), at()}, {at(), at()}});
+    for (int k = 0; k < parts; ++k) {
+      data.parts.emplace_back();
+      data.parts.back().outer = random_ring(random, reach, most, 2.5 * reach * k);
+      if (hole) data.parts.back().holes.push_back(random_ring(random, reach, 3, 2.5 * reach * k));
+    }
     Result<Repaired> repaired = repair(data);
-    if (repaired.ok() && !repaired->region.empty() && repaired->region.touching_points().empty() && repaired->region.parts().size() == 1) return repaired->region;
+    if (repaired.ok() && repaired->region.touching_points().empty() && static_cast<int>(repaired->region.parts().size()) == parts) return repaired->region;
+  }
+}
+
+Region polygon(Ring outer, std::vector<Ring> holes = {}) {
+  RegionData data;
+  data.parts.push_back({std::move(outer), std::move(holes)});
+  return *Region::create(std::move(data));
+}
+
+Ring box(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
+Ring reversed(Ring ring) {
+  std::reverse(ring.begin(), ring.end());
+  return ring;
+}
+
+std::size_t free_components(const CspaceObstacle& c) {
+  std::set<std::uint32_t> all;
+  for (const FreeCell& cell : c.free_cells()) all.insert(cell.component);
+  return all.size();
+}
+
+std::size_t tight_at(const CspaceObstacle& c, double theta) {
+  std::size_t n = 0;
+  for (const ObstacleEvent& e : c.events()) n += e.kind == ObstacleEvent::Kind::tight && std::abs(c.angles()[e.angle].theta - theta) < 1e-12;
+  return n;
+}
+
+// Seeds from DYMSUM_SEED on, as many as DYMSUM_FUZZ_OBSTACLES says.
+template <class F>
+void for_seeds(std::uint64_t usual, F&& f) {
+  const char* first = std::getenv("DYMSUM_SEED");
+  const char* count = std::getenv("DYMSUM_FUZZ_OBSTACLES");
+  const std::uint64_t begin = first ? std::stoull(first) : 1, n = count ? std::stoull(count) : usual;
+  for (std::uint64_t seed = begin; seed < begin + n && !testing::Test::HasFailure(); ++seed) {
+    SCOPED_TRACE(testing::Message() << "DYMSUM_SEED=" << seed);
+    Random random(seed);
+    f(random);
   }
 }
 
 TEST(CspaceGeneral, random_pairs_equal_slices) {
-  const char* first = std::getenv("DYMSUM_SEED");
-  const char* count = std::getenv("DYMSUM_FUZZ_OBSTACLES");
-  const std::uint64_t begin = first ? std::stoull(first) : 1;
-  for (std::uint64_t seed = begin; seed < begin + (count ? std::stoull(count) : 60); ++seed) {
-    SCOPED_TRACE(testing::Message() << "seed " << seed);
-    Random random(seed);
+  for_seeds(1500, [](Random& random) {
     const bool hole = random() % 3 == 0;
     const int reach = random() % 2 == 0 ? 5 : 1000;
     const Region robot = random_shape(random, reach, 6, false), obstacle = random_shape(random, hole ? 2 * reach : reach, 7, hole);
-    Result<CspaceObstacle> c = CspaceObstacle::create(robot, obstacle);
+    const Result<CspaceObstacle> c = CspaceObstacle::create(robot, obstacle);
     ASSERT_TRUE(c.ok()) << c.error().message;
     expect_slices(*c, random, 400);
-    if (testing::Test::HasFailure()) return;
+  });
+}
+
+TEST(CspaceGeneral, several_parts_and_holes_equal_slices) {
+  for_seeds(150, [](Random& random) {
+    const int reach = random() % 2 == 0 ? 6 : 1000;
+    const Region robot = random_shape(random, reach, 5, false, 1 + static_cast<int>(random() % 2));
+    const Region obstacle = random_shape(random, 2 * reach, 7, random() % 2 == 0, 1 + static_cast<int>(random() % 2));
+    const Result<CspaceObstacle> c = CspaceObstacle::create(robot, obstacle);
+    ASSERT_TRUE(c.ok()) << c.error().message;
+    expect_slices(*c, random, 60);
+    for (const Patch& p : c->patches()) ASSERT_LT(p.shell, c->shells().size());
+    for (const FreeCell& cell : c->free_cells()) ASSERT_LT(cell.component, free_components(*c));
+  });
+}
+
+// Unit squares of a small board that hang together, as one polygon: edges in four directions only.
+Region random_cells(Random& random, int size, double cell) {
+  for (;;) {
+    RegionData data;
+    std::vector<Region> cells;
+    for (int x = 0; x < size; ++x)
+      for (int y = 0; y < size; ++y)
+        if (random() % 3 != 0) cells.push_back(polygon(box(x * cell, y * cell, (x + 1) * cell, (y + 1) * cell)));
+    if (cells.empty()) continue;
+    const Result<Region> all = union_of(cells).value().rounded();
+    if (all.ok() && all->touching_points().empty() && all->parts().size() == 1) return *all;
   }
+}
+
+TEST(CspaceGeneral, robots_in_rooms_equal_slices) {
+  for_seeds(300, [](Random& random) {
+    const bool cells = random() % 2 == 0;
+    const int reach = random() % 2 == 0 ? 6 : 1000;
+    const Region robot = cells ? random_cells(random, 2, 1) : random_shape(random, std::max(2, reach / 3), 5, false);
+    RegionData data;
+    data.parts.push_back({box(-40.0 * reach, -40.0 * reach, 40.0 * reach, 40.0 * reach), {}});
+    const Region room = cells ? random_cells(random, 4, 1 + static_cast<double>(random() % 3) / 2) : random_shape(random, reach, 8, false);
+    for (const Part& part : room.parts()) data.parts[0].holes.push_back(reversed(part.outer));
+    const CspaceObstacle c = CspaceObstacle::create(robot, *Region::create(data)).value();
+    expect_slices(c, random, 200);
+    // Rooms of configuration space are closed surfaces.
+    for (const Shell& shell : c.shells()) ASSERT_EQ(shell.euler % 2, 0);
+  });
+}
+
+TEST(CspaceGeneral, whole_slices_give_the_same_obstacle) {
+  for_seeds(25, [](Random& random) {
+    const Region robot = random_shape(random, 5, 6, false), obstacle = random_shape(random, 10, 7, true);
+    const CspaceObstacle fast = CspaceObstacle::create(robot, obstacle).value();
+    ObstacleOptions options;
+    options.reference = true;
+    const CspaceObstacle slow = CspaceObstacle::create(robot, obstacle, options).value();
+    EXPECT_EQ(fast.shells().size(), slow.shells().size());
+    EXPECT_EQ(free_components(fast), free_components(slow));
+    EXPECT_GE(slow.angles().size(), fast.angles().size());
+    for (std::uint32_t slab = 0; slab < slabs(slow); ++slab) {
+      const Orientation at = slow.inside(slab);
+      const std::optional<std::uint32_t> same = fast.slab_of(at);
+      if (same) { ASSERT_EQ(of_slab(slow, slab), of_slab(fast, *same)); }
+    }
+  });
+}
+
+TEST(CspaceGeneral, shapes_with_many_coinciding_events_equal_slices) {
+  Random random(1);
+  const std::vector<std::pair<Region, Region>> pairs = {
+      {shapes::star(5, 0.5, 1), shapes::star(5, 0.5, 1)}, {shapes::grate(4, 2, 1, 6), shapes::grate(3, 2, 0.5, 5)},
+      {shapes::letter_l(3, 3, 1), shapes::letter_l(3, 3, 1)}, {shapes::letter_u(3, 3, 1), shapes::comb(4, 2, 1, 2)},
+      {shapes::gear(6, 0.8, 1), shapes::gear(8, 1.5, 2)}, {shapes::rectangle(0, 0, 1, 1), shapes::pockets(6, 10)},
+      {shapes::noisy_star(30, 0.5, 1), shapes::noisy_star(25, 0.5, 2)}};
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    SCOPED_TRACE(testing::Message() << "pair " << k);
+    const Result<CspaceObstacle> c = CspaceObstacle::create(pairs[k].first, pairs[k].second);
+    ASSERT_TRUE(c.ok()) << c.error().message;
+    expect_slices(*c, random, 120);
+    EXPECT_GT(c->work().local_updates + c->work().slices, 0u);
+  }
+}
+
+TEST(CspaceGeneral, a_square_in_its_exact_cavity_is_held_at_quarter_turns_only) {
+  const Region robot = polygon(box(-1, -1, 1, 1)), obstacle = polygon(box(-5, -5, 5, 5), {reversed(box(-1, -1, 1, 1))});
+  const CspaceObstacle c = CspaceObstacle::create(robot, obstacle).value();
+  for (const double theta : {-M_PI / 2, 0.0, M_PI / 2, M_PI}) EXPECT_EQ(tight_at(c, theta), 1u) << theta;
+  EXPECT_EQ(free_components(c), 1u);
+  EXPECT_FALSE(c.contains(0, 0, Orientation()));
+  EXPECT_TRUE(c.contains(0, 0, *Orientation::of(1, 1000000000)));
+}
+
+TEST(CspaceGeneral, a_cavity_a_hair_larger_is_a_closed_room_of_its_own) {
+  const double hair = 1 + 0x1p-20;
+  const Region robot = polygon(box(-1, -1, 1, 1)), obstacle = polygon(box(-5, -5, 5, 5), {reversed(box(-hair, -hair, hair, hair))});
+  const CspaceObstacle c = CspaceObstacle::create(robot, obstacle).value();
+  EXPECT_EQ(free_components(c), 5u);  // outside, and a room around every quarter turn
+  EXPECT_EQ(c.shells().size(), 5u);
+  for (const Shell& shell : c.shells()) EXPECT_EQ(shell.euler, shell.outer ? 0 : 2);
+}
+
+TEST(CspaceGeneral, an_island_in_a_room_shares_its_free_component) {
+  RegionData data;
+  data.parts.push_back({box(-10, -10, 10, 10), {reversed(box(-8, -8, 8, 8))}});
+  data.parts.push_back({box(-1, -1, 1, 1), {}});
+  const Region robot = polygon(box(-0.5, -0.25, 0.5, 0.25));
+  const CspaceObstacle c = CspaceObstacle::create(robot, *Region::create(data)).value();
+  EXPECT_EQ(free_components(c), 2u);  // the room around the island, and outside
+  EXPECT_EQ(c.shells().size(), 3u);
+}
+
+TEST(CspaceGeneral, refuses_rings_that_touch) {
+  RegionData data;
+  data.parts.push_back({box(0, 0, 1, 1), {}});
+  data.parts.push_back({box(1, 1, 2, 2), {}});
+  const Result<CspaceObstacle> c = CspaceObstacle::create(*Region::create(data), polygon(box(0, 0, 1, 1)));
+  ASSERT_FALSE(c.ok());
+  EXPECT_EQ(c.error().code, Code::unsupported_operand);
+  EXPECT_EQ(c.error().evidence.x, 1);
 }
 
 }  // namespace

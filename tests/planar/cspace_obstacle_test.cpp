@@ -1,5 +1,5 @@
-// The obstacle of all orientations of convex pairs against static slices, and what does not depend on the engine: slabs,
-// containment, errors.
+// The obstacle of all orientations of convex pairs against static slices, and what does not depend on the engine:
+// slabs, containment, errors.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -53,7 +53,9 @@ Region random_convex(Random& random, int reach, int points) {
   }
 }
 
-CspaceObstacle make(const Region& robot, const Region& obstacle) { return CspaceObstacle::create(robot, obstacle).value(); }
+CspaceObstacle make(const Region& robot, const Region& obstacle) {
+  return CspaceObstacle::create(robot, obstacle).value();
+}
 
 // A second orientation inside a slab, unlike inside().
 Orientation elsewhere(const CspaceObstacle& c, std::uint32_t slab, Random& random) {
@@ -67,7 +69,9 @@ Orientation elsewhere(const CspaceObstacle& c, std::uint32_t slab, Random& rando
 }
 
 std::vector<std::vector<Contact>> rotated_to_least(std::vector<std::vector<Contact>> rings) {
-  const auto less = [](const Contact& a, const Contact& b) { return std::tuple{a.kind, a.p, a.q} < std::tuple{b.kind, b.p, b.q}; };
+  const auto less = [](const Contact& a, const Contact& b) {
+    return std::tuple{a.kind, a.p, a.q} < std::tuple{b.kind, b.p, b.q};
+  };
   for (auto& ring : rings) std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end(), less), ring.end());
   std::sort(rings.begin(), rings.end(), [&](const auto& a, const auto& b) { return less(a[0], b[0]); });
   return rings;
@@ -95,7 +99,9 @@ std::vector<std::vector<Contact>> contacts(const CspaceObstacle& c, std::uint32_
   return rotated_to_least(std::move(rings));
 }
 
-std::uint32_t slabs(const CspaceObstacle& c) { return std::max<std::uint32_t>(1, static_cast<std::uint32_t>(c.angles().size())); }
+std::uint32_t slabs(const CspaceObstacle& c) {
+  return std::max<std::uint32_t>(1, static_cast<std::uint32_t>(c.angles().size()));
+}
 
 void expect_slices(const CspaceObstacle& c, std::uint32_t slab, const Orientation& at) {
   const PlanarSum slice = *cspace_slice(c.robot(), c.obstacle(), at);
@@ -219,7 +225,8 @@ TEST(ConvexObstacle, random_hulls_equal_their_slices) {
   for (int i = 0; i < 120; ++i) {
     const int reach = 1 + static_cast<int>(random() % 8);
     const Region robot = random_convex(random, reach, 3 + static_cast<int>(random() % 6));
-    const Region obstacle = random_convex(random, 1 + static_cast<int>(random() % 8), 3 + static_cast<int>(random() % 8));
+    const Region obstacle = random_convex(random, 1 + static_cast<int>(random() % 8),
+        3 + static_cast<int>(random() % 8));
     SCOPED_TRACE(testing::Message() << "pair " << i);
     const CspaceObstacle c = make(robot, obstacle);
     expect_obstacle(c, random);
@@ -256,7 +263,8 @@ TEST(ConvexObstacle, simultaneous_alignments_are_one_angle) {
   }
   // Multiples of a quarter turn, exactly.
   const CspaceObstacle c = make(square, box);
-  const std::vector<Orientation> quarters{*Orientation::of(-1, 1), Orientation(), *Orientation::of(1, 1), Orientation::half_turn()};
+  const std::vector<Orientation> quarters{*Orientation::of(-1, 1), Orientation(), *Orientation::of(1, 1),
+      Orientation::half_turn()};
   for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(c.angles()[k].exact, quarters[k]);
   EXPECT_EQ(c.angles()[3].theta, M_PI);
   EXPECT_EQ(c.angles()[1].theta, 0);
@@ -278,11 +286,13 @@ TEST(ConvexObstacle, discs_and_far_coordinates) {
   expect_obstacle(make(shapes::disc(13, 1), shapes::disc(17, 2)), random, 40);
   expect_obstacle(make(shapes::disc(32, 1), shapes::disc(32, 1)), random, 40);
   const double far = 0x1p50;
-  const CspaceObstacle c = make(polygon({{0, 0}, {1, 0}, {0, 1}}), polygon({{far, far}, {far + 3, far + 1}, {far + 1, far + 4}}));
+  const CspaceObstacle c = make(polygon({{0, 0}, {1, 0}, {0, 1}}),
+                                polygon({{far, far}, {far + 3, far + 1}, {far + 1, far + 4}}));
   EXPECT_EQ(c.angles().size(), 9u);
   for (std::uint32_t slab = 0; slab < 9; ++slab) EXPECT_EQ(contacts(c, slab), contacts(*c.slice(c.inside(slab))));
   const double huge = 0x1p400, tiny = 0x1p-500;
-  const CspaceObstacle extreme = make(polygon({{0, 0}, {tiny, 0}, {0, tiny}}), polygon({{0, 0}, {huge, tiny}, {0, huge}}));
+  const CspaceObstacle extreme =
+      make(polygon({{0, 0}, {tiny, 0}, {0, tiny}}), polygon({{0, 0}, {huge, tiny}, {0, huge}}));
   for (std::uint32_t slab = 0; slab < slabs(extreme); ++slab)
     EXPECT_EQ(contacts(extreme, slab), contacts(*extreme.slice(extreme.inside(slab))));
 }
@@ -318,7 +328,8 @@ TEST(CspaceObstacle, contains_equals_the_slice) {
     const CspaceObstacle c = make(random_convex(random, 3, 5), random_convex(random, 3, 6));
     // Quarter turns put vertices on the grid.
     const Orientation theta = i % 2 == 0 ? *Orientation::of(static_cast<int>(random() % 3) - 1, 1)
-                                         : *Orientation::of(static_cast<int>(random() % 9) - 4, 1 + static_cast<int>(random() % 4));
+                                         : *Orientation::of(static_cast<int>(random() % 9) - 4,
+                                             1 + static_cast<int>(random() % 4));
     const PlanarSum slice = *c.slice(theta);
     for (int k = 0; k < 40; ++k) {
       const double x = static_cast<int>(random() % 25) - 12, y = static_cast<int>(random() % 25) - 12;

@@ -114,6 +114,16 @@ TEST(RotationSlice, keeps_thousands_of_bits) {
   EXPECT_FALSE(slice.area_exact() == near.area_exact());
 }
 
+TEST(RotationSlice, orientations_of_every_width_fit_their_tier) {
+  // Tangents of 3 to 140 bits and operands of 2 to 6: the integers pass the limits of all tiers bit by bit.
+  for (const double width : {3.0, 6.0, 12.0, 24.0, 48.0})
+    for (int bits = 3; bits < 140; ++bits) {
+      const exact::BigInteger d = exact::BigInteger(1) << bits, n = d / 3 + 1;
+      const Orientation theta = *Orientation::of(exact::to_rational(exact::BigRational(n, d)));
+      EXPECT_EQ(cspace_slice(shapes::rectangle(4, -1, 4 + width, 1), shapes::rectangle(0, 0, 5, 1), theta)->vertex_count(), 8u);
+    }
+}
+
 TEST(Orientation, names_angles) {
   EXPECT_EQ(Orientation::of(1, 0)->radians(), M_PI);
   EXPECT_EQ(*Orientation::of(2, 6), *Orientation::of(1, 3));

@@ -32,15 +32,17 @@ std::vector<Direction> directions(const Operand& o, const Lattice& lattice) {
   }
   std::vector<Direction> all;
   for (std::uint32_t i = 0; i < o.size(); ++i) {
-    const auto scaled = [&](const BigRational& v) { return BigInteger(numerator(v) * BigInteger(common / denominator(v))); };
+    const auto scaled = [&](const BigRational& v) {
+      return BigInteger(numerator(v) * BigInteger(common / denominator(v)));
+    };
     const Point d = lattice.vector(o.edge(i));
     all.push_back({scaled(exact[i][0]), scaled(exact[i][1]), std::atan2(d.y, d.x)});
   }
   return all;
 }
 
-// The alignment of a robot edge e with an obstacle edge f, R(theta) e and f having the same sense: theta is the argument
-// of f times the conjugate of e.
+// The alignment of a robot edge e with an obstacle edge f, R(theta) e and f having the same sense: theta is the
+// argument of f times the conjugate of e.
 struct Alignment {
   std::uint32_t e = 0, f = 0;
   double key = 0;  // theta within kKeyError, on the proper side of pi
@@ -117,7 +119,8 @@ class ConvexEngine {
     }
   }
 
-  // With z = a + b i and a >= 0, or -z in chart 1: t is the root in (-1, 1] of b (1 - t^2) - 2 a t; the other one is -1/t.
+  // With z = a + b i and a >= 0, or -z in chart 1: t is the root in (-1, 1] of b (1 - t^2) - 2 a t; the other one is
+  // -1/t.
   void add_angle(const Alignment& at) {
     BigInteger a = real(at), b = imaginary(at);
     const int chart = a.sign() > 0 || (a.sign() == 0 && b.sign() > 0) ? 0 : 1;
@@ -209,8 +212,8 @@ class ConvexEngine {
     ++state_.work.surfaces;
   }
 
-  // The boundary is one closed curve at every angle, and the curves of a whole turn form a torus: Euler number 0. Around
-  // it there is one free cell.
+  // The boundary is one closed curve at every angle, and the curves of a whole turn form a torus: Euler number 0.
+  // Around it there is one free cell.
   void finish() {
     Shell shell;
     shell.patches = static_cast<std::uint32_t>(state_.patches.size());

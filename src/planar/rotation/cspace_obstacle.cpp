@@ -91,7 +91,8 @@ CspaceObstacle::CspaceObstacle(CspaceObstacle&&) noexcept = default;
 CspaceObstacle& CspaceObstacle::operator=(CspaceObstacle&&) noexcept = default;
 CspaceObstacle::~CspaceObstacle() = default;
 
-Result<CspaceObstacle> CspaceObstacle::create(const Region& robot, const Region& obstacle, const ObstacleOptions& options) {
+Result<CspaceObstacle> CspaceObstacle::create(const Region& robot, const Region& obstacle,
+                                              const ObstacleOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   for (const Region* region : {&robot, &obstacle})
     if (std::optional<Error> error = refused(*region)) return *std::move(error);
@@ -101,7 +102,8 @@ Result<CspaceObstacle> CspaceObstacle::create(const Region& robot, const Region&
   state->robot = robot;
   state->obstacle = obstacle;
   state->base = std::move(base).value();
-  const Result<bool> done = is_convex_pair(*state) ? convex_obstacle(*state, options) : general_obstacle(*state, options);
+  const Result<bool> done =
+      is_convex_pair(*state) ? convex_obstacle(*state, options) : general_obstacle(*state, options);
   if (!done) return done.error();
   state->work.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   return CspaceObstacle(std::move(state));

@@ -183,6 +183,37 @@ class Export {
       open[c.component] |= c.unbounded;
     }
     for (Shell& shell : state_.shells) shell.outer = open[shell.free_component] != 0;
+    add_euler(names);
+  }
+
+  // Over a range of angles without events a shell is made of tubes, which count nothing. Where a + b tubes end and begin at one place it gains 2 - (a + b): 1 where a loop
+  // is born or vanishes, -1 where one splits.
+  void add_euler(const std::map<std::uint32_t, std::uint32_t>& shell_names) {
+    const std::vector<ObstacleSweep::Cell>& cells = sweep_.cells();
+    const auto count = static_cast<std::uint32_t>(cells.size());
+    // A cell at its beginning and at its end: 2 c and 2 c + 1.
+    std::vector<std::uint32_t> place(2 * count);
+    for (std::uint32_t k = 0; k < place.size(); ++k) place[k] = k;
+    const auto find = [&](std::uint32_t k) {
+      while (place[k] != k) k = place[k] = place[place[k]];
+      return k;
+    };
+    for (const ObstacleSweep::CellLink& link : sweep_.cell_links()) place[find(2 * link.from + 1)] = find(2 * link.to);
+    std::vector<std::uint32_t> shell_of_cell(count, kNobody);
+    for (std::uint32_t n = 0; n < sweep_.nodes().size(); ++n) {
+      const std::uint32_t shell = shell_names.at(sweep_.shell_of(n));
+      shell_of_cell[sweep_.first_cell(n)] = shell;
+      for (const auto& [angle, cell] : sweep_.nodes()[n].cells) shell_of_cell[cell] = shell;
+    }
+    std::map<std::uint32_t, std::pair<std::int64_t, std::uint32_t>> ends;  // place -> tubes that end there, their shell
+    for (std::uint32_t c = 0; c < count; ++c)
+      for (const bool at_end : {false, true}) {
+        if ((at_end ? cells[c].end : cells[c].begin) == kNobody || shell_of_cell[c] == kNobody) continue;
+        auto& entry = ends[find(2 * c + at_end)];
+        ++entry.first;
+        entry.second = shell_of_cell[c];
+      }
+    for (const auto& [at, entry] : ends) state_.shells[entry.second].euler += 2 - entry.first;
   }
 
   const ObstacleSweep& sweep_;
@@ -238,7 +269,7 @@ Passed pass_turn(const TurningForms& forms, const TurnCatalog& catalog, Obstacle
       p.range = range_of(first + static_cast<int>(k), windows / 2);
       p.window = std::make_unique<TurnWindow>(grid, catalog, p.range, !reference && pairs > 100);
       p.filter = std::make_unique<OverlapFilter>(forms, *p.window);
-      p.found = events_in(*p.window, forms, catalog, all);
+      p.found = events_in(*p.window, forms, catalog, all, reference ? nullptr : p.filter.get());
     });
     for (int k = first; k < last; ++k) {
       Prepared& p = some[static_cast<std::size_t>(k - first)];

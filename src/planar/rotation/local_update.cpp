@@ -348,7 +348,7 @@ bool ObstacleSweep::local_update(TurnEvent& event, const TurnRange& range, const
   const std::optional<std::vector<Path>> found = paths(cluster, births);
   if (!cluster.any()) {
     if (births.empty() || filter.inside(cluster.at, h)) {
-      if (births.empty()) note_tight(event, cluster.at, h, filter);
+      if (births.empty()) note_tight(event, range, cluster.at, h, filter);
       return true;
     }
   }

@@ -2,7 +2,9 @@
 #include <set>
 #include <stdexcept>
 
+#include "planar/ring_containment.h"
 #include "planar/rotation/obstacle_sweep.h"
+#include "planar/rotation/slice.h"
 
 namespace dymsum::planar {
 
@@ -129,14 +131,19 @@ void ObstacleSweep::relabel(const std::vector<std::uint32_t>& touched, const std
   for (const auto& [cell, by] : holders)
     if (by.size() != 1 || claims[by[0]].size() != 1) ended.insert(cell);
   for (const std::uint32_t cell : ended) cells_[cell].end = now_;
+  cells_changed_ |= !ended.empty();
   for (std::size_t l = 0; l < loops.size(); ++l) {
     const bool keeps = claims[l].size() == 1 && !ended.contains(*claims[l].begin());
     std::uint32_t cell = keeps ? *claims[l].begin() : kNobody;
     if (!keeps) {
       bool unbounded = false;
-      for (const std::uint32_t c : claims[l]) unbounded |= cells_[c].unbounded && turns_left(loops[l]);
+      for (const std::uint32_t c : claims[l]) unbounded |= connected_ && cells_[c].unbounded && turns_left(loops[l]);
       cell = new_cell(unbounded);
-      for (const std::uint32_t c : claims[l]) join(component_, c, cell);
+      cells_changed_ = true;
+      for (const std::uint32_t c : claims[l]) {
+        join(component_, c, cell);
+        cell_links_.push_back({c, cell});
+      }
     }
     for (const std::uint32_t n : loops[l]) {
       if (nodes_[n].cell == cell) continue;
@@ -146,6 +153,42 @@ void ObstacleSweep::relabel(const std::vector<std::uint32_t>& touched, const std
         nodes_[n].born_cell = cell;
       nodes_[n].cell = cell;
     }
+  }
+}
+
+WalkSegment ObstacleSweep::walk_segment(const Contact& c) const {
+  return c.kind == Contact::Kind::edge_of_p ? WalkSegment{0, walk_edge_[0][c.p], walk_vertex_[1][c.q]} : WalkSegment{1, walk_edge_[1][c.q], walk_vertex_[0][c.p]};
+}
+
+std::uint32_t ObstacleSweep::cell_at(const SumRing& ring) const {
+  const std::uint32_t left = id(walk_segment(ring.vertices[0].in));
+  for (std::uint32_t n = first_[id(walk_segment(ring.vertices[0].out))]; n != kNobody; n = nodes_[n].same)
+    if (nodes_[n].left == left) return nodes_[n].cell;
+  throw std::logic_error("ObstacleSweep: a ring of the slice is not on the boundary");
+}
+
+// Sums of several parts: what lies in a hole, or outside of everything, has several loops. Their free cells are connected.
+void ObstacleSweep::join_faces(const Orientation& at) {
+  SumOptions options;
+  options.semantics = Semantics::regular;
+  const Result<PlanarSum> sum = sum_at(*base_, at, options);
+  if (!sum) throw std::logic_error("ObstacleSweep: a slice failed");
+  std::vector<const SumRing*> holes;
+  for (const SumPart& part : sum->parts)
+    for (const SumRing& hole : part.holes) holes.push_back(&hole);
+  std::uint32_t unbounded = kNobody;
+  for (const SumPart& part : sum->parts) {
+    const std::uint32_t cell = cell_at(part.outer);
+    const SumRing* inside = nullptr;
+    for (const SumRing* hole : holes)
+      if (ring_contains(*hole, part.outer, *sum->source, sum->at_error) && (inside == nullptr || ring_contains(*inside, *hole, *sum->source, sum->at_error))) inside = hole;
+    if (inside != nullptr) {
+      join(component_, cell, cell_at(*inside));
+      continue;
+    }
+    cells_[cell].unbounded = true;
+    if (unbounded != kNobody) join(component_, cell, unbounded);
+    unbounded = cell;
   }
 }
 

@@ -54,13 +54,6 @@ void ObstacleSweep::note(const TurnEvent& event, ObstacleEvent::Kind kind, Point
   events.push_back(noted);
 }
 
-void ObstacleSweep::note_tight(const TurnEvent& event, Point at, Heading h, const OverlapFilter& filter) {
-  (void)event;
-  (void)at;
-  (void)h;
-  (void)filter;
-}
-
 // Between two angles of one chart; in doubles where these are far enough apart.
 Orientation ObstacleSweep::Behind::sample(const TurningForms& forms) const {
   const AlgebraicRoot low = from != nullptr ? exact_root(*from, forms, *range) : AlgebraicRoot::of(range->t_low);
@@ -81,6 +74,7 @@ TurnEvent* ObstacleSweep::first_event(const TurnRange& range, std::vector<TurnEv
 void ObstacleSweep::start(const TurnRange& range, std::vector<TurnEvent>& events) {
   begin_ = Behind{&range, nullptr, first_event(range, events, forms_)}.sample(forms_);
   take_slice(placed_at(*base_, begin_));
+  if (!connected_) join_faces(begin_);
   begin_keys_.resize(nodes_.size());
   for (std::uint32_t n = 0; n < nodes_.size(); ++n) {
     begin_nodes_.push_back(n);
@@ -97,6 +91,7 @@ void ObstacleSweep::slice(const TurnRange& range, TurnEvent& event, const std::f
        event_place(event, Heading::of(event.theta())));
   // Kept even where the slices on both sides agree: at the angle itself something may touch.
   take_slice(placed_at(*base_, behind()));
+  note_tight_slice(event, range);
 }
 
 // Nodes with the same segment and neighbours stay; the others end and begin here.
@@ -106,9 +101,6 @@ void ObstacleSweep::take_slice(SumState state) {
   const Result<SumState> computed = compute_boundary(std::move(state), options);
   if (!computed) throw std::logic_error("ObstacleSweep: a slice failed");
   const RawBoundary& raw = computed->boundary;
-  const auto segment = [&](const Contact& c) {
-    return c.kind == Contact::Kind::edge_of_p ? WalkSegment{0, walk_edge_[0][c.p], walk_vertex_[1][c.q]} : WalkSegment{1, walk_edge_[1][c.q], walk_vertex_[0][c.p]};
-  };
   std::map<std::array<std::uint32_t, 3>, std::uint32_t> old;
   for (std::uint32_t n = 0; n < nodes_.size(); ++n)
     if (nodes_[n].alive) old[{nodes_[n].id, nodes_[n].left, nodes_[n].right}] = n;
@@ -119,7 +111,7 @@ void ObstacleSweep::take_slice(SumState state) {
     const std::size_t n = ring.vertices.size();
     std::vector<std::uint32_t>& loop = loops.emplace_back();
     for (std::size_t k = 0; k < n; ++k) {
-      const WalkSegment s = segment(ring.vertices[k].out), left = segment(ring.vertices[k].in), right = segment(ring.vertices[(k + 1) % n].out);
+      const WalkSegment s = walk_segment(ring.vertices[k].out), left = walk_segment(ring.vertices[k].in), right = walk_segment(ring.vertices[(k + 1) % n].out);
       const auto it = old.find({id(s), id(left), id(right)});
       if (it != old.end()) {
         loop.push_back(it->second);
@@ -149,7 +141,7 @@ void ObstacleSweep::take_slice(SumState state) {
     for (std::size_t k = 0; k < loops[l].size(); ++k) link(loops[l][k], loops[l][k + 1 == loops[l].size() ? 0 : k + 1]);
   if (cells_.empty()) {
     for (std::size_t l = 0; l < loops.size(); ++l) {
-      const std::uint32_t cell = new_cell(raw.outer[l] != 0);
+      const std::uint32_t cell = new_cell(connected_ && raw.outer[l] != 0);
       for (const std::uint32_t n : loops[l]) nodes_[n].cell = nodes_[n].born_cell = cell;
     }
     return;
@@ -231,6 +223,12 @@ bool ObstacleSweep::conflict(const Group& group, bool& visible) const {
 void ObstacleSweep::pass_group(const Group& group, const TurnRange& range, const std::function<Orientation()>& behind, OverlapFilter& filter) {
   now_ = kNobody;
   theta_now_ = group[0]->theta();
+  cells_changed_ = false;
+  change(group, range, behind, filter);
+  if (cells_changed_ && !connected_) join_faces(behind());
+}
+
+void ObstacleSweep::change(const Group& group, const TurnRange& range, const std::function<Orientation()>& behind, OverlapFilter& filter) {
   if (reference_) return slice(range, *group[0], behind);
   bool visible = false;
   const bool shared = group.size() > 1 && conflict(group, visible);
@@ -240,12 +238,7 @@ void ObstacleSweep::pass_group(const Group& group, const TurnRange& range, const
     if (!settled) slice(range, *group[0], behind);
     return;
   }
-  for (const TurnEvent* event : group) {
-    if (visible) break;
-    const Heading h = Heading::of(event->theta());
-    visible = event->kind != TurnEvent::Kind::alignment && event->kind != TurnEvent::Kind::overlap && !filter.inside(event_place(*event, h), h);
-  }
-  if (visible) slice(range, *group[0], behind);
+  if (visible || matters(group, filter)) slice(range, *group[0], behind);
 }
 
 void ObstacleSweep::pass_pending(const std::function<Orientation()>& behind, OverlapFilter& filter) {
@@ -259,42 +252,56 @@ void ObstacleSweep::pass_pending(const std::function<Orientation()>& behind, Ove
 void ObstacleSweep::pass(const TurnRange& range, std::vector<TurnEvent> events, OverlapFilter& filter) {
   if (!pending_.empty()) pass_pending([&] { return Behind{&range, nullptr, first_event(range, events, forms_)}.sample(forms_); }, filter);
   const double theta_end = range.theta(range.t_high) - 0x1p-40;
-  // A group at one angle, with `next` behind it.
-  const auto pass_run = [&](const Group& group, TurnEvent* next) {
+  const auto compare = [&](TurnEvent* a, TurnEvent* b) { return exact::compare(exact_root(*a, forms_, range), exact_root(*b, forms_, range)); };
+  const auto sort = [&](Group& run) { std::stable_sort(run.begin(), run.end(), [&](TurnEvent* a, TurnEvent* b) { return compare(a, b) < 0; }); };
+  // Runs of events whose intervals overlap.
+  std::vector<Group> runs;
+  double high = -INFINITY;
+  for (TurnEvent& event : events) {
+    if (event.low > high) runs.emplace_back();
+    runs.back().push_back(&event);
+    high = std::max(high, event.high);
+  }
+  // A group at one angle; what follows it is the rest of its run or the next one.
+  const auto pass_run = [&](const Group& group, TurnEvent* next, Group* following) {
     if (group[0]->high >= theta_end && exact::compare(exact_root(*group[0], forms_, range), AlgebraicRoot::of(range.t_high)) == 0) {
       for (TurnEvent* event : group) pending_.push_back(*event);
       pending_range_ = range;
       return;
     }
-    pass_group(group, range, [&] { return Behind{&range, group[0], next}.sample(forms_); }, filter);
+    const auto behind = [&] {
+      if (next == nullptr && following != nullptr) next = *std::min_element(following->begin(), following->end(), [&](TurnEvent* a, TurnEvent* b) { return compare(a, b) < 0; });
+      return Behind{&range, group[0], next}.sample(forms_);
+    };
+    pass_group(group, range, behind, filter);
   };
-  const auto compare = [&](TurnEvent* a, TurnEvent* b) { return exact::compare(exact_root(*a, forms_, range), exact_root(*b, forms_, range)); };
-  // Runs of events whose intervals overlap are put into their exact order.
-  const auto run_from = [&](std::size_t i) {
-    Group run;
-    if (i == events.size()) return run;
-    double high = events[i].high;
-    run.push_back(&events[i]);
-    for (std::size_t k = i + 1; k < events.size() && events[k].low <= high; ++k) {
-      run.push_back(&events[k]);
-      high = std::max(high, events[k].high);
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    Group& run = runs[r];
+    Group* following = r + 1 < runs.size() ? &runs[r + 1] : nullptr;
+    if (run.size() > 1) {
+      if (run.back()->high < theta_end && !matters(run, filter)) continue;
+      sort(run);
     }
-    if (run.size() > 1) std::stable_sort(run.begin(), run.end(), [&](TurnEvent* a, TurnEvent* b) { return compare(a, b) < 0; });
-    return run;
-  };
-  Group run = run_from(0);
-  for (std::size_t i = run.size(); !run.empty();) {
-    Group following = run_from(i);
-    i += following.size();
     for (std::size_t k = 0; k < run.size();) {
       std::size_t l = k + 1;
       while (l < run.size() && compare(run[k], run[l]) == 0) ++l;
-      TurnEvent* next = l < run.size() ? run[l] : following.empty() ? nullptr : following[0];
-      pass_run(Group(run.begin() + static_cast<std::ptrdiff_t>(k), run.begin() + static_cast<std::ptrdiff_t>(l)), next);
+      pass_run(Group(run.begin() + static_cast<std::ptrdiff_t>(k), run.begin() + static_cast<std::ptrdiff_t>(l)), l < run.size() ? run[l] : nullptr, following);
       k = l;
     }
-    run = std::move(following);
   }
+}
+
+// Whether a segment of these events is visible, or a place of theirs is not certainly covered: else nothing can change, in whatever order they come.
+bool ObstacleSweep::matters(const Group& run, const OverlapFilter& filter) const {
+  bool unsure = reference_;
+  for (const TurnEvent* event : run) {
+    for (const std::uint32_t s : segments_of(*event, unsure))
+      if (first_[s] != kNobody) return true;
+    const Heading h = Heading::of(event->theta());
+    const bool point = event->kind == TurnEvent::Kind::vertex_on_segment || event->kind == TurnEvent::Kind::three_segments;
+    if (reference_ || (point && !filter.inside(event_place(*event, h), h))) return true;
+  }
+  return false;
 }
 
 void ObstacleSweep::close(OverlapFilter& filter) {

@@ -53,6 +53,11 @@ class ObstacleSweep {
 
   const std::vector<Node>& nodes() const { return nodes_; }
   const std::vector<Cell>& cells() const { return cells_; }
+  /// A free cell that goes on in another one at an angle.
+  struct CellLink {
+    std::uint32_t from = 0, to = 0;
+  };
+  const std::vector<CellLink>& cell_links() const { return cell_links_; }
   std::uint32_t first_cell(std::uint32_t node) const { return nodes_[node].born_cell; }
   std::uint32_t shell_of(std::uint32_t node) const { return find(shell_, node); }
   std::uint32_t component_of(std::uint32_t cell) const { return find(component_, cell); }
@@ -107,6 +112,11 @@ class ObstacleSweep {
   // obstacle_sweep.cpp
   void pass_pending(const std::function<Orientation()>& behind, OverlapFilter& filter);
   void pass_group(const Group& group, const TurnRange& range, const std::function<Orientation()>& behind, OverlapFilter& filter);
+  void join_faces(const Orientation& at);
+  std::uint32_t cell_at(const SumRing& ring) const;
+  WalkSegment walk_segment(const Contact& c) const;
+  bool matters(const Group& run, const OverlapFilter& filter) const;
+  void change(const Group& group, const TurnRange& range, const std::function<Orientation()>& behind, OverlapFilter& filter);
   bool conflict(const Group& group, bool& touches_nodes) const;
   std::vector<std::uint32_t> segments_of(const TurnEvent& event, bool& unsure) const;
   std::uint32_t angle(const TurnRange& range, TurnEvent& event);
@@ -115,7 +125,9 @@ class ObstacleSweep {
   bool continues(std::uint32_t n, std::uint32_t m) const;
   WalkSegment segment_of(std::uint32_t id) const;
   void note(const TurnEvent& event, ObstacleEvent::Kind kind, Point at);
-  void note_tight(const TurnEvent& event, Point at, Heading h, const OverlapFilter& filter);
+  // tight_events.cpp
+  void note_tight(TurnEvent& event, const TurnRange& range, Point at, Heading h, const OverlapFilter& filter);
+  void note_tight_slice(TurnEvent& event, const TurnRange& range);
   Point event_place(const TurnEvent& event, Heading h) const;
   // obstacle_nodes.cpp
   std::uint32_t id(const WalkSegment& s) const;
@@ -179,6 +191,8 @@ class ObstacleSweep {
   std::vector<std::array<std::uint32_t, 2>> begin_keys_;  ///< their neighbours then
   std::vector<std::uint32_t> continued_;
   std::array<std::vector<std::uint32_t>, 2> walk_vertex_, walk_edge_;  ///< by number in the region
+  std::vector<CellLink> cell_links_;
+  bool cells_changed_ = false;    ///< in the group
   std::uint32_t now_ = kNobody;   ///< the angle of the group, once something changed there
   double theta_now_ = 0;          ///< near the angle of the group
   bool closed_ = false;

@@ -50,6 +50,48 @@ bool OverlapFilter::edges_cross(std::uint32_t i, std::uint32_t j, Point at, Head
   return opposite(a, b, c, d) && opposite(c, d, a, b);
 }
 
+// One of the four pairs of ends lies clearly on one side of the other edge's line.
+bool OverlapFilter::edges_apart(std::uint32_t i, std::uint32_t j, Point at, Heading h) const {
+  const auto place = [&](std::uint32_t v) {
+    const Point p = forms_.points(1)[v];
+    return Point{at.x - (h.c * p.x - h.s * p.y), at.y - (h.s * p.x + h.c * p.y)};
+  };
+  const Point a = forms_.points(0)[i], b = forms_.points(0)[forms_.operand(0).next[i]], c = place(j), d = place(forms_.operand(1).next[j]);
+  const auto same_side = [&](Point u, Point v, Point x, Point y) {
+    const double dx = v.x - u.x, dy = v.y - u.y, bound = 0x1p-36 * (std::abs(dx) + std::abs(dy)) * forms_.span();
+    const double s = dx * (x.y - u.y) - dy * (x.x - u.x), t = dx * (y.y - u.y) - dy * (y.x - u.x);
+    return (s > bound && t > bound) || (s < -bound && t < -bound);
+  };
+  const auto boxes_apart = [&](double a0, double a1, double b0, double b1) {
+    const double margin = 0x1p-36 * forms_.span();
+    return std::max(a0, a1) + margin < std::min(b0, b1) || std::max(b0, b1) + margin < std::min(a0, a1);
+  };
+  return same_side(a, b, c, d) || same_side(c, d, a, b) || boxes_apart(a.x, b.x, c.x, d.x) || boxes_apart(a.y, b.y, c.y, d.y);
+}
+
+bool OverlapFilter::touches_only(Point at, Heading h, const std::vector<WalkSegment>& contacts) const {
+  const Operand &p = forms_.operand(0), &q = forms_.operand(1);
+  // An edge of one and an edge at the touching vertex of the other.
+  const auto of_contact = [&](std::uint32_t i, std::uint32_t j) {
+    for (const WalkSegment& s : contacts) {
+      const std::uint32_t edge = s.side == 0 ? i : j, other = s.side == 0 ? j : i;
+      const Operand& o = s.side == 0 ? q : p;
+      if (edge == s.edge && (other == s.vertex || other == o.prev[s.vertex])) return true;
+    }
+    return false;
+  };
+  for (std::uint32_t i = 0; i < p.size(); ++i)
+    for (std::uint32_t j = 0; j < q.size(); ++j)
+      if (!edges_apart(i, j, at, h) && !of_contact(i, j)) return false;
+  for (std::uint32_t cp = 0; cp < p.components.size(); ++cp)
+    for (std::uint32_t cq = 0; cq < q.components.size(); ++cq) {
+      const std::uint32_t v = q.components[cq].first, w = p.components[cp].first;
+      const Point t = forms_.points(1)[v], f = forms_.points(0)[w];
+      if (holds(0, cp, {at.x - (h.c * t.x - h.s * t.y), at.y - (h.s * t.x + h.c * t.y)}, h) || holds(1, cq, {at.x - f.x, at.y - f.y}, h)) return false;
+    }
+  return true;
+}
+
 // Whether a component certainly holds x in its interior; x relative to the component's own doubles.
 bool OverlapFilter::holds(std::uint32_t op, std::uint32_t component, Point x, Heading h) const {
   const Operand& o = forms_.operand(op);

@@ -13,6 +13,9 @@ class OverlapFilter {
 
   /// True only if the open obstacle of angle h holds the position `at` (of the forms' doubles): edges cross properly, or one polygon lies in the other.
   bool inside(Point at, Heading h) const;
+  /// True only if the open obstacle does not hold `at`, where the given contacts hold: all edges but those of the contacts are clearly apart, and neither polygon
+  /// holds a vertex of the other.
+  bool touches_only(Point at, Heading h, const std::vector<WalkSegment>& contacts) const;
 
  private:
   struct Node {
@@ -24,6 +27,7 @@ class OverlapFilter {
     std::vector<std::uint32_t> roots;  ///< per component
   };
   std::uint32_t build(Tree& tree, std::uint32_t op, std::uint32_t first, std::uint32_t last, double grow) const;
+  bool edges_apart(std::uint32_t i, std::uint32_t j, Point at, Heading h) const;
   bool edges_cross(std::uint32_t i, std::uint32_t j, Point at, Heading h) const;
   bool holds(std::uint32_t op, std::uint32_t component, Point x, Heading h) const;
 

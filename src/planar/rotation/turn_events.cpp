@@ -15,7 +15,8 @@ bool same_pair(Pair a, Pair b) { return a == b; }
 
 class Collector {
  public:
-  Collector(const TurnWindow& window, const TurningForms& forms, const TurnCatalog& catalog) : w_(window), forms_(forms), catalog_(catalog) {}
+  Collector(const TurnWindow& window, const TurningForms& forms, const TurnCatalog& catalog, const OverlapFilter* filter)
+      : w_(window), forms_(forms), catalog_(catalog), filter_(filter) {}
 
   TurnEvents run(const std::vector<Alignment>& all) {
     add_alignments(all);
@@ -158,7 +159,7 @@ class Collector {
       if (!on(a, v, event.theta()) || !may_exist(a, event.theta()) || belongs_to_overlap(a, v, event.theta())) continue;
       event.a = a;
       event.v = v;
-      out_.events.push_back(std::move(event));
+      if (!covered(event, forms_.place(v, Heading::of(event.theta())))) out_.events.push_back(std::move(event));
     }
   }
   bool may_exist(const WalkSegment& s, double theta) const { return catalog_.exists(s, theta) != TurnCatalog::Existence::no; }
@@ -177,19 +178,26 @@ class Collector {
     return std::binary_search(w_.meetings.begin(), w_.meetings.end(), m, less) && !share_end(w_.segments[i], w_.segments[j]);
   }
 
+  // Every triple is found from its smallest member; with two that are parallel at every angle, from the third one, the only one that crosses both.
   void triples_of(std::uint32_t a) {
     const std::vector<Crossing>& list = crossings_[a];
-    for (std::size_t k = 0; k < list.size(); ++k) {
-      if (list[k].other < a) continue;
-      for (std::size_t l = k + 1; l < list.size() && list[l].low <= list[k].high; ++l)
-        if (list[l].other > a) triple(a, std::min(list[k].other, list[l].other), std::max(list[k].other, list[l].other));
-    }
+    for (std::size_t k = 0; k < list.size(); ++k)
+      for (std::size_t l = k + 1; l < list.size() && list[l].low <= list[k].high; ++l) {
+        const std::uint32_t b = std::min(list[k].other, list[l].other), c = std::max(list[k].other, list[l].other);
+        if (a < b || forms_.parallel(w_.segments[b], w_.segments[c])) triple(a, b, c);
+      }
+  }
+
+  // Opposite directions: a passage between them opens or closes. The same direction: overlaps() sees to it.
+  bool same_direction(const WalkSegment& b, const WalkSegment& c) const {
+    const Point d = forms_.edge(b.side, b.edge), e = forms_.edge(c.side, c.edge);
+    return forms_.parallel(b, c) && d.x * e.x + d.y * e.y > 0;
   }
 
   void triple(std::uint32_t i, std::uint32_t j, std::uint32_t k) {
     const WalkSegment &a = w_.segments[i], &b = w_.segments[j], &c = w_.segments[k];
     ++out_.triples;
-    if (forms_.concurrency(a, b, c).far_from_zero(w_.heading, w_.half, forms_.concurrency_error(a, b, c)) || !meet(j, k) || forms_.parallel(b, c)) return;
+    if (forms_.concurrency(a, b, c).far_from_zero(w_.heading, w_.half, forms_.concurrency_error(a, b, c)) || !meet(j, k) || same_direction(b, c)) return;
     const exact::Polynomial poly = forms_.exact_concurrency(a, b, c, w_.range.chart);
     if (poly.is_zero()) {
       out_.always_concurrent |= meets_somewhere(a, b, c);
@@ -201,7 +209,7 @@ class Collector {
       event.a = a;
       event.b = b;
       event.c = c;
-      out_.events.push_back(std::move(event));
+      if (!covered(event, crossing_place(event))) out_.events.push_back(std::move(event));
     }
   }
   // Whether the lines, concurrent at every angle, may meet within the segments in this window.
@@ -225,6 +233,26 @@ class Collector {
     return true;
   }
 
+  // Certainly inside the obstacle, where nothing is visible: the margins of the filter are wider than what angle and place may err.
+  bool covered(const TurnEvent& event, std::optional<Point> place) const {
+    if (filter_ == nullptr || !place || event.high - event.low > 0x1p-42) return false;
+    return filter_->inside(*place, Heading::of(event.theta()));
+  }
+  // Where the two cross that are least parallel, if they are not nearly parallel.
+  std::optional<Point> crossing_place(const TurnEvent& event) const {
+    const Heading h = Heading::of(event.theta());
+    const std::array<const WalkSegment*, 3> s{&event.a, &event.b, &event.c};
+    for (int k = 0; k < 3; ++k) {
+      const WalkSegment &a = *s[static_cast<std::size_t>(k)], &b = *s[static_cast<std::size_t>((k + 1) % 3)];
+      const double d = forms_.cross(a, b).at(h);
+      if (std::abs(d) < 0x1p-5 * forms_.length1(a) * forms_.length1(b)) continue;
+      const double t = forms_.side(b, TurningForms::start(a)).at(h) / d;
+      const Point from = forms_.place(TurningForms::start(a), h), along = forms_.direction(a, h);
+      return Point{from.x + t * along.x, from.y + t * along.y};
+    }
+    return std::nullopt;
+  }
+
   TurnEvent at(AlgebraicRoot root, TurnEvent::Kind kind) const {
     TurnEvent event;
     event.kind = kind;
@@ -237,6 +265,7 @@ class Collector {
   const TurnWindow& w_;
   const TurningForms& forms_;
   const TurnCatalog& catalog_;
+  const OverlapFilter* filter_;
   std::vector<std::vector<Crossing>> crossings_;
   TurnEvents out_;
 };
@@ -271,8 +300,9 @@ std::vector<Alignment> alignments(const TurningForms& forms, const TurnCatalog& 
   return all;
 }
 
-TurnEvents events_in(const TurnWindow& window, const TurningForms& forms, const TurnCatalog& catalog, const std::vector<Alignment>& all) {
-  return Collector(window, forms, catalog).run(all);
+TurnEvents events_in(const TurnWindow& window, const TurningForms& forms, const TurnCatalog& catalog, const std::vector<Alignment>& all,
+                     const OverlapFilter* filter) {
+  return Collector(window, forms, catalog, filter).run(all);
 }
 
 }  // namespace dymsum::planar

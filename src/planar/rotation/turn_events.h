@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "exact/algebraic_root.h"
+#include "planar/rotation/overlap_filter.h"
 #include "planar/rotation/turn_window.h"
 
 namespace dymsum::planar {
@@ -42,6 +43,8 @@ struct TurnEvents {
   std::uint64_t pairs = 0, triples = 0;
   bool always_concurrent = false;  ///< three segments stay concurrent at every angle: no event tells when they meet
 };
-TurnEvents events_in(const TurnWindow& window, const TurningForms& forms, const TurnCatalog& catalog, const std::vector<Alignment>& all);
+/// With a filter, without those at places that are certainly covered.
+TurnEvents events_in(const TurnWindow& window, const TurningForms& forms, const TurnCatalog& catalog, const std::vector<Alignment>& all,
+                     const OverlapFilter* filter);
 
 }  // namespace dymsum::planar

@@ -1,0 +1,118 @@
+#include "dymsum/obstacle_queries.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "base/parallel.h"
+#include "containment_index.h"
+#include "free_angles.h"
+#include "nearest_patch.h"
+
+namespace dymsum {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+// Of a region about the origin: the root of the mean square distance of its points. In units of the largest coordinate,
+// as fourth powers leave the range of doubles.
+double radius_of_gyration(const Region& region) {
+  double area = 0, moment = 0, unit = 0;
+  for (const double v : bounds(region)) unit = std::max(unit, std::abs(v));
+  const auto add = [&](const Ring& ring) {
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      const Point u = ring[k], v = ring[(k + 1) % ring.size()];
+      const Point a{u.x / unit, u.y / unit}, b{v.x / unit, v.y / unit};
+      const double twice = a.x * b.y - a.y * b.x;
+      area += twice / 2;
+      moment += twice / 12 * (a.x * a.x + a.y * a.y + a.x * b.x + a.y * b.y + b.x * b.x + b.y * b.y);
+    }
+  };
+  for (const Part& part : region.parts()) {
+    add(part.outer);
+    for (const Ring& hole : part.holes) add(hole);
+  }
+  return unit * std::sqrt(std::max(0.0, moment / area));
+}
+
+// In [-pi, pi], within 2^-51 of the angle of Orientation::nearest.
+double reduced(double theta) { return std::abs(theta) <= kPi ? theta : Orientation::nearest(theta).value().radians(); }
+
+}  // namespace
+
+class ObstacleQueries::State {
+ public:
+  explicit State(const CspaceObstacle& o)
+      : obstacle(o), forms(o), index(o, forms), gyration(radius_of_gyration(o.robot())), tree(o, forms, gyration) {}
+
+  bool exact(double x, double y, const Orientation& theta) const {
+    exact_answers.fetch_add(1, std::memory_order_relaxed);
+    return obstacle.contains(x, y, theta);
+  }
+
+  const CspaceObstacle& obstacle;
+  apps::PatchForms forms;
+  apps::ContainmentIndex index;
+  double gyration = 0;
+  apps::PatchTree tree;
+  mutable std::atomic<std::uint64_t> exact_answers{0}, bounds{0};
+};
+
+ObstacleQueries::ObstacleQueries(const CspaceObstacle& obstacle) : state_(std::make_unique<State>(obstacle)) {}
+ObstacleQueries::ObstacleQueries(ObstacleQueries&&) noexcept = default;
+ObstacleQueries& ObstacleQueries::operator=(ObstacleQueries&&) noexcept = default;
+ObstacleQueries::~ObstacleQueries() = default;
+
+bool ObstacleQueries::contains(const Configuration& at) const {
+  const State& s = *state_;
+  if (std::abs(at.theta) <= kPi)
+    if (const std::optional<bool> sure = s.index.contains(at.x, at.y, at.theta)) return *sure;
+  return contains(at.x, at.y, Orientation::nearest(at.theta).value());
+}
+
+bool ObstacleQueries::contains(double x, double y, const Orientation& theta) const {
+  const State& s = *state_;
+  if (!std::isfinite(x) || !std::isfinite(y)) return false;
+  const std::optional<bool> sure = s.index.contains(x, y, theta.radians());
+  return sure ? *sure : s.exact(x, y, theta);
+}
+
+std::vector<std::uint8_t> ObstacleQueries::contains(std::span<const Configuration> at, int threads) const {
+  constexpr std::size_t kBlock = 1024;
+  std::vector<std::uint8_t> result(at.size());
+  base::parallel_parts((at.size() + kBlock - 1) / kBlock, threads, [&](std::size_t block) {
+    const std::size_t last = std::min(at.size(), (block + 1) * kBlock);
+    for (std::size_t k = block * kBlock; k < last; ++k) result[k] = contains(at[k]) ? 1 : 0;
+  });
+  return result;
+}
+
+std::uint64_t ObstacleQueries::exact_answers() const { return state_->exact_answers; }
+double ObstacleQueries::gyration_radius() const { return state_->gyration; }
+std::uint64_t ObstacleQueries::bounds_evaluated() const { return state_->bounds; }
+
+std::vector<FreeAngles> ObstacleQueries::free_angles(double x, double y) const {
+  const State& s = *state_;
+  return apps::free_angles(s.obstacle, s.forms, s.forms.relative({x, y}),
+                           [&](double theta) { return !contains({x, y, theta}); });
+}
+
+Clearance ObstacleQueries::clearance(const Configuration& from, double weight) const {
+  if (!(weight >= 0) || !std::isfinite(from.x) || !std::isfinite(from.y) || !std::isfinite(from.theta))
+    throw std::invalid_argument("clearance: the weight is negative or an argument is not a number");
+  const State& s = *state_;
+  const double theta = reduced(from.theta);
+  const Point at = s.forms.relative({from.x, from.y});
+  const apps::NearestPatch found = std::isinf(weight) ? apps::nearest_patch_at(s.forms, s.tree, at, theta)
+                                                      : apps::nearest_patch(s.forms, s.tree, at, theta, weight);
+  s.bounds.fetch_add(found.bounds, std::memory_order_relaxed);
+  const Point origin = s.forms.origin();
+  return {contains(from) ? -found.distance : found.distance, found.error, found.patch,
+          {found.point.at.x + origin.x, found.point.at.y + origin.y, found.point.theta}};
+}
+
+std::size_t ObstacleQueries::bytes() const { return state_->index.bytes() + state_->tree.bytes(); }
+
+}  // namespace dymsum
