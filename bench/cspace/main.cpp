@@ -39,11 +39,10 @@ void opening(Report& report, const std::string& data) {
 
 std::vector<ObstacleRow> obstacle_table(Report& report, const Options& options, const std::vector<TurningPair>& pairs) {
   report.line("\n## Table 4.1\n");
-  report.line("N_s: contacts that exist at some angle. n_s: patches of the boundary, one ending where "
-              "its neighbours change. n_b: shells. Stand-ins have the "
-              "vertex counts of the thesis's chapter 3, not its shapes: its grates enclose many cavities, for which the "
-              "last row stands. Slabs: up to 50 random ones per pair, their loops of contacts compared with the static "
-              "engine's slice inside the slab.\n");
+  report.line("N_s: contacts that exist at some angle. n_s: patches of the boundary, one ending where its neighbours "
+              "change. n_b: shells. Stand-ins have the vertex counts of the thesis's chapter 3, not its shapes: its "
+              "grates enclose many cavities, for which the last row stands. Slabs: up to 50 random ones per pair, their "
+              "loops of contacts compared with the static engine's slice inside the slab.\n");
   obstacle_heading(report);
   std::vector<ObstacleRow> rows;
   for (const TurningPair& pair : pairs) {
@@ -60,7 +59,7 @@ std::vector<SlicesRow> slices_table(Report& report, const std::vector<TurningPai
   report.line("One slice a degree at the simplest rational orientation within 1e-6 radians, the same exact vertices for "
               "all. CGAL: reduced convolution with its exact kernel, operands made before the clock starts; scaled: 36 "
               "orientations ten degrees apart, times 10. An obstacle answers for all orientations, between the slices "
-              "too. Answers compared: vertices, holes and area. Where they differ, CGAL's vertical decomposition is asked at "
+              "too: its slabs are the slices that would be needed to know as much. Answers compared: vertices, holes and area. Where they differ, CGAL's vertical decomposition is asked at "
               "the first three orientations of a pair.\n");
   slices_heading(report);
   std::vector<SlicesRow> rows;
@@ -98,9 +97,9 @@ std::vector<ObstacleRow> symmetric_table(Report& report, const Options& options)
   return rows;
 }
 
-void questions(Report& report) {
+void questions(Report& report, const std::vector<TurningPair>& pairs) {
   std::ostringstream tables;
-  write_questions(tables);
+  write_questions(pairs, tables);
   report.line("\n## Questions (table 4.3)\n");
   report.line(tables.str());
 }
@@ -138,7 +137,7 @@ void measure_all(Report& report, const Options& options, const std::vector<Turni
   if (options.wants("sizes")) sizes_table(report, options, pairs);
   if (options.wants("symmetric"))
     for (ObstacleRow& row : symmetric_table(report, options)) obstacles.push_back(std::move(row));
-  if (options.wants("questions")) questions(report);
+  if (options.wants("questions")) questions(report, pairs);
   if (obstacles.empty()) return;
   report.line("\n## Promises\n");
   promises(report, obstacles, slices);

@@ -84,16 +84,17 @@ void obstacle_line(Report& report, const ObstacleRow& r) {
 }
 
 void slices_heading(Report& report) {
-  report.heading({"P/Q", "obstacle cpu ms", "static 360 ms", "/ obstacle", "static 3600 ms", "/ obstacle", "CGAL 360 ms",
-                  "/ obstacle", "CGAL measured", "compared", "vertices, holes, area differ", "any",
+  report.heading({"P/Q", "obstacle cpu ms", "static 360 ms", "/ obstacle", "static 3600 ms", "/ obstacle", "static, a slice a slab: slabs",
+                  "ms (scaled)", "/ obstacle", "CGAL 360 ms", "/ obstacle", "CGAL measured", "compared", "vertices, holes, area differ", "any",
                   "CGAL's other method agrees with ours"});
 }
 
 void slices_line(Report& report, const SlicesRow& r, const ObstacleRow& obstacle) {
   const double own = obstacle.cpu.median();
   const bool scaled = r.cgal_measured < 360;
+  const double all_slabs = r.ours_ms / 360 * static_cast<double>(obstacle.angles);
   report.row({r.name, ms(own), ms(r.ours_ms), ratio(r.ours_ms, own), ms(r.fine_ms) + (r.fine_measured ? "" : " (10 x 360)"),
-              ratio(r.fine_ms, own), ms(r.cgal_ms) + (scaled ? " (scaled)" : ""), "**" + ratio(r.cgal_ms, own) + "**",
+              ratio(r.fine_ms, own), count(obstacle.angles), ms(all_slabs), ratio(all_slabs, own), ms(r.cgal_ms) + (scaled ? " (scaled)" : ""), "**" + ratio(r.cgal_ms, own) + "**",
               count(r.cgal_measured) + " of 360" + (r.unfinished > 0 ? ", " + count(r.unfinished) + " without answer" : ""),
               count(r.compared) + " (" + count(r.exact_areas) + " areas as fractions)",
               count(r.vertices_differ) + ", " + count(r.holes_differ) + ", " + count(r.area_differs),
