@@ -175,8 +175,9 @@ std::string styles() {
     const double s = static_cast<double>(k) / (kShades - 1);
     char line[160];
     for (const auto& [name, r, g, b] : {std::tuple{'f', 250., 205., 120.}, std::tuple{'r', 40., 115., 185.}}) {
-      std::snprintf(line, sizeof line, ".%c%d{fill:rgb(%d,%d,%d);stroke:rgb(%d,%d,%d)}", name, k, tone(r, s), tone(g, s),
-                    tone(b, s), tone(r, s), tone(g, s), tone(b, s));
+      const int red = tone(r, s), green = tone(g, s), blue = tone(b, s);
+      std::snprintf(line, sizeof line, ".%c%d{fill:rgb(%d,%d,%d);stroke:rgb(%d,%d,%d)}", name, k, red, green, blue, red,
+                    green, blue);
       text += line;
     }
   }
@@ -220,7 +221,8 @@ std::string draw_solid(const Solid& solid, const View& view, const PlanarSum& co
 }  // namespace
 
 std::string draw_obstacle(const CspaceObstacle& obstacle, const std::string& title) {
-  const PlanarSum slice = obstacle.slice(Orientation()).value(), cover = obstacle.slice(Orientation::half_turn()).value();
+  const PlanarSum slice = obstacle.slice(Orientation()).value();
+  const PlanarSum cover = obstacle.slice(Orientation::half_turn()).value();
   Frame plan;
   for (const PlanarSum* sum : {&slice, &cover})
     for (const SumPart& part : sum->parts)

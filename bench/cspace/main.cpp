@@ -41,8 +41,8 @@ std::vector<ObstacleRow> obstacle_table(Report& report, const Options& options, 
   report.line("\n## Table 4.1\n");
   report.line("N_s: contacts that exist at some angle. n_s: patches of the boundary, one ending where its neighbours "
               "change. n_b: shells. Stand-ins have the vertex counts of the thesis's chapter 3, not its shapes: its "
-              "grates enclose many cavities, for which the last row stands. Slabs: up to 50 random ones per pair, their "
-              "loops of contacts compared with the static engine's slice inside the slab.\n");
+              "grates enclose many cavities, for which the last row stands. Slabs: up to 50 random ones per pair, "
+              "their loops of contacts compared with the static engine's slice inside the slab.\n");
   obstacle_heading(report);
   std::vector<ObstacleRow> rows;
   for (const TurningPair& pair : pairs) {
@@ -56,11 +56,12 @@ std::vector<ObstacleRow> obstacle_table(Report& report, const Options& options, 
 std::vector<SlicesRow> slices_table(Report& report, const std::vector<TurningPair>& pairs,
                                     const std::vector<ObstacleRow>& obstacles) {
   report.line("\n## Slices instead\n");
-  report.line("One slice a degree at the simplest rational orientation within 1e-6 radians, the same exact vertices for "
-              "all. CGAL: reduced convolution with its exact kernel, operands made before the clock starts; scaled: 36 "
-              "orientations ten degrees apart, times 10. An obstacle answers for all orientations, between the slices "
-              "too: its slabs are the slices that would be needed to know as much. Answers compared: vertices, holes and area. Where they differ, CGAL's vertical decomposition is asked at "
-              "the first three orientations of a pair.\n");
+  report.line("One slice a degree at the simplest rational orientation within 1e-6 radians, the same exact vertices "
+              "for all. CGAL: reduced convolution with its exact kernel, operands made before the clock starts; scaled: "
+              "36 orientations ten degrees apart, times 10. An obstacle answers for all orientations, between the slices "
+              "too: its slabs are the slices that would be needed to know as much. Answers compared: vertices, holes "
+              "and area. Where they differ, CGAL's vertical decomposition is asked at the first three orientations of "
+              "a pair.\n");
   slices_heading(report);
   std::vector<SlicesRow> rows;
   for (const TurningPair& pair : pairs)
@@ -80,7 +81,8 @@ void sizes_table(Report& report, const Options& options, const std::vector<Turni
               "segments (bar/circle has 36 of them and nothing else). Collinear vertices are dropped first.\n");
   sizes_heading(report);
   for (const TurningPair& pair : pairs)
-    if (options.selects(pair)) sizes_line(report, pair.name, count_convolutions(pair.robot, pair.obstacle), pair.thesis);
+    if (options.selects(pair))
+      sizes_line(report, pair.name, count_convolutions(pair.robot, pair.obstacle), pair.thesis);
 }
 
 std::vector<ObstacleRow> symmetric_table(Report& report, const Options& options) {
@@ -105,7 +107,8 @@ void questions(Report& report, const std::vector<TurningPair>& pairs) {
 }
 
 void write_figures(const Options& options, const std::vector<TurningPair>& pairs) {
-  for (const auto& [name, file] : {std::pair{"grate1/grate2", "figure-4.4.svg"}, {"crossing grates", "figure-4.4-grates.svg"}})
+  for (const auto& [name, file] :
+       {std::pair{"grate1/grate2", "figure-4.4.svg"}, {"crossing grates", "figure-4.4-grates.svg"}})
     for (const TurningPair& pair : pairs) {
       if (pair.name != name) continue;
       const CspaceObstacle obstacle = CspaceObstacle::create(pair.robot, pair.obstacle).value();
@@ -141,6 +144,8 @@ void measure_all(Report& report, const Options& options, const std::vector<Turni
   if (obstacles.empty()) return;
   report.line("\n## Promises\n");
   promises(report, obstacles, slices);
+  report.line("\n## Losses\n");
+  losses(report, obstacles, slices);
 }
 
 int run(int argc, char** argv) {

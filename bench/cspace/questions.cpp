@@ -50,8 +50,8 @@ void contains_row(std::ostream& out, const QueryPair& pair) {
   for (std::size_t k = 0; k < kChecked; ++k)
     wrong += obstacle.contains(all[k].x, all[k].y, Orientation::nearest(all[k].theta).value()) != (batch[k] != 0);
   const double slow = since(start) / kChecked;
-  out << "| " << pair.name << " | " << std::lround(single) << " | " << std::lround(batched) << " | " << std::lround(slow)
-      << " | " << 100 * inside / kAsked << " | " << kChecked << ", " << wrong << " |" << std::endl;
+  out << "| " << pair.name << " | " << std::lround(single) << " | " << std::lround(batched) << " | "
+      << std::lround(slow) << " | " << 100 * inside / kAsked << " | " << kChecked << ", " << wrong << " |" << std::endl;
 }
 
 }  // namespace

@@ -13,8 +13,9 @@ struct ConvolutionCounts {
   std::uint64_t misjudged = 0;       ///< segments more or less that doubles find, where edges are nearly parallel
 };
 
-/// P (+) Q at the orientation of the operands. The sizes are those of convolution_sizes. Crossings are proper ones, found by testing all pairs whose boxes overlap
-/// with signs in doubles: common endpoints do not count, nearly touching segments may be miscounted.
+/// P (+) Q at the orientation of the operands. The sizes are those of convolution_sizes. Crossings are proper ones,
+/// found by testing all pairs whose boxes overlap with signs in doubles: common endpoints do not count, nearly touching
+/// segments may be miscounted.
 ConvolutionCounts count_convolutions(const Region& p, const Region& q);
 
 }  // namespace dymsum::bench

@@ -21,7 +21,7 @@ struct SlicesRow {
   std::size_t vertices_differ = 0, holes_differ = 0, area_differs = 0, any_differs = 0;
   std::size_t exact_areas = 0;  ///< compared as fractions; the others to twelve digits
   std::size_t unfinished = 0;   ///< orientations at which CGAL gave no answer
-  std::size_t confirmed = 0, asked = 0;  ///< where both differ: what CGAL's vertical decomposition said, if it was asked
+  std::size_t confirmed = 0, asked = 0;  ///< of CGAL's vertical decomposition, where both differ
   std::vector<std::string> remarks;
 };
 

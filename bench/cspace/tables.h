@@ -51,4 +51,7 @@ void symmetric_line(Report& report, const ObstacleRow& row);
 /// What the project promises of the pairs that were measured: a line each.
 void promises(Report& report, const std::vector<ObstacleRow>& obstacles, const std::vector<SlicesRow>& slices);
 
+/// Where 360 slices take less time than the obstacle: a line each.
+void losses(Report& report, const std::vector<ObstacleRow>& obstacles, const std::vector<SlicesRow>& slices);
+
 }  // namespace dymsum::bench

@@ -1,4 +1,4 @@
-// The pairs of tables 4.1 and 4.2: a robot that turns, an obstacle that stands still, and what the thesis prints of them.
+// The pairs of tables 4.1 and 4.2: a robot that turns, an obstacle that stands still, what the thesis prints of them.
 #pragma once
 
 #include <string>
