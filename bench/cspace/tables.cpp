@@ -69,8 +69,8 @@ void Report::heading(const std::vector<std::string>& cells) {
 
 void obstacle_heading(Report& report) {
   report.heading({"P/Q", "shapes, vertices", "N_s", "n_s", "n_b", "event angles",
-                  "events: aligned, vertex, three, tight", "near the event", "whole slices", "cpu ms, median (min; runs)",
-                  "wall ms", "thesis s", "slabs compared, different"});
+                  "events: aligned, vertex, three, tight", "near the event", "whole slices",
+                  "cpu ms, median (min; runs)", "wall ms", "thesis s", "slabs compared, different"});
 }
 
 void obstacle_line(Report& report, const ObstacleRow& r) {
