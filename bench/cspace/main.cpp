@@ -59,8 +59,8 @@ std::vector<SlicesRow> slices_table(Report& report, const std::vector<TurningPai
   report.line("One slice a degree at the simplest rational orientation within 1e-6 radians, the same exact vertices "
               "for all. CGAL: reduced convolution with its exact kernel, operands made before the clock starts; "
               "scaled: 36 orientations ten degrees apart, times 10. An obstacle answers for all orientations, between "
-              "the slices too: its slabs are the slices that would be needed to know as much. Answers compared: vertices, holes "
-              "and area. Where they differ, CGAL's vertical decomposition is asked at the first three orientations of "
+              "the slices too: its slabs are the slices that would be needed to know as much. Answers compared: vertices, "
+              "holes and area. Where they differ, CGAL's vertical decomposition is asked at the first three orientations of "
               "a pair.\n");
   slices_heading(report);
   std::vector<SlicesRow> rows;
