@@ -52,7 +52,8 @@ bool ObstacleSweep::overlap_update(TurnEvent& event, const TurnRange& range) {
   if (first_[id(event.a)] == kNobody && first_[id(event.b)] == kNobody) return true;
   const double theta = event.theta();
   const Heading h = Heading::of(theta);
-  if (!event.root->changes_sign()) return false;
+  const auto exists = [&](const WalkSegment& s) { return catalog_.exists(s, theta) == TurnCatalog::Existence::yes; };
+  if (!event.root->changes_sign() || !exists(event.a) || !exists(event.b)) return false;
   const double slope = forms_.side(event.a, TurningForms::start(event.b)).slope(h);
   if (std::abs(slope) <= 4096 * forms_.side_error(event.a)) return false;
   const WalkSegment &outer = slope < 0 ? event.b : event.a, &inner = slope < 0 ? event.a : event.b;

@@ -96,7 +96,7 @@ class Collector {
     return d.x * e.x + d.y * e.y > 0 && std::min(length, from + other) - std::max(0.0, from) > kNear * std::min(length, other) + 0x1p-40 * forms_.span();
   }
   bool overlap_at(const WalkSegment& a, const WalkSegment& b, double theta) const {
-    return catalog_.exists(a, theta) == TurnCatalog::Existence::yes && catalog_.exists(b, theta) == TurnCatalog::Existence::yes && share_stretch(a, b, theta);
+    return may_exist(a, theta) && may_exist(b, theta) && share_stretch(a, b, theta);
   }
   void overlaps(const WalkSegment& a, const WalkSegment& b) {
     const TrigForm f = forms_.side(a, TurningForms::start(b));
