@@ -65,8 +65,8 @@ struct PlanOptions {
 /// A path from start to goal, or why there is none. x and y are taken at face value, theta as Orientation::nearest.
 /// Touching forbidden: complete. Two places are joined exactly if FreeCell::component is the same; a path in it has some
 /// distance from the obstacle, so that finitely many orientations suffice, which are added round by round until it is found.
-/// Touching allowed: joins further what touches at event angles with a rational tangent of the half angle, and at every
-/// angle where regions touch themselves; passages that are open at one irrational angle alone are not examined.
+/// Touching allowed: joins further what touches at event angles with a rational tangent of the half angle; passages that
+/// are open at one irrational angle alone are not examined, and not counted on.
 /// Every translation and rotation of a path is free by check_translation and check_rotation.
 /// Errors: bad_rotation and not_finite for configurations that are not finite; unsupported_operand for coordinates beyond
 /// 2^400; cancelled.

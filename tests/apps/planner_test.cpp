@@ -10,6 +10,7 @@
 #include <queue>
 #include <random>
 
+#include "dymsum/planar_sum.h"
 #include "dymsum/region.h"
 
 namespace dymsum {
@@ -294,6 +295,68 @@ Region random_cave(Random& random) {
     }
     if (Result<Region> cave = Region::create({{part}, {}, {}})) return std::move(cave).value();
   }
+}
+
+// A maze of unit squares in a frame; none of its walls touch only at corners.
+Region random_maze(Random& random, int n, std::vector<std::vector<bool>>& wall) {
+  for (;;) {
+    std::vector<Region> blocks;
+    wall.assign(static_cast<std::size_t>(n + 2), std::vector<bool>(static_cast<std::size_t>(n + 2), false));
+    for (int i = 0; i <= n + 1; ++i)
+      for (int j = 0; j <= n + 1; ++j) {
+        const bool solid = i == 0 || j == 0 || i > n || j > n || random() % 5 < 2;
+        wall[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = solid;
+        if (solid) blocks.push_back(region({{box(i, j, i + 1, j + 1), {}}}));
+      }
+    Result<Region> all = union_of(blocks)->rounded();
+    if (all.ok() && all->touching_points().empty()) return std::move(all).value();
+  }
+}
+
+TEST(Planner, a_square_in_mazes_of_exactly_its_width) {
+  int found = 0, none = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random random(seed);
+    std::vector<std::vector<bool>> wall;
+    const CspaceObstacle c = obstacle_of(square(), random_maze(random, 5, wall));
+    std::vector<std::pair<std::size_t, std::size_t>> rooms;
+    for (std::size_t i = 0; i < wall.size(); ++i)
+      for (std::size_t j = 0; j < wall.size(); ++j)
+        if (!wall[i][j]) rooms.emplace_back(i, j);
+    if (rooms.empty()) continue;
+    std::vector<std::pair<std::size_t, std::size_t>> open{rooms[random() % rooms.size()]};
+    const auto [gi, gj] = rooms[random() % rooms.size()];
+    const Configuration start{static_cast<double>(open[0].first), static_cast<double>(open[0].second), 0};
+    std::vector<std::vector<bool>> seen = wall;
+    seen[open[0].first][open[0].second] = true;
+    bool reached = false;
+    while (!open.empty()) {
+      const auto [i, j] = open.back();
+      open.pop_back();
+      reached = reached || (i == gi && j == gj);
+      for (const auto& [a, b] : {std::pair{i + 1, j}, {i - 1, j}, {i, j + 1}, {i, j - 1}})
+        if (!seen[a][b]) {
+          seen[a][b] = true;
+          open.emplace_back(a, b);
+        }
+    }
+    // The goal turned by a quarter about its own middle.
+    const bool quarter = random() % 2 == 0;
+    const Configuration goal{static_cast<double>(gi) + quarter, static_cast<double>(gj), quarter ? kPi / 2 : 0};
+    const Plan p = plan_in(c, start, goal);
+    if (!quarter) {
+      ASSERT_EQ(p.found(), reached);
+    }
+    if (p.found()) {
+      ASSERT_TRUE(reached);
+      expect_valid(c, p, start, goal, Touching::allowed);
+    }
+    (p.found() ? found : none)++;
+    if (testing::Test::HasFatalFailure()) return;
+  }
+  EXPECT_GT(found, 5);
+  EXPECT_GT(none, 5);
 }
 
 TEST(Planner, random_scenes_agree_with_a_flood_fill) {
