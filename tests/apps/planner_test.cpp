@@ -62,20 +62,24 @@ void expect_valid(const CspaceObstacle& c, const Plan& p, Configuration start, C
     if (b.move == Waypoint::Move::counter_clockwise && turn < 0) turn += 2 * kPi;
     if (b.move == Waypoint::Move::clockwise && turn > 0) turn -= 2 * kPi;
     for (int i = 0; i <= 40; ++i) {
-      const double s = i / 40.0, x = a.approx.x + s * (b.approx.x - a.approx.x), y = a.approx.y + s * (b.approx.y - a.approx.y);
-      const Orientation theta = turn == 0 || i == 0 ? a.theta : i == 40 ? b.theta : *Orientation::nearest(a.approx.theta + s * turn);
+      const double s = i / 40.0, x = a.approx.x + s * (b.approx.x - a.approx.x), y = a.approx.y +
+          s * (b.approx.y - a.approx.y);
+      const Orientation theta = turn == 0 || i == 0 ? a.theta : i == 40 ? b.theta
+          : *Orientation::nearest(a.approx.theta + s * turn);
       ASSERT_FALSE(c.contains(x, y, theta)) << k << " at " << s;
     }
   }
 }
 
-void expect_path(const CspaceObstacle& c, Configuration start, Configuration goal, Touching touching = Touching::allowed) {
+void expect_path(const CspaceObstacle& c, Configuration start, Configuration goal,
+    Touching touching = Touching::allowed) {
   const Plan p = plan_in(c, start, goal, touching);
   ASSERT_TRUE(p.found()) << p.reason->text;
   expect_valid(c, p, start, goal, touching);
 }
 
-NoPath expect_none(const CspaceObstacle& c, Configuration start, Configuration goal, NoPath::Kind kind, Touching touching = Touching::allowed) {
+NoPath expect_none(const CspaceObstacle& c, Configuration start, Configuration goal, NoPath::Kind kind,
+    Touching touching = Touching::allowed) {
   const Plan p = plan_in(c, start, goal, touching);
   EXPECT_FALSE(p.found());
   EXPECT_TRUE(p.path.empty());
@@ -86,7 +90,8 @@ NoPath expect_none(const CspaceObstacle& c, Configuration start, Configuration g
 
 // Two rooms of 10 x 10 and a wall between them, 2 thick, with a doorway from y = low to y = high.
 Region rooms(double low, double high) {
-  return region({{box(-12, -6, 12, 6), {{{-11, -5}, {-11, 5}, {-1, 5}, {-1, high}, {1, high}, {1, 5}, {11, 5}, {11, -5}, {1, -5}, {1, low}, {-1, low}, {-1, -5}}}}});
+  return region({{box(-12, -6, 12, 6), {{{-11, -5}, {-11, 5}, {-1, 5}, {-1, high}, {1, high}, {1, 5}, {11, 5}, {11,
+      -5}, {1, -5}, {1, low}, {-1, low}, {-1, -5}}}}});
 }
 
 Region bar() { return region({{box(-3, -0.5, 3, 0.5), {}}}); }
@@ -105,7 +110,8 @@ TEST(Planner, an_L_turns_round_the_jamb) {
 }
 
 TEST(Planner, a_bar_cannot_turn_in_a_corridor) {
-  const CspaceObstacle c = obstacle_of(bar(), region({{box(-20, -3, 20, 3), {{{-19, -2}, {-19, 2}, {19, 2}, {19, -2}}}}}));
+  const CspaceObstacle c = obstacle_of(bar(), region({{box(-20, -3, 20, 3), {{{-19, -2}, {-19, 2}, {19, 2}, {19,
+      -2}}}}}));
   expect_path(c, {-10, 0, 0}, {10, 1, 0.1});
   const NoPath reason = expect_none(c, {-10, 0, 0}, {10, 0, kPi}, NoPath::Kind::separated);
   ASSERT_EQ(reason.start.size(), 1u);
@@ -116,7 +122,8 @@ TEST(Planner, a_bar_cannot_turn_in_a_corridor) {
 }
 
 TEST(Planner, a_bug_trap_is_left_through_its_mouth) {
-  const Region trap = region({{{{-5, -5}, {5, -5}, {5, 5}, {-5, 5}, {-5, 0.5}, {0, 0.5}, {0, 1}, {-4, 1}, {-4, 4}, {4, 4},
+  const Region trap = region({{{{-5, -5}, {5, -5}, {5, 5}, {-5, 5}, {-5, 0.5}, {0, 0.5}, {0, 1}, {-4, 1}, {-4, 4}, {4,
+      4},
                                {4, -4}, {-4, -4}, {-4, -1}, {0, -1}, {0, -0.5}, {-5, -0.5}}, {}}});
   const Region robot = region({{{{-0.4, -0.3}, {0.5, -0.2}, {0.1, 0.4}}, {}}});
   const CspaceObstacle c = obstacle_of(robot, trap);
@@ -200,7 +207,8 @@ TEST(Planner, errors) {
   EXPECT_EQ(plan(c, {-5, 0, 0}, {5, 0, 1}, options).error().code, Code::cancelled);
 }
 
-// The slow answer: a grid of poses in doubles, joined where the distance of robot and obstacle exceeds what the step moves.
+// The slow answer: a grid of poses in doubles, joined where the distance of robot and obstacle exceeds what the step
+// moves.
 class FloodFill {
  public:
   FloodFill(const CspaceObstacle& c, double reach, int steps, int turns)
@@ -209,7 +217,8 @@ class FloodFill {
       for (const Point& p : part.outer) radius_ = std::max(radius_, std::hypot(p.x, p.y));
   }
   Configuration at(int i, int j, int k) const {
-    return {-reach_ + 2 * reach_ * i / (steps_ - 1), -reach_ + 2 * reach_ * j / (steps_ - 1), -kPi + 2 * kPi * (k + 0.5) / turns_};
+    return {-reach_ + 2 * reach_ * i / (steps_ - 1), -reach_ + 2 * reach_ * j / (steps_ - 1), -kPi + 2 * kPi * (k +
+        0.5) / turns_};
   }
   double gap(int i, int j, int k) {
     double& g = gap_[static_cast<std::size_t>((k * steps_ + i) * steps_ + j)];
@@ -221,7 +230,8 @@ class FloodFill {
   std::vector<bool> reached(std::array<int, 3> from) {
     std::vector<bool> seen(gap_.size(), false);
     std::queue<std::array<int, 3>> open;
-    const auto number = [&](const std::array<int, 3>& n) { return static_cast<std::size_t>((n[2] * steps_ + n[0]) * steps_ + n[1]); };
+    const auto number = [&](const std::array<int, 3>& n) { return static_cast<std::size_t>((n[2] * steps_ +
+        n[0]) * steps_ + n[1]); };
     seen[number(from)] = true;
     open.push(from);
     const double step = 2 * reach_ / (steps_ - 1), turn = radius_ * 2 * kPi / turns_;
@@ -233,7 +243,8 @@ class FloodFill {
         m[static_cast<std::size_t>(d / 2)] += d % 2 == 0 ? 1 : -1;
         if (m[0] < 0 || m[1] < 0 || m[0] >= steps_ || m[1] >= steps_) continue;
         m[2] = (m[2] + turns_) % turns_;
-        if (seen[number(m)] || std::max(gap(n[0], n[1], n[2]), gap(m[0], m[1], m[2])) <= (d < 4 ? step : turn)) continue;
+        if (seen[number(m)] || std::max(gap(n[0], n[1], n[2]), gap(m[0], m[1], m[2])) <= (d < 4 ? step
+            : turn)) continue;
         seen[number(m)] = true;
         open.push(m);
       }
@@ -254,7 +265,8 @@ class FloodFill {
       }
     };
     const auto point = [](Point a, Point b, Point p) {
-      const double dx = b.x - a.x, dy = b.y - a.y, s = std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / (dx * dx + dy * dy), 0.0, 1.0);
+      const double dx = b.x - a.x, dy = b.y - a.y, s = std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / (dx * dx +
+          dy * dy), 0.0, 1.0);
       return std::hypot(p.x - a.x - s * dx, p.y - a.y - s * dy);
     };
     const double cosine = std::cos(q.theta), sine = std::sin(q.theta);
@@ -281,7 +293,8 @@ Region random_shape(Random& random, int reach, int most, double scale) {
     const int n = 3 + static_cast<int>(random() % static_cast<unsigned>(most - 2));
     for (int i = 0; i < n; ++i) data.parts[0].outer.push_back({at(), at()});
     Result<Repaired> repaired = repair(data);
-    if (repaired.ok() && !repaired->region.empty() && repaired->region.touching_points().empty()) return repaired->region;
+    if (repaired.ok() && !repaired->region.empty() &&
+        repaired->region.touching_points().empty()) return repaired->region;
   }
 }
 
@@ -376,7 +389,8 @@ TEST(Planner, random_scenes_agree_with_a_flood_fill) {
     FloodFill flood(c, 7, kSteps, kTurns);
     std::vector<std::array<int, 3>> free;
     for (int tries = 0; tries < 4000 && free.size() < 5; ++tries) {
-      const std::array<int, 3> n{4 + static_cast<int>(random() % 21), 4 + static_cast<int>(random() % 21), static_cast<int>(random() % kTurns)};
+      const std::array<int, 3> n{4 + static_cast<int>(random() % 21), 4 + static_cast<int>(random() % 21),
+          static_cast<int>(random() % kTurns)};
       if (flood.gap(n[0], n[1], n[2]) > 0.01) free.push_back(n);
     }
     for (std::size_t k = 1; k < free.size(); ++k) {
@@ -386,7 +400,9 @@ TEST(Planner, random_scenes_agree_with_a_flood_fill) {
       const auto touching = random() % 2 == 0 ? Touching::forbidden : Touching::allowed;
       const Plan p = plan_in(c, start, goal, touching);
       slowest = std::max(slowest, p.work.ms);
-      if (std::getenv("DYMSUM_VERBOSE")) std::cout << seed << ": " << p.work.ms << " ms, levels " << p.work.levels << " slices " << p.work.slices << " rotations " << p.work.rotations << " rounds " << p.work.rounds << " points " << p.path.size() << "\n";
+      if (std::getenv("DYMSUM_VERBOSE")) std::cout << seed << ": " << p.work.ms << " ms, levels " << p.work.levels
+          << " slices " << p.work.slices << " rotations " << p.work.rotations << " rounds " << p.work.rounds
+              << " points " << p.path.size() << "\n";
       reached_by_flood += joined;
       (p.found() ? found : none)++;
       undecided += !p.found() && p.reason->kind == NoPath::Kind::undecided;
@@ -397,7 +413,8 @@ TEST(Planner, random_scenes_agree_with_a_flood_fill) {
       if (testing::Test::HasFatalFailure()) return;
     }
   }
-  std::cout << found << " found, " << none << " none, " << reached_by_flood << " reached by the flood fill, slowest " << slowest << " ms\n";
+  std::cout << found << " found, " << none << " none, " << reached_by_flood << " reached by the flood fill, slowest "
+      << slowest << " ms\n";
   EXPECT_EQ(undecided, 0);
   EXPECT_TRUE(first || count || (found > 0 && none > 0 && reached_by_flood > 0));
 }

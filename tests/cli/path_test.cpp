@@ -30,11 +30,13 @@ class PathCli : public testing::Test {
 
 TEST_F(PathCli, PrintsEveryKeyAndWritesFiles) {
   const Json report = json("dymsum path square.wkt rooms.wkt --from -5,1.5,0.25 --to 5,-2,2 --json -o path.svg -o path.json");
-  for (const char* key : {"inputs", "tier", "time_ms", "found", "waypoints", "reason"}) EXPECT_TRUE(report.contains(key)) << key;
+  for (const char* key : {"inputs", "tier", "time_ms", "found", "waypoints",
+      "reason"}) EXPECT_TRUE(report.contains(key)) << key;
   EXPECT_TRUE(report["found"].get<bool>());
   EXPECT_TRUE(report["reason"].is_null());
   ASSERT_GT(report["waypoints"].size(), 3u);
-  for (const char* key : {"x", "y", "theta", "tan_half", "move"}) EXPECT_TRUE(report["waypoints"][0].contains(key)) << key;
+  for (const char* key : {"x", "y", "theta", "tan_half", "move"}) EXPECT_TRUE(report["waypoints"][0].contains(key))
+      << key;
   EXPECT_EQ(report["waypoints"][0]["move"], "start");
   EXPECT_EQ(report["waypoints"][0]["tan_half"].get<std::string>().find("inf"), std::string::npos);
   EXPECT_EQ(report["waypoints"].back()["x"], 5);
