@@ -400,9 +400,6 @@ TEST(Planner, random_scenes_agree_with_a_flood_fill) {
       const auto touching = random() % 2 == 0 ? Touching::forbidden : Touching::allowed;
       const Plan p = plan_in(c, start, goal, touching);
       slowest = std::max(slowest, p.work.ms);
-      if (std::getenv("DYMSUM_VERBOSE")) std::cout << seed << ": " << p.work.ms << " ms, levels " << p.work.levels
-          << " slices " << p.work.slices << " rotations " << p.work.rotations << " rounds " << p.work.rounds
-              << " points " << p.path.size() << "\n";
       reached_by_flood += joined;
       (p.found() ? found : none)++;
       undecided += !p.found() && p.reason->kind == NoPath::Kind::undecided;

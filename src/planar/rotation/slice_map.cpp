@@ -18,10 +18,10 @@ BigRational cross(const BigRational& ax, const BigRational& ay, const BigRationa
 // Whether the boxes of the segments are certainly apart.
 bool boxes_apart(const SlicePoint& a, const SlicePoint& b, const SlicePoint& c, const SlicePoint& d) {
   const double e = 2 * std::max({a.error(), b.error(), c.error(), d.error()});
-  const auto [ax0, ax1] = std::minmax(a.at().x, b.at().x);
-  const auto [ay0, ay1] = std::minmax(a.at().y, b.at().y);
-  const auto [cx0, cx1] = std::minmax(c.at().x, d.at().x);
-  const auto [cy0, cy1] = std::minmax(c.at().y, d.at().y);
+  const auto [ax0, ax1] = std::minmax({a.at().x, b.at().x});
+  const auto [ay0, ay1] = std::minmax({a.at().y, b.at().y});
+  const auto [cx0, cx1] = std::minmax({c.at().x, d.at().x});
+  const auto [cy0, cy1] = std::minmax({c.at().y, d.at().y});
   return ax1 + e < cx0 || cx1 + e < ax0 || ay1 + e < cy0 || cy1 + e < ay0;
 }
 
