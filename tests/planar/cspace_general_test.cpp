@@ -113,12 +113,12 @@ std::size_t tight_at(const CspaceObstacle& c, double theta) {
   return n;
 }
 
-// Seeds from DYMSUM_SEED on, as many as DYMSUM_FUZZ_OBSTACLES says.
+// DYMSUM_FUZZ_OBSTACLES times the usual number of seeds; DYMSUM_SEED replays one.
 template <class F>
 void for_seeds(std::uint64_t usual, F&& f) {
   const char* first = std::getenv("DYMSUM_SEED");
   const char* count = std::getenv("DYMSUM_FUZZ_OBSTACLES");
-  const std::uint64_t begin = first ? std::stoull(first) : 1, n = count ? std::stoull(count) : usual;
+  const std::uint64_t begin = first ? std::stoull(first) : 1, n = first ? 1 : usual * (count ? std::stoull(count) : 1);
   for (std::uint64_t seed = begin; seed < begin + n && !testing::Test::HasFailure(); ++seed) {
     SCOPED_TRACE(testing::Message() << "DYMSUM_SEED=" << seed);
     Random random(seed);

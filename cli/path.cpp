@@ -1,0 +1,152 @@
+// dymsum path ROBOT OBSTACLE --from x,y,theta --to x,y,theta
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <sstream>
+
+#include "commands.h"
+#include "dymsum/planner.h"
+#include "exit_code.h"
+#include "inputs.h"
+#include "options.h"
+#include "outputs.h"
+#include "path_picture.h"
+#include "progress_bar.h"
+#include "report.h"
+#include "timing.h"
+
+namespace dymsum::cli {
+namespace {
+
+struct PathCommand {
+  std::vector<std::string> operands{"", ""}, files;
+  std::string from, to;
+  bool strict = false;
+  ReportOptions report;
+  InputOptions input;
+};
+
+struct PlannedPath {
+  Plan plan;
+  int tier_bits = 0;
+};
+
+/// "x,y,theta".
+Configuration read_configuration(const std::string& text, const char* option) {
+  std::istringstream words(text);
+  Configuration q;
+  char first = 0, second = 0, rest = 0;
+  if (!(words >> q.x >> first >> q.y >> second >> q.theta) || first != ',' || second != ',' || (words >> rest))
+    throw Stop(kUsage, std::string(option) + " wants x,y,theta with theta in radians, not '" + text + "'");
+  return q;
+}
+
+const char* name_of(Waypoint::Move move) {
+  switch (move) {
+    case Waypoint::Move::start: return "start";
+    case Waypoint::Move::translation: return "translation";
+    case Waypoint::Move::counter_clockwise: return "counter_clockwise";
+    case Waypoint::Move::clockwise: return "clockwise";
+  }
+  return "";
+}
+
+const char* name_of(NoPath::Kind kind) {
+  switch (kind) {
+    case NoPath::Kind::start_not_free: return "start_not_free";
+    case NoPath::Kind::goal_not_free: return "goal_not_free";
+    case NoPath::Kind::separated: return "separated";
+    case NoPath::Kind::undecided: return "undecided";
+  }
+  return "";
+}
+
+Json waypoint_json(const Waypoint& w) {
+  return {{"x", w.approx.x}, {"y", w.approx.y}, {"theta", w.approx.theta},
+          {"tan_half", w.theta.is_half_turn() ? "inf" : w.theta.tan_half().to_string()},
+          {"exact", {w.at.x.to_string(), w.at.y.to_string()}}, {"move", name_of(w.move)}};
+}
+
+Json component_json(const FreeComponent& c) {
+  return {{"component", c.number}, {"unbounded", c.unbounded}, {"shells", c.shells},
+          {"angles", c.all_angles ? Json("all") : Json{c.from, c.to}}};
+}
+
+Json reason_json(const NoPath& reason) {
+  Json start = Json::array(), goal = Json::array(), contact = nullptr;
+  for (const FreeComponent& c : reason.start) start.push_back(component_json(c));
+  for (const FreeComponent& c : reason.goal) goal.push_back(component_json(c));
+  if (reason.contact) {
+    const bool fixed = reason.contact->kind == Contact::Kind::edge_of_p;
+    contact = {{"kind", fixed ? "vertex_on_edge" : "edge_on_vertex"}, {"obstacle", reason.contact->p}, {"robot", reason.contact->q}};
+  }
+  return {{"kind", name_of(reason.kind)}, {"text", reason.text}, {"contact", contact}, {"start", start}, {"goal", goal},
+          {"unexamined_angles", reason.unexamined_angles}};
+}
+
+Json path_json(const PlannedPath& planned, const Timing& timing, const std::vector<Input>& inputs) {
+  Json waypoints = Json::array();
+  for (const Waypoint& w : planned.plan.path) waypoints.push_back(waypoint_json(w));
+  const PlanWork& work = planned.plan.work;
+  return {{"inputs", inputs_json(inputs)},
+          {"tier", planned.tier_bits},
+          {"time_ms", {{"median", timing.median_ms}, {"min", timing.min_ms}}},
+          {"found", planned.plan.found()},
+          {"waypoints", waypoints},
+          {"reason", planned.plan.found() ? Json(nullptr) : reason_json(*planned.plan.reason)},
+          {"work", {{"levels", work.levels}, {"slices", work.slices}, {"rotations", work.rotations}, {"rounds", work.rounds}}}};
+}
+
+void print_text(const Plan& plan) {
+  if (!plan.found()) {
+    std::cout << plan.reason->text << "\n";
+    return;
+  }
+  for (const Waypoint& w : plan.path)
+    std::cout << name_of(w.move) << " (" << w.approx.x << ", " << w.approx.y << "), theta = " << w.approx.theta << "\n";
+}
+
+ExitCode run_path(const PathCommand& command) {
+  const Configuration from = read_configuration(command.from, "--from"), to = read_configuration(command.to, "--to");
+  for (const std::string& file : command.files)
+    if (!file.ends_with(".json") && !file.ends_with(".svg")) throw Stop(kUsage, "-o wants a .json or a .svg file, not " + file);
+  const std::vector<Input> inputs = read_inputs(command.operands, command.input);
+  const InterruptGuard guard;
+  std::optional<ProgressBar> bar(std::in_place);
+  ObstacleOptions obstacle_options;
+  obstacle_options.progress = bar->callback();
+  PlanOptions options;
+  options.progress = bar->callback();
+  options.touching = command.strict ? Touching::forbidden : Touching::allowed;
+  const auto compute = [&] {
+    const CspaceObstacle obstacle = require(CspaceObstacle::create(inputs[0].region, inputs[1].region, obstacle_options));
+    return PlannedPath{require(plan(obstacle, from, to, options)), require(obstacle.slice({})).stats.tier_bits};
+  };
+  const auto [planned, timing] = timed(command.report.repeat, compute);
+  bar.reset();
+  const Json json = path_json(planned, timing, inputs);
+  for (const std::string& file : command.files)
+    write_text(file, file.ends_with(".json") ? json.dump(2) + "\n" : path_picture(inputs[0].region, inputs[1].region, planned.plan.path));
+  if (command.report.json) std::cout << json.dump(2) << "\n";
+  else print_text(planned.plan);
+  return planned.plan.found() ? kDone : kNo;
+}
+
+}  // namespace
+
+void add_path(CLI::App& app, Action& action) {
+  auto command = std::make_shared<PathCommand>();
+  CLI::App& verb = *app.add_subcommand("path", "A motion of a robot that translates and turns past an obstacle, or the proof that there is none; ends with 4 then");
+  add_operands(verb, "ROBOT", "OBSTACLE", command->operands);
+  verb.add_option("--from", command->from, "Where the robot starts, theta in radians")->type_name("x,y,theta")->required();
+  verb.add_option("--to", command->to, "Where it is to go")->type_name("x,y,theta")->required();
+  verb.add_flag("--strict", command->strict, "Touching the obstacle is forbidden");
+  verb.add_option("-o", command->files, "Write the path as .json, or as a picture .svg; repeatable")->type_name("FILE")->allow_extra_args(false);
+  add_report_options(verb, command->report, "Compute N times and report the median and minimum time");
+  verb.add_flag("--repair", command->input.repair, "Merge duplicate and collinear vertices, fix orientation, and say on standard error what changed");
+  verb.footer("Example: dymsum path bar.wkt rooms.wkt --from -6,0,1.5708 --to 6,0,0 -o path.svg");
+  verb.callback([command, &action] { action = [command] { return run_path(*command); }; });
+}
+
+}  // namespace dymsum::cli

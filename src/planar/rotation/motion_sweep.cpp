@@ -1,0 +1,101 @@
+#include <cmath>
+#include <vector>
+
+#include "dymsum/motion.h"
+#include "planar/rotation/pose.h"
+
+namespace dymsum {
+namespace {
+
+using planar::Pose;
+
+// The way from a to b, poses in doubles.
+class Sweep {
+ public:
+  Sweep(const Region& robot, const Region& obstacle, const Configuration& a, const Configuration& b)
+      : pose_(robot, obstacle), a_(a), d_{b.x - a.x, b.y - a.y, b.theta - a.theta} {
+    // Rounding of the angle turns the robot a little, that of the place moves it.
+    const double angle = 0x1p-50 * (std::abs(a.theta) + std::abs(b.theta) + 1);
+    slack_ = angle * pose_.reach() + 0x1p-50 * (std::abs(a.x) + std::abs(b.x) + std::abs(a.y) + std::abs(b.y));
+    speed_ = (std::hypot(d_.x, d_.y) + pose_.reach() * std::abs(d_.theta)) * (1 + 0x1p-40) + 4 * slack_;
+  }
+
+  MotionCheck run(const MotionOptions& options) {
+    // Intervals still to be examined, the earliest on top.
+    std::vector<std::pair<double, double>> open{{0.0, 1.0}};
+    while (!open.empty()) {
+      const auto [low, high] = open.back();
+      open.pop_back();
+      const double middle = 0.5 * (low + high);
+      const Pose::Overlap here = overlap(middle);
+      if (here == Pose::Overlap::no && gap_.at_least > speed_ * 0.5 * (high - low)) continue;
+      if (check_.poses >= options.most_poses) return undecided(low, open.empty() ? high : 1);
+      if (high - low <= options.resolution || middle <= low || middle >= high) return ended(low, high, here);
+      open.push_back({middle, high});
+      open.push_back({low, middle});
+    }
+    return check_;
+  }
+
+ private:
+  Pose::Overlap overlap(double t) {
+    ++check_.poses;
+    const double x = a_.x + t * d_.x, y = a_.y + t * d_.y, theta = a_.theta + t * d_.theta;
+    const double c = std::cos(theta), s = std::sin(theta);
+    const Pose::Overlap o = pose_.overlap(x, y, c, s, slack_);
+    if (o == Pose::Overlap::no) gap_ = pose_.gap(x, y, c, s, slack_);
+    return o;
+  }
+
+  void name_contact(double t) {
+    const double x = a_.x + t * d_.x, y = a_.y + t * d_.y, theta = a_.theta + t * d_.theta;
+    check_.contact = pose_.gap(x, y, std::cos(theta), std::sin(theta), slack_).nearest;
+  }
+
+  MotionCheck undecided(double low, double high) {
+    check_.outcome = MotionCheck::Outcome::undecided;
+    check_.low = low;
+    check_.high = high;
+    name_contact(low);
+    return check_;
+  }
+
+  // An interval too short to halve and not free: a proved overlap shortly behind tells a collision from grazing.
+  MotionCheck ended(double low, double high, Pose::Overlap here) {
+    const double width = high - low;
+    undecided(low, high);
+    double ahead = here == Pose::Overlap::yes ? 0.5 * (low + high) : high;
+    for (int k = 0; k < kLook && here != Pose::Overlap::yes && ahead <= 1; ++k) {
+      here = overlap(ahead);
+      if (here == Pose::Overlap::no && gap_.at_least > speed_ * width) break;
+      if (here != Pose::Overlap::yes) ahead = std::min(ahead < 1 ? 1.0 : 2.0, ahead + 0.5 * width);
+    }
+    if (here == Pose::Overlap::yes) {
+      check_.outcome = MotionCheck::Outcome::blocked;
+      check_.high = std::min(ahead, 1.0);
+    }
+    return check_;
+  }
+
+  static constexpr int kLook = 64;  // half steps behind the first touch that are searched for an overlap
+
+  Pose pose_;
+  Configuration a_, d_;
+  double slack_ = 0, speed_ = 0;
+  Pose::Gap gap_;
+  MotionCheck check_;
+};
+
+}  // namespace
+
+Result<MotionCheck> check_motion(const Region& robot, const Region& obstacle, const Configuration& a,
+                                 const Configuration& b, const MotionOptions& options) {
+  for (const Region* r : {&robot, &obstacle})
+    if (r->empty() || !r->polylines().empty() || !r->points().empty())
+      return Error{Code::unsupported_operand, "robot and obstacle consist of parts with area and are not empty", {}};
+  for (const double v : {a.x, a.y, a.theta, b.x, b.y, b.theta})
+    if (!std::isfinite(v)) return Error{Code::not_finite, "a configuration is not finite", {}};
+  return Sweep(robot, obstacle, a, b).run(options);
+}
+
+}  // namespace dymsum

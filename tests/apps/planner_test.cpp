@@ -1,0 +1,343 @@
+// The planner: scenes whose answers are known, and random ones against a flood fill of certified balls.
+#include "dymsum/planner.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+#include <queue>
+#include <random>
+
+#include "dymsum/region.h"
+
+namespace dymsum {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+Region region(std::vector<Part> parts) {
+  RegionData data;
+  data.parts = std::move(parts);
+  Result<Repaired> repaired = repair(std::move(data));
+  return repaired.value().region;
+}
+
+Ring box(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
+
+CspaceObstacle obstacle_of(const Region& robot, const Region& obstacle) {
+  return CspaceObstacle::create(robot, obstacle).value();
+}
+
+Plan plan_in(const CspaceObstacle& c, Configuration start, Configuration goal, Touching touching = Touching::allowed) {
+  PlanOptions options;
+  options.touching = touching;
+  return plan(c, start, goal, options).value();
+}
+
+// Every piece by the public exact checks, and in a strict plan many poses of every piece by contains().
+void expect_valid(const CspaceObstacle& c, const Plan& p, Configuration start, Configuration goal, Touching touching) {
+  ASSERT_TRUE(p.found());
+  ASSERT_FALSE(p.path.empty());
+  EXPECT_EQ(p.path.front().approx.x, start.x);
+  EXPECT_EQ(p.path.front().approx.y, start.y);
+  EXPECT_EQ(p.path.front().theta, *Orientation::nearest(start.theta));
+  EXPECT_EQ(p.path.back().approx.x, goal.x);
+  EXPECT_EQ(p.path.back().approx.y, goal.y);
+  EXPECT_EQ(p.path.back().theta, *Orientation::nearest(goal.theta));
+  for (std::size_t k = 1; k < p.path.size(); ++k) {
+    const Waypoint &a = p.path[k - 1], &b = p.path[k];
+    if (b.move == Waypoint::Move::translation) {
+      ASSERT_EQ(a.theta, b.theta);
+      ASSERT_TRUE(check_translation(c.robot(), c.obstacle(), a.at, b.at, a.theta, touching)->free) << k;
+    } else {
+      ASSERT_EQ(a.at, b.at);
+      const auto d = b.move == Waypoint::Move::clockwise ? TurnDirection::clockwise : TurnDirection::counter_clockwise;
+      ASSERT_TRUE(check_rotation(c.robot(), c.obstacle(), a.at, a.theta, b.theta, d, touching)->free) << k;
+    }
+    if (touching == Touching::allowed) continue;
+    double turn = b.approx.theta - a.approx.theta;
+    if (b.move == Waypoint::Move::counter_clockwise && turn < 0) turn += 2 * kPi;
+    if (b.move == Waypoint::Move::clockwise && turn > 0) turn -= 2 * kPi;
+    for (int i = 0; i <= 40; ++i) {
+      const double s = i / 40.0, x = a.approx.x + s * (b.approx.x - a.approx.x), y = a.approx.y + s * (b.approx.y - a.approx.y);
+      const Orientation theta = turn == 0 || i == 0 ? a.theta : i == 40 ? b.theta : *Orientation::nearest(a.approx.theta + s * turn);
+      ASSERT_FALSE(c.contains(x, y, theta)) << k << " at " << s;
+    }
+  }
+}
+
+void expect_path(const CspaceObstacle& c, Configuration start, Configuration goal, Touching touching = Touching::allowed) {
+  const Plan p = plan_in(c, start, goal, touching);
+  ASSERT_TRUE(p.found()) << p.reason->text;
+  expect_valid(c, p, start, goal, touching);
+}
+
+NoPath expect_none(const CspaceObstacle& c, Configuration start, Configuration goal, NoPath::Kind kind, Touching touching = Touching::allowed) {
+  const Plan p = plan_in(c, start, goal, touching);
+  EXPECT_FALSE(p.found());
+  EXPECT_TRUE(p.path.empty());
+  if (p.found()) return {};
+  EXPECT_EQ(p.reason->kind, kind) << p.reason->text;
+  return *p.reason;
+}
+
+// Two rooms of 10 x 10 and a wall between them, 2 thick, with a doorway from y = low to y = high.
+Region rooms(double low, double high) {
+  return region({{box(-12, -6, 12, 6), {{{-11, -5}, {-11, 5}, {-1, 5}, {-1, high}, {1, high}, {1, 5}, {11, 5}, {11, -5}, {1, -5}, {1, low}, {-1, low}, {-1, -5}}}}});
+}
+
+Region bar() { return region({{box(-3, -0.5, 3, 0.5), {}}}); }
+Region square() { return region({{box(0, 0, 1, 1), {}}}); }
+
+TEST(Planner, a_bar_turns_to_pass_a_doorway_narrower_than_its_length) {
+  const CspaceObstacle c = obstacle_of(bar(), rooms(-1, 1));
+  expect_path(c, {-6, 0, kPi / 2}, {6, 0, kPi / 2});
+  expect_path(c, {-6, 0, kPi / 2}, {6, 0, -kPi / 2}, Touching::forbidden);
+}
+
+TEST(Planner, an_L_turns_round_the_jamb) {
+  const Region robot = region({{{{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 4}, {0, 4}}, {}}});
+  const CspaceObstacle c = obstacle_of(robot, rooms(-1.25, 1.25));
+  expect_path(c, {-7, -2, 0}, {7, 2, kPi}, Touching::forbidden);
+}
+
+TEST(Planner, a_bar_cannot_turn_in_a_corridor) {
+  const CspaceObstacle c = obstacle_of(bar(), region({{box(-20, -3, 20, 3), {{{-19, -2}, {-19, 2}, {19, 2}, {19, -2}}}}}));
+  expect_path(c, {-10, 0, 0}, {10, 1, 0.1});
+  const NoPath reason = expect_none(c, {-10, 0, 0}, {10, 0, kPi}, NoPath::Kind::separated);
+  ASSERT_EQ(reason.start.size(), 1u);
+  EXPECT_FALSE(reason.start[0].unbounded);
+  EXPECT_FALSE(reason.start[0].all_angles);
+  EXPECT_LT(reason.start[0].from, 0);
+  EXPECT_GT(reason.start[0].to, 0);
+}
+
+TEST(Planner, a_bug_trap_is_left_through_its_mouth) {
+  const Region trap = region({{{{-5, -5}, {5, -5}, {5, 5}, {-5, 5}, {-5, 0.5}, {0, 0.5}, {0, 1}, {-4, 1}, {-4, 4}, {4, 4},
+                               {4, -4}, {-4, -4}, {-4, -1}, {0, -1}, {0, -0.5}, {-5, -0.5}}, {}}});
+  const Region robot = region({{{{-0.4, -0.3}, {0.5, -0.2}, {0.1, 0.4}}, {}}});
+  const CspaceObstacle c = obstacle_of(robot, trap);
+  expect_path(c, {2, 2, 1}, {-9, 3, -2}, Touching::forbidden);
+}
+
+TEST(Planner, a_slot_of_exactly_the_width_is_passed_only_by_touching) {
+  const CspaceObstacle c = obstacle_of(square(), rooms(0, 1));
+  const Configuration start{-5, 1.5, 0.3}, goal{5, -2.25, 2};
+  expect_path(c, start, goal);
+  expect_none(c, start, goal, NoPath::Kind::separated, Touching::forbidden);
+  expect_path(c, {-0.5, 0, 0}, goal);
+  expect_path(c, {-0.5, 1, -kPi / 2}, {0, 0, 0});
+}
+
+TEST(Planner, a_slot_a_hair_too_narrow_is_not_passed) {
+  const CspaceObstacle c = obstacle_of(square(), rooms(0, 1 - 0x1p-20));
+  expect_none(c, {-5, 1.5, 0.3}, {5, -2.25, 2}, NoPath::Kind::separated);
+  expect_path(c, {-5, 1.5, 0.3}, {-9, -2.25, 2});
+}
+
+TEST(Planner, a_slot_a_hair_wider_is_passed_without_touching) {
+  const CspaceObstacle c = obstacle_of(square(), rooms(0, 1 + 0x1p-20));
+  expect_path(c, {-5, 1.5, 0.3}, {5, -2.25, 2}, Touching::forbidden);
+}
+
+TEST(Planner, a_slanted_slot_of_exactly_the_width) {
+  // The rooms along (3, 4), five times as long: all corners stay integers.
+  const Region straight = rooms(0, 1);
+  RegionData data = straight.data();
+  const auto turned = [](Ring& ring) {
+    for (Point& p : ring) p = {3 * p.x - 4 * p.y, 4 * p.x + 3 * p.y};
+  };
+  turned(data.parts[0].outer);
+  turned(data.parts[0].holes[0]);
+  const CspaceObstacle c = obstacle_of(region({{box(0, 0, 5, 5), {}}}), *Region::create(data));
+  expect_path(c, {-15, -20, 0}, {15, 20, 1});
+  expect_none(c, {-15, -20, 0}, {15, 20, 1}, NoPath::Kind::separated, Touching::forbidden);
+}
+
+TEST(Planner, an_enclosed_start_and_ends_that_are_not_free) {
+  const CspaceObstacle c = obstacle_of(square(), rooms(-1, 1));
+  const NoPath out = expect_none(c, {-5, 0, 0}, {50, 0, 0}, NoPath::Kind::separated);
+  EXPECT_FALSE(out.start.at(0).unbounded);
+  EXPECT_TRUE(out.start.at(0).all_angles);
+  EXPECT_FALSE(out.start.at(0).shells.empty());
+  EXPECT_TRUE(out.goal.at(0).unbounded);
+  EXPECT_NE(out.text.find("enclosed"), std::string::npos);
+  expect_none(c, {-11.5, 0, 0}, {-5, 0, 0}, NoPath::Kind::start_not_free);
+  expect_none(c, {-5, 0, 0}, {-11.5, 0, 0}, NoPath::Kind::goal_not_free);
+  const NoPath touch = expect_none(c, {-11, 0, 0}, {-5, 0, 0}, NoPath::Kind::start_not_free, Touching::forbidden);
+  EXPECT_TRUE(touch.contact.has_value());
+  expect_path(c, {-11, 0, 0}, {-5, 0, 0});
+}
+
+TEST(Planner, nowhere_to_go_and_once_round) {
+  const CspaceObstacle c = obstacle_of(bar(), region({{box(10, 10, 11, 11), {}}}));
+  expect_path(c, {0, 0, 1}, {0, 0, 1});
+  EXPECT_EQ(plan_in(c, {0, 0, 1}, {0, 0, 1}).path.size(), 1u);
+  const Plan round = plan_in(c, {0, 0, 3}, {0, 0, -3});
+  ASSERT_EQ(round.path.size(), 2u);
+  EXPECT_EQ(round.path[1].move, Waypoint::Move::counter_clockwise);
+  expect_valid(c, round, {0, 0, 3}, {0, 0, -3}, Touching::allowed);
+}
+
+TEST(Planner, a_square_held_exactly_in_its_own_shape) {
+  const CspaceObstacle c = obstacle_of(square(), region({{box(-1, -1, 2, 2), {{{0, 0}, {0, 1}, {1, 1}, {1, 0}}}}}));
+  expect_path(c, {0, 0, 0}, {0, 0, 0});
+  const NoPath held = expect_none(c, {0, 0, 0}, {5, 5, 0}, NoPath::Kind::separated);
+  EXPECT_TRUE(held.start.empty());
+  expect_none(c, {0, 0, 0}, {1, 0, kPi / 2}, NoPath::Kind::separated);
+}
+
+TEST(Planner, errors) {
+  const CspaceObstacle c = obstacle_of(square(), rooms(-1, 1));
+  EXPECT_EQ(plan(c, {NAN, 0, 0}, {0, 0, 0}).error().code, Code::not_finite);
+  EXPECT_EQ(plan(c, {0, 0, INFINITY}, {0, 0, 0}).error().code, Code::bad_rotation);
+  EXPECT_EQ(plan(c, {0x1p401, 0, 0}, {0, 0, 0}).error().code, Code::unsupported_operand);
+  PlanOptions options;
+  options.progress = [](std::string_view, double) { return false; };
+  EXPECT_EQ(plan(c, {-5, 0, 0}, {5, 0, 1}, options).error().code, Code::cancelled);
+}
+
+// The slow answer: a grid of poses in doubles, joined where the distance of robot and obstacle exceeds what the step moves.
+class FloodFill {
+ public:
+  FloodFill(const CspaceObstacle& c, double reach, int steps, int turns)
+      : c_(c), reach_(reach), steps_(steps), turns_(turns), gap_(static_cast<std::size_t>(steps) * steps * turns, -1) {
+    for (const Part& part : c.robot().parts())
+      for (const Point& p : part.outer) radius_ = std::max(radius_, std::hypot(p.x, p.y));
+  }
+  Configuration at(int i, int j, int k) const {
+    return {-reach_ + 2 * reach_ * i / (steps_ - 1), -reach_ + 2 * reach_ * j / (steps_ - 1), -kPi + 2 * kPi * (k + 0.5) / turns_};
+  }
+  double gap(int i, int j, int k) {
+    double& g = gap_[static_cast<std::size_t>((k * steps_ + i) * steps_ + j)];
+    if (g >= 0) return g;
+    const Configuration q = at(i, j, k);
+    return g = c_.contains(q.x, q.y, *Orientation::nearest(q.theta, 1e-9)) ? 0 : std::max(0.0, distance(q) - 1e-6);
+  }
+  // The numbers of all poses that are reached from one.
+  std::vector<bool> reached(std::array<int, 3> from) {
+    std::vector<bool> seen(gap_.size(), false);
+    std::queue<std::array<int, 3>> open;
+    const auto number = [&](const std::array<int, 3>& n) { return static_cast<std::size_t>((n[2] * steps_ + n[0]) * steps_ + n[1]); };
+    seen[number(from)] = true;
+    open.push(from);
+    const double step = 2 * reach_ / (steps_ - 1), turn = radius_ * 2 * kPi / turns_;
+    while (!open.empty()) {
+      const auto n = open.front();
+      open.pop();
+      for (int d = 0; d < 6; ++d) {
+        std::array<int, 3> m = n;
+        m[static_cast<std::size_t>(d / 2)] += d % 2 == 0 ? 1 : -1;
+        if (m[0] < 0 || m[1] < 0 || m[0] >= steps_ || m[1] >= steps_) continue;
+        m[2] = (m[2] + turns_) % turns_;
+        if (seen[number(m)] || std::max(gap(n[0], n[1], n[2]), gap(m[0], m[1], m[2])) <= (d < 4 ? step : turn)) continue;
+        seen[number(m)] = true;
+        open.push(m);
+      }
+    }
+    return seen;
+  }
+
+ private:
+  double distance(Configuration q) const {
+    double least = 1e300;
+    const auto segments = [](const Region& r, auto visit) {
+      for (const Part& part : r.parts()) {
+        const auto ring = [&](const Ring& v) {
+          for (std::size_t k = 0; k < v.size(); ++k) visit(v[k], v[(k + 1) % v.size()]);
+        };
+        ring(part.outer);
+        for (const Ring& hole : part.holes) ring(hole);
+      }
+    };
+    const auto point = [](Point a, Point b, Point p) {
+      const double dx = b.x - a.x, dy = b.y - a.y, s = std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / (dx * dx + dy * dy), 0.0, 1.0);
+      return std::hypot(p.x - a.x - s * dx, p.y - a.y - s * dy);
+    };
+    const double cosine = std::cos(q.theta), sine = std::sin(q.theta);
+    const auto moved = [&](Point p) { return Point{q.x + cosine * p.x - sine * p.y, q.y + sine * p.x + cosine * p.y}; };
+    segments(c_.robot(), [&](Point a, Point b) {
+      a = moved(a), b = moved(b);
+      segments(c_.obstacle(), [&](Point u, Point v) { least = std::min({least, point(a, b, u), point(u, v, a)}); });
+    });
+    return least;
+  }
+  const CspaceObstacle& c_;
+  double reach_, radius_ = 0;
+  int steps_, turns_;
+  std::vector<double> gap_;
+};
+
+using Random = std::mt19937_64;
+
+Region random_shape(Random& random, int reach, int most, double scale) {
+  const auto at = [&] { return scale * (static_cast<int>(random() % static_cast<unsigned>(2 * reach + 1)) - reach); };
+  for (;;) {
+    RegionData data;
+    data.parts.emplace_back();
+    const int n = 3 + static_cast<int>(random() % static_cast<unsigned>(most - 2));
+    for (int i = 0; i < n; ++i) data.parts[0].outer.push_back({at(), at()});
+    Result<Repaired> repaired = repair(data);
+    if (repaired.ok() && !repaired->region.empty() && repaired->region.touching_points().empty()) return repaired->region;
+  }
+}
+
+// A random cave: a star with deep corners, cut out of a box.
+Region random_cave(Random& random) {
+  for (;;) {
+    Part part{box(-8, -8, 8, 8), {Ring{}}};
+    for (int k = 0; k < 14; ++k) {
+      const double r = 1 + static_cast<double>(random() % 6), angle = -2 * kPi * k / 14;
+      part.holes[0].push_back({std::round(2 * r * std::cos(angle)) / 2, std::round(2 * r * std::sin(angle)) / 2});
+    }
+    if (Result<Region> cave = Region::create({{part}, {}, {}})) return std::move(cave).value();
+  }
+}
+
+TEST(Planner, random_scenes_agree_with_a_flood_fill) {
+  const char* first = std::getenv("DYMSUM_SEED");
+  const char* count = std::getenv("DYMSUM_FUZZ_PLANS");
+  const std::uint64_t begin = first ? std::stoull(first) : 1;
+  int found = 0, none = 0, reached_by_flood = 0, undecided = 0;
+  double slowest = 0;
+  for (std::uint64_t seed = begin; seed < begin + (count ? std::stoull(count) : 12); ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random random(seed);
+    const bool cave = seed % 3 != 0;
+    const Region robot = random_shape(random, 3, 5, cave ? 0.75 : 0.5);
+    const Region obstacle = cave ? random_cave(random) : random_shape(random, 5, 14, 1);
+    const CspaceObstacle c = obstacle_of(robot, obstacle);
+    constexpr int kSteps = 29, kTurns = 40;
+    FloodFill flood(c, 7, kSteps, kTurns);
+    std::vector<std::array<int, 3>> free;
+    for (int tries = 0; tries < 4000 && free.size() < 5; ++tries) {
+      const std::array<int, 3> n{4 + static_cast<int>(random() % 21), 4 + static_cast<int>(random() % 21), static_cast<int>(random() % kTurns)};
+      if (flood.gap(n[0], n[1], n[2]) > 0.01) free.push_back(n);
+    }
+    for (std::size_t k = 1; k < free.size(); ++k) {
+      const auto [i, j, t] = free[k];
+      const Configuration start = flood.at(free[0][0], free[0][1], free[0][2]), goal = flood.at(i, j, t);
+      const bool joined = flood.reached(free[0])[static_cast<std::size_t>((t * kSteps + i) * kSteps + j)];
+      const auto touching = random() % 2 == 0 ? Touching::forbidden : Touching::allowed;
+      const Plan p = plan_in(c, start, goal, touching);
+      slowest = std::max(slowest, p.work.ms);
+      if (std::getenv("DYMSUM_VERBOSE")) std::cout << seed << ": " << p.work.ms << " ms, levels " << p.work.levels << " slices " << p.work.slices << " rotations " << p.work.rotations << " rounds " << p.work.rounds << " points " << p.path.size() << "\n";
+      reached_by_flood += joined;
+      (p.found() ? found : none)++;
+      undecided += !p.found() && p.reason->kind == NoPath::Kind::undecided;
+      if (joined) {
+        ASSERT_TRUE(p.found()) << p.reason->text;
+      }
+      if (p.found()) expect_valid(c, p, start, goal, touching);
+      if (testing::Test::HasFatalFailure()) return;
+    }
+  }
+  std::cout << found << " found, " << none << " none, " << reached_by_flood << " reached by the flood fill, slowest " << slowest << " ms\n";
+  EXPECT_EQ(undecided, 0);
+  EXPECT_TRUE(first || count || (found > 0 && none > 0 && reached_by_flood > 0));
+}
+
+}  // namespace
+}  // namespace dymsum
