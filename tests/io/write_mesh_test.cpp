@@ -116,6 +116,27 @@ TEST(WriteMesh, GlbHoldsEveryTriangleWithItsNormal) {
   EXPECT_EQ(all["max"], Json::array({1, 2, 3}));
 }
 
+TEST(WriteMesh, FacesOfOneNumberLookSmoothAndNotesAreKept) {
+  const MeshData cube = solids::box(-1, -1, -1, 1, 1, 1).data();
+  const std::vector<std::pair<std::string, std::string>> notes = {{"z", "an angle"}, {"closed", "yes"}};
+  const auto normals = [&](const std::vector<std::uint32_t>& smooth) {
+    const Glb glb = opened(format_glb(cube, {{}, smooth, notes}));
+    EXPECT_EQ(glb.json["asset"]["extras"]["z"], "an angle");
+    EXPECT_EQ(glb.json["asset"]["extras"]["closed"], "yes");
+    const Json& primitive = glb.json["meshes"][0]["primitives"][0];
+    const Json& accessor = glb.json["accessors"][primitive["attributes"]["NORMAL"].get<std::size_t>()];
+    const Json& view = glb.json["bufferViews"][accessor["bufferView"].get<std::size_t>()];
+    std::vector<float> floats;
+    for (std::size_t i = 0; i < 3 * accessor["count"].get<std::size_t>(); ++i)
+      floats.push_back(
+          io::from_bytes<float>(glb.bytes, view["byteOffset"].get<std::size_t>() + 4 * i, std::endian::little));
+    return floats;
+  };
+  // Three faces with right angles meet at every corner, however they are split.
+  for (const float part : normals({0, 0, 0, 0, 0, 0})) EXPECT_NEAR(std::abs(part), std::sqrt(1.0 / 3), 1e-6);
+  EXPECT_EQ(normals({0, 1, 2, 3, 4, 5}), normals({})) << "creases everywhere";
+}
+
 TEST(WriteMesh, TheEmptyMeshIsAnEmptyScene) {
   const Glb glb = opened(format_mesh(Mesh(), MeshFormat::glb));
   EXPECT_FALSE(glb.json.contains("meshes"));
