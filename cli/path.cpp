@@ -3,9 +3,9 @@
 #include <iostream>
 #include <memory>
 #include <optional>
-#include <sstream>
 
 #include "commands.h"
+#include "configuration.h"
 #include "dymsum/planner.h"
 #include "exit_code.h"
 #include "inputs.h"
@@ -31,16 +31,6 @@ struct PlannedPath {
   Plan plan;
   int tier_bits = 0;
 };
-
-/// "x,y,theta".
-Configuration read_configuration(const std::string& text, const char* option) {
-  std::istringstream words(text);
-  Configuration q;
-  char first = 0, second = 0, rest = 0;
-  if (!(words >> q.x >> first >> q.y >> second >> q.theta) || first != ',' || second != ',' || (words >> rest))
-    throw Stop(kUsage, std::string(option) + " wants x,y,theta with theta in radians, not '" + text + "'");
-  return q;
-}
 
 const char* name_of(Waypoint::Move move) {
   switch (move) {
