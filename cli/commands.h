@@ -17,6 +17,7 @@ void add_scale_range(CLI::App& app, Action& action);
 void add_rotate(CLI::App& app, Action& action);
 void add_slice(CLI::App& app, Action& action);
 void add_cspace(CLI::App& app, Action& action);
+void add_clearance(CLI::App& app, Action& action);
 void add_path(CLI::App& app, Action& action);
 void add_depth(CLI::App& app, Action& action);
 void add_info(CLI::App& app, Action& action);

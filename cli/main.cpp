@@ -30,6 +30,7 @@ ExitCode run(int argc, char** argv) {
   add_rotate(app, action);
   add_slice(app, action);
   add_cspace(app, action);
+  add_clearance(app, action);
   add_path(app, action);
   add_depth(app, action);
   add_info(app, action);

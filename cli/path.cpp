@@ -79,7 +79,9 @@ Json reason_json(const NoPath& reason) {
   for (const FreeComponent& c : reason.goal) goal.push_back(component_json(c));
   if (reason.contact) {
     const bool fixed = reason.contact->kind == Contact::Kind::edge_of_p;
-    contact = {{"kind", fixed ? "vertex_on_edge" : "edge_on_vertex"}, {"obstacle", reason.contact->p}, {"robot", reason.contact->q}};
+    contact = {{"kind", fixed ? "vertex_on_edge" : "edge_on_vertex"},
+               {"obstacle", reason.contact->p},
+               {"robot", reason.contact->q}};
   }
   return {{"kind", name_of(reason.kind)}, {"text", reason.text}, {"contact", contact}, {"start", start}, {"goal", goal},
           {"unexamined_angles", reason.unexamined_angles}};
@@ -95,7 +97,11 @@ Json path_json(const PlannedPath& planned, const Timing& timing, const std::vect
           {"found", planned.plan.found()},
           {"waypoints", waypoints},
           {"reason", planned.plan.found() ? Json(nullptr) : reason_json(*planned.plan.reason)},
-          {"work", {{"levels", work.levels}, {"slices", work.slices}, {"rotations", work.rotations}, {"rounds", work.rounds}}}};
+          {"work",
+           {{"levels", work.levels},
+            {"slices", work.slices},
+            {"rotations", work.rotations},
+            {"rounds", work.rounds}}}};
 }
 
 void print_text(const Plan& plan) {
@@ -110,7 +116,8 @@ void print_text(const Plan& plan) {
 ExitCode run_path(const PathCommand& command) {
   const Configuration from = read_configuration(command.from, "--from"), to = read_configuration(command.to, "--to");
   for (const std::string& file : command.files)
-    if (!file.ends_with(".json") && !file.ends_with(".svg")) throw Stop(kUsage, "-o wants a .json or a .svg file, not " + file);
+    if (!file.ends_with(".json") && !file.ends_with(".svg"))
+      throw Stop(kUsage, "-o wants a .json or a .svg file, not " + file);
   const std::vector<Input> inputs = read_inputs(command.operands, command.input);
   const InterruptGuard guard;
   std::optional<ProgressBar> bar(std::in_place);
@@ -120,14 +127,16 @@ ExitCode run_path(const PathCommand& command) {
   options.progress = bar->callback();
   options.touching = command.strict ? Touching::forbidden : Touching::allowed;
   const auto compute = [&] {
-    const CspaceObstacle obstacle = require(CspaceObstacle::create(inputs[0].region, inputs[1].region, obstacle_options));
+    const CspaceObstacle obstacle =
+        require(CspaceObstacle::create(inputs[0].region, inputs[1].region, obstacle_options));
     return PlannedPath{require(plan(obstacle, from, to, options)), require(obstacle.slice({})).stats.tier_bits};
   };
   const auto [planned, timing] = timed(command.report.repeat, compute);
   bar.reset();
   const Json json = path_json(planned, timing, inputs);
   for (const std::string& file : command.files)
-    write_text(file, file.ends_with(".json") ? json.dump(2) + "\n" : path_picture(inputs[0].region, inputs[1].region, planned.plan.path));
+    write_text(file, file.ends_with(".json") ? json.dump(2) + "\n"
+                                             : path_picture(inputs[0].region, inputs[1].region, planned.plan.path));
   if (command.report.json) std::cout << json.dump(2) << "\n";
   else print_text(planned.plan);
   return planned.plan.found() ? kDone : kNo;
@@ -137,14 +146,18 @@ ExitCode run_path(const PathCommand& command) {
 
 void add_path(CLI::App& app, Action& action) {
   auto command = std::make_shared<PathCommand>();
-  CLI::App& verb = *app.add_subcommand("path", "A motion of a robot that translates and turns past an obstacle, or the proof that there is none; ends with 4 then");
+  CLI::App& verb = *app.add_subcommand("path",
+      "A motion of a robot that translates and turns past an obstacle, or the proof that there is none; ends with 4 then");
   add_operands(verb, "ROBOT", "OBSTACLE", command->operands);
-  verb.add_option("--from", command->from, "Where the robot starts, theta in radians")->type_name("x,y,theta")->required();
+  verb.add_option("--from", command->from,
+      "Where the robot starts, theta in radians")->type_name("x,y,theta")->required();
   verb.add_option("--to", command->to, "Where it is to go")->type_name("x,y,theta")->required();
   verb.add_flag("--strict", command->strict, "Touching the obstacle is forbidden");
-  verb.add_option("-o", command->files, "Write the path as .json, or as a picture .svg; repeatable")->type_name("FILE")->allow_extra_args(false);
+  verb.add_option("-o", command->files,
+      "Write the path as .json, or as a picture .svg; repeatable")->type_name("FILE")->allow_extra_args(false);
   add_report_options(verb, command->report, "Compute N times and report the median and minimum time");
-  verb.add_flag("--repair", command->input.repair, "Merge duplicate and collinear vertices, fix orientation, and say on standard error what changed");
+  verb.add_flag("--repair", command->input.repair,
+      "Merge duplicate and collinear vertices, fix orientation, and say on standard error what changed");
   verb.footer("Example: dymsum path bar.wkt rooms.wkt --from -6,0,1.5708 --to 6,0,0 -o path.svg");
   verb.callback([command, &action] { action = [command] { return run_path(*command); }; });
 }

@@ -57,18 +57,24 @@ std::string path_picture(const Region& robot, const Region& obstacle, const std:
     for (int i = 1; k + 1 < path.size() && i < kBetween; ++i) {
       const double s = static_cast<double>(i) / kBetween;
       const Configuration& next = path[k + 1].approx;
-      pale.push_back(robot_at(robot, {q.x + s * (next.x - q.x), q.y + s * (next.y - q.y), q.theta + s * turn_of(path[k], path[k + 1])}, seen));
+      const double theta = q.theta + s * turn_of(path[k], path[k + 1]);
+      pale.push_back(robot_at(robot, {q.x + s * (next.x - q.x), q.y + s * (next.y - q.y), theta}, seen));
     }
   }
   const Box box = seen.drawable();
   const double factor = kSize / box.size(), line = 1 / factor;
   std::ostringstream svg;
   svg << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << number(box.width() * factor + 2 * kMargin) << ' '
-      << number(box.height() * factor + 2 * kMargin) << "\">\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n<g transform=\"translate("
-      << number(kMargin) << ' ' << number(kMargin) << ") scale(" << number(factor) << ") translate(" << number(-box.x0) << ' ' << number(-box.y0) << ")\">\n";
+      << number(box.height() * factor + 2 * kMargin)
+          << "\">\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n<g transform=\"translate("
+      << number(kMargin) << ' ' << number(kMargin) << ") scale(" << number(factor) << ") translate("
+          << number(-box.x0) << ' ' << number(-box.y0) << ")\">\n";
   svg << outlined(wall.path, "fill=\"#9ecae1\" stroke=\"#08519c\"", line);
-  for (const std::string& data : pale) svg << outlined(data, "fill=\"#e8a33d\" fill-opacity=\"0.12\" stroke=\"#a8650a\" stroke-opacity=\"0.4\"", 0.6 * line);
-  for (const std::string& data : full) svg << outlined(data, "fill=\"#e8a33d\" fill-opacity=\"0.45\" stroke=\"#a8650a\"", line);
+  for (const std::string& data : pale)
+    svg << outlined(data, "fill=\"#e8a33d\" fill-opacity=\"0.12\" stroke=\"#a8650a\" stroke-opacity=\"0.4\"",
+                    0.6 * line);
+  for (const std::string& data : full)
+    svg << outlined(data, "fill=\"#e8a33d\" fill-opacity=\"0.45\" stroke=\"#a8650a\"", line);
   if (!way.empty()) svg << outlined(way, "fill=\"none\" stroke=\"#333333\"", 1.2 * line);
   svg << "</g>\n</svg>\n";
   return svg.str();

@@ -7,9 +7,9 @@
 #include <ostream>
 #include <random>
 #include <sstream>
+#include <vector>
 
 #include "cspace/sampled_depth.h"
-#include "dymsum/shapes.h"
 
 namespace dymsum::bench {
 namespace {
@@ -24,12 +24,6 @@ std::string shown(double v, int digits = 3) {
   std::ostringstream text;
   text << std::setprecision(digits) << v;
   return text.str();
-}
-
-Region named(std::string_view name) {
-  for (const shapes::Named& s : shapes::thesis_like_set())
-    if (s.name == name) return s.region;
-  return {};
 }
 
 std::vector<Configuration> around(const CspaceObstacle& obstacle, std::size_t count, std::uint64_t seed) {
@@ -126,14 +120,6 @@ double brute_seconds(const SampledDepth& sampled, const Configuration& from, std
 }
 
 }  // namespace
-
-std::vector<QueryPair> depth_pairs() {
-  const Region bar = named("bar");
-  return {{"bar/circle", bar, shapes::disc(32, bounds(bar)[2])},
-          {"bar/sewing", bar, named("sewing")},
-          {"star/star", named("star"), named("star")},
-          {"grate 1/grate 2", named("G1"), named("G2")}};
-}
 
 void QueryTables::heading() {
   const Cells cells{"pair", "patches", "index ms, MB", "contains us (mean of a batch, median)", "exact answers",

@@ -1,9 +1,9 @@
 // Questions to the obstacles of pairs of the thesis: time, work, and the errors of its sampled penetration depth.
 #pragma once
 
+#include <cstddef>
 #include <iosfwd>
 #include <string>
-#include <vector>
 
 #include "dymsum/region.h"
 
@@ -13,9 +13,6 @@ struct QueryPair {
   std::string name;
   Region robot, obstacle;
 };
-
-/// Stand-ins for the pairs of table 4.3.
-std::vector<QueryPair> depth_pairs();
 
 /// Measures a pair with random configurations around the obstacle and writes rows of markdown tables.
 class QueryTables {

@@ -23,16 +23,38 @@ using Exact = Kernel::FT::Exact_type;
 /// Sums with more vertices than this are not added up exactly: the fractions grow with every vertex.
 constexpr std::size_t kExactAreaVertices = 1500;
 
-Polygon polygon(const Ring& ring) {
+Kernel::Point_2 as_given(const Point& point) { return {point.x, point.y}; }
+
+/// -R(theta), applied exactly: its results are plain numbers, without the operations that led to them.
+class ReflectedTurn {
+ public:
+  explicit ReflectedTurn(const Orientation& theta) {
+    const Exact n(theta.tan_half().num), d(theta.tan_half().den);
+    const Exact w = n * n + d * d;
+    cosine_ = (d * d - n * n) / w;
+    sine_ = 2 * n * d / w;
+  }
+  Kernel::Point_2 operator()(const Point& point) const {
+    const Exact x(point.x), y(point.y);
+    return {Kernel::FT(Exact(sine_ * y - cosine_ * x)), Kernel::FT(Exact(-sine_ * x - cosine_ * y))};
+  }
+
+ private:
+  Exact cosine_, sine_;
+};
+
+template <class Place>
+Polygon polygon(const Ring& ring, const Place& place) {
   Polygon result;
-  for (const Point& point : ring) result.push_back(Kernel::Point_2(point.x, point.y));
+  for (const Point& point : ring) result.push_back(place(point));
   return result;
 }
 
-PolygonWithHoles polygon(const RegionData& region) {
+template <class Place>
+PolygonWithHoles polygon(const RegionData& region, const Place& place) {
   const Part& part = region.parts.at(0);
-  PolygonWithHoles result(polygon(part.outer));
-  for (const Ring& hole : part.holes) result.add_hole(polygon(hole));
+  PolygonWithHoles result(polygon(part.outer, place));
+  for (const Ring& hole : part.holes) result.add_hole(polygon(hole, place));
   return result;
 }
 
@@ -138,7 +160,9 @@ struct CgalOperands::Polygons {
 };
 
 CgalOperands::CgalOperands(const RegionData& p, const RegionData& q)
-    : polygons_(new Polygons{polygon(p), polygon(q)}) {}
+    : polygons_(new Polygons{polygon(p, as_given), polygon(q, as_given)}) {}
+CgalOperands::CgalOperands(const RegionData& p, const RegionData& q, const Orientation& theta)
+    : polygons_(new Polygons{polygon(p, as_given), polygon(q, ReflectedTurn(theta))}) {}
 CgalOperands::~CgalOperands() = default;
 
 RivalAnswer CgalOperands::sum(CgalMethod method, const Repeats& repeats) const {

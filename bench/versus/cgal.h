@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "dymsum/orientation.h"
 #include "dymsum/region.h"
 #include "versus/rival.h"
 
@@ -22,6 +23,8 @@ const char* name(CgalMethod method);
 class CgalOperands {
  public:
   CgalOperands(const RegionData& p, const RegionData& q);
+  /// `p` and -R(theta) `q`, the turned vertices being the exact rationals.
+  CgalOperands(const RegionData& p, const RegionData& q, const Orientation& theta);
   ~CgalOperands();
 
   RivalAnswer sum(CgalMethod method, const Repeats& repeats) const;

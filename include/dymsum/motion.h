@@ -44,14 +44,16 @@ struct TurnInterval {
 
 struct RotationCheck {
   bool free = true;
-  std::optional<EventAngle> first;  ///< the first angle behind which the robot overlaps (or at which it touches, where that is forbidden)
+  /// the first angle behind which the robot overlaps (or at which it touches, where that is forbidden)
+  std::optional<EventAngle> first;
   std::optional<Contact> contact;   ///< there; none where the start itself is deep inside the obstacle
   bool always = false;              ///< at no angle is there an overlap
-  std::vector<TurnInterval> free_angles;  ///< else the angles without overlap, single ones left out; by increasing begin
+  /// else the angles without overlap, single ones left out; by increasing begin
+  std::vector<TurnInterval> free_angles;
 };
 
-/// The robot at `at`, turned in place from one orientation to the other; equal ones: not at all. Exact: every contact of
-/// an edge and a vertex is at roots of a quadratic in tan(theta / 2); one orientation is tested between neighbours.
+/// The robot at `at`, turned in place from one orientation to the other; equal ones: not at all. Exact: every contact
+/// of an edge and a vertex is at roots of a quadratic in tan(theta / 2); one orientation is tested between neighbours.
 /// Errors: as check_translation. Cost: O(nm) filtered pairs, and a slice for each angle that doubles do not decide.
 Result<RotationCheck> check_rotation(const Region& robot, const Region& obstacle, const RationalPoint& at,
                                      const Orientation& from, const Orientation& to, TurnDirection turn,
@@ -71,15 +73,17 @@ struct MotionCheck {
     undecided,  ///< closer to a touch between `low` and `high` than the resolution tells; to be treated as not free
   };
   Outcome outcome = Outcome::free;
-  double low = 1, high = 1;        ///< the way is proved free on [0, low); the first contact, if any, lies in [low, high]
+  /// the way is proved free on [0, low); the first contact, if any, lies in [low, high]
+  double low = 1, high = 1;
   std::optional<Contact> contact;  ///< the nearest edge and vertex at `low`
   std::uint64_t poses = 0;         ///< examined
 };
 
-/// x, y and theta linear in time at once, theta at face value: the way from 0 to 7 is more than a whole turn. Certified: a
-/// pose with a gap larger than |d(x, y)| + R |d theta| is free up to there, R being the robot's reach; an overlap that
-/// exceeds all rounding errors is proved; otherwise the interval is halved. Source: Schwarzer, Saha and Latombe, "Exact
-/// collision checking of robot paths" (2004). Errors: unsupported_operand as CspaceObstacle::create; not_finite.
+/// x, y and theta linear in time at once, theta at face value: the way from 0 to 7 is more than a whole turn.
+/// Certified: a pose with a gap larger than |d(x, y)| + R |d theta| is free up to there, R being the robot's reach; an
+/// overlap that exceeds all rounding errors is proved; otherwise the interval is halved. Source: Schwarzer, Saha and
+/// Latombe, "Exact collision checking of robot paths" (2004). Errors: unsupported_operand as CspaceObstacle::create;
+/// not_finite.
 Result<MotionCheck> check_motion(const Region& robot, const Region& obstacle, const Configuration& a,
                                  const Configuration& b, const MotionOptions& options = {});
 

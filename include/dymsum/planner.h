@@ -40,8 +40,10 @@ struct NoPath {
   Kind kind = Kind::separated;
   std::string text;                              ///< one sentence
   std::optional<Contact> contact;                ///< where start or goal touches
-  std::vector<FreeComponent> start, goal;        ///< the components around them; several where touching joins them, none in a tight place
-  std::uint32_t unexamined_angles = 0;           ///< events at irrational angles, at which nothing is passed by touching alone
+  /// the components around them; several where touching joins them, none in a tight place
+  std::vector<FreeComponent> start, goal;
+  /// events at irrational angles, at which nothing is passed by touching alone
+  std::uint32_t unexamined_angles = 0;
 };
 
 struct PlanWork {
@@ -63,15 +65,16 @@ struct PlanOptions {
 };
 
 /// A path from start to goal, or why there is none. x and y are taken at face value, theta as Orientation::nearest.
-/// Touching forbidden: complete. Two places are joined exactly if FreeCell::component is the same; a path in it has some
-/// distance from the obstacle, so that finitely many orientations suffice, which are added round by round until it is found.
-/// Touching allowed: joins further what touches at event angles with a rational tangent of the half angle, and at every
-/// angle where regions touch themselves; passages that are open at one irrational angle alone are not examined.
+/// Touching forbidden: complete. Two places are joined exactly if FreeCell::component is the same; a path in it has
+/// some distance from the obstacle, so that finitely many orientations suffice, which are added round by round until it
+/// is found.
+/// Touching allowed: joins further what touches at event angles with a rational tangent of the half angle; passages
+/// that are open at one irrational angle alone are not examined, and not counted on.
 /// Every translation and rotation of a path is free by check_translation and check_rotation.
-/// Errors: bad_rotation and not_finite for configurations that are not finite; unsupported_operand for coordinates beyond
-/// 2^400; cancelled.
-/// Cost: a slice and a graph of it per event angle on the way, O(n (n + k)) each for n edges and k of them over one place,
-/// and O(NM) filtered signs per rotation tried, N and M being the sizes of robot and obstacle.
+/// Errors: bad_rotation and not_finite for configurations that are not finite; unsupported_operand for coordinates
+/// beyond 2^400; cancelled.
+/// Cost: a slice and a graph of it per event angle on the way, O(n (n + k)) each for n edges and k of them over one
+/// place, and O(NM) filtered signs per rotation tried, N and M being the sizes of robot and obstacle.
 Result<Plan> plan(const CspaceObstacle& obstacle, const Configuration& start, const Configuration& goal,
                   const PlanOptions& options = {});
 

@@ -10,6 +10,7 @@
 #include <queue>
 #include <random>
 
+#include "dymsum/planar_sum.h"
 #include "dymsum/region.h"
 
 namespace dymsum {
@@ -61,20 +62,24 @@ void expect_valid(const CspaceObstacle& c, const Plan& p, Configuration start, C
     if (b.move == Waypoint::Move::counter_clockwise && turn < 0) turn += 2 * kPi;
     if (b.move == Waypoint::Move::clockwise && turn > 0) turn -= 2 * kPi;
     for (int i = 0; i <= 40; ++i) {
-      const double s = i / 40.0, x = a.approx.x + s * (b.approx.x - a.approx.x), y = a.approx.y + s * (b.approx.y - a.approx.y);
-      const Orientation theta = turn == 0 || i == 0 ? a.theta : i == 40 ? b.theta : *Orientation::nearest(a.approx.theta + s * turn);
+      const double s = i / 40.0, x = a.approx.x + s * (b.approx.x - a.approx.x), y = a.approx.y +
+          s * (b.approx.y - a.approx.y);
+      const Orientation theta = turn == 0 || i == 0 ? a.theta : i == 40 ? b.theta
+          : *Orientation::nearest(a.approx.theta + s * turn);
       ASSERT_FALSE(c.contains(x, y, theta)) << k << " at " << s;
     }
   }
 }
 
-void expect_path(const CspaceObstacle& c, Configuration start, Configuration goal, Touching touching = Touching::allowed) {
+void expect_path(const CspaceObstacle& c, Configuration start, Configuration goal,
+    Touching touching = Touching::allowed) {
   const Plan p = plan_in(c, start, goal, touching);
   ASSERT_TRUE(p.found()) << p.reason->text;
   expect_valid(c, p, start, goal, touching);
 }
 
-NoPath expect_none(const CspaceObstacle& c, Configuration start, Configuration goal, NoPath::Kind kind, Touching touching = Touching::allowed) {
+NoPath expect_none(const CspaceObstacle& c, Configuration start, Configuration goal, NoPath::Kind kind,
+    Touching touching = Touching::allowed) {
   const Plan p = plan_in(c, start, goal, touching);
   EXPECT_FALSE(p.found());
   EXPECT_TRUE(p.path.empty());
@@ -85,7 +90,8 @@ NoPath expect_none(const CspaceObstacle& c, Configuration start, Configuration g
 
 // Two rooms of 10 x 10 and a wall between them, 2 thick, with a doorway from y = low to y = high.
 Region rooms(double low, double high) {
-  return region({{box(-12, -6, 12, 6), {{{-11, -5}, {-11, 5}, {-1, 5}, {-1, high}, {1, high}, {1, 5}, {11, 5}, {11, -5}, {1, -5}, {1, low}, {-1, low}, {-1, -5}}}}});
+  return region({{box(-12, -6, 12, 6), {{{-11, -5}, {-11, 5}, {-1, 5}, {-1, high}, {1, high}, {1, 5}, {11, 5}, {11,
+      -5}, {1, -5}, {1, low}, {-1, low}, {-1, -5}}}}});
 }
 
 Region bar() { return region({{box(-3, -0.5, 3, 0.5), {}}}); }
@@ -104,7 +110,8 @@ TEST(Planner, an_L_turns_round_the_jamb) {
 }
 
 TEST(Planner, a_bar_cannot_turn_in_a_corridor) {
-  const CspaceObstacle c = obstacle_of(bar(), region({{box(-20, -3, 20, 3), {{{-19, -2}, {-19, 2}, {19, 2}, {19, -2}}}}}));
+  const CspaceObstacle c = obstacle_of(bar(), region({{box(-20, -3, 20, 3), {{{-19, -2}, {-19, 2}, {19, 2}, {19,
+      -2}}}}}));
   expect_path(c, {-10, 0, 0}, {10, 1, 0.1});
   const NoPath reason = expect_none(c, {-10, 0, 0}, {10, 0, kPi}, NoPath::Kind::separated);
   ASSERT_EQ(reason.start.size(), 1u);
@@ -115,7 +122,8 @@ TEST(Planner, a_bar_cannot_turn_in_a_corridor) {
 }
 
 TEST(Planner, a_bug_trap_is_left_through_its_mouth) {
-  const Region trap = region({{{{-5, -5}, {5, -5}, {5, 5}, {-5, 5}, {-5, 0.5}, {0, 0.5}, {0, 1}, {-4, 1}, {-4, 4}, {4, 4},
+  const Region trap = region({{{{-5, -5}, {5, -5}, {5, 5}, {-5, 5}, {-5, 0.5}, {0, 0.5}, {0, 1}, {-4, 1}, {-4, 4}, {4,
+      4},
                                {4, -4}, {-4, -4}, {-4, -1}, {0, -1}, {0, -0.5}, {-5, -0.5}}, {}}});
   const Region robot = region({{{{-0.4, -0.3}, {0.5, -0.2}, {0.1, 0.4}}, {}}});
   const CspaceObstacle c = obstacle_of(robot, trap);
@@ -199,7 +207,8 @@ TEST(Planner, errors) {
   EXPECT_EQ(plan(c, {-5, 0, 0}, {5, 0, 1}, options).error().code, Code::cancelled);
 }
 
-// The slow answer: a grid of poses in doubles, joined where the distance of robot and obstacle exceeds what the step moves.
+// The slow answer: a grid of poses in doubles, joined where the distance of robot and obstacle exceeds what the step
+// moves.
 class FloodFill {
  public:
   FloodFill(const CspaceObstacle& c, double reach, int steps, int turns)
@@ -208,7 +217,8 @@ class FloodFill {
       for (const Point& p : part.outer) radius_ = std::max(radius_, std::hypot(p.x, p.y));
   }
   Configuration at(int i, int j, int k) const {
-    return {-reach_ + 2 * reach_ * i / (steps_ - 1), -reach_ + 2 * reach_ * j / (steps_ - 1), -kPi + 2 * kPi * (k + 0.5) / turns_};
+    return {-reach_ + 2 * reach_ * i / (steps_ - 1), -reach_ + 2 * reach_ * j / (steps_ - 1), -kPi + 2 * kPi * (k +
+        0.5) / turns_};
   }
   double gap(int i, int j, int k) {
     double& g = gap_[static_cast<std::size_t>((k * steps_ + i) * steps_ + j)];
@@ -220,7 +230,8 @@ class FloodFill {
   std::vector<bool> reached(std::array<int, 3> from) {
     std::vector<bool> seen(gap_.size(), false);
     std::queue<std::array<int, 3>> open;
-    const auto number = [&](const std::array<int, 3>& n) { return static_cast<std::size_t>((n[2] * steps_ + n[0]) * steps_ + n[1]); };
+    const auto number = [&](const std::array<int, 3>& n) { return static_cast<std::size_t>((n[2] * steps_ +
+        n[0]) * steps_ + n[1]); };
     seen[number(from)] = true;
     open.push(from);
     const double step = 2 * reach_ / (steps_ - 1), turn = radius_ * 2 * kPi / turns_;
@@ -232,7 +243,8 @@ class FloodFill {
         m[static_cast<std::size_t>(d / 2)] += d % 2 == 0 ? 1 : -1;
         if (m[0] < 0 || m[1] < 0 || m[0] >= steps_ || m[1] >= steps_) continue;
         m[2] = (m[2] + turns_) % turns_;
-        if (seen[number(m)] || std::max(gap(n[0], n[1], n[2]), gap(m[0], m[1], m[2])) <= (d < 4 ? step : turn)) continue;
+        if (seen[number(m)] || std::max(gap(n[0], n[1], n[2]), gap(m[0], m[1], m[2])) <= (d < 4 ? step
+            : turn)) continue;
         seen[number(m)] = true;
         open.push(m);
       }
@@ -253,7 +265,8 @@ class FloodFill {
       }
     };
     const auto point = [](Point a, Point b, Point p) {
-      const double dx = b.x - a.x, dy = b.y - a.y, s = std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / (dx * dx + dy * dy), 0.0, 1.0);
+      const double dx = b.x - a.x, dy = b.y - a.y, s = std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / (dx * dx +
+          dy * dy), 0.0, 1.0);
       return std::hypot(p.x - a.x - s * dx, p.y - a.y - s * dy);
     };
     const double cosine = std::cos(q.theta), sine = std::sin(q.theta);
@@ -280,7 +293,8 @@ Region random_shape(Random& random, int reach, int most, double scale) {
     const int n = 3 + static_cast<int>(random() % static_cast<unsigned>(most - 2));
     for (int i = 0; i < n; ++i) data.parts[0].outer.push_back({at(), at()});
     Result<Repaired> repaired = repair(data);
-    if (repaired.ok() && !repaired->region.empty() && repaired->region.touching_points().empty()) return repaired->region;
+    if (repaired.ok() && !repaired->region.empty() &&
+        repaired->region.touching_points().empty()) return repaired->region;
   }
 }
 
@@ -294,6 +308,68 @@ Region random_cave(Random& random) {
     }
     if (Result<Region> cave = Region::create({{part}, {}, {}})) return std::move(cave).value();
   }
+}
+
+// A maze of unit squares in a frame; none of its walls touch only at corners.
+Region random_maze(Random& random, int n, std::vector<std::vector<bool>>& wall) {
+  for (;;) {
+    std::vector<Region> blocks;
+    wall.assign(static_cast<std::size_t>(n + 2), std::vector<bool>(static_cast<std::size_t>(n + 2), false));
+    for (int i = 0; i <= n + 1; ++i)
+      for (int j = 0; j <= n + 1; ++j) {
+        const bool solid = i == 0 || j == 0 || i > n || j > n || random() % 5 < 2;
+        wall[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = solid;
+        if (solid) blocks.push_back(region({{box(i, j, i + 1, j + 1), {}}}));
+      }
+    Result<Region> all = union_of(blocks)->rounded();
+    if (all.ok() && all->touching_points().empty()) return std::move(all).value();
+  }
+}
+
+TEST(Planner, a_square_in_mazes_of_exactly_its_width) {
+  int found = 0, none = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random random(seed);
+    std::vector<std::vector<bool>> wall;
+    const CspaceObstacle c = obstacle_of(square(), random_maze(random, 5, wall));
+    std::vector<std::pair<std::size_t, std::size_t>> rooms;
+    for (std::size_t i = 0; i < wall.size(); ++i)
+      for (std::size_t j = 0; j < wall.size(); ++j)
+        if (!wall[i][j]) rooms.emplace_back(i, j);
+    if (rooms.empty()) continue;
+    std::vector<std::pair<std::size_t, std::size_t>> open{rooms[random() % rooms.size()]};
+    const auto [gi, gj] = rooms[random() % rooms.size()];
+    const Configuration start{static_cast<double>(open[0].first), static_cast<double>(open[0].second), 0};
+    std::vector<std::vector<bool>> seen = wall;
+    seen[open[0].first][open[0].second] = true;
+    bool reached = false;
+    while (!open.empty()) {
+      const auto [i, j] = open.back();
+      open.pop_back();
+      reached = reached || (i == gi && j == gj);
+      for (const auto& [a, b] : {std::pair{i + 1, j}, {i - 1, j}, {i, j + 1}, {i, j - 1}})
+        if (!seen[a][b]) {
+          seen[a][b] = true;
+          open.emplace_back(a, b);
+        }
+    }
+    // The goal turned by a quarter about its own middle.
+    const bool quarter = random() % 2 == 0;
+    const Configuration goal{static_cast<double>(gi) + quarter, static_cast<double>(gj), quarter ? kPi / 2 : 0};
+    const Plan p = plan_in(c, start, goal);
+    if (!quarter) {
+      ASSERT_EQ(p.found(), reached);
+    }
+    if (p.found()) {
+      ASSERT_TRUE(reached);
+      expect_valid(c, p, start, goal, Touching::allowed);
+    }
+    (p.found() ? found : none)++;
+    if (testing::Test::HasFatalFailure()) return;
+  }
+  EXPECT_GT(found, 5);
+  EXPECT_GT(none, 5);
 }
 
 TEST(Planner, random_scenes_agree_with_a_flood_fill) {
@@ -313,7 +389,8 @@ TEST(Planner, random_scenes_agree_with_a_flood_fill) {
     FloodFill flood(c, 7, kSteps, kTurns);
     std::vector<std::array<int, 3>> free;
     for (int tries = 0; tries < 4000 && free.size() < 5; ++tries) {
-      const std::array<int, 3> n{4 + static_cast<int>(random() % 21), 4 + static_cast<int>(random() % 21), static_cast<int>(random() % kTurns)};
+      const std::array<int, 3> n{4 + static_cast<int>(random() % 21), 4 + static_cast<int>(random() % 21),
+          static_cast<int>(random() % kTurns)};
       if (flood.gap(n[0], n[1], n[2]) > 0.01) free.push_back(n);
     }
     for (std::size_t k = 1; k < free.size(); ++k) {
@@ -323,7 +400,6 @@ TEST(Planner, random_scenes_agree_with_a_flood_fill) {
       const auto touching = random() % 2 == 0 ? Touching::forbidden : Touching::allowed;
       const Plan p = plan_in(c, start, goal, touching);
       slowest = std::max(slowest, p.work.ms);
-      if (std::getenv("DYMSUM_VERBOSE")) std::cout << seed << ": " << p.work.ms << " ms, levels " << p.work.levels << " slices " << p.work.slices << " rotations " << p.work.rotations << " rounds " << p.work.rounds << " points " << p.path.size() << "\n";
       reached_by_flood += joined;
       (p.found() ? found : none)++;
       undecided += !p.found() && p.reason->kind == NoPath::Kind::undecided;
@@ -334,7 +410,8 @@ TEST(Planner, random_scenes_agree_with_a_flood_fill) {
       if (testing::Test::HasFatalFailure()) return;
     }
   }
-  std::cout << found << " found, " << none << " none, " << reached_by_flood << " reached by the flood fill, slowest " << slowest << " ms\n";
+  std::cout << found << " found, " << none << " none, " << reached_by_flood << " reached by the flood fill, slowest "
+      << slowest << " ms\n";
   EXPECT_EQ(undecided, 0);
   EXPECT_TRUE(first || count || (found > 0 && none > 0 && reached_by_flood > 0));
 }

@@ -127,7 +127,7 @@ void for_seeds(std::uint64_t usual, F&& f) {
 }
 
 TEST(CspaceGeneral, random_pairs_equal_slices) {
-  for_seeds(1500, [](Random& random) {
+  for_seeds(400, [](Random& random) {
     const bool hole = random() % 3 == 0;
     const int reach = random() % 2 == 0 ? 5 : 1000;
     const Region robot = random_shape(random, reach, 6, false), obstacle = random_shape(random, hole ? 2 * reach : reach, 7, hole);
@@ -138,7 +138,7 @@ TEST(CspaceGeneral, random_pairs_equal_slices) {
 }
 
 TEST(CspaceGeneral, several_parts_and_holes_equal_slices) {
-  for_seeds(20, [](Random& random) {
+  for_seeds(8, [](Random& random) {
     const int reach = random() % 2 == 0 ? 6 : 1000;
     const Region robot = random_shape(random, reach, 5, false, 1 + static_cast<int>(random() % 2));
     const Region obstacle = random_shape(random, 2 * reach, 7, random() % 2 == 0, 1 + static_cast<int>(random() % 2));
@@ -165,7 +165,7 @@ Region random_cells(Random& random, int size, double cell) {
 }
 
 TEST(CspaceGeneral, robots_in_rooms_equal_slices) {
-  for_seeds(300, [](Random& random) {
+  for_seeds(100, [](Random& random) {
     const bool cells = random() % 2 == 0;
     const int reach = random() % 2 == 0 ? 6 : 1000;
     const Region robot = cells ? random_cells(random, 2, 1) : random_shape(random, std::max(2, reach / 3), 5, false);

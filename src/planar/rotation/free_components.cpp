@@ -24,10 +24,9 @@ void JoinedComponents::join(std::uint32_t a, std::uint32_t b) {
   parent_[high] = low;
 }
 
-void JoinedComponents::join_touching(const CspaceObstacle& obstacle, PathLevels& levels) {
-  const bool everywhere = !obstacle.robot().touching_points().empty() || !obstacle.obstacle().touching_points().empty();
+void JoinedComponents::join_touching(PathLevels& levels) {
   for (std::size_t k = 0; k < levels.size(); ++k) {
-    if (!everywhere && obstacle.slab_of(levels.theta(k))) continue;
+    if (levels.slab(k)) continue;
     const SliceGraph& graph = levels.graph(k);
     if (graph.groups() >= graph.faces() + levels.map(k).cracks().size()) continue;
     for (std::uint32_t g = 0; g < graph.groups(); ++g) {

@@ -76,7 +76,8 @@ Result<TranslationCheck> check_translation(const Region& robot, const Region& ob
 }
 
 Result<RotationCheck> check_rotation(const Region& robot, const Region& obstacle, const RationalPoint& at,
-                                     const Orientation& from, const Orientation& to, TurnDirection turn, Touching touch) {
+                                     const Orientation& from, const Orientation& to, TurnDirection turn,
+                                         Touching touch) {
   if (auto error = refused(robot, obstacle)) return *std::move(error);
   const Result<Position> place = position_of(at);
   if (!place) return place.error();

@@ -69,7 +69,8 @@ std::uint32_t PathLevels::cell_in_slab(std::uint32_t slab, const SliceMap& map, 
   if (fresh)
     for (const auto& loop : obstacle_.loops(slab)) at->second.insert(at->second.end(), loop.begin(), loop.end());
   const SliceMap::Edge& e = map.edges()[edge];
-  // A contact may be there twice, with different ones before it; where contacts coincide a slice may name another of them.
+  // A contact may be there twice, with different ones before it; where contacts coincide a slice may name another of
+  // them.
   std::vector<std::uint32_t> near;
   for (const std::uint32_t p : at->second) {
     const Patch& patch = obstacle_.patches()[p];
@@ -88,7 +89,10 @@ std::uint32_t PathLevels::cell_beside(std::size_t k, std::uint32_t face) {
                                    [&](const auto& t) { return t.face == face; });
   const std::vector<ExactAngle>& angles = obstacle_.state().exact_angles;
   const auto next = std::find_if(angles.begin(), angles.end(), [&](const auto& e) { return compare(e, angle(k)) > 0; });
-  const ExactAngle limit = next != angles.end() ? *next : compare(angles[0], angle(k)) != 0 ? angles[0] : exact_angle(orientation_between(angle(k), angle(k)));
+  const bool alone = compare(angles[0], angle(k)) == 0;
+  const ExactAngle limit = next != angles.end() ? *next
+                           : alone              ? exact_angle(orientation_between(angle(k), angle(k)))
+                                                : angles[0];
   pivot_.stand(inside->centre);
   const Orientation beside = pivot_.beside(theta(k), limit, TurnDirection::counter_clockwise);
   const std::unique_ptr<SliceMap> map = map_at(obstacle_, beside);

@@ -1,4 +1,5 @@
-// From the steps of a search to the waypoints of a path: ways inside slices, then shortcuts; every piece checked exactly.
+// From the steps of a search to the waypoints of a path: ways inside slices, then shortcuts; every piece checked
+// exactly.
 #pragma once
 
 #include <vector>

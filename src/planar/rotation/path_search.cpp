@@ -13,7 +13,11 @@ double turn_between(double a, double b) { return std::abs(std::remainder(a - b, 
 
 PathSearch::PathSearch(const CspaceObstacle& obstacle, PathLevels& levels, Touching touching,
                        std::function<bool(std::uint32_t, std::uint32_t)> joined)
-    : obstacle_(obstacle), levels_(levels), touching_(touching), joined_(std::move(joined)), pivot_(obstacle.robot(), obstacle.obstacle()) {
+    : obstacle_(obstacle),
+      levels_(levels),
+      touching_(touching),
+      joined_(std::move(joined)),
+      pivot_(obstacle.robot(), obstacle.obstacle()) {
   const Pose pose(obstacle.robot(), obstacle.obstacle());
   room_ = pose.reach() * pose.reach();
 }
@@ -24,7 +28,8 @@ std::vector<PathSearch::Visit>& PathSearch::visits(std::uint32_t level) {
   return v;
 }
 
-PathSearch::Outcome PathSearch::round(const PathEnd& start, const PathEnd& goal, std::size_t places, const Progress& progress) {
+PathSearch::Outcome PathSearch::round(const PathEnd& start, const PathEnd& goal, std::size_t places,
+    const Progress& progress) {
   levels_.add(start.theta);
   const auto last = static_cast<std::uint32_t>(levels_.add(goal.theta));
   const auto begin = static_cast<std::uint32_t>(levels_.add(start.theta));  // the goal's may have moved it
@@ -52,13 +57,14 @@ PathSearch::Outcome PathSearch::round(const PathEnd& start, const PathEnd& goal,
 }
 
 // Trapezoids of a group: those with room for the robot first, the near ones before the far ones.
-std::vector<Position> PathSearch::roomy(std::uint32_t level, std::uint32_t group, const Position& near, std::size_t most) {
+std::vector<Position> PathSearch::roomy(std::uint32_t level, std::uint32_t group, const Position& near,
+    std::size_t most) {
   const SliceGraph& graph = levels_.graph(level);
   const Point at = SlicePoint(near).at();
   std::vector<std::tuple<double, double, std::uint32_t>> order;
   for (std::uint32_t k = 0; k < graph.trapezoids().size(); ++k) {
     if (graph.group_of(k) != group) continue;
-    const Point c = SlicePoint(graph.trapezoids()[k].centre).at();
+    const Point c = graph.trapezoids()[k].near;
     order.emplace_back(-std::min(room_, graph.trapezoids()[k].size), std::hypot(c.x - at.x, c.y - at.y), k);
   }
   std::sort(order.begin(), order.end());
@@ -68,13 +74,15 @@ std::vector<Position> PathSearch::roomy(std::uint32_t level, std::uint32_t group
   return places;
 }
 
-bool PathSearch::try_place(std::uint32_t from, std::uint32_t group, std::uint32_t to, TurnDirection direction, const Position& at) {
+bool PathSearch::try_place(std::uint32_t from, std::uint32_t group, std::uint32_t to, TurnDirection direction,
+    const Position& at) {
   const std::uint32_t reached = levels_.graph(to).group_at(SlicePoint(at));
   if (reached == SliceMap::kNone || visits(to)[reached].reached) return false;
   ++rotations_;
   pivot_.stand(at);
   if (pivot_.stop(levels_.theta(from), levels_.theta(to), direction, touching_)) return false;
-  const double cost = visits(from)[group].cost + turn_between(levels_.theta(from).radians(), levels_.theta(to).radians());
+  const double cost = visits(from)[group].cost + turn_between(levels_.theta(from).radians(),
+      levels_.theta(to).radians());
   visits(to)[reached] = {true, from, group, at, direction, cost};
   open_.push_back({cost + turn_between(levels_.theta(to).radians(), goal_angle_), to, reached});
   std::push_heap(open_.begin(), open_.end());
@@ -113,7 +121,8 @@ void PathSearch::collect(std::uint32_t level, std::uint32_t group) {
 }
 
 // Whether pieces of two free cells at neighbouring levels may be joined between them.
-bool PathSearch::neighbours(std::uint32_t level, std::uint32_t cell, std::uint32_t next, std::uint32_t next_cell) const {
+bool PathSearch::neighbours(std::uint32_t level, std::uint32_t cell, std::uint32_t next,
+    std::uint32_t next_cell) const {
   if (cell == SliceMap::kNone || next_cell == SliceMap::kNone || cell == next_cell) return true;
   const std::vector<FreeCell>& cells = obstacle_.free_cells();
   if (!joined_(cells[cell].component, cells[next_cell].component)) return false;

@@ -32,8 +32,8 @@ class PathSearch {
   Outcome round(const PathEnd& start, const PathEnd& goal, std::size_t places, const Progress& progress);
   /// The steps of the last round that found a way; the goal is then reached by translations.
   const std::vector<PathStep>& steps() const { return steps_; }
-  /// More levels where the last round reached a piece, and not one next to it of the same free cell, or of one that begins
-  /// or ends between them.
+  /// More levels where the last round reached a piece, and not one next to it of the same free cell, or of one that
+  /// begins or ends between them.
   void refine();
   std::uint64_t rotations() const { return rotations_; }
 
@@ -48,10 +48,13 @@ class PathSearch {
   struct Open {
     double estimate = 0;
     std::uint32_t level = 0, group = 0;
-    bool operator<(const Open& o) const { return std::tuple{estimate, level, group} > std::tuple{o.estimate, o.level, o.group}; }
+    bool operator<(const Open& o) const {
+      return std::tuple{estimate, level, group} > std::tuple{o.estimate, o.level, o.group};
+    }
   };
   void expand(std::uint32_t level, std::uint32_t group, TurnDirection direction, std::size_t places);
-  bool try_place(std::uint32_t from, std::uint32_t group, std::uint32_t to, TurnDirection direction, const Position& at);
+  bool try_place(std::uint32_t from, std::uint32_t group, std::uint32_t to, TurnDirection direction,
+      const Position& at);
   std::vector<Position> roomy(std::uint32_t level, std::uint32_t group, const Position& near, std::size_t most);
   std::vector<Visit>& visits(std::uint32_t level);
   void collect(std::uint32_t level, std::uint32_t group);

@@ -36,7 +36,8 @@ bool earlier(const ExactAngle& from, const ExactAngle& a, const ExactAngle& b) {
 
 }  // namespace
 
-Pivot::Pivot(const Region& robot, const Region& obstacle) : robot_(robot), obstacle_(obstacle), pose_(robot, obstacle) {}
+Pivot::Pivot(const Region& robot, const Region& obstacle)
+    : robot_(robot), obstacle_(obstacle), pose_(robot, obstacle) {}
 
 void Pivot::stand(const Position& at) {
   at_ = at;
@@ -91,8 +92,8 @@ Pivot::Form Pivot::along_form(const Candidate& c, BigRational& length) const {
   return {BigRational(-dot(d, r)), dot(d, v), cross(d, v)};
 }
 
-// Whether the circle of the turning vertex comes near the edge at all: that of the robot's vertex about the place, or of
-// the obstacle's about the robot's origin. The margin exceeds all rounding errors.
+// Whether the circle of the turning vertex comes near the edge at all: that of the robot's vertex about the place, or
+// of the obstacle's about the robot's origin. The margin exceeds all rounding errors.
 bool Pivot::in_reach(const Candidate& c) const {
   const Outline &robot = pose_.robot(), &obstacle = pose_.obstacle();
   const Point r = robot.vertices[c.robot], o = obstacle.vertices[c.obstacle], v{o.x - near_.x, o.y - near_.y};
@@ -107,7 +108,8 @@ bool Pivot::in_reach(const Candidate& c) const {
   const double most = std::max(std::hypot(a.x, a.y), std::hypot(b.x, b.y));
   const double share = l > 0 ? std::clamp(-(a.x * dx + a.y * dy) / l, 0.0, 1.0) : 0.0;
   const double least = std::hypot(a.x + share * dx, a.y + share * dy);
-  const double margin = 0x1p-30 * (most + radius + std::abs(near_.x) + std::abs(near_.y) + std::abs(o.x) + std::abs(o.y));
+  const double margin = 0x1p-30 * (most + radius + std::abs(near_.x) + std::abs(near_.y) + std::abs(o.x) +
+      std::abs(o.y));
   return radius <= most + margin && radius >= least - margin;
 }
 
@@ -145,7 +147,8 @@ void Pivot::add_events(const Candidate& c, std::vector<PivotEvent>& to) const {
 bool Pivot::possible(const Candidate& c, Heading middle, double half) const {
   const Outline &robot = pose_.robot(), &obstacle = pose_.obstacle();
   const Point r = robot.vertices[c.robot], o = obstacle.vertices[c.obstacle], v{o.x - near_.x, o.y - near_.y};
-  const Point to = c.edge_of_obstacle ? obstacle.vertices[obstacle.next[c.obstacle]] : robot.vertices[robot.next[c.robot]];
+  const Point to = c.edge_of_obstacle ? obstacle.vertices[obstacle.next[c.obstacle]]
+      : robot.vertices[robot.next[c.robot]];
   const Point from = c.edge_of_obstacle ? o : r, d{to.x - from.x, to.y - from.y};
   const Point &still = c.edge_of_obstacle ? v : r, &turning = c.edge_of_obstacle ? r : v;
   const double along = d.x * turning.x + d.y * turning.y, g = c.edge_of_obstacle ? along : -along;
@@ -200,32 +203,38 @@ std::optional<Contact> Pivot::held() const {
   return held;
 }
 
-std::optional<PivotStop> Pivot::stop(const Orientation& from, const Orientation& to, TurnDirection turn, Touching touch) {
+std::vector<PivotEvent> Pivot::on_way(const Orientation& from, const Orientation& to, TurnDirection turn) const {
   const bool ahead = turn == TurnDirection::counter_clockwise;
-  PivotStop at{exact_angle(from), std::nullopt};
+  const ExactAngle begin = exact_angle(ahead ? from : to), end = exact_angle(ahead ? to : from);
+  std::vector<PivotEvent> way = ahead ? events(from, to) : events(to, from);
+  std::erase_if(way, [&](const PivotEvent& e) {
+    return compare(e.angle, begin) != 0 && compare(e.angle, end) != 0 && !earlier(begin, e.angle, end);
+  });
+  std::sort(way.begin(), way.end(),
+            [&](const PivotEvent& a, const PivotEvent& b) { return earlier(begin, a.angle, b.angle); });
+  if (!ahead) std::reverse(way.begin(), way.end());
+  return way;
+}
+
+std::optional<PivotStop> Pivot::stop(const Orientation& from, const Orientation& to, TurnDirection turn,
+                                     Touching touch) {
   const ExactAngle last = exact_angle(to);
+  PivotStop at{exact_angle(from), std::nullopt};
   if (overlaps(from)) return at;
   if (touch == Touching::forbidden)
     if (const std::optional<Contact> contact = held()) return PivotStop{at.angle, contact};
-  // The events of the way in its own order; those at its ends name contacts and are touches, but part nothing.
-  const ExactAngle begin = ahead ? at.angle : last, end = ahead ? last : at.angle;
-  std::vector<PivotEvent> way = ahead ? events(from, to) : events(to, from);
-  std::erase_if(way, [&](const PivotEvent& e) { return compare(e.angle, end) != 0 && !earlier(begin, e.angle, end); });
-  std::sort(way.begin(), way.end(), [&](const PivotEvent& a, const PivotEvent& b) { return earlier(begin, a.angle, b.angle); });
-  if (!ahead) std::reverse(way.begin(), way.end());
-  if (compare(begin, end) != 0 && !way.empty() && !ahead && compare(way.front().angle, at.angle) != 0 && compare(way.back().angle, at.angle) == 0)
-    std::rotate(way.begin(), way.end() - 1, way.end());
-  way.push_back({last, {}});
-  const bool still = compare(begin, end) == 0;
-  for (const PivotEvent& e : way) {
-    const bool starts = compare(e.angle, exact_angle(from)) == 0, ends = &e == &way.back();
-    if (!starts && !still) {
-      const Orientation between = ahead ? orientation_between(at.angle, e.angle) : orientation_between(e.angle, at.angle);
-      if (compare(at.angle, e.angle) != 0 && overlaps(between)) return at;
-    }
-    if (!ends) at = {e.angle, e.contact};
-    if (!ends && touch == Touching::forbidden) return at;
+  // Whether the robot overlaps between the place reached and the next one.
+  const auto blocked = [&](const ExactAngle& next) {
+    if (compare(at.angle, next) == 0) return false;
+    const bool ahead = turn == TurnDirection::counter_clockwise;
+    return overlaps(ahead ? orientation_between(at.angle, next) : orientation_between(next, at.angle));
+  };
+  for (const PivotEvent& e : on_way(from, to, turn)) {
+    if (blocked(e.angle)) return at;
+    at = {e.angle, e.contact};
+    if (touch == Touching::forbidden) return at;
   }
+  if (blocked(last)) return at;
   return std::nullopt;
 }
 

@@ -1,4 +1,5 @@
-// The robot at one place, turning: the exact angles of its contacts, and between which of them it overlaps the obstacle.
+// The robot at one place, turning: the exact angles of its contacts, and between which of them it overlaps the
+// obstacle.
 #pragma once
 
 #include <vector>
@@ -38,8 +39,8 @@ class Pivot {
   void stand(const Position& at);
   /// Whether the interiors meet at an orientation. Exact: doubles, or a slice.
   bool overlaps(const Orientation& theta);
-  /// All events, each angle once, in the order of the angles in (-pi, pi]. Between two of them the answer is one and the
-  /// same. O(nm) filtered pairs and exact roots for those that are in reach.
+  /// All events, each angle once, in the order of the angles in (-pi, pi]. Between two of them the answer is one and
+  /// the same. O(nm) filtered pairs and exact roots for those that are in reach.
   std::vector<PivotEvent> events() const;
   /// Those on the closed way counter-clockwise between two orientations, and perhaps more; fewer exact roots.
   std::vector<PivotEvent> events(const Orientation& from, const Orientation& to) const;
@@ -64,6 +65,8 @@ class Pivot {
   void add_events(const Candidate& c, std::vector<PivotEvent>& to) const;
   bool possible(const Candidate& c, Heading middle, double half) const;
   static Contact contact_of(const Candidate& c);
+  /// The events of the closed way, in its order.
+  std::vector<PivotEvent> on_way(const Orientation& from, const Orientation& to, TurnDirection turn) const;
   static void sort_out(std::vector<PivotEvent>& events);
   std::optional<Contact> held() const;
   template <class Visit>

@@ -27,7 +27,7 @@ class Planner {
     levels_.add_all();
     levels_.add(start_.theta);
     levels_.add(goal_.theta);
-    if (options_.touching == Touching::allowed) joined_.join_touching(obstacle_, levels_);
+    if (options_.touching == Touching::allowed) joined_.join_touching(levels_);
     const std::vector<std::uint32_t> from = around(start_), to = around(goal_);
     if (!connected(from, to)) {
       refuse(NoPath::Kind::separated, from, to);
@@ -60,7 +60,8 @@ class Planner {
     return true;
   }
 
-  // The components whose closure holds an end: those around it in its slice and, where it touches, those next to it in angle.
+  // The components whose closure holds an end: those around it in its slice and, where it touches, those next to it in
+  // angle.
   std::vector<std::uint32_t> around(const PathEnd& end) {
     std::vector<std::uint32_t> all;
     const auto add_at = [&](const Orientation& theta) {
@@ -106,7 +107,8 @@ class Planner {
     for (plan_.work.rounds = 1; plan_.work.rounds <= options_.most_rounds; ++plan_.work.rounds) {
       const PathSearch::Outcome outcome = search.round(start_, goal_, places, options_.progress);
       plan_.work.rotations = search.rotations();
-      if (outcome == PathSearch::Outcome::cancelled) return Error{Code::cancelled, "cancelled by the progress callback", {}};
+      if (outcome == PathSearch::Outcome::cancelled)
+        return Error{Code::cancelled, "cancelled by the progress callback", {}};
       if (outcome == PathSearch::Outcome::found) {
         write_path(search.steps());
         return finished();
@@ -131,14 +133,18 @@ class Planner {
     const auto place = [](const std::vector<FreeComponent>& all) {
       return all.empty() ? std::string("a place that is held by contacts") : text_of(all[0]);
     };
-    reason.text = kind == NoPath::Kind::separated ? "there is no path: " : "no path was found within the limits of the search: ";
+    reason.text = kind == NoPath::Kind::separated ? "there is no path: "
+        : "no path was found within the limits of the search: ";
     reason.text += "the start lies in " + place(reason.start) + "; the goal lies in " + place(reason.goal);
   }
 
   void write_path(const std::vector<PathStep>& steps) {
     for (const PathPoint& p : PathPoints(obstacle_, levels_, options_.touching).points(start_, steps, goal_)) {
       const Point near = SlicePoint(p.at).at();
-      plan_.path.push_back({p.move, {exact::to_rational(p.at.x), exact::to_rational(p.at.y)}, p.theta, {near.x, near.y, p.theta.radians()}});
+      plan_.path.push_back({p.move,
+                            {exact::to_rational(p.at.x), exact::to_rational(p.at.y)},
+                            p.theta,
+                            {near.x, near.y, p.theta.radians()}});
     }
   }
 
@@ -158,7 +164,8 @@ class Planner {
 
 Result<PathEnd> end_of(const Configuration& c) {
   if (!std::isfinite(c.x) || !std::isfinite(c.y)) return Error{Code::not_finite, "a coordinate is not finite", {}};
-  if (std::abs(c.x) > 0x1p400 || std::abs(c.y) > 0x1p400) return Error{Code::unsupported_operand, "a coordinate is larger than 2^400", {}};
+  if (std::abs(c.x) > 0x1p400 || std::abs(c.y) > 0x1p400)
+    return Error{Code::unsupported_operand, "a coordinate is larger than 2^400", {}};
   const Result<Orientation> theta = Orientation::nearest(c.theta);
   if (!theta) return theta.error();
   return PathEnd{{exact::exact_value(c.x), exact::exact_value(c.y)}, *theta};

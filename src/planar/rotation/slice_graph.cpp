@@ -68,7 +68,8 @@ void SliceGraph::add_lines() {
   const std::vector<SlicePoint>& spots = map_.spots();
   std::vector<std::uint32_t> order(map_.edges().size());
   for (std::size_t k = 0; k < order.size(); ++k) order[k] = map_.edges()[k].from;
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return compare_x(spots[a], spots[b]) < 0; });
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return compare_x(spots[a], spots[b]) < 0; });
   rank_.assign(spots.size(), kNone);
   lines_.push_back({-frame_, 0, exact::exact_value(-frame_)});
   for (std::size_t k = 0; k < order.size(); ++k) {
@@ -85,7 +86,8 @@ std::array<double, 2> SliceGraph::height(std::uint32_t edge, const Line& line) c
   const double e = std::max({a.error(), b.error(), line.error}), dx = b.at().x - a.at().x;
   if (!(dx > 8 * e)) return {a.at().y, std::numeric_limits<double>::infinity()};
   const double slope = (b.at().y - a.at().y) / dx, y = a.at().y + slope * (line.at - a.at().x);
-  return {y, 16 * e * (1 + std::abs(slope)) + 0x1p-49 * (std::abs(a.at().y) + std::abs(b.at().y) + std::abs(slope) * (std::abs(line.at) + std::abs(a.at().x)))};
+  return {y, 16 * e * (1 + std::abs(slope)) + 0x1p-49 * (std::abs(a.at().y) + std::abs(b.at().y) +
+      std::abs(slope) * (std::abs(line.at) + std::abs(a.at().x)))};
 }
 
 BigRational SliceGraph::exact_height(std::uint32_t edge, const BigRational& x) const {
@@ -119,7 +121,8 @@ BigRational SliceGraph::middle_of(std::uint32_t low, std::uint32_t high, const L
 }
 
 void SliceGraph::add_trapezoid(std::uint32_t column, std::uint32_t low, std::uint32_t high, const Line& middle) {
-  Trapezoid t{column, low, high, {middle.x, middle_of(low, high, middle)}, 0, 0};
+  Trapezoid t{column, low, high, {middle.x, middle_of(low, high, middle)}, {}, 0, 0};
+  t.near = SlicePoint(t.centre).at();
   t.size = (height(high, middle)[0] - height(low, middle)[0]) * (lines_[column + 1].at - lines_[column].at);
   trapezoids_.push_back(std::move(t));
 }
@@ -185,7 +188,8 @@ std::vector<std::uint32_t> SliceGraph::nodes_at(const SlicePoint& p) const {
     return p.exact().x.compare(l.x);
   };
   std::vector<std::uint32_t> nodes;
-  const auto beyond = std::partition_point(lines_.begin(), lines_.end(), [&](const Line& l) { return compare_line(l) > 0; });
+  const auto beyond = std::partition_point(lines_.begin(), lines_.end(),
+      [&](const Line& l) { return compare_line(l) > 0; });
   if (beyond == lines_.begin() || beyond == lines_.end()) return nodes;
   const auto line = static_cast<std::uint32_t>(beyond - lines_.begin());
   const bool on_line = compare_line(lines_[line]) == 0 && line + 1 < lines_.size();
@@ -218,7 +222,8 @@ void SliceGraph::join_touching() {
       const std::vector<SlicePoint>& s = map_.spots();
       const auto [a, b] = map_.cracks()[i];
       const auto [c, d] = map_.cracks()[j];
-      if (side(s[a], s[b], s[c]) * side(s[a], s[b], s[d]) >= 0 || side(s[c], s[d], s[a]) * side(s[c], s[d], s[b]) >= 0) continue;
+      if (side(s[a], s[b], s[c]) * side(s[a], s[b], s[d]) >= 0) continue;
+      if (side(s[c], s[d], s[a]) * side(s[c], s[d], s[b]) >= 0) continue;
       const Position &p = s[a].exact(), &q = s[b].exact(), &u = s[c].exact(), &v = s[d].exact();
       const BigRational dx = v.x - u.x, dy = v.y - u.y;
       const BigRational share = ((u.x - p.x) * dy - (u.y - p.y) * dx) / ((q.x - p.x) * dy - (q.y - p.y) * dx);

@@ -1,5 +1,5 @@
-// The free places of one slice as a graph: trapezoids between vertical lines through the vertices, and the tight features
-// that join them by touching. Ways in it are exact.
+// The free places of one slice as a graph: trapezoids between vertical lines through the vertices, and the tight
+// features that join them by touching. Ways in it are exact.
 #pragma once
 
 #include <array>
@@ -18,12 +18,14 @@ class SliceGraph {
   struct Trapezoid {
     std::uint32_t column = 0, low = kBottom, high = kTop;  ///< edges of the map, or the frame
     Position centre;                                       ///< strictly inside
+    Point near;                                            ///< it, rounded
     double size = 0;                                       ///< about its area
     std::uint32_t face = 0;                                ///< of the open free space
   };
 
-  /// Requires: the map outlives the graph; all places lie strictly within `frame` of the origin. With touching the cracks are
-  /// part of the free space, and faces that touch are joined. O(n (n + k)) filtered signs, k edges over one place.
+  /// Requires: the map outlives the graph; all places lie strictly within `frame` of the origin. With touching the
+  /// cracks are part of the free space, and faces that touch are joined. O(n (n + k)) filtered signs, k edges over one
+  /// place.
   SliceGraph(const SliceMap& map, bool touching, double frame);
 
   const std::vector<Trapezoid>& trapezoids() const { return trapezoids_; }

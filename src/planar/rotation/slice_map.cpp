@@ -18,10 +18,10 @@ BigRational cross(const BigRational& ax, const BigRational& ay, const BigRationa
 // Whether the boxes of the segments are certainly apart.
 bool boxes_apart(const SlicePoint& a, const SlicePoint& b, const SlicePoint& c, const SlicePoint& d) {
   const double e = 2 * std::max({a.error(), b.error(), c.error(), d.error()});
-  const auto [ax0, ax1] = std::minmax(a.at().x, b.at().x);
-  const auto [ay0, ay1] = std::minmax(a.at().y, b.at().y);
-  const auto [cx0, cx1] = std::minmax(c.at().x, d.at().x);
-  const auto [cy0, cy1] = std::minmax(c.at().y, d.at().y);
+  const auto [ax0, ax1] = std::minmax({a.at().x, b.at().x});
+  const auto [ay0, ay1] = std::minmax({a.at().y, b.at().y});
+  const auto [cx0, cx1] = std::minmax({c.at().x, d.at().x});
+  const auto [cy0, cy1] = std::minmax({c.at().y, d.at().y});
   return ax1 + e < cx0 || cx1 + e < ax0 || ay1 + e < cy0 || cy1 + e < ay0;
 }
 
@@ -44,7 +44,8 @@ SlicePoint::SlicePoint(const PlanarSum& sum, const SumVertex& vertex)
     : at_(vertex.at), error_(sum.at_error), sum_(&sum), vertex_(&vertex) {}
 
 const Position& SlicePoint::exact() const {
-  if (!exact_) exact_ = sum_ != nullptr ? sum_->source->position(*vertex_) : Position{exact::exact_value(at_.x), exact::exact_value(at_.y)};
+  if (!exact_ && sum_ != nullptr) exact_ = sum_->source->position(*vertex_);
+  if (!exact_) exact_ = Position{exact::exact_value(at_.x), exact::exact_value(at_.y)};
   return *exact_;
 }
 
@@ -129,7 +130,8 @@ std::uint32_t SliceMap::edge_at(const SlicePoint& p) const {
 }
 
 // The shares of a to b at which it meets the segment from c to d: one, or both ends of what they have in common.
-void SliceMap::add_meetings(const SlicePoint& a, const SlicePoint& b, const SlicePoint& c, const SlicePoint& d, std::uint32_t edge,
+void SliceMap::add_meetings(const SlicePoint& a, const SlicePoint& b, const SlicePoint& c, const SlicePoint& d,
+    std::uint32_t edge,
                             std::vector<std::pair<BigRational, std::uint32_t>>& to) const {
   if (boxes_apart(a, b, c, d)) return;
   const int from = side(a, b, c), til = side(a, b, d);

@@ -13,8 +13,8 @@ namespace dymsum::planar {
 
 using Position = ExactSource::Position;
 
-/// A rational point behind doubles within error() of it. The rational one of a vertex is made when it is first wanted, so
-/// a SlicePoint is used by one thread, and those of a sum not longer than it.
+/// A rational point behind doubles within error() of it. The rational one of a vertex is made when it is first wanted,
+/// so a SlicePoint is used by one thread, and those of a sum not longer than it.
 class SlicePoint {
  public:
   explicit SlicePoint(Position exact);
@@ -76,12 +76,14 @@ class SliceMap {
   /// An edge that p lies on, or kNone.
   std::uint32_t edge_at(const SlicePoint& p) const;
   /// The straight way from a to b against the open slice; against the closed one where touching is forbidden.
-  /// The first share is that of the earliest point behind which every neighbourhood is entered, or of the earliest touch.
+  /// The first share is that of the earliest point behind which every neighbourhood is entered, or of the earliest
+  /// touch.
   Passage passage(const SlicePoint& a, const SlicePoint& b, bool touching_allowed) const;
 
  private:
   void add(const SumRing& ring);
-  void add_meetings(const SlicePoint& a, const SlicePoint& b, const SlicePoint& c, const SlicePoint& d, std::uint32_t edge,
+  void add_meetings(const SlicePoint& a, const SlicePoint& b, const SlicePoint& c, const SlicePoint& d,
+      std::uint32_t edge,
                     std::vector<std::pair<exact::BigRational, std::uint32_t>>& to) const;
   Passage standing(const SlicePoint& a, bool touching_allowed) const;
 

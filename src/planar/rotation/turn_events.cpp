@@ -99,6 +99,9 @@ class Collector {
     return may_exist(a, theta) && may_exist(b, theta) && share_stretch(a, b, theta);
   }
   void overlaps(const WalkSegment& a, const WalkSegment& b) {
+    // One edge at both ends of another one: on one line only where the two edges are aligned.
+    const Operand& other = forms_.operand(1 - a.side);
+    if (a.edge == b.edge && (other.next[a.vertex] == b.vertex || other.prev[a.vertex] == b.vertex)) return;
     const TrigForm f = forms_.side(a, TurningForms::start(b));
     if (f.far_from_zero(w_.heading, w_.half, forms_.side_error(a))) return;
     const exact::Polynomial poly = forms_.exact_side(a, TurningForms::start(b), w_.range.chart);
@@ -194,10 +197,41 @@ class Collector {
     return forms_.parallel(b, c) && d.x * e.x + d.y * e.y > 0;
   }
 
+  struct Root {
+    double theta = 0, error = 0;
+  };
+  // The root of a form that is monotone in the window, within at most 2^-30; nothing where doubles do not find one.
+  std::optional<Root> only_root(const TrigForm2& g, double error) const {
+    const double bend = std::abs(g.b) + std::abs(g.g) + 4 * (std::abs(g.b2) + std::abs(g.g2));
+    const double least = std::abs(g.slope(w_.heading)) - 3 * bend * w_.half;
+    if (!(least > 0)) return std::nullopt;
+    double theta = w_.middle;
+    for (int k = 0; k < 4; ++k) {
+      const Heading h = Heading::of(theta);
+      theta -= g.at(h) / g.slope(h);
+      if (!(std::abs(theta - w_.middle) <= 2 * w_.half)) return std::nullopt;
+    }
+    // The slope is at least `least` up to twice the window's half from its middle.
+    const double off = (std::abs(g.at(Heading::of(theta))) + error) / least;
+    return off < 0x1p-30 ? std::optional<Root>({theta, off}) : std::nullopt;
+  }
+
   void triple(std::uint32_t i, std::uint32_t j, std::uint32_t k) {
     const WalkSegment &a = w_.segments[i], &b = w_.segments[j], &c = w_.segments[k];
     ++out_.triples;
-    if (forms_.concurrency(a, b, c).far_from_zero(w_.heading, w_.half, forms_.concurrency_error(a, b, c)) || !meet(j, k) || same_direction(b, c)) return;
+    const TrigForm2 g = forms_.concurrency(a, b, c);
+    const double error = forms_.concurrency_error(a, b, c);
+    if (g.far_from_zero(w_.heading, w_.half, error) || !meet(j, k) || same_direction(b, c)) return;
+    if (const std::optional<Root> root = only_root(g, error)) {
+      if (!all_cross(a, b, c, root->theta)) return;
+      TurnEvent event;
+      event.low = root->theta - root->error;
+      event.high = root->theta + root->error;
+      event.a = a;
+      event.b = b;
+      event.c = c;
+      if (covered(event, crossing_place(event))) return;
+    }
     const exact::Polynomial poly = forms_.exact_concurrency(a, b, c, w_.range.chart);
     if (poly.is_zero()) {
       out_.always_concurrent |= meets_somewhere(a, b, c);

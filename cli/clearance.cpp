@@ -1,0 +1,133 @@
+// dymsum clearance ROBOT OBSTACLE --at x,y,theta
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <iostream>
+#include <limits>
+#include <memory>
+#include <optional>
+
+#include "commands.h"
+#include "configuration.h"
+#include "dymsum/obstacle_queries.h"
+#include "exit_code.h"
+#include "inputs.h"
+#include "options.h"
+#include "progress_bar.h"
+#include "report.h"
+#include "timing.h"
+
+namespace dymsum::cli {
+namespace {
+
+struct ClearanceCommand {
+  std::vector<std::string> operands{"", ""}, at;
+  std::string weight;
+  ReportOptions report;
+  InputOptions input;
+};
+
+struct Answer {
+  Configuration at;
+  Clearance clearance, translation;
+  std::vector<FreeAngles> free;
+  std::optional<Contact> contact;
+};
+
+double read_weight(const std::string& text, const ObstacleQueries& queries) {
+  if (text.empty()) return queries.gyration_radius();
+  if (text == "inf") return std::numeric_limits<double>::infinity();
+  std::size_t end = 0;
+  double weight = -1;
+  try {
+    weight = std::stod(text, &end);
+  } catch (const std::exception&) {
+    end = 0;
+  }
+  if (end != text.size() || !(weight >= 0) || !std::isfinite(weight)) throw Stop(kUsage, "--weight wants a length per radian, or inf, not '" + text + "'");
+  return weight;
+}
+
+Answer ask(const CspaceObstacle& obstacle, const ObstacleQueries& queries, const Configuration& at, double weight) {
+  Answer answer;
+  answer.at = at;
+  answer.clearance = queries.clearance(at, weight);
+  answer.translation = queries.clearance(at, std::numeric_limits<double>::infinity());
+  answer.free = queries.free_angles(at.x, at.y);
+  if (answer.clearance.patch != Patch::kNone) answer.contact = obstacle.patches()[answer.clearance.patch].contact;
+  return answer;
+}
+
+Json distance_json(const Clearance& c) {
+  return {{"distance", c.distance}, {"error", c.error}, {"nearest", {c.nearest.x, c.nearest.y, c.nearest.theta}}};
+}
+
+Json answer_json(const Answer& a) {
+  Json free = Json::array(), contact = nullptr;
+  for (const FreeAngles& f : a.free) free.push_back({{"begin", f.begin}, {"end", f.end}, {"error", std::max(f.begin_error, f.end_error)}});
+  if (a.contact) {
+    const bool fixed = a.contact->kind == Contact::Kind::edge_of_p;
+    contact = {{"kind", fixed ? "vertex_on_edge" : "edge_on_vertex"}, {"obstacle", a.contact->p}, {"robot", a.contact->q}};
+  }
+  Json json = distance_json(a.clearance);
+  json["at"] = {a.at.x, a.at.y, a.at.theta};
+  json["free"] = a.clearance.distance >= 0;
+  json["contact"] = contact;
+  json["translation"] = distance_json(a.translation);
+  json["free_angles"] = free;
+  return json;
+}
+
+void print_text(const Answer& a) {
+  std::cout << "(" << a.at.x << ", " << a.at.y << ", " << a.at.theta << "): " << (a.clearance.distance >= 0 ? "free, clearance " : "overlaps, depth ")
+            << std::abs(a.clearance.distance) << " (by translation alone " << std::abs(a.translation.distance) << "), nearest contact at (" << a.clearance.nearest.x << ", "
+            << a.clearance.nearest.y << ", " << a.clearance.nearest.theta << ")\n";
+}
+
+ExitCode run_clearance(const ClearanceCommand& command) {
+  std::vector<Configuration> at;
+  for (const std::string& text : command.at) at.push_back(read_configuration(text, "--at"));
+  const std::vector<Input> inputs = read_inputs(command.operands, command.input);
+  const InterruptGuard guard;
+  std::optional<ProgressBar> bar(std::in_place);
+  ObstacleOptions options;
+  options.progress = bar->callback();
+  const CspaceObstacle obstacle = require(CspaceObstacle::create(inputs[0].region, inputs[1].region, options));
+  bar.reset();
+  const ObstacleQueries queries(obstacle);
+  const double weight = read_weight(command.weight, queries);
+  const auto [answers, timing] = timed(command.report.repeat, [&] {
+    std::vector<Answer> all;
+    for (const Configuration& q : at) all.push_back(ask(obstacle, queries, q, weight));
+    return all;
+  });
+  if (!command.report.json) {
+    for (const Answer& a : answers) print_text(a);
+    return kDone;
+  }
+  Json list = Json::array();
+  for (const Answer& a : answers) list.push_back(answer_json(a));
+  const Json json = {{"inputs", inputs_json(inputs)},
+                     {"tier", require(obstacle.slice({})).stats.tier_bits},
+                     {"time_ms", {{"median", timing.median_ms}, {"min", timing.min_ms}}},
+                     {"obstacle_ms", obstacle.work().ms},
+                     {"weight", std::isfinite(weight) ? Json(weight) : Json("inf")},
+                     {"answers", list}};
+  std::cout << json.dump(2) << "\n";
+  return kDone;
+}
+
+}  // namespace
+
+void add_clearance(CLI::App& app, Action& action) {
+  auto command = std::make_shared<ClearanceCommand>();
+  CLI::App& verb = *app.add_subcommand("clearance", "How far a robot that translates and turns is from touching an obstacle, or how deep it overlaps it");
+  add_operands(verb, "ROBOT", "OBSTACLE", command->operands);
+  verb.add_option("--at", command->at, "Where the robot is, theta in radians; repeatable")->type_name("x,y,theta")->required()->allow_extra_args(false);
+  verb.add_option("--weight", command->weight, "What a radian counts, as a length; inf: translations only. Default: the robot's radius of gyration")->type_name("W");
+  add_report_options(verb, command->report, "Ask N times and report the median and minimum time");
+  verb.add_flag("--repair", command->input.repair, "Merge duplicate and collinear vertices, fix orientation, and say on standard error what changed");
+  verb.footer("Example: dymsum clearance bar.wkt rooms.wkt --at 1,2,0.5 --json");
+  verb.callback([command, &action] { action = [command] { return run_clearance(*command); }; });
+}
+
+}  // namespace dymsum::cli

@@ -1,0 +1,13 @@
+// Configurations on the command line.
+#pragma once
+
+#include <string>
+
+#include "dymsum/cspace_obstacle.h"
+
+namespace dymsum::cli {
+
+/// "x,y,theta", theta in radians. Stops with wrong usage otherwise; `option` names it in the message.
+Configuration read_configuration(const std::string& text, const char* option);
+
+}  // namespace dymsum::cli
