@@ -43,7 +43,7 @@ bool OverlapFilter::edges_cross(std::uint32_t i, std::uint32_t j, Point at, Head
   };
   const Point c = place(j), d = place(j1);
   const auto opposite = [&](Point u, Point v, Point x, Point y) {
-    const double dx = v.x - u.x, dy = v.y - u.y, bound = 0x1p-40 * (std::abs(dx) + std::abs(dy)) * forms_.span();
+    const double dx = v.x - u.x, dy = v.y - u.y, bound = 0x1p-36 * (std::abs(dx) + std::abs(dy)) * forms_.span();
     const double s = dx * (x.y - u.y) - dy * (x.x - u.x), t = dx * (y.y - u.y) - dy * (y.x - u.x);
     return (s > bound && t < -bound) || (s < -bound && t > bound);
   };

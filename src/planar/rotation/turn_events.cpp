@@ -152,7 +152,14 @@ class Collector {
     bool near = r <= error;
     for (const double root : {phase - back, phase + back}) {
       const double theta = w_.middle + std::remainder(root - w_.middle, kTurn);
-      near |= std::abs(theta - w_.middle) <= w_.half + 2 * kNear && on(a, v, theta);
+      if (!(std::abs(theta - w_.middle) <= w_.half + 2 * kNear) || !on(a, v, theta)) continue;
+      // Where the slope is steep the root is where doubles say.
+      const Heading h = Heading::of(theta);
+      TurnEvent event;
+      const double off = 2 * (std::abs(f.at(h)) + error) / (std::abs(f.slope(h)) - 0x1p-20 * f.swing());
+      event.low = theta - off;
+      event.high = theta + off;
+      near |= !(off >= 0 && off < 0x1p-20) || !covered(event, forms_.place(v, h));
     }
     if (!near) return;
     const exact::Polynomial poly = forms_.exact_side(a, v, w_.range.chart);
@@ -200,20 +207,41 @@ class Collector {
   struct Root {
     double theta = 0, error = 0;
   };
-  // The root of a form that is monotone in the window, within at most 2^-30; nothing where doubles do not find one.
-  std::optional<Root> only_root(const TrigForm2& g, double error) const {
+  // The root of a form that is monotone around `middle`, within at most 2^-30; nothing where doubles do not find one.
+  std::optional<Root> only_root(const TrigForm2& g, double error, double middle, double half) const {
     const double bend = std::abs(g.b) + std::abs(g.g) + 4 * (std::abs(g.b2) + std::abs(g.g2));
-    const double least = std::abs(g.slope(w_.heading)) - 3 * bend * w_.half;
+    const double least = std::abs(g.slope(Heading::of(middle))) - 3 * bend * half;
     if (!(least > 0)) return std::nullopt;
-    double theta = w_.middle;
+    double theta = middle;
     for (int k = 0; k < 4; ++k) {
       const Heading h = Heading::of(theta);
       theta -= g.at(h) / g.slope(h);
-      if (!(std::abs(theta - w_.middle) <= 2 * w_.half)) return std::nullopt;
+      if (!(std::abs(theta - middle) <= 2 * half)) return std::nullopt;
     }
-    // The slope is at least `least` up to twice the window's half from its middle.
+    // The slope is at least `least` up to twice `half` from the middle.
     const double off = (std::abs(g.at(Heading::of(theta))) + error) / least;
     return off < 0x1p-30 ? std::optional<Root>({theta, off}) : std::nullopt;
+  }
+
+  // Whether doubles leave a root in the window at which the three may meet at a place that is not covered. By parts of the window, in which most forms are monotone.
+  bool may_matter(const WalkSegment& a, const WalkSegment& b, const WalkSegment& c, const TrigForm2& g, double error) const {
+    constexpr int kParts = 4;
+    const double half = w_.half / kParts * (1 + 0x1p-20);
+    for (int k = 0; k < kParts; ++k) {
+      const double middle = w_.middle + w_.half * (2 * k + 1 - kParts) / kParts;
+      if (g.far_from_zero(Heading::of(middle), half, error)) continue;
+      const std::optional<Root> root = only_root(g, error, middle, half);
+      if (!root) return true;
+      if (!all_cross(a, b, c, root->theta)) continue;
+      TurnEvent event;
+      event.low = root->theta - root->error;
+      event.high = root->theta + root->error;
+      event.a = a;
+      event.b = b;
+      event.c = c;
+      if (!covered(event, crossing_place(event))) return true;
+    }
+    return false;
   }
 
   void triple(std::uint32_t i, std::uint32_t j, std::uint32_t k) {
@@ -222,16 +250,7 @@ class Collector {
     const TrigForm2 g = forms_.concurrency(a, b, c);
     const double error = forms_.concurrency_error(a, b, c);
     if (g.far_from_zero(w_.heading, w_.half, error) || !meet(j, k) || same_direction(b, c)) return;
-    if (const std::optional<Root> root = only_root(g, error)) {
-      if (!all_cross(a, b, c, root->theta)) return;
-      TurnEvent event;
-      event.low = root->theta - root->error;
-      event.high = root->theta + root->error;
-      event.a = a;
-      event.b = b;
-      event.c = c;
-      if (covered(event, crossing_place(event))) return;
-    }
+    if (!may_matter(a, b, c, g, error)) return;
     const exact::Polynomial poly = forms_.exact_concurrency(a, b, c, w_.range.chart);
     if (poly.is_zero()) {
       out_.always_concurrent |= meets_somewhere(a, b, c);
@@ -267,9 +286,10 @@ class Collector {
     return true;
   }
 
-  // Certainly inside the obstacle, where nothing is visible: the margins of the filter are wider than what angle and place may err.
+  // Certainly inside the obstacle, where nothing is visible: the margins of the filter, 2^-36 of the span, are wider than what places may err, 2^-41 by rounding and 2^-38 by
+  // the angle.
   bool covered(const TurnEvent& event, std::optional<Point> place) const {
-    if (filter_ == nullptr || !place || event.high - event.low > 0x1p-42) return false;
+    if (filter_ == nullptr || !place || event.high - event.low > 0x1p-38) return false;
     return filter_->inside(*place, Heading::of(event.theta()));
   }
   // Where the two cross that are least parallel, if they are not nearly parallel.
