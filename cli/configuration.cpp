@@ -14,6 +14,8 @@ Configuration read_configuration(const std::string& text, const char* option) {
   const bool read = (words >> q.x >> first >> q.y >> second >> q.theta) && first == ',' && second == ',' && !(words >> rest);
   if (!read || !std::isfinite(q.x) || !std::isfinite(q.y) || !std::isfinite(q.theta))
     throw Stop(kUsage, std::string(option) + " wants x,y,theta with theta in radians, not '" + text + "'");
+  constexpr double kLargest = 0x1p400;  // as for the vertices of robots and obstacles
+  if (std::abs(q.x) > kLargest || std::abs(q.y) > kLargest) throw Stop(kUsage, std::string(option) + ": a coordinate is larger than 2^400: '" + text + "'");
   return q;
 }
 

@@ -1,0 +1,58 @@
+// The verb clearance: known distances of a square beside a wall, keys, and what it refuses.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "process.h"
+
+namespace dymsum::cli_test {
+namespace {
+
+using Json = nlohmann::json;
+
+class ClearanceCli : public testing::Test {
+ protected:
+  ClearanceCli() {
+    work.write("square.wkt", "POLYGON ((-1 -1, 1 -1, 1 1, -1 1, -1 -1))\n");
+    work.write("wall.wkt", "POLYGON ((0 -50, 10 -50, 10 50, 0 50, 0 -50))\n");
+  }
+  Workplace work;
+};
+
+TEST_F(ClearanceCli, KnowsTheDistanceOfASquareFromAWall) {
+  const Outcome outcome = work.run("dymsum clearance square.wkt wall.wkt --at -4,0,0 --at 0.5,0,0 --weight inf --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Json report = Json::parse(outcome.out);
+  for (const char* key : {"inputs", "tier", "time_ms", "weight", "answers"}) EXPECT_TRUE(report.contains(key)) << key;
+  const Json &free = report["answers"][0], &inside = report["answers"][1];
+  EXPECT_TRUE(free["free"].get<bool>());
+  EXPECT_NEAR(free["distance"].get<double>(), 3, 1e-8);
+  EXPECT_FALSE(inside["free"].get<bool>());
+  EXPECT_NEAR(inside["distance"].get<double>(), -1.5, 1e-8);
+  EXPECT_EQ(free["free_angles"].size(), 1u);
+}
+
+TEST_F(ClearanceCli, FewerRadiansCountMore) {
+  const auto distance = [&](const std::string& weight) {
+    return Json::parse(work.run("dymsum clearance square.wkt wall.wkt --at -1.2,0,0 --json --weight " + weight).out)["answers"][0]["distance"].get<double>();
+  };
+  // Turning by 0.15 or so brings a corner to the wall.
+  EXPECT_LT(distance("0.1"), distance("1"));
+  EXPECT_LE(distance("1"), distance("inf"));
+  EXPECT_NEAR(distance("inf"), 0.2, 1e-8);
+}
+
+TEST_F(ClearanceCli, WrongOptionsAreUsageErrors) {
+  EXPECT_EQ(work.run("dymsum clearance square.wkt wall.wkt").code, 1);
+  EXPECT_EQ(work.run("dymsum clearance square.wkt wall.wkt --at 0,0").code, 1);
+  EXPECT_EQ(work.run("dymsum clearance square.wkt wall.wkt --at 0,0,0 --weight -1").code, 1);
+  EXPECT_EQ(work.run("dymsum clearance square.wkt wall.wkt --at 0,0,0 --weight x").code, 1);
+  const Outcome far = work.run("dymsum clearance square.wkt wall.wkt --at 1e300,0,0");
+  EXPECT_EQ(far.code, 1);
+  EXPECT_NE(far.err.find("2^400"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace dymsum::cli_test
