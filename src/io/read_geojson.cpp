@@ -80,7 +80,7 @@ class GeoJsonReader {
     static constexpr std::string_view kKnown[] = {"Point",           "MultiPoint", "LineString",
                                                   "MultiLineString", "Polygon",    "MultiPolygon"};
     if (std::find(std::begin(kKnown), std::end(kKnown), type) == std::end(kKnown)) {
-      source_.fail_on_line(Code::malformed, "unknown GeoJSON type " + quoted(type), value.line());
+      source_.fail_on_line(Code::malformed, "unknown GeoJSON type " + in_quotes(type), value.line());
     }
     const JsonValue coordinates = require_member(source_, value, "coordinates");
     if (type == "Point") {

@@ -40,7 +40,7 @@ class NestingReader {
     } else if (type == "region") {
       data = read_region(require_member(source_, shape, "data"));
     } else {
-      source_.fail_on_line(Code::malformed, "unknown shape type " + quoted(type), shape.line());
+      source_.fail_on_line(Code::malformed, "unknown shape type " + in_quotes(type), shape.line());
     }
     return data;
   }

@@ -24,7 +24,7 @@ class OffReader {
     if (!words_.at_line_end()) words_.count("the number of edges");
     read_vertices(vertices);
     read_faces(faces, vertices);
-    if (!words_.at_end()) words_.fail(Code::malformed, "unexpected " + quoted(words_.peek()) + " after the last face");
+    if (!words_.at_end()) words_.fail(Code::malformed, "unexpected " + in_quotes(words_.peek()) + " after the last face");
     return std::move(data_);
   }
 
@@ -34,14 +34,14 @@ class OffReader {
     if (!word.empty() && is_digit(word[0]) && scan_count(word).length == word.size()) return;  // it may be missing
     const std::size_t start = words_.offset();
     std::string_view prefix = words_.take("'OFF'");
-    if (!prefix.ends_with("OFF")) words_.fail_at(start, Code::malformed, "expected 'OFF' instead of " + quoted(word));
+    if (!prefix.ends_with("OFF")) words_.fail_at(start, Code::malformed, "expected 'OFF' instead of " + in_quotes(word));
     prefix.remove_suffix(3);
     extras_ = !prefix.empty();
     for (const std::string_view part : {"ST", "C", "N"}) {
       if (prefix.starts_with(part)) prefix.remove_prefix(part.size());
     }
     if (!prefix.empty()) {
-      words_.fail_at(start, Code::malformed, quoted(word) + " files are not read, only three-dimensional ones");
+      words_.fail_at(start, Code::malformed, in_quotes(word) + " files are not read, only three-dimensional ones");
     }
     if (same_word(words_.peek(), "BINARY")) words_.fail(Code::malformed, "binary OFF files are not read");
   }

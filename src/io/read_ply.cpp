@@ -30,7 +30,7 @@ class TextNumbers {
   }
   void finish() {
     if (words_.at_end()) return;
-    words_.fail(Code::malformed, "unexpected " + quoted(words_.peek()) + " after the last element");
+    words_.fail(Code::malformed, "unexpected " + in_quotes(words_.peek()) + " after the last element");
   }
 
  private:

@@ -28,7 +28,7 @@ class PolyReader {
       read_chain();
     }
     skip();
-    if (!at_end()) fail(Code::malformed, "unexpected " + quoted(word()) + " after the last chain");
+    if (!at_end()) fail(Code::malformed, "unexpected " + in_quotes(word()) + " after the last chain");
     return std::move(data_);
   }
 
@@ -64,7 +64,7 @@ class PolyReader {
     const std::string_view digits = word();
     const ScannedCount count = scan_count(digits);
     if (count.length == 0 || count.length != digits.size()) {
-      fail(Code::malformed, "expected " + what + " instead of " + quoted(digits));
+      fail(Code::malformed, "expected " + what + " instead of " + in_quotes(digits));
     }
     at_ += count.length;
     return count.value;
@@ -91,7 +91,7 @@ class PolyReader {
       read_vertices(announced, points, {});
       data_.points.insert(data_.points.end(), points.begin(), points.end());
     } else {
-      fail(Code::malformed, "expected 'out' or 'in' (or 'open' or 'points') instead of " + quoted(kind));
+      fail(Code::malformed, "expected 'out' or 'in' (or 'open' or 'points') instead of " + in_quotes(kind));
     }
   }
 
@@ -123,7 +123,7 @@ class PolyReader {
     }
     const ScannedNumber number = scan_number(text_.substr(at_));
     if (number.length > 0 && !std::isfinite(number.value)) {
-      fail(Code::not_finite, "the coordinate " + quoted(word()) + " is not a finite double", evidence);
+      fail(Code::not_finite, "the coordinate " + in_quotes(word()) + " is not a finite double", evidence);
     }
     const std::size_t end = at_ + number.length;
     const bool complete = end >= text_.size() || is_blank(text_[end]) || text_[end] == '#';
@@ -131,7 +131,7 @@ class PolyReader {
     const bool glued = !complete && text_[end] == '.' && end + 1 < text_.size() && is_digit(text_[end + 1]) &&
                        text_.substr(at_, number.length).find('.') != std::string_view::npos;
     if (number.length == 0 || !(complete || glued)) {
-      fail(Code::malformed, "expected a coordinate instead of " + quoted(word()), evidence);
+      fail(Code::malformed, "expected a coordinate instead of " + in_quotes(word()), evidence);
     }
     at_ = end;
     return number.value;

@@ -80,12 +80,12 @@ Result<NamedShape> select(std::vector<NamedShape> shapes, const std::string& wan
   const auto named = [&](const NamedShape& shape) { return shape.name == wanted; };
   const auto count = std::count_if(shapes.begin(), shapes.end(), named);
   if (count > 1)
-    return file_error(Code::malformed, std::to_string(count) + " shapes are named " + io::quoted(wanted), file);
+    return file_error(Code::malformed, std::to_string(count) + " shapes are named " + io::in_quotes(wanted), file);
   if (count == 1) return std::move(*std::find_if(shapes.begin(), shapes.end(), named));
   const io::ScannedCount place = io::scan_count(wanted);
   if (place.length > 0 && place.length == wanted.size() && place.value < shapes.size())
     return std::move(shapes[place.value]);
-  return file_error(Code::malformed, "no shape " + io::quoted(wanted) + " among " + std::to_string(shapes.size()),
+  return file_error(Code::malformed, "no shape " + io::in_quotes(wanted) + " among " + std::to_string(shapes.size()),
                     file);
 }
 

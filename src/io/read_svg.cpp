@@ -33,7 +33,7 @@ class SvgReader {
                                               pugi::parse_default & ~pugi::parse_wconv_attribute, pugi::encoding_utf8);
     if (!result) refuse_document(result);
     const pugi::xml_node root = document_.document_element();
-    if (local_name(root) != "svg") fail(root, "the outermost element is " + quoted(root.name()) + ", not svg");
+    if (local_name(root) != "svg") fail(root, "the outermost element is " + in_quotes(root.name()) + ", not svg");
     const std::string_view mark = root.attribute(kMark).value();
     if (mark == "trace") fail(root, "this is a picture of a computation's stages, not of one region");
     marked_ = !mark.empty();
@@ -98,9 +98,9 @@ class SvgReader {
       take_polyline(node, {from, to});
     }
     if (name == "circle" || name == "ellipse")
-      fail(node, "the element " + quoted(name) + " is a curve, and only straight lines can be read");
+      fail(node, "the element " + in_quotes(name) + " is a curve, and only straight lines can be read");
     if (name == "use" || name == "image" || name == "foreignObject")
-      fail(node, "the element " + quoted(name) + " cannot be read");
+      fail(node, "the element " + in_quotes(name) + " cannot be read");
     return false;
   }
 
@@ -119,7 +119,7 @@ class SvgReader {
     } else if (kind == "points") {
       for (const Subpath& path : paths) data_.points.push_back(path.vertices.front());
     } else {
-      fail(node, std::string("unknown ") + kMark + " " + quoted(kind));
+      fail(node, std::string("unknown ") + kMark + " " + in_quotes(kind));
     }
   }
 

@@ -42,7 +42,7 @@ class WktReader {
 
   [[noreturn]] void fail_expecting(const std::string& what) const {
     if (at_ >= text_.size()) source_.fail(Code::truncated, "the file ends before " + what, at_);
-    source_.fail(Code::malformed, "expected " + what + " instead of " + quoted(rest_of_word()), at_);
+    source_.fail(Code::malformed, "expected " + what + " instead of " + in_quotes(rest_of_word()), at_);
   }
 
   std::string read_word() {
@@ -92,7 +92,7 @@ class WktReader {
     const ScannedNumber number = scan_number(text_.substr(at_));
     if (number.length == 0) fail_expecting("a coordinate");
     if (!std::isfinite(number.value)) {
-      source_.fail(Code::not_finite, "the coordinate " + quoted(rest_of_word()) + " is not a finite double", at_);
+      source_.fail(Code::not_finite, "the coordinate " + in_quotes(rest_of_word()) + " is not a finite double", at_);
     }
     const std::size_t end = at_ + number.length;
     if (end < text_.size() && !is_blank(text_[end]) && text_[end] != ',' && text_[end] != ')')

@@ -22,7 +22,7 @@ void Source::fail_on_line(Code code, std::string message, std::int64_t line, Evi
   throw ReadFailure{Error{code, std::move(message), std::move(evidence)}};
 }
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   constexpr std::size_t kLongest = 24;
   std::string out = "'";
   for (const char c : text.substr(0, kLongest)) out += c >= ' ' && c <= '~' ? c : '?';

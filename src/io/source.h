@@ -27,7 +27,7 @@ struct Source {
 };
 
 /// Up to 24 characters of a text between quotation marks, for messages; what cannot be printed becomes '?'.
-std::string quoted(std::string_view text);
+std::string in_quotes(std::string_view text);
 
 constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f' || c == '\v'; }
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }

@@ -45,7 +45,7 @@ double SvgNumbers::read() {
   const ScannedNumber number = scan_number(rest());
   if (number.length == 0) fail("expected a number");
   if (!std::isfinite(number.value)) {
-    fail_not_finite("the number " + quoted(one_word(rest())) + " is not a finite double");
+    fail_not_finite("the number " + in_quotes(one_word(rest())) + " is not a finite double");
   }
   at_ += number.length;
   return number.value;
@@ -59,7 +59,7 @@ void SvgNumbers::read_flag() {
 
 void SvgNumbers::fail(const std::string& message) const {
   source_.fail_on_line(Code::malformed,
-                       at_end() ? message + ", but the attribute ends" : message + " at " + quoted(one_word(rest())),
+                       at_end() ? message + ", but the attribute ends" : message + " at " + in_quotes(one_word(rest())),
                        line());
 }
 

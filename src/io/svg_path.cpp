@@ -52,7 +52,7 @@ class PathReader {
       case 'A': return arc(command, base);
       case 'S':
       case 'T': refuse_curve(command);
-      default: numbers_.fail_before("unknown path command " + quoted({&command, 1}));
+      default: numbers_.fail_before("unknown path command " + in_quotes({&command, 1}));
     }
   }
 

@@ -16,7 +16,7 @@ SvgTransform make_transform(const SvgNumbers& numbers, const std::string& name, 
   if (name == "translate" || name == "scale" || name == "matrix") {
     numbers.fail_before("the transform " + name + " has " + std::to_string(v.size()) + " arguments");
   }
-  numbers.fail_before("the transform " + quoted(name) + " is none of translate, scale, matrix");
+  numbers.fail_before("the transform " + in_quotes(name) + " is none of translate, scale, matrix");
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ void Words::expect(std::string_view keyword) {
   const std::string_view word = take("'" + std::string(keyword) + "'");
   if (same_word(word, keyword)) return;
   at_ -= word.size();
-  fail(Code::malformed, "expected '" + std::string(keyword) + "' instead of " + quoted(word));
+  fail(Code::malformed, "expected '" + std::string(keyword) + "' instead of " + in_quotes(word));
 }
 
 double Words::number(const std::string& what, const Evidence& evidence) {
@@ -63,7 +63,7 @@ double Words::number(const std::string& what, const Evidence& evidence) {
   const std::string_view word = peek();
   const ScannedNumber scanned = scan_number(word);
   if (scanned.length == 0 || scanned.length != word.size()) {
-    fail(Code::malformed, "expected " + what + " instead of " + quoted(word), evidence);
+    fail(Code::malformed, "expected " + what + " instead of " + in_quotes(word), evidence);
   }
   at_ += word.size();
   return scanned.value;
@@ -80,7 +80,7 @@ std::uint64_t Words::count(const std::string& what, const Evidence& evidence) {
   const std::string_view word = peek();
   const ScannedCount scanned = scan_count(word);
   if (scanned.length == 0 || scanned.length != word.size()) {
-    fail(Code::malformed, "expected " + what + " instead of " + quoted(word), evidence);
+    fail(Code::malformed, "expected " + what + " instead of " + in_quotes(word), evidence);
   }
   at_ += word.size();
   return scanned.value;

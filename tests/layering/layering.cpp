@@ -54,7 +54,7 @@ class Judge {
 
   std::string bracketed(const std::string& name) const {
     if (is_standard(name)) return "";
-    if (room_ == "examples" && name.starts_with("dymsum/")) return quoted(name);
+    if (room_ == "examples" && name.starts_with("dymsum/")) return in_quotes(name);
     const auto foreign = kForeign.find(room_.substr(0, room_.find('/')));
     if (foreign != kForeign.end()) {
       for (const std::string& prefix : foreign->second) {
@@ -64,7 +64,7 @@ class Judge {
     return "a foreign header that this room may not use";
   }
 
-  std::string quoted(const std::string& name) const {
+  std::string in_quotes(const std::string& name) const {
     if (name.starts_with("dymsum/")) return fs::exists(root_ / "include" / name) ? "" : "no such public header";
     if (room_ == "include") return "public headers include only the standard library and each other";
     if (fs::exists((root_ / path_).parent_path() / name) && name.find("..") == std::string::npos) return "";
@@ -94,7 +94,7 @@ void read_file(const fs::path& root, const std::string& path, std::vector<Violat
     if (!std::regex_match(text, match, kInclude)) continue;
     const bool quotes = match[1] == "\"";
     const std::string name = match[2];
-    const std::string why = quotes ? judge.quoted(name) : judge.bracketed(name);
+    const std::string why = quotes ? judge.in_quotes(name) : judge.bracketed(name);
     if (!why.empty()) found.push_back({path, line, quotes ? '"' + name + '"' : '<' + name + '>', why});
   }
 }
