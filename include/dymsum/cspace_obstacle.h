@@ -1,6 +1,7 @@
-// The exact obstacle of a polygonal robot that translates and rotates: the set of configurations (x, y, theta) at which robot R, turned by theta about the origin of
-// its coordinates and then moved by (x, y), overlaps obstacle O. Its slice at theta is the interior of O (+) -R(theta); its boundary consists of patches of ruled
-// surfaces, and it is computed as a whole: every patch with the exact angles at which it begins and ends. Source: Behar 2016, chapter 4, corrected
+// The exact obstacle of a polygonal robot that translates and rotates: the set of configurations (x, y, theta) at which
+// robot R, turned by theta about the origin of its coordinates and then moved by (x, y), overlaps obstacle O. Its slice
+// at theta is the interior of O (+) -R(theta); its boundary consists of patches of ruled surfaces, and it is computed
+// as a whole: every patch with the exact angles at which it begins and ends. Source: Behar 2016, chapter 4, corrected
 // (docs/design/cspace-obstacle.md).
 #pragma once
 
@@ -26,8 +27,8 @@ struct Configuration {
   friend bool operator==(const Configuration&, const Configuration&) = default;
 };
 
-/// An angle at which the combinatorics of the slice change: a root of an integer polynomial of degree 2 or 4 in t = tan(theta / 2). Listed by increasing theta in
-/// (-pi, pi].
+/// An angle at which the combinatorics of the slice change: a root of an integer polynomial of degree 2 or 4 in t =
+/// tan(theta / 2). Listed by increasing theta in (-pi, pi].
 struct EventAngle {
   double theta = 0;            ///< nearest known double
   double low = 0, high = 0;    ///< the exact angle lies between them
@@ -47,8 +48,8 @@ struct ObstacleEvent {
   Point at;                 ///< position (x, y), rounded
 };
 
-/// A piece of ruled surface of the boundary. At every angle of its open interval it is one segment on the line of `contact`, from the meeting with `left` to the meeting
-/// with `right`, with the obstacle on its left.
+/// A piece of ruled surface of the boundary. At every angle of its open interval it is one segment on the line of
+/// `contact`, from the meeting with `left` to the meeting with `right`, with the obstacle on its left.
 struct Patch {
   static constexpr std::uint32_t kNone = 0xffffffff;
   Contact contact;         ///< edge_of_p: edge of the obstacle + vertex of the robot (`fixed`); edge_of_q: vertex of the obstacle + edge of the robot (`rotating`)
@@ -67,7 +68,8 @@ struct Shell {
   std::uint32_t free_component = 0;  ///< the component of free space on its right
 };
 
-/// A piece of free space between two event angles within which one face of the slice stays connected to itself: the nodes of connectivity.
+/// A piece of free space between two event angles within which one face of the slice stays connected to itself: the
+/// nodes of connectivity.
 struct FreeCell {
   std::uint32_t begin = Patch::kNone, end = Patch::kNone;  ///< as for patches
   bool unbounded = false;
@@ -91,7 +93,8 @@ struct ObstacleOptions {
 
 class CspaceObstacle {
  public:
-  /// Regions with holes and several parts. Errors: unsupported_operand for polylines, points, empty regions and coordinates beyond 2^400; cancelled.
+  /// Regions with holes and several parts. Errors: unsupported_operand for polylines, points, empty regions and
+  /// coordinates beyond 2^400; cancelled.
   static Result<CspaceObstacle> create(const Region& robot, const Region& obstacle, const ObstacleOptions& options = {});
 
   CspaceObstacle(CspaceObstacle&&) noexcept;
@@ -107,22 +110,25 @@ class CspaceObstacle {
   const std::vector<FreeCell>& free_cells() const;
   const ObstacleWork& work() const;
 
-  /// The slab of an orientation: slab k lies between angles k and k + 1, the last one passes pi; all are one slab 0 without events. Nothing at an event angle itself.
-  /// Exact.
+  /// The slab of an orientation: slab k lies between angles k and k + 1, the last one passes pi; all are one slab 0
+  /// without events. Nothing at an event angle itself. Exact.
   std::optional<std::uint32_t> slab_of(const Orientation& theta) const;
   /// A rational orientation inside a slab, with few bits.
   Orientation inside(std::uint32_t slab) const;
-  /// The boundary in a slab: loops of patch numbers in the order of the boundary, outer rings counter-clockwise, holes clockwise.
+  /// The boundary in a slab: loops of patch numbers in the order of the boundary, outer rings counter-clockwise, holes
+  /// clockwise.
   std::vector<std::vector<std::uint32_t>> loops(std::uint32_t slab) const;
   /// The free cell on the right of a patch in a slab.
   std::uint32_t free_cell(std::uint32_t slab, std::uint32_t patch) const;
 
-  /// Where a patch starts and ends at an angle of its interval, in doubles: within a few roundings unless the lines are nearly parallel.
+  /// Where a patch starts and ends at an angle of its interval, in doubles: within a few roundings unless the lines are
+  /// nearly parallel.
   std::array<Point, 2> ends(const Patch& patch, double theta) const;
 
   /// The exact slice O (+) -R(theta), by the static engine.
   Result<PlanarSum> slice(const Orientation& theta, Semantics semantics = Semantics::closed) const;
-  /// Whether the robot overlaps the obstacle there: touching is free. Exact: the doubles x, y at face value. O(n + m) and more; see ObstacleQueries for fast ones.
+  /// Whether the robot overlaps the obstacle there: touching is free. Exact: the doubles x, y at face value. O(n + m)
+  /// and more; see ObstacleQueries for fast ones.
   bool contains(double x, double y, const Orientation& theta) const;
 
   class State;  ///< internal

@@ -1,4 +1,5 @@
-// Exact orientations of the plane: rotations by angles whose half has a rational tangent. They lie as densely as one likes, and rotated vertices are rational.
+// Exact orientations of the plane: rotations by angles whose half has a rational tangent. They lie as densely as one
+// likes, and rotated vertices are rational.
 #pragma once
 
 #include <cstdint>
@@ -9,19 +10,21 @@
 
 namespace dymsum {
 
-/// A rotation by theta about the origin, given by t = tan(theta / 2) = n / d: its matrix is (c, -s; s, c) / w with c = d^2 - n^2, s = 2 n d, w = d^2 + n^2. Half a
-/// turn is t = infinity. A value: equal orientations compare equal.
+/// A rotation by theta about the origin, given by t = tan(theta / 2) = n / d: its matrix is (c, -s; s, c) / w with c =
+/// d^2 - n^2, s = 2 n d, w = d^2 + n^2. Half a turn is t = infinity. A value: equal orientations compare equal.
 class Orientation {
  public:
   Orientation() = default;  ///< theta = 0
 
-  /// Any rational; numerator and denominator have at most 4096 bits. Errors: malformed when they are no integers; bad_rotation beyond the size or for 0/0. 1/0 is half a turn.
+  /// Any rational; numerator and denominator have at most 4096 bits. Errors: malformed when they are no integers;
+  /// bad_rotation beyond the size or for 0/0. 1/0 is half a turn.
   static Result<Orientation> of(const Rational& tan_half);
   static Result<Orientation> of(std::int64_t n, std::int64_t d);
   static Orientation half_turn();
   /// "3/7", "0.25" or "-1e-3", each exactly what it says; "inf" is half a turn. Errors: malformed; bad_rotation.
   static Result<Orientation> parse(std::string_view tan_half);
-  /// Within 2^-50 of the angle, exactly at multiples of a quarter turn as doubles give them. Errors: bad_rotation for an angle that is not finite.
+  /// Within 2^-50 of the angle, exactly at multiples of a quarter turn as doubles give them. Errors: bad_rotation for
+  /// an angle that is not finite.
   static Result<Orientation> nearest(double radians);
   /// The simplest one within `error` > 0 of the angle: fewer bits, faster exact signs.
   static Result<Orientation> nearest(double radians, double error);

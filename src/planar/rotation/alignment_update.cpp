@@ -1,5 +1,5 @@
-// Where an edge of the robot passes the direction of one of the obstacle, the boundary along their common line changes hands: before, edge e from vertex q_j and then
-// edge f from p_(i+1); behind, f from p_i and then e from q_(j+1).
+// Where an edge of the robot passes the direction of one of the obstacle, the boundary along their common line changes
+// hands: before, edge e from vertex q_j and then edge f from p_(i+1); behind, f from p_i and then e from q_(j+1).
 #include <algorithm>
 #include <map>
 
@@ -42,7 +42,8 @@ bool ObstacleSweep::alignment_update(TurnEvent& event, const TurnRange& range) {
   const double unsure = 1e-9 * (le + lf);
   const Pair middle{f1, e};
   for (AlignedRun& run : runs) {
-    // A chain that ends or starts at the vertex between the two behind the event: where that vertex is reflex, the boundary turns there.
+    // A chain that ends or starts at the vertex between the two behind the event: where that vertex is reflex, the
+    // boundary turns there.
     const bool from_middle = forms_.end(nodes_[nodes_[run.first].prev].segment) == middle;
     const bool to_middle = TurningForms::start(nodes_[nodes_[run.last].next].segment) == middle;
     const double near = unsure + run.error;

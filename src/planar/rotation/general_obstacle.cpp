@@ -17,7 +17,8 @@ namespace {
 
 constexpr std::uint32_t kNobody = ObstacleSweep::kNobody;
 
-/// Windows of a half turn, by the number of pairs of an edge and a vertex: fewer sweep too far, more cost too much each.
+/// Windows of a half turn, by the number of pairs of an edge and a vertex: fewer sweep too far, more cost too much
+/// each.
 int windows_for(double pairs) { return std::clamp(static_cast<int>(1.2 * std::sqrt(pairs)), 16, 512); }
 int cells_for(double pairs) { return std::clamp(static_cast<int>(std::sqrt(pairs)), 16, 256); }
 
@@ -186,8 +187,8 @@ class Export {
     add_euler(names);
   }
 
-  // Over a range of angles without events a shell is made of tubes, which count nothing. Where a + b tubes end and begin at one place it gains 2 - (a + b): 1 where a loop
-  // is born or vanishes, -1 where one splits.
+  // Over a range of angles without events a shell is made of tubes, which count nothing. Where a + b tubes end and
+  // begin at one place it gains 2 - (a + b): 1 where a loop is born or vanishes, -1 where one splits.
   void add_euler(const std::map<std::uint32_t, std::uint32_t>& shell_names) {
     const std::vector<ObstacleSweep::Cell>& cells = sweep_.cells();
     const auto count = static_cast<std::uint32_t>(cells.size());
@@ -304,7 +305,8 @@ Result<bool> general_obstacle(CspaceObstacle::State& state, const ObstacleOption
   const TurningForms forms(*state.base);
   const TurnCatalog catalog(forms);
   if (static_cast<double>(forms.size(0)) * forms.size(1) > 0x1p27) return Error{Code::unsupported_operand, "more than 2^27 pairs of vertices", {}};
-  // Where three contacts stay at one point at every angle, no event tells when they meet: then every slab is a whole slice.
+  // Where three contacts stay at one point at every angle, no event tells when they meet: then every slab is a whole
+  // slice.
   bool reference = options.reference;
   std::optional<ObstacleSweep> sweep;
   for (;;) {

@@ -1,5 +1,6 @@
-// What changes near an event at which three segments, or a vertex and a segment, meet and nothing else does: a small arrangement behind the event, the kill rule in it, and
-// paths from the visible sub-edges that come in to those that go out.
+// What changes near an event at which three segments, or a vertex and a segment, meet and nothing else does: a small
+// arrangement behind the event, the kill rule in it, and paths from the visible sub-edges that come in to those that go
+// out.
 #include <algorithm>
 
 #include "planar/collision.h"
@@ -41,7 +42,8 @@ bool ObstacleSweep::find_signs(Cluster& cluster, Heading h) const {
   return true;
 }
 
-// Behind the event the crossings with b and c on a are in the order sign(G) sign(a x b) sign(a x c), G being the concurrency.
+// Behind the event the crossings with b and c on a are in the order sign(G) sign(a x b) sign(a x c), G being the
+// concurrency.
 ObstacleSweep::Fill ObstacleSweep::fill_triple(Cluster& cluster, const TurnEvent& event, Heading h) const {
   cluster.size = 3;
   const std::array<WalkSegment, 3> s{event.a, event.b, event.c};
@@ -179,7 +181,8 @@ bool ObstacleSweep::find_nodes(Cluster& cluster, Heading h) const {
   return true;
 }
 
-// The kill rule, lemma 4: where b passes from right to left of a, what comes before on a is inside; where it passes from left to right, what follows.
+// The kill rule, lemma 4: where b passes from right to left of a, what comes before on a is inside; where it passes
+// from left to right, what follows.
 bool ObstacleSweep::end_alive(const Cluster& c, int segment, int piece) const {
   const Local& l = c.local[segment];
   if (piece == l.count) return !l.closes;
@@ -238,7 +241,8 @@ std::optional<std::vector<ObstacleSweep::Path>> ObstacleSweep::paths(const Clust
   return found;
 }
 
-// A new loop of constant size: whether the face on its right is free, exactly, at an angle between this event and the next one.
+// A new loop of constant size: whether the face on its right is free, exactly, at an angle between this event and the
+// next one.
 bool ObstacleSweep::born(const Cluster& cluster, const std::vector<int>& cycle, const std::function<Orientation()>& behind) {
   ++work.collision_tests;
   const SumState state = placed_at(*base_, behind());

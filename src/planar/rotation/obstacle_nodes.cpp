@@ -91,7 +91,8 @@ void ObstacleSweep::refresh(std::vector<std::uint32_t> touched) {
   }
 }
 
-// New nodes have the start, or the end, of old ones: their neighbours are those of the old ones, or what has come in place of these.
+// New nodes have the start, or the end, of old ones: their neighbours are those of the old ones, or what has come in
+// place of these.
 void ObstacleSweep::relink(const std::map<std::uint32_t, std::uint32_t>& starts, const std::map<std::uint32_t, std::uint32_t>& ends,
                            std::vector<std::uint32_t>& touched) {
   for (const auto& [n, to] : starts) {
@@ -106,7 +107,8 @@ void ObstacleSweep::relink(const std::map<std::uint32_t, std::uint32_t>& starts,
   }
 }
 
-// Loops through `touched` after cycles were split, joined, born or lost: a loop keeps its free cell if no other one has a claim to it.
+// Loops through `touched` after cycles were split, joined, born or lost: a loop keeps its free cell if no other one has
+// a claim to it.
 void ObstacleSweep::relabel(const std::vector<std::uint32_t>& touched, const std::vector<std::uint32_t>& lost,
                             const std::vector<std::pair<std::uint32_t, std::uint32_t>>& more) {
   std::vector<std::vector<std::uint32_t>> loops;
@@ -167,7 +169,8 @@ std::uint32_t ObstacleSweep::cell_at(const SumRing& ring) const {
   throw std::logic_error("ObstacleSweep: a ring of the slice is not on the boundary");
 }
 
-// Sums of several parts: what lies in a hole, or outside of everything, has several loops. Their free cells are connected.
+// Sums of several parts: what lies in a hole, or outside of everything, has several loops. Their free cells are
+// connected.
 void ObstacleSweep::join_faces(const Orientation& at) {
   SumOptions options;
   options.semantics = Semantics::regular;

@@ -10,7 +10,8 @@
 
 namespace dymsum::planar {
 
-/// An angle as a root in one of two charts, so that half turns need no exception: theta = 2 atan(t) + pi chart, t in (-1, 1]. Chart 0 covers (-pi/2, pi/2], chart 1 the rest.
+/// An angle as a root in one of two charts, so that half turns need no exception: theta = 2 atan(t) + pi chart, t in
+/// (-1, 1]. Chart 0 covers (-pi/2, pi/2], chart 1 the rest.
 struct ExactAngle {
   int chart = 0;
   exact::AlgebraicRoot t;
@@ -30,7 +31,8 @@ class CspaceObstacle::State {
   std::vector<Patch> patches;
   std::vector<Shell> shells;
   std::vector<FreeCell> cells;
-  /// Per patch: the free cell on its right from that slab of its interval on; the first entry is for the slab it begins in.
+  /// Per patch: the free cell on its right from that slab of its interval on; the first entry is for the slab it begins
+  /// in.
   std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> patch_cells;
   ObstacleWork work;
 };

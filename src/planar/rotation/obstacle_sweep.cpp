@@ -291,7 +291,8 @@ void ObstacleSweep::pass(const TurnRange& range, std::vector<TurnEvent> events, 
   }
 }
 
-// Whether a segment of these events is visible, or a place of theirs is not certainly covered: else nothing can change, in whatever order they come.
+// Whether a segment of these events is visible, or a place of theirs is not certainly covered: else nothing can change,
+// in whatever order they come.
 bool ObstacleSweep::matters(const Group& run, const OverlapFilter& filter) const {
   bool unsure = reference_;
   for (const TurnEvent* event : run) {

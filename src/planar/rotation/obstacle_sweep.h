@@ -1,5 +1,6 @@
-// The boundary of the slice while the angle grows: a graph of visible sub-edges, changed at events only. Near a generic event the change follows from the few segments
-// that meet there; where more coincides, a whole slice on the far side of the event is computed and compared.
+// The boundary of the slice while the angle grows: a graph of visible sub-edges, changed at events only. Near a generic
+// event the change follows from the few segments that meet there; where more coincides, a whole slice on the far side
+// of the event is computed and compared.
 #pragma once
 
 #include <cstdint>
@@ -95,7 +96,8 @@ class ObstacleSweep {
     std::uint32_t in = kNobody, out = kNobody;
     std::vector<int> segments;  ///< of the cluster
   };
-  /// Visible sub-edges that follow each other along the common line of two aligned edges, and where they start and end on it.
+  /// Visible sub-edges that follow each other along the common line of two aligned edges, and where they start and end
+  /// on it.
   struct AlignedRun {
     std::uint32_t first = kNobody, last = kNobody;
     double from = 0, to = 0, error = 0;

@@ -11,10 +11,11 @@ class OverlapFilter {
  public:
   OverlapFilter(const TurningForms& forms, const TurnWindow& window);
 
-  /// True only if the open obstacle of angle h holds the position `at` (of the forms' doubles): edges cross properly, or one polygon lies in the other.
+  /// True only if the open obstacle of angle h holds the position `at` (of the forms' doubles): edges cross properly,
+  /// or one polygon lies in the other.
   bool inside(Point at, Heading h) const;
-  /// True only if the open obstacle does not hold `at`, where the given contacts hold: all edges but those of the contacts are clearly apart, and neither polygon
-  /// holds a vertex of the other.
+  /// True only if the open obstacle does not hold `at`, where the given contacts hold: all edges but those of the
+  /// contacts are clearly apart, and neither polygon holds a vertex of the other.
   bool touches_only(Point at, Heading h, const std::vector<WalkSegment>& contacts) const;
 
  private:

@@ -1,5 +1,5 @@
-// Where two segments with one direction pass over each other: along the stretch that they share the boundary changes from one to the other, and at the ends of that stretch
-// it turns into the next or the previous segment of a chain.
+// Where two segments with one direction pass over each other: along the stretch that they share the boundary changes
+// from one to the other, and at the ends of that stretch it turns into the next or the previous segment of a chain.
 #include <algorithm>
 #include <map>
 
@@ -7,7 +7,8 @@
 
 namespace dymsum::planar {
 
-// Visible sub-edges along the common line, put together where only a vanishing piece of a chain is between them. In units of a's direction from a's start.
+// Visible sub-edges along the common line, put together where only a vanishing piece of a chain is between them. In
+// units of a's direction from a's start.
 std::vector<ObstacleSweep::Stretch> ObstacleSweep::stretches(const WalkSegment& a, const WalkSegment& b, Heading h) const {
   const Point d = forms_.direction(a, h), origin = forms_.place(TurningForms::start(a), h);
   const double length = std::hypot(d.x, d.y);
@@ -46,8 +47,8 @@ std::vector<ObstacleSweep::Stretch> ObstacleSweep::stretches(const WalkSegment& 
   return found;
 }
 
-// Behind the event the boundary runs along the outer segment where that reaches and along the inner one elsewhere. From the inner to the outer one leads the segment before
-// the outer one in its chain, back leads the one behind it.
+// Behind the event the boundary runs along the outer segment where that reaches and along the inner one elsewhere. From
+// the inner to the outer one leads the segment before the outer one in its chain, back leads the one behind it.
 bool ObstacleSweep::overlap_update(TurnEvent& event, const TurnRange& range) {
   if (first_[id(event.a)] == kNobody && first_[id(event.b)] == kNobody) return true;
   const double theta = event.theta();
@@ -112,7 +113,8 @@ bool ObstacleSweep::overlap_update(TurnEvent& event, const TurnRange& range) {
   return true;
 }
 
-// New nodes along `segments` in place of old ones that follow each other, with the start of the first and the end of the last.
+// New nodes along `segments` in place of old ones that follow each other, with the start of the first and the end of
+// the last.
 void ObstacleSweep::replace(const std::vector<std::uint32_t>& old, const std::vector<WalkSegment>& segments, std::map<std::uint32_t, std::uint32_t>& starts,
                             std::map<std::uint32_t, std::uint32_t>& ends, std::vector<std::uint32_t>& touched) {
   std::uint32_t last = kNobody;

@@ -6,8 +6,8 @@
 
 namespace dymsum::planar {
 
-// Nothing is visible at the event on either side of it. At a rational tangent the exact open slice tells; elsewhere doubles do, where every pair of edges is clearly apart except
-// those that meet in the event's own contacts.
+// Nothing is visible at the event on either side of it. At a rational tangent the exact open slice tells; elsewhere
+// doubles do, where every pair of edges is clearly apart except those that meet in the event's own contacts.
 void ObstacleSweep::note_tight(TurnEvent& event, const TurnRange& range, Point at, Heading h, const OverlapFilter& filter) {
   if (exact::rational_value(exact_root(event, forms_, range))) return note_tight_slice(event, range);
   std::vector<WalkSegment> contacts{event.a};

@@ -27,7 +27,8 @@ class TurnCatalog {
   /// Whether a segment exists at theta; `unsure` near the alignments at which it begins or ends.
   Existence exists(const WalkSegment& s, double theta) const;
 
-  /// Calls f(WalkSegment) for every segment that exists somewhere in [low, high], and perhaps for some that only nearly do.
+  /// Calls f(WalkSegment) for every segment that exists somewhere in [low, high], and perhaps for some that only nearly
+  /// do.
   template <class F>
   void for_each(double low, double high, F&& f) const {
     for (std::uint32_t side = 0; side < 2; ++side) {
@@ -47,7 +48,8 @@ class TurnCatalog {
     }
   }
 
-  /// The segment that ends at a pair at theta, and the one that starts there; kNoRank edges where there is none. `unsure` is set where doubles do not tell.
+  /// The segment that ends at a pair at theta, and the one that starts there; kNoRank edges where there is none.
+  /// `unsure` is set where doubles do not tell.
   struct Joint {
     bool has_in = false, has_out = false, unsure = false;
     WalkSegment in, out;

@@ -88,7 +88,8 @@ class Collector {
     for (auto& list : crossings_) std::sort(list.begin(), list.end(), [](const Crossing& a, const Crossing& b) { return a.low < b.low; });
   }
 
-  // Of two segments with the same direction: the stretch that they share once they are on one line is longer than nothing.
+  // Of two segments with the same direction: the stretch that they share once they are on one line is longer than
+  // nothing.
   bool share_stretch(const WalkSegment& a, const WalkSegment& b, double theta) const {
     const Heading h = Heading::of(theta);
     const Point d = forms_.direction(a, h), e = forms_.direction(b, h), s = forms_.place(TurningForms::start(a), h), t = forms_.place(TurningForms::start(b), h);
@@ -188,7 +189,8 @@ class Collector {
     return std::binary_search(w_.meetings.begin(), w_.meetings.end(), m, less) && !share_end(w_.segments[i], w_.segments[j]);
   }
 
-  // Every triple is found from its smallest member; with two that are parallel at every angle, from the third one, the only one that crosses both.
+  // Every triple is found from its smallest member; with two that are parallel at every angle, from the third one, the
+  // only one that crosses both.
   void triples_of(std::uint32_t a) {
     const std::vector<Crossing>& list = crossings_[a];
     for (std::size_t k = 0; k < list.size(); ++k)
@@ -223,7 +225,8 @@ class Collector {
     return off < 0x1p-30 ? std::optional<Root>({theta, off}) : std::nullopt;
   }
 
-  // Whether doubles leave a root in the window at which the three may meet at a place that is not covered. By parts of the window, in which most forms are monotone.
+  // Whether doubles leave a root in the window at which the three may meet at a place that is not covered. By parts of
+  // the window, in which most forms are monotone.
   bool may_matter(const WalkSegment& a, const WalkSegment& b, const WalkSegment& c, const TrigForm2& g, double error) const {
     constexpr int kParts = 4;
     const double half = w_.half / kParts * (1 + 0x1p-20);
@@ -286,8 +289,8 @@ class Collector {
     return true;
   }
 
-  // Certainly inside the obstacle, where nothing is visible: the margins of the filter, 2^-36 of the span, are wider than what places may err, 2^-41 by rounding and 2^-38 by
-  // the angle.
+  // Certainly inside the obstacle, where nothing is visible: the margins of the filter, 2^-36 of the span, are wider
+  // than what places may err, 2^-41 by rounding and 2^-38 by the angle.
   bool covered(const TurnEvent& event, std::optional<Point> place) const {
     if (filter_ == nullptr || !place || event.high - event.low > 0x1p-38) return false;
     return filter_->inside(*place, Heading::of(event.theta()));

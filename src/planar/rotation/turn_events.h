@@ -1,5 +1,5 @@
-// Everything that can change the boundary within a window: alignments of edges, vertex sums on segments, three segments through one point. A superset, each with its
-// exact angle.
+// Everything that can change the boundary within a window: alignments of edges, vertex sums on segments, three segments
+// through one point. A superset, each with its exact angle.
 #pragma once
 
 #include <cstdint>

@@ -77,8 +77,8 @@ TurnWindow::Box TurnWindow::box(const WalkSegment& s) const {
   return b;
 }
 
-// Inner: farther from the boundary than any of its points moves. Touched at every angle: at the middle, an edge comes into what remains of the cell when a rim as wide as
-// the edge moves is taken off.
+// Inner: farther from the boundary than any of its points moves. Touched at every angle: at the middle, an edge comes
+// into what remains of the cell when a rim as wide as the edge moves is taken off.
 DeadCells TurnWindow::dead_cells(const TurnGrid& base) const {
   const Grid& cells = base.grid.part[1];
   const Operand& o = forms_.operand(1);
@@ -130,7 +130,8 @@ void TurnWindow::find_meetings(const DeadCells& dead) {
   for (std::size_t k = 2; k < start.size(); ++k) start[k] += start[k - 1];
   entries.resize(start.back());
   runs([&](std::size_t cell, std::uint32_t i) { entries[start[cell + 1]++] = i; });
-  // Every cell lists its segments in their order, so a segment looks at the tails of its cells' lists; the stamp tells whom it has met.
+  // Every cell lists its segments in their order, so a segment looks at the tails of its cells' lists; the stamp tells
+  // whom it has met.
   std::vector<std::uint32_t> stamp(segments.size(), ~std::uint32_t{0});
   std::uint32_t last = ~std::uint32_t{0};
   std::vector<std::uint32_t> met;

@@ -1,4 +1,5 @@
-// A range of angles with one set of segments: those that are not inside the obstacle at every angle of it, and the pairs of them that may meet.
+// A range of angles with one set of segments: those that are not inside the obstacle at every angle of it, and the
+// pairs of them that may meet.
 #pragma once
 
 #include <cstdint>

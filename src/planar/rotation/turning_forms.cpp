@@ -83,7 +83,8 @@ bool TurningForms::parallel(const WalkSegment& s, const WalkSegment& t) const {
   return base_.lattice->cross(operands_[s.side]->edge(s.edge), operands_[t.side]->edge(t.edge)) == 0;
 }
 
-// With the origin at the start of a, its own offset vanishes: h_b (d_c x d_a) + h_c (d_a x d_b), and h_k = d_k x (start_k - start_a) = -side(k, start_a).
+// With the origin at the start of a, its own offset vanishes: h_b (d_c x d_a) + h_c (d_a x d_b), and h_k = d_k x
+// (start_k - start_a) = -side(k, start_a).
 TrigForm2 TurningForms::concurrency(const WalkSegment& a, const WalkSegment& b, const WalkSegment& c) const {
   TrigForm2 sum;
   sum.add_product(-side(b, start(a)), cross(c, a));

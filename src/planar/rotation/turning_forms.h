@@ -1,5 +1,6 @@
-// What rotation does to the signs of the planar engine: every one is a trigonometric polynomial in theta, of degree 1 for the side of a vertex sum and of degree 2 for
-// three lines through one point. In doubles for filters, and as integer polynomials in t = tan(theta / 2). docs/design/cspace-obstacle.md, "Events".
+// What rotation does to the signs of the planar engine: every one is a trigonometric polynomial in theta, of degree 1
+// for the side of a vertex sum and of degree 2 for three lines through one point. In doubles for filters, and as
+// integer polynomials in t = tan(theta / 2). docs/design/cspace-obstacle.md, "Events".
 #pragma once
 
 #include <array>
@@ -52,8 +53,9 @@ struct TrigForm2 {
   }
 };
 
-/// Operand 0 stands still, operand 1 turns about its centre in these doubles; a translation that depends on the angle enters no sign. Segments and pairs are by walk
-/// edges and vertices: side 0 is an edge of the fixed operand + a vertex of the turning one.
+/// Operand 0 stands still, operand 1 turns about its centre in these doubles; a translation that depends on the angle
+/// enters no sign. Segments and pairs are by walk edges and vertices: side 0 is an edge of the fixed operand + a vertex
+/// of the turning one.
 class TurningForms {
  public:
   explicit TurningForms(const ScalingBase& base);
