@@ -256,7 +256,7 @@ class Collector {
     if (!may_matter(a, b, c, g, error)) return;
     const exact::Polynomial poly = forms_.exact_concurrency(a, b, c, w_.range.chart);
     if (poly.is_zero()) {
-      out_.always_concurrent |= meets_somewhere(a, b, c);
+      out_.always_concurrent = true;
       return;
     }
     for (AlgebraicRoot& root : roots_in(poly, w_.range.t_low, w_.range.t_high)) {
@@ -267,12 +267,6 @@ class Collector {
       event.c = c;
       if (!covered(event, crossing_place(event))) out_.events.push_back(std::move(event));
     }
-  }
-  // Whether the lines, concurrent at every angle, may meet within the segments in this window.
-  bool meets_somewhere(const WalkSegment& a, const WalkSegment& b, const WalkSegment& c) const {
-    for (const double theta : {w_.low, w_.middle, w_.high})
-      if (all_cross(a, b, c, theta)) return true;
-    return false;
   }
   // All three exist there and each of them holds its crossing with the next, with slack.
   bool all_cross(const WalkSegment& a, const WalkSegment& b, const WalkSegment& c, double theta) const {
