@@ -125,6 +125,7 @@ class ObstacleSweep {
   void slice(const TurnRange& range, TurnEvent& event, const std::function<Orientation()>& behind);
   void take_slice(SumState state);
   bool continues(std::uint32_t n, std::uint32_t m) const;
+  bool on_one_line(const WalkSegment& s, const WalkSegment& t, Heading h) const;
   WalkSegment segment_of(std::uint32_t id) const;
   void note(const TurnEvent& event, ObstacleEvent::Kind kind, Point at);
   // tight_events.cpp
