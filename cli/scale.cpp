@@ -65,7 +65,7 @@ Json frame_json(const ScalingSum& sum) {
 /// A fresh computation at a few of the scales.
 double static_ms(const Region& p, const Region& q, const ScaleCommand& command, const std::vector<Scale>& scales) {
   ScalingOptions options = scaling_options(command);
-  options.mode = ScalingMode::rebuild;
+  options.mode = FrameMode::rebuild;
   ScalingSum fresh = require(ScalingSum::create(p, q, options));
   std::vector<double> ms;
   for (const std::size_t i : {std::size_t{0}, scales.size() / 2, scales.size() - 1})
@@ -210,7 +210,7 @@ ScalingOptions scaling_options(const ScaleCommand& command) {
   ScalingOptions options;
   options.scaled = command.scaled == "p" ? ScaledOperand::p : ScaledOperand::q;
   options.reflect_q = command.robot;
-  options.mode = command.mode == "window" ? ScalingMode::window : command.mode == "rebuild" ? ScalingMode::rebuild : ScalingMode::automatic;
+  options.mode = command.mode == "window" ? FrameMode::window : command.mode == "rebuild" ? FrameMode::rebuild : FrameMode::automatic;
   options.semantics = command.semantics == "open" ? Semantics::open : command.semantics == "regular" ? Semantics::regular : Semantics::closed;
   return options;
 }

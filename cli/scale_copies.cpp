@@ -64,7 +64,7 @@ ExitCode run_copies(const ScaleCommand& command) {
   std::optional<ProgressBar> bar(std::in_place);
   ScalingOptions options = scaling_options(command), fresh = options;
   options.progress = fresh.progress = bar->callback();
-  fresh.mode = ScalingMode::rebuild;
+  fresh.mode = FrameMode::rebuild;
   const auto [sums, timing] = timed(command.report.repeat, [&] { return require(scaled_copies(master, q, copies, options)); });
   const Timing scratch = timed(command.report.repeat, [&] { return require(scaled_copies(master, q, copies, fresh)); }).second;
   bar.reset();

@@ -149,7 +149,28 @@ void symmetric_line(Report& report, const ObstacleRow& r) {
   csv_line(report, "symmetric", r);
 }
 
-void promises(Report& report, const std::vector<ObstacleRow>& obstacles, const std::vector<SlicesRow>& slices) {
+void rotation_heading(Report& report) {
+  report.heading({"P/Q", "steps a turn", "update us, median", "mean", "static us, median", "mean", "static / update",
+                  "of means", "windows", "us to build one", "from scratch", "of them undecided", "pieces, pairs a frame",
+                  "collision tests", "vertices", "compared, different"});
+}
+
+void rotation_line(Report& report, const RotationRow& r) {
+  const auto us = [](double v) { return fixed(1e3 * v, 1e3 * v < 100 ? 1 : 0); };
+  report.row({r.name, count(static_cast<std::uint64_t>(r.steps)), us(r.update_ms), us(r.update_mean_ms), us(r.static_ms),
+              us(r.static_mean_ms), "**" + ratio(r.static_ms, r.update_ms) + "**", ratio(r.static_mean_ms, r.update_mean_ms),
+              count(r.windows), us(r.window_ms), count(r.rebuilt), count(r.degenerate),
+              fixed(r.pieces, 0) + ", " + fixed(r.pairs, 0), fixed(r.collision_tests, 2), fixed(r.vertices, 0),
+              count(r.compared) + ", " + count(r.different)});
+  report.values("rotation_" + count(static_cast<std::uint64_t>(r.steps)), r.name,
+                {{"update_ms", r.update_ms}, {"update_mean_ms", r.update_mean_ms}, {"static_ms", r.static_ms},
+                 {"static_mean_ms", r.static_mean_ms}, {"window_ms", r.window_ms}, {"windows", r.windows},
+                 {"rebuilt", r.rebuilt}, {"degenerate", r.degenerate}, {"pieces", r.pieces}, {"pairs", r.pairs},
+                 {"compared", r.compared}, {"different", r.different}});
+}
+
+void promises(Report& report, const std::vector<ObstacleRow>& obstacles, const std::vector<SlicesRow>& slices,
+              const std::vector<RotationRow>& rotations) {
   struct Promise {
     const char* name;
     double times, guide_s;
@@ -167,7 +188,16 @@ void promises(Report& report, const std::vector<ObstacleRow>& obstacles, const s
       verdict(report, std::string(p.name) + ": guide " + fixed(p.guide_s, 1) + " s of processor time",
               fixed(own->cpu.median() / 1e3, 3) + " s", own->cpu.median() <= 1e3 * p.guide_s);
   }
-  std::size_t different = 0;
+  std::size_t frames_different = 0, different = 0;
+  for (const RotationRow& r : rotations) {
+    frames_different += r.different;
+    if (r.steps != 500) continue;
+    const double gain = r.static_ms / r.update_ms;
+    verdict(report, r.name + ": at 500 steps a turn a median frame at least 5 times faster than our static engine",
+            fixed(gain, 1) + " times (means " + fixed(r.static_mean_ms / r.update_mean_ms, 1) + ")", gain >= 5);
+  }
+  if (!rotations.empty())
+    verdict(report, "every frame equals the slice from scratch", count(frames_different) + " differ", frames_different == 0);
   for (const ObstacleRow& r : obstacles) different += r.slabs_different;
   verdict(report, "every compared slab equals the slice of the static engine", count(different) + " differ",
           different == 0);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cspace/measure.h"
+#include "cspace/rotation.h"
 #include "cspace/sizes.h"
 #include "cspace/slices.h"
 
@@ -48,8 +49,13 @@ void sizes_line(Report& report, const std::string& name, const ConvolutionCounts
 void symmetric_heading(Report& report);
 void symmetric_line(Report& report, const ObstacleRow& row);
 
+/// Frames of a turn.
+void rotation_heading(Report& report);
+void rotation_line(Report& report, const RotationRow& row);
+
 /// What the project promises of the pairs that were measured: a line each.
-void promises(Report& report, const std::vector<ObstacleRow>& obstacles, const std::vector<SlicesRow>& slices);
+void promises(Report& report, const std::vector<ObstacleRow>& obstacles, const std::vector<SlicesRow>& slices,
+              const std::vector<RotationRow>& rotations);
 
 /// Where 360 slices take less time than the obstacle: a line each.
 void losses(Report& report, const std::vector<ObstacleRow>& obstacles, const std::vector<SlicesRow>& slices);

@@ -148,7 +148,7 @@ void rebuilding_table(Report& report, const Options& options, const std::vector<
     for (const double step : {0.0005, 0.002, 0.01, 0.05, 0.2}) {
       double mean[3];
       int k = 0;
-      for (const ScalingMode mode : {ScalingMode::window, ScalingMode::rebuild, ScalingMode::automatic}) {
+      for (const FrameMode mode : {FrameMode::window, FrameMode::rebuild, FrameMode::automatic}) {
         FramesPlan plan;
         plan.scales = steady_steps(step, step < 0.1 ? 40 : 16);
         plan.mode = mode;

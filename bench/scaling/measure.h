@@ -40,7 +40,7 @@ struct FramesRow {
 struct FramesPlan {
   std::string steps;           ///< for the table
   std::vector<double> scales;  ///< with at most 17 significant bits
-  ScalingMode mode = ScalingMode::automatic;
+  FrameMode mode = FrameMode::automatic;
   std::size_t rival_frames = 0;  ///< frames at which all pairs and CGAL are run too
   bool cgal = true;
 };

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "dymsum/frames.h"
 #include "dymsum/planar_sum.h"
 #include "dymsum/scale.h"
 
@@ -16,64 +17,14 @@ namespace dymsum {
 /// Which operand is multiplied by s, about the origin of its coordinates.
 enum class ScaledOperand : std::uint8_t { p, q };
 
-/// How frames are made. automatic: the controller chooses between the two by their measured cost, with hysteresis. All give the
-/// identical sum.
-enum class ScalingMode : std::uint8_t {
-  automatic,
-  window,   ///< always update inside windows, however short they live
-  rebuild,  ///< always compute from scratch
-};
-
 struct ScalingOptions {
   ScaledOperand scaled = ScaledOperand::p;
   bool reflect_q = false;  ///< P (+) -Q: Q is a robot and P an obstacle. Provenance numbers refer to Q
   Semantics semantics = Semantics::closed;
-  ScalingMode mode = ScalingMode::automatic;
+  FrameMode mode = FrameMode::automatic;
   double window = 0;      ///< relative width of windows (0.05: from s to 1.05 s); 0: chosen by the controller
   int min_tier_bits = 0;  ///< use at least this number tier (29, 61, 512; above: arbitrary), for tests
   Progress progress;      ///< asked between stages of a rebuild, see progress.h
-};
-
-/// The work of one frame.
-struct FrameWork {
-  bool rebuilt = false;        ///< computed from scratch, without a window
-  bool new_window = false;     ///< a window was built
-  bool degenerate = false;     ///< something touches at this very scale: the vertex routine of the static engine was used
-  std::uint64_t pieces = 0;          ///< pieces of segments that are live in the window
-  std::uint64_t candidates = 0;      ///< pairs of pieces that may meet in the window
-  std::uint64_t pieces_repaired = 0; ///< whose list of crossings was looked at
-  std::uint64_t lists_changed = 0;   ///< whose list of crossings changed
-  std::uint64_t crossings_changed = 0;  ///< crossings that came or went in those lists, each counted at both segments
-  std::uint64_t loops_traced = 0;    ///< cycles walked
-  std::uint64_t loops_kept = 0;      ///< cycles carried over without a look
-  std::uint64_t witnessed = 0;       ///< false loops proved false by the collision remembered for them
-  std::uint64_t witnesses_lost = 0;  ///< remembered collisions that no longer hold; the loop or touch is tested anew
-  std::uint64_t collision_tests = 0;
-  std::uint64_t exact_signs = 0;     ///< signs of this frame that doubles did not decide
-  double window_low = 0, window_high = 0;  ///< scales the window covers; 0, 0 without one
-  double ms = 0;                     ///< wall time of the frame
-  std::uint64_t peak_bytes = 0;      ///< of the window's arrays
-};
-
-/// What happened to a ring from one frame to the next. Identities last as long as a ring shares a vertex (by its contacts) with a ring
-/// of the frame before; they are never used again.
-struct RingChange {
-  enum class Kind : std::uint8_t {
-    appeared,
-    disappeared,
-    reshaped,  ///< still there, with other vertices
-    moved,     ///< the same vertices at other positions
-  };
-  Kind kind = Kind::moved;
-  std::uint64_t ring = 0;           ///< identity
-  std::uint32_t vertices_appeared = 0, vertices_disappeared = 0;  ///< by contacts
-  friend bool operator==(const RingChange&, const RingChange&) = default;
-};
-
-struct FrameChanges {
-  std::vector<RingChange> rings;  ///< sorted by identity; rings that did not even move are not listed
-  std::int64_t tight_points = 0, tight_segments = 0;  ///< how many more (or fewer) there are now
-  bool topology = false;  ///< the number of parts, of holes, of tight features or lower-dimensional pieces changed
 };
 
 /// An exact scale at which segments of the convolution begin or cease to meet.
@@ -148,7 +99,7 @@ struct ScaledCopy {
   Point at;
 };
 /// The obstacles s_i P + z_i of an environment summed with Q: for each copy the sum s_i P (+) Q (not moved by z_i), in the order given,
-/// from one sum that visits the scales in order; copies of equal scale share one frame. With ScalingMode::automatic windows are planned
+/// from one sum that visits the scales in order; copies of equal scale share one frame. With FrameMode::automatic windows are planned
 /// from the scales: where six or more lie within 13 %, the rest is computed from scratch. Figure 6.11 of the thesis.
 struct CopySum {
   PlanarSum sum;

@@ -19,10 +19,10 @@ std::vector<std::string> ours(const ScalingSum& sum, long b) { return described(
 
 struct Mode {
   const char* name;
-  ScalingMode mode;
+  FrameMode mode;
   double window;
 };
-constexpr Mode kModes[] = {{"rebuild", ScalingMode::rebuild, 0}, {"window 40 %", ScalingMode::window, 0.4}, {"automatic", ScalingMode::automatic, 0}};
+constexpr Mode kModes[] = {{"rebuild", FrameMode::rebuild, 0}, {"window 40 %", FrameMode::window, 0.4}, {"automatic", FrameMode::automatic, 0}};
 
 TEST(ScalingSum, tiny_pairs_equal_the_static_engine_at_every_step) {
   const char* pairs = std::getenv("DYMSUM_FUZZ_PAIRS");
@@ -83,7 +83,7 @@ TEST(ScalingSum, larger_pairs_with_masks_equal_the_static_engine) {
       for (const double width : {0.03, 0.3}) {
         ScalingOptions options;
         options.scaled = q_scales ? ScaledOperand::q : ScaledOperand::p;
-        options.mode = ScalingMode::window;
+        options.mode = FrameMode::window;
         options.window = width;
         ScalingSum sum = ScalingSum::create(shape.p, shape.q, options).value();
         oracles::Random random(7);
@@ -143,7 +143,7 @@ TEST(ScalingSum, non_uniform_scales_equal_the_static_engine) {
 TEST(ScalingSum, a_frame_without_event_touches_no_loop) {
   const Shape shape = middling();
   ScalingOptions options;
-  options.mode = ScalingMode::window;
+  options.mode = FrameMode::window;
   options.window = 0.1;
   ScalingSum sum = ScalingSum::create(shape.p, shape.q, options).value();
   const auto at = [](double s) { return Scale::of(s).value(); };
@@ -208,7 +208,7 @@ TEST(ScalingSum, identities_and_changes_account_for_every_ring) {
 TEST(ScalingSum, parallel_operands_are_updated_without_the_vertex_routine) {
   const Region p = on_integers(shapes::random_polygon(60, 2, 8), 4000);
   ScalingOptions options;
-  options.mode = ScalingMode::window;
+  options.mode = FrameMode::window;
   options.window = 0.2;
   ScalingSum sum = ScalingSum::create(p, p, options).value();
   int updated = 0;
@@ -303,7 +303,7 @@ TEST(ScalingSum, copies_of_equal_scale_share_one_frame) {
   std::vector<ScaledCopy> copies;
   for (int k = 0; k < 12; ++k) copies.push_back({scale_of(2 + k % 4, 3), {double(k), 0}});
   ScalingOptions options;
-  options.mode = ScalingMode::rebuild;
+  options.mode = FrameMode::rebuild;
   const std::vector<CopySum> sums = scaled_copies(shape.p, shape.q, copies, options).value();
   int frames = 0;
   for (std::size_t k = 0; k < sums.size(); ++k) {

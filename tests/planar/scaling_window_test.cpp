@@ -18,7 +18,7 @@ using namespace scaling_tests;
 std::size_t wrong_frames(double shrink) {
   const Region p = on_integers(shapes::noisy_star(60, 0.6, 1), 9000), q = on_integers(shapes::noisy_star(40, 0.6, 2), 5000);
   ScalingOptions options;
-  options.mode = ScalingMode::window;
+  options.mode = FrameMode::window;
   options.window = 0.5;
   auto base = planar::ScalingBase::create(p, q, 0, 0).value();
   ScalingSum::State state(base, options);
@@ -198,7 +198,7 @@ TEST(ScalingWindow, a_window_keeps_the_convolution_it_was_made_from) {
   }
   const Region p = Region::create(data).value(), q = shapes::rectangle(0, 0, 4, 4);
   ScalingOptions options;
-  options.mode = ScalingMode::window;
+  options.mode = FrameMode::window;
   options.window = 0.25;
   auto base = planar::ScalingBase::create(p, q, 1, 0).value();
   ScalingSum::State state(base, options);

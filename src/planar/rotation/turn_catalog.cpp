@@ -19,6 +19,12 @@ TurnCatalog::TurnCatalog(const TurningForms& forms) : forms_(forms) {
       }
     for (auto* list : {&edges_[op], &outer_edges_[op]})
       std::sort(list->begin(), list->end(), [](const Edge& a, const Edge& b) { return a.angle < b.angle; });
+    const auto ranks = [&](const std::vector<Edge>& list, std::vector<std::uint32_t>& rank) {
+      rank.assign(o.size(), ~std::uint32_t{0});
+      for (std::uint32_t k = 0; k < list.size(); ++k) rank[list[k].edge] = k;
+    };
+    ranks(edges_[op], rank_[op]);
+    ranks(outer_edges_[op], outer_rank_[op]);
     for (std::uint32_t i = 0; i < o.size(); ++i) {
       if (!o.convex[i]) continue;
       const double in = angle_[op][o.prev[i]];

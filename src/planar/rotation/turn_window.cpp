@@ -5,9 +5,6 @@
 namespace dymsum::planar {
 namespace {
 
-// How far a point at distance r of the centre moves within `half` radians; the chord is shorter than the arc.
-double moved(Point p, double half) { return (std::hypot(p.x, p.y) * half) * (1 + 0x1p-40); }
-
 bool meets_box(Point a, Point b, double x0, double y0, double x1, double y1) {
   double low = 0, high = 1;
   const auto clip = [&](double from, double d, double lo, double hi) {
@@ -41,6 +38,31 @@ Raster fixed_raster(const TurningForms& forms, const Grid& cells) {
 TurnGrid::TurnGrid(const TurningForms& forms, int cells)
     : forms(forms), grid({forms.width(), 2 * forms.reach()}, {forms.height(), 2 * forms.reach()}, cells), fixed(fixed_raster(forms, grid.part[0])), cells(cells) {}
 
+// Inner: farther from the boundary than any of its points moves. Touched at every angle: at the middle, an edge comes
+// into what remains of the cell when a rim as wide as the edge moves is taken off.
+DeadCells dead_cells(const TurnGrid& base, const std::vector<Point>& turned, double half) {
+  const TurningForms& forms = base.forms;
+  const Grid& cells = base.grid.part[1];
+  const Operand& o = forms.operand(1);
+  Raster raster(cells.rows, cells.columns);
+  Bitmap boundary(cells.rows, cells.columns);
+  CentreWindings windings(cells);
+  const double shift = forms.reach();
+  for (std::uint32_t i = 0; i < o.size(); ++i) {
+    const Point a{turned[i].x + shift, turned[i].y + shift}, b{turned[o.next[i]].x + shift, turned[o.next[i]].y + shift};
+    const double reach = std::max(moved(turned[i], half), moved(turned[o.next[i]], half)) + 0x1p-48 * forms.span();
+    for_each_cell_run(cells, a.x, a.y, b.x, b.y, [&](int r, int first, int last) { boundary.set_run(r, first, last); }, kRim + reach * cells.per_cell);
+    windings.add_edge(a.x, a.y, b.x, b.y);
+    if (2 * reach >= cells.cell) continue;
+    for_each_cell_run(cells, a.x, a.y, b.x, b.y, [&](int r, int first, int last) {
+      for (int c = first; c <= last; ++c)
+        if (meets_box(a, b, c * cells.cell + reach, r * cells.cell + reach, (c + 1) * cells.cell - reach, (r + 1) * cells.cell - reach)) raster.touch.set_run(r, c, c);
+    });
+  }
+  windings.fill(boundary, raster);
+  return DeadCells(base.grid.whole, base.fixed, raster);
+}
+
 TurnWindow::TurnWindow(const TurnGrid& base, const TurnCatalog& catalog, const TurnRange& r, bool mask) : range(r), forms_(base.forms) {
   low = range.theta(range.t_low) - 0x1p-48;
   high = range.theta(range.t_high) + 0x1p-48;
@@ -48,7 +70,7 @@ TurnWindow::TurnWindow(const TurnGrid& base, const TurnCatalog& catalog, const T
   half = (high - low) / 2 * (1 + 0x1p-40);
   heading = Heading::of(middle);
   for (const Point& p : forms_.points(1)) turned.push_back({heading.c * p.x - heading.s * p.y, heading.s * p.x + heading.c * p.y});
-  const DeadCells dead = mask ? dead_cells(base) : DeadCells(base.grid.whole);
+  const DeadCells dead = mask ? dead_cells(base, turned, half) : DeadCells(base.grid.whole);
   const Grid& g = dead.grid();
   const double shift = forms_.reach(), reach = 2 * kReach * g.cell;
   catalog.for_each(low, high, [&](const WalkSegment& s) {
@@ -75,30 +97,6 @@ TurnWindow::Box TurnWindow::box(const WalkSegment& s) const {
   b.y0 = std::min(b.ay, b.by) - b.reach;
   b.y1 = std::max(b.ay, b.by) + b.reach;
   return b;
-}
-
-// Inner: farther from the boundary than any of its points moves. Touched at every angle: at the middle, an edge comes
-// into what remains of the cell when a rim as wide as the edge moves is taken off.
-DeadCells TurnWindow::dead_cells(const TurnGrid& base) const {
-  const Grid& cells = base.grid.part[1];
-  const Operand& o = forms_.operand(1);
-  Raster raster(cells.rows, cells.columns);
-  Bitmap boundary(cells.rows, cells.columns);
-  CentreWindings windings(cells);
-  const double shift = forms_.reach();
-  for (std::uint32_t i = 0; i < o.size(); ++i) {
-    const Point a{turned[i].x + shift, turned[i].y + shift}, b{turned[o.next[i]].x + shift, turned[o.next[i]].y + shift};
-    const double reach = std::max(moved(turned[i], half), moved(turned[o.next[i]], half)) + 0x1p-48 * forms_.span();
-    for_each_cell_run(cells, a.x, a.y, b.x, b.y, [&](int r, int first, int last) { boundary.set_run(r, first, last); }, kRim + reach * cells.per_cell);
-    windings.add_edge(a.x, a.y, b.x, b.y);
-    if (2 * reach >= cells.cell) continue;
-    for_each_cell_run(cells, a.x, a.y, b.x, b.y, [&](int r, int first, int last) {
-      for (int c = first; c <= last; ++c)
-        if (meets_box(a, b, c * cells.cell + reach, r * cells.cell + reach, (c + 1) * cells.cell - reach, (r + 1) * cells.cell - reach)) raster.touch.set_run(r, c, c);
-    });
-  }
-  windings.fill(boundary, raster);
-  return DeadCells(base.grid.whole, base.fixed, raster);
 }
 
 // Each end of one on the same side of the other's line at every angle: they cannot meet.

@@ -2,6 +2,7 @@
 // pairs of them that may meet.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -28,6 +29,12 @@ class TurnGrid {
   int cells;
 };
 
+/// Cells of the sum that are inside it at every angle within `half` of the one at which the turning operand's vertices are `turned`.
+DeadCells dead_cells(const TurnGrid& base, const std::vector<Point>& turned, double half);
+
+/// How far a point at p from the centre moves within `half` radians; the chord is shorter than the arc.
+inline double moved(Point p, double half) { return (std::hypot(p.x, p.y) * half) * (1 + 0x1p-40); }
+
 class TurnWindow {
  public:
   TurnWindow(const TurnGrid& base, const TurnCatalog& catalog, const TurnRange& range, bool mask);
@@ -51,7 +58,6 @@ class TurnWindow {
     double reach;           ///< how far an end moves from there
   };
   Box box(const WalkSegment& s) const;
-  DeadCells dead_cells(const TurnGrid& base) const;
   void find_meetings(const DeadCells& dead);
   bool may_meet(std::uint32_t i, std::uint32_t j) const;
 

@@ -221,7 +221,7 @@ Result<std::vector<ScaleEvent>> ScalingSum::events(const Scale& a, const Scale& 
   const BigRational low = rational(scale_value(a)), high = rational(scale_value(b));
   if (low > high) return Error{Code::bad_scale, "the range of scales is empty: " + a.exact().to_string() + " > " + b.exact().to_string(), {}};
   ScalingOptions options = state_->options;
-  options.mode = ScalingMode::window;
+  options.mode = FrameMode::window;
   options.window = 1.0 / 16;
   options.progress = {};
   State probe(state_->base, options);
@@ -241,7 +241,7 @@ Result<std::optional<ScaleEvent>> ScalingSum::next_event(const Scale& s, const S
   std::optional<ScaleEvent> found;
   if (low >= high) return found;
   ScalingOptions options = state_->options;
-  options.mode = ScalingMode::window;
+  options.mode = FrameMode::window;
   options.window = 1.0 / 16;
   options.progress = {};
   State probe(state_->base, options);

@@ -159,7 +159,7 @@ class AnyPlacement {
     ScalingOptions options;
     options.scaled = ScaledOperand::q;
     options.semantics = Semantics::open;
-    options.mode = ScalingMode::window;
+    options.mode = FrameMode::window;
     options.window = 1.0 / 16;
     return options;
   }

@@ -51,7 +51,7 @@ Result<std::vector<CopySum>> scaled_copies(const Region& master, const Region& q
       planar::ScalingBase::create({planar::prepared_operand(master, 0), planar::prepared_operand(q, 1, options.reflect_q)}, {}, 0, options.min_tier_bits);
   if (!base) return base.error();
   ScalingSum::State state(std::move(base).value(), options);
-  const bool plan = options.mode == ScalingMode::automatic && options.window == 0;
+  const bool plan = options.mode == FrameMode::automatic && options.window == 0;
   const std::vector<std::vector<std::size_t>> groups = by_scale(copies);
   std::vector<double> scales;
   for (const auto& group : groups) scales.push_back(copies[group[0]].scale.approx());
@@ -61,7 +61,7 @@ Result<std::vector<CopySum>> scaled_copies(const Region& master, const Region& q
     if (options.progress && !options.progress("copies", static_cast<double>(g) / static_cast<double>(groups.size())))
       return Error{Code::cancelled, "stopped on request", {}};
     if (plan) {
-      state.options.mode = widths[g] > 0 ? ScalingMode::window : ScalingMode::rebuild;
+      state.options.mode = widths[g] > 0 ? FrameMode::window : FrameMode::rebuild;
       state.options.window = widths[g];
     }
     const Scale& s = copies[groups[g][0]].scale;

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <map>
 
-#include "planar/part_nesting.h"
 #include "planar/scaling/fill_lattice.h"
 #include "planar/scaling/degenerate_frame.h"
 #include "planar/vertex_order.h"
@@ -19,29 +17,6 @@ namespace {
 
 double now_ms() {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-std::uint64_t mixed(std::uint64_t h, std::uint64_t v) {
-  h ^= v + 0x9e3779b97f4a7c15u + (h << 6) + (h >> 2);
-  h *= 0xff51afd7ed558ccdu;
-  return h ^ (h >> 32);
-}
-
-std::uint64_t key(const Contact& c) { return mixed(mixed(static_cast<std::uint64_t>(c.kind), c.p), c.q); }
-std::uint64_t key(const SumVertex& v) { return mixed(mixed(key(v.in), key(v.out)), v.corner_p == SumVertex::kNone ? 0 : mixed(v.corner_p, v.corner_q)); }
-
-std::vector<const SumRing*> rings_of(const PlanarSum& sum) {
-  std::vector<const SumRing*> rings;
-  for (const SumPart& part : sum.parts) {
-    rings.push_back(&part.outer);
-    for (const SumRing& hole : part.holes) rings.push_back(&hole);
-  }
-  return rings;
-}
-
-bool same_rings(const SumRing& a, const SumRing& b) {
-  return std::equal(a.vertices.begin(), a.vertices.end(), b.vertices.begin(), b.vertices.end(),
-                    [](const SumVertex& u, const SumVertex& v) { return u.in == v.in && u.out == v.out && u.corner_p == v.corner_p && u.corner_q == v.corner_q; });
 }
 
 bool has_holes(const Operand& o) { return o.loops.size() > o.components.size(); }
@@ -220,36 +195,13 @@ ScalingSum::State::KeptRings ScalingSum::State::kept_rings(double tau, FramePlac
   const VertexOrder order(source, sum.at_error);
   for (std::size_t i = 0; i < kept.rings.size(); ++i) {
     std::vector<SumVertex>& v = kept.rings[i].vertices;
-    std::size_t first = 0;
-    for (std::size_t j = 1; j < v.size(); ++j)
-      if (v[j].at.x - v[first].at.x <= 2 * sum.at_error && order.compare(v[j], v[first]) < 0) first = j;
+    const std::size_t first = smallest_vertex(v, order, sum.at_error);
     if (first == 0) continue;
     const auto by = static_cast<std::ptrdiff_t>(first);
     std::rotate(v.begin(), v.begin() + by, v.end());
     std::rotate(kept.loops[i]->vertices.begin(), kept.loops[i]->vertices.begin() + by, kept.loops[i]->vertices.end());
   }
   return kept;
-}
-
-// The rings of one part; and the loops they came from, in their order.
-void ScalingSum::State::join_one_part(KeptRings kept, const VertexOrder& order, NextFrame& next) {
-  std::vector<std::size_t> holes;
-  SumPart part;
-  for (std::size_t i = 0; i < kept.rings.size(); ++i) {
-    if (!kept.outer[i]) {
-      holes.push_back(i);
-      continue;
-    }
-    part.outer = std::move(kept.rings[i]);
-    next.loops.push_back(kept.loops[i]);
-  }
-  // Rings share no vertices where nothing touches, so their first vertices order them.
-  std::sort(holes.begin(), holes.end(), [&](std::size_t a, std::size_t b) { return order.compare(kept.rings[a].vertices[0], kept.rings[b].vertices[0]) < 0; });
-  for (const std::size_t i : holes) {
-    part.holes.push_back(std::move(kept.rings[i]));
-    next.loops.push_back(kept.loops[i]);
-  }
-  next.sum.parts.push_back(std::move(part));
 }
 
 // The kept loops at tau: rings in canonical order.
@@ -262,16 +214,7 @@ ScalingSum::State::NextFrame ScalingSum::State::assemble(double tau, FramePlace&
   next.sum.stats.live_segments = window_->segments.size();
   next.followed = loops_known_;
   KeptRings kept = kept_rings(tau, place, *source, next.sum);
-  if (std::count(kept.outer.begin(), kept.outer.end(), std::uint8_t{1}) == 1) {
-    join_one_part(std::move(kept), VertexOrder(*source, next.sum.at_error), next);
-    return next;
-  }
-  // Several parts: the rings go through the grouping of the static engine, and are recognised by their first vertices.
-  std::map<std::uint64_t, FrameLoop*> loop_at;
-  for (std::size_t i = 0; i < kept.rings.size(); ++i) loop_at[key(kept.rings[i].vertices[0])] = kept.loops[i];
-  next.sum.parts = group_rings(std::move(kept.rings), kept.outer, *source, next.sum.at_error);
-  canonicalize(next.sum.parts, *source, next.sum.at_error);
-  for (const SumRing* ring : rings_of(next.sum)) next.loops.push_back(loop_at.at(key(ring->vertices[0])));
+  for (const std::size_t i : place_rings(std::move(kept.rings), kept.outer, next.sum)) next.loops.push_back(kept.loops[i]);
   return next;
 }
 
@@ -305,51 +248,13 @@ ScalingSum::State::NextFrame ScalingSum::State::window_frame(const ScaleValue& s
   return next;
 }
 
-// Rings of frames that know nothing of each other: one takes the identity of the first ring with which it shares a vertex.
-std::vector<std::uint64_t> ScalingSum::State::match_rings(const PlanarSum& next, bool same_place, FrameChanges& changes) {
-  const std::vector<const SumRing*> before = rings_of(sum), after = rings_of(next);
-  std::vector<std::uint64_t> ids(after.size(), 0);
-  std::vector<std::uint8_t> taken(before.size(), 0);
-  std::vector<std::pair<std::uint64_t, std::size_t>> owner;  // vertex -> ring before, sorted
-  for (std::size_t i = 0; i < before.size(); ++i)
-    for (const SumVertex& v : before[i]->vertices) owner.emplace_back(key(v), i);
-  std::sort(owner.begin(), owner.end());
-  for (std::size_t i = 0; i < after.size(); ++i) {
-    std::uint32_t shared = 0;
-    std::size_t from = before.size();
-    for (const SumVertex& v : after[i]->vertices) {
-      const std::uint64_t k = key(v);
-      const auto it = std::lower_bound(owner.begin(), owner.end(), k, [](const auto& entry, std::uint64_t want) { return entry.first < want; });
-      if (it == owner.end() || it->first != k) continue;
-      if (from == before.size() && !taken[it->second]) from = it->second;
-      shared += it->second == from;
-    }
-    const auto size = static_cast<std::uint32_t>(after[i]->vertices.size());
-    if (from == before.size()) {
-      ids[i] = next_ring_++;
-      changes.rings.push_back({RingChange::Kind::appeared, ids[i], size, 0});
-      continue;
-    }
-    taken[from] = 1;
-    ids[i] = ring_ids[from];
-    const auto old = static_cast<std::uint32_t>(before[from]->vertices.size());
-    shared = std::min({shared, size, old});
-    const bool same = size == old && shared == size && same_rings(*before[from], *after[i]);
-    if (!same || !same_place)
-      changes.rings.push_back({same ? RingChange::Kind::moved : RingChange::Kind::reshaped, ids[i], size - shared, old - shared});
-  }
-  for (std::size_t i = 0; i < before.size(); ++i)
-    if (!taken[i]) changes.rings.push_back({RingChange::Kind::disappeared, ring_ids[i], 0, static_cast<std::uint32_t>(before[i]->vertices.size())});
-  return ids;
-}
-
-// The same between two frames of one window, from what the loops remember.
+// Identities between two frames of one window, from what the loops remember.
 std::vector<std::uint64_t> ScalingSum::State::follow_rings(const NextFrame& next, bool same_place, FrameChanges& changes) {
   std::vector<std::uint64_t> ids;
   for (FrameLoop* loop : next.loops) {
     const auto size = static_cast<std::uint32_t>(loop->vertices.size());
     if (loop->ring == 0) {
-      loop->ring = next_ring_++;
+      loop->ring = identities_.fresh();
       changes.rings.push_back({RingChange::Kind::appeared, loop->ring, size, 0});
     } else if (loop->fresh && !(loop->vertices_before == size && loop->vertices_shared == size)) {
       changes.rings.push_back({RingChange::Kind::reshaped, loop->ring, size - loop->vertices_shared, loop->vertices_before - loop->vertices_shared});
@@ -364,14 +269,10 @@ std::vector<std::uint64_t> ScalingSum::State::follow_rings(const NextFrame& next
 
 FrameChanges ScalingSum::State::take(NextFrame next, bool same_place) {
   FrameChanges changes;
-  std::vector<std::uint64_t> ids = next.followed ? follow_rings(next, same_place, changes) : match_rings(next.sum, same_place, changes);
+  std::vector<std::uint64_t> ids = next.followed ? follow_rings(next, same_place, changes) : identities_.match(sum, ring_ids, next.sum, same_place, changes);
   if (!next.followed)
     for (std::size_t i = 0; i < next.loops.size(); ++i) next.loops[i]->ring = ids[i];
-  std::sort(changes.rings.begin(), changes.rings.end(), [](const RingChange& a, const RingChange& b) { return a.ring < b.ring; });
-  changes.tight_points = static_cast<std::int64_t>(next.sum.tight_points.size()) - static_cast<std::int64_t>(sum.tight_points.size());
-  changes.tight_segments = static_cast<std::int64_t>(next.sum.tight_segments.size()) - static_cast<std::int64_t>(sum.tight_segments.size());
-  changes.topology = sum.parts.size() != next.sum.parts.size() || sum.hole_count() != next.sum.hole_count() || changes.tight_points != 0 ||
-                     changes.tight_segments != 0 || sum.segments.size() != next.sum.segments.size() || sum.points.size() != next.sum.points.size();
+  finish_changes(sum, next.sum, changes);
   sum = std::move(next.sum);
   ring_ids = std::move(ids);
   return changes;
@@ -387,10 +288,10 @@ Result<FrameChanges> ScalingSum::State::move_to(const Scale& x, const Scale& y) 
   const bool inside = windowable && window_ != nullptr && sx.approx > low_ && sx.approx < high_;
   const double step = std::log(sx.approx / scale.approx());
   bool built = false;
-  if (inside && options.mode != ScalingMode::rebuild) {
+  if (inside && options.mode != FrameMode::rebuild) {
     next = window_frame(sx, next_work);
   } else if (windowable) {
-    const WindowController::Choice choice = controller_.choose(step, widest_window(sx.approx), options);
+    const WindowController::Choice choice = controller_.choose(step, widest_window(sx.approx), options.mode, std::log1p(options.window));
     if (choice.window) {
       if (options.progress && !options.progress("window", 0)) return Error{Code::cancelled, "stopped on request", {}};
       build_window(sx, choice.behind, choice.ahead);
@@ -412,7 +313,7 @@ Result<FrameChanges> ScalingSum::State::move_to(const Scale& x, const Scale& y) 
   else if (built) controller_.built(next_work.ms);
   else {
     controller_.updated(next_work.ms);
-    if (options.mode == ScalingMode::automatic && options.window == 0 && controller_.give_up(next_work.ms)) drop_window();
+    if (options.mode == FrameMode::automatic && options.window == 0 && controller_.give_up(next_work.ms)) drop_window();
   }
   work = next_work;
   return changes;

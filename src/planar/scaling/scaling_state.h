@@ -5,7 +5,8 @@
 #include <unordered_map>
 
 #include "dymsum/scaling_sum.h"
-#include "planar/scaling/controller.h"
+#include "planar/frames/controller.h"
+#include "planar/frames/frame_rings.h"
 #include "planar/scaling/exact_forms.h"
 #include "planar/scaling/frame_loops.h"
 #include "planar/vertex_order.h"
@@ -53,10 +54,8 @@ class ScalingSum::State {
   Result<NextFrame> rebuilt_frame(const planar::ScaleValue& x, const planar::ScaleValue& y, FrameWork& work);
   NextFrame window_frame(const planar::ScaleValue& s, FrameWork& work);
   KeptRings kept_rings(double tau, planar::FramePlace& place, const planar::ScalingSource& source, PlanarSum& sum);
-  static void join_one_part(KeptRings kept, const planar::VertexOrder& order, NextFrame& next);
   NextFrame assemble(double tau, planar::FramePlace& place);
   FrameChanges take(NextFrame next, bool same_place);
-  std::vector<std::uint64_t> match_rings(const PlanarSum& next, bool same_place, FrameChanges& changes);
   std::vector<std::uint64_t> follow_rings(const NextFrame& next, bool same_place, FrameChanges& changes);
 
   planar::WindowController controller_;
@@ -68,7 +67,7 @@ class ScalingSum::State {
   std::unique_ptr<planar::FrameLoops> loops_;
   double low_ = 0, high_ = 0;     ///< scales the window covers
   bool loops_known_ = false;
-  std::uint64_t next_ring_ = 1;
+  planar::RingIdentities identities_;
   mutable std::unique_ptr<planar::ExactForms> forms_;
 };
 

@@ -19,8 +19,8 @@ Result<ScalingSum> ScalingSum::create(const Region& p, const Region& q, const Sc
                           options.min_tier_bits);
   if (!base) return base.error();
   auto state = std::make_unique<State>(std::move(base).value(), options);
-  const ScalingMode mode = state->options.mode;
-  state->options.mode = ScalingMode::rebuild;
+  const FrameMode mode = state->options.mode;
+  state->options.mode = FrameMode::rebuild;
   Result<FrameChanges> first = state->move_to(Scale(), Scale());
   if (!first) return first.error();
   state->options.mode = mode;

@@ -3,11 +3,11 @@
 
 #include <cstdint>
 
-#include "dymsum/scaling_sum.h"
+#include "dymsum/frames.h"
 
 namespace dymsum::planar {
 
-/// All scales here are natural logarithms.
+/// Steps and widths are natural logarithms of scales, or angles.
 class WindowController {
  public:
   struct Choice {
@@ -15,18 +15,15 @@ class WindowController {
     double behind = 0, ahead = 0;  ///< how far the window reaches below and above the scale
   };
   /// For a frame outside the current window, `step` after the last one; windows should not be wider than `widest`, unless that is less
-  /// than a few steps.
-  Choice choose(double step, double widest, const ScalingOptions& options);
+  /// than a few steps. `window`: their width where the caller knows it, else 0.
+  Choice choose(double step, double widest, FrameMode mode, double window);
 
   /// What was measured: a frame from scratch; a frame that built a window; a frame inside one.
   void rebuilt(double ms);
   void built(double ms);
   /// Whether frames inside the window have been dearer than from scratch three times in a row.
   bool give_up(double ms);
-  void updated(double ms) {
-    spent_ += ms;
-    ++served_;
-  }
+  void updated(double ms);
 
  private:
   void close_window();

@@ -1,4 +1,4 @@
-#include "planar/scaling/controller.h"
+#include "planar/frames/controller.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,11 +6,12 @@
 namespace dymsum::planar {
 namespace {
 
-constexpr double kWidest = 1.0;       // a window covers at most a factor of e ahead
+constexpr double kWidest = 1.0;       // a window covers at most so much ahead
 constexpr double kFrames = 2;         // and at least this many steps
 constexpr double kMostFrames = 64;
 constexpr double kLargestStep = 0.16;  // beyond it no window has been seen to pay
 constexpr double kNarrowest = 1e-6;
+constexpr double kDearestWindow = 12, kDearestFrame = 2;  // times a frame from scratch
 constexpr double kHysteresis = 0.05;  // relative gain below which the width stays
 
 }  // namespace
@@ -43,23 +44,26 @@ bool WindowController::give_up(double ms) {
   return true;
 }
 
+// Times are wall times: what lasts far longer than it can is another program's turn and counts for less.
 void WindowController::built(double ms) {
-  spent_ = ms;
+  spent_ = static_ms_ > 0 ? std::min(ms, kDearestWindow * static_ms_) : ms;
   served_ = 1;
 }
 
-WindowController::Choice WindowController::choose(double step, double widest, const ScalingOptions& options) {
+void WindowController::updated(double ms) {
+  spent_ += static_ms_ > 0 ? std::min(ms, kDearestFrame * static_ms_) : ms;
+  ++served_;
+}
+
+WindowController::Choice WindowController::choose(double step, double widest, FrameMode mode, double window) {
   const double size = std::abs(step);
-  if (options.mode == ScalingMode::rebuild) return {};
-  if (options.window > 0) {
-    const double width = std::log1p(options.window);
-    return {true, 0.1 * width, width};
-  }
+  if (mode == FrameMode::rebuild) return {};
+  if (window > 0) return {true, 0.1 * window, window};
   // Large steps are remembered for a while: among random jumps a small one is no sweep.
   recent_ = std::max(size, 0.8 * recent_);
   const std::uint64_t served = served_;
   close_window();
-  if (options.mode == ScalingMode::automatic) {
+  if (mode == FrameMode::automatic) {
     // A window that cost more a frame than computing from scratch: leave it for a while, or until steps get much smaller.
     if (served > 0 && last_cost_ > static_ms_) {
       bad_step_ = bad_step_ == 0 ? size : std::min(bad_step_, size);

@@ -1,0 +1,58 @@
+// Planar sums that stay exact while an operand turns: one object holds R(theta) P (+) Q and follows the orientation. Setting one updates
+// what the change touches; the result equals a fresh computation there, always.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "dymsum/frames.h"
+#include "dymsum/orientation.h"
+#include "dymsum/planar_sum.h"
+
+namespace dymsum {
+
+/// Which operand turns, about the origin of its coordinates.
+enum class TurningOperand : std::uint8_t { p, q };
+
+struct RotatingOptions {
+  TurningOperand turning = TurningOperand::p;
+  bool reflect_q = false;  ///< P (+) -Q: Q is a robot and P an obstacle. Provenance numbers refer to Q
+  Semantics semantics = Semantics::closed;
+  FrameMode mode = FrameMode::automatic;
+  double window = 0;      ///< how many radians windows cover ahead; 0: chosen by the controller
+  int min_tier_bits = 0;  ///< use at least this number tier (29, 61, 512; above: arbitrary), for tests
+  Progress progress;      ///< asked before a window is built and between stages of a rebuild, see progress.h
+};
+
+/// Vertices are never rounded: between two frames everything is decided by signs of trigonometric polynomials, in doubles with proved
+/// bounds; a frame that they do not decide, one at which something touches among them, is computed from scratch on integers.
+/// Source: Behar 2016, 6.1 carried over to rotations (docs/design/rotating-sum.md).
+class RotatingSum {
+ public:
+  /// R(theta) P (+) Q at theta = 0. General regions; polylines and points make every frame a rebuild. Errors: unsupported_operand for
+  /// coordinates beyond 2^1000; cancelled.
+  static Result<RotatingSum> create(const Region& p, const Region& q, const RotatingOptions& options = {});
+  RotatingSum(RotatingSum&&) noexcept;
+  RotatingSum& operator=(RotatingSum&&) noexcept;
+  ~RotatingSum();
+
+  /// Turns to an orientation. On an error (cancelled) nothing changes. Cost of a frame inside a window: O(pieces and pairs of the window +
+  /// boundary).
+  Result<FrameChanges> set(const Orientation& theta);
+
+  const Orientation& orientation() const;
+  /// The exact sum at the current orientation; valid until the next set(). Copies stay valid for ever.
+  const PlanarSum& sum() const;
+  /// Identities of the rings of sum(), part by part, outer ring first.
+  std::vector<std::uint64_t> ring_ids() const;
+  const FrameWork& work() const;
+
+  class State;  ///< internal
+
+ private:
+  explicit RotatingSum(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace dymsum

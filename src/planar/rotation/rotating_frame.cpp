@@ -1,0 +1,248 @@
+#include "planar/rotation/rotating_frame.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dymsum::planar {
+namespace {
+
+// A side of a point computed from places errs by at most this times |d|_1 span, d x e by kCross |d|_1 |e|_1: cos and sin carry 2^-49, every
+// coordinate a few roundings (TurningForms::side_error, doubled because o2 = o1 + d x e carries both).
+constexpr double kSide = 0x1p-45, kCross = 0x1p-46;
+
+}  // namespace
+
+RotatingFrame::RotatingFrame(const RotatingWindow& window) : window_(window) {
+  const std::size_t n = window.segments.size(), m = window.forms().size(1);
+  placed_.resize(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    placed_[i].length1 = window.segments[i].length1;
+    placed_[i].error = kSide * window.forms().span() * window.segments[i].length1;
+  }
+  exists_.resize(n);
+  turned_.resize(m);
+  turned_edge_.resize(m);
+  count_.resize(window.pieces.size());
+  entries_.resize(window.of.size());
+  walked_.resize(window.pieces.size());
+}
+
+bool RotatingFrame::compute(double delta, Heading heading) {
+  heading_ = heading;
+  delta_ = delta;
+  sure_ = true;
+  return place_segments(delta) && find_crossings() && link_crossings() && find_cycles();
+}
+
+bool RotatingFrame::place_segments(double delta) {
+  const TurningForms& forms = window_.forms();
+  const auto turn = [&](Point p) { return Point{heading_.c * p.x - heading_.s * p.y, heading_.s * p.x + heading_.c * p.y}; };
+  for (std::uint32_t i = 0; i < turned_.size(); ++i) {
+    turned_[i] = turn(forms.points(1)[i]);
+    turned_edge_[i] = turn(forms.edge(1, i));
+  }
+  for (std::uint32_t i = 0; i < window_.segments.size(); ++i) {
+    const TurnSegment& s = window_.segments[i];
+    const double before = delta - s.span.from, behind = s.span.to - delta;
+    if (std::abs(before) < kAngleSlack || std::abs(behind) < kAngleSlack) return false;
+    exists_[i] = before > 0 && behind > 0;
+    if (!exists_[i]) continue;
+    const Point at = place(s.start), d = s.walk.side == 0 ? forms.edge(0, s.walk.edge) : turned_edge_[s.walk.edge];
+    Placed& to = placed_[i];
+    to.x = at.x;
+    to.y = at.y;
+    to.dx = d.x;
+    to.dy = d.y;
+  }
+  return true;
+}
+
+bool RotatingFrame::find_crossings() {
+  crossings_.clear();
+  std::fill(count_.begin(), count_.end(), 0);
+  for (const TurnMeeting& m : window_.meetings)
+    if (exists_[m.segment_a] && exists_[m.segment_b] && !cross(m)) return false;
+  return true;
+}
+
+// False where it cannot be told whether they cross.
+bool RotatingFrame::cross(const TurnMeeting& m) {
+  const Placed &a = placed_[m.segment_a], &b = placed_[m.segment_b];
+  const double wx = b.x - a.x, wy = b.y - a.y, k = a.dx * b.dy - a.dy * b.dx;
+  const double o1 = a.dx * wy - a.dy * wx, o2 = o1 + k;
+  if ((o1 > a.error && o2 > a.error) || (o1 < -a.error && o2 < -a.error)) return true;
+  const double o3 = b.dx * wy - b.dy * wx, o4 = o3 + k;
+  if ((o3 > b.error && o4 > b.error) || (o3 < -b.error && o4 < -b.error)) return true;
+  const bool sure = std::abs(o1) > a.error && std::abs(o2) > a.error && std::abs(o3) > b.error && std::abs(o4) > b.error;
+  if (!sure || std::abs(k) <= 2 * kCross * a.length1 * b.length1) return certainly_beside(a, b) || certainly_beside(b, a);
+  const TurnPiece &p = window_.pieces[m.a], &q = window_.pieces[m.b];
+  const double per = -1 / k, t = o3 * per, u = o1 * per;
+  if (!(t > p.head && t <= p.tail && u > q.head && u <= q.tail)) return true;  // they cross in other pieces
+  const double error_t = 4 * b.error * std::abs(per) + 0x1p-50, error_u = 4 * a.error * std::abs(per) + 0x1p-50;
+  const auto number = static_cast<std::uint32_t>(crossings_.size());
+  if (k > 0) crossings_.push_back({m.b, m.a, u, t, error_u, error_t});
+  else crossings_.push_back({m.a, m.b, t, u, error_t, error_u});
+  insert(m.a, t, error_t, k > 0 ? number | kOut : number);
+  insert(m.b, u, error_u, k > 0 ? number : number | kOut);
+  return true;
+}
+
+void RotatingFrame::insert(std::uint32_t piece, double t, double error, std::uint32_t crossing) {
+  Entry* list = &entries_[window_.first_of[piece]];
+  std::uint32_t k = count_[piece]++;
+  for (; k > 0 && list[k - 1].t > t; --k) list[k] = list[k - 1];
+  list[k] = {t, static_cast<float>(error) * (1 + 0x1p-20f), crossing};
+}
+
+// Along the first one, the second one lies before its start or behind its end.
+bool RotatingFrame::certainly_beside(const Placed& a, const Placed& b) {
+  const double wx = b.x - a.x, wy = b.y - a.y;
+  const double u = a.dx * wx + a.dy * wy, v = u + a.dx * b.dx + a.dy * b.dy, whole = a.dx * a.dx + a.dy * a.dy;
+  return (u < -a.error && v < -a.error) || (u > whole + a.error && v > whole + a.error);
+}
+
+// A walk that leaves a crossing arrives at the next one on the piece, unless it comes from the left of what crosses there: then it is covered.
+bool RotatingFrame::link_crossings() {
+  next_.resize(crossings_.size());
+  for (std::uint32_t i = 0; i < count_.size(); ++i) {
+    if (count_[i] == 0) continue;
+    const Entry* list = &entries_[window_.first_of[i]];
+    const std::uint32_t last = count_[i] - 1;
+    for (std::uint32_t k = 0; k < last; ++k) {
+      if (!(list[k + 1].t - list[k].t > static_cast<double>(list[k].error) + static_cast<double>(list[k + 1].error))) return false;
+      if (list[k].out()) next_[list[k].number()] = list[k + 1].out() ? kNone : list[k + 1].crossing;
+    }
+    if (list[last].out()) next_[list[last].number()] = window_.pieces[i].tail_dead ? kNone : kOnward;
+  }
+  return true;
+}
+
+// The segment that exists now and continues one, or kNone.
+std::uint32_t RotatingFrame::continuing(std::uint32_t segment) {
+  std::uint32_t next = kNone;
+  for (const std::uint32_t s : window_.segments[segment].next) {
+    if (s == kNone || !exists_[s]) continue;
+    if (next != kNone) sure_ = false;
+    next = s;
+  }
+  return next;
+}
+
+std::uint32_t RotatingFrame::onward(std::uint32_t piece, std::uint32_t begin, std::vector<std::uint32_t>* path) {
+  for (std::size_t steps = 0; steps <= window_.pieces.size(); ++steps) {
+    const std::uint32_t next = continuing(window_.pieces[piece].segment);
+    if (next == kNone) return kNone;
+    const TurnSegment& s = window_.segments[next];
+    if (window_.pieces[s.first_piece].head_cut) return kNone;
+    piece = s.first_piece;
+    if (piece == begin) return kRound;
+    if (path != nullptr) path->push_back(piece);
+    if (count(piece) > 0) return entry(piece, 0).out() ? kNone : entry(piece, 0).number();
+    if (window_.pieces[piece].tail_dead || (begin != kNone && walked_[piece])) return kNone;
+    walked_[piece] = 1;
+  }
+  return kNone;
+}
+
+std::uint32_t RotatingFrame::partner(std::uint32_t piece, std::uint32_t c) const {
+  if (c == kEnd) return kEnd;
+  const Crossing& x = crossings_[c];
+  return window_.pieces[x.in == piece ? x.out : x.in].segment;
+}
+
+// Adds the steps from a crossing to the next one of its cycle, which it returns.
+std::uint32_t RotatingFrame::record(std::uint32_t crossing) {
+  const std::uint32_t piece = crossings_[crossing].out;
+  const auto add = [&](std::uint32_t p, std::uint32_t from, std::uint32_t to) {
+    steps_.push_back({p, window_.pieces[p].segment, partner(p, from), partner(p, to), from, to, false});
+  };
+  if (next_[crossing] != kOnward) {
+    add(piece, crossing, next_[crossing]);
+    return next_[crossing];
+  }
+  path_.clear();
+  const std::uint32_t to = onward(piece, kNone, &path_);
+  add(piece, crossing, kEnd);
+  for (std::size_t k = 0; k < path_.size(); ++k) add(path_[k], kEnd, k + 1 == path_.size() ? to : kEnd);
+  return to;
+}
+
+bool RotatingFrame::find_cycles() {
+  cycles_.clear();
+  steps_.clear();
+  seen_.assign(crossings_.size(), 0);
+  std::fill(walked_.begin(), walked_.end(), 0);
+  for (std::uint32_t c = 0; c < crossings_.size(); ++c) {
+    if (seen_[c]) continue;
+    std::uint32_t at = c;
+    do {
+      seen_[at] = 1;
+      at = successor(at);
+    } while (at != kNone && !seen_[at]);
+    // Every crossing has one predecessor, so only the first one can come again.
+    if (at != c || !sure_) continue;
+    const auto first = static_cast<std::uint32_t>(steps_.size());
+    do at = record(at);
+    while (at != c);
+    if (!close(first)) return false;
+  }
+  return sure_ && find_plain_cycles();
+}
+
+// Cycles without a crossing: along segments that nothing crosses.
+bool RotatingFrame::find_plain_cycles() {
+  for (const std::uint32_t i : window_.rounds) {
+    if (walked_[i] || count(i) != 0 || !exists_[window_.pieces[i].segment]) continue;
+    path_.assign(1, i);
+    walked_[i] = 1;
+    if (onward(i, i, &path_) != kRound) continue;
+    const auto first = static_cast<std::uint32_t>(steps_.size());
+    for (const std::uint32_t piece : path_) steps_.push_back({piece, window_.pieces[piece].segment, kEnd, kEnd, kEnd, kEnd, false});
+    if (!close(first)) return false;
+  }
+  return sure_;
+}
+
+// 0 for directions in [0, pi), 1 for the others; sets sure_ to false where doubles do not tell.
+int RotatingFrame::half(std::uint32_t s) {
+  const double dx = placed_[s].dx, dy = placed_[s].dy;
+  if (window_.segments[s].walk.side == 0) return dy > 0 || (dy == 0 && dx > 0) ? 0 : 1;  // rounded once from exact differences
+  if (std::abs(dy) <= kCross * window_.segments[s].length1) sure_ = false;
+  return dy > 0 ? 0 : 1;
+}
+
+bool RotatingFrame::close(std::uint32_t first) {
+  const auto last = static_cast<std::uint32_t>(steps_.size());
+  int turns = 0, ht = half(steps_[first].segment);
+  for (std::uint32_t i = first; i < last; ++i) {
+    Step& from = steps_[i];
+    const Step& to = steps_[i + 1 == last ? first : i + 1];
+    const Placed &a = placed_[from.segment], &b = placed_[to.segment];
+    const double k = a.dx * b.dy - a.dy * b.dx;
+    if (from.to == kEnd && std::abs(k) <= 0x1p-40 * a.length1 * b.length1)
+      from.straight = window_.forms().parallel(window_.segments[from.segment].walk, window_.segments[to.segment].walk);
+    const int hf = ht;
+    ht = half(to.segment);
+    if (hf == ht) continue;
+    int turn = -1;  // at crossings always to the right
+    if (from.to == kEnd) {
+      if (std::abs(k) <= kCross * a.length1 * b.length1) sure_ = false;
+      turn = k > 0 ? 1 : -1;
+    }
+    if (turn > 0 && hf == 1) ++turns;
+    if (turn < 0 && hf == 0) --turns;
+  }
+  cycles_.push_back({first, last, turns});
+  return sure_;
+}
+
+RotatingFrame::Located RotatingFrame::end_of(const Step& s) const {
+  if (s.to_crossing == kEnd) return {place(window_.segments[s.segment].end), point_error()};
+  const Crossing& c = crossings_[s.to_crossing];
+  const Placed &a = placed_[s.segment], &b = placed_[window_.pieces[c.out].segment];
+  const double ea = c.e_in * std::max(std::abs(a.dx), std::abs(a.dy)), eb = c.e_out * std::max(std::abs(b.dx), std::abs(b.dy));
+  if (ea <= eb) return {{a.x + c.t_in * a.dx, a.y + c.t_in * a.dy}, point_error() + ea};
+  return {{b.x + c.t_out * b.dx, b.y + c.t_out * b.dy}, point_error() + eb};
+}
+
+}  // namespace dymsum::planar

@@ -1,0 +1,112 @@
+// One frame of a rotating sum: which segments of the window exist at its angle, where they cross, and the cycles they make. In doubles
+// with proved bounds; where those do not decide, the frame is not generic and has to be computed from scratch.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "planar/rotation/rotating_window.h"
+
+namespace dymsum::planar {
+
+class RotatingFrame {
+ public:
+  static constexpr std::uint32_t kEnd = kNone;
+
+  /// A sub-edge of a cycle: of a piece, from the crossing with one segment to that with another, or from or to the segment's end.
+  struct Step {
+    std::uint32_t piece = 0, segment = 0;
+    std::uint32_t from = kEnd, to = kEnd;        ///< segments
+    std::uint32_t from_crossing = kEnd, to_crossing = kEnd;  ///< of this frame
+    bool straight = false;                       ///< the next one goes straight on: where rings of an operand touch, its edges are cut
+  };
+  struct Cycle {
+    std::uint32_t first = 0, last = 0;  ///< steps [first, last)
+    int turning = 0;                    ///< the turning number: 1 for counter-clockwise ones
+  };
+  /// Two pieces cross: the boundary of what is right of both arrives on one and leaves on the other, turning right.
+  struct Crossing {
+    std::uint32_t in = 0, out = 0;  ///< pieces
+    double t_in = 0, t_out = 0;     ///< in shares of the segments
+    double e_in = 0, e_out = 0;     ///< bounds on their errors
+  };
+
+  explicit RotatingFrame(const RotatingWindow& window);
+
+  /// At an angle given as the middle of the window + delta, whose cos and sin err by at most 2^-49. False where doubles do not decide;
+  /// then nothing here means anything.
+  bool compute(double delta, Heading heading);
+
+  const RotatingWindow& window() const { return window_; }
+  const std::vector<Cycle>& cycles() const { return cycles_; }
+  const std::vector<Step>& steps() const { return steps_; }
+  const std::vector<Crossing>& crossings() const { return crossings_; }
+  Heading heading() const { return heading_; }
+  double delta() const { return delta_; }
+
+  Point place(Pair v) const { return {window_.forms().points(0)[v.p].x + turned_[v.q].x, window_.forms().points(0)[v.p].y + turned_[v.q].y}; }
+  double point_error() const { return 0x1p-48 * window_.forms().span(); }
+  /// Where a step ends, and a bound on the error of each coordinate.
+  struct Located {
+    Point at;
+    double error = 0;
+  };
+  Located end_of(const Step& s) const;
+  /// In shares of the segment.
+  double from_share(const Step& s) const { return s.from_crossing == kEnd ? 0 : crossings_[s.from_crossing].t_out; }
+  double to_share(const Step& s) const { return s.to_crossing == kEnd ? 1 : crossings_[s.to_crossing].t_in; }
+
+ private:
+  /// A segment at this angle: start, vector, |vector|_1, and a bound on the error of the side of a place.
+  struct Placed {
+    double x = 0, y = 0, dx = 0, dy = 0, length1 = 0, error = 0;
+  };
+  /// A crossing on a piece.
+  struct Entry {
+    double t = 0;
+    float error = 0;  ///< rounded up
+    std::uint32_t crossing = 0;
+    bool out() const { return (crossing & kOut) != 0; }
+    std::uint32_t number() const { return crossing & ~kOut; }
+  };
+  static constexpr std::uint32_t kOut = 0x80000000;  ///< the boundary leaves the crossing on this piece
+  bool place_segments(double delta);
+  bool find_crossings();
+  bool cross(const TurnMeeting& m);
+  static bool certainly_beside(const Placed& a, const Placed& b);
+  void insert(std::uint32_t piece, double t, double error, std::uint32_t crossing);
+  bool link_crossings();
+  bool find_cycles();
+  bool find_plain_cycles();
+  std::uint32_t count(std::uint32_t piece) const { return count_[piece]; }
+  const Entry& entry(std::uint32_t piece, std::uint32_t k) const { return entries_[window_.first_of[piece] + k]; }
+  std::uint32_t partner(std::uint32_t piece, std::uint32_t crossing) const;
+  /// The crossing at which a walk arrives that leaves one; kNone where it ends.
+  std::uint32_t successor(std::uint32_t crossing) { return next_[crossing] == kOnward ? onward(crossings_[crossing].out, kNone, nullptr) : next_[crossing]; }
+  /// The same for a walk that comes to the end of a piece; kRound when it gets to the piece `begin`. `path` takes the pieces behind the first
+  /// one.
+  std::uint32_t onward(std::uint32_t piece, std::uint32_t begin, std::vector<std::uint32_t>* path);
+  static constexpr std::uint32_t kOnward = 0xfffffffe, kRound = 0xfffffffd;
+  std::uint32_t record(std::uint32_t crossing);
+  std::uint32_t continuing(std::uint32_t segment);
+  bool close(std::uint32_t first);
+  int half(std::uint32_t segment);
+
+  const RotatingWindow& window_;
+  Heading heading_;
+  double delta_ = 0;
+  std::vector<Point> turned_, turned_edge_;
+  std::vector<Placed> placed_;                 // by segment; anything where it does not exist
+  std::vector<std::uint8_t> exists_;
+  std::vector<Crossing> crossings_;
+  std::vector<std::uint32_t> count_;           // of entries, by piece; the places are those of the window's index of meetings
+  std::vector<Entry> entries_;                 // along each piece
+  std::vector<std::uint32_t> next_;            // crossing -> the crossing at which one arrives, kNone, or kOnward: past the end of the piece
+  std::vector<std::uint8_t> seen_, walked_;    // crossing; piece without crossings
+  std::vector<std::uint32_t> path_;
+  std::vector<Step> steps_;
+  std::vector<Cycle> cycles_;
+  bool sure_ = true;
+};
+
+}  // namespace dymsum::planar

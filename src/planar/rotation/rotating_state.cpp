@@ -1,0 +1,232 @@
+#include "planar/rotation/rotating_state.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "planar/prepared_region.h"
+
+namespace dymsum {
+
+using namespace planar;
+
+namespace {
+
+double now_ms() { return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+constexpr double kMaskFrom = 100;    // segments from which a mask pays
+constexpr double kCellsSwept = 3;   // a cell is so many times as wide as vertices move from the middle of a window
+constexpr double kWidest = 0.25;     // beyond a sweep of so many cells of the finest grid pairs that may meet abound
+
+int cells_for(double n) { return std::clamp(static_cast<int>(3 * std::sqrt(n)), 8, 256); }
+
+}  // namespace
+
+Result<std::unique_ptr<RotatingSum::State>> RotatingSum::State::create(const Region& p, const Region& q, const RotatingOptions& options) {
+  const bool p_turns = options.turning == TurningOperand::p;
+  auto base = ScalingBase::create({prepared_operand(p, 0), prepared_operand(q, 1, options.reflect_q)}, {}, p_turns ? 0 : 1, options.min_tier_bits);
+  if (!base) return base.error();
+  auto state = std::make_unique<State>();
+  state->options = options;
+  state->base_ = *base;
+  const ScalingBase& b = **base;
+  if (!b.regular || b.operands[0].size() == 0 || b.operands[1].size() == 0) return state;
+  const auto size = [&](int op) { return std::hypot(b.width[op], b.height[op]); };
+  state->swapped_ = size(0) < size(1) || (size(0) == size(1) && p_turns);
+  auto forms = state->swapped_ ? ScalingBase::create({prepared_operand(q, 0, options.reflect_q), prepared_operand(p, 1)}, {}, 1, options.min_tier_bits) : base;
+  if (!forms) return forms.error();
+  state->forms_base_ = *forms;
+  state->forms_ = std::make_unique<TurningForms>(**forms);
+  state->catalog_ = std::make_unique<TurnCatalog>(*state->forms_);
+  state->catalog_->for_each(0, 0, [&](const WalkSegment&) { ++state->segments_; });
+  state->loops_ = std::make_unique<RotatingLoops>(*state->forms_, b.connected, state->swapped_);
+  return state;
+}
+
+void RotatingSum::State::drop_window() {
+  frame_.reset();
+  window_.reset();
+  if (loops_) loops_->forget();
+}
+
+double RotatingSum::State::widest_window() const {
+  const double extent = std::max(forms_->width(), forms_->height()) + 2 * forms_->reach();
+  return forms_->reach() > 0 ? 2 * kWidest * extent / (cells_for(segments_) * forms_->reach()) : 1;
+}
+
+void RotatingSum::State::build_window(double low, double high) {
+  const double half = 0.5 * (high - low), extent = std::max(forms_->width(), forms_->height()) + 2 * forms_->reach();
+  const double most = std::min(1024.0, extent / (kCellsSwept * half * forms_->reach()));
+  const int cells = std::max(8, std::min(cells_for(segments_), static_cast<int>(most)));
+  if (grid_ == nullptr || grid_->cells != cells) grid_ = std::make_unique<TurnGrid>(*forms_, cells);
+  auto window = std::make_unique<RotatingWindow>(*grid_, *catalog_, 0.5 * (low + high), half, segments_ >= kMaskFrom);
+  if (window_ != nullptr) loops_->renumber(*window_, *window);
+  window_ = std::move(window);
+  frame_ = std::make_unique<RotatingFrame>(*window_);
+}
+
+Result<RotatingSum::State::NextFrame> RotatingSum::State::rebuilt_frame(const Orientation& theta, FrameWork& next_work) {
+  next_work.rebuilt = true;
+  SumOptions sum_options;
+  sum_options.semantics = options.semantics;
+  sum_options.progress = options.progress;
+  Result<PlanarSum> fresh = sum_at(*base_, theta, sum_options);
+  if (!fresh) return fresh.error();
+  NextFrame next;
+  next.sum = std::move(fresh).value();
+  next_work.exact_signs = next.sum.stats.exact_signs;
+  next_work.collision_tests = next.sum.stats.collision_tests;
+  next_work.loops_traced = next.sum.stats.loops;
+  return next;
+}
+
+Contact RotatingSum::State::contact(std::uint32_t segment) const {
+  const WalkSegment& w = window_->segments[segment].walk;
+  const Operand &o = forms_->operand(w.side), &other = forms_->operand(1 - w.side);
+  const std::uint32_t edge = o.edge_number[w.edge], at = other.vertex_number[w.vertex];
+  const bool of_p = (w.side == 0) != swapped_;
+  return of_p ? Contact{Contact::Kind::edge_of_p, edge, at} : Contact{Contact::Kind::edge_of_q, at, edge};
+}
+
+SumVertex RotatingSum::State::vertex(const RotatingFrame::Step& s, const Contact& in, const Contact& out) const {
+  SumVertex v;
+  v.in = in;
+  v.out = out;
+  if (s.to_crossing != RotatingFrame::kEnd) return v;
+  const Pair end = window_->segments[s.segment].end;
+  const std::uint32_t fixed = forms_->operand(0).vertex_number[end.p], moving = forms_->operand(1).vertex_number[end.q];
+  v.corner_p = swapped_ ? moving : fixed;
+  v.corner_q = swapped_ ? fixed : moving;
+  return v;
+}
+
+// The kept loops as rings, in input coordinates. False where a position is known too badly.
+bool RotatingSum::State::assemble(const Orientation& theta, NextFrame& next) {
+  const Lattice& l = *forms_base_->lattice;
+  const Heading world = Heading::of(theta.radians());
+  const double unit = l.unit, span = forms_->span(), poor = 0x1p-36 * span;
+  const auto turn = [&](Point p) { return Point{world.c * p.x - world.s * p.y, world.s * p.x + world.c * p.y}; };
+  const Point fixed = l.points[0]->offset, moving{l.points[1]->offset.x + unit * forms_->centre().x, l.points[1]->offset.y + unit * forms_->centre().y};
+  const bool moving_turns = swapped_ == p_turns();
+  const Point turned = turn(moving_turns ? moving : fixed), still = moving_turns ? fixed : moving;
+  const Point origin{turned.x + still.x, turned.y + still.y};
+  const double offsets = std::abs(fixed.x) + std::abs(fixed.y) + std::abs(moving.x) + std::abs(moving.y);
+  PlanarSum& sum = next.sum;
+  sum.source = std::make_shared<TurnedSource>(base_, theta);
+  sum.stats.tier_bits = base_->lattice->tier_bits;
+  sum.stats.reduced_segments = window_->all_segments;
+  sum.stats.live_segments = window_->segments.size();
+  sum.stats.crossings = frame_->crossings().size();
+  sum.stats.loops = loops_->loops().size();
+  std::vector<SumRing> rings;
+  std::vector<std::uint8_t> outer;
+  double error = 0;
+  for (const RotatingLoops::Loop& loop : loops_->loops()) {
+    if (!loop.kept) continue;
+    SumRing ring;
+    ring.vertices.reserve(loop.last - loop.first);
+    Contact in = contact(frame_->steps()[loop.first].segment);
+    for (std::uint32_t k = loop.first; k < loop.last; ++k) {
+      const RotatingFrame::Step& s = frame_->steps()[k];
+      const Contact out = contact(frame_->steps()[k + 1 == loop.last ? loop.first : k + 1].segment);
+      SumVertex v = vertex(s, in, out);
+      in = out;
+      if (s.straight) continue;
+      const RotatingFrame::Located z = frame_->end_of(s);
+      if (z.error > poor) return false;
+      error = std::max(error, z.error);
+      const Point at = moving_turns ? z.at : turn(z.at);
+      v.at = {at.x * unit + origin.x, at.y * unit + origin.y};
+      ring.vertices.push_back(v);
+    }
+    rings.push_back(std::move(ring));
+    outer.push_back(loop.turning > 0);
+  }
+  // Turning back mixes both coordinates; cos and sin carry 2^-49 of everything that is turned.
+  sum.at_error = (1.5 * error + 0x1p-46 * span) * unit + 0x1p-47 * offsets;
+  const VertexOrder order(*sum.source, sum.at_error);
+  for (SumRing& ring : rings)
+    if (const std::size_t first = smallest_vertex(ring.vertices, order, sum.at_error); first != 0)
+      std::rotate(ring.vertices.begin(), ring.vertices.begin() + static_cast<std::ptrdiff_t>(first), ring.vertices.end());
+  std::vector<std::uint64_t> kept_ids;
+  for (const RotatingLoops::Loop& loop : loops_->loops())
+    if (loop.kept) kept_ids.push_back(loop.ring);
+  const std::vector<std::size_t> numbers = place_rings(std::move(rings), outer, sum);
+  if (!next.followed) {
+    next.ids = identities_.match(this->sum, ring_ids, sum, theta == orientation, next.changes);
+    for (std::size_t i = 0; i < numbers.size(); ++i) kept_ids[numbers[i]] = next.ids[i];
+    loops_->name(kept_ids);
+  } else {
+    for (const std::size_t i : numbers) next.ids.push_back(kept_ids[i]);
+  }
+  return true;
+}
+
+std::optional<RotatingSum::State::NextFrame> RotatingSum::State::window_frame(const Orientation& theta, FrameWork& next_work) {
+  const double angle = moving_angle(theta);
+  next_work.pieces = window_->pieces.size();
+  next_work.candidates = window_->meetings.size();
+  next_work.window_low = window_->middle - window_->half;
+  next_work.window_high = window_->middle + window_->half;
+  next_work.peak_bytes = window_->bytes() + loops_->bytes();
+  if (!frame_->compute(std::remainder(angle - window_->middle, kTurn), Heading::of(angle))) return std::nullopt;
+  NextFrame next;
+  RotatingPlace place(base_, theta);
+  next.followed = loops_->known();
+  next.updated = true;
+  loops_->update(*frame_, place, identities_, theta == orientation, next_work, next.changes);
+  if (!assemble(theta, next)) return std::nullopt;
+  next_work.exact_signs += place.exact_signs();
+  return next;
+}
+
+Result<FrameChanges> RotatingSum::State::move_to(const Orientation& theta) {
+  const double begin = now_ms();
+  FrameWork next_work;
+  std::optional<NextFrame> next;
+  bool built = false;
+  if (loops_ != nullptr && options.mode != FrameMode::rebuild) {
+    const double angle = moving_angle(theta), before = moving_angle(orientation), step = std::remainder(angle - before, kTurn);
+    // Doubles of angles err.
+    if (window_ == nullptr || std::abs(std::remainder(angle - window_->middle, kTurn)) > window_->half - 0x1p-44) {
+      WindowController::Choice choice = controller_.choose(step, widest_window(), options.mode, options.window);
+      if (options.window > 0 && step < 0) std::swap(choice.behind, choice.ahead);
+      if (choice.window) {
+        if (options.progress && !options.progress("window", 0)) return Error{Code::cancelled, "stopped on request", {}};
+        // The frame before lies inside, so that what is known of it serves.
+        const double back = loops_->known() && std::abs(step) < 0.5 ? 1.001 * std::abs(step) : 0;
+        const double behind = step >= 0 ? std::max(choice.behind, back) : choice.behind, ahead = step >= 0 ? choice.ahead : std::max(choice.ahead, back);
+        build_window(angle - behind, angle + ahead);
+        next_work.new_window = built = true;
+      } else {
+        drop_window();
+      }
+    }
+    if (window_ != nullptr) {
+      next = window_frame(theta, next_work);
+      next_work.degenerate = !next;
+    }
+  }
+  if (!next) {
+    Result<NextFrame> rebuilt = rebuilt_frame(theta, next_work);
+    if (!rebuilt) return rebuilt.error();
+    if (loops_ != nullptr) loops_->forget();
+    next = std::move(rebuilt).value();
+    next->ids = identities_.match(sum, ring_ids, next->sum, theta == orientation, next->changes);
+  }
+  finish_changes(sum, next->sum, next->changes);
+  sum = std::move(next->sum);
+  ring_ids = std::move(next->ids);
+  orientation = theta;
+  next_work.ms = now_ms() - begin;
+  if (built) controller_.built(next_work.ms);
+  else if (window_ == nullptr) controller_.rebuilt(next_work.ms);
+  else {
+    controller_.updated(next_work.ms);
+    if (options.mode == FrameMode::automatic && options.window == 0 && controller_.give_up(next_work.ms)) drop_window();
+  }
+  work = next_work;
+  return std::move(next->changes);
+}
+
+}  // namespace dymsum

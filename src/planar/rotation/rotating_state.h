@@ -1,0 +1,62 @@
+// The state behind a RotatingSum: one window, its loops, and the current frame.
+#pragma once
+
+#include <memory>
+
+#include "dymsum/rotating_sum.h"
+#include "planar/frames/controller.h"
+#include "planar/frames/frame_rings.h"
+#include "planar/rotation/rotating_loops.h"
+
+namespace dymsum {
+
+class RotatingSum::State {
+ public:
+  /// Errors: unsupported_operand.
+  static Result<std::unique_ptr<State>> create(const Region& p, const Region& q, const RotatingOptions& options);
+
+  /// Changes nothing on an error.
+  Result<FrameChanges> move_to(const Orientation& theta);
+
+  RotatingOptions options;
+  Orientation orientation;
+  PlanarSum sum;
+  std::vector<std::uint64_t> ring_ids;
+  FrameWork work;
+
+ private:
+  struct NextFrame {
+    PlanarSum sum;
+    std::vector<std::uint64_t> ids;
+    bool followed = false;  ///< the identities come from the frame before
+    bool updated = false;
+    FrameChanges changes;
+  };
+  /// The turn of the moving operand in the frame in which the other one rests.
+  double moving_angle(const Orientation& theta) const { return (swapped_ == p_turns() ? 1 : -1) * theta.radians(); }
+  bool p_turns() const { return options.turning == TurningOperand::p; }
+  double widest_window() const;
+  void build_window(double low, double high);
+  void drop_window();
+  Result<NextFrame> rebuilt_frame(const Orientation& theta, FrameWork& work);
+  /// Nothing where doubles do not decide the frame.
+  std::optional<NextFrame> window_frame(const Orientation& theta, FrameWork& work);
+  bool assemble(const Orientation& theta, NextFrame& next);
+  SumVertex vertex(const planar::RotatingFrame::Step& s, const Contact& in, const Contact& out) const;
+  Contact contact(std::uint32_t segment) const;
+
+  std::shared_ptr<const planar::ScalingBase> base_;        // P is operand 0
+  std::shared_ptr<const planar::ScalingBase> forms_base_;  // the moving operand is operand 1: the smaller one
+  bool swapped_ = false;                                   // that is P
+  std::unique_ptr<planar::TurningForms> forms_;
+  std::unique_ptr<planar::TurnCatalog> catalog_;
+  std::unique_ptr<planar::TurnGrid> grid_;
+  double segments_ = 0;  // of the reduced convolution, about
+  planar::WindowController controller_;
+  planar::RingIdentities identities_;
+  std::unique_ptr<planar::RotatingWindow> window_;
+  std::unique_ptr<planar::RotatingFrame> frame_;
+  std::unique_ptr<planar::RotatingLoops> loops_;
+};
+
+}  // namespace dymsum

@@ -1,0 +1,272 @@
+#include "planar/rotation/rotating_window.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dymsum::planar {
+namespace {
+
+/// The live cells that each piece comes near at some angle, and the pieces of each cell in order.
+struct PieceCells {
+  std::vector<std::uint32_t> cells, first, start, inside;
+};
+
+}  // namespace
+
+RotatingWindow::RotatingWindow(const TurnGrid& grid, const TurnCatalog& catalog, double mid, double h, bool mask)
+    : middle(mid), half(h * (1 + 0x1p-40) + 0x1p-40), forms_(grid.forms), catalog_(catalog), shift_(grid.forms.reach()) {
+  const Heading heading = Heading::of(middle);
+  turned_.reserve(forms_.points(1).size());
+  for (const Point& p : forms_.points(1)) turned_.push_back({heading.c * p.x - heading.s * p.y, heading.s * p.x + heading.c * p.y});
+  const DeadCells dead = mask ? dead_cells(grid, turned_, half) : DeadCells(grid.grid.whole);
+  add_segments(dead);
+  for (TurnSegment& s : segments) s.next = {find({0, s.end.p, s.end.q}), find({1, s.end.q, s.end.p})};
+  find_meetings(dead);
+  index_meetings();
+  find_dead_tails();
+  find_rounds();
+  turned_ = {};
+  swept_ = {};
+}
+
+std::size_t RotatingWindow::bytes() const {
+  return segments.capacity() * sizeof(TurnSegment) + pieces.capacity() * sizeof(TurnPiece) + meetings.capacity() * sizeof(TurnMeeting) +
+         (first_of.capacity() + of.capacity() + live_.capacity()) * 4;
+}
+
+std::uint32_t RotatingWindow::find(const WalkSegment& s) const {
+  const Turn& t = turns_[s.side][s.vertex];
+  if (t.count == 0) return kNone;
+  const std::uint32_t at = catalog_.position(s.side, s.edge, s.vertex);
+  if (at == kNone) return kNone;
+  const std::uint32_t by = at >= t.lo ? at - t.lo : at + catalog_.list_size(s.side, s.vertex) - t.lo;
+  return by < t.count ? live_[t.base + by] : kNone;
+}
+
+RotatingWindow::Swept RotatingWindow::swept(const WalkSegment& s) const {
+  const Pair from = TurningForms::start(s), to = forms_.end(s);
+  const std::vector<Point>& q = forms_.points(0);
+  Swept w;
+  w.ax = q[from.p].x + turned_[from.q].x;
+  w.ay = q[from.p].y + turned_[from.q].y;
+  w.dx = s.side == 0 ? q[to.p].x - q[from.p].x : turned_[to.q].x - turned_[from.q].x;
+  w.dy = s.side == 0 ? q[to.p].y - q[from.p].y : turned_[to.q].y - turned_[from.q].y;
+  w.reach = std::max(moved(turned_[from.q], half), from.q == to.q ? 0 : moved(turned_[to.q], half)) + 0x1p-46 * forms_.span();
+  return w;
+}
+
+void RotatingWindow::add_segments(const DeadCells& dead) {
+  const Grid& g = dead.grid();
+  for (std::uint32_t side = 0; side < 2; ++side) turns_[side].assign(forms_.size(1 - side), {});
+  catalog_.for_each_turn(middle - half, middle + half, [&](std::uint32_t side, std::uint32_t vertex, const auto& edges, std::size_t at, std::size_t count) {
+    turns_[side][vertex] = {static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(count), static_cast<std::uint32_t>(live_.size())};
+    for (std::size_t k = 0; k < count; ++k, at = at + 1 == edges.size() ? 0 : at + 1) {
+      live_.push_back(kNone);
+      const WalkSegment walk{side, edges[at].edge, vertex};
+      const Swept w = swept(walk);
+      const double x = w.ax + shift_, y = w.ay + shift_, reach = w.reach + 2 * kReach * g.cell;
+      if (dead.live(g.row(std::min(y, y + w.dy) - reach), g.column(std::min(x, x + w.dx) - reach), g.row(std::max(y, y + w.dy) + reach),
+                    g.column(std::max(x, x + w.dx) + reach)) == 0)
+        continue;
+      TurnSegment s;
+      s.first_piece = static_cast<std::uint32_t>(pieces.size());
+      add_pieces(w, dead);
+      s.last_piece = static_cast<std::uint32_t>(pieces.size());
+      if (s.first_piece == s.last_piece) continue;
+      live_.back() = static_cast<std::uint32_t>(segments.size());
+      s.walk = walk;
+      s.span = catalog_.span(walk, middle);
+      s.start = TurningForms::start(walk);
+      s.end = forms_.end(walk);
+      s.length1 = forms_.length1(walk);
+      segments.push_back(s);
+      swept_.push_back(w);
+    }
+  });
+  all_segments = live_.size();
+}
+
+// Cut where a point of the segment stays in one dead cell throughout: at the middle it lies farther inside than it moves.
+void RotatingWindow::add_pieces(const Swept& w, const DeadCells& dead) {
+  const Grid& g = dead.grid();
+  const double x = w.ax + shift_, y = w.ay + shift_, reach = w.reach + 2 * kReach * g.cell;
+  const auto cells_near = [&](double from, double to) {
+    const double u = x + from * w.dx, v = x + to * w.dx, a = y + from * w.dy, b = y + to * w.dy;
+    const int r0 = g.row(std::min(a, b) - reach), r1 = g.row(std::max(a, b) + reach);
+    const int c0 = g.column(std::min(u, v) - reach), c1 = g.column(std::max(u, v) + reach);
+    return std::array{dead.live(r0, c0, r1, c1), static_cast<std::uint32_t>(r1 - r0 + 1) * static_cast<std::uint32_t>(c1 - c0 + 1)};
+  };
+  cuts_.clear();
+  if (const auto [live, all] = cells_near(0, 1); live < all && 2 * reach < g.cell) {
+    for_each_cell_run(g, x, y, x + w.dx, y + w.dy, [&](int row, int first, int last) {
+      for (int c = first; c <= last; ++c) {
+        if (!dead.dead(row, c)) continue;
+        double t0 = 0, t1 = 1;
+        const auto clip = [&](double from, double d, int cell) {
+          const double low = cell * g.cell + reach, high = (cell + 1) * g.cell - reach;
+          if (d == 0) {
+            if (from < low || from > high) t1 = -1;
+            return;
+          }
+          const double u = (low - from) / d, v = (high - from) / d;
+          t0 = std::max(t0, std::min(u, v));
+          t1 = std::min(t1, std::max(u, v));
+        };
+        clip(x, w.dx, c);
+        clip(y, w.dy, row);
+        if (t1 > t0) cuts_.push_back(0.5 * (t0 + t1));
+      }
+    });
+    std::sort(cuts_.begin(), cuts_.end());
+  }
+  for (std::size_t k = 0; k <= cuts_.size(); ++k) {
+    TurnPiece p;
+    p.segment = static_cast<std::uint32_t>(segments.size());
+    p.head_cut = k > 0;
+    p.tail_cut = p.tail_dead = k < cuts_.size();
+    if (p.head_cut) p.head = cuts_[k - 1];
+    if (p.tail_cut) p.tail = cuts_[k];
+    if (!cuts_.empty() && cells_near(p.head, p.tail)[0] == 0) continue;
+    pieces.push_back(p);
+  }
+}
+
+// Both ends of one on the same side of the other's line at every angle, by Taylor's formula.
+bool RotatingWindow::apart(std::uint32_t line, std::uint32_t other) const {
+  const TurnSegment &s = segments[line], &t = segments[other];
+  const Swept& w = swept_[line];
+  const std::vector<Point>& q = forms_.points(0);
+  const double bound = 0x1p-45 * s.length1 * forms_.span();
+  int sign = 0;
+  for (const Pair v : {t.start, t.end}) {
+    const double fx = q[v.p].x - q[s.start.p].x, fy = q[v.p].y - q[s.start.p].y;
+    const double tx = turned_[v.q].x - turned_[s.start.q].x, ty = turned_[v.q].y - turned_[s.start.q].y;
+    // What turns against the edge: the turning operand's vertices, or the fixed one's.
+    const double rx = s.walk.side == 0 ? tx : fx, ry = s.walk.side == 0 ? ty : fy;
+    const double value = w.dx * (fy + ty) - w.dy * (fx + tx), slope = w.dx * rx + w.dy * ry;
+    const double swing = s.length1 * (std::abs(rx) + std::abs(ry));
+    if (!(std::abs(value) > std::abs(slope) * half + swing * half * half + bound)) return false;
+    const int here = value > 0 ? 1 : -1;
+    if (sign == -here) return false;
+    sign = here;
+  }
+  return true;
+}
+
+void RotatingWindow::find_meetings(const DeadCells& dead) {
+  const Grid& g = dead.grid();
+  const auto n = static_cast<std::uint32_t>(pieces.size());
+  struct Box {
+    double x0, y0, x1, y1;
+  };
+  std::vector<Box> boxes(n);
+  PieceCells of_piece;
+  of_piece.first.assign(n + 1, 0);
+  of_piece.start.assign(std::size_t(g.rows) * g.columns + 1, 0);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const TurnPiece& p = pieces[i];
+    const Swept& w = swept_[p.segment];
+    const double ax = w.ax + p.head * w.dx + shift_, ay = w.ay + p.head * w.dy + shift_, bx = w.ax + p.tail * w.dx + shift_, by = w.ay + p.tail * w.dy + shift_;
+    const double reach = w.reach + kReach * g.cell;
+    boxes[i] = {std::min(ax, bx) - reach, std::min(ay, by) - reach, std::max(ax, bx) + reach, std::max(ay, by) + reach};
+    for_each_cell_run(g, ax, ay, bx, by, [&](int row, int first, int last) {
+      for (int c = first; c <= last; ++c) {
+        if (dead.dead(row, c)) continue;
+        const auto cell = static_cast<std::uint32_t>(row * g.columns + c);
+        of_piece.cells.push_back(cell);
+        ++of_piece.start[cell + 1];
+      }
+    }, 2 * kReach + w.reach * g.per_cell);
+    of_piece.first[i + 1] = static_cast<std::uint32_t>(of_piece.cells.size());
+  }
+  for (std::size_t c = 1; c < of_piece.start.size(); ++c) of_piece.start[c] += of_piece.start[c - 1];
+  of_piece.inside.resize(of_piece.cells.size());
+  std::vector<std::uint32_t> fill(of_piece.start.begin(), of_piece.start.end() - 1), stamp(n, kNone);
+  for (std::uint32_t i = 0; i < n; ++i)
+    for (std::uint32_t k = of_piece.first[i]; k < of_piece.first[i + 1]; ++k) of_piece.inside[fill[of_piece.cells[k]]++] = i;
+  const auto look = [&](std::uint32_t i, std::uint32_t j) {
+    if (boxes[i].x0 > boxes[j].x1 || boxes[j].x0 > boxes[i].x1 || boxes[i].y0 > boxes[j].y1 || boxes[j].y0 > boxes[i].y1) return;
+    const std::uint32_t a = pieces[i].segment, b = pieces[j].segment;
+    const TurnSegment &s = segments[a], &t = segments[b];
+    if (a == b || s.span.from > t.span.to || t.span.from > s.span.to) return;
+    // Segments with a common end meet nowhere else.
+    if (s.start == t.start || s.start == t.end || s.end == t.start || s.end == t.end) return;
+    ++pair_tests;
+    if (!apart(a, b) && !apart(b, a)) meetings.push_back({i, j, a, b});
+  };
+  for (std::uint32_t i = 0; i < n; ++i)
+    for (std::uint32_t k = of_piece.first[i]; k < of_piece.first[i + 1]; ++k)
+      // Pieces of a cell are in order: only those behind i, each once.
+      for (std::uint32_t q = of_piece.start[of_piece.cells[k] + 1]; q-- > of_piece.start[of_piece.cells[k]] && of_piece.inside[q] > i;) {
+        const std::uint32_t j = of_piece.inside[q];
+        if (stamp[j] == i) continue;
+        stamp[j] = i;
+        look(i, j);
+      }
+}
+
+void RotatingWindow::index_meetings() {
+  first_of.assign(pieces.size() + 1, 0);
+  for (const TurnMeeting& m : meetings) {
+    ++first_of[m.a + 1];
+    ++first_of[m.b + 1];
+  }
+  for (std::size_t i = 0; i < pieces.size(); ++i) first_of[i + 1] += first_of[i];
+  of.resize(first_of.back());
+  std::vector<std::uint32_t> fill(first_of.begin(), first_of.end() - 1);
+  for (std::uint32_t m = 0; m < meetings.size(); ++m) {
+    of[fill[meetings[m].a]++] = m;
+    of[fill[meetings[m].b]++] = m;
+  }
+}
+
+// A tail is dead when it is cut, when nothing live can continue it, or only whole segments that meet nothing and have dead tails themselves.
+void RotatingWindow::find_dead_tails() {
+  const std::size_t n = segments.size();
+  std::vector<std::uint8_t> ways(n, 0);
+  std::vector<std::uint32_t> dead;
+  const auto kill = [&](std::uint32_t s) {
+    pieces[segments[s].last_piece - 1].tail_dead = true;
+    dead.push_back(s);
+  };
+  for (std::uint32_t s = 0; s < n; ++s) {
+    if (!pieces[segments[s].last_piece - 1].tail_cut)
+      for (const std::uint32_t to : segments[s].next) ways[s] += to != kNone && !pieces[segments[to].first_piece].head_cut;
+    if (ways[s] == 0) kill(s);
+  }
+  for (std::size_t k = 0; k < dead.size(); ++k) {
+    const TurnSegment& s = segments[dead[k]];
+    const std::uint32_t p = s.first_piece;
+    if (s.last_piece != p + 1 || pieces[p].head_cut || first_of[p] != first_of[p + 1]) continue;
+    const std::uint32_t f = forms_.operand(0).prev[s.start.p], t = forms_.operand(1).prev[s.start.q];
+    for (const std::uint32_t from : {find({0, f, s.start.q}), find({1, t, s.start.p})})
+      if (from != kNone && ways[from] > 0 && --ways[from] == 0) kill(from);
+  }
+}
+
+// What nothing whole leads to is on no cycle of whole segments; nor is what only that leads to.
+void RotatingWindow::find_rounds() {
+  const auto whole = [&](std::uint32_t s) {
+    const TurnSegment& t = segments[s];
+    return t.last_piece == t.first_piece + 1 && !pieces[t.first_piece].head_cut && !pieces[t.first_piece].tail_dead;
+  };
+  std::vector<std::uint32_t> arriving(segments.size(), 0), removed;
+  for (std::uint32_t s = 0; s < segments.size(); ++s)
+    for (const std::uint32_t to : segments[s].next)
+      if (to != kNone && whole(s)) ++arriving[to];
+  std::vector<std::uint8_t> gone(segments.size(), 0);
+  for (std::uint32_t s = 0; s < segments.size(); ++s) {
+    gone[s] = !whole(s) || arriving[s] == 0;
+    if (gone[s] && whole(s)) removed.push_back(s);
+  }
+  for (std::size_t k = 0; k < removed.size(); ++k)
+    for (const std::uint32_t to : segments[removed[k]].next)
+      if (to != kNone && --arriving[to] == 0 && !gone[to]) {
+        gone[to] = 1;
+        removed.push_back(to);
+      }
+  for (std::uint32_t s = 0; s < segments.size(); ++s)
+    if (!gone[s]) rounds.push_back(segments[s].first_piece);
+}
+
+}  // namespace dymsum::planar

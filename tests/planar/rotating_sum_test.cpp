@@ -1,0 +1,272 @@
+// The rotating sum against slices, which share none of its windows, crossings or loops with it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+
+#include "dymsum/cspace_obstacle.h"
+#include "dymsum/orientation_sum.h"
+#include "dymsum/rotating_sum.h"
+#include "dymsum/shapes.h"
+#include "exact/big.h"
+#include "oracles/random.h"
+#include "oracles/tiny_regions.h"
+
+namespace dymsum {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+Orientation at(double radians, double error = 1e-6) { return Orientation::nearest(radians, error).value(); }
+
+std::uint64_t fuzz_rounds(std::uint64_t usual) {
+  const char* pairs = std::getenv("DYMSUM_FUZZ_PAIRS");
+  return pairs != nullptr ? std::max<std::uint64_t>(usual, std::strtoull(pairs, nullptr, 10) / 40) : usual;
+}
+
+PlanarSum fresh(const Region& p, const Region& q, const Orientation& theta, const RotatingOptions& options) {
+  SumOptions sum_options;
+  sum_options.semantics = options.semantics;
+  if (options.reflect_q) return cspace_slice(q, p, theta, sum_options).value();
+  if (options.turning == TurningOperand::p) return rotated_sum(p, q, theta, sum_options).value();
+  // P + R Q is R (R^-1 P + Q): the same positions need Q in the turning place, and numbers the other way round.
+  return rotated_sum(q, p, theta, sum_options).value();
+}
+
+bool same_contacts(const SumRing& a, const SumRing& b) {
+  return std::equal(a.vertices.begin(), a.vertices.end(), b.vertices.begin(), b.vertices.end(), [](const SumVertex& u, const SumVertex& v) {
+    return u.in == v.in && u.out == v.out && u.corner_p == v.corner_p && u.corner_q == v.corner_q;
+  });
+}
+
+void expect_frame(const RotatingSum& sum, const PlanarSum& wanted, bool contacts) {
+  ASSERT_TRUE(sum.sum() == wanted);
+  if (sum.work().rebuilt) return;
+  ASSERT_EQ(sum.sum().parts.size(), wanted.parts.size());
+  const auto ring = [&](const SumRing& ours, const SumRing& theirs) {
+    EXPECT_TRUE(!contacts || same_contacts(ours, theirs));
+    for (std::size_t k = 0; k < ours.vertices.size(); k += 1 + ours.vertices.size() / 5) {
+      const RationalPoint exact = sum.sum().exact(ours.vertices[k]);
+      const auto off = [&](double v, const Rational& r) -> exact::BigRational {
+        return exact::BigRational(abs(exact::BigRational(exact::exact_value(v) - exact::exact_value(r))));
+      };
+      const exact::BigRational bound = exact::exact_value(sum.sum().at_error);
+      EXPECT_LE(off(ours.vertices[k].at.x, exact.x), bound);
+      EXPECT_LE(off(ours.vertices[k].at.y, exact.y), bound);
+    }
+  };
+  for (std::size_t i = 0; i < wanted.parts.size(); ++i) {
+    ring(sum.sum().parts[i].outer, wanted.parts[i].outer);
+    for (std::size_t h = 0; h < wanted.parts[i].holes.size(); ++h) ring(sum.sum().parts[i].holes[h], wanted.parts[i].holes[h]);
+  }
+}
+
+TEST(RotatingSum, tiny_pairs_equal_slices_at_every_step) {
+  std::uint64_t updated = 0, degenerate = 0, told = 0, tested = 0, holes = 0, parts = 0;
+  const char* one = std::getenv("DYMSUM_SEED");
+  const std::uint64_t first = one != nullptr ? std::strtoull(one, nullptr, 10) : 1, rounds = one != nullptr ? 1 : fuzz_rounds(250);
+  for (std::uint64_t seed = first; seed < first + rounds; ++seed) {
+    SCOPED_TRACE("DYMSUM_SEED=" + std::to_string(seed));
+    oracles::Random random(seed);
+    const oracles::Pair pair = oracles::random_pair(random, 3 + static_cast<int>(random.below(8)));
+    const Region p = Region::create(pair.p).value(), q = Region::create(pair.q).value();
+    RotatingOptions options;
+    options.reflect_q = random.chance(30);
+    options.turning = options.reflect_q || random.chance(50) ? TurningOperand::q : TurningOperand::p;
+    options.semantics = random.chance(20) ? Semantics::open : random.chance(20) ? Semantics::regular : Semantics::closed;
+    options.mode = random.chance(70) ? FrameMode::window : FrameMode::automatic;
+    options.window = random.chance(70) ? 0.02 * static_cast<double>(1 + random.below(20)) : 0;
+    options.min_tier_bits = random.chance(20) ? 61 : 0;
+    RotatingSum sum = RotatingSum::create(p, q, options).value();
+    double theta = random.chance(50) ? 0 : 0.5 * kPi * static_cast<double>(random.below(4));
+    for (int step = 0; step < 12; ++step) {
+      // Coarse errors give simple orientations, at which more coincides.
+      const Orientation orientation = at(theta, random.chance(30) ? 0.02 : 1e-5);
+      ASSERT_TRUE(sum.set(orientation).ok());
+      // With Q turning and not reflected the slice names contacts the other way round.
+      const bool contacts = options.reflect_q || options.turning == TurningOperand::p;
+      ASSERT_NO_FATAL_FAILURE(expect_frame(sum, fresh(p, q, orientation, options), contacts)) << "theta = " << orientation.radians();
+      updated += !sum.work().rebuilt;
+      degenerate += sum.work().degenerate;
+      told += sum.work().loops_kept;
+      tested += sum.work().collision_tests;
+      holes += sum.sum().hole_count();
+      parts += sum.sum().parts.size() > 1;
+      theta += random.chance(10) ? 1.0 : 0.01 * (static_cast<double>(random.below(9)) - 4);
+    }
+  }
+  if (rounds == 1) return;
+  EXPECT_GT(updated, 500u);
+  EXPECT_GT(degenerate, 50u);
+  EXPECT_GT(told, 100u);
+  EXPECT_GT(tested, 10u);
+  EXPECT_GT(holes, 20u);
+  EXPECT_GT(parts, 20u);
+}
+
+struct Shape {
+  const char* name;
+  Region p, q;
+};
+
+std::vector<Shape> shapes_of_some_size() {
+  std::vector<Shape> list;
+  list.push_back({"star 60 and star 50", shapes::noisy_star(60, 0.5, 1), shapes::noisy_star(50, 0.7, 2)});
+  list.push_back({"random with holes and star", shapes::random_polygon(120, 5, 3), shapes::noisy_star(24, 0.6, 4)});
+  list.push_back({"pockets and disc", shapes::pockets(12, 10), shapes::disc(16, 1)});
+  list.push_back({"spiral and gear", shapes::spiral(3, 24, 1, 0.4), shapes::gear(9, 1, 1.3)});
+  list.push_back({"grate and comb", shapes::grate(6, 4, 1, 20), shapes::comb(7, 2, 1, 5)});
+  return list;
+}
+
+TEST(RotatingSum, larger_pairs_with_masks_equal_slices) {
+  for (const Shape& shape : shapes_of_some_size())
+    for (const bool q_turns : {false, true})
+      for (const double width : {0.0, 0.04, 0.2}) {
+        SCOPED_TRACE(shape.name);
+        RotatingOptions options;
+        options.turning = q_turns ? TurningOperand::q : TurningOperand::p;
+        options.mode = FrameMode::window;
+        options.window = width;
+        RotatingSum sum = RotatingSum::create(shape.p, shape.q, options).value();
+        std::uint64_t updated = 0;
+        double theta = 0.7;
+        oracles::Random random(5);
+        for (int step = 0; step < 40; ++step) {
+          theta += random.chance(80) ? 0.0126 : -0.03;
+          const Orientation orientation = at(theta);
+          ASSERT_TRUE(sum.set(orientation).ok());
+          updated += !sum.work().new_window && !sum.work().rebuilt;
+          ASSERT_NO_FATAL_FAILURE(expect_frame(sum, fresh(shape.p, shape.q, orientation, options), !q_turns)) << "step " << step << ", width " << width;
+        }
+        EXPECT_GT(updated, 10u);
+      }
+}
+
+TEST(RotatingSum, every_slice_around_an_event_is_right_from_both_sides) {
+  // A square in a slot: free at quarter turns only.
+  const Region slot = shapes::grate(4, 2, 1, 3), square = shapes::rectangle(0, 0, 1, 1);
+  for (const Semantics semantics : {Semantics::closed, Semantics::open, Semantics::regular}) {
+    RotatingOptions options;
+    options.turning = TurningOperand::q;
+    options.reflect_q = true;
+    options.semantics = semantics;
+    options.mode = FrameMode::window;
+    RotatingSum sum = RotatingSum::create(slot, square, options).value();
+    for (const double quarter : {0.0, 0.5 * kPi, kPi, -0.5 * kPi})
+      for (int k = 30; k > 0; k -= 3)
+        for (const double theta : {quarter - std::ldexp(1.0, -k), quarter, quarter + std::ldexp(1.0, -k)}) {
+          const Orientation orientation = Orientation::nearest(theta).value();
+          ASSERT_TRUE(sum.set(orientation).ok());
+          ASSERT_NO_FATAL_FAILURE(expect_frame(sum, fresh(slot, square, orientation, options), true)) << theta;
+          if (semantics == Semantics::open && theta == quarter) {
+            EXPECT_GT(sum.sum().tight_points.size() + sum.sum().tight_segments.size(), 0u) << theta;
+          }
+        }
+  }
+}
+
+TEST(RotatingSum, a_full_turn_and_the_way_back_return_the_same_state) {
+  const Region p = shapes::random_polygon(60, 3, 5), q = shapes::noisy_star(16, 0.6, 4);
+  RotatingSum sum = RotatingSum::create(p, q).value();
+  const PlanarSum start = sum.sum();
+  constexpr int kSteps = 300;
+  std::vector<PlanarSum> seen;
+  for (int k = 1; k <= kSteps; ++k) {
+    ASSERT_TRUE(sum.set(at(2 * kPi * k / kSteps)).ok());
+    seen.push_back(sum.sum());
+  }
+  ASSERT_TRUE(sum.set(Orientation()).ok());
+  EXPECT_TRUE(sum.sum() == start);
+  for (int k = kSteps; k > 0; --k) {
+    ASSERT_TRUE(sum.set(at(2 * kPi * k / kSteps)).ok());
+    ASSERT_TRUE(sum.sum() == seen[static_cast<std::size_t>(k - 1)]) << k;
+  }
+}
+
+TEST(RotatingSum, identities_and_changes_account_for_every_ring) {
+  const Region p = shapes::random_polygon(60, 3, 5), q = shapes::noisy_star(12, 0.6, 4);
+  RotatingSum sum = RotatingSum::create(p, q).value();
+  std::vector<std::uint64_t> alive = sum.ring_ids(), ended;
+  PlanarSum before = sum.sum();
+  for (int k = 1; k < 300; ++k) {
+    const FrameChanges changes = sum.set(at(0.01 * k)).value();
+    std::vector<std::uint64_t> next = alive;
+    std::int64_t more = 0;
+    for (const RingChange& c : changes.rings) {
+      more += std::int64_t{c.vertices_appeared} - std::int64_t{c.vertices_disappeared};
+      if (c.kind == RingChange::Kind::appeared) {
+        EXPECT_EQ(std::count(ended.begin(), ended.end(), c.ring), 0) << "an identity used again";
+        next.push_back(c.ring);
+        continue;
+      }
+      const auto it = std::find(next.begin(), next.end(), c.ring);
+      ASSERT_NE(it, next.end());
+      if (c.kind != RingChange::Kind::disappeared) continue;
+      ended.push_back(c.ring);
+      next.erase(it);
+    }
+    EXPECT_EQ(more, static_cast<std::int64_t>(sum.sum().vertex_count()) - static_cast<std::int64_t>(before.vertex_count())) << k;
+    EXPECT_EQ(changes.topology, before.hole_count() != sum.sum().hole_count() || before.parts.size() != sum.sum().parts.size()) << k;
+    alive = sum.ring_ids();
+    std::vector<std::uint64_t> now = alive;
+    std::sort(now.begin(), now.end());
+    std::sort(next.begin(), next.end());
+    EXPECT_EQ(now, next) << k;
+    before = sum.sum();
+  }
+  EXPECT_TRUE(sum.set(sum.orientation()).value().rings.empty());
+}
+
+TEST(RotatingSum, a_frame_inside_a_window_looks_only_there) {
+  RotatingOptions options;
+  options.mode = FrameMode::window;
+  options.window = 0.1;
+  RotatingSum sum = RotatingSum::create(shapes::noisy_star(60, 0.5, 1), shapes::noisy_star(50, 0.7, 2), options).value();
+  ASSERT_TRUE(sum.set(at(0.3)).ok());
+  EXPECT_TRUE(sum.work().new_window);
+  const std::uint64_t segments = sum.sum().stats.reduced_segments;
+  ASSERT_TRUE(sum.set(at(0.3001)).ok());
+  EXPECT_FALSE(sum.work().new_window);
+  EXPECT_FALSE(sum.work().rebuilt);
+  EXPECT_LT(sum.sum().stats.live_segments, segments);
+  EXPECT_EQ(sum.work().loops_kept, sum.work().loops_traced) << "every loop is told by the frame before";
+  EXPECT_EQ(sum.work().collision_tests, 0u);
+  EXPECT_EQ(sum.work().exact_signs, 0u);
+}
+
+TEST(RotatingSum, polylines_points_and_nothing_are_computed_from_scratch) {
+  RegionData line;
+  line.polylines.push_back({{0, 0}, {3, 1}, {4, 4}});
+  line.points.push_back({-2, 0});
+  const Region thin = Region::create(line).value(), disc = shapes::disc(8, 1);
+  RotatingSum sum = RotatingSum::create(thin, disc).value();
+  for (int k = 0; k < 10; ++k) {
+    const Orientation theta = at(0.05 * k);
+    ASSERT_TRUE(sum.set(theta).ok());
+    EXPECT_TRUE(sum.work().rebuilt);
+    EXPECT_TRUE(sum.sum() == rotated_sum(thin, disc, theta).value());
+  }
+  RotatingSum none = RotatingSum::create(Region(), disc).value();
+  ASSERT_TRUE(none.set(at(1)).ok());
+  EXPECT_TRUE(none.sum().parts.empty());
+}
+
+TEST(RotatingSum, stops_on_request) {
+  RotatingOptions options;
+  options.mode = FrameMode::window;
+  bool stop = false;
+  options.progress = [&](std::string_view, double) { return !stop; };
+  RotatingSum sum = RotatingSum::create(shapes::noisy_star(60, 0.5, 1), shapes::noisy_star(50, 0.7, 2), options).value();
+  ASSERT_TRUE(sum.set(at(0.01)).ok());
+  stop = true;
+  const Result<FrameChanges> result = sum.set(at(2));
+  ASSERT_FALSE(result.ok());
+  EXPECT_EQ(result.error().code, Code::cancelled);
+  EXPECT_TRUE(sum.orientation() == at(0.01));
+}
+
+}  // namespace
+}  // namespace dymsum
