@@ -151,44 +151,6 @@ void ObstacleSweep::take_slice(SumState state) {
   relabel(all, lost, claims);
 }
 
-// Whether an ended node and a new one have a stretch of a line in common at the event's angle.
-bool ObstacleSweep::continues(std::uint32_t n, std::uint32_t m) const {
-  const Heading h = Heading::of(theta_now_);
-  const WalkSegment &s = nodes_[n].segment, &t = nodes_[m].segment;
-  const auto ends = [&](std::uint32_t k) {
-    const Node& node = nodes_[k];
-    const Point from = forms_.place(TurningForms::start(node.segment), h), d = forms_.direction(node.segment, h);
-    const auto at = [&](double u) {
-      u = std::clamp(u, 0.0, 1.0);
-      return Point{from.x + u * d.x, from.y + u * d.y};
-    };
-    const WalkSegment left = segment_of(node.left), right = segment_of(node.right);
-    return std::array<Point, 2>{at(place_on(node.segment, left, true, h).t), at(place_on(node.segment, right, false, h).t)};
-  };
-  if (!on_one_line(s, t, h)) return false;
-  const Point d = forms_.direction(s, h);
-  const double length = std::hypot(d.x, d.y);
-  const auto a = ends(n), b = ends(m);
-  const auto along = [&](Point p) { return (d.x * (p.x - a[0].x) + d.y * (p.y - a[0].y)) / length; };
-  // Doubles; a stretch shorter than they can err between nearly parallel lines is taken for a point.
-  return std::min(along(a[1]), along(b[1])) - std::max(0.0, along(b[0])) > 0x1p-30 * forms_.span();
-}
-
-// Of one direction and on one line at the angle of the group: exactly, where doubles do not tell them apart.
-bool ObstacleSweep::on_one_line(const WalkSegment& s, const WalkSegment& t, Heading h) const {
-  const Point d = forms_.direction(s, h), e = forms_.direction(t, h);
-  if (d.x * e.x + d.y * e.y <= 0) return false;
-  if (std::abs(forms_.cross(s, t).at(h)) > 0x1p-40 * forms_.length1(s) * forms_.length1(t)) return false;
-  const TrigForm side = forms_.side(s, TurningForms::start(t));
-  if (std::abs(side.at(h)) > 64 * forms_.side_error(s)) return false;
-  const ExactAngle& at = angles[now_];
-  const auto zero = [&](const exact::Polynomial& p) { return p.is_zero() || exact::sign_at(at.t, p) == 0; };
-  if (s.side == t.side ? !forms_.parallel(s, t)
-                       : !zero(forms_.exact_alignment(s.side == 1 ? s.edge : t.edge, s.side == 1 ? t.edge : s.edge, at.chart)))
-    return false;
-  return zero(forms_.exact_side(s, TurningForms::start(t), at.chart));
-}
-
 WalkSegment ObstacleSweep::segment_of(std::uint32_t id) const {
   const std::uint32_t n0 = forms_.size(0), n1 = forms_.size(1);
   return id < n0 * n1 ? WalkSegment{0, id / n1, id % n1} : WalkSegment{1, (id - n0 * n1) / n0, (id - n0 * n1) % n0};

@@ -124,10 +124,17 @@ class ObstacleSweep {
   std::uint32_t angle(const TurnRange& range, TurnEvent& event);
   void slice(const TurnRange& range, TurnEvent& event, const std::function<Orientation()>& behind);
   void take_slice(SumState state);
-  bool continues(std::uint32_t n, std::uint32_t m) const;
-  bool on_one_line(const WalkSegment& s, const WalkSegment& t, Heading h) const;
   WalkSegment segment_of(std::uint32_t id) const;
   void note(const TurnEvent& event, ObstacleEvent::Kind kind, Point at);
+  // line_stretch.cpp
+  bool continues(std::uint32_t n, std::uint32_t m) const;
+  bool on_one_line(const WalkSegment& s, const WalkSegment& t, Heading h) const;
+  struct Fraction {
+    exact::Polynomial num, den;
+  };
+  std::optional<Fraction> place_along(const WalkSegment& s, std::uint32_t node, bool at_end) const;
+  int compare_now(const Fraction& x, const Fraction& y) const;
+  int sign_now(const exact::Polynomial& p) const;
   // tight_events.cpp
   void note_tight(TurnEvent& event, const TurnRange& range, Point at, Heading h, const OverlapFilter& filter);
   void note_tight_slice(TurnEvent& event, const TurnRange& range);

@@ -111,7 +111,7 @@ TurningForms::Form TurningForms::offset(const WalkSegment& s) const {
   return {d.x * p.y - d.y * p.x, d.x * q.y - d.y * q.x, -(d.x * q.x + d.y * q.y)};
 }
 
-TurningForms::Form TurningForms::exact_cross(const WalkSegment& s, const WalkSegment& t) const {
+TurningForms::Form TurningForms::cross_form(const WalkSegment& s, const WalkSegment& t) const {
   const Vec d = vector(s.side, s.edge), e = vector(t.side, t.edge);
   const BigInteger x = d.x * e.y - d.y * e.x, dot = d.x * e.x + d.y * e.y;
   if (s.side == t.side) return {x, 0, 0};
@@ -123,7 +123,7 @@ Polynomial TurningForms::exact_concurrency(const WalkSegment& a, const WalkSegme
   const bool same = a.side == b.side && b.side == c.side;
   std::vector<Big> sum(same ? 3 : 5);
   for (std::size_t k = 0; k < 3; ++k) {
-    const Form h = offset(*lines[k]), d = exact_cross(*lines[(k + 1) % 3], *lines[(k + 2) % 3]);
+    const Form h = offset(*lines[k]), d = cross_form(*lines[(k + 1) % 3], *lines[(k + 2) % 3]);
     const std::array<BigInteger, 3> u = quadratic(h.a, h.b, h.g, chart);
     if (same) {
       // All crosses are constant: of degree two.
@@ -135,6 +135,22 @@ Polynomial TurningForms::exact_concurrency(const WalkSegment& a, const WalkSegme
       for (std::size_t j = 0; j < 3; ++j) sum[i + j] = sum[i + j] + Big(BigInteger(u[i] * v[j]));
   }
   return Polynomial(std::move(sum));
+}
+
+Polynomial TurningForms::exact_cross(const WalkSegment& s, const WalkSegment& t, int chart) const {
+  const Form f = cross_form(s, t);
+  return polynomial(quadratic(f.a, f.b, f.g, chart));
+}
+
+// With d' = d turned right, d . w = d' x w.
+Polynomial TurningForms::exact_along(const WalkSegment& s, Pair u, Pair v, int chart) const {
+  const Vec e = vector(s.side, s.edge), d{BigInteger(e.y), BigInteger(-e.x)};
+  const Vec q1 = at(0, v.p), q0 = at(0, u.p), p1 = at(1, v.q), p0 = at(1, u.q);
+  const Vec dq{q1.x - q0.x, q1.y - q0.y}, dp{p1.x - p0.x, p1.y - p0.y};
+  const auto x = [&](const Vec& w) { return BigInteger(d.x * w.y - d.y * w.x); };
+  const auto dot = [&](const Vec& w) { return BigInteger(d.x * w.x + d.y * w.y); };
+  if (s.side == 0) return polynomial(quadratic(x(dq), x(dp), dot(dp), chart));
+  return polynomial(quadratic(x(dp), x(dq), BigInteger(-dot(dq)), chart));
 }
 
 Polynomial TurningForms::exact_alignment(std::uint32_t e, std::uint32_t f, int chart) const {

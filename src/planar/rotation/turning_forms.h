@@ -102,6 +102,9 @@ class TurningForms {
 
   exact::Polynomial exact_side(const WalkSegment& s, Pair v, int chart) const;
   exact::Polynomial exact_concurrency(const WalkSegment& a, const WalkSegment& b, const WalkSegment& c, int chart) const;
+  /// d x d', and d . (v - u) for two pairs.
+  exact::Polynomial exact_cross(const WalkSegment& s, const WalkSegment& t, int chart) const;
+  exact::Polynomial exact_along(const WalkSegment& s, Pair u, Pair v, int chart) const;
   /// Zero where walk edge e of the turning operand is parallel to walk edge f of the fixed one.
   exact::Polynomial exact_alignment(std::uint32_t e, std::uint32_t f, int chart) const;
   /// The chart in which they point in the same direction once.
@@ -117,7 +120,7 @@ class TurningForms {
   Vec at(std::uint32_t op, std::uint32_t v) const;
   Vec vector(std::uint32_t op, std::uint32_t e) const;
   Form offset(const WalkSegment& s) const;
-  Form exact_cross(const WalkSegment& s, const WalkSegment& t) const;
+  Form cross_form(const WalkSegment& s, const WalkSegment& t) const;
 
   const ScalingBase& base_;
   std::array<const Operand*, 2> operands_;
