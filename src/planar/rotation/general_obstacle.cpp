@@ -19,8 +19,8 @@ constexpr std::uint32_t kNobody = ObstacleSweep::kNobody;
 
 /// Windows of a half turn, by the number of pairs of an edge and a vertex: fewer sweep too far, more cost too much
 /// each.
-int windows_for(double pairs) { return std::clamp(static_cast<int>(1.2 * std::sqrt(pairs)), 16, 512); }
-int cells_for(double pairs) { return std::clamp(static_cast<int>(std::sqrt(pairs)), 16, 256); }
+int windows_for(double pairs) { return std::clamp(static_cast<int>(0.8 * std::sqrt(pairs)), 16, 512); }
+int cells_for(double pairs) { return std::clamp(static_cast<int>(1.5 * std::sqrt(pairs)), 24, 160); }
 
 // By theta in (-pi, pi]: the sweep runs from -pi / 2 to 3 pi / 2.
 struct AngleOrder {

@@ -188,7 +188,8 @@ void RotatingWindow::find_meetings(const DeadCells& dead) {
     if (boxes[i].x0 > boxes[j].x1 || boxes[j].x0 > boxes[i].x1 || boxes[i].y0 > boxes[j].y1 || boxes[j].y0 > boxes[i].y1) return;
     const std::uint32_t a = pieces[i].segment, b = pieces[j].segment;
     const TurnSegment &s = segments[a], &t = segments[b];
-    if (a == b || s.span.from > t.span.to || t.span.from > s.span.to) return;
+    constexpr double kSlack = 4 * kAngleSlack;
+    if (a == b || s.span.from > t.span.to + kSlack || t.span.from > s.span.to + kSlack) return;
     // Segments with a common end meet nowhere else.
     if (s.start == t.start || s.start == t.end || s.end == t.start || s.end == t.end) return;
     ++pair_tests;

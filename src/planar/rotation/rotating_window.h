@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "planar/chain.h"
-#include "planar/rotation/turn_window.h"
+#include "planar/rotation/turn_catalog.h"
+#include "planar/rotation/turn_grid.h"
 
 namespace dymsum::planar {
 

@@ -11,8 +11,6 @@ namespace {
 /// Where doubles look for events they look a little farther, relative to lengths and in radians.
 constexpr double kNear = 0x1p-18;
 
-bool same_pair(Pair a, Pair b) { return a == b; }
-
 class Collector {
  public:
   Collector(const TurnWindow& window, const TurningForms& forms, const TurnCatalog& catalog, const OverlapFilter* filter)
@@ -53,11 +51,6 @@ class Collector {
     return !roots_in(p, w_.range.t_low, w_.range.t_high).empty();
   }
 
-  bool share_end(const WalkSegment& a, const WalkSegment& b) const {
-    const Pair a0 = TurningForms::start(a), a1 = forms_.end(a), b0 = TurningForms::start(b), b1 = forms_.end(b);
-    return same_pair(a0, b0) || same_pair(a0, b1) || same_pair(a1, b0) || same_pair(a1, b1);
-  }
-
   // The parameter of b's line along a: N / D. Around its value t at the middle, (N - t D) / D is small.
   Crossing crossing(std::uint32_t i, std::uint32_t j) const {
     const WalkSegment &a = w_.segments[i], &b = w_.segments[j];
@@ -74,7 +67,6 @@ class Collector {
   void find_crossings() {
     crossings_.resize(w_.segments.size());
     for (const TurnWindow::Meeting& m : w_.meetings) {
-      if (share_end(w_.segments[m.a], w_.segments[m.b])) continue;
       if (forms_.parallel(w_.segments[m.a], w_.segments[m.b])) {
         overlaps(w_.segments[m.a], w_.segments[m.b]);
         continue;
@@ -185,8 +177,7 @@ class Collector {
 
   bool meet(std::uint32_t i, std::uint32_t j) const {
     const TurnWindow::Meeting m{std::min(i, j), std::max(i, j)};
-    const auto less = [](const TurnWindow::Meeting& x, const TurnWindow::Meeting& y) { return x.a != y.a ? x.a < y.a : x.b < y.b; };
-    return std::binary_search(w_.meetings.begin(), w_.meetings.end(), m, less) && !share_end(w_.segments[i], w_.segments[j]);
+    return std::binary_search(w_.meetings.begin(), w_.meetings.end(), m);
   }
 
   // Every triple is found from its smallest member; with two that are parallel at every angle, from the third one, the

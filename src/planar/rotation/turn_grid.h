@@ -1,0 +1,28 @@
+// Cells of the sum that stay inside it while an operand turns a little: what windows of angles are made with.
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "planar/dead_cells.h"
+#include "planar/rotation/turning_forms.h"
+
+namespace dymsum::planar {
+
+/// What does not depend on the window.
+class TurnGrid {
+ public:
+  TurnGrid(const TurningForms& forms, int cells);
+  const TurningForms& forms;
+  SumGrid grid;
+  Raster fixed;
+  int cells;
+};
+
+/// How far a point at p from the centre moves within `half` radians; the chord is shorter than the arc.
+inline double moved(Point p, double half) { return (std::hypot(p.x, p.y) * half) * (1 + 0x1p-40); }
+
+/// Cells of the sum that are inside it at every angle within `half` of the one at which the turning operand's vertices are `turned`.
+DeadCells dead_cells(const TurnGrid& base, const std::vector<Point>& turned, double half);
+
+}  // namespace dymsum::planar
