@@ -1,5 +1,5 @@
-// Numbers as unevaluated sums of two doubles, for the few constants that must keep their relative accuracy where doubles
-// cancel: about 2^-100 of the largest operand of a sum is left as an error.
+// Numbers as unevaluated sums of two doubles, for the few constants that must keep their relative accuracy where
+// doubles cancel: about 2^-100 of the largest operand of a sum is left as an error.
 #pragma once
 
 #include <cmath>

@@ -53,6 +53,10 @@ class Search {
   }
 
   NearestPatch run() {
+    add_stretch(first_guess());
+    parts_.clear();
+    heap_.clear();
+    least_ = kInfinity;
     open(0);
     while (!heap_.empty()) {
       std::pop_heap(heap_.begin(), heap_.end());
@@ -81,6 +85,27 @@ class Search {
   // It is no use to be more exact than positions are known.
   double good_enough() const { return upper_ * (1 - 1e-9) - 8 * slack_; }
 
+  // A stretch that is near, so that most others are never kept: down the tree by the nearest boxes.
+  std::uint32_t first_guess() const {
+    std::uint32_t node = 0;
+    for (;;) {
+      const PatchTree::Node& n = tree_.node(node);
+      const auto squares = square_distances(n, question_.from, question_.theta, question_.weight);
+      const std::size_t k = static_cast<std::size_t>(std::min_element(squares.begin(), squares.end()) - squares.begin());
+      if (n.count[k] == 0) {
+        node = n.first[k];
+        continue;
+      }
+      std::uint32_t best = n.first[k];
+      for (std::uint32_t i = best + 1; i < n.first[k] + n.count[k]; ++i)
+        if (to_slab(i) < to_slab(best)) best = i;
+      return best;
+    }
+  }
+  double to_slab(std::uint32_t stretch) const {
+    return square_distance(tree_.slab(stretch), question_.from, question_.theta, question_.weight);
+  }
+
   void push(double square, Task::Kind kind, std::uint32_t index) {
     if (!(square < upper2_)) return;
     heap_.push_back({square, kind, index});
@@ -97,14 +122,15 @@ class Search {
         continue;
       }
       for (std::uint32_t i = node.first[k]; i < node.first[k] + node.count[k]; ++i)
-        push(square_distance(tree_.slab(i), question_.from, question_.theta, question_.weight), Task::Kind::stretch, i);
+        push(to_slab(i), Task::Kind::stretch, i);
     }
   }
 
   // An angle half a turn away counts either way round.
   void add_stretch(std::uint32_t index) {
     const PatchStretch& s = tree_.stretch(index);
-    const double off = std::remainder(s.reference + (s.low + s.high) / 2 - question_.theta, kTurn) - (s.low + s.high) / 2;
+    const double middle = (s.low + s.high) / 2;
+    const double off = std::remainder(s.reference + middle - question_.theta, kTurn) - middle;
     add({index, s.low, s.high, 0, off});
     if (off + s.high > kTurn / 2 - kAngleMargin) add({index, s.low, s.high, 0, off - kTurn});
     if (off + s.low < -kTurn / 2 + kAngleMargin) add({index, s.low, s.high, 0, off + kTurn});

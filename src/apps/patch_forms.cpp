@@ -108,7 +108,8 @@ class FormMaker {
     const Contact &fixed = l.turns ? other : own, &turning = l.turns ? own : other;
     // Both gaps are those from the own line to the other one.
     const CrossingGaps gaps =
-        crossing_gaps(edge(obstacle_, fixed.p), edge(robot_, turning.q), obstacle_.exact[turning.p], robot_.exact[fixed.q]);
+        crossing_gaps(edge(obstacle_, fixed.p), edge(robot_, turning.q), obstacle_.exact[turning.p],
+                      robot_.exact[fixed.q]);
     e.gap = {gaps[0], l.turns ? -gaps[1] : gaps[1]};
   }
   static double farthest(const Numbered& n) {

@@ -121,7 +121,8 @@ StretchBox box_of(const PatchForms& forms, const PatchStretch& stretch) {
   const Point u = own.turns ? turned(own.unit) : own.unit, n = quarter(u), a = own.start.a;
   const PointRange arm = turning(turned(own.start.b), half);
   const PointRange line = own.turns ? turning(u, half) : PointRange{{u.x, u.x}, {u.y, u.y}};
-  const Range left = stretch.left.range(stretch.low, stretch.high), right = stretch.right.range(stretch.low, stretch.high);
+  const Range left = stretch.left.range(stretch.low, stretch.high);
+  const Range right = stretch.right.range(stretch.low, stretch.high);
   const Range at{std::min(left.low, right.low), std::max(left.high, right.high)};
   const Range b_along = u.x * arm.x + u.y * arm.y, b_off = n.x * arm.x + n.y * arm.y;
   const Range along = u.x * line.x + u.y * line.y, off = n.x * line.x + n.y * line.y;

@@ -1,5 +1,5 @@
-// Stretches of patches in the frame of their edge, where the reference point of a configuration moves on a circle as the
-// angle goes on: u along the edge, v off its line.
+// Stretches of patches in the frame of their edge, where the reference point of a configuration moves on a circle as
+// the angle goes on: u along the edge, v off its line.
 #pragma once
 
 #include <vector>

@@ -136,7 +136,8 @@ std::array<double, PatchTree::kWide> square_distances(const PatchTree::Node& nod
 }
 
 double square_distance(const PatchTree::Slab& slab, Point at, double theta, double weight) {
-  const double u = outside(slab.u, slab.u_half, dot(slab.along, at)), v = outside(slab.v, slab.v_half, cross(slab.along, at));
+  const double u = outside(slab.u, slab.u_half, dot(slab.along, at));
+  const double v = outside(slab.v, slab.v_half, cross(slab.along, at));
   return u * u + v * v + square(weight * angle_outside(slab.theta, slab.theta_half, theta));
 }
 

@@ -145,8 +145,8 @@ StretchDistance::Parabola StretchDistance::parabola(Part part, double x) const {
   return r;
 }
 
-// Half of it. v' = -sign h, v'' = -sign k, u' = k, u'' = -h, and h^2 + k^2 does not change: for an end that does not move
-// along the edge a sine wave is left.
+// Half of it. v' = -sign h, v'' = -sign k, u' = k, u'' = -h, and h^2 + k^2 does not change: for an end that does not
+// move along the edge a sine wave is left.
 double StretchDistance::least_curvature(Part part, Range h, Range k, const EndCurve::Ranges& end) const {
   const double size = square(magnitude(h) + magnitude(k) + std::abs(u0_) + std::abs(v0_) + length_) + weight2_;
   const auto falls = [&](double z) { return z * (v0_ + z); };

@@ -1,5 +1,5 @@
-// The distance of a configuration to a stretch of a patch as a function of the angle alone: at every angle the patch is a
-// segment, beside which the configuration moves on a circle. Lower bounds by values, slopes and least curvatures.
+// The distance of a configuration to a stretch of a patch as a function of the angle alone: at every angle the patch is
+// a segment, beside which the configuration moves on a circle. Lower bounds by values, slopes and least curvatures.
 #pragma once
 
 #include "patch_stretch.h"
