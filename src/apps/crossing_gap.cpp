@@ -52,6 +52,7 @@ struct Vector {
 };
 Vector from_to(Point a, Point b) { return {exact_sum(b.x, -a.x), exact_sum(b.y, -a.y)}; }
 DoublePair cross(const Vector& a, const Vector& b) { return a.x * b.y - a.y * b.x; }
+DoublePair dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y; }
 DoublePair square(const Vector& a) { return a.x * a.x + a.y * a.y; }
 
 // The signed distance of p from the line through a and b.
@@ -103,6 +104,23 @@ CrossingGaps crossing_gaps(const std::array<Point, 2>& fixed, const std::array<P
   }
   for (double& gap : gaps) gap = std::ldexp(gap, exponent);
   return gaps;
+}
+
+// tan(phi / 2) = sin / (1 + cos) = (1 - cos) / sin, of which one does not cancel.
+std::array<DoublePair, 2> half_tangents(const std::array<Point, 2>& a, const std::array<Point, 2>& b) {
+  const auto unit = [](const std::array<Point, 2>& edge) {
+    Vector v = from_to(edge[0], edge[1]);
+    int exponent = 0;
+    std::frexp(std::max(std::abs(v.x.high), std::abs(v.y.high)), &exponent);
+    for (DoublePair* d : {&v.x, &v.y}) *d = {std::ldexp(d->high, -exponent), std::ldexp(d->low, -exponent)};
+    return v;
+  };
+  const Vector u = unit(a), v = unit(b);
+  const DoublePair lengths = square_root(square(u) * square(v)), c = dot(u, v), s = cross(u, v);
+  const auto half = [&](const DoublePair& cosine, const DoublePair& sine) {
+    return cosine.high > 0 ? sine / (lengths + cosine) : (lengths - cosine) / sine;
+  };
+  return {half(c, s), half(-c, -s)};
 }
 
 }  // namespace dymsum::apps

@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "double_pair.h"
 #include "dymsum/region.h"
 
 namespace dymsum::apps {
@@ -16,5 +17,8 @@ namespace dymsum::apps {
 using CrossingGaps = std::array<double, 2>;
 CrossingGaps crossing_gaps(const std::array<Point, 2>& fixed, const std::array<Point, 2>& turning, Point corner,
                            Point hand);
+
+/// tan(phi / 2) of the angle from a to b, and of that angle less half a turn: each within 2^-98 where it is at most 1.
+std::array<DoublePair, 2> half_tangents(const std::array<Point, 2>& a, const std::array<Point, 2>& b);
 
 }  // namespace dymsum::apps

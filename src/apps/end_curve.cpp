@@ -1,5 +1,6 @@
 #include "end_curve.h"
 
+#include <cmath>
 #include <limits>
 #include <numbers>
 
@@ -16,27 +17,34 @@ int nearest_parallel(const PatchEnd& end, double theta) {
 
 double parallel_angle(const PatchEnd& end, int k) { return end.parallel + k * kPi; }
 
-EndCurve::EndCurve(const PatchEnd& end, double length, double reference, bool at_pole) : length_(length) {
+EndCurve::EndCurve(const PatchEnd& end, double length, double reference) : length_(length) {
   constant_ = end.corner ? end.at : end.constant;
   if (end.corner) return;
-  if (!end.mixed) {
-    kind_ = Kind::wave;
-    const Turn turn(reference);
-    first_ = end.cosine * turn.c + end.sine * turn.s;
-    second_ = end.sine * turn.c - end.cosine * turn.s;
-    slack_ = 0x1p-48 * (std::abs(constant_) + std::abs(end.cosine) + std::abs(end.sine));
+  if (end.mixed) {
+    const int k = nearest_parallel(end, reference);
+    set_pole(end, k, std::remainder(reference - parallel_angle(end, k), 2 * kPi));
     return;
   }
+  kind_ = Kind::wave;
+  const Turn turn(reference);
+  first_ = end.cosine * turn.c + end.sine * turn.s;
+  second_ = end.sine * turn.c - end.cosine * turn.s;
+  slack_ = 0x1p-48 * (std::abs(constant_) + std::abs(end.cosine) + std::abs(end.sine));
+}
+
+EndCurve::EndCurve(const PatchEnd& end, double length, int k, double psi) : exact_(true), length_(length) {
+  constant_ = end.constant;
+  set_pole(end, k, psi);
+}
+
+void EndCurve::set_pole(const PatchEnd& end, int k, double psi) {
   kind_ = Kind::pole;
-  at_pole_ = at_pole;
-  const int k = nearest_parallel(end, reference);
   first_ = end.tangent;
   gap_ = second_ = end.gap[static_cast<std::size_t>(k)];
   slack_ = 0x1p-48 * (std::abs(constant_) + std::abs(first_) + length_);
-  if (at_pole) return;
-  const double from = std::remainder(reference - parallel_angle(end, k), 2 * kPi);
-  cosine_ = std::cos(from);
-  sine_ = std::sin(from);
+  psi_ = psi;
+  cosine_ = std::cos(psi);
+  sine_ = std::sin(psi);
 }
 
 double EndCurve::raw(const SmallTurn& x) const {
@@ -47,13 +55,15 @@ double EndCurve::raw(const SmallTurn& x) const {
   return gap_ == 0 ? smooth : smooth + gap_ / p.s;
 }
 
-// The angle psi is exact where the reference is the pole; elsewhere it and its sine err by 2^-49 at most. On the edge
-// gap / sin(psi) is no longer than everything else together.
+// psi and its sine err by 2^-49 at most, or by 2^-49 of their terms, which have one sign on the side of the reference;
+// across the pole from there only as much as the terms. On the edge gap / sin(psi) is no longer than everything else
+// together.
 double EndCurve::error_at(double sine) const {
   if (kind_ != Kind::pole || gap_ == 0) return slack_;
   if (sine == 0) return std::numeric_limits<double>::infinity();
   const double share = std::min(std::abs(gap_ / sine), 2 * (length_ + std::abs(constant_) + std::abs(first_)));
-  return slack_ + share * (at_pole_ ? 0x1p-48 : 0x1p-48 + 0x1p-49 / std::abs(sine));
+  const double terms = exact_ ? std::abs(sine_) + std::abs(sine) : 1;
+  return slack_ + share * (0x1p-48 + 0x1p-49 * terms / std::abs(sine));
 }
 
 double EndCurve::error(const SmallTurn& x) const { return error_at(psi(x).s); }
@@ -117,10 +127,11 @@ EndCurve::Ranges EndCurve::ranges(double a, double b) const {
 
 // Near the pole gap / sin(psi) exceeds all that would be left on the edge.
 Range EndCurve::possible(double a, double b) const {
-  if (kind_ != Kind::pole || gap_ == 0 || !at_pole_) return {a, b};
+  if (kind_ != Kind::pole || gap_ == 0) return {a, b};
   const double near = std::abs(gap_) / (2 * (length_ + std::abs(constant_) + std::abs(first_)));
-  if (b <= 0 || -a > b) return b > -near && a < -near ? Range{a, -near} : Range{a, b};
-  return a < near && b > near ? Range{near, b} : Range{a, b};
+  const double from = a + psi_, to = b + psi_;
+  if (to <= 0 || -from > to) return to > -near && from < -near ? Range{a, -near - psi_} : Range{a, b};
+  return from < near && to > near ? Range{near - psi_, b} : Range{a, b};
 }
 
 }  // namespace dymsum::apps

@@ -24,8 +24,10 @@ double parallel_angle(const PatchEnd& end, int k);
 class EndCurve {
  public:
   EndCurve() = default;
-  /// Around a reference angle. With `at_pole` the reference is parallel_angle(end, k) exactly, and not its double.
-  EndCurve(const PatchEnd& end, double length, double reference, bool at_pole);
+  /// Around a reference angle.
+  EndCurve(const PatchEnd& end, double length, double reference);
+  /// Of a mixed crossing; the reference is its parallel angle of number k plus `psi`, which errs by 2^-50 of itself.
+  EndCurve(const PatchEnd& end, double length, int k, double psi);
 
   bool constant() const { return kind_ == Kind::constant; }
   double value(const SmallTurn& x) const { return std::clamp(raw(x), 0.0, length_); }
@@ -56,15 +58,16 @@ class EndCurve {
     return {cosine_ * x.c - sine_ * x.s, sine_ * x.c + cosine_ * x.s};
   }
   double raw(const SmallTurn& x) const;
+  void set_pole(const PatchEnd& end, int k, double psi);
   double error_at(double sine) const;
   bool across_pole(const Sines& a, const Sines& b) const { return gap_ != 0 && !(a.s * b.s > 0); }
 
   Kind kind_ = Kind::constant;
-  bool at_pole_ = false;
+  bool exact_ = false;  // pole: psi has its relative accuracy
   double length_ = 0, constant_ = 0;
   double first_ = 0, second_ = 0;  // wave: factors of cos x and sin x; pole: of -tan(psi / 2) and 1 / sin(psi)
   double gap_ = 0;                 // pole: second_
-  double cosine_ = 1, sine_ = 0;   // pole: of psi at the reference
+  double psi_ = 0, cosine_ = 1, sine_ = 0;  // pole: psi at the reference
   double slack_ = 0;               // absolute errors of the coefficients
 };
 

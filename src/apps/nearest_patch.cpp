@@ -91,7 +91,8 @@ class Search {
     for (;;) {
       const PatchTree::Node& n = tree_.node(node);
       const auto squares = square_distances(n, question_.from, question_.theta, question_.weight);
-      const std::size_t k = static_cast<std::size_t>(std::min_element(squares.begin(), squares.end()) - squares.begin());
+      const auto least = std::min_element(squares.begin(), squares.end());
+      const std::size_t k = static_cast<std::size_t>(least - squares.begin());
       if (n.count[k] == 0) {
         node = n.first[k];
         continue;

@@ -106,11 +106,13 @@ class FormMaker {
     e.tangent = l.turns ? -cross(b, u) : cross(a, u);
     const auto edge = [](const Numbered& n, std::uint32_t k) { return std::array{n.exact[k], n.exact[n.run_end[k]]}; };
     const Contact &fixed = l.turns ? other : own, &turning = l.turns ? own : other;
-    // Both gaps are those from the own line to the other one.
     const CrossingGaps gaps =
         crossing_gaps(edge(obstacle_, fixed.p), edge(robot_, turning.q), obstacle_.exact[turning.p],
                       robot_.exact[fixed.q]);
     e.gap = {gaps[0], l.turns ? -gaps[1] : gaps[1]};
+    // By the angle the robot turns from its edge to the obstacle's.
+    if (e.fast(0, l.length) || e.fast(1, l.length))
+      e.half_tangent = half_tangents(edge(robot_, turning.q), edge(obstacle_, fixed.p));
   }
   static double farthest(const Numbered& n) {
     double most = 0;
@@ -159,7 +161,7 @@ PointRange PatchForms::box(const PatchForm& form, double theta, double half) con
   const double margin = 0x1p-40 * size_;
   PointRange box;
   for (const PatchEnd* end : {&form.left, &form.right}) {
-    const Range at = EndCurve(*end, form.own.length, theta, false).range(-half, half);
+    const Range at = EndCurve(*end, form.own.length, theta).range(-half, half);
     const PointRange there{a.x + arm.x + at * along.x, a.y + arm.y + at * along.y};
     box = end == &form.left ? there : PointRange{join(box.x, there.x), join(box.y, there.y)};
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "dymsum/cspace_obstacle.h"
+#include "double_pair.h"
 #include "range.h"
 
 namespace dymsum::apps {
@@ -37,6 +38,8 @@ struct ContactLine {
 /// constant + cosine cos(theta) + sine sin(theta). Else the lines are parallel at `parallel` and half a turn later, and
 /// with psi = theta - parallel - k pi it is at constant - tangent tan(psi / 2) + gap[k] / sin(psi). There the gap,
 /// the distance of the lines while they are parallel, has its relative accuracy, and is 0 exactly where they coincide.
+/// Where it is short the crossing runs fast; then `half_tangent` tells the parallel angle more exactly: tan(parallel / 2),
+/// and that of the angle less half a turn.
 struct PatchEnd {
   bool corner = true;
   Hinge hinge;
@@ -45,6 +48,11 @@ struct PatchEnd {
   bool mixed = false;
   double constant = 0, cosine = 0, sine = 0, tangent = 0, parallel = 0;
   std::array<double, 2> gap{};
+  std::array<DoublePair, 2> half_tangent{};
+  bool fast(int k, double length) const {
+    const double g = std::abs(gap[static_cast<std::size_t>(k)]);
+    return g != 0 && g < 0x1p-13 * length;
+  }
 };
 
 /// Positions are relative to PatchForms::origin.
