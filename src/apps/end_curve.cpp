@@ -91,7 +91,7 @@ Range EndCurve::range(double a, double b) const { return ranges(a, b).value; }
 // Between 0 and pi, 1 / sin is monotone on either side of pi / 2, cos / sin^2 falls, and (1 + cos^2) / sin^3 behaves as
 // 1 / sin does.
 EndCurve::Ranges EndCurve::ranges(double a, double b) const {
-  if (kind_ == Kind::constant) return {{constant_, constant_}, {}, {}, true, 0};
+  if (kind_ == Kind::constant) return {{constant_, constant_}, {}, {}, true, 0, 0};
   const SmallTurn u(a), v(b);
   if (kind_ == Kind::wave) {
     const double middle = (a + b) / 2, half = (b - a) / 2;
@@ -99,15 +99,15 @@ EndCurve::Ranges EndCurve::ranges(double a, double b) const {
     const PointRange wave = turning({first_ * m.c + second_ * m.s, second_ * m.c - first_ * m.s}, half);
     const Range value = constant_ + wave.x;
     const Range wider{value.low - slack_, value.high + slack_};
-    return {clamp(wider, 0, length_), wave.y, -1.0 * wave.x, true, slack_};
+    return {clamp(wider, 0, length_), wave.y, -1.0 * wave.x, true, slack_, 0x1p48 * slack_};
   }
   const Sines p = psi(u), q = psi(v);
   if (across_pole(p, q) || !(p.c > -0.5) || !(q.c > -0.5))
-    return {{0, length_}, {}, {}, false, std::numeric_limits<double>::infinity()};
+    return {{0, length_}, {}, {}, false, std::numeric_limits<double>::infinity(), 0};
   const Range t = between(p.s / (1 + p.c), q.s / (1 + q.c));
   const Range half = 0.5 * (1.0 + between(t.low * t.low, t.high * t.high));
   const Range wide_half{t.low <= 0 && t.high >= 0 ? 0.5 : half.low, half.high};
-  Ranges r{constant_ + -first_ * t, -first_ * wide_half, -first_ * (wide_half * t), true, 0};
+  Ranges r{constant_ + -first_ * t, -first_ * wide_half, -first_ * (wide_half * t), true, 0, 0x1p48 * slack_};
   if (gap_ != 0) {
     const double sign = p.s > 0 ? 1 : -1, s0 = std::abs(p.s), s1 = std::abs(q.s);
     const double most = p.c * q.c > 0 ? std::max(s0, s1) : 1, least = std::min(s0, s1);

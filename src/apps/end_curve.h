@@ -42,6 +42,7 @@ class EndCurve {
     Range value, first, second;
     bool known = false;  ///< no where the crossing may run away
     double error = 0;    ///< more than the value errs anywhere
+    double scale = 0;    ///< no term of it is larger that does not belong to a pole
   };
   Ranges ranges(double a, double b) const;
   /// More than value() errs.

@@ -38,8 +38,8 @@ struct ContactLine {
 /// constant + cosine cos(theta) + sine sin(theta). Else the lines are parallel at `parallel` and half a turn later, and
 /// with psi = theta - parallel - k pi it is at constant - tangent tan(psi / 2) + gap[k] / sin(psi). There the gap,
 /// the distance of the lines while they are parallel, has its relative accuracy, and is 0 exactly where they coincide.
-/// Where it is short the crossing runs fast; then `half_tangent` tells the parallel angle more exactly: tan(parallel / 2),
-/// and that of the angle less half a turn.
+/// Where it is short the crossing runs fast; then `half_tangent` tells the parallel angle more exactly: its
+/// tan(parallel / 2), and that of the angle less half a turn.
 struct PatchEnd {
   bool corner = true;
   Hinge hinge;

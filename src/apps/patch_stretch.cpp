@@ -204,7 +204,10 @@ StretchBox box_of(const PatchForms& forms, const PatchStretch& stretch) {
   const Range wider{-margin, margin};
   const double from = stretch.reference - 4 * kAngleError, to = stretch.reference + 4 * kAngleError;
   const PointRange box{join(left * line.x, right * line.x), join(left * line.y, right * line.y)};
-  return {{a.x + arm.x + box.x + wider, a.y + arm.y + box.y + wider}, u, dot(a, u) + b_along + at * along + wider, dot(a, n) + b_off + at * off + wider,
+  return {{a.x + arm.x + box.x + wider, a.y + arm.y + box.y + wider},
+          u,
+          dot(a, u) + b_along + at * along + wider,
+          dot(a, n) + b_off + at * off + wider,
           {from + stretch.low, to + stretch.high}};
 }
 

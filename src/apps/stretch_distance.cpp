@@ -66,7 +66,7 @@ double StretchDistance::end_at(const EndCurve& curve, double fixed, const SmallT
 }
 
 EndCurve::Ranges StretchDistance::end_ranges(const EndCurve& curve, double fixed, double low, double high) const {
-  if (whole_) return {{fixed, fixed}, {}, {}, true, 0};
+  if (whole_) return {{fixed, fixed}, {}, {}, true, 0, 0};
   return curve.ranges(low, high);
 }
 
@@ -148,7 +148,8 @@ StretchDistance::Parabola StretchDistance::parabola(Part part, double x) const {
 // Half of it. v' = -sign h, v'' = -sign k, u' = k, u'' = -h, and h^2 + k^2 does not change: for an end that does not
 // move along the edge a sine wave is left.
 double StretchDistance::least_curvature(Part part, Range h, Range k, const EndCurve::Ranges& end) const {
-  const double size = square(magnitude(h) + magnitude(k) + std::abs(u0_) + std::abs(v0_) + length_) + weight2_;
+  const double reach = magnitude(h) + magnitude(k) + std::abs(u0_) + std::abs(v0_) + length_ + end.scale;
+  const double size = square(reach) + weight2_;
   const auto falls = [&](double z) { return z * (v0_ + z); };
   const double most = std::max(falls(sign_ * k.low), falls(sign_ * k.high));
   if (part == Part::line) return least_square(h) - most + weight2_ - 0x1p-44 * size;
