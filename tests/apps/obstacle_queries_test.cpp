@@ -263,6 +263,25 @@ TEST(ObstacleQueries, clearance_knows_that_the_circle_closes) {
   }
 }
 
+TEST(ObstacleQueries, clearance_half_a_turn_away_counts_either_way_round) {
+  // A kite in a thick frame whose cavity is a little larger and lies half a turn from it.
+  const Region kite = polygon({{-1, -0.5}, {3, 0}, {-1, 0.5}});
+  RegionData frame_data;
+  frame_data.parts = {{{{-60, -60}, {60, -60}, {60, 60}, {-60, 60}}, {{{1.02, -0.51}, {-3.04, 0}, {1.02, 0.51}}}}};
+  const CspaceObstacle c = make({kite, *Region::create(std::move(frame_data))});
+  const ObstacleQueries q(c);
+  for (const double theta : {0.03, 0.001, 0.0, -0.001, -0.03}) {
+    const Configuration from{0.001, 0.0002, theta};
+    const Clearance found = q.clearance(from, 0.5);
+    EXPECT_LT(found.distance, 0);
+    EXPECT_NEAR(-found.distance, sampled(c, from, 0.5, 2000), 1e-3);
+    EXPECT_LE(-found.distance, sampled(c, from, 0.5, 2000) + found.error);
+    EXPECT_LE(std::abs(std::remainder(found.nearest.theta - theta, 2 * M_PI)), M_PI);
+    const Clearance mirrored = q.clearance({0.001, -0.0002, -theta}, 0.5);
+    EXPECT_NEAR(found.distance, mirrored.distance, found.error + mirrored.error);
+  }
+}
+
 TEST(ObstacleQueries, clearance_is_a_lipschitz_function) {
   Random random(9);
   for (const auto& pair : pairs()) {
@@ -279,8 +298,8 @@ TEST(ObstacleQueries, clearance_is_a_lipschitz_function) {
   }
 }
 
-// Hundreds of lines are nearly parallel within 1e-6 to 1e-10 radians of the same angles: crossings run along whole edges
-// between neighbouring events.
+// Hundreds of lines are nearly parallel within 1e-6 to 1e-10 radians of the same angles: crossings run along whole
+// edges between neighbouring events.
 TEST(ObstacleQueries, clearance_of_a_nearly_symmetric_star) {
   Random random(12);
   const Region star = shapes::star(22, 3.2, 6.9);

@@ -1,5 +1,5 @@
-// What clearance rests on: the distance of parallel lines told exactly, angles beyond doubles, ends of patches with their
-// derivatives and ranges, and bounds of stretches against samples.
+// What clearance rests on: the distance of parallel lines told exactly, angles beyond doubles, ends of patches with
+// their derivatives and ranges, and bounds of stretches against samples.
 #include "apps/patch_stretch.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ double uniform(Random& random, double low, double high) {
 }
 
 TEST(CrossingGap, is_zero_exactly_where_lines_coincide) {
-  // The edge (0, 0)-(3, 4) of the obstacle and one of the robot at the height 2 over its origin: corners that are as far.
+  // An edge of the obstacle, one of the robot, and corners that are equally far from their lines.
   const std::array<Point, 2> fixed{Point{0, 0}, {3, 4}}, turning{Point{5, 7}, {5 + 8, 7 + 6}};
   // 1 beside the first line: (4, -3) / 5; 1 beside the second one: (-3, 4) / 5, five times.
   const CrossingGaps same = crossing_gaps(fixed, turning, {4, -3}, {5 + 3, 7 - 4});
@@ -33,6 +33,19 @@ TEST(CrossingGap, is_zero_exactly_where_lines_coincide) {
   const CrossingGaps both = crossing_gaps(fixed, turning, {6, 8}, {5 + 4, 7 + 3});
   EXPECT_EQ(both[0], 0);
   EXPECT_EQ(both[1], 0);
+  // Lengths that are no sums of two doubles: heights n / (n sqrt(r)) and m / (m sqrt(r)).
+  int zeros = 0;
+  for (const auto& [x, y] : {std::pair{1.0, 2.0}, {2.0, 3.0}, {1.0, 4.0}, {5.0, 8.0}})
+    for (double n = 3; n < 40; n += 2)
+      for (const double off : {0.0, 0x1p-40})
+        for (const double side : {0.125, -0.125}) {
+          const CrossingGaps gaps =
+              crossing_gaps({Point{0, 0}, {n * x, n * y}}, {Point{0, 0}, {7 * y, 7 * x}}, {0.125, off}, {0, side});
+          EXPECT_NEAR(std::max(std::abs(gaps[0]), std::abs(gaps[1])), 0.25 * y / std::hypot(x, y), 1e-10);
+          EXPECT_EQ((side > 0 ? gaps[1] : gaps[0]) == 0, off == 0);
+          zeros += off == 0;
+        }
+  EXPECT_EQ(zeros, 152);
 }
 
 TEST(CrossingGap, keeps_its_digits) {
@@ -131,7 +144,8 @@ TEST(EndCurve, is_on_the_edge_only_where_it_may_be) {
   for (const double gap : {1e-3, -1e-3, 1e-9}) {
     const EndCurve curve = at_pole(gap);
     for (const double sign : {-1.0, 1.0}) {
-      const Range all = sign > 0 ? Range{-1e-13, 0.2} : Range{-0.2, 1e-13}, possible = curve.possible(all.low, all.high);
+      const Range all = sign > 0 ? Range{-1e-13, 0.2} : Range{-0.2, 1e-13};
+      const Range possible = curve.possible(all.low, all.high);
       EXPECT_GT(sign > 0 ? possible.low : -possible.high, 0);
       for (double x = 1e-14; x < 0.2; x *= 1.01)
         if (const double v = curve.derivatives(SmallTurn(sign * x)).value; v >= 0 && v <= 4) {
