@@ -214,40 +214,48 @@ NearestPatch nearest_patch(const PatchForms& forms, const PatchTree& tree, const
   return Search(forms, tree, question).run();
 }
 
+// Nearest boxes first; those of other angles are infinitely far.
 NearestPatch nearest_patch_at(const PatchForms& forms, const PatchTree& tree, const DistanceQuestion& question) {
   NearestPatch best;
-  double upper = kInfinity, least = kInfinity;
-  const double slack = position_error(forms, question);
-  std::vector<std::uint32_t> stack{0};
-  while (!stack.empty()) {
-    const PatchTree::Node& node = tree.node(stack.back());
-    stack.pop_back();
-    // A weight that rules out all other angles.
+  double upper = kInfinity, upper2 = kInfinity, least = kInfinity;
+  std::vector<Task> heap{{0, Task::Kind::node, 0}};
+  heap.reserve(128);
+  const auto push = [&](const Task& task, double theta, double half) {
+    if (!(task.square < upper2) || std::abs(std::remainder(question.theta - theta, kTurn)) > half + kAngleMargin) return;
+    heap.push_back(task);
+    std::push_heap(heap.begin(), heap.end());
+  };
+  while (!heap.empty() && heap.front().square < upper2) {
+    std::pop_heap(heap.begin(), heap.end());
+    const Task task = heap.back();
+    heap.pop_back();
+    if (task.kind == Task::Kind::stretch) {
+      const PatchStretch& s = tree.stretch(task.index);
+      const double middle = (s.low + s.high) / 2;
+      const double x = middle + std::remainder(question.theta - s.reference - middle, kTurn);
+      ++best.bounds;
+      const StretchDistance::Nearest n = StretchDistance(forms[s.patch], s, question, 0).nearest(x);
+      least = std::min(least, n.distance - n.error);
+      if (!(n.distance + n.error < upper)) continue;
+      upper = n.distance + n.error;
+      upper2 = upper * upper;
+      best.distance = n.distance;
+      set_witness(forms, s, x, n.along, best);
+      continue;
+    }
+    const PatchTree::Node& node = tree.node(task.index);
     const auto squares = square_distances(node, question.from, question.theta, 0);
     for (std::size_t k = 0; k < PatchTree::kWide; ++k) {
-      if (!(squares[k] < upper * upper)) continue;
-      const double off = std::abs(std::remainder(question.theta - node.theta[k], kTurn));
-      if (off > node.theta_half[k] + kAngleMargin) continue;
-      if (node.count[k] == 0) {
-        stack.push_back(node.first[k]);
-        continue;
-      }
-      for (std::uint32_t i = node.first[k]; i < node.first[k] + node.count[k]; ++i) {
-        const PatchStretch& s = tree.stretch(i);
-        const double middle = (s.low + s.high) / 2, half = (s.high - s.low) / 2;
-        const double x = middle + std::remainder(question.theta - s.reference - middle, kTurn);
-        if (std::abs(x - middle) > half + kAngleMargin) continue;
-        ++best.bounds;
-        const StretchDistance::Nearest n = StretchDistance(forms[s.patch], s, question, 0).nearest(x);
-        least = std::min(least, n.distance - n.error);
-        if (!(n.distance + n.error < upper)) continue;
-        upper = n.distance + n.error;
-        best.distance = n.distance;
-        set_witness(forms, s, x, n.along, best);
+      if (node.count[k] == 0) push({squares[k], Task::Kind::node, node.first[k]}, node.theta[k], node.theta_half[k]);
+      for (std::uint32_t i = node.first[k]; squares[k] < upper2 && i < node.first[k] + node.count[k]; ++i) {
+        const PatchTree::Slab& slab = tree.slab(i);
+        push({square_distance(slab, question.from, question.theta, 0), Task::Kind::stretch, i}, slab.theta,
+             slab.theta_half);
       }
     }
   }
-  best.error = std::max(best.distance - std::min(least, upper), upper - best.distance) + slack;
+  best.error = std::max(best.distance - std::min(least, upper), upper - best.distance) +
+               position_error(forms, question);
   return best;
 }
 
