@@ -54,12 +54,12 @@ PathPoints::Points PathPoints::tightened(Points path) {
     if (attempts >= kMostAttempts || gained <= 1e-3 * whole) break;
   }
   // A place may have been drawn to its neighbour.
-  std::erase_if(path, [last = path.front()](const PathPoint& p) mutable {
-    const bool idle = p.move == Waypoint::Move::translation && p.at.x == last.at.x && p.at.y == last.at.y;
-    last = p;
-    return idle;
-  });
-  return path;
+  Points moving{path.front()};
+  for (std::size_t k = 1; k < path.size(); ++k) {
+    const Position &a = path[k - 1].at, &b = path[k].at;
+    if (path[k].move != Waypoint::Move::translation || a.x != b.x || a.y != b.y) moving.push_back(path[k]);
+  }
+  return moving;
 }
 
 // The sum of the ways before and behind a place is a convex function of it, least on the segment between its
