@@ -29,7 +29,7 @@ EndCurve::EndCurve(const PatchEnd& end, double length, double reference) : lengt
   const Turn turn(reference);
   first_ = end.cosine * turn.c + end.sine * turn.s;
   second_ = end.sine * turn.c - end.cosine * turn.s;
-  slack_ = 0x1p-48 * (std::abs(constant_) + std::abs(end.cosine) + std::abs(end.sine));
+  slack_ = end.error + 0x1p-48 * (std::abs(constant_) + std::abs(end.cosine) + std::abs(end.sine));
 }
 
 EndCurve::EndCurve(const PatchEnd& end, double length, int k, double psi) : exact_(true), length_(length) {

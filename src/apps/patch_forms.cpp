@@ -56,6 +56,7 @@ class FormMaker {
     obstacle_.exact = obstacle_.at;
     robot_.exact = robot_.at;
     for (Point& v : obstacle_.at) v = v - origin;
+    size_ = size();
   }
 
   ContactLine line(const Contact& c) const {
@@ -99,6 +100,8 @@ class FormMaker {
       e.constant = (l.turns ? cross(b, m) : cross(a, m)) / s;
       e.cosine = (l.turns ? cross(a, m) : cross(b, m)) / s;
       e.sine = (l.turns ? dot(a, m) : -dot(b, m)) / s;
+      // Positions err by 2^-52 of the size, directions by 2^-52.
+      e.error = 0x1p-49 * (size_ + l.length) / std::abs(s);
       return;
     }
     e.parallel = l.turns ? std::atan2(cross(u, m), dot(u, m)) : std::atan2(cross(m, u), dot(m, u));
@@ -120,6 +123,7 @@ class FormMaker {
     return most * (1 + 0x1p-40);
   }
   Numbered obstacle_, robot_;
+  double size_ = 0;
 };
 
 }  // namespace

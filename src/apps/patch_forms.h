@@ -35,7 +35,7 @@ struct ContactLine {
 
 /// An end of a patch: a hinge, or the crossing with another line. Where along the edge that is, as a length from its
 /// start: at a hinge always `at`. A crossing of two lines that both turn or both do not is at
-/// constant + cosine cos(theta) + sine sin(theta). Else the lines are parallel at `parallel` and half a turn later, and
+/// constant + cosine cos(theta) + sine sin(theta), up to `error` where they are nearly parallel. Else the lines are parallel at `parallel` and half a turn later, and
 /// with psi = theta - parallel - k pi it is at constant - tangent tan(psi / 2) + gap[k] / sin(psi). There the gap,
 /// the distance of the lines while they are parallel, has its relative accuracy, and is 0 exactly where they coincide.
 /// Where it is short the crossing runs fast; then `half_tangent` tells the parallel angle more exactly: its
@@ -46,7 +46,7 @@ struct PatchEnd {
   double at = 0;
   ContactLine other;
   bool mixed = false;
-  double constant = 0, cosine = 0, sine = 0, tangent = 0, parallel = 0;
+  double constant = 0, cosine = 0, sine = 0, error = 0, tangent = 0, parallel = 0;
   std::array<double, 2> gap{};
   std::array<DoublePair, 2> half_tangent{};
   bool fast(int k, double length) const {

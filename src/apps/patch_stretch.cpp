@@ -8,7 +8,7 @@ namespace dymsum::apps {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kAngleError = 0x1p-50;  // of sums and differences of angles
+constexpr double kAngleError = 0x1p-48;  // of sums and differences of angles below 16, a few roundings each
 constexpr double kFast = 0x1p-10;        // radians from a pole, farther away a crossing takes its time
 
 // Angles that a patch covers, counter-clockwise, and those that it surely has.
