@@ -104,6 +104,13 @@ class CspaceObstacle {
   const Region& robot() const;
   const Region& obstacle() const;
   const std::vector<EventAngle>& angles() const;
+  /// An event angle more exactly than by a double: tan(theta / 2), or tan((theta - pi) / 2) where `opposite`, is within
+  /// 2^-100 of high + low, in [-1, 1]. Some multiprecision steps.
+  struct HalfTangent {
+    bool opposite = false;
+    double high = 0, low = 0;
+  };
+  HalfTangent half_tangent(std::uint32_t angle) const;
   const std::vector<ObstacleEvent>& events() const;
   const std::vector<Patch>& patches() const;
   const std::vector<Shell>& shells() const;

@@ -15,7 +15,7 @@ namespace dymsum {
 /// The distance of a configuration to the boundary of the obstacle.
 struct Clearance {
   double distance = 0;  ///< negative inside the obstacle: then its absolute value is the generalised penetration depth
-  double error = 0;     ///< the exact distance differs by at most this
+  double error = 0;     ///< proved: the exact distance differs by at most this
   std::uint32_t patch = Patch::kNone;  ///< number of a patch on which the nearest point lies
   Configuration nearest;               ///< a point of that patch, rounded, at most `error` farther than the nearest one
 };
@@ -55,9 +55,11 @@ class ObstacleQueries {
 
   /// The signed distance to the boundary in the metric dx^2 + dy^2 + weight^2 dtheta^2, dtheta being the angle between
   /// two orientations, in [0, pi]: a global minimum by branch and bound over all patches, within an error that is
-  /// stated with it, mostly 1e-9 of the distance or 1e-11 of the size of the obstacle. The sign is exact. `weight`, a
-  /// length per radian, is not negative; infinite: only translations count. Throws std::invalid_argument for other
-  /// weights and arguments that are not finite. Source: Behar 2016, section 4.4.2, which samples instead.
+  /// stated with it, mostly 1e-9 of the distance or 1e-11 of the size of the obstacle. Bounds hold with all roundings
+  /// (docs/design/obstacle-queries.md). The sign is exact. `weight`, a length per radian, is not negative; infinite:
+  /// only translations count, and within 2^-46 radians of an event angle the slice may be that of either side. Throws
+  /// std::invalid_argument for other weights and arguments that are not finite. Source: Behar 2016, section 4.4.2,
+  /// which samples instead.
   Clearance clearance(const Configuration& from, double weight) const;
   /// With the robot's radius of gyration about the reference point.
   Clearance clearance(const Configuration& from) const { return clearance(from, gyration_radius()); }

@@ -1,21 +1,23 @@
 // The patch that is nearest to a configuration, by branch and bound.
 #pragma once
 
-#include "patch_distance.h"
 #include "patch_tree.h"
+#include "stretch_distance.h"
 
 namespace dymsum::apps {
 
 struct NearestPatch {
-  double distance = 0, error = 0;
+  double distance = 0;
+  double error = 0;  ///< the least distance to all patches differs by at most this
   std::uint32_t patch = Patch::kNone;
-  PatchPoint point;
+  Point at;  ///< relative to the forms' origin
+  double theta = 0;
   std::uint64_t bounds = 0;  ///< evaluated
 };
 
-/// The global minimum over all patches. `weight` is finite.
-NearestPatch nearest_patch(const PatchForms& forms, const PatchTree& tree, Point from, double theta, double weight);
-/// The same among the points at the angle theta.
-NearestPatch nearest_patch_at(const PatchForms& forms, const PatchTree& tree, Point from, double theta);
+/// The global minimum over all patches. The weight is finite.
+NearestPatch nearest_patch(const PatchForms& forms, const PatchTree& tree, const DistanceQuestion& question);
+/// The same among the points at the angle of the question; its weight is 0.
+NearestPatch nearest_patch_at(const PatchForms& forms, const PatchTree& tree, const DistanceQuestion& question);
 
 }  // namespace dymsum::apps

@@ -103,14 +103,15 @@ Clearance ObstacleQueries::clearance(const Configuration& from, double weight) c
   if (!(weight >= 0) || !std::isfinite(from.x) || !std::isfinite(from.y) || !std::isfinite(from.theta))
     throw std::invalid_argument("clearance: the weight is negative or an argument is not a number");
   const State& s = *state_;
-  const double theta = reduced(from.theta);
-  const Point at = s.forms.relative({from.x, from.y});
-  const apps::NearestPatch found = std::isinf(weight) ? apps::nearest_patch_at(s.forms, s.tree, at, theta)
-                                                      : apps::nearest_patch(s.forms, s.tree, at, theta, weight);
+  const bool inside = contains(from), flat = std::isinf(weight);
+  const apps::DistanceQuestion question{s.forms.relative({from.x, from.y}), reduced(from.theta), flat ? 0 : weight,
+                                        !inside && !flat};
+  const apps::NearestPatch found =
+      flat ? apps::nearest_patch_at(s.forms, s.tree, question) : apps::nearest_patch(s.forms, s.tree, question);
   s.bounds.fetch_add(found.bounds, std::memory_order_relaxed);
   const Point origin = s.forms.origin();
-  return {contains(from) ? -found.distance : found.distance, found.error, found.patch,
-          {found.point.at.x + origin.x, found.point.at.y + origin.y, found.point.theta}};
+  return {inside ? -found.distance : found.distance, found.error, found.patch,
+          {found.at.x + origin.x, found.at.y + origin.y, found.theta}};
 }
 
 std::size_t ObstacleQueries::bytes() const { return state_->index.bytes() + state_->tree.bytes(); }

@@ -2,35 +2,16 @@
 // over intervals of angles.
 #pragma once
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <vector>
 
 #include "dymsum/cspace_obstacle.h"
+#include "double_pair.h"
+#include "range.h"
 
 namespace dymsum::apps {
-
-/// All values between low and high.
-struct Range {
-  double low = 0, high = 0;
-};
-inline Range operator+(Range a, Range b) { return {a.low + b.low, a.high + b.high}; }
-inline Range operator-(Range a, Range b) { return {a.low - b.high, a.high - b.low}; }
-inline Range operator*(double a, Range b) {
-  return a >= 0 ? Range{a * b.low, a * b.high} : Range{a * b.high, a * b.low};
-}
-Range operator*(Range a, Range b);
-inline double magnitude(Range a) { return std::max(std::abs(a.low), std::abs(a.high)); }
-
-struct PointRange {
-  Range x, y;
-};
-inline PointRange operator+(const PointRange& a, const PointRange& b) { return {a.x + b.x, a.y + b.y}; }
-inline PointRange operator-(const PointRange& a, const PointRange& b) { return {a.x - b.x, a.y - b.y}; }
-inline PointRange operator*(Range a, const PointRange& b) { return {a * b.x, a * b.y}; }
-inline Range cross(const PointRange& a, const PointRange& b) { return a.x * b.y - a.y * b.x; }
-inline Range dot(const PointRange& a, const PointRange& b) { return a.x * b.x + a.y * b.y; }
 
 /// (cosine, sine) of an angle.
 struct Turn {
@@ -47,19 +28,31 @@ struct Hinge {
 /// The line of a contact: from `start` along `along`, which turns with theta where `turns`; the edge ends at factor 1.
 struct ContactLine {
   Hinge start;
-  Point along;
+  Point along, unit;
+  double length = 0;
   bool turns = false;
 };
 
-/// An end of a patch: a hinge, or the crossing with another line.
+/// An end of a patch: a hinge, or the crossing with another line. Where along the edge that is, as a length from its
+/// start: at a hinge always `at`. A crossing of two lines that both turn or both do not is at
+/// constant + cosine cos(theta) + sine sin(theta), up to `error` where they are nearly parallel. Else the lines are parallel at `parallel` and half a turn later, and
+/// with psi = theta - parallel - k pi it is at constant - tangent tan(psi / 2) + gap[k] / sin(psi). There the gap,
+/// the distance of the lines while they are parallel, has its relative accuracy, and is 0 exactly where they coincide.
+/// Where it is short the crossing runs fast; then `half_tangent` tells the parallel angle more exactly: its
+/// tan(parallel / 2), and that of the angle less half a turn.
 struct PatchEnd {
   bool corner = true;
   Hinge hinge;
+  double at = 0;
   ContactLine other;
-  /// Where both lines coincide at an end of the patch's angles, at `theta0`, the crossing is a quotient of zeros there;
-  /// as a share of the own edge it is share0 + share1 tan((theta - theta0) / 2).
-  bool coincides = false;
-  double theta0 = 0, share0 = 0, share1 = 0;
+  bool mixed = false;
+  double constant = 0, cosine = 0, sine = 0, error = 0, tangent = 0, parallel = 0;
+  std::array<double, 2> gap{};
+  std::array<DoublePair, 2> half_tangent{};
+  bool fast(int k, double length) const {
+    const double g = std::abs(gap[static_cast<std::size_t>(k)]);
+    return g != 0 && g < 0x1p-13 * length;
+  }
 };
 
 /// Positions are relative to PatchForms::origin.
@@ -80,12 +73,6 @@ struct PlacedEnd {
   double error = 0;
 };
 
-/// Positions, their derivatives by the angle.
-struct MovingRange {
-  PointRange at, speed;
-  bool known = true;  ///< no where the crossing may run away: then the whole edge
-};
-
 class PatchForms {
  public:
   explicit PatchForms(const CspaceObstacle& obstacle);
@@ -103,10 +90,6 @@ class PatchForms {
 
   /// Proved: lines that coincide somewhere are not taken for granted.
   PlacedEnd end(const PatchForm& form, const PatchEnd& end, const Turn& turn) const;
-  /// The same, and with small errors everywhere, if lines that coincide within 2^-44 do so exactly.
-  PlacedEnd end_at(const PatchForm& form, const PatchEnd& end, double theta, const Turn& turn) const;
-  /// Of an end while the angle is within `half` of `theta`, without roundings; requires half <= 1. `turn` is by theta.
-  MovingRange end_within(const PatchForm& form, const PatchEnd& end, double theta, const Turn& turn, double half) const;
   /// A box around a patch while the angle is within `half` of `theta`, roundings included.
   PointRange box(const PatchForm& form, double theta, double half) const;
 
@@ -114,8 +97,6 @@ class PatchForms {
   static void split(const CspaceObstacle& obstacle, std::uint32_t patch, double longest, std::vector<PatchPiece>& out);
 
  private:
-  void find_coincidence(const CspaceObstacle& obstacle, const Patch& patch, const ContactLine& own,
-                        PatchEnd& end) const;
   std::vector<PatchForm> forms_;
   Point origin_;
   double size_ = 0, reach_ = 0, angle_margin_ = 0x1p-46;
@@ -128,8 +109,6 @@ inline Point operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
 inline Point place(const Hinge& h, const Turn& turn) { return h.a + turn * h.b; }
 inline Point direction(const ContactLine& l, const Turn& turn) { return l.turns ? turn * l.along : l.along; }
 
-/// A vector that turns with the angle, within `half` of where it is `at`; and its derivative.
-PointRange turning(Point at, double half);
 inline Point quarter(Point v) { return {-v.y, v.x}; }
 
 }  // namespace dymsum::apps

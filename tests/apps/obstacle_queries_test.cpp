@@ -195,6 +195,25 @@ TEST(ObstacleQueries, clearance_is_the_least_distance_to_all_patches) {
   }
 }
 
+// To the boundary of the exact slice at the angle.
+double slice_distance(const CspaceObstacle& c, const Configuration& from) {
+  const PlanarSum slice = *c.slice(*Orientation::nearest(from.theta));
+  double least = std::numeric_limits<double>::infinity();
+  const auto add = [&](const SumRing& ring) {
+    for (std::size_t i = 0; i < ring.vertices.size(); ++i) {
+      const Point a = ring.vertices[i].at, b = ring.vertices[(i + 1) % ring.vertices.size()].at;
+      const double dx = b.x - a.x, dy = b.y - a.y;
+      const double t = std::clamp(((from.x - a.x) * dx + (from.y - a.y) * dy) / (dx * dx + dy * dy), 0.0, 1.0);
+      least = std::min(least, std::hypot(a.x + t * dx - from.x, a.y + t * dy - from.y));
+    }
+  };
+  for (const SumPart& part : slice.parts) {
+    add(part.outer);
+    for (const SumRing& hole : part.holes) add(hole);
+  }
+  return least;
+}
+
 TEST(ObstacleQueries, clearance_for_translations_is_that_of_the_slice) {
   Random random(6);
   const double infinity = std::numeric_limits<double>::infinity();
@@ -204,20 +223,7 @@ TEST(ObstacleQueries, clearance_for_translations_is_that_of_the_slice) {
     for (int k = 0; k < 40; ++k) {
       Configuration from = anywhere(c, random);
       if (k % 4 == 0) from.theta = c.angles()[random() % c.angles().size()].theta;
-      const PlanarSum slice = *c.slice(*Orientation::nearest(from.theta));
-      double expected = infinity;
-      const auto add = [&](const SumRing& ring) {
-        for (std::size_t i = 0; i < ring.vertices.size(); ++i) {
-          const Point a = ring.vertices[i].at, b = ring.vertices[(i + 1) % ring.vertices.size()].at;
-          const double dx = b.x - a.x, dy = b.y - a.y;
-          const double t = std::clamp(((from.x - a.x) * dx + (from.y - a.y) * dy) / (dx * dx + dy * dy), 0.0, 1.0);
-          expected = std::min(expected, std::hypot(a.x + t * dx - from.x, a.y + t * dy - from.y));
-        }
-      };
-      for (const SumPart& part : slice.parts) {
-        add(part.outer);
-        for (const SumRing& hole : part.holes) add(hole);
-      }
+      const double expected = slice_distance(c, from);
       const Clearance found = q.clearance(from, infinity);
       EXPECT_NEAR(std::abs(found.distance), expected, 1e-11 * (frame(c).size + std::abs(frame(c).x)));
       EXPECT_EQ(std::signbit(found.distance), q.contains(from));
@@ -257,6 +263,25 @@ TEST(ObstacleQueries, clearance_knows_that_the_circle_closes) {
   }
 }
 
+TEST(ObstacleQueries, clearance_half_a_turn_away_counts_either_way_round) {
+  // A kite in a thick frame whose cavity is a little larger and lies half a turn from it.
+  const Region kite = polygon({{-1, -0.5}, {3, 0}, {-1, 0.5}});
+  RegionData frame_data;
+  frame_data.parts = {{{{-60, -60}, {60, -60}, {60, 60}, {-60, 60}}, {{{1.02, -0.51}, {-3.04, 0}, {1.02, 0.51}}}}};
+  const CspaceObstacle c = make({kite, *Region::create(std::move(frame_data))});
+  const ObstacleQueries q(c);
+  for (const double theta : {0.03, 0.001, 0.0, -0.001, -0.03}) {
+    const Configuration from{0.001, 0.0002, theta};
+    const Clearance found = q.clearance(from, 0.5);
+    EXPECT_LT(found.distance, 0);
+    EXPECT_NEAR(-found.distance, sampled(c, from, 0.5, 2000), 1e-3);
+    EXPECT_LE(-found.distance, sampled(c, from, 0.5, 2000) + found.error);
+    EXPECT_LE(std::abs(std::remainder(found.nearest.theta - theta, 2 * M_PI)), M_PI);
+    const Clearance mirrored = q.clearance({0.001, -0.0002, -theta}, 0.5);
+    EXPECT_NEAR(found.distance, mirrored.distance, found.error + mirrored.error);
+  }
+}
+
 TEST(ObstacleQueries, clearance_is_a_lipschitz_function) {
   Random random(9);
   for (const auto& pair : pairs()) {
@@ -270,6 +295,51 @@ TEST(ObstacleQueries, clearance_is_a_lipschitz_function) {
       const double moved = std::hypot(a.x - b.x, a.y - b.y, w * (a.theta - b.theta));
       EXPECT_LE(std::abs(at.distance - to.distance), moved + at.error + to.error + 1e-12);
     }
+  }
+}
+
+// Hundreds of lines are nearly parallel within 1e-6 to 1e-10 radians of the same angles: crossings run along whole
+// edges between neighbouring events.
+TEST(ObstacleQueries, clearance_of_a_nearly_symmetric_star) {
+  Random random(12);
+  const Region star = shapes::star(22, 3.2, 6.9);
+  const CspaceObstacle c = make({star, star});
+  const ObstacleQueries q(c);
+  const double size = frame(c).size, w = q.gyration_radius();
+  constexpr int kAsked = 120;
+  for (int k = 0; k < kAsked; ++k) {
+    Configuration from = anywhere(c, random);
+    if (k == 0) from = {2.6755101274912469, 6.1136040221208816, -0.22326770522919492};
+    if (k == 1) from = {-2.6585513931131821, 6.6042293465492214, -2.7693829285172318};
+    SCOPED_TRACE(testing::Message() << from.x << " " << from.y << " " << from.theta);
+    const Clearance found = q.clearance(from);
+    EXPECT_LE(found.error, 2e-9 * std::abs(found.distance) + 1e-10 * size);
+    // Nothing changes nearer than it says, and the point that is told is on the boundary.
+    const double radius = std::abs(found.distance) - found.error;
+    for (int i = 0; i < 20; ++i) {
+      const double x = uniform(random, -1, 1), y = uniform(random, -1, 1), z = uniform(random, -1, 1);
+      const double step = 0.999 * radius * uniform(random, 0, 1) / std::sqrt(x * x + y * y + z * z);
+      EXPECT_EQ(q.contains({from.x + step * x, from.y + step * y, from.theta + step * z / w}), found.distance < 0);
+    }
+    EXPECT_LE(std::abs(q.clearance(found.nearest).distance), 1e-6 * size);
+    // No slice is nearer, those beside the nearest point in particular.
+    for (int i = 0; i < 6; ++i) {
+      Configuration at = from;
+      at.theta = i < 3 ? found.nearest.theta + (i - 1) * 1e-9 : found.nearest.theta + uniform(random, -0.1, 0.1);
+      const double turn = w * std::remainder(at.theta - from.theta, 2 * M_PI);
+      EXPECT_LE(std::abs(found.distance), std::hypot(slice_distance(c, at), turn) + found.error);
+    }
+  }
+  EXPECT_LT(q.bounds_evaluated(), 200u * kAsked);
+}
+
+TEST(ObstacleQueries, clearance_looks_at_few_patches) {
+  Random random(13);
+  for (const auto& pair : pairs()) {
+    const CspaceObstacle c = make(pair);
+    const ObstacleQueries q(c);
+    for (int k = 0; k < 300; ++k) q.clearance(anywhere(c, random));
+    EXPECT_LT(q.bounds_evaluated(), 40u * 300);
   }
 }
 

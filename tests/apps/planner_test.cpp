@@ -197,6 +197,35 @@ TEST(Planner, a_square_held_exactly_in_its_own_shape) {
   expect_none(c, {0, 0, 0}, {1, 0, kPi / 2}, NoPath::Kind::separated);
 }
 
+double way_length(const Plan& p) {
+  double way = 0;
+  for (std::size_t k = 1; k < p.path.size(); ++k)
+    way += std::hypot(p.path[k].approx.x - p.path[k - 1].approx.x, p.path[k].approx.y - p.path[k - 1].approx.y);
+  return way;
+}
+
+TEST(Planner, paths_are_drawn_tight) {
+  // Round the end of a wall, and through a doorway and back to the other wall.
+  const CspaceObstacle wall = obstacle_of(square(), region({{box(-1, -5, 1, 5), {}}}));
+  const CspaceObstacle doorway = obstacle_of(bar(), rooms(-1, 1));
+  const Region trap = region({{{{-5, -5}, {5, -5}, {5, 5}, {-5, 5}, {-5, 0.5}, {0, 0.5}, {0, 1}, {-4, 1}, {-4, 4},
+                                {4, 4}, {4, -4}, {-4, -4}, {-4, -1}, {0, -1}, {0, -0.5}, {-5, -0.5}}, {}}});
+  const CspaceObstacle mouth = obstacle_of(region({{{{-0.4, -0.3}, {0.5, -0.2}, {0.1, 0.4}}, {}}}), trap);
+  struct Way {
+    const CspaceObstacle& obstacle;
+    Configuration start, goal;
+    double most;
+  };
+  for (const Way& w : {Way{wall, {-6, 0, 0}, {6, 0, kPi / 2}, 21}, {wall, {-6, -4, 1}, {6, -4, -2}, 13.5},
+                       {doorway, {-6, 0, kPi / 2}, {6, 0, -kPi / 2}, 12.1}, {mouth, {2, 2, 1}, {-9, 3, -2}, 13.5}}) {
+    for (const Touching touching : {Touching::allowed, Touching::forbidden}) {
+      const Plan p = plan_in(w.obstacle, w.start, w.goal, touching);
+      expect_valid(w.obstacle, p, w.start, w.goal, touching);
+      EXPECT_LT(way_length(p), w.most);
+    }
+  }
+}
+
 TEST(Planner, errors) {
   const CspaceObstacle c = obstacle_of(square(), rooms(-1, 1));
   EXPECT_EQ(plan(c, {NAN, 0, 0}, {0, 0, 0}).error().code, Code::not_finite);

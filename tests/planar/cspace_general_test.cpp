@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <numbers>
 #include <random>
 #include <set>
 
@@ -257,6 +258,25 @@ TEST(CspaceGeneral, segments_that_live_for_a_millionth_of_a_turn_have_their_even
                                 {-4.894720, -2.113772}, {2.800402, -3.543459}});
   Random random(1);
   expect_slices(CspaceObstacle::create(shape, shape).value(), random, 2000);
+}
+
+// 1546 angles, some equal as doubles: their half tangents tell them apart, in the order of the list.
+TEST(CspaceGeneral, half_tangents_tell_all_event_angles_apart) {
+  const Region star = shapes::star(22, 3.2, 6.9);
+  const CspaceObstacle c = CspaceObstacle::create(star, star).value();
+  int equal_doubles = 0;
+  for (std::uint32_t k = 0; k < c.angles().size(); ++k) {
+    const CspaceObstacle::HalfTangent t = c.half_tangent(k);
+    const double theta = 2 * std::atan(t.high) + (t.opposite ? std::numbers::pi : 0);
+    EXPECT_NEAR(std::remainder(theta - c.angles()[k].theta, 2 * std::numbers::pi), 0, 1e-13);
+    EXPECT_LE(std::abs(t.low), 0x1p-52 * std::abs(t.high));
+    if (k == 0) continue;
+    equal_doubles += c.angles()[k].theta == c.angles()[k - 1].theta;
+    const CspaceObstacle::HalfTangent before = c.half_tangent(k - 1);
+    if (before.opposite != t.opposite || (before.high > 0) != (t.high > 0)) continue;
+    EXPECT_GT((t.high - before.high) + (t.low - before.low), 0) << k;
+  }
+  EXPECT_GT(equal_doubles, 0);
 }
 
 TEST(CspaceGeneral, refuses_rings_that_touch) {

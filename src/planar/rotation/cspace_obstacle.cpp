@@ -118,6 +118,15 @@ const std::vector<Shell>& CspaceObstacle::shells() const { return state_->shells
 const std::vector<FreeCell>& CspaceObstacle::free_cells() const { return state_->cells; }
 const ObstacleWork& CspaceObstacle::work() const { return state_->work; }
 
+CspaceObstacle::HalfTangent CspaceObstacle::half_tangent(std::uint32_t angle) const {
+  const ExactAngle& exact = state_->exact_angles.at(angle);
+  exact::RootBracket bracket = exact.t.bracket();
+  bracket.refine_to(110);
+  const exact::BigRational t = bracket.low().value();
+  const double high = exact::double_bounds(t).first;
+  return {exact.chart != 0, high, exact::double_bounds(exact::BigRational(t - exact::exact_value(high))).first};
+}
+
 std::optional<std::uint32_t> CspaceObstacle::slab_of(const Orientation& theta) const {
   const State& s = *state_;
   if (s.angles.empty()) return 0;

@@ -112,6 +112,7 @@ PathPoints::Points PathPoints::points(const PathEnd& start, const std::vector<Pa
     before = path.size();
     path = shortened(path);
   }
+  path = tightened(shortened(tightened(std::move(path))));
   require_free(path);
   return path;
 }

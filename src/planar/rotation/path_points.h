@@ -29,6 +29,9 @@ class PathPoints {
   bool glides(const Orientation& theta, const Position& from, const Position& to);
   std::optional<TurnDirection> turns(const Position& at, const Orientation& from, const Orientation& to);
   Points shortened(const Points& path);
+  bool stays_free(const Points& path, std::size_t first, std::size_t last, const Position& to);
+  Points tightened(Points path);
+  double draw_in(Points& path, std::size_t first, std::size_t last, std::size_t& attempts);
   void require_free(const Points& path);
 
   PathLevels& levels_;

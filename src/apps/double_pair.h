@@ -1,0 +1,48 @@
+// Numbers as unevaluated sums of two doubles, for the few constants that must keep their relative accuracy where
+// doubles cancel: about 2^-100 of the largest operand of a sum is left as an error.
+#pragma once
+
+#include <cmath>
+
+namespace dymsum::apps {
+
+struct DoublePair {
+  double high = 0, low = 0;
+  double value() const { return high + low; }
+};
+
+inline DoublePair exact_sum(double a, double b) {
+  const double s = a + b, t = s - a;
+  return {s, (a - (s - t)) + (b - t)};
+}
+inline DoublePair exact_product(double a, double b) {
+  const double p = a * b;
+  return {p, std::fma(a, b, -p)};
+}
+inline DoublePair operator-(DoublePair a) { return {-a.high, -a.low}; }
+inline DoublePair operator+(DoublePair a, DoublePair b) {
+  const DoublePair s = exact_sum(a.high, b.high), t = exact_sum(a.low, b.low);
+  const DoublePair u = exact_sum(s.high, s.low + t.high);
+  return exact_sum(u.high, u.low + t.low);
+}
+inline DoublePair operator-(DoublePair a, DoublePair b) { return a + -b; }
+inline DoublePair operator*(DoublePair a, DoublePair b) {
+  const DoublePair p = exact_product(a.high, b.high);
+  return exact_sum(p.high, p.low + (a.high * b.low + a.low * b.high));
+}
+/// Requires b to be different from zero.
+inline DoublePair operator/(DoublePair a, DoublePair b) {
+  const double q = a.high / b.high;
+  const DoublePair rest = a - b * DoublePair{q, 0};
+  const double r = rest.high / b.high;
+  const DoublePair left = rest - b * DoublePair{r, 0};
+  return exact_sum(q, r) + DoublePair{left.high / b.high, 0};
+}
+/// Requires a > 0.
+inline DoublePair square_root(DoublePair a) {
+  const double x = std::sqrt(a.high);
+  const DoublePair rest = a - exact_product(x, x);
+  return exact_sum(x, rest.high / (2 * x));
+}
+
+}  // namespace dymsum::apps
