@@ -19,13 +19,23 @@ struct Crossing {
 };
 constexpr std::uint32_t kNoCrossing = ~std::uint32_t{0};
 
+/// A crossing seen from either operand: along the arc of this edge of operand op, from its left face to its right one, ...
+constexpr std::uint32_t edge_of(int op, const Crossing& c) { return op == 0 ? c.p : c.q / 2; }
+/// ... this half-edge of the other operand leads from the vertex extreme before the crossing to the one extreme after it.
+constexpr HalfEdge across(int op, const Crossing& c) { return op == 0 ? c.q : 2 * c.p + (1 - (c.q & 1)); }
+/// The crossing of edge e of operand op with `over` across it.
+constexpr Crossing crossing_of(int op, std::uint32_t e, HalfEdge over) {
+  return op == 0 ? Crossing{e, over, {}} : Crossing{over / 2, 2 * e + (1 - (over & 1)), {}};
+}
+
 /// What one update did.
 struct OverlayWork {
   std::uint64_t vertex_checks = 0;   ///< faces whose extreme vertex was checked
+  std::uint64_t crossing_checks = 0; ///< crossings whose four signs were checked one by one
   std::uint64_t vertex_errors = 0;   ///< faces whose extreme vertex changed
   std::uint64_t steps = 0;           ///< steps from vertex to vertex
-  std::uint64_t arc_checks = 0;      ///< edges of P whose crossings were walked again
-  std::uint64_t arcs_changed = 0;    ///< edges of P whose crossings changed
+  std::uint64_t arc_checks = 0;      ///< edges of the walker whose crossings were walked again, wholly or in part
+  std::uint64_t arcs_changed = 0;    ///< edges of the walker whose crossings changed
   std::uint64_t crossings_added = 0, crossings_removed = 0;
   std::uint64_t exact_signs = 0;     ///< signs that doubles did not decide
 };
@@ -71,20 +81,31 @@ class Overlay {
   friend bool operator==(const Overlay& a, const Overlay& b);
 
  private:
+  // Shared.
   void restart();
-  bool climb(int op, std::uint32_t f, std::uint32_t start);
-  void climb_from_neighbours(int op);
+  bool climb(int op, std::uint32_t f, std::uint32_t start, Vec3 row);
   std::uint32_t step_near_zero(int op, std::uint32_t f, std::uint32_t v);
-  void note_change(int op, std::uint32_t f);
-  double walk(int op, std::uint32_t e);
-  std::uint32_t leaving_slot(int op, std::uint32_t e, std::uint32_t v) const;
-  bool holds(std::uint32_t e);
-  void walk_arc(std::uint32_t e);
-  void replace_crossings(std::uint32_t e);
-  std::uint32_t add_crossing(std::uint32_t e, HalfEdge q);
-  void remove_crossing(std::uint32_t id);
+  void note_face(int op, std::uint32_t f);
+  void touch(int op, std::uint32_t e);
+  std::uint32_t add_crossing(int op, std::uint32_t e, HalfEdge over);
+  std::uint32_t order_along(int op, std::uint32_t e, std::uint32_t v);
+  // From nothing.
+  void clear_crossings();
+  void walk(std::uint32_t e);
+  void put_crossings(std::uint32_t e);
   void order_along_q();
-  void touch_q(std::uint32_t e);
+  // Updates: overlay_update.cpp.
+  void correct_vertices(bool far);
+  void check_crossings(bool far);
+  void break_arc(std::uint32_t e);
+  void mend_arc(std::uint32_t e);
+  void remove_crossing(std::uint32_t id);
+  double slack(const Crossing& c) const;
+  HalfEdge exit_now(std::uint32_t e, std::uint32_t v, Vec3 along) const;
+  std::uint32_t first_cell(int op, std::uint32_t e) const;
+  void settle_other_side();
+  void set_vertex(int op, std::uint32_t f, std::uint32_t v);
+  void spread_vertex(int op);
 
   Signs signs_;
   std::array<std::vector<std::uint32_t>, 2> extreme_;
@@ -96,15 +117,19 @@ class Overlay {
     std::uint32_t face, from;
   };
   std::array<std::vector<Visit>, 2> visits_;
-  std::array<double, 2> cell_{};  // the radius of a cell of the other operand's map, if all were alike
+  // The operand whose faces and arcs are certified and walked in updates, the one with fewer faces; the other one's follow.
+  int walker_ = 0;
+  double cell_ = 0;  // the radius of a cell of the other operand's map, if all were alike
   // Certificates: what was checked holds until directions have moved by this angle since the start.
   double clock_ = 0;
   std::array<std::vector<double>, 2> vertex_until_;
-  std::vector<double> arc_until_;
+  std::vector<double> crossing_until_;
   // Scratch, kept from update to update.
   std::vector<HalfEdge> walk_;
-  std::vector<std::uint32_t> old_, touched_q_, expired_;
-  std::vector<std::uint8_t> is_touched_q_;
+  std::vector<double> walk_until_;
+  std::vector<std::uint32_t> old_, touched_, expired_, broken_, spreading_;
+  std::array<std::vector<std::uint8_t>, 2> is_touched_;
+  std::vector<std::uint8_t> is_broken_;
   OverlayWork work_;
   Changes changes_;
 };

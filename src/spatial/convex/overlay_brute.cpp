@@ -31,11 +31,9 @@ void Overlay::build_brute(const RelativeMap& map) {
   restart();
   const std::uint64_t exact_before = signs_.exact_signs();
   signs_.set(map);
-  crossings_.clear();
-  free_.clear();
+  clear_crossings();
   for (int op = 0; op < 2; ++op) {
     std::fill(vertex_until_[op].begin(), vertex_until_[op].end(), clock_);
-    std::fill(head_[op].begin(), head_[op].end(), kNoCrossing);
     for (std::uint32_t f = 0; f < poly(op).face_count(); ++f) {
       ++work_.vertex_checks;
       std::uint32_t found = 0;
@@ -47,7 +45,6 @@ void Overlay::build_brute(const RelativeMap& map) {
       if (found != 1) throw std::logic_error("Overlay::build_brute: a face has to have one extreme vertex");
     }
   }
-  std::fill(arc_until_.begin(), arc_until_.end(), clock_);
   for (std::uint32_t p = 0; p < poly(0).edge_count(); ++p) {
     walk_.clear();
     for (std::uint32_t q = 0; q < poly(1).edge_count(); ++q)
@@ -60,7 +57,8 @@ void Overlay::build_brute(const RelativeMap& map) {
       std::iter_swap(walk_.begin() + static_cast<std::ptrdiff_t>(i), it);
       v = poly(1).target(walk_[i]);
     }
-    if (!walk_.empty()) replace_crossings(p);
+    walk_until_.assign(walk_.size(), clock_);
+    put_crossings(p);
   }
   order_along_q();
   work_.exact_signs = signs_.exact_signs() - exact_before;

@@ -22,6 +22,8 @@ class Signs {
   const RelativeMap& map() const { return map_; }
   /// Moves the operands. Cost: O(faces).
   void set(const RelativeMap& map);
+  /// Moves the operands without the table that `row`, `value` and `sign` read: then only what ends in `_now`, and `true_sign`, may be asked for.
+  void move(const RelativeMap& map) { map_ = map; }
 
   /// Within error(op) of the exact value for unit normal, unit vector and the map as normalised in doubles.
   double value(int op, std::uint32_t f, HalfEdge h) const {
@@ -30,10 +32,20 @@ class Signs {
   }
   /// n^T M of face f of operand op, n its unit normal.
   const Vec3& row(int op, std::uint32_t f) const { return row_[op][f]; }
+  /// The same from the map as it is, without the table.
+  Vec3 row_now(int op, std::uint32_t f) const { return row_times(poly_[op]->normal[f], map_.approx(op)); }
+  /// M e of edge e of the other operand, e its unit vector: the value of (op, f, 2e) is the product of f's unit normal and this, within the same error.
+  Vec3 mapped_edge(int op, std::uint32_t e) const { return map_.approx(op) * poly_[1 - op]->direction[e]; }
   double error(int op) const { return map_.error(op); }
   /// -1 or 1.
   int sign(int op, std::uint32_t f, HalfEdge h) const {
     const double v = value(op, f, h);
+    if (v > map_.error(op)) return 1;
+    if (v < -map_.error(op)) return -1;
+    return exact_sign(op, f, h);
+  }
+  int sign_now(int op, std::uint32_t f, HalfEdge h) const {
+    const double v = value_now(op, f, h);
     if (v > map_.error(op)) return 1;
     if (v < -map_.error(op)) return -1;
     return exact_sign(op, f, h);
@@ -56,6 +68,10 @@ class Signs {
   }
 
  private:
+  double value_now(int op, std::uint32_t f, HalfEdge h) const {
+    const double v = dot(row_now(op, f), poly_[1 - op]->direction[h / 2]);
+    return (h & 1) ? -v : v;
+  }
   int exact_sign(int op, std::uint32_t f, HalfEdge h) const;
 
   std::array<const Polytope*, 2> poly_;

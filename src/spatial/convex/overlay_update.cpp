@@ -1,0 +1,245 @@
+// A motion's errors in an overlay, found by certificates and mended where they are.
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+#include "spatial/convex/leaving_slot.h"
+#include "spatial/convex/overlay.h"
+
+namespace dymsum::spatial {
+namespace {
+
+constexpr double kForever = std::numeric_limits<double>::infinity();
+constexpr double kNever = -kForever;
+
+/// Moves by more than this many cells start from neighbouring faces instead of from the vertices before: measured, see docs/design/convex-motion.md.
+constexpr double kLeap = 2;
+
+/// The numbers of the certificates that have ended.
+void find_expired(const std::vector<double>& until, double clock, std::vector<std::uint32_t>& expired) {
+  expired.resize(until.size());
+  std::size_t n = 0;
+  for (std::uint32_t i = 0; i < until.size(); ++i) {
+    expired[n] = i;
+    n += until[i] <= clock;
+  }
+  expired.resize(n);
+}
+
+}  // namespace
+
+void Overlay::update(const RelativeMap& map, bool use_margins) {
+  restart();
+  const std::uint64_t exact_before = signs_.exact_signs();
+  const double angle = use_margins ? map.angle_from(signs_.map()) : 4;
+  clock_ += angle;
+  signs_.move(map);
+  const bool far = angle > kLeap * cell_;
+  correct_vertices(far);
+  check_crossings(far);
+  for (const std::uint32_t e : broken_) mend_arc(e);
+  work_.arc_checks = broken_.size();
+  broken_.clear();
+  settle_other_side();
+  work_.exact_signs = signs_.exact_signs() - exact_before;
+}
+
+/// The walker's faces. Where a face's vertex changes, its edges' arcs begin or end elsewhere.
+void Overlay::correct_vertices(bool far) {
+  const int w = walker_;
+  const auto correct = [&](std::uint32_t f, std::uint32_t start) {
+    if (!climb(w, f, start, signs_.row_now(w, f))) return;
+    note_face(w, f);
+    if (far) return;
+    const Polytope& mine = poly(w);
+    HalfEdge h = mine.first[f];
+    do {
+      break_arc(h / 2);
+      h = mine.next[h];
+    } while (h != mine.first[f]);
+  };
+  if (far) {
+    work_.vertex_checks += visits_[w].size();
+    for (const Visit& visit : visits_[w]) correct(visit.face, extreme_[w][visit.from]);
+    return;
+  }
+  find_expired(vertex_until_[w], clock_, expired_);
+  work_.vertex_checks += expired_.size();
+  for (const std::uint32_t f : expired_) correct(f, extreme_[w][f]);
+}
+
+void Overlay::break_arc(std::uint32_t e) {
+  if (is_broken_[e]) return;
+  is_broken_[e] = 1;
+  broken_.push_back(e);
+}
+
+/// Crossings whose certificates have ended: those that doubles do not prove any more break the arc that they lie on.
+void Overlay::check_crossings(bool far) {
+  if (far) {
+    std::fill(crossing_until_.begin(), crossing_until_.end(), kNever);
+    for (const std::uint32_t id : free_) crossing_until_[id] = kForever;
+    for (std::uint32_t e = 0; e < poly(walker_).edge_count(); ++e) break_arc(e);
+    return;
+  }
+  find_expired(crossing_until_, clock_, expired_);
+  work_.crossing_checks += expired_.size();
+  for (const std::uint32_t id : expired_) {
+    crossing_until_[id] = clock_ + slack(crossings_[id]);
+    if (crossing_until_[id] == kNever) break_arc(edge_of(walker_, crossings_[id]));
+  }
+}
+
+/// The angle by which directions have to move at least before the crossing can be none; kNever where doubles do not prove that it is one.
+double Overlay::slack(const Crossing& c) const {
+  const Polytope &p = poly(0), &q = poly(1);
+  const Vec3 over = signs_.mapped_edge(0, c.q / 2), along = signs_.mapped_edge(1, c.p);
+  const double flip = (c.q & 1) ? -1 : 1;
+  const double mine = std::min(-flip * dot(p.normal[p.face[2 * c.p]], over), flip * dot(p.normal[p.face[2 * c.p + 1]], over));
+  const double theirs = std::min(dot(q.normal[q.face[c.q]], along), -dot(q.normal[q.face[twin(c.q)]], along));
+  if (!(mine > signs_.error(0) && theirs > signs_.error(1))) return kNever;
+  return std::min(signs_.margin(0, mine), signs_.margin(1, theirs));
+}
+
+/// The half-edge of the other operand across whose arc the arc of the walker's edge e, mapped to `along`, leaves the cell of v.
+HalfEdge Overlay::exit_now(std::uint32_t e, std::uint32_t v, Vec3 along) const {
+  const int op = 1 - walker_;
+  const Polytope& other = poly(op);
+  const auto value = [&](std::uint32_t k) { return dot(other.normal[other.ring_face[k]], along); };
+  const auto sign = [&](std::uint32_t k) { return signs_.sign_now(op, other.ring_face[k], 2 * e); };
+  return other.ring[leaving_slot(other, v, signs_.error(op), value, sign)];
+}
+
+/// Walks the arc of an edge of the walker between its ends. Crossings that are certain are taken as they come: an arc leaves a convex cell once, so
+/// the one that leaves the cell at hand is the next one. Where there is none, the cell says across which arc to leave it; a crossing of the same two
+/// edges keeps its id.
+void Overlay::mend_arc(std::uint32_t e) {
+  const int w = walker_;
+  const Polytope &mine = poly(w), &other = poly(1 - w);
+  is_broken_[e] = 0;
+  old_.clear();
+  for (std::uint32_t id = head_[w][e]; id != kNoCrossing; id = crossings_[id].next[w]) old_.push_back(id);
+  const Vec3 along = signs_.mapped_edge(1 - w, e);
+  const std::uint32_t end = extreme_[w][mine.face[2 * e + 1]];
+  std::size_t at = 0, walked = 0;
+  bool changed = false;
+  std::uint32_t last = kNoCrossing;
+  for (std::uint32_t v = extreme_[w][mine.face[2 * e]]; v != end;) {
+    std::uint32_t id = kNoCrossing;
+    while (at < old_.size() && (old_[at] == kNoCrossing || crossing_until_[old_[at]] == kNever)) ++at;
+    HalfEdge over = at < old_.size() ? across(w, crossings_[old_[at]]) : 0;
+    if (at < old_.size() && other.origin[over] == v) {
+      id = old_[at];
+      old_[at++] = kNoCrossing;
+    } else {
+      if (walked++ > other.edge_count()) throw std::logic_error("Overlay: an arc does not end");
+      over = exit_now(e, v, along);
+      const auto same = std::find_if(old_.begin(), old_.end(), [&](std::uint32_t o) { return o != kNoCrossing && edge_of(1 - w, crossings_[o]) == over / 2; });
+      if (same == old_.end()) {
+        id = add_crossing(w, e, over);
+        changed = true;
+      } else {
+        id = *same;
+        *same = kNoCrossing;
+        if (across(w, crossings_[id]) != over) {
+          crossings_[id].q = crossing_of(w, e, over).q;
+          touch(1 - w, over / 2);
+          changed = true;
+        }
+      }
+      const double lasts = slack(crossings_[id]);
+      crossing_until_[id] = lasts == kNever ? clock_ : clock_ + lasts;
+    }
+    (last == kNoCrossing ? head_[w][e] : crossings_[last].next[w]) = id;
+    last = id;
+    v = other.target(over);
+  }
+  work_.steps += walked;
+  (last == kNoCrossing ? head_[w][e] : crossings_[last].next[w]) = kNoCrossing;
+  for (const std::uint32_t o : old_) {
+    if (o == kNoCrossing) continue;
+    if (crossing_until_[o] != kNever) throw std::logic_error("Overlay: an arc misses a crossing that is certain");
+    remove_crossing(o);
+    changed = true;
+  }
+  work_.arcs_changed += changed;
+}
+
+/// One that is linked into the arc of the walker no more.
+void Overlay::remove_crossing(std::uint32_t id) {
+  const int op = 1 - walker_;
+  const std::uint32_t e = edge_of(op, crossings_[id]);
+  std::uint32_t* link = &head_[op][e];
+  while (*link != id) link = &crossings_[*link].next[op];
+  *link = crossings_[id].next[op];
+  crossing_until_[id] = kForever;
+  free_.push_back(id);
+  ++work_.crossings_removed;
+  touch(op, e);
+}
+
+/// The vertex in whose cell the crossed arc of edge e of operand op begins: its first crossing leaves that cell, and no other enters it.
+std::uint32_t Overlay::first_cell(int op, std::uint32_t e) const {
+  const Polytope& other = poly(1 - op);
+  std::uint32_t v = other.origin[across(op, crossings_[head_[op][e]])];
+  for (bool again = crossings_[head_[op][e]].next[op] != kNoCrossing; again;) {
+    again = false;
+    for (std::uint32_t id = head_[op][e]; id != kNoCrossing; id = crossings_[id].next[op]) {
+      if (other.target(across(op, crossings_[id])) != v) continue;
+      v = other.origin[across(op, crossings_[id])];
+      again = true;
+    }
+  }
+  return v;
+}
+
+/// The arcs of the other operand whose crossings changed, and the extreme vertices of its faces, which follow: a crossed arc begins and ends in the
+/// cells that its first and last crossing leave and enter, an arc that is not crossed lies in one cell. A face all of whose arcs were and are
+/// crossed by the same, or that is joined to such a face by arcs that were not and are not crossed, has the vertex that it had.
+void Overlay::settle_other_side() {
+  const int op = 1 - walker_;
+  const Polytope& other = poly(op);
+  for (const std::uint32_t e : touched_) {
+    if (head_[op][e] == kNoCrossing) continue;
+    const std::uint32_t begin = first_cell(op, e), end = order_along(op, e, begin);
+    set_vertex(op, other.face[2 * e], begin);
+    set_vertex(op, other.face[2 * e + 1], end);
+  }
+  spread_vertex(op);
+  // An arc that is crossed no more joins two faces one of which may still be wrong.
+  for (const std::uint32_t e : touched_) {
+    is_touched_[op][e] = 0;
+    if (head_[op][e] != kNoCrossing || extreme_[op][other.face[2 * e]] == extreme_[op][other.face[2 * e + 1]]) continue;
+    for (const std::uint32_t f : {other.face[2 * e], other.face[2 * e + 1]}) {
+      ++work_.vertex_checks;
+      if (!climb(op, f, extreme_[op][f], signs_.row_now(op, f))) continue;
+      note_face(op, f);
+      spreading_.push_back(f);
+    }
+    spread_vertex(op);
+  }
+  touched_.clear();
+}
+
+void Overlay::set_vertex(int op, std::uint32_t f, std::uint32_t v) {
+  if (extreme_[op][f] == v) return;
+  extreme_[op][f] = v;
+  note_face(op, f);
+  spreading_.push_back(f);
+}
+
+/// From faces that have changed over arcs that are not crossed.
+void Overlay::spread_vertex(int op) {
+  const Polytope& mine = poly(op);
+  while (!spreading_.empty()) {
+    const std::uint32_t f = spreading_.back();
+    spreading_.pop_back();
+    HalfEdge h = mine.first[f];
+    do {
+      if (head_[op][h / 2] == kNoCrossing) set_vertex(op, mine.face[twin(h)], extreme_[op][f]);
+      h = mine.next[h];
+    } while (h != mine.first[f]);
+  }
+}
+
+}  // namespace dymsum::spatial
