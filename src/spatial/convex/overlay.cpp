@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 
 #include "spatial/convex/leaving_slot.h"
@@ -88,7 +89,7 @@ bool Overlay::climb(int op, std::uint32_t f, std::uint32_t start, Vec3 row) {
   }
 }
 
-/// The half-edges of Q that the arc of edge e of P crosses, from its left face to its right one, into walk_, and how long their signs last.
+/// Finds the crossings of the arc of edge e of P, which has none yet, from its left face to its right one.
 void Overlay::walk(std::uint32_t e) {
   const Polytope &p = poly(0), &q = poly(1);
   const std::uint32_t left = p.face[2 * e], right = p.face[2 * e + 1];
@@ -96,18 +97,19 @@ void Overlay::walk(std::uint32_t e) {
   const auto value = [&](std::uint32_t k) { return dot(signs_.row(1, q.ring_face[k]), along); };
   const auto sign = [&](std::uint32_t k) { return signs_.sign(1, q.ring_face[k], 2 * e); };
   const std::uint32_t end = extreme_[0][right];
-  walk_.clear();
-  walk_until_.clear();
-  for (std::uint32_t v = extreme_[0][left]; v != end; ++work_.steps) {
+  std::uint32_t last = kNoCrossing, walked = 0;
+  for (std::uint32_t v = extreme_[0][left]; v != end; ++walked) {
     const HalfEdge exit = q.ring[leaving_slot(q, v, signs_.error(1), value, sign)];
-    if (walk_.size() > q.edge_count()) throw std::logic_error("Overlay: an arc does not end");
+    if (walked > q.edge_count()) throw std::logic_error("Overlay: an arc does not end");
     const Vec3 d = q.along(exit);
     const double mine = std::min(std::abs(dot(f_left, d)), std::abs(dot(f_right, d)));
-    const double theirs = std::min(std::abs(dot(signs_.row(1, q.face[exit]), along)), std::abs(dot(signs_.row(1, q.face[twin(exit)]), along)));
-    walk_.push_back(exit);
-    walk_until_.push_back(clock_ + std::min(signs_.margin(0, mine), signs_.margin(1, theirs)));
+    const double theirs = std::min(std::abs(dot(signs_.row(1, q.face[exit]), along)),
+                                   std::abs(dot(signs_.row(1, q.face[twin(exit)]), along)));
+    last = append_crossing(e, exit, clock_ + std::min(signs_.margin(0, mine), signs_.margin(1, theirs)), last);
     v = q.target(exit);
   }
+  work_.steps += walked;
+  work_.arcs_changed += walked > 0;
 }
 
 void Overlay::touch(int op, std::uint32_t e) {
@@ -116,38 +118,24 @@ void Overlay::touch(int op, std::uint32_t e) {
   touched_.push_back(e);
 }
 
-/// Of edge e of operand op; it still has to be linked into the arc of e.
-std::uint32_t Overlay::add_crossing(int op, std::uint32_t e, HalfEdge over) {
-  std::uint32_t id;
-  if (free_.empty()) {
-    id = static_cast<std::uint32_t>(crossings_.size());
-    crossings_.emplace_back();
-    crossing_until_.push_back(kNever);
-  } else {
-    id = free_.back();
-    free_.pop_back();
-  }
-  Crossing c = crossing_of(op, e, over);
-  c.next = {kNoCrossing, kNoCrossing};
-  std::uint32_t& head = head_[1 - op][over / 2];
-  c.next[1 - op] = head;
+/// While crossings are found from nothing: a crossing of edge e of P after the one before it, if any.
+std::uint32_t Overlay::append_crossing(std::uint32_t e, HalfEdge q, double until, std::uint32_t before) {
+  const auto id = static_cast<std::uint32_t>(crossings_.size());
+  std::uint32_t& head = head_[1][q / 2];
+  crossings_.push_back({e, q, {kNoCrossing, head}});
   head = id;
-  crossings_[id] = c;
-  changes_.crossings.push_back(id);
-  ++work_.crossings_added;
-  touch(1 - op, over / 2);
+  crossing_until_.push_back(until);
+  (before == kNoCrossing ? head_[0][e] : crossings_[before].next[0]) = id;
+  touch(1, q / 2);
   return id;
 }
 
-/// Makes walk_ the crossings of edge e of P, which has none yet.
-void Overlay::put_crossings(std::uint32_t e) {
-  std::uint32_t last = kNoCrossing;
-  for (std::size_t i = 0; i < walk_.size(); ++i) {
-    const std::uint32_t id = add_crossing(0, e, walk_[i]);
-    crossing_until_[id] = walk_until_[i];
-    (last == kNoCrossing ? head_[0][e] : crossings_[last].next[0]) = id;
-    last = id;
-  }
+/// When all crossings are found from nothing.
+void Overlay::finish_crossings() {
+  changes_.crossings.resize(crossings_.size());
+  std::iota(changes_.crossings.begin(), changes_.crossings.end(), 0);
+  work_.crossings_added = crossings_.size();
+  order_along_q();
 }
 
 /// Puts the crossings along the arc of edge e of operand op, which begins in the cell of vertex v of the other one, in order: each leaves the cell
@@ -210,14 +198,9 @@ void Overlay::build(const RelativeMap& map) {
     for (const Visit& visit : visits_[op])
       if (climb(op, visit.face, extreme_[op][visit.from], signs_.row(op, visit.face))) note_face(op, visit.face);
   }
-  for (std::uint32_t e = 0; e < poly(0).edge_count(); ++e) {
-    walk(e);
-    if (walk_.empty()) continue;
-    ++work_.arcs_changed;
-    put_crossings(e);
-  }
+  for (std::uint32_t e = 0; e < poly(0).edge_count(); ++e) walk(e);
   work_.arc_checks = poly(0).edge_count();
-  order_along_q();
+  finish_crossings();
   work_.exact_signs = signs_.exact_signs() - exact_before;
 }
 

@@ -87,18 +87,19 @@ class Overlay {
   std::uint32_t step_near_zero(int op, std::uint32_t f, std::uint32_t v);
   void note_face(int op, std::uint32_t f);
   void touch(int op, std::uint32_t e);
-  std::uint32_t add_crossing(int op, std::uint32_t e, HalfEdge over);
   std::uint32_t order_along(int op, std::uint32_t e, std::uint32_t v);
   // From nothing.
   void clear_crossings();
   void walk(std::uint32_t e);
-  void put_crossings(std::uint32_t e);
+  std::uint32_t append_crossing(std::uint32_t e, HalfEdge q, double until, std::uint32_t before);
+  void finish_crossings();
   void order_along_q();
   // Updates: overlay_update.cpp.
   void correct_vertices(bool far);
   void check_crossings(bool far);
   void break_arc(std::uint32_t e);
   void mend_arc(std::uint32_t e);
+  std::uint32_t add_crossing(std::uint32_t e, HalfEdge over);
   void remove_crossing(std::uint32_t id);
   double slack(const Crossing& c) const;
   HalfEdge exit_now(std::uint32_t e, std::uint32_t v, Vec3 along) const;
@@ -125,8 +126,6 @@ class Overlay {
   std::array<std::vector<double>, 2> vertex_until_;
   std::vector<double> crossing_until_;
   // Scratch, kept from update to update.
-  std::vector<HalfEdge> walk_;
-  std::vector<double> walk_until_;
   std::vector<std::uint32_t> old_, touched_, expired_, broken_, spreading_;
   std::array<std::vector<std::uint8_t>, 2> is_touched_;
   std::vector<std::uint8_t> is_broken_;

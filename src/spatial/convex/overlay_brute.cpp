@@ -45,22 +45,22 @@ void Overlay::build_brute(const RelativeMap& map) {
       if (found != 1) throw std::logic_error("Overlay::build_brute: a face has to have one extreme vertex");
     }
   }
+  std::vector<HalfEdge> crossed;
   for (std::uint32_t p = 0; p < poly(0).edge_count(); ++p) {
-    walk_.clear();
+    crossed.clear();
     for (std::uint32_t q = 0; q < poly(1).edge_count(); ++q)
-      if (const std::int64_t h = crossing_half_edge(signs_, p, q); h >= 0) walk_.push_back(static_cast<HalfEdge>(h));
+      if (const std::int64_t h = crossing_half_edge(signs_, p, q); h >= 0) crossed.push_back(static_cast<HalfEdge>(h));
     // In order: each leaves the vertex that the one before it led to.
-    std::uint32_t v = extreme_[0][poly(0).face[2 * p]];
-    for (std::size_t i = 0; i < walk_.size(); ++i) {
-      const auto it = std::find_if(walk_.begin() + static_cast<std::ptrdiff_t>(i), walk_.end(), [&](HalfEdge h) { return poly(1).origin[h] == v; });
-      if (it == walk_.end()) throw std::logic_error("Overlay::build_brute: crossings do not join");
-      std::iter_swap(walk_.begin() + static_cast<std::ptrdiff_t>(i), it);
-      v = poly(1).target(walk_[i]);
+    std::uint32_t v = extreme_[0][poly(0).face[2 * p]], last = kNoCrossing;
+    for (auto from = crossed.begin(); from != crossed.end(); ++from) {
+      const auto it = std::find_if(from, crossed.end(), [&](HalfEdge h) { return poly(1).origin[h] == v; });
+      if (it == crossed.end()) throw std::logic_error("Overlay::build_brute: crossings do not join");
+      std::iter_swap(from, it);
+      v = poly(1).target(*from);
+      last = append_crossing(p, *from, clock_, last);
     }
-    walk_until_.assign(walk_.size(), clock_);
-    put_crossings(p);
   }
-  order_along_q();
+  finish_crossings();
   work_.exact_signs = signs_.exact_signs() - exact_before;
 }
 

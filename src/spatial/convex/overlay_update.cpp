@@ -136,7 +136,7 @@ void Overlay::mend_arc(std::uint32_t e) {
       over = exit_now(e, v, along);
       const auto same = std::find_if(old_.begin(), old_.end(), [&](std::uint32_t o) { return o != kNoCrossing && edge_of(1 - w, crossings_[o]) == over / 2; });
       if (same == old_.end()) {
-        id = add_crossing(w, e, over);
+        id = add_crossing(e, over);
         changed = true;
       } else {
         id = *same;
@@ -163,6 +163,28 @@ void Overlay::mend_arc(std::uint32_t e) {
     changed = true;
   }
   work_.arcs_changed += changed;
+}
+
+/// Of edge e of the walker; it still has to be linked into the arc of e.
+std::uint32_t Overlay::add_crossing(std::uint32_t e, HalfEdge over) {
+  const int op = 1 - walker_;
+  std::uint32_t id;
+  if (free_.empty()) {
+    id = static_cast<std::uint32_t>(crossings_.size());
+    crossings_.emplace_back();
+    crossing_until_.push_back(kNever);
+  } else {
+    id = free_.back();
+    free_.pop_back();
+  }
+  Crossing& c = crossings_[id];
+  c = crossing_of(walker_, e, over);
+  c.next[op] = head_[op][over / 2];
+  head_[op][over / 2] = id;
+  changes_.crossings.push_back(id);
+  ++work_.crossings_added;
+  touch(op, over / 2);
+  return id;
 }
 
 /// One that is linked into the arc of the walker no more.
