@@ -101,11 +101,10 @@ void Overlay::walk(std::uint32_t e) {
   for (std::uint32_t v = extreme_[0][left]; v != end; ++walked) {
     const HalfEdge exit = q.ring[leaving_slot(q, v, signs_.error(1), value, sign)];
     if (walked > q.edge_count()) throw std::logic_error("Overlay: an arc does not end");
-    const Vec3 d = q.along(exit);
-    const double mine = std::min(std::abs(dot(f_left, d)), std::abs(dot(f_right, d)));
-    const double theirs = std::min(std::abs(dot(signs_.row(1, q.face[exit]), along)),
-                                   std::abs(dot(signs_.row(1, q.face[twin(exit)]), along)));
-    last = append_crossing(e, exit, clock_ + std::min(signs_.margin(0, mine), signs_.margin(1, theirs)), last);
+    // The signs that updates rely on: see overlay_update.cpp.
+    const double least = walker_ == 0 ? std::min(std::abs(dot(signs_.row(1, q.face[exit]), along)), std::abs(dot(signs_.row(1, q.face[twin(exit)]), along)))
+                                      : std::min(std::abs(dot(f_left, q.direction[exit / 2])), std::abs(dot(f_right, q.direction[exit / 2])));
+    last = append_crossing(e, exit, clock_ + signs_.margin(1 - walker_, least), last);
     v = q.target(exit);
   }
   work_.steps += walked;

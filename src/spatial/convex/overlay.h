@@ -101,7 +101,7 @@ class Overlay {
   void mend_arc(std::uint32_t e);
   std::uint32_t add_crossing(std::uint32_t e, HalfEdge over);
   void remove_crossing(std::uint32_t id);
-  double slack(const Crossing& c) const;
+  double slack(HalfEdge over, Vec3 along) const;
   HalfEdge exit_now(std::uint32_t e, std::uint32_t v, Vec3 along) const;
   std::uint32_t first_cell(int op, std::uint32_t e) const;
   void settle_other_side();

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "spatial/convex/leaving_slot.h"
 #include "spatial/convex/overlay.h"
@@ -76,29 +77,29 @@ void Overlay::break_arc(std::uint32_t e) {
 
 /// Crossings whose certificates have ended: those that doubles do not prove any more break the arc that they lie on.
 void Overlay::check_crossings(bool far) {
+  const int w = walker_;
   if (far) {
     std::fill(crossing_until_.begin(), crossing_until_.end(), kNever);
     for (const std::uint32_t id : free_) crossing_until_[id] = kForever;
-    for (std::uint32_t e = 0; e < poly(walker_).edge_count(); ++e) break_arc(e);
+    for (std::uint32_t e = 0; e < poly(w).edge_count(); ++e) break_arc(e);
     return;
   }
   find_expired(crossing_until_, clock_, expired_);
   work_.crossing_checks += expired_.size();
   for (const std::uint32_t id : expired_) {
-    crossing_until_[id] = clock_ + slack(crossings_[id]);
-    if (crossing_until_[id] == kNever) break_arc(edge_of(walker_, crossings_[id]));
+    const std::uint32_t e = edge_of(w, crossings_[id]);
+    crossing_until_[id] = clock_ + slack(across(w, crossings_[id]), signs_.mapped_edge(1 - w, e));
+    if (crossing_until_[id] == kNever) break_arc(e);
   }
 }
 
-/// The angle by which directions have to move at least before the crossing can be none; kNever where doubles do not prove that it is one.
-double Overlay::slack(const Crossing& c) const {
-  const Polytope &p = poly(0), &q = poly(1);
-  const Vec3 over = signs_.mapped_edge(0, c.q / 2), along = signs_.mapped_edge(1, c.p);
-  const double flip = (c.q & 1) ? -1 : 1;
-  const double mine = std::min(-flip * dot(p.normal[p.face[2 * c.p]], over), flip * dot(p.normal[p.face[2 * c.p + 1]], over));
-  const double theirs = std::min(dot(q.normal[q.face[c.q]], along), -dot(q.normal[q.face[twin(c.q)]], along));
-  if (!(mine > signs_.error(0) && theirs > signs_.error(1))) return kNever;
-  return std::min(signs_.margin(0, mine), signs_.margin(1, theirs));
+/// The angle by which directions have to move at least before the circle of the walker's edge that is mapped to `along` can leave the cell of the
+/// origin of `over` elsewhere than across its arc; kNever where doubles do not prove that it leaves it there.
+double Overlay::slack(HalfEdge over, Vec3 along) const {
+  const int op = 1 - walker_;
+  const Polytope& other = poly(op);
+  const double least = std::min(dot(other.normal[other.face[over]], along), -dot(other.normal[other.face[twin(over)]], along));
+  return least > signs_.error(op) ? signs_.margin(op, least) : kNever;
 }
 
 /// The half-edge of the other operand across whose arc the arc of the walker's edge e, mapped to `along`, leaves the cell of v.
@@ -110,9 +111,8 @@ HalfEdge Overlay::exit_now(std::uint32_t e, std::uint32_t v, Vec3 along) const {
   return other.ring[leaving_slot(other, v, signs_.error(op), value, sign)];
 }
 
-/// Walks the arc of an edge of the walker between its ends. Crossings that are certain are taken as they come: an arc leaves a convex cell once, so
-/// the one that leaves the cell at hand is the next one. Where there is none, the cell says across which arc to leave it; a crossing of the same two
-/// edges keeps its id.
+/// Walks the arc of an edge of the walker between its ends. Where a crossing from before is known to leave the cell at hand, it is the next one, as
+/// a circle leaves a convex cell once; elsewhere the cell says across which arc to leave it. A crossing of the same two edges keeps its id.
 void Overlay::mend_arc(std::uint32_t e) {
   const int w = walker_;
   const Polytope &mine = poly(w), &other = poly(1 - w);
@@ -121,47 +121,53 @@ void Overlay::mend_arc(std::uint32_t e) {
   for (std::uint32_t id = head_[w][e]; id != kNoCrossing; id = crossings_[id].next[w]) old_.push_back(id);
   const Vec3 along = signs_.mapped_edge(1 - w, e);
   const std::uint32_t end = extreme_[w][mine.face[2 * e + 1]];
-  std::size_t at = 0, walked = 0;
+  std::size_t done = 0;  // those of old_ before it are passed
+  std::uint32_t walked = 0, last = kNoCrossing;
   bool changed = false;
-  std::uint32_t last = kNoCrossing;
-  for (std::uint32_t v = extreme_[w][mine.face[2 * e]]; v != end;) {
-    std::uint32_t id = kNoCrossing;
-    while (at < old_.size() && (old_[at] == kNoCrossing || crossing_until_[old_[at]] == kNever)) ++at;
-    HalfEdge over = at < old_.size() ? across(w, crossings_[old_[at]]) : 0;
-    if (at < old_.size() && other.origin[over] == v) {
-      id = old_[at];
-      old_[at++] = kNoCrossing;
-    } else {
-      if (walked++ > other.edge_count()) throw std::logic_error("Overlay: an arc does not end");
-      over = exit_now(e, v, along);
-      const auto same = std::find_if(old_.begin(), old_.end(), [&](std::uint32_t o) { return o != kNoCrossing && edge_of(1 - w, crossings_[o]) == over / 2; });
-      if (same == old_.end()) {
-        id = add_crossing(e, over);
-        changed = true;
-      } else {
-        id = *same;
-        *same = kNoCrossing;
-        if (across(w, crossings_[id]) != over) {
-          crossings_[id].q = crossing_of(w, e, over).q;
-          touch(1 - w, over / 2);
-          changed = true;
-        }
-      }
-      const double lasts = slack(crossings_[id]);
-      crossing_until_[id] = lasts == kNever ? clock_ : clock_ + lasts;
-    }
+  const auto link = [&](std::uint32_t id) {
     (last == kNoCrossing ? head_[w][e] : crossings_[last].next[w]) = id;
     last = id;
+  };
+  const auto leaves = [&](std::uint32_t id, std::uint32_t v) {
+    return id != kNoCrossing && crossing_until_[id] != kNever && other.origin[across(w, crossings_[id])] == v;
+  };
+  for (std::uint32_t v = extreme_[w][mine.face[2 * e]]; v != end;) {
+    std::size_t k = done;
+    while (k < old_.size() && !leaves(old_[k], v)) ++k;
+    if (k < old_.size()) {
+      const std::uint32_t id = std::exchange(old_[k], kNoCrossing);
+      done = k + 1;
+      link(id);
+      v = other.target(across(w, crossings_[id]));
+      continue;
+    }
+    if (walked++ > other.edge_count()) throw std::logic_error("Overlay: an arc does not end");
+    const HalfEdge over = exit_now(e, v, along);
+    const auto same = std::find_if(old_.begin(), old_.end(),
+                                   [&](std::uint32_t o) { return o != kNoCrossing && edge_of(1 - w, crossings_[o]) == over / 2; });
+    std::uint32_t id;
+    if (same == old_.end()) {
+      id = add_crossing(e, over);
+      changed = true;
+    } else {
+      id = std::exchange(*same, kNoCrossing);
+      if (across(w, crossings_[id]) != over) {
+        crossings_[id].q = crossing_of(w, e, over).q;
+        touch(1 - w, over / 2);
+        changed = true;
+      }
+    }
+    crossing_until_[id] = std::max(clock_, clock_ + slack(over, along));
+    link(id);
     v = other.target(over);
   }
-  work_.steps += walked;
-  (last == kNoCrossing ? head_[w][e] : crossings_[last].next[w]) = kNoCrossing;
+  link(kNoCrossing);
   for (const std::uint32_t o : old_) {
     if (o == kNoCrossing) continue;
-    if (crossing_until_[o] != kNever) throw std::logic_error("Overlay: an arc misses a crossing that is certain");
     remove_crossing(o);
     changed = true;
   }
+  work_.steps += walked;
   work_.arcs_changed += changed;
 }
 
