@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "spatial/convex/signs.h"
@@ -103,7 +104,7 @@ class Overlay {
   void remove_crossing(std::uint32_t id);
   double slack(HalfEdge over, Vec3 along) const;
   HalfEdge exit_now(std::uint32_t e, std::uint32_t v, Vec3 along) const;
-  std::uint32_t first_cell(int op, std::uint32_t e) const;
+  std::pair<std::uint32_t, std::uint32_t> cells_of_ends(int op, std::uint32_t e);
   void settle_other_side();
   void set_vertex(int op, std::uint32_t f, std::uint32_t v);
   void spread_vertex(int op);
@@ -126,7 +127,13 @@ class Overlay {
   std::array<std::vector<double>, 2> vertex_until_;
   std::vector<double> crossing_until_;
   // Scratch, kept from update to update.
-  std::vector<std::uint32_t> old_, touched_, expired_, broken_, spreading_;
+  struct OldCrossing {
+    std::uint32_t id;
+    HalfEdge over;
+    std::uint32_t from;
+  };
+  std::vector<OldCrossing> old_;
+  std::vector<std::uint32_t> touched_, expired_, broken_, spreading_;
   std::array<std::vector<std::uint8_t>, 2> is_touched_;
   std::vector<std::uint8_t> is_broken_;
   OverlayWork work_;

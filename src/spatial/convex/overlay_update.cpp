@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kForever = std::numeric_limits<double>::infinity();
 constexpr double kNever = -kForever;
+constexpr std::uint32_t kNoVertex = ~std::uint32_t{0};
 
 /// Moves by more than this many cells start from neighbouring faces instead of from the vertices before: measured, see docs/design/convex-motion.md.
 constexpr double kLeap = 2;
@@ -97,8 +98,10 @@ void Overlay::check_crossings(bool far) {
 /// origin of `over` elsewhere than across its arc; kNever where doubles do not prove that it leaves it there.
 double Overlay::slack(HalfEdge over, Vec3 along) const {
   const int op = 1 - walker_;
-  const Polytope& other = poly(op);
-  const double least = std::min(dot(other.normal[other.face[over]], along), -dot(other.normal[other.face[twin(over)]], along));
+  const std::array<double, 6>& n = poly(op).sides[over / 2];
+  std::array<double, 2> side;
+  for (std::size_t k = 0; k < 2; ++k) side[k] = n[k] * along.x + n[2 + k] * along.y + n[4 + k] * along.z;
+  const double least = (over & 1) ? std::min(-side[0], side[1]) : std::min(side[0], -side[1]);
   return least > signs_.error(op) ? signs_.margin(op, least) : kNever;
 }
 
@@ -106,7 +109,7 @@ double Overlay::slack(HalfEdge over, Vec3 along) const {
 HalfEdge Overlay::exit_now(std::uint32_t e, std::uint32_t v, Vec3 along) const {
   const int op = 1 - walker_;
   const Polytope& other = poly(op);
-  const auto value = [&](std::uint32_t k) { return dot(other.normal[other.ring_face[k]], along); };
+  const auto value = [&](std::uint32_t k) { return dot(other.ring_normal[k], along); };
   const auto sign = [&](std::uint32_t k) { return signs_.sign_now(op, other.ring_face[k], 2 * e); };
   return other.ring[leaving_slot(other, v, signs_.error(op), value, sign)];
 }
@@ -118,40 +121,43 @@ void Overlay::mend_arc(std::uint32_t e) {
   const Polytope &mine = poly(w), &other = poly(1 - w);
   is_broken_[e] = 0;
   old_.clear();
-  for (std::uint32_t id = head_[w][e]; id != kNoCrossing; id = crossings_[id].next[w]) old_.push_back(id);
+  for (std::uint32_t id = head_[w][e]; id != kNoCrossing; id = crossings_[id].next[w]) {
+    const HalfEdge over = across(w, crossings_[id]);
+    old_.push_back({id, over, crossing_until_[id] == kNever ? kNoVertex : other.origin[over]});
+  }
   const Vec3 along = signs_.mapped_edge(1 - w, e);
   const std::uint32_t end = extreme_[w][mine.face[2 * e + 1]];
-  std::size_t done = 0;  // those of old_ before it are passed
+  std::size_t done = 0, kept = 0;  // those of old_ before `done` are passed
   std::uint32_t walked = 0, last = kNoCrossing;
   bool changed = false;
   const auto link = [&](std::uint32_t id) {
     (last == kNoCrossing ? head_[w][e] : crossings_[last].next[w]) = id;
     last = id;
   };
-  const auto leaves = [&](std::uint32_t id, std::uint32_t v) {
-    return id != kNoCrossing && crossing_until_[id] != kNever && other.origin[across(w, crossings_[id])] == v;
-  };
   for (std::uint32_t v = extreme_[w][mine.face[2 * e]]; v != end;) {
     std::size_t k = done;
-    while (k < old_.size() && !leaves(old_[k], v)) ++k;
+    while (k < old_.size() && old_[k].from != v) ++k;
     if (k < old_.size()) {
-      const std::uint32_t id = std::exchange(old_[k], kNoCrossing);
+      link(std::exchange(old_[k].id, kNoCrossing));
+      v = other.target(old_[k].over);
+      old_[k].from = kNoVertex;
       done = k + 1;
-      link(id);
-      v = other.target(across(w, crossings_[id]));
+      ++kept;
       continue;
     }
     if (walked++ > other.edge_count()) throw std::logic_error("Overlay: an arc does not end");
     const HalfEdge over = exit_now(e, v, along);
-    const auto same = std::find_if(old_.begin(), old_.end(),
-                                   [&](std::uint32_t o) { return o != kNoCrossing && edge_of(1 - w, crossings_[o]) == over / 2; });
+    k = 0;
+    while (k < old_.size() && (old_[k].over / 2 != over / 2 || old_[k].id == kNoCrossing)) ++k;
     std::uint32_t id;
-    if (same == old_.end()) {
+    if (k == old_.size()) {
       id = add_crossing(e, over);
       changed = true;
     } else {
-      id = std::exchange(*same, kNoCrossing);
-      if (across(w, crossings_[id]) != over) {
+      id = std::exchange(old_[k].id, kNoCrossing);
+      old_[k].from = kNoVertex;
+      ++kept;
+      if (old_[k].over != over) {
         crossings_[id].q = crossing_of(w, e, over).q;
         touch(1 - w, over / 2);
         changed = true;
@@ -162,9 +168,9 @@ void Overlay::mend_arc(std::uint32_t e) {
     v = other.target(over);
   }
   link(kNoCrossing);
-  for (const std::uint32_t o : old_) {
-    if (o == kNoCrossing) continue;
-    remove_crossing(o);
+  if (kept < old_.size()) {
+    for (const OldCrossing& o : old_)
+      if (o.id != kNoCrossing) remove_crossing(o.id);
     changed = true;
   }
   work_.steps += walked;
@@ -206,19 +212,23 @@ void Overlay::remove_crossing(std::uint32_t id) {
   touch(op, e);
 }
 
-/// The vertex in whose cell the crossed arc of edge e of operand op begins: its first crossing leaves that cell, and no other enters it.
-std::uint32_t Overlay::first_cell(int op, std::uint32_t e) const {
+/// The vertices in whose cells the crossed arc of edge e of operand op begins and ends, and its crossings in order: the first one leaves a cell that
+/// no other one enters.
+std::pair<std::uint32_t, std::uint32_t> Overlay::cells_of_ends(int op, std::uint32_t e) {
   const Polytope& other = poly(1 - op);
-  std::uint32_t v = other.origin[across(op, crossings_[head_[op][e]])];
-  for (bool again = crossings_[head_[op][e]].next[op] != kNoCrossing; again;) {
-    again = false;
-    for (std::uint32_t id = head_[op][e]; id != kNoCrossing; id = crossings_[id].next[op]) {
-      if (other.target(across(op, crossings_[id])) != v) continue;
-      v = other.origin[across(op, crossings_[id])];
-      again = true;
+  const std::uint32_t first = head_[op][e];
+  std::uint32_t v = other.origin[across(op, crossings_[first])];
+  if (crossings_[first].next[op] == kNoCrossing) return {v, other.target(across(op, crossings_[first]))};
+  for (std::uint32_t id = first; id != kNoCrossing;) {
+    const HalfEdge over = across(op, crossings_[id]);
+    if (other.target(over) != v) {
+      id = crossings_[id].next[op];
+      continue;
     }
+    v = other.origin[over];
+    id = first;
   }
-  return v;
+  return {v, order_along(op, e, v)};
 }
 
 /// The arcs of the other operand whose crossings changed, and the extreme vertices of its faces, which follow: a crossed arc begins and ends in the
@@ -229,7 +239,7 @@ void Overlay::settle_other_side() {
   const Polytope& other = poly(op);
   for (const std::uint32_t e : touched_) {
     if (head_[op][e] == kNoCrossing) continue;
-    const std::uint32_t begin = first_cell(op, e), end = order_along(op, e, begin);
+    const auto [begin, end] = cells_of_ends(op, e);
     set_vertex(op, other.face[2 * e], begin);
     set_vertex(op, other.face[2 * e + 1], end);
   }
