@@ -76,6 +76,19 @@ void Overlay::break_arc(std::uint32_t e) {
   broken_.push_back(e);
 }
 
+/// The angle by which directions have to move at least before the circle of the walker's edge that is mapped to `along` can leave the cell of the
+/// origin of `over` elsewhere than across its arc; kNever where doubles do not prove that it leaves it there.
+inline double Overlay::slack(HalfEdge over, Vec3 along) const {
+  const int op = 1 - walker_;
+  const std::array<double, 6>& n = poly(op).sides[over / 2];
+  std::array<double, 2> side;
+  for (std::size_t k = 0; k < 2; ++k) side[k] = n[k] * along.x + n[2 + k] * along.y + n[4 + k] * along.z;
+  // Without a branch: half-edges point either way as often.
+  const double forward = 1 - 2 * static_cast<double>(over & 1);
+  const double least = std::min(forward * side[0], -forward * side[1]);
+  return least > signs_.error(op) ? signs_.margin(op, least) : kNever;
+}
+
 /// Crossings whose certificates have ended: those that doubles do not prove any more break the arc that they lie on.
 void Overlay::check_crossings(bool far) {
   const int w = walker_;
@@ -92,17 +105,6 @@ void Overlay::check_crossings(bool far) {
     crossing_until_[id] = clock_ + slack(across(w, crossings_[id]), signs_.mapped_edge(1 - w, e));
     if (crossing_until_[id] == kNever) break_arc(e);
   }
-}
-
-/// The angle by which directions have to move at least before the circle of the walker's edge that is mapped to `along` can leave the cell of the
-/// origin of `over` elsewhere than across its arc; kNever where doubles do not prove that it leaves it there.
-double Overlay::slack(HalfEdge over, Vec3 along) const {
-  const int op = 1 - walker_;
-  const std::array<double, 6>& n = poly(op).sides[over / 2];
-  std::array<double, 2> side;
-  for (std::size_t k = 0; k < 2; ++k) side[k] = n[k] * along.x + n[2 + k] * along.y + n[4 + k] * along.z;
-  const double least = (over & 1) ? std::min(-side[0], side[1]) : std::min(side[0], -side[1]);
-  return least > signs_.error(op) ? signs_.margin(op, least) : kNever;
 }
 
 /// The half-edge of the other operand across whose arc the arc of the walker's edge e, mapped to `along`, leaves the cell of v.
