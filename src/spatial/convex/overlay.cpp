@@ -40,7 +40,7 @@ Overlay::Overlay(const Polytope& p, const Polytope& q) : signs_(p, q) {
   }
   walker_ = q.face_count() < p.face_count() ? 1 : 0;
   cell_ = 2 / std::sqrt(static_cast<double>(poly(1 - walker_).vertex_count()));  // 4 pi = n pi r^2
-  is_broken_.assign(poly(walker_).edge_count(), 0);
+  breaks_.assign(poly(walker_).edge_count(), 0);
 }
 
 /// Doubles cannot tell whether an edge rises: any that does will do. The vertex it leads to, or v itself, which is then extreme.

@@ -98,8 +98,8 @@ class Overlay {
   // Updates: overlay_update.cpp.
   void correct_vertices(bool far);
   void check_crossings(bool far);
-  void break_arc(std::uint32_t e);
-  void mend_arc(std::uint32_t e);
+  void break_arc(std::uint32_t e, std::uint32_t by);
+  void mend_arc(std::uint32_t e, bool far);
   std::uint32_t add_crossing(std::uint32_t e, HalfEdge over);
   void remove_crossing(std::uint32_t id);
   double slack(HalfEdge over, Vec3 along) const;
@@ -127,15 +127,8 @@ class Overlay {
   std::array<std::vector<double>, 2> vertex_until_;
   std::vector<double> crossing_until_;
   // Scratch, kept from update to update.
-  struct OldCrossing {
-    std::uint32_t id;
-    HalfEdge over;
-    std::uint32_t from;
-  };
-  std::vector<OldCrossing> old_;
-  std::vector<std::uint32_t> touched_, expired_, broken_, spreading_;
+  std::vector<std::uint32_t> touched_, expired_, broken_, breaks_, spreading_;
   std::array<std::vector<std::uint8_t>, 2> is_touched_;
-  std::vector<std::uint8_t> is_broken_;
   OverlayWork work_;
   Changes changes_;
 };

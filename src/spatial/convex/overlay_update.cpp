@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kForever = std::numeric_limits<double>::infinity();
 constexpr double kNever = -kForever;
-constexpr std::uint32_t kNoVertex = ~std::uint32_t{0};
+/// Among the breaks of an arc, above all numbers of crossings.
+constexpr std::uint32_t kEnds = std::uint32_t{1} << 31;
 
 /// Moves by more than this many cells start from neighbouring faces instead of from the vertices before: measured, see docs/design/convex-motion.md.
 constexpr double kLeap = 2;
@@ -39,7 +40,7 @@ void Overlay::update(const RelativeMap& map, bool use_margins) {
   const bool far = angle > kLeap * cell_;
   correct_vertices(far);
   check_crossings(far);
-  for (const std::uint32_t e : broken_) mend_arc(e);
+  for (const std::uint32_t e : broken_) mend_arc(e, far);
   work_.arc_checks = broken_.size();
   broken_.clear();
   settle_other_side();
@@ -56,7 +57,7 @@ void Overlay::correct_vertices(bool far) {
     const Polytope& mine = poly(w);
     HalfEdge h = mine.first[f];
     do {
-      break_arc(h / 2);
+      break_arc(h / 2, kEnds);
       h = mine.next[h];
     } while (h != mine.first[f]);
   };
@@ -70,10 +71,10 @@ void Overlay::correct_vertices(bool far) {
   for (const std::uint32_t f : expired_) correct(f, extreme_[w][f]);
 }
 
-void Overlay::break_arc(std::uint32_t e) {
-  if (is_broken_[e]) return;
-  is_broken_[e] = 1;
-  broken_.push_back(e);
+/// Its ends have changed (`by` = kEnds), or one of its crossings may be none any more (1).
+void Overlay::break_arc(std::uint32_t e, std::uint32_t by) {
+  if (breaks_[e] == 0) broken_.push_back(e);
+  if (by != kEnds || breaks_[e] < kEnds) breaks_[e] += by;
 }
 
 /// The angle by which directions have to move at least before the circle of the walker's edge that is mapped to `along` can leave the cell of the
@@ -95,7 +96,7 @@ void Overlay::check_crossings(bool far) {
   if (far) {
     std::fill(crossing_until_.begin(), crossing_until_.end(), kNever);
     for (const std::uint32_t id : free_) crossing_until_[id] = kForever;
-    for (std::uint32_t e = 0; e < poly(w).edge_count(); ++e) break_arc(e);
+    for (std::uint32_t e = 0; e < poly(w).edge_count(); ++e) break_arc(e, kEnds);
     return;
   }
   find_expired(crossing_until_, clock_, expired_);
@@ -103,7 +104,7 @@ void Overlay::check_crossings(bool far) {
   for (const std::uint32_t id : expired_) {
     const std::uint32_t e = edge_of(w, crossings_[id]);
     crossing_until_[id] = clock_ + slack(across(w, crossings_[id]), signs_.mapped_edge(1 - w, e));
-    if (crossing_until_[id] == kNever) break_arc(e);
+    if (crossing_until_[id] == kNever) break_arc(e, 1);
   }
 }
 
@@ -116,64 +117,81 @@ HalfEdge Overlay::exit_now(std::uint32_t e, std::uint32_t v, Vec3 along) const {
   return other.ring[leaving_slot(other, v, signs_.error(op), value, sign)];
 }
 
-/// Walks the arc of an edge of the walker between its ends. Where a crossing from before is known to leave the cell at hand, it is the next one, as
-/// a circle leaves a convex cell once; elsewhere the cell says across which arc to leave it. A crossing of the same two edges keeps its id.
-void Overlay::mend_arc(std::uint32_t e) {
+/// Corrects the crossings of an arc of the walker in place, from its left face to its right one: all of them when its ends have changed, otherwise where
+/// crossings have failed. `last` is the last crossing that is right, v the cell that it enters, `next` what follows in the list. Where a crossing ahead is
+/// known to leave v, it is the next one, as a circle leaves a convex cell once; elsewhere the cell says across which arc to leave it.
+void Overlay::mend_arc(std::uint32_t e, bool far) {
   const int w = walker_;
   const Polytope &mine = poly(w), &other = poly(1 - w);
-  is_broken_[e] = 0;
-  old_.clear();
-  for (std::uint32_t id = head_[w][e]; id != kNoCrossing; id = crossings_[id].next[w]) {
-    const HalfEdge over = across(w, crossings_[id]);
-    old_.push_back({id, over, crossing_until_[id] == kNever ? kNoVertex : other.origin[over]});
-  }
+  const bool through = breaks_[e] >= kEnds;
+  std::uint32_t failed = breaks_[e] % kEnds;
+  breaks_[e] = 0;
   const Vec3 along = signs_.mapped_edge(1 - w, e);
   const std::uint32_t end = extreme_[w][mine.face[2 * e + 1]];
-  std::size_t done = 0, kept = 0;  // those of old_ before `done` are passed
-  std::uint32_t walked = 0, last = kNoCrossing;
+  const auto over_of = [&](std::uint32_t id) { return across(w, crossings_[id]); };
+  const auto fails = [&](std::uint32_t id) { return crossing_until_[id] == kNever; };
+  const auto leaves = [&](std::uint32_t id, std::uint32_t v) { return id != kNoCrossing && !fails(id) && other.origin[over_of(id)] == v; };
+  std::uint32_t last = kNoCrossing, next = head_[w][e], v = extreme_[w][mine.face[2 * e]], walked = 0;
   bool changed = false;
-  const auto link = [&](std::uint32_t id) {
-    (last == kNoCrossing ? head_[w][e] : crossings_[last].next[w]) = id;
-    last = id;
+  const auto link = [&](std::uint32_t id) { (last == kNoCrossing ? head_[w][e] : crossings_[last].next[w]) = id; };
+  const auto drop_until = [&](std::uint32_t id) {
+    while (next != id) {
+      const std::uint32_t dropped = std::exchange(next, crossings_[next].next[w]);
+      failed -= fails(dropped) ? 1 : 0;
+      remove_crossing(dropped);
+      changed = true;
+    }
   };
-  for (std::uint32_t v = extreme_[w][mine.face[2 * e]]; v != end;) {
-    std::size_t k = done;
-    while (k < old_.size() && old_[k].from != v) ++k;
-    if (k < old_.size()) {
-      link(std::exchange(old_[k].id, kNoCrossing));
-      v = other.target(old_[k].over);
-      old_[k].from = kNoVertex;
-      done = k + 1;
-      ++kept;
+  const auto pass = [&](std::uint32_t id, HalfEdge over) {
+    link(id);
+    last = id;
+    next = crossings_[id].next[w];
+    v = other.target(over);
+  };
+  const auto pass_certain = [&] {
+    while (next != kNoCrossing && !fails(next)) last = std::exchange(next, crossings_[next].next[w]);
+    if (last != kNoCrossing) v = other.target(over_of(last));
+  };
+  if (!through) pass_certain();
+  while (v != end) {
+    std::uint32_t ahead = kNoCrossing;
+    if (!far) {
+      ahead = next;
+      while (ahead != kNoCrossing && fails(ahead)) ahead = crossings_[ahead].next[w];
+      if (!leaves(ahead, v) && ahead != kNoCrossing) ahead = crossings_[ahead].next[w];  // the arc now begins behind it
+      if (!leaves(ahead, v)) ahead = kNoCrossing;
+    }
+    if (ahead != kNoCrossing) {
+      drop_until(ahead);
+      pass(ahead, over_of(ahead));
+      if (through) continue;
+      if (failed == 0) break;
+      pass_certain();
       continue;
     }
     if (walked++ > other.edge_count()) throw std::logic_error("Overlay: an arc does not end");
     const HalfEdge over = exit_now(e, v, along);
-    k = 0;
-    while (k < old_.size() && (old_[k].over / 2 != over / 2 || old_[k].id == kNoCrossing)) ++k;
-    std::uint32_t id;
-    if (k == old_.size()) {
+    std::uint32_t id = head_[1 - w][over / 2];
+    while (id != kNoCrossing && edge_of(w, crossings_[id]) != e) id = crossings_[id].next[1 - w];
+    if (id == kNoCrossing) {
       id = add_crossing(e, over);
+      crossings_[id].next[w] = next;
       changed = true;
-    } else {
-      id = std::exchange(old_[k].id, kNoCrossing);
-      old_[k].from = kNoVertex;
-      ++kept;
-      if (old_[k].over != over) {
+    } else {  // of the same two edges: it keeps its number
+      drop_until(id);
+      failed -= fails(id) ? 1 : 0;
+      if (over_of(id) != over) {
         crossings_[id].q = crossing_of(w, e, over).q;
         touch(1 - w, over / 2);
         changed = true;
       }
     }
     crossing_until_[id] = std::max(clock_, clock_ + slack(over, along));
-    link(id);
-    v = other.target(over);
+    pass(id, over);
   }
-  link(kNoCrossing);
-  if (kept < old_.size()) {
-    for (const OldCrossing& o : old_)
-      if (o.id != kNoCrossing) remove_crossing(o.id);
-    changed = true;
+  if (v == end) {
+    drop_until(kNoCrossing);
+    link(kNoCrossing);
   }
   work_.steps += walked;
   work_.arcs_changed += changed;
