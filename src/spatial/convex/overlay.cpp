@@ -25,13 +25,13 @@ Overlay::Overlay(const Polytope& p, const Polytope& q) : signs_(p, q) {
     const Polytope& mine = poly(op);
     std::vector<std::uint8_t> seen(mine.face_count(), 0);
     seen[0] = 1;
-    visits_[op].push_back({0, 0});
+    visits_[op].push_back({0, 0, 0});
     for (std::size_t i = 0; i < visits_[op].size(); ++i) {
       const std::uint32_t f = visits_[op][i].face;
       HalfEdge h = mine.first[f];
       do {
         const std::uint32_t g = mine.face[twin(h)];
-        if (!seen[g]) visits_[op].push_back({g, f});
+        if (!seen[g]) visits_[op].push_back({g, f, h});
         seen[g] = 1;
         h = mine.next[h];
       } while (h != mine.first[f]);
@@ -41,6 +41,10 @@ Overlay::Overlay(const Polytope& p, const Polytope& q) : signs_(p, q) {
   walker_ = q.face_count() < p.face_count() ? 1 : 0;
   cell_ = 2 / std::sqrt(static_cast<double>(poly(1 - walker_).vertex_count()));  // 4 pi = n pi r^2
   breaks_.assign(poly(walker_).edge_count(), 0);
+  std::vector<bool> visited(poly(walker_).edge_count(), false);
+  for (std::size_t i = 1; i < visits_[walker_].size(); ++i) visited[visits_[walker_][i].via / 2] = true;
+  for (std::uint32_t e = 0; e < visited.size(); ++e)
+    if (!visited[e]) chords_.push_back(e);
 }
 
 /// Doubles cannot tell whether an edge rises: any that does will do. The vertex it leads to, or v itself, which is then extreme.

@@ -96,37 +96,46 @@ class Overlay {
   void finish_crossings();
   void order_along_q();
   // Updates: overlay_update.cpp.
-  void correct_vertices(bool far);
-  void check_crossings(bool far);
+  void correct_vertices();
+  void check_crossings();
   void break_arc(std::uint32_t e, std::uint32_t by);
-  void mend_arc(std::uint32_t e, bool far);
+  void mend_arc(std::uint32_t e);
   std::uint32_t add_crossing(std::uint32_t e, HalfEdge over);
   void remove_crossing(std::uint32_t id);
   double slack(HalfEdge over, Vec3 along) const;
-  HalfEdge exit_now(std::uint32_t e, std::uint32_t v, Vec3 along) const;
+  HalfEdge exit_now(HalfEdge h, std::uint32_t v, Vec3 along) const;
   std::pair<std::uint32_t, std::uint32_t> cells_of_ends(int op, std::uint32_t e);
   void settle_other_side();
   void set_vertex(int op, std::uint32_t f, std::uint32_t v);
   void spread_vertex(int op);
+  void free_crossing(std::uint32_t id);
+  // Long moves: overlay_leap.cpp.
+  void leap();
+  std::uint32_t walk_to_face(HalfEdge h, std::uint32_t v);
+  void walk_between(std::uint32_t e, std::uint32_t v, std::uint32_t end);
+  void relink_arc(std::uint32_t e);
 
   Signs signs_;
   std::array<std::vector<std::uint32_t>, 2> extreme_;
   std::array<std::vector<std::uint32_t>, 2> head_;
   std::vector<Crossing> crossings_;
   std::vector<std::uint32_t> free_;
-  // Faces in an order in which each but the first comes after a neighbour, and that neighbour.
+  // Faces in an order in which each but the first comes after a neighbour, that neighbour, and its half-edge between them.
   struct Visit {
     std::uint32_t face, from;
+    HalfEdge via;
   };
   std::array<std::vector<Visit>, 2> visits_;
   // The operand whose faces and arcs are certified and walked in updates, the one with fewer faces; the other one's follow.
   int walker_ = 0;
+  std::vector<std::uint32_t> chords_;  // its edges that no visit goes by
   double cell_ = 0;  // the radius of a cell of the other operand's map, if all were alike
   // Certificates: what was checked holds until directions have moved by this angle since the start.
   double clock_ = 0;
   std::array<std::vector<double>, 2> vertex_until_;
   std::vector<double> crossing_until_;
   // Scratch, kept from update to update.
+  std::vector<HalfEdge> walk_;
   std::vector<std::uint32_t> touched_, expired_, broken_, breaks_, spreading_;
   std::array<std::vector<std::uint8_t>, 2> is_touched_;
   OverlayWork work_;

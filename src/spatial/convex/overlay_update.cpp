@@ -33,42 +33,39 @@ void find_expired(const std::vector<double>& until, double clock, std::vector<st
 
 void Overlay::update(const RelativeMap& map, bool use_margins) {
   restart();
+  if (use_margins && map == signs_.map()) return;
   const std::uint64_t exact_before = signs_.exact_signs();
   const double angle = use_margins ? map.angle_from(signs_.map()) : 4;
   clock_ += angle;
   signs_.move(map);
-  const bool far = angle > kLeap * cell_;
-  correct_vertices(far);
-  check_crossings(far);
-  for (const std::uint32_t e : broken_) mend_arc(e, far);
-  work_.arc_checks = broken_.size();
-  broken_.clear();
+  if (angle > kLeap * cell_) {
+    leap();
+  } else {
+    correct_vertices();
+    check_crossings();
+    for (const std::uint32_t e : broken_) mend_arc(e);
+    work_.arc_checks = broken_.size();
+    broken_.clear();
+  }
   settle_other_side();
   work_.exact_signs = signs_.exact_signs() - exact_before;
 }
 
 /// The walker's faces. Where a face's vertex changes, its edges' arcs begin or end elsewhere.
-void Overlay::correct_vertices(bool far) {
+void Overlay::correct_vertices() {
   const int w = walker_;
-  const auto correct = [&](std::uint32_t f, std::uint32_t start) {
-    if (!climb(w, f, start, signs_.row_now(w, f))) return;
+  const Polytope& mine = poly(w);
+  find_expired(vertex_until_[w], clock_, expired_);
+  work_.vertex_checks += expired_.size();
+  for (const std::uint32_t f : expired_) {
+    if (!climb(w, f, extreme_[w][f], signs_.row_now(w, f))) continue;
     note_face(w, f);
-    if (far) return;
-    const Polytope& mine = poly(w);
     HalfEdge h = mine.first[f];
     do {
       break_arc(h / 2, kEnds);
       h = mine.next[h];
     } while (h != mine.first[f]);
-  };
-  if (far) {
-    work_.vertex_checks += visits_[w].size();
-    for (const Visit& visit : visits_[w]) correct(visit.face, extreme_[w][visit.from]);
-    return;
   }
-  find_expired(vertex_until_[w], clock_, expired_);
-  work_.vertex_checks += expired_.size();
-  for (const std::uint32_t f : expired_) correct(f, extreme_[w][f]);
 }
 
 /// Its ends have changed (`by` = kEnds), or one of its crossings may be none any more (1).
@@ -91,14 +88,8 @@ inline double Overlay::slack(HalfEdge over, Vec3 along) const {
 }
 
 /// Crossings whose certificates have ended: those that doubles do not prove any more break the arc that they lie on.
-void Overlay::check_crossings(bool far) {
+void Overlay::check_crossings() {
   const int w = walker_;
-  if (far) {
-    std::fill(crossing_until_.begin(), crossing_until_.end(), kNever);
-    for (const std::uint32_t id : free_) crossing_until_[id] = kForever;
-    for (std::uint32_t e = 0; e < poly(w).edge_count(); ++e) break_arc(e, kEnds);
-    return;
-  }
   find_expired(crossing_until_, clock_, expired_);
   work_.crossing_checks += expired_.size();
   for (const std::uint32_t id : expired_) {
@@ -108,19 +99,19 @@ void Overlay::check_crossings(bool far) {
   }
 }
 
-/// The half-edge of the other operand across whose arc the arc of the walker's edge e, mapped to `along`, leaves the cell of v.
-HalfEdge Overlay::exit_now(std::uint32_t e, std::uint32_t v, Vec3 along) const {
+/// The half-edge of the other operand across whose arc the arc of the walker's half-edge h, mapped to `along`, leaves the cell of v.
+HalfEdge Overlay::exit_now(HalfEdge h, std::uint32_t v, Vec3 along) const {
   const int op = 1 - walker_;
   const Polytope& other = poly(op);
   const auto value = [&](std::uint32_t k) { return dot(other.ring_normal[k], along); };
-  const auto sign = [&](std::uint32_t k) { return signs_.sign_now(op, other.ring_face[k], 2 * e); };
+  const auto sign = [&](std::uint32_t k) { return signs_.sign_now(op, other.ring_face[k], h); };
   return other.ring[leaving_slot(other, v, signs_.error(op), value, sign)];
 }
 
 /// Corrects the crossings of an arc of the walker in place, from its left face to its right one: all of them when its ends have changed, otherwise where
 /// crossings have failed. `last` is the last crossing that is right, v the cell that it enters, `next` what follows in the list. Where a crossing ahead is
 /// known to leave v, it is the next one, as a circle leaves a convex cell once; elsewhere the cell says across which arc to leave it.
-void Overlay::mend_arc(std::uint32_t e, bool far) {
+void Overlay::mend_arc(std::uint32_t e) {
   const int w = walker_;
   const Polytope &mine = poly(w), &other = poly(1 - w);
   const bool through = breaks_[e] >= kEnds;
@@ -154,14 +145,10 @@ void Overlay::mend_arc(std::uint32_t e, bool far) {
   };
   if (!through) pass_certain();
   while (v != end) {
-    std::uint32_t ahead = kNoCrossing;
-    if (!far) {
-      ahead = next;
-      while (ahead != kNoCrossing && fails(ahead)) ahead = crossings_[ahead].next[w];
-      if (!leaves(ahead, v) && ahead != kNoCrossing) ahead = crossings_[ahead].next[w];  // the arc now begins behind it
-      if (!leaves(ahead, v)) ahead = kNoCrossing;
-    }
-    if (ahead != kNoCrossing) {
+    std::uint32_t ahead = next;
+    while (ahead != kNoCrossing && fails(ahead)) ahead = crossings_[ahead].next[w];
+    if (!leaves(ahead, v) && ahead != kNoCrossing) ahead = crossings_[ahead].next[w];  // the arc now begins behind it
+    if (leaves(ahead, v)) {
       drop_until(ahead);
       pass(ahead, over_of(ahead));
       if (through) continue;
@@ -170,7 +157,7 @@ void Overlay::mend_arc(std::uint32_t e, bool far) {
       continue;
     }
     if (walked++ > other.edge_count()) throw std::logic_error("Overlay: an arc does not end");
-    const HalfEdge over = exit_now(e, v, along);
+    const HalfEdge over = exit_now(2 * e, v, along);
     std::uint32_t id = head_[1 - w][over / 2];
     while (id != kNoCrossing && edge_of(w, crossings_[id]) != e) id = crossings_[id].next[1 - w];
     if (id == kNoCrossing) {
@@ -226,10 +213,14 @@ void Overlay::remove_crossing(std::uint32_t id) {
   std::uint32_t* link = &head_[op][e];
   while (*link != id) link = &crossings_[*link].next[op];
   *link = crossings_[id].next[op];
+  touch(op, e);
+  free_crossing(id);
+}
+
+void Overlay::free_crossing(std::uint32_t id) {
   crossing_until_[id] = kForever;
   free_.push_back(id);
   ++work_.crossings_removed;
-  touch(op, e);
 }
 
 /// The vertices in whose cells the crossed arc of edge e of operand op begins and ends, and its crossings in order: the first one leaves a cell that

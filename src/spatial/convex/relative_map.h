@@ -46,6 +46,9 @@ class RelativeMap {
   /// A bound of the error of u . (approx(index) v) for unit vectors u, v with errors below 2^-50.
   double error(int index) const { return error_[index]; }
 
+  /// Whether the maps are the same, with the same factor.
+  bool operator==(const RelativeMap& other) const { return bits_ == other.bits_ && fixed_ == other.fixed_ && big_ == other.big_; }
+
   /// An upper bound of the angle by which directions move from the situation `before` to this one, edges of Q and normals of Q alike, seen from P, on
   /// a path on which they move no further; 4, more than any angle, when it is not small.
   double angle_from(const RelativeMap& before) const;
