@@ -30,6 +30,17 @@ Mesh leaning_prism(int sides, double height) {
   return *convex_hull(at);
 }
 
+/// A box one of whose faces bulges a little over a grid of points: many normals close together, and cells far smaller than usual moves.
+Mesh bulging_box(int n, double bulge) {
+  std::vector<Point3> at{{-1, -1, -1}, {1, -1, -1}, {-1, 1, -1}, {1, 1, -1}};
+  for (int i = -n; i <= n; ++i)
+    for (int j = -n; j <= n; ++j) {
+      const double x = static_cast<double>(i) / n, y = static_cast<double>(j) / n;
+      at.push_back({x, y, std::nearbyint(0x1p20 * bulge * (2 - x * x - y * y - 0.1 * x * x * y)) * 0x1p-20});
+    }
+  return *convex_hull(at);
+}
+
 RelativeMap map_of(const SolidPose& p) { return RelativeMap(PoseFactors::of(p), PoseFactors::of({})); }
 
 /// Every crossing by its number: the edges that meet.
@@ -46,6 +57,7 @@ void expect_as_built(const Overlay& before, const Overlay& moved, const Relative
   Overlay fresh(moved.poly(0), moved.poly(1));
   fresh.build(map);
   ASSERT_TRUE(moved == fresh) << where;
+  ASSERT_LE(moved.work().crossing_checks, before.crossing_count()) << where;
   ASSERT_EQ(moved.crossing_count(), fresh.crossing_count()) << where;
   const auto old = by_number(before), now = by_number(moved);
   ASSERT_EQ(now.size(), moved.crossing_count()) << where;
@@ -124,6 +136,27 @@ TEST(OverlayUpdate, short_moves_into_ties_and_out_of_them) {
   }
   EXPECT_GT(exact, moves);
   EXPECT_GT(mended, moves);
+}
+
+TEST(OverlayUpdate, cells_smaller_than_the_move_jump_over_normals) {
+  const std::uint64_t seed = setting("DYMSUM_FUZZ_SEED", 57), moves = setting("DYMSUM_FUZZ_MOVES", 3000);
+  std::mt19937_64 random(seed);
+  const Polytope box = *spatial::make_polytope(bulging_box(2, 0.05));
+  std::uint64_t mended = 0;
+  for (int i = 0; i < 6; ++i) {
+    const Polytope ball = *spatial::make_polytope(random_round_polytope(random, i % 3 == 2 ? 20 : 45));
+    Overlay moving(i % 2 ? ball : box, i % 2 ? box : ball);
+    moving.build(map_of({}));
+    for (std::uint64_t k = 0; k < moves / 6; ++k) {
+      const RelativeMap map = map_of({small_rotation(random, 0.1), {}});
+      const Overlay before = moving;
+      moving.update(map);
+      mended += moving.work().crossing_checks > 0;
+      expect_as_built(before, moving, map, "seed " + std::to_string(seed) + " pair " + std::to_string(i) + " move " + std::to_string(k));
+      if (HasFatalFailure()) return;
+    }
+  }
+  EXPECT_GT(2 * mended, moves) << "not leaps";
 }
 
 TEST(OverlayUpdate, either_operand_may_be_walked) {

@@ -129,8 +129,8 @@ void Overlay::mend_arc(std::uint32_t e) {
     while (next != id) {
       const std::uint32_t dropped = std::exchange(next, crossings_[next].next[w]);
       failed -= fails(dropped) ? 1 : 0;
-      remove_crossing(dropped);
-      changed = true;
+      crossing_until_[dropped] = kForever;
+      dropped_.push_back(dropped);
     }
   };
   const auto pass = [&](std::uint32_t id, HalfEdge over) {
@@ -165,8 +165,14 @@ void Overlay::mend_arc(std::uint32_t e) {
       crossings_[id].next[w] = next;
       changed = true;
     } else {  // of the same two edges: it keeps its number
-      drop_until(id);
-      failed -= fails(id) ? 1 : 0;
+      const auto dropped = crossing_until_[id] == kForever ? std::find(dropped_.begin(), dropped_.end(), id) : dropped_.end();
+      if (dropped == dropped_.end()) {
+        drop_until(id);
+        failed -= fails(id) ? 1 : 0;
+      } else {  // too early
+        dropped_.erase(dropped);
+        crossings_[id].next[w] = next;
+      }
       if (over_of(id) != over) {
         crossings_[id].q = crossing_of(w, e, over).q;
         touch(1 - w, over / 2);
@@ -180,8 +186,10 @@ void Overlay::mend_arc(std::uint32_t e) {
     drop_until(kNoCrossing);
     link(kNoCrossing);
   }
+  for (const std::uint32_t id : dropped_) remove_crossing(id);
+  work_.arcs_changed += changed || !dropped_.empty();
+  dropped_.clear();
   work_.steps += walked;
-  work_.arcs_changed += changed;
 }
 
 /// Of edge e of the walker; it still has to be linked into the arc of e.
