@@ -119,7 +119,8 @@ class ConvexSum {
   ConvexSum& operator=(ConvexSum&&) noexcept;
   ~ConvexSum();
 
-  /// Moves P and Q. Small motions look at few features: each certificate holds for an angle. No memory is allocated once warm, unless the
+  /// Moves P and Q. Small motions look at few features: each certificate holds for an angle, and the first small motion
+  /// after a large one makes them. Standing still is no work. No memory is allocated once warm, unless the
   /// poses are scaled. Positions are evaluated when they are asked for.
   const MotionWork& set(const SolidPose& p, const SolidPose& q = {});
   const MotionWork& set(const Rotation& p) { return set(SolidPose{p, {}}); }

@@ -1,9 +1,11 @@
-// Overlays that follow a motion: equal to those from nothing, whichever operand is walked, and mended where they broke only.
+// Overlays that follow a motion: equal to those from nothing, whichever operand is walked, and mended where they broke
+// only.
 #include "spatial/convex/overlay.h"
 
 #include <map>
 #include <numbers>
-#include <tuple>
+#include <set>
+#include <string>
 
 #include "convex_cases.h"
 #include "setting.h"
@@ -30,7 +32,8 @@ Mesh leaning_prism(int sides, double height) {
   return *convex_hull(at);
 }
 
-/// A box one of whose faces bulges a little over a grid of points: many normals close together, and cells far smaller than usual moves.
+/// A box one of whose faces bulges a little over a grid of points: many normals close together, and cells far smaller
+/// than usual moves.
 Mesh bulging_box(int n, double bulge) {
   std::vector<Point3> at{{-1, -1, -1}, {1, -1, -1}, {-1, 1, -1}, {1, 1, -1}};
   for (int i = -n; i <= n; ++i)
@@ -47,12 +50,14 @@ RelativeMap map_of(const SolidPose& p) { return RelativeMap(PoseFactors::of(p), 
 std::map<std::uint32_t, std::pair<std::uint32_t, std::uint32_t>> by_number(const Overlay& o) {
   std::map<std::uint32_t, std::pair<std::uint32_t, std::uint32_t>> all;
   for (std::uint32_t e = 0; e < o.poly(0).edge_count(); ++e)
-    for (std::uint32_t id = o.first_crossing(0, e); id != kNoCrossing; id = o.crossing(id).next[0]) all[id] = {e, o.crossing(id).q / 2};
+    for (std::uint32_t id = o.first_crossing(0, e); id != kNoCrossing; id = o.crossing(id).next[0])
+      all[id] = {e, o.crossing(id).q / 2};
   return all;
 }
 
-/// A fresh overlay has the same vertices, the same crossings in the same order along the arcs of both operands, and what the update says that it changed
-/// is what has changed: crossings that stay keep their numbers, new ones are reported.
+/// A fresh overlay has the same vertices, the same crossings in the same order along the arcs of both operands, and
+/// what the update says that it changed is what has changed: crossings that stay keep their numbers, new ones are
+/// reported.
 void expect_as_built(const Overlay& before, const Overlay& moved, const RelativeMap& map, const std::string& where) {
   Overlay fresh(moved.poly(0), moved.poly(1));
   fresh.build(map);
@@ -74,6 +79,10 @@ void expect_as_built(const Overlay& before, const Overlay& moved, const Relative
   }
 }
 
+std::string place(std::uint64_t seed, std::size_t pair, std::uint64_t move) {
+  return "seed " + std::to_string(seed) + " pair " + std::to_string(pair) + " move " + std::to_string(move);
+}
+
 struct Pair {
   Polytope p, q;
 };
@@ -81,8 +90,8 @@ struct Pair {
 /// Few faces with long arcs and many with short ones, the former as P, as Q and on both sides.
 std::vector<Pair> pairs(std::mt19937_64& random) {
   const auto make = [](const Mesh& mesh) { return *spatial::make_polytope(mesh); };
-  const Polytope prism = make(leaning_prism(24, 1.5)), ball = make(random_round_polytope(random, 150)), rod = make(leaning_prism(5, 6)),
-                 other = make(random_round_polytope(random, 60));
+  const Polytope prism = make(leaning_prism(24, 1.5)), rod = make(leaning_prism(5, 6));
+  const Polytope ball = make(random_round_polytope(random, 150)), other = make(random_round_polytope(random, 60));
   return {{prism, ball}, {ball, prism}, {rod, ball}, {ball, rod}, {prism, rod}, {other, ball}, {ball, other}};
 }
 
@@ -106,7 +115,7 @@ TEST(OverlayUpdate, equals_the_static_overlay_and_reports_its_changes) {
       const Overlay before = moving;
       const RelativeMap map = map_of(pose);
       moving.update(map);
-      expect_as_built(before, moving, map, "seed " + std::to_string(seed) + " pair " + std::to_string(i) + " move " + std::to_string(k));
+      expect_as_built(before, moving, map, place(seed, i, k));
       if (HasFatalFailure()) return;
     }
   }
@@ -115,12 +124,20 @@ TEST(OverlayUpdate, equals_the_static_overlay_and_reports_its_changes) {
 TEST(OverlayUpdate, short_moves_into_ties_and_out_of_them) {
   const std::uint64_t seed = setting("DYMSUM_FUZZ_SEED", 56), moves = setting("DYMSUM_FUZZ_MOVES", 1200);
   std::mt19937_64 random(seed);
-  const std::vector<Rotation> turns{Rotation(), *Rotation::of(100, 1, 0, 0), *Rotation::of(100, 0, 1, 0), *Rotation::of(100, 0, 0, -1),
-                                    *Rotation::of(20, 1, 1, 0), *Rotation::of(30, 1, 1, 1), *Rotation::of(12, 0, 0, 1), *Rotation::of(1000, 1, 2, 3)};
+  const std::vector<Rotation> turns{Rotation(),
+                                    *Rotation::of(100, 1, 0, 0),
+                                    *Rotation::of(100, 0, 1, 0),
+                                    *Rotation::of(100, 0, 0, -1),
+                                    *Rotation::of(20, 1, 1, 0),
+                                    *Rotation::of(30, 1, 1, 1),
+                                    *Rotation::of(12, 0, 0, 1),
+                                    *Rotation::of(1000, 1, 2, 3)};
   std::uint64_t exact = 0, mended = 0;
-  for (int i = 0; i < 12; ++i) {
-    const Mesh a = random_grid_polytope(random, 8 + i, 3), b = i % 3 == 0 ? negated(a) : i % 3 == 1 ? a : random_grid_polytope(random, 10, 2);
-    const Polytope p = *spatial::make_polytope(a), q = *spatial::make_polytope(b);
+  for (std::size_t i = 0; i < 12; ++i) {
+    const Mesh a = random_grid_polytope(random, 8 + static_cast<int>(i), 3);
+    const Mesh b = i % 3 == 0 ? negated(a) : i % 3 == 1 ? a : random_grid_polytope(random, 10, 2);
+    const Polytope p = *spatial::make_polytope(a);
+  const Polytope q = *spatial::make_polytope(b);
     Overlay moving(p, q);
     moving.build(map_of({}));
     for (std::uint64_t k = 0; k < moves / 12; ++k) {
@@ -130,7 +147,7 @@ TEST(OverlayUpdate, short_moves_into_ties_and_out_of_them) {
       moving.update(map_of(pose));
       exact += moving.work().exact_signs;
       mended += moving.work().crossing_checks;
-      expect_as_built(before, moving, map_of(pose), "seed " + std::to_string(seed) + " pair " + std::to_string(i) + " move " + std::to_string(k));
+      expect_as_built(before, moving, map_of(pose), place(seed, i, k));
       if (HasFatalFailure()) return;
     }
   }
@@ -143,7 +160,7 @@ TEST(OverlayUpdate, cells_smaller_than_the_move_jump_over_normals) {
   std::mt19937_64 random(seed);
   const Polytope box = *spatial::make_polytope(bulging_box(2, 0.05));
   std::uint64_t mended = 0;
-  for (int i = 0; i < 6; ++i) {
+  for (std::size_t i = 0; i < 6; ++i) {
     const Polytope ball = *spatial::make_polytope(random_round_polytope(random, i % 3 == 2 ? 20 : 45));
     Overlay moving(i % 2 ? ball : box, i % 2 ? box : ball);
     moving.build(map_of({}));
@@ -152,7 +169,7 @@ TEST(OverlayUpdate, cells_smaller_than_the_move_jump_over_normals) {
       const Overlay before = moving;
       moving.update(map);
       mended += moving.work().crossing_checks > 0;
-      expect_as_built(before, moving, map, "seed " + std::to_string(seed) + " pair " + std::to_string(i) + " move " + std::to_string(k));
+      expect_as_built(before, moving, map, place(seed, i, k));
       if (HasFatalFailure()) return;
     }
   }
@@ -175,14 +192,16 @@ TEST(OverlayUpdate, either_operand_may_be_walked) {
       std::sort(b.begin(), b.end());
       ASSERT_EQ(a, b);
       for (int op = 0; op < 2; ++op)
-        for (std::uint32_t f = 0; f < one.poly(op).face_count(); ++f) ASSERT_EQ(one.extreme(op, f), two.extreme(1 - op, f));
+        for (std::uint32_t f = 0; f < one.poly(op).face_count(); ++f)
+          ASSERT_EQ(one.extreme(op, f), two.extreme(1 - op, f));
     }
   }
 }
 
 TEST(OverlayUpdate, long_arcs_are_walked_where_they_changed) {
   std::mt19937_64 random(53);
-  const Polytope rod = *spatial::make_polytope(leaning_prism(5, 6)), ball = *spatial::make_polytope(random_round_polytope(random, 400));
+  const Polytope rod = *spatial::make_polytope(leaning_prism(5, 6));
+  const Polytope ball = *spatial::make_polytope(random_round_polytope(random, 400));
   Overlay moving(rod, ball);
   Rotation turn = random_rotation(random);
   moving.build(map_of({turn, {}}));
@@ -206,7 +225,8 @@ TEST(OverlayUpdate, long_arcs_are_walked_where_they_changed) {
 
 TEST(OverlayUpdate, faces_of_the_other_operand_are_not_checked) {
   std::mt19937_64 random(54);
-  const Polytope box = *spatial::make_polytope(cube(1)), ball = *spatial::make_polytope(random_round_polytope(random, 200));
+  const Polytope box = *spatial::make_polytope(cube(1));
+  const Polytope ball = *spatial::make_polytope(random_round_polytope(random, 200));
   for (const bool box_first : {true, false}) {
     Overlay moving(box_first ? box : ball, box_first ? ball : box);
     Rotation turn = random_rotation(random);
@@ -225,7 +245,8 @@ TEST(OverlayUpdate, faces_of_the_other_operand_are_not_checked) {
 
 TEST(OverlayUpdate, leaps_look_at_no_certificates_and_leave_them_to_the_next_short_move) {
   std::mt19937_64 random(55);
-  const Polytope p = *spatial::make_polytope(random_round_polytope(random, 100)), q = *spatial::make_polytope(random_round_polytope(random, 100));
+  const Polytope p = *spatial::make_polytope(random_round_polytope(random, 100));
+  const Polytope q = *spatial::make_polytope(random_round_polytope(random, 100));
   Overlay moving(p, q);
   Rotation turn = random_rotation(random);
   moving.update(map_of({turn, {}}));

@@ -47,15 +47,16 @@ Overlay::Overlay(const Polytope& p, const Polytope& q) : signs_(p, q) {
     if (!visited[e]) chords_.push_back(e);
 }
 
-/// Doubles cannot tell whether an edge rises: any that does will do. The vertex it leads to, or v itself, which is then extreme.
+/// Doubles cannot tell whether an edge rises: any that does will do. The vertex it leads to, or v itself, which is then
+/// extreme.
 std::uint32_t Overlay::step_near_zero(int op, std::uint32_t f, std::uint32_t v) {
   for (const HalfEdge h : poly(1 - op).leaving(v))
     if (signs_.sign_now(op, f, h) > 0) return poly(1 - op).target(h);
   return v;
 }
 
-/// Walks from `start` to the extreme vertex of face f, whose row is given: every step is along an edge that rises, so none is taken twice. True when it
-/// is another one than before.
+/// Walks from `start` to the extreme vertex of face f, whose row is given: every step is along an edge that rises, so
+/// none is taken twice. True when it is another one than before.
 bool Overlay::climb(int op, std::uint32_t f, std::uint32_t start, Vec3 row) {
   const Polytope& other = poly(1 - op);
   const double error = signs_.error(op);
@@ -63,7 +64,8 @@ bool Overlay::climb(int op, std::uint32_t f, std::uint32_t start, Vec3 row) {
   for (std::uint32_t v = start;; ++work_.steps) {
     const std::uint32_t begin = other.ring_start[v], end = other.ring_start[v + 1];
     const auto value = [&](std::uint32_t k) { return dot(row, other.ring_direction[k]); };
-    double most = value(begin), also = value(begin + 1);  // two, so that comparisons need not wait for each other; rings have three or more
+    // Two, so that comparisons need not wait for each other; rings have three or more.
+    double most = value(begin), also = value(begin + 1);
     std::uint32_t k = begin + 2;
     for (; k + 1 < end; k += 2) {
       const double a = value(k), b = value(k + 1);
@@ -106,8 +108,10 @@ void Overlay::walk(std::uint32_t e) {
     const HalfEdge exit = q.ring[leaving_slot(q, v, signs_.error(1), value, sign)];
     if (walked > q.edge_count()) throw std::logic_error("Overlay: an arc does not end");
     // The signs that updates rely on: see overlay_update.cpp.
-    const double least = walker_ == 0 ? std::min(std::abs(dot(signs_.row(1, q.face[exit]), along)), std::abs(dot(signs_.row(1, q.face[twin(exit)]), along)))
-                                      : std::min(std::abs(dot(f_left, q.direction[exit / 2])), std::abs(dot(f_right, q.direction[exit / 2])));
+    const Vec3 d = q.direction[exit / 2];
+    const double left_side = walker_ == 0 ? dot(signs_.row(1, q.face[exit]), along) : dot(f_left, d);
+    const double right_side = walker_ == 0 ? dot(signs_.row(1, q.face[twin(exit)]), along) : dot(f_right, d);
+    const double least = std::min(std::abs(left_side), std::abs(right_side));
     last = append_crossing(e, exit, clock_ + signs_.margin(1 - walker_, least), last);
     v = q.target(exit);
   }
@@ -141,13 +145,14 @@ void Overlay::finish_crossings() {
   order_along_q();
 }
 
-/// Puts the crossings along the arc of edge e of operand op, which begins in the cell of vertex v of the other one, in order: each leaves the cell
-/// that the one before entered. The vertex in whose cell the arc ends.
+/// Puts the crossings along the arc of edge e of operand op, which begins in the cell of vertex v of the other one, in
+/// order: each leaves the cell that the one before entered. The vertex in whose cell the arc ends.
 std::uint32_t Overlay::order_along(int op, std::uint32_t e, std::uint32_t v) {
   const Polytope& other = poly(1 - op);
   for (std::uint32_t* link = &head_[op][e]; *link != kNoCrossing; link = &crossings_[*link].next[op]) {
     std::uint32_t* found = link;
-    while (*found != kNoCrossing && other.origin[across(op, crossings_[*found])] != v) found = &crossings_[*found].next[op];
+    while (*found != kNoCrossing && other.origin[across(op, crossings_[*found])] != v)
+      found = &crossings_[*found].next[op];
     if (*found == kNoCrossing) throw std::logic_error("Overlay: the crossings of an arc do not join");
     if (found != link) {
       const std::uint32_t id = *found;
@@ -160,7 +165,8 @@ std::uint32_t Overlay::order_along(int op, std::uint32_t e, std::uint32_t v) {
   return v;
 }
 
-/// All arcs of Q that are crossed: their ends are known, so this compares the walks along P's arcs with the climbs from Q's faces.
+/// All arcs of Q that are crossed: their ends are known, so this compares the walks along P's arcs with the climbs from
+/// Q's faces.
 void Overlay::order_along_q() {
   const Polytope& q = poly(1);
   for (const std::uint32_t e : touched_) {
@@ -208,7 +214,8 @@ void Overlay::build(const RelativeMap& map) {
 }
 
 bool operator==(const Overlay& a, const Overlay& b) {
-  if (a.extreme_ != b.extreme_ || a.head_[0].size() != b.head_[0].size() || a.head_[1].size() != b.head_[1].size()) return false;
+  if (a.extreme_ != b.extreme_) return false;
+  if (a.head_[0].size() != b.head_[0].size() || a.head_[1].size() != b.head_[1].size()) return false;
   for (int op = 0; op < 2; ++op)
     for (std::uint32_t e = 0; e < a.head_[op].size(); ++e) {
       std::uint32_t i = a.head_[op][e], j = b.head_[op][e];

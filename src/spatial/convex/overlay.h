@@ -1,5 +1,5 @@
-// The overlay of two Gauss maps: which vertex of the other solid is extreme for every face, and which arcs of edges cross. It is the combinatorics of
-// the sum of convex solids, and what a motion updates. docs/design/convex-motion.md.
+// The overlay of two Gauss maps: which vertex of the other solid is extreme for every face, and which arcs of edges
+// cross. It is the combinatorics of the sum of convex solids, and what a motion updates. docs/design/convex-motion.md.
 #pragma once
 
 #include <array>
@@ -15,14 +15,18 @@ namespace dymsum::spatial {
 /// Arcs of an edge of P and an edge of Q that cross: the facet edge + edge of the sum.
 struct Crossing {
   std::uint32_t p = 0;  ///< edge of P
-  HalfEdge q = 0;       ///< half-edge of Q that leaves the vertex extreme before the crossing, going along p's arc from its left face
-  std::array<std::uint32_t, 2> next{};  ///< the next crossing along the arc of the edge of P, of Q; kNoCrossing at its end
+  /// Half-edge of Q that leaves the vertex extreme before the crossing, going along p's arc from its left face.
+  HalfEdge q = 0;
+  /// The next crossing along the arc of the edge of P, of Q; kNoCrossing at its end.
+  std::array<std::uint32_t, 2> next{};
 };
 constexpr std::uint32_t kNoCrossing = ~std::uint32_t{0};
 
-/// A crossing seen from either operand: along the arc of this edge of operand op, from its left face to its right one, ...
+/// A crossing seen from either operand: along the arc of this edge of operand op, from its left face to its right one,
+/// ...
 constexpr std::uint32_t edge_of(int op, const Crossing& c) { return op == 0 ? c.p : c.q / 2; }
-/// ... this half-edge of the other operand leads from the vertex extreme before the crossing to the one extreme after it.
+/// ... this half-edge of the other operand leads from the vertex extreme before the crossing to the one extreme after
+/// it.
 constexpr HalfEdge across(int op, const Crossing& c) { return op == 0 ? c.q : 2 * c.p + (1 - (c.q & 1)); }
 /// The crossing of edge e of operand op with `over` across it.
 constexpr Crossing crossing_of(int op, std::uint32_t e, HalfEdge over) {
@@ -52,11 +56,11 @@ class Overlay {
   /// From the state at the map before: corrects what the motion made wrong. `use_margins` = false checks everything.
   void update(const RelativeMap& map, bool use_margins = true);
 
-  /// The combinatorics as words: the extreme vertex of every face of P, of every face of Q, then per crossing its edge of P and half-edge of Q, kNoCrossing for
-  /// numbers that are free. Crossings that stay keep their place.
+  /// The combinatorics as words: the extreme vertex of every face of P, of every face of Q, then per crossing its edge
+  /// of P and half-edge of Q, kNoCrossing for numbers that are free. Crossings that stay keep their place.
   void capture(std::vector<std::uint32_t>& words) const;
-  /// A captured state as that of a map: without walking, certificates and the order of crossings along arcs. Assembled it is right wherever no
-  /// normal has passed over an arc since; only build may follow.
+  /// A captured state as that of a map: without walking, certificates and the order of crossings along arcs. Assembled
+  /// it is right wherever no normal has passed over an arc since; only build may follow.
   void restore(const RelativeMap& map, std::span<const std::uint32_t> words);
   /// Memory held.
   std::size_t bytes() const;
@@ -65,13 +69,15 @@ class Overlay {
   const Polytope& poly(int op) const { return signs_.poly(op); }
   /// The vertex of the other operand that is extreme in the direction of face f of operand op.
   std::uint32_t extreme(int op, std::uint32_t f) const { return extreme_[op][f]; }
-  /// The first crossing along the arc of edge e of operand op, from its left face (the face of half-edge 2e) to its right one.
+  /// The first crossing along the arc of edge e of operand op, from its left face (the face of half-edge 2e) to its
+  /// right one.
   std::uint32_t first_crossing(int op, std::uint32_t e) const { return head_[op][e]; }
   const Crossing& crossing(std::uint32_t id) const { return crossings_[id]; }
   std::size_t crossing_count() const { return crossings_.size() - free_.size(); }
 
   const OverlayWork& work() const { return work_; }
-  /// Of the last update or build: faces (operand, face) with another extreme vertex, and crossings that are new. Ids are reused after removal.
+  /// Of the last update or build: faces (operand, face) with another extreme vertex, and crossings that are new. Ids
+  /// are reused after removal.
   struct Changes {
     std::array<std::vector<std::uint32_t>, 2> faces;
     std::vector<std::uint32_t> crossings;
@@ -120,13 +126,15 @@ class Overlay {
   std::array<std::vector<std::uint32_t>, 2> head_;
   std::vector<Crossing> crossings_;
   std::vector<std::uint32_t> free_;
-  // Faces in an order in which each but the first comes after a neighbour, that neighbour, and its half-edge between them.
+  // Faces in an order in which each but the first comes after a neighbour, that neighbour, and its half-edge between
+  // them.
   struct Visit {
     std::uint32_t face, from;
     HalfEdge via;
   };
   std::array<std::vector<Visit>, 2> visits_;
-  // The operand whose faces and arcs are certified and walked in updates, the one with fewer faces; the other one's follow.
+  // The operand whose faces and arcs are certified and walked in updates, the one with fewer faces; the other one's
+  // follow.
   int walker_ = 0;
   std::vector<std::uint32_t> chords_;  // its edges that no visit goes by
   double cell_ = 0;  // the radius of a cell of the other operand's map, if all were alike

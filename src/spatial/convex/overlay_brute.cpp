@@ -14,8 +14,8 @@ bool compatible(const Signs& signs, int op, std::uint32_t f, std::uint32_t v) {
   return true;
 }
 
-/// The arcs cross: the ends of each lie on different sides of the other's circle, and on the same half of the sphere. Returns the half-edge of Q
-/// that the arc of p crosses outwards, or nothing as -1.
+/// The arcs cross: the ends of each lie on different sides of the other's circle, and on the same half of the sphere.
+/// Returns the half-edge of Q that the arc of p crosses outwards, or nothing as -1.
 std::int64_t crossing_half_edge(const Signs& signs, std::uint32_t p, std::uint32_t q) {
   const Polytope &a = signs.poly(0), &b = signs.poly(1);
   const int f_left = signs.sign(0, a.face[2 * p], 2 * q), f_right = signs.sign(0, a.face[2 * p + 1], 2 * q);

@@ -1,4 +1,5 @@
-// Moves so long that hardly anything stays: all arcs of the walker are walked, without a look at what was, and the walks find the faces' vertices too.
+// Moves so long that hardly anything stays: all arcs of the walker are walked, without a look at what was, and the
+// walks find the faces' vertices too.
 #include <algorithm>
 #include <numeric>
 #include <stdexcept>
@@ -8,7 +9,8 @@
 
 namespace dymsum::spatial {
 
-/// Every face but the first is reached along an arc from a neighbour whose vertex is known; the other arcs join faces whose vertices are known then.
+/// Every face but the first is reached along an arc from a neighbour whose vertex is known; the other arcs join faces
+/// whose vertices are known then.
 void Overlay::leap() {
   const int w = walker_;
   const Polytope& mine = poly(w);
@@ -35,9 +37,10 @@ void Overlay::leap() {
   work_.arc_checks = mine.edge_count();
 }
 
-/// From the face of h, in the cell of v, along the arc of h to the face beyond: the half-edges of the other operand across whose arcs it leads, in the
-/// order of the arc's direction, into walk_, and the vertex of that face. The arc is shorter than half a circle, so the face lies in the cell at hand
-/// unless it lies beyond the arc across which the circle leaves that cell.
+/// From the face of h, in the cell of v, along the arc of h to the face beyond: the half-edges of the other operand
+/// across whose arcs it leads, in the order of the arc's direction, into walk_, and the vertex of that face. The arc is
+/// shorter than half a circle, so the face lies in the cell at hand unless it lies beyond the arc across which the
+/// circle leaves that cell.
 std::uint32_t Overlay::walk_to_face(HalfEdge h, std::uint32_t v) {
   const int w = walker_;
   const Polytope& other = poly(1 - w);
@@ -73,7 +76,8 @@ void Overlay::walk_between(std::uint32_t e, std::uint32_t v, std::uint32_t end) 
   }
 }
 
-/// Makes walk_ the crossings of an arc of the walker, and lists them at the arcs of the other operand. A crossing of the same two edges keeps its number.
+/// Makes walk_ the crossings of an arc of the walker, and lists them at the arcs of the other operand. A crossing of
+/// the same two edges keeps its number.
 void Overlay::relink_arc(std::uint32_t e) {
   const int w = walker_, op = 1 - w;
   bool changed = false;
@@ -81,7 +85,8 @@ void Overlay::relink_arc(std::uint32_t e) {
   const auto link = [&](std::uint32_t id) { (last == kNoCrossing ? head_[w][e] : crossings_[last].next[w]) = id; };
   for (const HalfEdge over : walk_) {
     std::uint32_t id = old, before = kNoCrossing;  // the rest of the old list is searched, from where it should be
-    while (id != kNoCrossing && edge_of(op, crossings_[id]) != over / 2) before = std::exchange(id, crossings_[id].next[w]);
+    while (id != kNoCrossing && edge_of(op, crossings_[id]) != over / 2)
+      before = std::exchange(id, crossings_[id].next[w]);
     if (id == kNoCrossing) {
       id = add_crossing(e, over);
       changed = true;

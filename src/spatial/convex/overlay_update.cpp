@@ -15,7 +15,8 @@ constexpr double kNever = -kForever;
 /// Among the breaks of an arc, above all numbers of crossings.
 constexpr std::uint32_t kEnds = std::uint32_t{1} << 31;
 
-/// Moves by more than this many cells start from neighbouring faces instead of from the vertices before: measured, see docs/design/convex-motion.md.
+/// Moves by more than this many cells start from neighbouring faces instead of from the vertices before: measured, see
+/// docs/design/convex-motion.md.
 constexpr double kLeap = 1;
 
 /// The numbers of the certificates that have ended.
@@ -74,8 +75,9 @@ void Overlay::break_arc(std::uint32_t e, std::uint32_t by) {
   if (by != kEnds || breaks_[e] < kEnds) breaks_[e] += by;
 }
 
-/// The angle by which directions have to move at least before the circle of the walker's edge that is mapped to `along` can leave the cell of the
-/// origin of `over` elsewhere than across its arc; kNever where doubles do not prove that it leaves it there.
+/// The angle by which directions have to move at least before the circle of the walker's edge that is mapped to `along`
+/// can leave the cell of the origin of `over` elsewhere than across its arc; kNever where doubles do not prove that it
+/// leaves it there.
 inline double Overlay::slack(HalfEdge over, Vec3 along) const {
   const int op = 1 - walker_;
   const std::array<double, 6>& n = poly(op).sides[over / 2];
@@ -99,7 +101,8 @@ void Overlay::check_crossings() {
   }
 }
 
-/// The half-edge of the other operand across whose arc the arc of the walker's half-edge h, mapped to `along`, leaves the cell of v.
+/// The half-edge of the other operand across whose arc the arc of the walker's half-edge h, mapped to `along`, leaves
+/// the cell of v.
 HalfEdge Overlay::exit_now(HalfEdge h, std::uint32_t v, Vec3 along) const {
   const int op = 1 - walker_;
   const Polytope& other = poly(op);
@@ -108,9 +111,10 @@ HalfEdge Overlay::exit_now(HalfEdge h, std::uint32_t v, Vec3 along) const {
   return other.ring[leaving_slot(other, v, signs_.error(op), value, sign)];
 }
 
-/// Corrects the crossings of an arc of the walker in place, from its left face to its right one: all of them when its ends have changed, otherwise where
-/// crossings have failed. `last` is the last crossing that is right, v the cell that it enters, `next` what follows in the list. Where a crossing ahead is
-/// known to leave v, it is the next one, as a circle leaves a convex cell once; elsewhere the cell says across which arc to leave it.
+/// Corrects the crossings of an arc of the walker in place, from its left face to its right one: all of them when its
+/// ends have changed, otherwise where crossings have failed. `last` is the last crossing that is right, v the cell that
+/// it enters, `next` what follows in the list. Where a crossing ahead is known to leave v, it is the next one, as a
+/// circle leaves a convex cell once; elsewhere the cell says across which arc to leave it.
 void Overlay::mend_arc(std::uint32_t e) {
   const int w = walker_;
   const Polytope &mine = poly(w), &other = poly(1 - w);
@@ -121,7 +125,9 @@ void Overlay::mend_arc(std::uint32_t e) {
   const std::uint32_t end = extreme_[w][mine.face[2 * e + 1]];
   const auto over_of = [&](std::uint32_t id) { return across(w, crossings_[id]); };
   const auto fails = [&](std::uint32_t id) { return crossing_until_[id] == kNever; };
-  const auto leaves = [&](std::uint32_t id, std::uint32_t v) { return id != kNoCrossing && !fails(id) && other.origin[over_of(id)] == v; };
+  const auto leaves = [&](std::uint32_t id, std::uint32_t v) {
+    return id != kNoCrossing && !fails(id) && other.origin[over_of(id)] == v;
+  };
   std::uint32_t last = kNoCrossing, next = head_[w][e], v = extreme_[w][mine.face[2 * e]], walked = 0;
   bool changed = false;
   const auto link = [&](std::uint32_t id) { (last == kNoCrossing ? head_[w][e] : crossings_[last].next[w]) = id; };
@@ -165,13 +171,12 @@ void Overlay::mend_arc(std::uint32_t e) {
       crossings_[id].next[w] = next;
       changed = true;
     } else {  // of the same two edges: it keeps its number
-      const auto dropped = crossing_until_[id] == kForever ? std::find(dropped_.begin(), dropped_.end(), id) : dropped_.end();
-      if (dropped == dropped_.end()) {
+      if (crossing_until_[id] == kForever) {  // dropped too early
+        std::erase(dropped_, id);
+        crossings_[id].next[w] = next;
+      } else {
         drop_until(id);
         failed -= fails(id) ? 1 : 0;
-      } else {  // too early
-        dropped_.erase(dropped);
-        crossings_[id].next[w] = next;
       }
       if (over_of(id) != over) {
         crossings_[id].q = crossing_of(w, e, over).q;
@@ -231,8 +236,8 @@ void Overlay::free_crossing(std::uint32_t id) {
   ++work_.crossings_removed;
 }
 
-/// The vertices in whose cells the crossed arc of edge e of operand op begins and ends, and its crossings in order: the first one leaves a cell that
-/// no other one enters.
+/// The vertices in whose cells the crossed arc of edge e of operand op begins and ends, and its crossings in order: the
+/// first one leaves a cell that no other one enters.
 std::pair<std::uint32_t, std::uint32_t> Overlay::cells_of_ends(int op, std::uint32_t e) {
   const Polytope& other = poly(1 - op);
   const std::uint32_t first = head_[op][e];
@@ -250,9 +255,10 @@ std::pair<std::uint32_t, std::uint32_t> Overlay::cells_of_ends(int op, std::uint
   return {v, order_along(op, e, v)};
 }
 
-/// The arcs of the other operand whose crossings changed, and the extreme vertices of its faces, which follow: a crossed arc begins and ends in the
-/// cells that its first and last crossing leave and enter, an arc that is not crossed lies in one cell. A face all of whose arcs were and are
-/// crossed by the same, or that is joined to such a face by arcs that were not and are not crossed, has the vertex that it had.
+/// The arcs of the other operand whose crossings changed, and the extreme vertices of its faces, which follow: a
+/// crossed arc begins and ends in the cells that its first and last crossing leave and enter, an arc that is not
+/// crossed lies in one cell. A face all of whose arcs were and are crossed by the same, or that is joined to such a
+/// face by arcs that were not and are not crossed, has the vertex that it had.
 void Overlay::settle_other_side() {
   const int op = 1 - walker_;
   const Polytope& other = poly(op);

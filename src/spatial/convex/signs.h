@@ -1,5 +1,6 @@
-// The two predicates that decide everything about the sum of convex solids: on which side of an edge's circle a face's normal lies on the sphere of
-// directions, for faces of P and edges of Q, and the other way round. Never zero: Q counts as turned by an infinitesimal rotation.
+// The two predicates that decide everything about the sum of convex solids: on which side of an edge's circle a face's
+// normal lies on the sphere of directions, for faces of P and edges of Q, and the other way round. Never zero: Q counts
+// as turned by an infinitesimal rotation.
 #pragma once
 
 #include <array>
@@ -11,9 +12,9 @@
 
 namespace dymsum::spatial {
 
-/// Operand 0 is P, 1 is Q. "The sign of (op, f, h)" is that of n . (M e) with n the outward normal of face f of operand op, e the vector along
-/// half-edge h of the other one, and M the map from that one's coordinates: positive when the target of h is further out in direction n than its
-/// origin.
+/// Operand 0 is P, 1 is Q. "The sign of (op, f, h)" is that of n . (M e) with n the outward normal of face f of operand
+/// op, e the vector along half-edge h of the other one, and M the map from that one's coordinates: positive when the
+/// target of h is further out in direction n than its origin.
 class Signs {
  public:
   Signs(const Polytope& p, const Polytope& q) : poly_{&p, &q} {}
@@ -22,7 +23,8 @@ class Signs {
   const RelativeMap& map() const { return map_; }
   /// Moves the operands. Cost: O(faces).
   void set(const RelativeMap& map);
-  /// Moves the operands without the table that `row`, `value` and `sign` read: then only what ends in `_now`, and `true_sign`, may be asked for.
+  /// Moves the operands without the table that `row`, `value` and `sign` read: then only what ends in `_now`, and
+  /// `true_sign`, may be asked for.
   void move(const RelativeMap& map) { map_ = map; }
 
   /// Within error(op) of the exact value for unit normal, unit vector and the map as normalised in doubles.
@@ -34,7 +36,8 @@ class Signs {
   const Vec3& row(int op, std::uint32_t f) const { return row_[op][f]; }
   /// The same from the map as it is, without the table.
   Vec3 row_now(int op, std::uint32_t f) const { return row_times(poly_[op]->normal[f], map_.approx(op)); }
-  /// M e of edge e of the other operand, e its unit vector: the value of (op, f, 2e) is the product of f's unit normal and this, within the same error.
+  /// M e of edge e of the other operand, e its unit vector: the value of (op, f, 2e) is the product of f's unit normal
+  /// and this, within the same error.
   Vec3 mapped_edge(int op, std::uint32_t e) const { return map_.approx(op) * poly_[1 - op]->direction[e]; }
   double error(int op) const { return map_.error(op); }
   /// -1 or 1.
@@ -52,7 +55,8 @@ class Signs {
   }
   /// -1, 0 or 1: without the infinitesimal rotation.
   int true_sign(int op, std::uint32_t f, HalfEdge h) const;
-  /// The angle by which directions have to move at least before the sign of (op, f, h) can change; not positive where doubles cannot tell.
+  /// The angle by which directions have to move at least before the sign of (op, f, h) can change; not positive where
+  /// doubles cannot tell.
   double margin(int op, double value) const { return ((value < 0 ? -value : value) - map_.error(op)) * map_.per_norm(op) - 0x1p-40; }
 
   std::uint64_t exact_signs() const { return exact_signs_; }
