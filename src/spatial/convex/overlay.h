@@ -144,7 +144,7 @@ class Overlay {
   std::vector<double> crossing_until_;
   // Scratch, kept from update to update.
   std::vector<HalfEdge> walk_;
-  std::vector<std::uint32_t> dropped_, touched_, expired_, broken_, breaks_, spreading_;
+  std::vector<std::uint32_t> dropped_, touched_, uncrossed_, expired_, broken_, breaks_, spreading_;
   std::array<std::vector<std::uint8_t>, 2> is_touched_;
   OverlayWork work_;
   Changes changes_;

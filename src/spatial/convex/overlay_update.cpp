@@ -125,9 +125,6 @@ void Overlay::mend_arc(std::uint32_t e) {
   const std::uint32_t end = extreme_[w][mine.face[2 * e + 1]];
   const auto over_of = [&](std::uint32_t id) { return across(w, crossings_[id]); };
   const auto fails = [&](std::uint32_t id) { return crossing_until_[id] == kNever; };
-  const auto leaves = [&](std::uint32_t id, std::uint32_t v) {
-    return id != kNoCrossing && !fails(id) && other.origin[over_of(id)] == v;
-  };
   std::uint32_t last = kNoCrossing, next = head_[w][e], v = extreme_[w][mine.face[2 * e]], walked = 0;
   bool changed = false;
   const auto link = [&](std::uint32_t id) { (last == kNoCrossing ? head_[w][e] : crossings_[last].next[w]) = id; };
@@ -153,8 +150,11 @@ void Overlay::mend_arc(std::uint32_t e) {
   while (v != end) {
     std::uint32_t ahead = next;
     while (ahead != kNoCrossing && fails(ahead)) ahead = crossings_[ahead].next[w];
-    if (!leaves(ahead, v) && ahead != kNoCrossing) ahead = crossings_[ahead].next[w];  // the arc now begins behind it
-    if (leaves(ahead, v)) {
+    if (ahead != kNoCrossing && other.origin[over_of(ahead)] != v) {  // perhaps the arc now begins behind it
+      ahead = crossings_[ahead].next[w];
+      if (ahead != kNoCrossing && (fails(ahead) || other.origin[over_of(ahead)] != v)) ahead = kNoCrossing;
+    }
+    if (ahead != kNoCrossing) {
       drop_until(ahead);
       pass(ahead, over_of(ahead));
       if (through) continue;
@@ -236,23 +236,38 @@ void Overlay::free_crossing(std::uint32_t id) {
   ++work_.crossings_removed;
 }
 
-/// The vertices in whose cells the crossed arc of edge e of operand op begins and ends, and its crossings in order: the
+/// The vertices in whose cells the crossed arc of edge e of operand op begins and ends. Puts its crossings in order: the
 /// first one leaves a cell that no other one enters.
 std::pair<std::uint32_t, std::uint32_t> Overlay::cells_of_ends(int op, std::uint32_t e) {
   const Polytope& other = poly(1 - op);
   const std::uint32_t first = head_[op][e];
-  std::uint32_t v = other.origin[across(op, crossings_[first])];
-  if (crossings_[first].next[op] == kNoCrossing) return {v, other.target(across(op, crossings_[first]))};
-  for (std::uint32_t id = first; id != kNoCrossing;) {
-    const HalfEdge over = across(op, crossings_[id]);
-    if (other.target(over) != v) {
-      id = crossings_[id].next[op];
-      continue;
+  const HalfEdge over = across(op, crossings_[first]);
+  std::uint32_t begin = other.origin[over], end = other.target(over);
+  // Crossings that follow are joined at either end, those that do not fit yet are tried again.
+  std::uint32_t rest = crossings_[first].next[op], last = first, waiting = kNoCrossing;
+  crossings_[last].next[op] = kNoCrossing;
+  bool joined = false;
+  while (rest != kNoCrossing) {
+    const std::uint32_t id = std::exchange(rest, crossings_[rest].next[op]);
+    const HalfEdge next_over = across(op, crossings_[id]);
+    std::uint32_t& next = crossings_[id].next[op];
+    if (other.origin[next_over] == end) {
+      end = other.target(next_over);
+      next = kNoCrossing;
+      last = crossings_[last].next[op] = id;
+      joined = true;
+    } else if (other.target(next_over) == begin) {
+      begin = other.origin[next_over];
+      next = std::exchange(head_[op][e], id);
+      joined = true;
+    } else {
+      next = std::exchange(waiting, id);
     }
-    v = other.origin[over];
-    id = first;
+    if (rest != kNoCrossing || waiting == kNoCrossing) continue;
+    if (!std::exchange(joined, false)) throw std::logic_error("Overlay: the crossings of an arc do not join");
+    rest = std::exchange(waiting, kNoCrossing);
   }
-  return {v, order_along(op, e, v)};
+  return {begin, end};
 }
 
 /// The arcs of the other operand whose crossings changed, and the extreme vertices of its faces, which follow: a
@@ -263,16 +278,19 @@ void Overlay::settle_other_side() {
   const int op = 1 - walker_;
   const Polytope& other = poly(op);
   for (const std::uint32_t e : touched_) {
-    if (head_[op][e] == kNoCrossing) continue;
+    is_touched_[op][e] = 0;
+    if (head_[op][e] == kNoCrossing) {
+      uncrossed_.push_back(e);
+      continue;
+    }
     const auto [begin, end] = cells_of_ends(op, e);
     set_vertex(op, other.face[2 * e], begin);
     set_vertex(op, other.face[2 * e + 1], end);
   }
   spread_vertex(op);
   // An arc that is crossed no more joins two faces one of which may still be wrong.
-  for (const std::uint32_t e : touched_) {
-    is_touched_[op][e] = 0;
-    if (head_[op][e] != kNoCrossing || extreme_[op][other.face[2 * e]] == extreme_[op][other.face[2 * e + 1]]) continue;
+  for (const std::uint32_t e : uncrossed_) {
+    if (extreme_[op][other.face[2 * e]] == extreme_[op][other.face[2 * e + 1]]) continue;
     for (const std::uint32_t f : {other.face[2 * e], other.face[2 * e + 1]}) {
       ++work_.vertex_checks;
       if (!climb(op, f, extreme_[op][f], signs_.row_now(op, f))) continue;
@@ -281,6 +299,7 @@ void Overlay::settle_other_side() {
     }
     spread_vertex(op);
   }
+  uncrossed_.clear();
   touched_.clear();
 }
 
