@@ -236,8 +236,8 @@ void Overlay::free_crossing(std::uint32_t id) {
   ++work_.crossings_removed;
 }
 
-/// The vertices in whose cells the crossed arc of edge e of operand op begins and ends. Puts its crossings in order: the
-/// first one leaves a cell that no other one enters.
+/// The vertices in whose cells the crossed arc of edge e of operand op begins and ends. Puts its crossings in order:
+/// each leaves the cell that the one before entered.
 std::pair<std::uint32_t, std::uint32_t> Overlay::cells_of_ends(int op, std::uint32_t e) {
   const Polytope& other = poly(1 - op);
   const std::uint32_t first = head_[op][e];
