@@ -30,6 +30,20 @@ void find_expired(const std::vector<double>& until, double clock, std::vector<st
   expired.resize(n);
 }
 
+/// The largest product of `row` and a unit vector along an edge that leaves v, which has three or more.
+inline double most_rise(const Polytope& p, std::uint32_t v, Vec3 row) {
+  const auto rise = [&](std::uint32_t k) { return dot(row, p.ring_direction[k]); };
+  const auto larger = [](double a, double b) { return a > b ? a : b; };
+  const std::uint32_t end = p.ring_start[v + 1];
+  std::uint32_t k = p.ring_start[v];
+  double most = kNever, also = kNever;  // two, so that comparisons need not wait for each other
+  for (; k + 1 < end; k += 2) {
+    most = larger(rise(k), most);
+    also = larger(rise(k + 1), also);
+  }
+  return larger(also, larger(rise(end - 1), most));  // an odd last one, or one once more
+}
+
 }  // namespace
 
 void Overlay::update(const RelativeMap& map, bool use_margins) {
@@ -58,6 +72,16 @@ void Overlay::correct_vertices() {
   const Polytope& mine = poly(w);
   find_expired(vertex_until_[w], clock_, expired_);
   work_.vertex_checks += expired_.size();
+  // Which ones fail cannot be guessed: they are told apart without branches, and corrected afterwards.
+  const double error = signs_.error(w);
+  std::size_t failed = 0;
+  for (const std::uint32_t f : expired_) {
+    const double most = most_rise(poly(1 - w), extreme_[w][f], signs_.row_now(w, f));
+    vertex_until_[w][f] = clock_ + signs_.margin(w, most);
+    expired_[failed] = f;
+    failed += !(most < -error);
+  }
+  expired_.resize(failed);
   for (const std::uint32_t f : expired_) {
     if (!climb(w, f, extreme_[w][f], signs_.row_now(w, f))) continue;
     note_face(w, f);
