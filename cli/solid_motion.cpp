@@ -29,7 +29,7 @@ Json frame_json(const ConvexSum& sum, const std::string& label, double ms) {
           {"facets", sum.face_vertex_count() + sum.edge_edge_count()},
           {"volume_exact", sum.volume_exact().to_string()},
           {"changed", w.facets_added},
-          {"checked", w.vertex_checks + w.arc_checks},
+          {"checked", w.vertex_checks + w.crossing_checks + w.arc_checks},
           {"update_ms", ms}};
 }
 
@@ -56,7 +56,7 @@ Motion run(const std::vector<SolidInput>& inputs, const std::vector<SolidFramePo
       motion.ms.push_back(timing.median_ms);
       if (!last) continue;
       motion.changed += work.facets_added;
-      motion.checked += work.vertex_checks + work.arc_checks;
+      motion.checked += work.vertex_checks + work.crossing_checks + work.arc_checks;
       if (report.json) motion.frames.push_back(frame_json(*motion.sum, poses[i].label, timing.median_ms));
       if (pictures && i % every == 0) motion.pictures.push_back({poses[i].label, motion.sum->sum()});
     }

@@ -53,14 +53,14 @@ double geometric_mean(const std::vector<double>& v) {
 }
 
 void heading(Report& report) {
-  report.line("| pair | triangles | facets | update us | checked, walked | changed | brute us | / update | thesis | brute merged us | / update | static us | / update | CGAL hull us | / update | exact signs | compared, different |");
+  report.line("| pair | triangles | facets | update us | faces, crossings checked, arcs mended | changed | brute us | / update | thesis | brute merged us | / update | static us | / update | CGAL hull us | / update | exact signs | compared, different |");
   report.line("|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|");
 }
 
 void line(Report& report, const MotionRow& r, const std::string& kind, double thesis) {
   const auto per_move = [&](std::uint64_t v) { return fixed(static_cast<double>(v) / static_cast<double>(r.moves), 1); };
   report.line("| " + r.p + " + " + r.q + " | " + std::to_string(r.p_triangles) + ", " + std::to_string(r.q_triangles) + " | " + std::to_string(r.facets) +
-              " | " + fixed(r.update_us) + " | " + per_move(r.work.vertex_checks) + ", " + per_move(r.work.arc_checks) + " | " +
+              " | " + fixed(r.update_us) + " | " + per_move(r.work.vertex_checks) + ", " + per_move(r.work.crossing_checks) + ", " + per_move(r.work.arc_checks) + " | " +
               per_move(r.work.facets_added) + " | " + fixed(r.brute_us, 1) + " | **" + ratio(r.brute_us, r.update_us) + "** | " + thesis_value(thesis) +
               " | " + fixed(r.brute_merged_us, 1) + " | " + ratio(r.brute_merged_us, r.update_us) + " | " + fixed(r.static_us, 1) + " | " +
               ratio(r.static_us, r.update_us) + " | " + (r.hull_us > 0 ? fixed(r.hull_us, 0) : "-") + " | " + ratio(r.hull_us, r.update_us) + " | " +

@@ -77,6 +77,7 @@ MotionRow measure(const solids::NamedMesh& p, const solids::NamedMesh& q, const 
     const MotionWork work = moving.set(poses[k]);
     row.work.vertex_checks += work.vertex_checks;
     row.work.vertex_errors += work.vertex_errors;
+    row.work.crossing_checks += work.crossing_checks;
     row.work.arc_checks += work.arc_checks;
     row.work.arcs_changed += work.arcs_changed;
     row.work.steps += work.steps;

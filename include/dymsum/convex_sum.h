@@ -87,7 +87,8 @@ Result<SolidSum> convex_sum(const Mesh& p, const Mesh& q, const SolidPose& p_pos
 struct MotionWork {
   std::uint64_t vertex_checks = 0;  ///< faces whose extreme vertex was looked at; the certificates of the others held
   std::uint64_t vertex_errors = 0;  ///< of these, wrong and corrected
-  std::uint64_t arc_checks = 0;     ///< edges of P whose crossings were walked
+  std::uint64_t crossing_checks = 0;  ///< crossings of arcs that were looked at one by one
+  std::uint64_t arc_checks = 0;     ///< edges whose arcs were walked again where they may have changed
   std::uint64_t arcs_changed = 0;   ///< of these, changed
   std::uint64_t steps = 0;          ///< from vertex to vertex, in all walks
   std::uint64_t facets_added = 0, facets_removed = 0;
@@ -118,7 +119,8 @@ class ConvexSum {
   ConvexSum& operator=(ConvexSum&&) noexcept;
   ~ConvexSum();
 
-  /// Moves P and Q. Small motions look at few features: each certificate holds for an angle. No memory is allocated once warm, unless the
+  /// Moves P and Q. Small motions look at few features: each certificate holds for an angle, and the first small motion
+  /// after a large one makes them. Standing still is no work. No memory is allocated once warm, unless the
   /// poses are scaled. Positions are evaluated when they are asked for.
   const MotionWork& set(const SolidPose& p, const SolidPose& q = {});
   const MotionWork& set(const Rotation& p) { return set(SolidPose{p, {}}); }

@@ -100,12 +100,14 @@ TEST(ConvexMotion, uniform_scaling_moves_positions_only) {
   std::mt19937_64 random(24);
   ConvexSum moving = *ConvexSum::create(random_round_polytope(random, 60), random_round_polytope(random, 60));
   moving.set(random_rotation(random));
+  moving.set(small_rotation(random, 1e-4) * moving.p_pose().rotation);  // certificates are made by the first short move
+  EXPECT_GT(moving.work().vertex_checks, 0u);
   const SolidSum before = moving.sum();
   SolidPose pose = moving.p_pose();
   pose.scale.fill(*Scale::of(3.5));
   const MotionWork work = moving.set(pose);
   EXPECT_EQ(work.vertex_errors + work.facets_added + work.facets_removed, 0u);
-  EXPECT_EQ(work.vertex_checks + work.arc_checks, 0u) << "certificates do not feel a common factor";
+  EXPECT_EQ(work.vertex_checks + work.crossing_checks + work.arc_checks, 0u) << "certificates do not feel a common factor";
   const SolidSum after = moving.sum();
   EXPECT_EQ(after.facets, before.facets);
   EXPECT_NE(after.at, before.at);
@@ -135,7 +137,7 @@ TEST(ConvexMotion, small_motions_check_few_features_and_errors_come_with_changes
   for (int k = 0; k < 200; ++k) {
     const SolidSum before = moving.sum();
     const MotionWork work = moving.set(small_rotation(random, 1e-4) * moving.p_pose().rotation);
-    checks += work.vertex_checks + work.arc_checks;
+    checks += work.vertex_checks + work.crossing_checks + work.arc_checks;
     most += p.faces().size() + q.faces().size() + p.edge_count();
     errors += work.vertex_errors;
     const SolidSum after = moving.sum();

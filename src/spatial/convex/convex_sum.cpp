@@ -14,7 +14,7 @@ using spatial::Polytope;
 
 const MotionWork& ConvexSum::State::report() {
   const spatial::OverlayWork& w = overlay.work();
-  work = {w.vertex_checks, w.vertex_errors, w.arc_checks, w.arcs_changed, w.steps, w.crossings_added + w.vertex_errors,
+  work = {w.vertex_checks, w.vertex_errors, w.crossing_checks, w.arc_checks, w.arcs_changed, w.steps, w.crossings_added + w.vertex_errors,
           w.crossings_removed + w.vertex_errors, w.exact_signs};
   return work;
 }

@@ -231,6 +231,11 @@ void make_units(Polytope& p, std::uint32_t edges) {
   for (const HalfEdge h : p.ring) {
     p.ring_direction.push_back(p.along(h));
     p.ring_face.push_back(p.face[h]);
+    p.ring_normal.push_back(p.normal[p.face[h]]);
+  }
+  for (std::uint32_t e = 0; e < edges; ++e) {
+    const Vec3 left = p.normal[p.face[2 * e]], right = p.normal[p.face[2 * e + 1]];
+    p.sides.push_back({left.x, right.x, left.y, right.y, left.z, right.z});
   }
 }
 
@@ -250,7 +255,7 @@ void measure(Polytope& p) {
 
 std::size_t Polytope::bytes() const {
   const auto of = [](const auto&... v) { return (std::size_t{0} + ... + (v.capacity() * sizeof(v[0]))); };
-  return sizeof(*this) + of(at, grid, big, source_vertex, ring_start, ring, ring_direction, ring_face, origin, face, next, direction, normal, area, first,
+  return sizeof(*this) + of(at, grid, big, source_vertex, ring_start, ring, ring_direction, ring_face, ring_normal, sides, origin, face, next, direction, normal, area, first,
                             source_face);
 }
 

@@ -30,10 +30,12 @@ struct Polytope {
   std::vector<HalfEdge> ring;                        // half-edges that leave a vertex, counter-clockwise seen from outside
   std::vector<Vec3> ring_direction;                  // unit vector along each of ring
   std::vector<std::uint32_t> ring_face;              // face on the left of each of ring
+  std::vector<Vec3> ring_normal;                     // and its outward unit normal
   // Half-edges.
   std::vector<std::uint32_t> origin, face;
   std::vector<HalfEdge> next;                        // in the face
   // Edges and faces.
+  std::vector<std::array<double, 6>> sides;          // of each edge, the normals of its left and its right face: x, x, y, y, z, z
   std::vector<Vec3> direction;                       // unit vector of each edge, error below 2^-50
   std::vector<Vec3> normal;                          // outward unit vector of each face, error below 2^-50
   std::vector<Vec3> area;                            // outward area vector of each face, rounded

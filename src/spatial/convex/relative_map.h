@@ -1,4 +1,5 @@
-// How two solids stand to each other: the linear map from Q's own coordinates to P's, up to a positive factor, and its inverse.
+// How two solids stand to each other: the linear map from Q's own coordinates to P's, up to a positive factor, and its
+// inverse.
 #pragma once
 
 #include <array>
@@ -38,7 +39,8 @@ class RelativeMap {
     for (int r = 0; r < 3; ++r) m[r] = {entry<M>(index, 3 * r), entry<M>(index, 3 * r + 1), entry<M>(index, 3 * r + 2)};
     return m;
   }
-  /// In doubles, scaled by a power of two so that the largest entry is in [1, 2); every entry has relative error at most 2^-52.
+  /// In doubles, scaled by a power of two so that the largest entry is in [1, 2); every entry has relative error at
+  /// most 2^-52.
   const Mat3& approx(int index) const { return approx_[index]; }
   /// At least the spectral norm of approx(index).
   double norm(int index) const { return norm_[index]; }
@@ -46,8 +48,14 @@ class RelativeMap {
   /// A bound of the error of u . (approx(index) v) for unit vectors u, v with errors below 2^-50.
   double error(int index) const { return error_[index]; }
 
-  /// An upper bound of the angle by which directions move from the situation `before` to this one, edges of Q and normals of Q alike, seen from P, on
-  /// a path on which they move no further; 4, more than any angle, when it is not small.
+  /// Whether the maps are the same, with the same factor.
+  bool operator==(const RelativeMap& other) const {
+    return bits_ == other.bits_ && fixed_ == other.fixed_ && big_ == other.big_;
+  }
+
+  /// An upper bound of the angle by which directions move from the situation `before` to this one, edges of Q and
+  /// normals of Q alike, seen from P, on a path on which they move no further; 4, more than any angle, when it is not
+  /// small.
   double angle_from(const RelativeMap& before) const;
 
  private:

@@ -22,7 +22,7 @@ static_assert(ContactWidths<61, 126>::Side::kBits == 317 && sizeof(ContactWidths
 }  // namespace
 
 void Signs::set(const RelativeMap& map) {
-  map_ = map;
+  move(map);
   for (int op = 0; op < 2; ++op) {
     const std::vector<Vec3>& normal = poly_[op]->normal;
     row_[op].resize(normal.size());
@@ -32,7 +32,7 @@ void Signs::set(const RelativeMap& map) {
 }
 
 int Signs::true_sign(int op, std::uint32_t f, HalfEdge h) const {
-  const double v = value(op, f, h);
+  const double v = value_now(op, f, h);
   if (v > map_.error(op)) return 1;
   if (v < -map_.error(op)) return -1;
   ++exact_signs_;
