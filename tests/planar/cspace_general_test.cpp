@@ -66,6 +66,11 @@ void expect_slices(const CspaceObstacle& c, Random& random, std::uint32_t most) 
     const std::vector<Cycle> expected = of_slice(*c.slice(at));
     ASSERT_EQ(of_slab(c, slab), expected) << "slab " << slab << " of " << n << " at " << at.radians() << "\nrobot " << format_region(c.robot(), RegionFormat::wkt)
                                          << "\nobstacle " << format_region(c.obstacle(), RegionFormat::wkt);
+    // Constant between events: the same cycles at another orientation of the slab.
+    const double low = c.angles()[slab].theta, high = slab + 1 < n ? c.angles()[slab + 1].theta : c.angles()[0].theta + 2 * std::numbers::pi;
+    const double share = 0.02 + 0.96 * static_cast<double>(random() % 4096) / 4096;
+    const Orientation other = *Orientation::nearest(low + share * (high - low));
+    if (c.slab_of(other) == slab) ASSERT_EQ(of_slice(*c.slice(other)), expected) << "slab " << slab << " at " << other.radians();
   }
 }
 
@@ -277,6 +282,23 @@ TEST(CspaceGeneral, half_tangents_tell_all_event_angles_apart) {
     EXPECT_GT((t.high - before.high) + (t.low - before.low), 0) << k;
   }
   EXPECT_GT(equal_doubles, 0);
+}
+
+// Three obstacle edges on lines through the origin and three robot vertices T_i = d_i from it: with weights d_j x d_k the concurrency of the
+// three segments vanishes as a polynomial, and around theta = 0 the segments do meet. No event tells when they begin to.
+TEST(CspaceGeneral, three_segments_concurrent_at_every_angle_are_swept_by_whole_slices) {
+  const Ring reflected = {{9, 3}, {10, 0}, {11, 3}, {20, 3}, {13, 9}, {10, 10}, {11, 7}, {9, 5}, {3, 11}, {0, 10}, {3, 9}, {8, 4}};
+  Ring robot;
+  for (const Point& p : reflected) robot.push_back({-p.x, -p.y});
+  RegionData data;
+  data.parts.push_back({{{-13, 0}, {-7, 0}, {-10, 4}}, {}});
+  data.parts.push_back({{{0, -7}, {0, -13}, {4, -10}}, {}});
+  data.parts.push_back({{{-8, -8}, {-12, -12}, {-8, -12}}, {}});
+  const CspaceObstacle c = CspaceObstacle::create(polygon(robot), *Region::create(data)).value();
+  EXPECT_EQ(c.work().local_updates, 0u);
+  EXPECT_GT(c.work().slices, 100u);
+  Random random(1);
+  expect_slices(c, random, 60);
 }
 
 TEST(CspaceGeneral, refuses_rings_that_touch) {
