@@ -167,7 +167,8 @@ std::string to_markdown(const std::vector<Row>& rows) {
   std::ostringstream out;
   out << "# Planar sums against CGAL 5.5.1 and Clipper 6\n\nMade by `./run bench planar --results docs/results`. Times "
          "are "
-         "medians in milliseconds of processor time on one machine; trust the ratios.\n\n";
+         "medians in milliseconds of processor time on one machine, less what reading the clock takes; trust the "
+         "ratios.\n\n";
   out << "| promise | measured | |\n|---|---|---|\n";
   for (const Target& target : targets(rows)) {
     out << "| " << target.promise << " | " << target.measured << " | " << (target.met ? "met" : "**NOT met**")

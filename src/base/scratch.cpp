@@ -55,12 +55,19 @@ thread_local Blocks blocks;
 #ifdef __SANITIZE_ADDRESS__
 
 // Every array an allocation of its own, so that the sanitizer sees its ends.
-void* Scratch::do_allocate(std::size_t bytes, std::size_t) { return ::operator new(bytes); }
-void Scratch::do_deallocate(void* pointer, std::size_t, std::size_t) { ::operator delete(pointer); }
+void* Scratch::do_allocate(std::size_t bytes, std::size_t) {
+  count(bytes);
+  return ::operator new(bytes);
+}
+void Scratch::do_deallocate(void* pointer, std::size_t bytes, std::size_t) {
+  held_ -= bytes;
+  ::operator delete(pointer);
+}
 
 #else
 
 void* Scratch::do_allocate(std::size_t bytes, std::size_t alignment) {
+  count(bytes);
   const std::size_t from = (used_ + alignment - 1) & ~(alignment - 1);
   if (bytes > kSmall || from + bytes > kBuffer) return blocks.take(bytes < 64 ? 64 : bytes);
   used_ = from + bytes;
@@ -68,6 +75,7 @@ void* Scratch::do_allocate(std::size_t bytes, std::size_t alignment) {
 }
 
 void Scratch::do_deallocate(void* pointer, std::size_t bytes, std::size_t) {
+  held_ -= bytes;
   auto* at = static_cast<std::byte*>(pointer);
   const std::less<const std::byte*> before;
   if (before(at, buffer_) || !before(at, buffer_ + kBuffer)) return blocks.give(pointer, bytes < 64 ? 64 : bytes);

@@ -19,16 +19,24 @@ class Scratch final : public std::pmr::memory_resource {
   Scratch(const Scratch&) = delete;
   Scratch& operator=(const Scratch&) = delete;
 
+  /// The most bytes that were handed out at one time.
+  std::size_t peak_bytes() const { return peak_; }
+
  private:
   // Arrays that grow leave gaps in the buffer, so only small ones go there.
   static constexpr std::size_t kBuffer = 48 << 10, kSmall = 8 << 10;
 
+  void count(std::size_t bytes) {
+    held_ += bytes;
+    if (held_ > peak_) peak_ = held_;
+  }
   void* do_allocate(std::size_t bytes, std::size_t alignment) override;
   void do_deallocate(void* pointer, std::size_t bytes, std::size_t alignment) override;
   bool do_is_equal(const std::pmr::memory_resource& other) const noexcept override { return this == &other; }
 
   alignas(std::max_align_t) std::byte buffer_[kBuffer];
   std::size_t used_ = 0;
+  std::size_t held_ = 0, peak_ = 0;  // bytes handed out, now and at most
 };
 
 }  // namespace dymsum

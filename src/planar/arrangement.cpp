@@ -25,8 +25,9 @@ Arrangement::Arrangement(const Soup& soup, Meetings meetings, const Chain& chain
       meetings_(std::move(meetings)),
       first_event_(soup.memory),
       events_(soup.memory),
-      positions_(soup.memory),
+      sub_after_(soup.memory),
       flags_(soup.memory),
+      linked_subs_(soup.memory),
       links_(soup.memory),
       nodes_(soup.memory),
       covered_subs_(soup.memory),
@@ -36,12 +37,6 @@ Arrangement::Arrangement(const Soup& soup, Meetings meetings, const Chain& chain
   flags_.assign(sub_count(), 0);
   mark_dead(dead_marks);
   find_degenerate_nodes();
-}
-
-std::size_t Arrangement::bytes() const {
-  return meetings_.crossings.capacity() * sizeof(Crossing) + meetings_.touches.capacity() * sizeof(Touch) +
-         first_event_.capacity() * 4 + events_.capacity() * sizeof(Event) + positions_.capacity() * sizeof(Positions) +
-         flags_.capacity();
 }
 
 std::uint32_t Arrangement::segment_of(std::uint32_t sub) const {
@@ -67,90 +62,96 @@ void Arrangement::build_events() {
   Array<std::uint32_t> at(first_event_.begin(), first_event_.end() - 1, soup_.memory);
   for (std::uint32_t c = 0; c < meetings_.crossings.size(); ++c) {
     const Crossing& x = meetings_.crossings[c];
-    events_[at[x.a]++] = {x.ta, x.ea, c};
-    events_[at[x.b]++] = {x.tb, x.eb, c};
+    events_[at[x.a]++] = c;
+    events_[at[x.b]++] = c;
   }
-  for (std::uint32_t k = 0; k < meetings_.touches.size(); ++k) {
-    const Touch& t = meetings_.touches[k];
-    events_[at[t.segment]++] = {t.t, t.error, k | kTouchBit};
-  }
-  positions_.resize(meetings_.crossings.size());
+  for (std::uint32_t k = 0; k < meetings_.touches.size(); ++k)
+    events_[at[meetings_.touches[k].segment]++] = k | kTouchBit;
+  sub_after_.resize(meetings_.crossings.size());
 }
 
-Cut Arrangement::event_cut(const Event& e, std::uint32_t s) const {
+// Where on s an event is.
+std::uint32_t Arrangement::position(std::uint32_t s, std::uint32_t event) const {
+  const auto first = events_.begin() + first_event_[s];
+  return static_cast<std::uint32_t>(std::find(first, first + event_count(s), event) - first);
+}
+
+Cut Arrangement::event_cut(std::uint32_t s, std::uint32_t event) const {
   Cut cut;
-  if (e.ref & kTouchBit) {
-    cut.pair = soup_.exact(meetings_.touches[e.ref & ~kTouchBit].pair);
+  if (event & kTouchBit) {
+    cut.pair = soup_.exact(meetings_.touches[event & ~kTouchBit].pair);
   } else {
-    const Crossing& c = meetings_.crossings[e.ref];
     cut.kind = Cut::Kind::crossing;
-    cut.by = soup_.exact(c.a == s ? c.b : c.a);
+    cut.by = soup_.exact(other(s, event));
   }
   return cut;
 }
 
-int Arrangement::compare_events(std::uint32_t s, const Event& a, const Event& b) const {
-  const double gap = a.t - b.t, error = double(a.error) + double(b.error);
+int Arrangement::compare_events(std::uint32_t s, std::uint32_t a, std::uint32_t b) const {
+  if (a == b) return 0;
+  const double gap = parameter(s, a) - parameter(s, b), error = parameter_error(s, a) + parameter_error(s, b);
   if (gap > error) return 1;
   if (gap < -error) return -1;
-  if (a.ref == b.ref) return 0;
   ++exact_orders_;
-  return soup_.lattice.compare(soup_.exact(s), event_cut(a, s), event_cut(b, s));
+  return soup_.lattice.compare(soup_.exact(s), event_cut(s, a), event_cut(s, b));
 }
 
 // By parameter first. Only where neighbours are closer than their errors, by exact comparison; those are remembered.
 void Arrangement::sort_events() {
   constexpr std::uint32_t kInsertion = 24;
-  const auto by_parameter = [](const Event& a, const Event& b) { return a.t < b.t; };
-  const auto insertion = [](Event* first, std::uint32_t n, auto&& less) {
+  const auto sort = [](auto* first, std::uint32_t n, auto&& less) {
+    if (n > kInsertion) return std::sort(first, first + n, less);
     for (std::uint32_t i = 1; i < n; ++i) {
-      const Event e = first[i];
+      const auto e = first[i];
       std::uint32_t j = i;
       for (; j > 0 && less(e, first[j - 1]); --j) first[j] = first[j - 1];
       first[j] = e;
     }
   };
+  struct Timed {
+    double t;
+    std::uint32_t event;
+  };
+  Array<Timed> timed(soup_.memory);
+  // Then neighbours farther apart than twice that need no closer look.
+  const bool fine = !meetings_.rough && meetings_.touches.empty();
   for (std::uint32_t s = 0; s < soup_.size(); ++s) {
-    Event* first = events_.data() + first_event_[s];
+    std::uint32_t* first = events_.data() + first_event_[s];
     const std::uint32_t n = event_count(s);
     if (n == 0) continue;
-    if (n > kInsertion)
-      std::sort(first, first + n, by_parameter);
-    else
-      insertion(first, n, by_parameter);
-    bool close = false, touched = (first[0].ref & kTouchBit) != 0;
+    if (n > 1) {
+      timed.clear();
+      for (std::uint32_t i = 0; i < n; ++i) timed.push_back({parameter(s, first[i]), first[i]});
+      sort(timed.data(), n, [](const Timed& a, const Timed& b) { return a.t < b.t; });
+      for (std::uint32_t i = 0; i < n; ++i) first[i] = timed[i].event;
+    }
+    bool suspect = (first[0] & kTouchBit) != 0, close = false;
     for (std::uint32_t i = 1; i < n; ++i) {
-      close |= !(first[i].t - first[i - 1].t > double(first[i].error) + double(first[i - 1].error));
-      touched |= (first[i].ref & kTouchBit) != 0;
+      suspect |= (first[i] & kTouchBit) != 0;
+      const double gap = timed[i].t - timed[i - 1].t;
+      if (gap > 2 * Meetings::kFine && fine) continue;
+      close |= !(gap > parameter_error(s, first[i - 1]) + parameter_error(s, first[i]));
     }
-    if (close) {
-      const auto exactly = [&](const Event& a, const Event& b) { return compare_events(s, a, b) < 0; };
-      if (n > kInsertion)
-        std::sort(first, first + n, exactly);
-      else
-        insertion(first, n, exactly);
-    }
-    if (close || touched) suspects_.push_back(s);
-    for (std::uint32_t i = 0; i < n; ++i) {
-      if (first[i].ref & kTouchBit) continue;
-      Positions& p = positions_[first[i].ref];
-      (is_a(first[i], s) ? p.a : p.b) = i;
-    }
+    if (close) sort(first, n, [&](std::uint32_t a, std::uint32_t b) { return compare_events(s, a, b) < 0; });
+    if (close || suspect) suspects_.push_back(s);
+    for (std::uint32_t i = 0; i < n; ++i)
+      if (!(first[i] & kTouchBit) && meetings_.crossings[first[i]].a == s) sub_after_[first[i]] = first_sub(s) + i + 1;
   }
 }
 
 // A mark near an event may fall on either side of it: both sub-edges are dead then, so either answer is right.
 void Arrangement::mark_dead(const Array<DeadMark>& marks) {
   for (const DeadMark& m : marks) {
-    const Event* first = events_.data() + first_event_[m.segment];
-    const Event* last = first + event_count(m.segment);
-    const auto k = std::partition_point(first, last, [&](const Event& e) { return e.t < m.t; }) - first;
+    const std::uint32_t* first = events_.data() + first_event_[m.segment];
+    const std::uint32_t* last = first + event_count(m.segment);
+    const auto before = [&](std::uint32_t e) { return parameter(m.segment, e) < m.t; };
+    const auto k = std::partition_point(first, last, before) - first;
     flags_[first_sub(m.segment) + k] |= kDead;
   }
 }
 
 std::pair<std::uint32_t, std::uint32_t> Arrangement::equal_run(std::uint32_t s, std::uint32_t k) const {
-  const Event* first = events_.data() + first_event_[s];
+  const std::uint32_t* first = events_.data() + first_event_[s];
   std::uint32_t begin = k, end = k + 1;
   while (begin > 0 && compare_events(s, first[begin - 1], first[k]) == 0) --begin;
   while (end < event_count(s) && compare_events(s, first[end], first[k]) == 0) ++end;
@@ -159,21 +160,18 @@ std::pair<std::uint32_t, std::uint32_t> Arrangement::equal_run(std::uint32_t s, 
 
 // Places where crossings coincide, or segments end on others, are classes of crossings and pairs of vertices.
 void Arrangement::find_degenerate_nodes() {
-  std::pmr::unordered_map<std::uint64_t, std::uint32_t> index(soup_.memory);  // element -> dense number
-  Array<std::uint64_t> elements(soup_.memory);
+  KeyNumbers index(soup_.memory);
+  const Array<std::uint64_t>& elements = index.keys();
   Array<std::uint32_t> parent(soup_.memory);
   constexpr std::uint64_t kPair = std::uint64_t{1} << 63;
   const auto element = [&](std::uint64_t key) {
-    const auto [it, fresh] = index.try_emplace(key, static_cast<std::uint32_t>(elements.size()));
-    if (fresh) {
-      elements.push_back(key);
-      parent.push_back(it->second);
-    }
-    return it->second;
+    const auto [number, fresh] = index.add(key);
+    if (fresh) parent.push_back(number);
+    return number;
   };
   const auto pair_key = [&](WalkPair v) { return kPair | (std::uint64_t{v.p} << 31) | v.q; };
-  const auto event_key = [&](const Event& e) {
-    return e.ref & kTouchBit ? pair_key(meetings_.touches[e.ref & ~kTouchBit].pair) : std::uint64_t{e.ref};
+  const auto event_key = [&](std::uint32_t e) {
+    return e & kTouchBit ? pair_key(meetings_.touches[e & ~kTouchBit].pair) : std::uint64_t{e};
   };
   const auto find = [&](std::uint32_t i) {
     while (parent[i] != i) i = parent[i] = parent[parent[i]];
@@ -188,13 +186,13 @@ void Arrangement::find_degenerate_nodes() {
   };
   Array<Touched> spots(soup_.memory);
   for (const std::uint32_t s : suspects_) {
-    const Event* first = events_.data() + first_event_[s];
+    const std::uint32_t* first = events_.data() + first_event_[s];
     const std::uint32_t n = event_count(s);
     for (std::uint32_t k = 0; k < n;) {
       std::uint32_t end = k + 1;
       while (end < n && compare_events(s, first[k], first[end]) == 0) ++end;
       bool degenerate = end - k > 1;
-      for (std::uint32_t i = k; i < end; ++i) degenerate |= (first[i].ref & kTouchBit) != 0;
+      for (std::uint32_t i = k; i < end; ++i) degenerate |= (first[i] & kTouchBit) != 0;
       if (degenerate) {
         const std::uint32_t e = element(event_key(first[k]));
         for (std::uint32_t i = k + 1; i < end; ++i) unite(e, element(event_key(first[i])));
@@ -209,8 +207,8 @@ void Arrangement::find_degenerate_nodes() {
     if (elements[e] & kPair) continue;
     const std::uint32_t c = static_cast<std::uint32_t>(elements[e]);
     const Crossing& x = meetings_.crossings[c];
-    for (const auto& [s, k] : {std::pair{x.a, positions_[c].a}, std::pair{x.b, positions_[c].b}}) {
-      const auto [begin, end] = equal_run(s, k);
+    for (const std::uint32_t s : {x.a, x.b}) {
+      const auto [begin, end] = equal_run(s, position(s, c));
       spots.push_back({e, {s, begin, end}});
     }
   }
@@ -253,11 +251,11 @@ void Arrangement::process_node(const Array<Spot>& spots, const Array<WalkPair>& 
   where.number = static_cast<std::uint32_t>(degenerate_nodes_);
   bool placed = false;
   for (const Spot& spot : spots) {
-    const Event& e = events_[first_event_[spot.segment] + spot.begin];
     if (!placed) {
+      const std::uint32_t e = event(spot.segment, spot.begin);
       where.segment = spot.segment;
-      where.end = event_end(e, spot.segment);
-      where.place = place(spot.segment, event_cut(e, spot.segment), e.t, e.error);
+      where.end = event_end(spot.segment, e);
+      where.place = event_place(spot.segment, e);
     }
     placed = true;
     // Between events at one place there is nothing.
@@ -324,99 +322,45 @@ void Arrangement::link_rays(Array<Ray>& rays, const Node& where) {
     const Step step{rays[to.begin].sub, rays[to.begin].segment};
     flags_[step.sub] |= kEntered;
     const Link link{step, where.number};
-    for (std::size_t k = from.begin; k < from.end; ++k) links_[rays[k].sub] = link;
+    for (std::size_t k = from.begin; k < from.end; ++k) {
+      const auto [number, fresh] = linked_subs_.add(rays[k].sub);
+      if (fresh)
+        links_.push_back(link);
+      else
+        links_[number] = link;
+    }
   }
 }
 
-bool Arrangement::alive_at_start(Step at) const {
-  const std::uint8_t f = flags_[at.sub];
-  if (f & kDead) return false;
-  if (f & kDegenerateStart) return f & kEntered;
-  const std::uint32_t k = at.sub - first_sub(at.segment);
-  if (k == 0) return true;
-  const Crossing& c = meetings_.crossings[events_[first_event_[at.segment] + k - 1].ref];
-  return (c.a == at.segment ? c.sign : -c.sign) > 0;
+// The successor at a degenerate end.
+Arrangement::Step Arrangement::linked(Step from) const {
+  if (flags_[from.sub] & kDead) return {};
+  const std::uint32_t link = linked_subs_.find(from.sub);
+  return link == KeyNumbers::kMissing ? Step{} : links_[link].to;
 }
 
-Arrangement::Step Arrangement::successor(Step from) const {
-  const std::uint8_t f = flags_[from.sub];
-  if (f & kDead) return {};
-  if (f & kDegenerateEnd) {
-    const auto it = links_.find(from.sub);
-    return it == links_.end() ? Step{} : it->second.to;
-  }
-  const std::uint32_t k = from.sub - first_sub(from.segment);
-  if (k == event_count(from.segment)) {
-    const std::uint32_t next = chain_.next(from.segment);
-    if (next == kNone) return {};
-    const std::uint32_t sub = first_sub(next);
-    return flags_[sub] & kDead ? Step{} : Step{sub, next};
-  }
-  const Event& e = events_[first_event_[from.segment] + k];
-  const Crossing& c = meetings_.crossings[e.ref];
-  const bool a = c.a == from.segment;
-  if ((a ? c.sign : -c.sign) > 0) return {};
-  const std::uint32_t other = a ? c.b : c.a;
-  const std::uint32_t sub = first_sub(other) + (a ? positions_[e.ref].b : positions_[e.ref].a) + 1;
-  return flags_[sub] & kDead ? Step{} : Step{sub, other};
+std::uint32_t Arrangement::linked_node(Step at) const {
+  const std::uint32_t link = linked_subs_.find(at.sub);
+  return link == KeyNumbers::kMissing ? kNone : links_[link].node;
 }
 
-std::uint32_t Arrangement::end_node(Step at) const {
-  if (!(flags_[at.sub] & kDegenerateEnd)) return kNone;
-  const auto it = links_.find(at.sub);
-  return it == links_.end() ? kNone : it->second.node;
-}
-
-SubEnd Arrangement::event_end(const Event& e, std::uint32_t s) const {
-  if (e.ref & kTouchBit) return {true, meetings_.touches[e.ref & ~kTouchBit].pair, 0};
-  const Crossing& c = meetings_.crossings[e.ref];
-  return {false, {}, c.a == s ? c.b : c.a};
-}
-
-SubEnd Arrangement::start_of(Step at) const {
-  const std::uint32_t k = at.sub - first_sub(at.segment);
-  if (k > 0) return event_end(events_[first_event_[at.segment] + k - 1], at.segment);
-  return {true, soup_.start(at.segment), 0};
-}
-
-SubEnd Arrangement::end_of(Step at) const {
-  const std::uint32_t k = at.sub - first_sub(at.segment);
-  if (k < event_count(at.segment)) return event_end(events_[first_event_[at.segment] + k], at.segment);
-  return {true, soup_.end(at.segment), 0};
+Place Arrangement::event_place(std::uint32_t s, std::uint32_t event) const {
+  return place(s, event_cut(s, event), parameter(s, event), parameter_error(s, event));
 }
 
 Place Arrangement::start_place(Step at) const {
-  const std::uint32_t k = at.sub - first_sub(at.segment);
-  if (k == 0) return place(at.segment, start_cut(at), 0, 0);
-  const Event& e = events_[first_event_[at.segment] + k - 1];
-  return place(at.segment, event_cut(e, at.segment), e.t, e.error);
+  const std::uint32_t s = at.segment, k = at.sub - first_sub(s);
+  return k == 0 ? place(s, start_cut(at), 0, 0) : event_place(s, event(s, k - 1));
 }
 
 Place Arrangement::end_place(Step at) const {
-  const std::uint32_t k = at.sub - first_sub(at.segment);
-  if (k == event_count(at.segment)) return place(at.segment, end_cut(at), 1, 0);
-  const Event& e = events_[first_event_[at.segment] + k];
-  return place(at.segment, event_cut(e, at.segment), e.t, e.error);
-}
-
-// As place() does.
-Arrangement::RoundedEnd Arrangement::rounded_end(Step at) const {
   const std::uint32_t s = at.segment, k = at.sub - first_sub(s);
-  const SoupBox& b = soup_.boxes[s];
-  if (k == event_count(s)) return {b.bx, b.by, soup_.point_error};
-  const Event& e = events_[first_event_[s] + k];
-  const double dx = soup_.dx(s), dy = soup_.dy(s);
-  return {b.ax + e.t * dx, b.ay + e.t * dy, step_error(e.error, dx, dy)};
-}
-
-// The start, the step (t's own error, its rounding and the direction's) and the final sum.
-double Arrangement::step_error(double t_error, double dx, double dy) const {
-  return 2 * soup_.point_error + (t_error + 0x1p-51) * std::max(std::abs(dx), std::abs(dy)) + 0x1p-52 * soup_.lattice.span;
+  return k == event_count(s) ? place(s, end_cut(at), 1, 0) : event_place(s, event(s, k));
 }
 
 Cut Arrangement::start_cut(Step at) const {
   const std::uint32_t k = at.sub - first_sub(at.segment);
-  if (k > 0) return event_cut(events_[first_event_[at.segment] + k - 1], at.segment);
+  if (k > 0) return event_cut(at.segment, event(at.segment, k - 1));
   Cut cut;
   cut.pair = soup_.exact(soup_.start(at.segment));
   return cut;
@@ -424,20 +368,10 @@ Cut Arrangement::start_cut(Step at) const {
 
 Cut Arrangement::end_cut(Step at) const {
   const std::uint32_t k = at.sub - first_sub(at.segment);
-  if (k < event_count(at.segment)) return event_cut(events_[first_event_[at.segment] + k], at.segment);
+  if (k < event_count(at.segment)) return event_cut(at.segment, event(at.segment, k));
   Cut cut;
   cut.pair = soup_.exact(soup_.end(at.segment));
   return cut;
-}
-
-double Arrangement::start_parameter(Step at) const {
-  const std::uint32_t k = at.sub - first_sub(at.segment);
-  return k > 0 ? events_[first_event_[at.segment] + k - 1].t : 0;
-}
-
-double Arrangement::end_parameter(Step at) const {
-  const std::uint32_t k = at.sub - first_sub(at.segment);
-  return k < event_count(at.segment) ? events_[first_event_[at.segment] + k].t : 1;
 }
 
 Place Arrangement::place(std::uint32_t s, const Cut& cut, double t, double t_error) const {
@@ -464,6 +398,16 @@ double Arrangement::denominator(std::uint32_t s, const Cut& cut, double& relativ
   return d * soup_.lattice.integers_per_unit;
 }
 
+std::optional<double> Arrangement::inner_parameter(Step at) const {
+  const std::uint32_t s = at.segment, k = at.sub - first_sub(s);
+  const double t0 = start_parameter(at), t1 = end_parameter(at);
+  const double e0 = k > 0 ? parameter_error(s, event(s, k - 1)) : 0;
+  const double e1 = k < event_count(s) ? parameter_error(s, event(s, k)) : 0;
+  const double middle = 0.5 * (t0 + t1);
+  if (!(middle - t0 > e0 + 0x1p-50 && t1 - middle > e1 + 0x1p-50)) return std::nullopt;
+  return middle;
+}
+
 Place Arrangement::sample(Step at) const {
   const Cut from = start_cut(at), to = end_cut(at);
   double error_from = 0, error_to = 0;
@@ -475,8 +419,9 @@ Place Arrangement::sample(Step at) const {
     error_from = 1;  // beyond the doubles: anywhere on the sub-edge
   }
   const std::uint32_t k = at.sub - first_sub(at.segment);
-  const Event* first = events_.data() + first_event_[at.segment];
-  const double e0 = k > 0 ? first[k - 1].error : 0.0, e1 = k < event_count(at.segment) ? first[k].error : 0.0;
+  const std::uint32_t* first = events_.data() + first_event_[at.segment];
+  const double e0 = k > 0 ? parameter_error(at.segment, first[k - 1]) : 0.0;
+  const double e1 = k < event_count(at.segment) ? parameter_error(at.segment, first[k]) : 0.0;
   const double t = t0 + weight * (t1 - t0);
   const double error = e0 + e1 + std::abs(t1 - t0) * 2 * (error_from + error_to) + 0x1p-50;
   Place p = place(at.segment, from, t == 0 || t == 1 ? 0.5 : t, error + (t == 0 || t == 1 ? 0.5 : 0));

@@ -2,11 +2,14 @@
 // coincidence goes through the vertex routine. Lemmas 3-5: docs/design/planar-sum.md.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <memory_resource>
-#include <unordered_map>
+#include <optional>
 #include <vector>
 
+#include "base/key_numbers.h"
 #include "planar/crossings.h"
 #include "planar/soup.h"
 
@@ -33,34 +36,76 @@ class Arrangement {
   struct Step {
     std::uint32_t sub = kNone, segment = kNone;
   };
-  Step successor(Step from) const;
+  Step successor(Step from) const {
+    if (flags_[from.sub] & (kDead | kDegenerateEnd)) return linked(from);
+    const std::uint32_t k = from.sub - first_sub(from.segment);
+    Step to;
+    if (k == event_count(from.segment)) {
+      to.segment = chain_.next(from.segment);
+      if (to.segment == kNone) return {};
+      to.sub = first_sub(to.segment);
+    } else {
+      const std::uint32_t e = event(from.segment, k);
+      const Crossing& c = meetings_.crossings[e];
+      if (c.a == from.segment) return {};
+      to = {sub_after_[e], c.a};
+    }
+    return flags_[to.sub] & kDead ? Step{} : to;
+  }
   /// Whether the boundary can come into `sub` at its start.
-  bool alive_at_start(Step at) const;
+  bool alive_at_start(Step at) const {
+    const std::uint8_t f = flags_[at.sub];
+    if (f & (kDead | kDegenerateStart)) return !(f & kDead) && f & kEntered;
+    const std::uint32_t k = at.sub - first_sub(at.segment);
+    return k == 0 || meetings_.crossings[event(at.segment, k - 1)].a == at.segment;
+  }
 
   /// The node at which a sub-edge ends, if it is a degenerate one, or kNone.
-  std::uint32_t end_node(Step at) const;
+  std::uint32_t end_node(Step at) const { return flags_[at.sub] & kDegenerateEnd ? linked_node(at) : kNone; }
 
   /// Where a sub-edge starts and ends.
-  SubEnd start_of(Step at) const;
-  SubEnd end_of(Step at) const;
+  SubEnd start_of(Step at) const {
+    const std::uint32_t k = at.sub - first_sub(at.segment);
+    return k > 0 ? event_end(at.segment, event(at.segment, k - 1)) : SubEnd{true, soup_.start(at.segment), 0};
+  }
+  SubEnd end_of(Step at) const {
+    const std::uint32_t k = at.sub - first_sub(at.segment);
+    if (k < event_count(at.segment)) return event_end(at.segment, event(at.segment, k));
+    return {true, soup_.end(at.segment), 0};
+  }
   Place start_place(Step at) const;
   Place end_place(Step at) const;
   /// Where a sub-edge ends, rounded: |x - exact| and |y - exact| are at most error.
   struct RoundedEnd {
     double x = 0, y = 0, error = 0;
   };
-  RoundedEnd rounded_end(Step at) const;
+  RoundedEnd rounded_end(Step at) const {
+    const std::uint32_t s = at.segment, k = at.sub - first_sub(s);
+    const SoupBox& b = soup_.boxes[s];
+    if (k == event_count(s)) return {b.bx, b.by, soup_.point_error};
+    const std::uint32_t e = event(s, k);
+    const double dx = soup_.dx(s), dy = soup_.dy(s), t = parameter(s, e);
+    return {b.ax + t * dx, b.ay + t * dy, step_error(parameter_error(s, e), dx, dy)};
+  }
   Cut start_cut(Step at) const;
   Cut end_cut(Step at) const;
-  double start_parameter(Step at) const;
-  double end_parameter(Step at) const;
+  double start_parameter(Step at) const {
+    const std::uint32_t k = at.sub - first_sub(at.segment);
+    return k > 0 ? parameter(at.segment, event(at.segment, k - 1)) : 0;
+  }
+  double end_parameter(Step at) const {
+    const std::uint32_t k = at.sub - first_sub(at.segment);
+    return k < event_count(at.segment) ? parameter(at.segment, event(at.segment, k)) : 1;
+  }
+  /// A parameter strictly inside the sub-edge, or nothing where doubles do not tell.
+  std::optional<double> inner_parameter(Step at) const;
   /// Some point strictly inside the sub-edge.
   Place sample(Step at) const;
   Place place(std::uint32_t s, const Cut& cut, double t, double t_error) const;
 
   /// A degenerate node: a candidate for a tight point unless the boundary passes through it.
   struct Node {
-    std::uint32_t number = 0;  ///< as in end_node
+    std::uint32_t number = 0;  ///< as in end_node, 1 .. degenerate_nodes()
     std::uint32_t segment = 0;
     SubEnd end;
     Place place;
@@ -72,19 +117,15 @@ class Arrangement {
   std::uint64_t exact_orders() const { return exact_orders_; }
   std::uint64_t crossing_count() const { return meetings_.crossings.size(); }
   const Array<Crossing>& crossings() const { return meetings_.crossings; }
-  std::size_t bytes() const;
   bool sub_dead(std::uint32_t sub) const { return flags_[sub] & kDead; }
 
  private:
-  // An event refers to a crossing (and which of its two segments this is) or to a touch.
-  struct Event {
-    double t;
-    float error;
-    std::uint32_t ref;
-  };
+  // An event of a segment is a crossing or a touch.
   static constexpr std::uint32_t kTouchBit = 0x80000000;
   enum Flag : std::uint8_t { kDead = 1, kDegenerateStart = 2, kDegenerateEnd = 4, kEntered = 8 };
 
+  Step linked(Step from) const;
+  std::uint32_t linked_node(Step at) const;
   void build_events();
   void sort_events();
   void mark_dead(const Array<DeadMark>& marks);
@@ -95,27 +136,49 @@ class Arrangement {
   void link_rays(Array<Ray>& rays, const Node& where);
   std::pair<std::uint32_t, std::uint32_t> equal_run(std::uint32_t s, std::uint32_t k) const;
   double denominator(std::uint32_t s, const Cut& cut, double& relative_error) const;
-  double step_error(double t_error, double dx, double dy) const;
-  Cut event_cut(const Event& e, std::uint32_t segment) const;
-  SubEnd event_end(const Event& e, std::uint32_t segment) const;
-  int compare_events(std::uint32_t s, const Event& a, const Event& b) const;
-  bool is_a(const Event& e, std::uint32_t s) const { return meetings_.crossings[e.ref].a == s; }
+  // The start, the step (t's own error, its rounding and the direction's) and the final sum.
+  double step_error(double t_error, double dx, double dy) const {
+    const double length = std::max(std::abs(dx), std::abs(dy));
+    return 2 * soup_.point_error + (t_error + 0x1p-51) * length + 0x1p-52 * soup_.lattice.span;
+  }
+  // The k-th event of segment s, k < event_count(s); its parameter and a bound on the parameter's error.
+  std::uint32_t event(std::uint32_t s, std::uint32_t k) const { return events_[first_event_[s] + k]; }
+  double parameter(std::uint32_t s, std::uint32_t event) const {
+    if (event & kTouchBit) return meetings_.touches[event & ~kTouchBit].t;
+    const Crossing& c = meetings_.crossings[event];
+    return c.a == s ? c.ta : c.tb;
+  }
+  double parameter_error(std::uint32_t s, std::uint32_t event) const {
+    if (event & kTouchBit) return meetings_.touches[event & ~kTouchBit].error;
+    return soup_.parameter_error(s, other(s, event));
+  }
+  // The other segment of a crossing.
+  std::uint32_t other(std::uint32_t s, std::uint32_t crossing) const {
+    const Crossing& c = meetings_.crossings[crossing];
+    return c.a == s ? c.b : c.a;
+  }
+  std::uint32_t position(std::uint32_t s, std::uint32_t event) const;
+  Cut event_cut(std::uint32_t s, std::uint32_t event) const;
+  Place event_place(std::uint32_t s, std::uint32_t event) const;
+  SubEnd event_end(std::uint32_t s, std::uint32_t event) const {
+    if (event & kTouchBit) return {true, meetings_.touches[event & ~kTouchBit].pair, 0};
+    return {false, {}, other(s, event)};
+  }
+  int compare_events(std::uint32_t s, std::uint32_t a, std::uint32_t b) const;
 
   const Soup& soup_;
   const Chain& chain_;
   Meetings meetings_;
   Array<std::uint32_t> first_event_;
-  Array<Event> events_;
-  struct Positions {
-    std::uint32_t a, b;  // event indices within the two segments
-  };
-  Array<Positions> positions_;  // per crossing
+  Array<std::uint32_t> events_;
+  Array<std::uint32_t> sub_after_;  // per crossing: the sub-edge of its a that starts there, which continues b
   Array<std::uint8_t> flags_;   // per sub-edge
   struct Link {
     Step to;
     std::uint32_t node = 0;
   };
-  std::pmr::unordered_map<std::uint32_t, Link> links_;  // at degenerate ends
+  KeyNumbers linked_subs_;  // sub-edges with degenerate ends, where the boundary goes on,
+  Array<Link> links_;       // and there
   Array<Node> nodes_;
   Array<Step> covered_subs_;
   Array<std::uint32_t> suspects_;  // segments with touches, or with events that may coincide

@@ -18,15 +18,17 @@ int half(const Soup& soup, std::uint32_t s) {
 int turning_number(const Soup& soup, const Array<Step>& steps) {
   int turns = 0;
   std::uint32_t last = steps.back().segment;
+  int from = half(soup, last);
   for (const Step& step : steps) {
     const std::uint32_t s = step.segment;
-    const int from = half(soup, last), to = half(soup, s);
+    const int to = half(soup, s);
     if (from != to) {
       const int c = soup.cross(last, s);
       if (c > 0 && from == 1) ++turns;
       if (c < 0 && from == 0) --turns;
     }
     last = s;
+    from = to;
   }
   return turns;
 }
@@ -36,23 +38,23 @@ int turning_number(const Soup& soup, const Array<Step>& steps) {
 Array<BoundaryLoop> find_loops(const Soup& soup, const Arrangement& arrangement) {
   Array<BoundaryLoop> loops(soup.memory);
   Array<std::uint8_t> seen(arrangement.sub_count(), 0, soup.memory);
-  Array<Step> path(soup.memory);
-  for (std::uint32_t s = 0; s < soup.size(); ++s) {
-    const std::uint32_t first = arrangement.first_sub(s), count = arrangement.event_count(s) + 1;
-    for (std::uint32_t k = 0; k < count; ++k) {
-      const Step start{first + k, s};
-      if (seen[start.sub] || !arrangement.alive_at_start(start)) continue;
+  Array<Step> path(arrangement.sub_count(), soup.memory);
+  const std::uint32_t segments = static_cast<std::uint32_t>(soup.size());
+  for (std::uint32_t s = 0, sub = 0; s < segments; ++s) {
+    for (const std::uint32_t last = sub + arrangement.event_count(s); sub <= last; ++sub) {
+      const Step start{sub, s};
+      if (seen[sub] || !arrangement.alive_at_start(start)) continue;
       // The successor map is injective, so a walk either comes back to its start or belongs to no cycle.
-      path.clear();
+      std::size_t length = 0;
       Step at = start;
       do {
         seen[at.sub] = 1;
-        path.push_back(at);
+        path[length++] = at;
         at = arrangement.successor(at);
       } while (at.sub != kNone && !seen[at.sub]);
       if (at.sub != start.sub) continue;
-      BoundaryLoop loop{Array<Step>(path, soup.memory), 0};
-      loop.turning = turning_number(soup, path);
+      BoundaryLoop loop{Array<Step>(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(length), soup.memory), 0};
+      loop.turning = turning_number(soup, loop.steps);
       loops.push_back(std::move(loop));
     }
   }
@@ -80,15 +82,28 @@ std::size_t outer_loop(const Arrangement& arrangement, const Array<BoundaryLoop>
   return leftmost_loop(loops.size(), [&](std::size_t i) { return loops[i].turning < 0; }, for_each_end);
 }
 
+// Whether the middle of a sub-edge lies in a dead cell: then the loop is false.
+bool passes_dead_cell(const Soup& soup, const Arrangement& arrangement, const BoundaryLoop& loop,
+                      const InteriorMask& mask) {
+  const Grid& g = mask.grid();
+  return std::any_of(loop.steps.begin(), loop.steps.end(), [&](const Step& step) {
+    const SoupBox& b = soup.boxes[step.segment];
+    const double middle = 0.5 * (arrangement.start_parameter(step) + arrangement.end_parameter(step));
+    return mask.dead(g.row(b.ay + middle * soup.dy(step.segment)), g.column(b.ax + middle * soup.dx(step.segment))) &&
+           arrangement.inner_parameter(step).has_value();
+  });
+}
+
 }  // namespace
 
 SortedLoops verify_loops(const Soup& soup, const Arrangement& arrangement, Array<BoundaryLoop> loops,
-                         Collision& collision, bool connected) {
+                         Collision& collision, bool connected, const InteriorMask* mask) {
   SortedLoops out{Array<BoundaryLoop>(soup.memory), Array<BoundaryLoop>(soup.memory)};
   const std::size_t outer = connected ? outer_loop(arrangement, loops) : loops.size();
   for (std::size_t i = 0; i < loops.size(); ++i) {
     bool keep = i == outer;
-    if (!keep && (outer == loops.size() || loops[i].turning < 0)) {
+    if (!keep && (outer == loops.size() || loops[i].turning < 0) &&
+        (mask == nullptr || !passes_dead_cell(soup, arrangement, loops[i], *mask))) {
       // The longest sub-edge gives the sample that is easiest to decide.
       const auto length = [&](const Step& s) {
         return (arrangement.end_parameter(s) - arrangement.start_parameter(s)) *
@@ -111,21 +126,23 @@ SortedLoops verify_loops(const Soup& soup, const Arrangement& arrangement, Array
 // At a node that several kept passes share, every pass in is joined to the next way out clockwise from it: interior pairing. Rings
 // then bound connected interiors; those that still meet themselves are cut at the repeated node.
 Array<BoundaryLoop> simple_rings(const Soup& soup, const Arrangement& arrangement, Array<BoundaryLoop> loops) {
+  Array<std::uint32_t> visits(arrangement.degenerate_nodes() + 1, 0, soup.memory);
+  bool repeated = false;
+  for (const BoundaryLoop& loop : loops)
+    for (const Step& step : loop.steps)
+      if (const std::uint32_t node = arrangement.end_node(step); node != kNone) repeated |= ++visits[node] > 1;
+  if (!repeated) return loops;
+
   struct Pass {
     Step in, out;
   };
   std::unordered_map<std::uint32_t, std::vector<Pass>> nodes;
-  bool repeated = false;
   for (const BoundaryLoop& loop : loops)
     for (std::size_t i = 0; i < loop.steps.size(); ++i) {
       const std::uint32_t node = arrangement.end_node(loop.steps[i]);
-      if (node == kNone) continue;
-      auto& passes = nodes[node];
-      passes.push_back({loop.steps[i], loop.steps[(i + 1) % loop.steps.size()]});
-      repeated |= passes.size() > 1;
+      if (node == kNone || visits[node] < 2) continue;
+      nodes[node].push_back({loop.steps[i], loop.steps[(i + 1) % loop.steps.size()]});
     }
-  if (!repeated) return loops;
-
   std::unordered_map<std::uint32_t, Step> next;  // by sub-edge
   std::vector<Step> order;
   for (const BoundaryLoop& loop : loops)
@@ -134,7 +151,6 @@ Array<BoundaryLoop> simple_rings(const Soup& soup, const Arrangement& arrangemen
       order.push_back(loop.steps[i]);
     }
   for (auto& [node, passes] : nodes) {
-    if (passes.size() < 2) continue;
     struct Ray {
       Step step;
       bool out;
@@ -195,13 +211,6 @@ Array<BoundaryLoop> simple_rings(const Soup& soup, const Arrangement& arrangemen
 // Doubles worse than this share of the span are replaced by the rounded exact position.
 constexpr double kPoor = 0x1p-38;
 
-Contact contact_of(const Soup& soup, std::uint32_t segment) {
-  const SoupSegment& g = soup.segments[segment];
-  const std::uint32_t edge = soup.operands[g.side()]->edge_number[g.edge()];
-  const std::uint32_t vertex = soup.operands[1 - g.side()]->vertex_number[g.vertex];
-  return g.side() == 0 ? Contact{Contact::Kind::edge_of_p, edge, vertex} : Contact{Contact::Kind::edge_of_q, vertex, edge};
-}
-
 double position_error(const Soup& soup, const Place& place) { return std::min(place.error, kPoor * soup.lattice.span); }
 
 SumVertex vertex_of(const Soup& soup, std::uint32_t in, std::uint32_t out, const SubEnd& end, const Place& place) {
@@ -238,30 +247,39 @@ SumRing make_ring(const Soup& soup, const Arrangement& arrangement, const Bounda
   const double poor = kPoor * soup.lattice.span;
   SumRing ring;
   ring.vertices.reserve(n);
+  double worst = error;
   Contact out = contact_of(soup, steps[0].segment);
   for (std::size_t i = 0; i < n; ++i) {
-    const Step &step = steps[i], &next = steps[i + 1 == n ? 0 : i + 1];
-    if (step.segment == next.segment) continue;
+    const Step step = steps[i];
+    const std::uint32_t s = step.segment, next = steps[i + 1 == n ? 0 : i + 1].segment;
+    if (s == next) continue;
     const Contact in = out;
-    out = contact_of(soup, next.segment);
-    if (soup.cross(step.segment, next.segment) == 0) continue;  // straight on
-    const Arrangement::RoundedEnd at = arrangement.rounded_end(step);
-    if (at.error > poor) {
-      const Place place = arrangement.end_place(step);
-      error = std::max(error, position_error(soup, place));
-      ring.vertices.push_back(vertex_of(soup, step.segment, next.segment, arrangement.end_of(step), place));
+    out = contact_of(soup, next);
+    if (soup.cross(s, next) == 0) continue;  // straight on
+    if (step.sub - arrangement.first_sub(s) == arrangement.event_count(s)) {
+      const WalkPair corner = soup.end(s);
+      const SoupBox& box = soup.boxes[s];
+      worst = std::max(worst, soup.point_error);
+      ring.vertices.push_back({soup.lattice.to_input(box.bx, box.by), in, out,
+                               soup.operands[0]->vertex_number[corner.p], soup.operands[1]->vertex_number[corner.q]});
       continue;
     }
-    error = std::max(error, at.error);
-    SumVertex& v = ring.vertices.emplace_back();
-    v.in = in;
-    v.out = out;
-    if (const SubEnd end = arrangement.end_of(step); end.pair) {
+    const Arrangement::RoundedEnd at = arrangement.rounded_end(step);
+    const SubEnd end = arrangement.end_of(step);
+    if (at.error > poor) {
+      const Place place = arrangement.end_place(step);
+      worst = std::max(worst, position_error(soup, place));
+      ring.vertices.push_back(vertex_of(soup, s, next, end, place));
+      continue;
+    }
+    worst = std::max(worst, at.error);
+    SumVertex& v = ring.vertices.emplace_back(SumVertex{soup.lattice.to_input(at.x, at.y), in, out});
+    if (end.pair) {
       v.corner_p = soup.operands[0]->vertex_number[end.at.p];
       v.corner_q = soup.operands[1]->vertex_number[end.at.q];
     }
-    v.at = soup.lattice.to_input(at.x, at.y);
   }
+  error = worst;
   return ring;
 }
 

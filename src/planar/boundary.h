@@ -7,6 +7,7 @@
 #include "dymsum/planar_sum.h"
 #include "planar/arrangement.h"
 #include "planar/collision.h"
+#include "planar/interior_mask.h"
 #include "planar/soup.h"
 
 namespace dymsum::planar {
@@ -22,18 +23,24 @@ struct BoundaryLoop {
 /// All cycles.
 Array<BoundaryLoop> find_loops(const Soup& soup, const Arrangement& arrangement);
 
-/// Splits loops into true and false ones. With `connected`, the sum has one outer boundary, which needs no test.
+/// Splits loops into true and false ones. With `connected`, the sum has one outer boundary, which needs no test; with a
+/// mask, nor do loops that pass dead cells.
 struct SortedLoops {
   Array<BoundaryLoop> kept, dropped;
 };
 SortedLoops verify_loops(const Soup& soup, const Arrangement& arrangement, Array<BoundaryLoop> loops, Collision& collision,
-                         bool connected);
+                         bool connected, const InteriorMask* mask = nullptr);
 
 /// Loops that meet themselves or each other at nodes are cut there so that every ring is simple and bounds a connected interior.
 Array<BoundaryLoop> simple_rings(const Soup& soup, const Arrangement& arrangement, Array<BoundaryLoop> loops);
 
 /// Provenance.
-Contact contact_of(const Soup& soup, std::uint32_t segment);
+inline Contact contact_of(const Soup& soup, std::uint32_t segment) {
+  const SoupSegment& g = soup.segments[segment];
+  const std::uint32_t edge = soup.operands[g.side()]->edge_number[g.edge()];
+  const std::uint32_t vertex = soup.operands[1 - g.side()]->vertex_number[g.vertex];
+  return g.side() == 0 ? Contact{Contact::Kind::edge_of_p, edge, vertex} : Contact{Contact::Kind::edge_of_q, vertex, edge};
+}
 SumVertex vertex_of(const Soup& soup, std::uint32_t in, std::uint32_t out, const SubEnd& end, const Place& place);
 
 /// The ring of a loop with collinear steps merged; grows `error` to the largest error of a position, in input coordinates.

@@ -33,7 +33,11 @@ int Collision::side(std::uint32_t op, std::uint32_t edge, std::uint32_t vertex) 
   }
   ++counts_.exact;
   const Segment s{o.edge(edge), other.source[vertex]};
-  const int exact = lattice_.side(s, *x_);
+  const Segment& on = x_->on;
+  // x lies on the segment that it is given on: no need to ask.
+  const bool own =
+      s.edge.op == on.edge.op && s.edge.from == on.edge.from && s.edge.to == on.edge.to && s.vertex == on.vertex;
+  const int exact = own ? 0 : lattice_.side(s, *x_);
   if (exact != 0 || !displaced_) return exact;
   // d x (right normal of the carrier) = -(d . carrier); if that is zero too, d x carrier decides, as edges are not zero.
   const int first = -lattice_.dot(s.edge, x_->on.edge);

@@ -30,6 +30,33 @@ std::size_t merge_positions(const Lattice& lattice, const Operand& own_op, const
   return equal;
 }
 
+// Both at once for a list of P and a list of Q: for every position of Q's the directions of P that are not greater, for
+// every position of P's the directions of Q that are less. Returns how many positions of P have an equal direction.
+std::size_t merge_both(const Lattice& lattice, const Operand& p, const DirectionList& of_p, const Operand& q,
+                       const DirectionList& of_q, Array<std::uint32_t>& bound_q, Array<std::uint32_t>& bound_p) {
+  const auto n = static_cast<std::uint32_t>(of_p.edges.size()), m = static_cast<std::uint32_t>(of_q.edges.size());
+  bound_p.resize(n);
+  bound_q.resize(m);
+  std::uint32_t i = 0, j = 0;
+  std::size_t equal = 0;
+  for (; i < n && j < m;) {
+    const double gap = of_q.keys[j] - of_p.keys[i];
+    bool p_first = gap > 0;
+    if (gap <= kAngleError && gap >= -kAngleError) {
+      const int c = compare_directions(lattice, q.edge(of_q.edges[j]), p.edge(of_p.edges[i]));
+      equal += c == 0;
+      p_first = c >= 0;
+    }
+    if (p_first)
+      bound_p[i++] = j;
+    else
+      bound_q[j++] = i;
+  }
+  for (; i < n; ++i) bound_p[i] = m;
+  for (; j < m; ++j) bound_q[j] = n;
+  return equal;
+}
+
 }  // namespace
 
 // Widths are differences of input coordinates, compared exactly: as edges of the two operands along an axis they need no new sign.
@@ -88,12 +115,21 @@ void ReducedConvolution::add_pair(std::uint32_t cp, std::uint32_t cq, std::pmr::
       lists_.push_back(&own_lists_.front());
     }
   }
+  using Positions = Array<std::uint32_t>;
+  std::array<Positions, 2> with_holes{Positions(memory), Positions(memory)};
+  std::array<Positions, 2> without{Positions(memory), Positions(memory)};
+  const auto single_loop = [&](std::uint32_t op) {
+    const Component& c = operands_[op]->components[index[op]];
+    return c.last_loop - c.first_loop == 1 && c.dimension > 0;
+  };
+  if (single_loop(0) && single_loop(1))
+    parallel_edges_ += merge_both(lattice_, *operands_[0], *lists_[whole[0]], *operands_[1], *lists_[whole[1]],
+                                  with_holes[0], with_holes[1]);
   for (std::uint32_t side = 0; side < 2; ++side) {
     const std::uint32_t vertex_op = 1 - side;
     const Operand &edge_operand = *operands_[side], &o = *operands_[vertex_op];
     const Component& c = o.components[index[vertex_op]];
     const DirectionList& own = *lists_[whole[vertex_op]];
-    std::array<Array<std::uint32_t>, 2> positions{Array<std::uint32_t>(memory), Array<std::uint32_t>(memory)};  // with holes, without
     for (std::uint32_t l = c.first_loop; l < c.last_loop; ++l) {
       const Loop& loop = o.loops[l];
       if (!filled[vertex_op].empty() && filled[vertex_op][l]) continue;
@@ -107,7 +143,7 @@ void ReducedConvolution::add_pair(std::uint32_t cp, std::uint32_t cq, std::pmr::
       }
       if (n == 0) continue;
       // Half-open turns with opposite ends: (in, out] against edges of P, [in, out) against edges of Q.
-      Array<std::uint32_t>& bound = positions[variant];
+      Positions& bound = variant == 0 ? with_holes[side] : without[side];
       if (bound.empty()) {
         if (side == 0)
           merge_positions<true>(lattice_, o, own, edge_operand, *lists_[list], bound);
@@ -130,16 +166,8 @@ void ReducedConvolution::add_pair(std::uint32_t cp, std::uint32_t cq, std::pmr::
 }
 
 std::uint32_t ReducedConvolution::find(std::uint32_t side, std::uint32_t edge, std::uint32_t vertex) const {
-  const std::uint32_t component = operands_[side]->component_of[edge];
-  const Turn& t = turns_[side][std::size_t{vertex} * columns_[side] + component];
-  if (t.count == 0) return kNoRank;
-  const DirectionList& list = *lists_[t.list];
-  if (edge < list.base || edge - list.base >= list.rank.size()) return kNoRank;
-  const std::uint32_t rank = list.rank[edge - list.base];
-  if (rank == kNoRank) return kNoRank;
-  const std::uint32_t n = static_cast<std::uint32_t>(list.edges.size());
-  const std::uint32_t k = rank >= t.lo ? rank - t.lo : rank + n - t.lo;
-  return k < t.count ? t.base + k : kNoRank;
+  const std::uint32_t component = columns_[side] == 1 ? 0 : operands_[side]->component_of[edge];
+  return id(turns_[side][std::size_t{vertex} * columns_[side] + component], edge);
 }
 
 std::uint32_t ReducedConvolution::next(const WalkSegment& s) const {
@@ -147,6 +175,29 @@ std::uint32_t ReducedConvolution::next(const WalkSegment& s) const {
   const std::uint32_t same_side = find(s.side, turned, s.vertex);
   if (same_side != kNoRank) return same_side;
   return find(1 - s.side, s.vertex, turned);
+}
+
+// A segment (e, v) is continued by (next e, v) where v still meets that edge, else by v's edge at the vertex behind e.
+void ReducedConvolution::fill_next(std::span<std::uint32_t> next) const {
+  std::uint32_t* to = next.data();
+  for (std::uint32_t side = 0; side < 2; ++side) {
+    const Operand &o = *operands_[side], &other = *operands_[1 - side];
+    const std::uint32_t columns = columns_[side], other_columns = columns_[1 - side];
+    const Turn* t = turns_[side].data();
+    for (std::uint32_t v = 0; v < other.size(); ++v) {
+      const Turn* turns_at = turns_[1 - side].data() + (other_columns == 1 ? 0 : other.component_of[v]);
+      for (std::uint32_t c = 0; c < columns; ++c, ++t) {
+        if (t->count == 0) continue;
+        const DirectionList& list = *lists_[t->list];
+        const std::uint32_t n = static_cast<std::uint32_t>(list.edges.size());
+        for (std::uint32_t k = 0, at = t->lo; k < t->count; ++k, at = at + 1 == n ? 0 : at + 1) {
+          const std::uint32_t turned = o.next[list.edges[at]];
+          const std::uint32_t same_side = id(*t, turned);
+          *to++ = same_side != kNoRank ? same_side : id(turns_at[std::size_t{turned} * other_columns], v);
+        }
+      }
+    }
+  }
 }
 
 std::uint32_t ReducedConvolution::prev(const WalkSegment& s) const {

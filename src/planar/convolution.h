@@ -39,6 +39,9 @@ class ReducedConvolution {
   std::uint32_t next(const WalkSegment& s) const;
   std::uint32_t prev(const WalkSegment& s) const;
 
+  /// next() of every segment, in the order of ids. Requires: next has size() entries.
+  void fill_next(std::span<std::uint32_t> next) const;
+
   /// Calls f(side, vertex, edges, lo, count) for every vertex that has segments, in the order of ids: with the edges at positions lo,
   /// lo + 1, ... of the cyclic list.
   template <class F>
@@ -64,6 +67,17 @@ class ReducedConvolution {
   std::size_t parallel_edges() const { return parallel_edges_; }
 
  private:
+  // The id of the segment of an edge that belongs to the turn's component, or kNoRank.
+  std::uint32_t id(const Turn& t, std::uint32_t edge) const {
+    if (t.count == 0) return kNoRank;
+    const DirectionList& list = *lists_[t.list];
+    if (edge < list.base || edge - list.base >= list.rank.size()) return kNoRank;
+    const std::uint32_t rank = list.rank[edge - list.base];
+    if (rank == kNoRank) return kNoRank;
+    const std::uint32_t n = static_cast<std::uint32_t>(list.edges.size());
+    const std::uint32_t k = rank >= t.lo ? rank - t.lo : rank + n - t.lo;
+    return k < t.count ? t.base + k : kNoRank;
+  }
   void add_pair(std::uint32_t cp, std::uint32_t cq, std::pmr::memory_resource* memory);
 
   const Lattice& lattice_;

@@ -1,8 +1,11 @@
 #include "planar/crossings.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstring>
 #include <functional>
+#include <limits>
 #include <tuple>
 
 namespace dymsum::planar {
@@ -19,27 +22,44 @@ bool boxes_meet(std::uint64_t high, std::uint64_t low) { return (((high | kGuard
 
 }  // namespace
 
+// Zero where the span is minute or huge, so that the factor is not a number of use: then all boxes meet.
+double CrossingFinder::quanta_per_unit() const {
+  const double factor = (kQuanta - 3) / soup_.lattice.span;
+  return factor <= std::numeric_limits<double>::max() ? factor : 0;
+}
+
+// Monotone; one quantum more at the upper end covers the rounding of the coordinates. They lie in [0, span], up to that
+// rounding.
+CrossingFinder::BoxQuanta CrossingFinder::quanta(const SoupBox& b, double per_quantum) const {
+  const auto quantum = [&](double v) { return static_cast<std::int16_t>(static_cast<int>(v * per_quantum)); };
+  const auto after = [&](double v) { return static_cast<std::int16_t>(static_cast<int>(v * per_quantum) + 1); };
+  return {quantum(std::min(b.ax, b.bx)), quantum(std::min(b.ay, b.by)), after(std::max(b.ax, b.bx)),
+          after(std::max(b.ay, b.by))};
+}
+
+void CrossingFinder::make_lines() {
+  const std::uint32_t n = static_cast<std::uint32_t>(soup_.size());
+  lines_.resize(n);
+  for (std::uint32_t s = 0; s < n; ++s) lines_[s] = line(s);
+}
+
 void CrossingFinder::make_keys() {
-  const double per_quantum = (kQuanta - 2) / soup_.lattice.span;
-  // Monotone; one quantum more at the upper end covers the rounding of the coordinates. A span that is minute or huge, so that the
-  // factor is not a number of use, leaves all boxes meeting.
-  const auto quantum = [&](double v) { return std::isfinite(per_quantum) ? std::clamp(static_cast<int>(v * per_quantum), 0, kQuanta - 1) : 0; };
+  const double per_quantum = quanta_per_unit();
   const auto word = [](int a, int b, int c, int d) {
     return static_cast<std::uint64_t>(a) | static_cast<std::uint64_t>(b) << 16 | static_cast<std::uint64_t>(c) << 32 |
            static_cast<std::uint64_t>(d) << 48;
   };
   keys_.resize(soup_.size());
-  for (std::size_t s = 0; s < soup_.size(); ++s) {
-    const SoupBox& b = soup_.boxes[s];
-    const int x0 = quantum(std::min(b.ax, b.bx)), y0 = quantum(std::min(b.ay, b.by));
-    const int x1 = quantum(std::max(b.ax, b.bx)) + 1, y1 = quantum(std::max(b.ay, b.by)) + 1;
-    keys_[s] = {word(x0, y0, kQuanta - x1, kQuanta - y1), word(x1, y1, kQuanta - x0, kQuanta - y0)};
+  for (std::uint32_t s = 0; s < soup_.size(); ++s) {
+    const BoxQuanta b = quanta(soup_.boxes[s], per_quantum);
+    keys_[s] = {word(b.x0, b.y0, kQuanta - b.x1, kQuanta - b.y1), word(b.x1, b.y1, kQuanta - b.x0, kQuanta - b.y0)};
   }
 }
 
 void CrossingFinder::all_pairs() {
   const std::uint32_t n = static_cast<std::uint32_t>(soup_.size());
   make_keys();
+  make_lines();
   near_.resize(n);
   for (std::uint32_t i = 0; i < n && !stopped; ++i) {
     if (poll != nullptr && i % 256 == 255 && !(*poll)(double(i) / n)) stopped = true;
@@ -49,74 +69,165 @@ void CrossingFinder::all_pairs() {
       *near = j;
       near += boxes_meet(high, keys_[j].low);
     }
-    for (const std::uint32_t* j = near_.data(); j != near; ++j) test(i, *j);
+    for (const std::uint32_t* j = near_.data(); j != near; ++j) test(i, lines_[i], *j, lines_[*j]);
   }
   out_.pair_tests = std::uint64_t(n) * (n - (n > 0)) / 2;
-  peak_bytes_ = keys_.capacity() * sizeof(BoxKey) + near_.capacity() * 4;
+  finish();
+}
+
+namespace {
+
+// Eight 16-bit numbers; comparing gives -1 or 0 in each. In memory the first one comes first, and so in a word read
+// from there its low bits.
+static_assert(std::endian::native == std::endian::little);
+using Lanes = std::int16_t __attribute__((vector_size(16)));
+constexpr std::uint32_t kLanes = 8;
+
+Lanes load(const std::int16_t* from) {
+  Lanes v;
+  std::memcpy(&v, from, sizeof v);
+  return v;
+}
+
+}  // namespace
+
+// Numbers of n segments behind the left sides of their boxes, in order: by buckets first where they are many, then by
+// insertion.
+void CrossingFinder::sort_by_left(Array<std::uint64_t>& order) const {
+  const std::size_t n = order.size();
+  if (n > 24) {
+    const int shift = 32 + 15 - std::min(11, static_cast<int>(std::bit_width(n)));
+    Array<std::uint32_t> start((std::uint64_t{kQuanta} << 32 >> shift) + 2, 0, soup_.memory);
+    for (const std::uint64_t o : order) ++start[(o >> shift) + 1];
+    for (std::size_t b = 1; b < start.size(); ++b) start[b] += start[b - 1];
+    Array<std::uint64_t> sorted(n, soup_.memory);
+    for (const std::uint64_t o : order) sorted[start[o >> shift]++] = o;
+    order.swap(sorted);
+  }
+  for (std::size_t k = 1; k < n; ++k) {
+    const std::uint64_t o = order[k];
+    std::size_t at = k;
+    for (; at > 0 && order[at - 1] > o; --at) order[at] = order[at - 1];
+    order[at] = o;
+  }
+}
+
+void CrossingFinder::sweep(const InteriorMask* mask) {
+  mask_ = mask;
+  const std::uint32_t n = static_cast<std::uint32_t>(soup_.size());
+  const double per_quantum = quanta_per_unit();
+  make_lines();
+  Array<BoxQuanta> boxes(n, soup_.memory);
+  Array<std::uint64_t> order(n, soup_.memory);
+  for (std::uint32_t s = 0; s < n; ++s) {
+    boxes[s] = quanta(soup_.boxes[s], per_quantum);
+    order[s] = static_cast<std::uint64_t>(boxes[s].x0) << 32 | s;
+  }
+  sort_by_left(order);
+  // Behind the last box lie some that start to the right of everything and meet nothing.
+  const std::size_t padded = std::size_t{n} + 2 * kLanes;
+  Array<std::int16_t> sides(3 * padded, soup_.memory);
+  std::int16_t *x0 = sides.data(), *y0 = x0 + padded, *y1 = y0 + padded;
+  for (std::uint32_t k = 0; k < n; ++k) {
+    const BoxQuanta& b = boxes[order[k] & 0xffffffff];
+    x0[k] = b.x0;
+    y0[k] = b.y0;
+    y1[k] = b.y1;
+  }
+  for (std::size_t k = n; k < padded; ++k) {
+    x0[k] = y0[k] = std::numeric_limits<std::int16_t>::max();
+    y1[k] = -1;
+  }
+  for (std::uint32_t i = 0; i < n && !stopped; ++i) {
+    if (poll != nullptr && i % 256 == 255 && !(*poll)(double(i) / n)) stopped = true;
+    const std::uint32_t s = static_cast<std::uint32_t>(order[i]);
+    const Line& line_s = lines_[s];
+    const std::int16_t right = boxes[s].x1;
+    const Lanes low = Lanes{} + y0[i], high = Lanes{} + y1[i];
+    std::uint32_t j = i + 1;
+    for (; x0[j] <= right; j += kLanes) {
+      const Lanes meets = (load(y0 + j) <= high) & (load(y1 + j) >= low);
+      std::array<std::uint64_t, 2> halves;
+      std::memcpy(&halves, &meets, sizeof halves);
+      if ((halves[0] | halves[1]) == 0) continue;
+      for (std::uint32_t half = 0; half < 2; ++half)
+        for (std::uint64_t hits = halves[half]; hits != 0;) {
+          const int lane = std::countr_zero(hits) / 16;
+          hits &= ~(std::uint64_t{0xffff} << 16 * lane);
+          const auto t = static_cast<std::uint32_t>(order[j + 4 * half + static_cast<std::uint32_t>(lane)]);
+          test(s, line_s, t, lines_[t]);
+        }
+    }
+    out_.pair_tests += j - i - 1;
+  }
   finish();
 }
 
 void CrossingFinder::pairs(std::span<const std::array<std::uint32_t, 2>> list) {
-  for (const auto& [i, j] : list) test(i, j);
+  for (const auto& [i, j] : list) test(i, line(i), j, line(j));
   out_.pair_tests = list.size();
   finish();
 }
 
-void CrossingFinder::test(std::uint32_t i, std::uint32_t j) {
+// Two opposite sides of a line, both certain.
+inline bool opposite(double s, double t, double error) { return (s > error && t < -error) || (s < -error && t > error); }
+
+void CrossingFinder::test(std::uint32_t i, const Line& line_i, std::uint32_t j, const Line& line_j) {
   const SoupBox &a = soup_.boxes[i], &b = soup_.boxes[j];
-  const double a_dx = soup_.dx(i), a_dy = soup_.dy(i), b_dx = soup_.dx(j), b_dy = soup_.dy(j);
-  if (chain_ != nullptr && (chain_->next(i) == j || chain_->next(j) == i)) {
-    // Neighbours in a chain that do not fold back meet in their common end only.
-    const double u = a_dx * b_dy, v = a_dy * b_dx;
-    if (std::abs(u - v) > 0x1p-49 * (std::abs(u) + std::abs(v)) + 0x1p-1000) return;
-  }
+  const double a_dx = line_i.dx, a_dy = line_i.dy, b_dx = line_j.dx, b_dy = line_j.dy;
+  const double u = a_dx * b_dy, v = a_dy * b_dx;
+  const bool parallel = std::abs(u - v) <= 0x1p-49 * (std::abs(u) + std::abs(v)) + 0x1p-1000;  // perhaps
+  // Neighbours in a chain that do not fold back meet in their common end only.
+  if ((line_i.next == j || line_j.next == i) && !parallel) return;
   const double a_error = soup_.side_error * (std::abs(a_dx) + std::abs(a_dy));
-  const double b_error = soup_.side_error * (std::abs(b_dx) + std::abs(b_dy));
   const double o1 = a_dx * (b.ay - a.ay) - a_dy * (b.ax - a.ax);
   const double o2 = a_dx * (b.by - a.ay) - a_dy * (b.bx - a.ax);
   if ((o1 > a_error && o2 > a_error) || (o1 < -a_error && o2 < -a_error)) return;
+  const double b_error = soup_.side_error * (std::abs(b_dx) + std::abs(b_dy));
   const double o3 = b_dx * (a.ay - b.ay) - b_dy * (a.ax - b.ax);
   const double o4 = b_dx * (a.by - b.ay) - b_dy * (a.bx - b.ax);
   if ((o3 > b_error && o4 > b_error) || (o3 < -b_error && o4 < -b_error)) return;
-  if (std::abs(o1) > a_error && std::abs(o2) > a_error && std::abs(o3) > b_error && std::abs(o4) > b_error)
+  if (opposite(o1, o2, a_error) && opposite(o3, o4, b_error)) {
+    const double size = std::abs(u - v);
+    if (!(8 * std::max(a_error, b_error) < 0.5 * Meetings::kFine * size)) out_.rough = true;
     return add_crossing(i, j, o3, o4, o1, o2);
-  if (soup_.end(i) == soup_.start(j) || soup_.end(j) == soup_.start(i)) {
-    // So do others that share an end.
-    const double u = a_dx * b_dy, v = a_dy * b_dx;
-    if (std::abs(u - v) > 0x1p-49 * (std::abs(u) + std::abs(v)) + 0x1p-1000 && i < first_unchained && j < first_unchained)
-      return;
   }
+  // Others that share an end.
+  const bool in_chains = i < first_unchained && j < first_unchained;
+  if (!parallel && in_chains && (soup_.end(i) == soup_.start(j) || soup_.end(j) == soup_.start(i))) return;
   exact_test(i, j);
+}
+
+// Whether the crossing of a and b, at parameter t of a, certainly lies in a dead cell, which is in Mo with more around
+// it than t errs.
+bool CrossingFinder::in_dead_cell(std::uint32_t a, std::uint32_t b, double t) const {
+  const Grid& g = mask_->grid();
+  const double dx = soup_.dx(a), dy = soup_.dy(a);
+  if (!mask_->dead(g.row(soup_.boxes[a].ay + t * dy), g.column(soup_.boxes[a].ax + t * dx))) return false;
+  return soup_.parameter_error(a, b) * (std::abs(dx) + std::abs(dy)) * g.per_cell < kReach;
 }
 
 // a_start, a_end: the sides of a's ends with respect to b, of opposite signs.
 void CrossingFinder::add_crossing(std::uint32_t i, std::uint32_t j, double a_start, double a_end, double b_start, double b_end) {
-  Crossing c;
-  c.a = i;
-  c.b = j;
-  // Numerator and denominator err by at most 1.5 and 3 side errors; t is at most 1, its quotient rounded three times.
-  const double per_a = 1 / (a_start - a_end);
-  c.ta = a_start * per_a;
-  c.ea = static_cast<float>(8 * soup_.error(j) * std::abs(per_a) + 0x1p-50);
+  const double t = a_start / (a_start - a_end);
   bool ambiguous = false;
   if (grid_ != nullptr) {
     // The crossing belongs to the cell that holds it; near a border every cell reports it and duplicates are dropped later.
     const SoupBox& a = soup_.boxes[i];
     const double dx = soup_.dx(i), dy = soup_.dy(i);
-    const double x = (a.ax + c.ta * dx) * grid_->per_cell, y = (a.ay + c.ta * dy) * grid_->per_cell;
-    const double error = kReach / 2 + c.ea * (std::abs(dx) + std::abs(dy)) * grid_->per_cell;
+    const double x = (a.ax + t * dx) * grid_->per_cell, y = (a.ay + t * dy) * grid_->per_cell;
+    const double error = kReach / 2 + soup_.parameter_error(i, j) * (std::abs(dx) + std::abs(dy)) * grid_->per_cell;
     const double fx = x - column_, fy = y - row_;
     if (fx < -error || fx > 1 + error || fy < -error || fy > 1 + error) return;
     ambiguous = !(fx > error && fx < 1 - error && fy > error && fy < 1 - error);
+  } else if (mask_ != nullptr && in_dead_cell(i, j, t)) {
+    return;
   }
-  const double per_b = 1 / (b_start - b_end);
-  c.tb = b_start * per_b;
-  c.eb = static_cast<float>(8 * soup_.error(i) * std::abs(per_b) + 0x1p-50);
-  // b's ends go from b_start to b_end across a: d_a x d_b has the sign of b_end.
-  c.sign = b_end > b_start ? 1 : -1;
+  const double u = b_start / (b_start - b_end);
   auto& list = ambiguous ? ambiguous_ : out_.crossings;
   if (list.size() == list.capacity()) list.reserve(64 + list.size() + list.size() / 3);  // the largest array of all: little slack
-  list.push_back(c);
+  // b's ends go from b_start to b_end across a: d_a x d_b has the sign of b_end.
+  list.push_back(b_end > b_start ? Crossing{i, j, t, u} : Crossing{j, i, u, t});
 }
 
 void CrossingFinder::add_touch(std::uint32_t segment, WalkPair pair) {
@@ -130,6 +241,30 @@ void CrossingFinder::add_touch(std::uint32_t segment, WalkPair pair) {
   out_.touches.push_back({segment, pair, std::clamp(t, 0.0, 1.0), static_cast<float>(error)});
 }
 
+// The side of the line of s = `line` on which pair v, rounded (x, y), lies.
+int CrossingFinder::side(std::uint32_t s, const Segment& line, WalkPair v, double x, double y) {
+  if (soup_.lattice.exact_doubles) {
+    const SoupBox& a = soup_.boxes[s];
+    const double value = soup_.dx(s) * (y - a.ay) - soup_.dy(s) * (x - a.ax);
+    return (value > 0) - (value < 0);
+  }
+  ++out_.exact_signs;
+  return soup_.lattice.side(line, soup_.exact(v));
+}
+
+// Whether v, rounded (x, y), which lies on the line of s, lies strictly between its ends.
+bool CrossingFinder::between(std::uint32_t s, const Segment& line, WalkPair v, double x, double y) {
+  const Lattice& l = soup_.lattice;
+  if (l.exact_doubles) {
+    const SoupBox& a = soup_.boxes[s];
+    const double dx = soup_.dx(s), dy = soup_.dy(s);
+    return dx * (x - a.ax) + dy * (y - a.ay) > 0 && dx * (x - a.bx) + dy * (y - a.by) < 0;
+  }
+  out_.exact_signs += 2;
+  const Pair at = soup_.exact(v);
+  return l.along(line, at) > 0 && l.along({{line.edge.op, line.edge.to, line.edge.from}, line.vertex}, at) > 0;
+}
+
 // At least one side is zero or too small for doubles.
 void CrossingFinder::exact_test(std::uint32_t i, std::uint32_t j) {
   const SoupBox &a = soup_.boxes[i], &b = soup_.boxes[j];
@@ -141,44 +276,47 @@ void CrossingFinder::exact_test(std::uint32_t i, std::uint32_t j) {
   if (chained && soup_.cross(i, j) != 0) return;
   const Segment sa = soup_.exact(i), sb = soup_.exact(j);
   const Lattice& l = soup_.lattice;
-  if (a.ax == b.ax && a.ay == b.ay && a.bx == b.bx && a.by == b.by && l.same(soup_.exact(a0), soup_.exact(b0)) &&
-      l.same(soup_.exact(a1), soup_.exact(b1))) {
+  const auto same = [&](double x, double y, WalkPair v, double to_x, double to_y, WalkPair to) {
+    return x == to_x && y == to_y && (l.exact_doubles || l.same(soup_.exact(v), soup_.exact(to)));
+  };
+  if (same(a.ax, a.ay, a0, b.ax, b.ay, b0) && same(a.bx, a.by, a1, b.bx, b.by, b1)) {
     // The same segment twice, which is everywhere in P + P.
     if (!in_chains || !(a0 == b0)) out_.same.emplace_back(a0, b0);
     if (!in_chains || !(a1 == b1)) out_.same.emplace_back(a1, b1);
     return;
   }
-  const int s1 = l.side(sa, soup_.exact(b0)), s2 = l.side(sa, soup_.exact(b1));
-  out_.exact_signs += 4;
+  const int s1 = side(i, sa, b0, b.ax, b.ay), s2 = side(i, sa, b1, b.bx, b.by);
   if (s1 * s2 > 0) return;
-  const int s3 = l.side(sb, soup_.exact(a0)), s4 = l.side(sb, soup_.exact(a1));
+  const int s3 = side(j, sb, a0, a.ax, a.ay), s4 = side(j, sb, a1, a.bx, a.by);
   if (s3 * s4 > 0) return;
   if (s1 != 0 && s2 != 0 && s3 != 0 && s4 != 0) {
     // Opposite on both: the crossing parameters come from doubles that may be smaller than their error; keep t in [0, 1].
     const double a_dx = soup_.dx(i), a_dy = soup_.dy(i), b_dx = soup_.dx(j), b_dy = soup_.dy(j);
     const double o1 = a_dx * (b.ay - a.ay) - a_dy * (b.ax - a.ax), o2 = a_dx * (b.by - a.ay) - a_dy * (b.bx - a.ax);
     const double o3 = b_dx * (a.ay - b.ay) - b_dy * (a.ax - b.ax), o4 = b_dx * (a.by - b.ay) - b_dy * (a.bx - b.ax);
+    out_.rough = true;
     const auto signed_magnitude = [](double o, int s, double error) { return s * std::max(std::abs(o), error * 0.5); };
     const double a_error = soup_.error(i) + 0x1p-1000, b_error = soup_.error(j) + 0x1p-1000;
     add_crossing(i, j, signed_magnitude(o3, s3, b_error), signed_magnitude(o4, s4, b_error), signed_magnitude(o1, s1, a_error),
                  signed_magnitude(o2, s2, a_error));
     return;
   }
-  const auto within = [&](std::uint32_t s, const Segment& e, WalkPair from, WalkPair to, WalkPair v) {
-    // v lies on the line of s: register it if it lies on s.
-    const Pair x = soup_.exact(v);
-    if (l.same(x, soup_.exact(from))) {
+  const auto within = [&](std::uint32_t s, const Segment& e, WalkPair from, WalkPair to, WalkPair v, double x,
+                          double y) {
+    // v, at (x, y), lies on the line of s: register it if it lies on s.
+    const SoupBox& box = soup_.boxes[s];
+    if (same(x, y, v, box.ax, box.ay, from)) {
       if (!in_chains || !(v == from)) out_.same.emplace_back(v, from);
-    } else if (l.same(x, soup_.exact(to))) {
+    } else if (same(x, y, v, box.bx, box.by, to)) {
       if (!in_chains || !(v == to)) out_.same.emplace_back(v, to);
-    } else if (l.along(e, x) > 0 && l.along({{e.edge.op, e.edge.to, e.edge.from}, e.vertex}, x) > 0) {
+    } else if (between(s, e, v, x, y)) {
       add_touch(s, v);
     }
   };
-  if (s1 == 0) within(i, sa, a0, a1, b0);
-  if (s2 == 0) within(i, sa, a0, a1, b1);
-  if (s3 == 0) within(j, sb, b0, b1, a0);
-  if (s4 == 0) within(j, sb, b0, b1, a1);
+  if (s1 == 0) within(i, sa, a0, a1, b0, b.ax, b.ay);
+  if (s2 == 0) within(i, sa, a0, a1, b1, b.bx, b.by);
+  if (s3 == 0) within(j, sb, b0, b1, a0, a.ax, a.ay);
+  if (s4 == 0) within(j, sb, b0, b1, a1, a.bx, a.by);
 }
 
 void CrossingFinder::test_cell(std::span<const std::uint32_t> ids) {
@@ -196,7 +334,7 @@ void CrossingFinder::test_cell(std::span<const std::uint32_t> ids) {
       *near = ids[j];
       near += boxes_meet(high, cell_[j]);
     }
-    for (const std::uint32_t* j = near_.data(); j != near; ++j) test(ids[i], *j);
+    for (const std::uint32_t* j = near_.data(); j != near; ++j) test(ids[i], lines_[ids[i]], *j, lines_[*j]);
   }
 }
 
@@ -204,6 +342,7 @@ void CrossingFinder::grid(const Grid& grid, const InteriorMask* mask, Array<Dead
   grid_ = &grid;
   mask_ = mask;
   make_keys();
+  make_lines();
   struct Item {
     std::uint32_t cell, segment;
   };
@@ -250,7 +389,6 @@ void CrossingFinder::grid(const Grid& grid, const InteriorMask* mask, Array<Dead
   {
     Array<std::uint32_t> at(start.begin(), start.end() - 1, soup_.memory);
     for (const Item& item : items) ids[at[item.cell]++] = item.segment;
-    peak_bytes_ = items.capacity() * sizeof(Item) + start.size() * 8 + ids.size() * 4 + keys_.capacity() * sizeof(BoxKey);
   }
   items = Array<Item>(soup_.memory);
   for (int r = 0; r < grid.rows && !stopped; ++r) {
@@ -270,13 +408,6 @@ void CrossingFinder::grid(const Grid& grid, const InteriorMask* mask, Array<Dead
 // Drops what several cells have reported.
 void CrossingFinder::finish() {
   const auto by_segments = [](const Crossing& a, const Crossing& b) { return std::tie(a.a, a.b) < std::tie(b.a, b.b); };
-  for (Crossing& c : ambiguous_)
-    if (c.a > c.b) {
-      std::swap(c.a, c.b);
-      std::swap(c.ta, c.tb);
-      std::swap(c.ea, c.eb);
-      c.sign = -c.sign;
-    }
   std::sort(ambiguous_.begin(), ambiguous_.end(), by_segments);
   for (std::size_t i = 0; i < ambiguous_.size(); ++i)
     if (i == 0 || by_segments(ambiguous_[i - 1], ambiguous_[i])) out_.crossings.push_back(ambiguous_[i]);

@@ -14,13 +14,13 @@
 
 namespace dymsum::planar {
 
-/// Segments a and b cross properly; sign = sign(d_a x d_b); parameters with error bounds.
+/// Segments a and b cross properly, a's direction to the right of b's: d_a x d_b > 0. The parameters' errors are not
+/// kept, as they follow from the segments: Soup::parameter_error.
 struct Crossing {
   std::uint32_t a, b;
   double ta, tb;
-  float ea, eb;
-  std::int32_t sign;
 };
+static_assert(sizeof(Crossing) == 24, "the largest array of a sum with many crossings");
 
 /// The end point `pair` of some segment lies in the relative interior of `segment`.
 struct Touch {
@@ -31,11 +31,13 @@ struct Touch {
 };
 
 struct Meetings {
+  static constexpr double kFine = 0x1p-30;
   explicit Meetings(std::pmr::memory_resource* memory = std::pmr::get_default_resource()) : crossings(memory), touches(memory), same(memory) {}
 
   Array<Crossing> crossings;
   Array<Touch> touches;
   Array<std::pair<WalkPair, WalkPair>> same;  ///< different pairs at the same place
+  bool rough = false;  ///< some crossing has a parameter that errs by kFine or more
   std::uint64_t cell_entries = 0, pair_tests = 0, exact_signs = 0;
 };
 
@@ -50,14 +52,23 @@ struct DeadMark {
 class CrossingFinder {
  public:
   CrossingFinder(const Soup& soup, Meetings& out, const Chain* chain = nullptr)
-      : soup_(soup), chain_(chain), out_(out), keys_(soup.memory), cell_(soup.memory), near_(soup.memory), ambiguous_(soup.memory) {}
+      : soup_(soup),
+        chain_(chain),
+        out_(out),
+        lines_(soup.memory),
+        keys_(soup.memory),
+        cell_(soup.memory),
+        near_(soup.memory),
+        ambiguous_(soup.memory) {}
 
+  /// Every pair of boxes is looked at: the reference.
   void all_pairs();
+  /// Boxes in the order of their left sides: each is compared with those that start before it ends, eight at a time.
+  /// With a mask crossings in dead cells are left out.
+  void sweep(const InteriorMask* mask = nullptr);
   /// Just these pairs of segments.
   void pairs(std::span<const std::array<std::uint32_t, 2>> list);
   void grid(const Grid& grid, const InteriorMask* mask, Array<DeadMark>& dead_marks);
-  std::size_t peak_bytes() const { return peak_bytes_; }
-
   const std::function<bool(double)>* poll = nullptr;
   bool stopped = false;
   /// Segments from this number on belong to no chain: their shared ends are meetings like any other.
@@ -68,9 +79,25 @@ class CrossingFinder {
   struct BoxKey {
     std::uint64_t low, high;
   };
+  struct BoxQuanta {
+    std::int16_t x0, y0, x1, y1;
+  };
+  BoxQuanta quanta(const SoupBox& box, double per_quantum) const;
+  double quanta_per_unit() const;
   void make_keys();
-  void test(std::uint32_t a, std::uint32_t b);
+  // What testing a pair looks at besides the boxes.
+  struct Line {
+    double dx, dy;
+    std::uint32_t next;  ///< the segment that continues it
+  };
+  Line line(std::uint32_t s) const { return {soup_.dx(s), soup_.dy(s), chain_ != nullptr ? chain_->next(s) : kNone}; }
+  void make_lines();
+  void sort_by_left(Array<std::uint64_t>& order) const;
+  void test(std::uint32_t a, const Line& line_a, std::uint32_t b, const Line& line_b);
   void exact_test(std::uint32_t a, std::uint32_t b);
+  int side(std::uint32_t s, const Segment& line, WalkPair v, double x, double y);
+  bool between(std::uint32_t s, const Segment& line, WalkPair v, double x, double y);
+  bool in_dead_cell(std::uint32_t a, std::uint32_t b, double t) const;
   void add_crossing(std::uint32_t a, std::uint32_t b, double a_start, double a_end, double b_start, double b_end);
   void add_touch(std::uint32_t segment, WalkPair pair);
   void test_cell(std::span<const std::uint32_t> ids);
@@ -82,11 +109,11 @@ class CrossingFinder {
   const Grid* grid_ = nullptr;
   const InteriorMask* mask_ = nullptr;
   int row_ = 0, column_ = 0;
+  Array<Line> lines_;
   Array<BoxKey> keys_;
   Array<std::uint64_t> cell_;       // the low keys of the segments of one cell
   Array<std::uint32_t> near_;       // those whose boxes meet the box of one of them
   Array<Crossing> ambiguous_;  // found near a cell border, perhaps several times
-  std::size_t peak_bytes_ = 0;
 };
 
 }  // namespace dymsum::planar

@@ -127,15 +127,15 @@ void add_sums(Bitmap& target, const Bitmap& a, const Bitmap& b, int spread) {
 void CentreWindings::add_edge(double ax, double ay, double bx, double by) {
   const int sign = ay < by ? 1 : -1;
   const double low = ay < by ? ay : by, high = ay < by ? by : ay;
-  const double slope = (bx - ax) / (by - ay);
   // Rows whose centre line the edge crosses, half-open in y.
-  int r = static_cast<int>(std::ceil(low * cells_.per_cell - 0.5));
-  for (r = std::max(r, 0); r < cells_.rows; ++r) {
+  for (int r = static_cast<int>(low * cells_.per_cell); r < cells_.rows; ++r) {
     const double yc = (r + 0.5) * cells_.cell;
     if (yc < low) continue;
     if (yc >= high) break;
-    const double xc = ax + (yc - ay) * slope;
-    const int c = std::clamp(static_cast<int>(std::ceil(xc * cells_.per_cell - 0.5)), 0, cells_.columns);
+    const double xc = ax + (yc - ay) * (bx - ax) / (by - ay);
+    // Centres right of the edge; which side one within a rounding of it is counted on does not matter, as its cell is a
+    // boundary cell.
+    const int c = std::clamp(static_cast<int>(xc * cells_.per_cell + 0.5), 0, cells_.columns);
     change_[std::size_t(r) * (cells_.columns + 1) + c] -= sign;
   }
 }
@@ -166,13 +166,13 @@ SumGrid::SumGrid(std::array<double, 2> width, std::array<double, 2> height, int 
 
 DeadCells::DeadCells(const Grid& grid) : grid_(grid), dead_(grid.rows, grid.columns) { count(); }
 
-DeadCells::DeadCells(const Grid& grid, const Raster& p, const Raster& q) : grid_(grid), dead_(grid.rows, grid.columns) {
+DeadCells::DeadCells(const Grid& grid, const Raster& p, const Raster& q, Counts counts) : grid_(grid), dead_(grid.rows, grid.columns) {
   const Bitmap corners_p = inner_corners(p.inner), corners_q = inner_corners(q.inner);
   // Inner cells that form no block of four still make pairs.
   if (!corners_p.any() || !corners_q.any()) add_sums(dead_, p.inner, q.inner, 1);
   add_sums(dead_, corners_p, q.touch, 0);
   add_sums(dead_, corners_q, p.touch, 0);
-  count();
+  if (counts == Counts::made) count();
 }
 
 void DeadCells::count() {

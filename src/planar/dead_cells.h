@@ -25,6 +25,7 @@ struct Bitmap {
     return std::any_of(bits.begin(), bits.end(), [](std::uint64_t w) { return w != 0; });
   }
 
+  void set(int r, int c) { row(r)[c / 64] |= std::uint64_t{1} << (c % 64); }
   void set_run(int r, int first, int last) {
     std::uint64_t* w = row(r);
     const int a = first / 64, b = last / 64;
@@ -72,13 +73,32 @@ struct SumGrid {
 /// The cells of the sum in which every point is one of int P + Q or P + int Q; docs/design/planar-sum.md, "interior mask".
 class DeadCells {
  public:
+  /// Whether live() will be asked.
+  enum class Counts { made, left_out };
+
   /// No cell is dead.
   explicit DeadCells(const Grid& grid);
-  DeadCells(const Grid& grid, const Raster& p, const Raster& q);
+  DeadCells(const Grid& grid, const Raster& p, const Raster& q, Counts counts = Counts::made);
 
   const Grid& grid() const { return grid_; }
   bool dead(int row, int column) const { return dead_.get(row, column); }
-  /// How many cells of a rectangle are live. O(1).
+  /// Whether some cell of a rectangle is live. O(rows) for up to 64 columns; a live cell in the first rows ends it.
+  bool any_live(int row0, int column0, int row1, int column1) const {
+    const int a = column0 / 64, b = column1 / 64;
+    const std::uint64_t head = ~std::uint64_t{0} << (column0 % 64), tail = ~std::uint64_t{0} >> (63 - column1 % 64);
+    for (int r = row0; r <= row1; ++r) {
+      const std::uint64_t* w = dead_.row(r);
+      if (a == b) {
+        if ((~w[a] & head & tail) != 0) return true;
+        continue;
+      }
+      if ((~w[a] & head) != 0 || (~w[b] & tail) != 0) return true;
+      for (int i = a + 1; i < b; ++i)
+        if (~w[i] != 0) return true;
+    }
+    return false;
+  }
+  /// How many cells of a rectangle are live. O(1). Requires: the counts were made.
   std::uint32_t live(int row0, int column0, int row1, int column1) const {
     const std::size_t w = std::size_t(grid_.columns) + 1;
     const auto at = [&](int r, int c) { return sums_[std::size_t(r) * w + c]; };

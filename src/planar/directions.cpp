@@ -19,8 +19,13 @@ std::vector<std::uint32_t> edges_of(const Operand& o, const Component& c) {
 }  // namespace
 
 int compare_directions(const Lattice& lattice, const Edge& d, const Edge& e) {
-  const int hd = half(lattice.vector(d)), he = half(lattice.vector(e));
+  const Point u = lattice.vector(d), v = lattice.vector(e);
+  const int hd = half(u), he = half(v);
   if (hd != he) return hd < he ? -1 : 1;
+  if (lattice.exact_doubles) {
+    const double cross = u.x * v.y - u.y * v.x;
+    return (cross < 0) - (cross > 0);
+  }
   return -lattice.cross(d, e);
 }
 

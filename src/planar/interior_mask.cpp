@@ -11,6 +11,8 @@ Raster rasterize(const Operand& o, const Grid& cells) {
   Bitmap boundary(cells.rows, cells.columns);
   CentreWindings windings(cells);
   const double rim = kRim * cells.cell;
+  // Without clamps: coordinates are not negative, and the raster reaches farther than the operand by a cell.
+  const auto cell = [&](double v) { return static_cast<int>(v * cells.per_cell); };
   bool has_area = false;
   for (const Loop& loop : o.loops) {
     const bool area = loop.kind == LoopKind::outer || loop.kind == LoopKind::hole;
@@ -18,12 +20,15 @@ Raster rasterize(const Operand& o, const Grid& cells) {
     for (std::uint32_t i = loop.first; i < loop.last; ++i) {
       const std::uint32_t t = o.next[i];
       const double ax = o.x[i], ay = o.y[i], bx = o.x[t], by = o.y[t];
-      const int r0 = cells.row(std::min(ay, by) - rim), c0 = cells.column(std::min(ax, bx) - rim);
-      if (r0 == cells.row(std::max(ay, by) + rim) && c0 == cells.column(std::max(ax, bx) + rim)) {
-        // Inside one cell with its rim: the common case of fine operands.
-        raster.touch.set_run(r0, c0, c0);
-        if (area) boundary.set_run(r0, c0, c0);
-        if (!area || (ay - (r0 + 0.5) * cells.cell < 0) == (by - (r0 + 0.5) * cells.cell < 0)) continue;
+      const int r0 = cell(std::min(ay, by) - rim), r1 = cell(std::max(ay, by) + rim);
+      const int c0 = cell(std::min(ax, bx) - rim), c1 = cell(std::max(ax, bx) + rim);
+      if (r1 - r0 <= 1 && c1 - c0 <= 1) {
+        // Most edges of fine operands: the cells of both ends, and for the boundary the whole box.
+        raster.touch.set(cell(ay), cell(ax));
+        raster.touch.set(cell(by), cell(bx));
+        if (!area) continue;
+        boundary.set_run(r0, c0, c1);
+        if (r1 != r0) boundary.set_run(r1, c0, c1);
       } else {
         for_each_cell_run(cells, ax, ay, bx, by, [&](int r, int first, int last) { raster.touch.set_run(r, first, last); });
         if (!area) continue;
@@ -38,7 +43,7 @@ Raster rasterize(const Operand& o, const Grid& cells) {
 
 DeadCells dead_cells_of(const Operand& p, const Operand& q, int cells) {
   const SumGrid grid({p.points->width, q.points->width}, {p.points->height, q.points->height}, cells);
-  return DeadCells(grid.whole, rasterize(p, grid.part[0]), rasterize(q, grid.part[1]));
+  return DeadCells(grid.whole, rasterize(p, grid.part[0]), rasterize(q, grid.part[1]), DeadCells::Counts::left_out);
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 namespace dymsum::planar {
 
-/// Cells whose closure, grown by 8 kReach cells, lies in int P + Q or P + int Q.
+/// Cells whose closure, grown by 8 kReach cells, lies in int P + Q or P + int Q. Without counts.
 class InteriorMask : public DeadCells {
  public:
   /// `cells` along the longer side of the sum's bounding box.

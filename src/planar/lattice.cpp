@@ -39,8 +39,11 @@ class LatticeOf final : public Lattice {
   };
 
  public:
-  LatticeOf(int exponent, int unit, std::optional<LatticeScale> scale)
-      : exponent_(exponent), per_grid_unit_(std::ldexp(1.0, std::clamp(unit - exponent, -1000, 1000))), scale_(std::move(scale)) {
+  LatticeOf(int exponent, int unit, int bits, std::optional<LatticeScale> scale)
+      : exponent_(exponent),
+        per_grid_unit_(std::ldexp(1.0, std::clamp(unit - exponent, -1000, 1000))),
+        exact_points_(bits <= 53 && !scale),
+        scale_(std::move(scale)) {
     if constexpr (!std::is_same_v<C, Big>) {
       if (!scale_) return;
       const C other = exact::narrowed<C>(Big(scale_->den));
@@ -175,9 +178,8 @@ class LatticeOf final : public Lattice {
   }
 
   Vec at(std::uint32_t op, std::uint32_t i) const {
-    if constexpr (std::is_same_v<C, exact::Int<29>>) {
-      if (!scale_) {
-        // Up to 53 bits the doubles are exact multiples of the grid's unit.
+    if constexpr (std::is_same_v<C, exact::Int<29>> || std::is_same_v<C, exact::Int<61>>) {
+      if (exact_points_) {
         const PlacedPoints& o = *points[op];
         return {C::from_int64(static_cast<std::int64_t>(o.x[i] * per_grid_unit_)),
                 C::from_int64(static_cast<std::int64_t>(o.y[i] * per_grid_unit_))};
@@ -194,8 +196,18 @@ class LatticeOf final : public Lattice {
                 C::from_raw(static_cast<typename C::Raw>(static_cast<typename C::Raw>(v[1]) * f.y.raw()))};
       }
     }
-    if (!filled_.load(std::memory_order_acquire)) fill();
+    if (!filled_.load(std::memory_order_acquire)) {
+      // Most problems ask about few vertices.
+      if (!scale_ && asked_.fetch_add(1, std::memory_order_relaxed) < points[0]->input.size() + points[1]->input.size())
+        return integer(op, i);
+      fill();
+    }
     return integers_[op][i];
+  }
+  // A vertex of an operand that is not scaled.
+  Vec integer(std::uint32_t op, std::uint32_t i) const {
+    const Point &v = points[op]->input[i], &origin = points[op]->offset;
+    return {exact::grid_coordinate<C>(v.x, origin.x, exponent_), exact::grid_coordinate<C>(v.y, origin.y, exponent_)};
   }
   const SharedIntegers& unscaled() const {
     std::call_once(integers->made, [this] {
@@ -206,12 +218,11 @@ class LatticeOf final : public Lattice {
     });
     return *integers;
   }
-  // Integers are made when a filter has failed for the first time; most problems never ask.
+  // All integers are made when as many have been asked for.
   void fill() const {
     const std::lock_guard lock(filling_);
     if (filled_.load(std::memory_order_relaxed)) return;
     for (std::uint32_t op = 0; op < 2; ++op) {
-      const Point& origin = points[op]->offset;
       if constexpr (std::is_same_v<C, Big>) {
         if (const TurnedPoints* turned = points[op]->turned.get(); turned != nullptr) {
           for (std::uint32_t i = 0; i < turned->size(); ++i)
@@ -220,8 +231,8 @@ class LatticeOf final : public Lattice {
           continue;
         }
       }
-      for (const Point& v : points[op]->input) {
-        integers_[op].push_back({exact::grid_coordinate<C>(v.x, origin.x, exponent_), exact::grid_coordinate<C>(v.y, origin.y, exponent_)});
+      for (std::uint32_t i = 0; i < points[op]->input.size(); ++i) {
+        integers_[op].push_back(integer(op, i));
         if constexpr (std::is_same_v<C, Big>) {
           if (!scale_) continue;
           Vec& w = integers_[op].back();
@@ -300,18 +311,16 @@ class LatticeOf final : public Lattice {
 
   int exponent_;
   double per_grid_unit_;  // used where unit and grid differ by few bits
+  bool exact_points_;     // the doubles of the points are exact: they have at most 53 bits
   std::optional<LatticeScale> scale_;
   std::array<Vec, 2> factor_{};  // of the integers, where scaled
+  mutable std::atomic<std::size_t> asked_ = 0;
   mutable std::mutex filling_;
   mutable std::atomic<bool> filled_ = false;
   mutable std::array<std::vector<Vec>, 2> integers_;
 };
 
 }  // namespace
-
-Point Lattice::to_input(double gx, double gy) const {
-  return {gx * unit + base.x, gy * unit + base.y};
-}
 
 std::shared_ptr<Lattice> build_lattice(std::array<std::shared_ptr<const PlacedPoints>, 2> points, int exponent, int unit, int bits,
                                        std::optional<LatticeScale> scale, int min_tier_bits) {
@@ -322,10 +331,10 @@ std::shared_ptr<Lattice> build_lattice(std::array<std::shared_ptr<const PlacedPo
   const bool turned = scale && points[scaled]->turned != nullptr;
   std::shared_ptr<Lattice> lattice;
   switch (tier) {
-    case exact::Tier::b29: lattice = std::make_shared<LatticeOf<exact::Int<29>>>(exponent, unit, std::move(scale)); break;
-    case exact::Tier::b61: lattice = std::make_shared<LatticeOf<exact::Int<61>>>(exponent, unit, std::move(scale)); break;
-    case exact::Tier::b512: lattice = std::make_shared<LatticeOf<exact::Int<125>>>(exponent, unit, std::move(scale)); break;
-    case exact::Tier::arbitrary: lattice = std::make_shared<LatticeOf<Big>>(exponent, unit, std::move(scale)); break;
+    case exact::Tier::b29: lattice = std::make_shared<LatticeOf<exact::Int<29>>>(exponent, unit, bits, std::move(scale)); break;
+    case exact::Tier::b61: lattice = std::make_shared<LatticeOf<exact::Int<61>>>(exponent, unit, bits, std::move(scale)); break;
+    case exact::Tier::b512: lattice = std::make_shared<LatticeOf<exact::Int<125>>>(exponent, unit, bits, std::move(scale)); break;
+    case exact::Tier::arbitrary: lattice = std::make_shared<LatticeOf<Big>>(exponent, unit, bits, std::move(scale)); break;
   }
   lattice->tier_bits = static_cast<int>(tier);
   // Sides have at most 2 B + 4 bits; doubles hold 53. A power of two below scaled coordinates changes nothing.

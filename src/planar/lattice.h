@@ -152,7 +152,7 @@ class Lattice {
     return {(b.x - a.x) / unit * o.stretch.x, (b.y - a.y) / unit * o.stretch.y};
   }
   /// A rounded position in input coordinates.
-  Point to_input(double gx, double gy) const;
+  Point to_input(double gx, double gy) const { return {gx * unit + base.x, gy * unit + base.y}; }
 };
 
 /// Both operands on their common grid. `min_tier_bits` forces a larger tier. Points are placed anew when their units differ.

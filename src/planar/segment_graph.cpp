@@ -84,8 +84,8 @@ void SegmentGraph::build_events() {
   std::vector<std::uint32_t> at(first_event_.begin(), first_event_.end() - 1);
   std::uint32_t ref = 0;
   for (const Crossing& c : meetings_.crossings) {
-    events_[at[c.a]++] = {c.ta, c.ea, ref};
-    events_[at[c.b]++] = {c.tb, c.eb, ref++};
+    events_[at[c.a]++] = {c.ta, soup_.parameter_error(c.a, c.b), ref};
+    events_[at[c.b]++] = {c.tb, soup_.parameter_error(c.b, c.a), ref++};
   }
   for (const Touch& t : meetings_.touches) events_[at[t.segment]++] = {t.t, t.error, ref++};
   for (std::uint32_t s = 0; s < n; ++s)

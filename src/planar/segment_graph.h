@@ -59,8 +59,7 @@ class SegmentGraph {
  private:
   // A crossing, or (behind the crossings) a touch, on one of its segments.
   struct Event {
-    double t;
-    float error;
+    double t, error;
     std::uint32_t ref;
   };
   // A place on a segment: one of its ends or an event.

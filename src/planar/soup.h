@@ -28,6 +28,9 @@ struct SoupBox {
   double ax, ay, bx, by;
 };
 
+/// The error of a sum of two vertices: two rounded coordinates, and the sum rounded.
+inline double sum_error(const Lattice& lattice) { return lattice.exact_doubles ? 0 : 0x1p-51 * lattice.span; }
+
 class Soup {
  public:
   Soup(const Lattice& lattice, const Operand& p, const Operand& q,
@@ -37,8 +40,7 @@ class Soup {
     // cross(d, v - a): d once rounded, v and a two roundings each and one more for the difference, two products, one sum; at most
     // 16 roundings of |d|_1 span.
     side_error = lattice.exact_doubles ? 0 : 0x1p-49 * roundings;
-    // A segment end: the sum of two rounded coordinates, rounded.
-    point_error = lattice.exact_doubles ? 0 : 0x1p-51 * roundings;
+    point_error = sum_error(lattice);
   }
 
   SoupBox box(const WalkSegment& w) const {
@@ -66,6 +68,10 @@ class Soup {
       }
     });
   }
+  void reserve(std::size_t n) {
+    segments.reserve(n);
+    boxes.reserve(n);
+  }
   void add(const WalkSegment& w, const SoupBox& b) {
     segments.push_back({(w.side << 31) | w.edge, w.vertex});
     boxes.push_back(b);
@@ -76,6 +82,14 @@ class Soup {
   double dy(std::uint32_t s) const { return operands[segments[s].side()]->ey[segments[s].edge()]; }
   /// |cross computed in doubles - exact| is at most this for the directed line of s.
   double error(std::uint32_t s) const { return side_error * (std::abs(dx(s)) + std::abs(dy(s))); }
+
+  /// A bound on the error of the parameter of s where it crosses t properly, computed from its ends' sides of t.
+  /// Numerator and denominator err by at most 1.5 and 3 side errors; the quotient is at most 1 and rounded twice. The
+  /// denominator is the cross product of the directions but for one side error; where it is so small that 8 side errors
+  /// are not enough, the bound is larger than 1.
+  double parameter_error(std::uint32_t s, std::uint32_t t) const {
+    return 8 * error(t) / std::abs(dx(s) * dy(t) - dy(s) * dx(t)) + 0x1p-50;
+  }
 
   WalkPair start(std::uint32_t s) const {
     const SoupSegment& g = segments[s];
@@ -99,6 +113,7 @@ class Soup {
     const double bound = 0x1p-49 * (std::abs(a) + std::abs(b)) + 0x1p-1000;
     if (value > bound) return 1;
     if (value < -bound) return -1;
+    if (lattice.exact_doubles) return (value > 0) - (value < 0);
     return lattice.cross(exact(s).edge, exact(t).edge);
   }
   int dot(std::uint32_t s, std::uint32_t t) const { return lattice.dot(exact(s).edge, exact(t).edge); }

@@ -5,8 +5,8 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
-#include <unordered_set>
 
+#include "planar/convex_boundary.h"
 #include "planar/part_nesting.h"
 #include "planar/pieces.h"
 #include "planar/winding.h"
@@ -43,6 +43,10 @@ class ReducedChain final : public Chain {
   ReducedChain(const Soup& soup, const ReducedConvolution& convolution, Array<std::uint32_t> live, std::uint32_t reduced)
       : Chain(soup.memory), soup_(soup), convolution_(convolution), live_(std::move(live)), reduced_(reduced) {
     next_.resize(soup.size(), kNone);
+    if (live_.empty()) {
+      convolution.fill_next({next_.data(), reduced});
+      return;
+    }
     for (std::uint32_t s = 0; s < reduced; ++s) {
       const SoupSegment& g = soup.segments[s];
       next_[s] = this->live(convolution.next({g.side(), g.edge(), g.vertex}));
@@ -59,7 +63,6 @@ class ReducedChain final : public Chain {
       if (soup_.end(s) == v) out.push_back({s, false});
     }
   }
-  std::size_t bytes() const { return live_.capacity() * 4 + next_.capacity() * 4; }
 
  private:
   std::uint32_t live(std::uint32_t id) const {
@@ -126,12 +129,14 @@ bool has_dimension_below_two(const Operand& o) {
   return std::any_of(o.components.begin(), o.components.end(), [](const Component& c) { return c.dimension < 2; });
 }
 
-// Below this many segments testing all pairs is cheaper than filling a grid; below the second, a mask does not pay.
-constexpr std::size_t kAllPairs = 128;
-constexpr std::size_t kMask = 300;
+// Below this many segments meeting twins cost less than finding them.
+constexpr std::size_t kMerge = 24;
+// Below this many live segments a sweep is cheaper than filling a grid; below the second, a mask does not pay.
+constexpr std::size_t kSweep = 4000;
+constexpr std::size_t kMask = 400;
 
 // Cells along the longer side for n segments: finer grids cost more in the mask than they save in pairs.
-constexpr double kCellsPerRoot = 1.4;
+constexpr double kCellsPerRoot = 2;
 int cells_for(std::size_t n) {
   return std::clamp(static_cast<int>(kCellsPerRoot * std::sqrt(static_cast<double>(n))), 8, 1024);
 }
@@ -187,9 +192,10 @@ void trace_stages(const Soup& soup, const InteriorMask* mask, const Arrangement&
 void find_tight(const Soup& soup, const Arrangement& arrangement, const Array<BoundaryLoop>& kept, Collision& collision,
                 RawBoundary& out, double& grid_error) {
   if (arrangement.nodes().empty()) return;
-  std::unordered_set<std::uint32_t> on_boundary;
+  Array<std::uint8_t> on_boundary(arrangement.degenerate_nodes() + 1, 0, soup.memory);
   for (const BoundaryLoop& loop : kept)
-    for (const Step& step : loop.steps) on_boundary.insert(arrangement.end_node(step));
+    for (const Step& step : loop.steps)
+      if (const std::uint32_t node = arrangement.end_node(step); node != kNone) on_boundary[node] = 1;
   for (const Step& step : arrangement.covered_subs()) {
     if (collision.overlaps(arrangement.sample(step))) continue;
     const Place from = arrangement.start_place(step), to = arrangement.end_place(step);
@@ -199,7 +205,7 @@ void find_tight(const Soup& soup, const Arrangement& arrangement, const Array<Bo
     out.cracks.push_back({vertex_of(soup, s, a.pair ? s : a.other, a, from), vertex_of(soup, s, b.pair ? s : b.other, b, to)});
   }
   for (const Arrangement::Node& node : arrangement.nodes()) {
-    if (on_boundary.contains(node.number) || collision.overlaps(node.place)) continue;
+    if (on_boundary[node.number] != 0 || collision.overlaps(node.place)) continue;
     grid_error = std::max(grid_error, position_error(soup, node.place));
     out.punctures.push_back(vertex_of(soup, node.segment, node.end.pair ? node.segment : node.end.other, node.end, node.place));
   }
@@ -211,10 +217,64 @@ bool connected_sum(const Operand& op, const Operand& oq) {
          (op.components[0].dimension == 2 || oq.components[0].dimension == 2);
 }
 
-// Convex regions whose holes the other one fills: the reduced convolution is the boundary of the sum, a convex polygon.
-bool is_boundary(const ReducedConvolution& convolution, const Operand& p, const Operand& q) {
-  return p.components.size() == 1 && q.components.size() == 1 && p.components[0].convex && q.components[0].convex &&
-         convolution.filled_holes() + 2 == p.loops.size() + q.loops.size();
+// Convex operands: see convex_boundary.
+std::optional<bool> run_convex(const SumOptions& options, SumState& state) {
+  if (options.engine != Engine::fast || options.trace) return std::nullopt;
+  StageClock clock(state.stats, timed(*state.p, *state.q));
+  std::optional<SumRing> ring = convex_boundary(*state.lattice, *state.p, *state.q);
+  if (!ring) return std::nullopt;
+  state.stats.reduced_segments = state.p->loops[0].last + state.q->loops[0].last;
+  state.stats.live_segments = state.stats.reduced_segments;
+  state.stats.loops = 1;
+  state.boundary.at_error = input_error(*state.lattice, sum_error(*state.lattice));
+  state.boundary.rings.push_back(*std::move(ring));
+  state.boundary.outer.push_back(1);
+  clock.done("convolution");
+  return !options.progress || (options.progress("convolution", 1) && options.progress("loops", 1));
+}
+
+enum class Twins { kept, merged };
+
+// Adds the segments of the convolution that are not wholly in dead cells. Returns for each id its segment of the soup,
+// or kNone.
+Array<std::uint32_t> add_live(const ReducedConvolution& convolution, const InteriorMask* mask, Twins twins,
+                              Soup& soup) {
+  const std::uint32_t n = convolution.size();
+  Array<std::uint32_t> live(n, kNone, soup.memory);
+  SameSegments same(soup);
+  if (twins == Twins::merged) same.reserve(n);
+  soup.reserve(std::min<std::size_t>(n, 256));
+  const Grid g = mask != nullptr ? mask->grid() : Grid{};
+  const double reach = 2 * kReach * g.cell;
+  // Without clamps: coordinates lie in [0, span], and the grid reaches farther than that by more than a cell.
+  const auto cell = [&](double v) { return static_cast<int>(v * g.per_cell); };
+  const auto dead = [&](const SoupBox& b) {
+    return mask != nullptr && !mask->any_live(cell(std::min(b.ay, b.by) - reach), cell(std::min(b.ax, b.bx) - reach),
+                                              cell(std::max(b.ay, b.by) + reach), cell(std::max(b.ax, b.bx) + reach));
+  };
+  std::uint32_t* to = live.data();
+  convolution.for_each_turn([&](std::uint32_t side, std::uint32_t v, std::span<const std::uint32_t> edges,
+                                std::uint32_t lo, std::uint32_t count) {
+    const Operand &o = *soup.operands[side], &other = *soup.operands[1 - side];
+    const double *x = o.x.data(), *y = o.y.data();
+    const std::uint32_t* next = o.next.data();
+    const double vx = other.x[v], vy = other.y[v];
+    for (std::uint32_t k = 0, at = lo; k < count; ++k, at = at + 1 == edges.size() ? 0 : at + 1, ++to) {
+      const std::uint32_t e = edges[at], end = next[e];
+      const SoupBox b{x[e] + vx, y[e] + vy, x[end] + vx, y[end] + vy};
+      if (dead(b)) continue;
+      if (soup.size() == soup.segments.capacity()) soup.reserve(std::min<std::size_t>(n, 2 * soup.size()));
+      *to = static_cast<std::uint32_t>(soup.size());
+      soup.add({side, e, v}, b);
+      if (twins == Twins::kept) continue;
+      if (const std::uint32_t twin = same.find_or_add(*to); twin != kNone) {
+        *to = twin;
+        soup.segments.pop_back();
+        soup.boxes.pop_back();
+      }
+    }
+  });
+  return live;
 }
 
 bool run_reduced(const SumOptions& options, SumState& state) {
@@ -237,32 +297,12 @@ bool run_reduced(const SumOptions& options, SumState& state) {
     clock.done("mask");
   }
   Soup soup(lattice, op, oq, &scratch);
+  const bool merge = fast && n >= kMerge && convolution.parallel_edges() * 8 > op.size() + oq.size();
   Array<std::uint32_t> live(&scratch);
-  SameSegments same(soup);
-  const bool boundary = fast && is_boundary(convolution, op, oq);
-  const bool merge = fast && !boundary && convolution.parallel_edges() * 8 > op.size() + oq.size();
-  if (mask || merge) {
-    live.reserve(n);
-    const Grid g = mask ? mask->grid() : Grid{};
-    if (merge) same.reserve(n);
-    const double reach = 2 * kReach * g.cell;
-    convolution.for_each([&](const WalkSegment& w) {
-      const SoupBox b = soup.box(w);
-      const bool dead = mask && mask->live(g.row(std::min(b.ay, b.by) - reach), g.column(std::min(b.ax, b.bx) - reach),
-                                   g.row(std::max(b.ay, b.by) + reach), g.column(std::max(b.ax, b.bx) + reach)) == 0;
-      live.push_back(dead ? kNone : static_cast<std::uint32_t>(soup.size()));
-      if (dead) return;
-      soup.add(w, b);
-      if (!merge) return;
-      if (const std::uint32_t twin = same.find_or_add(live.back()); twin != kNone) {
-        live.back() = twin;
-        soup.segments.pop_back();
-        soup.boxes.pop_back();
-      }
-    });
-  } else {
+  if (mask || merge)
+    live = add_live(convolution, mask ? &*mask : nullptr, merge ? Twins::merged : Twins::kept, soup);
+  else
     soup.add(convolution);
-  }
   const std::uint32_t reduced_live = static_cast<std::uint32_t>(soup.size());
   const bool closed = options.semantics != Semantics::open;
   const bool parallelograms = closed && has_dimension_below_two(op) && has_dimension_below_two(oq);
@@ -274,17 +314,18 @@ bool run_reduced(const SumOptions& options, SumState& state) {
 
   Meetings meetings(&scratch);
   Array<DeadMark> marks(&scratch);
-  CrossingFinder finder(soup, meetings, &chain);
-  finder.poll = &poll;
-  finder.first_unchained = reduced_live;
-  if (boundary) {
-    // Nothing meets.
-  } else if (!fast || soup.size() < kAllPairs) {
-    finder.all_pairs();
-  } else {
-    finder.grid(mask ? mask->grid() : plain_grid(lattice, soup.size()), mask ? &*mask : nullptr, marks);
+  {
+    CrossingFinder finder(soup, meetings, &chain);
+    finder.poll = &poll;
+    finder.first_unchained = reduced_live;
+    if (!fast)
+      finder.all_pairs();
+    else if (soup.size() < kSweep)
+      finder.sweep(mask ? &*mask : nullptr);
+    else
+      finder.grid(mask ? mask->grid() : plain_grid(lattice, soup.size()), mask ? &*mask : nullptr, marks);
+    if (finder.stopped) return false;
   }
-  if (finder.stopped) return false;
   stats.crossings = meetings.crossings.size();
   stats.cell_entries = meetings.cell_entries;
   stats.pair_tests = meetings.pair_tests;
@@ -304,7 +345,7 @@ bool run_reduced(const SumOptions& options, SumState& state) {
   Collision collision(lattice, op, oq, fast);
   collision.with_parallelograms = parallelograms;
   const bool connected = fast && !parallelograms && connected_sum(op, oq);
-  SortedLoops sorted = verify_loops(soup, arrangement, std::move(loops), collision, connected);
+  SortedLoops sorted = verify_loops(soup, arrangement, std::move(loops), collision, connected, mask ? &*mask : nullptr);
   clock.done("collision");
   if (state.trace) trace_stages(soup, mask ? &*mask : nullptr, arrangement, sorted, convolution, *state.trace);
   double grid_error = soup.point_error;
@@ -319,9 +360,7 @@ bool run_reduced(const SumOptions& options, SumState& state) {
   stats.collision_tests = collision.counts().tests;
   stats.filtered_signs += collision.counts().filtered;
   stats.exact_signs += collision.counts().exact;
-  stats.peak_bytes = soup.segments.capacity() * sizeof(SoupSegment) + soup.boxes.capacity() * sizeof(SoupBox) + chain.bytes() +
-                     (mask ? mask->bytes() : 0) + std::max(finder.peak_bytes(), arrangement.bytes()) +
-                     marks.capacity() * sizeof(DeadMark);
+  stats.peak_bytes = scratch.peak_bytes() + (mask ? mask->bytes() : 0);
   clock.done("rings");
   return true;
 }
@@ -349,8 +388,9 @@ Result<SumState> compute_boundary(std::shared_ptr<const Operand> p, std::shared_
 Result<SumState> compute_boundary(SumState state, const SumOptions& options) {
   if (options.trace) state.trace.emplace();
   if (state.p->size() == 0 || state.q->size() == 0) return state;
-  const bool done = options.engine == Engine::winding ? run_winding(options, state) : run_reduced(options, state);
-  if (!done) return cancelled();
+  std::optional<bool> done = run_convex(options, state);
+  if (!done) done = options.engine == Engine::winding ? run_winding(options, state) : run_reduced(options, state);
+  if (!*done) return cancelled();
   return state;
 }
 

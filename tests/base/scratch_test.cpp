@@ -58,5 +58,18 @@ TEST(Scratch, BlocksAreDisjointAlignedAndKeepTheirContents) {
   }
 }
 
+TEST(Scratch, TellsTheMostBytesHandedOutAtOneTime) {
+  Scratch scratch;
+  void* const small = scratch.allocate(1000, 8);
+  void* const large = scratch.allocate(100000, 8);
+  EXPECT_EQ(scratch.peak_bytes(), 101000u);
+  scratch.deallocate(large, 100000, 8);
+  void* const other = scratch.allocate(5000, 8);
+  EXPECT_EQ(scratch.peak_bytes(), 101000u);
+  scratch.deallocate(other, 5000, 8);
+  scratch.deallocate(small, 1000, 8);
+  EXPECT_EQ(scratch.peak_bytes(), 101000u);
+}
+
 }  // namespace
 }  // namespace dymsum

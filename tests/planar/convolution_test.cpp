@@ -162,9 +162,12 @@ TEST(ReducedConvolution, finds_every_segment_by_its_number_and_chains_both_ways)
     std::vector<WalkSegment> all;
     convolution.for_each([&](const WalkSegment& w) { all.push_back(w); });
     ASSERT_EQ(all.size(), convolution.size());
+    std::vector<std::uint32_t> next_of(all.size());
+    convolution.fill_next(next_of);
     for (std::uint32_t id = 0; id < all.size(); ++id) {
       ASSERT_EQ(convolution.find(all[id].side, all[id].edge, all[id].vertex), id);
       const std::uint32_t next = convolution.next(all[id]);
+      ASSERT_EQ(next_of[id], next);
       if (next == kNoRank) continue;
       ASSERT_LT(next, all.size());
       ASSERT_EQ(convolution.prev(all[next]), id);
@@ -172,6 +175,25 @@ TEST(ReducedConvolution, finds_every_segment_by_its_number_and_chains_both_ways)
     }
   });
   EXPECT_GT(chained, 2000u);
+}
+
+TEST(ReducedConvolution, counts_edges_that_have_one_of_the_other_operand_in_their_direction) {
+  std::size_t parallel = 0;
+  for_pairs(250, [&](const Region& p, const Region& q) {
+    const Operands o(p, q);
+    if (o.p.loops.size() != 1 || o.q.loops.size() != 1) return;
+    if (o.p.components[0].dimension != 2 && o.q.components[0].dimension != 2) return;
+    std::size_t expected = 0;
+    for (std::uint32_t e = 0; e < o.p.size(); ++e) {
+      bool found = false;
+      for (std::uint32_t f = 0; f < o.q.size(); ++f)
+        found |= o.lattice->cross(o.p.edge(e), o.q.edge(f)) == 0 && o.lattice->dot(o.p.edge(e), o.q.edge(f)) > 0;
+      expected += found;
+    }
+    ASSERT_EQ(ReducedConvolution(*o.lattice, o.p, o.q).parallel_edges(), expected);
+    parallel += expected;
+  });
+  EXPECT_GT(parallel, 100u);
 }
 
 TEST(ConvolutionSizes, of_empty_and_thin_operands) {
