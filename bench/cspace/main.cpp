@@ -111,7 +111,7 @@ std::vector<RotationRow> rotation_table(Report& report, const Options& options, 
   report.line("\n## A sum that follows the robot\n");
   report.line("O (+) -R(theta) R through a whole turn by `RotatingSum`, against `cspace_slice` at the same orientations. Frames that "
               "build a window and frames from scratch are among them; means hold what medians do not show. Undecided: frames at which "
-              "something touches, or too nearly for doubles. Every frame is compared.\n");
+              "something touches, or too nearly for doubles. Reading the clock is taken off both. Every frame is compared.\n");
   rotation_heading(report);
   std::vector<RotationRow> rows;
   const auto add = [&](const TurningPair& pair, int steps) {

@@ -254,32 +254,66 @@ void count(const TurnWindow& window, const TurnEvents& found, ObstacleWork& work
 
 enum class Passed : std::uint8_t { turn, always_concurrent, cancelled };
 
-// Windows are prepared side by side, some at a time, and passed one after the other.
+/// Ranges of angles one after the other, with their windows and events.
+class Preparation {
+ public:
+  Preparation(const TurningForms& forms, const TurnCatalog& catalog, bool reference)
+      : forms_(forms), catalog_(catalog), reference_(reference), pairs_(static_cast<double>(forms.size(0)) * forms.size(1)),
+        all_(alignments(forms, catalog)), grid_(forms, cells_for(pairs_)) {}
+
+  int windows() const { return 2 * windows_for(pairs_); }
+  std::vector<Prepared> range(int i) const {
+    std::vector<Prepared> parts;
+    add(range_of(i, windows() / 2), 0, parts);
+    return parts;
+  }
+
+ private:
+  // Triples grow with the square of the pairs: where segments meet more than a few others each, a range is halved.
+  void add(const TurnRange& range, int depth, std::vector<Prepared>& parts) const {
+    constexpr std::size_t kMost = 5;
+    Prepared p;
+    p.range = range;
+    p.window = std::make_unique<TurnWindow>(grid_, catalog_, range, !reference_ && pairs_ > 100);
+    const double middle = std::nearbyint(0.5 * (range.t_low + range.t_high) * 0x1p24) * 0x1p-24;
+    if (depth < 3 && p.window->meetings.size() > kMost * p.window->segments.size() && middle > range.t_low && middle < range.t_high) {
+      add({range.chart, range.t_low, middle}, depth + 1, parts);
+      add({range.chart, middle, range.t_high}, depth + 1, parts);
+      return;
+    }
+    p.filter = std::make_unique<OverlapFilter>(forms_, *p.window);
+    p.found = events_in(*p.window, forms_, catalog_, all_, reference_ ? nullptr : p.filter.get());
+    parts.push_back(std::move(p));
+  }
+
+  const TurningForms& forms_;
+  const TurnCatalog& catalog_;
+  bool reference_;
+  double pairs_;
+  std::vector<Alignment> all_;
+  TurnGrid grid_;
+};
+
+// Ranges are prepared side by side, some at a time, and passed one after the other.
 Passed pass_turn(const TurningForms& forms, const TurnCatalog& catalog, ObstacleSweep& sweep, bool reference, const Progress& progress) {
   constexpr int kAtATime = 16;
-  const double pairs = static_cast<double>(forms.size(0)) * forms.size(1);
-  const std::vector<Alignment> all = alignments(forms, catalog);
-  const TurnGrid grid(forms, cells_for(pairs));
-  const int windows = 2 * windows_for(pairs);
-  std::vector<Prepared> some(kAtATime);
-  for (int first = 0; first < windows; first += kAtATime) {
-    if (progress && !progress("angles", static_cast<double>(first) / windows)) return Passed::cancelled;
-    const int last = std::min(windows, first + kAtATime);
-    base::parallel_parts(static_cast<std::size_t>(last - first), 0, [&](std::size_t k) {
-      Prepared& p = some[k];
-      p.range = range_of(first + static_cast<int>(k), windows / 2);
-      p.window = std::make_unique<TurnWindow>(grid, catalog, p.range, !reference && pairs > 100);
-      p.filter = std::make_unique<OverlapFilter>(forms, *p.window);
-      p.found = events_in(*p.window, forms, catalog, all, reference ? nullptr : p.filter.get());
-    });
-    for (int k = first; k < last; ++k) {
-      Prepared& p = some[static_cast<std::size_t>(k - first)];
-      count(*p.window, p.found, sweep.work);
-      if (p.found.always_concurrent && !reference) return Passed::always_concurrent;
-      if (k == 0) sweep.start(p.range, p.found.events);
-      sweep.pass(p.range, std::move(p.found.events), *p.filter);
-    }
-    if (last == windows) sweep.close(*some[static_cast<std::size_t>(last - first - 1)].filter);
+  const Preparation preparation(forms, catalog, reference);
+  const int ranges = preparation.windows();
+  std::vector<std::vector<Prepared>> some(kAtATime);
+  bool started = false;
+  for (int first = 0; first < ranges; first += kAtATime) {
+    if (progress && !progress("angles", static_cast<double>(first) / ranges)) return Passed::cancelled;
+    const int last = std::min(ranges, first + kAtATime);
+    base::parallel_parts(static_cast<std::size_t>(last - first), 0, [&](std::size_t k) { some[k] = preparation.range(first + static_cast<int>(k)); });
+    for (int k = 0; k < last - first; ++k)
+      for (Prepared& p : some[static_cast<std::size_t>(k)]) {
+        count(*p.window, p.found, sweep.work);
+        if (p.found.always_concurrent && !reference) return Passed::always_concurrent;
+        if (!started) sweep.start(p.range, p.found.events);
+        started = true;
+        sweep.pass(p.range, std::move(p.found.events), *p.filter);
+      }
+    if (last == ranges) sweep.close(*some[static_cast<std::size_t>(last - first - 1)].back().filter);
   }
   return Passed::turn;
 }

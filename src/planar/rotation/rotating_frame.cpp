@@ -60,24 +60,38 @@ bool RotatingFrame::place_segments(double delta) {
 bool RotatingFrame::find_crossings() {
   crossings_.clear();
   std::fill(count_.begin(), count_.end(), 0);
-  for (const TurnMeeting& m : window_.meetings)
-    if (exists_[m.segment_a] && exists_[m.segment_b] && !cross(m)) return false;
+  // Which of them cross cannot be predicted: all are listed and the place moves on for those that may.
+  near_.resize(window_.meetings.size() + 1);
+  std::size_t n = 0;
+  for (std::uint32_t m = 0; m < window_.meetings.size(); ++m) {
+    near_[n] = m;
+    n += !apart(window_.meetings[m]);
+  }
+  for (std::size_t k = 0; k < n; ++k)
+    if (!cross(window_.meetings[near_[k]])) return false;
   return true;
+}
+
+// One does not exist, or both ends of one lie on one side of the other. Without branches.
+bool RotatingFrame::apart(const TurnMeeting& m) const {
+  const Placed &a = placed_[m.segment_a], &b = placed_[m.segment_b];
+  const double wx = b.x - a.x, wy = b.y - a.y, k = a.dx * b.dy - a.dy * b.dx;
+  const double o1 = a.dx * wy - a.dy * wx, o2 = o1 + k, o3 = b.dx * wy - b.dy * wx, o4 = o3 + k;
+  const bool beside_a = (std::min(o1, o2) > a.error) | (std::max(o1, o2) < -a.error);
+  const bool beside_b = (std::min(o3, o4) > b.error) | (std::max(o3, o4) < -b.error);
+  return beside_a | beside_b | !(exists_[m.segment_a] & exists_[m.segment_b]);
 }
 
 // False where it cannot be told whether they cross.
 bool RotatingFrame::cross(const TurnMeeting& m) {
   const Placed &a = placed_[m.segment_a], &b = placed_[m.segment_b];
   const double wx = b.x - a.x, wy = b.y - a.y, k = a.dx * b.dy - a.dy * b.dx;
-  const double o1 = a.dx * wy - a.dy * wx, o2 = o1 + k;
-  if ((o1 > a.error && o2 > a.error) || (o1 < -a.error && o2 < -a.error)) return true;
-  const double o3 = b.dx * wy - b.dy * wx, o4 = o3 + k;
-  if ((o3 > b.error && o4 > b.error) || (o3 < -b.error && o4 < -b.error)) return true;
+  const double o1 = a.dx * wy - a.dy * wx, o2 = o1 + k, o3 = b.dx * wy - b.dy * wx, o4 = o3 + k;
   const bool sure = std::abs(o1) > a.error && std::abs(o2) > a.error && std::abs(o3) > b.error && std::abs(o4) > b.error;
   if (!sure || std::abs(k) <= 2 * kCross * a.length1 * b.length1) return certainly_beside(a, b) || certainly_beside(b, a);
   const TurnPiece &p = window_.pieces[m.a], &q = window_.pieces[m.b];
   const double per = -1 / k, t = o3 * per, u = o1 * per;
-  if (!(t > p.head && t <= p.tail && u > q.head && u <= q.tail)) return true;  // they cross in other pieces
+  if (!((t > p.head) & (t <= p.tail) & (u > q.head) & (u <= q.tail))) return true;  // they cross in other pieces
   const double error_t = 4 * b.error * std::abs(per) + 0x1p-50, error_u = 4 * a.error * std::abs(per) + 0x1p-50;
   const auto number = static_cast<std::uint32_t>(crossings_.size());
   if (k > 0) crossings_.push_back({m.b, m.a, u, t, error_u, error_t});
@@ -119,13 +133,10 @@ bool RotatingFrame::link_crossings() {
 
 // The segment that exists now and continues one, or kNone.
 std::uint32_t RotatingFrame::continuing(std::uint32_t segment) {
-  std::uint32_t next = kNone;
-  for (const std::uint32_t s : window_.segments[segment].next) {
-    if (s == kNone || !exists_[s]) continue;
-    if (next != kNone) sure_ = false;
-    next = s;
-  }
-  return next;
+  const auto [s, t] = window_.segments[segment].next;
+  const bool first = s != kNone && exists_[s], second = t != kNone && exists_[t];
+  if (first && second) sure_ = false;
+  return first ? s : second ? t : kNone;
 }
 
 std::uint32_t RotatingFrame::onward(std::uint32_t piece, std::uint32_t begin, std::vector<std::uint32_t>* path) {

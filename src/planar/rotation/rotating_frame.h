@@ -72,6 +72,7 @@ class RotatingFrame {
   static constexpr std::uint32_t kOut = 0x80000000;  ///< the boundary leaves the crossing on this piece
   bool place_segments(double delta);
   bool find_crossings();
+  bool apart(const TurnMeeting& m) const;
   bool cross(const TurnMeeting& m);
   static bool certainly_beside(const Placed& a, const Placed& b);
   void insert(std::uint32_t piece, double t, double error, std::uint32_t crossing);
@@ -98,6 +99,7 @@ class RotatingFrame {
   std::vector<Point> turned_, turned_edge_;
   std::vector<Placed> placed_;                 // by segment; anything where it does not exist
   std::vector<std::uint8_t> exists_;
+  std::vector<std::uint32_t> near_;            // meetings that may cross
   std::vector<Crossing> crossings_;
   std::vector<std::uint32_t> count_;           // of entries, by piece; the places are those of the window's index of meetings
   std::vector<Entry> entries_;                 // along each piece

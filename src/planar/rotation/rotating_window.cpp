@@ -51,7 +51,7 @@ RotatingWindow::Swept RotatingWindow::swept(const WalkSegment& s) const {
   w.ay = q[from.p].y + turned_[from.q].y;
   w.dx = s.side == 0 ? q[to.p].x - q[from.p].x : turned_[to.q].x - turned_[from.q].x;
   w.dy = s.side == 0 ? q[to.p].y - q[from.p].y : turned_[to.q].y - turned_[from.q].y;
-  w.reach = std::max(moved(turned_[from.q], half), from.q == to.q ? 0 : moved(turned_[to.q], half)) + 0x1p-46 * forms_.span();
+  w.reach = std::max(moved(forms_, from.q, half), moved(forms_, to.q, half)) + 0x1p-46 * forms_.span();
   return w;
 }
 

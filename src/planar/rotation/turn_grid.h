@@ -1,7 +1,6 @@
 // Cells of the sum that stay inside it while an operand turns a little: what windows of angles are made with.
 #pragma once
 
-#include <cmath>
 #include <vector>
 
 #include "planar/dead_cells.h"
@@ -19,8 +18,8 @@ class TurnGrid {
   int cells;
 };
 
-/// How far a point at p from the centre moves within `half` radians; the chord is shorter than the arc.
-inline double moved(Point p, double half) { return (std::hypot(p.x, p.y) * half) * (1 + 0x1p-40); }
+/// How far a vertex of the turning operand moves within `half` radians, at most; the chord is shorter than the arc.
+inline double moved(const TurningForms& forms, std::uint32_t v, double half) { return forms.radius(v) * half * (1 + 0x1p-40); }
 
 /// Cells of the sum that are inside it at every angle within `half` of the one at which the turning operand's vertices are `turned`.
 DeadCells dead_cells(const TurnGrid& base, const std::vector<Point>& turned, double half);

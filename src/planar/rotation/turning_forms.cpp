@@ -45,7 +45,8 @@ TurningForms::TurningForms(const ScalingBase& base) : base_(base), operands_{&ba
   centre_ = {(low.x + high.x) / 2, (low.y + high.y) / 2};
   for (Point& p : points_[1]) {
     p = minus(p, centre_);
-    reach_ = std::max(reach_, std::hypot(p.x, p.y));
+    radius_.push_back(std::hypot(p.x, p.y));
+    reach_ = std::max(reach_, radius_.back());
   }
   for (const Point& q : points_[0]) {
     width_ = std::max(width_, q.x);

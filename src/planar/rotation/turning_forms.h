@@ -65,6 +65,7 @@ class TurningForms {
   const std::vector<Point>& points(std::uint32_t op) const { return points_[op]; }
   Point edge(std::uint32_t op, std::uint32_t e) const { return {operands_[op]->ex[e], operands_[op]->ey[e]}; }
   double reach() const { return reach_; }  ///< of the turning operand about its centre
+  double radius(std::uint32_t v) const { return radius_[v]; }  ///< of a vertex of it
   double span() const { return span_; }    ///< of all coordinates of sums
   double width() const { return width_; }
   double height() const { return height_; }
@@ -127,6 +128,7 @@ class TurningForms {
   std::array<std::vector<Point>, 2> points_;
   std::array<std::vector<Vec>, 2> exact_;
   Point centre_;
+  std::vector<double> radius_;
   double reach_ = 0, span_ = 0, width_ = 0, height_ = 0;
 };
 
