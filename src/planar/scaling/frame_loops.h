@@ -73,7 +73,12 @@ class FrameLoops {
   };
   Cutting end_cut(Step s, bool at_end) const;
   Place sample(const FrameLoop& loop, double tau, FramePlace& place) const;
-  bool witnessed(const FrameLoop& loop, double tau) const;
+  struct Beside {
+    double x, y, error;
+  };
+  Beside beside(const FrameLoop& loop, double tau) const;
+  std::optional<std::array<std::uint32_t, 2>> lately_crossing(double x, double y, double error, double tau) const;
+  void remember(const std::optional<std::array<std::uint32_t, 2>>& edges);
   bool crosses_at(const std::array<std::uint32_t, 2>& edges, double x, double y, double error, double tau) const;
   void make_vertices(FrameLoop& loop, const std::vector<FrameLoop>& gone, std::vector<std::uint8_t>& claimed) const;
   MovingVertex vertex_after(Step s, std::uint32_t in, std::uint32_t out) const;
@@ -94,6 +99,8 @@ class FrameLoops {
   std::vector<NodeState> nodes_;
   std::vector<std::uint32_t> visited_;  ///< node -> how often kept loops pass it
   double last_tau_ = 0;  ///< of the last update
+  std::array<std::array<std::uint32_t, 2>, 16> lately_{};  ///< the last edges found to cross, of any loop or node
+  std::size_t found_ = 0;
   std::vector<Step> path_;
 };
 

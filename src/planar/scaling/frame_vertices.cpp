@@ -23,6 +23,11 @@ bool FrameLoops::node_inside(std::uint32_t node, double tau, FramePlace& place, 
     ++work.witnessed;
     return true;
   }
+  if (const auto edges = lately_crossing(x, y, kWindowPoint * window.span(), tau)) {
+    nodes_[node].witness = edges;
+    ++work.witnessed;
+    return true;
+  }
   work.witnesses_lost += nodes_[node].witness.has_value();
   Place p;
   p.on = window.exact(window.pieces[window.rays[n.first_ray].piece].segment);
@@ -34,11 +39,18 @@ bool FrameLoops::node_inside(std::uint32_t node, double tau, FramePlace& place, 
   ++work.collision_tests;
   const bool inside = place.collision().overlaps(p);
   nodes_[node].witness = place.collision().crossing_edges();
+  remember(nodes_[node].witness);
   return inside;
 }
 
 bool FrameLoops::is_false(FrameLoop& loop, double tau, FramePlace& place, FrameWork& work) {
-  if (loop.witness && witnessed(loop, tau)) {
+  const Beside z = beside(loop, tau);
+  if (loop.witness && crosses_at(*loop.witness, z.x, z.y, z.error, tau)) {
+    ++work.witnessed;
+    return true;
+  }
+  if (const auto edges = lately_crossing(z.x, z.y, z.error, tau)) {
+    loop.witness = edges;
     ++work.witnessed;
     return true;
   }
@@ -47,6 +59,7 @@ bool FrameLoops::is_false(FrameLoop& loop, double tau, FramePlace& place, FrameW
   Collision& collision = place.collision();
   const bool overlap = collision.overlaps_right_of(sample(loop, tau, place));
   loop.witness = collision.crossing_edges();
+  remember(loop.witness);
   return overlap;
 }
 
@@ -138,16 +151,26 @@ Place FrameLoops::sample(const FrameLoop& loop, double tau, FramePlace& place) c
   return p;
 }
 
-// The remembered edges cross properly when Q, reflected, stands at some point of the loop, and so they do at a point just right of it.
-bool FrameLoops::witnessed(const FrameLoop& loop, double tau) const {
+// A point of the loop. Edges that cross properly when Q, reflected, stands there do so at a point just right of it.
+FrameLoops::Beside FrameLoops::beside(const FrameLoop& loop, double tau) const {
   const Window& window = lists_.window();
   const Step s = loop.steps[0];
   const LiveSegment& on = window.segments[window.pieces[s.piece].segment];
   const Cutting from = end_cut(s, false), to = end_cut(s, true);
   const double t = 0.5 * (from.t.at(tau) + to.t.at(tau));
-  const double x = on.x.at(tau) + t * on.dx, y = on.y.at(tau) + t * on.dy;
   const double error = (from.error + to.error + 0x1p-49 * std::max(1.0, tau)) * std::max(std::abs(on.dx), std::abs(on.dy)) + kWindowPoint * window.span();
-  return crosses_at(*loop.witness, x, y, error, tau);
+  return {on.x.at(tau) + t * on.dx, on.y.at(tau) + t * on.dy, error};
+}
+
+// What covered other places lately often covers this one.
+std::optional<std::array<std::uint32_t, 2>> FrameLoops::lately_crossing(double x, double y, double error, double tau) const {
+  for (std::size_t k = 0; k < std::min(found_, lately_.size()); ++k)
+    if (crosses_at(lately_[k], x, y, error, tau)) return lately_[k];
+  return std::nullopt;
+}
+
+void FrameLoops::remember(const std::optional<std::array<std::uint32_t, 2>>& edges) {
+  if (edges) lately_[found_++ % lately_.size()] = *edges;
 }
 
 // Doubles only: the edges of both operands cross properly when Q, reflected, stands at (x, y).
