@@ -71,7 +71,7 @@ void RotatingLoops::renumber(const RotatingWindow& from, const RotatingWindow& t
   last_delta_ = std::remainder(last_delta_, kTurn);
 }
 
-void RotatingLoops::update(const RotatingFrame& frame, RotatingPlace& place, RingIdentities& identities, bool same_angle, FrameWork& work,
+void RotatingLoops::update(const RotatingFrame& frame, RotatingPlace& place, RingIdentities& identities, FrameWork& work,
                            FrameChanges& changes) {
   std::swap(old_, loops_);
   std::swap(old_steps_, steps_);
@@ -111,7 +111,7 @@ void RotatingLoops::update(const RotatingFrame& frame, RotatingPlace& place, Rin
       const RotatingFrame::Step& s = frame.steps()[k];
       steps_.push_back({s.segment, s.from, s.to, i, kNone});
     }
-  if (known_) follow(frame, identities, same_angle, changes);
+  if (known_) follow(frame, identities, changes);
   known_ = true;
   last_delta_ = frame.delta();
 }
@@ -241,7 +241,7 @@ bool RotatingLoops::covers(const std::array<std::uint32_t, 2>& edges, const Rota
 }
 
 // Identities: a ring takes that of the first ring with which it shares a vertex.
-void RotatingLoops::follow(const RotatingFrame& frame, RingIdentities& identities, bool same_angle, FrameChanges& changes) {
+void RotatingLoops::follow(const RotatingFrame& frame, RingIdentities& identities, FrameChanges& changes) {
   std::vector<std::uint8_t> claimed(old_.size(), 0);
   const auto vertex = [&](const RotatingFrame::Step& s, std::uint32_t next) -> const Known* {
     for (std::uint32_t k = head_[s.segment]; k != kNone; k = old_steps_[k].next) {
@@ -275,8 +275,7 @@ void RotatingLoops::follow(const RotatingFrame& frame, RingIdentities& identitie
     loop.ring = old_[from].ring;
     const std::uint32_t before = old_[from].vertices;
     const bool same = before == size && shared == size;
-    if (!same || !same_angle)
-      changes.rings.push_back({same ? RingChange::Kind::moved : RingChange::Kind::reshaped, loop.ring, size - shared, before - shared});
+    changes.rings.push_back({same ? RingChange::Kind::moved : RingChange::Kind::reshaped, loop.ring, size - shared, before - shared});
   }
   for (std::size_t i = 0; i < old_.size(); ++i)
     if (old_[i].kept && !claimed[i]) changes.rings.push_back({RingChange::Kind::disappeared, old_[i].ring, 0, old_[i].vertices});

@@ -28,7 +28,7 @@ class RotatingLoops {
   RotatingLoops(const TurningForms& forms, bool connected, bool swapped) : forms_(forms), connected_(connected), swapped_(swapped) {}
 
   /// Takes the cycles of a frame over. What the frame before knew is used if both lie in one window; `identities` gives fresh names.
-  void update(const RotatingFrame& frame, RotatingPlace& place, RingIdentities& identities, bool same_angle, FrameWork& work, FrameChanges& changes);
+  void update(const RotatingFrame& frame, RotatingPlace& place, RingIdentities& identities, FrameWork& work, FrameChanges& changes);
   /// Nothing is known any more of the frame before.
   void forget() {
     loops_.clear();
@@ -57,7 +57,7 @@ class RotatingLoops {
   bool covered(const RotatingFrame& frame, Loop& loop, RotatingPlace& place, FrameWork& work);
   bool covers(const std::array<std::uint32_t, 2>& edges, const RotatingFrame& frame, const RotatingFrame::Located& z) const;
   std::size_t outer_loop(const RotatingFrame& frame, const std::vector<std::uint8_t>& told) const;
-  void follow(const RotatingFrame& frame, RingIdentities& identities, bool same_angle, FrameChanges& changes);
+  void follow(const RotatingFrame& frame, RingIdentities& identities, FrameChanges& changes);
   Segment source_segment(std::uint32_t segment, const RotatingWindow& window) const;
 
   const TurningForms& forms_;

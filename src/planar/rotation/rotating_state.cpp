@@ -16,7 +16,7 @@ double now_ms() { return std::chrono::duration<double, std::milli>(std::chrono::
 
 constexpr double kMaskFrom = 100;    // segments from which a mask pays
 constexpr double kCellsSwept = 3;   // a cell is so many times as wide as vertices move from the middle of a window
-constexpr double kWidest = 0.25;     // beyond a sweep of so many cells of the finest grid pairs that may meet abound
+constexpr double kWidest = 0.3;     // beyond a sweep of so many cells of the finest grid pairs that may meet abound
 
 int cells_for(double n) { return std::clamp(static_cast<int>(3 * std::sqrt(n)), 8, 256); }
 
@@ -153,7 +153,7 @@ bool RotatingSum::State::assemble(const Orientation& theta, NextFrame& next) {
     if (loop.kept) kept_ids.push_back(loop.ring);
   const std::vector<std::size_t> numbers = place_rings(std::move(rings), outer, sum);
   if (!next.followed) {
-    next.ids = identities_.match(this->sum, ring_ids, sum, theta == orientation, next.changes);
+    next.ids = identities_.match(this->sum, ring_ids, sum, false, next.changes);
     for (std::size_t i = 0; i < numbers.size(); ++i) kept_ids[numbers[i]] = next.ids[i];
     loops_->name(kept_ids);
   } else {
@@ -174,7 +174,7 @@ std::optional<RotatingSum::State::NextFrame> RotatingSum::State::window_frame(co
   RotatingPlace place(base_, theta);
   next.followed = loops_->known();
   next.updated = true;
-  loops_->update(*frame_, place, identities_, theta == orientation, next_work, next.changes);
+  loops_->update(*frame_, place, identities_, next_work, next.changes);
   if (!assemble(theta, next)) return std::nullopt;
   next_work.exact_signs += place.exact_signs();
   return next;
@@ -182,6 +182,10 @@ std::optional<RotatingSum::State::NextFrame> RotatingSum::State::window_frame(co
 
 Result<FrameChanges> RotatingSum::State::move_to(const Orientation& theta) {
   const double begin = now_ms();
+  if (theta == orientation && sum.source != nullptr) {
+    work = {};
+    return FrameChanges{};
+  }
   FrameWork next_work;
   std::optional<NextFrame> next;
   bool built = false;
@@ -212,7 +216,7 @@ Result<FrameChanges> RotatingSum::State::move_to(const Orientation& theta) {
     if (!rebuilt) return rebuilt.error();
     if (loops_ != nullptr) loops_->forget();
     next = std::move(rebuilt).value();
-    next->ids = identities_.match(sum, ring_ids, next->sum, theta == orientation, next->changes);
+    next->ids = identities_.match(sum, ring_ids, next->sum, false, next->changes);
   }
   finish_changes(sum, next->sum, next->changes);
   sum = std::move(next->sum);
