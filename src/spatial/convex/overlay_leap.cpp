@@ -16,6 +16,11 @@ namespace {
 constexpr std::uint32_t kEnd = 0;
 constexpr std::uint32_t before_first(std::uint32_t e) { return e + 1; }
 
+/// Without a branch, which compilers would put here.
+constexpr std::uint32_t chosen(bool first, std::uint32_t a, std::uint32_t b) {
+  return b ^ ((a ^ b) & (0 - static_cast<std::uint32_t>(first)));
+}
+
 }  // namespace
 
 /// Every face but the first is reached along an arc from a neighbour whose vertex is known; the other arcs join faces
@@ -86,19 +91,19 @@ void Overlay::step_to_faces(float float_error) {
   const double error = signs_.error(w);
   std::size_t n = found_.size(), left = 0;
   found_.resize(n + walking_.size());
+  Found* const found = found_.data();
   for (const std::uint32_t i : walking_) {
     Walk& walk = walks_[i];
     const HalfEdge over = exit_of(walk, float_error);
-    const double beyond = dot(walk.row, other.along(over));
+    const double beyond = dot(walk.row, other.direction[over / 2]) * (1 - 2 * static_cast<double>(over & 1));
     bool crosses = beyond > 0;
     if (!(std::abs(beyond) > error)) crosses = signs_.sign_now(w, walk.goal, over) > 0;
-    const bool back = walk.h & 1;
-    Found& before = found_[walk.after];
-    const auto id = static_cast<std::uint32_t>(n);
-    found_[n] = {walk.h / 2, over ^ HalfEdge{back}, before.next, kEnd, kNoCrossing};
-    before.next = crosses ? id : before.next;
-    walk.after = crosses && !back ? id : walk.after;
-    walk.v = crosses ? other.target(over) : walk.v;
+    const std::uint32_t back = walk.h & 1, id = static_cast<std::uint32_t>(n);
+    std::uint32_t& before = found[walk.after].next;
+    found[n] = {walk.h / 2, over ^ back, before, kEnd, kNoCrossing};
+    before = chosen(crosses, id, before);
+    walk.after = chosen(crosses & (back == 0), id, walk.after);
+    walk.v = chosen(crosses, other.target(over), walk.v);
     walking_[left] = i;
     left += crosses;
     n += crosses;
