@@ -48,14 +48,17 @@ TEST(RingOfEight, edges_are_those_that_doubles_find) {
   std::mt19937_64 random(62);
   const float error = static_cast<float>(spatial::kFloatError);
   std::array<int, 32> found{};
-  for (const Mesh& mesh : {cube(1), spindle(7), spindle(8), spindle(9), spindle(20), random_round_polytope(random, 200)}) {
+  const std::vector<Mesh> meshes{cube(1),    spindle(7),  spindle(8),
+                                 spindle(9), spindle(20), random_round_polytope(random, 200)};
+  for (const Mesh& mesh : meshes) {
     const Polytope p = *spatial::make_polytope(mesh);
     for (std::uint32_t v = 0; v < p.vertex_count(); ++v) {
       const std::uint32_t begin = p.ring_start[v], size = p.ring_start[v + 1] - begin;
       for (int k = 0; k < 20; ++k) {
         // A circle through a direction inside the cell.
         Vec3 inside;
-        for (std::uint32_t i = 0; i < size; ++i) inside = inside + (0.1 + 0.01 * (random() % 90)) * p.ring_normal[begin + i];
+        for (std::uint32_t i = 0; i < size; ++i)
+          inside = inside + (0.1 + 0.01 * static_cast<double>(random() % 90)) * p.ring_normal[begin + i];
         const Vec3 some = cross(inside, random_vector(random)), along = (1 / length(some)) * some;
         const auto value = [&](std::uint32_t slot) { return dot(p.ring_normal[slot], along); };
         const auto sign = [&](std::uint32_t slot) { return value(slot) > 0 ? 1 : -1; };
