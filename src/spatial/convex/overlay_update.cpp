@@ -17,7 +17,7 @@ constexpr std::uint32_t kEnds = std::uint32_t{1} << 31;
 
 /// Moves by more than this many cells start from neighbouring faces instead of from the vertices before: measured, see
 /// docs/design/convex-motion.md.
-constexpr double kLeap = 1;
+constexpr double kLeap = 0.6;
 
 /// The numbers of the certificates that have ended.
 void find_expired(const std::vector<double>& until, double clock, std::vector<std::uint32_t>& expired) {
