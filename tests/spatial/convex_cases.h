@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <numbers>
 #include <random>
 #include <set>
 #include <vector>
@@ -51,6 +52,16 @@ inline Rotation small_rotation(std::mt19937_64& random, double angle) {
 inline Scale random_scale(std::mt19937_64& random) {
   std::uniform_int_distribution<int> n(1, 40);
   return *Scale::of(Rational{std::to_string(n(random)), std::to_string(n(random))});
+}
+
+/// Two tips over a ring of vertices: as many edges leave a tip as there are sides.
+inline Mesh spindle(int sides) {
+  std::vector<Point3> at{{0, 0, 1.5}, {0, 0, -1.25}};
+  for (int k = 0; k < sides; ++k) {
+    const double angle = 2 * std::numbers::pi * k / sides;
+    at.push_back({std::cos(angle), std::sin(angle), 0});
+  }
+  return *convex_hull(at);
 }
 
 inline Mesh cube(double half) { return solids::box(-half, -half, -half, half, half, half); }

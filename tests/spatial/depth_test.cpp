@@ -70,6 +70,49 @@ TEST(ConvexDepth, deep_in_a_sum_with_all_facets_equally_far) {
   EXPECT_EQ(exact::exact_value(balls.depth().depth_squared), least_signed_square(balls.sum(), {}));
 }
 
+TEST(ConvexDepth, where_doubles_cannot_tell_the_nearest) {
+  // 1.5 along x, 2^-50 less along y; of the second box, the faces across y are larger than those across x.
+  const double y = 1.25 - 0x1p-50;
+  const auto box = [](double hx, double hy, double hz) {
+    std::vector<Point3> at;
+    for (int k = 0; k < 8; ++k) at.push_back({k & 1 ? hx : -hx, k & 2 ? hy : -hy, k & 4 ? hz : -hz});
+    return *convex_hull(at);
+  };
+  const Mesh p = box(1, y, 4), q = box(0.5, 0.25, 0.25);
+  const BigRational least = exact::exact_value(1.5 - 0x1p-50);
+  for (const bool swapped : {false, true}) {
+    ConvexSum sum = *ConvexSum::create(swapped ? q : p, swapped ? p : q);
+    EXPECT_EQ(exact::exact_value(sum.depth().depth_squared), least * least);
+  }
+}
+
+TEST(ConvexDepth, of_solids_of_any_size) {
+  // Hundreds of nearly equal distances. From 2^-511 on their squares are no ordinary doubles any more, at 2^200 the grid's
+  // unit is above one.
+  std::mt19937_64 random(33);
+  const Mesh ball = solids::geodesic_sphere(2, 1);
+  for (int k = 0; k < 20; ++k) {
+    const SolidPose pose{random_rotation(random), {}};
+    std::uniform_int_distribution<int> offset(-64, 64);
+    const Point3 x{0x1p-20 * offset(random), 0x1p-20 * offset(random), 0x1p-20 * offset(random)};
+    const auto depth_squared = [&](int exponent) {
+      const double unit = std::ldexp(1, exponent);
+      MeshData data = ball.data();
+      for (Point3& v : data.vertices) v = {unit * v.x, unit * v.y, unit * v.z};
+      const Mesh sized = *Mesh::create(data);
+      ConvexSum sum = *ConvexSum::create(sized, negated(sized));
+      sum.set(pose);
+      return exact::exact_value(sum.depth({unit * x.x, unit * x.y, unit * x.z}).depth_squared);
+    };
+    const BigRational one = depth_squared(0);
+    for (const int exponent : {-536, -535, -533, -530, -525, -300, 200}) {
+      const exact::BigInteger factor = exact::BigInteger(1) << static_cast<unsigned>(2 * std::abs(exponent));
+      const BigRational sized = depth_squared(exponent);
+      EXPECT_EQ(exponent < 0 ? BigRational(sized * factor) : BigRational(sized / factor), one) << k << " " << exponent;
+    }
+  }
+}
+
 TEST(PoseBatch, reports_what_single_sums_say_in_the_order_given) {
   std::mt19937_64 random(32);
   const Mesh p = random_round_polytope(random, 60), q = random_round_polytope(random, 40);

@@ -92,7 +92,9 @@ std::vector<Pair> pairs(std::mt19937_64& random) {
   const auto make = [](const Mesh& mesh) { return *spatial::make_polytope(mesh); };
   const Polytope prism = make(leaning_prism(24, 1.5)), rod = make(leaning_prism(5, 6));
   const Polytope ball = make(random_round_polytope(random, 150)), other = make(random_round_polytope(random, 60));
-  return {{prism, ball}, {ball, prism}, {rod, ball}, {ball, rod}, {prism, rod}, {other, ball}, {ball, other}};
+  const Polytope tips = make(spindle(20));
+  return {{prism, ball}, {ball, prism}, {rod, ball},  {ball, rod}, {prism, rod},
+          {other, ball}, {ball, other}, {other, tips}, {tips, ball}};
 }
 
 TEST(OverlayUpdate, equals_the_static_overlay_and_reports_its_changes) {
@@ -258,6 +260,41 @@ TEST(OverlayUpdate, leaps_look_at_no_certificates_and_leave_them_to_the_next_sho
   turn = small_rotation(random, 1e-6) * turn;
   moving.update(map_of({turn, {}}));
   EXPECT_LT(moving.work().crossing_checks + moving.work().vertex_checks, 10u);
+}
+
+/// Solids with edges and faces along the axes, scaled along these: their ties are told without exact numbers, and as
+/// these tell them. Exact numbers decide where both solids are stretched by a factor of too many digits, which leaves
+/// all else as it is.
+TEST(OverlayUpdate, ties_along_the_axes_are_those_of_exact_numbers) {
+  std::mt19937_64 random(58);
+  // (10^51 + 1) / 10^51, and three digits times that.
+  const std::string zeros(48, '0'), more = zeros + "000";
+  const Scale wide = *Scale::of(Rational{"1" + zeros + "001", "1" + more});
+  std::uint64_t plain = 0, exact = 0;
+  for (int k = 0; k < 300; ++k) {
+    const Polytope p = *spatial::make_polytope(random_grid_polytope(random, 9, 2));
+    const Polytope q = *spatial::make_polytope(k % 3 == 0 ? cube(1) : random_grid_polytope(random, 9, 2));
+    SolidPose pose, stretched, other;
+    const std::size_t axis = random() % 3;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::string n = std::to_string(500 + random() % 500);
+      pose.scale[i] = stretched.scale[i] = *Scale::of(Rational{n, "1000"});
+      if (i == axis) stretched.scale[i] = *Scale::of(Rational{n + zeros + n, "1000" + more});
+    }
+    other.scale[axis] = wide;
+    const RelativeMap map = map_of(pose), same(PoseFactors::of(stretched), PoseFactors::of(other));
+    ASSERT_GT(same.bits(), 126);
+    Overlay narrow(p, q), large(p, q), moved(p, q);
+    narrow.build(map);
+    large.build(same);
+    moved.update(map);
+    plain += narrow.work().exact_signs;
+    exact += large.work().exact_signs;
+    ASSERT_TRUE(narrow == large) << k;
+    ASSERT_TRUE(moved == large) << k;
+  }
+  EXPECT_GT(exact, 1000u);
+  EXPECT_LT(20 * plain, exact);
 }
 
 }  // namespace

@@ -18,7 +18,9 @@ ExactPose ExactPose::of(const SolidPose& pose) {
   e.den = all * pose.rotation.norm();
   for (int k = 0; k < 9; ++k) e.matrix[k] = n[k] * f.num[k % 3] * (all / f.den[k % 3]);
   BigInteger d = e.den;
-  for (const BigInteger& m : e.matrix) d = gcd(d, m);
+  for (const BigInteger& m : e.matrix)
+    if (d != 1) d = gcd(d, m);
+  if (d == 1) return e;
   e.den /= d;
   for (BigInteger& m : e.matrix) m /= d;
   return e;

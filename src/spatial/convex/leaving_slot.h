@@ -21,22 +21,27 @@ std::uint32_t leaving_slot(const Polytope& other, std::uint32_t v, double error,
   // that of the one before it.
   constexpr std::uint32_t kWord = 64;
   if (size <= kWord) {
-    std::uint64_t left = 0;
-    bool certain = true;
+    std::uint64_t left = 0, doubt = 0;
     for (std::uint32_t k = 0; k < size; ++k) {
       const double side = value(begin + k);
       left |= std::uint64_t{side > 0} << k;
-      certain &= std::abs(side) > error;
+      doubt |= std::uint64_t{!(std::abs(side) > error)} << k;
+    }
+    for (; doubt != 0; doubt &= doubt - 1) {
+      const int k = std::countr_zero(doubt);
+      left &= ~(std::uint64_t{1} << k);
+      left |= std::uint64_t{sign(begin + static_cast<std::uint32_t>(k)) > 0} << k;
     }
     const std::uint64_t right = (left << 1) | (left >> (size - 1));
     const std::uint64_t exits = left & ~right;
-    if (certain && exits != 0) return begin + static_cast<std::uint32_t>(std::countr_zero(exits));
-  }
-  bool right = sign(begin + size - 1) > 0;
-  for (std::uint32_t k = 0; k < size; ++k) {
-    const bool left = sign(begin + k) > 0;
-    if (left && !right) return begin + k;
-    right = left;
+    if (exits != 0) return begin + static_cast<std::uint32_t>(std::countr_zero(exits));
+  } else {
+    bool right = sign(begin + size - 1) > 0;
+    for (std::uint32_t k = 0; k < size; ++k) {
+      const bool left = sign(begin + k) > 0;
+      if (left && !right) return begin + k;
+      right = left;
+    }
   }
   throw std::logic_error("Overlay: an arc does not leave a cell that it enters");
 }

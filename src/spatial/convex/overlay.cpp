@@ -45,6 +45,19 @@ Overlay::Overlay(const Polytope& p, const Polytope& q) : signs_(p, q) {
   for (std::size_t i = 1; i < visits_[walker_].size(); ++i) visited[visits_[walker_][i].via / 2] = true;
   for (std::uint32_t e = 0; e < visited.size(); ++e)
     if (!visited[e]) chords_.push_back(e);
+  make_levels();
+}
+
+/// Visits are sorted by their distance from the first face.
+void Overlay::make_levels() {
+  const std::vector<Visit>& visits = visits_[walker_];
+  std::vector<std::uint32_t> level(visits.size(), 0);
+  levels_.push_back(0);
+  for (std::uint32_t i = 0; i < visits.size(); ++i) {
+    if (i > 0) level[visits[i].face] = level[visits[i].from] + 1;
+    if (level[visits[i].face] == levels_.size()) levels_.push_back(i);
+  }
+  levels_.push_back(static_cast<std::uint32_t>(visits.size()));
 }
 
 /// Doubles cannot tell whether an edge rises: any that does will do. The vertex it leads to, or v itself, which is then

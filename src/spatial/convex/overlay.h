@@ -88,8 +88,28 @@ class Overlay {
   friend bool operator==(const Overlay& a, const Overlay& b);
 
  private:
+  // Of a long move: an arc of the walker that is walked, ...
+  struct Walk {
+    Vec3 row;                    // of the face to reach, where there is one
+    std::array<float, 3> along;  // its edge's direction, mapped
+    HalfEdge h;                  // the way that it is walked
+    std::uint32_t v;             // the cell at hand
+    std::uint32_t goal;          // the face to reach, or the last cell
+    std::uint32_t after;         // the crossing found after which the next one is put, in the order of the edge's arc
+  };
+  // ... a crossing found, in lists along the arcs of both operands, ...
+  struct Found {
+    std::uint32_t e;
+    HalfEdge over;
+    std::uint32_t next, next_across, id;
+  };
+  // ... and an arc of the other operand: the first of its crossings in any order, the cells of its ends.
+  struct Across {
+    std::uint32_t first, count, begin, end;
+  };
   // Shared.
   void restart();
+  void make_levels();
   bool climb(int op, std::uint32_t f, std::uint32_t start, Vec3 row);
   std::uint32_t step_near_zero(int op, std::uint32_t f, std::uint32_t v);
   void note_face(int op, std::uint32_t f);
@@ -110,6 +130,7 @@ class Overlay {
   void remove_crossing(std::uint32_t id);
   double slack(HalfEdge over, Vec3 along) const;
   HalfEdge exit_now(HalfEdge h, std::uint32_t v, Vec3 along) const;
+  HalfEdge exit_in_doubt(HalfEdge h, std::uint32_t v, Vec3 along) const;
   std::pair<std::uint32_t, std::uint32_t> cells_of_ends(int op, std::uint32_t e);
   void settle_other_side();
   void set_vertex(int op, std::uint32_t f, std::uint32_t v);
@@ -117,9 +138,15 @@ class Overlay {
   void free_crossing(std::uint32_t id);
   // Long moves: overlay_leap.cpp.
   void leap();
-  std::uint32_t walk_to_face(HalfEdge h, std::uint32_t v);
-  void walk_between(std::uint32_t e, std::uint32_t v, std::uint32_t end);
-  void relink_arc(std::uint32_t e);
+  void walk_to_faces(std::size_t begin, std::size_t end);
+  void walk_chords();
+  void step_to_faces(float error);
+  void step_chords(float error);
+  HalfEdge exit_of(const Walk& walk, float error) const;
+  void list_found_across();
+  void keep_numbers();
+  void write_found();
+  void follow_found();
 
   Signs signs_;
   std::array<std::vector<std::uint32_t>, 2> extreme_;
@@ -137,13 +164,18 @@ class Overlay {
   // follow.
   int walker_ = 0;
   std::vector<std::uint32_t> chords_;  // its edges that no visit goes by
+  std::vector<std::uint32_t> levels_;  // where its visits as far from the first face begin; one more at the end
   double cell_ = 0;  // the radius of a cell of the other operand's map, if all were alike
   // Certificates: what was checked holds until directions have moved by this angle since the start.
   double clock_ = 0;
   std::array<std::vector<double>, 2> vertex_until_;
   std::vector<double> crossing_until_;
   // Scratch, kept from update to update.
-  std::vector<HalfEdge> walk_;
+  std::vector<Walk> walks_;
+  std::vector<Found> found_;
+  std::vector<Across> across_;
+  std::vector<std::uint32_t> walking_, joining_;
+  std::vector<std::uint8_t> altered_;
   std::vector<std::uint32_t> dropped_, touched_, uncrossed_, expired_, broken_, breaks_, spreading_;
   std::array<std::vector<std::uint8_t>, 2> is_touched_;
   OverlayWork work_;

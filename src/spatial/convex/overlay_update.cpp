@@ -17,7 +17,7 @@ constexpr std::uint32_t kEnds = std::uint32_t{1} << 31;
 
 /// Moves by more than this many cells start from neighbouring faces instead of from the vertices before: measured, see
 /// docs/design/convex-motion.md.
-constexpr double kLeap = 1;
+constexpr double kLeap = 0.6;
 
 /// The numbers of the certificates that have ended.
 void find_expired(const std::vector<double>& until, double clock, std::vector<std::uint32_t>& expired) {
@@ -61,8 +61,8 @@ void Overlay::update(const RelativeMap& map, bool use_margins) {
     for (const std::uint32_t e : broken_) mend_arc(e);
     work_.arc_checks = broken_.size();
     broken_.clear();
+    settle_other_side();
   }
-  settle_other_side();
   work_.exact_signs = signs_.exact_signs() - exact_before;
 }
 
@@ -128,6 +128,14 @@ void Overlay::check_crossings() {
 /// The half-edge of the other operand across whose arc the arc of the walker's half-edge h, mapped to `along`, leaves
 /// the cell of v.
 HalfEdge Overlay::exit_now(HalfEdge h, std::uint32_t v, Vec3 along) const {
+  const int op = 1 - walker_;
+  const Polytope& other = poly(op);
+  const HalfEdge over = leaving_edge(other.eight[v], in_floats(along), signs_.float_error(op));
+  return over != kNoEdge ? over : exit_in_doubt(h, v, along);
+}
+
+/// The same where floats cannot tell.
+HalfEdge Overlay::exit_in_doubt(HalfEdge h, std::uint32_t v, Vec3 along) const {
   const int op = 1 - walker_;
   const Polytope& other = poly(op);
   const auto value = [&](std::uint32_t k) { return dot(other.ring_normal[k], along); };

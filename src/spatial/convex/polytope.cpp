@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <unordered_map>
 
@@ -239,6 +240,22 @@ void make_units(Polytope& p, std::uint32_t edges) {
   }
 }
 
+void make_eights(Polytope& p) {
+  constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+  for (std::uint32_t v = 0; v < p.vertex_count(); ++v) {
+    const std::uint32_t begin = p.ring_start[v], last = p.ring_start[v + 1] - 1;
+    RingOfEight& eight = p.eight.emplace_back();
+    for (std::uint32_t k = 0; k < 8; ++k) {
+      const std::uint32_t slot = std::min(begin + k, last);
+      const Vec3 n = last - begin < 8 ? p.ring_normal[slot] : Vec3{kNoNumber, kNoNumber, kNoNumber};
+      eight.x[k] = static_cast<float>(n.x);
+      eight.y[k] = static_cast<float>(n.y);
+      eight.z[k] = static_cast<float>(n.z);
+      eight.edge[k] = p.ring[slot];
+    }
+  }
+}
+
 void measure(Polytope& p) {
   const Vec3 centre = p.at[0];
   for (std::uint32_t f = 0; f < p.face_count(); ++f) {
@@ -255,7 +272,7 @@ void measure(Polytope& p) {
 
 std::size_t Polytope::bytes() const {
   const auto of = [](const auto&... v) { return (std::size_t{0} + ... + (v.capacity() * sizeof(v[0]))); };
-  return sizeof(*this) + of(at, grid, big, source_vertex, ring_start, ring, ring_direction, ring_face, ring_normal, sides, origin, face, next, direction, normal, area, first,
+  return sizeof(*this) + of(at, grid, big, source_vertex, ring_start, ring, ring_direction, ring_face, ring_normal, eight, sides, origin, face, next, direction, normal, area, first,
                             source_face);
 }
 
@@ -291,6 +308,7 @@ Result<Polytope> make_polytope(const Mesh& mesh, bool merge) {
   link(p, soup, merging, group, to, edges);
   make_rings(p);
   make_units(p, edges);
+  make_eights(p);
   measure(p);
   return p;
 }

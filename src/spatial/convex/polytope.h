@@ -10,6 +10,7 @@
 #include "dymsum/result.h"
 #include "exact/big.h"
 #include "exact/vector3.h"
+#include "spatial/convex/ring_of_eight.h"
 #include "spatial/convex/vec3.h"
 
 namespace dymsum::spatial {
@@ -31,6 +32,7 @@ struct Polytope {
   std::vector<Vec3> ring_direction;                  // unit vector along each of ring
   std::vector<std::uint32_t> ring_face;              // face on the left of each of ring
   std::vector<Vec3> ring_normal;                     // and its outward unit normal
+  std::vector<RingOfEight> eight;                    // the ring of each vertex once more, for floats
   // Half-edges.
   std::vector<std::uint32_t> origin, face;
   std::vector<HalfEdge> next;                        // in the face

@@ -1,7 +1,10 @@
 #include "spatial/convex/relative_map.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <numeric>
+#include <optional>
 
 namespace dymsum::spatial {
 namespace {
@@ -24,6 +27,34 @@ std::array<BigInteger, 3> over_one_denominator(const std::array<BigInteger, 3>& 
   const BigInteger d = gcd(gcd(v[0], v[1]), v[2]);
   for (BigInteger& c : v) c /= d;
   return v;
+}
+
+/// The same in machine words; nothing where a number has more than 20 bits.
+std::optional<std::array<std::int64_t, 3>> words_over_one_denominator(const std::array<BigInteger, 3>& num,
+                                                                      const std::array<BigInteger, 3>& den) {
+  constexpr std::int64_t kMost = std::int64_t{1} << 20;
+  std::array<std::int64_t, 3> n, d;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (num[k] > kMost || den[k] > kMost) return std::nullopt;
+    n[k] = static_cast<std::int64_t>(num[k]);
+    d[k] = static_cast<std::int64_t>(den[k]);
+  }
+  std::array<std::int64_t, 3> v{n[0] * d[1] * d[2], n[1] * d[0] * d[2], n[2] * d[0] * d[1]};
+  const std::int64_t common = std::gcd(std::gcd(v[0], v[1]), v[2]);
+  for (std::int64_t& c : v) c /= common;
+  return v;
+}
+
+/// The least w with |values| < 2^w.
+template <std::size_t N>
+int width(const std::array<i128, N>& values) {
+  int most = 0;
+  for (const i128 v : values) {
+    const i128 size = v < 0 ? -v : v;
+    const auto high = static_cast<std::uint64_t>(size >> 64), low = static_cast<std::uint64_t>(size);
+    most = std::max(most, static_cast<int>(high != 0 ? 64 + std::bit_width(high) : std::bit_width(low)));
+  }
+  return most;
 }
 
 double frobenius(const Mat3& m) { return std::sqrt(dot(m[0], m[0]) + dot(m[1], m[1]) + dot(m[2], m[2])); }
@@ -67,6 +98,7 @@ void RelativeMap::set_rotation(const Rotation& p, const Rotation& q) {
 
 // D_P^-1 R D_Q and D_Q^-1 R^T D_P, each with positive factors that make integers of them.
 void RelativeMap::set_scaled(const PoseFactors& p, const PoseFactors& q) {
+  if (set_scaled_in_words(p, q)) return;
   const std::array<std::array<BigInteger, 3>, 2> left{over_one_denominator(p.den, p.num), over_one_denominator(q.den, q.num)};
   const std::array<std::array<BigInteger, 3>, 2> right{over_one_denominator(q.num, q.den), over_one_denominator(p.num, p.den)};
   unsigned most = 0;
@@ -78,6 +110,21 @@ void RelativeMap::set_scaled(const PoseFactors& p, const PoseFactors& q) {
       big_[9 * index + k] = Big(v);
     }
   set_big(most);
+}
+
+/// The same integers; false, and nothing is changed, where machine words may not hold them.
+bool RelativeMap::set_scaled_in_words(const PoseFactors& p, const PoseFactors& q) {
+  const auto p_down = words_over_one_denominator(p.den, p.num), q_down = words_over_one_denominator(q.den, q.num);
+  const auto p_up = words_over_one_denominator(p.num, p.den), q_up = words_over_one_denominator(q.num, q.den);
+  if (!p_down || !q_down || !p_up || !q_up) return false;
+  const auto bits = [](const std::array<std::int64_t, 3>& v) { return width(std::array<i128, 3>{v[0], v[1], v[2]}); };
+  if (width(fixed_[0]) + std::max(bits(*p_down) + bits(*q_up), bits(*q_down) + bits(*p_up)) > 126) return false;
+  for (std::size_t k = 0; k < 9; ++k) {
+    fixed_[0][k] *= static_cast<i128>((*p_down)[k / 3]) * (*q_up)[k % 3];
+    fixed_[1][k] *= static_cast<i128>((*q_down)[k / 3]) * (*p_up)[k % 3];
+  }
+  bits_ = std::max(width(fixed_[0]), width(fixed_[1])) <= 62 ? 62 : 126;
+  return true;
 }
 
 /// From big_, whose entries are below 2^most; empty afterwards where 126 bits do.

@@ -69,6 +69,7 @@ class RelativeMap {
   }
   void set_rotation(const Rotation& p, const Rotation& q);
   void set_scaled(const PoseFactors& p, const PoseFactors& q);
+  bool set_scaled_in_words(const PoseFactors& p, const PoseFactors& q);
   void set_big(unsigned most);
   void approximate();
 

@@ -41,18 +41,20 @@ class Signs {
   /// and this, within the same error.
   Vec3 mapped_edge(int op, std::uint32_t e) const { return map_.approx(op) * poly_[1 - op]->direction[e]; }
   double error(int op) const { return map_.error(op); }
+  /// The error where normals and mapped edges are rounded to floats. All factor.
+  float float_error(int op) const { return static_cast<float>(kFloatError * map_.norm(op)); }
   /// -1 or 1.
   int sign(int op, std::uint32_t f, HalfEdge h) const {
     const double v = value(op, f, h);
     if (v > map_.error(op)) return 1;
     if (v < -map_.error(op)) return -1;
-    return exact_sign(op, f, h);
+    return near_zero_sign(op, f, h);
   }
   int sign_now(int op, std::uint32_t f, HalfEdge h) const {
     const double v = value_now(op, f, h);
     if (v > map_.error(op)) return 1;
     if (v < -map_.error(op)) return -1;
-    return exact_sign(op, f, h);
+    return near_zero_sign(op, f, h);
   }
   /// -1, 0 or 1: without the infinitesimal rotation.
   int true_sign(int op, std::uint32_t f, HalfEdge h) const;
@@ -79,6 +81,8 @@ class Signs {
     const double v = dot(row_now(op, f), poly_[1 - op]->direction[h / 2]);
     return (h & 1) ? -v : v;
   }
+  int near_zero_sign(int op, std::uint32_t f, HalfEdge h) const;
+  int plain_tie(int op, std::uint32_t f, HalfEdge h) const;
   int exact_sign(int op, std::uint32_t f, HalfEdge h) const;
 
   std::array<const Polytope*, 2> poly_;
