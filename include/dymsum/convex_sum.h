@@ -31,7 +31,7 @@ struct SolidFeature {
 struct SolidFacet {
   std::vector<std::uint32_t> vertices;  ///< counter-clockwise seen from outside, from the smallest number on
   SolidFeature p, q;
-  bool changed = false;  ///< not there before the last move; no part of the value
+  bool changed = false;  ///< not there before the last move (none before the first one); no part of the value
   friend bool operator==(const SolidFacet& a, const SolidFacet& b) { return a.p == b.p && a.q == b.q && a.vertices == b.vertices; }
 };
 

@@ -128,6 +128,16 @@ TEST(ConvexMotion, there_and_back_is_the_same_state_and_standing_still_is_no_wor
   EXPECT_EQ(moving.work(), MotionWork());
 }
 
+TEST(ConvexMotion, nothing_counts_as_changed_before_the_first_move) {
+  std::mt19937_64 random(27);
+  ConvexSum sum = *ConvexSum::create(random_round_polytope(random, 30), random_round_polytope(random, 30));
+  for (const SolidFacet& f : sum.sum().facets) EXPECT_FALSE(f.changed);
+  sum.set(random_rotation(random));
+  std::size_t changed = 0;
+  for (const SolidFacet& f : sum.sum().facets) changed += f.changed;
+  EXPECT_GT(changed, 0u);
+}
+
 TEST(ConvexMotion, small_motions_check_few_features_and_errors_come_with_changes) {
   std::mt19937_64 random(26);
   const Mesh p = random_round_polytope(random, 200), q = random_round_polytope(random, 200);

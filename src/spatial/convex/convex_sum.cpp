@@ -49,6 +49,7 @@ Result<ConvexSum> ConvexSum::create(const Mesh& p, const Mesh& q, bool merge) {
                                        std::move(source));
   state->overlay.build(spatial::RelativeMap());
   state->report();
+  state->overlay.forget_changes();
   return ConvexSum(std::move(state));
 }
 

@@ -195,11 +195,15 @@ void Overlay::note_face(int op, std::uint32_t f) {
   ++work_.vertex_errors;
 }
 
-void Overlay::restart() {
-  work_ = {};
+void Overlay::forget_changes() {
   changes_.faces[0].clear();
   changes_.faces[1].clear();
   changes_.crossings.clear();
+}
+
+void Overlay::restart() {
+  work_ = {};
+  forget_changes();
 }
 
 void Overlay::clear_crossings() {

@@ -83,6 +83,8 @@ class Overlay {
     std::vector<std::uint32_t> crossings;
   };
   const Changes& changes() const { return changes_; }
+  /// What is there counts as there before: nothing has moved yet.
+  void forget_changes();
 
   /// Same extreme vertices, same crossings in the same order along every arc.
   friend bool operator==(const Overlay& a, const Overlay& b);
