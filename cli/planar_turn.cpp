@@ -69,7 +69,8 @@ Turned run_frames(const PlanarTurn& turn, const std::vector<Input>& inputs, cons
     RotatingSum sum = require(RotatingSum::create(inputs[0].region, inputs[1].region, rotating_options(turn, FrameMode::automatic)));
     for (std::size_t i = 0; i < poses.size(); ++i) {
       if (!progress("frames", double(i) / double(poses.size()))) throw_if_interrupted();
-      require(sum.set(poses[i].theta));
+      // The sum was made at zero: a frame there is that one, with its time.
+      if (!(sum.orientation() == poses[i].theta)) require(sum.set(poses[i].theta));
       const FrameWork& work = sum.work();
       turned.ms.push_back(work.ms);
       turned.tier = std::max(turned.tier, sum.sum().stats.tier_bits);

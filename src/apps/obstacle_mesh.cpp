@@ -223,6 +223,7 @@ class MeshBuilder {
 }  // namespace
 
 Result<ObstacleMesh> obstacle_mesh(const CspaceObstacle& obstacle, const ObstacleMeshOptions& options) {
+  // The user's, for the picture: how fine patches are tessellated. No sign depends on it.
   if (!(options.tolerance >= 1e-6 && options.tolerance <= 1))
     throw std::invalid_argument("obstacle_mesh: a tolerance lies between 1e-6 and 1");
   return MeshBuilder(obstacle, options).build();

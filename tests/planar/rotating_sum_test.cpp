@@ -254,6 +254,27 @@ TEST(RotatingSum, polylines_points_and_nothing_are_computed_from_scratch) {
   EXPECT_TRUE(none.sum().parts.empty());
 }
 
+// Products of coordinates that over- or underflow leave signs undecided, never wrong.
+TEST(RotatingSum, huge_and_minute_coordinates_equal_slices) {
+  const auto scaled = [](const Region& region, int exponent) {
+    RegionData data = region.data();
+    for (Part& part : data.parts)
+      for (Point& v : part.outer) v = {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent)};
+    return Region::create(data).value();
+  };
+  for (const auto& [one, other] : {std::pair{390, 390}, {-380, -380}, {980, 980}, {-900, -900}, {390, 300}, {0, 60}}) {
+    const Region p = scaled(shapes::noisy_star(20, 0.6, 1), one), q = scaled(shapes::noisy_star(14, 0.7, 2), other);
+    RotatingOptions options;
+    options.mode = FrameMode::window;
+    RotatingSum sum = RotatingSum::create(p, q, options).value();
+    for (int k = 1; k < 12; ++k) {
+      const Orientation theta = at(0.012 * k);
+      ASSERT_TRUE(sum.set(theta).ok());
+      ASSERT_TRUE(sum.sum() == rotated_sum(p, q, theta).value()) << one << ", " << other << ", frame " << k;
+    }
+  }
+}
+
 TEST(RotatingSum, stops_on_request) {
   RotatingOptions options;
   options.mode = FrameMode::window;

@@ -51,6 +51,7 @@ PathPoints::Points PathPoints::tightened(Points path) {
       whole += length(near(path[first - 1].at), near(path[last].at));
       first = last + 1;
     }
+    // How long to go on: every path on the way is free and checked, so this decides nothing else.
     if (attempts >= kMostAttempts || gained <= 1e-3 * whole) break;
   }
   // A place may have been drawn to its neighbour.

@@ -94,13 +94,16 @@ TrigForm2 TurningForms::concurrency(const WalkSegment& a, const WalkSegment& b, 
 }
 
 Polynomial TurningForms::exact_side(const WalkSegment& s, Pair v, int chart) const {
-  const Pair from = start(s);
-  const Vec d = vector(s.side, s.edge);
-  const Vec q1 = at(0, v.p), q0 = at(0, from.p), p1 = at(1, v.q), p0 = at(1, from.q);
+  return crossed(vector(s.side, s.edge), s.side, start(s), v, chart);
+}
+
+// d turned with operand `side`, times v - u.
+Polynomial TurningForms::crossed(const Vec& d, std::uint32_t side, Pair u, Pair v, int chart) const {
+  const Vec q1 = at(0, v.p), q0 = at(0, u.p), p1 = at(1, v.q), p0 = at(1, u.q);
   const Vec dq{q1.x - q0.x, q1.y - q0.y}, dp{p1.x - p0.x, p1.y - p0.y};
   const auto x = [&](const Vec& w) { return BigInteger(d.x * w.y - d.y * w.x); };
   const auto dot = [&](const Vec& w) { return BigInteger(d.x * w.x + d.y * w.y); };
-  if (s.side == 0) return polynomial(quadratic(x(dq), x(dp), dot(dp), chart));
+  if (side == 0) return polynomial(quadratic(x(dq), x(dp), dot(dp), chart));
   return polynomial(quadratic(x(dp), x(dq), BigInteger(-dot(dq)), chart));
 }
 
@@ -145,13 +148,8 @@ Polynomial TurningForms::exact_cross(const WalkSegment& s, const WalkSegment& t,
 
 // With d' = d turned right, d . w = d' x w.
 Polynomial TurningForms::exact_along(const WalkSegment& s, Pair u, Pair v, int chart) const {
-  const Vec e = vector(s.side, s.edge), d{BigInteger(e.y), BigInteger(-e.x)};
-  const Vec q1 = at(0, v.p), q0 = at(0, u.p), p1 = at(1, v.q), p0 = at(1, u.q);
-  const Vec dq{q1.x - q0.x, q1.y - q0.y}, dp{p1.x - p0.x, p1.y - p0.y};
-  const auto x = [&](const Vec& w) { return BigInteger(d.x * w.y - d.y * w.x); };
-  const auto dot = [&](const Vec& w) { return BigInteger(d.x * w.x + d.y * w.y); };
-  if (s.side == 0) return polynomial(quadratic(x(dq), x(dp), dot(dp), chart));
-  return polynomial(quadratic(x(dp), x(dq), BigInteger(-dot(dq)), chart));
+  const Vec e = vector(s.side, s.edge);
+  return crossed({BigInteger(e.y), BigInteger(-e.x)}, s.side, u, v, chart);
 }
 
 Polynomial TurningForms::exact_alignment(std::uint32_t e, std::uint32_t f, int chart) const {

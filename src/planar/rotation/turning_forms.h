@@ -121,6 +121,7 @@ class TurningForms {
   Vec at(std::uint32_t op, std::uint32_t v) const;
   Vec vector(std::uint32_t op, std::uint32_t e) const;
   Form offset(const WalkSegment& s) const;
+  exact::Polynomial crossed(const Vec& d, std::uint32_t side, Pair u, Pair v, int chart) const;
   Form cross_form(const WalkSegment& s, const WalkSegment& t) const;
 
   const ScalingBase& base_;
