@@ -254,6 +254,64 @@ TEST(RotatingSum, polylines_points_and_nothing_are_computed_from_scratch) {
   EXPECT_TRUE(none.sum().parts.empty());
 }
 
+// At the rational event angles of the obstacle something touches: such a frame may not be taken from doubles.
+TEST(RotatingSum, frames_at_exact_events_equal_slices) {
+  std::uint64_t events = 0, triples = 0, undecided = 0;
+  for (std::uint64_t seed = 1; seed <= fuzz_rounds(60); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    oracles::Random random(seed + 900);
+    const auto polygon = [&](int grid) {
+      for (;;) {
+        RegionData data;
+        data.parts.push_back({oracles::random_polygon(random, grid, 7), {}});
+        const Result<Region> region = Region::create(data);
+        if (region.ok() && region->touching_points().empty()) return *region;
+      }
+    };
+    const Region p = polygon(7), q = polygon(5);
+    const CspaceObstacle obstacle = CspaceObstacle::create(q, p).value();
+    RotatingOptions options;
+    options.turning = TurningOperand::q;
+    options.reflect_q = true;
+    options.mode = FrameMode::window;
+    options.window = 0.05;
+    RotatingSum sum = RotatingSum::create(p, q, options).value();
+    for (const ObstacleEvent& e : obstacle.events()) {
+      const std::optional<Orientation>& exact = obstacle.angles()[e.angle].exact;
+      if (!exact) continue;
+      ASSERT_TRUE(sum.set(at(exact->radians() - 0.01)).ok());
+      ASSERT_TRUE(sum.set(*exact).ok());
+      ASSERT_TRUE(sum.sum() == cspace_slice(q, p, *exact).value()) << exact->radians();
+      ++events;
+      triples += e.kind == ObstacleEvent::Kind::three_segments;
+      undecided += sum.work().rebuilt;
+    }
+  }
+  EXPECT_GT(events, 100u);
+  EXPECT_GT(triples, 0u);
+  EXPECT_EQ(undecided, events);
+}
+
+// Between two frames loops come and go: what looks like the same sub-edge may have been another one.
+TEST(RotatingSum, large_steps_in_wide_windows_equal_slices) {
+  for (std::uint64_t seed = 1; seed <= fuzz_rounds(150); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    oracles::Random random(seed + 5000);
+    const Region p = shapes::random_polygon(12 + static_cast<int>(random.below(10)), static_cast<int>(random.below(3)), seed);
+    const Region q = shapes::noisy_star(6 + static_cast<int>(random.below(8)), 0.8, seed + 1);
+    RotatingOptions options;
+    options.mode = FrameMode::window;
+    options.window = 1.2;
+    RotatingSum sum = RotatingSum::create(p, q, options).value();
+    double theta = 0.3;
+    for (int step = 0; step < 14; ++step) {
+      theta += random.chance(50) ? 0.2 : random.chance(50) ? 0.05 : -0.15;
+      ASSERT_TRUE(sum.set(at(theta)).ok());
+      ASSERT_TRUE(sum.sum() == rotated_sum(p, q, at(theta)).value()) << "step " << step;
+    }
+  }
+}
+
 // Products of coordinates that over- or underflow leave signs undecided, never wrong.
 TEST(RotatingSum, huge_and_minute_coordinates_equal_slices) {
   const auto scaled = [](const Region& region, int exponent) {
