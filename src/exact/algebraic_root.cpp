@@ -97,6 +97,29 @@ std::optional<BigRational> candidate(const RootBracket& r, const BigInteger& c) 
   return x < r.high().value() ? std::optional(x) : std::nullopt;
 }
 
+/// p = (2^s t - n)^multiplicity rest, for n / 2^s = x.
+struct Deflated {
+  Polynomial rest;
+  int multiplicity = 0;
+};
+
+Deflated deflated(const Polynomial& p, double x) {
+  const DyadicNumber at = DyadicNumber::of(x);
+  Deflated d{p, 0};
+  while (d.rest.degree() > 0 && sign_at(d.rest, at) == 0) {
+    // The factor is primitive, so the quotient has integer coefficients (Gauss).
+    std::vector<Big> quotient(static_cast<std::size_t>(d.rest.degree()));
+    BigInteger carry = 0;
+    for (int k = d.rest.degree(); k > 0; --k) {
+      carry = (d.rest[k].value() + at.numerator * carry) >> at.shift;
+      quotient[static_cast<std::size_t>(k - 1)] = Big(carry);
+    }
+    d.rest = Polynomial(std::move(quotient));
+    ++d.multiplicity;
+  }
+  return d;
+}
+
 std::vector<AlgebraicRoot> merged(std::vector<AlgebraicRoot> roots) {
   std::sort(roots.begin(), roots.end(),
             [](const AlgebraicRoot& a, const AlgebraicRoot& b) { return compare(a, b) < 0; });
@@ -142,14 +165,29 @@ std::vector<AlgebraicRoot> roots_in(const Polynomial& p, double lo, double hi, F
   if (!std::isfinite(lo) || !std::isfinite(hi)) throw std::domain_error("roots_in: the ends must be finite");
   std::vector<AlgebraicRoot> roots;
   if (p.is_zero() || lo >= hi) return roots;
-  if (const auto brackets = filtered_roots(p, lo, hi)) {
+  const auto add = [&](const Polynomial& f, const std::vector<DoubleBracket>& brackets) {
     ++counts.filtered;
-    roots.reserve(brackets->size());
-    for (const DoubleBracket& b : *brackets) {
-      const bool zero = b.low < 0 && b.high > 0 && sign(p[0]) == 0;
-      roots.push_back(zero ? AlgebraicRoot(p, 0, 0) : AlgebraicRoot(p, b.low, b.high));
+    roots.reserve(brackets.size() + 1);
+    for (const DoubleBracket& b : brackets) {
+      const bool zero = b.low < 0 && b.high > 0 && sign(f[0]) == 0;
+      roots.push_back(zero ? AlgebraicRoot(f, 0, 0) : AlgebraicRoot(f, b.low, b.high));
     }
+  };
+  if (const auto brackets = filtered_roots(p, lo, hi)) {
+    add(p, *brackets);
     return roots;
+  }
+  // An end that is a root is divided out: events of axis-parallel shapes fall on the ends of ranges in hundreds.
+  const Deflated low = deflated(p, lo), high = deflated(low.rest, hi);
+  if (low.multiplicity + high.multiplicity > 0) {
+    if (const auto brackets = filtered_roots(high.rest, lo, hi)) {
+      add(high.rest, *brackets);
+      if (high.multiplicity > 0) {
+        roots.push_back(AlgebraicRoot::of(hi));
+        roots.back().multiplicity_ = high.multiplicity;
+      }
+      return roots;
+    }
   }
   ++counts.exact;
   int multiplicity = 0;

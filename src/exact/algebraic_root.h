@@ -52,8 +52,9 @@ class AlgebraicRoot {
 
 /// All distinct real roots of p in (lo, hi], ascending, with their multiplicities; none for p = 0, of which every
 /// number is a root, and none unless lo < hi. Throws std::domain_error unless lo and hi are finite.
-/// One count per call. Doubles decide when all roots in [lo, hi] are simple and well apart, neither end is a root, and
-/// |lo|, |hi| <= 2^64; by some dozens of evaluations per root. Else square-free factors, Sturm's chain of each, and of
+/// One count per call. Doubles decide when all roots between the ends are simple and well apart, from each other and
+/// from the ends, and |lo|, |hi| <= 2^64; by some dozens of evaluations per root. Ends that are roots are divided out
+/// first. Else square-free factors, Sturm's chain of each, and of
 /// the order of log2(1 / gap) exact signs, gap being the smallest distance of two roots.
 std::vector<AlgebraicRoot> roots_in(const Polynomial& p, double lo, double hi, FilterCounts& counts);
 std::vector<AlgebraicRoot> roots_in(const Polynomial& p, double lo, double hi);

@@ -237,6 +237,24 @@ TEST(AlgebraicRoot, the_lower_end_is_excluded_and_the_upper_one_included) {
   EXPECT_EQ(rational_value(roots_in(t, -1, 1)[0]), std::optional(BigRational(0)));
 }
 
+TEST(AlgebraicRoot, doubles_answer_beside_ends_that_are_roots) {
+  // (8 t - 3)^2 (3 t^2 - 1) (t - 2), on ranges that end at 3/8 or at 2.
+  const Polynomial p = times(times(times(poly({-3, 8}), poly({-3, 8})), poly({-1, 0, 3})), poly({-2, 1}));
+  FilterCounts counts;
+  const auto above = roots_in(p, 0.375, 2, counts), below = roots_in(p, -1, 0.375, counts);
+  ASSERT_EQ(above.size(), 2u);
+  EXPECT_NEAR(above[0].approx(), std::sqrt(1 / 3.0), 1e-15);
+  EXPECT_EQ(compare(above[1], BigRational(2)), 0);
+  EXPECT_EQ(above[1].multiplicity(), 1);
+  ASSERT_EQ(below.size(), 2u);
+  EXPECT_NEAR(below[0].approx(), -std::sqrt(1 / 3.0), 1e-15);
+  EXPECT_EQ(compare(below[1], BigRational(3, 8)), 0);
+  EXPECT_EQ(below[1].multiplicity(), 2);
+  EXPECT_FALSE(below[1].changes_sign());
+  EXPECT_EQ(counts.filtered, 2u);
+  EXPECT_EQ(counts.exact, 0u);
+}
+
 TEST(AlgebraicRoot, lower_degrees_zero_and_what_is_refused) {
   EXPECT_TRUE(Polynomial().is_zero());
   EXPECT_TRUE(poly({0, 0, 0}).is_zero());

@@ -303,6 +303,27 @@ TEST(CspaceGeneral, three_segments_concurrent_at_every_angle_are_swept_by_whole_
   expect_slices(c, random, 60);
 }
 
+// Two bars on either arm of both, all of one width and at equal distances: the same thing happens at several places at once, often along one
+// segment. That takes no whole slice.
+TEST(CspaceGeneral, events_at_one_angle_and_several_places_are_handled_one_by_one) {
+  const Region robot = polygon({{-1, -1}, {31.125, -1}, {31.125, 0}, {30.125, 0}, {30.125, 8}, {30, 8}, {30, 0}, {28.125, 0}, {28.125, 8},
+                                {28, 8}, {28, 0}, {0, 0}, {0, 28}, {8, 28}, {8, 28.125}, {0, 28.125}, {0, 30}, {8, 30}, {8, 30.125},
+                                {0, 30.125}, {0, 31.125}, {-1, 31.125}});
+  const Region obstacle = polygon({{0, 19}, {19, 19}, {19, 0}, {20, 0}, {20, 1}, {28, 1}, {28, 1.125}, {20, 1.125}, {20, 2}, {28, 2},
+                                   {28, 2.125}, {20, 2.125}, {20, 20}, {2.125, 20}, {2.125, 28}, {2, 28}, {2, 20}, {1.125, 20}, {1.125, 28},
+                                   {1, 28}, {1, 20}, {0, 20}});
+  const CspaceObstacle c = CspaceObstacle::create(robot, obstacle).value();
+  Random random(1);
+  expect_slices(c, random, 1000);
+  EXPECT_LT(c.work().slices, 50u);  // 86 where a shared segment was enough for one
+  EXPECT_EQ(c.shells().size(), 17u);
+  ObstacleOptions options;
+  options.reference = true;
+  const CspaceObstacle slow = CspaceObstacle::create(robot, obstacle, options).value();
+  EXPECT_EQ(slow.shells().size(), 17u);
+  EXPECT_EQ(free_components(slow), free_components(c));
+}
+
 TEST(CspaceGeneral, refuses_rings_that_touch) {
   RegionData data;
   data.parts.push_back({box(0, 0, 1, 1), {}});

@@ -60,9 +60,8 @@ int ObstacleSweep::compare_now(const Fraction& x, const Fraction& y) const {
   return sign_now(sum_of(product(x.num, y.den), product(y.num, x.den), -1)) * sign_now(x.den) * sign_now(y.den);
 }
 
-// Whether an ended node and a new one have a stretch of a line in common at the event's angle.
-bool ObstacleSweep::continues(std::uint32_t n, std::uint32_t m) const {
-  const Heading h = Heading::of(theta_now_);
+// Whether an ended node and a new one have a stretch of a line in common at the event's angle, which is near h.
+bool ObstacleSweep::continues(std::uint32_t n, std::uint32_t m, Heading h) const {
   const WalkSegment &s = nodes_[n].segment, &t = nodes_[m].segment;
   if (!on_one_line(s, t, h)) return false;
   const Point d = forms_.direction(s, h), base = forms_.place(TurningForms::start(s), h);

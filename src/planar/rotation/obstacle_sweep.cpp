@@ -128,10 +128,11 @@ void ObstacleSweep::take_slice(SumState state) {
   std::vector<std::uint32_t> lost;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> claims;
   // What goes on along the same line at the event's angle belongs together.
+  const Heading h = Heading::of(theta_now_);
   for (const auto& [key, n] : old) {
     lost.push_back(nodes_[n].cell);
     for (const std::uint32_t m : all)
-      if (nodes_[m].begin == now_ && continues(n, m)) {
+      if (nodes_[m].begin == now_ && continues(n, m, h)) {
         join(shell_, n, m);
         claims.emplace_back(m, nodes_[n].cell);
       }
@@ -184,19 +185,6 @@ std::vector<std::uint32_t> ObstacleSweep::segments_of(const TurnEvent& event, bo
   return {id({1, event.e, event.f}), id({0, event.f, e1}), id({0, event.f, event.e}), id({1, event.e, f1})};
 }
 
-// Whether two events at one angle share a segment; and whether any of their segments is visible.
-bool ObstacleSweep::conflict(const Group& group, bool& visible) const {
-  std::vector<std::uint32_t> all;
-  bool unsure = false;
-  for (const TurnEvent* event : group)
-    for (const std::uint32_t s : segments_of(*event, unsure)) {
-      all.push_back(s);
-      visible |= first_[s] != kNobody;
-    }
-  std::sort(all.begin(), all.end());
-  return unsure || std::adjacent_find(all.begin(), all.end()) != all.end();
-}
-
 void ObstacleSweep::pass_group(const Group& group, const TurnRange& range, const std::function<Orientation()>& behind, OverlapFilter& filter) {
   now_ = kNobody;
   theta_now_ = group[0]->theta();
@@ -207,15 +195,16 @@ void ObstacleSweep::pass_group(const Group& group, const TurnRange& range, const
 
 void ObstacleSweep::change(const Group& group, const TurnRange& range, const std::function<Orientation()>& behind, OverlapFilter& filter) {
   if (reference_) return slice(range, *group[0], behind);
-  bool visible = false;
-  const bool shared = group.size() > 1 && conflict(group, visible);
-  if (!shared) {
-    bool settled = true;
-    for (TurnEvent* event : group) settled = local_update(*event, range, behind, filter) && settled;
-    if (!settled) slice(range, *group[0], behind);
-    return;
+  Group alone;
+  for (const Group& cluster : clusters(group)) {
+    if (cluster.size() == 1)
+      alone.push_back(cluster[0]);
+    else if (matters(cluster, filter))
+      return slice(range, *group[0], behind);
   }
-  if (visible || matters(group, filter)) slice(range, *group[0], behind);
+  bool settled = true;
+  for (TurnEvent* event : alone) settled = local_update(*event, range, behind, filter) && settled;
+  if (!settled) slice(range, *group[0], behind);
 }
 
 void ObstacleSweep::pass_pending(const std::function<Orientation()>& behind, OverlapFilter& filter) {

@@ -119,15 +119,16 @@ class ObstacleSweep {
   WalkSegment walk_segment(const Contact& c) const;
   bool matters(const Group& run, const OverlapFilter& filter) const;
   void change(const Group& group, const TurnRange& range, const std::function<Orientation()>& behind, OverlapFilter& filter);
-  bool conflict(const Group& group, bool& touches_nodes) const;
   std::vector<std::uint32_t> segments_of(const TurnEvent& event, bool& unsure) const;
   std::uint32_t angle(const TurnRange& range, TurnEvent& event);
   void slice(const TurnRange& range, TurnEvent& event, const std::function<Orientation()>& behind);
   void take_slice(SumState state);
   WalkSegment segment_of(std::uint32_t id) const;
   void note(const TurnEvent& event, ObstacleEvent::Kind kind, Point at);
+  // event_clusters.cpp
+  std::vector<Group> clusters(const Group& group) const;
   // line_stretch.cpp
-  bool continues(std::uint32_t n, std::uint32_t m) const;
+  bool continues(std::uint32_t n, std::uint32_t m, Heading h) const;
   bool on_one_line(const WalkSegment& s, const WalkSegment& t, Heading h) const;
   struct Fraction {
     exact::Polynomial num, den;

@@ -33,21 +33,29 @@ std::uint32_t OverlapFilter::build(Tree& tree, std::uint32_t op, std::uint32_t f
   return id;
 }
 
-// Fixed edge i against turning edge j, reflected and moved to `at`: the four sides, all beyond their errors.
-bool OverlapFilter::edges_cross(std::uint32_t i, std::uint32_t j, Point at, Heading h) const {
-  const std::uint32_t i1 = forms_.operand(0).next[i], j1 = forms_.operand(1).next[j];
-  const Point a = forms_.points(0)[i], b = forms_.points(0)[i1];
+// Whether a fixed edge of a leaf crosses a turning one, reflected and moved to `at`: the four sides, all beyond their
+// errors.
+bool OverlapFilter::edges_cross(const Node& fixed, const Node& turning, Point at, Heading h) const {
   const auto place = [&](std::uint32_t v) {
     const Point p = forms_.points(1)[v];
     return Point{at.x - (h.c * p.x - h.s * p.y), at.y - (h.s * p.x + h.c * p.y)};
   };
-  const Point c = place(j), d = place(j1);
   const auto opposite = [&](Point u, Point v, Point x, Point y) {
     const double dx = v.x - u.x, dy = v.y - u.y, bound = 0x1p-36 * (std::abs(dx) + std::abs(dy)) * forms_.span();
     const double s = dx * (x.y - u.y) - dy * (x.x - u.x), t = dx * (y.y - u.y) - dy * (y.x - u.x);
     return (s > bound && t < -bound) || (s < -bound && t > bound);
   };
-  return opposite(a, b, c, d) && opposite(c, d, a, b);
+  const auto boxes_meet = [](double a, double b, double c, double d) {
+    return std::min(a, b) <= std::max(c, d) && std::min(c, d) <= std::max(a, b);
+  };
+  for (std::uint32_t j = turning.first; j < turning.last; ++j) {
+    const Point c = place(j), d = place(forms_.operand(1).next[j]);
+    for (std::uint32_t i = fixed.first; i < fixed.last; ++i) {
+      const Point a = forms_.points(0)[i], b = forms_.points(0)[forms_.operand(0).next[i]];
+      if (boxes_meet(a.x, b.x, c.x, d.x) && boxes_meet(a.y, b.y, c.y, d.y) && opposite(a, b, c, d) && opposite(c, d, a, b)) return true;
+    }
+  }
+  return false;
 }
 
 // One of the four pairs of ends lies clearly on one side of the other edge's line.
@@ -125,9 +133,7 @@ bool OverlapFilter::inside(Point at, Heading h) const {
         const Node &a = fixed_.nodes[i], &b = turning_.nodes[j];
         if (a.x1 < at.x - b.x1 - margin || a.x0 > at.x - b.x0 + margin || a.y1 < at.y - b.y1 - margin || a.y0 > at.y - b.y0 + margin) continue;
         if (a.left == 0 && b.left == 0) {
-          for (std::uint32_t e = a.first; e < a.last; ++e)
-            for (std::uint32_t f = b.first; f < b.last; ++f)
-              if (edges_cross(e, f, at, h)) return true;
+          if (edges_cross(a, b, at, h)) return true;
         } else if (b.left == 0 || (a.left != 0 && a.last - a.first >= b.last - b.first)) {
           stack.push_back({a.left, j});
           stack.push_back({a.right, j});

@@ -29,7 +29,7 @@ class OverlapFilter {
   };
   std::uint32_t build(Tree& tree, std::uint32_t op, std::uint32_t first, std::uint32_t last, double grow) const;
   bool edges_apart(std::uint32_t i, std::uint32_t j, Point at, Heading h) const;
-  bool edges_cross(std::uint32_t i, std::uint32_t j, Point at, Heading h) const;
+  bool edges_cross(const Node& fixed, const Node& turning, Point at, Heading h) const;
   bool holds(std::uint32_t op, std::uint32_t component, Point x, Heading h) const;
 
   const TurningForms& forms_;
