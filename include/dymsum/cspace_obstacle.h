@@ -72,7 +72,7 @@ struct Shell {
 /// nodes of connectivity.
 struct FreeCell {
   std::uint32_t begin = Patch::kNone, end = Patch::kNone;  ///< as for patches
-  bool unbounded = false;
+  bool unbounded = false;       ///< its component of free space reaches infinity, perhaps at other angles
   std::uint32_t component = 0;  ///< of free space, touching not counted as a connection
 };
 

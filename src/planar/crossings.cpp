@@ -277,7 +277,10 @@ void CrossingFinder::exact_test(std::uint32_t i, std::uint32_t j) {
   const Segment sa = soup_.exact(i), sb = soup_.exact(j);
   const Lattice& l = soup_.lattice;
   const auto same = [&](double x, double y, WalkPair v, double to_x, double to_y, WalkPair to) {
-    return x == to_x && y == to_y && (l.exact_doubles || l.same(soup_.exact(v), soup_.exact(to)));
+    if (l.exact_doubles) return x == to_x && y == to_y;
+    // Two pairs may have one sum and yet be rounded differently.
+    const double near = 2 * soup_.point_error;
+    return std::abs(x - to_x) <= near && std::abs(y - to_y) <= near && l.same(soup_.exact(v), soup_.exact(to));
   };
   if (same(a.ax, a.ay, a0, b.ax, b.ay, b0) && same(a.bx, a.by, a1, b.bx, b.by, b1)) {
     // The same segment twice, which is everywhere in P + P.

@@ -184,6 +184,7 @@ class Export {
       open[c.component] |= c.unbounded;
     }
     for (Shell& shell : state_.shells) shell.outer = open[shell.free_component] != 0;
+    for (FreeCell& c : state_.cells) c.unbounded = open[c.component] != 0;
     add_euler(names);
   }
 

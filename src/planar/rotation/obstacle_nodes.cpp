@@ -133,15 +133,12 @@ void ObstacleSweep::relabel(const std::vector<std::uint32_t>& touched, const std
   for (const auto& [cell, by] : holders)
     if (by.size() != 1 || claims[by[0]].size() != 1) ended.insert(cell);
   for (const std::uint32_t cell : ended) cells_[cell].end = now_;
-  cells_changed_ |= !ended.empty();
   for (std::size_t l = 0; l < loops.size(); ++l) {
     const bool keeps = claims[l].size() == 1 && !ended.contains(*claims[l].begin());
     std::uint32_t cell = keeps ? *claims[l].begin() : kNobody;
     if (!keeps) {
-      bool unbounded = false;
-      for (const std::uint32_t c : claims[l]) unbounded |= connected_ && cells_[c].unbounded && turns_left(loops[l]);
-      cell = new_cell(unbounded);
-      cells_changed_ = true;
+      cell = new_cell(false);
+      born_ += claims[l].empty();
       for (const std::uint32_t c : claims[l]) {
         join(component_, c, cell);
         cell_links_.push_back({c, cell});
@@ -193,17 +190,6 @@ void ObstacleSweep::join_faces(const Orientation& at) {
     if (unbounded != kNobody) join(component_, cell, unbounded);
     unbounded = cell;
   }
-}
-
-// Whether a loop runs counter-clockwise, from the directions of its segments at the last known angle.
-bool ObstacleSweep::turns_left(const std::vector<std::uint32_t>& loop) const {
-  const Heading h = Heading::of(theta_now_);
-  double turning = 0;
-  for (const std::uint32_t n : loop) {
-    const Point d = forms_.direction(nodes_[n].segment, h), e = forms_.direction(nodes_[nodes_[n].next].segment, h);
-    turning += std::atan2(d.x * e.y - d.y * e.x, d.x * e.x + d.y * e.y);
-  }
-  return turning > 0;
 }
 
 }  // namespace dymsum::planar

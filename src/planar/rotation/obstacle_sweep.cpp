@@ -188,9 +188,12 @@ std::vector<std::uint32_t> ObstacleSweep::segments_of(const TurnEvent& event, bo
 void ObstacleSweep::pass_group(const Group& group, const TurnRange& range, const std::function<Orientation()>& behind, OverlapFilter& filter) {
   now_ = kNobody;
   theta_now_ = group[0]->theta();
-  cells_changed_ = false;
+  born_ = 0;
+  const std::uint64_t slices = work.slices;
   change(group, range, behind, filter);
-  if (cells_changed_ && !connected_) join_faces(behind());
+  // Loops of one face keep to one component of free space: splits and joins hand it on, and a face that is born has one
+  // loop unless more are born with it. Whole slices may leave a loop without a claim.
+  if (!connected_ && (born_ > 1 || (born_ > 0 && work.slices > slices))) join_faces(behind());
 }
 
 void ObstacleSweep::change(const Group& group, const TurnRange& range, const std::function<Orientation()>& behind, OverlapFilter& filter) {

@@ -37,7 +37,7 @@ class ObstacleSweep {
   };
   struct Cell {
     std::uint32_t begin = kNobody, end = kNobody;
-    bool unbounded = false;
+    bool unbounded = false;  ///< told only where the turn begins, or where nesting was looked at
   };
 
   ObstacleSweep(const TurningForms& forms, const TurnCatalog& catalog, std::shared_ptr<const ScalingBase> base, bool reference);
@@ -149,7 +149,6 @@ class ObstacleSweep {
   void relabel(const std::vector<std::uint32_t>& touched, const std::vector<std::uint32_t>& lost,
                const std::vector<std::pair<std::uint32_t, std::uint32_t>>& more);
   std::uint32_t new_cell(bool unbounded);
-  bool turns_left(const std::vector<std::uint32_t>& loop) const;
   static std::uint32_t find(const std::vector<std::uint32_t>& parents, std::uint32_t i);
   void join(std::vector<std::uint32_t>& parents, std::uint32_t a, std::uint32_t b);
   // local_update.cpp
@@ -203,7 +202,7 @@ class ObstacleSweep {
   std::vector<std::uint32_t> continued_;
   std::array<std::vector<std::uint32_t>, 2> walk_vertex_, walk_edge_;  ///< by number in the region
   std::vector<CellLink> cell_links_;
-  bool cells_changed_ = false;    ///< in the group
+  std::uint32_t born_ = 0;        ///< loops without a predecessor, in the group
   std::uint32_t now_ = kNobody;   ///< the angle of the group, once something changed there
   double theta_now_ = 0;          ///< near the angle of the group
   bool closed_ = false;
