@@ -85,6 +85,32 @@ TEST(RotationSlice, equals_the_sum_of_rotated_operands) {
   }
 }
 
+// Rotations with small denominators, several parts, and coordinates whose sums are rounded: p + q = p' + q' in hundreds, and the two sums are
+// seldom the same doubles.
+TEST(RotationSlice, finds_equal_sums_of_different_pairs_that_are_rounded_differently) {
+  std::mt19937_64 random(3);
+  const std::vector<Turn> turns = {{1, 2}, {1, 3}, {2, 3}, {3, 1}, {-1, 2}, {-3, 2}, {1, 5}, {-2, 5}};
+  for (int i = 0; i < 1000; ++i) {
+    const double hair = static_cast<double>(random() % 1024) * 0x1p-40;
+    const auto parts = [&](double step) {
+      RegionData data;
+      for (int k = 0; k < 2; ++k) {
+        const Region one = random_shape(random, 3, false);
+        for (Part part : one.data().parts) {
+          for (Point& v : part.outer) v = {v.x + step * k + hair, v.y};
+          data.parts.push_back(part);
+        }
+      }
+      return *Region::create(data);
+    };
+    const Region robot = parts(8), obstacle = parts(7);
+    const Turn t = turns[random() % turns.size()];
+    SCOPED_TRACE(testing::Message() << "pair " << i << " t " << t.n << "/" << t.d);
+    expect_slice(robot, obstacle, t, random() % 2 == 0 ? Semantics::open : Semantics::closed);
+    if (HasFailure()) return;
+  }
+}
+
 TEST(RotationSlice, equals_the_sum_of_rotated_operands_in_every_tier) {
   std::mt19937_64 random(2);
   for (int i = 0; i < 50; ++i) {

@@ -59,7 +59,7 @@ bool ObstacleSweep::alignment_update(TurnEvent& event, const TurnRange& range) {
 bool ObstacleSweep::carry(TurnEvent& event, const TurnRange& range, const std::vector<AlignedRun>& runs, const std::array<WalkSegment, 4>& s) {
   now_ = angle(range, event);
   const Heading h = Heading::of(event.theta());
-  note(event, ObstacleEvent::Kind::alignment, event_place(event, h));
+  note(event, ObstacleEvent::Kind::alignment, place_of(event, forms_, h).at);
   ++work.local_updates;
   std::map<std::uint32_t, std::uint32_t> starts, ends;
   std::vector<std::uint32_t> touched, old;

@@ -35,17 +35,8 @@ Spot spot_of(const TurnEvent& event, const TurningForms& forms, Heading h) {
   if (event.kind == TurnEvent::Kind::vertex_on_segment) return {forms.place(event.v, h), 2 * kAngle * forms.span()};
   if (event.kind == TurnEvent::Kind::overlap) return around_common_stretch(event, forms, h);
   if (event.kind != TurnEvent::Kind::three_segments) return spot;
-  const std::array<const WalkSegment*, 3> s{&event.a, &event.b, &event.c};
-  double best = 0x1p-10;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const WalkSegment &a = *s[k], &b = *s[(k + 1) % 3];
-    const double cross = forms.cross(a, b).at(h), sine = std::abs(cross) / (forms.length1(a) * forms.length1(b));
-    if (!(sine > best)) continue;
-    best = sine;
-    const double t = forms.side(b, TurningForms::start(a)).at(h) / cross;
-    const Point from = forms.place(TurningForms::start(a), h), d = forms.direction(a, h);
-    spot = {{from.x + t * d.x, from.y + t * d.y}, 8 * kAngle * forms.span() / sine};
-  }
+  const EventPlace place = place_of(event, forms, h);
+  if (place.sine > 0x1p-10) spot = {place.at, 8 * kAngle * forms.span() / place.sine};
   return spot;
 }
 

@@ -346,7 +346,7 @@ bool ObstacleSweep::local_update(TurnEvent& event, const TurnRange& range, const
   const Fill filled = event.kind == TurnEvent::Kind::three_segments ? fill_triple(cluster, event, h) : fill_vertex(cluster, event, h);
   if (filled == Fill::nothing) return true;
   // Not generic: of no interest where everything is covered.
-  if (filled == Fill::unsure) return filter.inside(event_place(event, h), h);
+  if (filled == Fill::unsure) return certainly_covered(event, forms_, filter);
   if (!find_nodes(cluster, h)) return false;
   std::vector<std::vector<int>> births;
   const std::optional<std::vector<Path>> found = paths(cluster, births);

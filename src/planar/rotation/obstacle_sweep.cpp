@@ -25,15 +25,6 @@ ObstacleSweep::ObstacleSweep(const TurningForms& forms, const TurnCatalog& catal
   }
 }
 
-Point ObstacleSweep::event_place(const TurnEvent& event, Heading h) const {
-  if (event.kind == TurnEvent::Kind::vertex_on_segment) return forms_.place(event.v, h);
-  if (event.kind == TurnEvent::Kind::overlap) return forms_.place(TurningForms::start(event.a), h);
-  if (event.kind == TurnEvent::Kind::alignment) return forms_.place({forms_.operand(0).next[event.f], forms_.operand(1).next[event.e]}, h);
-  const double t = forms_.side(event.b, TurningForms::start(event.a)).at(h) / forms_.cross(event.a, event.b).at(h);
-  const Point from = forms_.place(TurningForms::start(event.a), h), d = forms_.direction(event.a, h);
-  return {from.x + t * d.x, from.y + t * d.y};
-}
-
 std::uint32_t ObstacleSweep::angle(const TurnRange& range, TurnEvent& event) {
   if (now_ != kNobody) return now_;
   angles.push_back({range.chart, exact_root(event, forms_, range)});
@@ -88,7 +79,7 @@ void ObstacleSweep::slice(const TurnRange& range, TurnEvent& event, const std::f
   note(event, event.kind == TurnEvent::Kind::alignment        ? ObstacleEvent::Kind::alignment
               : event.kind == TurnEvent::Kind::three_segments ? ObstacleEvent::Kind::three_segments
                                                               : ObstacleEvent::Kind::vertex_on_segment,
-       event_place(event, Heading::of(event.theta())));
+       place_of(event, forms_, Heading::of(event.theta())).at);
   // Kept even where the slices on both sides agree: at the angle itself something may touch.
   take_slice(placed_at(*base_, behind()));
   note_tight_slice(event, range);
@@ -267,9 +258,8 @@ bool ObstacleSweep::matters(const Group& run, const OverlapFilter& filter) const
   for (const TurnEvent* event : run) {
     for (const std::uint32_t s : segments_of(*event, unsure))
       if (first_[s] != kNobody) return true;
-    const Heading h = Heading::of(event->theta());
     const bool point = event->kind == TurnEvent::Kind::vertex_on_segment || event->kind == TurnEvent::Kind::three_segments;
-    if (reference_ || (point && !filter.inside(event_place(*event, h), h))) return true;
+    if (reference_ || (point && !certainly_covered(*event, forms_, filter))) return true;
   }
   return false;
 }

@@ -11,6 +11,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "planar/rotation/event_place.h"
 #include "planar/rotation/obstacle_state.h"
 #include "planar/rotation/overlap_filter.h"
 #include "planar/rotation/turn_events.h"
@@ -139,7 +140,6 @@ class ObstacleSweep {
   // tight_events.cpp
   void note_tight(TurnEvent& event, const TurnRange& range, Point at, Heading h, const OverlapFilter& filter);
   void note_tight_slice(TurnEvent& event, const TurnRange& range);
-  Point event_place(const TurnEvent& event, Heading h) const;
   // obstacle_nodes.cpp
   std::uint32_t id(const WalkSegment& s) const;
   std::uint32_t add_node(const WalkSegment& s, std::uint32_t cell);

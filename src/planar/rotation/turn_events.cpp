@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "planar/rotation/event_place.h"
+
 namespace dymsum::planar {
 
 using exact::AlgebraicRoot;
@@ -149,10 +151,12 @@ class Collector {
       // Where the slope is steep the root is where doubles say.
       const Heading h = Heading::of(theta);
       TurnEvent event;
+      event.kind = TurnEvent::Kind::vertex_on_segment;
+      event.v = v;
       const double off = 2 * (std::abs(f.at(h)) + error) / (std::abs(f.slope(h)) - 0x1p-20 * f.swing());
       event.low = theta - off;
       event.high = theta + off;
-      near |= !(off >= 0 && off < 0x1p-20) || !covered(event, forms_.place(v, h));
+      near |= !(off >= 0 && off < 0x1p-20) || !covered(event);
     }
     if (!near) return;
     const exact::Polynomial poly = forms_.exact_side(a, v, w_.range.chart);
@@ -162,7 +166,7 @@ class Collector {
       if (!on(a, v, event.theta()) || !may_exist(a, event.theta()) || belongs_to_overlap(a, v, event.theta())) continue;
       event.a = a;
       event.v = v;
-      if (!covered(event, forms_.place(v, Heading::of(event.theta())))) out_.events.push_back(std::move(event));
+      if (!covered(event)) out_.events.push_back(std::move(event));
     }
   }
   bool may_exist(const WalkSegment& s, double theta) const { return catalog_.exists(s, theta) != TurnCatalog::Existence::no; }
@@ -228,12 +232,13 @@ class Collector {
       if (!root) return true;
       if (!all_cross(a, b, c, root->theta)) continue;
       TurnEvent event;
+      event.kind = TurnEvent::Kind::three_segments;
       event.low = root->theta - root->error;
       event.high = root->theta + root->error;
       event.a = a;
       event.b = b;
       event.c = c;
-      if (!covered(event, crossing_place(event))) return true;
+      if (!covered(event)) return true;
     }
     return false;
   }
@@ -256,7 +261,7 @@ class Collector {
       event.a = a;
       event.b = b;
       event.c = c;
-      if (!covered(event, crossing_place(event))) out_.events.push_back(std::move(event));
+      if (!covered(event)) out_.events.push_back(std::move(event));
     }
   }
   // All three exist there and each of them holds its crossing with the next, with slack.
@@ -274,26 +279,7 @@ class Collector {
     return true;
   }
 
-  // Certainly inside the obstacle, where nothing is visible: the margins of the filter, 2^-36 of the span, are wider
-  // than what places may err, 2^-41 by rounding and 2^-38 by the angle.
-  bool covered(const TurnEvent& event, std::optional<Point> place) const {
-    if (filter_ == nullptr || !place || event.high - event.low > 0x1p-38) return false;
-    return filter_->inside(*place, Heading::of(event.theta()));
-  }
-  // Where the two cross that are least parallel, if they are not nearly parallel.
-  std::optional<Point> crossing_place(const TurnEvent& event) const {
-    const Heading h = Heading::of(event.theta());
-    const std::array<const WalkSegment*, 3> s{&event.a, &event.b, &event.c};
-    for (int k = 0; k < 3; ++k) {
-      const WalkSegment &a = *s[static_cast<std::size_t>(k)], &b = *s[static_cast<std::size_t>((k + 1) % 3)];
-      const double d = forms_.cross(a, b).at(h);
-      if (std::abs(d) < 0x1p-5 * forms_.length1(a) * forms_.length1(b)) continue;
-      const double t = forms_.side(b, TurningForms::start(a)).at(h) / d;
-      const Point from = forms_.place(TurningForms::start(a), h), along = forms_.direction(a, h);
-      return Point{from.x + t * along.x, from.y + t * along.y};
-    }
-    return std::nullopt;
-  }
+  bool covered(const TurnEvent& event) const { return filter_ != nullptr && certainly_covered(event, forms_, *filter_); }
 
   TurnEvent at(AlgebraicRoot root, TurnEvent::Kind kind) const {
     TurnEvent event;
