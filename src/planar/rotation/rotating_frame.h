@@ -2,6 +2,7 @@
 // with proved bounds; where those do not decide, the frame is not generic and has to be computed from scratch.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -61,6 +62,15 @@ class RotatingFrame {
   struct Placed {
     double x = 0, y = 0, dx = 0, dy = 0, length1 = 0, error = 0;
   };
+  /// Where to take one from.
+  struct Busy {
+    std::uint32_t segment = 0, p = 0, q = 0, edge = 0;
+  };
+  /// Two segments that may cross: k = a x b, sides of the start of b against a and, reflected, of the start of a against b.
+  struct Near {
+    std::uint32_t meeting = 0;
+    double k = 0, o1 = 0, o3 = 0;
+  };
   /// A crossing on a piece.
   struct Entry {
     double t = 0;
@@ -72,8 +82,7 @@ class RotatingFrame {
   static constexpr std::uint32_t kOut = 0x80000000;  ///< the boundary leaves the crossing on this piece
   bool place_segments(double delta);
   bool find_crossings();
-  bool apart(const TurnMeeting& m) const;
-  bool cross(const TurnMeeting& m);
+  bool cross(const Near& near);
   static bool certainly_beside(const Placed& a, const Placed& b);
   void insert(std::uint32_t piece, double t, double error, std::uint32_t crossing);
   bool link_crossings();
@@ -90,16 +99,18 @@ class RotatingFrame {
   static constexpr std::uint32_t kOnward = 0xfffffffe, kRound = 0xfffffffd;
   std::uint32_t record(std::uint32_t crossing);
   std::uint32_t continuing(std::uint32_t segment);
+  Point direction(const WalkSegment& s) const { return s.side == 0 ? window_.forms().edge(0, s.edge) : turned_edge_[s.edge]; }
   bool close(std::uint32_t first);
-  int half(std::uint32_t segment);
+  int half(const TurnSegment& s, Point d);
 
   const RotatingWindow& window_;
   Heading heading_;
   double delta_ = 0;
   std::vector<Point> turned_, turned_edge_;
-  std::vector<Placed> placed_;                 // by segment; anything where it does not exist
+  std::array<std::vector<Busy>, 2> busy_;      // segments with meetings, by side
+  std::vector<Placed> placed_;                 // by segment, of busy ones; anything where it does not exist
   std::vector<std::uint8_t> exists_;
-  std::vector<std::uint32_t> near_;            // meetings that may cross
+  std::vector<Near> near_;                     // meetings that may cross
   std::vector<Crossing> crossings_;
   std::vector<std::uint32_t> count_;           // of entries, by piece; the places are those of the window's index of meetings
   std::vector<Entry> entries_;                 // along each piece

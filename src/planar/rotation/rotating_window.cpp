@@ -20,10 +20,11 @@ RotatingWindow::RotatingWindow(const TurnGrid& grid, const TurnCatalog& catalog,
   for (const Point& p : forms_.points(1)) turned_.push_back({heading.c * p.x - heading.s * p.y, heading.s * p.x + heading.c * p.y});
   const DeadCells dead = mask ? dead_cells(grid, turned_, half) : DeadCells(grid.grid.whole);
   add_segments(dead);
-  for (TurnSegment& s : segments) s.next = {find({0, s.end.p, s.end.q}), find({1, s.end.q, s.end.p})};
+  find_next();
   find_meetings(dead);
   index_meetings();
   find_dead_tails();
+  find_runs();
   find_rounds();
   turned_ = {};
   swept_ = {};
@@ -76,6 +77,8 @@ void RotatingWindow::add_segments(const DeadCells& dead) {
       live_.back() = static_cast<std::uint32_t>(segments.size());
       s.walk = walk;
       s.span = catalog_.span(walk, middle);
+      s.throughout = s.span.from < -half - 2 * kAngleSlack && s.span.to > half + 2 * kAngleSlack;
+      if (!s.throughout) changing.push_back(static_cast<std::uint32_t>(segments.size()));
       s.start = TurningForms::start(walk);
       s.end = forms_.end(walk);
       s.length1 = forms_.length1(walk);
@@ -221,6 +224,15 @@ void RotatingWindow::index_meetings() {
   }
 }
 
+// As at most one of the two exists at a time, one that exists throughout is the only one.
+void RotatingWindow::find_next() {
+  for (TurnSegment& s : segments) {
+    s.next = {find({0, s.end.p, s.end.q}), find({1, s.end.q, s.end.p})};
+    for (const std::uint32_t k : {0u, 1u})
+      if (s.next[k] != kNone && segments[s.next[k]].throughout) s.next = {s.next[k], kNone};
+  }
+}
+
 // A tail is dead when it is cut, when nothing live can continue it, or only whole segments that meet nothing and have dead tails themselves.
 void RotatingWindow::find_dead_tails() {
   const std::size_t n = segments.size();
@@ -242,6 +254,31 @@ void RotatingWindow::find_dead_tails() {
     const std::uint32_t f = forms_.operand(0).prev[s.start.p], t = forms_.operand(1).prev[s.start.q];
     for (const std::uint32_t from : {find({0, f, s.start.q}), find({1, t, s.start.p})})
       if (from != kNone && ways[from] > 0 && --ways[from] == 0) kill(from);
+  }
+}
+
+// Quiet pieces one after the other at every angle: walks leap over them. A quiet one follows one quiet one only, so followers lead to an
+// end or back to the first.
+void RotatingWindow::find_runs() {
+  const auto n = static_cast<std::uint32_t>(pieces.size());
+  for (std::uint32_t i = 0; i < n; ++i) {
+    TurnPiece& p = pieces[i];
+    p.quiet = !p.head_cut && !p.tail_cut && first_of[i] == first_of[i + 1] && segments[p.segment].throughout;
+  }
+  for (TurnPiece& p : pieces) {
+    const std::uint32_t next = segments[p.segment].next[0];
+    if (p.tail_cut || next == kNone || !pieces[segments[next].first_piece].quiet) continue;
+    p.follower = segments[next].first_piece;
+  }
+  std::vector<std::uint32_t> run;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    if (!pieces[i].quiet || pieces[i].run_last != kNone) continue;
+    run.assign(1, i);
+    std::uint32_t next = pieces[i].follower;
+    for (; next != kNone && next != i && pieces[next].run_last == kNone; next = pieces[next].follower) run.push_back(next);
+    if (next == i) circles.push_back(i);
+    const std::uint32_t last = next == kNone || next == i ? run.back() : pieces[next].run_last;
+    for (const std::uint32_t k : run) pieces[k].run_last = last;
   }
 }
 
@@ -267,7 +304,7 @@ void RotatingWindow::find_rounds() {
         removed.push_back(to);
       }
   for (std::uint32_t s = 0; s < segments.size(); ++s)
-    if (!gone[s]) rounds.push_back(segments[s].first_piece);
+    if (!gone[s] && !pieces[segments[s].first_piece].quiet) rounds.push_back(segments[s].first_piece);
 }
 
 }  // namespace dymsum::planar

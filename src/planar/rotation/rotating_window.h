@@ -20,6 +20,7 @@ struct TurnSegment {
   double length1 = 0;
   std::uint32_t first_piece = 0, last_piece = 0;   ///< its pieces [first_piece, last_piece)
   std::array<std::uint32_t, 2> next{kNone, kNone};  ///< the live segments that may continue it; at most one exists at a time
+  bool throughout = false;                          ///< it exists at every angle of the window
 };
 
 /// A stretch of a segment between its ends or places that lie in dead cells at every angle of the window. What reaches one is false.
@@ -28,6 +29,9 @@ struct TurnPiece {
   double head = 0, tail = 1;  ///< in shares of the segment
   bool head_cut = false, tail_cut = false;
   bool tail_dead = false;     ///< behind the tail nothing alive can follow, at no angle of the window
+  bool quiet = false;         ///< whole, there at every angle of the window, and nothing meets it
+  std::uint32_t follower = kNone;  ///< a quiet piece that follows it at every angle of the window
+  std::uint32_t run_last = kNone;  ///< of a quiet one: where followers lead to
 };
 
 /// Pieces that may meet, and their segments.
@@ -46,7 +50,9 @@ class RotatingWindow {
   std::vector<TurnPiece> pieces;
   std::vector<TurnMeeting> meetings;
   std::vector<std::uint32_t> first_of, of;  ///< the meetings of piece i are of[first_of[i] .. first_of[i + 1])
-  std::vector<std::uint32_t> rounds;        ///< whole pieces that may follow each other all round
+  std::vector<std::uint32_t> changing;      ///< segments that do not exist at every angle
+  std::vector<std::uint32_t> rounds;        ///< whole pieces that may follow each other all round, without quiet ones
+  std::vector<std::uint32_t> circles;       ///< quiet pieces whose followers lead back to them, one of each circle
   std::uint64_t all_segments = 0, pair_tests = 0;
 
   const TurningForms& forms() const { return forms_; }
@@ -68,7 +74,9 @@ class RotatingWindow {
   void find_meetings(const DeadCells& dead);
   bool apart(std::uint32_t line, std::uint32_t other) const;
   void index_meetings();
+  void find_next();
   void find_dead_tails();
+  void find_runs();
   void find_rounds();
 
   const TurningForms& forms_;
