@@ -61,9 +61,13 @@ class RotatingWindow {
   std::size_t bytes() const;
 
  private:
-  /// A segment at the middle: where it starts, its vector, and how far a point of it moves from there.
+  /// A segment at the middle: the vertices it starts with, its vector and |vector|_1, and how far a point of it moves from there.
   struct Swept {
-    double ax, ay, dx, dy, reach;
+    Point fixed, turning, d;
+    double length1 = 0, reach = 0;
+    std::uint32_t side = 0;
+    double x() const { return fixed.x + turning.x; }
+    double y() const { return fixed.y + turning.y; }
   };
   struct Turn {
     std::uint32_t lo = 0, count = 0, base = 0;
@@ -71,8 +75,8 @@ class RotatingWindow {
   Swept swept(const WalkSegment& s) const;
   void add_segments(const DeadCells& dead);
   void add_pieces(const Swept& w, const DeadCells& dead);
-  void find_meetings(const DeadCells& dead);
-  bool apart(std::uint32_t line, std::uint32_t other) const;
+  void find_meetings(const Grid& g);
+  bool apart(const TurnPiece& p, const TurnPiece& q) const;
   void index_meetings();
   void find_next();
   void find_dead_tails();
@@ -85,6 +89,7 @@ class RotatingWindow {
   std::array<std::vector<Turn>, 2> turns_;  // by side and vertex
   std::vector<std::uint32_t> live_;   // all segments of the window -> segments
   std::vector<Point> turned_;         // the turning operand at the middle
+  std::vector<double> moved_;         // how far each of its vertices moves from there
   std::vector<Swept> swept_;          // of segments
   std::vector<double> cuts_;
 };
