@@ -65,6 +65,7 @@ class RotatingSum::State {
   std::unique_ptr<planar::TurnGrid> grid_;
   double segments_ = 0;  // of the reduced convolution, about
   planar::WindowController controller_;
+  double slice_cost_ = 0;  // of the last frame from scratch
   planar::RingIdentities identities_;
   std::unique_ptr<planar::RotatingWindow> window_;
   std::unique_ptr<planar::RotatingFrame> frame_;
