@@ -268,6 +268,15 @@ bool RotatingFrame::close(std::uint32_t first) {
   return sure_;
 }
 
+std::optional<Point> RotatingFrame::middle_of(const Step& s) const {
+  const double from = from_share(s), to = to_share(s), middle = 0.5 * (from + to);
+  const double low = s.from_crossing == kEnd ? 0 : crossings_[s.from_crossing].e_out, high = s.to_crossing == kEnd ? 0 : crossings_[s.to_crossing].e_in;
+  if (!(middle - from > low && to - middle > high)) return std::nullopt;
+  const TurnSegment& segment = window_.segments[s.segment];
+  const Point at = place(segment.start), d = direction(segment.walk);
+  return Point{at.x + middle * d.x, at.y + middle * d.y};
+}
+
 RotatingFrame::Located RotatingFrame::end_of(const Step& s) const {
   if (s.to_crossing == kEnd) return {place(window_.segments[s.segment].end), point_error()};
   const Crossing& c = crossings_[s.to_crossing];

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "planar/rotation/rotating_window.h"
@@ -53,6 +54,10 @@ class RotatingFrame {
     double error = 0;
   };
   Located end_of(const Step& s) const;
+  /// A point of the segment that lies inside a sub-edge, each coordinate within 2 point_error(); nothing where doubles do not know one.
+  std::optional<Point> middle_of(const Step& s) const;
+  const Point& turned(std::uint32_t v) const { return turned_[v]; }
+  Point direction(const WalkSegment& s) const { return s.side == 0 ? window_.forms().edge(0, s.edge) : turned_edge_[s.edge]; }
   /// In shares of the segment.
   double from_share(const Step& s) const { return s.from_crossing == kEnd ? 0 : crossings_[s.from_crossing].t_out; }
   double to_share(const Step& s) const { return s.to_crossing == kEnd ? 1 : crossings_[s.to_crossing].t_in; }
@@ -99,7 +104,6 @@ class RotatingFrame {
   static constexpr std::uint32_t kOnward = 0xfffffffe, kRound = 0xfffffffd;
   std::uint32_t record(std::uint32_t crossing);
   std::uint32_t continuing(std::uint32_t segment);
-  Point direction(const WalkSegment& s) const { return s.side == 0 ? window_.forms().edge(0, s.edge) : turned_edge_[s.edge]; }
   bool close(std::uint32_t first);
   int half(const TurnSegment& s, Point d);
 

@@ -29,7 +29,7 @@ double cost_of_window(const RotatingWindow& w) {
 double cost_of_frame(const FrameWork& work, const PlanarSum& sum, double slice) {
   const auto of = [](double each, std::uint64_t n) { return each * static_cast<double>(n); };
   return 1 + of(0.008, sum.vertex_count()) + of(0.008, work.pieces) + of(0.009, work.candidates) + of(0.025, sum.stats.crossings) +
-         (work.collision_tests > 0 ? 0.5 * slice : 0);
+         (work.exact_signs > 0 ? 0.5 * slice : 0) + of(0.05 * slice, work.collision_tests);
 }
 
 constexpr double kMaskFrom = 100;    // segments from which a mask pays
