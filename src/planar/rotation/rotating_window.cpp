@@ -60,6 +60,11 @@ RotatingWindow::Swept RotatingWindow::swept(const WalkSegment& s) const {
 void RotatingWindow::add_segments(const DeadCells& dead) {
   const Grid& g = dead.grid();
   for (std::uint32_t side = 0; side < 2; ++side) turns_[side].assign(forms_.size(1 - side), {});
+  const std::size_t usual = 4 * (std::size_t{forms_.size(0)} + forms_.size(1));  // convolutions are a few times as large as the operands
+  live_.reserve(usual);
+  segments.reserve(usual);
+  swept_.reserve(usual);
+  pieces.reserve(usual);
   catalog_.for_each_turn(middle - half, middle + half, [&](std::uint32_t side, std::uint32_t vertex, const auto& edges, std::size_t at, std::size_t count) {
     turns_[side][vertex] = {static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(count), static_cast<std::uint32_t>(live_.size())};
     for (std::size_t k = 0; k < count; ++k, at = at + 1 == edges.size() ? 0 : at + 1) {
@@ -103,22 +108,18 @@ void RotatingWindow::add_pieces(const Swept& w, const DeadCells& dead) {
   };
   cuts_.clear();
   if (const auto [live, all] = cells_near(0, 1); live < all && 2 * reach < g.cell) {
+    const double per_x = 1 / w.d.x, per_y = 1 / w.d.y;  // infinite for upright and level ones, which lie in the range of a cell or beside it
     for_each_cell_run(g, x, y, x + w.d.x, y + w.d.y, [&](int row, int first, int last) {
       for (int c = first; c <= last; ++c) {
         if (!dead.dead(row, c)) continue;
         double t0 = 0, t1 = 1;
-        const auto clip = [&](double from, double d, int cell) {
-          const double low = cell * g.cell + reach, high = (cell + 1) * g.cell - reach;
-          if (d == 0) {
-            if (from < low || from > high) t1 = -1;
-            return;
-          }
-          const double u = (low - from) / d, v = (high - from) / d;
+        const auto clip = [&](double from, double per, int cell) {
+          const double u = (cell * g.cell + reach - from) * per, v = ((cell + 1) * g.cell - reach - from) * per;
           t0 = std::max(t0, std::min(u, v));
           t1 = std::min(t1, std::max(u, v));
         };
-        clip(x, w.d.x, c);
-        clip(y, w.d.y, row);
+        clip(x, per_x, c);
+        clip(y, per_y, row);
         if (t1 > t0) cuts_.push_back(0.5 * (t0 + t1));
       }
     });
