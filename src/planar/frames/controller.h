@@ -18,7 +18,7 @@ class WindowController {
   /// than a few steps. `window`: their width where the caller knows it, else 0.
   Choice choose(double step, double widest, FrameMode mode, double window);
 
-  /// What was measured: a frame from scratch; a frame that built a window; a frame inside one.
+  /// What was measured, or counted in any unit: a frame from scratch; a frame that built a window; a frame inside one.
   void rebuilt(double ms);
   void built(double ms);
   /// Whether frames inside the window have been dearer than from scratch three times in a row.
