@@ -28,6 +28,18 @@ RotatingFrame::RotatingFrame(const RotatingWindow& window) : window_(window) {
   count_.resize(window.pieces.size());
   entries_.resize(window.of.size());
   walked_.resize(window.pieces.size());
+  ways_.reserve(window.pieces.size());
+  for (const TurnPiece& p : window.pieces) {
+    Way way{{kNone, kNone}, kNone, p.segment};
+    const bool dead = p.tail_dead || (p.follower != kNone && window.pieces[p.follower].tail_dead);
+    if (!dead && p.follower != kNone) way.leap = window.pieces[p.follower].run_last;
+    for (std::size_t k = 0; k < 2 && !dead && p.follower == kNone; ++k) {
+      const std::uint32_t next = window.segments[p.segment].next[k];
+      if (next == kNone || window.pieces[window.segments[next].first_piece].head_cut) continue;
+      way.next[k] = window.segments[next].first_piece;
+    }
+    ways_.push_back(way);
+  }
 }
 
 bool RotatingFrame::compute(double delta, Heading heading) {
@@ -133,35 +145,23 @@ bool RotatingFrame::link_crossings() {
   return true;
 }
 
-// The segment that exists now and continues one, or kNone.
-std::uint32_t RotatingFrame::continuing(std::uint32_t segment) {
-  const auto [s, t] = window_.segments[segment].next;
-  const bool first = s != kNone && exists_[s], second = t != kNone && exists_[t];
-  if (first && second) sure_ = false;
-  return first ? s : second ? t : kNone;
-}
-
 std::uint32_t RotatingFrame::onward(std::uint32_t piece, std::uint32_t begin, std::vector<std::uint32_t>* path) {
-  for (std::size_t steps = 0; steps <= window_.pieces.size(); ++steps) {
-    std::uint32_t next = window_.pieces[piece].follower;
-    if (next != kNone) {
-      const TurnPiece& first = window_.pieces[next];
-      if (first.tail_dead) return kNone;
-      piece = first.run_last;
-      if (path == nullptr) continue;
-      path->push_back(next);
-      for (; next != piece; path->push_back(next)) next = window_.pieces[next].follower;
+  const auto exists = [&](std::uint32_t next) { return next != kNone && exists_[ways_[next].segment] != 0; };
+  for (std::size_t steps = 0; steps <= ways_.size(); ++steps) {
+    const Way& way = ways_[piece];
+    if (way.leap != kNone) {
+      for (std::uint32_t next = piece; path != nullptr && next != way.leap; path->push_back(next)) next = window_.pieces[next].follower;
+      piece = way.leap;
       continue;
     }
-    const std::uint32_t segment = continuing(window_.pieces[piece].segment);
-    if (segment == kNone) return kNone;
-    piece = window_.segments[segment].first_piece;
-    const TurnPiece& p = window_.pieces[piece];
-    if (p.head_cut) return kNone;
+    const bool first = exists(way.next[0]), second = exists(way.next[1]);
+    if (first && second) sure_ = false;
+    if (!first && !second) return kNone;
+    piece = way.next[first ? 0 : 1];
     if (piece == begin) return kRound;
     if (path != nullptr) path->push_back(piece);
     if (count(piece) > 0) return entry(piece, 0).out() ? kNone : entry(piece, 0).number();
-    if (p.tail_dead || (begin != kNone && walked_[piece])) return kNone;
+    if (begin != kNone && walked_[piece]) return kNone;
     walked_[piece] = 1;
   }
   return kNone;

@@ -71,6 +71,13 @@ class RotatingFrame {
   struct Busy {
     std::uint32_t segment = 0, p = 0, q = 0, edge = 0;
   };
+  /// How a walk that comes to the end of a piece goes on: over a run of quiet pieces to its last one, or to one of two pieces, whichever
+  /// exists. Nowhere from dead tails.
+  struct Way {
+    std::array<std::uint32_t, 2> next{kNone, kNone};
+    std::uint32_t leap = kNone;
+    std::uint32_t segment = 0;  ///< of the piece
+  };
   /// Two segments that may cross: k = a x b, sides of the start of b against a and, reflected, of the start of a against b.
   struct Near {
     std::uint32_t meeting = 0;
@@ -103,7 +110,6 @@ class RotatingFrame {
   std::uint32_t onward(std::uint32_t piece, std::uint32_t begin, std::vector<std::uint32_t>* path);
   static constexpr std::uint32_t kOnward = 0xfffffffe, kRound = 0xfffffffd;
   std::uint32_t record(std::uint32_t crossing);
-  std::uint32_t continuing(std::uint32_t segment);
   bool close(std::uint32_t first);
   int half(const TurnSegment& s, Point d);
 
@@ -111,6 +117,7 @@ class RotatingFrame {
   Heading heading_;
   double delta_ = 0;
   std::vector<Point> turned_, turned_edge_;
+  std::vector<Way> ways_;                      // by piece
   std::array<std::vector<Busy>, 2> busy_;      // segments with meetings, by side
   std::vector<Placed> placed_;                 // by segment, of busy ones; anything where it does not exist
   std::vector<std::uint8_t> exists_;
