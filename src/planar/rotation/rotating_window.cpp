@@ -20,7 +20,7 @@ RotatingWindow::RotatingWindow(const TurnGrid& grid, const TurnCatalog& catalog,
   const DeadCells dead = mask ? dead_cells(grid, turned_, half) : DeadCells(grid.grid.whole);
   add_segments(dead);
   find_next();
-  find_meetings(dead.grid());
+  find_meetings(dead);
   index_meetings();
   find_dead_tails();
   find_runs();
@@ -156,15 +156,22 @@ bool RotatingWindow::apart(const TurnPiece& p, const TurnPiece& q) const {
   return beside(a, b, 1, q.head, q.tail) | beside(b, a, -1, p.head, p.tail);
 }
 
-// Pieces whose swept boxes meet, less those that certainly do not meet.
-void RotatingWindow::find_meetings(const Grid& g) {
+RotatingWindow::Box RotatingWindow::box_of(const TurnPiece& p, double reach) const {
+  const Swept& w = swept_[p.segment];
+  const double x = w.x() + shift_, y = w.y() + shift_, by = w.reach + reach;
+  const double ax = x + p.head * w.d.x, ay = y + p.head * w.d.y, bx = x + p.tail * w.d.x, cy = y + p.tail * w.d.y;
+  return {std::min(ax, bx) - by, std::min(ay, cy) - by, std::max(ax, bx) + by, std::max(ay, cy) + by};
+}
+
+// Pieces whose swept boxes meet in a live cell, less those that certainly do not meet: what meets in dead cells is covered.
+void RotatingWindow::find_meetings(const DeadCells& dead) {
+  const Grid& g = dead.grid();
+  const double reach = kReach * g.cell;
   BoxPairs pairs(forms_.span());
   pairs.reserve(pieces.size());
   for (const TurnPiece& p : pieces) {
-    const Swept& w = swept_[p.segment];
-    const double x = w.x() + shift_, y = w.y() + shift_, ax = x + p.head * w.d.x, ay = y + p.head * w.d.y, bx = x + p.tail * w.d.x, by = y + p.tail * w.d.y;
-    const double reach = w.reach + kReach * g.cell;
-    pairs.add(std::min(ax, bx) - reach, std::min(ay, by) - reach, std::max(ax, bx) + reach, std::max(ay, by) + reach);
+    const Box box = box_of(p, reach);
+    pairs.add(box.x0, box.y0, box.x1, box.y1);
   }
   // Without branches that cannot be predicted: every pair is listed, and the place moves on for those that stay.
   std::vector<std::array<std::uint32_t, 2>> near = pairs.find();
@@ -186,6 +193,11 @@ void RotatingWindow::find_meetings(const Grid& g) {
     kept += !apart(p, q);
   }
   meetings.resize(kept);
+  if (dead.dead_cells() == 0) return;
+  std::erase_if(meetings, [&](const TurnMeeting& m) {
+    const Box u = box_of(pieces[m.a], reach), v = box_of(pieces[m.b], reach);
+    return dead.live(g.row(std::max(u.y0, v.y0)), g.column(std::max(u.x0, v.x0)), g.row(std::min(u.y1, v.y1)), g.column(std::min(u.x1, v.x1))) == 0;
+  });
 }
 
 void RotatingWindow::index_meetings() {

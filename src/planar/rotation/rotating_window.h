@@ -69,13 +69,17 @@ class RotatingWindow {
     double x() const { return fixed.x + turning.x; }
     double y() const { return fixed.y + turning.y; }
   };
+  struct Box {
+    double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+  };
   struct Turn {
     std::uint32_t lo = 0, count = 0, base = 0;
   };
   Swept swept(const WalkSegment& s) const;
   void add_segments(const DeadCells& dead);
   void add_pieces(const Swept& w, const DeadCells& dead);
-  void find_meetings(const Grid& g);
+  Box box_of(const TurnPiece& p, double reach) const;
+  void find_meetings(const DeadCells& dead);
   bool apart(const TurnPiece& p, const TurnPiece& q) const;
   void index_meetings();
   void find_next();
