@@ -18,7 +18,7 @@ double now_ms() { return std::chrono::duration<double, std::milli>(std::chrono::
 // choices. Fitted to frames and slices of the pairs of `./run bench cspace` and of random shapes.
 double cost_of_slice(const SumStats& s) {
   const auto of = [](double each, std::uint64_t n) { return each * static_cast<double>(n); };
-  return 12 + of(0.085, s.reduced_segments) + of(0.085, s.crossings) + of(0.5, s.collision_tests);
+  return 12 + of(0.085, s.reduced_segments) + of(0.11, s.crossings) + of(0.5, s.collision_tests);
 }
 
 double cost_of_window(const RotatingWindow& w) {
@@ -31,6 +31,9 @@ double cost_of_frame(const FrameWork& work, const PlanarSum& sum, double slice) 
   return 1 + of(0.008, sum.vertex_count()) + of(0.008, work.pieces) + of(0.009, work.candidates) + of(0.025, sum.stats.crossings) +
          (work.exact_signs > 0 ? 0.5 * slice : 0) + of(0.05 * slice, work.collision_tests);
 }
+
+// In the choice of a width windows count by half: they are what makes few frames late, wide ones are what makes all others slower.
+constexpr double kLate = 0.5;
 
 constexpr double kMaskFrom = 100;    // segments from which a mask pays
 constexpr double kCellsSwept = 3;   // a cell is so many times as wide as vertices move from the middle of a window
@@ -283,7 +286,7 @@ Result<FrameChanges> RotatingSum::State::move_to(const Orientation& theta) {
   next_work.ms = now_ms() - begin;
   if (next_work.rebuilt) slice_cost_ = cost_of_slice(sum.stats);
   const double cost = (next_work.rebuilt ? slice_cost_ : 0) + (window_ != nullptr && !next_work.rebuilt ? cost_of_frame(next_work, sum, slice_cost_) : 0);
-  if (built) controller_.built(cost + cost_of_window(*window_));
+  if (built) controller_.built(cost + cost_of_window(*window_), kLate * cost_of_window(*window_));
   else if (window_ == nullptr) controller_.rebuilt(cost);
   else {
     controller_.updated(cost);
