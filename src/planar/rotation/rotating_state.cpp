@@ -36,7 +36,7 @@ double cost_of_frame(const FrameWork& work, const PlanarSum& sum, double slice) 
 constexpr double kLate = 0.5;
 
 constexpr double kMaskFrom = 100;    // segments from which a mask pays
-constexpr double kCellsSwept = 3;   // a cell is so many times as wide as vertices move from the middle of a window
+constexpr double kCellsSwept = 2.2;  // a cell is so many times as wide as vertices move from the middle of a window
 constexpr double kWidest = 0.5;     // beyond a sweep of so many cells of the finest grid pairs that may meet abound
 
 int cells_for(double n) { return std::clamp(static_cast<int>(3 * std::sqrt(n)), 8, 256); }
