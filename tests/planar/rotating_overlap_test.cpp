@@ -20,7 +20,7 @@ struct Tally {
   std::uint64_t free = 0, overlap = 0, unknown = 0;
 };
 
-// Every sub-edge of every cycle of one frame.
+// Beside every sub-edge of every cycle of one frame, and every segment.
 void compare(const Region& p, const Region& q, double radians, Tally& tally) {
   const auto base = ScalingBase::create({prepared_operand(p, 0), prepared_operand(q, 1)}, {}, 1, 0).value();
   if (!base->regular || !base->connected) return;
@@ -38,7 +38,7 @@ void compare(const Region& p, const Region& q, double radians, Tally& tally) {
     return Segment{forms.operand(w.side).edge(w.edge), forms.operand(1 - w.side).source[w.vertex]};
   };
   const auto by = [&](std::uint32_t s) { return s == RotatingFrame::kEnd ? std::nullopt : std::optional<Segment>(source(s)); };
-  for (const RotatingFrame::Step& s : frame.steps()) {
+  const auto check = [&](const RotatingFrame::Step& s) {
     const RotatingOverlap::Result told = overlap.right_of(frame, s);
     const bool inside = place.inside_right_of(source(s.segment), by(s.from), by(s.to));
     tally.free += told.answer == RotatingOverlap::Answer::free;
@@ -47,7 +47,15 @@ void compare(const Region& p, const Region& q, double radians, Tally& tally) {
     if (told.answer != RotatingOverlap::Answer::unknown) {
       ASSERT_EQ(inside, told.answer == RotatingOverlap::Answer::overlap);
     }
-  }
+  };
+  for (const RotatingFrame::Step& s : frame.steps()) ASSERT_NO_FATAL_FAILURE(check(s));
+  // And in the middle of every segment that exists, whatever crosses it.
+  for (std::uint32_t i = 0; i < window.segments.size(); ++i)
+    if (catalog.exists(window.segments[i].walk, theta.radians()) == TurnCatalog::Existence::yes) {
+      RotatingFrame::Step s;
+      s.segment = i;
+      ASSERT_NO_FATAL_FAILURE(check(s));
+    }
 }
 
 TEST(RotatingOverlap, agrees_with_exact_collision_tests_beside_every_sub_edge) {
