@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
@@ -310,6 +311,51 @@ TEST(RotatingSum, large_steps_in_wide_windows_equal_slices) {
       ASSERT_TRUE(sum.sum() == rotated_sum(p, q, at(theta)).value()) << "step " << step;
     }
   }
+}
+
+// A hole that is covered at one angle and free at the next, its edges and crossings being the same: what covers it has passed over it.
+TEST(RotatingSum, a_hole_uncovered_in_one_step_appears) {
+  const auto square = [](double x, double y, double half) { return Ring{{x - half, y - half}, {x + half, y - half}, {x + half, y + half}, {x - half, y + half}}; };
+  RegionData fixed, turning;
+  fixed.parts.push_back({square(0, 0, 4), {{{-1.5, -1.5}, {-1.5, 1.5}, {1.5, 1.5}, {1.5, -1.5}}}});
+  fixed.parts.push_back({square(-9.8, -2, 2), {}});
+  turning.parts.push_back({square(0, 0, 0.5), {}});
+  turning.parts.push_back({square(10, 0, 0.5), {}});
+  const Region p = Region::create(fixed).value(), q = Region::create(turning).value();
+  // The frame before lies in the window, or does not.
+  for (const double window : {1.5, 0.05}) {
+    RotatingOptions options;
+    options.turning = TurningOperand::q;
+    options.mode = FrameMode::window;
+    options.window = window;
+    RotatingSum sum = RotatingSum::create(p, q, options).value();
+    for (const double theta : {0.15, 0.2, 0.8, 0.85, 0.2, 0.8}) {
+      ASSERT_TRUE(sum.set(at(theta)).ok());
+      EXPECT_FALSE(sum.work().rebuilt);
+      ASSERT_TRUE(sum.sum() == fresh(p, q, at(theta), options)) << theta;
+      EXPECT_EQ(sum.sum().hole_count(), theta < 0.5 ? 1u : 2u) << theta;  // another one lies between the parts
+    }
+  }
+}
+
+// Costs are counted, so what else the machine does changes nothing.
+TEST(RotatingSum, the_same_motion_is_followed_in_the_same_way) {
+  const Region p = shapes::noisy_star(60, 0.5, 1), q = shapes::noisy_star(50, 0.7, 2);
+  std::vector<std::array<std::uint64_t, 4>> seen;
+  std::uint64_t windows = 0;
+  for (const bool again : {false, true}) {
+    RotatingSum sum = RotatingSum::create(p, q).value();
+    for (std::size_t k = 1; k < 100; ++k) {
+      ASSERT_TRUE(sum.set(at(0.0126 * static_cast<double>(k))).ok());
+      const FrameWork& work = sum.work();
+      const std::array<std::uint64_t, 4> now{work.rebuilt, work.new_window, work.pieces, work.candidates};
+      if (!again) seen.push_back(now);
+      else EXPECT_EQ(now, seen[k - 1]) << k;
+      windows += work.new_window;
+    }
+  }
+  EXPECT_GT(windows, 10u);
+  EXPECT_LT(windows, 80u);
 }
 
 // Products of coordinates that over- or underflow leave signs undecided, never wrong.

@@ -18,12 +18,13 @@ constexpr double kHysteresis = 0.05;  // relative gain below which the width sta
 
 void WindowController::close_window() {
   if (served_ == 0) return;
-  const double cost = spent_ / static_cast<double>(served_);
+  const double cost = (spent_ - forgiven_) / static_cast<double>(served_);
   // Climb towards the cheapest width; turn round when it got dearer by more than noise.
-  if (last_cost_ > 0 && cost > last_cost_ * (1 + kHysteresis)) factor_ = 1 / factor_;
-  if (last_cost_ == 0 || std::abs(cost - last_cost_) > kHysteresis * last_cost_)
+  if (compared_ > 0 && cost > compared_ * (1 + kHysteresis)) factor_ = 1 / factor_;
+  if (compared_ == 0 || std::abs(cost - compared_) > kHysteresis * compared_)
     frames_ahead_ = std::clamp(frames_ahead_ * factor_, kFrames, kMostFrames);
-  last_cost_ = cost;
+  compared_ = cost;
+  last_cost_ = spent_ / static_cast<double>(served_);
   spent_ = 0;
   served_ = 0;
 }
@@ -45,8 +46,9 @@ bool WindowController::give_up(double ms) {
 }
 
 // Times are wall times: what lasts far longer than it can is another program's turn and counts for less.
-void WindowController::built(double ms) {
+void WindowController::built(double ms, double forgiven) {
   spent_ = static_ms_ > 0 ? std::min(ms, kDearestWindow * static_ms_) : ms;
+  forgiven_ = std::min(forgiven, spent_);
   served_ = 1;
 }
 

@@ -18,9 +18,10 @@ class WindowController {
   /// than a few steps. `window`: their width where the caller knows it, else 0.
   Choice choose(double step, double widest, FrameMode mode, double window);
 
-  /// What was measured: a frame from scratch; a frame that built a window; a frame inside one.
+  /// What was measured, or counted in any unit: a frame from scratch; a frame that built a window; a frame inside one.
   void rebuilt(double ms);
-  void built(double ms);
+  /// `forgiven`: so much of it does not count when widths are compared.
+  void built(double ms, double forgiven = 0);
   /// Whether frames inside the window have been dearer than from scratch three times in a row.
   bool give_up(double ms);
   void updated(double ms);
@@ -32,7 +33,8 @@ class WindowController {
   double frames_ahead_ = 6;   ///< how many steps a window covers ahead
   double factor_ = 1.5;       ///< what that was last multiplied by
   double last_cost_ = 0;      ///< a frame of the last window, with its share of the building
-  double spent_ = 0;
+  double compared_ = 0;       ///< the same less what was forgiven
+  double spent_ = 0, forgiven_ = 0;
   std::uint64_t served_ = 0;  ///< frames of the open window
   double recent_ = 0;         ///< the largest recent step, fading
   int dear_ = 0;

@@ -15,16 +15,31 @@ constexpr double kSide = 0x1p-45, kCross = 0x1p-46;
 RotatingFrame::RotatingFrame(const RotatingWindow& window) : window_(window) {
   const std::size_t n = window.segments.size(), m = window.forms().size(1);
   placed_.resize(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    placed_[i].length1 = window.segments[i].length1;
-    placed_[i].error = kSide * window.forms().span() * window.segments[i].length1;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const TurnSegment& s = window.segments[i];
+    if (window.first_of[s.first_piece] == window.first_of[s.last_piece]) continue;
+    busy_[s.walk.side].push_back({i, s.start.p, s.start.q, s.walk.edge});
+    placed_[i].length1 = s.length1;
+    placed_[i].error = kSide * window.forms().span() * s.length1;
   }
-  exists_.resize(n);
+  exists_.assign(n, 1);
   turned_.resize(m);
   turned_edge_.resize(m);
   count_.resize(window.pieces.size());
   entries_.resize(window.of.size());
   walked_.resize(window.pieces.size());
+  ways_.reserve(window.pieces.size());
+  for (const TurnPiece& p : window.pieces) {
+    Way way{{kNone, kNone}, kNone, p.segment};
+    const bool dead = p.tail_dead || (p.follower != kNone && window.pieces[p.follower].tail_dead);
+    if (!dead && p.follower != kNone) way.leap = window.pieces[p.follower].run_last;
+    for (std::size_t k = 0; k < 2 && !dead && p.follower == kNone; ++k) {
+      const std::uint32_t next = window.segments[p.segment].next[k];
+      if (next == kNone || window.pieces[window.segments[next].first_piece].head_cut) continue;
+      way.next[k] = window.segments[next].first_piece;
+    }
+    ways_.push_back(way);
+  }
 }
 
 bool RotatingFrame::compute(double delta, Heading heading) {
@@ -41,52 +56,51 @@ bool RotatingFrame::place_segments(double delta) {
     turned_[i] = turn(forms.points(1)[i]);
     turned_edge_[i] = turn(forms.edge(1, i));
   }
-  for (std::uint32_t i = 0; i < window_.segments.size(); ++i) {
-    const TurnSegment& s = window_.segments[i];
-    const double before = delta - s.span.from, behind = s.span.to - delta;
+  for (const std::uint32_t i : window_.changing) {
+    const TurnCatalog::Span& span = window_.segments[i].span;
+    const double before = delta - span.from, behind = span.to - delta;
     if (std::abs(before) < kAngleSlack || std::abs(behind) < kAngleSlack) return false;
     exists_[i] = before > 0 && behind > 0;
-    if (!exists_[i]) continue;
-    const Point at = place(s.start), d = s.walk.side == 0 ? forms.edge(0, s.walk.edge) : turned_edge_[s.walk.edge];
-    Placed& to = placed_[i];
-    to.x = at.x;
-    to.y = at.y;
-    to.dx = d.x;
-    to.dy = d.y;
   }
+  for (const std::uint32_t side : {0u, 1u})
+    for (const Busy& b : busy_[side]) {
+      const Point at = place({b.p, b.q}), d = direction({side, b.edge, 0});
+      Placed& to = placed_[b.segment];
+      to.x = at.x;
+      to.y = at.y;
+      to.dx = d.x;
+      to.dy = d.y;
+    }
   return true;
 }
 
+// Those are left out of which one does not exist, or both ends of one lie on one side of the other. Without branches: which of them cross
+// cannot be predicted, so all are listed and the place moves on for those that may.
 bool RotatingFrame::find_crossings() {
   crossings_.clear();
   std::fill(count_.begin(), count_.end(), 0);
-  // Which of them cross cannot be predicted: all are listed and the place moves on for those that may.
   near_.resize(window_.meetings.size() + 1);
   std::size_t n = 0;
-  for (std::uint32_t m = 0; m < window_.meetings.size(); ++m) {
-    near_[n] = m;
-    n += !apart(window_.meetings[m]);
+  for (std::uint32_t i = 0; i < window_.meetings.size(); ++i) {
+    const TurnMeeting& m = window_.meetings[i];
+    const Placed &a = placed_[m.segment_a], &b = placed_[m.segment_b];
+    const double wx = b.x - a.x, wy = b.y - a.y, k = a.dx * b.dy - a.dy * b.dx;
+    const double o1 = a.dx * wy - a.dy * wx, o2 = o1 + k, o3 = b.dx * wy - b.dy * wx, o4 = o3 + k;
+    const bool beside_a = (std::min(o1, o2) > a.error) | (std::max(o1, o2) < -a.error);
+    const bool beside_b = (std::min(o3, o4) > b.error) | (std::max(o3, o4) < -b.error);
+    near_[n] = {i, k, o1, o3};
+    n += !(beside_a | beside_b | !(exists_[m.segment_a] & exists_[m.segment_b]));
   }
-  for (std::size_t k = 0; k < n; ++k)
-    if (!cross(window_.meetings[near_[k]])) return false;
+  for (std::size_t i = 0; i < n; ++i)
+    if (!cross(near_[i])) return false;
   return true;
 }
 
-// One does not exist, or both ends of one lie on one side of the other. Without branches.
-bool RotatingFrame::apart(const TurnMeeting& m) const {
-  const Placed &a = placed_[m.segment_a], &b = placed_[m.segment_b];
-  const double wx = b.x - a.x, wy = b.y - a.y, k = a.dx * b.dy - a.dy * b.dx;
-  const double o1 = a.dx * wy - a.dy * wx, o2 = o1 + k, o3 = b.dx * wy - b.dy * wx, o4 = o3 + k;
-  const bool beside_a = (std::min(o1, o2) > a.error) | (std::max(o1, o2) < -a.error);
-  const bool beside_b = (std::min(o3, o4) > b.error) | (std::max(o3, o4) < -b.error);
-  return beside_a | beside_b | !(exists_[m.segment_a] & exists_[m.segment_b]);
-}
-
 // False where it cannot be told whether they cross.
-bool RotatingFrame::cross(const TurnMeeting& m) {
+bool RotatingFrame::cross(const Near& near) {
+  const TurnMeeting& m = window_.meetings[near.meeting];
   const Placed &a = placed_[m.segment_a], &b = placed_[m.segment_b];
-  const double wx = b.x - a.x, wy = b.y - a.y, k = a.dx * b.dy - a.dy * b.dx;
-  const double o1 = a.dx * wy - a.dy * wx, o2 = o1 + k, o3 = b.dx * wy - b.dy * wx, o4 = o3 + k;
+  const double k = near.k, o1 = near.o1, o2 = o1 + k, o3 = near.o3, o4 = o3 + k;
   const bool sure = std::abs(o1) > a.error && std::abs(o2) > a.error && std::abs(o3) > b.error && std::abs(o4) > b.error;
   if (!sure || std::abs(k) <= 2 * kCross * a.length1 * b.length1) return certainly_beside(a, b) || certainly_beside(b, a);
   const TurnPiece &p = window_.pieces[m.a], &q = window_.pieces[m.b];
@@ -131,25 +145,23 @@ bool RotatingFrame::link_crossings() {
   return true;
 }
 
-// The segment that exists now and continues one, or kNone.
-std::uint32_t RotatingFrame::continuing(std::uint32_t segment) {
-  const auto [s, t] = window_.segments[segment].next;
-  const bool first = s != kNone && exists_[s], second = t != kNone && exists_[t];
-  if (first && second) sure_ = false;
-  return first ? s : second ? t : kNone;
-}
-
 std::uint32_t RotatingFrame::onward(std::uint32_t piece, std::uint32_t begin, std::vector<std::uint32_t>* path) {
-  for (std::size_t steps = 0; steps <= window_.pieces.size(); ++steps) {
-    const std::uint32_t next = continuing(window_.pieces[piece].segment);
-    if (next == kNone) return kNone;
-    const TurnSegment& s = window_.segments[next];
-    if (window_.pieces[s.first_piece].head_cut) return kNone;
-    piece = s.first_piece;
+  const auto exists = [&](std::uint32_t next) { return next != kNone && exists_[ways_[next].segment] != 0; };
+  for (std::size_t steps = 0; steps <= ways_.size(); ++steps) {
+    const Way& way = ways_[piece];
+    if (way.leap != kNone) {
+      for (std::uint32_t next = piece; path != nullptr && next != way.leap; path->push_back(next)) next = window_.pieces[next].follower;
+      piece = way.leap;
+      continue;
+    }
+    const bool first = exists(way.next[0]), second = exists(way.next[1]);
+    if (first && second) sure_ = false;
+    if (!first && !second) return kNone;
+    piece = way.next[first ? 0 : 1];
     if (piece == begin) return kRound;
     if (path != nullptr) path->push_back(piece);
     if (count(piece) > 0) return entry(piece, 0).out() ? kNone : entry(piece, 0).number();
-    if (window_.pieces[piece].tail_dead || (begin != kNone && walked_[piece])) return kNone;
+    if (begin != kNone && walked_[piece]) return kNone;
     walked_[piece] = 1;
   }
   return kNone;
@@ -200,44 +212,53 @@ bool RotatingFrame::find_cycles() {
   return sure_ && find_plain_cycles();
 }
 
-// Cycles without a crossing: along segments that nothing crosses.
+// Cycles without a crossing: along segments that nothing crosses. Those of quiet pieces alone are known; others have one that is not.
 bool RotatingFrame::find_plain_cycles() {
+  const auto add = [&] {
+    const auto first = static_cast<std::uint32_t>(steps_.size());
+    for (const std::uint32_t piece : path_) steps_.push_back({piece, window_.pieces[piece].segment, kEnd, kEnd, kEnd, kEnd, false});
+    return close(first);
+  };
+  for (const std::uint32_t i : window_.circles) {
+    path_.assign(1, i);
+    for (std::uint32_t k = window_.pieces[i].follower; k != i; k = window_.pieces[k].follower) path_.push_back(k);
+    if (!add()) return false;
+  }
   for (const std::uint32_t i : window_.rounds) {
     if (walked_[i] || count(i) != 0 || !exists_[window_.pieces[i].segment]) continue;
     path_.assign(1, i);
     walked_[i] = 1;
-    if (onward(i, i, &path_) != kRound) continue;
-    const auto first = static_cast<std::uint32_t>(steps_.size());
-    for (const std::uint32_t piece : path_) steps_.push_back({piece, window_.pieces[piece].segment, kEnd, kEnd, kEnd, kEnd, false});
-    if (!close(first)) return false;
+    if (onward(i, i, &path_) == kRound && !add()) return false;
   }
   return sure_;
 }
 
 // 0 for directions in [0, pi), 1 for the others; sets sure_ to false where doubles do not tell.
-int RotatingFrame::half(std::uint32_t s) {
-  const double dx = placed_[s].dx, dy = placed_[s].dy;
-  if (window_.segments[s].walk.side == 0) return dy > 0 || (dy == 0 && dx > 0) ? 0 : 1;  // rounded once from exact differences
-  if (std::abs(dy) <= kCross * window_.segments[s].length1) sure_ = false;
-  return dy > 0 ? 0 : 1;
+int RotatingFrame::half(const TurnSegment& s, Point d) {
+  if (s.walk.side == 0) return d.y > 0 || (d.y == 0 && d.x > 0) ? 0 : 1;  // rounded once from exact differences
+  if (std::abs(d.y) <= kCross * s.length1) sure_ = false;
+  return d.y > 0 ? 0 : 1;
 }
 
 bool RotatingFrame::close(std::uint32_t first) {
   const auto last = static_cast<std::uint32_t>(steps_.size());
-  int turns = 0, ht = half(steps_[first].segment);
+  const TurnSegment* a = &window_.segments[steps_[first].segment];
+  Point d = direction(a->walk);
+  int turns = 0, ht = half(*a, d);
   for (std::uint32_t i = first; i < last; ++i) {
     Step& from = steps_[i];
-    const Step& to = steps_[i + 1 == last ? first : i + 1];
-    const Placed &a = placed_[from.segment], &b = placed_[to.segment];
-    const double k = a.dx * b.dy - a.dy * b.dx;
-    if (from.to == kEnd && std::abs(k) <= 0x1p-40 * a.length1 * b.length1)
-      from.straight = window_.forms().parallel(window_.segments[from.segment].walk, window_.segments[to.segment].walk);
+    const TurnSegment* b = &window_.segments[steps_[i + 1 == last ? first : i + 1].segment];
+    const Point e = direction(b->walk);
+    const double k = d.x * e.y - d.y * e.x, lengths = a->length1 * b->length1;
+    if (from.to == kEnd && std::abs(k) <= 0x1p-40 * lengths) from.straight = window_.forms().parallel(a->walk, b->walk);
     const int hf = ht;
-    ht = half(to.segment);
+    ht = half(*b, e);
+    a = b;
+    d = e;
     if (hf == ht) continue;
     int turn = -1;  // at crossings always to the right
     if (from.to == kEnd) {
-      if (std::abs(k) <= kCross * a.length1 * b.length1) sure_ = false;
+      if (std::abs(k) <= kCross * lengths) sure_ = false;
       turn = k > 0 ? 1 : -1;
     }
     if (turn > 0 && hf == 1) ++turns;
@@ -245,6 +266,15 @@ bool RotatingFrame::close(std::uint32_t first) {
   }
   cycles_.push_back({first, last, turns});
   return sure_;
+}
+
+std::optional<Point> RotatingFrame::middle_of(const Step& s) const {
+  const double from = from_share(s), to = to_share(s), middle = 0.5 * (from + to);
+  const double low = s.from_crossing == kEnd ? 0 : crossings_[s.from_crossing].e_out, high = s.to_crossing == kEnd ? 0 : crossings_[s.to_crossing].e_in;
+  if (!(middle - from > low && to - middle > high)) return std::nullopt;
+  const TurnSegment& segment = window_.segments[s.segment];
+  const Point at = place(segment.start), d = direction(segment.walk);
+  return Point{at.x + middle * d.x, at.y + middle * d.y};
 }
 
 RotatingFrame::Located RotatingFrame::end_of(const Step& s) const {

@@ -2,7 +2,9 @@
 // with proved bounds; where those do not decide, the frame is not generic and has to be computed from scratch.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "planar/rotation/rotating_window.h"
@@ -52,6 +54,10 @@ class RotatingFrame {
     double error = 0;
   };
   Located end_of(const Step& s) const;
+  /// A point of the segment that lies inside a sub-edge, each coordinate within 2 point_error(); nothing where doubles do not know one.
+  std::optional<Point> middle_of(const Step& s) const;
+  const Point& turned(std::uint32_t v) const { return turned_[v]; }
+  Point direction(const WalkSegment& s) const { return s.side == 0 ? window_.forms().edge(0, s.edge) : turned_edge_[s.edge]; }
   /// In shares of the segment.
   double from_share(const Step& s) const { return s.from_crossing == kEnd ? 0 : crossings_[s.from_crossing].t_out; }
   double to_share(const Step& s) const { return s.to_crossing == kEnd ? 1 : crossings_[s.to_crossing].t_in; }
@@ -60,6 +66,22 @@ class RotatingFrame {
   /// A segment at this angle: start, vector, |vector|_1, and a bound on the error of the side of a place.
   struct Placed {
     double x = 0, y = 0, dx = 0, dy = 0, length1 = 0, error = 0;
+  };
+  /// Where to take one from.
+  struct Busy {
+    std::uint32_t segment = 0, p = 0, q = 0, edge = 0;
+  };
+  /// How a walk that comes to the end of a piece goes on: over a run of quiet pieces to its last one, or to one of two pieces, whichever
+  /// exists. Nowhere from dead tails.
+  struct Way {
+    std::array<std::uint32_t, 2> next{kNone, kNone};
+    std::uint32_t leap = kNone;
+    std::uint32_t segment = 0;  ///< of the piece
+  };
+  /// Two segments that may cross: k = a x b, sides of the start of b against a and, reflected, of the start of a against b.
+  struct Near {
+    std::uint32_t meeting = 0;
+    double k = 0, o1 = 0, o3 = 0;
   };
   /// A crossing on a piece.
   struct Entry {
@@ -72,8 +94,7 @@ class RotatingFrame {
   static constexpr std::uint32_t kOut = 0x80000000;  ///< the boundary leaves the crossing on this piece
   bool place_segments(double delta);
   bool find_crossings();
-  bool apart(const TurnMeeting& m) const;
-  bool cross(const TurnMeeting& m);
+  bool cross(const Near& near);
   static bool certainly_beside(const Placed& a, const Placed& b);
   void insert(std::uint32_t piece, double t, double error, std::uint32_t crossing);
   bool link_crossings();
@@ -89,17 +110,18 @@ class RotatingFrame {
   std::uint32_t onward(std::uint32_t piece, std::uint32_t begin, std::vector<std::uint32_t>* path);
   static constexpr std::uint32_t kOnward = 0xfffffffe, kRound = 0xfffffffd;
   std::uint32_t record(std::uint32_t crossing);
-  std::uint32_t continuing(std::uint32_t segment);
   bool close(std::uint32_t first);
-  int half(std::uint32_t segment);
+  int half(const TurnSegment& s, Point d);
 
   const RotatingWindow& window_;
   Heading heading_;
   double delta_ = 0;
   std::vector<Point> turned_, turned_edge_;
-  std::vector<Placed> placed_;                 // by segment; anything where it does not exist
+  std::vector<Way> ways_;                      // by piece
+  std::array<std::vector<Busy>, 2> busy_;      // segments with meetings, by side
+  std::vector<Placed> placed_;                 // by segment, of busy ones; anything where it does not exist
   std::vector<std::uint8_t> exists_;
-  std::vector<std::uint32_t> near_;            // meetings that may cross
+  std::vector<Near> near_;                     // meetings that may cross
   std::vector<Crossing> crossings_;
   std::vector<std::uint32_t> count_;           // of entries, by piece; the places are those of the window's index of meetings
   std::vector<Entry> entries_;                 // along each piece

@@ -11,8 +11,12 @@ namespace {
 constexpr std::uint32_t kEnd = RotatingFrame::kEnd;
 constexpr std::uint32_t kGone = 0xfffffffe;  // a segment that a new window does not have
 
+constexpr std::uint32_t kMostLooks = 128;    // pairs of pieces
+
+}  // namespace
+
 /// Signs of trigonometric polynomials over a range of angles.
-class Stretch {
+class RotatingLoops::Stretch {
  public:
   Stretch(const RotatingFrame& frame, double from, double to)
       : window_(frame.window()), forms_(window_.forms()), low_(std::min(from, to)), high_(std::max(from, to)), half_(0.5 * (high_ - low_) + 0x1p-48),
@@ -57,8 +61,6 @@ class Stretch {
   double low_, high_, half_;
   Heading heading_;
 };
-
-}  // namespace
 
 void RotatingLoops::renumber(const RotatingWindow& from, const RotatingWindow& to) {
   const auto number = [&](std::uint32_t s) {
@@ -123,14 +125,18 @@ const RotatingLoops::Known* RotatingLoops::match(const RotatingFrame::Step& s) c
 }
 
 // A cycle has the status of any cycle of the frame before with which it shares an undisturbed sub-edge (scaling-sum.md, "Frames": the proof
-// needs continuous motion only); and its witness anyway.
+// needs continuous motion only); and its witness anyway. Where much has been looked at in vain, a collision test in doubles is cheaper.
 bool RotatingLoops::inherit(const RotatingFrame& frame, Loop& loop) const {
-  for (std::uint32_t k = loop.first; k < loop.last; ++k) {
+  const RotatingWindow& window = frame.window();
+  const Stretch all(frame, last_delta_, frame.delta());
+  std::uint32_t looked = 0;
+  for (std::uint32_t k = loop.first; k < loop.last && looked < kMostLooks; ++k) {
     const RotatingFrame::Step& s = frame.steps()[k];
     const Known* old = match(s);
     if (old == nullptr) continue;
     if (!loop.witness) loop.witness = old_[old->loop].witness;
-    if (!undisturbed(frame, s)) continue;
+    if (connected_) looked += 1 + window.first_of[window.segments[s.segment].last_piece] - window.first_of[window.segments[s.segment].first_piece];
+    if (!undisturbed(all, window, s)) continue;
     loop.kept = old_[old->loop].kept;
     return true;
   }
@@ -138,9 +144,7 @@ bool RotatingLoops::inherit(const RotatingFrame& frame, Loop& loop) const {
 }
 
 // Whether a sub-edge has existed with nothing between its ends at every angle since the last frame.
-bool RotatingLoops::undisturbed(const RotatingFrame& frame, const RotatingFrame::Step& s) const {
-  const RotatingWindow& window = frame.window();
-  const Stretch all(frame, last_delta_, frame.delta());
+bool RotatingLoops::undisturbed(const Stretch& all, const RotatingWindow& window, const RotatingFrame::Step& s) {
   const std::uint32_t a = s.segment;
   if (!all.exists(a)) return false;
   for (const std::uint32_t end : {s.from, s.to})
@@ -212,6 +216,15 @@ bool RotatingLoops::covered(const RotatingFrame& frame, Loop& loop, RotatingPlac
       best = l;
       longest = &s;
     }
+  }
+  if (connected_) {
+    const RotatingOverlap::Result told = overlap_.right_of(frame, *longest);
+    if (told.answer == RotatingOverlap::Answer::free) loop.witness.reset();
+    if (told.answer == RotatingOverlap::Answer::overlap) {
+      loop.witness = swapped_ ? std::array{told.turning_edge, told.fixed_edge} : std::array{told.fixed_edge, told.turning_edge};
+      lately_[found_++ % lately_.size()] = *loop.witness;
+    }
+    if (told.answer != RotatingOverlap::Answer::unknown) return told.answer == RotatingOverlap::Answer::overlap;
   }
   const auto by = [&](std::uint32_t s) { return s == kEnd ? std::nullopt : std::optional<Segment>(source_segment(s, frame.window())); };
   const bool inside = place.inside_right_of(source_segment(longest->segment, frame.window()), by(longest->from), by(longest->to));

@@ -9,6 +9,7 @@
 #include "dymsum/frames.h"
 #include "planar/frames/frame_rings.h"
 #include "planar/rotation/rotating_frame.h"
+#include "planar/rotation/rotating_overlap.h"
 #include "planar/rotation/rotating_place.h"
 
 namespace dymsum::planar {
@@ -25,7 +26,7 @@ class RotatingLoops {
   };
 
   /// `swapped`: P is the moving operand, operand 1 of the forms.
-  RotatingLoops(const TurningForms& forms, bool connected, bool swapped) : forms_(forms), connected_(connected), swapped_(swapped) {}
+  RotatingLoops(const TurningForms& forms, bool connected, bool swapped) : forms_(forms), connected_(connected), swapped_(swapped), overlap_(forms) {}
 
   /// Takes the cycles of a frame over. What the frame before knew is used if both lie in one window; `identities` gives fresh names.
   void update(const RotatingFrame& frame, RotatingPlace& place, RingIdentities& identities, FrameWork& work, FrameChanges& changes);
@@ -51,9 +52,10 @@ class RotatingLoops {
     std::uint32_t loop = 0;
     std::uint32_t next = kNone;  ///< another one on the same segment
   };
+  class Stretch;
   const Known* match(const RotatingFrame::Step& s) const;
   bool inherit(const RotatingFrame& frame, Loop& loop) const;
-  bool undisturbed(const RotatingFrame& frame, const RotatingFrame::Step& s) const;
+  static bool undisturbed(const Stretch& all, const RotatingWindow& window, const RotatingFrame::Step& s);
   bool covered(const RotatingFrame& frame, Loop& loop, RotatingPlace& place, FrameWork& work);
   bool covers(const std::array<std::uint32_t, 2>& edges, const RotatingFrame& frame, const RotatingFrame::Located& z) const;
   std::size_t outer_loop(const RotatingFrame& frame, const std::vector<std::uint8_t>& told) const;
@@ -62,6 +64,7 @@ class RotatingLoops {
 
   const TurningForms& forms_;
   bool connected_, swapped_;
+  RotatingOverlap overlap_;
   bool known_ = false;
   double last_delta_ = 0;              // of the frame before, in the window
   std::vector<Loop> loops_, old_;

@@ -14,9 +14,30 @@ namespace {
 
 double now_ms() { return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
+// What frames cost by what they looked at, in about microseconds: unlike time it is the same in every run, so that every run makes the same
+// choices. Fitted to frames and slices of the pairs of `./run bench cspace` and of random shapes.
+double cost_of_slice(const SumStats& s) {
+  const auto of = [](double each, std::uint64_t n) { return each * static_cast<double>(n); };
+  return 12 + of(0.085, s.reduced_segments) + of(0.11, s.crossings) + of(0.5, s.collision_tests);
+}
+
+double cost_of_window(const RotatingWindow& w) {
+  const auto of = [](double each, std::uint64_t n) { return each * static_cast<double>(n); };
+  return 6 + of(0.1, w.all_segments) + of(0.1, w.pieces.size()) + of(0.035, w.pair_tests);
+}
+
+double cost_of_frame(const FrameWork& work, const PlanarSum& sum, double slice) {
+  const auto of = [](double each, std::uint64_t n) { return each * static_cast<double>(n); };
+  return 1 + of(0.008, sum.vertex_count()) + of(0.008, work.pieces) + of(0.009, work.candidates) + of(0.025, sum.stats.crossings) +
+         (work.exact_signs > 0 ? 0.5 * slice : 0) + of(0.05 * slice, work.collision_tests);
+}
+
+// In the choice of a width windows count by half: they are what makes few frames late, wide ones are what makes all others slower.
+constexpr double kLate = 0.5;
+
 constexpr double kMaskFrom = 100;    // segments from which a mask pays
-constexpr double kCellsSwept = 3;   // a cell is so many times as wide as vertices move from the middle of a window
-constexpr double kWidest = 0.3;     // beyond a sweep of so many cells of the finest grid pairs that may meet abound
+constexpr double kCellsSwept = 2.2;  // a cell is so many times as wide as vertices move from the middle of a window
+constexpr double kWidest = 0.5;     // beyond a sweep of so many cells of the finest grid pairs that may meet abound
 
 int cells_for(double n) { return std::clamp(static_cast<int>(3 * std::sqrt(n)), 8, 256); }
 
@@ -63,6 +84,7 @@ void RotatingSum::State::build_window(double low, double high) {
   if (window_ != nullptr) loops_->renumber(*window_, *window);
   window_ = std::move(window);
   frame_ = std::make_unique<RotatingFrame>(*window_);
+  names_.assign(window_->segments.size(), {{Contact::Kind::edge_of_p, kNone, kNone}, kNone, kNone});
 }
 
 Result<RotatingSum::State::NextFrame> RotatingSum::State::rebuilt_frame(const Orientation& theta, FrameWork& next_work) {
@@ -80,37 +102,87 @@ Result<RotatingSum::State::NextFrame> RotatingSum::State::rebuilt_frame(const Or
   return next;
 }
 
-Contact RotatingSum::State::contact(std::uint32_t segment) const {
-  const WalkSegment& w = window_->segments[segment].walk;
-  const Operand &o = forms_->operand(w.side), &other = forms_->operand(1 - w.side);
-  const std::uint32_t edge = o.edge_number[w.edge], at = other.vertex_number[w.vertex];
-  const bool of_p = (w.side == 0) != swapped_;
-  return of_p ? Contact{Contact::Kind::edge_of_p, edge, at} : Contact{Contact::Kind::edge_of_q, at, edge};
+const RotatingSum::State::Names& RotatingSum::State::names(std::uint32_t segment) {
+  Names& names = names_[segment];
+  if (names.contact.p != kNone) return names;
+  const TurnSegment& s = window_->segments[segment];
+  const Operand &fixed = forms_->operand(0), &moving = forms_->operand(1), &o = s.walk.side == 0 ? fixed : moving, &other = s.walk.side == 0 ? moving : fixed;
+  const std::uint32_t edge = o.edge_number[s.walk.edge], at = other.vertex_number[s.walk.vertex];
+  const bool of_p = (s.walk.side == 0) != swapped_;
+  names.contact = of_p ? Contact{Contact::Kind::edge_of_p, edge, at} : Contact{Contact::Kind::edge_of_q, at, edge};
+  names.corner_p = fixed.vertex_number[s.end.p];
+  names.corner_q = moving.vertex_number[s.end.q];
+  if (swapped_) std::swap(names.corner_p, names.corner_q);
+  return names;
 }
 
-SumVertex RotatingSum::State::vertex(const RotatingFrame::Step& s, const Contact& in, const Contact& out) const {
-  SumVertex v;
-  v.in = in;
-  v.out = out;
-  if (s.to_crossing != RotatingFrame::kEnd) return v;
-  const Pair end = window_->segments[s.segment].end;
-  const std::uint32_t fixed = forms_->operand(0).vertex_number[end.p], moving = forms_->operand(1).vertex_number[end.q];
-  v.corner_p = swapped_ ? moving : fixed;
-  v.corner_q = swapped_ ? fixed : moving;
-  return v;
+RotatingSum::State::Rigid RotatingSum::State::to_sum(const Orientation& theta) const {
+  const Lattice& l = *forms_base_->lattice;
+  const Heading world = Heading::of(theta.radians());
+  const auto turn = [&](Point p) { return Point{world.c * p.x - world.s * p.y, world.s * p.x + world.c * p.y}; };
+  const Point fixed = l.points[0]->offset, moving{l.points[1]->offset.x + l.unit * forms_->centre().x, l.points[1]->offset.y + l.unit * forms_->centre().y};
+  const bool moving_turns = swapped_ == p_turns();
+  const Point turned = turn(moving_turns ? moving : fixed), still = moving_turns ? fixed : moving;
+  const double c = moving_turns ? l.unit : l.unit * world.c, s = moving_turns ? 0 : l.unit * world.s;
+  return {c, -s, s, c, {turned.x + still.x, turned.y + still.y}};
+}
+
+// The steps of a kept loop that end at vertices and their places, from the leftmost on: doubles mostly know where a ring begins. False
+// where a position is known too badly.
+bool RotatingSum::State::place_ring(const RotatingLoops::Loop& loop, const Rigid& rigid, double& error) {
+  const double poor = 0x1p-36 * forms_->span(), point_error = frame_->point_error();
+  const RotatingFrame::Step* steps = frame_->steps().data();
+  const Rigid to_sum = rigid;
+  steps_.resize(loop.vertices);
+  places_.resize(loop.vertices);
+  std::size_t n = 0, first = 0;
+  double leftmost = INFINITY, worst = point_error;
+  for (std::uint32_t k = loop.first; k < loop.last; ++k) {
+    const RotatingFrame::Step& s = steps[k];
+    if (s.straight) continue;
+    double x, y;
+    if (s.to_crossing == RotatingFrame::kEnd) {
+      const Point at = frame_->place(window_->segments[s.segment].end);
+      x = at.x;
+      y = at.y;
+    } else {
+      const RotatingFrame::Located z = frame_->end_of(s);
+      worst = std::max(worst, z.error);
+      x = z.at.x;
+      y = z.at.y;
+    }
+    const double u = to_sum.xx * x + to_sum.xy * y + to_sum.by.x;
+    places_[n] = {u, to_sum.yx * x + to_sum.yy * y + to_sum.by.y};
+    first = u < leftmost ? n : first;
+    leftmost = std::min(u, leftmost);
+    steps_[n++] = k;
+  }
+  error = std::max(error, worst);
+  std::rotate(steps_.begin(), steps_.begin() + static_cast<std::ptrdiff_t>(first), steps_.end());
+  std::rotate(places_.begin(), places_.begin() + static_cast<std::ptrdiff_t>(first), places_.end());
+  return worst <= poor;
+}
+
+SumRing RotatingSum::State::ring(const RotatingLoops::Loop& loop) {
+  SumRing ring;
+  ring.vertices.resize(steps_.size());
+  for (std::size_t i = 0; i < steps_.size(); ++i) {
+    const std::uint32_t k = steps_[i];
+    const RotatingFrame::Step &s = frame_->steps()[k], &next = frame_->steps()[k + 1 == loop.last ? loop.first : k + 1];
+    const Names& in = names(s.segment);
+    SumVertex& v = ring.vertices[i];
+    v.at = places_[i];
+    v.in = in.contact;
+    v.out = names(next.segment).contact;
+    if (s.to_crossing != RotatingFrame::kEnd) continue;
+    v.corner_p = in.corner_p;
+    v.corner_q = in.corner_q;
+  }
+  return ring;
 }
 
 // The kept loops as rings, in input coordinates. False where a position is known too badly.
 bool RotatingSum::State::assemble(const Orientation& theta, NextFrame& next) {
-  const Lattice& l = *forms_base_->lattice;
-  const Heading world = Heading::of(theta.radians());
-  const double unit = l.unit, span = forms_->span(), poor = 0x1p-36 * span;
-  const auto turn = [&](Point p) { return Point{world.c * p.x - world.s * p.y, world.s * p.x + world.c * p.y}; };
-  const Point fixed = l.points[0]->offset, moving{l.points[1]->offset.x + unit * forms_->centre().x, l.points[1]->offset.y + unit * forms_->centre().y};
-  const bool moving_turns = swapped_ == p_turns();
-  const Point turned = turn(moving_turns ? moving : fixed), still = moving_turns ? fixed : moving;
-  const Point origin{turned.x + still.x, turned.y + still.y};
-  const double offsets = std::abs(fixed.x) + std::abs(fixed.y) + std::abs(moving.x) + std::abs(moving.y);
   PlanarSum& sum = next.sum;
   sum.source = std::make_shared<TurnedSource>(base_, theta);
   sum.stats.tier_bits = base_->lattice->tier_bits;
@@ -120,30 +192,19 @@ bool RotatingSum::State::assemble(const Orientation& theta, NextFrame& next) {
   sum.stats.loops = loops_->loops().size();
   std::vector<SumRing> rings;
   std::vector<std::uint8_t> outer;
+  const Rigid rigid = to_sum(theta);
   double error = 0;
   for (const RotatingLoops::Loop& loop : loops_->loops()) {
     if (!loop.kept) continue;
-    SumRing ring;
-    ring.vertices.reserve(loop.last - loop.first);
-    Contact in = contact(frame_->steps()[loop.first].segment);
-    for (std::uint32_t k = loop.first; k < loop.last; ++k) {
-      const RotatingFrame::Step& s = frame_->steps()[k];
-      const Contact out = contact(frame_->steps()[k + 1 == loop.last ? loop.first : k + 1].segment);
-      SumVertex v = vertex(s, in, out);
-      in = out;
-      if (s.straight) continue;
-      const RotatingFrame::Located z = frame_->end_of(s);
-      if (z.error > poor) return false;
-      error = std::max(error, z.error);
-      const Point at = moving_turns ? z.at : turn(z.at);
-      v.at = {at.x * unit + origin.x, at.y * unit + origin.y};
-      ring.vertices.push_back(v);
-    }
-    rings.push_back(std::move(ring));
+    if (!place_ring(loop, rigid, error)) return false;
+    rings.push_back(ring(loop));
     outer.push_back(loop.turning > 0);
   }
   // Turning back mixes both coordinates; cos and sin carry 2^-49 of everything that is turned.
-  sum.at_error = (1.5 * error + 0x1p-46 * span) * unit + 0x1p-47 * offsets;
+  const Lattice& l = *forms_base_->lattice;
+  double offsets = std::abs(forms_->centre().x) * l.unit + std::abs(forms_->centre().y) * l.unit;
+  for (const auto& points : l.points) offsets += std::abs(points->offset.x) + std::abs(points->offset.y);
+  sum.at_error = (1.5 * error + 0x1p-46 * forms_->span()) * l.unit + 0x1p-47 * offsets;
   const VertexOrder order(*sum.source, sum.at_error);
   for (SumRing& ring : rings)
     if (const std::size_t first = smallest_vertex(ring.vertices, order, sum.at_error); first != 0)
@@ -223,11 +284,13 @@ Result<FrameChanges> RotatingSum::State::move_to(const Orientation& theta) {
   ring_ids = std::move(next->ids);
   orientation = theta;
   next_work.ms = now_ms() - begin;
-  if (built) controller_.built(next_work.ms);
-  else if (window_ == nullptr) controller_.rebuilt(next_work.ms);
+  if (next_work.rebuilt) slice_cost_ = cost_of_slice(sum.stats);
+  const double cost = (next_work.rebuilt ? slice_cost_ : 0) + (window_ != nullptr && !next_work.rebuilt ? cost_of_frame(next_work, sum, slice_cost_) : 0);
+  if (built) controller_.built(cost + cost_of_window(*window_), kLate * cost_of_window(*window_));
+  else if (window_ == nullptr) controller_.rebuilt(cost);
   else {
-    controller_.updated(next_work.ms);
-    if (options.mode == FrameMode::automatic && options.window == 0 && controller_.give_up(next_work.ms)) drop_window();
+    controller_.updated(cost);
+    if (options.mode == FrameMode::automatic && options.window == 0 && controller_.give_up(cost)) drop_window();
   }
   work = next_work;
   return std::move(next->changes);

@@ -41,9 +41,21 @@ class RotatingSum::State {
   Result<NextFrame> rebuilt_frame(const Orientation& theta, FrameWork& work);
   /// Nothing where doubles do not decide the frame.
   std::optional<NextFrame> window_frame(const Orientation& theta, FrameWork& work);
+  /// From the coordinates of the forms to those of the sum: scaled, perhaps turned, and moved.
+  struct Rigid {
+    double xx = 1, xy = 0, yx = 0, yy = 1;
+    Point by;
+  };
+  Rigid to_sum(const Orientation& theta) const;
   bool assemble(const Orientation& theta, NextFrame& next);
-  SumVertex vertex(const planar::RotatingFrame::Step& s, const Contact& in, const Contact& out) const;
-  Contact contact(std::uint32_t segment) const;
+  /// How the sum names a segment and its end.
+  struct Names {
+    Contact contact;
+    std::uint32_t corner_p = 0, corner_q = 0;
+  };
+  const Names& names(std::uint32_t segment);
+  bool place_ring(const planar::RotatingLoops::Loop& loop, const Rigid& rigid, double& error);
+  SumRing ring(const planar::RotatingLoops::Loop& loop);
 
   std::shared_ptr<const planar::ScalingBase> base_;        // P is operand 0
   std::shared_ptr<const planar::ScalingBase> forms_base_;  // the moving operand is operand 1: the smaller one
@@ -53,10 +65,14 @@ class RotatingSum::State {
   std::unique_ptr<planar::TurnGrid> grid_;
   double segments_ = 0;  // of the reduced convolution, about
   planar::WindowController controller_;
+  double slice_cost_ = 0;  // of the last frame from scratch
   planar::RingIdentities identities_;
   std::unique_ptr<planar::RotatingWindow> window_;
   std::unique_ptr<planar::RotatingFrame> frame_;
   std::unique_ptr<planar::RotatingLoops> loops_;
+  std::vector<Names> names_;               // of the window's segments, made when first asked for
+  std::vector<std::uint32_t> steps_;       // scratch: the steps of a ring that end at its vertices
+  std::vector<Point> places_;              // and where
 };
 
 }  // namespace dymsum

@@ -3,29 +3,30 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planar/rotation/box_pairs.h"
+
 namespace dymsum::planar {
-namespace {
-
-/// The live cells that each piece comes near at some angle, and the pieces of each cell in order.
-struct PieceCells {
-  std::vector<std::uint32_t> cells, first, start, inside;
-};
-
-}  // namespace
 
 RotatingWindow::RotatingWindow(const TurnGrid& grid, const TurnCatalog& catalog, double mid, double h, bool mask)
     : middle(mid), half(h * (1 + 0x1p-40) + 0x1p-40), forms_(grid.forms), catalog_(catalog), shift_(grid.forms.reach()) {
   const Heading heading = Heading::of(middle);
   turned_.reserve(forms_.points(1).size());
-  for (const Point& p : forms_.points(1)) turned_.push_back({heading.c * p.x - heading.s * p.y, heading.s * p.x + heading.c * p.y});
+  moved_.reserve(forms_.points(1).size());
+  for (std::uint32_t v = 0; v < forms_.size(1); ++v) {
+    const Point& p = forms_.points(1)[v];
+    turned_.push_back({heading.c * p.x - heading.s * p.y, heading.s * p.x + heading.c * p.y});
+    moved_.push_back(moved(forms_, v, half));
+  }
   const DeadCells dead = mask ? dead_cells(grid, turned_, half) : DeadCells(grid.grid.whole);
   add_segments(dead);
-  for (TurnSegment& s : segments) s.next = {find({0, s.end.p, s.end.q}), find({1, s.end.q, s.end.p})};
+  find_next();
   find_meetings(dead);
   index_meetings();
   find_dead_tails();
+  find_runs();
   find_rounds();
   turned_ = {};
+  moved_ = {};
   swept_ = {};
 }
 
@@ -44,29 +45,35 @@ std::uint32_t RotatingWindow::find(const WalkSegment& s) const {
 }
 
 RotatingWindow::Swept RotatingWindow::swept(const WalkSegment& s) const {
-  const Pair from = TurningForms::start(s), to = forms_.end(s);
-  const std::vector<Point>& q = forms_.points(0);
+  const Pair from = TurningForms::start(s);
+  const std::uint32_t to = forms_.operand(s.side).next[s.edge];
   Swept w;
-  w.ax = q[from.p].x + turned_[from.q].x;
-  w.ay = q[from.p].y + turned_[from.q].y;
-  w.dx = s.side == 0 ? q[to.p].x - q[from.p].x : turned_[to.q].x - turned_[from.q].x;
-  w.dy = s.side == 0 ? q[to.p].y - q[from.p].y : turned_[to.q].y - turned_[from.q].y;
-  w.reach = std::max(moved(forms_, from.q, half), moved(forms_, to.q, half)) + 0x1p-46 * forms_.span();
+  w.fixed = forms_.points(0)[from.p];
+  w.turning = turned_[from.q];
+  const Point &a = s.side == 0 ? w.fixed : w.turning, &b = s.side == 0 ? forms_.points(0)[to] : turned_[to];
+  w.d = {b.x - a.x, b.y - a.y};
+  w.reach = (s.side == 0 ? moved_[from.q] : std::max(moved_[from.q], moved_[to])) + 0x1p-46 * forms_.span();
+  w.side = s.side;
   return w;
 }
 
 void RotatingWindow::add_segments(const DeadCells& dead) {
   const Grid& g = dead.grid();
   for (std::uint32_t side = 0; side < 2; ++side) turns_[side].assign(forms_.size(1 - side), {});
+  const std::size_t usual = 4 * (std::size_t{forms_.size(0)} + forms_.size(1));  // convolutions are a few times as large as the operands
+  live_.reserve(usual);
+  segments.reserve(usual);
+  swept_.reserve(usual);
+  pieces.reserve(usual);
   catalog_.for_each_turn(middle - half, middle + half, [&](std::uint32_t side, std::uint32_t vertex, const auto& edges, std::size_t at, std::size_t count) {
     turns_[side][vertex] = {static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(count), static_cast<std::uint32_t>(live_.size())};
     for (std::size_t k = 0; k < count; ++k, at = at + 1 == edges.size() ? 0 : at + 1) {
       live_.push_back(kNone);
       const WalkSegment walk{side, edges[at].edge, vertex};
       const Swept w = swept(walk);
-      const double x = w.ax + shift_, y = w.ay + shift_, reach = w.reach + 2 * kReach * g.cell;
-      if (dead.live(g.row(std::min(y, y + w.dy) - reach), g.column(std::min(x, x + w.dx) - reach), g.row(std::max(y, y + w.dy) + reach),
-                    g.column(std::max(x, x + w.dx) + reach)) == 0)
+      const double x = w.x() + shift_, y = w.y() + shift_, reach = w.reach + 2 * kReach * g.cell;
+      if (dead.live(g.row(std::min(y, y + w.d.y) - reach), g.column(std::min(x, x + w.d.x) - reach), g.row(std::max(y, y + w.d.y) + reach),
+                    g.column(std::max(x, x + w.d.x) + reach)) == 0)
         continue;
       TurnSegment s;
       s.first_piece = static_cast<std::uint32_t>(pieces.size());
@@ -76,11 +83,14 @@ void RotatingWindow::add_segments(const DeadCells& dead) {
       live_.back() = static_cast<std::uint32_t>(segments.size());
       s.walk = walk;
       s.span = catalog_.span(walk, middle);
+      s.throughout = s.span.from < -half - 2 * kAngleSlack && s.span.to > half + 2 * kAngleSlack;
+      if (!s.throughout) changing.push_back(static_cast<std::uint32_t>(segments.size()));
       s.start = TurningForms::start(walk);
       s.end = forms_.end(walk);
       s.length1 = forms_.length1(walk);
       segments.push_back(s);
       swept_.push_back(w);
+      swept_.back().length1 = s.length1;
     }
   });
   all_segments = live_.size();
@@ -89,31 +99,27 @@ void RotatingWindow::add_segments(const DeadCells& dead) {
 // Cut where a point of the segment stays in one dead cell throughout: at the middle it lies farther inside than it moves.
 void RotatingWindow::add_pieces(const Swept& w, const DeadCells& dead) {
   const Grid& g = dead.grid();
-  const double x = w.ax + shift_, y = w.ay + shift_, reach = w.reach + 2 * kReach * g.cell;
+  const double x = w.x() + shift_, y = w.y() + shift_, reach = w.reach + 2 * kReach * g.cell;
   const auto cells_near = [&](double from, double to) {
-    const double u = x + from * w.dx, v = x + to * w.dx, a = y + from * w.dy, b = y + to * w.dy;
+    const double u = x + from * w.d.x, v = x + to * w.d.x, a = y + from * w.d.y, b = y + to * w.d.y;
     const int r0 = g.row(std::min(a, b) - reach), r1 = g.row(std::max(a, b) + reach);
     const int c0 = g.column(std::min(u, v) - reach), c1 = g.column(std::max(u, v) + reach);
     return std::array{dead.live(r0, c0, r1, c1), static_cast<std::uint32_t>(r1 - r0 + 1) * static_cast<std::uint32_t>(c1 - c0 + 1)};
   };
   cuts_.clear();
   if (const auto [live, all] = cells_near(0, 1); live < all && 2 * reach < g.cell) {
-    for_each_cell_run(g, x, y, x + w.dx, y + w.dy, [&](int row, int first, int last) {
+    const double per_x = 1 / w.d.x, per_y = 1 / w.d.y;  // infinite for upright and level ones, which lie in the range of a cell or beside it
+    for_each_cell_run(g, x, y, x + w.d.x, y + w.d.y, [&](int row, int first, int last) {
       for (int c = first; c <= last; ++c) {
         if (!dead.dead(row, c)) continue;
         double t0 = 0, t1 = 1;
-        const auto clip = [&](double from, double d, int cell) {
-          const double low = cell * g.cell + reach, high = (cell + 1) * g.cell - reach;
-          if (d == 0) {
-            if (from < low || from > high) t1 = -1;
-            return;
-          }
-          const double u = (low - from) / d, v = (high - from) / d;
+        const auto clip = [&](double from, double per, int cell) {
+          const double u = (cell * g.cell + reach - from) * per, v = ((cell + 1) * g.cell - reach - from) * per;
           t0 = std::max(t0, std::min(u, v));
           t1 = std::min(t1, std::max(u, v));
         };
-        clip(x, w.dx, c);
-        clip(y, w.dy, row);
+        clip(x, per_x, c);
+        clip(y, per_y, row);
         if (t1 > t0) cuts_.push_back(0.5 * (t0 + t1));
       }
     });
@@ -131,79 +137,67 @@ void RotatingWindow::add_pieces(const Swept& w, const DeadCells& dead) {
   }
 }
 
-// Both ends of one on the same side of the other's line at every angle, by Taylor's formula.
-bool RotatingWindow::apart(std::uint32_t line, std::uint32_t other) const {
-  const TurnSegment &s = segments[line], &t = segments[other];
-  const Swept& w = swept_[line];
-  const std::vector<Point>& q = forms_.points(0);
-  const double bound = 0x1p-45 * s.length1 * forms_.span();
-  int sign = 0;
-  for (const Pair v : {t.start, t.end}) {
-    const double fx = q[v.p].x - q[s.start.p].x, fy = q[v.p].y - q[s.start.p].y;
-    const double tx = turned_[v.q].x - turned_[s.start.q].x, ty = turned_[v.q].y - turned_[s.start.q].y;
-    // What turns against the edge: the turning operand's vertices, or the fixed one's.
-    const double rx = s.walk.side == 0 ? tx : fx, ry = s.walk.side == 0 ? ty : fy;
-    const double value = w.dx * (fy + ty) - w.dy * (fx + tx), slope = w.dx * rx + w.dy * ry;
-    const double swing = s.length1 * (std::abs(rx) + std::abs(ry));
-    if (!(std::abs(value) > std::abs(slope) * half + swing * half * half + bound)) return false;
-    const int here = value > 0 ? 1 : -1;
-    if (sign == -here) return false;
-    sign = here;
-  }
-  return true;
+// Both ends of one piece on the same side of the other one's line at every angle, by Taylor's formula. Without branches.
+bool RotatingWindow::apart(const TurnPiece& p, const TurnPiece& q) const {
+  const Swept &a = swept_[p.segment], &b = swept_[q.segment];
+  const double fx = b.fixed.x - a.fixed.x, fy = b.fixed.y - a.fixed.y, tx = b.turning.x - a.turning.x, ty = b.turning.y - a.turning.y;
+  const double k = a.d.x * b.d.y - a.d.y * b.d.x, dot = a.side != b.side ? a.d.x * b.d.x + a.d.y * b.d.y : 0;
+  const double second = 0.5 * half * half * (1 + 0x1p-40), bound = 0x1p-44 * forms_.span();
+  // The side of the place at share u of `other` against `line` is `value` + u k, and its slope `slope` + u dot: what turns against a line
+  // is the other operand's vertex. `sign` tells the direction of the offset.
+  const auto beside = [&](const Swept& line, const Swept& other, double sign, double head, double tail) {
+    const double rx = line.side == 0 ? tx : fx, ry = line.side == 0 ? ty : fy;
+    const double value = sign * (line.d.x * (fy + ty) - line.d.y * (fx + tx)), slope = sign * (line.d.x * rx + line.d.y * ry);
+    const double v = value + sign * head * k, w = value + sign * tail * k;
+    const double most = line.length1 * (second * (std::abs(rx) + std::abs(ry) + (a.side != b.side ? other.length1 : 0)) + bound);
+    const double low = std::min(v, w), high = std::max(v, w), turn = half * std::max(std::abs(slope + head * dot), std::abs(slope + tail * dot)) + most;
+    return (low > turn) | (high < -turn);
+  };
+  return beside(a, b, 1, q.head, q.tail) | beside(b, a, -1, p.head, p.tail);
 }
 
+RotatingWindow::Box RotatingWindow::box_of(const TurnPiece& p, double reach) const {
+  const Swept& w = swept_[p.segment];
+  const double x = w.x() + shift_, y = w.y() + shift_, by = w.reach + reach;
+  const double ax = x + p.head * w.d.x, ay = y + p.head * w.d.y, bx = x + p.tail * w.d.x, cy = y + p.tail * w.d.y;
+  return {std::min(ax, bx) - by, std::min(ay, cy) - by, std::max(ax, bx) + by, std::max(ay, cy) + by};
+}
+
+// Pieces whose swept boxes meet in a live cell, less those that certainly do not meet: what meets in dead cells is covered.
 void RotatingWindow::find_meetings(const DeadCells& dead) {
   const Grid& g = dead.grid();
-  const auto n = static_cast<std::uint32_t>(pieces.size());
-  struct Box {
-    double x0, y0, x1, y1;
-  };
-  std::vector<Box> boxes(n);
-  PieceCells of_piece;
-  of_piece.first.assign(n + 1, 0);
-  of_piece.start.assign(std::size_t(g.rows) * g.columns + 1, 0);
-  for (std::uint32_t i = 0; i < n; ++i) {
-    const TurnPiece& p = pieces[i];
-    const Swept& w = swept_[p.segment];
-    const double ax = w.ax + p.head * w.dx + shift_, ay = w.ay + p.head * w.dy + shift_, bx = w.ax + p.tail * w.dx + shift_, by = w.ay + p.tail * w.dy + shift_;
-    const double reach = w.reach + kReach * g.cell;
-    boxes[i] = {std::min(ax, bx) - reach, std::min(ay, by) - reach, std::max(ax, bx) + reach, std::max(ay, by) + reach};
-    for_each_cell_run(g, ax, ay, bx, by, [&](int row, int first, int last) {
-      for (int c = first; c <= last; ++c) {
-        if (dead.dead(row, c)) continue;
-        const auto cell = static_cast<std::uint32_t>(row * g.columns + c);
-        of_piece.cells.push_back(cell);
-        ++of_piece.start[cell + 1];
-      }
-    }, 2 * kReach + w.reach * g.per_cell);
-    of_piece.first[i + 1] = static_cast<std::uint32_t>(of_piece.cells.size());
+  const double reach = kReach * g.cell;
+  BoxPairs pairs(forms_.span());
+  pairs.reserve(pieces.size());
+  for (const TurnPiece& p : pieces) {
+    const Box box = box_of(p, reach);
+    pairs.add(box.x0, box.y0, box.x1, box.y1);
   }
-  for (std::size_t c = 1; c < of_piece.start.size(); ++c) of_piece.start[c] += of_piece.start[c - 1];
-  of_piece.inside.resize(of_piece.cells.size());
-  std::vector<std::uint32_t> fill(of_piece.start.begin(), of_piece.start.end() - 1), stamp(n, kNone);
-  for (std::uint32_t i = 0; i < n; ++i)
-    for (std::uint32_t k = of_piece.first[i]; k < of_piece.first[i + 1]; ++k) of_piece.inside[fill[of_piece.cells[k]]++] = i;
-  const auto look = [&](std::uint32_t i, std::uint32_t j) {
-    if (boxes[i].x0 > boxes[j].x1 || boxes[j].x0 > boxes[i].x1 || boxes[i].y0 > boxes[j].y1 || boxes[j].y0 > boxes[i].y1) return;
-    const std::uint32_t a = pieces[i].segment, b = pieces[j].segment;
-    const TurnSegment &s = segments[a], &t = segments[b];
+  // Without branches that cannot be predicted: every pair is listed, and the place moves on for those that stay.
+  std::vector<std::array<std::uint32_t, 2>> near = pairs.find();
+  std::size_t n = 0;
+  for (const auto [i, j] : near) {
+    const TurnSegment &s = segments[pieces[i].segment], &t = segments[pieces[j].segment];
     constexpr double kSlack = 4 * kAngleSlack;
-    if (a == b || s.span.from > t.span.to + kSlack || t.span.from > s.span.to + kSlack) return;
-    // Segments with a common end meet nowhere else.
-    if (s.start == t.start || s.start == t.end || s.end == t.start || s.end == t.end) return;
-    ++pair_tests;
-    if (!apart(a, b) && !apart(b, a)) meetings.push_back({i, j, a, b});
-  };
-  for (std::uint32_t i = 0; i < n; ++i)
-    for (std::uint32_t k = of_piece.first[i]; k < of_piece.first[i + 1]; ++k)
-      // Pieces of a cell are in order: only those behind i, each once.
-      for (std::uint32_t q = of_piece.start[of_piece.cells[k] + 1]; q-- > of_piece.start[of_piece.cells[k]] && of_piece.inside[q] > i;) {
-        const std::uint32_t j = of_piece.inside[q];
-        if (stamp[j] == i) continue;
-        stamp[j] = i;
-        look(i, j);
-      }
+    // Never at once; or with a vertex in common, beside which they do not meet.
+    const bool never = (s.span.from > t.span.to + kSlack) | (t.span.from > s.span.to + kSlack);
+    near[n] = {i, j};
+    n += !(never | (s.start == t.start) | (s.start == t.end) | (s.end == t.start) | (s.end == t.end));
+  }
+  pair_tests = n;
+  meetings.resize(n);
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    const TurnPiece &p = pieces[near[k][0]], &q = pieces[near[k][1]];
+    meetings[kept] = {near[k][0], near[k][1], p.segment, q.segment};
+    kept += !apart(p, q);
+  }
+  meetings.resize(kept);
+  if (dead.dead_cells() == 0) return;
+  std::erase_if(meetings, [&](const TurnMeeting& m) {
+    const Box u = box_of(pieces[m.a], reach), v = box_of(pieces[m.b], reach);
+    return dead.live(g.row(std::max(u.y0, v.y0)), g.column(std::max(u.x0, v.x0)), g.row(std::min(u.y1, v.y1)), g.column(std::min(u.x1, v.x1))) == 0;
+  });
 }
 
 void RotatingWindow::index_meetings() {
@@ -218,6 +212,15 @@ void RotatingWindow::index_meetings() {
   for (std::uint32_t m = 0; m < meetings.size(); ++m) {
     of[fill[meetings[m].a]++] = m;
     of[fill[meetings[m].b]++] = m;
+  }
+}
+
+// As at most one of the two exists at a time, one that exists throughout is the only one.
+void RotatingWindow::find_next() {
+  for (TurnSegment& s : segments) {
+    s.next = {find({0, s.end.p, s.end.q}), find({1, s.end.q, s.end.p})};
+    for (const std::uint32_t k : {0u, 1u})
+      if (s.next[k] != kNone && segments[s.next[k]].throughout) s.next = {s.next[k], kNone};
   }
 }
 
@@ -245,6 +248,31 @@ void RotatingWindow::find_dead_tails() {
   }
 }
 
+// Quiet pieces one after the other at every angle: walks leap over them. A quiet one follows one quiet one only, so followers lead to an
+// end or back to the first.
+void RotatingWindow::find_runs() {
+  const auto n = static_cast<std::uint32_t>(pieces.size());
+  for (std::uint32_t i = 0; i < n; ++i) {
+    TurnPiece& p = pieces[i];
+    p.quiet = !p.head_cut && !p.tail_cut && first_of[i] == first_of[i + 1] && segments[p.segment].throughout;
+  }
+  for (TurnPiece& p : pieces) {
+    const std::uint32_t next = segments[p.segment].next[0];
+    if (p.tail_cut || next == kNone || !pieces[segments[next].first_piece].quiet) continue;
+    p.follower = segments[next].first_piece;
+  }
+  std::vector<std::uint32_t> run;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    if (!pieces[i].quiet || pieces[i].run_last != kNone) continue;
+    run.assign(1, i);
+    std::uint32_t next = pieces[i].follower;
+    for (; next != kNone && next != i && pieces[next].run_last == kNone; next = pieces[next].follower) run.push_back(next);
+    if (next == i) circles.push_back(i);
+    const std::uint32_t last = next == kNone || next == i ? run.back() : pieces[next].run_last;
+    for (const std::uint32_t k : run) pieces[k].run_last = last;
+  }
+}
+
 // What nothing whole leads to is on no cycle of whole segments; nor is what only that leads to.
 void RotatingWindow::find_rounds() {
   const auto whole = [&](std::uint32_t s) {
@@ -267,7 +295,7 @@ void RotatingWindow::find_rounds() {
         removed.push_back(to);
       }
   for (std::uint32_t s = 0; s < segments.size(); ++s)
-    if (!gone[s]) rounds.push_back(segments[s].first_piece);
+    if (!gone[s] && !pieces[segments[s].first_piece].quiet) rounds.push_back(segments[s].first_piece);
 }
 
 }  // namespace dymsum::planar
