@@ -46,6 +46,8 @@ PieceLists::PieceLists(Window& window) : window_(window) {
   high_.assign(n, -INFINITY);
   count_.assign(n, 0);
   list_.assign(window.of.size() + window.touches.size(), 0);
+  base_.resize(n);
+  for (std::size_t i = 0; i < n; ++i) base_[i] = window.first_of[i] + window.first_touch[i];
   touch_active_.assign(window.touches.size(), 0);
   node_active_.assign(window.nodes.size(), 0);
   relinked_at_.assign(window.nodes.size(), 0);
@@ -57,7 +59,7 @@ PieceLists::PieceLists(Window& window) : window_(window) {
 
 std::size_t PieceLists::bytes() const {
   return (low_.capacity() + high_.capacity()) * 8 +
-         (count_.capacity() + list_.capacity() + touched_.capacity() + changed_at_.capacity() + changed_.capacity()) * 4 +
+         (count_.capacity() + list_.capacity() + base_.capacity() + touched_.capacity() + changed_at_.capacity() + changed_.capacity()) * 4 +
          items_.capacity() * sizeof(Item);
 }
 
@@ -270,6 +272,10 @@ std::uint32_t PieceLists::end_node(Step s) const {
   }
   const std::uint32_t ray = window_.tail_ray[s.piece];
   return ray != kNone && node_active_[window_.node_of_ray[ray]] ? window_.node_of_ray[ray] : kNone;
+}
+
+std::uint32_t PieceLists::arriving_ray(Step s) const {
+  return s.sub < count_[s.piece] ? window_.touches[entry(s.piece, s.sub) & ~kTouchBit].in_ray : window_.tail_ray[s.piece];
 }
 
 bool PieceLists::alive_at_start(Step s) const {

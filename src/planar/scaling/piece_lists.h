@@ -25,7 +25,7 @@ class PieceLists {
   std::uint32_t entry(std::uint32_t piece, std::uint32_t k) const { return list_[base(piece) + k]; }
   /// Sub-edges are numbered first_sub(piece) + 0 .. count; the numbers of different pieces never overlap.
   std::uint32_t first_sub(std::uint32_t piece) const { return base(piece) + piece; }
-  std::uint32_t sub_limit() const { return base(static_cast<std::uint32_t>(count_.size())) + static_cast<std::uint32_t>(count_.size()); }
+  std::uint32_t sub_limit() const { return static_cast<std::uint32_t>(list_.size() + count_.size()); }
 
   struct Step {
     std::uint32_t piece = kNone, sub = 0;
@@ -37,6 +37,9 @@ class PieceLists {
   }
   bool alive_at_start(Step s) const;
   Step successor(Step s) const;
+  /// The ray through which a sub-edge arrives in that node, and the one in which the boundary goes on or kNone. Requires: it ends in one.
+  std::uint32_t arriving_ray(Step s) const;
+  std::uint32_t leaving_ray(std::uint32_t arriving) const { return link_[arriving]; }
   /// The node in which a sub-edge ends, if something touches there now, or kNone.
   std::uint32_t end_node(Step s) const;
   /// Nodes at which something touches now.
@@ -72,7 +75,7 @@ class PieceLists {
   void sort_items(std::uint32_t piece, FramePlace& place);
   void look_at_neighbours(std::uint32_t piece, double tau, FramePlace& place, Certainty& certain) const;
   void store(std::uint32_t piece, FrameWork& work);
-  std::uint32_t base(std::uint32_t piece) const { return window_.first_of[piece] + window_.first_touch[piece]; }
+  std::uint32_t base(std::uint32_t piece) const { return base_[piece]; }
   void relink(std::uint32_t node);
   Step target(std::uint32_t ray) const;
   void mark_changed(std::uint32_t piece);
@@ -81,6 +84,7 @@ class PieceLists {
   Window& window_;
   std::vector<double> low_, high_;  ///< the list of a piece is certain strictly between
   std::vector<std::uint32_t> count_, list_;
+  std::vector<std::uint32_t> base_;  ///< piece -> where its list starts
   std::vector<std::uint32_t> touched_, changed_at_, changed_;
   std::vector<Item> items_;
   std::vector<std::uint8_t> touch_active_, node_active_, entered_;  ///< per touch, node, ray

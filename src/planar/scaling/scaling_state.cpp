@@ -161,7 +161,7 @@ Result<ScalingSum::State::NextFrame> ScalingSum::State::rebuilt_frame(const Scal
 }
 
 // The kept loops at tau as rings, each starting at its smallest vertex; sets what the sum says about its positions.
-ScalingSum::State::KeptRings ScalingSum::State::kept_rings(double tau, FramePlace& place, const ScalingSource& source, PlanarSum& sum) {
+ScalingSum::State::KeptRings ScalingSum::State::kept_rings(double tau, FramePlace& place, const ScalingSource& source, PlanarSum& next) {
   const Lattice& l = *base->lattice;
   const double grow = place.blow_up(window_->frame().moving), unit = l.unit, s = place.value().approx;
   const std::uint32_t k = base->scaled;
@@ -169,39 +169,54 @@ ScalingSum::State::KeptRings ScalingSum::State::kept_rings(double tau, FramePlac
   const double reach = (std::abs(l.points[k]->offset.x) + std::abs(l.points[k]->offset.y)) * s + std::abs(l.points[1 - k]->offset.x) + std::abs(l.points[1 - k]->offset.y);
   const double span = window_->span(), poor = 0x1p-38 * span;
   double error = 0;
-  KeptRings kept;
-  for (FrameLoop& loop : loops_->loops()) {
+  positions_.clear();
+  for (const FrameLoop& loop : loops_->loops()) {
     if (!loop.kept) continue;
-    SumRing ring;
-    ring.vertices.reserve(loop.vertices.size());
-    for (const MovingVertex& v : loop.vertices) {
-      SumVertex w = v.vertex;
+    for (const LoopStep& step : loop.steps) {
+      if (step.vertex == kNone) continue;
+      const MovingVertex& v = loops_->vertex(step.vertex);
       if (v.error <= poor) {
-        w.at = {grow * v.x.at(tau) * unit + ox, grow * v.y.at(tau) * unit + oy};
+        positions_.push_back({grow * v.x.at(tau) * unit + ox, grow * v.y.at(tau) * unit + oy});
         error = std::max(error, v.error);
       } else {
-        const ExactSource::Position p = source.position(w);
-        w.at = {exact::round_to_double(p.x), exact::round_to_double(p.y)};
+        const ExactSource::Position p = source.position(v.vertex);
+        positions_.push_back({exact::round_to_double(p.x), exact::round_to_double(p.y)});
         error = std::max(error, poor);
       }
-      ring.vertices.push_back(w);
     }
-    kept.rings.push_back(std::move(ring));
-    kept.outer.push_back(loop.turning > 0);
-    kept.loops.push_back(&loop);
   }
   // Evaluation, the blow-up and the offsets add a few roundings.
-  sum.at_error = grow * (error + 0x1p-49 * span) * unit * (1 + 0x1p-40) + 0x1p-50 * reach;
-  const VertexOrder order(source, sum.at_error);
-  for (std::size_t i = 0; i < kept.rings.size(); ++i) {
-    std::vector<SumVertex>& v = kept.rings[i].vertices;
-    const std::size_t first = smallest_vertex(v, order, sum.at_error);
-    if (first == 0) continue;
-    const auto by = static_cast<std::ptrdiff_t>(first);
-    std::rotate(v.begin(), v.begin() + by, v.end());
-    std::rotate(kept.loops[i]->vertices.begin(), kept.loops[i]->vertices.begin() + by, kept.loops[i]->vertices.end());
+  next.at_error = grow * (error + 0x1p-49 * span) * unit * (1 + 0x1p-40) + 0x1p-50 * reach;
+  const VertexOrder order(source, next.at_error);
+  KeptRings kept;
+  std::size_t from = 0;
+  for (FrameLoop& loop : loops_->loops()) {
+    if (!loop.kept) continue;
+    kept.rings.push_back(ring_of(loop, {positions_.data() + from, loop.corners}, order, next.at_error));
+    kept.outer.push_back(loop.turning > 0);
+    kept.loops.push_back(&loop);
+    from += loop.corners;
   }
   return kept;
+}
+
+SumRing ScalingSum::State::ring_of(const FrameLoop& loop, std::span<const Point> at, const VertexOrder& order, double at_error) {
+  SumRing ring;
+  if (!spare_rings_.empty()) {
+    ring = std::move(spare_rings_.back());
+    spare_rings_.pop_back();
+  }
+  ring.vertices.clear();
+  ring.vertices.reserve(at.size());
+  std::size_t i = 0;
+  for (const LoopStep& step : loop.steps) {
+    if (step.vertex == kNone) continue;
+    ring.vertices.push_back(loops_->vertex(step.vertex).vertex);
+    ring.vertices.back().at = at[i++];
+  }
+  const std::size_t first = smallest_vertex(ring.vertices, order, at_error);
+  if (first != 0) std::rotate(ring.vertices.begin(), ring.vertices.begin() + static_cast<std::ptrdiff_t>(first), ring.vertices.end());
+  return ring;
 }
 
 // The kept loops at tau: rings in canonical order.
@@ -252,7 +267,7 @@ ScalingSum::State::NextFrame ScalingSum::State::window_frame(const ScaleValue& s
 std::vector<std::uint64_t> ScalingSum::State::follow_rings(const NextFrame& next, bool same_place, FrameChanges& changes) {
   std::vector<std::uint64_t> ids;
   for (FrameLoop* loop : next.loops) {
-    const auto size = static_cast<std::uint32_t>(loop->vertices.size());
+    const std::uint32_t size = loop->corners;
     if (loop->ring == 0) {
       loop->ring = identities_.fresh();
       changes.rings.push_back({RingChange::Kind::appeared, loop->ring, size, 0});

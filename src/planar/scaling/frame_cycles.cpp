@@ -1,0 +1,154 @@
+// Walking cycles: stretches of cycles that are gone are copied where no list on them changed, the rest goes step by step.
+#include "planar/scaling/frame_loops.h"
+
+namespace dymsum::planar {
+namespace {
+
+int half(const LiveSegment& s) { return s.dy > 0 || (s.dy == 0 && s.dx > 0) ? 0 : 1; }
+
+}  // namespace
+
+// Makes the stretches of a loop that is gone known by their first sub-edges; and what lies between them by piece and by vertex. Where the
+// successor map is one-to-one a walk enters a stretch at its head only; in nodes several rays may go on in one.
+void FrameLoops::take_apart(std::uint32_t number) {
+  const FrameLoop& loop = gone_[number];
+  const bool all = !lists_.window().nodes.empty();
+  const auto n = static_cast<std::uint32_t>(loop.steps.size());
+  for (std::uint32_t k = 0; k < n; ++k) {
+    const LoopStep& s = loop.steps[k];
+    const bool changed = lists_.has_changed(s.piece);
+    if (changed)
+      if (Owner& owner = owners_[s.piece]; owner.walk != walk_) owner = {walk_, number, k};
+    if ((changed || all) && loop.kept && s.vertex != kNone) vertex_owners_[s.vertex] = {walk_, number, k};
+    if (changed) continue;
+    if (stretches_.empty() || stretches_.back().loop != number || stretches_.back().end != k) {
+      heads_[s.edge] = {walk_, static_cast<std::uint32_t>(stretches_.size())};
+      stretches_.push_back({number, k, k});
+    }
+    stretches_.back().end = k + 1;
+  }
+}
+
+void FrameLoops::trace(std::uint32_t piece, FrameWork& work) {
+  const std::uint32_t n = lists_.count(piece);
+  for (std::uint32_t k = 0; k <= n; ++k) {
+    const Step start{piece, k};
+    if (seen_[lists_.first_sub(piece) + k] >= walk_ || !lists_.alive_at_start(start)) continue;
+    const auto first_run = static_cast<std::uint32_t>(runs_.size());
+    if (!follow(start)) {
+      runs_.resize(first_run);
+      continue;
+    }
+    ++work.loops_traced;
+    FrameLoop loop;
+    loop.steps = std::move(path_);
+    loop.corners = path_corners_;
+    loop.turning = path_turning_;
+    loop.first_run = first_run;
+    loop.last_run = static_cast<std::uint32_t>(runs_.size());
+    loops_.push_back(std::move(loop));
+    path_ = {};
+    if (!spare_.empty()) {
+      path_ = std::move(spare_.back());
+      spare_.pop_back();
+    }
+  }
+}
+
+// Walks into path_ and runs_; whether the walk comes back to where it started.
+bool FrameLoops::follow(Step start) {
+  path_.clear();
+  path_corners_ = 0;
+  path_turning_ = 0;
+  Step at = start;
+  do {
+    const std::uint32_t edge = lists_.first_sub(at.piece) + at.sub;
+    Step next;
+    if (heads_[edge].walk == walk_) {
+      if (!copy_stretch(heads_[edge].stretch)) return false;
+      next = lists_.successor(step_of(path_.back()));
+    } else {
+      seen_[edge] = walk_;
+      next = lists_.successor(at);
+      LoopStep s;
+      s.piece = at.piece;
+      s.edge = edge;
+      if (next.piece != kNone) finish_step(s, at, next);
+      path_.push_back(s);
+    }
+    at = next;
+  } while (at.piece != kNone && seen_[lists_.first_sub(at.piece) + at.sub] < walk_);
+  return at == start;
+}
+
+// False where another walk has been before.
+bool FrameLoops::copy_stretch(std::uint32_t number) {
+  const Stretch& stretch = stretches_[number];
+  const std::vector<LoopStep>& from = gone_[stretch.loop].steps;
+  std::uint32_t corners = 0;
+  for (std::uint32_t k = stretch.begin; k < stretch.end; ++k) {
+    const LoopStep& s = from[k];
+    if (seen_[s.edge] >= walk_) return false;
+    seen_[s.edge] = walk_;
+    corners += s.vertex != kNone;
+    path_turning_ += s.turn;
+  }
+  runs_.push_back({static_cast<std::uint32_t>(path_.size()), stretch.end - stretch.begin, corners, stretch.loop});
+  path_corners_ += corners;
+  path_.insert(path_.end(), from.begin() + stretch.begin, from.begin() + stretch.end);
+  return true;
+}
+
+void FrameLoops::finish_step(LoopStep& s, Step at, Step next) {
+  s.from = at.sub == 0 ? kNone : lists_.entry(at.piece, at.sub - 1);
+  s.to = at.sub == lists_.count(at.piece) ? kNone : lists_.entry(at.piece, at.sub);
+  s.at_node = lists_.end_node(at) != kNone;
+  s.turn = static_cast<std::int8_t>(turn(at, next.piece));
+  s.vertex = vertex_slot(at, next.piece);
+  path_corners_ += s.vertex != kNone;
+  path_turning_ += s.turn;
+}
+
+int FrameLoops::turn(Step at, std::uint32_t next_piece) const {
+  const Window& window = lists_.window();
+  const Piece& p = window.pieces[at.piece];
+  const int from = half(window.segments[p.segment]), to = half(window.segments[window.pieces[next_piece].segment]);
+  if (from == to) return 0;
+  int c = p.next_turn;
+  if (lists_.end_node(at) != kNone) {
+    c = window.cross(p.segment, window.pieces[next_piece].segment);
+  } else if (at.sub < lists_.count(at.piece)) {
+    const Candidate& x = window.candidates[lists_.entry(at.piece, at.sub)];
+    c = x.a == at.piece ? x.sign : -x.sign;
+  }
+  return c > 0 && from == 1 ? 1 : c < 0 && from == 0 ? -1 : 0;
+}
+
+// The vertex behind a step, made when it is first met in the window, or kNone straight on. The two sides of a crossing tell which arrives
+// and which leaves, so a candidate has one vertex, and so has a piece's own end.
+std::uint32_t FrameLoops::vertex_slot(Step at, std::uint32_t next_piece) {
+  const Window& window = lists_.window();
+  const std::uint32_t in = window.pieces[at.piece].segment, out = window.pieces[next_piece].segment;
+  const auto make = [&](std::uint32_t& slot) {
+    if (slot != kNone) return slot;
+    slot = static_cast<std::uint32_t>(vertices_.size());
+    vertices_.push_back(vertex_after(at, in, out));
+    vertex_owners_.push_back({});
+    return slot;
+  };
+  if (lists_.end_node(at) != kNone) {
+    if (window.cross(in, out) == 0) return kNone;
+    const std::uint32_t arriving = lists_.arriving_ray(at), leaving = lists_.leaving_ray(arriving);
+    std::uint32_t& first = node_vertex_[arriving];
+    for (std::uint32_t k = first; k != kNone; k = node_vertices_[k].next)
+      if (node_vertices_[k].leaving == leaving) return node_vertices_[k].vertex;
+    std::uint32_t slot = kNone;
+    node_vertices_.push_back({leaving, make(slot), first});
+    first = static_cast<std::uint32_t>(node_vertices_.size() - 1);
+    return slot;
+  }
+  if (at.sub < lists_.count(at.piece)) return make(crossing_vertex_[lists_.entry(at.piece, at.sub)]);
+  return window.pieces[at.piece].next_turn == 0 ? kNone : make(end_vertex_[at.piece]);
+}
+
+}  // namespace dymsum::planar
