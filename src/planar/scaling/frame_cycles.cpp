@@ -2,11 +2,6 @@
 #include "planar/scaling/frame_loops.h"
 
 namespace dymsum::planar {
-namespace {
-
-int half(const LiveSegment& s) { return s.dy > 0 || (s.dy == 0 && s.dx > 0) ? 0 : 1; }
-
-}  // namespace
 
 // Makes the stretches of a loop that is gone known by their first sub-edges; and what lies between them by piece and by vertex. Where the
 // successor map is one-to-one a walk enters a stretch at its head only; in nodes several rays may go on in one.
@@ -61,23 +56,18 @@ bool FrameLoops::follow(Step start) {
   path_corners_ = 0;
   path_turning_ = 0;
   Step at = start;
+  std::uint32_t edge = lists_.first_sub(at.piece) + at.sub;
   do {
-    const std::uint32_t edge = lists_.first_sub(at.piece) + at.sub;
-    Step next;
     if (heads_[edge].walk == walk_) {
       if (!copy_stretch(heads_[edge].stretch)) return false;
-      next = lists_.successor(step_of(path_.back()));
+      at = lists_.successor(step_of(path_.back()));
     } else {
       seen_[edge] = walk_;
-      next = lists_.successor(at);
-      LoopStep s;
-      s.piece = at.piece;
-      s.edge = edge;
-      if (next.piece != kNone) finish_step(s, at, next);
-      path_.push_back(s);
+      at = add_step(at, edge);
     }
-    at = next;
-  } while (at.piece != kNone && seen_[lists_.first_sub(at.piece) + at.sub] < walk_);
+    if (at.piece == kNone) return false;
+    edge = lists_.first_sub(at.piece) + at.sub;
+  } while (seen_[edge] < walk_);
   return at == start;
 }
 
@@ -99,56 +89,52 @@ bool FrameLoops::copy_stretch(std::uint32_t number) {
   return true;
 }
 
-void FrameLoops::finish_step(LoopStep& s, Step at, Step next) {
+// Puts a sub-edge on the path and tells what comes behind it.
+FrameLoops::Step FrameLoops::add_step(Step at, std::uint32_t edge) {
+  const Window& window = lists_.window();
+  const Step next = lists_.successor(at);
+  if (next.piece == kNone) return next;
+  LoopStep s;
+  s.piece = at.piece;
+  s.edge = edge;
   s.from = at.sub == 0 ? kNone : lists_.entry(at.piece, at.sub - 1);
   s.to = at.sub == lists_.count(at.piece) ? kNone : lists_.entry(at.piece, at.sub);
-  s.at_node = lists_.end_node(at) != kNone;
-  s.turn = static_cast<std::int8_t>(turn(at, next.piece));
-  s.vertex = vertex_slot(at, next.piece);
+  const Piece &p = window.pieces[at.piece], &q = window.pieces[next.piece];
+  int turn = -1;  // at crossings cycles turn right
+  if (s.to == kNone || s.to & kTouchBit) {
+    s.at_node = lists_.end_node(at) != kNone;
+    turn = s.at_node ? window.cross(p.segment, q.segment) : p.next_turn;
+    if (turn != 0) s.vertex = s.at_node ? node_vertex(at, next.piece) : made(end_vertex_[at.piece], at, next.piece);
+  } else {
+    // The two sides of a crossing tell which arrives and which leaves: a candidate has one vertex, and so has a piece's own end.
+    s.vertex = made(crossing_vertex_[s.to], at, next.piece);
+  }
+  if (p.half != q.half && (turn > 0) == (p.half == 1)) s.turn = static_cast<std::int8_t>(turn);
   path_corners_ += s.vertex != kNone;
   path_turning_ += s.turn;
+  path_.push_back(s);
+  return next;
 }
 
-int FrameLoops::turn(Step at, std::uint32_t next_piece) const {
+// The vertex behind a step, made when it is first met in the window.
+std::uint32_t FrameLoops::made(std::uint32_t& vertex, Step at, std::uint32_t next_piece) {
+  if (vertex != kNone) return vertex;
   const Window& window = lists_.window();
-  const Piece& p = window.pieces[at.piece];
-  const int from = half(window.segments[p.segment]), to = half(window.segments[window.pieces[next_piece].segment]);
-  if (from == to) return 0;
-  int c = p.next_turn;
-  if (lists_.end_node(at) != kNone) {
-    c = window.cross(p.segment, window.pieces[next_piece].segment);
-  } else if (at.sub < lists_.count(at.piece)) {
-    const Candidate& x = window.candidates[lists_.entry(at.piece, at.sub)];
-    c = x.a == at.piece ? x.sign : -x.sign;
-  }
-  return c > 0 && from == 1 ? 1 : c < 0 && from == 0 ? -1 : 0;
+  vertex = static_cast<std::uint32_t>(vertices_.size());
+  vertices_.push_back(vertex_after(at, window.pieces[at.piece].segment, window.pieces[next_piece].segment));
+  vertex_owners_.push_back({});
+  return vertex;
 }
 
-// The vertex behind a step, made when it is first met in the window, or kNone straight on. The two sides of a crossing tell which arrives
-// and which leaves, so a candidate has one vertex, and so has a piece's own end.
-std::uint32_t FrameLoops::vertex_slot(Step at, std::uint32_t next_piece) {
-  const Window& window = lists_.window();
-  const std::uint32_t in = window.pieces[at.piece].segment, out = window.pieces[next_piece].segment;
-  const auto make = [&](std::uint32_t& slot) {
-    if (slot != kNone) return slot;
-    slot = static_cast<std::uint32_t>(vertices_.size());
-    vertices_.push_back(vertex_after(at, in, out));
-    vertex_owners_.push_back({});
-    return slot;
-  };
-  if (lists_.end_node(at) != kNone) {
-    if (window.cross(in, out) == 0) return kNone;
-    const std::uint32_t arriving = lists_.arriving_ray(at), leaving = lists_.leaving_ray(arriving);
-    std::uint32_t& first = node_vertex_[arriving];
-    for (std::uint32_t k = first; k != kNone; k = node_vertices_[k].next)
-      if (node_vertices_[k].leaving == leaving) return node_vertices_[k].vertex;
-    std::uint32_t slot = kNone;
-    node_vertices_.push_back({leaving, make(slot), first});
-    first = static_cast<std::uint32_t>(node_vertices_.size() - 1);
-    return slot;
-  }
-  if (at.sub < lists_.count(at.piece)) return make(crossing_vertex_[lists_.entry(at.piece, at.sub)]);
-  return window.pieces[at.piece].next_turn == 0 ? kNone : make(end_vertex_[at.piece]);
+std::uint32_t FrameLoops::node_vertex(Step at, std::uint32_t next_piece) {
+  const std::uint32_t arriving = lists_.arriving_ray(at), leaving = lists_.leaving_ray(arriving);
+  std::uint32_t& first = node_vertex_[arriving];
+  for (std::uint32_t k = first; k != kNone; k = node_vertices_[k].next)
+    if (node_vertices_[k].leaving == leaving) return node_vertices_[k].vertex;
+  std::uint32_t vertex = kNone;
+  node_vertices_.push_back({leaving, made(vertex, at, next_piece), first});
+  first = static_cast<std::uint32_t>(node_vertices_.size() - 1);
+  return vertex;
 }
 
 }  // namespace dymsum::planar

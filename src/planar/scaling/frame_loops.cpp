@@ -161,21 +161,11 @@ bool FrameLoops::undisturbed(const LoopStep& edge, double tau) const {
   const double margin = from.error + to.error + 0x1p-48 * std::max(1.0, high);
   for (const double x : {low, high})
     if (!(to.t.at(x) - from.t.at(x) > margin)) return false;
-  // Whether something on the piece stays clear of the sub-edge while it is there.
-  const auto clear = [&](const Linear& t, double error, const auto& c) {
-    if (c.out_high <= low || c.out_low >= high) return true;
-    const double apart = margin + error, u = std::max(low, c.out_low), v = std::min(high, c.out_high);
-    return (from.t.at(u) - t.at(u) > apart && from.t.at(v) - t.at(v) > apart) || (t.at(u) - to.t.at(u) > apart && t.at(v) - to.t.at(v) > apart);
-  };
-  for (std::uint32_t k = window.first_of[edge.piece]; k < window.first_of[edge.piece + 1]; ++k) {
-    const std::uint32_t id = window.of[k];
-    const Candidate& c = window.candidates[id];
-    if (id == edge.from || id == edge.to) continue;
-    if (c.a == edge.piece ? !clear(c.ta, c.error_a, c) : !clear(c.tb, c.error_b, c)) return false;
-  }
-  for (std::uint32_t k = window.first_touch[edge.piece]; k < window.first_touch[edge.piece + 1]; ++k) {
-    const PersistentTouch& c = window.touches[k];
-    if ((k | kTouchBit) != edge.from && (k | kTouchBit) != edge.to && !clear(c.t, c.error, c)) return false;
+  // Whether everything else on the piece stays clear of the sub-edge while it is there.
+  for (const PieceLists::Entry& e : lists_.entries(edge.piece)) {
+    if (e.id == edge.from || e.id == edge.to || e.out_high <= low || e.out_low >= high) continue;
+    const double apart = margin + e.error, u = std::max(low, e.out_low), v = std::min(high, e.out_high), t_u = e.t.at(u), t_v = e.t.at(v);
+    if (!(from.t.at(u) - t_u > apart && from.t.at(v) - t_v > apart) && !(t_u - to.t.at(u) > apart && t_v - to.t.at(v) > apart)) return false;
   }
   return true;
 }
@@ -226,18 +216,12 @@ bool FrameLoops::quiet(std::uint32_t touch, double tau) const {
   const PersistentTouch& v = window.touches[touch];
   const double low = std::min(tau, last_tau_), high = std::max(tau, last_tau_);
   if (!(v.in_low < low && v.in_high > high)) return false;
-  const auto passes = [&](const Linear& t, double error, const auto& c) {
-    if (c.out_high <= low || c.out_low >= high) return false;
-    const double apart = v.error + error + 0x1p-48 * std::max(1.0, high), u = std::max(low, c.out_low), w = std::min(high, c.out_high);
-    const double gap_u = t.at(u) - v.t.at(u), gap_w = t.at(w) - v.t.at(w);
-    return !(gap_u > apart && gap_w > apart) && !(gap_u < -apart && gap_w < -apart);
-  };
-  for (std::uint32_t k = window.first_of[v.piece]; k < window.first_of[v.piece + 1]; ++k) {
-    const Candidate& c = window.candidates[window.of[k]];
-    if (c.a == v.piece ? passes(c.ta, c.error_a, c) : passes(c.tb, c.error_b, c)) return false;
+  for (const PieceLists::Entry& e : lists_.entries(v.piece)) {
+    if (e.id == (touch | kTouchBit) || e.out_high <= low || e.out_low >= high) continue;
+    const double apart = v.error + e.error + 0x1p-48 * std::max(1.0, high), u = std::max(low, e.out_low), w = std::min(high, e.out_high);
+    const double gap_u = e.t.at(u) - v.t.at(u), gap_w = e.t.at(w) - v.t.at(w);
+    if (!(gap_u > apart && gap_w > apart) && !(gap_u < -apart && gap_w < -apart)) return false;
   }
-  for (std::uint32_t k = window.first_touch[v.piece]; k < window.first_touch[v.piece + 1]; ++k)
-    if (k != touch && passes(window.touches[k].t, window.touches[k].error, window.touches[k])) return false;
   return true;
 }
 

@@ -72,9 +72,9 @@ class FrameLoops {
   void trace(std::uint32_t piece, FrameWork& work);
   bool follow(Step start);
   bool copy_stretch(std::uint32_t number);
-  void finish_step(LoopStep& s, Step at, Step next);
-  int turn(Step at, std::uint32_t next_piece) const;
-  std::uint32_t vertex_slot(Step at, std::uint32_t next_piece);
+  Step add_step(Step at, std::uint32_t edge);
+  std::uint32_t made(std::uint32_t& vertex, Step at, std::uint32_t next_piece);
+  std::uint32_t node_vertex(Step at, std::uint32_t next_piece);
 
   // frame_vertices.cpp
   bool node_inside(std::uint32_t node, double tau, FramePlace& place, FrameWork& work);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "planar/scaling/frame_place.h"
@@ -26,6 +27,22 @@ class PieceLists {
   /// Sub-edges are numbered first_sub(piece) + 0 .. count; the numbers of different pieces never overlap.
   std::uint32_t first_sub(std::uint32_t piece) const { return base(piece) + piece; }
   std::uint32_t sub_limit() const { return static_cast<std::uint32_t>(list_.size() + count_.size()); }
+
+  /// What may lie on a piece somewhere in the window.
+  struct Entry {
+    double out_low, in_low, in_high, out_high;  ///< as for Candidate
+    Linear t;
+    double error;
+    std::uint32_t id;  ///< candidate, or touch with kTouchBit
+    bool inside;       ///< in the list
+  };
+  std::span<const Entry> entries(std::uint32_t piece) const { return {entries_.data() + base_[piece], base_[piece + 1] - base_[piece]}; }
+  /// A candidate's pieces and its places in their lists, while it crosses.
+  struct Crossing {
+    std::uint32_t a, b, at_a, at_b;
+    std::int32_t sign;
+  };
+  const Crossing& crossing(std::uint32_t candidate) const { return crossings_[candidate]; }
 
   struct Step {
     std::uint32_t piece = kNone, sub = 0;
@@ -57,8 +74,9 @@ class PieceLists {
   std::size_t bytes() const;
 
  private:
+  void add_entries();
   struct Item {
-    double t, error;
+    double t, error, slope;
     std::uint32_t entry;
   };
   /// While a piece is looked at: where its list is certain, whether exact signs were needed, whether nothing touches.
@@ -66,25 +84,29 @@ class PieceLists {
     double low = -INFINITY, high = INFINITY;
     bool exact = false, generic = true;
   };
-  enum class Bracket : std::uint8_t { outside, inside, unsure };
-  template <class Interval>
-  static Bracket bracket(const Interval& c, double tau, Certainty& certain);
   bool refresh(std::uint32_t piece, double tau, FramePlace& place, FrameWork& work);
-  void collect_crossings(std::uint32_t piece, double tau, FramePlace& place, Certainty& certain);
-  void collect_touches(std::uint32_t piece, double tau, FramePlace& place, Certainty& certain);
+  std::uint32_t collect(std::uint32_t piece, double tau, FramePlace& place, Certainty& certain);
+  static bool inside(const Entry& e, double tau, Certainty& certain, bool& unsure);
+  bool inside_exactly(std::uint32_t piece, std::uint32_t id, FramePlace& place, Certainty& certain) const;
   void sort_items(std::uint32_t piece, FramePlace& place);
   void look_at_neighbours(std::uint32_t piece, double tau, FramePlace& place, Certainty& certain) const;
-  void store(std::uint32_t piece, FrameWork& work);
+  bool store(std::uint32_t piece);
   std::uint32_t base(std::uint32_t piece) const { return base_[piece]; }
   void relink(std::uint32_t node);
   Step target(std::uint32_t ray) const;
   void mark_changed(std::uint32_t piece);
-  int compare(std::uint32_t piece, const Item& a, const Item& b, FramePlace& place) const;
+  int compare(std::uint32_t piece, const Item& a, const Item& b, FramePlace& place) const {
+    const double gap = a.t - b.t, error = a.error + b.error;
+    return gap > error ? 1 : gap < -error ? -1 : compare_exactly(piece, a, b, place);
+  }
+  int compare_exactly(std::uint32_t piece, const Item& a, const Item& b, FramePlace& place) const;
 
   Window& window_;
   std::vector<double> low_, high_;  ///< the list of a piece is certain strictly between
   std::vector<std::uint32_t> count_, list_;
-  std::vector<std::uint32_t> base_;  ///< piece -> where its list starts
+  std::vector<std::uint32_t> base_;  ///< piece -> where its list and its entries start
+  std::vector<Entry> entries_;
+  std::vector<Crossing> crossings_;  ///< per candidate
   std::vector<std::uint32_t> touched_, changed_at_, changed_;
   std::vector<Item> items_;
   std::vector<std::uint8_t> touch_active_, node_active_, entered_;  ///< per touch, node, ray

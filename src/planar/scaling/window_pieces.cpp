@@ -128,6 +128,7 @@ void Window::add_pieces(const SweptMask& mask) {
       ends.error = kWindowSide * (std::abs(s.dx) + std::abs(s.dy)) * span_;
       Piece p;
       p.segment = n;
+      p.half = s.dy > 0 || (s.dy == 0 && s.dx > 0) ? 0 : 1;
       p.head_cut = k > 0;
       p.tail_cut = k < cuts.size();
       if (p.head_cut) p.head = linear(from);
