@@ -121,7 +121,9 @@ std::uint32_t FrameLoops::made(std::uint32_t& vertex, Step at, std::uint32_t nex
   if (vertex != kNone) return vertex;
   const Window& window = lists_.window();
   vertex = static_cast<std::uint32_t>(vertices_.size());
-  vertices_.push_back(vertex_after(at, window.pieces[at.piece].segment, window.pieces[next_piece].segment));
+  const MovingVertex v = vertex_after(at, window.pieces[at.piece].segment, window.pieces[next_piece].segment);
+  vertices_.push_back(v.vertex);
+  points_.push_back(v.point);
   vertex_owners_.push_back({});
   return vertex;
 }

@@ -8,7 +8,7 @@
 namespace dymsum::planar {
 std::size_t FrameLoops::bytes() const {
   std::size_t n = (seen_.capacity() + crossing_vertex_.capacity() + end_vertex_.capacity()) * 4 + heads_.capacity() * sizeof(Head) +
-                  (owners_.capacity() + vertex_owners_.capacity()) * sizeof(Owner) + vertices_.capacity() * sizeof(MovingVertex) +
+                  (owners_.capacity() + vertex_owners_.capacity()) * sizeof(Owner) + vertices_.capacity() * sizeof(SumVertex) + points_.capacity() * sizeof(MovingPoint) +
                   loops_.capacity() * sizeof(FrameLoop);
   for (const FrameLoop& l : loops_) n += l.steps.capacity() * sizeof(LoopStep);
   for (const std::vector<LoopStep>& s : spare_) n += s.capacity() * sizeof(LoopStep);
@@ -183,7 +183,7 @@ std::size_t FrameLoops::outer_loop(double tau) const {
   if (known < n || count == 1) return known < n ? known : last;
   const auto for_each_end = [&](std::size_t i, auto&& f) {
     for (const LoopStep& s : loops_[i].steps) {
-      const MovingVertex v = vertex_after(step_of(s), 0, 0);
+      const MovingPoint v = vertex_after(step_of(s), 0, 0).point;
       f(v.x.at(tau), v.error);
     }
   };

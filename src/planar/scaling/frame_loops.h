@@ -11,11 +11,10 @@
 
 namespace dymsum::planar {
 
-/// A vertex of the sum that moves with tau, in the window's coordinates.
-struct MovingVertex {
-  SumVertex vertex;
+/// Where a vertex of the sum is that moves with tau, in the window's coordinates.
+struct MovingPoint {
   Linear x, y;
-  double error = 0;  ///< of the position anywhere in the window
+  double error = 0;  ///< anywhere in the window
 };
 
 /// A sub-edge of a cycle, and what comes behind it.
@@ -48,7 +47,8 @@ class FrameLoops {
   bool update(double tau, FramePlace& place, bool whole, FrameWork& work);
   const std::vector<FrameLoop>& loops() const { return loops_; }
   std::vector<FrameLoop>& loops() { return loops_; }
-  const MovingVertex& vertex(std::uint32_t v) const { return vertices_[v]; }
+  const SumVertex& vertex(std::uint32_t v) const { return vertices_[v]; }
+  const MovingPoint& point(std::uint32_t v) const { return points_[v]; }
   /// Rings that the last update has ended: identity and number of vertices.
   const std::vector<std::pair<std::uint64_t, std::uint32_t>>& ended() const { return ended_; }
   std::size_t bytes() const;
@@ -94,6 +94,10 @@ class FrameLoops {
   std::optional<std::array<std::uint32_t, 2>> lately_crossing(double x, double y, double error, double tau) const;
   void remember(const std::optional<std::array<std::uint32_t, 2>>& edges);
   bool crosses_at(const std::array<std::uint32_t, 2>& edges, double x, double y, double error, double tau) const;
+  struct MovingVertex {
+    SumVertex vertex;
+    MovingPoint point;
+  };
   MovingVertex vertex_after(Step s, std::uint32_t in, std::uint32_t out) const;
 
   PieceLists& lists_;
@@ -119,7 +123,8 @@ class FrameLoops {
     std::uint32_t at, count, corners, loop;  ///< steps of a new loop, copied from one that is gone
   };
   std::vector<Run> runs_;
-  std::vector<MovingVertex> vertices_;
+  std::vector<SumVertex> vertices_;  ///< without their positions
+  std::vector<MovingPoint> points_;
   struct NodeVertex {
     std::uint32_t leaving, vertex, next;  ///< ray; the next one of the same arriving ray
   };

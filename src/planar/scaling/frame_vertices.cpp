@@ -195,11 +195,11 @@ bool FrameLoops::crosses_at(const std::array<std::uint32_t, 2>& edges, double x,
   return sides(0, e, f) && sides(1, f, e);
 }
 
-MovingVertex FrameLoops::vertex_after(Step s, std::uint32_t in, std::uint32_t out) const {
+FrameLoops::MovingVertex FrameLoops::vertex_after(Step s, std::uint32_t in, std::uint32_t out) const {
   const Window& window = lists_.window();
   const LiveSegment& on = window.segments[window.pieces[s.piece].segment];
   MovingVertex v;
-  v.error = kWindowPoint * window.span();
+  v.point.error = kWindowPoint * window.span();
   const bool end = s.sub == lists_.count(s.piece);
   const std::uint32_t entry = end ? kNone : lists_.entry(s.piece, s.sub);
   if (end || entry & kTouchBit) {
@@ -209,19 +209,19 @@ MovingVertex FrameLoops::vertex_after(Step s, std::uint32_t in, std::uint32_t ou
     const Lattice& l = *window.base().lattice;
     const Pair x = window.exact(at);
     const std::uint32_t m = window.frame().moving, move = m == 0 ? x.p : x.q, rest = m == 0 ? x.q : x.p;
-    v.x = {l.points[1 - m]->x[rest], l.points[m]->x[move]};
-    v.y = {l.points[1 - m]->y[rest], l.points[m]->y[move]};
+    v.point.x = {l.points[1 - m]->x[rest], l.points[m]->x[move]};
+    v.point.y = {l.points[1 - m]->y[rest], l.points[m]->y[move]};
   } else {
     const Candidate& c = window.candidates[entry];
     const LiveSegment &a = window.segments[window.pieces[c.a].segment], &b = window.segments[window.pieces[c.b].segment];
     const double ea = c.error_a * std::max(std::abs(a.dx), std::abs(a.dy)), eb = c.error_b * std::max(std::abs(b.dx), std::abs(b.dy));
     const LiveSegment& best = ea <= eb ? a : b;
     const Linear& t = ea <= eb ? c.ta : c.tb;
-    v.x = {best.x.a + best.dx * t.a, best.x.b + best.dx * t.b};
-    v.y = {best.y.a + best.dy * t.a, best.y.b + best.dy * t.b};
-    v.error += std::min(ea, eb);
+    v.point.x = {best.x.a + best.dx * t.a, best.x.b + best.dx * t.b};
+    v.point.y = {best.y.a + best.dy * t.a, best.y.b + best.dy * t.b};
+    v.point.error += std::min(ea, eb);
     // Where the line is followed far outside the piece, a and b cancel at tau.
-    v.error += 0x1p-50 * (std::abs(v.x.a) + std::abs(v.y.a) + (std::abs(v.x.b) + std::abs(v.y.b)) * window.frame().tau1);
+    v.point.error += 0x1p-50 * (std::abs(v.point.x.a) + std::abs(v.point.y.a) + (std::abs(v.point.x.b) + std::abs(v.point.y.b)) * window.frame().tau1);
   }
   v.vertex.in = window.segments[in].contact;
   v.vertex.out = window.segments[out].contact;

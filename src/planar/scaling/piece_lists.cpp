@@ -27,7 +27,6 @@ PieceLists::PieceLists(Window& window) : window_(window) {
   const std::size_t n = window.pieces.size();
   low_.assign(n, INFINITY);
   high_.assign(n, -INFINITY);
-  count_.assign(n, 0);
   list_.assign(window.of.size() + window.touches.size(), 0);
   add_entries();
   touch_active_.assign(window.touches.size(), 0);
@@ -39,14 +38,19 @@ PieceLists::PieceLists(Window& window) : window_(window) {
   changed_at_.assign(n, 0);
 }
 
+// Entries of a piece lie in the order that they have in the middle of the window: lists are then nearly sorted as they come.
 void PieceLists::add_entries() {
   crossings_.reserve(window_.candidates.size());
   for (const Candidate& c : window_.candidates) crossings_.push_back({c.a, c.b, 0, 0, c.sign});
   const auto n = static_cast<std::uint32_t>(window_.pieces.size());
-  base_.reserve(n + 1);
+  const auto key = [&](const Entry& e) {
+    const double t = e.t.at(0.5 * (window_.frame().tau0 + window_.frame().tau1));
+    return t == t ? t : 0;  // nearly parallel lines
+  };
+  hot_.reserve(n);
   entries_.reserve(list_.size());
   for (std::uint32_t i = 0; i < n; ++i) {
-    base_.push_back(static_cast<std::uint32_t>(entries_.size()));
+    const auto base = entries_.size();
     for (std::uint32_t k = window_.first_of[i]; k < window_.first_of[i + 1]; ++k) {
       const Candidate& c = window_.candidates[window_.of[k]];
       const bool a = c.a == i;
@@ -56,13 +60,24 @@ void PieceLists::add_entries() {
       const PersistentTouch& c = window_.touches[k];
       entries_.push_back({c.out_low, c.in_low, c.in_high, c.out_high, c.t, c.error, k | kTouchBit, false});
     }
+    std::sort(entries_.begin() + static_cast<std::ptrdiff_t>(base), entries_.end(),
+              [&](const Entry& a, const Entry& b) { return key(a) < key(b); });
+    const Piece& p = window_.pieces[i];
+    Hot h;
+    h.base = static_cast<std::uint32_t>(base);
+    h.entries = static_cast<std::uint32_t>(entries_.size() - base);
+    h.next = p.next;
+    h.head_ray = window_.head_ray[i];
+    h.tail_ray = window_.tail_ray[i];
+    h.head_cut = p.head_cut;
+    h.tail_cut = p.tail_cut;
+    hot_.push_back(h);
   }
-  base_.push_back(static_cast<std::uint32_t>(entries_.size()));
 }
 
 std::size_t PieceLists::bytes() const {
   return entries_.capacity() * sizeof(Entry) + crossings_.capacity() * sizeof(Crossing) + (low_.capacity() + high_.capacity()) * 8 +
-         (count_.capacity() + list_.capacity() + base_.capacity() + touched_.capacity() + changed_at_.capacity() + changed_.capacity()) * 4 +
+         hot_.capacity() * sizeof(Hot) + (list_.capacity() + touched_.capacity() + changed_at_.capacity() + changed_.capacity()) * 4 +
          items_.capacity() * sizeof(Item);
 }
 
@@ -71,7 +86,7 @@ bool PieceLists::repair(double tau, FramePlace& place, FrameWork& work) {
   changed_.clear();
   dirty_nodes_.clear();
   bool generic = window_.folds.empty();
-  const std::uint32_t n = static_cast<std::uint32_t>(count_.size());
+  const std::uint32_t n = static_cast<std::uint32_t>(hot_.size());
   for (std::uint32_t i = 0; i < n; ++i) {
     if (tau > low_[i] && tau < high_[i]) continue;
     ++work.pieces_repaired;
@@ -117,8 +132,8 @@ bool PieceLists::refresh(std::uint32_t i, double tau, FramePlace& place, FrameWo
     work.crossings_changed += came_or_went;
     if (store(i)) mark_changed(i);
   } else {
-    for (std::uint32_t k = base_[i]; k < base_[i + 1]; ++k) entries_[k].inside = false;
-    count_[i] = 0;
+    for (std::uint32_t k = 0; k < hot_[i].entries; ++k) entries_[hot_[i].base + k].inside = false;
+    hot_[i].count = 0;
     mark_changed(i);
   }
   return c.generic;
@@ -161,8 +176,8 @@ bool PieceLists::inside_exactly(std::uint32_t i, std::uint32_t id, FramePlace& p
 std::uint32_t PieceLists::collect(std::uint32_t i, double tau, FramePlace& place, Certainty& certain) {
   items_.clear();
   std::uint32_t came_or_went = 0;
-  for (std::uint32_t k = base_[i]; k < base_[i + 1]; ++k) {
-    Entry& e = entries_[k];
+  for (Entry *at = entries_.data() + hot_[i].base, *end = at + hot_[i].entries; at != end; ++at) {
+    Entry& e = *at;
     bool unsure = false, here = inside(e, tau, certain, unsure);
     if (unsure) here = inside_exactly(i, e.id, place, certain);
     came_or_went += here != e.inside;
@@ -200,9 +215,10 @@ void PieceLists::look_at_neighbours(std::uint32_t i, double tau, FramePlace& pla
       certain.generic &= compare(i, a, b, place) != 0;
       continue;
     }
-    const double closing = a.slope - b.slope;
-    if (closing > 0) certain.high = std::min(certain.high, tau + margin / closing * (1 - 0x1p-30));
-    if (closing < 0) certain.low = std::max(certain.low, tau + margin / closing * (1 - 0x1p-30));
+    // They meet at `end`, ahead or behind; never where they keep apart.
+    const double closing = a.slope - b.slope, end = tau + margin / closing * (1 - 0x1p-30);
+    certain.high = closing > 0 && end < certain.high ? end : certain.high;
+    certain.low = closing < 0 && end > certain.low ? end : certain.low;
   }
 }
 
@@ -210,7 +226,7 @@ void PieceLists::look_at_neighbours(std::uint32_t i, double tau, FramePlace& pla
 bool PieceLists::store(std::uint32_t i) {
   std::uint32_t* list = list_.data() + base(i);
   const std::uint32_t n = static_cast<std::uint32_t>(items_.size());
-  bool same = n == count_[i];
+  bool same = n == hot_[i].count;
   for (std::uint32_t k = 0; same && k < n; ++k) same = list[k] == items_[k].entry;
   if (same) return false;
   for (std::uint32_t k = 0; k < n; ++k) {
@@ -222,7 +238,7 @@ bool PieceLists::store(std::uint32_t i) {
     Crossing& c = crossings_[list[k]];
     (c.a == i ? c.at_a : c.at_b) = k;
   }
-  count_[i] = n;
+  hot_[i].count = n;
   return true;
 }
 
@@ -270,22 +286,22 @@ PieceLists::Step PieceLists::target(std::uint32_t ray) const {
 }
 
 std::uint32_t PieceLists::end_node(Step s) const {
-  if (s.sub < count_[s.piece]) {
+  if (s.sub < hot_[s.piece].count) {
     const std::uint32_t e = entry(s.piece, s.sub);
     return e & kTouchBit ? window_.touches[e & ~kTouchBit].node : kNone;
   }
-  const std::uint32_t ray = window_.tail_ray[s.piece];
+  const std::uint32_t ray = hot_[s.piece].tail_ray;
   return ray != kNone && node_active_[window_.node_of_ray[ray]] ? window_.node_of_ray[ray] : kNone;
 }
 
 std::uint32_t PieceLists::arriving_ray(Step s) const {
-  return s.sub < count_[s.piece] ? window_.touches[entry(s.piece, s.sub) & ~kTouchBit].in_ray : window_.tail_ray[s.piece];
+  return s.sub < hot_[s.piece].count ? window_.touches[entry(s.piece, s.sub) & ~kTouchBit].in_ray : hot_[s.piece].tail_ray;
 }
 
 bool PieceLists::alive_at_start(Step s) const {
   if (dead(s)) return false;
   if (s.sub == 0) {
-    const std::uint32_t ray = window_.head_ray[s.piece];
+    const std::uint32_t ray = hot_[s.piece].head_ray;
     return ray == kNone || !node_active_[window_.node_of_ray[ray]] || entered_[ray];
   }
   const std::uint32_t e = entry(s.piece, s.sub - 1);
@@ -297,13 +313,13 @@ bool PieceLists::alive_at_start(Step s) const {
 PieceLists::Step PieceLists::successor(Step s) const {
   if (dead(s)) return {};
   Step to;
-  if (s.sub == count_[s.piece]) {
-    const std::uint32_t ray = window_.tail_ray[s.piece];
+  if (s.sub == hot_[s.piece].count) {
+    const std::uint32_t ray = hot_[s.piece].tail_ray;
     if (ray != kNone && node_active_[window_.node_of_ray[ray]]) {
       if (link_[ray] == kNone) return {};
       to = target(link_[ray]);
     } else {
-      to = {window_.pieces[s.piece].next, 0};
+      to = {hot_[s.piece].next, 0};
       if (to.piece == kNone) return {};
     }
   } else {

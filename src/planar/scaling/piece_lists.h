@@ -21,12 +21,12 @@ class PieceLists {
   /// will be looked at again.
   bool repair(double tau, FramePlace& place, FrameWork& work);
 
-  std::uint32_t count(std::uint32_t piece) const { return count_[piece]; }
+  std::uint32_t count(std::uint32_t piece) const { return hot_[piece].count; }
   /// What is at position k: a candidate that crosses here, or, with kTouchBit, a persistent touch.
   std::uint32_t entry(std::uint32_t piece, std::uint32_t k) const { return list_[base(piece) + k]; }
   /// Sub-edges are numbered first_sub(piece) + 0 .. count; the numbers of different pieces never overlap.
   std::uint32_t first_sub(std::uint32_t piece) const { return base(piece) + piece; }
-  std::uint32_t sub_limit() const { return static_cast<std::uint32_t>(list_.size() + count_.size()); }
+  std::uint32_t sub_limit() const { return static_cast<std::uint32_t>(list_.size() + hot_.size()); }
 
   /// What may lie on a piece somewhere in the window.
   struct Entry {
@@ -36,7 +36,7 @@ class PieceLists {
     std::uint32_t id;  ///< candidate, or touch with kTouchBit
     bool inside;       ///< in the list
   };
-  std::span<const Entry> entries(std::uint32_t piece) const { return {entries_.data() + base_[piece], base_[piece + 1] - base_[piece]}; }
+  std::span<const Entry> entries(std::uint32_t piece) const { return {entries_.data() + hot_[piece].base, hot_[piece].entries}; }
   /// A candidate's pieces and its places in their lists, while it crosses.
   struct Crossing {
     std::uint32_t a, b, at_a, at_b;
@@ -49,8 +49,8 @@ class PieceLists {
     friend bool operator==(const Step&, const Step&) = default;
   };
   bool dead(Step s) const {
-    const Piece& p = window_.pieces[s.piece];
-    return (s.sub == 0 && p.head_cut) || (s.sub == count_[s.piece] && p.tail_cut);
+    const Hot& h = hot_[s.piece];
+    return (s.sub == 0 && h.head_cut) || (s.sub == h.count && h.tail_cut);
   }
   bool alive_at_start(Step s) const;
   Step successor(Step s) const;
@@ -91,7 +91,7 @@ class PieceLists {
   void sort_items(std::uint32_t piece, FramePlace& place);
   void look_at_neighbours(std::uint32_t piece, double tau, FramePlace& place, Certainty& certain) const;
   bool store(std::uint32_t piece);
-  std::uint32_t base(std::uint32_t piece) const { return base_[piece]; }
+  std::uint32_t base(std::uint32_t piece) const { return hot_[piece].base; }
   void relink(std::uint32_t node);
   Step target(std::uint32_t ray) const;
   void mark_changed(std::uint32_t piece);
@@ -103,8 +103,15 @@ class PieceLists {
 
   Window& window_;
   std::vector<double> low_, high_;  ///< the list of a piece is certain strictly between
-  std::vector<std::uint32_t> count_, list_;
-  std::vector<std::uint32_t> base_;  ///< piece -> where its list and its entries start
+  /// What walks ask of a piece.
+  struct Hot {
+    std::uint32_t base = 0, entries = 0;  ///< where its list and its entries start; how many entries
+    std::uint32_t count = 0;              ///< in the list
+    std::uint32_t next = kNone, head_ray = kNone, tail_ray = kNone;  ///< as in the window
+    bool head_cut = false, tail_cut = false;
+  };
+  std::vector<Hot> hot_;
+  std::vector<std::uint32_t> list_;
   std::vector<Entry> entries_;
   std::vector<Crossing> crossings_;  ///< per candidate
   std::vector<std::uint32_t> touched_, changed_at_, changed_;

@@ -170,16 +170,18 @@ ScalingSum::State::KeptRings ScalingSum::State::kept_rings(double tau, FramePlac
   const double span = window_->span(), poor = 0x1p-38 * span;
   double error = 0;
   positions_.clear();
+  corners_.clear();
   for (const FrameLoop& loop : loops_->loops()) {
     if (!loop.kept) continue;
     for (const LoopStep& step : loop.steps) {
       if (step.vertex == kNone) continue;
-      const MovingVertex& v = loops_->vertex(step.vertex);
+      corners_.push_back(step.vertex);
+      const MovingPoint& v = loops_->point(step.vertex);
       if (v.error <= poor) {
         positions_.push_back({grow * v.x.at(tau) * unit + ox, grow * v.y.at(tau) * unit + oy});
         error = std::max(error, v.error);
       } else {
-        const ExactSource::Position p = source.position(v.vertex);
+        const ExactSource::Position p = source.position(loops_->vertex(step.vertex));
         positions_.push_back({exact::round_to_double(p.x), exact::round_to_double(p.y)});
         error = std::max(error, poor);
       }
@@ -192,7 +194,7 @@ ScalingSum::State::KeptRings ScalingSum::State::kept_rings(double tau, FramePlac
   std::size_t from = 0;
   for (FrameLoop& loop : loops_->loops()) {
     if (!loop.kept) continue;
-    kept.rings.push_back(ring_of(loop, {positions_.data() + from, loop.corners}, order, next.at_error));
+    kept.rings.push_back(ring_of(from, loop.corners, order, next.at_error));
     kept.outer.push_back(loop.turning > 0);
     kept.loops.push_back(&loop);
     from += loop.corners;
@@ -200,22 +202,29 @@ ScalingSum::State::KeptRings ScalingSum::State::kept_rings(double tau, FramePlac
   return kept;
 }
 
-SumRing ScalingSum::State::ring_of(const FrameLoop& loop, std::span<const Point> at, const VertexOrder& order, double at_error) {
+// The corners [from, from + n) as a ring.
+SumRing ScalingSum::State::ring_of(std::size_t from, std::size_t n, const VertexOrder& order, double at_error) {
   SumRing ring;
   if (!spare_rings_.empty()) {
     ring = std::move(spare_rings_.back());
     spare_rings_.pop_back();
   }
-  ring.vertices.clear();
-  ring.vertices.reserve(at.size());
-  std::size_t i = 0;
-  for (const LoopStep& step : loop.steps) {
-    if (step.vertex == kNone) continue;
-    ring.vertices.push_back(loops_->vertex(step.vertex).vertex);
-    ring.vertices.back().at = at[i++];
+  const auto put = [&](std::size_t i, SumVertex& v) {
+    v = loops_->vertex(corners_[i]);
+    v.at = positions_[i];
+  };
+  std::size_t first = from;
+  for (std::size_t i = from + 1; i < from + n; ++i) {
+    if (!(positions_[i].x - positions_[first].x <= 2 * at_error)) continue;
+    SumVertex a, b;
+    put(i, a);
+    put(first, b);
+    if (order.compare(a, b) < 0) first = i;
   }
-  const std::size_t first = smallest_vertex(ring.vertices, order, at_error);
-  if (first != 0) std::rotate(ring.vertices.begin(), ring.vertices.begin() + static_cast<std::ptrdiff_t>(first), ring.vertices.end());
+  ring.vertices.resize(n);
+  std::size_t to = 0;
+  for (std::size_t i = first; i < from + n; ++i) put(i, ring.vertices[to++]);
+  for (std::size_t i = from; i < first; ++i) put(i, ring.vertices[to++]);
   return ring;
 }
 
@@ -288,6 +297,14 @@ FrameChanges ScalingSum::State::take(NextFrame next, bool same_place) {
   if (!next.followed)
     for (std::size_t i = 0; i < next.loops.size(); ++i) next.loops[i]->ring = ids[i];
   finish_changes(sum, next.sum, changes);
+  spare_rings_.clear();
+  if (!next.loops.empty()) {
+    for (SumPart& part : sum.parts) {
+      spare_rings_.push_back(std::move(part.outer));
+      for (SumRing& hole : part.holes) spare_rings_.push_back(std::move(hole));
+    }
+    std::reverse(spare_rings_.begin(), spare_rings_.end());
+  }
   sum = std::move(next.sum);
   ring_ids = std::move(ids);
   return changes;
