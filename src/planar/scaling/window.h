@@ -141,7 +141,8 @@ class Window {
 
   // window_pairs.cpp
   void find_candidates(const SweptMask& mask);
-  void test(std::uint32_t i, std::uint32_t j);
+  void test(std::uint32_t i, std::uint32_t j, const SweptMask& mask);
+  bool dead_throughout(const Candidate& c, const SweptMask& mask) const;
   void test_parallel(Candidate c);
   void solve(Candidate& c) const;
   bool bounds(std::uint32_t piece, const Linear& t, double error, Candidate& c, std::array<bool, 2>& unsure) const;
