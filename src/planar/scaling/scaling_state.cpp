@@ -106,7 +106,7 @@ WindowSettings ScalingSum::State::settings_for(const BigRational& low, const Big
 
 // The width at which the ends of the moving operand sweep kSweep cells: beyond it masks lose more than longer windows gain.
 double ScalingSum::State::widest_window(double s) const {
-  constexpr double kSweep = 3;
+  constexpr double kSweep = 4.5;
   const std::uint32_t k = base->scaled;
   const auto size = [&](std::uint32_t op) { return std::max(base->width[op], base->height[op]) * (op == k ? s : 1); };
   const double cells = convolution_ == nullptr ? 64 : cells_for(convolution_->size());

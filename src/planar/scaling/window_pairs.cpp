@@ -11,7 +11,7 @@ namespace {
 /// What a piece sweeps lies in its box, some of a cell wider than it.
 struct PieceBox {
   double x0, x1, y0, y1;
-  std::uint32_t piece;
+  std::uint32_t piece, first_strip, last_strip;
 };
 
 std::vector<PieceBox> boxes_of(const std::vector<PieceEnds>& ends, double reach) {
@@ -20,7 +20,7 @@ std::vector<PieceBox> boxes_of(const std::vector<PieceEnds>& ends, double reach)
   for (const PieceEnds& e : ends) {
     const auto [x0, x1] = std::minmax({e.ax[0], e.ax[1], e.bx[0], e.bx[1]});
     const auto [y0, y1] = std::minmax({e.ay[0], e.ay[1], e.by[0], e.by[1]});
-    boxes.push_back({x0 - reach, x1 + reach, y0 - reach, y1 + reach, static_cast<std::uint32_t>(boxes.size())});
+    boxes.push_back({x0 - reach, x1 + reach, y0 - reach, y1 + reach, static_cast<std::uint32_t>(boxes.size()), 0, 0});
   }
   std::sort(boxes.begin(), boxes.end(), [](const PieceBox& a, const PieceBox& b) { return a.x0 != b.x0 ? a.x0 < b.x0 : a.piece < b.piece; });
   return boxes;
@@ -31,7 +31,7 @@ std::vector<PieceBox> boxes_of(const std::vector<PieceEnds>& ends, double reach)
 template <class F>
 void for_each_close_pair(const std::vector<PieceEnds>& ends, double reach, F&& f) {
   if (ends.empty()) return;
-  const std::vector<PieceBox> boxes = boxes_of(ends, reach);
+  std::vector<PieceBox> boxes = boxes_of(ends, reach);
   double bottom = INFINITY, top = -INFINITY, total = 0;
   for (const PieceBox& b : boxes) {
     bottom = std::min(bottom, b.y0);
@@ -41,19 +41,22 @@ void for_each_close_pair(const std::vector<PieceEnds>& ends, double reach, F&& f
   const double height = std::max(2 * total / static_cast<double>(boxes.size()), (top - bottom) / 4096);
   const auto strip = [&](double y) { return static_cast<std::uint32_t>((y - bottom) / height); };
   std::vector<std::uint32_t> start(strip(top) + 2, 0);
-  for (const PieceBox& b : boxes)
-    for (std::uint32_t s = strip(b.y0); s <= strip(b.y1); ++s) ++start[s + 1];
+  for (PieceBox& b : boxes) {
+    b.first_strip = strip(b.y0);
+    b.last_strip = strip(b.y1);
+    for (std::uint32_t s = b.first_strip; s <= b.last_strip; ++s) ++start[s + 1];
+  }
   for (std::size_t s = 1; s < start.size(); ++s) start[s] += start[s - 1];
   std::vector<PieceBox> inside(start.back());
   std::vector<std::uint32_t> at(start.begin(), start.end() - 1);
   for (const PieceBox& b : boxes)
-    for (std::uint32_t s = strip(b.y0); s <= strip(b.y1); ++s) inside[at[s]++] = b;
+    for (std::uint32_t s = b.first_strip; s <= b.last_strip; ++s) inside[at[s]++] = b;
   for (std::uint32_t s = 0; s + 1 < start.size(); ++s)
     for (std::uint32_t i = start[s]; i < start[s + 1]; ++i) {
       const PieceBox a = inside[i];
       for (std::uint32_t j = i + 1; j < start[s + 1] && inside[j].x0 <= a.x1; ++j) {
         const PieceBox& b = inside[j];
-        if ((b.y0 <= a.y1) & (b.y1 >= a.y0) && strip(std::max(a.y0, b.y0)) == s) f(a, b);
+        if ((b.y0 <= a.y1) & (b.y1 >= a.y0) && std::max(a.first_strip, b.first_strip) == s) f(a, b);
       }
     }
 }
