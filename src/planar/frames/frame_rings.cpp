@@ -41,8 +41,8 @@ std::uint64_t key(const SumVertex& v) {
     h *= by;
     return h ^ (h >> 32);
   };
-  std::uint64_t h = spread(both(v.in.p, v.in.q) + static_cast<std::uint64_t>(v.in.kind), 0xff51afd7ed558ccdu);
-  h = spread(h + both(v.out.p, v.out.q) + (static_cast<std::uint64_t>(v.out.kind) << 62), 0xc4ceb9fe1a85ec53u);
+  std::uint64_t h = spread(both(v.in.p, v.in.q) ^ (static_cast<std::uint64_t>(v.in.kind) << 63), 0xff51afd7ed558ccdu);
+  h = spread(h + (both(v.out.p, v.out.q) ^ (static_cast<std::uint64_t>(v.out.kind) << 63)), 0xc4ceb9fe1a85ec53u);
   return spread(h + both(v.corner_p, v.corner_q), 0x9e3779b97f4a7c15u);
 }
 

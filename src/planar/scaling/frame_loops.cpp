@@ -50,6 +50,7 @@ void FrameLoops::begin() {
     visited_.assign(window.nodes.size(), 0);
     walk_ = 0;
   }
+  copied_ = 0;
   ended_.clear();
   gone_.clear();
   look_.clear();

@@ -51,6 +51,8 @@ class FrameLoops {
   const MovingPoint& point(std::uint32_t v) const { return points_[v]; }
   /// Rings that the last update has ended: identity and number of vertices.
   const std::vector<std::pair<std::uint64_t, std::uint32_t>>& ended() const { return ended_; }
+  /// Steps that the last update took over from cycles that were gone.
+  std::uint64_t copied() const { return copied_; }
   std::size_t bytes() const;
 
  private:
@@ -73,6 +75,7 @@ class FrameLoops {
   bool follow(Step start);
   bool copy_stretch(std::uint32_t number);
   Step add_step(Step at, std::uint32_t edge);
+  std::uint32_t same_crossing(std::uint32_t in, std::uint32_t out) const;
   std::uint32_t made(std::uint32_t& vertex, Step at, std::uint32_t next_piece);
   std::uint32_t node_vertex(Step at, std::uint32_t next_piece);
 
@@ -133,6 +136,7 @@ class FrameLoops {
   std::vector<NodeVertex> node_vertices_;
   std::vector<std::pair<std::uint64_t, std::uint32_t>> ended_;
   std::uint32_t walk_ = 0;
+  std::uint64_t copied_ = 0;
   struct NodeState {
     bool inside = false;  ///< proved to lie in the open sum
     std::optional<std::array<std::uint32_t, 2>> witness;
