@@ -108,29 +108,13 @@ FrameLoops::Step FrameLoops::add_step(Step at, std::uint32_t edge) {
     if (turn != 0) s.vertex = s.at_node ? node_vertex(at, next.piece) : made(end_vertex_[at.piece], at, next.piece);
   } else {
     // The two sides of a crossing tell which arrives and which leaves: a candidate has one vertex, and so has a piece's own end.
-    std::uint32_t& vertex = crossing_vertex_[s.to];
-    if (vertex == kNone) vertex = same_crossing(p.segment, q.segment);
-    s.vertex = made(vertex, at, next.piece);
+    s.vertex = made(crossing_vertex_[s.to], at, next.piece);
   }
   if (p.half != q.half && (turn > 0) == (p.half == 1)) s.turn = static_cast<std::int8_t>(turn);
   path_corners_ += s.vertex != kNone;
   path_turning_ += s.turn;
   path_.push_back(s);
   return next;
-}
-
-// The vertex that the crossing of two segments has on other pieces of theirs, if it was met there.
-std::uint32_t FrameLoops::same_crossing(std::uint32_t in, std::uint32_t out) const {
-  const Window& window = lists_.window();
-  const LiveSegment &a = window.segments[in], &b = window.segments[out];
-  if (a.last_piece - a.first_piece == 1 && b.last_piece - b.first_piece == 1) return kNone;
-  for (std::uint32_t i = a.first_piece; i < a.last_piece; ++i)
-    for (const PieceLists::Entry& e : lists_.entries(i)) {
-      if (e.id & kTouchBit || crossing_vertex_[e.id] == kNone) continue;
-      const PieceLists::Crossing& c = lists_.crossing(e.id);
-      if (window.pieces[c.a == i ? c.b : c.a].segment == out) return crossing_vertex_[e.id];
-    }
-  return kNone;
 }
 
 // The vertex behind a step, made when it is first met in the window.

@@ -75,7 +75,6 @@ class FrameLoops {
   bool follow(Step start);
   bool copy_stretch(std::uint32_t number);
   Step add_step(Step at, std::uint32_t edge);
-  std::uint32_t same_crossing(std::uint32_t in, std::uint32_t out) const;
   std::uint32_t made(std::uint32_t& vertex, Step at, std::uint32_t next_piece);
   std::uint32_t node_vertex(Step at, std::uint32_t next_piece);
 
