@@ -92,7 +92,6 @@ bool FrameLoops::copy_stretch(std::uint32_t number) {
 
 // Puts a sub-edge on the path and tells what comes behind it.
 FrameLoops::Step FrameLoops::add_step(Step at, std::uint32_t edge) {
-  const Window& window = lists_.window();
   const Step next = lists_.successor(at);
   if (next.piece == kNone) return next;
   LoopStep s;
@@ -100,17 +99,17 @@ FrameLoops::Step FrameLoops::add_step(Step at, std::uint32_t edge) {
   s.edge = edge;
   s.from = at.sub == 0 ? kNone : lists_.entry(at.piece, at.sub - 1);
   s.to = at.sub == lists_.count(at.piece) ? kNone : lists_.entry(at.piece, at.sub);
-  const Piece &p = window.pieces[at.piece], &q = window.pieces[next.piece];
   int turn = -1;  // at crossings cycles turn right
   if (s.to == kNone || s.to & kTouchBit) {
     s.at_node = lists_.end_node(at) != kNone;
-    turn = s.at_node ? window.cross(p.segment, q.segment) : p.next_turn;
+    const Window& window = lists_.window();
+    turn = s.at_node ? window.cross(window.pieces[at.piece].segment, window.pieces[next.piece].segment) : lists_.next_turn(at.piece);
     if (turn != 0) s.vertex = s.at_node ? node_vertex(at, next.piece) : made(end_vertex_[at.piece], at, next.piece);
   } else {
     // The two sides of a crossing tell which arrives and which leaves: a candidate has one vertex, and so has a piece's own end.
     s.vertex = made(crossing_vertex_[s.to], at, next.piece);
   }
-  if (p.half != q.half && (turn > 0) == (p.half == 1)) s.turn = static_cast<std::int8_t>(turn);
+  if (const int half = lists_.half(at.piece); half != lists_.half(next.piece) && (turn > 0) == (half == 1)) s.turn = static_cast<std::int8_t>(turn);
   path_corners_ += s.vertex != kNone;
   path_turning_ += s.turn;
   path_.push_back(s);

@@ -71,6 +71,8 @@ void PieceLists::add_entries() {
     h.tail_ray = window_.tail_ray[i];
     h.head_cut = p.head_cut;
     h.tail_cut = p.tail_cut;
+    h.next_turn = p.next_turn;
+    h.half = p.half;
     hot_.push_back(h);
   }
 }
@@ -298,44 +300,23 @@ std::uint32_t PieceLists::arriving_ray(Step s) const {
   return s.sub < hot_[s.piece].count ? window_.touches[entry(s.piece, s.sub) & ~kTouchBit].in_ray : hot_[s.piece].tail_ray;
 }
 
-bool PieceLists::alive_at_start(Step s) const {
-  if (dead(s)) return false;
-  if (s.sub == 0) {
-    const std::uint32_t ray = hot_[s.piece].head_ray;
-    return ray == kNone || !node_active_[window_.node_of_ray[ray]] || entered_[ray];
-  }
-  const std::uint32_t e = entry(s.piece, s.sub - 1);
-  if (e & kTouchBit) return entered_[window_.touches[e & ~kTouchBit].out_ray];
-  const Crossing& c = crossings_[e];
-  return (c.a == s.piece ? c.sign : -c.sign) > 0;
+// A sub-edge that starts at a touch or at its piece's own end.
+bool PieceLists::alive_at_touch(Step s) const {
+  if (s.sub > 0) return entered_[window_.touches[entry(s.piece, s.sub - 1) & ~kTouchBit].out_ray];
+  const std::uint32_t ray = hot_[s.piece].head_ray;
+  return ray == kNone || !node_active_[window_.node_of_ray[ray]] || entered_[ray];
 }
 
-PieceLists::Step PieceLists::successor(Step s) const {
-  if (dead(s)) return {};
-  Step to;
-  if (s.sub == hot_[s.piece].count) {
-    const std::uint32_t ray = hot_[s.piece].tail_ray;
-    if (ray != kNone && node_active_[window_.node_of_ray[ray]]) {
-      if (link_[ray] == kNone) return {};
-      to = target(link_[ray]);
-    } else {
-      to = {hot_[s.piece].next, 0};
-      if (to.piece == kNone) return {};
-    }
-  } else {
-    const std::uint32_t e = entry(s.piece, s.sub);
-    if (e & kTouchBit) {
-      const std::uint32_t ray = link_[window_.touches[e & ~kTouchBit].in_ray];
-      if (ray == kNone) return {};
-      to = target(ray);
-    } else {
-      const Crossing& c = crossings_[e];
-      const bool a = c.a == s.piece;
-      if ((a ? c.sign : -c.sign) > 0) return {};
-      to = a ? Step{c.b, c.at_b + 1} : Step{c.a, c.at_a + 1};
-    }
+// Behind a sub-edge that ends at a touch or at its piece's own end.
+PieceLists::Step PieceLists::successor_at_touch(Step s) const {
+  const Hot& h = hot_[s.piece];
+  Step to{h.next, 0};
+  if (end_node(s) != kNone) {
+    const std::uint32_t ray = link_[arriving_ray(s)];
+    if (ray == kNone) return {};
+    to = target(ray);
   }
-  return dead(to) ? Step{} : to;
+  return to.piece == kNone || dead(to) ? Step{} : to;
 }
 
 }  // namespace dymsum::planar

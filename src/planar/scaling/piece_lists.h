@@ -28,6 +28,10 @@ class PieceLists {
   std::uint32_t first_sub(std::uint32_t piece) const { return base(piece) + piece; }
   std::uint32_t sub_limit() const { return static_cast<std::uint32_t>(list_.size() + hot_.size()); }
 
+  /// As in the window's piece.
+  std::uint8_t half(std::uint32_t piece) const { return hot_[piece].half; }
+  std::int8_t next_turn(std::uint32_t piece) const { return hot_[piece].next_turn; }
+
   /// What may lie on a piece somewhere in the window.
   struct Entry {
     double out_low, in_low, in_high, out_high;  ///< as for Candidate
@@ -52,8 +56,22 @@ class PieceLists {
     const Hot& h = hot_[s.piece];
     return (s.sub == 0 && h.head_cut) || (s.sub == h.count && h.tail_cut);
   }
-  bool alive_at_start(Step s) const;
-  Step successor(Step s) const;
+  bool alive_at_start(Step s) const {
+    if (dead(s)) return false;
+    const std::uint32_t e = s.sub == 0 ? kTouchBit : entry(s.piece, s.sub - 1);
+    if (e & kTouchBit) return alive_at_touch(s);
+    return (crossings_[e].a == s.piece ? crossings_[e].sign : -crossings_[e].sign) > 0;
+  }
+  Step successor(Step s) const {
+    if (dead(s)) return {};
+    const std::uint32_t e = s.sub == hot_[s.piece].count ? kTouchBit : entry(s.piece, s.sub);
+    if (e & kTouchBit) return successor_at_touch(s);
+    const Crossing& c = crossings_[e];
+    const bool a = c.a == s.piece;
+    if ((a ? c.sign : -c.sign) > 0) return {};
+    const Step to = a ? Step{c.b, c.at_b + 1} : Step{c.a, c.at_a + 1};
+    return dead(to) ? Step{} : to;
+  }
   /// The ray through which a sub-edge arrives in that node, and the one in which the boundary goes on or kNone. Requires: it ends in one.
   std::uint32_t arriving_ray(Step s) const;
   std::uint32_t leaving_ray(std::uint32_t arriving) const { return link_[arriving]; }
@@ -91,6 +109,8 @@ class PieceLists {
   void sort_items(std::uint32_t piece, FramePlace& place);
   void look_at_neighbours(std::uint32_t piece, double tau, FramePlace& place, Certainty& certain) const;
   bool store(std::uint32_t piece);
+  bool alive_at_touch(Step s) const;
+  Step successor_at_touch(Step s) const;
   std::uint32_t base(std::uint32_t piece) const { return hot_[piece].base; }
   void relink(std::uint32_t node);
   Step target(std::uint32_t ray) const;
@@ -109,6 +129,8 @@ class PieceLists {
     std::uint32_t count = 0;              ///< in the list
     std::uint32_t next = kNone, head_ray = kNone, tail_ray = kNone;  ///< as in the window
     bool head_cut = false, tail_cut = false;
+    std::int8_t next_turn = 0;
+    std::uint8_t half = 0;
   };
   std::vector<Hot> hot_;
   std::vector<std::uint32_t> list_;
