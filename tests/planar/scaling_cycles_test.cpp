@@ -33,7 +33,8 @@ TEST(ScalingCycles, those_carried_over_equal_those_walked_from_scratch) {
   const Region star = on_integers(shapes::noisy_star(60, 0.6, 3), 4000), other = on_integers(shapes::noisy_star(40, 0.6, 4), 3000);
   const Region room = on_integers(shapes::random_polygon(60, 3, 5), 3000), same = on_integers(shapes::random_polygon(60, 2, 8), 4000);
   std::uint64_t copied = 0, walked = 0, false_ones = 0, nodes = 0;
-  for (const auto& [p, q] : {std::pair{star, other}, std::pair{room, on_integers(shapes::noisy_star(16, 0.6, 4), 500)}, std::pair{same, same}}) {
+  const Region small = on_integers(shapes::noisy_star(16, 0.6, 4), 500);
+  for (const auto& [p, q] : {std::pair{star, other}, std::pair{room, small}, std::pair{same, same}}) {
     auto base = planar::ScalingBase::create(p, q, 1, 0).value();
     ScalingSum::State state(base, {});
     const auto window = state.window_between(exact::BigRational(1), exact::BigRational(3, 2));
@@ -70,7 +71,8 @@ TEST(ScalingCycles, what_changed_on_a_ring_is_counted_as_by_comparing_both_sums)
   ScalingOptions options;
   options.mode = FrameMode::window;
   options.window = 0.3;
-  ScalingSum sum = ScalingSum::create(on_integers(shapes::noisy_star(60, 0.6, 3), 4000), on_integers(shapes::noisy_star(40, 0.6, 4), 3000), options).value();
+  const Region p = on_integers(shapes::noisy_star(60, 0.6, 3), 4000), q = on_integers(shapes::noisy_star(40, 0.6, 4), 3000);
+  ScalingSum sum = ScalingSum::create(p, q, options).value();
   int compared = 0, reshaped = 0;
   for (int k = 100; k < 160; ++k) {
     const PlanarSum before = sum.sum();

@@ -109,7 +109,8 @@ FrameLoops::Step FrameLoops::add_step(Step at, std::uint32_t edge) {
     // The two sides of a crossing tell which arrives and which leaves: a candidate has one vertex, and so has a piece's own end.
     s.vertex = made(crossing_vertex_[s.to], at, next.piece);
   }
-  if (const int half = lists_.half(at.piece); half != lists_.half(next.piece) && (turn > 0) == (half == 1)) s.turn = static_cast<std::int8_t>(turn);
+  const int half = lists_.half(at.piece);
+  if (half != lists_.half(next.piece) && (turn > 0) == (half == 1)) s.turn = static_cast<std::int8_t>(turn);
   path_corners_ += s.vertex != kNone;
   path_turning_ += s.turn;
   path_.push_back(s);

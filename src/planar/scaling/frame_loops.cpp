@@ -8,8 +8,8 @@
 namespace dymsum::planar {
 std::size_t FrameLoops::bytes() const {
   std::size_t n = (seen_.capacity() + crossing_vertex_.capacity() + end_vertex_.capacity()) * 4 + heads_.capacity() * sizeof(Head) +
-                  (owners_.capacity() + vertex_owners_.capacity()) * sizeof(Owner) + vertices_.capacity() * sizeof(SumVertex) + points_.capacity() * sizeof(MovingPoint) +
-                  loops_.capacity() * sizeof(FrameLoop);
+                  (owners_.capacity() + vertex_owners_.capacity()) * sizeof(Owner) +
+                  vertices_.capacity() * (sizeof(SumVertex) + sizeof(MovingPoint)) + loops_.capacity() * sizeof(FrameLoop);
   for (const FrameLoop& l : loops_) n += l.steps.capacity() * sizeof(LoopStep);
   for (const std::vector<LoopStep>& s : spare_) n += s.capacity() * sizeof(LoopStep);
   return n;
@@ -166,7 +166,9 @@ bool FrameLoops::undisturbed(const LoopStep& edge, double tau) const {
   for (const PieceLists::Entry& e : lists_.entries(edge.piece)) {
     if (e.id == edge.from || e.id == edge.to || e.out_high <= low || e.out_low >= high) continue;
     const double apart = margin + e.error, u = std::max(low, e.out_low), v = std::min(high, e.out_high), t_u = e.t.at(u), t_v = e.t.at(v);
-    if (!(from.t.at(u) - t_u > apart && from.t.at(v) - t_v > apart) && !(t_u - to.t.at(u) > apart && t_v - to.t.at(v) > apart)) return false;
+    const bool before = from.t.at(u) - t_u > apart && from.t.at(v) - t_v > apart;
+    const bool behind = t_u - to.t.at(u) > apart && t_v - to.t.at(v) > apart;
+    if (!before && !behind) return false;
   }
   return true;
 }

@@ -22,7 +22,8 @@ std::vector<PieceBox> boxes_of(const std::vector<PieceEnds>& ends, double reach)
     const auto [y0, y1] = std::minmax({e.ay[0], e.ay[1], e.by[0], e.by[1]});
     boxes.push_back({x0 - reach, x1 + reach, y0 - reach, y1 + reach, static_cast<std::uint32_t>(boxes.size()), 0, 0});
   }
-  std::sort(boxes.begin(), boxes.end(), [](const PieceBox& a, const PieceBox& b) { return a.x0 != b.x0 ? a.x0 < b.x0 : a.piece < b.piece; });
+  std::sort(boxes.begin(), boxes.end(),
+            [](const PieceBox& a, const PieceBox& b) { return a.x0 != b.x0 ? a.x0 < b.x0 : a.piece < b.piece; });
   return boxes;
 }
 
@@ -168,8 +169,8 @@ void Window::test(std::uint32_t i, std::uint32_t j, const SweptMask& mask) {
   if (!dead_throughout(c, mask)) candidates.push_back(c);
 }
 
-// Crossings move along a line: those that do so in dead cells only are left out. Boundaries end at crossings on the boundary, so what passes
-// the place of one in a dead cell is false on both sides of it.
+// Crossings move along a line: those that do so in dead cells only are left out. Boundaries end at crossings on the
+// boundary, so what passes the place of one in a dead cell is false on both sides of it.
 bool Window::dead_throughout(const Candidate& c, const SweptMask& mask) const {
   const LiveSegment& a = segments[pieces[c.a].segment];
   const Grid& g = mask.grid();
