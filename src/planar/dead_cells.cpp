@@ -66,60 +66,84 @@ Bitmap inner_corners(const Bitmap& inner) {
 void or_shifted(std::uint64_t* target, std::size_t target_words, const std::uint64_t* row, std::size_t words, int shift) {
   const std::size_t skip = static_cast<std::size_t>(shift) / 64;
   const int by = shift % 64;
-  std::uint64_t carry = 0;
-  for (std::size_t w = 0; w < words; ++w) {
-    const std::uint64_t v = row[w];
-    target[skip + w] |= (by == 0 ? v : v << by) | carry;
-    carry = by == 0 ? 0 : v >> (64 - by);
+  target += skip;
+  const std::size_t room = target_words - skip, n = std::min(words, room);
+  if (by == 0) {
+    for (std::size_t w = 0; w < n; ++w) target[w] |= row[w];
+    return;
   }
-  if (carry != 0 && skip + words < target_words) target[skip + words] |= carry;
+  target[0] |= row[0] << by;
+  for (std::size_t w = 1; w < n; ++w) target[w] |= (row[w] << by) | (row[w - 1] >> (64 - by));
+  if (words < room) target[words] |= row[words - 1] >> (64 - by);
 }
 
-// Rows of b widened to the right by 2^m - 1 cells, for m = 0, 1, ...
+// The rows of a bitmap that hold anything, widened to the right by some cells more each time.
 class WidenedRows {
  public:
-  WidenedRows(const Bitmap& b, int widest) : words_((b.columns + widest + 63) / 64 + 1), rows_(b.rows) {
-    levels_.push_back(std::vector<std::uint64_t>(words_ * b.rows, 0));
-    for (int r = 0; r < b.rows; ++r) std::copy(b.row(r), b.row(r) + b.words, levels_[0].begin() + static_cast<std::ptrdiff_t>(words_ * r));
-    for (int width = 1; 2 * width <= widest; width *= 2) {
-      levels_.push_back(levels_.back());
-      const std::vector<std::uint64_t>& from = levels_[levels_.size() - 2];
-      for (int r = 0; r < b.rows; ++r) or_shifted(&levels_.back()[words_ * r], words_, &from[words_ * r], used(b.columns + width), width);
+  WidenedRows(const Bitmap& b, int widest) : words_((static_cast<std::size_t>(b.columns + widest) + 63) / 64), columns_(b.columns) {
+    for (int r = 0; r < b.rows; ++r) {
+      if (std::none_of(b.row(r), b.row(r) + b.words, [](std::uint64_t w) { return w != 0; })) continue;
+      rows_.push_back(r);
+      bits_.insert(bits_.end(), b.row(r), b.row(r) + b.words);
+      bits_.resize(words_ * rows_.size(), 0);
     }
   }
-  /// target |= row r of b, widened to runs of `width`, moved right by `shift`: two overlapping widenings of a power of two.
-  void add(std::uint64_t* target, std::size_t target_words, int r, int width, int shift) const {
-    const int level = std::bit_width(static_cast<unsigned>(width)) - 1;
-    const std::uint64_t* row = &levels_[static_cast<std::size_t>(level)][words_ * r];
-    const std::size_t words = std::min(words_, target_words - static_cast<std::size_t>(shift) / 64);
-    or_shifted(target, target_words, row, words, shift);
-    const int rest = width - (1 << level);
-    if (rest > 0) or_shifted(target, target_words, row, std::min(words_, target_words - static_cast<std::size_t>(shift + rest) / 64), shift + rest);
+  /// Requires: no less than the last time.
+  void widen_to(int width) {
+    while (width_ < width) {
+      const int by = std::min(width_, width - width_);
+      for (std::size_t k = 0; k < rows_.size(); ++k) widen(&bits_[words_ * k], by);
+      width_ += by;
+    }
+  }
+  /// Calls f(row, bits, words) for every row.
+  template <class F>
+  void for_each(F&& f) const {
+    const std::size_t words = std::min(words_, (static_cast<std::size_t>(columns_ + width_ - 1) + 63) / 64);
+    for (std::size_t k = 0; k < rows_.size(); ++k) f(rows_[k], &bits_[words_ * k], words);
   }
 
  private:
-  std::size_t used(int columns) const { return std::min(words_, static_cast<std::size_t>((columns + 63) / 64)); }
+  // row |= row moved right, from its end on as it is read before it is written.
+  void widen(std::uint64_t* row, int by) const {
+    const std::size_t skip = static_cast<std::size_t>(by) / 64;
+    const int shift = by % 64;
+    for (std::size_t w = words_; w-- > skip;)
+      row[w] |= (row[w - skip] << shift) | (shift == 0 || w == skip ? 0 : row[w - skip - 1] >> (64 - shift));
+  }
+
   std::size_t words_;
-  int rows_;
-  std::vector<std::vector<std::uint64_t>> levels_;
+  int columns_, width_ = 1;
+  std::vector<int> rows_;
+  std::vector<std::uint64_t> bits_;
 };
 
-// target |= a + b, plus [0, spread] in both axes.
+// target |= a + b, plus [0, spread] in both axes. The runs of a of one length are added together, to rows of b that are as much wider.
+void add_runs(Bitmap& target, const RunRows& a, const Bitmap& b, int spread) {
+  struct Placed {
+    int width, row, column;
+  };
+  std::vector<Placed> runs;
+  runs.reserve(a.runs.size());
+  for (std::size_t i = 0; i + 1 < a.start.size(); ++i)
+    for (std::uint32_t k = a.start[i]; k < a.start[i + 1]; ++k)
+      runs.push_back({a.runs[k].last - a.runs[k].first + 1 + spread, static_cast<int>(i), a.runs[k].first});
+  if (runs.empty()) return;
+  std::stable_sort(runs.begin(), runs.end(), [](const Placed& x, const Placed& y) { return x.width < y.width; });
+  WidenedRows wide(b, runs.back().width);
+  for (const Placed& run : runs) {
+    wide.widen_to(run.width);
+    wide.for_each([&](int row, const std::uint64_t* bits, std::size_t words) {
+      for (int d = 0; d <= spread; ++d) or_shifted(target.row(run.row + row + d), target.words, bits, words, run.column);
+    });
+  }
+}
+
+// The same with the runs of the one that has fewer of them for the other's words.
 void add_sums(Bitmap& target, const Bitmap& a, const Bitmap& b, int spread) {
-  const RunRows runs(a);
-  int widest = 1;
-  for (const Run& run : runs.runs) widest = std::max(widest, run.last - run.first + 1 + spread);
-  const WidenedRows wide(b, widest);
-  std::vector<std::uint8_t> filled(static_cast<std::size_t>(b.rows), 0);
-  for (int r = 0; r < b.rows; ++r)
-    for (std::size_t w = 0; w < b.words; ++w) filled[static_cast<std::size_t>(r)] |= b.row(r)[w] != 0;
-  for (int i = 0; i < a.rows; ++i)
-    for (std::uint32_t k = runs.start[i]; k < runs.start[i + 1]; ++k)
-      for (int j = 0; j < b.rows; ++j) {
-        if (!filled[static_cast<std::size_t>(j)]) continue;
-        for (int d = 0; d <= spread; ++d)
-          wide.add(target.row(i + j + d), target.words, j, runs.runs[k].last - runs.runs[k].first + 1 + spread, runs.runs[k].first);
-      }
+  const RunRows runs_a(a), runs_b(b);
+  if (runs_a.runs.size() * b.bits.size() <= runs_b.runs.size() * a.bits.size()) return add_runs(target, runs_a, b, spread);
+  add_runs(target, runs_b, a, spread);
 }
 
 }  // namespace

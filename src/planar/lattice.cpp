@@ -210,12 +210,15 @@ class LatticeOf final : public Lattice {
     return {exact::grid_coordinate<C>(v.x, origin.x, exponent_), exact::grid_coordinate<C>(v.y, origin.y, exponent_)};
   }
   const SharedIntegers& unscaled() const {
+    // Asked for every coordinate: looking at a flag of this lattice's own costs less than call_once.
+    if (const SharedIntegers* made = unscaled_.load(std::memory_order_acquire); made != nullptr) return *made;
     std::call_once(integers->made, [this] {
       for (int op = 0; op < 2; ++op)
         for (const Point& v : points[op]->input)
           integers->at[op].push_back({exact::grid_coordinate<exact::Int<125>>(v.x, points[op]->offset.x, exponent_).raw(),
                                       exact::grid_coordinate<exact::Int<125>>(v.y, points[op]->offset.y, exponent_).raw()});
     });
+    unscaled_.store(integers.get(), std::memory_order_release);
     return *integers;
   }
   // All integers are made when as many have been asked for.
@@ -317,6 +320,7 @@ class LatticeOf final : public Lattice {
   mutable std::atomic<std::size_t> asked_ = 0;
   mutable std::mutex filling_;
   mutable std::atomic<bool> filled_ = false;
+  mutable std::atomic<const SharedIntegers*> unscaled_ = nullptr;  ///< `integers`, once they are made
   mutable std::array<std::vector<Vec>, 2> integers_;
 };
 

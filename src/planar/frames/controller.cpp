@@ -11,6 +11,7 @@ constexpr double kFrames = 2;         // and at least this many steps
 constexpr double kMostFrames = 64;
 constexpr double kLargestStep = 0.16;  // beyond it no window has been seen to pay
 constexpr double kNarrowest = 1e-6;
+constexpr double kTooDear = 1.15;     // windows are left above so much of a frame from scratch: most of their frames are far cheaper
 constexpr double kDearestWindow = 12, kDearestFrame = 2;  // times a frame from scratch
 constexpr double kHysteresis = 0.05;  // relative gain below which the width stays
 
@@ -67,7 +68,7 @@ WindowController::Choice WindowController::choose(double step, double widest, Fr
   close_window();
   if (mode == FrameMode::automatic) {
     // A window that cost more a frame than computing from scratch: leave it for a while, or until steps get much smaller.
-    if (served > 0 && last_cost_ > static_ms_) {
+    if (served > 0 && last_cost_ > kTooDear * static_ms_) {
       bad_step_ = bad_step_ == 0 ? size : std::min(bad_step_, size);
       rest_ = backoff_;
       backoff_ = std::min<std::uint64_t>(2 * backoff_, 256);

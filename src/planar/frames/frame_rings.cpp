@@ -1,6 +1,7 @@
 #include "planar/frames/frame_rings.h"
 
 #include <algorithm>
+#include <bit>
 #include <unordered_map>
 
 #include "planar/part_nesting.h"
@@ -35,7 +36,14 @@ std::uint64_t mixed(std::uint64_t h, std::uint64_t v) {
 std::uint64_t key(const Contact& c) { return mixed(mixed(static_cast<std::uint64_t>(c.kind), c.p), c.q); }
 
 std::uint64_t key(const SumVertex& v) {
-  return mixed(mixed(key(v.in), key(v.out)), v.corner_p == SumVertex::kNone ? 0 : mixed(v.corner_p, v.corner_q));
+  const auto both = [](std::uint32_t a, std::uint32_t b) { return (static_cast<std::uint64_t>(a) << 32) | b; };
+  const auto spread = [](std::uint64_t h, std::uint64_t by) {
+    h *= by;
+    return h ^ (h >> 32);
+  };
+  std::uint64_t h = spread(both(v.in.p, v.in.q) ^ (static_cast<std::uint64_t>(v.in.kind) << 63), 0xff51afd7ed558ccdu);
+  h = spread(h + (both(v.out.p, v.out.q) ^ (static_cast<std::uint64_t>(v.out.kind) << 63)), 0xc4ceb9fe1a85ec53u);
+  return spread(h + both(v.corner_p, v.corner_q), 0x9e3779b97f4a7c15u);
 }
 
 std::size_t smallest_vertex(const std::vector<SumVertex>& v, const VertexOrder& order, double at_error) {
@@ -78,24 +86,55 @@ std::vector<std::size_t> place_rings(std::vector<SumRing> rings, const std::vect
   return numbers;
 }
 
+namespace {
+
+/// Vertices by their keys, with the first ring that has each.
+class VertexOwners {
+ public:
+  static constexpr std::uint32_t kNobody = 0xffffffff;
+  explicit VertexOwners(const std::vector<const SumRing*>& rings) {
+    std::size_t n = 0;
+    for (const SumRing* ring : rings) n += ring->vertices.size();
+    slots_.assign(std::bit_ceil(2 * n + 1), {0, kNobody});
+    for (std::uint32_t i = 0; i < rings.size(); ++i)
+      for (const SumVertex& v : rings[i]->vertices) {
+        const std::uint64_t k = key(v);
+        Slot& slot = slots_[find(k)];
+        if (slot.ring == kNobody) slot = {k, i};
+      }
+  }
+  std::uint32_t ring(const SumVertex& v) const { return slots_[find(key(v))].ring; }
+
+ private:
+  struct Slot {
+    std::uint64_t key;
+    std::uint32_t ring;
+  };
+  // Where a key is, or would be put.
+  std::size_t find(std::uint64_t k) const {
+    std::size_t at = k & (slots_.size() - 1);
+    while (slots_[at].ring != kNobody && slots_[at].key != k) at = (at + 1) & (slots_.size() - 1);
+    return at;
+  }
+  std::vector<Slot> slots_;
+};
+
+}  // namespace
+
 std::vector<std::uint64_t> RingIdentities::match(const PlanarSum& from, const std::vector<std::uint64_t>& known, const PlanarSum& to,
                                                  bool same_place, FrameChanges& changes) {
   const std::vector<const SumRing*> before = rings_of(from), after = rings_of(to);
   std::vector<std::uint64_t> ids(after.size(), 0);
   std::vector<std::uint8_t> taken(before.size(), 0);
-  std::vector<std::pair<std::uint64_t, std::size_t>> owner;  // vertex -> ring before, sorted
-  for (std::size_t i = 0; i < before.size(); ++i)
-    for (const SumVertex& v : before[i]->vertices) owner.emplace_back(key(v), i);
-  std::sort(owner.begin(), owner.end());
+  const VertexOwners owner(before);
   for (std::size_t i = 0; i < after.size(); ++i) {
     std::uint32_t shared = 0;
     std::size_t ring = before.size();
     for (const SumVertex& v : after[i]->vertices) {
-      const std::uint64_t k = key(v);
-      const auto it = std::lower_bound(owner.begin(), owner.end(), k, [](const auto& entry, std::uint64_t want) { return entry.first < want; });
-      if (it == owner.end() || it->first != k) continue;
-      if (ring == before.size() && !taken[it->second]) ring = it->second;
-      shared += it->second == ring;
+      const std::uint32_t was = owner.ring(v);
+      if (was == VertexOwners::kNobody) continue;
+      if (ring == before.size() && !taken[was]) ring = was;
+      shared += was == ring;
     }
     const auto size = static_cast<std::uint32_t>(after[i]->vertices.size());
     if (ring == before.size()) {

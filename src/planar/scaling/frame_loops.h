@@ -11,27 +11,31 @@
 
 namespace dymsum::planar {
 
-/// A vertex of the sum that moves with tau, in the window's coordinates.
-struct MovingVertex {
-  SumVertex vertex;
+/// Where a vertex of the sum is that moves with tau, in the window's coordinates.
+struct MovingPoint {
   Linear x, y;
-  double error = 0;  ///< of the position anywhere in the window
+  double error = 0;  ///< anywhere in the window
+};
+
+/// A sub-edge of a cycle, and what comes behind it.
+struct LoopStep {
+  std::uint32_t piece = kNone, edge = 0;   ///< sub-edge: PieceLists::first_sub(piece) + its place in the list
+  std::uint32_t from = kNone, to = kNone;  ///< what is at its ends, kNone at a segment's own end; valid even when the list has changed
+  std::uint32_t vertex = kNone;            ///< of FrameLoops::vertex, or kNone where the next step goes straight on
+  std::int8_t turn = 0;                    ///< into the next step: what it adds to the turning number
+  bool at_node = false;                    ///< ends where something touches at every scale
 };
 
 struct FrameLoop {
-  std::vector<PieceLists::Step> steps;
-  struct Between {
-    std::uint32_t piece, from, to;  ///< crossings at the ends of a sub-edge, kNone at a segment's own end
-    friend bool operator==(const Between&, const Between&) = default;
-  };
-  std::vector<Between> edges;       ///< per step; unlike steps it stays valid when lists change
+  std::vector<LoopStep> steps;
+  std::uint32_t corners = 0;        ///< steps with a vertex
   int turning = 0;
   bool kept = false;                ///< a true boundary
   std::uint64_t ring = 0;           ///< identity of a true one, 0: not yet given
   bool fresh = true;                ///< walked anew in this frame
   std::uint32_t vertices_before = 0, vertices_shared = 0;  ///< of a fresh one: of the ring whose identity it has taken, and both
   std::optional<std::array<std::uint32_t, 2>> witness;  ///< of a false one: walk edges that crossed properly
-  std::vector<MovingVertex> vertices;  ///< of a true one
+  std::uint32_t first_run = 0, last_run = 0;  ///< of a fresh one: its stretches, valid during the update
 };
 
 class FrameLoops {
@@ -43,24 +47,36 @@ class FrameLoops {
   bool update(double tau, FramePlace& place, bool whole, FrameWork& work);
   const std::vector<FrameLoop>& loops() const { return loops_; }
   std::vector<FrameLoop>& loops() { return loops_; }
+  const SumVertex& vertex(std::uint32_t v) const { return vertices_[v]; }
+  const MovingPoint& point(std::uint32_t v) const { return points_[v]; }
   /// Rings that the last update has ended: identity and number of vertices.
   const std::vector<std::pair<std::uint64_t, std::uint32_t>>& ended() const { return ended_; }
+  /// Steps that the last update took over from cycles that were gone.
+  std::uint64_t copied() const { return copied_; }
   std::size_t bytes() const;
 
  private:
   using Step = PieceLists::Step;
   enum class Look : std::uint8_t { none, known, test };  ///< carried over; status inherited; nothing known
   void begin();
-  std::vector<Look> carry_over(double tau, std::vector<FrameLoop>& gone, FrameWork& work);
-  void own_edges(const std::vector<FrameLoop>& gone);
-  Look inherit(FrameLoop& loop, double tau, const std::vector<FrameLoop>& gone) const;
-  void trace(std::uint32_t piece, FrameWork& work);
+  void carry_over(double tau, FrameWork& work);
+  Look inherit(FrameLoop& loop, double tau) const;
   bool nodes_are_plain(double tau, FramePlace& place, bool whole, FrameWork& work);
-  int turning_number(const std::vector<Step>& steps) const;
-  std::size_t outer_loop(double tau, const std::vector<Look>& look) const;
-  void verify(double tau, FramePlace& place, const std::vector<Look>& look, FrameWork& work);
-  bool undisturbed(const FrameLoop::Between& edge, double tau) const;
+  std::size_t outer_loop(double tau) const;
+  void verify(double tau, FramePlace& place, FrameWork& work);
+  bool undisturbed(const LoopStep& edge, double tau) const;
   bool quiet(std::uint32_t touch, double tau) const;
+  void name_rings();
+  Step step_of(const LoopStep& s) const { return {s.piece, s.edge - lists_.first_sub(s.piece)}; }
+
+  // frame_cycles.cpp
+  void take_apart(std::uint32_t number);
+  void trace(std::uint32_t piece, FrameWork& work);
+  bool follow(Step start);
+  bool copy_stretch(std::uint32_t number);
+  Step add_step(Step at, std::uint32_t edge);
+  std::uint32_t made(std::uint32_t& vertex, Step at, std::uint32_t next_piece);
+  std::uint32_t node_vertex(Step at, std::uint32_t next_piece);
 
   // frame_vertices.cpp
   bool node_inside(std::uint32_t node, double tau, FramePlace& place, FrameWork& work);
@@ -80,18 +96,46 @@ class FrameLoops {
   std::optional<std::array<std::uint32_t, 2>> lately_crossing(double x, double y, double error, double tau) const;
   void remember(const std::optional<std::array<std::uint32_t, 2>>& edges);
   bool crosses_at(const std::array<std::uint32_t, 2>& edges, double x, double y, double error, double tau) const;
-  void make_vertices(FrameLoop& loop, const std::vector<FrameLoop>& gone, std::vector<std::uint8_t>& claimed) const;
+  struct MovingVertex {
+    SumVertex vertex;
+    MovingPoint point;
+  };
   MovingVertex vertex_after(Step s, std::uint32_t in, std::uint32_t out) const;
 
   PieceLists& lists_;
   std::vector<FrameLoop> loops_;
+  std::vector<FrameLoop> gone_;      ///< taken apart by the current update
+  std::vector<Look> look_;           ///< per loop
   std::vector<std::uint32_t> seen_;  ///< sub-edge -> walk
   struct Owner {
-    std::uint32_t walk = 0, loop = 0, edge = 0;
+    std::uint32_t walk = 0, loop = 0, step = 0;
   };
-  std::vector<Owner> owners_;        ///< piece -> the first sub-edge on it of a loop that the current update took apart
+  std::vector<Owner> owners_;         ///< changed piece -> the first sub-edge on it of a loop that is gone
+  std::vector<Owner> vertex_owners_;  ///< vertex -> the kept loop that is gone and had it
+  /// Steps of a loop that is gone whose pieces did not change: walks copy them.
+  struct Stretch {
+    std::uint32_t loop, begin, end;
+  };
+  std::vector<Stretch> stretches_;
+  struct Head {
+    std::uint32_t walk = 0, stretch = 0;
+  };
+  std::vector<Head> heads_;  ///< sub-edge -> the stretch that starts with it
+  struct Run {
+    std::uint32_t at, count, corners, loop;  ///< steps of a new loop, copied from one that is gone
+  };
+  std::vector<Run> runs_;
+  std::vector<SumVertex> vertices_;  ///< without their positions
+  std::vector<MovingPoint> points_;
+  struct NodeVertex {
+    std::uint32_t leaving, vertex, next;  ///< ray; the next one of the same arriving ray
+  };
+  std::vector<std::uint32_t> crossing_vertex_, end_vertex_;  ///< candidate, piece -> vertex
+  std::vector<std::uint32_t> node_vertex_;                   ///< arriving ray -> the first of its vertices
+  std::vector<NodeVertex> node_vertices_;
   std::vector<std::pair<std::uint64_t, std::uint32_t>> ended_;
   std::uint32_t walk_ = 0;
+  std::uint64_t copied_ = 0;
   struct NodeState {
     bool inside = false;  ///< proved to lie in the open sum
     std::optional<std::array<std::uint32_t, 2>> witness;
@@ -101,7 +145,11 @@ class FrameLoops {
   double last_tau_ = 0;  ///< of the last update
   std::array<std::array<std::uint32_t, 2>, 16> lately_{};  ///< the last edges found to cross, of any loop or node
   std::size_t found_ = 0;
-  std::vector<Step> path_;
+  std::vector<LoopStep> path_;
+  std::uint32_t path_corners_ = 0;
+  int path_turning_ = 0;
+  std::vector<std::vector<LoopStep>> spare_;  ///< storage of loops that are gone
+  std::vector<std::uint8_t> claimed_;
 };
 
 }  // namespace dymsum::planar

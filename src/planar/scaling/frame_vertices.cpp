@@ -103,19 +103,20 @@ FrameLoops::Cutting FrameLoops::end_cut(Step s, bool at_end) const {
 Place FrameLoops::sample(const FrameLoop& loop, double tau, FramePlace& place) const {
   const Window& window = lists_.window();
   const std::uint32_t moving = window.frame().moving;
-  const Step* longest = nullptr;
+  Step longest;
   double best = -1;
-  for (const Step& s : loop.steps) {
+  for (const LoopStep& step : loop.steps) {
+    const Step s = step_of(step);
     const LiveSegment& on = window.segments[window.pieces[s.piece].segment];
     const double l = (end_cut(s, true).t.at(tau) - end_cut(s, false).t.at(tau)) * (std::abs(on.dx) + std::abs(on.dy));
     if (l > best) {
       best = l;
-      longest = &s;
+      longest = s;
     }
   }
-  const std::uint32_t segment = window.pieces[longest->piece].segment;
+  const std::uint32_t segment = window.pieces[longest.piece].segment;
   const LiveSegment& on = window.segments[segment];
-  const Cutting from = end_cut(*longest, false), to = end_cut(*longest, true);
+  const Cutting from = end_cut(longest, false), to = end_cut(longest, true);
   // Denominators of crossings with an edge of the scaled operand grow with the scale; all are integers over the scale's denominator.
   const auto weight_of = [&](const Cutting& c) {
     if (c.cut.kind == Cut::Kind::pair) return c.denominator;
@@ -154,7 +155,7 @@ Place FrameLoops::sample(const FrameLoop& loop, double tau, FramePlace& place) c
 // A point of the loop. Edges that cross properly when Q, reflected, stands there do so at a point just right of it.
 FrameLoops::Beside FrameLoops::beside(const FrameLoop& loop, double tau) const {
   const Window& window = lists_.window();
-  const Step s = loop.steps[0];
+  const Step s = step_of(loop.steps[0]);
   const LiveSegment& on = window.segments[window.pieces[s.piece].segment];
   const Cutting from = end_cut(s, false), to = end_cut(s, true);
   const double t = 0.5 * (from.t.at(tau) + to.t.at(tau));
@@ -194,11 +195,11 @@ bool FrameLoops::crosses_at(const std::array<std::uint32_t, 2>& edges, double x,
   return sides(0, e, f) && sides(1, f, e);
 }
 
-MovingVertex FrameLoops::vertex_after(Step s, std::uint32_t in, std::uint32_t out) const {
+FrameLoops::MovingVertex FrameLoops::vertex_after(Step s, std::uint32_t in, std::uint32_t out) const {
   const Window& window = lists_.window();
   const LiveSegment& on = window.segments[window.pieces[s.piece].segment];
   MovingVertex v;
-  v.error = kWindowPoint * window.span();
+  v.point.error = kWindowPoint * window.span();
   const bool end = s.sub == lists_.count(s.piece);
   const std::uint32_t entry = end ? kNone : lists_.entry(s.piece, s.sub);
   if (end || entry & kTouchBit) {
@@ -208,48 +209,23 @@ MovingVertex FrameLoops::vertex_after(Step s, std::uint32_t in, std::uint32_t ou
     const Lattice& l = *window.base().lattice;
     const Pair x = window.exact(at);
     const std::uint32_t m = window.frame().moving, move = m == 0 ? x.p : x.q, rest = m == 0 ? x.q : x.p;
-    v.x = {l.points[1 - m]->x[rest], l.points[m]->x[move]};
-    v.y = {l.points[1 - m]->y[rest], l.points[m]->y[move]};
+    v.point.x = {l.points[1 - m]->x[rest], l.points[m]->x[move]};
+    v.point.y = {l.points[1 - m]->y[rest], l.points[m]->y[move]};
   } else {
     const Candidate& c = window.candidates[entry];
     const LiveSegment &a = window.segments[window.pieces[c.a].segment], &b = window.segments[window.pieces[c.b].segment];
     const double ea = c.error_a * std::max(std::abs(a.dx), std::abs(a.dy)), eb = c.error_b * std::max(std::abs(b.dx), std::abs(b.dy));
     const LiveSegment& best = ea <= eb ? a : b;
     const Linear& t = ea <= eb ? c.ta : c.tb;
-    v.x = {best.x.a + best.dx * t.a, best.x.b + best.dx * t.b};
-    v.y = {best.y.a + best.dy * t.a, best.y.b + best.dy * t.b};
-    v.error += std::min(ea, eb);
+    v.point.x = {best.x.a + best.dx * t.a, best.x.b + best.dx * t.b};
+    v.point.y = {best.y.a + best.dy * t.a, best.y.b + best.dy * t.b};
+    v.point.error += std::min(ea, eb);
     // Where the line is followed far outside the piece, a and b cancel at tau.
-    v.error += 0x1p-50 * (std::abs(v.x.a) + std::abs(v.y.a) + (std::abs(v.x.b) + std::abs(v.y.b)) * window.frame().tau1);
+    v.point.error += 0x1p-50 * (std::abs(v.point.x.a) + std::abs(v.point.y.a) + (std::abs(v.point.x.b) + std::abs(v.point.y.b)) * window.frame().tau1);
   }
   v.vertex.in = window.segments[in].contact;
   v.vertex.out = window.segments[out].contact;
   return v;
-}
-
-void FrameLoops::make_vertices(FrameLoop& loop, const std::vector<FrameLoop>& gone, std::vector<std::uint8_t>& claimed) const {
-  const Window& window = lists_.window();
-  loop.vertices.clear();
-  loop.vertices.reserve(loop.steps.size());
-  std::uint32_t from = kNone;
-  for (std::size_t i = 0; i < loop.steps.size(); ++i) {
-    const Step &s = loop.steps[i], &t = loop.steps[i + 1 == loop.steps.size() ? 0 : i + 1];
-    const Piece& p = window.pieces[s.piece];
-    if (lists_.end_node(s) != kNone ? window.cross(p.segment, window.pieces[t.piece].segment) == 0
-                                    : s.sub == lists_.count(s.piece) && p.next_turn == 0)
-      continue;  // straight on
-    loop.vertices.push_back(vertex_after(s, p.segment, window.pieces[t.piece].segment));
-    const Owner& owner = owners_[s.piece];
-    if (gone.empty() || owner.walk != walk_ || gone[owner.loop].edges[owner.edge].to != loop.edges[i].to) continue;
-    // The first ring with a common vertex lends its identity.
-    if (from == kNone && gone[owner.loop].kept && !claimed[owner.loop]) {
-      from = owner.loop;
-      claimed[from] = 1;
-      loop.ring = gone[from].ring;
-      loop.vertices_before = static_cast<std::uint32_t>(gone[from].vertices.size());
-    }
-    loop.vertices_shared += owner.loop == from;
-  }
 }
 
 }  // namespace dymsum::planar

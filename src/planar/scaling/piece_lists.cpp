@@ -23,29 +23,12 @@ Meet meet(const Window& window, std::uint32_t a, std::uint32_t b, FramePlace& pl
   return Meet::none;
 }
 
-// Where tau stands to the interval of something on a piece; the list is certain only as long as that stays so.
-template <class Interval>
-PieceLists::Bracket PieceLists::bracket(const Interval& c, double tau, Certainty& certain) {
-  if (tau <= c.out_low) {
-    certain.high = std::min(certain.high, c.out_low);
-    return Bracket::outside;
-  }
-  if (tau >= c.out_high) {
-    certain.low = std::max(certain.low, c.out_high);
-    return Bracket::outside;
-  }
-  if (!(tau > c.in_low && tau < c.in_high)) return Bracket::unsure;
-  certain.low = std::max(certain.low, c.in_low);
-  certain.high = std::min(certain.high, c.in_high);
-  return Bracket::inside;
-}
-
 PieceLists::PieceLists(Window& window) : window_(window) {
   const std::size_t n = window.pieces.size();
   low_.assign(n, INFINITY);
   high_.assign(n, -INFINITY);
-  count_.assign(n, 0);
   list_.assign(window.of.size() + window.touches.size(), 0);
+  add_entries();
   touch_active_.assign(window.touches.size(), 0);
   node_active_.assign(window.nodes.size(), 0);
   relinked_at_.assign(window.nodes.size(), 0);
@@ -55,9 +38,48 @@ PieceLists::PieceLists(Window& window) : window_(window) {
   changed_at_.assign(n, 0);
 }
 
+// Entries of a piece lie in the order that they have in the middle of the window: lists are then nearly sorted as they come.
+void PieceLists::add_entries() {
+  crossings_.reserve(window_.candidates.size());
+  for (const Candidate& c : window_.candidates) crossings_.push_back({c.a, c.b, 0, 0, c.sign});
+  const auto n = static_cast<std::uint32_t>(window_.pieces.size());
+  const auto key = [&](const Entry& e) {
+    const double t = e.t.at(0.5 * (window_.frame().tau0 + window_.frame().tau1));
+    return t == t ? t : 0;  // nearly parallel lines
+  };
+  hot_.reserve(n);
+  entries_.reserve(list_.size());
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const auto base = entries_.size();
+    for (std::uint32_t k = window_.first_of[i]; k < window_.first_of[i + 1]; ++k) {
+      const Candidate& c = window_.candidates[window_.of[k]];
+      const bool a = c.a == i;
+      entries_.push_back({c.out_low, c.in_low, c.in_high, c.out_high, a ? c.ta : c.tb, a ? c.error_a : c.error_b, window_.of[k], false});
+    }
+    for (std::uint32_t k = window_.first_touch[i]; k < window_.first_touch[i + 1]; ++k) {
+      const PersistentTouch& c = window_.touches[k];
+      entries_.push_back({c.out_low, c.in_low, c.in_high, c.out_high, c.t, c.error, k | kTouchBit, false});
+    }
+    std::sort(entries_.begin() + static_cast<std::ptrdiff_t>(base), entries_.end(),
+              [&](const Entry& a, const Entry& b) { return key(a) < key(b); });
+    const Piece& p = window_.pieces[i];
+    Hot h;
+    h.base = static_cast<std::uint32_t>(base);
+    h.entries = static_cast<std::uint32_t>(entries_.size() - base);
+    h.next = p.next;
+    h.head_ray = window_.head_ray[i];
+    h.tail_ray = window_.tail_ray[i];
+    h.head_cut = p.head_cut;
+    h.tail_cut = p.tail_cut;
+    h.next_turn = p.next_turn;
+    h.half = p.half;
+    hot_.push_back(h);
+  }
+}
+
 std::size_t PieceLists::bytes() const {
-  return (low_.capacity() + high_.capacity()) * 8 +
-         (count_.capacity() + list_.capacity() + touched_.capacity() + changed_at_.capacity() + changed_.capacity()) * 4 +
+  return entries_.capacity() * sizeof(Entry) + crossings_.capacity() * sizeof(Crossing) + (low_.capacity() + high_.capacity()) * 8 +
+         hot_.capacity() * sizeof(Hot) + (list_.capacity() + touched_.capacity() + changed_at_.capacity() + changed_.capacity()) * 4 +
          items_.capacity() * sizeof(Item);
 }
 
@@ -66,7 +88,7 @@ bool PieceLists::repair(double tau, FramePlace& place, FrameWork& work) {
   changed_.clear();
   dirty_nodes_.clear();
   bool generic = window_.folds.empty();
-  const std::uint32_t n = static_cast<std::uint32_t>(count_.size());
+  const std::uint32_t n = static_cast<std::uint32_t>(hot_.size());
   for (std::uint32_t i = 0; i < n; ++i) {
     if (tau > low_[i] && tau < high_[i]) continue;
     ++work.pieces_repaired;
@@ -79,10 +101,7 @@ bool PieceLists::repair(double tau, FramePlace& place, FrameWork& work) {
   return generic;
 }
 
-int PieceLists::compare(std::uint32_t piece, const Item& a, const Item& b, FramePlace& place) const {
-  const double gap = a.t - b.t, error = a.error + b.error;
-  if (gap > error) return 1;
-  if (gap < -error) return -1;
+int PieceLists::compare_exactly(std::uint32_t piece, const Item& a, const Item& b, FramePlace& place) const {
   if (a.entry == b.entry) return 0;
   const auto cut = [&](const Item& item) {
     Cut x;
@@ -101,10 +120,8 @@ int PieceLists::compare(std::uint32_t piece, const Item& a, const Item& b, Frame
 
 bool PieceLists::refresh(std::uint32_t i, double tau, FramePlace& place, FrameWork& work) {
   touched_[i] = frame_;
-  items_.clear();
   Certainty c;
-  collect_crossings(i, tau, place, c);
-  collect_touches(i, tau, place, c);
+  const std::uint32_t came_or_went = collect(i, tau, place, c);
   sort_items(i, place);
   look_at_neighbours(i, tau, place, c);
   if (c.exact || !c.generic) {
@@ -114,53 +131,69 @@ bool PieceLists::refresh(std::uint32_t i, double tau, FramePlace& place, FrameWo
   low_[i] = c.low;
   high_[i] = c.high;
   if (c.generic) {
-    store(i, work);
+    work.crossings_changed += came_or_went;
+    if (store(i)) mark_changed(i);
   } else {
-    count_[i] = 0;
+    for (std::uint32_t k = 0; k < hot_[i].entries; ++k) entries_[hot_[i].base + k].inside = false;
+    hot_[i].count = 0;
     mark_changed(i);
   }
   return c.generic;
 }
 
-// The candidates that cross on the piece here.
-void PieceLists::collect_crossings(std::uint32_t i, double tau, FramePlace& place, Certainty& certain) {
-  for (std::uint32_t k = window_.first_of[i]; k < window_.first_of[i + 1]; ++k) {
-    const std::uint32_t id = window_.of[k];
-    const Candidate& c = window_.candidates[id];
-    const Bracket at = bracket(c, tau, certain);
-    if (at == Bracket::outside) continue;
-    if (at == Bracket::unsure) {
-      certain.exact = true;
-      const Meet m = meet(window_, window_.pieces[c.a].segment, window_.pieces[c.b].segment, place);
-      certain.generic &= m != Meet::degenerate;
-      if (m != Meet::crossing) continue;
-    }
-    const bool a = c.a == i;
-    items_.push_back({a ? c.ta.at(tau) : c.tb.at(tau), a ? c.error_a : c.error_b, id});
+// Whether something is on its piece; the list is certain only as long as that stays so.
+inline bool PieceLists::inside(const Entry& e, double tau, Certainty& certain, bool& unsure) {
+  if (tau <= e.out_low) {
+    certain.high = std::min(certain.high, e.out_low);
+    return false;
   }
+  if (tau >= e.out_high) {
+    certain.low = std::max(certain.low, e.out_high);
+    return false;
+  }
+  unsure = !(tau > e.in_low && tau < e.in_high);
+  if (unsure) return false;
+  certain.low = std::max(certain.low, e.in_low);
+  certain.high = std::min(certain.high, e.in_high);
+  return true;
 }
 
-// The touches inside the piece here; their nodes are linked anew where one came or went.
-void PieceLists::collect_touches(std::uint32_t i, double tau, FramePlace& place, Certainty& certain) {
-  for (std::uint32_t k = window_.first_touch[i]; k < window_.first_touch[i + 1]; ++k) {
-    const PersistentTouch& c = window_.touches[k];
-    const Bracket at = bracket(c, tau, certain);
-    bool inside = at == Bracket::inside;
-    if (at == Bracket::unsure) {
-      certain.exact = true;
-      const Segment s = window_.exact(window_.pieces[i].segment), back{{s.edge.op, s.edge.to, s.edge.from}, s.vertex};
-      const Pair v = window_.exact(window_.nodes[c.node].at);
-      const int from = place.lattice().along(s, v), to = place.lattice().along(back, v);
-      place.exact_signs += 2;
-      certain.generic &= from != 0 && to != 0;
-      inside = from > 0 && to > 0;
-    }
-    if (touch_active_[k] != inside) {
-      touch_active_[k] = inside;
-      dirty_nodes_.push_back(c.node);
-    }
-    if (inside) items_.push_back({c.t.at(tau), c.error, k | kTouchBit});
+bool PieceLists::inside_exactly(std::uint32_t i, std::uint32_t id, FramePlace& place, Certainty& certain) const {
+  certain.exact = true;
+  if (!(id & kTouchBit)) {
+    const Meet m = meet(window_, window_.pieces[crossings_[id].a].segment, window_.pieces[crossings_[id].b].segment, place);
+    certain.generic &= m != Meet::degenerate;
+    return m == Meet::crossing;
   }
+  const Segment s = window_.exact(window_.pieces[i].segment), back{{s.edge.op, s.edge.to, s.edge.from}, s.vertex};
+  const Pair v = window_.exact(window_.nodes[window_.touches[id & ~kTouchBit].node].at);
+  const int from = place.lattice().along(s, v), to = place.lattice().along(back, v);
+  place.exact_signs += 2;
+  certain.generic &= from != 0 && to != 0;
+  return from > 0 && to > 0;
+}
+
+// What crosses or touches on the piece here: into items_, not yet in order. Returns how much came and went; nodes are linked anew where a
+// touch did.
+std::uint32_t PieceLists::collect(std::uint32_t i, double tau, FramePlace& place, Certainty& certain) {
+  items_.clear();
+  std::uint32_t came_or_went = 0;
+  for (Entry *at = entries_.data() + hot_[i].base, *end = at + hot_[i].entries; at != end; ++at) {
+    Entry& e = *at;
+    bool unsure = false, here = inside(e, tau, certain, unsure);
+    if (unsure) here = inside_exactly(i, e.id, place, certain);
+    came_or_went += here != e.inside;
+    e.inside = here;
+    if (e.id & kTouchBit) {
+      const std::uint32_t touch = e.id & ~kTouchBit;
+      if (touch_active_[touch] != here) {
+        touch_active_[touch] = here;
+        dirty_nodes_.push_back(window_.touches[touch].node);
+      }
+    }
+    if (here) items_.push_back({e.t.at(tau), e.error, e.t.b, e.id});
+  }
+  return came_or_went;
 }
 
 void PieceLists::sort_items(std::uint32_t i, FramePlace& place) {
@@ -176,11 +209,6 @@ void PieceLists::sort_items(std::uint32_t i, FramePlace& place) {
 
 // The list is certain while the doubles of neighbours stay apart by more than their errors; a little less, for rounding.
 void PieceLists::look_at_neighbours(std::uint32_t i, double tau, FramePlace& place, Certainty& certain) const {
-  const auto slope = [&](const Item& item) {
-    if (item.entry & kTouchBit) return window_.touches[item.entry & ~kTouchBit].t.b;
-    const Candidate& c = window_.candidates[item.entry];
-    return c.a == i ? c.ta.b : c.tb.b;
-  };
   for (std::size_t k = 0; k + 1 < items_.size(); ++k) {
     const Item &a = items_[k], &b = items_[k + 1];
     const double margin = (b.t - a.t) - (a.error + b.error);
@@ -189,35 +217,31 @@ void PieceLists::look_at_neighbours(std::uint32_t i, double tau, FramePlace& pla
       certain.generic &= compare(i, a, b, place) != 0;
       continue;
     }
-    const double closing = slope(a) - slope(b);
-    if (closing > 0) certain.high = std::min(certain.high, tau + margin / closing * (1 - 0x1p-30));
-    if (closing < 0) certain.low = std::max(certain.low, tau + margin / closing * (1 - 0x1p-30));
+    // They meet at `end`, ahead or behind; never where they keep apart.
+    const double closing = a.slope - b.slope, end = tau + margin / closing * (1 - 0x1p-30);
+    certain.high = closing > 0 && end < certain.high ? end : certain.high;
+    certain.low = closing < 0 && end > certain.low ? end : certain.low;
   }
 }
 
-// The items become the piece's list, if they are not yet.
-void PieceLists::store(std::uint32_t i, FrameWork& work) {
+// The items become the piece's list; false when they are it already.
+bool PieceLists::store(std::uint32_t i) {
   std::uint32_t* list = list_.data() + base(i);
   const std::uint32_t n = static_cast<std::uint32_t>(items_.size());
-  bool same = n == count_[i];
+  bool same = n == hot_[i].count;
   for (std::uint32_t k = 0; same && k < n; ++k) same = list[k] == items_[k].entry;
-  if (same) return;
-  // Lists are short: what came and what went.
-  std::uint32_t stayed = 0;
-  for (std::uint32_t k = 0; k < count_[i]; ++k)
-    for (const Item& item : items_) stayed += item.entry == list[k];
-  work.crossings_changed += (count_[i] - stayed) + (n - stayed);
+  if (same) return false;
   for (std::uint32_t k = 0; k < n; ++k) {
     list[k] = items_[k].entry;
     if (list[k] & kTouchBit) {
       window_.touches[list[k] & ~kTouchBit].at = k;
       continue;
     }
-    Candidate& c = window_.candidates[list[k]];
+    Crossing& c = crossings_[list[k]];
     (c.a == i ? c.at_a : c.at_b) = k;
   }
-  count_[i] = n;
-  mark_changed(i);
+  hot_[i].count = n;
+  return true;
 }
 
 void PieceLists::mark_changed(std::uint32_t piece) {
@@ -264,52 +288,35 @@ PieceLists::Step PieceLists::target(std::uint32_t ray) const {
 }
 
 std::uint32_t PieceLists::end_node(Step s) const {
-  if (s.sub < count_[s.piece]) {
+  if (s.sub < hot_[s.piece].count) {
     const std::uint32_t e = entry(s.piece, s.sub);
     return e & kTouchBit ? window_.touches[e & ~kTouchBit].node : kNone;
   }
-  const std::uint32_t ray = window_.tail_ray[s.piece];
+  const std::uint32_t ray = hot_[s.piece].tail_ray;
   return ray != kNone && node_active_[window_.node_of_ray[ray]] ? window_.node_of_ray[ray] : kNone;
 }
 
-bool PieceLists::alive_at_start(Step s) const {
-  if (dead(s)) return false;
-  if (s.sub == 0) {
-    const std::uint32_t ray = window_.head_ray[s.piece];
-    return ray == kNone || !node_active_[window_.node_of_ray[ray]] || entered_[ray];
-  }
-  const std::uint32_t e = entry(s.piece, s.sub - 1);
-  if (e & kTouchBit) return entered_[window_.touches[e & ~kTouchBit].out_ray];
-  const Candidate& c = window_.candidates[e];
-  return (c.a == s.piece ? c.sign : -c.sign) > 0;
+std::uint32_t PieceLists::arriving_ray(Step s) const {
+  return s.sub < hot_[s.piece].count ? window_.touches[entry(s.piece, s.sub) & ~kTouchBit].in_ray : hot_[s.piece].tail_ray;
 }
 
-PieceLists::Step PieceLists::successor(Step s) const {
-  if (dead(s)) return {};
-  Step to;
-  if (s.sub == count_[s.piece]) {
-    const std::uint32_t ray = window_.tail_ray[s.piece];
-    if (ray != kNone && node_active_[window_.node_of_ray[ray]]) {
-      if (link_[ray] == kNone) return {};
-      to = target(link_[ray]);
-    } else {
-      to = {window_.pieces[s.piece].next, 0};
-      if (to.piece == kNone) return {};
-    }
-  } else {
-    const std::uint32_t e = entry(s.piece, s.sub);
-    if (e & kTouchBit) {
-      const std::uint32_t ray = link_[window_.touches[e & ~kTouchBit].in_ray];
-      if (ray == kNone) return {};
-      to = target(ray);
-    } else {
-      const Candidate& c = window_.candidates[e];
-      const bool a = c.a == s.piece;
-      if ((a ? c.sign : -c.sign) > 0) return {};
-      to = a ? Step{c.b, c.at_b + 1} : Step{c.a, c.at_a + 1};
-    }
+// A sub-edge that starts at a touch or at its piece's own end.
+bool PieceLists::alive_at_touch(Step s) const {
+  if (s.sub > 0) return entered_[window_.touches[entry(s.piece, s.sub - 1) & ~kTouchBit].out_ray];
+  const std::uint32_t ray = hot_[s.piece].head_ray;
+  return ray == kNone || !node_active_[window_.node_of_ray[ray]] || entered_[ray];
+}
+
+// Behind a sub-edge that ends at a touch or at its piece's own end.
+PieceLists::Step PieceLists::successor_at_touch(Step s) const {
+  const Hot& h = hot_[s.piece];
+  Step to{h.next, 0};
+  if (end_node(s) != kNone) {
+    const std::uint32_t ray = link_[arriving_ray(s)];
+    if (ray == kNone) return {};
+    to = target(ray);
   }
-  return dead(to) ? Step{} : to;
+  return to.piece == kNone || dead(to) ? Step{} : to;
 }
 
 }  // namespace dymsum::planar

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "planar/scaling/frame_place.h"
@@ -20,23 +21,60 @@ class PieceLists {
   /// will be looked at again.
   bool repair(double tau, FramePlace& place, FrameWork& work);
 
-  std::uint32_t count(std::uint32_t piece) const { return count_[piece]; }
+  std::uint32_t count(std::uint32_t piece) const { return hot_[piece].count; }
   /// What is at position k: a candidate that crosses here, or, with kTouchBit, a persistent touch.
   std::uint32_t entry(std::uint32_t piece, std::uint32_t k) const { return list_[base(piece) + k]; }
   /// Sub-edges are numbered first_sub(piece) + 0 .. count; the numbers of different pieces never overlap.
   std::uint32_t first_sub(std::uint32_t piece) const { return base(piece) + piece; }
-  std::uint32_t sub_limit() const { return base(static_cast<std::uint32_t>(count_.size())) + static_cast<std::uint32_t>(count_.size()); }
+  std::uint32_t sub_limit() const { return static_cast<std::uint32_t>(list_.size() + hot_.size()); }
+
+  /// As in the window's piece.
+  std::uint8_t half(std::uint32_t piece) const { return hot_[piece].half; }
+  std::int8_t next_turn(std::uint32_t piece) const { return hot_[piece].next_turn; }
+
+  /// What may lie on a piece somewhere in the window.
+  struct Entry {
+    double out_low, in_low, in_high, out_high;  ///< as for Candidate
+    Linear t;
+    double error;
+    std::uint32_t id;  ///< candidate, or touch with kTouchBit
+    bool inside;       ///< in the list
+  };
+  std::span<const Entry> entries(std::uint32_t piece) const { return {entries_.data() + hot_[piece].base, hot_[piece].entries}; }
+  /// A candidate's pieces and its places in their lists, while it crosses.
+  struct Crossing {
+    std::uint32_t a, b, at_a, at_b;
+    std::int32_t sign;
+  };
+  const Crossing& crossing(std::uint32_t candidate) const { return crossings_[candidate]; }
 
   struct Step {
     std::uint32_t piece = kNone, sub = 0;
     friend bool operator==(const Step&, const Step&) = default;
   };
   bool dead(Step s) const {
-    const Piece& p = window_.pieces[s.piece];
-    return (s.sub == 0 && p.head_cut) || (s.sub == count_[s.piece] && p.tail_cut);
+    const Hot& h = hot_[s.piece];
+    return (s.sub == 0 && h.head_cut) || (s.sub == h.count && h.tail_cut);
   }
-  bool alive_at_start(Step s) const;
-  Step successor(Step s) const;
+  bool alive_at_start(Step s) const {
+    if (dead(s)) return false;
+    const std::uint32_t e = s.sub == 0 ? kTouchBit : entry(s.piece, s.sub - 1);
+    if (e & kTouchBit) return alive_at_touch(s);
+    return (crossings_[e].a == s.piece ? crossings_[e].sign : -crossings_[e].sign) > 0;
+  }
+  Step successor(Step s) const {
+    if (dead(s)) return {};
+    const std::uint32_t e = s.sub == hot_[s.piece].count ? kTouchBit : entry(s.piece, s.sub);
+    if (e & kTouchBit) return successor_at_touch(s);
+    const Crossing& c = crossings_[e];
+    const bool a = c.a == s.piece;
+    if ((a ? c.sign : -c.sign) > 0) return {};
+    const Step to = a ? Step{c.b, c.at_b + 1} : Step{c.a, c.at_a + 1};
+    return dead(to) ? Step{} : to;
+  }
+  /// The ray through which a sub-edge arrives in that node, and the one in which the boundary goes on or kNone. Requires: it ends in one.
+  std::uint32_t arriving_ray(Step s) const;
+  std::uint32_t leaving_ray(std::uint32_t arriving) const { return link_[arriving]; }
   /// The node in which a sub-edge ends, if something touches there now, or kNone.
   std::uint32_t end_node(Step s) const;
   /// Nodes at which something touches now.
@@ -54,8 +92,9 @@ class PieceLists {
   std::size_t bytes() const;
 
  private:
+  void add_entries();
   struct Item {
-    double t, error;
+    double t, error, slope;
     std::uint32_t entry;
   };
   /// While a piece is looked at: where its list is certain, whether exact signs were needed, whether nothing touches.
@@ -63,24 +102,40 @@ class PieceLists {
     double low = -INFINITY, high = INFINITY;
     bool exact = false, generic = true;
   };
-  enum class Bracket : std::uint8_t { outside, inside, unsure };
-  template <class Interval>
-  static Bracket bracket(const Interval& c, double tau, Certainty& certain);
   bool refresh(std::uint32_t piece, double tau, FramePlace& place, FrameWork& work);
-  void collect_crossings(std::uint32_t piece, double tau, FramePlace& place, Certainty& certain);
-  void collect_touches(std::uint32_t piece, double tau, FramePlace& place, Certainty& certain);
+  std::uint32_t collect(std::uint32_t piece, double tau, FramePlace& place, Certainty& certain);
+  static bool inside(const Entry& e, double tau, Certainty& certain, bool& unsure);
+  bool inside_exactly(std::uint32_t piece, std::uint32_t id, FramePlace& place, Certainty& certain) const;
   void sort_items(std::uint32_t piece, FramePlace& place);
   void look_at_neighbours(std::uint32_t piece, double tau, FramePlace& place, Certainty& certain) const;
-  void store(std::uint32_t piece, FrameWork& work);
-  std::uint32_t base(std::uint32_t piece) const { return window_.first_of[piece] + window_.first_touch[piece]; }
+  bool store(std::uint32_t piece);
+  bool alive_at_touch(Step s) const;
+  Step successor_at_touch(Step s) const;
+  std::uint32_t base(std::uint32_t piece) const { return hot_[piece].base; }
   void relink(std::uint32_t node);
   Step target(std::uint32_t ray) const;
   void mark_changed(std::uint32_t piece);
-  int compare(std::uint32_t piece, const Item& a, const Item& b, FramePlace& place) const;
+  int compare(std::uint32_t piece, const Item& a, const Item& b, FramePlace& place) const {
+    const double gap = a.t - b.t, error = a.error + b.error;
+    return gap > error ? 1 : gap < -error ? -1 : compare_exactly(piece, a, b, place);
+  }
+  int compare_exactly(std::uint32_t piece, const Item& a, const Item& b, FramePlace& place) const;
 
   Window& window_;
   std::vector<double> low_, high_;  ///< the list of a piece is certain strictly between
-  std::vector<std::uint32_t> count_, list_;
+  /// What walks ask of a piece.
+  struct Hot {
+    std::uint32_t base = 0, entries = 0;  ///< where its list and its entries start; how many entries
+    std::uint32_t count = 0;              ///< in the list
+    std::uint32_t next = kNone, head_ray = kNone, tail_ray = kNone;  ///< as in the window
+    bool head_cut = false, tail_cut = false;
+    std::int8_t next_turn = 0;
+    std::uint8_t half = 0;
+  };
+  std::vector<Hot> hot_;
+  std::vector<std::uint32_t> list_;
+  std::vector<Entry> entries_;
+  std::vector<Crossing> crossings_;  ///< per candidate
   std::vector<std::uint32_t> touched_, changed_at_, changed_;
   std::vector<Item> items_;
   std::vector<std::uint8_t> touch_active_, node_active_, entered_;  ///< per touch, node, ray

@@ -106,7 +106,7 @@ WindowSettings ScalingSum::State::settings_for(const BigRational& low, const Big
 
 // The width at which the ends of the moving operand sweep kSweep cells: beyond it masks lose more than longer windows gain.
 double ScalingSum::State::widest_window(double s) const {
-  constexpr double kSweep = 3;
+  constexpr double kSweep = 4.5;
   const std::uint32_t k = base->scaled;
   const auto size = [&](std::uint32_t op) { return std::max(base->width[op], base->height[op]) * (op == k ? s : 1); };
   const double cells = convolution_ == nullptr ? 64 : cells_for(convolution_->size());
@@ -161,7 +161,7 @@ Result<ScalingSum::State::NextFrame> ScalingSum::State::rebuilt_frame(const Scal
 }
 
 // The kept loops at tau as rings, each starting at its smallest vertex; sets what the sum says about its positions.
-ScalingSum::State::KeptRings ScalingSum::State::kept_rings(double tau, FramePlace& place, const ScalingSource& source, PlanarSum& sum) {
+ScalingSum::State::KeptRings ScalingSum::State::kept_rings(double tau, FramePlace& place, const ScalingSource& source, PlanarSum& next) {
   const Lattice& l = *base->lattice;
   const double grow = place.blow_up(window_->frame().moving), unit = l.unit, s = place.value().approx;
   const std::uint32_t k = base->scaled;
@@ -169,39 +169,63 @@ ScalingSum::State::KeptRings ScalingSum::State::kept_rings(double tau, FramePlac
   const double reach = (std::abs(l.points[k]->offset.x) + std::abs(l.points[k]->offset.y)) * s + std::abs(l.points[1 - k]->offset.x) + std::abs(l.points[1 - k]->offset.y);
   const double span = window_->span(), poor = 0x1p-38 * span;
   double error = 0;
-  KeptRings kept;
-  for (FrameLoop& loop : loops_->loops()) {
+  positions_.clear();
+  corners_.clear();
+  for (const FrameLoop& loop : loops_->loops()) {
     if (!loop.kept) continue;
-    SumRing ring;
-    ring.vertices.reserve(loop.vertices.size());
-    for (const MovingVertex& v : loop.vertices) {
-      SumVertex w = v.vertex;
+    for (const LoopStep& step : loop.steps) {
+      if (step.vertex == kNone) continue;
+      corners_.push_back(step.vertex);
+      const MovingPoint& v = loops_->point(step.vertex);
       if (v.error <= poor) {
-        w.at = {grow * v.x.at(tau) * unit + ox, grow * v.y.at(tau) * unit + oy};
+        positions_.push_back({grow * v.x.at(tau) * unit + ox, grow * v.y.at(tau) * unit + oy});
         error = std::max(error, v.error);
       } else {
-        const ExactSource::Position p = source.position(w);
-        w.at = {exact::round_to_double(p.x), exact::round_to_double(p.y)};
+        const ExactSource::Position p = source.position(loops_->vertex(step.vertex));
+        positions_.push_back({exact::round_to_double(p.x), exact::round_to_double(p.y)});
         error = std::max(error, poor);
       }
-      ring.vertices.push_back(w);
     }
-    kept.rings.push_back(std::move(ring));
-    kept.outer.push_back(loop.turning > 0);
-    kept.loops.push_back(&loop);
   }
   // Evaluation, the blow-up and the offsets add a few roundings.
-  sum.at_error = grow * (error + 0x1p-49 * span) * unit * (1 + 0x1p-40) + 0x1p-50 * reach;
-  const VertexOrder order(source, sum.at_error);
-  for (std::size_t i = 0; i < kept.rings.size(); ++i) {
-    std::vector<SumVertex>& v = kept.rings[i].vertices;
-    const std::size_t first = smallest_vertex(v, order, sum.at_error);
-    if (first == 0) continue;
-    const auto by = static_cast<std::ptrdiff_t>(first);
-    std::rotate(v.begin(), v.begin() + by, v.end());
-    std::rotate(kept.loops[i]->vertices.begin(), kept.loops[i]->vertices.begin() + by, kept.loops[i]->vertices.end());
+  next.at_error = grow * (error + 0x1p-49 * span) * unit * (1 + 0x1p-40) + 0x1p-50 * reach;
+  const VertexOrder order(source, next.at_error);
+  KeptRings kept;
+  std::size_t from = 0;
+  for (FrameLoop& loop : loops_->loops()) {
+    if (!loop.kept) continue;
+    kept.rings.push_back(ring_of(from, loop.corners, order, next.at_error));
+    kept.outer.push_back(loop.turning > 0);
+    kept.loops.push_back(&loop);
+    from += loop.corners;
   }
   return kept;
+}
+
+// The corners [from, from + n) as a ring.
+SumRing ScalingSum::State::ring_of(std::size_t from, std::size_t n, const VertexOrder& order, double at_error) {
+  SumRing ring;
+  if (!spare_rings_.empty()) {
+    ring = std::move(spare_rings_.back());
+    spare_rings_.pop_back();
+  }
+  const auto put = [&](std::size_t i, SumVertex& v) {
+    v = loops_->vertex(corners_[i]);
+    v.at = positions_[i];
+  };
+  std::size_t first = from;
+  for (std::size_t i = from + 1; i < from + n; ++i) {
+    if (!(positions_[i].x - positions_[first].x <= 2 * at_error)) continue;
+    SumVertex a, b;
+    put(i, a);
+    put(first, b);
+    if (order.compare(a, b) < 0) first = i;
+  }
+  ring.vertices.resize(n);
+  std::size_t to = 0;
+  for (std::size_t i = first; i < from + n; ++i) put(i, ring.vertices[to++]);
+  for (std::size_t i = from; i < first; ++i) put(i, ring.vertices[to++]);
+  return ring;
 }
 
 // The kept loops at tau: rings in canonical order.
@@ -252,7 +276,7 @@ ScalingSum::State::NextFrame ScalingSum::State::window_frame(const ScaleValue& s
 std::vector<std::uint64_t> ScalingSum::State::follow_rings(const NextFrame& next, bool same_place, FrameChanges& changes) {
   std::vector<std::uint64_t> ids;
   for (FrameLoop* loop : next.loops) {
-    const auto size = static_cast<std::uint32_t>(loop->vertices.size());
+    const std::uint32_t size = loop->corners;
     if (loop->ring == 0) {
       loop->ring = identities_.fresh();
       changes.rings.push_back({RingChange::Kind::appeared, loop->ring, size, 0});
@@ -273,6 +297,14 @@ FrameChanges ScalingSum::State::take(NextFrame next, bool same_place) {
   if (!next.followed)
     for (std::size_t i = 0; i < next.loops.size(); ++i) next.loops[i]->ring = ids[i];
   finish_changes(sum, next.sum, changes);
+  spare_rings_.clear();
+  if (!next.loops.empty()) {
+    for (SumPart& part : sum.parts) {
+      spare_rings_.push_back(std::move(part.outer));
+      for (SumRing& hole : part.holes) spare_rings_.push_back(std::move(hole));
+    }
+    std::reverse(spare_rings_.begin(), spare_rings_.end());
+  }
   sum = std::move(next.sum);
   ring_ids = std::move(ids);
   return changes;

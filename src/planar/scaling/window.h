@@ -45,6 +45,7 @@ struct Piece {
   Linear head, tail;                        ///< where, when cut
   std::uint32_t next = kNone;               ///< the piece that continues at an uncut tail
   std::int8_t next_turn = 0;                ///< sign of the turn into it
+  std::uint8_t half = 0;                    ///< of the directions: 0 for [0, pi), 1 for the others
 };
 
 /// Two pieces that may meet in the window. They cross properly at the scales of one open interval; doubles know it up to brackets:
@@ -55,7 +56,6 @@ struct Candidate {
   double error_a, error_b; ///< of ta and tb, anywhere in the window
   double out_low, in_low, in_high, out_high;
   std::int32_t sign;       ///< of d_a x d_b; 0: parallel, they never cross properly
-  std::uint32_t at_a = 0, at_b = 0;  ///< place in the lists of a and b, while crossing
 };
 
 inline constexpr std::uint32_t kTouchBit = 0x80000000;
@@ -141,7 +141,8 @@ class Window {
 
   // window_pairs.cpp
   void find_candidates(const SweptMask& mask);
-  void test(std::uint32_t i, std::uint32_t j);
+  void test(std::uint32_t i, std::uint32_t j, const SweptMask& mask);
+  bool dead_throughout(const Candidate& c, const SweptMask& mask) const;
   void test_parallel(Candidate c);
   void solve(Candidate& c) const;
   bool bounds(std::uint32_t piece, const Linear& t, double error, Candidate& c, std::array<bool, 2>& unsure) const;

@@ -8,37 +8,58 @@ namespace dymsum::planar {
 
 namespace {
 
-/// The live cells that each piece's sweep comes near: [first[i], first[i + 1]) of `cells`; and the pieces of each cell in order:
-/// [start[c], start[c + 1]) of `inside`.
-struct PieceCells {
-  std::vector<std::uint32_t> cells, first, start, inside;
+/// What a piece sweeps lies in its box, some of a cell wider than it.
+struct PieceBox {
+  double x0, x1, y0, y1;
+  std::uint32_t piece, first_strip, last_strip;
 };
 
-PieceCells cells_of(const std::vector<PieceEnds>& ends, const SweptMask& mask) {
-  const Grid& g = mask.grid();
-  const std::uint32_t n = static_cast<std::uint32_t>(ends.size()), columns = static_cast<std::uint32_t>(g.columns);
-  PieceCells of;
-  of.first.assign(n + 1, 0);
-  of.start.assign(std::size_t(g.rows) * columns + 1, 0);
-  for (std::uint32_t i = 0; i < n; ++i) {
-    const PieceEnds& e = ends[i];
-    const double x[4] = {e.ax[0], e.bx[0], e.bx[1], e.ax[1]}, y[4] = {e.ay[0], e.by[0], e.by[1], e.ay[1]};
-    for_each_swept_run(g, x, y, 4 * kReach * g.cell, [&](int row, int first, int last) {
-      for (int c = first; c <= last; ++c) {
-        if (mask.dead(row, c)) continue;
-        const std::uint32_t cell = static_cast<std::uint32_t>(row) * columns + static_cast<std::uint32_t>(c);
-        of.cells.push_back(cell);
-        ++of.start[cell + 1];
-      }
-    });
-    of.first[i + 1] = static_cast<std::uint32_t>(of.cells.size());
+std::vector<PieceBox> boxes_of(const std::vector<PieceEnds>& ends, double reach) {
+  std::vector<PieceBox> boxes;
+  boxes.reserve(ends.size());
+  for (const PieceEnds& e : ends) {
+    const auto [x0, x1] = std::minmax({e.ax[0], e.ax[1], e.bx[0], e.bx[1]});
+    const auto [y0, y1] = std::minmax({e.ay[0], e.ay[1], e.by[0], e.by[1]});
+    boxes.push_back({x0 - reach, x1 + reach, y0 - reach, y1 + reach, static_cast<std::uint32_t>(boxes.size()), 0, 0});
   }
-  for (std::size_t c = 1; c < of.start.size(); ++c) of.start[c] += of.start[c - 1];
-  of.inside.resize(of.cells.size());
-  std::vector<std::uint32_t> at(of.start.begin(), of.start.end() - 1);
-  for (std::uint32_t i = 0; i < n; ++i)
-    for (std::uint32_t k = of.first[i]; k < of.first[i + 1]; ++k) of.inside[at[of.cells[k]]++] = i;
-  return of;
+  std::sort(boxes.begin(), boxes.end(),
+            [](const PieceBox& a, const PieceBox& b) { return a.x0 != b.x0 ? a.x0 < b.x0 : a.piece < b.piece; });
+  return boxes;
+}
+
+/// Calls f(box, box) once for each pair of boxes that meet: a sweep in x in each of some horizontal strips, twice as high as a box on
+/// the average. A pair belongs to the strip in which the higher one of the two begins.
+template <class F>
+void for_each_close_pair(const std::vector<PieceEnds>& ends, double reach, F&& f) {
+  if (ends.empty()) return;
+  std::vector<PieceBox> boxes = boxes_of(ends, reach);
+  double bottom = INFINITY, top = -INFINITY, total = 0;
+  for (const PieceBox& b : boxes) {
+    bottom = std::min(bottom, b.y0);
+    top = std::max(top, b.y1);
+    total += b.y1 - b.y0;
+  }
+  const double height = std::max(2 * total / static_cast<double>(boxes.size()), (top - bottom) / 4096);
+  const auto strip = [&](double y) { return static_cast<std::uint32_t>((y - bottom) / height); };
+  std::vector<std::uint32_t> start(strip(top) + 2, 0);
+  for (PieceBox& b : boxes) {
+    b.first_strip = strip(b.y0);
+    b.last_strip = strip(b.y1);
+    for (std::uint32_t s = b.first_strip; s <= b.last_strip; ++s) ++start[s + 1];
+  }
+  for (std::size_t s = 1; s < start.size(); ++s) start[s] += start[s - 1];
+  std::vector<PieceBox> inside(start.back());
+  std::vector<std::uint32_t> at(start.begin(), start.end() - 1);
+  for (const PieceBox& b : boxes)
+    for (std::uint32_t s = b.first_strip; s <= b.last_strip; ++s) inside[at[s]++] = b;
+  for (std::uint32_t s = 0; s + 1 < start.size(); ++s)
+    for (std::uint32_t i = start[s]; i < start[s + 1]; ++i) {
+      const PieceBox a = inside[i];
+      for (std::uint32_t j = i + 1; j < start[s + 1] && inside[j].x0 <= a.x1; ++j) {
+        const PieceBox& b = inside[j];
+        if ((b.y0 <= a.y1) & (b.y1 >= a.y0) && std::max(a.first_strip, b.first_strip) == s) f(a, b);
+      }
+    }
 }
 
 /// Doubles prove at both ends of the window that one piece stays on one side of the other's line; sides are linear in tau.
@@ -103,23 +124,18 @@ bool narrow_at_cut(const Linear& g, double tau0, double tau1, Candidate& c) {
 
 }  // namespace
 
+// Pieces meet in what their boxes share; where all of that is dead nothing matters.
 void Window::find_candidates(const SweptMask& mask) {
-  const PieceCells of = cells_of(ends_, mask);
-  const std::uint32_t n = static_cast<std::uint32_t>(pieces.size());
-  std::vector<std::uint32_t> stamp(n, kNone);
-  for (std::uint32_t i = 0; i < n; ++i)
-    for (std::uint32_t k = of.first[i]; k < of.first[i + 1]; ++k)
-      // Pieces of a cell are in order: only those behind i, each once.
-      for (std::uint32_t q = of.start[of.cells[k] + 1]; q-- > of.start[of.cells[k]] && of.inside[q] > i;) {
-        const std::uint32_t j = of.inside[q];
-        if (stamp[j] == i) continue;
-        stamp[j] = i;
-        ++pair_tests;
-        if (!apart(ends_[i], ends_[j]) && !apart(ends_[j], ends_[i])) test(i, j);
-      }
+  const Grid& g = mask.grid();
+  for_each_close_pair(ends_, 4 * kReach * g.cell, [&](const PieceBox& a, const PieceBox& b) {
+    if (mask.live(g.row(std::max(a.y0, b.y0)), g.column(b.x0), g.row(std::min(a.y1, b.y1)), g.column(std::min(a.x1, b.x1))) == 0) return;
+    ++pair_tests;
+    const std::uint32_t i = std::min(a.piece, b.piece), j = std::max(a.piece, b.piece);
+    if (!apart(ends_[i], ends_[j]) && !apart(ends_[j], ends_[i])) test(i, j, mask);
+  });
 }
 
-void Window::test(std::uint32_t i, std::uint32_t j) {
+void Window::test(std::uint32_t i, std::uint32_t j, const SweptMask& mask) {
   const std::uint32_t si = pieces[i].segment, sj = pieces[j].segment;
   if (si == sj) return;
   const LiveSegment &a = segments[si], &b = segments[sj];
@@ -150,7 +166,23 @@ void Window::test(std::uint32_t i, std::uint32_t j) {
   if (c.out_high <= frame_.tau0 || c.out_low >= frame_.tau1) return;
   // An end of one on the line of the other, throughout the window as far as doubles tell: at every scale?
   if ((at_a[0] || at_a[1] || at_b[0] || at_b[1]) && touch_always(c, at_a, at_b)) return;
-  candidates.push_back(c);
+  if (!dead_throughout(c, mask)) candidates.push_back(c);
+}
+
+// Crossings move along a line: those that do so in dead cells only are left out. Boundaries end at crossings on the
+// boundary, so what passes the place of one in a dead cell is false on both sides of it.
+bool Window::dead_throughout(const Candidate& c, const SweptMask& mask) const {
+  const LiveSegment& a = segments[pieces[c.a].segment];
+  const Grid& g = mask.grid();
+  const double reach = 4 * kReach * g.cell + c.error_a * std::max(std::abs(a.dx), std::abs(a.dy));
+  double x[2], y[2];
+  for (int k = 0; k < 2; ++k) {
+    const double tau = k == 0 ? std::max(c.out_low, frame_.tau0) : std::min(c.out_high, frame_.tau1), t = c.ta.at(tau);
+    x[k] = a.x.at(tau) + t * a.dx + swept_.shift_x(tau);
+    y[k] = a.y.at(tau) + t * a.dy + swept_.shift_y(tau);
+  }
+  return mask.live(g.row(std::min(y[0], y[1]) - reach), g.column(std::min(x[0], x[1]) - reach), g.row(std::max(y[0], y[1]) + reach),
+                   g.column(std::max(x[0], x[1]) + reach)) == 0;
 }
 
 // Parallel pieces can touch where their lines coincide.

@@ -51,13 +51,18 @@ class PieceCutter {
   /// In order along the segment; valid until the next call.
   const std::vector<CutPlace>& cuts(const SweptSegment& s) {
     cuts_.clear();
+    for (int k = 0; k < 2; ++k) {
+      per_x_[k] = 1 / s.ex[k];
+      per_y_[k] = 1 / s.ey[k];
+    }
     const Cells near = cells_near(ends_between(s, {{0, 0}}, {{1, 1}}));
     if (near.live == near.all) return cuts_;
     for_each_cell_run(grid_, s.ax[0], s.ay[0], s.ax[0] + s.ex[0], s.ay[0] + s.ey[0], [&](int row, int first, int last) {
       for (int c = first; c <= last; ++c) {
         if (!mask_.dead(row, c)) continue;
-        const std::optional<double> from = chord_middle(s, 0, row, c), to = chord_middle(s, 1, row, c);
-        if (from && to) cuts_.push_back({{*from, *to}});
+        const std::optional<double> from = chord_middle(s, 0, row, c);
+        if (!from) continue;
+        if (const std::optional<double> to = chord_middle(s, 1, row, c)) cuts_.push_back({{*from, *to}});
       }
     });
     std::sort(cuts_.begin(), cuts_.end(), [](const CutPlace& a, const CutPlace& b) { return a.t[0] < b.t[0]; });
@@ -82,18 +87,18 @@ class PieceCutter {
   /// The middle of what end k of the sweep has in a cell, if it has anything.
   std::optional<double> chord_middle(const SweptSegment& s, int k, int row, int column) const {
     double t0 = 0, t1 = 1;
-    const auto clip = [&](double from, double d, int cell) {
+    const auto clip = [&](double from, double per_d, int cell) {
       const double low = cell * grid_.cell, high = (cell + 1) * grid_.cell;
-      if (d == 0) {
+      if (!std::isfinite(per_d)) {
         if (from < low || from > high) t1 = -1;
         return;
       }
-      const double u = (low - from) / d, v = (high - from) / d;
+      const double u = (low - from) * per_d, v = (high - from) * per_d;
       t0 = std::max(t0, std::min(u, v));
       t1 = std::min(t1, std::max(u, v));
     };
-    clip(s.ax[k], s.ex[k], column);
-    clip(s.ay[k], s.ey[k], row);
+    clip(s.ax[k], per_x_[k], column);
+    clip(s.ay[k], per_y_[k], row);
     if (!(t1 > t0)) return std::nullopt;
     return 0.5 * (t0 + t1);
   }
@@ -101,6 +106,7 @@ class PieceCutter {
   const SweptMask& mask_;
   const Grid& grid_;
   double reach_;
+  double per_x_[2] = {}, per_y_[2] = {};  // lengths of the segment at hand, inverted
   std::vector<CutPlace> cuts_;
 };
 
@@ -128,6 +134,7 @@ void Window::add_pieces(const SweptMask& mask) {
       ends.error = kWindowSide * (std::abs(s.dx) + std::abs(s.dy)) * span_;
       Piece p;
       p.segment = n;
+      p.half = s.dy > 0 || (s.dy == 0 && s.dx > 0) ? 0 : 1;
       p.head_cut = k > 0;
       p.tail_cut = k < cuts.size();
       if (p.head_cut) p.head = linear(from);
