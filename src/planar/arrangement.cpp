@@ -60,6 +60,7 @@ Arrangement::Arrangement(const Soup& soup, Meetings meetings, const Chain& chain
 void Arrangement::build_events() {
   const std::size_t n = soup_.size();
   first_event_.assign(n + 1, 0);
+  if (meetings_.crossings.empty() && meetings_.touches.empty()) return;
   for (const Crossing& c : meetings_.crossings) {
     ++first_event_[c.a + 1];
     ++first_event_[c.b + 1];

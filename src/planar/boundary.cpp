@@ -252,25 +252,28 @@ struct Named {
   Contact contact;
   std::uint32_t corner_p, corner_q;
 };
-Named named(SoupSegment g, const std::array<const Operand::Numbers*, 2>& numbers) {
+static_assert(static_cast<int>(Contact::Kind::edge_of_p) == 0 && static_cast<int>(Contact::Kind::edge_of_q) == 1);
+inline Named named(SoupSegment g, const std::array<const Operand::Numbers*, 2>& numbers) {
   const std::uint32_t side = g.side();
   const Operand::Numbers &own = numbers[side][g.edge()], &other = numbers[1 - side][g.vertex];
-  if (side == 0) return {{Contact::Kind::edge_of_p, own.edge, other.vertex}, own.next_vertex, other.vertex};
-  return {{Contact::Kind::edge_of_q, other.vertex, own.edge}, other.vertex, own.next_vertex};
+  // Selected, not branched upon: sides alternate without a pattern.
+  const bool of_p = side == 0;
+  return {{static_cast<Contact::Kind>(side), of_p ? own.edge : other.vertex, of_p ? other.vertex : own.edge},
+          of_p ? own.next_vertex : other.vertex, of_p ? other.vertex : own.next_vertex};
 }
 
-// The step that ends at the vertex farthest left, crossings aside, as far as doubles tell: a ring that starts there hardly has to be
+// The step that ends at the lexicographically smallest vertex, crossings aside, as far as doubles tell: a ring that starts there hardly has to be
 // rotated. (A crossing on an outer boundary is a notch.)
 std::size_t leftmost_end(const Soup& soup, const Arrangement& arrangement, const Array<Step>& steps) {
   const SoupBox* boxes = soup.boxes.data();
   std::size_t best = 0;
-  double least = std::numeric_limits<double>::infinity();
+  double least = std::numeric_limits<double>::infinity(), low = least;
   for (std::size_t i = 0, n = steps.size(); i < n; ++i) {
-    const double x = boxes[steps[i].segment].bx;
-    if (x < least && arrangement.ends_segment(steps[i])) {
-      least = x;
-      best = i;
-    }
+    const SoupBox& b = boxes[steps[i].segment];
+    if (b.bx > least || (b.bx == least && b.by > low) || !arrangement.ends_segment(steps[i])) continue;
+    least = b.bx;
+    low = b.by;
+    best = i;
   }
   return best;
 }
