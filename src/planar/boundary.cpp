@@ -252,14 +252,11 @@ struct Named {
   Contact contact;
   std::uint32_t corner_p, corner_q;
 };
-static_assert(static_cast<int>(Contact::Kind::edge_of_p) == 0 && static_cast<int>(Contact::Kind::edge_of_q) == 1);
 inline Named named(SoupSegment g, const std::array<const Operand::Numbers*, 2>& numbers) {
   const std::uint32_t side = g.side();
   const Operand::Numbers &own = numbers[side][g.edge()], &other = numbers[1 - side][g.vertex];
-  // Selected, not branched upon: sides alternate without a pattern.
-  const bool of_p = side == 0;
-  return {{static_cast<Contact::Kind>(side), of_p ? own.edge : other.vertex, of_p ? other.vertex : own.edge},
-          of_p ? own.next_vertex : other.vertex, of_p ? other.vertex : own.next_vertex};
+  if (side == 0) return {{Contact::Kind::edge_of_p, own.edge, other.vertex}, own.next_vertex, other.vertex};
+  return {{Contact::Kind::edge_of_q, other.vertex, own.edge}, other.vertex, own.next_vertex};
 }
 
 // The step that ends at the lexicographically smallest vertex, crossings aside, as far as doubles tell: a ring that starts there hardly has to be
