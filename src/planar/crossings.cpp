@@ -38,7 +38,8 @@ inline CrossingFinder::BoxQuanta CrossingFinder::quanta(const SoupBox& b, double
   const auto quantum = [&](double v) { return static_cast<int>(v * per_quantum); };
   const int ax = quantum(b.ax), ay = quantum(b.ay), bx = quantum(b.bx), by = quantum(b.by);
   const auto number = [](int v) { return static_cast<std::int16_t>(v); };
-  return {number(std::min(ax, bx)), number(std::min(ay, by)), number(std::max(ax, bx) + 1), number(std::max(ay, by) + 1)};
+  return {number(std::min(ax, bx)), number(std::min(ay, by)), number(std::max(ax, bx) + 1),
+          number(std::max(ay, by) + 1)};
 }
 
 void CrossingFinder::make_keys() {
@@ -72,7 +73,9 @@ namespace {
 inline bool opposite(double s, double t, double error) { return (s > error && t < -error) || (s < -error && t > error); }
 
 // Two cross products' difference: perhaps zero.
-inline bool near_parallel(double u, double v) { return std::abs(u - v) <= 0x1p-49 * (std::abs(u) + std::abs(v)) + 0x1p-1000; }
+inline bool near_parallel(double u, double v) {
+  return std::abs(u - v) <= 0x1p-49 * (std::abs(u) + std::abs(v)) + 0x1p-1000;
+}
 
 // Eight 16-bit numbers; comparing gives -1 or 0 in each. In memory the first one comes first, and so in a word read
 // from there its low bits.
@@ -105,9 +108,12 @@ inline std::uint32_t lane_of(std::uint64_t bits) {
 #endif
 
 // Segments by the left sides of their boxes.
-inline std::uint64_t left_order(std::int16_t left, std::uint32_t segment) { return static_cast<std::uint64_t>(left) << 32 | segment; }
+inline std::uint64_t left_order(std::int16_t left, std::uint32_t segment) {
+  return static_cast<std::uint64_t>(left) << 32 | segment;
+}
 
-// Up to here comparing each box with all others is cheaper than sorting them. A left side and a number fit into kSmall bits.
+// Up to here comparing each box with all others is cheaper than sorting them. A left side and a number fit into kSmall
+// bits.
 constexpr std::uint32_t kUnsorted = 64, kSmall = 15 + 6;
 
 }  // namespace
@@ -116,7 +122,8 @@ constexpr std::uint32_t kUnsorted = 64, kSmall = 15 + 6;
 inline bool CrossingFinder::undecided(const Probe& i, std::uint32_t j) {
   const SoupBox &a = i.box, &b = soup_.boxes[j];
   // Neighbours in a chain that do not fold back meet in their common end only.
-  if ((i.next == j || (!next_.empty() && next_[j] == i.segment)) && !near_parallel(a.dx * b.dy, a.dy * b.dx)) return false;
+  const bool neighbours = i.next == j || (!next_.empty() && next_[j] == i.segment);
+  if (neighbours && !near_parallel(a.dx * b.dy, a.dy * b.dx)) return false;
   const double o1 = a.dx * (b.ay - a.ay) - a.dy * (b.ax - a.ax);
   const double o2 = a.dx * (b.by - a.ay) - a.dy * (b.bx - a.ax);
   if ((o1 > i.error && o2 > i.error) || (o1 < -i.error && o2 < -i.error)) return false;
@@ -132,7 +139,8 @@ inline bool CrossingFinder::undecided(const Probe& i, std::uint32_t j) {
   }
   // Others that share an end.
   const bool in_chains = i.segment < first_unchained && j < first_unchained;
-  return !(in_chains && !near_parallel(u, v) && (soup_.end(i.segment) == soup_.start(j) || soup_.end(j) == soup_.start(i.segment)));
+  return !(in_chains && !near_parallel(u, v) &&
+           (soup_.end(i.segment) == soup_.start(j) || soup_.end(j) == soup_.start(i.segment)));
 }
 
 inline void CrossingFinder::test(const Probe& i, std::uint32_t j) {
@@ -177,8 +185,8 @@ void CrossingFinder::sort_by_left(Array<std::uint64_t>& order) const {
   }
 }
 
-// Few boxes: each with all behind it. What is found is put into the order of the sweep, because of several contacts at one place the
-// first one is named.
+// Few boxes: each with all behind it. What is found is put into the order of the sweep, because of several contacts at
+// one place the first one is named.
 void CrossingFinder::compare_all() {
   const std::uint32_t n = static_cast<std::uint32_t>(soup_.size());
   const double per_quantum = quanta_per_unit();
