@@ -13,6 +13,24 @@ struct Arrangement::Ray {
   bool out;
 };
 
+// Rays of one direction: [begin, end) of the sorted rays.
+struct Arrangement::Group {
+  std::size_t begin, end;
+  bool left = false, right = false;  // covered on the ray's left (something leaves), right (something arrives)
+};
+
+// What one node after another needs.
+struct Arrangement::NodeBuffers {
+  explicit NodeBuffers(std::pmr::memory_resource* memory) : rays(memory), incident(memory), groups(memory) {
+    rays.reserve(16);
+    incident.reserve(8);
+    groups.reserve(16);
+  }
+  Array<Ray> rays;
+  Array<Incidence> incident;
+  Array<Group> groups;
+};
+
 // The events [begin, end) of a segment, all at one parameter.
 struct Arrangement::Spot {
   std::uint32_t segment, begin, end;
@@ -39,19 +57,10 @@ Arrangement::Arrangement(const Soup& soup, Meetings meetings, const Chain& chain
   find_degenerate_nodes();
 }
 
-std::uint32_t Arrangement::segment_of(std::uint32_t sub) const {
-  // first_sub(s) = first_event_[s] + s increases strictly.
-  std::uint32_t low = 0, high = static_cast<std::uint32_t>(soup_.size());
-  while (high - low > 1) {
-    const std::uint32_t middle = low + (high - low) / 2;
-    (first_sub(middle) <= sub ? low : high) = middle;
-  }
-  return low;
-}
-
 void Arrangement::build_events() {
   const std::size_t n = soup_.size();
   first_event_.assign(n + 1, 0);
+  if (meetings_.crossings.empty() && meetings_.touches.empty()) return;
   for (const Crossing& c : meetings_.crossings) {
     ++first_event_[c.a + 1];
     ++first_event_[c.b + 1];
@@ -98,6 +107,7 @@ int Arrangement::compare_events(std::uint32_t s, std::uint32_t a, std::uint32_t 
 
 // By parameter first. Only where neighbours are closer than their errors, by exact comparison; those are remembered.
 void Arrangement::sort_events() {
+  if (events_.empty()) return;
   constexpr std::uint32_t kInsertion = 24;
   const auto sort = [](auto* first, std::uint32_t n, auto&& less) {
     if (n > kInsertion) return std::sort(first, first + n, less);
@@ -112,30 +122,34 @@ void Arrangement::sort_events() {
     double t;
     std::uint32_t event;
   };
-  Array<Timed> timed(soup_.memory);
+  Array<Timed> buffer(soup_.memory);
   // Then neighbours farther apart than twice that need no closer look.
   const bool fine = !meetings_.rough && meetings_.touches.empty();
-  for (std::uint32_t s = 0; s < soup_.size(); ++s) {
-    std::uint32_t* first = events_.data() + first_event_[s];
-    const std::uint32_t n = event_count(s);
+  const Crossing* const crossings = meetings_.crossings.data();
+  const auto segments = static_cast<std::uint32_t>(soup_.size());
+  for (std::uint32_t s = 0, begin = 0, end = 0; s < segments; ++s, begin = end) {
+    end = first_event_[s + 1];
+    const std::uint32_t n = end - begin;
     if (n == 0) continue;
+    std::uint32_t* const first = events_.data() + begin;
+    std::uint32_t kinds = first[0];
+    bool close = false;
     if (n > 1) {
-      timed.clear();
-      for (std::uint32_t i = 0; i < n; ++i) timed.push_back({parameter(s, first[i]), first[i]});
-      sort(timed.data(), n, [](const Timed& a, const Timed& b) { return a.t < b.t; });
-      for (std::uint32_t i = 0; i < n; ++i) first[i] = timed[i].event;
+      if (buffer.size() < n) buffer.resize(2 * n);
+      Timed* const timed = buffer.data();
+      for (std::uint32_t i = 0; i < n; ++i) timed[i] = {parameter(s, first[i]), first[i]};
+      sort(timed, n, [](const Timed& a, const Timed& b) { return a.t < b.t; });
+      for (std::uint32_t i = 0; i < n; ++i) kinds |= first[i] = timed[i].event;
+      for (std::uint32_t i = 1; i < n; ++i) {
+        const double gap = timed[i].t - timed[i - 1].t;
+        if (gap > 2 * Meetings::kFine && fine) continue;
+        close |= !(gap > parameter_error(s, first[i - 1]) + parameter_error(s, first[i]));
+      }
+      if (close) sort(first, n, [&](std::uint32_t a, std::uint32_t b) { return compare_events(s, a, b) < 0; });
     }
-    bool suspect = (first[0] & kTouchBit) != 0, close = false;
-    for (std::uint32_t i = 1; i < n; ++i) {
-      suspect |= (first[i] & kTouchBit) != 0;
-      const double gap = timed[i].t - timed[i - 1].t;
-      if (gap > 2 * Meetings::kFine && fine) continue;
-      close |= !(gap > parameter_error(s, first[i - 1]) + parameter_error(s, first[i]));
-    }
-    if (close) sort(first, n, [&](std::uint32_t a, std::uint32_t b) { return compare_events(s, a, b) < 0; });
-    if (close || suspect) suspects_.push_back(s);
-    for (std::uint32_t i = 0; i < n; ++i)
-      if (!(first[i] & kTouchBit) && meetings_.crossings[first[i]].a == s) sub_after_[first[i]] = first_sub(s) + i + 1;
+    if (close || (kinds & kTouchBit)) suspects_.push_back(s);
+    for (std::uint32_t i = 0, sub = begin + s + 1; i < n; ++i, ++sub)
+      if (!(first[i] & kTouchBit) && crossings[first[i]].a == s) sub_after_[first[i]] = sub;
   }
 }
 
@@ -222,6 +236,7 @@ void Arrangement::find_degenerate_nodes() {
   });
   Array<Spot> node(soup_.memory);
   Array<WalkPair> pairs(soup_.memory);
+  NodeBuffers buffers(soup_.memory);
   std::size_t i = 0, j = 0;
   while (i < spots.size() || j < pair_elements.size()) {
     const std::uint32_t root = std::min(i < spots.size() ? spots[i].element : kNone,
@@ -234,13 +249,14 @@ void Arrangement::find_degenerate_nodes() {
       const std::uint64_t key = elements[pair_elements[j].second] & ~kPair;
       pairs.push_back({static_cast<std::uint32_t>(key >> 31), static_cast<std::uint32_t>(key & 0x7fffffff)});
     }
-    process_node(node, pairs);
+    process_node(node, pairs, buffers);
   }
 }
 
-void Arrangement::process_node(const Array<Spot>& spots, const Array<WalkPair>& pairs) {
+void Arrangement::process_node(const Array<Spot>& spots, const Array<WalkPair>& pairs, NodeBuffers& buffers) {
   ++degenerate_nodes_;
-  Array<Ray> rays(soup_.memory);
+  Array<Ray>& rays = buffers.rays;
+  rays.clear();
   const auto add = [&](std::uint32_t s, std::uint32_t k, bool out) {
     const double sign = out ? 1 : -1;
     const std::uint32_t sub = first_sub(s) + k;
@@ -252,10 +268,9 @@ void Arrangement::process_node(const Array<Spot>& spots, const Array<WalkPair>& 
   bool placed = false;
   for (const Spot& spot : spots) {
     if (!placed) {
-      const std::uint32_t e = event(spot.segment, spot.begin);
       where.segment = spot.segment;
-      where.end = event_end(spot.segment, e);
-      where.place = event_place(spot.segment, e);
+      where.end = event_end(spot.segment, event(spot.segment, spot.begin));
+      where.sub_after = first_sub(spot.segment) + spot.begin + 1;
     }
     placed = true;
     // Between events at one place there is nothing.
@@ -263,28 +278,27 @@ void Arrangement::process_node(const Array<Spot>& spots, const Array<WalkPair>& 
     add(spot.segment, spot.begin, false);
     add(spot.segment, spot.end, true);
   }
-  Array<Incidence> incident(soup_.memory);
+  Array<Incidence>& incident = buffers.incident;
   for (const WalkPair& v : pairs) {
     incident.clear();
     chain_.incident(v, incident);
     for (const Incidence& at : incident) {
       if (!placed) {
-        Cut cut;
-        cut.pair = soup_.exact(v);
         where.segment = at.segment;
         where.end = {true, v, 0};
-        where.place = place(at.segment, cut, at.starts ? 0 : 1, 0);
+        where.sub_after = at.starts ? first_sub(at.segment) : first_sub(at.segment + 1);
       }
       placed = true;
       add(at.segment, at.starts ? 0 : event_count(at.segment), at.starts);
     }
   }
-  if (placed) link_rays(rays, where);
+  if (placed) link_rays(buffers, where);
 }
 
 // A sector between two neighbouring rays is free unless the ray before it leaves with it on its left, or the ray behind it arrives
 // with it on its left. The boundary of a free sector comes in on the first and goes out on the second.
-void Arrangement::link_rays(Array<Ray>& rays, const Node& where) {
+void Arrangement::link_rays(NodeBuffers& buffers, const Node& where) {
+  Array<Ray>& rays = buffers.rays;
   const auto half = [](const Ray& r) { return r.dy > 0 || (r.dy == 0 && r.dx > 0) ? 0 : 1; };
   const auto compare = [&](const Ray& a, const Ray& b) {
     if (half(a) != half(b)) return half(a) < half(b) ? -1 : 1;
@@ -295,11 +309,8 @@ void Arrangement::link_rays(Array<Ray>& rays, const Node& where) {
     const int c = compare(a, b);
     return c != 0 ? c < 0 : std::tie(a.segment, a.sub) < std::tie(b.segment, b.sub);
   });
-  struct Group {
-    std::size_t begin, end;
-    bool left = false, right = false;  // covered on the ray's left (something leaves), right (something arrives)
-  };
-  Array<Group> groups(soup_.memory);
+  Array<Group>& groups = buffers.groups;
+  groups.clear();
   for (std::size_t i = 0; i < rays.size();) {
     Group g{i, i + 1};
     while (g.end < rays.size() && compare(rays[i], rays[g.end]) == 0) ++g.end;
@@ -346,6 +357,14 @@ std::uint32_t Arrangement::linked_node(Step at) const {
 
 Place Arrangement::event_place(std::uint32_t s, std::uint32_t event) const {
   return place(s, event_cut(s, event), parameter(s, event), parameter_error(s, event));
+}
+
+Place Arrangement::place_of(const Node& node) const {
+  const std::uint32_t s = node.segment, k = node.sub_after - first_sub(s);
+  if (k > 0 && k <= event_count(s)) return event_place(s, event(s, k - 1));
+  Cut cut;
+  cut.pair = soup_.exact(node.end.at);
+  return place(s, cut, k == 0 ? 0 : 1, 0);
 }
 
 Place Arrangement::start_place(Step at) const {

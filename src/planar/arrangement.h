@@ -30,39 +30,60 @@ class Arrangement {
   std::uint32_t sub_count() const { return first_event_.back() + static_cast<std::uint32_t>(soup_.size()); }
   std::uint32_t first_sub(std::uint32_t s) const { return first_event_[s] + s; }
   std::uint32_t event_count(std::uint32_t s) const { return first_event_[s + 1] - first_event_[s]; }
-  std::uint32_t segment_of(std::uint32_t sub) const;
 
   /// The sub-edge that continues the boundary after `sub` (on segment s), or kNone when `sub` is dead.
   struct Step {
     std::uint32_t sub = kNone, segment = kNone;
   };
-  Step successor(Step from) const {
-    if (flags_[from.sub] & (kDead | kDegenerateEnd)) return linked(from);
-    const std::uint32_t k = from.sub - first_sub(from.segment);
-    Step to;
-    if (k == event_count(from.segment)) {
-      to.segment = chain_.next(from.segment);
-      if (to.segment == kNone) return {};
-      to.sub = first_sub(to.segment);
-    } else {
-      const std::uint32_t e = event(from.segment, k);
-      const Crossing& c = meetings_.crossings[e];
-      if (c.a == from.segment) return {};
-      to = {sub_after_[e], c.a};
+  /// The successor map, with what it reads at hand: for those who walk all of it.
+  class Walker {
+   public:
+    explicit Walker(const Arrangement& a)
+        : first_event_(a.first_event_.data()),
+          events_(a.events_.data()),
+          sub_after_(a.sub_after_.data()),
+          next_(a.chain_.next().data()),
+          crossings_(a.meetings_.crossings.data()),
+          flags_(a.flags_.data()),
+          arrangement_(a) {}
+
+    /// Sub-edges [begin, end) of a segment.
+    std::uint32_t begin(std::uint32_t s) const { return first_event_[s] + s; }
+    std::uint32_t end(std::uint32_t s) const { return first_event_[s + 1] + s + 1; }
+    Step successor(Step from) const {
+      if (flags_[from.sub] & (kDead | kDegenerateEnd)) return arrangement_.linked(from);
+      Step to;
+      if (from.sub + 1 == end(from.segment)) {
+        to.segment = next_[from.segment];
+        if (to.segment == kNone) return {};
+        to.sub = begin(to.segment);
+      } else {
+        const std::uint32_t e = events_[from.sub - from.segment];
+        const std::uint32_t a = crossings_[e].a;
+        if (a == from.segment) return {};
+        to = {sub_after_[e], a};
+      }
+      return flags_[to.sub] & kDead ? Step{} : to;
     }
-    return flags_[to.sub] & kDead ? Step{} : to;
-  }
-  /// Whether the boundary can come into `sub` at its start.
-  bool alive_at_start(Step at) const {
-    const std::uint8_t f = flags_[at.sub];
-    if (f & (kDead | kDegenerateStart)) return !(f & kDead) && f & kEntered;
-    const std::uint32_t k = at.sub - first_sub(at.segment);
-    return k == 0 || meetings_.crossings[event(at.segment, k - 1)].a == at.segment;
-  }
+    /// Whether the boundary can come into `at` at its start.
+    bool alive_at_start(Step at) const {
+      const std::uint8_t f = flags_[at.sub];
+      if (f & (kDead | kDegenerateStart)) return !(f & kDead) && f & kEntered;
+      return at.sub == begin(at.segment) || crossings_[events_[at.sub - at.segment - 1]].a == at.segment;
+    }
+
+   private:
+    const std::uint32_t *first_event_, *events_, *sub_after_, *next_;
+    const Crossing* crossings_;
+    const std::uint8_t* flags_;
+    const Arrangement& arrangement_;
+  };
 
   /// The node at which a sub-edge ends, if it is a degenerate one, or kNone.
   std::uint32_t end_node(Step at) const { return flags_[at.sub] & kDegenerateEnd ? linked_node(at) : kNone; }
 
+  /// Whether a sub-edge is the last one of its segment.
+  bool ends_segment(Step at) const { return at.sub == first_event_[at.segment + 1] + at.segment; }
   /// Where a sub-edge starts and ends.
   SubEnd start_of(Step at) const {
     const std::uint32_t k = at.sub - first_sub(at.segment);
@@ -108,16 +129,16 @@ class Arrangement {
     std::uint32_t number = 0;  ///< as in end_node, 1 .. degenerate_nodes()
     std::uint32_t segment = 0;
     SubEnd end;
-    Place place;
+    std::uint32_t sub_after = 0;  ///< the sub-edge of the segment that starts there, or the number behind its last one
   };
   const Array<Node>& nodes() const { return nodes_; }
+  Place place_of(const Node& node) const;
   /// Sub-edges covered from both sides by coinciding segments, candidates for tight segments; each place once.
   const Array<Step>& covered_subs() const { return covered_subs_; }
   std::uint64_t degenerate_nodes() const { return degenerate_nodes_; }
   std::uint64_t exact_orders() const { return exact_orders_; }
   std::uint64_t crossing_count() const { return meetings_.crossings.size(); }
   const Array<Crossing>& crossings() const { return meetings_.crossings; }
-  bool sub_dead(std::uint32_t sub) const { return flags_[sub] & kDead; }
 
  private:
   // An event of a segment is a crossing or a touch.
@@ -131,9 +152,11 @@ class Arrangement {
   void mark_dead(const Array<DeadMark>& marks);
   void find_degenerate_nodes();
   struct Ray;
+  struct Group;
   struct Spot;
-  void process_node(const Array<Spot>& spots, const Array<WalkPair>& pairs);
-  void link_rays(Array<Ray>& rays, const Node& where);
+  struct NodeBuffers;
+  void process_node(const Array<Spot>& spots, const Array<WalkPair>& pairs, NodeBuffers& buffers);
+  void link_rays(NodeBuffers& buffers, const Node& where);
   std::pair<std::uint32_t, std::uint32_t> equal_run(std::uint32_t s, std::uint32_t k) const;
   double denominator(std::uint32_t s, const Cut& cut, double& relative_error) const;
   // The start, the step (t's own error, its rounding and the direction's) and the final sum.

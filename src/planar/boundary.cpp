@@ -1,7 +1,9 @@
 #include "planar/boundary.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <unordered_map>
 
 #include "planar/leftmost_loop.h"
@@ -9,19 +11,18 @@
 namespace dymsum::planar {
 namespace {
 
-int half(const Soup& soup, std::uint32_t s) {
-  const double dx = soup.dx(s), dy = soup.dy(s);
-  return dy > 0 || (dy == 0 && dx > 0) ? 0 : 1;
-}
+int half(const SoupBox& b) { return b.dy > 0 || (b.dy == 0 && b.dx > 0) ? 0 : 1; }
+int half(const Soup& soup, std::uint32_t s) { return half(soup.boxes[s]); }
 
 // How often the direction passes +x counter-clockwise: +1 or -1 for a loop that bounds one face.
 int turning_number(const Soup& soup, const Array<Step>& steps) {
+  const SoupBox* boxes = soup.boxes.data();
   int turns = 0;
   std::uint32_t last = steps.back().segment;
-  int from = half(soup, last);
+  int from = half(boxes[last]);
   for (const Step& step : steps) {
     const std::uint32_t s = step.segment;
-    const int to = half(soup, s);
+    const int to = half(boxes[s]);
     if (from != to) {
       const int c = soup.cross(last, s);
       if (c > 0 && from == 1) ++turns;
@@ -39,19 +40,21 @@ Array<BoundaryLoop> find_loops(const Soup& soup, const Arrangement& arrangement)
   Array<BoundaryLoop> loops(soup.memory);
   Array<std::uint8_t> seen(arrangement.sub_count(), 0, soup.memory);
   Array<Step> path(arrangement.sub_count(), soup.memory);
+  const Arrangement::Walker walker(arrangement);
   const std::uint32_t segments = static_cast<std::uint32_t>(soup.size());
+  std::uint8_t* const visited = seen.data();
   for (std::uint32_t s = 0, sub = 0; s < segments; ++s) {
-    for (const std::uint32_t last = sub + arrangement.event_count(s); sub <= last; ++sub) {
+    for (const std::uint32_t end = walker.end(s); sub < end; ++sub) {
       const Step start{sub, s};
-      if (seen[sub] || !arrangement.alive_at_start(start)) continue;
+      if (visited[sub] || !walker.alive_at_start(start)) continue;
       // The successor map is injective, so a walk either comes back to its start or belongs to no cycle.
       std::size_t length = 0;
       Step at = start;
       do {
-        seen[at.sub] = 1;
+        visited[at.sub] = 1;
         path[length++] = at;
-        at = arrangement.successor(at);
-      } while (at.sub != kNone && !seen[at.sub]);
+        at = walker.successor(at);
+      } while (at.sub != kNone && !visited[at.sub]);
       if (at.sub != start.sub) continue;
       BoundaryLoop loop{Array<Step>(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(length), soup.memory), 0};
       loop.turning = turning_number(soup, loop.steps);
@@ -126,6 +129,7 @@ SortedLoops verify_loops(const Soup& soup, const Arrangement& arrangement, Array
 // At a node that several kept passes share, every pass in is joined to the next way out clockwise from it: interior pairing. Rings
 // then bound connected interiors; those that still meet themselves are cut at the repeated node.
 Array<BoundaryLoop> simple_rings(const Soup& soup, const Arrangement& arrangement, Array<BoundaryLoop> loops) {
+  if (arrangement.degenerate_nodes() == 0) return loops;
   Array<std::uint32_t> visits(arrangement.degenerate_nodes() + 1, 0, soup.memory);
   bool repeated = false;
   for (const BoundaryLoop& loop : loops)
@@ -241,27 +245,67 @@ double input_error(const Lattice& lattice, double grid_error) {
   return grid_error * lattice.unit + rounding_error(lattice);
 }
 
+namespace {
+
+// What a segment is called in the regions: its contact, and the pair of vertices at its end.
+struct Named {
+  Contact contact;
+  std::uint32_t corner_p, corner_q;
+};
+inline Named named(SoupSegment g, const std::array<const Operand::Numbers*, 2>& numbers) {
+  const std::uint32_t side = g.side();
+  const Operand::Numbers &own = numbers[side][g.edge()], &other = numbers[1 - side][g.vertex];
+  if (side == 0) return {{Contact::Kind::edge_of_p, own.edge, other.vertex}, own.next_vertex, other.vertex};
+  return {{Contact::Kind::edge_of_q, other.vertex, own.edge}, other.vertex, own.next_vertex};
+}
+
+// The step that ends at the lexicographically smallest vertex, crossings aside, as far as doubles tell: a ring that starts there hardly has to be
+// rotated. (A crossing on an outer boundary is a notch.)
+std::size_t leftmost_end(const Soup& soup, const Arrangement& arrangement, const Array<Step>& steps) {
+  const SoupBox* boxes = soup.boxes.data();
+  std::size_t best = 0;
+  double least = std::numeric_limits<double>::infinity(), low = least;
+  for (std::size_t i = 0, n = steps.size(); i < n; ++i) {
+    const SoupBox& b = boxes[steps[i].segment];
+    if (b.bx > least || (b.bx == least && b.by > low) || !arrangement.ends_segment(steps[i])) continue;
+    least = b.bx;
+    low = b.by;
+    best = i;
+  }
+  return best;
+}
+
+}  // namespace
+
 SumRing make_ring(const Soup& soup, const Arrangement& arrangement, const BoundaryLoop& loop, double& error) {
-  const Array<Step>& steps = loop.steps;
-  const std::size_t n = steps.size();
+  const Step* const steps = loop.steps.data();
+  const std::size_t n = loop.steps.size();
   const double poor = kPoor * soup.lattice.span;
+  const std::array<const Operand::Numbers*, 2> numbers{soup.operands[0]->numbers.data(), soup.operands[1]->numbers.data()};
+  const SoupBox* const boxes = soup.boxes.data();
+  const SoupSegment* const segments = soup.segments.data();
   SumRing ring;
-  ring.vertices.reserve(n);
+  ring.vertices.resize(n);
+  SumVertex* to = ring.vertices.data();
   double worst = error;
-  Contact out = contact_of(soup, steps[0].segment);
-  for (std::size_t i = 0; i < n; ++i) {
+  std::size_t i = leftmost_end(soup, arrangement, loop.steps);
+  Named out = named(segments[steps[i].segment], numbers);
+  for (std::size_t count = 0; count < n; ++count) {
     const Step step = steps[i];
-    const std::uint32_t s = step.segment, next = steps[i + 1 == n ? 0 : i + 1].segment;
+    i = i + 1 == n ? 0 : i + 1;
+    const std::uint32_t s = step.segment, next = steps[i].segment;
     if (s == next) continue;
-    const Contact in = out;
-    out = contact_of(soup, next);
+    const Named in = out;
+    out = named(segments[next], numbers);
     if (soup.cross(s, next) == 0) continue;  // straight on
-    if (step.sub - arrangement.first_sub(s) == arrangement.event_count(s)) {
-      const WalkPair corner = soup.end(s);
-      const SoupBox& box = soup.boxes[s];
+    SumVertex& v = *to++;
+    v.in = in.contact;
+    v.out = out.contact;
+    if (arrangement.ends_segment(step)) {
       worst = std::max(worst, soup.point_error);
-      ring.vertices.push_back({soup.lattice.to_input(box.bx, box.by), in, out,
-                               soup.operands[0]->vertex_number[corner.p], soup.operands[1]->vertex_number[corner.q]});
+      v.at = soup.lattice.to_input(boxes[s].bx, boxes[s].by);
+      v.corner_p = in.corner_p;
+      v.corner_q = in.corner_q;
       continue;
     }
     const Arrangement::RoundedEnd at = arrangement.rounded_end(step);
@@ -269,16 +313,17 @@ SumRing make_ring(const Soup& soup, const Arrangement& arrangement, const Bounda
     if (at.error > poor) {
       const Place place = arrangement.end_place(step);
       worst = std::max(worst, position_error(soup, place));
-      ring.vertices.push_back(vertex_of(soup, s, next, end, place));
+      v = vertex_of(soup, s, next, end, place);
       continue;
     }
     worst = std::max(worst, at.error);
-    SumVertex& v = ring.vertices.emplace_back(SumVertex{soup.lattice.to_input(at.x, at.y), in, out});
+    v.at = soup.lattice.to_input(at.x, at.y);
     if (end.pair) {
       v.corner_p = soup.operands[0]->vertex_number[end.at.p];
       v.corner_q = soup.operands[1]->vertex_number[end.at.q];
     }
   }
+  ring.vertices.resize(static_cast<std::size_t>(to - ring.vertices.data()));
   error = worst;
   return ring;
 }

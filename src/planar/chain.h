@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "planar/soup.h"
@@ -22,6 +23,7 @@ class Chain {
   virtual ~Chain() = default;
   /// The segment that continues s at its end in the generic case, or kNone.
   std::uint32_t next(std::uint32_t s) const { return next_[s]; }
+  std::span<const std::uint32_t> next() const { return next_; }
   /// Appends all segments that start or end at a pair of walk vertices.
   virtual void incident(WalkPair v, Array<Incidence>& out) const = 0;
 

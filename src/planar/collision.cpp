@@ -83,9 +83,17 @@ bool Collision::test_components(std::uint32_t p_component, std::uint32_t q_compo
            a.y0 > x_->y - b.y0 + margin;
   };
   const auto leaves = [&](const Node& a, const Node& b) {
-    for (std::uint32_t e = a.first; e < a.last; ++e)
+    for (std::uint32_t e = a.first; e < a.last; ++e) {
+      // Where an edge of Q has to reach, seen from e.
+      const EdgeBox& box = operands_[0]->boxes[e];
+      const double x0 = x_->x - std::max(box.ax, box.bx) - margin, x1 = x_->x - std::min(box.ax, box.bx) + margin;
+      const double y0 = x_->y - std::max(box.ay, box.by) - margin, y1 = x_->y - std::min(box.ay, box.by) + margin;
+      const auto reaches = [&](const EdgeBox& o) {
+        return std::max(o.ax, o.bx) >= x0 && std::min(o.ax, o.bx) <= x1 && std::max(o.ay, o.by) >= y0 && std::min(o.ay, o.by) <= y1;
+      };
       for (std::uint32_t f = b.first; f < b.last; ++f)
-        if (edges_overlap(e, f, parallelogram)) return true;
+        if ((!use_tree_ || reaches(operands_[1]->boxes[f])) && edges_overlap(e, f, parallelogram)) return true;
+    }
     return false;
   };
   if (!use_tree_) {

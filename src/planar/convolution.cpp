@@ -69,7 +69,8 @@ bool hole_is_filled(const Lattice& lattice, const Operand& holed, const Loop& ho
 }
 
 ReducedConvolution::ReducedConvolution(const Lattice& lattice, const Operand& p, const Operand& q, std::pmr::memory_resource* memory)
-    : lattice_(lattice), operands_{&p, &q}, turns_{Array<Turn>(memory), Array<Turn>(memory)}, lists_(memory) {
+    : lattice_(lattice), operands_{&p, &q}, turns_{Array<Turn>(memory), Array<Turn>(memory)},
+      used_{Array<std::uint32_t>(memory), Array<std::uint32_t>(memory)}, lists_(memory) {
   for (const Operand* o : operands_)
     for (const DirectionList& list : o->directions) lists_.push_back(&list);
   for (std::uint32_t side = 0; side < 2; ++side) {
@@ -79,11 +80,19 @@ ReducedConvolution::ReducedConvolution(const Lattice& lattice, const Operand& p,
   for (std::uint32_t cp = 0; cp < p.components.size(); ++cp)
     for (std::uint32_t cq = 0; cq < q.components.size(); ++cq)
       if (p.components[cp].dimension == 2 || q.components[cq].dimension == 2) add_pair(cp, cq, memory);
-  for (auto& side : turns_)
-    for (Turn& t : side) {
-      t.base = size_;
-      size_ += t.count;
+  for (std::uint32_t side = 0; side < 2; ++side) {
+    const auto n = static_cast<std::uint32_t>(turns_[side].size());
+    Turn* const turns = turns_[side].data();
+    used_[side].resize(n);
+    std::uint32_t* used = used_[side].data();
+    for (std::uint32_t k = 0; k < n; ++k) {
+      turns[k].base = size_;
+      size_ += turns[k].count;
+      *used = k;
+      used += turns[k].count != 0;
     }
+    used_[side].resize(static_cast<std::size_t>(used - used_[side].data()));
+  }
 }
 
 void ReducedConvolution::add_pair(std::uint32_t cp, std::uint32_t cq, std::pmr::memory_resource* memory) {
@@ -181,20 +190,19 @@ std::uint32_t ReducedConvolution::next(const WalkSegment& s) const {
 void ReducedConvolution::fill_next(std::span<std::uint32_t> next) const {
   std::uint32_t* to = next.data();
   for (std::uint32_t side = 0; side < 2; ++side) {
-    const Operand &o = *operands_[side], &other = *operands_[1 - side];
-    const std::uint32_t columns = columns_[side], other_columns = columns_[1 - side];
-    const Turn* t = turns_[side].data();
-    for (std::uint32_t v = 0; v < other.size(); ++v) {
+    const Operand& other = *operands_[1 - side];
+    const std::uint32_t* o_next = operands_[side]->next.data();
+    const std::uint32_t other_columns = columns_[1 - side];
+    for (const std::uint32_t turn : used_[side]) {
+      const Turn& t = turns_[side][turn];
+      const std::uint32_t v = vertex_of(side, turn), lo = t.lo, count = t.count, base = t.base;
       const Turn* turns_at = turns_[1 - side].data() + (other_columns == 1 ? 0 : other.component_of[v]);
-      for (std::uint32_t c = 0; c < columns; ++c, ++t) {
-        if (t->count == 0) continue;
-        const DirectionList& list = *lists_[t->list];
-        const std::uint32_t n = static_cast<std::uint32_t>(list.edges.size());
-        for (std::uint32_t k = 0, at = t->lo; k < t->count; ++k, at = at + 1 == n ? 0 : at + 1) {
-          const std::uint32_t turned = o.next[list.edges[at]];
-          const std::uint32_t same_side = id(*t, turned);
-          *to++ = same_side != kNoRank ? same_side : id(turns_at[std::size_t{turned} * other_columns], v);
-        }
+      const DirectionList& list = *lists_[t.list];
+      const std::uint32_t n = static_cast<std::uint32_t>(list.edges.size());
+      const std::uint32_t *edges = list.edges.data(), *follow = list.next.data();
+      for (std::uint32_t k = 0, at = lo; k < count; ++k, at = at + 1 == n ? 0 : at + 1) {
+        const std::uint32_t rank = follow[at], ahead = rank >= lo ? rank - lo : rank + n - lo;
+        *to++ = ahead < count ? base + ahead : id(turns_at[std::size_t{o_next[edges[at]]} * other_columns], v);
       }
     }
   }

@@ -46,13 +46,11 @@ class ReducedConvolution {
   /// lo + 1, ... of the cyclic list.
   template <class F>
   void for_each_turn(F&& f) const {
-    for (std::uint32_t side = 0; side < 2; ++side) {
-      const std::uint32_t columns = columns_[side], vertices = static_cast<std::uint32_t>(operands_[1 - side]->size());
-      const Turn* t = turns_[side].data();
-      for (std::uint32_t v = 0; v < vertices; ++v)
-        for (std::uint32_t c = 0; c < columns; ++c, ++t)
-          if (t->count != 0) f(side, v, std::span<const std::uint32_t>(lists_[t->list]->edges), t->lo, t->count);
-    }
+    for (std::uint32_t side = 0; side < 2; ++side)
+      for (const std::uint32_t at : used_[side]) {
+        const Turn& t = turns_[side][at];
+        f(side, vertex_of(side, at), std::span<const std::uint32_t>(lists_[t.list]->edges), t.lo, t.count);
+      }
   }
   /// Calls f(WalkSegment) for every segment in the order of ids.
   template <class F>
@@ -78,12 +76,14 @@ class ReducedConvolution {
     const std::uint32_t k = rank >= t.lo ? rank - t.lo : rank + n - t.lo;
     return k < t.count ? t.base + k : kNoRank;
   }
+  std::uint32_t vertex_of(std::uint32_t side, std::uint32_t turn) const { return columns_[side] == 1 ? turn : turn / columns_[side]; }
   void add_pair(std::uint32_t cp, std::uint32_t cq, std::pmr::memory_resource* memory);
 
   const Lattice& lattice_;
   std::array<const Operand*, 2> operands_;
   std::array<std::uint32_t, 2> columns_{};  ///< components of the edge side
   std::array<Array<Turn>, 2> turns_;  ///< [side][vertex * columns + component of the edge side]
+  std::array<Array<std::uint32_t>, 2> used_;  ///< the turns that have segments
   Array<const DirectionList*> lists_;
   std::forward_list<DirectionList> own_lists_;  ///< without some of a component's holes
   std::uint32_t size_ = 0;

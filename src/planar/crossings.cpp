@@ -8,6 +8,10 @@
 #include <limits>
 #include <tuple>
 
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
 namespace dymsum::planar {
 
 namespace {
@@ -30,17 +34,12 @@ double CrossingFinder::quanta_per_unit() const {
 
 // Monotone; one quantum more at the upper end covers the rounding of the coordinates. They lie in [0, span], up to that
 // rounding.
-CrossingFinder::BoxQuanta CrossingFinder::quanta(const SoupBox& b, double per_quantum) const {
-  const auto quantum = [&](double v) { return static_cast<std::int16_t>(static_cast<int>(v * per_quantum)); };
-  const auto after = [&](double v) { return static_cast<std::int16_t>(static_cast<int>(v * per_quantum) + 1); };
-  return {quantum(std::min(b.ax, b.bx)), quantum(std::min(b.ay, b.by)), after(std::max(b.ax, b.bx)),
-          after(std::max(b.ay, b.by))};
-}
-
-void CrossingFinder::make_lines() {
-  const std::uint32_t n = static_cast<std::uint32_t>(soup_.size());
-  lines_.resize(n);
-  for (std::uint32_t s = 0; s < n; ++s) lines_[s] = line(s);
+inline CrossingFinder::BoxQuanta CrossingFinder::quanta(const SoupBox& b, double per_quantum) const {
+  const auto quantum = [&](double v) { return static_cast<int>(v * per_quantum); };
+  const int ax = quantum(b.ax), ay = quantum(b.ay), bx = quantum(b.bx), by = quantum(b.by);
+  const auto number = [](int v) { return static_cast<std::int16_t>(v); };
+  return {number(std::min(ax, bx)), number(std::min(ay, by)), number(std::max(ax, bx) + 1),
+          number(std::max(ay, by) + 1)};
 }
 
 void CrossingFinder::make_keys() {
@@ -56,26 +55,27 @@ void CrossingFinder::make_keys() {
   }
 }
 
-void CrossingFinder::all_pairs() {
-  const std::uint32_t n = static_cast<std::uint32_t>(soup_.size());
-  make_keys();
-  make_lines();
-  near_.resize(n);
-  for (std::uint32_t i = 0; i < n && !stopped; ++i) {
-    if (poll != nullptr && i % 256 == 255 && !(*poll)(double(i) / n)) stopped = true;
-    const std::uint64_t high = keys_[i].high;
-    std::uint32_t* near = near_.data();
-    for (std::uint32_t j = i + 1; j < n; ++j) {
-      *near = j;
-      near += boxes_meet(high, keys_[j].low);
-    }
-    for (const std::uint32_t* j = near_.data(); j != near; ++j) test(i, lines_[i], *j, lines_[*j]);
-  }
-  out_.pair_tests = std::uint64_t(n) * (n - (n > 0)) / 2;
-  finish();
+// What all tests of one segment share.
+struct CrossingFinder::Probe {
+  std::uint32_t segment, next;
+  const SoupBox& box;
+  double error;  // of the side of a point
+};
+
+inline CrossingFinder::Probe CrossingFinder::probe(std::uint32_t s) const {
+  const SoupBox& b = soup_.boxes[s];
+  return {s, next_.empty() ? kNone : next_[s], b, soup_.side_error * (std::abs(b.dx) + std::abs(b.dy))};
 }
 
 namespace {
+
+// Two opposite sides of a line, both certain.
+inline bool opposite(double s, double t, double error) { return (s > error && t < -error) || (s < -error && t > error); }
+
+// Two cross products' difference: perhaps zero.
+inline bool near_parallel(double u, double v) {
+  return std::abs(u - v) <= 0x1p-49 * (std::abs(u) + std::abs(v)) + 0x1p-1000;
+}
 
 // Eight 16-bit numbers; comparing gives -1 or 0 in each. In memory the first one comes first, and so in a word read
 // from there its low bits.
@@ -89,21 +89,94 @@ Lanes load(const std::int16_t* from) {
   return v;
 }
 
+// One bit for each lane that is zero; lane_of gives the lane of the lowest one.
+#ifdef __SSE2__
+inline std::uint32_t zero_lanes(const Lanes& lanes) {
+  return ~static_cast<std::uint32_t>(_mm_movemask_epi8(reinterpret_cast<__m128i>(lanes))) & 0x5555;
+}
+inline std::uint32_t lane_of(std::uint32_t bits) { return static_cast<std::uint32_t>(std::countr_zero(bits)) / 2; }
+#else
+inline std::uint64_t zero_lanes(const Lanes& lanes) {
+  std::array<std::uint64_t, 2> halves;
+  std::memcpy(&halves, &lanes, sizeof halves);
+  return (~halves[0] & 0x0001000100010001) | (~halves[1] & 0x0002000200020002);
+}
+inline std::uint32_t lane_of(std::uint64_t bits) {
+  const auto bit = static_cast<std::uint32_t>(std::countr_zero(bits));
+  return bit / 16 + 4 * (bit & 1);
+}
+#endif
+
+// Segments by the left sides of their boxes.
+inline std::uint64_t left_order(std::int16_t left, std::uint32_t segment) {
+  return static_cast<std::uint64_t>(left) << 32 | segment;
+}
+
+// Up to here comparing each box with all others is cheaper than sorting them. A left side and a number fit into kSmall
+// bits.
+constexpr std::uint32_t kUnsorted = 64, kSmall = 15 + 6;
+
 }  // namespace
+
+// In doubles. True when these do not tell: then it takes an exact test.
+inline bool CrossingFinder::undecided(const Probe& i, std::uint32_t j) {
+  const SoupBox &a = i.box, &b = soup_.boxes[j];
+  // Neighbours in a chain that do not fold back meet in their common end only.
+  const bool neighbours = i.next == j || (!next_.empty() && next_[j] == i.segment);
+  if (neighbours && !near_parallel(a.dx * b.dy, a.dy * b.dx)) return false;
+  const double o1 = a.dx * (b.ay - a.ay) - a.dy * (b.ax - a.ax);
+  const double o2 = a.dx * (b.by - a.ay) - a.dy * (b.bx - a.ax);
+  if ((o1 > i.error && o2 > i.error) || (o1 < -i.error && o2 < -i.error)) return false;
+  const double b_error = soup_.side_error * (std::abs(b.dx) + std::abs(b.dy));
+  const double o3 = b.dx * (a.ay - b.ay) - b.dy * (a.ax - b.ax);
+  const double o4 = b.dx * (a.by - b.ay) - b.dy * (a.bx - b.ax);
+  if ((o3 > b_error && o4 > b_error) || (o3 < -b_error && o4 < -b_error)) return false;
+  const double u = a.dx * b.dy, v = a.dy * b.dx;
+  if (opposite(o1, o2, i.error) && opposite(o3, o4, b_error)) {
+    if (!(8 * std::max(i.error, b_error) < 0.5 * Meetings::kFine * std::abs(u - v))) out_.rough = true;
+    add_crossing(i.segment, j, o3, o4, o1, o2);
+    return false;
+  }
+  // Others that share an end.
+  const bool in_chains = i.segment < first_unchained && j < first_unchained;
+  return !(in_chains && !near_parallel(u, v) &&
+           (soup_.end(i.segment) == soup_.start(j) || soup_.end(j) == soup_.start(i.segment)));
+}
+
+inline void CrossingFinder::test(const Probe& i, std::uint32_t j) {
+  if (undecided(i, j)) exact_test(i.segment, j);
+}
+
+void CrossingFinder::all_pairs() {
+  const std::uint32_t n = static_cast<std::uint32_t>(soup_.size());
+  make_keys();
+  near_.resize(n);
+  for (std::uint32_t i = 0; i < n && !stopped; ++i) {
+    if (poll != nullptr && i % 256 == 255 && !(*poll)(double(i) / n)) stopped = true;
+    const std::uint64_t high = keys_[i].high;
+    std::uint32_t* near = near_.data();
+    for (std::uint32_t j = i + 1; j < n; ++j) {
+      *near = j;
+      near += boxes_meet(high, keys_[j].low);
+    }
+    const Probe of_i = probe(i);
+    for (const std::uint32_t* j = near_.data(); j != near; ++j) test(of_i, *j);
+  }
+  out_.pair_tests = std::uint64_t(n) * (n - (n > 0)) / 2;
+  finish();
+}
 
 // Numbers of n segments behind the left sides of their boxes, in order: by buckets first where they are many, then by
 // insertion.
 void CrossingFinder::sort_by_left(Array<std::uint64_t>& order) const {
   const std::size_t n = order.size();
-  if (n > 24) {
-    const int shift = 32 + 15 - std::min(11, static_cast<int>(std::bit_width(n)));
-    Array<std::uint32_t> start((std::uint64_t{kQuanta} << 32 >> shift) + 2, 0, soup_.memory);
-    for (const std::uint64_t o : order) ++start[(o >> shift) + 1];
-    for (std::size_t b = 1; b < start.size(); ++b) start[b] += start[b - 1];
-    Array<std::uint64_t> sorted(n, soup_.memory);
-    for (const std::uint64_t o : order) sorted[start[o >> shift]++] = o;
-    order.swap(sorted);
-  }
+  const int shift = 32 + 15 - std::min(11, static_cast<int>(std::bit_width(n)));
+  Array<std::uint32_t> start((std::uint64_t{kQuanta} << 32 >> shift) + 2, 0, soup_.memory);
+  for (const std::uint64_t o : order) ++start[(o >> shift) + 1];
+  for (std::size_t b = 1; b < start.size(); ++b) start[b] += start[b - 1];
+  Array<std::uint64_t> sorted(n, soup_.memory);
+  for (const std::uint64_t o : order) sorted[start[o >> shift]++] = o;
+  order.swap(sorted);
   for (std::size_t k = 1; k < n; ++k) {
     const std::uint64_t o = order[k];
     std::size_t at = k;
@@ -112,16 +185,64 @@ void CrossingFinder::sort_by_left(Array<std::uint64_t>& order) const {
   }
 }
 
+// Few boxes: each with all behind it. What is found is put into the order of the sweep, because of several contacts at
+// one place the first one is named.
+void CrossingFinder::compare_all() {
+  const std::uint32_t n = static_cast<std::uint32_t>(soup_.size());
+  const double per_quantum = quanta_per_unit();
+  constexpr std::size_t kPadded = kUnsorted + 2 * kLanes;
+  alignas(16) std::array<std::array<std::int16_t, kPadded>, 4> sides;
+  auto& [x0, y0, x1, y1] = sides;
+  for (std::uint32_t s = 0; s < n; ++s) {
+    const BoxQuanta b = quanta(soup_.boxes[s], per_quantum);
+    x0[s] = b.x0;
+    y0[s] = b.y0;
+    x1[s] = b.x1;
+    y1[s] = b.y1;
+  }
+  // Behind the last box lie some that start to the right of everything and meet nothing.
+  for (std::uint32_t s = n; s < n + kLanes; ++s) {
+    x0[s] = y0[s] = std::numeric_limits<std::int16_t>::max();
+    x1[s] = y1[s] = -1;
+  }
+  // Pairs of segments as the sweep comes upon them.
+  const auto pair_key = [&](std::uint32_t s, std::uint32_t t) {
+    const std::uint64_t a = static_cast<std::uint64_t>(x0[s]) << 6 | s, b = static_cast<std::uint64_t>(x0[t]) << 6 | t;
+    return std::min(a, b) << kSmall | std::max(a, b);
+  };
+  Array<std::uint64_t> exact(soup_.memory);
+  exact.reserve(64);
+  for (std::uint32_t i = 0; i + 1 < n; ++i) {
+    const Lanes left = Lanes{} + x0[i], low = Lanes{} + y0[i], right = Lanes{} + x1[i], high = Lanes{} + y1[i];
+    const Probe of_i = probe(i);
+    for (std::uint32_t j = i + 1; j < n; j += kLanes) {
+      const Lanes apart = (load(&x0[j]) > right) | (left > load(&x1[j])) | (load(&y0[j]) > high) | (low > load(&y1[j]));
+      for (auto hits = zero_lanes(apart); hits != 0; hits &= hits - 1) {
+        const std::uint32_t k = j + lane_of(hits);
+        if (undecided(of_i, k)) exact.push_back(pair_key(i, k));
+      }
+    }
+  }
+  std::sort(exact.begin(), exact.end());
+  for (const std::uint64_t pair : exact) exact_test(pair >> kSmall & (kUnsorted - 1), pair & (kUnsorted - 1));
+  std::sort(out_.crossings.begin(), out_.crossings.end(),
+            [&](const Crossing& c, const Crossing& d) { return pair_key(c.a, c.b) < pair_key(d.a, d.b); });
+  out_.pair_tests = std::uint64_t(n) * (n - (n > 0)) / 2;
+}
+
 void CrossingFinder::sweep(const InteriorMask* mask) {
   mask_ = mask;
   const std::uint32_t n = static_cast<std::uint32_t>(soup_.size());
+  if (n <= kUnsorted) {
+    compare_all();
+    return finish();
+  }
   const double per_quantum = quanta_per_unit();
-  make_lines();
   Array<BoxQuanta> boxes(n, soup_.memory);
   Array<std::uint64_t> order(n, soup_.memory);
   for (std::uint32_t s = 0; s < n; ++s) {
     boxes[s] = quanta(soup_.boxes[s], per_quantum);
-    order[s] = static_cast<std::uint64_t>(boxes[s].x0) << 32 | s;
+    order[s] = left_order(boxes[s].x0, s);
   }
   sort_by_left(order);
   // Behind the last box lie some that start to the right of everything and meet nothing.
@@ -141,22 +262,14 @@ void CrossingFinder::sweep(const InteriorMask* mask) {
   for (std::uint32_t i = 0; i < n && !stopped; ++i) {
     if (poll != nullptr && i % 256 == 255 && !(*poll)(double(i) / n)) stopped = true;
     const std::uint32_t s = static_cast<std::uint32_t>(order[i]);
-    const Line& line_s = lines_[s];
     const std::int16_t right = boxes[s].x1;
     const Lanes low = Lanes{} + y0[i], high = Lanes{} + y1[i];
+    const Probe of_s = probe(s);
     std::uint32_t j = i + 1;
     for (; x0[j] <= right; j += kLanes) {
-      const Lanes meets = (load(y0 + j) <= high) & (load(y1 + j) >= low);
-      std::array<std::uint64_t, 2> halves;
-      std::memcpy(&halves, &meets, sizeof halves);
-      if ((halves[0] | halves[1]) == 0) continue;
-      for (std::uint32_t half = 0; half < 2; ++half)
-        for (std::uint64_t hits = halves[half]; hits != 0;) {
-          const int lane = std::countr_zero(hits) / 16;
-          hits &= ~(std::uint64_t{0xffff} << 16 * lane);
-          const auto t = static_cast<std::uint32_t>(order[j + 4 * half + static_cast<std::uint32_t>(lane)]);
-          test(s, line_s, t, lines_[t]);
-        }
+      const Lanes apart = (load(y0 + j) > high) | (low > load(y1 + j));
+      for (auto hits = zero_lanes(apart); hits != 0; hits &= hits - 1)
+        test(of_s, static_cast<std::uint32_t>(order[j + lane_of(hits)]));
     }
     out_.pair_tests += j - i - 1;
   }
@@ -164,38 +277,9 @@ void CrossingFinder::sweep(const InteriorMask* mask) {
 }
 
 void CrossingFinder::pairs(std::span<const std::array<std::uint32_t, 2>> list) {
-  for (const auto& [i, j] : list) test(i, line(i), j, line(j));
+  for (const auto& [i, j] : list) test(probe(i), j);
   out_.pair_tests = list.size();
   finish();
-}
-
-// Two opposite sides of a line, both certain.
-inline bool opposite(double s, double t, double error) { return (s > error && t < -error) || (s < -error && t > error); }
-
-void CrossingFinder::test(std::uint32_t i, const Line& line_i, std::uint32_t j, const Line& line_j) {
-  const SoupBox &a = soup_.boxes[i], &b = soup_.boxes[j];
-  const double a_dx = line_i.dx, a_dy = line_i.dy, b_dx = line_j.dx, b_dy = line_j.dy;
-  const double u = a_dx * b_dy, v = a_dy * b_dx;
-  const bool parallel = std::abs(u - v) <= 0x1p-49 * (std::abs(u) + std::abs(v)) + 0x1p-1000;  // perhaps
-  // Neighbours in a chain that do not fold back meet in their common end only.
-  if ((line_i.next == j || line_j.next == i) && !parallel) return;
-  const double a_error = soup_.side_error * (std::abs(a_dx) + std::abs(a_dy));
-  const double o1 = a_dx * (b.ay - a.ay) - a_dy * (b.ax - a.ax);
-  const double o2 = a_dx * (b.by - a.ay) - a_dy * (b.bx - a.ax);
-  if ((o1 > a_error && o2 > a_error) || (o1 < -a_error && o2 < -a_error)) return;
-  const double b_error = soup_.side_error * (std::abs(b_dx) + std::abs(b_dy));
-  const double o3 = b_dx * (a.ay - b.ay) - b_dy * (a.ax - b.ax);
-  const double o4 = b_dx * (a.by - b.ay) - b_dy * (a.bx - b.ax);
-  if ((o3 > b_error && o4 > b_error) || (o3 < -b_error && o4 < -b_error)) return;
-  if (opposite(o1, o2, a_error) && opposite(o3, o4, b_error)) {
-    const double size = std::abs(u - v);
-    if (!(8 * std::max(a_error, b_error) < 0.5 * Meetings::kFine * size)) out_.rough = true;
-    return add_crossing(i, j, o3, o4, o1, o2);
-  }
-  // Others that share an end.
-  const bool in_chains = i < first_unchained && j < first_unchained;
-  if (!parallel && in_chains && (soup_.end(i) == soup_.start(j) || soup_.end(j) == soup_.start(i))) return;
-  exact_test(i, j);
 }
 
 // Whether the crossing of a and b, at parameter t of a, certainly lies in a dead cell, which is in Mo with more around
@@ -242,18 +326,18 @@ void CrossingFinder::add_touch(std::uint32_t segment, WalkPair pair) {
 }
 
 // The side of the line of s = `line` on which pair v, rounded (x, y), lies.
-int CrossingFinder::side(std::uint32_t s, const Segment& line, WalkPair v, double x, double y) {
+inline int CrossingFinder::side(std::uint32_t s, WalkPair v, double x, double y) {
   if (soup_.lattice.exact_doubles) {
     const SoupBox& a = soup_.boxes[s];
     const double value = soup_.dx(s) * (y - a.ay) - soup_.dy(s) * (x - a.ax);
     return (value > 0) - (value < 0);
   }
   ++out_.exact_signs;
-  return soup_.lattice.side(line, soup_.exact(v));
+  return soup_.lattice.side(soup_.exact(s), soup_.exact(v));
 }
 
 // Whether v, rounded (x, y), which lies on the line of s, lies strictly between its ends.
-bool CrossingFinder::between(std::uint32_t s, const Segment& line, WalkPair v, double x, double y) {
+inline bool CrossingFinder::between(std::uint32_t s, WalkPair v, double x, double y) {
   const Lattice& l = soup_.lattice;
   if (l.exact_doubles) {
     const SoupBox& a = soup_.boxes[s];
@@ -262,6 +346,7 @@ bool CrossingFinder::between(std::uint32_t s, const Segment& line, WalkPair v, d
   }
   out_.exact_signs += 2;
   const Pair at = soup_.exact(v);
+  const Segment line = soup_.exact(s);
   return l.along(line, at) > 0 && l.along({{line.edge.op, line.edge.to, line.edge.from}, line.vertex}, at) > 0;
 }
 
@@ -274,7 +359,6 @@ void CrossingFinder::exact_test(std::uint32_t i, std::uint32_t j) {
                                      (chain_ != nullptr && (chain_->next(i) == j || chain_->next(j) == i)));
   // Segments of one chain share an end; they meet elsewhere only when they fold back onto each other.
   if (chained && soup_.cross(i, j) != 0) return;
-  const Segment sa = soup_.exact(i), sb = soup_.exact(j);
   const Lattice& l = soup_.lattice;
   const auto same = [&](double x, double y, WalkPair v, double to_x, double to_y, WalkPair to) {
     if (l.exact_doubles) return x == to_x && y == to_y;
@@ -288,9 +372,9 @@ void CrossingFinder::exact_test(std::uint32_t i, std::uint32_t j) {
     if (!in_chains || !(a1 == b1)) out_.same.emplace_back(a1, b1);
     return;
   }
-  const int s1 = side(i, sa, b0, b.ax, b.ay), s2 = side(i, sa, b1, b.bx, b.by);
+  const int s1 = side(i, b0, b.ax, b.ay), s2 = side(i, b1, b.bx, b.by);
   if (s1 * s2 > 0) return;
-  const int s3 = side(j, sb, a0, a.ax, a.ay), s4 = side(j, sb, a1, a.bx, a.by);
+  const int s3 = side(j, a0, a.ax, a.ay), s4 = side(j, a1, a.bx, a.by);
   if (s3 * s4 > 0) return;
   if (s1 != 0 && s2 != 0 && s3 != 0 && s4 != 0) {
     // Opposite on both: the crossing parameters come from doubles that may be smaller than their error; keep t in [0, 1].
@@ -304,22 +388,21 @@ void CrossingFinder::exact_test(std::uint32_t i, std::uint32_t j) {
                  signed_magnitude(o2, s2, a_error));
     return;
   }
-  const auto within = [&](std::uint32_t s, const Segment& e, WalkPair from, WalkPair to, WalkPair v, double x,
-                          double y) {
+  const auto within = [&](std::uint32_t s, WalkPair from, WalkPair to, WalkPair v, double x, double y) {
     // v, at (x, y), lies on the line of s: register it if it lies on s.
     const SoupBox& box = soup_.boxes[s];
     if (same(x, y, v, box.ax, box.ay, from)) {
       if (!in_chains || !(v == from)) out_.same.emplace_back(v, from);
     } else if (same(x, y, v, box.bx, box.by, to)) {
       if (!in_chains || !(v == to)) out_.same.emplace_back(v, to);
-    } else if (between(s, e, v, x, y)) {
+    } else if (between(s, v, x, y)) {
       add_touch(s, v);
     }
   };
-  if (s1 == 0) within(i, sa, a0, a1, b0, b.ax, b.ay);
-  if (s2 == 0) within(i, sa, a0, a1, b1, b.bx, b.by);
-  if (s3 == 0) within(j, sb, b0, b1, a0, a.ax, a.ay);
-  if (s4 == 0) within(j, sb, b0, b1, a1, a.bx, a.by);
+  if (s1 == 0) within(i, a0, a1, b0, b.ax, b.ay);
+  if (s2 == 0) within(i, a0, a1, b1, b.bx, b.by);
+  if (s3 == 0) within(j, b0, b1, a0, a.ax, a.ay);
+  if (s4 == 0) within(j, b0, b1, a1, a.bx, a.by);
 }
 
 void CrossingFinder::test_cell(std::span<const std::uint32_t> ids) {
@@ -337,7 +420,8 @@ void CrossingFinder::test_cell(std::span<const std::uint32_t> ids) {
       *near = ids[j];
       near += boxes_meet(high, cell_[j]);
     }
-    for (const std::uint32_t* j = near_.data(); j != near; ++j) test(ids[i], lines_[ids[i]], *j, lines_[*j]);
+    const Probe of_i = probe(ids[i]);
+    for (const std::uint32_t* j = near_.data(); j != near; ++j) test(of_i, *j);
   }
 }
 
@@ -345,7 +429,6 @@ void CrossingFinder::grid(const Grid& grid, const InteriorMask* mask, Array<Dead
   grid_ = &grid;
   mask_ = mask;
   make_keys();
-  make_lines();
   struct Item {
     std::uint32_t cell, segment;
   };
@@ -410,6 +493,7 @@ void CrossingFinder::grid(const Grid& grid, const InteriorMask* mask, Array<Dead
 
 // Drops what several cells have reported.
 void CrossingFinder::finish() {
+  if (ambiguous_.empty() && out_.touches.empty()) return;
   const auto by_segments = [](const Crossing& a, const Crossing& b) { return std::tie(a.a, a.b) < std::tie(b.a, b.b); };
   std::sort(ambiguous_.begin(), ambiguous_.end(), by_segments);
   for (std::size_t i = 0; i < ambiguous_.size(); ++i)

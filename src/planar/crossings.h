@@ -54,8 +54,8 @@ class CrossingFinder {
   CrossingFinder(const Soup& soup, Meetings& out, const Chain* chain = nullptr)
       : soup_(soup),
         chain_(chain),
+        next_(chain != nullptr ? chain->next() : std::span<const std::uint32_t>{}),
         out_(out),
-        lines_(soup.memory),
         keys_(soup.memory),
         cell_(soup.memory),
         near_(soup.memory),
@@ -85,18 +85,15 @@ class CrossingFinder {
   BoxQuanta quanta(const SoupBox& box, double per_quantum) const;
   double quanta_per_unit() const;
   void make_keys();
-  // What testing a pair looks at besides the boxes.
-  struct Line {
-    double dx, dy;
-    std::uint32_t next;  ///< the segment that continues it
-  };
-  Line line(std::uint32_t s) const { return {soup_.dx(s), soup_.dy(s), chain_ != nullptr ? chain_->next(s) : kNone}; }
-  void make_lines();
   void sort_by_left(Array<std::uint64_t>& order) const;
-  void test(std::uint32_t a, const Line& line_a, std::uint32_t b, const Line& line_b);
+  void compare_all();
+  struct Probe;
+  Probe probe(std::uint32_t s) const;
+  bool undecided(const Probe& a, std::uint32_t b);
+  void test(const Probe& a, std::uint32_t b);
   void exact_test(std::uint32_t a, std::uint32_t b);
-  int side(std::uint32_t s, const Segment& line, WalkPair v, double x, double y);
-  bool between(std::uint32_t s, const Segment& line, WalkPair v, double x, double y);
+  int side(std::uint32_t s, WalkPair v, double x, double y);
+  bool between(std::uint32_t s, WalkPair v, double x, double y);
   bool in_dead_cell(std::uint32_t a, std::uint32_t b, double t) const;
   void add_crossing(std::uint32_t a, std::uint32_t b, double a_start, double a_end, double b_start, double b_end);
   void add_touch(std::uint32_t segment, WalkPair pair);
@@ -105,11 +102,11 @@ class CrossingFinder {
 
   const Soup& soup_;
   const Chain* chain_;
+  std::span<const std::uint32_t> next_;  // empty: no chains
   Meetings& out_;
   const Grid* grid_ = nullptr;
   const InteriorMask* mask_ = nullptr;
   int row_ = 0, column_ = 0;
-  Array<Line> lines_;
   Array<BoxKey> keys_;
   Array<std::uint64_t> cell_;       // the low keys of the segments of one cell
   Array<std::uint32_t> near_;       // those whose boxes meet the box of one of them

@@ -29,6 +29,13 @@ int compare_directions(const Lattice& lattice, const Edge& d, const Edge& e) {
   return -lattice.cross(d, e);
 }
 
+void number(DirectionList& list, const Operand& o) {
+  const std::size_t n = list.edges.size();
+  for (std::size_t k = 0; k < n; ++k) list.rank[list.edges[k] - list.base] = static_cast<std::uint32_t>(k);
+  list.next.resize(n);
+  for (std::size_t k = 0; k < n; ++k) list.next[k] = list.rank[o.next[list.edges[k]] - list.base];
+}
+
 // Sorts by key into buckets, then repairs with exact comparisons; nearly linear unless directions cluster.
 DirectionList sort_by_direction(const Lattice& lattice, const Operand& o, const Component& c) {
   const std::vector<std::uint32_t> edges = edges_of(o, c);
@@ -72,8 +79,8 @@ DirectionList sort_by_direction(const Lattice& lattice, const Operand& o, const 
   for (std::size_t i = 0; i < n; ++i) {
     list.edges[i] = items[i].edge;
     list.keys[i] = items[i].key;
-    list.rank[items[i].edge - list.base] = static_cast<std::uint32_t>(i);
   }
+  number(list, o);
   return list;
 }
 
@@ -86,10 +93,10 @@ DirectionList sublist(const DirectionList& all, const Operand& o, const Componen
     if (keep[l]) std::fill(kept.begin() + (o.loops[l].first - all.base), kept.begin() + (o.loops[l].last - all.base), 1);
   for (std::size_t i = 0; i < all.edges.size(); ++i) {
     if (!kept[all.edges[i] - all.base]) continue;
-    list.rank[all.edges[i] - all.base] = static_cast<std::uint32_t>(list.edges.size());
     list.edges.push_back(all.edges[i]);
     list.keys.push_back(all.keys[i]);
   }
+  number(list, o);
   return list;
 }
 

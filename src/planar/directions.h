@@ -14,6 +14,7 @@ struct DirectionList {
   std::vector<std::uint32_t> edges;
   std::vector<double> keys;         ///< pseudo-angles in [0, 4]
   std::vector<std::uint32_t> rank;  ///< walk edge - base -> position in edges, or kNoRank
+  std::vector<std::uint32_t> next;  ///< position of an edge -> position of the edge behind it in its walk
   std::uint32_t base = 0;
 };
 inline constexpr std::uint32_t kNoRank = 0xffffffff;
@@ -38,6 +39,9 @@ inline int compare_directions(const Lattice& lattice, double key_d, const Edge& 
 
 struct Operand;
 struct Component;
+
+/// Ranks and followers of `edges`. Requires: base and the size of rank.
+void number(DirectionList& list, const Operand& o);
 
 /// All edges of a component.
 DirectionList sort_by_direction(const Lattice& lattice, const Operand& o, const Component& c);

@@ -41,7 +41,7 @@ class LatticeOf final : public Lattice {
  public:
   LatticeOf(int exponent, int unit, int bits, std::optional<LatticeScale> scale)
       : exponent_(exponent),
-        per_grid_unit_(std::ldexp(1.0, std::clamp(unit - exponent, -1000, 1000))),
+        per_grid_unit_(power_of_two(std::clamp(unit - exponent, -1000, 1000))),
         exact_points_(bits <= 53 && !scale),
         scale_(std::move(scale)) {
     if constexpr (!std::is_same_v<C, Big>) {
@@ -344,9 +344,9 @@ std::shared_ptr<Lattice> build_lattice(std::array<std::shared_ptr<const PlacedPo
   // Sides have at most 2 B + 4 bits; doubles hold 53. A power of two below scaled coordinates changes nothing.
   lattice->exact_doubles = bits <= 24 && dyadic;
   lattice->points = std::move(points);
-  lattice->unit = std::ldexp(1.0, unit);
+  lattice->unit = power_of_two(unit);
   lattice->grid_exponent = exponent;
-  lattice->integers_per_unit = std::ldexp(den, unit - exponent);
+  lattice->integers_per_unit = den == 1 ? power_of_two(unit - exponent) : std::ldexp(den, unit - exponent);
   for (std::uint32_t op = 0; op < 2; ++op) {
     const PlacedPoints& o = *lattice->points[op];
     lattice->span += std::max(o.width, o.height);
@@ -359,20 +359,19 @@ std::shared_ptr<Lattice> build_lattice(std::array<std::shared_ptr<const PlacedPo
     if (op == scaled) lattice->base_error = 0x1p-51 * (std::abs(x) + std::abs(y));
   }
   lattice->exact_input = lattice->exact_doubles && scaled == 2 &&
-                         lattice->span * lattice->unit + lattice->base_reach <= std::ldexp(1.0, std::min(exponent + 50, 1000));
+                         lattice->span * lattice->unit + lattice->base_reach <= power_of_two(std::min(exponent + 50, 1000));
   return lattice;
 }
 
 std::shared_ptr<Lattice> make_lattice(std::shared_ptr<const PlacedPoints> p, std::shared_ptr<const PlacedPoints> q, int min_tier_bits) {
   std::array<std::shared_ptr<const PlacedPoints>, 2> points{std::move(p), std::move(q)};
-  const double extent = std::max(points[0]->extent, points[1]->extent);
   // All-zero coordinates are on every grid.
   const auto no_grid = [](const PlacedPoints& o) { return o.extent == 0 && o.offset == Point{}; };
   const int exponent = no_grid(*points[0])   ? points[1]->exponent
                        : no_grid(*points[1]) ? points[0]->exponent
                                              : std::min(points[0]->exponent, points[1]->exponent);
-  const int bits = bits_of(extent, exponent);
-  const int unit = points[0]->moderate() && points[1]->moderate() ? 0 : unit_for(extent, exponent, bits);
+  const int bits = std::max(points[0]->bits(exponent), points[1]->bits(exponent));
+  const int unit = points[0]->moderate() && points[1]->moderate() ? 0 : unit_for(std::max(points[0]->extent, points[1]->extent), exponent, bits);
   for (auto& o : points) {
     if (o->unit == unit) continue;
     auto moved = std::make_shared<PlacedPoints>(*o);
@@ -387,7 +386,7 @@ std::shared_ptr<Lattice> make_scaled_lattice(const Lattice& unscaled, const Latt
   std::array<std::shared_ptr<const PlacedPoints>, 2> points = unscaled.points;
   int bits = 0;
   for (std::uint32_t op = 0; op < 2; ++op)
-    bits = std::max(bits, bits_of(points[op]->extent, exponent) + (op == scale.op ? std::max(factor_bits(scale.x), factor_bits(scale.y))
+    bits = std::max(bits, points[op]->bits(exponent) + (op == scale.op ? std::max(factor_bits(scale.x), factor_bits(scale.y))
                                                                                  : factor_bits(scale.den)));
   auto stretched = std::make_shared<PlacedPoints>(*points[scale.op]);
   stretched->stretch = {exact::round_to_double(BigRational(scale.x, scale.den)), exact::round_to_double(BigRational(scale.y, scale.den))};

@@ -81,6 +81,9 @@ struct PlacedPoints {
   double extent = 0;          ///< the larger of both, in input units
   int exponent = 0;           ///< the largest grid that holds them: all are multiples of 2^exponent
   int unit = 0;
+  int top = 0;                ///< the extent is at most 2^top, with its rounding
+  /// The bits of the integers on a grid that holds them.
+  int bits(int grid_exponent) const { return top > grid_exponent ? top - grid_exponent : 0; }
   /// Nothing can over- or underflow when the unit is 1.
   bool moderate() const { return exponent >= -400 && extent <= 0x1p400; }
 };

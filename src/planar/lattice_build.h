@@ -1,7 +1,9 @@
 // What lattices of all kinds are built with: points in units, bits, tiers.
 #pragma once
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 
 #include "exact/grid.h"
@@ -15,8 +17,11 @@ void place_in_units(PlacedPoints& points, int unit);
 /// Grid units while these fit well, else 2^-60 of the extent, so that nothing overflows.
 int unit_for(double extent, int exponent, int bits);
 
-/// One unit in the last place covers the rounding of the differences.
-inline int bits_of(double extent, int exponent) { return exact::bits_needed(std::nextafter(extent, INFINITY), exponent); }
+/// 2^k.
+inline double power_of_two(int k) {
+  if (k < -1022 || k > 1023) return std::ldexp(1.0, k);
+  return std::bit_cast<double>(static_cast<std::uint64_t>(k + 1023) << 52);
+}
 
 /// The smallest k with n <= 2^k, for n > 0.
 inline int factor_bits(const exact::BigInteger& n) {

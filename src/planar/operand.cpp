@@ -26,7 +26,7 @@ void restart(DirectionList& list, const Operand& o, const Lattice& lattice) {
     if (compare_directions(lattice, list.keys[k], o.edge(list.edges[k]), list.keys[k - 1], o.edge(list.edges[k - 1])) < 0) first = k;
   std::rotate(list.edges.begin(), list.edges.begin() + static_cast<std::ptrdiff_t>(first), list.edges.end());
   std::rotate(list.keys.begin(), list.keys.begin() + static_cast<std::ptrdiff_t>(first), list.keys.end());
-  for (std::size_t k = 0; k < n; ++k) list.rank[list.edges[k] - list.base] = static_cast<std::uint32_t>(k);
+  number(list, o);
 }
 
 void find_turned_extremes(Loop& loop, const Operand& o, const TurnedPoints& turned) {
@@ -52,6 +52,8 @@ void place(Operand& o, const Lattice& lattice) {
     o.ex[i] = d.x;
     o.ey[i] = d.y;
   }
+  o.boxes.resize(n);
+  for (std::uint32_t i = 0; i < n; ++i) o.boxes[i] = {o.x[i], o.y[i], o.x[o.next[i]], o.y[o.next[i]], o.ex[i], o.ey[i]};
   // A scale per axis keeps the order of the directions, but not their angles.
   for (DirectionList& list : o.directions)
     for (std::size_t k = 0; k < list.edges.size(); ++k) list.keys[k] = pseudo_angle(o.ex[list.edges[k]], o.ey[list.edges[k]]);
@@ -160,6 +162,8 @@ class Builder {
     std::uint32_t size = 0;
     for (const auto* numbers : {&out_.vertex_number, &out_.edge_number})
       for (const std::uint32_t v : *numbers) size = v == kUnnumbered ? size : std::max(size, v + 1);
+    for (std::uint32_t i = 0; i < out_.size(); ++i)
+      out_.numbers.push_back({out_.vertex_number[i], out_.edge_number[i], out_.vertex_number[out_.next[i]]});
     out_.numbered_vertex.assign(size, 0);
     out_.numbered_edge.assign(size, {0, 0});
     for (std::uint32_t i = 0; i < out_.size(); ++i) {

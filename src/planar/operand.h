@@ -37,6 +37,12 @@ struct Component {
   std::uint32_t first_loop = 0, last_loop = 0, first = 0, last = 0;
 };
 
+/// An edge by its rounded end points and vector, for filters: side by side, because whoever tests it needs all of them.
+struct EdgeBox {
+  double ax, ay, bx, by;
+  double dx, dy;  ///< each component rounded once, not the difference of the ends
+};
+
 struct Operand {
   std::uint32_t op = 0;
   bool reflected = false;                  ///< of the region's reflection: evidence shows coordinates as the region has them
@@ -44,11 +50,16 @@ struct Operand {
   std::vector<std::uint32_t> next, prev;   ///< walk vertex -> walk vertex
   std::vector<std::uint32_t> vertex_number;  ///< walk vertex -> vertex number in the region
   std::vector<std::uint32_t> edge_number;    ///< walk edge -> edge number in the region
+  struct Numbers {
+    std::uint32_t vertex = 0, edge = 0, next_vertex = 0;
+  };
+  std::vector<Numbers> numbers;            ///< the same side by side, with the number of the edge's end
   std::vector<std::uint32_t> numbered_vertex;  ///< vertex number -> source vertex
   std::vector<std::array<std::uint32_t, 2>> numbered_edge;  ///< edge number -> the source vertices of its walk edge
   std::vector<std::uint8_t> convex;        ///< strictly convex, tip of a spike, or a point: it can touch with its vertex
   std::vector<double> x, y;                ///< walk vertices, in the units of `points`
   std::vector<double> ex, ey;              ///< walk edge vectors, each component rounded once
+  std::vector<EdgeBox> boxes;              ///< walk edges: the same side by side
   std::vector<Loop> loops;
   std::vector<Component> components;
   std::vector<std::uint32_t> component_of; ///< walk vertex -> component

@@ -25,12 +25,14 @@ std::size_t smaller_rotation(const std::vector<SumVertex>& ring, std::size_t i, 
 }
 
 std::size_t canonical_start(const std::vector<SumVertex>& ring, const VertexOrder& order) {
+  const std::size_t n = ring.size();
+  const SumVertex* const v = ring.data();
   std::size_t leftmost = 0;
-  for (std::size_t k = 1; k < ring.size(); ++k)
-    if (ring[k].at.x < ring[leftmost].at.x) leftmost = k;
+  for (std::size_t k = 1; k < n; ++k)
+    if (v[k].at.x < v[leftmost].at.x) leftmost = k;
   std::size_t best = leftmost;
-  for (std::size_t k = 0; k < ring.size(); ++k) {
-    if (k == best || order.certainly_right(ring[k], ring[leftmost])) continue;
+  for (std::size_t k = 0; k < n; ++k) {
+    if (order.certainly_right(v[k], v[leftmost]) || k == best) continue;
     const int sign = order.compare(ring[k], ring[best]);
     if (sign < 0) best = k;
     if (sign == 0) best = smaller_rotation(ring, best, k, order);
@@ -40,7 +42,7 @@ std::size_t canonical_start(const std::vector<SumVertex>& ring, const VertexOrde
 
 void rotate_to_start(SumRing& ring, const VertexOrder& order) {
   const auto start = static_cast<std::ptrdiff_t>(canonical_start(ring.vertices, order));
-  std::rotate(ring.vertices.begin(), ring.vertices.begin() + start, ring.vertices.end());
+  if (start != 0) std::rotate(ring.vertices.begin(), ring.vertices.begin() + start, ring.vertices.end());
 }
 
 int compare_rings(const SumRing& a, const SumRing& b, const VertexOrder& order) {
@@ -68,6 +70,11 @@ std::size_t parent_of(const SumRing& hole, const std::vector<const SumRing*>& ou
 std::vector<SumPart> group_rings(std::vector<SumRing> rings, std::span<const std::uint8_t> is_outer,
                                  const ExactSource& source, double at_error) {
   if (rings.size() != is_outer.size()) throw std::logic_error("group_rings: one entry of is_outer per ring");
+  std::vector<SumPart> parts;
+  if (rings.size() == 1 && is_outer[0] != 0) {
+    parts.emplace_back().outer = std::move(rings[0]);
+    return parts;
+  }
   std::vector<const SumRing*> outers;
   std::vector<std::size_t> part_of(rings.size());
   for (std::size_t i = 0; i < rings.size(); ++i) {
@@ -82,7 +89,7 @@ std::vector<SumPart> group_rings(std::vector<SumRing> rings, std::span<const std
     for (std::size_t i = 0; i < rings.size(); ++i)
       if (is_outer[i] == 0) part_of[i] = parent_of(rings[i], outers, boxes, source, at_error);
   }
-  std::vector<SumPart> parts(outers.size());
+  parts.resize(outers.size());
   for (std::size_t i = 0; i < rings.size(); ++i) {
     SumPart& part = parts[part_of[i]];
     if (is_outer[i] != 0)

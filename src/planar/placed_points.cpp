@@ -50,7 +50,10 @@ std::shared_ptr<const PlacedPoints> place_points(std::vector<Point> input) {
     points->extent = std::max({points->extent, v.x - points->offset.x, v.y - points->offset.y});
   }
   points->exponent = exact::common_exponent(all);
-  place_in_units(*points, points->moderate() ? 0 : unit_for(points->extent, points->exponent, bits_of(points->extent, points->exponent)));
+  // One unit in the last place covers the rounding of the differences.
+  constexpr int kLow = -1100;  // below all grids
+  points->top = kLow + exact::bits_needed(std::nextafter(points->extent, INFINITY), kLow);
+  place_in_units(*points, points->moderate() ? 0 : unit_for(points->extent, points->exponent, points->bits(points->exponent)));
   return points;
 }
 

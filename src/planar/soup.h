@@ -23,10 +23,10 @@ struct SoupSegment {
   std::uint32_t edge() const { return side_edge & 0x7fffffff; }
 };
 
-/// Rounded end points, for filters.
-struct SoupBox {
-  double ax, ay, bx, by;
-};
+using SoupBox = EdgeBox;
+
+/// A walk edge moved to a vertex.
+inline SoupBox moved(const EdgeBox& e, double x, double y) { return {e.ax + x, e.ay + y, e.bx + x, e.by + y, e.dx, e.dy}; }
 
 /// The error of a sum of two vertices: two rounded coordinates, and the sum rounded.
 inline double sum_error(const Lattice& lattice) { return lattice.exact_doubles ? 0 : 0x1p-51 * lattice.span; }
@@ -44,10 +44,8 @@ class Soup {
   }
 
   SoupBox box(const WalkSegment& w) const {
-    const Operand &o = *operands[w.side], &other = *operands[1 - w.side];
-    const std::uint32_t to = o.next[w.edge];
-    const double vx = other.x[w.vertex], vy = other.y[w.vertex];
-    return {o.x[w.edge] + vx, o.y[w.edge] + vy, o.x[to] + vx, o.y[to] + vy};
+    const Operand& other = *operands[1 - w.side];
+    return moved(operands[w.side]->boxes[w.edge], other.x[w.vertex], other.y[w.vertex]);
   }
   /// All segments of a convolution, in the order of their ids.
   void add(const ReducedConvolution& convolution) {
@@ -58,13 +56,12 @@ class Soup {
     SoupBox* to = boxes.data() + i;
     convolution.for_each_turn([&](std::uint32_t side, std::uint32_t v, std::span<const std::uint32_t> edges, std::uint32_t lo,
                                   std::uint32_t count) {
-      const double *x = operands[side]->x.data(), *y = operands[side]->y.data();
-      const std::uint32_t* next = operands[side]->next.data();
+      const EdgeBox* own = operands[side]->boxes.data();
       const double vx = operands[1 - side]->x[v], vy = operands[1 - side]->y[v];
       for (std::uint32_t k = 0, at = lo; k < count; ++k, at = at + 1 == edges.size() ? 0 : at + 1) {
-        const std::uint32_t e = edges[at], end = next[e];
+        const std::uint32_t e = edges[at];
         *segment++ = {(side << 31) | e, v};
-        *to++ = {x[e] + vx, y[e] + vy, x[end] + vx, y[end] + vy};
+        *to++ = moved(own[e], vx, vy);
       }
     });
   }
@@ -78,8 +75,8 @@ class Soup {
   }
 
   std::size_t size() const { return segments.size(); }
-  double dx(std::uint32_t s) const { return operands[segments[s].side()]->ex[segments[s].edge()]; }
-  double dy(std::uint32_t s) const { return operands[segments[s].side()]->ey[segments[s].edge()]; }
+  double dx(std::uint32_t s) const { return boxes[s].dx; }
+  double dy(std::uint32_t s) const { return boxes[s].dy; }
   /// |cross computed in doubles - exact| is at most this for the directed line of s.
   double error(std::uint32_t s) const { return side_error * (std::abs(dx(s)) + std::abs(dy(s))); }
 

@@ -47,6 +47,15 @@ class ReducedChain final : public Chain {
       convolution.fill_next({next_.data(), reduced});
       return;
     }
+    const std::uint32_t n = convolution.size();
+    if (reduced > n / 3) {
+      Array<std::uint32_t> next(n, soup.memory);
+      convolution.fill_next(next);
+      // The first id of a segment made it; segments are in the order of these ids.
+      for (std::uint32_t id = 0, s = 0; s < reduced; ++id)
+        if (live_[id] == s) next_[s++] = this->live(next[id]);
+      return;
+    }
     for (std::uint32_t s = 0; s < reduced; ++s) {
       const SoupSegment& g = soup.segments[s];
       next_[s] = this->live(convolution.next({g.side(), g.edge(), g.vertex}));
@@ -83,13 +92,16 @@ class ReducedChain final : public Chain {
 class SameSegments {
  public:
   explicit SameSegments(const Soup& soup) : soup_(soup), slots_(soup.memory) {}
-  void reserve(std::size_t n) { slots_.assign(std::bit_ceil(2 * n + 1), kNone); }
+  void reserve(std::size_t n) {
+    slots_.assign(std::bit_ceil(2 * n + 1), kNone);
+    shift_ = 64 - std::countr_zero(slots_.size());
+  }
 
   // The earlier segment with exactly the same ends, or kNone; then s is remembered.
   std::uint32_t find_or_add(std::uint32_t s) {
     const SoupBox& b = soup_.boxes[s];
     const std::size_t mask = slots_.size() - 1;
-    std::size_t at = hash(b) & mask;
+    std::size_t at = hash(b) >> shift_;
     for (; slots_[at] != kNone; at = (at + 1) & mask) {
       const std::uint32_t t = slots_[at];
       const SoupBox& c = soup_.boxes[t];
@@ -103,13 +115,15 @@ class SameSegments {
   }
 
  private:
-  static std::size_t hash(const SoupBox& b) {
-    std::uint64_t h = 0;
-    for (const double v : {b.ax, b.ay, b.bx, b.by}) h = (h ^ std::bit_cast<std::uint64_t>(v)) * 0x9e3779b97f4a7c15;
-    return h ^ (h >> 32);
+  // Its high bits count: doubles that hold small integers end in zeros.
+  static std::uint64_t hash(const SoupBox& b) {
+    const auto bits = [](double v) { return std::bit_cast<std::uint64_t>(v); };
+    return bits(b.ax) * 0x9e3779b97f4a7c15 + bits(b.ay) * 0xc2b2ae3d27d4eb4f + bits(b.bx) * 0x165667b19e3779f9 +
+           bits(b.by) * 0x27d4eb2f165667c5;
   }
   const Soup& soup_;
   Array<std::uint32_t> slots_;
+  int shift_ = 0;
 };
 
 // The sides of the parallelograms of every pair of edges of two components without area, counter-clockwise.
@@ -205,9 +219,11 @@ void find_tight(const Soup& soup, const Arrangement& arrangement, const Array<Bo
     out.cracks.push_back({vertex_of(soup, s, a.pair ? s : a.other, a, from), vertex_of(soup, s, b.pair ? s : b.other, b, to)});
   }
   for (const Arrangement::Node& node : arrangement.nodes()) {
-    if (on_boundary[node.number] != 0 || collision.overlaps(node.place)) continue;
-    grid_error = std::max(grid_error, position_error(soup, node.place));
-    out.punctures.push_back(vertex_of(soup, node.segment, node.end.pair ? node.segment : node.end.other, node.end, node.place));
+    if (on_boundary[node.number] != 0) continue;
+    const Place place = arrangement.place_of(node);
+    if (collision.overlaps(place)) continue;
+    grid_error = std::max(grid_error, position_error(soup, place));
+    out.punctures.push_back(vertex_of(soup, node.segment, node.end.pair ? node.segment : node.end.other, node.end, place));
   }
 }
 
@@ -256,12 +272,11 @@ Array<std::uint32_t> add_live(const ReducedConvolution& convolution, const Inter
   convolution.for_each_turn([&](std::uint32_t side, std::uint32_t v, std::span<const std::uint32_t> edges,
                                 std::uint32_t lo, std::uint32_t count) {
     const Operand &o = *soup.operands[side], &other = *soup.operands[1 - side];
-    const double *x = o.x.data(), *y = o.y.data();
-    const std::uint32_t* next = o.next.data();
+    const EdgeBox* own = o.boxes.data();
     const double vx = other.x[v], vy = other.y[v];
     for (std::uint32_t k = 0, at = lo; k < count; ++k, at = at + 1 == edges.size() ? 0 : at + 1, ++to) {
-      const std::uint32_t e = edges[at], end = next[e];
-      const SoupBox b{x[e] + vx, y[e] + vy, x[end] + vx, y[end] + vy};
+      const std::uint32_t e = edges[at];
+      const SoupBox b = moved(own[e], vx, vy);
       if (dead(b)) continue;
       if (soup.size() == soup.segments.capacity()) soup.reserve(std::min<std::size_t>(n, 2 * soup.size()));
       *to = static_cast<std::uint32_t>(soup.size());

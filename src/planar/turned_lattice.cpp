@@ -32,7 +32,7 @@ namespace {
 std::shared_ptr<TurnedPoints> turned_points(const Lattice& unscaled, const LatticeScale& r) {
   const PlacedPoints& o = *unscaled.points[r.op];
   auto turned = std::make_shared<TurnedPoints>();
-  const int grid_bits = bits_of(o.extent, unscaled.grid_exponent);
+  const int grid_bits = o.bits(unscaled.grid_exponent);
   // |x X - turn Y| < 2^(grid + den + 1), and a difference of two has one bit more.
   if (grid_bits + factor_bits(r.den) + 2 <= 125 && unscaled.tier_bits != 0) {
     const exact::i128 c = exact::narrowed<exact::Int<125>>(Big(r.x)).raw(), s = exact::narrowed<exact::Int<125>>(Big(r.turn)).raw();
@@ -88,7 +88,7 @@ std::shared_ptr<Lattice> make_turned_lattice(const Lattice& unscaled, const Latt
   const std::uint32_t op = rotation.op;
   const int den = factor_bits(rotation.den);
   // Rotated differences are at most the diagonal: 1.5 times the larger side.
-  int bits = std::max(bits_of(points[op]->extent, exponent) + den + 1, bits_of(points[1 - op]->extent, exponent) + den);
+  int bits = std::max(points[op]->bits(exponent) + den + 1, points[1 - op]->bits(exponent) + den);
   auto placed = std::make_shared<PlacedPoints>(*points[op]);
   std::shared_ptr<TurnedPoints> turned = turned_points(unscaled, rotation);
   // Integers that were too wide to be turned in 125 bits may seem to fit by one bit.

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <optional>
@@ -105,15 +106,38 @@ TEST(Crossings, sweep_and_grid_find_on_tiny_grids_what_all_pairs_find) {
   EXPECT_GT(touches, 2000u);
 }
 
-// Of all sizes on both sides of those from which on boxes are sorted by buckets, and not multiples of eight.
+// Of all sizes on both sides of the one from which on boxes are sorted, and not multiples of eight.
 TEST(Crossings, sweep_and_grid_find_in_larger_sums_what_all_pairs_find) {
   std::set<bool> large;
   for (int n = 3; n < 60; n = n * 5 / 4 + 1) {
     const Segments segments(shapes::noisy_star(n, 0.8, kSeed), shapes::noisy_star(n + 3, 0.7, kSeed + 1));
-    large.insert(segments.soup->size() > 24);
+    large.insert(segments.soup->size() > 64);
     const Found all = of_all_pairs(segments);
     EXPECT_EQ(pairs_of(of_sweep(segments)), pairs_of(all)) << n;
     EXPECT_EQ(pairs_of(of_grid(segments, 8 + n)), pairs_of(all)) << n;
+  }
+  EXPECT_EQ(large.size(), 2u);
+}
+
+// Where contacts coincide, the first one found is named: few boxes, which are not sorted, must tell them in the same order as many.
+TEST(Crossings, few_and_many_boxes_tell_what_they_find_from_left_to_right) {
+  std::set<bool> large;
+  for (const int n : {12, 14, 16, 20, 30, 60}) {
+    const Segments segments(shapes::noisy_star(n, 0.8, kSeed), shapes::noisy_star(n + 3, 0.7, kSeed + 1));
+    const Soup& soup = *segments.soup;
+    Meetings meetings;
+    CrossingFinder finder(soup, meetings);
+    finder.sweep();
+    ASSERT_GT(meetings.crossings.size(), 2u) << n;
+    large.insert(soup.size() > 64);
+    const double quantum = soup.lattice.span / 0x7ff0;
+    const auto left = [&](std::uint32_t s) { return std::min(soup.boxes[s].ax, soup.boxes[s].bx); };
+    double last = 0;
+    for (const Crossing& c : meetings.crossings) {
+      const double earlier = std::min(left(c.a), left(c.b));
+      EXPECT_GE(earlier, last - quantum) << n;
+      last = earlier;
+    }
   }
   EXPECT_EQ(large.size(), 2u);
 }

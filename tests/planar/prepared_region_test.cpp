@@ -2,11 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cmath>
+#include <cstdlib>
 #include <thread>
 #include <vector>
 
 #include "dymsum/planar_sum.h"
 #include "dymsum/shapes.h"
+#include "exact/grid.h"
 #include "planar/prepared_region.h"
 
 namespace dymsum {
@@ -33,6 +36,16 @@ TEST(PreparedRegion, ServesPartnersOfEverySize) {
     EXPECT_TRUE(minkowski_sum(p, q).value() == minkowski_sum(fresh_p, fresh_q, brute).value()) << factor;
     EXPECT_TRUE(nfp(p, q).value() == minkowski_sum(fresh_p, negated(fresh_q), brute).value()) << factor;
     EXPECT_TRUE(minkowski_sum(q, p).value() == minkowski_sum(fresh_p, fresh_q, brute).value()) << factor;
+  }
+}
+
+// What is counted once stands for every grid.
+TEST(PreparedRegion, KnowsTheBitsOfItsIntegers) {
+  for (const double extent : {0.0, 0x1p-1074, 0x1p-300, 0.75, 1.0, 3.0, 4.0, 0x1.fffffffffffffp9, 1024.0, 0x1p600}) {
+    const auto points = planar::place_points({{0, 0}, {extent, 0}});
+    ASSERT_EQ(points->extent, extent);
+    for (int grid = -1074; grid < 700; grid += 1 + std::abs(grid) / 50)
+      ASSERT_EQ(points->bits(grid), exact::bits_needed(std::nextafter(extent, INFINITY), grid)) << extent << " " << grid;
   }
 }
 
