@@ -1,9 +1,7 @@
 #include "planar/crossings.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstring>
 #include <functional>
 #include <limits>
 #include <tuple>
@@ -12,13 +10,14 @@
 #include <emmintrin.h>
 #endif
 
+#include "planar/box_lanes.h"
+
 namespace dymsum::planar {
 
 namespace {
 
 // The top bit of each 16-bit field; bounds stay below it.
 constexpr std::uint64_t kGuard = 0x8000800080008000;
-constexpr int kQuanta = 0x7fff;
 
 // Fields of `low`: x0, y0, -x1, -y1; of `high`: x1, y1, -x0, -y0, negated ones counted from the top. Boxes meet when no field of
 // one's low exceeds that of the other's high, that is, when no field of the difference borrows the guard.
@@ -28,7 +27,7 @@ bool boxes_meet(std::uint64_t high, std::uint64_t low) { return (((high | kGuard
 
 // Zero where the span is minute or huge, so that the factor is not a number of use: then all boxes meet.
 double CrossingFinder::quanta_per_unit() const {
-  const double factor = (kQuanta - 3) / soup_.lattice.span;
+  const double factor = (kBoxQuanta - 3) / soup_.lattice.span;
   return factor <= std::numeric_limits<double>::max() ? factor : 0;
 }
 
@@ -51,7 +50,7 @@ void CrossingFinder::make_keys() {
   keys_.resize(soup_.size());
   for (std::uint32_t s = 0; s < soup_.size(); ++s) {
     const BoxQuanta b = quanta(soup_.boxes[s], per_quantum);
-    keys_[s] = {word(b.x0, b.y0, kQuanta - b.x1, kQuanta - b.y1), word(b.x1, b.y1, kQuanta - b.x0, kQuanta - b.y0)};
+    keys_[s] = {word(b.x0, b.y0, kBoxQuanta - b.x1, kBoxQuanta - b.y1), word(b.x1, b.y1, kBoxQuanta - b.x0, kBoxQuanta - b.y0)};
   }
 }
 
@@ -77,18 +76,6 @@ inline bool near_parallel(double u, double v) {
   return std::abs(u - v) <= 0x1p-49 * (std::abs(u) + std::abs(v)) + 0x1p-1000;
 }
 
-// Eight 16-bit numbers; comparing gives -1 or 0 in each. In memory the first one comes first, and so in a word read
-// from there its low bits.
-static_assert(std::endian::native == std::endian::little);
-using Lanes = std::int16_t __attribute__((vector_size(16)));
-constexpr std::uint32_t kLanes = 8;
-
-Lanes load(const std::int16_t* from) {
-  Lanes v;
-  std::memcpy(&v, from, sizeof v);
-  return v;
-}
-
 // One bit for each lane that is zero; lane_of gives the lane of the lowest one.
 #ifdef __SSE2__
 inline std::uint32_t zero_lanes(const Lanes& lanes) {
@@ -106,11 +93,6 @@ inline std::uint32_t lane_of(std::uint64_t bits) {
   return bit / 16 + 4 * (bit & 1);
 }
 #endif
-
-// Segments by the left sides of their boxes.
-inline std::uint64_t left_order(std::int16_t left, std::uint32_t segment) {
-  return static_cast<std::uint64_t>(left) << 32 | segment;
-}
 
 // Up to here comparing each box with all others is cheaper than sorting them. A left side and a number fit into kSmall
 // bits.
@@ -166,25 +148,6 @@ void CrossingFinder::all_pairs() {
   finish();
 }
 
-// Numbers of n segments behind the left sides of their boxes, in order: by buckets first where they are many, then by
-// insertion.
-void CrossingFinder::sort_by_left(Array<std::uint64_t>& order) const {
-  const std::size_t n = order.size();
-  const int shift = 32 + 15 - std::min(11, static_cast<int>(std::bit_width(n)));
-  Array<std::uint32_t> start((std::uint64_t{kQuanta} << 32 >> shift) + 2, 0, soup_.memory);
-  for (const std::uint64_t o : order) ++start[(o >> shift) + 1];
-  for (std::size_t b = 1; b < start.size(); ++b) start[b] += start[b - 1];
-  Array<std::uint64_t> sorted(n, soup_.memory);
-  for (const std::uint64_t o : order) sorted[start[o >> shift]++] = o;
-  order.swap(sorted);
-  for (std::size_t k = 1; k < n; ++k) {
-    const std::uint64_t o = order[k];
-    std::size_t at = k;
-    for (; at > 0 && order[at - 1] > o; --at) order[at] = order[at - 1];
-    order[at] = o;
-  }
-}
-
 // Few boxes: each with all behind it. What is found is put into the order of the sweep, because of several contacts at
 // one place the first one is named.
 void CrossingFinder::compare_all() {
@@ -216,7 +179,7 @@ void CrossingFinder::compare_all() {
     const Lanes left = Lanes{} + x0[i], low = Lanes{} + y0[i], right = Lanes{} + x1[i], high = Lanes{} + y1[i];
     const Probe of_i = probe(i);
     for (std::uint32_t j = i + 1; j < n; j += kLanes) {
-      const Lanes apart = (load(&x0[j]) > right) | (left > load(&x1[j])) | (load(&y0[j]) > high) | (low > load(&y1[j]));
+      const Lanes apart = (load_lanes(&x0[j]) > right) | (left > load_lanes(&x1[j])) | (load_lanes(&y0[j]) > high) | (low > load_lanes(&y1[j]));
       for (auto hits = zero_lanes(apart); hits != 0; hits &= hits - 1) {
         const std::uint32_t k = j + lane_of(hits);
         if (undecided(of_i, k)) exact.push_back(pair_key(i, k));
@@ -267,7 +230,7 @@ void CrossingFinder::sweep(const InteriorMask* mask) {
     const Probe of_s = probe(s);
     std::uint32_t j = i + 1;
     for (; x0[j] <= right; j += kLanes) {
-      const Lanes apart = (load(y0 + j) > high) | (low > load(y1 + j));
+      const Lanes apart = (load_lanes(y0 + j) > high) | (low > load_lanes(y1 + j));
       for (auto hits = zero_lanes(apart); hits != 0; hits &= hits - 1)
         test(of_s, static_cast<std::uint32_t>(order[j + lane_of(hits)]));
     }

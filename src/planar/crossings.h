@@ -85,7 +85,6 @@ class CrossingFinder {
   BoxQuanta quanta(const SoupBox& box, double per_quantum) const;
   double quanta_per_unit() const;
   void make_keys();
-  void sort_by_left(Array<std::uint64_t>& order) const;
   void compare_all();
   struct Probe;
   Probe probe(std::uint32_t s) const;

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "planar/box_lanes.h"
+
 namespace dymsum::planar {
 
 class BoxPairs {
@@ -21,13 +23,11 @@ class BoxPairs {
   std::vector<std::array<std::uint32_t, 2>> find();
 
  private:
-  static constexpr int kQuanta = 0x7fff;
   struct Box {
     std::int16_t x0, y0, x1, y1;
   };
   // Monotone, so boxes that meet do so in quanta too.
-  std::int16_t quantum(double v) const { return static_cast<std::int16_t>(std::clamp(v * per_unit_, 0.0, double{kQuanta - 1})); }
-  void sort_by_left();
+  std::int16_t quantum(double v) const { return static_cast<std::int16_t>(std::clamp(v * per_unit_, 0.0, double{kBoxQuanta - 1})); }
 
   double per_unit_ = 0;
   std::vector<Box> boxes_;

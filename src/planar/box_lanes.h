@@ -1,0 +1,54 @@
+// Boxes in 15-bit numbers, compared eight at a time, in the order of their left sides.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <vector>
+
+namespace dymsum::planar {
+
+/// Sides of boxes are below this.
+inline constexpr int kBoxQuanta = 0x7fff;
+
+/// Eight numbers; comparing gives -1 or 0 in each. In memory the first one comes first, and so in a word read from there
+/// its low bits.
+static_assert(std::endian::native == std::endian::little);
+using Lanes = std::int16_t __attribute__((vector_size(16)));
+inline constexpr std::uint32_t kLanes = 8;
+
+inline Lanes load_lanes(const std::int16_t* from) {
+  Lanes v;
+  std::memcpy(&v, from, sizeof v);
+  return v;
+}
+
+/// The left side of a box above its number.
+inline std::uint64_t left_order(std::int16_t left, std::uint32_t number) { return static_cast<std::uint64_t>(left) << 32 | number; }
+
+/// Ascending: by buckets first where they are many, then by insertion.
+template <class Allocator>
+void sort_by_left(std::vector<std::uint64_t, Allocator>& order) {
+  const std::size_t n = order.size();
+  if (n > 24) {
+    const int shift = 32 + 15 - std::min(11, static_cast<int>(std::bit_width(n)));
+    using Counts = std::vector<std::uint32_t, typename std::allocator_traits<Allocator>::template rebind_alloc<std::uint32_t>>;
+    Counts start((std::uint64_t{kBoxQuanta} << 32 >> shift) + 2, 0, order.get_allocator());
+    for (const std::uint64_t o : order) ++start[(o >> shift) + 1];
+    for (std::size_t b = 1; b < start.size(); ++b) start[b] += start[b - 1];
+    std::vector<std::uint64_t, Allocator> sorted(n, order.get_allocator());
+    for (const std::uint64_t o : order) sorted[start[o >> shift]++] = o;
+    order.swap(sorted);
+  }
+  for (std::size_t k = 1; k < n; ++k) {
+    const std::uint64_t o = order[k];
+    std::size_t at = k;
+    for (; at > 0 && order[at - 1] > o; --at) order[at] = order[at - 1];
+    order[at] = o;
+  }
+}
+
+}  // namespace dymsum::planar
