@@ -7,6 +7,7 @@
 #include "dymsum/region_io.h"
 #include "dymsum/shapes.h"
 #include "planar/crossing_grates.h"
+#include "scaling/coherence.h"
 #include "versus/cgal.h"
 #include "versus/rival.h"
 
@@ -142,6 +143,8 @@ FramesRow measure_frames(const ScalingPair& pair, const FramesPlan& plan) {
     fresh_ms.push_back(cpu_ms() - start);
   }
   ScalingSum sum = ScalingSum::create(pair.p, pair.q, options).value();
+  PlanarSum before;
+  Times kept;  // shares
   Times frame, fresh, update, window, all_pairs, cgal;
   const std::size_t n = plan.scales.size(), every = plan.rival_frames == 0 ? 0 : std::max<std::size_t>(1, n / plan.rival_frames);
   for (std::size_t i = 0; i < n; ++i) {
@@ -164,6 +167,8 @@ FramesRow measure_frames(const ScalingPair& pair, const FramesPlan& plan) {
     row.samples.push_back({s, frame.ms.back(), fresh.ms.back(), work.crossings_changed, answer.stats.crossings, work.rebuilt, work.new_window});
     row.vertices = std::max<std::uint64_t>(row.vertices, answer.vertex_count());
     row.holes = std::max<std::uint64_t>(row.holes, answer.hole_count());
+    if (i > 0) kept.ms.push_back(corners_kept(before, answer));
+    before = answer;
     if (every == 0 || i % every != every / 2) continue;
     SumOptions brute;
     brute.engine = Engine::brute;
@@ -186,6 +191,7 @@ FramesRow measure_frames(const ScalingPair& pair, const FramesPlan& plan) {
   row.frame_mean_ms = mean(frame);
   row.static_ms = fresh.median();
   row.static_mean_ms = mean(fresh);
+  row.kept = kept.median();
   row.update_ms = update.median();
   row.window_ms = window.median();
   row.all_pairs_ms = all_pairs.median();

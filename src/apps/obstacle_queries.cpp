@@ -10,32 +10,12 @@
 #include "containment_index.h"
 #include "free_angles.h"
 #include "nearest_patch.h"
+#include "radius_of_gyration.h"
 
 namespace dymsum {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-
-// Of a region about the origin: the root of the mean square distance of its points. In units of the largest coordinate,
-// as fourth powers leave the range of doubles.
-double radius_of_gyration(const Region& region) {
-  double area = 0, moment = 0, unit = 0;
-  for (const double v : bounds(region)) unit = std::max(unit, std::abs(v));
-  const auto add = [&](const Ring& ring) {
-    for (std::size_t k = 0; k < ring.size(); ++k) {
-      const Point u = ring[k], v = ring[(k + 1) % ring.size()];
-      const Point a{u.x / unit, u.y / unit}, b{v.x / unit, v.y / unit};
-      const double twice = a.x * b.y - a.y * b.x;
-      area += twice / 2;
-      moment += twice / 12 * (a.x * a.x + a.y * a.y + a.x * b.x + a.y * b.y + b.x * b.x + b.y * b.y);
-    }
-  };
-  for (const Part& part : region.parts()) {
-    add(part.outer);
-    for (const Ring& hole : part.holes) add(hole);
-  }
-  return unit * std::sqrt(std::max(0.0, moment / area));
-}
 
 // In [-pi, pi], within 2^-51 of the angle of Orientation::nearest.
 double reduced(double theta) { return std::abs(theta) <= kPi ? theta : Orientation::nearest(theta).value().radians(); }
@@ -45,7 +25,7 @@ double reduced(double theta) { return std::abs(theta) <= kPi ? theta : Orientati
 class ObstacleQueries::State {
  public:
   explicit State(const CspaceObstacle& o)
-      : obstacle(o), forms(o), index(o, forms), gyration(radius_of_gyration(o.robot())), tree(o, forms, gyration) {}
+      : obstacle(o), forms(o), index(o, forms), gyration(apps::radius_of_gyration(o.robot())), tree(o, forms, gyration) {}
 
   bool exact(double x, double y, const Orientation& theta) const {
     exact_answers.fetch_add(1, std::memory_order_relaxed);

@@ -7,6 +7,7 @@
 
 #include "dymsum/obstacle_queries.h"
 #include "dymsum/shapes.h"
+#include "oracles/decimal_parts.h"
 
 namespace dymsum {
 namespace {
@@ -77,32 +78,49 @@ void expect_angles(const ObstacleQueries& q, double x, double y, Random& random)
   }
 }
 
+// All kinds of questions within `reach`; returns how many the exact test answered.
+std::uint64_t ask(const CspaceObstacle& made, double reach, double unit, Random& random) {
+  const ObstacleQueries q(made);
+  for (int k = 0; k < 40; ++k) expect_contained(made, q, near_boundary(made, random));
+  for (int k = 0; k < 40; ++k) {
+    const double quarters = M_PI / 2 * (static_cast<int>(random() % 4) - 1);
+    expect_contained(made, q, {unit * grid(random, 10), unit * grid(random, 10), k % 2 == 0 ? quarters : uniform(random, -3, 3)});
+  }
+  const std::uint64_t exact = q.exact_answers();
+  for (int k = 0; k < 4; ++k)
+    expect_ball(q, {uniform(random, -reach, reach), uniform(random, -reach, reach), uniform(random, -M_PI, M_PI)}, random);
+  for (int k = 0; k < 3; ++k) expect_angles(q, uniform(random, -reach, reach), uniform(random, -reach, reach), random);
+  expect_angles(q, unit * grid(random, 5), unit * grid(random, 5), random);
+  return exact;
+}
+
 TEST(ObstacleQueriesFuzz, random_pairs_on_grids) {
   Random random(7);
   int pairs = 0;
   std::uint64_t exact = 0;
-  for (int i = 0; i < 150; ++i) {
+  for (int i = 0; i < 150 && !HasFailure(); ++i) {
     const Region robot = random_shape(random, 1 + static_cast<int>(random() % 4));
     const Region obstacle = random_shape(random, 1 + static_cast<int>(random() % 6));
     const Result<CspaceObstacle> made = CspaceObstacle::create(robot, obstacle);
     if (!made) continue;
     ++pairs;
     SCOPED_TRACE(testing::Message() << "pair " << i);
-    const ObstacleQueries q(*made);
-    for (int k = 0; k < 40; ++k) expect_contained(*made, q, near_boundary(*made, random));
-    for (int k = 0; k < 40; ++k) {
-      const double quarters = M_PI / 2 * (static_cast<int>(random() % 4) - 1);
-      expect_contained(*made, q, {grid(random, 10), grid(random, 10), k % 2 == 0 ? quarters : uniform(random, -3, 3)});
-    }
-    exact += q.exact_answers();
-    for (int k = 0; k < 4; ++k)
-      expect_ball(q, {uniform(random, -8, 8), uniform(random, -8, 8), uniform(random, -M_PI, M_PI)}, random);
-    for (int k = 0; k < 3; ++k) expect_angles(q, uniform(random, -8, 8), uniform(random, -8, 8), random);
-    expect_angles(q, grid(random, 5), grid(random, 5), random);
-    if (HasFailure()) return;
+    exact += ask(*made, 8, 1, random);
   }
   EXPECT_GT(pairs, 130);
   EXPECT_GT(exact, 1000u);
+}
+
+TEST(ObstacleQueriesFuzz, several_parts_at_decimal_distances) {
+  for (std::uint64_t seed = 1; seed <= 40 && !HasFailure(); ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random random(seed);
+    const double unit = random() % 2 == 0 ? 1 : 0.1;
+    const Region robot = oracles::decimal_parts(random, 3, 6, 1 + static_cast<int>(random() % 2), unit);
+    Region obstacle = oracles::decimal_parts(random, 6, 7, 1 + static_cast<int>(random() % 3), unit);
+    if (random() % 2 == 0) obstacle = oracles::framed(obstacle, 12 * unit, 40 * unit);
+    ask(CspaceObstacle::create(robot, obstacle).value(), 15 * unit, unit, random);
+  }
 }
 
 // Powers of two change nothing but the scale.

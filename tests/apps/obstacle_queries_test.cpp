@@ -435,5 +435,16 @@ TEST(ObstacleQueries, the_radius_of_gyration) {
   EXPECT_NEAR(ObstacleQueries(d).gyration_radius(), std::sqrt((36.0 + 16.0) / 12 + 100), 1e-13);
 }
 
+// In doubles the area of the triangle is zero, or anything. Of a triangle: (a^2 + b^2 + c^2 + (a + b + c)^2) / 12.
+TEST(ObstacleQueries, the_radius_of_gyration_of_a_needle) {
+  for (const double factor : {1.0, 0x1p300, 0x1p-300}) {
+    RegionData data;
+    data.parts.push_back({{{0, -0.1}, {-0.1, -0.2}, {0.1 + 0.2, 0.2}}, {}});
+    const Region needle = *scaled(*Region::create(data), factor, factor);
+    const CspaceObstacle c = make({needle, *scaled(shapes::rectangle(0, 0, 1, 1), factor, factor)});
+    EXPECT_NEAR(ObstacleQueries(c).gyration_radius(), std::sqrt(0.02) * factor, 1e-15 * factor);
+  }
+}
+
 }  // namespace
 }  // namespace dymsum

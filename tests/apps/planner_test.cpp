@@ -12,6 +12,7 @@
 
 #include "dymsum/planar_sum.h"
 #include "dymsum/region.h"
+#include "oracles/decimal_parts.h"
 
 namespace dymsum {
 namespace {
@@ -399,6 +400,39 @@ TEST(Planner, a_square_in_mazes_of_exactly_its_width) {
   }
   EXPECT_GT(found, 5);
   EXPECT_GT(none, 5);
+}
+
+// There and back: both ways valid, or neither.
+TEST(Planner, several_parts_at_decimal_distances) {
+  const char* first = std::getenv("DYMSUM_SEED");
+  const char* count = std::getenv("DYMSUM_FUZZ_PLANS");
+  const std::uint64_t begin = first ? std::stoull(first) : 1;
+  int found = 0;
+  for (std::uint64_t seed = begin; seed < begin + (count ? std::stoull(count) : 4); ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random random(seed);
+    const Region robot = oracles::decimal_parts(random, 3, 5, 1 + static_cast<int>(random() % 2), 0.1);
+    Region obstacle = oracles::decimal_parts(random, 6, 7, 1 + static_cast<int>(random() % 2), 0.1);
+    if (seed % 2 == 0) obstacle = oracles::framed(obstacle, 1.2, 4);
+    const CspaceObstacle c = obstacle_of(robot, obstacle);
+    std::vector<Configuration> free;
+    for (int tries = 0; tries < 1000 && free.size() < 2; ++tries) {
+      const auto at = [&](double reach) { return reach * (static_cast<double>(random() % 2001) / 1000 - 1); };
+      const Configuration q{at(2), at(1), at(3)};
+      if (!c.contains(q.x, q.y, *Orientation::nearest(q.theta))) free.push_back(q);
+    }
+    if (free.size() < 2) continue;
+    for (const Touching touching : {Touching::allowed, Touching::forbidden}) {
+      const Plan there = plan_in(c, free[0], free[1], touching), back = plan_in(c, free[1], free[0], touching);
+      ASSERT_EQ(there.found(), back.found());
+      if (!there.found()) continue;
+      ++found;
+      expect_valid(c, there, free[0], free[1], touching);
+      expect_valid(c, back, free[1], free[0], touching);
+      if (testing::Test::HasFatalFailure()) return;
+    }
+  }
+  EXPECT_TRUE(first || count || found > 0);
 }
 
 TEST(Planner, random_scenes_agree_with_a_flood_fill) {

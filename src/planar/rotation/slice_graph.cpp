@@ -71,13 +71,13 @@ void SliceGraph::add_lines() {
   std::sort(order.begin(), order.end(),
             [&](std::uint32_t a, std::uint32_t b) { return compare_x(spots[a], spots[b]) < 0; });
   rank_.assign(spots.size(), kNone);
-  lines_.push_back({-frame_, 0, exact::exact_value(-frame_)});
+  lines_.push_back({-frame_, 0, exact::exact_value(-frame_), nullptr});
   for (std::size_t k = 0; k < order.size(); ++k) {
     const SlicePoint& s = spots[order[k]];
-    if (k == 0 || compare_x(spots[order[k - 1]], s) != 0) lines_.push_back({s.at().x, s.error(), s.exact().x});
+    if (k == 0 || compare_x(spots[order[k - 1]], s) != 0) lines_.push_back({s.at().x, s.error(), {}, &s});
     rank_[order[k]] = static_cast<std::uint32_t>(lines_.size() - 1);
   }
-  lines_.push_back({frame_, 0, exact::exact_value(frame_)});
+  lines_.push_back({frame_, 0, exact::exact_value(frame_), nullptr});
 }
 
 std::array<double, 2> SliceGraph::height(std::uint32_t edge, const Line& line) const {
@@ -109,7 +109,7 @@ int SliceGraph::compare_heights(std::uint32_t e, std::uint32_t f, const Line& li
   const auto [y, y_error] = height(e, line);
   const auto [z, z_error] = height(f, line);
   if (std::abs(y - z) > 1.01 * (y_error + z_error)) return y < z ? -1 : 1;
-  return exact_height(e, line.x).compare(exact_height(f, line.x));
+  return exact_height(e, line.exact()).compare(exact_height(f, line.exact()));
 }
 
 BigRational SliceGraph::middle_of(std::uint32_t low, std::uint32_t high, const Line& line) const {
@@ -117,7 +117,7 @@ BigRational SliceGraph::middle_of(std::uint32_t low, std::uint32_t high, const L
   const auto [z, z_error] = height(high, line);
   const double middle = 0.5 * (y + z);
   if (z - y > 16 * (y_error + z_error) && y < middle && middle < z) return exact::exact_value(middle);
-  return BigRational((exact_height(low, line.x) + exact_height(high, line.x)) / 2);
+  return BigRational((exact_height(low, line.exact()) + exact_height(high, line.exact())) / 2);
 }
 
 void SliceGraph::add_trapezoid(std::uint32_t column, std::uint32_t low, std::uint32_t high, const Line& middle) {
@@ -130,11 +130,12 @@ void SliceGraph::add_trapezoid(std::uint32_t column, std::uint32_t low, std::uin
 void SliceGraph::add_column(std::uint32_t column) {
   column_begin_.push_back(static_cast<std::uint32_t>(trapezoids_.size()));
   const Line &from = lines_[column], &to = lines_[column + 1];
-  Line middle{0.5 * (from.at + to.at), 0, {}};
+  Line middle{0.5 * (from.at + to.at), 0, {}, nullptr};
   if (to.at - from.at > 16 * (from.error + to.error) && from.at < middle.at && middle.at < to.at) {
     middle.x = exact::exact_value(middle.at);
   } else {
-    middle = {middle.at, 2 * (from.error + to.error) + std::abs(middle.at) * 0x1p-51, BigRational((from.x + to.x) / 2)};
+    middle = {middle.at, 2 * (from.error + to.error) + std::abs(middle.at) * 0x1p-51,
+              BigRational((from.exact() + to.exact()) / 2), nullptr};
   }
   std::vector<std::uint32_t> active;
   for (std::uint32_t e = 0; e < map_.edges().size(); ++e) {
@@ -147,9 +148,16 @@ void SliceGraph::add_column(std::uint32_t column) {
     add_trapezoid(column, k == 0 ? kBottom : active[k - 1], k == active.size() ? kTop : active[k], middle);
 }
 
-void SliceGraph::link(std::uint32_t a, std::uint32_t b, const Position& via) {
-  links_[a].push_back({b, via});
-  links_[b].push_back({a, via});
+void SliceGraph::link(std::uint32_t a, std::uint32_t b, Link how) {
+  how.to = b;
+  links_[a].push_back(how);
+  how.to = a;
+  links_[b].push_back(how);
+}
+
+Position SliceGraph::via(const Link& l) const {
+  if (l.touch != nullptr) return l.touch->exact();
+  return {lines_[l.line].exact(), middle_of(l.low, l.high, lines_[l.line])};
 }
 
 // Trapezoids on both sides of a line whose sides have more than a point in common.
@@ -160,7 +168,7 @@ void SliceGraph::join_columns(std::uint32_t line) {
       const Trapezoid &t = trapezoids_[i], &u = trapezoids_[j];
       const std::uint32_t low = compare_heights(t.low, u.low, l, line) < 0 ? u.low : t.low;
       const std::uint32_t high = compare_heights(t.high, u.high, l, line) < 0 ? t.high : u.high;
-      if (compare_heights(low, high, l, line) < 0) link(i, j, {l.x, middle_of(low, high, l)});
+      if (compare_heights(low, high, l, line) < 0) link(i, j, {0, line, low, high, nullptr});
     }
 }
 
@@ -185,14 +193,18 @@ std::vector<std::uint32_t> SliceGraph::nodes_at(const SlicePoint& p) const {
   const auto compare_line = [&](const Line& l) {
     const double d = p.at().x - l.at;
     if (std::abs(d) > 1.01 * (p.error() + l.error) + 0x1p-52 * std::abs(d)) return d > 0 ? 1 : -1;
-    return p.exact().x.compare(l.x);
+    return p.exact().x.compare(l.exact());
   };
-  std::vector<std::uint32_t> nodes;
   const auto beyond = std::partition_point(lines_.begin(), lines_.end(),
       [&](const Line& l) { return compare_line(l) > 0; });
-  if (beyond == lines_.begin() || beyond == lines_.end()) return nodes;
+  if (beyond == lines_.begin() || beyond == lines_.end()) return {};
   const auto line = static_cast<std::uint32_t>(beyond - lines_.begin());
-  const bool on_line = compare_line(lines_[line]) == 0 && line + 1 < lines_.size();
+  return nodes_at(p, line, compare_line(lines_[line]) == 0 && line + 1 < lines_.size());
+}
+
+// The same for a place on that line, or left of it and right of the one before.
+std::vector<std::uint32_t> SliceGraph::nodes_at(const SlicePoint& p, std::uint32_t line, bool on_line) const {
+  std::vector<std::uint32_t> nodes;
   for (std::uint32_t k = column_begin_[line - 1]; k < column_begin_[line + on_line]; ++k)
     if (holds(trapezoids_[k], p)) nodes.push_back(k);
   if (!touching_) return nodes;
@@ -204,18 +216,20 @@ std::vector<std::uint32_t> SliceGraph::nodes_at(const SlicePoint& p) const {
 }
 
 // Joins what has p in common, unless all of it is one face.
-void SliceGraph::join_at(const SlicePoint& p) {
-  const std::vector<std::uint32_t> nodes = nodes_at(p);
+void SliceGraph::join_at(const SlicePoint& p, const std::vector<std::uint32_t>& nodes) {
   const auto one_face = [&](std::uint32_t n) {
     return n < trapezoids_.size() && nodes[0] < trapezoids_.size() && trapezoids_[n].face == trapezoids_[nodes[0]].face;
   };
   if (nodes.size() < 2 || std::all_of(nodes.begin(), nodes.end(), one_face)) return;
-  for (std::size_t k = 1; k < nodes.size(); ++k) link(nodes[0], nodes[k], p.exact());
+  for (std::size_t k = 1; k < nodes.size(); ++k) link(nodes[0], nodes[k], {0, 0, kBottom, kTop, &p});
 }
 
 void SliceGraph::join_touching() {
   links_.resize(trapezoids_.size() + map_.cracks().size());
-  for (const SlicePoint& s : map_.spots()) join_at(s);
+  for (std::uint32_t k = 0; k < map_.spots().size(); ++k) {
+    const SlicePoint& s = map_.spots()[k];
+    join_at(s, rank_[k] != kNone ? nodes_at(s, rank_[k], true) : nodes_at(s));
+  }
   // Cracks that cross; meetings at their ends are among the spots.
   for (std::size_t i = 0; i < map_.cracks().size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
@@ -227,7 +241,8 @@ void SliceGraph::join_touching() {
       const Position &p = s[a].exact(), &q = s[b].exact(), &u = s[c].exact(), &v = s[d].exact();
       const BigRational dx = v.x - u.x, dy = v.y - u.y;
       const BigRational share = ((u.x - p.x) * dy - (u.y - p.y) * dx) / ((q.x - p.x) * dy - (q.y - p.y) * dx);
-      join_at(SlicePoint(along(p, q, share)));
+      crossings_.emplace_back(along(p, q, share));
+      join_at(crossings_.back(), nodes_at(crossings_.back()));
     }
 }
 
@@ -264,7 +279,7 @@ std::vector<Position> SliceGraph::way(const Position& from, const Position& to) 
   for (std::uint32_t n = *end;; n = before[n]) {
     if (n < trapezoids_.size()) corners.push_back(trapezoids_[n].centre);
     if (by[n] == nullptr) break;
-    corners.push_back(by[n]->via);
+    corners.push_back(via(*by[n]));
   }
   corners.push_back(from);
   std::reverse(corners.begin(), corners.end());

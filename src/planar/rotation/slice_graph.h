@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <vector>
 
 #include "planar/rotation/slice_map.h"
@@ -43,27 +44,33 @@ class SliceGraph {
   std::vector<Position> way(const Position& from, const Position& to) const;
 
  private:
-  struct Line {  // a vertical line
+  struct Line {  // a vertical line, through a spot or at x
     double at = 0, error = 0;
     exact::BigRational x;
+    const SlicePoint* through = nullptr;
+    const exact::BigRational& exact() const { return through != nullptr ? through->exact().x : x; }
   };
+  // Most are never passed, so that where they are passed is made when it is wanted.
   struct Link {
     std::uint32_t to = 0;
-    Position via;
+    std::uint32_t line = 0, low = kBottom, high = kTop;  // the middle between two edges on a line
+    const SlicePoint* touch = nullptr;                   // or this place
   };
   void add_lines();
   void add_column(std::uint32_t column);
   void add_trapezoid(std::uint32_t column, std::uint32_t low, std::uint32_t high, const Line& middle);
   void join_columns(std::uint32_t line);
   void join_touching();
-  void join_at(const SlicePoint& p);
+  void join_at(const SlicePoint& p, const std::vector<std::uint32_t>& nodes);
   void name_faces();
   int compare_heights(std::uint32_t e, std::uint32_t f, const Line& line, std::uint32_t rank) const;
   std::array<double, 2> height(std::uint32_t edge, const Line& line) const;  // with its error
   exact::BigRational exact_height(std::uint32_t edge, const exact::BigRational& x) const;
   exact::BigRational middle_of(std::uint32_t low, std::uint32_t high, const Line& line) const;
   bool holds(const Trapezoid& t, const SlicePoint& p) const;
-  void link(std::uint32_t a, std::uint32_t b, const Position& via);
+  void link(std::uint32_t a, std::uint32_t b, Link how);
+  Position via(const Link& l) const;
+  std::vector<std::uint32_t> nodes_at(const SlicePoint& p, std::uint32_t line, bool on_line) const;
   std::vector<Position> pulled(const std::vector<Position>& corners) const;
   const SlicePoint& left(std::uint32_t edge) const;
   const SlicePoint& right(std::uint32_t edge) const;
@@ -76,6 +83,7 @@ class SliceGraph {
   std::vector<std::uint32_t> column_begin_;  // of trapezoids_
   std::vector<Trapezoid> trapezoids_;
   std::vector<std::vector<Link>> links_;
+  std::deque<SlicePoint> crossings_;  // of cracks
   std::vector<std::uint32_t> group_, edge_of_face_;
   std::uint32_t faces_ = 0, groups_ = 0;
 };

@@ -57,6 +57,7 @@ int side(const SlicePoint& a, const SlicePoint& b, const SlicePoint& c) {
   const double bound = 1.01 * e * (std::abs(bx) + std::abs(by) + std::abs(cx) + std::abs(cy) + 2 * e) +
                        0x1p-50 * (std::abs(bx * cy) + std::abs(by * cx)) + 0x1p-1000;
   if (std::abs(det) > bound) return det > 0 ? 1 : -1;
+  if (&a == &b || &a == &c || &b == &c) return 0;
   const Position &p = a.exact(), &q = b.exact(), &r = c.exact();
   return sign_of(cross(q.x - p.x, q.y - p.y, r.x - p.x, r.y - p.y));
 }
@@ -64,13 +65,13 @@ int side(const SlicePoint& a, const SlicePoint& b, const SlicePoint& c) {
 int compare_x(const SlicePoint& a, const SlicePoint& b) {
   const double d = a.at().x - b.at().x;
   if (std::abs(d) > 1.01 * (a.error() + b.error()) + 0x1p-52 * std::abs(d)) return d > 0 ? 1 : -1;
-  return a.exact().x.compare(b.exact().x);
+  return &a == &b ? 0 : a.exact().x.compare(b.exact().x);
 }
 
 int compare_y(const SlicePoint& a, const SlicePoint& b) {
   const double d = a.at().y - b.at().y;
   if (std::abs(d) > 1.01 * (a.error() + b.error()) + 0x1p-52 * std::abs(d)) return d > 0 ? 1 : -1;
-  return a.exact().y.compare(b.exact().y);
+  return &a == &b ? 0 : a.exact().y.compare(b.exact().y);
 }
 
 bool same(const SlicePoint& a, const SlicePoint& b) { return compare_x(a, b) == 0 && compare_y(a, b) == 0; }
