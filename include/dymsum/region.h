@@ -118,6 +118,11 @@ Result<Repaired> repair(RegionData data);
 /// times smaller than the product of the largest |x| and the largest |y|.) Infinite past the double range.
 double area(const Region& region);
 
+/// The root of the mean square distance of the parts' points from the origin: the natural length per radian of a region
+/// that turns about it. Within 2^-50 of itself, however thin the parts; 0 without parts. O(n) operations with integers
+/// as long as its coordinates together.
+double radius_of_gyration(const Region& region);
+
 /// Smallest and largest coordinates {min x, min y, max x, max y}; zeros for the empty region.
 std::array<double, 4> bounds(const Region& region);
 

@@ -10,7 +10,6 @@
 #include "containment_index.h"
 #include "free_angles.h"
 #include "nearest_patch.h"
-#include "radius_of_gyration.h"
 
 namespace dymsum {
 namespace {
@@ -25,7 +24,7 @@ double reduced(double theta) { return std::abs(theta) <= kPi ? theta : Orientati
 class ObstacleQueries::State {
  public:
   explicit State(const CspaceObstacle& o)
-      : obstacle(o), forms(o), index(o, forms), gyration(apps::radius_of_gyration(o.robot())), tree(o, forms, gyration) {}
+      : obstacle(o), forms(o), index(o, forms), gyration(radius_of_gyration(o.robot())), tree(o, forms, gyration) {}
 
   bool exact(double x, double y, const Orientation& theta) const {
     exact_answers.fetch_add(1, std::memory_order_relaxed);

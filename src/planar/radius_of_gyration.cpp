@@ -1,12 +1,11 @@
-#include "apps/radius_of_gyration.h"
-
 #include <cmath>
 #include <vector>
 
+#include "dymsum/region.h"
 #include "exact/big.h"
 #include "exact/grid.h"
 
-namespace dymsum::apps {
+namespace dymsum {
 
 using exact::Big;
 
@@ -21,6 +20,7 @@ double radius_of_gyration(const Region& region) {
   each_ring([&](const Ring& ring) {
     for (const Point& p : ring) coordinates.insert(coordinates.end(), {p.x, p.y});
   });
+  if (coordinates.empty()) return 0;
   const int unit = exact::common_exponent(coordinates);
   // Twice the area, and twelve times the integral of x x + y y.
   Big area, moment;
@@ -41,4 +41,4 @@ double radius_of_gyration(const Region& region) {
   return std::ldexp(std::sqrt(exact::round_to_double(exact::BigRational(over, under))), half + unit);
 }
 
-}  // namespace dymsum::apps
+}  // namespace dymsum
