@@ -10,6 +10,7 @@
 #include "base/parallel.h"
 #include "planar/rotation/angle_order.h"
 #include "planar/rotation/obstacle_sweep.h"
+#include "planar/rotation/quarter_turn.h"
 #include "planar/rotation/turn.h"
 
 namespace dymsum::planar {
@@ -18,8 +19,8 @@ namespace {
 constexpr std::uint32_t kNobody = ObstacleSweep::kNobody;
 
 /// Windows of a half turn, by the number of pairs of an edge and a vertex: fewer sweep too far, more cost too much
-/// each.
-int windows_for(double pairs) { return std::clamp(static_cast<int>(0.8 * std::sqrt(pairs)), 16, 512); }
+/// each. Even, so that quarter turns are between two.
+int windows_for(double pairs) { return 2 * std::clamp(static_cast<int>(std::ceil(0.4 * std::sqrt(pairs))), 8, 256); }
 int cells_for(double pairs) { return std::clamp(static_cast<int>(1.5 * std::sqrt(pairs)), 24, 160); }
 
 // By theta in (-pi, pi]: the sweep runs from -pi / 2 to 3 pi / 2.
@@ -243,6 +244,7 @@ struct Prepared {
   std::unique_ptr<TurnWindow> window;
   std::unique_ptr<OverlapFilter> filter;
   TurnEvents found;
+  const CrowdedQuarter* at_end = nullptr;  ///< where it ends with one
 };
 
 void count(const TurnWindow& window, const TurnEvents& found, ObstacleWork& work) {
@@ -260,7 +262,9 @@ class Preparation {
  public:
   Preparation(const TurningForms& forms, const TurnCatalog& catalog, bool reference)
       : forms_(forms), catalog_(catalog), reference_(reference), pairs_(static_cast<double>(forms.size(0)) * forms.size(1)),
-        all_(alignments(forms, catalog)), grid_(forms, cells_for(pairs_)) {}
+        all_(alignments(forms, catalog)), grid_(forms, cells_for(pairs_)) {
+    if (!reference) crowded_.emplace(forms, all_);
+  }
 
   int windows() const { return 2 * windows_for(pairs_); }
   std::vector<Prepared> range(int i) const {
@@ -272,7 +276,7 @@ class Preparation {
  private:
   // Triples grow with the square of the pairs: where segments meet more than a few others each, a range is halved.
   void add(const TurnRange& range, int depth, std::vector<Prepared>& parts) const {
-    constexpr std::size_t kMost = 5;
+    constexpr std::size_t kMost = 8;
     Prepared p;
     p.range = range;
     p.window = std::make_unique<TurnWindow>(grid_, catalog_, range, !reference_ && pairs_ > 100);
@@ -283,7 +287,13 @@ class Preparation {
       return;
     }
     p.filter = std::make_unique<OverlapFilter>(forms_, *p.window);
-    p.found = events_in(*p.window, forms_, catalog_, all_, reference_ ? nullptr : p.filter.get());
+    QuarterEnds ends;
+    if (crowded_) {
+      if (const CrowdedQuarter* low = crowded_->at(range.chart, range.t_low)) ends.low = &low->turn;
+      p.at_end = crowded_->at(range.chart, range.t_high);
+      if (p.at_end != nullptr) ends.high = &p.at_end->turn;
+    }
+    p.found = events_in(*p.window, forms_, catalog_, all_, reference_ ? nullptr : p.filter.get(), ends);
     parts.push_back(std::move(p));
   }
 
@@ -292,6 +302,7 @@ class Preparation {
   bool reference_;
   double pairs_;
   std::vector<Alignment> all_;
+  std::optional<CrowdedQuarters> crowded_;
   TurnGrid grid_;
 };
 
@@ -312,7 +323,7 @@ Passed pass_turn(const TurningForms& forms, const TurnCatalog& catalog, Obstacle
         if (p.found.always_concurrent && !reference) return Passed::always_concurrent;
         if (!started) sweep.start(p.range, p.found.events);
         started = true;
-        sweep.pass(p.range, std::move(p.found.events), *p.filter);
+        sweep.pass(p.range, std::move(p.found.events), *p.filter, p.at_end);
       }
     if (last == ranges) sweep.close(*some[static_cast<std::size_t>(last - first - 1)].back().filter);
   }
