@@ -225,15 +225,5 @@ TEST(CspaceGeneral, events_at_one_angle_and_several_places_are_handled_one_by_on
   EXPECT_EQ(free_components(slow), free_components(c));
 }
 
-TEST(CspaceGeneral, refuses_rings_that_touch) {
-  RegionData data;
-  data.parts.push_back({box(0, 0, 1, 1), {}});
-  data.parts.push_back({box(1, 1, 2, 2), {}});
-  const Result<CspaceObstacle> c = CspaceObstacle::create(*Region::create(data), polygon(box(0, 0, 1, 1)));
-  ASSERT_FALSE(c.ok());
-  EXPECT_EQ(c.error().code, Code::unsupported_operand);
-  EXPECT_EQ(c.error().evidence.x, 1);
-}
-
 }  // namespace
 }  // namespace dymsum

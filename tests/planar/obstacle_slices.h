@@ -48,11 +48,40 @@ inline std::vector<Cycle> of_slice(const PlanarSum& sum) {
   return canonical(std::move(cycles));
 }
 
+// The vector of an edge of a region, by its number.
+inline Point edge_vector(const Region& region, std::uint32_t number) {
+  std::uint32_t first = 0;
+  for (const Part& part : region.parts())
+    for (std::size_t k = 0; k <= part.holes.size(); ++k) {
+      const Ring& ring = k == 0 ? part.outer : part.holes[k - 1];
+      const auto n = static_cast<std::uint32_t>(ring.size());
+      if (number < first + n) {
+        const Point a = ring[number - first], b = ring[(number - first + 1) % n];
+        return {b.x - a.x, b.y - a.y};
+      }
+      first += n;
+    }
+  return {};
+}
+
+// One edge in line with another one and the same vertex: where the boundary passes a touching point straight on, slices name the first only.
+inline bool in_line(const CspaceObstacle& c, const Contact& a, const Contact& b) {
+  if (a == b || a.kind != b.kind) return false;
+  const bool of_p = a.kind == Contact::Kind::edge_of_p;
+  if (of_p ? a.q != b.q : a.p != b.p) return false;
+  const Region& region = of_p ? c.obstacle() : c.robot();
+  const Point d = edge_vector(region, of_p ? a.p : a.q), e = edge_vector(region, of_p ? b.p : b.q);
+  return d.x * e.y == d.y * e.x;
+}
+
 inline std::vector<Cycle> of_slab(const CspaceObstacle& c, std::uint32_t slab) {
   std::vector<Cycle> cycles;
   for (const auto& loop : c.loops(slab)) {
     Cycle& cycle = cycles.emplace_back();
-    for (const std::uint32_t p : loop) cycle.push_back(c.patches()[p].contact);
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      const Patch &p = c.patches()[loop[k]], &before = c.patches()[loop[k == 0 ? loop.size() - 1 : k - 1]];
+      if (!(p.left_corner && in_line(c, before.contact, p.contact))) cycle.push_back(p.contact);
+    }
   }
   return canonical(std::move(cycles));
 }

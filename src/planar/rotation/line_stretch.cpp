@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "planar/rotation/obstacle_sweep.h"
+#include "planar/rotation/walk_numbers.h"
 
 namespace dymsum::planar {
 
@@ -43,9 +44,9 @@ std::optional<ObstacleSweep::Fraction> ObstacleSweep::place_along(const WalkSegm
   const WalkSegment &t = node.segment, by = segment_of(at_end ? node.right : node.left);
   const Pair start = TurningForms::start(t), end = forms_.end(t);
   const Polynomial one(std::vector<exact::Big>{exact::Big(exact::BigInteger(1))});
-  if (at_end && TurningForms::start(by) == end) return Fraction{forms_.exact_along(s, TurningForms::start(s), end, chart), one};
+  if (at_end && meet_at_ends(forms_, t, by)) return Fraction{forms_.exact_along(s, TurningForms::start(s), end, chart), one};
   const Polynomial base = forms_.exact_along(s, TurningForms::start(s), start, chart);
-  if (!at_end && forms_.end(by) == start) return Fraction{base, one};
+  if (!at_end && meet_at_ends(forms_, by, t)) return Fraction{base, one};
   Polynomial side = forms_.exact_side(by, start, chart), cross = forms_.exact_cross(t, by, chart);
   if (sign_now(cross) == 0) {
     if (sign_now(side) != 0) return std::nullopt;

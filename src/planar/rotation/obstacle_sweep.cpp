@@ -99,10 +99,11 @@ void ObstacleSweep::take_slice(SumState state) {
   std::vector<std::uint32_t> all;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> fresh_of;  // new node, segment id
   for (const SumRing& ring : raw.rings) {
-    const std::size_t n = ring.vertices.size();
+    const std::vector<WalkSegment> segments = segments_of(ring);
+    const std::size_t n = segments.size();
     std::vector<std::uint32_t>& loop = loops.emplace_back();
     for (std::size_t k = 0; k < n; ++k) {
-      const WalkSegment s = walk_segment(ring.vertices[k].out), left = walk_segment(ring.vertices[k].in), right = walk_segment(ring.vertices[(k + 1) % n].out);
+      const WalkSegment s = segments[k], left = segments[(k + n - 1) % n], right = segments[(k + 1) % n];
       const auto it = old.find({id(s), id(left), id(right)});
       if (it != old.end()) {
         loop.push_back(it->second);

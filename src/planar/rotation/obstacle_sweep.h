@@ -119,6 +119,7 @@ class ObstacleSweep {
   void join_faces(const Orientation& at);
   std::uint32_t cell_at(const SumRing& ring) const;
   WalkSegment walk_segment(const Contact& c) const;
+  std::vector<WalkSegment> segments_of(const SumRing& ring) const;
   bool matters(const Group& run, const OverlapFilter& filter) const;
   void change(const Group& group, const TurnRange& range, const std::function<Orientation()>& behind, OverlapFilter& filter);
   std::vector<std::uint32_t> segments_of(const TurnEvent& event, bool& unsure) const;
