@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -90,6 +92,13 @@ RingTable ring_table(const Region& region) {
   for (const Part& part : region.parts()) {
     add(part.outer);
     for (const Ring& hole : part.holes) add(hole);
+  }
+  table.first_visit.resize(table.at.size());
+  std::iota(table.first_visit.begin(), table.first_visit.end(), 0u);
+  for (const Point& z : region.touching_points()) {
+    std::uint32_t first = kNobody;
+    for (std::uint32_t v = 0; v < table.at.size(); ++v)
+      if (table.at[v] == z) table.first_visit[v] = first = std::min(first, v);
   }
   return table;
 }

@@ -32,7 +32,9 @@ class Joints {
   std::uint32_t number(const Key& key) {
     return numbers_.emplace(key, static_cast<std::uint32_t>(numbers_.size())).first->second;
   }
-  std::uint32_t corner(std::uint32_t p, std::uint32_t q) { return number({p, q, kNobody, 0, 0, 0}); }
+  std::uint32_t corner(std::uint32_t p, std::uint32_t q) {
+    return number({obstacle_.first_visit[p], robot_.first_visit[q], kNobody, 0, 0, 0});
+  }
   std::uint32_t crossing(const Contact& a, const Contact& b) {
     return number({a.p, a.q, static_cast<std::uint32_t>(a.kind), b.p, b.q, static_cast<std::uint32_t>(b.kind)});
   }

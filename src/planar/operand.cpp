@@ -165,11 +165,22 @@ class Builder {
     for (std::uint32_t i = 0; i < out_.size(); ++i)
       out_.numbers.push_back({out_.vertex_number[i], out_.edge_number[i], out_.vertex_number[out_.next[i]]});
     out_.numbered_vertex.assign(size, 0);
-    out_.numbered_edge.assign(size, {0, 0});
+    out_.numbered_edge.assign(size, {kUnnumbered, kUnnumbered});
     for (std::uint32_t i = 0; i < out_.size(); ++i) {
       if (out_.vertex_number[i] != kUnnumbered) out_.numbered_vertex[out_.vertex_number[i]] = out_.source[i];
-      if (out_.edge_number[i] != kUnnumbered) out_.numbered_edge[out_.edge_number[i]] = {out_.source[i], out_.source[out_.next[i]]};
+      if (out_.edge_number[i] != kUnnumbered) extend(out_.numbered_edge[out_.edge_number[i]], out_.source[i], out_.source[out_.next[i]]);
     }
+  }
+  // By the piece from a to b of an edge that is cut: places on one line are in the order of either coordinate that changes.
+  void extend(std::array<std::uint32_t, 2>& edge, std::uint32_t a, std::uint32_t b) const {
+    const std::vector<Point>& v = out_.points->input;
+    const bool forward = v[a].x != v[b].x ? v[a].x < v[b].x : v[a].y < v[b].y;
+    const auto before = [&](std::uint32_t i, std::uint32_t j) {
+      const bool less = v[i].x != v[j].x ? v[i].x < v[j].x : v[i].y < v[j].y;
+      return v[i] != v[j] && less == forward;
+    };
+    if (edge[0] == kUnnumbered || before(a, edge[0])) edge[0] = a;
+    if (edge[1] == kUnnumbered || before(edge[1], b)) edge[1] = b;
   }
   void find_extremes(Loop& loop) const {
     const std::vector<Point>& v = out_.points->input;

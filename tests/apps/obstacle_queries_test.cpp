@@ -26,10 +26,14 @@ Region polygon(Ring ring) {
 Region moved(const Region& region, double dx, double dy) { return *translated(region, dx, dy); }
 
 // Pairs with edges in general directions, in common directions, far from the origin, with turning radii of all kinds,
-// with reflex vertices and with holes.
+// with reflex vertices, with holes, and with rings that touch at vertices and on edges.
 std::vector<std::pair<Region, Region>> pairs() {
   const Region box = shapes::rectangle(-1, -1, 1, 1), bar = shapes::rectangle(-4, -0.5, 4, 0.5);
   const Region kite = polygon({{0, 0}, {3, 1}, {4, 4}, {1, 3}}), wedge = polygon({{0, 0}, {5, 0}, {0, 1}});
+  RegionData parts, holed;
+  parts.parts = {{{{0, 0}, {2, 0}, {2, 2}, {0, 2}}, {}}, {{{2, 2}, {5, 2}, {5, 5}, {2, 5}}, {}}};
+  holed.parts = {{{{0, 0}, {8, 0}, {8, 8}, {0, 8}}, {{{4, 0}, {1, 4}, {4, 7}, {6, 4}}}}};
+  const Region two_squares = *Region::create(parts), hole_at_an_edge = *Region::create(holed);
   return {{box, box},
           {bar, shapes::disc(32, 2)},
           {kite, wedge},
@@ -38,7 +42,10 @@ std::vector<std::pair<Region, Region>> pairs() {
           {kite, kite},
           {shapes::letter_l(3, 2, 0.5), shapes::letter_u(4, 3, 0.75)},
           {shapes::rectangle(-0.4, -0.1, 0.4, 0.1), shapes::grate(3, 2, 0.5, 3)},
-          {polygon({{0, 0}, {2, -1}, {1, 0}, {2, 1}}), polygon({{0, 0}, {4, 0}, {5, 4}, {2, 1}, {0, 3}})}};
+          {polygon({{0, 0}, {2, -1}, {1, 0}, {2, 1}}), polygon({{0, 0}, {4, 0}, {5, 4}, {2, 1}, {0, 3}})},
+          {wedge, two_squares},
+          {moved(two_squares, -2, -1), kite},
+          {box, hole_at_an_edge}};
 }
 
 // The extent of the obstacle around its middle, and the middle.

@@ -227,6 +227,23 @@ TEST(Planner, paths_are_drawn_tight) {
   }
 }
 
+// A wall whose ends meet in one point lets nothing through; squares that meet in a corner are walked around.
+TEST(Planner, rings_that_touch) {
+  const Region robot = region({{box(-0.25, -0.25, 0.25, 0.25), {}}});
+  RegionData room, squares;
+  room.parts = {{{{0, 0}, {10, 0}, {10, 10}, {0, 10}, {0, 5}, {2, 8}, {8, 8}, {8, 2}, {2, 2}, {0, 5}}, {}}};
+  squares.parts = {{box(0, 0, 2, 2), {}}, {box(2, 2, 5, 5), {}}};
+  const CspaceObstacle closed = obstacle_of(robot, *Region::create(room));
+  const Plan none = plan_in(closed, {5, 5, 0}, {15, 5, 0});
+  ASSERT_FALSE(none.found());
+  EXPECT_EQ(none.reason->kind, NoPath::Kind::separated);
+  const CspaceObstacle around = obstacle_of(robot, *Region::create(squares));
+  for (const Touching touching : {Touching::allowed, Touching::forbidden}) {
+    const Configuration start{3, 1, 0.3}, goal{1, 3, 2};
+    expect_valid(around, plan_in(around, start, goal, touching), start, goal, touching);
+  }
+}
+
 TEST(Planner, errors) {
   const CspaceObstacle c = obstacle_of(square(), rooms(-1, 1));
   EXPECT_EQ(plan(c, {NAN, 0, 0}, {0, 0, 0}).error().code, Code::not_finite);

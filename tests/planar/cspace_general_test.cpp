@@ -1,138 +1,12 @@
 // The obstacle of any two regions: every slab against static slices, on tiny integer grids where events coincide in hundreds, and the same obstacle by whole slices.
-#include <gtest/gtest.h>
+#include "planar/obstacle_slices.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <numbers>
-#include <random>
-#include <set>
-
-#include "dymsum/cspace_obstacle.h"
-#include "dymsum/region_io.h"
 #include "dymsum/shapes.h"
 
 namespace dymsum {
 namespace {
 
-using Random = std::mt19937_64;
-using Cycle = std::vector<Contact>;
-
-bool less(const Contact& a, const Contact& b) { return std::tuple{a.kind, a.p, a.q} < std::tuple{b.kind, b.p, b.q}; }
-
-std::vector<Cycle> canonical(std::vector<Cycle> cycles) {
-  for (Cycle& cycle : cycles) {
-    // A segment may be on a cycle twice: the smallest of all rotations.
-    Cycle best = cycle, turned = cycle;
-    for (std::size_t k = 0; k < cycle.size(); ++k) {
-      std::rotate(turned.begin(), turned.begin() + 1, turned.end());
-      if (std::lexicographical_compare(turned.begin(), turned.end(), best.begin(), best.end(), less)) best = turned;
-    }
-    cycle = best;
-  }
-  std::sort(cycles.begin(), cycles.end(), [](const Cycle& a, const Cycle& b) { return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), less); });
-  return cycles;
-}
-
-std::vector<Cycle> of_slice(const PlanarSum& sum) {
-  std::vector<Cycle> cycles;
-  const auto add = [&](const SumRing& ring) {
-    Cycle& cycle = cycles.emplace_back();
-    for (const SumVertex& v : ring.vertices) cycle.push_back(v.out);
-  };
-  for (const SumPart& part : sum.parts) {
-    add(part.outer);
-    for (const SumRing& hole : part.holes) add(hole);
-  }
-  return canonical(std::move(cycles));
-}
-
-std::vector<Cycle> of_slab(const CspaceObstacle& c, std::uint32_t slab) {
-  std::vector<Cycle> cycles;
-  for (const auto& loop : c.loops(slab)) {
-    Cycle& cycle = cycles.emplace_back();
-    for (const std::uint32_t p : loop) cycle.push_back(c.patches()[p].contact);
-  }
-  return canonical(std::move(cycles));
-}
-
-std::uint32_t slabs(const CspaceObstacle& c) { return std::max<std::uint32_t>(1, static_cast<std::uint32_t>(c.angles().size())); }
-
-void expect_slices(const CspaceObstacle& c, Random& random, std::uint32_t most) {
-  const std::uint32_t n = slabs(c);
-  const std::uint32_t step = std::max(1u, n / most);
-  for (std::uint32_t slab = static_cast<std::uint32_t>(random() % step); slab < n; slab += step) {
-    const Orientation at = c.inside(slab);
-    const std::vector<Cycle> expected = of_slice(*c.slice(at));
-    ASSERT_EQ(of_slab(c, slab), expected) << "slab " << slab << " of " << n << " at " << at.radians() << "\nrobot " << format_region(c.robot(), RegionFormat::wkt)
-                                         << "\nobstacle " << format_region(c.obstacle(), RegionFormat::wkt);
-    // Constant between events: the same cycles at another orientation of the slab.
-    const double low = c.angles()[slab].theta, high = slab + 1 < n ? c.angles()[slab + 1].theta : c.angles()[0].theta + 2 * std::numbers::pi;
-    const double share = 0.02 + 0.96 * static_cast<double>(random() % 4096) / 4096;
-    const Orientation other = *Orientation::nearest(low + share * (high - low));
-    if (c.slab_of(other) == slab) {
-      ASSERT_EQ(of_slice(*c.slice(other)), expected) << "slab " << slab << " at " << other.radians();
-    }
-  }
-}
-
-Ring random_ring(Random& random, int reach, int most, double dx) {
-  const auto at = [&] { return static_cast<double>(static_cast<int>(random() % static_cast<unsigned>(2 * reach + 1)) - reach); };
-  Ring ring;
-  const int n = 3 + static_cast<int>(random() % static_cast<unsigned>(most - 2));
-  for (int i = 0; i < n; ++i) ring.push_back({at() + dx, at()});
-  return ring;
-}
-
-Region random_shape(Random& random, int reach, int most, bool hole, int parts = 1) {
-  for (;;) {
-    RegionData data;
-    for (int k = 0; k < parts; ++k) {
-      data.parts.emplace_back();
-      data.parts.back().outer = random_ring(random, reach, most, 2.5 * reach * k);
-      if (hole) data.parts.back().holes.push_back(random_ring(random, reach, 3, 2.5 * reach * k));
-    }
-    Result<Repaired> repaired = repair(data);
-    if (repaired.ok() && repaired->region.touching_points().empty() && static_cast<int>(repaired->region.parts().size()) == parts) return repaired->region;
-  }
-}
-
-Region polygon(Ring outer, std::vector<Ring> holes = {}) {
-  RegionData data;
-  data.parts.push_back({std::move(outer), std::move(holes)});
-  return *Region::create(std::move(data));
-}
-
-Ring box(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
-Ring reversed(Ring ring) {
-  std::reverse(ring.begin(), ring.end());
-  return ring;
-}
-
-std::size_t free_components(const CspaceObstacle& c) {
-  std::set<std::uint32_t> all;
-  for (const FreeCell& cell : c.free_cells()) all.insert(cell.component);
-  return all.size();
-}
-
-std::size_t tight_at(const CspaceObstacle& c, double theta) {
-  std::size_t n = 0;
-  for (const ObstacleEvent& e : c.events()) n += e.kind == ObstacleEvent::Kind::tight && std::abs(c.angles()[e.angle].theta - theta) < 1e-12;
-  return n;
-}
-
-// DYMSUM_FUZZ_OBSTACLES times the usual number of seeds; DYMSUM_SEED replays one.
-template <class F>
-void for_seeds(std::uint64_t usual, F&& f) {
-  const char* first = std::getenv("DYMSUM_SEED");
-  const char* count = std::getenv("DYMSUM_FUZZ_OBSTACLES");
-  const std::uint64_t begin = first ? std::stoull(first) : 1, n = first ? 1 : usual * (count ? std::stoull(count) : 1);
-  for (std::uint64_t seed = begin; seed < begin + n && !testing::Test::HasFailure(); ++seed) {
-    SCOPED_TRACE(testing::Message() << "DYMSUM_SEED=" << seed);
-    Random random(seed);
-    f(random);
-  }
-}
+using namespace testing_obstacles;
 
 TEST(CspaceGeneral, random_pairs_equal_slices) {
   for_seeds(400, [](Random& random) {
@@ -156,20 +30,6 @@ TEST(CspaceGeneral, several_parts_and_holes_equal_slices) {
     for (const Patch& p : c->patches()) ASSERT_LT(p.shell, c->shells().size());
     for (const FreeCell& cell : c->free_cells()) ASSERT_LT(cell.component, free_components(*c));
   });
-}
-
-// Unit squares of a small board that hang together, as one polygon: edges in four directions only.
-Region random_cells(Random& random, int size, double cell) {
-  for (;;) {
-    RegionData data;
-    std::vector<Region> cells;
-    for (int x = 0; x < size; ++x)
-      for (int y = 0; y < size; ++y)
-        if (random() % 3 != 0) cells.push_back(polygon(box(x * cell, y * cell, (x + 1) * cell, (y + 1) * cell)));
-    if (cells.empty()) continue;
-    const Result<Region> all = union_of(cells).value().rounded();
-    if (all.ok() && all->touching_points().empty() && all->parts().size() == 1) return *all;
-  }
 }
 
 TEST(CspaceGeneral, robots_in_rooms_equal_slices) {
@@ -363,16 +223,6 @@ TEST(CspaceGeneral, events_at_one_angle_and_several_places_are_handled_one_by_on
   const CspaceObstacle slow = CspaceObstacle::create(robot, obstacle, options).value();
   EXPECT_EQ(slow.shells().size(), 17u);
   EXPECT_EQ(free_components(slow), free_components(c));
-}
-
-TEST(CspaceGeneral, refuses_rings_that_touch) {
-  RegionData data;
-  data.parts.push_back({box(0, 0, 1, 1), {}});
-  data.parts.push_back({box(1, 1, 2, 2), {}});
-  const Result<CspaceObstacle> c = CspaceObstacle::create(*Region::create(data), polygon(box(0, 0, 1, 1)));
-  ASSERT_FALSE(c.ok());
-  EXPECT_EQ(c.error().code, Code::unsupported_operand);
-  EXPECT_EQ(c.error().evidence.x, 1);
 }
 
 }  // namespace

@@ -9,8 +9,11 @@
 
 #include "base/parallel.h"
 #include "planar/rotation/angle_order.h"
+#include "planar/rotation/cut_patches.h"
 #include "planar/rotation/obstacle_sweep.h"
+#include "planar/rotation/quarter_turn.h"
 #include "planar/rotation/turn.h"
+#include "planar/rotation/walk_numbers.h"
 
 namespace dymsum::planar {
 namespace {
@@ -18,8 +21,8 @@ namespace {
 constexpr std::uint32_t kNobody = ObstacleSweep::kNobody;
 
 /// Windows of a half turn, by the number of pairs of an edge and a vertex: fewer sweep too far, more cost too much
-/// each.
-int windows_for(double pairs) { return std::clamp(static_cast<int>(0.8 * std::sqrt(pairs)), 16, 512); }
+/// each. Even, so that quarter turns are between two.
+int windows_for(double pairs) { return 2 * std::clamp(static_cast<int>(std::ceil(0.4 * std::sqrt(pairs))), 8, 256); }
 int cells_for(double pairs) { return std::clamp(static_cast<int>(1.5 * std::sqrt(pairs)), 24, 160); }
 
 // By theta in (-pi, pi]: the sweep runs from -pi / 2 to 3 pi / 2.
@@ -37,11 +40,16 @@ struct AngleOrder {
 
 class Export {
  public:
-  Export(const ObstacleSweep& sweep, const TurningForms& forms, CspaceObstacle::State& state) : sweep_(sweep), forms_(forms), state_(state), order_(sweep.angles) {}
+  Export(const ObstacleSweep& sweep, const TurningForms& forms, CspaceObstacle::State& state)
+      : sweep_(sweep), forms_(forms), state_(state), order_(sweep.angles),
+        edge_ends_{EdgeEnds(state.obstacle, state.base->operands[0]), EdgeEnds(state.robot, state.base->operands[1])} {}
 
   void run() {
     add_angles();
-    add_patches();
+    if (state_.robot.touching_points().empty() && state_.obstacle.touching_points().empty())
+      add_patches();
+    else
+      add_cut_patches();
     add_cells();
     add_shells();
     for (ObstacleEvent event : sweep_.events) {
@@ -64,15 +72,19 @@ class Export {
 
   Contact contact(std::uint32_t id) const {
     const std::uint32_t n0 = forms_.size(0), n1 = forms_.size(1);
-    const Operand &p = forms_.operand(0), &q = forms_.operand(1);
+    const Operand &p = state_.base->operands[0], &q = state_.base->operands[1];
     if (id < n0 * n1) return {Contact::Kind::edge_of_p, p.edge_number[id / n1], q.vertex_number[id % n1]};
     const std::uint32_t k = id - n0 * n1;
     return {Contact::Kind::edge_of_q, p.vertex_number[k % n0], q.edge_number[k / n0]};
   }
-  Pair end_pair(std::uint32_t id, bool at_end) const {
+  WalkSegment segment(std::uint32_t id) const {
     const std::uint32_t n0 = forms_.size(0), n1 = forms_.size(1);
-    const WalkSegment s = id < n0 * n1 ? WalkSegment{0, id / n1, id % n1} : WalkSegment{1, (id - n0 * n1) / n0, (id - n0 * n1) % n0};
-    return at_end ? forms_.end(s) : TurningForms::start(s);
+    return id < n0 * n1 ? WalkSegment{0, id / n1, id % n1} : WalkSegment{1, (id - n0 * n1) / n0, (id - n0 * n1) % n0};
+  }
+  // Whether the second segment follows the first one at an end of both. At a cut, which is no vertex of its edge, they cross.
+  bool corner(std::uint32_t first, std::uint32_t second) const {
+    const WalkSegment a = segment(first), b = segment(second);
+    return meet_at_ends(forms_, a, b) && edge_ends_[a.side].ends(a.edge) && edge_ends_[b.side].starts(b.edge);
   }
 
   void add_patches() {
@@ -87,8 +99,8 @@ class Export {
       patch.contact = contact(nodes[n].id);
       patch.left = contact(nodes[n].left);
       patch.right = contact(nodes[n].right);
-      patch.left_corner = end_pair(nodes[n].left, true) == end_pair(nodes[n].id, false);
-      patch.right_corner = end_pair(nodes[n].id, true) == end_pair(nodes[n].right, false);
+      patch.left_corner = corner(nodes[n].left, nodes[n].id);
+      patch.right_corner = corner(nodes[n].id, nodes[n].right);
       patch.begin = order_.of(nodes[n].begin);
       patch.end = order_.of(nodes[n].end);
       state_.patches.push_back(patch);
@@ -103,6 +115,28 @@ class Export {
       patch.begin = order_.of(nodes[n].begin);
       source_[patch_of_[to]].insert(source_[patch_of_[to]].begin(), n);
       if (nodes[to].end == kNobody && nodes[n].begin == kNobody) patch.begin = patch.end = Patch::kNone;
+    }
+  }
+
+  void add_cut_patches() {
+    const ContactNames names{[this](std::uint32_t id) { return contact(id); }, [this](std::uint32_t a, std::uint32_t b) { return corner(a, b); }};
+    cut_ = cut_patches(sweep_, names);
+    for (CutPatch& cut : cut_) {
+      cut.patch.begin = order_.of(cut.begin);
+      cut.patch.end = order_.of(cut.end);
+      state_.patches.push_back(cut.patch);
+      state_.patch_cells.push_back({});
+      source_.push_back({cut.node});
+    }
+  }
+  // In the order of slabs from the patch's beginning, or from slab 0.
+  void add_cells_of_cut_patches(const std::vector<std::uint32_t>& number) {
+    for (std::size_t p = 0; p < cut_.size(); ++p) {
+      auto& cells = state_.patch_cells[p];
+      for (const auto& [angle, cell] : cut_[p].cells) cells.emplace_back(sweep_.angles.empty() ? 0 : order_.of(angle), number[cell]);
+      if (cut_[p].begin != kNobody) continue;
+      std::sort(cells.begin(), cells.end());
+      cells.insert(cells.begin(), {0, cells.back().second});
     }
   }
 
@@ -130,6 +164,7 @@ class Export {
         state_.cells[number[c]].begin = order_.of(sweep_.cells()[c].begin);
       }
     number_components(same, number);
+    if (!cut_.empty()) return add_cells_of_cut_patches(number);
     const auto slab = [&](std::uint32_t angle) {
       if (angle != kNobody) return order_.of(angle);
       return sweep_.angles.empty() ? 0 : order_.of(static_cast<std::uint32_t>(sweep_.angles.size() - 1));
@@ -222,7 +257,9 @@ class Export {
   const TurningForms& forms_;
   CspaceObstacle::State& state_;
   AngleOrder order_;
+  std::array<EdgeEnds, 2> edge_ends_;
   std::vector<std::uint32_t> patch_of_;
+  std::vector<CutPatch> cut_;                       // where rings touch
   std::vector<std::vector<std::uint32_t>> source_;  // per patch: its nodes in the order of the turn
   std::vector<std::pair<std::uint32_t, std::uint32_t>> component_;
 };
@@ -243,6 +280,7 @@ struct Prepared {
   std::unique_ptr<TurnWindow> window;
   std::unique_ptr<OverlapFilter> filter;
   TurnEvents found;
+  const CrowdedQuarter* at_end = nullptr;  ///< where it ends with one
 };
 
 void count(const TurnWindow& window, const TurnEvents& found, ObstacleWork& work) {
@@ -260,7 +298,9 @@ class Preparation {
  public:
   Preparation(const TurningForms& forms, const TurnCatalog& catalog, bool reference)
       : forms_(forms), catalog_(catalog), reference_(reference), pairs_(static_cast<double>(forms.size(0)) * forms.size(1)),
-        all_(alignments(forms, catalog)), grid_(forms, cells_for(pairs_)) {}
+        all_(alignments(forms, catalog)), grid_(forms, cells_for(pairs_)) {
+    if (!reference) crowded_.emplace(forms, all_);
+  }
 
   int windows() const { return 2 * windows_for(pairs_); }
   std::vector<Prepared> range(int i) const {
@@ -272,7 +312,7 @@ class Preparation {
  private:
   // Triples grow with the square of the pairs: where segments meet more than a few others each, a range is halved.
   void add(const TurnRange& range, int depth, std::vector<Prepared>& parts) const {
-    constexpr std::size_t kMost = 5;
+    constexpr std::size_t kMost = 8;
     Prepared p;
     p.range = range;
     p.window = std::make_unique<TurnWindow>(grid_, catalog_, range, !reference_ && pairs_ > 100);
@@ -283,7 +323,13 @@ class Preparation {
       return;
     }
     p.filter = std::make_unique<OverlapFilter>(forms_, *p.window);
-    p.found = events_in(*p.window, forms_, catalog_, all_, reference_ ? nullptr : p.filter.get());
+    QuarterEnds ends;
+    if (crowded_) {
+      if (const CrowdedQuarter* low = crowded_->at(range.chart, range.t_low)) ends.low = &low->turn;
+      p.at_end = crowded_->at(range.chart, range.t_high);
+      if (p.at_end != nullptr) ends.high = &p.at_end->turn;
+    }
+    p.found = events_in(*p.window, forms_, catalog_, all_, reference_ ? nullptr : p.filter.get(), ends);
     parts.push_back(std::move(p));
   }
 
@@ -292,6 +338,7 @@ class Preparation {
   bool reference_;
   double pairs_;
   std::vector<Alignment> all_;
+  std::optional<CrowdedQuarters> crowded_;
   TurnGrid grid_;
 };
 
@@ -312,7 +359,7 @@ Passed pass_turn(const TurningForms& forms, const TurnCatalog& catalog, Obstacle
         if (p.found.always_concurrent && !reference) return Passed::always_concurrent;
         if (!started) sweep.start(p.range, p.found.events);
         started = true;
-        sweep.pass(p.range, std::move(p.found.events), *p.filter);
+        sweep.pass(p.range, std::move(p.found.events), *p.filter, p.at_end);
       }
     if (last == ranges) sweep.close(*some[static_cast<std::size_t>(last - first - 1)].back().filter);
   }
@@ -330,14 +377,9 @@ std::uint64_t surfaces(const TurningForms& forms, const TurnCatalog& catalog) {
 }  // namespace
 
 Result<bool> general_obstacle(CspaceObstacle::State& state, const ObstacleOptions& options) {
-  for (const Region* region : {&state.robot, &state.obstacle}) {
-    if (region->touching_points().empty()) continue;
-    Error error{Code::unsupported_operand, "rings that touch themselves or each other have no obstacle of all angles yet", {}};
-    error.evidence.x = region->touching_points()[0].x;
-    error.evidence.y = region->touching_points()[0].y;
-    return error;
-  }
-  const TurningForms forms(*state.base);
+  const bool touching = !state.robot.touching_points().empty() || !state.obstacle.touching_points().empty();
+  const std::shared_ptr<const ScalingBase> base = touching ? numbered_by_walk(*state.base) : state.base;
+  const TurningForms forms(*base);
   const TurnCatalog catalog(forms);
   if (static_cast<double>(forms.size(0)) * forms.size(1) > 0x1p27) return Error{Code::unsupported_operand, "more than 2^27 pairs of vertices", {}};
   // Where three contacts stay at one point at every angle, no event tells when they meet: then every slab is a whole
@@ -345,7 +387,7 @@ Result<bool> general_obstacle(CspaceObstacle::State& state, const ObstacleOption
   bool reference = options.reference;
   std::optional<ObstacleSweep> sweep;
   for (;;) {
-    sweep.emplace(forms, catalog, state.base, reference);
+    sweep.emplace(forms, catalog, base, reference);
     const Passed passed = pass_turn(forms, catalog, *sweep, reference, options.progress);
     if (passed == Passed::cancelled) return Error{Code::cancelled, "stopped on request", {}};
     if (passed == Passed::turn) break;

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "planar/rotation/obstacle_sweep.h"
+#include "planar/rotation/walk_numbers.h"
 
 namespace dymsum::planar {
 
@@ -43,9 +44,9 @@ std::optional<ObstacleSweep::Fraction> ObstacleSweep::place_along(const WalkSegm
   const WalkSegment &t = node.segment, by = segment_of(at_end ? node.right : node.left);
   const Pair start = TurningForms::start(t), end = forms_.end(t);
   const Polynomial one(std::vector<exact::Big>{exact::Big(exact::BigInteger(1))});
-  if (at_end && TurningForms::start(by) == end) return Fraction{forms_.exact_along(s, TurningForms::start(s), end, chart), one};
+  if (at_end && meet_at_ends(forms_, t, by)) return Fraction{forms_.exact_along(s, TurningForms::start(s), end, chart), one};
   const Polynomial base = forms_.exact_along(s, TurningForms::start(s), start, chart);
-  if (!at_end && forms_.end(by) == start) return Fraction{base, one};
+  if (!at_end && meet_at_ends(forms_, by, t)) return Fraction{base, one};
   Polynomial side = forms_.exact_side(by, start, chart), cross = forms_.exact_cross(t, by, chart);
   if (sign_now(cross) == 0) {
     if (sign_now(side) != 0) return std::nullopt;
@@ -58,6 +59,29 @@ std::optional<ObstacleSweep::Fraction> ObstacleSweep::place_along(const WalkSegm
 
 int ObstacleSweep::compare_now(const Fraction& x, const Fraction& y) const {
   return sign_now(sum_of(product(x.num, y.den), product(y.num, x.den), -1)) * sign_now(x.den) * sign_now(y.den);
+}
+
+// All pairs of an ended node and a new one that continues it. Their lines have one offset: nodes are looked up by it, with ten times the
+// tolerance that on_one_line() has.
+std::vector<std::pair<std::uint32_t, std::uint32_t>> ObstacleSweep::continued_stretches(const std::vector<std::uint32_t>& ended,
+                                                                                        const std::vector<std::uint32_t>& fresh) const {
+  const Heading h = Heading::of(theta_now_);
+  const auto offset = [&](std::uint32_t n) {
+    const Point d = forms_.direction(nodes_[n].segment, h), from = forms_.place(TurningForms::start(nodes_[n].segment), h);
+    return (d.x * from.y - d.y * from.x) / std::hypot(d.x, d.y);
+  };
+  std::vector<std::pair<double, std::uint32_t>> lines;
+  lines.reserve(fresh.size());
+  for (const std::uint32_t m : fresh) lines.emplace_back(offset(m), m);
+  std::sort(lines.begin(), lines.end());
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> found;
+  const double near = 0x1p-34 * forms_.span();
+  for (const std::uint32_t n : ended) {
+    const double at = offset(n);
+    for (auto m = std::lower_bound(lines.begin(), lines.end(), std::pair{at - near, std::uint32_t{0}}); m != lines.end() && m->first <= at + near; ++m)
+      if (continues(n, m->second, h)) found.emplace_back(n, m->second);
+  }
+  return found;
 }
 
 // Whether an ended node and a new one have a stretch of a line in common at the event's angle, which is near h.
@@ -98,6 +122,7 @@ bool ObstacleSweep::on_one_line(const WalkSegment& s, const WalkSegment& t, Head
   if (std::abs(forms_.cross(s, t).at(h)) > 0x1p-40 * forms_.length1(s) * forms_.length1(t)) return false;
   const TrigForm side = forms_.side(s, TurningForms::start(t));
   if (std::abs(side.at(h)) > 64 * forms_.side_error(s)) return false;
+  if (crowded_ != nullptr) return crowded_->turn.on_line(s, TurningForms::start(t)) && crowded_->turn.on_line(s, forms_.end(t));
   const int chart = angles[now_].chart;
   if (s.side == t.side ? !forms_.parallel(s, t) : sign_now(forms_.exact_cross(s, t, chart)) != 0) return false;
   return sign_now(forms_.exact_side(s, TurningForms::start(t), chart)) == 0;

@@ -7,6 +7,7 @@
 #include "planar/rotation/obstacle_sweep.h"
 #include "planar/rotation/slice.h"
 #include "planar/rotation/turn.h"
+#include "planar/rotation/walk_numbers.h"
 
 namespace dymsum::planar {
 namespace {
@@ -138,8 +139,7 @@ ObstacleSweep::Fill ObstacleSweep::fill_vertex(Cluster& cluster, const TurnEvent
 }
 
 ObstacleSweep::Located ObstacleSweep::place_on(const WalkSegment& s, const WalkSegment& other, bool at_start, Heading h) const {
-  const Pair own = at_start ? TurningForms::start(s) : forms_.end(s);
-  if ((at_start ? forms_.end(other) : TurningForms::start(other)) == own) return {at_start ? 0.0 : 1.0, 0};
+  if (at_start ? meet_at_ends(forms_, other, s) : meet_at_ends(forms_, s, other)) return {at_start ? 0.0 : 1.0, 0};
   const double d = forms_.cross(s, other).at(h), t = forms_.side(other, TurningForms::start(s)).at(h) / d;
   // The numerator errs by its bound, the denominator by a share of the lengths.
   return {t, (forms_.side_error(other) + std::abs(t) * 0x1p-46 * forms_.length1(s) * forms_.length1(other)) / std::abs(d)};

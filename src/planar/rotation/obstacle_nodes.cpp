@@ -5,6 +5,7 @@
 #include "planar/ring_containment.h"
 #include "planar/rotation/obstacle_sweep.h"
 #include "planar/rotation/slice.h"
+#include "planar/rotation/walk_numbers.h"
 
 namespace dymsum::planar {
 
@@ -155,13 +156,22 @@ void ObstacleSweep::relabel(const std::vector<std::uint32_t>& touched, const std
   }
 }
 
+std::vector<WalkSegment> ObstacleSweep::segments_of(const SumRing& ring) const {
+  std::vector<WalkSegment> all;
+  const std::size_t n = ring.vertices.size();
+  for (std::size_t k = 0; k < n; ++k)
+    append_run(walk_segment(ring.vertices[k].out), walk_segment(ring.vertices[k + 1 == n ? 0 : k + 1].in), forms_, all);
+  return all;
+}
+
 WalkSegment ObstacleSweep::walk_segment(const Contact& c) const {
   return c.kind == Contact::Kind::edge_of_p ? WalkSegment{0, walk_edge_[0][c.p], walk_vertex_[1][c.q]} : WalkSegment{1, walk_edge_[1][c.q], walk_vertex_[0][c.p]};
 }
 
 std::uint32_t ObstacleSweep::cell_at(const SumRing& ring) const {
-  const std::uint32_t left = id(walk_segment(ring.vertices[0].in));
-  for (std::uint32_t n = first_[id(walk_segment(ring.vertices[0].out))]; n != kNobody; n = nodes_[n].same)
+  const std::vector<WalkSegment> segments = segments_of(ring);
+  const std::uint32_t left = id(segments.back());
+  for (std::uint32_t n = first_[id(segments.front())]; n != kNobody; n = nodes_[n].same)
     if (nodes_[n].left == left) return nodes_[n].cell;
   throw std::logic_error("ObstacleSweep: a ring of the slice is not on the boundary");
 }

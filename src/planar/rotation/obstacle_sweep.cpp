@@ -99,10 +99,11 @@ void ObstacleSweep::take_slice(SumState state) {
   std::vector<std::uint32_t> all;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> fresh_of;  // new node, segment id
   for (const SumRing& ring : raw.rings) {
-    const std::size_t n = ring.vertices.size();
+    const std::vector<WalkSegment> segments = segments_of(ring);
+    const std::size_t n = segments.size();
     std::vector<std::uint32_t>& loop = loops.emplace_back();
     for (std::size_t k = 0; k < n; ++k) {
-      const WalkSegment s = walk_segment(ring.vertices[k].out), left = walk_segment(ring.vertices[k].in), right = walk_segment(ring.vertices[(k + 1) % n].out);
+      const WalkSegment s = segments[k], left = segments[(k + n - 1) % n], right = segments[(k + 1) % n];
       const auto it = old.find({id(s), id(left), id(right)});
       if (it != old.end()) {
         loop.push_back(it->second);
@@ -116,17 +117,18 @@ void ObstacleSweep::take_slice(SumState state) {
     }
     all.insert(all.end(), loop.begin(), loop.end());
   }
-  std::vector<std::uint32_t> lost;
+  std::vector<std::uint32_t> lost, ended, fresh;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> claims;
-  // What goes on along the same line at the event's angle belongs together.
-  const Heading h = Heading::of(theta_now_);
   for (const auto& [key, n] : old) {
     lost.push_back(nodes_[n].cell);
-    for (const std::uint32_t m : all)
-      if (nodes_[m].begin == now_ && continues(n, m, h)) {
-        join(shell_, n, m);
-        claims.emplace_back(m, nodes_[n].cell);
-      }
+    ended.push_back(n);
+  }
+  for (const std::uint32_t m : all)
+    if (nodes_[m].begin == now_) fresh.push_back(m);
+  // What goes on along the same line at the event's angle belongs together.
+  for (const auto& [n, m] : continued_stretches(ended, fresh)) {
+    join(shell_, n, m);
+    claims.emplace_back(m, nodes_[n].cell);
   }
   for (const auto& [key, n] : old) end_node(n);
   for (std::size_t l = 0; l < loops.size(); ++l)
@@ -188,7 +190,7 @@ void ObstacleSweep::pass_group(const Group& group, const TurnRange& range, const
 }
 
 void ObstacleSweep::change(const Group& group, const TurnRange& range, const std::function<Orientation()>& behind, OverlapFilter& filter) {
-  if (reference_) return slice(range, *group[0], behind);
+  if (reference_ || crowded_ != nullptr) return slice(range, *group[0], behind);
   Group alone;
   for (const Group& cluster : clusters(group)) {
     if (cluster.size() == 1)
@@ -207,9 +209,10 @@ void ObstacleSweep::pass_pending(const std::function<Orientation()>& behind, Ove
   for (TurnEvent& event : pending_) group.push_back(&event);
   pass_group(group, pending_range_, behind, filter);
   pending_.clear();
+  crowded_ = nullptr;
 }
 
-void ObstacleSweep::pass(const TurnRange& range, std::vector<TurnEvent> events, OverlapFilter& filter) {
+void ObstacleSweep::pass(const TurnRange& range, std::vector<TurnEvent> events, OverlapFilter& filter, const CrowdedQuarter* at_end) {
   if (!pending_.empty()) pass_pending([&] { return Behind{&range, nullptr, first_event(range, events, forms_)}.sample(forms_); }, filter);
   const double theta_end = range.theta(range.t_high) - 0x1p-40;
   const auto compare = [&](TurnEvent* a, TurnEvent* b) { return exact::compare(exact_root(*a, forms_, range), exact_root(*b, forms_, range)); };
@@ -249,6 +252,15 @@ void ObstacleSweep::pass(const TurnRange& range, std::vector<TurnEvent> events, 
       k = l;
     }
   }
+  if (at_end == nullptr) return;
+  TurnEvent event;
+  event.e = at_end->pair.e;
+  event.f = at_end->pair.f;
+  event.root = AlgebraicRoot::of(range.t_high);
+  event.low = event.high = range.theta(range.t_high);
+  pending_ = {std::move(event)};
+  pending_range_ = range;
+  crowded_ = at_end;
 }
 
 // Whether a segment of these events is visible, or a place of theirs is not certainly covered: else nothing can change,

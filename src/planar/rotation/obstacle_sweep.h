@@ -14,6 +14,7 @@
 #include "planar/rotation/event_place.h"
 #include "planar/rotation/obstacle_state.h"
 #include "planar/rotation/overlap_filter.h"
+#include "planar/rotation/quarter_turn.h"
 #include "planar/rotation/turn_events.h"
 #include "planar/sum_engine.h"
 
@@ -45,8 +46,8 @@ class ObstacleSweep {
 
   /// The boundary behind the beginning of the first window, before its first event.
   void start(const TurnRange& range, std::vector<TurnEvent>& events);
-  /// Passes the events of a window.
-  void pass(const TurnRange& range, std::vector<TurnEvent> events, OverlapFilter& filter);
+  /// Passes the events of a window. `at_end`: its end, where that is a crowded quarter turn; then none of the events is there.
+  void pass(const TurnRange& range, std::vector<TurnEvent> events, OverlapFilter& filter, const CrowdedQuarter* at_end);
   /// The first event of a window, if it has any.
   static TurnEvent* first_event(const TurnRange& range, std::vector<TurnEvent>& events, const TurningForms& forms);
   /// Joins the end of the turn to its start.
@@ -118,6 +119,7 @@ class ObstacleSweep {
   void join_faces(const Orientation& at);
   std::uint32_t cell_at(const SumRing& ring) const;
   WalkSegment walk_segment(const Contact& c) const;
+  std::vector<WalkSegment> segments_of(const SumRing& ring) const;
   bool matters(const Group& run, const OverlapFilter& filter) const;
   void change(const Group& group, const TurnRange& range, const std::function<Orientation()>& behind, OverlapFilter& filter);
   std::vector<std::uint32_t> segments_of(const TurnEvent& event, bool& unsure) const;
@@ -129,6 +131,7 @@ class ObstacleSweep {
   // event_clusters.cpp
   std::vector<Group> clusters(const Group& group) const;
   // line_stretch.cpp
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> continued_stretches(const std::vector<std::uint32_t>& ended, const std::vector<std::uint32_t>& fresh) const;
   bool continues(std::uint32_t n, std::uint32_t m, Heading h) const;
   bool on_one_line(const WalkSegment& s, const WalkSegment& t, Heading h) const;
   struct Fraction {
@@ -207,6 +210,7 @@ class ObstacleSweep {
   double theta_now_ = 0;          ///< near the angle of the group
   bool closed_ = false;
   std::vector<TurnEvent> pending_;  ///< at the very end of the last window
+  const CrowdedQuarter* crowded_ = nullptr;  ///< there they stand for many, so that a whole slice is due
   TurnRange pending_range_;
   Orientation begin_;               ///< where the turn was begun
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "planar/rotation/event_place.h"
+#include "planar/rotation/quarter_turn.h"
 
 namespace dymsum::planar {
 
@@ -15,8 +16,8 @@ constexpr double kNear = 0x1p-18;
 
 class Collector {
  public:
-  Collector(const TurnWindow& window, const TurningForms& forms, const TurnCatalog& catalog, const OverlapFilter* filter)
-      : w_(window), forms_(forms), catalog_(catalog), filter_(filter) {}
+  Collector(const TurnWindow& window, const TurningForms& forms, const TurnCatalog& catalog, const OverlapFilter* filter, const QuarterEnds& ends)
+      : w_(window), forms_(forms), catalog_(catalog), filter_(filter), ends_(ends) {}
 
   TurnEvents run(const std::vector<Alignment>& all) {
     add_alignments(all);
@@ -48,9 +49,24 @@ class Collector {
     }
   }
   bool falls_inside(TurnEvent& event) const {
+    if (ends_.high != nullptr && ends_.high->aligned(event.e, event.f)) return false;
     const exact::Polynomial p = forms_.exact_alignment(event.e, event.f, w_.range.chart);
     if (forms_.alignment_chart(event.e, event.f) != w_.range.chart) return false;
     return !roots_in(p, w_.range.t_low, w_.range.t_high).empty();
+  }
+
+  // Whether a form has its only zero in the window at a crowded end, where `zero` tells exactly that it has one.
+  template <class Form, class Zero>
+  bool at_crowded_end(const Form& f, double error, Zero&& zero) const {
+    for (const QuarterTurn* end : {ends_.low, ends_.high})
+      if (end != nullptr && std::abs(f.at(end->heading())) <= error && end->only_zero(f, w_.high - w_.low, error) && zero(*end)) return true;
+    return false;
+  }
+  // Roots in the window, less those at a crowded end.
+  std::vector<AlgebraicRoot> roots(const exact::Polynomial& p) const {
+    std::vector<AlgebraicRoot> found = roots_in(p, w_.range.t_low, w_.range.t_high);
+    if (ends_.high != nullptr && !found.empty() && exact::compare(found.back(), w_.range.t_high) == 0) found.pop_back();
+    return found;
   }
 
   // The parameter of b's line along a: N / D. Around its value t at the middle, (N - t D) / D is small.
@@ -93,15 +109,19 @@ class Collector {
   bool overlap_at(const WalkSegment& a, const WalkSegment& b, double theta) const {
     return may_exist(a, theta) && may_exist(b, theta) && share_stretch(a, b, theta);
   }
+  bool beside_at_crowded_end(const TrigForm& f, const WalkSegment& s, Pair v) const {
+    return at_crowded_end(f, forms_.side_error(s), [&](const QuarterTurn& end) { return end.on_line(s, v); });
+  }
   void overlaps(const WalkSegment& a, const WalkSegment& b) {
     // One edge at both ends of another one: on one line only where the two edges are aligned.
     const Operand& other = forms_.operand(1 - a.side);
     if (a.edge == b.edge && (other.next[a.vertex] == b.vertex || other.prev[a.vertex] == b.vertex)) return;
+    if (a.vertex == b.vertex) return;  // they do not move against each other
     const TrigForm f = forms_.side(a, TurningForms::start(b));
-    if (f.far_from_zero(w_.heading, w_.half, forms_.side_error(a))) return;
+    if (f.far_from_zero(w_.heading, w_.half, forms_.side_error(a)) || beside_at_crowded_end(f, a, TurningForms::start(b))) return;
     const exact::Polynomial poly = forms_.exact_side(a, TurningForms::start(b), w_.range.chart);
     if (poly.is_zero()) return;
-    for (AlgebraicRoot& root : roots_in(poly, w_.range.t_low, w_.range.t_high)) {
+    for (AlgebraicRoot& root : roots(poly)) {
       TurnEvent event = at(std::move(root), TurnEvent::Kind::overlap);
       if (!overlap_at(a, b, event.theta())) continue;
       event.a = a;
@@ -129,8 +149,12 @@ class Collector {
     std::vector<std::array<std::uint32_t, 3>> seen;
     for (const TurnWindow::Meeting& m : w_.meetings)
       for (const auto& [i, j] : {std::pair{m.a, m.b}, std::pair{m.b, m.a}})
-        for (const Pair v : {TurningForms::start(w_.segments[j]), forms_.end(w_.segments[j])})
-          if (!forms_.side(w_.segments[i], v).far_from_zero(w_.heading, w_.half, forms_.side_error(w_.segments[i]))) seen.push_back({i, v.p, v.q});
+        for (const Pair v : {TurningForms::start(w_.segments[j]), forms_.end(w_.segments[j])}) {
+          const WalkSegment& a = w_.segments[i];
+          if (a.vertex == (a.side == 0 ? v.q : v.p)) continue;  // v does not move against a
+          const TrigForm f = forms_.side(a, v);
+          if (!f.far_from_zero(w_.heading, w_.half, forms_.side_error(a)) && !beside_at_crowded_end(f, a, v)) seen.push_back({i, v.p, v.q});
+        }
     std::sort(seen.begin(), seen.end());
     seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
     for (const auto& [i, p, q] : seen) vertex_on(i, {p, q});
@@ -160,8 +184,7 @@ class Collector {
     }
     if (!near) return;
     const exact::Polynomial poly = forms_.exact_side(a, v, w_.range.chart);
-    if (poly.is_zero()) return;  // collinear edges of one operand with the same vertex of the other: they meet at no angle
-    for (AlgebraicRoot& root : roots_in(poly, w_.range.t_low, w_.range.t_high)) {
+    for (AlgebraicRoot& root : roots(poly)) {
       TurnEvent event = at(std::move(root), TurnEvent::Kind::vertex_on_segment);
       if (!on(a, v, event.theta()) || !may_exist(a, event.theta()) || belongs_to_overlap(a, v, event.theta())) continue;
       event.a = a;
@@ -177,11 +200,6 @@ class Collector {
     const double along = d.x * (x.x - from.x) + d.y * (x.y - from.y), length = d.x * d.x + d.y * d.y;
     const double slack = kNear * (length + forms_.length1(a) * forms_.span());
     return along >= -slack && along <= length + slack;
-  }
-
-  bool meet(std::uint32_t i, std::uint32_t j) const {
-    const TurnWindow::Meeting m{std::min(i, j), std::max(i, j)};
-    return std::binary_search(w_.meetings.begin(), w_.meetings.end(), m);
   }
 
   // Every triple is found from its smallest member; with two that are parallel at every angle, from the third one, the
@@ -206,8 +224,7 @@ class Collector {
   };
   // The root of a form that is monotone around `middle`, within at most 2^-30; nothing where doubles do not find one.
   std::optional<Root> only_root(const TrigForm2& g, double error, double middle, double half) const {
-    const double bend = std::abs(g.b) + std::abs(g.g) + 4 * (std::abs(g.b2) + std::abs(g.g2));
-    const double least = std::abs(g.slope(Heading::of(middle))) - 3 * bend * half;
+    const double least = std::abs(g.slope(Heading::of(middle))) - 3 * g.bend() * half;
     if (!(least > 0)) return std::nullopt;
     double theta = middle;
     for (int k = 0; k < 4; ++k) {
@@ -244,18 +261,21 @@ class Collector {
   }
 
   void triple(std::uint32_t i, std::uint32_t j, std::uint32_t k) {
-    const WalkSegment &a = w_.segments[i], &b = w_.segments[j], &c = w_.segments[k];
     ++out_.triples;
+    if (!w_.meet(j, k)) return;
+    const WalkSegment &a = w_.segments[i], &b = w_.segments[j], &c = w_.segments[k];
     const TrigForm2 g = forms_.concurrency(a, b, c);
     const double error = forms_.concurrency_error(a, b, c);
-    if (g.far_from_zero(w_.heading, w_.half, error) || !meet(j, k) || same_direction(b, c)) return;
+    if (g.far_from_zero(w_.heading, w_.half, error)) return;
+    if (at_crowded_end(g, error, [&](const QuarterTurn& end) { return end.concurrent(a, b, c); })) return;
+    if (same_direction(b, c)) return;
     if (!may_matter(a, b, c, g, error)) return;
     const exact::Polynomial poly = forms_.exact_concurrency(a, b, c, w_.range.chart);
     if (poly.is_zero()) {
       out_.always_concurrent = true;
       return;
     }
-    for (AlgebraicRoot& root : roots_in(poly, w_.range.t_low, w_.range.t_high)) {
+    for (AlgebraicRoot& root : roots(poly)) {
       TurnEvent event = at(std::move(root), TurnEvent::Kind::three_segments);
       if (!all_cross(a, b, c, event.theta())) continue;
       event.a = a;
@@ -294,6 +314,7 @@ class Collector {
   const TurningForms& forms_;
   const TurnCatalog& catalog_;
   const OverlapFilter* filter_;
+  QuarterEnds ends_;
   std::vector<std::vector<Crossing>> crossings_;
   TurnEvents out_;
 };
@@ -329,8 +350,8 @@ std::vector<Alignment> alignments(const TurningForms& forms, const TurnCatalog& 
 }
 
 TurnEvents events_in(const TurnWindow& window, const TurningForms& forms, const TurnCatalog& catalog, const std::vector<Alignment>& all,
-                     const OverlapFilter* filter) {
-  return Collector(window, forms, catalog, filter).run(all);
+                     const OverlapFilter* filter, const QuarterEnds& ends) {
+  return Collector(window, forms, catalog, filter, ends).run(all);
 }
 
 }  // namespace dymsum::planar

@@ -43,8 +43,13 @@ struct TurnEvents {
   std::uint64_t pairs = 0, triples = 0;
   bool always_concurrent = false;  ///< three segments stay concurrent at every angle: no event tells when they meet
 };
-/// With a filter, without those at places that are certainly covered.
+/// The crowded quarter turns among the ends of a window, or null.
+class QuarterTurn;
+struct QuarterEnds {
+  const QuarterTurn *low = nullptr, *high = nullptr;
+};
+/// With a filter, without those at places that are certainly covered. Always without those at crowded ends.
 TurnEvents events_in(const TurnWindow& window, const TurningForms& forms, const TurnCatalog& catalog, const std::vector<Alignment>& all,
-                     const OverlapFilter* filter);
+                     const OverlapFilter* filter, const QuarterEnds& ends);
 
 }  // namespace dymsum::planar

@@ -32,8 +32,15 @@ class TurnWindow {
   Heading heading;                                 ///< of the middle
   std::vector<WalkSegment> segments;
   std::vector<Meeting> meetings;                   ///< sorted
+  std::vector<std::uint32_t> first_of;             ///< those of segment a are meetings[first_of[a] .. first_of[a + 1])
   std::vector<Point> turned;                       ///< vertices of the turning operand at the middle, about its centre
   std::size_t all_segments = 0;                    ///< before the mask
+
+  /// Whether two segments are a meeting. Requires a < b. By the few meetings of a.
+  bool meet(std::uint32_t a, std::uint32_t b) const;
+
+ private:
+  void sort_meetings();
 };
 
 }  // namespace dymsum::planar

@@ -47,9 +47,10 @@ struct TrigForm2 {
   }
   double at(Heading h) const { return a + b * h.c + g * h.s + b2 * (h.c * h.c - h.s * h.s) + 2 * g2 * h.c * h.s; }
   double slope(Heading h) const { return g * h.c - b * h.s + 2 * g2 * (h.c * h.c - h.s * h.s) - 4 * b2 * h.c * h.s; }
+  /// A bound on the second derivative.
+  double bend() const { return std::abs(b) + std::abs(g) + 4 * (std::abs(b2) + std::abs(g2)); }
   bool far_from_zero(Heading h, double half, double error) const {
-    const double bend = std::abs(b) + std::abs(g) + 4 * (std::abs(b2) + std::abs(g2));
-    return std::abs(at(h)) > std::abs(slope(h)) * half + 0.5 * bend * half * half + error;
+    return std::abs(at(h)) > std::abs(slope(h)) * half + 0.5 * bend() * half * half + error;
   }
 };
 
@@ -70,6 +71,11 @@ class TurningForms {
   double width() const { return width_; }
   double height() const { return height_; }
   Point centre() const { return centre_; }  ///< of the turning operand, in the lattice's doubles
+  struct Vec {
+    exact::BigInteger x, y;
+  };
+  /// A vertex, in steps of the common grid.
+  const Vec& grid_point(std::uint32_t op, std::uint32_t v) const { return exact_[op][v]; }
 
   Point place(Pair v, Heading h) const {
     const Point &q = points_[0][v.p], &p = points_[1][v.q];
@@ -112,9 +118,6 @@ class TurningForms {
   int alignment_chart(std::uint32_t e, std::uint32_t f) const;
 
  private:
-  struct Vec {
-    exact::BigInteger x, y;
-  };
   struct Form {
     exact::BigInteger a, b, g;
   };

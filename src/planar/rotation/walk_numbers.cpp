@@ -1,0 +1,77 @@
+#include "planar/rotation/walk_numbers.h"
+
+#include <numeric>
+#include <optional>
+
+namespace dymsum::planar {
+namespace {
+
+bool same_point(const Operand& o, std::uint32_t v, std::uint32_t w) { return o.points->input[o.source[v]] == o.points->input[o.source[w]]; }
+
+// The walk edge that goes straight on where another one ends, perhaps of another visit of that vertex; none, or one, as edges do not overlap.
+std::optional<std::uint32_t> straight_on(const TurningForms& forms, const WalkSegment& s) {
+  const Operand& o = forms.operand(s.side);
+  for (std::uint32_t e = 0; e < o.size(); ++e)
+    if (same_point(o, e, o.next[s.edge]) && forms.parallel(s, {s.side, e, s.vertex})) {
+      const Point d = forms.edge(s.side, s.edge), f = forms.edge(s.side, e);
+      if (d.x * f.x + d.y * f.y > 0) return e;
+    }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::shared_ptr<const ScalingBase> numbered_by_walk(const ScalingBase& base) {
+  auto same = std::make_shared<ScalingBase>(base);
+  for (Operand& o : same->operands) {
+    std::iota(o.vertex_number.begin(), o.vertex_number.end(), 0u);
+    std::iota(o.edge_number.begin(), o.edge_number.end(), 0u);
+    o.numbered_vertex = o.source;
+    o.numbered_edge.clear();
+    for (std::uint32_t i = 0; i < o.size(); ++i) {
+      o.numbered_edge.push_back({o.source[i], o.source[o.next[i]]});
+      o.numbers[i] = {i, i, o.next[i]};
+    }
+  }
+  return same;
+}
+
+// Segments that differ otherwise are one, of an edge with two visits of a vertex.
+void append_run(WalkSegment first, const WalkSegment& last, const TurningForms& forms, std::vector<WalkSegment>& to) {
+  to.push_back(first);
+  if (first.side != last.side || first.vertex != last.vertex) return;
+  for (WalkSegment s = first; s.edge != last.edge;) {
+    const std::optional<std::uint32_t> next = straight_on(forms, s);
+    if (!next) return;
+    s.edge = *next;
+    to.push_back(s);
+  }
+}
+
+bool meet_at_ends(const TurningForms& forms, const WalkSegment& s, const WalkSegment& t) {
+  const Pair a = forms.end(s), b = TurningForms::start(t);
+  return a == b || (same_point(forms.operand(0), a.p, b.p) && same_point(forms.operand(1), a.q, b.q));
+}
+
+// An edge without cuts is one walk edge. One with cuts starts with the walk edge at the vertex of its number; its end is told by the ring.
+EdgeEnds::EdgeEnds(const Region& region, const Operand& operand) : starts_(operand.size(), true), ends_(operand.size(), true) {
+  if (region.touching_points().empty()) return;
+  std::vector<Point> end_of;
+  const auto add = [&](const Ring& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point end = ring[i + 1 == ring.size() ? 0 : i + 1];
+      end_of.push_back(operand.reflected ? Point{0 - end.x, 0 - end.y} : end);
+    }
+  };
+  for (const Part& part : region.parts()) {
+    add(part.outer);
+    for (const Ring& hole : part.holes) add(hole);
+  }
+  for (std::uint32_t i = 0; i < operand.size(); ++i) {
+    const std::uint32_t edge = operand.edge_number[i];
+    starts_[i] = operand.vertex_number[i] == edge;
+    ends_[i] = operand.points->input[operand.source[operand.next[i]]] == end_of[edge];
+  }
+}
+
+}  // namespace dymsum::planar
