@@ -22,10 +22,10 @@ bool FrameLoops::update(double tau, FramePlace& place, bool whole, FrameWork& wo
   else carry_over(tau, work);
   const std::size_t fresh = loops_.size();
   if (whole) {
-    for (std::uint32_t i = 0; i < window.pieces.size(); ++i) trace(i, work);
+    for (std::uint32_t i = 0; i < window.pieces.size(); ++i)
+      for (std::uint32_t k = 0; k <= lists_.count(i); ++k) trace({i, k}, work);
   } else {
-    // A new cycle passes a piece whose list changed: elsewhere the successor map is as it was.
-    for (const std::uint32_t i : lists_.changed()) trace(i, work);
+    trace_new(work);
   }
   for (std::size_t i = fresh; i < loops_.size(); ++i) look_.push_back(inherit(loops_[i], tau));
   verify(tau, place, work);

@@ -36,6 +36,7 @@ PieceLists::PieceLists(Window& window) : window_(window) {
   link_.assign(window.rays.size(), kNone);
   touched_.assign(n, 0);
   changed_at_.assign(n, 0);
+  new_subs_.assign(n, {});
 }
 
 // Entries of a piece lie in the order that they have in the middle of the window: lists are then nearly sorted as they come.
@@ -80,7 +81,7 @@ void PieceLists::add_entries() {
 std::size_t PieceLists::bytes() const {
   return entries_.capacity() * sizeof(Entry) + crossings_.capacity() * sizeof(Crossing) + (low_.capacity() + high_.capacity()) * 8 +
          hot_.capacity() * sizeof(Hot) + (list_.capacity() + touched_.capacity() + changed_at_.capacity() + changed_.capacity()) * 4 +
-         items_.capacity() * sizeof(Item);
+         items_.capacity() * sizeof(Item) + new_subs_.capacity() * sizeof(NewSubs);
 }
 
 bool PieceLists::repair(double tau, FramePlace& place, FrameWork& work) {
@@ -132,11 +133,11 @@ bool PieceLists::refresh(std::uint32_t i, double tau, FramePlace& place, FrameWo
   high_[i] = c.high;
   if (c.generic) {
     work.crossings_changed += came_or_went;
-    if (store(i)) mark_changed(i);
+    if (const std::optional<NewSubs> subs = store(i)) mark_changed(i, *subs);
   } else {
     for (std::uint32_t k = 0; k < hot_[i].entries; ++k) entries_[hot_[i].base + k].inside = false;
     hot_[i].count = 0;
-    mark_changed(i);
+    mark_changed(i, {0, 0});
   }
   return c.generic;
 }
@@ -224,14 +225,15 @@ void PieceLists::look_at_neighbours(std::uint32_t i, double tau, FramePlace& pla
   }
 }
 
-// The items become the piece's list; false when they are it already.
-bool PieceLists::store(std::uint32_t i) {
+// The items become the piece's list; nothing when they are it already, else the sub-edges that are new.
+std::optional<PieceLists::NewSubs> PieceLists::store(std::uint32_t i) {
   std::uint32_t* list = list_.data() + base(i);
-  const std::uint32_t n = static_cast<std::uint32_t>(items_.size());
-  bool same = n == hot_[i].count;
-  for (std::uint32_t k = 0; same && k < n; ++k) same = list[k] == items_[k].entry;
-  if (same) return false;
-  for (std::uint32_t k = 0; k < n; ++k) {
+  const std::uint32_t n = static_cast<std::uint32_t>(items_.size()), before = hot_[i].count;
+  std::uint32_t head = 0, tail = 0;
+  while (head < n && head < before && list[head] == items_[head].entry) ++head;
+  if (head == n && n == before) return std::nullopt;
+  while (head + tail < n && head + tail < before && list[before - 1 - tail] == items_[n - 1 - tail].entry) ++tail;
+  for (std::uint32_t k = head; k < n; ++k) {
     list[k] = items_[k].entry;
     if (list[k] & kTouchBit) {
       window_.touches[list[k] & ~kTouchBit].at = k;
@@ -241,13 +243,32 @@ bool PieceLists::store(std::uint32_t i) {
     (c.a == i ? c.at_a : c.at_b) = k;
   }
   hot_[i].count = n;
-  return true;
+  return NewSubs{head, n - tail};
 }
 
-void PieceLists::mark_changed(std::uint32_t piece) {
+void PieceLists::mark_changed(std::uint32_t piece, NewSubs subs) {
+  new_subs_[piece] = changed_at_[piece] == frame_ ? NewSubs{std::min(subs.first, new_subs_[piece].first), std::max(subs.last, new_subs_[piece].last)} : subs;
   if (changed_at_[piece] == frame_) return;
   changed_.push_back(piece);
   changed_at_[piece] = frame_;
+}
+
+// Where an entry stands that may have left the list.
+std::uint32_t PieceLists::place_in_list(std::uint32_t piece, std::uint32_t entry) const {
+  if (entry & kTouchBit) return window_.touches[entry & ~kTouchBit].at;
+  const Crossing& c = crossings_[entry];
+  return c.a == piece ? c.at_a : c.at_b;
+}
+
+PieceLists::Step PieceLists::between(std::uint32_t piece, std::uint32_t from, std::uint32_t to) const {
+  std::uint32_t sub = 0;
+  if (from != kNone) {
+    const std::uint32_t at = place_in_list(piece, from);
+    if (at >= count(piece) || entry(piece, at) != from) return {};
+    sub = at + 1;
+  }
+  const std::uint32_t end = sub == count(piece) ? kNone : entry(piece, sub);
+  return end == to ? Step{piece, sub} : Step{};
 }
 
 // The sector rule of planar-sum.md on the rays that are there now; their order never changes.
@@ -259,7 +280,7 @@ void PieceLists::relink(std::uint32_t node) {
     link_[r] = kNone;
     entered_[r] = 0;
     const PersistentNode::Ray& ray = window_.rays[r];
-    mark_changed(ray.piece);
+    mark_changed(ray.piece, {0, count(ray.piece)});
     if (ray.touch != kNone && !touch_active_[ray.touch]) continue;
     any |= ray.touch != kNone;
     here.push_back(r);
