@@ -142,7 +142,7 @@ bool FrameLoops::undisturbed(const LoopStep& edge, double tau) const {
   if (!lists_.touched(edge.piece)) return true;
   const Window& window = lists_.window();
   const double low = std::min(tau, last_tau_), high = std::max(tau, last_tau_);
-  const LiveSegment& segment = window.segments[window.pieces[edge.piece].segment];
+  const Piece& piece = window.pieces[edge.piece];
   struct End {
     Linear t;
     double error;
@@ -158,8 +158,8 @@ bool FrameLoops::undisturbed(const LoopStep& edge, double tau) const {
     const auto stays = [&](const auto& c) { return c.in_low < low && c.in_high > high; };
     if (id & kTouchBit ? !stays(window.touches[id & ~kTouchBit]) : !stays(window.candidates[id])) return false;
   }
-  const End from = end(edge.from, {0, 0}), to = end(edge.to, segment.moving ? Linear{0, 1} : Linear{1, 0});
-  const double margin = from.error + to.error + 0x1p-48 * std::max(1.0, high);
+  const End from = end(edge.from, {0, 0}), to = end(edge.to, window.end_place(piece));
+  const double margin = from.error + to.error + piece.tail_error + 0x1p-48 * std::max(1.0, high);
   for (const double x : {low, high})
     if (!(to.t.at(x) - from.t.at(x) > margin)) return false;
   // Whether everything else on the piece stays clear of the sub-edge while it is there.
@@ -245,7 +245,8 @@ bool FrameLoops::nodes_are_plain(double tau, FramePlace& place, bool whole, Fram
     bool changed = whole || lists_.relinked(n);
     for (std::uint32_t r = window.nodes[n].first_ray; r < window.nodes[n].last_ray && nodes_[n].inside && !changed; ++r) {
       const PersistentNode::Ray& ray = window.rays[r];
-      changed = ray.touch != kNone && ray.out && lists_.active_touch(ray.touch) && lists_.touched(ray.piece) && !quiet(ray.touch, tau);
+      if (ray.touch == kNone) changed = window.nodes[n].hands_on && lists_.touched(ray.piece);
+      else changed = ray.out && lists_.active_touch(ray.touch) && lists_.touched(ray.piece) && !quiet(ray.touch, tau);
     }
     if (changed) nodes_[n].inside = false;
     if (visited_[n] > 0 || nodes_[n].inside) continue;

@@ -70,8 +70,8 @@ void PieceLists::add_entries() {
     h.next = p.next;
     h.head_ray = window_.head_ray[i];
     h.tail_ray = window_.tail_ray[i];
-    h.head_cut = p.head_cut;
-    h.tail_cut = p.tail_cut;
+    h.head_cut = p.head_cut || p.covered;
+    h.tail_cut = p.tail_cut || p.covered;
     h.next_turn = p.next_turn;
     h.half = p.half;
     hot_.push_back(h);
@@ -89,6 +89,9 @@ bool PieceLists::repair(double tau, FramePlace& place, FrameWork& work) {
   changed_.clear();
   dirty_nodes_.clear();
   bool generic = window_.folds.empty();
+  if (frame_ == 1)
+    for (std::uint32_t k = 0; k < window_.nodes.size(); ++k)
+      if (window_.nodes[k].hands_on) dirty_nodes_.push_back(k);
   const std::uint32_t n = static_cast<std::uint32_t>(hot_.size());
   for (std::uint32_t i = 0; i < n; ++i) {
     if (tau > low_[i] && tau < high_[i]) continue;
@@ -102,21 +105,32 @@ bool PieceLists::repair(double tau, FramePlace& place, FrameWork& work) {
   return generic;
 }
 
+Cut PieceLists::cut_at(std::uint32_t piece, std::uint32_t entry) const {
+  Cut x;
+  if (entry & kTouchBit) {
+    x.pair = window_.exact(window_.nodes[window_.touches[entry & ~kTouchBit].node].at);
+    return x;
+  }
+  const Candidate& c = window_.candidates[entry];
+  x.kind = Cut::Kind::crossing;
+  x.by = window_.exact(window_.pieces[c.a == piece ? c.b : c.a].segment);
+  return x;
+}
+
 int PieceLists::compare_exactly(std::uint32_t piece, const Item& a, const Item& b, FramePlace& place) const {
   if (a.entry == b.entry) return 0;
-  const auto cut = [&](const Item& item) {
-    Cut x;
-    if (item.entry & kTouchBit) {
-      x.pair = window_.exact(window_.nodes[window_.touches[item.entry & ~kTouchBit].node].at);
-      return x;
-    }
-    const Candidate& c = window_.candidates[item.entry];
-    x.kind = Cut::Kind::crossing;
-    x.by = window_.exact(window_.pieces[c.a == piece ? c.b : c.a].segment);
-    return x;
-  };
   ++place.exact_signs;
-  return place.lattice().compare(window_.exact(window_.pieces[piece].segment), cut(a), cut(b));
+  return place.lattice().compare(window_.exact(window_.pieces[piece].segment), cut_at(piece, a.entry), cut_at(piece, b.entry));
+}
+
+// Whether an entry lies before the end of a piece that is handed on.
+bool PieceLists::before_end(std::uint32_t piece, std::uint32_t entry, FramePlace& place, Certainty& certain) const {
+  const Piece& p = window_.pieces[piece];
+  if (!p.handed_on) return true;
+  ++place.exact_signs;
+  const int order = place.lattice().compare(window_.exact(p.segment), cut_at(piece, entry), {Cut::Kind::pair, window_.exact(p.tail_at), {}});
+  certain.generic &= order != 0;
+  return order < 0;
 }
 
 bool PieceLists::refresh(std::uint32_t i, double tau, FramePlace& place, FrameWork& work) {
@@ -164,14 +178,14 @@ bool PieceLists::inside_exactly(std::uint32_t i, std::uint32_t id, FramePlace& p
   if (!(id & kTouchBit)) {
     const Meet m = meet(window_, window_.pieces[crossings_[id].a].segment, window_.pieces[crossings_[id].b].segment, place);
     certain.generic &= m != Meet::degenerate;
-    return m == Meet::crossing;
+    return m == Meet::crossing && before_end(crossings_[id].a, id, place, certain) && before_end(crossings_[id].b, id, place, certain);
   }
   const Segment s = window_.exact(window_.pieces[i].segment), back{{s.edge.op, s.edge.to, s.edge.from}, s.vertex};
   const Pair v = window_.exact(window_.nodes[window_.touches[id & ~kTouchBit].node].at);
   const int from = place.lattice().along(s, v), to = place.lattice().along(back, v);
   place.exact_signs += 2;
   certain.generic &= from != 0 && to != 0;
-  return from > 0 && to > 0;
+  return from > 0 && to > 0 && before_end(i, id, place, certain);
 }
 
 // What crosses or touches on the piece here: into items_, not yet in order. Returns how much came and went; nodes are linked anew where a
@@ -282,7 +296,7 @@ void PieceLists::relink(std::uint32_t node) {
     const PersistentNode::Ray& ray = window_.rays[r];
     mark_changed(ray.piece, {0, count(ray.piece)});
     if (ray.touch != kNone && !touch_active_[ray.touch]) continue;
-    any |= ray.touch != kNone;
+    any |= ray.touch != kNone || n.hands_on;
     here.push_back(r);
   }
   node_active_[node] = any;

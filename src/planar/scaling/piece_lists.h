@@ -129,6 +129,8 @@ class PieceLists {
     return gap > error ? 1 : gap < -error ? -1 : compare_exactly(piece, a, b, place);
   }
   int compare_exactly(std::uint32_t piece, const Item& a, const Item& b, FramePlace& place) const;
+  Cut cut_at(std::uint32_t piece, std::uint32_t entry) const;
+  bool before_end(std::uint32_t piece, std::uint32_t entry, FramePlace& place, Certainty& certain) const;
 
   Window& window_;
   std::vector<double> low_, high_;  ///< the list of a piece is certain strictly between
