@@ -6,8 +6,8 @@
 
 namespace dymsum {
 
-/// How frames are made. automatic: the controller chooses between the two by what they have cost, with hysteresis (ScalingSum measures
-/// time, RotatingSum counts work). All give the identical sum.
+/// How frames are made. automatic: the controller chooses between the two by what they have cost, with hysteresis. Costs are counted work,
+/// not time: every run makes the same choices. All give the identical sum.
 enum class FrameMode : std::uint8_t {
   automatic,
   window,   ///< always update inside windows, however short they live

@@ -381,6 +381,16 @@ std::shared_ptr<Lattice> make_lattice(std::shared_ptr<const PlacedPoints> p, std
   return build_lattice(std::move(points), exponent, unit, bits, std::nullopt, min_tier_bits);
 }
 
+namespace {
+
+// num / den for positive integers, rounded once: where both are doubles, their division is.
+double quotient(const exact::BigInteger& num, const exact::BigInteger& den) {
+  if (msb(num) >= 53 || msb(den) >= 53) return exact::round_to_double(BigRational(num, den));
+  return static_cast<double>(static_cast<std::uint64_t>(num)) / static_cast<double>(static_cast<std::uint64_t>(den));
+}
+
+}  // namespace
+
 std::shared_ptr<Lattice> make_scaled_lattice(const Lattice& unscaled, const LatticeScale& scale, int min_tier_bits) {
   const int exponent = unscaled.grid_exponent, unit = unscaled.points[0]->unit;
   std::array<std::shared_ptr<const PlacedPoints>, 2> points = unscaled.points;
@@ -389,7 +399,7 @@ std::shared_ptr<Lattice> make_scaled_lattice(const Lattice& unscaled, const Latt
     bits = std::max(bits, points[op]->bits(exponent) + (op == scale.op ? std::max(factor_bits(scale.x), factor_bits(scale.y))
                                                                                  : factor_bits(scale.den)));
   auto stretched = std::make_shared<PlacedPoints>(*points[scale.op]);
-  stretched->stretch = {exact::round_to_double(BigRational(scale.x, scale.den)), exact::round_to_double(BigRational(scale.y, scale.den))};
+  stretched->stretch = {quotient(scale.x, scale.den), quotient(scale.y, scale.den)};
   place_in_units(*stretched, unit);
   points[scale.op] = std::move(stretched);
   std::shared_ptr<Lattice> lattice = build_lattice(std::move(points), exponent, unit, bits, scale, min_tier_bits);

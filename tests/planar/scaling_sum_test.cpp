@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 
@@ -232,6 +233,32 @@ TEST(ScalingSum, many_random_steps_equal_a_rebuild) {
     if (step % (heavy ? 100 : 20) != 0) continue;
     ASSERT_EQ(ours(sum, 4096), static_answer(shape.p, shape.q, double(a), 4096, false, Semantics::closed)) << "step " << step << ", s = " << a << "/4096";
   }
+}
+
+// Costs are counted: what else the machine does cannot change how frames are made.
+TEST(ScalingSum, every_run_makes_the_same_choices) {
+  const Shape shape = middling();
+  const auto run = [&] {
+    ScalingSum sum = ScalingSum::create(shape.p, shape.q).value();
+    std::vector<std::array<double, 4>> choices;
+    double s = 1;
+    for (int k = 0; k < 120; ++k) {
+      s = k % 40 == 39 ? 1 : std::round(s * (k < 40 ? 1.002 : k < 80 ? 1.01 : 1.2) * 0x1p14) * 0x1p-14;
+      EXPECT_TRUE(sum.set(s).ok());
+      const FrameWork& work = sum.work();
+      choices.push_back({work.new_window ? 1.0 : 0.0, work.rebuilt ? 1.0 : 0.0, work.window_low, work.window_high});
+    }
+    return choices;
+  };
+  const auto choices = run();
+  EXPECT_EQ(choices, run());
+  double windows = 0, rebuilt = 0;
+  for (const auto& c : choices) {
+    windows += c[0];
+    rebuilt += c[1];
+  }
+  EXPECT_GT(windows, 2);
+  EXPECT_GT(rebuilt, 10);
 }
 
 TEST(ScalingSum, bad_scales_are_refused_and_change_nothing) {

@@ -20,7 +20,7 @@ constexpr double kHysteresis = 0.05;  // relative gain below which the width sta
 void WindowController::close_window() {
   if (served_ == 0) return;
   const double cost = (spent_ - forgiven_) / static_cast<double>(served_);
-  // Climb towards the cheapest width; turn round when it got dearer by more than noise.
+  // Climb towards the cheapest width; turn round when it got dearer by more than frames differ anyway.
   if (compared_ > 0 && cost > compared_ * (1 + kHysteresis)) factor_ = 1 / factor_;
   if (compared_ == 0 || std::abs(cost - compared_) > kHysteresis * compared_)
     frames_ahead_ = std::clamp(frames_ahead_ * factor_, kFrames, kMostFrames);
@@ -30,14 +30,14 @@ void WindowController::close_window() {
   served_ = 0;
 }
 
-void WindowController::rebuilt(double ms) {
-  // The first measurement is made with cold caches: what is cheaper counts at once, what is dearer slowly.
-  static_ms_ = static_ms_ == 0 || ms < static_ms_ ? ms : 0.9 * static_ms_ + 0.1 * ms;
+void WindowController::rebuilt(double cost) {
+  // What is cheaper counts at once, what is dearer slowly.
+  static_cost_ = static_cost_ == 0 || cost < static_cost_ ? cost : 0.9 * static_cost_ + 0.1 * cost;
   if (rest_ > 0) --rest_;
 }
 
-bool WindowController::give_up(double ms) {
-  if (ms <= static_ms_ || static_ms_ == 0) {
+bool WindowController::give_up(double cost) {
+  if (cost <= static_cost_ || static_cost_ == 0) {
     dear_ = 0;
     return false;
   }
@@ -46,15 +46,15 @@ bool WindowController::give_up(double ms) {
   return true;
 }
 
-// Times are wall times: what lasts far longer than it can is another program's turn and counts for less.
-void WindowController::built(double ms, double forgiven) {
-  spent_ = static_ms_ > 0 ? std::min(ms, kDearestWindow * static_ms_) : ms;
+// One frame with many collision tests says little about the next ones.
+void WindowController::built(double cost, double forgiven) {
+  spent_ = static_cost_ > 0 ? std::min(cost, kDearestWindow * static_cost_) : cost;
   forgiven_ = std::min(forgiven, spent_);
   served_ = 1;
 }
 
-void WindowController::updated(double ms) {
-  spent_ += static_ms_ > 0 ? std::min(ms, kDearestFrame * static_ms_) : ms;
+void WindowController::updated(double cost) {
+  spent_ += static_cost_ > 0 ? std::min(cost, kDearestFrame * static_cost_) : cost;
   ++served_;
 }
 
@@ -68,7 +68,7 @@ WindowController::Choice WindowController::choose(double step, double widest, Fr
   close_window();
   if (mode == FrameMode::automatic) {
     // A window that cost more a frame than computing from scratch: leave it for a while, or until steps get much smaller.
-    if (served > 0 && last_cost_ > kTooDear * static_ms_) {
+    if (served > 0 && last_cost_ > kTooDear * static_cost_) {
       bad_step_ = bad_step_ == 0 ? size : std::min(bad_step_, size);
       rest_ = backoff_;
       backoff_ = std::min<std::uint64_t>(2 * backoff_, 256);
@@ -78,7 +78,7 @@ WindowController::Choice WindowController::choose(double step, double widest, Fr
     }
     if (recent_ > kLargestStep) return {};
     // Once in a while a window would not clearly win: a fresh frame tells what it would have cost.
-    if (served > 0 && last_cost_ > 0.7 * static_ms_ && ++windows_since_ % 4 == 0) return {};
+    if (served > 0 && last_cost_ > 0.7 * static_cost_ && ++windows_since_ % 4 == 0) return {};
     if (rest_ > 0 && size > 0.5 * bad_step_) return {};
   }
   const double wide = std::min(frames_ahead_ * size, std::max(widest, (kFrames + 0.5) * size));

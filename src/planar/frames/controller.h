@@ -18,18 +18,18 @@ class WindowController {
   /// than a few steps. `window`: their width where the caller knows it, else 0.
   Choice choose(double step, double widest, FrameMode mode, double window);
 
-  /// What was measured, or counted in any unit: a frame from scratch; a frame that built a window; a frame inside one.
-  void rebuilt(double ms);
+  /// What was counted, in any unit: a frame from scratch; a frame that built a window; a frame inside one.
+  void rebuilt(double cost);
   /// `forgiven`: so much of it does not count when widths are compared.
-  void built(double ms, double forgiven = 0);
+  void built(double cost, double forgiven = 0);
   /// Whether frames inside the window have been dearer than from scratch three times in a row.
-  bool give_up(double ms);
-  void updated(double ms);
+  bool give_up(double cost);
+  void updated(double cost);
 
  private:
   void close_window();
 
-  double static_ms_ = 0;
+  double static_cost_ = 0;
   double frames_ahead_ = 6;   ///< how many steps a window covers ahead
   double factor_ = 1.5;       ///< what that was last multiplied by
   double last_cost_ = 0;      ///< a frame of the last window, with its share of the building

@@ -24,46 +24,43 @@ void FrameLoops::take_apart(std::uint32_t number) {
   }
 }
 
-void FrameLoops::trace(std::uint32_t piece, FrameWork& work) {
-  const std::uint32_t n = lists_.count(piece);
-  for (std::uint32_t k = 0; k <= n; ++k) {
-    const Step start{piece, k};
-    if (seen_[lists_.first_sub(piece) + k] >= walk_ || !lists_.alive_at_start(start)) continue;
-    const auto first_run = static_cast<std::uint32_t>(runs_.size());
-    if (!follow(start)) {
-      runs_.resize(first_run);
-      continue;
+// A cycle either has a sub-edge that was not there before, or is an old one: all of its sub-edges were there, and each led to the next. Old
+// ones that pass a changed list have been taken apart, so one sub-edge of each is tried too.
+void FrameLoops::trace_new(FrameWork& work) {
+  for (const FrameLoop& loop : gone_)
+    for (const LoopStep& s : loop.steps) {
+      if (!lists_.has_changed(s.piece)) continue;
+      if (const Step start = lists_.between(s.piece, s.from, s.to); start.piece != kNone) trace(start, work);
+      break;
     }
-    ++work.loops_traced;
-    FrameLoop loop;
-    loop.steps = std::move(path_);
-    loop.corners = path_corners_;
-    loop.turning = path_turning_;
-    loop.first_run = first_run;
-    loop.last_run = static_cast<std::uint32_t>(runs_.size());
-    loops_.push_back(std::move(loop));
-    path_ = {};
-    if (!spare_.empty()) {
-      path_ = std::move(spare_.back());
-      spare_.pop_back();
-    }
+  for (const std::uint32_t i : lists_.changed()) {
+    const PieceLists::NewSubs subs = lists_.new_subs(i);
+    for (std::uint32_t k = subs.first; k <= subs.last; ++k) trace({i, k}, work);
   }
 }
 
-// Walks into path_ and runs_; whether the walk comes back to where it started.
+void FrameLoops::trace(Step start, FrameWork& work) {
+  if (seen_[lists_.first_sub(start.piece) + start.sub] >= walk_ || !lists_.alive_at_start(start) || !follow(start)) return;
+  ++work.loops_traced;
+  loops_.push_back(walked_loop());
+}
+
+// Walks into trail_; whether the walk comes back to where it started. Most walks do not.
 bool FrameLoops::follow(Step start) {
-  path_.clear();
-  path_corners_ = 0;
-  path_turning_ = 0;
+  trail_.clear();
   Step at = start;
   std::uint32_t edge = lists_.first_sub(at.piece) + at.sub;
   do {
-    if (heads_[edge].walk == walk_) {
-      if (!copy_stretch(heads_[edge].stretch)) return false;
-      at = lists_.successor(step_of(path_.back()));
+    const Head head = heads_[edge];
+    if (head.walk == walk_) {
+      const Stretch& stretch = stretches_[head.stretch];
+      if (!enter(stretch)) return false;
+      trail_.push_back({at, head.stretch});
+      at = lists_.successor(step_of(gone_[stretch.loop].steps[stretch.end - 1]));
     } else {
       seen_[edge] = walk_;
-      at = add_step(at, edge);
+      trail_.push_back({at, kNone});
+      at = lists_.successor(at);
     }
     if (at.piece == kNone) return false;
     edge = lists_.first_sub(at.piece) + at.sub;
@@ -72,31 +69,50 @@ bool FrameLoops::follow(Step start) {
 }
 
 // False where another walk has been before.
-bool FrameLoops::copy_stretch(std::uint32_t number) {
-  const Stretch& stretch = stretches_[number];
-  const std::vector<LoopStep>& from = gone_[stretch.loop].steps;
-  std::uint32_t corners = 0;
+bool FrameLoops::enter(const Stretch& stretch) {
+  const std::vector<LoopStep>& steps = gone_[stretch.loop].steps;
   for (std::uint32_t k = stretch.begin; k < stretch.end; ++k) {
-    const LoopStep& s = from[k];
-    if (seen_[s.edge] >= walk_) return false;
-    seen_[s.edge] = walk_;
-    corners += s.vertex != kNone;
-    path_turning_ += s.turn;
+    if (seen_[steps[k].edge] >= walk_) return false;
+    seen_[steps[k].edge] = walk_;
   }
-  runs_.push_back({static_cast<std::uint32_t>(path_.size()), stretch.end - stretch.begin, corners, stretch.loop});
-  path_corners_ += corners;
-  copied_ += stretch.end - stretch.begin;
-  path_.insert(path_.end(), from.begin() + stretch.begin, from.begin() + stretch.end);
   return true;
 }
 
-// Puts a sub-edge on the path and tells what comes behind it.
-FrameLoops::Step FrameLoops::add_step(Step at, std::uint32_t edge) {
-  const Step next = lists_.successor(at);
-  if (next.piece == kNone) return next;
+// The trail of a walk that has closed, with what is known of its steps.
+FrameLoop FrameLoops::walked_loop() {
+  FrameLoop loop;
+  if (!spare_.empty()) {
+    loop.steps = std::move(spare_.back());
+    spare_.pop_back();
+    loop.steps.clear();
+  }
+  loop.first_run = static_cast<std::uint32_t>(runs_.size());
+  for (std::size_t k = 0; k < trail_.size(); ++k) {
+    if (trail_[k].stretch != kNone) add_stretch(stretches_[trail_[k].stretch], loop);
+    else add_step(trail_[k].at, trail_[k + 1 < trail_.size() ? k + 1 : 0].at, loop);
+  }
+  loop.last_run = static_cast<std::uint32_t>(runs_.size());
+  return loop;
+}
+
+void FrameLoops::add_stretch(const Stretch& stretch, FrameLoop& loop) {
+  const std::vector<LoopStep>& from = gone_[stretch.loop].steps;
+  std::uint32_t corners = 0;
+  for (std::uint32_t k = stretch.begin; k < stretch.end; ++k) {
+    corners += from[k].vertex != kNone;
+    loop.turning += from[k].turn;
+  }
+  runs_.push_back({static_cast<std::uint32_t>(loop.steps.size()), stretch.end - stretch.begin, corners, stretch.loop});
+  loop.corners += corners;
+  copied_ += stretch.end - stretch.begin;
+  loop.steps.insert(loop.steps.end(), from.begin() + stretch.begin, from.begin() + stretch.end);
+}
+
+// A sub-edge and what comes behind it.
+void FrameLoops::add_step(Step at, Step next, FrameLoop& loop) {
   LoopStep s;
   s.piece = at.piece;
-  s.edge = edge;
+  s.edge = lists_.first_sub(at.piece) + at.sub;
   s.from = at.sub == 0 ? kNone : lists_.entry(at.piece, at.sub - 1);
   s.to = at.sub == lists_.count(at.piece) ? kNone : lists_.entry(at.piece, at.sub);
   int turn = -1;  // at crossings cycles turn right
@@ -111,10 +127,9 @@ FrameLoops::Step FrameLoops::add_step(Step at, std::uint32_t edge) {
   }
   const int half = lists_.half(at.piece);
   if (half != lists_.half(next.piece) && (turn > 0) == (half == 1)) s.turn = static_cast<std::int8_t>(turn);
-  path_corners_ += s.vertex != kNone;
-  path_turning_ += s.turn;
-  path_.push_back(s);
-  return next;
+  loop.corners += s.vertex != kNone;
+  loop.turning += s.turn;
+  loop.steps.push_back(s);
 }
 
 // The vertex behind a step, made when it is first met in the window.

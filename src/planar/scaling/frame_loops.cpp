@@ -22,10 +22,10 @@ bool FrameLoops::update(double tau, FramePlace& place, bool whole, FrameWork& wo
   else carry_over(tau, work);
   const std::size_t fresh = loops_.size();
   if (whole) {
-    for (std::uint32_t i = 0; i < window.pieces.size(); ++i) trace(i, work);
+    for (std::uint32_t i = 0; i < window.pieces.size(); ++i)
+      for (std::uint32_t k = 0; k <= lists_.count(i); ++k) trace({i, k}, work);
   } else {
-    // A new cycle passes a piece whose list changed: elsewhere the successor map is as it was.
-    for (const std::uint32_t i : lists_.changed()) trace(i, work);
+    trace_new(work);
   }
   for (std::size_t i = fresh; i < loops_.size(); ++i) look_.push_back(inherit(loops_[i], tau));
   verify(tau, place, work);
@@ -142,7 +142,7 @@ bool FrameLoops::undisturbed(const LoopStep& edge, double tau) const {
   if (!lists_.touched(edge.piece)) return true;
   const Window& window = lists_.window();
   const double low = std::min(tau, last_tau_), high = std::max(tau, last_tau_);
-  const LiveSegment& segment = window.segments[window.pieces[edge.piece].segment];
+  const Piece& piece = window.pieces[edge.piece];
   struct End {
     Linear t;
     double error;
@@ -158,8 +158,8 @@ bool FrameLoops::undisturbed(const LoopStep& edge, double tau) const {
     const auto stays = [&](const auto& c) { return c.in_low < low && c.in_high > high; };
     if (id & kTouchBit ? !stays(window.touches[id & ~kTouchBit]) : !stays(window.candidates[id])) return false;
   }
-  const End from = end(edge.from, {0, 0}), to = end(edge.to, segment.moving ? Linear{0, 1} : Linear{1, 0});
-  const double margin = from.error + to.error + 0x1p-48 * std::max(1.0, high);
+  const End from = end(edge.from, {0, 0}), to = end(edge.to, window.end_place(piece));
+  const double margin = from.error + to.error + piece.tail_error + 0x1p-48 * std::max(1.0, high);
   for (const double x : {low, high})
     if (!(to.t.at(x) - from.t.at(x) > margin)) return false;
   // Whether everything else on the piece stays clear of the sub-edge while it is there.
@@ -245,7 +245,8 @@ bool FrameLoops::nodes_are_plain(double tau, FramePlace& place, bool whole, Fram
     bool changed = whole || lists_.relinked(n);
     for (std::uint32_t r = window.nodes[n].first_ray; r < window.nodes[n].last_ray && nodes_[n].inside && !changed; ++r) {
       const PersistentNode::Ray& ray = window.rays[r];
-      changed = ray.touch != kNone && ray.out && lists_.active_touch(ray.touch) && lists_.touched(ray.piece) && !quiet(ray.touch, tau);
+      if (ray.touch == kNone) changed = window.nodes[n].hands_on && lists_.touched(ray.piece);
+      else changed = ray.out && lists_.active_touch(ray.touch) && lists_.touched(ray.piece) && !quiet(ray.touch, tau);
     }
     if (changed) nodes_[n].inside = false;
     if (visited_[n] > 0 || nodes_[n].inside) continue;

@@ -71,10 +71,11 @@ class FrameLoops {
 
   // frame_cycles.cpp
   void take_apart(std::uint32_t number);
-  void trace(std::uint32_t piece, FrameWork& work);
+  void trace_new(FrameWork& work);
+  void trace(Step start, FrameWork& work);
   bool follow(Step start);
-  bool copy_stretch(std::uint32_t number);
-  Step add_step(Step at, std::uint32_t edge);
+  FrameLoop walked_loop();
+  void add_step(Step at, Step next, FrameLoop& loop);
   std::uint32_t made(std::uint32_t& vertex, Step at, std::uint32_t next_piece);
   std::uint32_t node_vertex(Step at, std::uint32_t next_piece);
 
@@ -117,6 +118,8 @@ class FrameLoops {
     std::uint32_t loop, begin, end;
   };
   std::vector<Stretch> stretches_;
+  bool enter(const Stretch& stretch);
+  void add_stretch(const Stretch& stretch, FrameLoop& loop);
   struct Head {
     std::uint32_t walk = 0, stretch = 0;
   };
@@ -145,9 +148,11 @@ class FrameLoops {
   double last_tau_ = 0;  ///< of the last update
   std::array<std::array<std::uint32_t, 2>, 16> lately_{};  ///< the last edges found to cross, of any loop or node
   std::size_t found_ = 0;
-  std::vector<LoopStep> path_;
-  std::uint32_t path_corners_ = 0;
-  int path_turning_ = 0;
+  struct Trail {
+    Step at;
+    std::uint32_t stretch;  ///< that starts there, or kNone: a single sub-edge
+  };
+  std::vector<Trail> trail_;  ///< of the current walk
   std::vector<std::vector<LoopStep>> spare_;  ///< storage of loops that are gone
   std::vector<std::uint8_t> claimed_;
 };

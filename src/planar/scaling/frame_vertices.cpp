@@ -70,9 +70,10 @@ FrameLoops::Cutting FrameLoops::end_cut(Step s, bool at_end) const {
   c.relative_error = 0x1p-50;
   const bool end = at_end && s.sub == lists_.count(s.piece), start = !at_end && s.sub == 0;
   if (end || start) {
-    c.cut.pair = window.exact(end ? on.end : on.start);
-    c.t = end ? (on.moving ? Linear{0, 1} : Linear{1, 0}) : Linear{0, 0};
-    c.error = 0;
+    const Piece& piece = window.pieces[s.piece];
+    c.cut.pair = window.exact(end ? window.end_pair(piece) : on.start);
+    c.t = end ? window.end_place(piece) : Linear{0, 0};
+    c.error = end ? piece.tail_error : 0;
     c.denominator = on.dx != 0 ? std::abs(on.dx) : std::abs(on.dy);
     return c;
   }
@@ -197,13 +198,12 @@ bool FrameLoops::crosses_at(const std::array<std::uint32_t, 2>& edges, double x,
 
 FrameLoops::MovingVertex FrameLoops::vertex_after(Step s, std::uint32_t in, std::uint32_t out) const {
   const Window& window = lists_.window();
-  const LiveSegment& on = window.segments[window.pieces[s.piece].segment];
   MovingVertex v;
   v.point.error = kWindowPoint * window.span();
   const bool end = s.sub == lists_.count(s.piece);
   const std::uint32_t entry = end ? kNone : lists_.entry(s.piece, s.sub);
   if (end || entry & kTouchBit) {
-    const WalkPair at = end ? on.end : window.nodes[window.touches[entry & ~kTouchBit].node].at;
+    const WalkPair at = end ? window.end_pair(window.pieces[s.piece]) : window.nodes[window.touches[entry & ~kTouchBit].node].at;
     v.vertex.corner_p = window.base().operands[0].vertex_number[at.p];
     v.vertex.corner_q = window.base().operands[1].vertex_number[at.q];
     const Lattice& l = *window.base().lattice;

@@ -36,6 +36,7 @@ PieceLists::PieceLists(Window& window) : window_(window) {
   link_.assign(window.rays.size(), kNone);
   touched_.assign(n, 0);
   changed_at_.assign(n, 0);
+  new_subs_.assign(n, {});
 }
 
 // Entries of a piece lie in the order that they have in the middle of the window: lists are then nearly sorted as they come.
@@ -69,8 +70,8 @@ void PieceLists::add_entries() {
     h.next = p.next;
     h.head_ray = window_.head_ray[i];
     h.tail_ray = window_.tail_ray[i];
-    h.head_cut = p.head_cut;
-    h.tail_cut = p.tail_cut;
+    h.head_cut = p.head_cut || p.covered;
+    h.tail_cut = p.tail_cut || p.covered;
     h.next_turn = p.next_turn;
     h.half = p.half;
     hot_.push_back(h);
@@ -80,7 +81,7 @@ void PieceLists::add_entries() {
 std::size_t PieceLists::bytes() const {
   return entries_.capacity() * sizeof(Entry) + crossings_.capacity() * sizeof(Crossing) + (low_.capacity() + high_.capacity()) * 8 +
          hot_.capacity() * sizeof(Hot) + (list_.capacity() + touched_.capacity() + changed_at_.capacity() + changed_.capacity()) * 4 +
-         items_.capacity() * sizeof(Item);
+         items_.capacity() * sizeof(Item) + new_subs_.capacity() * sizeof(NewSubs);
 }
 
 bool PieceLists::repair(double tau, FramePlace& place, FrameWork& work) {
@@ -88,6 +89,9 @@ bool PieceLists::repair(double tau, FramePlace& place, FrameWork& work) {
   changed_.clear();
   dirty_nodes_.clear();
   bool generic = window_.folds.empty();
+  if (frame_ == 1)
+    for (std::uint32_t k = 0; k < window_.nodes.size(); ++k)
+      if (window_.nodes[k].hands_on) dirty_nodes_.push_back(k);
   const std::uint32_t n = static_cast<std::uint32_t>(hot_.size());
   for (std::uint32_t i = 0; i < n; ++i) {
     if (tau > low_[i] && tau < high_[i]) continue;
@@ -101,21 +105,32 @@ bool PieceLists::repair(double tau, FramePlace& place, FrameWork& work) {
   return generic;
 }
 
+Cut PieceLists::cut_at(std::uint32_t piece, std::uint32_t entry) const {
+  Cut x;
+  if (entry & kTouchBit) {
+    x.pair = window_.exact(window_.nodes[window_.touches[entry & ~kTouchBit].node].at);
+    return x;
+  }
+  const Candidate& c = window_.candidates[entry];
+  x.kind = Cut::Kind::crossing;
+  x.by = window_.exact(window_.pieces[c.a == piece ? c.b : c.a].segment);
+  return x;
+}
+
 int PieceLists::compare_exactly(std::uint32_t piece, const Item& a, const Item& b, FramePlace& place) const {
   if (a.entry == b.entry) return 0;
-  const auto cut = [&](const Item& item) {
-    Cut x;
-    if (item.entry & kTouchBit) {
-      x.pair = window_.exact(window_.nodes[window_.touches[item.entry & ~kTouchBit].node].at);
-      return x;
-    }
-    const Candidate& c = window_.candidates[item.entry];
-    x.kind = Cut::Kind::crossing;
-    x.by = window_.exact(window_.pieces[c.a == piece ? c.b : c.a].segment);
-    return x;
-  };
   ++place.exact_signs;
-  return place.lattice().compare(window_.exact(window_.pieces[piece].segment), cut(a), cut(b));
+  return place.lattice().compare(window_.exact(window_.pieces[piece].segment), cut_at(piece, a.entry), cut_at(piece, b.entry));
+}
+
+// Whether an entry lies before the end of a piece that is handed on.
+bool PieceLists::before_end(std::uint32_t piece, std::uint32_t entry, FramePlace& place, Certainty& certain) const {
+  const Piece& p = window_.pieces[piece];
+  if (!p.handed_on) return true;
+  ++place.exact_signs;
+  const int order = place.lattice().compare(window_.exact(p.segment), cut_at(piece, entry), {Cut::Kind::pair, window_.exact(p.tail_at), {}});
+  certain.generic &= order != 0;
+  return order < 0;
 }
 
 bool PieceLists::refresh(std::uint32_t i, double tau, FramePlace& place, FrameWork& work) {
@@ -132,11 +147,11 @@ bool PieceLists::refresh(std::uint32_t i, double tau, FramePlace& place, FrameWo
   high_[i] = c.high;
   if (c.generic) {
     work.crossings_changed += came_or_went;
-    if (store(i)) mark_changed(i);
+    if (const std::optional<NewSubs> subs = store(i)) mark_changed(i, *subs);
   } else {
     for (std::uint32_t k = 0; k < hot_[i].entries; ++k) entries_[hot_[i].base + k].inside = false;
     hot_[i].count = 0;
-    mark_changed(i);
+    mark_changed(i, {0, 0});
   }
   return c.generic;
 }
@@ -163,14 +178,14 @@ bool PieceLists::inside_exactly(std::uint32_t i, std::uint32_t id, FramePlace& p
   if (!(id & kTouchBit)) {
     const Meet m = meet(window_, window_.pieces[crossings_[id].a].segment, window_.pieces[crossings_[id].b].segment, place);
     certain.generic &= m != Meet::degenerate;
-    return m == Meet::crossing;
+    return m == Meet::crossing && before_end(crossings_[id].a, id, place, certain) && before_end(crossings_[id].b, id, place, certain);
   }
   const Segment s = window_.exact(window_.pieces[i].segment), back{{s.edge.op, s.edge.to, s.edge.from}, s.vertex};
   const Pair v = window_.exact(window_.nodes[window_.touches[id & ~kTouchBit].node].at);
   const int from = place.lattice().along(s, v), to = place.lattice().along(back, v);
   place.exact_signs += 2;
   certain.generic &= from != 0 && to != 0;
-  return from > 0 && to > 0;
+  return from > 0 && to > 0 && before_end(i, id, place, certain);
 }
 
 // What crosses or touches on the piece here: into items_, not yet in order. Returns how much came and went; nodes are linked anew where a
@@ -224,14 +239,15 @@ void PieceLists::look_at_neighbours(std::uint32_t i, double tau, FramePlace& pla
   }
 }
 
-// The items become the piece's list; false when they are it already.
-bool PieceLists::store(std::uint32_t i) {
+// The items become the piece's list; nothing when they are it already, else the sub-edges that are new.
+std::optional<PieceLists::NewSubs> PieceLists::store(std::uint32_t i) {
   std::uint32_t* list = list_.data() + base(i);
-  const std::uint32_t n = static_cast<std::uint32_t>(items_.size());
-  bool same = n == hot_[i].count;
-  for (std::uint32_t k = 0; same && k < n; ++k) same = list[k] == items_[k].entry;
-  if (same) return false;
-  for (std::uint32_t k = 0; k < n; ++k) {
+  const std::uint32_t n = static_cast<std::uint32_t>(items_.size()), before = hot_[i].count;
+  std::uint32_t head = 0, tail = 0;
+  while (head < n && head < before && list[head] == items_[head].entry) ++head;
+  if (head == n && n == before) return std::nullopt;
+  while (head + tail < n && head + tail < before && list[before - 1 - tail] == items_[n - 1 - tail].entry) ++tail;
+  for (std::uint32_t k = head; k < n; ++k) {
     list[k] = items_[k].entry;
     if (list[k] & kTouchBit) {
       window_.touches[list[k] & ~kTouchBit].at = k;
@@ -241,13 +257,32 @@ bool PieceLists::store(std::uint32_t i) {
     (c.a == i ? c.at_a : c.at_b) = k;
   }
   hot_[i].count = n;
-  return true;
+  return NewSubs{head, n - tail};
 }
 
-void PieceLists::mark_changed(std::uint32_t piece) {
+void PieceLists::mark_changed(std::uint32_t piece, NewSubs subs) {
+  new_subs_[piece] = changed_at_[piece] == frame_ ? NewSubs{std::min(subs.first, new_subs_[piece].first), std::max(subs.last, new_subs_[piece].last)} : subs;
   if (changed_at_[piece] == frame_) return;
   changed_.push_back(piece);
   changed_at_[piece] = frame_;
+}
+
+// Where an entry stands that may have left the list.
+std::uint32_t PieceLists::place_in_list(std::uint32_t piece, std::uint32_t entry) const {
+  if (entry & kTouchBit) return window_.touches[entry & ~kTouchBit].at;
+  const Crossing& c = crossings_[entry];
+  return c.a == piece ? c.at_a : c.at_b;
+}
+
+PieceLists::Step PieceLists::between(std::uint32_t piece, std::uint32_t from, std::uint32_t to) const {
+  std::uint32_t sub = 0;
+  if (from != kNone) {
+    const std::uint32_t at = place_in_list(piece, from);
+    if (at >= count(piece) || entry(piece, at) != from) return {};
+    sub = at + 1;
+  }
+  const std::uint32_t end = sub == count(piece) ? kNone : entry(piece, sub);
+  return end == to ? Step{piece, sub} : Step{};
 }
 
 // The sector rule of planar-sum.md on the rays that are there now; their order never changes.
@@ -259,9 +294,9 @@ void PieceLists::relink(std::uint32_t node) {
     link_[r] = kNone;
     entered_[r] = 0;
     const PersistentNode::Ray& ray = window_.rays[r];
-    mark_changed(ray.piece);
+    mark_changed(ray.piece, {0, count(ray.piece)});
     if (ray.touch != kNone && !touch_active_[ray.touch]) continue;
-    any |= ray.touch != kNone;
+    any |= ray.touch != kNone || n.hands_on;
     here.push_back(r);
   }
   node_active_[node] = any;

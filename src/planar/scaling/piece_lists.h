@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -86,6 +87,13 @@ class PieceLists {
   bool touched(std::uint32_t piece) const { return touched_[piece] == frame_; }
   const std::vector<std::uint32_t>& changed() const { return changed_; }
   bool has_changed(std::uint32_t piece) const { return changed_at_[piece] == frame_; }
+  /// Of a piece whose list changed: the sub-edges [first, last] that were not there before, by what is at their ends or where they lead.
+  struct NewSubs {
+    std::uint32_t first = 0, last = 0;
+  };
+  NewSubs new_subs(std::uint32_t piece) const { return new_subs_[piece]; }
+  /// The sub-edge between two entries of a piece's list, kNone standing for its own ends, if they are neighbours now.
+  Step between(std::uint32_t piece, std::uint32_t from, std::uint32_t to) const;
   /// A piece's list certainly stays as it is strictly between these; empty where only exact signs know it.
   std::array<double, 2> certain(std::uint32_t piece) const { return {low_[piece], high_[piece]}; }
   Window& window() const { return window_; }
@@ -108,18 +116,21 @@ class PieceLists {
   bool inside_exactly(std::uint32_t piece, std::uint32_t id, FramePlace& place, Certainty& certain) const;
   void sort_items(std::uint32_t piece, FramePlace& place);
   void look_at_neighbours(std::uint32_t piece, double tau, FramePlace& place, Certainty& certain) const;
-  bool store(std::uint32_t piece);
+  std::optional<NewSubs> store(std::uint32_t piece);
   bool alive_at_touch(Step s) const;
   Step successor_at_touch(Step s) const;
   std::uint32_t base(std::uint32_t piece) const { return hot_[piece].base; }
   void relink(std::uint32_t node);
   Step target(std::uint32_t ray) const;
-  void mark_changed(std::uint32_t piece);
+  void mark_changed(std::uint32_t piece, NewSubs subs);
+  std::uint32_t place_in_list(std::uint32_t piece, std::uint32_t entry) const;
   int compare(std::uint32_t piece, const Item& a, const Item& b, FramePlace& place) const {
     const double gap = a.t - b.t, error = a.error + b.error;
     return gap > error ? 1 : gap < -error ? -1 : compare_exactly(piece, a, b, place);
   }
   int compare_exactly(std::uint32_t piece, const Item& a, const Item& b, FramePlace& place) const;
+  Cut cut_at(std::uint32_t piece, std::uint32_t entry) const;
+  bool before_end(std::uint32_t piece, std::uint32_t entry, FramePlace& place, Certainty& certain) const;
 
   Window& window_;
   std::vector<double> low_, high_;  ///< the list of a piece is certain strictly between
@@ -137,6 +148,7 @@ class PieceLists {
   std::vector<Entry> entries_;
   std::vector<Crossing> crossings_;  ///< per candidate
   std::vector<std::uint32_t> touched_, changed_at_, changed_;
+  std::vector<NewSubs> new_subs_;  ///< per piece, of the frame in which it changed last
   std::vector<Item> items_;
   std::vector<std::uint8_t> touch_active_, node_active_, entered_;  ///< per touch, node, ray
   std::vector<std::uint32_t> relinked_at_;  ///< per node

@@ -6,6 +6,7 @@
 
 #include "planar/scaling/fill_lattice.h"
 #include "planar/scaling/degenerate_frame.h"
+#include "planar/scaling/frame_cost.h"
 #include "planar/vertex_order.h"
 
 namespace dymsum {
@@ -28,6 +29,9 @@ int cells_for(double n) {
 }
 
 constexpr std::uint32_t kMaskFrom = 300;  // segments from which a mask pays
+
+// What building a window counts when frames are compared: it makes few frames late, and wide windows make all the others slower.
+constexpr double kLate = 0.5;
 
 }  // namespace
 
@@ -341,11 +345,12 @@ Result<FrameChanges> ScalingSum::State::move_to(const Scale& x, const Scale& y) 
   scale = x;
   scale_y = y;
   next_work.ms = now_ms() - start;
-  if (next_work.rebuilt) controller_.rebuilt(next_work.ms);
-  else if (built) controller_.built(next_work.ms);
+  const double cost = next_work.rebuilt ? cost_of_sum(sum) : cost_of_frame(next_work, sum);
+  if (next_work.rebuilt) controller_.rebuilt(cost);
+  else if (built) controller_.built(cost + kLate * cost_of_window(*window_, window_convolution_->size()));
   else {
-    controller_.updated(next_work.ms);
-    if (options.mode == FrameMode::automatic && options.window == 0 && controller_.give_up(next_work.ms)) drop_window();
+    controller_.updated(cost);
+    if (options.mode == FrameMode::automatic && options.window == 0 && controller_.give_up(cost)) drop_window();
   }
   work = next_work;
   return changes;

@@ -83,12 +83,13 @@ int Window::cross(std::uint32_t a, std::uint32_t b) const {
 
 void Window::link_pieces(const ReducedConvolution& convolution) {
   for (LiveSegment& s : segments) {
-    if (s.first_piece == s.last_piece || pieces[s.last_piece - 1].tail_cut) continue;
+    if (s.first_piece == s.last_piece) continue;
     Piece& p = pieces[s.last_piece - 1];
+    if (p.tail_cut || p.handed_on || p.covered) continue;
     const std::uint32_t id = convolution.next(s.walk);
     if (id == kNoRank || live[id] == kNone) continue;
     const LiveSegment& to = segments[live[id]];
-    if (to.first_piece == to.last_piece || pieces[to.first_piece].head_cut) continue;
+    if (to.first_piece == to.last_piece || pieces[to.first_piece].head_cut || pieces[to.first_piece].covered) continue;
     p.next = to.first_piece;
     p.next_turn = static_cast<std::int8_t>(cross(p.segment, pieces[p.next].segment));
   }

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -38,11 +39,16 @@ struct LiveSegment {
   double length(double tau) const { return moving ? tau : 1; }
 };
 
-/// A stretch of a live segment between its ends or places in dead cells. What reaches into a dead cell is false.
+/// A stretch of a live segment between its ends or places in dead cells. What reaches into a dead cell is false. Where segments lie along
+/// each other at every scale, a piece can end where another one begins that goes on, or be covered by another one as a whole.
 struct Piece {
   std::uint32_t segment = 0;
   bool head_cut = false, tail_cut = false;  ///< ends in a dead cell instead of at the segment's end
-  Linear head, tail;                        ///< where, when cut
+  bool handed_on = false;                   ///< ends at `tail_at`, where another piece begins
+  bool covered = false;                     ///< counts for nothing
+  Linear head, tail;                        ///< where, when cut; the tail also when handed on
+  double tail_error = 0;
+  WalkPair tail_at;
   std::uint32_t next = kNone;               ///< the piece that continues at an uncut tail
   std::int8_t next_turn = 0;                ///< sign of the turn into it
   std::uint8_t half = 0;                    ///< of the directions: 0 for [0, pi), 1 for the others
@@ -79,6 +85,7 @@ struct PersistentNode {
   };
   WalkPair at;
   std::uint32_t first_ray = 0, last_ray = 0;
+  bool hands_on = false;  ///< pieces end here that others continue, so something meets here at every scale
 };
 
 /// |d x (v - w)| computed in doubles from sums of window coordinates errs by at most this times |d|_1 span: the edge vector carries one
@@ -126,6 +133,12 @@ class Window {
   /// The sign of d_a x d_b of two segments.
   int cross(std::uint32_t a, std::uint32_t b) const;
   Segment exact(std::uint32_t segment) const;
+  /// Where a piece that is not cut there ends: the pair of vertices, and the place on its segment with its error.
+  WalkPair end_pair(const Piece& p) const { return p.handed_on ? p.tail_at : segments[p.segment].end; }
+  Linear end_place(const Piece& p) const {
+    if (p.tail_cut || p.handed_on) return p.tail;
+    return segments[p.segment].moving ? Linear{0, 1} : Linear{1, 0};
+  }
   Pair exact(WalkPair v) const { return {base_.operands[0].source[v.p], base_.operands[1].source[v.q]}; }
   std::uint64_t pair_tests = 0;
   std::size_t bytes() const;
@@ -146,6 +159,21 @@ class Window {
   void test_parallel(Candidate c);
   void solve(Candidate& c) const;
   bool bounds(std::uint32_t piece, const Linear& t, double error, Candidate& c, std::array<bool, 2>& unsure) const;
+
+  // window_overlaps.cpp
+  using PiecePairs = std::vector<std::array<std::uint32_t, 2>>;
+  struct Stop {
+    std::uint32_t piece, at;  ///< a piece, and one that begins inside it
+    Linear place;
+  };
+  void share_lines(PiecePairs& close);
+  void hand_on(const std::vector<Stop>& stops, PiecePairs& close);
+  bool along_always(std::uint32_t i, std::uint32_t j);
+  std::array<Linear, 2> ends_on(std::uint32_t piece, std::uint32_t other) const;
+  double error_along(std::uint32_t piece) const;
+  bool certainly_before(const Linear& a, const Linear& b, double error) const;
+  bool covers(std::uint32_t i, std::uint32_t j) const;
+  std::optional<Linear> begins_inside(std::uint32_t i, std::uint32_t j) const;
 
   // window_nodes.cpp
   bool always_on(std::uint32_t segment, Pair v);

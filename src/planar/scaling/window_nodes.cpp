@@ -23,13 +23,14 @@ bool Window::always_on(std::uint32_t segment, Pair v) {
 bool Window::touch_always(const Candidate& c, std::array<bool, 2> at_a, std::array<bool, 2> at_b) {
   const std::uint32_t si = pieces[c.a].segment, sj = pieces[c.b].segment;
   const LiveSegment &a = segments[si], &b = segments[sj];
+  const WalkPair end_a = end_pair(pieces[c.a]), end_b = end_pair(pieces[c.b]);
   const bool start_a = at_a[0] && always_on(sj, exact(a.start)), start_b = at_b[0] && always_on(si, exact(b.start));
-  const bool a_on_b = start_a || (at_a[1] && always_on(sj, exact(a.end))), b_on_a = start_b || (at_b[1] && always_on(si, exact(b.end)));
+  const bool a_on_b = start_a || (at_a[1] && always_on(sj, exact(end_a))), b_on_a = start_b || (at_b[1] && always_on(si, exact(end_b)));
   if (!a_on_b && !b_on_a) return false;
   touching.push_back({si, sj});
   if (a_on_b && b_on_a) folds.push_back({si, sj});
-  else if (a_on_b) add_touch(c.b, start_a ? a.start : a.end, c.tb, c.error_b);
-  else add_touch(c.a, start_b ? b.start : b.end, c.ta, c.error_a);
+  else if (a_on_b) add_touch(c.b, start_a ? a.start : end_a, c.tb, c.error_b);
+  else add_touch(c.a, start_b ? b.start : end_b, c.ta, c.error_a);
   return true;
 }
 
@@ -76,6 +77,8 @@ void Window::make_nodes() {
   head_ray.assign(pieces.size(), kNone);
   tail_ray.assign(pieces.size(), kNone);
   NodeRays at = take_touches();
+  for (const Piece& p : pieces)
+    if (p.handed_on && !p.covered) at[{p.tail_at.p, p.tail_at.q}];
   if (at.empty()) return;
   add_end_rays(at);
   for (auto& [v, list] : at) {
@@ -112,11 +115,12 @@ Window::NodeRays Window::take_touches() {
 // Pieces that begin or end in a node.
 void Window::add_end_rays(NodeRays& at) const {
   for (std::uint32_t i = 0; i < pieces.size(); ++i) {
-    const LiveSegment& s = segments[pieces[i].segment];
+    if (pieces[i].covered) continue;
+    const WalkPair start = segments[pieces[i].segment].start, end = end_pair(pieces[i]);
     if (!pieces[i].head_cut)
-      if (const auto it = at.find({s.start.p, s.start.q}); it != at.end()) it->second.push_back({i, kNone, true, 0});
+      if (const auto it = at.find({start.p, start.q}); it != at.end()) it->second.push_back({i, kNone, true, 0});
     if (!pieces[i].tail_cut)
-      if (const auto it = at.find({s.end.p, s.end.q}); it != at.end()) it->second.push_back({i, kNone, false, 0});
+      if (const auto it = at.find({end.p, end.q}); it != at.end()) it->second.push_back({i, kNone, false, 0});
   }
 }
 
@@ -154,6 +158,7 @@ void Window::add_node(WalkPair at, const std::vector<PersistentNode::Ray>& list)
       (r.out ? t.out_ray : t.in_ray) = ray;
     } else {
       (r.out ? head_ray : tail_ray)[r.piece] = ray;
+      node.hands_on |= !r.out && pieces[r.piece].handed_on;
     }
     rays.push_back(r);
     node_of_ray.push_back(id);

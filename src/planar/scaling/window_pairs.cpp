@@ -127,20 +127,23 @@ bool narrow_at_cut(const Linear& g, double tau0, double tau1, Candidate& c) {
 // Pieces meet in what their boxes share; where all of that is dead nothing matters.
 void Window::find_candidates(const SweptMask& mask) {
   const Grid& g = mask.grid();
+  PiecePairs close;
   for_each_close_pair(ends_, 4 * kReach * g.cell, [&](const PieceBox& a, const PieceBox& b) {
     if (mask.live(g.row(std::max(a.y0, b.y0)), g.column(b.x0), g.row(std::min(a.y1, b.y1)), g.column(std::min(a.x1, b.x1))) == 0) return;
     ++pair_tests;
     const std::uint32_t i = std::min(a.piece, b.piece), j = std::max(a.piece, b.piece);
-    if (!apart(ends_[i], ends_[j]) && !apart(ends_[j], ends_[i])) test(i, j, mask);
+    if (pieces[i].segment != pieces[j].segment && !apart(ends_[i], ends_[j]) && !apart(ends_[j], ends_[i])) close.push_back({i, j});
   });
+  share_lines(close);
+  for (const auto& [i, j] : close) test(i, j, mask);
 }
 
 void Window::test(std::uint32_t i, std::uint32_t j, const SweptMask& mask) {
   const std::uint32_t si = pieces[i].segment, sj = pieces[j].segment;
-  if (si == sj) return;
   const LiveSegment &a = segments[si], &b = segments[sj];
   const int sign = cross(si, sj);
-  if (a.end == b.start || b.end == a.start || a.start == b.start || a.end == b.end) {
+  const WalkPair end_a = end_pair(pieces[i]), end_b = end_pair(pieces[j]);
+  if (a.end == b.start || b.end == a.start || a.start == b.start || a.end == b.end || end_a == b.start || end_b == a.start || end_a == end_b) {
     // They meet in the common end only, at every scale, unless they fold back onto each other.
     if (sign != 0) return;
     const bool same_way = base_.lattice->dot(exact(si).edge, exact(sj).edge) > 0;
@@ -224,8 +227,9 @@ bool Window::bounds(std::uint32_t piece, const Linear& t, double error, Candidat
   const double tau0 = frame_.tau0, tau1 = frame_.tau1;
   const bool head = p.head_cut ? narrow_at_cut({t.a - p.head.a, t.b - p.head.b}, tau0, tau1, c) : narrow(t, error, tau0, tau1, c, unsure[0]);
   if (!head) return false;
-  if (p.tail_cut) return narrow_at_cut({p.tail.a - t.a, p.tail.b - t.b}, tau0, tau1, c);
-  return narrow(segments[p.segment].moving ? Linear{-t.a, 1 - t.b} : Linear{1 - t.a, -t.b}, error, tau0, tau1, c, unsure[1]);
+  const Linear end = end_place(p), rest{end.a - t.a, end.b - t.b};
+  if (p.tail_cut) return narrow_at_cut(rest, tau0, tau1, c);
+  return narrow(rest, error + p.tail_error, tau0, tau1, c, unsure[1]);
 }
 
 }  // namespace dymsum::planar
