@@ -21,7 +21,7 @@ struct Arrangement::Group {
 
 // What one node after another needs.
 struct Arrangement::NodeBuffers {
-  explicit NodeBuffers(std::pmr::memory_resource* memory) : rays(memory), incident(memory), groups(memory) {
+  explicit NodeBuffers(Scratch* memory) : rays(memory), incident(memory), groups(memory) {
     rays.reserve(16);
     incident.reserve(8);
     groups.reserve(16);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <memory_resource>
 #include <optional>
 #include <vector>
 

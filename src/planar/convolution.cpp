@@ -68,7 +68,7 @@ bool hole_is_filled(const Lattice& lattice, const Operand& holed, const Loop& ho
          lattice.compare_extent({holed.op, hole.min_y, hole.max_y}, {other.op, outer.min_y, outer.max_y}, 1) < 0;
 }
 
-ReducedConvolution::ReducedConvolution(const Lattice& lattice, const Operand& p, const Operand& q, std::pmr::memory_resource* memory)
+ReducedConvolution::ReducedConvolution(const Lattice& lattice, const Operand& p, const Operand& q, Scratch* memory)
     : lattice_(lattice), operands_{&p, &q}, turns_{Array<Turn>(memory), Array<Turn>(memory)},
       used_{Array<std::uint32_t>(memory), Array<std::uint32_t>(memory)}, lists_(memory) {
   for (const Operand* o : operands_)
@@ -95,7 +95,7 @@ ReducedConvolution::ReducedConvolution(const Lattice& lattice, const Operand& p,
   }
 }
 
-void ReducedConvolution::add_pair(std::uint32_t cp, std::uint32_t cq, std::pmr::memory_resource* memory) {
+void ReducedConvolution::add_pair(std::uint32_t cp, std::uint32_t cq, Scratch* memory) {
   const std::array<std::uint32_t, 2> index{cp, cq};
   const std::uint32_t lists_of_p = static_cast<std::uint32_t>(operands_[0]->directions.size());
   std::array<std::array<std::uint32_t, 2>, 2> lists{operands_[0]->component_directions[cp], operands_[1]->component_directions[cq]};

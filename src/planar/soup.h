@@ -34,7 +34,7 @@ inline double sum_error(const Lattice& lattice) { return lattice.exact_doubles ?
 class Soup {
  public:
   Soup(const Lattice& lattice, const Operand& p, const Operand& q,
-       std::pmr::memory_resource* memory = std::pmr::get_default_resource())
+       Scratch* memory = nullptr)
       : lattice(lattice), operands{&p, &q}, segments(memory), boxes(memory), memory(memory) {
     const double roundings = lattice.span;
     // cross(d, v - a): d once rounded, v and a two roundings each and one more for the difference, two products, one sum; at most
@@ -119,7 +119,7 @@ class Soup {
   std::array<const Operand*, 2> operands;
   Array<SoupSegment> segments;
   Array<SoupBox> boxes;
-  std::pmr::memory_resource* memory;  ///< of the arrays of everything that is done with this soup
+  Scratch* memory;  ///< of the arrays of everything that is done with this soup
   double side_error = 0, point_error = 0;
 };
 
