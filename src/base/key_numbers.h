@@ -4,7 +4,6 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <memory_resource>
 #include <utility>
 
 #include "base/scratch.h"
@@ -17,7 +16,7 @@ class KeyNumbers {
  public:
   static constexpr std::uint32_t kMissing = 0xffffffff;
 
-  explicit KeyNumbers(std::pmr::memory_resource* memory) : keys_(memory), slots_(memory) {}
+  explicit KeyNumbers(Scratch* memory) : keys_(memory), slots_(memory) {}
 
   /// In the order of their numbers.
   const Array<std::uint64_t>& keys() const { return keys_; }

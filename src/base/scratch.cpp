@@ -1,8 +1,9 @@
 #include "base/scratch.h"
 
+#include <array>
 #include <bit>
-#include <functional>
 #include <new>
+#include <vector>
 
 namespace dymsum {
 
@@ -54,33 +55,13 @@ thread_local Blocks blocks;
 
 #ifdef __SANITIZE_ADDRESS__
 
-// Every array an allocation of its own, so that the sanitizer sees its ends.
-void* Scratch::do_allocate(std::size_t bytes, std::size_t) {
-  count(bytes);
-  return ::operator new(bytes);
-}
-void Scratch::do_deallocate(void* pointer, std::size_t bytes, std::size_t) {
-  held_ -= bytes;
-  ::operator delete(pointer);
-}
+void* Scratch::take_block(std::size_t bytes) { return ::operator new(bytes); }
+void Scratch::give_block(void* pointer, std::size_t) { ::operator delete(pointer); }
 
 #else
 
-void* Scratch::do_allocate(std::size_t bytes, std::size_t alignment) {
-  count(bytes);
-  const std::size_t from = (used_ + alignment - 1) & ~(alignment - 1);
-  if (bytes > kSmall || from + bytes > kBuffer) return blocks.take(bytes < 64 ? 64 : bytes);
-  used_ = from + bytes;
-  return buffer_ + from;
-}
-
-void Scratch::do_deallocate(void* pointer, std::size_t bytes, std::size_t) {
-  held_ -= bytes;
-  auto* at = static_cast<std::byte*>(pointer);
-  const std::less<const std::byte*> before;
-  if (before(at, buffer_) || !before(at, buffer_ + kBuffer)) return blocks.give(pointer, bytes < 64 ? 64 : bytes);
-  if (at + bytes == buffer_ + used_) used_ = static_cast<std::size_t>(at - buffer_);  // the last one handed out
-}
+void* Scratch::take_block(std::size_t bytes) { return blocks.take(bytes < 64 ? 64 : bytes); }
+void Scratch::give_block(void* pointer, std::size_t bytes) { blocks.give(pointer, bytes < 64 ? 64 : bytes); }
 
 #endif
 

@@ -2,18 +2,15 @@
 // of the same thread uses again. Fresh pages cost more than the arithmetic of a middling sum.
 #pragma once
 
-#include <array>
 #include <cstddef>
-#include <memory_resource>
+#include <cstdint>
+#include <new>
 #include <vector>
 
 namespace dymsum {
 
-template <class T>
-using Array = std::pmr::vector<T>;
-
 /// Not thread-safe; at most 16 MB of blocks outlive it, until the thread ends.
-class Scratch final : public std::pmr::memory_resource {
+class Scratch {
  public:
   Scratch() = default;
   Scratch(const Scratch&) = delete;
@@ -22,21 +19,77 @@ class Scratch final : public std::pmr::memory_resource {
   /// The most bytes that were handed out at one time.
   std::size_t peak_bytes() const { return peak_; }
 
- private:
-  // Arrays that grow leave gaps in the buffer, so only small ones go there.
-  static constexpr std::size_t kBuffer = 48 << 10, kSmall = 8 << 10;
-
-  void count(std::size_t bytes) {
+  /// Aligned for every plain type. Inline: a small sum has some forty arrays, and calls cost as much as filling them.
+  void* take(std::size_t bytes) {
     held_ += bytes;
     if (held_ > peak_) peak_ = held_;
+    const std::size_t room = rounded(bytes);
+    if (bytes > kSmall || used_ + room > kBuffer) [[unlikely]]
+      return take_block(bytes);
+    void* const at = buffer_ + used_;
+    used_ += room;
+    return at;
   }
-  void* do_allocate(std::size_t bytes, std::size_t alignment) override;
-  void do_deallocate(void* pointer, std::size_t bytes, std::size_t alignment) override;
-  bool do_is_equal(const std::pmr::memory_resource& other) const noexcept override { return this == &other; }
+  void give(void* pointer, std::size_t bytes) {
+    held_ -= bytes;
+    const std::size_t at = reinterpret_cast<std::uintptr_t>(pointer) - reinterpret_cast<std::uintptr_t>(buffer_);
+    if (at >= kBuffer) [[unlikely]]
+      return give_block(pointer, bytes);
+    if (at + rounded(bytes) == used_) used_ = at;  // the last one handed out
+  }
 
-  alignas(std::max_align_t) std::byte buffer_[kBuffer];
+ private:
+#ifdef __SANITIZE_ADDRESS__
+  // Every array an allocation of its own, so that the sanitizer sees its ends.
+  static constexpr std::size_t kBuffer = 16, kSmall = 0;
+#else
+  // Arrays that grow leave gaps in the buffer, so only small ones go there.
+  static constexpr std::size_t kBuffer = 48 << 10, kSmall = 8 << 10;
+#endif
+  static constexpr std::size_t kAlign = alignof(std::max_align_t);
+  static constexpr std::size_t rounded(std::size_t bytes) { return (bytes + kAlign - 1) & ~(kAlign - 1); }
+
+  static void* take_block(std::size_t bytes);
+  static void give_block(void* pointer, std::size_t bytes);
+
+  alignas(kAlign) std::byte buffer_[kBuffer];
   std::size_t used_ = 0;
   std::size_t held_ = 0, peak_ = 0;  // bytes handed out, now and at most
 };
+
+/// Arrays of a computation with a scratch, or without one on the heap. What is not given a value has none: resize() does not
+/// clear numbers.
+template <class T>
+class ScratchAllocator {
+ public:
+  using value_type = T;
+
+  ScratchAllocator(Scratch* scratch = nullptr) noexcept : scratch_(scratch) {}
+  template <class U>
+  ScratchAllocator(const ScratchAllocator<U>& other) noexcept : scratch_(other.scratch()) {}
+  ScratchAllocator select_on_container_copy_construction() const { return {}; }
+
+  T* allocate(std::size_t n) {
+    return static_cast<T*>(scratch_ != nullptr ? scratch_->take(n * sizeof(T)) : ::operator new(n * sizeof(T)));
+  }
+  void deallocate(T* pointer, std::size_t n) {
+    if (scratch_ != nullptr)
+      scratch_->give(pointer, n * sizeof(T));
+    else
+      ::operator delete(pointer);
+  }
+  template <class U>
+  void construct(U* at) {
+    ::new (static_cast<void*>(at)) U;
+  }
+  Scratch* scratch() const { return scratch_; }
+  friend bool operator==(const ScratchAllocator& a, const ScratchAllocator& b) { return a.scratch_ == b.scratch_; }
+
+ private:
+  Scratch* scratch_;
+};
+
+template <class T>
+using Array = std::vector<T, ScratchAllocator<T>>;
 
 }  // namespace dymsum

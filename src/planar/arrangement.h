@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <memory_resource>
 #include <optional>
 #include <vector>
 
@@ -50,21 +49,35 @@ class Arrangement {
     /// Sub-edges [begin, end) of a segment.
     std::uint32_t begin(std::uint32_t s) const { return first_event_[s] + s; }
     std::uint32_t end(std::uint32_t s) const { return first_event_[s + 1] + s + 1; }
-    Step successor(Step from) const {
-      if (flags_[from.sub] & (kDead | kDegenerateEnd)) return arrangement_.linked(from);
-      Step to;
-      if (from.sub + 1 == end(from.segment)) {
-        to.segment = next_[from.segment];
-        if (to.segment == kNone) return {};
-        to.sub = begin(to.segment);
-      } else {
-        const std::uint32_t e = events_[from.sub - from.segment];
-        const std::uint32_t a = crossings_[e].a;
-        if (a == from.segment) return {};
-        to = {sub_after_[e], a};
+    /// Goes on to the successor of a sub-edge; false where there is none: then the numbers are not to be used.
+    bool advance(std::uint32_t& sub, std::uint32_t& segment) const {
+      if (flags_[sub] & (kDead | kDegenerateEnd)) {
+        const Step to = arrangement_.linked({sub, segment});
+        sub = to.sub;
+        segment = to.segment;
+        return sub != kNone;
       }
-      return flags_[to.sub] & kDead ? Step{} : to;
+      if (sub + 1 == end(segment)) {
+        segment = next_[segment];
+        if (segment == kNone) {
+          sub = kNone;
+          return false;
+        }
+        sub = begin(segment);
+      } else {
+        const std::uint32_t e = events_[sub - segment], a = crossings_[e].a;
+        if (a == segment) {
+          sub = kNone;
+          return false;
+        }
+        sub = sub_after_[e];
+        segment = a;
+      }
+      if (!(flags_[sub] & kDead)) return true;
+      sub = kNone;
+      return false;
     }
+    bool ends_segment(Step at) const { return at.sub + 1 == end(at.segment); }
     /// Whether the boundary can come into `at` at its start.
     bool alive_at_start(Step at) const {
       const std::uint8_t f = flags_[at.sub];
@@ -187,6 +200,8 @@ class Arrangement {
     if (event & kTouchBit) return {true, meetings_.touches[event & ~kTouchBit].pair, 0};
     return {false, {}, other(s, event)};
   }
+  struct CutRatio;
+  CutRatio cut_ratio(std::uint32_t s, std::uint32_t event) const;
   int compare_events(std::uint32_t s, std::uint32_t a, std::uint32_t b) const;
 
   const Soup& soup_;
@@ -204,6 +219,7 @@ class Arrangement {
   Array<Link> links_;       // and there
   Array<Node> nodes_;
   Array<Step> covered_subs_;
+  Array<std::uint32_t> cut_segments_;  // those with events
   Array<std::uint32_t> suspects_;  // segments with touches, or with events that may coincide
   std::uint64_t degenerate_nodes_ = 0;
   mutable std::uint64_t exact_orders_ = 0;

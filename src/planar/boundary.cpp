@@ -39,26 +39,29 @@ int turning_number(const Soup& soup, const Array<Step>& steps) {
 Array<BoundaryLoop> find_loops(const Soup& soup, const Arrangement& arrangement) {
   Array<BoundaryLoop> loops(soup.memory);
   Array<std::uint8_t> seen(arrangement.sub_count(), 0, soup.memory);
-  Array<Step> path(arrangement.sub_count(), soup.memory);
+  Array<Step> path(soup.memory);
+  path.reserve(arrangement.sub_count());
   const Arrangement::Walker walker(arrangement);
   const std::uint32_t segments = static_cast<std::uint32_t>(soup.size());
   std::uint8_t* const visited = seen.data();
+  Step* const steps = path.data();
   for (std::uint32_t s = 0, sub = 0; s < segments; ++s) {
     for (const std::uint32_t end = walker.end(s); sub < end; ++sub) {
+      if (visited[sub]) continue;
       const Step start{sub, s};
-      if (visited[sub] || !walker.alive_at_start(start)) continue;
+      if (!walker.alive_at_start(start)) continue;
       // The successor map is injective, so a walk either comes back to its start or belongs to no cycle.
-      std::size_t length = 0;
-      Step at = start;
+      Step* last = steps;
+      std::uint32_t at = sub, segment = s;
       do {
-        visited[at.sub] = 1;
-        path[length++] = at;
-        at = walker.successor(at);
-      } while (at.sub != kNone && !visited[at.sub]);
-      if (at.sub != start.sub) continue;
-      BoundaryLoop loop{Array<Step>(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(length), soup.memory), 0};
+        visited[at] = 1;
+        last->sub = at;
+        last->segment = segment;
+        ++last;
+      } while (walker.advance(at, segment) && !visited[at]);
+      if (at != sub) continue;
+      BoundaryLoop& loop = loops.emplace_back(BoundaryLoop{Array<Step>(steps, last, soup.memory), 0});
       loop.turning = turning_number(soup, loop.steps);
-      loops.push_back(std::move(loop));
     }
   }
   return loops;
@@ -247,27 +250,37 @@ double input_error(const Lattice& lattice, double grid_error) {
 
 namespace {
 
-// What a segment is called in the regions: its contact, and the pair of vertices at its end.
+// What a segment is called in the regions: its contact, and the pair of vertices at its end. Numbers one by one: a structure that is
+// written in parts and read at once makes the processor wait.
 struct Named {
-  Contact contact;
-  std::uint32_t corner_p, corner_q;
+  Contact::Kind kind;
+  std::uint32_t p, q, corner_p, corner_q;
 };
-inline Named named(SoupSegment g, const std::array<const Operand::Numbers*, 2>& numbers) {
-  const std::uint32_t side = g.side();
-  const Operand::Numbers &own = numbers[side][g.edge()], &other = numbers[1 - side][g.vertex];
-  if (side == 0) return {{Contact::Kind::edge_of_p, own.edge, other.vertex}, own.next_vertex, other.vertex};
-  return {{Contact::Kind::edge_of_q, other.vertex, own.edge}, other.vertex, own.next_vertex};
+inline Named named(SoupSegment g, const Operand::Numbers* of_p, const Operand::Numbers* of_q) {
+  if (g.side() == 0) {
+    const Operand::Numbers& own = of_p[g.edge()];
+    const std::uint32_t q = of_q[g.vertex].vertex;
+    return {Contact::Kind::edge_of_p, own.edge, q, own.next_vertex, q};
+  }
+  const Operand::Numbers& own = of_q[g.edge()];
+  const std::uint32_t p = of_p[g.vertex].vertex;
+  return {Contact::Kind::edge_of_q, p, own.edge, p, own.next_vertex};
+}
+inline void set(Contact& contact, const Named& n) {
+  contact.kind = n.kind;
+  contact.p = n.p;
+  contact.q = n.q;
 }
 
 // The step that ends at the lexicographically smallest vertex, crossings aside, as far as doubles tell: a ring that starts there hardly has to be
 // rotated. (A crossing on an outer boundary is a notch.)
-std::size_t leftmost_end(const Soup& soup, const Arrangement& arrangement, const Array<Step>& steps) {
+std::size_t leftmost_end(const Soup& soup, const Arrangement::Walker& walker, const Array<Step>& steps) {
   const SoupBox* boxes = soup.boxes.data();
   std::size_t best = 0;
   double least = std::numeric_limits<double>::infinity(), low = least;
   for (std::size_t i = 0, n = steps.size(); i < n; ++i) {
     const SoupBox& b = boxes[steps[i].segment];
-    if (b.bx > least || (b.bx == least && b.by > low) || !arrangement.ends_segment(steps[i])) continue;
+    if (b.bx > least || (b.bx == least && b.by > low) || !walker.ends_segment(steps[i])) continue;
     least = b.bx;
     low = b.by;
     best = i;
@@ -280,51 +293,56 @@ std::size_t leftmost_end(const Soup& soup, const Arrangement& arrangement, const
 SumRing make_ring(const Soup& soup, const Arrangement& arrangement, const BoundaryLoop& loop, double& error) {
   const Step* const steps = loop.steps.data();
   const std::size_t n = loop.steps.size();
-  const double poor = kPoor * soup.lattice.span;
-  const std::array<const Operand::Numbers*, 2> numbers{soup.operands[0]->numbers.data(), soup.operands[1]->numbers.data()};
+  const double poor = kPoor * soup.lattice.span, unit = soup.lattice.unit;
+  const Point base = soup.lattice.base;
+  const Operand::Numbers *const of_p = soup.operands[0]->numbers.data(), *const of_q = soup.operands[1]->numbers.data();
   const SoupBox* const boxes = soup.boxes.data();
   const SoupSegment* const segments = soup.segments.data();
+  const Arrangement::Walker walker(arrangement);
   SumRing ring;
   ring.vertices.resize(n);
   SumVertex* to = ring.vertices.data();
   double worst = error;
-  std::size_t i = leftmost_end(soup, arrangement, loop.steps);
-  Named out = named(segments[steps[i].segment], numbers);
+  bool ends = false;
+  std::size_t i = leftmost_end(soup, walker, loop.steps);
+  Named in = named(segments[steps[i].segment], of_p, of_q);
   for (std::size_t count = 0; count < n; ++count) {
-    const Step step = steps[i];
+    const std::uint32_t s = steps[i].segment, sub = steps[i].sub;
     i = i + 1 == n ? 0 : i + 1;
-    const std::uint32_t s = step.segment, next = steps[i].segment;
+    const std::uint32_t next = steps[i].segment;
     if (s == next) continue;
-    const Named in = out;
-    out = named(segments[next], numbers);
-    if (soup.cross(s, next) == 0) continue;  // straight on
+    const Named out = named(segments[next], of_p, of_q);
+    if (soup.cross(s, next) == 0) {  // straight on
+      in = out;
+      continue;
+    }
     SumVertex& v = *to++;
-    v.in = in.contact;
-    v.out = out.contact;
-    if (arrangement.ends_segment(step)) {
-      worst = std::max(worst, soup.point_error);
-      v.at = soup.lattice.to_input(boxes[s].bx, boxes[s].by);
+    set(v.in, in);
+    set(v.out, out);
+    if (sub + 1 == walker.end(s)) [[likely]] {
+      ends = true;
+      v.at.x = boxes[s].bx * unit + base.x;
+      v.at.y = boxes[s].by * unit + base.y;
       v.corner_p = in.corner_p;
       v.corner_q = in.corner_q;
-      continue;
-    }
-    const Arrangement::RoundedEnd at = arrangement.rounded_end(step);
-    const SubEnd end = arrangement.end_of(step);
-    if (at.error > poor) {
+    } else if (const Arrangement::RoundedEnd at = arrangement.rounded_end({sub, s}); at.error > poor) [[unlikely]] {
+      const Step step{sub, s};
       const Place place = arrangement.end_place(step);
       worst = std::max(worst, position_error(soup, place));
-      v = vertex_of(soup, s, next, end, place);
-      continue;
+      v = vertex_of(soup, s, next, arrangement.end_of(step), place);
+    } else {
+      worst = std::max(worst, at.error);
+      v.at.x = at.x * unit + base.x;
+      v.at.y = at.y * unit + base.y;
+      if (const SubEnd end = arrangement.end_of({sub, s}); end.pair) {
+        v.corner_p = soup.operands[0]->vertex_number[end.at.p];
+        v.corner_q = soup.operands[1]->vertex_number[end.at.q];
+      }
     }
-    worst = std::max(worst, at.error);
-    v.at = soup.lattice.to_input(at.x, at.y);
-    if (end.pair) {
-      v.corner_p = soup.operands[0]->vertex_number[end.at.p];
-      v.corner_q = soup.operands[1]->vertex_number[end.at.q];
-    }
+    in = out;
   }
   ring.vertices.resize(static_cast<std::size_t>(to - ring.vertices.data()));
-  error = worst;
+  error = ends ? std::max(worst, soup.point_error) : worst;
   return ring;
 }
 

@@ -26,6 +26,21 @@ inline Lanes load_lanes(const std::int16_t* from) {
   return v;
 }
 
+/// Sixteen numbers of a coarser grid, from -128 up to 126; kBeyond is greater than all.
+using ByteLanes = std::int8_t __attribute__((vector_size(16)));
+inline constexpr std::uint32_t kByteLanes = 16;
+inline constexpr std::int8_t kBeyond = 127;
+
+/// Monotone in the finer quantum.
+inline std::int8_t byte_quantum(std::int16_t quantum) { return static_cast<std::int8_t>(std::min(quantum >> 7, 254) - 128); }
+
+inline ByteLanes load_bytes(const std::int8_t* from) {
+  ByteLanes v;
+  std::memcpy(&v, from, sizeof v);
+  return v;
+}
+inline ByteLanes all_bytes(std::int8_t v) { return ByteLanes{} + v; }
+
 /// The left side of a box above its number.
 inline std::uint64_t left_order(std::int16_t left, std::uint32_t number) { return static_cast<std::uint64_t>(left) << 32 | number; }
 

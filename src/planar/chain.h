@@ -19,7 +19,7 @@ struct Incidence {
 
 class Chain {
  public:
-  explicit Chain(std::pmr::memory_resource* memory) : next_(memory) {}
+  explicit Chain(Scratch* memory) : next_(memory) {}
   virtual ~Chain() = default;
   /// The segment that continues s at its end in the generic case, or kNone.
   std::uint32_t next(std::uint32_t s) const { return next_[s]; }

@@ -32,6 +32,10 @@ int Collision::side(std::uint32_t op, std::uint32_t edge, std::uint32_t vertex) 
     return value > 0 ? 1 : -1;
   }
   ++counts_.exact;
+  if (integral_ && !displaced_) {
+    const std::int64_t exact = integer(ex) * integer(at_.y - sy) - integer(ey) * integer(at_.x - sx);
+    return (exact > 0) - (exact < 0);
+  }
   const Segment s{o.edge(edge), other.source[vertex]};
   const Segment& on = x_->on;
   // x lies on the segment that it is given on: no need to ask.
@@ -47,6 +51,13 @@ int Collision::side(std::uint32_t op, std::uint32_t edge, std::uint32_t vertex) 
 // The sign of d . (x - vertex - start), or of -d . (x - vertex - end): both positive strictly between the ends.
 int Collision::along(std::uint32_t op, std::uint32_t edge, std::uint32_t vertex, bool from_end) {
   const Operand& o = *operands_[op];
+  if (integral_) {
+    const Operand& other = *operands_[1 - op];
+    const std::uint32_t v = from_end ? o.next[edge] : edge;
+    const std::int64_t x = integer(at_.x - (o.x[v] + other.x[vertex])), y = integer(at_.y - (o.y[v] + other.y[vertex]));
+    const std::int64_t ahead = integer(o.ex[edge]) * x + integer(o.ey[edge]) * y;
+    return from_end ? (ahead < 0) - (ahead > 0) : (ahead > 0) - (ahead < 0);
+  }
   Edge e = o.edge(edge);
   if (from_end) std::swap(e.from, e.to);
   return lattice_.along({e, operands_[1 - op]->source[vertex]}, *x_);
@@ -55,6 +66,12 @@ int Collision::along(std::uint32_t op, std::uint32_t edge, std::uint32_t vertex,
 bool Collision::test(const Place& x) {
   ++counts_.tests;
   x_ = &x;
+  integral_ = lattice_.to_integers != 0 && !x.between && x.first.kind == Cut::Kind::pair;
+  if (integral_) {
+    const PlacedPoints &p = *lattice_.points[0], &q = *lattice_.points[1];
+    const Pair v = x.first.pair;
+    at_ = {p.x[v.p] + q.x[v.q], p.y[v.p] + q.y[v.q]};
+  }
   answered_by_.reset();
   // Places are asked about in spatial order, so what crossed at the last ones often crosses here.
   for (std::size_t k = 0; use_tree_ && k < witness_count_; ++k)
@@ -91,6 +108,7 @@ bool Collision::test_components(std::uint32_t p_component, std::uint32_t q_compo
       const auto reaches = [&](const EdgeBox& o) {
         return std::max(o.ax, o.bx) >= x0 && std::min(o.ax, o.bx) <= x1 && std::max(o.ay, o.by) >= y0 && std::min(o.ay, o.by) <= y1;
       };
+      if (use_tree_ && (b.x1 < x0 || b.x0 > x1 || b.y1 < y0 || b.y0 > y1)) continue;
       for (std::uint32_t f = b.first; f < b.last; ++f)
         if ((!use_tree_ || reaches(operands_[1]->boxes[f])) && edges_overlap(e, f, parallelogram)) return true;
     }

@@ -47,10 +47,15 @@ class Collision {
   int side(std::uint32_t op, std::uint32_t edge, std::uint32_t vertex);
   int along(std::uint32_t op, std::uint32_t edge, std::uint32_t vertex, bool from_end);
 
+  // Sides and lengths as 64-bit integers, where the place is a pair sum and the lattice has those (Lattice::to_integers).
+  std::int64_t integer(double v) const { return static_cast<std::int64_t>(v * lattice_.to_integers); }
+
   const Lattice& lattice_;
   std::array<const Operand*, 2> operands_;
   bool use_tree_;
   const Place* x_ = nullptr;
+  bool integral_ = false;  ///< then the place is exactly this:
+  Point at_;
   bool displaced_ = false;
   CollisionCounts counts_;
   std::array<std::array<std::uint32_t, 2>, 4> witnesses_{};  ///< pairs of edges that crossed properly lately

@@ -68,7 +68,7 @@ bool hole_is_filled(const Lattice& lattice, const Operand& holed, const Loop& ho
          lattice.compare_extent({holed.op, hole.min_y, hole.max_y}, {other.op, outer.min_y, outer.max_y}, 1) < 0;
 }
 
-ReducedConvolution::ReducedConvolution(const Lattice& lattice, const Operand& p, const Operand& q, std::pmr::memory_resource* memory)
+ReducedConvolution::ReducedConvolution(const Lattice& lattice, const Operand& p, const Operand& q, Scratch* memory)
     : lattice_(lattice), operands_{&p, &q}, turns_{Array<Turn>(memory), Array<Turn>(memory)},
       used_{Array<std::uint32_t>(memory), Array<std::uint32_t>(memory)}, lists_(memory) {
   for (const Operand* o : operands_)
@@ -95,7 +95,7 @@ ReducedConvolution::ReducedConvolution(const Lattice& lattice, const Operand& p,
   }
 }
 
-void ReducedConvolution::add_pair(std::uint32_t cp, std::uint32_t cq, std::pmr::memory_resource* memory) {
+void ReducedConvolution::add_pair(std::uint32_t cp, std::uint32_t cq, Scratch* memory) {
   const std::array<std::uint32_t, 2> index{cp, cq};
   const std::uint32_t lists_of_p = static_cast<std::uint32_t>(operands_[0]->directions.size());
   std::array<std::array<std::uint32_t, 2>, 2> lists{operands_[0]->component_directions[cp], operands_[1]->component_directions[cq]};
@@ -159,16 +159,19 @@ void ReducedConvolution::add_pair(std::uint32_t cp, std::uint32_t cq, std::pmr::
         else
           parallel_edges_ += merge_positions<false>(lattice_, o, own, edge_operand, *lists_[list], bound);
       }
+      Turn* const turns_at = turns_[side].data() + index[side];
+      const std::uint32_t columns = columns_[side];
+      const std::uint32_t *const rank = own.rank.data(), *const positions = bound.data(), *const prev = o.prev.data();
+      const std::uint8_t* const convex = o.convex.data();
       for (std::uint32_t v = loop.first; v < loop.last; ++v) {
-        if (!o.convex[v]) continue;
-        const std::uint32_t in = own.rank[o.prev[v] - own.base], out = own.rank[v - own.base];
-        const std::uint32_t lo = bound[in], hi = bound[out];
+        if (!convex[v]) continue;
+        const std::uint32_t in = rank[prev[v] - own.base], out = rank[v - own.base];
+        const std::uint32_t lo = positions[in], hi = positions[out];
         const bool wraps = out < in;
-        Turn t;
+        Turn& t = turns_at[std::size_t{v} * columns];
         t.list = list;
         t.lo = lo == n ? 0 : lo;
         t.count = hi - lo + (wraps ? n : 0);
-        turns_[side][std::size_t{v} * columns_[side] + index[side]] = t;
       }
     }
   }
@@ -191,18 +194,22 @@ void ReducedConvolution::fill_next(std::span<std::uint32_t> next) const {
   std::uint32_t* to = next.data();
   for (std::uint32_t side = 0; side < 2; ++side) {
     const Operand& other = *operands_[1 - side];
-    const std::uint32_t* o_next = operands_[side]->next.data();
+    const std::uint32_t* const o_next = operands_[side]->next.data();
     const std::uint32_t other_columns = columns_[1 - side];
+    const Turn* const own_turns = turns_[side].data();
+    const DirectionList* const* const lists = lists_.data();
     for (const std::uint32_t turn : used_[side]) {
-      const Turn& t = turns_[side][turn];
-      const std::uint32_t v = vertex_of(side, turn), lo = t.lo, count = t.count, base = t.base;
-      const Turn* turns_at = turns_[1 - side].data() + (other_columns == 1 ? 0 : other.component_of[v]);
-      const DirectionList& list = *lists_[t.list];
+      const Turn t = own_turns[turn];
+      const std::uint32_t v = vertex_of(side, turn);
+      const Turn* const turns_at = turns_[1 - side].data() + (other_columns == 1 ? 0 : other.component_of[v]);
+      const DirectionList& list = *lists[t.list];
       const std::uint32_t n = static_cast<std::uint32_t>(list.edges.size());
-      const std::uint32_t *edges = list.edges.data(), *follow = list.next.data();
-      for (std::uint32_t k = 0, at = lo; k < count; ++k, at = at + 1 == n ? 0 : at + 1) {
-        const std::uint32_t rank = follow[at], ahead = rank >= lo ? rank - lo : rank + n - lo;
-        *to++ = ahead < count ? base + ahead : id(turns_at[std::size_t{o_next[edges[at]]} * other_columns], v);
+      const std::uint32_t *const edges = list.edges.data(), *const follow = list.next.data();
+      std::uint32_t at = t.lo;
+      for (std::uint32_t* const end = to + t.count; to != end; ++to) {
+        const std::uint32_t rank = follow[at], ahead = rank >= t.lo ? rank - t.lo : rank + n - t.lo;
+        *to = ahead < t.count ? t.base + ahead : id(turns_at[std::size_t{o_next[edges[at]]} * other_columns], v);
+        if (++at == n) at = 0;
       }
     }
   }

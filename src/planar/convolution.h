@@ -30,7 +30,7 @@ struct WalkSegment {
 class ReducedConvolution {
  public:
   ReducedConvolution(const Lattice& lattice, const Operand& p, const Operand& q,
-                     std::pmr::memory_resource* memory = std::pmr::get_default_resource());
+                     Scratch* memory = nullptr);
 
   std::uint32_t size() const { return size_; }
   /// The id of a segment, or kNoRank if it is not in the reduced convolution. O(1).
@@ -77,7 +77,7 @@ class ReducedConvolution {
     return k < t.count ? t.base + k : kNoRank;
   }
   std::uint32_t vertex_of(std::uint32_t side, std::uint32_t turn) const { return columns_[side] == 1 ? turn : turn / columns_[side]; }
-  void add_pair(std::uint32_t cp, std::uint32_t cq, std::pmr::memory_resource* memory);
+  void add_pair(std::uint32_t cp, std::uint32_t cq, Scratch* memory);
 
   const Lattice& lattice_;
   std::array<const Operand*, 2> operands_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <functional>
 #include <limits>
 #include <tuple>
@@ -71,6 +72,9 @@ namespace {
 // Two opposite sides of a line, both certain.
 inline bool opposite(double s, double t, double error) { return (s > error && t < -error) || (s < -error && t > error); }
 
+// The same side for both, certainly.
+inline bool one_side(double s, double t, double error) { return std::min(s, t) > error || std::max(s, t) < -error; }
+
 // Two cross products' difference: perhaps zero.
 inline bool near_parallel(double u, double v) {
   return std::abs(u - v) <= 0x1p-49 * (std::abs(u) + std::abs(v)) + 0x1p-1000;
@@ -94,9 +98,21 @@ inline std::uint32_t lane_of(std::uint64_t bits) {
 }
 #endif
 
+#ifdef __SSE2__
+inline std::uint32_t zero_bytes(const ByteLanes& lanes) {
+  return ~static_cast<std::uint32_t>(_mm_movemask_epi8(reinterpret_cast<__m128i>(lanes))) & 0xffff;
+}
+#else
+inline std::uint32_t zero_bytes(const ByteLanes& lanes) {
+  std::uint32_t bits = 0;
+  for (std::uint32_t k = 0; k < kByteLanes; ++k) bits |= static_cast<std::uint32_t>(lanes[k] == 0) << k;
+  return bits;
+}
+#endif
+
 // Up to here comparing each box with all others is cheaper than sorting them. A left side and a number fit into kSmall
 // bits.
-constexpr std::uint32_t kUnsorted = 64, kSmall = 15 + 6;
+constexpr std::uint32_t kNumberBits = 7, kUnsorted = 1 << kNumberBits, kSmall = 15 + kNumberBits;
 
 }  // namespace
 
@@ -104,15 +120,16 @@ constexpr std::uint32_t kUnsorted = 64, kSmall = 15 + 6;
 inline bool CrossingFinder::undecided(const Probe& i, std::uint32_t j) {
   const SoupBox &a = i.box, &b = soup_.boxes[j];
   // Neighbours in a chain that do not fold back meet in their common end only.
-  const bool neighbours = i.next == j || (!next_.empty() && next_[j] == i.segment);
-  if (neighbours && !near_parallel(a.dx * b.dy, a.dy * b.dx)) return false;
+  if (i.next == j || (!next_.empty() && next_[j] == i.segment)) {
+    if (!near_parallel(a.dx * b.dy, a.dy * b.dx)) return false;
+  }
   const double o1 = a.dx * (b.ay - a.ay) - a.dy * (b.ax - a.ax);
   const double o2 = a.dx * (b.by - a.ay) - a.dy * (b.bx - a.ax);
-  if ((o1 > i.error && o2 > i.error) || (o1 < -i.error && o2 < -i.error)) return false;
+  if (one_side(o1, o2, i.error)) return false;
   const double b_error = soup_.side_error * (std::abs(b.dx) + std::abs(b.dy));
   const double o3 = b.dx * (a.ay - b.ay) - b.dy * (a.ax - b.ax);
   const double o4 = b.dx * (a.by - b.ay) - b.dy * (a.bx - b.ax);
-  if ((o3 > b_error && o4 > b_error) || (o3 < -b_error && o4 < -b_error)) return false;
+  if (one_side(o3, o4, b_error)) return false;
   const double u = a.dx * b.dy, v = a.dy * b.dx;
   if (opposite(o1, o2, i.error) && opposite(o3, o4, b_error)) {
     if (!(8 * std::max(i.error, b_error) < 0.5 * Meetings::kFine * std::abs(u - v))) out_.rough = true;
@@ -148,48 +165,50 @@ void CrossingFinder::all_pairs() {
   finish();
 }
 
-// Few boxes: each with all behind it. What is found is put into the order of the sweep, because of several contacts at
-// one place the first one is named.
+// Few boxes: each with all behind it, sixteen at a time in bytes. What is found is put into the order of the sweep, because of several
+// contacts at one place the first one is named.
 void CrossingFinder::compare_all() {
   const std::uint32_t n = static_cast<std::uint32_t>(soup_.size());
   const double per_quantum = quanta_per_unit();
-  constexpr std::size_t kPadded = kUnsorted + 2 * kLanes;
-  alignas(16) std::array<std::array<std::int16_t, kPadded>, 4> sides;
+  constexpr std::size_t kPadded = kUnsorted + kByteLanes;
+  std::array<std::int16_t, kUnsorted> left;
+  alignas(16) std::array<std::array<std::int8_t, kPadded>, 4> sides;
   auto& [x0, y0, x1, y1] = sides;
-  for (std::uint32_t s = 0; s < n; ++s) {
-    const BoxQuanta b = quanta(soup_.boxes[s], per_quantum);
-    x0[s] = b.x0;
-    y0[s] = b.y0;
-    x1[s] = b.x1;
-    y1[s] = b.y1;
-  }
   // Behind the last box lie some that start to the right of everything and meet nothing.
-  for (std::uint32_t s = n; s < n + kLanes; ++s) {
-    x0[s] = y0[s] = std::numeric_limits<std::int16_t>::max();
-    x1[s] = y1[s] = -1;
+  std::memset(sides.data(), kBeyond, sizeof sides);
+  const SoupBox* const boxes = soup_.boxes.data();
+  for (std::uint32_t s = 0; s < n; ++s) {
+    const BoxQuanta b = quanta(boxes[s], per_quantum);
+    left[s] = b.x0;
+    x0[s] = byte_quantum(b.x0);
+    y0[s] = byte_quantum(b.y0);
+    x1[s] = byte_quantum(b.x1);
+    y1[s] = byte_quantum(b.y1);
   }
   // Pairs of segments as the sweep comes upon them.
   const auto pair_key = [&](std::uint32_t s, std::uint32_t t) {
-    const std::uint64_t a = static_cast<std::uint64_t>(x0[s]) << 6 | s, b = static_cast<std::uint64_t>(x0[t]) << 6 | t;
+    const std::uint64_t a = static_cast<std::uint64_t>(left[s]) << kNumberBits | s,
+                        b = static_cast<std::uint64_t>(left[t]) << kNumberBits | t;
     return std::min(a, b) << kSmall | std::max(a, b);
   };
   Array<std::uint64_t> exact(soup_.memory);
-  exact.reserve(64);
   for (std::uint32_t i = 0; i + 1 < n; ++i) {
-    const Lanes left = Lanes{} + x0[i], low = Lanes{} + y0[i], right = Lanes{} + x1[i], high = Lanes{} + y1[i];
+    const ByteLanes low_x = all_bytes(x0[i]), low_y = all_bytes(y0[i]), high_x = all_bytes(x1[i]), high_y = all_bytes(y1[i]);
     const Probe of_i = probe(i);
-    for (std::uint32_t j = i + 1; j < n; j += kLanes) {
-      const Lanes apart = (load_lanes(&x0[j]) > right) | (left > load_lanes(&x1[j])) | (load_lanes(&y0[j]) > high) | (low > load_lanes(&y1[j]));
-      for (auto hits = zero_lanes(apart); hits != 0; hits &= hits - 1) {
-        const std::uint32_t k = j + lane_of(hits);
+    for (std::uint32_t j = i + 1; j < n; j += kByteLanes) {
+      const ByteLanes apart = (load_bytes(&x0[j]) > high_x) | (low_x > load_bytes(&x1[j])) | (load_bytes(&y0[j]) > high_y) |
+                              (low_y > load_bytes(&y1[j]));
+      for (std::uint32_t hits = zero_bytes(apart); hits != 0; hits &= hits - 1) {
+        const std::uint32_t k = j + static_cast<std::uint32_t>(std::countr_zero(hits));
         if (undecided(of_i, k)) exact.push_back(pair_key(i, k));
       }
     }
   }
   std::sort(exact.begin(), exact.end());
   for (const std::uint64_t pair : exact) exact_test(pair >> kSmall & (kUnsorted - 1), pair & (kUnsorted - 1));
-  std::sort(out_.crossings.begin(), out_.crossings.end(),
-            [&](const Crossing& c, const Crossing& d) { return pair_key(c.a, c.b) < pair_key(d.a, d.b); });
+  if (out_.crossings.size() > 1)
+    std::sort(out_.crossings.begin(), out_.crossings.end(),
+              [&](const Crossing& c, const Crossing& d) { return pair_key(c.a, c.b) < pair_key(d.a, d.b); });
   out_.pair_tests = std::uint64_t(n) * (n - (n > 0)) / 2;
 }
 
@@ -274,98 +293,12 @@ void CrossingFinder::add_crossing(std::uint32_t i, std::uint32_t j, double a_sta
   auto& list = ambiguous ? ambiguous_ : out_.crossings;
   if (list.size() == list.capacity()) list.reserve(64 + list.size() + list.size() / 3);  // the largest array of all: little slack
   // b's ends go from b_start to b_end across a: d_a x d_b has the sign of b_end.
-  list.push_back(b_end > b_start ? Crossing{i, j, t, u} : Crossing{j, i, u, t});
-}
-
-void CrossingFinder::add_touch(std::uint32_t segment, WalkPair pair) {
-  const SoupBox& s = soup_.boxes[segment];
-  const Operand &p = *soup_.operands[0], &q = *soup_.operands[1];
-  const double x = p.x[pair.p] + q.x[pair.q], y = p.y[pair.p] + q.y[pair.q];
-  const double dx = soup_.dx(segment), dy = soup_.dy(segment);
-  const bool by_x = std::abs(dx) > std::abs(dy);
-  const double t = by_x ? (x - s.ax) / dx : (y - s.ay) / dy;
-  const double error = 4 * soup_.point_error / std::max(std::abs(dx), std::abs(dy)) + 0x1p-50;
-  out_.touches.push_back({segment, pair, std::clamp(t, 0.0, 1.0), static_cast<float>(error)});
-}
-
-// The side of the line of s = `line` on which pair v, rounded (x, y), lies.
-inline int CrossingFinder::side(std::uint32_t s, WalkPair v, double x, double y) {
-  if (soup_.lattice.exact_doubles) {
-    const SoupBox& a = soup_.boxes[s];
-    const double value = soup_.dx(s) * (y - a.ay) - soup_.dy(s) * (x - a.ax);
-    return (value > 0) - (value < 0);
-  }
-  ++out_.exact_signs;
-  return soup_.lattice.side(soup_.exact(s), soup_.exact(v));
-}
-
-// Whether v, rounded (x, y), which lies on the line of s, lies strictly between its ends.
-inline bool CrossingFinder::between(std::uint32_t s, WalkPair v, double x, double y) {
-  const Lattice& l = soup_.lattice;
-  if (l.exact_doubles) {
-    const SoupBox& a = soup_.boxes[s];
-    const double dx = soup_.dx(s), dy = soup_.dy(s);
-    return dx * (x - a.ax) + dy * (y - a.ay) > 0 && dx * (x - a.bx) + dy * (y - a.by) < 0;
-  }
-  out_.exact_signs += 2;
-  const Pair at = soup_.exact(v);
-  const Segment line = soup_.exact(s);
-  return l.along(line, at) > 0 && l.along({{line.edge.op, line.edge.to, line.edge.from}, line.vertex}, at) > 0;
-}
-
-// At least one side is zero or too small for doubles.
-void CrossingFinder::exact_test(std::uint32_t i, std::uint32_t j) {
-  const SoupBox &a = soup_.boxes[i], &b = soup_.boxes[j];
-  const WalkPair a0 = soup_.start(i), a1 = soup_.end(i), b0 = soup_.start(j), b1 = soup_.end(j);
-  const bool in_chains = i < first_unchained && j < first_unchained;
-  const bool chained = in_chains && (a1 == b0 || b1 == a0 || a0 == b0 || a1 == b1 ||
-                                     (chain_ != nullptr && (chain_->next(i) == j || chain_->next(j) == i)));
-  // Segments of one chain share an end; they meet elsewhere only when they fold back onto each other.
-  if (chained && soup_.cross(i, j) != 0) return;
-  const Lattice& l = soup_.lattice;
-  const auto same = [&](double x, double y, WalkPair v, double to_x, double to_y, WalkPair to) {
-    if (l.exact_doubles) return x == to_x && y == to_y;
-    // Two pairs may have one sum and yet be rounded differently.
-    const double near = 2 * soup_.point_error;
-    return std::abs(x - to_x) <= near && std::abs(y - to_y) <= near && l.same(soup_.exact(v), soup_.exact(to));
-  };
-  if (same(a.ax, a.ay, a0, b.ax, b.ay, b0) && same(a.bx, a.by, a1, b.bx, b.by, b1)) {
-    // The same segment twice, which is everywhere in P + P.
-    if (!in_chains || !(a0 == b0)) out_.same.emplace_back(a0, b0);
-    if (!in_chains || !(a1 == b1)) out_.same.emplace_back(a1, b1);
-    return;
-  }
-  const int s1 = side(i, b0, b.ax, b.ay), s2 = side(i, b1, b.bx, b.by);
-  if (s1 * s2 > 0) return;
-  const int s3 = side(j, a0, a.ax, a.ay), s4 = side(j, a1, a.bx, a.by);
-  if (s3 * s4 > 0) return;
-  if (s1 != 0 && s2 != 0 && s3 != 0 && s4 != 0) {
-    // Opposite on both: the crossing parameters come from doubles that may be smaller than their error; keep t in [0, 1].
-    const double a_dx = soup_.dx(i), a_dy = soup_.dy(i), b_dx = soup_.dx(j), b_dy = soup_.dy(j);
-    const double o1 = a_dx * (b.ay - a.ay) - a_dy * (b.ax - a.ax), o2 = a_dx * (b.by - a.ay) - a_dy * (b.bx - a.ax);
-    const double o3 = b_dx * (a.ay - b.ay) - b_dy * (a.ax - b.ax), o4 = b_dx * (a.by - b.ay) - b_dy * (a.bx - b.ax);
-    out_.rough = true;
-    const auto signed_magnitude = [](double o, int s, double error) { return s * std::max(std::abs(o), error * 0.5); };
-    const double a_error = soup_.error(i) + 0x1p-1000, b_error = soup_.error(j) + 0x1p-1000;
-    add_crossing(i, j, signed_magnitude(o3, s3, b_error), signed_magnitude(o4, s4, b_error), signed_magnitude(o1, s1, a_error),
-                 signed_magnitude(o2, s2, a_error));
-    return;
-  }
-  const auto within = [&](std::uint32_t s, WalkPair from, WalkPair to, WalkPair v, double x, double y) {
-    // v, at (x, y), lies on the line of s: register it if it lies on s.
-    const SoupBox& box = soup_.boxes[s];
-    if (same(x, y, v, box.ax, box.ay, from)) {
-      if (!in_chains || !(v == from)) out_.same.emplace_back(v, from);
-    } else if (same(x, y, v, box.bx, box.by, to)) {
-      if (!in_chains || !(v == to)) out_.same.emplace_back(v, to);
-    } else if (between(s, v, x, y)) {
-      add_touch(s, v);
-    }
-  };
-  if (s1 == 0) within(i, a0, a1, b0, b.ax, b.ay);
-  if (s2 == 0) within(i, a0, a1, b1, b.bx, b.by);
-  if (s3 == 0) within(j, b0, b1, a0, a.ax, a.ay);
-  if (s4 == 0) within(j, b0, b1, a1, a.bx, a.by);
+  Crossing& c = list.emplace_back();
+  const bool in_order = b_end > b_start;
+  c.a = in_order ? i : j;
+  c.b = in_order ? j : i;
+  c.ta = in_order ? t : u;
+  c.tb = in_order ? u : t;
 }
 
 void CrossingFinder::test_cell(std::span<const std::uint32_t> ids) {

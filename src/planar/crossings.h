@@ -32,7 +32,7 @@ struct Touch {
 
 struct Meetings {
   static constexpr double kFine = 0x1p-30;
-  explicit Meetings(std::pmr::memory_resource* memory = std::pmr::get_default_resource()) : crossings(memory), touches(memory), same(memory) {}
+  explicit Meetings(Scratch* memory = nullptr) : crossings(memory), touches(memory), same(memory) {}
 
   Array<Crossing> crossings;
   Array<Touch> touches;

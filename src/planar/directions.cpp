@@ -26,6 +26,11 @@ int compare_directions(const Lattice& lattice, const Edge& d, const Edge& e) {
     const double cross = u.x * v.y - u.y * v.x;
     return (cross < 0) - (cross > 0);
   }
+  if (const double scale = lattice.to_integers; scale != 0) {
+    const auto integer = [&](double x) { return static_cast<std::int64_t>(x * scale); };
+    const std::int64_t cross = integer(u.x) * integer(v.y) - integer(u.y) * integer(v.x);
+    return (cross < 0) - (cross > 0);
+  }
   return -lattice.cross(d, e);
 }
 

@@ -76,6 +76,14 @@ class LatticeOf final : public Lattice {
   }
 
   int compare_coordinate(Pair a, Pair b, int axis) const override {
+    // With one vertex in common, as the ends of a segment have, the other operand's coordinates as given tell.
+    if (!scale_ && (a.p == b.p || a.q == b.q)) {
+      const std::uint32_t op = a.p == b.p ? 1 : 0;
+      const std::vector<Point>& input = points[op]->input;
+      const Point &u = input[op == 1 ? a.q : a.p], &v = input[op == 1 ? b.q : b.p];
+      const double x = axis == 0 ? u.x : u.y, y = axis == 0 ? v.x : v.y;
+      return (x > y) - (x < y);
+    }
     const SumVec u = sum(a), v = sum(b);
     return axis == 0 ? exact::sign(u.x - v.x) : exact::sign(u.y - v.y);
   }
@@ -343,6 +351,7 @@ std::shared_ptr<Lattice> build_lattice(std::array<std::shared_ptr<const PlacedPo
   lattice->tier_bits = static_cast<int>(tier);
   // Sides have at most 2 B + 4 bits; doubles hold 53. A power of two below scaled coordinates changes nothing.
   lattice->exact_doubles = bits <= 24 && dyadic;
+  if (tier == exact::Tier::b29 && scaled == 2 && std::abs(unit - exponent) <= 1000) lattice->to_integers = power_of_two(unit - exponent);
   lattice->points = std::move(points);
   lattice->unit = power_of_two(unit);
   lattice->grid_exponent = exponent;

@@ -136,6 +136,9 @@ class Lattice {
 
   int tier_bits = 0;           ///< 29, 61, 512, 0
   bool exact_doubles = false;  ///< every planar sign of degree two is exact when computed in doubles
+  /// Not zero: what the doubles of vertices, edges and pair sums have to be multiplied with to be the integers, exactly. Set where these
+  /// have at most 29 bits: then signs of degree two are those of 64-bit expressions, orders of cuts of 128-bit ones.
+  double to_integers = 0;
   bool exact_input = false;    ///< pair sums in input coordinates are doubles without rounding
   double span = 0;             ///< every pair sum has coordinates in [0, span]; a rounding errs by at most span * 2^-53
   double unit = 1;             ///< doubles count multiples of this power of two: 1 unless an operand is huge or minute

@@ -27,12 +27,9 @@ std::size_t smaller_rotation(const std::vector<SumVertex>& ring, std::size_t i, 
 std::size_t canonical_start(const std::vector<SumVertex>& ring, const VertexOrder& order) {
   const std::size_t n = ring.size();
   const SumVertex* const v = ring.data();
-  std::size_t leftmost = 0;
-  for (std::size_t k = 1; k < n; ++k)
-    if (v[k].at.x < v[leftmost].at.x) leftmost = k;
-  std::size_t best = leftmost;
-  for (std::size_t k = 0; k < n; ++k) {
-    if (order.certainly_right(v[k], v[leftmost]) || k == best) continue;
+  std::size_t best = 0;
+  for (std::size_t k = 1; k < n; ++k) {
+    if (order.certainly_right(v[k], v[best])) continue;
     const int sign = order.compare(ring[k], ring[best]);
     if (sign < 0) best = k;
     if (sign == 0) best = smaller_rotation(ring, best, k, order);

@@ -27,8 +27,8 @@ class SameSegments {
       const std::uint32_t t = slots_[at];
       const SoupBox& c = soup_.boxes[t];
       if (b.ax == c.ax && b.ay == c.ay && b.bx == c.bx && b.by == c.by &&
-          soup_.lattice.same(soup_.exact(soup_.start(s)), soup_.exact(soup_.start(t))) &&
-          soup_.lattice.same(soup_.exact(soup_.end(s)), soup_.exact(soup_.end(t))))
+          (soup_.exact_sums() || (soup_.lattice.same(soup_.exact(soup_.start(s)), soup_.exact(soup_.start(t))) &&
+                                  soup_.lattice.same(soup_.exact(soup_.end(s)), soup_.exact(soup_.end(t))))))
         return t;
     }
     slots_[at] = s;

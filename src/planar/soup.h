@@ -34,7 +34,7 @@ inline double sum_error(const Lattice& lattice) { return lattice.exact_doubles ?
 class Soup {
  public:
   Soup(const Lattice& lattice, const Operand& p, const Operand& q,
-       std::pmr::memory_resource* memory = std::pmr::get_default_resource())
+       Scratch* memory = nullptr)
       : lattice(lattice), operands{&p, &q}, segments(memory), boxes(memory), memory(memory) {
     const double roundings = lattice.span;
     // cross(d, v - a): d once rounded, v and a two roundings each and one more for the difference, two products, one sum; at most
@@ -56,12 +56,14 @@ class Soup {
     SoupBox* to = boxes.data() + i;
     convolution.for_each_turn([&](std::uint32_t side, std::uint32_t v, std::span<const std::uint32_t> edges, std::uint32_t lo,
                                   std::uint32_t count) {
-      const EdgeBox* own = operands[side]->boxes.data();
+      const EdgeBox* const own = operands[side]->boxes.data();
       const double vx = operands[1 - side]->x[v], vy = operands[1 - side]->y[v];
-      for (std::uint32_t k = 0, at = lo; k < count; ++k, at = at + 1 == edges.size() ? 0 : at + 1) {
-        const std::uint32_t e = edges[at];
-        *segment++ = {(side << 31) | e, v};
-        *to++ = moved(own[e], vx, vy);
+      const std::uint32_t *at = edges.data() + lo, *const end = edges.data() + edges.size(), label = side << 31;
+      for (SoupBox* const last = to + count; to != last; ++to) {
+        const std::uint32_t e = *at;
+        *segment++ = {label | e, v};
+        *to = moved(own[e], vx, vy);
+        if (++at == end) at = edges.data();
       }
     });
   }
@@ -111,15 +113,40 @@ class Soup {
     if (value > bound) return 1;
     if (value < -bound) return -1;
     if (lattice.exact_doubles) return (value > 0) - (value < 0);
+    if (integral()) return sign(cross_value(s, t));
     return lattice.cross(exact(s).edge, exact(t).edge);
   }
+
+  /// Whether exact signs are those of the 64-bit integers below: coordinates of 29 bits, sums of 30, differences of 31, products of
+  /// 61, their sums of 62 (exact/grid.h). Pair sums are exact doubles then.
+  bool integral() const { return lattice.to_integers != 0; }
+  std::int64_t integer(double v) const { return static_cast<std::int64_t>(v * lattice.to_integers); }
+  std::int64_t cross_value(std::uint32_t s, std::uint32_t t) const {
+    return integer(dx(s)) * integer(dy(t)) - integer(dy(s)) * integer(dx(t));
+  }
+  /// d_s x (v - start) and d_s . (v - start) for the pair sum v = (x, y).
+  std::int64_t side_value(std::uint32_t s, double x, double y) const {
+    const SoupBox& b = boxes[s];
+    return integer(b.dx) * integer(y - b.ay) - integer(b.dy) * integer(x - b.ax);
+  }
+  std::int64_t along_value(std::uint32_t s, double x, double y) const {
+    const SoupBox& b = boxes[s];
+    return integer(b.dx) * integer(x - b.ax) + integer(b.dy) * integer(y - b.ay);
+  }
+  std::int64_t length_value(std::uint32_t s) const {
+    const std::int64_t x = integer(dx(s)), y = integer(dy(s));
+    return x * x + y * y;
+  }
+  static int sign(std::int64_t v) { return (v > 0) - (v < 0); }
+  /// Pair sums are equal exactly where their doubles are.
+  bool exact_sums() const { return lattice.exact_doubles || integral(); }
   int dot(std::uint32_t s, std::uint32_t t) const { return lattice.dot(exact(s).edge, exact(t).edge); }
 
   const Lattice& lattice;
   std::array<const Operand*, 2> operands;
   Array<SoupSegment> segments;
   Array<SoupBox> boxes;
-  std::pmr::memory_resource* memory;  ///< of the arrays of everything that is done with this soup
+  Scratch* memory;  ///< of the arrays of everything that is done with this soup
   double side_error = 0, point_error = 0;
 };
 

@@ -342,6 +342,14 @@ bool run_reduced(const SumOptions& options, SumState& state) {
   return true;
 }
 
+// The chosen engine; false when stopped.
+bool run(SumState& state, const SumOptions& options) {
+  if (options.trace) state.trace = std::make_unique<PlanarTrace>();
+  if (state.p->size() == 0 || state.q->size() == 0) return true;
+  if (const std::optional<bool> done = run_convex(options, state)) return *done;
+  return options.engine == Engine::winding ? run_winding(options, state) : run_reduced(options, state);
+}
+
 }  // namespace
 
 void find_tight_features(const Soup& soup, const Arrangement& arrangement, const Array<BoundaryLoop>& kept, Collision& collision,
@@ -359,15 +367,12 @@ Result<SumState> compute_boundary(std::shared_ptr<const Operand> p, std::shared_
   state.q = placed_on(*state.lattice, std::move(q));
   state.stats.tier_bits = state.lattice->tier_bits;
   clock.done("operands");
-  return compute_boundary(std::move(state), options);
+  if (!run(state, options)) return cancelled();
+  return state;
 }
 
 Result<SumState> compute_boundary(SumState state, const SumOptions& options) {
-  if (options.trace) state.trace.emplace();
-  if (state.p->size() == 0 || state.q->size() == 0) return state;
-  std::optional<bool> done = run_convex(options, state);
-  if (!done) done = options.engine == Engine::winding ? run_winding(options, state) : run_reduced(options, state);
-  if (!*done) return cancelled();
+  if (!run(state, options)) return cancelled();
   return state;
 }
 
@@ -441,7 +446,7 @@ void merge_pieces(const SumSource& source, const std::vector<SumPart>& parts, co
   for (const PiecePoint& p : pieces.points) points.push_back(candidate_points[p.candidate]);
 }
 
-PlanarSum finish_sum(SumState state, const SumOptions& options) {
+PlanarSum finish_sum(SumState&& state, const SumOptions& options) {
   PlanarSum sum;
   StageClock clock(state.stats, timed(*state.p, *state.q));
   RawBoundary& raw = state.boundary;
@@ -464,7 +469,7 @@ PlanarSum finish_sum(SumState state, const SumOptions& options) {
   // Where pieces are cut off, their ends are rounded even if all other positions are exact.
   if (!sum.segments.empty() || !sum.tight_segments.empty()) sum.at_error = std::max(sum.at_error, rounding_error(*state.lattice));
   sum.stats = std::move(state.stats);
-  sum.trace = std::move(state.trace);
+  if (state.trace) sum.trace = std::move(*state.trace);
   return sum;
 }
 

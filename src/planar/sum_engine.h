@@ -24,7 +24,7 @@ struct SumState {
   std::shared_ptr<const Operand> p, q;
   RawBoundary boundary;
   SumStats stats;
-  std::optional<PlanarTrace> trace;
+  std::unique_ptr<PlanarTrace> trace;
 };
 
 /// Operands (P as operand 0, Q as 1) on their lattice, then the boundary by the chosen engine.
@@ -38,7 +38,7 @@ void find_tight_features(const Soup& soup, const Arrangement& arrangement, const
                          RawBoundary& out, double& grid_error);
 
 /// Canonical order, parts, tight features, lower-dimensional pieces.
-PlanarSum finish_sum(SumState state, const SumOptions& options);
+PlanarSum finish_sum(SumState&& state, const SumOptions& options);
 
 /// Lower-dimensional pieces of the closed sum: segments and points from pairs of components without area. Appends candidates.
 void lower_dimensional_candidates(const Lattice& lattice, const Operand& p, const Operand& q, std::vector<SumSegment>& segments,

@@ -10,7 +10,7 @@ namespace {
 
 class WindowChain final : public Chain {
  public:
-  WindowChain(const Window& window, const ReducedConvolution& convolution, std::pmr::memory_resource* memory)
+  WindowChain(const Window& window, const ReducedConvolution& convolution, Scratch* memory)
       : Chain(memory), window_(window), convolution_(convolution) {
     next_.reserve(window.segments.size());
     for (const LiveSegment& s : window.segments) next_.push_back(live(convolution.next(s.walk)));
