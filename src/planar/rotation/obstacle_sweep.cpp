@@ -93,10 +93,17 @@ void ObstacleSweep::take_slice(SumState state) {
   if (!computed) throw std::logic_error("ObstacleSweep: a slice failed");
   const RawBoundary& raw = computed->boundary;
   std::map<std::array<std::uint32_t, 3>, std::uint32_t> old;
+  std::vector<std::uint32_t> before;
   for (std::uint32_t n = 0; n < nodes_.size(); ++n)
-    if (nodes_[n].alive) old[{nodes_[n].id, nodes_[n].left, nodes_[n].right}] = n;
+    if (nodes_[n].alive) {
+      old[{nodes_[n].id, nodes_[n].left, nodes_[n].right}] = n;
+      before.push_back(n);
+    }
+  const std::vector<std::uint32_t> shut_before = shut_nodes(before, before);
+  const auto shut = [](const std::vector<std::uint32_t>& list, std::uint32_t n) { return std::binary_search(list.begin(), list.end(), n); };
   std::vector<std::vector<std::uint32_t>> loops;
   std::vector<std::uint32_t> all;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> touching;  // walls of a shut passage, before and behind
   std::vector<std::pair<std::uint32_t, std::uint32_t>> fresh_of;  // new node, segment id
   for (const SumRing& ring : raw.rings) {
     const std::vector<WalkSegment> segments = segments_of(ring);
@@ -105,12 +112,13 @@ void ObstacleSweep::take_slice(SumState state) {
     for (std::size_t k = 0; k < n; ++k) {
       const WalkSegment s = segments[k], left = segments[(k + n - 1) % n], right = segments[(k + 1) % n];
       const auto it = old.find({id(s), id(left), id(right)});
-      if (it != old.end()) {
+      if (it != old.end() && !shut(shut_before, it->second)) {
         loop.push_back(it->second);
         old.erase(it);
         continue;
       }
       const std::uint32_t m = add_node(s, kNobody);
+      if (it != old.end()) touching.emplace_back(it->second, m);
       nodes_[m].left = id(left);
       nodes_[m].right = id(right);
       loop.push_back(m);
@@ -125,8 +133,13 @@ void ObstacleSweep::take_slice(SumState state) {
   }
   for (const std::uint32_t m : all)
     if (nodes_[m].begin == now_) fresh.push_back(m);
-  // What goes on along the same line at the event's angle belongs together.
+  // What goes on along the same line at the event's angle belongs together, unless a passage is shut there.
+  const std::vector<std::uint32_t> shut_behind = before.empty() ? before : shut_nodes(fresh, all);
   for (const auto& [n, m] : continued_stretches(ended, fresh)) {
+    if (shut(shut_before, n) || shut(shut_behind, m)) {
+      touching.emplace_back(n, m);
+      continue;
+    }
     join(shell_, n, m);
     claims.emplace_back(m, nodes_[n].cell);
   }
@@ -143,6 +156,7 @@ void ObstacleSweep::take_slice(SumState state) {
   std::sort(lost.begin(), lost.end());
   lost.erase(std::unique(lost.begin(), lost.end()), lost.end());
   relabel(all, lost, claims);
+  for (const auto& [n, m] : touching) touching_cells_.emplace_back(nodes_[n].cell, nodes_[m].cell);
 }
 
 WalkSegment ObstacleSweep::segment_of(std::uint32_t id) const {
