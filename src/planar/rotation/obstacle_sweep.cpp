@@ -99,28 +99,35 @@ void ObstacleSweep::take_slice(SumState state) {
       old[{nodes_[n].id, nodes_[n].left, nodes_[n].right}] = n;
       before.push_back(n);
     }
-  const std::vector<std::uint32_t> shut_before = shut_nodes(before, before);
-  const auto shut = [](const std::vector<std::uint32_t>& list, std::uint32_t n) { return std::binary_search(list.begin(), list.end(), n); };
-  std::vector<std::vector<std::uint32_t>> loops;
-  std::vector<std::uint32_t> all;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> touching;  // walls of a shut passage, before and behind
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> fresh_of;  // new node, segment id
+  std::vector<std::vector<std::array<std::uint32_t, 3>>> keys;
+  std::vector<std::uint32_t> same;
   for (const SumRing& ring : raw.rings) {
     const std::vector<WalkSegment> segments = segments_of(ring);
     const std::size_t n = segments.size();
-    std::vector<std::uint32_t>& loop = loops.emplace_back();
+    auto& ring_keys = keys.emplace_back();
     for (std::size_t k = 0; k < n; ++k) {
-      const WalkSegment s = segments[k], left = segments[(k + n - 1) % n], right = segments[(k + 1) % n];
-      const auto it = old.find({id(s), id(left), id(right)});
-      if (it != old.end() && !shut(shut_before, it->second)) {
+      ring_keys.push_back({id(segments[k]), id(segments[(k + n - 1) % n]), id(segments[(k + 1) % n])});
+      if (const auto it = old.find(ring_keys.back()); it != old.end()) same.push_back(it->second);
+    }
+  }
+  const auto shut = [](const std::vector<std::uint32_t>& list, std::uint32_t n) { return std::binary_search(list.begin(), list.end(), n); };
+  const std::vector<std::uint32_t> shut_same = shut_nodes(same, before);
+  std::vector<std::vector<std::uint32_t>> loops;
+  std::vector<std::uint32_t> all;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> touching;  // walls of a shut passage, before and behind
+  for (const auto& ring_keys : keys) {
+    std::vector<std::uint32_t>& loop = loops.emplace_back();
+    for (const auto& key : ring_keys) {
+      const auto it = old.find(key);
+      if (it != old.end() && !shut(shut_same, it->second)) {
         loop.push_back(it->second);
         old.erase(it);
         continue;
       }
-      const std::uint32_t m = add_node(s, kNobody);
+      const std::uint32_t m = add_node(segment_of(key[0]), kNobody);
       if (it != old.end()) touching.emplace_back(it->second, m);
-      nodes_[m].left = id(left);
-      nodes_[m].right = id(right);
+      nodes_[m].left = key[1];
+      nodes_[m].right = key[2];
       loop.push_back(m);
     }
     all.insert(all.end(), loop.begin(), loop.end());
@@ -134,9 +141,15 @@ void ObstacleSweep::take_slice(SumState state) {
   for (const std::uint32_t m : all)
     if (nodes_[m].begin == now_) fresh.push_back(m);
   // What goes on along the same line at the event's angle belongs together, unless a passage is shut there.
-  const std::vector<std::uint32_t> shut_behind = before.empty() ? before : shut_nodes(fresh, all);
-  for (const auto& [n, m] : continued_stretches(ended, fresh)) {
-    if (shut(shut_before, n) || shut(shut_behind, m)) {
+  const std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs = continued_stretches(ended, fresh);
+  std::vector<std::uint32_t> from, to;
+  for (const auto& [n, m] : pairs) {
+    from.push_back(n);
+    to.push_back(m);
+  }
+  const std::vector<std::uint32_t> shut_ended = shut_nodes(from, before), shut_fresh = shut_nodes(to, all);
+  for (const auto& [n, m] : pairs) {
+    if (shut(shut_ended, n) || shut(shut_fresh, m)) {
       touching.emplace_back(n, m);
       continue;
     }

@@ -27,6 +27,7 @@ std::array<double, 3> ObstacleSweep::stretch_now(std::uint32_t on, std::uint32_t
 // Whether walls of the other direction cover all of a node's stretch. In doubles where they leave a gap that is certain, else exactly.
 bool ObstacleSweep::covered_now(std::uint32_t n, const std::vector<std::uint32_t>& opposite, Heading h) const {
   const auto [low, high, error] = stretch_now(n, n, h);
+  if (opposite.empty() && high - low > 2 * error) return false;
   double reach = low, errors = error;
   std::vector<std::array<double, 3>> stretches;
   for (const std::uint32_t m : opposite) stretches.push_back(stretch_now(n, m, h));
@@ -55,6 +56,7 @@ bool ObstacleSweep::covered_now(std::uint32_t n, const std::vector<std::uint32_t
 // Those of `nodes` of which nothing borders on a face at the angle: of no length, or with walls of shut passages all along them. `all`: the
 // nodes of that side of the angle.
 std::vector<std::uint32_t> ObstacleSweep::shut_nodes(const std::vector<std::uint32_t>& nodes, const std::vector<std::uint32_t>& all) const {
+  if (nodes.empty()) return {};
   const Heading h = Heading::of(theta_now_);
   std::vector<std::pair<double, std::uint32_t>> lines;
   for (const std::uint32_t n : all) lines.emplace_back(line_offset(n, h), n);
