@@ -251,7 +251,8 @@ TEST(CspaceGeneral, a_passage_that_is_shut_at_one_angle_separates) {
     for (const Shell& shell : point.shells()) EXPECT_EQ(shell.euler, shell.outer ? 0 : 2);
     expect_slices(point, random, 100);
     // Two rooms and a corridor between them that is shut at one angle: the rooms are not.
-    const Region dumbbell = polygon(box(-40, -40, 40, 40), {reversed({{-20, -5}, {-10, -5}, {-10, -2}, {10, -2}, {10, -5}, {20, -5}, {20, 5}, {10, 5}, {10, 2}, {-10, 2}, {-10, 5}, {-20, 5}})});
+    const Ring rooms{{-20, -5}, {-10, -5}, {-10, -2}, {10, -2}, {10, -5}, {20, -5}, {20, 5}, {10, 5}, {10, 2}, {-10, 2}, {-10, 5}, {-20, 5}};
+    const Region dumbbell = polygon(box(-40, -40, 40, 40), {reversed(rooms)});
     EXPECT_EQ(free_components(CspaceObstacle::create(rhombus, dumbbell, options).value()), 2u);
   }
 }

@@ -78,7 +78,8 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> ObstacleSweep::continued_st
   const double near = kLineNear * forms_.span();
   for (const std::uint32_t n : ended) {
     const double at = line_offset(n, h);
-    for (auto m = std::lower_bound(lines.begin(), lines.end(), std::pair{at - near, std::uint32_t{0}}); m != lines.end() && m->first <= at + near; ++m)
+    const auto first = std::lower_bound(lines.begin(), lines.end(), std::pair{at - near, std::uint32_t{0}});
+    for (auto m = first; m != lines.end() && m->first <= at + near; ++m)
       if (continues(n, m->second, h)) found.emplace_back(n, m->second);
   }
   return found;

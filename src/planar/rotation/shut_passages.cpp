@@ -69,7 +69,8 @@ std::vector<std::uint32_t> ObstacleSweep::shut_nodes(const std::vector<std::uint
     opposite.clear();
     const WalkSegment& s = nodes_[n].segment;
     const Point d = forms_.direction(s, h);
-    for (auto m = std::lower_bound(lines.begin(), lines.end(), std::pair{-offset - near, std::uint32_t{0}}); m != lines.end() && m->first <= -offset + near; ++m) {
+    const auto first = std::lower_bound(lines.begin(), lines.end(), std::pair{-offset - near, std::uint32_t{0}});
+    for (auto m = first; m != lines.end() && m->first <= -offset + near; ++m) {
       const WalkSegment& t = nodes_[m->second].segment;
       const Point e = forms_.direction(t, h);
       if (d.x * e.x + d.y * e.y < 0 && collinear(s, t, h)) opposite.push_back(m->second);
