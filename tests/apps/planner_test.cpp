@@ -244,6 +244,19 @@ TEST(Planner, rings_that_touch) {
   }
 }
 
+// Upright it just touches floor and ceiling: past that only by touching.
+TEST(Planner, a_rhombus_in_a_corridor_as_high_as_its_diagonal) {
+  const Region robot = region({{{{2, 0}, {0, 1}, {-2, 0}, {0, -1}}, {}}});
+  RegionData data;
+  data.parts = {{box(-40, -40, 40, 40), {{{-20, -2}, {-20, 2}, {20, 2}, {20, -2}}}}};
+  const CspaceObstacle c = obstacle_of(robot, *Region::create(data));
+  const Configuration start{-10, 0, 0}, goal{10, 0, kPi};
+  const Plan none = plan_in(c, start, goal, Touching::forbidden);
+  ASSERT_FALSE(none.found());
+  EXPECT_EQ(none.reason->kind, NoPath::Kind::separated);
+  expect_valid(c, plan_in(c, start, goal), start, goal, Touching::allowed);
+}
+
 TEST(Planner, errors) {
   const CspaceObstacle c = obstacle_of(square(), rooms(-1, 1));
   EXPECT_EQ(plan(c, {NAN, 0, 0}, {0, 0, 0}).error().code, Code::not_finite);

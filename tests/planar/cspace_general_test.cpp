@@ -225,5 +225,37 @@ TEST(CspaceGeneral, events_at_one_angle_and_several_places_are_handled_one_by_on
   EXPECT_EQ(free_components(slow), free_components(c));
 }
 
+// A rhombus in a corridor as high as its longer diagonal is held, upright, between floor and ceiling: touching is no connection, so there
+// is a room for either half of the turn.
+TEST(CspaceGeneral, a_passage_that_is_shut_at_one_angle_separates) {
+  const auto room = [](double half_width, double half_height) {
+    return polygon(box(-40, -40, 40, 40), {reversed(box(-half_width, -half_height, half_width, half_height))});
+  };
+  const Region rhombus = polygon({{2, 0}, {0, 1}, {-2, 0}, {0, -1}}), diamond = polygon({{2, 0}, {0, 2}, {-2, 0}, {0, -2}});
+  Random random(1);
+  for (const bool reference : {false, true}) {
+    ObstacleOptions options;
+    options.reference = reference;
+    const CspaceObstacle shut = CspaceObstacle::create(rhombus, room(20, 2), options).value();
+    EXPECT_EQ(free_components(shut), 3u);
+    EXPECT_EQ(shut.shells().size(), 3u);
+    for (const Shell& shell : shut.shells()) EXPECT_EQ(shell.euler, shell.outer ? 0 : 2);
+    expect_slices(shut, random, 100);
+    // A hair higher it turns all round, a hair lower it never stands upright.
+    EXPECT_EQ(free_components(CspaceObstacle::create(rhombus, room(20, 2.0625), options).value()), 2u);
+    EXPECT_EQ(free_components(CspaceObstacle::create(rhombus, room(20, 1.9375), options).value()), 3u);
+    // In a square room of the diagonal's size the loop shrinks to a point four times a turn.
+    const CspaceObstacle point = CspaceObstacle::create(diamond, room(2, 2), options).value();
+    EXPECT_EQ(free_components(point), 5u);
+    EXPECT_EQ(point.shells().size(), 5u);
+    for (const Shell& shell : point.shells()) EXPECT_EQ(shell.euler, shell.outer ? 0 : 2);
+    expect_slices(point, random, 100);
+    // Two rooms and a corridor between them that is shut at one angle: the rooms are not.
+    const Ring rooms{{-20, -5}, {-10, -5}, {-10, -2}, {10, -2}, {10, -5}, {20, -5}, {20, 5}, {10, 5}, {10, 2}, {-10, 2}, {-10, 5}, {-20, 5}};
+    const Region dumbbell = polygon(box(-40, -40, 40, 40), {reversed(rooms)});
+    EXPECT_EQ(free_components(CspaceObstacle::create(rhombus, dumbbell, options).value()), 2u);
+  }
+}
+
 }  // namespace
 }  // namespace dymsum

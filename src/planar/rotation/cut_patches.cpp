@@ -59,8 +59,10 @@ class CutPatches {
       const Contact right = names_.contact(nodes[last].right);
       const PatchKey key{key_of(own), key_of(left), key_of(right)};
       const auto before = open_.find(key);
-      const std::uint32_t p = before != open_.end() ? before->second : static_cast<std::uint32_t>(patches_.size());
-      if (before == open_.end()) {
+      // Not where a passage was shut in between.
+      const bool goes_on = before != open_.end() && sweep_.shell_of(patches_[before->second].node) == sweep_.shell_of(n);
+      const std::uint32_t p = goes_on ? before->second : static_cast<std::uint32_t>(patches_.size());
+      if (!goes_on) {
         CutPatch fresh;
         fresh.patch.contact = own;
         fresh.patch.left = left;
@@ -84,7 +86,7 @@ class CutPatches {
     std::vector<bool> gone(patches_.size(), false);
     for (const auto& [key, from] : open_) {
       const auto to = first.find(key);
-      if (to == first.end()) continue;
+      if (to == first.end() || sweep_.shell_of(patches_[to->second].node) != sweep_.shell_of(patches_[from].node)) continue;
       CutPatch &early = patches_[to->second], &late = patches_[from];
       if (to->second == from) {
         early.begin = early.end = kNobody;

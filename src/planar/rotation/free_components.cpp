@@ -24,7 +24,9 @@ void JoinedComponents::join(std::uint32_t a, std::uint32_t b) {
   parent_[high] = low;
 }
 
-void JoinedComponents::join_touching(PathLevels& levels) {
+void JoinedComponents::join_touching(const CspaceObstacle& obstacle, PathLevels& levels) {
+  const std::vector<FreeCell>& cells = obstacle.free_cells();
+  for (const auto& [a, b] : obstacle.state().touching_cells) join(cells[a].component, cells[b].component);
   for (std::size_t k = 0; k < levels.size(); ++k) {
     if (levels.slab(k)) continue;
     const SliceGraph& graph = levels.graph(k);

@@ -164,6 +164,7 @@ class Export {
         state_.cells[number[c]].begin = order_.of(sweep_.cells()[c].begin);
       }
     number_components(same, number);
+    for (const auto& [a, b] : sweep_.touching_cells()) state_.touching_cells.emplace_back(number[a], number[b]);
     if (!cut_.empty()) return add_cells_of_cut_patches(number);
     const auto slab = [&](std::uint32_t angle) {
       if (angle != kNobody) return order_.of(angle);

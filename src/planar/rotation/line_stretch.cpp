@@ -61,24 +61,25 @@ int ObstacleSweep::compare_now(const Fraction& x, const Fraction& y) const {
   return sign_now(sum_of(product(x.num, y.den), product(y.num, x.den), -1)) * sign_now(x.den) * sign_now(y.den);
 }
 
-// All pairs of an ended node and a new one that continues it. Their lines have one offset: nodes are looked up by it, with ten times the
-// tolerance that on_one_line() has.
+double ObstacleSweep::line_offset(std::uint32_t n, Heading h) const {
+  const Point d = forms_.direction(nodes_[n].segment, h), from = forms_.place(TurningForms::start(nodes_[n].segment), h);
+  return (d.x * from.y - d.y * from.x) / std::hypot(d.x, d.y);
+}
+
+// All pairs of an ended node and a new one that continues it. Their lines have one offset: nodes are looked up by it.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> ObstacleSweep::continued_stretches(const std::vector<std::uint32_t>& ended,
                                                                                         const std::vector<std::uint32_t>& fresh) const {
   const Heading h = Heading::of(theta_now_);
-  const auto offset = [&](std::uint32_t n) {
-    const Point d = forms_.direction(nodes_[n].segment, h), from = forms_.place(TurningForms::start(nodes_[n].segment), h);
-    return (d.x * from.y - d.y * from.x) / std::hypot(d.x, d.y);
-  };
   std::vector<std::pair<double, std::uint32_t>> lines;
   lines.reserve(fresh.size());
-  for (const std::uint32_t m : fresh) lines.emplace_back(offset(m), m);
+  for (const std::uint32_t m : fresh) lines.emplace_back(line_offset(m, h), m);
   std::sort(lines.begin(), lines.end());
   std::vector<std::pair<std::uint32_t, std::uint32_t>> found;
-  const double near = 0x1p-34 * forms_.span();
+  const double near = kLineNear * forms_.span();
   for (const std::uint32_t n : ended) {
-    const double at = offset(n);
-    for (auto m = std::lower_bound(lines.begin(), lines.end(), std::pair{at - near, std::uint32_t{0}}); m != lines.end() && m->first <= at + near; ++m)
+    const double at = line_offset(n, h);
+    const auto first = std::lower_bound(lines.begin(), lines.end(), std::pair{at - near, std::uint32_t{0}});
+    for (auto m = first; m != lines.end() && m->first <= at + near; ++m)
       if (continues(n, m->second, h)) found.emplace_back(n, m->second);
   }
   return found;
@@ -118,7 +119,10 @@ bool ObstacleSweep::continues(std::uint32_t n, std::uint32_t m, Heading h) const
 // Of one direction and on one line at the angle of the group: exactly, where doubles do not tell them apart.
 bool ObstacleSweep::on_one_line(const WalkSegment& s, const WalkSegment& t, Heading h) const {
   const Point d = forms_.direction(s, h), e = forms_.direction(t, h);
-  if (d.x * e.x + d.y * e.y <= 0) return false;
+  return d.x * e.x + d.y * e.y > 0 && collinear(s, t, h);
+}
+
+bool ObstacleSweep::collinear(const WalkSegment& s, const WalkSegment& t, Heading h) const {
   if (std::abs(forms_.cross(s, t).at(h)) > 0x1p-40 * forms_.length1(s) * forms_.length1(t)) return false;
   const TrigForm side = forms_.side(s, TurningForms::start(t));
   if (std::abs(side.at(h)) > 64 * forms_.side_error(s)) return false;

@@ -93,26 +93,41 @@ void ObstacleSweep::take_slice(SumState state) {
   if (!computed) throw std::logic_error("ObstacleSweep: a slice failed");
   const RawBoundary& raw = computed->boundary;
   std::map<std::array<std::uint32_t, 3>, std::uint32_t> old;
+  std::vector<std::uint32_t> before;
   for (std::uint32_t n = 0; n < nodes_.size(); ++n)
-    if (nodes_[n].alive) old[{nodes_[n].id, nodes_[n].left, nodes_[n].right}] = n;
-  std::vector<std::vector<std::uint32_t>> loops;
-  std::vector<std::uint32_t> all;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> fresh_of;  // new node, segment id
+    if (nodes_[n].alive) {
+      old[{nodes_[n].id, nodes_[n].left, nodes_[n].right}] = n;
+      before.push_back(n);
+    }
+  std::vector<std::vector<std::array<std::uint32_t, 3>>> keys;
+  std::vector<std::uint32_t> same;
   for (const SumRing& ring : raw.rings) {
     const std::vector<WalkSegment> segments = segments_of(ring);
     const std::size_t n = segments.size();
-    std::vector<std::uint32_t>& loop = loops.emplace_back();
+    auto& ring_keys = keys.emplace_back();
     for (std::size_t k = 0; k < n; ++k) {
-      const WalkSegment s = segments[k], left = segments[(k + n - 1) % n], right = segments[(k + 1) % n];
-      const auto it = old.find({id(s), id(left), id(right)});
-      if (it != old.end()) {
+      ring_keys.push_back({id(segments[k]), id(segments[(k + n - 1) % n]), id(segments[(k + 1) % n])});
+      if (const auto it = old.find(ring_keys.back()); it != old.end()) same.push_back(it->second);
+    }
+  }
+  const auto shut = [](const std::vector<std::uint32_t>& list, std::uint32_t n) { return std::binary_search(list.begin(), list.end(), n); };
+  const std::vector<std::uint32_t> shut_same = shut_nodes(same, before);
+  std::vector<std::vector<std::uint32_t>> loops;
+  std::vector<std::uint32_t> all;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> touching;  // walls of a shut passage, before and behind
+  for (const auto& ring_keys : keys) {
+    std::vector<std::uint32_t>& loop = loops.emplace_back();
+    for (const auto& key : ring_keys) {
+      const auto it = old.find(key);
+      if (it != old.end() && !shut(shut_same, it->second)) {
         loop.push_back(it->second);
         old.erase(it);
         continue;
       }
-      const std::uint32_t m = add_node(s, kNobody);
-      nodes_[m].left = id(left);
-      nodes_[m].right = id(right);
+      const std::uint32_t m = add_node(segment_of(key[0]), kNobody);
+      if (it != old.end()) touching.emplace_back(it->second, m);
+      nodes_[m].left = key[1];
+      nodes_[m].right = key[2];
       loop.push_back(m);
     }
     all.insert(all.end(), loop.begin(), loop.end());
@@ -125,8 +140,19 @@ void ObstacleSweep::take_slice(SumState state) {
   }
   for (const std::uint32_t m : all)
     if (nodes_[m].begin == now_) fresh.push_back(m);
-  // What goes on along the same line at the event's angle belongs together.
-  for (const auto& [n, m] : continued_stretches(ended, fresh)) {
+  // What goes on along the same line at the event's angle belongs together, unless a passage is shut there.
+  const std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs = continued_stretches(ended, fresh);
+  std::vector<std::uint32_t> from, to;
+  for (const auto& [n, m] : pairs) {
+    from.push_back(n);
+    to.push_back(m);
+  }
+  const std::vector<std::uint32_t> shut_ended = shut_nodes(from, before), shut_fresh = shut_nodes(to, all);
+  for (const auto& [n, m] : pairs) {
+    if (shut(shut_ended, n) || shut(shut_fresh, m)) {
+      touching.emplace_back(n, m);
+      continue;
+    }
     join(shell_, n, m);
     claims.emplace_back(m, nodes_[n].cell);
   }
@@ -143,6 +169,7 @@ void ObstacleSweep::take_slice(SumState state) {
   std::sort(lost.begin(), lost.end());
   lost.erase(std::unique(lost.begin(), lost.end()), lost.end());
   relabel(all, lost, claims);
+  for (const auto& [n, m] : touching) touching_cells_.emplace_back(nodes_[n].cell, nodes_[m].cell);
 }
 
 WalkSegment ObstacleSweep::segment_of(std::uint32_t id) const {

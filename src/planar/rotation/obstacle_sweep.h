@@ -61,6 +61,8 @@ class ObstacleSweep {
     std::uint32_t from = 0, to = 0;
   };
   const std::vector<CellLink>& cell_links() const { return cell_links_; }
+  /// Cells before and behind an angle that touch each other there, in a passage that is shut.
+  const std::vector<std::pair<std::uint32_t, std::uint32_t>>& touching_cells() const { return touching_cells_; }
   std::uint32_t first_cell(std::uint32_t node) const { return nodes_[node].born_cell; }
   std::uint32_t shell_of(std::uint32_t node) const { return find(shell_, node); }
   std::uint32_t component_of(std::uint32_t cell) const { return find(component_, cell); }
@@ -134,12 +136,20 @@ class ObstacleSweep {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> continued_stretches(const std::vector<std::uint32_t>& ended, const std::vector<std::uint32_t>& fresh) const;
   bool continues(std::uint32_t n, std::uint32_t m, Heading h) const;
   bool on_one_line(const WalkSegment& s, const WalkSegment& t, Heading h) const;
+  bool collinear(const WalkSegment& s, const WalkSegment& t, Heading h) const;
+  /// Lines that collinear() may call one have offsets from the origin that differ by less than this share of the span, a tenth of it.
+  static constexpr double kLineNear = 0x1p-34;
+  double line_offset(std::uint32_t n, Heading h) const;
   struct Fraction {
     exact::Polynomial num, den;
   };
   std::optional<Fraction> place_along(const WalkSegment& s, std::uint32_t node, bool at_end) const;
   int compare_now(const Fraction& x, const Fraction& y) const;
   int sign_now(const exact::Polynomial& p) const;
+  // shut_passages.cpp
+  std::vector<std::uint32_t> shut_nodes(const std::vector<std::uint32_t>& nodes, const std::vector<std::uint32_t>& all) const;
+  bool covered_now(std::uint32_t n, const std::vector<std::uint32_t>& opposite, Heading h) const;
+  std::array<double, 3> stretch_now(std::uint32_t on, std::uint32_t n, Heading h) const;
   // tight_events.cpp
   void note_tight(TurnEvent& event, const TurnRange& range, Point at, Heading h, const OverlapFilter& filter);
   void note_tight_slice(TurnEvent& event, const TurnRange& range);
@@ -205,6 +215,7 @@ class ObstacleSweep {
   std::vector<std::uint32_t> continued_;
   std::array<std::vector<std::uint32_t>, 2> walk_vertex_, walk_edge_;  ///< by number in the region
   std::vector<CellLink> cell_links_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> touching_cells_;
   std::uint32_t born_ = 0;        ///< loops without a predecessor, in the group
   std::uint32_t now_ = kNobody;   ///< the angle of the group, once something changed there
   double theta_now_ = 0;          ///< near the angle of the group

@@ -27,7 +27,7 @@ class Planner {
     levels_.add_all();
     levels_.add(start_.theta);
     levels_.add(goal_.theta);
-    if (options_.touching == Touching::allowed) joined_.join_touching(levels_);
+    if (options_.touching == Touching::allowed) joined_.join_touching(obstacle_, levels_);
     const std::vector<std::uint32_t> from = around(start_), to = around(goal_);
     if (!connected(from, to)) {
       refuse(NoPath::Kind::separated, from, to);
