@@ -32,7 +32,10 @@ inline constexpr std::uint32_t kByteLanes = 16;
 inline constexpr std::int8_t kBeyond = 127;
 
 /// Monotone in the finer quantum.
-inline std::int8_t byte_quantum(std::int16_t quantum) { return static_cast<std::int8_t>(std::min(quantum >> 7, 254) - 128); }
+inline std::int8_t byte_quantum(std::int16_t quantum) {
+  const auto coarse = static_cast<std::int16_t>(quantum >> 7);
+  return static_cast<std::int8_t>(std::min<std::int16_t>(coarse, 254) - 128);
+}
 
 inline ByteLanes load_bytes(const std::int8_t* from) {
   ByteLanes v;

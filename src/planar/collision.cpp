@@ -118,21 +118,25 @@ bool Collision::test_components(std::uint32_t p_component, std::uint32_t q_compo
     const Node all_p{0, 0, 0, 0, cp.first, cp.last, 0, 0}, all_q{0, 0, 0, 0, cq.first, cq.last, 0, 0};
     if (leaves(all_p, all_q)) return true;
   } else {
-    std::array<std::pair<std::uint32_t, std::uint32_t>, 128> stack;  // two per level, of at most 2 x 32 levels
+    std::array<std::uint32_t, 128> stack_p, stack_q;  // two per level, of at most 2 x 32 levels; not cleared
     std::size_t top = 0;
-    stack[top++] = {0, 0};
+    const auto push = [&](std::uint32_t i, std::uint32_t j) {
+      stack_p[top] = i;
+      stack_q[top++] = j;
+    };
+    push(0, 0);
     while (top > 0) {
-      const auto [i, j] = stack[--top];
+      const std::uint32_t i = stack_p[--top], j = stack_q[top];
       const Node &a = tp.nodes[i], &b = tq.nodes[j];
       if (apart(a, b)) continue;
       if (a.left == 0 && b.left == 0) {
         if (leaves(a, b)) return true;
       } else if (b.left == 0 || (a.left != 0 && a.last - a.first >= b.last - b.first)) {
-        stack[top++] = {a.left, j};
-        stack[top++] = {a.right, j};
+        push(a.left, j);
+        push(a.right, j);
       } else {
-        stack[top++] = {i, b.left};
-        stack[top++] = {i, b.right};
+        push(i, b.left);
+        push(i, b.right);
       }
     }
   }

@@ -110,19 +110,23 @@ inline std::uint32_t zero_bytes(const ByteLanes& lanes) {
 }
 #endif
 
+// The lower and the upper ends of sides between a and b, in bytes; a quantum more at the upper end as in quanta().
+inline void low_bytes(const std::int16_t* a, const std::int16_t* b, std::uint32_t n, std::int8_t* to) {
+  for (std::uint32_t s = 0; s < n; ++s) to[s] = byte_quantum(std::min(a[s], b[s]));
+}
+inline void high_bytes(const std::int16_t* a, const std::int16_t* b, std::uint32_t n, std::int8_t* to) {
+  for (std::uint32_t s = 0; s < n; ++s) to[s] = byte_quantum(static_cast<std::int16_t>(std::max(a[s], b[s]) + 1));
+}
+
 // Up to here comparing each box with all others is cheaper than sorting them. A left side and a number fit into kSmall
 // bits.
 constexpr std::uint32_t kNumberBits = 7, kUnsorted = 1 << kNumberBits, kSmall = 15 + kNumberBits;
 
 }  // namespace
 
-// In doubles. True when these do not tell: then it takes an exact test.
-inline bool CrossingFinder::undecided(const Probe& i, std::uint32_t j) {
+// In doubles, for segments that are no neighbours in a chain. True when these do not tell: then it takes an exact test.
+inline bool CrossingFinder::undecided_strangers(const Probe& i, std::uint32_t j) {
   const SoupBox &a = i.box, &b = soup_.boxes[j];
-  // Neighbours in a chain that do not fold back meet in their common end only.
-  if (i.next == j || (!next_.empty() && next_[j] == i.segment)) {
-    if (!near_parallel(a.dx * b.dy, a.dy * b.dx)) return false;
-  }
   const double o1 = a.dx * (b.ay - a.ay) - a.dy * (b.ax - a.ax);
   const double o2 = a.dx * (b.by - a.ay) - a.dy * (b.bx - a.ax);
   if (one_side(o1, o2, i.error)) return false;
@@ -140,6 +144,16 @@ inline bool CrossingFinder::undecided(const Probe& i, std::uint32_t j) {
   const bool in_chains = i.segment < first_unchained && j < first_unchained;
   return !(in_chains && !near_parallel(u, v) &&
            (soup_.end(i.segment) == soup_.start(j) || soup_.end(j) == soup_.start(i.segment)));
+}
+
+// The same for any segments.
+inline bool CrossingFinder::undecided(const Probe& i, std::uint32_t j) {
+  const SoupBox &a = i.box, &b = soup_.boxes[j];
+  // Neighbours in a chain that do not fold back meet in their common end only.
+  if (i.next == j || (!next_.empty() && next_[j] == i.segment)) {
+    if (!near_parallel(a.dx * b.dy, a.dy * b.dx)) return false;
+  }
+  return undecided_strangers(i, j);
 }
 
 inline void CrossingFinder::test(const Probe& i, std::uint32_t j) {
@@ -165,26 +179,49 @@ void CrossingFinder::all_pairs() {
   finish();
 }
 
+// The segment that continues each one and meets it in their common end only: none where it folds back.
+void CrossingFinder::find_followers(std::uint32_t* follower) const {
+  const auto n = static_cast<std::uint32_t>(soup_.size());
+  const SoupBox* const boxes = soup_.boxes.data();
+  if (next_.empty()) {
+    std::fill_n(follower, n, kNone);
+    return;
+  }
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t k = next_[i];
+    follower[i] = k == kNone || near_parallel(boxes[i].dx * boxes[k].dy, boxes[i].dy * boxes[k].dx) ? kNone : k;
+  }
+}
+
 // Few boxes: each with all behind it, sixteen at a time in bytes. What is found is put into the order of the sweep, because of several
-// contacts at one place the first one is named.
+// contacts at one place the first one is named. Loops without branches, as far as they go: which boxes meet is hard to foresee.
 void CrossingFinder::compare_all() {
   const std::uint32_t n = static_cast<std::uint32_t>(soup_.size());
-  const double per_quantum = quanta_per_unit();
-  constexpr std::size_t kPadded = kUnsorted + kByteLanes;
-  std::array<std::int16_t, kUnsorted> left;
-  alignas(16) std::array<std::array<std::int8_t, kPadded>, 4> sides;
-  auto& [x0, y0, x1, y1] = sides;
-  // Behind the last box lie some that start to the right of everything and meet nothing.
-  std::memset(sides.data(), kBeyond, sizeof sides);
   const SoupBox* const boxes = soup_.boxes.data();
-  for (std::uint32_t s = 0; s < n; ++s) {
-    const BoxQuanta b = quanta(boxes[s], per_quantum);
-    left[s] = b.x0;
-    x0[s] = byte_quantum(b.x0);
-    y0[s] = byte_quantum(b.y0);
-    x1[s] = byte_quantum(b.x1);
-    y1[s] = byte_quantum(b.y1);
+  std::array<std::int16_t, kUnsorted> left;
+  std::array<std::array<std::int8_t, kUnsorted + kByteLanes>, 4> sides;
+  const auto& [x0, y0, x1, y1] = sides;
+  {
+    std::array<std::array<std::int16_t, kUnsorted + kByteLanes>, 4> ends;
+    auto& [ax, ay, bx, by] = ends;
+    const double per_quantum = quanta_per_unit();
+    const auto quantum = [&](double v) { return static_cast<std::int16_t>(static_cast<int>(v * per_quantum)); };
+    for (std::uint32_t s = 0; s < n; ++s) {
+      ax[s] = quantum(boxes[s].ax);
+      ay[s] = quantum(boxes[s].ay);
+      bx[s] = quantum(boxes[s].bx);
+      by[s] = quantum(boxes[s].by);
+    }
+    const std::uint32_t padded = (n + kByteLanes - 1) / kByteLanes * kByteLanes;
+    for (auto& end : ends) std::memset(&end[n], 0, kByteLanes * sizeof end[n]);
+    for (std::uint32_t s = 0; s < padded; ++s) left[s] = std::min(ax[s], bx[s]);
+    low_bytes(ax.data(), bx.data(), padded, sides[0].data());
+    low_bytes(ay.data(), by.data(), padded, sides[1].data());
+    high_bytes(ax.data(), bx.data(), padded, sides[2].data());
+    high_bytes(ay.data(), by.data(), padded, sides[3].data());
   }
+  // Behind the last box lie some that start to the right of everything and meet nothing.
+  for (auto& side : sides) std::memset(&side[n], kBeyond, kByteLanes);
   // Pairs of segments as the sweep comes upon them.
   const auto pair_key = [&](std::uint32_t s, std::uint32_t t) {
     const std::uint64_t a = static_cast<std::uint64_t>(left[s]) << kNumberBits | s,
@@ -192,17 +229,25 @@ void CrossingFinder::compare_all() {
     return std::min(a, b) << kSmall | std::max(a, b);
   };
   Array<std::uint64_t> exact(soup_.memory);
+  std::array<std::uint32_t, kUnsorted> follower;
+  find_followers(follower.data());
+  std::array<std::uint8_t, kUnsorted> near;
   for (std::uint32_t i = 0; i + 1 < n; ++i) {
     const ByteLanes low_x = all_bytes(x0[i]), low_y = all_bytes(y0[i]), high_x = all_bytes(x1[i]), high_y = all_bytes(y1[i]);
-    const Probe of_i = probe(i);
+    const std::uint32_t next = follower[i];
+    std::uint32_t count = 0;
     for (std::uint32_t j = i + 1; j < n; j += kByteLanes) {
       const ByteLanes apart = (load_bytes(&x0[j]) > high_x) | (low_x > load_bytes(&x1[j])) | (load_bytes(&y0[j]) > high_y) |
                               (low_y > load_bytes(&y1[j]));
       for (std::uint32_t hits = zero_bytes(apart); hits != 0; hits &= hits - 1) {
         const std::uint32_t k = j + static_cast<std::uint32_t>(std::countr_zero(hits));
-        if (undecided(of_i, k)) exact.push_back(pair_key(i, k));
+        near[count] = static_cast<std::uint8_t>(k);
+        count += static_cast<std::uint32_t>(k != next) & static_cast<std::uint32_t>(follower[k] != i);
       }
     }
+    const Probe of_i = probe(i);
+    for (std::uint32_t m = 0; m < count; ++m)
+      if (const std::uint32_t k = near[m]; undecided_strangers(of_i, k)) exact.push_back(pair_key(i, k));
   }
   std::sort(exact.begin(), exact.end());
   for (const std::uint64_t pair : exact) exact_test(pair >> kSmall & (kUnsorted - 1), pair & (kUnsorted - 1));
@@ -241,19 +286,29 @@ void CrossingFinder::sweep(const InteriorMask* mask) {
     x0[k] = y0[k] = std::numeric_limits<std::int16_t>::max();
     y1[k] = -1;
   }
+  Array<std::uint32_t> follower(n, soup_.memory);
+  find_followers(follower.data());
+  near_.resize(std::size_t{n} + 1);
   for (std::uint32_t i = 0; i < n && !stopped; ++i) {
     if (poll != nullptr && i % 256 == 255 && !(*poll)(double(i) / n)) stopped = true;
     const std::uint32_t s = static_cast<std::uint32_t>(order[i]);
     const std::int16_t right = boxes[s].x1;
     const Lanes low = Lanes{} + y0[i], high = Lanes{} + y1[i];
     const Probe of_s = probe(s);
+    const std::uint32_t next = follower[s];
+    std::uint32_t* hit = near_.data();
     std::uint32_t j = i + 1;
     for (; x0[j] <= right; j += kLanes) {
       const Lanes apart = (load_lanes(y0 + j) > high) | (low > load_lanes(y1 + j));
-      for (auto hits = zero_lanes(apart); hits != 0; hits &= hits - 1)
-        test(of_s, static_cast<std::uint32_t>(order[j + lane_of(hits)]));
+      for (auto hits = zero_lanes(apart); hits != 0; hits &= hits - 1) {
+        const auto t = static_cast<std::uint32_t>(order[j + lane_of(hits)]);
+        *hit = t;
+        hit += static_cast<std::uint32_t>(t != next) & static_cast<std::uint32_t>(follower[t] != s);
+      }
     }
     out_.pair_tests += j - i - 1;
+    for (const std::uint32_t* t = near_.data(); t != hit; ++t)
+      if (undecided_strangers(of_s, *t)) exact_test(s, *t);
   }
   finish();
 }

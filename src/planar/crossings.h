@@ -85,10 +85,12 @@ class CrossingFinder {
   BoxQuanta quanta(const SoupBox& box, double per_quantum) const;
   double quanta_per_unit() const;
   void make_keys();
+  void find_followers(std::uint32_t* follower) const;
   void compare_all();
   struct Probe;
   Probe probe(std::uint32_t s) const;
   bool undecided(const Probe& a, std::uint32_t b);
+  bool undecided_strangers(const Probe& a, std::uint32_t b);
   void test(const Probe& a, std::uint32_t b);
   void exact_test(std::uint32_t a, std::uint32_t b);
   int side(std::uint32_t s, WalkPair v, double x, double y);
@@ -108,7 +110,7 @@ class CrossingFinder {
   int row_ = 0, column_ = 0;
   Array<BoxKey> keys_;
   Array<std::uint64_t> cell_;       // the low keys of the segments of one cell
-  Array<std::uint32_t> near_;       // those whose boxes meet the box of one of them
+  Array<std::uint32_t> near_;       // those whose boxes meet the box of one of them, or of one segment in a sweep
   Array<Crossing> ambiguous_;  // found near a cell border, perhaps several times
 };
 
