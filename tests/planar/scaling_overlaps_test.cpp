@@ -75,7 +75,7 @@ Shared shared_pieces(const Region& p, const Region& q) {
 TEST(ScalingOverlaps, skylines_equal_the_static_engine_between_events_and_at_them) {
   std::mt19937 random(5);
   Shared shared;
-  std::uint64_t between = 0, updated = 0;
+  std::uint64_t between = 0, updated = 0, near = 0, near_updated = 0;
   for (int round = 0; round < 160; ++round) {
     const Region p = skylines(random, 3 + round % 7, round % 3 == 1), q = skylines(random, 3 + round % 5, round % 2 == 1);
     const Shared s = shared_pieces(p, q);
@@ -87,12 +87,15 @@ TEST(ScalingOverlaps, skylines_equal_the_static_engine_between_events_and_at_the
     options.semantics = round % 3 == 0 ? Semantics::closed : round % 3 == 1 ? Semantics::open : Semantics::regular;
     options.scaled = round % 2 == 0 ? ScaledOperand::p : ScaledOperand::q;
     ScalingSum sum = ScalingSum::create(p, q, options).value();
-    // Quarters and halves are events of integer shapes; 997 divides nothing.
-    for (int k = 0; k < 14; ++k) {
-      const bool event = k % 5 == 4;
-      const long a = event ? 4 + k : 900 + 61 * k, b = event ? 4 : 997;
+    // Quarters and halves are events of integer shapes; 997 divides nothing. Just beside events doubles do not tell where a piece ends.
+    for (int k = 0; k < 18; ++k) {
+      const bool event = k % 3 == 2;
+      const long fine = k % 6 == 5 ? 1L << 43 : 1, beside = fine == 1 ? 0 : k % 4 < 2 ? 1 : -1;
+      const long a = event ? (4 + k) * fine + beside : 900 + 61 * k, b = event ? 4 * fine : 997;
       ASSERT_TRUE(sum.set(scale_of(a, b)).ok());
       between += !event;
+      near += beside != 0;
+      near_updated += beside != 0 && !sum.work().degenerate;
       updated += !event && !sum.work().degenerate;
       ASSERT_EQ(described(sum.sum(), exact::BigRational(b)), static_answer(p, q, static_cast<double>(a), static_cast<double>(b), round % 2 == 1, options.semantics))
           << round << " " << k;
@@ -102,6 +105,7 @@ TEST(ScalingOverlaps, skylines_equal_the_static_engine_between_events_and_at_the
   EXPECT_GT(shared.covered, 20u);
   // The rest touches itself at every scale in other ways: tight points, or a boundary that passes a node twice.
   EXPECT_GT(updated, between * 4 / 5);
+  EXPECT_GT(near_updated, near * 4 / 5);
 }
 
 TEST(ScalingOverlaps, crossing_combs_are_updated_without_the_vertex_routine) {
