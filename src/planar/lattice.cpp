@@ -39,11 +39,9 @@ class LatticeOf final : public Lattice {
   };
 
  public:
-  LatticeOf(int exponent, int unit, int bits, std::optional<LatticeScale> scale)
-      : exponent_(exponent),
-        per_grid_unit_(power_of_two(std::clamp(unit - exponent, -1000, 1000))),
-        exact_points_(bits <= 53 && !scale),
-        scale_(std::move(scale)) {
+  /// `per_double`: the integers per unit of the doubles of the points where these are exact, else 0.
+  LatticeOf(int exponent, double per_double, std::optional<LatticeScale> scale)
+      : exponent_(exponent), per_double_(per_double), scale_(std::move(scale)) {
     if constexpr (!std::is_same_v<C, Big>) {
       if (!scale_) return;
       const C other = exact::narrowed<C>(Big(scale_->den));
@@ -187,10 +185,9 @@ class LatticeOf final : public Lattice {
 
   Vec at(std::uint32_t op, std::uint32_t i) const {
     if constexpr (std::is_same_v<C, exact::Int<29>> || std::is_same_v<C, exact::Int<61>>) {
-      if (exact_points_) {
+      if (per_double_ != 0) {
         const PlacedPoints& o = *points[op];
-        return {C::from_int64(static_cast<std::int64_t>(o.x[i] * per_grid_unit_)),
-                C::from_int64(static_cast<std::int64_t>(o.y[i] * per_grid_unit_))};
+        return {C::from_int64(static_cast<std::int64_t>(o.x[i] * per_double_)), C::from_int64(static_cast<std::int64_t>(o.y[i] * per_double_))};
       }
     }
     if constexpr (!std::is_same_v<C, Big>) {
@@ -321,8 +318,7 @@ class LatticeOf final : public Lattice {
   }
 
   int exponent_;
-  double per_grid_unit_;  // used where unit and grid differ by few bits
-  bool exact_points_;     // the doubles of the points are exact: they have at most 53 bits
+  double per_double_;
   std::optional<LatticeScale> scale_;
   std::array<Vec, 2> factor_{};  // of the integers, where scaled
   mutable std::atomic<std::size_t> asked_ = 0;
@@ -341,17 +337,20 @@ std::shared_ptr<Lattice> build_lattice(std::array<std::shared_ptr<const PlacedPo
   const double den = scale ? exact::round_to_double(BigRational(scale->den)) : 1;
   const std::uint32_t scaled = scale ? scale->op : 2;
   const bool turned = scale && points[scaled]->turned != nullptr;
+  // The integers as doubles, over a power of two where the denominator is one: of at most 53 bits, no step of making them was rounded.
+  const int shift = unit - exponent + (scale && dyadic ? static_cast<int>(msb(scale->den)) : 0);
+  const double per_double = bits <= 53 && dyadic && !turned && std::abs(shift) <= 1000 ? power_of_two(shift) : 0;
   std::shared_ptr<Lattice> lattice;
   switch (tier) {
-    case exact::Tier::b29: lattice = std::make_shared<LatticeOf<exact::Int<29>>>(exponent, unit, bits, std::move(scale)); break;
-    case exact::Tier::b61: lattice = std::make_shared<LatticeOf<exact::Int<61>>>(exponent, unit, bits, std::move(scale)); break;
-    case exact::Tier::b512: lattice = std::make_shared<LatticeOf<exact::Int<125>>>(exponent, unit, bits, std::move(scale)); break;
-    case exact::Tier::arbitrary: lattice = std::make_shared<LatticeOf<Big>>(exponent, unit, bits, std::move(scale)); break;
+    case exact::Tier::b29: lattice = std::make_shared<LatticeOf<exact::Int<29>>>(exponent, per_double, std::move(scale)); break;
+    case exact::Tier::b61: lattice = std::make_shared<LatticeOf<exact::Int<61>>>(exponent, per_double, std::move(scale)); break;
+    case exact::Tier::b512: lattice = std::make_shared<LatticeOf<exact::Int<125>>>(exponent, per_double, std::move(scale)); break;
+    case exact::Tier::arbitrary: lattice = std::make_shared<LatticeOf<Big>>(exponent, per_double, std::move(scale)); break;
   }
   lattice->tier_bits = static_cast<int>(tier);
   // Sides have at most 2 B + 4 bits; doubles hold 53. A power of two below scaled coordinates changes nothing.
   lattice->exact_doubles = bits <= 24 && dyadic;
-  if (tier == exact::Tier::b29 && scaled == 2 && std::abs(unit - exponent) <= 1000) lattice->to_integers = power_of_two(unit - exponent);
+  if (tier == exact::Tier::b29) lattice->to_integers = per_double;
   lattice->points = std::move(points);
   lattice->unit = power_of_two(unit);
   lattice->grid_exponent = exponent;
