@@ -97,7 +97,11 @@ Rational to_rational(const BigRational& v) { return {numerator(v).str(), denomin
 
 double round_to_double(const BigRational& v) {
   if (v.is_zero()) return 0;
-  const double magnitude = round_positive(abs(numerator(v)), denominator(v));
+  const BigInteger n = abs(numerator(v)), d = denominator(v);
+  // Both are doubles: then their division is the one rounding.
+  const double magnitude = msb(n) < 53 && msb(d) < 53
+                               ? static_cast<double>(static_cast<std::uint64_t>(n)) / static_cast<double>(static_cast<std::uint64_t>(d))
+                               : round_positive(n, d);
   return v < 0 && magnitude != 0 ? -magnitude : magnitude;
 }
 

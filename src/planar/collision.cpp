@@ -19,6 +19,51 @@ bool Collision::overlaps_right_of(const Place& x) {
   return test(x);
 }
 
+// As LatticeOf's places.
+Collision::Homogeneous Collision::homogeneous(const Place& x) const {
+  const Whole d = whole(x.on.edge);
+  if (!x.between && x.first.kind == Cut::Kind::pair) {
+    const Whole at = whole(x.first.pair);
+    return {at.x, at.y, 1, d};
+  }
+  const Whole from = whole(start_of(x.on));
+  struct Ratio {
+    std::int64_t n, d;
+  };
+  const auto parameter = [&](const Cut& cut) {
+    Ratio r;
+    if (cut.kind == Cut::Kind::crossing) {
+      const Whole b = whole(cut.by.edge), start = whole(start_of(cut.by));
+      r = {b.x * (from.y - start.y) - b.y * (from.x - start.x), d.x * b.y - d.y * b.x};
+    } else {
+      const Whole at = whole(cut.pair);
+      r = d.x != 0 ? Ratio{at.x - from.x, d.x} : Ratio{at.y - from.y, d.y};
+    }
+    return r.d < 0 ? Ratio{-r.n, -r.d} : r;
+  };
+  Ratio t = parameter(x.first);
+  if (x.between) {
+    const Ratio u = parameter(x.second);
+    t = {t.n + u.n, t.d + u.d};
+  }
+  const exact::i128 n = t.n, w = t.d;
+  return {from.x * w + d.x * n, from.y * w + d.y * n, t.d, d};
+}
+
+int Collision::cross(const Edge& d, const Edge& e) const {
+  if (!integral_) return lattice_.cross(d, e);
+  const Whole a = whole(d), b = whole(e);
+  const std::int64_t left = a.x * b.y, right = a.y * b.x;
+  return (left > right) - (left < right);
+}
+
+int Collision::dot(const Edge& d, const Edge& e) const {
+  if (!integral_) return lattice_.dot(d, e);
+  const Whole a = whole(d), b = whole(e);
+  const std::int64_t value = a.x * b.x + a.y * b.y;
+  return (value > 0) - (value < 0);
+}
+
 // The side of the line of (edge + vertex) on which x lies: of the edge, with Q reflected and moved to x.
 int Collision::side(std::uint32_t op, std::uint32_t edge, std::uint32_t vertex) {
   const Operand &o = *operands_[op], &other = *operands_[1 - op];
@@ -32,9 +77,14 @@ int Collision::side(std::uint32_t op, std::uint32_t edge, std::uint32_t vertex) 
     return value > 0 ? 1 : -1;
   }
   ++counts_.exact;
-  if (integral_ && !displaced_) {
-    const std::int64_t exact = integer(ex) * integer(at_.y - sy) - integer(ey) * integer(at_.x - sx);
-    return (exact > 0) - (exact < 0);
+  if (integral_) {
+    const std::int64_t dx = integer(ex), dy = integer(ey);
+    const exact::i128 x = at_.x - exact::i128{integer(sx)} * at_.w, y = at_.y - exact::i128{integer(sy)} * at_.w;
+    const exact::i128 exact = dx * y - dy * x;
+    if (exact != 0 || !displaced_) return (exact > 0) - (exact < 0);
+    const std::int64_t dot = dx * at_.ahead.x + dy * at_.ahead.y;  // as below
+    const std::int64_t first = dot != 0 ? -dot : dx * at_.ahead.y - dy * at_.ahead.x;
+    return (first > 0) - (first < 0);
   }
   const Segment s{o.edge(edge), other.source[vertex]};
   const Segment& on = x_->on;
@@ -54,8 +104,9 @@ int Collision::along(std::uint32_t op, std::uint32_t edge, std::uint32_t vertex,
   if (integral_) {
     const Operand& other = *operands_[1 - op];
     const std::uint32_t v = from_end ? o.next[edge] : edge;
-    const std::int64_t x = integer(at_.x - (o.x[v] + other.x[vertex])), y = integer(at_.y - (o.y[v] + other.y[vertex]));
-    const std::int64_t ahead = integer(o.ex[edge]) * x + integer(o.ey[edge]) * y;
+    const exact::i128 x = at_.x - exact::i128{integer(o.x[v] + other.x[vertex])} * at_.w;
+    const exact::i128 y = at_.y - exact::i128{integer(o.y[v] + other.y[vertex])} * at_.w;
+    const exact::i128 ahead = integer(o.ex[edge]) * x + integer(o.ey[edge]) * y;
     return from_end ? (ahead < 0) - (ahead > 0) : (ahead > 0) - (ahead < 0);
   }
   Edge e = o.edge(edge);
@@ -66,12 +117,8 @@ int Collision::along(std::uint32_t op, std::uint32_t edge, std::uint32_t vertex,
 bool Collision::test(const Place& x) {
   ++counts_.tests;
   x_ = &x;
-  integral_ = lattice_.to_integers != 0 && !x.between && x.first.kind == Cut::Kind::pair;
-  if (integral_) {
-    const PlacedPoints &p = *lattice_.points[0], &q = *lattice_.points[1];
-    const Pair v = x.first.pair;
-    at_ = {p.x[v.p] + q.x[v.q], p.y[v.p] + q.y[v.q]};
-  }
+  integral_ = lattice_.to_integers != 0;
+  if (integral_) at_ = homogeneous(x);
   answered_by_.reset();
   // Places are asked about in spatial order, so what crossed at the last ones often crosses here.
   for (std::size_t k = 0; use_tree_ && k < witness_count_; ++k)
@@ -228,10 +275,10 @@ bool Collision::cones_overlap(std::uint32_t i, bool whole_edge_p, std::uint32_t 
   const Cone a = cone(0, i, whole_edge_p, 1), b = cone(1, j, whole_edge_q, -1);
   // Position of direction d relative to the open or half-open sector [c.a, c.b): turn t(c.a, d) < t(c.a, c.b).
   const auto turn = [&](const Edge& from, int sf, const Edge& to, int st) {
-    const int c = lattice_.cross(from, to) * sf * st;
+    const int c = cross(from, to) * sf * st;
     if (c > 0) return 1;                                         // in (0, pi)
     if (c < 0) return 3;                                         // in (pi, 2 pi)
-    return lattice_.dot(from, to) * sf * st > 0 ? 0 : 2;         // 0 or pi
+    return dot(from, to) * sf * st > 0 ? 0 : 2;         // 0 or pi
   };
   const auto inside = [&](const Cone& c, const Edge& d, int sd, bool closed_start) {
     const int to_d = turn(c.a, c.sign_a, d, sd);
@@ -240,7 +287,7 @@ bool Collision::cones_overlap(std::uint32_t i, bool whole_edge_p, std::uint32_t 
     if (to_b == 0) return true;  // a full turn
     if (to_d != to_b) return to_d < to_b;
     if (to_d == 2) return false;
-    return lattice_.cross(d, c.b) * sd * c.sign_b > 0;
+    return cross(d, c.b) * sd * c.sign_b > 0;
   };
   if (a.area && b.area) return inside(a, b.a, b.sign_a, true) || inside(b, a.a, a.sign_a, true);
   if (a.area) return inside(a, b.a, b.sign_a, false) || inside(a, b.b, b.sign_b, false);
@@ -255,8 +302,14 @@ int Collision::height(std::uint32_t holder, std::uint32_t a, std::uint32_t v) {
   const double bound = x_->error + 0x1p-50 * lattice_.span;
   if (value > bound || value < -bound) return value > 0 ? 1 : -1;
   ++counts_.exact;
-  const std::uint32_t own = o.source[a], its = other.source[v];
-  const int exact = lattice_.compare_coordinate(holder == 0 ? Pair{own, its} : Pair{its, own}, *x_, 1);
+  int exact = 0;
+  if (integral_) {
+    const exact::i128 y = exact::i128{integer(o.y[a] + other.y[v])} * at_.w;
+    exact = (y > at_.y) - (y < at_.y);
+  } else {
+    const std::uint32_t own = o.source[a], its = other.source[v];
+    exact = lattice_.compare_coordinate(holder == 0 ? Pair{own, its} : Pair{its, own}, *x_, 1);
+  }
   if (exact != 0 || !displaced_) return exact;
   // x moves by (dy, -dx) first, then by (dx, dy); the vertex seen from it moves the other way.
   const Point d = lattice_.vector(x_->on.edge);

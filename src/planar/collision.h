@@ -47,15 +47,36 @@ class Collision {
   int side(std::uint32_t op, std::uint32_t edge, std::uint32_t vertex);
   int along(std::uint32_t op, std::uint32_t edge, std::uint32_t vertex, bool from_end);
 
-  // Sides and lengths as 64-bit integers, where the place is a pair sum and the lattice has those (Lattice::to_integers).
+  // Where the lattice's integers have 29 bits (Lattice::to_integers), the place is (x, y) / w exactly, w > 0, and `ahead` the direction of
+  // the segment that it lies on. Parameters of cuts have 62 bits over 62, those of mediants one more; w (x - pair sum) then 31 more.
+  struct Whole {
+    std::int64_t x, y;
+  };
+  struct Homogeneous {
+    exact::i128 x, y;
+    std::int64_t w;
+    Whole ahead;
+  };
+  static_assert(63 + 31 + 30 + 1 <= 127, "a side: w (x - pair sum) times an edge, and the other product");
   std::int64_t integer(double v) const { return static_cast<std::int64_t>(v * lattice_.to_integers); }
+  Whole whole(const Edge& e) const {
+    const PlacedPoints& o = *lattice_.points[e.op];
+    return {integer(o.x[e.to] - o.x[e.from]), integer(o.y[e.to] - o.y[e.from])};
+  }
+  Whole whole(Pair v) const {
+    const PlacedPoints &p = *lattice_.points[0], &q = *lattice_.points[1];
+    return {integer(p.x[v.p] + q.x[v.q]), integer(p.y[v.p] + q.y[v.q])};
+  }
+  Homogeneous homogeneous(const Place& x) const;
+  int cross(const Edge& d, const Edge& e) const;
+  int dot(const Edge& d, const Edge& e) const;
 
   const Lattice& lattice_;
   std::array<const Operand*, 2> operands_;
   bool use_tree_;
   const Place* x_ = nullptr;
   bool integral_ = false;  ///< then the place is exactly this:
-  Point at_;
+  Homogeneous at_{};
   bool displaced_ = false;
   CollisionCounts counts_;
   std::array<std::array<std::uint32_t, 2>, 4> witnesses_{};  ///< pairs of edges that crossed properly lately

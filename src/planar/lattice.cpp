@@ -127,6 +127,10 @@ class LatticeOf final : public Lattice {
     const SumVec s = sum(start_of(x.on));
     const EdgeVec d = edge(x.on.edge);
     const WideRatio t = ratio(x);
+    if (!scale_) {
+      const exact::BigInteger n = number(t.n), w = number(t.d);
+      return {from_grid(number(s.x) * w + number(d.x) * n, w, 0), from_grid(number(s.y) * w + number(d.y) * n, w, 1)};
+    }
     const BigRational r(number(t.n), number(t.d));
     return in_input(BigRational(number(s.x)) + r * BigRational(number(d.x)), BigRational(number(s.y)) + r * BigRational(number(d.y)));
   }
@@ -140,6 +144,7 @@ class LatticeOf final : public Lattice {
   const SharedIntegers& unscaled_integers() const override { return unscaled(); }
   Position position(Pair v) const override {
     const SumVec s = sum(v);
+    if (!scale_) return {from_grid(number(s.x), 1, 0), from_grid(number(s.y), 1, 1)};
     return in_input(BigRational(number(s.x)), BigRational(number(s.y)));
   }
 
@@ -176,6 +181,15 @@ class LatticeOf final : public Lattice {
       }
     }
     return {BigRational(gx * unit + x[0] + x[1]), BigRational(gy * unit + y[0] + y[1])};
+  }
+  // n / w grid units and both offsets, which are on the grid; reduced once. Requires: nothing is scaled.
+  BigRational from_grid(exact::BigInteger n, exact::BigInteger w, int axis) const {
+    for (const auto& operand : points) {
+      const double offset = axis == 0 ? operand->offset.x : operand->offset.y;
+      n += w * exact::grid_coordinate<Big>(offset, exponent_).value();
+    }
+    (exponent_ >= 0 ? n : w) <<= std::abs(exponent_);
+    return {n, w};
   }
   BigRational unit_rational() const {
     boost::multiprecision::cpp_int power = 1;

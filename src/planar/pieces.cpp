@@ -48,11 +48,14 @@ Interval make_interval(const PieceCandidate& candidate, std::size_t number) {
   if (order == 0) throw std::invalid_argument("lower_dimensional_pieces: a candidate segment is a point");
   if (order > 0) std::swap(v.low, v.high);
   const BigRational dx = v.high.exact.x - v.low.exact.x;
+  const BigRational dy = v.high.exact.y - v.low.exact.y;
   v.line.vertical = dx.is_zero();
   if (v.line.vertical) {
     v.line.offset = v.low.exact.x;
+  } else if (dy.is_zero()) {
+    v.line.offset = v.low.exact.y;
   } else {
-    v.line.slope = (v.high.exact.y - v.low.exact.y) / dx;
+    v.line.slope = dy / dx;
     v.line.offset = v.low.exact.y - v.line.slope * v.low.exact.x;
   }
   return v;
@@ -164,7 +167,7 @@ void add_pieces(const Run& run, const Rings& rings, std::vector<PieceSegment>& p
     return i == 0 ? *run.low : i <= cuts.size() ? cuts[i - 1].at : *run.high;
   };
   const auto cut = [&](std::size_t i) { return i == 0 || i > cuts.size() ? nullptr : &cuts[i - 1]; };
-  const auto free = [&](std::size_t i) { return locate(rings, middle(spot(i), spot(i + 1))) == Location::outside; };
+  const auto free = [&](std::size_t i) { return rings.empty() || locate(rings, middle(spot(i), spot(i + 1))) == Location::outside; };
   for (std::size_t i = 0; i <= cuts.size(); ++i) {
     if (!free(i)) continue;
     std::size_t end = i + 1;

@@ -7,20 +7,24 @@ namespace dymsum::planar {
 // successor map is one-to-one a walk enters a stretch at its head only; in nodes several rays may go on in one.
 void FrameLoops::take_apart(std::uint32_t number) {
   const FrameLoop& loop = gone_[number];
-  const bool all = !lists_.window().nodes.empty();
+  const bool owned = loop.kept, all = owned && !lists_.window().nodes.empty();
   const auto n = static_cast<std::uint32_t>(loop.steps.size());
-  for (std::uint32_t k = 0; k < n; ++k) {
-    const LoopStep& s = loop.steps[k];
-    const bool changed = lists_.has_changed(s.piece);
-    if (changed)
-      if (Owner& owner = owners_[s.piece]; owner.walk != walk_) owner = {walk_, number, k};
-    if ((changed || all) && loop.kept && s.vertex != kNone) vertex_owners_[s.vertex] = {walk_, number, k};
-    if (changed) continue;
-    if (stretches_.empty() || stretches_.back().loop != number || stretches_.back().end != k) {
-      heads_[s.edge] = {walk_, static_cast<std::uint32_t>(stretches_.size())};
-      stretches_.push_back({number, k, k});
+  const LoopStep* const steps = loop.steps.data();
+  const auto own = [&](std::uint32_t k) {
+    if (steps[k].vertex != kNone) vertex_owners_[steps[k].vertex] = {walk_, number, k};
+  };
+  for (std::uint32_t k = 0; k < n;) {
+    if (lists_.has_changed(steps[k].piece)) {
+      if (Owner& owner = owners_[steps[k].piece]; owner.walk != walk_) owner = {walk_, number, k};
+      if (owned) own(k);
+      ++k;
+      continue;
     }
-    stretches_.back().end = k + 1;
+    const std::uint32_t begin = k;
+    for (; k < n && !lists_.has_changed(steps[k].piece); ++k)
+      if (all) own(k);
+    heads_[steps[begin].edge] = {walk_, static_cast<std::uint32_t>(stretches_.size())};
+    stretches_.push_back({number, begin, k});
   }
 }
 

@@ -49,6 +49,7 @@ class FrameLoops {
   std::vector<FrameLoop>& loops() { return loops_; }
   const SumVertex& vertex(std::uint32_t v) const { return vertices_[v]; }
   const MovingPoint& point(std::uint32_t v) const { return points_[v]; }
+  std::size_t vertex_count() const { return vertices_.size(); }
   /// Rings that the last update has ended: identity and number of vertices.
   const std::vector<std::pair<std::uint64_t, std::uint32_t>>& ended() const { return ended_; }
   /// Steps that the last update took over from cycles that were gone.

@@ -84,6 +84,8 @@ std::uint64_t ScalingSum::State::hash() const {
 }
 
 void ScalingSum::State::drop_window() {
+  leads_.clear();
+  leaders_.clear();
   loops_.reset();
   lists_.reset();
   window_.reset();
@@ -172,64 +174,68 @@ ScalingSum::State::KeptRings ScalingSum::State::kept_rings(double tau, FramePlac
   const double ox = l.points[k]->offset.x * s + l.points[1 - k]->offset.x, oy = l.points[k]->offset.y * s + l.points[1 - k]->offset.y;
   const double reach = (std::abs(l.points[k]->offset.x) + std::abs(l.points[k]->offset.y)) * s + std::abs(l.points[1 - k]->offset.x) + std::abs(l.points[1 - k]->offset.y);
   const double span = window_->span(), poor = 0x1p-38 * span;
-  double error = 0;
-  positions_.clear();
-  corners_.clear();
-  for (const FrameLoop& loop : loops_->loops()) {
-    if (!loop.kept) continue;
-    for (const LoopStep& step : loop.steps) {
-      if (step.vertex == kNone) continue;
-      corners_.push_back(step.vertex);
-      const MovingPoint& v = loops_->point(step.vertex);
-      if (v.error <= poor) {
-        positions_.push_back({grow * v.x.at(tau) * unit + ox, grow * v.y.at(tau) * unit + oy});
-        error = std::max(error, v.error);
-      } else {
-        const ExactSource::Position p = source.position(loops_->vertex(step.vertex));
-        positions_.push_back({exact::round_to_double(p.x), exact::round_to_double(p.y)});
-        error = std::max(error, poor);
-      }
-    }
-  }
   // Evaluation, the blow-up and the offsets add a few roundings.
-  next.at_error = grow * (error + 0x1p-49 * span) * unit * (1 + 0x1p-40) + 0x1p-50 * reach;
-  const VertexOrder order(source, next.at_error);
+  const auto input_error = [&](double of_point) { return grow * (of_point + 0x1p-49 * span) * unit * (1 + 0x1p-40) + 0x1p-50 * reach; };
+  const VertexOrder order(source, input_error(poor));
+  double error = 0;
+  const auto put = [&](std::uint32_t vertex, SumVertex& to) {
+    to = loops_->vertex(vertex);
+    const MovingPoint& v = loops_->point(vertex);
+    if (v.error <= poor) {
+      to.at = {grow * v.x.at(tau) * unit + ox, grow * v.y.at(tau) * unit + oy};
+      error = std::max(error, v.error);
+    } else {
+      const ExactSource::Position p = source.position(to);
+      to.at = {exact::round_to_double(p.x), exact::round_to_double(p.y)};
+      error = std::max(error, poor);
+    }
+  };
+  // Rings start at their smallest vertices, most often those of the frame before.
+  std::vector<std::uint32_t> leaders;
+  leads_.resize(loops_->vertex_count(), 0);
+  const auto ring_of = [&](const FrameLoop& loop) {
+    SumRing ring;
+    if (!spare_rings_.empty()) {
+      ring = std::move(spare_rings_.back());
+      spare_rings_.pop_back();
+    }
+    ring.vertices.resize(loop.corners);
+    const auto led = std::find_if(loop.steps.begin(), loop.steps.end(),
+                                  [&](const LoopStep& step) { return step.vertex != kNone && leads_[step.vertex] != 0; });
+    const std::size_t n = loop.steps.size(), start = led == loop.steps.end() ? 0 : static_cast<std::size_t>(led - loop.steps.begin());
+    SumVertex* const first = ring.vertices.data();
+    SumVertex *to = first, *least = first;
+    std::uint32_t leader = kNone;
+    const auto put_steps = [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const std::uint32_t vertex = loop.steps[i].vertex;
+        if (vertex == kNone) continue;
+        put(vertex, *to);
+        if (leader == kNone || order.compare(*to, *least) < 0) {
+          least = to;
+          leader = vertex;
+        }
+        ++to;
+      }
+    };
+    put_steps(start, n);
+    put_steps(0, start);
+    std::rotate(first, least, to);
+    leaders.push_back(leader);
+    return ring;
+  };
   KeptRings kept;
-  std::size_t from = 0;
   for (FrameLoop& loop : loops_->loops()) {
     if (!loop.kept) continue;
-    kept.rings.push_back(ring_of(from, loop.corners, order, next.at_error));
+    kept.rings.push_back(ring_of(loop));
     kept.outer.push_back(loop.turning > 0);
     kept.loops.push_back(&loop);
-    from += loop.corners;
   }
+  for (const std::uint32_t v : leaders_) leads_[v] = 0;
+  for (const std::uint32_t v : leaders) leads_[v] = 1;
+  leaders_ = std::move(leaders);
+  next.at_error = input_error(error);
   return kept;
-}
-
-// The corners [from, from + n) as a ring.
-SumRing ScalingSum::State::ring_of(std::size_t from, std::size_t n, const VertexOrder& order, double at_error) {
-  SumRing ring;
-  if (!spare_rings_.empty()) {
-    ring = std::move(spare_rings_.back());
-    spare_rings_.pop_back();
-  }
-  const auto put = [&](std::size_t i, SumVertex& v) {
-    v = loops_->vertex(corners_[i]);
-    v.at = positions_[i];
-  };
-  std::size_t first = from;
-  for (std::size_t i = from + 1; i < from + n; ++i) {
-    if (!(positions_[i].x - positions_[first].x <= 2 * at_error)) continue;
-    SumVertex a, b;
-    put(i, a);
-    put(first, b);
-    if (order.compare(a, b) < 0) first = i;
-  }
-  ring.vertices.resize(n);
-  std::size_t to = 0;
-  for (std::size_t i = first; i < from + n; ++i) put(i, ring.vertices[to++]);
-  for (std::size_t i = from; i < first; ++i) put(i, ring.vertices[to++]);
-  return ring;
 }
 
 // The kept loops at tau: rings in canonical order.

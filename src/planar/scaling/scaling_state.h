@@ -54,7 +54,6 @@ class ScalingSum::State {
   Result<NextFrame> rebuilt_frame(const planar::ScaleValue& x, const planar::ScaleValue& y, FrameWork& work);
   NextFrame window_frame(const planar::ScaleValue& s, FrameWork& work);
   KeptRings kept_rings(double tau, planar::FramePlace& place, const planar::ScalingSource& source, PlanarSum& next);
-  SumRing ring_of(std::size_t from, std::size_t n, const planar::VertexOrder& order, double at_error);
   NextFrame assemble(double tau, planar::FramePlace& place);
   FrameChanges take(NextFrame next, bool same_place);
   std::vector<std::uint64_t> follow_rings(const NextFrame& next, bool same_place, FrameChanges& changes);
@@ -68,8 +67,8 @@ class ScalingSum::State {
   std::unique_ptr<planar::FrameLoops> loops_;
   double low_ = 0, high_ = 0;     ///< scales the window covers
   bool loops_known_ = false;
-  std::vector<std::uint32_t> corners_;  ///< of the frame being made: vertices of its loops, ring by ring
-  std::vector<Point> positions_;        ///< of the corners
+  std::vector<std::uint32_t> leaders_;  ///< vertices of the window's loops at which the last frame's rings started,
+  std::vector<std::uint8_t> leads_;     ///< and whether a vertex is one of these
   std::vector<SumRing> spare_rings_;    ///< storage
   planar::RingIdentities identities_;
   mutable std::unique_ptr<planar::ExactForms> forms_;
