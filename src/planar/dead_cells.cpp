@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <cmath>
+#include <span>
 
 namespace dymsum::planar {
 namespace {
@@ -139,9 +140,94 @@ void add_runs(Bitmap& target, const RunRows& a, const Bitmap& b, int spread) {
   }
 }
 
-// The same with the runs of the one that has fewer of them for the other's words.
+// One interval for every row, none at first; in blocks, behind the last row too, for comparing several at once.
+struct Intervals {
+  static constexpr std::size_t kBlock = 8;
+  std::vector<int> first, last;
+  /// An empty interval starts at `far` and ends at -far: with a smaller one that holds no run but the farther empty ones.
+  Intervals(std::size_t rows, int far) : first(rows + kBlock, far), last(rows + kBlock, -far) {}
+  void set(std::size_t row, Run run) {
+    first[row] = run.first;
+    last[row] = run.last;
+  }
+};
+
+// Calls f(k) for the rows k in [0, n) of b for which run + b's interval does not lie in that of row `at` + k of `known`. f changes that.
+template <class F>
+void for_each_beyond(Run run, const Intervals& b, std::size_t n, const Intervals& known, std::size_t at, F&& f) {
+  for (std::size_t k = 0; k < n; k += Intervals::kBlock) {
+    const int *const b_first = &b.first[k], *const b_last = &b.last[k];
+    const int *const known_first = &known.first[at + k], *const known_last = &known.last[at + k];
+    int beyond = 0;
+    for (std::size_t i = 0; i < Intervals::kBlock; ++i)
+      beyond |= static_cast<int>(run.first + b_first[i] < known_first[i]) | static_cast<int>(run.last + b_last[i] > known_last[i]);
+    if (beyond == 0) continue;
+    for (std::size_t i = 0; i < Intervals::kBlock; ++i)
+      if (run.first + b_first[i] < known_first[i] || run.last + b_last[i] > known_last[i]) f(k + i);
+  }
+}
+
+// The same run by run. Of every row of the target one interval that is full is known, and what lies in it is not added once more: in
+// sums of solid operands nearly everything, once the longest runs have been added.
+void add_run_pairs(Bitmap& target, const RunRows& a, const RunRows& b, int spread) {
+  const std::size_t rows_a = a.start.size() - 1, rows_b = b.start.size() - 1;
+  const auto runs = [](const RunRows& map, std::size_t row) {
+    return std::span<const Run>(map.runs.data() + map.start[row], map.runs.data() + map.start[row + 1]);
+  };
+  const auto longest = [](std::span<const Run> row) {
+    return *std::max_element(row.begin(), row.end(), [](Run x, Run y) { return x.last - x.first < y.last - y.first; });
+  };
+  constexpr int kFar = 1 << 28;
+  Intervals longest_b(rows_b, 2 * kFar), extent_b(rows_b, 2 * kFar), full(rows_a + rows_b + static_cast<std::size_t>(spread), kFar);
+  for (std::size_t r = 0; r < rows_b; ++r)
+    if (const auto row = runs(b, r); !row.empty()) {
+      longest_b.set(r, longest(row));
+      extent_b.set(r, {row.front().first, row.back().last});
+    }
+  const auto add = [&](std::size_t row, Run run) {
+    const Run known{full.first[row], full.last[row]};
+    if (run.first >= known.first && run.last <= known.last) return;
+    const int r = static_cast<int>(row);
+    if (run.first <= known.last + 1 && run.last + 1 >= known.first) {
+      if (run.first < known.first) target.set_run(r, run.first, known.first);
+      if (run.last > known.last) target.set_run(r, known.last, run.last);
+      full.set(row, {std::min(run.first, known.first), std::max(run.last, known.last)});
+      return;
+    }
+    target.set_run(r, run.first, run.last);
+    if (run.last - run.first > known.last - known.first) full.set(row, run);
+  };
+  const auto wider = [&](Run run) { return Run{run.first, run.last + spread}; };
+  struct Row {
+    std::size_t row;
+    Run longest;
+  };
+  std::vector<Row> order;
+  for (std::size_t r = 0; r < rows_a; ++r)
+    if (const auto row = runs(a, r); !row.empty()) order.push_back({r, wider(longest(row))});
+  std::stable_sort(order.begin(), order.end(),
+                   [](const Row& x, const Row& y) { return x.longest.last - x.longest.first > y.longest.last - y.longest.first; });
+  for (std::size_t d = 0; d <= static_cast<std::size_t>(spread); ++d) {
+    for (const auto& [r, x] : order)
+      for_each_beyond(x, longest_b, rows_b, full, r + d,
+                      [&](std::size_t k) { add(r + d + k, {x.first + longest_b.first[k], x.last + longest_b.last[k]}); });
+    for (const auto& [r, x] : order) {
+      const auto row = runs(a, r);
+      for_each_beyond(wider({row.front().first, row.back().last}), extent_b, rows_b, full, r + d, [&](std::size_t k) {
+        for (const Run& u : row)
+          for (const Run& v : runs(b, k)) add(r + d + k, wider({u.first + v.first, u.last + v.last}));
+      });
+    }
+  }
+}
+
+// By pairs of runs, or the runs of the one that has fewer of them for the other's words: whatever is less work.
 void add_sums(Bitmap& target, const Bitmap& a, const Bitmap& b, int spread) {
   const RunRows runs_a(a), runs_b(b);
+  const double per_word = 0.8;  // of one pair of runs
+  const double words = static_cast<double>(std::min(runs_a.runs.size() * b.bits.size(), runs_b.runs.size() * a.bits.size()));
+  if (static_cast<double>(runs_a.runs.size()) * static_cast<double>(runs_b.runs.size()) < per_word * words)
+    return add_run_pairs(target, runs_a, runs_b, spread);
   if (runs_a.runs.size() * b.bits.size() <= runs_b.runs.size() * a.bits.size()) return add_runs(target, runs_a, b, spread);
   add_runs(target, runs_b, a, spread);
 }

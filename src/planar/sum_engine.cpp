@@ -107,9 +107,19 @@ bool has_dimension_below_two(const Operand& o) {
 
 // Below this many segments meeting twins cost less than finding them.
 constexpr std::size_t kMerge = 24;
-// Below this many live segments a sweep is cheaper than filling a grid; below the second, a mask does not pay.
-constexpr std::size_t kSweep = 4000;
+// Below this many segments a mask does not pay.
 constexpr std::size_t kMask = 400;
+
+// A sweep is cheaper than filling a grid for few segments, and for more of them while each has not too many others above and below it:
+// as many as widths of segments add up to that of the sum.
+bool sweep_pays(const Soup& soup) {
+  constexpr std::size_t kFew = 4000;
+  constexpr double kBeside = 250;
+  if (soup.size() < kFew) return true;
+  double widths = 0;
+  for (const SoupBox& b : soup.boxes) widths += std::abs(b.dx);
+  return widths < kBeside * soup.lattice.span;
+}
 
 // Cells along the longer side for n segments: finer grids cost more in the mask than they save in pairs.
 constexpr double kCellsPerRoot = 2;
@@ -223,23 +233,40 @@ Array<std::uint32_t> add_live(const ReducedConvolution& convolution, const Inter
   if (twins == Twins::merged) same.reserve(n);
   soup.reserve(std::min<std::size_t>(n, 256));
   const Grid g = mask != nullptr ? mask->grid() : Grid{};
-  const double reach = 2 * kReach * g.cell;
-  // Without clamps: coordinates lie in [0, span], and the grid reaches farther than that by more than a cell.
-  const auto cell = [&](double v) { return static_cast<int>(v * g.per_cell); };
-  const auto dead = [&](const SoupBox& b) {
-    return mask != nullptr && !mask->any_live(cell(std::min(b.ay, b.by) - reach), cell(std::min(b.ax, b.bx) - reach),
-                                              cell(std::max(b.ay, b.by) + reach), cell(std::max(b.ax, b.bx) + reach));
+  // The cells that an edge reaches, as distances from the other operand's vertex. Without clamps: coordinates lie in [0, span], and the
+  // grid reaches farther than that by more than a cell.
+  struct Cells {
+    std::array<double, 4> bounds;  // low row, low column, high row, high column
   };
+  Array<Cells> cells(soup.memory);
+  const auto reach_of = [&](const Operand& o) {
+    cells.clear();
+    for (const EdgeBox& b : o.boxes)
+      cells.push_back({{std::min(b.ay, b.by) * g.per_cell - 2 * kReach, std::min(b.ax, b.bx) * g.per_cell - 2 * kReach,
+                        std::max(b.ay, b.by) * g.per_cell + 2 * kReach, std::max(b.ax, b.bx) * g.per_cell + 2 * kReach}});
+  };
+  const auto dead = [&](const Cells& edge, double vx, double vy) {
+    const std::array<double, 4> at{vy, vx, vy, vx};
+    std::array<int, 4> cell;
+    for (std::size_t k = 0; k < 4; ++k) cell[k] = static_cast<int>(edge.bounds[k] + at[k]);
+    return !mask->any_live(cell[0], cell[1], cell[2], cell[3]);
+  };
+  std::uint32_t side_of_cells = 2;
   std::uint32_t* to = live.data();
   convolution.for_each_turn([&](std::uint32_t side, std::uint32_t v, std::span<const std::uint32_t> edges,
                                 std::uint32_t lo, std::uint32_t count) {
     const Operand &o = *soup.operands[side], &other = *soup.operands[1 - side];
     const EdgeBox* own = o.boxes.data();
     const double vx = other.x[v], vy = other.y[v];
+    if (mask != nullptr && side_of_cells != side) {
+      reach_of(o);
+      side_of_cells = side;
+    }
+    const double row = vy * g.per_cell, column = vx * g.per_cell;
     for (std::uint32_t k = 0, at = lo; k < count; ++k, at = at + 1 == edges.size() ? 0 : at + 1, ++to) {
       const std::uint32_t e = edges[at];
+      if (mask != nullptr && dead(cells[e], column, row)) continue;
       const SoupBox b = moved(own[e], vx, vy);
-      if (dead(b)) continue;
       if (soup.size() == soup.segments.capacity()) soup.reserve(std::min<std::size_t>(n, 2 * soup.size()));
       *to = static_cast<std::uint32_t>(soup.size());
       soup.add({side, e, v}, b);
@@ -297,7 +324,7 @@ bool run_reduced(const SumOptions& options, SumState& state) {
     finder.first_unchained = reduced_live;
     if (!fast)
       finder.all_pairs();
-    else if (soup.size() < kSweep)
+    else if (sweep_pays(soup))
       finder.sweep(mask ? &*mask : nullptr);
     else
       finder.grid(mask ? mask->grid() : plain_grid(lattice, soup.size()), mask ? &*mask : nullptr, marks);
