@@ -7,16 +7,19 @@
 namespace dymsum::planar {
 namespace {
 
-constexpr double kLong = 8;        // cells: sums of shorter edges hold few
+constexpr double kLong = 8;         // cells: sums of shorter edges hold few
 constexpr double kAlong = 0.5;      // cells: edges that are so near each other have nearly the same sums
-constexpr std::size_t kMost = 24;  // of an operand: pairs of them are looked at
+constexpr std::size_t kMost = 24;   // of an operand: all pairs of them are looked at
 
 double distance(Point a, Point b) { return std::max(std::abs(a.x - b.x), std::abs(a.y - b.y)); }
 
 /// The cells that lie on one side of a line, x nx + y ny >= least: row r has them from the column (rest - r rise) per on, or up to it.
 struct HalfPlane {
   HalfPlane(double nx, double ny, double least, const Grid& cells)
-      : rest(least - std::min(ny, 0.0) * cells.cell), rise(ny * cells.cell), per(cells.per_cell / (nx >= 0 ? std::abs(nx) : nx)), from(nx >= 0) {}
+      : rest(least - std::min(ny, 0.0) * cells.cell),
+        rise(ny * cells.cell),
+        per(cells.per_cell / (nx >= 0 ? std::abs(nx) : nx)),  // the zero may be a negative one
+        from(nx >= 0) {}
   double rest, rise, per;  // infinite for lines that lie level, which have all of a row or nothing
   bool from;
 };
@@ -69,7 +72,8 @@ Bitmap edge_parallelograms(const TurnGrid& grid, const std::vector<Point>& turne
   for (const std::uint32_t f : grid.long_edges[1]) {
     const std::uint32_t to = forms.operand(1).next[f];
     const Point v{turned[to].x - turned[f].x, turned[to].y - turned[f].y};
-    const double rim = std::max(moved(forms, f, half), moved(forms, to, half)) + 2 * kReach * cells.cell, length_v = std::hypot(v.x, v.y);
+    const double rim = std::max(moved(forms, f, half), moved(forms, to, half)) + 2 * kReach * cells.cell;  // kReach is far beyond all roundings
+    const double length_v = std::hypot(v.x, v.y);
     for (const std::uint32_t e : grid.long_edges[0]) {
       const Point u = forms.edge(0, e);
       const double area = u.x * v.y - u.y * v.x, length_u = std::hypot(u.x, u.y), sign = area > 0 ? 1 : -1;

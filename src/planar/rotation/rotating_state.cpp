@@ -37,7 +37,8 @@ constexpr double kLate = 0.5;
 
 constexpr double kMaskFrom = 100;    // segments from which a mask pays
 constexpr double kCellsSwept = 1.1;  // a cell is so many times as wide as vertices move from the middle of a window
-constexpr double kWidest = 1.0 / 6;  // beyond a sweep either way of this share of the extent, by the root of all segments, pairs that may meet abound
+// Beyond a sweep either way of this share of the extent, divided by the root of the number of segments, pairs that may meet abound.
+constexpr double kWidest = 1.0 / 7;
 
 int cells_for(double n) { return std::clamp(static_cast<int>(6 * std::sqrt(n)), 8, 256); }
 
