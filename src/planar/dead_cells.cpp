@@ -285,8 +285,14 @@ DeadCells::DeadCells(const Grid& grid, const Raster& p, const Raster& q, Counts 
   if (counts == Counts::made) count();
 }
 
+void DeadCells::add(const Bitmap& inside) {
+  for (std::size_t i = 0; i < dead_.bits.size(); ++i) dead_.bits[i] |= inside.bits[i];
+  count();
+}
+
 void DeadCells::count() {
   const std::size_t w = std::size_t(grid_.columns) + 1;
+  dead_cells_ = 0;
   sums_.assign(w * (grid_.rows + 1), 0);
   for (int r = 0; r < grid_.rows; ++r) {
     std::uint32_t live = 0;

@@ -79,6 +79,8 @@ class DeadCells {
   /// No cell is dead.
   explicit DeadCells(const Grid& grid);
   DeadCells(const Grid& grid, const Raster& p, const Raster& q, Counts counts = Counts::made);
+  /// Others that lie inside. The counts are made.
+  void add(const Bitmap& inside);
 
   const Grid& grid() const { return grid_; }
   bool dead(int row, int column) const { return dead_.get(row, column); }

@@ -23,7 +23,7 @@ constexpr std::uint32_t kNobody = ObstacleSweep::kNobody;
 /// Windows of a half turn, by the number of pairs of an edge and a vertex: fewer sweep too far, more cost too much
 /// each. Even, so that quarter turns are between two.
 int windows_for(double pairs) { return 2 * std::clamp(static_cast<int>(std::ceil(0.4 * std::sqrt(pairs))), 8, 256); }
-int cells_for(double pairs) { return std::clamp(static_cast<int>(1.5 * std::sqrt(pairs)), 24, 160); }
+int cells_for(double pairs) { return std::clamp(static_cast<int>(2.25 * std::sqrt(pairs)), 24, 160); }
 
 // By theta in (-pi, pi]: the sweep runs from -pi / 2 to 3 pi / 2.
 struct AngleOrder {
@@ -313,7 +313,7 @@ class Preparation {
  private:
   // Triples grow with the square of the pairs: where segments meet more than a few others each, a range is halved.
   void add(const TurnRange& range, int depth, std::vector<Prepared>& parts) const {
-    constexpr std::size_t kMost = 8;
+    constexpr std::size_t kMost = 6;
     Prepared p;
     p.range = range;
     p.window = std::make_unique<TurnWindow>(grid_, catalog_, range, !reference_ && pairs_ > 100);

@@ -33,9 +33,8 @@ std::uint32_t OverlapFilter::build(Tree& tree, std::uint32_t op, std::uint32_t f
   return id;
 }
 
-// Whether a fixed edge of a leaf crosses a turning one, reflected and moved to `at`: the four sides, all beyond their
-// errors.
-bool OverlapFilter::edges_cross(const Node& fixed, const Node& turning, Point at, Heading h) const {
+// Whether fixed edge i crosses turning edge j, reflected and moved to `at`: the four sides, all beyond their errors.
+bool OverlapFilter::cross(std::uint32_t i, std::uint32_t j, Point at, Heading h) const {
   const auto place = [&](std::uint32_t v) {
     const Point p = forms_.points(1)[v];
     return Point{at.x - (h.c * p.x - h.s * p.y), at.y - (h.s * p.x + h.c * p.y)};
@@ -48,13 +47,29 @@ bool OverlapFilter::edges_cross(const Node& fixed, const Node& turning, Point at
   const auto boxes_meet = [](double a, double b, double c, double d) {
     return std::min(a, b) <= std::max(c, d) && std::min(c, d) <= std::max(a, b);
   };
-  for (std::uint32_t j = turning.first; j < turning.last; ++j) {
-    const Point c = place(j), d = place(forms_.operand(1).next[j]);
-    for (std::uint32_t i = fixed.first; i < fixed.last; ++i) {
-      const Point a = forms_.points(0)[i], b = forms_.points(0)[forms_.operand(0).next[i]];
-      if (boxes_meet(a.x, b.x, c.x, d.x) && boxes_meet(a.y, b.y, c.y, d.y) && opposite(a, b, c, d) && opposite(c, d, a, b)) return true;
-    }
+  const Point a = forms_.points(0)[i], b = forms_.points(0)[forms_.operand(0).next[i]], c = place(j), d = place(forms_.operand(1).next[j]);
+  return boxes_meet(a.x, b.x, c.x, d.x) && boxes_meet(a.y, b.y, c.y, d.y) && opposite(a, b, c, d) && opposite(c, d, a, b);
+}
+
+bool OverlapFilter::lately_cross(Point at, Heading h) const {
+  for (std::size_t k = 0; k < known_; ++k) {
+    if (!cross(lately_[k].first, lately_[k].second, at, h)) continue;
+    std::rotate(lately_.begin(), lately_.begin() + static_cast<std::ptrdiff_t>(k), lately_.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+    return true;
   }
+  return false;
+}
+
+// Whether a fixed edge of a leaf crosses a turning one.
+bool OverlapFilter::edges_cross(const Node& fixed, const Node& turning, Point at, Heading h) const {
+  for (std::uint32_t j = turning.first; j < turning.last; ++j)
+    for (std::uint32_t i = fixed.first; i < fixed.last; ++i) {
+      if (!cross(i, j, at, h)) continue;
+      known_ = std::min(known_ + 1, lately_.size());
+      std::rotate(lately_.begin(), lately_.end() - 1, lately_.end());
+      lately_[0] = {i, j};
+      return true;
+    }
   return false;
 }
 
@@ -122,6 +137,7 @@ bool OverlapFilter::holds(std::uint32_t op, std::uint32_t component, Point x, He
 }
 
 bool OverlapFilter::inside(Point at, Heading h) const {
+  if (lately_cross(at, h)) return true;
   const double margin = 0x1p-36 * forms_.span();
   std::vector<std::pair<std::uint32_t, std::uint32_t>> stack;
   for (std::uint32_t p = 0; p < fixed_.roots.size(); ++p)

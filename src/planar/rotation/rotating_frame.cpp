@@ -10,6 +10,8 @@ namespace {
 // coordinate a few roundings (TurningForms::side_error, doubled because o2 = o1 + d x e carries both).
 constexpr double kSide = 0x1p-45, kCross = 0x1p-46;
 
+float rounded_up(double error) { return static_cast<float>(error) * (1 + 0x1p-20f); }
+
 }  // namespace
 
 RotatingFrame::RotatingFrame(const RotatingWindow& window) : window_(window) {
@@ -28,6 +30,9 @@ RotatingFrame::RotatingFrame(const RotatingWindow& window) : window_(window) {
   count_.resize(window.pieces.size());
   entries_.resize(window.of.size());
   walked_.resize(window.pieces.size());
+  stretches_.reserve(window.pieces.size());
+  for (std::size_t i = 0; i < window.pieces.size(); ++i)
+    stretches_.push_back({window.pieces[i].head, window.pieces[i].tail, entries_.data() + window.first_of[i]});
   ways_.reserve(window.pieces.size());
   for (const TurnPiece& p : window.pieces) {
     Way way{{kNone, kNone}, kNone, p.segment};
@@ -61,6 +66,8 @@ bool RotatingFrame::place_segments(double delta) {
     const double before = delta - span.from, behind = span.to - delta;
     if (std::abs(before) < kAngleSlack || std::abs(behind) < kAngleSlack) return false;
     exists_[i] = before > 0 && behind > 0;
+    // Everything lies beside what does not exist.
+    placed_[i].error = exists_[i] != 0 ? kSide * forms.span() * placed_[i].length1 : -INFINITY;
   }
   for (const std::uint32_t side : {0u, 1u})
     for (const Busy& b : busy_[side]) {
@@ -79,20 +86,23 @@ bool RotatingFrame::place_segments(double delta) {
 bool RotatingFrame::find_crossings() {
   crossings_.clear();
   std::fill(count_.begin(), count_.end(), 0);
-  near_.resize(window_.meetings.size() + 1);
-  std::size_t n = 0;
-  for (std::uint32_t i = 0; i < window_.meetings.size(); ++i) {
-    const TurnMeeting& m = window_.meetings[i];
-    const Placed &a = placed_[m.segment_a], &b = placed_[m.segment_b];
+  const std::size_t count = window_.meetings.size();
+  near_.resize(count + 1);
+  crossings_.reserve(count);
+  const TurnMeeting* meetings = window_.meetings.data();
+  const Placed* placed = placed_.data();
+  Near* near = near_.data();
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const Placed &a = placed[meetings[i].segment_a], &b = placed[meetings[i].segment_b];
     const double wx = b.x - a.x, wy = b.y - a.y, k = a.dx * b.dy - a.dy * b.dx;
     const double o1 = a.dx * wy - a.dy * wx, o2 = o1 + k, o3 = b.dx * wy - b.dy * wx, o4 = o3 + k;
     const bool beside_a = (std::min(o1, o2) > a.error) | (std::max(o1, o2) < -a.error);
     const bool beside_b = (std::min(o3, o4) > b.error) | (std::max(o3, o4) < -b.error);
-    near_[n] = {i, k, o1, o3};
-    n += !(beside_a | beside_b | !(exists_[m.segment_a] & exists_[m.segment_b]));
+    *near = {i, k, o1, o3};
+    near += !(beside_a | beside_b);
   }
-  for (std::size_t i = 0; i < n; ++i)
-    if (!cross(near_[i])) return false;
+  for (const Near* n = near_.data(); n != near; ++n)
+    if (!cross(*n)) return false;
   return true;
 }
 
@@ -103,23 +113,21 @@ bool RotatingFrame::cross(const Near& near) {
   const double k = near.k, o1 = near.o1, o2 = o1 + k, o3 = near.o3, o4 = o3 + k;
   const bool sure = std::abs(o1) > a.error && std::abs(o2) > a.error && std::abs(o3) > b.error && std::abs(o4) > b.error;
   if (!sure || std::abs(k) <= 2 * kCross * a.length1 * b.length1) return certainly_beside(a, b) || certainly_beside(b, a);
-  const TurnPiece &p = window_.pieces[m.a], &q = window_.pieces[m.b];
+  const Stretch &p = stretches_[m.a], &q = stretches_[m.b];
   const double per = -1 / k, t = o3 * per, u = o1 * per;
   if (!((t > p.head) & (t <= p.tail) & (u > q.head) & (u <= q.tail))) return true;  // they cross in other pieces
   const double error_t = 4 * b.error * std::abs(per) + 0x1p-50, error_u = 4 * a.error * std::abs(per) + 0x1p-50;
   const auto number = static_cast<std::uint32_t>(crossings_.size());
   if (k > 0) crossings_.push_back({m.b, m.a, u, t, error_u, error_t});
   else crossings_.push_back({m.a, m.b, t, u, error_t, error_u});
-  insert(m.a, t, error_t, k > 0 ? number | kOut : number);
-  insert(m.b, u, error_u, k > 0 ? number : number | kOut);
+  insert(p.entries, count_[m.a]++, {t, rounded_up(error_t), k > 0 ? number | kOut : number});
+  insert(q.entries, count_[m.b]++, {u, rounded_up(error_u), k > 0 ? number : number | kOut});
   return true;
 }
 
-void RotatingFrame::insert(std::uint32_t piece, double t, double error, std::uint32_t crossing) {
-  Entry* list = &entries_[window_.first_of[piece]];
-  std::uint32_t k = count_[piece]++;
-  for (; k > 0 && list[k - 1].t > t; --k) list[k] = list[k - 1];
-  list[k] = {t, static_cast<float>(error) * (1 + 0x1p-20f), crossing};
+void RotatingFrame::insert(Entry* list, std::uint32_t k, Entry entry) {
+  for (; k > 0 && list[k - 1].t > entry.t; --k) list[k] = list[k - 1];
+  list[k] = entry;
 }
 
 // Along the first one, the second one lies before its start or behind its end.

@@ -34,6 +34,8 @@ class RotatingFrame {
   };
 
   explicit RotatingFrame(const RotatingWindow& window);
+  RotatingFrame(const RotatingFrame&) = delete;
+  RotatingFrame& operator=(const RotatingFrame&) = delete;
 
   /// At an angle given as the middle of the window + delta, whose cos and sin err by at most 2^-49. False where doubles do not decide;
   /// then nothing here means anything.
@@ -91,12 +93,17 @@ class RotatingFrame {
     bool out() const { return (crossing & kOut) != 0; }
     std::uint32_t number() const { return crossing & ~kOut; }
   };
+  /// Of a piece, in shares of its segment, and where its crossings are listed.
+  struct Stretch {
+    double head = 0, tail = 1;
+    Entry* entries = nullptr;
+  };
   static constexpr std::uint32_t kOut = 0x80000000;  ///< the boundary leaves the crossing on this piece
   bool place_segments(double delta);
   bool find_crossings();
   bool cross(const Near& near);
   static bool certainly_beside(const Placed& a, const Placed& b);
-  void insert(std::uint32_t piece, double t, double error, std::uint32_t crossing);
+  static void insert(Entry* list, std::uint32_t k, Entry entry);
   bool link_crossings();
   bool find_cycles();
   bool find_plain_cycles();
@@ -125,6 +132,7 @@ class RotatingFrame {
   std::vector<Crossing> crossings_;
   std::vector<std::uint32_t> count_;           // of entries, by piece; the places are those of the window's index of meetings
   std::vector<Entry> entries_;                 // along each piece
+  std::vector<Stretch> stretches_;             // by piece
   std::vector<std::uint32_t> next_;            // crossing -> the crossing at which one arrives, kNone, or kOnward: past the end of the piece
   std::vector<std::uint8_t> seen_, walked_;    // crossing; piece without crossings
   std::vector<std::uint32_t> path_;

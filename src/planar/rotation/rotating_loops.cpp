@@ -94,12 +94,16 @@ void RotatingLoops::update(const RotatingFrame& frame, RotatingPlace& place, Rin
     loop.last = c.last;
     loop.turning = c.turning;
     for (std::uint32_t k = c.first; k < c.last; ++k) loop.vertices += !frame.steps()[k].straight;
-    const bool told = comparable && inherit(frame, loop);
-    work.loops_kept += told;
-    told_.push_back(told);
     loops_.push_back(loop);
   }
   work.loops_traced += loops_.size();
+  // The only counter-clockwise loop of a connected sum bounds it, whatever was before.
+  const bool one_outer = connected_ && std::count_if(loops_.begin(), loops_.end(), [](const Loop& l) { return l.turning > 0; }) == 1;
+  for (Loop& loop : loops_) {
+    const bool outer = one_outer && loop.turning > 0;
+    work.loops_kept += outer && comparable;
+    told_.push_back(comparable && !outer && inherit(frame, loop, work));
+  }
   const std::size_t outer = connected_ ? outer_loop(frame, told_) : loops_.size();
   for (std::size_t i = 0; i < loops_.size(); ++i) {
     if (told_[i]) continue;
@@ -125,21 +129,44 @@ const RotatingLoops::Known* RotatingLoops::match(const RotatingFrame::Step& s) c
 }
 
 // A cycle has the status of any cycle of the frame before with which it shares an undisturbed sub-edge (scaling-sum.md, "Frames": the proof
-// needs continuous motion only); and its witness anyway. Where much has been looked at in vain, a collision test in doubles is cheaper.
-bool RotatingLoops::inherit(const RotatingFrame& frame, Loop& loop) const {
+// needs continuous motion only); and its witness anyway, which is asked first. Where much has been looked at in vain, a collision test in
+// doubles is cheaper.
+bool RotatingLoops::inherit(const RotatingFrame& frame, Loop& loop, FrameWork& work) const {
   const RotatingWindow& window = frame.window();
   const Stretch all(frame, last_delta_, frame.delta());
   std::uint32_t looked = 0;
+  bool asked = false;
   for (std::uint32_t k = loop.first; k < loop.last && looked < kMostLooks; ++k) {
     const RotatingFrame::Step& s = frame.steps()[k];
     const Known* old = match(s);
     if (old == nullptr) continue;
-    if (!loop.witness) loop.witness = old_[old->loop].witness;
+    const Loop& before = old_[old->loop];
+    if (!before.kept && !asked) {
+      asked = true;
+      loop.witness = before.witness;
+      if (witnessed(frame, loop)) {
+        ++work.witnessed;
+        return true;
+      }
+    }
     if (connected_) looked += 1 + window.first_of[window.segments[s.segment].last_piece] - window.first_of[window.segments[s.segment].first_piece];
     if (!undisturbed(all, window, s)) continue;
-    loop.kept = old_[old->loop].kept;
+    loop.kept = before.kept;
+    ++work.loops_kept;
     return true;
   }
+  return false;
+}
+
+// By the pair of edges that covered the loop before, or by one that covered others lately.
+bool RotatingLoops::witnessed(const RotatingFrame& frame, Loop& loop) const {
+  const RotatingFrame::Located z = frame.end_of(frame.steps()[loop.first]);
+  if (loop.witness && covers(*loop.witness, frame, z)) return true;
+  for (std::size_t k = 0; k < std::min(found_, lately_.size()); ++k)
+    if (covers(lately_[k], frame, z)) {
+      loop.witness = lately_[k];
+      return true;
+    }
   return false;
 }
 
@@ -192,18 +219,10 @@ Segment RotatingLoops::source_segment(std::uint32_t segment, const RotatingWindo
 }
 
 bool RotatingLoops::covered(const RotatingFrame& frame, Loop& loop, RotatingPlace& place, FrameWork& work) {
-  const RotatingFrame::Located z = frame.end_of(frame.steps()[loop.first]);
-  if (loop.witness && covers(*loop.witness, frame, z)) {
+  if (witnessed(frame, loop)) {
     ++work.witnessed;
     return true;
   }
-  // What covered other places lately often covers this one.
-  for (std::size_t k = 0; k < std::min(found_, lately_.size()); ++k)
-    if (covers(lately_[k], frame, z)) {
-      loop.witness = lately_[k];
-      ++work.witnessed;
-      return true;
-    }
   work.witnesses_lost += loop.witness.has_value();
   ++work.collision_tests;
   // Beside the longest sub-edge.

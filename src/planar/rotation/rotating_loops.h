@@ -54,7 +54,8 @@ class RotatingLoops {
   };
   class Stretch;
   const Known* match(const RotatingFrame::Step& s) const;
-  bool inherit(const RotatingFrame& frame, Loop& loop) const;
+  bool inherit(const RotatingFrame& frame, Loop& loop, FrameWork& work) const;
+  bool witnessed(const RotatingFrame& frame, Loop& loop) const;
   static bool undisturbed(const Stretch& all, const RotatingWindow& window, const RotatingFrame::Step& s);
   bool covered(const RotatingFrame& frame, Loop& loop, RotatingPlace& place, FrameWork& work);
   bool covers(const std::array<std::uint32_t, 2>& edges, const RotatingFrame& frame, const RotatingFrame::Located& z) const;

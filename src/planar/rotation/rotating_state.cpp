@@ -36,10 +36,11 @@ double cost_of_frame(const FrameWork& work, const PlanarSum& sum, double slice) 
 constexpr double kLate = 0.5;
 
 constexpr double kMaskFrom = 100;    // segments from which a mask pays
-constexpr double kCellsSwept = 2.2;  // a cell is so many times as wide as vertices move from the middle of a window
-constexpr double kWidest = 0.5;     // beyond a sweep of so many cells of the finest grid pairs that may meet abound
+constexpr double kCellsSwept = 1.1;  // a cell is so many times as wide as vertices move from the middle of a window
+// Beyond a sweep either way of this share of the extent, divided by the root of the number of segments, pairs that may meet abound.
+constexpr double kWidest = 1.0 / 7;
 
-int cells_for(double n) { return std::clamp(static_cast<int>(3 * std::sqrt(n)), 8, 256); }
+int cells_for(double n) { return std::clamp(static_cast<int>(6 * std::sqrt(n)), 8, 256); }
 
 }  // namespace
 
@@ -72,7 +73,7 @@ void RotatingSum::State::drop_window() {
 
 double RotatingSum::State::widest_window() const {
   const double extent = std::max(forms_->width(), forms_->height()) + 2 * forms_->reach();
-  return forms_->reach() > 0 ? 2 * kWidest * extent / (cells_for(segments_) * forms_->reach()) : 1;
+  return forms_->reach() > 0 ? 2 * kWidest * extent / (std::sqrt(std::max(segments_, 1.0)) * forms_->reach()) : 1;
 }
 
 void RotatingSum::State::build_window(double low, double high) {

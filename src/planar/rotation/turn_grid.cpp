@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "planar/rotation/edge_parallelograms.h"
+
 namespace dymsum::planar {
 namespace {
 
@@ -36,7 +38,8 @@ Raster fixed_raster(const TurningForms& forms, const Grid& cells) {
 }  // namespace
 
 TurnGrid::TurnGrid(const TurningForms& forms, int cells)
-    : forms(forms), grid({forms.width(), 2 * forms.reach()}, {forms.height(), 2 * forms.reach()}, cells), fixed(fixed_raster(forms, grid.part[0])), cells(cells) {}
+    : forms(forms), grid({forms.width(), 2 * forms.reach()}, {forms.height(), 2 * forms.reach()}, cells), fixed(fixed_raster(forms, grid.part[0])), cells(cells),
+      long_edges{dymsum::planar::long_edges(forms, 0, grid.whole.cell), dymsum::planar::long_edges(forms, 1, grid.whole.cell)} {}
 
 // Inner: farther from the boundary than any of its points moves. Touched at every angle: at the middle, an edge comes
 // into what remains of the cell when a rim as wide as the edge moves is taken off.
@@ -60,7 +63,10 @@ DeadCells dead_cells(const TurnGrid& base, const std::vector<Point>& turned, dou
     });
   }
   windings.fill(boundary, raster);
-  return DeadCells(base.grid.whole, base.fixed, raster);
+  if (base.long_edges[0].empty() || base.long_edges[1].empty()) return DeadCells(base.grid.whole, base.fixed, raster);
+  DeadCells dead(base.grid.whole, base.fixed, raster, DeadCells::Counts::left_out);
+  dead.add(edge_parallelograms(base, turned, half));
+  return dead;
 }
 
 }  // namespace dymsum::planar

@@ -16,6 +16,7 @@ class TurnGrid {
   SumGrid grid;
   Raster fixed;
   int cells;
+  std::array<std::vector<std::uint32_t>, 2> long_edges;  ///< for edge_parallelograms
 };
 
 /// How far a vertex of the turning operand moves within `half` radians, at most; the chord is shorter than the arc.
