@@ -53,7 +53,8 @@ int SignsAt::compare(const Fraction& x, const Fraction& y) const {
   return sign(sum_of(product(x.num, y.den), product(y.num, x.den), -1)) * sign(x.den) * sign(y.den);
 }
 
-// A crossing errs by less than 2^-45 of the span over the sine by rounding (side_error, over the lengths), and by 2^-49 (1 + 4 / sine) by the angle.
+// A crossing errs by less than 2^-45 of the span over the sine by rounding (side_error, over the lengths), and by 2^-49 (1 + 4 / sine) by
+// the angle.
 std::optional<Point> SignsAt::near(const ExactPlace::Simple& z) const {
   if (!z.crossing) return forms_.place(z.corner, heading_);
   const double cross = forms_.cross(z.a, z.b).at(heading_);

@@ -1,5 +1,5 @@
-// Points of the plane of sums at the exact angle of an event, where coordinates are algebraic numbers: on which side of a segment's line they
-// are, and where along it.
+// Points of the plane of sums at the exact angle of an event, where coordinates are algebraic numbers: on which side of a segment's line
+// they are, and where along it.
 #pragma once
 
 #include <optional>
@@ -43,8 +43,8 @@ class SignsAt {
 
   /// The place in the forms' doubles, within 2^-37 of the span; nothing where the lines are nearly parallel.
   std::optional<Point> near(const ExactPlace& z) const;
-  /// (1 + t^2) d_s x (z - start_s), and (1 + t^2) d_s . (z - start_s): of degrees 2 over 0 for a corner, 4 over 2 for a crossing, 6 over 4 for
-  /// a middle.
+  /// (1 + t^2) d_s x (z - start_s), and (1 + t^2) d_s . (z - start_s): of degrees 2 over 0 for a corner, 4 over 2 for a crossing, 6 over
+  /// 4 for a middle.
   Fraction side(const WalkSegment& s, const ExactPlace& z) const;
   Fraction along(const WalkSegment& s, const ExactPlace& z) const;
   Fraction length(const WalkSegment& s) const;  ///< (1 + t^2) d_s . d_s

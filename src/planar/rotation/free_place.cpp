@@ -1,8 +1,9 @@
-// Proof. Let the interiors meet, and let no edges cross properly. If some boundary ring of one enters the interior of the other and does not lie in
-// it as a whole, it leaves it at a common point of the boundaries: at a vertex of one on an edge or a vertex of the other, as edges do not cross,
-// and there the sectors that the two fill have directions in common. Otherwise a whole ring of one lies in the interior of the other, or no
-// boundary enters the other's interior. Then two parts whose interiors meet are equal and have a common vertex with equal sectors. So three tests
-// tell: proper crossings; sectors at vertices on edges and vertices; a vertex of every ring that touches nothing.
+// Proof. Let the interiors meet, and let no edges cross properly. If some boundary ring of one enters the interior of the other and does
+// not lie in it as a whole, it leaves it at a common point of the boundaries: at a vertex of one on an edge or a vertex of the other, as
+// edges do not cross, and there the sectors that the two fill have directions in common. Otherwise a whole ring of one lies in the
+// interior of the other, or no boundary enters the other's interior. Then two parts whose interiors meet are equal and have a common
+// vertex with equal sectors. So three tests tell: proper crossings; sectors at vertices on edges and vertices; a vertex of every ring
+// that touches nothing.
 #include "planar/rotation/free_place.h"
 
 #include <algorithm>
@@ -47,13 +48,14 @@ class FreePlace {
   bool boxes_apart(std::uint32_t i, std::uint32_t j) const {
     if (!near_) return false;
     const double margin = 0x1p-35 * forms_.span();
-    const Point a = forms_.points(0)[i], b = forms_.points(0)[forms_.operand(0).next[i]], c = robot_[j], d = robot_[forms_.operand(1).next[j]];
+    const Point a = forms_.points(0)[i], b = forms_.points(0)[forms_.operand(0).next[i]];
+    const Point c = robot_[j], d = robot_[forms_.operand(1).next[j]];
     return std::max(a.x, b.x) + margin < std::min(c.x, d.x) || std::max(c.x, d.x) + margin < std::min(a.x, b.x) ||
            std::max(a.y, b.y) + margin < std::min(c.y, d.y) || std::max(c.y, d.y) + margin < std::min(a.y, b.y);
   }
 
-  // With side 0: vertex v of the robot is on the left of edge e of the obstacle. With side 1: vertex v of the obstacle is on the left of edge e of
-  // the robot, which is the reflected operand's, turned round.
+  // With side 0: vertex v of the robot is on the left of edge e of the obstacle. With side 1: vertex v of the obstacle is on the left of
+  // edge e of the robot, which is the reflected operand's, turned round.
   int side(std::uint32_t op, std::uint32_t e, std::uint32_t v) const { return signs_.side_sign({op, e, v}, z_, near_); }
 
   // The edge at the robot's own direction.

@@ -229,8 +229,8 @@ void ObstacleSweep::change(const Group& group, const TurnRange& range, const std
     else if (matters(cluster, filter))
       return slice(range, group, behind);
   }
-  // What one of several changes is not undone where another one takes a whole slice, as where opposite segments come to lie along each other with
-  // events at both ends: so all are tried first.
+  // What one of several changes is not undone where another one takes a whole slice, as where opposite segments come to
+  // lie along each other with events at both ends: so all are tried first.
   trying_ = alone.size() > 1;
   bool settled = true;
   for (TurnEvent* event : alone) settled = settled && (!trying_ || local_update(*event, range, behind, filter));

@@ -1,13 +1,14 @@
-// What happens at one angle only: configurations that are free and that no free configurations with clearance come near, contacts that can be
-// held but neither reached nor left; and places where the boundary touches itself. Where neither is found and no sub-edge began or ended, nothing
-// happens, and the angle is not listed.
+// What happens at one angle only: configurations that are free and that no free configurations with clearance come near, contacts that
+// can be held but neither reached nor left; and places where the boundary touches itself. Where neither is found and no sub-edge began or
+// ended, nothing happens, and the angle is not listed.
 //
-// A tight place z of the angle is not covered, so at least one segment of the convolution goes through it; one contact, two contacts whose lines
-// cross, and the sum of two vertices can be left into free space. So either z is the place of an event at which lines cross, or an end of a
-// segment on another one; or a segment passes through z and another one in the opposite direction, along a stretch. What is covered changes
-// along that stretch only where a further segment comes in, at places that are not covered either. Hence: the places of events, and the stretches
-// between neighbouring ones on two opposite segments, tell all, each by one exact test. Near a place that sub-edges before or behind the angle
-// come to there is free space with clearance; near any other free place there is none, as it is on the boundary of the obstacle.
+// A tight place z of the angle is not covered, so at least one segment of the convolution goes through it; one contact, two contacts
+// whose lines cross, and the sum of two vertices can be left into free space. So either z is the place of an event at which lines cross,
+// or an end of a segment on another one; or a segment passes through z and another one in the opposite direction, along a stretch. What
+// is covered changes along that stretch only where a further segment comes in, at places that are not covered either. Hence: the places
+// of events, and the stretches between neighbouring ones on two opposite segments, tell all, each by one exact test. Near a place that
+// sub-edges before or behind the angle come to there is free space with clearance; near any other free place there is none, as it is on
+// the boundary of the obstacle.
 #include <algorithm>
 #include <stdexcept>
 
@@ -22,11 +23,17 @@ void ObstacleSweep::examine(const TurnRange& range, OverlapFilter& filter) {
   const bool listed = now_ != kNobody;
   if (!listed) now_ = angle(range, *doubtful_[0]);
   const SignsAt signs(forms_, angles[now_]);
+  // Behind a whole slice at a rational angle one more slice, at the angle, tells what is tight in it; of a crowded quarter turn there are
+  // no events.
+  const bool by_slice = listed && exact::rational_value(angles[now_].t);
   std::vector<std::array<std::uint32_t, 2>> between;
-  std::vector<Candidate> found = crowded_ != nullptr ? candidates_of_open_slice(signs, between) : candidates(signs, filter);
+  std::vector<Candidate> found = by_slice ? candidates_of_open_slice(signs, between) : candidates(signs, filter);
   const std::vector<std::uint32_t> nodes = nodes_now();
-  for (Candidate& z : found) z.visible = std::any_of(nodes.begin(), nodes.end(), [&](std::uint32_t n) { return reaches(signs, n, z); });
-  if (crowded_ == nullptr) {
+  const auto see = [&] {
+    for (Candidate& z : found) z.visible = std::any_of(nodes.begin(), nodes.end(), [&](std::uint32_t n) { return reaches(signs, n, z); });
+  };
+  see();
+  if (!by_slice) {
     std::erase_if(found, [&](const Candidate& z) { return !z.visible && !is_free(signs, z.place); });
     between = open_stretches(signs, found);
   }
@@ -40,8 +47,12 @@ void ObstacleSweep::examine(const TurnRange& range, OverlapFilter& filter) {
     any = true;
     note(signs.heading(), ObstacleEvent::Kind::tight, drawn(signs, found[k].place));
   }
-  // Of a crowded quarter turn the events are not known, and what touches there is not looked for.
+  // What touches at a crowded quarter turn is not looked for.
   if (any || changed_ || (listed && (keeps_all_angles || crowded_ != nullptr))) return;
+  if (by_slice) {
+    found = candidates(signs, filter);
+    see();
+  }
   const auto touching = std::find_if(found.begin(), found.end(), [&](const Candidate& z) { return listed && passes(signs, nodes, z) > 1; });
   if (touching != found.end()) {
     events.pop_back();
@@ -101,7 +112,8 @@ std::vector<ObstacleSweep::Candidate> ObstacleSweep::candidates(const SignsAt& s
 std::vector<ObstacleSweep::Candidate> ObstacleSweep::each_once(const SignsAt& signs, std::vector<Candidate> all) const {
   // Those with doubles by x; one at a place that doubles do not tell is compared with all.
   const double apart = 0x1p-35 * forms_.span();
-  std::stable_sort(all.begin(), all.end(), [](const Candidate& y, const Candidate& z) { return y.near && (!z.near || y.near->x < z.near->x); });
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Candidate& y, const Candidate& z) { return y.near && (!z.near || y.near->x < z.near->x); });
   std::vector<Candidate> once;
   for (Candidate& z : all) {
     bool known = false;
@@ -123,7 +135,8 @@ std::vector<ObstacleSweep::Candidate> ObstacleSweep::each_once(const SignsAt& si
 }
 
 // At a rational angle: tight places and stretches of the open slice.
-std::vector<ObstacleSweep::Candidate> ObstacleSweep::candidates_of_open_slice(const SignsAt& signs, std::vector<std::array<std::uint32_t, 2>>& between) const {
+std::vector<ObstacleSweep::Candidate> ObstacleSweep::candidates_of_open_slice(const SignsAt& signs,
+                                                                              std::vector<std::array<std::uint32_t, 2>>& between) const {
   SumOptions options;
   options.semantics = Semantics::open;
   const ExactAngle& at = angles[now_];
@@ -200,10 +213,12 @@ bool ObstacleSweep::reaches(const SignsAt& signs, std::uint32_t n, const Candida
 }
 
 // Whether sub-edges together come to the whole stretch from y to z.
-bool ObstacleSweep::reached_all_along(const SignsAt& signs, const std::vector<std::uint32_t>& nodes, const Candidate& y, const Candidate& z) const {
+bool ObstacleSweep::reached_all_along(const SignsAt& signs, const std::vector<std::uint32_t>& nodes, const Candidate& y,
+                                      const Candidate& z) const {
   std::vector<std::uint32_t> on_line;
   for (const std::uint32_t n : nodes)
-    if (signs.side_sign(nodes_[n].segment, y.place, y.near) == 0 && signs.side_sign(nodes_[n].segment, z.place, z.near) == 0) on_line.push_back(n);
+    if (signs.side_sign(nodes_[n].segment, y.place, y.near) == 0 && signs.side_sign(nodes_[n].segment, z.place, z.near) == 0)
+      on_line.push_back(n);
   if (on_line.empty()) return false;
   const WalkSegment line = nodes_[on_line[0]].segment;
   Fraction at = signs.along(line, y.place), end = signs.along(line, z.place);
@@ -228,7 +243,8 @@ int ObstacleSweep::passes(const SignsAt& signs, const std::vector<std::uint32_t>
   for (const std::uint32_t n : nodes) {
     if (!reaches(signs, n, z)) continue;
     const Fraction at = signs.along(nodes_[n].segment, z.place);
-    const bool starts = compare_now(*place_along(nodes_[n].segment, n, false), at) == 0, ends = compare_now(*place_along(nodes_[n].segment, n, true), at) == 0;
+    const bool starts = compare_now(*place_along(nodes_[n].segment, n, false), at) == 0;
+    const bool ends = compare_now(*place_along(nodes_[n].segment, n, true), at) == 0;
     halves += starts || ends ? starts + ends : 2;
   }
   return halves / 2;
