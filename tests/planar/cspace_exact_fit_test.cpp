@@ -249,6 +249,7 @@ bool touches(const CspaceObstacle& c, std::uint32_t slab, double theta) {
   for (std::size_t i = 0; i < ends.size(); ++i)
     for (std::size_t j = 0; j < ends.size(); ++j) {
       if (i == j) continue;
+      if (!apart(ends[i][0], ends[j][0])) return true;
       for (const Point& x : ends[i])
         if (near(x, ends[j]) && apart(x, ends[j][0]) && apart(x, ends[j][1])) return true;
     }
@@ -271,6 +272,25 @@ void expect_happenings(const CspaceObstacle& c) {
         << "\nobstacle " << format_region(c.obstacle(), RegionFormat::wkt);
   }
   for (const ObstacleEvent& e : c.events()) EXPECT_LT(e.angle, c.angles().size());
+}
+
+// Two tips as far apart as the rhombus is long: upright it touches both, and nothing else is different.
+TEST(CspaceExactFit, an_angle_at_which_the_boundary_only_touches_itself_is_listed) {
+  const Region rhombus = polygon({{2, 0}, {0, 1}, {-2, 0}, {0, -1}});
+  const auto listed = [&](double gap) {
+    const CspaceObstacle c = CspaceObstacle::create(rhombus, of_rings({{{-1, -4}, {1, -4}, {0, 0}}, {{0, gap}, {1, gap + 4}, {-1, gap + 4}}})).value();
+    expect_happenings(c);
+    EXPECT_TRUE(tight(c).empty());
+    std::size_t n = 0;
+    for (std::uint32_t k = 0; k < c.angles().size(); ++k) {
+      if (std::abs(std::abs(c.angles()[k].theta) - std::numbers::pi / 2) > 1e-12) continue;
+      ++n;
+      for (const Patch& p : c.patches()) EXPECT_TRUE(p.begin != k && p.end != k);
+    }
+    return n;
+  };
+  EXPECT_EQ(listed(4), 2u);
+  EXPECT_EQ(listed(4.125), 0u);
 }
 
 TEST(CspaceExactFit, something_happens_at_every_angle_that_is_listed) {
