@@ -28,7 +28,9 @@ struct Configuration {
 };
 
 /// An angle at which the combinatorics of the slice change: a root of an integer polynomial of degree 2 or 4 in t =
-/// tan(theta / 2). Listed by increasing theta in (-pi, pi].
+/// tan(theta / 2). Listed by increasing theta in (-pi, pi]. At each a patch begins or ends, or something happens at that
+/// angle only: something is tight, or the boundary touches itself. (Quarter turns at which more edges are aligned than
+/// there are may be listed in any case.)
 struct EventAngle {
   double theta = 0;            ///< nearest known double
   double low = 0, high = 0;    ///< the exact angle lies between them
@@ -41,7 +43,9 @@ struct ObstacleEvent {
     alignment,          ///< an edge of the robot becomes parallel to one of the obstacle: contacts change hands
     vertex_on_segment,  ///< a vertex contact meets another contact
     three_segments,     ///< three contacts at once
-    tight,              ///< free at this one angle only: a contact that can be held but neither reached nor left
+    /// Free at this one angle only: a contact that can be held but neither reached nor left, as no free placement with
+    /// clearance comes near. Of a stretch of such: one event at each end.
+    tight,
   };
   Kind kind = Kind::alignment;
   std::uint32_t angle = 0;  ///< number in angles()
@@ -64,7 +68,10 @@ struct Patch {
 struct Shell {
   bool outer = true;              ///< the free space it bounds reaches infinity; else it is a cavity of the obstacle
   std::uint32_t patches = 0;      ///< how many belong to it
-  std::int64_t euler = 0;         ///< vertices - edges + patches of the closed surface
+  /// Vertices - edges + patches of the closed surface, if what only touches is taken apart. Exact where work().slices is
+  /// 0. Else at least the true number, and even: handles made where several passages between the same faces open at one
+  /// angle, or one shuts or touches at one angle between faces that stay connected elsewhere, are not counted.
+  std::int64_t euler = 0;
   std::uint32_t free_component = 0;  ///< the component of free space on its right
 };
 

@@ -58,7 +58,7 @@ TEST(CspaceQuarterTurn, events_of_crowded_quarter_turns_are_not_made) {
   const Region comb = shapes::comb(5, 1, 0.25, 3);
   const CspaceObstacle c = CspaceObstacle::create(comb, comb).value();
   EXPECT_LT(c.work().potential_events, 1000u);
-  EXPECT_EQ(c.angles().size(), 8u) << "with the four at which all that happens is covered by crossing edges";
+  EXPECT_EQ(c.angles().size(), 8u);
   EXPECT_EQ(c.patches().size(), 224u);
   EXPECT_EQ(c.shells().size(), 1u);
   Random random(1);

@@ -53,13 +53,13 @@ bool ObstacleSweep::alignment_update(TurnEvent& event, const TurnRange& range) {
     if (!run.on_first && !run.on_second) return false;
     if ((run.on_first && !catalog_.may_exist(b2)) || (run.on_second && !catalog_.may_exist(a2))) return false;
   }
-  return carry(event, range, runs, {a, b, b2, a2});
+  return trying_ || carry(event, range, runs, {a, b, b2, a2});
 }
 
 bool ObstacleSweep::carry(TurnEvent& event, const TurnRange& range, const std::vector<AlignedRun>& runs, const std::array<WalkSegment, 4>& s) {
   now_ = angle(range, event);
   const Heading h = Heading::of(event.theta());
-  note(event, ObstacleEvent::Kind::alignment, place_of(event, forms_, h).at);
+  note(h, ObstacleEvent::Kind::alignment, place_of(event, forms_, h).at);
   ++work.local_updates;
   std::map<std::uint32_t, std::uint32_t> starts, ends;
   std::vector<std::uint32_t> touched, old;

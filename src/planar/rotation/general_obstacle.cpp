@@ -389,6 +389,7 @@ Result<bool> general_obstacle(CspaceObstacle::State& state, const ObstacleOption
   std::optional<ObstacleSweep> sweep;
   for (;;) {
     sweep.emplace(forms, catalog, base, reference);
+    sweep->keeps_all_angles = options.reference;
     const Passed passed = pass_turn(forms, catalog, *sweep, reference, options.progress);
     if (passed == Passed::cancelled) return Error{Code::cancelled, "stopped on request", {}};
     if (passed == Passed::turn) break;

@@ -11,34 +11,11 @@ namespace dymsum::planar {
 
 using exact::Polynomial;
 
-namespace {
-
-Polynomial product(const Polynomial& p, const Polynomial& q) {
-  if (p.is_zero() || q.is_zero()) return {};
-  std::vector<exact::Big> c(static_cast<std::size_t>(p.degree() + q.degree()) + 1);
-  for (int i = 0; i <= p.degree(); ++i)
-    for (int j = 0; j <= q.degree(); ++j) {
-      exact::Big& to = c[static_cast<std::size_t>(i + j)];
-      to = to + exact::Big(exact::BigInteger(p[i].value() * q[j].value()));
-    }
-  return Polynomial(std::move(c));
-}
-
-/// p + sign q.
-Polynomial sum_of(const Polynomial& p, const Polynomial& q, int sign) {
-  std::vector<exact::Big> c(static_cast<std::size_t>(std::max({p.degree(), q.degree(), 0})) + 1);
-  for (int i = 0; i < static_cast<int>(c.size()); ++i)
-    c[static_cast<std::size_t>(i)] = p[i] + exact::Big(exact::BigInteger(sign * q[i].value()));
-  return Polynomial(std::move(c));
-}
-
-}  // namespace
-
 int ObstacleSweep::sign_now(const exact::Polynomial& p) const { return p.is_zero() ? 0 : exact::sign_at(angles[now_].t, p); }
 
 // Where a node begins or ends along the line of s, times |d_s|^2: the start of its segment and a share of its vector, which is a crossing's
 // side / cross. Where the crossing line runs along this one at the angle, both are zero and their derivatives tell the limit.
-std::optional<ObstacleSweep::Fraction> ObstacleSweep::place_along(const WalkSegment& s, std::uint32_t n, bool at_end) const {
+std::optional<Fraction> ObstacleSweep::place_along(const WalkSegment& s, std::uint32_t n, bool at_end) const {
   const int chart = angles[now_].chart;
   const Node& node = nodes_[n];
   const WalkSegment &t = node.segment, by = segment_of(at_end ? node.right : node.left);

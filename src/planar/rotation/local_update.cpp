@@ -352,17 +352,17 @@ bool ObstacleSweep::local_update(TurnEvent& event, const TurnRange& range, const
   const std::optional<std::vector<Path>> found = paths(cluster, births);
   if (!cluster.any()) {
     if (births.empty() || filter.inside(cluster.at, h)) {
-      if (births.empty()) note_tight(event, range, cluster.at, h, filter);
+      if (births.empty() && !trying_) doubtful_.push_back(&event);
       return true;
     }
   }
-  if (!found) return false;
+  if (!found || trying_) return found.has_value();
   std::erase_if(births, [&](const std::vector<int>& cycle) { return !born(cluster, cycle, behind); });
   bool same = births.empty() && cluster.vanish.empty();
   for (const Path& path : *found) same &= path.segments.size() == 1 && path.in == path.out;
   if (same) return true;
   now_ = angle(range, event);
-  note(event, event.kind == TurnEvent::Kind::three_segments ? ObstacleEvent::Kind::three_segments : ObstacleEvent::Kind::vertex_on_segment, cluster.at);
+  note(h, event.kind == TurnEvent::Kind::three_segments ? ObstacleEvent::Kind::three_segments : ObstacleEvent::Kind::vertex_on_segment, cluster.at);
   ++work.local_updates;
   return apply(cluster, *found, births);
 }

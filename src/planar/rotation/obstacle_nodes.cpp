@@ -16,6 +16,7 @@ std::uint32_t ObstacleSweep::id(const WalkSegment& s) const {
 
 std::uint32_t ObstacleSweep::add_node(const WalkSegment& s, std::uint32_t cell) {
   const auto n = static_cast<std::uint32_t>(nodes_.size());
+  changed_ = true;
   Node node;
   node.segment = s;
   node.id = id(s);
@@ -31,6 +32,8 @@ std::uint32_t ObstacleSweep::add_node(const WalkSegment& s, std::uint32_t cell) 
 
 void ObstacleSweep::end_node(std::uint32_t n) {
   Node& node = nodes_[n];
+  changed_ = true;
+  ended_.push_back(n);
   node.alive = false;
   node.end = now_;
   if (node.before != kNobody)

@@ -32,8 +32,7 @@ std::uint32_t ObstacleSweep::angle(const TurnRange& range, TurnEvent& event) {
   return static_cast<std::uint32_t>(angles.size() - 1);
 }
 
-void ObstacleSweep::note(const TurnEvent& event, ObstacleEvent::Kind kind, Point at) {
-  const Heading h = Heading::of(event.theta());
+void ObstacleSweep::note(Heading h, ObstacleEvent::Kind kind, Point at) {
   const Point c = forms_.centre();
   const Lattice& l = *base_->lattice;
   // The forms' doubles leave out the turned centre and the offsets.
@@ -73,16 +72,17 @@ void ObstacleSweep::start(const TurnRange& range, std::vector<TurnEvent>& events
   }
 }
 
-void ObstacleSweep::slice(const TurnRange& range, TurnEvent& event, const std::function<Orientation()>& behind) {
+void ObstacleSweep::slice(const TurnRange& range, const Group& group, const std::function<Orientation()>& behind) {
+  TurnEvent& event = *group[0];
   ++work.slices;
   now_ = angle(range, event);
-  note(event, event.kind == TurnEvent::Kind::alignment        ? ObstacleEvent::Kind::alignment
+  const Heading h = Heading::of(event.theta());
+  note(h, event.kind == TurnEvent::Kind::alignment        ? ObstacleEvent::Kind::alignment
               : event.kind == TurnEvent::Kind::three_segments ? ObstacleEvent::Kind::three_segments
                                                               : ObstacleEvent::Kind::vertex_on_segment,
-       place_of(event, forms_, Heading::of(event.theta())).at);
-  // Kept even where the slices on both sides agree: at the angle itself something may touch.
+       place_of(event, forms_, h).at);
   take_slice(placed_at(*base_, behind()));
-  note_tight_slice(event, range);
+  doubtful_ = group;
 }
 
 // Nodes with the same segment and neighbours stay; the others end and begin here.
@@ -209,25 +209,34 @@ void ObstacleSweep::pass_group(const Group& group, const TurnRange& range, const
   now_ = kNobody;
   theta_now_ = group[0]->theta();
   born_ = 0;
+  changed_ = false;
+  ended_.clear();
+  doubtful_.clear();
   const std::uint64_t slices = work.slices;
   change(group, range, behind, filter);
+  if (!doubtful_.empty()) examine(range, filter);
   // Loops of one face keep to one component of free space: splits and joins hand it on, and a face that is born has one
   // loop unless more are born with it. Whole slices may leave a loop without a claim.
   if (!connected_ && (born_ > 1 || (born_ > 0 && work.slices > slices))) join_faces(behind());
 }
 
 void ObstacleSweep::change(const Group& group, const TurnRange& range, const std::function<Orientation()>& behind, OverlapFilter& filter) {
-  if (reference_ || crowded_ != nullptr) return slice(range, *group[0], behind);
+  if (reference_ || crowded_ != nullptr) return slice(range, group, behind);
   Group alone;
   for (const Group& cluster : clusters(group)) {
     if (cluster.size() == 1)
       alone.push_back(cluster[0]);
     else if (matters(cluster, filter))
-      return slice(range, *group[0], behind);
+      return slice(range, group, behind);
   }
+  // What one of several changes is not undone where another one takes a whole slice, as where opposite segments come to
+  // lie along each other with events at both ends: so all are tried first.
+  trying_ = alone.size() > 1;
   bool settled = true;
-  for (TurnEvent* event : alone) settled = local_update(*event, range, behind, filter) && settled;
-  if (!settled) slice(range, *group[0], behind);
+  for (TurnEvent* event : alone) settled = settled && (!trying_ || local_update(*event, range, behind, filter));
+  trying_ = false;
+  for (TurnEvent* event : alone) settled = settled && local_update(*event, range, behind, filter);
+  if (!settled) slice(range, group, behind);
 }
 
 void ObstacleSweep::pass_pending(const std::function<Orientation()>& behind, OverlapFilter& filter) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "planar/rotation/event_place.h"
+#include "planar/rotation/exact_place.h"
 #include "planar/rotation/obstacle_state.h"
 #include "planar/rotation/overlap_filter.h"
 #include "planar/rotation/quarter_turn.h"
@@ -69,6 +70,7 @@ class ObstacleSweep {
   /// The node that goes on in this one behind the end of the turn, or itself.
   std::uint32_t continued(std::uint32_t node) const { return continued_.empty() ? node : continued_[node]; }
   std::vector<ExactAngle> angles;
+  bool keeps_all_angles = false;  ///< also those at which nothing happens
   std::vector<ObstacleEvent> events;
   ObstacleWork work;
 
@@ -126,10 +128,10 @@ class ObstacleSweep {
   void change(const Group& group, const TurnRange& range, const std::function<Orientation()>& behind, OverlapFilter& filter);
   std::vector<std::uint32_t> segments_of(const TurnEvent& event, bool& unsure) const;
   std::uint32_t angle(const TurnRange& range, TurnEvent& event);
-  void slice(const TurnRange& range, TurnEvent& event, const std::function<Orientation()>& behind);
+  void slice(const TurnRange& range, const Group& group, const std::function<Orientation()>& behind);
   void take_slice(SumState state);
   WalkSegment segment_of(std::uint32_t id) const;
-  void note(const TurnEvent& event, ObstacleEvent::Kind kind, Point at);
+  void note(Heading h, ObstacleEvent::Kind kind, Point at);
   // event_clusters.cpp
   std::vector<Group> clusters(const Group& group) const;
   // line_stretch.cpp
@@ -140,9 +142,6 @@ class ObstacleSweep {
   /// Lines that collinear() may call one have offsets from the origin that differ by less than this share of the span, a tenth of it.
   static constexpr double kLineNear = 0x1p-34;
   double line_offset(std::uint32_t n, Heading h) const;
-  struct Fraction {
-    exact::Polynomial num, den;
-  };
   std::optional<Fraction> place_along(const WalkSegment& s, std::uint32_t node, bool at_end) const;
   int compare_now(const Fraction& x, const Fraction& y) const;
   int sign_now(const exact::Polynomial& p) const;
@@ -151,8 +150,23 @@ class ObstacleSweep {
   bool covered_now(std::uint32_t n, const std::vector<std::uint32_t>& opposite, Heading h) const;
   std::array<double, 3> stretch_now(std::uint32_t on, std::uint32_t n, Heading h) const;
   // tight_events.cpp
-  void note_tight(TurnEvent& event, const TurnRange& range, Point at, Heading h, const OverlapFilter& filter);
-  void note_tight_slice(TurnEvent& event, const TurnRange& range);
+  /// A place of events of the group that may be free, and segments through it.
+  struct Candidate {
+    ExactPlace place;
+    std::optional<Point> near;
+    std::vector<std::uint32_t> through;
+    bool visible = false;  ///< sub-edges before or behind the angle come to it
+  };
+  void examine(const TurnRange& range, OverlapFilter& filter);
+  std::vector<Candidate> candidates(const SignsAt& signs, const OverlapFilter& filter) const;
+  std::vector<Candidate> candidates_of_open_slice(const SignsAt& signs, std::vector<std::array<std::uint32_t, 2>>& between) const;
+  std::vector<Candidate> each_once(const SignsAt& signs, std::vector<Candidate> all) const;
+  Point drawn(const SignsAt& signs, const ExactPlace& z) const;
+  std::vector<std::array<std::uint32_t, 2>> open_stretches(const SignsAt& signs, const std::vector<Candidate>& places) const;
+  std::vector<std::uint32_t> nodes_now() const;
+  bool reaches(const SignsAt& signs, std::uint32_t n, const Candidate& z) const;
+  bool reached_all_along(const SignsAt& signs, const std::vector<std::uint32_t>& nodes, const Candidate& y, const Candidate& z) const;
+  int passes(const SignsAt& signs, const std::vector<std::uint32_t>& nodes, const Candidate& z) const;
   // obstacle_nodes.cpp
   std::uint32_t id(const WalkSegment& s) const;
   std::uint32_t add_node(const WalkSegment& s, std::uint32_t cell);
@@ -219,6 +233,10 @@ class ObstacleSweep {
   std::uint32_t born_ = 0;        ///< loops without a predecessor, in the group
   std::uint32_t now_ = kNobody;   ///< the angle of the group, once something changed there
   double theta_now_ = 0;          ///< near the angle of the group
+  bool trying_ = false;           ///< local updates tell whether they can do it, and change nothing
+  bool changed_ = false;          ///< a sub-edge began or ended there
+  std::vector<std::uint32_t> ended_;     ///< sub-edges that ended there
+  std::vector<TurnEvent*> doubtful_;     ///< events of the group that may be places of tight contacts, or of nothing at all
   bool closed_ = false;
   std::vector<TurnEvent> pending_;  ///< at the very end of the last window
   const CrowdedQuarter* crowded_ = nullptr;  ///< there they stand for many, so that a whole slice is due

@@ -99,9 +99,9 @@ bool ObstacleSweep::overlap_update(TurnEvent& event, const TurnRange& range) {
     for (std::size_t k = 0; same && k < segments.size(); ++k) same = id(segments[k]) == nodes_[s.nodes[k]].id;
     if (!same) changes.emplace_back(&s, std::move(segments));
   }
-  if (changes.empty()) return true;
+  if (changes.empty() || trying_) return true;
   now_ = angle(range, event);
-  note(event, ObstacleEvent::Kind::vertex_on_segment, forms_.place(start, h));
+  note(h, ObstacleEvent::Kind::vertex_on_segment, forms_.place(start, h));
   ++work.local_updates;
   for (const auto& [s, segments] : changes) {
     replace(s->nodes, segments, starts, ends, touched);

@@ -1,0 +1,143 @@
+#include "planar/rotation/exact_place.h"
+
+#include <algorithm>
+
+namespace dymsum::planar {
+
+using exact::Polynomial;
+
+namespace {
+
+/// Sides of points within 2^-37 of the span, of edges turned by an angle within 2^-49, err by less than this times span and length.
+constexpr double kNearSide = 0x1p-35;
+constexpr double kLeastSine = 0x1p-4;
+
+Polynomial one() { return Polynomial({exact::Big(exact::BigInteger(1))}); }
+
+Fraction half_of_sum(const Fraction& x, const Fraction& y) {
+  const Polynomial den = product(x.den, y.den);
+  return {sum_of(product(x.num, y.den), product(y.num, x.den), 1), sum_of(den, den, 1)};
+}
+
+// Of t within 2^-60.
+Heading heading_of(const ExactAngle& angle) {
+  exact::RootBracket bracket = angle.t.bracket();
+  bracket.refine_to(60);
+  const double t = exact::double_bounds(bracket.low().value()).first, sign = angle.chart == 0 ? 1 : -1;
+  return {sign * (1 - t * t) / (1 + t * t), sign * 2 * t / (1 + t * t)};
+}
+
+}  // namespace
+
+Polynomial product(const Polynomial& p, const Polynomial& q) {
+  if (p.is_zero() || q.is_zero()) return {};
+  std::vector<exact::Big> c(static_cast<std::size_t>(p.degree() + q.degree()) + 1);
+  for (int i = 0; i <= p.degree(); ++i)
+    for (int j = 0; j <= q.degree(); ++j) {
+      exact::Big& to = c[static_cast<std::size_t>(i + j)];
+      to = to + exact::Big(exact::BigInteger(p[i].value() * q[j].value()));
+    }
+  return Polynomial(std::move(c));
+}
+
+Polynomial sum_of(const Polynomial& p, const Polynomial& q, int sign) {
+  std::vector<exact::Big> c(static_cast<std::size_t>(std::max({p.degree(), q.degree(), 0})) + 1);
+  for (int i = 0; i < static_cast<int>(c.size()); ++i)
+    c[static_cast<std::size_t>(i)] = p[i] + exact::Big(exact::BigInteger(sign * q[i].value()));
+  return Polynomial(std::move(c));
+}
+
+SignsAt::SignsAt(const TurningForms& forms, const ExactAngle& angle) : forms_(forms), angle_(angle), heading_(heading_of(angle)) {}
+
+int SignsAt::compare(const Fraction& x, const Fraction& y) const {
+  return sign(sum_of(product(x.num, y.den), product(y.num, x.den), -1)) * sign(x.den) * sign(y.den);
+}
+
+// A crossing errs by less than 2^-45 of the span over the sine by rounding (side_error, over the lengths), and by 2^-49 (1 + 4 / sine) by
+// the angle.
+std::optional<Point> SignsAt::near(const ExactPlace::Simple& z) const {
+  if (!z.crossing) return forms_.place(z.corner, heading_);
+  const double cross = forms_.cross(z.a, z.b).at(heading_);
+  if (!(std::abs(cross) >= kLeastSine * forms_.length1(z.a) * forms_.length1(z.b))) return std::nullopt;
+  const double t = forms_.side(z.b, TurningForms::start(z.a)).at(heading_) / cross;
+  const Point from = forms_.place(TurningForms::start(z.a), heading_), d = forms_.direction(z.a, heading_);
+  return Point{from.x + t * d.x, from.y + t * d.y};
+}
+
+std::optional<Point> SignsAt::near(const ExactPlace& z) const {
+  const std::optional<Point> first = near(z.first);
+  if (!z.second || !first) return first;
+  const std::optional<Point> second = near(*z.second);
+  if (!second) return second;
+  return Point{(first->x + second->x) / 2, (first->y + second->y) / 2};
+}
+
+// A crossing is start_a + (side(b, start_a) / (a x b)) d_a.
+Fraction SignsAt::side(const WalkSegment& s, const ExactPlace::Simple& z) const {
+  const int chart = angle_.chart;
+  if (!z.crossing) return {forms_.exact_side(s, z.corner, chart), one()};
+  const Pair from = TurningForms::start(z.a);
+  const Polynomial ab = forms_.exact_cross(z.a, z.b, chart), share = forms_.exact_side(z.b, from, chart);
+  return {sum_of(product(forms_.exact_side(s, from, chart), ab), product(share, forms_.exact_cross(s, z.a, chart)), 1), ab};
+}
+
+Fraction SignsAt::along(const WalkSegment& s, const ExactPlace::Simple& z) const {
+  const int chart = angle_.chart;
+  const Pair start = TurningForms::start(s);
+  if (!z.crossing) return {forms_.exact_along(s, start, z.corner, chart), one()};
+  const Pair from = TurningForms::start(z.a);
+  const Polynomial ab = forms_.exact_cross(z.a, z.b, chart), share = forms_.exact_side(z.b, from, chart);
+  const Polynomial dot = forms_.exact_along(s, from, forms_.end(z.a), chart);
+  return {sum_of(product(forms_.exact_along(s, start, from, chart), ab), product(share, dot), 1), ab};
+}
+
+Fraction SignsAt::side(const WalkSegment& s, const ExactPlace& z) const {
+  return z.second ? half_of_sum(side(s, z.first), side(s, *z.second)) : side(s, z.first);
+}
+
+Fraction SignsAt::along(const WalkSegment& s, const ExactPlace& z) const {
+  return z.second ? half_of_sum(along(s, z.first), along(s, *z.second)) : along(s, z.first);
+}
+
+Fraction SignsAt::length(const WalkSegment& s) const {
+  return {forms_.exact_along(s, TurningForms::start(s), forms_.end(s), angle_.chart), one()};
+}
+
+int SignsAt::side_sign(const WalkSegment& s, const ExactPlace& z, const std::optional<Point>& near) const {
+  if (near) {
+    const Point from = forms_.place(TurningForms::start(s), heading_), d = forms_.direction(s, heading_);
+    const double value = d.x * (near->y - from.y) - d.y * (near->x - from.x);
+    if (std::abs(value) > kNearSide * forms_.length1(s) * forms_.span()) return value > 0 ? 1 : -1;
+  }
+  return sign(side(s, z));
+}
+
+bool SignsAt::holds(const WalkSegment& s, const ExactPlace& z, const std::optional<Point>& near) const {
+  if (side_sign(s, z, near) != 0) return false;
+  const Fraction at = along(s, z);
+  return sign(at) >= 0 && compare(at, length(s)) <= 0;
+}
+
+bool SignsAt::same(const ExactPlace::Simple& y, const ExactPlace& z) const {
+  if (y.crossing) return sign(side(y.a, z)) == 0 && sign(side(y.b, z)) == 0;
+  const WalkSegment s{0, y.corner.p, y.corner.q};  // it starts there
+  return sign(side(s, z)) == 0 && sign(along(s, z)) == 0;
+}
+
+// Of places that are no middles.
+bool SignsAt::same(const ExactPlace& y, const ExactPlace& z) const { return same(y.first, z); }
+
+int SignsAt::cross(const WalkSegment& d, const WalkSegment& e) const {
+  const double value = forms_.cross(d, e).at(heading_);
+  if (std::abs(value) > 0x1p-40 * forms_.length1(d) * forms_.length1(e)) return value > 0 ? 1 : -1;
+  return sign(forms_.exact_cross(d, e, angle_.chart));
+}
+
+int SignsAt::dot(const WalkSegment& d, const WalkSegment& e) const {
+  const Point u = forms_.direction(d, heading_), v = forms_.direction(e, heading_);
+  const double value = u.x * v.x + u.y * v.y;
+  if (std::abs(value) > 0x1p-40 * forms_.length1(d) * forms_.length1(e)) return value > 0 ? 1 : -1;
+  return sign(forms_.exact_along(d, TurningForms::start(e), forms_.end(e), angle_.chart));
+}
+
+}  // namespace dymsum::planar

@@ -1,0 +1,133 @@
+// Proof. Let the interiors meet, and let no edges cross properly. If some boundary ring of one enters the interior of the other and does
+// not lie in it as a whole, it leaves it at a common point of the boundaries: at a vertex of one on an edge or a vertex of the other, as
+// edges do not cross, and there the sectors that the two fill have directions in common. Otherwise a whole ring of one lies in the
+// interior of the other, or no boundary enters the other's interior. Then two parts whose interiors meet are equal and have a common
+// vertex with equal sectors. So three tests tell: proper crossings; sectors at vertices on edges and vertices; a vertex of every ring
+// that touches nothing.
+#include "planar/rotation/free_place.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace dymsum::planar {
+namespace {
+
+/// Of an edge of the obstacle, or of the reflected robot.
+struct Ray {
+  WalkSegment of;
+  int sign = 1;
+};
+/// The directions from one ray to another, counter-clockwise, that a region fills.
+struct Sector {
+  Ray from, to;
+};
+
+class FreePlace {
+ public:
+  FreePlace(const SignsAt& signs, const ExactPlace& z) : signs_(signs), forms_(signs.forms()), z_(z), near_(signs.near(z)) {
+    for (std::uint32_t op = 0; op < 2; ++op) {
+      const std::vector<Loop>& loops = forms_.operand(op).loops;
+      touches_[op].assign(loops.size(), 0);
+      loop_of_[op].resize(forms_.size(op));
+      for (std::uint32_t l = 0; l < loops.size(); ++l)
+        for (std::uint32_t v = loops[l].first; v < loops[l].last; ++v) loop_of_[op][v] = l;
+    }
+    if (!near_) return;
+    const Heading h = signs.heading();
+    for (const Point& q : forms_.points(1)) robot_.push_back({near_->x - (h.c * q.x - h.s * q.y), near_->y - (h.s * q.x + h.c * q.y)});
+  }
+
+  bool run() {
+    for (std::uint32_t i = 0; i < forms_.size(0); ++i)
+      for (std::uint32_t j = 0; j < forms_.size(1); ++j)
+        if (!boxes_apart(i, j) && overlap_at(i, j)) return false;
+    return !a_ring_is_inside();
+  }
+
+ private:
+  bool boxes_apart(std::uint32_t i, std::uint32_t j) const {
+    if (!near_) return false;
+    const double margin = 0x1p-35 * forms_.span();
+    const Point a = forms_.points(0)[i], b = forms_.points(0)[forms_.operand(0).next[i]];
+    const Point c = robot_[j], d = robot_[forms_.operand(1).next[j]];
+    return std::max(a.x, b.x) + margin < std::min(c.x, d.x) || std::max(c.x, d.x) + margin < std::min(a.x, b.x) ||
+           std::max(a.y, b.y) + margin < std::min(c.y, d.y) || std::max(c.y, d.y) + margin < std::min(a.y, b.y);
+  }
+
+  // With side 0: vertex v of the robot is on the left of edge e of the obstacle. With side 1: vertex v of the obstacle is on the left of
+  // edge e of the robot, which is the reflected operand's, turned round.
+  int side(std::uint32_t op, std::uint32_t e, std::uint32_t v) const { return signs_.side_sign({op, e, v}, z_, near_); }
+
+  // The edge at the robot's own direction.
+  static Ray along(std::uint32_t op, std::uint32_t e) { return {{op, e, 0}, op == 0 ? 1 : -1}; }
+  static Ray back(std::uint32_t op, std::uint32_t e) { return {{op, e, 0}, op == 0 ? -1 : 1}; }
+  Sector at_edge(std::uint32_t op, std::uint32_t e) const { return {along(op, e), back(op, e)}; }
+  Sector at_vertex(std::uint32_t op, std::uint32_t v) const { return {along(op, v), back(op, forms_.operand(op).prev[v])}; }
+
+  bool overlap_at(std::uint32_t i, std::uint32_t j) {
+    const std::uint32_t i1 = forms_.operand(0).next[i], j1 = forms_.operand(1).next[j];
+    const int s0 = side(0, i, j), s1 = side(0, i, j1);
+    if (s0 * s1 > 0) return false;
+    const int r0 = side(1, j, i), r1 = side(1, j, i1);
+    if (s0 * s1 < 0 && r0 * r1 < 0) return true;
+    return (s0 == 0 && overlap_at_vertex(0, i, j)) || (r0 == 0 && overlap_at_vertex(1, j, i));
+  }
+
+  // Vertex v of the other operand is on the line of edge e: sectors, where it lies on the edge. At the edge's end another edge starts.
+  bool overlap_at_vertex(std::uint32_t op, std::uint32_t e, std::uint32_t v) {
+    const WalkSegment s{op, e, v};
+    const Fraction at = signs_.along(s, z_);
+    const int from = signs_.sign(at), to = signs_.compare(at, signs_.length(s));
+    if (from < 0 || to > 0) return false;
+    touches_[op][loop_of_[op][e]] = touches_[1 - op][loop_of_[1 - op][v]] = 1;
+    if (to == 0) return false;
+    return meet(from > 0 ? at_edge(op, e) : at_vertex(op, e), at_vertex(1 - op, v));
+  }
+
+  int cross(const Ray& u, const Ray& v) const { return u.sign * v.sign * signs_.cross(u.of, v.of); }
+  bool same(const Ray& u, const Ray& v) const { return cross(u, v) == 0 && u.sign * v.sign * signs_.dot(u.of, v.of) > 0; }
+  // Counter-clockwise from `first`: 0 before a half turn, 1 at it, 2 beyond. Of another direction.
+  int half(const Ray& first, const Ray& u) const { return 1 - cross(first, u); }
+  bool starts_in(const Ray& u, const Sector& s) const {
+    if (same(u, s.from)) return true;
+    if (same(u, s.to)) return false;
+    const int a = half(s.from, u), b = half(s.from, s.to);
+    return a != b ? a < b : a != 1 && cross(u, s.to) > 0;
+  }
+  bool meet(const Sector& s, const Sector& t) const { return starts_in(s.from, t) || starts_in(t.from, s); }
+
+  bool a_ring_is_inside() const {
+    for (std::uint32_t op = 0; op < 2; ++op)
+      for (std::uint32_t l = 0; l < touches_[op].size(); ++l) {
+        if (touches_[op][l]) continue;
+        for (const Component& c : forms_.operand(1 - op).components)
+          if (inside(op, forms_.operand(op).loops[l].first, c)) return true;
+      }
+    return false;
+  }
+
+  // Vertex v in a component of the other operand: edges that cross the line of the edge at v ahead of v.
+  bool inside(std::uint32_t op, std::uint32_t v, const Component& c) const {
+    const Operand& other = forms_.operand(1 - op);
+    bool in = false;
+    for (std::uint32_t k = c.first; k < c.last; ++k) {
+      const bool from = side(op, v, k) > 0, to = side(op, v, other.next[k]) > 0;
+      if (from != to) in ^= (side(1 - op, k, v) > 0) == to;
+    }
+    return in;
+  }
+
+  const SignsAt& signs_;
+  const TurningForms& forms_;
+  const ExactPlace& z_;
+  std::optional<Point> near_;
+  std::vector<Point> robot_;
+  std::array<std::vector<std::uint8_t>, 2> touches_;
+  std::array<std::vector<std::uint32_t>, 2> loop_of_;
+};
+
+}  // namespace
+
+bool is_free(const SignsAt& signs, const ExactPlace& z) { return FreePlace(signs, z).run(); }
+
+}  // namespace dymsum::planar
