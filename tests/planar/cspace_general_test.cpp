@@ -232,13 +232,26 @@ TEST(CspaceGeneral, events_at_one_angle_and_several_places_are_handled_one_by_on
 // Two opposite segments come to lie along each other, with an event at either end: one of them begins a loop near its place, the other one needs a
 // whole slice, in which that loop is none. It was left without patches.
 TEST(CspaceGeneral, an_event_is_not_handled_where_another_one_of_its_angle_takes_a_slice) {
-  const Region robot = polygon({{16, 2}, {4, 3}, {4, 13}, {-4, -3}, {-4, -13}, {9, -12}, {4, -1}});
-  RegionData pins;
-  pins.parts = {{{{20, 6}, {21, 6}, {19, 7}}, {}}, {{{29, 16}, {29, 17}, {28, 16}}, {}}};
+  const Ring star{{16, 2}, {4, 3}, {4, 13}, {-4, -3}, {-4, -13}, {9, -12}, {4, -1}};
+  const std::vector<Ring> pins{{{20, 6}, {21, 6}, {19, 7}}, {{29, 16}, {29, 17}, {28, 16}}};
   Random random(1);
-  const CspaceObstacle c = CspaceObstacle::create(robot, *Region::create(pins)).value();
-  expect_slices(c, random, 1000);
-  for (const FreeCell& cell : c.free_cells()) EXPECT_TRUE(cell.begin == Patch::kNone || cell.begin != cell.end);
+  // In a mirror the events come in another order; so they do with the pins or the vertices numbered from others.
+  for (const bool mirrored : {false, true})
+    for (std::size_t first = 0; first < star.size(); ++first)
+      for (const bool swapped : {false, true}) {
+        const auto seen = [&](Ring ring) {
+          if (!mirrored) return ring;
+          for (Point& p : ring) p.x = -p.x;
+          return reversed(ring);
+        };
+        Ring robot = star;
+        std::rotate(robot.begin(), robot.begin() + static_cast<std::ptrdiff_t>(first), robot.end());
+        RegionData obstacle;
+        for (const bool second : {swapped, !swapped}) obstacle.parts.push_back({seen(pins[second ? 1 : 0]), {}});
+        const CspaceObstacle c = CspaceObstacle::create(polygon(seen(robot)), *Region::create(obstacle)).value();
+        expect_slices(c, random, 1000);
+        for (const FreeCell& cell : c.free_cells()) EXPECT_TRUE(cell.begin == Patch::kNone || cell.begin != cell.end);
+      }
 }
 
 // A rhombus in a corridor as high as its longer diagonal is held, upright, between floor and ceiling: touching is no connection, so there
