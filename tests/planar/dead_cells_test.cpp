@@ -50,6 +50,50 @@ std::vector<std::uint8_t> by_definition(const Grid& grid, const Raster& p, const
   return dead;
 }
 
+/// Rows of one long run with ragged ends, some with a gap: most sums of two runs lie in longer ones.
+Raster solid_raster(oracles::Random& random, int rows, int columns) {
+  Raster raster(rows, columns);
+  const auto below = [&](int n) { return static_cast<int>(random.below(n)); };
+  for (int r = 0; r < rows; ++r) {
+    const int first = below(20), last = columns - 1 - below(20);
+    if (random.chance(5)) continue;
+    if (random.chance(15)) {
+      const int gap = first + 1 + below(last - first - 1);
+      raster.inner.set_run(r, first, gap - 1);
+      if (gap + 1 <= last) raster.inner.set_run(r, gap + 1, last);
+    } else {
+      raster.inner.set_run(r, first, last);
+    }
+    raster.touch.set(r, below(columns));
+  }
+  for (std::size_t i = 0; i < raster.touch.bits.size(); ++i) raster.touch.bits[i] |= raster.inner.bits[i];
+  return raster;
+}
+
+struct Counts {
+  std::size_t dead = 0, live = 0;
+};
+
+Counts compare_with_definition(const Raster& p, const Raster& q, std::uint64_t seed) {
+  Grid grid;
+  grid.rows = p.inner.rows + q.inner.rows;
+  grid.columns = p.inner.columns + q.inner.columns;
+  grid.cell = grid.per_cell = 1;
+  const DeadCells cells(grid, p, q);
+  const std::vector<std::uint8_t> expected = by_definition(grid, p, q);
+  std::size_t wrong = 0;
+  Counts counts;
+  for (int r = 0; r < grid.rows; ++r)
+    for (int c = 0; c < grid.columns; ++c) {
+      const bool d = expected[std::size_t(r) * grid.columns + c] != 0;
+      wrong += cells.dead(r, c) != d;
+      (d ? counts.dead : counts.live) += 1;
+      if (cells.live(r, c, r, c) != (d ? 0u : 1u)) ++wrong;
+    }
+  EXPECT_EQ(wrong, 0u) << "seed " << seed;
+  return counts;
+}
+
 TEST(DeadCells, are_the_sums_of_inner_corners_and_touched_cells) {
   std::size_t dead = 0, live = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
@@ -57,24 +101,24 @@ TEST(DeadCells, are_the_sums_of_inner_corners_and_touched_cells) {
     const auto size = [&] { return 3 + static_cast<int>(random.below(seed % 3 == 0 ? 150 : 30)); };
     const int rows_p = size(), columns_p = size(), rows_q = size(), columns_q = size();
     const Raster p = random_raster(random, rows_p, columns_p, seed % 5 == 0 ? 1 : 8), q = random_raster(random, rows_q, columns_q, 6);
-    Grid grid;
-    grid.rows = rows_p + rows_q;
-    grid.columns = columns_p + columns_q;
-    grid.cell = grid.per_cell = 1;
-    const DeadCells cells(grid, p, q);
-    const std::vector<std::uint8_t> expected = by_definition(grid, p, q);
-    std::size_t wrong = 0;
-    for (int r = 0; r < grid.rows; ++r)
-      for (int c = 0; c < grid.columns; ++c) {
-        const bool d = expected[std::size_t(r) * grid.columns + c] != 0;
-        wrong += cells.dead(r, c) != d;
-        (d ? dead : live) += 1;
-        if (cells.live(r, c, r, c) != (d ? 0u : 1u)) ++wrong;
-      }
-    EXPECT_EQ(wrong, 0u) << "seed " << seed;
+    const Counts counts = compare_with_definition(p, q, seed);
+    dead += counts.dead;
+    live += counts.live;
   }
   EXPECT_GT(dead, 10000u);
   EXPECT_GT(live, 10000u);
+}
+
+TEST(DeadCells, of_solid_operands_are_the_same_by_runs) {
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    oracles::Random random(seed);
+    const int rows_p = 10 + static_cast<int>(random.below(30)), rows_q = 10 + static_cast<int>(random.below(30));
+    const Raster p = solid_raster(random, rows_p, 130 + static_cast<int>(random.below(80)));
+    const Raster q = solid_raster(random, rows_q, 130 + static_cast<int>(random.below(80)));
+    const Counts counts = compare_with_definition(p, q, seed);
+    EXPECT_GT(counts.dead, 1000u);
+    EXPECT_GT(counts.live, 100u);
+  }
 }
 
 }  // namespace
