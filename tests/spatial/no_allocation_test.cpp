@@ -7,6 +7,9 @@
 
 #if !defined(__SANITIZE_ADDRESS__)
 
+// GCC 12 sees the `free` of one replaced function beside the `new` of another and takes them for a mismatch.
+#pragma GCC diagnostic ignored "-Wmismatched-new-delete"
+
 namespace {
 std::atomic<std::size_t> allocations{0};
 }
