@@ -17,14 +17,18 @@ Array<std::uint32_t> add_live(const ReducedConvolution& convolution, const Inter
   // The cells that an edge reaches, as distances from the other operand's vertex. Without clamps: coordinates lie in [0, span], and the
   // grid reaches farther than that by more than a cell.
   struct Cells {
-    std::array<double, 4> bounds;  // low row, low column, high row, high column
+    std::array<float, 4> bounds;  // low row, low column, high row, high column
   };
   Array<Cells> cells(soup.memory);
+  if (mask != nullptr) cells.reserve(std::max(soup.operands[0]->boxes.size(), soup.operands[1]->boxes.size()));
   const auto reach_of = [&](const Operand& o) {
     cells.clear();
+    // A rounding errs by at most kReach, as there are fewer than 2048 rows and columns.
+    constexpr double reach = 3 * kReach;
+    static_assert(kReach >= 0x1p-14);
     for (const EdgeBox& b : o.boxes)
-      cells.push_back({{std::min(b.ay, b.by) * g.per_cell - 2 * kReach, std::min(b.ax, b.bx) * g.per_cell - 2 * kReach,
-                        std::max(b.ay, b.by) * g.per_cell + 2 * kReach, std::max(b.ax, b.bx) * g.per_cell + 2 * kReach}});
+      cells.push_back({{static_cast<float>(std::min(b.ay, b.by) * g.per_cell - reach), static_cast<float>(std::min(b.ax, b.bx) * g.per_cell - reach),
+                        static_cast<float>(std::max(b.ay, b.by) * g.per_cell + reach), static_cast<float>(std::max(b.ax, b.bx) * g.per_cell + reach)}});
   };
   const auto dead = [&](const Cells& edge, double row, double column) {
     const std::array<double, 4> at{row, column, row, column};
