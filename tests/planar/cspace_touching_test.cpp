@@ -132,18 +132,7 @@ TEST(CspaceTouching, random_pairs_equal_the_obstacle_by_whole_slices) {
 // Squares of a board that touch at corners: everything in line, and most events at quarter turns.
 TEST(CspaceTouching, boards_equal_slices) {
   for_seeds(40, [](Random& random) {
-    const auto board = [&](int size, double cell) {
-      for (;;) {
-        std::vector<Region> cells;
-        for (int x = 0; x < size; ++x)
-          for (int y = 0; y < size; ++y)
-            if (random() % 2 == 0) cells.push_back(polygon(box(x * cell, y * cell, (x + 1) * cell, (y + 1) * cell)));
-        if (cells.empty()) continue;
-        const Result<Region> all = union_of(cells).value().rounded();
-        if (all.ok() && !all->touching_points().empty()) return *all;
-      }
-    };
-    const Region robot = random() % 2 == 0 ? board(3, 1) : random_cells(random, 2, 1), obstacle = board(4, 1 + static_cast<double>(random() % 3) / 2);
+    const Region robot = random() % 2 == 0 ? random_board(random, 3, 1) : random_cells(random, 2, 1), obstacle = random_board(random, 4, 1 + static_cast<double>(random() % 3) / 2);
     expect_slices(CspaceObstacle::create(robot, obstacle).value(), random, 60);
   });
 }

@@ -95,19 +95,6 @@ class Places {
   Region obstacle_, robot_;
 };
 
-// Squares of a board that may touch at corners.
-Region random_board(Random& random, int size, double cell) {
-  for (;;) {
-    std::vector<Region> cells;
-    for (int x = 0; x < size; ++x)
-      for (int y = 0; y < size; ++y)
-        if (random() % 2 == 0) cells.push_back(polygon(box(x * cell, y * cell, (x + 1) * cell, (y + 1) * cell)));
-    if (cells.empty()) continue;
-    const Result<Region> all = union_of(cells).value().rounded();
-    if (all.ok() && !all->touching_points().empty()) return *all;
-  }
-}
-
 TEST(FreePlace, equals_membership_in_the_open_sum) {
   Tally tally;
   for_seeds(120, [&](Random& random) {

@@ -178,4 +178,17 @@ inline Region random_cells(Random& random, int size, double cell) {
   }
 }
 
+// Squares of such a board that touch at corners somewhere, perhaps in several parts.
+inline Region random_board(Random& random, int size, double cell) {
+  for (;;) {
+    std::vector<Region> cells;
+    for (int x = 0; x < size; ++x)
+      for (int y = 0; y < size; ++y)
+        if (random() % 2 == 0) cells.push_back(polygon(box(x * cell, y * cell, (x + 1) * cell, (y + 1) * cell)));
+    if (cells.empty()) continue;
+    const Result<Region> all = union_of(cells).value().rounded();
+    if (all.ok() && !all->touching_points().empty()) return *all;
+  }
+}
+
 }  // namespace dymsum::testing_obstacles

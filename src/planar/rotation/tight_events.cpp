@@ -205,7 +205,7 @@ std::vector<std::uint32_t> ObstacleSweep::nodes_now() const {
 // Whether a sub-edge, before or behind the angle, comes to z at the angle.
 bool ObstacleSweep::reaches(const SignsAt& signs, std::uint32_t n, const Candidate& z) const {
   const WalkSegment& s = nodes_[n].segment;
-  if (signs.side_sign(s, z.place, z.near) != 0 || !signs.holds(s, z.place, z.near)) return false;
+  if (!signs.holds(s, z.place, z.near)) return false;
   const Fraction at = signs.along(s, z.place);
   const std::optional<Fraction> from = place_along(s, n, false), to = place_along(s, n, true);
   if (!from || !to) throw std::logic_error("ObstacleSweep: a sub-edge ends nowhere on its line");
