@@ -71,12 +71,13 @@ class Places {
     const Point p = input(0, v.p), q = input(1, v.q);
     return {p.x + (turn_.cosine * q.x - turn_.sine * q.y) / 5, p.y + (turn_.sine * q.x + turn_.cosine * q.y) / 5};
   }
-  // Where it is an integer.
+  // On the first segment, where it is an integer.
   std::optional<Point> crossing(const WalkSegment& a, const WalkSegment& b) const {
     const Point p = place(TurningForms::start(a)), q = place(TurningForms::start(b)), p1 = place(forms_.end(a)), q1 = place(forms_.end(b));
     const Point d{p1.x - p.x, p1.y - p.y}, e{q1.x - q.x, q1.y - q.y};
     const double cross = d.x * e.y - d.y * e.x, side = (q.x - p.x) * e.y - (q.y - p.y) * e.x;
     if (cross == 0 || std::fmod(side * d.x, cross) != 0 || std::fmod(side * d.y, cross) != 0) return std::nullopt;
+    if (side / cross < 0 || side / cross > 1) return std::nullopt;
     return Point{p.x + side * d.x / cross, p.y + side * d.y / cross};
   }
   void compare(const ExactPlace& exact, Point z, Tally& tally) const {

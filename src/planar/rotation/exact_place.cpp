@@ -8,9 +8,8 @@ using exact::Polynomial;
 
 namespace {
 
-/// Sides of points within 2^-37 of the span, of edges turned by an angle within 2^-49, err by less than this times span and length.
-constexpr double kNearSide = 0x1p-35;
 constexpr double kLeastSine = 0x1p-4;
+constexpr double kOffSegment = 0x1p-30;
 
 Polynomial one() { return Polynomial({exact::Big(exact::BigInteger(1))}); }
 
@@ -20,12 +19,24 @@ Fraction half_of_sum(const Fraction& x, const Fraction& y) {
 }
 
 // Of t within 2^-60.
-Heading heading_of(const ExactAngle& angle) {
-  exact::RootBracket bracket = angle.t.bracket();
+Heading heading_of(exact::RootBracket& bracket, int chart) {
   bracket.refine_to(60);
-  const double t = exact::double_bounds(bracket.low().value()).first, sign = angle.chart == 0 ? 1 : -1;
+  const double t = exact::double_bounds(bracket.low().value()).first, sign = chart == 0 ? 1 : -1;
   return {sign * (1 - t * t) / (1 + t * t), sign * 2 * t / (1 + t * t)};
 }
+
+/// p at a dyadic number x of [-1, 1], and a bound on what its values within 2^-bits of x differ from that by.
+struct ValueNear {
+  exact::BigInteger value, error;  ///< times 2^(kMaxDegree shift of x)
+  ValueNear(const Polynomial& p, const exact::DyadicNumber& x, unsigned bits) {
+    const int degree = std::max(p.degree(), 0);
+    value = p.value_at_dyadic(x.numerator, x.shift) << (static_cast<unsigned>(Polynomial::kMaxDegree - degree) * x.shift);
+    for (int k = 1; k <= degree; ++k) error += abs(p[k].value()) * k;
+    error <<= Polynomial::kMaxDegree * x.shift;
+    error >>= bits;
+    error += 1;
+  }
+};
 
 }  // namespace
 
@@ -47,20 +58,35 @@ Polynomial sum_of(const Polynomial& p, const Polynomial& q, int sign) {
   return Polynomial(std::move(c));
 }
 
-SignsAt::SignsAt(const TurningForms& forms, const ExactAngle& angle) : forms_(forms), angle_(angle), heading_(heading_of(angle)) {}
+SignsAt::SignsAt(const TurningForms& forms, const ExactAngle& angle)
+    : forms_(forms), angle_(angle), bracket_(angle.t.bracket()), heading_(heading_of(bracket_, angle.chart)) {}
 
 int SignsAt::compare(const Fraction& x, const Fraction& y) const {
   return sign(sum_of(product(x.num, y.den), product(y.num, x.den), -1)) * sign(x.den) * sign(y.den);
 }
 
-// A crossing errs by less than 2^-45 of the span over the sine by rounding (side_error, over the lengths), and by 2^-49 (1 + 4 / sine) by
-// the angle.
+// Within 2^-49 of max(1, |quotient|). Of a denominator that is not 0, so that it ends.
+double SignsAt::quotient(const Polynomial& num, const Polynomial& den) const {
+  for (unsigned bits = 128;; bits *= 2) {
+    bracket_.refine_to(bits);
+    const ValueNear n(num, bracket_.low(), bits), d(den, bracket_.low(), bits);
+    const exact::BigInteger size = abs(d.value);
+    if (!bracket_.is_point() && ((n.error << 52) > size || (d.error << 52) > size)) continue;
+    return exact::round_to_double(exact::ratio(exact::Big(n.value), exact::Big(d.value)));
+  }
+}
+
+// Along the first segment: by rounding a crossing in doubles errs by less than 2^-45 of the span over the sine (side_error, over the
+// lengths), and by 2^-49 (1 + 4 / sine) by the angle.
 std::optional<Point> SignsAt::near(const ExactPlace::Simple& z) const {
   if (!z.crossing) return forms_.place(z.corner, heading_);
+  const Pair start = TurningForms::start(z.a);
   const double cross = forms_.cross(z.a, z.b).at(heading_);
-  if (!(std::abs(cross) >= kLeastSine * forms_.length1(z.a) * forms_.length1(z.b))) return std::nullopt;
-  const double t = forms_.side(z.b, TurningForms::start(z.a)).at(heading_) / cross;
-  const Point from = forms_.place(TurningForms::start(z.a), heading_), d = forms_.direction(z.a, heading_);
+  const bool clear = std::abs(cross) >= kLeastSine * forms_.length1(z.a) * forms_.length1(z.b);
+  const double t = clear ? forms_.side(z.b, start).at(heading_) / cross
+                         : quotient(forms_.exact_side(z.b, start, angle_.chart), forms_.exact_cross(z.a, z.b, angle_.chart));
+  if (!(t > -kOffSegment && t < 1 + kOffSegment)) return std::nullopt;
+  const Point from = forms_.place(start, heading_), d = forms_.direction(z.a, heading_);
   return Point{from.x + t * d.x, from.y + t * d.y};
 }
 
@@ -103,19 +129,26 @@ Fraction SignsAt::length(const WalkSegment& s) const {
   return {forms_.exact_along(s, TurningForms::start(s), forms_.end(s), angle_.chart), one()};
 }
 
-int SignsAt::side_sign(const WalkSegment& s, const ExactPlace& z, const std::optional<Point>& near) const {
-  if (near) {
-    const Point from = forms_.place(TurningForms::start(s), heading_), d = forms_.direction(s, heading_);
-    const double value = d.x * (near->y - from.y) - d.y * (near->x - from.x);
-    if (std::abs(value) > kNearSide * forms_.length1(s) * forms_.span()) return value > 0 ? 1 : -1;
-  }
+int SignsAt::side_sign(const WalkSegment& s, const ExactPlace& z, Point near) const {
+  const Point from = forms_.place(TurningForms::start(s), heading_), d = forms_.direction(s, heading_);
+  const double value = d.x * (near.y - from.y) - d.y * (near.x - from.x);
+  if (std::abs(value) > kNear * forms_.length1(s) * forms_.span()) return value > 0 ? 1 : -1;
   return sign(side(s, z));
 }
 
-bool SignsAt::holds(const WalkSegment& s, const ExactPlace& z, const std::optional<Point>& near) const {
-  if (side_sign(s, z, near) != 0) return false;
+bool SignsAt::within(const WalkSegment& s, const ExactPlace& z, Point near) const {
+  const Point e = forms_.edge(s.side, s.edge);
+  const double value = along_near(s, near), end = e.x * e.x + e.y * e.y, error = 2 * kNear * forms_.length1(s) * forms_.span();
+  if (value < -error || value > end + error) return false;
+  if (value > error && value < end - error) return true;
   const Fraction at = along(s, z);
   return sign(at) >= 0 && compare(at, length(s)) <= 0;
+}
+
+int SignsAt::order(const WalkSegment& s, const ExactPlace& y, Point y_near, const ExactPlace& z, Point z_near) const {
+  const double d = along_near(s, y_near) - along_near(s, z_near);
+  if (std::abs(d) > 2 * kNear * forms_.length1(s) * forms_.span()) return d > 0 ? 1 : -1;
+  return compare(along(s, y), along(s, z));
 }
 
 bool SignsAt::same(const ExactPlace::Simple& y, const ExactPlace& z) const {

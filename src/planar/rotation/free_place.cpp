@@ -24,7 +24,7 @@ struct Sector {
 
 class FreePlace {
  public:
-  FreePlace(const SignsAt& signs, const ExactPlace& z) : signs_(signs), forms_(signs.forms()), z_(z), near_(signs.near(z)) {
+  FreePlace(const SignsAt& signs, const ExactPlace& z) : signs_(signs), forms_(signs.forms()), z_(z), near_(signs.near(z).value()) {
     for (std::uint32_t op = 0; op < 2; ++op) {
       const std::vector<Loop>& loops = forms_.operand(op).loops;
       touches_[op].assign(loops.size(), 0);
@@ -32,9 +32,8 @@ class FreePlace {
       for (std::uint32_t l = 0; l < loops.size(); ++l)
         for (std::uint32_t v = loops[l].first; v < loops[l].last; ++v) loop_of_[op][v] = l;
     }
-    if (!near_) return;
     const Heading h = signs.heading();
-    for (const Point& q : forms_.points(1)) robot_.push_back({near_->x - (h.c * q.x - h.s * q.y), near_->y - (h.s * q.x + h.c * q.y)});
+    for (const Point& q : forms_.points(1)) robot_.push_back({near_.x - (h.c * q.x - h.s * q.y), near_.y - (h.s * q.x + h.c * q.y)});
   }
 
   bool run() {
@@ -46,7 +45,6 @@ class FreePlace {
 
  private:
   bool boxes_apart(std::uint32_t i, std::uint32_t j) const {
-    if (!near_) return false;
     const double margin = 0x1p-35 * forms_.span();
     const Point a = forms_.points(0)[i], b = forms_.points(0)[forms_.operand(0).next[i]];
     const Point c = robot_[j], d = robot_[forms_.operand(1).next[j]];
@@ -120,7 +118,7 @@ class FreePlace {
   const SignsAt& signs_;
   const TurningForms& forms_;
   const ExactPlace& z_;
-  std::optional<Point> near_;
+  Point near_;
   std::vector<Point> robot_;
   std::array<std::vector<std::uint8_t>, 2> touches_;
   std::array<std::vector<std::uint32_t>, 2> loop_of_;

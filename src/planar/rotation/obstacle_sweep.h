@@ -3,6 +3,7 @@
 // of the event is computed and compared.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -150,23 +151,32 @@ class ObstacleSweep {
   bool covered_now(std::uint32_t n, const std::vector<std::uint32_t>& opposite, Heading h) const;
   std::array<double, 3> stretch_now(std::uint32_t on, std::uint32_t n, Heading h) const;
   // tight_events.cpp
-  /// A place of events of the group that may be free, and segments through it.
+  /// A place of events of the group that may be free, and segments whose lines go through it.
   struct Candidate {
     ExactPlace place;
-    std::optional<Point> near;
+    Point near;  ///< in the forms' doubles
     std::vector<std::uint32_t> through;
     bool visible = false;  ///< sub-edges before or behind the angle come to it
+    bool goes_through(std::uint32_t segment) const { return std::find(through.begin(), through.end(), segment) != through.end(); }
+  };
+  /// A sub-edge before or behind the angle: where it begins and ends at the angle, as d . (x - start) of its segment, in doubles.
+  struct NodeNow {
+    std::uint32_t node = 0;
+    double from = 0, to = 0, error = 0;  ///< of the difference to `along_near` of a place
   };
   void examine(const TurnRange& range, OverlapFilter& filter);
   std::vector<Candidate> candidates(const SignsAt& signs, const OverlapFilter& filter) const;
   std::vector<Candidate> candidates_of_open_slice(const SignsAt& signs, std::vector<std::array<std::uint32_t, 2>>& between) const;
+  std::vector<std::uint32_t> through_end(const TurnEvent& event, Pair v) const;
+  bool same_place(const SignsAt& signs, const Candidate& y, const Candidate& z) const;
   std::vector<Candidate> each_once(const SignsAt& signs, std::vector<Candidate> all) const;
-  Point drawn(const SignsAt& signs, const ExactPlace& z) const;
-  std::vector<std::array<std::uint32_t, 2>> open_stretches(const SignsAt& signs, const std::vector<Candidate>& places) const;
-  std::vector<std::uint32_t> nodes_now() const;
-  bool reaches(const SignsAt& signs, std::uint32_t n, const Candidate& z) const;
-  bool reached_all_along(const SignsAt& signs, const std::vector<std::uint32_t>& nodes, const Candidate& y, const Candidate& z) const;
-  int passes(const SignsAt& signs, const std::vector<std::uint32_t>& nodes, const Candidate& z) const;
+  std::vector<std::array<std::uint32_t, 2>> opposite_stretches(const SignsAt& signs, const std::vector<Candidate>& places) const;
+  std::vector<NodeNow> nodes_now(const SignsAt& signs) const;
+  int order_of_end(const SignsAt& signs, const NodeNow& n, const Candidate& z, bool at_end) const;
+  bool on_line(const SignsAt& signs, const NodeNow& n, const Candidate& z) const;
+  int halves_at(const SignsAt& signs, const NodeNow& n, const Candidate& z) const;
+  bool reached_all_along(const SignsAt& signs, const std::vector<NodeNow>& nodes, const Candidate& y, const Candidate& z) const;
+  int passes(const SignsAt& signs, const std::vector<NodeNow>& nodes, const Candidate& z) const;
   // obstacle_nodes.cpp
   std::uint32_t id(const WalkSegment& s) const;
   std::uint32_t add_node(const WalkSegment& s, std::uint32_t cell);

@@ -10,6 +10,7 @@
 // sub-edges before or behind the angle come to there is free space with clearance; near any other free place there is none, as it is on
 // the boundary of the obstacle.
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "planar/rotation/free_place.h"
@@ -28,24 +29,26 @@ void ObstacleSweep::examine(const TurnRange& range, OverlapFilter& filter) {
   const bool by_slice = listed && exact::rational_value(angles[now_].t);
   std::vector<std::array<std::uint32_t, 2>> between;
   std::vector<Candidate> found = by_slice ? candidates_of_open_slice(signs, between) : candidates(signs, filter);
-  const std::vector<std::uint32_t> nodes = nodes_now();
+  const std::vector<NodeNow> nodes = nodes_now(signs);
   const auto see = [&] {
-    for (Candidate& z : found) z.visible = std::any_of(nodes.begin(), nodes.end(), [&](std::uint32_t n) { return reaches(signs, n, z); });
+    for (Candidate& z : found) z.visible = std::any_of(nodes.begin(), nodes.end(), [&](const NodeNow& n) { return halves_at(signs, n, z) > 0; });
   };
   see();
   if (!by_slice) {
     std::erase_if(found, [&](const Candidate& z) { return !z.visible && !is_free(signs, z.place); });
-    between = open_stretches(signs, found);
+    between = opposite_stretches(signs, found);
   }
   std::vector<bool> tight;
   for (const Candidate& z : found) tight.push_back(!z.visible);
-  for (const auto& [y, z] : between)
-    if (!reached_all_along(signs, nodes, found[y], found[z])) tight[y] = tight[z] = true;
+  for (const auto& [y, z] : between) {
+    if (reached_all_along(signs, nodes, found[y], found[z])) continue;
+    if (by_slice || is_free(signs, {found[y].place.first, found[z].place.first})) tight[y] = tight[z] = true;
+  }
   bool any = false;
   for (std::size_t k = 0; k < found.size(); ++k) {
     if (!tight[k]) continue;
     any = true;
-    note(signs.heading(), ObstacleEvent::Kind::tight, drawn(signs, found[k].place));
+    note(signs.heading(), ObstacleEvent::Kind::tight, found[k].near);
   }
   // What touches at a crowded quarter turn is not looked for.
   if (any || changed_ || (listed && (keeps_all_angles || crowded_ != nullptr))) return;
@@ -56,21 +59,12 @@ void ObstacleSweep::examine(const TurnRange& range, OverlapFilter& filter) {
   const auto touching = std::find_if(found.begin(), found.end(), [&](const Candidate& z) { return listed && passes(signs, nodes, z) > 1; });
   if (touching != found.end()) {
     events.pop_back();
-    note(signs.heading(), ObstacleEvent::Kind::vertex_on_segment, drawn(signs, touching->place));
+    note(signs.heading(), ObstacleEvent::Kind::vertex_on_segment, touching->near);
     return;
   }
   if (listed) events.pop_back();
   angles.pop_back();
   now_ = kNobody;
-}
-
-Point ObstacleSweep::drawn(const SignsAt& signs, const ExactPlace& z) const {
-  if (const std::optional<Point> near = signs.near(z)) return *near;
-  const WalkSegment &a = z.first.a, &b = z.first.b;
-  const Heading h = signs.heading();
-  const double t = std::clamp(forms_.side(b, TurningForms::start(a)).at(h) / forms_.cross(a, b).at(h), 0.0, 1.0);
-  const Point from = forms_.place(TurningForms::start(a), h), d = forms_.direction(a, h);
-  return {from.x + t * d.x, from.y + t * d.y};
 }
 
 // Places of the doubtful events that are not certainly covered, each once.
@@ -79,17 +73,16 @@ std::vector<ObstacleSweep::Candidate> ObstacleSweep::candidates(const SignsAt& s
   for (const TurnEvent* event : doubtful_) {
     if (event->kind == TurnEvent::Kind::alignment) continue;
     bool unsure = false;
-    const std::vector<std::uint32_t> through = segments_of(*event, unsure);
-    const auto add = [&](const ExactPlace::Simple& place) {
-      Candidate z{{place, {}}, {}, through, false};
-      z.near = signs.near(z.place);
-      if (!z.near || !filter.inside(*z.near, signs.heading())) all.push_back(std::move(z));
+    const auto add = [&](const ExactPlace::Simple& place, std::vector<std::uint32_t> through) {
+      const ExactPlace at{place, {}};
+      const std::optional<Point> near = signs.near(at);
+      if (near && !filter.inside(*near, signs.heading())) all.push_back({at, *near, std::move(through), false});
     };
     if (event->kind == TurnEvent::Kind::vertex_on_segment) {
-      add({false, event->v, {}, {}});
+      add({false, event->v, {}, {}}, segments_of(*event, unsure));
     } else if (event->kind == TurnEvent::Kind::overlap) {
       for (const WalkSegment* s : {&event->a, &event->b})
-        for (const Pair v : {TurningForms::start(*s), forms_.end(*s)}) add({false, v, {}, {}});
+        for (const Pair v : {TurningForms::start(*s), forms_.end(*s)}) add({false, v, {}, {}}, through_end(*event, v));
     } else {
       // The two that are least parallel; where all three are, they meet along a stretch, and other events tell its ends.
       const std::array<const WalkSegment*, 3> s{&event->a, &event->b, &event->c};
@@ -103,25 +96,40 @@ std::vector<ObstacleSweep::Candidate> ObstacleSweep::candidates(const SignsAt& s
           best = k;
         }
       }
-      if (signs.cross(*s[best], *s[(best + 1) % 3]) != 0) add({true, {}, *s[best], *s[(best + 1) % 3]});
+      if (signs.cross(*s[best], *s[(best + 1) % 3]) != 0) add({true, {}, *s[best], *s[(best + 1) % 3]}, segments_of(*event, unsure));
     }
   }
   return each_once(signs, std::move(all));
 }
 
+// Of an overlap's two segments and what goes on at an end of one of them.
+std::vector<std::uint32_t> ObstacleSweep::through_end(const TurnEvent& event, Pair v) const {
+  std::vector<std::uint32_t> all{id(event.a), id(event.b)};
+  const TurnCatalog::Joint joint = catalog_.joint(v, event.theta());
+  if (joint.has_in) all.push_back(id(joint.in));
+  if (joint.has_out) all.push_back(id(joint.out));
+  return all;
+}
+
+// Known to be one place without exact signs where the lines that cross at the one go through the other.
+bool ObstacleSweep::same_place(const SignsAt& signs, const Candidate& y, const Candidate& z) const {
+  const auto crosses_on = [&](const ExactPlace::Simple& crossing, const Candidate& other) {
+    return crossing.crossing && other.goes_through(id(crossing.a)) && other.goes_through(id(crossing.b));
+  };
+  return crosses_on(y.place.first, z) || crosses_on(z.place.first, y) || signs.same(y.place, z.place);
+}
+
 std::vector<ObstacleSweep::Candidate> ObstacleSweep::each_once(const SignsAt& signs, std::vector<Candidate> all) const {
-  // Those with doubles by x; one at a place that doubles do not tell is compared with all.
   const double apart = 0x1p-35 * forms_.span();
-  std::stable_sort(all.begin(), all.end(),
-                   [](const Candidate& y, const Candidate& z) { return y.near && (!z.near || y.near->x < z.near->x); });
+  std::stable_sort(all.begin(), all.end(), [](const Candidate& y, const Candidate& z) { return y.near.x < z.near.x; });
   std::vector<Candidate> once;
   for (Candidate& z : all) {
     bool known = false;
     for (std::size_t k = once.size(); k-- > 0 && !known;) {
       Candidate& y = once[k];
-      if (z.near && y.near && z.near->x - y.near->x > apart) break;
-      if (z.near && y.near && std::abs(z.near->y - y.near->y) > apart) continue;
-      if (!signs.same(y.place, z.place)) continue;
+      if (z.near.x - y.near.x > apart) break;
+      if (std::abs(z.near.y - y.near.y) > apart) continue;
+      if (!same_place(signs, y, z)) continue;
       known = true;
       y.through.insert(y.through.end(), z.through.begin(), z.through.end());
     }
@@ -149,7 +157,7 @@ std::vector<ObstacleSweep::Candidate> ObstacleSweep::candidates_of_open_slice(co
       z.place.first.corner = {walk_vertex_[0][v.corner_p], walk_vertex_[1][v.corner_q]};
     else
       z.place.first = {true, {}, walk_segment(v.in), walk_segment(v.out)};
-    z.near = signs.near(z.place);
+    z.near = signs.near(z.place).value();
     std::uint32_t k = 0;
     while (k < all.size() && !signs.same(all[k].place, z.place)) ++k;
     if (k == all.size()) all.push_back(std::move(z));
@@ -160,77 +168,102 @@ std::vector<ObstacleSweep::Candidate> ObstacleSweep::candidates_of_open_slice(co
   return all;
 }
 
-// Pairs of free places with nothing but free ones between them, along two segments of opposite directions.
-std::vector<std::array<std::uint32_t, 2>> ObstacleSweep::open_stretches(const SignsAt& signs, const std::vector<Candidate>& places) const {
-  struct Opposite {
-    std::uint32_t place = 0;
-    WalkSegment s, t;
+// Neighbouring places along two segments of opposite directions.
+std::vector<std::array<std::uint32_t, 2>> ObstacleSweep::opposite_stretches(const SignsAt& signs, const std::vector<Candidate>& places) const {
+  std::vector<std::array<std::uint32_t, 2>> found;
+  const auto holds = [&](std::uint32_t s, const Candidate& z) {
+    return z.goes_through(s) ? signs.within(segment_of(s), z.place, z.near) : signs.holds(segment_of(s), z.place, z.near);
   };
-  std::vector<Opposite> opposite;
-  const auto holds = [&](const WalkSegment& s, const Candidate& z) { return signs.holds(s, z.place, z.near); };
   for (std::uint32_t k = 0; k < places.size(); ++k)
     for (const std::uint32_t s : places[k].through)
       for (const std::uint32_t t : places[k].through) {
-        const WalkSegment a = segment_of(s), b = segment_of(t);
-        if (s < t && signs.antiparallel(a, b) && holds(a, places[k]) && holds(b, places[k])) opposite.push_back({k, a, b});
+        if (s >= t || !signs.antiparallel(segment_of(s), segment_of(t)) || !holds(s, places[k]) || !holds(t, places[k])) continue;
+        // The next place on both, in the direction of s.
+        std::optional<std::uint32_t> next;
+        const auto follows = [&](std::uint32_t l, std::uint32_t m) {
+          return signs.order(segment_of(s), places[l].place, places[l].near, places[m].place, places[m].near) > 0;
+        };
+        for (std::uint32_t l = 0; l < places.size(); ++l)
+          if (l != k && holds(s, places[l]) && follows(l, k) && (!next || follows(*next, l))) next = l;
+        if (!next || !holds(t, places[*next])) continue;
+        const std::array<std::uint32_t, 2> pair{k, *next};
+        if (std::find(found.begin(), found.end(), pair) == found.end()) found.push_back(pair);
       }
-  std::vector<std::array<std::uint32_t, 2>> found;
-  for (const Opposite& o : opposite) {
-    // The next place on both, in the direction of s.
-    std::optional<std::uint32_t> next;
-    const Fraction from = signs.along(o.s, places[o.place].place);
-    for (std::uint32_t k = 0; k < places.size(); ++k) {
-      if (k == o.place || !holds(o.s, places[k])) continue;
-      const Fraction at = signs.along(o.s, places[k].place);
-      if (signs.compare(at, from) > 0 && (!next || signs.compare(at, signs.along(o.s, places[*next].place)) < 0)) next = k;
-    }
-    if (!next || !holds(o.t, places[*next])) continue;
-    const std::array<std::uint32_t, 2> pair{o.place, *next};
-    if (std::find(found.begin(), found.end(), pair) != found.end()) continue;
-    if (is_free(signs, {places[pair[0]].place.first, places[pair[1]].place.first})) found.push_back(pair);
-  }
   return found;
 }
 
 // The boundary before and behind the angle.
-std::vector<std::uint32_t> ObstacleSweep::nodes_now() const {
-  std::vector<std::uint32_t> all;
+std::vector<ObstacleSweep::NodeNow> ObstacleSweep::nodes_now(const SignsAt& signs) const {
+  std::vector<NodeNow> all;
+  const Heading h = signs.heading();
+  const auto add = [&](std::uint32_t n) {
+    const Node& node = nodes_[n];
+    const Point e = forms_.edge(node.segment.side, node.segment.edge);
+    const double length2 = e.x * e.x + e.y * e.y;
+    const Located from = place_on(node.segment, segment_of(node.left), true, h), to = place_on(node.segment, segment_of(node.right), false, h);
+    NodeNow now{n, from.t * length2, to.t * length2, 2 * (from.error + to.error) * length2};
+    now.error += SignsAt::kNear * forms_.span() * forms_.length1(node.segment);
+    if (!std::isfinite(now.error)) now = {n, 0, 0, INFINITY};
+    all.push_back(now);
+  };
   for (std::uint32_t n = 0; n < nodes_.size(); ++n)
-    if (nodes_[n].alive) all.push_back(n);
+    if (nodes_[n].alive) add(n);
   for (const std::uint32_t n : ended_)
-    if (nodes_[n].begin != now_) all.push_back(n);
+    if (nodes_[n].begin != now_) add(n);
   return all;
 }
 
-// Whether a sub-edge, before or behind the angle, comes to z at the angle.
-bool ObstacleSweep::reaches(const SignsAt& signs, std::uint32_t n, const Candidate& z) const {
-  const WalkSegment& s = nodes_[n].segment;
-  if (!signs.holds(s, z.place, z.near)) return false;
-  const Fraction at = signs.along(s, z.place);
-  const std::optional<Fraction> from = place_along(s, n, false), to = place_along(s, n, true);
-  if (!from || !to) throw std::logic_error("ObstacleSweep: a sub-edge ends nowhere on its line");
-  return compare_now(*from, at) <= 0 && compare_now(at, *to) <= 0;
+// Whether an end of a sub-edge comes behind z along it (1), is z (0) or comes before it (-1). z is on its line.
+int ObstacleSweep::order_of_end(const SignsAt& signs, const NodeNow& n, const Candidate& z, bool at_end) const {
+  const Node& node = nodes_[n.node];
+  const double d = (at_end ? n.to : n.from) - signs.along_near(node.segment, z.near);
+  if (std::abs(d) > n.error) return d > 0 ? 1 : -1;
+  const std::uint32_t by = at_end ? node.right : node.left;
+  if (z.goes_through(node.id) && z.goes_through(by) && signs.cross(node.segment, segment_of(by)) != 0) return 0;
+  const std::optional<Fraction> end = place_along(node.segment, n.node, at_end);
+  if (!end) throw std::logic_error("ObstacleSweep: a sub-edge ends nowhere on its line");
+  return compare_now(*end, signs.along(node.segment, z.place));
+}
+
+bool ObstacleSweep::on_line(const SignsAt& signs, const NodeNow& n, const Candidate& z) const {
+  return z.goes_through(nodes_[n.node].id) || signs.side_sign(nodes_[n.node].segment, z.place, z.near) == 0;
+}
+
+// In how many directions a sub-edge, before or behind the angle, leaves z at the angle: 0 where it does not come to z; 2 also where it
+// shrinks to z.
+int ObstacleSweep::halves_at(const SignsAt& signs, const NodeNow& n, const Candidate& z) const {
+  const double at = signs.along_near(nodes_[n.node].segment, z.near);
+  if (at < n.from - n.error || at > n.to + n.error || !on_line(signs, n, z)) return 0;
+  const int from = order_of_end(signs, n, z, false), to = order_of_end(signs, n, z, true);
+  if (from > 0 || to < 0) return 0;
+  return (from == 0) != (to == 0) ? 1 : 2;
 }
 
 // Whether sub-edges together come to the whole stretch from y to z.
-bool ObstacleSweep::reached_all_along(const SignsAt& signs, const std::vector<std::uint32_t>& nodes, const Candidate& y,
-                                      const Candidate& z) const {
-  std::vector<std::uint32_t> on_line;
-  for (const std::uint32_t n : nodes)
-    if (signs.side_sign(nodes_[n].segment, y.place, y.near) == 0 && signs.side_sign(nodes_[n].segment, z.place, z.near) == 0)
-      on_line.push_back(n);
-  if (on_line.empty()) return false;
-  const WalkSegment line = nodes_[on_line[0]].segment;
-  Fraction at = signs.along(line, y.place), end = signs.along(line, z.place);
+bool ObstacleSweep::reached_all_along(const SignsAt& signs, const std::vector<NodeNow>& nodes, const Candidate& y, const Candidate& z) const {
+  std::vector<std::uint32_t> line;
+  for (const NodeNow& n : nodes) {
+    const double a = signs.along_near(nodes_[n.node].segment, y.near), b = signs.along_near(nodes_[n.node].segment, z.near);
+    if (std::max(a, b) < n.from - n.error || std::min(a, b) > n.to + n.error || !on_line(signs, n, y) || !on_line(signs, n, z)) continue;
+    if (halves_at(signs, n, y) > 0 && halves_at(signs, n, z) > 0) return true;
+    line.push_back(n.node);
+  }
+  if (line.empty()) return false;
+  const WalkSegment first = nodes_[line[0]].segment;
+  std::vector<std::array<Fraction, 2>> parts;
+  for (const std::uint32_t n : line) {
+    std::optional<Fraction> from = place_along(first, n, false), to = place_along(first, n, true);
+    if (!from || !to) throw std::logic_error("ObstacleSweep: a sub-edge ends nowhere on its line");
+    if (compare_now(*to, *from) < 0) std::swap(from, to);
+    parts.push_back({*from, *to});
+  }
+  Fraction at = signs.along(first, y.place), end = signs.along(first, z.place);
   if (compare_now(end, at) < 0) std::swap(at, end);
   for (bool grown = true; grown && compare_now(at, end) < 0;) {
     grown = false;
-    for (const std::uint32_t n : on_line) {
-      std::optional<Fraction> from = place_along(line, n, false), to = place_along(line, n, true);
-      if (!from || !to) throw std::logic_error("ObstacleSweep: a sub-edge ends nowhere on its line");
-      if (compare_now(*to, *from) < 0) std::swap(from, to);
-      if (compare_now(*from, at) > 0 || compare_now(*to, at) <= 0) continue;
-      at = *to;
+    for (const auto& [from, to] : parts) {
+      if (compare_now(from, at) > 0 || compare_now(to, at) <= 0) continue;
+      at = to;
       grown = true;
     }
   }
@@ -238,15 +271,9 @@ bool ObstacleSweep::reached_all_along(const SignsAt& signs, const std::vector<st
 }
 
 // How often the boundary passes z, where it is the same before and behind the angle.
-int ObstacleSweep::passes(const SignsAt& signs, const std::vector<std::uint32_t>& nodes, const Candidate& z) const {
+int ObstacleSweep::passes(const SignsAt& signs, const std::vector<NodeNow>& nodes, const Candidate& z) const {
   int halves = 0;
-  for (const std::uint32_t n : nodes) {
-    if (!reaches(signs, n, z)) continue;
-    const Fraction at = signs.along(nodes_[n].segment, z.place);
-    const bool starts = compare_now(*place_along(nodes_[n].segment, n, false), at) == 0;
-    const bool ends = compare_now(*place_along(nodes_[n].segment, n, true), at) == 0;
-    halves += starts || ends ? starts + ends : 2;
-  }
+  for (const NodeNow& n : nodes) halves += halves_at(signs, n, z);
   return halves / 2;
 }
 
