@@ -22,7 +22,7 @@ bool ObstacleSweep::alignment_update(TurnEvent& event, const TurnRange& range) {
       AlignedRun run;
       run.first = run.last = n;
       const double length = second ? lf : le, base = second ? le : 0;
-      const Located from = place_on(node.segment, nodes_[node.prev].segment, true, h), to = place_on(node.segment, nodes_[node.next].segment, false, h);
+      const Located from = place_on(forms_, node.segment, nodes_[node.prev].segment, true, h), to = place_on(forms_, node.segment, nodes_[node.next].segment, false, h);
       run.from = base + length * from.t;
       run.to = base + length * to.t;
       run.error = length * (from.error + to.error);

@@ -37,6 +37,7 @@ class SignsAt {
   SignsAt(const TurningForms& forms, const ExactAngle& angle);
 
   const TurningForms& forms() const { return forms_; }
+  int chart() const { return angle_.chart; }
   Heading heading() const { return heading_; }  ///< of an angle within 2^-49
   int sign(const exact::Polynomial& p) const { return p.is_zero() ? 0 : exact::sign_at(angle_.t, p); }
   int sign(const Fraction& f) const { return sign(f.num) * sign(f.den); }
@@ -79,7 +80,7 @@ class SignsAt {
   bool same(const ExactPlace::Simple& y, const ExactPlace& z) const;
 
   const TurningForms& forms_;
-  const ExactAngle& angle_;
+  ExactAngle angle_;
   mutable exact::RootBracket bracket_;  // of the angle, as narrow as was asked for
   Heading heading_;
 };

@@ -9,35 +9,6 @@
 
 namespace dymsum::planar {
 
-using exact::Polynomial;
-
-int ObstacleSweep::sign_now(const exact::Polynomial& p) const { return p.is_zero() ? 0 : exact::sign_at(angles[now_].t, p); }
-
-// Where a node begins or ends along the line of s, times |d_s|^2: the start of its segment and a share of its vector, which is a crossing's
-// side / cross. Where the crossing line runs along this one at the angle, both are zero and their derivatives tell the limit.
-std::optional<Fraction> ObstacleSweep::place_along(const WalkSegment& s, std::uint32_t n, bool at_end) const {
-  const int chart = angles[now_].chart;
-  const Node& node = nodes_[n];
-  const WalkSegment &t = node.segment, by = segment_of(at_end ? node.right : node.left);
-  const Pair start = TurningForms::start(t), end = forms_.end(t);
-  const Polynomial one(std::vector<exact::Big>{exact::Big(exact::BigInteger(1))});
-  if (at_end && meet_at_ends(forms_, t, by)) return Fraction{forms_.exact_along(s, TurningForms::start(s), end, chart), one};
-  const Polynomial base = forms_.exact_along(s, TurningForms::start(s), start, chart);
-  if (!at_end && meet_at_ends(forms_, by, t)) return Fraction{base, one};
-  Polynomial side = forms_.exact_side(by, start, chart), cross = forms_.exact_cross(t, by, chart);
-  if (sign_now(cross) == 0) {
-    if (sign_now(side) != 0) return std::nullopt;
-    side = side.derivative();
-    cross = cross.derivative();
-    if (sign_now(cross) == 0) return std::nullopt;
-  }
-  return Fraction{sum_of(product(base, cross), product(side, forms_.exact_along(s, start, end, chart)), 1), cross};
-}
-
-int ObstacleSweep::compare_now(const Fraction& x, const Fraction& y) const {
-  return sign_now(sum_of(product(x.num, y.den), product(y.num, x.den), -1)) * sign_now(x.den) * sign_now(y.den);
-}
-
 double ObstacleSweep::line_offset(std::uint32_t n, Heading h) const {
   const Point d = forms_.direction(nodes_[n].segment, h), from = forms_.place(TurningForms::start(nodes_[n].segment), h);
   return (d.x * from.y - d.y * from.x) / std::hypot(d.x, d.y);
@@ -73,7 +44,7 @@ bool ObstacleSweep::continues(std::uint32_t n, std::uint32_t m, Heading h) const
   const auto along = [&](std::uint32_t k, bool at_end) {
     const Node& node = nodes_[k];
     const Point from = forms_.place(TurningForms::start(node.segment), h), e = forms_.direction(node.segment, h);
-    const Located at = place_on(node.segment, segment_of(at_end ? node.right : node.left), !at_end, h);
+    const Located at = place_on(forms_, node.segment, segment_of(at_end ? node.right : node.left), !at_end, h);
     error += std::isnan(at.error) ? INFINITY : at.error * forms_.length1(node.segment);
     const double u = std::clamp(at.t, 0.0, 1.0);
     return (d.x * (from.x + u * e.x - base.x) + d.y * (from.y + u * e.y - base.y)) / length;
@@ -82,12 +53,12 @@ bool ObstacleSweep::continues(std::uint32_t n, std::uint32_t m, Heading h) const
   if (high - low > error) return true;
   if (high - low < -error) return false;
   for (const std::uint32_t end : {n, m}) {
-    const std::optional<Fraction> to = place_along(s, end, true);
+    const std::optional<Fraction> to = end_along(signs_now(), s, sub_edge(end), true);
     for (const std::uint32_t start : {n, m}) {
-      const std::optional<Fraction> from = place_along(s, start, false);
+      const std::optional<Fraction> from = end_along(signs_now(), s, sub_edge(start), false);
       // Lines that are parallel at every angle do not bound each other.
       if (!to || !from) throw std::logic_error("ObstacleSweep: a sub-edge ends nowhere on its line");
-      if (compare_now(*to, *from) <= 0) return false;
+      if (signs_now().compare(*to, *from) <= 0) return false;
     }
   }
   return true;
@@ -105,8 +76,8 @@ bool ObstacleSweep::collinear(const WalkSegment& s, const WalkSegment& t, Headin
   if (std::abs(side.at(h)) > 64 * forms_.side_error(s)) return false;
   if (crowded_ != nullptr) return crowded_->turn.on_line(s, TurningForms::start(t)) && crowded_->turn.on_line(s, forms_.end(t));
   const int chart = angles[now_].chart;
-  if (s.side == t.side ? !forms_.parallel(s, t) : sign_now(forms_.exact_cross(s, t, chart)) != 0) return false;
-  return sign_now(forms_.exact_side(s, TurningForms::start(t), chart)) == 0;
+  if (s.side == t.side ? !forms_.parallel(s, t) : signs_now().sign(forms_.exact_cross(s, t, chart)) != 0) return false;
+  return signs_now().sign(forms_.exact_side(s, TurningForms::start(t), chart)) == 0;
 }
 
 }  // namespace dymsum::planar

@@ -56,7 +56,7 @@ ObstacleSweep::Fill ObstacleSweep::fill_triple(Cluster& cluster, const TurnEvent
   }
   if (!find_signs(cluster, h) || !event.root->changes_sign()) return Fill::unsure;
   for (int k = 0; k < 3; ++k) {
-    const Located t = place_on(s[k], s[(k + 1) % 3], false, h), u = place_on(s[k], s[(k + 2) % 3], false, h);
+    const Located t = place_on(forms_, s[k], s[(k + 1) % 3], false, h), u = place_on(forms_, s[k], s[(k + 2) % 3], false, h);
     if (const Fill inside = within(t.error < u.error ? t : u); inside != Fill::done) return inside;
   }
   const TrigForm2 g = forms_.concurrency(event.a, event.b, event.c);
@@ -71,7 +71,7 @@ ObstacleSweep::Fill ObstacleSweep::fill_triple(Cluster& cluster, const TurnEvent
   // The crossing of the two that are least parallel.
   cluster.at_error = INFINITY;
   for (int k = 0; k < 3; ++k) {
-    const Located t = place_on(s[k], s[(k + 1) % 3], false, h);
+    const Located t = place_on(forms_, s[k], s[(k + 1) % 3], false, h);
     const Point from = forms_.place(TurningForms::start(s[k]), h), d = forms_.direction(s[k], h);
     const double error = t.error * forms_.length1(s[k]) + 0x1p-46 * forms_.span();
     if (!(error < cluster.at_error)) continue;
@@ -138,13 +138,6 @@ ObstacleSweep::Fill ObstacleSweep::fill_vertex(Cluster& cluster, const TurnEvent
   return Fill::done;
 }
 
-ObstacleSweep::Located ObstacleSweep::place_on(const WalkSegment& s, const WalkSegment& other, bool at_start, Heading h) const {
-  if (at_start ? meet_at_ends(forms_, other, s) : meet_at_ends(forms_, s, other)) return {at_start ? 0.0 : 1.0, 0};
-  const double d = forms_.cross(s, other).at(h), t = forms_.side(other, TurningForms::start(s)).at(h) / d;
-  // The numerator errs by its bound, the denominator by a share of the lengths.
-  return {t, (forms_.side_error(other) + std::abs(t) * 0x1p-46 * forms_.length1(s) * forms_.length1(other)) / std::abs(d)};
-}
-
 // The visible sub-edges that reach the event: those bounded by another segment of the cluster, and those that pass.
 bool ObstacleSweep::find_nodes(Cluster& cluster, Heading h) const {
   for (int k = 0; k < cluster.size; ++k) {
@@ -162,7 +155,7 @@ bool ObstacleSweep::find_nodes(Cluster& cluster, Heading h) const {
         const Point from = forms_.place(TurningForms::start(local.segment), h), d = forms_.direction(local.segment, h);
         const double t = (d.x * (cluster.at.x - from.x) + d.y * (cluster.at.y - from.y)) / (d.x * d.x + d.y * d.y);
         const double error = kUnsure + 4 * cluster.at_error / forms_.length1(local.segment);
-        const Located u = place_on(local.segment, nodes_[node.prev].segment, true, h), v = place_on(local.segment, nodes_[node.next].segment, false, h);
+        const Located u = place_on(forms_, local.segment, nodes_[node.prev].segment, true, h), v = place_on(forms_, local.segment, nodes_[node.next].segment, false, h);
         if (!(std::abs(t - u.t) > error + u.error && std::abs(t - v.t) > error + v.error)) return false;
         passes = t > u.t && t < v.t;
         if (!passes) continue;

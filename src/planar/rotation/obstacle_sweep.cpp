@@ -177,6 +177,11 @@ WalkSegment ObstacleSweep::segment_of(std::uint32_t id) const {
   return id < n0 * n1 ? WalkSegment{0, id / n1, id % n1} : WalkSegment{1, (id - n0 * n1) / n0, (id - n0 * n1) % n0};
 }
 
+const SignsAt& ObstacleSweep::signs_now() const {
+  if (!signs_) signs_.emplace(forms_, angles[now_]);
+  return *signs_;
+}
+
 std::vector<std::uint32_t> ObstacleSweep::segments_of(const TurnEvent& event, bool& unsure) const {
   if (event.kind == TurnEvent::Kind::three_segments) return {id(event.a), id(event.b), id(event.c)};
   if (event.kind == TurnEvent::Kind::vertex_on_segment) {
@@ -207,6 +212,7 @@ std::vector<std::uint32_t> ObstacleSweep::segments_of(const TurnEvent& event, bo
 
 void ObstacleSweep::pass_group(const Group& group, const TurnRange& range, const std::function<Orientation()>& behind, OverlapFilter& filter) {
   now_ = kNobody;
+  signs_.reset();
   theta_now_ = group[0]->theta();
   born_ = 0;
   changed_ = false;

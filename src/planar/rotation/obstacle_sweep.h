@@ -13,10 +13,10 @@
 #include <vector>
 
 #include "planar/rotation/event_place.h"
-#include "planar/rotation/exact_place.h"
 #include "planar/rotation/obstacle_state.h"
 #include "planar/rotation/overlap_filter.h"
 #include "planar/rotation/quarter_turn.h"
+#include "planar/rotation/sub_edge.h"
 #include "planar/rotation/turn_events.h"
 #include "planar/sum_engine.h"
 
@@ -132,6 +132,8 @@ class ObstacleSweep {
   void slice(const TurnRange& range, const Group& group, const std::function<Orientation()>& behind);
   void take_slice(SumState state);
   WalkSegment segment_of(std::uint32_t id) const;
+  SubEdge sub_edge(std::uint32_t n) const { return {nodes_[n].segment, segment_of(nodes_[n].left), segment_of(nodes_[n].right)}; }
+  const SignsAt& signs_now() const;
   void note(Heading h, ObstacleEvent::Kind kind, Point at);
   // event_clusters.cpp
   std::vector<Group> clusters(const Group& group) const;
@@ -143,9 +145,6 @@ class ObstacleSweep {
   /// Lines that collinear() may call one have offsets from the origin that differ by less than this share of the span, a tenth of it.
   static constexpr double kLineNear = 0x1p-34;
   double line_offset(std::uint32_t n, Heading h) const;
-  std::optional<Fraction> place_along(const WalkSegment& s, std::uint32_t node, bool at_end) const;
-  int compare_now(const Fraction& x, const Fraction& y) const;
-  int sign_now(const exact::Polynomial& p) const;
   // shut_passages.cpp
   std::vector<std::uint32_t> shut_nodes(const std::vector<std::uint32_t>& nodes, const std::vector<std::uint32_t>& all) const;
   bool covered_now(std::uint32_t n, const std::vector<std::uint32_t>& opposite, Heading h) const;
@@ -191,10 +190,6 @@ class ObstacleSweep {
   // local_update.cpp
   bool local_update(TurnEvent& event, const TurnRange& range, const std::function<Orientation()>& behind, OverlapFilter& filter);
   bool gather(Cluster& cluster, Heading h) const;
-  /// A parameter along a segment, and how much it may err.
-  struct Located {
-    double t = 0, error = 0;
-  };
   enum class Fill : std::uint8_t {
     nothing,  ///< the segments do not meet there
     unsure,   ///< doubles do not tell, or more coincides
@@ -223,7 +218,6 @@ class ObstacleSweep {
   void replace(const std::vector<std::uint32_t>& old, const std::vector<WalkSegment>& segments, std::map<std::uint32_t, std::uint32_t>& starts,
                std::map<std::uint32_t, std::uint32_t>& ends, std::vector<std::uint32_t>& touched);
   void relink(const std::map<std::uint32_t, std::uint32_t>& starts, const std::map<std::uint32_t, std::uint32_t>& ends, std::vector<std::uint32_t>& touched);
-  Located place_on(const WalkSegment& s, const WalkSegment& other, bool at_start, Heading h) const;
 
   const TurningForms& forms_;
   const TurnCatalog& catalog_;
@@ -243,6 +237,7 @@ class ObstacleSweep {
   std::uint32_t born_ = 0;        ///< loops without a predecessor, in the group
   std::uint32_t now_ = kNobody;   ///< the angle of the group, once something changed there
   double theta_now_ = 0;          ///< near the angle of the group
+  mutable std::optional<SignsAt> signs_;  ///< at the angle of the group, once asked for
   bool trying_ = false;           ///< local updates tell whether they can do it, and change nothing
   bool changed_ = false;          ///< a sub-edge began or ended there
   std::vector<std::uint32_t> ended_;     ///< sub-edges that ended there

@@ -19,7 +19,7 @@ std::vector<ObstacleSweep::Stretch> ObstacleSweep::stretches(const WalkSegment& 
       const double base = (d.x * (from.x - origin.x) + d.y * (from.y - origin.y)) / length, own = std::hypot(e.x, e.y);
       Stretch stretch;
       stretch.nodes = {n};
-      const Located first = place_on(*s, nodes_[nodes_[n].prev].segment, true, h), last = place_on(*s, nodes_[nodes_[n].next].segment, false, h);
+      const Located first = place_on(forms_, *s, nodes_[nodes_[n].prev].segment, true, h), last = place_on(forms_, *s, nodes_[nodes_[n].next].segment, false, h);
       stretch.from = base + own * first.t;
       stretch.to = base + own * last.t;
       stretch.error = own * (first.error + last.error);

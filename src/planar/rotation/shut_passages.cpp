@@ -15,7 +15,7 @@ std::array<double, 3> ObstacleSweep::stretch_now(std::uint32_t on, std::uint32_t
   const double length = std::hypot(d.x, d.y);
   double error = 0x1p-40 * forms_.span();
   const auto along = [&](bool at_start) {
-    const Located at = place_on(s, segment_of(at_start ? nodes_[n].left : nodes_[n].right), at_start, h);
+    const Located at = place_on(forms_, s, segment_of(at_start ? nodes_[n].left : nodes_[n].right), at_start, h);
     error += std::isnan(at.error) ? INFINITY : at.error * forms_.length1(s);
     const double u = std::clamp(at.t, 0.0, 1.0);
     return (d.x * (from.x + u * e.x - base.x) + d.y * (from.y + u * e.y - base.y)) / length;
@@ -38,19 +38,19 @@ bool ObstacleSweep::covered_now(std::uint32_t n, const std::vector<std::uint32_t
   }
   if (high - reach > 2 * errors) return false;
   const WalkSegment& line = nodes_[n].segment;
-  std::optional<Fraction> at = place_along(line, n, false);
-  const std::optional<Fraction> end = place_along(line, n, true);
+  std::optional<Fraction> at = end_along(signs_now(), line, sub_edge(n), false);
+  const std::optional<Fraction> end = end_along(signs_now(), line, sub_edge(n), true);
   if (!at || !end) return false;
-  for (bool grown = true; grown && compare_now(*at, *end) < 0;) {
+  for (bool grown = true; grown && signs_now().compare(*at, *end) < 0;) {
     grown = false;
     for (const std::uint32_t m : opposite) {
-      const std::optional<Fraction> to = place_along(line, m, false), from = place_along(line, m, true);
-      if (!to || !from || compare_now(*from, *at) > 0 || compare_now(*to, *at) <= 0) continue;
+      const std::optional<Fraction> to = end_along(signs_now(), line, sub_edge(m), false), from = end_along(signs_now(), line, sub_edge(m), true);
+      if (!to || !from || signs_now().compare(*from, *at) > 0 || signs_now().compare(*to, *at) <= 0) continue;
       at = to;
       grown = true;
     }
   }
-  return compare_now(*at, *end) >= 0;
+  return signs_now().compare(*at, *end) >= 0;
 }
 
 // Those of `nodes` of which nothing borders on a face at the angle: of no length, or with walls of shut passages all along them. `all`: the

@@ -23,7 +23,7 @@ namespace dymsum::planar {
 void ObstacleSweep::examine(const TurnRange& range, OverlapFilter& filter) {
   const bool listed = now_ != kNobody;
   if (!listed) now_ = angle(range, *doubtful_[0]);
-  const SignsAt signs(forms_, angles[now_]);
+  const SignsAt& signs = signs_now();
   // Behind a whole slice at a rational angle one more slice, at the angle, tells what is tight in it; of a crowded quarter turn there are
   // no events.
   const bool by_slice = listed && exact::rational_value(angles[now_].t);
@@ -200,7 +200,7 @@ std::vector<ObstacleSweep::NodeNow> ObstacleSweep::nodes_now(const SignsAt& sign
     const Node& node = nodes_[n];
     const Point e = forms_.edge(node.segment.side, node.segment.edge);
     const double length2 = e.x * e.x + e.y * e.y;
-    const Located from = place_on(node.segment, segment_of(node.left), true, h), to = place_on(node.segment, segment_of(node.right), false, h);
+    const Located from = place_on(forms_, node.segment, segment_of(node.left), true, h), to = place_on(forms_, node.segment, segment_of(node.right), false, h);
     NodeNow now{n, from.t * length2, to.t * length2, 2 * (from.error + to.error) * length2};
     now.error += SignsAt::kNear * forms_.span() * forms_.length1(node.segment);
     if (!std::isfinite(now.error)) now = {n, 0, 0, INFINITY};
@@ -220,9 +220,9 @@ int ObstacleSweep::order_of_end(const SignsAt& signs, const NodeNow& n, const Ca
   if (std::abs(d) > n.error) return d > 0 ? 1 : -1;
   const std::uint32_t by = at_end ? node.right : node.left;
   if (z.goes_through(node.id) && z.goes_through(by) && signs.cross(node.segment, segment_of(by)) != 0) return 0;
-  const std::optional<Fraction> end = place_along(node.segment, n.node, at_end);
+  const std::optional<Fraction> end = end_along(signs, node.segment, sub_edge(n.node), at_end);
   if (!end) throw std::logic_error("ObstacleSweep: a sub-edge ends nowhere on its line");
-  return compare_now(*end, signs.along(node.segment, z.place));
+  return signs.compare(*end, signs.along(node.segment, z.place));
 }
 
 bool ObstacleSweep::on_line(const SignsAt& signs, const NodeNow& n, const Candidate& z) const {
@@ -252,22 +252,22 @@ bool ObstacleSweep::reached_all_along(const SignsAt& signs, const std::vector<No
   const WalkSegment first = nodes_[line[0]].segment;
   std::vector<std::array<Fraction, 2>> parts;
   for (const std::uint32_t n : line) {
-    std::optional<Fraction> from = place_along(first, n, false), to = place_along(first, n, true);
+    std::optional<Fraction> from = end_along(signs, first, sub_edge(n), false), to = end_along(signs, first, sub_edge(n), true);
     if (!from || !to) throw std::logic_error("ObstacleSweep: a sub-edge ends nowhere on its line");
-    if (compare_now(*to, *from) < 0) std::swap(from, to);
+    if (signs.compare(*to, *from) < 0) std::swap(from, to);
     parts.push_back({*from, *to});
   }
   Fraction at = signs.along(first, y.place), end = signs.along(first, z.place);
-  if (compare_now(end, at) < 0) std::swap(at, end);
-  for (bool grown = true; grown && compare_now(at, end) < 0;) {
+  if (signs.compare(end, at) < 0) std::swap(at, end);
+  for (bool grown = true; grown && signs.compare(at, end) < 0;) {
     grown = false;
     for (const auto& [from, to] : parts) {
-      if (compare_now(from, at) > 0 || compare_now(to, at) <= 0) continue;
+      if (signs.compare(from, at) > 0 || signs.compare(to, at) <= 0) continue;
       at = to;
       grown = true;
     }
   }
-  return compare_now(at, end) >= 0;
+  return signs.compare(at, end) >= 0;
 }
 
 // How often the boundary passes z, where it is the same before and behind the angle.
