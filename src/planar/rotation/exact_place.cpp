@@ -65,7 +65,7 @@ int SignsAt::compare(const Fraction& x, const Fraction& y) const {
   return sign(sum_of(product(x.num, y.den), product(y.num, x.den), -1)) * sign(x.den) * sign(y.den);
 }
 
-// Within 2^-49 of max(1, |quotient|). Of a denominator that is not 0, so that it ends.
+// It ends, as the denominator is not 0.
 double SignsAt::quotient(const Polynomial& num, const Polynomial& den) const {
   for (unsigned bits = 128;; bits *= 2) {
     bracket_.refine_to(bits);

@@ -42,6 +42,8 @@ class SignsAt {
   int sign(const exact::Polynomial& p) const { return p.is_zero() ? 0 : exact::sign_at(angle_.t, p); }
   int sign(const Fraction& f) const { return sign(f.num) * sign(f.den); }
   int compare(const Fraction& x, const Fraction& y) const;
+  /// num / den in doubles, within 2^-49 of max(1, |num / den|). Requires that den is not 0.
+  double quotient(const exact::Polynomial& num, const exact::Polynomial& den) const;
 
   /// The place in the forms' doubles, within 2^-37 of the span; nothing where the lines cross clearly off the first
   /// segment.
@@ -76,7 +78,6 @@ class SignsAt {
   Fraction side(const WalkSegment& s, const ExactPlace::Simple& z) const;
   Fraction along(const WalkSegment& s, const ExactPlace::Simple& z) const;
   std::optional<Point> near(const ExactPlace::Simple& z) const;
-  double quotient(const exact::Polynomial& num, const exact::Polynomial& den) const;
   bool same(const ExactPlace::Simple& y, const ExactPlace& z) const;
 
   const TurningForms& forms_;

@@ -224,9 +224,10 @@ class Export {
     add_euler(names);
   }
 
-  // Over a range of angles without events a shell is made of tubes, which count nothing. Where a + b tubes end and
-  // begin at one place it gains 2 - (a + b): 1 where a loop is born or vanishes, -1 where one splits.
+  // Over a range of angles without events a shell is made of tubes, which count nothing. At single events a loop is born or vanishes (1) or
+  // splits (-1): a place where a + b tubes end and begin gains 2 - (a + b). Elsewhere limits of the boundary tell.
   void add_euler(const std::map<std::uint32_t, std::uint32_t>& shell_names) {
+    const auto by_limits = [&](std::uint32_t angle) { return std::binary_search(sweep_.limit_angles().begin(), sweep_.limit_angles().end(), angle); };
     const std::vector<ObstacleSweep::Cell>& cells = sweep_.cells();
     const auto count = static_cast<std::uint32_t>(cells.size());
     // A cell at its beginning and at its end: 2 c and 2 c + 1.
@@ -246,12 +247,16 @@ class Export {
     std::map<std::uint32_t, std::pair<std::int64_t, std::uint32_t>> ends;  // place -> tubes that end there, their shell
     for (std::uint32_t c = 0; c < count; ++c)
       for (const bool at_end : {false, true}) {
-        if ((at_end ? cells[c].end : cells[c].begin) == kNobody || shell_of_cell[c] == kNobody) continue;
+        const std::uint32_t angle = at_end ? cells[c].end : cells[c].begin;
+        if (angle == kNobody || shell_of_cell[c] == kNobody || by_limits(angle)) continue;
         auto& entry = ends[find(2 * c + at_end)];
         ++entry.first;
         entry.second = shell_of_cell[c];
       }
     for (const auto& [at, entry] : ends) state_.shells[entry.second].euler += 2 - entry.first;
+    std::vector<std::int64_t> halves(state_.shells.size());
+    for (const auto& [node, more] : sweep_.limit_halves()) halves[shell_names.at(sweep_.shell_of(node))] += more;
+    for (std::size_t s = 0; s < halves.size(); ++s) state_.shells[s].euler += halves[s] / 2;
   }
 
   const ObstacleSweep& sweep_;

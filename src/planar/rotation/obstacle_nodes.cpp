@@ -44,6 +44,7 @@ void ObstacleSweep::end_node(std::uint32_t n) {
 }
 
 void ObstacleSweep::link(std::uint32_t from, std::uint32_t to) {
+  if (nodes_[from].begin != now_) relinked_.emplace_back(from, nodes_[from].next);
   nodes_[from].next = to;
   nodes_[to].prev = from;
   join(shell_, from, to);

@@ -83,6 +83,7 @@ void ObstacleSweep::slice(const TurnRange& range, const Group& group, const std:
        place_of(event, forms_, h).at);
   take_slice(placed_at(*base_, behind()));
   doubtful_ = group;
+  sliced_ = true;
 }
 
 // Nodes with the same segment and neighbours stay; the others end and begin here.
@@ -215,8 +216,9 @@ void ObstacleSweep::pass_group(const Group& group, const TurnRange& range, const
   signs_.reset();
   theta_now_ = group[0]->theta();
   born_ = 0;
-  changed_ = false;
+  changed_ = sliced_ = false;
   ended_.clear();
+  relinked_.clear();
   doubtful_.clear();
   const std::uint64_t slices = work.slices;
   change(group, range, behind, filter);

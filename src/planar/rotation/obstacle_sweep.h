@@ -65,6 +65,9 @@ class ObstacleSweep {
   const std::vector<CellLink>& cell_links() const { return cell_links_; }
   /// Cells before and behind an angle that touch each other there, in a passage that is shut.
   const std::vector<std::pair<std::uint32_t, std::uint32_t>>& touching_cells() const { return touching_cells_; }
+  /// Angles at which Euler numbers are told by limits of the boundary, and then twice what surfaces gain there, each with a node of theirs.
+  const std::vector<std::uint32_t>& limit_angles() const { return limit_angles_; }
+  const std::vector<std::pair<std::uint32_t, int>>& limit_halves() const { return limit_halves_; }
   std::uint32_t first_cell(std::uint32_t node) const { return nodes_[node].born_cell; }
   std::uint32_t shell_of(std::uint32_t node) const { return find(shell_, node); }
   std::uint32_t component_of(std::uint32_t cell) const { return find(component_, cell); }
@@ -173,9 +176,9 @@ class ObstacleSweep {
   std::vector<NodeNow> nodes_now(const SignsAt& signs) const;
   int order_of_end(const SignsAt& signs, const NodeNow& n, const Candidate& z, bool at_end) const;
   bool on_line(const SignsAt& signs, const NodeNow& n, const Candidate& z) const;
-  int halves_at(const SignsAt& signs, const NodeNow& n, const Candidate& z) const;
+  bool reaches(const SignsAt& signs, const NodeNow& n, const Candidate& z) const;
   bool reached_all_along(const SignsAt& signs, const std::vector<NodeNow>& nodes, const Candidate& y, const Candidate& z) const;
-  int passes(const SignsAt& signs, const std::vector<NodeNow>& nodes, const Candidate& z) const;
+  std::optional<Point> look_at_limits(const SignsAt& signs);
   // obstacle_nodes.cpp
   std::uint32_t id(const WalkSegment& s) const;
   std::uint32_t add_node(const WalkSegment& s, std::uint32_t cell);
@@ -241,6 +244,10 @@ class ObstacleSweep {
   bool trying_ = false;           ///< local updates tell whether they can do it, and change nothing
   bool changed_ = false;          ///< a sub-edge began or ended there
   std::vector<std::uint32_t> ended_;     ///< sub-edges that ended there
+  bool sliced_ = false;                  ///< a whole slice told what changed
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> relinked_;  ///< nodes with another one behind them now, and the former one
+  std::vector<std::uint32_t> limit_angles_;
+  std::vector<std::pair<std::uint32_t, int>> limit_halves_;
   std::vector<TurnEvent*> doubtful_;     ///< events of the group that may be places of tight contacts, or of nothing at all
   bool closed_ = false;
   std::vector<TurnEvent> pending_;  ///< at the very end of the last window

@@ -14,6 +14,7 @@
 #include <stdexcept>
 
 #include "planar/rotation/free_place.h"
+#include "planar/rotation/limit_boundary.h"
 #include "planar/rotation/obstacle_sweep.h"
 #include "planar/rotation/slice.h"
 #include "planar/rotation/turn.h"
@@ -31,7 +32,7 @@ void ObstacleSweep::examine(const TurnRange& range, OverlapFilter& filter) {
   std::vector<Candidate> found = by_slice ? candidates_of_open_slice(signs, between) : candidates(signs, filter);
   const std::vector<NodeNow> nodes = nodes_now(signs);
   const auto see = [&] {
-    for (Candidate& z : found) z.visible = std::any_of(nodes.begin(), nodes.end(), [&](const NodeNow& n) { return halves_at(signs, n, z) > 0; });
+    for (Candidate& z : found) z.visible = std::any_of(nodes.begin(), nodes.end(), [&](const NodeNow& n) { return reaches(signs, n, z); });
   };
   see();
   if (!by_slice) {
@@ -50,21 +51,43 @@ void ObstacleSweep::examine(const TurnRange& range, OverlapFilter& filter) {
     any = true;
     note(signs.heading(), ObstacleEvent::Kind::tight, found[k].near);
   }
-  // What touches at a crowded quarter turn is not looked for.
-  if (any || changed_ || (listed && (keeps_all_angles || crowded_ != nullptr))) return;
-  if (by_slice) {
-    found = candidates(signs, filter);
-    see();
-  }
-  const auto touching = std::find_if(found.begin(), found.end(), [&](const Candidate& z) { return listed && passes(signs, nodes, z) > 1; });
-  if (touching != found.end()) {
-    events.pop_back();
-    note(signs.heading(), ObstacleEvent::Kind::vertex_on_segment, touching->near);
-    return;
-  }
+  std::optional<Point> touch;
+  if (sliced_ || !found.empty()) touch = look_at_limits(signs);
+  if (any || changed_ || (listed && keeps_all_angles)) return;
   if (listed) events.pop_back();
+  if (touch) return note(signs.heading(), ObstacleEvent::Kind::vertex_on_segment, *touch);
+  if (!limit_angles_.empty() && limit_angles_.back() == now_) limit_angles_.pop_back();
   angles.pop_back();
   now_ = kNobody;
+}
+
+// The boundary's limits from before and from behind: surfaces, what they gain at the angle, and a place where one of the two touches itself.
+std::optional<Point> ObstacleSweep::look_at_limits(const SignsAt& signs) {
+  std::unordered_map<std::uint32_t, std::uint32_t> next_before, number;
+  for (const auto& [n, next] : relinked_) next_before.emplace(n, next);
+  std::optional<Point> touch;
+  for (const bool behind : {false, true}) {
+    std::vector<std::uint32_t> nodes;
+    const auto is_there = [&](std::uint32_t n) { return behind ? nodes_[n].alive : nodes_[n].begin != now_; };
+    for (std::uint32_t n = 0; n < nodes_.size(); ++n)
+      if (nodes_[n].alive && is_there(n)) nodes.push_back(n);
+    for (const std::uint32_t n : ended_)
+      if (is_there(n)) nodes.push_back(n);
+    number.clear();
+    for (std::uint32_t k = 0; k < nodes.size(); ++k) number[nodes[k]] = k;
+    std::vector<LimitEdge> edges;
+    for (const std::uint32_t n : nodes) {
+      const auto former = next_before.find(n);
+      edges.push_back({sub_edge(n), number.at(behind || former == next_before.end() ? nodes_[n].next : former->second)});
+    }
+    const BoundaryLimit limit = limit_of(signs, edges);
+    for (std::uint32_t k = 0; k < nodes.size(); ++k)
+      if (limit.halves[k] != 0) limit_halves_.emplace_back(nodes[k], limit.halves[k]);
+    for (const auto& [k, l] : limit.together) join(shell_, nodes[k], nodes[l]);
+    if (limit.touch) touch = limit.touch;
+  }
+  limit_angles_.push_back(now_);
+  return touch;
 }
 
 // Places of the doubtful events that are not certainly covered, each once.
@@ -229,14 +252,11 @@ bool ObstacleSweep::on_line(const SignsAt& signs, const NodeNow& n, const Candid
   return z.goes_through(nodes_[n.node].id) || signs.side_sign(nodes_[n.node].segment, z.place, z.near) == 0;
 }
 
-// In how many directions a sub-edge, before or behind the angle, leaves z at the angle: 0 where it does not come to z; 2 also where it
-// shrinks to z.
-int ObstacleSweep::halves_at(const SignsAt& signs, const NodeNow& n, const Candidate& z) const {
+// Whether a sub-edge, before or behind the angle, comes to z at the angle.
+bool ObstacleSweep::reaches(const SignsAt& signs, const NodeNow& n, const Candidate& z) const {
   const double at = signs.along_near(nodes_[n.node].segment, z.near);
-  if (at < n.from - n.error || at > n.to + n.error || !on_line(signs, n, z)) return 0;
-  const int from = order_of_end(signs, n, z, false), to = order_of_end(signs, n, z, true);
-  if (from > 0 || to < 0) return 0;
-  return (from == 0) != (to == 0) ? 1 : 2;
+  if (at < n.from - n.error || at > n.to + n.error || !on_line(signs, n, z)) return false;
+  return order_of_end(signs, n, z, false) <= 0 && order_of_end(signs, n, z, true) >= 0;
 }
 
 // Whether sub-edges together come to the whole stretch from y to z.
@@ -245,7 +265,7 @@ bool ObstacleSweep::reached_all_along(const SignsAt& signs, const std::vector<No
   for (const NodeNow& n : nodes) {
     const double a = signs.along_near(nodes_[n.node].segment, y.near), b = signs.along_near(nodes_[n.node].segment, z.near);
     if (std::max(a, b) < n.from - n.error || std::min(a, b) > n.to + n.error || !on_line(signs, n, y) || !on_line(signs, n, z)) continue;
-    if (halves_at(signs, n, y) > 0 && halves_at(signs, n, z) > 0) return true;
+    if (reaches(signs, n, y) && reaches(signs, n, z)) return true;
     line.push_back(n.node);
   }
   if (line.empty()) return false;
@@ -268,13 +288,6 @@ bool ObstacleSweep::reached_all_along(const SignsAt& signs, const std::vector<No
     }
   }
   return signs.compare(at, end) >= 0;
-}
-
-// How often the boundary passes z, where it is the same before and behind the angle.
-int ObstacleSweep::passes(const SignsAt& signs, const std::vector<NodeNow>& nodes, const Candidate& z) const {
-  int halves = 0;
-  for (const NodeNow& n : nodes) halves += halves_at(signs, n, z);
-  return halves / 2;
 }
 
 }  // namespace dymsum::planar
