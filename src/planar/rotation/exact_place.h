@@ -72,7 +72,7 @@ class SignsAt {
   /// The signs of d x e and d . e.
   int cross(const WalkSegment& d, const WalkSegment& e) const;
   int dot(const WalkSegment& d, const WalkSegment& e) const;
-  bool antiparallel(const WalkSegment& d, const WalkSegment& e) const { return dot(d, e) < 0 && cross(d, e) == 0; }
+  bool antiparallel(const WalkSegment& d, const WalkSegment& e) const { return cross(d, e) == 0 && dot(d, e) < 0; }
 
  private:
   Fraction side(const WalkSegment& s, const ExactPlace::Simple& z) const;

@@ -33,12 +33,14 @@ std::uint32_t OverlapFilter::build(Tree& tree, std::uint32_t op, std::uint32_t f
   return id;
 }
 
-// Whether fixed edge i crosses turning edge j, reflected and moved to `at`: the four sides, all beyond their errors.
-bool OverlapFilter::cross(std::uint32_t i, std::uint32_t j, Point at, Heading h) const {
-  const auto place = [&](std::uint32_t v) {
-    const Point p = forms_.points(1)[v];
-    return Point{at.x - (h.c * p.x - h.s * p.y), at.y - (h.s * p.x + h.c * p.y)};
-  };
+// A vertex of the turning operand, reflected and moved to `at`.
+Point OverlapFilter::placed(std::uint32_t v, Point at, Heading h) const {
+  const Point p = forms_.points(1)[v];
+  return {at.x - (h.c * p.x - h.s * p.y), at.y - (h.s * p.x + h.c * p.y)};
+}
+
+// Whether fixed edge i crosses the edge from c to d: the four sides, all beyond their errors.
+bool OverlapFilter::cross(std::uint32_t i, Point c, Point d) const {
   const auto opposite = [&](Point u, Point v, Point x, Point y) {
     const double dx = v.x - u.x, dy = v.y - u.y, bound = 0x1p-36 * (std::abs(dx) + std::abs(dy)) * forms_.span();
     const double s = dx * (x.y - u.y) - dy * (x.x - u.x), t = dx * (y.y - u.y) - dy * (y.x - u.x);
@@ -47,13 +49,14 @@ bool OverlapFilter::cross(std::uint32_t i, std::uint32_t j, Point at, Heading h)
   const auto boxes_meet = [](double a, double b, double c, double d) {
     return std::min(a, b) <= std::max(c, d) && std::min(c, d) <= std::max(a, b);
   };
-  const Point a = forms_.points(0)[i], b = forms_.points(0)[forms_.operand(0).next[i]], c = place(j), d = place(forms_.operand(1).next[j]);
+  const Point a = forms_.points(0)[i], b = forms_.points(0)[forms_.operand(0).next[i]];
   return boxes_meet(a.x, b.x, c.x, d.x) && boxes_meet(a.y, b.y, c.y, d.y) && opposite(a, b, c, d) && opposite(c, d, a, b);
 }
 
 bool OverlapFilter::lately_cross(Point at, Heading h) const {
   for (std::size_t k = 0; k < known_; ++k) {
-    if (!cross(lately_[k].first, lately_[k].second, at, h)) continue;
+    const auto [i, j] = lately_[k];
+    if (!cross(i, placed(j, at, h), placed(forms_.operand(1).next[j], at, h))) continue;
     std::rotate(lately_.begin(), lately_.begin() + static_cast<std::ptrdiff_t>(k), lately_.begin() + static_cast<std::ptrdiff_t>(k) + 1);
     return true;
   }
@@ -62,24 +65,23 @@ bool OverlapFilter::lately_cross(Point at, Heading h) const {
 
 // Whether a fixed edge of a leaf crosses a turning one.
 bool OverlapFilter::edges_cross(const Node& fixed, const Node& turning, Point at, Heading h) const {
-  for (std::uint32_t j = turning.first; j < turning.last; ++j)
+  for (std::uint32_t j = turning.first; j < turning.last; ++j) {
+    const Point c = placed(j, at, h), d = placed(forms_.operand(1).next[j], at, h);
     for (std::uint32_t i = fixed.first; i < fixed.last; ++i) {
-      if (!cross(i, j, at, h)) continue;
+      if (!cross(i, c, d)) continue;
       known_ = std::min(known_ + 1, lately_.size());
       std::rotate(lately_.begin(), lately_.end() - 1, lately_.end());
       lately_[0] = {i, j};
       return true;
     }
+  }
   return false;
 }
 
 // One of the four pairs of ends lies clearly on one side of the other edge's line.
 bool OverlapFilter::edges_apart(std::uint32_t i, std::uint32_t j, Point at, Heading h) const {
-  const auto place = [&](std::uint32_t v) {
-    const Point p = forms_.points(1)[v];
-    return Point{at.x - (h.c * p.x - h.s * p.y), at.y - (h.s * p.x + h.c * p.y)};
-  };
-  const Point a = forms_.points(0)[i], b = forms_.points(0)[forms_.operand(0).next[i]], c = place(j), d = place(forms_.operand(1).next[j]);
+  const Point a = forms_.points(0)[i], b = forms_.points(0)[forms_.operand(0).next[i]];
+  const Point c = placed(j, at, h), d = placed(forms_.operand(1).next[j], at, h);
   const auto same_side = [&](Point u, Point v, Point x, Point y) {
     const double dx = v.x - u.x, dy = v.y - u.y, bound = 0x1p-36 * (std::abs(dx) + std::abs(dy)) * forms_.span();
     const double s = dx * (x.y - u.y) - dy * (x.x - u.x), t = dx * (y.y - u.y) - dy * (y.x - u.x);
@@ -109,8 +111,8 @@ bool OverlapFilter::touches_only(Point at, Heading h, const std::vector<WalkSegm
   for (std::uint32_t cp = 0; cp < p.components.size(); ++cp)
     for (std::uint32_t cq = 0; cq < q.components.size(); ++cq) {
       const std::uint32_t v = q.components[cq].first, w = p.components[cp].first;
-      const Point t = forms_.points(1)[v], f = forms_.points(0)[w];
-      if (holds(0, cp, {at.x - (h.c * t.x - h.s * t.y), at.y - (h.s * t.x + h.c * t.y)}, h) || holds(1, cq, {at.x - f.x, at.y - f.y}, h)) return false;
+      const Point f = forms_.points(0)[w];
+      if (holds(0, cp, placed(v, at, h), h) || holds(1, cq, {at.x - f.x, at.y - f.y}, h)) return false;
     }
   return true;
 }
@@ -160,8 +162,8 @@ bool OverlapFilter::inside(Point at, Heading h) const {
       }
       // No edges cross: one component may hold the other, and then its first vertex.
       const Component &cp = forms_.operand(0).components[p], &cq = forms_.operand(1).components[q];
-      const Point t = forms_.points(1)[cq.first], f = forms_.points(0)[cp.first];
-      if (holds(0, p, {at.x - (h.c * t.x - h.s * t.y), at.y - (h.s * t.x + h.c * t.y)}, h)) return true;
+      const Point f = forms_.points(0)[cp.first];
+      if (holds(0, p, placed(cq.first, at, h), h)) return true;
       if (holds(1, q, {at.x - f.x, at.y - f.y}, h)) return true;
     }
   return false;

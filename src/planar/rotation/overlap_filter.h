@@ -34,7 +34,8 @@ class OverlapFilter {
   };
   std::uint32_t build(Tree& tree, std::uint32_t op, std::uint32_t first, std::uint32_t last, double grow) const;
   bool edges_apart(std::uint32_t i, std::uint32_t j, Point at, Heading h) const;
-  bool cross(std::uint32_t i, std::uint32_t j, Point at, Heading h) const;
+  Point placed(std::uint32_t v, Point at, Heading h) const;
+  bool cross(std::uint32_t i, Point c, Point d) const;
   bool lately_cross(Point at, Heading h) const;
   bool edges_cross(const Node& fixed, const Node& turning, Point at, Heading h) const;
   bool holds(std::uint32_t op, std::uint32_t component, Point x, Heading h) const;

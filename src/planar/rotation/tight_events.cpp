@@ -63,8 +63,9 @@ void ObstacleSweep::examine(const TurnRange& range, OverlapFilter& filter) {
 
 // The boundary's limits from before and from behind: surfaces, what they gain at the angle, and a place where one of the two touches itself.
 std::optional<Point> ObstacleSweep::look_at_limits(const SignsAt& signs) {
-  std::unordered_map<std::uint32_t, std::uint32_t> next_before, number;
-  for (const auto& [n, next] : relinked_) next_before.emplace(n, next);
+  std::vector<std::uint32_t> next_before(nodes_.size(), kNobody), number(nodes_.size());
+  for (const auto& [n, next] : relinked_)
+    if (next_before[n] == kNobody) next_before[n] = next;
   std::optional<Point> touch;
   for (const bool behind : {false, true}) {
     std::vector<std::uint32_t> nodes;
@@ -73,13 +74,10 @@ std::optional<Point> ObstacleSweep::look_at_limits(const SignsAt& signs) {
       if (nodes_[n].alive && is_there(n)) nodes.push_back(n);
     for (const std::uint32_t n : ended_)
       if (is_there(n)) nodes.push_back(n);
-    number.clear();
     for (std::uint32_t k = 0; k < nodes.size(); ++k) number[nodes[k]] = k;
     std::vector<LimitEdge> edges;
-    for (const std::uint32_t n : nodes) {
-      const auto former = next_before.find(n);
-      edges.push_back({sub_edge(n), number.at(behind || former == next_before.end() ? nodes_[n].next : former->second)});
-    }
+    for (const std::uint32_t n : nodes)
+      edges.push_back({sub_edge(n), number[behind || next_before[n] == kNobody ? nodes_[n].next : next_before[n]]});
     const BoundaryLimit limit = limit_of(signs, edges);
     for (std::uint32_t k = 0; k < nodes.size(); ++k)
       if (limit.halves[k] != 0) limit_halves_.emplace_back(nodes[k], limit.halves[k]);
