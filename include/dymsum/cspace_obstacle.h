@@ -68,9 +68,7 @@ struct Patch {
 struct Shell {
   bool outer = true;              ///< the free space it bounds reaches infinity; else it is a cavity of the obstacle
   std::uint32_t patches = 0;      ///< how many belong to it
-  /// Vertices - edges + patches of the closed surface, if what only touches is taken apart. Exact where work().slices is
-  /// 0. Else at least the true number, and even: handles made where several passages between the same faces open at one
-  /// angle, or one shuts or touches at one angle between faces that stay connected elsewhere, are not counted.
+  /// Vertices - edges + patches of the closed surface, if what only touches is taken apart: 2 - 2 handles.
   std::int64_t euler = 0;
   std::uint32_t free_component = 0;  ///< the component of free space on its right
 };

@@ -293,29 +293,38 @@ TEST(CspaceExactFit, an_angle_at_which_the_boundary_only_touches_itself_is_liste
   EXPECT_EQ(listed(4.125), 0u);
 }
 
-// The same with cavities that nothing reaches, so many of whose edges are aligned upright that one slice stands for all events there.
+// The same with slits and cavities that nothing reaches, so many of whose edges are aligned upright that one slice stands for all events
+// there.
 TEST(CspaceExactFit, crowded_quarter_turns_are_listed_where_something_happens) {
-  const auto comb = [](double y) {
-    Ring ring{{-10, y - 6}};
-    for (double x = -10; x <= 10; x += 2) ring.insert(ring.end(), {{x, y + 4}, {x + 1, y + 4}, {x + 1, y - 4}, {x + 2, y - 4}});
-    ring.resize(ring.size() - 2);
-    ring.push_back({11, y - 6});
-    return ring;
+  const auto crosses = [](double y) {
+    std::vector<Ring> all;
+    for (double x = -10; x <= 10; x += 4)
+      all.push_back({{x, y - 1}, {x - 1, y - 1}, {x - 1, y}, {x, y}, {x, y + 1}, {x + 1, y + 1}, {x + 1, y}, {x + 2, y}, {x + 2, y - 1}, {x + 1, y - 1}, {x + 1, y - 2}, {x, y - 2}});
+    return all;
   };
-  const auto listed = [&](double gap, bool cavities) {
-    const auto part = [&](Ring outer, double y) { return cavities ? Part{std::move(outer), {comb(y)}} : Part{std::move(outer), {}}; };
+  Ring slit_rhombus{{64, 0}};
+  for (double x = 48; x > 8; x -= 6) {
+    const double y = 32 - x / 2;
+    slit_rhombus.insert(slit_rhombus.end(), {{x, y}, {x, y - 8}, {x - 2, y - 8}, {x - 2, y + 1}});
+  }
+  slit_rhombus.insert(slit_rhombus.end(), {{0, 32}, {-64, 0}, {0, -32}});
+  const auto listed = [&](double gap, bool crowded) {
     RegionData robot, tips;
-    robot.parts = {part({{64, 0}, {0, 32}, {-64, 0}, {0, -32}}, 0)};
-    tips.parts = {part({{-32, -128}, {32, -128}, {0, 0}}, -104), part({{0, gap}, {32, gap + 128}, {-32, gap + 128}}, gap + 104)};
+    robot.parts = {{crowded ? slit_rhombus : Ring{{64, 0}, {0, 32}, {-64, 0}, {0, -32}}, {}}};
+    tips.parts = {{{{-32, -128}, {32, -127}, {0, 0}}, {}}, {{{0, gap}, {32, gap + 127}, {-32, gap + 128}}, {}}};
+    if (crowded) {
+      tips.parts[0].holes = crosses(-104);
+      tips.parts[1].holes = crosses(gap + 104);
+    }
     const CspaceObstacle c = CspaceObstacle::create(*Region::create(robot), *Region::create(tips)).value();
     expect_happenings(c);
     std::size_t n = 0;
     for (const EventAngle& a : c.angles()) n += std::abs(std::remainder(a.theta, std::numbers::pi / 2)) < 1e-12;
     return n;
   };
-  for (const bool cavities : {false, true}) {
-    EXPECT_EQ(listed(128, cavities), 2u);
-    EXPECT_EQ(listed(129, cavities), 0u);
+  for (const bool crowded : {false, true}) {
+    EXPECT_EQ(listed(128, crowded), 2u);
+    EXPECT_EQ(listed(129, crowded), 0u);
   }
 }
 
