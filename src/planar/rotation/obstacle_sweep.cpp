@@ -101,18 +101,13 @@ void ObstacleSweep::take_slice(SumState state) {
       before.push_back(n);
     }
   std::vector<std::vector<std::array<std::uint32_t, 3>>> keys;
-  std::vector<std::uint32_t> same;
   for (const SumRing& ring : raw.rings) {
     const std::vector<WalkSegment> segments = segments_of(ring);
     const std::size_t n = segments.size();
     auto& ring_keys = keys.emplace_back();
-    for (std::size_t k = 0; k < n; ++k) {
-      ring_keys.push_back({id(segments[k]), id(segments[(k + n - 1) % n]), id(segments[(k + 1) % n])});
-      if (const auto it = old.find(ring_keys.back()); it != old.end()) same.push_back(it->second);
-    }
+    for (std::size_t k = 0; k < n; ++k) ring_keys.push_back({id(segments[k]), id(segments[(k + n - 1) % n]), id(segments[(k + 1) % n])});
   }
-  const auto shut = [](const std::vector<std::uint32_t>& list, std::uint32_t n) { return std::binary_search(list.begin(), list.end(), n); };
-  const std::vector<std::uint32_t> shut_same = shut_nodes(same, before);
+  const Lines lines_before = lines_of(before);
   std::vector<std::vector<std::uint32_t>> loops;
   std::vector<std::uint32_t> all;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> touching;  // walls of a shut passage, before and behind
@@ -120,7 +115,7 @@ void ObstacleSweep::take_slice(SumState state) {
     std::vector<std::uint32_t>& loop = loops.emplace_back();
     for (const auto& key : ring_keys) {
       const auto it = old.find(key);
-      if (it != old.end() && !shut(shut_same, it->second)) {
+      if (it != old.end() && !shut_now({it->second}, lines_before)) {
         loop.push_back(it->second);
         old.erase(it);
         continue;
@@ -142,15 +137,8 @@ void ObstacleSweep::take_slice(SumState state) {
   for (const std::uint32_t m : all)
     if (nodes_[m].begin == now_) fresh.push_back(m);
   // What goes on along the same line at the event's angle belongs together, unless a passage is shut there.
-  const std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs = continued_stretches(ended, fresh);
-  std::vector<std::uint32_t> from, to;
-  for (const auto& [n, m] : pairs) {
-    from.push_back(n);
-    to.push_back(m);
-  }
-  const std::vector<std::uint32_t> shut_ended = shut_nodes(from, before), shut_fresh = shut_nodes(to, all);
-  for (const auto& [n, m] : pairs) {
-    if (shut(shut_ended, n) || shut(shut_fresh, m)) {
+  for (const auto& [n, m] : continued_stretches(ended, fresh)) {
+    if (shut_now({n, m}, lines_before)) {
       touching.emplace_back(n, m);
       continue;
     }

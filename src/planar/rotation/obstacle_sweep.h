@@ -149,8 +149,10 @@ class ObstacleSweep {
   static constexpr double kLineNear = 0x1p-34;
   double line_offset(std::uint32_t n, Heading h) const;
   // shut_passages.cpp
-  std::vector<std::uint32_t> shut_nodes(const std::vector<std::uint32_t>& nodes, const std::vector<std::uint32_t>& all) const;
-  bool covered_now(std::uint32_t n, const std::vector<std::uint32_t>& opposite, Heading h) const;
+  using Lines = std::vector<std::pair<double, std::uint32_t>>;  ///< nodes by the offsets of their lines
+  Lines lines_of(const std::vector<std::uint32_t>& nodes) const;
+  std::vector<std::uint32_t> opposite_walls(std::uint32_t n, const Lines& side, Heading h) const;
+  bool shut_now(const std::vector<std::uint32_t>& nodes, const Lines& side) const;
   std::array<double, 3> stretch_now(std::uint32_t on, std::uint32_t n, Heading h) const;
   // tight_events.cpp
   /// A place of events of the group that may be free, and segments whose lines go through it.

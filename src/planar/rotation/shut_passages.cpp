@@ -24,9 +24,44 @@ std::array<double, 3> ObstacleSweep::stretch_now(std::uint32_t on, std::uint32_t
   return {std::min(first, last), std::max(first, last), error};
 }
 
-// Whether walls of the other direction cover all of a node's stretch. In doubles where they leave a gap that is certain, else exactly.
-bool ObstacleSweep::covered_now(std::uint32_t n, const std::vector<std::uint32_t>& opposite, Heading h) const {
-  const auto [low, high, error] = stretch_now(n, n, h);
+ObstacleSweep::Lines ObstacleSweep::lines_of(const std::vector<std::uint32_t>& nodes) const {
+  const Heading h = Heading::of(theta_now_);
+  Lines lines;
+  for (const std::uint32_t n : nodes) lines.emplace_back(line_offset(n, h), n);
+  std::sort(lines.begin(), lines.end());
+  return lines;
+}
+
+// Walls of the other direction on the line of a node.
+std::vector<std::uint32_t> ObstacleSweep::opposite_walls(std::uint32_t n, const Lines& side, Heading h) const {
+  // Turned round, a line has the opposite offset.
+  const double offset = line_offset(n, h), near = kLineNear * forms_.span();
+  const WalkSegment& s = nodes_[n].segment;
+  const Point d = forms_.direction(s, h);
+  std::vector<std::uint32_t> opposite;
+  const auto first = std::lower_bound(side.begin(), side.end(), std::pair{-offset - near, std::uint32_t{0}});
+  for (auto m = first; m != side.end() && m->first <= -offset + near; ++m) {
+    const WalkSegment& t = nodes_[m->second].segment;
+    const Point e = forms_.direction(t, h);
+    if (d.x * e.x + d.y * e.y < 0 && collinear(s, t, h)) opposite.push_back(m->second);
+  }
+  return opposite;
+}
+
+// Whether nothing of the stretch that nodes of one line share borders on a face at the angle: it has no length, or walls of the other direction
+// cover it, which are those of `side`, of one side of the angle. (What is covered from before is covered at the angle, hence from behind.) In
+// doubles where they leave a gap that is certain, else exactly.
+bool ObstacleSweep::shut_now(const std::vector<std::uint32_t>& nodes, const Lines& side) const {
+  const Heading h = Heading::of(theta_now_);
+  const std::uint32_t n = nodes[0];
+  const std::vector<std::uint32_t> opposite = opposite_walls(n, side, h);
+  double low = -INFINITY, high = INFINITY, error = 0;
+  for (const std::uint32_t m : nodes) {
+    const auto [from, to, off] = stretch_now(n, m, h);
+    low = std::max(low, from);
+    high = std::min(high, to);
+    error += off;
+  }
   if (opposite.empty() && high - low > 2 * error) return false;
   double reach = low, errors = error;
   std::vector<std::array<double, 3>> stretches;
@@ -38,47 +73,24 @@ bool ObstacleSweep::covered_now(std::uint32_t n, const std::vector<std::uint32_t
   }
   if (high - reach > 2 * errors) return false;
   const WalkSegment& line = nodes_[n].segment;
-  std::optional<Fraction> at = end_along(signs_now(), line, sub_edge(n), false);
-  const std::optional<Fraction> end = end_along(signs_now(), line, sub_edge(n), true);
-  if (!at || !end) return false;
-  for (bool grown = true; grown && signs_now().compare(*at, *end) < 0;) {
+  const SignsAt& signs = signs_now();
+  std::optional<Fraction> at, end;
+  for (const std::uint32_t m : nodes) {
+    const std::optional<Fraction> from = end_along(signs, line, sub_edge(m), false), to = end_along(signs, line, sub_edge(m), true);
+    if (!from || !to) return false;
+    if (!at || signs.compare(*from, *at) > 0) at = from;
+    if (!end || signs.compare(*to, *end) < 0) end = to;
+  }
+  for (bool grown = true; grown && signs.compare(*at, *end) < 0;) {
     grown = false;
     for (const std::uint32_t m : opposite) {
-      const std::optional<Fraction> to = end_along(signs_now(), line, sub_edge(m), false), from = end_along(signs_now(), line, sub_edge(m), true);
-      if (!to || !from || signs_now().compare(*from, *at) > 0 || signs_now().compare(*to, *at) <= 0) continue;
+      const std::optional<Fraction> to = end_along(signs, line, sub_edge(m), false), from = end_along(signs, line, sub_edge(m), true);
+      if (!to || !from || signs.compare(*from, *at) > 0 || signs.compare(*to, *at) <= 0) continue;
       at = to;
       grown = true;
     }
   }
-  return signs_now().compare(*at, *end) >= 0;
-}
-
-// Those of `nodes` of which nothing borders on a face at the angle: of no length, or with walls of shut passages all along them. `all`: the
-// nodes of that side of the angle.
-std::vector<std::uint32_t> ObstacleSweep::shut_nodes(const std::vector<std::uint32_t>& nodes, const std::vector<std::uint32_t>& all) const {
-  if (nodes.empty()) return {};
-  const Heading h = Heading::of(theta_now_);
-  std::vector<std::pair<double, std::uint32_t>> lines;
-  for (const std::uint32_t n : all) lines.emplace_back(line_offset(n, h), n);
-  std::sort(lines.begin(), lines.end());
-  std::vector<std::uint32_t> shut, opposite;
-  const double near = kLineNear * forms_.span();
-  for (const std::uint32_t n : nodes) {
-    // Turned round, a line has the opposite offset.
-    const double offset = line_offset(n, h);
-    opposite.clear();
-    const WalkSegment& s = nodes_[n].segment;
-    const Point d = forms_.direction(s, h);
-    const auto first = std::lower_bound(lines.begin(), lines.end(), std::pair{-offset - near, std::uint32_t{0}});
-    for (auto m = first; m != lines.end() && m->first <= -offset + near; ++m) {
-      const WalkSegment& t = nodes_[m->second].segment;
-      const Point e = forms_.direction(t, h);
-      if (d.x * e.x + d.y * e.y < 0 && collinear(s, t, h)) opposite.push_back(m->second);
-    }
-    if (covered_now(n, opposite, h)) shut.push_back(n);
-  }
-  std::sort(shut.begin(), shut.end());
-  return shut;
+  return signs.compare(*at, *end) >= 0;
 }
 
 }  // namespace dymsum::planar
