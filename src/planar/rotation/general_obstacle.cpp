@@ -316,18 +316,21 @@ class Preparation {
   }
 
  private:
-  // Triples grow with the square of the pairs: where segments meet more than a few others each, a range is halved.
+  // Triples grow with the square of the pairs: where segments meet more than a few others each, a range is halved. Beside a quarter turn at
+  // which much is aligned they do for certain.
   void add(const TurnRange& range, int depth, std::vector<Prepared>& parts) const {
     constexpr std::size_t kMost = 6;
+    const double middle = std::nearbyint(0.5 * (range.t_low + range.t_high) * 0x1p24) * 0x1p-24;
+    const bool divides = depth < 3 && middle > range.t_low && middle < range.t_high;
+    const auto halve = [&] {
+      add({range.chart, range.t_low, middle}, depth + 1, parts);
+      add({range.chart, middle, range.t_high}, depth + 1, parts);
+    };
+    if (divides && beside_crowd(range)) return halve();
     Prepared p;
     p.range = range;
     p.window = std::make_unique<TurnWindow>(grid_, catalog_, range, !reference_ && pairs_ > 100);
-    const double middle = std::nearbyint(0.5 * (range.t_low + range.t_high) * 0x1p24) * 0x1p-24;
-    if (depth < 3 && p.window->meetings.size() > kMost * p.window->segments.size() && middle > range.t_low && middle < range.t_high) {
-      add({range.chart, range.t_low, middle}, depth + 1, parts);
-      add({range.chart, middle, range.t_high}, depth + 1, parts);
-      return;
-    }
+    if (divides && p.window->meetings.size() > kMost * p.window->segments.size()) return halve();
     p.filter = std::make_unique<OverlapFilter>(forms_, *p.window);
     QuarterEnds ends;
     if (crowded_) {
@@ -337,6 +340,14 @@ class Preparation {
     }
     p.found = events_in(*p.window, forms_, catalog_, all_, reference_ ? nullptr : p.filter.get(), ends);
     parts.push_back(std::move(p));
+  }
+  bool beside_crowd(const TurnRange& range) const {
+    constexpr double kCrowd = 2;
+    const auto crowd = [&](double t) {
+      const CrowdedQuarter* quarter = crowded_ ? crowded_->at(range.chart, t) : nullptr;
+      return quarter != nullptr && quarter->per_edge > kCrowd;
+    };
+    return crowd(range.t_low) || crowd(range.t_high);
   }
 
   const TurningForms& forms_;

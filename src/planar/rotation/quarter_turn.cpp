@@ -59,10 +59,11 @@ CrowdedQuarters::CrowdedQuarters(const TurningForms& forms, const std::vector<Al
     const auto low = std::lower_bound(alignments.begin(), alignments.end(), theta - kAngleSlack, [](const Alignment& a, double t) { return a.theta < t; });
     auto high = low;
     while (high != alignments.end() && high->theta <= theta + kAngleSlack) ++high;
-    if (static_cast<std::size_t>(high - low) <= forms.size(0) + forms.size(1)) continue;
+    const double per_edge = static_cast<double>(high - low) / (forms.size(0) + forms.size(1));
+    if (per_edge <= 1) continue;
     const QuarterTurn turn(forms, static_cast<int>(k));
     const auto pair = std::find_if(low, high, [&](const Alignment& a) { return turn.aligned(a.e, a.f); });
-    if (pair != high) quarters_[k].emplace(CrowdedQuarter{turn, *pair});
+    if (pair != high) quarters_[k].emplace(CrowdedQuarter{turn, *pair, per_edge});
   }
 }
 

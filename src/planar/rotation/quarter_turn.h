@@ -52,7 +52,8 @@ class QuarterTurn {
 
 struct CrowdedQuarter {
   QuarterTurn turn;
-  Alignment pair;  ///< edges that are aligned there: one of many
+  Alignment pair;       ///< edges that are aligned there: one of many
+  double per_edge = 0;  ///< how many are, per edge of the operands
 };
 
 class CrowdedQuarters {
