@@ -264,11 +264,11 @@ class Collector {
     ++out_.triples;
     if (!w_.meet(j, k)) return;
     const WalkSegment &a = w_.segments[i], &b = w_.segments[j], &c = w_.segments[k];
+    if (same_direction(b, c)) return;
     const TrigForm2 g = forms_.concurrency(a, b, c);
     const double error = forms_.concurrency_error(a, b, c);
     if (g.far_from_zero(w_.heading, w_.half, error)) return;
     if (at_crowded_end(g, error, [&](const QuarterTurn& end) { return end.concurrent(a, b, c); })) return;
-    if (same_direction(b, c)) return;
     if (!may_matter(a, b, c, g, error)) return;
     const exact::Polynomial poly = forms_.exact_concurrency(a, b, c, w_.range.chart);
     if (poly.is_zero()) {
