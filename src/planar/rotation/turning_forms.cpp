@@ -55,8 +55,6 @@ TurningForms::TurningForms(const ScalingBase& base) : base_(base), operands_{&ba
   span_ = std::max(width_, height_) + 2 * reach_;
 }
 
-TurningForms::Vec TurningForms::at(std::uint32_t op, std::uint32_t v) const { return exact_[op][v]; }
-
 TurningForms::Vec TurningForms::vector(std::uint32_t op, std::uint32_t e) const {
   const Vec &a = exact_[op][e], &b = exact_[op][operands_[op]->next[e]];
   return {b.x - a.x, b.y - a.y};
@@ -94,25 +92,18 @@ TrigForm2 TurningForms::concurrency(const WalkSegment& a, const WalkSegment& b, 
 }
 
 Polynomial TurningForms::exact_side(const WalkSegment& s, Pair v, int chart) const {
-  return crossed(vector(s.side, s.edge), s.side, start(s), v, chart);
+  const Form f = crossed(vector(s.side, s.edge), s.side, start(s), v);
+  return polynomial(quadratic(f.a, f.b, f.g, chart));
 }
 
 // d turned with operand `side`, times v - u.
-Polynomial TurningForms::crossed(const Vec& d, std::uint32_t side, Pair u, Pair v, int chart) const {
-  const Vec q1 = at(0, v.p), q0 = at(0, u.p), p1 = at(1, v.q), p0 = at(1, u.q);
+TurningForms::Form TurningForms::crossed(const Vec& d, std::uint32_t side, Pair u, Pair v) const {
+  const Vec &q1 = exact_[0][v.p], &q0 = exact_[0][u.p], &p1 = exact_[1][v.q], &p0 = exact_[1][u.q];
   const Vec dq{q1.x - q0.x, q1.y - q0.y}, dp{p1.x - p0.x, p1.y - p0.y};
   const auto x = [&](const Vec& w) { return BigInteger(d.x * w.y - d.y * w.x); };
   const auto dot = [&](const Vec& w) { return BigInteger(d.x * w.x + d.y * w.y); };
-  if (side == 0) return polynomial(quadratic(x(dq), x(dp), dot(dp), chart));
-  return polynomial(quadratic(x(dp), x(dq), BigInteger(-dot(dq)), chart));
-}
-
-// d x start.
-TurningForms::Form TurningForms::offset(const WalkSegment& s) const {
-  const Pair from = start(s);
-  const Vec d = vector(s.side, s.edge), q = at(0, from.p), p = at(1, from.q);
-  if (s.side == 0) return {d.x * q.y - d.y * q.x, d.x * p.y - d.y * p.x, d.x * p.x + d.y * p.y};
-  return {d.x * p.y - d.y * p.x, d.x * q.y - d.y * q.x, -(d.x * q.x + d.y * q.y)};
+  if (side == 0) return {x(dq), x(dp), dot(dp)};
+  return {x(dp), x(dq), BigInteger(-dot(dq))};
 }
 
 TurningForms::Form TurningForms::cross_form(const WalkSegment& s, const WalkSegment& t) const {
@@ -122,22 +113,24 @@ TurningForms::Form TurningForms::cross_form(const WalkSegment& s, const WalkSegm
   return {0, x, s.side == 1 ? BigInteger(-dot) : dot};
 }
 
+// As concurrency().
 Polynomial TurningForms::exact_concurrency(const WalkSegment& a, const WalkSegment& b, const WalkSegment& c, int chart) const {
-  const std::array<const WalkSegment*, 3> lines{&a, &b, &c};
   const bool same = a.side == b.side && b.side == c.side;
   std::vector<Big> sum(same ? 3 : 5);
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Form h = offset(*lines[k]), d = cross_form(*lines[(k + 1) % 3], *lines[(k + 2) % 3]);
+  const auto add_product = [&](const WalkSegment& s, const Form& d) {
+    const Form h = crossed(vector(s.side, s.edge), s.side, start(s), start(a));
     const std::array<BigInteger, 3> u = quadratic(h.a, h.b, h.g, chart);
     if (same) {
-      // All crosses are constant: of degree two.
-      for (std::size_t i = 0; i < 3; ++i) sum[i] = sum[i] + Big(BigInteger(u[i] * d.a));
-      continue;
+      // The crosses are constant: of degree two.
+      for (std::size_t i = 0; i < 3; ++i) sum[i] = sum[i] - Big(BigInteger(u[i] * d.a));
+      return;
     }
     const std::array<BigInteger, 3> v = quadratic(d.a, d.b, d.g, chart);
     for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < 3; ++j) sum[i + j] = sum[i + j] + Big(BigInteger(u[i] * v[j]));
-  }
+      for (std::size_t j = 0; j < 3; ++j) sum[i + j] = sum[i + j] - Big(BigInteger(u[i] * v[j]));
+  };
+  add_product(b, cross_form(c, a));
+  add_product(c, cross_form(a, b));
   return Polynomial(std::move(sum));
 }
 
@@ -149,7 +142,8 @@ Polynomial TurningForms::exact_cross(const WalkSegment& s, const WalkSegment& t,
 // With d' = d turned right, d . w = d' x w.
 Polynomial TurningForms::exact_along(const WalkSegment& s, Pair u, Pair v, int chart) const {
   const Vec e = vector(s.side, s.edge);
-  return crossed({BigInteger(e.y), BigInteger(-e.x)}, s.side, u, v, chart);
+  const Form f = crossed({BigInteger(e.y), BigInteger(-e.x)}, s.side, u, v);
+  return polynomial(quadratic(f.a, f.b, f.g, chart));
 }
 
 Polynomial TurningForms::exact_alignment(std::uint32_t e, std::uint32_t f, int chart) const {

@@ -121,10 +121,8 @@ class TurningForms {
   struct Form {
     exact::BigInteger a, b, g;
   };
-  Vec at(std::uint32_t op, std::uint32_t v) const;
   Vec vector(std::uint32_t op, std::uint32_t e) const;
-  Form offset(const WalkSegment& s) const;
-  exact::Polynomial crossed(const Vec& d, std::uint32_t side, Pair u, Pair v, int chart) const;
+  Form crossed(const Vec& d, std::uint32_t side, Pair u, Pair v) const;
   Form cross_form(const WalkSegment& s, const WalkSegment& t) const;
 
   const ScalingBase& base_;
