@@ -5,20 +5,12 @@
 #include "planar/convolution.h"
 
 namespace dymsum::planar {
-namespace {
-
-bool all_filled(const Lattice& lattice, const Operand& holed, const Operand& other) {
-  for (std::size_t l = 1; l < holed.loops.size(); ++l)
-    if (!hole_is_filled(lattice, holed, holed.loops[l], other, other.components[0])) return false;
-  return true;
-}
-
-}  // namespace
 
 std::optional<SumRing> convex_boundary(const Lattice& lattice, const Operand& p, const Operand& q) {
   for (const Operand* o : {&p, &q})
     if (o->components.size() != 1 || !o->components[0].convex) return std::nullopt;
-  if (!all_filled(lattice, p, q) || !all_filled(lattice, q, p)) return std::nullopt;
+  const Component &cp = p.components[0], &cq = q.components[0];
+  if (!holes_are_filled(lattice, p, cp, q, cq) || !holes_are_filled(lattice, q, cq, p, cp)) return std::nullopt;
   const DirectionList& of_p = p.directions[p.component_directions[0][1]];
   const DirectionList& of_q = q.directions[q.component_directions[0][1]];
   const std::size_t n = of_p.edges.size(), m = of_q.edges.size();

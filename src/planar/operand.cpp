@@ -40,6 +40,19 @@ void find_turned_extremes(Loop& loop, const Operand& o, const TurnedPoints& turn
   }
 }
 
+void find_largest_holes(Operand& o) {
+  const PlacedPoints& at = *o.points;
+  const auto width = [&](const Loop& l) { return at.x[l.max_x] - at.x[l.min_x]; };
+  const auto height = [&](const Loop& l) { return at.y[l.max_y] - at.y[l.min_y]; };
+  for (Component& c : o.components) {
+    c.widest_hole = c.tallest_hole = c.first_loop + 1;
+    for (std::uint32_t l = c.first_loop + 2; l < c.last_loop; ++l) {
+      if (width(o.loops[l]) > width(o.loops[c.widest_hole])) c.widest_hole = l;
+      if (height(o.loops[l]) > height(o.loops[c.tallest_hole])) c.tallest_hole = l;
+    }
+  }
+}
+
 // Everything that counts in the lattice's units.
 void place(Operand& o, const Lattice& lattice) {
   const std::size_t n = o.size();
@@ -60,6 +73,7 @@ void place(Operand& o, const Lattice& lattice) {
   if (o.points->turned != nullptr) {
     for (DirectionList& list : o.directions) restart(list, o, lattice);
     for (Loop& loop : o.loops) find_turned_extremes(loop, o, *o.points->turned);
+    find_largest_holes(o);
   }
   o.trees.clear();
   for (const Component& c : o.components) o.trees.push_back(make_edge_tree(o, c.first, c.last));
@@ -150,6 +164,7 @@ class Builder {
       out_.component_directions.back()[1] = all + 1;
     }
     for (Loop& loop : out_.loops) find_extremes(loop);
+    find_largest_holes(out_);
     invert_numbers();
     return std::move(out_);
   }

@@ -35,6 +35,7 @@ struct Component {
   int dimension = 2;
   bool convex = false;  ///< two-dimensional, and all vertices of the outer loop are convex
   std::uint32_t first_loop = 0, last_loop = 0, first = 0, last = 0;
+  std::uint32_t widest_hole = 0, tallest_hole = 0;  ///< loops, by rounded coordinates; where it has holes
 };
 
 /// An edge by its rounded end points and vector, for filters: side by side, because whoever tests it needs all of them.
