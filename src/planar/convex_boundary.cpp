@@ -5,12 +5,28 @@
 #include "planar/convolution.h"
 
 namespace dymsum::planar {
+namespace {
+
+// The largest holes tell mostly, by their rounded extents, which err by some roundings of the operands' sizes.
+bool all_filled(const Lattice& lattice, const Operand& holed, const Operand& other) {
+  if (holed.loops.size() == 1) return true;
+  const Component &c = holed.components[0], &d = other.components[0];
+  const PlacedPoints &a = *lattice.points[holed.op], &b = *lattice.points[other.op];
+  const double error = 0x1p-46 * (a.width + a.height + b.width + b.height);
+  const Loop &widest = holed.loops[c.widest_hole], &tallest = holed.loops[c.tallest_hole], &outer = other.loops[0];
+  if (a.x[widest.max_x] - a.x[widest.min_x] < b.x[outer.max_x] - b.x[outer.min_x] - error) return true;
+  if (a.y[tallest.max_y] - a.y[tallest.min_y] < b.y[outer.max_y] - b.y[outer.min_y] - error) return true;
+  for (std::size_t l = 1; l < holed.loops.size(); ++l)
+    if (!hole_is_filled(lattice, holed, holed.loops[l], other, d)) return false;
+  return true;
+}
+
+}  // namespace
 
 std::optional<SumRing> convex_boundary(const Lattice& lattice, const Operand& p, const Operand& q) {
   for (const Operand* o : {&p, &q})
     if (o->components.size() != 1 || !o->components[0].convex) return std::nullopt;
-  const Component &cp = p.components[0], &cq = q.components[0];
-  if (!holes_are_filled(lattice, p, cp, q, cq) || !holes_are_filled(lattice, q, cq, p, cp)) return std::nullopt;
+  if (!all_filled(lattice, p, q) || !all_filled(lattice, q, p)) return std::nullopt;
   const DirectionList& of_p = p.directions[p.component_directions[0][1]];
   const DirectionList& of_q = q.directions[q.component_directions[0][1]];
   const std::size_t n = of_p.edges.size(), m = of_q.edges.size();

@@ -59,43 +59,13 @@ std::size_t merge_both(const Lattice& lattice, const Operand& p, const Direction
 
 }  // namespace
 
-namespace {
-
-/// Extents of loops in the lattice's doubles.
-struct Extents {
-  explicit Extents(const Lattice& lattice, std::uint32_t op) : at(*lattice.points[op]) {}
-  double width(const Loop& l) const { return at.x[l.max_x] - at.x[l.min_x]; }
-  double height(const Loop& l) const { return at.y[l.max_y] - at.y[l.min_y]; }
-  /// What a comparison of two of them may err by: coordinates err by some roundings of the operand's size.
-  double error() const { return 0x1p-46 * (at.width + at.height); }
-  const PlacedPoints& at;
-};
-
-}  // namespace
-
-// Widths are differences of input coordinates, compared exactly where their roundings do not tell: as edges of the two operands along an axis
-// they need no new sign.
+// Widths are differences of input coordinates, compared exactly: as edges of the two operands along an axis they need no new sign.
 bool hole_is_filled(const Lattice& lattice, const Operand& holed, const Loop& hole, const Operand& other,
                     const Component& component) {
   if (component.dimension != 2) return false;
   const Loop& outer = other.loops[component.first_loop];
-  const Extents a(lattice, holed.op), b(lattice, other.op);
-  const double error = a.error() + b.error(), x = a.width(hole) - b.width(outer), y = a.height(hole) - b.height(outer);
-  if (x < -error || y < -error) return true;
-  return (x <= error && lattice.compare_extent({holed.op, hole.min_x, hole.max_x}, {other.op, outer.min_x, outer.max_x}, 0) < 0) ||
-         (y <= error && lattice.compare_extent({holed.op, hole.min_y, hole.max_y}, {other.op, outer.min_y, outer.max_y}, 1) < 0);
-}
-
-bool holes_are_filled(const Lattice& lattice, const Operand& holed, const Component& c, const Operand& other, const Component& component) {
-  if (c.last_loop - c.first_loop == 1) return true;
-  if (component.dimension != 2) return false;
-  const Extents a(lattice, holed.op), b(lattice, other.op);
-  const Loop& outer = other.loops[component.first_loop];
-  const double error = a.error() + b.error();
-  if (a.width(holed.loops[c.widest_hole]) < b.width(outer) - error || a.height(holed.loops[c.tallest_hole]) < b.height(outer) - error) return true;
-  for (std::uint32_t l = c.first_loop + 1; l < c.last_loop; ++l)
-    if (!hole_is_filled(lattice, holed, holed.loops[l], other, component)) return false;
-  return true;
+  return lattice.compare_extent({holed.op, hole.min_x, hole.max_x}, {other.op, outer.min_x, outer.max_x}, 0) < 0 ||
+         lattice.compare_extent({holed.op, hole.min_y, hole.max_y}, {other.op, outer.min_y, outer.max_y}, 1) < 0;
 }
 
 ReducedConvolution::ReducedConvolution(const Lattice& lattice, const Operand& p, const Operand& q, Scratch* memory)

@@ -92,7 +92,5 @@ class ReducedConvolution {
 
 /// Whether a hole of one component cannot hold the other component, by bounding boxes, exactly: then it does not show in the sum.
 bool hole_is_filled(const Lattice& lattice, const Operand& holed, const Loop& hole, const Operand& other, const Component& component);
-/// All holes of component c.
-bool holes_are_filled(const Lattice& lattice, const Operand& holed, const Component& c, const Operand& other, const Component& component);
 
 }  // namespace dymsum::planar
