@@ -9,7 +9,6 @@ using exact::Polynomial;
 namespace {
 
 constexpr double kLeastSine = 0x1p-4;
-constexpr double kOffSegment = 0x1p-30;
 
 Polynomial one() { return Polynomial({exact::Big(exact::BigInteger(1))}); }
 
@@ -85,7 +84,9 @@ std::optional<Point> SignsAt::near(const ExactPlace::Simple& z) const {
   const bool clear = std::abs(cross) >= kLeastSine * forms_.length1(z.a) * forms_.length1(z.b);
   const double t = clear ? forms_.side(z.b, start).at(heading_) / cross
                          : quotient(forms_.exact_side(z.b, start, angle_.chart), forms_.exact_cross(z.a, z.b, angle_.chart));
-  if (!(t > -kOffSegment && t < 1 + kOffSegment)) return std::nullopt;
+  // Of a short segment t may err by more than it is long.
+  const double slack = kNear * forms_.span() / forms_.length1(z.a);
+  if (!(t > -slack && t < 1 + slack)) return std::nullopt;
   const Point from = forms_.place(start, heading_), d = forms_.direction(z.a, heading_);
   return Point{from.x + t * d.x, from.y + t * d.y};
 }
