@@ -32,7 +32,7 @@ RotatingFrame::RotatingFrame(const RotatingWindow& window) : window_(window) {
   walked_.resize(window.pieces.size());
   stretches_.reserve(window.pieces.size());
   for (std::size_t i = 0; i < window.pieces.size(); ++i)
-    stretches_.push_back({window.pieces[i].head, window.pieces[i].tail, entries_.data() + window.first_of[i]});
+    stretches_.push_back({Two{window.pieces[i].head, window.pieces[i].tail}, entries_.data() + window.first_of[i]});
   ways_.reserve(window.pieces.size());
   for (const TurnPiece& p : window.pieces) {
     Way way{{kNone, kNone}, kNone, p.segment};
@@ -51,7 +51,9 @@ bool RotatingFrame::compute(double delta, Heading heading) {
   heading_ = heading;
   delta_ = delta;
   sure_ = true;
-  return place_segments(delta) && find_crossings() && link_crossings() && find_cycles();
+  if (!place_segments(delta)) return false;
+  find_near();
+  return find_crossings() && link_crossings() && find_cycles();
 }
 
 bool RotatingFrame::place_segments(double delta) {
@@ -72,56 +74,59 @@ bool RotatingFrame::place_segments(double delta) {
   for (const std::uint32_t side : {0u, 1u})
     for (const Busy& b : busy_[side]) {
       const Point at = place({b.p, b.q}), d = direction({side, b.edge, 0});
-      Placed& to = placed_[b.segment];
-      to.x = at.x;
-      to.y = at.y;
-      to.dx = d.x;
-      to.dy = d.y;
+      placed_[b.segment].at = Two{at.x, at.y};
+      placed_[b.segment].d = Two{d.x, d.y};
     }
   return true;
 }
 
 // Those are left out of which one does not exist, or both ends of one lie on one side of the other. Without branches: which of them cross
 // cannot be predicted, so all are listed and the place moves on for those that may.
-bool RotatingFrame::find_crossings() {
-  crossings_.clear();
-  std::fill(count_.begin(), count_.end(), 0);
+void RotatingFrame::find_near() {
   const std::size_t count = window_.meetings.size();
   near_.resize(count + 1);
-  crossings_.reserve(count);
   const TurnMeeting* meetings = window_.meetings.data();
   const Placed* placed = placed_.data();
   Near* near = near_.data();
   for (std::uint32_t i = 0; i < count; ++i) {
     const Placed &a = placed[meetings[i].segment_a], &b = placed[meetings[i].segment_b];
-    const double wx = b.x - a.x, wy = b.y - a.y, k = a.dx * b.dy - a.dy * b.dx;
-    const double o1 = a.dx * wy - a.dy * wx, o2 = o1 + k, o3 = b.dx * wy - b.dy * wx, o4 = o3 + k;
-    const bool beside_a = (std::min(o1, o2) > a.error) | (std::max(o1, o2) < -a.error);
-    const bool beside_b = (std::min(o3, o4) > b.error) | (std::max(o3, o4) < -b.error);
-    *near = {i, k, o1, o3};
-    near += !(beside_a | beside_b);
+    const Two w = b.at - a.at, crossed = a.d * exchanged(b.d), error = {a.error, b.error};
+    const double k = crossed[0] - crossed[1];
+    const Two starts = firsts(a.d, b.d) * seconds(w, w) - seconds(a.d, b.d) * firsts(w, w), ends = starts + both(k);
+    *near = {starts, error, k, i};
+    near += !any(most(least(starts, ends), -most(starts, ends)) > error);
   }
-  for (const Near* n = near_.data(); n != near; ++n)
-    if (!cross(*n)) return false;
-  return true;
+  near_count_ = static_cast<std::size_t>(near - near_.data());
 }
 
-// False where it cannot be told whether they cross.
-bool RotatingFrame::cross(const Near& near) {
-  const TurnMeeting& m = window_.meetings[near.meeting];
-  const Placed &a = placed_[m.segment_a], &b = placed_[m.segment_b];
-  const double k = near.k, o1 = near.o1, o2 = o1 + k, o3 = near.o3, o4 = o3 + k;
-  const bool sure = std::abs(o1) > a.error && std::abs(o2) > a.error && std::abs(o3) > b.error && std::abs(o4) > b.error;
-  if (!sure || std::abs(k) <= 2 * kCross * a.length1 * b.length1) return certainly_beside(a, b) || certainly_beside(b, a);
-  const Stretch &p = stretches_[m.a], &q = stretches_[m.b];
-  const double per = -1 / k, t = o3 * per, u = o1 * per;
-  if (!((t > p.head) & (t <= p.tail) & (u > q.head) & (u <= q.tail))) return true;  // they cross in other pieces
-  const double error_t = 4 * b.error * std::abs(per) + 0x1p-50, error_u = 4 * a.error * std::abs(per) + 0x1p-50;
-  const auto number = static_cast<std::uint32_t>(crossings_.size());
-  if (k > 0) crossings_.push_back({m.b, m.a, u, t, error_u, error_t});
-  else crossings_.push_back({m.a, m.b, t, u, error_t, error_u});
-  insert(p.entries, count_[m.a]++, {t, rounded_up(error_t), k > 0 ? number | kOut : number});
-  insert(q.entries, count_[m.b]++, {u, rounded_up(error_u), k > 0 ? number : number | kOut});
+// False where it cannot be told whether two cross.
+bool RotatingFrame::find_crossings() {
+  std::fill(count_.begin(), count_.end(), 0);
+  crossings_.resize(near_count_);
+  std::uint32_t number = 0;
+  for (std::size_t i = 0; i < near_count_; ++i) {
+    const Near& n = near_[i];
+    const TurnMeeting& m = window_.meetings[n.meeting];
+    const Placed &a = placed_[m.segment_a], &b = placed_[m.segment_b];
+    const bool unsure = any(least(magnitude(n.starts), magnitude(n.starts + both(n.k))) <= n.error);
+    if (unsure || std::abs(n.k) <= 2 * kCross * a.length1 * b.length1) {
+      if (!certainly_beside(a, b) && !certainly_beside(b, a)) return false;
+      continue;
+    }
+    const Stretch &p = stretches_[m.a], &q = stretches_[m.b];
+    const double per = -1 / n.k;
+    // First on b, then on a.
+    const Two at = n.starts * both(per);
+    if (any(at <= firsts(q.range, p.range)) | any(at > seconds(q.range, p.range))) continue;  // they cross in other pieces
+    const Two error = both(4 * std::abs(per)) * n.error + both(0x1p-50);
+    const bool out_on_a = n.k > 0;
+    const Two t = out_on_a ? at : exchanged(at), e = out_on_a ? error : exchanged(error);
+    crossings_[number] = {out_on_a ? m.b : m.a, out_on_a ? m.a : m.b, t[0], t[1], e[0], e[1]};
+    insert(p.entries, count_[m.a]++, {at[1], rounded_up(error[1]), out_on_a ? number | kOut : number});
+    insert(q.entries, count_[m.b]++, {at[0], rounded_up(error[0]), out_on_a ? number : number | kOut});
+    ++number;
+  }
+  crossings_.resize(number);
   return true;
 }
 
@@ -132,8 +137,8 @@ void RotatingFrame::insert(Entry* list, std::uint32_t k, Entry entry) {
 
 // Along the first one, the second one lies before its start or behind its end.
 bool RotatingFrame::certainly_beside(const Placed& a, const Placed& b) {
-  const double wx = b.x - a.x, wy = b.y - a.y;
-  const double u = a.dx * wx + a.dy * wy, v = u + a.dx * b.dx + a.dy * b.dy, whole = a.dx * a.dx + a.dy * a.dy;
+  const auto along = [&](Two v) { return a.d[0] * v[0] + a.d[1] * v[1]; };
+  const double u = along(b.at - a.at), v = u + along(b.d), whole = along(a.d);
   return (u < -a.error && v < -a.error) || (u > whole + a.error && v > whole + a.error);
 }
 
@@ -289,9 +294,9 @@ RotatingFrame::Located RotatingFrame::end_of(const Step& s) const {
   if (s.to_crossing == kEnd) return {place(window_.segments[s.segment].end), point_error()};
   const Crossing& c = crossings_[s.to_crossing];
   const Placed &a = placed_[s.segment], &b = placed_[window_.pieces[c.out].segment];
-  const double ea = c.e_in * std::max(std::abs(a.dx), std::abs(a.dy)), eb = c.e_out * std::max(std::abs(b.dx), std::abs(b.dy));
-  if (ea <= eb) return {{a.x + c.t_in * a.dx, a.y + c.t_in * a.dy}, point_error() + ea};
-  return {{b.x + c.t_out * b.dx, b.y + c.t_out * b.dy}, point_error() + eb};
+  const double ea = c.e_in * std::max(std::abs(a.d[0]), std::abs(a.d[1])), eb = c.e_out * std::max(std::abs(b.d[0]), std::abs(b.d[1]));
+  const Two at = ea <= eb ? a.at + both(c.t_in) * a.d : b.at + both(c.t_out) * b.d;
+  return {{at[0], at[1]}, point_error() + std::min(ea, eb)};
 }
 
 }  // namespace dymsum::planar

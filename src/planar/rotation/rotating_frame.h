@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "planar/rotation/rotating_window.h"
+#include "planar/rotation/two_lanes.h"
 
 namespace dymsum::planar {
 
@@ -67,7 +68,8 @@ class RotatingFrame {
  private:
   /// A segment at this angle: start, vector, |vector|_1, and a bound on the error of the side of a place.
   struct Placed {
-    double x = 0, y = 0, dx = 0, dy = 0, length1 = 0, error = 0;
+    Two at{}, d{};
+    double length1 = 0, error = 0;
   };
   /// Where to take one from.
   struct Busy {
@@ -80,10 +82,12 @@ class RotatingFrame {
     std::uint32_t leap = kNone;
     std::uint32_t segment = 0;  ///< of the piece
   };
-  /// Two segments that may cross: k = a x b, sides of the start of b against a and, reflected, of the start of a against b.
+  /// Two segments that may cross: k = a x b; the sides of the start of b against a and, reflected, of the start of a against b; bounds on
+  /// their errors.
   struct Near {
+    Two starts{}, error{};
+    double k = 0;
     std::uint32_t meeting = 0;
-    double k = 0, o1 = 0, o3 = 0;
   };
   /// A crossing on a piece.
   struct Entry {
@@ -95,13 +99,13 @@ class RotatingFrame {
   };
   /// Of a piece, in shares of its segment, and where its crossings are listed.
   struct Stretch {
-    double head = 0, tail = 1;
+    Two range{0, 1};
     Entry* entries = nullptr;
   };
   static constexpr std::uint32_t kOut = 0x80000000;  ///< the boundary leaves the crossing on this piece
   bool place_segments(double delta);
+  void find_near();
   bool find_crossings();
-  bool cross(const Near& near);
   static bool certainly_beside(const Placed& a, const Placed& b);
   static void insert(Entry* list, std::uint32_t k, Entry entry);
   bool link_crossings();
@@ -128,7 +132,8 @@ class RotatingFrame {
   std::array<std::vector<Busy>, 2> busy_;      // segments with meetings, by side
   std::vector<Placed> placed_;                 // by segment, of busy ones; anything where it does not exist
   std::vector<std::uint8_t> exists_;
-  std::vector<Near> near_;                     // meetings that may cross
+  std::vector<Near> near_;                     // meetings that may cross: the first near_count_
+  std::size_t near_count_ = 0;
   std::vector<Crossing> crossings_;
   std::vector<std::uint32_t> count_;           // of entries, by piece; the places are those of the window's index of meetings
   std::vector<Entry> entries_;                 // along each piece

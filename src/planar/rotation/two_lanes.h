@@ -1,0 +1,33 @@
+// Two doubles at a time: what is asked of two segments is asked of the first one against the second and of the second one against the
+// first. The same operations as on doubles, one rounding each.
+#pragma once
+
+#include <cstdint>
+
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
+namespace dymsum::planar {
+
+using Two = double __attribute__((vector_size(16)));
+/// What comparing gives: -1 or 0 in each.
+using TwoTold = std::int64_t __attribute__((vector_size(16)));
+
+inline Two both(double v) { return Two{v, v}; }
+inline Two firsts(Two a, Two b) { return __builtin_shufflevector(a, b, 0, 2); }
+inline Two seconds(Two a, Two b) { return __builtin_shufflevector(a, b, 1, 3); }
+inline Two exchanged(Two a) { return __builtin_shufflevector(a, a, 1, 0); }
+inline Two least(Two a, Two b) { return a < b ? a : b; }
+inline Two most(Two a, Two b) { return a > b ? a : b; }
+inline Two magnitude(Two a) { return most(a, -a); }
+
+inline bool any(TwoTold told) {
+#ifdef __SSE2__
+  return _mm_movemask_pd(reinterpret_cast<__m128d>(told)) != 0;
+#else
+  return (told[0] | told[1]) != 0;
+#endif
+}
+
+}  // namespace dymsum::planar
