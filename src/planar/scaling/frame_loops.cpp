@@ -30,8 +30,10 @@ bool FrameLoops::update(double tau, FramePlace& place, bool whole, FrameWork& wo
   for (std::size_t i = fresh; i < loops_.size(); ++i) look_.push_back(inherit(loops_[i], tau));
   verify(tau, place, work);
   name_rings();
+  count_visits(whole);
   for (FrameLoop& loop : gone_) spare_.push_back(std::move(loop.steps));
-  const bool plain = window.nodes.empty() || nodes_are_plain(tau, place, whole, work);
+  find_doubtful(whole, tau);
+  const bool plain = nodes_are_plain(tau, place, work);
   last_tau_ = tau;
   return plain;
 }
@@ -228,28 +230,65 @@ bool FrameLoops::quiet(std::uint32_t touch, double tau) const {
   return true;
 }
 
-// At every scale something touches in these nodes. The boundary passes those that it passes once; the others have to lie in the open sum.
-// A node that did so does so as long as nothing passes it on a piece it lies inside of: what could uncover it would cross that piece there.
-bool FrameLoops::nodes_are_plain(double tau, FramePlace& place, bool whole, FrameWork& work) {
+// Kept loops that came or went count at the nodes they pass.
+void FrameLoops::count_visits(bool whole) {
+  doubtful_.clear();
+  if (whole) {
+    std::fill(visited_.begin(), visited_.end(), 0);
+    crowded_ = 0;
+  }
+  for (const FrameLoop& loop : gone_)
+    if (loop.counted) visit(loop, false);
+  for (FrameLoop& loop : loops_) {
+    if (loop.counted != loop.kept) visit(loop, loop.kept);
+    loop.counted = loop.kept;
+  }
+}
+
+// What a step ends in stays known when the lists have changed.
+void FrameLoops::visit(const FrameLoop& loop, bool comes) {
   const Window& window = lists_.window();
-  std::fill(visited_.begin(), visited_.end(), 0);
-  for (const FrameLoop& loop : loops_)
-    if (loop.kept)
-      for (const LoopStep& s : loop.steps)
-        if (s.at_node && ++visited_[lists_.end_node(step_of(s))] > 1) return false;
-  for (std::uint32_t n = 0; n < window.nodes.size(); ++n) {
-    if (!lists_.active(n)) {
-      nodes_[n].inside = false;
-      continue;
+  for (const LoopStep& s : loop.steps) {
+    if (!s.at_node) continue;
+    const std::uint32_t n = s.to == kNone ? window.node_of_ray[window.tail_ray[s.piece]] : window.touches[s.to & ~kTouchBit].node;
+    if (comes) {
+      crowded_ += ++visited_[n] == 2;
+    } else {
+      crowded_ -= visited_[n]-- == 2;
+      if (visited_[n] == 0) doubtful_.push_back(n);
     }
-    bool changed = whole || lists_.relinked(n);
-    for (std::uint32_t r = window.nodes[n].first_ray; r < window.nodes[n].last_ray && nodes_[n].inside && !changed; ++r) {
-      const PersistentNode::Ray& ray = window.rays[r];
-      if (ray.touch == kNone) changed = window.nodes[n].hands_on && lists_.touched(ray.piece);
-      else changed = ray.out && lists_.active_touch(ray.touch) && lists_.touched(ray.piece) && !quiet(ray.touch, tau);
+  }
+}
+
+void FrameLoops::doubt(std::uint32_t node) {
+  nodes_[node].inside = false;
+  doubtful_.push_back(node);
+}
+
+// A node that lies in the open sum does so as long as nothing passes it on a piece it lies inside of: what could uncover it would cross
+// that piece there.
+void FrameLoops::find_doubtful(bool whole, double tau) {
+  const Window& window = lists_.window();
+  if (whole) {
+    for (std::uint32_t n = 0; n < window.nodes.size(); ++n) doubt(n);
+    return;
+  }
+  for (const std::uint32_t n : lists_.relinked()) doubt(n);
+  for (const std::uint32_t piece : lists_.looked_at()) {
+    for (std::uint32_t k = window.first_touch[piece]; k < window.first_touch[piece + 1]; ++k) {
+      const std::uint32_t n = window.touches[k].node;
+      if (nodes_[n].inside && lists_.active_touch(k) && !quiet(k, tau)) doubt(n);
     }
-    if (changed) nodes_[n].inside = false;
-    if (visited_[n] > 0 || nodes_[n].inside) continue;
+    for (const std::uint32_t ray : {window.head_ray[piece], window.tail_ray[piece]})
+      if (ray != kNone && window.nodes[window.node_of_ray[ray]].hands_on) doubt(window.node_of_ray[ray]);
+  }
+}
+
+// At every scale something touches in these nodes. The boundary passes those that it passes once; the others have to lie in the open sum.
+bool FrameLoops::nodes_are_plain(double tau, FramePlace& place, FrameWork& work) {
+  if (crowded_ > 0) return false;
+  for (const std::uint32_t n : doubtful_) {
+    if (!lists_.active(n) || visited_[n] > 0 || nodes_[n].inside) continue;
     if (!node_inside(n, tau, place, work)) return false;
     nodes_[n].inside = true;
   }

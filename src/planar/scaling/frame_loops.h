@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "planar/scaling/edge_search.h"
 #include "planar/scaling/piece_lists.h"
 
 namespace dymsum::planar {
@@ -33,14 +34,15 @@ struct FrameLoop {
   bool kept = false;                ///< a true boundary
   std::uint64_t ring = 0;           ///< identity of a true one, 0: not yet given
   bool fresh = true;                ///< walked anew in this frame
+  bool counted = false;             ///< among the visits of the nodes that it passes
   std::uint32_t vertices_before = 0, vertices_shared = 0;  ///< of a fresh one: of the ring whose identity it has taken, and both
-  std::optional<std::array<std::uint32_t, 2>> witness;  ///< of a false one: walk edges that crossed properly
+  std::optional<CrossingEdges> witness;  ///< of a false one
   std::uint32_t first_run = 0, last_run = 0;  ///< of a fresh one: its stretches, valid during the update
 };
 
 class FrameLoops {
  public:
-  explicit FrameLoops(PieceLists& lists) : lists_(lists) {}
+  explicit FrameLoops(PieceLists& lists) : lists_(lists), search_(lists.window()) {}
 
   /// After a repair without degeneracies. `whole`: nothing is known about earlier loops. False when the boundary passes a node twice or
   /// a node may be tight: then this frame is one for the vertex routine, and nothing is known afterwards.
@@ -62,7 +64,11 @@ class FrameLoops {
   void begin();
   void carry_over(double tau, FrameWork& work);
   Look inherit(FrameLoop& loop, double tau) const;
-  bool nodes_are_plain(double tau, FramePlace& place, bool whole, FrameWork& work);
+  void count_visits(bool whole);
+  void visit(const FrameLoop& loop, bool comes);
+  void doubt(std::uint32_t node);
+  void find_doubtful(bool whole, double tau);
+  bool nodes_are_plain(double tau, FramePlace& place, FrameWork& work);
   std::size_t outer_loop(double tau) const;
   void verify(double tau, FramePlace& place, FrameWork& work);
   bool undisturbed(const LoopStep& edge, double tau) const;
@@ -91,13 +97,8 @@ class FrameLoops {
   };
   Cutting end_cut(Step s, bool at_end) const;
   Place sample(const FrameLoop& loop, double tau, FramePlace& place) const;
-  struct Beside {
-    double x, y, error;
-  };
-  Beside beside(const FrameLoop& loop, double tau) const;
-  std::optional<std::array<std::uint32_t, 2>> lately_crossing(double x, double y, double error, double tau) const;
-  void remember(const std::optional<std::array<std::uint32_t, 2>>& edges);
-  bool crosses_at(const std::array<std::uint32_t, 2>& edges, double x, double y, double error, double tau) const;
+  EdgeSearch::Place beside(const FrameLoop& loop, double tau) const;
+  bool covered(std::optional<CrossingEdges>& witness, const EdgeSearch::Place& at);
   struct MovingVertex {
     SumVertex vertex;
     MovingPoint point;
@@ -142,13 +143,14 @@ class FrameLoops {
   std::uint64_t copied_ = 0;
   struct NodeState {
     bool inside = false;  ///< proved to lie in the open sum
-    std::optional<std::array<std::uint32_t, 2>> witness;
+    std::optional<CrossingEdges> witness;
   };
   std::vector<NodeState> nodes_;
-  std::vector<std::uint32_t> visited_;  ///< node -> how often kept loops pass it
+  std::vector<std::uint32_t> visited_;   ///< node -> how often kept loops pass it
+  std::uint32_t crowded_ = 0;            ///< nodes that they pass twice or more
+  std::vector<std::uint32_t> doubtful_;  ///< nodes of which something changed in this frame
   double last_tau_ = 0;  ///< of the last update
-  std::array<std::array<std::uint32_t, 2>, 16> lately_{};  ///< the last edges found to cross, of any loop or node
-  std::size_t found_ = 0;
+  EdgeSearch search_;
   struct Trail {
     Step at;
     std::uint32_t stretch;  ///< that starts there, or kNone: a single sub-edge

@@ -19,12 +19,7 @@ bool FrameLoops::node_inside(std::uint32_t node, double tau, FramePlace& place, 
   const Pair v = window.exact(n.at);
   const std::uint32_t m = window.frame().moving, move = m == 0 ? v.p : v.q, rest = m == 0 ? v.q : v.p;
   const double x = l.points[1 - m]->x[rest] + tau * l.points[m]->x[move], y = l.points[1 - m]->y[rest] + tau * l.points[m]->y[move];
-  if (nodes_[node].witness && crosses_at(*nodes_[node].witness, x, y, kWindowPoint * window.span(), tau)) {
-    ++work.witnessed;
-    return true;
-  }
-  if (const auto edges = lately_crossing(x, y, kWindowPoint * window.span(), tau)) {
-    nodes_[node].witness = edges;
+  if (covered(nodes_[node].witness, {x, y, kWindowPoint * window.span(), tau})) {
     ++work.witnessed;
     return true;
   }
@@ -39,18 +34,12 @@ bool FrameLoops::node_inside(std::uint32_t node, double tau, FramePlace& place, 
   ++work.collision_tests;
   const bool inside = place.collision().overlaps(p);
   nodes_[node].witness = place.collision().crossing_edges();
-  remember(nodes_[node].witness);
+  if (nodes_[node].witness) search_.remember(*nodes_[node].witness);
   return inside;
 }
 
 bool FrameLoops::is_false(FrameLoop& loop, double tau, FramePlace& place, FrameWork& work) {
-  const Beside z = beside(loop, tau);
-  if (loop.witness && crosses_at(*loop.witness, z.x, z.y, z.error, tau)) {
-    ++work.witnessed;
-    return true;
-  }
-  if (const auto edges = lately_crossing(z.x, z.y, z.error, tau)) {
-    loop.witness = edges;
+  if (covered(loop.witness, beside(loop, tau))) {
     ++work.witnessed;
     return true;
   }
@@ -59,7 +48,7 @@ bool FrameLoops::is_false(FrameLoop& loop, double tau, FramePlace& place, FrameW
   Collision& collision = place.collision();
   const bool overlap = collision.overlaps_right_of(sample(loop, tau, place));
   loop.witness = collision.crossing_edges();
-  remember(loop.witness);
+  if (loop.witness) search_.remember(*loop.witness);
   return overlap;
 }
 
@@ -154,46 +143,22 @@ Place FrameLoops::sample(const FrameLoop& loop, double tau, FramePlace& place) c
 }
 
 // A point of the loop. Edges that cross properly when Q, reflected, stands there do so at a point just right of it.
-FrameLoops::Beside FrameLoops::beside(const FrameLoop& loop, double tau) const {
+EdgeSearch::Place FrameLoops::beside(const FrameLoop& loop, double tau) const {
   const Window& window = lists_.window();
   const Step s = step_of(loop.steps[0]);
   const LiveSegment& on = window.segments[window.pieces[s.piece].segment];
   const Cutting from = end_cut(s, false), to = end_cut(s, true);
   const double t = 0.5 * (from.t.at(tau) + to.t.at(tau));
   const double error = (from.error + to.error + 0x1p-49 * std::max(1.0, tau)) * std::max(std::abs(on.dx), std::abs(on.dy)) + kWindowPoint * window.span();
-  return {on.x.at(tau) + t * on.dx, on.y.at(tau) + t * on.dy, error};
+  return {on.x.at(tau) + t * on.dx, on.y.at(tau) + t * on.dy, error, tau};
 }
 
-// What covered other places lately often covers this one.
-std::optional<std::array<std::uint32_t, 2>> FrameLoops::lately_crossing(double x, double y, double error, double tau) const {
-  for (std::size_t k = 0; k < std::min(found_, lately_.size()); ++k)
-    if (crosses_at(lately_[k], x, y, error, tau)) return lately_[k];
-  return std::nullopt;
-}
-
-void FrameLoops::remember(const std::optional<std::array<std::uint32_t, 2>>& edges) {
-  if (edges) lately_[found_++ % lately_.size()] = *edges;
-}
-
-// Doubles only: the edges of both operands cross properly when Q, reflected, stands at (x, y).
-bool FrameLoops::crosses_at(const std::array<std::uint32_t, 2>& edges, double x, double y, double error, double tau) const {
-  const Window& window = lists_.window();
-  const std::uint32_t m = window.frame().moving;
-  const Lattice& l = *window.base().lattice;
-  const auto sides = [&](std::uint32_t op, std::uint32_t edge, std::uint32_t other_edge) {
-    const Operand &o = window.base().operands[op], &other = window.base().operands[1 - op];
-    const std::uint32_t a = o.source[edge];
-    const double ex = o.ex[edge], ey = o.ey[edge], bound = (std::abs(ex) + std::abs(ey)) * (error + 0x1p-48 * window.span());
-    const auto value = [&](std::uint32_t v) {
-      const double sx = (op == m ? tau : 1) * l.points[op]->x[a] + (op == m ? 1 : tau) * l.points[1 - op]->x[v];
-      const double sy = (op == m ? tau : 1) * l.points[op]->y[a] + (op == m ? 1 : tau) * l.points[1 - op]->y[v];
-      return ex * (y - sy) - ey * (x - sx);
-    };
-    const double u = value(other.source[other_edge]), v = value(other.source[other.next[other_edge]]);
-    return (u > bound && v < -bound) || (u < -bound && v > bound);
-  };
-  const auto [e, f] = edges;
-  return sides(0, e, f) && sides(1, f, e);
+// By the edges that covered it in the frame before, or by others, which are its witness from now on.
+bool FrameLoops::covered(std::optional<CrossingEdges>& witness, const EdgeSearch::Place& at) {
+  if (witness && search_.cross(*witness, at)) return true;
+  const std::optional<CrossingEdges> edges = search_.find(at);
+  if (edges) witness = edges;
+  return edges.has_value();
 }
 
 FrameLoops::MovingVertex FrameLoops::vertex_after(Step s, std::uint32_t in, std::uint32_t out) const {

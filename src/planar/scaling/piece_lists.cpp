@@ -31,7 +31,6 @@ PieceLists::PieceLists(Window& window) : window_(window) {
   add_entries();
   touch_active_.assign(window.touches.size(), 0);
   node_active_.assign(window.nodes.size(), 0);
-  relinked_at_.assign(window.nodes.size(), 0);
   entered_.assign(window.rays.size(), 0);
   link_.assign(window.rays.size(), kNone);
   touched_.assign(n, 0);
@@ -86,6 +85,7 @@ std::size_t PieceLists::bytes() const {
 
 bool PieceLists::repair(double tau, FramePlace& place, FrameWork& work) {
   ++frame_;
+  looked_at_.clear();
   changed_.clear();
   dirty_nodes_.clear();
   bool generic = window_.folds.empty();
@@ -135,6 +135,7 @@ bool PieceLists::before_end(std::uint32_t piece, std::uint32_t entry, FramePlace
 
 bool PieceLists::refresh(std::uint32_t i, double tau, FramePlace& place, FrameWork& work) {
   touched_[i] = frame_;
+  looked_at_.push_back(i);
   Certainty c;
   const std::uint32_t came_or_went = collect(i, tau, place, c);
   sort_items(i, place);
@@ -300,7 +301,6 @@ void PieceLists::relink(std::uint32_t node) {
     here.push_back(r);
   }
   node_active_[node] = any;
-  relinked_at_[node] = frame_;
   if (!any) return;
   const std::size_t m = here.size();
   const auto group = [&](std::size_t k) { return window_.rays[here[k]].group; };

@@ -81,10 +81,12 @@ class PieceLists {
   /// Nodes at which something touches now.
   bool active(std::uint32_t node) const { return node_active_[node]; }
   bool active_touch(std::uint32_t touch) const { return touch_active_[touch]; }
-  bool relinked(std::uint32_t node) const { return relinked_at_[node] == frame_; }
+  /// Those at which something began or ceased to touch in the last repair.
+  const std::vector<std::uint32_t>& relinked() const { return dirty_nodes_; }
 
   /// Pieces looked at by the last repair, and those among them whose list changed.
   bool touched(std::uint32_t piece) const { return touched_[piece] == frame_; }
+  const std::vector<std::uint32_t>& looked_at() const { return looked_at_; }
   const std::vector<std::uint32_t>& changed() const { return changed_; }
   bool has_changed(std::uint32_t piece) const { return changed_at_[piece] == frame_; }
   /// Of a piece whose list changed: the sub-edges [first, last] that were not there before, by what is at their ends or where they lead.
@@ -147,11 +149,10 @@ class PieceLists {
   std::vector<std::uint32_t> list_;
   std::vector<Entry> entries_;
   std::vector<Crossing> crossings_;  ///< per candidate
-  std::vector<std::uint32_t> touched_, changed_at_, changed_;
+  std::vector<std::uint32_t> touched_, looked_at_, changed_at_, changed_;
   std::vector<NewSubs> new_subs_;  ///< per piece, of the frame in which it changed last
   std::vector<Item> items_;
   std::vector<std::uint8_t> touch_active_, node_active_, entered_;  ///< per touch, node, ray
-  std::vector<std::uint32_t> relinked_at_;  ///< per node
   std::vector<std::uint32_t> link_;         ///< ray that arrives -> ray that leaves, or kNone
   std::vector<std::uint32_t> dirty_nodes_;  ///< where a touch came or went in this frame
   std::uint32_t frame_ = 0;
