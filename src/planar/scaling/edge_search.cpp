@@ -4,6 +4,12 @@
 #include <cmath>
 
 namespace dymsum::planar {
+namespace {
+
+// Pairs of tree nodes. Where operands overlap some edges that cross are soon found; where they do not, all would have to be looked at.
+constexpr std::uint32_t kMostLooks = 128;
+
+}  // namespace
 
 // Whether the ends of an edge of the other operand lie on opposite sides of an edge, certainly.
 inline bool EdgeSearch::opposite(std::uint32_t op, std::uint32_t edge, std::uint32_t other_edge, const Place& at) const {
@@ -48,15 +54,24 @@ std::optional<CrossingEdges> EdgeSearch::find_in(const EdgeTree& p, const EdgeTr
     return of_p * a.x0 + of_q * b.x0 > at.x || of_p * a.x1 + of_q * b.x1 < at.x || of_p * a.y0 + of_q * b.y0 > at.y || of_p * a.y1 + of_q * b.y1 < at.y;
   };
   stack_.assign(1, {0, 0});
-  while (!stack_.empty()) {
+  for (std::uint32_t looked = 0; !stack_.empty() && looked < kMostLooks; ++looked) {
     const auto [i, j] = stack_.back();
     stack_.pop_back();
     const EdgeTree::Node &a = p.nodes[i], &b = q.nodes[j];
     if (apart(a, b)) continue;
     if (a.left == 0 && b.left == 0) {
-      for (std::uint32_t e = a.first; e < a.last; ++e)
-        for (std::uint32_t f = b.first; f < b.last; ++f)
+      for (std::uint32_t e = a.first; e < a.last; ++e) {
+        const EdgeBox& u = window_.base().operands[0].boxes[e];
+        // Where an edge of Q has to reach, seen from e.
+        const double x0 = at.x - of_p * std::max(u.ax, u.bx), x1 = at.x - of_p * std::min(u.ax, u.bx);
+        const double y0 = at.y - of_p * std::max(u.ay, u.by), y1 = at.y - of_p * std::min(u.ay, u.by);
+        if (of_q * b.x1 < x0 || of_q * b.x0 > x1 || of_q * b.y1 < y0 || of_q * b.y0 > y1) continue;
+        for (std::uint32_t f = b.first; f < b.last; ++f) {
+          const EdgeBox& v = window_.base().operands[1].boxes[f];
+          if (of_q * std::max(v.ax, v.bx) < x0 || of_q * std::min(v.ax, v.bx) > x1 || of_q * std::max(v.ay, v.by) < y0 || of_q * std::min(v.ay, v.by) > y1) continue;
           if (cross({e, f}, at)) return CrossingEdges{e, f};
+        }
+      }
     } else if (b.left == 0 || (a.left != 0 && a.last - a.first >= b.last - b.first)) {
       stack_.push_back({a.left, j});
       stack_.push_back({a.right, j});

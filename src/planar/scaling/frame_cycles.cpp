@@ -121,10 +121,11 @@ void FrameLoops::add_step(Step at, Step next, FrameLoop& loop) {
   s.to = at.sub == lists_.count(at.piece) ? kNone : lists_.entry(at.piece, at.sub);
   int turn = -1;  // at crossings cycles turn right
   if (s.to == kNone || s.to & kTouchBit) {
-    s.at_node = lists_.end_node(at) != kNone;
+    s.node = lists_.end_node(at);
+    const bool at_node = s.node != kNone;
     const Window& window = lists_.window();
-    turn = s.at_node ? window.cross(window.pieces[at.piece].segment, window.pieces[next.piece].segment) : lists_.next_turn(at.piece);
-    if (turn != 0) s.vertex = s.at_node ? node_vertex(at, next.piece) : made(end_vertex_[at.piece], at, next.piece);
+    turn = at_node ? window.cross(window.pieces[at.piece].segment, window.pieces[next.piece].segment) : lists_.next_turn(at.piece);
+    if (turn != 0) s.vertex = at_node ? node_vertex(at, next.piece) : made(end_vertex_[at.piece], at, next.piece);
   } else {
     // The two sides of a crossing tell which arrives and which leaves: a candidate has one vertex, and so has a piece's own end.
     s.vertex = made(crossing_vertex_[s.to], at, next.piece);

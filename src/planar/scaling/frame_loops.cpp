@@ -245,18 +245,16 @@ void FrameLoops::count_visits(bool whole) {
   }
 }
 
-// What a step ends in stays known when the lists have changed.
 void FrameLoops::visit(const FrameLoop& loop, bool comes) {
-  const Window& window = lists_.window();
   for (const LoopStep& s : loop.steps) {
-    if (!s.at_node) continue;
-    const std::uint32_t n = s.to == kNone ? window.node_of_ray[window.tail_ray[s.piece]] : window.touches[s.to & ~kTouchBit].node;
+    if (s.node == kNone) continue;
+    std::uint32_t& visits = visited_[s.node];
     if (comes) {
-      crowded_ += ++visited_[n] == 2;
-    } else {
-      crowded_ -= visited_[n]-- == 2;
-      if (visited_[n] == 0) doubtful_.push_back(n);
+      crowded_ += ++visits == 2;
+      continue;
     }
+    crowded_ -= visits-- == 2;
+    if (visits == 0) doubtful_.push_back(s.node);
   }
 }
 

@@ -22,9 +22,9 @@ struct MovingPoint {
 struct LoopStep {
   std::uint32_t piece = kNone, edge = 0;   ///< sub-edge: PieceLists::first_sub(piece) + its place in the list
   std::uint32_t from = kNone, to = kNone;  ///< what is at its ends, kNone at a segment's own end; valid even when the list has changed
-  std::uint32_t vertex = kNone;            ///< of FrameLoops::vertex, or kNone where the next step goes straight on
+  std::uint32_t vertex = kNone;            ///< of FrameLoops::vertices, or kNone where the next step goes straight on
+  std::uint32_t node = kNone;              ///< in which it ends, where something touches at every scale
   std::int8_t turn = 0;                    ///< into the next step: what it adds to the turning number
-  bool at_node = false;                    ///< ends where something touches at every scale
 };
 
 struct FrameLoop {
@@ -49,9 +49,9 @@ class FrameLoops {
   bool update(double tau, FramePlace& place, bool whole, FrameWork& work);
   const std::vector<FrameLoop>& loops() const { return loops_; }
   std::vector<FrameLoop>& loops() { return loops_; }
-  const SumVertex& vertex(std::uint32_t v) const { return vertices_[v]; }
-  const MovingPoint& point(std::uint32_t v) const { return points_[v]; }
-  std::size_t vertex_count() const { return vertices_.size(); }
+  /// By the numbers in steps; without their positions, which points() knows.
+  const std::vector<SumVertex>& vertices() const { return vertices_; }
+  const std::vector<MovingPoint>& points() const { return points_; }
   /// Rings that the last update has ended: identity and number of vertices.
   const std::vector<std::pair<std::uint64_t, std::uint32_t>>& ended() const { return ended_; }
   /// Steps that the last update took over from cycles that were gone.

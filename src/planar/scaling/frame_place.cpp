@@ -2,6 +2,14 @@
 
 namespace dymsum::planar {
 
+// Both ways round to the nearest double; quotients of doubles do so by themselves.
+double FramePlace::tau(std::uint32_t moving) const {
+  if (moving == base_->scaled) return value_.approx;
+  constexpr std::int64_t kDoubles = std::int64_t{1} << 53;
+  if (value_.num < kDoubles && value_.den < kDoubles) return value_.den.convert_to<double>() / value_.num.convert_to<double>();
+  return exact::round_to_double(exact::BigRational(value_.den, value_.num));
+}
+
 const Lattice& FramePlace::lattice() {
   if (lattice_ == nullptr) lattice_ = base_->lattice_at(scale_);
   return *lattice_;

@@ -17,9 +17,7 @@ class FramePlace {
   const LatticeScale& scale() const { return scale_; }
   const ScalingBase& base() const { return *base_; }
   /// The parameter of a window whose operand `moving` moves.
-  double tau(std::uint32_t moving) const {
-    return moving == base_->scaled ? value_.approx : exact::round_to_double(exact::BigRational(value_.den, value_.num));
-  }
+  double tau(std::uint32_t moving) const;
   /// What the window's coordinates are multiplied by.
   double blow_up(std::uint32_t moving) const { return moving == base_->scaled ? 1 : value_.approx; }
 

@@ -27,6 +27,7 @@ PieceLists::PieceLists(Window& window) : window_(window) {
   const std::size_t n = window.pieces.size();
   low_.assign(n, INFINITY);
   high_.assign(n, -INFINITY);
+  blocks_.assign((n + kBlock - 1) / kBlock, {INFINITY, -INFINITY});
   list_.assign(window.of.size() + window.touches.size(), 0);
   add_entries();
   touch_active_.assign(window.touches.size(), 0);
@@ -93,10 +94,19 @@ bool PieceLists::repair(double tau, FramePlace& place, FrameWork& work) {
     for (std::uint32_t k = 0; k < window_.nodes.size(); ++k)
       if (window_.nodes[k].hands_on) dirty_nodes_.push_back(k);
   const std::uint32_t n = static_cast<std::uint32_t>(hot_.size());
-  for (std::uint32_t i = 0; i < n; ++i) {
-    if (tau > low_[i] && tau < high_[i]) continue;
-    ++work.pieces_repaired;
-    generic &= refresh(i, tau, place, work);
+  for (std::uint32_t b = 0; b < blocks_.size(); ++b) {
+    auto& [low, high] = blocks_[b];
+    if (tau > low && tau < high) continue;
+    low = -INFINITY;
+    high = INFINITY;
+    for (std::uint32_t i = b * kBlock; i < std::min(n, (b + 1) * kBlock); ++i) {
+      if (!(tau > low_[i] && tau < high_[i])) {
+        ++work.pieces_repaired;
+        generic &= refresh(i, tau, place, work);
+      }
+      low = std::max(low, low_[i]);
+      high = std::min(high, high_[i]);
+    }
   }
   work.lists_changed += changed_.size();
   std::sort(dirty_nodes_.begin(), dirty_nodes_.end());

@@ -136,6 +136,8 @@ class PieceLists {
 
   Window& window_;
   std::vector<double> low_, high_;  ///< the list of a piece is certain strictly between
+  static constexpr std::uint32_t kBlock = 16;
+  std::vector<std::array<double, 2>> blocks_;  ///< where the lists of kBlock pieces are certain
   /// What walks ask of a piece.
   struct Hot {
     std::uint32_t base = 0, entries = 0;  ///< where its list and its entries start; how many entries

@@ -177,22 +177,24 @@ ScalingSum::State::KeptRings ScalingSum::State::kept_rings(double tau, FramePlac
   // Evaluation, the blow-up and the offsets add a few roundings.
   const auto input_error = [&](double of_point) { return grow * (of_point + 0x1p-49 * span) * unit * (1 + 0x1p-40) + 0x1p-50 * reach; };
   const VertexOrder order(source, input_error(poor));
+  const SumVertex* const vertices = loops_->vertices().data();
+  const MovingPoint* const points = loops_->points().data();
   double error = 0;
-  const auto put = [&](std::uint32_t vertex, SumVertex& to) {
-    to = loops_->vertex(vertex);
-    const MovingPoint& v = loops_->point(vertex);
+  // Returns the bound on what it puts.
+  const auto put = [=, &source](std::uint32_t vertex, SumVertex& to) {
+    to = vertices[vertex];
+    const MovingPoint& v = points[vertex];
     if (v.error <= poor) {
       to.at = {grow * v.x.at(tau) * unit + ox, grow * v.y.at(tau) * unit + oy};
-      error = std::max(error, v.error);
-    } else {
-      const ExactSource::Position p = source.position(to);
-      to.at = {exact::round_to_double(p.x), exact::round_to_double(p.y)};
-      error = std::max(error, poor);
+      return v.error;
     }
+    const ExactSource::Position p = source.position(to);
+    to.at = {exact::round_to_double(p.x), exact::round_to_double(p.y)};
+    return poor;
   };
   // Rings start at their smallest vertices, most often those of the frame before.
   std::vector<std::uint32_t> leaders;
-  leads_.resize(loops_->vertex_count(), 0);
+  leads_.resize(loops_->vertices().size(), 0);
   const auto ring_of = [&](const FrameLoop& loop) {
     SumRing ring;
     if (!spare_rings_.empty()) {
@@ -206,20 +208,18 @@ ScalingSum::State::KeptRings ScalingSum::State::kept_rings(double tau, FramePlac
     SumVertex* const first = ring.vertices.data();
     SumVertex *to = first, *least = first;
     std::uint32_t leader = kNone;
-    const auto put_steps = [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        const std::uint32_t vertex = loop.steps[i].vertex;
-        if (vertex == kNone) continue;
-        put(vertex, *to);
-        if (leader == kNone || order.compare(*to, *least) < 0) {
-          least = to;
-          leader = vertex;
-        }
-        ++to;
+    double worst = 0;
+    for (std::size_t k = 0, i = start; k < n; ++k, i = i + 1 == n ? 0 : i + 1) {
+      const std::uint32_t vertex = loop.steps[i].vertex;
+      if (vertex == kNone) continue;
+      worst = std::max(worst, put(vertex, *to));
+      if (leader == kNone || (!order.certainly_right(*to, *least) && order.compare(*to, *least) < 0)) {
+        least = to;
+        leader = vertex;
       }
-    };
-    put_steps(start, n);
-    put_steps(0, start);
+      ++to;
+    }
+    error = std::max(error, worst);
     std::rotate(first, least, to);
     leaders.push_back(leader);
     return ring;
