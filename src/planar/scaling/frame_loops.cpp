@@ -61,7 +61,33 @@ void FrameLoops::begin() {
   ++walk_;
 }
 
-// Keeps the loops none of whose lists changed, with what is known of each; the others go.
+// Whether a cycle some of whose lists have changed is there all the same: changes elsewhere on a piece only shift its sub-edges' numbers.
+// New sub-edges beside them are tried; these are not.
+bool FrameLoops::stays(FrameLoop& loop) {
+  const auto n = static_cast<std::uint32_t>(loop.steps.size());
+  shifted_.clear();
+  for (std::uint32_t k = 0; k < n; ++k) {
+    const LoopStep& s = loop.steps[k];
+    if (!lists_.has_changed(s.piece)) continue;
+    const Step now = lists_.between(s.piece, s.from, s.to);
+    if (now.piece == kNone || ((s.to & kTouchBit) != 0 && lists_.end_node(now) != s.node)) return false;
+    shifted_.push_back({k, now.sub});
+  }
+  for (std::size_t i = 0; i < shifted_.size(); ++i) {
+    const auto [k, sub] = shifted_[i];
+    const LoopStep& next = loop.steps[k + 1 == n ? 0 : k + 1];
+    const Step to = lists_.has_changed(next.piece) ? Step{next.piece, shifted_[i + 1 == shifted_.size() ? 0 : i + 1].sub} : step_of(next);
+    if (!(lists_.successor({loop.steps[k].piece, sub}) == to)) return false;
+  }
+  for (const auto [k, sub] : shifted_) {
+    LoopStep& s = loop.steps[k];
+    s.edge = lists_.first_sub(s.piece) + sub;
+    seen_[s.edge] = walk_;
+  }
+  return true;
+}
+
+// Keeps the loops that are still there, with what is known of each; the others go.
 void FrameLoops::carry_over(double tau, FrameWork& work) {
   std::size_t to = 0;
   for (std::size_t i = 0; i < loops_.size(); ++i) {
@@ -69,10 +95,9 @@ void FrameLoops::carry_over(double tau, FrameWork& work) {
     bool changed = false, touched = false;
     for (const LoopStep& s : loop.steps) {
       touched |= lists_.touched(s.piece);
-      changed = lists_.has_changed(s.piece);
-      if (changed) break;
+      changed |= lists_.has_changed(s.piece);
     }
-    if (changed) {
+    if (changed && !stays(loop)) {
       gone_.push_back(std::move(loop));
       take_apart(static_cast<std::uint32_t>(gone_.size() - 1));
       continue;

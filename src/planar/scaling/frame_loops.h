@@ -63,6 +63,7 @@ class FrameLoops {
   enum class Look : std::uint8_t { none, known, test };  ///< carried over; status inherited; nothing known
   void begin();
   void carry_over(double tau, FrameWork& work);
+  bool stays(FrameLoop& loop);
   Look inherit(FrameLoop& loop, double tau) const;
   void count_visits(bool whole);
   void visit(const FrameLoop& loop, bool comes);
@@ -109,6 +110,10 @@ class FrameLoops {
   std::vector<FrameLoop> loops_;
   std::vector<FrameLoop> gone_;      ///< taken apart by the current update
   std::vector<Look> look_;           ///< per loop
+  struct Shifted {
+    std::uint32_t step, sub;
+  };
+  std::vector<Shifted> shifted_;     ///< steps of a loop on pieces whose lists have changed, and where their sub-edges are now
   std::vector<std::uint32_t> seen_;  ///< sub-edge -> walk
   struct Owner {
     std::uint32_t walk = 0, loop = 0, step = 0;
