@@ -296,34 +296,41 @@ PieceLists::Step PieceLists::between(std::uint32_t piece, std::uint32_t from, st
   return end == to ? Step{piece, sub} : Step{};
 }
 
-// The sector rule of planar-sum.md on the rays that are there now; their order never changes.
+// The sector rule of planar-sum.md on the rays that are there now; their order never changes. Pieces on which walks go another way have
+// changed.
 void PieceLists::relink(std::uint32_t node) {
   const PersistentNode& n = window_.nodes[node];
-  std::vector<std::uint32_t> here;
+  rays_here_.clear();
+  ways_before_.clear();
   bool any = false;
   for (std::uint32_t r = n.first_ray; r < n.last_ray; ++r) {
+    ways_before_.push_back({link_[r], entered_[r] != 0});
     link_[r] = kNone;
     entered_[r] = 0;
     const PersistentNode::Ray& ray = window_.rays[r];
-    mark_changed(ray.piece, {0, count(ray.piece)});
     if (ray.touch != kNone && !touch_active_[ray.touch]) continue;
     any |= ray.touch != kNone || n.hands_on;
-    here.push_back(r);
+    rays_here_.push_back(r);
   }
-  node_active_[node] = any;
-  if (!any) return;
-  const std::size_t m = here.size();
-  const auto group = [&](std::size_t k) { return window_.rays[here[k]].group; };
+  const std::size_t m = any ? rays_here_.size() : 0;
+  const auto group = [&](std::size_t k) { return window_.rays[rays_here_[k]].group; };
   for (std::size_t k = 0; k < m;) {
     std::size_t end = k + 1;
     while (end < m && group(end) == group(k)) ++end;
     const std::size_t to = end == m ? 0 : end;
     // Rays of one direction all leave or all arrive; otherwise the window is left to the static routine.
-    if (!window_.rays[here[k]].out && window_.rays[here[to]].out) {
-      entered_[here[to]] = 1;
-      for (std::size_t q = k; q < end; ++q) link_[here[q]] = here[to];
+    if (!window_.rays[rays_here_[k]].out && window_.rays[rays_here_[to]].out) {
+      entered_[rays_here_[to]] = 1;
+      for (std::size_t q = k; q < end; ++q) link_[rays_here_[q]] = rays_here_[to];
     }
     k = end;
+  }
+  const bool was_active = node_active_[node];
+  node_active_[node] = any;
+  for (std::uint32_t r = n.first_ray; r < n.last_ray; ++r) {
+    const Way before = ways_before_[r - n.first_ray];
+    const std::uint32_t piece = window_.rays[r].piece;
+    if (was_active != any || before.link != link_[r] || before.entered != (entered_[r] != 0)) mark_changed(piece, {0, count(piece)});
   }
 }
 

@@ -156,6 +156,12 @@ class PieceLists {
   std::vector<Item> items_;
   std::vector<std::uint8_t> touch_active_, node_active_, entered_;  ///< per touch, node, ray
   std::vector<std::uint32_t> link_;         ///< ray that arrives -> ray that leaves, or kNone
+  struct Way {
+    std::uint32_t link = kNone;
+    bool entered = false;
+  };
+  std::vector<std::uint32_t> rays_here_;    ///< of a node
+  std::vector<Way> ways_before_;
   std::vector<std::uint32_t> dirty_nodes_;  ///< where a touch came or went in this frame
   std::uint32_t frame_ = 0;
 };
