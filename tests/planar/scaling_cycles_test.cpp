@@ -2,12 +2,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <set>
 #include <tuple>
 
 #include "dymsum/shapes.h"
 #include "planar/frames/frame_rings.h"
 #include "planar/scaling/scaling_state.h"
+#include "oracles/random.h"
+#include "oracles/tiny_regions.h"
 #include "planar/scaling_same.h"
 
 namespace dymsum {
@@ -15,14 +18,14 @@ namespace {
 
 using namespace scaling_tests;
 
-using Edge = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t, bool, int>;
+using Edge = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t, bool, int>;
 
 /// Cycles from their smallest sub-edge on, with what is known of each.
 std::multiset<std::tuple<std::vector<Edge>, std::uint32_t, int, bool>> cycles(const planar::FrameLoops& loops) {
   std::multiset<std::tuple<std::vector<Edge>, std::uint32_t, int, bool>> all;
   for (const planar::FrameLoop& loop : loops.loops()) {
     std::vector<Edge> edges;
-    for (const planar::LoopStep& s : loop.steps) edges.emplace_back(s.edge, s.piece, s.from, s.to, s.vertex == planar::kNone, s.turn);
+    for (const planar::LoopStep& s : loop.steps) edges.emplace_back(s.edge, s.piece, s.from, s.to, s.node, s.vertex == planar::kNone, s.turn);
     std::rotate(edges.begin(), std::min_element(edges.begin(), edges.end()), edges.end());
     all.insert({std::move(edges), loop.corners, loop.turning, loop.kept});
   }
@@ -65,6 +68,54 @@ TEST(ScalingCycles, those_carried_over_equal_those_walked_from_scratch) {
   EXPECT_GT(walked, copied + 500);
   EXPECT_GT(false_ones, 10u);
   EXPECT_GT(nodes, 0u);
+}
+
+// DYMSUM_FUZZ_PAIRS / 10 pairs; many have segments that touch at every scale.
+TEST(ScalingCycles, those_of_tiny_pairs_equal_those_walked_from_scratch) {
+  const char* pairs = std::getenv("DYMSUM_FUZZ_PAIRS");
+  const int rounds = pairs != nullptr ? std::atoi(pairs) / 10 : 2000;
+  std::uint64_t compared = 0, refused = 0, with_nodes = 0, at_nodes = 0, moved_on = 0;
+  for (int round = 0; round < rounds; ++round) {
+    oracles::Random random(static_cast<std::uint64_t>(round) + 1);
+    const oracles::Pair pair = oracles::random_pair(random, 4 + random.below(6));
+    const Region p = Region::create(pair.p).value(), q = Region::create(pair.q).value();
+    auto base = planar::ScalingBase::create(p, q, random.below(2), 0).value();
+    if (!base->regular || base->operands[0].size() == 0 || base->operands[1].size() == 0) continue;
+    ScalingSum::State state(base, {});
+    const auto window = state.window_between(exact::BigRational(1), exact::BigRational(2));
+    planar::PieceLists lists(*window);
+    planar::FrameLoops carried(lists);
+    with_nodes += !window->nodes.empty();
+    bool known = false;
+    for (int step = 0, k = 1001; step < 16; ++step) {
+      k = random.chance(30) ? 1001 + random.below(998) : std::clamp(k + random.below(121) - 60, 1001, 1999);
+      planar::FramePlace place(base, planar::scale_value(exact::BigRational(k, 1000)));
+      const double tau = place.tau(window->frame().moving);
+      FrameWork work;
+      if (!lists.repair(tau, place, work)) {
+        known = false;
+        continue;
+      }
+      const bool whole = !known;
+      known = carried.update(tau, place, whole, work);
+      planar::FrameLoops fresh(lists);
+      ASSERT_EQ(fresh.update(tau, place, true, work), known) << "round " << round << ", " << k << "/1000";
+      refused += !known;
+      if (!known) continue;
+      ASSERT_EQ(cycles(carried), cycles(fresh)) << "round " << round << ", " << k << "/1000";
+      ++compared;
+      for (const planar::FrameLoop& loop : carried.loops())
+        for (const planar::LoopStep& s : loop.steps) {
+          at_nodes += loop.kept && s.node != planar::kNone;
+          moved_on += !whole && !loop.fresh && lists.has_changed(s.piece);
+        }
+    }
+  }
+  EXPECT_GT(compared, 1000u);
+  EXPECT_GT(refused, 0u);
+  EXPECT_GT(with_nodes, 50u);
+  EXPECT_GT(at_nodes, 500u);
+  EXPECT_GT(moved_on, 300u);
 }
 
 TEST(ScalingCycles, what_changed_on_a_ring_is_counted_as_by_comparing_both_sums) {
