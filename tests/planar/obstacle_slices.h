@@ -13,6 +13,7 @@
 
 #include "dymsum/cspace_obstacle.h"
 #include "dymsum/region_io.h"
+#include "oracles/sanitized.h"
 
 namespace dymsum::testing_obstacles {
 
@@ -151,11 +152,7 @@ inline std::size_t tight_at(const CspaceObstacle& c, double theta) {
   return n;
 }
 
-#if defined(__SANITIZE_ADDRESS__)
-constexpr std::uint64_t kShareOfSeeds = 3;  // sanitizers make the same work some ten times slower
-#else
-constexpr std::uint64_t kShareOfSeeds = 1;
-#endif
+constexpr std::uint64_t kShareOfSeeds = oracles::kSanitized ? 3 : 1;
 
 // DYMSUM_FUZZ_OBSTACLES times the usual number of seeds; DYMSUM_SEED replays one.
 template <class F>

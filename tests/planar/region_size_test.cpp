@@ -9,16 +9,13 @@
 #include <numbers>
 
 #include "dymsum/region.h"
+#include "oracles/sanitized.h"
 #include "region_cases.h"
 
 namespace dymsum::test {
 namespace {
 
-#ifdef __SANITIZE_ADDRESS__
-constexpr double kSlowdown = 10;
-#else
-constexpr double kSlowdown = 1;
-#endif
+constexpr double kSlowdown = oracles::kSanitized ? 10 : 1;
 
 std::string timed_verdict(const char* what, RegionData data, double limit_s) {
   const std::clock_t start = std::clock();

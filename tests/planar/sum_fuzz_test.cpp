@@ -8,17 +8,14 @@
 
 #include "oracles/check_sum.h"
 #include "oracles/pair_text.h"
+#include "oracles/sanitized.h"
 #include "oracles/verdict.h"
 #include "dymsum/shapes.h"
 
 namespace dymsum::oracles {
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__)
-constexpr std::uint64_t kDefaultPairs = 300;  // sanitizers make the same work some ten times slower
-#else
-constexpr std::uint64_t kDefaultPairs = 2000;
-#endif
+constexpr std::uint64_t kDefaultPairs = kSanitized ? 300 : 2000;
 
 std::uint64_t pairs() { return setting("DYMSUM_FUZZ_PAIRS", kDefaultPairs); }
 
