@@ -68,8 +68,9 @@ std::optional<CrossingEdges> EdgeSearch::find_in(const EdgeTree& p, const EdgeTr
         if (of_q * b.x1 < x0 || of_q * b.x0 > x1 || of_q * b.y1 < y0 || of_q * b.y0 > y1) continue;
         for (std::uint32_t f = b.first; f < b.last; ++f) {
           const EdgeBox& v = window_.base().operands[1].boxes[f];
-          if (of_q * std::max(v.ax, v.bx) < x0 || of_q * std::min(v.ax, v.bx) > x1 || of_q * std::max(v.ay, v.by) < y0 || of_q * std::min(v.ay, v.by) > y1) continue;
-          if (cross({e, f}, at)) return CrossingEdges{e, f};
+          const bool apart_x = of_q * std::max(v.ax, v.bx) < x0 || of_q * std::min(v.ax, v.bx) > x1;
+          const bool apart_y = of_q * std::max(v.ay, v.by) < y0 || of_q * std::min(v.ay, v.by) > y1;
+          if (!apart_x && !apart_y && cross({e, f}, at)) return CrossingEdges{e, f};
         }
       }
     } else if (b.left == 0 || (a.left != 0 && a.last - a.first >= b.last - b.first)) {
