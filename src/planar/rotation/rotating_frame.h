@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "planar/rotation/rotating_window.h"
-#include "planar/rotation/two_lanes.h"
+#include "planar/two_lanes.h"
 
 namespace dymsum::planar {
 

@@ -9,6 +9,7 @@
 
 #include "planar/scaling/edge_search.h"
 #include "planar/scaling/piece_lists.h"
+#include "planar/two_lanes.h"
 
 namespace dymsum::planar {
 
@@ -16,6 +17,7 @@ namespace dymsum::planar {
 struct MovingPoint {
   Linear x, y;
   double error = 0;  ///< anywhere in the window
+  Two at(double tau) const { return Two{x.a, y.a} + Two{x.b, y.b} * both(tau); }
 };
 
 /// A sub-edge of a cycle, and what comes behind it.
@@ -30,6 +32,7 @@ struct LoopStep {
 struct FrameLoop {
   std::vector<LoopStep> steps;
   std::uint32_t corners = 0;        ///< steps with a vertex
+  std::vector<std::uint32_t> vertices;  ///< theirs, of a kept one that has been written
   int turning = 0;
   bool kept = false;                ///< a true boundary
   std::uint64_t ring = 0;           ///< identity of a true one, 0: not yet given

@@ -181,11 +181,13 @@ ScalingSum::State::KeptRings ScalingSum::State::kept_rings(double tau, FramePlac
   const MovingPoint* const points = loops_->points().data();
   double error = 0;
   // Returns the bound on what it puts.
+  const Two origin{ox, oy};
   const auto put = [=, &source](std::uint32_t vertex, SumVertex& to) {
     to = vertices[vertex];
     const MovingPoint& v = points[vertex];
     if (v.error <= poor) {
-      to.at = {grow * v.x.at(tau) * unit + ox, grow * v.y.at(tau) * unit + oy};
+      const Two at = both(grow) * v.at(tau) * both(unit) + origin;
+      to.at = {at[0], at[1]};
       return v.error;
     }
     const ExactSource::Position p = source.position(to);
@@ -195,30 +197,33 @@ ScalingSum::State::KeptRings ScalingSum::State::kept_rings(double tau, FramePlac
   // Rings start at their smallest vertices, most often those of the frame before.
   std::vector<std::uint32_t> leaders;
   leads_.resize(loops_->vertices().size(), 0);
-  const auto ring_of = [&](const FrameLoop& loop) {
+  const auto ring_of = [&](FrameLoop& loop) {
+    if (loop.vertices.empty())
+      for (const LoopStep& step : loop.steps)
+        if (step.vertex != kNone) loop.vertices.push_back(step.vertex);
+    const std::size_t n = loop.vertices.size();
     SumRing ring;
     if (!spare_rings_.empty()) {
       ring = std::move(spare_rings_.back());
       spare_rings_.pop_back();
     }
-    ring.vertices.resize(loop.corners);
-    const auto led = std::find_if(loop.steps.begin(), loop.steps.end(),
-                                  [&](const LoopStep& step) { return step.vertex != kNone && leads_[step.vertex] != 0; });
-    const std::size_t n = loop.steps.size(), start = led == loop.steps.end() ? 0 : static_cast<std::size_t>(led - loop.steps.begin());
+    ring.vertices.resize(n);
+    const auto led = std::find_if(loop.vertices.begin(), loop.vertices.end(), [&](std::uint32_t v) { return leads_[v] != 0; });
+    const std::size_t start = led == loop.vertices.end() ? 0 : static_cast<std::size_t>(led - loop.vertices.begin());
     SumVertex* const first = ring.vertices.data();
     SumVertex *to = first, *least = first;
     std::uint32_t leader = kNone;
     double worst = 0;
-    for (std::size_t k = 0, i = start; k < n; ++k, i = i + 1 == n ? 0 : i + 1) {
-      const std::uint32_t vertex = loop.steps[i].vertex;
-      if (vertex == kNone) continue;
-      worst = std::max(worst, put(vertex, *to));
-      if (leader == kNone || (!order.certainly_right(*to, *least) && order.compare(*to, *least) < 0)) {
+    const auto put_all = [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i, ++to) {
+        worst = std::max(worst, put(loop.vertices[i], *to));
+        if (leader != kNone && (order.certainly_right(*to, *least) || order.compare(*to, *least) >= 0)) continue;
         least = to;
-        leader = vertex;
+        leader = loop.vertices[i];
       }
-      ++to;
-    }
+    };
+    put_all(start, n);
+    put_all(0, start);
     error = std::max(error, worst);
     std::rotate(first, least, to);
     leaders.push_back(leader);
