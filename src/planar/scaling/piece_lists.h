@@ -124,6 +124,7 @@ class PieceLists {
   std::uint32_t base(std::uint32_t piece) const { return hot_[piece].base; }
   void relink(std::uint32_t node);
   Step target(std::uint32_t ray) const;
+  std::uint32_t sub_of(std::uint32_t ray) const;
   void mark_changed(std::uint32_t piece, NewSubs subs);
   std::uint32_t place_in_list(std::uint32_t piece, std::uint32_t entry) const;
   int compare(std::uint32_t piece, const Item& a, const Item& b, FramePlace& place) const {
@@ -136,7 +137,7 @@ class PieceLists {
 
   Window& window_;
   std::vector<double> low_, high_;  ///< the list of a piece is certain strictly between
-  static constexpr std::uint32_t kBlock = 16;
+  static constexpr std::uint32_t kBlock = 8;
   std::vector<std::array<double, 2>> blocks_;  ///< where the lists of kBlock pieces are certain
   /// What walks ask of a piece.
   struct Hot {
