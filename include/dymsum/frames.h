@@ -26,7 +26,7 @@ struct FrameWork {
   std::uint64_t crossings_changed = 0;  ///< crossings that came or went in those lists, each counted at both segments
   std::uint64_t loops_traced = 0;    ///< cycles walked
   std::uint64_t loops_kept = 0;      ///< cycles carried over without a look
-  std::uint64_t witnessed = 0;       ///< false loops proved false by the collision remembered for them
+  std::uint64_t witnessed = 0;       ///< loops and touches proved covered by edges that cross, remembered or found in doubles
   std::uint64_t witnesses_lost = 0;  ///< remembered collisions that no longer hold; the loop or touch is tested anew
   std::uint64_t collision_tests = 0;
   std::uint64_t exact_signs = 0;     ///< signs of this frame that doubles did not decide
