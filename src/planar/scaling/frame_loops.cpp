@@ -10,7 +10,7 @@ std::size_t FrameLoops::bytes() const {
   std::size_t n = (seen_.capacity() + crossing_vertex_.capacity() + end_vertex_.capacity()) * 4 + heads_.capacity() * sizeof(Head) +
                   (owners_.capacity() + vertex_owners_.capacity()) * sizeof(Owner) +
                   vertices_.capacity() * (sizeof(SumVertex) + sizeof(MovingPoint)) + loops_.capacity() * sizeof(FrameLoop);
-  for (const FrameLoop& l : loops_) n += l.steps.capacity() * sizeof(LoopStep);
+  for (const FrameLoop& l : loops_) n += l.steps.capacity() * sizeof(LoopStep) + l.vertices.capacity() * 4;
   for (const std::vector<LoopStep>& s : spare_) n += s.capacity() * sizeof(LoopStep);
   return n;
 }
