@@ -10,6 +10,7 @@
 
 #include "dymsum/region.h"
 #include "oracles/decimal_parts.h"
+#include "oracles/sanitized.h"
 
 namespace dymsum {
 namespace {
@@ -134,7 +135,7 @@ Region random_shape(Random& random, int reach, int most) {
 
 std::uint64_t rounds(std::uint64_t usual) {
   const char* count = std::getenv("DYMSUM_FUZZ_MOTIONS");
-  return count ? std::stoull(count) : usual;
+  return count ? std::stoull(count) : oracles::kSanitized ? usual / 2 : usual;
 }
 
 // Every other one of one part on a grid, else of several parts at decimal distances, sometimes in a frame.

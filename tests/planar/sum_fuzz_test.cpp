@@ -1,5 +1,5 @@
 // Random pairs on tiny grids against the sum by definition. DYMSUM_FUZZ_PAIRS sets how many (default 2000, under sanitizers
-// 300), DYMSUM_FUZZ_SEED the first one; pair k of seed s is pair 0 of seed s + k, so that a failure replays alone.
+// 150), DYMSUM_FUZZ_SEED the first one; pair k of seed s is pair 0 of seed s + k, so that a failure replays alone.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace dymsum::oracles {
 namespace {
 
-constexpr std::uint64_t kDefaultPairs = kSanitized ? 300 : 2000;
+constexpr std::uint64_t kDefaultPairs = kSanitized ? 150 : 2000;
 
 std::uint64_t pairs() { return setting("DYMSUM_FUZZ_PAIRS", kDefaultPairs); }
 
