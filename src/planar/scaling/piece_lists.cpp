@@ -330,17 +330,9 @@ void PieceLists::relink(std::uint32_t node) {
   for (std::uint32_t r = n.first_ray; r < n.last_ray; ++r) {
     const Way before = ways_before_[r - n.first_ray];
     if (was_active == any && before.link == link_[r] && before.entered == (entered_[r] != 0)) continue;
-    const std::uint32_t sub = sub_of(r);
-    mark_changed(window_.rays[r].piece, {sub, sub});
+    const std::uint32_t piece = window_.rays[r].piece;
+    mark_changed(piece, {0, count(piece)});
   }
-}
-
-// The sub-edge that arrives or leaves on a ray; anything on the piece where the touch has gone, which has changed the list already.
-std::uint32_t PieceLists::sub_of(std::uint32_t ray) const {
-  const PersistentNode::Ray& r = window_.rays[ray];
-  const std::uint32_t last = count(r.piece);
-  if (r.touch == kNone) return r.out ? 0 : last;
-  return std::min(window_.touches[r.touch].at + r.out, last);
 }
 
 PieceLists::Step PieceLists::target(std::uint32_t ray) const {

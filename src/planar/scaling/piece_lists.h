@@ -124,7 +124,6 @@ class PieceLists {
   std::uint32_t base(std::uint32_t piece) const { return hot_[piece].base; }
   void relink(std::uint32_t node);
   Step target(std::uint32_t ray) const;
-  std::uint32_t sub_of(std::uint32_t ray) const;
   void mark_changed(std::uint32_t piece, NewSubs subs);
   std::uint32_t place_in_list(std::uint32_t piece, std::uint32_t entry) const;
   int compare(std::uint32_t piece, const Item& a, const Item& b, FramePlace& place) const {
