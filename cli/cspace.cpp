@@ -62,7 +62,7 @@ std::size_t free_components(const CspaceObstacle& obstacle) {
 }
 
 /// The number tier of a slice: that of the operands, turned.
-int tier_of(const CspaceObstacle& obstacle) { return require(obstacle.slice(obstacle.inside(0))).stats.tier_bits; }
+int tier_bits_of(const CspaceObstacle& obstacle) { return require(obstacle.slice(obstacle.inside(0))).stats.tier_bits; }
 
 Json events_json(const ObstacleWork& work) {
   return {{"alignment", work.alignments},
@@ -87,7 +87,7 @@ Json work_json(const ObstacleWork& work) {
 void print_json(const CspaceReport& report) {
   const CspaceObstacle& obstacle = report.obstacle;
   Json json = {{"inputs", inputs_json(report.inputs)},
-               {"tier", tier_of(obstacle)},
+               {"tier", tier_bits_of(obstacle)},
                {"time_ms",
                 {{"median", report.timing.median_ms},
                  {"min", report.timing.min_ms},
