@@ -59,5 +59,39 @@ TEST(EdgeSearch, finds_edges_wherever_some_cross_and_only_those) {
   EXPECT_GT(none, 1000);
 }
 
+// Edges that are named for two places cross at both and everywhere on the straight way, while the moving operand grows from one scale to
+// the other.
+TEST(EdgeSearch, edges_for_two_places_cross_all_the_way) {
+  int found = 0, asked = 0;
+  for (int round = 0; round < 400; ++round) {
+    oracles::Random random(static_cast<std::uint64_t>(round) + 1);
+    const oracles::Pair pair = oracles::random_pair(random, 4 + random.below(6));
+    const Region p = Region::create(pair.p).value(), q = Region::create(pair.q).value();
+    auto base = planar::ScalingBase::create(p, q, random.below(2), 0).value();
+    if (!base->regular || base->operands[0].size() == 0 || base->operands[1].size() == 0) continue;
+    ScalingSum::State state(base, {});
+    const auto window = state.window_between(exact::BigRational(1), exact::BigRational(2));
+    const bool scaled_moves = window->frame().moving == base->scaled;
+    planar::EdgeSearch search(*window);
+    for (int k = 0; k < 20; ++k) {
+      const int span = static_cast<int>(16 * window->span());
+      const double tau0 = scaled_moves ? 1 : 0.5, tau1 = 2 * tau0;
+      const Point from{random.below(span) / 16.0, random.below(span) / 16.0};
+      const Point to{from.x + (random.below(65) - 32) / 16.0, from.y + (random.below(65) - 32) / 16.0};
+      const auto edges = search.find_or_spare({from.x, from.y, 0, tau0}, {to.x, to.y, 0, tau1});
+      ++asked;
+      if (!edges) continue;
+      ++found;
+      for (int i = 0; i <= 8; ++i) {
+        const double u = i / 8.0;
+        const Point z{from.x + u * (to.x - from.x), from.y + u * (to.y - from.y)};
+        ASSERT_TRUE(cross_exactly(*window, (*edges)[0], (*edges)[1], z, tau0 + u * (tau1 - tau0))) << "round " << round << ", way " << k;
+      }
+    }
+  }
+  EXPECT_GT(found, 200);
+  EXPECT_GT(asked, 3 * found);
+}
+
 }  // namespace
 }  // namespace dymsum

@@ -15,7 +15,7 @@ double cost_of_sum(const PlanarSum& sum) {
 }
 
 double cost_of_window(const Window& window, std::uint32_t all) {
-  return of(0.23, all) + of(0.065, window.pair_tests) + of(1.1, window.candidates.size());
+  return 70 + of(0.135, all) + of(0.076, window.pair_tests) + of(0.86, window.pieces.size());
 }
 
 double cost_of_frame(const FrameWork& work, const PlanarSum& sum) {

@@ -5,13 +5,6 @@
 #include "planar/scaling/frame_loops.h"
 
 namespace dymsum::planar {
-namespace {
-
-// Window coordinates of sums: each operand's coordinate one rounding, tau one, product, sum.
-constexpr double kWindowPoint = 0x1p-49;
-
-}  // namespace
-
 bool FrameLoops::node_inside(std::uint32_t node, double tau, FramePlace& place, FrameWork& work) {
   const Window& window = lists_.window();
   const PersistentNode& n = window.nodes[node];

@@ -24,7 +24,7 @@ bool has_holes(const Operand& o) { return o.loops.size() > o.components.size(); 
 
 // Finer than the static engine's grid: a mask is paid for once a window. Where segments abound building dominates.
 int cells_for(double n) {
-  const double per_root = n < 4000 ? 4 : n < 30000 ? 3.4 : 2;
+  const double per_root = n < 4000 ? 4 : 2.5;
   return std::clamp(static_cast<int>(per_root * std::sqrt(n)), 8, 1024);
 }
 
@@ -120,12 +120,13 @@ double ScalingSum::State::widest_window(double s) const {
   return moving > 0 ? kSweep * cell / (0.5 * moving) : 1;
 }
 
-std::unique_ptr<Window> ScalingSum::State::window_between(const BigRational& low, const BigRational& high) {
+std::unique_ptr<Window> ScalingSum::State::window_between(const BigRational& low, const BigRational& high, bool covers) {
   const double a = exact::round_to_double(low), b = exact::round_to_double(high);
   ReducedConvolution& convolution = convolution_for(a * (1 - 0x1p-30), b * (1 + 0x1p-30));
   WindowSettings settings = settings_for(low, high, a);
   settings.cells = cells_for(convolution.size());
   settings.mask = convolution.size() >= kMaskFrom;
+  settings.covers = covers;
   return std::make_unique<Window>(*base, convolution, settings);
 }
 

@@ -31,8 +31,8 @@ class ScalingSum::State {
 
   planar::ReducedConvolution& convolution_for(double low, double high);
   planar::WindowSettings settings_for(const exact::BigRational& low, const exact::BigRational& high, double at) const;
-  /// A window of its own for the events in [low, high].
-  std::unique_ptr<planar::Window> window_between(const exact::BigRational& low, const exact::BigRational& high);
+  /// A window of its own for the events in [low, high]; without `covers` also of crossings inside the sum.
+  std::unique_ptr<planar::Window> window_between(const exact::BigRational& low, const exact::BigRational& high, bool covers = false);
   planar::Window* window() const { return window_.get(); }
   const planar::ExactForms& forms() const;
   std::uint64_t hash() const;

@@ -17,6 +17,7 @@
 #include "planar/convolution.h"
 #include "planar/scaling/base.h"
 #include "planar/scaling/swept_mask.h"
+#include "planar/two_lanes.h"
 
 namespace dymsum::planar {
 
@@ -88,13 +89,16 @@ struct PersistentNode {
   bool hands_on = false;  ///< pieces end here that others continue, so something meets here at every scale
 };
 
+/// Window coordinates of sums err by at most this times span: each operand's coordinate one rounding, tau one, product, sum.
+inline constexpr double kWindowPoint = 0x1p-49;
+
 /// |d x (v - w)| computed in doubles from sums of window coordinates errs by at most this times |d|_1 span: the edge vector carries one
 /// rounding, a sum fixed + tau moving + shift at most six, twice, the difference, product and final difference one each.
 inline constexpr double kWindowSide = 0x1p-48;
 
-/// The ends a and b of a piece at both ends of the window, in the window's frame.
+/// The ends a and b of a piece, each coordinate at both ends of the window, in the window's frame.
 struct PieceEnds {
-  double ax[2], ay[2], bx[2], by[2];
+  Two ax, ay, bx, by;
   double dx, dy;   ///< the unscaled edge vector
   double error;    ///< of the side of a point of another piece
 };
@@ -103,8 +107,11 @@ struct WindowSettings {
   WindowFrame frame;
   int cells = 64;       ///< along the grid's longer side
   bool mask = true;
+  bool covers = true;   ///< leave out crossings that two edges prove covered while they exist
   double shrink = 1;    ///< tests: sweep masks and pairs over this share of the window only; less than 1 is wrong
 };
+
+class EdgeSearch;
 
 class Window {
  public:
@@ -153,9 +160,10 @@ class Window {
   void add_pieces(const SweptMask& mask);
 
   // window_pairs.cpp
-  void find_candidates(const SweptMask& mask);
-  void test(std::uint32_t i, std::uint32_t j, const SweptMask& mask);
+  void find_candidates(const SweptMask& mask, bool covers);
+  void test(std::uint32_t i, std::uint32_t j, const SweptMask& mask, EdgeSearch* search);
   bool dead_throughout(const Candidate& c, const SweptMask& mask) const;
+  bool covered_throughout(const Candidate& c, EdgeSearch& search) const;
   void test_parallel(Candidate c);
   void solve(Candidate& c) const;
   bool bounds(std::uint32_t piece, const Linear& t, double error, Candidate& c, std::array<bool, 2>& unsure) const;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planar/scaling/edge_search.h"
 #include "planar/scaling/window.h"
 
 namespace dymsum::planar {
@@ -11,16 +12,19 @@ namespace {
 /// What a piece sweeps lies in its box, some of a cell wider than it.
 struct PieceBox {
   double x0, x1, y0, y1;
+  int column0, column1, row0, row1;  ///< of the mask
   std::uint32_t piece, first_strip, last_strip;
 };
 
-std::vector<PieceBox> boxes_of(const std::vector<PieceEnds>& ends, double reach) {
+std::vector<PieceBox> boxes_of(const std::vector<PieceEnds>& ends, const Grid& g) {
+  const double reach = 4 * kReach * g.cell;
   std::vector<PieceBox> boxes;
   boxes.reserve(ends.size());
   for (const PieceEnds& e : ends) {
-    const auto [x0, x1] = std::minmax({e.ax[0], e.ax[1], e.bx[0], e.bx[1]});
-    const auto [y0, y1] = std::minmax({e.ay[0], e.ay[1], e.by[0], e.by[1]});
-    boxes.push_back({x0 - reach, x1 + reach, y0 - reach, y1 + reach, static_cast<std::uint32_t>(boxes.size()), 0, 0});
+    const Two x_low = least(e.ax, e.bx), x_high = most(e.ax, e.bx), y_low = least(e.ay, e.by), y_high = most(e.ay, e.by);
+    const double x0 = std::min(x_low[0], x_low[1]) - reach, x1 = std::max(x_high[0], x_high[1]) + reach;
+    const double y0 = std::min(y_low[0], y_low[1]) - reach, y1 = std::max(y_high[0], y_high[1]) + reach;
+    boxes.push_back({x0, x1, y0, y1, g.column(x0), g.column(x1), g.row(y0), g.row(y1), static_cast<std::uint32_t>(boxes.size()), 0, 0});
   }
   std::sort(boxes.begin(), boxes.end(),
             [](const PieceBox& a, const PieceBox& b) { return a.x0 != b.x0 ? a.x0 < b.x0 : a.piece < b.piece; });
@@ -30,9 +34,9 @@ std::vector<PieceBox> boxes_of(const std::vector<PieceEnds>& ends, double reach)
 /// Calls f(box, box) once for each pair of boxes that meet: a sweep in x in each of some horizontal strips, twice as high as a box on
 /// the average. A pair belongs to the strip in which the higher one of the two begins.
 template <class F>
-void for_each_close_pair(const std::vector<PieceEnds>& ends, double reach, F&& f) {
+void for_each_close_pair(const std::vector<PieceEnds>& ends, const Grid& g, F&& f) {
   if (ends.empty()) return;
-  std::vector<PieceBox> boxes = boxes_of(ends, reach);
+  std::vector<PieceBox> boxes = boxes_of(ends, g);
   double bottom = INFINITY, top = -INFINITY, total = 0;
   for (const PieceBox& b : boxes) {
     bottom = std::min(bottom, b.y0);
@@ -52,25 +56,27 @@ void for_each_close_pair(const std::vector<PieceEnds>& ends, double reach, F&& f
   std::vector<std::uint32_t> at(start.begin(), start.end() - 1);
   for (const PieceBox& b : boxes)
     for (std::uint32_t s = b.first_strip; s <= b.last_strip; ++s) inside[at[s]++] = b;
+  std::vector<std::uint32_t> found;
   for (std::uint32_t s = 0; s + 1 < start.size(); ++s)
     for (std::uint32_t i = start[s]; i < start[s + 1]; ++i) {
       const PieceBox a = inside[i];
+      // Half of them meet, which no processor foresees: they are collected without a branch.
+      found.resize(std::max<std::size_t>(found.size(), start[s + 1] - i));
+      std::size_t n = 0;
       for (std::uint32_t j = i + 1; j < start[s + 1] && inside[j].x0 <= a.x1; ++j) {
         const PieceBox& b = inside[j];
-        if ((b.y0 <= a.y1) & (b.y1 >= a.y0) && std::max(a.first_strip, b.first_strip) == s) f(a, b);
+        found[n] = j;
+        n += (b.y0 <= a.y1) & (b.y1 >= a.y0) & (std::max(a.first_strip, b.first_strip) == s);
       }
+      for (std::size_t k = 0; k < n; ++k) f(a, inside[found[k]]);
     }
 }
 
 /// Doubles prove at both ends of the window that one piece stays on one side of the other's line; sides are linear in tau.
 bool apart(const PieceEnds& line, const PieceEnds& e) {
-  const double dx = line.dx, dy = line.dy;
-  const double o1 = dx * (e.ay[0] - line.ay[0]) - dy * (e.ax[0] - line.ax[0]);
-  const double o2 = dx * (e.by[0] - line.ay[0]) - dy * (e.bx[0] - line.ax[0]);
-  const double o3 = dx * (e.ay[1] - line.ay[1]) - dy * (e.ax[1] - line.ax[1]);
-  const double o4 = dx * (e.by[1] - line.ay[1]) - dy * (e.bx[1] - line.ax[1]);
-  return (o1 > line.error && o2 > line.error && o3 > line.error && o4 > line.error) ||
-         (o1 < -line.error && o2 < -line.error && o3 < -line.error && o4 < -line.error);
+  const Two dx = both(line.dx), dy = both(line.dy);
+  const Two u = dx * (e.ay - line.ay) - dy * (e.ax - line.ax), v = dx * (e.by - line.ay) - dy * (e.bx - line.ax);
+  return !any(least(u, v) <= both(line.error)) || !any(most(u, v) >= both(-line.error));
 }
 
 /// Between the vectors u and v of two pieces: the double of their cross product and its error.
@@ -125,20 +131,20 @@ bool narrow_at_cut(const Linear& g, double tau0, double tau1, Candidate& c) {
 }  // namespace
 
 // Pieces meet in what their boxes share; where all of that is dead nothing matters.
-void Window::find_candidates(const SweptMask& mask) {
-  const Grid& g = mask.grid();
+void Window::find_candidates(const SweptMask& mask, bool covers) {
   PiecePairs close;
-  for_each_close_pair(ends_, 4 * kReach * g.cell, [&](const PieceBox& a, const PieceBox& b) {
-    if (mask.live(g.row(std::max(a.y0, b.y0)), g.column(b.x0), g.row(std::min(a.y1, b.y1)), g.column(std::min(a.x1, b.x1))) == 0) return;
+  for_each_close_pair(ends_, mask.grid(), [&](const PieceBox& a, const PieceBox& b) {
+    if (mask.live(std::max(a.row0, b.row0), b.column0, std::min(a.row1, b.row1), std::min(a.column1, b.column1)) == 0) return;
     ++pair_tests;
     const std::uint32_t i = std::min(a.piece, b.piece), j = std::max(a.piece, b.piece);
     if (pieces[i].segment != pieces[j].segment && !apart(ends_[i], ends_[j]) && !apart(ends_[j], ends_[i])) close.push_back({i, j});
   });
   share_lines(close);
-  for (const auto& [i, j] : close) test(i, j, mask);
+  EdgeSearch search(*this);
+  for (const auto& [i, j] : close) test(i, j, mask, covers ? &search : nullptr);
 }
 
-void Window::test(std::uint32_t i, std::uint32_t j, const SweptMask& mask) {
+void Window::test(std::uint32_t i, std::uint32_t j, const SweptMask& mask, EdgeSearch* search) {
   const std::uint32_t si = pieces[i].segment, sj = pieces[j].segment;
   const LiveSegment &a = segments[si], &b = segments[sj];
   const int sign = cross(si, sj);
@@ -169,7 +175,7 @@ void Window::test(std::uint32_t i, std::uint32_t j, const SweptMask& mask) {
   if (c.out_high <= frame_.tau0 || c.out_low >= frame_.tau1) return;
   // An end of one on the line of the other, throughout the window as far as doubles tell: at every scale?
   if ((at_a[0] || at_a[1] || at_b[0] || at_b[1]) && touch_always(c, at_a, at_b)) return;
-  if (!dead_throughout(c, mask)) candidates.push_back(c);
+  if (!dead_throughout(c, mask) && (search == nullptr || !covered_throughout(c, *search))) candidates.push_back(c);
 }
 
 // Crossings move along a line: those that do so in dead cells only are left out. Boundaries end at crossings on the
@@ -186,6 +192,17 @@ bool Window::dead_throughout(const Candidate& c, const SweptMask& mask) const {
   }
   return mask.live(g.row(std::min(y[0], y[1]) - reach), g.column(std::min(x[0], x[1]) - reach), g.row(std::max(y[0], y[1]) + reach),
                    g.column(std::max(x[0], x[1]) + reach)) == 0;
+}
+
+// The same where two edges cross there all the while (edge_search.h).
+bool Window::covered_throughout(const Candidate& c, EdgeSearch& search) const {
+  const LiveSegment& a = segments[pieces[c.a].segment];
+  const auto at = [&](double tau) {
+    const double t = c.ta.at(tau), t_error = c.error_a + 0x1p-49 * std::max(1.0, tau);
+    return EdgeSearch::Place{a.x.at(tau) + t * a.dx, a.y.at(tau) + t * a.dy,
+                             t_error * std::max(std::abs(a.dx), std::abs(a.dy)) + kWindowPoint * span_, tau};
+  };
+  return search.find_or_spare(at(std::max(c.out_low, swept_.tau0)), at(std::min(c.out_high, swept_.tau1))).has_value();
 }
 
 // Parallel pieces can touch where their lines coincide.
