@@ -172,6 +172,31 @@ TEST(ScalingWindow, every_pair_that_meets_is_a_candidate_or_meets_inside) {
   }
 }
 
+TEST(ScalingWindow, windows_of_more_pairs_than_allowed_are_abandoned) {
+  const Region p = on_integers(shapes::noisy_star(60, 0.6, 3), 4000), q = on_integers(shapes::noisy_star(40, 0.6, 4), 3000);
+  auto base = planar::ScalingBase::create(p, q, 0, 0).value();
+  ScalingSum::State state(base, {});
+  planar::ReducedConvolution& convolution = state.convolution_for(0.9, 1.6);
+  planar::WindowSettings settings = state.settings_for(exact::BigRational(1), exact::BigRational(3, 2), 1);
+  const std::uint64_t pairs = planar::Window(*base, convolution, settings).pair_tests;
+  settings.most_pairs = pairs;
+  EXPECT_FALSE(planar::Window(*base, convolution, settings).abandoned);
+  settings.most_pairs = pairs - 1;
+  EXPECT_TRUE(planar::Window(*base, convolution, settings).abandoned);
+}
+
+// Steps so large that the first window is abandoned: no frame comes from one, and all are right.
+TEST(ScalingWindow, where_a_window_is_abandoned_the_frame_is_computed_from_scratch) {
+  const Region p = on_integers(shapes::noisy_star(250, 0.9, 3), 40000), q = on_integers(shapes::noisy_star(250, 0.9, 4), 40000);
+  ScalingSum sum = ScalingSum::create(p, q).value();
+  for (const int k : {50, 52, 54}) {
+    ASSERT_TRUE(sum.set(scale_of(k, 100)).ok());
+    EXPECT_TRUE(sum.work().rebuilt) << k;
+    EXPECT_FALSE(sum.work().new_window) << k;
+    EXPECT_EQ(described(sum.sum(), exact::BigRational(100)), static_answer(p, q, k, 100, false, Semantics::closed)) << k;
+  }
+}
+
 TEST(ScalingWindow, lists_stay_as_they_are_within_their_intervals) {
   // Q is smaller and scales, so the window's parameter is the scale.
   const Region p = on_integers(shapes::noisy_star(40, 0.6, 3), 4000), q = on_integers(shapes::noisy_star(30, 0.6, 4), 3000);

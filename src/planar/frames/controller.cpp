@@ -8,12 +8,15 @@ namespace {
 
 constexpr double kWidest = 1.0;       // a window covers at most so much ahead
 constexpr double kFrames = 2;         // and at least this many steps
+constexpr double kSteps = kFrames + 0.5;
 constexpr double kFirst = 0.4;         // the first one, whose cost nobody knows, at most so much: to 1.5 times a scale
 constexpr double kMostFrames = 64;
 constexpr double kLargestStep = 0.16;  // beyond it no window has been seen to pay
 constexpr double kNarrowest = 1e-6;
 constexpr double kTooDear = 1.15;     // windows are left above so much of a frame from scratch: most of their frames are far cheaper
 constexpr double kDearestWindow = 12, kDearestFrame = 2;  // times a frame from scratch
+constexpr double kDearestBuilding = 8;  // times a frame from scratch: no window that costs more has been seen to pay
+constexpr std::uint64_t kLongestRest = 256;
 constexpr double kHysteresis = 0.05;  // relative gain below which the width stays
 
 }  // namespace
@@ -54,6 +57,20 @@ void WindowController::built(double cost, double forgiven) {
   served_ = 1;
 }
 
+void WindowController::abandoned(double step) {
+  frames_ahead_ = std::max(kFrames, frames_ahead_ / 2);
+  rest(step);
+}
+
+void WindowController::rest(double step) {
+  const double size = std::abs(step);
+  bad_step_ = bad_step_ == 0 ? size : std::min(bad_step_, size);
+  rest_ = backoff_;
+  backoff_ = std::min<std::uint64_t>(2 * backoff_, kLongestRest);
+}
+
+double WindowController::dearest_building() const { return kDearestBuilding * static_cost_; }
+
 void WindowController::updated(double cost) {
   spent_ += static_cost_ > 0 ? std::min(cost, kDearestFrame * static_cost_) : cost;
   ++served_;
@@ -70,20 +87,18 @@ WindowController::Choice WindowController::choose(double step, double widest, Fr
   if (mode == FrameMode::automatic) {
     // A window that cost more a frame than computing from scratch: leave it for a while, or until steps get much smaller.
     if (served > 0 && last_cost_ > kTooDear * static_cost_) {
-      bad_step_ = bad_step_ == 0 ? size : std::min(bad_step_, size);
-      rest_ = backoff_;
-      backoff_ = std::min<std::uint64_t>(2 * backoff_, 256);
+      rest(step);
     } else if (served > 0) {
       bad_step_ = 0;
       backoff_ = 8;
     }
-    if (recent_ > kLargestStep) return {};
+    if (recent_ > kLargestStep || kSteps * recent_ > widest) return {};
     // Once in a while a window would not clearly win: a fresh frame tells what it would have cost.
     if (served > 0 && last_cost_ > 0.7 * static_cost_ && ++windows_since_ % 4 == 0) return {};
     if (rest_ > 0 && size > 0.5 * bad_step_) return {};
   }
   if (compared_ == 0) frames_ahead_ = std::clamp(kFirst / size, kFrames, frames_ahead_);
-  const double wide = std::min(frames_ahead_ * size, std::max(widest, (kFrames + 0.5) * size));
+  const double wide = std::min(frames_ahead_ * size, std::max(widest, kSteps * size));
   const double ahead = std::clamp(wide, kNarrowest, kWidest), behind = std::max(0.02 * size, kNarrowest);
   return step >= 0 ? Choice{true, std::min(behind, ahead), ahead} : Choice{true, ahead, std::min(behind, ahead)};
 }

@@ -22,12 +22,16 @@ class WindowController {
   void rebuilt(double cost);
   /// `forgiven`: so much of it does not count when widths are compared.
   void built(double cost, double forgiven = 0);
+  /// What building a window may cost before it is abandoned, or 0 if that is not known; and that it was, for a frame `step` after the last.
+  double dearest_building() const;
+  void abandoned(double step);
   /// Whether frames inside the window have been dearer than from scratch three times in a row.
   bool give_up(double cost);
   void updated(double cost);
 
  private:
   void close_window();
+  void rest(double step);
 
   double static_cost_ = 0;
   double frames_ahead_ = 6;   ///< how many steps a window covers ahead

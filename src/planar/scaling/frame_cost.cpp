@@ -1,11 +1,19 @@
 #include "planar/scaling/frame_cost.h"
 
+#include <algorithm>
+
 namespace dymsum::planar {
 namespace {
 
 double of(double each, std::uint64_t n) { return each * static_cast<double>(n); }
 
+constexpr double kPairOfBoxes = 0.076;
+
 }  // namespace
+
+std::uint64_t pairs_of_window(double cost, std::uint32_t all) {
+  return static_cast<std::uint64_t>(std::max(0.0, cost - 70 - of(0.135, all)) / kPairOfBoxes);
+}
 
 double cost_of_sum(const PlanarSum& sum) {
   const SumStats& s = sum.stats;
@@ -15,7 +23,7 @@ double cost_of_sum(const PlanarSum& sum) {
 }
 
 double cost_of_window(const Window& window, std::uint32_t all) {
-  return 70 + of(0.135, all) + of(0.076, window.pair_tests) + of(0.86, window.pieces.size());
+  return 70 + of(0.135, all) + of(kPairOfBoxes, window.pair_tests) + of(0.86, window.pieces.size());
 }
 
 double cost_of_frame(const FrameWork& work, const PlanarSum& sum) {

@@ -12,6 +12,8 @@ namespace dymsum::planar {
 double cost_of_sum(const PlanarSum& sum);
 /// A window, without its first frame. `all`: segments of the convolution.
 double cost_of_window(const Window& window, std::uint32_t all);
+/// How many boxes of pieces may meet in one that costs no more.
+std::uint64_t pairs_of_window(double cost, std::uint32_t all);
 /// A frame inside a window.
 double cost_of_frame(const FrameWork& work, const PlanarSum& sum);
 

@@ -30,8 +30,10 @@ int cells_for(double n) {
 
 constexpr std::uint32_t kMaskFrom = 300;  // segments from which a mask pays
 
+constexpr double kCheapWindow = 1000;  // about a millisecond to build: no window as cheap as that is abandoned
+
 // What building a window counts when frames are compared: it makes few frames late, and wide windows make all the others slower.
-constexpr double kLate = 0.5;
+constexpr double kLate = 0.8;
 
 }  // namespace
 
@@ -138,7 +140,13 @@ bool ScalingSum::State::build_window(const ScaleValue& s, double behind, double 
   settings.cells = cells_for(n);
   settings.mask = n >= kMaskFrom;
   drop_window();
+  const double dearest = options.mode == FrameMode::automatic && options.window == 0 ? controller_.dearest_building() : 0;
+  if (dearest > 0) settings.most_pairs = pairs_of_window(std::max(dearest, kCheapWindow), convolution.size());
   window_ = std::make_unique<Window>(*base, convolution, settings);
+  if (window_->abandoned) {
+    window_.reset();
+    return false;
+  }
   window_convolution_ = convolution_;
   lists_ = std::make_unique<PieceLists>(*window_);
   loops_ = std::make_unique<FrameLoops>(*lists_);
@@ -342,9 +350,10 @@ Result<FrameChanges> ScalingSum::State::move_to(const Scale& x, const Scale& y) 
     const WindowController::Choice choice = controller_.choose(step, widest_window(sx.approx), options.mode, std::log1p(options.window));
     if (choice.window) {
       if (options.progress && !options.progress("window", 0)) return Error{Code::cancelled, "stopped on request", {}};
-      build_window(sx, choice.behind, choice.ahead);
-      next_work.new_window = built = true;
-      next = window_frame(sx, next_work);
+      built = build_window(sx, choice.behind, choice.ahead);
+      if (built) next = window_frame(sx, next_work);
+      else controller_.abandoned(step);
+      next_work.new_window = built;
     }
   }
   if (!next) {

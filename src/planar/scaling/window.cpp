@@ -19,7 +19,8 @@ Window::Window(const ScalingBase& base, const ReducedConvolution& convolution, c
   std::uint32_t id = 0;
   convolution.for_each([&](const WalkSegment& w) { add_segment(w, id++, mask); });
   add_pieces(mask);
-  find_candidates(mask, settings.covers);
+  abandoned = !find_candidates(mask, settings);
+  if (abandoned) return;
   make_nodes();
   index_candidates();
   link_pieces(convolution);

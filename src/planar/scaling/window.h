@@ -108,6 +108,7 @@ struct WindowSettings {
   int cells = 64;       ///< along the grid's longer side
   bool mask = true;
   bool covers = true;   ///< leave out crossings that two edges prove covered while they exist
+  std::uint64_t most_pairs = UINT64_MAX;  ///< the window is abandoned when more boxes of pieces meet
   double shrink = 1;    ///< tests: sweep masks and pairs over this share of the window only; less than 1 is wrong
 };
 
@@ -148,6 +149,7 @@ class Window {
   }
   Pair exact(WalkPair v) const { return {base_.operands[0].source[v.p], base_.operands[1].source[v.q]}; }
   std::uint64_t pair_tests = 0;
+  bool abandoned = false;  ///< more pairs than allowed: nothing here is to be used
   std::size_t bytes() const;
 
  private:
@@ -160,7 +162,7 @@ class Window {
   void add_pieces(const SweptMask& mask);
 
   // window_pairs.cpp
-  void find_candidates(const SweptMask& mask, bool covers);
+  bool find_candidates(const SweptMask& mask, const WindowSettings& settings);
   void test(std::uint32_t i, std::uint32_t j, const SweptMask& mask, EdgeSearch* search);
   bool dead_throughout(const Candidate& c, const SweptMask& mask) const;
   bool covered_throughout(const Candidate& c, EdgeSearch& search) const;

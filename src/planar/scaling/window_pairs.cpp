@@ -31,7 +31,7 @@ std::vector<PieceBox> boxes_of(const std::vector<PieceEnds>& ends, const Grid& g
   return boxes;
 }
 
-/// Calls f(box, box) once for each pair of boxes that meet: a sweep in x in each of some horizontal strips, twice as high as a box on
+/// Calls f(box, box) once for each pair of boxes that meet, until it returns false: a sweep in x in each of some horizontal strips, twice as high as a box on
 /// the average. A pair belongs to the strip in which the higher one of the two begins.
 template <class F>
 void for_each_close_pair(const std::vector<PieceEnds>& ends, const Grid& g, F&& f) {
@@ -68,7 +68,8 @@ void for_each_close_pair(const std::vector<PieceEnds>& ends, const Grid& g, F&& 
         found[n] = j;
         n += (b.y0 <= a.y1) & (b.y1 >= a.y0) & (std::max(a.first_strip, b.first_strip) == s);
       }
-      for (std::size_t k = 0; k < n; ++k) f(a, inside[found[k]]);
+      for (std::size_t k = 0; k < n; ++k)
+        if (!f(a, inside[found[k]])) return;
     }
 }
 
@@ -131,17 +132,20 @@ bool narrow_at_cut(const Linear& g, double tau0, double tau1, Candidate& c) {
 }  // namespace
 
 // Pieces meet in what their boxes share; where all of that is dead nothing matters.
-void Window::find_candidates(const SweptMask& mask, bool covers) {
+bool Window::find_candidates(const SweptMask& mask, const WindowSettings& settings) {
   PiecePairs close;
   for_each_close_pair(ends_, mask.grid(), [&](const PieceBox& a, const PieceBox& b) {
-    if (mask.live(std::max(a.row0, b.row0), b.column0, std::min(a.row1, b.row1), std::min(a.column1, b.column1)) == 0) return;
-    ++pair_tests;
+    if (mask.live(std::max(a.row0, b.row0), b.column0, std::min(a.row1, b.row1), std::min(a.column1, b.column1)) == 0) return true;
+    if (++pair_tests > settings.most_pairs) return false;
     const std::uint32_t i = std::min(a.piece, b.piece), j = std::max(a.piece, b.piece);
     if (pieces[i].segment != pieces[j].segment && !apart(ends_[i], ends_[j]) && !apart(ends_[j], ends_[i])) close.push_back({i, j});
+    return true;
   });
+  if (pair_tests > settings.most_pairs) return false;
   share_lines(close);
   EdgeSearch search(*this);
-  for (const auto& [i, j] : close) test(i, j, mask, covers ? &search : nullptr);
+  for (const auto& [i, j] : close) test(i, j, mask, settings.covers ? &search : nullptr);
+  return true;
 }
 
 void Window::test(std::uint32_t i, std::uint32_t j, const SweptMask& mask, EdgeSearch* search) {
