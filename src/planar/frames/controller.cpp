@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kWidest = 1.0;       // a window covers at most so much ahead
 constexpr double kFrames = 2;         // and at least this many steps
-constexpr double kSteps = kFrames + 0.5;
+constexpr double kSteps = kFrames + 0.5, kWidestSteps = 2.5;  // where those are so much wider than windows should be, none is tried
 constexpr double kFirst = 0.4;         // the first one, whose cost nobody knows, at most so much: to 1.5 times a scale
 constexpr double kMostFrames = 64;
 constexpr double kLargestStep = 0.16;  // beyond it no window has been seen to pay
@@ -92,7 +92,7 @@ WindowController::Choice WindowController::choose(double step, double widest, Fr
       bad_step_ = 0;
       backoff_ = 8;
     }
-    if (recent_ > kLargestStep || kSteps * recent_ > widest) return {};
+    if (recent_ > kLargestStep || kSteps * size > kWidestSteps * widest) return {};
     // Once in a while a window would not clearly win: a fresh frame tells what it would have cost.
     if (served > 0 && last_cost_ > 0.7 * static_cost_ && ++windows_since_ % 4 == 0) return {};
     if (rest_ > 0 && size > 0.5 * bad_step_) return {};

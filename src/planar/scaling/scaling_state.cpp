@@ -30,10 +30,10 @@ int cells_for(double n) {
 
 constexpr std::uint32_t kMaskFrom = 300;  // segments from which a mask pays
 
-constexpr double kCheapWindow = 1000;  // about a millisecond to build: no window as cheap as that is abandoned
+constexpr double kCheapWindow = 4000;  // some milliseconds to build: no window as cheap as that is abandoned
 
-// What building a window counts when frames are compared: it makes few frames late, and wide windows make all the others slower.
-constexpr double kLate = 0.8;
+// What building a window counts when frames are compared: less than whole, as it makes few frames late and all the others faster.
+constexpr double kLate = 0.65;
 
 }  // namespace
 
