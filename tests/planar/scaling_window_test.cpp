@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "dymsum/shapes.h"
@@ -170,6 +171,27 @@ TEST(ScalingWindow, every_pair_that_meets_is_a_candidate_or_meets_inside) {
     // Most pairs never meet: something is rejected.
     EXPECT_LT(known.size(), std::size_t(n) * (n - 1) / 4);
   }
+}
+
+TEST(ScalingWindow, nodes_that_count_for_nothing_lie_inside_at_every_scale) {
+  const Region p = shapes::grate(4, 4, 1, 13), q = shapes::comb(3, 3, 1, 5);
+  auto base = planar::ScalingBase::create(p, q, 0, 0).value();
+  ScalingSum::State state(base, {});
+  const exact::BigRational low(1), high(5, 4);
+  EXPECT_EQ(std::ranges::count_if(state.window_between(low, high)->nodes, &planar::PersistentNode::covered), 0);
+  const auto window = state.window_between(low, high, true);
+  int inside = 0, asked = 0, others = 0;
+  for (const int k : {101, 108, 119, 125}) {
+    const oracles::Membership<oracles::Big> sum(multiplied(p, k, k).data(), multiplied(q, 100, 100).data());
+    for (const planar::PersistentNode& node : window->nodes) {
+      others += !node.covered;
+      if (!node.covered || ++asked % 5 != 0) continue;
+      EXPECT_TRUE(sum.overlaps(corner(*base, node.at, k)));
+      ++inside;
+    }
+  }
+  EXPECT_GT(inside, 20);
+  EXPECT_GT(others, 20);
 }
 
 TEST(ScalingWindow, windows_of_more_pairs_than_allowed_are_abandoned) {

@@ -59,6 +59,7 @@ void PieceLists::add_entries() {
     }
     for (std::uint32_t k = window_.first_touch[i]; k < window_.first_touch[i + 1]; ++k) {
       const PersistentTouch& c = window_.touches[k];
+      if (window_.nodes[c.node].covered) continue;
       entries_.push_back({c.out_low, c.in_low, c.in_high, c.out_high, c.t, c.error, k | kTouchBit, false});
     }
     std::sort(entries_.begin() + static_cast<std::ptrdiff_t>(base), entries_.end(),
@@ -92,7 +93,7 @@ bool PieceLists::repair(double tau, FramePlace& place, FrameWork& work) {
   bool generic = window_.folds.empty();
   if (frame_ == 1)
     for (std::uint32_t k = 0; k < window_.nodes.size(); ++k)
-      if (window_.nodes[k].hands_on) dirty_nodes_.push_back(k);
+      if (window_.nodes[k].hands_on && !window_.nodes[k].covered) dirty_nodes_.push_back(k);
   const std::uint32_t n = static_cast<std::uint32_t>(hot_.size());
   for (std::uint32_t b = 0; b < blocks_.size(); ++b) {
     auto& [low, high] = blocks_[b];

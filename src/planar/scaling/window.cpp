@@ -21,7 +21,7 @@ Window::Window(const ScalingBase& base, const ReducedConvolution& convolution, c
   add_pieces(mask);
   abandoned = !find_candidates(mask, settings);
   if (abandoned) return;
-  make_nodes();
+  make_nodes(settings.covers);
   index_candidates();
   link_pieces(convolution);
   ends_ = {};

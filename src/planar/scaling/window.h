@@ -87,6 +87,7 @@ struct PersistentNode {
   WalkPair at;
   std::uint32_t first_ray = 0, last_ray = 0;
   bool hands_on = false;  ///< pieces end here that others continue, so something meets here at every scale
+  bool covered = false;   ///< lies in the open sum throughout the window: it counts for nothing
 };
 
 /// Window coordinates of sums err by at most this times span: each operand's coordinate one rounding, tau one, product, sum.
@@ -107,7 +108,7 @@ struct WindowSettings {
   WindowFrame frame;
   int cells = 64;       ///< along the grid's longer side
   bool mask = true;
-  bool covers = true;   ///< leave out crossings that two edges prove covered while they exist
+  bool covers = true;   ///< leave out crossings and nodes that two edges prove covered while they exist
   std::uint64_t most_pairs = UINT64_MAX;  ///< the window is abandoned when more boxes of pieces meet
   double shrink = 1;    ///< tests: sweep masks and pairs over this share of the window only; less than 1 is wrong
 };
@@ -190,7 +191,8 @@ class Window {
   bool touch_always(const Candidate& c, std::array<bool, 2> at_a, std::array<bool, 2> at_b);
   void add_touch(std::uint32_t piece, WalkPair v, const Linear& t, double error);
   void touch_parallel(std::uint32_t i, std::uint32_t j);
-  void make_nodes();
+  void make_nodes(bool covers);
+  void drop_covered_nodes();
   NodeRays take_touches();
   void add_end_rays(NodeRays& at) const;
   void sort_rays(std::vector<PersistentNode::Ray>& list) const;

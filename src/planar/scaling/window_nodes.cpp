@@ -4,6 +4,7 @@
 #include <set>
 #include <tuple>
 
+#include "planar/scaling/edge_search.h"
 #include "planar/scaling/window.h"
 
 namespace dymsum::planar {
@@ -73,7 +74,7 @@ void Window::touch_parallel(std::uint32_t i, std::uint32_t j) {
 }
 
 // Touches grouped by their pair of vertices; segments through one node meet there only, so they are no candidates.
-void Window::make_nodes() {
+void Window::make_nodes(bool covers) {
   head_ray.assign(pieces.size(), kNone);
   tail_ray.assign(pieces.size(), kNone);
   NodeRays at = take_touches();
@@ -86,6 +87,25 @@ void Window::make_nodes() {
     add_node({v.first, v.second}, list);
   }
   drop_pairs_through_nodes();
+  if (covers) drop_covered_nodes();
+}
+
+// Pieces pass and end there as if nothing touched: what begins or ends in the open sum is false.
+void Window::drop_covered_nodes() {
+  EdgeSearch search(*this);
+  const Lattice& l = *base_.lattice;
+  for (PersistentNode& node : nodes) {
+    const Pair v = exact(node.at);
+    const std::uint32_t m = frame_.moving, move = m == 0 ? v.p : v.q, rest = m == 0 ? v.q : v.p;
+    const auto at = [&](double tau) {
+      return EdgeSearch::Place{l.points[1 - m]->x[rest] + tau * l.points[m]->x[move], l.points[1 - m]->y[rest] + tau * l.points[m]->y[move],
+                               kWindowPoint * span_, tau};
+    };
+    node.covered = search.find_or_spare(at(swept_.tau0), at(swept_.tau1)).has_value();
+    if (!node.covered) continue;
+    for (std::uint32_t r = node.first_ray; r < node.last_ray; ++r)
+      if (rays[r].touch == kNone) (rays[r].out ? head_ray : tail_ray)[rays[r].piece] = kNone;
+  }
 }
 
 // Sorts touches by piece, each once; the rays in which they arrive and leave, by vertices.
