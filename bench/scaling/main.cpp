@@ -103,7 +103,7 @@ void opening(Report& report, const std::string& data) {
   report.csv << "pair,steps,s,frame_ms,static_ms,events,crossings,rebuilt,new_window\n";
   report.line("# Scaling sums\n\nWritten by `./run bench scaling --results docs/results`. Processor times in milliseconds, those of frames and of our static engine less what reading the clock takes; every frame compared exactly with our static "
               "engine. Inputs are snapped to 22-bit integers and scales to 14 fractional bits, so that s P is the same set for everyone. "
-              "Static: `minkowski_sum` from `Region` to `PlanarSum`. Each sweeps on its own for the times; a third sweep compares. All pairs: the reference engine `brute`, which intersects all pairs of segments from scratch as the thesis "
+              "Static: `minkowski_sum` from `Region` to `PlanarSum`. Each sweeps on its own for the times, three times by turns, and the median of each frame counts; a last sweep compares. All pairs: the reference engine `brute`, which intersects all pairs of segments from scratch as the thesis "
               "does. CGAL 5.5: reduced convolution with EPECK. Both on three frames of a row; CGAL's reduced convolution loses holes in known cases (see planar.md, and the end of "
               "docs/design/scaling-sum.md), ours equals our independent static engine at every frame. Corners kept: how many corners of a frame, "
               "each the two contacts it lies on, the frame before has too (median); the others must be found anew by any update.\n");

@@ -116,6 +116,8 @@ std::vector<double> random_scales(std::size_t frames) {
   return scales;
 }
 
+constexpr int kSweeps = 3;
+
 FramesRow measure_frames(const ScalingPair& pair, const FramesPlan& plan) {
   FramesRow row;
   row.name = pair.name;
@@ -126,23 +128,24 @@ FramesRow measure_frames(const ScalingPair& pair, const FramesPlan& plan) {
   ScalingOptions options;
   options.scaled = pair.q_scales ? ScaledOperand::q : ScaledOperand::p;
   options.mode = plan.mode;
-  // Each system sweeps on its own, as it would in use; then both sweep together and are compared.
-  std::vector<double> frame_ms, fresh_ms;
+  // Each system sweeps on its own, as it would in use, one after the other kSweeps times; then both sweep together and are compared.
+  std::vector<Times> frame_times(plan.scales.size()), fresh_times(plan.scales.size());
   // Small frames take little longer than reading the clock.
   const double clock = clock_ms();
-  {
+  for (int sweep = 0; sweep < kSweeps; ++sweep) {
     ScalingSum alone = ScalingSum::create(pair.p, pair.q, options).value();
-    for (const double s : plan.scales) {
+    for (std::size_t i = 0; i < plan.scales.size(); ++i) {
       const double start = cpu_ms();
-      if (!alone.set(s).ok()) throw std::runtime_error("a frame failed");
-      frame_ms.push_back(std::max(cpu_ms() - start - clock, 0.0));
+      if (!alone.set(plan.scales[i]).ok()) throw std::runtime_error("a frame failed");
+      frame_times[i].ms.push_back(std::max(cpu_ms() - start - clock, 0.0));
     }
-  }
-  for (const double s : plan.scales) {
-    const Region p = pair.q_scales ? pair.p : exactly_scaled(pair.p, s), q = pair.q_scales ? exactly_scaled(pair.q, s) : pair.q;
-    const double start = cpu_ms();
-    const PlanarSum answer = minkowski_sum(p, q).value();
-    fresh_ms.push_back(std::max(cpu_ms() - start - clock, 0.0));
+    for (std::size_t i = 0; i < plan.scales.size(); ++i) {
+      const double s = plan.scales[i];
+      const Region p = pair.q_scales ? pair.p : exactly_scaled(pair.p, s), q = pair.q_scales ? exactly_scaled(pair.q, s) : pair.q;
+      const double start = cpu_ms();
+      const PlanarSum answer = minkowski_sum(p, q).value();
+      fresh_times[i].ms.push_back(std::max(cpu_ms() - start - clock, 0.0));
+    }
   }
   ScalingSum sum = ScalingSum::create(pair.p, pair.q, options).value();
   PlanarSum before;
@@ -153,9 +156,9 @@ FramesRow measure_frames(const ScalingPair& pair, const FramesPlan& plan) {
     const double s = plan.scales[i];
     const Region p = pair.q_scales ? pair.p : exactly_scaled(pair.p, s), q = pair.q_scales ? exactly_scaled(pair.q, s) : pair.q;
     const PlanarSum answer = minkowski_sum(p, q).value();
-    fresh.ms.push_back(fresh_ms[i]);
+    fresh.ms.push_back(fresh_times[i].median());
     if (!sum.set(s).ok()) throw std::runtime_error("a frame failed");
-    frame.ms.push_back(frame_ms[i]);
+    frame.ms.push_back(frame_times[i].median());
     const FrameWork& work = sum.work();
     if (!work.rebuilt) (work.new_window ? window : update).ms.push_back(work.ms);
     row.windows += work.new_window;
