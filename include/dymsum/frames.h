@@ -6,8 +6,9 @@
 
 namespace dymsum {
 
-/// How frames are made. automatic: the controller chooses between the two by what they have cost, with hysteresis. Costs are counted work,
-/// not time: every run makes the same choices. All give the identical sum.
+/// How frames are made. automatic: the controller chooses between the two by what they have cost, with hysteresis. Building a window counts
+/// less than whole, as it makes few frames late and most of them many times cheaper: where steps are large a whole sweep can take up to twice
+/// as long as with `rebuild`. Costs are counted work, not time: every run makes the same choices. All give the identical sum.
 enum class FrameMode : std::uint8_t {
   automatic,
   window,   ///< always update inside windows, however short they live
@@ -20,7 +21,7 @@ struct FrameWork {
   bool new_window = false;     ///< a window was built
   bool degenerate = false;     ///< something touches at this very scale or angle: no update could serve
   std::uint64_t pieces = 0;          ///< pieces of segments that are live in the window
-  std::uint64_t candidates = 0;      ///< pairs of pieces that may meet in the window
+  std::uint64_t candidates = 0;      ///< pairs of pieces that may meet in the window where it is not proved covered
   std::uint64_t pieces_repaired = 0; ///< whose list of crossings was looked at
   std::uint64_t lists_changed = 0;   ///< whose list of crossings changed
   std::uint64_t crossings_changed = 0;  ///< crossings that came or went in those lists, each counted at both segments
