@@ -30,4 +30,13 @@ inline bool any(TwoTold told) {
 #endif
 }
 
+/// In both lanes; false where something is not a number.
+inline bool every(TwoTold told) {
+#ifdef __SSE2__
+  return _mm_movemask_pd(reinterpret_cast<__m128d>(told)) == 3;
+#else
+  return (told[0] & told[1]) != 0;
+#endif
+}
+
 }  // namespace dymsum::planar

@@ -13,7 +13,8 @@ constexpr std::uint32_t kInVain = 4, kSpared = 4;
 
 }  // namespace
 
-// Whether the ends of an edge of the other operand lie on opposite sides of an edge, certainly.
+// Whether the ends of an edge of the other operand lie on opposite sides of an edge, certainly. Which end lies on which side is the same at both
+// places: edges keep their directions.
 inline bool EdgeSearch::opposite(std::uint32_t op, std::uint32_t edge, std::uint32_t other_edge, const Way& at) const {
   const Operand &o = window_.base().operands[op], &other = window_.base().operands[1 - op];
   const Two own = scale(op, at), others = scale(1 - op, at), ex = both(o.ex[edge]), ey = both(o.ey[edge]);
@@ -23,7 +24,7 @@ inline bool EdgeSearch::opposite(std::uint32_t op, std::uint32_t edge, std::uint
     return ex * (at.y - (py + others * both(other.y[v]))) - ey * (at.x - (px + others * both(other.x[v])));
   };
   const Two u = value(other_edge), v = value(other.next[other_edge]);
-  return !(any(most(u, v) <= bound) | any(least(u, v) >= -bound));
+  return (every(u > bound) && every(v < -bound)) || (every(u < -bound) && every(v > bound));
 }
 
 bool EdgeSearch::cross(const CrossingEdges& edges, const Way& at) const {

@@ -31,8 +31,8 @@ std::vector<PieceBox> boxes_of(const std::vector<PieceEnds>& ends, const Grid& g
   return boxes;
 }
 
-/// Calls f(box, box) once for each pair of boxes that meet, until it returns false: a sweep in x in each of some horizontal strips, twice as high as a box on
-/// the average. A pair belongs to the strip in which the higher one of the two begins.
+/// Calls f(box, box) once for each pair of boxes that meet, until it returns false: a sweep in x in each of some horizontal strips, twice
+/// as high as a box on the average. A pair belongs to the strip in which the higher one of the two begins.
 template <class F>
 void for_each_close_pair(const std::vector<PieceEnds>& ends, const Grid& g, F&& f) {
   if (ends.empty()) return;
@@ -77,7 +77,8 @@ void for_each_close_pair(const std::vector<PieceEnds>& ends, const Grid& g, F&& 
 bool apart(const PieceEnds& line, const PieceEnds& e) {
   const Two dx = both(line.dx), dy = both(line.dy);
   const Two u = dx * (e.ay - line.ay) - dy * (e.ax - line.ax), v = dx * (e.by - line.ay) - dy * (e.bx - line.ax);
-  return !any(least(u, v) <= both(line.error)) || !any(most(u, v) >= both(-line.error));
+  const Two error = both(line.error);
+  return (every(u > error) && every(v > error)) || (every(u < -error) && every(v < -error));
 }
 
 /// Between the vectors u and v of two pieces: the double of their cross product and its error.
