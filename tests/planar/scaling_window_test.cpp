@@ -223,6 +223,23 @@ TEST(ScalingWindow, where_a_window_is_abandoned_the_frame_is_computed_from_scrat
   }
 }
 
+// Products of such coordinates overflow: doubles then prove nothing.
+TEST(ScalingWindow, huge_coordinates_give_the_same_rings) {
+  const Region p = on_integers(shapes::noisy_star(30, 0.6, 3), 4000), q = on_integers(shapes::noisy_star(20, 0.6, 4), 3000);
+  const double huge = 0x1p900;
+  ScalingOptions options;
+  options.mode = FrameMode::window;
+  ScalingSum sum = ScalingSum::create(p, q, options).value();
+  ScalingSum same = ScalingSum::create(multiplied(p, huge, huge), multiplied(q, huge, huge), options).value();
+  for (const int k : {101, 103, 106}) {
+    ASSERT_TRUE(sum.set(scale_of(k, 100)).ok());
+    ASSERT_TRUE(same.set(scale_of(k, 100)).ok());
+    EXPECT_FALSE(same.work().rebuilt);
+    EXPECT_EQ(same.sum().vertex_count(), sum.sum().vertex_count());
+    EXPECT_EQ(same.sum().hole_count(), sum.sum().hole_count());
+  }
+}
+
 TEST(ScalingWindow, lists_stay_as_they_are_within_their_intervals) {
   // Q is smaller and scales, so the window's parameter is the scale.
   const Region p = on_integers(shapes::noisy_star(40, 0.6, 3), 4000), q = on_integers(shapes::noisy_star(30, 0.6, 4), 3000);
