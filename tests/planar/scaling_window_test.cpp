@@ -223,20 +223,22 @@ TEST(ScalingWindow, where_a_window_is_abandoned_the_frame_is_computed_from_scrat
   }
 }
 
-// Products of such coordinates overflow: doubles then prove nothing.
-TEST(ScalingWindow, huge_coordinates_give_the_same_rings) {
-  const Region p = on_integers(shapes::noisy_star(30, 0.6, 3), 4000), q = on_integers(shapes::noisy_star(20, 0.6, 4), 3000);
+// Beside small ones these cannot be a matter of the unit: products overflow, and doubles prove nothing.
+TEST(ScalingWindow, huge_coordinates_beside_small_ones_equal_a_rebuild) {
   const double huge = 0x1p900;
-  ScalingOptions options;
-  options.mode = FrameMode::window;
-  ScalingSum sum = ScalingSum::create(p, q, options).value();
-  ScalingSum same = ScalingSum::create(multiplied(p, huge, huge), multiplied(q, huge, huge), options).value();
+  RegionData data;
+  data.parts.push_back({{{0, 0}, {huge, 1}, {3, 2}, {huge, huge}, {-huge, 5}, {2, 1}}, {}});
+  const Result<Region> p = Region::create(data);
+  ASSERT_TRUE(p.ok());
+  ScalingOptions window, rebuild;
+  window.mode = FrameMode::window;
+  rebuild.mode = FrameMode::rebuild;
+  ScalingSum sum = ScalingSum::create(*p, *p, window).value(), fresh = ScalingSum::create(*p, *p, rebuild).value();
   for (const int k : {101, 103, 106}) {
     ASSERT_TRUE(sum.set(scale_of(k, 100)).ok());
-    ASSERT_TRUE(same.set(scale_of(k, 100)).ok());
-    EXPECT_FALSE(same.work().rebuilt);
-    EXPECT_EQ(same.sum().vertex_count(), sum.sum().vertex_count());
-    EXPECT_EQ(same.sum().hole_count(), sum.sum().hole_count());
+    ASSERT_TRUE(fresh.set(scale_of(k, 100)).ok());
+    EXPECT_FALSE(sum.work().rebuilt);
+    EXPECT_TRUE(sum.sum() == fresh.sum()) << k;
   }
 }
 
