@@ -106,13 +106,10 @@ ExitCode run_clearance(const ClearanceCommand& command) {
   }
   Json list = Json::array();
   for (const Answer& a : answers) list.push_back(answer_json(a));
-  const Json json = {{"inputs", inputs_json(inputs)},
-                     {"tier", require(obstacle.slice({})).stats.tier_bits},
-                     {"time_ms", {{"median", timing.median_ms}, {"min", timing.min_ms}}},
-                     {"obstacle_ms", obstacle.work().ms},
-                     {"weight", std::isfinite(weight) ? Json(weight) : Json("inf")},
-                     {"answers", list}};
-  std::cout << json.dump(2) << "\n";
+  Json json = report_head("clearance", inputs_json(inputs), require(obstacle.slice({})).stats.tier_bits, timing,
+                          {{"obstacle", obstacle.work().ms}, {"answers", timing.median_ms}});
+  json.update({{"weight", std::isfinite(weight) ? Json(weight) : Json("inf")}, {"answers", list}});
+  print_report(json);
   return kDone;
 }
 

@@ -33,15 +33,12 @@ ExitCode run(const ConvertCommand& command) {
   const InterruptGuard guard;
   write_text(command.out, format_region(input.region, format));
   if (!command.json) return kDone;
-  const int tier = tier_of(input.region);
-  const Json report = {{"inputs", inputs_json({input})},
-                       {"tier", tier},
-                       {"time_ms", {{"median", timing.median_ms}, {"min", timing.min_ms}, {"stages", Json::object()}}},
-                       {"output", command.out},
-                       {"outer", input.region.parts().size()},
-                       {"holes", input.region.hole_count()},
-                       {"vertices", input.region.vertex_count()}};
-  std::cout << report.dump(2) << "\n";
+  Json report = report_head("convert", inputs_json({input}), tier_of(input.region), timing);
+  report.update({{"output", command.out},
+                 {"outer", input.region.parts().size()},
+                 {"holes", input.region.hole_count()},
+                 {"vertices", input.region.vertex_count()}});
+  print_report(report);
   return kDone;
 }
 

@@ -86,22 +86,17 @@ Json work_json(const ObstacleWork& work) {
 
 void print_json(const CspaceReport& report) {
   const CspaceObstacle& obstacle = report.obstacle;
-  Json json = {{"inputs", inputs_json(report.inputs)},
-               {"tier", tier_bits_of(obstacle)},
-               {"time_ms",
-                {{"median", report.timing.median_ms},
-                 {"min", report.timing.min_ms},
-                 {"stages", {{"obstacle", report.timing.median_ms}}}}},
-               {"repeats", report.timing.repeats},
-               {"patches_before_trim", obstacle.work().surfaces},
+  Json json = report_head("cspace", inputs_json(report.inputs), tier_bits_of(obstacle), report.timing,
+                          {{"obstacle", report.timing.median_ms}});
+  json.update({{"patches_before_trim", obstacle.work().surfaces},
                {"patches", obstacle.patches().size()},
                {"shells", shells_json(obstacle)},
                {"angles", obstacle.angles().size()},
                {"events", events_json(obstacle.work())},
                {"free_components", free_components(obstacle)},
-               {"work", work_json(obstacle.work())}};
+               {"work", work_json(obstacle.work())}});
   if (report.mesh) json["mesh"] = mesh_json(*report.mesh);
-  std::cout << json.dump(2) << "\n";
+  print_report(json);
 }
 
 void print_text(const CspaceReport& report) {

@@ -9,6 +9,7 @@
 #include "options.h"
 #include "solid_operands.h"
 #include "solid_outputs.h"
+#include "tier.h"
 #include "timing.h"
 
 namespace dymsum::cli {
@@ -39,15 +40,14 @@ ExitCode run(const DepthCommand& command) {
   const auto [depth, timing] =
       timed(command.report.repeat, [&] { return require(penetration_depth(inputs[0].mesh, inputs[1].mesh, pose, {}, moved)); });
   if (command.report.json) {
-    Json json = {{"inputs", solid_inputs_json(inputs)},
-                 {"time_ms", {{"median", timing.median_ms}, {"min", timing.min_ms}, {"stages", Json::object()}}},
-                 {"inside", depth.inside},
+    Json json = report_head("depth", solid_inputs_json(inputs), tier_of(inputs[0].mesh, inputs[1].mesh), timing);
+    json.update({{"inside", depth.inside},
                  {"depth", depth.depth},
                  {"depth_squared_exact", depth.depth_squared.to_string()},
                  {"direction", {depth.direction.x, depth.direction.y, depth.direction.z}},
                  {"p", feature_json(depth.p)},
-                 {"q", feature_json(depth.q)}};
-    std::cout << json.dump(2) << "\n";
+                 {"q", feature_json(depth.q)}});
+    print_report(json);
   } else if (depth.inside) {
     std::cout << "depth " << depth.depth << ": moving " << inputs[1].file << " by that along (" << depth.direction.x << ", " << depth.direction.y << ", "
               << depth.direction.z << ") separates them\n  " << feature_text(depth.p) << " of " << inputs[0].file << " and " << feature_text(depth.q)

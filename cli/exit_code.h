@@ -2,8 +2,12 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
+
+#include "dymsum/result.h"
 
 namespace dymsum::cli {
 
@@ -23,10 +27,16 @@ using Action = std::function<ExitCode()>;
 class Stop : public std::runtime_error {
  public:
   Stop(ExitCode code, const std::string& message) : std::runtime_error(message), code_(code) {}
+  /// With the error of the library that ends it.
+  Stop(ExitCode code, Error error) : std::runtime_error(error.to_string()), code_(code), error_(std::move(error)) {}
+  Stop(ExitCode code, const std::string& message, Error error)
+      : std::runtime_error(message), code_(code), error_(std::move(error)) {}
   ExitCode code() const { return code_; }
+  const std::optional<Error>& error() const { return error_; }
 
  private:
   ExitCode code_;
+  std::optional<Error> error_;
 };
 
 }  // namespace dymsum::cli

@@ -31,8 +31,7 @@ struct Shape {
 Json shape_json(const Shape& shape) {
   Json json = {{"name", shape.name}, {"valid", shape.region.ok()}};
   if (!shape.region) {
-    json["code"] = std::string(name(shape.region.error().code));
-    json["error"] = shape.region.error().to_string();
+    json["error"] = error_json(shape.region.error());
     return json;
   }
   const Region& region = *shape.region;
@@ -77,10 +76,9 @@ Json file_json(const InfoCommand& command, const std::vector<Shape>& shapes, con
     const int bits = list.back()["tier"];
     tier = tier == 0 || bits == 0 ? 0 : std::max(tier, bits);
   }
-  return {{"inputs", inputs_json(inputs)},
-          {"tier", tier},
-          {"time_ms", {{"median", timing.median_ms}, {"min", timing.min_ms}, {"stages", Json::object()}}},
-          {"shapes", list}};
+  Json json = report_head("info", inputs_json(inputs), tier, timing);
+  json["shapes"] = list;
+  return json;
 }
 
 std::vector<Shape> read_and_validate(const InfoCommand& command) {
@@ -109,16 +107,18 @@ ExitCode run(const InfoCommand& command) {
   const auto [shapes, timing] = timed(1, [&] { return read_and_validate(command); });
   draw(command, shapes);
   if (command.json) {
-    std::cout << file_json(command, shapes, timing).dump(2) << "\n";
+    print_report(file_json(command, shapes, timing));
   } else {
     for (const Shape& shape : shapes) print_shape(shape);
   }
-  std::string errors;
+  // That a shape is not valid is what info reports, and bad input all the same.
+  ExitCode code = kDone;
   for (const Shape& shape : shapes) {
-    if (!shape.region) errors += (errors.empty() ? "" : "\n") + shape.region.error().to_string();
+    if (shape.region) continue;
+    std::cerr << shape.region.error().to_string() << "\n";
+    code = kBadInput;
   }
-  if (!errors.empty()) throw Stop(kBadInput, errors);
-  return kDone;
+  return code;
 }
 
 }  // namespace

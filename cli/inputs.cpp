@@ -12,7 +12,7 @@ namespace dymsum::cli {
 
 void stop_with(const Error& error) {
   if (error.code == Code::cancelled) throw Stop(kInterrupted, "interrupted");
-  throw Stop(kBadInput, error.to_string());
+  throw Stop(kBadInput, error);
 }
 
 RegionFormat format_named(const std::string& name) { return require(region_format("." + name)); }

@@ -1,10 +1,13 @@
 // dymsum VERB INPUTS [options]
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <exception>
 #include <iostream>
 
 #include "commands.h"
 #include "exit_code.h"
+#include "json_report.h"
+#include "suggestion.h"
 
 namespace {
 
@@ -16,12 +19,7 @@ constexpr const char* kFooter =
     "Exit: 0 done, 1 wrong usage, 2 bad input, 3 a defect of dymsum, 4 the answer is no, 130 interrupted.\n"
     "Example: dymsum sum gear.poly disc.wkt --json -o sum.svg -o stages.svg";
 
-ExitCode run(int argc, char** argv) {
-  CLI::App app("dymsum: exact Minkowski sums of planar regions and convex solids, and of both in motion", "dymsum");
-  app.require_subcommand(1);
-  app.set_version_flag("--version", DYMSUM_VERSION);
-  app.footer(kFooter);
-  Action action;
+void add_verbs(CLI::App& app, Action& action) {
   add_sum(app, action);
   add_nfp(app, action);
   add_erode(app, action);
@@ -35,12 +33,79 @@ ExitCode run(int argc, char** argv) {
   add_depth(app, action);
   add_info(app, action);
   add_convert(app, action);
+}
+
+std::vector<std::string> verb_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; })) names.push_back(verb->get_name());
+  return names;
+}
+
+/// The verb of a command line, known or not; empty where it begins with an option or with nothing.
+std::string verb_of(int argc, char** argv) { return argc < 2 || argv[1][0] == '-' ? "" : argv[1]; }
+
+bool wants_json(int argc, char** argv) {
+  return std::find(argv + 1, argv + argc, std::string("--json")) != argv + argc;
+}
+
+/// The verb is one of ours: else both its name and what may be meant are told.
+void check_verb(const CLI::App& app, const std::string& verb) {
+  const std::vector<std::string> names = verb_names(app);
+  if (verb.empty() || std::find(names.begin(), names.end(), verb) != names.end()) return;
+  std::string all;
+  for (const std::string& name : names) all += " " + name;
+  throw Stop(kUsage, "unknown verb '" + verb + "'" + did_you_mean(verb, names) + "\nThe verbs are" + all);
+}
+
+/// The first option that the verb does not have, with what may be meant.
+std::string unknown_option(const CLI::App& verb, int argc, char** argv) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : verb.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  for (int i = 2; i < argc; ++i) {
+    const std::string word = std::string(argv[i]).substr(0, std::string(argv[i]).find('='));
+    if (!word.starts_with("--") || std::find(names.begin(), names.end(), word) != names.end()) continue;
+    return verb.get_name() + " has no option " + word + did_you_mean(word, names);
+  }
+  return "";
+}
+
+/// A command line that cannot be read: what is wrong, how the verb is used, and where more is said.
+Stop wrong_usage(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
+  const std::string verb = verb_of(argc, argv);
+  if (verb.empty()) return {kUsage, std::string(error.what()) + "\ndymsum --help lists the verbs"};
+  const CLI::App& parser = *app.get_subcommand(verb);
+  std::string what = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr ? unknown_option(parser, argc, argv) : "";
+  if (what.empty()) what = error.what();
+  std::string usage = "dymsum " + verb;
+  for (const CLI::Option* option : parser.get_options(&CLI::Option::get_positional)) usage += " " + option->get_name(true);
+  return {kUsage, what + "\nUsage: " + usage + " [options]; " + "dymsum " + verb + " --help says more"};
+}
+
+ExitCode run(int argc, char** argv) {
+  CLI::App app("dymsum: exact Minkowski sums of planar regions and convex solids, and of both in motion", "dymsum");
+  app.require_subcommand(1);
+  app.set_version_flag("--version", DYMSUM_VERSION);
+  app.footer(kFooter);
+  Action action;
+  add_verbs(app, action);
+  check_verb(app, verb_of(argc, argv));
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kDone : kUsage;
+    if (error.get_exit_code() != 0) throw wrong_usage(app, error, argc, argv);
+    app.exit(error);  // help and version
+    return kDone;
   }
   return action();
+}
+
+/// Tells on standard error why the command ended, and with --json as an object on standard output.
+ExitCode tell(const Stop& stop, int argc, char** argv) {
+  if (wants_json(argc, argv)) print_report(failure_json(verb_of(argc, argv), stop));
+  std::cout.flush();
+  std::cerr << (stop.code() == kBadInput ? "" : "dymsum: ") << stop.what() << "\n";
+  return stop.code();
 }
 
 }  // namespace
@@ -51,11 +116,8 @@ int main(int argc, char** argv) {
     if (!std::cout.flush()) throw Stop(kBadInput, "cannot write to standard output");
     return code;
   } catch (const Stop& stop) {
-    std::cout.flush();
-    std::cerr << (stop.code() == kBadInput ? "" : "dymsum: ") << stop.what() << "\n";
-    return stop.code();
+    return tell(stop, argc, argv);
   } catch (const std::exception& error) {
-    std::cerr << "dymsum: this is a defect of dymsum: " << error.what() << "\n";
-    return kDefect;
+    return tell(Stop(kDefect, std::string("this is a defect of dymsum: ") + error.what()), argc, argv);
   }
 }

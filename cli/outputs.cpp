@@ -25,7 +25,8 @@ class Rounded {
   Region checked() const {
     Result<Region> region = sum_.rounded();
     if (region) return std::move(region).value();
-    throw Stop(kBadInput, region.error().to_string() + " (--round-repair merges what collides; .json keeps it exact)");
+    throw Stop(kBadInput, region.error().to_string() + " (--round-repair merges what collides; .json keeps it exact)",
+               region.error());
   }
   Region repaired() const {
     Repaired repaired = require(sum_.rounded_with_repair());

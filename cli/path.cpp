@@ -81,17 +81,16 @@ Json path_json(const PlannedPath& planned, const Timing& timing, const std::vect
   Json waypoints = Json::array();
   for (const Waypoint& w : planned.plan.path) waypoints.push_back(waypoint_json(w));
   const PlanWork& work = planned.plan.work;
-  return {{"inputs", inputs_json(inputs)},
-          {"tier", planned.tier_bits},
-          {"time_ms", {{"median", timing.median_ms}, {"min", timing.min_ms}}},
-          {"found", planned.plan.found()},
-          {"waypoints", waypoints},
-          {"reason", planned.plan.found() ? Json(nullptr) : reason_json(*planned.plan.reason)},
-          {"work",
-           {{"levels", work.levels},
-            {"slices", work.slices},
-            {"rotations", work.rotations},
-            {"rounds", work.rounds}}}};
+  Json json = report_head("path", inputs_json(inputs), planned.tier_bits, timing);
+  json.update({{"found", planned.plan.found()},
+               {"waypoints", waypoints},
+               {"reason", planned.plan.found() ? Json(nullptr) : reason_json(*planned.plan.reason)},
+               {"work",
+                {{"levels", work.levels},
+                 {"slices", work.slices},
+                 {"rotations", work.rotations},
+                 {"rounds", work.rounds}}}});
+  return json;
 }
 
 void print_text(const Plan& plan) {
@@ -125,9 +124,9 @@ ExitCode run_path(const PathCommand& command) {
   bar.reset();
   const Json json = path_json(planned, timing, inputs);
   for (const std::string& file : command.files)
-    write_text(file, file.ends_with(".json") ? json.dump(2) + "\n"
+    write_text(file, file.ends_with(".json") ? report_text(json)
                                              : path_picture(inputs[0].region, inputs[1].region, planned.plan.path));
-  if (command.report.json) std::cout << json.dump(2) << "\n";
+  if (command.report.json) print_report(json);
   else print_text(planned.plan);
   return planned.plan.found() ? kDone : kNo;
 }

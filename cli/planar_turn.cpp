@@ -113,18 +113,16 @@ ExitCode run_planar_turn(const PlanarTurn& turn) {
   write_frame_pictures(turn.files, turned.pictures, {}, title);
   const Timing timing = timing_of(turned.ms);
   if (turn.report.json) {
-    const Json json = {{"inputs", inputs_json(inputs)},
-                       {"tier", turned.tier},
-                       {"time_ms", {{"median", timing.median_ms}, {"min", timing.min_ms}, {"stages", Json::object()}}},
-                       {"repeats", turn.report.repeat},
-                       {"semantics", turn.semantics},
-                       {"angle_error", turn.error},
-                       {"frames", turned.frames},
-                       {"static_ms", fresh_ms},
-                       {"update_ms", timing.median_ms},
-                       {"work",
-                        {{"windows", turned.windows}, {"rebuilt", turned.rebuilt}, {"degenerate_frames", turned.degenerate}}}};
-    std::cout << json.dump(2) << "\n";
+    Json json = report_head("rotate", inputs_json(inputs), turned.tier, timing, {{"frames", timing.median_ms}});
+    json["repeats"] = turn.report.repeat;
+    json.update({{"semantics", turn.semantics},
+                 {"angle_error", turn.error},
+                 {"frames", turned.frames},
+                 {"static_ms", fresh_ms},
+                 {"update_ms", timing.median_ms},
+                 {"work",
+                  {{"degenerate_frames", turned.degenerate}, {"windows", turned.windows}, {"rebuilt", turned.rebuilt}}}});
+    print_report(json);
     return kDone;
   }
   std::cout << "rotate of " << inputs[0].file << " and " << inputs[1].file << ", " << counted(poses.size(), "frame")

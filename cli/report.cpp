@@ -63,15 +63,10 @@ Json orientation_json(const Orientation& orientation) {
 
 Json sum_json(const SumReport& report) {
   const PlanarSum& sum = *report.sum;
-  Json json = {{"inputs", inputs_json(report.inputs)},
-          {"engine", report.engine},
+  Json json =
+      report_head(report.verb, inputs_json(report.inputs), sum.stats.tier_bits, report.timing, stages_json(sum.stats));
+  json.update({{"engine", report.engine},
           {"semantics", report.semantics},
-          {"tier", sum.stats.tier_bits},
-          {"time_ms",
-           {{"median", report.timing.median_ms},
-            {"min", report.timing.min_ms},
-            {"stages", stages_json(sum.stats)}}},
-          {"repeats", report.timing.repeats},
           {"outer", sum.parts.size()},
           {"holes", sum.hole_count()},
           {"vertices", sum.vertex_count()},
@@ -85,7 +80,7 @@ Json sum_json(const SumReport& report) {
             {"kinetic", report.convolution.kinetic},
             {"reduced", report.convolution.reduced}}},
           {"crossings", sum.stats.crossings},
-          {"work", work_json(sum.stats)}};
+          {"work", work_json(sum.stats)}});
   if (report.orientation) json["orientation"] = orientation_json(*report.orientation);
   return json;
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <iosfwd>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,11 +9,10 @@
 #include "dymsum/orientation.h"
 #include "dymsum/planar_sum.h"
 #include "inputs.h"
+#include "json_report.h"
 #include "timing.h"
 
 namespace dymsum::cli {
-
-using Json = nlohmann::ordered_json;
 
 struct SumReport {
   std::string verb;

@@ -135,19 +135,21 @@ std::vector<ScaleEvent> events_of(const Sweep& sweep, const ScaleCommand& comman
 void print_json(const Sweep& sweep, const std::vector<ScaleEvent>& events, double fresh_ms, const std::vector<Input>& inputs, const ScaleCommand& command) {
   const Timing timing = timing_of(sweep.ms);
   const Json list = command.events ? events_json(events) : Json(nullptr);
-  const Json out = {{"inputs", inputs_json(inputs)},
-                    {"tier", sweep.tier},
-                    {"time_ms", {{"median", timing.median_ms}, {"min", timing.min_ms}, {"stages", {{"frames", timing.median_ms}}}}},
-                    {"repeats", command.report.repeat},
-                    {"scaled", command.scaled},
-                    {"robot", command.robot},
-                    {"frames", sweep.frames},
-                    {"static_ms", fresh_ms},
-                    {"update_ms", timing.median_ms},
-                    {"work",
-                     {{"lists_changed", sweep.lists_changed}, {"degenerate_frames", sweep.degenerate}, {"windows", sweep.windows}, {"rebuilt", sweep.rebuilt}}},
-                    {"events", list}};
-  std::cout << out.dump(2) << "\n";
+  Json json = report_head("scale", inputs_json(inputs), sweep.tier, timing, {{"frames", timing.median_ms}});
+  json["repeats"] = command.report.repeat;
+  json.update({{"semantics", command.semantics},
+               {"scaled", command.scaled},
+               {"robot", command.robot},
+               {"frames", sweep.frames},
+               {"static_ms", fresh_ms},
+               {"update_ms", timing.median_ms},
+               {"work",
+                {{"lists_changed", sweep.lists_changed},
+                 {"degenerate_frames", sweep.degenerate},
+                 {"windows", sweep.windows},
+                 {"rebuilt", sweep.rebuilt}}},
+               {"events", list}});
+  print_report(json);
 }
 
 void print_text(const Sweep& sweep, const std::vector<ScaleEvent>& events, double fresh_ms, const std::vector<Input>& inputs, const ScaleCommand& command,

@@ -71,16 +71,15 @@ ExitCode run_copies(const ScaleCommand& command) {
   const CopiesWork work = work_of(sums);
   for (const std::string& file : command.files) write_text(file, copies_picture(master, command.robot ? q : negated(q), copies, sums));
   if (command.report.json) {
-    const Json out = {{"inputs", inputs_json(inputs)},
-                      {"tier", work.tier},
-                      {"time_ms", {{"median", timing.median_ms}, {"min", timing.min_ms}, {"stages", {{"copies", timing.median_ms}}}}},
-                      {"repeats", command.report.repeat},
-                      {"robot", command.robot},
-                      {"copies", copies_json(copies, sums)},
-                      {"static_ms", scratch.median_ms},
-                      {"update_ms", timing.median_ms},
-                      {"work", {{"windows", work.windows}, {"rebuilt", work.rebuilt}}}};
-    std::cout << out.dump(2) << "\n";
+    Json json = report_head("scale", inputs_json(inputs), work.tier, timing, {{"copies", timing.median_ms}});
+    json.update({{"semantics", command.semantics},
+                 {"scaled", command.scaled},
+                 {"robot", command.robot},
+                 {"copies", copies_json(copies, sums)},
+                 {"static_ms", scratch.median_ms},
+                 {"update_ms", timing.median_ms},
+                 {"work", {{"windows", work.windows}, {"rebuilt", work.rebuilt}}}});
+    print_report(json);
   } else {
     std::cout << counted(copies.size(), "copy", "copies") << " of " << inputs[0].file << (command.robot ? " for robot " : " summed with ") << inputs[1].file
               << "\n  all " << timing.median_ms << " ms (least " << timing.min_ms << " ms), each from scratch " << scratch.median_ms << " ms\n  "

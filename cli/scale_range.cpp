@@ -13,6 +13,7 @@
 #include "options.h"
 #include "progress_bar.h"
 #include "report.h"
+#include "tier.h"
 #include "timing.h"
 
 namespace dymsum::cli {
@@ -77,13 +78,12 @@ void print_json(const ScaleRange& range, const Timing& timing, const std::vector
   Json free = Json::array();
   for (const ScaleInterval& i : range.free) free.push_back(interval_json(i));
   const auto trap = range.trap();
-  const Json out = {{"inputs", inputs_json(inputs)},
-                    {"time_ms", {{"median", timing.median_ms}, {"min", timing.min_ms}, {"stages", Json::object()}}},
-                    {"free", free},
-                    {"trap", trap ? Json(trap->to_string()) : Json(nullptr)},
-                    {"critical", range.critical},
-                    {"tested", range.tested}};
-  std::cout << out.dump(2) << "\n";
+  Json json = report_head("scale-range", inputs_json(inputs), tier_of(inputs[0].region, inputs[1].region), timing);
+  json.update({{"free", free},
+               {"trap", trap ? Json(trap->to_string()) : Json(nullptr)},
+               {"critical", range.critical},
+               {"tested", range.tested}});
+  print_report(json);
 }
 
 void print_text(const ScaleRange& range, bool on_path) {

@@ -22,14 +22,12 @@ ExitCode run_solid_convert(const SolidConvert& command) {
     require(write_mesh(input.mesh, command.out));
   }
   if (!command.json) return kDone;
-  const Json report = {{"inputs", solid_inputs_json({input})},
-                       {"tier", tier_of(input.mesh)},
-                       {"time_ms", {{"median", timing.median_ms}, {"min", timing.min_ms}, {"stages", Json::object()}}},
-                       {"output", command.out},
-                       {"shells", input.mesh.shell_count()},
-                       {"vertices", input.mesh.vertices().size()},
-                       {"faces", input.mesh.faces().size()}};
-  std::cout << report.dump(2) << "\n";
+  Json report = report_head("convert", solid_inputs_json({input}), tier_of(input.mesh), timing);
+  report.update({{"output", command.out},
+                 {"shells", input.mesh.shell_count()},
+                 {"vertices", input.mesh.vertices().size()},
+                 {"faces", input.mesh.faces().size()}});
+  print_report(report);
   return kDone;
 }
 

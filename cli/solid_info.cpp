@@ -13,22 +13,16 @@
 namespace dymsum::cli {
 namespace {
 
-Json times(const Timing& timing) {
-  return {{"median", timing.median_ms}, {"min", timing.min_ms}, {"stages", Json::object()}};
-}
-
 Json info_json(const SolidInput& input, const std::optional<Error>& not_convex, const Timing& timing) {
   const Mesh& mesh = input.mesh;
-  Json json = {{"inputs", solid_inputs_json({input})},
-               {"tier", tier_of(mesh)},
-               {"time_ms", times(timing)},
-               {"valid", true},
+  Json json = report_head("info", solid_inputs_json({input}), tier_of(mesh), timing);
+  json.update({{"valid", true},
                {"shells", mesh.shell_count()},
                {"vertices", mesh.vertices().size()},
                {"edges", mesh.edge_count()},
                {"faces", mesh.faces().size()},
                {"triangles", mesh.triangle_count()},
-               {"convex", !not_convex.has_value()}};
+               {"convex", !not_convex.has_value()}});
   if (not_convex) json["not_convex"] = not_convex->to_string();
   json.update({{"volume", volume(mesh)},
                {"area", surface_area(mesh)},
@@ -37,13 +31,11 @@ Json info_json(const SolidInput& input, const std::optional<Error>& not_convex, 
   return json;
 }
 
-Json error_json(const std::string& file, const Error& error, const Timing& timing) {
-  return {{"inputs", Json::array({Json{{"file", file}}})},
-          {"tier", 26},
-          {"time_ms", times(timing)},
-          {"valid", false},
-          {"code", std::string(name(error.code))},
-          {"error", error.to_string()}};
+/// A file that can be read and holds no valid solid.
+Json invalid_json(const Error& error, const Timing& timing) {
+  Json json = report_head("info", Json::array(), 0, timing);
+  json.update({{"valid", false}, {"error", error_json(error)}});
+  return json;
 }
 
 void print_info(const Mesh& mesh, const std::optional<Error>& not_convex) {
@@ -70,9 +62,10 @@ ExitCode run_solid_info(const SolidInfo& command) {
   const auto [mesh, timing] = timed(
       1, [&] { return make_mesh(require(read_mesh(command.file)), command.file, command.input); });
   if (!mesh) {
-    if (command.json) std::cout << error_json(command.file, mesh.error(), timing).dump(2) << "\n";
+    if (command.json) print_report(invalid_json(mesh.error(), timing));
     else std::cout << "not valid (" << name(mesh.error().code) << ")\n";
-    stop_with(mesh.error());
+    std::cerr << mesh.error().to_string() << "\n";
+    return kBadInput;
   }
   const std::optional<Error> not_convex = convexity_error(*mesh);
   {
@@ -80,7 +73,7 @@ ExitCode run_solid_info(const SolidInfo& command) {
     for (const std::string& file : command.pictures) require(write_mesh(*mesh, file));
   }
   if (command.json) {
-    std::cout << info_json({command.file, *mesh}, not_convex, timing).dump(2) << "\n";
+    print_report(info_json({command.file, *mesh}, not_convex, timing));
   } else {
     print_info(*mesh, not_convex);
   }

@@ -87,13 +87,13 @@ ExitCode run_solid_motion(const std::string& verb, const std::vector<SolidInput>
   const Timing timing = timing_of(motion.ms);
   const double fresh = static_ms(*motion.sum);
   if (report.json) {
-    const Json json = {{"inputs", solid_inputs_json(inputs)},
-                       {"tier", motion.sum->tier_bits()},
-                       {"time_ms", {{"median", timing.median_ms}, {"min", timing.min_ms}, {"stages", Json::object()}}},
-                       {"frames", motion.frames},
-                       {"static_ms", fresh},
-                       {"update_ms", timing.median_ms}};
-    std::cout << json.dump(2) << "\n";
+    Json json = report_head(verb, solid_inputs_json(inputs), motion.sum->tier_bits(), timing, {{"frames", timing.median_ms}});
+    json["repeats"] = report.repeat;
+    json.update({{"frames", motion.frames},
+                 {"static_ms", fresh},
+                 {"update_ms", timing.median_ms},
+                 {"work", {{"changed", motion.changed}, {"checked", motion.checked}}}});
+    print_report(json);
     return kDone;
   }
   const auto per_frame = [&](std::uint64_t n) { return double(n) / double(poses.size()); };

@@ -38,12 +38,10 @@ ExitCode run_solid_sum(const SumVerb& verb, const SumCommand& command) {
   for (const std::string& file : command.output.files) texts.push_back(solid_output(sum, file));
   for (std::size_t i = 0; i < texts.size(); ++i) write_text(command.output.files[i], texts[i]);
   if (command.report.json) {
-    Json json = {{"inputs", solid_inputs_json(inputs)},
-                 {"tier", tier},
-                 {"time_ms", {{"median", timing.median_ms}, {"min", timing.min_ms}, {"stages", Json::object()}}},
-                 {"engine", command.engine}};
+    Json json = report_head(verb.name, solid_inputs_json(inputs), tier, timing);
+    json["engine"] = command.engine;
     json.update(solid_sum_json(sum));
-    std::cout << json.dump(2) << "\n";
+    print_report(json);
     return kDone;
   }
   const Json numbers = solid_sum_json(sum);

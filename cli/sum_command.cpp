@@ -108,7 +108,7 @@ ExitCode run_sum(const SumVerb& verb, const SumCommand& command) {
 
   write_sum(operands[0], operands[1], sum, command.output);
   if (command.report.json) {
-    std::cout << sum_json(report).dump(2) << "\n";
+    print_report(sum_json(report));
   } else {
     print_sum(writes_to_stdout(command.output) ? std::cerr : std::cout, report);
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "dymsum/planar_sum.h"
@@ -45,9 +46,8 @@ class Deciding {
   Point low_x_, high_x_, low_y_, high_y_, fine_x_, fine_y_;
 };
 
-}  // namespace
-
-int tier_of(const Region& region) {
+/// Points that ask for the same tier as the region.
+Region deciding_points(const Region& region) {
   Deciding deciding;
   const auto see = [&](const std::vector<Point>& points) {
     for (const Point& p : points) deciding.see(p);
@@ -59,31 +59,64 @@ int tier_of(const Region& region) {
   for (const Polyline& line : region.polylines()) see(line);
   see(region.points());
 
-  RegionData points, origin;
+  RegionData points;
   points.points = deciding.points();
+  return require(Region::create(std::move(points)));
+}
+
+/// The grid that solids need together.
+class SolidGrid {
+ public:
+  void see(const Mesh& mesh) {
+    for (const Point3& p : mesh.vertices()) {
+      for (const double c : {p.x, p.y, p.z}) {
+        unit_ = std::min(unit_, lowest_bit(c));
+        largest_ = std::max(largest_, std::abs(c));
+      }
+    }
+  }
+  int bits() const {
+    if (largest_ == 0) return 0;
+    int exponent = 0;
+    const bool power = std::frexp(largest_, &exponent) == 0.5;
+    return exponent - (power ? 1 : 0) - unit_;
+  }
+  int tier() const { return bits() <= 26 ? 26 : bits() <= 54 ? 54 : 0; }
+
+ private:
+  int unit_ = std::numeric_limits<int>::max();
+  double largest_ = 0;
+};
+
+}  // namespace
+
+int tier_of(const Region& region) {
+  RegionData origin;
   origin.points = {Point{0, 0}};
-  const Region p = require(Region::create(points));
-  return require(minkowski_sum(p, require(Region::create(origin)))).stats.tier_bits;
+  return tier_of(region, require(Region::create(std::move(origin))));
+}
+
+int tier_of(const Region& p, const Region& q) {
+  return require(minkowski_sum(deciding_points(p), deciding_points(q))).stats.tier_bits;
 }
 
 int grid_bits(const Mesh& mesh) {
-  int unit = std::numeric_limits<int>::max();
-  double largest = 0;
-  for (const Point3& p : mesh.vertices()) {
-    for (const double c : {p.x, p.y, p.z}) {
-      unit = std::min(unit, lowest_bit(c));
-      largest = std::max(largest, std::abs(c));
-    }
-  }
-  if (largest == 0) return 0;
-  int exponent = 0;
-  const bool power = std::frexp(largest, &exponent) == 0.5;
-  return exponent - (power ? 1 : 0) - unit;
+  SolidGrid grid;
+  grid.see(mesh);
+  return grid.bits();
 }
 
 int tier_of(const Mesh& mesh) {
-  const int bits = grid_bits(mesh);
-  return bits <= 26 ? 26 : bits <= 54 ? 54 : 0;
+  SolidGrid grid;
+  grid.see(mesh);
+  return grid.tier();
+}
+
+int tier_of(const Mesh& p, const Mesh& q) {
+  SolidGrid grid;
+  grid.see(p);
+  grid.see(q);
+  return grid.tier();
 }
 
 }  // namespace dymsum::cli

@@ -166,9 +166,43 @@ TEST_F(Cli, WrongUsageEndsWithOne) {
         "sum square.wkt square.wkt --nothing"}) {
     const Outcome outcome = work.run(std::string("dymsum ") + arguments + " </dev/null");
     EXPECT_EQ(outcome.code, 1) << arguments << "\n" << outcome.err;
-    EXPECT_EQ(outcome.out, "") << arguments;
+    const bool json = std::string(arguments).find("--json") != std::string::npos;
+    EXPECT_EQ(outcome.out.empty(), !json) << arguments;
     EXPECT_NE(outcome.err, "") << arguments;
   }
+}
+
+TEST_F(Cli, UnknownVerbsAndOptionsAreNamedWithWhatMayBeMeant) {
+  EXPECT_EQ(work.run("dymsum sun square.wkt square.wkt").err.find("dymsum: unknown verb 'sun'; did you mean sum?\n"), 0U);
+  EXPECT_EQ(work.run("dymsum clear a b").err.find("dymsum: unknown verb 'clear'; did you mean clearance?\n"), 0U);
+  const std::string far = work.run("dymsum frobnicate a b").err;
+  EXPECT_EQ(far.find("dymsum: unknown verb 'frobnicate'\nThe verbs are sum nfp erode"), 0U) << far;
+  const std::string option = work.run("dymsum sum square.wkt square.wkt --semantic=open").err;
+  EXPECT_EQ(option.find("dymsum: sum has no option --semantic; did you mean --semantics?\nUsage: dymsum sum P Q"), 0U) << option;
+}
+
+TEST_F(Cli, FailuresAreJsonWhereJsonIsAskedFor) {
+  work.write("bow.wkt", "POLYGON ((0 0, 2 2, 2 0, 0 2, 0 0))");
+  const auto failure = [&](const std::string& command, int code) {
+    const Outcome outcome = work.run(command);
+    EXPECT_EQ(outcome.code, code) << command;
+    EXPECT_NE(outcome.err, "") << command;
+    const Json report = Json::parse(outcome.out);
+    EXPECT_EQ(report["error"]["exit"], code) << command;
+    EXPECT_NE(outcome.err.find(report["error"]["message"].get<std::string>()), std::string::npos) << outcome.err;
+    return report;
+  };
+  const Json crossing = failure("dymsum nfp bow.wkt square.wkt --json", 2);
+  EXPECT_EQ(crossing["verb"], "nfp");
+  EXPECT_EQ(crossing["error"]["code"], "self_crossing");
+  EXPECT_EQ(crossing["error"]["evidence"]["file"], "bow.wkt");
+  EXPECT_EQ(crossing["error"]["evidence"]["ring"], 0);
+  EXPECT_EQ(failure("dymsum sum square.wkt square.wkt --engine slow --json", 1)["error"]["code"], "usage");
+  EXPECT_EQ(failure("dymsum glue --json", 1)["verb"], "glue");
+  EXPECT_TRUE(failure("dymsum --json", 1)["verb"].is_null());
+  const Outcome info = work.run("dymsum info bow.wkt --json");
+  EXPECT_EQ(info.code, 2);
+  EXPECT_EQ(Json::parse(info.out)["shapes"][0]["error"]["code"], "self_crossing") << "one object, the report";
 }
 
 TEST_F(Cli, BadInputEndsWithTwoAndSaysWhere) {

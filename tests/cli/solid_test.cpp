@@ -116,7 +116,7 @@ TEST_F(SolidCli, RepairIsAskedForAndReported) {
   EXPECT_NE(refused.err.find("turned.off: face 0"), std::string::npos) << refused.err;
   const Json invalid = json("dymsum info turned.off --json", 2);
   EXPECT_EQ(invalid["valid"], false);
-  EXPECT_EQ(invalid["code"], "wrong_orientation");
+  EXPECT_EQ(invalid["error"]["code"], "wrong_orientation");
   const Outcome mended = work.run("dymsum convert turned.off right.off --repair");
   EXPECT_EQ(mended.code, 0);
   EXPECT_EQ(mended.err, "turned.off: repaired: 1 face turned over\n");
