@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "exact/rational_text.h"
+#include "planar/rotation/angle_reduction.h"
 #include "planar/rotation/turn.h"
 
 namespace dymsum {
@@ -27,12 +28,6 @@ BigRational simplest(const BigRational& a, const BigRational& b) {
   if (BigRational(BigInteger(floor + 1)) <= b) return BigRational(BigInteger(floor + 1));
   const BigRational inner = simplest(BigRational(1 / BigRational(b - floor)), BigRational(1 / BigRational(a - floor)));
   return BigRational(floor) + 1 / inner;
-}
-
-// theta in (-pi, pi] of any finite angle.
-double reduced(double radians) {
-  const double r = std::remainder(radians, 2 * kPi);
-  return r <= -kPi ? r + 2 * kPi : r;
 }
 
 }  // namespace
@@ -69,7 +64,7 @@ Result<Orientation> Orientation::parse(std::string_view tan_half) {
 
 Result<Orientation> Orientation::nearest(double radians) {
   if (!std::isfinite(radians)) return Error{Code::bad_rotation, "an angle has to be finite", {}};
-  const double theta = reduced(radians);
+  const double theta = planar::reduced_angle(radians);
   if (std::abs(theta) == kPi) return half_turn();
   if (std::abs(theta) == kPi / 2) return of(theta > 0 ? 1 : -1, 1);
   const double t = std::tan(theta / 2);
@@ -81,7 +76,8 @@ Result<Orientation> Orientation::nearest(double radians) {
 
 Result<Orientation> Orientation::nearest(double radians, double error) {
   if (!std::isfinite(radians) || !(error > 0)) return Error{Code::bad_rotation, "an angle has to be finite, and its error positive", {}};
-  const double theta = reduced(radians), e = 0.99 * error;
+  // Less than that by what is rounded here.
+  const double theta = planar::reduced_angle(radians), e = 0.99 * error - 0x1p-50;
   if (e < 0x1p-48) return nearest(radians);
   if (std::abs(theta) <= e) return Orientation{};
   if (std::abs(theta) + e >= kPi) return half_turn();
