@@ -25,10 +25,11 @@ void check_outputs(const std::vector<std::string>& files) {
 
 Json frame_json(const ConvexSum& sum, const std::string& label, double ms) {
   const MotionWork& w = sum.work();
+  const ConvexSum::FacetCount facets = sum.facet_count();
   return {{"pose", label},
-          {"facets", sum.face_vertex_count() + sum.edge_edge_count()},
+          {"facets", facets.all},
           {"volume_exact", sum.volume_exact().to_string()},
-          {"changed", w.facets_added},
+          {"changed", facets.changed},
           {"checked", w.vertex_checks + w.crossing_checks + w.arc_checks},
           {"update_ms", ms}};
 }
@@ -46,8 +47,8 @@ Motion run(const std::vector<SolidInput>& inputs, const std::vector<SolidFramePo
   Motion motion;
   for (std::size_t round = 0; round < report.repeat; ++round) {
     motion.sum = require(ConvexSum::create(inputs[0].mesh, inputs[1].mesh));
-    const std::size_t facets = motion.sum->face_vertex_count() + motion.sum->edge_edge_count();
-    const std::size_t most = std::clamp<std::size_t>(kMostPicturedFacets / std::max<std::size_t>(facets, 1), 1, kMostPictures);
+    const std::size_t facets = motion.sum->facet_count().all;
+    const std::size_t most = std::clamp<std::size_t>(kMostPicturedFacets / facets, 1, kMostPictures);
     const std::size_t every = (poses.size() + most - 1) / most;
     const bool last = round + 1 == report.repeat;
     for (std::size_t i = 0; i < poses.size(); ++i) {
@@ -55,7 +56,7 @@ Motion run(const std::vector<SolidInput>& inputs, const std::vector<SolidFramePo
       const auto [work, timing] = timed(1, [&] { return motion.sum->set(poses[i].p, poses[i].q); });
       motion.ms.push_back(timing.median_ms);
       if (!last) continue;
-      motion.changed += work.facets_added;
+      motion.changed += motion.sum->facet_count().changed;
       motion.checked += work.vertex_checks + work.crossing_checks + work.arc_checks;
       if (report.json) motion.frames.push_back(frame_json(*motion.sum, poses[i].label, timing.median_ms));
       if (pictures && i % every == 0) motion.pictures.push_back({poses[i].label, motion.sum->sum()});
@@ -100,7 +101,7 @@ ExitCode run_solid_motion(const std::string& verb, const std::vector<SolidInput>
   std::cout << verb << " of " << inputs[0].file << " and " << inputs[1].file << ", " << counted(poses.size(), "frame") << "\n  update " << timing.median_ms
             << " ms (median, least " << timing.min_ms << " ms), from scratch " << fresh << " ms\n  a frame checks " << per_frame(motion.checked)
             << " features and changes " << per_frame(motion.changed) << " of "
-            << motion.sum->face_vertex_count() + motion.sum->edge_edge_count() << " facets\n";
+            << motion.sum->facet_count().all << " facets\n";
   return kDone;
 }
 

@@ -49,7 +49,7 @@ struct SolidSum {
     friend auto operator<=>(const Vertex&, const Vertex&) = default;
   };
   std::vector<Vertex> vertices;
-  std::vector<Point3> at;  ///< their positions, each coordinate the double nearest to the exact value
+  std::vector<Point3> at;  ///< their positions, each coordinate the double nearest to the exact value; infinite past the range of doubles
   std::vector<SolidFacet> facets;
   SolidPose p_pose, q_pose;
 
@@ -60,7 +60,7 @@ struct SolidSum {
   std::size_t edge_count() const;
   double volume() const;  ///< nearest to the exact one
   Rational volume_exact() const;  ///< from the facets, in exact arithmetic
-  double area() const;
+  double area() const;  ///< of the exact facets, with a relative error below 1e-14
 
   friend bool operator==(const SolidSum& a, const SolidSum& b) {
     return a.vertices == b.vertices && a.facets == b.facets && a.p_pose == b.p_pose && a.q_pose == b.q_pose;
@@ -78,7 +78,7 @@ enum class ConvexEngine : std::uint8_t {
   brute,  ///< all pairs of features, thesis section 5.2: the reference
 };
 
-/// P (+) Q for convex solids. Errors: not_convex with the reflex edge, no_area for an empty operand, unsupported_operand for coordinates beyond 2^250.
+/// P (+) Q for convex solids of any size. Errors: not_convex with the reflex edge, no_area for an empty operand.
 /// Cost: O(m + n + k) walking steps for m and n faces and k facets; brute O(m n).
 Result<SolidSum> convex_sum(const Mesh& p, const Mesh& q, const SolidPose& p_pose = {}, const SolidPose& q_pose = {},
                             ConvexEngine engine = ConvexEngine::walk);
@@ -91,7 +91,7 @@ struct MotionWork {
   std::uint64_t arc_checks = 0;     ///< edges whose arcs were walked again where they may have changed
   std::uint64_t arcs_changed = 0;   ///< of these, changed
   std::uint64_t steps = 0;          ///< from vertex to vertex, in all walks
-  std::uint64_t facets_added = 0, facets_removed = 0;
+  std::uint64_t facets_added = 0, facets_removed = 0;  ///< of the generic sum, before coplanar facets merge
   std::uint64_t exact_signs = 0;    ///< that doubles did not decide
   friend bool operator==(const MotionWork&, const MotionWork&) = default;
 };
@@ -99,9 +99,9 @@ struct MotionWork {
 /// How deep a point lies in a sum.
 struct ConvexDepth {
   bool inside = false;      ///< in the interior
-  double depth = 0;         ///< distance to the nearest facet's plane, rounded; 0 when not inside
+  double depth = 0;         ///< distance to the nearest facet's plane, to the nearest double; 0 when not inside
   Rational depth_squared;   ///< exact
-  Point3 direction;         ///< unit outward normal of that facet, rounded: move the point by depth * direction
+  Point3 direction;         ///< unit outward normal of that facet, with an error below 2^-50: move the point by depth * direction
   SolidFeature p, q;        ///< the facet
 };
 
@@ -138,12 +138,20 @@ class ConvexSum {
   /// Sizes of the generic sum, before coplanar facets merge: face + vertex of either kind, edge + edge.
   std::size_t face_vertex_count() const;
   std::size_t edge_edge_count() const;
+  /// How many facets sum() has, coplanar ones whole, and how many of them the last move brought.
+  struct FacetCount {
+    std::size_t all = 0, changed = 0;
+  };
+  /// O(size), without making the sum. Requires merged operands, as `create` makes them by default.
+  FacetCount facet_count() const;
 
   /// The sum at the current poses. O(size log size).
   SolidSum sum() const;
   /// From mixed volumes, O(faces): independent of the facets.
   Rational volume_exact() const;
-  double volume() const;  ///< rounded along the way, relative error about 1e-12
+  /// With a relative error of at most 1e-12, wherever and of whatever shape the operands are; beyond the range of doubles infinite, below
+  /// that of ordinary ones to the nearest. O(faces); in exact arithmetic for solids much thinner than long.
+  double volume() const;
   /// Memory held, operands included (without what lies behind arbitrary precision).
   std::size_t bytes() const;
   /// Whether the combinatorics are those of another sum of the same operands.
@@ -154,8 +162,10 @@ class ConvexSum {
     SolidSum::Vertex vertex;
     Point3 at;
   };
+  /// Requires a finite direction (else std::invalid_argument).
   Support support(Point3 direction) const;
-  /// How deep a point lies, with the facet that is nearest: a global minimum, exact. O(facets).
+  /// How deep a point lies, with the facet that is nearest: a global minimum, exact, of solids of any size. O(facets). Requires a finite point
+  /// (else std::invalid_argument).
   ConvexDepth depth(Point3 point = {}) const;
 
   class State;  ///< internal
@@ -166,13 +176,13 @@ class ConvexSum {
 };
 
 /// The penetration depth of two convex solids: the shortest translation of Q that separates them, by P (+) -Q. `inside` is whether their interiors
-/// meet.
+/// meet. Errors: as convex_sum; not_finite for a translation that is not finite.
 Result<ConvexDepth> penetration_depth(const Mesh& p, const Mesh& q, const SolidPose& p_pose = {}, const SolidPose& q_pose = {},
                                       Point3 q_moved_by = {});
 
 /// What a batch reports for one pose of P.
 struct PoseReport {
-  std::size_t facets = 0;  ///< of the generic sum
+  std::size_t facets = 0;  ///< of the sum, coplanar ones whole
   double volume = 0;
   Point3 support;
   ConvexDepth depth;

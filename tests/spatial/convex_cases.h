@@ -64,6 +64,13 @@ inline Mesh spindle(int sides) {
   return *convex_hull(at);
 }
 
+/// A box with corners at any doubles.
+inline Mesh free_box(Point3 low, Point3 high) {
+  std::vector<Point3> at;
+  for (int k = 0; k < 8; ++k) at.push_back({k & 1 ? high.x : low.x, k & 2 ? high.y : low.y, k & 4 ? high.z : low.z});
+  return *convex_hull(at);
+}
+
 inline Mesh cube(double half) { return solids::box(-half, -half, -half, half, half, half); }
 
 /// Every edge has two facets that run through it in opposite directions, and Euler's formula holds.

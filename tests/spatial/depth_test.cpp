@@ -1,6 +1,11 @@
 // Penetration depth against all facets of the sum, in exact arithmetic.
+#include <filesystem>
+#include <string>
+
 #include "convex_cases.h"
+#include "dymsum/mesh_io.h"
 #include "exact/big.h"
+#include "exact/square_root.h"
 
 namespace dymsum::test {
 namespace {
@@ -73,11 +78,7 @@ TEST(ConvexDepth, deep_in_a_sum_with_all_facets_equally_far) {
 TEST(ConvexDepth, where_doubles_cannot_tell_the_nearest) {
   // 1.5 along x, 2^-50 less along y; of the second box, the faces across y are larger than those across x.
   const double y = 1.25 - 0x1p-50;
-  const auto box = [](double hx, double hy, double hz) {
-    std::vector<Point3> at;
-    for (int k = 0; k < 8; ++k) at.push_back({k & 1 ? hx : -hx, k & 2 ? hy : -hy, k & 4 ? hz : -hz});
-    return *convex_hull(at);
-  };
+  const auto box = [](double hx, double hy, double hz) { return free_box({-hx, -hy, -hz}, {hx, hy, hz}); };
   const Mesh p = box(1, y, 4), q = box(0.5, 0.25, 0.25);
   const BigRational least = exact::exact_value(1.5 - 0x1p-50);
   for (const bool swapped : {false, true}) {
@@ -111,6 +112,109 @@ TEST(ConvexDepth, of_solids_of_any_size) {
       EXPECT_EQ(exponent < 0 ? BigRational(sized * factor) : BigRational(sized / factor), one) << k << " " << exponent;
     }
   }
+}
+
+Mesh sized_cube(double half) { return free_box({-half, -half, -half}, {half, half, half}); }
+
+TEST(ConvexDepth, of_tiny_and_huge_cubes_is_right) {
+  for (const double half : {1e-160, 1e-170, 1e-300, 3e-308, 4e-320, 5e-324, 1e150, 1e154, 1e155, 0x1p1000}) {
+    const Mesh c = sized_cube(half);
+    const Result<ConvexDepth> d = penetration_depth(c, c);
+    ASSERT_TRUE(d) << half << ": " << d.error().to_string();
+    EXPECT_TRUE(d->inside) << half;
+    EXPECT_EQ(d->depth, 2 * half);
+    const BigRational side = 2 * exact::exact_value(half);
+    EXPECT_EQ(exact::exact_value(d->depth_squared), side * side) << half;
+  }
+  // Far smaller than the other one, and far away.
+  const Mesh tiny = sized_cube(0x1p-1000), huge = sized_cube(0x1p1000);
+  EXPECT_EQ(penetration_depth(tiny, huge)->depth, 0x1p1000);
+  EXPECT_FALSE(penetration_depth(tiny, tiny, {}, {}, {0x1p1000, 0, 0})->inside);
+  EXPECT_EQ(penetration_depth(huge, tiny, {}, {}, {0x1p1000, 0, 0})->depth, 0x1p-1000) << "the tiny one sits on a face";
+}
+
+/// `mesh` with coordinates of `bits` bits times 2^exponent, in general position; subnormal for exponents near -1074.
+Mesh rough_solid(std::mt19937_64& random, int points, int bits, int exponent) {
+  std::uniform_int_distribution<std::int64_t> grid(-(std::int64_t{1} << bits), std::int64_t{1} << bits);
+  for (;;) {
+    std::vector<Point3> at;
+    const auto c = [&] { return std::ldexp(static_cast<double>(grid(random)), exponent); };
+    for (int i = 0; i < points; ++i) at.push_back({c(), c(), c()});
+    Result<Mesh> hull = convex_hull(at);
+    if (hull) return std::move(hull).value();
+  }
+}
+
+TEST(ConvexDepth, of_subnormal_huge_and_mixed_coordinates) {
+  std::mt19937_64 random(34);
+  struct Sizes {
+    int bits, p, q;
+  };
+  const std::vector<Sizes> sizes{{4, -1074, -1074}, {20, -1074, -1074}, {40, -1074, -1070}, {52, -1074, -1050}, {30, -600, -560}, {30, 960, 970}, {40, 400, 395}, {20, -1074, 900}};
+  const std::vector<Scale> factors{Scale(), *Scale::parse("3/7"), *Scale::of(0x1p-64), *Scale::of(0x1p64)};
+  for (int k = 0; k < 96; ++k) {
+    const Sizes& s = sizes[static_cast<std::size_t>(k) % sizes.size()];
+    const Mesh p = rough_solid(random, 5 + k % 4, s.bits, s.p), q = rough_solid(random, 5, s.bits, s.q);
+    ConvexSum sum = *ConvexSum::create(p, negated(q));
+    SolidPose pose;
+    if (k % 3 > 0) pose.rotation = random_rotation(random);
+    if (k % 4 == 3) pose.scale = {factors[k % 3], factors[(k / 3) % 4], factors[(k / 5) % 4]};
+    sum.set(pose);
+    std::uniform_int_distribution<std::int64_t> grid(-(std::int64_t{1} << s.bits), std::int64_t{1} << s.bits);
+    const auto c = [&] { return std::ldexp(static_cast<double>(grid(random)), std::max(s.p, s.q) - k % 2); };
+    const Point3 x{c(), c(), c()};
+    const ConvexDepth depth = sum.depth(x);
+    const BigRational truth = least_signed_square(sum.sum(), x);
+    ASSERT_EQ(depth.inside, truth > 0) << "case " << k;
+    if (truth > 0) {
+      EXPECT_EQ(exact::exact_value(depth.depth_squared), truth) << "case " << k;
+      // The square of the nearest double is nearest to the truth, up to half of the last place.
+      const BigRational d = exact::exact_value(depth.depth), up = exact::exact_value(std::nextafter(depth.depth, 1e308)),
+                        down = exact::exact_value(std::nextafter(depth.depth, 0));
+      EXPECT_LE((d + down) * (d + down), 4 * truth) << "case " << k;
+      EXPECT_GE((d + up) * (d + up), 4 * truth) << "case " << k;
+    } else {
+      EXPECT_EQ(depth.depth, 0) << "case " << k;
+    }
+  }
+}
+
+TEST(ConvexDepth, the_direction_is_that_of_the_facet_where_edges_are_nearly_parallel) {
+  // Two needles whose long edges differ by 2^-40: doubles lose the cross product of their directions, exact numbers do not.
+  const auto needle = [](double lean) {
+    return *convex_hull(std::vector<Point3>{{-1, -lean, 0}, {1, lean, 0}, {-1, -lean, -0x1p-20}, {1, 0.25, -0x1p-20}, {1, -0.25, -0x1p-20}});
+  };
+  const ConvexDepth d = *penetration_depth(needle(0), negated(needle(0x1p-40)));
+  ASSERT_TRUE(d.inside || d.depth == 0);
+  const double size = std::sqrt(d.direction.x * d.direction.x + d.direction.y * d.direction.y + d.direction.z * d.direction.z);
+  EXPECT_NEAR(size, 1, 1e-15);
+}
+
+TEST(ConvexDepth, points_that_are_no_places_are_refused) {
+  const double nan = std::nan(""), inf = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(penetration_depth(cube(1), cube(1), {}, {}, {nan, 0, 0}).error().code, Code::not_finite);
+  EXPECT_EQ(penetration_depth(cube(1), cube(1), {}, {}, {0, inf, 0}).error().code, Code::not_finite);
+  const ConvexSum sum = *ConvexSum::create(cube(1), cube(1));
+  EXPECT_THROW((void)sum.depth({0, 0, inf}), std::invalid_argument);
+  EXPECT_THROW((void)sum.support({0, nan, 0}), std::invalid_argument);
+}
+
+TEST(ConvexDepth, of_every_hard_case_of_the_corpus) {
+  std::size_t found = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(std::string(DYMSUM_CORPUS_DIR) + "/convex")) {
+    const std::string name = entry.path().filename().string();
+    const Mesh mesh = *Mesh::create(*read_mesh(entry.path().string()));
+    const ConvexSum sum = *ConvexSum::create(mesh, negated(mesh));
+    const SolidSum whole = sum.sum();
+    const ConvexDepth depth = sum.depth();
+    EXPECT_TRUE(depth.inside) << name;
+    EXPECT_EQ(exact::exact_value(depth.depth_squared), least_signed_square(whole, {})) << name;
+    EXPECT_EQ(depth.depth, exact::root_to_double(exact::exact_value(depth.depth_squared))) << name;
+    EXPECT_EQ(sum.facet_count().all, whole.facets.size()) << name;
+    EXPECT_NEAR(sum.volume(), whole.volume(), 1e-12 * whole.volume()) << name;
+    ++found;
+  }
+  EXPECT_GE(found, 5u);
 }
 
 TEST(PoseBatch, reports_what_single_sums_say_in_the_order_given) {

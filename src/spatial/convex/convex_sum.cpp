@@ -5,6 +5,7 @@
 
 #include "spatial/convex/assemble.h"
 #include "spatial/convex/convex_state.h"
+#include "spatial/convex/facet_count.h"
 #include "spatial/convex/mixed_volume.h"
 #include "spatial/convex/place_sum.h"
 
@@ -79,6 +80,7 @@ int ConvexSum::tier_bits() const {
 }
 std::size_t ConvexSum::face_vertex_count() const { return state_->p->face_count() + state_->q->face_count(); }
 std::size_t ConvexSum::edge_edge_count() const { return state_->overlay.crossing_count(); }
+ConvexSum::FacetCount ConvexSum::facet_count() const { return spatial::count_facets(state_->overlay); }
 std::size_t ConvexSum::bytes() const {
   std::size_t total = sizeof(*state_) - sizeof(spatial::Overlay) + state_->overlay.bytes() + state_->p->bytes() + state_->q->bytes();
   for (const std::vector<Point3>& v : state_->source->vertices) total += v.capacity() * sizeof(Point3);
@@ -99,7 +101,10 @@ SolidSum ConvexSum::sum() const {
 Rational ConvexSum::volume_exact() const {
   return exact::to_rational(spatial::exact_mixed_volume(state_->overlay, state_->p_pose, state_->q_pose));
 }
-double ConvexSum::volume() const { return spatial::mixed_volume(state_->overlay, state_->p_factors, state_->q_factors); }
+double ConvexSum::volume() const {
+  if (const std::optional<double> v = spatial::mixed_volume(state_->overlay, state_->p_factors, state_->q_factors)) return *v;
+  return exact::round_to_double(spatial::exact_mixed_volume(state_->overlay, state_->p_pose, state_->q_pose));
+}
 
 Result<SolidSum> convex_sum(const Mesh& p, const Mesh& q, const SolidPose& p_pose, const SolidPose& q_pose, ConvexEngine engine) {
   Result<ConvexSum> sum = ConvexSum::create(p, q);

@@ -2,6 +2,8 @@
 // V(P + Q) = V(P) + sum over faces f of P of |f| h_Q(n_f) + sum over faces g of Q of |g| h_P(n_g) + V(Q), with support functions h (Minkowski).
 #pragma once
 
+#include <optional>
+
 #include "dymsum/rotation.h"
 #include "exact/big.h"
 #include "spatial/convex/overlay.h"
@@ -9,11 +11,9 @@
 namespace dymsum::spatial {
 
 exact::BigRational exact_mixed_volume(const Overlay& overlay, const SolidPose& p, const SolidPose& q);
-double mixed_volume(const Overlay& overlay, const PoseFactors& p, const PoseFactors& q);
-
-/// rotation diag(scale) in doubles, every entry with relative error below 2^-49.
-Mat3 pose_matrix(const PoseFactors& pose);
-/// det(m) m^-T: what m makes of area vectors and normals.
-Mat3 cofactors(const Mat3& m);
+/// The same in doubles, with a relative error of at most kMixedVolumeError; nothing where that cannot be told, as of
+/// solids much thinner than long.
+std::optional<double> mixed_volume(const Overlay& overlay, const PoseFactors& p, const PoseFactors& q);
+constexpr double kMixedVolumeError = 0x1p-41;
 
 }  // namespace dymsum::spatial

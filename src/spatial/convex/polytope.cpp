@@ -7,6 +7,8 @@
 #include <unordered_map>
 
 #include "exact/grid.h"
+#include "spatial/convex/compensated_sum.h"
+#include "spatial/convex/rounded_vector.h"
 
 namespace dymsum::spatial {
 namespace {
@@ -15,11 +17,11 @@ using exact::Big;
 
 constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
-void put_on_grid(Polytope& p) {
+void put_on_grid(const std::vector<Point3>& vertices, Polytope& p) {
   std::vector<double> all;
-  all.reserve(3 * p.at.size());
+  all.reserve(3 * vertices.size());
   double most = 0;
-  for (const Vec3& v : p.at)
+  for (const Point3& v : vertices)
     for (const double c : {v.x, v.y, v.z}) {
       all.push_back(c);
       most = std::max(most, std::abs(c));
@@ -28,10 +30,10 @@ void put_on_grid(Polytope& p) {
   p.bits = exact::bits_needed(most, p.exponent);
   if (p.bits <= 61) {
     const auto on = [&](double c) { return exact::grid_coordinate<exact::Int<61>>(c, p.exponent).raw(); };
-    for (const Vec3& v : p.at) p.grid.push_back({on(v.x), on(v.y), on(v.z)});
+    for (const Point3& v : vertices) p.grid.push_back({on(v.x), on(v.y), on(v.z)});
   } else {
     const auto on = [&](double c) { return exact::grid_coordinate<Big>(c, p.exponent); };
-    for (const Vec3& v : p.at) p.big.push_back({on(v.x), on(v.y), on(v.z)});
+    for (const Point3& v : vertices) p.big.push_back({on(v.x), on(v.y), on(v.z)});
   }
 }
 
@@ -135,13 +137,12 @@ struct Numbering {
   std::vector<std::uint32_t> vertex, half_edge, face;  // of the soup, kNone where dropped
 };
 
-Numbering number(Polytope& p, const Soup& s, const Merging& merging, const std::vector<std::uint32_t>& group, const Polytope& all) {
-  Numbering to{std::vector<std::uint32_t>(all.at.size(), kNone), std::vector<std::uint32_t>(s.origin.size(), kNone),
+Numbering number(Polytope& p, const Soup& s, const Merging& merging, const std::vector<std::uint32_t>& group, const Polytope& all, std::uint32_t vertices) {
+  Numbering to{std::vector<std::uint32_t>(vertices, kNone), std::vector<std::uint32_t>(s.origin.size(), kNone),
                std::vector<std::uint32_t>(group.size(), kNone)};
-  for (std::uint32_t v = 0; v < all.at.size(); ++v) {
+  for (std::uint32_t v = 0; v < vertices; ++v) {
     if (!merging.is_vertex(v)) continue;
     to.vertex[v] = p.vertex_count();
-    p.at.push_back(all.at[v]);
     if (all.big.empty()) {
       p.grid.push_back(all.grid[v]);
     } else {
@@ -182,7 +183,7 @@ void link(Polytope& p, const Soup& s, const Merging& merging, const std::vector<
 void make_rings(Polytope& p) {
   std::vector<HalfEdge> previous(p.next.size());
   for (HalfEdge h = 0; h < p.next.size(); ++h) previous[p.next[h]] = h;
-  std::vector<HalfEdge> some(p.at.size(), kNone);
+  std::vector<HalfEdge> some(p.vertex_count(), kNone);
   for (HalfEdge h = 0; h < p.next.size(); ++h)
     if (some[p.origin[h]] == kNone) some[p.origin[h]] = h;
   for (std::uint32_t v = 0; v < p.vertex_count(); ++v) {
@@ -194,30 +195,6 @@ void make_rings(Polytope& p) {
     } while (h != some[v]);
   }
   p.ring_start.push_back(static_cast<std::uint32_t>(p.ring.size()));
-}
-
-/// The unit vector of an exact one. Components are rounded once each (2^-52), their scaling to a common power of two is exact, and the
-/// length has relative error below 2^-51: together below 2^-50.
-template <class T>
-Vec3 unit(const exact::Vector3<T>& v) {
-  Vec3 d;
-  if constexpr (std::is_same_v<T, Big>) {
-    int top = 0;
-    for (const Big* c : {&v.x, &v.y, &v.z})
-      if (sign(*c) != 0) top = std::max(top, static_cast<int>(msb(boost::multiprecision::abs(c->value()))));
-    const auto small = [&](const Big& c) {
-      const exact::BigInteger m = boost::multiprecision::abs(c.value());
-      const int drop = std::max(0, top - 120);  // what is cut is below 2^-120 of the largest component
-      return to_double(Big(exact::BigInteger(m >> drop))) * (sign(c) < 0 ? -1.0 : 1.0);
-    };
-    d = {small(v.x), small(v.y), small(v.z)};
-  } else {
-    d = {to_double(v.x), to_double(v.y), to_double(v.z)};
-  }
-  const double most = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
-  const double s = exact::power_of_two(-std::ilogb(most));
-  d = s * d;
-  return (1 / length(d)) * d;
 }
 
 void make_units(Polytope& p, std::uint32_t edges) {
@@ -256,23 +233,45 @@ void make_eights(Polytope& p) {
   }
 }
 
-void measure(Polytope& p) {
-  const Vec3 centre = p.at[0];
+/// The triangles of a face's fan, seen from a corner, all turn the same way, and seen from a vertex all are in front of
+/// it: nothing that is added cancels.
+template <class C>
+void measure_as(Polytope& p) {
+  const exact::Vector3<C> centre = p.place<C>(0);
+  for (std::uint32_t v = 0; v < p.vertex_count(); ++v) p.size = std::max(p.size, bit_length(p.place<C>(v) - centre));
+  for (std::uint32_t v = 0; v < p.vertex_count(); ++v) p.from_first.push_back(rounded(p.place<C>(v) - centre, -p.size));
+  CompensatedSum volume, area;
   for (std::uint32_t f = 0; f < p.face_count(); ++f) {
-    const Vec3 a = p.at[p.origin[p.first[f]]];
-    Vec3 twice;
-    for (HalfEdge h = p.next[p.first[f]]; p.next[h] != p.first[f]; h = p.next[h])
-      twice = twice + cross(p.at[p.origin[h]] - a, p.at[p.target(h)] - a);
-    p.area.push_back(0.5 * twice);
-    p.volume += dot(p.area.back(), a - centre) / 3;
+    const auto a = p.place<C>(p.origin[p.first[f]]);
+    std::array<CompensatedSum, 3> twice;
+    for (HalfEdge h = p.next[p.first[f]]; p.next[h] != p.first[f]; h = p.next[h]) {
+      const auto n = exact::cross(p.place<C>(p.origin[h]) - a, p.place<C>(p.target(h)) - a);
+      const Vec3 rounded_n = rounded(n, -2 * p.size);
+      twice[0].add(rounded_n.x);
+      twice[1].add(rounded_n.y);
+      twice[2].add(rounded_n.z);
+      volume.add(rounded(exact::dot(n, a - centre), -3 * p.size));
+    }
+    p.area.push_back(0.5 * Vec3{twice[0].value(), twice[1].value(), twice[2].value()});
+    area.add(length(p.area.back()));
   }
+  p.volume = volume.value() / 6;
+  p.total_area = area.value() * (1 + 0x1p-40);
+  p.size += p.exponent;
+}
+
+void measure(Polytope& p) {
+  with_coordinates(p, [&](auto c) {
+    measure_as<decltype(c)>(p);
+    return 0;
+  });
 }
 
 }  // namespace
 
 std::size_t Polytope::bytes() const {
   const auto of = [](const auto&... v) { return (std::size_t{0} + ... + (v.capacity() * sizeof(v[0]))); };
-  return sizeof(*this) + of(at, grid, big, source_vertex, ring_start, ring, ring_direction, ring_face, ring_normal, eight, sides, origin, face, next, direction, normal, area, first,
+  return sizeof(*this) + of(from_first, grid, big, source_vertex, ring_start, ring, ring_direction, ring_face, ring_normal, eight, sides, origin, face, next, direction, normal, area, first,
                             source_face);
 }
 
@@ -281,21 +280,8 @@ Result<Polytope> make_polytope(const Mesh& mesh, bool merge) {
   const MeshData& data = mesh.data();
   if (!merge && !std::all_of(data.faces.begin(), data.faces.end(), [](const Face& f) { return f.size() == 3; }))
     return Error{Code::unsupported_operand, "without merging, all faces have to be triangles", {}};
-  // Scaled by 2^64 and added, the volume of a sum and the square of a depth still are doubles.
-  constexpr double kMost = 0x1p250;
-  for (std::size_t v = 0; v < data.vertices.size(); ++v) {
-    const Point3& at = data.vertices[v];
-    if (std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)}) <= kMost) continue;
-    Error error{Code::unsupported_operand, "a coordinate is beyond 2^250", {}};
-    error.evidence.vertex = static_cast<std::int64_t>(v);
-    error.evidence.x = at.x;
-    error.evidence.y = at.y;
-    error.evidence.z = at.z;
-    return error;
-  }
   Polytope all;
-  for (const Point3& v : data.vertices) all.at.push_back({v.x, v.y, v.z});
-  put_on_grid(all);
+  put_on_grid(data.vertices, all);
   const Soup soup = half_edges(data);
   const std::vector<std::uint32_t> group = coplanar_groups(all, soup, data.faces.size(), merge);
   const Merging merging(soup, group, data.vertices.size());
@@ -303,7 +289,7 @@ Result<Polytope> make_polytope(const Mesh& mesh, bool merge) {
   Polytope p;
   p.bits = all.bits;
   p.exponent = all.exponent;
-  const Numbering to = number(p, soup, merging, group, all);
+  const Numbering to = number(p, soup, merging, group, all, static_cast<std::uint32_t>(data.vertices.size()));
   const auto edges = static_cast<std::uint32_t>(std::count_if(to.half_edge.begin(), to.half_edge.end(), [](std::uint32_t h) { return h != kNone; }) / 2);
   link(p, soup, merging, group, to, edges);
   make_rings(p);

@@ -23,7 +23,7 @@ constexpr HalfEdge twin(HalfEdge h) { return h ^ 1; }
 /// Only true vertices, edges and faces, unless it was made without merging: then flat edges and vertices stay.
 struct Polytope {
   // Vertices.
-  std::vector<Vec3> at;                              // as given, exact
+  std::vector<Vec3> from_first;                      // place less that of vertex 0, in units of 2^size: components at most 1, relative error below 2^-52
   std::vector<std::array<std::int64_t, 3>> grid;     // on the grid, when bits <= 61
   std::vector<exact::Vector3<exact::Big>> big;       // on the grid, otherwise
   std::vector<std::uint32_t> source_vertex;          // number in the mesh it was made from
@@ -40,14 +40,16 @@ struct Polytope {
   std::vector<std::array<double, 6>> sides;          // of each edge, the normals of its left and its right face: x, x, y, y, z, z
   std::vector<Vec3> direction;                       // unit vector of each edge, error below 2^-50
   std::vector<Vec3> normal;                          // outward unit vector of each face, error below 2^-50
-  std::vector<Vec3> area;                            // outward area vector of each face, rounded
+  std::vector<Vec3> area;                            // outward area vector of each face, in units of 4^size; relative error of every component below 2^-50
   std::vector<HalfEdge> first;                       // a half-edge of each face at a strictly convex corner
   std::vector<std::uint32_t> source_face;            // the smallest number of the mesh's faces that it was merged from
-  double volume = 0;                                 // rounded
+  double volume = 0;                                 // in units of 8^size, relative error below 2^-50
+  double total_area = 0;                             // at least the lengths of all of area together, by at most 2^-40 more
   int bits = 0;                                      // |grid| <= 2^bits
   int exponent = 0;                                  // grid unit 2^exponent
+  int size = 0;                                      // no vertex is further than 2^size from vertex 0 along an axis
 
-  std::uint32_t vertex_count() const { return static_cast<std::uint32_t>(at.size()); }
+  std::uint32_t vertex_count() const { return static_cast<std::uint32_t>(source_vertex.size()); }
   std::uint32_t edge_count() const { return static_cast<std::uint32_t>(direction.size()); }
   std::uint32_t face_count() const { return static_cast<std::uint32_t>(normal.size()); }
   std::uint32_t target(HalfEdge h) const { return origin[twin(h)]; }

@@ -20,7 +20,7 @@ Result<std::vector<PoseReport>> pose_batch(const Mesh& p, const Mesh& q, std::sp
     ConvexSum mine = *sum;
     for (std::size_t i = poses.size() * part / parts; i < poses.size() * (part + 1) / parts && !stop; ++i) {
       mine.set(poses[order[i]]);
-      reports[order[i]] = {mine.face_vertex_count() + mine.edge_edge_count(), mine.volume(), mine.support(options.support_direction).at,
+      reports[order[i]] = {mine.facet_count().all, mine.volume(), mine.support(options.support_direction).at,
                            mine.depth(options.depth_point)};
       if (!options.progress) continue;
       const std::lock_guard lock(progress_mutex);

@@ -1,18 +1,20 @@
 // Positions and measures of an assembled sum.
+#include <algorithm>
 #include <cmath>
 
+#include "spatial/convex/compensated_sum.h"
 #include "spatial/convex/exact_places.h"
 #include "spatial/convex/place_sum.h"
-#include "spatial/convex/vec3.h"
+#include "spatial/convex/rounded_vector.h"
 
 namespace dymsum {
 namespace {
 
+using exact::Big;
 using exact::BigInteger;
 using exact::BigRational;
 using spatial::BigVector;
 using spatial::ExactPlaces;
-using spatial::Vec3;
 
 /// The numerators of all vertices.
 std::vector<BigVector> numerators(const SolidSum& sum, const ExactPlaces& places) {
@@ -35,6 +37,8 @@ std::vector<BigVector> numerators(const SolidSum& sum, const ExactPlaces& places
   }
   return all;
 }
+
+exact::Vector3<Big> big_vector(const BigVector& v) { return {Big(v[0]), Big(v[1]), Big(v[2])}; }
 
 BigInteger determinant(const BigVector& a, const BigVector& b, const BigVector& c) {
   return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
@@ -91,15 +95,24 @@ Rational SolidSum::volume_exact() const { return exact::to_rational(volume_of(*t
 double SolidSum::volume() const { return exact::round_to_double(volume_of(*this)); }
 
 double SolidSum::area() const {
-  double twice = 0;
-  const auto vec = [&](std::uint32_t v) { return Vec3{at[v].x, at[v].y, at[v].z}; };
+  if (vertices.empty()) return 0;
+  const ExactPlaces places(*source, p_pose, q_pose);
+  const std::vector<BigVector> at = numerators(*this, places);
+  std::vector<exact::Vector3<Big>> twice;
+  int top = 0;
   for (const SolidFacet& f : facets) {
-    Vec3 total;
-    for (std::size_t i = 1; i + 1 < f.vertices.size(); ++i)
-      total = total + cross(vec(f.vertices[i]) - vec(f.vertices[0]), vec(f.vertices[i + 1]) - vec(f.vertices[0]));
-    twice += length(total);
+    exact::Vector3<Big>& total = twice.emplace_back();
+    const auto from_first = [&](std::size_t i) { return big_vector(at[f.vertices[i]]) - big_vector(at[f.vertices[0]]); };
+    for (std::size_t i = 1; i + 1 < f.vertices.size(); ++i) total = total + exact::cross(from_first(i), from_first(i + 1));
+    top = std::max(top, spatial::bit_length(total));
   }
-  return twice / 2;
+  spatial::CompensatedSum sum;
+  for (const exact::Vector3<Big>& n : twice) sum.add(length(spatial::rounded(n, -top)));
+  // Of the positions' unit, a power of two over an integer, the square.
+  const BigInteger num = numerator(places.unit()), den = denominator(places.unit());
+  const int num_bits = static_cast<int>(msb(num)), den_bits = static_cast<int>(msb(den));
+  const double unit = spatial::rounded(Big(num), -num_bits) / spatial::rounded(Big(den), -den_bits);
+  return std::ldexp(sum.value() / 2 * unit * unit, top + 2 * (num_bits - den_bits));
 }
 
 }  // namespace dymsum

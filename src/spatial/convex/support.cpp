@@ -1,7 +1,11 @@
 // The vertex that is extreme in a direction: the sum of those of the operands.
+#include <cmath>
+#include <stdexcept>
+
 #include "exact/grid.h"
 #include "spatial/convex/convex_state.h"
-#include "spatial/convex/mixed_volume.h"
+#include "spatial/convex/exact_places.h"
+#include "spatial/convex/rounded_vector.h"
 
 namespace dymsum {
 namespace {
@@ -45,6 +49,8 @@ std::uint32_t extreme_vertex(const Polytope& p, Vec3 direction, const exact::Vec
 ConvexSum::Support ConvexSum::support(Point3 direction) const {
   const State& s = *state_;
   const std::array<double, 3> d{direction.x, direction.y, direction.z};
+  for (const double c : d)
+    if (!std::isfinite(c)) throw std::invalid_argument("ConvexSum::support: the direction is not finite");
   const int exponent = exact::common_exponent(d);
   std::array<Big, 3> b;
   for (std::size_t k = 0; k < 3; ++k) b[k] = exact::grid_coordinate<Big>(d[k], exponent);
@@ -54,8 +60,8 @@ ConvexSum::Support ConvexSum::support(Point3 direction) const {
     // Turned back into the operand's own coordinates: m^T d.
     std::array<Big, 3> back;
     for (std::size_t c = 0; c < 3; ++c) back[c] = Big(pose.matrix[c]) * b[0] + Big(pose.matrix[3 + c]) * b[1] + Big(pose.matrix[6 + c]) * b[2];
-    const Vec3 rounded = transposed(spatial::pose_matrix(op == 0 ? s.p_factors : s.q_factors)) * Vec3{d[0], d[1], d[2]};
-    v[op] = extreme_vertex(s.poly(op), rounded, {back[0], back[1], back[2]});
+    const exact::Vector3<Big> turned_back{back[0], back[1], back[2]};
+    v[op] = extreme_vertex(s.poly(op), spatial::rounded(turned_back, -spatial::bit_length(turned_back)), turned_back);
   }
   Support result;
   result.vertex = {s.p->source_vertex[v[0]], s.q->source_vertex[v[1]]};
