@@ -14,6 +14,7 @@
 #include "options.h"
 #include "progress_bar.h"
 #include "report.h"
+#include "solid_operands.h"
 #include "timing.h"
 
 namespace dymsum::cli {
@@ -36,15 +37,9 @@ struct Answer {
 double read_weight(const std::string& text, const ObstacleQueries& queries) {
   if (text.empty()) return queries.gyration_radius();
   if (text == "inf") return std::numeric_limits<double>::infinity();
-  std::size_t end = 0;
-  double weight = -1;
-  try {
-    weight = std::stod(text, &end);
-  } catch (const std::exception&) {
-    end = 0;
-  }
-  if (end != text.size() || !(weight >= 0) || !std::isfinite(weight)) throw Stop(kUsage, "--weight wants a length per radian, or inf, not '" + text + "'");
-  return weight;
+  const std::optional<double> weight = finite_number(text);
+  if (!weight || !(*weight >= 0)) throw Stop(kUsage, "--weight wants a length per radian, or inf, not '" + text + "'");
+  return *weight;
 }
 
 Answer ask(const CspaceObstacle& obstacle, const ObstacleQueries& queries, const Configuration& at, double weight) {
@@ -86,6 +81,7 @@ void print_text(const Answer& a) {
 ExitCode run_clearance(const ClearanceCommand& command) {
   std::vector<Configuration> at;
   for (const std::string& text : command.at) at.push_back(read_configuration(text, "--at"));
+  require_planar("clearance", command.operands);
   const std::vector<Input> inputs = read_inputs(command.operands, command.input);
   const InterruptGuard guard;
   std::optional<ProgressBar> bar(std::in_place);
@@ -118,11 +114,11 @@ ExitCode run_clearance(const ClearanceCommand& command) {
 void add_clearance(CLI::App& app, Action& action) {
   auto command = std::make_shared<ClearanceCommand>();
   CLI::App& verb = *app.add_subcommand("clearance", "How far a robot that translates and turns is from touching an obstacle, or how deep it overlaps it");
-  add_operands(verb, "ROBOT", "OBSTACLE", command->operands);
-  verb.add_option("--at", command->at, "Where the robot is, theta in radians; repeatable")->type_name("x,y,theta")->required()->allow_extra_args(false);
+  add_operands(verb, kRobot, kObstacle, command->operands);
+  verb.add_option("--at", command->at, "Where the robot is, theta in radians or as 90deg; repeatable")->type_name("x,y,theta")->required()->allow_extra_args(false);
   verb.add_option("--weight", command->weight, "What a radian counts, as a length; inf: translations only. Default: the robot's radius of gyration")->type_name("W");
   add_report_options(verb, command->report, "Ask N times and report the median and minimum time");
-  verb.add_flag("--repair", command->input.repair, "Merge duplicate and collinear vertices, fix orientation, and say on standard error what changed");
+  add_input_options(verb, command->input);
   verb.footer("Example: dymsum clearance bar.wkt rooms.wkt --at 1,2,0.5 --json");
   verb.callback([command, &action] { action = [command] { return run_clearance(*command); }; });
 }

@@ -7,7 +7,7 @@
 
 namespace dymsum::cli {
 
-/// "x,y,theta", theta in radians, all finite and positions at most 2^400. Stops with wrong usage otherwise; `option` names it in the message.
+/// "x,y,theta", theta in radians or as 90deg, all finite and positions at most 2^400. Stops with wrong usage otherwise; `option` names it in the message.
 Configuration read_configuration(const std::string& text, const char* option);
 
 }  // namespace dymsum::cli

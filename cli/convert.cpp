@@ -15,6 +15,7 @@ namespace dymsum::cli {
 namespace {
 
 struct ConvertCommand {
+  const CLI::App* parser = nullptr;  ///< which options were given
   std::string in, out;
   bool json = false, canonical = false;
   InputOptions input;
@@ -23,6 +24,8 @@ struct ConvertCommand {
 
 ExitCode run(const ConvertCommand& command) {
   if (command.json && command.out == "-") throw Stop(kUsage, "--json and the output - both want standard output");
+  refuse_unused_format({command.in}, command.input);
+  if (command.out != "-") refuse_options(*command.parser, {"--to"}, "is the format of the output -");
   if (names_solid(command.in)) {
     return run_solid_convert(
         {command.in, command.out, command.output.to, command.json, command.canonical, command.input});
@@ -47,6 +50,7 @@ ExitCode run(const ConvertCommand& command) {
 void add_convert(CLI::App& app, Action& action) {
   auto command = std::make_shared<ConvertCommand>();
   CLI::App* verb = app.add_subcommand("convert", "Read a region or a solid and write it in another format, coordinates unchanged");
+  command->parser = verb;
   verb->add_option("IN", command->in, "File, FILE#NAME for one shape of several, or - for standard input")->required();
   verb->add_option("OUT", command->out, "File .poly .wkt .geojson .svg .json, of solids .off .obj .stl .ply .glb, or - for standard output")->required();
   verb->add_option("--to", command->output.to, "Format of the output -")

@@ -1,23 +1,14 @@
 #include "copies_file.h"
 
-#include <charconv>
-#include <cmath>
 #include <fstream>
 #include <optional>
 #include <sstream>
 
 #include "inputs.h"
+#include "numbers.h"
 
 namespace dymsum::cli {
 namespace {
-
-std::optional<double> coordinate(const std::string& word) {
-  double v = 0;
-  const char* const end = word.data() + word.size();
-  const auto [stop, error] = std::from_chars(word.data() + (word.starts_with('+') ? 1 : 0), end, v);
-  if (error != std::errc() || stop != end || !std::isfinite(v)) return std::nullopt;
-  return v;
-}
 
 [[noreturn]] void refuse(Error error, const std::string& file, std::optional<std::int64_t> line) {
   error.evidence.file = file;
@@ -38,7 +29,7 @@ std::vector<ScaledCopy> read_copies(const std::string& file) {
     std::string scale, x, y, more;
     if (!(words >> scale)) continue;
     const bool three = static_cast<bool>(words >> x >> y) && !(words >> more);
-    const std::optional<double> at_x = coordinate(x), at_y = coordinate(y);
+    const std::optional<double> at_x = finite_number(x), at_y = finite_number(y);
     if (!three || !at_x || !at_y) refuse({Code::malformed, "a copy is a line with a scale and two coordinates", {}}, file, line);
     Result<Scale> s = Scale::parse(scale);
     if (!s) refuse(s.error(), file, line);

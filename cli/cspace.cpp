@@ -18,6 +18,7 @@ namespace dymsum::cli {
 namespace {
 
 struct CspaceCommand {
+  const CLI::App* parser = nullptr;  ///< which options were given
   std::vector<std::string> operands{"", ""}, files;
   double tolerance = 1e-3;
   std::size_t slices = 12;
@@ -27,11 +28,16 @@ struct CspaceCommand {
 
 bool is_glb(const std::string& file) { return file.ends_with(".glb"); }
 
+bool is_strip(const std::string& file) { return file.ends_with(".svg"); }
+
 void check(const CspaceCommand& command) {
-  if (are_solid(command.operands)) throw Stop(kUsage, "cspace is for planar operands");
+  require_planar("cspace", command.operands);
   for (const std::string& file : command.files)
-    if (!is_glb(file) && !file.ends_with(".svg") && !file.ends_with(".json"))
+    if (!is_glb(file) && !is_strip(file) && !file.ends_with(".json"))
       throw Stop(kUsage, "-o writes .glb (boundary), .svg (film strip of slices) or .json (patches): " + file);
+  const auto written = [&](bool (*kind)(const std::string&)) { return std::any_of(command.files.begin(), command.files.end(), kind); };
+  if (!written(is_glb)) refuse_options(*command.parser, {"--tolerance"}, "belongs to -o FILE.glb");
+  if (!written(is_strip)) refuse_options(*command.parser, {"--slices"}, "belongs to -o FILE.svg");
 }
 
 /// An operand that is no set of parts, or none at all, is told with its file.
@@ -127,7 +133,7 @@ std::vector<std::string> output_texts(const CspaceCommand& command, const Cspace
   for (const std::string& file : command.files) {
     if (is_glb(file))
       texts.push_back(obstacle_glb(report.obstacle, *report.mesh));
-    else if (file.ends_with(".svg"))
+    else if (is_strip(file))
       texts.push_back(slice_strip(report.obstacle, command.slices, progress));
     else
       texts.push_back(obstacle_json(report.obstacle).dump(1) + "\n");
@@ -164,7 +170,8 @@ void add_cspace(CLI::App& app, Action& action) {
   auto command = std::make_shared<CspaceCommand>();
   CLI::App& verb = *app.add_subcommand(
       "cspace", "The obstacle (x, y, theta) of a robot that moves and turns: where ROBOT overlaps OBSTACLE");
-  add_operands(verb, "ROBOT", "OBSTACLE", command->operands);
+  command->parser = &verb;
+  add_operands(verb, kRobot, kObstacle, command->operands);
   verb.add_option("-o", command->files,
                   "Write .glb (the boundary as a closed mesh), .svg (a film strip of exact slices) or .json (patches "
                   "with their exact angles); repeatable")

@@ -1,6 +1,5 @@
 // dymsum depth P Q
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <iostream>
 #include <memory>
 
@@ -18,7 +17,7 @@ namespace {
 struct DepthCommand {
   std::vector<std::string> operands{"", ""};
   std::string moved, axis;
-  double degrees = 0;
+  AngleOptions angle;
   ReportOptions report;
   InputOptions input;
 };
@@ -31,11 +30,11 @@ std::string feature_text(const SolidFeature& f) {
 
 ExitCode run(const DepthCommand& command) {
   if (!are_solid(command.operands)) throw Stop(kUsage, "depth wants convex solids: .off .obj .stl .ply");
-  if (command.axis.empty() != (command.degrees == 0)) throw Stop(kUsage, "--axis and --degrees go together");
+  if (command.axis.empty() == command.angle.given()) throw Stop(kUsage, "--axis and --angle or --degrees go together");
   const Point3 moved = command.moved.empty() ? Point3{} : parse_point(command.moved, "--move");
   SolidPose pose;
   if (!command.axis.empty())
-    pose.rotation = require(Rotation::about(parse_point(command.axis, "--axis"), command.degrees / 180 * std::acos(-1.0)));
+    pose.rotation = require_option(Rotation::about(parse_point(command.axis, "--axis"), read_angle(command.angle).radians()), "--axis");
   const std::vector<SolidInput> inputs = read_convex_solids(command.operands, command.input);
   const auto [depth, timing] =
       timed(command.report.repeat, [&] { return require(penetration_depth(inputs[0].mesh, inputs[1].mesh, pose, {}, moved)); });
@@ -63,10 +62,10 @@ ExitCode run(const DepthCommand& command) {
 void add_depth(CLI::App& app, Action& action) {
   auto command = std::make_shared<DepthCommand>();
   CLI::App& verb = *app.add_subcommand("depth", "The penetration depth of convex solids: the shortest translation of Q that separates them");
-  add_operands(verb, "P", "Q", command->operands);
+  add_operands(verb, {"P", "A convex solid, which may turn"}, {"Q", "Another one, which may move"}, command->operands);
   verb.add_option("--move", command->moved, "Move Q by this translation first")->type_name("X,Y,Z");
   verb.add_option("--axis", command->axis, "Turn P about this axis through the origin first")->type_name("X,Y,Z");
-  verb.add_option("--degrees", command->degrees, "by this angle")->type_name("DEG");
+  add_angle_options(verb, command->angle, "by this angle,");
   add_report_options(verb, command->report, "Compute N times and report the median and minimum time");
   add_input_options(verb, command->input);
   verb.footer("Exit code 4 when their interiors do not meet.\nExample: dymsum depth box.off rod.off --move 0.5,0,0 --json");

@@ -1,4 +1,4 @@
-// dymsum erode P Q
+// dymsum erode CONTAINER PART
 #include "commands.h"
 #include "sum_command.h"
 
@@ -7,10 +7,10 @@ namespace dymsum::cli {
 void add_erode(CLI::App& app, Action& action) {
   SumVerb verb;
   verb.name = "erode";
-  verb.first = "P";
-  verb.second = "Q";
-  verb.description = "The inner fit { x : x + Q inside P }; ends with 4 when Q fits nowhere, also not exactly";
-  verb.example = "dymsum erode sheet.wkt part.wkt --json";
+  verb.first = {"CONTAINER", "The region P to stay inside of"};
+  verb.second = {"PART", "The region Q that is to fit"};
+  verb.description = "The inner fit { x : x + PART inside CONTAINER }; ends with 4 when the part fits nowhere, also not exactly";
+  verb.footer = "Example: dymsum erode sheet.wkt part.wkt --json";
   verb.compute = erode;
   verb.reflects_second = true;
   verb.empty_is_no = true;

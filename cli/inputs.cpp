@@ -6,7 +6,6 @@
 #include <iterator>
 #include <utility>
 
-#include "exit_code.h"
 
 namespace dymsum::cli {
 
@@ -59,10 +58,16 @@ Input read_input(const std::string& file, const InputOptions& options) {
   return {file, require(make_region(std::move(shapes.front().data), file, options))};
 }
 
+void refuse_unused_format(const std::vector<std::string>& files, const InputOptions& options) {
+  if (!options.from.empty() && std::count(files.begin(), files.end(), "-") == 0)
+    throw Stop(kUsage, "--from is the format of standard input, and no operand is -");
+}
+
 std::vector<Input> read_inputs(const std::vector<std::string>& files, const InputOptions& options) {
   if (std::count(files.begin(), files.end(), "-") > 1) {
     throw Stop(kUsage, "standard input can be only one of the operands");
   }
+  refuse_unused_format(files, options);
   std::vector<Input> inputs;
   for (const std::string& file : files) inputs.push_back(read_input(file, options));
   return inputs;

@@ -8,6 +8,7 @@
 
 #include "dymsum/region.h"
 #include "dymsum/region_io.h"
+#include "exit_code.h"
 
 namespace dymsum::cli {
 
@@ -24,6 +25,9 @@ struct Input {
 /// The value of a Result, or a Stop with its error: kInterrupted for cancelled, kBadInput otherwise.
 template <class T>
 T require(Result<T> result);
+/// The same for what an option says: a Stop with kUsage that names it.
+template <class T>
+T require_option(Result<T> result, const std::string& option);
 [[noreturn]] void stop_with(const Error& error);
 
 /// All shapes of FILE, FILE#NAME or "-".
@@ -32,6 +36,9 @@ std::vector<NamedShape> read_all(const std::string& file, const InputOptions& op
 Input read_input(const std::string& file, const InputOptions& options);
 /// The operands P and Q; at most one of them may be standard input.
 std::vector<Input> read_inputs(const std::vector<std::string>& files, const InputOptions& options);
+
+/// A Stop when the format of standard input is given and no file is it.
+void refuse_unused_format(const std::vector<std::string>& files, const InputOptions& options);
 
 /// Validates, or repairs where asked, one shape of a file.
 Result<Region> make_region(RegionData data, const std::string& file, const InputOptions& options);
@@ -44,6 +51,12 @@ RegionFormat format_of_text(std::string_view text);
 template <class T>
 T require(Result<T> result) {
   if (!result) stop_with(result.error());
+  return std::move(result).value();
+}
+
+template <class T>
+T require_option(Result<T> result, const std::string& option) {
+  if (!result) throw Stop(kUsage, option + ": " + result.error().to_string(), result.error());
   return std::move(result).value();
 }
 

@@ -4,10 +4,29 @@
 
 namespace dymsum::cli {
 
-void add_operands(CLI::App& verb, const std::string& first, const std::string& second, std::vector<std::string>& operands) {
-  const char* const what = "File, FILE#NAME for one shape of several, or - for standard input";
-  verb.add_option(first, operands[0], what)->required();
-  verb.add_option(second, operands[1], what)->required();
+void add_operands(CLI::App& verb, const Operand& first, const Operand& second, std::vector<std::string>& operands) {
+  const char* const file = ": a file, FILE#NAME for one shape of several, or - for standard input";
+  verb.add_option(first.name, operands[0], first.what + file)->required()->type_name("");
+  verb.add_option(second.name, operands[1], second.what + file)->required()->type_name("");
+}
+
+void add_angle_options(CLI::App& verb, AngleOptions& options, const std::string& what) {
+  verb.add_option("--angle", options.angle, what + " in radians, or with deg behind it in degrees: 90deg")->type_name("RAD");
+  verb.add_option("--degrees", options.degrees, what + " in degrees")->type_name("DEG");
+}
+
+Angle read_angle(const AngleOptions& options) {
+  if (!options.angle.empty() && !options.degrees.empty()) throw Stop(kUsage, "give one of --angle and --degrees");
+  const bool radians = !options.angle.empty();
+  const std::optional<Angle> angle = angle_in(radians ? options.angle : options.degrees + "deg");
+  if (angle) return *angle;
+  throw Stop(kUsage, radians ? "--angle wants a number of radians, or of degrees as 90deg, not '" + options.angle + "'"
+                             : "--degrees wants a number of degrees, not '" + options.degrees + "'");
+}
+
+void refuse_options(const CLI::App& verb, const std::vector<std::string>& options, const std::string& why) {
+  for (const std::string& name : options)
+    if (verb.count(name) > 0) throw Stop(kUsage, name + " " + why);
 }
 
 void add_report_options(CLI::App& verb, ReportOptions& options, const std::string& repeated) {
@@ -18,9 +37,13 @@ void add_report_options(CLI::App& verb, ReportOptions& options, const std::strin
       ->capture_default_str();
 }
 
-void add_input_options(CLI::App& verb, InputOptions& options) {
+void add_repair_option(CLI::App& verb, InputOptions& options) {
   verb.add_flag("--repair", options.repair,
                 "Merge duplicate and collinear vertices, fix orientation, and say on standard error what changed");
+}
+
+void add_input_options(CLI::App& verb, InputOptions& options) {
+  add_repair_option(verb, options);
   verb.add_option("--from", options.from, "Format of standard input; otherwise told from its first characters")
       ->check(CLI::IsMember({"poly", "wkt", "geojson", "svg", "json"}));
 }

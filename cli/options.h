@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "inputs.h"
+#include "numbers.h"
 
 namespace CLI {
 class App;
@@ -19,13 +20,38 @@ struct ReportOptions {
   std::size_t repeat = 1;
 };
 
-/// Declares two required operands by these names. Requires: `operands` holds two.
-void add_operands(CLI::App& verb, const std::string& first, const std::string& second, std::vector<std::string>& operands);
+/// A positional argument: its name in help and usage, and what it is.
+struct Operand {
+  std::string name, what;
+};
+
+/// Declares two required operands. Requires: `operands` holds two.
+void add_operands(CLI::App& verb, const Operand& first, const Operand& second, std::vector<std::string>& operands);
+
+/// ROBOT and OBSTACLE, in the order of all verbs for robots that turn.
+inline const Operand kRobot{"ROBOT", "The shape that turns about the origin of its coordinates, and moves"};
+inline const Operand kObstacle{"OBSTACLE", "The shape that stays"};
 
 /// Declares --json and --repeat.
 void add_report_options(CLI::App& verb, ReportOptions& options, const std::string& repeated);
 
+/// Declares --repair.
+void add_repair_option(CLI::App& verb, InputOptions& options);
 /// Declares --repair and --from.
 void add_input_options(CLI::App& verb, InputOptions& options);
+
+/// --angle or --degrees, as they were written.
+struct AngleOptions {
+  std::string angle, degrees;
+  bool given() const { return !angle.empty() || !degrees.empty(); }
+};
+
+/// Declares --angle RAD and --degrees DEG, of which one may be given.
+void add_angle_options(CLI::App& verb, AngleOptions& options, const std::string& what);
+/// The angle given. Stops with wrong usage for what is none, and where both are. Requires: given().
+Angle read_angle(const AngleOptions& options);
+
+/// Stops with wrong usage when one of these options is given: "--axis is for solid operands".
+void refuse_options(const CLI::App& verb, const std::vector<std::string>& options, const std::string& why);
 
 }  // namespace dymsum::cli

@@ -14,6 +14,7 @@
 #include "path_picture.h"
 #include "progress_bar.h"
 #include "report.h"
+#include "solid_operands.h"
 #include "timing.h"
 
 namespace dymsum::cli {
@@ -107,6 +108,7 @@ ExitCode run_path(const PathCommand& command) {
   for (const std::string& file : command.files)
     if (!file.ends_with(".json") && !file.ends_with(".svg"))
       throw Stop(kUsage, "-o wants a .json or a .svg file, not " + file);
+  require_planar("path", command.operands);
   const std::vector<Input> inputs = read_inputs(command.operands, command.input);
   const InterruptGuard guard;
   std::optional<ProgressBar> bar(std::in_place);
@@ -137,16 +139,15 @@ void add_path(CLI::App& app, Action& action) {
   auto command = std::make_shared<PathCommand>();
   CLI::App& verb = *app.add_subcommand("path",
       "A motion of a robot that translates and turns past an obstacle, or the proof that there is none; ends with 4 then");
-  add_operands(verb, "ROBOT", "OBSTACLE", command->operands);
+  add_operands(verb, kRobot, kObstacle, command->operands);
   verb.add_option("--from", command->from,
-      "Where the robot starts, theta in radians")->type_name("x,y,theta")->required();
+      "Where the robot starts, theta in radians or as 90deg")->type_name("x,y,theta")->required();
   verb.add_option("--to", command->to, "Where it is to go")->type_name("x,y,theta")->required();
   verb.add_flag("--strict", command->strict, "Touching the obstacle is forbidden");
   verb.add_option("-o", command->files,
       "Write the path as .json, or as a picture .svg; repeatable")->type_name("FILE")->allow_extra_args(false);
   add_report_options(verb, command->report, "Compute N times and report the median and minimum time");
-  verb.add_flag("--repair", command->input.repair,
-      "Merge duplicate and collinear vertices, fix orientation, and say on standard error what changed");
+  add_repair_option(verb, command->input);
   verb.footer("Example: dymsum path bar.wkt rooms.wkt --from -6,0,1.5708 --to 6,0,0 -o path.svg");
   verb.callback([command, &action] { action = [command] { return run_path(*command); }; });
 }

@@ -1,9 +1,7 @@
 #include "planar_turn.h"
 
-#include <cmath>
 #include <iostream>
 #include <optional>
-#include <sstream>
 
 #include "dymsum/rotating_sum.h"
 #include "frame_pictures.h"
@@ -22,14 +20,8 @@ struct Pose {
 
 std::vector<Pose> poses_of(const PlanarTurn& turn) {
   std::vector<Pose> poses;
-  for (const double degrees : turn.degrees) {
-    std::ostringstream caption;
-    caption << degrees << "°";
-    const double radians = std::remainder(degrees, 360) / 180 * std::acos(-1.0);
-    const auto theta = Orientation::nearest(radians, turn.error);
-    if (!theta) throw Stop(kUsage, "--degrees and --error: " + theta.error().to_string());
-    poses.push_back({*theta, caption.str()});
-  }
+  for (const Angle& angle : turn.angles)
+    poses.push_back({require_option(Orientation::nearest(angle.radians(), turn.error), "--error"), angle.label()});
   return poses;
 }
 
@@ -79,7 +71,7 @@ Turned run_frames(const PlanarTurn& turn, const std::vector<Input>& inputs, cons
       turned.rebuilt += work.rebuilt;
       turned.degenerate += work.degenerate;
       if (turn.report.json) turned.frames.push_back(frame_json(sum.sum(), poses[i], work.ms));
-      if (every > 0 && i % every == 0) turned.pictures.push_back({turn.degrees[i], poses[i].caption, drawn(sum.sum())});
+      if (every > 0 && i % every == 0) turned.pictures.push_back({turn.angles[i].value, poses[i].caption, drawn(sum.sum())});
     }
   }
   return turned;

@@ -11,7 +11,7 @@ namespace dymsum::cli {
 
 struct PlanarTurn {
   std::vector<std::string> operands{"", ""}, files;
-  std::vector<double> degrees;  ///< of the frames
+  std::vector<Angle> angles;    ///< of the frames
   double error = 1e-6;          ///< in radians: the simplest exact orientation within it is taken
   std::string semantics = "closed";
   ReportOptions report;

@@ -1,9 +1,7 @@
 // dymsum rotate P Q --steps N
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <memory>
 #include <optional>
-#include <sstream>
 
 #include "commands.h"
 #include "options.h"
@@ -14,32 +12,32 @@ namespace dymsum::cli {
 namespace {
 
 struct RotateCommand {
+  const CLI::App* parser = nullptr;  ///< which options were given
   PlanarTurn planar;
   std::size_t steps = 0;
-  double degrees = 360;
+  AngleOptions angle;
   std::optional<double> error;
   std::optional<std::string> axis, semantics;
 };
 
-std::vector<double> frame_degrees(const RotateCommand& command) {
-  std::vector<double> degrees;
-  for (std::size_t k = 0; k < command.steps; ++k)
-    degrees.push_back(command.degrees * static_cast<double>(k) / static_cast<double>(command.steps));
-  return degrees;
+/// From zero to the end of the turn in equal steps. The end of a whole turn is its beginning, and shown once.
+std::vector<Angle> frame_angles(const RotateCommand& command) {
+  const Angle turn = command.angle.given() ? read_angle(command.angle) : Angle{360, true};
+  std::vector<Angle> angles;
+  for (std::size_t k = 0; k < command.steps + (turn.whole_turns() ? 0 : 1); ++k) angles.push_back(turn.share(k, command.steps));
+  return angles;
 }
 
 ExitCode run_solids(const RotateCommand& command) {
-  if (command.error || command.semantics) throw Stop(kUsage, "--error and --semantics are for planar operands");
+  refuse_options(*command.parser, {"--error", "--semantics"}, "is for planar operands");
   const Point3 axis = parse_point(command.axis.value_or("0,0,1"), "--axis");
   const std::vector<SolidInput> inputs = read_convex_solids(command.planar.operands, command.planar.input);
   std::vector<SolidFramePose> poses;
-  for (const double degrees : frame_degrees(command)) {
+  for (const Angle& angle : frame_angles(command)) {
     SolidFramePose pose;
     // Every angle by itself: nothing adds up.
-    pose.p.rotation = require(Rotation::about(axis, degrees / 180 * std::acos(-1.0)));
-    std::ostringstream label;
-    label << degrees << " degrees";
-    pose.label = label.str();
+    pose.p.rotation = require_option(Rotation::about(axis, angle.radians()), "--axis");
+    pose.label = angle.label();
     poses.push_back(pose);
   }
   return run_solid_motion("rotate", inputs, poses, command.planar.files, command.planar.report);
@@ -47,9 +45,9 @@ ExitCode run_solids(const RotateCommand& command) {
 
 ExitCode run(const RotateCommand& command) {
   if (are_solid(command.planar.operands)) return run_solids(command);
-  if (command.axis) throw Stop(kUsage, "--axis is for solid operands");
+  refuse_options(*command.parser, {"--axis"}, "is for solid operands");
   PlanarTurn turn = command.planar;
-  turn.degrees = frame_degrees(command);
+  turn.angles = frame_angles(command);
   turn.error = command.error.value_or(turn.error);
   turn.semantics = command.semantics.value_or(turn.semantics);
   return run_planar_turn(turn);
@@ -61,16 +59,15 @@ void add_rotate(CLI::App& app, Action& action) {
   auto command = std::make_shared<RotateCommand>();
   CLI::App& verb = *app.add_subcommand(
       "rotate", "P turns and P (+) Q follows, frame by frame, exact at every frame (planar, or convex solids)");
-  add_operands(verb, "P", "Q", command->planar.operands);
-  verb.add_option("--steps", command->steps, "Frames of the turn")
+  command->parser = &verb;
+  add_operands(verb, {"P", "The region or convex solid that turns about the origin of its coordinates"}, {"Q", "The one that stays"},
+               command->planar.operands);
+  verb.add_option("--steps", command->steps, "Steps of the turn: a frame at the beginning of each, and one at the end unless it is the first again")
       ->type_name("N")
       ->required()
       ->check(CLI::Range(std::size_t{1}, std::size_t{1000000}));
   verb.add_option("--axis", command->axis, "Of solids: axis through the origin [0,0,1]")->type_name("X,Y,Z");
-  verb.add_option("--degrees", command->degrees, "The whole turn; each frame's angle is met within 2^-28 (solids) or "
-                                                 "--error (planar) and kept exactly from there")
-      ->type_name("DEG")
-      ->capture_default_str();
+  add_angle_options(verb, command->angle, "The whole turn [360 degrees], its frames met within 2^-28 (solids) or --error (planar),");
   verb.add_option("--error", command->error, "Planar: largest error of a frame's angle in radians [1e-6]")
       ->type_name("E");
   verb.add_option("--semantics", command->semantics, "Planar: closed, open or regular [closed]")

@@ -28,15 +28,15 @@ std::vector<Scale> sweep_scales(const std::string& text) {
   std::string step = text.substr(second + 1);
   const bool ratio = step.ends_with('%');
   if (ratio) step.pop_back();
-  const Scale from = require(Scale::parse(text.substr(0, first))), to = require(Scale::parse(text.substr(first + 1, second - first - 1)));
-  return require(scale_steps(from, to, require(parse_scale_step(step)), ratio, kMostFrames));
+  const Scale from = read_scale(text.substr(0, first), "--sweep"), to = read_scale(text.substr(first + 1, second - first - 1), "--sweep");
+  return require_option(scale_steps(from, to, require_option(parse_scale_step(step), "--sweep"), ratio, kMostFrames), "--sweep");
 }
 
 std::vector<Scale> scales_of(const ScaleCommand& command) {
   if (command.sweep.empty() == command.at.empty()) throw Stop(kUsage, "give one of --sweep, --at and --copies");
   std::vector<Scale> scales;
   if (!command.sweep.empty()) scales = sweep_scales(command.sweep);
-  for (const std::string& s : command.at) scales.push_back(require(Scale::parse(s)));
+  for (const std::string& s : command.at) scales.push_back(read_scale(s, "--at"));
   check_frame_pictures(command.files);
   return scales;
 }
@@ -186,8 +186,9 @@ ExitCode run_scale(const ScaleCommand& command) {
 }
 
 void add_options(CLI::App& verb, ScaleCommand& command) {
-  add_operands(verb, "P", "Q", command.operands);
-  verb.add_option("--sweep", command.sweep, "FROM:TO:STEP; STEP is added, or with % multiplies: 1:2:1%")->type_name("A:B:STEP");
+  command.parser = &verb;
+  add_operands(verb, {"P", "The region or convex solid that scales, unless --scaled q"}, {"Q", "The other one"}, command.operands);
+  verb.add_option("--sweep", command.sweep, "FROM:TO:STEP; STEP is added, or with % multiplies: 1:2:1%; the last frame is at TO")->type_name("A:B:STEP");
   verb.add_option("--at", command.at, "Scales, exact: 3/2, 1.01, 1e-3; of solids also one per axis: 2:1:1/2")->delimiter(',')->type_name("S,S,...");
   verb.add_option("--copies", command.copies, "Copies of P, one `scale x y` a line: the sum of each with Q, from one sum that scales")->type_name("FILE");
   verb.add_flag("--robot", command.robot, "Q is a robot and P an obstacle: sums with -Q");
@@ -207,6 +208,8 @@ void add_options(CLI::App& verb, ScaleCommand& command) {
 }
 
 }  // namespace
+
+Scale read_scale(const std::string& text, const std::string& option) { return require_option(Scale::parse(text), option); }
 
 ScalingOptions scaling_options(const ScaleCommand& command) {
   ScalingOptions options;

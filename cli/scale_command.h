@@ -12,6 +12,7 @@
 namespace dymsum::cli {
 
 struct ScaleCommand {
+  const CLI::App* parser = nullptr;  ///< which options were given
   std::vector<std::string> operands{"", ""};
   std::string sweep, copies, scaled = "p", mode = "automatic", semantics = "closed";
   std::vector<std::string> at, files;
@@ -21,6 +22,8 @@ struct ScaleCommand {
   InputOptions input;
 };
 
+/// An exact scale; a Stop with wrong usage for what is none.
+Scale read_scale(const std::string& text, const std::string& option);
 ScalingOptions scaling_options(const ScaleCommand& command);
 
 /// scale --copies: the sums of the copies of a master shape that a file lists.

@@ -2,6 +2,7 @@
 #include "dymsum/scale_range.h"
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -10,9 +11,11 @@
 #include "commands.h"
 #include "exit_code.h"
 #include "inputs.h"
+#include "numbers.h"
 #include "options.h"
 #include "progress_bar.h"
 #include "report.h"
+#include "solid_operands.h"
 #include "tier.h"
 #include "timing.h"
 
@@ -27,22 +30,20 @@ struct RangeCommand {
   InputOptions input;
 };
 
+Point read_place(const std::string& text, const std::string& option) {
+  const std::optional<Point> p = finite_point(text);
+  if (!p) throw Stop(kUsage, option + " wants x,y, not '" + text + "'");
+  return *p;
+}
+
 /// "x,y x,y ..." or a file with one polyline.
 std::vector<Point> read_path(const std::string& text) {
-  std::vector<Point> points;
-  std::istringstream words(text);
-  std::string word;
-  while (words >> word) {
-    std::istringstream pair(word);
-    Point p;
-    char comma = 0, rest = 0;
-    if (!(pair >> p.x >> comma >> p.y) || comma != ',' || (pair >> rest)) {
-      points.clear();
-      break;
-    }
-    points.push_back(p);
+  if (text.find(',') != std::string::npos && !std::filesystem::exists(text)) {
+    std::vector<Point> points;
+    std::istringstream words(text);
+    for (std::string word; words >> word;) points.push_back(read_place(word, "--path"));
+    return points;
   }
-  if (!points.empty()) return points;
   const RegionData data = require(read_region_data(text));
   if (data.polylines.size() == 1 && data.parts.empty() && data.points.empty()) return data.polylines[0];
   if (data.points.size() == 1 && data.parts.empty() && data.polylines.empty()) return data.points;
@@ -101,7 +102,8 @@ ExitCode run_range(const RangeCommand& command) {
   if (!command.inside && !command.place.empty()) throw Stop(kUsage, "--place belongs to --inside");
   std::vector<Point> path;
   if (!command.path.empty()) path = read_path(command.path);
-  if (!command.place.empty()) path = read_path(command.place);
+  if (!command.place.empty()) path = {read_place(command.place, "--place")};
+  require_planar("scale-range", command.operands);
   const std::vector<Input> inputs = read_inputs(command.operands, command.input);
   const Region &part = inputs[0].region, &other = inputs[1].region;
   const InterruptGuard guard;
@@ -123,7 +125,7 @@ ExitCode run_range(const RangeCommand& command) {
 void add_scale_range(CLI::App& app, Action& action) {
   auto command = std::make_shared<RangeCommand>();
   CLI::App& verb = *app.add_subcommand("scale-range", "The exact scales at which a part passes obstacles along a path, or fits into a container; ends with 4 when there are none");
-  add_operands(verb, "PART", "OTHER", command->operands);
+  add_operands(verb, {"PART", "the shape that scales"}, {"OTHER", "obstacles, or with --inside the container"}, command->operands);
   verb.add_option("--path", command->path, "The translations of the part: \"x,y x,y ...\" or a file with one polyline")->type_name("PATH");
   verb.add_flag("--inside", command->inside, "OTHER is a container, anywhere inside which the part may lie");
   verb.add_option("--place", command->place, "With --inside: only at this translation")->type_name("x,y");

@@ -1,4 +1,4 @@
-// dymsum slice ROBOT OBSTACLE --tan-half N/D | --angle RAD
+// dymsum slice ROBOT OBSTACLE --tan-half N/D | --angle RAD | --degrees DEG
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <optional>
@@ -14,26 +14,29 @@ namespace {
 struct SliceCommand {
   SumCommand sum;
   std::string tan_half;
-  std::optional<double> radians, error;
+  AngleOptions angle;
+  std::optional<double> error;
 };
 
 Orientation asked_orientation(const SliceCommand& command) {
-  if (command.tan_half.empty() == !command.radians) throw Stop(kUsage, "give one of --tan-half and --angle");
-  if (command.error && !command.radians) throw Stop(kUsage, "--error belongs to --angle");
-  const auto made = !command.radians ? Orientation::parse(command.tan_half)
-                    : command.error  ? Orientation::nearest(*command.radians, *command.error)
-                                     : Orientation::nearest(*command.radians);
-  if (!made) throw Stop(kUsage, (command.radians ? "--angle: " : "--tan-half: ") + made.error().to_string());
-  return *made;
+  if (command.tan_half.empty() != command.angle.given()) throw Stop(kUsage, "give one of --tan-half, --angle and --degrees");
+  if (!command.angle.given()) {
+    if (command.error) throw Stop(kUsage, "--error belongs to --angle and --degrees");
+    return require_option(Orientation::parse(command.tan_half), "--tan-half");
+  }
+  const double radians = read_angle(command.angle).radians();
+  return require_option(command.error ? Orientation::nearest(radians, *command.error) : Orientation::nearest(radians), "--angle");
 }
 
 SumVerb slice_verb() {
   SumVerb verb;
   verb.name = "slice";
-  verb.first = "ROBOT";
-  verb.second = "OBSTACLE";
+  verb.first = kRobot;
+  verb.second = kObstacle;
   verb.description = "One orientation of a configuration-space obstacle: OBSTACLE (+) -ROBOT, the robot turned exactly";
-  verb.example = "dymsum slice peg.wkt slot.wkt --tan-half 1/3 -o slice.svg";
+  verb.footer =
+      "The robot comes first, as for cspace, clearance and path; nfp takes the shape that stays first.\n"
+      "Example: dymsum slice peg.wkt slot.wkt --tan-half 1/3 -o slice.svg";
   verb.planar_only = true;
   verb.reflects_second = true;
   return verb;
@@ -59,9 +62,8 @@ void add_slice(CLI::App& app, Action& action) {
   CLI::App& verb = declare_sum_verb(app, slice_verb(), command->sum);
   verb.add_option("--tan-half", command->tan_half, "Tangent of half the angle, exact: 3/7, 0.25; inf is half a turn")
       ->type_name("N/D");
-  verb.add_option("--angle", command->radians, "The angle; met within 2^-50, or within --error by a simpler tangent")
-      ->type_name("RAD");
-  verb.add_option("--error", command->error, "Largest error of --angle")->type_name("E");
+  add_angle_options(verb, command->angle, "The angle, met within 2^-50 or --error,");
+  verb.add_option("--error", command->error, "Largest error of the angle in radians: a simpler tangent is taken")->type_name("E");
   verb.callback([command, &action] { action = [command] { return run_slice(*command); }; });
 }
 

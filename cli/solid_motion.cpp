@@ -4,6 +4,7 @@
 #include <iostream>
 #include <optional>
 
+#include "frame_pictures.h"
 #include "outputs.h"
 #include "progress_bar.h"
 #include "solid_outputs.h"
@@ -15,8 +16,6 @@ namespace {
 
 /// Pictures show every frame, of a long or large motion evenly chosen ones.
 constexpr std::size_t kMostPictures = 240, kMostPicturedFacets = 150000;
-
-bool is_page(const std::string& file) { return file.ends_with(".html"); }
 
 void check_outputs(const std::vector<std::string>& files) {
   for (const std::string& file : files)
@@ -106,7 +105,7 @@ ExitCode run_solid_motion(const std::string& verb, const std::vector<SolidInput>
 }
 
 ExitCode run_solid_scale(const ScaleCommand& command, const std::vector<Scale>& sweep) {
-  if (!command.copies.empty() || command.events) throw Stop(kUsage, "--copies and --events are for planar operands");
+  refuse_options(*command.parser, {"--copies", "--events", "--mode", "--semantics"}, "is for planar operands");
   if (sweep.empty() == command.at.empty()) throw Stop(kUsage, "give one of --sweep and --at");
   const std::vector<SolidInput> inputs = read_convex_solids(command.operands, command.input);
   std::vector<SolidFramePose> poses;
@@ -120,12 +119,12 @@ ExitCode run_solid_scale(const ScaleCommand& command, const std::vector<Scale>& 
   for (const std::string& text : command.at) {
     const std::size_t a = text.find(':'), b = a == std::string::npos ? a : text.find(':', a + 1);
     if (a == std::string::npos) {
-      const Scale s = require(Scale::parse(text));
+      const Scale s = read_scale(text, "--at");
       add({s, s, s}, "s = " + text);
     } else if (b == std::string::npos) {
       throw Stop(kUsage, "--at wants one scale or three, SX:SY:SZ: " + text);
     } else {
-      add({require(Scale::parse(text.substr(0, a))), require(Scale::parse(text.substr(a + 1, b - a - 1))), require(Scale::parse(text.substr(b + 1)))},
+      add({read_scale(text.substr(0, a), "--at"), read_scale(text.substr(a + 1, b - a - 1), "--at"), read_scale(text.substr(b + 1), "--at")},
           "s = " + text);
     }
   }

@@ -1,11 +1,10 @@
 #include "solid_operands.h"
 
-#include <cmath>
-#include <cstdlib>
 #include <optional>
 #include <utility>
 
 #include "exit_code.h"
+#include "numbers.h"
 
 namespace dymsum::cli {
 
@@ -16,7 +15,12 @@ bool are_solid(const std::vector<std::string>& files) {
   return solids != 0;
 }
 
+void require_planar(const std::string& verb, const std::vector<std::string>& files) {
+  if (are_solid(files)) throw Stop(kUsage, verb + " is for planar operands");
+}
+
 std::vector<SolidInput> read_convex_solids(const std::vector<std::string>& files, const InputOptions& options) {
+  refuse_unused_format(files, options);
   std::vector<SolidInput> inputs;
   for (const std::string& file : files) {
     inputs.push_back(read_solid(file, options));
@@ -30,16 +34,11 @@ std::vector<SolidInput> read_convex_solids(const std::vector<std::string>& files
 }
 
 Point3 parse_point(const std::string& text, const std::string& option) {
-  Point3 p;
-  const char* at = text.c_str();
-  for (double* c : {&p.x, &p.y, &p.z}) {
-    char* end = nullptr;
-    *c = std::strtod(at, &end);
-    const bool last = c == &p.z;
-    if (end == at || !std::isfinite(*c) || *end != (last ? '\0' : ',')) throw Stop(kUsage, option + " wants three numbers, X,Y,Z: " + text);
-    at = end + 1;
-  }
-  return p;
+  std::vector<double> c;
+  for (const std::string& word : split(text, ','))
+    if (const std::optional<double> number = finite_number(word)) c.push_back(*number);
+  if (c.size() != 3 || split(text, ',').size() != 3) throw Stop(kUsage, option + " wants three numbers, X,Y,Z, not '" + text + "'");
+  return {c[0], c[1], c[2]};
 }
 
 }  // namespace dymsum::cli

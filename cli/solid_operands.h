@@ -10,6 +10,8 @@ namespace dymsum::cli {
 
 /// Whether all operands are solids, told by their extensions; a Stop when only some are.
 bool are_solid(const std::vector<std::string>& files);
+/// A Stop for verbs that are for planar operands only, when there are others.
+void require_planar(const std::string& verb, const std::vector<std::string>& files);
 /// The convex solids of files.
 std::vector<SolidInput> read_convex_solids(const std::vector<std::string>& files, const InputOptions& options);
 

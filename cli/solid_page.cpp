@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "solid_outputs.h"
+#include "svg_paths.h"
 
 namespace dymsum::cli {
 namespace {
@@ -66,12 +67,6 @@ slider.oninput = changes.onchange = window.onresize = show;
 show();
 </script></body></html>
 )";
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) out += c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string(1, c);
-  return out;
-}
 
 /// Six digits are finer than any screen.
 nlohmann::json shortened(double v) {

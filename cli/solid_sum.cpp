@@ -21,6 +21,7 @@ ConvexEngine engine_of(const SumCommand& command) {
 
 ExitCode run_solid_sum(const SumVerb& verb, const SumCommand& command) {
   if (verb.name == "erode") throw Stop(kUsage, "erode is defined for planar regions so far");
+  refuse_options(*command.parser, {"--semantics", "--round-repair"}, "is for planar operands");
   const ConvexEngine engine = engine_of(command);
   check_solid_outputs(command.output.files);
   const std::vector<SolidInput> inputs = read_convex_solids(command.operands, command.input);

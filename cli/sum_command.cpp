@@ -32,6 +32,7 @@ void check(const SumCommand& command) {
   if (command.report.json && writes_to_stdout(command.output)) {
     throw Stop(kUsage, "--json and -o - both want standard output");
   }
+  if (!writes_to_stdout(command.output)) refuse_options(*command.parser, {"--to"}, "is the format of -o -");
   check_outputs(command.output);
 }
 
@@ -65,7 +66,8 @@ CLI::App& declare_sum_verb(CLI::App& app, const SumVerb& verb, SumCommand& comma
   add_operands(parser, verb.first, verb.second, command.operands);
   add_sum_options(parser, command);
   add_input_options(parser, command.input);
-  parser.footer("Example: " + verb.example);
+  parser.footer(verb.footer);
+  command.parser = &parser;
   return parser;
 }
 

@@ -22,7 +22,9 @@ namespace dymsum::cli {
 
 /// What makes a verb of this kind.
 struct SumVerb {
-  std::string name, first, second, description, example;
+  std::string name;
+  Operand first, second;
+  std::string description, footer;
   /// The public function it calls.
   std::function<Result<PlanarSum>(const Region&, const Region&, const SumOptions&)> compute;
   bool reflects_second = false;  ///< the convolution behind it is that of P and -Q
@@ -35,6 +37,7 @@ struct SumVerb {
 
 /// What the command line asks of it.
 struct SumCommand {
+  const CLI::App* parser = nullptr;  ///< which options were given
   std::vector<std::string> operands{"", ""};
   std::string engine = "fast", semantics = "closed";
   ReportOptions report;

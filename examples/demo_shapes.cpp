@@ -27,9 +27,10 @@ Region plate_for(const Region& star) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::cerr << "usage: demo_shapes FOLDER\n";
-    return 1;
+  if (argc != 2 || argv[1][0] == '-') {
+    const bool asked = argc == 2 && (argv[1] == std::string("--help") || argv[1] == std::string("-h"));
+    (asked ? std::cout : std::cerr) << "usage: demo_shapes FOLDER\n";
+    return asked ? 0 : 1;
   }
   const std::filesystem::path folder = argv[1];
   std::filesystem::create_directories(folder);

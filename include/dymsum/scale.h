@@ -34,8 +34,9 @@ class Scale {
 /// As Scale::parse, for the step of scale_steps: errors speak of steps.
 Result<Scale> parse_scale_step(std::string_view text);
 
-/// from, from + step, ... up to `to`, exactly; with `percent` each is 1 + step / 100 times the one before, rounded to a multiple of 2^-40
-/// (relative to 1) so that the numbers stay short. A step that leads away is taken downwards. Errors: bad_scale for more than `most`.
+/// from, from + step, ... and at last `to`, exactly: the last step may be shorter. With `percent` each is 1 + step / 100 times the one before,
+/// rounded to a multiple of 2^-40 so that the numbers stay short. A step that leads away is taken downwards. Errors: bad_scale for more than
+/// `most` steps, and for steps that rounding leaves nothing of.
 Result<std::vector<Scale>> scale_steps(const Scale& from, const Scale& to, const Scale& step, bool percent, std::size_t most);
 
 }  // namespace dymsum

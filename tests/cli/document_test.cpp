@@ -141,5 +141,21 @@ TEST(CspaceGuide, ProgramAndCommandsDoWhatIsShown) {
   EXPECT_TRUE(work.exists("obstacle.glb") && work.exists("slices.svg") && work.exists("turn.anim.svg"));
 }
 
+TEST(DemoPrograms, HelpMakesNoFolder) {
+  const Workplace work;
+  for (const char* program : {"demo_shapes", "demo_solids"}) {
+    const std::string path = std::string("'" DYMSUM_EXAMPLES_DIR "/") + program + "'";
+    const Outcome help = work.run(path + " --help"), wrong = work.run(path + " --all"), none = work.run(path);
+    EXPECT_EQ(help.code, 0) << program;
+    EXPECT_EQ(help.out, std::string("usage: ") + program + " FOLDER\n");
+    EXPECT_EQ(wrong.code, 1) << program;
+    EXPECT_EQ(none.code, 1) << program;
+    EXPECT_EQ(work.file_count(), 0U) << program;
+    EXPECT_EQ(work.run(path + " new/folder").code, 0) << program;
+    EXPECT_GE(work.file_count(), 10U) << program;
+    EXPECT_EQ(work.run("rm -r new").code, 0);
+  }
+}
+
 }  // namespace
 }  // namespace dymsum::cli_test

@@ -100,10 +100,12 @@ Result<std::vector<Scale>> scale_steps(const Scale& from, const Scale& to, const
       then = BigRational(BigInteger(numerator(wanted) * grid / denominator(wanted)), grid);
     } else {
       then = up ? BigRational(s + by) : BigRational(s - by);
+      if (then.sign() <= 0) break;  // beyond the end
     }
-    if (then == s || then.sign() <= 0) break;
+    if (then == s || then.sign() <= 0) return bad("a step leads nowhere: it is less than 2^-40");
     s = then;
   }
+  if (!(scales.back() == to)) scales.push_back(to);
   return scales;
 }
 

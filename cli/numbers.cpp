@@ -1,0 +1,57 @@
+#include "numbers.h"
+
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+#include <sstream>
+
+namespace dymsum::cli {
+
+std::optional<double> finite_number(const std::string& text) {
+  if (text.empty() || std::isspace(static_cast<unsigned char>(text.front())) != 0) return std::nullopt;
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if (end != text.c_str() + text.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> pieces;
+  std::size_t from = 0;
+  for (std::size_t at = text.find(separator); at != std::string::npos; at = text.find(separator, from)) {
+    pieces.push_back(text.substr(from, at - from));
+    from = at + 1;
+  }
+  pieces.push_back(text.substr(from));
+  return pieces;
+}
+
+std::optional<Point> finite_point(const std::string& text) {
+  const std::vector<std::string> words = split(text, ',');
+  if (words.size() != 2) return std::nullopt;
+  const std::optional<double> x = finite_number(words[0]), y = finite_number(words[1]);
+  if (!x || !y) return std::nullopt;
+  return Point{*x, *y};
+}
+
+double Angle::radians() const {
+  return degrees ? std::remainder(value, 360) / 180 * std::numbers::pi : value;
+}
+
+bool Angle::whole_turns() const { return degrees && std::remainder(value, 360) == 0; }
+
+std::string Angle::label() const {
+  std::ostringstream text;
+  text << value << (degrees ? "°" : " rad");
+  return text.str();
+}
+
+std::optional<Angle> angle_in(const std::string& text) {
+  const bool degrees = text.ends_with("deg");
+  const std::optional<double> value = finite_number(degrees ? text.substr(0, text.size() - 3) : text);
+  if (!value) return std::nullopt;
+  return Angle{*value, degrees};
+}
+
+}  // namespace dymsum::cli
