@@ -17,6 +17,7 @@ enum ExitCode {
   kBadInput = 2,     ///< an input or output file is, with the evidence
   kDefect = 3,       ///< our defect
   kNo = 4,           ///< the answer is "no"
+  kUndecided = 5,    ///< neither yes nor no within the limits of the search
   kInterrupted = 130 ///< by Ctrl-C
 };
 

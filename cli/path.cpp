@@ -24,6 +24,7 @@ struct PathCommand {
   std::vector<std::string> operands{"", ""}, files;
   std::string from, to;
   bool strict = false;
+  double time_limit = PlanOptions{}.time_limit_seconds;
   ReportOptions report;
   InputOptions input;
 };
@@ -64,6 +65,15 @@ Json component_json(const FreeComponent& c) {
           {"angles", c.all_angles ? Json("all") : Json{c.from, c.to}}};
 }
 
+Json limit_json(const SearchLimit& limit) {
+  Json passage = nullptr;
+  if (const auto& p = limit.passage)
+    passage = {{"angles", {p->from, p->to}},
+               {"reached", {p->reached.x, p->reached.y}},
+               {"beyond", {p->beyond.x, p->beyond.y}}};
+  return {{"out_of_time", limit.out_of_time}, {"seconds", limit.seconds}, {"passage", passage}};
+}
+
 Json reason_json(const NoPath& reason) {
   Json start = Json::array(), goal = Json::array(), contact = nullptr;
   for (const FreeComponent& c : reason.start) start.push_back(component_json(c));
@@ -75,7 +85,8 @@ Json reason_json(const NoPath& reason) {
                {"robot", reason.contact->q}};
   }
   return {{"kind", name_of(reason.kind)}, {"text", reason.text}, {"contact", contact}, {"start", start}, {"goal", goal},
-          {"unexamined_angles", reason.unexamined_angles}};
+          {"unexamined_angles", reason.unexamined_angles},
+          {"limit", reason.limit ? limit_json(*reason.limit) : Json(nullptr)}};
 }
 
 Json path_json(const PlannedPath& planned, const Timing& timing, const std::vector<Input>& inputs) {
@@ -90,7 +101,7 @@ Json path_json(const PlannedPath& planned, const Timing& timing, const std::vect
                 {{"levels", work.levels},
                  {"slices", work.slices},
                  {"rotations", work.rotations},
-                 {"rounds", work.rounds}}}});
+                 {"refinements", work.refinements}}}});
   return json;
 }
 
@@ -116,6 +127,7 @@ ExitCode run_path(const PathCommand& command) {
   obstacle_options.progress = bar->callback();
   PlanOptions options;
   options.progress = bar->callback();
+  options.time_limit_seconds = command.time_limit;
   options.touching = command.strict ? Touching::forbidden : Touching::allowed;
   const auto compute = [&] {
     const CspaceObstacle obstacle =
@@ -130,7 +142,8 @@ ExitCode run_path(const PathCommand& command) {
                                              : path_picture(inputs[0].region, inputs[1].region, planned.plan.path));
   if (command.report.json) print_report(json);
   else print_text(planned.plan);
-  return planned.plan.found() ? kDone : kNo;
+  if (planned.plan.found()) return kDone;
+  return planned.plan.reason->kind == NoPath::Kind::undecided ? kUndecided : kNo;
 }
 
 }  // namespace
@@ -138,12 +151,16 @@ ExitCode run_path(const PathCommand& command) {
 void add_path(CLI::App& app, Action& action) {
   auto command = std::make_shared<PathCommand>();
   CLI::App& verb = *app.add_subcommand("path",
-      "A motion of a robot that translates and turns past an obstacle, or the proof that there is none; ends with 4 then");
+      "A motion of a robot that translates and turns past an obstacle, or the proof that there is none: "
+      "ends with 4 then, and with 5 if it is not decided within the time limit");
   add_operands(verb, kRobot, kObstacle, command->operands);
   verb.add_option("--from", command->from,
       "Where the robot starts, theta in radians or as 90deg")->type_name("x,y,theta")->required();
   verb.add_option("--to", command->to, "Where it is to go")->type_name("x,y,theta")->required();
   verb.add_flag("--strict", command->strict, "Touching the obstacle is forbidden");
+  verb.add_option("--time-limit", command->time_limit,
+      "Seconds after which the search stops without a decision, 60 unless told")
+      ->type_name("SECONDS")->check(CLI::NonNegativeNumber);
   verb.add_option("-o", command->files,
       "Write the path as .json, or as a picture .svg; repeatable")->type_name("FILE")->allow_extra_args(false);
   add_report_options(verb, command->report, "Compute N times and report the median and minimum time");

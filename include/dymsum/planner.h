@@ -29,25 +29,42 @@ struct FreeComponent {
   std::vector<std::uint32_t> shells;  ///< that bound it
 };
 
+/// What a search that did not decide was limited by, and where it stood.
+struct SearchLimit {
+  /// Else nothing was left to try: what joins the components is touched in one point or curve, which no translations
+  /// and rotations in place follow.
+  bool out_of_time = true;
+  double seconds = 0;  ///< the time limit
+  /// The passage nearest to the goal that was not crossed, if one is known: between two angles in radians,
+  /// counter-clockwise, a place (x, y) that was reached at one of them, and one at the other that was not.
+  struct Passage {
+    double from = 0, to = 0;
+    Point reached, beyond;
+  };
+  std::optional<Passage> passage;
+};
+
 /// Why there is no path.
 struct NoPath {
   enum class Kind : std::uint8_t {
     start_not_free,  ///< the start overlaps the obstacle, or touches it where that is forbidden
     goal_not_free,
     separated,  ///< they lie in different components
-    undecided,  ///< the components are joined, but no path was found within the limits of the search
+    undecided,  ///< the components are joined, but no path was found: `limit` says how far the search came
   };
   Kind kind = Kind::separated;
   std::string text;                              ///< one sentence
   std::optional<Contact> contact;                ///< where start or goal touches
   /// the components around them; several where touching joins them, none in a tight place
   std::vector<FreeComponent> start, goal;
+  std::optional<SearchLimit> limit;  ///< exactly when it is undecided
   /// events at irrational angles, at which nothing is passed by touching alone
   std::uint32_t unexamined_angles = 0;
 };
 
 struct PlanWork {
-  std::uint64_t levels = 0, slices = 0, rotations = 0, rounds = 0;
+  std::uint64_t levels = 0, slices = 0, rotations = 0;
+  std::uint64_t refinements = 0;  ///< how often levels were put between two that are neighbours
   double ms = 0;
 };
 
@@ -60,18 +77,22 @@ struct Plan {
 
 struct PlanOptions {
   Touching touching = Touching::allowed;
-  std::uint32_t most_rounds = 48;  ///< of refinement
+  /// Of the search: `undecided` after that. The steps between two looks at the clock, a slice or a way in one, are
+  /// finished; infinity is allowed.
+  double time_limit_seconds = 60;
   Progress progress;
 };
 
 /// A path from start to goal, or why there is none. x and y are taken at face value, theta as Orientation::nearest.
-/// Touching forbidden: complete. Two places are joined exactly if FreeCell::component is the same; a path in it has
-/// some distance from the obstacle, so that finitely many orientations suffice, which are added round by round until it
-/// is found.
+/// Touching forbidden: complete, given the time. Two places are joined exactly if FreeCell::component is the same; a
+/// path in it has some distance from the obstacle, so that finitely many orientations suffice. They are added where
+/// the passage is, until the path is found (docs/design/motion-planning.md has the proof).
 /// Touching allowed: joins further what touches at event angles with a rational tangent of the half angle; passages
-/// that are open at one irrational angle alone are not examined, and not counted on.
+/// that are open at one irrational angle alone are not examined, and not counted on. A passage that can only be
+/// followed along a curve, touching all the way, may stay undecided.
 /// Every translation and rotation of a path is free by check_translation and check_rotation.
-/// Errors: bad_rotation and not_finite for configurations that are not finite; unsupported_operand for coordinates
+/// Errors: bad_rotation and not_finite for configurations that are not finite; not_finite for a time limit that is no
+/// number or negative; unsupported_operand for coordinates
 /// beyond 2^400; cancelled.
 /// Cost: a slice and a graph of it per event angle on the way, O(n (n + k)) each for n edges and k of them over one
 /// place, and O(NM) filtered signs per rotation tried, N and M being the sizes of robot and obstacle.

@@ -55,11 +55,26 @@ TEST_F(PathCli, NoPathEndsWithFourAndSaysWhy) {
   EXPECT_NE(overlap.out.find("overlaps"), std::string::npos);
 }
 
+// A ladder in corridors of width 1, 1.7 % shorter than the longest one that goes round the corner.
+TEST_F(PathCli, UndecidedEndsWithFiveAndSaysWhere) {
+  work.write("ladder.wkt", "POLYGON ((0 0, 2.75 0, 2.75 .015625, 0 .015625, 0 0))\n");
+  work.write("corner.wkt", "POLYGON ((-1 -1, 19 -1, 19 19, -1 19, -1 -1), (0 0, 18 0, 18 1, 1 1, 1 18, 0 18, 0 0))\n");
+  const std::string command = "dymsum path ladder.wkt corner.wkt --from 2,.5,0 --to .5,17,-1.5707963267948966";
+  EXPECT_EQ(work.run(command).code, 0);
+  const Json stopped = json(command + " --time-limit 0 --json", 5);
+  EXPECT_FALSE(stopped["found"].get<bool>());
+  EXPECT_EQ(stopped["reason"]["kind"], "undecided");
+  EXPECT_EQ(stopped["reason"]["limit"]["seconds"], 0);
+  EXPECT_EQ(stopped["reason"]["limit"]["passage"]["angles"].size(), 2u);
+  EXPECT_NE(stopped["reason"]["text"].get<std::string>().find("time limit"), std::string::npos);
+}
+
 TEST_F(PathCli, WrongOptionsAreUsageErrors) {
   EXPECT_EQ(work.run("dymsum path square.wkt rooms.wkt --from 0,0 --to 5,0,0").code, 1);
   EXPECT_EQ(work.run("dymsum path square.wkt rooms.wkt --from 0,0,0,0 --to 5,0,0").code, 1);
   EXPECT_EQ(work.run("dymsum path square.wkt rooms.wkt --from 0,0,0").code, 1);
   EXPECT_EQ(work.run("dymsum path square.wkt rooms.wkt --from 0,0,0 --to 5,0,0 -o path.png").code, 1);
+  EXPECT_EQ(work.run("dymsum path square.wkt rooms.wkt --from 0,0,0 --to 5,0,0 --time-limit -1").code, 1);
 }
 
 }  // namespace

@@ -74,4 +74,18 @@ std::string text_of(const FreeComponent& c) {
   return text.str();
 }
 
+std::string text_of(const SearchLimit& limit) {
+  std::ostringstream text;
+  const auto degrees = [](double radians) { return radians * 180 / std::numbers::pi; };
+  if (limit.out_of_time) text << "the time limit of " << limit.seconds << " s was reached";
+  else text << "what joins them is passed along a curve alone, touching all the way, and not by translations and "
+               "rotations in place";
+  text.precision(10);
+  if (limit.passage)
+    text << ", at the passage between " << degrees(limit.passage->from) << " and " << degrees(limit.passage->to)
+         << " degrees from (" << limit.passage->reached.x << ", " << limit.passage->reached.y << ") to ("
+         << limit.passage->beyond.x << ", " << limit.passage->beyond.y << ")";
+  return text.str();
+}
+
 }  // namespace dymsum::planar

@@ -23,5 +23,7 @@ class JoinedComponents {
 FreeComponent described(const CspaceObstacle& obstacle, std::uint32_t component);
 /// "component 2, with angles from -20 to 30 degrees, enclosed by shell 1"
 std::string text_of(const FreeComponent& component);
+/// "the time limit of 60 s was reached between 44.1 and 44.2 degrees near (1, 2)"
+std::string text_of(const SearchLimit& limit);
 
 }  // namespace dymsum::planar

@@ -1,6 +1,7 @@
 #include "planar/rotation/path_levels.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace dymsum::planar {
 namespace {
@@ -31,12 +32,22 @@ const SliceGraph& PathLevels::graph(std::size_t k) {
   return *level.graph;
 }
 
+std::size_t PathLevels::index_of(const PathLevel* level) const {
+  const double theta = level->theta.radians();
+  const auto at = std::partition_point(levels_.begin(), levels_.end(), [&](const auto& l) {
+    const double d = l->theta.radians() - theta;  // both within 2^-50
+    return std::abs(d) > 0x1p-48 ? d < 0 : compare(l->angle, level->angle) < 0;
+  });
+  return static_cast<std::size_t>(at - levels_.begin());
+}
+
 std::size_t PathLevels::add(const Orientation& theta) {
-  auto level = std::make_unique<PathLevel>(PathLevel{theta, exact_angle(theta), nullptr, nullptr});
-  const auto at = std::partition_point(levels_.begin(), levels_.end(),
-                                       [&](const auto& l) { return compare(l->angle, level->angle) < 0; });
-  const auto k = static_cast<std::size_t>(at - levels_.begin());
-  if (at == levels_.end() || compare((*at)->angle, level->angle) != 0) levels_.insert(at, std::move(level));
+  auto level = std::make_unique<PathLevel>(theta);
+  const std::size_t k = index_of(level.get());
+  if (k < levels_.size() && compare(levels_[k]->angle, level->angle) == 0) return k;
+  level->slab = obstacle_.slab_of(theta);
+  level->id = static_cast<std::uint32_t>(levels_.size());
+  levels_.insert(levels_.begin() + static_cast<std::ptrdiff_t>(k), std::move(level));
   return k;
 }
 
@@ -50,15 +61,26 @@ void PathLevels::add_all() {
     if (levels_.size() < 4) add(d == 0 ? Orientation::half_turn() : *Orientation::of(n, d));
 }
 
+std::optional<std::uint32_t> PathLevels::event_before_next(std::size_t k) const {
+  const std::vector<ExactAngle>& events = obstacle_.state().exact_angles;
+  if (events.empty()) return std::nullopt;
+  // Levels of one slab or of neighbouring ones.
+  if (events.size() > 1) {
+    const std::uint32_t next = slab_behind((k + 1) % size());
+    return slab_behind(k) == next ? std::nullopt : std::optional(next);
+  }
+  const std::uint32_t first = (slab_behind(k) + 1) % static_cast<std::uint32_t>(events.size());
+  // Beyond a, and not beyond b, on the way round.
+  const ExactAngle &a = angle(k), &b = angle((k + 1) % size()), &e = events[first];
+  const bool past = compare(e, a) > 0, before = compare(e, b) <= 0;
+  return (compare(a, b) < 0 ? past && before : past || before) ? std::optional(first) : std::nullopt;
+}
+
 std::vector<Orientation> PathLevels::between(std::size_t k) const {
   const ExactAngle &a = angle(k), &b = angle((k + 1) % size());
-  std::vector<Orientation> more;
-  for (const ExactAngle& e : obstacle_.state().exact_angles) {
-    // Strictly between: beyond a, and not beyond b, on the way round.
-    const int past = compare(e, a), before = compare(e, b);
-    if (past == 0 || before == 0) continue;
-    if (compare(a, b) < 0 ? past > 0 && before < 0 : past > 0 || before < 0)
-      return {orientation_between(a, e), orientation_between(e, b)};
+  if (const std::optional<std::uint32_t> event = event_before_next(k)) {
+    const ExactAngle& e = obstacle_.state().exact_angles[*event];
+    if (compare(e, b) != 0) return {orientation_between(a, e), orientation_between(e, b)};
   }
   return {orientation_between(a, b)};
 }
@@ -82,17 +104,38 @@ std::uint32_t PathLevels::cell_in_slab(std::uint32_t slab, const SliceMap& map, 
   return one ? near[0] : kUnknown;
 }
 
+// One for each loop: where one edge of it does not tell, another may.
+std::vector<std::uint32_t> PathLevels::cells_of(std::uint32_t slab, const SliceMap& map, const SliceGraph& graph,
+                                                std::uint32_t face) {
+  std::vector<std::uint32_t> all;
+  bool new_loop = true;
+  std::uint32_t before = 0;
+  for (const std::uint32_t edge : graph.edges_of(face)) {
+    // The last edge of a ring leads back to its first spot.
+    for (; before < edge; ++before) new_loop = new_loop || map.edges()[before].to < map.edges()[before].from;
+    if (new_loop) all.push_back(kUnknown);
+    new_loop = false;
+    if (all.back() == kUnknown) all.back() = cell_in_slab(slab, map, edge);
+  }
+  return all;
+}
+
+std::uint32_t PathLevels::slab_behind(std::size_t k) const {
+  if (levels_[k]->slab) return *levels_[k]->slab;
+  const std::vector<ExactAngle>& angles = obstacle_.state().exact_angles;
+  const auto at = std::partition_point(angles.begin(), angles.end(),
+                                       [&](const ExactAngle& e) { return compare(e, angle(k)) < 0; });
+  return static_cast<std::uint32_t>(at - angles.begin());
+}
+
 // At an event angle: at an orientation next to it, up to which a place of the face stays free.
-std::uint32_t PathLevels::cell_beside(std::size_t k, std::uint32_t face) {
+std::vector<std::uint32_t> PathLevels::cells_beside(std::size_t k, std::uint32_t face) {
   const SliceGraph& at = graph(k);
   const auto inside = std::find_if(at.trapezoids().begin(), at.trapezoids().end(),
                                    [&](const auto& t) { return t.face == face; });
   const std::vector<ExactAngle>& angles = obstacle_.state().exact_angles;
-  const auto next = std::find_if(angles.begin(), angles.end(), [&](const auto& e) { return compare(e, angle(k)) > 0; });
-  const bool alone = compare(angles[0], angle(k)) == 0;
-  const ExactAngle limit = next != angles.end() ? *next
-                           : alone              ? exact_angle(orientation_between(angle(k), angle(k)))
-                                                : angles[0];
+  const std::size_t next = (slab_behind(k) + 1) % angles.size();
+  const ExactAngle limit = angles.size() > 1 ? angles[next] : exact_angle(orientation_between(angle(k), angle(k)));
   pivot_.stand(inside->centre);
   const Orientation beside = pivot_.beside(theta(k), limit, TurnDirection::counter_clockwise);
   const std::unique_ptr<SliceMap> map = map_at(obstacle_, beside);
@@ -100,38 +143,27 @@ std::uint32_t PathLevels::cell_beside(std::size_t k, std::uint32_t face) {
   const SliceGraph graph(*map, false, frame_);
   const std::vector<std::uint32_t> nodes = graph.nodes_at(SlicePoint(inside->centre));
   const std::optional<std::uint32_t> slab = obstacle_.slab_of(beside);
-  if (nodes.empty() || !slab) return kUnknown;
-  const std::uint32_t edge = graph.edge_of(graph.trapezoids()[nodes[0]].face);
-  return edge == kUnknown ? kUnknown : cell_in_slab(*slab, *map, edge);
+  if (nodes.empty() || !slab) return {kUnknown};
+  return cells_of(*slab, *map, graph, graph.trapezoids()[nodes[0]].face);
 }
 
-std::uint32_t PathLevels::cell(std::size_t k, std::uint32_t face) {
+const std::vector<std::uint32_t>& PathLevels::cells(std::size_t k, std::uint32_t group) {
   const SliceGraph& at = graph(k);
-  auto& known = known_[levels_[k].get()];
-  known.resize(at.faces());
-  if (known[face]) return *known[face];
-  std::uint32_t cell = kUnknown;
-  if (const std::optional<std::uint32_t> slab = this->slab(k)) {
-    const std::uint32_t edge = at.edge_of(face);
-    if (edge != kUnknown) cell = cell_in_slab(*slab, map(k), edge);
-  } else {
-    cell = cell_beside(k, face);
-  }
-  known[face] = cell;
-  return cell;
-}
-
-std::vector<std::uint32_t> PathLevels::cells(std::size_t k, std::uint32_t group) {
+  std::vector<std::optional<std::vector<std::uint32_t>>>& known = levels_[k]->cells;
+  known.resize(at.groups());
+  if (known[group]) return *known[group];
   std::vector<std::uint32_t> all;
-  const SliceGraph& at = graph(k);
   std::vector<bool> seen(at.faces(), false);
   for (std::uint32_t n = 0; n < at.trapezoids().size(); ++n) {
     const std::uint32_t face = at.trapezoids()[n].face;
     if (at.group_of(n) != group || seen[face]) continue;
     seen[face] = true;
-    all.push_back(cell(k, face));
+    const std::vector<std::uint32_t> more = slab(k) ? cells_of(*slab(k), map(k), at, face) : cells_beside(k, face);
+    all.insert(all.end(), more.begin(), more.end());
   }
-  return all;
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return *(known[group] = std::move(all));
 }
 
 std::vector<std::uint32_t> PathLevels::components(std::size_t k, std::uint32_t group) {

@@ -6,19 +6,23 @@
 
 #include "planar/rotation/free_components.h"
 #include "planar/rotation/path_points.h"
+#include "planar/rotation/path_search.h"
 
 namespace dymsum {
 namespace {
 
 using namespace planar;
 
+using Clock = std::chrono::steady_clock;
+
 constexpr std::uint32_t kUnknown = SliceMap::kNone;
 
 class Planner {
  public:
-  Planner(const CspaceObstacle& obstacle, PathEnd start, PathEnd goal, const PlanOptions& options, double frame)
+  Planner(const CspaceObstacle& obstacle, PathEnd start, PathEnd goal, const PlanOptions& options, double frame,
+          Clock::time_point deadline)
       : obstacle_(obstacle), options_(options), start_(std::move(start)), goal_(std::move(goal)),
-        levels_(obstacle, options.touching, frame), joined_(obstacle) {}
+        levels_(obstacle, options.touching, frame), joined_(obstacle), deadline_(deadline) {}
 
   // Locate both, compare their components, search.
   Result<Plan> run() {
@@ -102,22 +106,30 @@ class Planner {
   }
 
   Result<Plan> search(const std::vector<std::uint32_t>& from, const std::vector<std::uint32_t>& to) {
-    PathSearch search(obstacle_, levels_, options_.touching, [this](auto a, auto b) { return joined(a, b); });
-    std::size_t places = 12;
-    for (plan_.work.rounds = 1; plan_.work.rounds <= options_.most_rounds; ++plan_.work.rounds) {
-      const PathSearch::Outcome outcome = search.round(start_, goal_, places, options_.progress);
-      plan_.work.rotations = search.rotations();
-      if (outcome == PathSearch::Outcome::cancelled)
-        return Error{Code::cancelled, "cancelled by the progress callback", {}};
-      if (outcome == PathSearch::Outcome::found) {
-        write_path(search.steps());
-        return finished();
-      }
-      search.refine();
-      places = std::min<std::size_t>(2 * places, 400);
+    PathLinks links(obstacle_, levels_, joined_);
+    PathSearch search(obstacle_, levels_, links, options_.touching);
+    const PathSearch::Outcome outcome = search.run(start_, goal_, {deadline_, options_.progress});
+    plan_.work.rotations = search.rotations();
+    plan_.work.refinements = search.refinements();
+    switch (outcome) {
+      case PathSearch::Outcome::cancelled: return Error{Code::cancelled, "cancelled by the progress callback", {}};
+      case PathSearch::Outcome::found: write_path(search.steps()); break;
+      case PathSearch::Outcome::nothing:
+      case PathSearch::Outcome::out_of_time:
+        refuse(NoPath::Kind::undecided, from, to);
+        add_limit(outcome == PathSearch::Outcome::out_of_time, search.barrier());
     }
-    refuse(NoPath::Kind::undecided, from, to);
     return finished();
+  }
+
+  void add_limit(bool out_of_time, const std::optional<PathBarrier>& barrier) {
+    SearchLimit& limit = plan_.reason->limit.emplace();
+    limit.out_of_time = out_of_time;
+    limit.seconds = options_.time_limit_seconds;
+    if (barrier)
+      limit.passage = {barrier->from.radians(), barrier->to.radians(), SlicePoint(barrier->reached).at(),
+                       SlicePoint(barrier->beyond).at()};
+    plan_.reason->text += "; " + text_of(limit);
   }
 
   void refuse(NoPath::Kind kind, const std::vector<std::uint32_t>& from, const std::vector<std::uint32_t>& to) {
@@ -134,7 +146,7 @@ class Planner {
       return all.empty() ? std::string("a place that is held by contacts") : text_of(all[0]);
     };
     reason.text = kind == NoPath::Kind::separated ? "there is no path: "
-        : "no path was found within the limits of the search: ";
+        : "undecided, start and goal are joined, but no path was found: ";
     reason.text += "the start lies in " + place(reason.start) + "; the goal lies in " + place(reason.goal);
   }
 
@@ -159,6 +171,7 @@ class Planner {
   PathEnd start_, goal_;
   PathLevels levels_;
   JoinedComponents joined_;
+  Clock::time_point deadline_;
   Plan plan_;
 };
 
@@ -175,7 +188,11 @@ Result<PathEnd> end_of(const Configuration& c) {
 
 Result<Plan> plan(const CspaceObstacle& obstacle, const Configuration& start, const Configuration& goal,
                   const PlanOptions& options) {
-  const auto began = std::chrono::steady_clock::now();
+  const auto began = Clock::now();
+  if (!(options.time_limit_seconds >= 0)) return Error{Code::not_finite, "the time limit is no number of seconds", {}};
+  // Beyond a century the clock's numbers might not do.
+  const std::chrono::duration<double> limit(std::min(options.time_limit_seconds, 3e9));
+  const auto deadline = began + std::chrono::duration_cast<Clock::duration>(limit);
   Result<PathEnd> from = end_of(start), to = end_of(goal);
   if (!from) return from.error();
   if (!to) return to.error();
@@ -183,10 +200,11 @@ Result<Plan> plan(const CspaceObstacle& obstacle, const Configuration& start, co
   double span = pose.reach();
   for (const Point& p : pose.obstacle().vertices) span = std::max({span, std::abs(p.x), std::abs(p.y)});
   for (const Configuration& c : {start, goal}) span = std::max({span, std::abs(c.x), std::abs(c.y)});
-  Result<Plan> answer = Planner(obstacle, std::move(from).value(), std::move(to).value(), options, 4 * span).run();
+  Result<Plan> answer =
+      Planner(obstacle, std::move(from).value(), std::move(to).value(), options, 4 * span, deadline).run();
   if (!answer) return answer.error();
   Plan plan = std::move(answer).value();
-  plan.work.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - began).count();
+  plan.work.ms = std::chrono::duration<double, std::milli>(Clock::now() - began).count();
   return plan;
 }
 

@@ -7,6 +7,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "exact/rational_order.h"
+
 namespace dymsum::planar {
 
 using exact::BigRational;
@@ -109,7 +111,7 @@ int SliceGraph::compare_heights(std::uint32_t e, std::uint32_t f, const Line& li
   const auto [y, y_error] = height(e, line);
   const auto [z, z_error] = height(f, line);
   if (std::abs(y - z) > 1.01 * (y_error + z_error)) return y < z ? -1 : 1;
-  return exact_height(e, line.exact()).compare(exact_height(f, line.exact()));
+  return exact::compare(exact_height(e, line.exact()), exact_height(f, line.exact()));
 }
 
 BigRational SliceGraph::middle_of(std::uint32_t low, std::uint32_t high, const Line& line) const {
@@ -175,13 +177,24 @@ void SliceGraph::join_columns(std::uint32_t line) {
 void SliceGraph::name_faces() {
   std::vector<std::uint32_t> names;
   faces_ = name_pieces(links_, names);
-  edge_of_face_.assign(faces_, kNone);
+  edges_of_face_.assign(faces_, {});
   for (std::size_t k = 0; k < names.size(); ++k) {
     Trapezoid& t = trapezoids_[k];
     t.face = names[k];
     for (const std::uint32_t e : {t.low, t.high})
-      if (e != kBottom && e != kTop) edge_of_face_[t.face] = e;
+      if (e != kBottom && e != kTop) edges_of_face_[t.face].push_back(e);
   }
+  for (std::vector<std::uint32_t>& edges : edges_of_face_) {
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  }
+}
+
+std::vector<Position> SliceGraph::places_of(std::uint32_t node) const {
+  if (node < trapezoids_.size()) return {trapezoids_[node].centre};
+  const auto [a, b] = map_.cracks()[node - trapezoids_.size()];
+  const Position &from = map_.spots()[a].exact(), &to = map_.spots()[b].exact();
+  return {from, to};
 }
 
 bool SliceGraph::holds(const Trapezoid& t, const SlicePoint& p) const {
@@ -193,7 +206,7 @@ std::vector<std::uint32_t> SliceGraph::nodes_at(const SlicePoint& p) const {
   const auto compare_line = [&](const Line& l) {
     const double d = p.at().x - l.at;
     if (std::abs(d) > 1.01 * (p.error() + l.error) + 0x1p-52 * std::abs(d)) return d > 0 ? 1 : -1;
-    return p.exact().x.compare(l.exact());
+    return exact::compare(p.exact().x, l.exact());
   };
   const auto beyond = std::partition_point(lines_.begin(), lines_.end(),
       [&](const Line& l) { return compare_line(l) > 0; });

@@ -34,8 +34,11 @@ class SliceGraph {
   std::uint32_t groups() const { return groups_; }
   /// A connected piece: a face, or with touching what is joined to it.
   std::uint32_t group_of(std::uint32_t node) const { return group_[node]; }
-  /// An edge of the slice with that face on its right; kNone for the whole plane.
-  std::uint32_t edge_of(std::uint32_t face) const { return edge_of_face_[face]; }
+  /// The edges of the slice with that face on their right, increasing; none for the whole plane.
+  const std::vector<std::uint32_t>& edges_of(std::uint32_t face) const { return edges_of_face_[face]; }
+  /// Trapezoids, then cracks, by index: the centre of one, the ends of the other.
+  std::vector<Position> places_of(std::uint32_t node) const;
+  std::uint32_t nodes() const { return static_cast<std::uint32_t>(group_.size()); }
   /// The closed trapezoids, then the tight features, that hold p.
   std::vector<std::uint32_t> nodes_at(const SlicePoint& p) const;
   /// The group of a free place; kNone where it is none.
@@ -84,7 +87,8 @@ class SliceGraph {
   std::vector<Trapezoid> trapezoids_;
   std::vector<std::vector<Link>> links_;
   std::deque<SlicePoint> crossings_;  // of cracks
-  std::vector<std::uint32_t> group_, edge_of_face_;
+  std::vector<std::uint32_t> group_;
+  std::vector<std::vector<std::uint32_t>> edges_of_face_;
   std::uint32_t faces_ = 0, groups_ = 0;
 };
 

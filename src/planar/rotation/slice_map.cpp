@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exact/rational_order.h"
+
 namespace dymsum::planar {
 
 using exact::BigRational;
@@ -65,13 +67,13 @@ int side(const SlicePoint& a, const SlicePoint& b, const SlicePoint& c) {
 int compare_x(const SlicePoint& a, const SlicePoint& b) {
   const double d = a.at().x - b.at().x;
   if (std::abs(d) > 1.01 * (a.error() + b.error()) + 0x1p-52 * std::abs(d)) return d > 0 ? 1 : -1;
-  return &a == &b ? 0 : a.exact().x.compare(b.exact().x);
+  return &a == &b ? 0 : exact::compare(a.exact().x, b.exact().x);
 }
 
 int compare_y(const SlicePoint& a, const SlicePoint& b) {
   const double d = a.at().y - b.at().y;
   if (std::abs(d) > 1.01 * (a.error() + b.error()) + 0x1p-52 * std::abs(d)) return d > 0 ? 1 : -1;
-  return &a == &b ? 0 : a.exact().y.compare(b.exact().y);
+  return &a == &b ? 0 : exact::compare(a.exact().y, b.exact().y);
 }
 
 bool same(const SlicePoint& a, const SlicePoint& b) { return compare_x(a, b) == 0 && compare_y(a, b) == 0; }
