@@ -20,6 +20,7 @@ void add_cspace(CLI::App& app, Action& action);
 void add_clearance(CLI::App& app, Action& action);
 void add_path(CLI::App& app, Action& action);
 void add_depth(CLI::App& app, Action& action);
+void add_contains(CLI::App& app, Action& action);
 void add_info(CLI::App& app, Action& action);
 void add_convert(CLI::App& app, Action& action);
 

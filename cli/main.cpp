@@ -31,6 +31,7 @@ void add_verbs(CLI::App& app, Action& action) {
   add_clearance(app, action);
   add_path(app, action);
   add_depth(app, action);
+  add_contains(app, action);
   add_info(app, action);
   add_convert(app, action);
 }
