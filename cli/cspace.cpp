@@ -22,6 +22,7 @@ struct CspaceCommand {
   std::vector<std::string> operands{"", ""}, files;
   double tolerance = 1e-3;
   std::size_t slices = 12;
+  bool open = false;
   ReportOptions report;
   InputOptions input;
 };
@@ -36,7 +37,7 @@ void check(const CspaceCommand& command) {
     if (!is_glb(file) && !is_strip(file) && !file.ends_with(".json"))
       throw Stop(kUsage, "-o writes .glb (boundary), .svg (film strip of slices) or .json (patches): " + file);
   const auto written = [&](bool (*kind)(const std::string&)) { return std::any_of(command.files.begin(), command.files.end(), kind); };
-  if (!written(is_glb)) refuse_options(*command.parser, {"--tolerance"}, "belongs to -o FILE.glb");
+  if (!written(is_glb)) refuse_options(*command.parser, {"--tolerance", "--open"}, "belongs to -o FILE.glb");
   if (!written(is_strip)) refuse_options(*command.parser, {"--slices"}, "belongs to -o FILE.svg");
 }
 
@@ -132,7 +133,7 @@ std::vector<std::string> output_texts(const CspaceCommand& command, const Cspace
   std::vector<std::string> texts;
   for (const std::string& file : command.files) {
     if (is_glb(file))
-      texts.push_back(obstacle_glb(report.obstacle, *report.mesh));
+      texts.push_back(obstacle_glb(report.obstacle, *report.mesh, command.open ? Ends::open : Ends::capped));
     else if (is_strip(file))
       texts.push_back(slice_strip(report.obstacle, command.slices, progress));
     else
@@ -181,6 +182,7 @@ void add_cspace(CLI::App& app, Action& action) {
       ->type_name("T")
       ->check(CLI::Range(1e-6, 1.0))
       ->capture_default_str();
+  verb.add_flag("--open", command->open, "Leave the mesh open at -pi and pi, where the surface goes on; otherwise the slice there caps it");
   verb.add_option("--slices", command->slices, "Slices of the film strip")
       ->type_name("N")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1000}))

@@ -54,9 +54,9 @@ std::size_t shade_of(const CspaceObstacle& obstacle, std::uint32_t shell) {
   return obstacle.shells()[shell].outer ? 0 : 1 + shell % (kShades - 1);
 }
 
-/// Blue for fixed contacts, orange for rotating ones.
-std::vector<FaceColour> colours_of(const CspaceObstacle& obstacle, const ObstacleMesh& mesh) {
-  constexpr std::array<std::array<float, 3>, 2> kHues{{{0.25f, 0.52f, 0.82f}, {0.93f, 0.55f, 0.17f}}};
+/// Yellow for fixed contacts and blue for rotating ones, as in the figures of docs/results; grey for the caps.
+std::vector<FaceColour> colours_of(const CspaceObstacle& obstacle, const ObstacleMesh& mesh, std::size_t faces) {
+  constexpr std::array<std::array<float, 3>, 2> kHues{{{250 / 255.f, 205 / 255.f, 120 / 255.f}, {40 / 255.f, 115 / 255.f, 185 / 255.f}}};
   constexpr std::array<float, kShades> kLight{0, 0.45f, -0.35f, 0.65f, -0.55f};  // towards white, or black
   std::vector<FaceColour> colours;
   for (const auto& hue : kHues) {
@@ -71,6 +71,8 @@ std::vector<FaceColour> colours_of(const CspaceObstacle& obstacle, const Obstacl
     const Patch& patch = obstacle.patches()[mesh.triangles[k].patch];
     colours[(patch.rotating() ? kShades : 0) + shade_of(obstacle, patch.shell)].faces.push_back(k);
   }
+  colours.push_back({{0.78f, 0.78f, 0.78f}, {}});
+  for (auto k = static_cast<std::uint32_t>(mesh.triangles.size()); k < faces; ++k) colours.back().faces.push_back(k);
   return colours;
 }
 
@@ -111,21 +113,21 @@ Json obstacle_json(const CspaceObstacle& obstacle) {
           {"free_cells", cells}};
 }
 
-std::string obstacle_glb(const CspaceObstacle& obstacle, const ObstacleMesh& mesh) {
+std::string obstacle_glb(const CspaceObstacle& obstacle, const ObstacleMesh& mesh, Ends ends) {
   const double scale = mesh.extent / (2 * kPi);
   const std::vector<std::pair<std::string, std::string>> notes = {
       {"content", "boundary of the obstacle of a robot that moves and turns; x and y are translations of the robot"},
       {"z", "theta in radians times " + digits(scale) + ", from -pi to pi"},
-      {"planes", "the planes at -pi and at pi show the same slice: the surface goes on from the one in the other"},
-      {"colours", "blue: edges of the obstacle on vertices of the robot; orange: edges of the robot, which turn, on "
-                  "vertices of the obstacle; shades: shells"},
+      {"planes", ends == Ends::capped ? "the planes at -pi and at pi show the same slice, as grey caps"
+                                      : "the planes at -pi and at pi show the same slice: the surface goes on from the "
+                                        "one in the other"},
+      {"colours", "yellow: edges of the obstacle on vertices of the robot; blue: edges of the robot, which turn, on "
+                  "vertices of the obstacle; shades: shells; grey: caps"},
       {"error", "at every angle within " + digits(mesh.tolerance) + " of the exact surface"},
       {"closed", closure(mesh).watertight() ? "yes" : "no"}};
-  const MeshData data = mesh_data(mesh);
-  const std::vector<FaceColour> colours = colours_of(obstacle, mesh);
-  std::vector<std::uint32_t> smooth;  // closing triangles have no direction to share
-  for (const ObstacleTriangle& t : mesh.triangles) smooth.push_back(t.closing ? Patch::kNone : t.patch);
-  return format_glb(data, {colours, smooth, notes});
+  const MeshData data = ends == Ends::capped ? capped_mesh_data(mesh) : mesh_data(mesh);
+  const std::vector<FaceColour> colours = colours_of(obstacle, mesh, data.faces.size());
+  return format_glb(data, {colours, notes});
 }
 
 std::string slice_strip(const CspaceObstacle& obstacle, std::size_t slices, const Progress& progress) {

@@ -18,8 +18,9 @@ Json shells_json(const CspaceObstacle& obstacle);
 Json obstacle_json(const CspaceObstacle& obstacle);
 
 /// Fixed and rotating contacts in two hues, shades by shell; scale, error and the meeting of top and bottom are noted
-/// in the file.
-std::string obstacle_glb(const CspaceObstacle& obstacle, const ObstacleMesh& mesh);
+/// in the file. The slice at -pi and pi closes the surface, or is left open.
+enum class Ends { capped, open };
+std::string obstacle_glb(const CspaceObstacle& obstacle, const ObstacleMesh& mesh, Ends ends);
 
 /// Exact slices at the simplest orientations within a thousandth of a step of equal steps of the turn, up to pi.
 std::string slice_strip(const CspaceObstacle& obstacle, std::size_t slices, const Progress& progress);

@@ -29,7 +29,8 @@ Result<MeshData> parse_mesh(std::string_view bytes, MeshFormat format, std::stri
 /// Errors also: cannot_open, unsupported_format.
 Result<MeshData> read_mesh(const std::string& path);
 
-/// One coloured group of a picture's faces; `faces` are numbers of faces of the mesh.
+/// One coloured group of a picture's faces, red, green and blue from 0 to 1 as screens show them (sRGB); `faces` are numbers
+/// of faces of the mesh.
 struct FaceColour {
   std::array<float, 3> rgb{0.6f, 0.75f, 0.9f};
   std::vector<std::uint32_t> faces;
@@ -44,9 +45,6 @@ inline std::string format_mesh(const Mesh& mesh, MeshFormat format, std::span<co
 /// What a glb file can hold beside the mesh.
 struct GlbLook {
   std::span<const FaceColour> colours;
-  /// Per face a number: faces of one number look like one smooth surface, with a crease towards all others. Empty: every
-  /// face looks flat.
-  std::span<const std::uint32_t> smooth;
   /// Names and texts, kept in the file as extras of its asset.
   std::span<const std::pair<std::string, std::string>> notes;
 };

@@ -63,4 +63,8 @@ double enclosed_volume(const ObstacleMesh& mesh);
 /// triangle k.
 MeshData mesh_data(const ObstacleMesh& mesh);
 
+/// The same as a closed surface in space: behind the triangles stand the faces of the slice at -pi and of that at pi, as
+/// polygons that reach their holes along bridges. Every edge of a mesh that is watertight is then an edge of two faces.
+MeshData capped_mesh_data(const ObstacleMesh& mesh);
+
 }  // namespace dymsum

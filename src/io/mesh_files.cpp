@@ -64,7 +64,7 @@ std::string format_mesh(const MeshData& mesh, MeshFormat format, std::span<const
     case MeshFormat::ply: return io::write_ply(mesh, colours);
     case MeshFormat::glb: break;
   }
-  return io::write_glb(mesh, {colours, {}, {}});
+  return io::write_glb(mesh, {colours, {}});
 }
 
 Result<std::size_t> write_mesh(const Mesh& mesh, const std::string& path) {

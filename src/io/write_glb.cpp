@@ -1,14 +1,14 @@
-// Meshes as binary glTF 2.0: a header of 12 bytes, a JSON chunk, and a chunk with the numbers that it describes. Every
-// triangle has vertices of its own, with normals, so that faces look flat, or smooth among those of one number.
+// Meshes as binary glTF 2.0: a header of 12 bytes, a JSON chunk, and a chunk with the numbers that it describes. All
+// triangles are one primitive, whose vertices have colours and are shared by triangles of one colour. Without normals
+// faces look flat, and programs that merge vertices at one place get a surface that is closed where the mesh is.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
-#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "io/bytes.h"
@@ -23,86 +23,20 @@ using Json = nlohmann::ordered_json;
 using Triple = std::array<float, 3>;
 
 // glTF's names for its numbers.
-constexpr int kFloat = 5126, kArrayBuffer = 34962;
+constexpr int kFloat = 5126, kUnsigned = 5125, kVertices = 34962, kIndices = 34963;
 constexpr std::uint32_t kMagic = 0x46546C67, kVersion = 2, kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
 
 Triple rounded(const Point3& p) { return {to_float(p.x), to_float(p.y), to_float(p.z)}; }
 
-/// The unit normal; nothing for a triangle whose rounded corners are on one line.
-std::optional<Triple> normal_of(const Triple& a, const Triple& b, const Triple& c) {
-  std::array<double, 3> u, v;
-  double scale = 0;
+/// glTF's colours are amounts of light, and ours what a screen is told.
+Triple light_of(const std::array<float, 3>& rgb) {
+  Triple light{};
   for (std::size_t i = 0; i < 3; ++i) {
-    u[i] = static_cast<double>(b[i]) - static_cast<double>(a[i]);
-    v[i] = static_cast<double>(c[i]) - static_cast<double>(a[i]);
-    scale = std::max({scale, std::abs(u[i]), std::abs(v[i])});
+    const double c = static_cast<double>(std::clamp(rgb[i], 0.0f, 1.0f));
+    light[i] = static_cast<float>(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
   }
-  for (std::size_t i = 0; i < 3 && scale > 0; ++i) {
-    u[i] /= scale;
-    v[i] /= scale;
-  }
-  const double x = u[1] * v[2] - u[2] * v[1], y = u[2] * v[0] - u[0] * v[2], z = u[0] * v[1] - u[1] * v[0];
-  const double length = std::hypot(x, y, z);
-  if (!(length > 0)) return std::nullopt;
-  return Triple{static_cast<float>(x / length), static_cast<float>(y / length), static_cast<float>(z / length)};
+  return light;
 }
-
-/// The angle at the first of three corners.
-double angle_at(const Triple& a, const Triple& b, const Triple& c) {
-  double dot = 0, uu = 0, vv = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double u = static_cast<double>(b[i]) - static_cast<double>(a[i]);
-    const double v = static_cast<double>(c[i]) - static_cast<double>(a[i]);
-    dot += u * v;
-    uu += u * u;
-    vv += v * v;
-  }
-  const double length = std::sqrt(uu) * std::sqrt(vv);
-  return length > 0 && std::isfinite(length) ? std::acos(std::clamp(dot / length, -1.0, 1.0)) : 0;
-}
-
-/// Normals at the corners of triangles: each its own, or by vertex and smooth number the mean of all triangles there,
-/// weighed by their angles. Triangles without area have no say.
-class Normals {
- public:
-  Normals(const MeshData& data, const spatial::Triangles& all, std::span<const std::uint32_t> smooth)
-      : data_(data), smooth_(smooth) {
-    if (smooth.empty()) return;
-    for (std::size_t i = 0; i < all.triangles.size(); ++i) {
-      const spatial::Triangle& t = all.triangles[i];
-      for (std::size_t k = 0; k < 3; ++k) add(t, k, all.face[i]);
-    }
-  }
-
-  Triple at(const spatial::Triangle& t, std::size_t k, std::uint32_t face) const {
-    const Triple own = normal_of(corner(t, 0), corner(t, 1), corner(t, 2)).value_or(Triple{0, 0, 1});
-    if (smooth_.empty()) return own;
-    const auto sum = sums_.find(key(t[k], face));
-    if (sum == sums_.end()) return own;
-    const auto& [x, y, z] = sum->second;
-    const double length = std::hypot(x, y, z);
-    if (!(length > 0)) return own;
-    return {static_cast<float>(x / length), static_cast<float>(y / length), static_cast<float>(z / length)};
-  }
-
- private:
-  Triple corner(const spatial::Triangle& t, std::size_t k) const { return rounded(data_.vertices[t[k % 3]]); }
-  std::uint64_t key(std::uint32_t vertex, std::uint32_t face) const {
-    return (static_cast<std::uint64_t>(vertex) << 32) | smooth_[face];
-  }
-  void add(const spatial::Triangle& t, std::size_t k, std::uint32_t face) {
-    const Triple a = corner(t, k), b = corner(t, k + 1), c = corner(t, k + 2);
-    const std::optional<Triple> normal = normal_of(a, b, c);
-    if (!normal) return;
-    const double angle = angle_at(a, b, c);
-    auto& sum = sums_[key(t[k], face)];
-    for (std::size_t i = 0; i < 3; ++i) sum[i] += angle * static_cast<double>((*normal)[i]);
-  }
-
-  const MeshData& data_;
-  std::span<const std::uint32_t> smooth_;
-  std::unordered_map<std::uint64_t, std::array<double, 3>> sums_;
-};
 
 class GlbWriter {
  public:
@@ -112,28 +46,27 @@ class GlbWriter {
     for (const auto& [name, text] : notes) json_["asset"]["extras"][name] = text;
   }
 
-  /// A primitive of these triangles in a material of its own.
-  void add(const spatial::Triangles& group, const std::array<float, 3>& rgb, const Normals& normals_at) {
-    if (group.triangles.empty()) return;
-    std::vector<Triple> places, normals;
-    for (std::size_t i = 0; i < group.triangles.size(); ++i) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        places.push_back(rounded(data_.vertices[group.triangles[i][k]]));
-        normals.push_back(normals_at.at(group.triangles[i], k, group.face[i]));
+  /// A triangle with two corners at one place is left out: its other edges become one.
+  void add(const spatial::Triangle& triangle, std::size_t colour, const Triple& light) {
+    const auto at = [&](std::size_t k) { return rounded(data_.vertices[triangle[k]]); };
+    if (at(0) == at(1) || at(1) == at(2) || at(2) == at(0)) return;
+    for (const std::uint32_t vertex : triangle) {
+      const auto [known, fresh] = number_.try_emplace({vertex, colour}, static_cast<std::uint32_t>(places_.size()));
+      if (fresh) {
+        places_.push_back(rounded(data_.vertices[vertex]));
+        lights_.push_back(light);
       }
+      corners_.push_back(known->second);
     }
-    const std::size_t material = json_["materials"].size();
-    json_["materials"].push_back({{"pbrMetallicRoughness",
-                                   {{"baseColorFactor", {rgb[0], rgb[1], rgb[2], 1}},
-                                    {"metallicFactor", 0},
-                                    {"roughnessFactor", 0.8}}}});
-    const std::size_t position = add_accessor(places, true), normal = add_accessor(normals, false);
-    primitives_.push_back({{"attributes", {{"POSITION", position}, {"NORMAL", normal}}}, {"material", material}});
   }
 
   std::string write() {
-    if (!primitives_.empty()) {
-      json_["meshes"] = {{{"primitives", primitives_}}};
+    if (!corners_.empty()) {
+      json_["materials"] = {{{"doubleSided", true}, {"pbrMetallicRoughness", {{"metallicFactor", 0}, {"roughnessFactor", 0.8}}}}};
+      const Json attributes = {{"POSITION", add_triples(places_)}, {"COLOR_0", add_triples(lights_)}};
+      add_bounds(0);
+      const Json primitive = {{"attributes", attributes}, {"indices", add_corners()}, {"material", 0}};
+      json_["meshes"] = {{{"primitives", Json::array({primitive})}}};
       // z is up in our files and y in glTF: a quarter turn about x
       const double half = std::sqrt(0.5);
       json_["nodes"] = {{{"mesh", 0}, {"rotation", {-half, 0.0, 0.0, half}}}};
@@ -159,28 +92,42 @@ class GlbWriter {
     out += content;
   }
 
-  std::size_t add_accessor(const std::vector<Triple>& values, bool with_bounds) {
+  std::size_t add_accessor(std::size_t start, int target, int component, std::size_t count, const char* type) {
+    const std::size_t view = json_["bufferViews"].size(), accessor = json_["accessors"].size();
+    json_["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", start}, {"byteLength", bytes_.size() - start}, {"target", target}});
+    json_["accessors"].push_back({{"bufferView", view}, {"componentType", component}, {"count", count}, {"type", type}});
+    return accessor;
+  }
+
+  std::size_t add_triples(const std::vector<Triple>& values) {
     const std::size_t start = bytes_.size();
-    Triple low = values[0], high = values[0];
-    for (const Triple& value : values) {
+    for (const Triple& value : values)
+      for (const float part : value) append_bytes(bytes_, part);
+    return add_accessor(start, kVertices, kFloat, values.size(), "VEC3");
+  }
+
+  std::size_t add_corners() {
+    const std::size_t start = bytes_.size();
+    for (const std::uint32_t corner : corners_) append_bytes(bytes_, corner);
+    return add_accessor(start, kIndices, kUnsigned, corners_.size(), "SCALAR");
+  }
+
+  void add_bounds(std::size_t accessor) {
+    Triple low = places_[0], high = places_[0];
+    for (const Triple& place : places_) {
       for (std::size_t i = 0; i < 3; ++i) {
-        append_bytes(bytes_, value[i]);
-        low[i] = std::min(low[i], value[i]);
-        high[i] = std::max(high[i], value[i]);
+        low[i] = std::min(low[i], place[i]);
+        high[i] = std::max(high[i], place[i]);
       }
     }
-    const std::size_t view = json_["bufferViews"].size(), accessor = json_["accessors"].size();
-    json_["bufferViews"].push_back(
-        {{"buffer", 0}, {"byteOffset", start}, {"byteLength", bytes_.size() - start}, {"target", kArrayBuffer}});
-    json_["accessors"].push_back(
-        {{"bufferView", view}, {"componentType", kFloat}, {"count", values.size()}, {"type", "VEC3"}});
-    if (with_bounds) json_["accessors"].back().update({{"min", low}, {"max", high}});
-    return accessor;
+    json_["accessors"][accessor].update({{"min", low}, {"max", high}});
   }
 
   const MeshData& data_;
   Json json_;
-  Json primitives_ = Json::array();
+  std::vector<Triple> places_, lights_;
+  std::vector<std::uint32_t> corners_;
+  std::map<std::pair<std::uint32_t, std::size_t>, std::uint32_t> number_;  ///< of a vertex in a colour
   std::string bytes_;
 };
 
@@ -189,16 +136,14 @@ class GlbWriter {
 std::string write_glb(const MeshData& data, const GlbLook& look) {
   const spatial::Triangles all = spatial::triangulated(data);
   const std::vector<std::size_t> colour_of = colour_of_faces(data, look.colours);
-  std::vector<spatial::Triangles> groups(look.colours.size() + 1);
-  for (std::size_t i = 0; i < all.triangles.size(); ++i) {
-    spatial::Triangles& group = groups[colour_of[all.face[i]]];
-    group.triangles.push_back(all.triangles[i]);
-    group.face.push_back(all.face[i]);
-  }
-  const Normals normals(data, all, look.smooth);
+  std::vector<Triple> lights;
+  for (const FaceColour& colour : look.colours) lights.push_back(light_of(colour.rgb));
+  lights.push_back(light_of(FaceColour{}.rgb));
   GlbWriter writer(data, look.notes);
-  for (std::size_t i = 0; i < look.colours.size(); ++i) writer.add(groups[i], look.colours[i].rgb, normals);
-  writer.add(groups.back(), FaceColour{}.rgb, normals);
+  for (std::size_t i = 0; i < all.triangles.size(); ++i) {
+    const std::size_t colour = colour_of[all.face[i]];
+    writer.add(all.triangles[i], colour, lights[colour]);
+  }
   return writer.write();
 }
 

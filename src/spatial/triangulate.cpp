@@ -47,10 +47,11 @@ class Ears {
     return view_.sign *
            exact::normal_sign(vertices_[face_[a]], vertices_[face_[b]], vertices_[face_[c]], view_.axis);
   }
+  bool same(std::size_t a, std::size_t b) const { return vertices_[face_[a]] == vertices_[face_[b]]; }
   int turn(std::size_t i) const { return side(previous_[i], i, next_[i]); }
 
   /// A convex corner whose closed triangle holds no other corner; only blunt ones can be in its way. A simple polygon
-  /// always has one.
+  /// always has one. At a bridge to a hole two corners are at the same place: they are not in each other's way.
   std::optional<std::size_t> find_ear(std::size_t start, std::size_t left) const {
     for (std::size_t i = start; left > 0; --left, i = next_[i]) {
       if (turn(i) > 0 && is_clear(i)) return i;
@@ -61,7 +62,7 @@ class Ears {
   bool is_clear(std::size_t ear) const {
     const std::size_t a = previous_[ear], c = next_[ear];
     return std::none_of(blunt_.begin(), blunt_.end(), [&](std::size_t i) {
-      return i != a && i != c && side(a, ear, i) >= 0 && side(ear, c, i) >= 0 && side(c, a, i) >= 0;
+      return !same(i, a) && !same(i, ear) && !same(i, c) && side(a, ear, i) >= 0 && side(ear, c, i) >= 0 && side(c, a, i) >= 0;
     });
   }
 

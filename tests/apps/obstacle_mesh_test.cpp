@@ -194,6 +194,39 @@ TEST(ObstacleMesh, SameInputSameMesh) {
   EXPECT_EQ(a.seam, b.seam);
 }
 
+TEST(ObstacleMesh, CapsCloseTheSurfaceInSpaceWithTheSliceAtHalfATurn) {
+  std::vector<Pair> all = pairs();
+  all.push_back({"many holes", shapes::disc(8, 0.25), shapes::grate(5, 2, 1, 6)});
+  all.push_back({"a star in a star's holes", shapes::star(5, 0.5, 1), shapes::grate(4, 3, 1, 9)});
+  for (const Pair& pair : all) {
+    SCOPED_TRACE(pair.name);
+    const CspaceObstacle obstacle = obstacle_of(pair);
+    const ObstacleMesh mesh = mesh_of(obstacle, 1e-2);
+    // As programs read it: triangles in a file.
+    const MeshData data = capped_mesh_data(mesh);
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> uses;
+    for (const Face& face : data.faces)
+      for (std::size_t k = 0; k < face.size(); ++k) ++uses[{face[k], face[(k + 1) % face.size()]}];
+    for (const auto& [edge, n] : uses) {
+      ASSERT_EQ(n, 1);
+      ASSERT_TRUE(uses.contains({edge.second, edge.first})) << "an edge is open";
+    }
+    double top = 0, bottom = 0;
+    for (std::size_t f = mesh.triangles.size(); f < data.faces.size(); ++f) {
+      const Face& face = data.faces[f];
+      double area = 0;
+      for (std::size_t k = 0; k < face.size(); ++k) {
+        const Point3 &a = data.vertices[face[k]], &b = data.vertices[face[(k + 1) % face.size()]];
+        area += (a.x * b.y - a.y * b.x) / 2;
+      }
+      (data.vertices[face[0]].z > 0 ? top : bottom) += area;
+    }
+    const double area = obstacle.slice(Orientation::half_turn())->area();
+    EXPECT_NEAR(top, area, 1e-9 * area);
+    EXPECT_NEAR(bottom, -area, 1e-9 * area);
+  }
+}
+
 TEST(ObstacleMesh, HeightOfTheTurnIsTheExtent) {
   const CspaceObstacle obstacle = obstacle_of(pairs()[0]);
   const ObstacleMesh mesh = mesh_of(obstacle);

@@ -1,12 +1,14 @@
 // The verbs slice and cspace, and rotate with planar operands: keys, exit codes, files.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -129,10 +131,10 @@ TEST_F(CspaceCli, CspaceFilesHoldPatchesSlicesAndAClosedMesh) {
   EXPECT_EQ(count("c.svg", "tan θ/2 = "), 7u);
 }
 
-/// The positions of all triangles of a GLB file, and what is noted in it.
+/// The corners of all triangles of a GLB file, their colours, and what is noted in it.
 struct Glb {
   Json json;
-  std::vector<std::array<float, 3>> corners, normals;
+  std::vector<std::array<float, 3>> corners, lights;
 };
 
 Glb read_glb(const std::string& bytes) {
@@ -140,18 +142,30 @@ Glb read_glb(const std::string& bytes) {
   std::uint32_t length = 0;
   std::memcpy(&length, bytes.data() + 12, 4);
   glb.json = Json::parse(bytes.substr(20, length));
-  const auto append = [&](std::vector<std::array<float, 3>>& list, std::size_t accessor) {
-    const Json& view = glb.json["bufferViews"][glb.json["accessors"][accessor]["bufferView"].get<std::size_t>()];
-    const std::size_t start = 28 + length + view["byteOffset"].get<std::size_t>();
-    const std::size_t n = view["byteLength"].get<std::size_t>() / 12;
-    list.resize(list.size() + n);
-    std::memcpy(list[list.size() - n].data(), bytes.data() + start, 12 * n);
+  const auto start = [&](std::size_t accessor) {
+    return 28 + length + glb.json["bufferViews"][glb.json["accessors"][accessor]["bufferView"].get<std::size_t>()]["byteOffset"].get<std::size_t>();
   };
-  for (const Json& primitive : glb.json["meshes"][0]["primitives"]) {
-    append(glb.corners, primitive["attributes"]["POSITION"].get<std::size_t>());
-    append(glb.normals, primitive["attributes"]["NORMAL"].get<std::size_t>());
+  const Json& primitive = glb.json["meshes"][0]["primitives"][0];
+  const std::size_t indices = primitive["indices"];
+  for (std::size_t k = 0; k < glb.json["accessors"][indices]["count"]; ++k) {
+    std::uint32_t index = 0;
+    std::memcpy(&index, bytes.data() + start(indices) + 4 * k, 4);
+    for (const auto& [list, name] : {std::pair{&glb.corners, "POSITION"}, std::pair{&glb.lights, "COLOR_0"}}) {
+      list->emplace_back();
+      std::memcpy(list->back().data(), bytes.data() + start(primitive["attributes"][name]) + 12 * index, 12);
+    }
   }
   return glb;
+}
+
+using Corner = std::array<float, 3>;
+std::map<std::pair<Corner, Corner>, int> edge_uses(const Glb& glb) {
+  std::map<std::pair<Corner, Corner>, int> uses;
+  for (std::size_t k = 0; k < glb.corners.size(); ++k) {
+    const Corner &a = glb.corners[k], &b = glb.corners[k % 3 == 2 ? k - 2 : k + 1];
+    if (a != b) ++uses[{a, b}];
+  }
+  return uses;
 }
 
 TEST_F(CspaceCli, TheGlbIsClosedBitByBitAndSaysHowToReadIt) {
@@ -160,24 +174,31 @@ TEST_F(CspaceCli, TheGlbIsClosedBitByBitAndSaysHowToReadIt) {
   for (const char* note : {"z", "planes", "colours", "error", "closed"})
     EXPECT_TRUE(glb.json["asset"]["extras"].contains(note)) << note;
   EXPECT_EQ(glb.json["asset"]["extras"]["closed"], "yes");
-  EXPECT_EQ(glb.json["materials"].size(), 3u) << "two kinds outside, one in the cavity";
-  using Corner = std::array<float, 3>;
-  std::map<std::pair<Corner, Corner>, int> uses;
+  EXPECT_EQ(glb.json["materials"][0]["doubleSided"], true);
+  const std::set<Corner> lights(glb.lights.begin(), glb.lights.end());
+  EXPECT_EQ(lights.size(), 4u) << "two kinds outside, one in the cavity, and the caps";
   float low = 0, high = 0;
-  for (std::size_t k = 0; k < glb.corners.size(); ++k) {
-    const Corner &a = glb.corners[k], &b = glb.corners[k % 3 == 2 ? k - 2 : k + 1];
+  double cap = 0;
+  for (std::size_t k = 0; k < glb.corners.size(); k += 3) {
+    const Corner &a = glb.corners[k], &b = glb.corners[k + 1], &c = glb.corners[k + 2];
     low = std::min(low, a[2]), high = std::max(high, a[2]);
-    const Corner& normal = glb.normals[k];
-    EXPECT_NEAR(std::hypot(normal[0], normal[1], normal[2]), 1, 1e-5);
-    if (a != b) ++uses[{a, b}];
+    if (a[2] == b[2] && a[2] == c[2] && a[2] > 3) cap += ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2;
   }
   EXPECT_FLOAT_EQ(high - low, 6 + 2 * std::hypot(1.0f, 0.25f)) << "as high as wide";
+  EXPECT_NEAR(cap, json("dymsum slice rod.wkt cage.wkt --tan-half inf --json")["area"], 1e-4) << "the cap is the slice";
+  const auto uses = edge_uses(glb);
   for (const auto& [edge, n] : uses) {
-    const auto& [a, b] = edge;
-    if (a[2] == b[2] && (a[2] == low || a[2] == high)) continue;  // the planes are one
-    const auto back = uses.find({b, a});
-    ASSERT_TRUE(back != uses.end() && back->second == n) << "an edge is open";
+    ASSERT_EQ(n, 1) << "an edge is used twice in a direction";
+    ASSERT_TRUE(uses.contains({edge.second, edge.first})) << "an edge is open";
   }
+}
+
+TEST_F(CspaceCli, OpenLeavesTheCapsOut) {
+  ASSERT_EQ(work.run("dymsum cspace rod.wkt cage.wkt -o c.glb --tolerance 0.01 && dymsum cspace rod.wkt cage.wkt -o o.glb --tolerance 0.01 --open").code, 0);
+  const Glb closed = read_glb(work.read("c.glb")), open = read_glb(work.read("o.glb"));
+  EXPECT_LT(open.corners.size(), closed.corners.size());
+  const auto uses = edge_uses(open);
+  EXPECT_TRUE(std::any_of(uses.begin(), uses.end(), [&](const auto& use) { return !uses.contains({use.first.second, use.first.first}); }));
 }
 
 TEST_F(CspaceCli, RotateFollowsPlanarOperands) {

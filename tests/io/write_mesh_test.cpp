@@ -72,69 +72,56 @@ Glb opened(const std::string& file) {
   return glb;
 }
 
-TEST(WriteMesh, GlbHoldsEveryTriangleWithItsNormal) {
-  const Mesh box = solids::box(-1, -2, -3, 1, 2, 3);
-  const std::vector<FaceColour> colours = {{{1, 0, 0}, {0, 1}}, {{0, 1, 0}, {2}}, {{0, 0, 1}, {}}};
-  const Glb glb = opened(format_mesh(box, MeshFormat::glb, colours));
-  EXPECT_EQ(glb.json["asset"]["version"], "2.0");
-  EXPECT_EQ(glb.json["buffers"][0]["byteLength"], glb.bytes.size());
-  EXPECT_EQ(glb.json["scenes"][glb.json["scene"].get<int>()]["nodes"], Json::array({0}));
-  const Json& primitives = glb.json["meshes"][0]["primitives"];
-  ASSERT_EQ(primitives.size(), 3u);  // two colours and what has none; an empty colour makes nothing
-  double area = 0;
-  std::size_t triangles = 0;
-  for (const Json& primitive : primitives) {
-    const auto values = [&](const char* what) {
-      const Json& accessor = glb.json["accessors"][primitive["attributes"][what].get<std::size_t>()];
-      const Json& view = glb.json["bufferViews"][accessor["bufferView"].get<std::size_t>()];
-      EXPECT_EQ(accessor["componentType"], 5126);
-      EXPECT_EQ(accessor["type"], "VEC3");
-      EXPECT_EQ(view["byteLength"], 12 * accessor["count"].get<std::size_t>());
-      std::vector<float> floats;
-      for (std::size_t i = 0; i < 3 * accessor["count"].get<std::size_t>(); ++i) {
-        floats.push_back(io::from_bytes<float>(glb.bytes, view["byteOffset"].get<std::size_t>() + 4 * i, std::endian::little));
-      }
-      return floats;
-    };
-    const std::vector<float> p = values("POSITION"), n = values("NORMAL");
-    ASSERT_EQ(p.size(), n.size());
-    for (std::size_t t = 0; t < p.size(); t += 9, ++triangles) {
-      const auto d = [&](std::size_t corner, std::size_t i) { return double(p[t + 3 * corner + i]) - p[t + i]; };
-      const double normal[3] = {d(1, 1) * d(2, 2) - d(1, 2) * d(2, 1), d(1, 2) * d(2, 0) - d(1, 0) * d(2, 2),
-                                d(1, 0) * d(2, 1) - d(1, 1) * d(2, 0)};
-      const double length = std::hypot(normal[0], normal[1], normal[2]);
-      area += length / 2;
-      for (std::size_t i = 0; i < 9; ++i) EXPECT_EQ(n[t + i], normal[i % 3] / length);
-    }
-  }
-  EXPECT_EQ(triangles, box.triangle_count());
-  EXPECT_EQ(area, surface_area(box));
-  EXPECT_EQ(glb.json["materials"].size(), 3u);
-  EXPECT_EQ(glb.json["materials"][1]["pbrMetallicRoughness"]["baseColorFactor"], Json::array({0, 1, 0, 1}));
-  const Json& all = glb.json["accessors"][primitives[2]["attributes"]["POSITION"].get<std::size_t>()];
-  EXPECT_EQ(all["min"], Json::array({-1, -2, -3}));
-  EXPECT_EQ(all["max"], Json::array({1, 2, 3}));
+/// The numbers of an accessor.
+template <class Number>
+std::vector<Number> numbers(const Glb& glb, std::size_t which, std::size_t each) {
+  const Json& accessor = glb.json["accessors"][which];
+  const Json& view = glb.json["bufferViews"][accessor["bufferView"].get<std::size_t>()];
+  EXPECT_EQ(view["byteLength"], 4 * each * accessor["count"].get<std::size_t>());
+  std::vector<Number> list;
+  for (std::size_t i = 0; i < each * accessor["count"].get<std::size_t>(); ++i)
+    list.push_back(io::from_bytes<Number>(glb.bytes, view["byteOffset"].get<std::size_t>() + 4 * i, std::endian::little));
+  return list;
 }
 
-TEST(WriteMesh, FacesOfOneNumberLookSmoothAndNotesAreKept) {
-  const MeshData cube = solids::box(-1, -1, -1, 1, 1, 1).data();
+TEST(WriteMesh, GlbHoldsEveryTriangleInItsColourOnSharedVertices) {
+  const Mesh box = solids::box(-1, -2, -3, 1, 2, 3);
+  const std::vector<FaceColour> colours = {{{1, 0, 0}, {0, 1}}, {{0, 1, 0}, {2}}, {{0, 0, 1}, {}}};
   const std::vector<std::pair<std::string, std::string>> notes = {{"z", "an angle"}, {"closed", "yes"}};
-  const auto normals = [&](const std::vector<std::uint32_t>& smooth) {
-    const Glb glb = opened(format_glb(cube, {{}, smooth, notes}));
-    EXPECT_EQ(glb.json["asset"]["extras"]["z"], "an angle");
-    EXPECT_EQ(glb.json["asset"]["extras"]["closed"], "yes");
-    const Json& primitive = glb.json["meshes"][0]["primitives"][0];
-    const Json& accessor = glb.json["accessors"][primitive["attributes"]["NORMAL"].get<std::size_t>()];
-    const Json& view = glb.json["bufferViews"][accessor["bufferView"].get<std::size_t>()];
-    std::vector<float> floats;
-    for (std::size_t i = 0; i < 3 * accessor["count"].get<std::size_t>(); ++i)
-      floats.push_back(
-          io::from_bytes<float>(glb.bytes, view["byteOffset"].get<std::size_t>() + 4 * i, std::endian::little));
-    return floats;
-  };
-  // Three faces with right angles meet at every corner, however they are split.
-  for (const float part : normals({0, 0, 0, 0, 0, 0})) EXPECT_NEAR(std::abs(part), std::sqrt(1.0 / 3), 1e-6);
-  EXPECT_EQ(normals({0, 1, 2, 3, 4, 5}), normals({})) << "creases everywhere";
+  const Glb glb = opened(format_glb(box.data(), {colours, notes}));
+  EXPECT_EQ(glb.json["asset"]["version"], "2.0");
+  EXPECT_EQ(glb.json["asset"]["extras"]["z"], "an angle");
+  EXPECT_EQ(glb.json["buffers"][0]["byteLength"], glb.bytes.size());
+  EXPECT_EQ(glb.json["scenes"][glb.json["scene"].get<int>()]["nodes"], Json::array({0}));
+  EXPECT_EQ(glb.json["materials"].size(), 1u);
+  EXPECT_EQ(glb.json["materials"][0]["doubleSided"], true);
+  ASSERT_EQ(glb.json["meshes"][0]["primitives"].size(), 1u);
+  const Json& primitive = glb.json["meshes"][0]["primitives"][0];
+  EXPECT_FALSE(primitive["attributes"].contains("NORMAL")) << "vertices of one place would not be merged";
+  const auto places = numbers<float>(glb, primitive["attributes"]["POSITION"], 3), lights = numbers<float>(glb, primitive["attributes"]["COLOR_0"], 3);
+  const auto corners = numbers<std::uint32_t>(glb, primitive["indices"], 1);
+  ASSERT_EQ(places.size(), lights.size());
+  EXPECT_EQ(corners.size(), 3 * box.triangle_count());
+  EXPECT_LT(places.size(), 9 * box.triangle_count());
+  double area = 0, red = 0, green = 0;
+  for (std::size_t t = 0; t < corners.size(); t += 3) {
+    const auto d = [&](std::size_t corner, std::size_t i) { return double(places[3 * corners[t + corner] + i]) - places[3 * corners[t] + i]; };
+    const double part = std::hypot(d(1, 1) * d(2, 2) - d(1, 2) * d(2, 1), d(1, 2) * d(2, 0) - d(1, 0) * d(2, 2), d(1, 0) * d(2, 1) - d(1, 1) * d(2, 0)) / 2;
+    area += part;
+    for (std::size_t k = 1; k < 3; ++k)
+      for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(lights[3 * corners[t + k] + i], lights[3 * corners[t] + i]) << "a triangle has one colour";
+    red += lights[3 * corners[t]] == 1 ? part : 0;
+    green += lights[3 * corners[t]] == 0 && lights[3 * corners[t] + 1] == 1 ? part : 0;
+  }
+  EXPECT_EQ(area, surface_area(box));
+  EXPECT_GT(red, green);
+  EXPECT_GT(green, 0);
+  const Json& all = glb.json["accessors"][primitive["attributes"]["POSITION"].get<std::size_t>()];
+  EXPECT_EQ(all["min"], Json::array({-1, -2, -3}));
+  EXPECT_EQ(all["max"], Json::array({1, 2, 3}));
+  const Glb half = opened(format_glb(box.data(), {std::vector<FaceColour>{{{0.5f, 0.5f, 0.5f}, {0, 1, 2, 3, 4, 5}}}, {}}));
+  EXPECT_NEAR(numbers<float>(half, half.json["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"], 3)[0], 0.214, 1e-3)
+      << "half of what a screen is told is a fifth of the light";
 }
 
 TEST(WriteMesh, TheEmptyMeshIsAnEmptyScene) {
