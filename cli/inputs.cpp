@@ -26,7 +26,10 @@ RegionFormat format_of_text(std::string_view text) {
   return std::isalpha(static_cast<unsigned char>(*first)) != 0 ? RegionFormat::wkt : RegionFormat::poly;
 }
 
+bool is_footprint(const std::string& operand) { return operand.starts_with("["); }
+
 std::vector<NamedShape> read_all(const std::string& file, const InputOptions& options) {
+  if (is_footprint(file)) return require(parse_shapes(file, RegionFormat::json, "footprint"));
   if (file != "-") return require(read_shapes(file));
   const std::string text{std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
   const RegionFormat format = options.from.empty() ? format_of_text(text) : format_named(options.from);
@@ -50,7 +53,8 @@ Result<Region> make_region(RegionData data, const std::string& file, const Input
 }
 
 Input read_input(const std::string& file, const InputOptions& options) {
-  if (file != "-") return {file, require(make_region(require(read_region_data(file)), file, options))};
+  if (file != "-" && !is_footprint(file))
+    return {file, require(make_region(require(read_region_data(file)), file, options))};
   std::vector<NamedShape> shapes = read_all(file, options);
   if (shapes.size() != 1) {
     throw Stop(kBadInput, "standard input: holds " + std::to_string(shapes.size()) + " shapes, and one is needed");

@@ -30,7 +30,10 @@ template <class T>
 T require_option(Result<T> result, const std::string& option);
 [[noreturn]] void stop_with(const Error& error);
 
-/// All shapes of FILE, FILE#NAME or "-".
+/// Whether an operand is itself a footprint, "[[x,y],...]", and names no file.
+bool is_footprint(const std::string& operand);
+
+/// All shapes of FILE, FILE#NAME, "-" or a footprint.
 std::vector<NamedShape> read_all(const std::string& file, const InputOptions& options);
 /// The one valid region of FILE, FILE#NAME or "-".
 Input read_input(const std::string& file, const InputOptions& options);

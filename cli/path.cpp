@@ -1,11 +1,13 @@
-// dymsum path ROBOT OBSTACLE --from x,y,theta --to x,y,theta
+// dymsum path ROBOT OBSTACLE --from x,y,theta --to x,y,theta, or --check-path FILE
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
 #include <optional>
 
+#include "check_path.h"
 #include "commands.h"
 #include "configuration.h"
+#include "dymsum/grown_region.h"
 #include "dymsum/planner.h"
 #include "exit_code.h"
 #include "inputs.h"
@@ -22,8 +24,9 @@ namespace {
 
 struct PathCommand {
   std::vector<std::string> operands{"", ""}, files;
-  std::string from, to;
+  std::string from, to, given;
   bool strict = false;
+  double margin = 0;
   double time_limit = PlanOptions{}.time_limit_seconds;
   ReportOptions report;
   InputOptions input;
@@ -75,26 +78,25 @@ Json limit_json(const SearchLimit& limit) {
 }
 
 Json reason_json(const NoPath& reason) {
-  Json start = Json::array(), goal = Json::array(), contact = nullptr;
+  Json start = Json::array(), goal = Json::array();
   for (const FreeComponent& c : reason.start) start.push_back(component_json(c));
   for (const FreeComponent& c : reason.goal) goal.push_back(component_json(c));
-  if (reason.contact) {
-    const bool fixed = reason.contact->kind == Contact::Kind::edge_of_p;
-    contact = {{"kind", fixed ? "vertex_on_edge" : "edge_on_vertex"},
-               {"obstacle", reason.contact->p},
-               {"robot", reason.contact->q}};
-  }
-  return {{"kind", name_of(reason.kind)}, {"text", reason.text}, {"contact", contact}, {"start", start}, {"goal", goal},
+  return {{"kind", name_of(reason.kind)}, {"text", reason.text}, {"contact", contact_json(reason.contact)}, {"start", start}, {"goal", goal},
           {"unexamined_angles", reason.unexamined_angles},
           {"limit", reason.limit ? limit_json(*reason.limit) : Json(nullptr)}};
 }
 
-Json path_json(const PlannedPath& planned, const Timing& timing, const std::vector<Input>& inputs) {
+// What is kept, and from which distance on a path may have been missed.
+Json margin_json(const GrownRegion& robot) { return {{"kept", robot.margin}, {"at_most", robot.at_most}}; }
+
+Json path_json(const PlannedPath& planned, const GrownRegion& robot, const Timing& timing,
+               const std::vector<Input>& inputs) {
   Json waypoints = Json::array();
   for (const Waypoint& w : planned.plan.path) waypoints.push_back(waypoint_json(w));
   const PlanWork& work = planned.plan.work;
   Json json = report_head("path", inputs_json(inputs), planned.tier_bits, timing);
   json.update({{"found", planned.plan.found()},
+               {"margin", margin_json(robot)},
                {"waypoints", waypoints},
                {"reason", planned.plan.found() ? Json(nullptr) : reason_json(*planned.plan.reason)},
                {"work",
@@ -105,22 +107,38 @@ Json path_json(const PlannedPath& planned, const Timing& timing, const std::vect
   return json;
 }
 
-void print_text(const Plan& plan) {
-  if (!plan.found()) {
-    std::cout << plan.reason->text << "\n";
-    return;
-  }
-  for (const Waypoint& w : plan.path)
-    std::cout << name_of(w.move) << " (" << w.approx.x << ", " << w.approx.y << "), theta = " << w.approx.theta << "\n";
+void print_margin(const GrownRegion& robot, bool kept) {
+  if (robot.margin == 0) return;
+  if (kept) std::cout << "keeps a distance of " << robot.margin << " from the obstacle everywhere\n";
+  else std::cout << "this is said of the robot with a margin of " << robot.margin << " around it, at its corners "
+                 << robot.at_most << "\n";
 }
 
-ExitCode run_path(const PathCommand& command) {
+void print_text(const Plan& plan, const GrownRegion& robot) {
+  if (!plan.found()) std::cout << plan.reason->text << "\n";
+  for (const Waypoint& w : plan.path)
+    std::cout << name_of(w.move) << " (" << w.approx.x << ", " << w.approx.y << "), theta = " << w.approx.theta << "\n";
+  print_margin(robot, plan.found());
+}
+
+ExitCode run_check(const PathCommand& command, const std::vector<Input>& inputs, const GrownRegion& robot) {
+  if (!command.files.empty()) throw Stop(kUsage, "-o does not apply to --check-path");
+  const GivenPath path = read_path_file(command.given);
+  const Touching touching = command.strict ? Touching::forbidden : Touching::allowed;
+  const InterruptGuard guard;
+  const auto [check, timing] =
+      timed(command.report.repeat, [&] { return checked(robot.region, inputs[1].region, path, touching); });
+  Json json = report_head("path", inputs_json(inputs), 0, timing);
+  json.update({{"checked", check_json(check, path)}, {"margin", margin_json(robot)}});
+  if (command.report.json) print_report(json);
+  else std::cout << check_text(check) << "\n";
+  if (!command.report.json) print_margin(robot, check.outcome == MotionCheck::Outcome::free);
+  if (check.outcome == MotionCheck::Outcome::free) return kDone;
+  return check.outcome == MotionCheck::Outcome::blocked ? kNo : kUndecided;
+}
+
+ExitCode run_plan(const PathCommand& command, const std::vector<Input>& inputs, const GrownRegion& robot) {
   const Configuration from = read_configuration(command.from, "--from"), to = read_configuration(command.to, "--to");
-  for (const std::string& file : command.files)
-    if (!file.ends_with(".json") && !file.ends_with(".svg"))
-      throw Stop(kUsage, "-o wants a .json or a .svg file, not " + file);
-  require_planar("path", command.operands);
-  const std::vector<Input> inputs = read_inputs(command.operands, command.input);
   const InterruptGuard guard;
   std::optional<ProgressBar> bar(std::in_place);
   ObstacleOptions obstacle_options;
@@ -131,19 +149,32 @@ ExitCode run_path(const PathCommand& command) {
   options.touching = command.strict ? Touching::forbidden : Touching::allowed;
   const auto compute = [&] {
     const CspaceObstacle obstacle =
-        require(CspaceObstacle::create(inputs[0].region, inputs[1].region, obstacle_options));
+        require(CspaceObstacle::create(robot.region, inputs[1].region, obstacle_options));
     return PlannedPath{require(plan(obstacle, from, to, options)), require(obstacle.slice({})).stats.tier_bits};
   };
   const auto [planned, timing] = timed(command.report.repeat, compute);
   bar.reset();
-  const Json json = path_json(planned, timing, inputs);
+  const Json json = path_json(planned, robot, timing, inputs);
   for (const std::string& file : command.files)
     write_text(file, file.ends_with(".json") ? report_text(json)
                                              : path_picture(inputs[0].region, inputs[1].region, planned.plan.path));
   if (command.report.json) print_report(json);
-  else print_text(planned.plan);
+  else print_text(planned.plan, robot);
   if (planned.plan.found()) return kDone;
   return planned.plan.reason->kind == NoPath::Kind::undecided ? kUndecided : kNo;
+}
+
+ExitCode run_path(const PathCommand& command) {
+  for (const std::string& file : command.files)
+    if (!file.ends_with(".json") && !file.ends_with(".svg"))
+      throw Stop(kUsage, "-o wants a .json or a .svg file, not " + file);
+  const bool ends = !command.from.empty() || !command.to.empty();
+  if (command.given.empty() ? command.from.empty() || command.to.empty() : ends)
+    throw Stop(kUsage, "path wants --from and --to, or --check-path alone");
+  require_planar("path", command.operands);
+  const std::vector<Input> inputs = read_inputs(command.operands, command.input);
+  const GrownRegion robot = require(grown(inputs[0].region, command.margin));
+  return command.given.empty() ? run_plan(command, inputs, robot) : run_check(command, inputs, robot);
 }
 
 }  // namespace
@@ -152,11 +183,17 @@ void add_path(CLI::App& app, Action& action) {
   auto command = std::make_shared<PathCommand>();
   CLI::App& verb = *app.add_subcommand("path",
       "A motion of a robot that translates and turns past an obstacle, or the proof that there is none: "
-      "ends with 4 then, and with 5 if it is not decided within the time limit");
+      "ends with 4 then, and with 5 if it is not decided within the time limit; or a path that is given, checked");
   add_operands(verb, kRobot, kObstacle, command->operands);
   verb.add_option("--from", command->from,
-      "Where the robot starts, theta in radians or as 90deg")->type_name("x,y,theta")->required();
-  verb.add_option("--to", command->to, "Where it is to go")->type_name("x,y,theta")->required();
+      "Where the robot starts, theta in radians or as 90deg")->type_name("x,y,theta");
+  verb.add_option("--to", command->to, "Where it is to go")->type_name("x,y,theta");
+  verb.add_option("--check-path", command->given,
+      "Check a path instead: lines x,y,theta, [[x,y,theta],...] or the .json that path writes; says the first piece that is "
+      "blocked")->type_name("FILE");
+  verb.add_option("--margin", command->margin,
+      "Keep this distance from the obstacle in every point: the robot grows by a polygon around that disc, 2 % wider at "
+      "its corners")->type_name("DISTANCE")->check(CLI::NonNegativeNumber);
   verb.add_flag("--strict", command->strict, "Touching the obstacle is forbidden");
   verb.add_option("--time-limit", command->time_limit,
       "Seconds after which the search stops without a decision, 60 unless told")

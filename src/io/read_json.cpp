@@ -3,6 +3,7 @@
 #include "io/json_shapes.h"
 #include "io/number_text.h"
 #include "io/readers.h"
+#include "io/ring_order.h"
 
 namespace dymsum::io {
 
@@ -43,12 +44,24 @@ std::optional<std::string> name_of(const JsonValue& value) {
   return text;
 }
 
+/// [[x, y], ...], as footprints of robots are written: one ring, either way round, closed or not.
+std::vector<NamedShape> read_footprint(const Source& source, const JsonValue& value) {
+  Ring ring = require_positions(source, value);
+  if (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
+  std::vector<NamedShape> shapes(1);
+  shapes[0].data.parts = {{std::move(ring), {}}};
+  orient_rings(shapes[0].data.parts[0]);
+  return shapes;
+}
+
 std::vector<NamedShape> read_json(const Source& source) {
   const JsonTape tape(source);
   const JsonValue root = tape.root();
+  if (root.kind() == JsonKind::array) return read_footprint(source, root);
+  if (const auto footprint = root.find("footprint")) return read_footprint(source, *footprint);
   if (root.find("items")) return read_nesting(source, root);
   if (root.find("type")) return read_geojson(source, root);
-  source.fail_on_line(Code::malformed, "expected an object with 'items' (nesting instance) or 'type' (GeoJSON)",
+  source.fail_on_line(Code::malformed, "expected an object with 'items' (nesting instance), 'type' (GeoJSON) or 'footprint', or an array of positions",
                       root.line());
 }
 

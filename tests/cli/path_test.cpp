@@ -69,12 +69,68 @@ TEST_F(PathCli, UndecidedEndsWithFiveAndSaysWhere) {
   EXPECT_NE(stopped["reason"]["text"].get<std::string>().find("time limit"), std::string::npos);
 }
 
+TEST_F(PathCli, MarginsAreKeptAndReported) {
+  const std::string command = "dymsum path square.wkt wide.wkt --from -5,1.5,0.25 --to 5,-2,2 --json";
+  work.write("wide.wkt",
+             "POLYGON ((-12 -6, 12 -6, 12 6, -12 6, -12 -6), (-11 -5, -11 5, -1 5, -1 1.5, 1 1.5, 1 5, 11 5, 11 -5, "
+             "1 -5, 1 0, -1 0, -1 -5, -11 -5))\n");
+  const Json kept = json(command + " --margin 0.2 -o kept.json");
+  EXPECT_TRUE(kept["found"].get<bool>());
+  EXPECT_EQ(kept["margin"]["kept"], 0.2);
+  EXPECT_GT(kept["margin"]["at_most"], 0.2);
+  EXPECT_LT(kept["margin"]["at_most"], 0.205);
+  EXPECT_EQ(json("dymsum path square.wkt wide.wkt --check-path kept.json --margin 0.2 --json")["checked"]["outcome"],
+            "free");
+  const Json none = json(command + " --margin 0.26", 4);
+  EXPECT_EQ(none["reason"]["kind"], "separated");
+}
+
+TEST_F(PathCli, ChecksAPathThatIsGiven) {
+  work.run("dymsum path square.wkt rooms.wkt --from -5,1.5,0.25 --to 5,-2,2 -o path.json");
+  const std::string check = "dymsum path square.wkt rooms.wkt --check-path ";
+  const Json free = json(check + "path.json --json");
+  EXPECT_EQ(free["checked"]["outcome"], "free");
+  EXPECT_TRUE(free["checked"]["first"].is_null());
+  // The slot is passed by touching alone.
+  const Json strict = json(check + "path.json --strict --json", 4);
+  EXPECT_EQ(strict["checked"]["outcome"], "blocked");
+  EXPECT_EQ(strict["checked"]["first"]["kind"], "translation");
+  work.write("poses.txt", "# x, y, theta\n-5, 0, 0\n-3,0,0deg\n\n-3,0,90deg # in place\n-3,4.5,90deg\n");
+  const Outcome wall = work.run(check + "poses.txt");
+  EXPECT_EQ(wall.code, 4);
+  EXPECT_EQ(wall.out, "blocked: piece 3, a translation, at (-3, 4), theta = 1.570796327, 88.88888889 % of it: edge 5 "
+                      "of the obstacle and vertex 1 of the robot\n");
+  work.write("poses.json", "[[-5,0,0],[-4,1,1]]");
+  EXPECT_EQ(json(check + "poses.json --json")["checked"]["pieces"], 1);
+  work.write("touch.json", "[[-5,-5,0],[-4,0,1]]");
+  EXPECT_EQ(json(check + "touch.json --json", 5)["checked"]["first"]["kind"], "both");
+  for (const char* wrong : {"1,2\n", "[[1,2]]", "[[1,2,\"a\"]]", "{}", "", "{\"waypoints\":[{\"move\":\"jump\"}]}"}) {
+    work.write("wrong.txt", wrong);
+    EXPECT_EQ(work.run(check + "wrong.txt").code, 2) << wrong;
+  }
+  EXPECT_EQ(work.run(check + "absent.txt").code, 2);
+  EXPECT_EQ(work.run(check + "poses.txt --from 0,0,0").code, 1);
+  EXPECT_EQ(work.run(check + "poses.txt -o a.json").code, 1);
+  EXPECT_EQ(work.run("dymsum path square.wkt rooms.wkt").code, 1);
+}
+
+// As robots' footprints are written: either way round.
+TEST_F(PathCli, FootprintsAreOperands) {
+  const Json turned = json("dymsum path \"[[0,0],[0,1],[1,1],[1,0]]\" rooms.wkt --from -5,1.5,0.25 --to 5,-2,2 --json");
+  EXPECT_EQ(turned["inputs"][0]["vertices"], 4);
+  EXPECT_TRUE(turned["found"].get<bool>());
+  work.write("robot.json", "{\"footprint\": [[0, 0], [1, 0], [1, 1], [0, 1], [0, 0]]}");
+  EXPECT_EQ(json("dymsum info robot.json --json")["shapes"][0]["vertices"], 4);
+  EXPECT_EQ(work.run("dymsum info \"[[0,0],[0,1],[1,]]\"").code, 2);
+}
+
 TEST_F(PathCli, WrongOptionsAreUsageErrors) {
   EXPECT_EQ(work.run("dymsum path square.wkt rooms.wkt --from 0,0 --to 5,0,0").code, 1);
   EXPECT_EQ(work.run("dymsum path square.wkt rooms.wkt --from 0,0,0,0 --to 5,0,0").code, 1);
   EXPECT_EQ(work.run("dymsum path square.wkt rooms.wkt --from 0,0,0").code, 1);
   EXPECT_EQ(work.run("dymsum path square.wkt rooms.wkt --from 0,0,0 --to 5,0,0 -o path.png").code, 1);
   EXPECT_EQ(work.run("dymsum path square.wkt rooms.wkt --from 0,0,0 --to 5,0,0 --time-limit -1").code, 1);
+  EXPECT_EQ(work.run("dymsum path square.wkt rooms.wkt --from 0,0,0 --to 5,0,0 --margin -1").code, 1);
 }
 
 }  // namespace

@@ -1,0 +1,29 @@
+// A path that is given, to be checked: poses or waypoints of a file, and what there is to say about them.
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "dymsum/path_check.h"
+#include "json_report.h"
+
+namespace dymsum::cli {
+
+/// Poses one after the other, or waypoints as `path` writes them, with their moves and exact coordinates.
+using GivenPath = std::variant<std::vector<Configuration>, std::vector<Waypoint>>;
+
+/// Lines `x,y,theta` with # comments, theta in radians or as 90deg; JSON `[[x, y, theta], ...]`; or the JSON of `path`.
+/// Stops with bad input, with the line where there is one.
+GivenPath read_path_file(const std::string& file);
+
+PathCheck checked(const Region& robot, const Region& obstacle, const GivenPath& path, Touching touching);
+std::size_t size_of(const GivenPath& path);
+
+/// {"kind", "obstacle", "robot"}: the kind is vertex_on_edge or edge_on_vertex, indices of the obstacle and the robot.
+Json contact_json(const std::optional<Contact>& contact);
+Json check_json(const PathCheck& check, const GivenPath& path);
+/// "free: 12 pieces", or the first piece that is not.
+std::string check_text(const PathCheck& check);
+
+}  // namespace dymsum::cli

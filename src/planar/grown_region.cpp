@@ -1,0 +1,50 @@
+#include "dymsum/grown_region.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "dymsum/planar_sum.h"
+
+namespace dymsum {
+namespace {
+
+double largest_coordinate(const Region& region) {
+  double most = 0;
+  const auto add = [&](const std::vector<Point>& points) {
+    for (const Point& p : points) most = std::max({most, std::abs(p.x), std::abs(p.y)});
+  };
+  for (const Part& part : region.parts()) {
+    add(part.outer);
+    for (const Ring& hole : part.holes) add(hole);
+  }
+  for (const auto& line : region.polylines()) add(line);
+  add(region.points());
+  return most;
+}
+
+}  // namespace
+
+// A vertex of the sum is rounded by at most 2^-53 of its coordinates, and so is every edge; a disc that is larger by
+// more than that holds the given one whichever way the edges move. Sine, cosine and products err by less than 2^-50.
+Result<GrownRegion> grown(const Region& region, double margin, int sides) {
+  if (!(margin >= 0 && margin <= 0x1p400)) return Error{Code::not_finite, "a margin is a number from 0 to 2^400", {}};
+  if (sides < 3 || sides > 4096) return Error{Code::not_finite, "a margin has 3 to 4096 sides", {}};
+  if (margin == 0) return GrownRegion{region, 0, 0};
+  const double half = std::numbers::pi / sides, coordinates = largest_coordinate(region) + 4 * margin;
+  const double inner = margin * (1 + 0x1p-40) + 0x1p-50 * coordinates, outer = inner / std::cos(half) * (1 + 0x1p-40);
+  Part polygon;
+  for (int k = 0; k < sides; ++k) {
+    const double angle = (2 * k + 1) * half;
+    polygon.outer.push_back({outer * std::cos(angle), outer * std::sin(angle)});
+  }
+  const Result<Region> disc = Region::create({{polygon}, {}, {}});
+  if (!disc) return disc.error();
+  const Result<PlanarSum> sum = minkowski_sum(region, *disc);
+  if (!sum) return sum.error();
+  Result<Region> rounded = sum->rounded();
+  if (!rounded) return rounded.error();
+  return GrownRegion{std::move(rounded).value(), margin, outer * (1 + 0x1p-40) + 0x1p-50 * coordinates};
+}
+
+}  // namespace dymsum
