@@ -23,5 +23,6 @@ void add_depth(CLI::App& app, Action& action);
 void add_contains(CLI::App& app, Action& action);
 void add_info(CLI::App& app, Action& action);
 void add_convert(CLI::App& app, Action& action);
+void add_hull(CLI::App& app, Action& action);
 
 }  // namespace dymsum::cli

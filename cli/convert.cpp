@@ -17,7 +17,7 @@ namespace {
 struct ConvertCommand {
   const CLI::App* parser = nullptr;  ///< which options were given
   std::string in, out;
-  bool json = false, canonical = false;
+  bool json = false, canonical = false, triangulate = false;
   InputOptions input;
   OutputOptions output;
 };
@@ -26,10 +26,12 @@ ExitCode run(const ConvertCommand& command) {
   if (command.json && command.out == "-") throw Stop(kUsage, "--json and the output - both want standard output");
   refuse_unused_format({command.in}, command.input);
   if (command.out != "-") refuse_options(*command.parser, {"--to"}, "is the format of the output -");
-  if (names_solid(command.in)) {
+  if (names_solid(command.in, command.input)) {
+    const std::string to = command.parser->count("--to") > 0 ? command.output.to : "off";
     return run_solid_convert(
-        {command.in, command.out, command.output.to, command.json, command.canonical, command.input});
+        {"convert", command.in, command.out, to, command.json, command.canonical, command.triangulate, command.input});
   }
+  refuse_options(*command.parser, {"--triangulate"}, "is for solids");
   const RegionFormat format = output_format(command.out, command.output);
   auto [input, timing] = timed(1, [&] { return read_input(command.in, command.input); });
   if (command.canonical) input.region = input.region.canonical();
@@ -53,12 +55,13 @@ void add_convert(CLI::App& app, Action& action) {
   command->parser = verb;
   verb->add_option("IN", command->in, "File, FILE#NAME for one shape of several, or - for standard input")->required();
   verb->add_option("OUT", command->out, "File .poly .wkt .geojson .svg .json, of solids .off .obj .stl .ply .glb, or - for standard output")->required();
-  verb->add_option("--to", command->output.to, "Format of the output -")
+  verb->add_option("--to", command->output.to, "Format of the output -; of solids off if not given")
       ->check(CLI::IsMember({"poly", "wkt", "geojson", "svg", "json", "off", "obj", "stl", "ply", "glb"}))
       ->capture_default_str();
   verb->add_flag("--canonical", command->canonical, "Write the canonical form: equal sets become equal files");
+  verb->add_flag("--triangulate", command->triangulate, "Solids: split faces into triangles, for programs that take no others");
   verb->add_flag("--json", command->json, "Print one JSON object that says what was converted");
-  add_input_options(*verb, command->input);
+  add_solid_input_options(*verb, command->input);
   verb->footer("Example: dymsum convert monkey.poly monkey.geojson --repair");
   verb->callback([command, &action] { action = [command] { return run(*command); }; });
 }

@@ -29,7 +29,7 @@ std::string feature_text(const SolidFeature& f) {
 }
 
 ExitCode run(const DepthCommand& command) {
-  if (!are_solid(command.operands)) throw Stop(kUsage, "depth wants convex solids: .off .obj .stl .ply");
+  if (!are_solid(command.operands, command.input)) throw Stop(kUsage, "depth wants convex solids: .off .obj .stl .ply");
   if (command.axis.empty() == command.angle.given()) throw Stop(kUsage, "--axis and --angle or --degrees go together");
   const Point3 moved = command.moved.empty() ? Point3{} : parse_point(command.moved, "--move");
   SolidPose pose;
@@ -67,7 +67,7 @@ void add_depth(CLI::App& app, Action& action) {
   verb.add_option("--axis", command->axis, "Turn P about this axis through the origin first")->type_name("X,Y,Z");
   add_angle_options(verb, command->angle, "by this angle,");
   add_report_options(verb, command->report, "Compute N times and report the median and minimum time");
-  add_input_options(verb, command->input);
+  add_solid_input_options(verb, command->input);
   verb.footer("Exit code 4 when their interiors do not meet.\nExample: dymsum depth box.off rod.off --move 0.5,0,0 --json");
   verb.callback([command, &action] { action = [command] { return run(*command); }; });
 }

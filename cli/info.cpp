@@ -102,7 +102,7 @@ void draw(const InfoCommand& command, const std::vector<Shape>& shapes) {
 
 ExitCode run(const InfoCommand& command) {
   refuse_unused_format({command.file}, command.input);
-  if (names_solid(command.file)) {
+  if (names_solid(command.file, command.input)) {
     return run_solid_info({command.file, command.json, command.input, command.output.files});
   }
   const auto [shapes, timing] = timed(1, [&] { return read_and_validate(command); });
@@ -131,7 +131,7 @@ void add_info(CLI::App& app, Action& action) {
   verb->add_option("F", command->file, "File, FILE#NAME for one shape of several, or - for standard input")->required();
   verb->add_option("-o", command->output.files, "Draw the region (.svg) or the solid (.glb)")->type_name("FILE")->allow_extra_args(false);
   verb->add_flag("--json", command->json, "Print one JSON object");
-  add_input_options(*verb, command->input);
+  add_solid_input_options(*verb, command->input);
   verb->footer("Example: dymsum info neuron.poly --json");
   verb->callback([command, &action] { action = [command] { return run(*command); }; });
 }

@@ -28,10 +28,16 @@ RegionFormat format_of_text(std::string_view text) {
 
 bool is_footprint(const std::string& operand) { return operand.starts_with("["); }
 
+const std::string& standard_input() {
+  static const std::string text{std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
+  return text;
+}
+
 std::vector<NamedShape> read_all(const std::string& file, const InputOptions& options) {
+  if (options.hull) throw Stop(kUsage, "--hull is for solids");
   if (is_footprint(file)) return require(parse_shapes(file, RegionFormat::json, "footprint"));
   if (file != "-") return require(read_shapes(file));
-  const std::string text{std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
+  const std::string& text = standard_input();
   const RegionFormat format = options.from.empty() ? format_of_text(text) : format_named(options.from);
   return require(parse_shapes(text, format, "standard input"));
 }
@@ -53,6 +59,7 @@ Result<Region> make_region(RegionData data, const std::string& file, const Input
 }
 
 Input read_input(const std::string& file, const InputOptions& options) {
+  if (options.hull) throw Stop(kUsage, "--hull is for solids");
   if (file != "-" && !is_footprint(file))
     return {file, require(make_region(require(read_region_data(file)), file, options))};
   std::vector<NamedShape> shapes = read_all(file, options);

@@ -14,6 +14,7 @@ namespace dymsum::cli {
 
 struct InputOptions {
   bool repair = false;  ///< mend with dymsum::repair and print its report on standard error
+  bool hull = false;    ///< solids: take the convex hull with dymsum::hulled and print its report on standard error
   std::string from;     ///< the format of standard input; empty: told from its first characters
 };
 
@@ -33,6 +34,8 @@ T require_option(Result<T> result, const std::string& option);
 /// Whether an operand is itself a footprint, "[[x,y],...]", and names no file.
 bool is_footprint(const std::string& operand);
 
+/// All of standard input, read once.
+const std::string& standard_input();
 /// All shapes of FILE, FILE#NAME, "-" or a footprint.
 std::vector<NamedShape> read_all(const std::string& file, const InputOptions& options);
 /// The one valid region of FILE, FILE#NAME or "-".

@@ -34,6 +34,7 @@ void add_verbs(CLI::App& app, Action& action) {
   add_contains(app, action);
   add_info(app, action);
   add_convert(app, action);
+  add_hull(app, action);
 }
 
 std::vector<std::string> verb_names(const CLI::App& app) {

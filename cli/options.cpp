@@ -48,4 +48,13 @@ void add_input_options(CLI::App& verb, InputOptions& options) {
       ->check(CLI::IsMember({"poly", "wkt", "geojson", "svg", "json"}));
 }
 
+void add_solid_input_options(CLI::App& verb, InputOptions& options) {
+  add_repair_option(verb, options);
+  verb.add_flag("--hull", options.hull, "Solids: take the exact convex hull of each, for those that are convex but for rounding, and say on standard error "
+                                        "how far the surface was from it; of rounded results too")
+      ->excludes("--repair");
+  verb.add_option("--from", options.from, "Format of standard input; otherwise told from its first characters (not of binary .stl)")
+      ->check(CLI::IsMember({"poly", "wkt", "geojson", "svg", "json", "off", "obj", "stl", "ply"}));
+}
+
 }  // namespace dymsum::cli

@@ -39,6 +39,8 @@ void add_report_options(CLI::App& verb, ReportOptions& options, const std::strin
 void add_repair_option(CLI::App& verb, InputOptions& options);
 /// Declares --repair and --from.
 void add_input_options(CLI::App& verb, InputOptions& options);
+/// Declares them and --hull, for verbs that take solids, with the formats of these.
+void add_solid_input_options(CLI::App& verb, InputOptions& options);
 
 /// --angle or --degrees, as they were written.
 struct AngleOptions {

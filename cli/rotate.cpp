@@ -44,7 +44,7 @@ ExitCode run_solids(const RotateCommand& command) {
 }
 
 ExitCode run(const RotateCommand& command) {
-  if (are_solid(command.planar.operands)) return run_solids(command);
+  if (are_solid(command.planar.operands, command.planar.input)) return run_solids(command);
   refuse_options(*command.parser, {"--axis"}, "is for solid operands");
   PlanarTurn turn = command.planar;
   turn.angles = frame_angles(command);
@@ -78,7 +78,7 @@ void add_rotate(CLI::App& app, Action& action) {
       ->type_name("FILE")
       ->allow_extra_args(false);
   add_report_options(verb, command->planar.report, "Turn N times and report the median and minimum frame");
-  add_input_options(verb, command->planar.input);
+  add_solid_input_options(verb, command->planar.input);
   verb.footer("Example: dymsum rotate rod.off box.off --steps 500 --axis 1,2,3 -o turn.html");
   verb.callback([command, &action] { action = [command] { return run(*command); }; });
 }

@@ -166,7 +166,7 @@ void print_text(const Sweep& sweep, const std::vector<ScaleEvent>& events, doubl
 }
 
 ExitCode run_scale(const ScaleCommand& command) {
-  if (are_solid(command.operands)) return run_solid_scale(command, command.sweep.empty() ? std::vector<Scale>{} : sweep_scales(command.sweep));
+  if (are_solid(command.operands, command.input)) return run_solid_scale(command, command.sweep.empty() ? std::vector<Scale>{} : sweep_scales(command.sweep));
   if (!command.copies.empty()) return run_copies(command);
   const std::vector<Scale> scales = scales_of(command);
   const std::vector<Input> inputs = read_inputs(command.operands, command.input);
@@ -204,7 +204,7 @@ void add_options(CLI::App& verb, ScaleCommand& command) {
       ->allow_extra_args(false);
   verb.add_flag("--events", command.events, "List the exact scales at which the sum changes");
   add_report_options(verb, command.report, "Sweep N times and report the median and minimum frame");
-  add_input_options(verb, command.input);
+  add_solid_input_options(verb, command.input);
 }
 
 }  // namespace

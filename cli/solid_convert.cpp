@@ -6,6 +6,7 @@
 #include "progress_bar.h"
 #include "report.h"
 #include "solid_inputs.h"
+#include "solid_outputs.h"
 #include "tier.h"
 #include "timing.h"
 
@@ -15,14 +16,11 @@ ExitCode run_solid_convert(const SolidConvert& command) {
   const MeshFormat format = require(mesh_format(command.out == "-" ? "." + command.to : command.out));
   auto [input, timing] = timed(1, [&] { return read_solid(command.in, command.input); });
   if (command.canonical) input.mesh = input.mesh.canonical();
+  if (command.triangulate) input.mesh = triangulated(input.mesh).mesh;
   const InterruptGuard guard;
-  if (command.out == "-") {
-    write_text(command.out, format_mesh(input.mesh, format));
-  } else {
-    require(write_mesh(input.mesh, command.out));
-  }
+  write_text(command.out, mesh_text(input.mesh, format, command.out));
   if (!command.json) return kDone;
-  Json report = report_head("convert", solid_inputs_json({input}), tier_of(input.mesh), timing);
+  Json report = report_head(command.verb, solid_inputs_json({input}), tier_of(input.mesh), timing);
   report.update({{"output", command.out},
                  {"shells", input.mesh.shell_count()},
                  {"vertices", input.mesh.vertices().size()},

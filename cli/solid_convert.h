@@ -1,4 +1,4 @@
-// dymsum convert IN OUT for solids.
+// dymsum convert IN OUT for solids, and dymsum hull IN OUT.
 #pragma once
 
 #include <string>
@@ -9,9 +9,10 @@
 namespace dymsum::cli {
 
 struct SolidConvert {
+  std::string verb;
   std::string in, out;
   std::string to;  ///< the format of the output -
-  bool json = false, canonical = false;
+  bool json = false, canonical = false, triangulate = false;
   InputOptions input;
 };
 

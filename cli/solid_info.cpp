@@ -59,23 +59,24 @@ ExitCode run_solid_info(const SolidInfo& command) {
     const Result<MeshFormat> format = mesh_format(file);
     if (!format || *format != MeshFormat::glb) throw Stop(kUsage, "info draws .glb pictures of solids only");
   }
-  const auto [mesh, timing] = timed(
-      1, [&] { return make_mesh(require(read_mesh(command.file)), command.file, command.input); });
-  if (!mesh) {
-    if (command.json) print_report(invalid_json(mesh.error(), timing));
-    else std::cout << "not valid (" << name(mesh.error().code) << ")\n";
-    std::cerr << mesh.error().to_string() << "\n";
+  const auto [solid, timing] = timed(
+      1, [&] { return make_solid(require(read_mesh_data(command.file, command.input)), command.file, command.input); });
+  if (!solid) {
+    if (command.json) print_report(invalid_json(solid.error(), timing));
+    else std::cout << "not valid (" << name(solid.error().code) << ")\n";
+    std::cerr << solid.error().to_string() << "\n";
     return kBadInput;
   }
-  const std::optional<Error> not_convex = convexity_error(*mesh);
+  const Mesh& mesh = solid->mesh;
+  const std::optional<Error> not_convex = convexity_error(mesh);
   {
     const InterruptGuard guard;
-    for (const std::string& file : command.pictures) require(write_mesh(*mesh, file));
+    for (const std::string& file : command.pictures) require(write_mesh(mesh, file));
   }
   if (command.json) {
-    print_report(info_json({command.file, *mesh}, not_convex, timing));
+    print_report(info_json(*solid, not_convex, timing));
   } else {
-    print_info(*mesh, not_convex);
+    print_info(mesh, not_convex);
   }
   return kDone;
 }

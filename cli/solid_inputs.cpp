@@ -1,32 +1,77 @@
 #include "solid_inputs.h"
 
+#include <algorithm>
 #include <iostream>
+#include <optional>
+#include <string_view>
 #include <utility>
 
 #include "exit_code.h"
 
 namespace dymsum::cli {
 
-bool names_solid(const std::string& file) { return mesh_format(file).ok(); }
+namespace {
 
-Result<Mesh> make_mesh(MeshData data, const std::string& file, const InputOptions& options) {
+/// The format of a text that begins as only solids do: OFF or ply, solid (text .stl), or a vertex of .obj.
+std::optional<MeshFormat> solid_format_of(std::string_view text) {
+  const auto skip_blanks = [&] { text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size())); };
+  for (skip_blanks(); text.starts_with('#'); skip_blanks()) text.remove_prefix(std::min(text.find('\n'), text.size()));
+  const std::string_view word = text.substr(0, text.find_first_of(" \t\r\n"));
+  if (word.ends_with("OFF")) return MeshFormat::off;
+  if (word == "ply") return MeshFormat::ply;
+  if (word == "solid") return MeshFormat::stl;
+  return word == "v" ? std::optional(MeshFormat::obj) : std::nullopt;
+}
+
+std::optional<MeshFormat> format_of_input(const InputOptions& options) {
+  if (options.from.empty()) return solid_format_of(standard_input());
+  const Result<MeshFormat> named = mesh_format("." + options.from);
+  return named ? std::optional(*named) : std::nullopt;
+}
+
+Result<SolidInput> hull_of(const MeshData& data, const std::string& file) {
+  Result<HulledMesh> hull = hulled(data);
+  if (!hull) return hull.error();
+  std::cerr << file << ": convex hull: " << hull->report.to_string() << "\n";
+  return SolidInput{file, hull->mesh, hull->report};
+}
+
+}  // namespace
+
+bool names_solid(const std::string& file, const InputOptions& options) {
+  return file == "-" ? format_of_input(options).has_value() : mesh_format(file).ok();
+}
+
+Result<MeshData> read_mesh_data(const std::string& file, const InputOptions& options) {
+  if (file != "-") return read_mesh(file);
+  const std::optional<MeshFormat> format = format_of_input(options);
+  if (!format) throw Stop(kUsage, "--from names the format of the solid on standard input: off, obj, stl or ply");
+  return parse_mesh(standard_input(), *format, "standard input");
+}
+
+Result<SolidInput> make_solid(MeshData data, const std::string& file, const InputOptions& options) {
   const auto in_file = [&](Error error) {
-    if (error.evidence.file.empty()) error.evidence.file = file;
+    if (error.evidence.file.empty()) error.evidence.file = file == "-" ? "standard input" : file;
     return error;
   };
+  if (options.hull) {
+    Result<SolidInput> hull = hull_of(data, file);
+    if (!hull) return in_file(hull.error());
+    return hull;
+  }
   if (!options.repair) {
     Result<Mesh> mesh = Mesh::create(std::move(data));
     if (!mesh) return in_file(mesh.error());
-    return mesh;
+    return SolidInput{file, std::move(mesh).value()};
   }
   Result<RepairedMesh> repaired = repair(std::move(data));
   if (!repaired) return in_file(repaired.error());
   if (repaired->report.changed()) std::cerr << file << ": repaired: " << repaired->report.to_string() << "\n";
-  return std::move(repaired).value().mesh;
+  return SolidInput{file, std::move(repaired).value().mesh};
 }
 
 SolidInput read_solid(const std::string& file, const InputOptions& options) {
-  return {file, require(make_mesh(require(read_mesh(file)), file, options))};
+  return require(make_solid(require(read_mesh_data(file, options)), file, options));
 }
 
 Json solid_inputs_json(const std::vector<SolidInput>& inputs) {
@@ -36,6 +81,8 @@ Json solid_inputs_json(const std::vector<SolidInput>& inputs) {
                     {"vertices", input.mesh.vertices().size()},
                     {"faces", input.mesh.faces().size()},
                     {"shells", input.mesh.shell_count()}});
+    if (!input.hull) continue;
+    list.back()["hull"] = {{"vertices", input.hull->vertices}, {"inside", input.hull->inside_vertices}, {"deviation", input.hull->deviation}};
   }
   return list;
 }

@@ -1,6 +1,7 @@
 // Reading solids a command line names.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,13 +15,16 @@ namespace dymsum::cli {
 struct SolidInput {
   std::string file;  ///< as it was written on the command line
   Mesh mesh;
+  std::optional<HullReport> hull = {};  ///< where --hull was asked for
 };
 
-/// Whether a file's extension is one of a solid (.off .obj .stl .ply .glb).
-bool names_solid(const std::string& file);
+/// Whether a file's extension is one of a solid (.off .obj .stl .ply .glb), or standard input holds one: by --from, else by its first characters.
+bool names_solid(const std::string& file, const InputOptions& options);
 
-/// Validates, or repairs where asked, what was read from a file.
-Result<Mesh> make_mesh(MeshData data, const std::string& file, const InputOptions& options);
+/// The lists of a file, or of standard input.
+Result<MeshData> read_mesh_data(const std::string& file, const InputOptions& options);
+/// Validates what was read from a file, or repairs it or takes its hull where asked.
+Result<SolidInput> make_solid(MeshData data, const std::string& file, const InputOptions& options);
 /// The valid mesh of a file.
 SolidInput read_solid(const std::string& file, const InputOptions& options);
 

@@ -82,7 +82,7 @@ ExitCode run_solid_motion(const std::string& verb, const std::vector<SolidInput>
   throw_if_interrupted();
   std::vector<std::string> texts;
   for (const std::string& file : files)
-    texts.push_back(is_page(file) ? solid_page(motion.pictures, verb + " of " + inputs[0].file + " and " + inputs[1].file) : solid_output(motion.sum->sum(), file));
+    texts.push_back(is_page(file) ? solid_page(motion.pictures, verb + " of " + inputs[0].file + " and " + inputs[1].file) : solid_output(motion.sum->sum(), file, {"off", inputs[0].hull.has_value(), false}));
   for (std::size_t i = 0; i < files.size(); ++i) write_text(files[i], texts[i]);
   const Timing timing = timing_of(motion.ms);
   const double fresh = static_ms(*motion.sum);

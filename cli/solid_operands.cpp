@@ -1,5 +1,6 @@
 #include "solid_operands.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -8,9 +9,10 @@
 
 namespace dymsum::cli {
 
-bool are_solid(const std::vector<std::string>& files) {
+bool are_solid(const std::vector<std::string>& files, const InputOptions& options) {
+  if (std::count(files.begin(), files.end(), "-") > 1) throw Stop(kUsage, "standard input can be only one of the operands");
   std::size_t solids = 0;
-  for (const std::string& file : files) solids += names_solid(file);
+  for (const std::string& file : files) solids += names_solid(file, options);
   if (solids != 0 && solids != files.size()) throw Stop(kUsage, "one operand is planar and the other one solid");
   return solids != 0;
 }

@@ -12,6 +12,7 @@ void add_sum(CLI::App& app, Action& action) {
   verb.description = "The Minkowski sum P + Q = { p + q : p in P, q in Q }";
   verb.footer = "Example: dymsum sum gear.poly disc.wkt -o sum.svg -o sum.json";
   verb.compute = minkowski_sum;
+  verb.several = true;
   add_sum_verb(app, verb, action);
 }
 

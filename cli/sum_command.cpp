@@ -44,8 +44,8 @@ void add_sum_options(CLI::App& verb, SumCommand& command) {
                   "provenance), .svg (picture), stages.svg (the stages); - is standard output")
       ->type_name("FILE")
       ->allow_extra_args(false);
-  verb.add_option("--to", command.output.to, "Format of -o -")
-      ->check(CLI::IsMember({"poly", "wkt", "geojson", "svg", "json"}))
+  verb.add_option("--to", command.output.to, "Format of -o -; of solids off if not given")
+      ->check(CLI::IsMember({"poly", "wkt", "geojson", "svg", "json", "off", "obj", "stl", "ply", "glb"}))
       ->capture_default_str();
   verb.add_flag("--round-repair", command.output.round_repair,
                 "Where rounding would change the topology, merge what collides instead of refusing");
@@ -64,8 +64,14 @@ void add_sum_options(CLI::App& verb, SumCommand& command) {
 CLI::App& declare_sum_verb(CLI::App& app, const SumVerb& verb, SumCommand& command) {
   CLI::App& parser = *app.add_subcommand(verb.name, verb.description);
   add_operands(parser, verb.first, verb.second, command.operands);
+  if (verb.several) parser.add_option("MORE", command.more, "More solids: their sum, exact throughout")->type_name("");
   add_sum_options(parser, command);
-  add_input_options(parser, command.input);
+  if (verb.planar_only) {
+    add_input_options(parser, command.input);
+  } else {
+    parser.add_flag("--triangulate", command.triangulate, "Solids: write triangles, for programs that take no others");
+    add_solid_input_options(parser, command.input);
+  }
   parser.footer(verb.footer);
   command.parser = &parser;
   return parser;
@@ -78,10 +84,12 @@ void add_sum_verb(CLI::App& app, const SumVerb& verb, Action& action) {
 }
 
 ExitCode run_sum(const SumVerb& verb, const SumCommand& command) {
-  if (are_solid(command.operands)) {
+  if (are_solid(command.operands, command.input)) {
     if (verb.planar_only) throw Stop(kUsage, verb.name + " is for planar operands");
     return run_solid_sum(verb, command);
   }
+  if (!command.more.empty()) throw Stop(kUsage, "more than two operands have to be solids");
+  if (!verb.planar_only) refuse_options(*command.parser, {"--triangulate"}, "is for solids");
   check(command);
   SumReport report;
   report.verb = verb.name;

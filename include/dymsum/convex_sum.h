@@ -17,6 +17,10 @@
 
 namespace dymsum {
 
+namespace spatial {
+struct Polytope;  // internal
+}
+
 /// A feature of an operand, by the numbers of its mesh.
 struct SolidFeature {
   enum class Kind : std::uint8_t { vertex, edge, face };
@@ -57,6 +61,12 @@ struct SolidSum {
   RationalPoint3 exact(std::size_t vertex) const;
   /// The sum with its rounded positions; facets with more than three vertices may no longer be plane to the last bit.
   MeshData rounded() const { return rounded_data(); }
+  /// A valid convex mesh: the hull of all vertices, every coordinate rounded once. Facets that are no longer plane become triangles. Errors:
+  /// not_finite past the range; rounding_changed_topology where two vertices round to one place or one no longer sticks out, with these vertices.
+  Result<Mesh> rounded_mesh(Precision precision = Precision::doubles) const;
+  /// The same hull of what is left where rounding changes the topology. The report's deviation is the largest distance of a vertex from its exact place; no
+  /// point of the two solids is further from the other one. Errors: not_finite; no_area when everything collapses into a plane.
+  Result<HulledMesh> rounded_hull(Precision precision = Precision::doubles) const;
   std::size_t edge_count() const;
   double volume() const;  ///< nearest to the exact one
   Rational volume_exact() const;  ///< from the facets, in exact arithmetic
@@ -82,6 +92,10 @@ enum class ConvexEngine : std::uint8_t {
 /// Cost: O(m + n + k) walking steps for m and n faces and k facets; brute O(m n).
 Result<SolidSum> convex_sum(const Mesh& p, const Mesh& q, const SolidPose& p_pose = {}, const SolidPose& q_pose = {},
                             ConvexEngine engine = ConvexEngine::walk);
+
+/// The exact sum of two or more solids, added from the first one on; vertices and features of P are those of the sum of all but the last one.
+/// Errors as above.
+Result<SolidSum> convex_sum(std::span<const Mesh> solids);
 
 /// The work of one move.
 struct MotionWork {
@@ -112,6 +126,9 @@ class ConvexSum {
   /// At the identity. Errors as convex_sum. With merge = false flat edges and vertices stay features of their own, as in the thesis: slower, with the
   /// same sums; faces have to be triangles then (else unsupported_operand).
   static Result<ConvexSum> create(const Mesh& p, const Mesh& q, bool merge = true);
+  /// Of a sum and one more solid, from the exact positions of the sum: P's vertices and faces are the vertices and facets of `p` by their
+  /// numbers. Errors also: unsupported_operand for sums at poses whose positions are no binary fractions.
+  static Result<ConvexSum> create(const SolidSum& p, const Mesh& q);
 
   ConvexSum(const ConvexSum&);  ///< an independent copy
   ConvexSum& operator=(const ConvexSum&);
@@ -172,6 +189,8 @@ class ConvexSum {
 
  private:
   explicit ConvexSum(std::unique_ptr<State> state);
+  static ConvexSum of(std::shared_ptr<const spatial::Polytope> p, std::shared_ptr<const spatial::Polytope> q,
+                      std::shared_ptr<const SolidSum::Source> source);
   std::unique_ptr<State> state_;
 };
 

@@ -98,6 +98,42 @@ Result<RepairedMesh> repair(MeshData data);
 /// about O(n log n) for points in random order.
 Result<Mesh> convex_hull(std::span<const Point3> points);
 
+/// What taking the hull changed.
+struct HullReport {
+  std::size_t vertices = 0;         ///< that faces use, at different places
+  std::size_t inside_vertices = 0;  ///< of these, strictly inside the hull
+  std::size_t unused_vertices = 0;  ///< that no face uses: left out
+  /// No point of the old surface is further than this below the hull's, up to a relative error of 2^-48; 0 exactly where the surface is
+  /// that of the hull. A bound that is reached where the deepest place is a vertex near the faces around it.
+  double deviation = 0;
+  std::string to_string() const;
+};
+
+struct HulledMesh {
+  Mesh mesh;
+  HullReport report;
+};
+
+/// The named way in for solids that are convex but for rounding: the exact convex hull of the vertices that faces use (of all vertices where there
+/// are no faces), in canonical form, and how far the surface was from it. `data` need not be valid. Errors: not_finite, bad_index,
+/// no_area when all vertices lie in one plane. Cost: that of convex_hull, and vertices inside times faces of the hull.
+Result<HulledMesh> hulled(const MeshData& data);
+
+/// A convex solid moved by (dx, dy, dz): the hull of its vertices, each coordinate rounded to the nearest double once, so it stays convex wherever it
+/// goes. The report's deviation is the largest distance of a vertex from its exact place; no point of the two solids is further from the other one.
+/// Errors: as convexity_error; not_finite; no_area when everything collapses into a plane.
+Result<HulledMesh> translated_hull(const Mesh& mesh, double dx, double dy, double dz);
+
+/// Faces split into triangles of their own vertices.
+struct TriangulatedMesh {
+  Mesh mesh;
+  std::vector<std::uint32_t> face;  ///< of every triangle the number of the face that it is a part of
+};
+TriangulatedMesh triangulated(const Mesh& mesh);
+
+/// How exactly a file holds coordinates.
+enum class Precision : std::uint8_t { doubles, singles };
+
 /// Volume and surface for reports: the volume is the exact sum rounded once, the surface is rounded at every face.
 double volume(const Mesh& mesh);
 double surface_area(const Mesh& mesh);

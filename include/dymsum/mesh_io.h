@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -49,7 +50,13 @@ struct GlbLook {
   std::span<const std::pair<std::string, std::string>> notes;
 };
 std::string format_glb(const MeshData& mesh, const GlbLook& look);
-/// Replaces the file as a whole. Errors: cannot_write, unsupported_format.
+/// stl and glb hold single precision.
+Precision precision_of(MeshFormat format);
+/// Nothing where a file of this format holds the solid: off, obj and ply always do. Else what rounding to single precision did to it: cannot_write past its
+/// range; rounding_changed_topology, in stl where the file would not read back as a valid mesh, in glb, which is a picture, where a shell would
+/// enclose nothing any more.
+std::optional<Error> rounding_error(const Mesh& mesh, MeshFormat format);
+/// Replaces the file as a whole. Errors: cannot_write, unsupported_format, and as rounding_error.
 Result<std::size_t> write_mesh(const Mesh& mesh, const std::string& path);
 
 }  // namespace dymsum

@@ -1,6 +1,4 @@
 // From a path to a mesh and back: format by extension, and the readers and writers behind it.
-#include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -23,8 +21,6 @@ MeshData read_format(const io::Source& source, MeshFormat format) {
   }
   throw io::ReadFailure{io::file_error(Code::unsupported_format, ".glb files are written only", source.file)};
 }
-
-bool is_single_precision(MeshFormat format) { return format == MeshFormat::stl || format == MeshFormat::glb; }
 
 }  // namespace
 
@@ -70,9 +66,9 @@ std::string format_mesh(const MeshData& mesh, MeshFormat format, std::span<const
 Result<std::size_t> write_mesh(const Mesh& mesh, const std::string& path) {
   const Result<MeshFormat> format = mesh_format(path);
   if (!format) return format.error();
-  for (const double c : bounds(mesh)) {
-    if (!is_single_precision(*format) || std::abs(c) <= std::numeric_limits<float>::max()) continue;
-    return io::file_error(Code::cannot_write, "a coordinate is past the range of single precision", path);
+  if (std::optional<Error> error = rounding_error(mesh, *format)) {
+    error->evidence.file = path;
+    return *std::move(error);
   }
   const std::string bytes = format_mesh(mesh, *format);
   const Result<bool> written = write_file(path, bytes);

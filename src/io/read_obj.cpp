@@ -1,4 +1,4 @@
-// OBJ: one statement per line; of these `v` and `f` make the mesh. A face's corners are vertex numbers from 1 on, or
+// OBJ: one statement per line, or several that backslashes join; of these `v` and `f` make the mesh. A face's corners are vertex numbers from 1 on, or
 // from -1 backwards from the last vertex so far, each perhaps followed by /texture/normal, which is skipped.
 #include <algorithm>
 #include <array>
@@ -20,7 +20,7 @@ constexpr std::array<std::string_view, 13> kSkipped = {"vt", "vn", "vp", "g",   
 
 class ObjReader {
  public:
-  explicit ObjReader(const Source& source) : words_(source, true) {}
+  explicit ObjReader(const Source& source) : words_(source, true, true) {}
 
   MeshData read() {
     while (!words_.at_end()) {

@@ -17,8 +17,18 @@ void Words::skip_blanks(bool stay_on_line) {
       at_ = std::min(text.find('\n', at_), text.size());
       if (at_ == text.size()) return;
     }
+    if (const std::size_t joint = joint_at(at_)) {
+      at_ += joint - 1;
+      continue;
+    }
     if (!is_blank(text[at_]) || (stay_on_line && text[at_] == '\n')) return;
   }
+}
+
+std::size_t Words::joint_at(std::size_t offset) const {
+  if (!continued_ || source_.text[offset] != '\\') return 0;
+  const std::string_view rest = source_.text.substr(offset + 1, 2);
+  return rest.starts_with('\n') ? 2 : rest == "\r\n" ? 3 : 0;
 }
 
 bool Words::at_end() {
@@ -32,15 +42,18 @@ bool Words::at_line_end() {
 }
 
 void Words::skip_line() {
-  const std::size_t end = source_.text.find('\n', at_);
-  at_ = end == std::string_view::npos ? source_.text.size() : end + 1;
+  while (!at_line_end()) {
+    const std::string_view word = peek();
+    at_ += word.size();
+  }
+  at_ = std::min(at_ + 1, source_.text.size());
 }
 
 std::string_view Words::peek() {
   if (at_end()) return {};
   std::size_t end = at_;
   const std::string_view text = source_.text;
-  while (end < text.size() && !is_blank(text[end]) && !(comments_ && text[end] == '#')) ++end;
+  while (end < text.size() && !is_blank(text[end]) && !(comments_ && text[end] == '#') && joint_at(end) == 0) ++end;
   return text.substr(at_, end - at_);
 }
 

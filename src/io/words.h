@@ -12,8 +12,9 @@ namespace dymsum::io {
 
 class Words {
  public:
-  /// Where `comments`, '#' hides the rest of a line.
-  Words(const Source& source, bool comments) : source_(source), comments_(comments) {}
+  /// Where `comments`, '#' hides the rest of a line; where `continued`, a backslash at the end of a line outside of comments joins the next
+  /// one to it.
+  Words(const Source& source, bool comments, bool continued = false) : source_(source), comments_(comments), continued_(continued) {}
 
   std::size_t offset() const { return at_; }
   void go_to(std::size_t offset) { at_ = offset; }
@@ -47,9 +48,11 @@ class Words {
 
  private:
   void skip_blanks(bool stay_on_line);
+  /// The length of a backslash and the end of the line behind it, 0 elsewhere.
+  std::size_t joint_at(std::size_t offset) const;
 
   const Source& source_;
-  bool comments_;
+  bool comments_, continued_;
   std::size_t at_ = 0;
 };
 

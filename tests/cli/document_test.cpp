@@ -111,7 +111,7 @@ TEST(ConvexGuide, ProgramAndCommandsDoWhatIsShown) {
     EXPECT_EQ(outcome.code, 0) << line << "\n" << outcome.err;
     ++commands;
   }
-  EXPECT_EQ(commands, 4);
+  EXPECT_EQ(commands, 6);
   EXPECT_TRUE(work.exists("turn.html") && work.exists("sum.glb"));
 }
 

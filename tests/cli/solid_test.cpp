@@ -132,9 +132,115 @@ TEST_F(SolidCli, BadFilesAndUsage) {
   EXPECT_EQ(work.run("dymsum convert cut.off x.obj").code, 2);
   EXPECT_FALSE(work.exists("x.obj"));
   EXPECT_EQ(work.run("dymsum convert box.off x.wkt").code, 2);
-  EXPECT_EQ(work.run("dymsum convert box.off -").code, 2);  // wkt is no format of solids
+  EXPECT_EQ(work.run("dymsum convert box.off -").out, work.read("box.off")) << "off if --to is not given";
+  EXPECT_EQ(work.run("dymsum convert box.off - --to wkt").code, 2) << "no format of solids";
   EXPECT_EQ(work.run("dymsum info box.off -o box.svg").code, 1);
   EXPECT_EQ(work.run("dymsum info box.glb").code, 2);
+}
+
+TEST_F(SolidCli, SolidsComeFromStandardInput) {
+  for (const char* format : {"off", "obj", "ply", "stl"}) {
+    const std::string out = std::string("dymsum convert box.off - --to ") + format;
+    EXPECT_EQ(work.run(out + " | dymsum info - --from " + format + " --json").code, 0) << format;
+    EXPECT_EQ(work.run(out + " | dymsum sum - box.off --from " + format).code, 0) << format;
+    EXPECT_EQ(work.run(out + " | dymsum convert - back.off --from " + format + " && dymsum info back.off").code, 0) << format;
+    if (std::string(format) == "stl") continue;  // binary: nothing to tell it by
+    EXPECT_EQ(work.run(out + " | dymsum sum box.off -").code, 0) << format;
+    EXPECT_EQ(work.run(out + " | dymsum info -").out, work.run("dymsum info box.off").out) << format;
+  }
+  work.write("cut.off", "OFF\n8 6 12\n0 0 0\n");
+  EXPECT_NE(work.run("dymsum info - < cut.off").err.find("standard input:3: "), std::string::npos);
+  EXPECT_EQ(work.run("dymsum sum - - < box.off").code, 1);
+  EXPECT_EQ(work.run("echo 'POINT (0 0)' | dymsum sum - box.off").code, 1) << "one planar, one solid";
+  EXPECT_EQ(work.run("dymsum info - --from wkt < box.off").code, 2);
+  EXPECT_EQ(work.run("dymsum info box.off --from off").code, 1);
+}
+
+constexpr const char* kOctahedron = "OFF\n6 8 12\n1 0 0\n-1 0 0\n0 1 0\n0 -1 0\n0 0 1\n0 0 -1\n3 0 2 4\n3 2 1 4\n3 1 3 4\n3 3 0 4\n3 2 0 5\n"
+                                "3 1 2 5\n3 3 1 5\n3 0 3 5\n";
+
+TEST_F(SolidCli, HullTakesWhatIsConvexButForRounding) {
+  // A cube whose top has a middle that lies 2^-52 below it.
+  work.write("dent.off", "OFF\n9 9 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n1 0 1\n0 1 1\n1 1 1\n0.5 0.5 0.99999999999999978\n4 0 2 3 1\n3 4 5 8\n3 5 7 8\n"
+                         "3 7 6 8\n3 6 4 8\n4 0 1 5 4\n4 1 3 7 5\n4 3 2 6 7\n4 2 0 4 6\n");
+  EXPECT_EQ(work.run("dymsum sum dent.off box.off").code, 2);
+  const Outcome sum = work.run("dymsum sum dent.off box.off --hull --json");
+  ASSERT_EQ(sum.code, 0) << sum.err;
+  EXPECT_NE(sum.err.find("dent.off: convex hull: 1 of 9 vertices inside it, largest deviation 2.22e-16"), std::string::npos) << sum.err;
+  const Json report = Json::parse(sum.out);
+  EXPECT_EQ(report["inputs"][0]["hull"], (Json{{"vertices", 9}, {"inside", 1}, {"deviation", 0x1p-52}}));
+  EXPECT_EQ(report["volume"], 24.0);
+  const Json hull = json("dymsum hull dent.off cube.off --json");
+  EXPECT_EQ(hull["verb"], "hull");
+  EXPECT_EQ(hull["faces"], 6);
+  EXPECT_EQ(hull["inputs"][0]["hull"]["deviation"], 0x1p-52);
+  EXPECT_EQ(work.run("dymsum hull dent.off - | dymsum info -").out.find("not convex"), std::string::npos);
+  for (const char* verb : {"nfp", "depth"}) EXPECT_EQ(work.run(std::string("dymsum ") + verb + " dent.off box.off --hull").code, 0) << verb;
+  EXPECT_EQ(work.run("dymsum rotate dent.off box.off --steps 3 --hull").code, 0);
+  EXPECT_EQ(work.run("dymsum scale dent.off box.off --at 1,2 --hull").code, 0);
+  // Points without faces, and a flat set of them.
+  EXPECT_EQ(work.run("printf 'v 0 0 0\\nv 1 0 0\\nv 0 1 0\\nv 0 0 1\\n' | dymsum hull - points.off && dymsum info points.off").code, 0);
+  EXPECT_EQ(work.run("printf 'v 0 0 0\\nv 1 0 0\\nv 0 1 0\\n' | dymsum hull - flat.off").code, 2);
+  work.write("square.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))");
+  EXPECT_EQ(work.run("dymsum sum square.wkt square.wkt --hull").code, 1);
+  EXPECT_EQ(work.run("dymsum info dent.off --hull --repair").code, 1);
+}
+
+TEST_F(SolidCli, SumsChainAndAreReadBack) {
+  work.write("octahedron.off", kOctahedron);
+  work.write("third.off", "OFF\n4 4 0\n0.1 0.2 0.3\n1.1 0.1 0.30000001\n0.2 1.3 0.1\n0.3 0.4 1.7\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+  const Json at_once = json("dymsum sum box.off octahedron.off third.off box.off --json -o all.off -o all.ply -o all.obj -o all.stl -o all.glb");
+  EXPECT_EQ(at_once["inputs"].size(), 4u);
+  for (const char* file : {"all.off", "all.ply", "all.obj"}) {
+    const Json back = json(std::string("dymsum info ") + file + " --json");
+    EXPECT_EQ(back["convex"], true) << file << ": facets of rounded sums are plane";
+    EXPECT_NEAR(back["volume"].get<double>(), at_once["volume"].get<double>(), 1e-9);
+  }
+  EXPECT_EQ(json("dymsum info all.stl --json")["convex"], true) << "in single precision, too";
+  // The same sum through files and pipes, and in another order: rounded once each, so equal where all sums are doubles.
+  work.run("dymsum sum box.off octahedron.off -o - --to ply | dymsum sum - box.off -o two.off");
+  work.run("dymsum sum box.off box.off octahedron.off -o three.off");
+  EXPECT_EQ(work.read("two.off").substr(0, 40), work.read("three.off").substr(0, 40));
+  EXPECT_EQ(json("dymsum sum two.off third.off --json")["volume_exact"], at_once["volume_exact"]);
+  work.write("square.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))");
+  EXPECT_EQ(work.run("dymsum sum square.wkt square.wkt square.wkt").code, 1);
+  EXPECT_EQ(work.run("dymsum nfp box.off box.off box.off").code, 1);
+}
+
+TEST_F(SolidCli, SumsThatRoundingCollapsesAreRefused) {
+  work.write("far.off", "OFF\n8 6 0\n1125899906842624 1125899906842624 1125899906842624\n1125899906842625 1125899906842624 1125899906842624\n"
+                        "1125899906842625 1125899906842625 1125899906842624\n1125899906842624 1125899906842625 1125899906842624\n"
+                        "1125899906842624 1125899906842624 1125899906842625\n1125899906842625 1125899906842624 1125899906842625\n"
+                        "1125899906842625 1125899906842625 1125899906842625\n1125899906842624 1125899906842625 1125899906842625\n"
+                        "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
+  work.write("tiny.off", "OFF\n4 4 0\n0 0 0\n1e-9 0 0\n0 1e-9 0\n0 0 1e-9\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+  for (const char* file : {"s.off", "s.obj", "s.ply", "s.stl", "s.glb"}) {
+    const Outcome refused = work.run(std::string("dymsum sum far.off tiny.off -o ") + file);
+    EXPECT_EQ(refused.code, 2) << file;
+    EXPECT_NE(refused.err.find(file), std::string::npos) << refused.err;
+    EXPECT_FALSE(work.exists(file));
+  }
+  EXPECT_EQ(work.run("dymsum sum far.off tiny.off -o s.json").code, 0) << "exact";
+  const Outcome hull = work.run("dymsum sum far.off tiny.off --hull -o s.off");
+  EXPECT_EQ(hull.code, 0);
+  EXPECT_NE(hull.err.find("s.off: rounded, "), std::string::npos) << hull.err;
+  EXPECT_EQ(json("dymsum info s.off --json")["volume"], 1.0);
+  work.write("near.off", "OFF\n4 4 0\n1 1 1\n1.000000001 1 1\n1 1.000000001 1\n1 1 1.000000001\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+  for (const char* file : {"n.stl", "n.glb", "- --to stl", "- --to glb"})
+    EXPECT_EQ(work.run(std::string("dymsum convert near.off ") + file).code, 2) << file;
+  EXPECT_EQ(work.run("dymsum info near.off -o n.glb").code, 2);
+  EXPECT_EQ(work.run("dymsum convert near.off n.ply").code, 0);
+}
+
+TEST_F(SolidCli, TrianglesForProgramsThatTakeNoOtherFaces) {
+  EXPECT_EQ(json("dymsum convert box.off t.off --triangulate --json")["faces"], 12);
+  EXPECT_EQ(json("dymsum info t.off --json")["volume"], 6.0);
+  EXPECT_EQ(work.run("dymsum sum box.off box.off -o t.ply --triangulate").code, 0);
+  EXPECT_EQ(json("dymsum info t.ply --json")["faces"], 12);
+  EXPECT_EQ(work.run("dymsum hull box.off t.obj --triangulate").code, 0);
+  work.write("square.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))");
+  EXPECT_EQ(work.run("dymsum convert square.wkt s.poly --triangulate").code, 1);
+  EXPECT_EQ(work.run("dymsum sum square.wkt square.wkt --triangulate").code, 1);
 }
 
 }  // namespace

@@ -40,6 +40,7 @@ TEST(ReadMesh, TheCorpusHoldsOneTetrahedronInEveryVariant) {
   EXPECT_EQ(read_mesh_text(corpus("read_off/no_keyword_on_one_line.off"), MeshFormat::off), kTetrahedron);
   EXPECT_EQ(read_mesh_text(corpus("read_obj/backwards.obj"), MeshFormat::obj), kTetrahedron);
   EXPECT_EQ(read_mesh_text(corpus("read_obj/faces_first.obj"), MeshFormat::obj), kTetrahedron);
+  EXPECT_EQ(read_mesh_text(corpus("read_obj/continued_lines.obj"), MeshFormat::obj), kTetrahedron);
   EXPECT_EQ(read_mesh_text(corpus("read_ply/faces_first.ply"), MeshFormat::ply), kTetrahedron);
 }
 
@@ -91,6 +92,10 @@ TEST(ReadMesh, ObjErrors) {
   EXPECT_EQ(late.vertex, 1);
   EXPECT_EQ(late.face, 0);
   refused("curv 0 1\n", Code::malformed, 1, "'curv'");
+  refused("v 0 0 \\\nx\n", Code::malformed, 2, "'x'");
+  refused("v 0 0 \\ 1\n", Code::malformed, 1, "'\\'");
+  refused("v 0 0 0\nf 1 3 \\\n\nv 1 0 0\n", Code::bad_index, 2, "does not exist");
+  refused("v 0 0 \\", Code::malformed, 1, "'\\'");
   EXPECT_EQ(read_mesh_text("", MeshFormat::obj), MeshData{});
 }
 

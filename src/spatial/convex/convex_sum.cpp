@@ -5,6 +5,7 @@
 
 #include "spatial/convex/assemble.h"
 #include "spatial/convex/convex_state.h"
+#include "spatial/convex/exact_solid.h"
 #include "spatial/convex/facet_count.h"
 #include "spatial/convex/mixed_volume.h"
 #include "spatial/convex/place_sum.h"
@@ -40,18 +41,40 @@ ConvexSum::ConvexSum(ConvexSum&&) noexcept = default;
 ConvexSum& ConvexSum::operator=(ConvexSum&&) noexcept = default;
 ConvexSum::~ConvexSum() = default;
 
+namespace {
+
+std::shared_ptr<const Polytope> shared(Polytope p) { return std::make_shared<const Polytope>(std::move(p)); }
+
+}  // namespace
+
+ConvexSum ConvexSum::of(std::shared_ptr<const Polytope> p, std::shared_ptr<const Polytope> q, std::shared_ptr<const SolidSum::Source> source) {
+  auto state = std::make_unique<State>(std::move(p), std::move(q), std::move(source));
+  state->overlay.build(spatial::RelativeMap());
+  state->report();
+  state->overlay.forget_changes();
+  return ConvexSum(std::move(state));
+}
+
 Result<ConvexSum> ConvexSum::create(const Mesh& p, const Mesh& q, bool merge) {
   Result<Polytope> a = spatial::make_polytope(p, merge), b = spatial::make_polytope(q, merge);
   if (!a) return a.error();
   if (!b) return b.error();
   auto source = std::make_shared<SolidSum::Source>();
-  source->vertices = {p.vertices(), q.vertices()};
-  auto state = std::make_unique<State>(std::make_shared<const Polytope>(std::move(a).value()), std::make_shared<const Polytope>(std::move(b).value()),
-                                       std::move(source));
-  state->overlay.build(spatial::RelativeMap());
-  state->report();
-  state->overlay.forget_changes();
-  return ConvexSum(std::move(state));
+  source->operand[0].vertices = p.vertices();
+  source->operand[1].vertices = q.vertices();
+  return of(shared(std::move(a).value()), shared(std::move(b).value()), std::move(source));
+}
+
+Result<ConvexSum> ConvexSum::create(const SolidSum& p, const Mesh& q) {
+  Result<spatial::ExactSolid> solid = spatial::exact_solid(p);
+  if (!solid) return solid.error();
+  Result<Polytope> b = spatial::make_polytope(q);
+  if (!b) return b.error();
+  auto source = std::make_shared<SolidSum::Source>();
+  source->operand[0].exact = solid->vertices;
+  source->operand[0].exponent = solid->exponent;
+  source->operand[1].vertices = q.vertices();
+  return of(shared(spatial::make_polytope(*solid)), shared(std::move(b).value()), std::move(source));
 }
 
 const MotionWork& ConvexSum::set(const SolidPose& p, const SolidPose& q) {
@@ -83,7 +106,7 @@ std::size_t ConvexSum::edge_edge_count() const { return state_->overlay.crossing
 ConvexSum::FacetCount ConvexSum::facet_count() const { return spatial::count_facets(state_->overlay); }
 std::size_t ConvexSum::bytes() const {
   std::size_t total = sizeof(*state_) - sizeof(spatial::Overlay) + state_->overlay.bytes() + state_->p->bytes() + state_->q->bytes();
-  for (const std::vector<Point3>& v : state_->source->vertices) total += v.capacity() * sizeof(Point3);
+  for (const SolidSum::Source::Operand& o : state_->source->operand) total += o.bytes();
   return total;
 }
 bool ConvexSum::same_combinatorics(const ConvexSum& other) const { return state_->overlay == other.state_->overlay; }
@@ -113,6 +136,17 @@ Result<SolidSum> convex_sum(const Mesh& p, const Mesh& q, const SolidPose& p_pos
   if (!(p_pose == SolidPose()) || !(q_pose == SolidPose())) moved.set(p_pose, q_pose);
   moved.rebuild(engine);
   return moved.sum();
+}
+
+Result<SolidSum> convex_sum(std::span<const Mesh> solids) {
+  if (solids.size() < 2) return Error{Code::unsupported_operand, "a sum needs two solids or more", {}};
+  Result<SolidSum> sum = convex_sum(solids[0], solids[1]);
+  for (std::size_t k = 2; k < solids.size() && sum; ++k) {
+    Result<ConvexSum> next = ConvexSum::create(*sum, solids[k]);
+    if (!next) return next.error();
+    sum = next->sum();
+  }
+  return sum;
 }
 
 }  // namespace dymsum

@@ -140,7 +140,8 @@ Result<CriticalityMap> CriticalityMap::create(const Mesh& p, const Mesh& q, std:
   if (!a) return a.error();
   if (!b) return b.error();
   auto source = std::make_shared<SolidSum::Source>();
-  source->vertices = {p.vertices(), q.vertices()};
+  source->operand[0].vertices = p.vertices();
+  source->operand[1].vertices = q.vertices();
   auto state = std::make_shared<State>(std::move(a).value(), std::move(b).value(), d, std::move(source));
 
   const Error cancelled{Code::cancelled, "the critical angles were not wanted any more", {}};
@@ -181,7 +182,7 @@ CriticalAngle CriticalityMap::exact_angle(std::size_t i) const {
 std::size_t CriticalityMap::bytes() const {
   const State& s = *state_;
   std::size_t total = sizeof(s) + s.p.bytes() + s.q.bytes() + s.stats.angle_bytes + s.stats.key_bytes + s.stats.difference_bytes;
-  for (const std::vector<Point3>& v : s.source->vertices) total += v.capacity() * sizeof(Point3);
+  for (const SolidSum::Source::Operand& o : s.source->operand) total += o.bytes();
   return total;
 }
 

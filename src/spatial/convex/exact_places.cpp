@@ -1,6 +1,7 @@
 #include "spatial/convex/exact_places.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "exact/grid.h"
 #include "spatial/convex/relative_map.h"
@@ -33,19 +34,30 @@ ExactPlaces::ExactPlaces(const SolidSum::Source& source, const SolidPose& p, con
     matrix_[1][k] = b.matrix[k] * a.den;
   }
   std::vector<double> all;
-  for (const std::vector<Point3>& vertices : source.vertices)
-    for (const Point3& v : vertices) all.insert(all.end(), {v.x, v.y, v.z});
-  exponent_ = exact::common_exponent(all);
+  for (const SolidSum::Source::Operand& operand : source.operand)
+    for (const Point3& v : operand.vertices) all.insert(all.end(), {v.x, v.y, v.z});
+  std::optional<int> least;
+  if (!all.empty()) least = exact::common_exponent(all);
+  for (const SolidSum::Source::Operand& operand : source.operand)
+    if (!operand.exact.empty()) least = std::min(least.value_or(operand.exponent), operand.exponent);
+  exponent_ = least.value_or(0);
   const BigInteger den = a.den * b.den;
   unit_ = exponent_ >= 0 ? BigRational(BigInteger(BigInteger(1) << static_cast<unsigned>(exponent_)), den)
                          : BigRational(BigInteger(1), BigInteger(den << static_cast<unsigned>(-exponent_)));
 }
 
 BigVector ExactPlaces::of(int op, std::uint32_t v) const {
-  const Point3& at = source_.vertices[op][v];
-  const auto on = [&](double c) { return exact::grid_coordinate<exact::Big>(c, exponent_).value(); };
-  const BigVector x{on(at.x), on(at.y), on(at.z)};
-  BigVector y;
+  const SolidSum::Source::Operand& operand = source_.operand[op];
+  BigVector x, y;
+  if (operand.exact.empty()) {
+    const Point3& at = operand.vertices[v];
+    const auto on = [&](double c) { return exact::grid_coordinate<exact::Big>(c, exponent_).value(); };
+    x = {on(at.x), on(at.y), on(at.z)};
+  } else {
+    const exact::Vector3<exact::Big>& at = operand.exact[v];
+    const auto on = [&](const exact::Big& c) { return BigInteger(c.value() << static_cast<unsigned>(operand.exponent - exponent_)); };
+    x = {on(at.x), on(at.y), on(at.z)};
+  }
   for (int r = 0; r < 3; ++r) y[r] = matrix_[op][3 * r] * x[0] + matrix_[op][3 * r + 1] * x[1] + matrix_[op][3 * r + 2] * x[2];
   return y;
 }

@@ -7,12 +7,23 @@
 
 #include "dymsum/convex_sum.h"
 #include "exact/big.h"
+#include "exact/vector3.h"
 
 namespace dymsum {
 
 /// The vertices of the operands as they were given.
 struct SolidSum::Source {
-  std::array<std::vector<Point3>, 2> vertices;
+  /// Of a mesh its doubles, of a sum `exact`, multiples of 2^exponent.
+  struct Operand {
+    std::vector<Point3> vertices;
+    std::vector<exact::Vector3<exact::Big>> exact;
+    int exponent = 0;
+
+    std::size_t size() const { return vertices.size() + exact.size(); }
+    /// Memory held, without what lies behind arbitrary precision.
+    std::size_t bytes() const { return vertices.capacity() * sizeof(Point3) + exact.capacity() * sizeof(exact[0]); }
+  };
+  std::array<Operand, 2> operand;
 };
 
 namespace spatial {

@@ -17,36 +17,16 @@ using exact::Big;
 
 constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
-void put_on_grid(const std::vector<Point3>& vertices, Polytope& p) {
-  std::vector<double> all;
-  all.reserve(3 * vertices.size());
-  double most = 0;
-  for (const Point3& v : vertices)
-    for (const double c : {v.x, v.y, v.z}) {
-      all.push_back(c);
-      most = std::max(most, std::abs(c));
-    }
-  p.exponent = exact::common_exponent(all);
-  p.bits = exact::bits_needed(most, p.exponent);
-  if (p.bits <= 61) {
-    const auto on = [&](double c) { return exact::grid_coordinate<exact::Int<61>>(c, p.exponent).raw(); };
-    for (const Point3& v : vertices) p.grid.push_back({on(v.x), on(v.y), on(v.z)});
-  } else {
-    const auto on = [&](double c) { return exact::grid_coordinate<Big>(c, p.exponent); };
-    for (const Point3& v : vertices) p.big.push_back({on(v.x), on(v.y), on(v.z)});
-  }
-}
-
 /// The half-edges of a mesh's faces as they stand.
 struct Soup {
   std::vector<std::uint32_t> origin, face, next, twin;
 };
 
-Soup half_edges(const MeshData& data) {
+Soup half_edges(const std::vector<Face>& faces) {
   Soup s;
   std::unordered_map<std::uint64_t, std::uint32_t> seen;
-  for (std::uint32_t f = 0; f < data.faces.size(); ++f) {
-    const Face& face = data.faces[f];
+  for (std::uint32_t f = 0; f < faces.size(); ++f) {
+    const Face& face = faces[f];
     const auto first = static_cast<std::uint32_t>(s.origin.size());
     for (std::size_t i = 0; i < face.size(); ++i) {
       s.origin.push_back(face[i]);
@@ -62,7 +42,7 @@ Soup half_edges(const MeshData& data) {
 
 /// A vertex of a face at which its boundary turns: collinear ones give no plane.
 template <class C>
-std::uint32_t corner(const Polytope& p, const Soup& s, std::uint32_t h) {
+std::uint32_t corner(const GridPlaces& p, const Soup& s, std::uint32_t h) {
   for (std::uint32_t k = h;; k = s.next[k]) {
     const auto a = p.place<C>(s.origin[k]), b = p.place<C>(s.origin[s.next[k]]), c = p.place<C>(s.origin[s.next[s.next[k]]]);
     if (exact::leading_sign(exact::cross(b - a, c - b)) != 0) return k;
@@ -71,7 +51,7 @@ std::uint32_t corner(const Polytope& p, const Soup& s, std::uint32_t h) {
 }
 
 /// Faces in the same plane get the same group: neighbours are compared, as a convex solid's coplanar faces are connected.
-std::vector<std::uint32_t> coplanar_groups(const Polytope& p, const Soup& s, std::size_t faces, bool merge) {
+std::vector<std::uint32_t> coplanar_groups(const GridPlaces& p, const Soup& s, std::size_t faces, bool merge) {
   std::vector<std::uint32_t> group(faces), corner_of(faces, kNone);
   std::iota(group.begin(), group.end(), 0);
   if (!merge) return group;
@@ -137,7 +117,7 @@ struct Numbering {
   std::vector<std::uint32_t> vertex, half_edge, face;  // of the soup, kNone where dropped
 };
 
-Numbering number(Polytope& p, const Soup& s, const Merging& merging, const std::vector<std::uint32_t>& group, const Polytope& all, std::uint32_t vertices) {
+Numbering number(Polytope& p, const Soup& s, const Merging& merging, const std::vector<std::uint32_t>& group, const GridPlaces& all, std::uint32_t vertices) {
   Numbering to{std::vector<std::uint32_t>(vertices, kNone), std::vector<std::uint32_t>(s.origin.size(), kNone),
                std::vector<std::uint32_t>(group.size(), kNone)};
   for (std::uint32_t v = 0; v < vertices; ++v) {
@@ -267,6 +247,24 @@ void measure(Polytope& p) {
   });
 }
 
+Polytope make(const GridPlaces& all, std::size_t vertices, const std::vector<Face>& faces, bool merge) {
+  const Soup soup = half_edges(faces);
+  const std::vector<std::uint32_t> group = coplanar_groups(all, soup, faces.size(), merge);
+  const Merging merging(soup, group, vertices);
+
+  Polytope p;
+  p.bits = all.bits;
+  p.exponent = all.exponent;
+  const Numbering to = number(p, soup, merging, group, all, static_cast<std::uint32_t>(vertices));
+  const auto edges = static_cast<std::uint32_t>(std::count_if(to.half_edge.begin(), to.half_edge.end(), [](std::uint32_t h) { return h != kNone; }) / 2);
+  link(p, soup, merging, group, to, edges);
+  make_rings(p);
+  make_units(p, edges);
+  make_eights(p);
+  measure(p);
+  return p;
+}
+
 }  // namespace
 
 std::size_t Polytope::bytes() const {
@@ -280,23 +278,11 @@ Result<Polytope> make_polytope(const Mesh& mesh, bool merge) {
   const MeshData& data = mesh.data();
   if (!merge && !std::all_of(data.faces.begin(), data.faces.end(), [](const Face& f) { return f.size() == 3; }))
     return Error{Code::unsupported_operand, "without merging, all faces have to be triangles", {}};
-  Polytope all;
-  put_on_grid(data.vertices, all);
-  const Soup soup = half_edges(data);
-  const std::vector<std::uint32_t> group = coplanar_groups(all, soup, data.faces.size(), merge);
-  const Merging merging(soup, group, data.vertices.size());
+  return make(grid_places(data.vertices), data.vertices.size(), data.faces, merge);
+}
 
-  Polytope p;
-  p.bits = all.bits;
-  p.exponent = all.exponent;
-  const Numbering to = number(p, soup, merging, group, all, static_cast<std::uint32_t>(data.vertices.size()));
-  const auto edges = static_cast<std::uint32_t>(std::count_if(to.half_edge.begin(), to.half_edge.end(), [](std::uint32_t h) { return h != kNone; }) / 2);
-  link(p, soup, merging, group, to, edges);
-  make_rings(p);
-  make_units(p, edges);
-  make_eights(p);
-  measure(p);
-  return p;
+Polytope make_polytope(const ExactSolid& solid) {
+  return make(grid_places(solid.vertices, solid.exponent), solid.vertices.size(), solid.faces, true);
 }
 
 }  // namespace dymsum::spatial

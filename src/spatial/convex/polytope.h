@@ -8,8 +8,7 @@
 
 #include "dymsum/mesh.h"
 #include "dymsum/result.h"
-#include "exact/big.h"
-#include "exact/vector3.h"
+#include "spatial/convex/grid_places.h"
 #include "spatial/convex/ring_of_eight.h"
 #include "spatial/convex/vec3.h"
 
@@ -21,11 +20,9 @@ using HalfEdge = std::uint32_t;
 constexpr HalfEdge twin(HalfEdge h) { return h ^ 1; }
 
 /// Only true vertices, edges and faces, unless it was made without merging: then flat edges and vertices stay.
-struct Polytope {
+struct Polytope : GridPlaces {
   // Vertices.
   std::vector<Vec3> from_first;                      // place less that of vertex 0, in units of 2^size: components at most 1, relative error below 2^-52
-  std::vector<std::array<std::int64_t, 3>> grid;     // on the grid, when bits <= 61
-  std::vector<exact::Vector3<exact::Big>> big;       // on the grid, otherwise
   std::vector<std::uint32_t> source_vertex;          // number in the mesh it was made from
   std::vector<std::uint32_t> ring_start;             // of each vertex, into ring; one more at the end
   std::vector<HalfEdge> ring;                        // half-edges that leave a vertex, counter-clockwise seen from outside
@@ -45,8 +42,6 @@ struct Polytope {
   std::vector<std::uint32_t> source_face;            // the smallest number of the mesh's faces that it was merged from
   double volume = 0;                                 // in units of 8^size, relative error below 2^-50
   double total_area = 0;                             // at least the lengths of all of area together, by at most 2^-40 more
-  int bits = 0;                                      // |grid| <= 2^bits
-  int exponent = 0;                                  // grid unit 2^exponent
   int size = 0;                                      // no vertex is further than 2^size from vertex 0 along an axis
 
   std::uint32_t vertex_count() const { return static_cast<std::uint32_t>(source_vertex.size()); }
@@ -60,16 +55,6 @@ struct Polytope {
   /// Memory held, without what lies behind arbitrary precision.
   std::size_t bytes() const;
 
-  /// Coordinates of a vertex as a C. Requires that they fit.
-  template <class C>
-  exact::Vector3<C> place(std::uint32_t v) const {
-    if constexpr (std::is_same_v<C, exact::Big>) {
-      if (!big.empty()) return big[v];
-      return {C::from_int64(grid[v][0]), C::from_int64(grid[v][1]), C::from_int64(grid[v][2])};
-    } else {
-      return {C::from_int64(grid[v][0]), C::from_int64(grid[v][1]), C::from_int64(grid[v][2])};
-    }
-  }
   template <class C>
   auto edge_vector(HalfEdge h) const {
     return place<C>(target(h)) - place<C>(origin[h]);
@@ -82,16 +67,16 @@ struct Polytope {
   }
 };
 
-/// Calls f with a value of the narrowest coordinate type (Int<26>, Int<61> or Big) that holds the polytope's.
-template <class F>
-auto with_coordinates(const Polytope& p, F&& f) {
-  if (p.bits <= 26) return f(exact::Int<26>{});
-  if (p.bits <= 61) return f(exact::Int<61>{});
-  return f(exact::Big{});
-}
+/// A convex solid with exact vertices, multiples of 2^exponent. Its faces are whole and strictly convex.
+struct ExactSolid {
+  std::vector<exact::Vector3<exact::Big>> vertices;
+  int exponent = 0;
+  std::vector<Face> faces;
+};
 
 /// The polytope of a convex mesh: coplanar faces merged, flat vertices dropped, or (merge = false) everything as it stands, which must then
 /// have triangles only. Errors: not_convex, no_area for the empty mesh, unsupported_operand.
 Result<Polytope> make_polytope(const Mesh& mesh, bool merge = true);
+Polytope make_polytope(const ExactSolid& solid);
 
 }  // namespace dymsum::spatial

@@ -21,7 +21,7 @@ std::vector<BigVector> numerators(const SolidSum& sum, const ExactPlaces& places
   std::array<std::vector<BigVector>, 2> table;
   std::array<std::vector<bool>, 2> known;
   for (int op = 0; op < 2; ++op) {
-    table[op].resize(sum.source->vertices[op].size());
+    table[op].resize(sum.source->operand[op].size());
     known[op].resize(table[op].size());
   }
   const auto at = [&](int op, std::uint32_t v) -> const BigVector& {

@@ -1,0 +1,94 @@
+// Sums as meshes of doubles or of single-precision numbers.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "dymsum/convex_sum.h"
+#include "exact/big.h"
+
+namespace dymsum {
+namespace {
+
+std::string in_precision(Precision p) { return p == Precision::doubles ? "rounded to doubles, " : "rounded to single precision, "; }
+
+bool less(const Point3& a, const Point3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); }
+
+Error at_vertex(Code code, std::string message, const SolidSum& sum, std::uint32_t v) {
+  Error error{code, std::move(message), {}};
+  error.evidence.vertex = v;
+  error.evidence.x = sum.at[v].x;
+  error.evidence.y = sum.at[v].y;
+  error.evidence.z = sum.at[v].z;
+  return error;
+}
+
+/// The rounded positions, or the vertex that is past the range.
+Result<std::vector<Point3>> rounded_places(const SolidSum& sum, Precision precision) {
+  std::vector<Point3> at = sum.at;
+  for (std::uint32_t v = 0; v < at.size(); ++v) {
+    for (double* c : {&at[v].x, &at[v].y, &at[v].z}) {
+      if (precision == Precision::singles) *c = static_cast<double>(static_cast<float>(*c));
+      if (!std::isfinite(*c)) return at_vertex(Code::not_finite, in_precision(precision) + "a coordinate is past the range", sum, v);
+    }
+  }
+  return at;
+}
+
+std::optional<Error> collision(const SolidSum& sum, const std::vector<Point3>& at, Precision precision) {
+  std::vector<std::uint32_t> order(at.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return less(at[a], at[b]); });
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    if (at[order[i - 1]] != at[order[i]]) continue;
+    Error error = at_vertex(Code::rounding_changed_topology, in_precision(precision) + "two vertices are at the same place", sum, order[i - 1]);
+    error.evidence.other_vertex = order[i];
+    return error;
+  }
+  return std::nullopt;
+}
+
+/// How far a vertex moved.
+double moved(const SolidSum& sum, std::uint32_t v, const Point3& to) {
+  const RationalPoint3 from = sum.exact(v);
+  const auto lost = [](const Rational& exact, double c) {
+    return exact::round_to_double(exact::BigRational(exact::exact_value(exact) - exact::exact_value(c)));
+  };
+  return std::hypot(lost(from.x, to.x), lost(from.y, to.y), lost(from.z, to.z));
+}
+
+}  // namespace
+
+Result<Mesh> SolidSum::rounded_mesh(Precision precision) const {
+  const Result<std::vector<Point3>> places = rounded_places(*this, precision);
+  if (!places) return places.error();
+  if (std::optional<Error> error = collision(*this, *places, precision)) return *std::move(error);
+  Result<Mesh> hull = convex_hull(*places);
+  const auto inside = [&](const std::vector<Point3>& corners) {
+    for (std::uint32_t v = 0; v < places->size(); ++v)
+      if (!std::binary_search(corners.begin(), corners.end(), (*places)[v], less)) return v;
+    return static_cast<std::uint32_t>(places->size());
+  };
+  if (hull && hull->vertices().size() == places->size()) return hull;
+  return at_vertex(Code::rounding_changed_topology, in_precision(precision) + "a vertex no longer sticks out", *this,
+                   hull ? inside(hull->vertices()) : 0);
+}
+
+Result<HulledMesh> SolidSum::rounded_hull(Precision precision) const {
+  const Result<std::vector<Point3>> places = rounded_places(*this, precision);
+  if (!places) return places.error();
+  Result<HulledMesh> hull = hulled({*places, {}});
+  if (!hull) return hull.error();
+  HulledMesh result = std::move(hull).value();
+  result.report.deviation = 0;
+  for (std::uint32_t v = 0; v < places->size(); ++v)
+    result.report.deviation = std::max(result.report.deviation, moved(*this, v, (*places)[v]));
+  return result;
+}
+
+}  // namespace dymsum
