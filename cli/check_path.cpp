@@ -138,7 +138,7 @@ Json check_json(const PathCheck& check, const GivenPath& path) {
     blocked = {{"piece", check.piece},
                {"kind", kind_of(check)},
                {"share", {check.low, check.high}},
-               {"at", {{"x", check.at.x}, {"y", check.at.y}, {"theta", check.at.theta}}},
+               {"at", {check.at.x, check.at.y, check.at.theta}},
                {"contact", contact_json(check.contact)}};
   return {{"outcome", name_of(check.outcome)}, {"poses", size_of(path)}, {"pieces", check.pieces}, {"first", blocked}};
 }

@@ -1,7 +1,6 @@
 #include "frame_pictures.h"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "exit_code.h"
@@ -116,45 +115,6 @@ std::string animation(const std::vector<PicturedFrame>& frames) {
   }
   svg << "</svg>\n";
   return svg.str();
-}
-
-std::string scrub_page(const std::vector<PicturedFrame>& frames, const std::vector<PicturedTick>& marks,
-                       const std::string& title) {
-  const Box box = joined(frames);
-  const double margin = 0.03 * box.size();
-  nlohmann::json list = nlohmann::json::array(), ticks = nlohmann::json::array();
-  for (const PicturedFrame& f : frames) {
-    nlohmann::json tight = nlohmann::json::array();
-    for (const Point& p : f.set.dots) tight.push_back({p.x, p.y});
-    list.push_back({{"at", f.at}, {"label", f.caption}, {"d", f.set.path}, {"tight", tight}});
-  }
-  for (const PicturedTick& t : marks) ticks.push_back({{"at", t.at}, {"strong", t.strong}, {"label", t.caption}});
-  std::ostringstream html;
-  html << "<!doctype html>\n<html lang=\"en\"><meta charset=\"utf-8\"><title>" << escaped(title) << "</title>\n"
-       << "<style>body{font:14px sans-serif;margin:1em}svg#sum{width:100%;height:78vh;background:#fff}"
-          "input{width:100%}#ticks{width:100%;height:18px}</style>\n"
-       << "<h1 style=\"font-size:1.1em\">" << escaped(title) << "</h1>\n<svg id=\"sum\" viewBox=\""
-       << number(box.x0 - margin) << ' ' << number(box.y0 - margin) << ' '
-       << number(box.width() + 2 * margin) << ' ' << number(box.height() + 2 * margin)
-       << "\"><path id=\"p\" fill=\"#9ecae1\" fill-rule=\"evenodd\" stroke=\"#08519c\" "
-          "vector-effect=\"non-scaling-stroke\"/><g id=\"t\" fill=\"#d7301f\"></g></svg>\n"
-       << "<svg id=\"ticks\" viewBox=\"0 0 1000 18\" preserveAspectRatio=\"none\"></svg>\n"
-          "<input id=\"s\" type=\"range\" min=\"0\" max=\""
-       << (frames.empty() ? 0 : frames.size() - 1) << "\" value=\"0\"><p id=\"l\"></p>\n<script>\nconst frames="
-       << list.dump() << ",ticks=" << ticks.dump()
-       << ",r=" << number(0.006 * box.size()) << ";\n"
-       << R"(const ns="http://www.w3.org/2000/svg",el=i=>document.getElementById(i);
-function show(i){const f=frames[i];if(!f)return;el("p").setAttribute("d",f.d);el("l").textContent=f.label;
-el("t").replaceChildren(...f.tight.map(q=>{const c=document.createElementNS(ns,"circle");
-for(const [k,v] of [["cx",q[0]],["cy",q[1]],["r",r]])c.setAttribute(k,v);return c}))}
-el("s").oninput=e=>show(+e.target.value);show(0);
-if(frames.length>1){const a=frames[0].at,b=frames[frames.length-1].at;for(const t of ticks){
-const x=1000*(t.at-a)/(b-a),l=document.createElementNS(ns,"line"),c=t.strong?"#d7301f":"#777";
-for(const [k,v] of [["x1",x],["x2",x],["y1",t.strong?0:8],["y2",18],["stroke",c]])l.setAttribute(k,v);
-const n=document.createElementNS(ns,"title");n.textContent=t.label;l.append(n);el("ticks").append(l)}}
-</script></html>
-)";
-  return html.str();
 }
 
 }  // namespace dymsum::cli

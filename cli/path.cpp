@@ -17,6 +17,7 @@
 #include "progress_bar.h"
 #include "report.h"
 #include "solid_operands.h"
+#include "tier.h"
 #include "timing.h"
 
 namespace dymsum::cli {
@@ -128,7 +129,7 @@ ExitCode run_check(const PathCommand& command, const std::vector<Input>& inputs,
   const InterruptGuard guard;
   const auto [check, timing] =
       timed(command.report.repeat, [&] { return checked(robot.region, inputs[1].region, path, touching); });
-  Json json = report_head("path", inputs_json(inputs), 0, timing);
+  Json json = report_head("path", inputs_json(inputs), tier_of(inputs[0].region, inputs[1].region), timing);
   json.update({{"checked", check_json(check, path)}, {"margin", margin_json(robot)}});
   if (command.report.json) print_report(json);
   else std::cout << check_text(check) << "\n";

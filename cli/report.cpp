@@ -58,7 +58,7 @@ Json inputs_json(const std::vector<Input>& inputs) {
 
 Json orientation_json(const Orientation& orientation) {
   const std::string tangent = orientation.is_half_turn() ? "inf" : orientation.tan_half().to_string();
-  return {{"tan_half", tangent}, {"radians", orientation.radians()}};
+  return {{"tan_half", tangent}, {"theta", orientation.radians()}};
 }
 
 Json sum_json(const SumReport& report) {

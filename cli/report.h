@@ -25,7 +25,7 @@ struct SumReport {
 };
 
 Json inputs_json(const std::vector<Input>& inputs);
-/// {"tan_half": "1/2", "radians": 0.927...}.
+/// {"tan_half": "1/2", "theta": 0.927...}.
 Json orientation_json(const Orientation& orientation);
 Json sum_json(const SumReport& report);
 void print_sum(std::ostream& out, const SumReport& report);

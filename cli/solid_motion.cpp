@@ -26,7 +26,7 @@ Json frame_json(const ConvexSum& sum, const std::string& label, double ms) {
   const MotionWork& w = sum.work();
   const ConvexSum::FacetCount facets = sum.facet_count();
   return {{"pose", label},
-          {"facets", facets.all},
+          {"faces", facets.all},
           {"volume_exact", sum.volume_exact().to_string()},
           {"changed", facets.changed},
           {"checked", w.vertex_checks + w.crossing_checks + w.arc_checks},

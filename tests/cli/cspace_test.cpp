@@ -57,7 +57,7 @@ TEST_F(CspaceCli, SliceIsASumWithItsOrientation) {
   EXPECT_EQ(json("dymsum slice peg.wkt slot.wkt --tan-half 0 --semantics regular --json")["tight"]["segments"], 0);
   const Json third = json("dymsum slice peg.wkt slot.wkt --tan-half 1/3 --json");
   EXPECT_EQ(third["area_exact"], "1353/40");
-  EXPECT_NEAR(third["orientation"]["radians"].get<double>(), 2 * std::atan(1.0 / 3), 1e-15);
+  EXPECT_NEAR(third["orientation"]["theta"].get<double>(), 2 * std::atan(1.0 / 3), 1e-15);
   const Json half = json("dymsum slice peg.wkt slot.wkt --tan-half inf --json");
   EXPECT_EQ(half["orientation"]["tan_half"], "inf");
 }
@@ -74,8 +74,8 @@ TEST_F(CspaceCli, EveryEngineGivesTheSameSlice) {
 TEST_F(CspaceCli, AnAngleIsMetWithinItsError) {
   const Json close = json("dymsum slice peg.wkt slot.wkt --angle 0.5 --json");
   const Json rough = json("dymsum slice peg.wkt slot.wkt --angle 0.5 --error 1e-2 --json");
-  EXPECT_NEAR(close["orientation"]["radians"].get<double>(), 0.5, 1e-15);
-  EXPECT_NEAR(rough["orientation"]["radians"].get<double>(), 0.5, 1e-2);
+  EXPECT_NEAR(close["orientation"]["theta"].get<double>(), 0.5, 1e-15);
+  EXPECT_NEAR(rough["orientation"]["theta"].get<double>(), 0.5, 1e-2);
   EXPECT_LT(rough["orientation"]["tan_half"].get<std::string>().size(), 8u);
 }
 

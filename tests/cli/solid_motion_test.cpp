@@ -55,12 +55,13 @@ TEST_F(SolidMotionCli, RotateFollowsATurnAndWritesAPage) {
   EXPECT_EQ(report["frames"][0]["volume_exact"], "64/1");
   EXPECT_EQ(report["frames"][2]["volume_exact"], "64/1") << "a quarter turn is exact";
   EXPECT_GT(report["frames"][1]["changed"], 0);
-  EXPECT_EQ(report["frames"][0]["facets"], 6) << "a cube: coplanar facets count once";
-  EXPECT_EQ(report["frames"][1]["facets"], 10) << "an octagonal prism";
-  EXPECT_EQ(report["frames"][2]["facets"], 6);
+  EXPECT_EQ(report["frames"][0]["faces"], 6) << "a cube: coplanar facets count once";
+  EXPECT_EQ(report["frames"][1]["faces"], 10) << "an octagonal prism";
+  EXPECT_EQ(report["frames"][2]["faces"], 6);
   EXPECT_LE(report["frames"][2]["changed"], 6) << "of these";
   EXPECT_NE(work.run("dymsum rotate cube.off cube.off --steps 4").out.find(" of 6 facets"), std::string::npos);
-  EXPECT_NE(work.read("turn.html").find("<canvas>"), std::string::npos);
+  for (const char* part : {"<canvas id=\"drawing\">", "<meta name=\"viewport\"", "id=\"play\"", "face of P</span>", "new</span>"})
+    EXPECT_NE(work.read("turn.html").find(part), std::string::npos) << part;
 }
 
 TEST_F(SolidMotionCli, ScaleTakesOneFactorOrThree) {

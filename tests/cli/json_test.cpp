@@ -1,0 +1,151 @@
+// Every verb's --json follows docs/guide/report.schema.json, which knows every key, and docs/guide/json.md speaks of each.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "json_schema.h"
+#include "process.h"
+
+namespace dymsum::cli_test {
+namespace {
+
+using Json = nlohmann::json;
+
+const std::filesystem::path kGuide = std::filesystem::path(DYMSUM_SOURCE_DIR) / "docs/guide";
+
+/// A command, its exit code and the definition that its report follows.
+struct Case {
+  std::string name, command;
+  int code = 0;
+};
+
+const std::vector<Case> kCases = {
+    {"planar_sum", "sum frame.wkt square.wkt --repeat 2"},
+    {"planar_sum", "sum frame.wkt square.wkt --engine winding --semantics open"},
+    {"planar_sum", "nfp slot.wkt peg.wkt"},
+    {"planar_sum", "erode square.wkt peg.wkt", 4},
+    {"planar_sum", "erode slot.wkt square.wkt -o out.wkt"},
+    {"planar_sum", "slice peg.wkt slot.wkt --tan-half inf"},
+    {"planar_sum", "slice peg.wkt slot.wkt --degrees 30 --error 1e-3"},
+    {"solid_sum", "sum cube.off cube.off"},
+    {"solid_sum", "nfp cube.off cube.off --engine brute"},
+    {"scale", "scale frame.wkt square.wkt --sweep 1:2:1/3 --events"},
+    {"scale", "scale frame.wkt square.wkt --at 1,2 --robot --scaled q --semantics open"},
+    {"scale_copies", "scale frame.wkt square.wkt --copies copies.txt --robot"},
+    {"solid_motion", "scale cube.off cube.off --at 1,1:2:3"},
+    {"solid_motion", "rotate cube.off cube.off --steps 3 --axis 1,2,3"},
+    {"rotate", "rotate peg.wkt slot.wkt --steps 4"},
+    {"scale_range", "scale-range square.wkt slot.wkt --path '9,9 6,9'"},
+    {"scale_range", "scale-range square.wkt frame.wkt --inside --place 0,0"},
+    {"scale_range", "scale-range square.wkt slot.wkt --path 2.25,0.25", 4},
+    {"cspace", "cspace peg.wkt slot.wkt"},
+    {"cspace", "cspace peg.wkt frame.wkt -o out.glb"},
+    {"clearance", "clearance peg.wkt slot.wkt --at 1,6,0 --at 1,1,90deg"},
+    {"clearance", "clearance peg.wkt slot.wkt --at 1,6,0 --weight inf"},
+    {"path", "path peg.wkt slot.wkt --from 1,6,0 --to 1,1,0"},
+    {"path", "path peg.wkt slot.wkt --from 1,6,0 --to 1,1,0 --strict", 4},
+    {"path", "path square.wkt frame.wkt --from 1.5,1.5,0 --to 9,9,0", 4},
+    {"path", "path peg.wkt slot.wkt --from 1,6,0 --to 1,9,90deg --margin 0.25"},
+    {"checked_path", "path peg.wkt slot.wkt --check-path poses.txt"},
+    {"checked_path", "path peg.wkt slot.wkt --strict --check-path poses.txt", 4},
+    {"contains", "contains peg.wkt slot.wkt --at 1,1"},
+    {"contains", "contains peg.wkt slot.wkt --at 9,9,90deg", 4},
+    {"depth", "depth cube.off cube.off --move 0.5,0,0"},
+    {"depth", "depth cube.off cube.off --move 9,0,0", 4},
+    {"info", "info two.wkt"},
+    {"info", "info bow.wkt", 2},
+    {"solid_info", "info cube.off"},
+    {"solid_info", "info open.off", 2},
+    {"convert", "convert frame.wkt out.geojson"},
+    {"solid_convert", "convert cube.off out.obj"},
+    {"solid_convert", "hull cube.off out.off"},
+    {"failure", "sum bow.wkt square.wkt", 2},
+    {"failure", "sum cube.off open.off", 2},
+    {"failure", "info cut.off", 2},
+    {"failure", "sum square.wkt absent.wkt", 2},
+    {"failure", "scale square.wkt square.wkt --at 0", 1},
+    {"failure", "rotate square.wkt square.wkt", 1},
+    {"failure", "glue", 1},
+};
+
+class JsonReports : public testing::Test {
+ protected:
+  JsonReports() : schema(Json::parse(read_text(kGuide / "report.schema.json"))) {
+    work.write("square.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))\n");
+    work.write("peg.wkt", "POLYGON ((0 0, 2 0, 2 1, 0 1, 0 0))\n");
+    work.write("slot.wkt", "POLYGON ((0 0, 4 0, 4 4, 3 4, 3 1, 1 1, 1 4, 0 4, 0 0))\n");
+    work.write("frame.wkt", "POLYGON ((0 0, 5 0, 5 5, 0 5, 0 0), (1 1, 1 4, 4 4, 4 1, 1 1))\n");
+    work.write("two.wkt", "POINT (1 2)\nPOLYGON ((0 0, 1 0, 0 1, 0 0))\n");
+    work.write("bow.wkt", "POLYGON ((0 0, 2 2, 2 0, 0 2, 0 0))\n");
+    work.write("poses.txt", "1,6,0\n1,1,0\n");
+    work.write("copies.txt", "1 0 0\n3/2 9 0\n");
+    work.write("cube.off", "OFF\n8 6 0\n-1 -1 -1\n1 -1 -1\n1 1 -1\n-1 1 -1\n-1 -1 1\n1 -1 1\n1 1 1\n-1 1 1\n"
+                           "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
+    work.write("open.off", "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n");
+    work.write("cut.off", "OFF\n8 6 12\n0 0 0\n");
+  }
+  Json schema;
+  Workplace work;
+};
+
+TEST_F(JsonReports, FollowTheSchema) {
+  std::set<std::string> verbs, names, known;
+  std::istringstream told(work.run("dymsum ?").err);
+  for (std::string line; std::getline(told, line);) {
+    std::istringstream words(line.starts_with("The verbs are ") ? line.substr(14) : "");
+    for (std::string verb; words >> verb;) known.insert(verb);
+  }
+  for (const Case& c : kCases) {
+    if (c.name != "failure" && !known.contains(c.command.substr(0, c.command.find(' ')))) continue;
+    const Outcome outcome = work.run("dymsum " + c.command + " --json");
+    ASSERT_EQ(outcome.code, c.code) << c.command << "\n" << outcome.err;
+    const Json report = Json::parse(outcome.out);
+    for (const std::string& wrong : violations(schema, c.name, report)) ADD_FAILURE() << c.command << ": " << wrong;
+    const std::string verb = c.command.substr(0, c.command.find(' '));
+    EXPECT_EQ(report["verb"], verb);
+    verbs.insert(verb);
+    names.insert(c.name);
+  }
+  for (const Json& each : schema["oneOf"]) EXPECT_TRUE(names.contains(each["$ref"].get<std::string>().substr(8))) << each;
+  EXPECT_GE(known.size(), 14u);
+  for (const std::string& verb : known) EXPECT_TRUE(verbs.contains(verb)) << verb << " has no case";
+}
+
+TEST_F(JsonReports, TheValidatorFindsWhatIsWrong) {
+  Json report = Json::parse(work.run("dymsum sum square.wkt square.wkt --json").out);
+  EXPECT_TRUE(violations(schema, "planar_sum", report).empty());
+  EXPECT_FALSE(violations(schema, "solid_sum", report).empty());
+  for (const auto& [key, value] : report.items()) {
+    Json less = report, other = report, more = report;
+    less.erase(key);
+    EXPECT_EQ(violations(schema, "planar_sum", less).size(), 1u) << key;
+    other[key] = Json::array({false});
+    EXPECT_FALSE(violations(schema, "planar_sum", other).empty()) << key;
+    more[key + "s"] = value;
+    EXPECT_EQ(violations(schema, "planar_sum", more).size(), 1u) << key;
+  }
+  report["time_ms"]["stages"]["a"] = -1;
+  EXPECT_EQ(violations(schema, "planar_sum", report), std::vector<std::string>{"/time_ms/stages/a: is too small"});
+}
+
+void collect_keys(const Json& schema, std::set<std::string>& keys) {
+  if (schema.is_object() && schema.contains("properties"))
+    for (const auto& [key, rule] : schema["properties"].items()) keys.insert(key);
+  for (const auto& inner : schema)
+    if (inner.is_structured()) collect_keys(inner, keys);
+}
+
+TEST_F(JsonReports, TheGuideSpeaksOfEveryKey) {
+  const std::string guide = read_text(kGuide / "json.md");
+  std::set<std::string> keys;
+  collect_keys(schema["$defs"], keys);
+  EXPECT_GT(keys.size(), 80u);
+  for (const std::string& key : keys) EXPECT_NE(guide.find("`" + key + "`"), std::string::npos) << key;
+}
+
+}  // namespace
+}  // namespace dymsum::cli_test
