@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -139,6 +140,56 @@ TEST(CspaceGuide, ProgramAndCommandsDoWhatIsShown) {
   EXPECT_EQ(commands, 4);
   EXPECT_EQ(shown, 2);
   EXPECT_TRUE(work.exists("obstacle.glb") && work.exists("slices.svg") && work.exists("turn.anim.svg"));
+}
+
+/// Times differ from run to run.
+std::string without_times(const std::string& text) {
+  static const std::regex kTime(R"([0-9.e+-]+ ms)");
+  return std::regex_replace(text, kTime, "T ms");
+}
+
+/// Runs the commands of a block; where output is shown behind one, it is what the command prints.
+void follow(const Workplace& work, const std::string& guide, const std::string& block) {
+  std::istringstream lines(block);
+  std::string command, shown;
+  const auto run = [&] {
+    if (command.empty() || command.starts_with("./run") || command.starts_with("cmake")) return;
+    const Outcome outcome = work.run(command);
+    EXPECT_EQ(outcome.code, 0) << guide << ": " << command << "\n" << outcome.err;
+    EXPECT_TRUE(shown.empty() || without_times(shown) == without_times(outcome.out)) << guide << ": " << command << "\n" << outcome.out;
+  };
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("$ ")) {
+      run();
+      command = line.substr(2), shown.clear();
+    } else {
+      shown += line + "\n";
+    }
+  }
+  run();
+}
+
+TEST(Guides, EveryCommandWorksAndEveryProgramIsAnExample) {
+  std::vector<std::string> examples;
+  for (const auto& entry : std::filesystem::directory_iterator(kSource / "examples"))
+    if (entry.path().extension() == ".cpp") examples.push_back(read_text(entry.path()));
+  std::size_t guides = 0, commands = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(kSource / "docs/guide")) {
+    if (entry.path().extension() != ".md") continue;
+    const std::string guide = "docs/guide/" + entry.path().filename().string();
+    ++guides;
+    const Workplace work;
+    for (const char* program : {"demo_shapes' .", "demo_solids' .", "first_solid'"})
+      ASSERT_EQ(work.run("'" DYMSUM_EXAMPLES_DIR "/" + std::string(program)).code, 0) << program;
+    for (const std::string& block : blocks("console", guide)) {
+      follow(work, guide, block);
+      commands += static_cast<std::size_t>(std::count(block.begin(), block.end(), '$'));
+    }
+    for (const std::string& program : blocks("cpp", guide))
+      EXPECT_NE(std::find(examples.begin(), examples.end(), program), examples.end()) << guide << ": a program that is no example";
+  }
+  EXPECT_GE(guides, 7u);
+  EXPECT_GE(commands, 15u);
 }
 
 TEST(DemoPrograms, HelpMakesNoFolder) {
