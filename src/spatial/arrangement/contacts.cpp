@@ -1,0 +1,151 @@
+#include "spatial/arrangement/contacts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "spatial/box_tree.h"
+
+namespace dymsum::spatial {
+
+namespace {
+
+/// An end of the stretch that a facet has on another one's plane: where `border` (from corner k to k + 1) meets the plane, along which
+/// the height over the plane rises by the sign `rise`; `corner` where that is a corner.
+struct End {
+  int border = -1, rise = 0, corner = -1;
+};
+
+struct Chord {
+  End from, to;
+};
+
+/// The stretch of facet f on the plane of g, in the direction n_f x n_g. None where they do not meet.
+std::optional<Chord> chord(const SumSpace& space, const TableFacet& f, const TableFacet& g) {
+  const int n = f.facet.corners;
+  int s[4];
+  bool above = false, below = false, on = false;
+  for (int k = 0; k < n; ++k) {
+    s[k] = space.side(g.plane, f.facet.corner[k]);
+    above |= s[k] > 0, below |= s[k] < 0, on |= s[k] == 0;
+  }
+  if (!on && !(above && below)) return std::nullopt;
+  Chord result;
+  // Counter-clockwise about the plane's normal the border leaves the upper side at the stretch's end and comes back at its beginning.
+  const auto take = [&](bool end, End e) { (end == (f.side > 0) ? result.to : result.from) = e; };
+  for (int k = 0; k < n; ++k) {
+    const int next = (k + 1) % n, before = (k + n - 1) % n;
+    if (s[k] * s[next] < 0) take(s[k] > 0, {k, s[next] - s[k] > 0 ? 1 : -1, -1});
+    if (s[k] != 0) continue;
+    // The border behind or before the corner that leaves the plane; one does.
+    const End here = s[next] != 0 ? End{k, s[next], k} : End{before, -s[before], k};
+    if (s[before] == 0) {
+      // The side `before` lies in the plane: it runs backward where the facet is above.
+      take(s[next] < 0, here);
+    } else if (s[next] == 0) {
+      take(s[before] > 0, here);
+    } else if (s[before] == s[next]) {
+      result = {here, here};
+    } else {
+      take(s[before] > 0, here);
+    }
+  }
+  return result;
+}
+
+SumEdge border(const TableFacet& f, int k) { return {f.facet.corner[k], f.facet.corner[(k + 1) % f.facet.corners]}; }
+
+int twist(const SumSpace& space, const SumEdge& a, const SumEdge& b) {
+  const auto norm = [&](Vec3 v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z) + 4 * space.sum_radius(); };
+  const Vec3 from = space.approx(a.from), u = space.approx(a.to) - from, v = space.approx(b.to) - space.approx(b.from),
+             w = space.approx(b.from) - from;
+  const double U = norm(u), V = norm(v), W = norm(w);
+  const double value = dot(cross(u, v), w);
+  const double error = U * V * W * 0x1p-48 + 8 * space.sum_radius() * (U * V + V * W + U * W);
+  if (value > error) return 1;
+  if (value < -error) return -1;
+  return space.exact_twist(a, b);
+}
+
+/// The sign of the way from f's end to g's end in the direction n_f x n_g: with x on the border e of f and y on h of g, y - x = l (n_f x n_g) and
+/// (e x h) . (n_f x n_g) = -(e . n_g) (h . n_f).
+int order(const SumSpace& space, const TableFacet& f, End x, const TableFacet& g, End y) {
+  return -twist(space, border(f, x.border), border(g, y.border)) * x.rise * y.rise;
+}
+
+PointSource source(const TableFacet& f, End end, PlaneId plane) {
+  if (end.corner >= 0) {
+    const SumPoint s = f.facet.corner[end.corner];
+    return {PointSource::Kind::sum, s.p, s.q, 0};
+  }
+  return {PointSource::Kind::edge, f.edge[end.border], plane, 0};
+}
+
+bool share_edge(const TableFacet& f, const TableFacet& g) {
+  for (int i = 0; i < f.facet.corners; ++i)
+    for (int j = 0; j < g.facet.corners; ++j)
+      if (f.edge[i] == g.edge[j]) return true;
+  return false;
+}
+
+Box box_of(const SumSpace& space, const TableFacet& f) {
+  Box box;
+  for (int k = 0; k < f.facet.corners; ++k) box.add(space.approx(f.facet.corner[k]));
+  box.grow(space.sum_radius());
+  return box;
+}
+
+}  // namespace
+
+std::optional<Contact> contact(const SumSpace& space, const FacetTable& table, std::uint32_t i, std::uint32_t j) {
+  const TableFacet &f = table.facets[i], &g = table.facets[j];
+  const std::optional<Chord> a = chord(space, f, g);
+  if (!a) return std::nullopt;
+  std::optional<Chord> b = chord(space, g, f);
+  if (!b) return std::nullopt;
+  std::swap(b->from, b->to);  // in the direction n_f x n_g
+  // The later beginning and the earlier end; of equal ones a corner.
+  const int begin = order(space, f, a->from, g, b->from);
+  const int end = order(space, f, a->to, g, b->to);
+  const bool begin_f = begin < 0 || (begin == 0 && a->from.corner >= 0), end_f = end > 0 || (end == 0 && a->to.corner >= 0);
+  // The stretch of f begins and ends in order, and so does that of g: only mixed ends can be out of order.
+  int length = 1;
+  if (begin_f && !end_f) length = order(space, f, a->from, g, b->to);
+  if (!begin_f && end_f) length = -order(space, f, a->to, g, b->from);
+  if (length < 0) return std::nullopt;
+  Contact result{i, j, begin_f ? source(f, a->from, g.plane) : source(g, b->from, f.plane),
+                 end_f ? source(f, a->to, g.plane) : source(g, b->to, f.plane)};
+  if (length == 0) {
+    // One point: by a corner where there is one.
+    if (result.from.kind == PointSource::Kind::sum) result.to = result.from;
+    else result.from = result.to;
+  }
+  return result;
+}
+
+Contacts find_contacts(const SumSpace& space, const FacetTable& table) {
+  Contacts result;
+  std::vector<Box> boxes;
+  boxes.reserve(table.facets.size());
+  for (const TableFacet& f : table.facets) boxes.push_back(box_of(space, f));
+  const BoxTree tree(std::move(boxes));
+  std::vector<std::uint32_t> near;
+  for (std::uint32_t f = 0; f < table.facets.size(); ++f) {
+    near.clear();
+    tree.for_each(tree.box(f), [&](std::uint32_t g) {
+      if (g > f) near.push_back(g);
+    });
+    std::sort(near.begin(), near.end());
+    for (const std::uint32_t g : near) {
+      ++result.counts.box_pairs;
+      if (table.facets[f].plane == table.facets[g].plane) {
+        result.coplanar.push_back({f, g});
+      } else if (!share_edge(table.facets[f], table.facets[g])) {
+        if (const std::optional<Contact> c = contact(space, table, f, g)) result.contacts.push_back(*c);
+      }
+    }
+  }
+  result.counts.contacts = result.contacts.size();
+  return result;
+}
+
+}  // namespace dymsum::spatial

@@ -1,0 +1,131 @@
+#include "spatial/arrangement/solid_arrangement.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+#include "base/parallel.h"
+
+namespace dymsum::spatial {
+
+namespace {
+
+/// Facets joined by overlapping boxes within one plane.
+std::vector<PlaneGroup> plane_groups(const FacetTable& table, const Contacts& contacts, std::vector<std::uint32_t>& group_of) {
+  std::vector<std::uint32_t> parent(table.facets.size());
+  std::iota(parent.begin(), parent.end(), 0u);
+  const auto root = [&](std::uint32_t f) {
+    while (parent[f] != f) f = parent[f] = parent[parent[f]];
+    return f;
+  };
+  for (const auto& [f, g] : contacts.coplanar) parent[root(f)] = root(g);
+  std::vector<PlaneGroup> groups;
+  std::vector<std::uint32_t> index(table.facets.size(), kNoId);
+  group_of.resize(table.facets.size());
+  for (std::uint32_t f = 0; f < table.facets.size(); ++f) {
+    const std::uint32_t r = root(f);
+    if (index[r] == kNoId) {
+      index[r] = static_cast<std::uint32_t>(groups.size());
+      groups.push_back({table.facets[f].plane, {}, {}, 0, {}});
+    }
+    group_of[f] = index[r];
+    groups[index[r]].facets.push_back(f);
+  }
+  return groups;
+}
+
+int dropped_axis(const Plane& plane) {
+  const double x = std::abs(plane.n.x), y = std::abs(plane.n.y), z = std::abs(plane.n.z);
+  return x >= y && x >= z ? 0 : y >= z ? 1 : 2;
+}
+
+/// Upright planes through borders: by edge and axis.
+class UprightPlanes {
+ public:
+  explicit UprightPlanes(SumSpace& space) : space_(space), of_(3 * space.edges().size(), kNoId) {}
+
+  void want(EdgeId edge, int axis) {
+    PlaneId& id = of_[3 * edge + static_cast<std::size_t>(axis)];
+    if (id != kNoId) return;
+    id = static_cast<PlaneId>(sources_.size());
+    const SumEdge& e = space_.edges()[edge];
+    const Way u = e.from.q == e.to.q ? Way{Way::Of::p, e.from.p, e.to.p} : Way{Way::Of::q, e.from.q, e.to.q};
+    sources_.push_back({e.from, u, {Way::Of::axis, static_cast<std::uint32_t>(axis), 0}, false});
+  }
+  void make() { first_ = space_.add_planes(sources_); }
+  PlaneId get(EdgeId edge, int axis) const { return first_ + of_[3 * edge + static_cast<std::size_t>(axis)]; }
+
+ private:
+  SumSpace& space_;
+  std::vector<PlaneId> of_;
+  std::vector<PlaneSource> sources_;
+  PlaneId first_ = 0;
+};
+
+}  // namespace
+
+std::uint32_t SolidArrangement::group_of(std::uint32_t cell) const {
+  const auto at = std::upper_bound(groups.begin(), groups.end(), cell, [](std::uint32_t c, const PlaneGroup& g) { return c < g.first_cell; });
+  return static_cast<std::uint32_t>(at - groups.begin()) - 1;
+}
+
+SolidArrangement arrange(SumSpace& space, const FacetTable& table, const Contacts& contacts, int threads) {
+  SolidArrangement result(space);
+  std::vector<std::uint32_t> group_of;
+  result.groups = plane_groups(table, contacts, group_of);
+  UprightPlanes upright(space);
+  for (const TableFacet& f : table.facets)
+    for (int k = 0; k < f.facet.corners; ++k) upright.want(f.edge[k], dropped_axis(space.plane(f.plane)));
+  upright.make();
+
+  // Points: corners first, then ends of contacts.
+  std::vector<PointSource> sources;
+  for (const TableFacet& f : table.facets)
+    for (int k = 0; k < f.facet.corners; ++k) sources.push_back({PointSource::Kind::sum, f.facet.corner[k].p, f.facet.corner[k].q, 0});
+  for (const Contact& c : contacts.contacts) sources.push_back(c.from), sources.push_back(c.to);
+  const std::vector<PointId> ids = result.points.add(sources);
+
+  // Segments of every group.
+  std::vector<std::vector<PlaneSegment>> segments(result.groups.size());
+  std::size_t at = 0;
+  for (std::uint32_t i = 0; i < table.facets.size(); ++i) {
+    const TableFacet& f = table.facets[i];
+    const Plane& plane = space.plane(f.plane);
+    const int axis = dropped_axis(plane), n = f.facet.corners;
+    const bool up = (axis == 0 ? plane.n.x : axis == 1 ? plane.n.y : plane.n.z) > 0;
+    for (int k = 0; k < n; ++k) {
+      // n x (e x axis) = e n_axis: along the edge where the normal points up.
+      const PointId a = ids[at + static_cast<std::size_t>(k)], b = ids[at + static_cast<std::size_t>((k + 1) % n)];
+      const bool along = f.forward[k] == up;
+      // The facet is to the left of its border seen against its own normal.
+      const int inside = (along ? 1 : -1) * f.side;
+      segments[group_of[i]].push_back({along ? a : b, along ? b : a, upright.get(f.edge[k], axis), static_cast<std::int8_t>(inside), f.side});
+    }
+    at += static_cast<std::size_t>(n);
+  }
+  for (const Contact& c : contacts.contacts) {
+    const PointId from = ids[at++], to = ids[at++];
+    const PlaneId f = table.facets[c.f].plane, g = table.facets[c.g].plane;
+    segments[group_of[c.f]].push_back({from, to, g, 0, 1});
+    segments[group_of[c.g]].push_back({to, from, f, 0, 1});
+  }
+
+  base::parallel_parts(result.groups.size(), threads, [&](std::size_t g) {
+    PlaneGroup& group = result.groups[g];
+    group.cells = plane_cells(space, result.points, group.plane, segments[g]);
+  });
+  // Names of crossings: the same point is found in several planes.
+  sources.clear();
+  for (const PlaneGroup& group : result.groups) sources.insert(sources.end(), group.cells.found.begin(), group.cells.found.end());
+  const std::vector<PointId> names = result.points.add(sources);
+  at = 0;
+  for (PlaneGroup& group : result.groups) {
+    group.names.assign(names.begin() + static_cast<std::ptrdiff_t>(at), names.begin() + static_cast<std::ptrdiff_t>(at + group.cells.found.size()));
+    at += group.cells.found.size();
+    group.first_cell = result.cell_count;
+    result.cell_count += static_cast<std::uint32_t>(group.cells.cells.size());
+  }
+  return result;
+}
+
+}  // namespace dymsum::spatial

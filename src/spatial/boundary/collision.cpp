@@ -1,0 +1,187 @@
+#include "spatial/boundary/collision.h"
+
+#include <cmath>
+#include <optional>
+
+namespace dymsum::spatial {
+
+namespace {
+
+std::vector<Box> boxes_of(const std::vector<Vec3>& at, const std::vector<Triangle>& triangles, double radius) {
+  std::vector<Box> boxes;
+  boxes.reserve(triangles.size());
+  for (const Triangle& t : triangles) {
+    Box box;
+    for (const std::uint32_t v : t) box.add(at[v]);
+    box.grow(radius);
+    boxes.push_back(box);
+  }
+  return boxes;
+}
+
+double norm(Vec3 v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
+
+/// An end of the stretch that a triangle has on another one's plane: on the border from corner k to k + 1, along which the height rises by
+/// the sign `rise`.
+struct End {
+  int border = 0, rise = 0;
+};
+struct Chord {
+  End from, to;
+};
+
+/// From the heights' signs of the corners, which run counter-clockwise about n, in the direction n x (the other plane's normal).
+std::optional<Chord> chord(const int (&s)[3]) {
+  const bool above = s[0] > 0 || s[1] > 0 || s[2] > 0, below = s[0] < 0 || s[1] < 0 || s[2] < 0;
+  const bool on = s[0] == 0 || s[1] == 0 || s[2] == 0;
+  if (!on && !(above && below)) return std::nullopt;
+  if (!above && !below) return std::nullopt;  // one plane: their neighbours tell
+  Chord result;
+  for (int k = 0; k < 3; ++k) {
+    const int next = (k + 1) % 3, before = (k + 2) % 3;
+    if (s[k] * s[next] < 0) (s[k] > 0 ? result.to : result.from) = {k, s[next]};
+    if (s[k] != 0) continue;
+    const End here = s[next] != 0 ? End{k, s[next]} : End{before, -s[before]};
+    const bool end = s[before] == 0 ? s[next] < 0 : s[before] > 0;
+    if (s[before] == s[next]) result = {here, here};
+    else (end ? result.to : result.from) = here;
+  }
+  return result;
+}
+
+}  // namespace
+
+struct Collision::Query {
+  const SumSpace& space;
+  const Flag& flag;
+  Approx at;
+
+  /// The side of the plane on which x lies.
+  int side(const PlaneSource& plane, Vec3 u, Vec3 v) const {
+    const double r = space.sum_radius();
+    const Vec3 n = cross(u, v), gap = at.at - space.approx(plane.at);
+    const double U = norm(u) + 4 * r, V = norm(v) + 4 * r, W = norm(gap) + at.radius + 4 * r;
+    const double value = dot(n, gap);
+    const double error = U * V * W * 0x1p-48 + 8 * r * (U * V + V * W + U * W) + U * V * (at.radius + space.span() * 0x1p-52);
+    if (value > error || value < -error) return (value > 0) != plane.reversed ? 1 : -1;
+    return space.exact_side(plane, flag);
+  }
+};
+
+Collision::Collision(const SumSpace& space, const SolidOperand& p, const SolidOperand& q)
+    : space_(space),
+      p_(p),
+      q_(q),
+      p_tree_(boxes_of(space.p(), p.triangles, space.sum_radius())),
+      q_tree_(boxes_of(space.q(), q.triangles, space.sum_radius())) {}
+
+bool Collision::meets(const Flag& x) const {
+  tests_.fetch_add(1, std::memory_order_relaxed);
+  const Query query{space_, x, space_.approximate(x.at)};
+  Box at;
+  at.add(query.at.at);
+  at.grow(query.at.radius + space_.span() * 0x1p-50);
+  if (p_tree_.any_reflected_pair(q_tree_, at, [&](std::uint32_t i, std::uint32_t j) { return triangles_meet(query, i, j); })) return true;
+  for (const std::uint32_t v : p_.shell_vertex)
+    if (vertex_inside_q(query, v)) return true;
+  for (const std::uint32_t v : q_.shell_vertex)
+    if (vertex_inside_p(query, v)) return true;
+  return false;
+}
+
+/// Triangle a of P against x - c, c of Q, whose normal is that of c turned over. All heights are sides of x.
+bool Collision::triangles_meet(const Query& query, std::uint32_t i, std::uint32_t j) const {
+  const Triangle &a = p_.triangles[i], &c = q_.triangles[j];
+  const std::vector<Vec3>&p = space_.p(), &q = space_.q();
+  // x - c_k over the plane of a.
+  int sc[3], sa[3];
+  const Vec3 ua = p[a[1]] - p[a[0]], va = p[a[2]] - p[a[0]], uc = q[c[1]] - q[c[0]], vc = q[c[2]] - q[c[0]];
+  const Way wa = {Way::Of::p, a[0], a[1]}, wa2 = {Way::Of::p, a[0], a[2]}, wc = {Way::Of::q, c[0], c[1]}, wc2 = {Way::Of::q, c[0], c[2]};
+  for (int k = 0; k < 3; ++k) sc[k] = query.side({{a[0], c[k]}, wa, wa2, false}, ua, va);
+  const std::optional<Chord> chord_c = chord(sc);
+  if (!chord_c) return false;
+  // a_k over the plane of x - c with the normal uc x vc: n . (a_k - x + c_0) = -(n . (x - a_k - c_0)).
+  for (int k = 0; k < 3; ++k) sa[k] = -query.side({{a[k], c[0]}, wc, wc2, false}, uc, vc);
+  const std::optional<Chord> chord_a = chord(sa);
+  if (!chord_a) return false;
+  // The corners of x - c run clockwise about uc x vc reflected, that is counter-clockwise about it: a point reflection keeps orientation
+  // within a plane. So chord_a runs along n_a x n_c, and chord_c along n_c x n_a.
+  const auto later = [&](End x, End y) {  // the sign of the way from x on a's border to y on c's, along n_a x n_c
+    const std::uint32_t e0 = a[x.border], e1 = a[(x.border + 1) % 3], g0 = c[y.border], g1 = c[(y.border + 1) % 3];
+    const Vec3 e = p[e1] - p[e0], g = q[g1] - q[g0];
+    // det(e, -g, (x - g0) - e0) with e and -g the ways along both borders.
+    const int twist = -query.side({{e0, g0}, {Way::Of::p, e0, e1}, {Way::Of::q, g0, g1}, false}, e, g);
+    return -twist * x.rise * y.rise;
+  };
+  const Chord& f = *chord_a;
+  const Chord g{chord_c->to, chord_c->from};
+  // They meet unless one ends before the other begins.
+  return later(f.from, g.to) >= 0 && later(f.to, g.from) <= 0;
+}
+
+namespace {
+
+/// The sign of x over the upright plane through an edge, with ties broken as if x were moved by an infinitesimal along the first axis, and
+/// a smaller one along the second.
+template <class Side>
+int upright(const SumSpace& space, const PlaneSource& plane, Side side) {
+  if (const int s = side(plane)) return s;
+  if (const int s = space.exact_normal(plane, 0)) return s;
+  return space.exact_normal(plane, 1);
+}
+
+}  // namespace
+
+/// x - p in Q: an odd number of Q's triangles above it.
+bool Collision::vertex_inside_q(const Query& query, std::uint32_t v) const {
+  bool inside = false;
+  const std::vector<Vec3>& q = space_.q();
+  const Vec3 y = query.at.at - space_.p()[v];
+  const double r = query.at.radius + 4 * space_.sum_radius() + space_.span() * 0x1p-50;
+  Box ray;
+  ray.add(y), ray.grow(r);
+  ray.high.z = 1e300;
+  q_tree_.for_each(ray, [&](std::uint32_t j) {
+    const Triangle& c = q_.triangles[j];
+    int turn[3];
+    for (int k = 0; k < 3; ++k) {
+      const std::uint32_t a = c[k], b = c[(k + 1) % 3];
+      const PlaneSource plane{{v, a}, {Way::Of::q, a, b}, {Way::Of::axis, 2, 0}, false};
+      turn[k] = upright(space_, plane, [&](const PlaneSource& s) { return query.side(s, q[b] - q[a], {0, 0, 1}); });
+    }
+    if (turn[0] == 0 || turn[0] != turn[1] || turn[1] != turn[2]) return;
+    const PlaneSource plane{{v, c[0]}, {Way::Of::q, c[0], c[1]}, {Way::Of::q, c[0], c[2]}, false};
+    const int up = space_.exact_normal(plane, 2);
+    const int height = query.side(plane, q[c[1]] - q[c[0]], q[c[2]] - q[c[0]]);
+    if (height * up < 0) inside = !inside;
+  });
+  return inside;
+}
+
+/// x - q in P.
+bool Collision::vertex_inside_p(const Query& query, std::uint32_t v) const {
+  bool inside = false;
+  const std::vector<Vec3>& p = space_.p();
+  const Vec3 y = query.at.at - space_.q()[v];
+  const double r = query.at.radius + 4 * space_.sum_radius() + space_.span() * 0x1p-50;
+  Box ray;
+  ray.add(y), ray.grow(r);
+  ray.high.z = 1e300;
+  p_tree_.for_each(ray, [&](std::uint32_t j) {
+    const Triangle& c = p_.triangles[j];
+    int turn[3];
+    for (int k = 0; k < 3; ++k) {
+      const std::uint32_t a = c[k], b = c[(k + 1) % 3];
+      const PlaneSource plane{{a, v}, {Way::Of::p, a, b}, {Way::Of::axis, 2, 0}, false};
+      turn[k] = upright(space_, plane, [&](const PlaneSource& s) { return query.side(s, p[b] - p[a], {0, 0, 1}); });
+    }
+    if (turn[0] == 0 || turn[0] != turn[1] || turn[1] != turn[2]) return;
+    const PlaneSource plane{{c[0], v}, {Way::Of::p, c[0], c[1]}, {Way::Of::p, c[0], c[2]}, false};
+    const int up = space_.exact_normal(plane, 2);
+    const int height = query.side(plane, p[c[1]] - p[c[0]], p[c[2]] - p[c[0]]);
+    if (height * up < 0) inside = !inside;
+  });
+  return inside;
+}
+
+}  // namespace dymsum::spatial

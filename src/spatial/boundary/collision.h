@@ -1,0 +1,34 @@
+// Whether P overlaps x - Q: whether a position x lies in the open sum.
+#pragma once
+
+#include <vector>
+
+#include "spatial/box_tree.h"
+#include "spatial/convolution/solid_operand.h"
+#include "spatial/convolution/sum_space.h"
+
+namespace dymsum::spatial {
+
+class Collision {
+ public:
+  Collision(const SumSpace& space, const SolidOperand& p, const SolidOperand& q);
+
+  /// Whether P meets x - Q. For positions at which the solids do not touch without overlapping, as for all off the facets of the
+  /// convolution, that is whether they overlap. Exact.
+  bool meets(const Flag& x) const;
+
+  std::uint64_t tests() const { return tests_; }
+
+ private:
+  struct Query;
+  bool triangles_meet(const Query& query, std::uint32_t i, std::uint32_t j) const;
+  bool vertex_inside_q(const Query& query, std::uint32_t p) const;
+  bool vertex_inside_p(const Query& query, std::uint32_t q) const;
+
+  const SumSpace& space_;
+  const SolidOperand &p_, &q_;
+  BoxTree p_tree_, q_tree_;
+  mutable std::atomic<std::uint64_t> tests_{0};
+};
+
+}  // namespace dymsum::spatial

@@ -1,0 +1,348 @@
+#include "spatial/convolution/grid_space.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "spatial/grid_points.h"
+
+namespace dymsum::spatial {
+
+namespace {
+
+using exact::Big;
+using exact::cross;
+using exact::dot;
+using exact::Int;
+using exact::sign;
+using exact::to_double;
+using exact::Vector3;
+
+template <class C>
+C component(const Vector3<C>& v, int axis) {
+  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+}
+
+template <class C>
+Vec3 doubles(const Vector3<C>& v) {
+  return {to_double(v.x), to_double(v.y), to_double(v.z)};
+}
+
+template <class C>
+C small(std::int64_t v) {
+  if constexpr (std::is_same_v<C, Big>) {
+    return Big::from_int64(v);
+  } else {
+    return C::from_int64(v);
+  }
+}
+
+// The widths of the table in sum_space.h, checked for the two fixed tiers.
+template <int B>
+constexpr bool widths_hold() {
+  using E = decltype(Int<B>{} + Int<B>{});
+  using N = decltype(E{} * E{} - E{} * E{});
+  using D = decltype(dot(Vector3<N>{}, Vector3<E>{}));
+  using Cross = decltype(N{} * N{} - N{} * N{});
+  using X3 = decltype(D{} * Cross{} + D{} * Cross{} + D{} * Cross{});
+  using W3 = decltype(dot(Vector3<N>{}, Vector3<Cross>{}));
+  using Side3 = decltype(dot(Vector3<N>{}, Vector3<X3>{}) - D{} * W3{});
+  return E::kBits == B + 1 && N::kBits == 2 * B + 3 && D::kBits == 3 * B + 6 && X3::kBits == 7 * B + 15 && W3::kBits == 6 * B + 12 &&
+         Side3::kBits <= 9 * B + 21;
+}
+static_assert(widths_hold<26>() && widths_hold<54>());
+
+}  // namespace
+
+template <class C>
+GridSpace<C>::GridSpace(std::vector<Point> p, std::vector<Point> q, int bits) : p_int_(std::move(p)), q_int_(std::move(q)), bits_(bits) {
+  const auto fill = [](const std::vector<Point>& from, std::vector<Vec3>& to, std::vector<std::array<exact::Residue, 3>>& residues) {
+    for (const Point& v : from) {
+      to.push_back(doubles(v));
+      residues.push_back({exact::residue(v.x), exact::residue(v.y), exact::residue(v.z)});
+    }
+  };
+  fill(p_int_, p_, p_residue_);
+  fill(q_int_, q_, q_residue_);
+  span_ = std::ldexp(1.0, bits + 1);
+  // Up to 51 bits, both coordinates and their sum are doubles. Else each is within 2^-52 of its size, and so is the sum.
+  sum_radius_ = bits <= 51 ? 0 : span_ * 0x1p-51;
+}
+
+template <class C>
+Vector3<typename GridSpace<C>::Edge> GridSpace<C>::way(Way w) const {
+  if (w.of == Way::Of::p) return p_int_[w.to] - p_int_[w.from];
+  if (w.of == Way::Of::q) return q_int_[w.to] - q_int_[w.from];
+  return {small<Edge>(w.from == 0), small<Edge>(w.from == 1), small<Edge>(w.from == 2)};
+}
+
+template <class C>
+Vector3<typename GridSpace<C>::Edge> GridSpace<C>::along(const SumEdge& e) const {
+  return e.from.q == e.to.q ? way({Way::Of::p, e.from.p, e.to.p}) : way({Way::Of::q, e.from.q, e.to.q});
+}
+
+template <class C>
+Vector3<typename GridSpace<C>::Normal> GridSpace<C>::normal(const PlaneSource& source) const {
+  return source.reversed ? cross(way(source.v), way(source.u)) : cross(way(source.u), way(source.v));
+}
+
+template <class C>
+PlaneId GridSpace<C>::add_planes(std::span<const PlaneSource> sources) {
+  const auto first = static_cast<PlaneId>(n_.size());
+  for (const PlaneSource& source : sources) {
+    const auto n = normal(source);
+    const Offset d = dot(n, sum(source.at));
+    n_.push_back(n);
+    d_.push_back(d);
+    plane_residues_.push_back({{exact::residue(n.x), exact::residue(n.y), exact::residue(n.z)}, exact::residue(d)});
+    Plane plane{doubles(n), to_double(d), 0, 0};
+    int exponent = 0;
+    std::frexp(std::max({std::abs(plane.n.x), std::abs(plane.n.y), std::abs(plane.n.z)}), &exponent);
+    const auto scaled = [&](double v) { return std::ldexp(v, -exponent); };
+    plane.n = {scaled(plane.n.x), scaled(plane.n.y), scaled(plane.n.z)};
+    plane.d = scaled(plane.d);
+    plane.norm1 = (std::abs(plane.n.x) + std::abs(plane.n.y) + std::abs(plane.n.z)) * (1 + 0x1p-50);
+    // Conversions err by 2^-52 of each term, products and sums by 2^-53: 8 of these for every term at most. Underflows by less than the
+    // last summand.
+    plane.slack = (plane.norm1 * span_ + std::abs(plane.d)) * 0x1p-49 + 0x1p-1000;
+    planes_.push_back(plane);
+  }
+  return first;
+}
+
+template <class C>
+template <class F>
+auto GridSpace<C>::with_point(const PointSource& point, F f) const {
+  if (point.kind == PointSource::Kind::sum) {
+    using W = Int<1>;
+    return f(Homogeneous<Edge, W>{sum({point.a, point.b}), W::from_int64(1)});
+  }
+  if (point.kind == PointSource::Kind::edge) {
+    const SumEdge& edge = edges_[point.a];
+    const auto from = sum(edge.from);
+    const auto d = along(edge);
+    const auto& n = n_[point.b];
+    const auto h = dot(n, from) - d_[point.b];
+    const auto w = dot(n, d);
+    const auto x = from.x * w - d.x * h, y = from.y * w - d.y * h, z = from.z * w - d.z * h;
+    return f(Homogeneous<decltype(from.x * w - d.x * h), decltype(dot(n, d))>{{x, y, z}, w});
+  }
+  const auto &a = n_[point.a], &b = n_[point.b], &c = n_[point.c];
+  const auto bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
+  const auto &da = d_[point.a], &db = d_[point.b], &dc = d_[point.c];
+  const auto x = da * bc.x + db * ca.x + dc * ab.x, y = da * bc.y + db * ca.y + dc * ab.y, z = da * bc.z + db * ca.z + dc * ab.z;
+  const auto w = dot(a, bc);
+  return f(Homogeneous<decltype(da * bc.x + db * ca.x + dc * ab.x), decltype(dot(a, bc))>{{x, y, z}, w});
+}
+
+template <class C>
+int GridSpace<C>::exact_side(PlaneId plane, SumPoint point) const {
+  exact_signs_.fetch_add(1, std::memory_order_relaxed);
+  return sign(dot(n_[plane], sum(point)) - d_[plane]);
+}
+
+template <class C>
+int GridSpace<C>::exact_side(PlaneId plane, const PointSource& point) const {
+  exact_signs_.fetch_add(1, std::memory_order_relaxed);
+  return with_point(point, [&](const auto& h) { return sign(dot(n_[plane], h.x) - d_[plane] * h.w) * sign(h.w); });
+}
+
+template <class C>
+int GridSpace<C>::exact_twist(const SumEdge& a, const SumEdge& b) const {
+  exact_signs_.fetch_add(1, std::memory_order_relaxed);
+  const auto gap = sum(b.from) - sum(a.from);
+  return sign(dot(cross(along(a), along(b)), gap));
+}
+
+template <class C>
+int GridSpace<C>::exact_rise(PlaneId plane, const SumEdge& edge) const {
+  return sign(dot(n_[plane], along(edge)));
+}
+
+template <class C>
+int GridSpace<C>::exact_det(PlaneId a, PlaneId b, PlaneId c) const {
+  exact_signs_.fetch_add(1, std::memory_order_relaxed);
+  return sign(dot(n_[a], cross(n_[b], n_[c])));
+}
+
+template <class C>
+int GridSpace<C>::exact_cross(PlaneId a, PlaneId b, int axis) const {
+  const auto &n = n_[a], &m = n_[b];
+  const int i = (axis + 1) % 3, j = (axis + 2) % 3;
+  return sign(component(n, i) * component(m, j) - component(n, j) * component(m, i));
+}
+
+template <class C>
+int GridSpace<C>::exact_dot(PlaneId a, PlaneId b) const {
+  return sign(dot(n_[a], n_[b]));
+}
+
+template <class C>
+int GridSpace<C>::exact_normal(PlaneId plane, int axis) const {
+  return sign(component(n_[plane], axis));
+}
+
+template <class C>
+int GridSpace<C>::same_plane(PlaneId a, PlaneId b) const {
+  if (a == b) return 1;
+  const auto c = cross(n_[a], n_[b]);
+  if (sign(c.x) != 0 || sign(c.y) != 0 || sign(c.z) != 0) return 0;
+  int axis = 0;
+  while (sign(component(n_[a], axis)) == 0) ++axis;
+  const auto na = component(n_[a], axis), nb = component(n_[b], axis);
+  if (sign(d_[a] * nb - d_[b] * na) != 0) return 0;
+  return sign(na) * sign(nb);
+}
+
+template <class C>
+bool GridSpace<C>::same_point(const PointSource& a, const PointSource& b) const {
+  if (a == b) return true;
+  return with_point(a, [&](const auto& x) {
+    return with_point(b, [&](const auto& y) {
+      return x.x.x * y.w == y.x.x * x.w && x.x.y * y.w == y.x.y * x.w && x.x.z * y.w == y.x.z * x.w;
+    });
+  });
+}
+
+template <class C>
+int GridSpace<C>::exact_order(const PointSource& a, const PointSource& b, int axis) const {
+  exact_signs_.fetch_add(1, std::memory_order_relaxed);
+  return with_point(a, [&](const auto& x) {
+    return with_point(b, [&](const auto& y) {
+      return sign(component(y.x, axis) * x.w - component(x.x, axis) * y.w) * sign(x.w) * sign(y.w);
+    });
+  });
+}
+
+template <class C>
+int GridSpace<C>::exact_det(Way u, Way v, Way w) const {
+  return sign(dot(cross(way(u), way(v)), way(w)));
+}
+
+template <class C>
+int GridSpace<C>::exact_dot(Way u, Way v, Way w, Way x) const {
+  return sign(dot(cross(way(u), way(v)), cross(way(w), way(x))));
+}
+
+template <class C>
+int GridSpace<C>::exact_leading(Way w) const {
+  return exact::leading_sign(way(w));
+}
+
+template <class C>
+int GridSpace<C>::exact_side(const PlaneSource& plane, const Flag& flag) const {
+  exact_signs_.fetch_add(1, std::memory_order_relaxed);
+  const auto m = normal(plane);
+  const Offset d = dot(m, sum(plane.at));
+  const int at = with_point(flag.at, [&](const auto& h) { return sign(dot(m, h.x) - d * h.w) * sign(h.w); });
+  if (at != 0) return at;
+  if (flag.way != 0) {
+    const int along = flag.way * sign(dot(m, cross(n_[flag.plane], n_[flag.cut])));
+    if (along != 0) return along;
+  }
+  if (flag.left != 0) {
+    // n x (n x c) = n (n . c) - c (n . n).
+    const auto &n = n_[flag.plane], &c = n_[flag.cut];
+    const int left = flag.way * sign(dot(m, n) * dot(n, c) - dot(m, c) * dot(n, n));
+    if (left != 0) return left;
+  }
+  return flag.side == 0 ? 0 : flag.side * sign(dot(m, n_[flag.plane]));
+}
+
+template <class C>
+int GridSpace<C>::exact_normal(const PlaneSource& plane, int axis) const {
+  return sign(component(normal(plane), axis));
+}
+
+template <class C>
+Approx GridSpace<C>::exact_approximation(const PointSource& point) const {
+  exact_signs_.fetch_add(1, std::memory_order_relaxed);
+  return with_point(point, [&](const auto& h) {
+    // Both within 2^-52, the quotient rounded once more. Weights beyond doubles are scaled away by BigRational.
+    const auto quotient = [&](const auto& x) {
+      const double num = to_double(x), den = to_double(h.w);
+      if (std::isfinite(num) && std::isfinite(den)) return num / den;
+      return exact::round_to_double(exact::ratio(exact::to_big(x), exact::to_big(h.w)));
+    };
+    const Vec3 at{quotient(h.x.x), quotient(h.x.y), quotient(h.x.z)};
+    const double size = std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)});
+    return Approx{at, size * 0x1p-50};
+  });
+}
+
+template <class C>
+exact::BigRational GridSpace<C>::exact_coordinate(const PointSource& point, int axis) const {
+  return with_point(point, [&](const auto& h) { return exact::ratio(exact::to_big(component(h.x, axis)), exact::to_big(h.w)); });
+}
+
+template <class C>
+exact::Residue GridSpace<C>::hash_of_zero_weight(const PointSource& point) const {
+  // The weight is a multiple of the prime. In lowest terms numerators and denominators tell.
+  exact::Residue hash = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const exact::BigRational v = exact_coordinate(point, axis);
+    const exact::Residue den = exact::residue(Big(boost::multiprecision::denominator(v)));
+    const exact::Residue num = exact::residue(Big(boost::multiprecision::numerator(v)));
+    // A point whose own denominator the prime divides has this hash in every form; others get the common one.
+    if (den == 0) return 0;
+    constexpr exact::Residue kFactor[3] = {1, 0x1234567890abcdefULL % exact::kResiduePrime, 0x0fedcba987654321ULL % exact::kResiduePrime};
+    hash = exact::plus(hash, exact::times(kFactor[axis], exact::times(num, exact::inverse(den))));
+  }
+  return hash;
+}
+
+namespace {
+
+std::vector<double> coordinates(const std::vector<Point3>& points, double Point3::*axis) {
+  std::vector<double> values;
+  for (const Point3& p : points) values.push_back(p.*axis);
+  return values;
+}
+
+struct Line {
+  int exponent = 0, bits = 0;
+  double p_offset = 0, q_offset = 0;
+};
+
+Line common_line(const std::vector<Point3>& p, const std::vector<Point3>& q, double Point3::*axis) {
+  const std::vector<double> a = coordinates(p, axis), b = coordinates(q, axis);
+  Line line;
+  line.exponent = exact::common_exponent(a, b);
+  const auto offset = [&](const std::vector<double>& values) {
+    if (values.empty()) return 0.0;
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    const double middle = exact::grid_center(*low, *high, line.exponent);
+    line.bits = std::max(line.bits, exact::bits_needed(*low, *high, middle, line.exponent));
+    return middle;
+  };
+  line.p_offset = offset(a);
+  line.q_offset = offset(b);
+  return line;
+}
+
+template <class C>
+std::vector<Vector3<C>> on_grid(const std::vector<Point3>& points, const Line (&lines)[3], double Line::*offset) {
+  std::vector<Vector3<C>> result;
+  result.reserve(points.size());
+  for (const Point3& v : points) {
+    result.push_back({exact::grid_coordinate<C>(v.x, lines[0].*offset, lines[0].exponent),
+                      exact::grid_coordinate<C>(v.y, lines[1].*offset, lines[1].exponent),
+                      exact::grid_coordinate<C>(v.z, lines[2].*offset, lines[2].exponent)});
+  }
+  return result;
+}
+
+}  // namespace
+
+std::unique_ptr<SumSpace> make_sum_space(const std::vector<Point3>& p, const std::vector<Point3>& q) {
+  const Line lines[3] = {common_line(p, q, &Point3::x), common_line(p, q, &Point3::y), common_line(p, q, &Point3::z)};
+  const int bits = std::max({lines[0].bits, lines[1].bits, lines[2].bits});
+  const auto make = [&]<class C>(C) -> std::unique_ptr<SumSpace> {
+    return std::make_unique<GridSpace<C>>(on_grid<C>(p, lines, &Line::p_offset), on_grid<C>(q, lines, &Line::q_offset), bits);
+  };
+  if (bits <= 26) return make(Int<26>{});
+  if (bits <= 54) return make(Int<54>{});
+  if (bits <= 250) return make(Big{});
+  throw std::invalid_argument("coordinates of more than 250 bits on their common grid");
+}
+
+}  // namespace dymsum::spatial

@@ -1,0 +1,66 @@
+// SumSpace in exact integers of one width: C is Int<B>, or Big.
+#pragma once
+
+#include <utility>
+
+#include "exact/vector3.h"
+#include "spatial/convolution/sum_space.h"
+
+namespace dymsum::spatial {
+
+template <class C>
+class GridSpace final : public SumSpace {
+ public:
+  using Point = exact::Vector3<C>;
+  using Edge = decltype(C{} + C{});
+  using Normal = decltype(Edge{} * Edge{} - Edge{} * Edge{});
+  using Offset = decltype(exact::dot(exact::Vector3<Normal>{}, exact::Vector3<Edge>{}));
+  /// A point as (x, y, z) / w.
+  template <class X, class W>
+  struct Homogeneous {
+    exact::Vector3<X> x;
+    W w;
+  };
+
+  GridSpace(std::vector<Point> p, std::vector<Point> q, int bits);
+
+  PlaneId add_planes(std::span<const PlaneSource> sources) override;
+  int exact_side(PlaneId plane, SumPoint point) const override;
+  int exact_side(PlaneId plane, const PointSource& point) const override;
+  int exact_twist(const SumEdge& a, const SumEdge& b) const override;
+  int exact_rise(PlaneId plane, const SumEdge& edge) const override;
+  int exact_det(PlaneId a, PlaneId b, PlaneId c) const override;
+  int exact_cross(PlaneId a, PlaneId b, int axis) const override;
+  int exact_dot(PlaneId a, PlaneId b) const override;
+  int exact_normal(PlaneId plane, int axis) const override;
+  int same_plane(PlaneId a, PlaneId b) const override;
+  bool same_point(const PointSource& a, const PointSource& b) const override;
+  int exact_order(const PointSource& a, const PointSource& b, int axis) const override;
+  int exact_det(Way u, Way v, Way w) const override;
+  int exact_dot(Way u, Way v, Way w, Way x) const override;
+  int exact_leading(Way w) const override;
+  int exact_side(const PlaneSource& plane, const Flag& flag) const override;
+  int exact_normal(const PlaneSource& plane, int axis) const override;
+  Approx exact_approximation(const PointSource& point) const override;
+  int bits() const override { return bits_; }
+  exact::BigRational exact_coordinate(const PointSource& point, int axis) const override;
+
+ protected:
+  exact::Residue hash_of_zero_weight(const PointSource& point) const override;
+
+ private:
+  exact::Vector3<Edge> sum(SumPoint s) const { return p_int_[s.p] + q_int_[s.q]; }
+  exact::Vector3<Edge> way(Way w) const;
+  exact::Vector3<Edge> along(const SumEdge& e) const;
+  exact::Vector3<Normal> normal(const PlaneSource& source) const;
+  /// f(Homogeneous) with the point in the narrowest form of its kind.
+  template <class F>
+  auto with_point(const PointSource& point, F f) const;
+
+  std::vector<Point> p_int_, q_int_;
+  std::vector<exact::Vector3<Normal>> n_;
+  std::vector<Offset> d_;
+  int bits_;
+};
+
+}  // namespace dymsum::spatial

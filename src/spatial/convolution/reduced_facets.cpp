@@ -1,0 +1,268 @@
+#include "spatial/convolution/reduced_facets.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "spatial/box_tree.h"
+
+namespace dymsum::spatial {
+
+namespace {
+
+using Bend = Wedge::Bend;
+
+/// A vector in doubles: within `error` of the exact one in each component, both scaled so that the largest component is about 1.
+struct Direction {
+  Vec3 v;
+  double error = 0;
+};
+
+Direction scaled(Vec3 v, double error) {
+  const double size = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  if (!(size > 4 * error)) return {{0, 0, 0}, 4};  // says nothing: every sign is left to integers
+  return {(1 / size) * v, error / size + 0x1p-51};
+}
+
+/// One operand with its normals and edges in doubles.
+struct Side {
+  Way::Of of;
+  const SolidOperand& solid;
+  std::vector<Direction> normals;          // of triangles
+  std::vector<std::uint32_t> convex;       // wedges
+  std::vector<Direction> edges;            // of these
+  std::vector<Direction> rays;             // as solid.rays
+
+  Side(Way::Of which, const SolidOperand& operand, const SumSpace& space) : of(which), solid(operand) {
+    const std::vector<Vec3>& at = which == Way::Of::p ? space.p() : space.q();
+    const double each = space.sum_radius();  // of a difference of two vertices, at most twice that
+    const auto difference = [&](std::uint32_t from, std::uint32_t to) { return at[to] - at[from]; };
+    const auto norm = [](Vec3 v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
+    for (const Triangle& t : solid.triangles) {
+      const Vec3 u = difference(t[0], t[1]), v = difference(t[0], t[2]);
+      const double error = norm(u) * norm(v) * 0x1p-50 + 4 * each * (norm(u) + norm(v) + each);
+      normals.push_back(scaled(cross(u, v), error));
+    }
+    for (std::uint32_t w = 0; w < solid.wedges.size(); ++w) {
+      if (solid.wedges[w].bend != Bend::convex) continue;
+      convex.push_back(w);
+      const Vec3 d = difference(solid.wedges[w].from, solid.wedges[w].to);
+      edges.push_back(scaled(d, 2 * each + norm(d) * 0x1p-52));
+    }
+    rays.resize(solid.rays.size());
+    for (const SupportCone& cone : solid.cones) {
+      for (std::uint32_t k = cone.first; k < cone.last; ++k) {
+        const Vec3 d = difference(cone.vertex, solid.rays[k]);
+        rays[k] = scaled(d, 2 * each + norm(d) * 0x1p-52);
+      }
+    }
+  }
+
+  Way way(std::uint32_t from, std::uint32_t to) const { return {of, from, to}; }
+};
+
+/// Of n . d by doubles; 0 where they leave it open.
+int filtered(const Direction& n, const Direction& d) {
+  const double v = dot(n.v, d.v);
+  const double error = 3 * (n.error + d.error + n.error * d.error) + 0x1p-49;
+  return v > error ? 1 : v < -error ? -1 : 0;
+}
+
+int normal_sign(const SumSpace& space, const Side& faces, std::uint32_t triangle, Way d) {
+  const Triangle& t = faces.solid.triangles[triangle];
+  return space.exact_det(faces.way(t[0], t[1]), faces.way(t[0], t[2]), d);
+}
+
+/// A bound, in each coordinate, of the unit vectors along v.
+void add_unit(Box& box, const Direction& d) {
+  if (d.error > 0x1p-20) {
+    box.add(Vec3{-1, -1, -1}), box.add(Vec3{1, 1, 1});
+    return;
+  }
+  box.add((1 / length(d.v)) * d.v);
+}
+
+/// The box of the normals of a convex edge: the shorter arc between those of its faces.
+Box arc_box(const Side& side, const Wedge& w) {
+  Box box;
+  const Direction &a = side.normals[w.left], &b = side.normals[w.right];
+  add_unit(box, a), add_unit(box, b);
+  // An arc of angle t bulges over its chord by 1 - cos(t / 2) at most.
+  const Vec3 u = (1 / length(a.v)) * a.v, v = (1 / length(b.v)) * b.v;
+  const double cosine = std::max(-1.0, dot(u, v));
+  box.grow(1 - std::sqrt(std::max(0.0, (1 + cosine) / 2)) + 0x1p-18);
+  return box;
+}
+
+/// The box of the normals that a cone supports: those with n . d <= 0 for all its rays d.
+Box cone_box(const Side& side, const SupportCone& cone) {
+  Box box;
+  const std::uint32_t n = cone.last - cone.first;
+  const auto ray = [&](std::uint32_t k) -> const Direction& { return side.rays[cone.first + k % n]; };
+  std::vector<Vec3> corner;
+  for (std::uint32_t k = 0; k < n; ++k) {
+    // All other rays lie to the left of the plane through two neighbours, so v x u points outward.
+    const Vec3 c = cross(ray(k + 1).v, ray(k).v);
+    const double size = length(c);
+    if (size < 0x1p-16 || ray(k).error + ray(k + 1).error > 0x1p-40) {
+      box.add(Vec3{-1, -1, -1}), box.add(Vec3{1, 1, 1});
+      return box;
+    }
+    corner.push_back((1 / size) * c);
+    box.add(corner.back());
+  }
+  double bulge = 0;
+  for (std::uint32_t k = 0; k < n; ++k) {
+    const double cosine = std::max(-1.0, dot(corner[k], corner[(k + 1) % n]));
+    bulge = std::max(bulge, 1 - std::sqrt(std::max(0.0, (1 + cosine) / 2)));
+  }
+  box.grow(bulge + 0x1p-18);
+  // A coordinate has its extreme inside the region only at an axis.
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double s : {-1.0, 1.0}) {
+      const Vec3 a{axis == 0 ? s : 0, axis == 1 ? s : 0, axis == 2 ? s : 0};
+      bool inside = true;
+      for (std::uint32_t k = 0; k < n && inside; ++k) inside = dot(a, ray(k).v) <= 0x1p-18;
+      if (inside) box.add(a);
+    }
+  }
+  return box;
+}
+
+class Facets {
+ public:
+  Facets(const SumSpace& space, const SolidOperand& p, const SolidOperand& q)
+      : space_(space), p_(Way::Of::p, p, space), q_(Way::Of::q, q, space) {}
+
+  ReducedConvolution run() {
+    face_vertex(p_, q_, -1);
+    face_vertex(q_, p_, 1);
+    result_.counts.face_vertex = result_.facets.size();
+    edge_edge();
+    result_.counts.edge_edge = result_.facets.size() - result_.counts.face_vertex;
+    return std::move(result_);
+  }
+
+ private:
+  /// Faces of one operand with vertices of the other whose rays all lie below the face's plane, or in it with the lexicographic sign of
+  /// `tie`.
+  void face_vertex(const Side& faces, const Side& vertices, int tie) {
+    std::vector<Box> boxes;
+    for (const SupportCone& cone : vertices.solid.cones) boxes.push_back(cone_box(vertices, cone));
+    const BoxTree tree(std::move(boxes));
+    std::vector<std::uint32_t> found;
+    for (std::uint32_t t = 0; t < faces.solid.triangles.size(); ++t) {
+      Box at;
+      add_unit(at, faces.normals[t]);
+      at.grow(0x1p-18);
+      found.clear();
+      tree.for_each(at, [&](std::uint32_t cone) {
+        ++result_.counts.pairs_tried;
+        if (supports(faces, t, vertices, vertices.solid.cones[cone], tie)) found.push_back(cone);
+      });
+      std::sort(found.begin(), found.end());
+      for (const std::uint32_t cone : found) add_face_vertex(faces, t, vertices.solid.cones[cone].vertex);
+    }
+  }
+
+  bool supports(const Side& faces, std::uint32_t t, const Side& vertices, const SupportCone& cone, int tie) const {
+    for (std::uint32_t k = cone.first; k < cone.last; ++k) {
+      int s = filtered(faces.normals[t], vertices.rays[k]);
+      if (s == 0) {
+        const Way d = vertices.way(cone.vertex, vertices.solid.rays[k]);
+        s = normal_sign(space_, faces, t, d);
+        if (s == 0) s = space_.exact_leading(d) == tie ? -1 : 1;
+      }
+      if (s > 0) return false;
+    }
+    return true;
+  }
+
+  void add_face_vertex(const Side& faces, std::uint32_t t, std::uint32_t v) {
+    const Triangle& tri = faces.solid.triangles[t];
+    SumFacet facet;
+    const bool of_p = faces.of == Way::Of::p;
+    facet.kind = of_p ? SumFacet::Kind::face_vertex : SumFacet::Kind::vertex_face;
+    facet.p = of_p ? t : v, facet.q = of_p ? v : t;
+    for (int k = 0; k < 3; ++k) facet.corner[k] = of_p ? SumPoint{tri[k], v} : SumPoint{v, tri[k]};
+    result_.facets.push_back(facet);
+    result_.planes.push_back({facet.corner[0], faces.way(tri[0], tri[1]), faces.way(tri[0], tri[2]), false});
+  }
+
+  void edge_edge() {
+    std::vector<Box> boxes;
+    for (const std::uint32_t w : q_.convex) boxes.push_back(arc_box(q_, q_.solid.wedges[w]));
+    const BoxTree tree(std::move(boxes));
+    std::vector<std::uint32_t> found;
+    for (std::uint32_t i = 0; i < p_.convex.size(); ++i) {
+      found.clear();
+      tree.for_each(arc_box(p_, p_.solid.wedges[p_.convex[i]]), [&](std::uint32_t j) { found.push_back(j); });
+      result_.counts.pairs_tried += found.size();
+      std::sort(found.begin(), found.end());
+      for (const std::uint32_t j : found) try_edges(i, j);
+    }
+  }
+
+  /// The sign of face's normal times the other operand's edge.
+  int sign_at(const Side& faces, std::uint32_t triangle, const Side& edges, std::uint32_t i) const {
+    const int s = filtered(faces.normals[triangle], edges.edges[i]);
+    if (s != 0) return s;
+    const Wedge& w = edges.solid.wedges[edges.convex[i]];
+    return normal_sign(space_, faces, triangle, edges.way(w.from, w.to));
+  }
+
+  void try_edges(std::uint32_t i, std::uint32_t j) {
+    const Wedge &e = p_.solid.wedges[p_.convex[i]], &g = q_.solid.wedges[q_.convex[j]];
+    // With n = s (e x g) and d, c from the edges into their faces, n . d <= 0 and n . c <= 0 read, for the faces' normals:
+    // s (g . n_left) >= 0 >= s (g . n_right), s (e . m_left) <= 0 <= s (e . m_right).
+    const int a = sign_at(p_, e.left, q_, j), b = sign_at(p_, e.right, q_, j);
+    if (a == b) return;  // both 0: parallel edges
+    const int s = a != 0 ? a : -b;
+    if (s * b > 0) return;
+    const int c = sign_at(q_, g.left, p_, i);
+    if (s * c > 0) return;
+    const int d = sign_at(q_, g.right, p_, i);
+    if (s * d < 0 || (c == 0 && d == 0)) return;
+    if ((a == 0 || b == 0 || c == 0 || d == 0) && !ties_hold(e, g, a, b, c, d)) return;
+    add_edge_edge(i, j, s);
+  }
+
+  /// Where a face of one edge is coplanar with the facet, the ray of the other edge on its side has to be lexicographically positive.
+  bool ties_hold(const Wedge& e, const Wedge& g, int a, int b, int c, int d) const {
+    const Way ew = p_.way(e.from, e.to), gw = q_.way(g.from, g.to);
+    const auto along = [&](const Side& faces, std::uint32_t triangle) {
+      const Triangle& t = faces.solid.triangles[triangle];
+      return space_.exact_dot(faces.way(t[0], t[1]), faces.way(t[0], t[2]), ew, gw);
+    };
+    const int lex_e = space_.exact_leading(ew), lex_g = space_.exact_leading(gw);
+    if (a == 0 && along(p_, e.left) * lex_g < 0) return false;
+    if (b == 0 && -along(p_, e.right) * lex_g < 0) return false;
+    if (c == 0 && along(q_, g.left) * lex_e < 0) return false;
+    if (d == 0 && -along(q_, g.right) * lex_e < 0) return false;
+    return true;
+  }
+
+  void add_edge_edge(std::uint32_t i, std::uint32_t j, int s) {
+    const std::uint32_t we = p_.convex[i], wg = q_.convex[j];
+    const Wedge &e = p_.solid.wedges[we], &g = q_.solid.wedges[wg];
+    SumFacet facet;
+    facet.kind = SumFacet::Kind::edge_edge;
+    facet.corners = 4;
+    facet.p = we, facet.q = wg;
+    facet.corner = {SumPoint{e.from, g.from}, {e.to, g.from}, {e.to, g.to}, {e.from, g.to}};
+    if (s < 0) std::swap(facet.corner[1], facet.corner[3]);
+    result_.facets.push_back(facet);
+    result_.planes.push_back({facet.corner[0], p_.way(e.from, e.to), q_.way(g.from, g.to), s < 0});
+  }
+
+  const SumSpace& space_;
+  Side p_, q_;
+  ReducedConvolution result_;
+};
+
+}  // namespace
+
+ReducedConvolution reduced_convolution(const SumSpace& space, const SolidOperand& p, const SolidOperand& q) {
+  return Facets(space, p, q).run();
+}
+
+}  // namespace dymsum::spatial

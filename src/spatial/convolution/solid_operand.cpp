@@ -1,0 +1,229 @@
+#include "spatial/convolution/solid_operand.h"
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+#include <tuple>
+
+#include "exact/orient3.h"
+
+namespace dymsum::spatial {
+
+namespace {
+
+using exact::orient3_sign;
+using Bend = Wedge::Bend;
+
+/// One side of an edge: a triangle's corner index k, running from vertex k to vertex k + 1.
+struct Side {
+  std::uint32_t low, high, triangle, corner;
+  bool forward;  ///< from low to high
+};
+
+std::vector<Side> sorted_sides(const std::vector<Triangle>& triangles) {
+  std::vector<Side> sides;
+  sides.reserve(3 * triangles.size());
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = triangles[t][k], b = triangles[t][(k + 1) % 3];
+      sides.push_back({std::min(a, b), std::max(a, b), t, k, a < b});
+    }
+  }
+  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+    return std::tie(a.low, a.high, a.triangle, a.corner) < std::tie(b.low, b.high, b.triangle, b.corner);
+  });
+  return sides;
+}
+
+std::uint32_t apex(const std::vector<Triangle>& triangles, const Side& s) { return triangles[s.triangle][(s.corner + 2) % 3]; }
+
+/// The sides at one edge, counter-clockwise around it seen against the direction from low to high.
+void sort_around(const SolidOperand& solid, std::span<Side> sides) {
+  const auto& v = solid.vertices;
+  const Point3 &low = v[sides[0].low], &high = v[sides[0].high], &reference = v[apex(solid.triangles, sides[0])];
+  // 0 along the reference, 1 before half a turn, 2 opposite, 3 beyond.
+  const auto sector = [&](const Point3& p) {
+    const int s = orient3_sign(low, high, reference, p);
+    if (s != 0) return s > 0 ? 1 : 3;
+    // In the reference's plane: on its side of the edge, or on the other one.
+    for (const exact::Axis axis : {exact::Axis::z, exact::Axis::x, exact::Axis::y}) {
+      const int a = exact::normal_sign(low, high, reference, axis);
+      if (a != 0) return exact::normal_sign(low, high, p, axis) == a ? 0 : 2;
+    }
+    return 0;
+  };
+  std::stable_sort(sides.begin(), sides.end(), [&](const Side& a, const Side& b) {
+    const Point3 &pa = v[apex(solid.triangles, a)], &pb = v[apex(solid.triangles, b)];
+    const int sa = sector(pa), sb = sector(pb);
+    if (sa != sb) return sa < sb;
+    return orient3_sign(low, high, pa, pb) > 0;
+  });
+}
+
+Bend bend_of(const SolidOperand& solid, const Wedge& w) {
+  const auto& v = solid.vertices;
+  const Triangle& t = solid.triangles[w.left];
+  const int s = orient3_sign(v[t[0]], v[t[1]], v[t[2]], v[w.right_apex]);
+  return s < 0 ? Bend::convex : s > 0 ? Bend::reflex : Bend::flat;
+}
+
+void add_wedges(SolidOperand& solid) {
+  std::vector<Side> sides = sorted_sides(solid.triangles);
+  for (std::size_t first = 0, last = 0; first < sides.size(); first = last) {
+    while (last < sides.size() && sides[last].low == sides[first].low && sides[last].high == sides[first].high) ++last;
+    const std::span<Side> edge(&sides[first], last - first);
+    if (edge.size() > 2) sort_around(solid, edge);
+    // Counter-clockwise from a triangle that runs backward comes material, up to one that runs forward.
+    const std::size_t n = edge.size();
+    std::size_t paired = 0;
+    for (std::size_t k = 0; k < n; ++k) {
+      const Side &back = edge[k], &ahead = edge[(k + 1) % n];
+      if (back.forward || !ahead.forward) continue;
+      Wedge w{back.low, back.high, ahead.triangle, back.triangle, apex(solid.triangles, ahead), apex(solid.triangles, back), Bend::flat};
+      w.bend = bend_of(solid, w);
+      solid.wedges.push_back(w);
+      paired += 2;
+    }
+    if (paired != n) throw std::invalid_argument("a surface that is not closed and oriented");
+  }
+}
+
+/// The wedge at each corner's side (from its vertex to the next one): 3 per triangle.
+std::vector<std::uint32_t> wedge_of_side(const SolidOperand& solid) {
+  std::vector<std::uint32_t> of(3 * solid.triangles.size(), 0xffffffff);
+  const auto set = [&](std::uint32_t triangle, std::uint32_t from, std::uint32_t wedge) {
+    for (std::uint32_t k = 0; k < 3; ++k)
+      if (solid.triangles[triangle][k] == from) of[3 * triangle + k] = wedge;
+  };
+  for (std::uint32_t w = 0; w < solid.wedges.size(); ++w) {
+    set(solid.wedges[w].left, solid.wedges[w].from, w);
+    set(solid.wedges[w].right, solid.wedges[w].to, w);
+  }
+  return of;
+}
+
+/// The triangles around a vertex that wedges connect: neighbours, and the wedges towards them, counter-clockwise seen from outside.
+struct Fan {
+  std::uint32_t vertex;
+  std::vector<std::uint32_t> neighbours, wedges;
+};
+
+template <class F>
+void for_each_fan(const SolidOperand& solid, const std::vector<std::uint32_t>& wedge_of, F f) {
+  std::vector<bool> seen(3 * solid.triangles.size());
+  Fan fan;
+  for (std::uint32_t start = 0; start < seen.size(); ++start) {
+    if (seen[start]) continue;
+    fan.vertex = solid.triangles[start / 3][start % 3];
+    fan.neighbours.clear(), fan.wedges.clear();
+    std::uint32_t corner = start;
+    do {
+      seen[corner] = true;
+      const std::uint32_t t = corner / 3, k = corner % 3;
+      // The side that comes in at the vertex: over it lies the next triangle counter-clockwise.
+      const std::uint32_t in = (k + 2) % 3;
+      const std::uint32_t w = wedge_of[3 * t + in];
+      fan.neighbours.push_back(solid.triangles[t][in]);
+      fan.wedges.push_back(w);
+      const std::uint32_t next = solid.wedges[w].left == t && solid.wedges[w].to == fan.vertex ? solid.wedges[w].right : solid.wedges[w].left;
+      std::uint32_t j = 0;
+      while (solid.triangles[next][j] != fan.vertex) ++j;
+      corner = 3 * next + j;
+    } while (corner != start);
+    f(fan);
+  }
+}
+
+/// The extreme rays of the cone that the neighbours of a fan span, as positions in the fan; none where the cone is not pointed. Wraps it
+/// like a gift: from ray to ray, all others to the left.
+std::vector<std::uint32_t> extreme_rays(const SolidOperand& solid, const Fan& fan) {
+  const auto& v = solid.vertices;
+  const Point3& o = v[fan.vertex];
+  const auto det = [&](std::uint32_t i, std::uint32_t j, std::uint32_t k) {
+    return orient3_sign(o, v[fan.neighbours[i]], v[fan.neighbours[j]], v[fan.neighbours[k]]);
+  };
+  const auto n = static_cast<std::uint32_t>(fan.neighbours.size());
+  // Whether j is strictly between i and k in their plane, that is, the triangle o, i, k faces the point j from outside never: tells by
+  // orientation within the plane.
+  const auto turns = [&](std::uint32_t a, std::uint32_t b) -> int {  // of a x b along an axis where any plane normal shows, see below
+    for (const exact::Axis axis : {exact::Axis::z, exact::Axis::x, exact::Axis::y})
+      if (const int s = exact::normal_sign(o, v[fan.neighbours[a]], v[fan.neighbours[b]], axis)) return s;
+    return 0;
+  };
+  const auto same_turn = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+    for (const exact::Axis axis : {exact::Axis::z, exact::Axis::x, exact::Axis::y}) {
+      const int s = exact::normal_sign(o, v[fan.neighbours[a]], v[fan.neighbours[b]], axis);
+      if (s != 0) return s == exact::normal_sign(o, v[fan.neighbours[c]], v[fan.neighbours[d]], axis);
+    }
+    return false;
+  };
+  // From ray i the ray with all others on or to the left of the plane through both; among several in that plane the last one.
+  const auto next = [&](std::uint32_t i) -> std::uint32_t {
+    std::uint32_t best = 0xffffffff;
+    for (std::uint32_t k = 0; k < n; ++k) {
+      if (k == i || turns(i, k) == 0) continue;
+      if (best == 0xffffffff) {
+        best = k;
+        continue;
+      }
+      const int s = det(i, best, k);
+      if (s < 0 || (s == 0 && same_turn(i, best, best, k))) best = k;
+    }
+    if (best == 0xffffffff) return best;
+    for (std::uint32_t k = 0; k < n; ++k) {
+      if (k == i || k == best) continue;
+      if (turns(i, k) == 0) return 0xffffffff;  // the opposite ray: not pointed (equal rays do not occur in a fan)
+      const int s = det(i, best, k);
+      if (s < 0 || (s == 0 && !same_turn(i, best, i, k))) return 0xffffffff;
+    }
+    return best;
+  };
+  for (std::uint32_t start = 0; start < n; ++start) {
+    std::vector<std::uint32_t> rays{start};
+    for (std::uint32_t at = next(start); at != 0xffffffff && rays.size() <= n; at = next(at)) {
+      if (at == start) return rays;
+      rays.push_back(at);
+    }
+  }
+  return {};
+}
+
+void add_cone(SolidOperand& solid, const Fan& fan) {
+  const auto bend = [&](std::uint32_t k) { return solid.wedges[fan.wedges[k]].bend; };
+  const std::vector<std::uint32_t> rays = extreme_rays(solid, fan);
+  if (rays.size() < 3) return;
+  // The material is on the cone's side where an extreme ray is a convex edge, and on the other side of a pit.
+  if (bend(rays[0]) != Bend::convex) return;
+  SupportCone cone{fan.vertex, static_cast<std::uint32_t>(solid.rays.size()), 0};
+  for (const std::uint32_t k : rays) solid.rays.push_back(fan.neighbours[k]);
+  cone.last = static_cast<std::uint32_t>(solid.rays.size());
+  solid.cones.push_back(cone);
+}
+
+void add_shells(SolidOperand& solid) {
+  std::vector<std::uint32_t> parent(solid.triangles.size());
+  std::iota(parent.begin(), parent.end(), 0u);
+  const auto root = [&](std::uint32_t t) {
+    while (parent[t] != t) t = parent[t] = parent[parent[t]];
+    return t;
+  };
+  for (const Wedge& w : solid.wedges) parent[root(w.left)] = root(w.right);
+  for (std::uint32_t t = 0; t < parent.size(); ++t)
+    if (root(t) == t) solid.shell_vertex.push_back(solid.triangles[t][0]);
+}
+
+}  // namespace
+
+SolidOperand solid_operand(const MeshData& data) {
+  SolidOperand solid;
+  solid.vertices = data.vertices;
+  Triangles split = triangulated(data);
+  solid.triangles = std::move(split.triangles);
+  solid.face = std::move(split.face);
+  add_wedges(solid);
+  for_each_fan(solid, wedge_of_side(solid), [&](const Fan& fan) { add_cone(solid, fan); });
+  add_shells(solid);
+  return solid;
+}
+
+}  // namespace dymsum::spatial

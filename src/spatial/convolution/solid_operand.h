@@ -1,0 +1,49 @@
+// What the convolution needs of a solid: triangles, the wedges of material along its edges, and the cones of material at its vertices
+// that can support a plane.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "dymsum/mesh.h"
+#include "spatial/triangulate.h"
+
+namespace dymsum::spatial {
+
+/// The material at an edge, between two triangles: `left` runs through the edge from `from` to `to`, `right` the other way. An edge where
+/// more than two triangles meet has several wedges.
+struct Wedge {
+  enum class Bend : std::uint8_t { convex, flat, reflex };
+  std::uint32_t from = 0, to = 0;
+  std::uint32_t left = 0, right = 0;          ///< triangles
+  std::uint32_t left_apex = 0, right_apex = 0;  ///< their third vertices
+  Bend bend = Bend::flat;
+};
+
+/// The material at a vertex, where it is contained in a pointed cone: the neighbours along its extreme rays, in order around it.
+struct SupportCone {
+  std::uint32_t vertex = 0;
+  std::uint32_t first = 0, last = 0;  ///< of SolidOperand::rays
+};
+
+struct SolidOperand {
+  std::vector<Point3> vertices;
+  std::vector<Triangle> triangles;
+  std::vector<std::uint32_t> face;  ///< of the mesh, per triangle
+  std::vector<Wedge> wedges;
+  std::vector<SupportCone> cones;
+  std::vector<std::uint32_t> rays;  ///< neighbours of the cones' vertices
+  std::vector<std::uint32_t> shell_vertex;  ///< one vertex of every connected piece of the surface
+
+  std::span<const std::uint32_t> rays_of(const SupportCone& cone) const {
+    return {rays.data() + cone.first, rays.data() + cone.last};
+  }
+};
+
+/// Requires triangles whose edges pair up into wedges all around: a closed, oriented surface that does not cross itself.
+/// Exact. O(n log n) for bounded degrees, O(k^2) at a vertex with k edges, some of them reflex.
+SolidOperand solid_operand(const MeshData& data);
+
+}  // namespace dymsum::spatial

@@ -1,0 +1,171 @@
+// The space in which the boundary of P (+) Q is looked for: sums of vertices, planes through them, and the points where such planes meet.
+// Planes and points are what they were made from, never rounded coordinates; every question is the sign of an integer expression whose
+// width is proved by its type. Beside each plane and point stand doubles with a bound of their error: they answer most questions.
+//
+// Widths for coordinates |X| <= 2^B of either operand on the common grid:
+//   sum p + q, edge            B + 1        normal u x v               2B + 3
+//   offset n . (p + q)        3B + 6        side of a sum              3B + 7
+//   edge meets plane: X, W    4B + 10, 3B + 6          its side of another plane      6B + 16
+//   three planes: X, W        7B + 15, 6B + 12         its side of a fourth           9B + 21
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "dymsum/mesh.h"
+#include "exact/residue.h"
+#include "spatial/convex/vec3.h"
+
+namespace dymsum::spatial {
+
+using PlaneId = std::uint32_t;
+using PointId = std::uint32_t;
+using EdgeId = std::uint32_t;
+inline constexpr std::uint32_t kNoId = 0xffffffff;
+
+/// Vertex p of P plus vertex q of Q.
+struct SumPoint {
+  std::uint32_t p = 0, q = 0;
+  friend auto operator<=>(const SumPoint&, const SumPoint&) = default;
+};
+
+/// An edge of one operand plus a vertex of the other: `from` and `to` differ in p or in q alone.
+struct SumEdge {
+  SumPoint from, to;
+  friend auto operator<=>(const SumEdge&, const SumEdge&) = default;
+};
+
+/// A direction: from one vertex of an operand to another, or a coordinate axis.
+struct Way {
+  enum class Of : std::uint8_t { p, q, axis } of = Of::p;
+  std::uint32_t from = 0, to = 0;  ///< vertices; for an axis `from` is 0, 1 or 2
+};
+
+/// The plane through a sum, spanned by two directions: its normal is u x v, or v x u where reversed.
+struct PlaneSource {
+  SumPoint at;
+  Way u, v;
+  bool reversed = false;
+};
+
+/// A plane n . x = d in doubles, scaled by a power of two so that the largest component of n is in [1/2, 1). For every x with coordinates
+/// within the space, n . x - d is within `slack` of the exact value (scaled alike).
+struct Plane {
+  Vec3 n;
+  double d = 0, slack = 0;
+  double norm1 = 0;  ///< |n.x| + |n.y| + |n.z|, rounded up
+};
+
+/// A point: a sum, an edge of sums where it crosses a plane, or three planes.
+struct PointSource {
+  enum class Kind : std::uint8_t { sum, edge, planes } kind = Kind::sum;
+  std::uint32_t a = 0, b = 0, c = 0;  ///< p, q; edge, plane; three planes in ascending order
+  friend auto operator<=>(const PointSource&, const PointSource&) = default;
+};
+
+/// A point, and from there infinitesimal steps, each infinitely smaller than the one before: along n x n_cut (times `way`), to the left of
+/// that in the plane, and off the plane along n (times `side`). A `way` or `side` of 0 takes no such steps.
+struct Flag {
+  PointSource at;
+  PlaneId plane = 0, cut = 0;
+  std::int8_t way = 0, left = 0, side = 0;
+};
+
+/// Doubles within `radius` of each coordinate of a point.
+struct Approx {
+  Vec3 at;
+  double radius = 0;
+};
+
+class SumSpace {
+ public:
+  virtual ~SumSpace() = default;
+
+  /// All coordinates of sums are within [-span, span].
+  double span() const { return span_; }
+  const std::vector<Plane>& planes() const { return planes_; }
+  const Plane& plane(PlaneId id) const { return planes_[id]; }
+  const std::vector<SumEdge>& edges() const { return edges_; }
+  Vec3 approx(SumPoint s) const { return p_[s.p] + q_[s.q]; }
+  double sum_radius() const { return sum_radius_; }
+  /// Coordinates of the operands on the grid, within sum_radius() together.
+  const std::vector<Vec3>& p() const { return p_; }
+  const std::vector<Vec3>& q() const { return q_; }
+
+  /// Adds planes; returns the id of the first one. Requires that u and v are not parallel.
+  virtual PlaneId add_planes(std::span<const PlaneSource> sources) = 0;
+  /// Adds edges; returns the id of the first one.
+  EdgeId add_edges(std::span<const SumEdge> edges);
+
+  // Exact signs. None uses doubles.
+  virtual int exact_side(PlaneId plane, SumPoint point) const = 0;
+  virtual int exact_side(PlaneId plane, const PointSource& point) const = 0;
+  /// Of det(a.to - a.from, b.to - b.from, b.from - a.from).
+  virtual int exact_twist(const SumEdge& a, const SumEdge& b) const = 0;
+  /// Of n . (to - from).
+  virtual int exact_rise(PlaneId plane, const SumEdge& edge) const = 0;
+  /// Of det(n_a, n_b, n_c).
+  virtual int exact_det(PlaneId a, PlaneId b, PlaneId c) const = 0;
+  /// Of the component of n_a x n_b.
+  virtual int exact_cross(PlaneId a, PlaneId b, int axis) const = 0;
+  /// Of n_a . n_b.
+  virtual int exact_dot(PlaneId a, PlaneId b) const = 0;
+  virtual int exact_normal(PlaneId plane, int axis) const = 0;
+  /// 1 or -1 for the same plane with the same or the opposite normal, else 0.
+  virtual int same_plane(PlaneId a, PlaneId b) const = 0;
+  virtual bool same_point(const PointSource& a, const PointSource& b) const = 0;
+  /// Of b's coordinate less a's.
+  virtual int exact_order(const PointSource& a, const PointSource& b, int axis) const = 0;
+  /// Of det(u, v, w).
+  virtual int exact_det(Way u, Way v, Way w) const = 0;
+  /// Of (u x v) . (w x x).
+  virtual int exact_dot(Way u, Way v, Way w, Way x) const = 0;
+  virtual int exact_leading(Way w) const = 0;
+  /// On which side of a plane a flag lies, that does not have to be one of the space's.
+  virtual int exact_side(const PlaneSource& plane, const Flag& flag) const = 0;
+  /// Of the component of a plane's normal.
+  virtual int exact_normal(const PlaneSource& plane, int axis) const = 0;
+
+  /// Signs, by doubles where they decide.
+  int side(PlaneId plane, SumPoint point) const;
+  int side(PlaneId plane, const PointSource& point, const Approx& approx) const;
+  int det(PlaneId a, PlaneId b, PlaneId c) const;
+
+  /// Doubles for a point; the radius is at most 2^-30 of the span.
+  Approx approximate(const PointSource& point) const;
+  /// Coordinates to within a few units in their last places.
+  virtual Approx exact_approximation(const PointSource& point) const = 0;
+  /// The same value for all sources of one point, different ones for nearly all others.
+  std::vector<exact::Residue> point_hashes(std::span<const PointSource> points) const;
+  /// The same for planes, whatever the side of their normals.
+  std::vector<exact::Residue> plane_hashes(PlaneId first, std::size_t count) const;
+
+  virtual int bits() const = 0;
+  virtual exact::BigRational exact_coordinate(const PointSource& point, int axis) const = 0;
+  std::uint64_t exact_signs() const { return exact_signs_; }
+
+ protected:
+  struct PlaneResidue {
+    exact::Residue n[3], d;
+  };
+  virtual exact::Residue hash_of_zero_weight(const PointSource& point) const = 0;
+
+  std::vector<Vec3> p_, q_;
+  std::vector<std::array<exact::Residue, 3>> p_residue_, q_residue_;
+  std::vector<Plane> planes_;
+  std::vector<PlaneResidue> plane_residues_;
+  std::vector<SumEdge> edges_;
+  double span_ = 0, sum_radius_ = 0;
+  mutable std::atomic<std::uint64_t> exact_signs_{0};
+};
+
+/// The space of the sums of two lists of points, on their common grid (for every axis by itself). Requires finite coordinates, and at most
+/// 250 bits.
+std::unique_ptr<SumSpace> make_sum_space(const std::vector<Point3>& p, const std::vector<Point3>& q);
+
+}  // namespace dymsum::spatial
