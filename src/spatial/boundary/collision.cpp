@@ -1,7 +1,6 @@
-#include "spatial/boundary/collision.h"
-
-#include <cmath>
 #include <optional>
+
+#include "spatial/boundary/collision_query.h"
 
 namespace dymsum::spatial {
 
@@ -18,8 +17,6 @@ std::vector<Box> boxes_of(const std::vector<Vec3>& at, const std::vector<Triangl
   }
   return boxes;
 }
-
-double norm(Vec3 v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
 
 /// An end of the stretch that a triangle has on another one's plane: on the border from corner k to k + 1, along which the height rises by
 /// the sign `rise`.
@@ -51,23 +48,6 @@ std::optional<Chord> chord(const int (&s)[3]) {
 
 }  // namespace
 
-struct Collision::Query {
-  const SumSpace& space;
-  const Flag& flag;
-  Approx at;
-
-  /// The side of the plane on which x lies.
-  int side(const PlaneSource& plane, Vec3 u, Vec3 v) const {
-    const double r = space.sum_radius();
-    const Vec3 n = cross(u, v), gap = at.at - space.approx(plane.at);
-    const double U = norm(u) + 4 * r, V = norm(v) + 4 * r, W = norm(gap) + at.radius + 4 * r;
-    const double value = dot(n, gap);
-    const double error = U * V * W * 0x1p-48 + 8 * r * (U * V + V * W + U * W) + U * V * (at.radius + space.span() * 0x1p-52);
-    if (value > error || value < -error) return (value > 0) != plane.reversed ? 1 : -1;
-    return space.exact_side(plane, flag);
-  }
-};
-
 Collision::Collision(const SumSpace& space, const SolidOperand& p, const SolidOperand& q)
     : space_(space),
       p_(p),
@@ -77,11 +57,8 @@ Collision::Collision(const SumSpace& space, const SolidOperand& p, const SolidOp
 
 bool Collision::meets(const Flag& x) const {
   tests_.fetch_add(1, std::memory_order_relaxed);
-  const Query query{space_, x, space_.approximate(x.at)};
-  Box at;
-  at.add(query.at.at);
-  at.grow(query.at.radius + space_.span() * 0x1p-50);
-  if (p_tree_.any_reflected_pair(q_tree_, at, [&](std::uint32_t i, std::uint32_t j) { return triangles_meet(query, i, j); })) return true;
+  const Query query(space_, x);
+  if (p_tree_.any_reflected_pair(q_tree_, query.box(), [&](std::uint32_t i, std::uint32_t j) { return triangles_meet(query, i, j); })) return true;
   for (const std::uint32_t v : p_.shell_vertex)
     if (vertex_inside_q(query, v)) return true;
   for (const std::uint32_t v : q_.shell_vertex)
@@ -89,19 +66,29 @@ bool Collision::meets(const Flag& x) const {
   return false;
 }
 
-/// Triangle a of P against x - c, c of Q, whose normal is that of c turned over. All heights are sides of x.
-bool Collision::triangles_meet(const Query& query, std::uint32_t i, std::uint32_t j) const {
+/// The signs of the corners of triangle a of P over x - c, c of Q, and of those of x - c over a. The normal of x - c is taken as that of c, by
+/// the same order of corners: it points inward. All heights are sides of x.
+void Collision::heights(const Query& query, std::uint32_t i, std::uint32_t j, int (&sa)[3], int (&sc)[3]) const {
   const Triangle &a = p_.triangles[i], &c = q_.triangles[j];
   const std::vector<Vec3>&p = space_.p(), &q = space_.q();
-  // x - c_k over the plane of a.
-  int sc[3], sa[3];
   const Vec3 ua = p[a[1]] - p[a[0]], va = p[a[2]] - p[a[0]], uc = q[c[1]] - q[c[0]], vc = q[c[2]] - q[c[0]];
   const Way wa = {Way::Of::p, a[0], a[1]}, wa2 = {Way::Of::p, a[0], a[2]}, wc = {Way::Of::q, c[0], c[1]}, wc2 = {Way::Of::q, c[0], c[2]};
   for (int k = 0; k < 3; ++k) sc[k] = query.side({{a[0], c[k]}, wa, wa2, false}, ua, va);
+  if ((sc[0] > 0 && sc[1] > 0 && sc[2] > 0) || (sc[0] < 0 && sc[1] < 0 && sc[2] < 0)) {
+    sa[0] = sa[1] = sa[2] = 1;  // apart: they do not matter
+    return;
+  }
+  // n . (a_k - x + c_0) = -(n . (x - a_k - c_0)).
+  for (int k = 0; k < 3; ++k) sa[k] = -query.side({{a[k], c[0]}, wc, wc2, false}, uc, vc);
+}
+
+bool Collision::triangles_meet(const Query& query, std::uint32_t i, std::uint32_t j) const {
+  const Triangle &a = p_.triangles[i], &c = q_.triangles[j];
+  const std::vector<Vec3>&p = space_.p(), &q = space_.q();
+  int sc[3], sa[3];
+  heights(query, i, j, sa, sc);
   const std::optional<Chord> chord_c = chord(sc);
   if (!chord_c) return false;
-  // a_k over the plane of x - c with the normal uc x vc: n . (a_k - x + c_0) = -(n . (x - a_k - c_0)).
-  for (int k = 0; k < 3; ++k) sa[k] = -query.side({{a[k], c[0]}, wc, wc2, false}, uc, vc);
   const std::optional<Chord> chord_a = chord(sa);
   if (!chord_a) return false;
   // The corners of x - c run clockwise about uc x vc reflected, that is counter-clockwise about it: a point reflection keeps orientation

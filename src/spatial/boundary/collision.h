@@ -17,10 +17,20 @@ class Collision {
   /// convolution, that is whether they overlap. Exact.
   bool meets(const Flag& x) const;
 
+  /// Whether the interiors of P and x - Q overlap, for any x, also where the solids touch. Exact.
+  bool overlaps(const Flag& x) const;
+
   std::uint64_t tests() const { return tests_; }
 
  private:
   struct Query;
+  struct Touch;
+  bool pierced(const Query& query, std::uint32_t i, std::uint32_t j) const;
+  void add_touches(const Query& query, std::uint32_t i, std::uint32_t j, std::vector<Touch>& touches) const;
+  void touch_vertices(const Query& query, std::uint32_t i, std::uint32_t j, const int (&sa)[3], const int (&sc)[3],
+                      std::vector<Touch>& touches) const;
+  void touch_edges(const Query& query, std::uint32_t i, std::uint32_t j, std::vector<Touch>& touches) const;
+  void heights(const Query& query, std::uint32_t i, std::uint32_t j, int (&sa)[3], int (&sc)[3]) const;
   bool triangles_meet(const Query& query, std::uint32_t i, std::uint32_t j) const;
   bool vertex_inside_q(const Query& query, std::uint32_t p) const;
   bool vertex_inside_p(const Query& query, std::uint32_t q) const;

@@ -229,6 +229,11 @@ int GridSpace<C>::exact_leading(Way w) const {
 }
 
 template <class C>
+int GridSpace<C>::exact_turn(Way r, Way u, Way v, Way w, Way x) const {
+  return sign(dot(way(r), cross(cross(way(u), way(v)), cross(way(w), way(x)))));
+}
+
+template <class C>
 int GridSpace<C>::exact_side(const PlaneSource& plane, const Flag& flag) const {
   exact_signs_.fetch_add(1, std::memory_order_relaxed);
   const auto m = normal(plane);

@@ -39,6 +39,7 @@ class GridSpace final : public SumSpace {
   int exact_det(Way u, Way v, Way w) const override;
   int exact_dot(Way u, Way v, Way w, Way x) const override;
   int exact_leading(Way w) const override;
+  int exact_turn(Way r, Way u, Way v, Way w, Way x) const override;
   int exact_side(const PlaneSource& plane, const Flag& flag) const override;
   int exact_normal(const PlaneSource& plane, int axis) const override;
   Approx exact_approximation(const PointSource& point) const override;

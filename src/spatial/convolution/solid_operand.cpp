@@ -208,8 +208,23 @@ void add_shells(SolidOperand& solid) {
     return t;
   };
   for (const Wedge& w : solid.wedges) parent[root(w.left)] = root(w.right);
-  for (std::uint32_t t = 0; t < parent.size(); ++t)
-    if (root(t) == t) solid.shell_vertex.push_back(solid.triangles[t][0]);
+  std::vector<std::uint32_t> index(parent.size());
+  for (std::uint32_t t = 0; t < parent.size(); ++t) {
+    if (root(t) != t) continue;
+    index[t] = static_cast<std::uint32_t>(solid.shell_vertex.size());
+    solid.shell_vertex.push_back(solid.triangles[t][0]);
+  }
+  for (std::uint32_t t = 0; t < parent.size(); ++t) solid.shell.push_back(index[root(t)]);
+}
+
+void add_corners(SolidOperand& solid) {
+  solid.corner_begin.assign(solid.vertices.size() + 1, 0);
+  for (const Triangle& t : solid.triangles)
+    for (const std::uint32_t v : t) ++solid.corner_begin[v + 1];
+  std::partial_sum(solid.corner_begin.begin(), solid.corner_begin.end(), solid.corner_begin.begin());
+  solid.corners.resize(3 * solid.triangles.size());
+  std::vector<std::uint32_t> at(solid.corner_begin.begin(), solid.corner_begin.end() - 1);
+  for (std::uint32_t c = 0; c < solid.corners.size(); ++c) solid.corners[at[solid.triangles[c / 3][c % 3]]++] = c;
 }
 
 }  // namespace
@@ -221,7 +236,9 @@ SolidOperand solid_operand(const MeshData& data) {
   solid.triangles = std::move(split.triangles);
   solid.face = std::move(split.face);
   add_wedges(solid);
-  for_each_fan(solid, wedge_of_side(solid), [&](const Fan& fan) { add_cone(solid, fan); });
+  solid.wedge_of = wedge_of_side(solid);
+  add_corners(solid);
+  for_each_fan(solid, solid.wedge_of, [&](const Fan& fan) { add_cone(solid, fan); });
   add_shells(solid);
   return solid;
 }

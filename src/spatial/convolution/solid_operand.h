@@ -33,9 +33,13 @@ struct SolidOperand {
   std::vector<Triangle> triangles;
   std::vector<std::uint32_t> face;  ///< of the mesh, per triangle
   std::vector<Wedge> wedges;
+  std::vector<std::uint32_t> wedge_of;     ///< at triangle t's side from corner k to k + 1: wedge_of[3 t + k]
+  std::vector<std::uint32_t> corner_begin;  ///< of `corners`, per vertex; one more at the end
+  std::vector<std::uint32_t> corners;       ///< 3 t + k for every triangle t with the vertex at corner k
   std::vector<SupportCone> cones;
   std::vector<std::uint32_t> rays;  ///< neighbours of the cones' vertices
-  std::vector<std::uint32_t> shell_vertex;  ///< one vertex of every connected piece of the surface
+  std::vector<std::uint32_t> shell;         ///< per triangle: the connected piece of the surface that it belongs to
+  std::vector<std::uint32_t> shell_vertex;  ///< one vertex of every such piece
 
   std::span<const std::uint32_t> rays_of(const SupportCone& cone) const {
     return {rays.data() + cone.first, rays.data() + cone.last};

@@ -126,6 +126,8 @@ class SumSpace {
   /// Of (u x v) . (w x x).
   virtual int exact_dot(Way u, Way v, Way w, Way x) const = 0;
   virtual int exact_leading(Way w) const = 0;
+  /// Of r . ((u x v) x (w x x)).
+  virtual int exact_turn(Way r, Way u, Way v, Way w, Way x) const = 0;
   /// On which side of a plane a flag lies, that does not have to be one of the space's.
   virtual int exact_side(const PlaneSource& plane, const Flag& flag) const = 0;
   /// Of the component of a plane's normal.

@@ -1,0 +1,40 @@
+// One position of Collision: sides of planes on which it lies, by doubles where they decide.
+#pragma once
+
+#include <cmath>
+#include <optional>
+
+#include "spatial/boundary/collision.h"
+
+namespace dymsum::spatial {
+
+inline double sum_of_sizes(Vec3 v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
+
+struct Collision::Query {
+  const SumSpace& space;
+  const Flag& flag;
+  Approx at;
+
+  Query(const SumSpace& s, const Flag& x) : space(s), flag(x), at(s.approximate(x.at)) {}
+
+  /// Where x is.
+  Box box() const {
+    Box box;
+    box.add(at.at);
+    box.grow(at.radius + space.span() * 0x1p-50);
+    return box;
+  }
+
+  /// The side of the plane on which x lies.
+  int side(const PlaneSource& plane, Vec3 u, Vec3 v) const {
+    const double r = space.sum_radius();
+    const Vec3 n = cross(u, v), gap = at.at - space.approx(plane.at);
+    const double U = sum_of_sizes(u) + 4 * r, V = sum_of_sizes(v) + 4 * r, W = sum_of_sizes(gap) + at.radius + 4 * r;
+    const double value = dot(n, gap);
+    const double error = U * V * W * 0x1p-48 + 8 * r * (U * V + V * W + U * W) + U * V * (at.radius + space.span() * 0x1p-52);
+    if (value > error || value < -error) return (value > 0) != plane.reversed ? 1 : -1;
+    return space.exact_side(plane, flag);
+  }
+};
+
+}  // namespace dymsum::spatial

@@ -1,0 +1,230 @@
+#include "spatial/boundary/contact_cones.h"
+
+#include <algorithm>
+
+namespace dymsum::spatial {
+
+namespace {
+
+/// A direction of P, or the opposite of one of Q: sign times way.
+struct Ray {
+  Way way;
+  int sign = 1;
+};
+
+/// A part of the boundary of a cone: a plane sector of less than half a turn, counter-clockwise from one ray to the other seen from outside.
+/// The outward normal is sign (u x v).
+struct Sector {
+  Ray from, to;
+  Way u, v;
+  int sign = 1;
+};
+
+/// The local cone of P, or of -Q, at a feature.
+class Cone {
+ public:
+  Cone(const SumSpace& space, const SolidOperand& solid, bool reflected, Feature at)
+      : space_(space), solid_(solid), of_(reflected ? Way::Of::q : Way::Of::p), sign_(reflected ? -1 : 1), at_(at) {
+    if (at.kind == Feature::Kind::triangle) {
+      // A plane: three sectors between the directions of the triangle's sides.
+      const Triangle& t = solid.triangles[at.index];
+      for (int k = 0; k < 3; ++k) add(at.index, way(t[k], t[(k + 1) % 3]), way(t[(k + 1) % 3], t[(k + 2) % 3]));
+    } else if (at.kind == Feature::Kind::wedge) {
+      const Wedge& w = solid.wedges[at.index];
+      add(w.left, way(w.from, w.to), way(w.from, w.left_apex));
+      add(w.left, way(w.from, w.left_apex), way(w.to, w.from));
+      add(w.right, way(w.to, w.from), way(w.from, w.right_apex));
+      add(w.right, way(w.from, w.right_apex), way(w.from, w.to));
+    } else {
+      for (std::uint32_t c = solid.corner_begin[at.index]; c < solid.corner_begin[at.index + 1]; ++c) {
+        const std::uint32_t t = solid.corners[c] / 3, k = solid.corners[c] % 3;
+        add(t, way(at.index, solid.triangles[t][(k + 1) % 3]), way(at.index, solid.triangles[t][(k + 2) % 3]));
+      }
+    }
+  }
+
+  const std::vector<Sector>& sectors() const { return sectors_; }
+
+  /// Whether a direction that is not on the boundary points into the cone.
+  bool holds(Ray d) const {
+    if (at_.kind == Feature::Kind::triangle) return side(sectors_[0], d) < 0;
+    if (at_.kind == Feature::Kind::wedge) {
+      const bool left = side(sectors_[0], d) < 0, right = side(sectors_[2], d) < 0;
+      return solid_.wedges[at_.index].bend == Wedge::Bend::reflex ? left || right : left && right;
+    }
+    return holds_at_vertex(d);
+  }
+
+  /// Of the sector's outward normal times d.
+  int side(const Sector& s, Ray d) const { return s.sign * d.sign * space_.exact_det(s.u, s.v, d.way); }
+
+ private:
+  Way way(std::uint32_t from, std::uint32_t to) const { return {of_, from, to}; }
+
+  void add(std::uint32_t triangle, Way from, Way to) {
+    const Triangle& t = solid_.triangles[triangle];
+    const Way u = way(t[0], t[1]), v = way(t[0], t[2]);
+    // The reflection turns outward normals over, and the order around them with it.
+    if (sign_ > 0) sectors_.push_back({{from, 1}, {to, 1}, u, v, 1});
+    else sectors_.push_back({{to, -1}, {from, -1}, u, v, -1});
+  }
+
+  /// The point at an infinitesimal distance from the vertex: an odd number of the solid's triangles lies above it, in the solid's own
+  /// coordinates. Ties are broken as if it were moved along the first axis, and less along the second one.
+  bool holds_at_vertex(Ray d) const {
+    const int sign = d.sign * sign_;
+    const std::uint32_t v = at_.index;
+    const auto order = [&](Way u, Way w, std::uint32_t from) {  // of (u x w) . (vertex + d - from)
+      const int s = from == v ? 0 : space_.exact_det(u, w, way(from, v));
+      if (s != 0) return s;
+      return sign * space_.exact_det(u, w, d.way);
+    };
+    bool inside = false;
+    for (const Triangle& t : solid_.triangles) {
+      int turn[3];
+      for (int k = 0; k < 3; ++k) {
+        const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+        const Way u = way(a, b), up{Way::Of::axis, 2, 0};
+        turn[k] = order(u, up, a);
+        for (std::uint32_t axis = 0; axis < 2 && turn[k] == 0; ++axis) turn[k] = space_.exact_det(u, up, {Way::Of::axis, axis, 0});
+      }
+      if (turn[0] == 0 || turn[0] != turn[1] || turn[1] != turn[2]) continue;
+      const Way u = way(t[0], t[1]), w = way(t[0], t[2]);
+      const int up = space_.exact_det(u, w, {Way::Of::axis, 2, 0});
+      if (order(u, w, t[0]) * up < 0) inside = !inside;
+    }
+    return inside;
+  }
+
+  const SumSpace& space_;
+  const SolidOperand& solid_;
+  Way::Of of_;
+  int sign_;
+  Feature at_;
+  std::vector<Sector> sectors_;
+};
+
+/// A half-plane of a cone's boundary at a common ray: to the left of the ray seen against the outward normal, or to the right.
+struct Wall {
+  const Sector* sector;
+  bool left;
+  int cone;
+};
+
+class Overlap {
+ public:
+  Overlap(const SumSpace& space, const Cone& p, const Cone& q) : space_(space), cone_{&p, &q} {}
+
+  bool run() {
+    for (const Sector& s : cone_[0]->sectors())
+      for (const Sector& t : cone_[1]->sectors())
+        if (cross(s, t)) return true;
+    for (int c = 0; c < 2; ++c) {
+      for (const Sector& s : cone_[c]->sectors()) {
+        if (on_boundary(1 - c, s.from)) {
+          if (overlap_around(s.from)) return true;
+        } else if (cone_[1 - c]->holds(s.from)) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+ private:
+  int side(const Sector& s, Ray d) const { return s.sign * d.sign * space_.exact_det(s.u, s.v, d.way); }
+
+  /// Whether the insides of both sectors cross.
+  bool cross(const Sector& s, const Sector& t) const {
+    const int a = side(t, s.from), b = side(t, s.to);
+    if (a * b >= 0) return false;
+    const int c = side(s, t.from), d = side(s, t.to);
+    if (c * d >= 0) return false;
+    // Counter-clockwise about n, the ray n x m is where the heights over m fall: s comes along it when a > 0, t along m x n when c > 0.
+    return (a > 0) == (c < 0);
+  }
+
+  /// The place of a ray in a sector's plane and sector: 0 outside, 1 along `from`, 2 inside, 3 along `to`.
+  int place(const Sector& s, Ray d) const {
+    if (side(s, d) != 0) return 0;
+    const auto turn = [&](Ray x, Ray y) {  // of (x x y) . normal
+      return x.sign * y.sign * s.sign * space_.exact_dot(x.way, y.way, s.u, s.v);
+    };
+    const int a = turn(s.from, d), b = turn(d, s.to);
+    if (a > 0 && b > 0) return 2;
+    if (a == 0 && b > 0) return 1;
+    if (a > 0 && b == 0) return 3;
+    return 0;
+  }
+
+  bool on_boundary(int cone, Ray d) const {
+    for (const Sector& s : cone_[cone]->sectors())
+      if (place(s, d) != 0) return true;
+    return false;
+  }
+
+  bool overlap_around(Ray r) {
+    walls_.clear();
+    for (int c = 0; c < 2; ++c) {
+      for (const Sector& s : cone_[c]->sectors()) {
+        const int at = place(s, r);
+        if (at == 1 || at == 2) walls_.push_back({&s, true, c});
+        if (at == 3 || at == 2) walls_.push_back({&s, false, c});
+      }
+    }
+    const Wall reference = walls_[0];
+    const auto sector = [&](const Wall& w) {
+      const int t = turn(r, reference, w);
+      return t > 0 ? 1 : t < 0 ? 3 : same_side(reference, w) ? 0 : 2;
+    };
+    const auto before = [&](const Wall& x, const Wall& y) {
+      const int a = sector(x), b = sector(y);
+      if (a != b) return a < b;
+      return (a == 1 || a == 3) && turn(r, x, y) > 0;
+    };
+    std::stable_sort(walls_.begin(), walls_.end(), before);
+    // Counter-clockwise of a right half lies the inside of its cone. Twice around, so that the state before the first wall is known.
+    bool inside[2] = {false, false}, known[2] = {false, false};
+    for (std::size_t k = 0; k < 2 * walls_.size();) {
+      std::size_t last = k;
+      bool enters[2] = {false, false}, leaves[2] = {false, false};
+      do {
+        const Wall& w = walls_[last % walls_.size()];
+        (w.left ? leaves : enters)[w.cone] = true;
+        ++last;
+      } while (last % walls_.size() != 0 && !before(walls_[k % walls_.size()], walls_[last % walls_.size()]));
+      for (int c = 0; c < 2; ++c) {
+        if (enters[c]) inside[c] = known[c] = true;
+        else if (leaves[c]) inside[c] = false, known[c] = true;
+      }
+      if (known[0] && known[1] && inside[0] && inside[1]) return true;
+      k = last;
+    }
+    return false;
+  }
+
+  /// Of the turn around r from one half-plane to another: r . (n x m), as for walls at an edge.
+  int turn(Ray r, const Wall& x, const Wall& y) const {
+    const Sector &s = *x.sector, &t = *y.sector;
+    return (x.left ? 1 : -1) * (y.left ? 1 : -1) * s.sign * t.sign * r.sign * space_.exact_turn(r.way, s.u, s.v, t.u, t.v);
+  }
+  /// For two halves of one plane: with equal normals both to the left or both to the right, with opposite ones the other way.
+  bool same_side(const Wall& x, const Wall& y) const {
+    const Sector &s = *x.sector, &t = *y.sector;
+    const bool equal = s.sign * t.sign * space_.exact_dot(s.u, s.v, t.u, t.v) > 0;
+    return (x.left == y.left) == equal;
+  }
+
+  const SumSpace& space_;
+  const Cone* cone_[2];
+  std::vector<Wall> walls_;
+};
+
+}  // namespace
+
+bool cones_overlap(const SumSpace& space, const SolidOperand& p, Feature at_p, const SolidOperand& q, Feature at_q) {
+  const Cone a(space, p, false, at_p), b(space, q, true, at_q);
+  return Overlap(space, a, b).run();
+}
+
+}  // namespace dymsum::spatial

@@ -1,0 +1,175 @@
+// Collision::overlaps: the interiors of two solids that may touch.
+//
+// They overlap exactly if an edge of one crosses a triangle of the other properly, or the local cones overlap at a point of contact that is a
+// vertex of one or a crossing of two edges, or a shell of one that touches nothing lies inside the other. Where interiors overlap and
+// boundaries meet, follow the boundary of the overlap to where both boundaries meet and from there to a vertex of their intersection: the
+// cones overlap there as well.
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+#include "spatial/boundary/collision_query.h"
+#include "spatial/boundary/contact_cones.h"
+
+namespace dymsum::spatial {
+
+struct Collision::Touch {
+  Feature p, q;
+  friend auto operator<=>(const Touch&, const Touch&) = default;
+};
+
+namespace {
+
+int axis_across(const SumSpace& space, Way u, Way v) {
+  for (std::uint32_t axis = 0; axis < 3; ++axis)
+    if (space.exact_det(u, v, {Way::Of::axis, axis, 0}) != 0) return static_cast<int>(axis);
+  return -1;
+}
+
+void mark(const SolidOperand& solid, Feature f, std::vector<bool>& shells) {
+  if (f.kind == Feature::Kind::triangle) shells[solid.shell[f.index]] = true;
+  if (f.kind == Feature::Kind::wedge) shells[solid.shell[solid.wedges[f.index].left]] = true;
+  if (f.kind != Feature::Kind::vertex) return;
+  for (std::uint32_t c = solid.corner_begin[f.index]; c < solid.corner_begin[f.index + 1]; ++c)
+    shells[solid.shell[solid.corners[c] / 3]] = true;
+}
+
+Vec3 axis_vector(int axis) { return {axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0}; }
+
+}  // namespace
+
+bool Collision::overlaps(const Flag& x) const {
+  tests_.fetch_add(1, std::memory_order_relaxed);
+  const Query query(space_, x);
+  // Deep inside the sum nearly every position shares its witness with the last one.
+  thread_local std::array<std::uint32_t, 2> witness{0, 0};
+  if (witness[0] < p_.triangles.size() && witness[1] < q_.triangles.size() && pierced(query, witness[0], witness[1])) return true;
+  const auto pierces = [&](std::uint32_t i, std::uint32_t j) {
+    if (!pierced(query, i, j)) return false;
+    witness = {i, j};
+    return true;
+  };
+  if (p_tree_.any_reflected_pair(q_tree_, query.box(), pierces)) return true;
+  std::vector<Touch> touches;
+  p_tree_.any_reflected_pair(q_tree_, query.box(), [&](std::uint32_t i, std::uint32_t j) {
+    add_touches(query, i, j, touches);
+    return false;
+  });
+  std::sort(touches.begin(), touches.end());
+  touches.erase(std::unique(touches.begin(), touches.end()), touches.end());
+  for (const Touch& t : touches)
+    if (cones_overlap(space_, p_, t.p, q_, t.q)) return true;
+  // Shells that touch something lie outside up to there. Others are inside or outside as a whole.
+  std::vector<bool> p_touched(p_.shell_vertex.size()), q_touched(q_.shell_vertex.size());
+  for (const Touch& t : touches) mark(p_, t.p, p_touched), mark(q_, t.q, q_touched);
+  for (std::size_t k = 0; k < p_touched.size(); ++k)
+    if (!p_touched[k] && vertex_inside_q(query, p_.shell_vertex[k])) return true;
+  for (std::size_t k = 0; k < q_touched.size(); ++k)
+    if (!q_touched[k] && vertex_inside_p(query, q_.shell_vertex[k])) return true;
+  return false;
+}
+
+namespace {
+
+bool apart(const int (&s)[3]) { return (s[0] > 0 && s[1] > 0 && s[2] > 0) || (s[0] < 0 && s[1] < 0 && s[2] < 0); }
+bool flush(const int (&s)[3]) { return s[0] * s[1] >= 0 && s[1] * s[2] >= 0 && s[2] * s[0] >= 0; }
+
+}  // namespace
+
+/// Whether an edge of one triangle crosses the inside of the other.
+bool Collision::pierced(const Query& query, std::uint32_t i, std::uint32_t j) const {
+  int sa[3], sc[3];
+  heights(query, i, j, sa, sc);
+  if (apart(sc) || apart(sa) || (flush(sa) && flush(sc))) return false;
+  const Triangle &a = p_.triangles[i], &c = q_.triangles[j];
+  const std::vector<Vec3>&p = space_.p(), &q = space_.q();
+  // twist[k][l]: on which side of the line of c's border l the line of a's border k passes.
+  int twist[3][3];
+  for (int k = 0; k < 3; ++k) {
+    for (int l = 0; l < 3; ++l) {
+      const std::uint32_t e0 = a[k], e1 = a[(k + 1) % 3], g0 = c[l], g1 = c[(l + 1) % 3];
+      twist[k][l] = query.side({{e0, g0}, {Way::Of::p, e0, e1}, {Way::Of::q, g0, g1}, false}, p[e1] - p[e0], q[g1] - q[g0]);
+    }
+  }
+  for (int k = 0; k < 3; ++k) {
+    const int t = twist[k][0], u = twist[0][k];
+    if (sa[k] * sa[(k + 1) % 3] < 0 && t != 0 && t == twist[k][1] && t == twist[k][2]) return true;
+    if (sc[k] * sc[(k + 1) % 3] < 0 && u != 0 && u == twist[1][k] && u == twist[2][k]) return true;
+  }
+  return false;
+}
+
+/// Where two triangles touch: corners of one on the other, and edges on edges.
+void Collision::add_touches(const Query& query, std::uint32_t i, std::uint32_t j, std::vector<Touch>& touches) const {
+  int sa[3], sc[3];
+  heights(query, i, j, sa, sc);
+  if (apart(sc) || apart(sa)) return;
+  touch_vertices(query, i, j, sa, sc, touches);
+  touch_edges(query, i, j, touches);
+}
+
+void Collision::touch_vertices(const Query& query, std::uint32_t i, std::uint32_t j, const int (&sa)[3], const int (&sc)[3],
+                               std::vector<Touch>& touches) const {
+  // A corner of one triangle in the plane of the other one: seen along an axis across that plane, on which sides of its borders?
+  const auto place = [&](const SolidOperand& solid, std::uint32_t t, Way::Of of, const auto& sum_with) -> std::optional<Feature> {
+    const Triangle& tri = solid.triangles[t];
+    const std::vector<Vec3>& at = of == Way::Of::p ? space_.p() : space_.q();
+    const int axis = axis_across(space_, {of, tri[0], tri[1]}, {of, tri[0], tri[2]});
+    int sides[3];
+    for (int k = 0; k < 3; ++k) {
+      const std::uint32_t from = tri[k], to = tri[(k + 1) % 3];
+      sides[k] = query.side({sum_with(from), {of, from, to}, {Way::Of::axis, static_cast<std::uint32_t>(axis), 0}, false}, at[to] - at[from],
+                            axis_vector(axis));
+    }
+    int zeros = 0, sign = 0;
+    for (const int s : sides) {
+      zeros += s == 0;
+      if (s == 0) continue;
+      if (sign != 0 && s != sign) return std::nullopt;
+      sign = s;
+    }
+    if (zeros == 0) return Feature{Feature::Kind::triangle, t};
+    for (int k = 0; k < 3; ++k) {
+      if (zeros == 1 && sides[k] == 0) return Feature{Feature::Kind::wedge, solid.wedge_of[3 * t + static_cast<std::uint32_t>(k)]};
+      if (zeros == 2 && sides[k] == 0 && sides[(k + 1) % 3] == 0) return Feature{Feature::Kind::vertex, tri[(k + 1) % 3]};
+    }
+    return std::nullopt;
+  };
+  const Triangle &a = p_.triangles[i], &c = q_.triangles[j];
+  for (int k = 0; k < 3; ++k) {
+    if (sa[k] == 0) {
+      const std::uint32_t v = a[k];
+      if (const auto f = place(q_, j, Way::Of::q, [&](std::uint32_t g) { return SumPoint{v, g}; }))
+        touches.push_back({{Feature::Kind::vertex, v}, *f});
+    }
+    if (sc[k] == 0) {
+      const std::uint32_t v = c[k];
+      if (const auto f = place(p_, i, Way::Of::p, [&](std::uint32_t e) { return SumPoint{e, v}; }))
+        touches.push_back({*f, {Feature::Kind::vertex, v}});
+    }
+  }
+}
+
+void Collision::touch_edges(const Query& query, std::uint32_t i, std::uint32_t j, std::vector<Touch>& touches) const {
+  const Triangle &a = p_.triangles[i], &c = q_.triangles[j];
+  const std::vector<Vec3>&p = space_.p(), &q = space_.q();
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    for (std::uint32_t l = 0; l < 3; ++l) {
+      const std::uint32_t e0 = a[k], e1 = a[(k + 1) % 3], g0 = c[l], g1 = c[(l + 1) % 3];
+      const Way e{Way::Of::p, e0, e1}, g{Way::Of::q, g0, g1};
+      const int axis = axis_across(space_, e, g);
+      if (axis < 0) continue;  // parallel: their ends tell
+      if (query.side({{e0, g0}, e, g, false}, p[e1] - p[e0], q[g1] - q[g0]) != 0) continue;
+      const Way up{Way::Of::axis, static_cast<std::uint32_t>(axis), 0};
+      const auto ends_on_both_sides = [&](const PlaneSource& first, const PlaneSource& second, Vec3 along) {
+        return query.side(first, along, axis_vector(axis)) * query.side(second, along, axis_vector(axis)) < 0;
+      };
+      // The ends of e beside the line of x - g, and those of x - g beside the line of e.
+      if (!ends_on_both_sides({{e0, g0}, g, up, false}, {{e1, g0}, g, up, false}, q[g1] - q[g0])) continue;
+      if (!ends_on_both_sides({{e0, g0}, e, up, false}, {{e0, g1}, e, up, false}, p[e1] - p[e0])) continue;
+      touches.push_back({{Feature::Kind::wedge, p_.wedge_of[3 * i + k]}, {Feature::Kind::wedge, q_.wedge_of[3 * j + l]}});
+    }
+  }
+}
+
+}  // namespace dymsum::spatial
