@@ -29,4 +29,5 @@
 #include "dymsum/scaling_sum.h"
 #include "dymsum/shapes.h"
 #include "dymsum/solids.h"
+#include "dymsum/spatial_sum.h"
 #include "dymsum/trace.h"

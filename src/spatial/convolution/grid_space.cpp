@@ -54,7 +54,9 @@ static_assert(widths_hold<26>() && widths_hold<54>());
 }  // namespace
 
 template <class C>
-GridSpace<C>::GridSpace(std::vector<Point> p, std::vector<Point> q, int bits) : p_int_(std::move(p)), q_int_(std::move(q)), bits_(bits) {
+GridSpace<C>::GridSpace(std::vector<Point> p, std::vector<Point> q, int bits, const Line (&lines)[3])
+    : p_int_(std::move(p)), q_int_(std::move(q)), bits_(bits) {
+  std::copy(std::begin(lines), std::end(lines), lines_);
   const auto fill = [](const std::vector<Point>& from, std::vector<Vec3>& to, std::vector<std::array<exact::Residue, 3>>& residues) {
     for (const Point& v : from) {
       to.push_back(doubles(v));
@@ -303,12 +305,10 @@ std::vector<double> coordinates(const std::vector<Point3>& points, double Point3
   return values;
 }
 
-struct Line {
-  int exponent = 0, bits = 0;
-  double p_offset = 0, q_offset = 0;
-};
+using Line = SumSpace::Line;
 
-Line common_line(const std::vector<Point3>& p, const std::vector<Point3>& q, double Point3::*axis) {
+/// The grid along one axis; `bits` is raised to what it needs.
+Line common_line(const std::vector<Point3>& p, const std::vector<Point3>& q, double Point3::*axis, int& bits) {
   const std::vector<double> a = coordinates(p, axis), b = coordinates(q, axis);
   Line line;
   line.exponent = exact::common_exponent(a, b);
@@ -316,7 +316,7 @@ Line common_line(const std::vector<Point3>& p, const std::vector<Point3>& q, dou
     if (values.empty()) return 0.0;
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
     const double middle = exact::grid_center(*low, *high, line.exponent);
-    line.bits = std::max(line.bits, exact::bits_needed(*low, *high, middle, line.exponent));
+    bits = std::max(bits, exact::bits_needed(*low, *high, middle, line.exponent));
     return middle;
   };
   line.p_offset = offset(a);
@@ -339,10 +339,10 @@ std::vector<Vector3<C>> on_grid(const std::vector<Point3>& points, const Line (&
 }  // namespace
 
 std::unique_ptr<SumSpace> make_sum_space(const std::vector<Point3>& p, const std::vector<Point3>& q) {
-  const Line lines[3] = {common_line(p, q, &Point3::x), common_line(p, q, &Point3::y), common_line(p, q, &Point3::z)};
-  const int bits = std::max({lines[0].bits, lines[1].bits, lines[2].bits});
+  int bits = 0;
+  const Line lines[3] = {common_line(p, q, &Point3::x, bits), common_line(p, q, &Point3::y, bits), common_line(p, q, &Point3::z, bits)};
   const auto make = [&]<class C>(C) -> std::unique_ptr<SumSpace> {
-    return std::make_unique<GridSpace<C>>(on_grid<C>(p, lines, &Line::p_offset), on_grid<C>(q, lines, &Line::q_offset), bits);
+    return std::make_unique<GridSpace<C>>(on_grid<C>(p, lines, &Line::p_offset), on_grid<C>(q, lines, &Line::q_offset), bits, lines);
   };
   if (bits <= 26) return make(Int<26>{});
   if (bits <= 54) return make(Int<54>{});

@@ -22,7 +22,7 @@ class GridSpace final : public SumSpace {
     W w;
   };
 
-  GridSpace(std::vector<Point> p, std::vector<Point> q, int bits);
+  GridSpace(std::vector<Point> p, std::vector<Point> q, int bits, const Line (&lines)[3]);
 
   PlaneId add_planes(std::span<const PlaneSource> sources) override;
   int exact_side(PlaneId plane, SumPoint point) const override;

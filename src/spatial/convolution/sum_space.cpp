@@ -92,6 +92,15 @@ Approx SumSpace::approximate(const PointSource& point) const {
   return exact_approximation(point);
 }
 
+exact::BigRational SumSpace::world_coordinate(const PointSource& point, int axis) const {
+  const Line& line = lines_[axis];
+  exact::BigRational v = exact_coordinate(point, axis);
+  const exact::BigInteger power = exact::BigInteger(1) << std::abs(line.exponent);
+  if (line.exponent >= 0) v *= power;
+  else v /= power;
+  return v + exact::exact_value(line.p_offset) + exact::exact_value(line.q_offset);
+}
+
 std::vector<Residue> SumSpace::point_hashes(std::span<const PointSource> points) const {
   using Kind = PointSource::Kind;
   const auto coordinate = [&](SumPoint s, int i) { return plus(p_residue_[s.p][i], q_residue_[s.q][i]); };

@@ -147,6 +147,15 @@ class SumSpace {
   /// The same for planes, whatever the side of their normals.
   std::vector<exact::Residue> plane_hashes(PlaneId first, std::size_t count) const;
 
+  /// The grid along an axis: a coordinate X of P stands for X 2^exponent + p_offset.
+  struct Line {
+    int exponent = 0;
+    double p_offset = 0, q_offset = 0;
+  };
+  Line line(int axis) const { return lines_[axis]; }
+  /// The coordinate of a point as the operands' own numbers would have it.
+  exact::BigRational world_coordinate(const PointSource& point, int axis) const;
+
   virtual int bits() const = 0;
   virtual exact::BigRational exact_coordinate(const PointSource& point, int axis) const = 0;
   std::uint64_t exact_signs() const { return exact_signs_; }
@@ -162,6 +171,7 @@ class SumSpace {
   std::vector<Plane> planes_;
   std::vector<PlaneResidue> plane_residues_;
   std::vector<SumEdge> edges_;
+  Line lines_[3];
   double span_ = 0, sum_radius_ = 0;
   mutable std::atomic<std::uint64_t> exact_signs_{0};
 };

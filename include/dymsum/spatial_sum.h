@@ -1,0 +1,92 @@
+// Exact Minkowski sums of solids of any shape: P (+) Q = { p + q : p in P, q in Q }, with tunnels, cavities, several parts, tight
+// features, and the provenance of every face.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "dymsum/convex_sum.h"
+#include "dymsum/mesh.h"
+#include "dymsum/progress.h"
+#include "dymsum/rational.h"
+#include "dymsum/result.h"
+
+namespace dymsum {
+
+/// How the boundary is found. Both give the same result.
+enum class SpatialEngine : std::uint8_t {
+  fast,   ///< cells linked around edges, one collision test for every connected piece of the boundary (the default)
+  brute,  ///< every cell tested by itself: the reference
+};
+
+struct SpatialOptions {
+  SpatialEngine engine = SpatialEngine::fast;
+  bool tight = true;  ///< look for tight features
+  int threads = 0;    ///< 0: as many as there are cores; the result does not depend on it
+  Progress progress;
+};
+
+/// A face of the boundary: a polygon in one plane, perhaps with holes, seen from outside.
+struct SpatialFace {
+  std::vector<std::vector<std::uint32_t>> loops;  ///< vertex indices: the outer one counter-clockwise, then holes clockwise
+  SolidFeature p, q;        ///< what touches there: the smallest pair, where several facets tile the face
+  std::uint32_t shell = 0;  ///< connected pieces of the boundary, in the order of their first faces
+  friend bool operator==(const SpatialFace& a, const SpatialFace& b) { return a.loops == b.loops; }
+};
+
+struct SpatialStats {
+  int bits = 0;  ///< of coordinates on the common grid
+  std::uint64_t face_vertex = 0, edge_edge = 0;  ///< facets of the reduced convolution
+  std::uint64_t box_pairs = 0, contacts = 0;     ///< pairs of facets with overlapping boxes; of these, meeting
+  std::uint64_t points = 0, cells = 0, patches = 0;
+  std::uint64_t collision_tests = 0, tight_tests = 0, exact_signs = 0;
+  struct Stage {
+    std::string_view name;
+    double ms;
+  };
+  std::vector<Stage> stages;
+};
+
+/// The sum of two solids. Canonical: no two neighbouring faces in one plane, no vertex in the middle of a straight edge; vertices sorted by x, y, z,
+/// every loop from its smallest vertex on, faces sorted. Equal sets compare equal.
+class SpatialSum {
+ public:
+  std::vector<Point3> vertices;  ///< positions within at_error
+  double at_error = 0;
+  std::vector<SpatialFace> faces;
+  std::size_t shells = 0;
+
+  /// Positions at which the operands touch without overlapping and that nothing outside comes near: passages exactly as wide as the part.
+  std::vector<std::vector<std::vector<std::uint32_t>>> tight_faces;  ///< loops as of a face
+  std::vector<std::array<std::uint32_t, 2>> tight_segments;          ///< that bound no tight face; from < to
+  std::vector<std::uint32_t> tight_points;                           ///< that end no tight segment
+  SpatialStats stats;
+
+  /// The exact position of a vertex.
+  RationalPoint3 exact(std::size_t vertex) const;
+  /// Nearest to the exact volume, and that itself: O(n) rationals of growing size.
+  double volume() const { return volume_exact().to_double(); }
+  Rational volume_exact() const;
+  /// Rounded at every face.
+  double area() const;
+
+  /// The same set with the same tight features, exactly. Provenance and stats are not compared.
+  friend bool operator==(const SpatialSum& a, const SpatialSum& b);
+
+  struct Source;                         // internal: the planes behind the exact positions
+  std::shared_ptr<const Source> source;  // internal
+};
+
+/// P (+) Q, the closed sum of closed solids; its boundary is that of the closure of the open sum's complement. Either operand may be
+/// empty (then the sum is), have several parts, cavities, and tunnels.
+/// Exact: every decision is the sign of an integer expression. Errors: cancelled; unsupported_operand for coordinates that need more than 250 bits
+/// on their common grid.
+/// Cost: O(N log N + K + T log T) for N facets, K of their pairs that meet and T points where three of them do.
+/// Source: Behar 2016, sections 2.3 to 2.6, corrected (docs/design/solid-sum.md).
+Result<SpatialSum> spatial_sum(const Mesh& p, const Mesh& q, const SpatialOptions& options = {});
+
+}  // namespace dymsum

@@ -1,0 +1,29 @@
+// The stages of a solid sum in their order, from operands to the cells that bound it.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "dymsum/spatial_sum.h"
+#include "spatial/boundary/tight_features.h"
+#include "spatial/convolution/reduced_facets.h"
+
+namespace dymsum::spatial {
+
+struct SolidBoundary {
+  std::unique_ptr<SumSpace> space;
+  FacetTable table;
+  std::unique_ptr<SolidArrangement> arrangement;
+  std::vector<bool> boundary;        ///< per cell
+  std::vector<std::uint32_t> patch;  ///< per cell of the boundary: connected by wedges of the outside
+  TightFeatures tight;
+};
+
+/// Throws Cancelled where progress asks to stop.
+struct Cancelled {};
+SolidBoundary solid_boundary(const SolidOperand& p, const SolidOperand& q, const SpatialOptions& options, SpatialStats& stats);
+
+/// A position off the facets, infinitely near to a cell: in front of it for side 1 or -1 (of the plane's normal), inside it for 0.
+Flag flag_at(const SolidArrangement& arrangement, const PlaneGroup& group, const Cell& cell, int side);
+
+}  // namespace dymsum::spatial

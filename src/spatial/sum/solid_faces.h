@@ -1,0 +1,11 @@
+// Cells put together to the faces, vertices and tight features of a result.
+#pragma once
+
+#include "spatial/sum/solid_boundary.h"
+
+namespace dymsum::spatial {
+
+/// Fills vertices, faces, shells and tight features, in canonical order. `p` and `q` give the faces and edges of the operands' meshes.
+void assemble(const SolidBoundary& boundary, const SolidOperand& p, const SolidOperand& q, SpatialSum& sum);
+
+}  // namespace dymsum::spatial

@@ -1,0 +1,89 @@
+#include "dymsum/spatial_sum.h"
+
+#include <chrono>
+#include <cmath>
+
+#include "spatial/sum/solid_faces.h"
+#include "spatial/sum/sum_of_solids.h"
+#include "spatial/sum/sum_source.h"
+
+namespace dymsum {
+
+using exact::BigRational;
+using spatial::Vec3;
+
+Result<SpatialSum> spatial_sum(const Mesh& p, const Mesh& q, const SpatialOptions& options) {
+  return spatial::sum_of_solids(p.data(), q.data(), options);
+}
+
+Result<SpatialSum> spatial::sum_of_solids(const MeshData& p, const MeshData& q, const SpatialOptions& options) {
+  SpatialSum sum;
+  if (p.faces.empty() || q.faces.empty()) return sum;
+  const SolidOperand a = solid_operand(p), b = solid_operand(q);
+  try {
+    spatial::SolidBoundary boundary = spatial::solid_boundary(a, b, options, sum.stats);
+    const auto start = std::chrono::steady_clock::now();
+    spatial::assemble(boundary, a, b, sum);
+    sum.stats.stages.push_back({"faces", std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count()});
+    std::const_pointer_cast<SpatialSum::Source>(sum.source)->space = std::move(boundary.space);
+  } catch (const spatial::Cancelled&) {
+    return Error{Code::cancelled, "the computation was cancelled", {}};
+  } catch (const std::invalid_argument& e) {
+    return Error{Code::unsupported_operand, e.what(), {}};
+  }
+  return sum;
+}
+
+namespace {
+
+std::array<BigRational, 3> world(const SpatialSum::Source& source, std::size_t vertex) {
+  const spatial::PointSource& at = source.vertices[vertex];
+  return {source.space->world_coordinate(at, 0), source.space->world_coordinate(at, 1), source.space->world_coordinate(at, 2)};
+}
+
+}  // namespace
+
+RationalPoint3 SpatialSum::exact(std::size_t vertex) const {
+  const auto [x, y, z] = world(*source, vertex);
+  return {exact::to_rational(x), exact::to_rational(y), exact::to_rational(z)};
+}
+
+Rational SpatialSum::volume_exact() const {
+  // Tetrahedra over the fans of all loops: those of holes run the other way and count less.
+  BigRational six;
+  std::vector<std::array<BigRational, 3>> at(vertices.size());
+  for (std::size_t k = 0; k < vertices.size(); ++k) at[k] = world(*source, k);
+  for (const SpatialFace& face : faces) {
+    for (const std::vector<std::uint32_t>& loop : face.loops) {
+      const auto& a = at[loop[0]];
+      for (std::size_t k = 1; k + 1 < loop.size(); ++k) {
+        const auto &b = at[loop[k]], &c = at[loop[k + 1]];
+        six += a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+      }
+    }
+  }
+  return exact::to_rational(six / 6);
+}
+
+double SpatialSum::area() const {
+  double total = 0;
+  const auto at = [&](std::uint32_t v) { return Vec3{vertices[v].x, vertices[v].y, vertices[v].z}; };
+  for (const SpatialFace& face : faces) {
+    Vec3 n;
+    for (const std::vector<std::uint32_t>& loop : face.loops)
+      for (std::size_t k = 1; k + 1 < loop.size(); ++k) n = n + cross(at(loop[k]) - at(loop[0]), at(loop[k + 1]) - at(loop[0]));
+    total += length(n) / 2;
+  }
+  return total;
+}
+
+bool operator==(const SpatialSum& a, const SpatialSum& b) {
+  if (a.faces != b.faces || a.tight_faces != b.tight_faces || a.tight_segments != b.tight_segments || a.tight_points != b.tight_points ||
+      a.vertices.size() != b.vertices.size())
+    return false;
+  for (std::size_t k = 0; k < a.vertices.size(); ++k)
+    if (world(*a.source, k) != world(*b.source, k)) return false;
+  return true;
+}
+
+}  // namespace dymsum

@@ -1,0 +1,149 @@
+#include "oracles/voxel_solids.h"
+
+#include <algorithm>
+#include <map>
+#include <vector>
+
+namespace dymsum::oracles {
+
+MeshData voxel_mesh(const Voxels& voxels, const IntegerMap& map) {
+  MeshData mesh;
+  std::map<Voxel, std::uint32_t> index;
+  const auto vertex = [&](const Voxel& at) {
+    const auto [place, added] = index.emplace(at, static_cast<std::uint32_t>(mesh.vertices.size()));
+    if (added) {
+      double v[3];
+      for (int i = 0; i < 3; ++i) v[i] = map[i][0] * at[0] + map[i][1] * at[1] + map[i][2] * at[2];
+      mesh.vertices.push_back({v[0], v[1], v[2]});
+    }
+    return place->second;
+  };
+  for (const Voxel& voxel : voxels) {
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const int side : {0, 1}) {
+        Voxel neighbour = voxel;
+        neighbour[axis] += side == 1 ? 1 : -1;
+        if (voxels.contains(neighbour)) continue;
+        Voxel corner = voxel;
+        corner[axis] += side;
+        Face face;
+        for (const auto& [u, v] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
+          Voxel at = corner;
+          at[(axis + 1) % 3] += u, at[(axis + 2) % 3] += v;
+          face.push_back(vertex(at));
+        }
+        if (side == 0) std::reverse(face.begin(), face.end());
+        mesh.faces.push_back(std::move(face));
+      }
+    }
+  }
+  return mesh;
+}
+
+namespace {
+
+/// Cells of the integer lattice by doubled coordinates: an odd one is an open unit interval, an even one a point.
+class CellGrid {
+ public:
+  CellGrid(const Voxel& low, const Voxel& high) {
+    for (int i = 0; i < 3; ++i) low_[i] = 2 * low[i] - 2, size_[i] = 2 * high[i] + 3 - low_[i];
+    in_sum_.resize(static_cast<std::size_t>(size_[0]) * size_[1] * size_[2]);
+    reached_.resize(in_sum_.size());
+  }
+
+  /// The open cube of size 2 at a voxel.
+  void add(const Voxel& at) {
+    for_box({2 * at[0] + 1, 2 * at[1] + 1, 2 * at[2] + 1}, {2 * at[0] + 3, 2 * at[1] + 3, 2 * at[2] + 3}, [&](std::size_t k) { in_sum_[k] = true; });
+  }
+
+  VoxelSum count() {
+    VoxelSum sum;
+    for (int dimension = 3; dimension >= 0; --dimension) {
+      std::vector<Voxel> found;
+      for_all([&](const Voxel& cell) {
+        if (std::abs(cell[0] % 2) + std::abs(cell[1] % 2) + std::abs(cell[2] % 2) != dimension) return;
+        if (in_sum_[place(cell)]) sum.volume += dimension == 3;
+        else if (dimension == 3 || !reached_[place(cell)]) found.push_back(cell);
+      });
+      if (dimension == 2) sum.tight_faces = found.size();
+      if (dimension == 1) sum.tight_edges = found.size();
+      if (dimension == 0) sum.tight_points = found.size();
+      for (const Voxel& cell : found) reach(cell);
+    }
+    return sum;
+  }
+
+ private:
+  std::size_t place(const Voxel& c) const {
+    return (static_cast<std::size_t>(c[0] - low_[0]) * size_[1] + static_cast<std::size_t>(c[1] - low_[1])) * size_[2] +
+           static_cast<std::size_t>(c[2] - low_[2]);
+  }
+  template <class F>
+  void for_box(const Voxel& low, const Voxel& high, F f) {
+    for (int x = low[0]; x <= high[0]; ++x)
+      for (int y = low[1]; y <= high[1]; ++y)
+        for (int z = low[2]; z <= high[2]; ++z) f(place({x, y, z}));
+  }
+  /// All cells but the outermost ones.
+  template <class F>
+  void for_all(F f) const {
+    for (int x = 1; x + 1 < size_[0]; ++x)
+      for (int y = 1; y + 1 < size_[1]; ++y)
+        for (int z = 1; z + 1 < size_[2]; ++z) f(Voxel{low_[0] + x, low_[1] + y, low_[2] + z});
+  }
+  void reach(const Voxel& c) {
+    const auto half = [&](int i) { return std::abs(c[i] % 2); };
+    for_box({c[0] - half(0), c[1] - half(1), c[2] - half(2)}, {c[0] + half(0), c[1] + half(1), c[2] + half(2)},
+            [&](std::size_t k) { reached_[k] = true; });
+  }
+
+  Voxel low_{}, size_{};
+  std::vector<bool> in_sum_, reached_;
+};
+
+}  // namespace
+
+VoxelSum voxel_sum(const Voxels& p, const Voxels& q) {
+  Voxel low{1 << 20, 1 << 20, 1 << 20}, high{-(1 << 20), -(1 << 20), -(1 << 20)};
+  Voxels sums;
+  for (const Voxel& a : p) {
+    for (const Voxel& b : q) {
+      const Voxel c{a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+      sums.insert(c);
+      for (int i = 0; i < 3; ++i) low[i] = std::min(low[i], c[i]), high[i] = std::max(high[i], c[i] + 2);
+    }
+  }
+  CellGrid grid(low, high);
+  for (const Voxel& c : sums) grid.add(c);
+  return grid.count();
+}
+
+std::array<Voxels, 2> random_voxels(int size, std::mt19937_64& random) {
+  const auto below = [&](int n) { return static_cast<int>(random() % static_cast<std::uint64_t>(n)); };
+  const auto filled = [&](const Voxel& box) {
+    Voxels voxels;
+    const int share = 20 + below(75);
+    while (voxels.empty()) {
+      for (int x = 0; x < box[0]; ++x)
+        for (int y = 0; y < box[1]; ++y)
+          for (int z = 0; z < box[2]; ++z)
+            if (below(100) < share) voxels.insert({x, y, z});
+    }
+    return voxels;
+  };
+  const auto box = [&] { return Voxel{1 + below(size), 1 + below(size), 1 + below(size)}; };
+  const Voxel room = box();
+  Voxels p = filled(room), q = filled(box());
+  if (below(3) == 0) {
+    // What the gaps of P in its box leave, reflected: it fits into them exactly.
+    Voxels gaps;
+    for (int x = 0; x < room[0]; ++x)
+      for (int y = 0; y < room[1]; ++y)
+        for (int z = 0; z < room[2]; ++z)
+          if (!p.contains({x, y, z})) gaps.insert({-x, -y, -z});
+    if (!gaps.empty()) q = gaps;
+  }
+  return {p, q};
+}
+
+}  // namespace dymsum::oracles

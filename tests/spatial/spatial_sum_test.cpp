@@ -1,0 +1,179 @@
+// Sums of solids of any shape: known answers, laws, and unions of cubes against lattice cells.
+#include "dymsum/spatial_sum.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+
+#include "dymsum/solids.h"
+#include "oracles/voxel_solids.h"
+#include "spatial/sum/sum_of_solids.h"
+
+namespace dymsum {
+namespace {
+
+using spatial::sum_of_solids;
+
+MeshData box(double half) {
+  MeshData m = solids::box(-1, -1, -1, 1, 1, 1).data();
+  for (Point3& p : m.vertices) p = {half * p.x, half * p.y, half * p.z};
+  return m;
+}
+
+MeshData moved(MeshData m, double dx, double dy, double dz) {
+  for (Point3& p : m.vertices) p = {p.x + dx, p.y + dy, p.z + dz};
+  return m;
+}
+
+/// A cube of size 10 without a corner of 6 x 6 x 10.
+MeshData ell() {
+  MeshData m;
+  for (const double z : {0.0, 10.0})
+    for (const auto& [x, y] : {std::pair{0.0, 0.0}, {10.0, 0.0}, {10.0, 4.0}, {4.0, 4.0}, {4.0, 10.0}, {0.0, 10.0}}) m.vertices.push_back({x, y, z});
+  m.faces = {{5, 4, 3, 2, 1, 0}, {6, 7, 8, 9, 10, 11}};
+  for (std::uint32_t i = 0; i < 6; ++i) m.faces.push_back({i, (i + 1) % 6, 6 + (i + 1) % 6, 6 + i});
+  return m;
+}
+
+/// A cube of size 10 about the origin with a tunnel of 2 x 2 along x.
+MeshData tunnel() {
+  MeshData m;
+  for (const double x : {-5.0, 5.0})
+    for (const double h : {5.0, 1.0})
+      for (const auto& [y, z] : {std::pair{-h, -h}, {h, -h}, {h, h}, {-h, h}}) m.vertices.push_back({x, y, z});
+  for (std::uint32_t k = 0; k < 4; ++k) {
+    const std::uint32_t j = (k + 1) % 4;
+    m.faces.push_back({k, j, j + 8, k + 8});
+    m.faces.push_back({4 + k, 12 + k, 12 + j, 4 + j});
+    m.faces.push_back({8 + k, 8 + j, 12 + j, 12 + k});
+    m.faces.push_back({k, 4 + k, 4 + j, j});
+  }
+  return m;
+}
+
+/// A cube of half size 5 with a cubic cavity of half size 1.
+MeshData cavity() {
+  MeshData m = box(5);
+  const MeshData inner = box(1);
+  for (const Point3& p : inner.vertices) m.vertices.push_back(p);
+  for (Face f : inner.faces) {
+    for (std::uint32_t& v : f) v += 8;
+    m.faces.push_back({f.rbegin(), f.rend()});
+  }
+  return m;
+}
+
+SpatialSum sum(const MeshData& p, const MeshData& q, SpatialEngine engine = SpatialEngine::fast) {
+  SpatialOptions options;
+  options.engine = engine;
+  return sum_of_solids(p, q, options).value();
+}
+
+double length(const SpatialSum& s, const std::array<std::uint32_t, 2>& segment) {
+  const Point3 &a = s.vertices[segment[0]], &b = s.vertices[segment[1]];
+  return std::hypot(b.x - a.x, b.y - a.y, b.z - a.z);
+}
+
+double tight_area(const SpatialSum& s) {
+  SpatialSum faces = s;
+  faces.faces.clear();
+  for (const auto& loops : s.tight_faces) faces.faces.push_back({loops, {}, {}, 0});
+  return faces.area();
+}
+
+TEST(SpatialSum, of_two_cubes_is_a_cube) {
+  const SpatialSum s = sum(box(1), box(2));
+  EXPECT_EQ(s.volume_exact().to_string(), "216/1");
+  EXPECT_EQ(s.faces.size(), 6u);
+  EXPECT_EQ(s.vertices.size(), 8u);
+  EXPECT_EQ(s.shells, 1u);
+}
+
+TEST(SpatialSum, of_an_ell_and_a_cube_wherever_it_lies_and_in_either_order) {
+  const MeshData cube = box(0.25);
+  EXPECT_EQ(sum(ell(), cube).volume_exact().to_double(), 779.625);
+  EXPECT_EQ(sum(ell(), moved(cube, 50, 0, 0)).volume_exact().to_double(), 779.625);
+  EXPECT_TRUE(sum(ell(), cube) == sum(cube, ell()));
+  EXPECT_EQ(sum(ell(), cube).faces.size(), 8u);
+}
+
+TEST(SpatialSum, of_a_tunnel_and_a_peg_of_its_width_keeps_the_way_through) {
+  const SpatialSum s = sum(tunnel(), box(1));
+  EXPECT_EQ(s.volume_exact().to_string(), "1728/1");
+  EXPECT_EQ(s.faces.size(), 6u);
+  ASSERT_EQ(s.tight_segments.size(), 1u);
+  EXPECT_EQ(length(s, s.tight_segments[0]), 12);
+  EXPECT_TRUE(s.tight_faces.empty() && s.tight_points.empty());
+}
+
+TEST(SpatialSum, of_a_tunnel_and_a_thinner_peg_has_a_tunnel) {
+  const SpatialSum s = sum(tunnel(), box(0.95));
+  EXPECT_NEAR(s.volume(), 1685.04, 1e-9);
+  EXPECT_EQ(s.faces.size(), 10u);
+  EXPECT_EQ(s.vertices.size(), 16u);
+  EXPECT_TRUE(s.tight_segments.empty());
+}
+
+TEST(SpatialSum, of_a_tunnel_and_a_plate_as_high_is_a_tight_face) {
+  const SpatialSum s = sum(tunnel(), solids::box(-1, -1, -0.5, 1, 1, 0.5).data());
+  ASSERT_EQ(s.tight_faces.size(), 1u);
+  EXPECT_EQ(tight_area(s), 12);
+  EXPECT_TRUE(s.tight_segments.empty());
+}
+
+TEST(SpatialSum, of_a_cavity_and_its_key_is_a_tight_point) {
+  const SpatialSum s = sum(cavity(), box(1));
+  EXPECT_EQ(s.volume_exact().to_string(), "1728/1");
+  ASSERT_EQ(s.tight_points.size(), 1u);
+  EXPECT_EQ(s.exact(s.tight_points[0]), (RationalPoint3{}));
+  EXPECT_EQ(sum(cavity(), box(0.75)).shells, 2u);
+}
+
+TEST(SpatialSum, with_an_empty_operand_is_empty) {
+  EXPECT_TRUE(sum(box(1), MeshData{}).faces.empty());
+  EXPECT_TRUE(sum(MeshData{}, box(1)).faces.empty());
+}
+
+int fuzz_pairs(int few) {
+  const char* text = std::getenv("DYMSUM_FUZZ_PAIRS");
+  return text != nullptr ? std::max(few, std::atoi(text) / 10) : few;
+}
+
+TEST(SpatialSum, of_unions_of_cubes_is_that_of_lattice_cells) {
+  const oracles::IntegerMap shear{{{1, 2, -1}, {0, 1, 1}, {0, 0, 1}}};
+  int tight = 0;
+  for (int k = 0; k < fuzz_pairs(60); ++k) {
+    std::mt19937_64 random(static_cast<std::uint64_t>(k));
+    const auto [p, q] = oracles::random_voxels(k % 10 == 0 ? 3 : 2, random);
+    const oracles::VoxelSum expected = oracles::voxel_sum(p, q);
+    const oracles::IntegerMap& map = k % 2 == 0 ? oracles::kNoShear : shear;
+    const SpatialSum s = sum(oracles::voxel_mesh(p, map), oracles::voxel_mesh(q, map));
+    EXPECT_EQ(s.volume_exact(), (Rational{std::to_string(expected.volume), "1"})) << "seed " << k;
+    EXPECT_EQ(s.tight_points.size(), expected.tight_points) << "seed " << k;
+    EXPECT_EQ(s.tight_segments.empty(), expected.tight_edges == 0) << "seed " << k;
+    EXPECT_EQ(s.tight_faces.empty(), expected.tight_faces == 0) << "seed " << k;
+    if (k % 2 == 0) {
+      double edges = 0;
+      for (const auto& segment : s.tight_segments) edges += length(s, segment);
+      EXPECT_EQ(edges, static_cast<double>(expected.tight_edges)) << "seed " << k;
+      EXPECT_EQ(tight_area(s), static_cast<double>(expected.tight_faces)) << "seed " << k;
+    }
+    tight += expected.tight_points + expected.tight_edges + expected.tight_faces > 0;
+  }
+  EXPECT_GT(tight, 5);
+}
+
+TEST(SpatialSum, by_both_engines_and_in_either_order_is_the_same) {
+  for (int k = 0; k < fuzz_pairs(15); ++k) {
+    std::mt19937_64 random(static_cast<std::uint64_t>(1000 + k));
+    const auto [a, b] = oracles::random_voxels(2, random);
+    const MeshData p = oracles::voxel_mesh(a), q = oracles::voxel_mesh(b);
+    const SpatialSum s = sum(p, q);
+    EXPECT_TRUE(s == sum(p, q, SpatialEngine::brute)) << "seed " << k;
+    EXPECT_TRUE(s == sum(q, p)) << "seed " << k;
+  }
+}
+
+}  // namespace
+}  // namespace dymsum
