@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <sstream>
 
 #include "commands.h"
 #include "configuration.h"
@@ -23,6 +24,7 @@ namespace {
 struct ClearanceCommand {
   std::vector<std::string> operands{"", ""}, at;
   std::string weight;
+  bool strict = false;
   ReportOptions report;
   InputOptions input;
 };
@@ -39,14 +41,16 @@ double read_weight(const std::string& text, const ObstacleQueries& queries) {
   if (text == "inf") return std::numeric_limits<double>::infinity();
   const std::optional<double> weight = finite_number(text);
   if (!weight || !(*weight >= 0)) throw Stop(kUsage, "--weight wants a length per radian, or inf, not '" + text + "'");
+  if (*weight > queries.largest_weight())
+    throw Stop(kUsage, "--weight " + text + " is more than 2^40 times the extent of the obstacle, where doubles of angles say nothing; inf counts translations only");
   return *weight;
 }
 
-Answer ask(const CspaceObstacle& obstacle, const ObstacleQueries& queries, const Configuration& at, double weight) {
+Answer ask(const CspaceObstacle& obstacle, const ObstacleQueries& queries, const Configuration& at, double weight, Touching touching) {
   Answer answer;
   answer.at = at;
-  answer.clearance = queries.clearance(at, weight);
-  answer.translation = queries.clearance(at, std::numeric_limits<double>::infinity());
+  answer.clearance = queries.clearance(at, weight, touching);
+  answer.translation = queries.clearance(at, std::numeric_limits<double>::infinity(), touching);
   answer.free = queries.free_angles(at.x, at.y);
   if (answer.clearance.patch != Patch::kNone) answer.contact = obstacle.patches()[answer.clearance.patch].contact;
   return answer;
@@ -65,16 +69,24 @@ Json answer_json(const Answer& a) {
   }
   Json json = distance_json(a.clearance);
   json["at"] = {a.at.x, a.at.y, a.at.theta};
-  json["free"] = a.clearance.distance >= 0;
+  json["free"] = !std::signbit(a.clearance.distance);
   json["contact"] = contact;
   json["translation"] = distance_json(a.translation);
   json["free_angles"] = free;
   return json;
 }
 
+// With the error where digits that are printed are in doubt.
+std::string distance_text(const Clearance& c) {
+  std::ostringstream text;
+  text << std::abs(c.distance);
+  if (c.error > 1e-7 * std::abs(c.distance)) text << " +- " << c.error;
+  return text.str();
+}
+
 void print_text(const Answer& a) {
-  std::cout << "(" << a.at.x << ", " << a.at.y << ", " << a.at.theta << "): " << (a.clearance.distance >= 0 ? "free, clearance " : "overlaps, depth ")
-            << std::abs(a.clearance.distance) << " (by translation alone " << std::abs(a.translation.distance) << "), nearest contact at (" << a.clearance.nearest.x << ", "
+  std::cout << "(" << a.at.x << ", " << a.at.y << ", " << a.at.theta << "): " << (std::signbit(a.clearance.distance) ? "overlaps, depth " : "free, clearance ")
+            << distance_text(a.clearance) << " (by translation alone " << distance_text(a.translation) << "), nearest contact at (" << a.clearance.nearest.x << ", "
             << a.clearance.nearest.y << ", " << a.clearance.nearest.theta << ")\n";
 }
 
@@ -93,7 +105,7 @@ ExitCode run_clearance(const ClearanceCommand& command) {
   const double weight = read_weight(command.weight, queries);
   const auto [answers, timing] = timed(command.report.repeat, [&] {
     std::vector<Answer> all;
-    for (const Configuration& q : at) all.push_back(ask(obstacle, queries, q, weight));
+    for (const Configuration& q : at) all.push_back(ask(obstacle, queries, q, weight, command.strict ? Touching::forbidden : Touching::allowed));
     return all;
   });
   if (!command.report.json) {
@@ -117,6 +129,7 @@ void add_clearance(CLI::App& app, Action& action) {
   add_operands(verb, kRobot, kObstacle, command->operands);
   verb.add_option("--at", command->at, "Where the robot is, theta in radians or as 90deg; repeatable")->type_name("x,y,theta")->required()->allow_extra_args(false);
   verb.add_option("--weight", command->weight, "What a radian counts, as a length; inf: translations only. Default: the robot's radius of gyration")->type_name("W");
+  verb.add_flag("--strict", command->strict, "Touching counts as overlap: where the robot is jammed, how far it is from being loose");
   add_report_options(verb, command->report, "Ask N times and report the median and minimum time");
   add_input_options(verb, command->input);
   verb.footer("Example: dymsum clearance bar.wkt rooms.wkt --at 1,2,0.5 --json");

@@ -52,6 +52,16 @@ struct ObstacleEvent {
   Point at;                 ///< position (x, y), rounded
 };
 
+/// Tight placements: free at one event angle, and no free placement with clearance comes near them. A point, where
+/// `from` equals `to`, or a segment. They belong to the boundary of the obstacle, beside the patches; together these are
+/// all of it, except where may_have_tight_curves().
+struct TightFeature {
+  std::uint32_t angle = 0;  ///< number in angles()
+  Point from, to;           ///< positions, rounded
+  double error = 0;         ///< each of them is at most so far from the exact one
+  friend bool operator==(const TightFeature&, const TightFeature&) = default;
+};
+
 /// A piece of ruled surface of the boundary. At every angle of its open interval it is one segment on the line of
 /// `contact`, from the meeting with `left` to the meeting with `right`, with the obstacle on its left.
 struct Patch {
@@ -79,6 +89,13 @@ struct FreeCell {
   std::uint32_t begin = Patch::kNone, end = Patch::kNone;  ///< as for patches
   bool unbounded = false;       ///< its component of free space reaches infinity, perhaps at other angles
   std::uint32_t component = 0;  ///< of free space, touching not counted as a connection
+};
+
+/// An angle at which a vertex of the robot, turning in place, meets a closed edge of the obstacle, or the other way
+/// round; whether the robot may stand there at the angle itself, and behind it up to the next one.
+struct TurnMark {
+  EventAngle angle;
+  bool free = false, free_behind = false;
 };
 
 struct ObstacleWork {
@@ -117,6 +134,10 @@ class CspaceObstacle {
   };
   HalfTangent half_tangent(std::uint32_t angle) const;
   const std::vector<ObstacleEvent>& events() const;
+  const std::vector<TightFeature>& tight() const;  ///< by increasing angle
+  /// Three contacts stay at one point at every angle: placements may be free along a curve of angles and have no
+  /// clearance, of which tight() tells only what is at event angles.
+  bool may_have_tight_curves() const;
   const std::vector<Patch>& patches() const;
   const std::vector<Shell>& shells() const;
   const std::vector<FreeCell>& free_cells() const;
@@ -142,6 +163,12 @@ class CspaceObstacle {
   /// Whether the robot overlaps the obstacle there: touching is free. Exact: the doubles x, y at face value. O(n + m)
   /// and more; see ObstacleQueries for fast ones.
   bool contains(double x, double y, const Orientation& theta) const;
+  /// What happens to the robot at (x, y) while it turns once, in the order of the angles in (-pi, pi]; or on the closed
+  /// way counter-clockwise between two different orientations, where the last mark tells what is free up to its end.
+  /// Exact, single angles included, at irrational angles too. Without any mark one orientation tells all. O(NM)
+  /// filtered pairs, and for each mark some questions of contains.
+  std::vector<TurnMark> turn_marks(double x, double y) const;
+  std::vector<TurnMark> turn_marks(double x, double y, const Orientation& from, const Orientation& to) const;
 
   class State;  ///< internal
   const State& state() const { return *state_; }

@@ -234,7 +234,9 @@ NearestPatch nearest_patch_at(const PatchForms& forms, const PatchTree& tree, co
       const double middle = (s.low + s.high) / 2;
       const double x = middle + std::remainder(question.theta - s.reference - middle, kTurn);
       ++best.bounds;
-      const StretchDistance::Nearest n = StretchDistance(forms[s.patch], s, question, 0).nearest(x);
+      const StretchDistance distance(forms[s.patch], s, question, 0);
+      StretchDistance::Nearest n = distance.nearest(x);
+      n.error += distance.drift(x, 0x1p-48);
       least = std::min(least, n.distance - n.error);
       if (!(n.distance + n.error < upper)) continue;
       upper = n.distance + n.error;

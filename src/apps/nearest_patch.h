@@ -17,7 +17,8 @@ struct NearestPatch {
 
 /// The global minimum over all patches. The weight is finite.
 NearestPatch nearest_patch(const PatchForms& forms, const PatchTree& tree, const DistanceQuestion& question);
-/// The same among the points at the angle of the question; its weight is 0.
+/// The same among the points at the angle of the question, which errs by 2^-49; its weight is 0. Patches that begin or
+/// end within 2^-45 of it may count or not. The error is infinite where an end moves too fast.
 NearestPatch nearest_patch_at(const PatchForms& forms, const PatchTree& tree, const DistanceQuestion& question);
 
 }  // namespace dymsum::apps

@@ -7,9 +7,9 @@
 #include <stdexcept>
 
 #include "base/parallel.h"
+#include "clearance_search.h"
 #include "containment_index.h"
 #include "free_angles.h"
-#include "nearest_patch.h"
 
 namespace dymsum {
 namespace {
@@ -26,6 +26,11 @@ class ObstacleQueries::State {
   explicit State(const CspaceObstacle& o)
       : obstacle(o), forms(o), index(o, forms), gyration(radius_of_gyration(o.robot())), tree(o, forms, gyration) {}
 
+  // Of what is inside by the patches a curve of tight placements may be free.
+  std::optional<bool> sure(double x, double y, double theta) const {
+    const std::optional<bool> by_patches = index.contains(x, y, theta);
+    return by_patches == true && obstacle.may_have_tight_curves() ? std::nullopt : by_patches;
+  }
   bool exact(double x, double y, const Orientation& theta) const {
     exact_answers.fetch_add(1, std::memory_order_relaxed);
     return obstacle.contains(x, y, theta);
@@ -47,14 +52,14 @@ ObstacleQueries::~ObstacleQueries() = default;
 bool ObstacleQueries::contains(const Configuration& at) const {
   const State& s = *state_;
   if (std::abs(at.theta) <= kPi)
-    if (const std::optional<bool> sure = s.index.contains(at.x, at.y, at.theta)) return *sure;
+    if (const std::optional<bool> sure = s.sure(at.x, at.y, at.theta)) return *sure;
   return contains(at.x, at.y, Orientation::nearest(at.theta).value());
 }
 
 bool ObstacleQueries::contains(double x, double y, const Orientation& theta) const {
   const State& s = *state_;
   if (!std::isfinite(x) || !std::isfinite(y)) return false;
-  const std::optional<bool> sure = s.index.contains(x, y, theta.radians());
+  const std::optional<bool> sure = s.sure(x, y, theta.radians());
   return sure ? *sure : s.exact(x, y, theta);
 }
 
@@ -74,23 +79,24 @@ std::uint64_t ObstacleQueries::bounds_evaluated() const { return state_->bounds;
 
 std::vector<FreeAngles> ObstacleQueries::free_angles(double x, double y) const {
   const State& s = *state_;
-  return apps::free_angles(s.obstacle, s.forms, s.forms.relative({x, y}),
-                           [&](double theta) { return !contains({x, y, theta}); });
+  return apps::free_angles(s.obstacle, s.forms, {x, y},
+                           [&](const Orientation& theta) { return !contains(x, y, theta); });
 }
 
-Clearance ObstacleQueries::clearance(const Configuration& from, double weight) const {
+double ObstacleQueries::largest_weight() const { return 0x1p40 * state_->forms.size(); }
+
+Clearance ObstacleQueries::clearance(const Configuration& from, double weight, Touching touching) const {
   if (!(weight >= 0) || !std::isfinite(from.x) || !std::isfinite(from.y) || !std::isfinite(from.theta))
     throw std::invalid_argument("clearance: the weight is negative or an argument is not a number");
+  if (weight > largest_weight() && !std::isinf(weight))
+    throw std::invalid_argument("clearance: the weight is larger than largest_weight(), but not infinite");
   const State& s = *state_;
-  const bool inside = contains(from), flat = std::isinf(weight);
-  const apps::DistanceQuestion question{s.forms.relative({from.x, from.y}), reduced(from.theta), flat ? 0 : weight,
-                                        !inside && !flat};
-  const apps::NearestPatch found =
-      flat ? apps::nearest_patch_at(s.forms, s.tree, question) : apps::nearest_patch(s.forms, s.tree, question);
+  const Configuration at{from.x, from.y, reduced(from.theta)};
+  const std::optional<bool> sure = s.sure(at.x, at.y, at.theta);
+  const bool overlaps = sure ? *sure : contains(from);
+  const auto found = apps::ClearanceSearch(s.obstacle, s.forms, s.tree).run({at, from.theta, weight, touching, overlaps, sure == false});
   s.bounds.fetch_add(found.bounds, std::memory_order_relaxed);
-  const Point origin = s.forms.origin();
-  return {inside ? -found.distance : found.distance, found.error, found.patch,
-          {found.at.x + origin.x, found.at.y + origin.y, found.theta}};
+  return found.clearance;
 }
 
 std::size_t ObstacleQueries::bytes() const { return state_->index.bytes() + state_->tree.bytes(); }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace dymsum::apps {
 namespace {
@@ -85,6 +86,16 @@ StretchDistance::Nearest StretchDistance::nearest(double x) const {
   }
   n.distance = std::sqrt(square(p.u - n.along) + square(p.v) + weight2_ * square(p.angle));
   return n;
+}
+
+double StretchDistance::drift(double x, double by) const {
+  double speed = 0;
+  for (const EndCurve* end : {&stretch_.left, &stretch_.right}) {
+    const EndCurve::Ranges ranges = end->ranges(x - by, x + by);
+    if (!ranges.known) return std::numeric_limits<double>::infinity();
+    speed = std::max(speed, magnitude(ranges.first));
+  }
+  return by * speed;
 }
 
 // Whether the foot of the perpendicular is outside of an end, sign being that of u - end then. What is outside by less

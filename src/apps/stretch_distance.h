@@ -35,6 +35,8 @@ class StretchDistance {
   };
   /// At one angle.
   Nearest nearest(double x) const;
+  /// The ends move by no more along the edge while x changes by at most `by`; infinite where that is not known.
+  double drift(double x, double by) const;
 
  private:
   struct Place;

@@ -73,7 +73,7 @@ void expect_angles(const ObstacleQueries& q, double x, double y, Random& random)
     const double theta = uniform(random, -M_PI, M_PI);
     bool inside = false;
     for (const FreeAngles& f : free)
-      inside |= f.begin < f.end ? f.begin < theta && theta < f.end : theta > f.begin || theta < f.end;
+      inside |= f.single() ? theta == f.begin : f.begin < f.end ? f.begin < theta && theta < f.end : theta > f.begin || theta < f.end;
     EXPECT_NE(inside, q.contains({x, y, theta})) << x << " " << y << " " << theta;
   }
 }

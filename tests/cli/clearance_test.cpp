@@ -34,6 +34,35 @@ TEST_F(ClearanceCli, KnowsTheDistanceOfASquareFromAWall) {
   EXPECT_EQ(free["free_angles"].size(), 1u);
 }
 
+// The square fills its room: it is jammed at four placements.
+TEST_F(ClearanceCli, AJammedRobotHasNoClearance) {
+  work.write("room.wkt", "POLYGON ((-3 -3, 3 -3, 3 3, -3 3, -3 -3), (-1 -1, 1 -1, 1 1, -1 1, -1 -1))\n");
+  const Outcome text = work.run("dymsum clearance square.wkt room.wkt --at 0,0,0 --at 0.25,0,0 --weight inf");
+  ASSERT_EQ(text.code, 0) << text.err;
+  EXPECT_NE(text.out.find("free, clearance 0 (by translation alone 0)"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("overlaps, depth 0.25 "), std::string::npos) << text.out;
+  const Json jammed = Json::parse(work.run("dymsum clearance square.wkt room.wkt --at 0,0,0 --json").out)["answers"][0];
+  EXPECT_EQ(jammed["distance"], 0);
+  EXPECT_EQ(jammed["error"], 0);
+  ASSERT_EQ(jammed["free_angles"].size(), 4u);
+  for (const Json& f : jammed["free_angles"]) EXPECT_EQ(f["begin"], f["end"]);
+  const Json strict = Json::parse(work.run("dymsum clearance square.wkt room.wkt --at 0,0,0 --strict --weight inf --json").out)["answers"][0];
+  EXPECT_EQ(strict["distance"], -4);
+  EXPECT_FALSE(strict["free"].get<bool>());
+}
+
+TEST_F(ClearanceCli, ShowsErrorsThatAreNotNegligible) {
+  const Outcome wide = work.run("dymsum clearance square.wkt wall.wkt --at -4,0,0 --weight 1e12");
+  ASSERT_EQ(wide.code, 0) << wide.err;
+  EXPECT_NE(wide.out.find(" +- "), std::string::npos) << wide.out;
+  EXPECT_EQ(work.run("dymsum clearance square.wkt wall.wkt --at -4,0,0 --weight inf").out.find(" +- "), std::string::npos);
+  for (const char* weight : {"1e20", "1e300"}) {
+    const Outcome refused = work.run(std::string("dymsum clearance square.wkt wall.wkt --at -4,0,0 --weight ") + weight);
+    EXPECT_EQ(refused.code, 1);
+    EXPECT_NE(refused.err.find("inf counts translations only"), std::string::npos) << refused.err;
+  }
+}
+
 TEST_F(ClearanceCli, FewerRadiansCountMore) {
   const auto distance = [&](const std::string& weight) {
     return Json::parse(work.run("dymsum clearance square.wkt wall.wkt --at -1.2,0,0 --json --weight " + weight).out)["answers"][0]["distance"].get<double>();

@@ -137,8 +137,8 @@ TEST(CspaceGuide, ProgramAndCommandsDoWhatIsShown) {
     ++shown;
     EXPECT_EQ(block, line + outcome.out);
   }
-  EXPECT_EQ(commands, 4);
-  EXPECT_EQ(shown, 2);
+  EXPECT_EQ(commands, 5);
+  EXPECT_EQ(shown, 3);
   EXPECT_TRUE(work.exists("obstacle.glb") && work.exists("slices.svg") && work.exists("turn.anim.svg"));
 }
 

@@ -256,6 +256,44 @@ bool touches(const CspaceObstacle& c, std::uint32_t slab, double theta) {
   return false;
 }
 
+double to_segment(Point x, Point a, Point b) {
+  const Point d = plus(b, a, -1);
+  const double l = dot(d, d), t = l > 0 ? std::clamp(dot(d, plus(x, a, -1)) / l, 0.0, 1.0) : 0.0;
+  return std::hypot(x.x - a.x - t * d.x, x.y - a.y - t * d.y);
+}
+
+// Every tight event is an end of a tight feature, and the other way round; at rational angles the open slice has them too.
+TEST(CspaceExactFit, tight_features_end_at_tight_events_and_lie_on_open_slices) {
+  std::size_t points = 0, segments = 0;
+  for_seeds(30, [&](Random& random) {
+    RegionData data;
+    data.parts.push_back({box(-20, -20, 20, 20), {}});
+    const Region room = random_cells(random, 3, 1);
+    for (const Part& part : room.parts()) data.parts[0].holes.push_back(reversed(part.outer));
+    const CspaceObstacle c = CspaceObstacle::create(random_cells(random, 2, 1), *Region::create(data)).value();
+    std::set<std::tuple<std::uint32_t, double, double>> events, ends;
+    for (const ObstacleEvent& e : c.events())
+      if (e.kind == ObstacleEvent::Kind::tight) events.insert({e.angle, e.at.x, e.at.y});
+    for (const TightFeature& f : c.tight()) {
+      for (const Point& p : {f.from, f.to}) ends.insert({f.angle, p.x, p.y});
+      (f.from == f.to ? points : segments) += 1;
+      EXPECT_LT(f.error, 1e-9);
+      if (!c.angles()[f.angle].exact) continue;
+      const PlanarSum slice = *c.slice(*c.angles()[f.angle].exact, Semantics::open);
+      for (const Point& p : {f.from, f.to, plus(plus({0, 0}, f.from, 0.5), f.to, 0.5)}) {
+        double least = INFINITY;
+        for (const SumSegment& s : slice.tight_segments) least = std::min(least, to_segment(p, s.from.at, s.to.at));
+        for (const SumVertex& v : slice.tight_points) least = std::min(least, to_segment(p, v.at, v.at));
+        EXPECT_LE(least, f.error + 1e-13);
+      }
+    }
+    EXPECT_EQ(ends, events);
+  });
+  if (std::getenv("DYMSUM_SEED") != nullptr) return;
+  EXPECT_GT(points, 10u);
+  EXPECT_GT(segments, 10u);
+}
+
 // At every angle that is listed a patch begins or ends, something is tight, or the boundary touches itself.
 void expect_happenings(const CspaceObstacle& c) {
   std::set<std::uint32_t> happens;

@@ -10,6 +10,7 @@
 #include "planar/collision.h"
 #include "planar/rotation/angle_order.h"
 #include "planar/rotation/convex_obstacle.h"
+#include "planar/rotation/free_turn.h"
 #include "planar/rotation/general_obstacle.h"
 #include "planar/rotation/slice.h"
 
@@ -113,6 +114,8 @@ const Region& CspaceObstacle::robot() const { return state_->robot; }
 const Region& CspaceObstacle::obstacle() const { return state_->obstacle; }
 const std::vector<EventAngle>& CspaceObstacle::angles() const { return state_->angles; }
 const std::vector<ObstacleEvent>& CspaceObstacle::events() const { return state_->events; }
+const std::vector<TightFeature>& CspaceObstacle::tight() const { return state_->tight; }
+bool CspaceObstacle::may_have_tight_curves() const { return state_->always_concurrent; }
 const std::vector<Patch>& CspaceObstacle::patches() const { return state_->patches; }
 const std::vector<Shell>& CspaceObstacle::shells() const { return state_->shells; }
 const std::vector<FreeCell>& CspaceObstacle::free_cells() const { return state_->cells; }
@@ -202,6 +205,14 @@ Result<PlanarSum> CspaceObstacle::slice(const Orientation& theta, Semantics sema
   SumOptions options;
   options.semantics = semantics;
   return sum_at(*state_->base, theta, options);
+}
+
+std::vector<TurnMark> CspaceObstacle::turn_marks(double x, double y) const {
+  return FreeTurn(*this, {x, y}).marks();
+}
+
+std::vector<TurnMark> CspaceObstacle::turn_marks(double x, double y, const Orientation& from, const Orientation& to) const {
+  return FreeTurn(*this, {x, y}).marks(from, to);
 }
 
 bool CspaceObstacle::contains(double x, double y, const Orientation& theta) const {

@@ -56,6 +56,11 @@ class Export {
       event.angle = order_.of(event.angle);
       state_.events.push_back(event);
     }
+    for (TightFeature feature : sweep_.tight) {
+      feature.angle = order_.of(feature.angle);
+      state_.tight.push_back(feature);
+    }
+    std::stable_sort(state_.tight.begin(), state_.tight.end(), [](const TightFeature& a, const TightFeature& b) { return a.angle < b.angle; });
     std::stable_sort(state_.events.begin(), state_.events.end(), [](const ObstacleEvent& a, const ObstacleEvent& b) { return a.angle < b.angle; });
   }
 
@@ -409,7 +414,7 @@ Result<bool> general_obstacle(CspaceObstacle::State& state, const ObstacleOption
     const Passed passed = pass_turn(forms, catalog, *sweep, reference, options.progress);
     if (passed == Passed::cancelled) return Error{Code::cancelled, "stopped on request", {}};
     if (passed == Passed::turn) break;
-    reference = true;
+    reference = state.always_concurrent = true;
   }
   if (!sweep->closed_turn()) throw std::logic_error("general_obstacle: a full turn does not lead back to its start");
   Export(*sweep, forms, state).run();

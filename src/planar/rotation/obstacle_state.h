@@ -28,6 +28,8 @@ class CspaceObstacle::State {
   std::vector<EventAngle> angles;
   std::vector<planar::ExactAngle> exact_angles;  ///< of `angles`
   std::vector<ObstacleEvent> events;
+  std::vector<TightFeature> tight;
+  bool always_concurrent = false;  ///< three contacts stay at one point at every angle: there may be curves of tight placements
   std::vector<Patch> patches;
   std::vector<Shell> shells;
   std::vector<FreeCell> cells;

@@ -32,17 +32,16 @@ std::uint32_t ObstacleSweep::angle(const TurnRange& range, TurnEvent& event) {
   return static_cast<std::uint32_t>(angles.size() - 1);
 }
 
-void ObstacleSweep::note(Heading h, ObstacleEvent::Kind kind, Point at) {
+// Of a point in the forms' doubles.
+Point ObstacleSweep::position(Heading h, Point at) const {
   const Point c = forms_.centre();
   const Lattice& l = *base_->lattice;
   // The forms' doubles leave out the turned centre and the offsets.
   const Point turned{l.points[1]->offset.x + c.x * l.unit, l.points[1]->offset.y + c.y * l.unit};
-  ObstacleEvent noted;
-  noted.kind = kind;
-  noted.angle = now_;
-  noted.at = {at.x * l.unit + l.points[0]->offset.x + h.c * turned.x - h.s * turned.y, at.y * l.unit + l.points[0]->offset.y + h.s * turned.x + h.c * turned.y};
-  events.push_back(noted);
+  return {at.x * l.unit + l.points[0]->offset.x + h.c * turned.x - h.s * turned.y, at.y * l.unit + l.points[0]->offset.y + h.s * turned.x + h.c * turned.y};
 }
+
+void ObstacleSweep::note(Heading h, ObstacleEvent::Kind kind, Point at) { events.push_back({kind, now_, position(h, at)}); }
 
 // Between two angles of one chart; in doubles where these are far enough apart.
 Orientation ObstacleSweep::Behind::sample(const TurningForms& forms) const {

@@ -76,6 +76,7 @@ class ObstacleSweep {
   std::vector<ExactAngle> angles;
   bool keeps_all_angles = false;  ///< also those at which nothing happens
   std::vector<ObstacleEvent> events;
+  std::vector<TightFeature> tight;
   ObstacleWork work;
 
  private:
@@ -138,6 +139,7 @@ class ObstacleSweep {
   SubEdge sub_edge(std::uint32_t n) const { return {nodes_[n].segment, segment_of(nodes_[n].left), segment_of(nodes_[n].right)}; }
   const SignsAt& signs_now() const;
   void note(Heading h, ObstacleEvent::Kind kind, Point at);
+  Point position(Heading h, Point at) const;
   // event_clusters.cpp
   std::vector<Group> clusters(const Group& group) const;
   // line_stretch.cpp
@@ -169,6 +171,7 @@ class ObstacleSweep {
     double from = 0, to = 0, error = 0;  ///< of the difference to `along_near` of a place
   };
   void examine(const TurnRange& range, OverlapFilter& filter);
+  void note_tight(const Candidate& from, const Candidate& to);
   std::vector<Candidate> candidates(const SignsAt& signs, const OverlapFilter& filter) const;
   std::vector<Candidate> candidates_of_open_slice(const SignsAt& signs, std::vector<std::array<std::uint32_t, 2>>& between) const;
   std::vector<std::uint32_t> through_end(const TurnEvent& event, Pair v) const;

@@ -44,6 +44,8 @@ class Pivot {
   std::vector<PivotEvent> events() const;
   /// Those on the closed way counter-clockwise between two orientations, and perhaps more; fewer exact roots.
   std::vector<PivotEvent> events(const Orientation& from, const Orientation& to) const;
+  /// The events of the closed way, in its order.
+  std::vector<PivotEvent> on_way(const Orientation& from, const Orientation& to, TurnDirection turn) const;
   std::vector<PivotGap> gaps(const std::vector<PivotEvent>& events);
   /// The first stop on the way between two orientations; nothing for a free way. Equal ones: no way at all.
   std::optional<PivotStop> stop(const Orientation& from, const Orientation& to, TurnDirection turn, Touching touch);
@@ -65,8 +67,6 @@ class Pivot {
   void add_events(const Candidate& c, std::vector<PivotEvent>& to) const;
   bool possible(const Candidate& c, Heading middle, double half) const;
   static Contact contact_of(const Candidate& c);
-  /// The events of the closed way, in its order.
-  std::vector<PivotEvent> on_way(const Orientation& from, const Orientation& to, TurnDirection turn) const;
   static void sort_out(std::vector<PivotEvent>& events);
   std::optional<Contact> held() const;
   template <class Visit>

@@ -39,17 +39,20 @@ void ObstacleSweep::examine(const TurnRange& range, OverlapFilter& filter) {
     std::erase_if(found, [&](const Candidate& z) { return !z.visible && !is_free(signs, z.place); });
     between = opposite_stretches(signs, found);
   }
-  std::vector<bool> tight;
-  for (const Candidate& z : found) tight.push_back(!z.visible);
+  std::vector<bool> held, on_stretch(found.size(), false);
+  for (const Candidate& z : found) held.push_back(!z.visible);
   for (const auto& [y, z] : between) {
     if (reached_all_along(signs, nodes, found[y], found[z])) continue;
-    if (by_slice || is_free(signs, {found[y].place.first, found[z].place.first})) tight[y] = tight[z] = true;
+    if (!by_slice && !is_free(signs, {found[y].place.first, found[z].place.first})) continue;
+    held[y] = held[z] = on_stretch[y] = on_stretch[z] = true;
+    note_tight(found[y], found[z]);
   }
   bool any = false;
   for (std::size_t k = 0; k < found.size(); ++k) {
-    if (!tight[k]) continue;
+    if (!held[k]) continue;
     any = true;
     note(signs.heading(), ObstacleEvent::Kind::tight, found[k].near);
+    if (!on_stretch[k]) note_tight(found[k], found[k]);
   }
   std::optional<Point> touch;
   if (sliced_ || !found.empty()) touch = look_at_limits(signs);
@@ -59,6 +62,18 @@ void ObstacleSweep::examine(const TurnRange& range, OverlapFilter& filter) {
   if (!limit_angles_.empty() && limit_angles_.back() == now_) limit_angles_.pop_back();
   angles.pop_back();
   now_ = kNobody;
+}
+
+// Crossings are known within 2^-37 of the span (SignsAt::near), sums of two vertices within 2^-45: they err by the angle's
+// 2^-49 and some roundings. What turns places into positions rounds each of four terms.
+void ObstacleSweep::note_tight(const Candidate& from, const Candidate& to) {
+  const Lattice& l = *base_->lattice;
+  const Heading h = signs_now().heading();
+  TightFeature feature{now_, position(h, from.near), position(h, to.near), 0};
+  const double offsets = std::hypot(l.points[0]->offset.x, l.points[0]->offset.y) + std::hypot(l.points[1]->offset.x, l.points[1]->offset.y);
+  const double share = from.place.first.crossing || to.place.first.crossing ? 0x1p-37 : 0x1p-45;
+  feature.error = (share + 0x1p-47) * forms_.span() * l.unit + 0x1p-47 * offsets;
+  tight.push_back(feature);
 }
 
 // The boundary's limits from before and from behind: surfaces, what they gain at the angle, and a place where one of the two touches itself.

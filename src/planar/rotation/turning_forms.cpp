@@ -26,15 +26,25 @@ Polynomial polynomial(const std::array<BigInteger, 3>& c) { return Polynomial({B
 
 }  // namespace
 
-TurningForms::TurningForms(const ScalingBase& base) : base_(base), operands_{&base.operands[0], &base.operands[1]} {
-  const Lattice& l = *base.lattice;
+void TurningForms::add_point(std::uint32_t op, const PlacedPoints& from, std::size_t k) {
+  const int grid = base_.lattice->grid_exponent;
+  const Point& v = from.input[k];
+  exact_[op].push_back({exact::grid_coordinate<Big>(v.x, from.offset.x, grid).value(), exact::grid_coordinate<Big>(v.y, from.offset.y, grid).value()});
+}
+
+TurningForms::TurningForms(const ScalingBase& base) : TurningForms(base, 0) {}
+
+TurningForms::TurningForms(const ScalingBase& base, std::uint32_t further) : base_(base), operands_{&base.operands[0], &base.operands[1]} {
   for (std::uint32_t op = 0; op < 2; ++op) {
     const Operand& o = *operands_[op];
     for (std::uint32_t i = 0; i < o.size(); ++i) {
       points_[op].push_back({o.x[i], o.y[i]});
-      const Point& v = o.points->input[o.source[i]];
-      exact_[op].push_back({exact::grid_coordinate<Big>(v.x, o.points->offset.x, l.grid_exponent).value(),
-                            exact::grid_coordinate<Big>(v.y, o.points->offset.y, l.grid_exponent).value()});
+      add_point(op, *o.points, o.source[i]);
+    }
+    const PlacedPoints& all = *o.points;
+    for (std::size_t k = all.input.size() - further; k < all.input.size(); ++k) {
+      points_[op].push_back({all.x[k], all.y[k]});
+      add_point(op, all, k);
     }
   }
   Point low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};

@@ -60,6 +60,8 @@ struct TrigForm2 {
 class TurningForms {
  public:
   explicit TurningForms(const ScalingBase& base);
+  /// With the further source vertices of the base, as many of either operand, behind the walk vertices.
+  TurningForms(const ScalingBase& base, std::uint32_t further);
 
   const Operand& operand(std::uint32_t op) const { return *operands_[op]; }
   std::uint32_t size(std::uint32_t op) const { return static_cast<std::uint32_t>(operands_[op]->size()); }
@@ -121,6 +123,7 @@ class TurningForms {
   struct Form {
     exact::BigInteger a, b, g;
   };
+  void add_point(std::uint32_t op, const PlacedPoints& from, std::size_t k);
   Vec vector(std::uint32_t op, std::uint32_t e) const;
   Form crossed(const Vec& d, std::uint32_t side, Pair u, Pair v) const;
   Form cross_form(const WalkSegment& s, const WalkSegment& t) const;
