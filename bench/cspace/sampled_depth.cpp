@@ -18,7 +18,8 @@ double wrapped(double angle) { return std::remainder(angle, 2 * kPi); }
 SampledDepth::SampledDepth(const CspaceObstacle& obstacle, const ObstacleQueries& exact, double weight,
                            const std::vector<Configuration>& samples)
     : obstacle_(obstacle), weight_(weight), samples_(samples) {
-  for (const Configuration& s : samples_) nearest_.push_back(exact.clearance(s, weight).patch);
+  // Samples know patches, not what is tight.
+  for (const Configuration& s : samples_) nearest_.push_back(exact.clearance(s, weight, Touching::forbidden).patch);
 }
 
 double SampledDepth::square(const Patch& patch, const Configuration& from, double share, double theta) const {
