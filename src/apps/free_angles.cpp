@@ -23,11 +23,12 @@ Mark mark_of(const TurnMark& m, std::uint32_t patch) {
   return {e.theta, std::max(e.theta - e.low, e.high - e.theta), patch, m.free, m.free_behind};
 }
 
+double reduced(double theta) { return std::clamp(std::remainder(theta, 2 * kPi), -kPi, kPi); }
 Orientation orientation_at(double theta) { return Orientation::nearest(theta).value(); }
 
 class Marks {
  public:
-  Marks(const CspaceObstacle& obstacle, const PatchForms& forms, Point at, const std::function<bool(const Orientation&)>& is_free)
+  Marks(const CspaceObstacle& obstacle, const PatchForms& forms, Point at, const std::function<bool(double)>& is_free)
       : obstacle_(obstacle), at_(at), is_free_(is_free) {
     const Passages passages = passages_at(obstacle, forms, at);
     // Where there may be curves of tight placements, no patch tells where they pass.
@@ -49,14 +50,13 @@ class Marks {
     std::vector<bool> free_behind(n);
     for (std::size_t k = 0; k < n; ++k) {
       gap[k] = (k + 1 < n ? all[k + 1].low : all[0].low + 2 * kPi) - all[k].high;
-      free_behind[k] = is_free_(orientation_at(all[k].high + gap[k] / 2));
+      free_behind[k] = is_free_(reduced(all[k].high + gap[k] / 2));
     }
     for (std::size_t k = 0; k < n; ++k) {
       const std::size_t before = (k + n - 1) % n;
       const Passage& p = all[k];
       if (p.crosses && free_behind[before] != free_behind[k]) {
-        const double angle = std::remainder((p.low + p.high) / 2, 2 * kPi);
-        found_.push_back({angle, (p.high - p.low) / 2 + 0x1p-49, p.patch, true, free_behind[k]});
+        found_.push_back({reduced((p.low + p.high) / 2), (p.high - p.low) / 2 + 0x1p-49, p.patch, true, free_behind[k]});
         continue;
       }
       const Orientation from = orientation_at(p.low - std::min(gap[before] / 2, kBeside));
@@ -68,7 +68,7 @@ class Marks {
   static constexpr double kBeside = 0x1p-20;  // few other contacts come so near
   const CspaceObstacle& obstacle_;
   Point at_;
-  const std::function<bool(const Orientation&)>& is_free_;
+  const std::function<bool(double)>& is_free_;
   std::vector<Mark> found_;
 };
 
@@ -102,9 +102,9 @@ std::vector<Mark> changes(const std::vector<Mark>& marks) {
 }  // namespace
 
 std::vector<FreeAngles> free_angles(const CspaceObstacle& obstacle, const PatchForms& forms, Point at,
-                                    const std::function<bool(const Orientation&)>& is_free) {
+                                    const std::function<bool(double)>& is_free) {
   const std::vector<Mark> marks = Marks(obstacle, forms, at, is_free).run();
-  if (marks.empty()) return all_or_none(is_free({}));
+  if (marks.empty()) return all_or_none(is_free(0));
   const std::vector<Mark> left = changes(marks);
   if (left.empty()) return all_or_none(marks[0].free_behind);
   std::vector<FreeAngles> out;

@@ -9,8 +9,8 @@
 
 namespace dymsum::apps {
 
-/// `is_free` answers exactly at an orientation.
+/// `is_free` answers exactly at an angle in [-pi, pi].
 std::vector<FreeAngles> free_angles(const CspaceObstacle& obstacle, const PatchForms& forms, Point at,
-                                    const std::function<bool(const Orientation&)>& is_free);
+                                    const std::function<bool(double)>& is_free);
 
 }  // namespace dymsum::apps

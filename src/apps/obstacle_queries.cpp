@@ -79,8 +79,7 @@ std::uint64_t ObstacleQueries::bounds_evaluated() const { return state_->bounds;
 
 std::vector<FreeAngles> ObstacleQueries::free_angles(double x, double y) const {
   const State& s = *state_;
-  return apps::free_angles(s.obstacle, s.forms, {x, y},
-                           [&](const Orientation& theta) { return !contains(x, y, theta); });
+  return apps::free_angles(s.obstacle, s.forms, {x, y}, [&](double theta) { return !contains({x, y, theta}); });
 }
 
 double ObstacleQueries::largest_weight() const { return 0x1p40 * state_->forms.size(); }
