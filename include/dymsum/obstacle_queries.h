@@ -70,7 +70,7 @@ class ObstacleQueries {
   /// be loose. Elsewhere it is the same as above.
   /// A global minimum by branch and bound over all patches and tight features, within an error that is stated with it,
   /// mostly 1e-9 of the distance or 1e-11 of the size of the obstacle. Bounds hold with all roundings
-  /// (docs/design/obstacle-queries.md). The sign and being 0 are exact: a contact has error 0.
+  /// (docs/design/obstacle-queries.md). The sign is exact; contacts, and only they, have both distance and error 0.
   /// `weight`, a length per radian, is not negative. Infinite: only translations count, within the slice of exactly this
   /// angle, with the tight placements of an event angle at that angle only. Of curves of tight placements, which exist
   /// only where three contacts stay at one point at every angle, the depth counts what lies at event angles, with an
