@@ -14,7 +14,7 @@ namespace {
 using namespace dymsum::cli;
 
 constexpr const char* kFooter =
-    "Files: planar .poly .wkt .geojson .svg .json (nesting instances); FILE#NAME selects one shape of several; - is standard\n"
+    "Files: planar .poly .wkt .geojson .svg .json (nesting instances), maps .yaml .map; FILE#NAME selects one shape of several; - is standard\n"
     "input or output; solid .off .obj .stl .ply, written also as .glb. Results go to standard output, messages to standard error.\n"
     "Exit: 0 done, 1 wrong usage, 2 bad input, 3 a defect of dymsum, 4 the answer is no, 5 undecided, 130 interrupted.\n"
     "Example: dymsum sum gear.poly disc.wkt --json -o sum.svg -o stages.svg";

@@ -27,7 +27,7 @@ struct NamedShape {
   RegionData data;
 };
 
-/// Reads all shapes of a file; "-" is standard input (format then needed). "file.json#3" or "file.json#name" selects one shape.
+/// All shapes of a file, or the one of "f.json#name"; "-" is standard input. Maps (.yaml, .map) are one shape, see docs/guide/files.md.
 /// Errors: cannot_open, unsupported_format, malformed, truncated, not_finite, each with file and line.
 Result<std::vector<NamedShape>> read_shapes(const std::string& path);
 Result<std::vector<NamedShape>> parse_shapes(std::string_view text, RegionFormat format, std::string_view name_for_errors);

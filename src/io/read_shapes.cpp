@@ -5,6 +5,7 @@
 #include <system_error>
 #include <utility>
 
+#include "io/grid_map.h"
 #include "io/number_text.h"
 #include "io/read_file.h"
 #include "io/readers.h"
@@ -89,6 +90,21 @@ Result<NamedShape> select(std::vector<NamedShape> shapes, const std::string& wan
                     file);
 }
 
+/// A map is one shape: the set of cells that is selected.
+Result<std::vector<NamedShape>> read_map(const Selection& selection) {
+  const Result<std::string> text = io::read_file(selection.file);
+  if (!text) return text.error();
+  try {
+    const io::Source source{*text, selection.file};
+    const std::string set = selection.shape.value_or("");
+    const io::GridSet cells = io::grid_set(source, set);
+    const io::GridMap map = extension(selection.file) == ".map" ? io::read_movingai(source) : io::read_ros_map(source);
+    return std::vector<NamedShape>{{set.empty() ? stem(selection.file) : set, io::grid_region(map, cells)}};
+  } catch (io::ReadFailure& failure) {
+    return std::move(failure.error);
+  }
+}
+
 }  // namespace
 
 Result<RegionFormat> region_format(std::string_view path) {
@@ -112,6 +128,7 @@ Result<std::vector<NamedShape>> parse_shapes(std::string_view text, RegionFormat
 
 Result<std::vector<NamedShape>> read_shapes(const std::string& path) {
   const Selection selection = split_selection(path);
+  if (io::names_map(selection.file)) return read_map(selection);
   const std::optional<RegionFormat> known = format_of_extension(selection.file);
   if (selection.file != "-" && !known) return region_format(selection.file).error();
   const Result<std::string> text = io::read_file(selection.file);

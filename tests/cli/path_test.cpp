@@ -124,6 +124,26 @@ TEST_F(PathCli, FootprintsAreOperands) {
   EXPECT_EQ(work.run("dymsum info \"[[0,0],[0,1],[1,]]\"").code, 2);
 }
 
+TEST_F(PathCli, MapsAreObstacles) {
+  work.write("room.pgm", "P2 6 3 255\n254 254 254 254 254 254\n254 254 0 0 254 254\n254 254 254 0 254 254\n");
+  work.write("room.yaml", "image: room.pgm\nresolution: 0.5\norigin: [-1, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\n"
+                          "free_thresh: 0.196\n");
+  work.write("corner.map", "type octile\nheight 2\nwidth 3\nmap\n..@\n...\n");
+  const std::string robot = "\"[[-0.125,-0.125],[0.125,-0.125],[0.125,0.125],[-0.125,0.125]]\" ";
+  const Json over = json("dymsum path " + robot + "room.yaml --from -0.5,0.25,0 --to 1.5,0.25,90deg --margin 0.05 --json");
+  EXPECT_TRUE(over["found"].get<bool>());
+  EXPECT_EQ(json("dymsum path " + robot + "room.yaml --from 0.25,0.25,0 --to 5,5,0 --json", 4)["reason"]["kind"],
+            "separated");
+  EXPECT_EQ(json("dymsum info corner.map#free --json")["shapes"][0]["area"], 5);
+  for (const char* verb : {"cspace ", "sum "})
+    EXPECT_EQ(work.run("dymsum " + std::string(verb) + robot + "corner.map").code, 0) << verb;
+  EXPECT_EQ(work.run("dymsum clearance " + robot + "room.yaml --at 0.25,0.25,0").code, 0);
+  EXPECT_EQ(work.run("dymsum convert room.yaml room.wkt").code, 0);
+  EXPECT_EQ(json("dymsum info room.wkt --json")["shapes"][0]["area"], 8 * 5 * 0.25 - 18 * 0.25 + 3 * 0.25);
+  EXPECT_EQ(work.run("dymsum info corner.map#walls").code, 2);
+  EXPECT_EQ(work.run("dymsum convert room.wkt room.map").code, 2);
+}
+
 TEST_F(PathCli, WrongOptionsAreUsageErrors) {
   EXPECT_EQ(work.run("dymsum path square.wkt rooms.wkt --from 0,0 --to 5,0,0").code, 1);
   EXPECT_EQ(work.run("dymsum path square.wkt rooms.wkt --from 0,0,0,0 --to 5,0,0").code, 1);
