@@ -20,6 +20,13 @@ class Rounded {
     if (!region_) region_ = with_repair_ ? repaired() : checked();
     return *region_;
   }
+  /// Pictures are drawn whatever rounding does, but then they cannot be read as regions.
+  void warn_of_picture(const std::string& file) {
+    if (region_) return;
+    Result<Region> region = sum_.rounded();
+    if (region) region_ = std::move(region).value();
+    else std::cerr << file << ": a picture that cannot be read as a region: " << region.error().to_string() << "\n";
+  }
 
  private:
   Region checked() const {
@@ -66,6 +73,7 @@ void write_sum(const Region& p, const Region& q, const PlanarSum& sum, const Out
       texts.push_back(draw_trace(p, q, sum));
     } else if (format == RegionFormat::svg) {
       texts.push_back(draw_sum(p, q, sum));
+      rounded.warn_of_picture(file);
     } else if (format == RegionFormat::json) {
       texts.push_back(sum_to_json(sum));
     } else {

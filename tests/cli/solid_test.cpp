@@ -232,6 +232,17 @@ TEST_F(SolidCli, SumsThatRoundingCollapsesAreRefused) {
   EXPECT_EQ(work.run("dymsum convert near.off n.ply").code, 0);
 }
 
+TEST_F(SolidCli, PlanarPicturesThatCannotBeReadBackSaySo) {
+  work.write("far.wkt", "POLYGON ((1125899906842624 0, 1125899906842625 0, 1125899906842625 1, 1125899906842624 1, 1125899906842624 0))");
+  work.write("tiny.wkt", "POLYGON ((0 0, 1e-9 0, 0 1e-9, 0 0))");
+  EXPECT_EQ(work.run("dymsum sum far.wkt tiny.wkt -o s.wkt").code, 2);
+  const Outcome picture = work.run("dymsum sum far.wkt tiny.wkt -o s.svg");
+  EXPECT_EQ(picture.code, 0);
+  EXPECT_NE(picture.err.find("s.svg: a picture that cannot be read as a region"), std::string::npos) << picture.err;
+  EXPECT_EQ(work.run("dymsum info s.svg").code, 2);
+  EXPECT_EQ(work.run("dymsum sum tiny.wkt tiny.wkt -o s.svg").err, "");
+}
+
 TEST_F(SolidCli, TrianglesForProgramsThatTakeNoOtherFaces) {
   EXPECT_EQ(json("dymsum convert box.off t.off --triangulate --json")["faces"], 12);
   EXPECT_EQ(json("dymsum info t.off --json")["volume"], 6.0);
