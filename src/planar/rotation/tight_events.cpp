@@ -17,11 +17,12 @@
 #include "planar/rotation/limit_boundary.h"
 #include "planar/rotation/obstacle_sweep.h"
 #include "planar/rotation/slice.h"
+#include "planar/rotation/tight_curves.h"
 #include "planar/rotation/turn.h"
 
 namespace dymsum::planar {
 
-void ObstacleSweep::examine(const TurnRange& range, OverlapFilter& filter) {
+void ObstacleSweep::examine(const TurnRange& range, const OverlapFilter& filter, const std::vector<AlwaysConcurrent>& curves_behind) {
   const bool listed = now_ != kNobody;
   if (!listed) now_ = angle(range, *doubtful_[0]);
   const SignsAt& signs = signs_now();
@@ -39,8 +40,13 @@ void ObstacleSweep::examine(const TurnRange& range, OverlapFilter& filter) {
     std::erase_if(found, [&](const Candidate& z) { return !z.visible && !is_free(signs, z.place); });
     between = opposite_stretches(signs, found);
   }
+  // Places that are tight before and behind the angle too are told where that begins and ends.
+  const std::vector<Candidate> goes_on = places_of(signs, common_curves(curves_, curves_behind));
+  const auto is_one_of = [&](const std::vector<Candidate>& places, const Candidate& z) {
+    return std::any_of(places.begin(), places.end(), [&](const Candidate& y) { return same_place(signs, y, z); });
+  };
   std::vector<bool> tight;
-  for (const Candidate& z : found) tight.push_back(!z.visible);
+  for (const Candidate& z : found) tight.push_back(!z.visible && !is_one_of(goes_on, z));
   for (const auto& [y, z] : between) {
     if (reached_all_along(signs, nodes, found[y], found[z])) continue;
     if (by_slice || is_free(signs, {found[y].place.first, found[z].place.first})) tight[y] = tight[z] = true;
@@ -50,6 +56,12 @@ void ObstacleSweep::examine(const TurnRange& range, OverlapFilter& filter) {
     if (!tight[k]) continue;
     any = true;
     note(signs.heading(), ObstacleEvent::Kind::tight, found[k].near);
+  }
+  for (const Candidate& z : places_of(signs, other_curves(curves_, curves_behind))) {
+    if (is_one_of(goes_on, z)) continue;
+    any = true;
+    const auto known = std::find_if(found.begin(), found.end(), [&](const Candidate& y) { return same_place(signs, y, z); });
+    if (known == found.end() || !tight[static_cast<std::size_t>(known - found.begin())]) note(signs.heading(), ObstacleEvent::Kind::tight, z.near);
   }
   std::optional<Point> touch;
   if (sliced_ || !found.empty()) touch = look_at_limits(signs);

@@ -272,7 +272,7 @@ class Collector {
     if (!may_matter(a, b, c, g, error)) return;
     const exact::Polynomial poly = forms_.exact_concurrency(a, b, c, w_.range.chart);
     if (poly.is_zero()) {
-      out_.always_concurrent = true;
+      out_.always_concurrent.push_back({a, b, c});
       return;
     }
     for (AlgebraicRoot& root : roots(poly)) {
