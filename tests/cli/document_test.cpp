@@ -126,6 +126,7 @@ TEST(CspaceGuide, ProgramAndCommandsDoWhatIsShown) {
   EXPECT_EQ(program.code, 0) << program.err;
   EXPECT_EQ(program.out, blocks("text", guide).front());
   EXPECT_EQ(work.run("'" DYMSUM_EXAMPLES_DIR "/demo_shapes' .").code, 0);
+  work.write("places.txt", "1,6,0\n1,1,0\n");
   int commands = 0, shown = 0;
   for (const std::string& block : blocks("console", guide)) {
     const std::string line = block.substr(0, block.find('\n') + 1);
@@ -137,7 +138,7 @@ TEST(CspaceGuide, ProgramAndCommandsDoWhatIsShown) {
     ++shown;
     EXPECT_EQ(block, line + outcome.out);
   }
-  EXPECT_EQ(commands, 4);
+  EXPECT_EQ(commands, 7);
   EXPECT_EQ(shown, 2);
   EXPECT_TRUE(work.exists("obstacle.glb") && work.exists("slices.svg") && work.exists("turn.anim.svg"));
 }
