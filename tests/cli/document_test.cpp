@@ -180,6 +180,7 @@ TEST(Guides, EveryCommandWorksAndEveryProgramIsAnExample) {
     const std::string guide = "docs/guide/" + entry.path().filename().string();
     ++guides;
     const Workplace work;
+    work.write("places.txt", "1,6,0\n1,1,0\n");
     for (const char* program : {"demo_shapes' .", "demo_solids' .", "first_solid'"})
       ASSERT_EQ(work.run("'" DYMSUM_EXAMPLES_DIR "/" + std::string(program)).code, 0) << program;
     for (const std::string& block : blocks("console", guide)) {
