@@ -12,21 +12,21 @@
 #include "dymsum/obstacle_queries.h"
 #include "exit_code.h"
 #include "inputs.h"
+#include "obstacle_input.h"
 #include "options.h"
 #include "progress_bar.h"
 #include "report.h"
-#include "solid_operands.h"
 #include "timing.h"
 
 namespace dymsum::cli {
 namespace {
 
 struct ClearanceCommand {
-  std::vector<std::string> operands{"", ""}, at;
-  std::string weight;
+  std::vector<std::string> at;
+  std::string at_file, weight;
   bool strict = false;
   ReportOptions report;
-  InputOptions input;
+  ObstacleInput source;
 };
 
 struct Answer {
@@ -91,21 +91,29 @@ void print_text(const Answer& a) {
 }
 
 ExitCode run_clearance(const ClearanceCommand& command) {
+  check_obstacle_input("clearance", command.source);
   std::vector<Configuration> at;
   for (const std::string& text : command.at) at.push_back(read_configuration(text, "--at"));
-  require_planar("clearance", command.operands);
-  const std::vector<Input> inputs = read_inputs(command.operands, command.input);
+  if (!command.at_file.empty()) {
+    const std::vector<Configuration> more = read_configurations(command.at_file);
+    at.insert(at.end(), more.begin(), more.end());
+  }
+  if (at.empty()) throw Stop(kUsage, "clearance wants --at x,y,theta or --at-file FILE");
   const InterruptGuard guard;
   std::optional<ProgressBar> bar(std::in_place);
   ObstacleOptions options;
   options.progress = bar->callback();
-  const CspaceObstacle obstacle = require(CspaceObstacle::create(inputs[0].region, inputs[1].region, options));
+  ObstacleSource source = read_source(command.source);
+  const CspaceObstacle obstacle = obstacle_of(source, source.inputs[0].region, options);
   bar.reset();
   const ObstacleQueries queries(obstacle);
   const double weight = read_weight(command.weight, queries);
   const auto [answers, timing] = timed(command.report.repeat, [&] {
     std::vector<Answer> all;
-    for (const Configuration& q : at) all.push_back(ask(obstacle, queries, q, weight, command.strict ? Touching::forbidden : Touching::allowed));
+    for (const Configuration& q : at) {
+      throw_if_interrupted();
+      all.push_back(ask(obstacle, queries, q, weight, command.strict ? Touching::forbidden : Touching::allowed));
+    }
     return all;
   });
   if (!command.report.json) {
@@ -114,7 +122,7 @@ ExitCode run_clearance(const ClearanceCommand& command) {
   }
   Json list = Json::array();
   for (const Answer& a : answers) list.push_back(answer_json(a));
-  Json json = report_head("clearance", inputs_json(inputs), require(obstacle.slice({})).stats.tier_bits, timing,
+  Json json = report_head("clearance", inputs_json(source.inputs), require(obstacle.slice({})).stats.tier_bits, timing,
                           {{"obstacle", obstacle.work().ms}, {"answers", timing.median_ms}});
   json.update({{"weight", std::isfinite(weight) ? Json(weight) : Json("inf")}, {"answers", list}});
   print_report(json);
@@ -126,12 +134,13 @@ ExitCode run_clearance(const ClearanceCommand& command) {
 void add_clearance(CLI::App& app, Action& action) {
   auto command = std::make_shared<ClearanceCommand>();
   CLI::App& verb = *app.add_subcommand("clearance", "How far a robot that translates and turns is from touching an obstacle, or how deep it overlaps it");
-  add_operands(verb, kRobot, kObstacle, command->operands);
-  verb.add_option("--at", command->at, "Where the robot is, theta in radians or as 90deg; repeatable")->type_name("x,y,theta")->required()->allow_extra_args(false);
+  add_obstacle_input(verb, command->source);
+  verb.add_option("--at", command->at, "Where the robot is, theta in radians or as 90deg; repeatable")->type_name("x,y,theta")->allow_extra_args(false);
+  verb.add_option("--at-file", command->at_file, "A file of such, x,y,theta on a line; - for standard input")->type_name("FILE");
   verb.add_option("--weight", command->weight, "What a radian counts, as a length; inf: translations only. Default: the robot's radius of gyration")->type_name("W");
   verb.add_flag("--strict", command->strict, "Touching counts as overlap: where the robot is jammed, how far it is from being loose");
   add_report_options(verb, command->report, "Ask N times and report the median and minimum time");
-  add_input_options(verb, command->input);
+  add_input_options(verb, command->source.input);
   verb.footer("Example: dymsum clearance bar.wkt rooms.wkt --at 1,2,0.5 --json");
   verb.callback([command, &action] { action = [command] { return run_clearance(*command); }; });
 }

@@ -8,6 +8,7 @@
 
 #include "commands.h"
 #include "cspace_outputs.h"
+#include "dymsum/obstacle_file.h"
 #include "options.h"
 #include "outputs.h"
 #include "progress_bar.h"
@@ -34,8 +35,8 @@ bool is_strip(const std::string& file) { return file.ends_with(".svg"); }
 void check(const CspaceCommand& command) {
   require_planar("cspace", command.operands);
   for (const std::string& file : command.files)
-    if (!is_glb(file) && !is_strip(file) && !file.ends_with(".json"))
-      throw Stop(kUsage, "-o writes .glb (boundary), .svg (film strip of slices) or .json (patches): " + file);
+    if (!is_glb(file) && !is_strip(file) && !file.ends_with(".json") && !file.ends_with(".obstacle"))
+      throw Stop(kUsage, "-o writes .glb (boundary), .svg (film strip of slices), .json (patches) or .obstacle (all, to be asked again): " + file);
   const auto written = [&](bool (*kind)(const std::string&)) { return std::any_of(command.files.begin(), command.files.end(), kind); };
   if (!written(is_glb)) refuse_options(*command.parser, {"--tolerance", "--open"}, "belongs to -o FILE.glb");
   if (!written(is_strip)) refuse_options(*command.parser, {"--slices"}, "belongs to -o FILE.svg");
@@ -134,6 +135,8 @@ std::vector<std::string> output_texts(const CspaceCommand& command, const Cspace
   for (const std::string& file : command.files) {
     if (is_glb(file))
       texts.push_back(obstacle_glb(report.obstacle, *report.mesh, command.open ? Ends::open : Ends::capped));
+    else if (file.ends_with(".obstacle"))
+      texts.push_back(format_obstacle(report.obstacle));
     else if (is_strip(file))
       texts.push_back(slice_strip(report.obstacle, command.slices, progress));
     else
@@ -174,8 +177,8 @@ void add_cspace(CLI::App& app, Action& action) {
   command->parser = &verb;
   add_operands(verb, kRobot, kObstacle, command->operands);
   verb.add_option("-o", command->files,
-                  "Write .glb (the boundary as a closed mesh), .svg (a film strip of exact slices) or .json (patches "
-                  "with their exact angles); repeatable")
+                  "Write .glb (the boundary as a closed mesh), .svg (a film strip of exact slices), .json (patches "
+                  "with their exact angles) or .obstacle (for --obstacle of clearance and path); repeatable")
       ->type_name("FILE")
       ->allow_extra_args(false);
   verb.add_option("--tolerance", command->tolerance, "Largest error of the mesh, as a share of its extent")

@@ -1,5 +1,6 @@
 // dymsum path ROBOT OBSTACLE --from x,y,theta --to x,y,theta, or --check-path FILE
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -11,12 +12,12 @@
 #include "dymsum/planner.h"
 #include "exit_code.h"
 #include "inputs.h"
+#include "obstacle_input.h"
 #include "options.h"
 #include "outputs.h"
 #include "path_picture.h"
 #include "progress_bar.h"
 #include "report.h"
-#include "solid_operands.h"
 #include "tier.h"
 #include "timing.h"
 
@@ -24,18 +25,13 @@ namespace dymsum::cli {
 namespace {
 
 struct PathCommand {
-  std::vector<std::string> operands{"", ""}, files;
-  std::string from, to, given;
+  std::vector<std::string> to, files;
+  std::string from, given;
   bool strict = false;
   double margin = 0;
   double time_limit = PlanOptions{}.time_limit_seconds;
   ReportOptions report;
-  InputOptions input;
-};
-
-struct PlannedPath {
-  Plan plan;
-  int tier_bits = 0;
+  ObstacleInput source;
 };
 
 const char* name_of(Waypoint::Move move) {
@@ -90,22 +86,45 @@ Json reason_json(const NoPath& reason) {
 // What is kept, and from which distance on a path may have been missed.
 Json margin_json(const GrownRegion& robot) { return {{"kept", robot.margin}, {"at_most", robot.at_most}}; }
 
-Json path_json(const PlannedPath& planned, const GrownRegion& robot, const Timing& timing,
-               const std::vector<Input>& inputs) {
+Json plan_json(const Plan& plan) {
   Json waypoints = Json::array();
-  for (const Waypoint& w : planned.plan.path) waypoints.push_back(waypoint_json(w));
-  const PlanWork& work = planned.plan.work;
-  Json json = report_head("path", inputs_json(inputs), planned.tier_bits, timing);
-  json.update({{"found", planned.plan.found()},
-               {"margin", margin_json(robot)},
-               {"waypoints", waypoints},
-               {"reason", planned.plan.found() ? Json(nullptr) : reason_json(*planned.plan.reason)},
-               {"work",
-                {{"levels", work.levels},
-                 {"slices", work.slices},
-                 {"rotations", work.rotations},
-                 {"refinements", work.refinements}}}});
-  return json;
+  for (const Waypoint& w : plan.path) waypoints.push_back(waypoint_json(w));
+  const PlanWork& work = plan.work;
+  return {{"found", plan.found()},
+          {"waypoints", waypoints},
+          {"reason", plan.found() ? Json(nullptr) : reason_json(*plan.reason)},
+          {"work",
+           {{"levels", work.levels},
+            {"slices", work.slices},
+            {"rotations", work.rotations},
+            {"refinements", work.refinements}}}};
+}
+
+// Of one goal its plan; of several a list of them.
+void add_plans(Json& json, const std::vector<Plan>& plans, const std::vector<Configuration>& goals) {
+  if (plans.size() == 1) {
+    json.update(plan_json(plans[0]));
+    return;
+  }
+  Json list = Json::array();
+  for (std::size_t k = 0; k < plans.size(); ++k) {
+    Json one = {{"to", {goals[k].x, goals[k].y, goals[k].theta}}};
+    one.update(plan_json(plans[k]));
+    list.push_back(std::move(one));
+  }
+  json["found"] = std::all_of(plans.begin(), plans.end(), [](const Plan& p) { return p.found(); });
+  json["paths"] = std::move(list);
+}
+
+// 4 where one has no path, else 5 where one is not decided.
+ExitCode code_of(const std::vector<Plan>& plans) {
+  ExitCode code = kDone;
+  for (const Plan& p : plans) {
+    if (p.found()) continue;
+    if (p.reason->kind != NoPath::Kind::undecided) return kNo;
+    code = kUndecided;
+  }
+  return code;
 }
 
 void print_margin(const GrownRegion& robot, bool kept) {
@@ -138,8 +157,10 @@ ExitCode run_check(const PathCommand& command, const std::vector<Input>& inputs,
   return check.outcome == MotionCheck::Outcome::blocked ? kNo : kUndecided;
 }
 
-ExitCode run_plan(const PathCommand& command, const std::vector<Input>& inputs, const GrownRegion& robot) {
-  const Configuration from = read_configuration(command.from, "--from"), to = read_configuration(command.to, "--to");
+ExitCode run_plan(const PathCommand& command, ObstacleSource source, const GrownRegion& robot) {
+  const Configuration from = read_configuration(command.from, "--from");
+  std::vector<Configuration> goals;
+  for (const std::string& text : command.to) goals.push_back(read_configuration(text, "--to"));
   const InterruptGuard guard;
   std::optional<ProgressBar> bar(std::in_place);
   ObstacleOptions obstacle_options;
@@ -148,34 +169,47 @@ ExitCode run_plan(const PathCommand& command, const std::vector<Input>& inputs, 
   options.progress = bar->callback();
   options.time_limit_seconds = command.time_limit;
   options.touching = command.strict ? Touching::forbidden : Touching::allowed;
-  const auto compute = [&] {
-    const CspaceObstacle obstacle =
-        require(CspaceObstacle::create(robot.region, inputs[1].region, obstacle_options));
-    return PlannedPath{require(plan(obstacle, from, to, options)), require(obstacle.slice({})).stats.tier_bits};
-  };
-  const auto [planned, timing] = timed(command.report.repeat, compute);
+  const CspaceObstacle obstacle = obstacle_of(source, robot.region, obstacle_options);
+  const auto [plans, timing] = timed(command.report.repeat, [&] {
+    std::vector<Plan> all;
+    for (const Configuration& to : goals) all.push_back(require(plan(obstacle, from, to, options)));
+    return all;
+  });
   bar.reset();
-  const Json json = path_json(planned, robot, timing, inputs);
+  Json json = report_head("path", inputs_json(source.inputs), require(obstacle.slice({})).stats.tier_bits, timing,
+                          {{"obstacle", obstacle.work().ms}, {"path", timing.median_ms}});
+  json["margin"] = margin_json(robot);
+  add_plans(json, plans, goals);
   for (const std::string& file : command.files)
     write_text(file, file.ends_with(".json") ? report_text(json)
-                                             : path_picture(inputs[0].region, inputs[1].region, planned.plan.path));
+                                             : path_picture(source.inputs[0].region, source.inputs[1].region, plans[0].path));
   if (command.report.json) print_report(json);
-  else print_text(planned.plan, robot);
-  if (planned.plan.found()) return kDone;
-  return planned.plan.reason->kind == NoPath::Kind::undecided ? kUndecided : kNo;
+  for (std::size_t k = 0; k < plans.size() && !command.report.json; ++k) {
+    if (plans.size() > 1) std::cout << "to " << command.to[k] << ":\n";
+    print_text(plans[k], robot);
+  }
+  return code_of(plans);
 }
 
-ExitCode run_path(const PathCommand& command) {
-  for (const std::string& file : command.files)
+void check_options(const PathCommand& command) {
+  for (const std::string& file : command.files) {
     if (!file.ends_with(".json") && !file.ends_with(".svg"))
       throw Stop(kUsage, "-o wants a .json or a .svg file, not " + file);
+    if (file.ends_with(".svg") && command.to.size() > 1) throw Stop(kUsage, "a .svg file shows one path: give one --to");
+  }
   const bool ends = !command.from.empty() || !command.to.empty();
   if (command.given.empty() ? command.from.empty() || command.to.empty() : ends)
     throw Stop(kUsage, "path wants --from and --to, or --check-path alone");
-  require_planar("path", command.operands);
-  const std::vector<Input> inputs = read_inputs(command.operands, command.input);
-  const GrownRegion robot = require(grown(inputs[0].region, command.margin));
-  return command.given.empty() ? run_plan(command, inputs, robot) : run_check(command, inputs, robot);
+  check_obstacle_input("path", command.source);
+  if (command.margin > 0 && !command.source.file.empty())
+    throw Stop(kUsage, "--margin wants ROBOT and OBSTACLE: the obstacle of a file is that of the robot as it is");
+}
+
+ExitCode run_path(const PathCommand& command) {
+  check_options(command);
+  ObstacleSource source = read_source(command.source);
+  const GrownRegion robot = require(grown(source.inputs[0].region, command.margin));
+  return command.given.empty() ? run_plan(command, std::move(source), robot) : run_check(command, source.inputs, robot);
 }
 
 }  // namespace
@@ -185,10 +219,11 @@ void add_path(CLI::App& app, Action& action) {
   CLI::App& verb = *app.add_subcommand("path",
       "A motion of a robot that translates and turns past an obstacle, or the proof that there is none: "
       "ends with 4 then, and with 5 if it is not decided within the time limit; or a path that is given, checked");
-  add_operands(verb, kRobot, kObstacle, command->operands);
+  add_obstacle_input(verb, command->source);
   verb.add_option("--from", command->from,
       "Where the robot starts, theta in radians or as 90deg")->type_name("x,y,theta");
-  verb.add_option("--to", command->to, "Where it is to go")->type_name("x,y,theta");
+  verb.add_option("--to", command->to, "Where it is to go; repeatable: several goals of one obstacle")
+      ->type_name("x,y,theta")->allow_extra_args(false);
   verb.add_option("--check-path", command->given,
       "Check a path instead: lines x,y,theta, [[x,y,theta],...] or the .json that path writes; says the first piece that is "
       "blocked")->type_name("FILE");
@@ -202,7 +237,7 @@ void add_path(CLI::App& app, Action& action) {
   verb.add_option("-o", command->files,
       "Write the path as .json, or as a picture .svg; repeatable")->type_name("FILE")->allow_extra_args(false);
   add_report_options(verb, command->report, "Compute N times and report the median and minimum time");
-  add_repair_option(verb, command->input);
+  add_repair_option(verb, command->source.input);
   verb.footer("Example: dymsum path bar.wkt rooms.wkt --from -6,0,1.5708 --to 6,0,0 -o path.svg");
   verb.callback([command, &action] { action = [command] { return run_path(*command); }; });
 }

@@ -44,7 +44,7 @@ struct ObstacleEvent {
     vertex_on_segment,  ///< a vertex contact meets another contact
     three_segments,     ///< three contacts at once
     /// Free at this one angle only: a contact that can be held but neither reached nor left, as no free placement with
-    /// clearance comes near. Of a stretch of such: one event at each end.
+    /// clearance comes near. Of a stretch of such, and of a curve of such over angles: one event at each end.
     tight,
   };
   Kind kind = Kind::alignment;

@@ -10,6 +10,7 @@
 #include "dymsum/mesh.h"
 #include "dymsum/mesh_io.h"
 #include "dymsum/motion.h"
+#include "dymsum/obstacle_file.h"
 #include "dymsum/obstacle_mesh.h"
 #include "dymsum/obstacle_queries.h"
 #include "dymsum/orientation.h"

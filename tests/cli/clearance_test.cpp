@@ -73,6 +73,36 @@ TEST_F(ClearanceCli, FewerRadiansCountMore) {
   EXPECT_NEAR(distance("inf"), 0.2, 1e-8);
 }
 
+TEST_F(ClearanceCli, AsksAnObstacleFromAFileWithoutComputingIt) {
+  ASSERT_EQ(work.run("dymsum cspace square.wkt wall.wkt -o wall.obstacle").code, 0);
+  work.write("at.txt", "# x, y, theta\n-4, 0, 0\n\n0.5,0,90deg  # inside\n");
+  const Json made = Json::parse(work.run("dymsum clearance square.wkt wall.wkt --at -4,0,0 --at 0.5,0,90deg --json").out);
+  const Outcome outcome = work.run("dymsum clearance --obstacle wall.obstacle --at-file at.txt --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Json read = Json::parse(outcome.out);
+  EXPECT_EQ(read["answers"], made["answers"]);
+  EXPECT_EQ(read["weight"], made["weight"]);
+  EXPECT_EQ(read["inputs"][0]["file"], "wall.obstacle#robot");
+}
+
+TEST_F(ClearanceCli, SaysWhatIsWrongWithFilesOfObstaclesAndConfigurations) {
+  ASSERT_EQ(work.run("dymsum cspace square.wkt wall.wkt -o wall.obstacle").code, 0);
+  const std::string text = work.read("wall.obstacle");
+  work.write("cut.obstacle", text.substr(0, text.size() / 2));
+  const Outcome cut = work.run("dymsum clearance --obstacle cut.obstacle --at 0,0,0");
+  EXPECT_EQ(cut.code, 2);
+  EXPECT_NE(cut.err.find("cut.obstacle"), std::string::npos) << cut.err;
+  EXPECT_NE(cut.err.find("ends too early"), std::string::npos) << cut.err;
+  work.write("at.txt", "0,0,0\n1,2\n");
+  const Outcome line = work.run("dymsum clearance square.wkt wall.wkt --at-file at.txt");
+  EXPECT_EQ(line.code, 2);
+  EXPECT_NE(line.err.find("at.txt:2"), std::string::npos) << line.err;
+  EXPECT_EQ(work.run("dymsum clearance square.wkt wall.wkt --at-file missing.txt").code, 2);
+  EXPECT_EQ(work.run("dymsum clearance square.wkt wall.wkt --obstacle wall.obstacle --at 0,0,0").code, 1);
+  EXPECT_EQ(work.run("dymsum clearance square.wkt --at 0,0,0").code, 1);
+  EXPECT_EQ(work.run("dymsum clearance --obstacle wall.obstacle --repair --at 0,0,0").code, 1);
+}
+
 TEST_F(ClearanceCli, WrongOptionsAreUsageErrors) {
   EXPECT_EQ(work.run("dymsum clearance square.wkt wall.wkt").code, 1);
   EXPECT_EQ(work.run("dymsum clearance square.wkt wall.wkt --at 0,0").code, 1);

@@ -126,6 +126,7 @@ TEST(CspaceGuide, ProgramAndCommandsDoWhatIsShown) {
   EXPECT_EQ(program.code, 0) << program.err;
   EXPECT_EQ(program.out, blocks("text", guide).front());
   EXPECT_EQ(work.run("'" DYMSUM_EXAMPLES_DIR "/demo_shapes' .").code, 0);
+  work.write("places.txt", "1,6,0\n1,1,0\n");
   int commands = 0, shown = 0;
   for (const std::string& block : blocks("console", guide)) {
     const std::string line = block.substr(0, block.find('\n') + 1);
@@ -137,7 +138,7 @@ TEST(CspaceGuide, ProgramAndCommandsDoWhatIsShown) {
     ++shown;
     EXPECT_EQ(block, line + outcome.out);
   }
-  EXPECT_EQ(commands, 5);
+  EXPECT_EQ(commands, 8);
   EXPECT_EQ(shown, 3);
   EXPECT_TRUE(work.exists("obstacle.glb") && work.exists("slices.svg") && work.exists("turn.anim.svg"));
 }
@@ -179,6 +180,7 @@ TEST(Guides, EveryCommandWorksAndEveryProgramIsAnExample) {
     const std::string guide = "docs/guide/" + entry.path().filename().string();
     ++guides;
     const Workplace work;
+    work.write("places.txt", "1,6,0\n1,1,0\n");
     for (const char* program : {"demo_shapes' .", "demo_solids' .", "first_solid'"})
       ASSERT_EQ(work.run("'" DYMSUM_EXAMPLES_DIR "/" + std::string(program)).code, 0) << program;
     for (const std::string& block : blocks("console", guide)) {

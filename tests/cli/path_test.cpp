@@ -44,6 +44,20 @@ TEST_F(PathCli, PrintsEveryKeyAndWritesFiles) {
   EXPECT_EQ(Json::parse(work.read("path.json"))["waypoints"], report["waypoints"]);
 }
 
+TEST_F(PathCli, PlansToSeveralGoalsOfOneObstacleFromAFile) {
+  ASSERT_EQ(work.run("dymsum cspace square.wkt rooms.wkt -o rooms.obstacle").code, 0);
+  const Json one = json("dymsum path square.wkt rooms.wkt --from -5,1.5,0.25 --to 5,-2,2 --json");
+  const Json several = json("dymsum path --obstacle rooms.obstacle --from -5,1.5,0.25 --to 5,-2,2 --to -5,-2,1 --json");
+  ASSERT_EQ(several["paths"].size(), 2u);
+  EXPECT_EQ(several["paths"][0]["waypoints"], one["waypoints"]);
+  EXPECT_TRUE(several["found"].get<bool>());
+  EXPECT_EQ(json("dymsum path --obstacle rooms.obstacle --from -5,1.5,0.25 --to 5,-2,2 --json")["waypoints"], one["waypoints"]);
+  const Json no = json("dymsum path --obstacle rooms.obstacle --from -5,1.5,0.25 --to -5,-2,1 --to 11.5,0,0 --json", 4);
+  EXPECT_TRUE(no["paths"][0]["found"].get<bool>());
+  EXPECT_EQ(no["paths"][1]["reason"]["kind"], "goal_not_free");
+  EXPECT_EQ(work.run("dymsum path --obstacle rooms.obstacle --from -5,1.5,0.25 --to 5,-2,2 --to -5,-2,1 -o path.svg").code, 1);
+}
+
 TEST_F(PathCli, NoPathEndsWithFourAndSaysWhy) {
   const Json strict = json("dymsum path square.wkt rooms.wkt --from -5,1.5,0.25 --to 5,-2,2 --strict --json", 4);
   EXPECT_FALSE(strict["found"].get<bool>());

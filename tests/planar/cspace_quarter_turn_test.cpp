@@ -65,6 +65,19 @@ TEST(CspaceQuarterTurn, events_of_crowded_quarter_turns_are_not_made) {
   expect_slices(c, random, 12);
 }
 
+// Twelve teeth in gaps of their width: 3 million triples of segments met beside the quarter turns, where nearly all keep their order.
+TEST(CspaceQuarterTurn, lines_that_keep_their_order_beside_quarter_turns_are_no_triples) {
+  const Region comb = shapes::comb(12, 2, 1, 5);
+  const CspaceObstacle c = CspaceObstacle::create(comb, comb).value();
+  EXPECT_LT(c.work().candidate_triples, 300000u);
+  EXPECT_EQ(c.angles().size(), 4u);
+  Random random(1);
+  expect_slices(c, random, 8);
+  // Shifted by a fraction of the gap nothing fits exactly, and events come one after the other.
+  const CspaceObstacle loose = CspaceObstacle::create(shapes::comb(6, 2, 0.75, 5), shapes::comb(7, 2, 1, 4)).value();
+  expect_slices(loose, random, 1000);
+}
+
 // Coordinates beyond 2^28 steps of the grid: the events are made, and tell the same.
 TEST(CspaceQuarterTurn, fine_coordinates_go_through_the_events) {
   const Region coarse = shapes::comb(4, 1, 0.25, 3), robot = shapes::letter_l(2, 2, 0.5);

@@ -12,6 +12,7 @@
 #include "planar/rotation/convex_obstacle.h"
 #include "planar/rotation/free_turn.h"
 #include "planar/rotation/general_obstacle.h"
+#include "planar/rotation/obstacle_start.h"
 #include "planar/rotation/slice.h"
 
 namespace dymsum {
@@ -92,22 +93,28 @@ CspaceObstacle::CspaceObstacle(CspaceObstacle&&) noexcept = default;
 CspaceObstacle& CspaceObstacle::operator=(CspaceObstacle&&) noexcept = default;
 CspaceObstacle::~CspaceObstacle() = default;
 
-Result<CspaceObstacle> CspaceObstacle::create(const Region& robot, const Region& obstacle,
-                                              const ObstacleOptions& options) {
-  const auto start = std::chrono::steady_clock::now();
+Result<std::unique_ptr<CspaceObstacle::State>> planar::start_obstacle(const Region& robot, const Region& obstacle) {
   for (const Region* region : {&robot, &obstacle})
     if (std::optional<Error> error = refused(*region)) return *std::move(error);
   auto base = turning_base(obstacle, robot, 1, true, {}, 0);
   if (!base) return base.error();
-  auto state = std::make_unique<State>();
+  auto state = std::make_unique<CspaceObstacle::State>();
   state->robot = robot;
   state->obstacle = obstacle;
   state->base = std::move(base).value();
+  return state;
+}
+
+Result<CspaceObstacle> CspaceObstacle::create(const Region& robot, const Region& obstacle,
+                                              const ObstacleOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  auto state = start_obstacle(robot, obstacle);
+  if (!state) return state.error();
   const Result<bool> done =
-      is_convex_pair(*state) ? convex_obstacle(*state, options) : general_obstacle(*state, options);
+      is_convex_pair(**state) ? convex_obstacle(**state, options) : general_obstacle(**state, options);
   if (!done) return done.error();
-  state->work.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-  return CspaceObstacle(std::move(state));
+  (*state)->work.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  return CspaceObstacle(std::move(state).value());
 }
 
 const Region& CspaceObstacle::robot() const { return state_->robot; }

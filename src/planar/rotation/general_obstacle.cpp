@@ -302,8 +302,6 @@ void count(const TurnWindow& window, const TurnEvents& found, ObstacleWork& work
   work.potential_events += found.events.size();
 }
 
-enum class Passed : std::uint8_t { turn, always_concurrent, cancelled };
-
 /// Ranges of angles one after the other, with their windows and events.
 class Preparation {
  public:
@@ -364,28 +362,27 @@ class Preparation {
   TurnGrid grid_;
 };
 
-// Ranges are prepared side by side, some at a time, and passed one after the other.
-Passed pass_turn(const TurningForms& forms, const TurnCatalog& catalog, ObstacleSweep& sweep, bool reference, const Progress& progress) {
+// Ranges are prepared side by side, some at a time, and passed one after the other. False where that was cancelled.
+bool pass_turn(const TurningForms& forms, const TurnCatalog& catalog, ObstacleSweep& sweep, bool reference, const Progress& progress) {
   constexpr int kAtATime = 16;
   const Preparation preparation(forms, catalog, reference);
   const int ranges = preparation.windows();
   std::vector<std::vector<Prepared>> some(kAtATime);
   bool started = false;
   for (int first = 0; first < ranges; first += kAtATime) {
-    if (progress && !progress("angles", static_cast<double>(first) / ranges)) return Passed::cancelled;
+    if (progress && !progress("angles", static_cast<double>(first) / ranges)) return false;
     const int last = std::min(ranges, first + kAtATime);
     base::parallel_parts(static_cast<std::size_t>(last - first), 0, [&](std::size_t k) { some[k] = preparation.range(first + static_cast<int>(k)); });
     for (int k = 0; k < last - first; ++k)
       for (Prepared& p : some[static_cast<std::size_t>(k)]) {
         count(*p.window, p.found, sweep.work);
-        if (p.found.always_concurrent && !reference) return Passed::always_concurrent;
-        if (!started) sweep.start(p.range, p.found.events);
+        if (!started) sweep.start(p.range, p.found, *p.filter);
         started = true;
-        sweep.pass(p.range, std::move(p.found.events), *p.filter, p.at_end);
+        sweep.pass(p.range, std::move(p.found), *p.filter, p.at_end);
       }
     if (last == ranges) sweep.close(*some[static_cast<std::size_t>(last - first - 1)].back().filter);
   }
-  return Passed::turn;
+  return true;
 }
 
 std::uint64_t surfaces(const TurningForms& forms, const TurnCatalog& catalog) {
@@ -404,29 +401,21 @@ Result<bool> general_obstacle(CspaceObstacle::State& state, const ObstacleOption
   const TurningForms forms(*base);
   const TurnCatalog catalog(forms);
   if (static_cast<double>(forms.size(0)) * forms.size(1) > 0x1p27) return Error{Code::unsupported_operand, "more than 2^27 pairs of vertices", {}};
-  // Where three contacts stay at one point at every angle, no event tells when they meet: then every slab is a whole
-  // slice.
-  bool reference = options.reference;
-  std::optional<ObstacleSweep> sweep;
-  for (;;) {
-    sweep.emplace(forms, catalog, base, reference);
-    sweep->keeps_all_angles = options.reference;
-    const Passed passed = pass_turn(forms, catalog, *sweep, reference, options.progress);
-    if (passed == Passed::cancelled) return Error{Code::cancelled, "stopped on request", {}};
-    if (passed == Passed::turn) break;
-    reference = state.always_concurrent = true;
-  }
-  if (!sweep->closed_turn()) throw std::logic_error("general_obstacle: a full turn does not lead back to its start");
-  Export(*sweep, forms, state).run();
-  state.work = sweep->work;
+  ObstacleSweep sweep(forms, catalog, base, options.reference);
+  sweep.keeps_all_angles = options.reference;
+  if (!pass_turn(forms, catalog, sweep, options.reference, options.progress)) return Error{Code::cancelled, "stopped on request", {}};
+  if (!sweep.closed_turn()) throw std::logic_error("general_obstacle: a full turn does not lead back to its start");
+  Export(sweep, forms, state).run();
+  state.always_concurrent = sweep.always_concurrent;
+  state.work = sweep.work;
   state.work.surfaces = surfaces(forms, catalog);
-  for (const ObstacleEvent& e : sweep->events) {
+  for (const ObstacleEvent& e : sweep.events) {
     state.work.alignments += e.kind == ObstacleEvent::Kind::alignment;
     state.work.vertex_events += e.kind == ObstacleEvent::Kind::vertex_on_segment;
     state.work.triple_events += e.kind == ObstacleEvent::Kind::three_segments;
     state.work.tight_events += e.kind == ObstacleEvent::Kind::tight;
   }
-  state.work.visible_events = sweep->events.size();
+  state.work.visible_events = sweep.events.size();
   return true;
 }
 

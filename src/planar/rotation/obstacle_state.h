@@ -38,6 +38,8 @@ class CspaceObstacle::State {
   std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> patch_cells;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> touching_cells;  ///< that touch at an event angle and are not connected there
   ObstacleWork work;
+
+  static CspaceObstacle finish(std::unique_ptr<State> state) { return CspaceObstacle(std::move(state)); }
 };
 
 }  // namespace dymsum

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "planar/rotation/slice.h"
+#include "planar/rotation/tight_curves.h"
 #include "planar/rotation/turn.h"
 
 namespace dymsum::planar {
@@ -60,9 +61,12 @@ TurnEvent* ObstacleSweep::first_event(const TurnRange& range, std::vector<TurnEv
   return first;
 }
 
-void ObstacleSweep::start(const TurnRange& range, std::vector<TurnEvent>& events) {
-  begin_ = Behind{&range, nullptr, first_event(range, events, forms_)}.sample(forms_);
+void ObstacleSweep::start(const TurnRange& range, TurnEvents& found, const OverlapFilter& filter) {
+  begin_ = Behind{&range, nullptr, first_event(range, found.events, forms_)}.sample(forms_);
   take_slice(placed_at(*base_, begin_));
+  always_ = found.always_concurrent;
+  always_concurrent = !always_.empty();
+  curves_ = begin_curves_ = tight_curves(begin_, filter);
   if (!connected_) join_faces(begin_);
   begin_keys_.resize(nodes_.size());
   for (std::uint32_t n = 0; n < nodes_.size(); ++n) {
@@ -209,7 +213,11 @@ void ObstacleSweep::pass_group(const Group& group, const TurnRange& range, const
   doubtful_.clear();
   const std::uint64_t slices = work.slices;
   change(group, range, behind, filter);
-  if (!doubtful_.empty()) examine(range, filter);
+  std::vector<AlwaysConcurrent> curves = turned_ ? begin_curves_ : std::vector<AlwaysConcurrent>{};
+  if (!turned_ && !always_.empty()) curves = tight_curves(behind(), filter);
+  if (doubtful_.empty() && !other_curves(curves_, curves).empty()) doubtful_ = group;
+  if (!doubtful_.empty()) examine(range, filter, curves);
+  curves_ = std::move(curves);
   // Loops of one face keep to one component of free space: splits and joins hand it on, and a face that is born has one
   // loop unless more are born with it. Whole slices may leave a loop without a claim.
   if (!connected_ && (born_ > 1 || (born_ > 0 && work.slices > slices))) join_faces(behind());
@@ -243,7 +251,10 @@ void ObstacleSweep::pass_pending(const std::function<Orientation()>& behind, Ove
   crowded_ = nullptr;
 }
 
-void ObstacleSweep::pass(const TurnRange& range, std::vector<TurnEvent> events, OverlapFilter& filter, const CrowdedQuarter* at_end) {
+void ObstacleSweep::pass(const TurnRange& range, TurnEvents found, OverlapFilter& filter, const CrowdedQuarter* at_end) {
+  std::vector<TurnEvent>& events = found.events;
+  always_ = std::move(found.always_concurrent);
+  always_concurrent |= !always_.empty();
   if (!pending_.empty()) pass_pending([&] { return Behind{&range, nullptr, first_event(range, events, forms_)}.sample(forms_); }, filter);
   const double theta_end = range.theta(range.t_high) - 0x1p-40;
   const auto compare = [&](TurnEvent* a, TurnEvent* b) { return exact::compare(exact_root(*a, forms_, range), exact_root(*b, forms_, range)); };
@@ -308,6 +319,7 @@ bool ObstacleSweep::matters(const Group& run, const OverlapFilter& filter) const
 }
 
 void ObstacleSweep::close(OverlapFilter& filter) {
+  turned_ = true;
   pass_pending([this] { return begin_; }, filter);
   std::map<std::array<std::uint32_t, 3>, std::uint32_t> last;
   std::size_t alive = 0;

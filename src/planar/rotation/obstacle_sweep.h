@@ -47,9 +47,9 @@ class ObstacleSweep {
   ObstacleSweep(const TurningForms& forms, const TurnCatalog& catalog, std::shared_ptr<const ScalingBase> base, bool reference);
 
   /// The boundary behind the beginning of the first window, before its first event.
-  void start(const TurnRange& range, std::vector<TurnEvent>& events);
+  void start(const TurnRange& range, TurnEvents& found, const OverlapFilter& filter);
   /// Passes the events of a window. `at_end`: its end, where that is a crowded quarter turn; then none of the events is there.
-  void pass(const TurnRange& range, std::vector<TurnEvent> events, OverlapFilter& filter, const CrowdedQuarter* at_end);
+  void pass(const TurnRange& range, TurnEvents found, OverlapFilter& filter, const CrowdedQuarter* at_end);
   /// The first event of a window, if it has any.
   static TurnEvent* first_event(const TurnRange& range, std::vector<TurnEvent>& events, const TurningForms& forms);
   /// Joins the end of the turn to its start.
@@ -77,6 +77,7 @@ class ObstacleSweep {
   bool keeps_all_angles = false;  ///< also those at which nothing happens
   std::vector<ObstacleEvent> events;
   std::vector<TightFeature> tight;
+  bool always_concurrent = false;  ///< of some window: CspaceObstacle::may_have_tight_curves
   ObstacleWork work;
 
  private:
@@ -170,7 +171,7 @@ class ObstacleSweep {
     std::uint32_t node = 0;
     double from = 0, to = 0, error = 0;  ///< of the difference to `along_near` of a place
   };
-  void examine(const TurnRange& range, OverlapFilter& filter);
+  void examine(const TurnRange& range, const OverlapFilter& filter, const std::vector<AlwaysConcurrent>& curves_behind);
   void note_tight(const Candidate& from, const Candidate& to);
   std::vector<Candidate> candidates(const SignsAt& signs, const OverlapFilter& filter) const;
   std::vector<Candidate> candidates_of_open_slice(const SignsAt& signs, std::vector<std::array<std::uint32_t, 2>>& between) const;
@@ -184,6 +185,10 @@ class ObstacleSweep {
   bool reaches(const SignsAt& signs, const NodeNow& n, const Candidate& z) const;
   bool reached_all_along(const SignsAt& signs, const std::vector<NodeNow>& nodes, const Candidate& y, const Candidate& z) const;
   std::optional<Point> look_at_limits(const SignsAt& signs);
+  // tight_curves.cpp
+  std::vector<AlwaysConcurrent> tight_curves(const Orientation& at, const OverlapFilter& filter) const;
+  std::optional<Candidate> meeting_of(const SignsAt& signs, const AlwaysConcurrent& three) const;
+  std::vector<Candidate> places_of(const SignsAt& signs, const std::vector<AlwaysConcurrent>& curves) const;
   // obstacle_nodes.cpp
   std::uint32_t id(const WalkSegment& s) const;
   std::uint32_t add_node(const WalkSegment& s, std::uint32_t cell);
@@ -254,7 +259,11 @@ class ObstacleSweep {
   std::vector<std::uint32_t> limit_angles_;
   std::vector<std::pair<std::uint32_t, int>> limit_halves_;
   std::vector<TurnEvent*> doubtful_;     ///< events of the group that may be places of tight contacts, or of nothing at all
+  bool turned_ = false;  ///< the last window is passed
   bool closed_ = false;
+  std::vector<AlwaysConcurrent> always_;  ///< of the window
+  std::vector<AlwaysConcurrent> curves_;  ///< of these, the tight ones, behind the last group; sorted
+  std::vector<AlwaysConcurrent> begin_curves_;
   std::vector<TurnEvent> pending_;  ///< at the very end of the last window
   const CrowdedQuarter* crowded_ = nullptr;  ///< there they stand for many, so that a whole slice is due
   TurnRange pending_range_;

@@ -1,11 +1,14 @@
 #include "planar/rotation/quarter_turn.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 
 namespace dymsum::planar {
 namespace {
 
 constexpr std::int64_t kLargest = std::int64_t{1} << 28;
+constexpr std::int64_t kExact = std::int64_t{1} << 10;
 constexpr std::array<Heading, 4> kHeadings{Heading{1, 0}, Heading{0, 1}, Heading{-1, 0}, Heading{0, -1}};
 
 }  // namespace
@@ -25,6 +28,7 @@ QuarterTurn::QuarterTurn(const TurningForms& forms, int quarter) : forms_(forms)
     for (std::uint32_t v = 0; v < forms.size(op); ++v) {
       const auto x = static_cast<std::int64_t>(forms.grid_point(op, v).x), y = static_cast<std::int64_t>(forms.grid_point(op, v).y);
       at_[op].push_back(op == 0 ? Vec{x, y} : Vec{c * x - s * y, s * x + c * y});
+      exact_forms_ = exact_forms_ && std::abs(x) <= kExact && std::abs(y) <= kExact;
     }
 }
 
@@ -43,6 +47,22 @@ bool QuarterTurn::concurrent(const WalkSegment& a, const WalkSegment& b, const W
   const Vec d = direction(a), e = direction(b), f = direction(c);
   const std::int64_t ca = f.x * d.y - f.y * d.x, ab = d.x * e.y - d.y * e.x;
   return exact::i128{side(b, TurningForms::start(a))} * ca + exact::i128{side(c, TurningForms::start(a))} * ab == 0;
+}
+
+bool QuarterTurn::zero_here_only(const TrigForm2& f, double width) const {
+  if (f.at(heading_) != 0) return false;
+  // At quarter turns cosines and sines, also of twice the angle, are 0, 1 and -1.
+  const double c = heading_.c, s = heading_.s, c2 = c * c - s * s, s2 = 2 * c * s;
+  const std::array<double, 4> derivative{f.slope(heading_), -(f.b * c + f.g * s) - 4 * (f.b2 * c2 + f.g2 * s2),
+                                         f.b * s - f.g * c + 8 * (f.b2 * s2 - f.g2 * c2), f.b * c + f.g * s + 16 * (f.b2 * c2 + f.g2 * s2)};
+  double factor = 4;  // 2^(m + 1)
+  for (std::size_t m = 1; m <= derivative.size(); ++m, factor *= 2) {
+    const double d = std::abs(derivative[m - 1]);
+    if (d == 0) continue;
+    const double next = std::abs(f.b) + std::abs(f.g) + factor * (std::abs(f.b2) + std::abs(f.g2));
+    return d > next * width / static_cast<double>(m + 1) * (1 + 0x1p-40);
+  }
+  return false;
 }
 
 bool QuarterTurn::aligned(std::uint32_t e, std::uint32_t f) const {

@@ -25,6 +25,13 @@ class QuarterTurn {
   bool on_line(const WalkSegment& s, Pair v) const { return side(s, v) == 0; }
   /// The three lines have a point in common, or are parallel.
   bool concurrent(const WalkSegment& a, const WalkSegment& b, const WalkSegment& c) const;
+  /// Whether the coefficients of forms are exact in doubles: coordinates of at most 2^10 grid steps, whose differences, products and sums of
+  /// products in TrigForm2 are multiples of 1/2 below 2^52.
+  bool exact_forms() const { return exact_forms_; }
+  /// For exact forms: zero here, and nowhere else within `width`. With d the first derivative that is not zero here, the m-th one, by Taylor's
+  /// formula |f(u)| >= |u|^m / m! (|d| - |u| / (m + 1) max |f^(m + 1)|).
+  bool zero_here_only(const TrigForm2& f, double width) const;
+  bool zero_here_only(const TrigForm& f, double width) const { return zero_here_only(TrigForm2{f.a, f.b, f.g, 0, 0}, width); }
   /// Edge e of the turning operand and edge f of the fixed one point in the same direction.
   bool aligned(std::uint32_t e, std::uint32_t f) const;
 
@@ -47,6 +54,7 @@ class QuarterTurn {
 
   const TurningForms& forms_;
   Heading heading_;
+  bool exact_forms_ = true;
   std::array<std::vector<Vec>, 2> at_;  // vertices, turned
 };
 

@@ -17,11 +17,12 @@
 #include "planar/rotation/limit_boundary.h"
 #include "planar/rotation/obstacle_sweep.h"
 #include "planar/rotation/slice.h"
+#include "planar/rotation/tight_curves.h"
 #include "planar/rotation/turn.h"
 
 namespace dymsum::planar {
 
-void ObstacleSweep::examine(const TurnRange& range, OverlapFilter& filter) {
+void ObstacleSweep::examine(const TurnRange& range, const OverlapFilter& filter, const std::vector<AlwaysConcurrent>& curves_behind) {
   const bool listed = now_ != kNobody;
   if (!listed) now_ = angle(range, *doubtful_[0]);
   const SignsAt& signs = signs_now();
@@ -39,26 +40,44 @@ void ObstacleSweep::examine(const TurnRange& range, OverlapFilter& filter) {
     std::erase_if(found, [&](const Candidate& z) { return !z.visible && !is_free(signs, z.place); });
     between = opposite_stretches(signs, found);
   }
-  std::vector<bool> held, on_stretch(found.size(), false);
-  for (const Candidate& z : found) held.push_back(!z.visible);
+  // Places that are tight before and behind the angle too are events only where that begins and ends.
+  const std::vector<Candidate> goes_on = places_of(signs, common_curves(curves_, curves_behind));
+  const auto is_one_of = [&](const std::vector<Candidate>& places, const Candidate& z) {
+    return std::any_of(places.begin(), places.end(), [&](const Candidate& y) { return same_place(signs, y, z); });
+  };
+  const std::size_t noted = tight.size();
+  std::vector<bool> held, is_event, on_stretch(found.size(), false);
+  for (const Candidate& z : found) {
+    held.push_back(!z.visible);
+    is_event.push_back(!z.visible && !is_one_of(goes_on, z));
+  }
   for (const auto& [y, z] : between) {
     if (reached_all_along(signs, nodes, found[y], found[z])) continue;
     if (!by_slice && !is_free(signs, {found[y].place.first, found[z].place.first})) continue;
-    held[y] = held[z] = on_stretch[y] = on_stretch[z] = true;
+    held[y] = held[z] = is_event[y] = is_event[z] = on_stretch[y] = on_stretch[z] = true;
     note_tight(found[y], found[z]);
   }
   bool any = false;
   for (std::size_t k = 0; k < found.size(); ++k) {
-    if (!held[k]) continue;
+    if (held[k] && !on_stretch[k]) note_tight(found[k], found[k]);
+    if (!is_event[k]) continue;
     any = true;
     note(signs.heading(), ObstacleEvent::Kind::tight, found[k].near);
-    if (!on_stretch[k]) note_tight(found[k], found[k]);
+  }
+  for (const Candidate& z : places_of(signs, other_curves(curves_, curves_behind))) {
+    if (is_one_of(goes_on, z)) continue;
+    any = true;
+    const auto known = std::find_if(found.begin(), found.end(), [&](const Candidate& y) { return same_place(signs, y, z); });
+    const auto k = static_cast<std::size_t>(known - found.begin());
+    if (known == found.end() || !held[k]) note_tight(z, z);
+    if (known == found.end() || !is_event[k]) note(signs.heading(), ObstacleEvent::Kind::tight, z.near);
   }
   std::optional<Point> touch;
   if (sliced_ || !found.empty()) touch = look_at_limits(signs);
   if (any || changed_ || (listed && keeps_all_angles)) return;
   if (listed) events.pop_back();
   if (touch) return note(signs.heading(), ObstacleEvent::Kind::vertex_on_segment, *touch);
+  tight.resize(noted);  // of an angle that is not listed
   if (!limit_angles_.empty() && limit_angles_.back() == now_) limit_angles_.pop_back();
   angles.pop_back();
   now_ = kNobody;

@@ -1,6 +1,7 @@
 #include "planar/rotation/turn_events.h"
 
 #include <algorithm>
+#include <span>
 
 #include "planar/rotation/event_place.h"
 #include "planar/rotation/quarter_turn.h"
@@ -32,6 +33,7 @@ class Collector {
   struct Crossing {
     std::uint32_t other = 0;
     double low = 0, high = 0;  ///< of the parameter along the segment, at all angles
+    std::uint32_t order = 0;   ///< of two with one number, other than 0, the lines keep their order along the segment
   };
 
   void add_alignments(const std::vector<Alignment>& all) {
@@ -59,6 +61,8 @@ class Collector {
   template <class Form, class Zero>
   bool at_crowded_end(const Form& f, double error, Zero&& zero) const {
     for (const QuarterTurn* end : {ends_.low, ends_.high})
+      if (end != nullptr && end->exact_forms() && end->zero_here_only(f, w_.high - w_.low)) return true;
+    for (const QuarterTurn* end : {ends_.low, ends_.high})
       if (end != nullptr && std::abs(f.at(end->heading())) <= error && end->only_zero(f, w_.high - w_.low, error) && zero(*end)) return true;
     return false;
   }
@@ -74,12 +78,12 @@ class Collector {
     const WalkSegment &a = w_.segments[i], &b = w_.segments[j];
     const TrigForm n = forms_.side(b, TurningForms::start(a)), d = forms_.cross(a, b);
     const double at = d.at(w_.heading), least = std::abs(at) - std::abs(d.slope(w_.heading)) * w_.half - 0.5 * d.swing() * w_.half * w_.half - 0x1p-46 * forms_.length1(a) * forms_.length1(b);
-    if (!(least > 0)) return {j, -INFINITY, INFINITY};
+    if (!(least > 0)) return {j, -INFINITY, INFINITY, 0};
     const double t = n.at(w_.heading) / at;
     const TrigForm k = n - d.times(t);
     const double error = forms_.side_error(b) * (1 + std::abs(t));
     const double radius = (std::abs(k.slope(w_.heading)) * w_.half + 0.5 * k.swing() * w_.half * w_.half + error) / least * (1 + 0x1p-20);
-    return {j, t - radius, t + radius};
+    return {j, t - radius, t + radius, 0};
   }
 
   void find_crossings() {
@@ -205,12 +209,65 @@ class Collector {
   // Every triple is found from its smallest member; with two that are parallel at every angle, from the third one, the
   // only one that crosses both.
   void triples_of(std::uint32_t a) {
-    const std::vector<Crossing>& list = crossings_[a];
+    std::vector<Crossing>& list = crossings_[a];
+    find_orders(a, list);
     for (std::size_t k = 0; k < list.size(); ++k)
       for (std::size_t l = k + 1; l < list.size() && list[l].low <= list[k].high; ++l) {
+        if (list[k].order == list[l].order && list[k].order != 0) continue;
         const std::uint32_t b = std::min(list[k].other, list[l].other), c = std::max(list[k].other, list[l].other);
         if (a < b || forms_.parallel(w_.segments[b], w_.segments[c])) triple(a, b, c);
       }
+  }
+
+  // Where many cross at nearly the same places, as beside a crowded quarter turn, most pairs of them keep their order all the while. In the order
+  // of their places at the middle, neighbours that are never at one place within the window prove that of all between: places are continuous
+  // functions of the angle, as no line is parallel to the segment.
+  void find_orders(std::uint32_t i, std::vector<Crossing>& list) const {
+    constexpr std::size_t kMany = 12;
+    std::uint32_t orders = 0;
+    for (std::size_t first = 0; first < list.size();) {
+      std::size_t last = first + 1;
+      for (double high = list[first].high; last < list.size() && list[last].low <= high; ++last) high = std::max(high, list[last].high);
+      if (last - first >= kMany) find_orders(w_.segments[i], {list.begin() + static_cast<std::ptrdiff_t>(first), list.begin() + static_cast<std::ptrdiff_t>(last)}, orders);
+      first = last;
+    }
+  }
+  void find_orders(const WalkSegment& a, std::span<Crossing> run, std::uint32_t& orders) const {
+    struct Place {
+      Crossing* crossing;
+      double at, error;
+    };
+    std::vector<Place> places;
+    for (Crossing& c : run) {
+      const WalkSegment& b = w_.segments[c.other];
+      const TrigForm d = forms_.cross(a, b);
+      const double rounding = 0x1p-46 * forms_.length1(a) * forms_.length1(b), size = std::abs(d.at(w_.heading)) - rounding;
+      const bool crosses = d.far_from_zero(w_.heading, w_.half, rounding) || parallel_at_exact_end(d);
+      if (!crosses || !(size > 0)) continue;
+      const double t = forms_.side(b, TurningForms::start(a)).at(w_.heading) / d.at(w_.heading);
+      places.push_back({&c, t, (forms_.side_error(b) + std::abs(t) * rounding) / size * (1 + 0x1p-20)});
+    }
+    std::sort(places.begin(), places.end(), [](const Place& x, const Place& y) { return x.at < y.at; });
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      const bool goes_on = k > 0 && keep_order(a, places[k - 1].crossing->other, places[k].crossing->other, places[k].at - places[k - 1].at - places[k - 1].error - places[k].error > 0);
+      places[k].crossing->order = goes_on ? orders : ++orders;
+    }
+  }
+  bool parallel_at_exact_end(const TrigForm& d) const {
+    for (const QuarterTurn* end : {ends_.low, ends_.high})
+      if (end != nullptr && end->exact_forms() && end->zero_here_only(d, w_.high - w_.low)) return true;
+    return false;
+  }
+  // Whether two lines, apart at the middle or one and the same, cross a at different places at all angles.
+  bool keep_order(const WalkSegment& a, std::uint32_t j, std::uint32_t k, bool apart) const {
+    const WalkSegment &b = w_.segments[j], &c = w_.segments[k];
+    if (!apart) return same_direction(b, c) && forms_.exact_side(b, TurningForms::start(c), w_.range.chart).is_zero();
+    const TrigForm2 g = forms_.concurrency(a, b, c);
+    const double error = forms_.concurrency_error(a, b, c);
+    if (g.far_from_zero(w_.heading, w_.half, error)) return true;
+    if (at_crowded_end(g, error, [&](const QuarterTurn& end) { return end.concurrent(a, b, c); })) return true;
+    const exact::Polynomial p = forms_.exact_concurrency(a, b, c, w_.range.chart);
+    return !p.is_zero() && roots(p).empty();
   }
 
   // Opposite directions: a passage between them opens or closes. The same direction: overlaps() sees to it.
@@ -272,7 +329,7 @@ class Collector {
     if (!may_matter(a, b, c, g, error)) return;
     const exact::Polynomial poly = forms_.exact_concurrency(a, b, c, w_.range.chart);
     if (poly.is_zero()) {
-      out_.always_concurrent = true;
+      out_.always_concurrent.push_back({a, b, c});
       return;
     }
     for (AlgebraicRoot& root : roots(poly)) {

@@ -38,10 +38,13 @@ struct Alignment {
 };
 std::vector<Alignment> alignments(const TurningForms& forms, const TurnCatalog& catalog);
 
+/// Three contacts that stay at one point at every angle.
+using AlwaysConcurrent = std::array<WalkSegment, 3>;
+
 struct TurnEvents {
   std::vector<TurnEvent> events;  ///< by increasing `low`
+  std::vector<AlwaysConcurrent> always_concurrent;
   std::uint64_t pairs = 0, triples = 0;
-  bool always_concurrent = false;  ///< three segments stay concurrent at every angle: no event tells when they meet
 };
 /// The crowded quarter turns among the ends of a window, or null.
 class QuarterTurn;
