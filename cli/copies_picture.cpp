@@ -23,7 +23,7 @@ void dot(std::ostringstream& svg, Point at, double factor, const char* fill) {
 
 void draw(std::ostringstream& svg, const Drawn& set, const char* style, double factor) {
   svg << "<path d=\"" << set.path << "\" fill-rule=\"evenodd\" stroke-width=\"" << number(1.2 / factor) << "\" " << style << "/>\n";
-  for (const Point& p : set.dots) dot(svg, p, factor, "#d7301f");
+  svg << tight_features(set, factor);
 }
 
 void legend(std::ostringstream& svg, double x, double y, const char* style, const std::string& text) {

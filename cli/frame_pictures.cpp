@@ -19,10 +19,7 @@ Box joined(const std::vector<PicturedFrame>& frames) {
 /// A frame in the units of its own drawing, `factor` of which make a unit of the picture.
 void draw(std::ostringstream& svg, const PicturedFrame& frame, double factor) {
   svg << "<path d=\"" << frame.set.path << "\" fill=\"#9ecae1\" fill-rule=\"evenodd\" stroke=\"#08519c\" "
-      << "stroke-width=\"" << number(0.8 / factor) << "\"/>";
-  for (const Point& p : frame.set.dots)
-    svg << "<circle cx=\"" << number(p.x) << "\" cy=\"" << number(p.y) << "\" r=\"" << number(2.5 / factor)
-        << "\" fill=\"#d7301f\"/>";
+      << "stroke-width=\"" << number(0.8 / factor) << "\"/>" << tight_features(frame.set, factor);
 }
 
 void open_svg(std::ostringstream& svg, double width, double height) {

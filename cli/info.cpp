@@ -42,7 +42,7 @@ Json shape_json(const Shape& shape) {
                {"polylines", region.polylines().size()},
                {"points", region.points().size()},
                {"bounds", bounds(region)},
-               {"area", area(region)}});
+               {"area", area_json(region)}});
   return json;
 }
 
@@ -60,7 +60,7 @@ void print_shape(const Shape& shape) {
   if (!region.polylines().empty()) std::cout << ", " << counted(region.polylines().size(), "polyline");
   if (!region.points().empty()) std::cout << ", " << counted(region.points().size(), "isolated point");
   std::cout << "\n  bounds [" << box[0] << ", " << box[2] << "] x [" << box[1] << ", " << box[3] << "]\n  area "
-            << area(region) << "\n  " << tier_name(tier_of(region)) << " integers\n";
+            << shown_area(region) << "\n  " << tier_name(tier_of(region)) << " integers\n";
   std::cout.precision(precision);
 }
 

@@ -42,6 +42,14 @@ void add_repair_option(CLI::App& verb, InputOptions& options) {
                 "Merge duplicate and collinear vertices, fix orientation, and say on standard error what changed");
 }
 
+void add_exact_option(CLI::App& verb, ReportOptions& options) {
+  verb.add_flag("--exact", options.exact,
+                "With --json: area_exact as a fraction of any length. Else it is null for sums of more than 10000 vertices, and where the "
+                "denominators of the vertices, powers of two apart, have more than 16384 bits together: thousands of crossings take "
+                "minutes. area is correctly rounded always")
+      ->needs("--json");
+}
+
 void add_input_options(CLI::App& verb, InputOptions& options) {
   add_repair_option(verb, options);
   verb.add_option("--from", options.from, "Format of standard input; otherwise told from its first characters")

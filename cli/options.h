@@ -18,6 +18,7 @@ namespace dymsum::cli {
 struct ReportOptions {
   bool json = false;
   std::size_t repeat = 1;
+  bool exact = false;  ///< the area as a fraction, whatever that costs
 };
 
 /// A positional argument: its name in help and usage, and what it is.
@@ -37,6 +38,9 @@ void add_report_options(CLI::App& verb, ReportOptions& options, const std::strin
 
 /// Declares --repair.
 void add_repair_option(CLI::App& verb, InputOptions& options);
+/// Declares --exact, for verbs whose reports hold `area_exact`.
+void add_exact_option(CLI::App& verb, ReportOptions& options);
+
 /// Declares --repair and --from.
 void add_input_options(CLI::App& verb, InputOptions& options);
 /// Declares them and --hull, for verbs that take solids, with the formats of these.

@@ -77,7 +77,7 @@ void write_sum(const Region& p, const Region& q, const PlanarSum& sum, const Out
     } else if (format == RegionFormat::json) {
       texts.push_back(sum_to_json(sum));
     } else {
-      texts.push_back(format_region(rounded.region(), format));
+      texts.push_back(format_sum(sum, rounded.region(), format));
     }
   }
   throw_if_interrupted();

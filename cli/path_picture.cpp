@@ -69,7 +69,7 @@ std::string path_picture(const Region& robot, const Region& obstacle, const std:
           << "\">\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n<g transform=\"translate("
       << number(kMargin) << ' ' << number(kMargin) << ") scale(" << number(factor) << ") translate("
           << number(-box.x0) << ' ' << number(-box.y0) << ")\">\n";
-  svg << outlined(wall.path, "fill=\"#9ecae1\" stroke=\"#08519c\"", line);
+  svg << outlined(wall.path, "fill=\"#9ecae1\" stroke=\"#08519c\"", line) << tight_features(wall, factor);
   for (const std::string& data : pale)
     svg << outlined(data, "fill=\"#e8a33d\" fill-opacity=\"0.12\" stroke=\"#a8650a\" stroke-opacity=\"0.4\"",
                     0.6 * line);

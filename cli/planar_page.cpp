@@ -18,7 +18,8 @@ function made(name, attributes) {
 function show(i) {
   const f = frames[i], s = el('drawing').viewBox.baseVal, r = 4 * Math.max(s.width / el('drawing').clientWidth, s.height / el('drawing').clientHeight);
   el('sum').setAttribute('d', f.d);
-  el('tight').replaceChildren(...f.tight.map(q => made('circle', {cx: q[0], cy: q[1], r: r})));
+  el('segments').setAttribute('d', f.tight);
+  el('tight').replaceChildren(...f.dots.map(q => made('circle', {cx: q[0], cy: q[1], r: r})));
   return f.label;
 }
 // Frames stand equally far apart on the slider, whatever lies between them.
@@ -48,20 +49,22 @@ std::string scrub_page(const std::vector<PicturedFrame>& frames, const std::vect
   const double margin = 0.03 * box.size();
   nlohmann::json list = nlohmann::json::array(), ticks = nlohmann::json::array();
   for (const PicturedFrame& f : frames) {
-    nlohmann::json tight = nlohmann::json::array();
-    for (const Point& p : f.set.dots) tight.push_back({p.x, p.y});
-    list.push_back({{"at", f.at}, {"label", f.caption}, {"d", f.set.path}, {"tight", tight}});
+    nlohmann::json dots = nlohmann::json::array();
+    for (const Point& p : f.set.dots) dots.push_back({p.x, p.y});
+    list.push_back({{"at", f.at}, {"label", f.caption}, {"d", f.set.path}, {"tight", f.set.tight}, {"dots", dots}});
   }
   for (const PicturedTick& t : marks) ticks.push_back({{"at", t.at}, {"strong", t.strong}, {"label", t.caption}});
   std::ostringstream drawing;
   drawing << "<svg id=\"drawing\" viewBox=\"" << number(box.x0 - margin) << ' ' << number(box.y0 - margin) << ' ' << number(box.width() + 2 * margin) << ' '
           << number(box.height() + 2 * margin)
           << "\"><path id=\"sum\" fill=\"#9ecae1\" fill-rule=\"evenodd\" stroke=\"#08519c\" vector-effect=\"non-scaling-stroke\"/>"
-             "<g id=\"tight\" fill=\"#d81e3a\"></g></svg>";
-  std::vector<LegendEntry> legend = {{"#9ecae1", "the sum"}, {"#d81e3a", "tight features"}};
+             "<path id=\"segments\" fill=\"none\" stroke=\""
+          << kTightColour << "\" stroke-width=\"2.5\" stroke-linecap=\"round\" vector-effect=\"non-scaling-stroke\"/><g id=\"tight\" fill=\"" << kTightColour
+          << "\"></g></svg>";
+  std::vector<LegendEntry> legend = {{"#9ecae1", "the sum"}, {kTightColour, "tight features"}};
   if (!marks.empty()) {
     legend.push_back({"#777777", "low tick: an event"});
-    legend.push_back({"#d81e3a", "high tick: the topology changes"});
+    legend.push_back({kTightColour, "high tick: the topology changes"});
   }
   return page(title, drawing.str(), legend, "", list.dump(), "const ticks = " + ticks.dump() + ";" + kShow);
 }

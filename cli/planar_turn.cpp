@@ -34,15 +34,11 @@ RotatingOptions rotating_options(const PlanarTurn& turn, FrameMode mode) {
   return options;
 }
 
-Json frame_json(const PlanarSum& sum, const Pose& pose, double ms) {
-  return {{"theta", pose.theta.radians()},
-          {"tan_half", orientation_json(pose.theta)["tan_half"]},
-          {"outer", sum.parts.size()},
-          {"holes", sum.hole_count()},
-          {"vertices", sum.vertex_count()},
-          {"area_exact", sum.area_exact().to_string()},
-          {"tight", {{"points", sum.tight_points.size()}, {"segments", sum.tight_segments.size()}}},
-          {"update_ms", ms}};
+Json frame_json(const PlanarSum& sum, const Pose& pose, double ms, bool exact) {
+  Json json = {{"theta", pose.theta.radians()}, {"tan_half", orientation_json(pose.theta)["tan_half"]}};
+  json.update(size_json(sum, exact));
+  json["update_ms"] = ms;
+  return json;
 }
 
 struct Turned {
@@ -70,7 +66,7 @@ Turned run_frames(const PlanarTurn& turn, const std::vector<Input>& inputs, cons
       turned.windows += work.new_window;
       turned.rebuilt += work.rebuilt;
       turned.degenerate += work.degenerate;
-      if (turn.report.json) turned.frames.push_back(frame_json(sum.sum(), poses[i], work.ms));
+      if (turn.report.json) turned.frames.push_back(frame_json(sum.sum(), poses[i], work.ms, turn.report.exact));
       if (every > 0 && i % every == 0) turned.pictures.push_back({turn.angles[i].value, poses[i].caption, drawn(sum.sum())});
     }
   }

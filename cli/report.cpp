@@ -1,7 +1,11 @@
 #include "report.h"
 
+#include <cmath>
 #include <ostream>
 #include <sstream>
+#include <variant>
+
+#include "dymsum/area_text.h"
 
 namespace dymsum::cli {
 namespace {
@@ -26,6 +30,29 @@ Json work_json(const SumStats& stats) {
           {"exact_signs", stats.exact_signs},
           {"mask_grid", stats.mask_grid},
           {"peak_bytes", stats.peak_bytes}};
+}
+
+double area_of(const PlanarSum& sum) { return sum.area(); }
+double area_of(const Region& region) { return area(region); }
+bool has_area(const PlanarSum& sum) { return !sum.parts.empty(); }
+bool has_area(const Region& region) { return !region.parts().empty(); }
+
+/// The area where it is 0 or a normal double; as text where it was rounded to neither.
+template <class Set>
+std::variant<double, std::string> any_area(const Set& set) {
+  if (const double area = area_of(set); std::isnormal(area) || !has_area(set)) return area;
+  return area_text(set);
+}
+
+std::string shown_area(const std::variant<double, std::string>& area) {
+  std::ostringstream text;
+  text.precision(17);
+  std::visit([&](const auto& a) { text << a; }, area);
+  return text.str();
+}
+
+Json area_json(const std::variant<double, std::string>& area) {
+  return std::visit([](const auto& a) { return Json(a); }, area);
 }
 
 std::string milliseconds(double ms) {
@@ -61,20 +88,35 @@ Json orientation_json(const Orientation& orientation) {
   return {{"tan_half", tangent}, {"theta", orientation.radians()}};
 }
 
+Json area_json(const Region& region) { return area_json(any_area(region)); }
+
+std::string shown_area(const PlanarSum& sum) { return shown_area(any_area(sum)); }
+
+std::string shown_area(const Region& region) { return shown_area(any_area(region)); }
+
+Json size_json(const PlanarSum& sum, bool exact) {
+  constexpr std::size_t kMostVertices = 10000, kMostBits = 16384;
+  std::optional<Rational> area;
+  if (exact) area = sum.area_exact();
+  else if (sum.vertex_count() <= kMostVertices) area = sum.area_exact_within(kMostBits);
+  return {{"outer", sum.parts.size()},
+          {"holes", sum.hole_count()},
+          {"vertices", sum.vertex_count()},
+          {"area", area_json(any_area(sum))},
+          {"area_exact", area ? Json(area->to_string()) : Json()},
+          {"tight", {{"points", sum.tight_points.size()}, {"segments", sum.tight_segments.size()}}}};
+}
+
 Json sum_json(const SumReport& report) {
   const PlanarSum& sum = *report.sum;
   Json json =
       report_head(report.verb, inputs_json(report.inputs), sum.stats.tier_bits, report.timing, stages_json(sum.stats));
   json.update({{"engine", report.engine},
-          {"semantics", report.semantics},
-          {"outer", sum.parts.size()},
-          {"holes", sum.hole_count()},
-          {"vertices", sum.vertex_count()},
-          {"area", sum.area()},
-          {"area_exact", sum.area_exact().to_string()},
+          {"semantics", report.semantics}});
+  json.update(size_json(sum, report.exact));
+  json.update({
           {"segments", sum.segments.size()},
           {"points", sum.points.size()},
-          {"tight", {{"points", sum.tight_points.size()}, {"segments", sum.tight_segments.size()}}},
           {"convolution",
            {{"full", report.convolution.full},
             {"kinetic", report.convolution.kinetic},
@@ -102,10 +144,7 @@ void print_sum(std::ostream& out, const SumReport& report) {
   if (!sum.segments.empty() || !sum.points.empty()) {
     out << ", " << counted(sum.segments.size(), "segment") << ", " << counted(sum.points.size(), "isolated point");
   }
-  const auto precision = out.precision(17);
-  out << "\n  area " << sum.area();
-  out.precision(precision);
-  out << "\n  tight features: " << counted(sum.tight_points.size(), "point") << ", "
+  out << "\n  area " << shown_area(sum) << "\n  tight features: " << counted(sum.tight_points.size(), "point") << ", "
       << counted(sum.tight_segments.size(), "segment") << "\n  convolution: full " << report.convolution.full
       << ", kinetic " << report.convolution.kinetic << ", reduced " << report.convolution.reduced << "; "
       << counted(sum.stats.crossings, "crossing") << "\n  " << tier_name(sum.stats.tier_bits) << " integers, engine "

@@ -22,7 +22,15 @@ struct SumReport {
   Timing timing;
   std::string engine, semantics;
   std::optional<Orientation> orientation;  ///< where an operand is turned
+  bool exact = false;                      ///< area_exact of any length
 };
+
+/// outer, holes, vertices, area, area_exact and tight of a sum. area is a number, or text where it is outside the range of doubles;
+/// area_exact is null for more than 10000 vertices, and where its denominators have more than 16384 bits together, unless it is
+/// wanted `exact`.
+Json size_json(const PlanarSum& sum, bool exact);
+/// The area as a number, or text where it is outside the range of normal doubles.
+Json area_json(const Region& region);
 
 Json inputs_json(const std::vector<Input>& inputs);
 /// {"tan_half": "1/2", "theta": 0.927...}.
@@ -32,6 +40,9 @@ void print_sum(std::ostream& out, const SumReport& report);
 
 /// "29-bit", "61-bit", "512-bit" or "arbitrary precision" for 0.
 std::string tier_name(int bits);
+/// An area with 17 digits, whatever its size.
+std::string shown_area(const PlanarSum& sum);
+std::string shown_area(const Region& region);
 /// A rational for a person: "3/2", and "2" for a whole number.
 std::string shown(const Rational& value);
 /// "1 hole", "2 holes"; `many` where the plural is not regular.

@@ -78,6 +78,7 @@ void add_rotate(CLI::App& app, Action& action) {
       ->type_name("FILE")
       ->allow_extra_args(false);
   add_report_options(verb, command->planar.report, "Turn N times and report the median and minimum frame");
+  add_exact_option(verb, command->planar.report);
   add_solid_input_options(verb, command->planar.input);
   verb.footer("Example: dymsum rotate rod.off box.off --steps 500 --axis 1,2,3 -o turn.html");
   verb.callback([command, &action] { action = [command] { return run(*command); }; });

@@ -52,14 +52,11 @@ Json events_json(const std::vector<ScaleEvent>& events) {
   return list;
 }
 
-Json frame_json(const ScalingSum& sum) {
-  return {{"s", sum.scale().exact().to_string()},
-          {"outer", sum.sum().parts.size()},
-          {"holes", sum.sum().hole_count()},
-          {"vertices", sum.sum().vertex_count()},
-          {"area_exact", sum.sum().area_exact().to_string()},
-          {"tight", {{"points", sum.sum().tight_points.size()}, {"segments", sum.sum().tight_segments.size()}}},
-          {"update_ms", sum.work().ms}};
+Json frame_json(const ScalingSum& sum, bool exact) {
+  Json json = {{"s", sum.scale().exact().to_string()}};
+  json.update(size_json(sum.sum(), exact));
+  json["update_ms"] = sum.work().ms;
+  return json;
 }
 
 /// A fresh computation at a few of the scales.
@@ -107,7 +104,7 @@ void keep(Sweep& sweep, const ScaleCommand& command, bool picture) {
   sweep.windows += work.new_window;
   sweep.rebuilt += work.rebuilt;
   if (picture) sweep.pictures.push_back(pictured(*sweep.sum));
-  if (command.report.json) sweep.frames.push_back(frame_json(*sweep.sum));
+  if (command.report.json) sweep.frames.push_back(frame_json(*sweep.sum, command.report.exact));
 }
 
 Sweep run_sweep(const Region& p, const Region& q, const ScaleCommand& command, const std::vector<Scale>& scales, const Progress& progress) {
@@ -204,6 +201,7 @@ void add_options(CLI::App& verb, ScaleCommand& command) {
       ->allow_extra_args(false);
   verb.add_flag("--events", command.events, "List the exact scales at which the sum changes");
   add_report_options(verb, command.report, "Sweep N times and report the median and minimum frame");
+  add_exact_option(verb, command.report);
   add_solid_input_options(verb, command.input);
 }
 

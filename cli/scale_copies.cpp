@@ -21,18 +21,13 @@ void check(const ScaleCommand& command) {
     if (!file.ends_with(".svg")) throw Stop(kUsage, "-o with --copies writes .svg (a picture of the environment): " + file);
 }
 
-Json copies_json(const std::vector<ScaledCopy>& copies, const std::vector<CopySum>& sums) {
+Json copies_json(const std::vector<ScaledCopy>& copies, const std::vector<CopySum>& sums, bool exact) {
   Json list = Json::array();
   for (std::size_t i = 0; i < sums.size(); ++i) {
-    const PlanarSum& sum = sums[i].sum;
-    list.push_back({{"s", copies[i].scale.exact().to_string()},
-                    {"at", {sums[i].at.x, sums[i].at.y}},
-                    {"outer", sum.parts.size()},
-                    {"holes", sum.hole_count()},
-                    {"vertices", sum.vertex_count()},
-                    {"area_exact", sum.area_exact().to_string()},
-                    {"tight", {{"points", sum.tight_points.size()}, {"segments", sum.tight_segments.size()}}},
-                    {"update_ms", sums[i].work.ms}});
+    Json copy = {{"s", copies[i].scale.exact().to_string()}, {"at", {sums[i].at.x, sums[i].at.y}}};
+    copy.update(size_json(sums[i].sum, exact));
+    copy["update_ms"] = sums[i].work.ms;
+    list.push_back(std::move(copy));
   }
   return list;
 }
@@ -75,7 +70,7 @@ ExitCode run_copies(const ScaleCommand& command) {
     json.update({{"semantics", command.semantics},
                  {"scaled", command.scaled},
                  {"robot", command.robot},
-                 {"copies", copies_json(copies, sums)},
+                 {"copies", copies_json(copies, sums, command.report.exact)},
                  {"static_ms", scratch.median_ms},
                  {"update_ms", timing.median_ms},
                  {"work", {{"windows", work.windows}, {"rebuilt", work.rebuilt}}}});

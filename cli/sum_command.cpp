@@ -57,6 +57,7 @@ void add_sum_options(CLI::App& verb, SumCommand& command) {
       ->check(CLI::IsMember({"closed", "open", "regular"}))
       ->capture_default_str();
   add_report_options(verb, command.report, "Compute N times and report the median and minimum time");
+  add_exact_option(verb, command.report);
 }
 
 }  // namespace
@@ -96,6 +97,7 @@ ExitCode run_sum(const SumVerb& verb, const SumCommand& command) {
   report.engine = command.engine;
   report.semantics = command.semantics;
   report.orientation = verb.orientation;
+  report.exact = command.report.exact;
   report.inputs = read_inputs(command.operands, command.input);
   const Region& p = report.inputs[0].region;
   const Region& q = report.inputs[1].region;

@@ -11,11 +11,24 @@ class Pen {
  public:
   explicit Pen(double scale, Point moved) : scale_(scale), moved_(moved) { path_.precision(7); }
 
-  Point place(Point p) const { return {scale_ * p.x + moved_.x, -(scale_ * p.y + moved_.y)}; }
+  // Zero has no sign.
+  Point place(Point p) const { return {scale_ * p.x + moved_.x + 0.0, -(scale_ * p.y + moved_.y) + 0.0}; }
   void to(char command, Point p) {
     const Point q = place(p);
     path_ << command << q.x << ' ' << q.y;
     set_.box.see(q);
+  }
+  void segments(const std::vector<SumSegment>& list) {
+    for (const SumSegment& s : list) {
+      to('M', s.from.at);
+      to('L', s.to.at);
+    }
+  }
+  /// What follows is tight.
+  void begin_tight() {
+    set_.path = path_.str();
+    path_.str("");
+    tight_ = true;
   }
   void close() { path_ << 'Z'; }
   void dot(Point p) {
@@ -23,7 +36,7 @@ class Pen {
     set_.box.see(set_.dots.back());
   }
   Drawn finish() {
-    set_.path = path_.str();
+    (tight_ ? set_.tight : set_.path) = path_.str();
     return std::move(set_);
   }
 
@@ -31,6 +44,7 @@ class Pen {
   double scale_;
   Point moved_;
   std::ostringstream path_;
+  bool tight_ = false;
   Drawn set_;
 };
 
@@ -67,11 +81,9 @@ Drawn drawn(const PlanarSum& sum, Point moved) {
     ring(part.outer);
     for (const SumRing& hole : part.holes) ring(hole);
   }
-  for (const auto* segments : {&sum.segments, &sum.tight_segments})
-    for (const SumSegment& s : *segments) {
-      pen.to('M', s.from.at);
-      pen.to('L', s.to.at);
-    }
+  pen.segments(sum.segments);
+  pen.begin_tight();
+  pen.segments(sum.tight_segments);
   for (const auto* points : {&sum.points, &sum.tight_points})
     for (const SumVertex& v : *points) pen.dot(v.at);
   return pen.finish();
@@ -93,6 +105,17 @@ Drawn drawn(const Region& region, double scale, Point moved) {
   for (const Polyline& line : region.polylines()) chain(line);
   for (const Point& p : region.points()) pen.dot(p);
   return pen.finish();
+}
+
+std::string tight_features(const Drawn& set, double factor) {
+  std::string svg;
+  if (!set.tight.empty())
+    svg = "<path class=\"tight\" d=\"" + set.tight + "\" fill=\"none\" stroke=\"" + kTightColour + "\" stroke-width=\"" +
+          number(2 / factor) + "\" stroke-linecap=\"round\"/>";
+  for (const Point& p : set.dots)
+    svg += "<circle cx=\"" + number(p.x) + "\" cy=\"" + number(p.y) + "\" r=\"" + number(2.5 / factor) + "\" fill=\"" +
+           kTightColour + "\"/>";
+  return svg;
 }
 
 std::string number(double v) {

@@ -25,7 +25,8 @@ struct Box {
 
 /// What a picture needs of a set.
 struct Drawn {
-  std::string path;        ///< rings and segments
+  std::string path;         ///< rings and segments
+  std::string tight;        ///< tight segments
   std::vector<Point> dots;  ///< isolated and tight points
   Box box;
 };
@@ -34,6 +35,11 @@ struct Drawn {
 Drawn drawn(const PlanarSum& sum, Point moved = {});
 /// A region, scaled about the origin, then moved.
 Drawn drawn(const Region& region, double scale = 1, Point moved = {});
+
+/// The colour of tight features in every picture and page.
+inline constexpr const char* kTightColour = "#d81e3a";
+/// Tight segments and isolated and tight points, in units of which `factor` make a unit of the picture; empty where there are none.
+std::string tight_features(const Drawn& set, double factor);
 
 /// A coordinate with seven digits.
 std::string number(double v);

@@ -1,6 +1,7 @@
 // Everything.
 #pragma once
 
+#include "dymsum/area_text.h"
 #include "dymsum/convex_polygon_sum.h"
 #include "dymsum/convex_sum.h"
 #include "dymsum/criticality_map.h"

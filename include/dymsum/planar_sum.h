@@ -18,7 +18,7 @@
 
 namespace dymsum {
 
-/// How the boundary is found. All three give the identical canonical result.
+/// How the boundary is found. All three give the identical canonical result, up to the choice of contacts (SumVertex).
 enum class Engine {
   fast,     ///< interior mask, grid, kill rule, collision tests only where needed (the default)
   brute,    ///< all pairs of segments, every loop tested against all pairs of edges: the reference
@@ -49,8 +49,8 @@ struct Contact {
 };
 
 /// A vertex of the result: the common point of two segments of the convolution. Where a boundary turns from one segment
-/// into the next at a sum of two vertices, `corner` names that pair. Which contacts are named is one valid choice where
-/// several coincide; the position is unique.
+/// into the next at a sum of two vertices, `corner` names that pair. Positions are unique; where several contacts along
+/// one line carry a vertex (parallel edges of P and Q), engines may name different ones; elsewhere they name the same.
 struct SumVertex {
   static constexpr std::uint32_t kNone = 0xffffffff;
   Point at;                                ///< position within PlanarSum::at_error, for reading and drawing
@@ -117,7 +117,13 @@ class PlanarSum {
 
   std::size_t hole_count() const;
   std::size_t vertex_count() const;  ///< of all rings
+  /// The area as one fraction. Its denominator is about the product of those of all crossings: for thousands of them this costs far
+  /// more than the sum. O(M(b) log b) for b bits in that product, which may be 250 a crossing.
   Rational area_exact() const;
+  /// The same where that product, powers of two apart, has at most `bits` bits; found out before anything is multiplied.
+  std::optional<Rational> area_exact_within(std::size_t bits) const;
+  /// The nearest double to the exact area, zero and infinite past the double range. O(n), from positions of about thirty digits with
+  /// a proved error; from more digits where that does not decide, and from the fraction only where the area is a tie of two doubles.
   double area() const;
 
   /// The exact position of a vertex of this sum.

@@ -13,8 +13,8 @@
 
 namespace dymsum {
 
-/// poly: the thesis's format (number of chains; per chain `n out|in`, n points, an index line; # comments; glued numbers such as
-/// `-6.64248.788605` are split). wkt: any geometry. geojson: geometry, feature or collection. svg: path, polygon, polyline, rect,
+/// poly: the thesis's format (number of chains; per chain `n out|in`, n points, their order on an index line or more; # comments; glued
+/// numbers such as `-6.64248.788605` are split). wkt: any geometry. geojson: geometry, feature or collection. svg: path, polygon, polyline, rect,
 /// circle-free. json: a nesting instance with `items`.
 enum class RegionFormat { poly, wkt, geojson, svg, json };
 
@@ -37,6 +37,12 @@ Result<RegionData> read_region_data(const std::string& path);
 
 /// The region in a format, coordinates with the fewest digits that read back to the same doubles.
 std::string format_region(const Region& region, RegionFormat format);
+
+/// The same for a sum and its rounded region, with the tight features, every vertex of theirs correctly rounded. GeoJSON: a collection of
+/// two features, named `sum` and `tight`. The others: tight features that are not pieces of the set anyway follow as further
+/// geometries of one collection (.wkt), as `open` and `points` chains after a comment (.poly), or in `polylines` and `points` of the
+/// shape (.json); read back, they are the same closed set.
+std::string format_sum(const PlanarSum& sum, const Region& rounded, RegionFormat format);
 
 /// Writes text to a path ("-" is standard output) through a temporary file beside it, so that an existing file is replaced only by
 /// a complete one. Error cannot_write.

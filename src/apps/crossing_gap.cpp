@@ -4,10 +4,11 @@
 #include <cmath>
 #include <vector>
 
-#include "double_pair.h"
 
 namespace dymsum::apps {
 namespace {
+
+using exact::exact_product, exact::exact_sum;
 
 // A number as the sum of its terms, exactly as long as nothing underflows: coordinates are scaled to at most 1.
 using Terms = std::vector<double>;

@@ -8,10 +8,12 @@
 #include <vector>
 
 #include "dymsum/cspace_obstacle.h"
-#include "double_pair.h"
+#include "exact/double_pair.h"
 #include "range.h"
 
 namespace dymsum::apps {
+
+using exact::DoublePair;
 
 /// (cosine, sine) of an angle.
 struct Turn {

@@ -25,7 +25,7 @@ const std::string& require_text(const Source& source, const JsonValue& value, st
 
 Point require_position(const Source& source, const JsonValue& value) {
   if (value.kind() != JsonKind::pair) {
-    source.fail_on_line(Code::malformed, "expected a position of two numbers, [x, y]", value.line());
+    source.fail_on_line(Code::malformed, "expected a position of two numbers, [x, y]; others are not planar", value.line());
   }
   return value.pair();
 }

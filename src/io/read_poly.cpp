@@ -1,4 +1,4 @@
-// The thesis's format: number of chains; per chain `n out|in`, n points, one line with the order of the points.
+// The thesis's format: number of chains; per chain `n out|in`, n points, the order of the points on a line or more.
 // Besides, of our own: `n open` is a polyline, `n points` are single points.
 #include <algorithm>
 #include <cmath>
@@ -147,7 +147,8 @@ class PolyReader {
     return header;
   }
 
-  /// The index line holds the vertex numbers, from 1, in the order of the chain. It may be missing.
+  /// The index line holds the vertex numbers, from 1, in the order of the chain. It may be missing, and it may go on on
+  /// further lines, as real files have it, until every point has come or the next chain begins.
   void apply_index_line(std::vector<Point>& vertices) {
     skip();
     if (at_end() || vertices.empty() || at_chain_header()) return;
@@ -155,6 +156,24 @@ class PolyReader {
     std::vector<Point> ordered;
     std::vector<bool> seen(vertices.size());
     ordered.reserve(vertices.size());
+    while (true) {
+      read_indices(vertices, line_start, seen, ordered);
+      if (ordered.size() >= vertices.size()) break;
+      skip();
+      if (at_end() || at_chain_header()) break;
+    }
+    if (ordered.size() != vertices.size()) {
+      const Code code = at_end() ? Code::truncated : Code::malformed;
+      at_ = line_start;
+      fail(code, "the index line has " + std::to_string(ordered.size()) + " numbers for " +
+                     std::to_string(vertices.size()) + " points");
+    }
+    vertices = std::move(ordered);
+  }
+
+  /// The indices up to the end of the line.
+  void read_indices(const std::vector<Point>& vertices, std::size_t line_start, std::vector<bool>& seen,
+                    std::vector<Point>& ordered) {
     for (skip(true); !at_end() && text_[at_] != '\n'; skip(true)) {
       const std::uint64_t index = read_count("a point's index");
       if (index < 1 || index > vertices.size() || seen[index - 1]) {
@@ -166,13 +185,6 @@ class PolyReader {
       seen[index - 1] = true;
       ordered.push_back(vertices[index - 1]);
     }
-    if (ordered.size() != vertices.size()) {
-      const Code code = at_end() ? Code::truncated : Code::malformed;
-      at_ = line_start;
-      fail(code, "the index line has " + std::to_string(ordered.size()) + " numbers for " +
-                     std::to_string(vertices.size()) + " points");
-    }
-    vertices = std::move(ordered);
   }
 
   const Source& source_;

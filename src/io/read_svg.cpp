@@ -1,5 +1,6 @@
 // SVG: path, polygon, polyline, rect and line elements, all together one shape, coordinates as they stand in the file
-// (SVG's y axis points down; nothing is flipped). Our own files carry data-dymsum attributes and read back exactly.
+// (SVG's y axis points down; nothing is flipped); of the outermost element no viewBox is applied, and nothing is clipped.
+// What is not drawn is not read. Our own files carry data-dymsum attributes and read back exactly.
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -83,11 +84,14 @@ class SvgReader {
   bool visit(const pugi::xml_node& node) {
     if (node.type() != pugi::node_element) return false;
     const std::string_view name = local_name(node);
+    if (name == "style") refuse_hiding(node);
+    if (!marked_ && property(node, "display") == "none") return false;
     if (name == "g" || name == "svg" || name == "a" || name == "switch") return true;
     if (marked_) {
       if (name == "path" && node.attribute(kMark)) take_marked(node);
       return false;
     }
+    if (is_hidden(node)) return false;
     current_ = transforms_.back().after(transform_of(node));
     if (name == "path") take_path(node);
     if (name == "polygon") take_ring(node, parse_points(source_, text_of(node, "points")));
@@ -152,7 +156,7 @@ class SvgReader {
   void take_rectangle(const pugi::xml_node& node) {
     if (length(node, "rx") != 0 || length(node, "ry") != 0) fail(node, "the rectangle has round corners");
     const double x0 = length(node, "x"), y0 = length(node, "y");
-    const double x1 = x0 + length(node, "width"), y1 = y0 + length(node, "height");
+    const double x1 = x0 + size(node, "width"), y1 = y0 + size(node, "height");
     take_ring(node, {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}});
   }
 
@@ -169,9 +173,48 @@ class SvgReader {
     return node.attribute(name) ? parse_length(source_, text_of(node, name)) : 0;
   }
 
+  /// A length that must not be negative.
+  double size(const pugi::xml_node& node, const char* name) const {
+    const double value = length(node, name);
+    if (value < 0) fail(node, "the element " + in_quotes(local_name(node)) + " has a negative " + name);
+    return value;
+  }
+
   SvgTransform transform_of(const pugi::xml_node& node) const {
-    if (marked_ || !node.attribute("transform")) return {};
-    return parse_transform(source_, text_of(node, "transform"));
+    if (marked_) return {};
+    SvgTransform own;
+    if (node.attribute("transform")) own = parse_transform(source_, text_of(node, "transform"));
+    const bool nested = local_name(node) == "svg" && node != document_.document_element();
+    return nested ? own.after(viewport_of(node)) : own;
+  }
+
+  /// Where a nested svg element places what is in it.
+  SvgTransform viewport_of(const pugi::xml_node& node) const {
+    SvgViewport viewport{length(node, "x"), length(node, "y"), size(node, "width"), size(node, "height")};
+    if (!node.attribute("viewBox")) return {1, 0, 0, 1, viewport.x, viewport.y};
+    if (!node.attribute("width") || !node.attribute("height"))
+      fail(node, "a nested svg element with a viewBox needs its width and height as numbers");
+    return parse_view_box(source_, text_of(node, "viewBox"), viewport, node.attribute("preserveAspectRatio").value());
+  }
+
+  /// A presentation attribute, or what the element's own style says of it.
+  static std::string_view property(const pugi::xml_node& node, std::string_view name) {
+    return svg_property(node.attribute("style").value(), name, node.attribute(std::string(name).c_str()).value());
+  }
+
+  /// Visibility is inherited: the innermost element that sets it decides.
+  bool is_hidden(pugi::xml_node node) const {
+    for (; node.type() == pugi::node_element; node = node.parent()) {
+      const std::string_view visibility = property(node, "visibility");
+      if (!visibility.empty() && visibility != "inherit") return visibility == "hidden" || visibility == "collapse";
+    }
+    return false;
+  }
+
+  void refuse_hiding(const pugi::xml_node& node) const {
+    const std::string_view sheet = node.child_value();
+    if (sheet.find("display") != std::string_view::npos || sheet.find("visibility") != std::string_view::npos)
+      fail(node, "a style sheet that may hide elements, and style sheets cannot be read");
   }
 
   static SvgText text_of(const pugi::xml_node& node, const char* name) {

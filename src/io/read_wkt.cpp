@@ -1,7 +1,10 @@
 // Well-known text: geometries one after the other, usually one a line; each is a shape. Rings are closed in the file
 // (the closing vertex is dropped) and oriented here, because the format leaves orientation open.
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "io/number_text.h"
@@ -80,11 +83,15 @@ class WktReader {
     const std::size_t start = at_;
     const std::string word = read_word();
     if (word == "EMPTY") return;
-    if (word == "Z" || word == "M" || word == "ZM") {
-      source_.fail(Code::malformed, "coordinates with " + word + " are not planar", start);
-    }
+    refuse_third(word, start);
     at_ = start;
     read_list(item);
+  }
+
+  /// The words that announce more than two coordinates.
+  void refuse_third(std::string_view word, std::size_t start) const {
+    if (word == "Z" || word == "M" || word == "ZM")
+      source_.fail(Code::malformed, "coordinates with " + std::string(word) + " are not planar: only x and y can be read", start);
   }
 
   double read_coordinate() {
@@ -105,9 +112,10 @@ class WktReader {
     const double x = read_coordinate();
     const double y = read_coordinate();
     skip();
-    if (at_ < text_.size() && text_[at_] != ',' && text_[at_] != ')')
-      fail_expecting("',' or ')' after two coordinates");
-    return {x, y};
+    if (at_ >= text_.size() || text_[at_] == ',' || text_[at_] == ')') return {x, y};
+    if (scan_number(text_.substr(at_)).length > 0)
+      source_.fail(Code::malformed, "a third coordinate, " + in_quotes(rest_of_word()) + ": only x and y can be read, WKT with Z or M is not planar", at_);
+    fail_expecting("',' or ')' after two coordinates");
   }
 
   std::vector<Point> read_points() {
@@ -148,10 +156,20 @@ class WktReader {
     if (take('(')) {
       data_->points.push_back(read_point());
       require(')');
-    } else if (const std::size_t start = at_; read_word() != "EMPTY") {
-      at_ = start;
-      fail_expecting("'(' or EMPTY");
+      return;
     }
+    skip();
+    const std::size_t start = at_;
+    const std::string word = read_word();
+    if (word == "EMPTY") return;
+    refuse_third(word, start);
+    at_ = start;
+    fail_expecting("'(' or EMPTY");
+  }
+
+  static bool is_kind(std::string_view word) {
+    static constexpr std::string_view kKinds[] = {"POINT", "LINESTRING", "POLYGON", "MULTIPOINT", "MULTILINESTRING", "MULTIPOLYGON", "GEOMETRYCOLLECTION"};
+    return std::find(std::begin(kKinds), std::end(kKinds), word) != std::end(kKinds);
   }
 
   void read_geometry(int depth) {
@@ -160,6 +178,9 @@ class WktReader {
     if (depth > kMostNested)
       source_.fail(Code::malformed, "collections nested deeper than " + std::to_string(kMostNested), start);
     const std::string kind = read_word();
+    // POLYGONZ is POLYGON Z.
+    for (const std::string_view third : {"ZM", "Z", "M"})
+      if (kind.ends_with(third) && is_kind(kind.substr(0, kind.size() - third.size()))) refuse_third(third, start);
     if (kind == "POINT") {
       read_single_point();
     } else if (kind == "LINESTRING") {

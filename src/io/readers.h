@@ -19,6 +19,8 @@ std::vector<NamedShape> read_svg(const Source& source);
 std::string write_poly(const RegionData& data);
 std::string write_wkt(const RegionData& data);
 std::string write_geojson(const RegionData& data);
+/// The bare geometry, without the end of the line.
+std::string geojson_geometry(const RegionData& data);
 std::string write_nesting(const RegionData& data);
 std::string write_svg(const RegionData& data);
 

@@ -1,4 +1,4 @@
-// The text inside SVG's path, points and transform attributes.
+// The text inside SVG's path, points, transform, viewBox and style attributes.
 #pragma once
 
 #include <cstddef>
@@ -46,5 +46,18 @@ struct SvgTransform {
 
 /// A list of translate, scale and matrix. Rotations and skews, which are inexact, fail as malformed.
 SvgTransform parse_transform(const Source& source, const SvgText& text);
+
+/// The rectangle of a nested svg element, in the coordinates around it.
+struct SvgViewport {
+  double x = 0, y = 0, width = 0, height = 0;
+};
+
+/// What a viewBox makes of the coordinates inside a viewport. Malformed for a size that is not positive, and for what
+/// cuts off: `slice`.
+SvgTransform parse_view_box(const Source& source, const SvgText& text, const SvgViewport& viewport,
+                            std::string_view preserve_aspect_ratio);
+
+/// The value of a property: what the `style` attribute says, else the attribute of that name. Without blanks; empty where neither does.
+std::string_view svg_property(std::string_view style, std::string_view name, std::string_view attribute);
 
 }  // namespace dymsum::io

@@ -176,7 +176,7 @@ std::string write_wkt(const RegionData& data) {
   return out + "\n";
 }
 
-std::string write_geojson(const RegionData& data) {
+std::string geojson_geometry(const RegionData& data) {
   const bool several = geometry_count(data) != 1;
   std::string out;
   bool first = true;
@@ -190,8 +190,10 @@ std::string write_geojson(const RegionData& data) {
     out += '}';
   });
   if (several) out += "]}";
-  return out + "\n";
+  return out;
 }
+
+std::string write_geojson(const RegionData& data) { return geojson_geometry(data) + "\n"; }
 
 std::string write_nesting(const RegionData& data) {
   std::string out = R"({"name":"dymsum","items":[{"id":0,"demand":1,"allowed_orientations":[0.0],"shape":)";

@@ -1,6 +1,7 @@
 #include "planar/directions.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "planar/operand.h"
 
@@ -31,6 +32,9 @@ int compare_directions(const Lattice& lattice, const Edge& d, const Edge& e) {
     const std::int64_t cross = integer(u.x) * integer(v.y) - integer(u.y) * integer(v.x);
     return (cross < 0) - (cross > 0);
   }
+  // Three roundings of each component at most, one of each product and one of the difference.
+  const double left = u.x * v.y, right = u.y * v.x, bound = 0x1p-49 * (std::abs(left) + std::abs(right)) + 0x1p-1000;
+  if (const double cross = left - right; cross > bound || cross < -bound) return cross < 0 ? 1 : -1;
   return -lattice.cross(d, e);
 }
 

@@ -1,5 +1,6 @@
 #include "planar/exact_area.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <utility>
@@ -10,24 +11,6 @@ namespace {
 
 using exact::BigInteger;
 
-/// (x / w, y / w), w > 0.
-struct Vertex {
-  BigInteger x, y, w;
-};
-
-Vertex homogeneous(const Position& p) {
-  BigInteger x = numerator(p.x), y = numerator(p.y), xd = denominator(p.x), yd = denominator(p.y);
-  if (xd == yd) return {std::move(x), std::move(y), std::move(xd)};
-  const BigInteger common = gcd(xd, yd);
-  yd /= common;
-  xd /= common;
-  x *= yd;
-  y *= xd;
-  xd *= common;
-  xd *= yd;
-  return {std::move(x), std::move(y), std::move(xd)};
-}
-
 /// A fraction with a product of known factors as denominator.
 struct Fraction {
   BigInteger numerator, denominator;
@@ -35,9 +18,9 @@ struct Fraction {
 
 /// The cross products of edges first .. last - 1 of a ring sum up to numerator / (w(first) denominator w(last)). Two
 /// neighbours share one w, so every w enters the denominator once.
-Fraction chain_sum(std::span<const Vertex> ring, std::size_t first, std::size_t last) {
-  const Vertex& a = ring[first];
-  const Vertex& b = ring[last % ring.size()];
+Fraction chain_sum(std::span<const Homogeneous> ring, std::size_t first, std::size_t last) {
+  const Homogeneous& a = ring[first];
+  const Homogeneous& b = ring[last % ring.size()];
   if (last - first == 1) return {a.x * b.y - b.x * a.y, 1};
   const std::size_t middle = (first + last) / 2;
   const Fraction left = chain_sum(ring, first, middle), right = chain_sum(ring, middle, last);
@@ -47,9 +30,9 @@ Fraction chain_sum(std::span<const Vertex> ring, std::size_t first, std::size_t 
 }
 
 /// Unreduced sum of the rings' cross products.
-Fraction ring_sums(std::span<const std::vector<Vertex>> rings) {
+Fraction ring_sums(std::span<const std::vector<Homogeneous>> rings) {
   if (rings.size() == 1) {
-    const std::vector<Vertex>& ring = rings[0];
+    const std::vector<Homogeneous>& ring = rings[0];
     Fraction sum = chain_sum(ring, 0, ring.size());
     sum.denominator *= ring[0].w * ring[0].w;
     return sum;
@@ -94,26 +77,52 @@ double ExactArea::to_double() const {
   return exact::round_to_double(exact::BigRational(quotient * scale, 2));
 }
 
-// With D the product of the factors f of the denominator, gcd(N, D) = gcd(N, product of gcd(f, N)): for every prime,
-// the smaller of its powers in N and D is the smaller of that in N and the sum over f of the smaller of those in N and
-// f.
+namespace {
+
+/// All vertices in units of one power of two, the largest of all denominators: what is left of these is odd. Returns
+/// its exponent.
+unsigned leave_odd(std::vector<std::vector<Homogeneous>>& rings) {
+  unsigned twos = 0;
+  for (const auto& ring : rings)
+    for (const Homogeneous& v : ring) twos = std::max(twos, static_cast<unsigned>(lsb(v.w)));
+  for (auto& ring : rings)
+    for (Homogeneous& v : ring) {
+      const auto own = static_cast<unsigned>(lsb(v.w));
+      v.w >>= own;
+      v.x <<= twos - own;
+      v.y <<= twos - own;
+    }
+  return twos;
+}
+
+}  // namespace
+
 ExactArea exact_area(const std::vector<std::vector<Position>>& rings) {
-  std::vector<std::vector<Vertex>> vertices;
-  std::vector<BigInteger> factors{2};
-  for (const std::vector<Position>& ring : rings) {
-    if (ring.empty()) continue;
-    std::vector<Vertex>& to = vertices.emplace_back();
-    for (const Position& p : ring) to.push_back(homogeneous(p));
-    for (const Vertex& v : to)
+  std::vector<std::vector<Homogeneous>> vertices(rings.size());
+  for (std::size_t i = 0; i < rings.size(); ++i)
+    for (const Position& p : rings[i]) vertices[i].push_back(homogeneous(p));
+  return exact_area(std::move(vertices));
+}
+
+// With D the product of the odd factors f of the denominator, gcd(N, D) = gcd(N, product of gcd(f, N)): for every prime,
+// the smaller of its powers in N and D is the smaller of that in N and the sum over f of the smaller of those in N and
+// f. Twos are counted.
+ExactArea exact_area(std::vector<std::vector<Homogeneous>> rings) {
+  std::erase_if(rings, [](const std::vector<Homogeneous>& ring) { return ring.empty(); });
+  if (rings.empty()) return {};
+  const unsigned twos = 2 * leave_odd(rings) + 1;
+  std::vector<BigInteger> factors{1};
+  for (const std::vector<Homogeneous>& ring : rings) {
+    for (const Homogeneous& v : ring)
       if (v.w != 1) factors.push_back(v.w);
-    if (to[0].w != 1) factors.push_back(to[0].w);
+    if (ring[0].w != 1) factors.push_back(ring[0].w);
   }
-  if (vertices.empty()) return {};
-  Fraction sum = ring_sums(vertices);
-  sum.denominator *= 2;
+  Fraction sum = ring_sums(rings);
+  if (sum.numerator.is_zero()) return {};
   const BigInteger part = product_of_gcds(factors, BigInteger(abs(sum.numerator) % sum.denominator));
   const BigInteger common = gcd(part, BigInteger(abs(sum.numerator) % part));
-  return {sum.numerator / common, sum.denominator / common};
+  const unsigned shared = std::min(twos, static_cast<unsigned>(lsb(abs(sum.numerator))));
+  return {BigInteger(sum.numerator / common) >> shared, BigInteger(sum.denominator / common) << (twos - shared)};
 }
 
 }  // namespace dymsum::planar

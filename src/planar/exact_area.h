@@ -21,5 +21,7 @@ struct ExactArea {
 /// Half the sum of the cross products along all rings: counter-clockwise rings count positive, clockwise ones negative.
 /// Cost for n vertices of b bits: O(M(n b) log n), M Boost's multiplication, and a few divisions of n b bits.
 ExactArea exact_area(const std::vector<std::vector<Position>>& rings);
+/// Positions in lowest terms cost least.
+ExactArea exact_area(std::vector<std::vector<Homogeneous>> rings);
 
 }  // namespace dymsum::planar

@@ -2,8 +2,11 @@
 // operands, and everything that happens after the boundary has been found.
 #pragma once
 
+#include <optional>
+
 #include "dymsum/planar_sum.h"
 #include "exact/big.h"
+#include "exact/double_pair.h"
 
 namespace dymsum {
 
@@ -18,6 +21,30 @@ class ExactSource {
   virtual ~ExactSource() = default;
 
   virtual Position position(const SumVertex& vertex) const = 0;
+
+  /// (x / w, y / w), w > 0, not necessarily in lowest terms.
+  struct Homogeneous {
+    exact::BigInteger x, y, w;
+  };
+  /// The same position without the greatest common divisors that lowest terms cost. The default asks for position().
+  virtual Homogeneous homogeneous(const SumVertex& vertex) const;
+
+  /// What near() measures in: a position is origin + unit (x, y).
+  struct NearFrame {
+    exact::BigRational unit, x, y;
+  };
+  /// |x - exact| and |y - exact| are at most `error`, all in units; all numbers are below 2^404.
+  struct NearPosition {
+    exact::DoublePair x, y;
+    double error = 0;
+  };
+  /// Positions to some thirty digits, at the cost of a few operations on doubles. No frame where a source has none or
+  /// its numbers are too large. near() requires that there is one.
+  virtual std::optional<NearFrame> near_frame() const { return std::nullopt; }
+  virtual NearPosition near(const SumVertex& vertex) const;
+  /// The nearest doubles of a position where one rounding of doubles gives them: the sum of two vertices as they were
+  /// given. Else nothing.
+  virtual std::optional<Point> rounded_once(const SumVertex&) const { return std::nullopt; }
 
   /// The sign of x(a) - x(b), and of y(a) - y(b): -1, 0 or 1. The default compares positions; an engine overrides them
   /// where it can decide with fixed-width integers, because rectilinear sums ask this once or twice for every ring.

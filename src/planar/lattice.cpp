@@ -9,7 +9,9 @@
 
 #include "exact/grid.h"
 #include "exact/int.h"
+#include "exact/integer_pair.h"
 #include "planar/lattice_build.h"
+#include "planar/position_signs.h"
 
 namespace dymsum::planar {
 namespace {
@@ -123,30 +125,50 @@ class LatticeOf final : public Lattice {
     return exact::sign(u * t.d - v * s.d);
   }
 
-  Position position(const Place& x) const override {
+  // start + d N / D and the origin, over D.
+  Homogeneous homogeneous(const Place& x) const override {
     const SumVec s = sum(start_of(x.on));
     const EdgeVec d = edge(x.on.edge);
     const WideRatio t = ratio(x);
-    if (!scale_) {
-      const exact::BigInteger n = number(t.n), w = number(t.d);
-      return {from_grid(number(s.x) * w + number(d.x) * n, w, 0), from_grid(number(s.y) * w + number(d.y) * n, w, 1)};
-    }
-    const BigRational r(number(t.n), number(t.d));
-    return in_input(BigRational(number(s.x)) + r * BigRational(number(d.x)), BigRational(number(s.y)) + r * BigRational(number(d.y)));
+    const exact::BigInteger n = number(t.n), w = number(t.d);
+    return in_input((number(s.x) + origin()[0]) * w + number(d.x) * n, (number(s.y) + origin()[1]) * w + number(d.y) * n, w);
   }
+  Homogeneous homogeneous(Pair v) const override {
+    const SumVec s = sum(v);
+    return in_input(number(s.x) + origin()[0], number(s.y) + origin()[1], 1);
+  }
+
+  std::optional<NearFrame> near_frame() const override {
+    // A crossing's parameter is then a quotient of numbers below 2^804, and no error term of a product underflows.
+    if (!(span * integers_per_unit <= 0x1p400)) return std::nullopt;
+    const Homogeneous zero = in_input(origin()[0], origin()[1], 1), one = in_input(1, 0, 1);
+    return NearFrame{{one.x, one.w}, {zero.x, zero.w}, {zero.y, zero.w}};
+  }
+  // Integers err by 2^-104 of themselves, the quotient, the product and the sum by 2^-100 of theirs.
+  NearPosition near(const Place& x) const override {
+    using exact::integer_pair;
+    const SumVec s = sum(start_of(x.on));
+    const EdgeVec d = edge(x.on.edge);
+    const WideRatio r = ratio(x);
+    const exact::DoublePair t = integer_pair(r.n) / integer_pair(r.d);
+    const exact::DoublePair sx = integer_pair(s.x), sy = integer_pair(s.y), dx = integer_pair(d.x) * t, dy = integer_pair(d.y) * t;
+    const double reach = std::abs(sx.high) + std::abs(sy.high) + std::abs(dx.high) + std::abs(dy.high);
+    return {sx + dx, sy + dy, reach * 0x1p-97};
+  }
+  NearPosition near(Pair v) const override {
+    const SumVec s = sum(v);
+    const exact::DoublePair x = exact::integer_pair(s.x), y = exact::integer_pair(s.y);
+    return {x, y, (std::abs(x.high) + std::abs(y.high)) * 0x1p-103};
+  }
+
   Point position_of_low(std::uint32_t op) const override {
-    Position p = in_input(BigRational(0), BigRational(0));
+    Position p = reduced(in_input(origin()[0], origin()[1], 1));
     const Point& other = points[1 - op]->offset;
     p.x -= exact::exact_value(other.x);
     p.y -= exact::exact_value(other.y);
     return {exact::round_to_double(p.x), exact::round_to_double(p.y)};
   }
   const SharedIntegers& unscaled_integers() const override { return unscaled(); }
-  Position position(Pair v) const override {
-    const SumVec s = sum(v);
-    if (!scale_) return {from_grid(number(s.x), 1, 0), from_grid(number(s.y), 1, 1)};
-    return in_input(BigRational(number(s.x)), BigRational(number(s.y)));
-  }
 
  private:
   template <class T>
@@ -161,40 +183,34 @@ class LatticeOf final : public Lattice {
       return exact::to_big(v).value();
     }
   }
-  Position in_input(const BigRational& gx, const BigRational& gy) const {
-    BigRational unit = unit_rational();
-    std::array<BigRational, 2> x, y;
-    for (std::uint32_t op = 0; op < 2; ++op) {
-      x[op] = exact::exact_value(points[op]->offset.x);
-      y[op] = exact::exact_value(points[op]->offset.y);
+  // (x / w, y / w) integers from the input's origin, in input coordinates.
+  Homogeneous in_input(exact::BigInteger x, exact::BigInteger y, exact::BigInteger w) const {
+    if (exponent_ >= 0) {
+      x <<= exponent_;
+      y <<= exponent_;
+    } else {
+      w <<= -exponent_;
     }
-    if (scale_) {
-      unit /= scale_->den;
-      const std::uint32_t op = scale_->op;
-      if (const auto& turned = points[op]->turned; turned != nullptr) {
-        const BigRational u = x[op], v = y[op];
-        x[op] = (u * scale_->x - v * scale_->turn) / scale_->den + BigRational(turned->low[0]) * unit;
-        y[op] = (u * scale_->turn + v * scale_->y) / scale_->den + BigRational(turned->low[1]) * unit;
-      } else {
-        x[op] *= BigRational(scale_->x, scale_->den);
-        y[op] *= BigRational(scale_->y, scale_->den);
+    if (scale_) w *= scale_->den;
+    return {std::move(x), std::move(y), std::move(w)};
+  }
+  // Where the integers begin: both offsets, in integers from the input's origin.
+  const std::array<exact::BigInteger, 2>& origin() const {
+    std::call_once(origin_made_, [this] {
+      for (std::uint32_t op = 0; op < 2; ++op) {
+        const exact::BigInteger x = exact::grid_coordinate<Big>(points[op]->offset.x, exponent_).value();
+        const exact::BigInteger y = exact::grid_coordinate<Big>(points[op]->offset.y, exponent_).value();
+        const bool scaled = scale_ && op == scale_->op;
+        const exact::BigInteger one = 1, &factor_x = scaled ? scale_->x : scale_ ? scale_->den : one, &factor_y = scaled ? scale_->y : factor_x;
+        origin_[0] += x * factor_x;
+        origin_[1] += y * factor_y;
+        if (const auto& turned = points[op]->turned; scaled && turned != nullptr) {
+          origin_[0] += turned->low[0] - y * scale_->turn;
+          origin_[1] += turned->low[1] + x * scale_->turn;
+        }
       }
-    }
-    return {BigRational(gx * unit + x[0] + x[1]), BigRational(gy * unit + y[0] + y[1])};
-  }
-  // n / w grid units and both offsets, which are on the grid; reduced once. Requires: nothing is scaled.
-  BigRational from_grid(exact::BigInteger n, exact::BigInteger w, int axis) const {
-    for (const auto& operand : points) {
-      const double offset = axis == 0 ? operand->offset.x : operand->offset.y;
-      n += w * exact::grid_coordinate<Big>(offset, exponent_).value();
-    }
-    (exponent_ >= 0 ? n : w) <<= std::abs(exponent_);
-    return {n, w};
-  }
-  BigRational unit_rational() const {
-    boost::multiprecision::cpp_int power = 1;
-    power <<= std::abs(exponent_);
-    return exponent_ >= 0 ? BigRational(power) : BigRational(boost::multiprecision::cpp_int(1), power);
+    });
+    return origin_;
   }
 
   Vec at(std::uint32_t op, std::uint32_t i) const {
@@ -340,9 +356,15 @@ class LatticeOf final : public Lattice {
   mutable std::atomic<bool> filled_ = false;
   mutable std::atomic<const SharedIntegers*> unscaled_ = nullptr;  ///< `integers`, once they are made
   mutable std::array<std::vector<Vec>, 2> integers_;
+  mutable std::once_flag origin_made_;
+  mutable std::array<exact::BigInteger, 2> origin_;
 };
 
 }  // namespace
+
+Lattice::Position Lattice::position(const Place& x) const { return reduced(homogeneous(x)); }
+
+Lattice::Position Lattice::position(Pair v) const { return reduced(homogeneous(v)); }
 
 std::shared_ptr<Lattice> build_lattice(std::array<std::shared_ptr<const PlacedPoints>, 2> points, int exponent, int unit, int bits,
                                        std::optional<LatticeScale> scale, int min_tier_bits) {

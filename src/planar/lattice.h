@@ -6,11 +6,13 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "dymsum/region.h"
 #include "exact/big.h"
+#include "planar/exact_source.h"
 
 namespace dymsum::planar {
 
@@ -122,12 +124,20 @@ class Lattice {
   /// The sign of a - b along an axis, for any places.
   virtual int compare_coordinate(Pair a, const Place& b, int axis) const = 0;
   virtual int compare_coordinate(const Place& a, const Place& b, int axis) const = 0;
+  using Position = ExactSource::Position;
+  using Homogeneous = ExactSource::Homogeneous;
+  using NearFrame = ExactSource::NearFrame;
+  using NearPosition = ExactSource::NearPosition;
   /// The exact position in input coordinates.
-  struct Position {
-    exact::BigRational x, y;
-  };
-  virtual Position position(const Place& x) const = 0;
-  virtual Position position(Pair v) const = 0;
+  Position position(const Place& x) const;
+  Position position(Pair v) const;
+  /// The same, not in lowest terms.
+  virtual Homogeneous homogeneous(const Place& x) const = 0;
+  virtual Homogeneous homogeneous(Pair v) const = 0;
+  /// Positions to some thirty digits, in units of the exact layer's integers; no frame where these have over 400 bits.
+  virtual std::optional<NearFrame> near_frame() const = 0;
+  virtual NearPosition near(const Place& x) const = 0;
+  virtual NearPosition near(Pair v) const = 0;
 
   /// Requires: tier_bits is not 0 and `integers` are set.
   virtual const SharedIntegers& unscaled_integers() const = 0;

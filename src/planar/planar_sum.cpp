@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "planar/exact_area.h"
 #include "planar/exact_source.h"
+#include "planar/nearest_area.h"
 #include "planar/rounding.h"
 #include "planar/vertex_order.h"
 
@@ -13,20 +13,24 @@ namespace dymsum {
 
 namespace {
 
-using planar::Position;
+/// Both coordinates, crosswise: no greatest common divisor is needed to compare.
+bool equal(const ExactSource::Homogeneous& p, const ExactSource::Homogeneous& q) {
+  if (p.w == q.w) return p.x == q.x && p.y == q.y;
+  return p.x * q.w == q.x * p.w && p.y * q.w == q.y * p.w;
+}
 
-planar::ExactArea area_of(const PlanarSum& sum) {
-  std::vector<std::vector<Position>> rings;
-  const auto add = [&](const SumRing& ring) {
-    std::vector<Position>& to = rings.emplace_back();
-    for (const SumVertex& v : ring.vertices) to.push_back(sum.source->position(v));
-  };
-  if (!sum.parts.empty() && !sum.source) throw std::logic_error("PlanarSum: vertices without exact positions");
-  for (const SumPart& part : sum.parts) {
-    add(part.outer);
-    for (const SumRing& hole : part.holes) add(hole);
+/// n / w, w > 0. Most denominators are powers of two, which need no greatest common divisor.
+Rational lowest_terms(exact::BigInteger n, exact::BigInteger w) {
+  if (n.is_zero()) return {};
+  const auto twos = std::min(lsb(exact::BigInteger(abs(n))), lsb(w));
+  n >>= twos;
+  w >>= twos;
+  if (msb(w) != lsb(w)) {
+    const exact::BigInteger common = gcd(n, w);
+    n /= common;
+    w /= common;
   }
-  return planar::exact_area(rings);
+  return {n.str(), w.str()};
 }
 
 /// Compares vertices of two sums by their exact positions; those of one source and one provenance without asking it.
@@ -37,8 +41,7 @@ class SameVertices {
   bool operator()(const SumVertex& a, const SumVertex& b) const {
     if (a_ == b_ && planar::same_place(a, b)) return true;
     if (a_ == nullptr || b_ == nullptr) throw std::logic_error("PlanarSum: vertices without exact positions");
-    const Position p = a_->position(a), q = b_->position(b);
-    return planar::compare(p, q) == 0;
+    return equal(a_->homogeneous(a), b_->homogeneous(b));
   }
   bool operator()(const SumSegment& a, const SumSegment& b) const {
     return (*this)(a.from, b.from) && (*this)(a.to, b.to);
@@ -86,14 +89,16 @@ std::size_t PlanarSum::vertex_count() const {
   return count;
 }
 
-Rational PlanarSum::area_exact() const { return area_of(*this).to_rational(); }
+Rational PlanarSum::area_exact() const { return planar::area_fraction(*this); }
 
-double PlanarSum::area() const { return area_of(*this).to_double(); }
+std::optional<Rational> PlanarSum::area_exact_within(std::size_t bits) const { return planar::area_within(*this, bits); }
+
+double PlanarSum::area() const { return planar::nearest_area(*this); }
 
 RationalPoint PlanarSum::exact(const SumVertex& vertex) const {
   if (!source) throw std::logic_error("PlanarSum: vertices without exact positions");
-  const Position p = source->position(vertex);
-  return {exact::to_rational(p.x), exact::to_rational(p.y)};
+  const ExactSource::Homogeneous p = source->homogeneous(vertex);
+  return {lowest_terms(p.x, p.w), lowest_terms(p.y, p.w)};
 }
 
 Result<Region> PlanarSum::rounded() const { return planar::rounded(*this); }

@@ -3,9 +3,18 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
 namespace dymsum {
+
+ExactSource::Homogeneous ExactSource::homogeneous(const SumVertex& vertex) const {
+  return planar::homogeneous(position(vertex));
+}
+
+ExactSource::NearPosition ExactSource::near(const SumVertex&) const {
+  throw std::logic_error("ExactSource: near() without a frame");
+}
 
 int ExactSource::compare_x(const SumVertex& a, const SumVertex& b) const {
   return planar::compare(position(a).x, position(b).x);
@@ -18,21 +27,6 @@ int ExactSource::compare_y(const SumVertex& a, const SumVertex& b) const {
 namespace planar {
 
 namespace {
-
-/// (x / w, y / w), w > 0.
-struct Homogeneous {
-  exact::BigInteger x, y, w;
-};
-
-Homogeneous homogeneous(const Position& p) {
-  Homogeneous h{numerator(p.x), numerator(p.y), denominator(p.x)};
-  const exact::BigInteger yd = denominator(p.y);
-  if (h.w == yd) return h;
-  h.x *= yd;
-  h.y *= h.w;
-  h.w *= yd;
-  return h;
-}
 
 /// The determinant of three positions, each scaled by its positive w, so that only integers are multiplied.
 int orientation_exact(const Position& a, const Position& b, const Position& c) {
@@ -47,6 +41,20 @@ int orientation_exact(const Position& a, const Position& b, const Position& c) {
 int compare_doubles(double a, double b) { return (a > b) - (a < b); }
 
 }  // namespace
+
+Homogeneous homogeneous(const Position& p) {
+  Homogeneous h{numerator(p.x), numerator(p.y), denominator(p.x)};
+  exact::BigInteger yd = denominator(p.y);
+  if (h.w == yd) return h;
+  const exact::BigInteger common = gcd(h.w, yd);
+  yd /= common;
+  h.x *= yd;
+  h.y *= h.w / common;
+  h.w *= yd;
+  return h;
+}
+
+Position reduced(const Homogeneous& p) { return {{p.x, p.w}, {p.y, p.w}}; }
 
 int compare(const exact::BigRational& a, const exact::BigRational& b) {
   const exact::BigInteger an = numerator(a), bn = numerator(b), ad = denominator(a), bd = denominator(b);

@@ -10,6 +10,12 @@
 namespace dymsum::planar {
 
 using Position = ExactSource::Position;
+using Homogeneous = ExactSource::Homogeneous;
+
+/// Over the least common denominator.
+Homogeneous homogeneous(const Position& p);
+/// In lowest terms.
+Position reduced(const Homogeneous& p);
 
 /// The sign of a - b. (Boost's own comparison of rationals expands continued fractions.)
 int compare(const exact::BigRational& a, const exact::BigRational& b);

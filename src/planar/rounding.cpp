@@ -35,14 +35,14 @@ Error changed(const SumSkeleton& skeleton, std::string what, std::uint32_t verte
   error.evidence.other_part = b.part;
   error.evidence.other_ring = b.ring;
   if (b.part) error.evidence.other_vertex = other - b.first;
-  error.evidence.x = skeleton.vertices[vertex].nearest.x;
-  error.evidence.y = skeleton.vertices[vertex].nearest.y;
+  error.evidence.x = skeleton.nearest[vertex].x;
+  error.evidence.y = skeleton.nearest[vertex].y;
   return error;
 }
 
 std::optional<Error> check_finite_places(const SumSkeleton& skeleton) {
   for (const std::uint32_t v : skeleton.places) {
-    const Point p = skeleton.vertices[v].nearest;
+    const Point p = skeleton.nearest[v];
     if (!std::isfinite(p.x) || !std::isfinite(p.y)) return changed(skeleton, "leaves the range of doubles", v, v);
   }
   return std::nullopt;
@@ -54,10 +54,10 @@ BentEdges bend_edges(const SumSkeleton& skeleton, const std::vector<VertexOnEdge
   auto next = contacts.begin();
   for (std::uint32_t e = 0; e < skeleton.edges.size(); ++e) {
     const SumSkeleton::Edge& edge = skeleton.edges[e];
-    const Point a = skeleton.vertices[edge.from].nearest, b = skeleton.vertices[edge.to].nearest;
+    const Point a = skeleton.nearest[edge.from], b = skeleton.nearest[edge.to];
     const auto end = std::find_if(next, contacts.end(), [e](const VertexOnEdge& c) { return c.edge != e; });
     const bool leaves = std::any_of(next, end, [&](const VertexOnEdge& c) {
-      return exact::orient_sign(a, b, skeleton.vertices[c.vertex].nearest) != 0;
+      return exact::orient_sign(a, b, skeleton.nearest[c.vertex]) != 0;
     });
     bent.first.push_back(bent.path.size());
     bent.path.push_back(edge.from);
@@ -80,9 +80,9 @@ std::optional<Error> check_no_new_contact(const SumSkeleton& skeleton, const std
                                         [](const VertexOnEdge& a, const VertexOnEdge& b) { return a.edge < b.edge; });
     for (std::size_t i = bent.first[e]; i + 1 < bent.first[e + 1]; ++i) {
       const std::uint32_t from = skeleton.place[bent.path[i]], to = skeleton.place[bent.path[i + 1]];
-      const Point a = skeleton.vertices[from].nearest, b = skeleton.vertices[to].nearest;
+      const Point a = skeleton.nearest[from], b = skeleton.nearest[to];
       skeleton.visit_places_in_box(a, b, [&](std::uint32_t v) {
-        if (v == from || v == to || exact::orient_sign(a, b, skeleton.vertices[v].nearest) != 0) return;
+        if (v == from || v == to || exact::orient_sign(a, b, skeleton.nearest[v]) != 0) return;
         if (std::find(known.first, known.second, VertexOnEdge{e, v}) != known.second) return;
         error = changed(skeleton, "moves a vertex onto an edge", v, skeleton.edges[e].from);
       });
@@ -100,7 +100,7 @@ bool cross_properly(Point a, Point b, Point c, Point d) {
 }
 
 int count_crossings(const SumSkeleton& skeleton, const BentEdges& bent, std::uint32_t e, std::uint32_t f) {
-  const auto at = [&](std::size_t i) { return skeleton.vertices[bent.path[i]].nearest; };
+  const auto at = [&](std::size_t i) { return skeleton.nearest[bent.path[i]]; };
   int count = 0;
   for (std::size_t i = bent.first[e]; i + 1 < bent.first[e + 1]; ++i)
     for (std::size_t j = bent.first[f]; j + 1 < bent.first[f + 1]; ++j)
@@ -120,11 +120,11 @@ std::optional<Error> check_segment_crossings(const SumSkeleton& skeleton, const 
                                              const BentEdges& bent) {
   for (std::uint32_t s = 0; s < skeleton.edges.size(); ++s) {
     if (skeleton.chains[skeleton.edges[s].chain].closed) continue;
-    const Spot& a = skeleton.vertices[skeleton.edges[s].from];
-    const Spot& b = skeleton.vertices[skeleton.edges[s].to];
+    const Spot& a = skeleton.spot(skeleton.edges[s].from);
+    const Spot& b = skeleton.spot(skeleton.edges[s].to);
     for (std::uint32_t e = 0; e < s; ++e) {
       const SumSkeleton::Edge& edge = skeleton.edges[e];
-      const bool before = cross_properly(a, b, skeleton.vertices[edge.from], skeleton.vertices[edge.to]);
+      const bool before = cross_properly(a, b, skeleton.spot(edge.from), skeleton.spot(edge.to));
       const int after = count_crossings(skeleton, bent, s, e);
       if (after != (before ? 1 : 0) && !(before && after == 0 && share_contact(contacts, s, e)))
         return changed(skeleton, "makes or loses a crossing of a segment", skeleton.edges[s].from, edge.from);
@@ -141,8 +141,8 @@ RegionData region_data(const SumSkeleton& skeleton, const BentEdges& bent) {
     std::vector<Point> points;
     for (const std::size_t end = edge + edge_count; edge < end; ++edge)
       for (std::size_t i = bent.first[edge]; i + 1 < bent.first[edge + 1]; ++i)
-        points.push_back(skeleton.vertices[bent.path[i]].nearest);
-    if (!chain.closed) points.push_back(skeleton.vertices[chain.first + chain.count - 1].nearest);
+        points.push_back(skeleton.nearest[bent.path[i]]);
+    if (!chain.closed) points.push_back(skeleton.nearest[chain.first + chain.count - 1]);
     if (!chain.closed && chain.count == 1)
       data.points.push_back(points.front());
     else if (!chain.closed)

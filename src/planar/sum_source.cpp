@@ -16,14 +16,24 @@ Pair SumSource::corner(const SumVertex& v) const {
   return {operands_[0]->numbered_vertex[v.corner_p], operands_[1]->numbered_vertex[v.corner_q]};
 }
 
-ExactSource::Position SumSource::position(const SumVertex& vertex) const {
-  Lattice::Position p;
-  if (vertex.corner_p != SumVertex::kNone) {
-    p = lattice_->position(corner(vertex));
-  } else {
-    p = lattice_->position(crossing(vertex));
-  }
-  return {std::move(p.x), std::move(p.y)};
+ExactSource::Position SumSource::position(const SumVertex& vertex) const { return reduced(homogeneous(vertex)); }
+
+ExactSource::Homogeneous SumSource::homogeneous(const SumVertex& vertex) const {
+  if (vertex.corner_p != SumVertex::kNone) return lattice_->homogeneous(corner(vertex));
+  return lattice_->homogeneous(crossing(vertex));
+}
+
+ExactSource::NearPosition SumSource::near(const SumVertex& vertex) const {
+  if (vertex.corner_p != SumVertex::kNone) return lattice_->near(corner(vertex));
+  return lattice_->near(crossing(vertex));
+}
+
+std::optional<Point> SumSource::rounded_once(const SumVertex& vertex) const {
+  // The lattices of operands that are scaled or turned share integers.
+  if (vertex.corner_p == SumVertex::kNone || lattice_->integers != nullptr) return std::nullopt;
+  const Pair v = corner(vertex);
+  const Point &p = lattice_->points[0]->input[v.p], &q = lattice_->points[1]->input[v.q];
+  return Point{p.x + q.x + 0.0, p.y + q.y + 0.0};
 }
 
 Place SumSource::crossing(const SumVertex& v) const {
@@ -47,10 +57,7 @@ int SumSource::compare_x(const SumVertex& a, const SumVertex& b) const { return 
 int SumSource::compare_y(const SumVertex& a, const SumVertex& b) const { return compare(a, b, 1); }
 
 bool SumSource::on_segment(const Segment& s, const Position& at) const {
-  const auto spot = [&](Pair v) {
-    Lattice::Position p = lattice_->position(v);
-    return make_spot(Position{std::move(p.x), std::move(p.y)});
-  };
+  const auto spot = [&](Pair v) { return make_spot(lattice_->position(v)); };
   return planar::on_segment(spot(start_of(s)), spot(end_of(s)), make_spot(at));
 }
 

@@ -16,6 +16,10 @@ class SumSource final : public ExactSource {
       : lattice_(std::move(lattice)), operands_{std::move(p), std::move(q)} {}
 
   Position position(const SumVertex& vertex) const override;
+  Homogeneous homogeneous(const SumVertex& vertex) const override;
+  std::optional<NearFrame> near_frame() const override { return lattice_->near_frame(); }
+  NearPosition near(const SumVertex& vertex) const override;
+  std::optional<Point> rounded_once(const SumVertex& vertex) const override;
   int compare_x(const SumVertex& a, const SumVertex& b) const override;
   int compare_y(const SumVertex& a, const SumVertex& b) const override;
 

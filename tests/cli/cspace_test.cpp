@@ -215,7 +215,7 @@ TEST_F(CspaceCli, RotateFollowsPlanarOperands) {
   EXPECT_EQ(report["frames"][0]["area_exact"], json("dymsum sum peg.wkt slot.wkt --json")["area_exact"]);
   EXPECT_EQ(report["frames"][2]["tan_half"], "1/1") << "a quarter turn is exact";
   EXPECT_EQ(report["frames"][4]["tan_half"], "inf");
-  EXPECT_EQ(count("r.svg", "<path"), 8u);
+  EXPECT_EQ(count("r.svg", "fill=\"#9ecae1\""), 8u);
   EXPECT_EQ(count("r.anim.svg", "class=\"frame\""), 8u);
   EXPECT_NE(work.read("r.html").find("<script>"), std::string::npos);
   const std::string more = " --error 1e-3 --semantics regular --json";

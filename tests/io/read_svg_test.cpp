@@ -148,5 +148,44 @@ TEST(ReadSvg, very_many_rings_around_one_another_are_refused_in_time) {
   refused(path + "'/>", Code::malformed, 2, "too many rings");
 }
 
+TEST(ReadSvg, nested_svg_elements_place_their_content) {
+  const std::string square = "<path d='M0 0L10 0L10 10L0 10Z'/></svg>";
+  const auto at = [](double x0, double y0, double x1, double y1) { return Ring{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; };
+  EXPECT_EQ(ring_of("<svg x='5' y='-2'>" + square), at(5, -2, 15, 8));
+  EXPECT_EQ(ring_of("<svg x='5' y='1' width='20' height='20' viewBox='0 0 10 10'>" + square), at(5, 1, 25, 21));
+  EXPECT_EQ(ring_of("<svg width='10' height='10' viewBox='-4 2 10 10'>" + square), at(4, -2, 14, 8));
+  // The smaller of both scales, in the middle unless it is said otherwise.
+  const std::string wide = "<svg width='40' height='20' viewBox='0 0 10 10'";
+  EXPECT_EQ(ring_of(wide + ">" + square), at(10, 0, 30, 20));
+  EXPECT_EQ(ring_of(wide + " preserveAspectRatio='xMinYMid'>" + square), at(0, 0, 20, 20));
+  EXPECT_EQ(ring_of(wide + " preserveAspectRatio='xMaxYMax meet'>" + square), at(20, 0, 40, 20));
+  EXPECT_EQ(ring_of(wide + " preserveAspectRatio='none'>" + square), at(0, 0, 40, 20));
+  EXPECT_EQ(ring_of("<g transform='scale(2)'><svg x='5'><svg y='1'>" + square + "</svg></g>"), at(10, 2, 30, 22));
+  refused("<svg width='9' height='9' viewBox='0 0 10'>" + square, Code::malformed, 2, "four numbers");
+  refused("<svg width='9' height='9' viewBox='0 0 10 0'>" + square, Code::malformed, 2, "positive width and height");
+  refused("<svg width='-9' height='9'>" + square, Code::malformed, 2, "negative width");
+  refused("<svg width='9' viewBox='0 0 10 10'>" + square, Code::malformed, 2, "needs its width and height");
+  refused(wide + " preserveAspectRatio='xMidYMid slice'>" + square, Code::malformed, 2, "cuts off");
+}
+
+TEST(ReadSvg, hidden_elements_are_not_read) {
+  const std::string seen = "<rect width='1' height='1'/>", hidden = "<rect x='5' width='2' height='2'/>";
+  const Ring square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  EXPECT_EQ(ring_of(seen + "<g display='none'>" + hidden + "</g>"), square);
+  EXPECT_EQ(ring_of(seen + "<g style='fill:red; display : none !important'><g>" + hidden + "</g></g>"), square);
+  EXPECT_EQ(ring_of(seen + "<g visibility='hidden'>" + hidden + "</g>"), square);
+  EXPECT_EQ(ring_of("<g style='visibility:collapse'>" + hidden + "<g visibility='visible'>" + seen + "</g></g>"), square);
+  EXPECT_EQ(ring_of(seen + "<rect display='none' width='2' height='2'/>"), square);
+  // The element's own style comes before the attribute.
+  EXPECT_EQ(ring_of("<rect display='none' style='display:inline' width='1' height='1'/>"), square);
+  EXPECT_EQ(ring_of("<style>rect { fill: red }</style>" + seen), square);
+  refused("<style>.a { display: none }</style>" + seen, Code::malformed, 2, "style sheet");
+}
+
+TEST(ReadSvg, negative_sizes_are_refused) {
+  refused("\n<rect width='-2' height='3'/>", Code::malformed, 3, "'rect' has a negative width");
+  refused("<rect width='2' height='-3'/>", Code::malformed, 2, "'rect' has a negative height");
+}
+
 }  // namespace
 }  // namespace dymsum::io_test

@@ -57,9 +57,8 @@ TEST(ReadWkt, a_sole_shape_is_named_after_its_file) {
 
 TEST(ReadWkt, refuses_what_does_not_follow_the_format) {
   refused("POINT (1 2)\nCIRCLE (1 2)\n", Code::malformed, 2, "instead of 'CIRCLE'");
-  refused("POINT Z (1 2 3)", Code::malformed, 1, "'('");
   refused("POLYGON Z ((0 0 1, 1 0 1, 0 1 1, 0 0 1))", Code::malformed, 1, "not planar");
-  refused("POLYGON ((0 0,\n1 0 7,\n0 1, 0 0))", Code::malformed, 2, "after two coordinates");
+  refused("POLYGON ((0 0,\n1 0 7,\n0 1, 0 0))", Code::malformed, 2, "a third coordinate");
   refused("POLYGON ((0 0,\n1 0x,\n0 1, 0 0))", Code::malformed, 2, "'0x'");
   refused("POLYGON ((0 0, 1 0, 0 1\n, 0 0.5))", Code::malformed, 1, "not closed");
   refused("LINESTRING (0 0; 1 1)", Code::malformed, 1, "'0;'");
@@ -83,6 +82,14 @@ TEST(ReadWkt, deep_nesting_is_refused) {
   std::string text;
   for (int i = 0; i < 100000; ++i) text += "GEOMETRYCOLLECTION(";
   refused(text, Code::malformed, 1, "nested deeper than 32");
+}
+
+TEST(ReadWkt, third_coordinates_are_refused_as_such) {
+  for (const char* text : {"POLYGON Z ((0 0 1, 1 0 1, 0 1 1, 0 0 1))", "POLYGONZ((0 0 1, 1 0 1, 0 1 1, 0 0 1))", "POINT Z (1 2 3)", "POINTM (1 2 3)",
+                           "MULTIPOINT Z ((1 2 3))", "LineString ZM (0 0 1 1, 1 1 1 1)", "GEOMETRYCOLLECTION Z (POINT Z (1 2 3))"})
+    refused(text, Code::malformed, 1, "not planar: only x and y can be read");
+  for (const char* text : {"POLYGON ((0 0 1, 1 0 1, 0 1 1, 0 0 1))", "POINT (1 2 3)", "MULTIPOINT ((1 2 3))", "LINESTRING (0 0, 1 1 1e3)"})
+    refused(text, Code::malformed, 1, "a third coordinate");
 }
 
 }  // namespace

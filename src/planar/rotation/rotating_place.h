@@ -16,6 +16,9 @@ class TurnedSource final : public ExactSource {
  public:
   TurnedSource(std::shared_ptr<const ScalingBase> base, Orientation theta) : base_(std::move(base)), theta_(std::move(theta)) {}
   Position position(const SumVertex& vertex) const override { return source().position(vertex); }
+  Homogeneous homogeneous(const SumVertex& vertex) const override { return source().homogeneous(vertex); }
+  std::optional<NearFrame> near_frame() const override { return source().near_frame(); }
+  NearPosition near(const SumVertex& vertex) const override { return source().near(vertex); }
   int compare_x(const SumVertex& a, const SumVertex& b) const override;
   int compare_y(const SumVertex& a, const SumVertex& b) const override;
 

@@ -41,6 +41,9 @@ class ScalingSource final : public ExactSource {
  public:
   ScalingSource(std::shared_ptr<const ScalingBase> base, LatticeScale scale) : base_(std::move(base)), scale_(std::move(scale)) {}
   Position position(const SumVertex& vertex) const override { return source().position(vertex); }
+  Homogeneous homogeneous(const SumVertex& vertex) const override { return source().homogeneous(vertex); }
+  std::optional<NearFrame> near_frame() const override { return source().near_frame(); }
+  NearPosition near(const SumVertex& vertex) const override { return source().near(vertex); }
   int compare_x(const SumVertex& a, const SumVertex& b) const override;
   int compare_y(const SumVertex& a, const SumVertex& b) const override;
 

@@ -21,8 +21,11 @@ class DelegatingLattice : public Lattice {
   int compare_coordinate(Pair a, const Place& b, int axis) const override { return plain_.compare_coordinate(a, b, axis); }
   int compare(const Segment& on, const Cut& a, const Cut& b) const override { return plain_.compare(on, a, b); }
   int compare_coordinate(const Place& a, const Place& b, int axis) const override { return plain_.compare_coordinate(a, b, axis); }
-  Position position(const Place& x) const override { return plain_.position(x); }
-  Position position(Pair v) const override { return plain_.position(v); }
+  Homogeneous homogeneous(const Place& x) const override { return plain_.homogeneous(x); }
+  Homogeneous homogeneous(Pair v) const override { return plain_.homogeneous(v); }
+  std::optional<NearFrame> near_frame() const override { return plain_.near_frame(); }
+  NearPosition near(const Place& x) const override { return plain_.near(x); }
+  NearPosition near(Pair v) const override { return plain_.near(v); }
   const SharedIntegers& unscaled_integers() const override { return plain_.unscaled_integers(); }
   Point position_of_low(std::uint32_t op) const override { return plain_.position_of_low(op); }
 
