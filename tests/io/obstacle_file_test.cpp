@@ -54,6 +54,8 @@ TEST(ObstacleFile, what_is_read_is_what_was_written) {
         for (const std::uint32_t p : loop) EXPECT_EQ(read->free_cell(k, p), made.free_cell(k, p));
     }
     EXPECT_EQ(read->events().size(), made.events().size());
+    EXPECT_EQ(read->tight(), made.tight());
+    EXPECT_EQ(read->may_have_tight_curves(), made.may_have_tight_curves());
     EXPECT_EQ(read->shells().size(), made.shells().size());
     const ObstacleQueries asked(*read), queries(made);
     for (const Configuration q : {Configuration{0, 0, 0}, {0.25, 1.5, 1}, {-3, 2, -2}, {5, 5, 3}}) {
@@ -101,7 +103,7 @@ TEST(ObstacleFile, an_index_that_names_nothing_is_refused) {
       {"/patches/0", Json::array()}, {"/patch_cells", Json::array()}, {"/patch_cells/0", Json::array()}, {"/patch_cells/0/1", 1000},
       {"/free_cells/0/0", 500}, {"/shells/0/3", 77}, {"/events/0/1", 1000}, {"/events/0/0", 4}, {"/events/0/2", "x"}, {"/angles/0/4/0", "1x"},
       {"/angles/0/4/0", ""}, {"/angles/0/4", Json::array({"1"})}, {"/angles/0/1", 2}, {"/angles/0/0", 2}, {"/angles/0/5", 9}, {"/robot", Json::array()}, {"/robot/0/0/0", nullptr},
-      {"/robot", 3}, {"/touching_cells", Json::array({1})}, {"/work", Json::array()}, {"/work/0", -1}};
+      {"/robot", 3}, {"/touching_cells", Json::array({1})}, {"/tight", 1}, {"/tight", Json::array({Json::array({1000, 0, 0, 0, 0, 0})})}, {"/always_concurrent", 2}, {"/work", Json::array()}, {"/work/0", -1}};
   for (const auto& [at, value] : changes) EXPECT_FALSE(changed(at, value).ok()) << at << " " << value;
   Json reversed = file["content"]["angles"];
   std::reverse(reversed.begin(), reversed.end());
