@@ -246,7 +246,7 @@ void run_reduced(const SumOptions& options, SumState& state, Refine when, Poll& 
   clock.done("directions");
   const bool fast = options.engine == Engine::fast;
   std::optional<InteriorMask> mask;
-  if (fast && (n >= kMask || when == Refine::always)) {
+  if (fast && (n >= kMask || (n > 0 && when == Refine::always))) {
     poll.stage("mask");
     mask.emplace(op, oq, cells_for(n));
     stats.mask_grid = cells_for(n);
@@ -261,17 +261,17 @@ void run_reduced(const SumOptions& options, SumState& state, Refine when, Poll& 
   else
     soup.add(convolution);
   clock.done("convolution");
+  const bool closed = options.semantics != Semantics::open;
+  const bool parallelograms = closed && has_dimension_below_two(op) && has_dimension_below_two(oq);
   std::optional<Refined> refined;
-  if (mask) {
+  if (mask && !parallelograms) {  // whose sides are in no cell
     poll.stage("refinement");
     refined = refine(op, oq, *mask, soup, live, when, poll);
-    clock.done("refinement");
+    if (refined) clock.done("refinement");
   }
   const FineCells* const fine = refined ? &refined->cells : nullptr;
   if (fine != nullptr) stats.mask_grid *= kBrick;
   const std::uint32_t reduced_live = static_cast<std::uint32_t>(soup.size());
-  const bool closed = options.semantics != Semantics::open;
-  const bool parallelograms = closed && has_dimension_below_two(op) && has_dimension_below_two(oq);
   if (parallelograms) add_parallelograms(lattice, op, oq, soup);
   const ReducedChain chain(soup, convolution, std::move(live), reduced_live);
   stats.live_segments = soup.size();
