@@ -35,7 +35,7 @@ TEST(SumGrowth, crossings_and_memory_of_a_star_with_itself_grow_little) {
   const Region star = shapes::noisy_star(n, 0.6, 1);
   const Result<PlanarSum> sum = minkowski_sum(star, star);
   ASSERT_TRUE(sum.ok());
-  if (n == 2000) EXPECT_GT(sum->stats.mask_grid, kFineGrid);
+  EXPECT_TRUE(n < 2000 || sum->stats.mask_grid > kFineGrid);
   EXPECT_LT(sum->stats.crossings, 100u * static_cast<unsigned>(n));
   EXPECT_LT(sum->stats.peak_bytes, 40000u * static_cast<unsigned>(n));
 }
@@ -68,7 +68,7 @@ TEST(SumGrowth, boundaries_of_large_sums_are_those_of_the_definition) {
   const Result<PlanarSum> sum = n < 1500 ? refined_sum(p, q) : minkowski_sum(p, q);
   ASSERT_TRUE(sum.ok());
   EXPECT_GT(sum->stats.mask_grid, kFineGrid);
-  check_beside_edges(p, q, *sum, heavy() ? 300 : 30, 5);
+  check_beside_edges(p, q, *sum, heavy() ? 40 : 3, 5);
 }
 
 TEST(SumGrowth, large_sums_equal_those_of_the_reference) {
