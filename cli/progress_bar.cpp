@@ -25,7 +25,7 @@ Stage current;
 
 // What is left of a stage, from the time it has taken so far: nothing while that tells little.
 std::string time_left(double seconds, double share) {
-  if (seconds < 1 || share < 0.02 || share >= 1) return "";
+  if (seconds < 1 || share <= 0 || share >= 1) return "";
   const double left = seconds / share * (1 - share);
   return left < 100 ? ", " + std::to_string(static_cast<int>(std::ceil(left))) + " s left"
                     : ", " + std::to_string(static_cast<int>(std::ceil(std::min(left / 60, 1e6)))) + " min left";
