@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <exception>
 #include <iostream>
+#include <new>
 
 #include "commands.h"
 #include "exit_code.h"
@@ -119,6 +120,8 @@ int main(int argc, char** argv) {
     return code;
   } catch (const Stop& stop) {
     return tell(stop, argc, argv);
+  } catch (const std::bad_alloc&) {
+    return tell(Stop(kBadInput, "out of memory in `dymsum " + verb_of(argc, argv) + "`: the inputs, or what comes of them, are too large"), argc, argv);
   } catch (const std::exception& error) {
     return tell(Stop(kDefect, std::string("this is a defect of dymsum: ") + error.what()), argc, argv);
   }

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <iostream>
 #include <string>
@@ -13,6 +14,22 @@ namespace dymsum::cli {
 namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
+
+// The stage that is being drawn: there is one bar at a time.
+struct Stage {
+  std::string name;
+  double fraction = 0;
+  std::chrono::steady_clock::time_point start;
+};
+Stage current;
+
+// What is left of a stage, from the time it has taken so far: nothing while that tells little.
+std::string time_left(double seconds, double share) {
+  if (seconds < 1 || share <= 0 || share >= 1) return "";
+  const double left = seconds / share * (1 - share);
+  return left < 100 ? ", " + std::to_string(static_cast<int>(std::ceil(left))) + " s left"
+                    : ", " + std::to_string(static_cast<int>(std::ceil(std::min(left / 60, 1e6)))) + " min left";
+}
 
 extern "C" void on_interrupt(int) {
   interrupted = 1;
@@ -44,6 +61,11 @@ Progress ProgressBar::callback() {
 
 void ProgressBar::draw(std::string_view stage, double fraction) {
   const auto now = Clock::now();
+  if (stage != current.name || fraction < current.fraction) {  // the next stage, or the same one once more
+    current.name = stage;
+    current.start = now;
+  }
+  current.fraction = fraction;
   if (now < next_draw_) return;
   next_draw_ = now + std::chrono::milliseconds(100);
   drawn_ = true;
@@ -51,7 +73,8 @@ void ProgressBar::draw(std::string_view stage, double fraction) {
   const double share = std::clamp(fraction, 0.0, 1.0);
   const auto full = static_cast<std::size_t>(share * kWidth);
   std::cerr << "\r[" << std::string(full, '#') << std::string(kWidth - full, '.') << "] "
-            << static_cast<int>(share * 100) << "% " << stage << "\x1b[K" << std::flush;
+            << static_cast<int>(share * 100) << "% " << stage
+            << time_left(std::chrono::duration<double>(now - current.start).count(), share) << "\x1b[K" << std::flush;
 }
 
 }  // namespace dymsum::cli

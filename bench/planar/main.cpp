@@ -5,21 +5,23 @@
 #include <iostream>
 #include <string>
 
+#include "planar/growth.h"
 #include "planar/report.h"
 
 namespace dymsum::bench {
 namespace {
 
 struct Options {
-  bool demo = false, ours = false, quick = false;
+  bool demo = false, ours = false, quick = false, growth = false;
   std::string results, only;
 };
 
 constexpr const char* kUsage =
-    "dymsum_bench_planar [--demo | --ours] [--quick] [--only TEXT] [--results DIR]\n"
+    "dymsum_bench_planar [--demo | --ours | --growth] [--quick] [--only TEXT] [--results DIR]\n"
     "  (default)      all pairs against CGAL's reduced convolution, its other methods where they finish, and Clipper\n"
     "  --demo         a short table, under a minute\n"
     "  --ours         our engine alone, with its work and what a piece of work costs\n"
+    "  --growth       our engine alone on ever larger operands; with --results growth.md\n"
     "  --quick        of the rivals, CGAL's reduced convolution only\n"
     "  --only TEXT    only pairs whose name contains TEXT\n"
     "  --results DIR  also write planar.csv, planar.md and the figures into DIR\n"
@@ -33,6 +35,8 @@ bool parse(int argc, char** argv, Options& options) {
       options.demo = true;
     } else if (word == "--ours") {
       options.ours = true;
+    } else if (word == "--growth") {
+      options.growth = true;
     } else if (word == "--quick") {
       options.quick = true;
     } else if ((word == "--results" || word == "--only") && i + 1 < argc) {
@@ -57,6 +61,11 @@ double others_limit_s(const Pair& pair, const Options& options) {
 bool is_table(Group group) { return group == Group::swim || group == Group::shirts; }
 
 int run(const Options& options) {
+  if (options.growth) {
+    if (measure_growth(8000, options.results, std::cout)) return 0;
+    std::cerr << "cannot write into " << options.results << "\n";
+    return 2;
+  }
   const std::string data = data_folder();
   Pairs pairs = options.demo ? demo_pairs(data) : all_pairs(data);
   for (const std::string& note : pairs.notes) std::cout << note << "\n";

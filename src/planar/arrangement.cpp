@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <tuple>
 
 namespace dymsum::planar {
 
-Arrangement::Arrangement(const Soup& soup, Meetings meetings, const Chain& chain, const Array<DeadMark>& dead_marks)
+Arrangement::Arrangement(const Soup& soup, Meetings meetings, const Chain& chain, const Array<DeadMark>& dead_marks,
+                         const Poll* poll)
     : soup_(soup),
       chain_(chain),
       meetings_(std::move(meetings)),
@@ -20,14 +22,14 @@ Arrangement::Arrangement(const Soup& soup, Meetings meetings, const Chain& chain
       covered_subs_(soup.memory),
       cut_segments_(soup.memory),
       suspects_(soup.memory) {
-  build_events();
-  sort_events();
+  build_events(poll);
+  sort_events(poll);
   flags_.assign(sub_count(), 0);
   mark_dead(dead_marks);
-  find_degenerate_nodes();
+  find_degenerate_nodes(poll);
 }
 
-void Arrangement::build_events() {
+void Arrangement::build_events(const Poll* poll) {
   const std::size_t n = soup_.size();
   first_event_.assign(n + 1, 0);
   if (meetings_.crossings.empty() && meetings_.touches.empty()) return;
@@ -39,6 +41,9 @@ void Arrangement::build_events() {
   cut_segments_.resize(n);
   std::uint32_t* cut = cut_segments_.data();
   std::uint32_t* const first = first_event_.data();
+  // Twice as many events as crossings, and sub-edges of all segments besides.
+  if (2 * meetings_.crossings.size() + meetings_.touches.size() + n >= kNone) throw std::length_error("more than 2^32 pieces of segments");
+  if (poll != nullptr) (*poll)(0);
   std::uint32_t total = 0;
   for (std::uint32_t s = 0; s < n; ++s) {
     const std::uint32_t count = first[s + 1];
@@ -50,6 +55,7 @@ void Arrangement::build_events() {
   cut_segments_.resize(static_cast<std::size_t>(cut - cut_segments_.data()));
   events_.resize(total);
   Array<std::uint32_t> at(first_event_.begin(), first_event_.end() - 1, soup_.memory);
+  if (poll != nullptr) (*poll)(0);
   for (std::uint32_t c = 0; c < meetings_.crossings.size(); ++c) {
     const Crossing& x = meetings_.crossings[c];
     events_[at[x.a]++] = c;
@@ -108,7 +114,7 @@ int Arrangement::compare_events(std::uint32_t s, std::uint32_t a, std::uint32_t 
 }
 
 // By parameter first. Only where neighbours are closer than their errors, by exact comparison; those are remembered.
-void Arrangement::sort_events() {
+void Arrangement::sort_events(const Poll* poll) {
   if (events_.empty()) return;
   constexpr std::uint32_t kInsertion = 24;
   const auto sort = [](auto* first, std::uint32_t n, auto&& less) {
@@ -130,6 +136,7 @@ void Arrangement::sort_events() {
   const bool fine = !meetings_.rough && meetings_.touches.empty();
   const Crossing* const crossings = meetings_.crossings.data();
   for (const std::uint32_t s : cut_segments_) {
+    if (poll != nullptr) poll->at(s, soup_.size());
     const std::uint32_t begin = first_event_[s], n = first_event_[s + 1] - begin;
     std::uint32_t* const first = events_.data() + begin;
     std::uint32_t kinds = first[0];

@@ -10,6 +10,7 @@
 
 #include "base/key_numbers.h"
 #include "planar/crossings.h"
+#include "planar/poll.h"
 #include "planar/soup.h"
 
 namespace dymsum::planar {
@@ -24,7 +25,7 @@ struct SubEnd {
 /// Sub-edges: segment s with k events has k + 1 sub-edges, numbered first_sub(s) + 0 .. k; sub-edge i starts at event i - 1.
 class Arrangement {
  public:
-  Arrangement(const Soup& soup, Meetings meetings, const Chain& chain, const Array<DeadMark>& dead_marks);
+  Arrangement(const Soup& soup, Meetings meetings, const Chain& chain, const Array<DeadMark>& dead_marks, const Poll* poll = nullptr);
 
   std::uint32_t sub_count() const { return first_event_.back() + static_cast<std::uint32_t>(soup_.size()); }
   std::uint32_t first_sub(std::uint32_t s) const { return first_event_[s] + s; }
@@ -160,10 +161,10 @@ class Arrangement {
 
   Step linked(Step from) const;
   std::uint32_t linked_node(Step at) const;
-  void build_events();
-  void sort_events();
+  void build_events(const Poll* poll);
+  void sort_events(const Poll* poll);
   void mark_dead(const Array<DeadMark>& marks);
-  void find_degenerate_nodes();
+  void find_degenerate_nodes(const Poll* poll);
   struct Ray;
   struct Group;
   struct Spot;

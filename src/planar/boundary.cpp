@@ -36,7 +36,7 @@ int turning_number(const Soup& soup, const Array<Step>& steps) {
 
 }  // namespace
 
-Array<BoundaryLoop> find_loops(const Soup& soup, const Arrangement& arrangement) {
+Array<BoundaryLoop> find_loops(const Soup& soup, const Arrangement& arrangement, const Poll* poll) {
   Array<BoundaryLoop> loops(soup.memory);
   Array<std::uint8_t> seen(arrangement.sub_count(), 0, soup.memory);
   Array<Step> path(soup.memory);
@@ -46,6 +46,7 @@ Array<BoundaryLoop> find_loops(const Soup& soup, const Arrangement& arrangement)
   std::uint8_t* const visited = seen.data();
   Step* const steps = path.data();
   for (std::uint32_t s = 0, sub = 0; s < segments; ++s) {
+    if (poll != nullptr) poll->at(s, segments);
     for (const std::uint32_t end = walker.end(s); sub < end; ++sub) {
       if (visited[sub]) continue;
       const Step start{sub, s};
@@ -90,12 +91,13 @@ std::size_t outer_loop(const Arrangement& arrangement, const Array<BoundaryLoop>
 
 // Whether the middle of a sub-edge lies in a dead cell: then the loop is false.
 bool passes_dead_cell(const Soup& soup, const Arrangement& arrangement, const BoundaryLoop& loop,
-                      const InteriorMask& mask) {
+                      const InteriorMask& mask, const FineCells* fine) {
   const Grid& g = mask.grid();
+  const auto dead = [&](double x, double y) { return fine != nullptr ? fine->dead(x, y) : mask.dead(g.row(y), g.column(x)); };
   return std::any_of(loop.steps.begin(), loop.steps.end(), [&](const Step& step) {
     const SoupBox& b = soup.boxes[step.segment];
     const double middle = 0.5 * (arrangement.start_parameter(step) + arrangement.end_parameter(step));
-    return mask.dead(g.row(b.ay + middle * soup.dy(step.segment)), g.column(b.ax + middle * soup.dx(step.segment))) &&
+    return dead(b.ax + middle * soup.dx(step.segment), b.ay + middle * soup.dy(step.segment)) &&
            arrangement.inner_parameter(step).has_value();
   });
 }
@@ -103,13 +105,14 @@ bool passes_dead_cell(const Soup& soup, const Arrangement& arrangement, const Bo
 }  // namespace
 
 SortedLoops verify_loops(const Soup& soup, const Arrangement& arrangement, Array<BoundaryLoop> loops,
-                         Collision& collision, bool connected, const InteriorMask* mask) {
+                         Collision& collision, bool connected, const VerifyHelp& help) {
   SortedLoops out{Array<BoundaryLoop>(soup.memory), Array<BoundaryLoop>(soup.memory)};
   const std::size_t outer = connected ? outer_loop(arrangement, loops) : loops.size();
   for (std::size_t i = 0; i < loops.size(); ++i) {
+    if (help.poll != nullptr) help.poll->at_test(i, loops.size());
     bool keep = i == outer;
     if (!keep && (outer == loops.size() || loops[i].turning < 0) &&
-        (mask == nullptr || !passes_dead_cell(soup, arrangement, loops[i], *mask))) {
+        (help.mask == nullptr || !passes_dead_cell(soup, arrangement, loops[i], *help.mask, help.fine))) {
       // The longest sub-edge gives the sample that is easiest to decide.
       const auto length = [&](const Step& s) {
         return (arrangement.end_parameter(s) - arrangement.start_parameter(s)) *

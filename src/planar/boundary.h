@@ -7,7 +7,9 @@
 #include "dymsum/planar_sum.h"
 #include "planar/arrangement.h"
 #include "planar/collision.h"
+#include "planar/fine_cells.h"
 #include "planar/interior_mask.h"
+#include "planar/poll.h"
 #include "planar/soup.h"
 
 namespace dymsum::planar {
@@ -21,7 +23,14 @@ struct BoundaryLoop {
 };
 
 /// All cycles.
-Array<BoundaryLoop> find_loops(const Soup& soup, const Arrangement& arrangement);
+Array<BoundaryLoop> find_loops(const Soup& soup, const Arrangement& arrangement, const Poll* poll = nullptr);
+
+/// What is known to be covered, if anything, and whom to ask whether to go on.
+struct VerifyHelp {
+  const InteriorMask* mask = nullptr;
+  const FineCells* fine = nullptr;
+  const Poll* poll = nullptr;
+};
 
 /// Splits loops into true and false ones. With `connected`, the sum has one outer boundary, which needs no test; with a
 /// mask, nor do loops that pass dead cells.
@@ -29,7 +38,7 @@ struct SortedLoops {
   Array<BoundaryLoop> kept, dropped;
 };
 SortedLoops verify_loops(const Soup& soup, const Arrangement& arrangement, Array<BoundaryLoop> loops, Collision& collision,
-                         bool connected, const InteriorMask* mask = nullptr);
+                         bool connected, const VerifyHelp& help = {});
 
 /// Loops that meet themselves or each other at nodes are cut there so that every ring is simple and bounds a connected interior.
 Array<BoundaryLoop> simple_rings(const Soup& soup, const Arrangement& arrangement, Array<BoundaryLoop> loops);

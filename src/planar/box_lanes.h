@@ -9,6 +9,10 @@
 #include <memory>
 #include <vector>
 
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
 namespace dymsum::planar {
 
 /// Sides of boxes are below this.
@@ -25,6 +29,24 @@ inline Lanes load_lanes(const std::int16_t* from) {
   std::memcpy(&v, from, sizeof v);
   return v;
 }
+
+/// One bit for each lane that is zero; lane_of gives the lane of the lowest one.
+#ifdef __SSE2__
+inline std::uint32_t zero_lanes(const Lanes& lanes) {
+  return ~static_cast<std::uint32_t>(_mm_movemask_epi8(reinterpret_cast<__m128i>(lanes))) & 0x5555;
+}
+inline std::uint32_t lane_of(std::uint32_t bits) { return static_cast<std::uint32_t>(std::countr_zero(bits)) / 2; }
+#else
+inline std::uint64_t zero_lanes(const Lanes& lanes) {
+  std::array<std::uint64_t, 2> halves;
+  std::memcpy(&halves, &lanes, sizeof halves);
+  return (~halves[0] & 0x0001000100010001) | (~halves[1] & 0x0002000200020002);
+}
+inline std::uint32_t lane_of(std::uint64_t bits) {
+  const auto bit = static_cast<std::uint32_t>(std::countr_zero(bits));
+  return bit / 16 + 4 * (bit & 1);
+}
+#endif
 
 /// Sixteen numbers of a coarser grid, from -128 up to 126; kBeyond is greater than all.
 using ByteLanes = std::int8_t __attribute__((vector_size(16)));
@@ -52,7 +74,7 @@ template <class Allocator>
 void sort_by_left(std::vector<std::uint64_t, Allocator>& order) {
   const std::size_t n = order.size();
   if (n > 24) {
-    const int shift = 32 + 15 - std::min(11, static_cast<int>(std::bit_width(n)));
+    const int shift = 32 + 15 - std::min(15, static_cast<int>(std::bit_width(n)));
     using Counts = std::vector<std::uint32_t, typename std::allocator_traits<Allocator>::template rebind_alloc<std::uint32_t>>;
     Counts start((std::uint64_t{kBoxQuanta} << 32 >> shift) + 2, 0, order.get_allocator());
     for (const std::uint64_t o : order) ++start[(o >> shift) + 1];

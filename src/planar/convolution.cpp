@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 namespace dymsum::planar {
 namespace {
@@ -84,14 +85,17 @@ ReducedConvolution::ReducedConvolution(const Lattice& lattice, const Operand& p,
     const auto n = static_cast<std::uint32_t>(turns_[side].size());
     Turn* const turns = turns_[side].data();
     used_[side].resize(n);
+    std::uint64_t size = size_;
     std::uint32_t* used = used_[side].data();
     for (std::uint32_t k = 0; k < n; ++k) {
-      turns[k].base = size_;
-      size_ += turns[k].count;
+      turns[k].base = static_cast<std::uint32_t>(size);
+      size += turns[k].count;
       *used = k;
       used += turns[k].count != 0;
     }
     used_[side].resize(static_cast<std::size_t>(used - used_[side].data()));
+    if (size >= kNoRank) throw std::length_error("more than 2^32 segments");
+    size_ = static_cast<std::uint32_t>(size);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <functional>
 #include <limits>
+#include <stdexcept>
 #include <tuple>
 
 #ifdef __SSE2__
@@ -30,16 +31,6 @@ bool boxes_meet(std::uint64_t high, std::uint64_t low) { return (((high | kGuard
 double CrossingFinder::quanta_per_unit() const {
   const double factor = (kBoxQuanta - 3) / soup_.lattice.span;
   return factor <= std::numeric_limits<double>::max() ? factor : 0;
-}
-
-// Monotone; one quantum more at the upper end covers the rounding of the coordinates. They lie in [0, span], up to that
-// rounding.
-inline CrossingFinder::BoxQuanta CrossingFinder::quanta(const SoupBox& b, double per_quantum) const {
-  const auto quantum = [&](double v) { return static_cast<int>(v * per_quantum); };
-  const int ax = quantum(b.ax), ay = quantum(b.ay), bx = quantum(b.bx), by = quantum(b.by);
-  const auto number = [](int v) { return static_cast<std::int16_t>(v); };
-  return {number(std::min(ax, bx)), number(std::min(ay, by)), number(std::max(ax, bx) + 1),
-          number(std::max(ay, by) + 1)};
 }
 
 void CrossingFinder::make_keys() {
@@ -79,24 +70,6 @@ inline bool one_side(double s, double t, double error) { return std::min(s, t) >
 inline bool near_parallel(double u, double v) {
   return std::abs(u - v) <= 0x1p-49 * (std::abs(u) + std::abs(v)) + 0x1p-1000;
 }
-
-// One bit for each lane that is zero; lane_of gives the lane of the lowest one.
-#ifdef __SSE2__
-inline std::uint32_t zero_lanes(const Lanes& lanes) {
-  return ~static_cast<std::uint32_t>(_mm_movemask_epi8(reinterpret_cast<__m128i>(lanes))) & 0x5555;
-}
-inline std::uint32_t lane_of(std::uint32_t bits) { return static_cast<std::uint32_t>(std::countr_zero(bits)) / 2; }
-#else
-inline std::uint64_t zero_lanes(const Lanes& lanes) {
-  std::array<std::uint64_t, 2> halves;
-  std::memcpy(&halves, &lanes, sizeof halves);
-  return (~halves[0] & 0x0001000100010001) | (~halves[1] & 0x0002000200020002);
-}
-inline std::uint32_t lane_of(std::uint64_t bits) {
-  const auto bit = static_cast<std::uint32_t>(std::countr_zero(bits));
-  return bit / 16 + 4 * (bit & 1);
-}
-#endif
 
 #ifdef __SSE2__
 inline std::uint32_t zero_bytes(const ByteLanes& lanes) {
@@ -313,6 +286,17 @@ void CrossingFinder::sweep(const InteriorMask* mask) {
   finish();
 }
 
+// Here, where the tests can be inlined.
+void CrossingFinder::meet_pieces(const SegmentPiece& piece, std::span<const std::uint32_t> others) {
+  const Probe of_piece = probe(piece.segment);
+  piece_ = &piece;
+  for (const std::uint32_t k : others) {
+    other_piece_ = &pieces_[k];
+    if (undecided_strangers(of_piece, other_piece_->segment)) exact_test(piece.segment, other_piece_->segment);
+  }
+  piece_ = nullptr;
+}
+
 void CrossingFinder::pairs(std::span<const std::array<std::uint32_t, 2>> list) {
   for (const auto& [i, j] : list) test(probe(i), j);
   out_.pair_tests = list.size();
@@ -328,9 +312,16 @@ bool CrossingFinder::in_dead_cell(std::uint32_t a, std::uint32_t b, double t) co
   return soup_.parameter_error(a, b) * (std::abs(dx) + std::abs(dy)) * g.per_cell < kReach;
 }
 
+// Little slack for the largest array of all. Crossings are events, whose numbers have 31 bits.
+void CrossingFinder::make_room(Array<Crossing>& list) {
+  if (list.size() >= 0x7fffffff) throw std::length_error("more than 2^31 crossings");
+  list.reserve(std::min<std::size_t>(0x7fffffff, 64 + list.size() + list.size() / 3));
+}
+
 // a_start, a_end: the sides of a's ends with respect to b, of opposite signs.
 void CrossingFinder::add_crossing(std::uint32_t i, std::uint32_t j, double a_start, double a_end, double b_start, double b_end) {
   const double t = a_start / (a_start - a_end);
+  const auto on_b = [&] { return b_start / (b_start - b_end); };
   bool ambiguous = false;
   if (grid_ != nullptr) {
     // The crossing belongs to the cell that holds it; near a border every cell reports it and duplicates are dropped later.
@@ -343,10 +334,14 @@ void CrossingFinder::add_crossing(std::uint32_t i, std::uint32_t j, double a_sta
     ambiguous = !(fx > error && fx < 1 - error && fy > error && fy < 1 - error);
   } else if (mask_ != nullptr && in_dead_cell(i, j, t)) {
     return;
+  } else if (piece_ != nullptr) {
+    const Owned owned = piece_->segment == i ? owned_by_pieces(i, j, t, on_b()) : owned_by_pieces(j, i, on_b(), t);
+    if (owned == Owned::no) return;
+    ambiguous = owned == Owned::unsure;
   }
-  const double u = b_start / (b_start - b_end);
+  const double u = on_b();
   auto& list = ambiguous ? ambiguous_ : out_.crossings;
-  if (list.size() == list.capacity()) list.reserve(64 + list.size() + list.size() / 3);  // the largest array of all: little slack
+  if (list.size() == list.capacity()) make_room(list);
   // b's ends go from b_start to b_end across a: d_a x d_b has the sign of b_end.
   Crossing& c = list.emplace_back();
   const bool in_order = b_end > b_start;

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "planar/box_lanes.h"
 #include "planar/chain.h"
 #include "planar/grid.h"
 #include "planar/interior_mask.h"
@@ -47,6 +48,12 @@ struct DeadMark {
   double t;
 };
 
+/// A part of a segment, by parameters.
+struct SegmentPiece {
+  std::uint32_t segment;
+  double low, high;
+};
+
 /// Finds the meetings of pairs of segments: all of them without a mask, at least those outside dead cells with one. `poll` is
 /// called now and then and stops the search when it returns false.
 class CrossingFinder {
@@ -66,6 +73,9 @@ class CrossingFinder {
   /// Boxes in the order of their left sides: each is compared with those that start before it ends, eight at a time.
   /// With a mask crossings in dead cells are left out.
   void sweep(const InteriorMask* mask = nullptr);
+  /// The same for disjoint pieces of segments: crossings outside them are left out, as far as parameters that err by less than `reach`, a
+  /// distance, tell.
+  void sweep(std::span<const SegmentPiece> pieces, double reach);
   /// Just these pairs of segments.
   void pairs(std::span<const std::array<std::uint32_t, 2>> list);
   void grid(const Grid& grid, const InteriorMask* mask, Array<DeadMark>& dead_marks);
@@ -95,6 +105,10 @@ class CrossingFinder {
   void exact_test(std::uint32_t a, std::uint32_t b);
   int side(std::uint32_t s, WalkPair v, double x, double y);
   bool between(std::uint32_t s, WalkPair v, double x, double y);
+  void meet_pieces(const SegmentPiece& piece, std::span<const std::uint32_t> others);
+  enum class Owned { no, yes, unsure };
+  Owned owned_by_pieces(std::uint32_t a, std::uint32_t b, double t, double u) const;
+  static void make_room(Array<Crossing>& list);
   bool in_dead_cell(std::uint32_t a, std::uint32_t b, double t) const;
   void add_crossing(std::uint32_t a, std::uint32_t b, double a_start, double a_end, double b_start, double b_end);
   void add_touch(std::uint32_t segment, WalkPair pair);
@@ -108,10 +122,23 @@ class CrossingFinder {
   const Grid* grid_ = nullptr;
   const InteriorMask* mask_ = nullptr;
   int row_ = 0, column_ = 0;
+  std::span<const SegmentPiece> pieces_;
+  const SegmentPiece *piece_ = nullptr, *other_piece_ = nullptr;  // those whose segments are being compared
+  double piece_reach_ = 0;
   Array<BoxKey> keys_;
   Array<std::uint64_t> cell_;       // the low keys of the segments of one cell
   Array<std::uint32_t> near_;       // those whose boxes meet the box of one of them, or of one segment in a sweep
   Array<Crossing> ambiguous_;  // found near a cell border, perhaps several times
 };
+
+// Monotone; one quantum more at the upper end covers the rounding of the coordinates. They lie in [0, span], up to that
+// rounding.
+inline CrossingFinder::BoxQuanta CrossingFinder::quanta(const SoupBox& b, double per_quantum) const {
+  const auto quantum = [&](double v) { return static_cast<int>(v * per_quantum); };
+  const int ax = quantum(b.ax), ay = quantum(b.ay), bx = quantum(b.bx), by = quantum(b.by);
+  const auto number = [](int v) { return static_cast<std::int16_t>(v); };
+  return {number(std::min(ax, bx)), number(std::min(ay, by)), number(std::max(ax, bx) + 1),
+          number(std::max(ay, by) + 1)};
+}
 
 }  // namespace dymsum::planar

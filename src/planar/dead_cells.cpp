@@ -49,20 +49,6 @@ struct RunRows {
   }
 };
 
-// Corners (i, j), between columns i - 1 and i and rows j - 1 and j, whose four cells are inner.
-Bitmap inner_corners(const Bitmap& inner) {
-  Bitmap e(inner.rows, inner.columns);
-  for (int r = 1; r < inner.rows; ++r) {
-    std::uint64_t carry = 0;
-    for (std::size_t w = 0; w < inner.words; ++w) {
-      const std::uint64_t both = inner.row(r)[w] & inner.row(r - 1)[w];
-      e.row(r)[w] = both & ((both << 1) | carry);
-      carry = both >> 63;
-    }
-  }
-  return e;
-}
-
 // target |= a row of bits moved right.
 void or_shifted(std::uint64_t* target, std::size_t target_words, const std::uint64_t* row, std::size_t words, int shift) {
   const std::size_t skip = static_cast<std::size_t>(shift) / 64;
@@ -234,20 +220,22 @@ void add_sums(Bitmap& target, const Bitmap& a, const Bitmap& b, int spread) {
 
 }  // namespace
 
+Bitmap inner_corners(const Bitmap& inner) {
+  Bitmap e(inner.rows, inner.columns);
+  for (int r = 1; r < inner.rows; ++r) {
+    std::uint64_t carry = 0;
+    for (std::size_t w = 0; w < inner.words; ++w) {
+      const std::uint64_t both = inner.row(r)[w] & inner.row(r - 1)[w];
+      e.row(r)[w] = both & ((both << 1) | carry);
+      carry = both >> 63;
+    }
+  }
+  return e;
+}
+
 void CentreWindings::add_edge(double ax, double ay, double bx, double by) {
   const int sign = ay < by ? 1 : -1;
-  const double low = ay < by ? ay : by, high = ay < by ? by : ay;
-  // Rows whose centre line the edge crosses, half-open in y.
-  for (int r = static_cast<int>(low * cells_.per_cell); r < cells_.rows; ++r) {
-    const double yc = (r + 0.5) * cells_.cell;
-    if (yc < low) continue;
-    if (yc >= high) break;
-    const double xc = ax + (yc - ay) * (bx - ax) / (by - ay);
-    // Centres right of the edge; which side one within a rounding of it is counted on does not matter, as its cell is a
-    // boundary cell.
-    const int c = std::clamp(static_cast<int>(xc * cells_.per_cell + 0.5), 0, cells_.columns);
-    change_[std::size_t(r) * (cells_.columns + 1) + c] -= sign;
-  }
+  for_each_centre_line(cells_, ax, ay, bx, by, [&](int r, int c) { change_[std::size_t(r) * (cells_.columns + 1) + c] -= sign; });
 }
 
 void CentreWindings::fill(const Bitmap& boundary, Raster& raster) const {
@@ -259,6 +247,27 @@ void CentreWindings::fill(const Bitmap& boundary, Raster& raster) const {
     }
   }
   for (std::size_t i = 0; i < raster.touch.bits.size(); ++i) raster.touch.bits[i] |= raster.inner.bits[i];
+}
+
+void CentreParities::add_edge(double ax, double ay, double bx, double by) {
+  for_each_centre_line(cells_, ax, ay, bx, by, [&](int r, int c) {
+    if (c < cells_.columns) change_.row(r)[c / 64] ^= std::uint64_t{1} << (c % 64);
+  });
+}
+
+void CentreParities::fill(const Bitmap& boundary, Raster& raster) const {
+  for (int r = 0; r < cells_.rows; ++r) {
+    std::uint64_t before = 0;  // all ones where the parity is odd
+    for (std::size_t w = 0; w < change_.words; ++w) {
+      std::uint64_t odd = change_.row(r)[w];
+      for (int by = 1; by < 64; by *= 2) odd ^= odd << by;
+      odd ^= before;
+      before = 0 - (odd >> 63);
+      const std::uint64_t inner = odd & ~boundary.row(r)[w];
+      raster.inner.row(r)[w] |= inner;
+      raster.touch.row(r)[w] |= inner;
+    }
+  }
 }
 
 SumGrid::SumGrid(std::array<double, 2> width, std::array<double, 2> height, int cells) {

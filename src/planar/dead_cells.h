@@ -50,6 +50,33 @@ struct Raster {
 /// Boundary cells are those within 32 kReach cells of the boundary, so that an inner cell keeps a rim of that width.
 inline constexpr double kRim = 32 * kReach;
 
+/// Calls f(row, column) for every row of cells whose centre line an edge crosses, half-open in y, with the first cell whose centre lies
+/// right of the edge; on which side one within a rounding of it is counted does not matter, as its cell is a boundary cell.
+template <class F>
+void for_each_centre_line(const Grid& cells, double ax, double ay, double bx, double by, F&& f) {
+  const double low = ay < by ? ay : by, high = ay < by ? by : ay;
+  for (int r = static_cast<int>(low * cells.per_cell); r < cells.rows; ++r) {
+    const double yc = (r + 0.5) * cells.cell;
+    if (yc < low) continue;
+    if (yc >= high) break;
+    const double xc = ax + (yc - ay) * (bx - ax) / (by - ay);
+    f(r, std::clamp(static_cast<int>(xc * cells.per_cell + 0.5), 0, cells.columns));
+  }
+}
+
+/// Parities of the winding numbers at the centres of cells: components have 0 or 1, so that odd ones are positive.
+class CentreParities {
+ public:
+  explicit CentreParities(const Grid& cells) : cells_(cells), change_(cells.rows, cells.columns) {}
+  void add_edge(double ax, double ay, double bx, double by);
+  /// Cells with odd winding number off the boundary are inner, and inner ones are touched.
+  void fill(const Bitmap& boundary, Raster& raster) const;
+
+ private:
+  const Grid& cells_;
+  Bitmap change_;
+};
+
 /// Winding numbers at the centres of cells, from the edges that cross the lines through them.
 class CentreWindings {
  public:
@@ -62,6 +89,9 @@ class CentreWindings {
   const Grid& cells_;
   std::vector<int> change_;
 };
+
+/// Corners (i, j), between columns i - 1 and i and rows j - 1 and j, whose four cells are inner.
+Bitmap inner_corners(const Bitmap& inner);
 
 /// The grid of the sum with `cells` along the longer side, and the operands' parts of it.
 struct SumGrid {
@@ -84,6 +114,8 @@ class DeadCells {
 
   const Grid& grid() const { return grid_; }
   bool dead(int row, int column) const { return dead_.get(row, column); }
+  /// One more cell, proved otherwise. Counts are not made again.
+  void cover(int row, int column) { dead_.set(row, column); }
   /// Whether some cell of a rectangle is live. O(rows) for up to 64 columns; a live cell in the first rows ends it.
   bool any_live(int row0, int column0, int row1, int column1) const {
     const int a = column0 / 64, b = column1 / 64;

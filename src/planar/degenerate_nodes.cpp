@@ -55,7 +55,7 @@ std::pair<std::uint32_t, std::uint32_t> Arrangement::equal_run(std::uint32_t s, 
 }
 
 // Places where crossings coincide, or segments end on others, are classes of crossings and pairs of vertices.
-void Arrangement::find_degenerate_nodes() {
+void Arrangement::find_degenerate_nodes(const Poll* poll) {
   KeyNumbers index(soup_.memory);
   const Array<std::uint64_t>& elements = index.keys();
   Array<std::uint32_t> parent(soup_.memory);
@@ -82,6 +82,7 @@ void Arrangement::find_degenerate_nodes() {
   };
   Array<Touched> spots(soup_.memory);
   for (const std::uint32_t s : suspects_) {
+    if (poll != nullptr) poll->at(s, soup_.size());
     const std::uint32_t* first = events_.data() + first_event_[s];
     const std::uint32_t n = event_count(s);
     for (std::uint32_t k = 0; k < n;) {
@@ -121,6 +122,7 @@ void Arrangement::find_degenerate_nodes() {
   NodeBuffers buffers(soup_.memory);
   std::size_t i = 0, j = 0;
   while (i < spots.size() || j < pair_elements.size()) {
+    if (poll != nullptr) poll->at(i + j, spots.size() + pair_elements.size());
     const std::uint32_t root = std::min(i < spots.size() ? spots[i].element : kNone,
                                         j < pair_elements.size() ? pair_elements[j].first : kNone);
     node.clear();

@@ -6,10 +6,12 @@
 namespace dymsum::planar {
 namespace {
 
+// With the centres' winding numbers or parities.
+template <class Centres>
 Raster rasterize(const Operand& o, const Grid& cells) {
   Raster raster(cells.rows, cells.columns);
   Bitmap boundary(cells.rows, cells.columns);
-  CentreWindings windings(cells);
+  Centres centres(cells);
   const double rim = kRim * cells.cell;
   // Without clamps: coordinates are not negative, and the raster reaches farther than the operand by a cell.
   const auto cell = [&](double v) { return static_cast<int>(v * cells.per_cell); };
@@ -34,20 +36,23 @@ Raster rasterize(const Operand& o, const Grid& cells) {
         if (!area) continue;
         for_each_cell_run(cells, ax, ay, bx, by, [&](int r, int first, int last) { boundary.set_run(r, first, last); }, kRim);
       }
-      windings.add_edge(ax, ay, bx, by);
+      centres.add_edge(ax, ay, bx, by);
     }
   }
-  if (has_area) windings.fill(boundary, raster);
+  if (has_area) centres.fill(boundary, raster);
   return raster;
 }
 
 DeadCells dead_cells_of(const Operand& p, const Operand& q, int cells) {
   const SumGrid grid({p.points->width, q.points->width}, {p.points->height, q.points->height}, cells);
-  return DeadCells(grid.whole, rasterize(p, grid.part[0]), rasterize(q, grid.part[1]), DeadCells::Counts::left_out);
+  return DeadCells(grid.whole, rasterize<CentreWindings>(p, grid.part[0]), rasterize<CentreWindings>(q, grid.part[1]), DeadCells::Counts::left_out);
 }
 
 }  // namespace
 
-InteriorMask::InteriorMask(const Operand& p, const Operand& q, int cells) : DeadCells(dead_cells_of(p, q, cells)) {}
+InteriorMask::InteriorMask(const Operand& p, const Operand& q, int cells) : DeadCells(dead_cells_of(p, q, cells)), cells_(cells) {}
+
+Raster fine_raster(const Operand& o, const Grid& cells) { return rasterize<CentreParities>(o, cells); }
+Raster winding_raster(const Operand& o, const Grid& cells) { return rasterize<CentreWindings>(o, cells); }
 
 }  // namespace dymsum::planar

@@ -7,7 +7,8 @@
 
 namespace dymsum::planar {
 
-Array<std::uint32_t> add_live(const ReducedConvolution& convolution, const InteriorMask* mask, Twins twins, Soup& soup) {
+Array<std::uint32_t> add_live(const ReducedConvolution& convolution, const InteriorMask* mask, Twins twins, Soup& soup,
+                              const Poll& poll) {
   const std::uint32_t n = convolution.size();
   Array<std::uint32_t> live(n, kNone, soup.memory);
   SameSegments same(soup);
@@ -38,8 +39,13 @@ Array<std::uint32_t> add_live(const ReducedConvolution& convolution, const Inter
   };
   std::uint32_t side_of_cells = 2;
   std::uint32_t* to = live.data();
+  std::size_t asked = 0;  // when poll was
   convolution.for_each_turn([&](std::uint32_t side, std::uint32_t v, std::span<const std::uint32_t> edges,
                                 std::uint32_t lo, std::uint32_t count) {
+    if (const auto done = static_cast<std::size_t>(to - live.data()); done - asked > 10000) {
+      asked = done;
+      poll(static_cast<double>(done) / n);
+    }
     const Operand &o = *soup.operands[side], &other = *soup.operands[1 - side];
     const EdgeBox* own = o.boxes.data();
     const double vx = other.x[v], vy = other.y[v];

@@ -3,6 +3,7 @@
 
 #include "planar/convolution.h"
 #include "planar/interior_mask.h"
+#include "planar/poll.h"
 #include "planar/soup.h"
 
 namespace dymsum::planar {
@@ -11,6 +12,7 @@ namespace dymsum::planar {
 enum class Twins { kept, merged };
 
 /// Adds the segments of the convolution that are not wholly in dead cells to the soup. Returns for each id its segment there, or kNone.
-Array<std::uint32_t> add_live(const ReducedConvolution& convolution, const InteriorMask* mask, Twins twins, Soup& soup);
+Array<std::uint32_t> add_live(const ReducedConvolution& convolution, const InteriorMask* mask, Twins twins, Soup& soup,
+                              const Poll& poll);
 
 }  // namespace dymsum::planar

@@ -4,8 +4,12 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
+#include <new>
+#include <stdexcept>
+#include <string>
 
 #include "planar/convex_boundary.h"
+#include "planar/live_pieces.h"
 #include "planar/live_segments.h"
 #include "planar/part_nesting.h"
 #include "planar/pieces.h"
@@ -34,8 +38,6 @@ class StageClock {
   bool runs_;
   std::chrono::steady_clock::time_point last_;
 };
-
-Error cancelled() { return {Code::cancelled, "stopped on request", {}}; }
 
 // Chains of the reduced convolution; segments behind `reduced` (parallelogram sides) have no chain and meet by coincidence.
 class ReducedChain final : public Chain {
@@ -176,13 +178,16 @@ void trace_stages(const Soup& soup, const InteriorMask* mask, const Arrangement&
 // A sector that no segment covers may still lie inside: where a chain ends at a reflex vertex its contact covers more than the half
 // discs of its segments. So every node off the boundary is tested, not only those whose sectors are all covered.
 void find_tight(const Soup& soup, const Arrangement& arrangement, const Array<BoundaryLoop>& kept, Collision& collision,
-                RawBoundary& out, double& grid_error) {
+                RawBoundary& out, double& grid_error, const Poll* poll) {
+  const std::size_t rounds = arrangement.covered_subs().size() + arrangement.nodes().size();
+  std::size_t round = 0;
   if (arrangement.nodes().empty()) return;
   Array<std::uint8_t> on_boundary(arrangement.degenerate_nodes() + 1, 0, soup.memory);
   for (const BoundaryLoop& loop : kept)
     for (const Step& step : loop.steps)
       if (const std::uint32_t node = arrangement.end_node(step); node != kNone) on_boundary[node] = 1;
   for (const Step& step : arrangement.covered_subs()) {
+    if (poll != nullptr) poll->at_test(round++, rounds);
     if (collision.overlaps(arrangement.sample(step))) continue;
     const Place from = arrangement.start_place(step), to = arrangement.end_place(step);
     const SubEnd a = arrangement.start_of(step), b = arrangement.end_of(step);
@@ -191,6 +196,7 @@ void find_tight(const Soup& soup, const Arrangement& arrangement, const Array<Bo
     out.cracks.push_back({vertex_of(soup, s, a.pair ? s : a.other, a, from), vertex_of(soup, s, b.pair ? s : b.other, b, to)});
   }
   for (const Arrangement::Node& node : arrangement.nodes()) {
+    if (poll != nullptr) poll->at_test(round++, rounds);
     if (on_boundary[node.number] != 0) continue;
     const Place place = arrangement.place_of(node);
     if (collision.overlaps(place)) continue;
@@ -206,11 +212,11 @@ bool connected_sum(const Operand& op, const Operand& oq) {
 }
 
 // Convex operands: see convex_boundary.
-std::optional<bool> run_convex(const SumOptions& options, SumState& state) {
-  if (options.engine != Engine::fast || options.trace) return std::nullopt;
+bool run_convex(const SumOptions& options, SumState& state, Poll& poll) {
+  if (options.engine != Engine::fast || options.trace) return false;
   StageClock clock(state.stats, timed(*state.p, *state.q));
   std::optional<SumRing> ring = convex_boundary(*state.lattice, *state.p, *state.q);
-  if (!ring) return std::nullopt;
+  if (!ring) return false;
   state.stats.reduced_segments = state.p->loops[0].last + state.q->loops[0].last;
   state.stats.live_segments = state.stats.reduced_segments;
   state.stats.loops = 1;
@@ -218,57 +224,75 @@ std::optional<bool> run_convex(const SumOptions& options, SumState& state) {
   state.boundary.rings.push_back(*std::move(ring));
   state.boundary.outer.push_back(1);
   clock.done("convolution");
-  return !options.progress || (options.progress("convolution", 1) && options.progress("loops", 1));
+  poll.stage("convolution");
+  poll(1);
+  return true;
 }
 
-bool run_reduced(const SumOptions& options, SumState& state) {
+void run_reduced(const SumOptions& options, SumState& state, Refine when, Poll& poll) {
   const Lattice& lattice = *state.lattice;
   const Operand &op = *state.p, &oq = *state.q;
   SumStats& stats = state.stats;
   StageClock clock(stats, timed(op, oq));
-  const std::function<bool(double)> poll = [&](double share) { return !options.progress || options.progress("crossings", share); };
-
+  const std::function<bool(double)> asked = [&](double share) {
+    poll(share);
+    return true;
+  };
   Scratch scratch;
+  poll.stage("convolution");
   const ReducedConvolution convolution(lattice, op, oq, &scratch);
   const std::uint32_t n = convolution.size();
   stats.reduced_segments = n;
   clock.done("directions");
   const bool fast = options.engine == Engine::fast;
   std::optional<InteriorMask> mask;
-  if (fast && n >= kMask) {
+  if (fast && (n >= kMask || (n > 0 && when == Refine::always))) {
+    poll.stage("mask");
     mask.emplace(op, oq, cells_for(n));
     stats.mask_grid = cells_for(n);
     clock.done("mask");
   }
+  poll.stage("segments");
   Soup soup(lattice, op, oq, &scratch);
   const bool merge = fast && n >= kMerge && convolution.parallel_edges() * 8 > op.size() + oq.size();
   Array<std::uint32_t> live(&scratch);
   if (mask || merge)
-    live = add_live(convolution, mask ? &*mask : nullptr, merge ? Twins::merged : Twins::kept, soup);
+    live = add_live(convolution, mask ? &*mask : nullptr, merge ? Twins::merged : Twins::kept, soup, poll);
   else
     soup.add(convolution);
-  const std::uint32_t reduced_live = static_cast<std::uint32_t>(soup.size());
+  clock.done("convolution");
   const bool closed = options.semantics != Semantics::open;
   const bool parallelograms = closed && has_dimension_below_two(op) && has_dimension_below_two(oq);
+  std::optional<Refined> refined;
+  if (mask && !parallelograms) {  // whose sides are in no cell
+    poll.stage("refinement");
+    refined = refine(op, oq, *mask, soup, live, when, poll);
+    if (refined) clock.done("refinement");
+  }
+  const FineCells* const fine = refined ? &refined->cells : nullptr;
+  if (fine != nullptr) stats.mask_grid *= kBrick;
+  const std::uint32_t reduced_live = static_cast<std::uint32_t>(soup.size());
   if (parallelograms) add_parallelograms(lattice, op, oq, soup);
   const ReducedChain chain(soup, convolution, std::move(live), reduced_live);
   stats.live_segments = soup.size();
-  clock.done("convolution");
-  if (options.progress && !options.progress("convolution", 1)) return false;
+  clock.done("chains");
 
   Meetings meetings(&scratch);
   Array<DeadMark> marks(&scratch);
   {
     CrossingFinder finder(soup, meetings, &chain);
-    finder.poll = &poll;
+    poll.stage("crossings");
+    finder.poll = &asked;
     finder.first_unchained = reduced_live;
     if (!fast)
       finder.all_pairs();
-    else if (sweep_pays(soup))
+    else if (fine != nullptr) {
+      finder.sweep(refined->live.pieces, kReach / 2 * fine->grid().cell);
+      marks = std::move(refined->live.marks);
+    } else if (sweep_pays(soup))
       finder.sweep(mask ? &*mask : nullptr);
     else
       finder.grid(mask ? mask->grid() : plain_grid(lattice, soup.size()), mask ? &*mask : nullptr, marks);
-    if (finder.stopped) return false;
   }
   stats.crossings = meetings.crossings.size();
   stats.cell_entries = meetings.cell_entries;
@@ -276,25 +300,27 @@ bool run_reduced(const SumOptions& options, SumState& state) {
   stats.exact_signs += meetings.exact_signs;
   clock.done("crossings");
 
-  const Arrangement arrangement(soup, std::move(meetings), chain, marks);
+  poll.stage("arrangement");
+  const Arrangement arrangement(soup, std::move(meetings), chain, marks, &poll);
   stats.degenerate_nodes = arrangement.degenerate_nodes();
   stats.exact_signs += arrangement.exact_orders();
   clock.done("arrangement");
 
-  Array<BoundaryLoop> loops = find_loops(soup, arrangement);
+  poll.stage("loops");
+  Array<BoundaryLoop> loops = find_loops(soup, arrangement, &poll);
   stats.loops = loops.size();
   clock.done("loops");
-  if (options.progress && !options.progress("loops", 1)) return false;
 
+  poll.stage("collision");
   Collision collision(lattice, op, oq, fast);
   collision.with_parallelograms = parallelograms;
   const bool connected = fast && !parallelograms && connected_sum(op, oq);
-  SortedLoops sorted = verify_loops(soup, arrangement, std::move(loops), collision, connected, mask ? &*mask : nullptr);
+  SortedLoops sorted = verify_loops(soup, arrangement, std::move(loops), collision, connected, {mask ? &*mask : nullptr, fine, &poll});
   clock.done("collision");
   if (state.trace) trace_stages(soup, mask ? &*mask : nullptr, arrangement, sorted, convolution, *state.trace);
   double grid_error = soup.point_error;
   if (options.semantics != Semantics::regular && !parallelograms)
-    find_tight(soup, arrangement, sorted.kept, collision, state.boundary, grid_error);
+    find_tight(soup, arrangement, sorted.kept, collision, state.boundary, grid_error, &poll);
   clock.done("tight");
   for (const BoundaryLoop& ring : simple_rings(soup, arrangement, std::move(sorted.kept))) {
     state.boundary.rings.push_back(make_ring(soup, arrangement, ring, grid_error));
@@ -304,27 +330,56 @@ bool run_reduced(const SumOptions& options, SumState& state) {
   stats.collision_tests = collision.counts().tests;
   stats.filtered_signs += collision.counts().filtered;
   stats.exact_signs += collision.counts().exact;
-  stats.peak_bytes = scratch.peak_bytes() + (mask ? mask->bytes() : 0);
+  stats.peak_bytes = scratch.peak_bytes() + (mask ? mask->bytes() : 0) + (fine != nullptr ? fine->bytes() : 0);
   clock.done("rings");
-  return true;
+  poll(1);
 }
 
-// The chosen engine; false when stopped.
-bool run(SumState& state, const SumOptions& options) {
+void run_engine(const SumOptions& options, SumState& state, Refine when, Poll& poll) {
+  if (state.p->size() == 0 || state.q->size() == 0) return;
+  if (run_convex(options, state, poll)) return;
+  if (options.engine == Engine::winding) {
+    if (!run_winding(options, state)) throw Cancelled{};
+  } else {
+    run_reduced(options, state, when, poll);
+  }
+}
+
+Error no_room(const SumState& state, std::string_view stage, std::string_view reason) {
+  const auto text = [](std::uint64_t n) { return std::to_string(n); };
+  std::string message = "the sum of " + text(state.p->size()) + " and " + text(state.q->size()) + " vertices is too large: " + std::string(reason);
+  if (!stage.empty()) message += " in the stage '" + std::string(stage) + "'";
+  if (state.stats.reduced_segments > 0) message += ", " + text(state.stats.reduced_segments) + " segments";
+  if (state.stats.live_segments > 0) message += ", " + text(state.stats.live_segments) + " of them to be intersected";
+  if (state.stats.crossings > 0) message += ", " + text(state.stats.crossings) + " crossings";
+  return {Code::unsupported_operand, message, {}};
+}
+
+// The chosen engine.
+std::optional<Error> run(SumState& state, const SumOptions& options, Refine when = Refine::where_it_pays) {
   if (options.trace) state.trace = std::make_unique<PlanarTrace>();
-  if (state.p->size() == 0 || state.q->size() == 0) return true;
-  if (const std::optional<bool> done = run_convex(options, state)) return *done;
-  return options.engine == Engine::winding ? run_winding(options, state) : run_reduced(options, state);
+  Poll poll(options.progress);
+  try {
+    run_engine(options, state, when, poll);
+  } catch (const Cancelled&) {
+    return Error{Code::cancelled, "stopped on request", {}};
+  } catch (const std::bad_alloc&) {
+    return no_room(state, poll.stage(), "out of memory");
+  } catch (const std::length_error& more) {
+    return no_room(state, poll.stage(), more.what());
+  }
+  return std::nullopt;
 }
 
 }  // namespace
 
 void find_tight_features(const Soup& soup, const Arrangement& arrangement, const Array<BoundaryLoop>& kept, Collision& collision,
                          RawBoundary& out, double& grid_error) {
-  find_tight(soup, arrangement, kept, collision, out, grid_error);
+  find_tight(soup, arrangement, kept, collision, out, grid_error, nullptr);
 }
 
-Result<SumState> compute_boundary(std::shared_ptr<const Operand> p, std::shared_ptr<const Operand> q, const SumOptions& options) {
+Result<SumState> compute_boundary(std::shared_ptr<const Operand> p, std::shared_ptr<const Operand> q, const SumOptions& options,
+                                  Refine refine) {
   SumState state;
   StageClock clock(state.stats, timed(*p, *q));
   for (const Operand* o : {p.get(), q.get()})
@@ -334,12 +389,12 @@ Result<SumState> compute_boundary(std::shared_ptr<const Operand> p, std::shared_
   state.q = placed_on(*state.lattice, std::move(q));
   state.stats.tier_bits = state.lattice->tier_bits;
   clock.done("operands");
-  if (!run(state, options)) return cancelled();
+  if (std::optional<Error> error = run(state, options, refine)) return *std::move(error);
   return state;
 }
 
 Result<SumState> compute_boundary(SumState state, const SumOptions& options) {
-  if (!run(state, options)) return cancelled();
+  if (std::optional<Error> error = run(state, options)) return *std::move(error);
   return state;
 }
 

@@ -6,6 +6,7 @@
 
 #include "dymsum/planar_sum.h"
 #include "planar/boundary.h"
+#include "planar/live_pieces.h"
 #include "planar/sum_source.h"
 
 namespace dymsum::planar {
@@ -27,8 +28,10 @@ struct SumState {
   std::unique_ptr<PlanarTrace> trace;
 };
 
-/// Operands (P as operand 0, Q as 1) on their lattice, then the boundary by the chosen engine.
-Result<SumState> compute_boundary(std::shared_ptr<const Operand> p, std::shared_ptr<const Operand> q, const SumOptions& options);
+/// Operands (P as operand 0, Q as 1) on their lattice, then the boundary by the chosen engine. Refine::always is for tests: a mask refined in all
+/// live cells, whatever that costs. Errors: as minkowski_sum; unsupported_operand, with stage and counts, where memory or 32-bit indices do not suffice.
+Result<SumState> compute_boundary(std::shared_ptr<const Operand> p, std::shared_ptr<const Operand> q, const SumOptions& options,
+                                  Refine refine = Refine::where_it_pays);
 
 /// The same for operands that are already on a lattice: state.lattice, state.p, state.q.
 Result<SumState> compute_boundary(SumState state, const SumOptions& options);

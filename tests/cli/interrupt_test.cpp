@@ -37,6 +37,27 @@ TEST_F(LongWork, OneSlowComputationIsInterruptedInside) {
   EXPECT_FALSE(work.exists("sum.wkt"));
 }
 
+TEST_F(LongWork, LargeSumsAreInterruptedInEveryStage) {
+  work.write("b.wkt", format_region(shapes::noisy_star(4000, 0.9, 5), RegionFormat::wkt));
+  for (const char* const after : {"0.3", "0.6", "1.2"}) {
+    const Outcome outcome = work.run(std::string("timeout --foreground --preserve-status -s INT -k 5 ") + after +
+                                     " dymsum sum b.wkt b.wkt --repeat 1000 -o sum.wkt");
+    EXPECT_EQ(outcome.code, 130) << outcome.err;
+    EXPECT_FALSE(work.exists("sum.wkt"));
+  }
+}
+
+TEST_F(LongWork, OutOfMemoryIsAnErrorWithSizes) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the sanitizer's own memory is beyond any limit";
+#endif
+  const Outcome outcome = work.run("sh -c 'ulimit -v 200000; exec dymsum sum a.wkt a.wkt --engine brute -o sum.wkt'");
+  EXPECT_EQ(outcome.code, 2) << outcome.err;
+  EXPECT_NE(outcome.err.find("the sum of 300 and 300 vertices is too large: out of memory in the stage"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find(" segments"), std::string::npos) << outcome.err;
+  EXPECT_FALSE(work.exists("sum.wkt"));
+}
+
 TEST_F(LongWork, TheBarIsOnlyForTerminals) {
   work.write("b.wkt", format_region(shapes::noisy_star(1500, 0.9, 5), RegionFormat::wkt));
   const std::string command = "timeout --foreground --preserve-status -s INT -k 60 2.5 dymsum sum b.wkt b.wkt --engine brute "
@@ -47,6 +68,7 @@ TEST_F(LongWork, TheBarIsOnlyForTerminals) {
   EXPECT_EQ(terminal.code, 130) << terminal.out;
   EXPECT_NE(terminal.out.find("% "), std::string::npos) << terminal.out;
   EXPECT_NE(terminal.out.find("["), std::string::npos);
+  EXPECT_NE(terminal.out.find(" left"), std::string::npos) << terminal.out;
 }
 
 }  // namespace

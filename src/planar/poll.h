@@ -1,0 +1,41 @@
+// How long stages ask whether to go on.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+#include "dymsum/progress.h"
+
+namespace dymsum::planar {
+
+/// Thrown where the caller's progress callback asks to stop; compute_boundary makes Code::cancelled of it.
+struct Cancelled {};
+
+/// Tells the progress callback the stage and its share; does not return when that says to stop.
+class Poll {
+ public:
+  explicit Poll(const Progress& progress) : progress_(progress) {}
+  void stage(std::string_view name) {
+    stage_ = name;
+    (*this)(0);
+  }
+  std::string_view stage() const { return stage_; }
+  void operator()(double share) const {
+    if (progress_ && !progress_(stage_, share)) throw Cancelled{};
+  }
+  /// For loops: asks once in 4096 rounds.
+  void at(std::size_t round, std::size_t rounds) const {
+    if (round % 4096 == 4095) (*this)(static_cast<double>(round) / static_cast<double>(rounds));
+  }
+
+  /// Where a round is a collision test.
+  void at_test(std::size_t round, std::size_t rounds) const {
+    if (round % 16 == 15) (*this)(static_cast<double>(round) / static_cast<double>(rounds));
+  }
+
+ private:
+  const Progress& progress_;
+  std::string_view stage_;
+};
+
+}  // namespace dymsum::planar
