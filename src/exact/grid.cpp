@@ -11,10 +11,19 @@ namespace {
 
 constexpr int kNoExponent = std::numeric_limits<int>::max();
 
+/// The exponent of the last bit of v, which is not zero.
+inline int last_bit(double v) {
+  const auto bits = std::bit_cast<std::uint64_t>(v);
+  const int field = static_cast<int>(bits >> 52) & 0x7ff;
+  constexpr std::uint64_t kHidden = std::uint64_t{1} << 52;
+  const std::uint64_t m = field != 0 ? bits | kHidden : bits;  // sign and exponent lie above the last bit
+  return std::max(field, 1) - 1075 + std::countr_zero(m);
+}
+
 int lowest_exponent(std::span<const double> values) {
   int lowest = kNoExponent;
   for (const double v : values)
-    if (v != 0) lowest = std::min(lowest, to_dyadic(v).exponent);
+    if (v != 0) lowest = std::min(lowest, last_bit(v));
   return lowest;
 }
 
@@ -52,6 +61,15 @@ Dyadic to_dyadic(double v) {
 }
 
 int common_exponent(std::span<const double> values) { return common_exponent(values, {}); }
+
+int common_exponent(std::span<const Point> points) {
+  int lowest = kNoExponent;
+  for (const Point p : points) {
+    if (p.x != 0) lowest = std::min(lowest, last_bit(p.x));
+    if (p.y != 0) lowest = std::min(lowest, last_bit(p.y));
+  }
+  return lowest == kNoExponent ? 0 : lowest;
+}
 
 int common_exponent(std::span<const double> xs, std::span<const double> ys) {
   const int lowest = std::min(lowest_exponent(xs), lowest_exponent(ys));

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <span>
 
+#include "dymsum/region.h"
 #include "exact/int.h"
 
 namespace dymsum::exact {
@@ -21,6 +22,9 @@ Dyadic to_dyadic(double v);
 /// The largest k such that every value is an integer multiple of 2^k; 0 if all are zero. Requires finite values.
 /// -1074 <= k <= 1023. O(n).
 int common_exponent(std::span<const double> values);
+
+/// The same for the coordinates of points.
+int common_exponent(std::span<const Point> points);
 
 /// The same for the values of both spans together.
 int common_exponent(std::span<const double> xs, std::span<const double> ys);

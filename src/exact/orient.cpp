@@ -13,19 +13,6 @@ namespace dymsum::exact {
 
 namespace {
 
-// The filter's bound, for s = u v +- w z with u, v, w, z differences of doubles, l = fl(fl(u) fl(v)),
-// r = fl(fl(w) fl(z)) and e = 2^-53. Differences err relatively by at most e (they never underflow), so
-// fl(u) fl(v) = u v (1 + d1)(1 + d2) and l = fl(u) fl(v) (1 + d3) + t, |d| <= e, |t| <= 2^-1075 (t is the underflow of
-// the product). Hence
-//   |u v| <= (|l| + |t|) / (1 - e)^3,   |l - u v| <= (3e + 3e^2 + e^3) |u v| + |t| <= (3e + 13e^2)|l| + 2|t|,
-// the same for r, and the final operation adds e (|l| + |r|) at most when not underflowing (sums never underflow):
-//   |fl(s) - s| <= (4e + 13e^2)(|l| + |r|) + 2^-1073.
-// The test |fl(s)| > 5e fl(|l| + |r|) + 2^-1000, evaluated in doubles, is stricter: 5e (1 - e)^3 > 4e + 13e^2, and
-// 2^-1000 also covers the underflow of the threshold itself. Overflow makes the threshold infinite or NaN and the test
-// fail.
-constexpr double kRelative = 5 * 0x1p-53;
-constexpr double kUnderflow = 0x1p-1000;
-
 struct Vectors {
   Point a, b, c, d;
 };
@@ -57,10 +44,8 @@ SignAnswer answer(const Vectors& v) {
   const double ux = v.b.x - v.a.x, uy = v.b.y - v.a.y, wx = v.d.x - v.c.x, wy = v.d.y - v.c.y;
   const double l = form == Form::cross ? ux * wy : ux * wx;
   const double r = form == Form::cross ? -(uy * wx) : uy * wy;
-  const double s = l + r;
-  const double threshold = kRelative * (std::abs(l) + std::abs(r)) + kUnderflow;
-  if (std::abs(s) > threshold) [[likely]]
-    return {s > 0 ? 1 : -1, Rung::filter};
+  if (const int s = certain_sign(l, r); s != 0) [[likely]]
+    return {s, Rung::filter};
   return exact_answer<form>(v);
 }
 

@@ -3,6 +3,7 @@
 // arguments.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 #include "dymsum/region.h"
@@ -28,13 +29,37 @@ struct FilterCounts {
   friend bool operator==(const FilterCounts&, const FilterCounts&) = default;
 };
 
+/// The sign of l + r for products l and r of rounded differences where it is certain, else 0.
+// The filter's bound, for s = u v +- w z with u, v, w, z differences of doubles, l = fl(fl(u) fl(v)),
+// r = fl(fl(w) fl(z)) and e = 2^-53. Differences err relatively by at most e (they never underflow), so
+// fl(u) fl(v) = u v (1 + d1)(1 + d2) and l = fl(u) fl(v) (1 + d3) + t, |d| <= e, |t| <= 2^-1075 (t is the underflow of
+// the product). Hence
+//   |u v| <= (|l| + |t|) / (1 - e)^3,   |l - u v| <= (3e + 3e^2 + e^3) |u v| + |t| <= (3e + 13e^2)|l| + 2|t|,
+// the same for r, and the final operation adds e (|l| + |r|) at most when not underflowing (sums never underflow):
+//   |fl(s) - s| <= (4e + 13e^2)(|l| + |r|) + 2^-1073.
+// The test |fl(s)| > 5e fl(|l| + |r|) + 2^-1000, evaluated in doubles, is stricter: 5e (1 - e)^3 > 4e + 13e^2, and
+// 2^-1000 also covers the underflow of the threshold itself. Overflow makes the threshold infinite or NaN and the test
+// fail.
+inline int certain_sign(double l, double r) {
+  const double s = l + r, threshold = 5 * 0x1p-53 * (std::abs(l) + std::abs(r)) + 0x1p-1000;
+  return (s > threshold) - (s < -threshold);
+}
+
+/// The sign of (b - a) x (d - c) where doubles tell it, else 0.
+inline int certain_cross_sign(Point a, Point b, Point c, Point d) {
+  return certain_sign((b.x - a.x) * (d.y - c.y), -((b.y - a.y) * (d.x - c.x)));
+}
+
 /// The sign of (b - a) x (d - c), exactly. Requires finite coordinates.
 SignAnswer cross_answer(Point a, Point b, Point c, Point d);
 /// The sign of (b - a) . (d - c), exactly. Requires finite coordinates.
 SignAnswer dot_answer(Point a, Point b, Point c, Point d);
 
 /// The sign of (b - a) x (d - c): > 0 when direction cd points to the left of direction ab.
-inline int cross_sign(Point a, Point b, Point c, Point d) { return cross_answer(a, b, c, d).sign; }
+inline int cross_sign(Point a, Point b, Point c, Point d) {
+  const int certain = certain_cross_sign(a, b, c, d);
+  return certain != 0 ? certain : cross_answer(a, b, c, d).sign;
+}
 inline int cross_sign(Point a, Point b, Point c, Point d, FilterCounts& counts) {
   return counts.add(cross_answer(a, b, c, d));
 }

@@ -138,7 +138,7 @@ bool Collision::test(const Place& x) {
 
 bool Collision::test_components(std::uint32_t p_component, std::uint32_t q_component) {
   using Node = EdgeTree::Node;
-  const EdgeTree &tp = operands_[0]->trees[p_component], &tq = operands_[1]->trees[q_component];
+  const EdgeTree &tp = operands_[0]->trees()[p_component], &tq = operands_[1]->trees()[q_component];
   const double margin = x_->error + 0x1p-49 * lattice_.span;
   const Component &cp = operands_[0]->components[p_component], &cq = operands_[1]->components[q_component];
   const bool parallelogram = cp.dimension != 2 && cq.dimension != 2;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/scratch.h"
 #include "planar/operand.h"
 
 namespace dymsum::planar {
@@ -10,11 +11,36 @@ namespace {
 
 int half(const Point& d) { return d.y > 0 || (d.y == 0 && d.x > 0) ? 0 : 1; }
 
-std::vector<std::uint32_t> edges_of(const Operand& o, const Component& c) {
-  std::vector<std::uint32_t> edges;
+Array<std::uint32_t> edges_of(const Operand& o, const Component& c, Scratch& memory) {
+  Array<std::uint32_t> edges(&memory);
+  edges.reserve(c.last - c.first);
   for (std::uint32_t l = c.first_loop; l < c.last_loop; ++l)
     for (std::uint32_t i = o.loops[l].first; o.loops[l].kind != LoopKind::point && i < o.loops[l].last; ++i) edges.push_back(i);
   return edges;
+}
+
+struct Item {
+  double key;
+  std::uint32_t edge;
+};
+
+// Buckets are sorted among each other up to the keys' error, so few items have to move between them afterwards.
+template <class Less>
+void sort_into_buckets(Array<Item>& items, const Less& less, Scratch& memory) {
+  const std::size_t n = items.size();
+  const double per_key = static_cast<double>(n) / 4.0;
+  const auto bucket = [&](double key) { return std::min<std::size_t>(n - 1, static_cast<std::size_t>(key * per_key)); };
+  Array<std::uint32_t> start(n + 2, 0, &memory);
+  for (const Item& item : items) ++start[bucket(item.key) + 1];
+  for (std::size_t b = 1; b < start.size(); ++b) start[b] += start[b - 1];
+  Array<Item> sorted(n, &memory);
+  for (const Item& item : items) sorted[start[bucket(item.key)]++] = item;
+  items.swap(sorted);
+  for (std::size_t b = 0, from = 0; b < n; ++b) {
+    const std::size_t to = start[b];
+    if (to - from > 16) std::sort(items.begin() + from, items.begin() + to, less);
+    from = to;
+  }
 }
 
 }  // namespace
@@ -47,34 +73,18 @@ void number(DirectionList& list, const Operand& o) {
 
 // Sorts by key into buckets, then repairs with exact comparisons; nearly linear unless directions cluster.
 DirectionList sort_by_direction(const Lattice& lattice, const Operand& o, const Component& c) {
-  const std::vector<std::uint32_t> edges = edges_of(o, c);
-  DirectionList list;
+  Scratch memory;
+  const Array<std::uint32_t> edges = edges_of(o, c, memory);
+  constexpr std::size_t kFew = 32;  // so many are in place sooner without buckets
+  DirectionList list(o.memory.resource());
   const std::size_t n = edges.size();
   if (n == 0) return list;
-  struct Item {
-    double key;
-    std::uint32_t edge;
-  };
-  std::vector<Item> items(n);
-  std::vector<std::uint32_t> start(n + 2, 0);
-  const double per_key = static_cast<double>(n) / 4.0;
-  const auto bucket = [&](double key) { return std::min<std::size_t>(n - 1, static_cast<std::size_t>(key * per_key)); };
-  std::vector<double> keys(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    keys[i] = pseudo_angle(o.ex[edges[i]], o.ey[edges[i]]);
-    ++start[bucket(keys[i]) + 1];
-  }
-  for (std::size_t b = 1; b < start.size(); ++b) start[b] += start[b - 1];
-  for (std::size_t i = 0; i < n; ++i) items[start[bucket(keys[i])]++] = {keys[i], edges[i]};
+  Array<Item> items(n, &memory);
+  for (std::size_t i = 0; i < n; ++i) items[i] = {pseudo_angle(o.ex[edges[i]], o.ey[edges[i]]), edges[i]};
   const auto less = [&](const Item& a, const Item& b) {
     return compare_directions(lattice, a.key, o.edge(a.edge), b.key, o.edge(b.edge)) < 0;
   };
-  // Buckets are sorted among each other up to the keys' error, so few elements move between them.
-  for (std::size_t b = 0, from = 0; b < n; ++b) {
-    const std::size_t to = start[b];
-    if (to - from > 16) std::sort(items.begin() + from, items.begin() + to, less);
-    from = to;
-  }
+  if (n > kFew) sort_into_buckets(items, less, memory);
   for (std::size_t i = 1; i < n; ++i) {
     const Item item = items[i];
     std::size_t j = i;
@@ -94,7 +104,7 @@ DirectionList sort_by_direction(const Lattice& lattice, const Operand& o, const 
 }
 
 DirectionList sublist(const DirectionList& all, const Operand& o, const Component& c, const std::vector<std::uint8_t>& keep) {
-  DirectionList list;
+  DirectionList list(o.memory.resource());
   list.base = all.base;
   list.rank.assign(all.rank.size(), kNoRank);
   std::vector<std::uint8_t> kept(all.rank.size(), 0);

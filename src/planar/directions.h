@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <memory_resource>
 #include <vector>
 
 #include "planar/lattice.h"
@@ -11,10 +12,13 @@ namespace dymsum::planar {
 
 /// Walk edges of one component (or of its outer loop, or without its filled holes) by direction, counter-clockwise from +x.
 struct DirectionList {
-  std::vector<std::uint32_t> edges;
-  std::vector<double> keys;         ///< pseudo-angles in [0, 4]
-  std::vector<std::uint32_t> rank;  ///< walk edge - base -> position in edges, or kNoRank
-  std::vector<std::uint32_t> next;  ///< position of an edge -> position of the edge behind it in its walk
+  explicit DirectionList(std::pmr::memory_resource* memory = std::pmr::get_default_resource())
+      : edges(memory), keys(memory), rank(memory), next(memory) {}
+
+  std::pmr::vector<std::uint32_t> edges;
+  std::pmr::vector<double> keys;         ///< pseudo-angles in [0, 4]
+  std::pmr::vector<std::uint32_t> rank;  ///< walk edge - base -> position in edges, or kNoRank
+  std::pmr::vector<std::uint32_t> next;  ///< position of an edge -> position of the edge behind it in its walk
   std::uint32_t base = 0;
 };
 inline constexpr std::uint32_t kNoRank = 0xffffffff;
@@ -43,7 +47,7 @@ struct Component;
 /// Ranks and followers of `edges`. Requires: base and the size of rank.
 void number(DirectionList& list, const Operand& o);
 
-/// All edges of a component.
+/// All edges of a component, in the operand's memory.
 DirectionList sort_by_direction(const Lattice& lattice, const Operand& o, const Component& c);
 
 /// Those of the loops l, counted through the operand, with keep[l] set.

@@ -2,14 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "planar/operand.h"
 
 namespace dymsum::planar {
 namespace {
 
+constexpr std::uint32_t kLeaf = 4;
+
+std::size_t nodes_over(std::uint32_t n) { return n > kLeaf ? 1 + nodes_over(n / 2) + nodes_over(n - n / 2) : 1; }
+
 std::uint32_t build(EdgeTree& tree, const Operand& o, std::uint32_t first, std::uint32_t last) {
-  constexpr std::uint32_t kLeaf = 4;
   const std::uint32_t id = static_cast<std::uint32_t>(tree.nodes.size());
   tree.nodes.push_back({});
   EdgeTree::Node node{INFINITY, INFINITY, -INFINITY, -INFINITY, first, last, 0, 0};
@@ -39,8 +43,17 @@ std::uint32_t build(EdgeTree& tree, const Operand& o, std::uint32_t first, std::
 
 EdgeTree make_edge_tree(const Operand& o, std::uint32_t first, std::uint32_t last) {
   EdgeTree tree;
+  tree.nodes.reserve(nodes_over(last - first));
   build(tree, o, first, last);
   return tree;
+}
+
+const std::vector<EdgeTree>& EdgeTrees::of(const Operand& o) const {
+  if (const auto* made = made_.load(std::memory_order_acquire); made != nullptr) return *made;
+  auto trees = std::make_unique<std::vector<EdgeTree>>();
+  for (const Component& c : o.components) trees->push_back(make_edge_tree(o, c.first, c.last));
+  const std::vector<EdgeTree>* first = nullptr;  // another thread's, perhaps
+  return made_.compare_exchange_strong(first, trees.get(), std::memory_order_acq_rel) ? *trees.release() : *first;
 }
 
 }  // namespace dymsum::planar

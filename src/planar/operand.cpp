@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
+
+#include "base/scratch.h"
 
 namespace dymsum::planar {
 namespace {
 
-std::vector<Point> source_vertices(const RegionData& region) {
+std::vector<Point> source_vertices(const RegionData& region, std::size_t n) {
   std::vector<Point> all;
+  all.reserve(n);
   for (const Part& part : region.parts) {
     all.insert(all.end(), part.outer.begin(), part.outer.end());
     for (const Ring& hole : part.holes) all.insert(all.end(), hole.begin(), hole.end());
@@ -16,6 +20,34 @@ std::vector<Point> source_vertices(const RegionData& region) {
   for (const Polyline& line : region.polylines) all.insert(all.end(), line.begin(), line.end());
   all.insert(all.end(), region.points.begin(), region.points.end());
   return all;
+}
+
+struct Size {
+  std::size_t vertices = 0, walk = 0, loops = 0, components = 0;  // `walk` before collinear vertices are dropped
+};
+Size size_of(const RegionData& region) {
+  Size size;
+  size.components = region.parts.size() + region.polylines.size() + region.points.size();
+  size.loops = size.components;
+  for (const Part& part : region.parts) {
+    size.vertices += part.outer.size();
+    size.loops += part.holes.size();
+    for (const Ring& hole : part.holes) size.vertices += hole.size();
+  }
+  size.walk = size.vertices + region.points.size();
+  for (const Polyline& line : region.polylines) {
+    size.vertices += line.size();
+    size.walk += 2 * (line.size() - 1);
+  }
+  size.vertices += region.points.size();
+  return size;
+}
+
+// About what the arrays of an operand take, so that one block holds them.
+std::size_t bytes_for(const Size& size) {
+  constexpr std::size_t kPerVertex = sizeof(EdgeBox) + sizeof(Operand::Numbers) + 12 * sizeof(double);
+  return kPerVertex * size.walk + (sizeof(Loop) + 2) * size.loops +
+         (sizeof(Component) + 2 * sizeof(DirectionList) + 32) * size.components + 256;
 }
 
 // A rotation moves the first direction to another place of the list.
@@ -58,15 +90,17 @@ void place(Operand& o, const Lattice& lattice) {
   const std::size_t n = o.size();
   o.points = lattice.points[o.op];
   for (auto* list : {&o.x, &o.y, &o.ex, &o.ey}) list->resize(n);
+  o.boxes.resize(n);
+  const double *const x = o.points->x.data(), *const y = o.points->y.data();
   for (std::uint32_t i = 0; i < n; ++i) {
-    o.x[i] = o.points->x[o.source[i]];
-    o.y[i] = o.points->y[o.source[i]];
-    const Point d = lattice.vector(o.edge(i));
+    const Edge e = o.edge(i);
+    const Point d = lattice.vector(e);
+    o.boxes[i] = {x[e.from], y[e.from], x[e.to], y[e.to], d.x, d.y};
+    o.x[i] = x[e.from];
+    o.y[i] = y[e.from];
     o.ex[i] = d.x;
     o.ey[i] = d.y;
   }
-  o.boxes.resize(n);
-  for (std::uint32_t i = 0; i < n; ++i) o.boxes[i] = {o.x[i], o.y[i], o.x[o.next[i]], o.y[o.next[i]], o.ex[i], o.ey[i]};
   // A scale per axis keeps the order of the directions, but not their angles.
   for (DirectionList& list : o.directions)
     for (std::size_t k = 0; k < list.edges.size(); ++k) list.keys[k] = pseudo_angle(o.ex[list.edges[k]], o.ey[list.edges[k]]);
@@ -75,15 +109,23 @@ void place(Operand& o, const Lattice& lattice) {
     for (Loop& loop : o.loops) find_turned_extremes(loop, o, *o.points->turned);
     find_largest_holes(o);
   }
-  o.trees.clear();
-  for (const Component& c : o.components) o.trees.push_back(make_edge_tree(o, c.first, c.last));
 }
 
 constexpr std::uint32_t kUnnumbered = 0xffffffff;  // SumVertex::kNone
 
 class Builder {
  public:
-  Builder(std::uint32_t op, const EngineRegion& region, const Lattice& lattice) : region_(region), lattice_(lattice) { out_.op = op; }
+  Builder(std::uint32_t op, const EngineRegion& region, const Lattice& lattice, const Size& size)
+      : region_(region), lattice_(lattice), made_(std::make_shared<Operand>(bytes_for(size))), out_(*made_) {
+    out_.op = op;
+    for (auto* list : {&out_.source, &out_.next, &out_.prev, &out_.vertex_number, &out_.edge_number, &out_.component_of}) list->reserve(size.walk);
+    out_.convex.reserve(size.walk);
+    out_.numbers.reserve(size.walk);
+    out_.loops.reserve(size.loops);
+    out_.components.reserve(size.components);
+    out_.directions.reserve(size.components + (size.loops > size.components ? size.components : 0));
+    out_.component_directions.reserve(size.components);
+  }
 
   void begin_component(int dimension) {
     Component c;
@@ -101,27 +143,26 @@ class Builder {
   }
 
   // A closed walk through source vertices; numbers[i] is the number of the edge from walk[i] to walk[i + 1].
-  void add_loop(LoopKind kind, const std::vector<std::uint32_t>& walk, const std::vector<std::uint32_t>& numbers) {
+  void add_loop(LoopKind kind, std::span<const std::uint32_t> walk, std::span<const std::uint32_t> numbers) {
     Loop loop;
     loop.kind = kind;
     loop.component = static_cast<std::uint32_t>(out_.components.size() - 1);
     loop.first = static_cast<std::uint32_t>(out_.size());
     const std::size_t n = walk.size();
-    std::vector<std::uint8_t>& keep = keep_;
-    keep.assign(n, 1);
-    for (std::size_t i = 0; i < n; ++i) {
-      const Turn t = turn(walk[(i + n - 1) % n], walk[i], walk[(i + 1) % n]);
+    const auto edge = [&](std::size_t i) { return Edge{out_.op, walk[i], walk[i + 1 == n ? 0 : i + 1]}; };
+    Point d = lattice_.vector(edge(n - 1));
+    for (std::size_t i = 0, before = n - 1; i < n; before = i++) {
+      const Point e = lattice_.vector(edge(i));
+      const Turn t = turn(edge(before), d, edge(i), e);
+      d = e;
       // Where a walk goes straight from one ring's edge to another's, the vertex stays: a contact names an edge of one ring.
-      const bool same_run = !region_.touching || region_.edge_number(numbers[i]) == region_.edge_number(numbers[(i + n - 1) % n]);
-      keep[i] = t == Turn::convex ? 2 : t == Turn::straight && same_run ? 0 : 1;
-    }
-    for (std::size_t i = 0; i < n; ++i) {
-      if (keep[i] == 0) continue;
+      const bool same_run = !region_.touching || region_.edge_number(numbers[i]) == region_.edge_number(numbers[before]);
+      if (t == Turn::straight && same_run) continue;
       out_.source.push_back(walk[i]);
       // The straight run that starts here; backward runs of a polyline carry the number of their forward run.
       out_.edge_number.push_back(region_.edge_number(numbers[i]));
       out_.vertex_number.push_back(region_.vertex_number(walk[i]));
-      out_.convex.push_back(keep[i] == 2);
+      out_.convex.push_back(t == Turn::convex);
     }
     loop.last = static_cast<std::uint32_t>(out_.size());
     const std::uint32_t m = loop.last - loop.first;
@@ -149,7 +190,7 @@ class Builder {
     end_component();
   }
 
-  Operand finish() && {
+  std::shared_ptr<Operand> finish() && {
     place(out_, lattice_);
     for (std::uint32_t c = 0; c < out_.components.size(); ++c) {
       const Component& component = out_.components[c];
@@ -166,7 +207,7 @@ class Builder {
     for (Loop& loop : out_.loops) find_extremes(loop);
     find_largest_holes(out_);
     invert_numbers();
-    return std::move(out_);
+    return std::move(made_);
   }
 
  private:
@@ -188,30 +229,39 @@ class Builder {
   }
   // By the piece from a to b of an edge that is cut: places on one line are in the order of either coordinate that changes.
   void extend(std::array<std::uint32_t, 2>& edge, std::uint32_t a, std::uint32_t b) const {
+    if (edge[0] == kUnnumbered) {
+      edge = {a, b};
+      return;
+    }
     const std::vector<Point>& v = out_.points->input;
     const bool forward = v[a].x != v[b].x ? v[a].x < v[b].x : v[a].y < v[b].y;
     const auto before = [&](std::uint32_t i, std::uint32_t j) {
       const bool less = v[i].x != v[j].x ? v[i].x < v[j].x : v[i].y < v[j].y;
       return v[i] != v[j] && less == forward;
     };
-    if (edge[0] == kUnnumbered || before(a, edge[0])) edge[0] = a;
-    if (edge[1] == kUnnumbered || before(edge[1], b)) edge[1] = b;
+    if (before(a, edge[0])) edge[0] = a;
+    if (before(edge[1], b)) edge[1] = b;
   }
   void find_extremes(Loop& loop) const {
     const std::vector<Point>& v = out_.points->input;
-    loop.min_x = loop.max_x = loop.min_y = loop.max_y = out_.source[loop.first];
-    for (std::uint32_t i = loop.first; i < loop.last; ++i) {
+    std::uint32_t min_x = out_.source[loop.first], max_x = min_x, min_y = min_x, max_y = min_x;
+    Point low = v[min_x], high = low;
+    for (std::uint32_t i = loop.first + 1; i < loop.last; ++i) {
       const std::uint32_t s = out_.source[i];
-      if (v[s].x < v[loop.min_x].x) loop.min_x = s;
-      if (v[s].x > v[loop.max_x].x) loop.max_x = s;
-      if (v[s].y < v[loop.min_y].y) loop.min_y = s;
-      if (v[s].y > v[loop.max_y].y) loop.max_y = s;
+      const Point p = v[s];
+      if (p.x < low.x) low.x = p.x, min_x = s;
+      if (p.x > high.x) high.x = p.x, max_x = s;
+      if (p.y < low.y) low.y = p.y, min_y = s;
+      if (p.y > high.y) high.y = p.y, max_y = s;
     }
+    loop.min_x = min_x;
+    loop.max_x = max_x;
+    loop.min_y = min_y;
+    loop.max_y = max_y;
   }
 
-  Turn turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
-    const Edge in{out_.op, a, b}, out{out_.op, b, c};
-    const Point d = lattice_.vector(in), e = lattice_.vector(out);
+  // Between two edges with vectors d and e.
+  Turn turn(const Edge& in, Point d, const Edge& out, Point e) const {
     const double value = d.x * e.y - d.y * e.x;
     // Vectors, products and difference are rounded once each: 4 roundings of the products, or underflow.
     const double bound = 0x1p-50 * (std::abs(d.x * e.y) + std::abs(d.y * e.x)) + 0x1p-1000;
@@ -224,8 +274,8 @@ class Builder {
 
   const EngineRegion& region_;
   const Lattice& lattice_;
-  Operand out_;
-  std::vector<std::uint8_t> keep_;
+  std::shared_ptr<Operand> made_;
+  Operand& out_;
 };
 
 }  // namespace
@@ -234,12 +284,16 @@ std::shared_ptr<Operand> make_operand(const EngineRegion& engine_region, std::ui
   const RegionData& region = engine_region.data();
   // Against an operand without vertices.
   std::array<std::shared_ptr<const PlacedPoints>, 2> points;
-  points[op] = place_points(source_vertices(region));
-  points[1 - op] = place_points({});
+  static const std::shared_ptr<const PlacedPoints> kNothing = place_points({});
+  const Size size = size_of(region);
+  points[op] = place_points(source_vertices(region, size.vertices));
+  points[1 - op] = kNothing;
   const std::shared_ptr<Lattice> lattice = make_lattice(points[0], points[1], 0);
-  Builder builder(op, engine_region, *lattice);
+  Builder builder(op, engine_region, *lattice, size);
   std::uint32_t at = 0;
-  std::vector<std::uint32_t> walk, numbers;
+  Scratch memory;
+  Array<std::uint32_t> walk(&memory), numbers(&memory);
+  walk.reserve(size.walk);
   const auto ring = [&](const Ring& r, LoopKind kind) {
     walk.clear();
     for (std::size_t i = 0; i < r.size(); ++i) walk.push_back(at++);
@@ -269,7 +323,7 @@ std::shared_ptr<Operand> make_operand(const EngineRegion& engine_region, std::ui
     at += n;
   }
   for (std::size_t i = 0; i < region.points.size(); ++i) builder.add_point(at++);
-  return std::make_shared<Operand>(std::move(builder).finish());
+  return std::move(builder).finish();
 }
 
 std::shared_ptr<const Operand> placed_on(const Lattice& lattice, std::shared_ptr<const Operand> operand) {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/own_memory.h"
 #include "dymsum/region.h"
 #include "planar/directions.h"
 #include "planar/edge_tree.h"
@@ -45,32 +46,42 @@ struct EdgeBox {
 };
 
 struct Operand {
+  Operand() = default;
+  /// With room for `bytes` of arrays in one block.
+  explicit Operand(std::size_t bytes) : memory(bytes) {}
+
+  template <class T>
+  using List = std::pmr::vector<T>;
+  OwnMemory memory;
   std::uint32_t op = 0;
   bool reflected = false;                  ///< of the region's reflection: evidence shows coordinates as the region has them
-  std::vector<std::uint32_t> source;       ///< walk vertex -> source vertex
-  std::vector<std::uint32_t> next, prev;   ///< walk vertex -> walk vertex
-  std::vector<std::uint32_t> vertex_number;  ///< walk vertex -> vertex number in the region
-  std::vector<std::uint32_t> edge_number;    ///< walk edge -> edge number in the region
+  List<std::uint32_t> source{memory.resource()};       ///< walk vertex -> source vertex
+  List<std::uint32_t> next{memory.resource()}, prev{memory.resource()};   ///< walk vertex -> walk vertex
+  List<std::uint32_t> vertex_number{memory.resource()};  ///< walk vertex -> vertex number in the region
+  List<std::uint32_t> edge_number{memory.resource()};    ///< walk edge -> edge number in the region
   struct Numbers {
     std::uint32_t vertex = 0, edge = 0, next_vertex = 0;
   };
-  std::vector<Numbers> numbers;            ///< the same side by side, with the number of the edge's end
-  std::vector<std::uint32_t> numbered_vertex;  ///< vertex number -> source vertex
-  std::vector<std::array<std::uint32_t, 2>> numbered_edge;  ///< edge number -> the source vertices of its walk edge
-  std::vector<std::uint8_t> convex;        ///< strictly convex, tip of a spike, or a point: it can touch with its vertex
-  std::vector<double> x, y;                ///< walk vertices, in the units of `points`
-  std::vector<double> ex, ey;              ///< walk edge vectors, each component rounded once
-  std::vector<EdgeBox> boxes;              ///< walk edges: the same side by side
-  std::vector<Loop> loops;
-  std::vector<Component> components;
-  std::vector<std::uint32_t> component_of; ///< walk vertex -> component
-  std::vector<DirectionList> directions;
-  std::vector<std::array<std::uint32_t, 2>> component_directions;  ///< per component: all its edges, its outer loop's
-  std::vector<EdgeTree> trees;             ///< per component
+  List<Numbers> numbers{memory.resource()};            ///< the same side by side, with the number of the edge's end
+  List<std::uint32_t> numbered_vertex{memory.resource()};  ///< vertex number -> source vertex
+  List<std::array<std::uint32_t, 2>> numbered_edge{memory.resource()};  ///< edge number -> the source vertices of its walk edge
+  List<std::uint8_t> convex{memory.resource()};        ///< strictly convex, tip of a spike, or a point: it can touch with its vertex
+  List<double> x{memory.resource()}, y{memory.resource()};                ///< walk vertices, in the units of `points`
+  List<double> ex{memory.resource()}, ey{memory.resource()};              ///< walk edge vectors, each component rounded once
+  List<EdgeBox> boxes{memory.resource()};              ///< walk edges: the same side by side
+  List<Loop> loops{memory.resource()};
+  List<Component> components{memory.resource()};
+  List<std::uint32_t> component_of{memory.resource()}; ///< walk vertex -> component
+  List<DirectionList> directions{memory.resource()};
+  List<std::array<std::uint32_t, 2>> component_directions{memory.resource()};  ///< per component: all its edges, its outer loop's
   std::shared_ptr<const PlacedPoints> points;  ///< the source vertices
 
   std::size_t size() const { return source.size(); }
+  const std::vector<EdgeTree>& trees() const { return trees_.of(*this); }  ///< per component
   Edge edge(std::uint32_t i) const { return {op, source[i], source[next[i]]}; }
+
+ private:
+  EdgeTrees trees_;
 };
 
 /// Operand `op` (0 = P, 1 = Q) of a region. O(n log n); independent of the other operand, so that it can be kept.

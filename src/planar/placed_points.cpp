@@ -20,18 +20,22 @@ Point low_corner(std::span<const Point> points) {
 void place_in_units(PlacedPoints& points, int unit) {
   const double per_unit = std::ldexp(1.0, -unit);
   points.unit = unit;
-  points.x.clear();
-  points.y.clear();
-  points.x.reserve(points.input.size());
-  points.y.reserve(points.input.size());
-  points.width = points.height = 0;
-  for (const Point& v : points.input) {
+  const std::size_t n = points.input.size();
+  points.x.resize(n);
+  points.y.resize(n);
+  double width = 0, height = 0;
+  const Point offset = points.offset, stretch = points.stretch;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Point v = points.input[i];
     // The difference of two doubles is rounded once; the power of two is exact.
-    points.x.push_back((v.x - points.offset.x) * per_unit * points.stretch.x);
-    points.y.push_back((v.y - points.offset.y) * per_unit * points.stretch.y);
-    points.width = std::max(points.width, points.x.back());
-    points.height = std::max(points.height, points.y.back());
+    const double x = (v.x - offset.x) * per_unit * stretch.x, y = (v.y - offset.y) * per_unit * stretch.y;
+    points.x[i] = x;
+    points.y[i] = y;
+    width = std::max(width, x);
+    height = std::max(height, y);
   }
+  points.width = width;
+  points.height = height;
 }
 
 int unit_for(double extent, int exponent, int bits) {
@@ -42,14 +46,10 @@ std::shared_ptr<const PlacedPoints> place_points(std::vector<Point> input) {
   auto points = std::make_shared<PlacedPoints>();
   points->input = std::move(input);
   points->offset = low_corner(points->input);
-  std::vector<double> all;
-  all.reserve(2 * points->input.size());
-  for (const Point& v : points->input) {
-    all.push_back(v.x);
-    all.push_back(v.y);
-    points->extent = std::max({points->extent, v.x - points->offset.x, v.y - points->offset.y});
-  }
-  points->exponent = exact::common_exponent(all);
+  double extent = 0;
+  for (const Point v : points->input) extent = std::max({extent, v.x - points->offset.x, v.y - points->offset.y});
+  points->extent = extent;
+  points->exponent = exact::common_exponent(points->input);
   // One unit in the last place covers the rounding of the differences.
   constexpr int kLow = -1100;  // below all grids
   points->top = kLow + exact::bits_needed(std::nextafter(points->extent, INFINITY), kLow);

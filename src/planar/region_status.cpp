@@ -23,6 +23,7 @@ int SweepStatus::side(Node node, Point p) const {
   const Edge& e = nodes_[node].edge;
   if (p.y > std::max(e.left.y, e.right.y)) return 1;
   if (p.y < std::min(e.left.y, e.right.y)) return -1;
+  if (p == e.left || p == e.right) return 0;
   return exact::orient_sign(e.left, e.right, p);
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "exact/orient.h"
+#include "planar/plain_rings.h"
 #include "planar/prepared_region.h"
 #include "planar/region_sweep.h"
 
@@ -234,7 +235,9 @@ std::optional<Error> check_finite(const RegionData& data) {
   return std::nullopt;
 }
 
-Validation validate(const RegionData& data) {
+Validation validate(const RegionData& data) { return plainly_valid(data) ? Validation{} : validate_in_full(data); }
+
+Validation validate_in_full(const RegionData& data) {
   if (auto error = check_finite(data)) return {std::move(error), {}};
   if (auto error = check_chains(data, check_ring, check_polyline)) return {std::move(error), {}};
   LayoutCheck layout(data);

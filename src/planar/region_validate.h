@@ -23,6 +23,9 @@ struct Validation {
 };
 Validation validate(const RegionData& data);
 
+/// The same, always by the sweep, whose answer `plainly_valid` saves in the common case.
+Validation validate_in_full(const RegionData& data);
+
 /// Region made of data that are known to be valid, such as a reflected region, with the points at which its rings touch.
 Region trusted_region(RegionData data, std::vector<Point> touching_points);
 

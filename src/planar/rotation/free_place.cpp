@@ -26,7 +26,7 @@ class FreePlace {
  public:
   FreePlace(const SignsAt& signs, const ExactPlace& z) : signs_(signs), forms_(signs.forms()), z_(z), near_(signs.near(z).value()) {
     for (std::uint32_t op = 0; op < 2; ++op) {
-      const std::vector<Loop>& loops = forms_.operand(op).loops;
+      const auto& loops = forms_.operand(op).loops;
       touches_[op].assign(loops.size(), 0);
       loop_of_[op].resize(forms_.size(op));
       for (std::uint32_t l = 0; l < loops.size(); ++l)

@@ -21,7 +21,7 @@ std::optional<int> TurnedSource::compare_corners(const SumVertex& a, const SumVe
   const std::uint32_t still = 1 - base_->scaled;
   if (a.corner_p == SumVertex::kNone || b.corner_p == SumVertex::kNone) return std::nullopt;
   if ((still == 0 ? a.corner_q : a.corner_p) != (still == 0 ? b.corner_q : b.corner_p)) return std::nullopt;
-  const std::vector<std::uint32_t>& source = base_->operands[still].numbered_vertex;
+  const auto& source = base_->operands[still].numbered_vertex;
   const std::vector<Point>& input = base_->lattice->points[still]->input;
   const Point &u = input[source[still == 0 ? a.corner_p : a.corner_q]], &v = input[source[still == 0 ? b.corner_p : b.corner_q]];
   const double x = axis == 0 ? u.x : u.y, y = axis == 0 ? v.x : v.y;

@@ -60,7 +60,7 @@ std::optional<int> ScalingSource::compare_corners(const SumVertex& a, const SumV
   const SharedIntegers& integers = l.unscaled_integers();
   exact::BigInteger sum = 0;
   for (std::uint32_t op = 0; op < 2; ++op) {
-    const std::vector<std::uint32_t>& source = base_->operands[op].numbered_vertex;
+    const auto& source = base_->operands[op].numbered_vertex;
     const std::uint32_t i = source[op == 0 ? a.corner_p : a.corner_q], j = source[op == 0 ? b.corner_p : b.corner_q];
     const exact::i128 d = integers.at[op][i][axis] - integers.at[op][j][axis];
     if (d == 0) continue;

@@ -57,8 +57,8 @@ std::optional<CrossingEdges> EdgeSearch::find_lately(const Way& at) {
 }
 
 std::optional<CrossingEdges> EdgeSearch::find_new(const Way& at) {
-  for (const EdgeTree& p : window_.base().operands[0].trees)
-    for (const EdgeTree& q : window_.base().operands[1].trees)
+  for (const EdgeTree& p : window_.base().operands[0].trees())
+    for (const EdgeTree& q : window_.base().operands[1].trees())
       if (const auto edges = find_in(p, q, at)) {
         remember(*edges);
         return edges;

@@ -63,7 +63,7 @@ std::uint64_t ScalingSum::State::hash() const {
   const auto segment = [&](const Contact& c) {
     const bool of_p = c.kind == Contact::Kind::edge_of_p;
     const Operand &o = base->operands[of_p ? 0 : 1], &other = base->operands[of_p ? 1 : 0];
-    const auto find = [](const std::vector<std::uint32_t>& numbers, std::uint32_t n) {
+    const auto find = [](const auto& numbers, std::uint32_t n) {
       return static_cast<std::uint32_t>(std::find(numbers.begin(), numbers.end(), n) - numbers.begin());
     };
     return Segment{o.edge(find(o.edge_number, of_p ? c.p : c.q)), other.source[find(other.vertex_number, of_p ? c.q : c.p)]};
