@@ -8,7 +8,7 @@
 namespace dymsum::apps {
 namespace {
 
-using exact::exact_product, exact::exact_sum;
+using base::exact_product, base::exact_sum;
 
 // A number as the sum of its terms, exactly as long as nothing underflows: coordinates are scaled to at most 1.
 using Terms = std::vector<double>;

@@ -6,11 +6,11 @@
 #include <array>
 
 #include "dymsum/region.h"
-#include "exact/double_pair.h"
+#include "base/double_pair.h"
 
 namespace dymsum::apps {
 
-using exact::DoublePair;
+using base::DoublePair;
 
 /// With unit vectors u along the fixed edge and m along the turning one, and any corner of theirs that moves along:
 /// cross(corner_of_fixed - fixed start, u) +- cross(turning start - corner_of_turning, m); the plus sign first, which

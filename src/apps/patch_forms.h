@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "dymsum/cspace_obstacle.h"
-#include "exact/double_pair.h"
+#include "base/double_pair.h"
 #include "range.h"
 
 namespace dymsum::apps {
 
-using exact::DoublePair;
+using base::DoublePair;
 
 /// (cosine, sine) of an angle.
 struct Turn {

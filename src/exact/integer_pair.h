@@ -2,10 +2,12 @@
 #pragma once
 
 #include "exact/big.h"
-#include "exact/double_pair.h"
+#include "base/double_pair.h"
 #include "exact/int.h"
 
 namespace dymsum::exact {
+
+using base::DoublePair;
 
 /// Requires |v| <= 2^126. Either double errs by 2^-53 of what it rounds.
 inline DoublePair integer_pair(i128 v) {

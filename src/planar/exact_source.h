@@ -6,7 +6,7 @@
 
 #include "dymsum/planar_sum.h"
 #include "exact/big.h"
-#include "exact/double_pair.h"
+#include "base/double_pair.h"
 
 namespace dymsum {
 
@@ -35,7 +35,7 @@ class ExactSource {
   };
   /// |x - exact| and |y - exact| are at most `error`, all in units; all numbers are below 2^404.
   struct NearPosition {
-    exact::DoublePair x, y;
+    base::DoublePair x, y;
     double error = 0;
   };
   /// Positions to some thirty digits, at the cost of a few operations on doubles. No frame where a source has none or

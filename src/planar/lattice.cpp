@@ -150,14 +150,14 @@ class LatticeOf final : public Lattice {
     const SumVec s = sum(start_of(x.on));
     const EdgeVec d = edge(x.on.edge);
     const WideRatio r = ratio(x);
-    const exact::DoublePair t = integer_pair(r.n) / integer_pair(r.d);
-    const exact::DoublePair sx = integer_pair(s.x), sy = integer_pair(s.y), dx = integer_pair(d.x) * t, dy = integer_pair(d.y) * t;
+    const base::DoublePair t = integer_pair(r.n) / integer_pair(r.d);
+    const base::DoublePair sx = integer_pair(s.x), sy = integer_pair(s.y), dx = integer_pair(d.x) * t, dy = integer_pair(d.y) * t;
     const double reach = std::abs(sx.high) + std::abs(sy.high) + std::abs(dx.high) + std::abs(dy.high);
     return {sx + dx, sy + dy, reach * 0x1p-97};
   }
   NearPosition near(Pair v) const override {
     const SumVec s = sum(v);
-    const exact::DoublePair x = exact::integer_pair(s.x), y = exact::integer_pair(s.y);
+    const base::DoublePair x = exact::integer_pair(s.x), y = exact::integer_pair(s.y);
     return {x, y, (std::abs(x.high) + std::abs(y.high)) * 0x1p-103};
   }
 

@@ -15,7 +15,7 @@ namespace {
 
 using exact::BigInteger;
 using exact::BigRational;
-using exact::DoublePair;
+using base::DoublePair;
 
 template <class Visit>
 void each_ring(const PlanarSum& sum, Visit visit) {

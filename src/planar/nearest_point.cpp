@@ -7,7 +7,7 @@
 namespace dymsum::planar {
 namespace {
 
-using exact::DoublePair;
+using base::DoublePair;
 
 /// Within 2^-105 of itself where nothing underflows.
 DoublePair pair_of(const exact::BigRational& v) {

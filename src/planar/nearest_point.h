@@ -18,7 +18,7 @@ class NearestPoint {
 
  private:
   struct Frame {
-    exact::DoublePair unit, x, y;
+    base::DoublePair unit, x, y;
   };
   const ExactSource& source_;
   std::optional<Frame> frame_;

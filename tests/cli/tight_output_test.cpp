@@ -92,8 +92,8 @@ TEST_F(TightOutput, AreasOutsideTheRangeOfDoublesAreText) {
 
 TEST_F(TightOutput, LongFractionsOfAreasAreGivenWhenAskedFor) {
   const auto save = [&](const char* file, const Region& region) { work.write(file, format_region(region, RegionFormat::wkt)); };
-  save("star.wkt", shapes::noisy_star(300, 0.5, 1));
-  save("small.wkt", shapes::disc(7, 0.004));
+  save("star.wkt", shapes::noisy_star(3000, 0.5, 1));
+  save("small.wkt", shapes::disc(7, 0.0004));
   const Json plain = json("dymsum sum star.wkt small.wkt --json"), exact = json("dymsum sum star.wkt small.wkt --json --exact");
   ASSERT_GT(plain["crossings"], 50);
   EXPECT_TRUE(plain["area_exact"].is_null());

@@ -12,6 +12,8 @@
 namespace dymsum::exact {
 namespace {
 
+using base::exact_sum;
+
 constexpr unsigned kSeed = 4711;
 
 BigRational value(DoublePair v) { return exact_value(v.high) + exact_value(v.low); }

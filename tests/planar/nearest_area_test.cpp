@@ -57,7 +57,7 @@ void expect_near(const PlanarSum& sum, const std::string& what) {
   for (const SumVertex& v : vertices_of(sum)) {
     const ExactSource::Position p = sum.source->position(v);
     const ExactSource::NearPosition n = sum.source->near(v);
-    const auto off = [&](const exact::DoublePair& at, const Q& origin, const Q& exact) -> Q {
+    const auto off = [&](const base::DoublePair& at, const Q& origin, const Q& exact) -> Q {
       return abs(frame->unit * (exact::exact_value(at.high) + exact::exact_value(at.low)) + origin - exact);
     };
     const Q error = frame->unit * exact::exact_value(n.error);

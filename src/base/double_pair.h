@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace dymsum::exact {
+namespace dymsum::base {
 
 struct DoublePair {
   double high = 0, low = 0;
@@ -50,4 +50,4 @@ inline DoublePair square_root(DoublePair a) {
   return exact_sum(x, rest.high / (2 * x));
 }
 
-}  // namespace dymsum::exact
+}  // namespace dymsum::base
