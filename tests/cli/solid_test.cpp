@@ -233,7 +233,7 @@ TEST_F(SolidCli, SumsThatRoundingCollapsesAreRefused) {
 }
 
 TEST_F(SolidCli, PlanarPicturesThatCannotBeReadBackSaySo) {
-  work.write("far.wkt", "POLYGON ((1125899906842624 0, 1125899906842625 0, 1125899906842625 1, 1125899906842624 1, 1125899906842624 0))");
+  work.write("far.wkt", "POLYGON ((1125899906842624 1125899906842624, 1125899906842625 1125899906842624, 1125899906842625 1125899906842625, 1125899906842624 1125899906842625, 1125899906842624 1125899906842624))");
   work.write("tiny.wkt", "POLYGON ((0 0, 1e-9 0, 0 1e-9, 0 0))");
   EXPECT_EQ(work.run("dymsum sum far.wkt tiny.wkt -o s.wkt").code, 2);
   const Outcome picture = work.run("dymsum sum far.wkt tiny.wkt -o s.svg");
