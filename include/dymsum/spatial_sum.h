@@ -74,6 +74,10 @@ class SpatialSum {
   /// Rounded at every face.
   double area() const;
 
+  /// The boundary as triangles, every vertex rounded to the nearest doubles: closed and oriented, each edge as often one way as the other. Tight features
+  /// are no part of it. Error rounding_changed_topology with the place where two vertices round to one. Whether rounding makes triangles cross is not checked.
+  Result<MeshData> rounded() const;
+
   /// The same set with the same tight features, exactly. Provenance and stats are not compared.
   friend bool operator==(const SpatialSum& a, const SpatialSum& b);
 

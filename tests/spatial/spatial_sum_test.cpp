@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <map>
 
 #include "dymsum/solids.h"
 #include "oracles/voxel_solids.h"
@@ -138,6 +139,31 @@ TEST(SpatialSum, with_an_empty_operand_is_empty) {
 int fuzz_pairs(int few) {
   const char* text = std::getenv("DYMSUM_FUZZ_PAIRS");
   return text != nullptr ? std::max(few, std::atoi(text) / 10) : few;
+}
+
+/// Every edge as often one way as the other, and the volume of the triangles.
+void expect_closed(const SpatialSum& s, const std::string& what) {
+  const MeshData mesh = s.rounded().value();
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
+  double six = 0;
+  for (const Face& f : mesh.faces) {
+    const Point3 &a = mesh.vertices[f[0]], &b = mesh.vertices[f[1]], &c = mesh.vertices[f[2]];
+    six += a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) + a.z * (b.x * c.y - b.y * c.x);
+    for (int k = 0; k < 3; ++k) ++sides[{f[k], f[(k + 1) % 3]}], --sides[{f[(k + 1) % 3], f[k]}];
+  }
+  for (const auto& [edge, count] : sides) EXPECT_EQ(count, 0) << what;
+  EXPECT_NEAR(six / 6, s.volume(), 1e-9 * s.volume() + 1e-12) << what;
+}
+
+TEST(SpatialSum, as_triangles_is_closed_and_of_the_same_volume) {
+  expect_closed(sum(tunnel(), box(0.95)), "faces with holes");
+  expect_closed(sum(cavity(), box(0.5)), "two shells");
+  EXPECT_TRUE(Mesh::create(sum(tunnel(), box(0.95)).rounded().value()).ok());
+  for (int k = 0; k < fuzz_pairs(12); ++k) {
+    std::mt19937_64 random(static_cast<std::uint64_t>(500 + k));
+    const auto [p, q] = oracles::random_voxels(k % 8 == 0 ? 4 : 3, random);
+    expect_closed(sum(oracles::voxel_mesh(p), oracles::voxel_mesh(q)), "seed " + std::to_string(500 + k));
+  }
 }
 
 TEST(SpatialSum, of_unions_of_cubes_is_that_of_lattice_cells) {
