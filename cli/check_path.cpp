@@ -5,6 +5,7 @@
 #include <cctype>
 #include <cmath>
 #include <fstream>
+#include <numbers>
 #include <iterator>
 #include <sstream>
 
@@ -35,7 +36,8 @@ std::vector<Configuration> poses_of_lines(const std::string& file, const std::st
     const auto place = words.size() == 3 ? finite_point(words[0] + "," + words[1]) : std::nullopt;
     const auto angle = place ? angle_in(words[2]) : std::nullopt;
     if (!angle) refuse(file, "expected a pose x,y,theta", number);
-    poses.push_back({place->x, place->y, angle->radians()});
+    // Whole turns count: from one pose to the next the robot turns by the difference.
+    poses.push_back({place->x, place->y, angle->degrees ? angle->value / 180 * std::numbers::pi : angle->value});
   }
   return poses;
 }

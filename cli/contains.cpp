@@ -62,7 +62,6 @@ bool is_closed(const ContainsCommand& command, bool robot) { return command.sema
 std::vector<bool> in_sum(const Region& p, const Region& q, const std::vector<Query>& queries, bool closed) {
   std::vector<bool> inside;
   for (const Query& query : queries) {
-    throw_if_interrupted();
     inside.push_back(contains(p, q, {query.x, query.y}, closed ? Semantics::closed : Semantics::open));
   }
   return inside;
@@ -118,7 +117,9 @@ ExitCode run_contains(const ContainsCommand& command) {
   const bool robot = queries.front().theta.has_value(), closed = is_closed(command, robot);
   const std::vector<Input> inputs = read_inputs(command.operands, command.input);
   const Region &first = inputs[0].region, &second = inputs[1].region;
-  const InterruptGuard guard;
+  // A question for a place cannot be asked to stop: an interrupt ends it at once. Nothing is written then.
+  std::optional<InterruptGuard> guard;
+  if (robot) guard.emplace();
   std::optional<ProgressBar> bar(std::in_place);
   const auto [inside, timing] = timed(command.report.repeat, [&] {
     return robot ? in_obstacle(first, second, queries, closed, bar->callback()) : in_sum(first, second, queries, closed);

@@ -29,7 +29,11 @@ RegionFormat format_of_text(std::string_view text) {
 bool is_footprint(const std::string& operand) { return operand.starts_with("["); }
 
 const std::string& standard_input() {
-  static const std::string text{std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
+  static const std::string text = [] {
+    std::string all{std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
+    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+    return all.starts_with(kByteOrderMark) ? all.substr(kByteOrderMark.size()) : all;
+  }();
   return text;
 }
 

@@ -29,7 +29,7 @@ std::vector<Angle> frame_angles(const RotateCommand& command) {
 }
 
 ExitCode run_solids(const RotateCommand& command) {
-  refuse_options(*command.parser, {"--error", "--semantics"}, "is for planar operands");
+  refuse_options(*command.parser, {"--error", "--semantics", "--exact"}, "is for planar operands");
   const Point3 axis = parse_point(command.axis.value_or("0,0,1"), "--axis");
   const std::vector<SolidInput> inputs = read_convex_solids(command.planar.operands, command.planar.input);
   std::vector<SolidFramePose> poses;

@@ -106,7 +106,7 @@ ExitCode run_range(const RangeCommand& command) {
   require_planar("scale-range", command.operands);
   const std::vector<Input> inputs = read_inputs(command.operands, command.input);
   const Region &part = inputs[0].region, &other = inputs[1].region;
-  const InterruptGuard guard;
+  // No interrupt guard: an interrupt ends the run at once, as it writes no file.
   std::optional<ProgressBar> bar(std::in_place);
   const Progress progress = bar->callback();
   const auto compute = [&] {

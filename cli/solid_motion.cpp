@@ -105,7 +105,7 @@ ExitCode run_solid_motion(const std::string& verb, const std::vector<SolidInput>
 }
 
 ExitCode run_solid_scale(const ScaleCommand& command, const std::vector<Scale>& sweep) {
-  refuse_options(*command.parser, {"--copies", "--events", "--mode", "--semantics"}, "is for planar operands");
+  refuse_options(*command.parser, {"--copies", "--events", "--mode", "--semantics", "--exact"}, "is for planar operands");
   if (sweep.empty() == command.at.empty()) throw Stop(kUsage, "give one of --sweep and --at");
   const std::vector<SolidInput> inputs = read_convex_solids(command.operands, command.input);
   std::vector<SolidFramePose> poses;

@@ -44,7 +44,7 @@ void print_text(std::ostream& out, const std::string& verb, const std::vector<So
 
 ExitCode run_solid_sum(const SumVerb& verb, const SumCommand& command) {
   if (verb.name == "erode") throw Stop(kUsage, "erode is defined for planar regions so far");
-  refuse_options(*command.parser, {"--semantics", "--round-repair"}, "is for planar operands");
+  refuse_options(*command.parser, {"--semantics", "--round-repair", "--exact"}, "is for planar operands");
   const ConvexEngine engine = engine_of(command);
   if (command.report.json && writes_to_stdout(command.output)) throw Stop(kUsage, "--json and -o - both want standard output");
   if (!writes_to_stdout(command.output)) refuse_options(*command.parser, {"--to"}, "is the format of -o -");

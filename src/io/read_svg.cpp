@@ -1,6 +1,7 @@
 // SVG: path, polygon, polyline, rect and line elements, all together one shape, coordinates as they stand in the file
 // (SVG's y axis points down; nothing is flipped); of the outermost element no viewBox is applied, and nothing is clipped.
 // What is not drawn is not read. Our own files carry data-dymsum attributes and read back exactly.
+#include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -86,6 +87,8 @@ class SvgReader {
     const std::string_view name = local_name(node);
     if (name == "style") refuse_hiding(node);
     if (!marked_ && property(node, "display") == "none") return false;
+    if (!marked_) refuse_placing(node);
+    if (!marked_ && name == "svg" && draws_nothing(node)) return false;
     if (name == "g" || name == "svg" || name == "a" || name == "switch") return true;
     if (marked_) {
       if (name == "path" && node.attribute(kMark)) take_marked(node);
@@ -211,10 +214,30 @@ class SvgReader {
     return false;
   }
 
+  /// Styles may place and shape elements as attributes do, and are not read for that.
+  void refuse_placing(const pugi::xml_node& node) const {
+    const std::string_view style = node.attribute("style").value();
+    if (style.find("/*") != std::string_view::npos) fail(node, "a style with comments cannot be read");
+    for (const char* name : {"transform", "transform-origin", "translate", "rotate", "scale", "x", "y", "width", "height", "rx", "ry", "d", "offset-path"}) {
+      if (!svg_property(style, name, "").empty())
+        fail(node, std::string("a style sets ") + name + ", which is read from attributes only");
+    }
+    if (node.attribute("transform-origin")) fail(node, "transform-origin cannot be read");
+  }
+
+  /// An svg element inside another one without width or height.
+  bool draws_nothing(const pugi::xml_node& node) const {
+    const auto is_zero = [&](const char* name) { return node.attribute(name) && size(node, name) == 0; };
+    return is_zero("width") || is_zero("height");
+  }
+
   void refuse_hiding(const pugi::xml_node& node) const {
-    const std::string_view sheet = node.child_value();
-    if (sheet.find("display") != std::string_view::npos || sheet.find("visibility") != std::string_view::npos)
-      fail(node, "a style sheet that may hide elements, and style sheets cannot be read");
+    std::string sheet = node.child_value();
+    for (char& c : sheet) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    for (const char* name : {"display", "visibility", "transform", "translate", "rotate", "scale"}) {
+      if (sheet.find(name) != std::string::npos)
+        fail(node, std::string("a style sheet that sets ") + name + ", and style sheets cannot be read");
+    }
   }
 
   static SvgText text_of(const pugi::xml_node& node, const char* name) {

@@ -1,6 +1,7 @@
 // Nested svg elements: where their content goes; and whether an element is drawn at all.
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <string>
 #include <string_view>
 
@@ -15,6 +16,12 @@ std::string_view trimmed(std::string_view text) {
   while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
   while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
   return text;
+}
+
+/// Names of properties may be in capitals.
+bool same_name(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
 
 /// The share of the free space that lies before the content: 0, 1/2 or 1.
@@ -54,7 +61,7 @@ std::string_view svg_property(std::string_view style, std::string_view name, std
     const std::size_t end = std::min(style.find(';'), style.size());
     const std::string_view declaration = style.substr(0, end);
     const std::size_t colon = declaration.find(':');
-    if (colon != std::string_view::npos && trimmed(declaration.substr(0, colon)) == name) {
+    if (colon != std::string_view::npos && same_name(trimmed(declaration.substr(0, colon)), name)) {
       value = trimmed(declaration.substr(colon + 1));
       if (const std::size_t important = value.find('!'); important != std::string_view::npos) value = trimmed(value.substr(0, important));
     }

@@ -50,6 +50,7 @@ const std::vector<Case> kCases = {
     {"path", "path peg.wkt slot.wkt --from 1,6,0 --to 1,1,0 --strict", 4},
     {"path", "path square.wkt frame.wkt --from 1.5,1.5,0 --to 9,9,0", 4},
     {"path", "path peg.wkt slot.wkt --from 1,6,0 --to 1,9,90deg --margin 0.25"},
+    {"paths", "path peg.wkt slot.wkt --from 1,6,0 --to 1,1,0 --to 1,9,90deg"},
     {"checked_path", "path peg.wkt slot.wkt --check-path poses.txt"},
     {"checked_path", "path peg.wkt slot.wkt --strict --check-path poses.txt", 4},
     {"contains", "contains peg.wkt slot.wkt --at 1,1"},

@@ -99,6 +99,21 @@ TEST_F(PathCli, MarginsAreKeptAndReported) {
   EXPECT_EQ(none["reason"]["kind"], "separated");
 }
 
+TEST_F(PathCli, ChecksWholeTurnsOfPosesInDegrees) {
+  // A rod beside a post: a quarter turn is free, a whole turn and a quarter is not.
+  work.write("rod.wkt", "POLYGON((0 0,3 0,3 0.125,0 0.125,0 0))");
+  work.write("post.wkt", "POLYGON((-2 -0.5,-1 -0.5,-1 0.5,-2 0.5,-2 -0.5))");
+  const std::string check = "dymsum path rod.wkt post.wkt --check-path poses.txt --json";
+  work.write("poses.txt", "0,0,0\n0,0,90deg\n");
+  EXPECT_EQ(json(check)["checked"]["outcome"], "free");
+  work.write("poses.txt", "0,0,0\n0,0,450deg\n");
+  EXPECT_EQ(json(check, 4)["checked"]["outcome"], "blocked");
+  work.write("poses.txt", "5,0,170deg\n5,0,190deg\n");
+  EXPECT_EQ(json(check)["checked"]["outcome"], "free");
+  work.write("poses.txt", "0,0,140deg\n0,0,220deg\n");
+  EXPECT_EQ(json(check, 4)["checked"]["outcome"], "blocked");
+}
+
 TEST_F(PathCli, ChecksAPathThatIsGiven) {
   work.run("dymsum path square.wkt rooms.wkt --from -5,1.5,0.25 --to 5,-2,2 -o path.json");
   const std::string check = "dymsum path square.wkt rooms.wkt --check-path ";

@@ -180,6 +180,17 @@ TEST(ReadSvg, hidden_elements_are_not_read) {
   EXPECT_EQ(ring_of("<rect display='none' style='display:inline' width='1' height='1'/>"), square);
   EXPECT_EQ(ring_of("<style>rect { fill: red }</style>" + seen), square);
   refused("<style>.a { display: none }</style>" + seen, Code::malformed, 2, "style sheet");
+  EXPECT_EQ(ring_of(seen + "<g style='DISPLAY:none'>" + hidden + "</g>"), square);
+  refused("<g style='/**/display:none'/>" + seen, Code::malformed, 2, "comments");
+  EXPECT_EQ(ring_of(seen + "<svg width='0' height='9'>" + hidden + "</svg>"), square);
+}
+
+TEST(ReadSvg, styles_that_place_elements_are_refused) {
+  refused("<rect width='1' height='1' style='transform:rotate(45deg)'/>", Code::malformed, 2, "a style sets transform");
+  refused("<rect width='1' height='1' style='fill:red;WIDTH:3px'/>", Code::malformed, 2, "a style sets width");
+  refused("<rect width='3' height='3' style='rx:1'/>", Code::malformed, 2, "a style sets rx");
+  refused("<rect width='1' height='1' transform='scale(2)' transform-origin='1 1'/>", Code::malformed, 2, "transform-origin");
+  refused("<style>rect{TRANSFORM:scale(3)}</style><rect width='1' height='1'/>", Code::malformed, 2, "style sheet");
 }
 
 TEST(ReadSvg, negative_sizes_are_refused) {
