@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "cspace/figure.h"
+#include "cspace/growth.h"
 #include "cspace/questions.h"
 #include "cspace/tables.h"
 #include "planar/pairs.h"
@@ -17,6 +18,8 @@ namespace {
 
 constexpr const char* kUsage =
     "dymsum_bench_cspace [--only TEXT] [--part NAME] [--data DIR] [--results DIR]\n"
+    "dymsum_bench_cspace --growth [--results DIR]\n"
+    "  --growth       obstacles of ever larger polygons; with --results cspace-growth.md\n"
     "  --only TEXT    only pairs whose name contains TEXT\n"
     "  --part NAME    only one of: obstacles, slices, rotation, sizes, symmetric, questions, figure\n"
     "  --data DIR     the folder with planar/dog.poly and others (DYMSUM_DATA)\n"
@@ -24,6 +27,7 @@ constexpr const char* kUsage =
 
 struct Options {
   std::string only, part, data, results;
+  bool growth = false;
   bool wants(const std::string& name) const { return part.empty() || part == name; }
   bool selects(const TurningPair& pair) const { return pair.name.find(only) != std::string::npos; }
 };
@@ -147,6 +151,7 @@ Options parse(int argc, char** argv) {
     else if (const char* name = value("--part")) options.part = name;
     else if (const char* folder = value("--data")) options.data = folder;
     else if (const char* dir = value("--results")) options.results = dir;
+    else if (std::strcmp(argv[i], "--growth") == 0) options.growth = true;
     else throw std::invalid_argument(kUsage);
   }
   return options;
@@ -172,6 +177,10 @@ void measure_all(Report& report, const Options& options, const std::vector<Turni
 
 int run(int argc, char** argv) {
   const Options options = parse(argc, argv);
+  if (options.growth) {
+    if (!options.results.empty()) std::filesystem::create_directories(options.results);
+    return measure_obstacle_growth(options.results, std::cout) ? 0 : 1;
+  }
   const std::vector<TurningPair> pairs = turning_pairs(options.data);
   Report report;
   opening(report, options.data);

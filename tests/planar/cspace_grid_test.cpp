@@ -3,6 +3,8 @@
 
 #include <map>
 
+#include "dymsum/shapes.h"
+
 namespace dymsum {
 namespace {
 
@@ -154,6 +156,27 @@ TEST(CspaceGrid, contacts_at_one_point_at_every_angle_are_no_reason_for_whole_sl
   EXPECT_LT(c.work().slices, 100u);
   Random random(1);
   expect_slices(c, random, 1000);
+}
+
+// Their triples are sieved by direction and by sketches of who meets whom, and their ranges are halved.
+TEST(CspaceGrid, combs_and_stars_give_the_same_obstacle_as_whole_slices) {
+  for_seeds(4, [](Random& random) {
+    const auto comb = [&] { return shapes::comb(2 + static_cast<int>(random() % 4), 2 + static_cast<double>(random() % 2), 1, 2 + static_cast<double>(random() % 3)); };
+    const auto star = [&] { return shapes::star(3 + static_cast<int>(random() % 5), 0.25, 1); };
+    const bool combs = random() % 2 == 0;
+    const Region robot = combs ? comb() : star(), obstacle = combs ? comb() : star();
+    ObstacleOptions options;
+    options.reference = true;
+    expect_same(CspaceObstacle::create(robot, obstacle).value(), CspaceObstacle::create(robot, obstacle, options).value());
+    if (testing::Test::HasFailure()) ADD_FAILURE() << format_region(robot, RegionFormat::wkt) << "\n" << format_region(obstacle, RegionFormat::wkt);
+  });
+}
+
+// Segments of this star really meet six to twelve others at every angle: its windows were halved to 320 with as many meetings each.
+TEST(CspaceGrid, real_crossings_are_no_reason_to_halve_windows) {
+  const Region star = shapes::star(25, 0.2, 1);
+  const CspaceObstacle c = CspaceObstacle::create(star, star).value();
+  EXPECT_LT(c.work().windows, 200u);
 }
 
 }  // namespace

@@ -312,24 +312,25 @@ class Preparation {
   }
 
   int windows() const { return 2 * windows_for(pairs_); }
-  std::vector<Prepared> range(int i) const {
+  /// `halved`: in two parts at least, without asking.
+  std::vector<Prepared> range(int i, bool halved) const {
     std::vector<Prepared> parts;
-    add(range_of(i, windows() / 2), 0, parts);
+    add(range_of(i, windows() / 2), 0, halved, parts);
     return parts;
   }
 
  private:
-  // Triples grow with the square of the pairs: where segments meet more than a few others each, a range is halved. Beside a quarter turn at
-  // which much is aligned they do for certain.
-  void add(const TurnRange& range, int depth, std::vector<Prepared>& parts) const {
-    constexpr std::size_t kMost = 6;
+  // Triples grow with the square of the pairs: where segments meet more than some others each, a range is halved. Beside a quarter turn at
+  // which much is aligned they do for certain. Fewer than twelve others are mostly real crossings, of which half a range has as many.
+  void add(const TurnRange& range, int depth, bool halved, std::vector<Prepared>& parts) const {
+    constexpr std::size_t kMost = 12;
     const double middle = std::nearbyint(0.5 * (range.t_low + range.t_high) * 0x1p24) * 0x1p-24;
     const bool divides = depth < 3 && middle > range.t_low && middle < range.t_high;
     const auto halve = [&] {
-      add({range.chart, range.t_low, middle}, depth + 1, parts);
-      add({range.chart, middle, range.t_high}, depth + 1, parts);
+      add({range.chart, range.t_low, middle}, depth + 1, false, parts);
+      add({range.chart, middle, range.t_high}, depth + 1, false, parts);
     };
-    if (divides && beside_crowd(range)) return halve();
+    if (divides && (halved || beside_crowd(range))) return halve();
     Prepared p;
     p.range = range;
     p.window = std::make_unique<TurnWindow>(grid_, catalog_, range, !reference_ && pairs_ > 100);
@@ -368,11 +369,13 @@ bool pass_turn(const TurningForms& forms, const TurnCatalog& catalog, ObstacleSw
   const Preparation preparation(forms, catalog, reference);
   const int ranges = preparation.windows();
   std::vector<std::vector<Prepared>> some(kAtATime);
-  bool started = false;
+  bool started = false, halved = false;
   for (int first = 0; first < ranges; first += kAtATime) {
     if (progress && !progress("angles", static_cast<double>(first) / ranges)) return false;
     const int last = std::min(ranges, first + kAtATime);
-    base::parallel_parts(static_cast<std::size_t>(last - first), 0, [&](std::size_t k) { some[k] = preparation.range(first + static_cast<int>(k)); });
+    base::parallel_parts(static_cast<std::size_t>(last - first), 0, [&](std::size_t k) { some[k] = preparation.range(first + static_cast<int>(k), halved && k > 0); });
+    // Where all of some ranges had to be halved the next ones will have to be as well; their first one is asked.
+    halved = std::all_of(some.begin(), some.begin() + (last - first), [](const std::vector<Prepared>& parts) { return parts.size() > 1; });
     for (int k = 0; k < last - first; ++k)
       for (Prepared& p : some[static_cast<std::size_t>(k)]) {
         count(*p.window, p.found, sweep.work);

@@ -1,6 +1,8 @@
 #include "planar/rotation/turn_events.h"
 
 #include <algorithm>
+#include <bitset>
+#include <numeric>
 #include <span>
 
 #include "planar/rotation/event_place.h"
@@ -24,6 +26,8 @@ class Collector {
     add_alignments(all);
     find_crossings();
     find_vertices();
+    number_headings();
+    sketch_meetings();
     for (std::uint32_t a = 0; a < w_.segments.size(); ++a) triples_of(a);
     std::sort(out_.events.begin(), out_.events.end(), [](const TurnEvent& a, const TurnEvent& b) { return a.low < b.low; });
     return std::move(out_);
@@ -206,6 +210,32 @@ class Collector {
     return along >= -slack && along <= length + slack;
   }
 
+  // Segments of one number have the same direction at every angle.
+  void number_headings() {
+    std::array<std::vector<std::uint32_t>, 2> number;
+    std::uint32_t count = 0;
+    for (std::uint32_t side = 0; side < 2; ++side) {
+      std::vector<std::uint32_t> order(forms_.size(side));
+      std::iota(order.begin(), order.end(), 0);
+      std::sort(order.begin(), order.end(), [&](std::uint32_t e, std::uint32_t f) { return catalog_.edge_angle(side, e) < catalog_.edge_angle(side, f); });
+      number[side].resize(order.size());
+      for (std::size_t k = 0; k < order.size(); ++k) {
+        if (k == 0 || !same_direction({side, order[k - 1], 0}, {side, order[k], 0})) ++count;
+        number[side][order[k]] = count;
+      }
+    }
+    heading_of_.reserve(w_.segments.size());
+    for (const WalkSegment& s : w_.segments) heading_of_.push_back(number[s.side][s.edge]);
+  }
+
+  // Whether w_.meet(j, k) may hold, by a bit out of a cache line: most triples of crowded windows stop here.
+  static std::size_t bit_of(std::uint32_t k) { return (k * 2654435761u) >> 23; }
+  void sketch_meetings() {
+    sketches_.resize(w_.segments.size());
+    for (const TurnWindow::Meeting& m : w_.meetings) sketches_[m.a].set(bit_of(m.b));
+  }
+  bool may_meet(std::uint32_t j, std::uint32_t k) const { return sketches_[j].test(bit_of(k)); }
+
   // Every triple is found from its smallest member; with two that are parallel at every angle, from the third one, the
   // only one that crosses both.
   void triples_of(std::uint32_t a) {
@@ -213,7 +243,7 @@ class Collector {
     find_orders(a, list);
     for (std::size_t k = 0; k < list.size(); ++k)
       for (std::size_t l = k + 1; l < list.size() && list[l].low <= list[k].high; ++l) {
-        if (list[k].order == list[l].order && list[k].order != 0) continue;
+        if ((list[k].order == list[l].order && list[k].order != 0) || heading_of_[list[k].other] == heading_of_[list[l].other]) continue;
         const std::uint32_t b = std::min(list[k].other, list[l].other), c = std::max(list[k].other, list[l].other);
         if (a < b || forms_.parallel(w_.segments[b], w_.segments[c])) triple(a, b, c);
       }
@@ -319,7 +349,7 @@ class Collector {
 
   void triple(std::uint32_t i, std::uint32_t j, std::uint32_t k) {
     ++out_.triples;
-    if (!w_.meet(j, k)) return;
+    if (!may_meet(j, k) || !w_.meet(j, k)) return;
     const WalkSegment &a = w_.segments[i], &b = w_.segments[j], &c = w_.segments[k];
     if (same_direction(b, c)) return;
     const TrigForm2 g = forms_.concurrency(a, b, c);
@@ -373,6 +403,8 @@ class Collector {
   const OverlapFilter* filter_;
   QuarterEnds ends_;
   std::vector<std::vector<Crossing>> crossings_;
+  std::vector<std::uint32_t> heading_of_;   // of segments
+  std::vector<std::bitset<512>> sketches_;  // of the meetings of segments with later ones
   TurnEvents out_;
 };
 
