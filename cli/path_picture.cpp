@@ -27,6 +27,8 @@ std::string robot_at(const Region& robot, const Configuration& q, Box& seen) {
     add(part.outer);
     for (const Ring& hole : part.holes) add(hole);
   }
+  for (const Polyline& line : robot.polylines()) add(line);
+  if (!robot.points().empty()) add(robot.points());
   return path;
 }
 

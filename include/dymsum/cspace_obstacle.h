@@ -115,8 +115,11 @@ struct ObstacleOptions {
 
 class CspaceObstacle {
  public:
-  /// Regions with holes and several parts. Errors: unsupported_operand for polylines, points, empty regions and
-  /// coordinates beyond 2^400; cancelled.
+  /// Regions with holes and several parts; the robot may also be one segment (a polyline of two vertices) or one point,
+  /// which overlap where they meet the interior of the obstacle. Contacts name the segment's edge 0, from its first vertex
+  /// to the second one, and 1, back; cspace_slice names both 0. Errors: unsupported_operand for other polylines and points,
+  /// empty regions and coordinates beyond 2^400, and for a segment and an obstacle whose rings touch, as the segment passes
+  /// such a point without clearance at a range of angles; cancelled.
   static Result<CspaceObstacle> create(const Region& robot, const Region& obstacle, const ObstacleOptions& options = {});
 
   CspaceObstacle(CspaceObstacle&&) noexcept;

@@ -83,7 +83,7 @@ class ObstacleQueries {
   double largest_weight() const;
   /// With the robot's radius of gyration about the reference point.
   Clearance clearance(const Configuration& from) const { return clearance(from, gyration_radius()); }
-  /// The root of the mean square distance of the robot's points from the origin of its coordinates.
+  /// The root of the mean square distance of the robot's points, those of a segment too, from the origin of its coordinates.
   double gyration_radius() const;
   /// How many bounds of stretches of patches all clearances so far have evaluated.
   std::uint64_t bounds_evaluated() const;

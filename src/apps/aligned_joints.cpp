@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "obstacle_rails.h"
+#include "walked_rings.h"
 
 namespace dymsum::apps {
 namespace {
@@ -89,10 +90,7 @@ RingTable ring_table(const Region& region) {
       table.previous.push_back(first + (k + n - 1) % n);
     }
   };
-  for (const Part& part : region.parts()) {
-    add(part.outer);
-    for (const Ring& hole : part.holes) add(hole);
-  }
+  for_each_ring(region, add);
   table.first_visit.resize(table.at.size());
   std::iota(table.first_visit.begin(), table.first_visit.end(), 0u);
   for (const Point& z : region.touching_points()) {

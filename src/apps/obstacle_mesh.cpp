@@ -8,6 +8,7 @@
 
 #include "obstacle_rails.h"
 #include "station_closing.h"
+#include "walked_rings.h"
 
 namespace dymsum {
 namespace {
@@ -31,10 +32,7 @@ RobotSizes robot_sizes(const Region& robot) {
       sizes.edge.push_back(std::hypot(b.x - a.x, b.y - a.y));
     }
   };
-  for (const Part& part : robot.parts()) {
-    add(part.outer);
-    for (const Ring& hole : part.holes) add(hole);
-  }
+  for_each_ring(robot, add);
   return sizes;
 }
 

@@ -16,6 +16,14 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
+// Of a segment the root of the mean square distance of its points from the origin: its middle, and its length.
+double turning_radius(const Region& robot) {
+  if (!robot.parts().empty()) return radius_of_gyration(robot);
+  if (!robot.points().empty()) return std::hypot(robot.points()[0].x, robot.points()[0].y);
+  const Point a = robot.polylines()[0][0], b = robot.polylines()[0][1];
+  return std::hypot((a.x + b.x) / 2, (a.y + b.y) / 2, std::hypot(b.x - a.x, b.y - a.y) / std::sqrt(12));
+}
+
 // In [-pi, pi], within 2^-51 of the angle of Orientation::nearest.
 double reduced(double theta) { return std::abs(theta) <= kPi ? theta : Orientation::nearest(theta).value().radians(); }
 
@@ -24,7 +32,7 @@ double reduced(double theta) { return std::abs(theta) <= kPi ? theta : Orientati
 class ObstacleQueries::State {
  public:
   explicit State(const CspaceObstacle& o)
-      : obstacle(o), forms(o), index(o, forms), gyration(radius_of_gyration(o.robot())), tree(o, forms, gyration) {}
+      : obstacle(o), forms(o), index(o, forms), gyration(turning_radius(o.robot())), tree(o, forms, gyration) {}
 
   // Of what is inside by the patches a curve of tight placements may be free.
   std::optional<bool> sure(double x, double y, double theta) const {

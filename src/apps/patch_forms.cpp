@@ -2,6 +2,7 @@
 
 #include "crossing_gap.h"
 #include "end_curve.h"
+#include "walked_rings.h"
 
 #include <algorithm>
 #include <array>
@@ -20,14 +21,6 @@ struct Numbered {
   std::vector<Point> at, exact;
   std::vector<std::uint32_t> run_end;
 };
-
-template <class F>
-void for_each_ring(const Region& region, F&& f) {
-  for (const Part& part : region.parts()) {
-    f(part.outer);
-    for (const Ring& hole : part.holes) f(hole);
-  }
-}
 
 Numbered numbered(const Region& region) {
   std::set<std::pair<double, double>> corners;  // vertices that are not in the middle of a straight line

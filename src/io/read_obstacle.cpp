@@ -54,7 +54,12 @@ Result<Region> region_of(const Json& parts) {
       for (std::size_t k = 0; k < flat.size(); k += 2) ring.push_back({number(flat[k]), number(flat[k + 1])});
     }
     demand(!read.empty(), "a part has no ring");
-    data.parts.push_back({read[0], {read.begin() + 1, read.end()}});
+    if (read.size() == 1 && read[0].size() == 2)
+      data.polylines.push_back(read[0]);
+    else if (read.size() == 1 && read[0].size() == 1)
+      data.points.push_back(read[0][0]);
+    else
+      data.parts.push_back({read[0], {read.begin() + 1, read.end()}});
   }
   return Region::create(std::move(data));
 }

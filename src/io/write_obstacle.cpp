@@ -20,6 +20,7 @@ Json ring_json(const Ring& ring) {
   return flat;
 }
 
+// A segment is written as a ring of two vertices, a point as a ring of one.
 Json region_json(const Region& region) {
   Json parts = Json::array();
   for (const Part& part : region.parts()) {
@@ -27,6 +28,8 @@ Json region_json(const Region& region) {
     for (const Ring& hole : part.holes) rings.push_back(ring_json(hole));
     parts.push_back(std::move(rings));
   }
+  for (const Polyline& segment : region.polylines()) parts.push_back(Json::array({ring_json(segment)}));
+  if (!region.points().empty()) parts.push_back(Json::array({ring_json(region.points())}));
   return parts;
 }
 

@@ -106,6 +106,23 @@ Region rooms(double t, double doorway) {
                                       {t, -5}, {t, -h}, {-t, -h}, {-t, -5}}});
 }
 
+// A rod has no width: the longest one is (a^(2/3) + b^(2/3))^(3/2), 125 for corridors 27 and 64 wide.
+TEST(NarrowPassages, the_longest_rod_round_a_corner_to_the_last_bit) {
+  const auto go = [](double length, Touching touching) {
+    RegionData rod;
+    rod.polylines.push_back({{0, 0}, {length, 0}});
+    const double far = 910;
+    const Ring corridor{{0, 0}, {far, 0}, {far, 27}, {64, 27}, {64, far}, {0, far}};
+    const CspaceObstacle c = CspaceObstacle::create(*Region::create(rod), shape(box(-1, -1, far + 1, far + 1), {corridor})).value();
+    const Plan p = plan_round(c, 0, 27, 64, touching);
+    if (p.found()) expect_free(c, p, touching, 50);
+    return p;
+  };
+  EXPECT_TRUE(go(125 * (1 - 1e-4), Touching::forbidden).found());
+  EXPECT_EQ(go(std::nextafter(125, 126), Touching::allowed).reason->kind, NoPath::Kind::separated);
+  EXPECT_EQ(go(125, Touching::forbidden).reason->kind, NoPath::Kind::separated);
+}
+
 // An L of arms 1 wide goes through a wall round its inner corner where the doorway is as wide as sqrt 2 and half the
 // wall: it turns and moves at once all the way.
 TEST(NarrowPassages, an_L_through_a_keyhole) {

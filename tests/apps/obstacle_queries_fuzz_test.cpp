@@ -37,8 +37,9 @@ Region random_shape(Random& random, int reach) {
 // On a patch or 1e-17 to 1e-9 beside it, at any of its angles, at its first one or 1e-13 beside that.
 Configuration near_boundary(const CspaceObstacle& c, Random& random) {
   const Patch& p = c.patches()[random() % c.patches().size()];
-  const double begin = c.angles()[p.begin].theta;
-  double end = c.angles()[p.end].theta;
+  const bool always = p.begin == Patch::kNone;
+  const double begin = always ? -M_PI : c.angles()[p.begin].theta;
+  double end = always ? M_PI : c.angles()[p.end].theta;
   if (end <= begin) end += 2 * M_PI;
   double theta = begin + (end - begin) * uniform(random, 0, 1);
   if (random() % 4 == 0) theta = begin + (random() % 2 == 0 ? 0 : 1e-13 * uniform(random, -1, 1));
@@ -120,6 +121,27 @@ TEST(ObstacleQueriesFuzz, several_parts_at_decimal_distances) {
     Region obstacle = oracles::decimal_parts(random, 6, 7, 1 + static_cast<int>(random() % 3), unit);
     if (random() % 2 == 0) obstacle = oracles::framed(obstacle, 12 * unit, 40 * unit);
     ask(CspaceObstacle::create(robot, obstacle).value(), 15 * unit, unit, random);
+  }
+}
+
+TEST(ObstacleQueriesFuzz, segments_and_points) {
+  for (std::uint64_t seed = 1; seed <= 60 && !HasFailure(); ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random random(seed);
+    RegionData robot;
+    const Point a{grid(random, 3) + 0.5, grid(random, 3)};
+    if (random() % 4 == 0)
+      robot.points.push_back(a);
+    else
+      robot.polylines.push_back({a, {grid(random, 3), grid(random, 3)}});
+    const CspaceObstacle c = CspaceObstacle::create(*Region::create(robot), random_shape(random, 5)).value();
+    ask(c, 8, 1, random);
+    // At a contact, to the last bit: never less than 0.
+    const ObstacleQueries q(c);
+    for (int k = 0; k < 10; ++k) {
+      const Configuration at{grid(random, 6) / 2, grid(random, 6) / 2, 0};
+      EXPECT_EQ(q.clearance(at).distance < 0, c.contains(at.x, at.y, Orientation())) << at.x << ' ' << at.y;
+    }
   }
 }
 

@@ -26,7 +26,7 @@ class CspaceCli : public testing::Test {
     work.write("slot.wkt", "POLYGON ((0 0, 4 0, 4 4, 3 4, 3 1, 1 1, 1 4, 0 4, 0 0))\n");
     work.write("rod.wkt", "POLYGON ((-1 -0.25, 1 -0.25, 1 0.25, -1 0.25, -1 -0.25))\n");
     work.write("cage.wkt", "POLYGON ((0 0, 6 0, 6 6, 0 6, 0 0), (1 1, 1 5, 5 5, 5 1, 1 1))\n");
-    work.write("line.wkt", "LINESTRING (0 0, 1 1)\n");
+    work.write("line.wkt", "LINESTRING(0 0,1 1,2 0)\n");
     work.write("none.wkt", "POLYGON EMPTY\n");
     work.write("bad.wkt", "POLYGON ((0 0, 1 0\n");
     work.write("cube.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");

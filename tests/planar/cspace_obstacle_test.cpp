@@ -374,8 +374,8 @@ TEST(CspaceObstacle, slabs_cover_the_circle_in_order) {
 TEST(CspaceObstacle, refuses_what_has_no_area_or_is_too_large) {
   const Region box = shapes::rectangle(0, 0, 1, 1);
   RegionData line, dots, mixed = box.data();
-  line.polylines.push_back({{0, 0}, {1, 1}});
-  dots.points.push_back({0, 0});
+  line.polylines.push_back({{0, 0}, {1, 1}, {2, 0}});
+  dots.points = {{0, 0}, {1, 0}};
   mixed.points.push_back({5, 5});
   const Region bad[] = {Region(), *Region::create(line), *Region::create(dots), *Region::create(mixed),
                         shapes::rectangle(0, 0, 0x1p401, 1)};

@@ -24,6 +24,8 @@ Region scaled(const Region& r, double f) {
     for (Ring& hole : part.holes)
       for (Point& p : hole) p = {f * p.x, f * p.y};
   }
+  for (Polyline& line : data.polylines)
+    for (Point& p : line) p = {f * p.x, f * p.y};
   return *Region::create(data);
 }
 
@@ -36,6 +38,8 @@ Region turned_back(const Region& r, const Turn& turn) {
     for (Ring& hole : part.holes)
       for (Point& p : hole) p = place(p);
   }
+  for (Polyline& line : data.polylines)
+    for (Point& p : line) p = place(p);
   return *Region::create(data);
 }
 
@@ -106,6 +110,20 @@ TEST(FreePlace, equals_membership_in_the_open_sum) {
     const Region obstacle = !cells ? random_shape(random, 12, 6, hole, 1 + static_cast<int>(random() % 2))
                             : board ? random_board(random, 4, 5) : random_cells(random, 4, 5);
     Places(robot, obstacle, kTurns[random() % kTurns.size()]).check(random, 12, tally);
+  });
+  if (std::getenv("DYMSUM_SEED") != nullptr) return;
+  EXPECT_GT(tally.free, 500 / static_cast<int>(kShareOfSeeds));
+  EXPECT_GT(tally.covered, 500 / static_cast<int>(kShareOfSeeds));
+}
+
+TEST(FreePlace, of_a_segment_equals_membership_in_the_open_sum) {
+  Tally tally;
+  for_seeds(120, [&](Random& random) {
+    const auto at = [&] { return static_cast<double>(static_cast<int>(random() % 9) - 4); };
+    RegionData rod;
+    rod.polylines.push_back({{at(), at()}, {at() + 0.5, at()}});
+    const Region obstacle = random() % 2 == 0 ? random_board(random, 4, 5) : random_shape(random, 12, 6, true, 2);
+    Places(scaled(*Region::create(rod), 10), obstacle, kTurns[random() % kTurns.size()]).check(random, 20, tally);
   });
   if (std::getenv("DYMSUM_SEED") != nullptr) return;
   EXPECT_GT(tally.free, 500 / static_cast<int>(kShareOfSeeds));

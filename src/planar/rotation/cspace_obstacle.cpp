@@ -13,7 +13,9 @@
 #include "planar/rotation/free_turn.h"
 #include "planar/rotation/general_obstacle.h"
 #include "planar/rotation/obstacle_start.h"
+#include "planar/rotation/robot_rings.h"
 #include "planar/rotation/slice.h"
+#include "planar/rotation/walk_numbers.h"
 
 namespace dymsum {
 namespace {
@@ -35,16 +37,19 @@ std::optional<Error> beyond_range(const Ring& ring) {
   return std::nullopt;
 }
 
-std::optional<Error> refused(const Region& region) {
-  if (region.empty()) return unsupported("robot and obstacle may not be empty");
-  if (!region.polylines().empty() || !region.points().empty())
-    return unsupported("robot and obstacle consist of parts with area, not of polylines or points");
-  for (const Part& part : region.parts()) {
-    if (std::optional<Error> error = beyond_range(part.outer)) return error;
-    for (const Ring& hole : part.holes)
-      if (std::optional<Error> error = beyond_range(hole)) return error;
-  }
-  return std::nullopt;
+std::optional<Error> beyond_range(const Region& region) {
+  std::optional<Error> error;
+  for_each_ring(region, [&](const Ring& ring) {
+    if (!error) error = beyond_range(ring);
+  });
+  return error;
+}
+
+// Of a segment, whose two directions static sums name as one edge, the contacts name its walk edges; of a point, its only vertex.
+std::shared_ptr<const ScalingBase> numbered_there_and_back(const ScalingBase& base) {
+  auto same = std::make_shared<ScalingBase>(base);
+  number_by_walk(same->operands[1]);
+  return same;
 }
 
 auto key_of(const Contact& c) { return std::tuple{c.kind, c.p, c.q}; }
@@ -94,14 +99,22 @@ CspaceObstacle& CspaceObstacle::operator=(CspaceObstacle&&) noexcept = default;
 CspaceObstacle::~CspaceObstacle() = default;
 
 Result<std::unique_ptr<CspaceObstacle::State>> planar::start_obstacle(const Region& robot, const Region& obstacle) {
+  if (std::optional<Error> error = refused_pair(robot, obstacle)) return *std::move(error);
   for (const Region* region : {&robot, &obstacle})
-    if (std::optional<Error> error = refused(*region)) return *std::move(error);
+    if (std::optional<Error> error = beyond_range(*region)) return *std::move(error);
+  if (is_segment(robot) && !obstacle.touching_points().empty()) {
+    const Point z = obstacle.touching_points()[0];
+    Error error = unsupported("rings of the obstacle touch, and the robot is a segment: it passes the touching point without clearance at a range of angles");
+    error.evidence.x = z.x;
+    error.evidence.y = z.y;
+    return error;
+  }
   auto base = turning_base(obstacle, robot, 1, true, {}, 0);
   if (!base) return base.error();
   auto state = std::make_unique<CspaceObstacle::State>();
   state->robot = robot;
   state->obstacle = obstacle;
-  state->base = std::move(base).value();
+  state->base = robot.parts().empty() ? numbered_there_and_back(**base) : std::move(base).value();
   return state;
 }
 

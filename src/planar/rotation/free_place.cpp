@@ -3,7 +3,8 @@
 // edges do not cross, and there the sectors that the two fill have directions in common. Otherwise a whole ring of one lies in the
 // interior of the other, or no boundary enters the other's interior. Then two parts whose interiors meet are equal and have a common
 // vertex with equal sectors. So three tests tell: proper crossings; sectors at vertices on edges and vertices; a vertex of every ring
-// that touches nothing.
+// that touches nothing. A robot without area has no sectors: if a segment enters the interior and is not inside as a whole, it leaves it at
+// a common point too, and there one of its rays lies in the open sector. A point that touches is free.
 #include "planar/rotation/free_place.h"
 
 #include <algorithm>
@@ -37,6 +38,7 @@ class FreePlace {
   }
 
   bool run() {
+    if (forms_.is_point(1, 0)) return true;  // at a place of an event it is on the boundary
     for (std::uint32_t i = 0; i < forms_.size(0); ++i)
       for (std::uint32_t j = 0; j < forms_.size(1); ++j)
         if (!boxes_apart(i, j) && overlap_at(i, j)) return false;
@@ -79,7 +81,9 @@ class FreePlace {
     if (from < 0 || to > 0) return false;
     touches_[op][loop_of_[op][e]] = touches_[1 - op][loop_of_[1 - op][v]] = 1;
     if (to == 0) return false;
-    return meet(from > 0 ? at_edge(op, e) : at_vertex(op, e), at_vertex(1 - op, v));
+    const Sector here = from > 0 ? at_edge(op, e) : at_vertex(op, e), there = at_vertex(1 - op, v);
+    if (has_area(op) && has_area(1 - op)) return meet(here, there);
+    return has_area(op) ? enters(there, here) : enters(here, there);
   }
 
   int cross(const Ray& u, const Ray& v) const { return u.sign * v.sign * signs_.cross(u.of, v.of); }
@@ -93,11 +97,15 @@ class FreePlace {
     return a != b ? a < b : a != 1 && cross(u, s.to) > 0;
   }
   bool meet(const Sector& s, const Sector& t) const { return starts_in(s.from, t) || starts_in(t.from, s); }
+  // Of a segment only the two rays count, each in the open sector of what has area.
+  bool enters(const Sector& rays, const Sector& s) const { return is_in(rays.from, s) || is_in(rays.to, s); }
+  bool is_in(const Ray& u, const Sector& s) const { return starts_in(u, s) && !same(u, s.from); }
+  bool has_area(std::uint32_t op) const { return forms_.operand(op).components[0].dimension == 2; }
 
   bool a_ring_is_inside() const {
     for (std::uint32_t op = 0; op < 2; ++op)
       for (std::uint32_t l = 0; l < touches_[op].size(); ++l) {
-        if (touches_[op][l]) continue;
+        if (touches_[op][l] || !has_area(1 - op)) continue;
         for (const Component& c : forms_.operand(1 - op).components)
           if (inside(op, forms_.operand(op).loops[l].first, c)) return true;
       }

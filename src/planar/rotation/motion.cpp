@@ -4,19 +4,13 @@
 #include <cmath>
 
 #include "planar/rotation/pivot.h"
+#include "planar/rotation/robot_rings.h"
 
 namespace dymsum {
 namespace {
 
 using namespace planar;
 using exact::BigRational;
-
-std::optional<Error> refused(const Region& robot, const Region& obstacle) {
-  for (const Region* r : {&robot, &obstacle})
-    if (r->empty() || !r->polylines().empty() || !r->points().empty())
-      return Error{Code::unsupported_operand, "robot and obstacle consist of parts with area and are not empty", {}};
-  return std::nullopt;
-}
 
 Result<Position> position_of(const RationalPoint& p) {
   try {
@@ -78,7 +72,7 @@ Result<TranslationCheck> check_translation(const Region& robot, const Region& ob
 Result<RotationCheck> check_rotation(const Region& robot, const Region& obstacle, const RationalPoint& at,
                                      const Orientation& from, const Orientation& to, TurnDirection turn,
                                          Touching touch) {
-  if (auto error = refused(robot, obstacle)) return *std::move(error);
+  if (auto error = refused_pair(robot, obstacle)) return *std::move(error);
   const Result<Position> place = position_of(at);
   if (!place) return place.error();
   Pivot pivot(robot, obstacle);

@@ -3,6 +3,7 @@
 
 #include "dymsum/motion.h"
 #include "planar/rotation/pose.h"
+#include "planar/rotation/robot_rings.h"
 
 namespace dymsum {
 namespace {
@@ -90,9 +91,7 @@ class Sweep {
 
 Result<MotionCheck> check_motion(const Region& robot, const Region& obstacle, const Configuration& a,
                                  const Configuration& b, const MotionOptions& options) {
-  for (const Region* r : {&robot, &obstacle})
-    if (r->empty() || !r->polylines().empty() || !r->points().empty())
-      return Error{Code::unsupported_operand, "robot and obstacle consist of parts with area and are not empty", {}};
+  if (auto error = planar::refused_pair(robot, obstacle)) return *std::move(error);
   for (const double v : {a.x, a.y, a.theta, b.x, b.y, b.theta})
     if (!std::isfinite(v)) return Error{Code::not_finite, "a configuration is not finite", {}};
   return Sweep(robot, obstacle, a, b).run(options);

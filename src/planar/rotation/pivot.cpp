@@ -62,7 +62,7 @@ void Pivot::each_candidate(Visit visit) const {
   for (std::uint32_t i = 0; i < n; ++i)
     for (std::uint32_t j = 0; j < m; ++j) {
       visit(Candidate{i, j, true});
-      visit(Candidate{i, j, false});
+      if (pose_.robot().next[i] != i) visit(Candidate{i, j, false});  // a point has no edge
     }
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "planar/rotation/robot_rings.h"
+
 namespace dymsum::planar {
 namespace {
 
@@ -69,10 +71,7 @@ Outline::Outline(const Region& region) {
       before.push_back(first + (k + n - 1) % n);
     }
   };
-  for (const Part& part : region.parts()) {
-    add(part.outer);
-    for (const Ring& hole : part.holes) add(hole);
-  }
+  for_each_ring(region, add);
 }
 
 Pose::Pose(const Region& robot, const Region& obstacle) : robot_(robot), obstacle_(obstacle) {

@@ -12,6 +12,7 @@ TurnCatalog::TurnCatalog(const TurningForms& forms) : forms_(forms) {
     of_hole_[op].resize(o.size());
     for (const Loop& loop : o.loops)
       for (std::uint32_t i = loop.first; i < loop.last; ++i) {
+        if (forms.is_point(op, i)) continue;  // it has no edge
         angle_[op][i] = positive_angle(std::atan2(o.ey[i], o.ex[i]));
         of_hole_[op][i] = loop.kind == LoopKind::hole;
         edges_[op].push_back({angle_[op][i], i});
@@ -28,7 +29,7 @@ TurnCatalog::TurnCatalog(const TurningForms& forms) : forms_(forms) {
     for (std::uint32_t i = 0; i < o.size(); ++i) {
       if (!o.convex[i]) continue;
       const double in = angle_[op][o.prev[i]];
-      turn_[op][i] = positive_angle(angle_[op][i] - in);
+      turn_[op][i] = forms.is_point(op, i) ? kTurn : positive_angle(angle_[op][i] - in);
       corners_[op].push_back({in, turn_[op][i], i, of_hole_[op][i] != 0});
     }
   }
@@ -40,12 +41,13 @@ std::size_t TurnCatalog::lower_bound(const std::vector<Edge>& edges, double angl
 }
 
 bool TurnCatalog::may_exist(const WalkSegment& s) const {
-  return convex(1 - s.side, s.vertex) && !(of_hole_[s.side][s.edge] && of_hole_[1 - s.side][s.vertex]);
+  return convex(1 - s.side, s.vertex) && !forms_.is_point(s.side, s.edge) && !(of_hole_[s.side][s.edge] && of_hole_[1 - s.side][s.vertex]);
 }
 
 TurnCatalog::Existence TurnCatalog::exists(const WalkSegment& s, double theta) const {
   if (!may_exist(s)) return Existence::no;
   const std::uint32_t op = 1 - s.side;
+  if (forms_.is_point(op, s.vertex)) return Existence::yes;
   const double in = angle_[op][forms_.operand(op).prev[s.vertex]];
   const double relative = s.side == 0 ? angle_[0][s.edge] - theta - in : angle_[1][s.edge] + theta - in;
   const double a = positive_angle(relative);

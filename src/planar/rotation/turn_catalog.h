@@ -31,6 +31,7 @@ class TurnCatalog {
     double angle = 0;
     std::uint32_t edge = 0;
   };
+  /// A single point is a vertex with all directions, and has no edge.
   /// Calls f(side, vertex, edges, at, count) for every convex vertex: with the edges at positions at, at + 1, ... of the cyclic list it
   /// makes segments that exist somewhere in [low, high], and perhaps some that only nearly do.
   template <class F>
@@ -73,6 +74,7 @@ class TurnCatalog {
   /// The stretch of angles, relative to theta, at which a segment exists and that is nearest to 0. Requires may_exist.
   Span span(const WalkSegment& s, double theta) const {
     const std::uint32_t op = 1 - s.side;
+    if (forms_.is_point(op, s.vertex)) return {-2 * kTurn, 2 * kTurn};
     const double in = angle_[op][forms_.operand(op).prev[s.vertex]], turn = turn_[op][s.vertex];
     Span span;
     if (s.side == 0) {

@@ -64,6 +64,8 @@ class TurningForms {
   TurningForms(const ScalingBase& base, std::uint32_t further);
 
   const Operand& operand(std::uint32_t op) const { return *operands_[op]; }
+  /// Of a single point, which is a vertex without an edge.
+  bool is_point(std::uint32_t op, std::uint32_t v) const { return operands_[op]->next[v] == v; }
   std::uint32_t size(std::uint32_t op) const { return static_cast<std::uint32_t>(operands_[op]->size()); }
   const std::vector<Point>& points(std::uint32_t op) const { return points_[op]; }
   Point edge(std::uint32_t op, std::uint32_t e) const { return {operands_[op]->ex[e], operands_[op]->ey[e]}; }

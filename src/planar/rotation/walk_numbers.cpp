@@ -21,18 +21,20 @@ std::optional<std::uint32_t> straight_on(const TurningForms& forms, const WalkSe
 
 }  // namespace
 
+void number_by_walk(Operand& o) {
+  std::iota(o.vertex_number.begin(), o.vertex_number.end(), 0u);
+  std::iota(o.edge_number.begin(), o.edge_number.end(), 0u);
+  o.numbered_vertex = o.source;
+  o.numbered_edge.clear();
+  for (std::uint32_t i = 0; i < o.size(); ++i) {
+    o.numbered_edge.push_back({o.source[i], o.source[o.next[i]]});
+    o.numbers[i] = {i, i, o.next[i]};
+  }
+}
+
 std::shared_ptr<const ScalingBase> numbered_by_walk(const ScalingBase& base) {
   auto same = std::make_shared<ScalingBase>(base);
-  for (Operand& o : same->operands) {
-    std::iota(o.vertex_number.begin(), o.vertex_number.end(), 0u);
-    std::iota(o.edge_number.begin(), o.edge_number.end(), 0u);
-    o.numbered_vertex = o.source;
-    o.numbered_edge.clear();
-    for (std::uint32_t i = 0; i < o.size(); ++i) {
-      o.numbered_edge.push_back({o.source[i], o.source[o.next[i]]});
-      o.numbers[i] = {i, i, o.next[i]};
-    }
-  }
+  for (Operand& o : same->operands) number_by_walk(o);
   return same;
 }
 

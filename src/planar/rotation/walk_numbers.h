@@ -9,6 +9,9 @@
 
 namespace dymsum::planar {
 
+/// Contacts name walk edges and walk vertices of the operand.
+void number_by_walk(Operand& o);
+
 /// The same base, but contacts in its slices name walk edges and walk vertices.
 std::shared_ptr<const ScalingBase> numbered_by_walk(const ScalingBase& base);
 
