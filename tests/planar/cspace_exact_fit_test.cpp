@@ -1,5 +1,6 @@
 // Placements that are free at one angle only, where that angle has an irrational half tangent and many contacts coincide; and angles at
 // which nothing happens.
+#include "oracles/sanitized.h"
 #include "planar/obstacle_slices.h"
 
 #include "dymsum/shapes.h"
@@ -290,8 +291,8 @@ TEST(CspaceExactFit, tight_features_end_at_tight_events_and_lie_on_open_slices) 
     EXPECT_EQ(ends, events);
   });
   if (std::getenv("DYMSUM_SEED") != nullptr) return;
-  EXPECT_GT(points, kSanitized ? 3u : 10u);
-  EXPECT_GT(segments, kSanitized ? 3u : 10u);
+  EXPECT_GT(points, oracles::kSanitized ? 3u : 10u);
+  EXPECT_GT(segments, oracles::kSanitized ? 3u : 10u);
 }
 
 // At every angle that is listed a patch begins or ends, something is tight, or the boundary touches itself.
