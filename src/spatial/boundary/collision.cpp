@@ -60,9 +60,9 @@ bool Collision::meets(const Flag& x) const {
   const Query query(space_, x);
   if (p_tree_.any_reflected_pair(q_tree_, query.box(), [&](std::uint32_t i, std::uint32_t j) { return triangles_meet(query, i, j); })) return true;
   for (const std::uint32_t v : p_.shell_vertex)
-    if (vertex_inside_q(query, v)) return true;
+    if (vertex_inside(query, Way::Of::q, v)) return true;
   for (const std::uint32_t v : q_.shell_vertex)
-    if (vertex_inside_p(query, v)) return true;
+    if (vertex_inside(query, Way::Of::p, v)) return true;
   return false;
 }
 
@@ -119,54 +119,29 @@ int upright(const SumSpace& space, const PlaneSource& plane, Side side) {
 
 }  // namespace
 
-/// x - p in Q: an odd number of Q's triangles above it.
-bool Collision::vertex_inside_q(const Query& query, std::uint32_t v) const {
+/// x - v in the given solid, v a vertex of the other one: an odd number of the solid's triangles above it.
+bool Collision::vertex_inside(const Query& query, Way::Of of, std::uint32_t v) const {
+  const bool in_p = of == Way::Of::p;
+  const SolidOperand& solid = in_p ? p_ : q_;
+  const std::vector<Vec3>&at = in_p ? space_.p() : space_.q(), &others = in_p ? space_.q() : space_.p();
+  const auto sum = [&](std::uint32_t corner) { return in_p ? SumPoint{corner, v} : SumPoint{v, corner}; };
   bool inside = false;
-  const std::vector<Vec3>& q = space_.q();
-  const Vec3 y = query.at.at - space_.p()[v];
-  const double r = query.at.radius + 4 * space_.sum_radius() + space_.span() * 0x1p-50;
   Box ray;
-  ray.add(y), ray.grow(r);
+  ray.add(query.at.at - others[v]);
+  ray.grow(query.at.radius + 4 * space_.sum_radius() + space_.span() * 0x1p-50);
   ray.high.z = 1e300;
-  q_tree_.for_each(ray, [&](std::uint32_t j) {
-    const Triangle& c = q_.triangles[j];
+  (in_p ? p_tree_ : q_tree_).for_each(ray, [&](std::uint32_t j) {
+    const Triangle& c = solid.triangles[j];
     int turn[3];
     for (int k = 0; k < 3; ++k) {
       const std::uint32_t a = c[k], b = c[(k + 1) % 3];
-      const PlaneSource plane{{v, a}, {Way::Of::q, a, b}, {Way::Of::axis, 2, 0}, false};
-      turn[k] = upright(space_, plane, [&](const PlaneSource& s) { return query.side(s, q[b] - q[a], {0, 0, 1}); });
+      const PlaneSource plane{sum(a), {of, a, b}, {Way::Of::axis, 2, 0}, false};
+      turn[k] = upright(space_, plane, [&](const PlaneSource& s) { return query.side(s, at[b] - at[a], {0, 0, 1}); });
     }
     if (turn[0] == 0 || turn[0] != turn[1] || turn[1] != turn[2]) return;
-    const PlaneSource plane{{v, c[0]}, {Way::Of::q, c[0], c[1]}, {Way::Of::q, c[0], c[2]}, false};
+    const PlaneSource plane{sum(c[0]), {of, c[0], c[1]}, {of, c[0], c[2]}, false};
     const int up = space_.exact_normal(plane, 2);
-    const int height = query.side(plane, q[c[1]] - q[c[0]], q[c[2]] - q[c[0]]);
-    if (height * up < 0) inside = !inside;
-  });
-  return inside;
-}
-
-/// x - q in P.
-bool Collision::vertex_inside_p(const Query& query, std::uint32_t v) const {
-  bool inside = false;
-  const std::vector<Vec3>& p = space_.p();
-  const Vec3 y = query.at.at - space_.q()[v];
-  const double r = query.at.radius + 4 * space_.sum_radius() + space_.span() * 0x1p-50;
-  Box ray;
-  ray.add(y), ray.grow(r);
-  ray.high.z = 1e300;
-  p_tree_.for_each(ray, [&](std::uint32_t j) {
-    const Triangle& c = p_.triangles[j];
-    int turn[3];
-    for (int k = 0; k < 3; ++k) {
-      const std::uint32_t a = c[k], b = c[(k + 1) % 3];
-      const PlaneSource plane{{a, v}, {Way::Of::p, a, b}, {Way::Of::axis, 2, 0}, false};
-      turn[k] = upright(space_, plane, [&](const PlaneSource& s) { return query.side(s, p[b] - p[a], {0, 0, 1}); });
-    }
-    if (turn[0] == 0 || turn[0] != turn[1] || turn[1] != turn[2]) return;
-    const PlaneSource plane{{c[0], v}, {Way::Of::p, c[0], c[1]}, {Way::Of::p, c[0], c[2]}, false};
-    const int up = space_.exact_normal(plane, 2);
-    const int height = query.side(plane, p[c[1]] - p[c[0]], p[c[2]] - p[c[0]]);
-    if (height * up < 0) inside = !inside;
+    if (query.side(plane, at[c[1]] - at[c[0]], at[c[2]] - at[c[0]]) * up < 0) inside = !inside;
   });
   return inside;
 }

@@ -32,8 +32,7 @@ class Collision {
   void touch_edges(const Query& query, std::uint32_t i, std::uint32_t j, std::vector<Touch>& touches) const;
   void heights(const Query& query, std::uint32_t i, std::uint32_t j, int (&sa)[3], int (&sc)[3]) const;
   bool triangles_meet(const Query& query, std::uint32_t i, std::uint32_t j) const;
-  bool vertex_inside_q(const Query& query, std::uint32_t p) const;
-  bool vertex_inside_p(const Query& query, std::uint32_t q) const;
+  bool vertex_inside(const Query& query, Way::Of of, std::uint32_t v) const;
 
   const SumSpace& space_;
   const SolidOperand &p_, &q_;

@@ -63,9 +63,9 @@ bool Collision::overlaps(const Flag& x) const {
   std::vector<bool> p_touched(p_.shell_vertex.size()), q_touched(q_.shell_vertex.size());
   for (const Touch& t : touches) mark(p_, t.p, p_touched), mark(q_, t.q, q_touched);
   for (std::size_t k = 0; k < p_touched.size(); ++k)
-    if (!p_touched[k] && vertex_inside_q(query, p_.shell_vertex[k])) return true;
+    if (!p_touched[k] && vertex_inside(query, Way::Of::q, p_.shell_vertex[k])) return true;
   for (std::size_t k = 0; k < q_touched.size(); ++k)
-    if (!q_touched[k] && vertex_inside_p(query, q_.shell_vertex[k])) return true;
+    if (!q_touched[k] && vertex_inside(query, Way::Of::p, q_.shell_vertex[k])) return true;
   return false;
 }
 
