@@ -131,6 +131,32 @@ TEST(SpatialSum, of_a_cavity_and_its_key_is_a_tight_point) {
   EXPECT_EQ(sum(cavity(), box(0.75)).shells, 2u);
 }
 
+/// A blob of triangles between two poles, four rings of vertices around.
+MeshData blob(std::vector<Point3> vertices, std::uint32_t around) {
+  MeshData m{std::move(vertices), {}};
+  const auto top = static_cast<std::uint32_t>(m.vertices.size() - 1);
+  const auto id = [&](std::uint32_t i, std::uint32_t j) { return 1 + j * around + i % around; };
+  const std::uint32_t rings = (top - 1) / around;
+  for (std::uint32_t i = 0; i < around; ++i) {
+    m.faces.push_back({0, id(i + 1, 0), id(i, 0)});
+    m.faces.push_back({top, id(i, rings - 1), id(i + 1, rings - 1)});
+    for (std::uint32_t j = 0; j + 1 < rings; ++j) {
+      m.faces.push_back({id(i, j), id(i + 1, j), id(i + 1, j + 1)});
+      m.faces.push_back({id(i, j), id(i + 1, j + 1), id(i, j + 1)});
+    }
+  }
+  return m;
+}
+
+TEST(SpatialSum, facets_that_touch_a_face_inside_it_leave_no_tight_point) {
+  const MeshData p = blob({{0, 0, -2}, {1, 0, -1}, {1, 2, -2}, {-2, 2, -3}, {-1, -1, -1}, {1, -3, -3}, {3, 0, 0}, {1, 4, 0}, {-2, 1, 0}, {-2, -1, 0},
+                           {2, -5, 0}, {2, 0, 2}, {0, 1, 1}, {-2, 2, 3}, {-1, -1, 1}, {1, -2, 2}, {0, 0, 4}}, 5);
+  const MeshData q = blob({{0, 0, -3}, {2, 0, -1}, {1, 1, -1}, {-2, 3, -2}, {-3, 0, -2}, {-2, -3, -2}, {2, -3, -2}, {3, 0, 1}, {1, 2, 1}, {-1, 2, 1},
+                           {-3, 0, 2}, {-2, -3, 2}, {1, -2, 1}, {0, 0, 2}}, 6);
+  EXPECT_TRUE(sum(p, q).tight_points.empty());
+  EXPECT_TRUE(sum(p, q) == sum(q, p));
+}
+
 TEST(SpatialSum, with_an_empty_operand_is_empty) {
   EXPECT_TRUE(sum(box(1), MeshData{}).faces.empty());
   EXPECT_TRUE(sum(MeshData{}, box(1)).faces.empty());

@@ -42,6 +42,7 @@ class Arrangement {
     nest_components();
     cover_faces();
     collect_cells();
+    collect_touches();
     return std::move(result_);
   }
 
@@ -411,6 +412,14 @@ class Arrangement {
     for (std::uint32_t e = 0; e < result_.edges.size(); ++e) {
       result_.edges[e].left = cell_at(2 * e);
       result_.edges[e].right = cell_at(2 * e + 1);
+    }
+  }
+  void collect_touches() {
+    for (std::uint32_t s = 0; s < segments_.size(); ++s) {
+      if (!is_point(s)) continue;
+      const PointId at = segments_[s].a;
+      const auto on = [&](const CellEdge& e) { return e.a == at || e.b == at; };
+      if (std::none_of(result_.edges.begin(), result_.edges.end(), on)) result_.touches.push_back({at, segments_[s].cut});
     }
   }
   void add_loop(std::uint32_t loop) {

@@ -39,6 +39,12 @@ struct PlaneCells {
   /// Loops as half-edges: 2 e for edge e from a to b, 2 e + 1 for the way back; the cell is to the left.
   std::vector<std::uint32_t> half_edges;
   std::vector<std::uint32_t> loops{0};  ///< where each begins; one more at the end
+  /// Points at which facets of other planes touch and that lie on no edge, with a plane across this one through each.
+  struct Touch {
+    PointId at = 0;
+    PlaneId cut = 0;
+  };
+  std::vector<Touch> touches;
   /// Points of ids from `known` on were found here; their sources.
   PointId known = 0;
   std::vector<PointSource> found;

@@ -26,6 +26,7 @@ class Tight {
     for (const PlaneGroup& group : arrangement_.groups) collect(group);
     sort(edges_);
     for_each_place(edges_, [&](std::span<const Trace> traces) { look_at_edge(traces); });
+    for (const PlaneGroup& group : arrangement_.groups) look_at_touches(group);
     sort(points_);
     for_each_place(points_, [&](std::span<const Trace> traces) { look_at_point(traces); });
     return std::move(result_);
@@ -119,6 +120,15 @@ class Tight {
     if (overlaps({arrangement_.points.source(t.a), t.plane, t.cut, t.way, 0, 0})) return;
     result_.segments.push_back({t.a, t.b});
     touched_[t.a] = touched_[t.b] = true;
+  }
+
+  /// Where facets touch the inside of a cell at a point, the outside may lie in front of that cell.
+  void look_at_touches(const PlaneGroup& group) {
+    for (const PlaneCells::Touch& t : group.cells.touches) {
+      const PointId at = arrangement_.point(group, t.at);
+      for (const std::int8_t side : {std::int8_t{1}, std::int8_t{-1}})
+        if (!touched_[at] && !overlaps({arrangement_.points.source(at), group.plane, t.cut, 1, 1, side})) touched_[at] = true;
+    }
   }
 
   void look_at_point(std::span<const Trace> traces) {
