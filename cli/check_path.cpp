@@ -1,44 +1,30 @@
 #include "check_path.h"
 
-#include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
-#include <fstream>
 #include <numbers>
-#include <iterator>
 #include <sstream>
 
 #include "inputs.h"
-#include "numbers.h"
+#include "line_file.h"
+#include "query_file.h"
 
 namespace dymsum::cli {
 namespace {
 
 [[noreturn]] void refuse(const std::string& file, const std::string& what, std::optional<std::int64_t> line = {}) {
-  Error error{Code::malformed, what, {}};
-  error.evidence.file = file;
-  error.evidence.line = line;
-  stop_with(error);
+  refuse_line({Code::malformed, what, {}}, file, line);
 }
 
 std::vector<Configuration> poses_of_lines(const std::string& file, const std::string& text) {
   std::vector<Configuration> poses;
-  std::istringstream lines(text);
-  std::int64_t number = 0;
-  for (std::string line; std::getline(lines, line);) {
-    ++number;
-    line = line.substr(0, line.find('#'));
-    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
-    line.erase(std::remove_if(line.begin(), line.end(), [](unsigned char c) { return std::isspace(c) != 0; }),
-               line.end());
-    const std::vector<std::string> words = split(line, ',');
-    const auto place = words.size() == 3 ? finite_point(words[0] + "," + words[1]) : std::nullopt;
-    const auto angle = place ? angle_in(words[2]) : std::nullopt;
-    if (!angle) refuse(file, "expected a pose x,y,theta", number);
+  for_each_line(text, [&](const std::string& one, std::int64_t line) {
+    const std::optional<QueryLine> pose = query_in(one);
+    if (!pose || !pose->theta) refuse(file, "expected a pose x,y,theta", line);
+    const Angle& theta = *pose->theta;
     // Whole turns count: from one pose to the next the robot turns by the difference.
-    poses.push_back({place->x, place->y, angle->degrees ? angle->value / 180 * std::numbers::pi : angle->value});
-  }
+    poses.push_back({pose->x, pose->y, theta.degrees ? theta.value / 180 * std::numbers::pi : theta.value});
+  });
   return poses;
 }
 
@@ -98,13 +84,7 @@ const char* kind_of(const PathCheck& check) {
 }  // namespace
 
 GivenPath read_path_file(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  if (!in) {
-    Error error{Code::cannot_open, "cannot read the path", {}};
-    error.evidence.file = file;
-    stop_with(error);
-  }
+  const std::string text = file_text(file, "the path");
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   GivenPath path;
   if (first == std::string::npos || (text[first] != '{' && text[first] != '[')) {

@@ -23,7 +23,7 @@ struct ConvertCommand {
 };
 
 ExitCode run(const ConvertCommand& command) {
-  if (command.json && command.out == "-") throw Stop(kUsage, "--json and the output - both want standard output");
+  report_stream({command.out}, command.json);
   refuse_unused_format({command.in}, command.input);
   if (command.out != "-") refuse_options(*command.parser, {"--to"}, "is the format of the output -");
   if (names_solid(command.in, command.input)) {

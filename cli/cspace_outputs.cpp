@@ -1,5 +1,6 @@
 #include "cspace_outputs.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <sstream>
@@ -83,6 +84,17 @@ std::string digits(double v) {
   return text.str();
 }
 
+/// A Stop where single precision, in which a GLB file holds coordinates, does not tell the sides of the mesh apart.
+void require_singles(const MeshData& data) {
+  for (double Point3::*const axis : {&Point3::x, &Point3::y, &Point3::z}) {
+    const auto less = [&](const Point3& a, const Point3& b) { return a.*axis < b.*axis; };
+    const auto [low, high] = std::minmax_element(data.vertices.begin(), data.vertices.end(), less);
+    const auto from = static_cast<float>(*low.*axis), to = static_cast<float>(*high.*axis);
+    if (!std::isfinite(from) || !std::isfinite(to)) throw Stop(kBadInput, "a .glb file cannot hold this: a coordinate is past the range of single precision");
+    if (from == to) throw Stop(kBadInput, "a .glb file cannot hold this: in single precision the obstacle is flat");
+  }
+}
+
 }  // namespace
 
 Json shells_json(const CspaceObstacle& obstacle) {
@@ -126,6 +138,7 @@ std::string obstacle_glb(const CspaceObstacle& obstacle, const ObstacleMesh& mes
       {"error", "at every angle within " + digits(mesh.tolerance) + " of the exact surface"},
       {"closed", closure(mesh).watertight() ? "yes" : "no"}};
   const MeshData data = ends == Ends::capped ? capped_mesh_data(mesh) : mesh_data(mesh);
+  require_singles(data);
   const std::vector<FaceColour> colours = colours_of(obstacle, mesh, data.faces.size());
   return format_glb(data, {colours, notes});
 }

@@ -5,13 +5,14 @@
 #include "commands.h"
 #include "inputs.h"
 #include "options.h"
+#include "outputs.h"
 #include "solid_convert.h"
 
 namespace dymsum::cli {
 namespace {
 
 ExitCode run(const SolidConvert& command, const CLI::App& parser) {
-  if (command.json && command.out == "-") throw Stop(kUsage, "--json and the output - both want standard output");
+  report_stream({command.out}, command.json);
   refuse_unused_format({command.in}, command.input);
   if (command.out != "-") refuse_options(parser, {"--to"}, "is the format of the output -");
   return run_solid_convert(command);

@@ -46,22 +46,22 @@ Json shape_json(const Shape& shape) {
   return json;
 }
 
-void print_shape(const Shape& shape) {
-  if (!shape.name.empty()) std::cout << shape.name << ": ";
+void print_shape(std::ostream& out, const Shape& shape) {
+  if (!shape.name.empty()) out << shape.name << ": ";
   if (!shape.region) {
-    std::cout << "not valid (" << name(shape.region.error().code) << ")\n";
+    out << "not valid (" << name(shape.region.error().code) << ")\n";
     return;
   }
   const Region& region = *shape.region;
   const std::array<double, 4> box = bounds(region);
-  const auto precision = std::cout.precision(17);
-  std::cout << "valid, " << counted(region.parts().size(), "part") << ", "
+  const auto precision = out.precision(17);
+  out << "valid, " << counted(region.parts().size(), "part") << ", "
             << counted(region.hole_count(), "hole") << ", " << counted(region.vertex_count(), "vertex", "vertices");
-  if (!region.polylines().empty()) std::cout << ", " << counted(region.polylines().size(), "polyline");
-  if (!region.points().empty()) std::cout << ", " << counted(region.points().size(), "isolated point");
-  std::cout << "\n  bounds [" << box[0] << ", " << box[2] << "] x [" << box[1] << ", " << box[3] << "]\n  area "
+  if (!region.polylines().empty()) out << ", " << counted(region.polylines().size(), "polyline");
+  if (!region.points().empty()) out << ", " << counted(region.points().size(), "isolated point");
+  out << "\n  bounds [" << box[0] << ", " << box[2] << "] x [" << box[1] << ", " << box[3] << "]\n  area "
             << shown_area(region) << "\n  " << tier_name(tier_of(region)) << " integers\n";
-  std::cout.precision(precision);
+  out.precision(precision);
 }
 
 Json file_json(const InfoCommand& command, const std::vector<Shape>& shapes, const Timing& timing) {
@@ -105,12 +105,13 @@ ExitCode run(const InfoCommand& command) {
   if (names_solid(command.file, command.input)) {
     return run_solid_info({command.file, command.json, command.input, command.output.files});
   }
+  std::ostream& out = report_stream(command.output.files, command.json);
   const auto [shapes, timing] = timed(1, [&] { return read_and_validate(command); });
   draw(command, shapes);
   if (command.json) {
     print_report(file_json(command, shapes, timing));
   } else {
-    for (const Shape& shape : shapes) print_shape(shape);
+    for (const Shape& shape : shapes) print_shape(out, shape);
   }
   // That a shape is not valid is what info reports, and bad input all the same.
   ExitCode code = kDone;

@@ -6,7 +6,6 @@
 #include <iterator>
 #include <utility>
 
-
 namespace dymsum::cli {
 
 void stop_with(const Error& error) {
@@ -28,12 +27,13 @@ RegionFormat format_of_text(std::string_view text) {
 
 bool is_footprint(const std::string& operand) { return operand.starts_with("["); }
 
+std::string without_mark(std::string text) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  return text.starts_with(kByteOrderMark) ? text.substr(kByteOrderMark.size()) : text;
+}
+
 const std::string& standard_input() {
-  static const std::string text = [] {
-    std::string all{std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
-    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-    return all.starts_with(kByteOrderMark) ? all.substr(kByteOrderMark.size()) : all;
-  }();
+  static const std::string text = without_mark({std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()});
   return text;
 }
 
@@ -79,9 +79,6 @@ void refuse_unused_format(const std::vector<std::string>& files, const InputOpti
 }
 
 std::vector<Input> read_inputs(const std::vector<std::string>& files, const InputOptions& options) {
-  if (std::count(files.begin(), files.end(), "-") > 1) {
-    throw Stop(kUsage, "standard input can be only one of the operands");
-  }
   refuse_unused_format(files, options);
   std::vector<Input> inputs;
   for (const std::string& file : files) inputs.push_back(read_input(file, options));

@@ -34,13 +34,15 @@ T require_option(Result<T> result, const std::string& option);
 /// Whether an operand is itself a footprint, "[[x,y],...]", and names no file.
 bool is_footprint(const std::string& operand);
 
-/// All of standard input, read once.
+/// A text without the mark of its byte order.
+std::string without_mark(std::string text);
+/// All of standard input, read once, without such a mark.
 const std::string& standard_input();
 /// All shapes of FILE, FILE#NAME, "-" or a footprint.
 std::vector<NamedShape> read_all(const std::string& file, const InputOptions& options);
 /// The one valid region of FILE, FILE#NAME or "-".
 Input read_input(const std::string& file, const InputOptions& options);
-/// The operands P and Q; at most one of them may be standard input.
+/// The operands P and Q.
 std::vector<Input> read_inputs(const std::vector<std::string>& files, const InputOptions& options);
 
 /// A Stop when the format of standard input is given and no file is it.

@@ -56,7 +56,8 @@ void print_report(const Json& report) { std::cout << report_text(report); }
 Json error_json(const Error& error) {
   return {{"code", std::string(name(error.code))},
           {"message", error.to_string()},
-          {"evidence", evidence_json(error.evidence)}};
+          {"evidence", evidence_json(error.evidence)},
+          {"exit", kBadInput}};
 }
 
 Json failure_json(const std::string& verb, const Stop& stop) {

@@ -5,6 +5,7 @@
 #include <iostream>
 #include <new>
 
+#include "arguments.h"
 #include "commands.h"
 #include "exit_code.h"
 #include "json_report.h"
@@ -100,6 +101,7 @@ ExitCode run(int argc, char** argv) {
     app.exit(error);  // help and version
     return kDone;
   }
+  check_arguments(*app.get_subcommands().front());
   return action();
 }
 

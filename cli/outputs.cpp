@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "dymsum/mesh_io.h"
 #include "exit_code.h"
 #include "progress_bar.h"
 
@@ -50,16 +51,31 @@ class Rounded {
 
 bool is_stage_picture(const std::string& file) { return file.ends_with("stages.svg"); }
 
-bool writes_to_stdout(const OutputOptions& options) {
-  return std::find(options.files.begin(), options.files.end(), "-") != options.files.end();
+bool writes_to_stdout(const std::vector<std::string>& files) { return std::find(files.begin(), files.end(), "-") != files.end(); }
+
+std::ostream& report_stream(const std::vector<std::string>& files, bool json) {
+  if (!writes_to_stdout(files)) return std::cout;
+  if (json) throw Stop(kUsage, "--json and the output - both want standard output");
+  return std::cerr;
 }
 
+std::string format_name(const std::string& file, const std::string& to) { return file == "-" ? "." + to : file; }
+
 RegionFormat output_format(const std::string& file, const OutputOptions& options) {
-  return file == "-" ? format_named(options.to) : require(region_format(file));
+  const std::string name = format_name(file, options.to);
+  if (!mesh_format(name)) return require(region_format(name));
+  throw Stop(kUsage, (file == "-" ? "--to " + options.to : file) + " is a format of solids; planar regions are written as .poly .wkt .geojson .svg or .json");
 }
 
 void check_outputs(const OutputOptions& options) {
   for (const std::string& file : options.files) output_format(file, options);
+}
+
+bool writes_rounded(const OutputOptions& options) {
+  return std::any_of(options.files.begin(), options.files.end(), [&](const std::string& file) {
+    const RegionFormat format = output_format(file, options);
+    return format != RegionFormat::json && format != RegionFormat::svg;
+  });
 }
 
 void write_text(const std::string& file, const std::string& text) { require(write_file(file, text)); }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -20,16 +21,24 @@ struct OutputOptions {
 
 /// Whether a file's name asks for the picture of the stages ("stages.svg", "x.stages.svg").
 bool is_stage_picture(const std::string& file);
-bool writes_to_stdout(const OutputOptions& options);
+bool writes_to_stdout(const std::vector<std::string>& files);
+/// Where the report is printed: on standard error when a result takes standard output. Stops with wrong usage for --json then.
+std::ostream& report_stream(const std::vector<std::string>& files, bool json);
 
 /// The format of every output is known: before any long work.
 void check_outputs(const OutputOptions& options);
+
+/// Whether an output holds the rounded result: not the exact one, and no picture.
+bool writes_rounded(const OutputOptions& options);
 
 /// Every output of a sum: the exact sum for .json, pictures for .svg, the rounded set otherwise. Nothing is written
 /// before everything is ready; every file is replaced as a whole.
 void write_sum(const Region& p, const Region& q, const PlanarSum& sum, const OutputOptions& options);
 
 void write_text(const std::string& file, const std::string& text);
+/// What tells the format of an output: the file's name, or --to for "-".
+std::string format_name(const std::string& file, const std::string& to);
+/// The planar format of an output; a Stop for others, which says so where it is one of solids.
 RegionFormat output_format(const std::string& file, const OutputOptions& options);
 
 }  // namespace dymsum::cli

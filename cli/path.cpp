@@ -25,6 +25,7 @@ namespace dymsum::cli {
 namespace {
 
 struct PathCommand {
+  const CLI::App* parser = nullptr;  ///< which options were given
   std::vector<std::string> to, files;
   std::string from, given;
   bool strict = false;
@@ -142,7 +143,6 @@ void print_text(const Plan& plan, const GrownRegion& robot) {
 }
 
 ExitCode run_check(const PathCommand& command, const std::vector<Input>& inputs, const GrownRegion& robot) {
-  if (!command.files.empty()) throw Stop(kUsage, "-o does not apply to --check-path");
   const GivenPath path = read_path_file(command.given);
   const Touching touching = command.strict ? Touching::forbidden : Touching::allowed;
   const InterruptGuard guard;
@@ -180,9 +180,10 @@ ExitCode run_plan(const PathCommand& command, ObstacleSource source, const Grown
                           {{"obstacle", obstacle.work().ms}, {"path", timing.median_ms}});
   json["margin"] = margin_json(robot);
   add_plans(json, plans, goals);
+  std::vector<std::string> texts;
   for (const std::string& file : command.files)
-    write_text(file, file.ends_with(".json") ? report_text(json)
-                                             : path_picture(source.inputs[0].region, source.inputs[1].region, plans[0].path));
+    texts.push_back(file.ends_with(".json") ? report_text(json) : path_picture(source.inputs[0].region, source.inputs[1].region, plans[0].path));
+  for (std::size_t i = 0; i < texts.size(); ++i) write_text(command.files[i], texts[i]);
   if (command.report.json) print_report(json);
   for (std::size_t k = 0; k < plans.size() && !command.report.json; ++k) {
     if (plans.size() > 1) std::cout << "to " << command.to[k] << ":\n";
@@ -200,6 +201,7 @@ void check_options(const PathCommand& command) {
   const bool ends = !command.from.empty() || !command.to.empty();
   if (command.given.empty() ? command.from.empty() || command.to.empty() : ends)
     throw Stop(kUsage, "path wants --from and --to, or --check-path alone");
+  if (!command.given.empty()) refuse_options(*command.parser, {"-o", "--time-limit"}, "does not apply to --check-path");
   check_obstacle_input("path", command.source);
   if (command.margin > 0 && !command.source.file.empty())
     throw Stop(kUsage, "--margin wants ROBOT and OBSTACLE: the obstacle of a file is that of the robot as it is");
@@ -219,6 +221,7 @@ void add_path(CLI::App& app, Action& action) {
   CLI::App& verb = *app.add_subcommand("path",
       "A motion of a robot that translates and turns past an obstacle, or the proof that there is none: "
       "ends with 4 then, and with 5 if it is not decided within the time limit; or a path that is given, checked");
+  command->parser = &verb;
   add_obstacle_input(verb, command->source);
   verb.add_option("--from", command->from,
       "Where the robot starts, theta in radians or as 90deg")->type_name("x,y,theta");

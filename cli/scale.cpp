@@ -36,7 +36,7 @@ std::vector<Scale> scales_of(const ScaleCommand& command) {
   if (command.sweep.empty() == command.at.empty()) throw Stop(kUsage, "give one of --sweep, --at and --copies");
   std::vector<Scale> scales;
   if (!command.sweep.empty()) scales = sweep_scales(command.sweep);
-  for (const std::string& s : command.at) scales.push_back(read_scale(s, "--at"));
+  for (const std::string& s : listed(command.at)) scales.push_back(read_scale(s, "--at"));
   check_frame_pictures(command.files);
   return scales;
 }
@@ -186,7 +186,7 @@ void add_options(CLI::App& verb, ScaleCommand& command) {
   command.parser = &verb;
   add_operands(verb, {"P", "The region or convex solid that scales, unless --scaled q"}, {"Q", "The other one"}, command.operands);
   verb.add_option("--sweep", command.sweep, "FROM:TO:STEP; STEP is added, or with % multiplies: 1:2:1%; the last frame is at TO")->type_name("A:B:STEP");
-  verb.add_option("--at", command.at, "Scales, exact: 3/2, 1.01, 1e-3; of solids also one per axis: 2:1:1/2")->delimiter(',')->type_name("S,S,...");
+  verb.add_option("--at", command.at, "Scales between commas, exact: 3/2, 1.01, 1e-3; of solids also one per axis: 2:1:1/2; repeatable")->type_name("S,S,...")->allow_extra_args(false);
   verb.add_option("--copies", command.copies, "Copies of P, one `scale x y` a line: the sum of each with Q, from one sum that scales")->type_name("FILE");
   verb.add_flag("--robot", command.robot, "Q is a robot and P an obstacle: sums with -Q");
   verb.add_option("--scaled", command.scaled, "Which operand scales")->check(CLI::IsMember({"p", "q"}))->capture_default_str();
@@ -196,7 +196,7 @@ void add_options(CLI::App& verb, ScaleCommand& command) {
   verb.add_option("--semantics", command.semantics, "closed, open or regular")->check(CLI::IsMember({"closed", "open", "regular"}))->capture_default_str();
   verb.add_option("-o", command.files,
                   "Write .svg (a film strip), anim.svg (an animation) or .html (a page with a slider and ticks at events); with --copies .svg (obstacles, "
-                  "what they grow to, robot); repeatable")
+                  "what they grow to, robot); of solids .html (a page that plays) and the last frame as .off .obj .stl .ply .glb .json; repeatable")
       ->type_name("FILE")
       ->allow_extra_args(false);
   verb.add_flag("--events", command.events, "List the exact scales at which the sum changes");
@@ -206,6 +206,13 @@ void add_options(CLI::App& verb, ScaleCommand& command) {
 }
 
 }  // namespace
+
+std::vector<std::string> listed(const std::vector<std::string>& values) {
+  std::vector<std::string> all;
+  for (const std::string& value : values)
+    for (std::string& piece : split(value, ',')) all.push_back(std::move(piece));
+  return all;
+}
 
 Scale read_scale(const std::string& text, const std::string& option) { return require_option(Scale::parse(text), option); }
 

@@ -22,6 +22,8 @@ struct ScaleCommand {
   InputOptions input;
 };
 
+/// The pieces between the commas of an option's values, empty ones too.
+std::vector<std::string> listed(const std::vector<std::string>& values);
 /// An exact scale; a Stop with wrong usage for what is none.
 Scale read_scale(const std::string& text, const std::string& option);
 ScalingOptions scaling_options(const ScaleCommand& command);

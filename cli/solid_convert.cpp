@@ -13,7 +13,7 @@
 namespace dymsum::cli {
 
 ExitCode run_solid_convert(const SolidConvert& command) {
-  const MeshFormat format = require(mesh_format(command.out == "-" ? "." + command.to : command.out));
+  const MeshFormat format = mesh_output_format(command.out, command.to);
   auto [input, timing] = timed(1, [&] { return read_solid(command.in, command.input); });
   if (command.canonical) input.mesh = input.mesh.canonical();
   if (command.triangulate) input.mesh = triangulated(input.mesh).mesh;

@@ -38,11 +38,19 @@ Result<SolidInput> hull_of(const MeshData& data, const std::string& file) {
 
 }  // namespace
 
+void refuse_selection(const std::string& file) {
+  const std::size_t mark = file.rfind('#');
+  if (mark == std::string::npos || !mesh_format(file.substr(0, mark))) return;
+  throw Stop(kUsage, file + ": the file of a solid holds one shape; name it without " + file.substr(mark));
+}
+
 bool names_solid(const std::string& file, const InputOptions& options) {
+  refuse_selection(file);
   return file == "-" ? format_of_input(options).has_value() : mesh_format(file).ok();
 }
 
 Result<MeshData> read_mesh_data(const std::string& file, const InputOptions& options) {
+  refuse_selection(file);
   if (file != "-") return read_mesh(file);
   const std::optional<MeshFormat> format = format_of_input(options);
   if (!format) throw Stop(kUsage, "--from names the format of the solid on standard input: off, obj, stl or ply");

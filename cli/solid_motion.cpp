@@ -19,7 +19,7 @@ constexpr std::size_t kMostPictures = 240, kMostPicturedFacets = 150000;
 
 void check_outputs(const std::vector<std::string>& files) {
   for (const std::string& file : files)
-    if (!is_page(file)) check_solid_outputs({file});
+    if (!is_page(file)) check_solid_outputs({file}, {}, ".html, and the last frame as ");
 }
 
 Json frame_json(const ConvexSum& sum, const std::string& label, double ms) {
@@ -73,6 +73,7 @@ double static_ms(const ConvexSum& sum) {
 
 ExitCode run_solid_motion(const std::string& verb, const std::vector<SolidInput>& inputs, const std::vector<SolidFramePose>& poses,
                           const std::vector<std::string>& files, const ReportOptions& report) {
+  std::ostream& out = report_stream(files, report.json);
   check_outputs(files);
   const InterruptGuard guard;
   std::optional<ProgressBar> bar(std::in_place);
@@ -97,7 +98,7 @@ ExitCode run_solid_motion(const std::string& verb, const std::vector<SolidInput>
     return kDone;
   }
   const auto per_frame = [&](std::uint64_t n) { return double(n) / double(poses.size()); };
-  std::cout << verb << " of " << inputs[0].file << " and " << inputs[1].file << ", " << counted(poses.size(), "frame") << "\n  update " << timing.median_ms
+  out << verb << " of " << inputs[0].file << " and " << inputs[1].file << ", " << counted(poses.size(), "frame") << "\n  update " << timing.median_ms
             << " ms (median, least " << timing.min_ms << " ms), from scratch " << fresh << " ms\n  a frame checks " << per_frame(motion.checked)
             << " features and changes " << per_frame(motion.changed) << " of "
             << motion.sum->facet_count().all << " facets\n";
@@ -116,7 +117,7 @@ ExitCode run_solid_scale(const ScaleCommand& command, const std::vector<Scale>& 
     poses.push_back(pose);
   };
   for (const Scale& s : sweep) add({s, s, s}, "s = " + shown(s.exact()));
-  for (const std::string& text : command.at) {
+  for (const std::string& text : listed(command.at)) {
     const std::size_t a = text.find(':'), b = a == std::string::npos ? a : text.find(':', a + 1);
     if (a == std::string::npos) {
       const Scale s = read_scale(text, "--at");

@@ -10,7 +10,6 @@
 namespace dymsum::cli {
 
 bool are_solid(const std::vector<std::string>& files, const InputOptions& options) {
-  if (std::count(files.begin(), files.end(), "-") > 1) throw Stop(kUsage, "standard input can be only one of the operands");
   std::size_t solids = 0;
   for (const std::string& file : files) solids += names_solid(file, options);
   if (solids != 0 && solids != files.size()) throw Stop(kUsage, "one operand is planar and the other one solid");

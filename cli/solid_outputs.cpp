@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "exit_code.h"
+#include "outputs.h"
 
 namespace dymsum::cli {
 namespace {
@@ -35,12 +36,22 @@ bool is_json(const std::string& file) { return file.ends_with(".json"); }
 
 }  // namespace
 
-void check_solid_outputs(const std::vector<std::string>& files, const SolidOutput& how) {
+void check_solid_outputs(const std::vector<std::string>& files, const SolidOutput& how, const std::string& also) {
   for (const std::string& file : files) {
-    const std::string name = file == "-" ? "." + how.to : file;
+    const std::string name = format_name(file, how.to);
     if (is_json(name) || mesh_format(name)) continue;
-    throw Stop(kUsage, "-o writes .off .obj .stl .ply .glb or .json: " + (file == "-" ? "--to " + how.to : file));
+    throw Stop(kUsage, "-o writes of solids " + also + ".off .obj .stl .ply .glb or .json: " + (file == "-" ? "--to " + how.to : file));
   }
+}
+
+bool writes_mesh(const std::vector<std::string>& files, const SolidOutput& how) {
+  return std::any_of(files.begin(), files.end(), [&](const std::string& file) { return !is_json(format_name(file, how.to)); });
+}
+
+MeshFormat mesh_output_format(const std::string& file, const std::string& to) {
+  const std::string name = format_name(file, to);
+  if (!region_format(name)) return require(mesh_format(name));
+  throw Stop(kUsage, (file == "-" ? "--to " + to : file) + " is a format of planar regions; solids are written as .off .obj .stl .ply or .glb");
 }
 
 std::string facet_kind(const SolidFacet& f) {
@@ -121,7 +132,7 @@ std::vector<FaceColour> facet_colours(const SolidSum& sum, const Mesh& mesh, Pre
 }
 
 std::string solid_output(const SolidSum& sum, const std::string& file, const SolidOutput& how) {
-  const std::string name = file == "-" ? "." + how.to : file;
+  const std::string name = format_name(file, how.to);
   if (is_json(name)) return exact_json(sum).dump(1) + "\n";
   const MeshFormat format = require(mesh_format(name));
   // A picture keeps doubles for as long as it can; what it loses in the end is judged by itself.

@@ -18,8 +18,12 @@ struct SolidOutput {
   bool triangulate = false;
 };
 
-/// Usage errors for outputs that cannot be written, before any long work.
-void check_solid_outputs(const std::vector<std::string>& files, const SolidOutput& how = {});
+/// Usage errors for outputs that cannot be written, before any long work; `also` is what the verb writes besides, for the message.
+void check_solid_outputs(const std::vector<std::string>& files, const SolidOutput& how = {}, const std::string& also = "");
+/// Whether one of them is a mesh, not the exact sum.
+bool writes_mesh(const std::vector<std::string>& files, const SolidOutput& how);
+/// The format of a mesh in a file, or in --to for "-"; a Stop for others, which says so where it is one of planar regions.
+MeshFormat mesh_output_format(const std::string& file, const std::string& to);
 /// .json the exact sum with provenance, otherwise a valid convex mesh in which facets are coloured by kind, or red where they changed; a Stop where rounding
 /// would spoil it.
 std::string solid_output(const SolidSum& sum, const std::string& file, const SolidOutput& how = {});

@@ -46,10 +46,11 @@ ExitCode run_solid_sum(const SumVerb& verb, const SumCommand& command) {
   if (verb.name == "erode") throw Stop(kUsage, "erode is defined for planar regions so far");
   refuse_options(*command.parser, {"--semantics", "--round-repair", "--exact"}, "is for planar operands");
   const ConvexEngine engine = engine_of(command);
-  if (command.report.json && writes_to_stdout(command.output)) throw Stop(kUsage, "--json and -o - both want standard output");
-  if (!writes_to_stdout(command.output)) refuse_options(*command.parser, {"--to"}, "is the format of -o -");
+  std::ostream& out = report_stream(command.output.files, command.report.json);
+  if (!writes_to_stdout(command.output.files)) refuse_options(*command.parser, {"--to"}, "is the format of -o -");
   const SolidOutput how{command.parser->count("--to") > 0 ? command.output.to : "off", command.input.hull, command.triangulate};
   check_solid_outputs(command.output.files, how);
+  if (!writes_mesh(command.output.files, how)) refuse_options(*command.parser, {"--triangulate"}, "belongs to -o FILE.off and other meshes");
   std::vector<std::string> operands = command.operands;
   operands.insert(operands.end(), command.more.begin(), command.more.end());
   are_solid(operands, command.input);
@@ -70,7 +71,7 @@ ExitCode run_solid_sum(const SumVerb& verb, const SumCommand& command) {
     print_report(json);
     return kDone;
   }
-  print_text(writes_to_stdout(command.output) ? std::cerr : std::cout, verb.name, inputs, sum, tier, timing);
+  print_text(out, verb.name, inputs, sum, tier, timing);
   return kDone;
 }
 

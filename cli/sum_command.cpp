@@ -29,11 +29,9 @@ SumOptions sum_options(const SumCommand& command) {
 }
 
 void check(const SumCommand& command) {
-  if (command.report.json && writes_to_stdout(command.output)) {
-    throw Stop(kUsage, "--json and -o - both want standard output");
-  }
-  if (!writes_to_stdout(command.output)) refuse_options(*command.parser, {"--to"}, "is the format of -o -");
+  if (!writes_to_stdout(command.output.files)) refuse_options(*command.parser, {"--to"}, "is the format of -o -");
   check_outputs(command.output);
+  if (!writes_rounded(command.output)) refuse_options(*command.parser, {"--round-repair"}, "belongs to -o FILE.wkt, .poly or .geojson");
 }
 
 bool is_empty(const PlanarSum& sum) { return sum.parts.empty() && sum.segments.empty() && sum.points.empty(); }
@@ -91,6 +89,7 @@ ExitCode run_sum(const SumVerb& verb, const SumCommand& command) {
   }
   if (!command.more.empty()) throw Stop(kUsage, "more than two operands have to be solids");
   if (!verb.planar_only) refuse_options(*command.parser, {"--triangulate"}, "is for solids");
+  std::ostream& out = report_stream(command.output.files, command.report.json);
   check(command);
   SumReport report;
   report.verb = verb.name;
@@ -122,7 +121,7 @@ ExitCode run_sum(const SumVerb& verb, const SumCommand& command) {
   if (command.report.json) {
     print_report(sum_json(report));
   } else {
-    print_sum(writes_to_stdout(command.output) ? std::cerr : std::cout, report);
+    print_sum(out, report);
   }
   return verb.empty_is_no && is_empty(sum) ? kNo : kDone;
 }

@@ -1,7 +1,10 @@
 #include "svg_paths.h"
 
 #include <algorithm>
+#include <limits>
 #include <sstream>
+
+#include "exit_code.h"
 
 namespace dymsum::cli {
 namespace {
@@ -65,6 +68,10 @@ void Box::see(const Box& other) {
 
 Box Box::drawable() const {
   if (empty()) return {0, 0, 1, 1};
+  const double furthest = std::max({std::abs(x0), std::abs(y0), std::abs(x1), std::abs(y1)});
+  if (!(furthest <= std::numeric_limits<float>::max()) || (size() > 0 && size() < std::numeric_limits<float>::min()))
+    throw Stop(kBadInput, "this cannot be drawn: pictures show coordinates up to 3.4e+38 and extents from 1.2e-38 on, not a drawing of " + number(size()) +
+                              " that reaches to " + number(furthest));
   Box box = *this;
   if (!(box.width() > 0)) box.x1 = box.x0 + 1;
   if (!(box.height() > 0)) box.y1 = box.y0 + 1;

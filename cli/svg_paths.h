@@ -19,7 +19,8 @@ struct Box {
   double size() const { return width() > height() ? width() : height(); }
   void see(Point p);
   void see(const Box& other);
-  /// Grown to have area, whatever was seen.
+  /// Grown to have area, whatever was seen. Stops with bad input outside the range of single precision, in which viewers compute: what is
+  /// larger is infinite to them, and what is smaller a point.
   Box drawable() const;
 };
 

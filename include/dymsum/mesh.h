@@ -104,7 +104,8 @@ struct HullReport {
   std::size_t inside_vertices = 0;  ///< of these, strictly inside the hull
   std::size_t unused_vertices = 0;  ///< that no face uses: left out
   /// No point of the old surface is further than this below the hull's, up to a relative error of 2^-48; 0 exactly where the surface is
-  /// that of the hull. A bound that is reached where the deepest place is a vertex near the faces around it.
+  /// that of the hull. A bound that is reached where the deepest place is a vertex near the faces around it. Of points without faces the depth
+  /// of the deepest one.
   double deviation = 0;
   std::string to_string() const;
 };

@@ -1,6 +1,7 @@
 // A region as an SVG picture that reads back as the same region: the marked paths hold its own coordinates, and the
 // group around them, which is for looking at only, turns y up.
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -51,8 +52,11 @@ std::string write_svg(const RegionData& data) {
   constexpr double kSide = 720, kMargin = 24, kCaption = 30;
   Extent extent;
   extent.add(data);
-  const double scale = fitting_scale(extent.width(), extent.height(), kSide, kSide);
-  const double width = std::max(scale * extent.width(), 260.0), height = std::max(scale * extent.height(), 24.0);
+  // An extent of the largest doubles is past their range, and none of its thousandths is.
+  const double unit = std::isfinite(extent.width()) && std::isfinite(extent.height()) ? 1 : 0x1p-10;
+  const double across = unit * extent.high.x - unit * extent.low.x, up = unit * extent.high.y - unit * extent.low.y;
+  const double fitting = fitting_scale(across, up, kSide, kSide), scale = fitting * unit;
+  const double width = std::max(fitting * across, 260.0), height = std::max(fitting * up, 24.0);
   Picture picture(width + 2 * kMargin, height + 2 * kMargin + kCaption, "region");
   draw_marked(picture, data, place(extent, scale, kMargin, kMargin + height), palette::kSum, palette::kSumEdge);
   picture.text(kMargin, kMargin + height + kCaption, 13, palette::kQuiet, describe(data));

@@ -114,11 +114,16 @@ double depth_of(Depths& depths, const Face& face) {
   return least;
 }
 
-void count_inside(const Mesh& hull, std::vector<Point3> points, HullReport& report) {
-  const auto count = static_cast<std::uint32_t>(points.size());
-  Depths depths(hull, std::move(points));
-  for (std::uint32_t v = 0; v < count; ++v)
-    report.inside_vertices += !depths.is_corner(v) && depths.depth(v, depths.planes_near(v)[0]) > 0;
+/// Counts the points strictly inside the hull, and returns how deep the deepest one is.
+double count_inside(Depths& depths, std::size_t points, HullReport& report) {
+  double deepest = 0;
+  for (std::uint32_t v = 0; v < points; ++v) {
+    if (depths.is_corner(v)) continue;
+    const double depth = depths.depth(v, depths.planes_near(v)[0]);
+    report.inside_vertices += depth > 0;
+    deepest = std::max(deepest, depth);
+  }
+  return deepest;
 }
 
 /// The points that faces use, each place once, and the faces by these.
@@ -161,8 +166,8 @@ Result<HulledMesh> hulled(const MeshData& data) {
   report.vertices = used.points.size();
   report.unused_vertices = used.unused;
   spatial::Depths depths(*hull, used.points);
-  for (std::uint32_t v = 0; v < used.points.size(); ++v)
-    report.inside_vertices += !depths.is_corner(v) && depths.depth(v, depths.planes_near(v)[0]) > 0;
+  const double deepest = spatial::count_inside(depths, used.points.size(), report);
+  if (data.faces.empty()) report.deviation = deepest;
   for (const Face& face : used.faces)
     if (!face.empty()) report.deviation = std::max(report.deviation, spatial::depth_of(depths, face));
   return HulledMesh{std::move(hull).value(), report};
@@ -196,7 +201,8 @@ Result<HulledMesh> translated_hull(const Mesh& mesh, double dx, double dy, doubl
   Result<Mesh> hull = convex_hull(moved);
   if (!hull) return hull.error();
   report.vertices = moved.size();
-  spatial::count_inside(*hull, std::move(moved), report);
+  spatial::Depths depths(*hull, std::move(moved));
+  spatial::count_inside(depths, report.vertices, report);
   return HulledMesh{std::move(hull).value(), report};
 }
 

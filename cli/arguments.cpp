@@ -1,0 +1,42 @@
+#include "arguments.h"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <set>
+#include <string>
+
+#include "exit_code.h"
+
+namespace dymsum::cli {
+namespace {
+
+/// One name for one file, however its path is written.
+std::string place_of(const std::string& output) {
+  std::error_code unknown;
+  const std::filesystem::path place = std::filesystem::weakly_canonical(output, unknown);
+  return output == "-" || unknown ? output : place.string();
+}
+
+void refuse_repeated(const CLI::Option& outputs) {
+  std::set<std::string> places;
+  for (const std::string& output : outputs.results())
+    if (!places.insert(place_of(output)).second) throw Stop(kUsage, "-o " + output + " is given twice: one result would replace the other");
+}
+
+}  // namespace
+
+void check_arguments(const CLI::App& verb) {
+  bool input_taken = false;
+  for (const CLI::Option* option : verb.get_options()) {
+    const bool output = option->check_name("-o") || option->check_name("OUT");
+    for (const std::string& value : option->results()) {
+      if (value.empty()) throw Stop(kUsage, option->get_name() + " is given as an empty text");
+      if (output || value != "-") continue;
+      if (input_taken) throw Stop(kUsage, "standard input can be only one of the operands and files that are read");
+      input_taken = true;
+    }
+    if (option->check_name("-o")) refuse_repeated(*option);
+  }
+}
+
+}  // namespace dymsum::cli

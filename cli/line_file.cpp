@@ -1,0 +1,41 @@
+#include "line_file.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <utility>
+
+#include "inputs.h"
+
+namespace dymsum::cli {
+
+void refuse_line(Error error, const std::string& file, std::optional<std::int64_t> line) {
+  error.evidence.file = file == "-" ? "standard input" : file;
+  error.evidence.line = line;
+  stop_with(error);
+}
+
+std::string file_text(const std::string& file, const std::string& what) {
+  if (file == "-") return standard_input();
+  std::ifstream in(file, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  if (!in) refuse_line({Code::cannot_open, what + " cannot be read", {}}, file, std::nullopt);
+  return without_mark(std::move(text));
+}
+
+bool for_each_line(const std::string& text, const std::function<void(const std::string&, std::int64_t)>& take) {
+  std::istringstream in(text);
+  std::int64_t line = 0;
+  bool any = false;
+  for (std::string one; std::getline(in, one);) {
+    ++line;
+    one.resize(std::min(one.find('#'), one.size()));
+    if (one.find_first_not_of(" \t\r") == std::string::npos) continue;
+    take(one, line);
+    any = true;
+  }
+  return any;
+}
+
+}  // namespace dymsum::cli
