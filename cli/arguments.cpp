@@ -13,7 +13,7 @@ namespace {
 /// One name for one file, however its path is written.
 std::string place_of(const std::string& output) {
   std::error_code unknown;
-  const std::filesystem::path place = std::filesystem::weakly_canonical(output, unknown);
+  const std::filesystem::path place = std::filesystem::weakly_canonical(std::filesystem::absolute(output, unknown), unknown);
   return output == "-" || unknown ? output : place.string();
 }
 

@@ -41,7 +41,7 @@ std::optional<QueryLine> query_in(const std::string& text) {
 void for_each_query(const std::string& file, const std::function<void(const QueryLine&, const Refuse&)>& take) {
   const bool any = for_each_line(file_text(file, "the file of questions"), [&](const std::string& text, std::int64_t line) {
     const std::optional<QueryLine> query = query_in(text);
-    if (!query) refuse_line({Code::malformed, "expected x,y or x,y,theta instead of '" + trimmed(text) + "'", {}}, file, line);
+    if (!query) refuse_line({Code::malformed, "a question is x,y or x,y,theta", {}}, file, line);
     take(*query, [&](const std::string& why) { refuse_line({Code::malformed, why, {}}, file, line); });
   });
   if (!any) refuse_line({Code::malformed, "the file holds no questions", {}}, file, std::nullopt);

@@ -85,10 +85,13 @@ std::string solid_page(const std::vector<SolidPicture>& frames, const std::strin
   double reach = 0;
   nlohmann::json list = nlohmann::json::array();
   for (const SolidPicture& frame : frames) {
-    for (const Point3& at : frame.sum.at) reach = std::max(reach, std::hypot(at.x, at.y, at.z));
+    for (const Point3& at : frame.sum.at) {
+      const double far = std::hypot(at.x, at.y, at.z);
+      if (!std::isfinite(far)) throw Stop(kBadInput, "this cannot be drawn: a vertex is past the range of doubles");
+      reach = std::max(reach, far);
+    }
     list.push_back(frame_json(frame));
   }
-  if (!std::isfinite(reach)) throw Stop(kBadInput, "this cannot be drawn: a vertex is past the range of doubles");
   const std::string extra = "<div class=\"row\"><label><input id=\"changes\" type=\"checkbox\" checked> show what is new in red</label>"
                             "<span>drag to look around</span></div>\n";
   const std::vector<LegendEntry> legend = {
