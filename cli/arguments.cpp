@@ -13,14 +13,15 @@ namespace {
 /// One name for one file, however its path is written.
 std::string place_of(const std::string& output) {
   std::error_code unknown;
-  const std::filesystem::path place = std::filesystem::weakly_canonical(std::filesystem::absolute(output, unknown), unknown);
-  return output == "-" || unknown ? output : place.string();
+  const std::filesystem::path place = std::filesystem::absolute(output, unknown);
+  return output == "-" || unknown ? output : std::filesystem::weakly_canonical(place, unknown).string();
 }
 
 void refuse_repeated(const CLI::Option& outputs) {
   std::set<std::string> places;
   for (const std::string& output : outputs.results())
-    if (!places.insert(place_of(output)).second) throw Stop(kUsage, "-o " + output + " is given twice: one result would replace the other");
+    if (!places.insert(place_of(output)).second)
+      throw Stop(kUsage, "-o " + output + " is given twice: one result would replace the other");
 }
 
 }  // namespace

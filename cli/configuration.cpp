@@ -20,7 +20,8 @@ std::string fault_of(const std::optional<QueryLine>& q) {
 
 Configuration read_configuration(const std::string& text, const char* option) {
   const std::optional<QueryLine> q = query_in(text);
-  if (const std::string fault = fault_of(q); !fault.empty()) throw Stop(kUsage, std::string(option) + " " + fault + ", not '" + text + "'");
+  if (const std::string fault = fault_of(q); !fault.empty())
+    throw Stop(kUsage, std::string(option) + " " + fault + ", not '" + text + "'");
   return {q->x, q->y, q->theta->radians()};
 }
 

@@ -8,10 +8,11 @@
 
 namespace dymsum::cli {
 
-/// "x,y,theta", theta in radians or as 90deg, all finite and positions at most 2^400. Stops with wrong usage otherwise; `option` names it in the message.
+/// "x,y,theta", theta in radians or as 90deg, all finite and positions at most 2^400. Stops with wrong usage otherwise;
+/// `option` names it in the message.
 Configuration read_configuration(const std::string& text, const char* option);
 
-/// One on every line of FILE, or "-"; blank lines and what follows # are left out. Stops with bad input that names file and line.
+/// One on every line of FILE, or "-", as for_each_query reads them. Stops with bad input that names file and line.
 std::vector<Configuration> read_configurations(const std::string& file);
 
 }  // namespace dymsum::cli

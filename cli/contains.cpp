@@ -145,7 +145,7 @@ void add_contains(CLI::App& app, Action& action) {
   verb.add_option("--at", command->at, "A place x,y of the sum, or a configuration x,y,theta of the robot, theta in radians or as 90deg; repeatable")
       ->type_name("x,y[,theta]")
       ->allow_extra_args(false);
-  verb.add_option("--at-file", command->at_file, "Such places or configurations, one a line; # begins a comment")->type_name("FILE");
+  verb.add_option("--at-file", command->at_file, "Such places or configurations, one a line; # begins a comment; - for standard input")->type_name("FILE");
   verb.add_option("--semantics", command->semantics,
                   "closed: touching counts as inside (the default of places); open: it does not (the default of configurations)")
       ->check(CLI::IsMember({"closed", "open"}));

@@ -24,7 +24,7 @@ std::string file_text(const std::string& file, const std::string& what) {
   return without_mark(std::move(text));
 }
 
-bool for_each_line(const std::string& text, const std::function<void(const std::string&, std::int64_t)>& take) {
+bool for_each_line(const std::string& text, const TakeLine& take) {
   std::istringstream in(text);
   std::int64_t line = 0;
   bool any = false;

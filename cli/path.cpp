@@ -229,7 +229,7 @@ void add_path(CLI::App& app, Action& action) {
       ->type_name("x,y,theta")->allow_extra_args(false);
   verb.add_option("--check-path", command->given,
       "Check a path instead: lines x,y,theta, [[x,y,theta],...] or the .json that path writes; says the first piece that is "
-      "blocked")->type_name("FILE");
+      "blocked; - for standard input")->type_name("FILE");
   verb.add_option("--margin", command->margin,
       "Keep this distance from the obstacle in every point: the robot grows by a polygon around that disc, 2 % wider at "
       "its corners")->type_name("DISTANCE")->check(CLI::NonNegativeNumber);

@@ -1,10 +1,10 @@
-// One small text file per hard case of the command line (tests/corpus/commands): files, a shell command, and what it has to answer.
+// One small text file per hard case (tests/corpus/commands): files, a shell command, and what it has to answer.
 //   # comment
 //   file NAME        the lines that follow, up to a line `end`
 //   run COMMAND      in a folder that holds these files; several lines make one script
 //   exit N           0 where this line is missing
 //   json POINTER V   a value of the object on standard output, equal to the last bit; a size with `size POINTER N`
-//   within POINTER V ERROR   a number at most ERROR from V: a number, or the pointer of the error that the report states
+//   within POINTER V ERROR   a number at most ERROR from V: a number, or the pointer of the error that is stated
 //   says TEXT, silent TEXT   a text that is, or is not, on standard output or standard error
 #include <gtest/gtest.h>
 
@@ -44,8 +44,10 @@ CommandCase read_case(const std::filesystem::path& path) {
     if (key == "run") one.script += rest + "\n";
     else if (key == "exit") one.exit = std::stoi(rest);
     else if (key != "file") one.facts.emplace_back(key, rest);
-    else
-      for (one.files.emplace_back(rest, ""); std::getline(in, line) && line != "end";) one.files.back().second += line + "\n";
+    else {
+      std::string& text = one.files.emplace_back(rest, "").second;
+      while (std::getline(in, line) && line != "end") text += line + "\n";
+    }
   }
   return one;
 }

@@ -48,6 +48,21 @@ TEST(MeshHull, an_edge_below_the_hull_counts_although_all_vertices_are_corners) 
   EXPECT_GT(report.deviation, 0);
 }
 
+TEST(MeshHull, of_points_it_is_the_depth_of_the_deepest_one) {
+  std::vector<Point3> points = cube(1).vertices();
+  EXPECT_EQ(hulled({points, {}})->report.deviation, 0);
+  points.push_back({0, 1 - 0x1p-52, 0});
+  EXPECT_EQ(hulled({points, {}})->report.deviation, 0x1p-52);
+  points.push_back({0.25, 0, 0});
+  points.push_back({0, 0, 1});
+  const HullReport report = hulled({points, {}})->report;
+  EXPECT_EQ(report.deviation, 0.75);
+  EXPECT_EQ(report.inside_vertices, 2u) << "the third one is on a face";
+  MeshData solid = cube(1).data();
+  solid.vertices.push_back({0, 0, 0});
+  EXPECT_EQ(hulled(solid)->report.deviation, 0) << "no face uses the middle";
+}
+
 TEST(MeshHull, of_convex_solids_changes_nothing) {
   for (const solids::NamedMesh& m : solids::thesis_models()) {
     const HulledMesh hull = *hulled(m.mesh.data());
