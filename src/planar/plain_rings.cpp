@@ -10,6 +10,7 @@
 
 #include "base/scratch.h"
 #include "exact/orient.h"
+#include "planar/box_lanes.h"
 
 namespace dymsum::planar {
 namespace {
@@ -47,11 +48,18 @@ class PlainRings {
   explicit PlainRings(const RegionData& data) : data_(data) {}
 
   bool proved() {
-    if (!gather() || !make_boxes()) return false;
+    if (!gather()) return false;
+    if (rings_.size() == 1 && turns_left_once()) return true;
+    if (!make_boxes()) return false;
     for (std::uint32_t e = 0; e < size(); ++e)
       if (folds(e)) return false;
-    add_levels();
-    within(level_count_ - 1, 0, count_[level_count_ - 1]);
+    left_ = kPairsPerVertex * size();
+    if (size() <= kAllPairs) {
+      all_pairs();
+    } else {
+      add_levels();
+      within(level_count_ - 1, 0, count_[level_count_ - 1]);
+    }
     if (left_ <= 0) return false;
     for (const RingSpan& ring : rings_)
       if (counter_clockwise(ring) != ring.outer) return false;
@@ -65,7 +73,8 @@ class PlainRings {
     bool outer;
   };
   static constexpr std::uint32_t kFanOut = 8, kMostLevels = 12;
-  static constexpr std::uint32_t kAllPairs = 40;  // below this, boxes around boxes cost more than they save
+  static constexpr std::uint32_t kAllPairs = 96;  // up to this, boxes around boxes cost more than they save
+  static constexpr std::uint32_t kTopBoxes = 40;  // boxes around boxes, and so on until there are no more than these
   static constexpr std::size_t kMostVertices = std::size_t{1} << 31;
   /// Pairs of edges or boxes that are looked at, per vertex. A sweep costs about as much as 100.
   static constexpr std::int64_t kPairsPerVertex = 64;
@@ -132,6 +141,23 @@ class PlainRings {
     return true;
   }
 
+  /// Left at every vertex, by less than half a turn, and in all one turn: such a ring is convex. False where doubles do not tell.
+  bool turns_left_once() const {
+    const std::uint32_t n = size();
+    const auto upper = [](Point a, Point b) { return b.y > a.y || (b.y == a.y && b.x > a.x); };
+    int turns = 0;
+    Point a = points_[n - 2], b = points_[n - 1];
+    for (bool was_upper = upper(a, b); const Point c : points_) {
+      if (exact::certain_cross_sign(a, b, b, c) <= 0) return false;
+      const bool is_upper = upper(b, c);
+      turns += is_upper && !was_upper;
+      was_upper = is_upper;
+      a = b;
+      b = c;
+    }
+    return turns == 1;
+  }
+
   /// The edge behind e has no length or runs back along e.
   bool folds(std::uint32_t e) const {
     const Point a = points_[e], b = points_[next_[e]], c = points_[next_[next_[e]]];
@@ -141,7 +167,7 @@ class PlainRings {
 
   void add_levels() {
     count_[0] = size();
-    while (count_[level_count_ - 1] > kAllPairs) {
+    while (count_[level_count_ - 1] > kTopBoxes) {
       const Array<Box>& below = boxes_[level_count_ - 1];
       Array<Box>& level = boxes_[level_count_];
       for (std::size_t i = 0; i < below.size(); i += kFanOut) {
@@ -151,9 +177,30 @@ class PlainRings {
       }
       count_[level_count_++] = static_cast<std::uint32_t>(level.size());
     }
-    left_ = kPairsPerVertex * size();
   }
   std::uint32_t end_of(std::uint32_t level, std::uint32_t group) const { return std::min((group + 1) * kFanOut, count_[level]); }
+
+  // All pairs of edges, eight at a time.
+  void all_pairs() {
+    const std::uint32_t n = size(), room = n + kLanes;
+    Array<std::int16_t> sides(4 * room, static_cast<std::int16_t>(kBoxQuanta), &memory_);  // beyond the last edge nothing meets
+    std::int16_t *const x0 = sides.data(), *const y0 = x0 + room, *const x1 = y0 + room, *const y1 = x1 + room;
+    for (std::uint32_t e = 0; e < n; ++e) {
+      const Box box = boxes_[0][e];
+      const auto field = [box](int k) { return static_cast<std::int16_t>(box >> (16 * k) & 0x7fff); };
+      x0[e] = field(0);
+      y0[e] = field(1);
+      x1[e] = static_cast<std::int16_t>(kBoxQuanta - field(2));
+      y1[e] = static_cast<std::int16_t>(kBoxQuanta - field(3));
+    }
+    for (std::uint32_t e = 0; e < n && left_ > 0; ++e) {
+      const Lanes ex0 = Lanes{} + x0[e], ey0 = Lanes{} + y0[e], ex1 = Lanes{} + x1[e], ey1 = Lanes{} + y1[e];
+      for (std::uint32_t f = next_[e] == e + 1 ? e + 2 : e + 1; f < n; f += kLanes) {
+        const Lanes apart = (load_lanes(x0 + f) > ex1) | (load_lanes(y0 + f) > ey1) | (load_lanes(x1 + f) < ex0) | (load_lanes(y1 + f) < ey0);
+        for (auto bits = zero_lanes(apart); bits != 0; bits &= bits - 1) look_at(e, f + lane_of(bits));
+      }
+    }
+  }
 
   // All pairs of edges below the boxes [first, last) of a level. What is left is zero or less once a pair is not told apart.
   void within(std::uint32_t level, std::uint32_t first, std::uint32_t last) {
