@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 
 #include "base/scratch.h"
 #include "planar/operand.h"
@@ -39,15 +40,20 @@ class Before {
 // So many are counted against each other sooner than put into buckets.
 constexpr std::size_t kFew = 40;
 
-// Nearly in order: by a quantum of the key, then by place in the walk. How many come before each is counted without a branch.
+// Nearly in order: by a quantum of the key, then by place in the walk. How many come before each is counted for four at a time.
 void sort_few(Array<Item>& items, Scratch& memory) {
-  const std::size_t n = items.size();
-  alignas(16) std::array<std::int32_t, kFew> order{}, before{};
-  for (std::size_t i = 0; i < n; ++i)  // below 2^30, all different
+  using Four = std::int32_t __attribute__((vector_size(16)));
+  const std::size_t n = items.size(), lanes = (n + 3) / 4 * 4;
+  alignas(Four) std::array<std::int32_t, kFew> order, before;
+  for (std::size_t i = 0; i < n; ++i)  // below 2^31, all different
     order[i] = static_cast<std::int32_t>(items[i].key * 0x1p22) << 6 | static_cast<std::int32_t>(i);
-  const std::size_t lanes = (n + 3) / 4 * 4;
-  for (std::size_t k = 0; k < n; ++k)
-    for (std::size_t i = 0; i < lanes; ++i) before[i] += order[k] < order[i];
+  for (std::size_t i = n; i < lanes; ++i) order[i] = 0;
+  for (std::size_t i = 0; i < lanes; i += 4) {
+    Four mine, count{};
+    std::memcpy(&mine, &order[i], sizeof mine);
+    for (std::size_t k = 0; k < n; ++k) count -= order[k] < mine;
+    std::memcpy(&before[i], &count, sizeof count);
+  }
   Array<Item> sorted(n, &memory);
   for (std::size_t i = 0; i < n; ++i) sorted[static_cast<std::size_t>(before[i])] = items[i];
   items.swap(sorted);
