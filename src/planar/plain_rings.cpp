@@ -50,13 +50,14 @@ class PlainRings {
   bool proved() {
     if (!gather()) return false;
     if (rings_.size() == 1 && turns_left_once()) return true;
-    if (!make_boxes()) return false;
-    for (std::uint32_t e = 0; e < size(); ++e)
-      if (folds(e)) return false;
+    if (!find_quanta()) return false;
+    for (const RingSpan& ring : rings_)
+      if (folds(ring)) return false;
     left_ = kPairsPerVertex * size();
     if (size() <= kAllPairs) {
       all_pairs();
     } else {
+      make_boxes();
       add_levels();
       within(level_count_ - 1, 0, count_[level_count_ - 1]);
     }
@@ -119,26 +120,30 @@ class PlainRings {
   }
 
   // Monotone in the coordinates, so that what meets meets in quanta too. False: no area, or too large or small to be told in doubles.
-  bool make_boxes() {
+  bool find_quanta() {
     Point low = rings_[0].low, high = rings_[0].high;
     for (const RingSpan& ring : rings_) {
       low = low_corner(low, ring.low);
       high = high_corner(high, ring.high);
     }
-    const double x_scale = 0x7ffe / (high.x - low.x), y_scale = 0x7ffe / (high.y - low.y);
-    if (!(x_scale > 0 && y_scale > 0 && std::isfinite(x_scale) && std::isfinite(y_scale))) return false;
-    // The extent times its scale is 0x7ffe with two roundings.
-    const auto quantum = [](double d, double scale) { return static_cast<std::int32_t>(d * scale); };
+    low_ = low;
+    x_scale_ = 0x7ffe / (high.x - low.x);
+    y_scale_ = 0x7ffe / (high.y - low.y);
+    return x_scale_ > 0 && y_scale_ > 0 && std::isfinite(x_scale_) && std::isfinite(y_scale_);
+  }
+  // The extent times its scale is 0x7ffe with two roundings.
+  std::int32_t x_quantum(std::size_t v) const { return static_cast<std::int32_t>((points_[v].x - low_.x) * x_scale_); }
+  std::int32_t y_quantum(std::size_t v) const { return static_cast<std::int32_t>((points_[v].y - low_.y) * y_scale_); }
+
+  void make_boxes() {
     // A point's box, then the one around an edge's ends.
     Array<Box> at(size(), &memory_);
     for (std::uint32_t v = 0; v < size(); ++v) {
-      const auto x = static_cast<std::uint64_t>(quantum(points_[v].x - low.x, x_scale));
-      const auto y = static_cast<std::uint64_t>(quantum(points_[v].y - low.y, y_scale));
+      const auto x = static_cast<std::uint64_t>(x_quantum(v)), y = static_cast<std::uint64_t>(y_quantum(v));
       at[v] = make_box(x, y, x, y);
     }
     boxes_[0].resize(size());
     for (std::uint32_t e = 0; e < size(); ++e) boxes_[0][e] = around(at[e], at[next_[e]]);
-    return true;
   }
 
   /// Left at every vertex, by less than half a turn, and in all one turn: such a ring is convex. False where doubles do not tell.
@@ -158,11 +163,19 @@ class PlainRings {
     return turns == 1;
   }
 
-  /// The edge behind e has no length or runs back along e.
-  bool folds(std::uint32_t e) const {
-    const Point a = points_[e], b = points_[next_[e]], c = points_[next_[next_[e]]];
-    if (exact::certain_cross_sign(a, b, b, c) != 0) return false;
-    return a == b || (exact::orient_sign(a, b, c) == 0 && exact::dot_sign(a, b, b, c) <= 0);
+  /// An edge has no length or runs back along the one before.
+  bool folds(const RingSpan& ring) const {
+    Point a = points_[ring.last - 2], b = points_[ring.last - 1];
+    for (std::uint32_t v = ring.first; v < ring.last; ++v) {
+      const Point c = points_[v];
+      if (exact::certain_cross_sign(a, b, b, c) == 0 &&
+          (b == c || (exact::orient_sign(a, b, c) == 0 && exact::dot_sign(a, b, b, c) <= 0))) {
+        return true;
+      }
+      a = b;
+      b = c;
+    }
+    return false;
   }
 
   void add_levels() {
@@ -183,16 +196,22 @@ class PlainRings {
   // All pairs of edges, eight at a time.
   void all_pairs() {
     const std::uint32_t n = size(), room = n + kLanes;
-    Array<std::int16_t> sides(4 * room, static_cast<std::int16_t>(kBoxQuanta), &memory_);  // beyond the last edge nothing meets
-    std::int16_t *const x0 = sides.data(), *const y0 = x0 + room, *const x1 = y0 + room, *const y1 = x1 + room;
-    for (std::uint32_t e = 0; e < n; ++e) {
-      const Box box = boxes_[0][e];
-      const auto field = [box](int k) { return static_cast<std::int16_t>(box >> (16 * k) & 0x7fff); };
-      x0[e] = field(0);
-      y0[e] = field(1);
-      x1[e] = static_cast<std::int16_t>(kBoxQuanta - field(2));
-      y1[e] = static_cast<std::int16_t>(kBoxQuanta - field(3));
+    Array<std::int16_t> lists(6 * room, &memory_);
+    std::int16_t *const x = lists.data(), *const y = x + room;
+    std::int16_t *const x0 = y + room, *const y0 = x0 + room, *const x1 = y0 + room, *const y1 = x1 + room;
+    for (std::uint32_t v = 0; v < n; ++v) {
+      x[v] = static_cast<std::int16_t>(x_quantum(v));
+      y[v] = static_cast<std::int16_t>(y_quantum(v));
     }
+    const auto bound = [=](std::uint32_t e, std::uint32_t end) {
+      x0[e] = std::min(x[e], x[end]);
+      y0[e] = std::min(y[e], y[end]);
+      x1[e] = std::max(x[e], x[end]);
+      y1[e] = std::max(y[e], y[end]);
+    };
+    for (std::uint32_t e = 0; e + 1 < n; ++e) bound(e, e + 1);
+    for (const RingSpan& ring : rings_) bound(ring.last - 1, ring.first);
+    std::fill(x0 + n, x0 + room, static_cast<std::int16_t>(kBoxQuanta));  // beyond the last edge nothing meets
     for (std::uint32_t e = 0; e < n && left_ > 0; ++e) {
       const Lanes ex0 = Lanes{} + x0[e], ey0 = Lanes{} + y0[e], ex1 = Lanes{} + x1[e], ey1 = Lanes{} + y1[e];
       for (std::uint32_t f = next_[e] == e + 1 ? e + 2 : e + 1; f < n; f += kLanes) {
@@ -282,6 +301,8 @@ class PlainRings {
   Array<Point> points_{&memory_};
   Array<std::uint32_t> next_{&memory_};
   Array<RingSpan> rings_{&memory_};
+  Point low_;
+  double x_scale_ = 0, y_scale_ = 0;  ///< quanta per unit
   std::array<Array<Box>, kMostLevels> boxes_ = levels(std::make_index_sequence<kMostLevels>());
   std::array<std::uint32_t, kMostLevels> count_{};
   std::uint32_t level_count_ = 1;
