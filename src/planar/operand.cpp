@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -159,21 +160,34 @@ class Builder {
     const auto edge = [&](std::size_t i) { return Edge{out_.op, walk[i], walk[i + 1 == n ? 0 : i + 1]}; };
     const std::uint32_t first = size_;
     std::uint32_t at = first;
+    // Stores of bytes may change anything, as far as the compiler knows: even where the lists lie.
+    std::uint32_t *const source = out_.source.data(), *const edge_number = out_.edge_number.data(), *const vertex_number = out_.vertex_number.data();
+    std::uint8_t* const convex = out_.convex.data();
+    double *const ex = out_.ex.data(), *const ey = out_.ey.data();
+    const bool touching = region_.touching;
     Point d = edges_.vector(walk[n - 1], walk[0]);
     for (std::size_t i = 0, before = n - 1; i < n; before = i++) {
       const Edge out = edge(i);
       const Point e = edges_.vector(out.from, out.to);
-      const Turn t = turn(edge(before), d, out, e);
+      const double value = d.x * e.y - d.y * e.x;
+      // Vectors, products and difference are rounded once each: 4 roundings of the products, or underflow.
+      const double bound = 0x1p-50 * (std::abs(d.x * e.y) + std::abs(d.y * e.x)) + 0x1p-1000;
       d = e;
-      out_.source[at] = walk[i];
+      source[at] = walk[i];
       // The straight run that starts here; backward runs of a polyline carry the number of their forward run.
-      out_.edge_number[at] = region_.edge_number(numbers[i]);
-      out_.vertex_number[at] = region_.vertex_number(walk[i]);
-      out_.convex[at] = t == Turn::convex;
-      out_.ex[at] = e.x;
-      out_.ey[at] = e.y;
+      edge_number[at] = region_.edge_number(numbers[i]);
+      vertex_number[at] = region_.vertex_number(walk[i]);
+      ex[at] = e.x;
+      ey[at] = e.y;
+      convex[at] = value > 0;
+      if (std::abs(value) > bound) [[likely]] {
+        ++at;
+        continue;
+      }
+      const Turn t = exact_turn(edge(before), out);
+      convex[at] = t == Turn::convex;
       // Where a walk goes straight from one ring's edge to another's, the vertex stays: a contact names an edge of one ring.
-      const bool same_run = !region_.touching || region_.edge_number(numbers[i]) == region_.edge_number(numbers[before]);
+      const bool same_run = !touching || region_.edge_number(numbers[i]) == region_.edge_number(numbers[before]);
       if (t != Turn::straight || !same_run) ++at;
     }
     link(first, at);
@@ -248,17 +262,26 @@ class Builder {
 
   // Vertices and edges of an erosion's frame have no numbers.
   void invert_numbers() {
-    std::uint32_t size = 0;
-    for (const auto* numbers : {&out_.vertex_number, &out_.edge_number})
-      for (const std::uint32_t v : *numbers) size = v == kUnnumbered ? size : std::max(size, v + 1);
+    const bool renumbered = !region_.vertex_numbers.empty();
+    std::uint32_t size = renumbered ? 0 : static_cast<std::uint32_t>(out_.points->input.size());
+    if (renumbered)
+      for (const auto* numbers : {&out_.vertex_number, &out_.edge_number})
+        for (const std::uint32_t v : *numbers) size = v == kUnnumbered ? size : std::max(size, v + 1);
     out_.numbers.resize(size_);
     for (std::uint32_t i = 0; i < size_; ++i)
       out_.numbers[i] = {out_.vertex_number[i], out_.edge_number[i], out_.vertex_number[out_.next[i]]};
     out_.numbered_vertex.assign(size, 0);
     out_.numbered_edge.assign(size, {kUnnumbered, kUnnumbered});
-    for (std::uint32_t i = 0; i < out_.size(); ++i) {
-      if (out_.vertex_number[i] != kUnnumbered) out_.numbered_vertex[out_.vertex_number[i]] = out_.source[i];
-      if (out_.edge_number[i] != kUnnumbered) extend(out_.numbered_edge[out_.edge_number[i]], out_.source[i], out_.source[out_.next[i]]);
+    // Edges of rings that are not cut have one piece each.
+    const bool whole = !renumbered && region_.data().polylines.empty();
+    for (std::uint32_t i = 0; i < size_; ++i) {
+      const std::uint32_t vertex = out_.vertex_number[i], edge = out_.edge_number[i];
+      const std::uint32_t from = out_.source[i], to = out_.source[out_.next[i]];
+      if (vertex != kUnnumbered) out_.numbered_vertex[vertex] = from;
+      if (whole)
+        out_.numbered_edge[edge] = {from, to};
+      else if (edge != kUnnumbered)
+        extend(out_.numbered_edge[edge], from, to);
     }
   }
   // By the piece from a to b of an edge that is cut: places on one line are in the order of either coordinate that changes.
@@ -294,13 +317,7 @@ class Builder {
     loop.max_y = max_y;
   }
 
-  // Between two edges with vectors d and e.
-  Turn turn(const Edge& in, Point d, const Edge& out, Point e) const {
-    const double value = d.x * e.y - d.y * e.x;
-    // Vectors, products and difference are rounded once each: 4 roundings of the products, or underflow.
-    const double bound = 0x1p-50 * (std::abs(d.x * e.y) + std::abs(d.y * e.x)) + 0x1p-1000;
-    if (value > bound) return Turn::convex;
-    if (value < -bound) return Turn::right;
+  Turn exact_turn(const Edge& in, const Edge& out) const {
     const int s = edges_.cross(in, out);
     if (s != 0) return s > 0 ? Turn::convex : Turn::right;
     return edges_.dot(in, out) > 0 ? Turn::straight : Turn::convex;  // folding back: the tip of a spike
@@ -324,8 +341,9 @@ std::shared_ptr<Operand> make_operand(const EngineRegion& engine_region, std::ui
   Array<std::uint32_t> walk(&memory), numbers(&memory);
   walk.reserve(size.walk);
   const auto ring = [&](const Ring& r, LoopKind kind) {
-    walk.clear();
-    for (std::size_t i = 0; i < r.size(); ++i) walk.push_back(at++);
+    walk.resize(r.size());
+    std::iota(walk.begin(), walk.end(), at);
+    at += static_cast<std::uint32_t>(r.size());
     builder.add_loop(kind, walk, walk);
   };
   for (const Part& part : region.parts) {
