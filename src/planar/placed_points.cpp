@@ -1,6 +1,8 @@
 // Points of operands in the units of a lattice.
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 #include "planar/lattice_build.h"
 
@@ -20,6 +22,14 @@ Corners corners_of(std::span<const Point> points) {
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
   return {low, high};
+}
+
+// The smallest k with extent + 1 ulp <= 2^k: one unit in the last place covers the rounding of the differences.
+int top_of(double extent) {
+  const int field = static_cast<int>(std::bit_cast<std::uint64_t>(extent) >> 52);
+  if (field != 0 && field < 0x7ff) return field - 1022;  // the next double is at most the next power of two
+  constexpr int kLow = -1100;                            // below all grids
+  return kLow + exact::bits_needed(std::nextafter(extent, INFINITY), kLow);
 }
 
 // The largest coordinates are those of the high corner: rounding is monotone, and nothing is stretched backwards.
@@ -58,9 +68,7 @@ std::shared_ptr<const PlacedPoints> place_points(std::vector<Point> input) {
   points->offset = corners.low;
   points->extent = std::max(corners.high.x - corners.low.x, corners.high.y - corners.low.y);
   points->exponent = exact::common_exponent(points->input);
-  // One unit in the last place covers the rounding of the differences.
-  constexpr int kLow = -1100;  // below all grids
-  points->top = kLow + exact::bits_needed(std::nextafter(points->extent, INFINITY), kLow);
+  points->top = top_of(points->extent);
   const int unit = points->moderate() ? 0 : unit_for(points->extent, points->exponent, points->bits(points->exponent));
   place_below(*points, unit, corners.high);
   return points;

@@ -5,8 +5,8 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <limits>
-#include <span>
+#include <optional>
+#include <utility>
 
 #include "base/scratch.h"
 #include "exact/orient.h"
@@ -142,8 +142,10 @@ class PlainRings {
       const auto x = static_cast<std::uint64_t>(x_quantum(v)), y = static_cast<std::uint64_t>(y_quantum(v));
       at[v] = make_box(x, y, x, y);
     }
-    boxes_[0].resize(size());
-    for (std::uint32_t e = 0; e < size(); ++e) boxes_[0][e] = around(at[e], at[next_[e]]);
+    boxes_.emplace(levels(std::make_index_sequence<kMostLevels>()));
+    Array<Box>& edges = boxes_->front();
+    edges.resize(size());
+    for (std::uint32_t e = 0; e < size(); ++e) edges[e] = around(at[e], at[next_[e]]);
   }
 
   /// Left at every vertex, by less than half a turn, and in all one turn: such a ring is convex. False where doubles do not tell.
@@ -181,8 +183,8 @@ class PlainRings {
   void add_levels() {
     count_[0] = size();
     while (count_[level_count_ - 1] > kTopBoxes) {
-      const Array<Box>& below = boxes_[level_count_ - 1];
-      Array<Box>& level = boxes_[level_count_];
+      const Array<Box>& below = (*boxes_)[level_count_ - 1];
+      Array<Box>& level = (*boxes_)[level_count_];
       for (std::size_t i = 0; i < below.size(); i += kFanOut) {
         Box box = below[i];
         for (std::size_t k = i + 1; k < std::min<std::size_t>(i + kFanOut, below.size()); ++k) box = around(box, below[k]);
@@ -229,7 +231,7 @@ class PlainRings {
     }
   }
   void against(std::uint32_t level, std::uint32_t i, std::uint32_t first, std::uint32_t last) {
-    const Box* const boxes = boxes_[level].data();
+    const Box* const boxes = (*boxes_)[level].data();
     const Box mine = upper(boxes[i]);
     for (std::uint32_t j = first; j < last; ++j) {
       if (!meet(boxes[j], mine)) continue;
@@ -303,7 +305,7 @@ class PlainRings {
   Array<RingSpan> rings_{&memory_};
   Point low_;
   double x_scale_ = 0, y_scale_ = 0;  ///< quanta per unit
-  std::array<Array<Box>, kMostLevels> boxes_ = levels(std::make_index_sequence<kMostLevels>());
+  std::optional<std::array<Array<Box>, kMostLevels>> boxes_;  ///< of many edges
   std::array<std::uint32_t, kMostLevels> count_{};
   std::uint32_t level_count_ = 1;
   std::int64_t left_ = 0;
