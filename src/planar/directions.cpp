@@ -1,32 +1,74 @@
 #include "planar/directions.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 
 #include "base/scratch.h"
 #include "planar/operand.h"
+#include "planar/own_edges.h"
 
 namespace dymsum::planar {
 namespace {
 
 int half(const Point& d) { return d.y > 0 || (d.y == 0 && d.x > 0) ? 0 : 1; }
 
-Array<std::uint32_t> edges_of(const Operand& o, const Component& c, Scratch& memory) {
-  Array<std::uint32_t> edges(&memory);
-  edges.reserve(c.last - c.first);
-  for (std::uint32_t l = c.first_loop; l < c.last_loop; ++l)
-    for (std::uint32_t i = o.loops[l].first; o.loops[l].kind != LoopKind::point && i < o.loops[l].last; ++i) edges.push_back(i);
-  return edges;
-}
-
 struct Item {
   double key;
   std::uint32_t edge;
 };
 
+// By direction, then by place in the walk: no two are equal.
+class Before {
+ public:
+  Before(const OwnEdges& edges, const Operand& o) : edges_(edges), o_(o) {}
+  bool operator()(const Item& a, const Item& b) const {
+    if (a.key < b.key - kAngleError) return true;
+    if (a.key > b.key + kAngleError) return false;
+    const Point d{o_.ex[a.edge], o_.ey[a.edge]}, e{o_.ex[b.edge], o_.ey[b.edge]};
+    if (half(d) != half(e)) return half(d) < half(e);
+    const int turn = edges_.cross(o_.edge(a.edge), o_.edge(b.edge));
+    return turn != 0 ? turn > 0 : a.edge < b.edge;
+  }
+
+ private:
+  const OwnEdges& edges_;
+  const Operand& o_;
+};
+
+// The pseudo-angle, without a branch on the half plane, which is as good as random along a walk.
+double key_of(double x, double y) {
+  const double c = x / (std::abs(x) + std::abs(y));
+  const double lower = 1 - 2 * static_cast<int>((y > 0) | ((y == 0) & (x > 0)));
+  const double key = (2 + lower) + lower * c;
+  return key >= 0 ? key : 0;  // NaN where coordinates overflow, which no sum takes
+}
+
+// So many are counted against each other sooner than put into buckets.
+constexpr std::size_t kFew = 40;
+
+// Nearly in order: by a quantum of the key, then by place in the walk. How many come before each is counted for four at a time.
+void sort_few(Array<Item>& items, Scratch& memory) {
+  using Four = std::int32_t __attribute__((vector_size(16)));
+  const std::size_t n = items.size(), lanes = (n + 3) / 4 * 4;
+  alignas(Four) std::array<std::int32_t, kFew> order, before;
+  for (std::size_t i = 0; i < n; ++i)  // below 2^31, all different
+    order[i] = static_cast<std::int32_t>(items[i].key * 0x1p22) << 6 | static_cast<std::int32_t>(i);
+  for (std::size_t i = n; i < lanes; ++i) order[i] = 0;
+  for (std::size_t i = 0; i < lanes; i += 4) {
+    Four mine, count{};
+    std::memcpy(&mine, &order[i], sizeof mine);
+    for (std::size_t k = 0; k < n; ++k) count -= order[k] < mine;
+    std::memcpy(&before[i], &count, sizeof count);
+  }
+  Array<Item> sorted(n, &memory);
+  for (std::size_t i = 0; i < n; ++i) sorted[static_cast<std::size_t>(before[i])] = items[i];
+  items.swap(sorted);
+}
+
 // Buckets are sorted among each other up to the keys' error, so few items have to move between them afterwards.
-template <class Less>
-void sort_into_buckets(Array<Item>& items, const Less& less, Scratch& memory) {
+void sort_into_buckets(Array<Item>& items, const Before& before, Scratch& memory) {
   const std::size_t n = items.size();
   const double per_key = static_cast<double>(n) / 4.0;
   const auto bucket = [&](double key) { return std::min<std::size_t>(n - 1, static_cast<std::size_t>(key * per_key)); };
@@ -37,9 +79,9 @@ void sort_into_buckets(Array<Item>& items, const Less& less, Scratch& memory) {
   for (const Item& item : items) sorted[start[bucket(item.key)]++] = item;
   items.swap(sorted);
   for (std::size_t b = 0, from = 0; b < n; ++b) {
-    const std::size_t to = start[b];
-    if (to - from > 16) std::sort(items.begin() + from, items.begin() + to, less);
-    from = to;
+    const auto first = items.begin() + static_cast<std::ptrdiff_t>(from), last = items.begin() + start[b];
+    if (last - first > 16 && !std::is_sorted(first, last, before)) std::sort(first, last, before);
+    from = start[b];
   }
 }
 
@@ -71,28 +113,27 @@ void number(DirectionList& list, const Operand& o) {
   for (std::size_t k = 0; k < n; ++k) list.next[k] = list.rank[o.next[list.edges[k]] - list.base];
 }
 
-// Sorts by key into buckets, then repairs with exact comparisons; nearly linear unless directions cluster.
-DirectionList sort_by_direction(const Lattice& lattice, const Operand& o, const Component& c) {
-  Scratch memory;
-  const Array<std::uint32_t> edges = edges_of(o, c, memory);
-  constexpr std::size_t kFew = 32;  // so many are in place sooner without buckets
-  DirectionList list(o.memory.resource());
-  const std::size_t n = edges.size();
+// Sorts by key, then repairs with exact comparisons; nearly linear unless directions cluster.
+DirectionList sort_by_direction(const OwnEdges& edges, const Operand& o, const Component& c) {
+  DirectionList list(o.memory);
+  const std::size_t n = c.dimension == 0 ? 0 : c.last - c.first;
   if (n == 0) return list;
+  Scratch memory;
   Array<Item> items(n, &memory);
-  for (std::size_t i = 0; i < n; ++i) items[i] = {pseudo_angle(o.ex[edges[i]], o.ey[edges[i]]), edges[i]};
-  const auto less = [&](const Item& a, const Item& b) {
-    return compare_directions(lattice, a.key, o.edge(a.edge), b.key, o.edge(b.edge)) < 0;
-  };
-  if (n > kFew) sort_into_buckets(items, less, memory);
+  for (std::uint32_t i = c.first; i < c.last; ++i) items[i - c.first] = {key_of(o.ex[i], o.ey[i]), i};
+  const Before before(edges, o);
+  if (n > kFew)
+    sort_into_buckets(items, before, memory);
+  else
+    sort_few(items, memory);
   for (std::size_t i = 1; i < n; ++i) {
     const Item item = items[i];
     std::size_t j = i;
-    for (; j > 0 && less(item, items[j - 1]); --j) items[j] = items[j - 1];
+    for (; j > 0 && before(item, items[j - 1]); --j) items[j] = items[j - 1];
     items[j] = item;
   }
-  list.base = edges.front();
-  list.rank.assign(edges.back() - edges.front() + 1, kNoRank);
+  list.base = c.first;
+  list.rank.resize(n);
   list.edges.resize(n);
   list.keys.resize(n);
   for (std::size_t i = 0; i < n; ++i) {
@@ -103,8 +144,7 @@ DirectionList sort_by_direction(const Lattice& lattice, const Operand& o, const 
   return list;
 }
 
-DirectionList sublist(const DirectionList& all, const Operand& o, const Component& c, const std::vector<std::uint8_t>& keep) {
-  DirectionList list(o.memory.resource());
+DirectionList sublist(const DirectionList& all, const Operand& o, const Component& c, const std::vector<std::uint8_t>& keep, DirectionList list) {
   list.base = all.base;
   list.rank.assign(all.rank.size(), kNoRank);
   std::vector<std::uint8_t> kept(all.rank.size(), 0);

@@ -3,22 +3,22 @@
 
 #include <cmath>
 #include <cstdint>
-#include <memory_resource>
 #include <vector>
 
+#include "base/own_memory.h"
 #include "planar/lattice.h"
 
 namespace dymsum::planar {
 
 /// Walk edges of one component (or of its outer loop, or without its filled holes) by direction, counter-clockwise from +x.
 struct DirectionList {
-  explicit DirectionList(std::pmr::memory_resource* memory = std::pmr::get_default_resource())
-      : edges(memory), keys(memory), rank(memory), next(memory) {}
+  DirectionList() = default;
+  explicit DirectionList(const OwnMemory& memory) : edges(memory), keys(memory), rank(memory), next(memory) {}
 
-  std::pmr::vector<std::uint32_t> edges;
-  std::pmr::vector<double> keys;         ///< pseudo-angles in [0, 4]
-  std::pmr::vector<std::uint32_t> rank;  ///< walk edge - base -> position in edges, or kNoRank
-  std::pmr::vector<std::uint32_t> next;  ///< position of an edge -> position of the edge behind it in its walk
+  OwnArray<std::uint32_t> edges;
+  OwnArray<double> keys;         ///< pseudo-angles in [0, 4]
+  OwnArray<std::uint32_t> rank;  ///< walk edge - base -> position in edges, or kNoRank
+  OwnArray<std::uint32_t> next;  ///< position of an edge -> position of the edge behind it in its walk
   std::uint32_t base = 0;
 };
 inline constexpr std::uint32_t kNoRank = 0xffffffff;
@@ -41,16 +41,17 @@ inline int compare_directions(const Lattice& lattice, double key_d, const Edge& 
   return compare_directions(lattice, d, e);
 }
 
+class OwnEdges;
 struct Operand;
 struct Component;
 
 /// Ranks and followers of `edges`. Requires: base and the size of rank.
 void number(DirectionList& list, const Operand& o);
 
-/// All edges of a component, in the operand's memory.
-DirectionList sort_by_direction(const Lattice& lattice, const Operand& o, const Component& c);
+/// All edges of a component, those with equal directions in the order of the walk; in the operand's memory.
+DirectionList sort_by_direction(const OwnEdges& edges, const Operand& o, const Component& c);
 
-/// Those of the loops l, counted through the operand, with keep[l] set.
-DirectionList sublist(const DirectionList& all, const Operand& o, const Component& c, const std::vector<std::uint8_t>& keep);
+/// Those of the loops l, counted through the operand, with keep[l] set, in the memory of `list`.
+DirectionList sublist(const DirectionList& all, const Operand& o, const Component& c, const std::vector<std::uint8_t>& keep, DirectionList list = {});
 
 }  // namespace dymsum::planar

@@ -2,15 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <span>
 #include <utility>
 
 #include "base/scratch.h"
+#include "planar/own_edges.h"
 
 namespace dymsum::planar {
 namespace {
 
-std::vector<Point> source_vertices(const RegionData& region, std::size_t n) {
+std::vector<Point> source_vertices(const RegionData& region, std::size_t n, bool reflected) {
   std::vector<Point> all;
   all.reserve(n);
   for (const Part& part : region.parts) {
@@ -19,6 +21,8 @@ std::vector<Point> source_vertices(const RegionData& region, std::size_t n) {
   }
   for (const Polyline& line : region.polylines) all.insert(all.end(), line.begin(), line.end());
   all.insert(all.end(), region.points.begin(), region.points.end());
+  if (reflected)
+    for (Point& p : all) p = {0 - p.x, 0 - p.y};  // leaves no negative zeros
   return all;
 }
 
@@ -85,22 +89,29 @@ void find_largest_holes(Operand& o) {
   }
 }
 
-// Everything that counts in the lattice's units.
-void place(Operand& o, const Lattice& lattice) {
+// The walk beside its edge vectors.
+void place_walk(Operand& o) {
   const std::size_t n = o.size();
-  o.points = lattice.points[o.op];
-  for (auto* list : {&o.x, &o.y, &o.ex, &o.ey}) list->resize(n);
+  for (auto* list : {&o.x, &o.y}) list->resize(n);
   o.boxes.resize(n);
   const double *const x = o.points->x.data(), *const y = o.points->y.data();
   for (std::uint32_t i = 0; i < n; ++i) {
-    const Edge e = o.edge(i);
-    const Point d = lattice.vector(e);
-    o.boxes[i] = {x[e.from], y[e.from], x[e.to], y[e.to], d.x, d.y};
-    o.x[i] = x[e.from];
-    o.y[i] = y[e.from];
+    const std::uint32_t from = o.source[i], to = o.source[o.next[i]];
+    o.boxes[i] = {x[from], y[from], x[to], y[to], o.ex[i], o.ey[i]};
+    o.x[i] = x[from];
+    o.y[i] = y[from];
+  }
+}
+
+// Everything that counts in the lattice's units.
+void place(Operand& o, const Lattice& lattice) {
+  o.points = lattice.points[o.op];
+  for (std::uint32_t i = 0; i < o.size(); ++i) {
+    const Point d = lattice.vector(o.edge(i));
     o.ex[i] = d.x;
     o.ey[i] = d.y;
   }
+  place_walk(o);
   // A scale per axis keeps the order of the directions, but not their angles.
   for (DirectionList& list : o.directions)
     for (std::size_t k = 0; k < list.edges.size(); ++k) list.keys[k] = pseudo_angle(o.ex[list.edges[k]], o.ey[list.edges[k]]);
@@ -115,12 +126,13 @@ constexpr std::uint32_t kUnnumbered = 0xffffffff;  // SumVertex::kNone
 
 class Builder {
  public:
-  Builder(std::uint32_t op, const EngineRegion& region, const Lattice& lattice, const Size& size)
-      : region_(region), lattice_(lattice), made_(std::make_shared<Operand>(bytes_for(size))), out_(*made_) {
+  Builder(std::uint32_t op, const EngineRegion& region, std::shared_ptr<const PlacedPoints> points, const Size& size)
+      : region_(region), edges_(*points), made_(std::make_shared<Operand>(bytes_for(size))), out_(*made_) {
     out_.op = op;
-    for (auto* list : {&out_.source, &out_.next, &out_.prev, &out_.vertex_number, &out_.edge_number, &out_.component_of}) list->reserve(size.walk);
-    out_.convex.reserve(size.walk);
-    out_.numbers.reserve(size.walk);
+    out_.points = std::move(points);
+    for (auto* list : {&out_.source, &out_.next, &out_.prev, &out_.vertex_number, &out_.edge_number}) list->resize(size.walk);
+    out_.convex.resize(size.walk);
+    for (auto* list : {&out_.ex, &out_.ey}) list->resize(size.walk);
     out_.loops.reserve(size.loops);
     out_.components.reserve(size.components);
     out_.directions.reserve(size.components + (size.loops > size.components ? size.components : 0));
@@ -131,77 +143,86 @@ class Builder {
     Component c;
     c.dimension = dimension;
     c.first_loop = static_cast<std::uint32_t>(out_.loops.size());
-    c.first = static_cast<std::uint32_t>(out_.size());
+    c.first = size_;
     out_.components.push_back(c);
   }
   void end_component() {
     Component& c = out_.components.back();
     c.last_loop = static_cast<std::uint32_t>(out_.loops.size());
-    c.last = static_cast<std::uint32_t>(out_.size());
+    c.last = size_;
     const auto outer = out_.convex.begin() + c.first;
     c.convex = c.dimension == 2 && std::all_of(outer, outer + out_.loops[c.first_loop].last - c.first, [](auto f) { return f != 0; });
   }
 
   // A closed walk through source vertices; numbers[i] is the number of the edge from walk[i] to walk[i + 1].
   void add_loop(LoopKind kind, std::span<const std::uint32_t> walk, std::span<const std::uint32_t> numbers) {
-    Loop loop;
-    loop.kind = kind;
-    loop.component = static_cast<std::uint32_t>(out_.components.size() - 1);
-    loop.first = static_cast<std::uint32_t>(out_.size());
     const std::size_t n = walk.size();
     const auto edge = [&](std::size_t i) { return Edge{out_.op, walk[i], walk[i + 1 == n ? 0 : i + 1]}; };
-    Point d = lattice_.vector(edge(n - 1));
+    const std::uint32_t first = size_;
+    std::uint32_t at = first;
+    // Stores of bytes may change anything, as far as the compiler knows: even where the lists lie.
+    std::uint32_t *const source = out_.source.data(), *const edge_number = out_.edge_number.data(), *const vertex_number = out_.vertex_number.data();
+    std::uint8_t* const convex = out_.convex.data();
+    double *const ex = out_.ex.data(), *const ey = out_.ey.data();
+    const bool touching = region_.touching;
+    Point d = edges_.vector(walk[n - 1], walk[0]);
     for (std::size_t i = 0, before = n - 1; i < n; before = i++) {
-      const Point e = lattice_.vector(edge(i));
-      const Turn t = turn(edge(before), d, edge(i), e);
+      const Edge out = edge(i);
+      const Point e = edges_.vector(out.from, out.to);
+      const double value = d.x * e.y - d.y * e.x;
+      // Vectors, products and difference are rounded once each: 4 roundings of the products, or underflow.
+      const double bound = 0x1p-50 * (std::abs(d.x * e.y) + std::abs(d.y * e.x)) + 0x1p-1000;
       d = e;
-      // Where a walk goes straight from one ring's edge to another's, the vertex stays: a contact names an edge of one ring.
-      const bool same_run = !region_.touching || region_.edge_number(numbers[i]) == region_.edge_number(numbers[before]);
-      if (t == Turn::straight && same_run) continue;
-      out_.source.push_back(walk[i]);
+      source[at] = walk[i];
       // The straight run that starts here; backward runs of a polyline carry the number of their forward run.
-      out_.edge_number.push_back(region_.edge_number(numbers[i]));
-      out_.vertex_number.push_back(region_.vertex_number(walk[i]));
-      out_.convex.push_back(t == Turn::convex);
+      edge_number[at] = region_.edge_number(numbers[i]);
+      vertex_number[at] = region_.vertex_number(walk[i]);
+      ex[at] = e.x;
+      ey[at] = e.y;
+      convex[at] = value > 0;
+      if (std::abs(value) > bound) [[likely]] {
+        ++at;
+        continue;
+      }
+      const Turn t = exact_turn(edge(before), out);
+      convex[at] = t == Turn::convex;
+      // Where a walk goes straight from one ring's edge to another's, the vertex stays: a contact names an edge of one ring.
+      const bool same_run = !touching || region_.edge_number(numbers[i]) == region_.edge_number(numbers[before]);
+      if (t != Turn::straight || !same_run) ++at;
     }
-    loop.last = static_cast<std::uint32_t>(out_.size());
-    const std::uint32_t m = loop.last - loop.first;
-    for (std::uint32_t i = 0; i < m; ++i) {
-      out_.next.push_back(loop.first + (i + 1 == m ? 0 : i + 1));
-      out_.prev.push_back(loop.first + (i == 0 ? m - 1 : i - 1));
-    }
-    out_.loops.push_back(loop);
+    link(first, at);
+    if (at - first < n) measure(first, at);
+    add(kind, first, at);
   }
 
   void add_point(std::uint32_t source) {
     begin_component(0);
-    Loop loop;
-    loop.kind = LoopKind::point;
-    loop.component = static_cast<std::uint32_t>(out_.components.size() - 1);
-    loop.first = static_cast<std::uint32_t>(out_.size());
-    loop.last = loop.first + 1;
-    out_.source.push_back(source);
-    out_.edge_number.push_back(region_.edge_number(source));
-    out_.vertex_number.push_back(region_.vertex_number(source));
-    out_.convex.push_back(1);
-    out_.next.push_back(loop.first);
-    out_.prev.push_back(loop.first);
-    out_.loops.push_back(loop);
+    out_.source[size_] = source;
+    out_.edge_number[size_] = region_.edge_number(source);
+    out_.vertex_number[size_] = region_.vertex_number(source);
+    out_.convex[size_] = 1;
+    out_.ex[size_] = out_.ey[size_] = 0;
+    link(size_, size_ + 1);
+    add(LoopKind::point, size_, size_ + 1);
     end_component();
   }
 
   std::shared_ptr<Operand> finish() && {
-    place(out_, lattice_);
+    for (auto* list : {&out_.source, &out_.next, &out_.prev, &out_.vertex_number, &out_.edge_number}) list->resize(size_);
+    out_.convex.resize(size_);
+    for (auto* list : {&out_.ex, &out_.ey}) list->resize(size_);
+    place_walk(out_);
+    out_.component_of.resize(size_);
     for (std::uint32_t c = 0; c < out_.components.size(); ++c) {
       const Component& component = out_.components[c];
-      out_.component_of.insert(out_.component_of.end(), component.last - component.first, c);
+      std::fill(out_.component_of.begin() + component.first, out_.component_of.begin() + component.last, c);
       const std::uint32_t all = static_cast<std::uint32_t>(out_.directions.size());
-      out_.directions.push_back(sort_by_direction(lattice_, out_, component));
+      out_.directions.push_back(sort_by_direction(edges_, out_, component));
       out_.component_directions.push_back({all, all});
       if (component.last_loop - component.first_loop == 1) continue;
       std::vector<std::uint8_t> keep(out_.loops.size(), 0);
       keep[component.first_loop] = 1;
-      out_.directions.push_back(sublist(out_.directions[all], out_, component, keep));
+      out_.directions.push_back(sublist(out_.directions[all], out_, component, keep, DirectionList(out_.memory)));
       out_.component_directions.back()[1] = all + 1;
     }
     for (Loop& loop : out_.loops) find_extremes(loop);
@@ -213,18 +234,54 @@ class Builder {
  private:
   enum class Turn { straight, right, convex };
 
+  void add(LoopKind kind, std::uint32_t first, std::uint32_t last) {
+    Loop loop;
+    loop.kind = kind;
+    loop.component = static_cast<std::uint32_t>(out_.components.size() - 1);
+    loop.first = first;
+    loop.last = last;
+    out_.loops.push_back(loop);
+    size_ = last;
+  }
+  void link(std::uint32_t first, std::uint32_t last) {
+    for (std::uint32_t i = first; i < last; ++i) {
+      out_.next[i] = i + 1;
+      out_.prev[i] = i - 1;
+    }
+    out_.next[last - 1] = first;
+    out_.prev[first] = last - 1;
+  }
+  // Edges anew where collinear vertices were dropped.
+  void measure(std::uint32_t first, std::uint32_t last) {
+    for (std::uint32_t i = first; i < last; ++i) {
+      const Point e = edges_.vector(out_.source[i], out_.source[out_.next[i]]);
+      out_.ex[i] = e.x;
+      out_.ey[i] = e.y;
+    }
+  }
+
   // Vertices and edges of an erosion's frame have no numbers.
   void invert_numbers() {
-    std::uint32_t size = 0;
-    for (const auto* numbers : {&out_.vertex_number, &out_.edge_number})
-      for (const std::uint32_t v : *numbers) size = v == kUnnumbered ? size : std::max(size, v + 1);
-    for (std::uint32_t i = 0; i < out_.size(); ++i)
-      out_.numbers.push_back({out_.vertex_number[i], out_.edge_number[i], out_.vertex_number[out_.next[i]]});
+    const bool renumbered = !region_.vertex_numbers.empty();
+    std::uint32_t size = renumbered ? 0 : static_cast<std::uint32_t>(out_.points->input.size());
+    if (renumbered)
+      for (const auto* numbers : {&out_.vertex_number, &out_.edge_number})
+        for (const std::uint32_t v : *numbers) size = v == kUnnumbered ? size : std::max(size, v + 1);
+    out_.numbers.resize(size_);
+    for (std::uint32_t i = 0; i < size_; ++i)
+      out_.numbers[i] = {out_.vertex_number[i], out_.edge_number[i], out_.vertex_number[out_.next[i]]};
     out_.numbered_vertex.assign(size, 0);
     out_.numbered_edge.assign(size, {kUnnumbered, kUnnumbered});
-    for (std::uint32_t i = 0; i < out_.size(); ++i) {
-      if (out_.vertex_number[i] != kUnnumbered) out_.numbered_vertex[out_.vertex_number[i]] = out_.source[i];
-      if (out_.edge_number[i] != kUnnumbered) extend(out_.numbered_edge[out_.edge_number[i]], out_.source[i], out_.source[out_.next[i]]);
+    // Edges of rings that are not cut have one piece each.
+    const bool whole = !renumbered && region_.data().polylines.empty();
+    for (std::uint32_t i = 0; i < size_; ++i) {
+      const std::uint32_t vertex = out_.vertex_number[i], edge = out_.edge_number[i];
+      const std::uint32_t from = out_.source[i], to = out_.source[out_.next[i]];
+      if (vertex != kUnnumbered) out_.numbered_vertex[vertex] = from;
+      if (whole)
+        out_.numbered_edge[edge] = {from, to};
+      else if (edge != kUnnumbered)
+        extend(out_.numbered_edge[edge], from, to);
     }
   }
   // By the piece from a to b of an edge that is cut: places on one line are in the order of either coordinate that changes.
@@ -260,43 +317,33 @@ class Builder {
     loop.max_y = max_y;
   }
 
-  // Between two edges with vectors d and e.
-  Turn turn(const Edge& in, Point d, const Edge& out, Point e) const {
-    const double value = d.x * e.y - d.y * e.x;
-    // Vectors, products and difference are rounded once each: 4 roundings of the products, or underflow.
-    const double bound = 0x1p-50 * (std::abs(d.x * e.y) + std::abs(d.y * e.x)) + 0x1p-1000;
-    if (value > bound) return Turn::convex;
-    if (value < -bound) return Turn::right;
-    const int s = lattice_.cross(in, out);
+  Turn exact_turn(const Edge& in, const Edge& out) const {
+    const int s = edges_.cross(in, out);
     if (s != 0) return s > 0 ? Turn::convex : Turn::right;
-    return lattice_.dot(in, out) > 0 ? Turn::straight : Turn::convex;  // folding back: the tip of a spike
+    return edges_.dot(in, out) > 0 ? Turn::straight : Turn::convex;  // folding back: the tip of a spike
   }
 
   const EngineRegion& region_;
-  const Lattice& lattice_;
+  OwnEdges edges_;
   std::shared_ptr<Operand> made_;
   Operand& out_;
+  std::uint32_t size_ = 0;  // walk vertices so far
 };
 
 }  // namespace
 
-std::shared_ptr<Operand> make_operand(const EngineRegion& engine_region, std::uint32_t op) {
+std::shared_ptr<Operand> make_operand(const EngineRegion& engine_region, std::uint32_t op, bool reflected) {
   const RegionData& region = engine_region.data();
-  // Against an operand without vertices.
-  std::array<std::shared_ptr<const PlacedPoints>, 2> points;
-  static const std::shared_ptr<const PlacedPoints> kNothing = place_points({});
   const Size size = size_of(region);
-  points[op] = place_points(source_vertices(region, size.vertices));
-  points[1 - op] = kNothing;
-  const std::shared_ptr<Lattice> lattice = make_lattice(points[0], points[1], 0);
-  Builder builder(op, engine_region, *lattice, size);
+  Builder builder(op, engine_region, place_points(source_vertices(region, size.vertices, reflected)), size);
   std::uint32_t at = 0;
   Scratch memory;
   Array<std::uint32_t> walk(&memory), numbers(&memory);
   walk.reserve(size.walk);
   const auto ring = [&](const Ring& r, LoopKind kind) {
-    walk.clear();
-    for (std::size_t i = 0; i < r.size(); ++i) walk.push_back(at++);
+    walk.resize(r.size());
+    std::iota(walk.begin(), walk.end(), at);
+    at += static_cast<std::uint32_t>(r.size());
     builder.add_loop(kind, walk, walk);
   };
   for (const Part& part : region.parts) {
@@ -323,7 +370,9 @@ std::shared_ptr<Operand> make_operand(const EngineRegion& engine_region, std::ui
     at += n;
   }
   for (std::size_t i = 0; i < region.points.size(); ++i) builder.add_point(at++);
-  return std::move(builder).finish();
+  std::shared_ptr<Operand> made = std::move(builder).finish();
+  made->reflected = reflected;
+  return made;
 }
 
 std::shared_ptr<const Operand> placed_on(const Lattice& lattice, std::shared_ptr<const Operand> operand) {

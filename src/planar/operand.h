@@ -51,29 +51,29 @@ struct Operand {
   explicit Operand(std::size_t bytes) : memory(bytes) {}
 
   template <class T>
-  using List = std::pmr::vector<T>;
+  using List = OwnArray<T>;
   OwnMemory memory;
   std::uint32_t op = 0;
   bool reflected = false;                  ///< of the region's reflection: evidence shows coordinates as the region has them
-  List<std::uint32_t> source{memory.resource()};       ///< walk vertex -> source vertex
-  List<std::uint32_t> next{memory.resource()}, prev{memory.resource()};   ///< walk vertex -> walk vertex
-  List<std::uint32_t> vertex_number{memory.resource()};  ///< walk vertex -> vertex number in the region
-  List<std::uint32_t> edge_number{memory.resource()};    ///< walk edge -> edge number in the region
+  List<std::uint32_t> source{memory};       ///< walk vertex -> source vertex
+  List<std::uint32_t> next{memory}, prev{memory};   ///< walk vertex -> walk vertex
+  List<std::uint32_t> vertex_number{memory};  ///< walk vertex -> vertex number in the region
+  List<std::uint32_t> edge_number{memory};    ///< walk edge -> edge number in the region
   struct Numbers {
     std::uint32_t vertex = 0, edge = 0, next_vertex = 0;
   };
-  List<Numbers> numbers{memory.resource()};            ///< the same side by side, with the number of the edge's end
-  List<std::uint32_t> numbered_vertex{memory.resource()};  ///< vertex number -> source vertex
-  List<std::array<std::uint32_t, 2>> numbered_edge{memory.resource()};  ///< edge number -> the source vertices of its walk edge
-  List<std::uint8_t> convex{memory.resource()};        ///< strictly convex, tip of a spike, or a point: it can touch with its vertex
-  List<double> x{memory.resource()}, y{memory.resource()};                ///< walk vertices, in the units of `points`
-  List<double> ex{memory.resource()}, ey{memory.resource()};              ///< walk edge vectors, each component rounded once
-  List<EdgeBox> boxes{memory.resource()};              ///< walk edges: the same side by side
-  List<Loop> loops{memory.resource()};
-  List<Component> components{memory.resource()};
-  List<std::uint32_t> component_of{memory.resource()}; ///< walk vertex -> component
-  List<DirectionList> directions{memory.resource()};
-  List<std::array<std::uint32_t, 2>> component_directions{memory.resource()};  ///< per component: all its edges, its outer loop's
+  List<Numbers> numbers{memory};            ///< the same side by side, with the number of the edge's end
+  List<std::uint32_t> numbered_vertex{memory};  ///< vertex number -> source vertex
+  List<std::array<std::uint32_t, 2>> numbered_edge{memory};  ///< edge number -> the source vertices of its walk edge
+  List<std::uint8_t> convex{memory};        ///< strictly convex, tip of a spike, or a point: it can touch with its vertex
+  List<double> x{memory}, y{memory};                ///< walk vertices, in the units of `points`
+  List<double> ex{memory}, ey{memory};              ///< walk edge vectors, each component rounded once
+  List<EdgeBox> boxes{memory};              ///< walk edges: the same side by side
+  List<Loop> loops{memory};
+  List<Component> components{memory};
+  List<std::uint32_t> component_of{memory}; ///< walk vertex -> component
+  List<DirectionList> directions{memory};
+  List<std::array<std::uint32_t, 2>> component_directions{memory};  ///< per component: all its edges, its outer loop's
   std::shared_ptr<const PlacedPoints> points;  ///< the source vertices
 
   std::size_t size() const { return source.size(); }
@@ -84,8 +84,8 @@ struct Operand {
   EdgeTrees trees_;
 };
 
-/// Operand `op` (0 = P, 1 = Q) of a region. O(n log n); independent of the other operand, so that it can be kept.
-std::shared_ptr<Operand> make_operand(const EngineRegion& region, std::uint32_t op);
+/// Operand `op` (0 = P, 1 = Q) of a region, or of its reflection. O(n log n); independent of the other operand, so that it can be kept.
+std::shared_ptr<Operand> make_operand(const EngineRegion& region, std::uint32_t op, bool reflected = false);
 
 /// The operand in the units and relative to the offset of a lattice that places its points differently: because the other operand
 /// is huge or minute, because it is scaled, or because there are further points.

@@ -1,42 +1,61 @@
 // Points of operands in the units of a lattice.
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 #include "planar/lattice_build.h"
 
 namespace dymsum::planar {
 namespace {
 
-// The smallest corner of the bounding box: its coordinates are coordinates of vertices, hence on the grid.
-Point low_corner(std::span<const Point> points) {
+struct Corners {
+  Point low, high;
+};
+
+// Of the bounding box: their coordinates are coordinates of vertices, hence on the grid.
+Corners corners_of(std::span<const Point> points) {
   if (points.empty()) return {};
-  Point low = points[0];
-  for (const Point& p : points) low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-  return low;
+  Point low = points[0], high = low;
+  for (const Point p : points) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  return {low, high};
 }
 
-}  // namespace
+// The smallest k with extent + 1 ulp <= 2^k: one unit in the last place covers the rounding of the differences.
+int top_of(double extent) {
+  const int field = static_cast<int>(std::bit_cast<std::uint64_t>(extent) >> 52);
+  if (field != 0 && field < 0x7ff) return field - 1022;  // the next double is at most the next power of two
+  constexpr int kLow = -1100;                            // below all grids
+  return kLow + exact::bits_needed(std::nextafter(extent, INFINITY), kLow);
+}
 
-void place_in_units(PlacedPoints& points, int unit) {
-  const double per_unit = std::ldexp(1.0, -unit);
+// The largest coordinates are those of the high corner: rounding is monotone, and nothing is stretched backwards.
+void place_below(PlacedPoints& points, int unit, Point high) {
+  const double per_unit = power_of_two(-unit);
+  const Point offset = points.offset, stretch = points.stretch;
+  // The difference of two doubles is rounded once; the power of two is exact.
+  const auto place_x = [=](double x) { return (x - offset.x) * per_unit * stretch.x; };
+  const auto place_y = [=](double y) { return (y - offset.y) * per_unit * stretch.y; };
   points.unit = unit;
   const std::size_t n = points.input.size();
   points.x.resize(n);
   points.y.resize(n);
-  double width = 0, height = 0;
-  const Point offset = points.offset, stretch = points.stretch;
+  double *const x = points.x.data(), *const y = points.y.data();
+  const Point* const input = points.input.data();
   for (std::size_t i = 0; i < n; ++i) {
-    const Point v = points.input[i];
-    // The difference of two doubles is rounded once; the power of two is exact.
-    const double x = (v.x - offset.x) * per_unit * stretch.x, y = (v.y - offset.y) * per_unit * stretch.y;
-    points.x[i] = x;
-    points.y[i] = y;
-    width = std::max(width, x);
-    height = std::max(height, y);
+    x[i] = place_x(input[i].x);
+    y[i] = place_y(input[i].y);
   }
-  points.width = width;
-  points.height = height;
+  points.width = n == 0 ? 0 : place_x(high.x);
+  points.height = n == 0 ? 0 : place_y(high.y);
 }
+
+}  // namespace
+
+void place_in_units(PlacedPoints& points, int unit) { place_below(points, unit, corners_of(points.input).high); }
 
 int unit_for(double extent, int exponent, int bits) {
   return bits <= 61 ? std::max(exponent, -1000) : std::max(std::ilogb(extent) - 60, -1000);
@@ -45,15 +64,13 @@ int unit_for(double extent, int exponent, int bits) {
 std::shared_ptr<const PlacedPoints> place_points(std::vector<Point> input) {
   auto points = std::make_shared<PlacedPoints>();
   points->input = std::move(input);
-  points->offset = low_corner(points->input);
-  double extent = 0;
-  for (const Point v : points->input) extent = std::max({extent, v.x - points->offset.x, v.y - points->offset.y});
-  points->extent = extent;
+  const Corners corners = corners_of(points->input);
+  points->offset = corners.low;
+  points->extent = std::max(corners.high.x - corners.low.x, corners.high.y - corners.low.y);
   points->exponent = exact::common_exponent(points->input);
-  // One unit in the last place covers the rounding of the differences.
-  constexpr int kLow = -1100;  // below all grids
-  points->top = kLow + exact::bits_needed(std::nextafter(points->extent, INFINITY), kLow);
-  place_in_units(*points, points->moderate() ? 0 : unit_for(points->extent, points->exponent, points->bits(points->exponent)));
+  points->top = top_of(points->extent);
+  const int unit = points->moderate() ? 0 : unit_for(points->extent, points->exponent, points->bits(points->exponent));
+  place_below(*points, unit, corners.high);
   return points;
 }
 

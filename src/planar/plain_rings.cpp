@@ -5,11 +5,12 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <limits>
-#include <span>
+#include <optional>
+#include <utility>
 
 #include "base/scratch.h"
 #include "exact/orient.h"
+#include "planar/box_lanes.h"
 
 namespace dymsum::planar {
 namespace {
@@ -47,11 +48,19 @@ class PlainRings {
   explicit PlainRings(const RegionData& data) : data_(data) {}
 
   bool proved() {
-    if (!gather() || !make_boxes()) return false;
-    for (std::uint32_t e = 0; e < size(); ++e)
-      if (folds(e)) return false;
-    add_levels();
-    within(level_count_ - 1, 0, count_[level_count_ - 1]);
+    if (!gather()) return false;
+    if (rings_.size() == 1 && turns_left_once()) return true;
+    if (!find_quanta()) return false;
+    for (const RingSpan& ring : rings_)
+      if (folds(ring)) return false;
+    left_ = kPairsPerVertex * size();
+    if (size() <= kAllPairs) {
+      all_pairs();
+    } else {
+      make_boxes();
+      add_levels();
+      within(level_count_ - 1, 0, count_[level_count_ - 1]);
+    }
     if (left_ <= 0) return false;
     for (const RingSpan& ring : rings_)
       if (counter_clockwise(ring) != ring.outer) return false;
@@ -65,7 +74,8 @@ class PlainRings {
     bool outer;
   };
   static constexpr std::uint32_t kFanOut = 8, kMostLevels = 12;
-  static constexpr std::uint32_t kAllPairs = 40;  // below this, boxes around boxes cost more than they save
+  static constexpr std::uint32_t kAllPairs = 96;  // up to this, boxes around boxes cost more than they save
+  static constexpr std::uint32_t kTopBoxes = 40;  // boxes around boxes, and so on until there are no more than these
   static constexpr std::size_t kMostVertices = std::size_t{1} << 31;
   /// Pairs of edges or boxes that are looked at, per vertex. A sweep costs about as much as 100.
   static constexpr std::int64_t kPairsPerVertex = 64;
@@ -110,40 +120,71 @@ class PlainRings {
   }
 
   // Monotone in the coordinates, so that what meets meets in quanta too. False: no area, or too large or small to be told in doubles.
-  bool make_boxes() {
+  bool find_quanta() {
     Point low = rings_[0].low, high = rings_[0].high;
     for (const RingSpan& ring : rings_) {
       low = low_corner(low, ring.low);
       high = high_corner(high, ring.high);
     }
-    const double x_scale = 0x7ffe / (high.x - low.x), y_scale = 0x7ffe / (high.y - low.y);
-    if (!(x_scale > 0 && y_scale > 0 && std::isfinite(x_scale) && std::isfinite(y_scale))) return false;
-    // The extent times its scale is 0x7ffe with two roundings.
-    const auto quantum = [](double d, double scale) { return static_cast<std::int32_t>(d * scale); };
+    low_ = low;
+    x_scale_ = 0x7ffe / (high.x - low.x);
+    y_scale_ = 0x7ffe / (high.y - low.y);
+    return x_scale_ > 0 && y_scale_ > 0 && std::isfinite(x_scale_) && std::isfinite(y_scale_);
+  }
+  // The extent times its scale is 0x7ffe with two roundings.
+  std::int32_t x_quantum(std::size_t v) const { return static_cast<std::int32_t>((points_[v].x - low_.x) * x_scale_); }
+  std::int32_t y_quantum(std::size_t v) const { return static_cast<std::int32_t>((points_[v].y - low_.y) * y_scale_); }
+
+  void make_boxes() {
     // A point's box, then the one around an edge's ends.
     Array<Box> at(size(), &memory_);
     for (std::uint32_t v = 0; v < size(); ++v) {
-      const auto x = static_cast<std::uint64_t>(quantum(points_[v].x - low.x, x_scale));
-      const auto y = static_cast<std::uint64_t>(quantum(points_[v].y - low.y, y_scale));
+      const auto x = static_cast<std::uint64_t>(x_quantum(v)), y = static_cast<std::uint64_t>(y_quantum(v));
       at[v] = make_box(x, y, x, y);
     }
-    boxes_[0].resize(size());
-    for (std::uint32_t e = 0; e < size(); ++e) boxes_[0][e] = around(at[e], at[next_[e]]);
-    return true;
+    boxes_.emplace(levels(std::make_index_sequence<kMostLevels>()));
+    Array<Box>& edges = boxes_->front();
+    edges.resize(size());
+    for (std::uint32_t e = 0; e < size(); ++e) edges[e] = around(at[e], at[next_[e]]);
   }
 
-  /// The edge behind e has no length or runs back along e.
-  bool folds(std::uint32_t e) const {
-    const Point a = points_[e], b = points_[next_[e]], c = points_[next_[next_[e]]];
-    if (exact::certain_cross_sign(a, b, b, c) != 0) return false;
-    return a == b || (exact::orient_sign(a, b, c) == 0 && exact::dot_sign(a, b, b, c) <= 0);
+  /// Left at every vertex, by less than half a turn, and in all one turn: such a ring is convex. False where doubles do not tell.
+  bool turns_left_once() const {
+    const std::uint32_t n = size();
+    const auto upper = [](Point a, Point b) { return b.y > a.y || (b.y == a.y && b.x > a.x); };
+    int turns = 0;
+    Point a = points_[n - 2], b = points_[n - 1];
+    for (bool was_upper = upper(a, b); const Point c : points_) {
+      if (exact::certain_cross_sign(a, b, b, c) <= 0) return false;
+      const bool is_upper = upper(b, c);
+      turns += is_upper && !was_upper;
+      was_upper = is_upper;
+      a = b;
+      b = c;
+    }
+    return turns == 1;
+  }
+
+  /// An edge has no length or runs back along the one before.
+  bool folds(const RingSpan& ring) const {
+    Point a = points_[ring.last - 2], b = points_[ring.last - 1];
+    for (std::uint32_t v = ring.first; v < ring.last; ++v) {
+      const Point c = points_[v];
+      if (exact::certain_cross_sign(a, b, b, c) == 0 &&
+          (b == c || (exact::orient_sign(a, b, c) == 0 && exact::dot_sign(a, b, b, c) <= 0))) {
+        return true;
+      }
+      a = b;
+      b = c;
+    }
+    return false;
   }
 
   void add_levels() {
     count_[0] = size();
-    while (count_[level_count_ - 1] > kAllPairs) {
-      const Array<Box>& below = boxes_[level_count_ - 1];
-      Array<Box>& level = boxes_[level_count_];
+    while (count_[level_count_ - 1] > kTopBoxes) {
+      const Array<Box>& below = (*boxes_)[level_count_ - 1];
+      Array<Box>& level = (*boxes_)[level_count_];
       for (std::size_t i = 0; i < below.size(); i += kFanOut) {
         Box box = below[i];
         for (std::size_t k = i + 1; k < std::min<std::size_t>(i + kFanOut, below.size()); ++k) box = around(box, below[k]);
@@ -151,9 +192,36 @@ class PlainRings {
       }
       count_[level_count_++] = static_cast<std::uint32_t>(level.size());
     }
-    left_ = kPairsPerVertex * size();
   }
   std::uint32_t end_of(std::uint32_t level, std::uint32_t group) const { return std::min((group + 1) * kFanOut, count_[level]); }
+
+  // All pairs of edges, eight at a time.
+  void all_pairs() {
+    const std::uint32_t n = size(), room = n + kLanes;
+    Array<std::int16_t> lists(6 * room, &memory_);
+    std::int16_t *const x = lists.data(), *const y = x + room;
+    std::int16_t *const x0 = y + room, *const y0 = x0 + room, *const x1 = y0 + room, *const y1 = x1 + room;
+    for (std::uint32_t v = 0; v < n; ++v) {
+      x[v] = static_cast<std::int16_t>(x_quantum(v));
+      y[v] = static_cast<std::int16_t>(y_quantum(v));
+    }
+    const auto bound = [=](std::uint32_t e, std::uint32_t end) {
+      x0[e] = std::min(x[e], x[end]);
+      y0[e] = std::min(y[e], y[end]);
+      x1[e] = std::max(x[e], x[end]);
+      y1[e] = std::max(y[e], y[end]);
+    };
+    for (std::uint32_t e = 0; e + 1 < n; ++e) bound(e, e + 1);
+    for (const RingSpan& ring : rings_) bound(ring.last - 1, ring.first);
+    std::fill(x0 + n, x0 + room, static_cast<std::int16_t>(kBoxQuanta));  // beyond the last edge nothing meets
+    for (std::uint32_t e = 0; e < n && left_ > 0; ++e) {
+      const Lanes ex0 = Lanes{} + x0[e], ey0 = Lanes{} + y0[e], ex1 = Lanes{} + x1[e], ey1 = Lanes{} + y1[e];
+      for (std::uint32_t f = next_[e] == e + 1 ? e + 2 : e + 1; f < n; f += kLanes) {
+        const Lanes apart = (load_lanes(x0 + f) > ex1) | (load_lanes(y0 + f) > ey1) | (load_lanes(x1 + f) < ex0) | (load_lanes(y1 + f) < ey0);
+        for (auto bits = zero_lanes(apart); bits != 0; bits &= bits - 1) look_at(e, f + lane_of(bits));
+      }
+    }
+  }
 
   // All pairs of edges below the boxes [first, last) of a level. What is left is zero or less once a pair is not told apart.
   void within(std::uint32_t level, std::uint32_t first, std::uint32_t last) {
@@ -163,7 +231,7 @@ class PlainRings {
     }
   }
   void against(std::uint32_t level, std::uint32_t i, std::uint32_t first, std::uint32_t last) {
-    const Box* const boxes = boxes_[level].data();
+    const Box* const boxes = (*boxes_)[level].data();
     const Box mine = upper(boxes[i]);
     for (std::uint32_t j = first; j < last; ++j) {
       if (!meet(boxes[j], mine)) continue;
@@ -235,7 +303,9 @@ class PlainRings {
   Array<Point> points_{&memory_};
   Array<std::uint32_t> next_{&memory_};
   Array<RingSpan> rings_{&memory_};
-  std::array<Array<Box>, kMostLevels> boxes_ = levels(std::make_index_sequence<kMostLevels>());
+  Point low_;
+  double x_scale_ = 0, y_scale_ = 0;  ///< quanta per unit
+  std::optional<std::array<Array<Box>, kMostLevels>> boxes_;  ///< of many edges
   std::array<std::uint32_t, kMostLevels> count_{};
   std::uint32_t level_count_ = 1;
   std::int64_t left_ = 0;

@@ -6,16 +6,13 @@ namespace dymsum::planar {
 
 std::shared_ptr<const Operand> PreparedRegion::operand(const Region& region, std::uint32_t op, bool reflected) {
   Slot& slot = slots_[2 * op + (reflected ? 1 : 0)];
-  std::call_once(slot.made, [&] {
-    if (reflected) {
-      const Region turned = negated(region);
-      const std::shared_ptr<Operand> made = make_operand(separate_touching(turned.data(), turned.touching_points()), op);
-      made->reflected = true;
-      slot.operand = made;
-    } else {
-      slot.operand = make_operand(separate_touching(region.data(), region.touching_points()), op);
+  if (!slot.made.load(std::memory_order_acquire)) {
+    const std::lock_guard lock(making_);
+    if (!slot.made.load(std::memory_order_relaxed)) {
+      slot.operand = make_operand(separate_touching(region.data(), region.touching_points()), op, reflected);
+      slot.made.store(true, std::memory_order_release);
     }
-  });
+  }
   return slot.operand;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <mutex>
@@ -19,10 +20,11 @@ class PreparedRegion {
 
  private:
   struct Slot {
-    std::once_flag made;
+    std::atomic<bool> made = false;
     std::shared_ptr<const Operand> operand;
   };
   std::array<Slot, 4> slots_;
+  std::mutex making_;  // a once_flag asks the system to wake whoever waits, which takes as long as a small operand
 };
 
 /// The region, or its reflection, as operand `op`, kept with the region.

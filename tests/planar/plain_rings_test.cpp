@@ -47,10 +47,29 @@ TEST(PlainRings, WhatIsNotPlainIsLeftToTheSweep) {
   EXPECT_FALSE(plainly_valid(one({{0, 0}, {2, 0}, {1, 0}, {0, 1}})));        // runs back
   EXPECT_FALSE(plainly_valid(one({{0, 0}, {2, 2}, {2, 0}, {0, 2}})));        // crosses itself
   EXPECT_FALSE(plainly_valid(one({{0, 0}, {0, 1}, {1, 0}})));                // clockwise
+  EXPECT_FALSE(plainly_valid(one({{0, 3}, {-2, -3}, {3, 1}, {-3, 1}, {2, -3}})));  // turns left everywhere, but twice round
   EXPECT_FALSE(plainly_valid(one({{0, 0}, {2, 0}, {1, 0x1p-1074}, {1, 0}})));  // touches itself by less than any product tells
   EXPECT_FALSE(plainly_valid(one({{0, 0}, {1e308, -1e308}, {1e308, 1e308}, {-1e308, 1e308}})));  // too large for doubles
   EXPECT_FALSE(plainly_valid(one({{0, 0}, {1, 0}, {NAN, 1}})));
   EXPECT_FALSE(plainly_valid(one({{0, 0}, {1, 0}, {1, INFINITY}})));
+}
+
+// Rings of every size up to where boxes around boxes begin, one vertex moved across: whichever way pairs are told apart, none is missed.
+TEST(PlainRings, OneVertexAcrossIsSeenInRingsOfEverySize) {
+  std::size_t crossing = 0;
+  for (int n = 5; n <= 130; ++n) {
+    const RegionData star = shapes::noisy_star(n, 0.4, n).data();
+    ASSERT_TRUE(plainly_valid(star)) << n;
+    for (int k = 0; k < n; ++k) {
+      RegionData moved = star;
+      Point& v = moved.parts[0].outer[static_cast<std::size_t>(k)];
+      v = {-3 * v.x, -3 * v.y};
+      const bool valid = !validate_in_full(moved).error;
+      crossing += !valid;
+      ASSERT_EQ(plainly_valid(moved), valid) << n << ", " << k;
+    }
+  }
+  EXPECT_GT(crossing, 7000u);
 }
 
 // Rings on tiny grids touch, cross, fold and nest in every way: what is called plain is valid and touches nowhere.

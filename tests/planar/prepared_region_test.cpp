@@ -61,5 +61,38 @@ TEST(PreparedRegion, IsMadeOnceByManyThreads) {
   }
 }
 
+// Of a plate's holes the sum fills one: what it makes of the plate's directions is its own, not kept with the plate.
+TEST(PreparedRegion, ServesManyThreadsWhoseSumsFillSomeHoles) {
+  const auto square = [](double x, double y, double side) { return Ring{{x, y}, {x, y + side}, {x + side, y + side}, {x + side, y}}; };
+  RegionData plate{{{{{0, 0}, {200, 0}, {200, 10}, {0, 10}}, {}}}, {}, {}};
+  for (int k = 0; k < 30; ++k) plate.parts[0].holes.push_back(square(6 * k + 1, 1, k % 2 == 0 ? 4 : 0.5));
+  const Region p = Region::create(plate).value(), q = shapes::disc(16, 1);
+  const PlanarSum expected = minkowski_sum(p, q).value();
+  ASSERT_EQ(expected.hole_count(), 15u);
+  std::atomic<int> equal = 0;
+  std::vector<std::thread> threads;
+  for (int t = 0; t < 4; ++t)
+    threads.emplace_back([&] {
+      for (int k = 0; k < 100; ++k) equal += minkowski_sum(p, q).value() == expected;
+    });
+  for (std::thread& t : threads) t.join();
+  EXPECT_EQ(equal, 400);
+}
+
+// A reflection is read off the region as it is: parts, holes that touch, polylines, points.
+TEST(PreparedRegion, ReflectsEveryKindOfPiece) {
+  const Ring outer{{0, 0}, {8, 0}, {8, 8}, {0, 8}};
+  const Region b = Region::create({{{outer, {{{0, 4}, {2, 6}, {3, 4}}, {{3, 4}, {5, 5}, {5, 3}}}}, {{{8, 8}, {9, 8}, {9, 9}}, {}}},
+                                   {{{10, 0}, {12, 1}, {10, 2}, {10, 0}}, {{-3, -3}, {-2, -3}}},
+                                   {{-1, 5}, {0, -4}}})
+                       .value();
+  ASSERT_FALSE(b.touching_points().empty());
+  for (const Region& a : {shapes::rectangle(0, 0, 0.5, 0.25), shapes::star(5, 1, 2)}) {
+    const PlanarSum reflected = nfp(a, b).value(), expected = minkowski_sum(a, negated(b)).value();
+    EXPECT_TRUE(reflected == expected);
+    EXPECT_EQ(reflected.area_exact(), expected.area_exact());
+  }
+}
+
 }  // namespace
 }  // namespace dymsum
