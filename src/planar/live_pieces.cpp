@@ -102,11 +102,13 @@ class LiveIntervals {
 }  // namespace
 
 CellVisits count_visits(const Soup& soup, const Array<Span>& spans, const InteriorMask& mask, const Poll& poll) {
+  constexpr std::size_t kSample = 1 << 19;
+  const std::size_t step = soup.size() / kSample + 1;
   const Grid& g = mask.grid();
   const auto columns = static_cast<std::size_t>(g.columns);
   CellVisits visits{Array<std::uint32_t>(static_cast<std::size_t>(g.rows) * columns, 0, soup.memory)};
-  for (std::size_t s = 0; s < soup.size(); ++s) {
-    poll.at(s, soup.size());
+  for (std::size_t s = 0; s < soup.size(); s += step) {
+    poll.at(s / step, soup.size() / step + 1);
     if (!spans.empty() && spans[s].low > spans[s].high) continue;
     const SoupBox b = spans.empty() ? soup.boxes[s] : part_of(soup.boxes[s], spans[s]);
     for_each_cell_run(g, b.ax, b.ay, b.bx, b.by, [&](int row, int first, int last) {
@@ -117,7 +119,8 @@ CellVisits count_visits(const Soup& soup, const Array<Span>& spans, const Interi
   for (std::size_t at = 0; at < visits.count.size(); ++at) {
     std::uint32_t& k = visits.count[at];
     if (mask.dead(static_cast<int>(at / columns), static_cast<int>(at % columns))) k = 0;
-    visits.pairs += std::uint64_t{k} * (k - (k > 0)) / 2;
+    visits.pairs += step * step * k * (k - (k > 0)) / 2;
+    k *= static_cast<std::uint32_t>(step);
   }
   return visits;
 }
@@ -180,21 +183,22 @@ void drop_covered(Soup& soup, Array<std::uint32_t>& live, LivePieces& pieces) {
 
 std::optional<Refined> refine(const Operand& p, const Operand& q, InteriorMask& mask, Soup& soup, Array<std::uint32_t>& live, Refine when,
                               const Poll& poll) {
-  // Below these counts finding out costs more than the crossings.
-  constexpr std::size_t kFew = 16384, kPairsEach = 64, kFewTranslates = 64;
+  // Below these counts finding out costs more than the crossings. Rasters of fine cells cost more than covered translates.
+  constexpr std::size_t kFew = 16384, kPairsEach = 64, kFewWithMany = 2048, kPairsEachWithMany = 8, kTranslates = 64;
   constexpr std::uint32_t kCrowd = 8;
   const bool always = when == Refine::always;
-  if (!always && soup.size() < kFew) return std::nullopt;
-  const auto crowded = [&](const CellVisits& visits) { return always || visits.pairs >= kPairsEach * soup.size(); };
+  const bool many = std::min(p.boxes.size(), q.boxes.size()) * kTranslates <= soup.size();
+  if (!always && soup.size() < (many ? kFewWithMany : kFew)) return std::nullopt;
   CellVisits visits = count_visits(soup, Array<Span>(soup.memory), mask, poll);
-  if (!crowded(visits)) return std::nullopt;
+  if (!always && visits.pairs < (many ? kPairsEachWithMany : kPairsEach) * soup.size()) return std::nullopt;
+  const std::uint64_t pairs = visits.pairs;
   const double reach = kReach * mask.grid().cell / kBrick;  // twice that of the sweep over pieces
-  const Array<Span> spans = uncovered_spans(soup, reach, always ? 1 : kFewTranslates, poll);
+  const Array<Span> spans = many || always ? uncovered_spans(soup, reach, always ? 1 : kTranslates, poll) : Array<Span>(soup.memory);
   if (!spans.empty()) visits = count_visits(soup, spans, mask, poll);
-  const bool fine = crowded(visits);
+  const bool fine = always || (soup.size() >= kFew && visits.pairs >= kPairsEach * soup.size());
   std::optional<Refined> refined(std::in_place, fine ? FineCells(p, q, mask) : FineCells(mask), LivePieces(soup.memory), fine);
   const bool pays = fine && refine_crowded(refined->cells, visits, always ? 1 : kCrowd, poll);
-  if (!pays && spans.empty() && !always) return std::nullopt;
+  if (!always && !pays && 2 * visits.pairs > pairs) return std::nullopt;
   refined->live = live_pieces(soup, spans, refined->cells, poll);
   drop_covered(soup, live, refined->live);
   return refined;
