@@ -84,7 +84,7 @@ TEST(CoveredTranslates, spans_hold_every_point_outside_the_open_sum) {
       const SoupBox& b = soup.boxes[s];
       const auto check = [&](double t) {
         ++covered;
-        ASSERT_TRUE(overlaps(sum, lattice->to_input(b.ax + t * b.dx, b.ay + t * b.dy))) << oracles::to_text(p.data(), q.data()) << " segment " << s << " at " << t;
+        ASSERT_TRUE(overlaps(sum, lattice->to_input(b.ax + t * b.dx, b.ay + t * b.dy))) << oracles::to_text({}, q.data()) << " segment " << s << " at " << t;
       };
       const bool none = span.low > span.high;
       const double low = none ? 1 : span.low, high = none ? 1 : span.high;
@@ -93,7 +93,7 @@ TEST(CoveredTranslates, spans_hold_every_point_outside_the_open_sum) {
       for (const double t : {high, 0.5 * (1 + high), 1.0})
         if (high < 1) check(t);
     }
-    EXPECT_GT(covered, n) << oracles::to_text(p.data(), q.data());
+    EXPECT_GT(covered, 20) << oracles::to_text({}, q.data());
   }
 }
 
