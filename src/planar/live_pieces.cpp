@@ -102,13 +102,11 @@ class LiveIntervals {
 }  // namespace
 
 CellVisits count_visits(const Soup& soup, const Array<Span>& spans, const InteriorMask& mask, const Poll& poll) {
-  constexpr std::size_t kSample = 1 << 19;
-  const std::size_t step = soup.size() / kSample + 1;
   const Grid& g = mask.grid();
   const auto columns = static_cast<std::size_t>(g.columns);
   CellVisits visits{Array<std::uint32_t>(static_cast<std::size_t>(g.rows) * columns, 0, soup.memory)};
-  for (std::size_t s = 0; s < soup.size(); s += step) {
-    poll.at(s / step, soup.size() / step + 1);
+  for (std::size_t s = 0; s < soup.size(); ++s) {
+    poll.at(s, soup.size());
     if (!spans.empty() && spans[s].low > spans[s].high) continue;
     const SoupBox b = spans.empty() ? soup.boxes[s] : part_of(soup.boxes[s], spans[s]);
     for_each_cell_run(g, b.ax, b.ay, b.bx, b.by, [&](int row, int first, int last) {
@@ -119,8 +117,7 @@ CellVisits count_visits(const Soup& soup, const Array<Span>& spans, const Interi
   for (std::size_t at = 0; at < visits.count.size(); ++at) {
     std::uint32_t& k = visits.count[at];
     if (mask.dead(static_cast<int>(at / columns), static_cast<int>(at % columns))) k = 0;
-    visits.pairs += step * step * k * (k - (k > 0)) / 2;
-    k *= static_cast<std::uint32_t>(step);
+    visits.pairs += std::uint64_t{k} * (k - (k > 0)) / 2;
   }
   return visits;
 }
