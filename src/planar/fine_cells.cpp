@@ -94,8 +94,10 @@ std::size_t BrickPairs::bytes() const {
   return corners_.bytes() + touch_.bytes() + (some_corner_.bits.size() + touch_reversed_.bits.size()) * sizeof some_corner_.bits[0];
 }
 
-FineCells::FineCells(const Operand& p, const Operand& q, InteriorMask& mask)
-    : mask_(&mask), grid_(finer(mask.grid(), kBrick)), brick_(static_cast<std::size_t>(grid_.rows / kBrick) * (grid_.columns / kBrick), kWhole) {
+FineCells::FineCells(InteriorMask& mask)
+    : mask_(&mask), grid_(finer(mask.grid(), kBrick)), brick_(static_cast<std::size_t>(grid_.rows / kBrick) * (grid_.columns / kBrick), kWhole) {}
+
+FineCells::FineCells(const Operand& p, const Operand& q, InteriorMask& mask) : FineCells(mask) {
   const SumGrid coarse({p.points->width, q.points->width}, {p.points->height, q.points->height}, mask.cells());
   const Raster of_p = fine_raster(p, finer(coarse.part[0], kBrick)), of_q = fine_raster(q, finer(coarse.part[1], kBrick));
   const Bitmap corners_p = inner_corners(of_p.inner), corners_q = inner_corners(of_q.inner);

@@ -41,6 +41,8 @@ class BrickPairs {
 /// Fine cells covered by int P + Q or P + int Q, each grown by 8 kReach fine cells.
 class FineCells {
  public:
+  /// No cell is refined, nor will be.
+  explicit FineCells(InteriorMask& mask);
   FineCells(const Operand& p, const Operand& q, InteriorMask& mask);
   /// Proves what it can of one live cell of the mask, once; one that is covered as a whole is covered in the mask, too. Returns how many fine
   /// cells are covered.

@@ -270,7 +270,7 @@ void run_reduced(const SumOptions& options, SumState& state, Refine when, Poll& 
     if (refined) clock.done("refinement");
   }
   const FineCells* const fine = refined ? &refined->cells : nullptr;
-  if (fine != nullptr) stats.mask_grid *= kBrick;
+  if (refined && refined->fine) stats.mask_grid *= kBrick;
   const std::uint32_t reduced_live = static_cast<std::uint32_t>(soup.size());
   if (parallelograms) add_parallelograms(lattice, op, oq, soup);
   const ReducedChain chain(soup, convolution, std::move(live), reduced_live);

@@ -116,7 +116,7 @@ TEST(FineCells, pieces_hold_every_point_of_a_segment_outside_covered_cells) {
   Soup soup(*m.lattice, *m.p, *m.q);
   soup.add(convolution);
   const Progress never;
-  const LivePieces live = live_pieces(soup, *m.fine, Poll(never));
+  const LivePieces live = live_pieces(soup, Array<Span>(), *m.fine, Poll(never));
   std::size_t at = 0, mark = 0, gaps = 0, covered = 0;
   for (std::uint32_t s = 0; s < soup.size(); ++s) {
     const std::size_t first = at;
