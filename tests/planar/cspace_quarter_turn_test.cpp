@@ -78,6 +78,41 @@ TEST(CspaceQuarterTurn, lines_that_keep_their_order_beside_quarter_turns_are_no_
   expect_slices(loose, random, 1000);
 }
 
+// Teeth on a long handle: lines come together at quarter turns so closely that doubles do not tell their order beside them; 2.5 million triples.
+TEST(CspaceQuarterTurn, an_order_that_doubles_do_not_tell_beside_a_quarter_turn_is_kept_too) {
+  Ring ring{{0, -1}, {1000, -1}, {1000, 0}, {31, 0}};
+  for (int tooth = 15; tooth >= 0; --tooth) {
+    const double left = 2 * tooth;
+    if (tooth < 15) ring.push_back({left + 1, 0});
+    ring.insert(ring.end(), {{left + 1, 5}, {left, 5}});
+    if (tooth > 0) ring.push_back({left, 0});
+  }
+  const Region comb = polygon(ring);
+  const CspaceObstacle c = CspaceObstacle::create(comb, comb).value();
+  EXPECT_LT(c.work().candidate_triples, 800000u);
+  Random random(1);
+  expect_slices(c, random, 4);
+}
+
+// Teeth of half a cell had no cell inside them: 217,000 pairs.
+TEST(CspaceQuarterTurn, cells_are_finer_than_teeth) {
+  const Region comb = shapes::comb(13, 3, 1, 5);
+  const CspaceObstacle c = CspaceObstacle::create(comb, comb).value();
+  EXPECT_LT(c.work().candidate_pairs, 180000u);
+  EXPECT_EQ(c.angles().size(), 8u);
+  Random random(1);
+  expect_slices(c, random, 12);
+}
+
+// All edges are equally long; of the first 24 alone most sectors of the sum had no dead cells: 1.3 million pairs.
+TEST(CspaceQuarterTurn, no_sector_of_a_star_is_left_without_dead_cells) {
+  const Region star = shapes::star(30, 0.2, 1);
+  const CspaceObstacle c = CspaceObstacle::create(star, star).value();
+  EXPECT_LT(c.work().candidate_pairs, 1000000u);
+  Random random(1);
+  expect_slices(c, random, 4);
+}
+
 // Coordinates beyond 2^28 steps of the grid: the events are made, and tell the same.
 TEST(CspaceQuarterTurn, fine_coordinates_go_through_the_events) {
   const Region coarse = shapes::comb(4, 1, 0.25, 3), robot = shapes::letter_l(2, 2, 0.5);

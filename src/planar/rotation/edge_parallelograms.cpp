@@ -9,7 +9,6 @@ namespace {
 
 constexpr double kLong = 8;         // cells: sums of shorter edges hold few
 constexpr double kAlong = 0.5;      // cells: edges that are so near each other have nearly the same sums
-constexpr std::size_t kMost = 24;   // of an operand: all pairs of them are looked at
 
 double distance(Point a, Point b) { return std::max(std::abs(a.x - b.x), std::abs(a.y - b.y)); }
 
@@ -39,7 +38,7 @@ std::array<int, 2> columns_inside(const std::array<HalfPlane, 4>& sides, const G
 
 }  // namespace
 
-std::vector<std::uint32_t> long_edges(const TurningForms& forms, std::uint32_t op, double cell) {
+std::vector<std::uint32_t> long_edges(const TurningForms& forms, std::uint32_t op, double cell, std::size_t most) {
   const std::vector<Point>& points = forms.points(op);
   const Operand& o = forms.operand(op);
   const auto length2 = [&](std::uint32_t e) {
@@ -57,7 +56,7 @@ std::vector<std::uint32_t> long_edges(const TurningForms& forms, std::uint32_t o
       return std::max(distance(a, c), distance(b, d)) < kAlong * cell || std::max(distance(a, d), distance(b, c)) < kAlong * cell;
     };
     if (std::none_of(kept.begin(), kept.end(), along)) kept.push_back(e);
-    if (kept.size() == kMost) break;
+    if (kept.size() == most) break;
   }
   return kept;
 }

@@ -25,6 +25,29 @@ constexpr std::uint32_t kNobody = ObstacleSweep::kNobody;
 int windows_for(double pairs) { return 2 * std::clamp(static_cast<int>(std::ceil(0.4 * std::sqrt(pairs))), 8, 256); }
 int cells_for(double pairs) { return std::clamp(static_cast<int>(2.25 * std::sqrt(pairs)), 24, 160); }
 
+/// All pairs of them are looked at for every window. Less than all edges of a star leave whole sectors of the sum without dead cells.
+constexpr std::size_t kLongEdges = 96;
+
+/// Twice the area by the perimeter: how wide a bar, or a comb's teeth, are.
+double thickness(const TurningForms& forms, std::uint32_t op) {
+  const Operand& o = forms.operand(op);
+  double area2 = 0, perimeter = 0;
+  for (std::uint32_t i = 0; i < o.size(); ++i) {
+    const Point a = forms.points(op)[i], b = forms.points(op)[o.next[i]];
+    area2 += a.x * b.y - a.y * b.x;
+    perimeter += std::hypot(b.x - a.x, b.y - a.y);
+  }
+  return std::abs(area2) / perimeter;
+}
+
+/// Where edges crowd at quarter turns, most pairs are of segments that are covered, but for thin places only: cells there are less than half
+/// as wide as the operands are thick, or hardly one would lie inside.
+int cells_for_crowd(const TurningForms& forms, double pairs) {
+  const double thin = std::min(thickness(forms, 0), thickness(forms, 1));
+  const int usual = cells_for(pairs);
+  return thin > 0 ? std::max(usual, static_cast<int>(std::min(640.0, 2.5 * forms.span() / thin))) : usual;
+}
+
 // By theta in (-pi, pi]: the sweep runs from -pi / 2 to 3 pi / 2.
 struct AngleOrder {
   std::vector<std::uint32_t> number;  ///< of the sweep's angles
@@ -307,8 +330,9 @@ class Preparation {
  public:
   Preparation(const TurningForms& forms, const TurnCatalog& catalog, bool reference)
       : forms_(forms), catalog_(catalog), reference_(reference), pairs_(static_cast<double>(forms.size(0)) * forms.size(1)),
-        all_(alignments(forms, catalog)), grid_(forms, cells_for(pairs_)) {
+        all_(alignments(forms, catalog)) {
     if (!reference) crowded_.emplace(forms, all_);
+    grid_.emplace(forms, crowded_ && crowded_->any() ? cells_for_crowd(forms, pairs_) : cells_for(pairs_), kLongEdges);
   }
 
   int windows() const { return 2 * windows_for(pairs_); }
@@ -333,7 +357,7 @@ class Preparation {
     if (divides && (halved || beside_crowd(range))) return halve();
     Prepared p;
     p.range = range;
-    p.window = std::make_unique<TurnWindow>(grid_, catalog_, range, !reference_ && pairs_ > 100);
+    p.window = std::make_unique<TurnWindow>(*grid_, catalog_, range, !reference_ && pairs_ > 100);
     if (divides && p.window->meetings.size() > kMost * p.window->segments.size()) return halve();
     p.filter = std::make_unique<OverlapFilter>(forms_, *p.window);
     QuarterEnds ends;
@@ -360,7 +384,7 @@ class Preparation {
   double pairs_;
   std::vector<Alignment> all_;
   std::optional<CrowdedQuarters> crowded_;
-  TurnGrid grid_;
+  std::optional<TurnGrid> grid_;
 };
 
 // Ranges are prepared side by side, some at a time, and passed one after the other. False where that was cancelled.

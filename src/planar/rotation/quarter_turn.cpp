@@ -49,20 +49,21 @@ bool QuarterTurn::concurrent(const WalkSegment& a, const WalkSegment& b, const W
   return exact::i128{side(b, TurningForms::start(a))} * ca + exact::i128{side(c, TurningForms::start(a))} * ab == 0;
 }
 
-bool QuarterTurn::zero_here_only(const TrigForm2& f, double width) const {
-  if (f.at(heading_) != 0) return false;
+int QuarterTurn::sign_beside(const TrigForm2& f, double width) const {
+  if (f.at(heading_) != 0) return 0;
   // At quarter turns cosines and sines, also of twice the angle, are 0, 1 and -1.
   const double c = heading_.c, s = heading_.s, c2 = c * c - s * s, s2 = 2 * c * s;
   const std::array<double, 4> derivative{f.slope(heading_), -(f.b * c + f.g * s) - 4 * (f.b2 * c2 + f.g2 * s2),
                                          f.b * s - f.g * c + 8 * (f.b2 * s2 - f.g2 * c2), f.b * c + f.g * s + 16 * (f.b2 * c2 + f.g2 * s2)};
   double factor = 4;  // 2^(m + 1)
   for (std::size_t m = 1; m <= derivative.size(); ++m, factor *= 2) {
-    const double d = std::abs(derivative[m - 1]);
+    const double d = derivative[m - 1];
     if (d == 0) continue;
     const double next = std::abs(f.b) + std::abs(f.g) + factor * (std::abs(f.b2) + std::abs(f.g2));
-    return d > next * width / static_cast<double>(m + 1) * (1 + 0x1p-40);
+    if (!(std::abs(d) > next * std::abs(width) / static_cast<double>(m + 1) * (1 + 0x1p-40))) return 0;
+    return (d > 0) == (width > 0 || m % 2 == 0) ? 1 : -1;
   }
-  return false;
+  return 0;
 }
 
 bool QuarterTurn::aligned(std::uint32_t e, std::uint32_t f) const {

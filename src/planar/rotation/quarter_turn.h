@@ -2,6 +2,7 @@
 // there. The coordinates of sums are integers then, so which events are theirs is known without polynomials.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -30,8 +31,10 @@ class QuarterTurn {
   bool exact_forms() const { return exact_forms_; }
   /// For exact forms: zero here, and nowhere else within `width`. With d the first derivative that is not zero here, the m-th one, by Taylor's
   /// formula |f(u)| >= |u|^m / m! (|d| - |u| / (m + 1) max |f^(m + 1)|).
-  bool zero_here_only(const TrigForm2& f, double width) const;
+  bool zero_here_only(const TrigForm2& f, double width) const { return sign_beside(f, width) != 0; }
   bool zero_here_only(const TrigForm& f, double width) const { return zero_here_only(TrigForm2{f.a, f.b, f.g, 0, 0}, width); }
+  /// The sign of such a form up to `width` behind this angle, or before it for a negative width; 0 where zero_here_only() does not hold.
+  int sign_beside(const TrigForm2& f, double width) const;
   /// Edge e of the turning operand and edge f of the fixed one point in the same direction.
   bool aligned(std::uint32_t e, std::uint32_t f) const;
 
@@ -70,6 +73,9 @@ class CrowdedQuarters {
   CrowdedQuarters(const TurningForms& forms, const std::vector<Alignment>& alignments);
   /// Of an end of a range; null where that is no crowded quarter turn.
   const CrowdedQuarter* at(int chart, double t) const;
+  bool any() const {
+    return std::any_of(quarters_.begin(), quarters_.end(), [](const auto& q) { return q.has_value(); });
+  }
 
  private:
   std::array<std::optional<CrowdedQuarter>, 4> quarters_;

@@ -263,35 +263,53 @@ class Collector {
     }
   }
   void find_orders(const WalkSegment& a, std::span<Crossing> run, std::uint32_t& orders) const {
-    struct Place {
-      Crossing* crossing;
-      double at, error;
-    };
     std::vector<Place> places;
     for (Crossing& c : run) {
       const WalkSegment& b = w_.segments[c.other];
       const TrigForm d = forms_.cross(a, b);
-      const double rounding = 0x1p-46 * forms_.length1(a) * forms_.length1(b), size = std::abs(d.at(w_.heading)) - rounding;
+      const double rounding = 0x1p-46 * forms_.length1(a) * forms_.length1(b), cross = d.at(w_.heading), size = std::abs(cross) - rounding;
       const bool crosses = d.far_from_zero(w_.heading, w_.half, rounding) || parallel_at_exact_end(d);
       if (!crosses || !(size > 0)) continue;
-      const double t = forms_.side(b, TurningForms::start(a)).at(w_.heading) / d.at(w_.heading);
-      places.push_back({&c, t, (forms_.side_error(b) + std::abs(t) * rounding) / size * (1 + 0x1p-20)});
+      const double t = forms_.side(b, TurningForms::start(a)).at(w_.heading) / cross;
+      places.push_back({&c, t, (forms_.side_error(b) + std::abs(t) * rounding) / size * (1 + 0x1p-20), cross > 0 ? 1 : -1});
     }
     std::sort(places.begin(), places.end(), [](const Place& x, const Place& y) { return x.at < y.at; });
-    for (std::size_t k = 0; k < places.size(); ++k) {
-      const bool goes_on = k > 0 && keep_order(a, places[k - 1].crossing->other, places[k].crossing->other, places[k].at - places[k - 1].at - places[k - 1].error - places[k].error > 0);
-      places[k].crossing->order = goes_on ? orders : ++orders;
-    }
+    sort_unclear(a, places);
+    for (std::size_t k = 0; k < places.size(); ++k)
+      places[k].crossing->order = k > 0 && keep_order(a, places[k - 1], places[k]) ? orders : ++orders;
+  }
+  // Where a line crosses a at the middle.
+  struct Place {
+    Crossing* crossing;
+    double at, error;
+    int turn;  // the sign of a's direction x the line's
+    bool before(const Place& o) const { return o.at - at - o.error - error > 0; }
+  };
+  // Places that come together at a crowded quarter turn may be nearer to each other than doubles tell. A step or two sort most of them.
+  void sort_unclear(const WalkSegment& a, std::vector<Place>& places) const {
+    constexpr std::size_t kSteps = 8;
+    for (std::size_t k = 1; k < places.size(); ++k)
+      for (std::size_t j = k; j > 0 && j + kSteps > k && !places[j - 1].before(places[j]) && order_beside_end(a, places[j - 1], places[j]) > 0; --j)
+        std::swap(places[j - 1], places[j]);
+  }
+  // The sign of the first place less the second one's in all of the window but a crowded end, at which both are one; 0 where that is not so.
+  int order_beside_end(const WalkSegment& a, const Place& x, const Place& y) const {
+    const TrigForm2 g = forms_.concurrency(a, w_.segments[x.crossing->other], w_.segments[y.crossing->other]);
+    for (const QuarterTurn* end : {ends_.low, ends_.high})
+      if (end != nullptr && end->exact_forms())
+        if (const int sign = end->sign_beside(g, end == ends_.low ? w_.high - w_.low : w_.low - w_.high)) return sign * x.turn * y.turn;
+    return 0;
   }
   bool parallel_at_exact_end(const TrigForm& d) const {
     for (const QuarterTurn* end : {ends_.low, ends_.high})
       if (end != nullptr && end->exact_forms() && end->zero_here_only(d, w_.high - w_.low)) return true;
     return false;
   }
-  // Whether two lines, apart at the middle or one and the same, cross a at different places at all angles.
-  bool keep_order(const WalkSegment& a, std::uint32_t j, std::uint32_t k, bool apart) const {
-    const WalkSegment &b = w_.segments[j], &c = w_.segments[k];
-    if (!apart) return same_direction(b, c) && forms_.exact_side(b, TurningForms::start(c), w_.range.chart).is_zero();
+  // Whether two lines are one and the same, or the first one crosses a before the second one at all angles.
+  bool keep_order(const WalkSegment& a, const Place& x, const Place& y) const {
+    const WalkSegment &b = w_.segments[x.crossing->other], &c = w_.segments[y.crossing->other];
+    if (!x.before(y))
+      return order_beside_end(a, x, y) < 0 || (same_direction(b, c) && forms_.exact_side(b, TurningForms::start(c), w_.range.chart).is_zero());
     const TrigForm2 g = forms_.concurrency(a, b, c);
     const double error = forms_.concurrency_error(a, b, c);
     if (g.far_from_zero(w_.heading, w_.half, error)) return true;

@@ -37,9 +37,9 @@ Raster fixed_raster(const TurningForms& forms, const Grid& cells) {
 
 }  // namespace
 
-TurnGrid::TurnGrid(const TurningForms& forms, int cells)
+TurnGrid::TurnGrid(const TurningForms& forms, int cells, std::size_t most_long_edges)
     : forms(forms), grid({forms.width(), 2 * forms.reach()}, {forms.height(), 2 * forms.reach()}, cells), fixed(fixed_raster(forms, grid.part[0])), cells(cells),
-      long_edges{dymsum::planar::long_edges(forms, 0, grid.whole.cell), dymsum::planar::long_edges(forms, 1, grid.whole.cell)} {}
+      long_edges{dymsum::planar::long_edges(forms, 0, grid.whole.cell, most_long_edges), dymsum::planar::long_edges(forms, 1, grid.whole.cell, most_long_edges)} {}
 
 // Inner: farther from the boundary than any of its points moves. Touched at every angle: at the middle, an edge comes
 // into what remains of the cell when a rim as wide as the edge moves is taken off.

@@ -11,7 +11,8 @@ namespace dymsum::planar {
 /// What does not depend on the window.
 class TurnGrid {
  public:
-  TurnGrid(const TurningForms& forms, int cells);
+  /// All pairs of the longest edges of either operand, some at most, are looked at for every window.
+  TurnGrid(const TurningForms& forms, int cells, std::size_t most_long_edges = 24);
   const TurningForms& forms;
   SumGrid grid;
   Raster fixed;
