@@ -80,7 +80,6 @@ std::vector<bool> in_obstacle(const Region& robot, const Region& obstacle, const
     return inside;
   }
   for (const Query& query : queries) {
-    throw_if_interrupted();
     const Point at{query.x, query.y};
     inside.push_back(!require(check_translation(robot, obstacle, at, at, *query.theta, closed ? Touching::forbidden : Touching::allowed)).free);
   }
@@ -117,9 +116,7 @@ ExitCode run_contains(const ContainsCommand& command) {
   const bool robot = queries.front().theta.has_value(), closed = is_closed(command, robot);
   const std::vector<Input> inputs = read_inputs(command.operands, command.input);
   const Region &first = inputs[0].region, &second = inputs[1].region;
-  // A question for a place cannot be asked to stop: an interrupt ends it at once. Nothing is written then.
-  std::optional<InterruptGuard> guard;
-  if (robot) guard.emplace();
+  // No interrupt guard: a single question cannot be asked to stop, and an interrupt ends the run at once, as it writes no file.
   std::optional<ProgressBar> bar(std::in_place);
   const auto [inside, timing] = timed(command.report.repeat, [&] {
     return robot ? in_obstacle(first, second, queries, closed, bar->callback()) : in_sum(first, second, queries, closed);

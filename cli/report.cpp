@@ -3,9 +3,9 @@
 #include <cmath>
 #include <ostream>
 #include <sstream>
-#include <variant>
 
 #include "dymsum/area_text.h"
+#include "dymsum/volume_text.h"
 
 namespace dymsum::cli {
 namespace {
@@ -37,22 +37,10 @@ double area_of(const Region& region) { return area(region); }
 bool has_area(const PlanarSum& sum) { return !sum.parts.empty(); }
 bool has_area(const Region& region) { return !region.parts().empty(); }
 
-/// The area where it is 0 or a normal double; as text where it was rounded to neither.
 template <class Set>
-std::variant<double, std::string> any_area(const Set& set) {
+Measure any_area(const Set& set) {
   if (const double area = area_of(set); std::isnormal(area) || !has_area(set)) return area;
   return area_text(set);
-}
-
-std::string shown_area(const std::variant<double, std::string>& area) {
-  std::ostringstream text;
-  text.precision(17);
-  std::visit([&](const auto& a) { text << a; }, area);
-  return text.str();
-}
-
-Json area_json(const std::variant<double, std::string>& area) {
-  return std::visit([](const auto& a) { return Json(a); }, area);
 }
 
 std::string milliseconds(double ms) {
@@ -88,11 +76,39 @@ Json orientation_json(const Orientation& orientation) {
   return {{"tan_half", tangent}, {"theta", orientation.radians()}};
 }
 
-Json area_json(const Region& region) { return area_json(any_area(region)); }
+std::string shown(const Measure& measure) {
+  std::ostringstream text;
+  text.precision(17);
+  std::visit([&](const auto& m) { text << m; }, measure);
+  return text.str();
+}
 
-std::string shown_area(const PlanarSum& sum) { return shown_area(any_area(sum)); }
+Json measure_json(const Measure& measure) {
+  return std::visit([](const auto& m) { return Json(m); }, measure);
+}
 
-std::string shown_area(const Region& region) { return shown_area(any_area(region)); }
+Measure volume_of(const Mesh& mesh) {
+  if (const double v = volume(mesh); std::isnormal(v) || mesh.empty()) return v;
+  return volume_text(mesh);
+}
+Measure volume_of(const SolidSum& sum) {
+  if (const double v = sum.volume(); std::isnormal(v) || sum.vertices.empty()) return v;
+  return volume_text(sum);
+}
+Measure surface_of(const Mesh& mesh) {
+  if (const double v = surface_area(mesh); std::isnormal(v) || mesh.empty()) return v;
+  return surface_text(mesh);
+}
+Measure surface_of(const SolidSum& sum) {
+  if (const double v = sum.area(); std::isnormal(v) || sum.vertices.empty()) return v;
+  return surface_text(sum);
+}
+
+Json area_json(const Region& region) { return measure_json(any_area(region)); }
+
+std::string shown_area(const PlanarSum& sum) { return shown(any_area(sum)); }
+
+std::string shown_area(const Region& region) { return shown(any_area(region)); }
 
 Json size_json(const PlanarSum& sum, bool exact) {
   constexpr std::size_t kMostVertices = 10000, kMostBits = 16384;
@@ -102,7 +118,7 @@ Json size_json(const PlanarSum& sum, bool exact) {
   return {{"outer", sum.parts.size()},
           {"holes", sum.hole_count()},
           {"vertices", sum.vertex_count()},
-          {"area", area_json(any_area(sum))},
+          {"area", measure_json(any_area(sum))},
           {"area_exact", area ? Json(area->to_string()) : Json()},
           {"tight", {{"points", sum.tight_points.size()}, {"segments", sum.tight_segments.size()}}}};
 }

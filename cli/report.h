@@ -4,8 +4,11 @@
 #include <iosfwd>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
+#include "dymsum/convex_sum.h"
+#include "dymsum/mesh.h"
 #include "dymsum/orientation.h"
 #include "dymsum/planar_sum.h"
 #include "inputs.h"
@@ -29,6 +32,16 @@ struct SumReport {
 /// area_exact is null for more than 10000 vertices, and where its denominators have more than 16384 bits together, unless it is
 /// wanted `exact`.
 Json size_json(const PlanarSum& sum, bool exact);
+/// An area or a volume where it is 0 or a normal double; as text where it was rounded to neither.
+using Measure = std::variant<double, std::string>;
+Measure volume_of(const Mesh& mesh);
+Measure volume_of(const SolidSum& sum);
+Measure surface_of(const Mesh& mesh);
+Measure surface_of(const SolidSum& sum);
+Json measure_json(const Measure& measure);
+/// With 17 digits.
+std::string shown(const Measure& measure);
+
 /// The area as a number, or text where it is outside the range of normal doubles.
 Json area_json(const Region& region);
 

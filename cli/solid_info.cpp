@@ -24,8 +24,8 @@ Json info_json(const SolidInput& input, const std::optional<Error>& not_convex, 
                {"triangles", mesh.triangle_count()},
                {"convex", !not_convex.has_value()}});
   if (not_convex) json["not_convex"] = not_convex->to_string();
-  json.update({{"volume", volume(mesh)},
-               {"area", surface_area(mesh)},
+  json.update({{"volume", measure_json(volume_of(mesh))},
+               {"area", measure_json(surface_of(mesh))},
                {"bounds", bounds(mesh)},
                {"bits", grid_bits(mesh)}});
   return json;
@@ -46,7 +46,7 @@ void print_info(const Mesh& mesh, const std::optional<Error>& not_convex) {
             << ", " << counted(mesh.faces().size(), "face") << "\n  "
             << (not_convex ? "not convex: " + not_convex->to_string() : std::string("convex")) << "\n  bounds ["
             << box[0] << ", " << box[3] << "] x [" << box[1] << ", " << box[4] << "] x [" << box[2] << ", " << box[5]
-            << "]\n  volume " << volume(mesh) << ", surface " << surface_area(mesh) << "\n  "
+            << "]\n  volume " << shown(volume_of(mesh)) << ", surface " << shown(surface_of(mesh)) << "\n  "
             << counted(static_cast<std::size_t>(grid_bits(mesh)), "bit") << " per coordinate, "
             << tier_name(tier_of(mesh)) << " integers\n";
   std::cout.precision(precision);

@@ -148,17 +148,22 @@ Json feature_json(const SolidFeature& f) {
   return {{"face", f.a}};
 }
 
+FacetKinds facet_kinds(const SolidSum& sum) {
+  FacetKinds kinds;
+  for (const SolidFacet& f : sum.facets) (facet_kind(f) == "edge_edge" ? kinds.of_edges : kinds.with_face) += 1;
+  return kinds;
+}
+
 Json solid_sum_json(const SolidSum& sum) {
-  std::size_t fv = 0, ee = 0;
-  for (const SolidFacet& f : sum.facets) (facet_kind(f) == "edge_edge" ? ee : fv) += 1;
+  const FacetKinds kinds = facet_kinds(sum);
   return {{"shells", sum.facets.empty() ? 0 : 1},
           {"vertices", sum.vertices.size()},
           {"faces", sum.facets.size()},
-          {"volume", sum.volume()},
+          {"volume", measure_json(volume_of(sum))},
           {"volume_exact", sum.volume_exact().to_string()},
-          {"area", sum.area()},
+          {"area", measure_json(surface_of(sum))},
           {"tight", {{"points", 0}, {"segments", 0}, {"faces", 0}}},
-          {"convolution", {{"fv", fv}, {"ee", ee}}}};
+          {"convolution", {{"fv", kinds.with_face}, {"ee", kinds.of_edges}}}};
 }
 
 }  // namespace dymsum::cli

@@ -35,6 +35,12 @@ std::string facet_kind(const SolidFacet& facet);
 /// Of the faces of a mesh that was made from the sum: that of the facet that has their vertices, grey where there is none.
 std::vector<FaceColour> facet_colours(const SolidSum& sum, const Mesh& mesh, Precision precision);
 
+/// Facets with a face of one operand, and of two edges.
+struct FacetKinds {
+  std::size_t with_face = 0, of_edges = 0;
+};
+FacetKinds facet_kinds(const SolidSum& sum);
+
 Json solid_sum_json(const SolidSum& sum);
 Json feature_json(const SolidFeature& feature);
 

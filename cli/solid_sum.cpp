@@ -31,12 +31,12 @@ std::pair<int, SolidSum> sum_of(const std::vector<SolidInput>& inputs, const Mes
 }
 
 void print_text(std::ostream& out, const std::string& verb, const std::vector<SolidInput>& inputs, const SolidSum& sum, int tier, const Timing& timing) {
-  const Json numbers = solid_sum_json(sum);
+  const FacetKinds kinds = facet_kinds(sum);
   out << verb << " of ";
   for (std::size_t i = 0; i < inputs.size(); ++i) out << (i == 0 ? "" : i + 1 < inputs.size() ? ", " : " and ") << inputs[i].file;
-  out << "\n  " << counted(sum.facets.size(), "facet") << " (" << numbers["convolution"]["fv"] << " with a face, "
-      << numbers["convolution"]["ee"] << " edge + edge), " << counted(sum.vertices.size(), "vertex", "vertices") << "\n  volume " << sum.volume()
-      << ", area " << sum.area() << "\n  " << timing.median_ms << " ms, "
+  out << "\n  " << counted(sum.facets.size(), "facet") << " (" << kinds.with_face << " with a face, "
+      << kinds.of_edges << " edge + edge), " << counted(sum.vertices.size(), "vertex", "vertices") << "\n  volume " << shown(volume_of(sum))
+      << ", area " << shown(surface_of(sum)) << "\n  " << timing.median_ms << " ms, "
       << (tier == 0 ? "arbitrary precision" : std::to_string(tier) + "-bit") << " coordinates\n";
 }
 

@@ -33,3 +33,4 @@
 #include "dymsum/solids.h"
 #include "dymsum/spatial_sum.h"
 #include "dymsum/trace.h"
+#include "dymsum/volume_text.h"

@@ -80,10 +80,11 @@ struct MotionCheck {
 };
 
 /// x, y and theta linear in time at once, theta at face value: the way from 0 to 7 is more than a whole turn.
-/// Certified: a pose with a gap larger than |d(x, y)| + R |d theta| is free up to there, R being the robot's reach; an
+/// Certified: a pose with a gap larger than |d(x, y)| + min(R |d theta|, 2 R) is free up to there, R being the robot's
+/// reach; whole turns of theta are taken off exactly, and on a way of more than 2^50 radians any angle may occur. An
 /// overlap that exceeds all rounding errors is proved; otherwise the interval is halved. Source: Schwarzer, Saha and
-/// Latombe, "Exact collision checking of robot paths" (2004). Errors: unsupported_operand as CspaceObstacle::create;
-/// not_finite.
+/// Latombe, "Exact collision checking of robot paths" (2004). Errors: unsupported_operand as CspaceObstacle::create, and
+/// for configurations beyond 2^400; not_finite.
 Result<MotionCheck> check_motion(const Region& robot, const Region& obstacle, const Configuration& a,
                                  const Configuration& b, const MotionOptions& options = {});
 

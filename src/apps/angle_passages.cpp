@@ -92,12 +92,13 @@ class Finder {
     push(low, high, patch, crosses);
   }
 
-  // Coordinates are taken as they are: the error of a position covers their differences.
+  // Coordinates are taken as they are, not from the origin: the error of a position covers their differences.
   void add_tight(const TightFeature& f, Point at) {
-    const Point d = f.to - f.from, gap = at - f.from;
+    const Point d = forms_.in_units(f.to - f.from), gap = forms_.in_units(at - f.from), place = forms_.in_units(at);
     const double length2 = dot(d, d), share = length2 > 0 ? std::clamp(dot(gap, d) / length2, 0.0, 1.0) : 0;
     const double off = std::hypot(gap.x - share * d.x, gap.y - share * d.y);
-    if (off > 2 * f.error + 0x1p-44 * (std::abs(at.x) + std::abs(at.y) + forms_.size())) return;
+    const double margin = 0x1p-44 * (std::abs(place.x) + std::abs(place.y) + forms_.size());
+    if (off > 2 * forms_.in_units(f.error) + margin) return;
     const EventAngle& angle = obstacle_.angles()[f.angle];
     push(angle.low - 0x1p-48, angle.high + 0x1p-48, Patch::kNone, false);
   }

@@ -1,6 +1,7 @@
 #include "clearance_search.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "tight_distance.h"
@@ -8,23 +9,49 @@
 namespace dymsum::apps {
 namespace {
 
+constexpr double kSure = 1024;  // times its error: a distance at which what is nearest is known to be boundary
+
 double signed_by(bool negative, double v) { return negative ? -v : v; }
+
+Clearance of(const NearestPatch& found, bool negative) {
+  return {signed_by(negative, found.distance), found.error, found.patch, {found.at.x, found.at.y, found.theta}};
+}
 
 }  // namespace
 
-DistanceQuestion ClearanceSearch::distance_question(const ClearanceQuestion& q, bool whole_edges) const {
-  return {forms_.relative({q.from.x, q.from.y}), q.from.theta, std::isinf(q.weight) ? 0 : q.weight, whole_edges};
+// From as far as 2^200 sizes all of the obstacle is at the same distance, up to 2^43 sizes for the weight: what is nearest
+// is asked from 2^100 sizes, in the same direction, so that no square overflows.
+template <class Search>
+NearestPatch ClearanceSearch::in_coordinates(const ClearanceQuestion& q, bool whole_edges, Search search) const {
+  const Point origin = forms_.origin(), off{q.from.x - origin.x, q.from.y - origin.y};
+  const double farther = std::max(std::abs(off.x), std::abs(off.y)), size = forms_.size() * forms_.unit();
+  const bool far = farther > 0x1p200 * size;
+  const double shrunk = 0x1p100 * forms_.size() / farther;
+  const Point from = far ? Point{shrunk * off.x, shrunk * off.y} : forms_.in_units(off);
+  NearestPatch found = search({from, q.from.theta, std::isinf(q.weight) ? 0 : forms_.in_units(q.weight), whole_edges});
+  found.distance *= forms_.unit();
+  found.error *= forms_.unit();
+  if (forms_.unit() < 1) found.error += 0x1p-1073;  // what is rounded here
+  if (far && found.patch != Patch::kNone) {
+    found.distance = std::hypot(off.x, off.y);
+    found.error = 0x1p-43 * found.distance;
+  }
+  found.at = {found.at.x * forms_.unit() + origin.x, found.at.y * forms_.unit() + origin.y};
+  return found;
 }
 
-Clearance ClearanceSearch::of(const NearestPatch& found, bool negative) const {
-  const Point origin = forms_.origin();
-  return {signed_by(negative, found.distance), found.error, found.patch, {found.at.x + origin.x, found.at.y + origin.y, found.theta}};
+NearestPatch ClearanceSearch::nearest(const ClearanceQuestion& q, bool whole_edges) const {
+  return in_coordinates(q, whole_edges, [&](const DistanceQuestion& asked) { return nearest_patch(forms_, tree_, asked); });
+}
+
+NearestPatch ClearanceSearch::nearest_at(const ClearanceQuestion& q) const {
+  return in_coordinates(q, false, [&](const DistanceQuestion& asked) { return nearest_patch_at(forms_, tree_, asked); });
 }
 
 // What is nearest to a free configuration with clearance can be left into free space, so that it lies on a patch; one
 // that touches is told exactly.
 ClearanceSearch::Answer ClearanceSearch::any(const ClearanceQuestion& q) const {
-  const NearestPatch found = nearest_patch(forms_, tree_, distance_question(q, !q.overlaps));
+  const NearestPatch found = nearest(q, !q.overlaps);
   const NearestTight tight = nearest_tight(obstacle_, q.from, q.weight);
   if (!q.overlaps) {
     const bool at_patch = found.distance <= found.error, at_curve = obstacle_.may_have_tight_curves() && !q.surely_apart;
@@ -32,7 +59,8 @@ ClearanceSearch::Answer ClearanceSearch::any(const ClearanceQuestion& q) const {
       const SliceDistance slice = slice_of(q);
       if (slice.touching()) return touching(q, found, slice.on_edge());
     }
-    return {of(found, false), found.bounds};
+    const NearestPatch shown = found.distance > kSure * found.error ? found : on_boundary(q, found);
+    return {of(shown, false), shown.bounds};
   }
   Clearance nearest = of(found, true);
   if (q.touching == Touching::forbidden || !(tight.place.least < found.distance + found.error)) return {nearest, found.bounds};
@@ -43,10 +71,18 @@ ClearanceSearch::Answer ClearanceSearch::any(const ClearanceQuestion& q) const {
   return {nearest, found.bounds};
 }
 
+// Where angles count little, an edge may be as near at an angle at which it is inside the obstacle.
+NearestPatch ClearanceSearch::on_boundary(const ClearanceQuestion& q, const NearestPatch& found) const {
+  NearestPatch sure = nearest(q, false);
+  if (sure.patch == Patch::kNone) return found;
+  sure.bounds += found.bounds;
+  return sure;
+}
+
 // On an edge of the closed slice there is free space with clearance nearby.
 ClearanceSearch::Answer ClearanceSearch::touching(const ClearanceQuestion& q, const NearestPatch& found, bool on_edge) const {
   if (q.touching == Touching::forbidden && !on_edge) {
-    const NearestPatch way_out = nearest_patch(forms_, tree_, distance_question(q, false));
+    const NearestPatch way_out = nearest(q, false);
     return {of(way_out, true), found.bounds + way_out.bounds};
   }
   const bool at_patch = found.distance <= found.error;
@@ -72,8 +108,8 @@ bool ClearanceSearch::near_event(double theta) const {
 // angle's doubles, is told by the slice.
 ClearanceSearch::Answer ClearanceSearch::translation(const ClearanceQuestion& q) const {
   if (near_event(q.from.theta) || obstacle_.may_have_tight_curves()) return by_slice(q);
-  const NearestPatch found = nearest_patch_at(forms_, tree_, distance_question(q, false));
-  const bool exact_enough = found.error <= 0x1p-32 * (found.distance + forms_.size());
+  const NearestPatch found = nearest_at(q);
+  const bool exact_enough = found.error <= 0x1p-32 * (found.distance + forms_.size() * forms_.unit());
   if (!exact_enough || (!q.overlaps && found.distance <= found.error)) return by_slice(q);
   return {of(found, q.overlaps), found.bounds};
 }
@@ -90,7 +126,7 @@ ClearanceSearch::Answer ClearanceSearch::by_slice(const ClearanceQuestion& q) co
   // The patch at the nearest point, if there is one.
   ClearanceQuestion there = q;
   there.from = nearest.nearest;
-  const NearestPatch patch = nearest_patch_at(forms_, tree_, distance_question(there, false));
+  const NearestPatch patch = nearest_at(there);
   if (patch.distance <= patch.error + nearest.error) nearest.patch = patch.patch;
   return {nearest, patch.bounds};
 }

@@ -33,8 +33,12 @@ class ClearanceSearch {
   Answer translation(const ClearanceQuestion& q) const;
   Answer by_slice(const ClearanceQuestion& q) const;
   Answer touching(const ClearanceQuestion& q, const NearestPatch& found, bool on_edge) const;
-  Clearance of(const NearestPatch& found, bool negative) const;
-  DistanceQuestion distance_question(const ClearanceQuestion& q, bool whole_edges) const;
+  /// Of any angle, or of the question's own; lengths in the coordinates of the obstacle, places absolute.
+  NearestPatch nearest(const ClearanceQuestion& q, bool whole_edges) const;
+  NearestPatch nearest_at(const ClearanceQuestion& q) const;
+  NearestPatch on_boundary(const ClearanceQuestion& q, const NearestPatch& found) const;
+  template <class Search>
+  NearestPatch in_coordinates(const ClearanceQuestion& q, bool whole_edges, Search search) const;
   SliceDistance slice_of(const ClearanceQuestion& q) const;
   bool near_event(double theta) const;
 

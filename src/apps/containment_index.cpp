@@ -119,7 +119,7 @@ std::optional<bool> ContainmentIndex::meets_ray(std::uint32_t patch, const Turn&
 }
 
 std::optional<bool> ContainmentIndex::contains(double x, double y, double theta) const {
-  const Point q = Point{x, y} - forms_.origin();
+  const Point q = forms_.relative({x, y});
   const double size = forms_.size() * (1 + 0x1p-40);
   if (!(std::abs(q.x) <= size && std::abs(q.y) <= size)) return false;
   const std::size_t bin = bin_of(theta);

@@ -32,7 +32,7 @@ double reduced(double theta) { return std::abs(theta) <= kPi ? theta : Orientati
 class ObstacleQueries::State {
  public:
   explicit State(const CspaceObstacle& o)
-      : obstacle(o), forms(o), index(o, forms), gyration(turning_radius(o.robot())), tree(o, forms, gyration) {}
+      : obstacle(o), forms(o), index(o, forms), gyration(turning_radius(o.robot())), tree(o, forms, forms.in_units(gyration)) {}
 
   // Of what is inside by the patches a curve of tight placements may be free.
   std::optional<bool> sure(double x, double y, double theta) const {
@@ -90,7 +90,7 @@ std::vector<FreeAngles> ObstacleQueries::free_angles(double x, double y) const {
   return apps::free_angles(s.obstacle, s.forms, {x, y}, [&](double theta) { return !contains({x, y, theta}); });
 }
 
-double ObstacleQueries::largest_weight() const { return 0x1p40 * state_->forms.size(); }
+double ObstacleQueries::largest_weight() const { return 0x1p40 * state_->forms.size() * state_->forms.unit(); }
 
 Clearance ObstacleQueries::clearance(const Configuration& from, double weight, Touching touching) const {
   if (!(weight >= 0) || !std::isfinite(from.x) || !std::isfinite(from.y) || !std::isfinite(from.theta))

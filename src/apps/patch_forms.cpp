@@ -43,12 +43,13 @@ Numbered numbered(const Region& region) {
 // Contacts of numbered operands as functions of the angle.
 class FormMaker {
  public:
-  FormMaker(const Region& obstacle, const Region& robot, Point origin)
+  FormMaker(const Region& obstacle, const Region& robot, Point origin, double per_unit)
       : obstacle_(numbered(obstacle)), robot_(numbered(robot)) {
-    for (Point& v : robot_.at) v = {-v.x, -v.y};
-    obstacle_.exact = obstacle_.at;
+    const auto in_units = [&](Point v) { return Point{per_unit * v.x, per_unit * v.y}; };
+    for (Point& v : robot_.at) v = in_units({-v.x, -v.y});
     robot_.exact = robot_.at;
-    for (Point& v : obstacle_.at) v = v - origin;
+    for (const Point v : obstacle_.at) obstacle_.exact.push_back(in_units(v));
+    for (Point& v : obstacle_.at) v = in_units(v - origin);
     size_ = size();
   }
 
@@ -119,12 +120,21 @@ class FormMaker {
   double size_ = 0;
 };
 
+// Exact: coordinates are scaled up, and the largest to at most 2.
+double per_unit_of(const Region& obstacle, const Region& robot) {
+  const auto [x0, y0, x1, y1] = bounds(obstacle);
+  const auto [u0, v0, u1, v1] = bounds(robot);
+  double most = 0;
+  for (const double v : {x0, y0, x1, y1, u0, v0, u1, v1}) most = std::max(most, std::abs(v));
+  return most > 0 && most < 1 ? std::ldexp(1.0, std::min(1000, -std::ilogb(most))) : 1;
+}
+
 }  // namespace
 
-PatchForms::PatchForms(const CspaceObstacle& obstacle) {
+PatchForms::PatchForms(const CspaceObstacle& obstacle) : per_unit_(per_unit_of(obstacle.obstacle(), obstacle.robot())) {
   const auto [x0, y0, x1, y1] = bounds(obstacle.obstacle());
   origin_ = {x0 / 2 + x1 / 2, y0 / 2 + y1 / 2};
-  const FormMaker maker(obstacle.obstacle(), obstacle.robot(), origin_);
+  const FormMaker maker(obstacle.obstacle(), obstacle.robot(), origin_, per_unit_);
   forms_.reserve(obstacle.patches().size());
   for (const Patch& p : obstacle.patches()) forms_.push_back(maker.form(p));
   size_ = maker.size();

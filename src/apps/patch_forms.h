@@ -57,7 +57,7 @@ struct PatchEnd {
   }
 };
 
-/// Positions are relative to PatchForms::origin.
+/// Positions are relative to PatchForms::origin, all lengths in its units.
 struct PatchForm {
   ContactLine own;
   PatchEnd left, right;
@@ -82,7 +82,11 @@ class PatchForms {
   const std::vector<PatchForm>& forms() const { return forms_; }
   const PatchForm& operator[](std::uint32_t patch) const { return forms_[patch]; }
   Point origin() const { return origin_; }
-  Point relative(Point v) const { return {v.x - origin_.x, v.y - origin_.y}; }
+  Point relative(Point v) const { return in_units({v.x - origin_.x, v.y - origin_.y}); }
+  /// Units are a power of two, at most 1, for which no square of a length that matters underflows.
+  double in_units(double length) const { return per_unit_ * length; }
+  Point in_units(Point v) const { return {per_unit_ * v.x, per_unit_ * v.y}; }
+  double unit() const { return 1 / per_unit_; }
   /// No vertex of a slice is farther from the origin; no vertex of the robot is farther from the reference point than
   /// reach().
   double size() const { return size_; }
@@ -101,6 +105,7 @@ class PatchForms {
  private:
   std::vector<PatchForm> forms_;
   Point origin_;
+  double per_unit_ = 1;
   double size_ = 0, reach_ = 0, angle_margin_ = 0x1p-46;
 };
 

@@ -1,5 +1,6 @@
 // A rounded sum with its tight features, as text.
 #include <algorithm>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,10 +34,18 @@ class TightData {
   RegionData data_;
 };
 
+bool before(Point a, Point b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
+bool before(const std::vector<Point>& a, const std::vector<Point>& b) {
+  return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), [](Point p, Point q) { return before(p, q); });
+}
+
+/// In their order, without those that are there already.
 template <class T>
 void append_new(std::vector<T>& to, const std::vector<T>& items) {
+  const auto less = [](const T& a, const T& b) { return before(a, b); };
+  std::set<T, decltype(less)> known(to.begin(), to.end(), less);
   for (const T& item : items)
-    if (std::find(to.begin(), to.end(), item) == to.end()) to.push_back(item);
+    if (known.insert(item).second) to.push_back(item);
 }
 
 std::string feature(const std::string& name, const std::string& properties, const RegionData& data) {

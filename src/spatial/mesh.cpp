@@ -5,8 +5,11 @@
 #include <cmath>
 #include <limits>
 
+#include "dymsum/volume_text.h"
 #include "exact/big.h"
+#include "exact/decimal_text.h"
 #include "spatial/mesh_validate.h"
+#include "spatial/scaled_number.h"
 #include "spatial/six_volume.h"
 
 namespace dymsum {
@@ -45,6 +48,17 @@ double doubled_area(const std::vector<Point3>& vertices, const Face& face, int e
   return std::hypot(sum.x, sum.y, sum.z);
 }
 
+spatial::ScaledNumber surface_of(const Mesh& mesh) {
+  double largest = 0;
+  for (const double v : bounds(mesh)) largest = std::max(largest, std::abs(v));
+  if (largest == 0) return {};
+  // a power of two keeps products within the double range
+  const int exponent = std::ilogb(largest) + 1;
+  double doubled = 0;
+  for (const Face& face : mesh.faces()) doubled += doubled_area(mesh.vertices(), face, exponent);
+  return {doubled / 2, 2 * exponent};
+}
+
 }  // namespace
 
 std::size_t Mesh::edge_count() const { return half_edge_count(*this) / 2; }
@@ -53,16 +67,11 @@ std::size_t Mesh::triangle_count() const { return half_edge_count(*this) - 2 * f
 
 double volume(const Mesh& mesh) { return exact::round_to_double(spatial::exact_volume(mesh.data())); }
 
-double surface_area(const Mesh& mesh) {
-  double largest = 0;
-  for (const double v : bounds(mesh)) largest = std::max(largest, std::abs(v));
-  if (largest == 0) return 0;
-  // a power of two keeps products within the double range
-  const int exponent = std::ilogb(largest) + 1;
-  double doubled = 0;
-  for (const Face& face : mesh.faces()) doubled += doubled_area(mesh.vertices(), face, exponent);
-  return std::scalbn(doubled / 2, 2 * exponent);
-}
+double surface_area(const Mesh& mesh) { return surface_of(mesh).nearest(); }
+
+std::string volume_text(const Mesh& mesh) { return exact::decimal_text(spatial::exact_volume(mesh.data()), 17); }
+
+std::string surface_text(const Mesh& mesh) { return surface_of(mesh).text(); }
 
 std::array<double, 6> bounds(const Mesh& mesh) {
   if (mesh.empty()) return {};

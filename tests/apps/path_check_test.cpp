@@ -130,6 +130,21 @@ TEST(PathCheck, names_the_first_piece_that_is_blocked) {
   EXPECT_NEAR(check_path(bar, obstacle, back)->at.theta, -angle, 1e-12);
 }
 
+// Whole turns are taken off exactly, so that the first contact is where it is at the angle itself.
+TEST(PathCheck, angles_of_many_turns) {
+  const Region bar = shape(box(-0.5, -0.125, 0.5, 0.125)), obstacle = corner();
+  for (const double theta : {1e8, 1e15, -3e300}) {
+    const double reduced = Orientation::nearest(theta)->radians();
+    const std::vector<Configuration> far{{50, 0, theta}, {50, 9, -theta}};
+    EXPECT_EQ(check_path(bar, obstacle, far)->outcome, MotionCheck::Outcome::free) << theta;
+    const std::vector<Configuration> turn{{9, 0.75, theta}, {9, 0.75, theta + 3}};
+    const std::vector<Configuration> same{{9, 0.75, reduced}, {9, 0.75, reduced + (turn[1].theta - theta)}};
+    const PathCheck a = check_path(bar, obstacle, turn).value(), b = check_path(bar, obstacle, same).value();
+    EXPECT_EQ(a.outcome, b.outcome);
+    EXPECT_NEAR(a.low, b.low, 1e-12) << theta;
+  }
+}
+
 TEST(PathCheck, one_pose_touching_and_wrong_paths) {
   const Region robot = shape(box(-0.5, -0.125, 0.5, 0.125)), obstacle = corner();
   const std::vector<Configuration> touching{{4, 0.125, 0}}, inside{{4, 0, 0}}, both{{4, 0.125, 0}, {5, 0.5, 0.1}}, none;

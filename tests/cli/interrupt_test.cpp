@@ -1,6 +1,7 @@
 // Long work: the progress bar, and Ctrl-C.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <string>
 
 #include "dymsum/dymsum.h"
@@ -44,6 +45,31 @@ TEST_F(LongWork, LargeSumsAreInterruptedInEveryStage) {
                                      " dymsum sum b.wkt b.wkt --repeat 1000 -o sum.wkt");
     EXPECT_EQ(outcome.code, 130) << outcome.err;
     EXPECT_FALSE(work.exists("sum.wkt"));
+  }
+}
+
+// These write no file: the signal ends them wherever they are.
+TEST_F(LongWork, QuestionsAndScaleRangesEndAtOnce) {
+  work.write("big.wkt", format_region(shapes::noisy_star(2000, 0.9, 5), RegionFormat::wkt));
+  work.write("room.wkt", "POLYGON((-9 -9,9 -9,9 9,-9 9,-9 -9))");
+  std::string places, poses;
+  for (int k = 0; k < 255; ++k) {
+    places += std::to_string(0.001 * k) + ",0.5\n";
+    poses += std::to_string(0.001 * k) + ",0.5,0.25\n";
+  }
+  work.write("places.txt", places);
+  work.write("poses.txt", poses);
+  for (const char* const question : {"contains big.wkt big.wkt --at-file places.txt --repeat 100000",
+                                     "contains big.wkt big.wkt --at-file poses.txt --repeat 100000",
+                                     "contains big.wkt big.wkt --at 0.1,0.5,0.25 --repeat 100000",
+                                     "scale-range big.wkt big.wkt --path '-9,0 9,0' --repeat 100000",
+                                     "scale-range big.wkt room.wkt --inside --repeat 100000"}) {
+    const auto start = std::chrono::steady_clock::now();
+    const Outcome outcome =
+        work.run(std::string("timeout --foreground --preserve-status -s INT -k 9 0.4 dymsum ") + question);
+    EXPECT_EQ(outcome.code, 130) << question << ": " << outcome.err;
+    EXPECT_EQ(outcome.out, "") << question;
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(1400)) << question;
   }
 }
 

@@ -254,5 +254,24 @@ TEST_F(SolidCli, TrianglesForProgramsThatTakeNoOtherFaces) {
   EXPECT_EQ(work.run("dymsum sum square.wkt square.wkt --triangulate").code, 1);
 }
 
+// A cube of side 2^k has volume 2^3k and surface 6 2^2k.
+TEST_F(SolidCli, VolumesAndSurfacesOutsideTheRangeOfDoublesAreText) {
+  const auto cube = [](double s) {
+    return format_mesh(scaled(solids::box(0, 0, 0, 1, 1, 1), s, s, s).value(), MeshFormat::off);
+  };
+  work.write("huge.off", cube(0x1p400));
+  work.write("tiny.off", cube(0x1p-400));
+  work.write("flea.off", cube(0x1p-532));
+  EXPECT_EQ(json("dymsum info huge.off --json")["volume"], "1.7218479456385751e+361");
+  EXPECT_EQ(json("dymsum info tiny.off --json")["volume"], "5.8077137562175032e-362");
+  EXPECT_EQ(json("dymsum info tiny.off --json")["area"], 6 * 0x1p-800);
+  EXPECT_TRUE(json("dymsum info flea.off --json")["area"].is_string()) << "6 2^-1064 is no normal double";
+  const Json sum = json("dymsum sum tiny.off tiny.off --json");
+  EXPECT_EQ(sum["volume"], "4.6461710049740025e-361");
+  EXPECT_EQ(json("dymsum sum huge.off huge.off --json")["area"], 24 * 0x1p800);
+  EXPECT_NE(work.run("dymsum sum huge.off huge.off").out.find("volume 1.3774783565108600e+362"), std::string::npos);
+  EXPECT_NE(work.run("dymsum info huge.off").out.find("volume 1.7218479456385751e+361"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace dymsum::cli_test

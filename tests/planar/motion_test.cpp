@@ -263,6 +263,40 @@ TEST(Motion, free_blocked_and_grazing) {
   EXPECT_EQ(check_motion(square(), wall, {0, 0, 0}, {3.99, 0, 7}, few)->outcome, MotionCheck::Outcome::undecided);
 }
 
+TEST(Motion, whole_turns_far_away_are_free_at_any_angle) {
+  const Region wall = region({{box(5, -2, 6, 2), {}}});
+  for (const double turns : {1e8, -1e12, 1e300})
+    for (const double from : {0.0, 3e7, -1e308}) {
+      SCOPED_TRACE(testing::Message() << from << " and " << turns);
+      EXPECT_EQ(check_motion(square(), wall, {0, 0, from}, {0, 9, from + turns})->outcome, MotionCheck::Outcome::free);
+      EXPECT_NE(check_motion(square(), wall, {0, 0, from}, {12, 0, from + turns})->outcome, MotionCheck::Outcome::free);
+    }
+  EXPECT_EQ(check_motion(square(), wall, {0, 0, 1e308}, {0, 9, -1e308})->outcome, MotionCheck::Outcome::free);
+  // A start of many turns is that of its exact remainder.
+  const double start = 421657428.0, reduced = Orientation::nearest(start)->radians();
+  const Configuration near{4, 0, start}, far{3.9, 3, start + 0.5}, near_0{4, 0, reduced}, far_0{3.9, 3, reduced + 0.5};
+  const MotionCheck a = *check_motion(square(), wall, near, far), b = *check_motion(square(), wall, near_0, far_0);
+  EXPECT_EQ(a.outcome, b.outcome);
+  EXPECT_EQ(a.poses, b.poses);
+}
+
+// Powers of two change nothing, also where squares of coordinates leave the range of doubles.
+TEST(Motion, tiny_shapes_are_those_of_their_size) {
+  for (std::uint64_t seed = 1; seed <= rounds(20); ++seed) {
+    Random random(seed);
+    const auto [robot, obstacle, unit] = random_scene(random, seed, 2);
+    const auto at = [&](double reach) { return reach * (static_cast<double>(random() % 2001) / 1000 - 1); };
+    const Configuration a{at(8 * unit), at(8 * unit), at(3)}, b{at(8 * unit), at(8 * unit), at(9)};
+    const MotionCheck whole = *check_motion(robot, obstacle, a, b);
+    for (const int exponent : {-300, -520, -600, -900}) {
+      const double s = std::ldexp(1.0, exponent);
+      const auto small = [&](Configuration c) { return Configuration{s * c.x, s * c.y, c.theta}; };
+      const MotionCheck check = *check_motion(*scaled(robot, s, s), *scaled(obstacle, s, s), small(a), small(b));
+      EXPECT_EQ(check.outcome, whole.outcome) << seed << ' ' << exponent;
+    }
+  }
+}
+
 TEST(Motion, random_ways_agree_with_samples) {
   std::array<int, 3> outcomes{};
   for (std::uint64_t seed = 1; seed <= rounds(150); ++seed) {

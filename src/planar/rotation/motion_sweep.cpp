@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "dymsum/motion.h"
+#include "planar/rotation/angle_reduction.h"
 #include "planar/rotation/pose.h"
 #include "planar/rotation/robot_rings.h"
 
@@ -10,15 +12,35 @@ namespace {
 
 using planar::Pose;
 
+double largest(const Region& region) {
+  const auto [x0, y0, x1, y1] = bounds(region);
+  return std::max({std::abs(x0), std::abs(y0), std::abs(x1), std::abs(y1)});
+}
+
+// A power of two that makes the largest coordinate at least 1: squares do not underflow then, and it is exact.
+double scale_for(const Region& robot, const Region& obstacle, const Configuration& a, const Configuration& b) {
+  const double most =
+      std::max({largest(robot), largest(obstacle), std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)});
+  return most > 0 && most < 1 ? std::ldexp(1.0, std::min(1000, -std::ilogb(most))) : 1;
+}
+
 // The way from a to b, poses in doubles.
 class Sweep {
  public:
-  Sweep(const Region& robot, const Region& obstacle, const Configuration& a, const Configuration& b)
-      : pose_(robot, obstacle), a_(a), d_{b.x - a.x, b.y - a.y, b.theta - a.theta} {
+  /// Everything is seen `scale` times as large.
+  Sweep(const Region& robot, const Region& obstacle, const Configuration& from, const Configuration& to, double scale)
+      : pose_(robot, obstacle, scale) {
+    const Point a{scale * from.x, scale * from.y}, b{scale * to.x, scale * to.y};
+    a_ = {a.x, a.y, planar::reduced_angle(from.theta)};
+    d_ = {b.x - a.x, b.y - a.y, to.theta - from.theta};
+    way_ = std::hypot(d_.x, d_.y);
+    arc_ = pose_.reach() * std::abs(d_.theta);
+    // On so long a way doubles tell no angle: that of the start stands for any.
+    any_angle_ = std::abs(d_.theta) > 0x1p50;
+    if (any_angle_) d_.theta = 0;
     // Rounding of the angle turns the robot a little, that of the place moves it.
-    const double angle = 0x1p-50 * (std::abs(a.theta) + std::abs(b.theta) + 1);
-    slack_ = angle * pose_.reach() + 0x1p-50 * (std::abs(a.x) + std::abs(b.x) + std::abs(a.y) + std::abs(b.y));
-    speed_ = (std::hypot(d_.x, d_.y) + pose_.reach() * std::abs(d_.theta)) * (1 + 0x1p-40) + 4 * slack_;
+    slack_ = 0x1p-50 * (std::abs(d_.theta) + 4) * pose_.reach() +
+             0x1p-50 * (std::abs(a.x) + std::abs(b.x) + std::abs(a.y) + std::abs(b.y));
   }
 
   MotionCheck run(const MotionOptions& options) {
@@ -29,7 +51,7 @@ class Sweep {
       open.pop_back();
       const double middle = 0.5 * (low + high);
       const Pose::Overlap here = overlap(middle);
-      if (here == Pose::Overlap::no && gap_.at_least > speed_ * 0.5 * (high - low)) continue;
+      if (here == Pose::Overlap::no && gap_.at_least > reached(0.5 * (high - low))) continue;
       if (check_.poses >= options.most_poses) return undecided(low, open.empty() ? high : 1);
       if (high - low <= options.resolution || middle <= low || middle >= high) return ended(low, high, here);
       open.push_back({middle, high});
@@ -39,11 +61,17 @@ class Sweep {
   }
 
  private:
+  // No point of the robot moves farther in this share of the way: on its arc never more than across the circle.
+  double reached(double share) const {
+    return (share * way_ + std::min(2 * pose_.reach(), share * arc_)) * (1 + 0x1p-40) + 4 * share * slack_;
+  }
+
   Pose::Overlap overlap(double t) {
     ++check_.poses;
     const double x = a_.x + t * d_.x, y = a_.y + t * d_.y, theta = a_.theta + t * d_.theta;
     const double c = std::cos(theta), s = std::sin(theta);
-    const Pose::Overlap o = pose_.overlap(x, y, c, s, slack_);
+    Pose::Overlap o = pose_.overlap(x, y, c, s, slack_);
+    if (o == Pose::Overlap::yes && any_angle_ && pose_.overlap(x, y, c, s, 2 * pose_.reach()) != o) o = Pose::Overlap::unsure;
     if (o == Pose::Overlap::no) gap_ = pose_.gap(x, y, c, s, slack_);
     return o;
   }
@@ -68,7 +96,7 @@ class Sweep {
     double ahead = here == Pose::Overlap::yes ? 0.5 * (low + high) : high;
     for (int k = 0; k < kLook && here != Pose::Overlap::yes && ahead <= 1; ++k) {
       here = overlap(ahead);
-      if (here == Pose::Overlap::no && gap_.at_least > speed_ * width) break;
+      if (here == Pose::Overlap::no && gap_.at_least > reached(width)) break;
       if (here != Pose::Overlap::yes) ahead = std::min(ahead < 1 ? 1.0 : 2.0, ahead + 0.5 * width);
     }
     if (here == Pose::Overlap::yes) {
@@ -82,7 +110,8 @@ class Sweep {
 
   Pose pose_;
   Configuration a_, d_;
-  double slack_ = 0, speed_ = 0;
+  double slack_ = 0, way_ = 0, arc_ = 0;
+  bool any_angle_ = false;
   Pose::Gap gap_;
   MotionCheck check_;
 };
@@ -94,7 +123,9 @@ Result<MotionCheck> check_motion(const Region& robot, const Region& obstacle, co
   if (auto error = planar::refused_pair(robot, obstacle)) return *std::move(error);
   for (const double v : {a.x, a.y, a.theta, b.x, b.y, b.theta})
     if (!std::isfinite(v)) return Error{Code::not_finite, "a configuration is not finite", {}};
-  return Sweep(robot, obstacle, a, b).run(options);
+  for (const double v : {a.x, a.y, b.x, b.y})
+    if (std::abs(v) > 0x1p400) return Error{Code::unsupported_operand, "a coordinate is larger than 2^400", {}};
+  return Sweep(robot, obstacle, a, b, scale_for(robot, obstacle, a, b)).run(options);
 }
 
 }  // namespace dymsum

@@ -6,13 +6,15 @@
 #include <string>
 #include <vector>
 
+#include "planar/rotation/angle_reduction.h"
+
 namespace dymsum {
 namespace {
 
 using Outcome = MotionCheck::Outcome;
 
 Configuration between(const Configuration& a, const Configuration& b, double share) {
-  return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), a.theta + share * (b.theta - a.theta)};
+  return {std::lerp(a.x, b.x, share), std::lerp(a.y, b.y, share), std::lerp(a.theta, b.theta, share)};
 }
 
 Error malformed(std::size_t piece, const std::string& what) {
@@ -36,11 +38,11 @@ PathCheck of_rotation(const RotationCheck& check, const Configuration& from, dou
   piece.outcome = check.free ? Outcome::free : Outcome::blocked;
   piece.contact = check.contact;
   if (!check.free && check.first) {
-    double ahead = std::remainder(check.first->theta - from.theta, 2 * std::numbers::pi);
+    double ahead = std::remainder(check.first->theta - planar::reduced_angle(from.theta), 2 * std::numbers::pi);
     if (ahead * turn < 0) ahead += turn > 0 ? 2 * std::numbers::pi : -2 * std::numbers::pi;
     piece.low = piece.high = turn == 0 ? 0 : std::clamp(ahead / turn, 0.0, 1.0);
   }
-  piece.at = {from.x, from.y, from.theta + piece.low * turn};
+  piece.at = {from.x, from.y, piece.low == 0 ? from.theta : from.theta + piece.low * turn};
   return piece;
 }
 

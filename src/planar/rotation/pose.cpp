@@ -74,7 +74,9 @@ Outline::Outline(const Region& region) {
   for_each_ring(region, add);
 }
 
-Pose::Pose(const Region& robot, const Region& obstacle) : robot_(robot), obstacle_(obstacle) {
+Pose::Pose(const Region& robot, const Region& obstacle, double scale) : robot_(robot), obstacle_(obstacle) {
+  for (Outline* outline : {&robot_, &obstacle_})
+    for (Point& p : outline->vertices) p = {scale * p.x, scale * p.y};
   for (const Point& p : robot_.vertices) reach_ = std::max(reach_, std::hypot(p.x, p.y));
   reach_ *= 1 + 0x1p-50;
   span_ = largest(obstacle_.vertices);

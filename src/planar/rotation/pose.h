@@ -19,9 +19,12 @@ struct Outline {
   Outline() = default;
 };
 
+/// Requires that the largest of all coordinates, those of poses too, is neither so small nor so large that squares leave
+/// the range of doubles.
 class Pose {
  public:
-  Pose(const Region& robot, const Region& obstacle);
+  /// All coordinates times `scale`, a power of two that leaves them exact.
+  Pose(const Region& robot, const Region& obstacle, double scale = 1);
 
   enum class Overlap : std::uint8_t { no, yes, unsure };
   struct Gap {

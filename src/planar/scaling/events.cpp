@@ -202,11 +202,12 @@ class EventWalk {
     if (!scale) return scale.error();
     const Result<FrameChanges> moved = probe_.move_to(*scale, *scale);
     if (!moved) return moved.error();
-    return Snapshot{probe_.hash(), topology_of(probe_.sum)};
+    return Snapshot{probe_.hash(lines_), topology_of(probe_.sum)};
   }
 
   const ScalingSum::State& state_;
   ScalingSum::State& probe_;
+  LineHashes lines_;
 };
 
 std::optional<Error> not_regular(const ScalingBase& base) {

@@ -58,19 +58,20 @@ const ExactForms& ScalingSum::State::forms() const {
   return *forms_;
 }
 
-std::uint64_t ScalingSum::State::hash() const {
+std::uint64_t ScalingSum::State::hash(LineHashes& known) const {
+  for (std::size_t op = 0; op < 2; ++op) {
+    known.edges[op].fill(base->operands[op].edge_number);
+    known.vertices[op].fill(base->operands[op].vertex_number);
+  }
   // Lines instead of contacts: where segments coincide at every scale, any of them may be named.
   const auto segment = [&](const Contact& c) {
     const bool of_p = c.kind == Contact::Kind::edge_of_p;
-    const Operand &o = base->operands[of_p ? 0 : 1], &other = base->operands[of_p ? 1 : 0];
-    const auto find = [](const auto& numbers, std::uint32_t n) {
-      return static_cast<std::uint32_t>(std::find(numbers.begin(), numbers.end(), n) - numbers.begin());
-    };
-    return Segment{o.edge(find(o.edge_number, of_p ? c.p : c.q)), other.source[find(other.vertex_number, of_p ? c.q : c.p)]};
+    const std::size_t op = of_p ? 0 : 1;
+    const Operand &o = base->operands[op], &other = base->operands[1 - op];
+    return Segment{o.edge(known.edges[op][of_p ? c.p : c.q]), other.source[known.vertices[1 - op][of_p ? c.q : c.p]]};
   };
-  std::unordered_map<std::uint64_t, std::uint64_t> lines;
   const auto line = [&](const Contact& c) {
-    const auto [it, fresh] = lines.try_emplace(key(c), 0);
+    const auto [it, fresh] = known.lines.try_emplace(key(c), 0);
     if (fresh) it->second = forms().line_hash(segment(c));
     return it->second;
   };

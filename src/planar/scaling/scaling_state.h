@@ -9,6 +9,7 @@
 #include "planar/frames/frame_rings.h"
 #include "planar/scaling/exact_forms.h"
 #include "planar/scaling/frame_loops.h"
+#include "planar/scaling/line_hashes.h"
 #include "planar/vertex_order.h"
 
 namespace dymsum {
@@ -35,7 +36,7 @@ class ScalingSum::State {
   std::unique_ptr<planar::Window> window_between(const exact::BigRational& low, const exact::BigRational& high, bool covers = false);
   planar::Window* window() const { return window_.get(); }
   const planar::ExactForms& forms() const;
-  std::uint64_t hash() const;
+  std::uint64_t hash(planar::LineHashes& known) const;
 
  private:
   struct NextFrame {

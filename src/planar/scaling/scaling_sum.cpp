@@ -39,6 +39,9 @@ const Scale& ScalingSum::scale() const { return state_->scale; }
 const PlanarSum& ScalingSum::sum() const { return state_->sum; }
 std::vector<std::uint64_t> ScalingSum::ring_ids() const { return state_->ring_ids; }
 const FrameWork& ScalingSum::work() const { return state_->work; }
-std::uint64_t ScalingSum::combinatorial_hash() const { return state_->hash(); }
+std::uint64_t ScalingSum::combinatorial_hash() const {
+  planar::LineHashes known;
+  return state_->hash(known);
+}
 
 }  // namespace dymsum

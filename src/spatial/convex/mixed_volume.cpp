@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "spatial/convex/compensated_sum.h"
 #include "spatial/convex/exact_places.h"
 #include "spatial/convex/posed_doubles.h"
+#include "spatial/convex/wide_sum.h"
 
 namespace dymsum::spatial {
 namespace {
@@ -23,34 +25,64 @@ BigMat big_matrix(const ExactPose& pose) {
 
 BigMat big_cofactors(const BigMat& m) { return {exact::cross(m[1], m[2]), exact::cross(m[2], m[0]), exact::cross(m[0], m[1])}; }
 
-/// Twice the area vector of a face, in grid units.
-BigVec twice_area(const Polytope& p, std::uint32_t f) {
-  const HalfEdge first = p.first[f];
-  const BigVec a = p.place<Big>(p.origin[first]);
-  BigVec total{Big::from_int64(0), Big::from_int64(0), Big::from_int64(0)};
-  for (HalfEdge h = p.next[first]; p.next[h] != first; h = p.next[h])
-    total = total + exact::cross(p.place<Big>(p.origin[h]) - a, p.place<Big>(p.target(h)) - a);
-  return total;
-}
-
 BigRational power_of_two(int e) {
   const BigInteger v = BigInteger(1) << static_cast<unsigned>(e < 0 ? -e : e);
   return e < 0 ? BigRational(BigInteger(1), v) : BigRational(v);
 }
 
-/// Six times the volume of a polytope, in cubed grid units.
-Big six_volume(const Polytope& p) {
-  Big six = Big::from_int64(0);
-  for (std::uint32_t f = 0; f < p.face_count(); ++f) six = six + exact::dot(twice_area(p, f), p.place<Big>(p.origin[p.first[f]]));
-  return six;
+/// Twice the area vector of a face, in grid units.
+template <class C>
+auto twice_area(const Polytope& p, std::uint32_t f) {
+  const HalfEdge first = p.first[f];
+  const auto a = p.place<C>(p.origin[first]);
+  using Term = decltype((a - a).x * (a - a).y - (a - a).x * (a - a).y);
+  exact::Vector3<WideSum<Term>> total;
+  for (HalfEdge h = p.next[first]; p.next[h] != first; h = p.next[h]) {
+    const auto n = exact::cross(p.place<C>(p.origin[h]) - a, p.place<C>(p.target(h)) - a);
+    total.x.add(n.x);
+    total.y.add(n.y);
+    total.z.add(n.z);
+  }
+  return exact::Vector3<typename WideSum<Term>::Value>{total.x.value(), total.y.value(), total.z.value()};
 }
 
-/// Sum over the faces f of operand op of 2 |f| h(n_f) of the other one, in the units of the grids, up to the denominators of the poses.
+/// The sum over the faces f of operand op of the matrices 2 |f| n_f x^T, x the vertex of the other one that is extreme along n_f, in the units of the grids:
+/// in small integers, whatever the poses.
+template <class C, class D>
+BigMat moments(const Overlay& o, int op) {
+  const Polytope &mine = o.poly(op), &other = o.poly(1 - op);
+  using Area = decltype(twice_area<C>(mine, 0).x);
+  exact::Matrix3<WideSum<decltype(Area{} * D{})>> sum;
+  for (std::uint32_t f = 0; f < mine.face_count(); ++f) {
+    const auto area = twice_area<C>(mine, f);
+    const auto x = other.place<D>(o.extreme(op, f));
+    for (auto&& [row, a] : {std::pair{&sum[0], &area.x}, {&sum[1], &area.y}, {&sum[2], &area.z}}) {
+      row->x.add(*a * x.x);
+      row->y.add(*a * x.y);
+      row->z.add(*a * x.z);
+    }
+  }
+  const auto big = [](const auto& row) { return BigVec{exact::to_big(row.x.value()), exact::to_big(row.y.value()), exact::to_big(row.z.value())}; };
+  return {big(sum[0]), big(sum[1]), big(sum[2])};
+}
+
+BigMat moments(const Overlay& o, int op) {
+  const int bits = std::max(o.poly(0).bits, o.poly(1).bits);
+  using exact::Int;
+  if (bits <= 26) return moments<Int<26>, Int<26>>(o, op);
+  if (bits <= 61) return moments<Int<61>, Int<61>>(o, op);
+  return moments<Big, Big>(o, op);
+}
+
+/// Sum over the faces f of operand op of 2 |f| h(n_f) of the other one, in the units of the grids, up to the denominators of the poses: of
+/// (C a) . (N x) = a^T (C^T N) x for the cofactors C of one matrix and the other one N.
 Big twice_mixed(const Overlay& o, int op, const BigMat& mine, const BigMat& other) {
-  const BigMat cof = big_cofactors(mine);
+  const BigMat across = exact::transposed(big_cofactors(mine)), columns = exact::transposed(other), sum = moments(o, op);
   Big total = Big::from_int64(0);
-  for (std::uint32_t f = 0; f < o.poly(op).face_count(); ++f)
-    total = total + exact::dot(exact::apply(cof, twice_area(o.poly(op), f)), exact::apply(other, o.poly(1 - op).place<Big>(o.extreme(op, f))));
+  for (std::size_t i = 0; i < 3; ++i) {
+    const BigVec row{exact::dot(across[i], columns[0]), exact::dot(across[i], columns[1]), exact::dot(across[i], columns[2])};
+    total = total + exact::dot(row, sum[i]);
+  }
   return total;
 }
 
@@ -64,8 +96,8 @@ exact::BigRational exact_mixed_volume(const Overlay& o, const SolidPose& p_pose,
   const auto over = [](const Big& v, const BigInteger& den) { return BigRational(v.value()) / BigRational(den); };
   const BigRational u = power_of_two(p.exponent), w = power_of_two(q.exponent);
   const BigInteger da = a.den, db = b.den;
-  return over(six_volume(p) * determinant(m), BigInteger(6 * da * da * da)) * u * u * u +
-         over(six_volume(q) * determinant(n), BigInteger(6 * db * db * db)) * w * w * w +
+  return over(p.six_volume * determinant(m), BigInteger(6 * da * da * da)) * u * u * u +
+         over(q.six_volume * determinant(n), BigInteger(6 * db * db * db)) * w * w * w +
          over(twice_mixed(o, 0, m, n), BigInteger(2 * da * da * db)) * u * u * w +
          over(twice_mixed(o, 1, n, m), BigInteger(2 * db * db * da)) * w * w * u;
 }

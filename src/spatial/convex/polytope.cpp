@@ -9,6 +9,7 @@
 #include "exact/grid.h"
 #include "spatial/convex/compensated_sum.h"
 #include "spatial/convex/rounded_vector.h"
+#include "spatial/convex/wide_sum.h"
 
 namespace dymsum::spatial {
 namespace {
@@ -221,6 +222,8 @@ void measure_as(Polytope& p) {
   for (std::uint32_t v = 0; v < p.vertex_count(); ++v) p.size = std::max(p.size, bit_length(p.place<C>(v) - centre));
   for (std::uint32_t v = 0; v < p.vertex_count(); ++v) p.from_first.push_back(rounded(p.place<C>(v) - centre, -p.size));
   CompensatedSum volume, area;
+  using Six = decltype(exact::dot(exact::cross(centre - centre, centre - centre), centre - centre));
+  WideSum<Six> six;
   for (std::uint32_t f = 0; f < p.face_count(); ++f) {
     const auto a = p.place<C>(p.origin[p.first[f]]);
     std::array<CompensatedSum, 3> twice;
@@ -230,12 +233,15 @@ void measure_as(Polytope& p) {
       twice[0].add(rounded_n.x);
       twice[1].add(rounded_n.y);
       twice[2].add(rounded_n.z);
-      volume.add(rounded(exact::dot(n, a - centre), -3 * p.size));
+      const Six tetrahedron = exact::dot(n, a - centre);
+      volume.add(rounded(tetrahedron, -3 * p.size));
+      six.add(tetrahedron);
     }
     p.area.push_back(0.5 * Vec3{twice[0].value(), twice[1].value(), twice[2].value()});
     area.add(length(p.area.back()));
   }
   p.volume = volume.value() / 6;
+  p.six_volume = exact::to_big(six.value());
   p.total_area = area.value() * (1 + 0x1p-40);
   p.size += p.exponent;
 }

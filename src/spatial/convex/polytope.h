@@ -41,6 +41,7 @@ struct Polytope : GridPlaces {
   std::vector<HalfEdge> first;                       // a half-edge of each face at a strictly convex corner
   std::vector<std::uint32_t> source_face;            // the smallest number of the mesh's faces that it was merged from
   double volume = 0;                                 // in units of 8^size, relative error below 2^-50
+  exact::Big six_volume;                             // six times the volume, in cubed grid units
   double total_area = 0;                             // at least the lengths of all of area together, by at most 2^-40 more
   int size = 0;                                      // no vertex is further than 2^size from vertex 0 along an axis
 

@@ -2,10 +2,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dymsum/volume_text.h"
+#include "exact/decimal_text.h"
 #include "spatial/convex/compensated_sum.h"
 #include "spatial/convex/exact_places.h"
 #include "spatial/convex/place_sum.h"
 #include "spatial/convex/rounded_vector.h"
+#include "spatial/scaled_number.h"
 
 namespace dymsum {
 namespace {
@@ -55,6 +58,27 @@ BigRational volume_of(const SolidSum& sum) {
   return BigRational(six) * places.unit() * places.unit() * places.unit() / 6;
 }
 
+spatial::ScaledNumber surface_of(const SolidSum& sum) {
+  if (sum.vertices.empty()) return {};
+  const ExactPlaces places(*sum.source, sum.p_pose, sum.q_pose);
+  const std::vector<BigVector> at = numerators(sum, places);
+  std::vector<exact::Vector3<Big>> twice;
+  int top = 0;
+  for (const SolidFacet& f : sum.facets) {
+    exact::Vector3<Big>& total = twice.emplace_back();
+    const auto from_first = [&](std::size_t i) { return big_vector(at[f.vertices[i]]) - big_vector(at[f.vertices[0]]); };
+    for (std::size_t i = 1; i + 1 < f.vertices.size(); ++i) total = total + exact::cross(from_first(i), from_first(i + 1));
+    top = std::max(top, spatial::bit_length(total));
+  }
+  spatial::CompensatedSum surface;
+  for (const exact::Vector3<Big>& n : twice) surface.add(length(spatial::rounded(n, -top)));
+  // Of the positions' unit, a power of two over an integer, the square.
+  const BigInteger num = numerator(places.unit()), den = denominator(places.unit());
+  const int num_bits = static_cast<int>(msb(num)), den_bits = static_cast<int>(msb(den));
+  const double unit = spatial::rounded(Big(num), -num_bits) / spatial::rounded(Big(den), -den_bits);
+  return {surface.value() / 2 * unit * unit, top + 2 * (num_bits - den_bits)};
+}
+
 }  // namespace
 
 namespace spatial {
@@ -94,25 +118,10 @@ std::size_t SolidSum::edge_count() const {
 Rational SolidSum::volume_exact() const { return exact::to_rational(volume_of(*this)); }
 double SolidSum::volume() const { return exact::round_to_double(volume_of(*this)); }
 
-double SolidSum::area() const {
-  if (vertices.empty()) return 0;
-  const ExactPlaces places(*source, p_pose, q_pose);
-  const std::vector<BigVector> at = numerators(*this, places);
-  std::vector<exact::Vector3<Big>> twice;
-  int top = 0;
-  for (const SolidFacet& f : facets) {
-    exact::Vector3<Big>& total = twice.emplace_back();
-    const auto from_first = [&](std::size_t i) { return big_vector(at[f.vertices[i]]) - big_vector(at[f.vertices[0]]); };
-    for (std::size_t i = 1; i + 1 < f.vertices.size(); ++i) total = total + exact::cross(from_first(i), from_first(i + 1));
-    top = std::max(top, spatial::bit_length(total));
-  }
-  spatial::CompensatedSum sum;
-  for (const exact::Vector3<Big>& n : twice) sum.add(length(spatial::rounded(n, -top)));
-  // Of the positions' unit, a power of two over an integer, the square.
-  const BigInteger num = numerator(places.unit()), den = denominator(places.unit());
-  const int num_bits = static_cast<int>(msb(num)), den_bits = static_cast<int>(msb(den));
-  const double unit = spatial::rounded(Big(num), -num_bits) / spatial::rounded(Big(den), -den_bits);
-  return std::ldexp(sum.value() / 2 * unit * unit, top + 2 * (num_bits - den_bits));
-}
+double SolidSum::area() const { return surface_of(*this).nearest(); }
+
+std::string volume_text(const SolidSum& sum) { return exact::decimal_text(volume_of(sum), 17); }
+
+std::string surface_text(const SolidSum& sum) { return surface_of(sum).text(); }
 
 }  // namespace dymsum

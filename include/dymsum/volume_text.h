@@ -1,0 +1,20 @@
+// Volumes and surfaces of any size as text: for those outside the range of doubles, which the numbers give as zero or
+// infinity. The form is that of area_text.
+#pragma once
+
+#include <string>
+
+#include "dymsum/convex_sum.h"
+#include "dymsum/mesh.h"
+
+namespace dymsum {
+
+/// The exact volume as a decimal number of 17 significant digits, correctly rounded, and an exponent. O(n).
+std::string volume_text(const Mesh& mesh);
+std::string volume_text(const SolidSum& sum);
+
+/// What surface_area() and SolidSum::area() give, with their relative errors, at any size. O(n).
+std::string surface_text(const Mesh& mesh);
+std::string surface_text(const SolidSum& sum);
+
+}  // namespace dymsum
