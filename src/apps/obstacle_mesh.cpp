@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "obstacle_rails.h"
+#include "planar/rotation/walked_rings.h"
 #include "station_closing.h"
-#include "walked_rings.h"
 
 namespace dymsum {
 namespace {
@@ -32,7 +32,7 @@ RobotSizes robot_sizes(const Region& robot) {
       sizes.edge.push_back(std::hypot(b.x - a.x, b.y - a.y));
     }
   };
-  for_each_ring(robot, add);
+  planar::for_each_ring(robot, add);
   return sizes;
 }
 

@@ -3,7 +3,7 @@
 
 #include "dymsum/motion.h"
 #include "planar/rotation/pose.h"
-#include "planar/rotation/robot_rings.h"
+#include "planar/rotation/walked_rings.h"
 
 namespace dymsum {
 namespace {
