@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "obstacle_rails.h"
-#include "planar/rotation/walked_rings.h"
+#include "walked_rings.h"
 
 namespace dymsum::apps {
 namespace {
@@ -90,11 +90,11 @@ RingTable ring_table(const Region& region) {
       table.previous.push_back(first + (k + n - 1) % n);
     }
   };
-  planar::for_each_ring(region, add);
+  for_each_ring(region, add);
   table.first_visit.resize(table.at.size());
   std::iota(table.first_visit.begin(), table.first_visit.end(), 0u);
   // Where rings touch, and where polylines end, fork and pass on their way back.
-  if (region.touching_points().empty() && !planar::has_thin_pieces(region)) return table;
+  if (region.touching_points().empty() && region.polylines().empty() && region.points().empty()) return table;
   std::map<std::pair<double, double>, std::uint32_t> visited;
   for (std::uint32_t v = 0; v < table.at.size(); ++v) table.first_visit[v] = visited.emplace(std::pair{table.at[v].x + 0.0, table.at[v].y + 0.0}, v).first->second;
   return table;

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "obstacle_rails.h"
-#include "planar/rotation/walked_rings.h"
+#include "walked_rings.h"
 #include "station_closing.h"
 
 namespace dymsum {
@@ -32,7 +32,7 @@ RobotSizes robot_sizes(const Region& robot) {
       sizes.edge.push_back(std::hypot(b.x - a.x, b.y - a.y));
     }
   };
-  planar::for_each_ring(robot, add);
+  for_each_ring(robot, add);
   return sizes;
 }
 

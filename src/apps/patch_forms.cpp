@@ -2,7 +2,7 @@
 
 #include "crossing_gap.h"
 #include "end_curve.h"
-#include "planar/rotation/walked_rings.h"
+#include "walked_rings.h"
 
 #include <algorithm>
 #include <array>
@@ -24,11 +24,11 @@ struct Numbered {
 
 Numbered numbered(const Region& region) {
   std::set<std::pair<double, double>> corners;  // vertices that are not in the middle of a straight line
-  planar::for_each_ring(region.canonical(), [&](const Ring& ring) {
+  for_each_ring(region.canonical(), [&](const Ring& ring) {
     for (const Point& v : ring) corners.insert({v.x, v.y});
   });
   Numbered n;
-  planar::for_each_ring(region, [&](const Ring& ring) {
+  for_each_ring(region, [&](const Ring& ring) {
     const std::size_t first = n.at.size(), size = ring.size();
     n.at.insert(n.at.end(), ring.begin(), ring.end());
     for (std::size_t i = 0; i < size; ++i) {
