@@ -42,17 +42,15 @@ void check(const CspaceCommand& command) {
   if (!written(is_strip)) refuse_options(*command.parser, {"--slices"}, "belongs to -o FILE.svg");
 }
 
-/// An operand that is no set of parts, or none at all, is told with its file.
+/// Where one operand only is empty or has pieces without area, its file is told.
 CspaceObstacle obstacle_of(const std::vector<Input>& inputs, const ObstacleOptions& options) {
   Result<CspaceObstacle> made = CspaceObstacle::create(inputs[0].region, inputs[1].region, options);
   if (made) return std::move(made).value();
   Error error = made.error();
-  for (const Input& input : inputs) {
-    const Region& r = input.region;
-    const bool at_fault = r.parts().empty() || !r.polylines().empty() || !r.points().empty();
-    if (error.code == Code::unsupported_operand && at_fault && error.evidence.file.empty())
-      error.evidence.file = input.file;
-  }
+  std::vector<std::string> thin;
+  for (const Input& input : inputs)
+    if (const Region& r = input.region; r.parts().empty() || !r.polylines().empty() || !r.points().empty()) thin.push_back(input.file);
+  if (error.code == Code::unsupported_operand && thin.size() == 1 && error.evidence.file.empty()) error.evidence.file = thin[0];
   stop_with(error);
 }
 

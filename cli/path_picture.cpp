@@ -10,7 +10,7 @@ namespace dymsum::cli {
 namespace {
 
 // The robot at a configuration as path data, y downwards.
-std::string robot_at(const Region& robot, const Configuration& q, Box& seen) {
+std::string placed(const Region& region, const Configuration& q, Box& seen) {
   const double c = std::cos(q.theta), s = std::sin(q.theta);
   std::string path;
   const auto add = [&](const Ring& ring) {
@@ -23,12 +23,17 @@ std::string robot_at(const Region& robot, const Configuration& q, Box& seen) {
     }
     path += 'Z';
   };
-  for (const Part& part : robot.parts()) {
+  for (const Part& part : region.parts()) {
     add(part.outer);
     for (const Ring& hole : part.holes) add(hole);
   }
-  for (const Polyline& line : robot.polylines()) add(line);
-  if (!robot.points().empty()) add(robot.points());
+  // There and back, so that nothing between its ends is filled.
+  for (const Polyline& line : region.polylines()) {
+    Ring walk(line);
+    walk.insert(walk.end(), line.rbegin() + 1, line.rend());
+    add(walk);
+  }
+  for (const Point& point : region.points()) add({point});
   return path;
 }
 
@@ -48,19 +53,19 @@ std::string outlined(const std::string& data, const char* style, double width) {
 std::string path_picture(const Region& robot, const Region& obstacle, const std::vector<Waypoint>& path) {
   constexpr double kSize = 900, kMargin = 16;
   constexpr int kBetween = 6;
-  const Drawn wall = drawn(obstacle);
-  Box seen = wall.box;
+  Box seen;
+  const std::string wall = placed(obstacle, {}, seen);
   std::vector<std::string> pale, full;
   std::string way;
   for (std::size_t k = 0; k < path.size(); ++k) {
     const Configuration& q = path[k].approx;
-    full.push_back(robot_at(robot, q, seen));
+    full.push_back(placed(robot, q, seen));
     way += (k == 0 ? "M" : "L") + number(q.x) + ' ' + number(-q.y);
     for (int i = 1; k + 1 < path.size() && i < kBetween; ++i) {
       const double s = static_cast<double>(i) / kBetween;
       const Configuration& next = path[k + 1].approx;
       const double theta = q.theta + s * turn_of(path[k], path[k + 1]);
-      pale.push_back(robot_at(robot, {q.x + s * (next.x - q.x), q.y + s * (next.y - q.y), theta}, seen));
+      pale.push_back(placed(robot, {q.x + s * (next.x - q.x), q.y + s * (next.y - q.y), theta}, seen));
     }
   }
   const Box box = seen.drawable();
@@ -71,7 +76,7 @@ std::string path_picture(const Region& robot, const Region& obstacle, const std:
           << "\">\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n<g transform=\"translate("
       << number(kMargin) << ' ' << number(kMargin) << ") scale(" << number(factor) << ") translate("
           << number(-box.x0) << ' ' << number(-box.y0) << ")\">\n";
-  svg << outlined(wall.path, "fill=\"#9ecae1\" stroke=\"#08519c\"", line) << tight_features(wall, factor);
+  svg << outlined(wall, "fill=\"#9ecae1\" stroke=\"#08519c\"", line);
   for (const std::string& data : pale)
     svg << outlined(data, "fill=\"#e8a33d\" fill-opacity=\"0.12\" stroke=\"#a8650a\" stroke-opacity=\"0.4\"",
                     0.6 * line);

@@ -47,6 +47,8 @@ int main(int argc, char** argv) {
       {"slot", shapes::letter_u(4, 4, 1)},
       {"peg", shapes::rectangle(0, 0, 2, 1)},
       {"cavity", shapes::rectangle(0, 0, 4, 3)},
+      {"hook", Region::create({{}, {{{0, 0}, {2, 0}, {2, 1}}}, {}}).value()},  // a bent wire
+      {"rooms", Region::create({{}, {{{0, 0}, {8, 0}, {8, 6}, {0, 6}, {0, 0}}, {{4, 0}, {4, 2}}, {{4, 3.5}, {4, 6}}}, {}}).value()},  // walls
   };
   for (const shapes::Named& shape : all) {
     const std::string file = (folder / shape.name).string() + ".wkt";

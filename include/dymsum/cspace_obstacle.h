@@ -115,11 +115,14 @@ struct ObstacleOptions {
 
 class CspaceObstacle {
  public:
-  /// Regions with holes and several parts; the robot may also be one segment (a polyline of two vertices) or one point,
-  /// which overlap where they meet the interior of the obstacle. Contacts name the segment's edge 0, from its first vertex
-  /// to the second one, and 1, back; cspace_slice names both 0. Errors: unsupported_operand for other polylines and points,
-  /// empty regions and coordinates beyond 2^400, and for a segment and an obstacle whose rings touch, as the segment passes
-  /// such a point without clearance at a range of angles; cancelled.
+  /// Regions with holes and several parts. One of the two may have polylines and points besides or instead, which overlap
+  /// where they meet the interior of the other one. Contacts name the vertices and edges of walked rings: those of the
+  /// parts, then every polyline there and back, a ring of 2 (n - 1) for n vertices, then points; cspace_slice names both
+  /// sides of a polyline by its edge. Errors: unsupported_operand for polylines or points in both, as two pieces without
+  /// area never overlap; for empty regions and coordinates beyond 2^400; for a polyline that runs along another one, itself
+  /// or an edge of a part; for polylines and points in one where rings of the other touch, as these may be held there
+  /// without clearance at a range of angles, unless they are one point, or one segment that cannot pass between the rings;
+  /// cancelled.
   static Result<CspaceObstacle> create(const Region& robot, const Region& obstacle, const ObstacleOptions& options = {});
 
   CspaceObstacle(CspaceObstacle&&) noexcept;

@@ -93,11 +93,10 @@ RingTable ring_table(const Region& region) {
   for_each_ring(region, add);
   table.first_visit.resize(table.at.size());
   std::iota(table.first_visit.begin(), table.first_visit.end(), 0u);
-  for (const Point& z : region.touching_points()) {
-    std::uint32_t first = kNobody;
-    for (std::uint32_t v = 0; v < table.at.size(); ++v)
-      if (table.at[v] == z) table.first_visit[v] = first = std::min(first, v);
-  }
+  // Where rings touch, and where polylines end, fork and pass on their way back.
+  if (region.touching_points().empty() && region.polylines().empty() && region.points().empty()) return table;
+  std::map<std::pair<double, double>, std::uint32_t> visited;
+  for (std::uint32_t v = 0; v < table.at.size(); ++v) table.first_visit[v] = visited.emplace(std::pair{table.at[v].x + 0.0, table.at[v].y + 0.0}, v).first->second;
   return table;
 }
 

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "obstacle_rails.h"
-#include "station_closing.h"
 #include "walked_rings.h"
+#include "station_closing.h"
 
 namespace dymsum {
 namespace {

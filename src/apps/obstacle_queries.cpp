@@ -16,12 +16,25 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-// Of a segment the root of the mean square distance of its points from the origin: its middle, and its length.
+// The root of the mean square distance of the robot's points from the origin: of its parts, else of its polylines, else of its points.
 double turning_radius(const Region& robot) {
   if (!robot.parts().empty()) return radius_of_gyration(robot);
-  if (!robot.points().empty()) return std::hypot(robot.points()[0].x, robot.points()[0].y);
-  const Point a = robot.polylines()[0][0], b = robot.polylines()[0][1];
-  return std::hypot((a.x + b.x) / 2, (a.y + b.y) / 2, std::hypot(b.x - a.x, b.y - a.y) / std::sqrt(12));
+  // Of a segment its middle, and its length; the mean of these by lengths.
+  double size = 0, radius = 0;
+  const auto add = [&](double more, double mean) {
+    if (!(more > 0)) return;
+    size += more;
+    radius = std::hypot(radius * std::sqrt((size - more) / size), mean * std::sqrt(more / size));
+  };
+  for (const Polyline& line : robot.polylines())
+    for (std::size_t k = 0; k + 1 < line.size(); ++k) {
+      const Point a = line[k], b = line[k + 1];
+      const double length = std::hypot(b.x - a.x, b.y - a.y);
+      add(length, std::hypot((a.x + b.x) / 2, (a.y + b.y) / 2, length / std::sqrt(12)));
+    }
+  if (robot.polylines().empty())
+    for (const Point& p : robot.points()) add(1, std::hypot(p.x, p.y));
+  return radius;
 }
 
 // In [-pi, pi], within 2^-51 of the angle of Orientation::nearest.

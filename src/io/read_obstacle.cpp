@@ -8,6 +8,7 @@
 #include "io/source.h"
 #include "planar/rotation/angle_order.h"
 #include "planar/rotation/obstacle_start.h"
+#include "planar/rotation/walked_rings.h"
 
 namespace dymsum {
 namespace {
@@ -44,6 +45,14 @@ std::uint32_t index_or_none(const Json& j, std::size_t count) {
   return j == Patch::kNone ? Patch::kNone : index(j, count);
 }
 
+// A polyline, which encloses nothing as a ring.
+bool is_there_and_back(const Ring& ring) {
+  const std::size_t n = ring.size();
+  for (std::size_t k = 1; k < n / 2; ++k)
+    if (ring[k] != ring[n - k]) return false;
+  return n > 0 && n % 2 == 0;
+}
+
 Result<Region> region_of(const Json& parts) {
   RegionData data;
   for (const Json& rings : list(parts)) {
@@ -54,8 +63,8 @@ Result<Region> region_of(const Json& parts) {
       for (std::size_t k = 0; k < flat.size(); k += 2) ring.push_back({number(flat[k]), number(flat[k + 1])});
     }
     demand(!read.empty(), "a part has no ring");
-    if (read.size() == 1 && read[0].size() == 2)
-      data.polylines.push_back(read[0]);
+    if (read.size() == 1 && is_there_and_back(read[0]))
+      data.polylines.emplace_back(read[0].begin(), read[0].begin() + static_cast<std::ptrdiff_t>(read[0].size() / 2 + 1));
     else if (read.size() == 1 && read[0].size() == 1)
       data.points.push_back(read[0][0]);
     else
@@ -138,8 +147,8 @@ class ContentReader {
   }
   Contact contact(const Json& j, std::size_t at) const {
     const bool fixed = !flag(j[at]);
-    return {fixed ? Contact::Kind::edge_of_p : Contact::Kind::edge_of_q, index(j[at + 1], s_.obstacle.vertex_count()),
-            index(j[at + 2], s_.robot.vertex_count())};
+    return {fixed ? Contact::Kind::edge_of_p : Contact::Kind::edge_of_q, index(j[at + 1], planar::walked_vertices(s_.obstacle)),
+            index(j[at + 2], planar::walked_vertices(s_.robot))};
   }
   void read_patches() {
     for (const Json& j : list(j_.at("patches"))) {

@@ -4,6 +4,7 @@
 #include "dymsum/obstacle_file.h"
 #include "io/obstacle_text.h"
 #include "planar/rotation/obstacle_state.h"
+#include "planar/rotation/walked_rings.h"
 
 namespace dymsum {
 namespace {
@@ -20,7 +21,7 @@ Json ring_json(const Ring& ring) {
   return flat;
 }
 
-// A segment is written as a ring of two vertices, a point as a ring of one.
+// A polyline is written as the ring there and back, of two vertices for a segment, and a point as a ring of one.
 Json region_json(const Region& region) {
   Json parts = Json::array();
   for (const Part& part : region.parts()) {
@@ -28,8 +29,8 @@ Json region_json(const Region& region) {
     for (const Ring& hole : part.holes) rings.push_back(ring_json(hole));
     parts.push_back(std::move(rings));
   }
-  for (const Polyline& segment : region.polylines()) parts.push_back(Json::array({ring_json(segment)}));
-  if (!region.points().empty()) parts.push_back(Json::array({ring_json(region.points())}));
+  for (const Polyline& line : region.polylines()) parts.push_back(Json::array({ring_json(planar::walked(line))}));
+  for (const Point& point : region.points()) parts.push_back(Json::array({ring_json({point})}));
   return parts;
 }
 

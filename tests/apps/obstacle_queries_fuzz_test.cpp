@@ -145,6 +145,28 @@ TEST(ObstacleQueriesFuzz, segments_and_points) {
   }
 }
 
+// An L, a T and a polygon with a whisker, against parts; and a part among walls.
+TEST(ObstacleQueriesFuzz, pieces_without_area) {
+  for (std::uint64_t seed = 1; seed <= 24 && !HasFailure(); ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random random(seed);
+    const double l = 1 + std::abs(grid(random, 2));
+    RegionData thin;
+    switch (seed % 4) {
+      case 0: thin.polylines = {{{0, 0}, {l, 0}, {l, 1.5}}}; break;
+      case 1: thin.polylines = {{{-l, 0}, {l, 0}}, {{0.5, 0}, {0, 1.5}}}; break;
+      case 2:
+        thin.parts = {{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {}}};
+        thin.polylines = {{{1, 0.5}, {1 + l, 0.5}}};
+        break;
+      default: thin.polylines = {{{-4, -4}, {4, -4}, {4, 4}, {-4, 4}, {-4, -4}}, {{0, -4}, {0, -l}}, {{0, 0}, {0, 4}}}; thin.points = {{-2, 1}};
+    }
+    const Region wires = *Region::create(thin), shape = random_shape(random, seed % 4 == 3 ? 2 : 5);
+    const CspaceObstacle c = seed % 4 == 3 ? CspaceObstacle::create(shape, wires).value() : CspaceObstacle::create(wires, shape).value();
+    ask(c, 8, 1, random);
+  }
+}
+
 // Powers of two change nothing but the scale.
 TEST(ObstacleQueriesFuzz, the_largest_and_the_smallest_coordinates) {
   Random random(8);

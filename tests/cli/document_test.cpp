@@ -138,8 +138,8 @@ TEST(CspaceGuide, ProgramAndCommandsDoWhatIsShown) {
     ++shown;
     EXPECT_EQ(block, line + outcome.out);
   }
-  EXPECT_EQ(commands, 8);
-  EXPECT_EQ(shown, 3);
+  EXPECT_EQ(commands, 9);
+  EXPECT_EQ(shown, 4);
   EXPECT_TRUE(work.exists("obstacle.glb") && work.exists("slices.svg") && work.exists("turn.anim.svg"));
 }
 

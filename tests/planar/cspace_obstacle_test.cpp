@@ -371,19 +371,14 @@ TEST(CspaceObstacle, slabs_cover_the_circle_in_order) {
   }
 }
 
-TEST(CspaceObstacle, refuses_what_has_no_area_or_is_too_large) {
+TEST(CspaceObstacle, refuses_what_is_empty_or_too_large) {
   const Region box = shapes::rectangle(0, 0, 1, 1);
-  RegionData line, dots, mixed = box.data();
-  line.polylines.push_back({{0, 0}, {1, 1}, {2, 0}});
-  dots.points = {{0, 0}, {1, 0}};
-  mixed.points.push_back({5, 5});
-  const Region bad[] = {Region(), *Region::create(line), *Region::create(dots), *Region::create(mixed),
-                        shapes::rectangle(0, 0, 0x1p401, 1)};
+  const Region bad[] = {Region(), shapes::rectangle(0, 0, 0x1p401, 1)};
   for (const Region& region : bad) {
     EXPECT_EQ(CspaceObstacle::create(region, box).error().code, Code::unsupported_operand);
     EXPECT_EQ(CspaceObstacle::create(box, region).error().code, Code::unsupported_operand);
   }
-  const Error error = CspaceObstacle::create(box, bad[4]).error();
+  const Error error = CspaceObstacle::create(box, bad[1]).error();
   EXPECT_EQ(error.evidence.x, 0x1p401);
   EXPECT_EQ(error.evidence.y, 0);
   ObstacleOptions options;

@@ -185,28 +185,5 @@ TEST(CspaceRod, a_file_holds_the_same_obstacle) {
   }
 }
 
-// So are obstacles with a touching point, which a segment passes at a range of angles without clearance.
-TEST(CspaceRod, other_robots_without_area_are_refused) {
-  const Region square = polygon(box(0, 0, 1, 1));
-  RegionData bent, two, dots, mixed = square.data(), touching;
-  bent.polylines.push_back({{0, 0}, {1, 1}, {2, 0}});
-  two.polylines = {{{0, 0}, {1, 1}}, {{3, 3}, {4, 4}}};
-  dots.points = {{0, 0}, {1, 0}};
-  mixed.polylines.push_back({{5, 5}, {6, 6}});
-  for (const RegionData& data : {bent, two, dots, mixed}) {
-    const Region robot = *Region::create(data);
-    EXPECT_EQ(CspaceObstacle::create(robot, square).error().code, Code::unsupported_operand);
-    EXPECT_EQ(check_motion(robot, square, {}, {1, 1, 1}).error().code, Code::unsupported_operand);
-    EXPECT_EQ(check_rotation(robot, square, Point{}, {}, {}, TurnDirection::clockwise).error().code, Code::unsupported_operand);
-  }
-  for (const Region& thin : {segment({0, 0}, {1, 0}), point({0, 0})})
-    EXPECT_EQ(CspaceObstacle::create(square, thin).error().code, Code::unsupported_operand);
-  touching.parts = {{box(0, 0, 2, 2), {}}, {box(2, 2, 5, 5), {}}};
-  const Error error = CspaceObstacle::create(segment({0, 0}, {1, 0}), *Region::create(touching)).error();
-  EXPECT_EQ(error.code, Code::unsupported_operand);
-  EXPECT_EQ(error.evidence.x, 2);
-  EXPECT_TRUE(CspaceObstacle::create(point({0, 0}), *Region::create(touching)).ok());
-}
-
 }  // namespace
 }  // namespace dymsum

@@ -26,6 +26,7 @@ Region scaled(const Region& r, double f) {
   }
   for (Polyline& line : data.polylines)
     for (Point& p : line) p = {f * p.x, f * p.y};
+  for (Point& p : data.points) p = {f * p.x, f * p.y};
   return *Region::create(data);
 }
 
@@ -40,6 +41,7 @@ Region turned_back(const Region& r, const Turn& turn) {
   }
   for (Polyline& line : data.polylines)
     for (Point& p : line) p = place(p);
+  for (Point& p : data.points) p = place(p);
   return *Region::create(data);
 }
 
@@ -114,6 +116,27 @@ TEST(FreePlace, equals_membership_in_the_open_sum) {
   if (std::getenv("DYMSUM_SEED") != nullptr) return;
   EXPECT_GT(tally.free, 500 / static_cast<int>(kShareOfSeeds));
   EXPECT_GT(tally.covered, 500 / static_cast<int>(kShareOfSeeds));
+}
+
+// Parts, a bent polyline and a point, in any place, against parts; either way round.
+TEST(FreePlace, of_pieces_without_area_equals_membership_in_the_open_sum) {
+  Tally tally;
+  for_seeds(120, [&](Random& random) {
+    const auto grid = [&](int reach) { return 5.0 * (static_cast<int>(random() % static_cast<unsigned>(2 * reach + 1)) - reach); };
+    const bool robot = random() % 2 == 0;
+    const int reach = robot ? 2 : 3;
+    RegionData thin;
+    if (random() % 2 == 0) thin.parts = scaled(random_shape(random, reach, 4, false), 5).parts();
+    Polyline& line = thin.polylines.emplace_back();
+    while (line.size() < 3)
+      if (const Point p{grid(reach), grid(reach)}; line.empty() || p != line.back()) line.push_back(p);
+    thin.points.push_back({grid(reach), grid(reach)});
+    const Region one = *Region::create(thin), other = scaled(random_shape(random, robot ? 3 : 2, 6, random() % 2 == 0), 5);
+    Places(robot ? one : other, robot ? other : one, kTurns[random() % kTurns.size()]).check(random, 12, tally);
+  });
+  if (std::getenv("DYMSUM_SEED") != nullptr) return;
+  EXPECT_GT(tally.free, 300 / static_cast<int>(kShareOfSeeds));
+  EXPECT_GT(tally.covered, 300 / static_cast<int>(kShareOfSeeds));
 }
 
 TEST(FreePlace, of_a_segment_equals_membership_in_the_open_sum) {

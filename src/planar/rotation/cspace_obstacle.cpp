@@ -13,9 +13,10 @@
 #include "planar/rotation/free_turn.h"
 #include "planar/rotation/general_obstacle.h"
 #include "planar/rotation/obstacle_start.h"
-#include "planar/rotation/robot_rings.h"
+#include "planar/rotation/point_passage.h"
 #include "planar/rotation/slice.h"
 #include "planar/rotation/walk_numbers.h"
+#include "planar/rotation/walked_rings.h"
 
 namespace dymsum {
 namespace {
@@ -45,11 +46,32 @@ std::optional<Error> beyond_range(const Region& region) {
   return error;
 }
 
-// Of a segment, whose two directions static sums name as one edge, the contacts name its walk edges; of a point, its only vertex.
-std::shared_ptr<const ScalingBase> numbered_there_and_back(const ScalingBase& base) {
-  auto same = std::make_shared<ScalingBase>(base);
-  number_by_walk(same->operands[1]);
-  return same;
+Error unsupported_at(Point at, const char* message) {
+  Error error = unsupported(message);
+  error.evidence.x = at.x;
+  error.evidence.y = at.y;
+  return error;
+}
+
+bool is_segment(const Region& r) { return r.parts().empty() && r.points().empty() && r.polylines().size() == 1 && r.polylines()[0].size() == 2; }
+bool is_point(const Region& r) { return r.parts().empty() && r.polylines().empty() && r.points().size() == 1; }
+
+// Where rings of one touch, the other one's bends and ends may be held in that point, and a segment pass through it, without clearance.
+std::optional<Error> refused_at_touching(const Region& touching, const Region& thin) {
+  if (touching.touching_points().empty() || !has_thin_pieces(thin) || is_point(thin)) return std::nullopt;
+  if (!is_segment(thin))
+    return unsupported_at(touching.touching_points()[0], "rings touch here, and the other operand has polylines or points, which may be held in that point; only one segment or one point, and parts, are supported with rings that touch");
+  if (const std::optional<Point> at = point_passage(touching))
+    return unsupported_at(*at, "rings touch here, and the other operand is a segment, which passes between them without clearance at a range of angles");
+  return std::nullopt;
+}
+
+std::optional<Error> refused_wires(const Region& robot, const Region& obstacle) {
+  for (const Region* region : {&robot, &obstacle})
+    if (const std::optional<Point> at = overlapping_polylines(*region))
+      return unsupported_at(*at, "a polyline runs along another one, along itself or along the edge of a part: what they share is to be given once");
+  if (std::optional<Error> error = refused_at_touching(obstacle, robot)) return error;
+  return refused_at_touching(robot, obstacle);
 }
 
 auto key_of(const Contact& c) { return std::tuple{c.kind, c.p, c.q}; }
@@ -102,19 +124,14 @@ Result<std::unique_ptr<CspaceObstacle::State>> planar::start_obstacle(const Regi
   if (std::optional<Error> error = refused_pair(robot, obstacle)) return *std::move(error);
   for (const Region* region : {&robot, &obstacle})
     if (std::optional<Error> error = beyond_range(*region)) return *std::move(error);
-  if (is_segment(robot) && !obstacle.touching_points().empty()) {
-    const Point z = obstacle.touching_points()[0];
-    Error error = unsupported("rings of the obstacle touch, and the robot is a segment: it passes the touching point without clearance at a range of angles");
-    error.evidence.x = z.x;
-    error.evidence.y = z.y;
-    return error;
-  }
+  if (std::optional<Error> error = refused_wires(robot, obstacle)) return *std::move(error);
   auto base = turning_base(obstacle, robot, 1, true, {}, 0);
   if (!base) return base.error();
   auto state = std::make_unique<CspaceObstacle::State>();
   state->robot = robot;
   state->obstacle = obstacle;
-  state->base = robot.parts().empty() ? numbered_there_and_back(**base) : std::move(base).value();
+  const bool thin = has_thin_pieces(robot) || has_thin_pieces(obstacle);
+  state->base = thin ? numbered_there_and_back(**base, {&state->obstacle, &state->robot}) : std::move(base).value();
   return state;
 }
 

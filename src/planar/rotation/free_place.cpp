@@ -3,11 +3,13 @@
 // edges do not cross, and there the sectors that the two fill have directions in common. Otherwise a whole ring of one lies in the
 // interior of the other, or no boundary enters the other's interior. Then two parts whose interiors meet are equal and have a common
 // vertex with equal sectors. So three tests tell: proper crossings; sectors at vertices on edges and vertices; a vertex of every ring
-// that touches nothing. A robot without area has no sectors: if a segment enters the interior and is not inside as a whole, it leaves it at
-// a common point too, and there one of its rays lies in the open sector. A point that touches is free.
+// that touches nothing. Pieces without area have no sectors: if a polyline enters the interior of a part and is not inside as a whole, it
+// leaves it at a common point too, and there one of its rays lies in the open sector. A point that touches is free. Two pieces without area
+// never overlap, so what touches one of them may still lie inside a part.
 #include "planar/rotation/free_place.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace dymsum::planar {
@@ -38,7 +40,6 @@ class FreePlace {
   }
 
   bool run() {
-    if (forms_.is_point(1, 0)) return true;  // at a place of an event it is on the boundary
     for (std::uint32_t i = 0; i < forms_.size(0); ++i)
       for (std::uint32_t j = 0; j < forms_.size(1); ++j)
         if (!boxes_apart(i, j) && overlap_at(i, j)) return false;
@@ -65,6 +66,9 @@ class FreePlace {
   Sector at_vertex(std::uint32_t op, std::uint32_t v) const { return {along(op, v), back(op, forms_.operand(op).prev[v])}; }
 
   bool overlap_at(std::uint32_t i, std::uint32_t j) {
+    if (!has_area(0, i) && !has_area(1, j)) return false;
+    for (const std::uint32_t op : {0u, 1u})
+      if (forms_.is_point(op, op == 0 ? i : j)) return point_at(op, op == 0 ? i : j, op == 0 ? j : i);
     const std::uint32_t i1 = forms_.operand(0).next[i], j1 = forms_.operand(1).next[j];
     const int s0 = side(0, i, j), s1 = side(0, i, j1);
     if (s0 * s1 > 0) return false;
@@ -79,11 +83,21 @@ class FreePlace {
     const Fraction at = signs_.along(s, z_);
     const int from = signs_.sign(at), to = signs_.compare(at, signs_.length(s));
     if (from < 0 || to > 0) return false;
-    touches_[op][loop_of_[op][e]] = touches_[1 - op][loop_of_[1 - op][v]] = 1;
+    if (has_area(1 - op, v)) touches_[op][loop_of_[op][e]] = 1;
+    if (has_area(op, e)) touches_[1 - op][loop_of_[1 - op][v]] = 1;
     if (to == 0) return false;
     const Sector here = from > 0 ? at_edge(op, e) : at_vertex(op, e), there = at_vertex(1 - op, v);
-    if (has_area(op) && has_area(1 - op)) return meet(here, there);
-    return has_area(op) ? enters(there, here) : enters(here, there);
+    if (has_area(op, e) && has_area(1 - op, v)) return meet(here, there);
+    return has_area(op, e) ? enters(there, here) : enters(here, there);
+  }
+
+  // Point v on edge e of the other operand touches it.
+  bool point_at(std::uint32_t op, std::uint32_t v, std::uint32_t e) {
+    if (side(1 - op, e, v) != 0) return false;
+    const WalkSegment s{1 - op, e, v};
+    const Fraction at = signs_.along(s, z_);
+    if (signs_.sign(at) >= 0 && signs_.compare(at, signs_.length(s)) <= 0) touches_[op][loop_of_[op][v]] = 1;
+    return false;
   }
 
   int cross(const Ray& u, const Ray& v) const { return u.sign * v.sign * signs_.cross(u.of, v.of); }
@@ -97,17 +111,17 @@ class FreePlace {
     return a != b ? a < b : a != 1 && cross(u, s.to) > 0;
   }
   bool meet(const Sector& s, const Sector& t) const { return starts_in(s.from, t) || starts_in(t.from, s); }
-  // Of a segment only the two rays count, each in the open sector of what has area.
+  // Of a polyline only the two rays count, each in the open sector of what has area.
   bool enters(const Sector& rays, const Sector& s) const { return is_in(rays.from, s) || is_in(rays.to, s); }
   bool is_in(const Ray& u, const Sector& s) const { return starts_in(u, s) && !same(u, s.from); }
-  bool has_area(std::uint32_t op) const { return forms_.operand(op).components[0].dimension == 2; }
+  bool has_area(std::uint32_t op, std::uint32_t v) const { return forms_.operand(op).components[forms_.operand(op).component_of[v]].dimension == 2; }
 
   bool a_ring_is_inside() const {
     for (std::uint32_t op = 0; op < 2; ++op)
       for (std::uint32_t l = 0; l < touches_[op].size(); ++l) {
-        if (touches_[op][l] || !has_area(1 - op)) continue;
+        if (touches_[op][l]) continue;
         for (const Component& c : forms_.operand(1 - op).components)
-          if (inside(op, forms_.operand(op).loops[l].first, c)) return true;
+          if (c.dimension == 2 && inside(op, forms_.operand(op).loops[l].first, c)) return true;
       }
     return false;
   }
@@ -115,12 +129,25 @@ class FreePlace {
   // Vertex v in a component of the other operand: edges that cross the line of the edge at v ahead of v.
   bool inside(std::uint32_t op, std::uint32_t v, const Component& c) const {
     const Operand& other = forms_.operand(1 - op);
+    const bool is_point = forms_.is_point(op, v);
+    const auto left = [&](std::uint32_t k) { return is_point ? left_of(op, v, c.first, k) : side(op, v, k) > 0; };
     bool in = false;
     for (std::uint32_t k = c.first; k < c.last; ++k) {
-      const bool from = side(op, v, k) > 0, to = side(op, v, other.next[k]) > 0;
+      const bool from = left(k), to = left(other.next[k]);
       if (from != to) in ^= (side(1 - op, k, v) > 0) == to;
     }
     return in;
+  }
+  // Whether vertex k of the other operand is on the left of the line through v in the direction of its edge e: v and k from the line of e.
+  bool left_of(std::uint32_t op, std::uint32_t v, std::uint32_t e, std::uint32_t k) const {
+    const WalkSegment s{1 - op, e, v};
+    const auto at = [&](std::uint32_t of, std::uint32_t i) { return of == 0 ? forms_.points(0)[i] : robot_[i]; };
+    const Point a = at(1 - op, e), b = at(1 - op, forms_.operand(1 - op).next[e]), p = at(op, v), q = at(1 - op, k);
+    const double value = (b.x - a.x) * (q.y - p.y) - (b.y - a.y) * (q.x - p.x);
+    if (std::abs(value) > 4 * SignsAt::kNear * forms_.length1(s) * forms_.span()) return value > 0;
+    const Fraction own = signs_.side(s, z_);
+    const exact::Polynomial its = forms_.exact_side(s, op == 0 ? Pair{v, k} : Pair{k, v}, signs_.chart());
+    return signs_.compare({its, exact::Polynomial({exact::Big(exact::BigInteger(1))})}, own) > 0;
   }
 
   const SignsAt& signs_;

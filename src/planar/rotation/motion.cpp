@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "planar/rotation/pivot.h"
-#include "planar/rotation/robot_rings.h"
+#include "planar/rotation/walked_rings.h"
 
 namespace dymsum {
 namespace {

@@ -5,7 +5,7 @@
 #include "dymsum/motion.h"
 #include "planar/rotation/angle_reduction.h"
 #include "planar/rotation/pose.h"
-#include "planar/rotation/robot_rings.h"
+#include "planar/rotation/walked_rings.h"
 
 namespace dymsum {
 namespace {

@@ -179,7 +179,7 @@ class ObstacleSweep {
   bool same_place(const SignsAt& signs, const Candidate& y, const Candidate& z) const;
   std::vector<Candidate> each_once(const SignsAt& signs, std::vector<Candidate> all) const;
   std::vector<std::array<std::uint32_t, 2>> opposite_stretches(const SignsAt& signs, const std::vector<Candidate>& places) const;
-  std::vector<NodeNow> nodes_now(const SignsAt& signs) const;
+  std::vector<NodeNow> nodes_now(const SignsAt& signs, bool before) const;
   int order_of_end(const SignsAt& signs, const NodeNow& n, const Candidate& z, bool at_end) const;
   bool on_line(const SignsAt& signs, const NodeNow& n, const Candidate& z) const;
   bool reaches(const SignsAt& signs, const NodeNow& n, const Candidate& z) const;

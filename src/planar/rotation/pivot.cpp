@@ -61,7 +61,7 @@ void Pivot::each_candidate(Visit visit) const {
   const auto m = static_cast<std::uint32_t>(pose_.obstacle().vertices.size());
   for (std::uint32_t i = 0; i < n; ++i)
     for (std::uint32_t j = 0; j < m; ++j) {
-      visit(Candidate{i, j, true});
+      if (pose_.obstacle().next[j] != j) visit(Candidate{i, j, true});
       if (pose_.robot().next[i] != i) visit(Candidate{i, j, false});  // a point has no edge
     }
 }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "planar/rotation/robot_rings.h"
+#include "planar/rotation/walked_rings.h"
 
 namespace dymsum::planar {
 namespace {

@@ -1,6 +1,7 @@
 // Three contacts that stay at one point z at every angle are no event. Each covers what lies to its left near z, so where their directions
 // span the plane with positive weights z has no free space beside it: free or covered, z changes only at events of another segment or of an
-// end of the three, all of which are listed. Between two events one exact test therefore tells whether z is free, hence tight.
+// end of the three, all of which are listed. Between two events one exact test therefore tells whether z is free, hence tight, unless it is
+// an end of one of them, beside which free space comes to it: then the boundary passes there.
 #include "planar/rotation/tight_curves.h"
 
 #include <algorithm>
@@ -65,6 +66,7 @@ std::vector<AlwaysConcurrent> ObstacleSweep::tight_curves(const Orientation& at,
   std::vector<AlwaysConcurrent> found;
   const Heading h = Heading::of(at.radians());
   std::optional<SignsAt> signs;
+  std::vector<NodeNow> nodes;
   for (const AlwaysConcurrent& three : always_) {
     if (!may_span(forms_, three, h)) continue;
     const EventPlace place = place_of(event_of(three), forms_, h);
@@ -72,6 +74,8 @@ std::vector<AlwaysConcurrent> ObstacleSweep::tight_curves(const Orientation& at,
     if (!signs) signs.emplace(forms_, exact_angle(at));
     const std::optional<Candidate> z = spans(*signs, three) ? meeting_of(*signs, three) : std::nullopt;
     if (!z || !is_free(*signs, z->place)) continue;
+    if (nodes.empty()) nodes = nodes_now(*signs, false);
+    if (std::any_of(nodes.begin(), nodes.end(), [&](const NodeNow& n) { return reaches(*signs, n, *z); })) continue;
     found.push_back(three);
     std::sort(found.back().begin(), found.back().end(), before);
   }

@@ -31,7 +31,7 @@ void ObstacleSweep::examine(const TurnRange& range, const OverlapFilter& filter,
   const bool by_slice = listed && exact::rational_value(angles[now_].t);
   std::vector<std::array<std::uint32_t, 2>> between;
   std::vector<Candidate> found = by_slice ? candidates_of_open_slice(signs, between) : candidates(signs, filter);
-  const std::vector<NodeNow> nodes = nodes_now(signs);
+  const std::vector<NodeNow> nodes = nodes_now(signs, true);
   const auto see = [&] {
     for (Candidate& z : found) z.visible = std::any_of(nodes.begin(), nodes.end(), [&](const NodeNow& n) { return reaches(signs, n, z); });
   };
@@ -223,16 +223,18 @@ std::vector<ObstacleSweep::Candidate> ObstacleSweep::candidates_of_open_slice(co
   return all;
 }
 
-// Neighbouring places along two segments of opposite directions.
+// Neighbouring places along two segments of opposite directions that are there at the angle: of the two sides of a polyline with one vertex
+// mostly one is.
 std::vector<std::array<std::uint32_t, 2>> ObstacleSweep::opposite_stretches(const SignsAt& signs, const std::vector<Candidate>& places) const {
   std::vector<std::array<std::uint32_t, 2>> found;
+  const auto exists = [&](std::uint32_t s) { return catalog_.exists(segment_of(s), theta_now_) != TurnCatalog::Existence::no; };
   const auto holds = [&](std::uint32_t s, const Candidate& z) {
     return z.goes_through(s) ? signs.within(segment_of(s), z.place, z.near) : signs.holds(segment_of(s), z.place, z.near);
   };
   for (std::uint32_t k = 0; k < places.size(); ++k)
     for (const std::uint32_t s : places[k].through)
       for (const std::uint32_t t : places[k].through) {
-        if (s >= t || !signs.antiparallel(segment_of(s), segment_of(t)) || !holds(s, places[k]) || !holds(t, places[k])) continue;
+        if (s >= t || !signs.antiparallel(segment_of(s), segment_of(t)) || !exists(s) || !exists(t) || !holds(s, places[k]) || !holds(t, places[k])) continue;
         // The next place on both, in the direction of s.
         std::optional<std::uint32_t> next;
         const auto follows = [&](std::uint32_t l, std::uint32_t m) {
@@ -247,8 +249,8 @@ std::vector<std::array<std::uint32_t, 2>> ObstacleSweep::opposite_stretches(cons
   return found;
 }
 
-// The boundary before and behind the angle.
-std::vector<ObstacleSweep::NodeNow> ObstacleSweep::nodes_now(const SignsAt& signs) const {
+// The boundary behind the angle, and before it.
+std::vector<ObstacleSweep::NodeNow> ObstacleSweep::nodes_now(const SignsAt& signs, bool before) const {
   std::vector<NodeNow> all;
   const Heading h = signs.heading();
   const auto add = [&](std::uint32_t n) {
@@ -264,7 +266,7 @@ std::vector<ObstacleSweep::NodeNow> ObstacleSweep::nodes_now(const SignsAt& sign
   for (std::uint32_t n = 0; n < nodes_.size(); ++n)
     if (nodes_[n].alive) add(n);
   for (const std::uint32_t n : ended_)
-    if (nodes_[n].begin != now_) add(n);
+    if (before && nodes_[n].begin != now_) add(n);
   return all;
 }
 

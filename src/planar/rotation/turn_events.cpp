@@ -444,6 +444,7 @@ std::vector<Alignment> alignments(const TurningForms& forms, const TurnCatalog& 
   const Operand &fixed = forms.operand(0), &turning = forms.operand(1);
   for (std::uint32_t e = 0; e < turning.size(); ++e)
     for (std::uint32_t f = 0; f < fixed.size() && !forms.is_point(1, e); ++f) {
+      if (forms.is_point(0, f)) continue;
       const bool any = catalog.may_exist({1, e, f}) || catalog.may_exist({1, e, fixed.next[f]}) || catalog.may_exist({0, f, e}) || catalog.may_exist({0, f, turning.next[e]});
       if (!any) continue;
       const double theta = positive_angle(catalog.edge_angle(0, f) - catalog.edge_angle(1, e));

@@ -2,6 +2,7 @@
 // edges. Numbers of walks are unique.
 #pragma once
 
+#include <array>
 #include <memory>
 
 #include "dymsum/region.h"
@@ -9,8 +10,8 @@
 
 namespace dymsum::planar {
 
-/// Contacts name walk edges and walk vertices of the operand.
-void number_by_walk(Operand& o);
+/// The same base, but contacts name the vertices and edges of its walked rings (walked_rings.h), so that the two sides of a polyline differ.
+std::shared_ptr<const ScalingBase> numbered_there_and_back(const ScalingBase& base, const std::array<const Region*, 2>& regions);
 
 /// The same base, but contacts in its slices name walk edges and walk vertices.
 std::shared_ptr<const ScalingBase> numbered_by_walk(const ScalingBase& base);
