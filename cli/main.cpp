@@ -6,7 +6,7 @@
 #include <new>
 
 #include "arguments.h"
-#include "commands.h"
+#include "verbs/commands.h"
 #include "exit_code.h"
 #include "json_report.h"
 #include "suggestion.h"

@@ -19,6 +19,10 @@
 #include "dymsum/region.h"
 #include "dymsum/result.h"
 
+namespace dymsum::planar {
+struct ObstacleInternals;
+}
+
 namespace dymsum {
 
 /// A point of configuration space; theta in radians.
@@ -177,9 +181,9 @@ class CspaceObstacle {
   std::vector<TurnMark> turn_marks(double x, double y, const Orientation& from, const Orientation& to) const;
 
   class State;  ///< internal
-  const State& state() const { return *state_; }
 
  private:
+  friend struct planar::ObstacleInternals;
   explicit CspaceObstacle(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };

@@ -7,7 +7,7 @@
 
 #include "dymsum/obstacle_queries.h"
 #include "dymsum/shapes.h"
-#include "io/obstacle_text.h"
+#include "io/obstacle/obstacle_text.h"
 
 namespace dymsum {
 namespace {

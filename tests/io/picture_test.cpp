@@ -7,9 +7,9 @@
 #include <pugixml.hpp>
 
 #include "dymsum/shapes.h"
-#include "io/picture.h"
+#include "io/picture/picture.h"
 #include "io/reading.h"
-#include "planar/exact_source.h"
+#include "planar/position/exact_source.h"
 
 namespace dymsum::io_test {
 namespace {

@@ -1,4 +1,4 @@
-#include "io/ring_order.h"
+#include "io/region/ring_order.h"
 
 #include <cstddef>
 

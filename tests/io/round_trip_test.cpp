@@ -6,8 +6,8 @@
 
 #include "dymsum/shapes.h"
 #include "io/reading.h"
-#include "io/readers.h"
-#include "io/ring_order.h"
+#include "io/region/readers.h"
+#include "io/region/ring_order.h"
 
 namespace dymsum::io_test {
 namespace {

@@ -10,29 +10,37 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The rooms of src/ in their order; a folder inside a room is a room of its own only where it is named here.
-const std::vector<std::string> kRooms = {"base",    "exact", "planar", "planar/scaling", "planar/rotation",
-                                         "spatial", "io"};
+/// Every folder of src/ that may hold files, in their order: a file in any other is a violation.
+const std::vector<std::string> kRooms = {
+    "base", "exact",
+    "planar/region", "planar/shapes", "planar/position", "planar/operand", "planar/convolution", "planar/mask", "planar/arrangement",
+    "planar/boundary", "planar/result", "planar/sum", "planar/frames", "planar/scaling", "planar/turning", "planar/rotating",
+    "planar/convex",
+    "cspace/events", "cspace/boundary", "cspace/obstacle", "cspace/motion", "cspace/planner", "cspace/queries", "cspace/mesh",
+    "spatial/mesh", "spatial/solids", "spatial/gauss", "spatial/convex", "spatial/convolution", "spatial/arrangement",
+    "spatial/boundary", "spatial/sum",
+    "depth", "fit",
+    "io", "io/region", "io/mesh", "io/picture", "io/obstacle",
+};
 
-/// Headers from outside the standard library by the room that may include them; POSIX ones for files and terminals.
+/// Those of the other trees. The folders of the command line include each other freely.
+const std::vector<std::string> kOtherRooms = {"include/dymsum", "cli", "cli/verbs", "cli/planar", "cli/solid", "cli/pictures", "examples"};
+
+/// Headers from outside the standard library by the first folder of the rooms that may include them; POSIX ones for files and
+/// terminals.
 const std::map<std::string, std::vector<std::string>> kForeign = {
-    {"base", {"tbb/", "oneapi/"}},
+    {"base", {"tbb/", "oneapi/", "emmintrin.h"}},  // the compiler's own: vector registers, where it has them
     {"exact", {"boost/multiprecision/"}},
-    {"planar", {"emmintrin.h"}},  // the compiler's own: vector registers, where it has them
+    {"planar", {"emmintrin.h"}},
     {"spatial", {"emmintrin.h"}},
     {"io", {"nlohmann/", "pugixml.hpp", "fcntl.h", "sys/stat.h", "unistd.h"}},
     {"cli", {"CLI/", "nlohmann/", "unistd.h"}},
 };
 
-bool is_below(const std::string& path, const std::string& folder) { return path.starts_with(folder + "/"); }
-
-/// The room of a path below src/, or "" for a folder that is no room.
-std::string room_of(const std::string& path) {
-  std::string room;
-  for (const std::string& candidate : kRooms) {
-    if (is_below(path, candidate) && candidate.size() > room.size()) room = candidate;
-  }
-  return room;
+/// The folder of a path if it is one of these rooms, or "".
+std::string room_in(const std::vector<std::string>& rooms, const std::string& path) {
+  const std::string folder = path.substr(0, std::min(path.rfind('/'), path.size()));
+  return std::find(rooms.begin(), rooms.end(), folder) != rooms.end() ? folder : "";
 }
 
 std::size_t rank(const std::string& room) {
@@ -45,18 +53,13 @@ bool is_standard(const std::string& name) { return name.find_first_of("/.") == s
 class Judge {
  public:
   Judge(const fs::path& root, const std::string& path) : root_(root), path_(path) {
-    if (is_below(path, "src/apps")) {
-      room_ = "apps";
-    } else if (is_below(path, "src")) {
-      room_ = room_of(path.substr(4));
-    } else {
-      room_ = path.substr(0, path.find('/'));
-    }
+    top_ = path.substr(0, path.find('/'));
+    room_ = top_ == "src" ? room_in(kRooms, path.substr(4)) : room_in(kOtherRooms, path);
   }
 
   std::string bracketed(const std::string& name) const {
     if (is_standard(name)) return "";
-    if (room_ == "examples" && name.starts_with("dymsum/")) return in_quotes(name);
+    if (top_ == "examples" && name.starts_with("dymsum/")) return in_quotes(name);
     const auto foreign = kForeign.find(room_.substr(0, room_.find('/')));
     if (foreign != kForeign.end()) {
       for (const std::string& prefix : foreign->second) {
@@ -68,11 +71,11 @@ class Judge {
 
   std::string in_quotes(const std::string& name) const {
     if (name.starts_with("dymsum/")) return fs::exists(root_ / "include" / name) ? "" : "no such public header";
-    if (room_ == "include") return "public headers include only the standard library and each other";
+    if (top_ == "include") return "public headers include only the standard library and each other";
     if (fs::exists((root_ / path_).parent_path() / name) && name.find("..") == std::string::npos) return "";
-    const std::string other = room_of(name);
-    if (room_ == "apps" && other == "base") return fs::exists(root_ / "src" / name) ? "" : "no such file";
-    if (room_ == "cli" || room_ == "apps" || room_ == "examples") return "only public headers may be used here";
+    if (top_ == "cli" && fs::exists(root_ / top_ / name)) return "";
+    if (top_ != "src") return "only public headers may be used here";
+    const std::string other = room_in(kRooms, name);
     if (other.empty()) return "no such room";
     if (!fs::exists(root_ / "src" / name)) return "no such file";
     return rank(other) <= rank(room_) ? "" : "room " + other + " stands after room " + room_;
@@ -82,12 +85,12 @@ class Judge {
 
  private:
   fs::path root_;
-  std::string path_, room_;
+  std::string path_, top_, room_;
 };
 
 void read_file(const fs::path& root, const std::string& path, std::vector<Violation>& found) {
   const Judge judge(root, path);
-  if (!judge.in_room()) found.push_back({path, 0, "", "src/ has no such room"});
+  if (!judge.in_room()) found.push_back({path, 0, "", "no such room"});
   static const std::regex kInclude(R"re(^\s*#\s*include\s*(["<])([^">]+)[">].*)re");
   std::ifstream in(root / path);
   std::string text;

@@ -4,7 +4,7 @@
 #include <bit>
 #include <unordered_map>
 
-#include "planar/part_nesting.h"
+#include "planar/result/part_nesting.h"
 
 namespace dymsum::planar {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "dymsum/frames.h"
 #include "dymsum/planar_sum.h"
-#include "planar/vertex_order.h"
+#include "planar/position/vertex_order.h"
 
 namespace dymsum::planar {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planar/crossings.h"
+#include "planar/arrangement/crossings.h"
 
 namespace dymsum::planar {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "planar/scaling/window.h"
-#include "planar/two_lanes.h"
+#include "base/two_lanes.h"
 
 namespace dymsum::planar {
 

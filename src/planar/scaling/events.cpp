@@ -210,7 +210,7 @@ class EventWalk {
   LineHashes lines_;
 };
 
-std::optional<Error> not_regular(const ScalingBase& base) {
+std::optional<Error> not_regular(const OperandPair& base) {
   if (base.regular) return std::nullopt;
   return Error{Code::unsupported_operand, "events are defined for operands without polylines and points", {}};
 }

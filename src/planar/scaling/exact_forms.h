@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "planar/scaling/base.h"
+#include "planar/frames/operand_pair.h"
 
 namespace dymsum::planar {
 
@@ -26,7 +26,7 @@ struct ExactForm {
 
 class ExactForms {
  public:
-  explicit ExactForms(const ScalingBase& base);
+  explicit ExactForms(const OperandPair& base);
 
   /// d x (v - start) for the unscaled edge d of the segment.
   ExactForm side(const Segment& s, Pair v) const;

@@ -1,7 +1,7 @@
 // Which holes are too small for the other operand throughout a range of scales.
 #pragma once
 
-#include "planar/lattice.h"
+#include "planar/operand/lattice.h"
 
 namespace dymsum::planar {
 

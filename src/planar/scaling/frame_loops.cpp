@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planar/leftmost_loop.h"
+#include "planar/boundary/leftmost_loop.h"
 
 namespace dymsum::planar {
 std::size_t FrameLoops::bytes() const {

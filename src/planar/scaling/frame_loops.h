@@ -9,7 +9,7 @@
 
 #include "planar/scaling/edge_search.h"
 #include "planar/scaling/piece_lists.h"
-#include "planar/two_lanes.h"
+#include "base/two_lanes.h"
 
 namespace dymsum::planar {
 

@@ -3,19 +3,19 @@
 
 #include <memory>
 
-#include "planar/collision.h"
-#include "planar/scaling/base.h"
+#include "planar/boundary/collision.h"
+#include "planar/frames/operand_pair.h"
 
 namespace dymsum::planar {
 
 class FramePlace {
  public:
-  FramePlace(std::shared_ptr<const ScalingBase> base, const ScaleValue& s)
+  FramePlace(std::shared_ptr<const OperandPair> base, const ScaleValue& s)
       : base_(std::move(base)), value_(s), scale_(base_->lattice_scale(s, s)) {}
 
   const ScaleValue& value() const { return value_; }
   const LatticeScale& scale() const { return scale_; }
-  const ScalingBase& base() const { return *base_; }
+  const OperandPair& base() const { return *base_; }
   /// The parameter of a window whose operand `moving` moves.
   double tau(std::uint32_t moving) const;
   /// What the window's coordinates are multiplied by.
@@ -30,7 +30,7 @@ class FramePlace {
   std::uint64_t exact_signs = 0;
 
  private:
-  std::shared_ptr<const ScalingBase> base_;
+  std::shared_ptr<const OperandPair> base_;
   ScaleValue value_;
   LatticeScale scale_;
   std::shared_ptr<const Lattice> lattice_;

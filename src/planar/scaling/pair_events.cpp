@@ -4,7 +4,7 @@
 
 #include "planar/scaling/exact_forms.h"
 #include "planar/scaling/fill_lattice.h"
-#include "planar/convolution.h"
+#include "planar/convolution/convolution.h"
 
 namespace dymsum {
 
@@ -47,9 +47,9 @@ struct Line {
 }  // namespace
 
 Result<PairEventCount> count_pair_events(const Region& p, const Region& q, ScaledOperand scaled, const Progress& progress) {
-  Result<std::shared_ptr<const ScalingBase>> made = ScalingBase::create(p, q, scaled == ScaledOperand::p ? 0 : 1, 0);
+  Result<std::shared_ptr<const OperandPair>> made = OperandPair::create(p, q, scaled == ScaledOperand::p ? 0 : 1, 0);
   if (!made) return made.error();
-  const ScalingBase& base = **made;
+  const OperandPair& base = **made;
   const Lattice& l = *base.lattice;
   const UnfilledLattice never(l);
   const ReducedConvolution convolution(never, base.operands[0], base.operands[1]);

@@ -7,7 +7,7 @@
 #include "planar/scaling/fill_lattice.h"
 #include "planar/scaling/degenerate_frame.h"
 #include "planar/scaling/frame_cost.h"
-#include "planar/vertex_order.h"
+#include "planar/position/vertex_order.h"
 
 namespace dymsum {
 
@@ -177,7 +177,7 @@ Result<ScalingSum::State::NextFrame> ScalingSum::State::rebuilt_frame(const Scal
 }
 
 // The kept loops at tau as rings, each starting at its smallest vertex; sets what the sum says about its positions.
-ScalingSum::State::KeptRings ScalingSum::State::kept_rings(double tau, FramePlace& place, const ScalingSource& source, PlanarSum& next) {
+ScalingSum::State::KeptRings ScalingSum::State::kept_rings(double tau, FramePlace& place, const PairSource& source, PlanarSum& next) {
   const Lattice& l = *base->lattice;
   const double grow = place.blow_up(window_->frame().moving), unit = l.unit, s = place.value().approx;
   const std::uint32_t k = base->scaled;
@@ -256,7 +256,7 @@ ScalingSum::State::KeptRings ScalingSum::State::kept_rings(double tau, FramePlac
 // The kept loops at tau: rings in canonical order.
 ScalingSum::State::NextFrame ScalingSum::State::assemble(double tau, FramePlace& place) {
   NextFrame next;
-  const auto source = std::make_shared<ScalingSource>(base, place.scale());
+  const auto source = std::make_shared<PairSource>(base, place.scale());
   next.sum.source = source;
   next.sum.stats.tier_bits = place.has_lattice() ? place.lattice().tier_bits : base->lattice->tier_bits;
   next.sum.stats.reduced_segments = window_convolution_->size();

@@ -10,19 +10,19 @@
 #include "planar/scaling/exact_forms.h"
 #include "planar/scaling/frame_loops.h"
 #include "planar/scaling/line_hashes.h"
-#include "planar/vertex_order.h"
+#include "planar/position/vertex_order.h"
 
 namespace dymsum {
 
 class ScalingSum::State {
  public:
-  State(std::shared_ptr<const planar::ScalingBase> base, ScalingOptions options)
+  State(std::shared_ptr<const planar::OperandPair> base, ScalingOptions options)
       : base(std::move(base)), options(std::move(options)) {}
 
   /// Moves to diag(x, y). Changes nothing on an error.
   Result<FrameChanges> move_to(const Scale& x, const Scale& y);
 
-  std::shared_ptr<const planar::ScalingBase> base;
+  std::shared_ptr<const planar::OperandPair> base;
   ScalingOptions options;
   Scale scale, scale_y;
   PlanarSum sum;
@@ -54,7 +54,7 @@ class ScalingSum::State {
   double widest_window(double s) const;
   Result<NextFrame> rebuilt_frame(const planar::ScaleValue& x, const planar::ScaleValue& y, FrameWork& work);
   NextFrame window_frame(const planar::ScaleValue& s, FrameWork& work);
-  KeptRings kept_rings(double tau, planar::FramePlace& place, const planar::ScalingSource& source, PlanarSum& next);
+  KeptRings kept_rings(double tau, planar::FramePlace& place, const planar::PairSource& source, PlanarSum& next);
   NextFrame assemble(double tau, planar::FramePlace& place);
   FrameChanges take(NextFrame next, bool same_place);
   std::vector<std::uint64_t> follow_rings(const NextFrame& next, bool same_place, FrameChanges& changes);

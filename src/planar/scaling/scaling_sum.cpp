@@ -1,12 +1,12 @@
 #include "dymsum/scaling_sum.h"
 
-#include "planar/prepared_region.h"
+#include "planar/operand/prepared_region.h"
 #include "planar/scaling/scaling_state.h"
 
 namespace dymsum {
 
 using planar::prepared_operand;
-using planar::ScalingBase;
+using planar::OperandPair;
 
 ScalingSum::ScalingSum(std::unique_ptr<State> state) : state_(std::move(state)) {}
 ScalingSum::ScalingSum(ScalingSum&&) noexcept = default;
@@ -14,8 +14,8 @@ ScalingSum& ScalingSum::operator=(ScalingSum&&) noexcept = default;
 ScalingSum::~ScalingSum() = default;
 
 Result<ScalingSum> ScalingSum::create(const Region& p, const Region& q, const ScalingOptions& options) {
-  Result<std::shared_ptr<const ScalingBase>> base =
-      ScalingBase::create({prepared_operand(p, 0), prepared_operand(q, 1, options.reflect_q)}, {}, options.scaled == ScaledOperand::p ? 0 : 1,
+  Result<std::shared_ptr<const OperandPair>> base =
+      OperandPair::create({prepared_operand(p, 0), prepared_operand(q, 1, options.reflect_q)}, {}, options.scaled == ScaledOperand::p ? 0 : 1,
                           options.min_tier_bits);
   if (!base) return base.error();
   auto state = std::make_unique<State>(std::move(base).value(), options);

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "planar/dead_cells.h"
-#include "planar/operand.h"
+#include "planar/mask/dead_cells.h"
+#include "planar/operand/operand.h"
 
 namespace dymsum::planar {
 

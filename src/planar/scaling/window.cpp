@@ -5,7 +5,7 @@
 
 namespace dymsum::planar {
 
-Window::Window(const ScalingBase& base, const ReducedConvolution& convolution, const WindowSettings& settings)
+Window::Window(const OperandPair& base, const ReducedConvolution& convolution, const WindowSettings& settings)
     : base_(base), frame_(settings.frame), swept_(settings.frame) {
   if (settings.shrink < 1) {
     const double middle = 0.5 * (frame_.tau0 + frame_.tau1), half = 0.5 * settings.shrink * (frame_.tau1 - frame_.tau0);

@@ -13,11 +13,11 @@
 #include <utility>
 #include <vector>
 
-#include "planar/chain.h"
-#include "planar/convolution.h"
-#include "planar/scaling/base.h"
+#include "planar/arrangement/chain.h"
+#include "planar/convolution/convolution.h"
+#include "planar/frames/operand_pair.h"
 #include "planar/scaling/swept_mask.h"
-#include "planar/two_lanes.h"
+#include "base/two_lanes.h"
 
 namespace dymsum::planar {
 
@@ -117,9 +117,9 @@ class EdgeSearch;
 
 class Window {
  public:
-  Window(const ScalingBase& base, const ReducedConvolution& convolution, const WindowSettings& settings);
+  Window(const OperandPair& base, const ReducedConvolution& convolution, const WindowSettings& settings);
 
-  const ScalingBase& base() const { return base_; }
+  const OperandPair& base() const { return base_; }
   const WindowFrame& frame() const { return frame_; }
   double span() const { return span_; }  ///< coordinates in the window are at most this
   bool covers(double tau) const { return tau > frame_.tau0 && tau < frame_.tau1; }
@@ -200,7 +200,7 @@ class Window {
   void drop_pairs_through_nodes();
   void index_candidates();
 
-  const ScalingBase& base_;
+  const OperandPair& base_;
   WindowFrame frame_, swept_;
   double span_ = 0;
   std::vector<PieceEnds> ends_;

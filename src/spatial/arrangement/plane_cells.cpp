@@ -7,7 +7,7 @@
 #include <tuple>
 #include <unordered_map>
 
-#include "spatial/box_tree.h"
+#include "spatial/mesh/box_tree.h"
 
 namespace dymsum::spatial {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "spatial/box_tree.h"
+#include "spatial/mesh/box_tree.h"
 #include "spatial/convolution/solid_operand.h"
 #include "spatial/convolution/sum_space.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "dymsum/convex_sum.h"
-#include "spatial/convex/overlay.h"
+#include "spatial/gauss/overlay.h"
 
 namespace dymsum::spatial {
 

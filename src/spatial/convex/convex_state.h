@@ -5,7 +5,7 @@
 
 #include "dymsum/convex_sum.h"
 #include "spatial/convex/exact_places.h"
-#include "spatial/convex/overlay.h"
+#include "spatial/gauss/overlay.h"
 
 namespace dymsum {
 

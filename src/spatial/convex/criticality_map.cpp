@@ -8,7 +8,7 @@
 
 #include "spatial/convex/assemble.h"
 #include "spatial/convex/exact_places.h"
-#include "spatial/convex/overlay.h"
+#include "spatial/gauss/overlay.h"
 #include "spatial/convex/place_sum.h"
 #include "spatial/convex/structure_store.h"
 #include "spatial/convex/turn_events.h"

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "exact/grid.h"
-#include "spatial/convex/relative_map.h"
+#include "spatial/gauss/relative_map.h"
 
 namespace dymsum::spatial {
 

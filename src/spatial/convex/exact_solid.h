@@ -3,7 +3,7 @@
 
 #include "dymsum/convex_sum.h"
 #include "dymsum/result.h"
-#include "spatial/convex/polytope.h"
+#include "spatial/gauss/polytope.h"
 
 namespace dymsum::spatial {
 

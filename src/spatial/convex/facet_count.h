@@ -2,7 +2,7 @@
 #pragma once
 
 #include "dymsum/convex_sum.h"
-#include "spatial/convex/overlay.h"
+#include "spatial/gauss/overlay.h"
 
 namespace dymsum::spatial {
 

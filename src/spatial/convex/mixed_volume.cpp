@@ -4,10 +4,10 @@
 #include <cmath>
 #include <utility>
 
-#include "spatial/convex/compensated_sum.h"
+#include "spatial/mesh/compensated_sum.h"
 #include "spatial/convex/exact_places.h"
 #include "spatial/convex/posed_doubles.h"
-#include "spatial/convex/wide_sum.h"
+#include "spatial/mesh/wide_sum.h"
 
 namespace dymsum::spatial {
 namespace {

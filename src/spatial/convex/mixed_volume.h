@@ -6,7 +6,7 @@
 
 #include "dymsum/rotation.h"
 #include "exact/big.h"
-#include "spatial/convex/overlay.h"
+#include "spatial/gauss/overlay.h"
 
 namespace dymsum::spatial {
 

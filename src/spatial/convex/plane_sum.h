@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "spatial/convex/signs.h"
+#include "spatial/gauss/signs.h"
 
 namespace dymsum::spatial {
 

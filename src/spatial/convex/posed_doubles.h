@@ -1,8 +1,8 @@
 // A pose in doubles, scaled so that nothing overflows or vanishes.
 #pragma once
 
-#include "spatial/convex/relative_map.h"
-#include "spatial/convex/vec3.h"
+#include "spatial/gauss/relative_map.h"
+#include "spatial/mesh/vec3.h"
 
 namespace dymsum::spatial {
 

@@ -4,11 +4,11 @@
 
 #include "dymsum/volume_text.h"
 #include "exact/decimal_text.h"
-#include "spatial/convex/compensated_sum.h"
+#include "spatial/mesh/compensated_sum.h"
 #include "spatial/convex/exact_places.h"
 #include "spatial/convex/place_sum.h"
-#include "spatial/convex/rounded_vector.h"
-#include "spatial/scaled_number.h"
+#include "spatial/mesh/rounded_vector.h"
+#include "spatial/mesh/scaled_number.h"
 
 namespace dymsum {
 namespace {

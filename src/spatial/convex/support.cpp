@@ -5,7 +5,7 @@
 #include "exact/grid.h"
 #include "spatial/convex/convex_state.h"
 #include "spatial/convex/exact_places.h"
-#include "spatial/convex/rounded_vector.h"
+#include "spatial/mesh/rounded_vector.h"
 
 namespace dymsum {
 namespace {

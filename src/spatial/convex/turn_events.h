@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "exact/quadratic_root.h"
-#include "spatial/convex/polytope.h"
+#include "spatial/gauss/polytope.h"
 
 namespace dymsum::spatial {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "spatial/grid_points.h"
+#include "spatial/mesh/grid_points.h"
 
 namespace dymsum::spatial {
 

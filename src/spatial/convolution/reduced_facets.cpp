@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "spatial/box_tree.h"
+#include "spatial/mesh/box_tree.h"
 
 namespace dymsum::spatial {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "dymsum/mesh.h"
-#include "spatial/triangulate.h"
+#include "spatial/mesh/triangulate.h"
 
 namespace dymsum::spatial {
 

@@ -19,7 +19,7 @@
 
 #include "dymsum/mesh.h"
 #include "exact/residue.h"
-#include "spatial/convex/vec3.h"
+#include "spatial/mesh/vec3.h"
 
 namespace dymsum::spatial {
 

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "exact/big.h"
-#include "spatial/convex/vec3.h"
+#include "spatial/mesh/vec3.h"
 #include "spatial/sum/sum_source.h"
 
 namespace dymsum::spatial {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "dymsum/spatial_sum.h"
-#include "spatial/triangulate.h"
+#include "spatial/mesh/triangulate.h"
 
 namespace dymsum::spatial {
 

@@ -1,0 +1,72 @@
+// The page of a planar sum that moves.
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "pictures/frame_pictures.h"
+#include "pictures/page.h"
+
+namespace dymsum::cli {
+namespace {
+
+constexpr const char* kShow = R"(
+const ns = 'http://www.w3.org/2000/svg';
+function made(name, attributes) {
+  const e = document.createElementNS(ns, name);
+  for (const k in attributes) e.setAttribute(k, attributes[k]);
+  return e;
+}
+function show(i) {
+  const f = frames[i], s = el('drawing').viewBox.baseVal, r = 4 * Math.max(s.width / el('drawing').clientWidth, s.height / el('drawing').clientHeight);
+  el('sum').setAttribute('d', f.d);
+  el('segments').setAttribute('d', f.tight);
+  el('tight').replaceChildren(...f.dots.map(q => made('circle', {cx: q[0], cy: q[1], r: r})));
+  return f.label;
+}
+// Frames stand equally far apart on the slider, whatever lies between them.
+function place(at) {
+  for (let k = 0; k + 1 < frames.length; ++k) {
+    const share = (at - frames[k].at) / (frames[k + 1].at - frames[k].at);
+    if (share >= 0 && share <= 1) return 1000 * (k + share) / (frames.length - 1);
+  }
+  return -1;
+}
+for (const t of ticks) {
+  const x = place(t.at);
+  if (x < 0) continue;
+  const l = made('line', {x1: x, x2: x, y1: t.strong ? 0 : 8, y2: 16, stroke: t.strong ? '#d81e3a' : '#777777', 'stroke-width': 1.5, 'vector-effect': 'non-scaling-stroke'});
+  l.append(made('title', {}));
+  l.firstChild.textContent = t.label;
+  el('ticks').append(l);
+}
+)";
+
+}  // namespace
+
+std::string scrub_page(const std::vector<PicturedFrame>& frames, const std::vector<PicturedTick>& marks, const std::string& title) {
+  Box box;
+  for (const PicturedFrame& f : frames) box.see(f.set.box);
+  box = box.drawable();
+  const double margin = 0.03 * box.size();
+  nlohmann::json list = nlohmann::json::array(), ticks = nlohmann::json::array();
+  for (const PicturedFrame& f : frames) {
+    nlohmann::json dots = nlohmann::json::array();
+    for (const Point& p : f.set.dots) dots.push_back({p.x, p.y});
+    list.push_back({{"at", f.at}, {"label", f.caption}, {"d", f.set.path}, {"tight", f.set.tight}, {"dots", dots}});
+  }
+  for (const PicturedTick& t : marks) ticks.push_back({{"at", t.at}, {"strong", t.strong}, {"label", t.caption}});
+  std::ostringstream drawing;
+  drawing << "<svg id=\"drawing\" viewBox=\"" << number(box.x0 - margin) << ' ' << number(box.y0 - margin) << ' ' << number(box.width() + 2 * margin) << ' '
+          << number(box.height() + 2 * margin)
+          << "\"><path id=\"sum\" fill=\"#9ecae1\" fill-rule=\"evenodd\" stroke=\"#08519c\" vector-effect=\"non-scaling-stroke\"/>"
+             "<path id=\"segments\" fill=\"none\" stroke=\""
+          << kTightColour << "\" stroke-width=\"2.5\" stroke-linecap=\"round\" vector-effect=\"non-scaling-stroke\"/><g id=\"tight\" fill=\"" << kTightColour
+          << "\"></g></svg>";
+  std::vector<LegendEntry> legend = {{"#9ecae1", "the sum"}, {kTightColour, "tight features"}};
+  if (!marks.empty()) {
+    legend.push_back({"#777777", "low tick: an event"});
+    legend.push_back({kTightColour, "high tick: the topology changes"});
+  }
+  return page(title, drawing.str(), legend, "", list.dump(), "const ticks = " + ticks.dump() + ";" + kShow);
+}
+
+}  // namespace dymsum::cli

@@ -1,0 +1,37 @@
+#include "planar/configuration.h"
+
+#include <cmath>
+#include <optional>
+
+#include "exit_code.h"
+#include "planar/query_file.h"
+
+namespace dymsum::cli {
+namespace {
+
+/// What is wrong with a configuration; nothing where it is one.
+std::string fault_of(const std::optional<QueryLine>& q) {
+  constexpr double kLargest = 0x1p400;  // as for the vertices of robots and obstacles
+  if (!q || !q->theta) return "wants x,y,theta with theta in radians, or in degrees as 90deg";
+  return std::abs(q->x) > kLargest || std::abs(q->y) > kLargest ? "has a coordinate larger than 2^400" : "";
+}
+
+}  // namespace
+
+Configuration read_configuration(const std::string& text, const char* option) {
+  const std::optional<QueryLine> q = query_in(text);
+  if (const std::string fault = fault_of(q); !fault.empty())
+    throw Stop(kUsage, std::string(option) + " " + fault + ", not '" + text + "'");
+  return {q->x, q->y, q->theta->radians()};
+}
+
+std::vector<Configuration> read_configurations(const std::string& file) {
+  std::vector<Configuration> all;
+  for_each_query(file, [&](const QueryLine& q, const Refuse& refuse) {
+    if (const std::string fault = fault_of(q); !fault.empty()) refuse("a line " + fault);
+    all.push_back({q.x, q.y, q.theta->radians()});
+  });
+  return all;
+}
+
+}  // namespace dymsum::cli

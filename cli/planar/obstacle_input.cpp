@@ -1,0 +1,35 @@
+#include "planar/obstacle_input.h"
+
+#include "dymsum/obstacle_file.h"
+#include "solid/solid_operands.h"
+
+namespace dymsum::cli {
+
+void add_obstacle_input(CLI::App& verb, ObstacleInput& input) {
+  const char* const file = ": a file, FILE#NAME for one shape of several, or - for standard input";
+  verb.add_option("ROBOT", input.operands[0], std::string("The robot") + file)->type_name("");
+  verb.add_option("OBSTACLE", input.operands[1], std::string("The obstacle") + file)->type_name("");
+  verb.add_option("--obstacle", input.file, "Instead of ROBOT and OBSTACLE: a .obstacle file that dymsum cspace wrote")->type_name("FILE");
+}
+
+void check_obstacle_input(const std::string& verb, const ObstacleInput& input) {
+  const bool both = !input.operands[0].empty() && !input.operands[1].empty(), any = !input.operands[0].empty();
+  if (input.file.empty() && !both) throw Stop(kUsage, verb + " wants ROBOT and OBSTACLE, or --obstacle FILE");
+  if (!input.file.empty() && any) throw Stop(kUsage, "give ROBOT and OBSTACLE or --obstacle, not both");
+  if (!input.file.empty() && (input.input.repair || !input.input.from.empty()))
+    throw Stop(kUsage, "--repair and --from do not apply to a file of an obstacle");
+  if (input.file.empty()) require_planar(verb, input.operands);
+}
+
+ObstacleSource read_source(const ObstacleInput& input) {
+  if (input.file.empty()) return {read_inputs(input.operands, input.input), std::nullopt};
+  CspaceObstacle read = require(read_obstacle(input.file));
+  return {{{input.file + "#robot", read.robot()}, {input.file + "#obstacle", read.obstacle()}}, std::move(read)};
+}
+
+CspaceObstacle obstacle_of(ObstacleSource& source, const Region& robot, const ObstacleOptions& options) {
+  if (source.read) return std::move(*source.read);
+  return require(CspaceObstacle::create(robot, source.inputs[1].region, options));
+}
+
+}  // namespace dymsum::cli

@@ -1,0 +1,84 @@
+#include "solid/solid_info.h"
+
+#include <array>
+#include <iostream>
+#include <optional>
+
+#include "progress_bar.h"
+#include "report.h"
+#include "solid/solid_inputs.h"
+#include "planar/tier.h"
+#include "timing.h"
+
+namespace dymsum::cli {
+namespace {
+
+Json info_json(const SolidInput& input, const std::optional<Error>& not_convex, const Timing& timing) {
+  const Mesh& mesh = input.mesh;
+  Json json = report_head("info", solid_inputs_json({input}), tier_of(mesh), timing);
+  json.update({{"valid", true},
+               {"shells", mesh.shell_count()},
+               {"vertices", mesh.vertices().size()},
+               {"edges", mesh.edge_count()},
+               {"faces", mesh.faces().size()},
+               {"triangles", mesh.triangle_count()},
+               {"convex", !not_convex.has_value()}});
+  if (not_convex) json["not_convex"] = not_convex->to_string();
+  json.update({{"volume", measure_json(volume_of(mesh))},
+               {"area", measure_json(surface_of(mesh))},
+               {"bounds", bounds(mesh)},
+               {"bits", grid_bits(mesh)}});
+  return json;
+}
+
+/// A file that can be read and holds no valid solid.
+Json invalid_json(const Error& error, const Timing& timing) {
+  Json json = report_head("info", Json::array(), 0, timing);
+  json.update({{"valid", false}, {"error", error_json(error)}});
+  return json;
+}
+
+void print_info(const Mesh& mesh, const std::optional<Error>& not_convex) {
+  const std::array<double, 6> box = bounds(mesh);
+  const auto precision = std::cout.precision(17);
+  std::cout << "valid, " << counted(mesh.shell_count(), "shell") << ", "
+            << counted(mesh.vertices().size(), "vertex", "vertices") << ", " << counted(mesh.edge_count(), "edge")
+            << ", " << counted(mesh.faces().size(), "face") << "\n  "
+            << (not_convex ? "not convex: " + not_convex->to_string() : std::string("convex")) << "\n  bounds ["
+            << box[0] << ", " << box[3] << "] x [" << box[1] << ", " << box[4] << "] x [" << box[2] << ", " << box[5]
+            << "]\n  volume " << shown(volume_of(mesh)) << ", surface " << shown(surface_of(mesh)) << "\n  "
+            << counted(static_cast<std::size_t>(grid_bits(mesh)), "bit") << " per coordinate, "
+            << tier_name(tier_of(mesh)) << " integers\n";
+  std::cout.precision(precision);
+}
+
+}  // namespace
+
+ExitCode run_solid_info(const SolidInfo& command) {
+  for (const std::string& file : command.pictures) {
+    const Result<MeshFormat> format = mesh_format(file);
+    if (!format || *format != MeshFormat::glb) throw Stop(kUsage, "info draws .glb pictures of solids only");
+  }
+  const auto [solid, timing] = timed(
+      1, [&] { return make_solid(require(read_mesh_data(command.file, command.input)), command.file, command.input); });
+  if (!solid) {
+    if (command.json) print_report(invalid_json(solid.error(), timing));
+    else std::cout << "not valid (" << name(solid.error().code) << ")\n";
+    std::cerr << solid.error().to_string() << "\n";
+    return kBadInput;
+  }
+  const Mesh& mesh = solid->mesh;
+  const std::optional<Error> not_convex = convexity_error(mesh);
+  {
+    const InterruptGuard guard;
+    for (const std::string& file : command.pictures) require(write_mesh(mesh, file));
+  }
+  if (command.json) {
+    print_report(info_json(*solid, not_convex, timing));
+  } else {
+    print_info(mesh, not_convex);
+  }
+  return kDone;
+}
+
+}  // namespace dymsum::cli

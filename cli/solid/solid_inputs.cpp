@@ -1,0 +1,98 @@
+#include "solid/solid_inputs.h"
+
+#include <algorithm>
+#include <iostream>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "exit_code.h"
+
+namespace dymsum::cli {
+
+namespace {
+
+/// The format of a text that begins as only solids do: OFF or ply, solid (text .stl), or a vertex of .obj.
+std::optional<MeshFormat> solid_format_of(std::string_view text) {
+  const auto skip_blanks = [&] { text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size())); };
+  for (skip_blanks(); text.starts_with('#'); skip_blanks()) text.remove_prefix(std::min(text.find('\n'), text.size()));
+  const std::string_view word = text.substr(0, text.find_first_of(" \t\r\n"));
+  if (word.ends_with("OFF")) return MeshFormat::off;
+  if (word == "ply") return MeshFormat::ply;
+  if (word == "solid") return MeshFormat::stl;
+  return word == "v" ? std::optional(MeshFormat::obj) : std::nullopt;
+}
+
+std::optional<MeshFormat> format_of_input(const InputOptions& options) {
+  if (options.from.empty()) return solid_format_of(standard_input());
+  const Result<MeshFormat> named = mesh_format("." + options.from);
+  return named ? std::optional(*named) : std::nullopt;
+}
+
+Result<SolidInput> hull_of(const MeshData& data, const std::string& file) {
+  Result<HulledMesh> hull = hulled(data);
+  if (!hull) return hull.error();
+  std::cerr << file << ": convex hull: " << hull->report.to_string() << "\n";
+  return SolidInput{file, hull->mesh, hull->report};
+}
+
+}  // namespace
+
+void refuse_selection(const std::string& file) {
+  const std::size_t mark = file.rfind('#');
+  if (mark == std::string::npos || !mesh_format(file.substr(0, mark))) return;
+  throw Stop(kUsage, file + ": the file of a solid holds one shape; name it without " + file.substr(mark));
+}
+
+bool names_solid(const std::string& file, const InputOptions& options) {
+  refuse_selection(file);
+  return file == "-" ? format_of_input(options).has_value() : mesh_format(file).ok();
+}
+
+Result<MeshData> read_mesh_data(const std::string& file, const InputOptions& options) {
+  refuse_selection(file);
+  if (file != "-") return read_mesh(file);
+  const std::optional<MeshFormat> format = format_of_input(options);
+  if (!format) throw Stop(kUsage, "--from names the format of the solid on standard input: off, obj, stl or ply");
+  return parse_mesh(standard_input(), *format, "standard input");
+}
+
+Result<SolidInput> make_solid(MeshData data, const std::string& file, const InputOptions& options) {
+  const auto in_file = [&](Error error) {
+    if (error.evidence.file.empty()) error.evidence.file = file == "-" ? "standard input" : file;
+    return error;
+  };
+  if (options.hull) {
+    Result<SolidInput> hull = hull_of(data, file);
+    if (!hull) return in_file(hull.error());
+    return hull;
+  }
+  if (!options.repair) {
+    Result<Mesh> mesh = Mesh::create(std::move(data));
+    if (!mesh) return in_file(mesh.error());
+    return SolidInput{file, std::move(mesh).value()};
+  }
+  Result<RepairedMesh> repaired = repair(std::move(data));
+  if (!repaired) return in_file(repaired.error());
+  if (repaired->report.changed()) std::cerr << file << ": repaired: " << repaired->report.to_string() << "\n";
+  return SolidInput{file, std::move(repaired).value().mesh};
+}
+
+SolidInput read_solid(const std::string& file, const InputOptions& options) {
+  return require(make_solid(require(read_mesh_data(file, options)), file, options));
+}
+
+Json solid_inputs_json(const std::vector<SolidInput>& inputs) {
+  Json list = Json::array();
+  for (const SolidInput& input : inputs) {
+    list.push_back({{"file", input.file},
+                    {"vertices", input.mesh.vertices().size()},
+                    {"faces", input.mesh.faces().size()},
+                    {"shells", input.mesh.shell_count()}});
+    if (!input.hull) continue;
+    list.back()["hull"] = {{"vertices", input.hull->vertices}, {"inside", input.hull->inside_vertices}, {"deviation", input.hull->deviation}};
+  }
+  return list;
+}
+
+}  // namespace dymsum::cli

@@ -1,0 +1,45 @@
+#include "solid/solid_operands.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "exit_code.h"
+#include "numbers.h"
+
+namespace dymsum::cli {
+
+bool are_solid(const std::vector<std::string>& files, const InputOptions& options) {
+  std::size_t solids = 0;
+  for (const std::string& file : files) solids += names_solid(file, options);
+  if (solids != 0 && solids != files.size()) throw Stop(kUsage, "one operand is planar and the other one solid");
+  return solids != 0;
+}
+
+void require_planar(const std::string& verb, const std::vector<std::string>& files) {
+  if (are_solid(files)) throw Stop(kUsage, verb + " is for planar operands");
+}
+
+std::vector<SolidInput> read_convex_solids(const std::vector<std::string>& files, const InputOptions& options) {
+  refuse_unused_format(files, options);
+  std::vector<SolidInput> inputs;
+  for (const std::string& file : files) {
+    inputs.push_back(read_solid(file, options));
+    // Told here, where the file is known.
+    if (std::optional<Error> error = convexity_error(inputs.back().mesh)) {
+      error->evidence.file = file;
+      stop_with(*error);
+    }
+  }
+  return inputs;
+}
+
+Point3 parse_point(const std::string& text, const std::string& option) {
+  std::vector<double> c;
+  for (const std::string& word : split(text, ','))
+    if (const std::optional<double> number = finite_number(word)) c.push_back(*number);
+  if (c.size() != 3 || split(text, ',').size() != 3) throw Stop(kUsage, option + " wants three numbers, X,Y,Z, not '" + text + "'");
+  return {c[0], c[1], c[2]};
+}
+
+}  // namespace dymsum::cli

@@ -1,0 +1,21 @@
+// Pairs of solid operands of a command line.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "solid/solid_inputs.h"
+
+namespace dymsum::cli {
+
+/// Whether all operands are solids, told by their extensions or by what standard input holds; a Stop when only some are.
+bool are_solid(const std::vector<std::string>& files, const InputOptions& options = {});
+/// A Stop for verbs that are for planar operands only, when there are others.
+void require_planar(const std::string& verb, const std::vector<std::string>& files);
+/// The convex solids of files.
+std::vector<SolidInput> read_convex_solids(const std::vector<std::string>& files, const InputOptions& options);
+
+/// "x,y,z".
+Point3 parse_point(const std::string& text, const std::string& option);
+
+}  // namespace dymsum::cli

@@ -1,0 +1,169 @@
+#include "solid/solid_outputs.h"
+
+#include <algorithm>
+#include <array>
+#include <iostream>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "exit_code.h"
+#include "outputs.h"
+
+namespace dymsum::cli {
+namespace {
+
+using Kind = SolidFeature::Kind;
+
+Json exact_json(const SolidSum& sum) {
+  Json vertices = Json::array(), facets = Json::array();
+  for (std::size_t i = 0; i < sum.vertices.size(); ++i) {
+    const RationalPoint3 at = sum.exact(i);
+    vertices.push_back({{"at", {sum.at[i].x, sum.at[i].y, sum.at[i].z}},
+                        {"exact", {at.x.to_string(), at.y.to_string(), at.z.to_string()}},
+                        {"p", sum.vertices[i].p},
+                        {"q", sum.vertices[i].q}});
+  }
+  for (const SolidFacet& f : sum.facets)
+    facets.push_back({{"kind", facet_kind(f)}, {"p", feature_json(f.p)}, {"q", feature_json(f.q)}, {"vertices", f.vertices}});
+  Json json = solid_sum_json(sum);
+  json["vertex_list"] = std::move(vertices);
+  json["facet_list"] = std::move(facets);
+  return json;
+}
+
+bool is_json(const std::string& file) { return file.ends_with(".json"); }
+
+}  // namespace
+
+void check_solid_outputs(const std::vector<std::string>& files, const SolidOutput& how, const std::string& also) {
+  for (const std::string& file : files) {
+    const std::string name = format_name(file, how.to);
+    if (is_json(name) || mesh_format(name)) continue;
+    throw Stop(kUsage, "-o writes of solids " + also + ".off .obj .stl .ply .glb or .json: " + (file == "-" ? "--to " + how.to : file));
+  }
+}
+
+bool writes_mesh(const std::vector<std::string>& files, const SolidOutput& how) {
+  return std::any_of(files.begin(), files.end(), [&](const std::string& file) { return !is_json(format_name(file, how.to)); });
+}
+
+MeshFormat mesh_output_format(const std::string& file, const std::string& to) {
+  const std::string name = format_name(file, to);
+  if (!region_format(name)) return require(mesh_format(name));
+  throw Stop(kBadInput, (file == "-" ? "--to " + to : file) + " is a format of planar regions; solids are written as .off .obj .stl .ply or .glb");
+}
+
+std::string facet_kind(const SolidFacet& f) {
+  if (f.p.kind == Kind::face && f.q.kind == Kind::vertex) return "face_vertex";
+  if (f.p.kind == Kind::vertex && f.q.kind == Kind::face) return "vertex_face";
+  if (f.p.kind == Kind::edge && f.q.kind == Kind::edge) return "edge_edge";
+  return "merged";
+}
+
+namespace {
+
+/// The facets that meet at a place, by number, for the places of a sum that was rounded.
+class FacetsAt {
+ public:
+  FacetsAt(const SolidSum& sum, Precision precision) {
+    for (std::uint32_t f = 0; f < sum.facets.size(); ++f)
+      for (const std::uint32_t v : sum.facets[f].vertices) at_[key(sum.at[v], precision)].push_back(f);
+  }
+  /// The facet that has all these vertices; nothing where rounding made faces of parts of several.
+  std::optional<std::uint32_t> with(const Mesh& mesh, const Face& face) const {
+    const auto first = at_.find(key(mesh.vertices()[face[0]], Precision::doubles));
+    if (first == at_.end()) return std::nullopt;
+    for (const std::uint32_t f : first->second) {
+      const auto has = [&](std::uint32_t v) {
+        const auto here = at_.find(key(mesh.vertices()[v], Precision::doubles));
+        return here != at_.end() && std::binary_search(here->second.begin(), here->second.end(), f);
+      };
+      if (std::all_of(face.begin(), face.end(), has)) return f;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  static std::array<double, 3> key(const Point3& p, Precision precision) {
+    const auto rounded = [&](double c) { return precision == Precision::doubles ? c : static_cast<double>(static_cast<float>(c)); };
+    return {rounded(p.x), rounded(p.y), rounded(p.z)};
+  }
+  std::map<std::array<double, 3>, std::vector<std::uint32_t>> at_;
+};
+
+Mesh rounded_mesh(const SolidSum& sum, Precision precision, const std::string& file, bool hull, bool picture) {
+  if (hull || picture) {
+    const HulledMesh hulled = require(sum.rounded_hull(precision));
+    if (hull && hulled.mesh.vertices().size() != sum.vertices.size()) {
+      std::cerr << file << ": rounded, " << counted(sum.vertices.size(), "vertex", "vertices") << " became " << hulled.mesh.vertices().size()
+                << ", largest deviation " << hulled.report.deviation << "\n";
+    }
+    return hulled.mesh;
+  }
+  Result<Mesh> mesh = sum.rounded_mesh(precision);
+  if (mesh) return std::move(mesh).value();
+  Error error = mesh.error();
+  error.evidence.file = file;
+  if (error.code == Code::rounding_changed_topology) error.message += " (--hull writes the convex hull of what is left; .json keeps the sum exactly)";
+  stop_with(error);
+}
+
+}  // namespace
+
+std::string mesh_text(const Mesh& mesh, MeshFormat format, const std::string& file, const std::vector<FaceColour>& colours) {
+  if (std::optional<Error> error = rounding_error(mesh, format)) {
+    error->evidence.file = file;
+    stop_with(*error);
+  }
+  return format_mesh(mesh, format, colours);
+}
+
+std::vector<FaceColour> facet_colours(const SolidSum& sum, const Mesh& mesh, Precision precision) {
+  std::vector<FaceColour> colours{{{0.91f, 0.64f, 0.24f}, {}}, {{0.36f, 0.73f, 0.55f}, {}}, {{0.55f, 0.73f, 0.90f}, {}}, {{0.70f, 0.72f, 0.75f}, {}}, {{0.85f, 0.12f, 0.20f}, {}}};
+  const FacetsAt facets(sum, precision);
+  for (std::uint32_t i = 0; i < mesh.faces().size(); ++i) {
+    const std::optional<std::uint32_t> f = facets.with(mesh, mesh.faces()[i]);
+    const std::string kind = f ? facet_kind(sum.facets[*f]) : "";
+    const std::size_t k = f && sum.facets[*f].changed ? 4 : kind == "face_vertex" ? 0 : kind == "vertex_face" ? 1 : kind == "edge_edge" ? 2 : 3;
+    colours[k].faces.push_back(i);
+  }
+  return colours;
+}
+
+std::string solid_output(const SolidSum& sum, const std::string& file, const SolidOutput& how) {
+  const std::string name = format_name(file, how.to);
+  if (is_json(name)) return exact_json(sum).dump(1) + "\n";
+  const MeshFormat format = require(mesh_format(name));
+  // A picture keeps doubles for as long as it can; what it loses in the end is judged by itself.
+  const Precision precision = format == MeshFormat::glb ? Precision::doubles : precision_of(format);
+  Mesh mesh = rounded_mesh(sum, precision, file, how.hull, format == MeshFormat::glb);
+  if (how.triangulate) mesh = triangulated(mesh).mesh;
+  return mesh_text(mesh, format, file, facet_colours(sum, mesh, precision));
+}
+
+Json feature_json(const SolidFeature& f) {
+  if (f.kind == Kind::vertex) return {{"vertex", f.a}};
+  if (f.kind == Kind::edge) return {{"edge", {f.a, f.b}}};
+  return {{"face", f.a}};
+}
+
+FacetKinds facet_kinds(const SolidSum& sum) {
+  FacetKinds kinds;
+  for (const SolidFacet& f : sum.facets) (facet_kind(f) == "edge_edge" ? kinds.of_edges : kinds.with_face) += 1;
+  return kinds;
+}
+
+Json solid_sum_json(const SolidSum& sum) {
+  const FacetKinds kinds = facet_kinds(sum);
+  return {{"shells", sum.facets.empty() ? 0 : 1},
+          {"vertices", sum.vertices.size()},
+          {"faces", sum.facets.size()},
+          {"volume", measure_json(volume_of(sum))},
+          {"volume_exact", sum.volume_exact().to_string()},
+          {"area", measure_json(surface_of(sum))},
+          {"tight", {{"points", 0}, {"segments", 0}, {"faces", 0}}},
+          {"convolution", {{"fv", kinds.with_face}, {"ee", kinds.of_edges}}}};
+}
+
+}  // namespace dymsum::cli

@@ -1,0 +1,78 @@
+#include "solid/solid_sum.h"
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "dymsum/convex_sum.h"
+#include "progress_bar.h"
+#include "report.h"
+#include "solid/solid_operands.h"
+#include "solid/solid_outputs.h"
+#include "timing.h"
+
+namespace dymsum::cli {
+namespace {
+
+ConvexEngine engine_of(const SumCommand& command) {
+  if (command.engine == "winding") throw Stop(kUsage, "solids have the engines fast and brute");
+  return command.engine == "brute" ? ConvexEngine::brute : ConvexEngine::walk;
+}
+
+/// The tier and the sum, of more than two solids one after the other, exactly.
+std::pair<int, SolidSum> sum_of(const std::vector<SolidInput>& inputs, const Mesh& q, ConvexEngine engine) {
+  ConvexSum sum = require(ConvexSum::create(inputs[0].mesh, q));
+  for (std::size_t k = 2;; ++k) {
+    if (engine == ConvexEngine::brute) sum.rebuild(engine);
+    SolidSum result = sum.sum();
+    throw_if_interrupted();
+    if (k >= inputs.size()) return {sum.tier_bits(), std::move(result)};
+    sum = require(ConvexSum::create(result, inputs[k].mesh));
+  }
+}
+
+void print_text(std::ostream& out, const std::string& verb, const std::vector<SolidInput>& inputs, const SolidSum& sum, int tier, const Timing& timing) {
+  const FacetKinds kinds = facet_kinds(sum);
+  out << verb << " of ";
+  for (std::size_t i = 0; i < inputs.size(); ++i) out << (i == 0 ? "" : i + 1 < inputs.size() ? ", " : " and ") << inputs[i].file;
+  out << "\n  " << counted(sum.facets.size(), "facet") << " (" << kinds.with_face << " with a face, "
+      << kinds.of_edges << " edge + edge), " << counted(sum.vertices.size(), "vertex", "vertices") << "\n  volume " << shown(volume_of(sum))
+      << ", area " << shown(surface_of(sum)) << "\n  " << timing.median_ms << " ms, "
+      << (tier == 0 ? "arbitrary precision" : std::to_string(tier) + "-bit") << " coordinates\n";
+}
+
+}  // namespace
+
+ExitCode run_solid_sum(const SumVerb& verb, const SumCommand& command) {
+  if (verb.name == "erode") throw Stop(kUsage, "erode is defined for planar regions so far");
+  refuse_options(*command.parser, {"--semantics", "--round-repair", "--exact"}, "is for planar operands");
+  const ConvexEngine engine = engine_of(command);
+  std::ostream& out = report_stream(command.output.files, command.report.json);
+  if (!writes_to_stdout(command.output.files)) refuse_options(*command.parser, {"--to"}, "is the format of -o -");
+  const SolidOutput how{command.parser->count("--to") > 0 ? command.output.to : "off", command.input.hull, command.triangulate};
+  check_solid_outputs(command.output.files, how);
+  if (!writes_mesh(command.output.files, how)) refuse_options(*command.parser, {"--triangulate"}, "belongs to -o FILE.off and other meshes");
+  std::vector<std::string> operands = command.operands;
+  operands.insert(operands.end(), command.more.begin(), command.more.end());
+  are_solid(operands, command.input);
+  const std::vector<SolidInput> inputs = read_convex_solids(operands, command.input);
+  const InterruptGuard guard;
+  const Mesh q = verb.reflects_second ? negated(inputs[1].mesh) : inputs[1].mesh;
+  const auto [made, timing] = timed(command.report.repeat, [&] {
+    return sum_of(inputs, q, engine);
+  });
+  const auto& [tier, sum] = made;
+  std::vector<std::string> texts;
+  for (const std::string& file : command.output.files) texts.push_back(solid_output(sum, file, how));
+  for (std::size_t i = 0; i < texts.size(); ++i) write_text(command.output.files[i], texts[i]);
+  if (command.report.json) {
+    Json json = report_head(verb.name, solid_inputs_json(inputs), tier, timing);
+    json["engine"] = command.engine;
+    json.update(solid_sum_json(sum));
+    print_report(json);
+    return kDone;
+  }
+  print_text(out, verb.name, inputs, sum, tier, timing);
+  return kDone;
+}
+
+}  // namespace dymsum::cli

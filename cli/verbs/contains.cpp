@@ -1,0 +1,155 @@
+// dymsum contains P Q --at x,y | ROBOT OBSTACLE --at x,y,theta
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+#include <optional>
+
+#include "verbs/commands.h"
+#include "planar/configuration.h"
+#include "dymsum/motion.h"
+#include "dymsum/obstacle_queries.h"
+#include "options.h"
+#include "progress_bar.h"
+#include "planar/query_file.h"
+#include "report.h"
+#include "solid/solid_operands.h"
+#include "planar/tier.h"
+
+namespace dymsum::cli {
+namespace {
+
+struct ContainsCommand {
+  std::vector<std::string> operands{"", ""}, at;
+  std::string at_file, semantics;
+  ReportOptions report;
+  InputOptions input;
+};
+
+/// A place of the sum, or with an angle a configuration of a robot.
+struct Query {
+  double x = 0, y = 0;
+  std::optional<Orientation> theta;
+};
+
+std::vector<Query> read_queries(const ContainsCommand& command) {
+  std::vector<Query> queries;
+  const auto add = [&](const QueryLine& line, const auto& refuse) {
+    Query query{line.x, line.y, std::nullopt};
+    if (line.theta) {
+      const Result<Orientation> theta = Orientation::nearest(line.theta->radians());
+      if (!theta) refuse(theta.error().message);
+      query.theta = *theta;
+    }
+    if (!queries.empty() && queries.front().theta.has_value() != query.theta.has_value())
+      refuse("all questions have an angle, or none");
+    queries.push_back(query);
+  };
+  for (const std::string& text : command.at) {
+    const auto refuse = [&](const std::string& why) { throw Stop(kUsage, "--at '" + text + "': " + why); };
+    const std::optional<QueryLine> line = query_in(text);
+    if (!line) refuse("wants x,y for a place or x,y,theta for a configuration");
+    add(*line, refuse);
+  }
+  if (!command.at_file.empty())
+    for_each_query(command.at_file, add);
+  if (queries.empty()) throw Stop(kUsage, "give --at or --at-file");
+  return queries;
+}
+
+/// Touching is inside a closed sum, and free for a robot unless it is said otherwise.
+bool is_closed(const ContainsCommand& command, bool robot) { return command.semantics.empty() ? !robot : command.semantics == "closed"; }
+
+std::vector<bool> in_sum(const Region& p, const Region& q, const std::vector<Query>& queries, bool closed) {
+  std::vector<bool> inside;
+  for (const Query& query : queries) {
+    inside.push_back(contains(p, q, {query.x, query.y}, closed ? Semantics::closed : Semantics::open));
+  }
+  return inside;
+}
+
+/// The obstacle of all angles is worth its while for many questions; it knows interiors only.
+std::vector<bool> in_obstacle(const Region& robot, const Region& obstacle, const std::vector<Query>& queries, bool closed, const Progress& progress) {
+  constexpr std::size_t kMany = 256;
+  std::vector<bool> inside;
+  if (!closed && queries.size() >= kMany) {
+    ObstacleOptions options;
+    options.progress = progress;
+    const CspaceObstacle made = require(CspaceObstacle::create(robot, obstacle, options));
+    const ObstacleQueries index(made);
+    for (const Query& query : queries) inside.push_back(index.contains(query.x, query.y, *query.theta));
+    return inside;
+  }
+  for (const Query& query : queries) {
+    const Point at{query.x, query.y};
+    inside.push_back(!require(check_translation(robot, obstacle, at, at, *query.theta, closed ? Touching::forbidden : Touching::allowed)).free);
+  }
+  return inside;
+}
+
+Json answers_json(const std::vector<Query>& queries, const std::vector<bool>& inside) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    const Query& q = queries[i];
+    Json at = {q.x, q.y};
+    if (q.theta) at.push_back(q.theta->radians());
+    Json answer = {{"at", at}};
+    if (q.theta) answer["tan_half"] = orientation_json(*q.theta)["tan_half"];
+    answer["inside"] = bool{inside[i]};
+    list.push_back(answer);
+  }
+  return list;
+}
+
+void print_text(const std::vector<Query>& queries, const std::vector<bool>& inside) {
+  const auto precision = std::cout.precision(17);
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    std::cout << "(" << queries[i].x << ", " << queries[i].y;
+    if (queries[i].theta) std::cout << ", " << queries[i].theta->radians();
+    std::cout << "): " << (inside[i] ? "inside" : "outside") << "\n";
+  }
+  std::cout.precision(precision);
+}
+
+ExitCode run_contains(const ContainsCommand& command) {
+  require_planar("contains", command.operands);
+  const std::vector<Query> queries = read_queries(command);
+  const bool robot = queries.front().theta.has_value(), closed = is_closed(command, robot);
+  const std::vector<Input> inputs = read_inputs(command.operands, command.input);
+  const Region &first = inputs[0].region, &second = inputs[1].region;
+  // No interrupt guard: a single question cannot be asked to stop, and an interrupt ends the run at once, as it writes no file.
+  std::optional<ProgressBar> bar(std::in_place);
+  const auto [inside, timing] = timed(command.report.repeat, [&] {
+    return robot ? in_obstacle(first, second, queries, closed, bar->callback()) : in_sum(first, second, queries, closed);
+  });
+  bar.reset();
+  if (command.report.json) {
+    Json json = report_head("contains", inputs_json(inputs), tier_of(first, second), timing);
+    json.update({{"semantics", closed ? "closed" : "open"}, {"answers", answers_json(queries, inside)}});
+    print_report(json);
+  } else {
+    print_text(queries, inside);
+  }
+  return queries.size() == 1 && !inside.front() ? kNo : kDone;
+}
+
+}  // namespace
+
+void add_contains(CLI::App& app, Action& action) {
+  auto command = std::make_shared<ContainsCommand>();
+  CLI::App& verb = *app.add_subcommand(
+      "contains", "Whether places lie in P (+) Q, or configurations in the obstacle of ROBOT P and OBSTACLE Q, exactly");
+  add_operands(verb, {"P", "The first operand, or the robot"}, {"Q", "The second operand, or the obstacle"}, command->operands);
+  verb.add_option("--at", command->at, "A place x,y of the sum, or a configuration x,y,theta of the robot, theta in radians or as 90deg; repeatable")
+      ->type_name("x,y[,theta]")
+      ->allow_extra_args(false);
+  verb.add_option("--at-file", command->at_file, "Such places or configurations, one a line; # begins a comment; - for standard input")->type_name("FILE");
+  verb.add_option("--semantics", command->semantics,
+                  "closed: touching counts as inside (the default of places); open: it does not (the default of configurations)")
+      ->check(CLI::IsMember({"closed", "open"}));
+  add_report_options(verb, command->report, "Ask N times and report the median and minimum time");
+  add_input_options(verb, command->input);
+  verb.footer("Exit code 4 when the answer to a single question is no.\nExample: dymsum contains bar.wkt rooms.wkt --at 1,2,90deg");
+  verb.callback([command, &action] { action = [command] { return run_contains(*command); }; });
+}
+
+}  // namespace dymsum::cli

@@ -1,0 +1,69 @@
+// dymsum convert IN OUT
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+
+#include "verbs/commands.h"
+#include "progress_bar.h"
+#include "report.h"
+#include "solid/solid_convert.h"
+#include "solid/solid_inputs.h"
+#include "verbs/sum_command.h"
+#include "planar/tier.h"
+
+namespace dymsum::cli {
+namespace {
+
+struct ConvertCommand {
+  const CLI::App* parser = nullptr;  ///< which options were given
+  std::string in, out;
+  bool json = false, canonical = false, triangulate = false;
+  InputOptions input;
+  OutputOptions output;
+};
+
+ExitCode run(const ConvertCommand& command) {
+  report_stream({command.out}, command.json);
+  refuse_unused_format({command.in}, command.input);
+  if (command.out != "-") refuse_options(*command.parser, {"--to"}, "is the format of the output -");
+  if (names_solid(command.in, command.input)) {
+    const std::string to = command.parser->count("--to") > 0 ? command.output.to : "off";
+    return run_solid_convert(
+        {"convert", command.in, command.out, to, command.json, command.canonical, command.triangulate, command.input});
+  }
+  refuse_options(*command.parser, {"--triangulate"}, "is for solids");
+  const RegionFormat format = output_format(command.out, command.output);
+  auto [input, timing] = timed(1, [&] { return read_input(command.in, command.input); });
+  if (command.canonical) input.region = input.region.canonical();
+  const InterruptGuard guard;
+  write_text(command.out, format_region(input.region, format));
+  if (!command.json) return kDone;
+  Json report = report_head("convert", inputs_json({input}), tier_of(input.region), timing);
+  report.update({{"output", command.out},
+                 {"outer", input.region.parts().size()},
+                 {"holes", input.region.hole_count()},
+                 {"vertices", input.region.vertex_count()}});
+  print_report(report);
+  return kDone;
+}
+
+}  // namespace
+
+void add_convert(CLI::App& app, Action& action) {
+  auto command = std::make_shared<ConvertCommand>();
+  CLI::App* verb = app.add_subcommand("convert", "Read a region or a solid and write it in another format, coordinates unchanged");
+  command->parser = verb;
+  verb->add_option("IN", command->in, "File, FILE#NAME for one shape of several, or - for standard input")->required();
+  verb->add_option("OUT", command->out, "File .poly .wkt .geojson .svg .json, of solids .off .obj .stl .ply .glb, or - for standard output")->required();
+  verb->add_option("--to", command->output.to, "Format of the output -; of solids off if not given")
+      ->check(CLI::IsMember({"poly", "wkt", "geojson", "svg", "json", "off", "obj", "stl", "ply", "glb"}))
+      ->capture_default_str();
+  verb->add_flag("--canonical", command->canonical, "Write the canonical form: equal sets become equal files");
+  verb->add_flag("--triangulate", command->triangulate, "Solids: split faces into triangles, for programs that take no others");
+  verb->add_flag("--json", command->json, "Print one JSON object that says what was converted");
+  add_solid_input_options(*verb, command->input);
+  verb->footer("Example: dymsum convert monkey.poly monkey.geojson --repair");
+  verb->callback([command, &action] { action = [command] { return run(*command); }; });
+}
+
+}  // namespace dymsum::cli

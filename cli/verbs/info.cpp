@@ -1,0 +1,140 @@
+// dymsum info F
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <iostream>
+#include <memory>
+
+#include "verbs/commands.h"
+#include "report.h"
+#include "solid/solid_info.h"
+#include "solid/solid_inputs.h"
+#include "verbs/sum_command.h"
+#include "planar/tier.h"
+
+namespace dymsum::cli {
+namespace {
+
+struct InfoCommand {
+  std::string file;
+  bool json = false;
+  InputOptions input;
+  OutputOptions output;
+};
+
+/// One shape of the file: its region when it is valid.
+struct Shape {
+  std::string name;
+  Result<Region> region;
+};
+
+Json shape_json(const Shape& shape) {
+  Json json = {{"name", shape.name}, {"valid", shape.region.ok()}};
+  if (!shape.region) {
+    json["error"] = error_json(shape.region.error());
+    return json;
+  }
+  const Region& region = *shape.region;
+  json.update({{"tier", tier_of(region)},
+               {"outer", region.parts().size()},
+               {"holes", region.hole_count()},
+               {"vertices", region.vertex_count()},
+               {"polylines", region.polylines().size()},
+               {"points", region.points().size()},
+               {"bounds", bounds(region)},
+               {"area", area_json(region)}});
+  return json;
+}
+
+void print_shape(std::ostream& out, const Shape& shape) {
+  if (!shape.name.empty()) out << shape.name << ": ";
+  if (!shape.region) {
+    out << "not valid (" << name(shape.region.error().code) << ")\n";
+    return;
+  }
+  const Region& region = *shape.region;
+  const std::array<double, 4> box = bounds(region);
+  const auto precision = out.precision(17);
+  out << "valid, " << counted(region.parts().size(), "part") << ", "
+            << counted(region.hole_count(), "hole") << ", " << counted(region.vertex_count(), "vertex", "vertices");
+  if (!region.polylines().empty()) out << ", " << counted(region.polylines().size(), "polyline");
+  if (!region.points().empty()) out << ", " << counted(region.points().size(), "isolated point");
+  out << "\n  bounds [" << box[0] << ", " << box[2] << "] x [" << box[1] << ", " << box[3] << "]\n  area "
+            << shown_area(region) << "\n  " << tier_name(tier_of(region)) << " integers\n";
+  out.precision(precision);
+}
+
+Json file_json(const InfoCommand& command, const std::vector<Shape>& shapes, const Timing& timing) {
+  std::vector<Input> inputs;
+  Json list = Json::array();
+  int tier = 29;
+  for (const Shape& shape : shapes) {
+    list.push_back(shape_json(shape));
+    if (!shape.region) continue;
+    const std::string selected = shapes.size() == 1 ? command.file : command.file + "#" + shape.name;
+    inputs.push_back({selected, *shape.region});
+    const int bits = list.back()["tier"];
+    tier = tier == 0 || bits == 0 ? 0 : std::max(tier, bits);
+  }
+  Json json = report_head("info", inputs_json(inputs), tier, timing);
+  json["shapes"] = list;
+  return json;
+}
+
+std::vector<Shape> read_and_validate(const InfoCommand& command) {
+  std::vector<NamedShape> named = read_all(command.file, command.input);
+  std::vector<Shape> shapes;
+  for (NamedShape& shape : named) {
+    const std::string file = named.size() == 1 ? command.file : command.file + "#" + shape.name;
+    shapes.push_back({shape.name, make_region(std::move(shape.data), file, command.input)});
+  }
+  return shapes;
+}
+
+/// The pictures of the file's first valid shape.
+void draw(const InfoCommand& command, const std::vector<Shape>& shapes) {
+  for (const std::string& file : command.output.files) {
+    if (output_format(file, command.output) != RegionFormat::svg) throw Stop(kUsage, "info draws .svg pictures only");
+    if (shapes.size() != 1) throw Stop(kUsage, "select one shape to draw: " + command.file + "#NAME");
+    if (shapes.front().region) write_text(file, draw_region(*shapes.front().region));
+  }
+}
+
+ExitCode run(const InfoCommand& command) {
+  refuse_unused_format({command.file}, command.input);
+  if (names_solid(command.file, command.input)) {
+    return run_solid_info({command.file, command.json, command.input, command.output.files});
+  }
+  std::ostream& out = report_stream(command.output.files, command.json);
+  const auto [shapes, timing] = timed(1, [&] { return read_and_validate(command); });
+  draw(command, shapes);
+  if (command.json) {
+    print_report(file_json(command, shapes, timing));
+  } else {
+    for (const Shape& shape : shapes) print_shape(out, shape);
+  }
+  // That a shape is not valid is what info reports, and bad input all the same.
+  ExitCode code = kDone;
+  for (const Shape& shape : shapes) {
+    if (shape.region) continue;
+    std::cerr << shape.region.error().to_string() << "\n";
+    code = kBadInput;
+  }
+  return code;
+}
+
+}  // namespace
+
+void add_info(CLI::App& app, Action& action) {
+  auto command = std::make_shared<InfoCommand>();
+  command->output.to = "svg";
+  CLI::App* verb = app.add_subcommand("info", "What a file holds: counts, bounds, area or volume, validity, tier");
+  verb->add_option("F", command->file, "File, FILE#NAME for one shape of several, or - for standard input")->required();
+  verb->add_option("-o", command->output.files, "Draw the region (.svg) or the solid (.glb)")->type_name("FILE")->allow_extra_args(false);
+  verb->add_flag("--json", command->json, "Print one JSON object");
+  add_solid_input_options(*verb, command->input);
+  verb->footer("Example: dymsum info neuron.poly --json");
+  verb->callback([command, &action] { action = [command] { return run(*command); }; });
+}
+
+}  // namespace dymsum::cli

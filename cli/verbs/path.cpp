@@ -1,0 +1,248 @@
+// dymsum path ROBOT OBSTACLE --from x,y,theta --to x,y,theta, or --check-path FILE
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <optional>
+
+#include "verbs/check_path.h"
+#include "verbs/commands.h"
+#include "planar/configuration.h"
+#include "dymsum/grown_region.h"
+#include "dymsum/planner.h"
+#include "exit_code.h"
+#include "inputs.h"
+#include "planar/obstacle_input.h"
+#include "options.h"
+#include "outputs.h"
+#include "pictures/path_picture.h"
+#include "progress_bar.h"
+#include "report.h"
+#include "planar/tier.h"
+#include "timing.h"
+
+namespace dymsum::cli {
+namespace {
+
+struct PathCommand {
+  const CLI::App* parser = nullptr;  ///< which options were given
+  std::vector<std::string> to, files;
+  std::string from, given;
+  bool strict = false;
+  double margin = 0;
+  double time_limit = PlanOptions{}.time_limit_seconds;
+  ReportOptions report;
+  ObstacleInput source;
+};
+
+const char* name_of(Waypoint::Move move) {
+  switch (move) {
+    case Waypoint::Move::start: return "start";
+    case Waypoint::Move::translation: return "translation";
+    case Waypoint::Move::counter_clockwise: return "counter_clockwise";
+    case Waypoint::Move::clockwise: return "clockwise";
+  }
+  return "";
+}
+
+const char* name_of(NoPath::Kind kind) {
+  switch (kind) {
+    case NoPath::Kind::start_not_free: return "start_not_free";
+    case NoPath::Kind::goal_not_free: return "goal_not_free";
+    case NoPath::Kind::separated: return "separated";
+    case NoPath::Kind::undecided: return "undecided";
+  }
+  return "";
+}
+
+Json waypoint_json(const Waypoint& w) {
+  return {{"x", w.approx.x}, {"y", w.approx.y}, {"theta", w.approx.theta},
+          {"tan_half", w.theta.is_half_turn() ? "inf" : w.theta.tan_half().to_string()},
+          {"exact", {w.at.x.to_string(), w.at.y.to_string()}}, {"move", name_of(w.move)}};
+}
+
+Json component_json(const FreeComponent& c) {
+  return {{"component", c.number}, {"unbounded", c.unbounded}, {"shells", c.shells},
+          {"angles", c.all_angles ? Json("all") : Json{c.from, c.to}}};
+}
+
+Json limit_json(const SearchLimit& limit) {
+  Json passage = nullptr;
+  if (const auto& p = limit.passage)
+    passage = {{"angles", {p->from, p->to}},
+               {"reached", {p->reached.x, p->reached.y}},
+               {"beyond", {p->beyond.x, p->beyond.y}}};
+  return {{"out_of_time", limit.out_of_time}, {"seconds", limit.seconds}, {"passage", passage}};
+}
+
+Json reason_json(const NoPath& reason) {
+  Json start = Json::array(), goal = Json::array();
+  for (const FreeComponent& c : reason.start) start.push_back(component_json(c));
+  for (const FreeComponent& c : reason.goal) goal.push_back(component_json(c));
+  return {{"kind", name_of(reason.kind)}, {"text", reason.text}, {"contact", contact_json(reason.contact)}, {"start", start}, {"goal", goal},
+          {"unexamined_angles", reason.unexamined_angles},
+          {"limit", reason.limit ? limit_json(*reason.limit) : Json(nullptr)}};
+}
+
+// What is kept, and from which distance on a path may have been missed.
+Json margin_json(const GrownRegion& robot) { return {{"kept", robot.margin}, {"at_most", robot.at_most}}; }
+
+Json plan_json(const Plan& plan) {
+  Json waypoints = Json::array();
+  for (const Waypoint& w : plan.path) waypoints.push_back(waypoint_json(w));
+  const PlanWork& work = plan.work;
+  return {{"found", plan.found()},
+          {"waypoints", waypoints},
+          {"reason", plan.found() ? Json(nullptr) : reason_json(*plan.reason)},
+          {"work",
+           {{"levels", work.levels},
+            {"slices", work.slices},
+            {"rotations", work.rotations},
+            {"refinements", work.refinements}}}};
+}
+
+// Of one goal its plan; of several a list of them.
+void add_plans(Json& json, const std::vector<Plan>& plans, const std::vector<Configuration>& goals) {
+  if (plans.size() == 1) {
+    json.update(plan_json(plans[0]));
+    return;
+  }
+  Json list = Json::array();
+  for (std::size_t k = 0; k < plans.size(); ++k) {
+    Json one = {{"to", {goals[k].x, goals[k].y, goals[k].theta}}};
+    one.update(plan_json(plans[k]));
+    list.push_back(std::move(one));
+  }
+  json["found"] = std::all_of(plans.begin(), plans.end(), [](const Plan& p) { return p.found(); });
+  json["paths"] = std::move(list);
+}
+
+// 4 where one has no path, else 5 where one is not decided.
+ExitCode code_of(const std::vector<Plan>& plans) {
+  ExitCode code = kDone;
+  for (const Plan& p : plans) {
+    if (p.found()) continue;
+    if (p.reason->kind != NoPath::Kind::undecided) return kNo;
+    code = kUndecided;
+  }
+  return code;
+}
+
+void print_margin(const GrownRegion& robot, bool kept) {
+  if (robot.margin == 0) return;
+  if (kept) std::cout << "keeps a distance of " << robot.margin << " from the obstacle everywhere\n";
+  else std::cout << "this is said of the robot with a margin of " << robot.margin << " around it, at its corners "
+                 << robot.at_most << "\n";
+}
+
+void print_text(const Plan& plan, const GrownRegion& robot) {
+  if (!plan.found()) std::cout << plan.reason->text << "\n";
+  for (const Waypoint& w : plan.path)
+    std::cout << name_of(w.move) << " (" << w.approx.x << ", " << w.approx.y << "), theta = " << w.approx.theta << "\n";
+  print_margin(robot, plan.found());
+}
+
+ExitCode run_check(const PathCommand& command, const std::vector<Input>& inputs, const GrownRegion& robot) {
+  const GivenPath path = read_path_file(command.given);
+  const Touching touching = command.strict ? Touching::forbidden : Touching::allowed;
+  const InterruptGuard guard;
+  const auto [check, timing] =
+      timed(command.report.repeat, [&] { return checked(robot.region, inputs[1].region, path, touching); });
+  Json json = report_head("path", inputs_json(inputs), tier_of(inputs[0].region, inputs[1].region), timing);
+  json.update({{"checked", check_json(check, path)}, {"margin", margin_json(robot)}});
+  if (command.report.json) print_report(json);
+  else std::cout << check_text(check) << "\n";
+  if (!command.report.json) print_margin(robot, check.outcome == MotionCheck::Outcome::free);
+  if (check.outcome == MotionCheck::Outcome::free) return kDone;
+  return check.outcome == MotionCheck::Outcome::blocked ? kNo : kUndecided;
+}
+
+ExitCode run_plan(const PathCommand& command, ObstacleSource source, const GrownRegion& robot) {
+  const Configuration from = read_configuration(command.from, "--from");
+  std::vector<Configuration> goals;
+  for (const std::string& text : command.to) goals.push_back(read_configuration(text, "--to"));
+  const InterruptGuard guard;
+  std::optional<ProgressBar> bar(std::in_place);
+  ObstacleOptions obstacle_options;
+  obstacle_options.progress = bar->callback();
+  PlanOptions options;
+  options.progress = bar->callback();
+  options.time_limit_seconds = command.time_limit;
+  options.touching = command.strict ? Touching::forbidden : Touching::allowed;
+  const CspaceObstacle obstacle = obstacle_of(source, robot.region, obstacle_options);
+  const auto [plans, timing] = timed(command.report.repeat, [&] {
+    std::vector<Plan> all;
+    for (const Configuration& to : goals) all.push_back(require(plan(obstacle, from, to, options)));
+    return all;
+  });
+  bar.reset();
+  Json json = report_head("path", inputs_json(source.inputs), require(obstacle.slice({})).stats.tier_bits, timing,
+                          {{"obstacle", obstacle.work().ms}, {"path", timing.median_ms}});
+  json["margin"] = margin_json(robot);
+  add_plans(json, plans, goals);
+  std::vector<std::string> texts;
+  for (const std::string& file : command.files)
+    texts.push_back(file.ends_with(".json") ? report_text(json) : path_picture(source.inputs[0].region, source.inputs[1].region, plans[0].path));
+  for (std::size_t i = 0; i < texts.size(); ++i) write_text(command.files[i], texts[i]);
+  if (command.report.json) print_report(json);
+  for (std::size_t k = 0; k < plans.size() && !command.report.json; ++k) {
+    if (plans.size() > 1) std::cout << "to " << command.to[k] << ":\n";
+    print_text(plans[k], robot);
+  }
+  return code_of(plans);
+}
+
+void check_options(const PathCommand& command) {
+  for (const std::string& file : command.files) {
+    if (!file.ends_with(".json") && !file.ends_with(".svg"))
+      throw Stop(kUsage, "-o wants a .json or a .svg file, not " + file);
+    if (file.ends_with(".svg") && command.to.size() > 1) throw Stop(kUsage, "a .svg file shows one path: give one --to");
+  }
+  const bool ends = !command.from.empty() || !command.to.empty();
+  if (command.given.empty() ? command.from.empty() || command.to.empty() : ends)
+    throw Stop(kUsage, "path wants --from and --to, or --check-path alone");
+  if (!command.given.empty()) refuse_options(*command.parser, {"-o", "--time-limit"}, "does not apply to --check-path");
+  check_obstacle_input("path", command.source);
+  if (command.margin > 0 && !command.source.file.empty())
+    throw Stop(kUsage, "--margin wants ROBOT and OBSTACLE: the obstacle of a file is that of the robot as it is");
+}
+
+ExitCode run_path(const PathCommand& command) {
+  check_options(command);
+  ObstacleSource source = read_source(command.source);
+  const GrownRegion robot = require(grown(source.inputs[0].region, command.margin));
+  return command.given.empty() ? run_plan(command, std::move(source), robot) : run_check(command, source.inputs, robot);
+}
+
+}  // namespace
+
+void add_path(CLI::App& app, Action& action) {
+  auto command = std::make_shared<PathCommand>();
+  CLI::App& verb = *app.add_subcommand("path",
+      "A motion of a robot that translates and turns past an obstacle, or the proof that there is none: "
+      "ends with 4 then, and with 5 if it is not decided within the time limit; or a path that is given, checked");
+  command->parser = &verb;
+  add_obstacle_input(verb, command->source);
+  verb.add_option("--from", command->from,
+      "Where the robot starts, theta in radians or as 90deg")->type_name("x,y,theta");
+  verb.add_option("--to", command->to, "Where it is to go; repeatable: several goals of one obstacle")
+      ->type_name("x,y,theta")->allow_extra_args(false);
+  verb.add_option("--check-path", command->given,
+      "Check a path instead: lines x,y,theta, [[x,y,theta],...] or the .json that path writes; says the first piece that is "
+      "blocked; - for standard input")->type_name("FILE");
+  verb.add_option("--margin", command->margin,
+      "Keep this distance from the obstacle in every point: the robot grows by a polygon around that disc, 2 % wider at "
+      "its corners")->type_name("DISTANCE")->check(CLI::NonNegativeNumber);
+  verb.add_flag("--strict", command->strict, "Touching the obstacle is forbidden");
+  verb.add_option("--time-limit", command->time_limit,
+      "Seconds after which the search stops without a decision, 60 unless told")
+      ->type_name("SECONDS")->check(CLI::NonNegativeNumber);
+  verb.add_option("-o", command->files,
+      "Write the path as .json, or as a picture .svg; repeatable")->type_name("FILE")->allow_extra_args(false);
+  add_report_options(verb, command->report, "Compute N times and report the median and minimum time");
+  add_repair_option(verb, command->source.input);
+  verb.footer("Example: dymsum path bar.wkt rooms.wkt --from -6,0,1.5708 --to 6,0,0 -o path.svg");
+  verb.callback([command, &action] { action = [command] { return run_path(*command); }; });
+}
+
+}  // namespace dymsum::cli

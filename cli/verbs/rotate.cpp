@@ -1,0 +1,87 @@
+// dymsum rotate P Q --steps N
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+
+#include "verbs/commands.h"
+#include "options.h"
+#include "planar/planar_turn.h"
+#include "solid/solid_motion.h"
+
+namespace dymsum::cli {
+namespace {
+
+struct RotateCommand {
+  const CLI::App* parser = nullptr;  ///< which options were given
+  PlanarTurn planar;
+  std::size_t steps = 0;
+  AngleOptions angle;
+  std::optional<double> error;
+  std::optional<std::string> axis, semantics;
+};
+
+/// From zero to the end of the turn in equal steps. The end of a whole turn is its beginning, and shown once.
+std::vector<Angle> frame_angles(const RotateCommand& command) {
+  const Angle turn = command.angle.given() ? read_angle(command.angle) : Angle{360, true};
+  std::vector<Angle> angles;
+  for (std::size_t k = 0; k < command.steps + (turn.whole_turns() ? 0 : 1); ++k) angles.push_back(turn.share(k, command.steps));
+  return angles;
+}
+
+ExitCode run_solids(const RotateCommand& command) {
+  refuse_options(*command.parser, {"--error", "--semantics", "--exact"}, "is for planar operands");
+  const Point3 axis = parse_point(command.axis.value_or("0,0,1"), "--axis");
+  const std::vector<SolidInput> inputs = read_convex_solids(command.planar.operands, command.planar.input);
+  std::vector<SolidFramePose> poses;
+  for (const Angle& angle : frame_angles(command)) {
+    SolidFramePose pose;
+    // Every angle by itself: nothing adds up.
+    pose.p.rotation = require_option(Rotation::about(axis, angle.radians()), "--axis");
+    pose.label = angle.label();
+    poses.push_back(pose);
+  }
+  return run_solid_motion("rotate", inputs, poses, command.planar.files, command.planar.report);
+}
+
+ExitCode run(const RotateCommand& command) {
+  if (are_solid(command.planar.operands, command.planar.input)) return run_solids(command);
+  refuse_options(*command.parser, {"--axis"}, "is for solid operands");
+  PlanarTurn turn = command.planar;
+  turn.angles = frame_angles(command);
+  turn.error = command.error.value_or(turn.error);
+  turn.semantics = command.semantics.value_or(turn.semantics);
+  return run_planar_turn(turn);
+}
+
+}  // namespace
+
+void add_rotate(CLI::App& app, Action& action) {
+  auto command = std::make_shared<RotateCommand>();
+  CLI::App& verb = *app.add_subcommand(
+      "rotate", "P turns and P (+) Q follows, frame by frame, exact at every frame (planar, or convex solids)");
+  command->parser = &verb;
+  add_operands(verb, {"P", "The region or convex solid that turns about the origin of its coordinates"}, {"Q", "The one that stays"},
+               command->planar.operands);
+  verb.add_option("--steps", command->steps, "Steps of the turn: a frame at the beginning of each, and one at the end unless it is the first again")
+      ->type_name("N")
+      ->required()
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1000000}));
+  verb.add_option("--axis", command->axis, "Of solids: axis through the origin [0,0,1]")->type_name("X,Y,Z");
+  add_angle_options(verb, command->angle, "The whole turn [360 degrees], its frames met within 2^-28 (solids) or --error (planar),");
+  verb.add_option("--error", command->error, "Planar: largest error of a frame's angle in radians [1e-6]")
+      ->type_name("E");
+  verb.add_option("--semantics", command->semantics, "Planar: closed, open or regular [closed]")
+      ->check(CLI::IsMember({"closed", "open", "regular"}));
+  verb.add_option("-o", command->planar.files,
+                  "Write .html (a page that plays, or with a slider); planar also .svg (a film strip) and anim.svg (an "
+                  "animation), solid the last frame as .off .obj .stl .ply .glb .json; repeatable")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+  add_report_options(verb, command->planar.report, "Turn N times and report the median and minimum frame");
+  add_exact_option(verb, command->planar.report);
+  add_solid_input_options(verb, command->planar.input);
+  verb.footer("Example: dymsum rotate rod.off box.off --steps 500 --axis 1,2,3 -o turn.html");
+  verb.callback([command, &action] { action = [command] { return run(*command); }; });
+}
+
+}  // namespace dymsum::cli

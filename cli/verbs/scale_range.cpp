@@ -1,0 +1,138 @@
+// dymsum scale-range PART OBSTACLES --path ... | PART CONTAINER --inside [--place x,y]
+#include "dymsum/scale_range.h"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <sstream>
+
+#include "verbs/commands.h"
+#include "exit_code.h"
+#include "inputs.h"
+#include "numbers.h"
+#include "options.h"
+#include "progress_bar.h"
+#include "report.h"
+#include "solid/solid_operands.h"
+#include "planar/tier.h"
+#include "timing.h"
+
+namespace dymsum::cli {
+namespace {
+
+struct RangeCommand {
+  std::vector<std::string> operands{"", ""};
+  std::string path, place;
+  bool inside = false;
+  ReportOptions report;
+  InputOptions input;
+};
+
+Point read_place(const std::string& text, const std::string& option) {
+  const std::optional<Point> p = finite_point(text);
+  if (!p) throw Stop(kUsage, option + " wants x,y, not '" + text + "'");
+  return *p;
+}
+
+/// "x,y x,y ..." or a file with one polyline.
+std::vector<Point> read_path(const std::string& text) {
+  if (text.find(',') != std::string::npos && !std::filesystem::exists(text)) {
+    std::vector<Point> points;
+    std::istringstream words(text);
+    for (std::string word; words >> word;) points.push_back(read_place(word, "--path"));
+    return points;
+  }
+  const RegionData data = require(read_region_data(text));
+  if (data.polylines.size() == 1 && data.parts.empty() && data.points.empty()) return data.polylines[0];
+  if (data.points.size() == 1 && data.parts.empty() && data.polylines.empty()) return data.points;
+  throw Stop(kBadInput, text + ": a path is one polyline or one point");
+}
+
+Json contact_json(const ScaleContact& c) {
+  const char* kind = c.kind == ScaleContact::Kind::vertex_on_edge ? "vertex_on_edge" : c.kind == ScaleContact::Kind::edge_on_vertex ? "edge_on_vertex" : "vertex_on_vertex";
+  return {{"kind", kind}, {"part", c.part}, {"obstacle", c.obstacle}, {"leg", c.leg}, {"along", c.along.to_string()},
+          {"at", {c.at.x.to_string(), c.at.y.to_string()}}};
+}
+
+std::string contact_text(const ScaleContact& c, bool on_path) {
+  const std::string part = std::to_string(c.part), obstacle = std::to_string(c.obstacle);
+  const std::string text = c.kind == ScaleContact::Kind::vertex_on_edge   ? "vertex " + part + " of the part on edge " + obstacle
+                           : c.kind == ScaleContact::Kind::edge_on_vertex ? "edge " + part + " of the part on vertex " + obstacle
+                                                                          : "vertex " + part + " of the part on vertex " + obstacle;
+  if (on_path) return text + ", leg " + std::to_string(c.leg) + " at " + shown(c.along);
+  return text + ", part at (" + shown(c.at.x) + ", " + shown(c.at.y) + ")";
+}
+
+Json interval_json(const ScaleInterval& i) {
+  Json low = Json::array(), high = Json::array();
+  for (const ScaleContact& c : i.at_low) low.push_back(contact_json(c));
+  for (const ScaleContact& c : i.at_high) high.push_back(contact_json(c));
+  return {{"low", i.low ? Json(i.low->to_string()) : Json(nullptr)},
+          {"high", i.high ? Json(i.high->to_string()) : Json(nullptr)},
+          {"at_low", low},
+          {"at_high", high}};
+}
+
+void print_json(const ScaleRange& range, const Timing& timing, const std::vector<Input>& inputs) {
+  Json free = Json::array();
+  for (const ScaleInterval& i : range.free) free.push_back(interval_json(i));
+  const auto trap = range.trap();
+  Json json = report_head("scale-range", inputs_json(inputs), tier_of(inputs[0].region, inputs[1].region), timing);
+  json.update({{"free", free},
+               {"trap", trap ? Json(trap->to_string()) : Json(nullptr)},
+               {"critical", range.critical},
+               {"tested", range.tested}});
+  print_report(json);
+}
+
+void print_text(const ScaleRange& range, bool on_path) {
+  std::cout << (range.free.empty() ? "never free\n" : "free scales:\n");
+  for (const ScaleInterval& i : range.free) {
+    std::cout << "  " << (i.low ? "[" + shown(*i.low) : std::string("(0")) << ", " << (i.high ? shown(*i.high) + "]" : std::string("unbounded)")) << "\n";
+    for (const ScaleContact& c : i.at_low) std::cout << "    below: " << contact_text(c, on_path) << "\n";
+    for (const ScaleContact& c : i.at_high) std::cout << "    above: " << contact_text(c, on_path) << "\n";
+  }
+  if (const auto trap = range.trap(); trap && on_path && !range.free.empty()) std::cout << "  trapped just above " << shown(*trap) << "\n";
+}
+
+ExitCode run_range(const RangeCommand& command) {
+  if (command.inside == !command.path.empty()) throw Stop(kUsage, "give either --path or --inside");
+  if (!command.inside && !command.place.empty()) throw Stop(kUsage, "--place belongs to --inside");
+  std::vector<Point> path;
+  if (!command.path.empty()) path = read_path(command.path);
+  if (!command.place.empty()) path = {read_place(command.place, "--place")};
+  require_planar("scale-range", command.operands);
+  const std::vector<Input> inputs = read_inputs(command.operands, command.input);
+  const Region &part = inputs[0].region, &other = inputs[1].region;
+  // No interrupt guard: an interrupt ends the run at once, as it writes no file.
+  std::optional<ProgressBar> bar(std::in_place);
+  const Progress progress = bar->callback();
+  const auto compute = [&] {
+    if (!command.inside) return require(scale_range(part, path, other, progress));
+    return require(path.empty() ? fit_range(part, other, progress) : fit_range(part, other, path[0], progress));
+  };
+  const auto [range, timing] = timed(command.report.repeat, compute);
+  bar.reset();
+  if (command.report.json) print_json(range, timing, inputs);
+  else print_text(range, !command.inside);
+  return range.free.empty() ? kNo : kDone;
+}
+
+}  // namespace
+
+void add_scale_range(CLI::App& app, Action& action) {
+  auto command = std::make_shared<RangeCommand>();
+  CLI::App& verb = *app.add_subcommand("scale-range", "The exact scales at which a part passes obstacles along a path, or fits into a container; ends with 4 when there are none");
+  add_operands(verb, {"PART", "the shape that scales"}, {"OTHER", "obstacles, or with --inside the container"}, command->operands);
+  verb.add_option("--path", command->path, "The translations of the part: \"x,y x,y ...\" or a file with one polyline")->type_name("PATH");
+  verb.add_flag("--inside", command->inside, "OTHER is a container, anywhere inside which the part may lie");
+  verb.add_option("--place", command->place, "With --inside: only at this translation")->type_name("x,y");
+  add_report_options(verb, command->report, "Compute N times and report the median and minimum time");
+  add_input_options(verb, command->input);
+  verb.footer("Example: dymsum scale-range part.wkt walls.wkt --path \"0,0 10,0 10,5\" --json");
+  verb.callback([command, &action] { action = [command] { return run_range(*command); }; });
+}
+
+}  // namespace dymsum::cli

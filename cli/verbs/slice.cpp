@@ -1,0 +1,70 @@
+// dymsum slice ROBOT OBSTACLE --tan-half N/D | --angle RAD | --degrees DEG
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+
+#include "verbs/commands.h"
+#include "dymsum/cspace_obstacle.h"
+#include "verbs/sum_command.h"
+#include "planar/turned_region.h"
+
+namespace dymsum::cli {
+namespace {
+
+struct SliceCommand {
+  SumCommand sum;
+  std::string tan_half;
+  AngleOptions angle;
+  std::optional<double> error;
+};
+
+Orientation asked_orientation(const SliceCommand& command) {
+  if (command.tan_half.empty() != command.angle.given()) throw Stop(kUsage, "give one of --tan-half, --angle and --degrees");
+  if (!command.angle.given()) {
+    if (command.error) throw Stop(kUsage, "--error belongs to --angle and --degrees");
+    return require_option(Orientation::parse(command.tan_half), "--tan-half");
+  }
+  const double radians = read_angle(command.angle).radians();
+  return require_option(command.error ? Orientation::nearest(radians, *command.error) : Orientation::nearest(radians), "--angle");
+}
+
+SumVerb slice_verb() {
+  SumVerb verb;
+  verb.name = "slice";
+  verb.first = kRobot;
+  verb.second = kObstacle;
+  verb.description = "One orientation of a configuration-space obstacle: OBSTACLE (+) -ROBOT, the robot turned exactly";
+  verb.footer =
+      "The robot comes first, as for cspace, clearance and path; nfp takes the shape that stays first.\n"
+      "Example: dymsum slice peg.wkt slot.wkt --tan-half 1/3 -o slice.svg";
+  verb.planar_only = true;
+  verb.reflects_second = true;
+  return verb;
+}
+
+ExitCode run_slice(const SliceCommand& command) {
+  SumVerb verb = slice_verb();
+  const Orientation theta = asked_orientation(command);
+  verb.orientation = theta;
+  verb.compute = [theta](const Region& robot, const Region& obstacle, const SumOptions& options) {
+    return cspace_slice(robot, obstacle, theta, options);
+  };
+  verb.shown = [theta](const Region& robot, const Region& obstacle) {
+    return std::array{obstacle, turned(robot, theta).value_or(robot)};
+  };
+  return run_sum(verb, command.sum);
+}
+
+}  // namespace
+
+void add_slice(CLI::App& app, Action& action) {
+  auto command = std::make_shared<SliceCommand>();
+  CLI::App& verb = declare_sum_verb(app, slice_verb(), command->sum);
+  verb.add_option("--tan-half", command->tan_half, "Tangent of half the angle, exact: 3/7, 0.25; inf is half a turn")
+      ->type_name("N/D");
+  add_angle_options(verb, command->angle, "The angle, met within 2^-50 or --error,");
+  verb.add_option("--error", command->error, "Largest error of the angle in radians: a simpler tangent is taken")->type_name("E");
+  verb.callback([command, &action] { action = [command] { return run_slice(*command); }; });
+}
+
+}  // namespace dymsum::cli

@@ -1,0 +1,19 @@
+// dymsum sum P Q
+#include "verbs/commands.h"
+#include "verbs/sum_command.h"
+
+namespace dymsum::cli {
+
+void add_sum(CLI::App& app, Action& action) {
+  SumVerb verb;
+  verb.name = "sum";
+  verb.first = {"P", "A region or convex solid"};
+  verb.second = {"Q", "Another one of the same kind"};
+  verb.description = "The Minkowski sum P + Q = { p + q : p in P, q in Q }";
+  verb.footer = "Example: dymsum sum gear.poly disc.wkt -o sum.svg -o sum.json";
+  verb.compute = minkowski_sum;
+  verb.several = true;
+  add_sum_verb(app, verb, action);
+}
+
+}  // namespace dymsum::cli

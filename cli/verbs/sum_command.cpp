@@ -1,0 +1,129 @@
+#include "verbs/sum_command.h"
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "progress_bar.h"
+#include "report.h"
+#include "solid/solid_operands.h"
+#include "solid/solid_sum.h"
+
+namespace dymsum::cli {
+namespace {
+
+const std::map<std::string, Engine> kEngines = {
+    {"fast", Engine::fast}, {"brute", Engine::brute}, {"winding", Engine::winding}};
+const std::map<std::string, Semantics> kSemantics = {
+    {"closed", Semantics::closed}, {"open", Semantics::open}, {"regular", Semantics::regular}};
+
+SumOptions sum_options(const SumCommand& command) {
+  SumOptions options;
+  options.engine = kEngines.at(command.engine);
+  options.semantics = kSemantics.at(command.semantics);
+  for (const std::string& file : command.output.files) options.trace |= is_stage_picture(file);
+  return options;
+}
+
+void check(const SumCommand& command) {
+  if (!writes_to_stdout(command.output.files)) refuse_options(*command.parser, {"--to"}, "is the format of -o -");
+  check_outputs(command.output);
+  if (!writes_rounded(command.output)) refuse_options(*command.parser, {"--round-repair"}, "belongs to -o FILE.wkt, .poly or .geojson");
+}
+
+bool is_empty(const PlanarSum& sum) { return sum.parts.empty() && sum.segments.empty() && sum.points.empty(); }
+
+void add_sum_options(CLI::App& verb, SumCommand& command) {
+  verb.add_option("-o", command.output.files,
+                  "Write the result; repeatable; by extension .poly .wkt .geojson (rounded), .json (exact, with "
+                  "provenance), .svg (picture), stages.svg (the stages); - is standard output")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+  verb.add_option("--to", command.output.to, "Format of -o -; of solids off if not given")
+      ->check(CLI::IsMember({"poly", "wkt", "geojson", "svg", "json", "off", "obj", "stl", "ply", "glb"}))
+      ->capture_default_str();
+  verb.add_flag("--round-repair", command.output.round_repair,
+                "Where rounding would change the topology, merge what collides instead of refusing");
+  verb.add_option("--engine", command.engine, "How the boundary is found; all give the same result")
+      ->check(CLI::IsMember({"fast", "brute", "winding"}))
+      ->capture_default_str();
+  verb.add_option("--semantics", command.semantics,
+                  "closed: sum of closed sets; open: touching is allowed; regular: no tight features")
+      ->check(CLI::IsMember({"closed", "open", "regular"}))
+      ->capture_default_str();
+  add_report_options(verb, command.report, "Compute N times and report the median and minimum time");
+  add_exact_option(verb, command.report);
+}
+
+}  // namespace
+
+CLI::App& declare_sum_verb(CLI::App& app, const SumVerb& verb, SumCommand& command) {
+  CLI::App& parser = *app.add_subcommand(verb.name, verb.description);
+  add_operands(parser, verb.first, verb.second, command.operands);
+  if (verb.several) parser.add_option("MORE", command.more, "More solids: their sum, exact throughout")->type_name("");
+  add_sum_options(parser, command);
+  if (verb.planar_only) {
+    add_input_options(parser, command.input);
+  } else {
+    parser.add_flag("--triangulate", command.triangulate, "Solids: write triangles, for programs that take no others");
+    add_solid_input_options(parser, command.input);
+  }
+  parser.footer(verb.footer);
+  command.parser = &parser;
+  return parser;
+}
+
+void add_sum_verb(CLI::App& app, const SumVerb& verb, Action& action) {
+  auto command = std::make_shared<SumCommand>();
+  CLI::App& parser = declare_sum_verb(app, verb, *command);
+  parser.callback([verb, command, &action] { action = [verb, command] { return run_sum(verb, *command); }; });
+}
+
+ExitCode run_sum(const SumVerb& verb, const SumCommand& command) {
+  if (are_solid(command.operands, command.input)) {
+    if (verb.planar_only) throw Stop(kUsage, verb.name + " is for planar operands");
+    return run_solid_sum(verb, command);
+  }
+  if (!command.more.empty()) throw Stop(kUsage, "more than two operands have to be solids");
+  if (!verb.planar_only) refuse_options(*command.parser, {"--triangulate"}, "is for solids");
+  std::ostream& out = report_stream(command.output.files, command.report.json);
+  check(command);
+  SumReport report;
+  report.verb = verb.name;
+  report.engine = command.engine;
+  report.semantics = command.semantics;
+  report.orientation = verb.orientation;
+  report.exact = command.report.exact;
+  report.inputs = read_inputs(command.operands, command.input);
+  const Region& p = report.inputs[0].region;
+  const Region& q = report.inputs[1].region;
+
+  const InterruptGuard guard;
+  SumOptions options = sum_options(command);
+  std::optional<ProgressBar> bar(std::in_place);
+  options.progress = bar->callback();
+  const auto compute = [&] {
+    PlanarSum sum = require(verb.compute(p, q, options));
+    throw_if_interrupted();
+    return sum;
+  };
+  const auto [sum, timing] = timed(command.report.repeat, compute);
+  bar.reset();
+  report.sum = &sum;
+  report.timing = timing;
+  const std::array<Region, 2> operands = verb.shown ? verb.shown(p, q) : std::array{p, q};
+  report.convolution = convolution_sizes(operands[0], verb.reflects_second ? negated(operands[1]) : operands[1]);
+
+  write_sum(operands[0], operands[1], sum, command.output);
+  if (command.report.json) {
+    print_report(sum_json(report));
+  } else {
+    print_sum(out, report);
+  }
+  return verb.empty_is_no && is_empty(sum) ? kNo : kDone;
+}
+
+}  // namespace dymsum::cli

@@ -1,0 +1,257 @@
+#include "cspace/boundary/limit_boundary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+
+#include "planar/turning/box_pairs.h"
+
+namespace dymsum::planar {
+namespace {
+
+constexpr std::uint32_t kNone = 0xffffffff;
+
+[[noreturn]] void not_a_boundary(const char* why) { throw std::logic_error(std::string("limit_of: ") + why); }
+
+std::uint32_t root_of(std::vector<std::uint32_t>& parents, std::uint32_t i) {
+  while (parents[i] != i) i = parents[i] = parents[parents[i]];
+  return i;
+}
+void join(std::vector<std::uint32_t>& parents, std::uint32_t a, std::uint32_t b) { parents[root_of(parents, a)] = root_of(parents, b); }
+
+/// A way along the boundary through a place: in along one sub-edge and out along another one, or along one that passes the place.
+struct Visit {
+  std::uint32_t in = 0, out = 0;
+};
+/// One of the two directions in which a visit leaves its place.
+struct Germ {
+  std::uint32_t edge = 0;
+  int sign = 1;             ///< 1 along the boundary, -1 backwards
+  std::uint32_t visit = 0;  ///< of the place
+};
+
+class Limit {
+ public:
+  Limit(const SignsAt& signs, const std::vector<LimitEdge>& edges)
+      : signs_(signs), forms_(signs.forms()), edges_(edges), near_(2 * SignsAt::kNear * forms_.span()), own_(edges.size()) {
+    out_.halves.assign(edges.size(), 0);
+  }
+
+  BoundaryLimit run() {
+    for (std::uint32_t i = 0; i < edges_.size(); ++i) ends_.push_back({end_near(i, false), end_near(i, true)});
+    for (std::uint32_t i = 0; i < edges_.size(); ++i) is_point_.push_back(shrinks(i));
+    find_visits();
+    find_touches();
+    look_at_places();
+    return std::move(out_);
+  }
+
+ private:
+  const WalkSegment& segment(std::uint32_t i) const { return edges_[i].at.segment; }
+
+  Fraction end_on(const WalkSegment& line, std::uint32_t i, bool at_end) const {
+    std::optional<Fraction> f = end_along(signs_, line, edges_[i].at, at_end);
+    if (!f) not_a_boundary("a sub-edge ends nowhere on its line");
+    return *std::move(f);
+  }
+  const Fraction& own_end(std::uint32_t i, bool at_end) {
+    std::optional<Fraction>& f = own_[i][at_end];
+    if (!f) f = end_on(segment(i), i, at_end);
+    return *f;
+  }
+  Point end_near(std::uint32_t i, bool at_end) {
+    const WalkSegment& s = segment(i);
+    const Located l = place_on(forms_, s, at_end ? edges_[i].at.right : edges_[i].at.left, !at_end, signs_.heading());
+    double t = l.t;
+    if (!(l.error * forms_.length1(s) < 0x1p-39 * forms_.span())) {
+      const Fraction& f = own_end(i, at_end);
+      t = signs_.quotient(f.num, product(f.den, signs_.length(s).num));
+    }
+    t = std::clamp(t, 0.0, 1.0);
+    const Point from = forms_.place(TurningForms::start(s), signs_.heading()), d = forms_.direction(s, signs_.heading());
+    return {from.x + t * d.x, from.y + t * d.y};
+  }
+  bool apart(Point a, Point b) const { return std::abs(a.x - b.x) > near_ || std::abs(a.y - b.y) > near_; }
+  bool shrinks(std::uint32_t i) { return !apart(ends_[i][0], ends_[i][1]) && signs_.compare(own_end(i, false), own_end(i, true)) == 0; }
+
+  // One at the end of every sub-edge that has a length, under its number; points in between belong to it.
+  void find_visits() {
+    const auto n = static_cast<std::uint32_t>(edges_.size());
+    visits_.assign(n, {kNone, kNone});
+    before_.assign(n, kNone);
+    for (std::uint32_t i = 0; i < n; ++i) {
+      if (is_point_[i]) continue;
+      std::uint32_t j = edges_[i].next;
+      while (is_point_[j]) j = edges_[j].next;
+      visits_[i] = {i, j};
+      before_[j] = i;
+    }
+    // Loops of points only: born or gone at the angle.
+    std::vector<std::uint8_t> known = is_point_;  // of loops not yet counted
+    for (std::uint32_t i = 0; i < n; ++i) {
+      if (is_point_[i]) continue;
+      for (std::uint32_t j = edges_[i].next; is_point_[j]; j = edges_[j].next) known[j] = 0;
+    }
+    for (std::uint32_t i = 0; i < n; ++i) {
+      if (!known[i]) continue;
+      out_.halves[i] += 2;
+      for (std::uint32_t j = i; known[j]; j = edges_[j].next) known[j] = 0;
+    }
+  }
+
+  // Ends of sub-edges on other ones. Limits of disjoint loops do not cross, so they touch at ends of one of them.
+  void find_touches() {
+    place_.resize(visits_.size());
+    std::iota(place_.begin(), place_.end(), 0u);
+    Point low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
+    std::vector<std::uint32_t> long_ones;
+    for (std::uint32_t i = 0; i < edges_.size(); ++i) {
+      if (is_point_[i]) continue;
+      long_ones.push_back(i);
+      for (const Point& p : ends_[i]) {
+        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+      }
+    }
+    BoxPairs boxes(std::max(high.x - low.x, high.y - low.y) + 4 * near_);
+    boxes.reserve(long_ones.size());
+    for (const std::uint32_t i : long_ones) {
+      const auto [a, b] = ends_[i];
+      boxes.add(std::min(a.x, b.x) - low.x, std::min(a.y, b.y) - low.y, std::max(a.x, b.x) - low.x + 2 * near_, std::max(a.y, b.y) - low.y + 2 * near_);
+    }
+    for (const auto& [k, l] : boxes.find()) {
+      end_on_edge(long_ones[k], long_ones[l]);
+      end_on_edge(long_ones[l], long_ones[k]);
+    }
+  }
+
+  void end_on_edge(std::uint32_t i, std::uint32_t j) {
+    if (j == visits_[i].out) return;
+    const WalkSegment& s = segment(j);
+    const Point z = ends_[i][1];
+    const double error = 2 * SignsAt::kNear * forms_.length1(s) * forms_.span(), at = signs_.along_near(s, z);
+    if (at < signs_.along_near(s, ends_[j][0]) - error || at > signs_.along_near(s, ends_[j][1]) + error || !on_line(i, j, error)) return;
+    const int from = order(i, j, false), to = order(i, j, true);
+    if (from < 0 || to > 0) return;
+    if (from == 0) return join(place_, i, before_[j]);
+    if (to == 0) return join(place_, i, j);
+    const auto passing = static_cast<std::uint32_t>(visits_.size());
+    visits_.push_back({j, j});
+    place_.push_back(passing);
+    join(place_, i, passing);
+  }
+  // The end of sub-edge i on the line of j: the start of i's segment, and its share of the segment's vector.
+  bool on_line(std::uint32_t i, std::uint32_t j, double error) {
+    const WalkSegment &s = segment(j), &t = segment(i);
+    const Point from = forms_.place(TurningForms::start(s), signs_.heading()), d = forms_.direction(s, signs_.heading()), z = ends_[i][1];
+    if (std::abs(d.x * (z.y - from.y) - d.y * (z.x - from.x)) > error) return false;
+    const auto is = [&](const WalkSegment& u) { return u.side == s.side && u.edge == s.edge && u.vertex == s.vertex; };
+    if (is(t) || is(edges_[i].at.right)) return true;
+    const Fraction& f = own_end(i, true);
+    const exact::Polynomial whole = product(f.den, signs_.length(t).num);
+    return signs_.sign(sum_of(product(forms_.exact_side(s, TurningForms::start(t), signs_.chart()), whole),
+                              product(f.num, forms_.exact_cross(s, t, signs_.chart())), 1)) == 0;
+  }
+  // Along j: 1 where the end of i comes behind an end of j.
+  int order(std::uint32_t i, std::uint32_t j, bool at_end) {
+    const WalkSegment& s = segment(j);
+    const double d = signs_.along_near(s, ends_[i][1]) - signs_.along_near(s, ends_[j][at_end]);
+    if (std::abs(d) > 2 * SignsAt::kNear * forms_.length1(s) * forms_.span()) return d > 0 ? 1 : -1;
+    return signs_.compare(end_on(s, i, true), own_end(j, at_end));
+  }
+
+  void look_at_places() {
+    std::vector<std::array<std::uint32_t, 2>> order;  // place, visit
+    for (std::uint32_t v = 0; v < visits_.size(); ++v)
+      if (visits_[v].in != kNone) order.push_back({root_of(place_, v), v});
+    std::sort(order.begin(), order.end());
+    for (std::size_t k = 0; k < order.size();) {
+      std::size_t l = k;
+      std::vector<Visit> here;
+      // A sub-edge passes a place once, however many end on it there.
+      for (; l < order.size() && order[l][0] == order[k][0]; ++l) {
+        const Visit& v = visits_[order[l][1]];
+        const bool passes = v.in == v.out;
+        if (!passes || std::none_of(here.begin(), here.end(), [&](const Visit& w) { return w.in == v.in && w.out == v.out; })) here.push_back(v);
+      }
+      if (here.size() > 1 || turns_back(here[0])) look_at(here);
+      k = l;
+    }
+  }
+  bool turns_back(const Visit& v) const { return v.in != v.out && signs_.antiparallel(segment(v.in), segment(v.out)); }
+
+  int cross(const Germ& g, const Germ& h) const { return g.sign * h.sign * signs_.cross(segment(g.edge), segment(h.edge)); }
+  bool same(const Germ& g, const Germ& h) const {
+    return cross(g, h) == 0 && g.sign * h.sign * signs_.dot(segment(g.edge), segment(h.edge)) > 0;
+  }
+  // Clockwise from `first`: g comes before h. Of other directions than its own.
+  bool before(const Germ& first, const Germ& g, const Germ& h) const {
+    const int a = cross(first, g), b = cross(first, h);
+    return a != b ? a < b : a != 0 && cross(g, h) < 0;
+  }
+
+  // Free sectors lie clockwise from a way out to the next way in. Where both have one direction the walls of a passage meet along it.
+  void look_at(const std::vector<Visit>& here) {
+    std::vector<Germ> outs, ins;
+    for (std::uint32_t v = 0; v < here.size(); ++v) {
+      outs.push_back({here[v].out, 1, v});
+      ins.push_back({here[v].in, -1, v});
+    }
+    constexpr std::uint32_t kNobody = 0xffffffff;
+    std::vector<std::uint32_t> sector_of(outs.size(), kNobody), room(here.size());
+    std::vector<std::uint8_t> meets(ins.size()), bounds(ins.size());
+    for (std::uint32_t o = 0; o < outs.size(); ++o)
+      for (std::uint32_t i = 0; i < ins.size(); ++i) {
+        if (!same(outs[o], ins[i])) continue;
+        if (sector_of[o] != kNobody || meets[i]) not_a_boundary("three walls along one line");
+        sector_of[o] = i;
+        meets[i] = 1;
+        out_.halves[outs[o].edge] += 1;
+        out_.touch = place_of(here);
+      }
+    for (std::uint32_t o = 0; o < outs.size(); ++o) {
+      if (sector_of[o] != kNobody) continue;
+      for (std::uint32_t i = 0; i < ins.size(); ++i)
+        if (!meets[i] && (sector_of[o] == kNobody || before(outs[o], ins[i], ins[sector_of[o]]))) sector_of[o] = i;
+    }
+    for (const std::uint32_t i : sector_of) {
+      if (i == kNobody || bounds[i]) not_a_boundary("the free sectors of a place overlap");
+      bounds[i] = 1;
+    }
+    std::iota(room.begin(), room.end(), 0u);
+    for (std::uint32_t o = 0; o < outs.size(); ++o) {
+      join(room, outs[o].visit, ins[sector_of[o]].visit);
+      out_.together.push_back({outs[o].edge, ins[sector_of[o]].edge});
+    }
+    for (std::uint32_t v = 0; v < here.size(); ++v) {
+      out_.together.push_back({here[v].in, here[v].out});
+      if (root_of(room, v) != v) out_.halves[here[v].out] -= 2;
+    }
+    if (here.size() > 1) out_.touch = place_of(here);
+  }
+  // Visits that pass along one sub-edge have no end there.
+  Point place_of(const std::vector<Visit>& here) const {
+    for (const Visit& v : here)
+      if (v.in != v.out) return ends_[v.in][1];
+    not_a_boundary("nothing ends at a place");
+  }
+
+  const SignsAt& signs_;
+  const TurningForms& forms_;
+  const std::vector<LimitEdge>& edges_;
+  double near_ = 0;
+  std::vector<std::array<std::optional<Fraction>, 2>> own_;
+  std::vector<std::array<Point, 2>> ends_;
+  std::vector<std::uint8_t> is_point_;
+  std::vector<Visit> visits_;
+  std::vector<std::uint32_t> before_, place_;
+  BoundaryLimit out_;
+};
+
+}  // namespace
+
+BoundaryLimit limit_of(const SignsAt& signs, const std::vector<LimitEdge>& edges) { return Limit(signs, edges).run(); }
+
+}  // namespace dymsum::planar

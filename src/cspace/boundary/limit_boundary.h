@@ -1,0 +1,33 @@
+// The boundary of one side of an angle, at the angle itself: where it touches itself there, and what that adds to the Euler numbers of the
+// surfaces that the boundaries of all angles form. docs/design/cspace-obstacle.md, "Euler numbers".
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "cspace/events/sub_edge.h"
+
+namespace dymsum::planar {
+
+/// A sub-edge of a loop with free space on its right, and the number of the one behind it.
+struct LimitEdge {
+  SubEdge at;
+  std::uint32_t next = 0;
+};
+
+struct BoundaryLimit {
+  /// Of every sub-edge, a share: the sum over those of one surface is twice what the surface gains between the angle and this side of it.
+  std::vector<int> halves;
+  /// Sub-edges that belong to one surface where the free space is made smaller by a trifle.
+  std::vector<std::array<std::uint32_t, 2>> together;
+  /// A place where the limit passes more than once, in the forms' doubles.
+  std::optional<Point> touch;
+};
+
+/// Exact. O(n log n) and the pairs of sub-edges whose boxes meet, in doubles; exact signs where doubles do not keep them apart. Throws
+/// std::logic_error unless the sub-edges are the loops of the boundary at near angles.
+BoundaryLimit limit_of(const SignsAt& signs, const std::vector<LimitEdge>& edges);
+
+}  // namespace dymsum::planar

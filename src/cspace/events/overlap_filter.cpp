@@ -1,0 +1,172 @@
+#include "cspace/events/overlap_filter.h"
+
+#include <algorithm>
+
+namespace dymsum::planar {
+
+OverlapFilter::OverlapFilter(const TurningForms& forms, const TurnWindow& window) : forms_(forms), window_(window) {
+  for (std::uint32_t op = 0; op < 2; ++op) {
+    Tree& tree = op == 0 ? fixed_ : turning_;
+    for (const Component& c : forms.operand(op).components)
+      tree.roots.push_back(build(tree, op, c.first, c.last, op == 0 ? 0 : forms.reach() * window.half * 1.0001));
+  }
+}
+
+std::uint32_t OverlapFilter::build(Tree& tree, std::uint32_t op, std::uint32_t first, std::uint32_t last, double grow) const {
+  const auto id = static_cast<std::uint32_t>(tree.nodes.size());
+  tree.nodes.push_back({});
+  Node node{INFINITY, INFINITY, -INFINITY, -INFINITY, first, last, 0, 0};
+  const std::vector<Point>& at = op == 0 ? forms_.points(0) : window_.turned;
+  for (std::uint32_t i = first; i < last; ++i)
+    for (const std::uint32_t v : {i, forms_.operand(op).next[i]}) {
+      node.x0 = std::min(node.x0, at[v].x - grow);
+      node.y0 = std::min(node.y0, at[v].y - grow);
+      node.x1 = std::max(node.x1, at[v].x + grow);
+      node.y1 = std::max(node.y1, at[v].y + grow);
+    }
+  if (last - first > 4) {
+    const std::uint32_t middle = first + (last - first) / 2;
+    node.left = build(tree, op, first, middle, grow);
+    node.right = build(tree, op, middle, last, grow);
+  }
+  tree.nodes[id] = node;
+  return id;
+}
+
+// A vertex of the turning operand, reflected and moved to `at`.
+Point OverlapFilter::placed(std::uint32_t v, Point at, Heading h) const {
+  const Point p = forms_.points(1)[v];
+  return {at.x - (h.c * p.x - h.s * p.y), at.y - (h.s * p.x + h.c * p.y)};
+}
+
+// Whether fixed edge i crosses the edge from c to d: the four sides, all beyond their errors.
+bool OverlapFilter::cross(std::uint32_t i, Point c, Point d) const {
+  const auto opposite = [&](Point u, Point v, Point x, Point y) {
+    const double dx = v.x - u.x, dy = v.y - u.y, bound = 0x1p-36 * (std::abs(dx) + std::abs(dy)) * forms_.span();
+    const double s = dx * (x.y - u.y) - dy * (x.x - u.x), t = dx * (y.y - u.y) - dy * (y.x - u.x);
+    return (s > bound && t < -bound) || (s < -bound && t > bound);
+  };
+  const auto boxes_meet = [](double a, double b, double c, double d) {
+    return std::min(a, b) <= std::max(c, d) && std::min(c, d) <= std::max(a, b);
+  };
+  const Point a = forms_.points(0)[i], b = forms_.points(0)[forms_.operand(0).next[i]];
+  return boxes_meet(a.x, b.x, c.x, d.x) && boxes_meet(a.y, b.y, c.y, d.y) && opposite(a, b, c, d) && opposite(c, d, a, b);
+}
+
+bool OverlapFilter::lately_cross(Point at, Heading h) const {
+  for (std::size_t k = 0; k < known_; ++k) {
+    const auto [i, j] = lately_[k];
+    if (!cross(i, placed(j, at, h), placed(forms_.operand(1).next[j], at, h))) continue;
+    std::rotate(lately_.begin(), lately_.begin() + static_cast<std::ptrdiff_t>(k), lately_.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+    return true;
+  }
+  return false;
+}
+
+// Whether a fixed edge of a leaf crosses a turning one.
+bool OverlapFilter::edges_cross(const Node& fixed, const Node& turning, Point at, Heading h) const {
+  for (std::uint32_t j = turning.first; j < turning.last; ++j) {
+    const Point c = placed(j, at, h), d = placed(forms_.operand(1).next[j], at, h);
+    for (std::uint32_t i = fixed.first; i < fixed.last; ++i) {
+      if (!cross(i, c, d)) continue;
+      known_ = std::min(known_ + 1, lately_.size());
+      std::rotate(lately_.begin(), lately_.end() - 1, lately_.end());
+      lately_[0] = {i, j};
+      return true;
+    }
+  }
+  return false;
+}
+
+// One of the four pairs of ends lies clearly on one side of the other edge's line.
+bool OverlapFilter::edges_apart(std::uint32_t i, std::uint32_t j, Point at, Heading h) const {
+  const Point a = forms_.points(0)[i], b = forms_.points(0)[forms_.operand(0).next[i]];
+  const Point c = placed(j, at, h), d = placed(forms_.operand(1).next[j], at, h);
+  const auto same_side = [&](Point u, Point v, Point x, Point y) {
+    const double dx = v.x - u.x, dy = v.y - u.y, bound = 0x1p-36 * (std::abs(dx) + std::abs(dy)) * forms_.span();
+    const double s = dx * (x.y - u.y) - dy * (x.x - u.x), t = dx * (y.y - u.y) - dy * (y.x - u.x);
+    return (s > bound && t > bound) || (s < -bound && t < -bound);
+  };
+  const auto boxes_apart = [&](double a0, double a1, double b0, double b1) {
+    const double margin = 0x1p-36 * forms_.span();
+    return std::max(a0, a1) + margin < std::min(b0, b1) || std::max(b0, b1) + margin < std::min(a0, a1);
+  };
+  return same_side(a, b, c, d) || same_side(c, d, a, b) || boxes_apart(a.x, b.x, c.x, d.x) || boxes_apart(a.y, b.y, c.y, d.y);
+}
+
+bool OverlapFilter::touches_only(Point at, Heading h, const std::vector<WalkSegment>& contacts) const {
+  const Operand &p = forms_.operand(0), &q = forms_.operand(1);
+  // An edge of one and an edge at the touching vertex of the other.
+  const auto of_contact = [&](std::uint32_t i, std::uint32_t j) {
+    for (const WalkSegment& s : contacts) {
+      const std::uint32_t edge = s.side == 0 ? i : j, other = s.side == 0 ? j : i;
+      const Operand& o = s.side == 0 ? q : p;
+      if (edge == s.edge && (other == s.vertex || other == o.prev[s.vertex])) return true;
+    }
+    return false;
+  };
+  for (std::uint32_t i = 0; i < p.size(); ++i)
+    for (std::uint32_t j = 0; j < q.size(); ++j)
+      if (!edges_apart(i, j, at, h) && !of_contact(i, j)) return false;
+  for (std::uint32_t cp = 0; cp < p.components.size(); ++cp)
+    for (std::uint32_t cq = 0; cq < q.components.size(); ++cq) {
+      const std::uint32_t v = q.components[cq].first, w = p.components[cp].first;
+      const Point f = forms_.points(0)[w];
+      if (holds(0, cp, placed(v, at, h), h) || holds(1, cq, {at.x - f.x, at.y - f.y}, h)) return false;
+    }
+  return true;
+}
+
+// Whether a component certainly holds x in its interior; x relative to the component's own doubles.
+bool OverlapFilter::holds(std::uint32_t op, std::uint32_t component, Point x, Heading h) const {
+  const Operand& o = forms_.operand(op);
+  const Component& c = o.components[component];
+  const double near = 0x1p-36 * forms_.span();
+  const auto at = [&](std::uint32_t v) {
+    const Point p = forms_.points(op)[v];
+    return op == 0 ? p : Point{h.c * p.x - h.s * p.y, h.s * p.x + h.c * p.y};
+  };
+  bool in = false;
+  for (std::uint32_t i = c.first; i < c.last; ++i) {
+    const Point a = at(i), b = at(o.next[i]);
+    if (std::min(a.y, b.y) > x.y + near || std::max(a.y, b.y) < x.y - near || std::max(a.x, b.x) < x.x - near) continue;
+    if (std::abs(a.y - x.y) <= near || std::abs(b.y - x.y) <= near) return false;
+    const double cross = (b.x - a.x) * (x.y - a.y) - (b.y - a.y) * (x.x - a.x), bound = near * (std::abs(b.x - a.x) + std::abs(b.y - a.y));
+    if (std::abs(cross) <= bound) return false;
+    in ^= (cross > 0) == (b.y > a.y);
+  }
+  return in;
+}
+
+bool OverlapFilter::inside(Point at, Heading h) const {
+  if (lately_cross(at, h)) return true;
+  const double margin = 0x1p-36 * forms_.span();
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> stack;
+  for (std::uint32_t p = 0; p < fixed_.roots.size(); ++p)
+    for (std::uint32_t q = 0; q < turning_.roots.size(); ++q) {
+      stack.assign(1, {fixed_.roots[p], turning_.roots[q]});
+      while (!stack.empty()) {
+        const auto [i, j] = stack.back();
+        stack.pop_back();
+        const Node &a = fixed_.nodes[i], &b = turning_.nodes[j];
+        if (a.x1 < at.x - b.x1 - margin || a.x0 > at.x - b.x0 + margin || a.y1 < at.y - b.y1 - margin || a.y0 > at.y - b.y0 + margin) continue;
+        if (a.left == 0 && b.left == 0) {
+          if (edges_cross(a, b, at, h)) return true;
+        } else if (b.left == 0 || (a.left != 0 && a.last - a.first >= b.last - b.first)) {
+          stack.push_back({a.left, j});
+          stack.push_back({a.right, j});
+        } else {
+          stack.push_back({i, b.left});
+          stack.push_back({i, b.right});
+        }
+      }
+      // No edges cross: one component may hold the other, and then its first vertex.
+      const Component &cp = forms_.operand(0).components[p], &cq = forms_.operand(1).components[q];
+      const Point f = forms_.points(0)[cp.first];
+      if (holds(0, p, placed(cq.first, at, h), h)) return true;
+      if (holds(1, q, {at.x - f.x, at.y - f.y}, h)) return true;
+    }
+  return false;
+}
+
+}  // namespace dymsum::planar

@@ -1,0 +1,465 @@
+#include "cspace/events/turn_events.h"
+
+#include <algorithm>
+#include <bitset>
+#include <numeric>
+#include <span>
+
+#include "cspace/events/event_place.h"
+#include "cspace/events/quarter_turn.h"
+
+namespace dymsum::planar {
+
+using exact::AlgebraicRoot;
+
+namespace {
+
+/// Where doubles look for events they look a little farther, relative to lengths and in radians.
+constexpr double kNear = 0x1p-18;
+
+class Collector {
+ public:
+  Collector(const TurnWindow& window, const TurningForms& forms, const TurnCatalog& catalog, const OverlapFilter* filter, const QuarterEnds& ends)
+      : w_(window), forms_(forms), catalog_(catalog), filter_(filter), ends_(ends) {}
+
+  TurnEvents run(const std::vector<Alignment>& all) {
+    add_alignments(all);
+    find_crossings();
+    find_vertices();
+    number_headings();
+    sketch_meetings();
+    for (std::uint32_t a = 0; a < w_.segments.size(); ++a) triples_of(a);
+    std::sort(out_.events.begin(), out_.events.end(), [](const TurnEvent& a, const TurnEvent& b) { return a.low < b.low; });
+    return std::move(out_);
+  }
+
+ private:
+  struct Crossing {
+    std::uint32_t other = 0;
+    double low = 0, high = 0;  ///< of the parameter along the segment, at all angles
+    std::uint32_t order = 0;   ///< of two with one number, other than 0, the lines keep their order along the segment
+  };
+
+  void add_alignments(const std::vector<Alignment>& all) {
+    const double slack = 2 * kAngleSlack;
+    auto at = std::lower_bound(all.begin(), all.end(), w_.low - slack, [](const Alignment& a, double t) { return a.theta < t; });
+    for (; at != all.end() && at->theta <= w_.high + slack; ++at) {
+      TurnEvent event;
+      event.e = at->e;
+      event.f = at->f;
+      event.low = at->theta - kAngleSlack;
+      event.high = at->theta + kAngleSlack;
+      const bool near_end = event.low < w_.low + slack || event.high > w_.high - slack;
+      if (near_end && !falls_inside(event)) continue;
+      out_.events.push_back(std::move(event));
+    }
+  }
+  bool falls_inside(TurnEvent& event) const {
+    if (ends_.high != nullptr && ends_.high->aligned(event.e, event.f)) return false;
+    const exact::Polynomial p = forms_.exact_alignment(event.e, event.f, w_.range.chart);
+    if (forms_.alignment_chart(event.e, event.f) != w_.range.chart) return false;
+    return !roots_in(p, w_.range.t_low, w_.range.t_high).empty();
+  }
+
+  // Whether a form has its only zero in the window at a crowded end, where `zero` tells exactly that it has one.
+  template <class Form, class Zero>
+  bool at_crowded_end(const Form& f, double error, Zero&& zero) const {
+    for (const QuarterTurn* end : {ends_.low, ends_.high})
+      if (end != nullptr && end->exact_forms() && end->zero_here_only(f, w_.high - w_.low)) return true;
+    for (const QuarterTurn* end : {ends_.low, ends_.high})
+      if (end != nullptr && std::abs(f.at(end->heading())) <= error && end->only_zero(f, w_.high - w_.low, error) && zero(*end)) return true;
+    return false;
+  }
+  // Roots in the window, less those at a crowded end.
+  std::vector<AlgebraicRoot> roots(const exact::Polynomial& p) const {
+    std::vector<AlgebraicRoot> found = roots_in(p, w_.range.t_low, w_.range.t_high);
+    if (ends_.high != nullptr && !found.empty() && exact::compare(found.back(), w_.range.t_high) == 0) found.pop_back();
+    return found;
+  }
+
+  // The parameter of b's line along a: N / D. Around its value t at the middle, (N - t D) / D is small.
+  Crossing crossing(std::uint32_t i, std::uint32_t j) const {
+    const WalkSegment &a = w_.segments[i], &b = w_.segments[j];
+    const TrigForm n = forms_.side(b, TurningForms::start(a)), d = forms_.cross(a, b);
+    const double at = d.at(w_.heading), least = std::abs(at) - std::abs(d.slope(w_.heading)) * w_.half - 0.5 * d.swing() * w_.half * w_.half - 0x1p-46 * forms_.length1(a) * forms_.length1(b);
+    if (!(least > 0)) return {j, -INFINITY, INFINITY, 0};
+    const double t = n.at(w_.heading) / at;
+    const TrigForm k = n - d.times(t);
+    const double error = forms_.side_error(b) * (1 + std::abs(t));
+    const double radius = (std::abs(k.slope(w_.heading)) * w_.half + 0.5 * k.swing() * w_.half * w_.half + error) / least * (1 + 0x1p-20);
+    return {j, t - radius, t + radius, 0};
+  }
+
+  void find_crossings() {
+    crossings_.resize(w_.segments.size());
+    for (const TurnWindow::Meeting& m : w_.meetings) {
+      if (forms_.parallel(w_.segments[m.a], w_.segments[m.b])) {
+        overlaps(w_.segments[m.a], w_.segments[m.b]);
+        continue;
+      }
+      ++out_.pairs;
+      for (const auto& [i, j] : {std::pair{m.a, m.b}, std::pair{m.b, m.a}}) {
+        const Crossing c = crossing(i, j);
+        if (c.high >= -kNear && c.low <= 1 + kNear) crossings_[i].push_back(c);
+      }
+    }
+    for (auto& list : crossings_) std::sort(list.begin(), list.end(), [](const Crossing& a, const Crossing& b) { return a.low < b.low; });
+  }
+
+  // Of two segments with the same direction: the stretch that they share once they are on one line is longer than
+  // nothing.
+  bool share_stretch(const WalkSegment& a, const WalkSegment& b, double theta) const {
+    const Heading h = Heading::of(theta);
+    const Point d = forms_.direction(a, h), e = forms_.direction(b, h), s = forms_.place(TurningForms::start(a), h), t = forms_.place(TurningForms::start(b), h);
+    const double length = std::hypot(d.x, d.y), other = std::hypot(e.x, e.y), from = (d.x * (t.x - s.x) + d.y * (t.y - s.y)) / length;
+    return d.x * e.x + d.y * e.y > 0 && std::min(length, from + other) - std::max(0.0, from) > kNear * std::min(length, other) + 0x1p-40 * forms_.span();
+  }
+  bool overlap_at(const WalkSegment& a, const WalkSegment& b, double theta) const {
+    return may_exist(a, theta) && may_exist(b, theta) && share_stretch(a, b, theta);
+  }
+  bool beside_at_crowded_end(const TrigForm& f, const WalkSegment& s, Pair v) const {
+    return at_crowded_end(f, forms_.side_error(s), [&](const QuarterTurn& end) { return end.on_line(s, v); });
+  }
+  void overlaps(const WalkSegment& a, const WalkSegment& b) {
+    // One edge at both ends of another one: on one line only where the two edges are aligned.
+    const Operand& other = forms_.operand(1 - a.side);
+    if (a.edge == b.edge && (other.next[a.vertex] == b.vertex || other.prev[a.vertex] == b.vertex)) return;
+    if (a.vertex == b.vertex) return;  // they do not move against each other
+    const TrigForm f = forms_.side(a, TurningForms::start(b));
+    if (f.far_from_zero(w_.heading, w_.half, forms_.side_error(a)) || beside_at_crowded_end(f, a, TurningForms::start(b))) return;
+    const exact::Polynomial poly = forms_.exact_side(a, TurningForms::start(b), w_.range.chart);
+    if (poly.is_zero()) return;
+    for (AlgebraicRoot& root : roots(poly)) {
+      TurnEvent event = at(std::move(root), TurnEvent::Kind::overlap);
+      if (!overlap_at(a, b, event.theta())) continue;
+      event.a = a;
+      event.b = b;
+      out_.events.push_back(std::move(event));
+    }
+  }
+  // The vertex is an end of a segment that comes to lie along a: part of an overlap.
+  bool belongs_to_overlap(const WalkSegment& a, Pair v, double theta) const {
+    const TurnCatalog::Joint joint = catalog_.joint(v, theta);
+    if (joint.unsure) return false;
+    return (joint.has_in && forms_.parallel(a, joint.in) && overlap_at(a, joint.in, theta)) ||
+           (joint.has_out && forms_.parallel(a, joint.out) && overlap_at(a, joint.out, theta));
+  }
+
+  // Ends of the edge a and of an edge at its vertex: the side of such a pair is zero where the two edges are aligned.
+  bool belongs_to_alignment(const WalkSegment& a, Pair v) const {
+    const Operand &o = forms_.operand(a.side), &other = forms_.operand(1 - a.side);
+    const std::uint32_t x = a.side == 0 ? v.p : v.q, y = a.side == 0 ? v.q : v.p;
+    const bool at_end = x == a.edge || x == o.next[a.edge];
+    return at_end && (y == a.vertex || y == other.next[a.vertex] || y == other.prev[a.vertex]);
+  }
+
+  void find_vertices() {
+    std::vector<std::array<std::uint32_t, 3>> seen;
+    for (const TurnWindow::Meeting& m : w_.meetings)
+      for (const auto& [i, j] : {std::pair{m.a, m.b}, std::pair{m.b, m.a}})
+        for (const Pair v : {TurningForms::start(w_.segments[j]), forms_.end(w_.segments[j])}) {
+          const WalkSegment& a = w_.segments[i];
+          if (a.vertex == (a.side == 0 ? v.q : v.p)) continue;  // v does not move against a
+          const TrigForm f = forms_.side(a, v);
+          if (!f.far_from_zero(w_.heading, w_.half, forms_.side_error(a)) && !beside_at_crowded_end(f, a, v)) seen.push_back({i, v.p, v.q});
+        }
+    std::sort(seen.begin(), seen.end());
+    seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
+    for (const auto& [i, p, q] : seen) vertex_on(i, {p, q});
+  }
+
+  void vertex_on(std::uint32_t i, Pair v) {
+    const WalkSegment& a = w_.segments[i];
+    if (belongs_to_alignment(a, v)) return;
+    const TrigForm f = forms_.side(a, v);
+    const double error = forms_.side_error(a);
+    if (f.far_from_zero(w_.heading, w_.half, error)) return;
+    // a + r cos(theta - phase); where it only just reaches zero both roots are at the phase.
+    const double r = std::hypot(f.b, f.g), phase = std::atan2(f.g, f.b), back = r > 0 ? std::acos(std::clamp(-f.a / r, -1.0, 1.0)) : 0;
+    bool near = r <= error;
+    for (const double root : {phase - back, phase + back}) {
+      const double theta = w_.middle + std::remainder(root - w_.middle, kTurn);
+      if (!(std::abs(theta - w_.middle) <= w_.half + 2 * kNear) || !on(a, v, theta)) continue;
+      // Where the slope is steep the root is where doubles say.
+      const Heading h = Heading::of(theta);
+      TurnEvent event;
+      event.kind = TurnEvent::Kind::vertex_on_segment;
+      event.v = v;
+      const double off = 2 * (std::abs(f.at(h)) + error) / (std::abs(f.slope(h)) - 0x1p-20 * f.swing());
+      event.low = theta - off;
+      event.high = theta + off;
+      near |= !(off >= 0 && off < 0x1p-20) || !covered(event);
+    }
+    if (!near) return;
+    const exact::Polynomial poly = forms_.exact_side(a, v, w_.range.chart);
+    for (AlgebraicRoot& root : roots(poly)) {
+      TurnEvent event = at(std::move(root), TurnEvent::Kind::vertex_on_segment);
+      if (!on(a, v, event.theta()) || !may_exist(a, event.theta()) || belongs_to_overlap(a, v, event.theta())) continue;
+      event.a = a;
+      event.v = v;
+      if (!covered(event)) out_.events.push_back(std::move(event));
+    }
+  }
+  bool may_exist(const WalkSegment& s, double theta) const { return catalog_.exists(s, theta) != TurnCatalog::Existence::no; }
+
+  bool on(const WalkSegment& a, Pair v, double theta) const {
+    const Heading h = Heading::of(theta);
+    const Point d = forms_.direction(a, h), from = forms_.place(TurningForms::start(a), h), x = forms_.place(v, h);
+    const double along = d.x * (x.x - from.x) + d.y * (x.y - from.y), length = d.x * d.x + d.y * d.y;
+    const double slack = kNear * (length + forms_.length1(a) * forms_.span());
+    return along >= -slack && along <= length + slack;
+  }
+
+  // Segments of one number have the same direction at every angle.
+  void number_headings() {
+    std::array<std::vector<std::uint32_t>, 2> number;
+    std::uint32_t count = 0;
+    for (std::uint32_t side = 0; side < 2; ++side) {
+      std::vector<std::uint32_t> order(forms_.size(side));
+      std::iota(order.begin(), order.end(), 0);
+      std::sort(order.begin(), order.end(), [&](std::uint32_t e, std::uint32_t f) { return catalog_.edge_angle(side, e) < catalog_.edge_angle(side, f); });
+      number[side].resize(order.size());
+      for (std::size_t k = 0; k < order.size(); ++k) {
+        if (k == 0 || !same_direction({side, order[k - 1], 0}, {side, order[k], 0})) ++count;
+        number[side][order[k]] = count;
+      }
+    }
+    heading_of_.reserve(w_.segments.size());
+    for (const WalkSegment& s : w_.segments) heading_of_.push_back(number[s.side][s.edge]);
+  }
+
+  // Whether w_.meet(j, k) may hold, by a bit out of a cache line: most triples of crowded windows stop here.
+  static std::size_t bit_of(std::uint32_t k) { return (k * 2654435761u) >> 23; }
+  void sketch_meetings() {
+    sketches_.resize(w_.segments.size());
+    for (const TurnWindow::Meeting& m : w_.meetings) sketches_[m.a].set(bit_of(m.b));
+  }
+  bool may_meet(std::uint32_t j, std::uint32_t k) const { return sketches_[j].test(bit_of(k)); }
+
+  // Every triple is found from its smallest member; with two that are parallel at every angle, from the third one, the
+  // only one that crosses both.
+  void triples_of(std::uint32_t a) {
+    std::vector<Crossing>& list = crossings_[a];
+    find_orders(a, list);
+    for (std::size_t k = 0; k < list.size(); ++k)
+      for (std::size_t l = k + 1; l < list.size() && list[l].low <= list[k].high; ++l) {
+        if ((list[k].order == list[l].order && list[k].order != 0) || heading_of_[list[k].other] == heading_of_[list[l].other]) continue;
+        const std::uint32_t b = std::min(list[k].other, list[l].other), c = std::max(list[k].other, list[l].other);
+        if (a < b || forms_.parallel(w_.segments[b], w_.segments[c])) triple(a, b, c);
+      }
+  }
+
+  // Where many cross at nearly the same places, as beside a crowded quarter turn, most pairs of them keep their order all the while. In the order
+  // of their places at the middle, neighbours that are never at one place within the window prove that of all between: places are continuous
+  // functions of the angle, as no line is parallel to the segment.
+  void find_orders(std::uint32_t i, std::vector<Crossing>& list) const {
+    constexpr std::size_t kMany = 12;
+    std::uint32_t orders = 0;
+    for (std::size_t first = 0; first < list.size();) {
+      std::size_t last = first + 1;
+      for (double high = list[first].high; last < list.size() && list[last].low <= high; ++last) high = std::max(high, list[last].high);
+      if (last - first >= kMany) find_orders(w_.segments[i], {list.begin() + static_cast<std::ptrdiff_t>(first), list.begin() + static_cast<std::ptrdiff_t>(last)}, orders);
+      first = last;
+    }
+  }
+  void find_orders(const WalkSegment& a, std::span<Crossing> run, std::uint32_t& orders) const {
+    std::vector<Place> places;
+    for (Crossing& c : run) {
+      const WalkSegment& b = w_.segments[c.other];
+      const TrigForm d = forms_.cross(a, b);
+      const double rounding = 0x1p-46 * forms_.length1(a) * forms_.length1(b), cross = d.at(w_.heading), size = std::abs(cross) - rounding;
+      const bool crosses = d.far_from_zero(w_.heading, w_.half, rounding) || parallel_at_exact_end(d);
+      if (!crosses || !(size > 0)) continue;
+      const double t = forms_.side(b, TurningForms::start(a)).at(w_.heading) / cross;
+      places.push_back({&c, t, (forms_.side_error(b) + std::abs(t) * rounding) / size * (1 + 0x1p-20), cross > 0 ? 1 : -1});
+    }
+    std::sort(places.begin(), places.end(), [](const Place& x, const Place& y) { return x.at < y.at; });
+    sort_unclear(a, places);
+    for (std::size_t k = 0; k < places.size(); ++k)
+      places[k].crossing->order = k > 0 && keep_order(a, places[k - 1], places[k]) ? orders : ++orders;
+  }
+  // Where a line crosses a at the middle.
+  struct Place {
+    Crossing* crossing;
+    double at, error;
+    int turn;  // the sign of a's direction x the line's
+    bool before(const Place& o) const { return o.at - at - o.error - error > 0; }
+  };
+  // Places that come together at a crowded quarter turn may be nearer to each other than doubles tell. A step or two sort most of them.
+  void sort_unclear(const WalkSegment& a, std::vector<Place>& places) const {
+    constexpr std::size_t kSteps = 8;
+    for (std::size_t k = 1; k < places.size(); ++k)
+      for (std::size_t j = k; j > 0 && j + kSteps > k && !places[j - 1].before(places[j]) && order_beside_end(a, places[j - 1], places[j]) > 0; --j)
+        std::swap(places[j - 1], places[j]);
+  }
+  // The sign of the first place less the second one's in all of the window but a crowded end, at which both are one; 0 where that is not so.
+  int order_beside_end(const WalkSegment& a, const Place& x, const Place& y) const {
+    const TrigForm2 g = forms_.concurrency(a, w_.segments[x.crossing->other], w_.segments[y.crossing->other]);
+    for (const QuarterTurn* end : {ends_.low, ends_.high})
+      if (end != nullptr && end->exact_forms())
+        if (const int sign = end->sign_beside(g, end == ends_.low ? w_.high - w_.low : w_.low - w_.high)) return sign * x.turn * y.turn;
+    return 0;
+  }
+  bool parallel_at_exact_end(const TrigForm& d) const {
+    for (const QuarterTurn* end : {ends_.low, ends_.high})
+      if (end != nullptr && end->exact_forms() && end->zero_here_only(d, w_.high - w_.low)) return true;
+    return false;
+  }
+  // Whether two lines are one and the same, or the first one crosses a before the second one at all angles.
+  bool keep_order(const WalkSegment& a, const Place& x, const Place& y) const {
+    const WalkSegment &b = w_.segments[x.crossing->other], &c = w_.segments[y.crossing->other];
+    if (!x.before(y))
+      return order_beside_end(a, x, y) < 0 || (same_direction(b, c) && forms_.exact_side(b, TurningForms::start(c), w_.range.chart).is_zero());
+    const TrigForm2 g = forms_.concurrency(a, b, c);
+    const double error = forms_.concurrency_error(a, b, c);
+    if (g.far_from_zero(w_.heading, w_.half, error)) return true;
+    if (at_crowded_end(g, error, [&](const QuarterTurn& end) { return end.concurrent(a, b, c); })) return true;
+    const exact::Polynomial p = forms_.exact_concurrency(a, b, c, w_.range.chart);
+    return !p.is_zero() && roots(p).empty();
+  }
+
+  // Opposite directions: a passage between them opens or closes. The same direction: overlaps() sees to it.
+  bool same_direction(const WalkSegment& b, const WalkSegment& c) const {
+    const Point d = forms_.edge(b.side, b.edge), e = forms_.edge(c.side, c.edge);
+    return forms_.parallel(b, c) && d.x * e.x + d.y * e.y > 0;
+  }
+
+  struct Root {
+    double theta = 0, error = 0;
+  };
+  // The root of a form that is monotone around `middle`, within at most 2^-30; nothing where doubles do not find one.
+  std::optional<Root> only_root(const TrigForm2& g, double error, double middle, double half) const {
+    const double least = std::abs(g.slope(Heading::of(middle))) - 3 * g.bend() * half;
+    if (!(least > 0)) return std::nullopt;
+    double theta = middle;
+    for (int k = 0; k < 4; ++k) {
+      const Heading h = Heading::of(theta);
+      theta -= g.at(h) / g.slope(h);
+      if (!(std::abs(theta - middle) <= 2 * half)) return std::nullopt;
+    }
+    // The slope is at least `least` up to twice `half` from the middle.
+    const double off = (std::abs(g.at(Heading::of(theta))) + error) / least;
+    return off < 0x1p-30 ? std::optional<Root>({theta, off}) : std::nullopt;
+  }
+
+  // Whether doubles leave a root in the window at which the three may meet at a place that is not covered. By parts of
+  // the window, in which most forms are monotone.
+  bool may_matter(const WalkSegment& a, const WalkSegment& b, const WalkSegment& c, const TrigForm2& g, double error) const {
+    constexpr int kParts = 4;
+    const double half = w_.half / kParts * (1 + 0x1p-20);
+    for (int k = 0; k < kParts; ++k) {
+      const double middle = w_.middle + w_.half * (2 * k + 1 - kParts) / kParts;
+      if (g.far_from_zero(Heading::of(middle), half, error)) continue;
+      const std::optional<Root> root = only_root(g, error, middle, half);
+      if (!root) return true;
+      if (!all_cross(a, b, c, root->theta)) continue;
+      TurnEvent event;
+      event.kind = TurnEvent::Kind::three_segments;
+      event.low = root->theta - root->error;
+      event.high = root->theta + root->error;
+      event.a = a;
+      event.b = b;
+      event.c = c;
+      if (!covered(event)) return true;
+    }
+    return false;
+  }
+
+  void triple(std::uint32_t i, std::uint32_t j, std::uint32_t k) {
+    ++out_.triples;
+    if (!may_meet(j, k) || !w_.meet(j, k)) return;
+    const WalkSegment &a = w_.segments[i], &b = w_.segments[j], &c = w_.segments[k];
+    if (same_direction(b, c)) return;
+    const TrigForm2 g = forms_.concurrency(a, b, c);
+    const double error = forms_.concurrency_error(a, b, c);
+    if (g.far_from_zero(w_.heading, w_.half, error)) return;
+    if (at_crowded_end(g, error, [&](const QuarterTurn& end) { return end.concurrent(a, b, c); })) return;
+    if (!may_matter(a, b, c, g, error)) return;
+    const exact::Polynomial poly = forms_.exact_concurrency(a, b, c, w_.range.chart);
+    if (poly.is_zero()) {
+      out_.always_concurrent.push_back({a, b, c});
+      return;
+    }
+    for (AlgebraicRoot& root : roots(poly)) {
+      TurnEvent event = at(std::move(root), TurnEvent::Kind::three_segments);
+      if (!all_cross(a, b, c, event.theta())) continue;
+      event.a = a;
+      event.b = b;
+      event.c = c;
+      if (!covered(event)) out_.events.push_back(std::move(event));
+    }
+  }
+  // All three exist there and each of them holds its crossing with the next, with slack.
+  bool all_cross(const WalkSegment& a, const WalkSegment& b, const WalkSegment& c, double theta) const {
+    for (const WalkSegment* s : {&a, &b, &c})
+      if (!may_exist(*s, theta)) return false;
+    const Heading h = Heading::of(theta);
+    const std::array<const WalkSegment*, 3> s{&a, &b, &c};
+    for (int x = 0; x < 3; ++x)
+      for (const int y : {(x + 1) % 3, (x + 2) % 3}) {
+        const double n = forms_.side(*s[y], TurningForms::start(*s[x])).at(h), d = forms_.cross(*s[x], *s[y]).at(h);
+        const double t = n / d, slack = kNear + 0x1p-44 * forms_.span() / forms_.length1(*s[x]);
+        if (std::abs(d) > kNear * forms_.length1(*s[x]) * forms_.length1(*s[y]) && (t < -slack || t > 1 + slack)) return false;
+      }
+    return true;
+  }
+
+  bool covered(const TurnEvent& event) const { return filter_ != nullptr && certainly_covered(event, forms_, *filter_); }
+
+  TurnEvent at(AlgebraicRoot root, TurnEvent::Kind kind) const {
+    TurnEvent event;
+    event.kind = kind;
+    event.low = w_.range.theta(root.low()) - 0x1p-50;
+    event.high = w_.range.theta(root.high()) + 0x1p-50;
+    event.root = std::move(root);
+    return event;
+  }
+
+  const TurnWindow& w_;
+  const TurningForms& forms_;
+  const TurnCatalog& catalog_;
+  const OverlapFilter* filter_;
+  QuarterEnds ends_;
+  std::vector<std::vector<Crossing>> crossings_;
+  std::vector<std::uint32_t> heading_of_;   // of segments
+  std::vector<std::bitset<512>> sketches_;  // of the meetings of segments with later ones
+  TurnEvents out_;
+};
+
+}  // namespace
+
+const AlgebraicRoot& exact_root(TurnEvent& event, const TurningForms& forms, const TurnRange& range) {
+  if (!event.root) {
+    // Edges are parallel twice a turn, once in each chart.
+    std::vector<AlgebraicRoot> roots = roots_in(forms.exact_alignment(event.e, event.f, range.chart), range.t_low, range.t_high);
+    event.root = std::move(roots.at(0));
+    event.low = range.theta(event.root->low()) - 0x1p-50;
+    event.high = range.theta(event.root->high()) + 0x1p-50;
+  }
+  return *event.root;
+}
+
+std::vector<Alignment> alignments(const TurningForms& forms, const TurnCatalog& catalog) {
+  std::vector<Alignment> all;
+  const Operand &fixed = forms.operand(0), &turning = forms.operand(1);
+  for (std::uint32_t e = 0; e < turning.size(); ++e)
+    for (std::uint32_t f = 0; f < fixed.size() && !forms.is_point(1, e); ++f) {
+      if (forms.is_point(0, f)) continue;
+      const bool any = catalog.may_exist({1, e, f}) || catalog.may_exist({1, e, fixed.next[f]}) || catalog.may_exist({0, f, e}) || catalog.may_exist({0, f, turning.next[e]});
+      if (!any) continue;
+      const double theta = positive_angle(catalog.edge_angle(0, f) - catalog.edge_angle(1, e));
+      // The first window begins at -pi / 2 and does not hold it; what doubles leave open there is tried in both.
+      const double end = 1.5 * std::numbers::pi;
+      if (theta <= end + 2 * kAngleSlack) all.push_back({theta, e, f});
+      if (theta >= end - 2 * kAngleSlack) all.push_back({theta - kTurn, e, f});
+    }
+  std::sort(all.begin(), all.end(), [](const Alignment& a, const Alignment& b) { return a.theta < b.theta; });
+  return all;
+}
+
+TurnEvents events_in(const TurnWindow& window, const TurningForms& forms, const TurnCatalog& catalog, const std::vector<Alignment>& all,
+                     const OverlapFilter* filter, const QuarterEnds& ends) {
+  return Collector(window, forms, catalog, filter, ends).run(all);
+}
+
+}  // namespace dymsum::planar

@@ -1,0 +1,58 @@
+// Everything that can change the boundary within a window: alignments of edges, vertex sums on segments, three segments
+// through one point. A superset, each with its exact angle.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "exact/algebraic_root.h"
+#include "cspace/events/overlap_filter.h"
+#include "planar/turning/turn_window.h"
+
+namespace dymsum::planar {
+
+struct TurnEvent {
+  enum class Kind : std::uint8_t {
+    alignment,          ///< of turning edge e with fixed edge f
+    vertex_on_segment,  ///< v on a
+    three_segments,     ///< a, b and c
+    overlap,            ///< a and b, parallel at every angle and in the same direction, come onto one line and share a stretch of it
+  };
+  Kind kind = Kind::alignment;
+  double low = 0, high = 0;  ///< theta lies between them
+  WalkSegment a, b, c;
+  Pair v;                    ///< by walk vertices
+  std::uint32_t e = 0, f = 0;
+  std::optional<exact::AlgebraicRoot> root;  ///< always, but for alignments only when asked for
+  double theta() const { return (low + high) / 2; }
+};
+
+/// The exact angle.
+const exact::AlgebraicRoot& exact_root(TurnEvent& event, const TurningForms& forms, const TurnRange& range);
+
+/// All pairs of edges by the angle at which they point in the same direction, in doubles.
+struct Alignment {
+  double theta = 0;  ///< in (-pi / 2, 3 pi / 2]
+  std::uint32_t e = 0, f = 0;
+};
+std::vector<Alignment> alignments(const TurningForms& forms, const TurnCatalog& catalog);
+
+/// Three contacts that stay at one point at every angle.
+using AlwaysConcurrent = std::array<WalkSegment, 3>;
+
+struct TurnEvents {
+  std::vector<TurnEvent> events;  ///< by increasing `low`
+  std::vector<AlwaysConcurrent> always_concurrent;
+  std::uint64_t pairs = 0, triples = 0;
+};
+/// The crowded quarter turns among the ends of a window, or null.
+class QuarterTurn;
+struct QuarterEnds {
+  const QuarterTurn *low = nullptr, *high = nullptr;
+};
+/// With a filter, without those at places that are certainly covered. Always without those at crowded ends.
+TurnEvents events_in(const TurnWindow& window, const TurningForms& forms, const TurnCatalog& catalog, const std::vector<Alignment>& all,
+                     const OverlapFilter* filter, const QuarterEnds& ends);
+
+}  // namespace dymsum::planar

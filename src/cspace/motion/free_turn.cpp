@@ -1,0 +1,61 @@
+#include "cspace/motion/free_turn.h"
+
+#include "cspace/boundary/free_place.h"
+#include "planar/turning/slice.h"
+
+namespace dymsum::planar {
+
+FreeTurn::FreeTurn(const CspaceObstacle& obstacle, Point at)
+    : obstacle_(obstacle), at_(at), pivot_(obstacle.robot(), obstacle.obstacle()) {
+  pivot_.stand({exact::exact_value(at.x), exact::exact_value(at.y)});
+}
+
+// What is free on one side of an angle is free at it: overlapping is open.
+std::vector<TurnMark> FreeTurn::marks() {
+  const std::vector<PivotEvent> events = pivot_.events();
+  const std::size_t n = events.size();
+  std::vector<TurnMark> marks;
+  for (std::size_t k = 0; k < n; ++k)
+    marks.push_back({event_angle(events[k].angle), false, is_free(orientation_between(events[k].angle, events[(k + 1) % n].angle))});
+  for (std::size_t k = 0; k < n; ++k)
+    marks[k].free = marks[(k + n - 1) % n].free_behind || marks[k].free_behind || is_free_at(events[k].angle);
+  return marks;
+}
+
+std::vector<TurnMark> FreeTurn::marks(const Orientation& from, const Orientation& to) {
+  const ExactAngle end = exact_angle(to);
+  std::vector<TurnMark> marks;
+  bool before = is_free(from);
+  const std::vector<PivotEvent> events = pivot_.on_way(from, to, TurnDirection::counter_clockwise);
+  for (std::size_t k = 0; k < events.size(); ++k) {
+    const ExactAngle &angle = events[k].angle, &next = k + 1 < events.size() ? events[k + 1].angle : end;
+    const bool behind = is_free(compare(angle, end) == 0 ? to : orientation_between(angle, next));
+    marks.push_back({event_angle(angle), before || behind || is_free_at(angle), behind});
+    before = behind;
+  }
+  return marks;
+}
+
+bool FreeTurn::is_free_at(const ExactAngle& angle) {
+  if (!forms_) {
+    base_ = turning_base(obstacle_.obstacle(), obstacle_.robot(), 1, true, {{{at_}, {Point{0, 0}}}}, 0).value();
+    forms_.emplace(*base_, 1);
+  }
+  ExactPlace place;
+  place.first.corner = {forms_->size(0), forms_->size(1)};
+  return planar::is_free(SignsAt(*forms_, angle), place);
+}
+
+}  // namespace dymsum::planar
+
+namespace dymsum {
+
+std::vector<TurnMark> CspaceObstacle::turn_marks(double x, double y) const {
+  return planar::FreeTurn(*this, {x, y}).marks();
+}
+
+std::vector<TurnMark> CspaceObstacle::turn_marks(double x, double y, const Orientation& from, const Orientation& to) const {
+  return planar::FreeTurn(*this, {x, y}).marks(from, to);
+}
+
+}  // namespace dymsum

@@ -1,0 +1,252 @@
+#include "cspace/motion/pivot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace dymsum::planar {
+
+using exact::BigInteger;
+using exact::BigRational;
+using exact::Polynomial;
+
+namespace {
+
+Position exact_of(Point p) { return {exact::exact_value(p.x), exact::exact_value(p.y)}; }
+Position minus(const Position& a, const Position& b) { return {BigRational(a.x - b.x), BigRational(a.y - b.y)}; }
+BigRational cross(const Position& a, const Position& b) { return BigRational(a.x * b.y - a.y * b.x); }
+BigRational dot(const Position& a, const Position& b) { return BigRational(a.x * b.x + a.y * b.y); }
+
+// (1 + t^2) (a + b cos + g sin) times a common denominator; in chart 1 half a turn further.
+Polynomial polynomial(const BigRational& a, const BigRational& b, const BigRational& g, int chart) {
+  const BigRational sign = chart == 0 ? 1 : -1;
+  const std::array<BigRational, 3> c{BigRational(a + sign * b), BigRational(2 * sign * g), BigRational(a - sign * b)};
+  BigInteger common = 1;
+  for (const BigRational& v : c) common = lcm(common, denominator(v));
+  std::vector<exact::Big> whole;
+  for (const BigRational& v : c) whole.emplace_back(BigInteger(numerator(v) * (common / denominator(v))));
+  return Polynomial(std::move(whole));
+}
+
+// Counter-clockwise from `from`: whether a comes before b; `from` itself comes first.
+bool earlier(const ExactAngle& from, const ExactAngle& a, const ExactAngle& b) {
+  const bool a_ahead = compare(a, from) >= 0, b_ahead = compare(b, from) >= 0;
+  return a_ahead == b_ahead ? compare(a, b) < 0 : a_ahead;
+}
+
+}  // namespace
+
+Pivot::Pivot(const Region& robot, const Region& obstacle)
+    : robot_(robot), obstacle_(obstacle), pose_(robot, obstacle) {}
+
+void Pivot::stand(const Position& at) {
+  at_ = at;
+  near_ = {exact::round_to_double(at.x), exact::round_to_double(at.y)};
+  error_ = 0x1p-52 * (std::abs(near_.x) + std::abs(near_.y)) + 0x1p-1000;
+}
+
+bool Pivot::overlaps(const Orientation& theta) {
+  const double c = std::cos(theta.radians()), s = std::sin(theta.radians());
+  const Pose::Overlap quick = pose_.overlap(near_.x, near_.y, c, s, error_ + 0x1p-48 * pose_.reach());
+  if (quick != Pose::Overlap::unsure) return quick == Pose::Overlap::yes;
+  SumOptions options;
+  options.semantics = Semantics::open;
+  const SliceMap map(std::move(cspace_slice(robot_, obstacle_, theta, options)).value());
+  return map.where(SlicePoint(at_)) == SliceMap::Where::inside;
+}
+
+template <class Visit>
+void Pivot::each_candidate(Visit visit) const {
+  const auto n = static_cast<std::uint32_t>(pose_.robot().vertices.size());
+  const auto m = static_cast<std::uint32_t>(pose_.obstacle().vertices.size());
+  for (std::uint32_t i = 0; i < n; ++i)
+    for (std::uint32_t j = 0; j < m; ++j) {
+      if (pose_.obstacle().next[j] != j) visit(Candidate{i, j, true});
+      if (pose_.robot().next[i] != i) visit(Candidate{i, j, false});  // a point has no edge
+    }
+}
+
+// d x (vertex - start of the edge), as the robot turns.
+Pivot::Form Pivot::side_form(const Candidate& c) const {
+  const Position r = exact_of(pose_.robot().vertices[c.robot]);
+  const Position v = minus(exact_of(pose_.obstacle().vertices[c.obstacle]), at_);
+  if (c.edge_of_obstacle) {
+    const Position d = minus(minus(exact_of(pose_.obstacle().vertices[pose_.obstacle().next[c.obstacle]]), at_), v);
+    return {BigRational(-cross(d, v)), cross(d, r), dot(d, r)};
+  }
+  const Position d = minus(exact_of(pose_.robot().vertices[pose_.robot().next[c.robot]]), r);
+  return {BigRational(-cross(d, r)), cross(d, v), BigRational(-dot(d, v))};
+}
+
+// d . (vertex - start of the edge): on the edge where it is in [0, length].
+Pivot::Form Pivot::along_form(const Candidate& c, BigRational& length) const {
+  const Position r = exact_of(pose_.robot().vertices[c.robot]);
+  const Position v = minus(exact_of(pose_.obstacle().vertices[c.obstacle]), at_);
+  if (c.edge_of_obstacle) {
+    const Position d = minus(minus(exact_of(pose_.obstacle().vertices[pose_.obstacle().next[c.obstacle]]), at_), v);
+    length = dot(d, d);
+    return {BigRational(-dot(d, v)), dot(d, r), BigRational(-cross(d, r))};
+  }
+  const Position d = minus(exact_of(pose_.robot().vertices[pose_.robot().next[c.robot]]), r);
+  length = dot(d, d);
+  return {BigRational(-dot(d, r)), dot(d, v), cross(d, v)};
+}
+
+// Whether the circle of the turning vertex comes near the edge at all: that of the robot's vertex about the place, or
+// of the obstacle's about the robot's origin. The margin exceeds all rounding errors.
+bool Pivot::in_reach(const Candidate& c) const {
+  const Outline &robot = pose_.robot(), &obstacle = pose_.obstacle();
+  const Point r = robot.vertices[c.robot], o = obstacle.vertices[c.obstacle], v{o.x - near_.x, o.y - near_.y};
+  const Point a = c.edge_of_obstacle ? v : r;
+  Point b = robot.vertices[robot.next[c.robot]];
+  if (c.edge_of_obstacle) {
+    const Point far = obstacle.vertices[obstacle.next[c.obstacle]];
+    b = {far.x - near_.x, far.y - near_.y};
+  }
+  const double radius = c.edge_of_obstacle ? std::hypot(r.x, r.y) : std::hypot(v.x, v.y);
+  const double dx = b.x - a.x, dy = b.y - a.y, l = dx * dx + dy * dy;
+  const double most = std::max(std::hypot(a.x, a.y), std::hypot(b.x, b.y));
+  const double share = l > 0 ? std::clamp(-(a.x * dx + a.y * dy) / l, 0.0, 1.0) : 0.0;
+  const double least = std::hypot(a.x + share * dx, a.y + share * dy);
+  const double margin = 0x1p-30 * (most + radius + std::abs(near_.x) + std::abs(near_.y) + std::abs(o.x) +
+      std::abs(o.y));
+  return radius <= most + margin && radius >= least - margin;
+}
+
+Contact Pivot::contact_of(const Candidate& c) {
+  return {c.edge_of_obstacle ? Contact::Kind::edge_of_p : Contact::Kind::edge_of_q, c.obstacle, c.robot};
+}
+
+bool Pivot::persists(const Candidate& c) const {
+  const Form f = side_form(c);
+  if (f.a != 0 || f.b != 0 || f.g != 0) return false;
+  BigRational length;
+  const Form on = along_form(c, length);
+  return on.b == 0 && on.g == 0 && on.a >= 0 && on.a <= length;
+}
+
+void Pivot::add_events(const Candidate& c, std::vector<PivotEvent>& to) const {
+  const Form f = side_form(c);
+  if (f.a == 0 && f.b == 0 && f.g == 0) return;
+  BigRational length;
+  const Form on = along_form(c, length);
+  const Contact contact = contact_of(c);
+  for (const int chart : {0, 1}) {
+    const std::vector<exact::AlgebraicRoot> roots = exact::roots_in(polynomial(f.a, f.b, f.g, chart), -1, 1);
+    if (roots.empty()) continue;
+    const Polynomial low = polynomial(on.a, on.b, on.g, chart);
+    const Polynomial high = polynomial(BigRational(length - on.a), BigRational(-on.b), BigRational(-on.g), chart);
+    for (const exact::AlgebraicRoot& t : roots) {
+      if (exact::sign_at(t, low) < 0 || exact::sign_at(t, high) < 0) continue;
+      to.push_back({{chart, t}, contact});
+    }
+  }
+}
+
+// Whether the contact can happen within `half` of the heading: false is certain, by Taylor's formula.
+bool Pivot::possible(const Candidate& c, Heading middle, double half) const {
+  const Outline &robot = pose_.robot(), &obstacle = pose_.obstacle();
+  const Point r = robot.vertices[c.robot], o = obstacle.vertices[c.obstacle], v{o.x - near_.x, o.y - near_.y};
+  const Point to = c.edge_of_obstacle ? obstacle.vertices[obstacle.next[c.obstacle]]
+      : robot.vertices[robot.next[c.robot]];
+  const Point from = c.edge_of_obstacle ? o : r, d{to.x - from.x, to.y - from.y};
+  const Point &still = c.edge_of_obstacle ? v : r, &turning = c.edge_of_obstacle ? r : v;
+  const double along = d.x * turning.x + d.y * turning.y, g = c.edge_of_obstacle ? along : -along;
+  const TrigForm form{-(d.x * still.y - d.y * still.x), d.x * turning.y - d.y * turning.x, g};
+  const double size = std::abs(o.x) + std::abs(o.y) + std::abs(near_.x) + std::abs(near_.y) + pose_.reach();
+  return !form.far_from_zero(middle, half, 0x1p-44 * (std::abs(d.x) + std::abs(d.y)) * size);
+}
+
+void Pivot::sort_out(std::vector<PivotEvent>& events) {
+  std::stable_sort(events.begin(), events.end(),
+                   [](const PivotEvent& a, const PivotEvent& b) { return compare(a.angle, b.angle) < 0; });
+  const auto same = [](const PivotEvent& a, const PivotEvent& b) { return compare(a.angle, b.angle) == 0; };
+  events.erase(std::unique(events.begin(), events.end(), same), events.end());
+}
+
+std::vector<PivotEvent> Pivot::events() const {
+  std::vector<PivotEvent> events;
+  each_candidate([&](const Candidate& c) {
+    if (in_reach(c)) add_events(c, events);
+  });
+  sort_out(events);
+  return events;
+}
+
+std::vector<PivotEvent> Pivot::events(const Orientation& from, const Orientation& to) const {
+  const double two_pi = 2 * std::numbers::pi, a = from.radians(), b = to.radians() + (to.radians() < a ? two_pi : 0);
+  const double half = 0.5 * (b - a) + 0x1p-40;
+  const Heading middle = Heading::of(0.5 * (a + b));
+  std::vector<PivotEvent> events;
+  each_candidate([&](const Candidate& c) {
+    if (in_reach(c) && possible(c, middle, half)) add_events(c, events);
+  });
+  sort_out(events);
+  return events;
+}
+
+std::vector<PivotGap> Pivot::gaps(const std::vector<PivotEvent>& events) {
+  std::vector<PivotGap> gaps;
+  const auto n = static_cast<std::uint32_t>(events.size());
+  for (std::uint32_t k = 0; k < n; ++k) {
+    const std::uint32_t end = (k + 1) % n;
+    gaps.push_back({k, end, overlaps(orientation_between(events[k].angle, events[end].angle))});
+  }
+  return gaps;
+}
+
+std::optional<Contact> Pivot::held() const {
+  std::optional<Contact> held;
+  each_candidate([&](const Candidate& c) {
+    if (!held && in_reach(c) && persists(c)) held = contact_of(c);
+  });
+  return held;
+}
+
+std::vector<PivotEvent> Pivot::on_way(const Orientation& from, const Orientation& to, TurnDirection turn) const {
+  const bool ahead = turn == TurnDirection::counter_clockwise;
+  const ExactAngle begin = exact_angle(ahead ? from : to), end = exact_angle(ahead ? to : from);
+  std::vector<PivotEvent> way = ahead ? events(from, to) : events(to, from);
+  std::erase_if(way, [&](const PivotEvent& e) {
+    return compare(e.angle, begin) != 0 && compare(e.angle, end) != 0 && !earlier(begin, e.angle, end);
+  });
+  std::sort(way.begin(), way.end(),
+            [&](const PivotEvent& a, const PivotEvent& b) { return earlier(begin, a.angle, b.angle); });
+  if (!ahead) std::reverse(way.begin(), way.end());
+  return way;
+}
+
+std::optional<PivotStop> Pivot::stop(const Orientation& from, const Orientation& to, TurnDirection turn,
+                                     Touching touch) {
+  const ExactAngle last = exact_angle(to);
+  PivotStop at{exact_angle(from), std::nullopt};
+  if (overlaps(from)) return at;
+  if (touch == Touching::forbidden)
+    if (const std::optional<Contact> contact = held()) return PivotStop{at.angle, contact};
+  // Whether the robot overlaps between the place reached and the next one.
+  const auto blocked = [&](const ExactAngle& next) {
+    if (compare(at.angle, next) == 0) return false;
+    const bool ahead = turn == TurnDirection::counter_clockwise;
+    return overlaps(ahead ? orientation_between(at.angle, next) : orientation_between(next, at.angle));
+  };
+  for (const PivotEvent& e : on_way(from, to, turn)) {
+    if (blocked(e.angle)) return at;
+    at = {e.angle, e.contact};
+    if (touch == Touching::forbidden) return at;
+  }
+  if (blocked(last)) return at;
+  return std::nullopt;
+}
+
+Orientation Pivot::beside(const Orientation& theta, const ExactAngle& to, TurnDirection turn) const {
+  const ExactAngle from = exact_angle(theta);
+  const bool ahead = turn == TurnDirection::counter_clockwise;
+  ExactAngle nearest = to;
+  for (const PivotEvent& e : events()) {
+    if (compare(e.angle, from) == 0 || compare(e.angle, nearest) == 0) continue;
+    if (ahead ? earlier(from, e.angle, nearest) : earlier(nearest, e.angle, from)) nearest = e.angle;
+  }
+  return ahead ? orientation_between(from, nearest) : orientation_between(nearest, from);
+}
+
+}  // namespace dymsum::planar

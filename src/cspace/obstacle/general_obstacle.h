@@ -1,0 +1,12 @@
+// The obstacle of any two regions: windows of angles, their events, and the sweep over them.
+#pragma once
+
+#include "cspace/boundary/obstacle_state.h"
+
+namespace dymsum::planar {
+
+/// Fills everything but robot, obstacle and base, which are set. False does not occur. Errors: cancelled;
+/// unsupported_operand for regions that touch themselves.
+Result<bool> general_obstacle(CspaceObstacle::State& state, const ObstacleOptions& options);
+
+}  // namespace dymsum::planar

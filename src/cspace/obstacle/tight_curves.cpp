@@ -1,0 +1,108 @@
+// Three contacts that stay at one point z at every angle are no event. Each covers what lies to its left near z, so where their directions
+// span the plane with positive weights z has no free space beside it: free or covered, z changes only at events of another segment or of an
+// end of the three, all of which are listed. Between two events one exact test therefore tells whether z is free, hence tight, unless it is
+// an end of one of them, beside which free space comes to it: then the boundary passes there.
+#include "cspace/obstacle/tight_curves.h"
+
+#include <algorithm>
+#include <iterator>
+#include <tuple>
+
+#include "planar/turning/exact_angle.h"
+#include "cspace/boundary/free_place.h"
+#include "cspace/obstacle/obstacle_sweep.h"
+
+namespace dymsum::planar {
+namespace {
+
+bool before(const WalkSegment& s, const WalkSegment& t) {
+  return std::tuple{s.side, s.edge, s.vertex} < std::tuple{t.side, t.edge, t.vertex};
+}
+bool less(const AlwaysConcurrent& x, const AlwaysConcurrent& y) {
+  return std::lexicographical_compare(x.begin(), x.end(), y.begin(), y.end(), before);
+}
+
+TurnEvent event_of(const AlwaysConcurrent& three) {
+  TurnEvent event;
+  event.kind = TurnEvent::Kind::three_segments;
+  event.a = three[0];
+  event.b = three[1];
+  event.c = three[2];
+  return event;
+}
+
+// The directions span the plane with positive weights: each turns the same way to the next.
+bool spans(const SignsAt& signs, const AlwaysConcurrent& s) {
+  const int ab = signs.cross(s[0], s[1]);
+  return ab != 0 && signs.cross(s[1], s[2]) == ab && signs.cross(s[2], s[0]) == ab;
+}
+bool may_span(const TurningForms& forms, const AlwaysConcurrent& s, Heading h) {
+  int most = 0, least = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const WalkSegment &a = s[k], &b = s[(k + 1) % 3];
+    const double cross = forms.cross(a, b).at(h), error = 0x1p-40 * forms.length1(a) * forms.length1(b);
+    most += cross > -error;
+    least += cross < error;
+  }
+  return most == 3 || least == 3;
+}
+
+}  // namespace
+
+std::vector<AlwaysConcurrent> common_curves(const std::vector<AlwaysConcurrent>& before, const std::vector<AlwaysConcurrent>& behind) {
+  std::vector<AlwaysConcurrent> all;
+  std::set_intersection(before.begin(), before.end(), behind.begin(), behind.end(), std::back_inserter(all), less);
+  return all;
+}
+
+std::vector<AlwaysConcurrent> other_curves(const std::vector<AlwaysConcurrent>& before, const std::vector<AlwaysConcurrent>& behind) {
+  std::vector<AlwaysConcurrent> all;
+  std::set_symmetric_difference(before.begin(), before.end(), behind.begin(), behind.end(), std::back_inserter(all), less);
+  return all;
+}
+
+// Of the window's threes, those that meet in a tight place at an angle between events.
+std::vector<AlwaysConcurrent> ObstacleSweep::tight_curves(const Orientation& at, const OverlapFilter& filter) const {
+  std::vector<AlwaysConcurrent> found;
+  const Heading h = Heading::of(at.radians());
+  std::optional<SignsAt> signs;
+  std::vector<NodeNow> nodes;
+  for (const AlwaysConcurrent& three : always_) {
+    if (!may_span(forms_, three, h)) continue;
+    const EventPlace place = place_of(event_of(three), forms_, h);
+    if (place.sine >= 0x1p-5 && filter.inside(place.at, h)) continue;
+    if (!signs) signs.emplace(forms_, exact_angle(at));
+    const std::optional<Candidate> z = spans(*signs, three) ? meeting_of(*signs, three) : std::nullopt;
+    if (!z || !is_free(*signs, z->place)) continue;
+    if (nodes.empty()) nodes = nodes_now(*signs, false);
+    if (std::any_of(nodes.begin(), nodes.end(), [&](const NodeNow& n) { return reaches(*signs, n, *z); })) continue;
+    found.push_back(three);
+    std::sort(found.back().begin(), found.back().end(), before);
+  }
+  std::sort(found.begin(), found.end(), less);
+  return found;
+}
+
+// The place that three concurrent segments have in common, if they do.
+std::optional<ObstacleSweep::Candidate> ObstacleSweep::meeting_of(const SignsAt& signs, const AlwaysConcurrent& three) const {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const WalkSegment &a = three[k], &b = three[(k + 1) % 3], &c = three[(k + 2) % 3];
+    if (signs.cross(a, b) == 0) continue;
+    const ExactPlace at{{true, {}, a, b}, {}};
+    const std::optional<Point> near = signs.near(at);
+    if (!near) return std::nullopt;
+    for (const WalkSegment& s : {a, b, c})
+      if (!signs.within(s, at, *near)) return std::nullopt;
+    return Candidate{at, *near, {id(a), id(b), id(c)}, false};
+  }
+  return std::nullopt;
+}
+
+std::vector<ObstacleSweep::Candidate> ObstacleSweep::places_of(const SignsAt& signs, const std::vector<AlwaysConcurrent>& curves) const {
+  std::vector<Candidate> all;
+  for (const AlwaysConcurrent& three : curves)
+    if (std::optional<Candidate> z = meeting_of(signs, three)) all.push_back(std::move(*z));
+  return each_once(signs, std::move(all));
+}
+
+}  // namespace dymsum::planar

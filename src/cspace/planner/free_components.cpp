@@ -1,0 +1,93 @@
+#include "cspace/planner/free_components.h"
+
+#include <algorithm>
+#include <numbers>
+#include <numeric>
+#include <sstream>
+
+#include "cspace/boundary/obstacle_state.h"
+
+namespace dymsum::planar {
+
+JoinedComponents::JoinedComponents(const CspaceObstacle& obstacle) {
+  std::uint32_t most = 0;
+  for (const FreeCell& cell : obstacle.free_cells()) most = std::max(most, cell.component + 1);
+  parent_.resize(most);
+  std::iota(parent_.begin(), parent_.end(), 0u);
+}
+
+std::uint32_t JoinedComponents::root(std::uint32_t component) const {
+  while (parent_[component] != component) component = parent_[component];
+  return component;
+}
+
+void JoinedComponents::join(std::uint32_t a, std::uint32_t b) {
+  const std::uint32_t low = std::min(root(a), root(b)), high = std::max(root(a), root(b));
+  parent_[high] = low;
+}
+
+void JoinedComponents::join_touching(const CspaceObstacle& obstacle, PathLevels& levels) {
+  const std::vector<FreeCell>& cells = obstacle.free_cells();
+  for (const auto& [a, b] : ObstacleInternals::of(obstacle).touching_cells) join(cells[a].component, cells[b].component);
+  for (std::size_t k = 0; k < levels.size(); ++k) {
+    if (levels.slab(k)) continue;
+    const SliceGraph& graph = levels.graph(k);
+    if (graph.groups() >= graph.faces() + levels.map(k).cracks().size()) continue;
+    for (std::uint32_t g = 0; g < graph.groups(); ++g) {
+      const std::vector<std::uint32_t> together = levels.components(k, g);
+      for (const std::uint32_t c : together)
+        if (c != SliceMap::kNone && together[0] != SliceMap::kNone) join(together[0], c);
+    }
+  }
+}
+
+FreeComponent described(const CspaceObstacle& obstacle, std::uint32_t component) {
+  FreeComponent c;
+  c.number = component;
+  const std::size_t slabs = obstacle.angles().size();
+  std::vector<bool> covered(slabs, false);
+  for (const FreeCell& cell : obstacle.free_cells()) {
+    if (cell.component != component) continue;
+    c.unbounded = c.unbounded || cell.unbounded;
+    if (cell.begin == Patch::kNone || cell.begin == cell.end) {
+      c.all_angles = true;
+      continue;
+    }
+    for (std::size_t k = cell.begin; k != cell.end; k = (k + 1) % slabs) covered[k] = true;
+  }
+  c.all_angles = c.all_angles || std::find(covered.begin(), covered.end(), false) == covered.end();
+  for (std::size_t k = 0; k < slabs && !c.all_angles; ++k) {
+    if (covered[k] && !covered[(k + slabs - 1) % slabs]) c.from = obstacle.angles()[k].theta;
+    if (!covered[k] && covered[(k + slabs - 1) % slabs]) c.to = obstacle.angles()[k].theta;
+  }
+  for (std::uint32_t k = 0; k < obstacle.shells().size(); ++k)
+    if (obstacle.shells()[k].free_component == component) c.shells.push_back(k);
+  return c;
+}
+
+std::string text_of(const FreeComponent& c) {
+  std::ostringstream text;
+  const auto degrees = [](double radians) { return radians * 180 / std::numbers::pi; };
+  text.precision(6);
+  text << "component " << c.number << (c.unbounded ? ", which reaches infinity" : ", which is enclosed");
+  if (!c.all_angles) text << " and has angles from " << degrees(c.from) << " to " << degrees(c.to) << " degrees only";
+  if (!c.shells.empty()) text << ", bounded by shell";
+  for (const std::uint32_t s : c.shells) text << ' ' << s;
+  return text.str();
+}
+
+std::string text_of(const SearchLimit& limit) {
+  std::ostringstream text;
+  const auto degrees = [](double radians) { return radians * 180 / std::numbers::pi; };
+  if (limit.out_of_time) text << "the time limit of " << limit.seconds << " s was reached";
+  else text << "what joins them is passed along a curve alone, touching all the way, and not by translations and "
+               "rotations in place";
+  text.precision(10);
+  if (limit.passage)
+    text << ", at the passage between " << degrees(limit.passage->from) << " and " << degrees(limit.passage->to)
+         << " degrees from (" << limit.passage->reached.x << ", " << limit.passage->reached.y << ") to ("
+         << limit.passage->beyond.x << ", " << limit.passage->beyond.y << ")";
+  return text.str();
+}
+
+}  // namespace dymsum::planar

@@ -1,0 +1,29 @@
+// Which components of free space belong together, and what there is to say about one.
+#pragma once
+
+#include <vector>
+
+#include "cspace/planner/path_levels.h"
+
+namespace dymsum::planar {
+
+/// Components that touching joins: a partition, at first into single ones.
+class JoinedComponents {
+ public:
+  explicit JoinedComponents(const CspaceObstacle& obstacle);
+  std::uint32_t root(std::uint32_t component) const;
+  void join(std::uint32_t a, std::uint32_t b);
+  /// Joins what touches in a slice at a rational event angle, and before and behind an angle at which a passage is shut.
+  void join_touching(const CspaceObstacle& obstacle, PathLevels& levels);
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+FreeComponent described(const CspaceObstacle& obstacle, std::uint32_t component);
+/// "component 2, with angles from -20 to 30 degrees, enclosed by shell 1"
+std::string text_of(const FreeComponent& component);
+/// "the time limit of 60 s was reached between 44.1 and 44.2 degrees near (1, 2)"
+std::string text_of(const SearchLimit& limit);
+
+}  // namespace dymsum::planar

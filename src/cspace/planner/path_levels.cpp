@@ -1,0 +1,180 @@
+#include "cspace/planner/path_levels.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cspace/boundary/obstacle_state.h"
+
+namespace dymsum::planar {
+namespace {
+
+constexpr std::uint32_t kUnknown = SliceMap::kNone;
+
+std::unique_ptr<SliceMap> map_at(const CspaceObstacle& obstacle, const Orientation& theta) {
+  return std::make_unique<SliceMap>(std::move(obstacle.slice(theta, Semantics::open)).value());
+}
+
+}  // namespace
+
+PathLevels::PathLevels(const CspaceObstacle& obstacle, Touching touching, double frame)
+    : obstacle_(obstacle), touching_(touching), frame_(frame), pivot_(obstacle.robot(), obstacle.obstacle()) {}
+
+const SliceMap& PathLevels::map(std::size_t k) {
+  PathLevel& level = *levels_[k];
+  if (!level.map) {
+    level.map = map_at(obstacle_, level.theta);
+    ++slices_;
+  }
+  return *level.map;
+}
+
+const SliceGraph& PathLevels::graph(std::size_t k) {
+  PathLevel& level = *levels_[k];
+  if (!level.graph) level.graph = std::make_unique<SliceGraph>(map(k), touching_ == Touching::allowed, frame_);
+  return *level.graph;
+}
+
+std::size_t PathLevels::index_of(const PathLevel* level) const {
+  const double theta = level->theta.radians();
+  const auto at = std::partition_point(levels_.begin(), levels_.end(), [&](const auto& l) {
+    const double d = l->theta.radians() - theta;  // both within 2^-50
+    return std::abs(d) > 0x1p-48 ? d < 0 : compare(l->angle, level->angle) < 0;
+  });
+  return static_cast<std::size_t>(at - levels_.begin());
+}
+
+std::size_t PathLevels::add(const Orientation& theta) {
+  auto level = std::make_unique<PathLevel>(theta);
+  const std::size_t k = index_of(level.get());
+  if (k < levels_.size() && compare(levels_[k]->angle, level->angle) == 0) return k;
+  level->slab = obstacle_.slab_of(theta);
+  level->id = static_cast<std::uint32_t>(levels_.size());
+  levels_.insert(levels_.begin() + static_cast<std::ptrdiff_t>(k), std::move(level));
+  return k;
+}
+
+void PathLevels::add_all() {
+  const std::vector<EventAngle>& angles = obstacle_.angles();
+  for (std::uint32_t k = 0; k < angles.size(); ++k) {
+    add(obstacle_.inside(k));
+    if (touching_ == Touching::allowed && angles[k].exact) add(*angles[k].exact);
+  }
+  for (const auto& [n, d] : {std::pair{0, 1}, {1, 1}, {1, 0}, {-1, 1}})
+    if (levels_.size() < 4) add(d == 0 ? Orientation::half_turn() : *Orientation::of(n, d));
+}
+
+std::optional<std::uint32_t> PathLevels::event_before_next(std::size_t k) const {
+  const std::vector<ExactAngle>& events = ObstacleInternals::of(obstacle_).exact_angles;
+  if (events.empty()) return std::nullopt;
+  // Levels of one slab or of neighbouring ones.
+  if (events.size() > 1) {
+    const std::uint32_t next = slab_behind((k + 1) % size());
+    return slab_behind(k) == next ? std::nullopt : std::optional(next);
+  }
+  const std::uint32_t first = (slab_behind(k) + 1) % static_cast<std::uint32_t>(events.size());
+  // Beyond a, and not beyond b, on the way round.
+  const ExactAngle &a = angle(k), &b = angle((k + 1) % size()), &e = events[first];
+  const bool past = compare(e, a) > 0, before = compare(e, b) <= 0;
+  return (compare(a, b) < 0 ? past && before : past || before) ? std::optional(first) : std::nullopt;
+}
+
+std::vector<Orientation> PathLevels::between(std::size_t k) const {
+  const ExactAngle &a = angle(k), &b = angle((k + 1) % size());
+  if (const std::optional<std::uint32_t> event = event_before_next(k)) {
+    const ExactAngle& e = ObstacleInternals::of(obstacle_).exact_angles[*event];
+    if (compare(e, b) != 0) return {orientation_between(a, e), orientation_between(e, b)};
+  }
+  return {orientation_between(a, b)};
+}
+
+// The free cell on the right of an edge of a slice at an orientation of that slab.
+std::uint32_t PathLevels::cell_in_slab(std::uint32_t slab, const SliceMap& map, std::uint32_t edge) {
+  const auto [at, fresh] = patches_.try_emplace(slab);
+  if (fresh)
+    for (const auto& loop : obstacle_.loops(slab)) at->second.insert(at->second.end(), loop.begin(), loop.end());
+  const SliceMap::Edge& e = map.edges()[edge];
+  // A contact may be there twice, with different ones before it; where contacts coincide a slice may name another of
+  // them.
+  std::vector<std::uint32_t> near;
+  for (const std::uint32_t p : at->second) {
+    const Patch& patch = obstacle_.patches()[p];
+    if (patch.contact != e.contact) continue;
+    near.push_back(obstacle_.free_cell(slab, p));
+    if (patch.left == e.before) return near.back();
+  }
+  const bool one = !near.empty() && std::all_of(near.begin(), near.end(), [&](auto c) { return c == near[0]; });
+  return one ? near[0] : kUnknown;
+}
+
+// One for each loop: where one edge of it does not tell, another may.
+std::vector<std::uint32_t> PathLevels::cells_of(std::uint32_t slab, const SliceMap& map, const SliceGraph& graph,
+                                                std::uint32_t face) {
+  std::vector<std::uint32_t> all;
+  bool new_loop = true;
+  std::uint32_t before = 0;
+  for (const std::uint32_t edge : graph.edges_of(face)) {
+    // The last edge of a ring leads back to its first spot.
+    for (; before < edge; ++before) new_loop = new_loop || map.edges()[before].to < map.edges()[before].from;
+    if (new_loop) all.push_back(kUnknown);
+    new_loop = false;
+    if (all.back() == kUnknown) all.back() = cell_in_slab(slab, map, edge);
+  }
+  return all;
+}
+
+std::uint32_t PathLevels::slab_behind(std::size_t k) const {
+  if (levels_[k]->slab) return *levels_[k]->slab;
+  const std::vector<ExactAngle>& angles = ObstacleInternals::of(obstacle_).exact_angles;
+  const auto at = std::partition_point(angles.begin(), angles.end(),
+                                       [&](const ExactAngle& e) { return compare(e, angle(k)) < 0; });
+  return static_cast<std::uint32_t>(at - angles.begin());
+}
+
+// At an event angle: at an orientation next to it, up to which a place of the face stays free.
+std::vector<std::uint32_t> PathLevels::cells_beside(std::size_t k, std::uint32_t face) {
+  const SliceGraph& at = graph(k);
+  const auto inside = std::find_if(at.trapezoids().begin(), at.trapezoids().end(),
+                                   [&](const auto& t) { return t.face == face; });
+  const std::vector<ExactAngle>& angles = ObstacleInternals::of(obstacle_).exact_angles;
+  const std::size_t next = (slab_behind(k) + 1) % angles.size();
+  const ExactAngle limit = angles.size() > 1 ? angles[next] : exact_angle(orientation_between(angle(k), angle(k)));
+  pivot_.stand(inside->centre);
+  const Orientation beside = pivot_.beside(theta(k), limit, TurnDirection::counter_clockwise);
+  const std::unique_ptr<SliceMap> map = map_at(obstacle_, beside);
+  ++slices_;
+  const SliceGraph graph(*map, false, frame_);
+  const std::vector<std::uint32_t> nodes = graph.nodes_at(SlicePoint(inside->centre));
+  const std::optional<std::uint32_t> slab = obstacle_.slab_of(beside);
+  if (nodes.empty() || !slab) return {kUnknown};
+  return cells_of(*slab, *map, graph, graph.trapezoids()[nodes[0]].face);
+}
+
+const std::vector<std::uint32_t>& PathLevels::cells(std::size_t k, std::uint32_t group) {
+  const SliceGraph& at = graph(k);
+  std::vector<std::optional<std::vector<std::uint32_t>>>& known = levels_[k]->cells;
+  known.resize(at.groups());
+  if (known[group]) return *known[group];
+  std::vector<std::uint32_t> all;
+  std::vector<bool> seen(at.faces(), false);
+  for (std::uint32_t n = 0; n < at.trapezoids().size(); ++n) {
+    const std::uint32_t face = at.trapezoids()[n].face;
+    if (at.group_of(n) != group || seen[face]) continue;
+    seen[face] = true;
+    const std::vector<std::uint32_t> more = slab(k) ? cells_of(*slab(k), map(k), at, face) : cells_beside(k, face);
+    all.insert(all.end(), more.begin(), more.end());
+  }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return *(known[group] = std::move(all));
+}
+
+std::vector<std::uint32_t> PathLevels::components(std::size_t k, std::uint32_t group) {
+  std::vector<std::uint32_t> all = cells(k, group);
+  for (std::uint32_t& c : all)
+    if (c != kUnknown) c = obstacle_.free_cells()[c].component;
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+}  // namespace dymsum::planar

@@ -1,0 +1,76 @@
+// The orientations at which a planner looks at slices, in their order round the circle, and the components they meet.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "dymsum/planner.h"
+#include "cspace/motion/pivot.h"
+#include "cspace/planner/slice_graph.h"
+
+namespace dymsum::planar {
+
+/// One orientation with its slice.
+struct PathLevel {
+  explicit PathLevel(const Orientation& at) : theta(at), angle(exact_angle(at)) {}
+  Orientation theta;
+  ExactAngle angle;
+  std::uint32_t id = 0;  // in the order in which they were added
+  std::optional<std::uint32_t> slab;
+  std::unique_ptr<SliceMap> map;      // made when first looked at
+  std::unique_ptr<SliceGraph> graph;
+  std::vector<std::optional<std::vector<std::uint32_t>>> cells;  // by group
+};
+
+class PathLevels {
+ public:
+  PathLevels(const CspaceObstacle& obstacle, Touching touching, double frame);
+
+  std::size_t size() const { return levels_.size(); }
+  const Orientation& theta(std::size_t k) const { return levels_[k]->theta; }
+  const ExactAngle& angle(std::size_t k) const { return levels_[k]->angle; }
+  /// What stays the same while indices change.
+  const PathLevel* level(std::size_t k) const { return levels_[k].get(); }
+  std::size_t index_of(const PathLevel* level) const;
+  const SliceMap& map(std::size_t k);
+  const SliceGraph& graph(std::size_t k);
+  std::uint64_t slices() const { return slices_; }
+
+  /// The index of the level at this orientation, which is made if there is none. Indices behind it change.
+  std::size_t add(const Orientation& theta);
+  /// Levels at one orientation of every slab, and with touching at every rational event angle.
+  void add_all();
+  /// The event between level k and the next, or at the next: at most one where every slab has a level.
+  std::optional<std::uint32_t> event_before_next(std::size_t k) const;
+  /// One or two more between level k and the next, nearer to the event between them. What is between two levels has
+  /// at most half the length in the tangent of the half angle after two such steps.
+  std::vector<Orientation> between(std::size_t k) const;
+
+  /// The free cells of all faces that a group of a level consists of, increasing: one for each loop of a face's
+  /// boundary, at an event angle those in the slab behind it. kNone stands for one that is not known.
+  const std::vector<std::uint32_t>& cells(std::size_t k, std::uint32_t group);
+  /// Their components.
+  std::vector<std::uint32_t> components(std::size_t k, std::uint32_t group);
+  /// The slab of a level; nothing at an event angle.
+  std::optional<std::uint32_t> slab(std::size_t k) const { return levels_[k]->slab; }
+  /// That, or the one behind the event.
+  std::uint32_t slab_behind(std::size_t k) const;
+
+ private:
+  std::uint32_t cell_in_slab(std::uint32_t slab, const SliceMap& map, std::uint32_t edge);
+  std::vector<std::uint32_t> cells_of(std::uint32_t slab, const SliceMap& map, const SliceGraph& graph,
+                                      std::uint32_t face);
+  std::vector<std::uint32_t> cells_beside(std::size_t k, std::uint32_t face);
+
+  const CspaceObstacle& obstacle_;
+  Touching touching_;
+  double frame_;
+  std::vector<std::unique_ptr<PathLevel>> levels_;
+  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> patches_;  // by slab
+  Pivot pivot_;
+  std::uint64_t slices_ = 0;
+};
+
+}  // namespace dymsum::planar

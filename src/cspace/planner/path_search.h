@@ -1,0 +1,111 @@
+// A way through the levels of a planner: rotations in place from level to level, joined by the free pieces of slices.
+// Where a passage is too narrow for the levels there are, more are put between, there alone.
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <queue>
+#include <tuple>
+#include <unordered_map>
+#include <vector>
+
+#include "cspace/planner/path_links.h"
+
+namespace dymsum::planar {
+
+/// Translate to `at`, then rotate in place to `theta`.
+struct PathStep {
+  Position at;
+  Orientation theta;
+  TurnDirection direction = TurnDirection::counter_clockwise;
+};
+
+struct PathEnd {
+  Position at;
+  Orientation theta;
+};
+
+struct SearchLimits {
+  std::chrono::steady_clock::time_point deadline;
+  Progress progress;
+};
+
+/// Two neighbouring levels, a place that was reached at one of them, and one at the other that was not.
+struct PathBarrier {
+  Orientation from, to;  ///< counter-clockwise
+  Position reached, beyond;
+};
+
+class PathSearch {
+ public:
+  PathSearch(const CspaceObstacle& obstacle, PathLevels& levels, PathLinks& links, Touching touching);
+
+  enum class Outcome : std::uint8_t { found, nothing, cancelled, out_of_time };
+  /// Requires: both are levels, and free. `nothing`: no piece is reached next to one that is not and that it may be
+  /// joined to. Ends with `found` if a path exists that keeps some distance from the obstacle, given the time.
+  Outcome run(const PathEnd& start, const PathEnd& goal, const SearchLimits& limits);
+  /// Of a search that found a way; the goal is then reached by translations.
+  std::vector<PathStep> steps() const;
+  /// Where a search that ran out of time was, nearest to the goal.
+  std::optional<PathBarrier> barrier();
+  std::uint64_t rotations() const { return rotations_; }
+  std::uint64_t refinements() const { return refinements_; }
+
+ private:
+  struct Visit {
+    const PathLevel* level = nullptr;
+    std::uint32_t group = 0, from = 0;  // an index of visits_; its own at the start
+    Position at;                        // of the rotation from there
+    TurnDirection direction = TurnDirection::counter_clockwise;
+    double cost = 0;
+  };
+  struct Open {
+    double estimate = 0;
+    std::uint32_t visit = 0;
+    TurnDirection direction = TurnDirection::counter_clockwise;
+    bool operator<(const Open& o) const {
+      return std::tuple{estimate, visit, direction} > std::tuple{o.estimate, o.visit, o.direction};
+    }
+  };
+  // Between a level and the next, where a piece is reached and one it may be joined to is not. The order: gaps near the
+  // goal first, but not so that one waits for ever, as each gap that is filled leaves deeper ones.
+  struct Stuck {
+    std::uint32_t steps = 0, depth = 0;
+    double width = 0;
+    const PathLevel *low = nullptr, *high = nullptr;
+    bool operator<(const Stuck& o) const {
+      return std::tuple{steps + depth, -width, low->id} > std::tuple{o.steps + o.depth, -o.width, o.low->id};
+    }
+  };
+  void visit(Visit v);
+  std::optional<Outcome> expand_all(const SearchLimits& limits);
+  void expand(std::uint32_t visit, TurnDirection direction);
+  bool try_place(std::uint32_t visit, std::size_t to, TurnDirection direction, const Position& at);
+  std::vector<Position> roomy(std::size_t level, std::uint32_t group, const Position& near, std::size_t most);
+  std::vector<std::uint32_t>& visits_at(std::size_t level);
+  bool reached(std::size_t level, std::uint32_t group) { return visits_at(level)[group] != SliceMap::kNone; }
+  std::vector<std::uint32_t> wanted(std::size_t level, std::uint32_t group, std::size_t to, TurnDirection direction);
+  void queue_stuck();
+  std::optional<Stuck> stuck_at(const PathLevel* low);
+  std::optional<Stuck> next_stuck();
+  void refine(const Stuck& gap);
+
+  PathLevels& levels_;
+  PathLinks& links_;
+  Touching touching_;
+  Pivot pivot_;
+  double room_ = 0;
+  double goal_angle_ = 0;
+  std::uint32_t goal_group_ = 0;
+  const PathLevel* goal_level_ = nullptr;
+  std::vector<Visit> visits_;
+  std::uint32_t last_ = 0;  // of a way that was found
+  std::unordered_map<const PathLevel*, std::vector<std::uint32_t>> visits_at_;
+  std::priority_queue<Open> open_;
+  std::vector<const PathLevel*> touched_;  // gaps behind them
+  std::unordered_map<const PathLevel*, std::uint32_t> depth_;
+  std::priority_queue<Stuck> stuck_;
+  std::uint64_t rotations_ = 0, refinements_ = 0;
+};
+
+}  // namespace dymsum::planar

@@ -1,0 +1,211 @@
+#include "dymsum/planner.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "cspace/planner/free_components.h"
+#include "cspace/planner/path_points.h"
+#include "cspace/planner/path_search.h"
+
+namespace dymsum {
+namespace {
+
+using namespace planar;
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::uint32_t kUnknown = SliceMap::kNone;
+
+class Planner {
+ public:
+  Planner(const CspaceObstacle& obstacle, PathEnd start, PathEnd goal, const PlanOptions& options, double frame,
+          Clock::time_point deadline)
+      : obstacle_(obstacle), options_(options), start_(std::move(start)), goal_(std::move(goal)),
+        levels_(obstacle, options.touching, frame), joined_(obstacle), deadline_(deadline) {}
+
+  // Locate both, compare their components, search.
+  Result<Plan> run() {
+    if (!is_free(start_, NoPath::Kind::start_not_free) || !is_free(goal_, NoPath::Kind::goal_not_free)) return plan_;
+    if (walks_at_once()) return plan_;
+    levels_.add_all();
+    levels_.add(start_.theta);
+    levels_.add(goal_.theta);
+    if (options_.touching == Touching::allowed) joined_.join_touching(obstacle_, levels_);
+    const std::vector<std::uint32_t> from = around(start_), to = around(goal_);
+    if (!connected(from, to)) {
+      refuse(NoPath::Kind::separated, from, to);
+      return finished();
+    }
+    return search(from, to);
+  }
+
+ private:
+  bool is_free(const PathEnd& end, NoPath::Kind kind) {
+    const SliceMap& map = levels_.map(levels_.add(end.theta));
+    const SlicePoint at(end.at);
+    const SliceMap::Where where = map.where(at);
+    if (where == SliceMap::Where::outside) return true;
+    if (where == SliceMap::Where::touching && options_.touching == Touching::allowed) return true;
+    NoPath& reason = plan_.reason.emplace();
+    reason.kind = kind;
+    reason.text = kind == NoPath::Kind::start_not_free ? "the start " : "the goal ";
+    reason.text += where == SliceMap::Where::inside ? "overlaps the obstacle" : "touches the obstacle";
+    if (const std::uint32_t e = map.edge_at(at); e != kUnknown) reason.contact = map.edges()[e].contact;
+    return false;
+  }
+
+  // By translations alone.
+  bool walks_at_once() {
+    if (!(start_.theta == goal_.theta)) return false;
+    const SliceGraph& graph = levels_.graph(levels_.add(start_.theta));
+    if (graph.group_at(SlicePoint(start_.at)) != graph.group_at(SlicePoint(goal_.at))) return false;
+    write_path({});
+    return true;
+  }
+
+  // The components whose closure holds an end: those around it in its slice and, where it touches, those next to it in
+  // angle.
+  std::vector<std::uint32_t> around(const PathEnd& end) {
+    std::vector<std::uint32_t> all;
+    const auto add_at = [&](const Orientation& theta) {
+      const std::size_t k = levels_.add(theta);
+      const std::uint32_t group = levels_.graph(k).group_at(SlicePoint(end.at));
+      if (group == kUnknown) return;
+      const std::vector<std::uint32_t> more = levels_.components(k, group);
+      all.insert(all.end(), more.begin(), more.end());
+    };
+    add_at(end.theta);
+    if (levels_.map(levels_.add(end.theta)).where(SlicePoint(end.at)) == SliceMap::Where::touching) {
+      Pivot pivot(obstacle_.robot(), obstacle_.obstacle());
+      pivot.stand(end.at);
+      for (const TurnDirection d : {TurnDirection::counter_clockwise, TurnDirection::clockwise}) {
+        const Orientation beside = pivot.beside(end.theta, next_angle(end.theta, d), d);
+        if (!pivot.overlaps(beside)) add_at(beside);
+      }
+    }
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    return all;
+  }
+
+  // The next level on the way round: no event of the obstacle lies between.
+  ExactAngle next_angle(const Orientation& theta, TurnDirection d) {
+    const std::size_t k = levels_.add(theta), n = levels_.size();
+    return levels_.angle(d == TurnDirection::counter_clockwise ? (k + 1) % n : (k + n - 1) % n);
+  }
+
+  bool joined(std::uint32_t a, std::uint32_t b) const { return joined_.root(a) == joined_.root(b); }
+
+  // Unknown components may be any.
+  bool connected(const std::vector<std::uint32_t>& from, const std::vector<std::uint32_t>& to) const {
+    for (const std::uint32_t a : from)
+      for (const std::uint32_t b : to)
+        if (a == kUnknown || b == kUnknown || joined(a, b)) return true;
+    return false;
+  }
+
+  Result<Plan> search(const std::vector<std::uint32_t>& from, const std::vector<std::uint32_t>& to) {
+    PathLinks links(obstacle_, levels_, joined_);
+    PathSearch search(obstacle_, levels_, links, options_.touching);
+    const PathSearch::Outcome outcome = search.run(start_, goal_, {deadline_, options_.progress});
+    plan_.work.rotations = search.rotations();
+    plan_.work.refinements = search.refinements();
+    switch (outcome) {
+      case PathSearch::Outcome::cancelled: return Error{Code::cancelled, "cancelled by the progress callback", {}};
+      case PathSearch::Outcome::found: write_path(search.steps()); break;
+      case PathSearch::Outcome::nothing:
+      case PathSearch::Outcome::out_of_time:
+        refuse(NoPath::Kind::undecided, from, to);
+        add_limit(outcome == PathSearch::Outcome::out_of_time, search.barrier());
+    }
+    return finished();
+  }
+
+  void add_limit(bool out_of_time, const std::optional<PathBarrier>& barrier) {
+    SearchLimit& limit = plan_.reason->limit.emplace();
+    limit.out_of_time = out_of_time;
+    limit.seconds = options_.time_limit_seconds;
+    if (barrier)
+      limit.passage = {barrier->from.radians(), barrier->to.radians(), SlicePoint(barrier->reached).at(),
+                       SlicePoint(barrier->beyond).at()};
+    plan_.reason->text += "; " + text_of(limit);
+  }
+
+  void refuse(NoPath::Kind kind, const std::vector<std::uint32_t>& from, const std::vector<std::uint32_t>& to) {
+    NoPath& reason = plan_.reason.emplace();
+    reason.kind = kind;
+    for (const std::uint32_t c : from)
+      if (c != kUnknown) reason.start.push_back(described(obstacle_, c));
+    for (const std::uint32_t c : to)
+      if (c != kUnknown) reason.goal.push_back(described(obstacle_, c));
+    if (options_.touching == Touching::allowed)
+      for (const ObstacleEvent& e : obstacle_.events())
+        reason.unexamined_angles += e.kind == ObstacleEvent::Kind::tight && !obstacle_.angles()[e.angle].exact;
+    const auto place = [](const std::vector<FreeComponent>& all) {
+      return all.empty() ? std::string("a place that is held by contacts") : text_of(all[0]);
+    };
+    reason.text = kind == NoPath::Kind::separated ? "there is no path: "
+        : "undecided, start and goal are joined, but no path was found: ";
+    reason.text += "the start lies in " + place(reason.start) + "; the goal lies in " + place(reason.goal);
+  }
+
+  void write_path(const std::vector<PathStep>& steps) {
+    for (const PathPoint& p : PathPoints(obstacle_, levels_, options_.touching).points(start_, steps, goal_)) {
+      const Point near = SlicePoint(p.at).at();
+      plan_.path.push_back({p.move,
+                            {exact::to_rational(p.at.x), exact::to_rational(p.at.y)},
+                            p.theta,
+                            {near.x, near.y, p.theta.radians()}});
+    }
+  }
+
+  Plan finished() {
+    plan_.work.levels = levels_.size();
+    plan_.work.slices = levels_.slices();
+    return plan_;
+  }
+
+  const CspaceObstacle& obstacle_;
+  const PlanOptions& options_;
+  PathEnd start_, goal_;
+  PathLevels levels_;
+  JoinedComponents joined_;
+  Clock::time_point deadline_;
+  Plan plan_;
+};
+
+Result<PathEnd> end_of(const Configuration& c) {
+  if (!std::isfinite(c.x) || !std::isfinite(c.y)) return Error{Code::not_finite, "a coordinate is not finite", {}};
+  if (std::abs(c.x) > 0x1p400 || std::abs(c.y) > 0x1p400)
+    return Error{Code::unsupported_operand, "a coordinate is larger than 2^400", {}};
+  const Result<Orientation> theta = Orientation::nearest(c.theta);
+  if (!theta) return theta.error();
+  return PathEnd{{exact::exact_value(c.x), exact::exact_value(c.y)}, *theta};
+}
+
+}  // namespace
+
+Result<Plan> plan(const CspaceObstacle& obstacle, const Configuration& start, const Configuration& goal,
+                  const PlanOptions& options) {
+  const auto began = Clock::now();
+  if (!(options.time_limit_seconds >= 0)) return Error{Code::not_finite, "the time limit is no number of seconds", {}};
+  // Beyond a century the clock's numbers might not do.
+  const std::chrono::duration<double> limit(std::min(options.time_limit_seconds, 3e9));
+  const auto deadline = began + std::chrono::duration_cast<Clock::duration>(limit);
+  Result<PathEnd> from = end_of(start), to = end_of(goal);
+  if (!from) return from.error();
+  if (!to) return to.error();
+  const Pose pose(obstacle.robot(), obstacle.obstacle());
+  double span = pose.reach();
+  for (const Point& p : pose.obstacle().vertices) span = std::max({span, std::abs(p.x), std::abs(p.y)});
+  for (const Configuration& c : {start, goal}) span = std::max({span, std::abs(c.x), std::abs(c.y)});
+  Result<Plan> answer =
+      Planner(obstacle, std::move(from).value(), std::move(to).value(), options, 4 * span, deadline).run();
+  if (!answer) return answer.error();
+  Plan plan = std::move(answer).value();
+  plan.work.ms = std::chrono::duration<double, std::milli>(Clock::now() - began).count();
+  return plan;
+}
+
+}  // namespace dymsum

@@ -1,0 +1,28 @@
+// The angles at which patches, or tight placements, may pass through a position.
+#pragma once
+
+#include <vector>
+
+#include "cspace/queries/patch_forms.h"
+
+namespace dymsum::apps {
+
+/// Angles within [low, high], low in [-pi, pi). Nothing changes at the position outside of passages, unless there are
+/// curves of tight placements.
+struct Passage {
+  double low = 0, high = 0;
+  std::uint32_t patch = Patch::kNone;
+  bool crosses = false;  ///< just once, from one side of one patch to the other
+};
+
+/// Ascending, each apart from the others by more than kPassageGap; none is left where they go all the way round.
+struct Passages {
+  std::vector<Passage> all;
+  bool everywhere = false;
+};
+constexpr double kPassageGap = 0x1p-44;
+
+/// `at` is absolute.
+Passages passages_at(const CspaceObstacle& obstacle, const PatchForms& forms, Point at);
+
+}  // namespace dymsum::apps

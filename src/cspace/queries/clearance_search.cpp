@@ -1,0 +1,134 @@
+#include "cspace/queries/clearance_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "cspace/queries/tight_distance.h"
+
+namespace dymsum::apps {
+namespace {
+
+constexpr double kSure = 1024;  // times its error: a distance at which what is nearest is known to be boundary
+
+double signed_by(bool negative, double v) { return negative ? -v : v; }
+
+Clearance of(const NearestPatch& found, bool negative) {
+  return {signed_by(negative, found.distance), found.error, found.patch, {found.at.x, found.at.y, found.theta}};
+}
+
+}  // namespace
+
+// From as far as 2^200 sizes all of the obstacle is at the same distance, up to 2^43 sizes for the weight: what is nearest
+// is asked from 2^100 sizes, in the same direction, so that no square overflows.
+template <class Search>
+NearestPatch ClearanceSearch::in_coordinates(const ClearanceQuestion& q, bool whole_edges, Search search) const {
+  const Point origin = forms_.origin(), off{q.from.x - origin.x, q.from.y - origin.y};
+  const double farther = std::max(std::abs(off.x), std::abs(off.y)), size = forms_.size() * forms_.unit();
+  const bool far = farther > 0x1p200 * size;
+  const double shrunk = 0x1p100 * forms_.size() / farther;
+  const Point from = far ? Point{shrunk * off.x, shrunk * off.y} : forms_.in_units(off);
+  NearestPatch found = search({from, q.from.theta, std::isinf(q.weight) ? 0 : forms_.in_units(q.weight), whole_edges});
+  found.distance *= forms_.unit();
+  found.error *= forms_.unit();
+  if (forms_.unit() < 1) found.error += 0x1p-1073;  // what is rounded here
+  if (far && found.patch != Patch::kNone) {
+    found.distance = std::hypot(off.x, off.y);
+    found.error = 0x1p-43 * found.distance;
+  }
+  found.at = {found.at.x * forms_.unit() + origin.x, found.at.y * forms_.unit() + origin.y};
+  return found;
+}
+
+NearestPatch ClearanceSearch::nearest(const ClearanceQuestion& q, bool whole_edges) const {
+  return in_coordinates(q, whole_edges, [&](const DistanceQuestion& asked) { return nearest_patch(forms_, tree_, asked); });
+}
+
+NearestPatch ClearanceSearch::nearest_at(const ClearanceQuestion& q) const {
+  return in_coordinates(q, false, [&](const DistanceQuestion& asked) { return nearest_patch_at(forms_, tree_, asked); });
+}
+
+// What is nearest to a free configuration with clearance can be left into free space, so that it lies on a patch; one
+// that touches is told exactly.
+ClearanceSearch::Answer ClearanceSearch::any(const ClearanceQuestion& q) const {
+  const NearestPatch found = nearest(q, !q.overlaps);
+  const NearestTight tight = nearest_tight(obstacle_, q.from, q.weight);
+  if (!q.overlaps) {
+    const bool at_patch = found.distance <= found.error, at_curve = obstacle_.may_have_tight_curves() && !q.surely_apart;
+    if (at_patch || at_curve || tight.place.least <= 0) {
+      const SliceDistance slice = slice_of(q);
+      if (slice.touching()) return touching(q, found, slice.on_edge());
+    }
+    const NearestPatch shown = found.distance > kSure * found.error ? found : on_boundary(q, found);
+    return {of(shown, false), shown.bounds};
+  }
+  Clearance nearest = of(found, true);
+  if (q.touching == Touching::forbidden || !(tight.place.least < found.distance + found.error)) return {nearest, found.bounds};
+  const double least = std::min(found.distance - found.error, tight.place.least);
+  if (tight.place.distance + tight.place.error < found.distance + found.error)
+    nearest = {-tight.place.distance, tight.place.error, Patch::kNone, {tight.place.at.x, tight.place.at.y, tight.theta}};
+  nearest.error = std::max(nearest.error, -nearest.distance - least);
+  return {nearest, found.bounds};
+}
+
+// Where angles count little, an edge may be as near at an angle at which it is inside the obstacle.
+NearestPatch ClearanceSearch::on_boundary(const ClearanceQuestion& q, const NearestPatch& found) const {
+  NearestPatch sure = nearest(q, false);
+  if (sure.patch == Patch::kNone) return found;
+  sure.bounds += found.bounds;
+  return sure;
+}
+
+// On an edge of the closed slice there is free space with clearance nearby.
+ClearanceSearch::Answer ClearanceSearch::touching(const ClearanceQuestion& q, const NearestPatch& found, bool on_edge) const {
+  if (q.touching == Touching::forbidden && !on_edge) {
+    const NearestPatch way_out = nearest(q, false);
+    return {of(way_out, true), found.bounds + way_out.bounds};
+  }
+  const bool at_patch = found.distance <= found.error;
+  return {{signed_by(q.touching == Touching::forbidden, 0), 0, at_patch ? found.patch : Patch::kNone, q.from}, found.bounds};
+}
+
+SliceDistance ClearanceSearch::slice_of(const ClearanceQuestion& q) const {
+  return {obstacle_, Orientation::nearest(q.asked).value(), {q.from.x, q.from.y}};
+}
+
+bool ClearanceSearch::near_event(double theta) const {
+  const double margin = std::max(0x1p-44, 4 * forms_.angle_margin());
+  const std::vector<EventAngle>& angles = obstacle_.angles();
+  for (const double turn : {-2 * std::numbers::pi, 0.0, 2 * std::numbers::pi}) {
+    const auto from = std::lower_bound(angles.begin(), angles.end(), theta + turn - margin,
+                                       [](const EventAngle& a, double v) { return a.theta < v; });
+    if (from != angles.end() && from->theta <= theta + turn + margin) return true;
+  }
+  return false;
+}
+
+// Patches are those of the angle's slab where no event is near; what touches, and where an end moves too fast for the
+// angle's doubles, is told by the slice.
+ClearanceSearch::Answer ClearanceSearch::translation(const ClearanceQuestion& q) const {
+  if (near_event(q.from.theta) || obstacle_.may_have_tight_curves()) return by_slice(q);
+  const NearestPatch found = nearest_at(q);
+  const bool exact_enough = found.error <= 0x1p-32 * (found.distance + forms_.size() * forms_.unit());
+  if (!exact_enough || (!q.overlaps && found.distance <= found.error)) return by_slice(q);
+  return {of(found, q.overlaps), found.bounds};
+}
+
+ClearanceSearch::Answer ClearanceSearch::by_slice(const ClearanceQuestion& q) const {
+  const SliceDistance slice = slice_of(q);
+  const bool strict = q.touching == Touching::forbidden, touching = slice.touching();
+  const bool inside = q.overlaps || (touching && strict);
+  Clearance nearest{signed_by(inside, 0), 0, Patch::kNone, q.from};
+  if (!touching || (strict && !slice.on_edge())) {
+    const NearestPlace place = inside && !strict ? slice.to_boundary() : slice.to_edges();
+    nearest = {signed_by(inside, place.distance), place.total_error(), Patch::kNone, {place.at.x, place.at.y, q.from.theta}};
+  }
+  // The patch at the nearest point, if there is one.
+  ClearanceQuestion there = q;
+  there.from = nearest.nearest;
+  const NearestPatch patch = nearest_at(there);
+  if (patch.distance <= patch.error + nearest.error) nearest.patch = patch.patch;
+  return {nearest, patch.bounds};
+}
+
+}  // namespace dymsum::apps

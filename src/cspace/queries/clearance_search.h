@@ -1,0 +1,50 @@
+// The signed distance of a configuration to the boundary of an obstacle: its patches and its tight placements.
+#pragma once
+
+#include "dymsum/obstacle_queries.h"
+#include "cspace/queries/nearest_patch.h"
+#include "cspace/queries/slice_distance.h"
+
+namespace dymsum::apps {
+
+/// `from.theta` in [-pi, pi], within 2^-50 of Orientation::nearest(asked).
+struct ClearanceQuestion {
+  Configuration from;
+  double asked = 0;
+  double weight = 0;
+  Touching touching = Touching::allowed;
+  bool overlaps = false;     ///< exactly
+  bool surely_apart = false; ///< neither overlaps nor touches, as patches tell
+};
+
+class ClearanceSearch {
+ public:
+  ClearanceSearch(const CspaceObstacle& obstacle, const PatchForms& forms, const PatchTree& tree)
+      : obstacle_(obstacle), forms_(forms), tree_(tree) {}
+
+  struct Answer {
+    Clearance clearance;
+    std::uint64_t bounds = 0;
+  };
+  Answer run(const ClearanceQuestion& q) const { return std::isinf(q.weight) ? translation(q) : any(q); }
+
+ private:
+  Answer any(const ClearanceQuestion& q) const;
+  Answer translation(const ClearanceQuestion& q) const;
+  Answer by_slice(const ClearanceQuestion& q) const;
+  Answer touching(const ClearanceQuestion& q, const NearestPatch& found, bool on_edge) const;
+  /// Of any angle, or of the question's own; lengths in the coordinates of the obstacle, places absolute.
+  NearestPatch nearest(const ClearanceQuestion& q, bool whole_edges) const;
+  NearestPatch nearest_at(const ClearanceQuestion& q) const;
+  NearestPatch on_boundary(const ClearanceQuestion& q, const NearestPatch& found) const;
+  template <class Search>
+  NearestPatch in_coordinates(const ClearanceQuestion& q, bool whole_edges, Search search) const;
+  SliceDistance slice_of(const ClearanceQuestion& q) const;
+  bool near_event(double theta) const;
+
+  const CspaceObstacle& obstacle_;
+  const PatchForms& forms_;
+  const PatchTree& tree_;
+};
+
+}  // namespace dymsum::apps

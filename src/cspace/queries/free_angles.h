@@ -1,0 +1,16 @@
+// At which angles a position is free: between the angles at which patches pass through it.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "dymsum/obstacle_queries.h"
+#include "cspace/queries/patch_forms.h"
+
+namespace dymsum::apps {
+
+/// `is_free` answers exactly at an angle in [-pi, pi].
+std::vector<FreeAngles> free_angles(const CspaceObstacle& obstacle, const PatchForms& forms, Point at,
+                                    const std::function<bool(double)>& is_free);
+
+}  // namespace dymsum::apps

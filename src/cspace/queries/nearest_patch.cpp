@@ -1,0 +1,264 @@
+#include "cspace/queries/nearest_patch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+namespace dymsum::apps {
+namespace {
+
+constexpr double kTurn = 2 * std::numbers::pi;
+constexpr double kAngleMargin = 0x1p-46;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr std::uint64_t kMostBounds = 20000;  // what is left open then is part of the error
+
+struct Task {
+  enum class Kind : std::uint32_t { node, stretch, part };
+  double square = 0;  // lower bound
+  Kind kind = Kind::node;
+  std::uint32_t index = 0;  // of a node, a stretch or a part
+  friend bool operator<(const Task& a, const Task& b) { return a.square > b.square; }  // least first on a heap
+};
+
+// x of a stretch between low and high, best looked at on both sides of `split`.
+struct Part {
+  std::uint32_t stretch = 0;
+  double low = 0, high = 0, split = 0, off = 0;
+};
+
+// Positions and angles err by less than this, in the worst direction.
+double position_error(const PatchForms& forms, const DistanceQuestion& q) {
+  return 0x1p-43 * (forms.size() + std::abs(q.from.x) + std::abs(q.from.y) + q.weight);
+}
+
+// The point at x of a stretch, `along` its edge.
+void set_witness(const PatchForms& forms, const PatchStretch& s, double x, double along, NearestPatch& found) {
+  const ContactLine& l = forms[s.patch].own;
+  const SmallTurn t(x);
+  const double c = s.c * t.c - s.s * t.s, sine = s.s * t.c + s.c * t.s;
+  const auto turned = [&](Point v) { return Point{c * v.x - sine * v.y, sine * v.x + c * v.y}; };
+  const Point foot = l.start.a + turned(l.start.b), e = l.turns ? turned(l.unit) : l.unit;
+  found.patch = s.patch;
+  found.at = {foot.x + along * e.x, foot.y + along * e.y};
+  found.theta = std::remainder(s.reference + x, kTurn);
+}
+
+class Search {
+ public:
+  Search(const PatchForms& forms, const PatchTree& tree, const DistanceQuestion& question)
+      : forms_(forms), tree_(tree), question_(question), slack_(position_error(forms, question)) {
+    heap_.reserve(256);
+  }
+
+  NearestPatch run() {
+    add_stretch(first_guess());
+    parts_.clear();
+    heap_.clear();
+    least_ = kInfinity;
+    open(0);
+    while (!heap_.empty()) {
+      std::pop_heap(heap_.begin(), heap_.end());
+      const Task task = heap_.back();
+      heap_.pop_back();
+      const double least = std::sqrt(task.square);
+      if (least >= good_enough() || found_.bounds > kMostBounds) {
+        least_ = std::min(least_, least);
+        break;
+      }
+      if (task.kind == Task::Kind::node)
+        open(task.index);
+      else if (task.kind == Task::Kind::stretch)
+        add_stretch(task.index);
+      else
+        halve(parts_[task.index]);
+    }
+    // Nothing is nearer than the least bound that is left; the nearest point errs by what its end does.
+    const double below = found_.distance - std::min(least_, upper_);
+    found_.error = std::max(below, upper_ - found_.distance) + slack_;
+    if (found_.patch != Patch::kNone) set_witness(forms_, tree_.stretch(stretch_), x_, along_, found_);
+    return found_;
+  }
+
+ private:
+  // It is no use to be more exact than positions are known.
+  double good_enough() const { return upper_ * (1 - 1e-9) - 8 * slack_; }
+
+  // A stretch that is near, so that most others are never kept: down the tree by the nearest boxes.
+  std::uint32_t first_guess() const {
+    std::uint32_t node = 0;
+    for (;;) {
+      const PatchTree::Node& n = tree_.node(node);
+      const auto squares = square_distances(n, question_.from, question_.theta, question_.weight);
+      const auto least = std::min_element(squares.begin(), squares.end());
+      const std::size_t k = static_cast<std::size_t>(least - squares.begin());
+      if (n.count[k] == 0) {
+        node = n.first[k];
+        continue;
+      }
+      std::uint32_t best = n.first[k];
+      for (std::uint32_t i = best + 1; i < n.first[k] + n.count[k]; ++i)
+        if (to_slab(i) < to_slab(best)) best = i;
+      return best;
+    }
+  }
+  double to_slab(std::uint32_t stretch) const {
+    return square_distance(tree_.slab(stretch), question_.from, question_.theta, question_.weight);
+  }
+
+  void push(double square, Task::Kind kind, std::uint32_t index) {
+    if (!(square < upper2_)) return;
+    heap_.push_back({square, kind, index});
+    std::push_heap(heap_.begin(), heap_.end());
+  }
+
+  void open(std::uint32_t index) {
+    const PatchTree::Node& node = tree_.node(index);
+    const auto squares = square_distances(node, question_.from, question_.theta, question_.weight);
+    for (std::size_t k = 0; k < PatchTree::kWide; ++k) {
+      if (!(squares[k] < upper2_)) continue;
+      if (node.count[k] == 0) {
+        push(squares[k], Task::Kind::node, node.first[k]);
+        continue;
+      }
+      for (std::uint32_t i = node.first[k]; i < node.first[k] + node.count[k]; ++i)
+        push(to_slab(i), Task::Kind::stretch, i);
+    }
+  }
+
+  // An angle half a turn away counts either way round.
+  void add_stretch(std::uint32_t index) {
+    const PatchStretch& s = tree_.stretch(index);
+    const double middle = (s.low + s.high) / 2;
+    const double off = std::remainder(s.reference + middle - question_.theta, kTurn) - middle;
+    add({index, s.low, s.high, 0, off});
+    if (off + s.high > kTurn / 2 - kAngleMargin) add({index, s.low, s.high, 0, off - kTurn});
+    if (off + s.low < -kTurn / 2 + kAngleMargin) add({index, s.low, s.high, 0, off + kTurn});
+  }
+
+  void halve(const Part part) {
+    add({part.stretch, part.low, part.split, 0, part.off});
+    add({part.stretch, part.split, part.high, 0, part.off});
+  }
+
+  void add(Part part) {
+    ++found_.bounds;
+    const PatchStretch& s = tree_.stretch(part.stretch);
+    const StretchDistance distance(forms_[s.patch], s, question_, part.off);
+    const StretchDistance::Bound bound = distance.lower(part.low, part.high, upper_);
+    if (bound.distance >= upper_) return;
+    take(part.stretch, s, distance, bound.x);
+    if (bound.distance >= good_enough()) {
+      least_ = std::min(least_, bound.distance);
+      return;
+    }
+    part.split = split_of(part, s, bound);
+    if (too_short(part, s)) {
+      least_ = std::min(least_, bound.distance);
+    } else if (bound.splits) {
+      halve(part);
+    } else {
+      parts_.push_back(part);
+      push(bound.distance * bound.distance, Task::Kind::part, static_cast<std::uint32_t>(parts_.size() - 1));
+    }
+  }
+
+  // Where doubles do not tell when the patch begins, a part of its own is left open.
+  static double split_of(const Part& part, const PatchStretch& s, const StretchDistance::Bound& bound) {
+    const auto within = [&](double x) { return part.low < x && x < part.high; };
+    if (bound.splits && within(bound.split)) return bound.split;
+    if (bound.x < s.surely_low && within(s.surely_low)) return s.surely_low;
+    if (bound.x > s.surely_high && within(s.surely_high)) return s.surely_high;
+    return part.low + (part.high - part.low) / 2;
+  }
+  bool too_short(const Part& part, const PatchStretch& s) const {
+    const double width = part.high - part.low;
+    if (!(width > 0x1p-46 * (std::abs(part.low) + std::abs(part.high)) && width > 0x1p-80)) return true;
+    return !question_.whole_edges && (part.high <= s.surely_low || part.low >= s.surely_high);
+  }
+
+  // From outside every point of an edge is one of the obstacle; else only what surely belongs to the patch counts.
+  void take(std::uint32_t index, const PatchStretch& s, const StretchDistance& distance, double x) {
+    if (!question_.whole_edges) {
+      if (!(s.surely_low <= s.surely_high)) return;
+      x = std::clamp(x, s.surely_low, s.surely_high);
+    }
+    const StretchDistance::Nearest nearest = distance.nearest(x);
+    if (!(nearest.distance + nearest.error < upper_)) return;
+    upper_ = nearest.distance + nearest.error;
+    upper2_ = upper_ * upper_;
+    found_.distance = nearest.distance;
+    stretch_ = index;
+    x_ = x;
+    along_ = nearest.along;
+    found_.patch = s.patch;
+  }
+
+  const PatchForms& forms_;
+  const PatchTree& tree_;
+  const DistanceQuestion& question_;
+  double slack_;
+  std::vector<Task> heap_;
+  std::vector<Part> parts_;
+  NearestPatch found_;
+  double upper_ = kInfinity, upper2_ = kInfinity;  // the least distance known, with its error
+  double least_ = kInfinity;                       // the least bound among what is not looked at any more
+  std::uint32_t stretch_ = 0;
+  double x_ = 0, along_ = 0;
+};
+
+}  // namespace
+
+NearestPatch nearest_patch(const PatchForms& forms, const PatchTree& tree, const DistanceQuestion& question) {
+  return Search(forms, tree, question).run();
+}
+
+// Nearest boxes first; those of other angles are infinitely far.
+NearestPatch nearest_patch_at(const PatchForms& forms, const PatchTree& tree, const DistanceQuestion& question) {
+  NearestPatch best;
+  double upper = kInfinity, upper2 = kInfinity, least = kInfinity;
+  std::vector<Task> heap{{0, Task::Kind::node, 0}};
+  heap.reserve(128);
+  const auto push = [&](const Task& task, double theta, double half) {
+    if (!(task.square < upper2) || std::abs(std::remainder(question.theta - theta, kTurn)) > half + kAngleMargin) return;
+    heap.push_back(task);
+    std::push_heap(heap.begin(), heap.end());
+  };
+  while (!heap.empty() && heap.front().square < upper2) {
+    std::pop_heap(heap.begin(), heap.end());
+    const Task task = heap.back();
+    heap.pop_back();
+    if (task.kind == Task::Kind::stretch) {
+      const PatchStretch& s = tree.stretch(task.index);
+      const double middle = (s.low + s.high) / 2;
+      const double x = middle + std::remainder(question.theta - s.reference - middle, kTurn);
+      ++best.bounds;
+      const StretchDistance distance(forms[s.patch], s, question, 0);
+      StretchDistance::Nearest n = distance.nearest(x);
+      n.error += distance.drift(x, 0x1p-48);
+      least = std::min(least, n.distance - n.error);
+      if (!(n.distance + n.error < upper)) continue;
+      upper = n.distance + n.error;
+      upper2 = upper * upper;
+      best.distance = n.distance;
+      set_witness(forms, s, x, n.along, best);
+      continue;
+    }
+    const PatchTree::Node& node = tree.node(task.index);
+    const auto squares = square_distances(node, question.from, question.theta, 0);
+    for (std::size_t k = 0; k < PatchTree::kWide; ++k) {
+      if (node.count[k] == 0) push({squares[k], Task::Kind::node, node.first[k]}, node.theta[k], node.theta_half[k]);
+      for (std::uint32_t i = node.first[k]; squares[k] < upper2 && i < node.first[k] + node.count[k]; ++i) {
+        const PatchTree::Slab& slab = tree.slab(i);
+        push({square_distance(slab, question.from, question.theta, 0), Task::Kind::stretch, i}, slab.theta,
+             slab.theta_half);
+      }
+    }
+  }
+  best.error = std::max(best.distance - std::min(least, upper), upper - best.distance) +
+               position_error(forms, question);
+  return best;
+}
+
+}  // namespace dymsum::apps

@@ -1,0 +1,27 @@
+// Where a position lies in one exact slice of an obstacle, and how far it is from what bounds that.
+#pragma once
+
+#include "dymsum/motion.h"
+#include "cspace/queries/segment_distance.h"
+
+namespace dymsum::apps {
+
+class SliceDistance {
+ public:
+  SliceDistance(const CspaceObstacle& obstacle, const Orientation& theta, Point from);
+
+  /// Exact: on the boundary of the open slice; on that of the closed one, where free places without contact are near.
+  bool touching() const { return touching_; }
+  bool on_edge() const { return on_edge_; }
+  /// The nearest point of the edges, and of the tight features of the slice too. A whole slice.
+  NearestPlace to_edges() const;
+  NearestPlace to_boundary() const;
+
+ private:
+  const CspaceObstacle& obstacle_;
+  Orientation theta_;
+  Point from_;
+  bool touching_ = false, on_edge_ = false;
+};
+
+}  // namespace dymsum::apps

@@ -1,0 +1,22 @@
+#include "cspace/queries/tight_distance.h"
+
+#include <numbers>
+
+namespace dymsum::apps {
+
+NearestTight nearest_tight(const CspaceObstacle& obstacle, const Configuration& from, double weight) {
+  NearestTight nearest;
+  for (const TightFeature& f : obstacle.tight()) {
+    const double theta = obstacle.angles()[f.angle].theta;
+    const double turn = weight * std::remainder(theta - from.theta, 2 * std::numbers::pi);
+    if (std::abs(turn) > nearest.place.distance + nearest.place.error + 0x1p-46 * weight) continue;
+    NearestPlace flat;
+    flat.add_segment({from.x, from.y}, f.from, f.to, f.error);
+    const double before = nearest.place.distance;
+    nearest.place.add(std::hypot(flat.distance, turn), flat.error + 0x1p-46 * weight + 0x1p-50 * flat.distance, flat.at);
+    if (nearest.place.distance != before) nearest.theta = theta;
+  }
+  return nearest;
+}
+
+}  // namespace dymsum::apps

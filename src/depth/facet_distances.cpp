@@ -1,0 +1,75 @@
+#include "depth/facet_distances.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "spatial/convex/assemble.h"
+
+namespace dymsum::spatial {
+
+// Norms are at least 1, as each matrix has an entry in [1, 2), so spreads are; of the three lengths that make reach_ one is
+// at least 1/2. All numbers are at most 2^20, and what underflows loses at most 2^-1000.
+FacetDistances::FacetDistances(const Overlay& overlay, const PosedDoubles& p, const PosedDoubles& q,
+                               const ScaledVector& base)
+    : o_(overlay), map_{p.map, q.map}, cofactors_{p.cofactors, q.cofactors} {
+  const std::array<int, 2> exponent{o_.poly(0).size + p.exponent, o_.poly(1).size + q.exponent};
+  int top = std::max(exponent[0], exponent[1]);
+  const double far = length(base.v);
+  if (far > 0) top = std::max(top, base.exponent + std::ilogb(far));
+  const Vec3 from{std::ldexp(base.v.x, base.exponent - top), std::ldexp(base.v.y, base.exponent - top),
+                  std::ldexp(base.v.z, base.exponent - top)};
+  reach_ = 1.01 * length(from);
+  for (int op = 0; op < 2; ++op) {
+    spread_[op] = spectral_bound(cofactors_[op]);
+    const double norm = spectral_bound(map_[op]);
+    spread_[2] *= norm;
+    reach_ += 1.74 * std::ldexp(norm, exponent[op] - top);  // a vertex is at most sqrt(3) units from vertex 0
+    const Mat3 to_place = scaled_by_power(map_[op], exponent[op] - top);
+    place_[op].reserve(o_.poly(op).vertex_count());
+    for (const Vec3& v : o_.poly(op).from_first) place_[op].push_back(op == 0 ? to_place * v + from : to_place * v);
+  }
+}
+
+std::vector<GenericFacet> FacetDistances::candidates() {
+  for (int op = 0; op < 2; ++op)
+    for (std::uint32_t f = 0; f < o_.poly(op).face_count(); ++f)
+      consider({op, f}, cofactors_[op] * o_.poly(op).normal[f], corner({op, f}));
+  const Polytope &p = o_.poly(0), &q = o_.poly(1);
+  for (std::uint32_t e = 0; e < p.edge_count(); ++e) {
+    if (o_.first_crossing(0, e) == kNoCrossing) continue;
+    const Vec3 along = map_[0] * p.direction[e], from = place_[0][p.origin[2 * e]];
+    for (std::uint32_t id = o_.first_crossing(0, e); id != kNoCrossing; id = o_.crossing(id).next[0]) {
+      const HalfEdge h = o_.crossing(id).q;
+      consider({2, id}, cross(map_[1] * q.along(h), along), from + place_[1][q.origin[h]]);
+    }
+  }
+  std::vector<GenericFacet> near;
+  for (const auto& [lower, facet] : lower_)
+    if (lower <= least_upper_) near.push_back(facet);
+  return near;
+}
+
+// The facet with outward normal n through a corner, seen from the point. Matrices err by 2^-49 of their entries, unit vectors
+// by 2^-50: n by less than 2^-46 of its spread, so its direction by at most twice that over its length; places by less
+// than 2^-48 of reach_. All of it is below half of 2^-44 spread reach_ over the length of n.
+void FacetDistances::consider(const GenericFacet& facet, Vec3 n, Vec3 corner) {
+  const double product = dot(n, corner), error = 0x1p-44 * spread_[facet.op] * reach_, square = dot(n, n);
+  // Nearly all are further away, which no root is needed for. Where squares are too small to tell, roots do.
+  const double least = product - error, least_square = least * least;
+  if (least > 0 && least_square > far_ * square && least_square > 0x1p-900) return;
+  const double size = std::sqrt(square);
+  double lower = -std::numeric_limits<double>::infinity();  // doubles may give no direction
+  if (error < reach_ * size) {
+    lower = least / size;
+    least_upper_ = std::min(least_upper_, (product + error) / size);
+    far_ = least_upper_ * least_upper_ * (1 + 0x1p-40);
+  }
+  if (lower <= least_upper_) lower_.push_back({lower, facet});
+}
+
+Vec3 FacetDistances::corner(const GenericFacet& facet) const {
+  const auto [p, q] = corner_of(o_, facet.op, facet.id);
+  return place_[0][p] + place_[1][q];
+}
+
+}  // namespace dymsum::spatial

@@ -1,0 +1,261 @@
+#include "dymsum/scale_range.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "planar/region/complement.h"
+#include "planar/operand/prepared_region.h"
+#include "planar/scaling/events.h"
+#include "fit/fit_contacts.h"
+#include "fit/path_free.h"
+
+namespace dymsum {
+
+using namespace planar;
+using exact::BigRational;
+
+namespace {
+
+Error unsupported(const char* text) { return {Code::unsupported_operand, text, {}}; }
+
+/// The free set from an oracle that is constant between consecutive critical scales and closed: one question per gap, and one per critical
+/// scale between two blocked gaps. Above `limit` (if any) nothing is free.
+template <class Free>
+std::optional<Error> assemble(const PathFree::Critical& critical, const std::optional<BigRational>& limit, const Progress& progress, ScaleRange& range,
+                              Free&& free) {
+  std::vector<BigRational> values;
+  for (const auto& [s, contacts] : critical)
+    if (!limit || s < *limit) values.push_back(s);
+  if (limit) values.push_back(*limit);
+  range.critical = values.size();
+  const auto contacts_at = [&](const BigRational& s) {
+    const auto it = critical.find(s);
+    return it == critical.end() ? std::vector<ScaleContact>{} : it->second;
+  };
+  const std::size_t n = values.size();
+  std::vector<std::uint8_t> gap(n + 1, 0);  // gap i lies below value i
+  for (std::size_t i = 0; i <= n; ++i) {
+    if (progress && !progress("scales", double(i) / double(n + 1))) return Error{Code::cancelled, "stopped on request", {}};
+    if (i == n && limit) break;
+    const BigRational s = n == 0 ? BigRational(1) : i == 0 ? BigRational(values[0] / 2) : i == n ? BigRational(values[n - 1] * 2) : simple_between(values[i - 1], values[i]);
+    gap[i] = free(s);
+    ++range.tested;
+  }
+  bool open = gap[0];
+  if (open) range.free.push_back({});
+  for (std::size_t i = 0; i < n; ++i) {
+    const bool here = gap[i] || gap[i + 1] || (++range.tested, free(values[i]));
+    if (here && !open) {
+      range.free.push_back({});
+      range.free.back().low = exact::to_rational(values[i]);
+      range.free.back().at_low = contacts_at(values[i]);
+    }
+    open = gap[i + 1];
+    if (here && !open) {
+      range.free.back().high = exact::to_rational(values[i]);
+      range.free.back().at_high = contacts_at(values[i]);
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<Error> check(const Region& part, const Region& other) {
+  if (part.empty()) return unsupported("the part is empty");
+  if (other.empty()) return unsupported("the region of obstacles, or the container, is empty");
+  if (part.parts().empty() || !part.polylines().empty() || !part.points().empty())
+    return unsupported("the part has to be a region without polylines and points");
+  if (other.parts().empty() || !other.polylines().empty() || !other.points().empty())
+    return unsupported("obstacles and containers have to be regions without polylines and points");
+  return std::nullopt;
+}
+
+/// The path of a part past an engine region whose first vertex is not all there is.
+Result<ScaleRange> range_of(const Region& part, const std::vector<Point>& path, const EngineRegion& obstacles, const std::optional<BigRational>& limit,
+                            const Progress& progress) {
+  const std::array<std::shared_ptr<const Operand>, 2> kept{make_operand(obstacles, 0), prepared_operand(part, 1, true)};
+  const auto first = static_cast<std::uint32_t>(kept[0]->points->input.size());
+  const auto reference = static_cast<std::uint32_t>(kept[1]->points->input.size());
+  Result<std::shared_ptr<const OperandPair>> base = OperandPair::create(kept, {path, std::vector<Point>{Point{0, 0}}}, 1, 0);
+  if (!base) return base.error();
+  // A vertex that is not the first waypoint: a lone waypoint's place needs a line to lie on.
+  const std::vector<Point>& vertices = (*base)->lattice->points[0]->input;
+  std::uint32_t beside = 0;
+  while (vertices[beside] == path[0]) ++beside;
+  const PathFree walk(std::move(base).value(), first, static_cast<std::uint32_t>(path.size()), reference, beside);
+  ScaleRange range;
+  if (std::optional<Error> error = assemble(walk.critical(), limit, progress, range, [&](const BigRational& s) { return walk.free(s); }))
+    return *std::move(error);
+  return range;
+}
+
+// The largest scale at which the part's bounding box is no larger than the container's.
+BigRational box_limit(const Region& part, const Region& container) {
+  const auto a = bounds(part), b = bounds(container);
+  const auto width = [](const std::array<double, 4>& box, int axis) { return BigRational(exact::exact_value(box[2 + axis]) - exact::exact_value(box[axis])); };
+  return std::min<BigRational>(width(b, 0) / width(a, 0), width(b, 1) / width(a, 1));
+}
+
+Point upper(Point a, Point b) { return {std::max(a.x, b.x), std::max(a.y, b.y)}; }
+
+/// A box around every scaled part that could lie in the container: what the complement's frame has to be wide for.
+Region frame_tool(const Region& part, const BigRational& limit) {
+  const auto box = bounds(part);
+  const double s = std::nextafter(exact::round_to_double(limit), INFINITY);
+  double reach = 0;
+  for (const double v : box) reach = std::max(reach, std::abs(v) * s);
+  reach = std::ldexp(1.0, std::ilogb(std::max(reach, 0x1p-900)) + 2);
+  return Region::create({{{{{-reach, -reach}, {reach, -reach}, {reach, reach}, {-reach, reach}}, {}}}, {}, {}}).value();
+}
+
+/// A scale below `limit` at which the part's bounding box, taken a little larger than it is, has room: it is convex, so every smaller part
+/// has room too.
+Result<BigRational> certain_fit(const Region& part, const Region& container, const BigRational& limit) {
+  const auto box = bounds(part);
+  const auto up = [](double v) { return std::nextafter(v, INFINITY); };
+  const double wide = up(box[2] - box[0]), high = up(box[3] - box[1]);
+  BigRational low = limit;
+  for (int k = 0; k < 60; ++k) {
+    low /= 2;
+    const double s = up(exact::round_to_double(low)), w = up(wide * s), h = up(high * s);
+    const Region hull = Region::create({{{{{0, 0}, {w, 0}, {w, h}, {0, h}}, {}}}, {}, {}}).value();
+    const Result<PlanarSum> room = erode(container, hull);
+    if (!room) return room.error();
+    if (!room->parts.empty()) return low;
+  }
+  return unsupported("the container is too thin for its size");
+}
+
+/// The sum of a container's framed complement and a reflected part that scales: what it leaves free are the placements.
+class AnyPlacement {
+ public:
+  static Result<AnyPlacement> create(const Region& part, const Region& container, const BigRational& limit) {
+    EngineRegion frame = complement_of(container, frame_tool(part, limit));
+    // Positions are found by the frame's own numbers, which are unique; contacts are told by those of the container.
+    ObstacleNumbers numbers{std::move(frame.vertex_numbers), std::move(frame.edge_numbers)};
+    frame.vertex_numbers.clear();
+    frame.edge_numbers.clear();
+    Result<std::shared_ptr<const OperandPair>> base = OperandPair::create({make_operand(frame, 0), prepared_operand(part, 1, true)}, {}, 1, 0);
+    if (!base) return base.error();
+    return AnyPlacement(std::move(base).value(), std::move(numbers));
+  }
+
+  std::optional<Error> move_to(const BigRational& s) {
+    const Result<Scale> scale = Scale::of(exact::to_rational(s));
+    if (!scale) return scale.error();
+    const Result<FrameChanges> moved = state_->move_to(*scale, *scale);
+    if (!moved) return moved.error();
+    return std::nullopt;
+  }
+  /// After move_to(). Free placements are holes of the sum and its tight features.
+  bool fits() const { return state_->sum.hole_count() + state_->sum.tight_points.size() + state_->sum.tight_segments.size() > 0; }
+  std::vector<ScaleContact> contacts(const BigRational& s) const { return tight_contacts(*base_, state_->sum, s, numbers_); }
+
+  std::vector<EventValue> events(const BigRational& from, const BigRational& to) {
+    return events_of(*state_->window_between(from, to), state_->forms(), from, to);
+  }
+
+ private:
+  static ScalingOptions options() {
+    ScalingOptions options;
+    options.scaled = ScaledOperand::q;
+    options.semantics = Semantics::open;
+    options.mode = FrameMode::window;
+    options.window = 1.0 / 16;
+    return options;
+  }
+  AnyPlacement(std::shared_ptr<const OperandPair> base, ObstacleNumbers numbers)
+      : base_(base), numbers_(std::move(numbers)), state_(std::make_unique<ScalingSum::State>(std::move(base), options())) {}
+
+  std::shared_ptr<const OperandPair> base_;
+  ObstacleNumbers numbers_;
+  std::unique_ptr<ScalingSum::State> state_;
+};
+
+Result<PathFree::Critical> critical_of(AnyPlacement& placement, const BigRational& low, const BigRational& limit, const Progress& progress) {
+  PathFree::Critical critical;
+  for (BigRational from = low; from < limit;) {
+    const double done = exact::round_to_double(BigRational((from - low) / (limit - low)));
+    if (progress && !progress("events", done)) return Error{Code::cancelled, "stopped on request", {}};
+    const BigRational to = std::min<BigRational>(BigRational(from * BigRational(17, 16)), limit);
+    for (const EventValue& e : placement.events(from, to)) critical[e.s];
+    from = to;
+  }
+  return critical;
+}
+
+}  // namespace
+
+bool ScaleRange::contains(const Scale& s) const {
+  const BigRational v = rational(scale_value(s));
+  for (const ScaleInterval& i : free)
+    if ((!i.low || exact::exact_value(*i.low) <= v) && (!i.high || v <= exact::exact_value(*i.high))) return true;
+  return false;
+}
+
+std::optional<Rational> ScaleRange::trap() const {
+  if (free.empty() || free[0].low) return Rational{"0", "1"};
+  return free[0].high;
+}
+
+Result<ScaleRange> scale_range(const Region& part, const std::vector<Point>& path, const Region& obstacles, const Progress& progress) {
+  if (path.empty()) return unsupported("a path needs at least one waypoint");
+  for (std::size_t i = 0; i < path.size(); ++i)
+    if (!std::isfinite(path[i].x) || !std::isfinite(path[i].y)) {
+      Error error{Code::not_finite, "a waypoint of the path is not finite", {}};
+      error.evidence.vertex = static_cast<std::int64_t>(i);
+      return error;
+    }
+  if (std::optional<Error> error = check(part, obstacles)) return *std::move(error);
+  // Repeated waypoints are one.
+  std::vector<Point> way;
+  for (const Point& p : path)
+    if (way.empty() || !(way.back() == p)) way.push_back(p);
+  return range_of(part, way, separate_touching(obstacles.data(), obstacles.touching_points()), std::nullopt, progress);
+}
+
+Result<ScaleRange> fit_range(const Region& part, const Region& container, Point at, const Progress& progress) {
+  if (!std::isfinite(at.x) || !std::isfinite(at.y)) return Error{Code::not_finite, "the placement is not finite", {}};
+  if (std::optional<Error> error = check(part, container)) return *std::move(error);
+  if (std::optional<Error> error = too_large_to_frame(container, part)) return *std::move(error);
+  const BigRational limit = box_limit(part, container);
+  // Inside the frame also at the placement.
+  const Region tool = frame_tool(part, limit);
+  const auto b = bounds(tool);
+  const Point far = upper({std::abs(at.x), std::abs(at.y)}, {b[2], b[3]});
+  const double reach = std::ldexp(1.0, std::ilogb(far.x + far.y) + 1);
+  const Region wide = Region::create({{{{{-reach, -reach}, {reach, -reach}, {reach, reach}, {-reach, reach}}, {}}}, {}, {}}).value();
+  return range_of(part, {at}, complement_of(container, wide), limit, progress);
+}
+
+Result<ScaleRange> fit_range(const Region& part, const Region& container, const Progress& progress) {
+  if (std::optional<Error> error = check(part, container)) return *std::move(error);
+  if (std::optional<Error> error = too_large_to_frame(container, part)) return *std::move(error);
+  const BigRational limit = box_limit(part, container);
+  Result<AnyPlacement> made = AnyPlacement::create(part, container, limit);
+  if (!made) return made.error();
+  AnyPlacement placement = std::move(made).value();
+  const Result<BigRational> low = certain_fit(part, container, limit);
+  if (!low) return low.error();
+  const Result<PathFree::Critical> critical = critical_of(placement, *low, limit, progress);
+  if (!critical) return critical.error();
+  std::optional<Error> failed;
+  const auto fits_at = [&](const BigRational& s) {
+    if (!failed) failed = placement.move_to(s);
+    return !failed && placement.fits();
+  };
+  ScaleRange range;
+  if (std::optional<Error> error = assemble(*critical, limit, progress, range, [&](const BigRational& s) { return s <= *low || fits_at(s); }))
+    return *std::move(error);
+  const auto name = [&](const std::optional<Rational>& end, std::vector<ScaleContact>& contacts) {
+    if (!end || !fits_at(exact::exact_value(*end))) return;
+    contacts = placement.contacts(exact::exact_value(*end));
+  };
+  for (ScaleInterval& i : range.free) {
+    name(i.low, i.at_low);
+    name(i.high, i.at_high);
+  }
+  if (failed) return *std::move(failed);
+  return range;
+}
+
+}  // namespace dymsum

@@ -1,0 +1,76 @@
+// Many copies of one shape, each at its own scale: a sweep whose scales are all known beforehand.
+#include <algorithm>
+#include <numeric>
+
+#include "planar/operand/prepared_region.h"
+#include "planar/scaling/scaling_state.h"
+
+namespace dymsum {
+namespace {
+
+constexpr double kWidestRun = 1.13;    // beyond it windows sweep too much
+constexpr std::size_t kLeastRun = 6;   // a window costs about as much as five sums
+
+/// For each of the scales, which ascend strictly, how wide a window its frame may build, relatively; 0: none, as too few follow closely.
+std::vector<double> planned_windows(const std::vector<double>& scales) {
+  std::vector<double> widths(scales.size(), 0);
+  for (std::size_t i = 0; i < scales.size();) {
+    std::size_t end = i + 1;
+    while (end < scales.size() && scales[end] <= kWidestRun * scales[i]) ++end;
+    if (end - i < kLeastRun) {
+      ++i;
+      continue;
+    }
+    std::fill(widths.begin() + static_cast<std::ptrdiff_t>(i), widths.begin() + static_cast<std::ptrdiff_t>(end), scales[end - 1] / scales[i] - 1 + 0x1p-20);
+    i = end;
+  }
+  return widths;
+}
+
+/// The copies' numbers by scale, ascending: one list for each different scale.
+std::vector<std::vector<std::size_t>> by_scale(const std::vector<ScaledCopy>& copies) {
+  std::vector<std::size_t> order(copies.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto value = [&](std::size_t i) { return exact::exact_value(copies[i].scale.exact()); };
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    const double u = copies[a].scale.approx(), v = copies[b].scale.approx();
+    return u != v ? u < v : value(a) < value(b);
+  });
+  std::vector<std::vector<std::size_t>> groups;
+  for (const std::size_t i : order) {
+    if (groups.empty() || !(copies[groups.back()[0]].scale == copies[i].scale)) groups.emplace_back();
+    groups.back().push_back(i);
+  }
+  return groups;
+}
+
+}  // namespace
+
+Result<std::vector<CopySum>> scaled_copies(const Region& master, const Region& q, const std::vector<ScaledCopy>& copies, const ScalingOptions& options) {
+  Result<std::shared_ptr<const planar::OperandPair>> base =
+      planar::OperandPair::create({planar::prepared_operand(master, 0), planar::prepared_operand(q, 1, options.reflect_q)}, {}, 0, options.min_tier_bits);
+  if (!base) return base.error();
+  ScalingSum::State state(std::move(base).value(), options);
+  const bool plan = options.mode == FrameMode::automatic && options.window == 0;
+  const std::vector<std::vector<std::size_t>> groups = by_scale(copies);
+  std::vector<double> scales;
+  for (const auto& group : groups) scales.push_back(copies[group[0]].scale.approx());
+  const std::vector<double> widths = planned_windows(scales);
+  std::vector<CopySum> result(copies.size());
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    if (options.progress && !options.progress("copies", static_cast<double>(g) / static_cast<double>(groups.size())))
+      return Error{Code::cancelled, "stopped on request", {}};
+    if (plan) {
+      state.options.mode = widths[g] > 0 ? FrameMode::window : FrameMode::rebuild;
+      state.options.window = widths[g];
+    }
+    const Scale& s = copies[groups[g][0]].scale;
+    const Result<FrameChanges> moved = state.move_to(s, s);
+    if (!moved) return moved.error();
+    for (const std::size_t i : groups[g]) result[i] = {state.sum, copies[i].at, {}};
+    result[groups[g][0]].work = state.work;
+  }
+  return result;
+}
+
+}  // namespace dymsum

@@ -1,0 +1,107 @@
+// OBJ: one statement per line, or several that backslashes join; of these `v` and `f` make the mesh. A face's corners are vertex numbers from 1 on, or
+// from -1 backwards from the last vertex so far, each perhaps followed by /texture/normal, which is skipped.
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "io/mesh/mesh_readers.h"
+#include "io/number_text.h"
+#include "io/words.h"
+
+namespace dymsum::io {
+
+namespace {
+
+/// What says nothing about vertices and faces.
+constexpr std::array<std::string_view, 13> kSkipped = {"vt", "vn", "vp", "g",     "o",      "s", "l",
+                                                       "p",  "mg", "mtllib", "usemtl", "usemap", "maplib"};
+
+class ObjReader {
+ public:
+  explicit ObjReader(const Source& source) : words_(source, true, true) {}
+
+  MeshData read() {
+    while (!words_.at_end()) {
+      const std::size_t start = words_.offset();
+      const std::string_view keyword = words_.take("a statement");
+      if (keyword == "v") {
+        read_vertex();
+      } else if (keyword == "f") {
+        read_face(start);
+      } else if (std::find(kSkipped.begin(), kSkipped.end(), keyword) != kSkipped.end()) {
+        words_.skip_line();
+      } else {
+        words_.fail_at(start, Code::malformed, "no statement of an OBJ file begins with " + in_quotes(keyword));
+      }
+    }
+    check_indices();
+    return std::move(data_);
+  }
+
+ private:
+  void need_more(const std::string& what, const Evidence& evidence) {
+    if (words_.at_line_end()) words_.fail(Code::malformed, "the line ends before " + what, evidence);
+  }
+
+  /// x y z, and a weight or a colour, which are skipped.
+  void read_vertex() {
+    const Evidence evidence = at_vertex(data_.vertices.size());
+    std::array<double, 3> p;
+    for (double& coordinate : p) {
+      need_more("a coordinate", evidence);
+      coordinate = words_.coordinate(evidence);
+    }
+    while (!words_.at_line_end()) words_.number("a number", evidence);
+    data_.vertices.push_back({p[0], p[1], p[2]});
+  }
+
+  void read_face(std::size_t start) {
+    const Evidence evidence = at_face(data_.faces.size());
+    Face face;
+    need_more("a vertex number", evidence);
+    while (!words_.at_line_end()) face.push_back(read_corner(evidence));
+    data_.faces.push_back(std::move(face));
+    face_offset_.push_back(start);
+  }
+
+  std::uint32_t read_corner(Evidence evidence) {
+    const std::size_t start = words_.offset();
+    std::string_view text = words_.take("a vertex number");
+    const std::string_view word = text;
+    const bool backwards = text.starts_with('-');
+    if (backwards) text.remove_prefix(1);
+    const ScannedCount number = scan_count(text);
+    const bool ends = number.length == text.size() || (number.length > 0 && text[number.length] == '/');
+    if (number.length == 0 || !ends) {
+      words_.fail_at(start, Code::malformed, "expected a vertex number instead of " + in_quotes(word), evidence);
+    }
+    const std::uint64_t so_far = data_.vertices.size();
+    // later vertices may be named, too: check_indices looks when all are known
+    const bool exists = number.value > 0 && (backwards ? number.value <= so_far : number.value < UINT32_MAX);
+    if (exists) return static_cast<std::uint32_t>(backwards ? so_far - number.value : number.value - 1);
+    words_.fail_at(start, Code::bad_index, "a face names a vertex that does not exist: " + in_quotes(word), evidence);
+  }
+
+  void check_indices() const {
+    for (std::size_t f = 0; f < data_.faces.size(); ++f) {
+      for (const std::uint32_t v : data_.faces[f]) {
+        if (v < data_.vertices.size()) continue;
+        Evidence evidence = at_face(f);
+        evidence.vertex = v;
+        words_.fail_at(face_offset_[f], Code::bad_index, "a face names a vertex that does not exist", evidence);
+      }
+    }
+  }
+
+  Words words_;
+  MeshData data_;
+  std::vector<std::size_t> face_offset_;
+};
+
+}  // namespace
+
+MeshData read_obj(const Source& source) { return ObjReader(source).read(); }
+
+}  // namespace dymsum::io

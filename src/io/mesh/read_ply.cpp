@@ -1,0 +1,197 @@
+// PLY, text and binary: the elements vertex (x, y, z) and face (a list of vertex numbers); others are skipped. Every
+// property that is read takes at least a byte of the file, and elements without properties are not counted through, so
+// that announced numbers cost neither time nor memory.
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <utility>
+
+#include "io/bytes.h"
+#include "io/mesh/mesh_readers.h"
+#include "io/mesh/ply_header.h"
+#include "io/words.h"
+
+namespace dymsum::io {
+
+namespace {
+
+/// The numbers behind the header, as text.
+class TextNumbers {
+ public:
+  TextNumbers(const Source& source, std::size_t start) : words_(source, false) { words_.go_to(start); }
+
+  double next(PlyType, const Evidence& evidence) { return words_.number("a number", evidence); }
+  /// How many more numbers the file can hold.
+  std::uint64_t room(PlyType, std::size_t size) const { return (size - words_.offset()) / 2 + 1; }
+  [[noreturn]] void fail(Code code, std::string message, Evidence evidence) const {
+    words_.fail_at(words_.offset() - 1, code, std::move(message), std::move(evidence));
+  }
+  void finish() {
+    if (words_.at_end()) return;
+    words_.fail(Code::malformed, "unexpected " + in_quotes(words_.peek()) + " after the last element");
+  }
+
+ private:
+  Words words_;
+};
+
+/// The same as bytes.
+class BinaryNumbers {
+ public:
+  BinaryNumbers(const Source& source, std::size_t start, std::endian order)
+      : source_(source), order_(order), at_(start) {}
+
+  double next(PlyType type, const Evidence& evidence) {
+    if (source_.text.size() - at_ < size_of(type)) {
+      fail_at(source_.text.size(), Code::truncated, "the file ends before what it announces", evidence);
+    }
+    last_ = at_;
+    at_ += size_of(type);
+    switch (type) {
+      case PlyType::int8: return value<std::int8_t>();
+      case PlyType::uint8: return value<std::uint8_t>();
+      case PlyType::int16: return value<std::int16_t>();
+      case PlyType::uint16: return value<std::uint16_t>();
+      case PlyType::int32: return value<std::int32_t>();
+      case PlyType::uint32: return value<std::uint32_t>();
+      case PlyType::float32: return value<float>();
+      case PlyType::float64: break;
+    }
+    return value<double>();
+  }
+  std::uint64_t room(PlyType type, std::size_t size) const { return (size - at_) / size_of(type); }
+  [[noreturn]] void fail(Code code, std::string message, Evidence evidence) const {
+    fail_at(last_, code, std::move(message), std::move(evidence));
+  }
+  void finish() const {
+    if (at_ < source_.text.size()) fail_at(at_, Code::malformed, "bytes follow the last element", {});
+  }
+
+ private:
+  template <class T>
+  double value() const {
+    return static_cast<double>(from_bytes<T>(source_.text, last_, order_));
+  }
+  [[noreturn]] void fail_at(std::size_t byte, Code code, std::string message, Evidence evidence) const {
+    evidence.file = source_.file;
+    throw ReadFailure{Error{code, std::move(message) + " (byte " + std::to_string(byte) + ")", std::move(evidence)}};
+  }
+
+  const Source& source_;
+  std::endian order_;
+  std::size_t at_ = 0, last_ = 0;
+};
+
+bool is_corner_list(const PlyProperty& property) {
+  return property.count && (property.name == "vertex_indices" || property.name == "vertex_index");
+}
+
+template <class Numbers>
+class BodyReader {
+ public:
+  BodyReader(Numbers numbers, const PlyHeader& header, std::size_t size)
+      : numbers_(std::move(numbers)), header_(header), size_(size) {
+    for (const PlyElement& element : header.elements) {
+      if (element.name == "vertex") vertices_ += element.count;
+    }
+  }
+
+  MeshData read() {
+    for (const PlyElement& element : header_.elements) {
+      if (element.properties.empty()) continue;
+      for (std::uint64_t i = 0; i < element.count; ++i) read_item(element);
+    }
+    numbers_.finish();
+    return std::move(data_);
+  }
+
+ private:
+  void read_item(const PlyElement& element) {
+    const bool vertex = element.name == "vertex", face = element.name == "face";
+    Evidence evidence;
+    if (vertex) evidence = at_vertex(data_.vertices.size());
+    if (face) evidence = at_face(data_.faces.size());
+    Point3 p;
+    for (const PlyProperty& property : element.properties) {
+      if (property.count) {
+        read_list(property, face && is_corner_list(property), evidence);
+        continue;
+      }
+      const double value = numbers_.next(property.type, evidence);
+      if (vertex) store(p, property.name, value, evidence);
+    }
+    if (vertex) data_.vertices.push_back(p);
+  }
+
+  void store(Point3& p, const std::string& name, double value, const Evidence& evidence) {
+    double* const place = name == "x" ? &p.x : name == "y" ? &p.y : name == "z" ? &p.z : nullptr;
+    if (!place) return;
+    if (!std::isfinite(value)) numbers_.fail(Code::not_finite, "a coordinate is not a finite number", evidence);
+    *place = value;
+  }
+
+  void read_list(const PlyProperty& property, bool corners, const Evidence& evidence) {
+    const double length = numbers_.next(*property.count, evidence);
+    if (!(length >= 0 && length == std::floor(length))) {
+      numbers_.fail(Code::malformed, "the length of a list is no count", evidence);
+    }
+    if (length > static_cast<double>(numbers_.room(property.type, size_))) {
+      numbers_.fail(Code::truncated, "a list is longer than the rest of the file", evidence);
+    }
+    Face face;
+    for (auto left = static_cast<std::uint64_t>(length); left > 0; --left) {
+      const double value = numbers_.next(property.type, evidence);
+      if (corners) face.push_back(corner(value, evidence));
+    }
+    if (corners) data_.faces.push_back(std::move(face));
+  }
+
+  std::uint32_t corner(double value, Evidence evidence) {
+    if (value != std::floor(value)) numbers_.fail(Code::malformed, "a vertex number is no integer", evidence);
+    if (value >= 0 && value < static_cast<double>(std::min<std::uint64_t>(vertices_, UINT32_MAX))) {
+      return static_cast<std::uint32_t>(value);
+    }
+    if (std::abs(value) < 0x1p62) evidence.vertex = static_cast<std::int64_t>(value);
+    numbers_.fail(Code::bad_index, "a face names a vertex that does not exist", std::move(evidence));
+  }
+
+  Numbers numbers_;
+  const PlyHeader& header_;
+  std::size_t size_;
+  std::uint64_t vertices_ = 0;
+  MeshData data_;
+};
+
+/// Vertices have places, and faces corners, or the file is none of a mesh.
+void check_elements(const PlyHeader& header, const Words& words) {
+  for (const PlyElement& element : header.elements) {
+    const auto has = [&](auto wanted) {
+      return std::count_if(element.properties.begin(), element.properties.end(), wanted) == 1;
+    };
+    const auto scalar = [&](std::string_view name) {
+      return has([&](const PlyProperty& property) { return property.name == name && !property.count; });
+    };
+    if (element.name == "vertex" && !(scalar("x") && scalar("y") && scalar("z"))) {
+      words.fail_at(words.offset() - 1, Code::malformed, "the element vertex does not have one x, y and z each");
+    }
+    if (element.name == "face" && !has(is_corner_list)) {
+      words.fail_at(words.offset() - 1, Code::malformed, "the element face does not have one list vertex_indices");
+    }
+  }
+}
+
+}  // namespace
+
+MeshData read_ply(const Source& source) {
+  Words words(source, false);
+  const PlyHeader header = read_ply_header(words);
+  check_elements(header, words);
+  const std::size_t start = words.offset(), size = source.text.size();
+  if (header.encoding == PlyEncoding::ascii) return BodyReader(TextNumbers(source, start), header, size).read();
+  const std::endian order = header.encoding == PlyEncoding::big_endian ? std::endian::big : std::endian::little;
+  return BodyReader(BinaryNumbers(source, start, order), header, size).read();
+}
+
+}  // namespace dymsum::io

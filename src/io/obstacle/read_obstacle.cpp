@@ -1,0 +1,241 @@
+// Every index is looked at, so that a file that is not what was written is refused before anything is asked of it.
+#include <algorithm>
+#include <cmath>
+
+#include "dymsum/obstacle_file.h"
+#include "io/obstacle/obstacle_text.h"
+#include "io/read_file.h"
+#include "io/source.h"
+#include "planar/turning/exact_angle.h"
+#include "cspace/obstacle/obstacle_start.h"
+#include "cspace/events/walked_rings.h"
+
+namespace dymsum {
+namespace {
+
+using Json = nlohmann::json;
+using exact::AlgebraicRoot;
+
+struct Refused {
+  std::string why;
+};
+void demand(bool holds, const char* why) {
+  if (!holds) throw Refused{why};
+}
+
+std::uint64_t whole(const Json& j, std::uint64_t below) {
+  demand(j.is_number_unsigned() && j.get<std::uint64_t>() < below, "an index names nothing, or a count is none");
+  return j.get<std::uint64_t>();
+}
+double number(const Json& j) {
+  demand(j.is_number() && std::isfinite(j.get<double>()), "a number is expected");
+  return j.get<double>();
+}
+const Json& array(const Json& j, std::size_t size) {
+  demand(j.is_array() && j.size() == size, "a list has the wrong length");
+  return j;
+}
+const Json& list(const Json& j) {
+  demand(j.is_array(), "a list is expected");
+  return j;
+}
+bool flag(const Json& j) { return whole(j, 2) != 0; }
+std::uint32_t index(const Json& j, std::size_t count) { return static_cast<std::uint32_t>(whole(j, count)); }
+std::uint32_t index_or_none(const Json& j, std::size_t count) {
+  return j == Patch::kNone ? Patch::kNone : index(j, count);
+}
+
+// A polyline, which encloses nothing as a ring.
+bool is_there_and_back(const Ring& ring) {
+  const std::size_t n = ring.size();
+  for (std::size_t k = 1; k < n / 2; ++k)
+    if (ring[k] != ring[n - k]) return false;
+  return n > 0 && n % 2 == 0;
+}
+
+Result<Region> region_of(const Json& parts) {
+  RegionData data;
+  for (const Json& rings : list(parts)) {
+    std::vector<Ring> read;
+    for (const Json& flat : list(rings)) {
+      demand(flat.is_array() && flat.size() % 2 == 0, "a ring is a list of coordinates");
+      Ring& ring = read.emplace_back();
+      for (std::size_t k = 0; k < flat.size(); k += 2) ring.push_back({number(flat[k]), number(flat[k + 1])});
+    }
+    demand(!read.empty(), "a part has no ring");
+    if (read.size() == 1 && is_there_and_back(read[0]))
+      data.polylines.emplace_back(read[0].begin(), read[0].begin() + static_cast<std::ptrdiff_t>(read[0].size() / 2 + 1));
+    else if (read.size() == 1 && read[0].size() == 1)
+      data.points.push_back(read[0][0]);
+    else
+      data.parts.push_back({read[0], {read.begin() + 1, read.end()}});
+  }
+  return Region::create(std::move(data));
+}
+
+exact::Big coefficient(const Json& j) {
+  demand(j.is_string(), "a coefficient is a string of digits");
+  const std::string& digits = j.get_ref<const std::string&>();
+  const std::size_t sign = digits.starts_with('-') ? 1 : 0;
+  demand(digits.size() > sign && digits.find_first_not_of("0123456789", sign) == std::string::npos, "a coefficient is a string of digits");
+  demand(digits[sign] != '0' || digits.size() == sign + 1, "a coefficient begins with a zero");
+  return exact::Big(exact::BigInteger(digits));
+}
+
+planar::ExactAngle angle_of(const Json& j) {
+  array(j, 8);
+  const double low = number(j[1]), high = number(j[2]);
+  demand(low >= -1 && low <= high && high <= 1, "an angle is a half tangent between -1 and 1");
+  std::vector<exact::Big> coefficients;
+  for (const Json& c : list(j[4])) coefficients.push_back(coefficient(c));
+  demand(coefficients.size() >= 2 && coefficients.size() <= exact::Polynomial::kMaxDegree + 1, "a polynomial has a degree from 1 to 6");
+  const exact::Polynomial p(std::move(coefficients));
+  const int chart = static_cast<int>(whole(j[0], 2));
+  if (low == high) {
+    demand(!p.is_zero() && p.sign_at(exact::exact_value(low)) == 0, "an angle is no root of its polynomial");
+    return {chart, AlgebraicRoot::of(low)};
+  }
+  const std::vector<AlgebraicRoot> roots = exact::roots_in(p, low, high);
+  return {chart, roots.at(whole(j[3], roots.size()))};
+}
+
+class ContentReader {
+ public:
+  ContentReader(const Json& content, CspaceObstacle::State& state) : j_(content), s_(state) {}
+
+  void run() {
+    read_angles();
+    for (const Json& c : list(j_.at("free_cells"))) {
+      array(c, 4);
+      s_.cells.push_back({index_or_none(c[0], angles_), index_or_none(c[1], angles_), flag(c[2]), index(c[3], j_.at("free_cells").size())});
+    }
+    for (const Json& x : list(j_.at("shells"))) {
+      array(x, 4);
+      demand(x[2].is_number_integer(), "an Euler number is whole");
+      s_.shells.push_back({flag(x[0]), index(x[1], Patch::kNone), x[2].get<std::int64_t>(), index(x[3], s_.cells.size())});
+    }
+    read_patches();
+    for (const Json& e : list(j_.at("events"))) {
+      array(e, 4);
+      s_.events.push_back({static_cast<ObstacleEvent::Kind>(whole(e[0], 4)), index(e[1], angles_), {number(e[2]), number(e[3])}});
+    }
+    for (const Json& t : list(j_.at("tight"))) {
+      array(t, 6);
+      demand(number(t[5]) >= 0, "an error is not negative");
+      s_.tight.push_back({index(t[0], angles_), {number(t[1]), number(t[2])}, {number(t[3]), number(t[4])}, number(t[5])});
+    }
+    s_.always_concurrent = flag(j_.at("always_concurrent"));
+    s_.touching_cells = pairs(j_.at("touching_cells"), s_.cells.size(), s_.cells.size());
+    read_work();
+  }
+
+ private:
+  void read_angles() {
+    for (const Json& j : list(j_.at("angles"))) {
+      s_.exact_angles.push_back(angle_of(j));
+      const std::size_t n = s_.exact_angles.size();
+      demand(n == 1 || planar::compare(s_.exact_angles[n - 2], s_.exact_angles[n - 1]) < 0, "angles are not in order");
+      EventAngle angle = planar::event_angle(s_.exact_angles.back());
+      const double theta = number(j[5]), low = number(j[6]), high = number(j[7]);
+      demand(low <= theta && theta <= high && low <= angle.high && angle.low <= high, "an angle is not where its doubles say");
+      angle.theta = theta;
+      angle.low = low;
+      angle.high = high;
+      s_.angles.push_back(angle);
+    }
+    angles_ = s_.angles.size();
+  }
+  Contact contact(const Json& j, std::size_t at) const {
+    const bool fixed = !flag(j[at]);
+    return {fixed ? Contact::Kind::edge_of_p : Contact::Kind::edge_of_q, index(j[at + 1], planar::walked_vertices(s_.obstacle)),
+            index(j[at + 2], planar::walked_vertices(s_.robot))};
+  }
+  void read_patches() {
+    for (const Json& j : list(j_.at("patches"))) {
+      array(j, 14);
+      Patch p{contact(j, 0), contact(j, 3), contact(j, 6), flag(j[9]), flag(j[10])};
+      p.begin = index_or_none(j[11], angles_);
+      p.end = index_or_none(j[12], angles_);
+      demand((p.begin == Patch::kNone) == (p.end == Patch::kNone), "a patch has one end");
+      p.shell = index(j[13], s_.shells.size());
+      s_.patches.push_back(p);
+    }
+    for (const Json& flat : array(j_.at("patch_cells"), s_.patches.size())) {
+      s_.patch_cells.push_back(pairs(flat, std::max<std::size_t>(angles_, 1), s_.cells.size()));
+      demand(!s_.patch_cells.back().empty(), "a patch has no free cell");
+    }
+  }
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs(const Json& flat, std::size_t first, std::size_t second) const {
+    demand(flat.is_array() && flat.size() % 2 == 0, "a list of pairs is expected");
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> all;
+    for (std::size_t k = 0; k < flat.size(); k += 2) all.emplace_back(index(flat[k], first), index(flat[k + 1], second));
+    return all;
+  }
+  void read_work() {
+    const Json& j = array(j_.at("work"), 16);
+    ObstacleWork& w = s_.work;
+    std::size_t k = 0;
+    for (std::uint64_t* n : {&w.windows, &w.segments, &w.candidate_pairs, &w.candidate_triples, &w.surfaces, &w.potential_events,
+                             &w.visible_events, &w.alignments, &w.vertex_events, &w.triple_events, &w.tight_events, &w.local_updates,
+                             &w.slices, &w.exact_signs, &w.collision_tests})
+      *n = whole(j[k++], ~std::uint64_t{0});
+    w.ms = number(j[k]);
+  }
+
+  const Json& j_;
+  CspaceObstacle::State& s_;
+  std::size_t angles_ = 0;
+};
+
+Json content_of(std::string_view text) {
+  const Json file = Json::parse(text);
+  demand(file.is_object() && file.value("format", Json()) == io::kObstacleFormat, "this is no file of an obstacle");
+  if (file.value("version", Json()) != io::kObstacleVersion)
+    throw Refused{"version " + file.value("version", Json()).dump() + " of the format; this program reads version " + std::to_string(io::kObstacleVersion)};
+  const Json content = file.value("content", Json());
+  demand(content.is_object(), "there is no content");
+  demand(file.value("checksum", Json()) == io::checksum(content), "the checksum differs: the file is damaged or was changed");
+  return content;
+}
+
+Result<CspaceObstacle> obstacle_of(const Json& content) {
+  const Result<Region> robot = region_of(content.at("robot")), obstacle = region_of(content.at("obstacle"));
+  if (!robot) return robot.error();
+  if (!obstacle) return obstacle.error();
+  auto state = planar::start_obstacle(*robot, *obstacle);
+  if (!state) return state.error();
+  ContentReader(content, **state).run();
+  return CspaceObstacle::State::finish(std::move(state).value());
+}
+
+}  // namespace
+
+Result<CspaceObstacle> parse_obstacle(std::string_view text, std::string_view name_for_errors) {
+  Error error{Code::malformed, "", {}};
+  error.evidence.file = name_for_errors;
+  try {
+    Result<CspaceObstacle> read = obstacle_of(content_of(text));
+    if (read) return read;
+    error = read.error();
+    if (error.evidence.file.empty()) error.evidence.file = name_for_errors;
+  } catch (const Json::parse_error& e) {
+    // nlohmann says "while parsing" and where; a text that ends too early fails at its end.
+    const std::size_t at = std::min<std::size_t>(e.byte, text.size());
+    error.code = e.byte > text.size() ? Code::truncated : Code::malformed;
+    error.message = error.code == Code::truncated ? "the file of an obstacle ends too early" : "this is no file of an obstacle";
+    error.evidence.line = io::Source{text, name_for_errors}.line(at);
+  } catch (const Json::exception&) {
+    error.message = "the file of an obstacle lacks an entry";
+  } catch (const Refused& refused) {
+    error.message = "not a file of an obstacle that can be read: " + refused.why;
+  }
+  return error;
+}
+
+Result<CspaceObstacle> read_obstacle(const std::string& path) {
+  const Result<std::string> text = io::read_file(path);
+  if (!text) return text.error();
+  return parse_obstacle(*text, path);
+}
+
+}  // namespace dymsum

@@ -1,0 +1,157 @@
+// From a path to shapes: format by extension, selection by "#", and the readers behind it.
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include "io/region/grid_map.h"
+#include "io/number_text.h"
+#include "io/read_file.h"
+#include "io/region/readers.h"
+
+namespace dymsum {
+
+namespace {
+
+using io::extension;
+using io::file_error;
+
+struct Selection {
+  std::string file;
+  std::optional<std::string> shape;
+};
+
+/// "a.json#3" is shape 3 of a.json, unless there is a file of that very name.
+Selection split_selection(const std::string& path) {
+  const std::size_t hash = path.rfind('#');
+  std::error_code ignored;
+  if (hash == std::string::npos || std::filesystem::exists(path, ignored)) return {path, std::nullopt};
+  return {path.substr(0, hash), path.substr(hash + 1)};
+}
+
+std::optional<RegionFormat> format_of_extension(std::string_view path) {
+  const std::string text = extension(path);
+  if (text == ".poly") return RegionFormat::poly;
+  if (text == ".wkt") return RegionFormat::wkt;
+  if (text == ".geojson") return RegionFormat::geojson;
+  if (text == ".svg") return RegionFormat::svg;
+  if (text == ".json") return RegionFormat::json;
+  return std::nullopt;
+}
+
+/// The formats begin with different characters.
+Result<RegionFormat> format_of_text(std::string_view text, std::string_view file) {
+  const std::size_t start = text.find_first_not_of(" \t\r\n\v\f\xEF\xBB\xBF");
+  const char first = start == std::string_view::npos ? '\0' : text[start];
+  if (first == '{') return RegionFormat::json;
+  if (first == '<') return RegionFormat::svg;
+  if (first == '#' || io::is_digit(first)) return RegionFormat::poly;
+  if (io::is_letter(first)) return RegionFormat::wkt;
+  return file_error(Code::unsupported_format, "the text begins like none of .poly, .wkt, .geojson, .svg, .json", file);
+}
+
+std::vector<NamedShape> read_format(const io::Source& source, RegionFormat format) {
+  switch (format) {
+    case RegionFormat::poly: return io::read_poly(source);
+    case RegionFormat::wkt: return io::read_wkt(source);
+    case RegionFormat::svg: return io::read_svg(source);
+    case RegionFormat::geojson:
+    case RegionFormat::json: break;
+  }
+  return io::read_json(source);
+}
+
+std::string stem(std::string_view file) {
+  const std::size_t slash = file.rfind('/');
+  if (slash != std::string_view::npos) file.remove_prefix(slash + 1);
+  const std::size_t dot = file.rfind('.');
+  return std::string(dot == std::string_view::npos || dot == 0 ? file : file.substr(0, dot));
+}
+
+/// A shape without a name is called after its place, or after the file when it is the only one.
+void name_shapes(std::vector<NamedShape>& shapes, std::string_view file) {
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    if (shapes[i].name.empty()) shapes[i].name = shapes.size() == 1 ? stem(file) : std::to_string(i);
+  }
+}
+
+/// By name, else by place.
+Result<NamedShape> select(std::vector<NamedShape> shapes, const std::string& wanted, const std::string& file) {
+  const auto named = [&](const NamedShape& shape) { return shape.name == wanted; };
+  const auto count = std::count_if(shapes.begin(), shapes.end(), named);
+  if (count > 1)
+    return file_error(Code::malformed, std::to_string(count) + " shapes are named " + io::in_quotes(wanted), file);
+  if (count == 1) return std::move(*std::find_if(shapes.begin(), shapes.end(), named));
+  const io::ScannedCount place = io::scan_count(wanted);
+  if (place.length > 0 && place.length == wanted.size() && place.value < shapes.size())
+    return std::move(shapes[place.value]);
+  return file_error(Code::malformed, "no shape " + io::in_quotes(wanted) + " among " + std::to_string(shapes.size()),
+                    file);
+}
+
+/// A map is one shape: the set of cells that is selected.
+Result<std::vector<NamedShape>> read_map(const Selection& selection) {
+  const Result<std::string> text = io::read_file(selection.file);
+  if (!text) return text.error();
+  try {
+    const io::Source source{*text, selection.file};
+    const std::string set = selection.shape.value_or("");
+    const io::GridSet cells = io::grid_set(source, set);
+    const io::GridMap map = extension(selection.file) == ".map" ? io::read_movingai(source) : io::read_ros_map(source);
+    return std::vector<NamedShape>{{set.empty() ? stem(selection.file) : set, io::grid_region(map, cells)}};
+  } catch (io::ReadFailure& failure) {
+    return std::move(failure.error);
+  }
+}
+
+}  // namespace
+
+Result<RegionFormat> region_format(std::string_view path) {
+  if (const auto format = format_of_extension(path)) return *format;
+  if (const auto format = format_of_extension(path.substr(0, path.rfind('#')))) return *format;
+  return file_error(Code::unsupported_format, "the extension is none of .poly, .wkt, .geojson, .svg, .json", path);
+}
+
+Result<std::vector<NamedShape>> parse_shapes(std::string_view text, RegionFormat format,
+                                             std::string_view name_for_errors) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  try {
+    std::vector<NamedShape> shapes = read_format({text, name_for_errors}, format);
+    name_shapes(shapes, name_for_errors);
+    return shapes;
+  } catch (io::ReadFailure& failure) {
+    return std::move(failure.error);
+  }
+}
+
+Result<std::vector<NamedShape>> read_shapes(const std::string& path) {
+  const Selection selection = split_selection(path);
+  if (io::names_map(selection.file)) return read_map(selection);
+  const std::optional<RegionFormat> known = format_of_extension(selection.file);
+  if (selection.file != "-" && !known) return region_format(selection.file).error();
+  const Result<std::string> text = io::read_file(selection.file);
+  if (!text) return text.error();
+  const Result<RegionFormat> format = known ? Result<RegionFormat>(*known) : format_of_text(*text, selection.file);
+  if (!format) return format.error();
+  Result<std::vector<NamedShape>> shapes = parse_shapes(*text, *format, selection.file);
+  if (!shapes || !selection.shape) return shapes;
+  Result<NamedShape> shape = select(std::move(shapes).value(), *selection.shape, selection.file);
+  if (!shape) return shape.error();
+  return std::vector<NamedShape>{std::move(shape).value()};
+}
+
+Result<RegionData> read_region_data(const std::string& path) {
+  Result<std::vector<NamedShape>> read = read_shapes(path);
+  if (!read) return read.error();
+  std::vector<NamedShape> shapes = std::move(read).value();
+  if (shapes.size() == 1) return std::move(shapes[0].data);
+  if (shapes.empty()) return file_error(Code::malformed, "the file holds no shape", path);
+  return file_error(
+      Code::malformed,
+      "the file holds " + std::to_string(shapes.size()) + " shapes: select one as in " + path + "#" + shapes[0].name,
+      path);
+}
+
+}  // namespace dymsum

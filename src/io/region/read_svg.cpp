@@ -1,0 +1,263 @@
+// SVG: path, polygon, polyline, rect and line elements, all together one shape, coordinates as they stand in the file
+// (SVG's y axis points down; nothing is flipped); of the outermost element no viewBox is applied, and nothing is clipped.
+// What is not drawn is not read. Our own files carry data-dymsum attributes and read back exactly.
+#include <cctype>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <pugixml.hpp>
+
+#include "io/region/readers.h"
+#include "io/region/ring_order.h"
+#include "io/region/svg_path.h"
+
+namespace dymsum::io {
+
+namespace {
+
+constexpr const char* kMark = "data-dymsum";
+
+std::string_view local_name(const pugi::xml_node& node) {
+  const std::string_view name = node.name();
+  return name.starts_with("svg:") ? name.substr(4) : name;
+}
+
+class SvgReader {
+ public:
+  explicit SvgReader(const Source& source) : source_(source) {}
+
+  RegionData read() {
+    // Line ends inside attributes are kept for the evidence: they are not turned into blanks.
+    const auto result = document_.load_buffer(source_.text.data(), source_.text.size(),
+                                              pugi::parse_default & ~pugi::parse_wconv_attribute, pugi::encoding_utf8);
+    if (!result) refuse_document(result);
+    const pugi::xml_node root = document_.document_element();
+    if (local_name(root) != "svg") fail(root, "the outermost element is " + in_quotes(root.name()) + ", not svg");
+    const std::string_view mark = root.attribute(kMark).value();
+    if (mark == "trace") fail(root, "this is a picture of a computation's stages, not of one region");
+    marked_ = !mark.empty();
+    walk(root);
+    return std::move(data_);
+  }
+
+ private:
+  static constexpr std::size_t kMostNested = 200;
+
+  [[noreturn]] void refuse_document(const pugi::xml_parse_result& result) const {
+    const auto offset = static_cast<std::size_t>(result.offset);
+    const bool ended = source_.text.find('>', offset) == std::string_view::npos;
+    source_.fail(ended ? Code::truncated : Code::malformed, std::string("XML: ") + result.description(), offset);
+  }
+
+  [[noreturn]] void fail(const pugi::xml_node& node, std::string message) const {
+    source_.fail(Code::malformed, std::move(message), offset_of(node));
+  }
+
+  static std::size_t offset_of(const pugi::xml_node& node) {
+    return node.offset_debug() > 0 ? static_cast<std::size_t>(node.offset_debug()) : 0;
+  }
+
+  /// Depth first without recursion; transforms_[k] holds at depth k.
+  void walk(const pugi::xml_node& root) {
+    transforms_.assign(1, transform_of(root));
+    pugi::xml_node node = root.first_child();
+    while (node) {
+      const bool enter = visit(node) && node.first_child();
+      if (enter) {
+        if (transforms_.size() == kMostNested) fail(node, "elements nested deeper than " + std::to_string(kMostNested));
+        transforms_.push_back(transforms_.back().after(transform_of(node)));
+        node = node.first_child();
+        continue;
+      }
+      while (node && node != root && !node.next_sibling()) {
+        node = node.parent();
+        transforms_.pop_back();
+      }
+      if (!node || node == root) return;
+      node = node.next_sibling();
+    }
+  }
+
+  /// Takes an element's shape; returns true when its children are drawn too.
+  bool visit(const pugi::xml_node& node) {
+    if (node.type() != pugi::node_element) return false;
+    const std::string_view name = local_name(node);
+    if (name == "style") refuse_hiding(node);
+    if (!marked_ && property(node, "display") == "none") return false;
+    if (!marked_) refuse_placing(node);
+    if (!marked_ && name == "svg" && draws_nothing(node)) return false;
+    if (name == "g" || name == "svg" || name == "a" || name == "switch") return true;
+    if (marked_) {
+      if (name == "path" && node.attribute(kMark)) take_marked(node);
+      return false;
+    }
+    if (is_hidden(node)) return false;
+    current_ = transforms_.back().after(transform_of(node));
+    if (name == "path") take_path(node);
+    if (name == "polygon") take_ring(node, parse_points(source_, text_of(node, "points")));
+    if (name == "polyline") take_polyline(node, parse_points(source_, text_of(node, "points")));
+    if (name == "rect") take_rectangle(node);
+    if (name == "line") {
+      const Point from{length(node, "x1"), length(node, "y1")}, to{length(node, "x2"), length(node, "y2")};
+      take_polyline(node, {from, to});
+    }
+    if (name == "circle" || name == "ellipse")
+      fail(node, "the element " + in_quotes(name) + " is a curve, and only straight lines can be read");
+    if (name == "use" || name == "image" || name == "foreignObject")
+      fail(node, "the element " + in_quotes(name) + " cannot be read");
+    return false;
+  }
+
+  void take_marked(const pugi::xml_node& node) {
+    const std::string_view kind = node.attribute(kMark).value();
+    std::vector<Subpath> paths = parse_path(source_, text_of(node, "d"));
+    if (kind == "part") {
+      Part part;
+      for (std::size_t k = 0; k < paths.size(); ++k) {
+        if (!paths[k].closed) fail(node, "a ring of a part is not closed");
+        (k == 0 ? part.outer : part.holes.emplace_back()) = std::move(paths[k].vertices);
+      }
+      data_.parts.push_back(std::move(part));
+    } else if (kind == "polylines") {
+      for (Subpath& path : paths) data_.polylines.push_back(std::move(path.vertices));
+    } else if (kind == "points") {
+      for (const Subpath& path : paths) data_.points.push_back(path.vertices.front());
+    } else {
+      fail(node, std::string("unknown ") + kMark + " " + in_quotes(kind));
+    }
+  }
+
+  void take_path(const pugi::xml_node& node) {
+    std::vector<Ring> rings;
+    for (Subpath& path : parse_path(source_, text_of(node, "d"))) {
+      transform(node, path.vertices);
+      if (path.closed) {
+        rings.push_back(std::move(path.vertices));
+      } else {
+        data_.polylines.push_back(std::move(path.vertices));
+      }
+    }
+    if (!nest_rings(std::move(rings), data_.parts)) fail(node, "too many rings around one another in one path");
+  }
+
+  void take_ring(const pugi::xml_node& node, std::vector<Point> vertices) {
+    transform(node, vertices);
+    if (vertices.size() > 1 && vertices.front() == vertices.back()) vertices.pop_back();
+    if (vertices.empty()) return;
+    data_.parts.push_back({std::move(vertices), {}});
+    orient_rings(data_.parts.back());
+  }
+
+  void take_polyline(const pugi::xml_node& node, std::vector<Point> vertices) {
+    transform(node, vertices);
+    if (!vertices.empty()) data_.polylines.push_back(std::move(vertices));
+  }
+
+  void take_rectangle(const pugi::xml_node& node) {
+    if (length(node, "rx") != 0 || length(node, "ry") != 0) fail(node, "the rectangle has round corners");
+    const double x0 = length(node, "x"), y0 = length(node, "y");
+    const double x1 = x0 + size(node, "width"), y1 = y0 + size(node, "height");
+    take_ring(node, {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}});
+  }
+
+  void transform(const pugi::xml_node& node, std::vector<Point>& vertices) const {
+    for (Point& p : vertices) {
+      p = current_.apply(p);
+      if (!std::isfinite(p.x) || !std::isfinite(p.y)) {
+        source_.fail(Code::not_finite, "a coordinate leaves the double range", offset_of(node));
+      }
+    }
+  }
+
+  double length(const pugi::xml_node& node, const char* name) const {
+    return node.attribute(name) ? parse_length(source_, text_of(node, name)) : 0;
+  }
+
+  /// A length that must not be negative.
+  double size(const pugi::xml_node& node, const char* name) const {
+    const double value = length(node, name);
+    if (value < 0) fail(node, "the element " + in_quotes(local_name(node)) + " has a negative " + name);
+    return value;
+  }
+
+  SvgTransform transform_of(const pugi::xml_node& node) const {
+    if (marked_) return {};
+    SvgTransform own;
+    if (node.attribute("transform")) own = parse_transform(source_, text_of(node, "transform"));
+    const bool nested = local_name(node) == "svg" && node != document_.document_element();
+    return nested ? own.after(viewport_of(node)) : own;
+  }
+
+  /// Where a nested svg element places what is in it.
+  SvgTransform viewport_of(const pugi::xml_node& node) const {
+    SvgViewport viewport{length(node, "x"), length(node, "y"), size(node, "width"), size(node, "height")};
+    if (!node.attribute("viewBox")) return {1, 0, 0, 1, viewport.x, viewport.y};
+    if (!node.attribute("width") || !node.attribute("height"))
+      fail(node, "a nested svg element with a viewBox needs its width and height as numbers");
+    return parse_view_box(source_, text_of(node, "viewBox"), viewport, node.attribute("preserveAspectRatio").value());
+  }
+
+  /// A presentation attribute, or what the element's own style says of it.
+  static std::string_view property(const pugi::xml_node& node, std::string_view name) {
+    return svg_property(node.attribute("style").value(), name, node.attribute(std::string(name).c_str()).value());
+  }
+
+  /// Visibility is inherited: the innermost element that sets it decides.
+  bool is_hidden(pugi::xml_node node) const {
+    for (; node.type() == pugi::node_element; node = node.parent()) {
+      const std::string_view visibility = property(node, "visibility");
+      if (!visibility.empty() && visibility != "inherit") return visibility == "hidden" || visibility == "collapse";
+    }
+    return false;
+  }
+
+  /// Styles may place and shape elements as attributes do, and are not read for that.
+  void refuse_placing(const pugi::xml_node& node) const {
+    const std::string_view style = node.attribute("style").value();
+    if (style.find("/*") != std::string_view::npos) fail(node, "a style with comments cannot be read");
+    for (const char* name : {"transform", "transform-origin", "translate", "rotate", "scale", "x", "y", "width", "height", "rx", "ry", "d", "offset-path"}) {
+      if (!svg_property(style, name, "").empty())
+        fail(node, std::string("a style sets ") + name + ", which is read from attributes only");
+    }
+    if (node.attribute("transform-origin")) fail(node, "transform-origin cannot be read");
+  }
+
+  /// An svg element inside another one without width or height.
+  bool draws_nothing(const pugi::xml_node& node) const {
+    const auto is_zero = [&](const char* name) { return node.attribute(name) && size(node, name) == 0; };
+    return is_zero("width") || is_zero("height");
+  }
+
+  void refuse_hiding(const pugi::xml_node& node) const {
+    std::string sheet = node.child_value();
+    for (char& c : sheet) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    for (const char* name : {"display", "visibility", "transform", "translate", "rotate", "scale"}) {
+      if (sheet.find(name) != std::string::npos)
+        fail(node, std::string("a style sheet that sets ") + name + ", and style sheets cannot be read");
+    }
+  }
+
+  static SvgText text_of(const pugi::xml_node& node, const char* name) {
+    return {node.attribute(name).value(), name, offset_of(node)};
+  }
+
+  const Source& source_;
+  pugi::xml_document document_;
+  bool marked_ = false;
+  std::vector<SvgTransform> transforms_;
+  SvgTransform current_;
+  RegionData data_;
+};
+
+}  // namespace
+
+std::vector<NamedShape> read_svg(const Source& source) {
+  std::vector<NamedShape> shapes(1);
+  shapes[0].data = SvgReader(source).read();
+  return shapes;
+}
+
+}  // namespace dymsum::io

@@ -1,0 +1,218 @@
+// Well-known text: geometries one after the other, usually one a line; each is a shape. Rings are closed in the file
+// (the closing vertex is dropped) and oriented here, because the format leaves orientation open.
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "io/number_text.h"
+#include "io/region/readers.h"
+#include "io/region/ring_order.h"
+
+namespace dymsum::io {
+
+namespace {
+
+class WktReader {
+ public:
+  explicit WktReader(const Source& source) : source_(source), text_(source.text) {}
+
+  std::vector<NamedShape> read() {
+    std::vector<NamedShape> shapes;
+    for (skip(); at_ < text_.size(); skip()) {
+      shapes.emplace_back();
+      data_ = &shapes.back().data;
+      read_geometry(0);
+    }
+    if (shapes.empty()) source_.fail(Code::truncated, "the file ends before the first geometry", at_);
+    return shapes;
+  }
+
+ private:
+  static constexpr int kMostNested = 32;
+
+  void skip() {
+    while (at_ < text_.size() && is_blank(text_[at_])) ++at_;
+  }
+
+  std::string_view rest_of_word() const {
+    std::size_t end = at_;
+    while (end < text_.size() && !is_blank(text_[end]) && text_[end] != ',' && text_[end] != ')') ++end;
+    return text_.substr(at_, end - at_);
+  }
+
+  [[noreturn]] void fail_expecting(const std::string& what) const {
+    if (at_ >= text_.size()) source_.fail(Code::truncated, "the file ends before " + what, at_);
+    source_.fail(Code::malformed, "expected " + what + " instead of " + in_quotes(rest_of_word()), at_);
+  }
+
+  std::string read_word() {
+    skip();
+    std::string word;
+    while (at_ < text_.size() && is_letter(text_[at_])) word += upper(text_[at_++]);
+    return word;
+  }
+
+  bool take(char c) {
+    skip();
+    if (at_ >= text_.size() || text_[at_] != c) return false;
+    ++at_;
+    return true;
+  }
+
+  void require(char c) {
+    if (!take(c)) fail_expecting(std::string("'") + c + "'");
+  }
+
+  /// "(", items separated by ",", ")".
+  template <class Item>
+  void read_list(Item item) {
+    require('(');
+    do {
+      item();
+    } while (take(','));
+    if (!take(')')) fail_expecting("',' or ')'");
+  }
+
+  /// A list, or the word EMPTY.
+  template <class Item>
+  void read_list_or_empty(Item item) {
+    skip();
+    const std::size_t start = at_;
+    const std::string word = read_word();
+    if (word == "EMPTY") return;
+    refuse_third(word, start);
+    at_ = start;
+    read_list(item);
+  }
+
+  /// The words that announce more than two coordinates.
+  void refuse_third(std::string_view word, std::size_t start) const {
+    if (word == "Z" || word == "M" || word == "ZM")
+      source_.fail(Code::malformed, "coordinates with " + std::string(word) + " are not planar: only x and y can be read", start);
+  }
+
+  double read_coordinate() {
+    skip();
+    const ScannedNumber number = scan_number(text_.substr(at_));
+    if (number.length == 0) fail_expecting("a coordinate");
+    if (!std::isfinite(number.value)) {
+      source_.fail(Code::not_finite, "the coordinate " + in_quotes(rest_of_word()) + " is not a finite double", at_);
+    }
+    const std::size_t end = at_ + number.length;
+    if (end < text_.size() && !is_blank(text_[end]) && text_[end] != ',' && text_[end] != ')')
+      fail_expecting("a coordinate");
+    at_ = end;
+    return number.value;
+  }
+
+  Point read_point() {
+    const double x = read_coordinate();
+    const double y = read_coordinate();
+    skip();
+    if (at_ >= text_.size() || text_[at_] == ',' || text_[at_] == ')') return {x, y};
+    if (scan_number(text_.substr(at_)).length > 0)
+      source_.fail(Code::malformed, "a third coordinate, " + in_quotes(rest_of_word()) + ": only x and y can be read, WKT with Z or M is not planar", at_);
+    fail_expecting("',' or ')' after two coordinates");
+  }
+
+  std::vector<Point> read_points() {
+    std::vector<Point> points;
+    read_list([&] { points.push_back(read_point()); });
+    return points;
+  }
+
+  Ring read_ring() {
+    skip();
+    const std::size_t start = at_;
+    Ring ring = read_points();
+    if (ring.front() != ring.back())
+      source_.fail(Code::malformed, "the ring is not closed: its last vertex differs from its first", start);
+    if (ring.size() > 1) ring.pop_back();
+    return ring;
+  }
+
+  void read_polygon() {
+    Part part;
+    bool first = true;
+    read_list_or_empty([&] {
+      (first ? part.outer : part.holes.emplace_back()) = read_ring();
+      first = false;
+    });
+    if (first) return;
+    orient_rings(part);
+    data_->parts.push_back(std::move(part));
+  }
+
+  void read_line_string() {
+    std::vector<Point> points;
+    read_list_or_empty([&] { points.push_back(read_point()); });
+    if (!points.empty()) data_->polylines.push_back(std::move(points));
+  }
+
+  void read_single_point() {
+    if (take('(')) {
+      data_->points.push_back(read_point());
+      require(')');
+      return;
+    }
+    skip();
+    const std::size_t start = at_;
+    const std::string word = read_word();
+    if (word == "EMPTY") return;
+    refuse_third(word, start);
+    at_ = start;
+    fail_expecting("'(' or EMPTY");
+  }
+
+  static bool is_kind(std::string_view word) {
+    static constexpr std::string_view kKinds[] = {"POINT", "LINESTRING", "POLYGON", "MULTIPOINT", "MULTILINESTRING", "MULTIPOLYGON", "GEOMETRYCOLLECTION"};
+    return std::find(std::begin(kKinds), std::end(kKinds), word) != std::end(kKinds);
+  }
+
+  void read_geometry(int depth) {
+    skip();
+    const std::size_t start = at_;
+    if (depth > kMostNested)
+      source_.fail(Code::malformed, "collections nested deeper than " + std::to_string(kMostNested), start);
+    const std::string kind = read_word();
+    // POLYGONZ is POLYGON Z.
+    for (const std::string_view third : {"ZM", "Z", "M"})
+      if (kind.ends_with(third) && is_kind(kind.substr(0, kind.size() - third.size()))) refuse_third(third, start);
+    if (kind == "POINT") {
+      read_single_point();
+    } else if (kind == "LINESTRING") {
+      read_line_string();
+    } else if (kind == "POLYGON") {
+      read_polygon();
+    } else if (kind == "MULTIPOINT") {
+      read_list_or_empty([&] {
+        skip();
+        if (at_ < text_.size() && (text_[at_] == '(' || upper(text_[at_]) == 'E')) return read_single_point();
+        data_->points.push_back(read_point());
+      });
+    } else if (kind == "MULTILINESTRING") {
+      read_list_or_empty([&] { read_line_string(); });
+    } else if (kind == "MULTIPOLYGON") {
+      read_list_or_empty([&] { read_polygon(); });
+    } else if (kind == "GEOMETRYCOLLECTION") {
+      read_list_or_empty([&] { read_geometry(depth + 1); });
+    } else {
+      at_ = start;
+      fail_expecting("a geometry such as POLYGON");
+    }
+  }
+
+  const Source& source_;
+  std::string_view text_;
+  std::size_t at_ = 0;
+  RegionData* data_ = nullptr;
+};
+
+}  // namespace
+
+std::vector<NamedShape> read_wkt(const Source& source) { return WktReader(source).read(); }
+
+}  // namespace dymsum::io

@@ -1,0 +1,192 @@
+#include "io/region/ring_order.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "exact/orient.h"
+
+namespace dymsum::io {
+
+namespace {
+
+bool lexicographically_less(Point a, Point b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
+
+void orient(Ring& ring, int wanted) {
+  if (ring_sign(ring) == -wanted) std::reverse(ring.begin() + 1, ring.end());
+}
+
+/// The rounded middle of two doubles, without overflow.
+double middle(double a, double b) { return a / 2 + b / 2; }
+
+class RingNester {
+ public:
+  explicit RingNester(std::vector<Ring> rings) : rings_(std::move(rings)), places_(rings_.size()) {
+    for (std::size_t i = 0; i < rings_.size(); ++i) measure(i);
+  }
+
+  bool nest() {
+    // A ring around another starts no later in x and, where both start together, ends no earlier.
+    std::vector<std::size_t> order(rings_.size()), active;
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(), [this](std::size_t a, std::size_t b) { return before(a, b); });
+    for (const std::size_t i : order) {
+      std::erase_if(active, [&](std::size_t j) { return places_[j].high.x < places_[i].low.x; });
+      steps_ += active.size();
+      for (const std::size_t j : active) {
+        if (box_contains(places_[j], places_[i]) && contains(j, i)) {
+          settle(i, j);
+        } else if (box_contains(places_[i], places_[j]) && contains(i, j)) {  // boxes are equal
+          settle(j, i);
+        }
+        if (steps_ > kMostSteps) return false;
+      }
+      active.push_back(i);
+    }
+    for (Place& place : places_) {
+      const auto shallower = [this](std::uint32_t a, std::uint32_t b) { return depth(a) < depth(b); };
+      if (!place.around.empty())
+        place.innermost = *std::max_element(place.around.begin(), place.around.end(), shallower);
+    }
+    return true;
+  }
+
+  std::vector<Part> parts() && {
+    std::vector<Part> parts;
+    std::vector<std::size_t> part_of(rings_.size());
+    for (std::size_t i = 0; i < rings_.size(); ++i) {
+      if (is_hole(i)) continue;
+      part_of[i] = parts.size();
+      parts.push_back({std::move(rings_[i]), {}});
+    }
+    for (std::size_t i = 0; i < rings_.size(); ++i) {
+      if (is_hole(i)) parts[part_of[places_[i].innermost]].holes.push_back(std::move(rings_[i]));
+    }
+    for (Part& part : parts) orient_rings(part);
+    return parts;
+  }
+
+ private:
+  static constexpr std::uint64_t kMostSteps = 1'000'000'000;
+
+  struct Place {
+    Point low, high;
+    std::vector<std::uint32_t> around;  ///< the rings around this one
+    std::uint32_t innermost = 0;        ///< of them, where there are any
+  };
+
+  void measure(std::size_t i) {
+    Place& place = places_[i];
+    place.low = place.high = rings_[i].front();
+    for (const Point p : rings_[i]) {
+      place.low = {std::min(place.low.x, p.x), std::min(place.low.y, p.y)};
+      place.high = {std::max(place.high.x, p.x), std::max(place.high.y, p.y)};
+    }
+  }
+
+  bool before(std::size_t a, std::size_t b) const {
+    const Place &p = places_[a], &q = places_[b];
+    if (p.low.x != q.low.x) return p.low.x < q.low.x;
+    if (p.high.x != q.high.x) return p.high.x > q.high.x;
+    return a < b;
+  }
+
+  static bool box_contains(const Place& outer, const Place& inner) {
+    return outer.low.x <= inner.low.x && outer.low.y <= inner.low.y && outer.high.x >= inner.high.x &&
+           outer.high.y >= inner.high.y;
+  }
+
+  /// 1 inside, 0 on the boundary, -1 outside; exact.
+  int side(std::size_t ring, Point p) {
+    const Ring& r = rings_[ring];
+    steps_ += r.size();
+    bool inside = false;
+    for (std::size_t k = 0, last = r.size() - 1; k < r.size(); last = k++) {
+      const Point a = r[last], b = r[k];
+      if (std::min(a.y, b.y) > p.y || std::max(a.y, b.y) < p.y || std::max(a.x, b.x) < p.x) continue;
+      if (a.y == b.y) {
+        if (std::min(a.x, b.x) <= p.x) return 0;
+        continue;
+      }
+      const exact::SignAnswer answer = exact::cross_answer(a, b, a, p);
+      if (answer.rung != exact::Rung::filter) steps_ += answer.rung == exact::Rung::big ? 10'000 : 100;
+      const int turn = answer.sign;
+      if (turn == 0) return 0;
+      // the edge crosses the ray to the right of p: half-open in y, p on the edge's left when it rises
+      if ((a.y > p.y) != (b.y > p.y) && (turn > 0) == (b.y > a.y)) inside = !inside;
+    }
+    return inside ? 1 : -1;
+  }
+
+  /// Ring i against ring j: the first vertex, then the first edge middle, of i that is not on j decides.
+  bool contains(std::size_t j, std::size_t i) {
+    for (const Point p : rings_[i]) {
+      if (const int answer = side(j, p); answer != 0) return answer > 0;
+      if (steps_ > kMostSteps) return false;
+    }
+    for (std::size_t k = 0, last = rings_[i].size() - 1; k < rings_[i].size(); last = k++) {
+      const Point a = rings_[i][last], b = rings_[i][k];
+      if (const int answer = side(j, {middle(a.x, b.x), middle(a.y, b.y)}); answer != 0) return answer > 0;
+      if (steps_ > kMostSteps) return false;
+    }
+    return false;
+  }
+
+  void settle(std::size_t inner, std::size_t outer) {
+    places_[inner].around.push_back(static_cast<std::uint32_t>(outer));
+    steps_ += 50;  // bounds the memory of these lists
+  }
+
+  std::size_t depth(std::size_t i) const { return places_[i].around.size(); }
+
+  /// The second condition fails only for rings that cross others.
+  bool is_hole(std::size_t i) const { return depth(i) % 2 == 1 && depth(places_[i].innermost) % 2 == 0; }
+
+  std::vector<Ring> rings_;
+  std::vector<Place> places_;
+  std::uint64_t steps_ = 0;
+};
+
+}  // namespace
+
+int ring_sign(const Ring& ring) {
+  if (ring.size() < 3) return 0;
+  const Point corner = *std::min_element(ring.begin(), ring.end(), lexicographically_less);
+  Point lowest = corner;  // the far end of the lowest ray so far; `corner` itself before the first
+  int sign = 0;
+  const auto consider = [&](Point end, int sign_of_ray) {
+    if (end == corner) return;
+    const int turn = lowest == corner ? -1 : exact::orient_sign(corner, lowest, end);
+    if (turn < 0) {
+      lowest = end;
+      sign = sign_of_ray;
+    } else if (turn == 0 && sign_of_ray != sign) {
+      sign = 0;
+    }
+  };
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    if (ring[i] != corner) continue;
+    consider(ring[i + 1 < ring.size() ? i + 1 : 0], 1);
+    consider(ring[i > 0 ? i - 1 : ring.size() - 1], -1);
+  }
+  return sign;
+}
+
+void orient_rings(Part& part) {
+  orient(part.outer, 1);
+  for (Ring& hole : part.holes) orient(hole, -1);
+}
+
+bool nest_rings(std::vector<Ring> rings, std::vector<Part>& parts) {
+  std::erase_if(rings, [](const Ring& ring) { return ring.empty(); });
+  RingNester nester(std::move(rings));
+  if (!nester.nest()) return false;
+  std::vector<Part> nested = std::move(nester).parts();
+  parts.insert(parts.end(), std::make_move_iterator(nested.begin()), std::make_move_iterator(nested.end()));
+  return true;
+}
+
+}  // namespace dymsum::io

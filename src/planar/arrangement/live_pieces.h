@@ -1,0 +1,48 @@
+// What is left of the segments of a soup outside covered cells of two grids.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "planar/arrangement/covered_translates.h"
+#include "planar/arrangement/crossings.h"
+#include "planar/mask/fine_cells.h"
+#include "base/poll.h"
+#include "planar/arrangement/soup.h"
+
+namespace dymsum::planar {
+
+/// How many segments pass each cell of the mask that is live; of each only its span, where there are spans.
+struct CellVisits {
+  Array<std::uint32_t> count;  ///< row by row
+  std::uint64_t pairs = 0;     ///< of segments in one cell, over all cells
+};
+CellVisits count_visits(const Soup& soup, const Array<Span>& spans, const InteriorMask& mask, const Poll& poll);
+
+/// Refines the cells that `crowd` segments or more pass. Stops, and returns false, when a sample of them shows little gain.
+bool refine_crowded(FineCells& cells, const CellVisits& visits, std::uint32_t crowd, const Poll& poll);
+
+/// The parts of the segments in live fine cells, and in their spans where there are some; and marks in the parts between them, which lie in covered cells. Pieces of a segment are disjoint and in
+/// its order. A segment without pieces lies in covered cells altogether.
+struct LivePieces {
+  explicit LivePieces(Scratch* memory) : pieces(memory), marks(memory) {}
+  Array<SegmentPiece> pieces;
+  Array<DeadMark> marks;
+};
+LivePieces live_pieces(const Soup& soup, const Array<Span>& spans, const FineCells& cells, const Poll& poll);
+
+/// Drops the segments without pieces from the soup, in which and in `live`, which gives segments for ids, the others get new numbers.
+void drop_covered(Soup& soup, Array<std::uint32_t>& live, LivePieces& pieces);
+
+/// All of that, where so many pairs of segments lie in one cell that it pays; nothing is changed otherwise. Cells are refined only where translates of
+/// edges that cover each other leave such a crowd.
+struct Refined {
+  FineCells cells;
+  LivePieces live;
+  bool fine = false;  ///< whether cells were refined
+};
+enum class Refine { where_it_pays, always };
+std::optional<Refined> refine(const Operand& p, const Operand& q, InteriorMask& mask, Soup& soup, Array<std::uint32_t>& live, Refine when,
+                              const Poll& poll);
+
+}  // namespace dymsum::planar

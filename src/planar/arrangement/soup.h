@@ -1,0 +1,153 @@
+// Labelled segments whose left sides lie in the open set M: what the arrangement works on. It has never heard of convolutions.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "base/scratch.h"
+#include "planar/convolution/convolution.h"
+#include "planar/operand/lattice.h"
+#include "planar/operand/operand.h"
+
+namespace dymsum::planar {
+
+/// A pair of walk vertices (P, Q).
+using WalkPair = Pair;
+
+/// A labelled segment: walk edge of operand `side` + walk vertex of the other.
+struct SoupSegment {
+  std::uint32_t side_edge = 0, vertex = 0;
+  std::uint32_t side() const { return side_edge >> 31; }
+  std::uint32_t edge() const { return side_edge & 0x7fffffff; }
+};
+
+using SoupBox = EdgeBox;
+
+/// A walk edge moved to a vertex.
+inline SoupBox moved(const EdgeBox& e, double x, double y) { return {e.ax + x, e.ay + y, e.bx + x, e.by + y, e.dx, e.dy}; }
+
+/// The error of a sum of two vertices: two rounded coordinates, and the sum rounded.
+inline double sum_error(const Lattice& lattice) { return lattice.exact_doubles ? 0 : 0x1p-51 * lattice.span; }
+
+class Soup {
+ public:
+  Soup(const Lattice& lattice, const Operand& p, const Operand& q,
+       Scratch* memory = nullptr)
+      : lattice(lattice), operands{&p, &q}, segments(memory), boxes(memory), memory(memory) {
+    const double roundings = lattice.span;
+    // cross(d, v - a): d once rounded, v and a two roundings each and one more for the difference, two products, one sum; at most
+    // 16 roundings of |d|_1 span.
+    side_error = lattice.exact_doubles ? 0 : 0x1p-49 * roundings;
+    point_error = sum_error(lattice);
+  }
+
+  SoupBox box(const WalkSegment& w) const {
+    const Operand& other = *operands[1 - w.side];
+    return moved(operands[w.side]->boxes[w.edge], other.x[w.vertex], other.y[w.vertex]);
+  }
+  /// All segments of a convolution, in the order of their ids.
+  void add(const ReducedConvolution& convolution) {
+    std::size_t i = size();
+    segments.resize(i + convolution.size());
+    boxes.resize(segments.size());
+    SoupSegment* segment = segments.data() + i;
+    SoupBox* to = boxes.data() + i;
+    convolution.for_each_turn([&](std::uint32_t side, std::uint32_t v, std::span<const std::uint32_t> edges, std::uint32_t lo,
+                                  std::uint32_t count) {
+      const EdgeBox* const own = operands[side]->boxes.data();
+      const double vx = operands[1 - side]->x[v], vy = operands[1 - side]->y[v];
+      const std::uint32_t *at = edges.data() + lo, *const end = edges.data() + edges.size(), label = side << 31;
+      for (SoupBox* const last = to + count; to != last; ++to) {
+        const std::uint32_t e = *at;
+        *segment++ = {label | e, v};
+        *to = moved(own[e], vx, vy);
+        if (++at == end) at = edges.data();
+      }
+    });
+  }
+  void reserve(std::size_t n) {
+    segments.reserve(n);
+    boxes.reserve(n);
+  }
+  void add(const WalkSegment& w, const SoupBox& b) {
+    segments.push_back({(w.side << 31) | w.edge, w.vertex});
+    boxes.push_back(b);
+  }
+
+  std::size_t size() const { return segments.size(); }
+  double dx(std::uint32_t s) const { return boxes[s].dx; }
+  double dy(std::uint32_t s) const { return boxes[s].dy; }
+  /// |cross computed in doubles - exact| is at most this for the directed line of s.
+  double error(std::uint32_t s) const { return side_error * (std::abs(dx(s)) + std::abs(dy(s))); }
+
+  /// A bound on the error of the parameter of s where it crosses t properly, computed from its ends' sides of t.
+  /// Numerator and denominator err by at most 1.5 and 3 side errors; the quotient is at most 1 and rounded twice. The
+  /// denominator is the cross product of the directions but for one side error; where it is so small that 8 side errors
+  /// are not enough, the bound is larger than 1.
+  double parameter_error(std::uint32_t s, std::uint32_t t) const {
+    return 8 * error(t) / std::abs(dx(s) * dy(t) - dy(s) * dx(t)) + 0x1p-50;
+  }
+
+  WalkPair start(std::uint32_t s) const {
+    const SoupSegment& g = segments[s];
+    return g.side() == 0 ? WalkPair{g.edge(), g.vertex} : WalkPair{g.vertex, g.edge()};
+  }
+  WalkPair end(std::uint32_t s) const {
+    const SoupSegment& g = segments[s];
+    const std::uint32_t next = operands[g.side()]->next[g.edge()];
+    return g.side() == 0 ? WalkPair{next, g.vertex} : WalkPair{g.vertex, next};
+  }
+  /// By source vertices, as the lattice wants them.
+  Segment exact(std::uint32_t s) const {
+    const SoupSegment& g = segments[s];
+    return {operands[g.side()]->edge(g.edge()), operands[1 - g.side()]->source[g.vertex]};
+  }
+  Pair exact(WalkPair v) const { return {operands[0]->source[v.p], operands[1]->source[v.q]}; }
+
+  int cross(std::uint32_t s, std::uint32_t t) const {
+    const double a = dx(s) * dy(t), b = dy(s) * dx(t), value = a - b;
+    // Scaled components carry three roundings each: seven in a product, one in the difference.
+    const double bound = 0x1p-49 * (std::abs(a) + std::abs(b)) + 0x1p-1000;
+    if (value > bound) return 1;
+    if (value < -bound) return -1;
+    if (lattice.exact_doubles) return (value > 0) - (value < 0);
+    if (integral()) return sign(cross_value(s, t));
+    return lattice.cross(exact(s).edge, exact(t).edge);
+  }
+
+  /// Whether exact signs are those of the 64-bit integers below: coordinates of 29 bits, sums of 30, differences of 31, products of
+  /// 61, their sums of 62 (exact/grid.h). Pair sums are exact doubles then.
+  bool integral() const { return lattice.to_integers != 0; }
+  std::int64_t integer(double v) const { return static_cast<std::int64_t>(v * lattice.to_integers); }
+  std::int64_t cross_value(std::uint32_t s, std::uint32_t t) const {
+    return integer(dx(s)) * integer(dy(t)) - integer(dy(s)) * integer(dx(t));
+  }
+  /// d_s x (v - start) and d_s . (v - start) for the pair sum v = (x, y).
+  std::int64_t side_value(std::uint32_t s, double x, double y) const {
+    const SoupBox& b = boxes[s];
+    return integer(b.dx) * integer(y - b.ay) - integer(b.dy) * integer(x - b.ax);
+  }
+  std::int64_t along_value(std::uint32_t s, double x, double y) const {
+    const SoupBox& b = boxes[s];
+    return integer(b.dx) * integer(x - b.ax) + integer(b.dy) * integer(y - b.ay);
+  }
+  std::int64_t length_value(std::uint32_t s) const {
+    const std::int64_t x = integer(dx(s)), y = integer(dy(s));
+    return x * x + y * y;
+  }
+  static int sign(std::int64_t v) { return (v > 0) - (v < 0); }
+  /// Pair sums are equal exactly where their doubles are.
+  bool exact_sums() const { return lattice.exact_doubles || integral(); }
+  int dot(std::uint32_t s, std::uint32_t t) const { return lattice.dot(exact(s).edge, exact(t).edge); }
+
+  const Lattice& lattice;
+  std::array<const Operand*, 2> operands;
+  Array<SoupSegment> segments;
+  Array<SoupBox> boxes;
+  Scratch* memory;  ///< of the arrays of everything that is done with this soup
+  double side_error = 0, point_error = 0;
+};
+
+}  // namespace dymsum::planar

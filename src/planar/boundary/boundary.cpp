@@ -1,0 +1,352 @@
+#include "planar/boundary/boundary.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <unordered_map>
+
+#include "planar/boundary/leftmost_loop.h"
+
+namespace dymsum::planar {
+namespace {
+
+int half(const SoupBox& b) { return b.dy > 0 || (b.dy == 0 && b.dx > 0) ? 0 : 1; }
+int half(const Soup& soup, std::uint32_t s) { return half(soup.boxes[s]); }
+
+// How often the direction passes +x counter-clockwise: +1 or -1 for a loop that bounds one face.
+int turning_number(const Soup& soup, const Array<Step>& steps) {
+  const SoupBox* boxes = soup.boxes.data();
+  int turns = 0;
+  std::uint32_t last = steps.back().segment;
+  int from = half(boxes[last]);
+  for (const Step& step : steps) {
+    const std::uint32_t s = step.segment;
+    const int to = half(boxes[s]);
+    if (from != to) {
+      const int c = soup.cross(last, s);
+      if (c > 0 && from == 1) ++turns;
+      if (c < 0 && from == 0) --turns;
+    }
+    last = s;
+    from = to;
+  }
+  return turns;
+}
+
+}  // namespace
+
+Array<BoundaryLoop> find_loops(const Soup& soup, const Arrangement& arrangement, const Poll* poll) {
+  Array<BoundaryLoop> loops(soup.memory);
+  Array<std::uint8_t> seen(arrangement.sub_count(), 0, soup.memory);
+  Array<Step> path(soup.memory);
+  path.reserve(arrangement.sub_count());
+  const Arrangement::Walker walker(arrangement);
+  const std::uint32_t segments = static_cast<std::uint32_t>(soup.size());
+  std::uint8_t* const visited = seen.data();
+  Step* const steps = path.data();
+  for (std::uint32_t s = 0, sub = 0; s < segments; ++s) {
+    if (poll != nullptr) poll->at(s, segments);
+    for (const std::uint32_t end = walker.end(s); sub < end; ++sub) {
+      if (visited[sub]) continue;
+      const Step start{sub, s};
+      if (!walker.alive_at_start(start)) continue;
+      // The successor map is injective, so a walk either comes back to its start or belongs to no cycle.
+      Step* last = steps;
+      std::uint32_t at = sub, segment = s;
+      do {
+        visited[at] = 1;
+        last->sub = at;
+        last->segment = segment;
+        ++last;
+      } while (walker.advance(at, segment) && !visited[at]);
+      if (at != sub) continue;
+      BoundaryLoop& loop = loops.emplace_back(BoundaryLoop{Array<Step>(steps, last, soup.memory), 0});
+      loop.turning = turning_number(soup, loop.steps);
+    }
+  }
+  return loops;
+}
+
+namespace {
+
+// Of the loops of a connected sum the one that is its outer boundary: the only counter-clockwise one, or of several false ones that
+// which reaches farthest left. loops.size() when doubles do not tell.
+std::size_t outer_loop(const Arrangement& arrangement, const Array<BoundaryLoop>& loops) {
+  std::size_t outer = loops.size(), count = 0;
+  for (std::size_t i = 0; i < loops.size(); ++i)
+    if (loops[i].turning > 0) {
+      outer = i;
+      ++count;
+    }
+  if (count <= 1) return outer;
+  const auto for_each_end = [&](std::size_t i, auto&& f) {
+    for (const Step& step : loops[i].steps) {
+      const Arrangement::RoundedEnd p = arrangement.rounded_end(step);
+      f(p.x, p.error);
+    }
+  };
+  return leftmost_loop(loops.size(), [&](std::size_t i) { return loops[i].turning < 0; }, for_each_end);
+}
+
+// Whether the middle of a sub-edge lies in a dead cell: then the loop is false.
+bool passes_dead_cell(const Soup& soup, const Arrangement& arrangement, const BoundaryLoop& loop,
+                      const InteriorMask& mask, const FineCells* fine) {
+  const Grid& g = mask.grid();
+  const auto dead = [&](double x, double y) { return fine != nullptr ? fine->dead(x, y) : mask.dead(g.row(y), g.column(x)); };
+  return std::any_of(loop.steps.begin(), loop.steps.end(), [&](const Step& step) {
+    const SoupBox& b = soup.boxes[step.segment];
+    const double middle = 0.5 * (arrangement.start_parameter(step) + arrangement.end_parameter(step));
+    return dead(b.ax + middle * soup.dx(step.segment), b.ay + middle * soup.dy(step.segment)) &&
+           arrangement.inner_parameter(step).has_value();
+  });
+}
+
+}  // namespace
+
+SortedLoops verify_loops(const Soup& soup, const Arrangement& arrangement, Array<BoundaryLoop> loops,
+                         Collision& collision, bool connected, const VerifyHelp& help) {
+  SortedLoops out{Array<BoundaryLoop>(soup.memory), Array<BoundaryLoop>(soup.memory)};
+  const std::size_t outer = connected ? outer_loop(arrangement, loops) : loops.size();
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    if (help.poll != nullptr) help.poll->at_test(i, loops.size());
+    bool keep = i == outer;
+    if (!keep && (outer == loops.size() || loops[i].turning < 0) &&
+        (help.mask == nullptr || !passes_dead_cell(soup, arrangement, loops[i], *help.mask, help.fine))) {
+      // The longest sub-edge gives the sample that is easiest to decide.
+      const auto length = [&](const Step& s) {
+        return (arrangement.end_parameter(s) - arrangement.start_parameter(s)) *
+               (std::abs(soup.dx(s.segment)) + std::abs(soup.dy(s.segment)));
+      };
+      const Step* longest = &loops[i].steps[0];
+      double best = length(*longest);
+      for (const Step& step : loops[i].steps)
+        if (const double l = length(step); l > best) {
+          best = l;
+          longest = &step;
+        }
+      keep = !collision.overlaps_right_of(arrangement.sample(*longest));
+    }
+    (keep ? out.kept : out.dropped).push_back(std::move(loops[i]));
+  }
+  return out;
+}
+
+// At a node that several kept passes share, every pass in is joined to the next way out clockwise from it: interior pairing. Rings
+// then bound connected interiors; those that still meet themselves are cut at the repeated node.
+Array<BoundaryLoop> simple_rings(const Soup& soup, const Arrangement& arrangement, Array<BoundaryLoop> loops) {
+  if (arrangement.degenerate_nodes() == 0) return loops;
+  Array<std::uint32_t> visits(arrangement.degenerate_nodes() + 1, 0, soup.memory);
+  bool repeated = false;
+  for (const BoundaryLoop& loop : loops)
+    for (const Step& step : loop.steps)
+      if (const std::uint32_t node = arrangement.end_node(step); node != kNone) repeated |= ++visits[node] > 1;
+  if (!repeated) return loops;
+
+  struct Pass {
+    Step in, out;
+  };
+  std::unordered_map<std::uint32_t, std::vector<Pass>> nodes;
+  for (const BoundaryLoop& loop : loops)
+    for (std::size_t i = 0; i < loop.steps.size(); ++i) {
+      const std::uint32_t node = arrangement.end_node(loop.steps[i]);
+      if (node == kNone || visits[node] < 2) continue;
+      nodes[node].push_back({loop.steps[i], loop.steps[(i + 1) % loop.steps.size()]});
+    }
+  std::unordered_map<std::uint32_t, Step> next;  // by sub-edge
+  std::vector<Step> order;
+  for (const BoundaryLoop& loop : loops)
+    for (std::size_t i = 0; i < loop.steps.size(); ++i) {
+      next[loop.steps[i].sub] = loop.steps[(i + 1) % loop.steps.size()];
+      order.push_back(loop.steps[i]);
+    }
+  for (auto& [node, passes] : nodes) {
+    struct Ray {
+      Step step;
+      bool out;
+    };
+    std::vector<Ray> rays;
+    for (const Pass& p : passes) {
+      rays.push_back({p.in, false});
+      rays.push_back({p.out, true});
+    }
+    const auto ray_half = [&](const Ray& r) { return half(soup, r.step.segment) ^ (r.out ? 0 : 1); };
+    std::sort(rays.begin(), rays.end(), [&](const Ray& a, const Ray& b) {
+      if (ray_half(a) != ray_half(b)) return ray_half(a) < ray_half(b);
+      const int c = soup.cross(a.step.segment, b.step.segment) * (a.out == b.out ? 1 : -1);
+      return c > 0;
+    });
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      if (rays[i].out) continue;
+      const Ray& before = rays[(i + rays.size() - 1) % rays.size()];
+      next[rays[i].step.sub] = before.step;
+    }
+  }
+  Array<BoundaryLoop> rings(soup.memory);
+  std::unordered_map<std::uint32_t, bool> seen;
+  for (const Step& start : order) {
+    if (seen[start.sub]) continue;
+    std::vector<Step> path;
+    std::unordered_map<std::uint32_t, std::size_t> at_node;  // node -> length of the path that ends there
+    Step at = start;
+    const auto emit = [&](std::size_t from) {
+      BoundaryLoop ring;
+      ring.steps.assign(path.begin() + from, path.end());
+      ring.turning = turning_number(soup, ring.steps);
+      for (std::size_t i = from; i < path.size(); ++i)
+        if (const std::uint32_t n = arrangement.end_node(path[i]); n != kNone && i + 1 != path.size()) at_node.erase(n);
+      path.resize(from);
+      rings.push_back(std::move(ring));
+    };
+    do {
+      seen[at.sub] = true;
+      path.push_back(at);
+      const std::uint32_t node = arrangement.end_node(at);
+      const Step following = next[at.sub];
+      if (node != kNone) {
+        const auto it = at_node.find(node);
+        if (it != at_node.end()) {
+          emit(it->second);
+        } else {
+          at_node[node] = path.size();
+        }
+      }
+      at = following;
+    } while (at.sub != start.sub);
+    if (!path.empty()) emit(0);
+  }
+  return rings;
+}
+
+// Doubles worse than this share of the span are replaced by the rounded exact position.
+constexpr double kPoor = 0x1p-38;
+
+double position_error(const Soup& soup, const Place& place) { return std::min(place.error, kPoor * soup.lattice.span); }
+
+SumVertex vertex_of(const Soup& soup, std::uint32_t in, std::uint32_t out, const SubEnd& end, const Place& place) {
+  SumVertex v;
+  v.in = contact_of(soup, in);
+  v.out = contact_of(soup, out);
+  if (end.pair) {
+    v.corner_p = soup.operands[0]->vertex_number[end.at.p];
+    v.corner_q = soup.operands[1]->vertex_number[end.at.q];
+  }
+  if (position_error(soup, place) < place.error) {
+    // Nearly parallel lines: the doubles know too little.
+    const Lattice::Position p = soup.lattice.position(place);
+    v.at = {exact::round_to_double(p.x), exact::round_to_double(p.y)};
+  } else {
+    v.at = soup.lattice.to_input(place.x, place.y);
+  }
+  return v;
+}
+
+// The sum of the offsets and the final sum are rounded.
+double rounding_error(const Lattice& lattice) {
+  return 0x1p-52 * (lattice.base_reach + lattice.span * lattice.unit) + lattice.base_error;
+}
+
+double input_error(const Lattice& lattice, double grid_error) {
+  if (grid_error == 0 && lattice.exact_input) return 0;
+  return grid_error * lattice.unit + rounding_error(lattice);
+}
+
+namespace {
+
+// What a segment is called in the regions: its contact, and the pair of vertices at its end. Numbers one by one: a structure that is
+// written in parts and read at once makes the processor wait.
+struct Named {
+  Contact::Kind kind;
+  std::uint32_t p, q, corner_p, corner_q;
+};
+inline Named named(SoupSegment g, const Operand::Numbers* of_p, const Operand::Numbers* of_q) {
+  if (g.side() == 0) {
+    const Operand::Numbers& own = of_p[g.edge()];
+    const std::uint32_t q = of_q[g.vertex].vertex;
+    return {Contact::Kind::edge_of_p, own.edge, q, own.next_vertex, q};
+  }
+  const Operand::Numbers& own = of_q[g.edge()];
+  const std::uint32_t p = of_p[g.vertex].vertex;
+  return {Contact::Kind::edge_of_q, p, own.edge, p, own.next_vertex};
+}
+inline void set(Contact& contact, const Named& n) {
+  contact.kind = n.kind;
+  contact.p = n.p;
+  contact.q = n.q;
+}
+
+// The step that ends at the lexicographically smallest vertex, crossings aside, as far as doubles tell: a ring that starts there hardly has to be
+// rotated. (A crossing on an outer boundary is a notch.)
+std::size_t leftmost_end(const Soup& soup, const Arrangement::Walker& walker, const Array<Step>& steps) {
+  const SoupBox* boxes = soup.boxes.data();
+  std::size_t best = 0;
+  double least = std::numeric_limits<double>::infinity(), low = least;
+  for (std::size_t i = 0, n = steps.size(); i < n; ++i) {
+    const SoupBox& b = boxes[steps[i].segment];
+    if (b.bx > least || (b.bx == least && b.by > low) || !walker.ends_segment(steps[i])) continue;
+    least = b.bx;
+    low = b.by;
+    best = i;
+  }
+  return best;
+}
+
+}  // namespace
+
+SumRing make_ring(const Soup& soup, const Arrangement& arrangement, const BoundaryLoop& loop, double& error) {
+  const Step* const steps = loop.steps.data();
+  const std::size_t n = loop.steps.size();
+  const double poor = kPoor * soup.lattice.span, unit = soup.lattice.unit;
+  const Point base = soup.lattice.base;
+  const Operand::Numbers *const of_p = soup.operands[0]->numbers.data(), *const of_q = soup.operands[1]->numbers.data();
+  const SoupBox* const boxes = soup.boxes.data();
+  const SoupSegment* const segments = soup.segments.data();
+  const Arrangement::Walker walker(arrangement);
+  SumRing ring;
+  ring.vertices.resize(n);
+  SumVertex* to = ring.vertices.data();
+  double worst = error;
+  bool ends = false;
+  std::size_t i = leftmost_end(soup, walker, loop.steps);
+  Named in = named(segments[steps[i].segment], of_p, of_q);
+  for (std::size_t count = 0; count < n; ++count) {
+    const std::uint32_t s = steps[i].segment, sub = steps[i].sub;
+    i = i + 1 == n ? 0 : i + 1;
+    const std::uint32_t next = steps[i].segment;
+    if (s == next) continue;
+    const Named out = named(segments[next], of_p, of_q);
+    if (soup.cross(s, next) == 0) {  // straight on
+      in = out;
+      continue;
+    }
+    SumVertex& v = *to++;
+    set(v.in, in);
+    set(v.out, out);
+    if (sub + 1 == walker.end(s)) [[likely]] {
+      ends = true;
+      v.at.x = boxes[s].bx * unit + base.x;
+      v.at.y = boxes[s].by * unit + base.y;
+      v.corner_p = in.corner_p;
+      v.corner_q = in.corner_q;
+    } else if (const Arrangement::RoundedEnd at = arrangement.rounded_end({sub, s}); at.error > poor) [[unlikely]] {
+      const Step step{sub, s};
+      const Place place = arrangement.end_place(step);
+      worst = std::max(worst, position_error(soup, place));
+      v = vertex_of(soup, s, next, arrangement.end_of(step), place);
+    } else {
+      worst = std::max(worst, at.error);
+      v.at.x = at.x * unit + base.x;
+      v.at.y = at.y * unit + base.y;
+      if (const SubEnd end = arrangement.end_of({sub, s}); end.pair) {
+        v.corner_p = soup.operands[0]->vertex_number[end.at.p];
+        v.corner_q = soup.operands[1]->vertex_number[end.at.q];
+      }
+    }
+    in = out;
+  }
+  ring.vertices.resize(static_cast<std::size_t>(to - ring.vertices.data()));
+  error = ends ? std::max(worst, soup.point_error) : worst;
+  return ring;
+}
+
+}  // namespace dymsum::planar

@@ -1,0 +1,65 @@
+// From the arrangement to the boundary: loops, which of them are true, and rings with interior on the left.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "dymsum/planar_sum.h"
+#include "planar/arrangement/arrangement.h"
+#include "planar/boundary/collision.h"
+#include "planar/mask/fine_cells.h"
+#include "planar/mask/interior_mask.h"
+#include "base/poll.h"
+#include "planar/arrangement/soup.h"
+
+namespace dymsum::planar {
+
+using Step = Arrangement::Step;
+
+/// A cycle of the successor map; the set's outside is on its right.
+struct BoundaryLoop {
+  Array<Step> steps;
+  int turning = 0;  ///< 1 counter-clockwise, -1 clockwise
+};
+
+/// All cycles.
+Array<BoundaryLoop> find_loops(const Soup& soup, const Arrangement& arrangement, const Poll* poll = nullptr);
+
+/// What is known to be covered, if anything, and whom to ask whether to go on.
+struct VerifyHelp {
+  const InteriorMask* mask = nullptr;
+  const FineCells* fine = nullptr;
+  const Poll* poll = nullptr;
+};
+
+/// Splits loops into true and false ones. With `connected`, the sum has one outer boundary, which needs no test; with a
+/// mask, nor do loops that pass dead cells.
+struct SortedLoops {
+  Array<BoundaryLoop> kept, dropped;
+};
+SortedLoops verify_loops(const Soup& soup, const Arrangement& arrangement, Array<BoundaryLoop> loops, Collision& collision,
+                         bool connected, const VerifyHelp& help = {});
+
+/// Loops that meet themselves or each other at nodes are cut there so that every ring is simple and bounds a connected interior.
+Array<BoundaryLoop> simple_rings(const Soup& soup, const Arrangement& arrangement, Array<BoundaryLoop> loops);
+
+/// Provenance.
+inline Contact contact_of(const Soup& soup, std::uint32_t segment) {
+  const SoupSegment& g = soup.segments[segment];
+  const std::uint32_t edge = soup.operands[g.side()]->edge_number[g.edge()];
+  const std::uint32_t vertex = soup.operands[1 - g.side()]->vertex_number[g.vertex];
+  return g.side() == 0 ? Contact{Contact::Kind::edge_of_p, edge, vertex} : Contact{Contact::Kind::edge_of_q, vertex, edge};
+}
+SumVertex vertex_of(const Soup& soup, std::uint32_t in, std::uint32_t out, const SubEnd& end, const Place& place);
+
+/// The ring of a loop with collinear steps merged; grows `error` to the largest error of a position, in input coordinates.
+SumRing make_ring(const Soup& soup, const Arrangement& arrangement, const BoundaryLoop& loop, double& error);
+
+/// The error of the position that vertex_of gives to a place, in grid units.
+double position_error(const Soup& soup, const Place& place);
+
+/// A bound on the error of rounding to input coordinates, and of a rounded position there.
+double rounding_error(const Lattice& lattice);
+double input_error(const Lattice& lattice, double grid_error);
+
+}  // namespace dymsum::planar

@@ -1,0 +1,228 @@
+#include "planar/convolution/convolution.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace dymsum::planar {
+namespace {
+
+// For every position of `own` the number of directions in `other` that are less, or (upper) not greater: one merge. Counts the
+// positions that have an equal direction, unless upper.
+template <bool upper>
+std::size_t merge_positions(const Lattice& lattice, const Operand& own_op, const DirectionList& own, const Operand& other_op,
+                            const DirectionList& other, Array<std::uint32_t>& bound) {
+  const std::size_t n = own.edges.size(), m = other.edges.size();
+  bound.resize(n);
+  std::size_t at = 0, equal = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double key = own.keys[i];
+    for (; at < m; ++at) {
+      const double gap = other.keys[at] - key;
+      if (gap < -kAngleError) continue;
+      if (gap > kAngleError) break;
+      const int c = compare_directions(lattice, other_op.edge(other.edges[at]), own_op.edge(own.edges[i]));
+      if (!upper) equal += c == 0;
+      if (c > 0 || (c == 0 && !upper)) break;
+    }
+    bound[i] = static_cast<std::uint32_t>(at);
+  }
+  return equal;
+}
+
+// Both at once for a list of P and a list of Q: for every position of Q's the directions of P that are not greater, for
+// every position of P's the directions of Q that are less. Returns how many positions of P have an equal direction.
+std::size_t merge_both(const Lattice& lattice, const Operand& p, const DirectionList& of_p, const Operand& q,
+                       const DirectionList& of_q, Array<std::uint32_t>& bound_q, Array<std::uint32_t>& bound_p) {
+  const auto n = static_cast<std::uint32_t>(of_p.edges.size()), m = static_cast<std::uint32_t>(of_q.edges.size());
+  bound_p.resize(n);
+  bound_q.resize(m);
+  std::uint32_t i = 0, j = 0;
+  std::size_t equal = 0;
+  for (; i < n && j < m;) {
+    const double gap = of_q.keys[j] - of_p.keys[i];
+    bool p_first = gap > 0;
+    if (gap <= kAngleError && gap >= -kAngleError) {
+      const int c = compare_directions(lattice, q.edge(of_q.edges[j]), p.edge(of_p.edges[i]));
+      equal += c == 0;
+      p_first = c >= 0;
+    }
+    if (p_first)
+      bound_p[i++] = j;
+    else
+      bound_q[j++] = i;
+  }
+  for (; i < n; ++i) bound_p[i] = m;
+  for (; j < m; ++j) bound_q[j] = n;
+  return equal;
+}
+
+}  // namespace
+
+// Widths are differences of input coordinates, compared exactly: as edges of the two operands along an axis they need no new sign.
+bool hole_is_filled(const Lattice& lattice, const Operand& holed, const Loop& hole, const Operand& other,
+                    const Component& component) {
+  if (component.dimension != 2) return false;
+  const Loop& outer = other.loops[component.first_loop];
+  return lattice.compare_extent({holed.op, hole.min_x, hole.max_x}, {other.op, outer.min_x, outer.max_x}, 0) < 0 ||
+         lattice.compare_extent({holed.op, hole.min_y, hole.max_y}, {other.op, outer.min_y, outer.max_y}, 1) < 0;
+}
+
+ReducedConvolution::ReducedConvolution(const Lattice& lattice, const Operand& p, const Operand& q, Scratch* memory)
+    : lattice_(lattice), operands_{&p, &q}, turns_{Array<Turn>(memory), Array<Turn>(memory)},
+      used_{Array<std::uint32_t>(memory), Array<std::uint32_t>(memory)}, lists_(memory) {
+  for (const Operand* o : operands_)
+    for (const DirectionList& list : o->directions) lists_.push_back(&list);
+  for (std::uint32_t side = 0; side < 2; ++side) {
+    columns_[side] = static_cast<std::uint32_t>(operands_[side]->components.size());
+    turns_[side].resize(operands_[1 - side]->size() * std::size_t{columns_[side]});
+  }
+  for (std::uint32_t cp = 0; cp < p.components.size(); ++cp)
+    for (std::uint32_t cq = 0; cq < q.components.size(); ++cq)
+      if (p.components[cp].dimension == 2 || q.components[cq].dimension == 2) add_pair(cp, cq, memory);
+  for (std::uint32_t side = 0; side < 2; ++side) {
+    const auto n = static_cast<std::uint32_t>(turns_[side].size());
+    Turn* const turns = turns_[side].data();
+    used_[side].resize(n);
+    std::uint64_t size = size_;
+    std::uint32_t* used = used_[side].data();
+    for (std::uint32_t k = 0; k < n; ++k) {
+      turns[k].base = static_cast<std::uint32_t>(size);
+      size += turns[k].count;
+      *used = k;
+      used += turns[k].count != 0;
+    }
+    used_[side].resize(static_cast<std::size_t>(used - used_[side].data()));
+    if (size >= kNoRank) throw std::length_error("more than 2^32 segments");
+    size_ = static_cast<std::uint32_t>(size);
+  }
+}
+
+void ReducedConvolution::add_pair(std::uint32_t cp, std::uint32_t cq, Scratch* memory) {
+  const std::array<std::uint32_t, 2> index{cp, cq};
+  const std::uint32_t lists_of_p = static_cast<std::uint32_t>(operands_[0]->directions.size());
+  std::array<std::array<std::uint32_t, 2>, 2> lists{operands_[0]->component_directions[cp], operands_[1]->component_directions[cq]};
+  for (std::uint32_t& list : lists[1]) list += lists_of_p;
+  const std::array<std::uint32_t, 2> whole{lists[0][0], lists[1][0]};
+  std::array<std::vector<std::uint8_t>, 2> filled;
+  for (std::uint32_t op = 0; op < 2; ++op) {
+    const Operand &o = *operands_[op], &other = *operands_[1 - op];
+    const Component &c = o.components[index[op]], &d = other.components[index[1 - op]];
+    if (c.last_loop - c.first_loop == 1) continue;
+    filled[op].assign(o.loops.size(), 0);
+    std::size_t count = 0;
+    for (std::uint32_t l = c.first_loop + 1; l < c.last_loop; ++l)
+      if (hole_is_filled(lattice_, o, o.loops[l], other, d)) {
+        filled[op][l] = 1;
+        ++count;
+      }
+    filled_holes_ += count;
+    if (count == c.last_loop - c.first_loop - 1) {
+      lists[op][0] = lists[op][1];
+    } else if (count > 0) {
+      std::vector<std::uint8_t> keep(filled[op]);
+      for (std::uint8_t& k : keep) k = !k;
+      own_lists_.push_front(sublist(*lists_[whole[op]], o, c, keep));
+      lists[op][0] = static_cast<std::uint32_t>(lists_.size());
+      lists_.push_back(&own_lists_.front());
+    }
+  }
+  using Positions = Array<std::uint32_t>;
+  std::array<Positions, 2> with_holes{Positions(memory), Positions(memory)};
+  std::array<Positions, 2> without{Positions(memory), Positions(memory)};
+  const auto single_loop = [&](std::uint32_t op) {
+    const Component& c = operands_[op]->components[index[op]];
+    return c.last_loop - c.first_loop == 1 && c.dimension > 0;
+  };
+  if (single_loop(0) && single_loop(1))
+    parallel_edges_ += merge_both(lattice_, *operands_[0], *lists_[whole[0]], *operands_[1], *lists_[whole[1]],
+                                  with_holes[0], with_holes[1]);
+  for (std::uint32_t side = 0; side < 2; ++side) {
+    const std::uint32_t vertex_op = 1 - side;
+    const Operand &edge_operand = *operands_[side], &o = *operands_[vertex_op];
+    const Component& c = o.components[index[vertex_op]];
+    const DirectionList& own = *lists_[whole[vertex_op]];
+    for (std::uint32_t l = c.first_loop; l < c.last_loop; ++l) {
+      const Loop& loop = o.loops[l];
+      if (!filled[vertex_op].empty() && filled[vertex_op][l]) continue;
+      // Hole against hole cannot touch without overlap elsewhere.
+      const std::size_t variant = loop.kind == LoopKind::hole ? 1 : 0;
+      const std::uint32_t list = lists[side][variant];
+      const std::uint32_t n = static_cast<std::uint32_t>(lists_[list]->edges.size());
+      if (loop.kind == LoopKind::point) {
+        turns_[side][std::size_t{loop.first} * columns_[side] + index[side]] = {list, 0, n, 0};
+        continue;
+      }
+      if (n == 0) continue;
+      // Half-open turns with opposite ends: (in, out] against edges of P, [in, out) against edges of Q.
+      Positions& bound = variant == 0 ? with_holes[side] : without[side];
+      if (bound.empty()) {
+        if (side == 0)
+          merge_positions<true>(lattice_, o, own, edge_operand, *lists_[list], bound);
+        else
+          parallel_edges_ += merge_positions<false>(lattice_, o, own, edge_operand, *lists_[list], bound);
+      }
+      Turn* const turns_at = turns_[side].data() + index[side];
+      const std::uint32_t columns = columns_[side];
+      const std::uint32_t *const rank = own.rank.data(), *const positions = bound.data(), *const prev = o.prev.data();
+      const std::uint8_t* const convex = o.convex.data();
+      for (std::uint32_t v = loop.first; v < loop.last; ++v) {
+        if (!convex[v]) continue;
+        const std::uint32_t in = rank[prev[v] - own.base], out = rank[v - own.base];
+        const std::uint32_t lo = positions[in], hi = positions[out];
+        const bool wraps = out < in;
+        Turn& t = turns_at[std::size_t{v} * columns];
+        t.list = list;
+        t.lo = lo == n ? 0 : lo;
+        t.count = hi - lo + (wraps ? n : 0);
+      }
+    }
+  }
+}
+
+std::uint32_t ReducedConvolution::find(std::uint32_t side, std::uint32_t edge, std::uint32_t vertex) const {
+  const std::uint32_t component = columns_[side] == 1 ? 0 : operands_[side]->component_of[edge];
+  return id(turns_[side][std::size_t{vertex} * columns_[side] + component], edge);
+}
+
+std::uint32_t ReducedConvolution::next(const WalkSegment& s) const {
+  const std::uint32_t turned = operands_[s.side]->next[s.edge];
+  const std::uint32_t same_side = find(s.side, turned, s.vertex);
+  if (same_side != kNoRank) return same_side;
+  return find(1 - s.side, s.vertex, turned);
+}
+
+// A segment (e, v) is continued by (next e, v) where v still meets that edge, else by v's edge at the vertex behind e.
+void ReducedConvolution::fill_next(std::span<std::uint32_t> next) const {
+  std::uint32_t* to = next.data();
+  for (std::uint32_t side = 0; side < 2; ++side) {
+    const Operand& other = *operands_[1 - side];
+    const std::uint32_t* const o_next = operands_[side]->next.data();
+    const std::uint32_t other_columns = columns_[1 - side];
+    const Turn* const own_turns = turns_[side].data();
+    const DirectionList* const* const lists = lists_.data();
+    for (const std::uint32_t turn : used_[side]) {
+      const Turn t = own_turns[turn];
+      const std::uint32_t v = vertex_of(side, turn);
+      const Turn* const turns_at = turns_[1 - side].data() + (other_columns == 1 ? 0 : other.component_of[v]);
+      const DirectionList& list = *lists[t.list];
+      const std::uint32_t n = static_cast<std::uint32_t>(list.edges.size());
+      const std::uint32_t *const edges = list.edges.data(), *const follow = list.next.data();
+      std::uint32_t at = t.lo;
+      for (std::uint32_t* const end = to + t.count; to != end; ++to) {
+        const std::uint32_t rank = follow[at], ahead = rank >= t.lo ? rank - t.lo : rank + n - t.lo;
+        *to = ahead < t.count ? t.base + ahead : id(turns_at[std::size_t{o_next[edges[at]]} * other_columns], v);
+        if (++at == n) at = 0;
+      }
+    }
+  }
+}
+
+std::uint32_t ReducedConvolution::prev(const WalkSegment& s) const {
+  const std::uint32_t same_side = find(s.side, operands_[s.side]->prev[s.edge], s.vertex);
+  if (same_side != kNoRank) return same_side;
+  return find(1 - s.side, operands_[1 - s.side]->prev[s.vertex], s.edge);
+}
+
+}  // namespace dymsum::planar

@@ -1,0 +1,153 @@
+// Rasters of two operands on one grid, and the cells of the sum that they prove to lie inside it. Shared by the mask of one sum and
+// the mask of a range of scales.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "planar/mask/grid.h"
+
+namespace dymsum::planar {
+
+/// Rows of cells, 64 to a word.
+struct Bitmap {
+  int rows = 0, columns = 0;
+  std::size_t words = 0;
+  std::vector<std::uint64_t> bits;
+
+  Bitmap(int r, int c) : rows(r), columns(c), words((c + 63) / 64), bits(words * r, 0) {}
+  std::uint64_t* row(int r) { return bits.data() + words * r; }
+  const std::uint64_t* row(int r) const { return bits.data() + words * r; }
+  bool get(int r, int c) const { return (row(r)[c / 64] >> (c % 64)) & 1; }
+  bool any() const {
+    return std::any_of(bits.begin(), bits.end(), [](std::uint64_t w) { return w != 0; });
+  }
+
+  void set(int r, int c) { row(r)[c / 64] |= std::uint64_t{1} << (c % 64); }
+  void set_run(int r, int first, int last) {
+    std::uint64_t* w = row(r);
+    const int a = first / 64, b = last / 64;
+    const std::uint64_t head = ~std::uint64_t{0} << (first % 64), tail = ~std::uint64_t{0} >> (63 - last % 64);
+    if (a == b) {
+      w[a] |= head & tail;
+      return;
+    }
+    w[a] |= head;
+    for (int i = a + 1; i < b; ++i) w[i] = ~std::uint64_t{0};
+    w[b] |= tail;
+  }
+};
+
+/// One operand on the lattice of cells.
+struct Raster {
+  Raster(int rows, int columns) : inner(rows, columns), touch(rows, columns) {}
+  Bitmap inner;  ///< cells that lie in the interior of a component, with a rim
+  Bitmap touch;  ///< cells that certainly hold a point of the operand, up to the rim
+};
+
+/// Boundary cells are those within 32 kReach cells of the boundary, so that an inner cell keeps a rim of that width.
+inline constexpr double kRim = 32 * kReach;
+
+/// Calls f(row, column) for every row of cells whose centre line an edge crosses, half-open in y, with the first cell whose centre lies
+/// right of the edge; on which side one within a rounding of it is counted does not matter, as its cell is a boundary cell.
+template <class F>
+void for_each_centre_line(const Grid& cells, double ax, double ay, double bx, double by, F&& f) {
+  const double low = ay < by ? ay : by, high = ay < by ? by : ay;
+  for (int r = static_cast<int>(low * cells.per_cell); r < cells.rows; ++r) {
+    const double yc = (r + 0.5) * cells.cell;
+    if (yc < low) continue;
+    if (yc >= high) break;
+    const double xc = ax + (yc - ay) * (bx - ax) / (by - ay);
+    f(r, std::clamp(static_cast<int>(xc * cells.per_cell + 0.5), 0, cells.columns));
+  }
+}
+
+/// Parities of the winding numbers at the centres of cells: components have 0 or 1, so that odd ones are positive.
+class CentreParities {
+ public:
+  explicit CentreParities(const Grid& cells) : cells_(cells), change_(cells.rows, cells.columns) {}
+  void add_edge(double ax, double ay, double bx, double by);
+  /// Cells with odd winding number off the boundary are inner, and inner ones are touched.
+  void fill(const Bitmap& boundary, Raster& raster) const;
+
+ private:
+  const Grid& cells_;
+  Bitmap change_;
+};
+
+/// Winding numbers at the centres of cells, from the edges that cross the lines through them.
+class CentreWindings {
+ public:
+  explicit CentreWindings(const Grid& cells) : cells_(cells), change_(std::size_t(cells.rows) * (cells.columns + 1), 0) {}
+  void add_edge(double ax, double ay, double bx, double by);
+  /// Cells with positive winding number off the boundary are inner, and inner ones are touched.
+  void fill(const Bitmap& boundary, Raster& raster) const;
+
+ private:
+  const Grid& cells_;
+  std::vector<int> change_;
+};
+
+/// Corners (i, j), between columns i - 1 and i and rows j - 1 and j, whose four cells are inner.
+Bitmap inner_corners(const Bitmap& inner);
+
+/// The grid of the sum with `cells` along the longer side, and the operands' parts of it.
+struct SumGrid {
+  SumGrid(std::array<double, 2> width, std::array<double, 2> height, int cells);
+  Grid whole;
+  std::array<Grid, 2> part;
+};
+
+/// The cells of the sum in which every point is one of int P + Q or P + int Q; docs/design/planar-sum.md, "interior mask".
+class DeadCells {
+ public:
+  /// Whether live() will be asked.
+  enum class Counts { made, left_out };
+
+  /// No cell is dead.
+  explicit DeadCells(const Grid& grid);
+  DeadCells(const Grid& grid, const Raster& p, const Raster& q, Counts counts = Counts::made);
+  /// Others that lie inside. The counts are made.
+  void add(const Bitmap& inside);
+
+  const Grid& grid() const { return grid_; }
+  bool dead(int row, int column) const { return dead_.get(row, column); }
+  /// One more cell, proved otherwise. Counts are not made again.
+  void cover(int row, int column) { dead_.set(row, column); }
+  /// Whether some cell of a rectangle is live. O(rows) for up to 64 columns; a live cell in the first rows ends it.
+  bool any_live(int row0, int column0, int row1, int column1) const {
+    const int a = column0 / 64, b = column1 / 64;
+    const std::uint64_t head = ~std::uint64_t{0} << (column0 % 64), tail = ~std::uint64_t{0} >> (63 - column1 % 64);
+    for (int r = row0; r <= row1; ++r) {
+      const std::uint64_t* w = dead_.row(r);
+      if (a == b) {
+        if ((~w[a] & head & tail) != 0) return true;
+        continue;
+      }
+      if ((~w[a] & head) != 0 || (~w[b] & tail) != 0) return true;
+      for (int i = a + 1; i < b; ++i)
+        if (~w[i] != 0) return true;
+    }
+    return false;
+  }
+  /// How many cells of a rectangle are live. O(1). Requires: the counts were made.
+  std::uint32_t live(int row0, int column0, int row1, int column1) const {
+    const std::size_t w = std::size_t(grid_.columns) + 1;
+    const auto at = [&](int r, int c) { return sums_[std::size_t(r) * w + c]; };
+    return at(row1 + 1, column1 + 1) - at(row0, column1 + 1) - at(row1 + 1, column0) + at(row0, column0);
+  }
+  std::size_t dead_cells() const { return dead_cells_; }
+  std::size_t bytes() const { return dead_.bits.size() * 8 + sums_.size() * 4; }
+
+ private:
+  void count();
+
+  Grid grid_;
+  Bitmap dead_;
+  std::vector<std::uint32_t> sums_;  // live cells left of and below a corner
+  std::size_t dead_cells_ = 0;
+};
+
+}  // namespace dymsum::planar

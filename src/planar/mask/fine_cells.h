@@ -1,0 +1,79 @@
+// A second grid, eight times as fine as that of the interior mask, in those of its cells where that pays.
+// Lemma and proof are those of the mask: docs/design/planar-sum.md, "interior mask".
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "planar/mask/cell_bricks.h"
+#include "planar/mask/interior_mask.h"
+
+namespace dymsum::planar {
+
+/// Corners of one operand and touched cells of the other in bricks: which fine cells are sums of both.
+class BrickPairs {
+ public:
+  BrickPairs(const Bitmap& corners, const Bitmap& touch);
+  /// The cells of a brick of the sum that are sums of a corner and a touched cell, together with those known. O(bricks of an operand / 64).
+  std::uint64_t covered(int row, int column, std::uint64_t known);
+  std::size_t bytes() const;
+
+ private:
+  struct Place {
+    int row = 0, column = 0;
+  };
+  std::uint64_t with(Place corner, Place sum, std::uint64_t known) const;
+  std::uint64_t with_recent(Place sum, std::uint64_t known) const;
+  void remember(Place corner, Place sum);
+
+  Bricks corners_, touch_;
+  Bitmap some_corner_;     // bricks with corners
+  Bitmap touch_reversed_;  // bit kMargin + j of row r: whether brick (r, columns - j) of the touched cells, or one left of or below it, has any
+  struct Success {
+    Place corner, sum;
+  };
+  static constexpr std::size_t kRecent = 6;
+  std::vector<Success> recent_;  // bricks that covered something for the last sums: likely for the next one
+  std::size_t next_recent_ = 0;
+};
+
+/// Fine cells covered by int P + Q or P + int Q, each grown by 8 kReach fine cells.
+class FineCells {
+ public:
+  /// No cell is refined, nor will be.
+  explicit FineCells(InteriorMask& mask);
+  FineCells(const Operand& p, const Operand& q, InteriorMask& mask);
+  /// Proves what it can of one live cell of the mask, once; one that is covered as a whole is covered in the mask, too. Returns how many fine
+  /// cells are covered.
+  int refine(int row, int column);
+
+  /// Eight times as fine as the mask's.
+  const Grid& grid() const { return grid_; }
+  const InteriorMask& mask() const { return *mask_; }
+  /// The live cells in a cell of the mask, as a brick.
+  std::uint64_t live(int row, int column) const {
+    if (mask_->dead(row, column)) return 0;
+    const std::uint32_t b = brick_[index(row, column)];
+    return b == kWhole ? ~std::uint64_t{0} : live_[b];
+  }
+  bool dead(double x, double y) const {
+    const int r = grid_.row(y), c = grid_.column(x);
+    return ((live(r / kBrick, c / kBrick) >> (r % kBrick * 8 + c % kBrick)) & 1) == 0;
+  }
+  std::size_t bytes() const;
+
+ private:
+  static constexpr std::uint32_t kWhole = 0xffffffff;
+  std::size_t index(int row, int column) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(mask_->grid().columns) + static_cast<std::size_t>(column);
+  }
+
+  InteriorMask* mask_;
+  Grid grid_;
+  std::vector<std::uint32_t> brick_;  // per cell of the mask
+  std::vector<std::uint64_t> live_;
+  std::optional<BrickPairs> p_around_q_, q_around_p_;
+};
+
+}  // namespace dymsum::planar

@@ -1,0 +1,58 @@
+#include "planar/mask/interior_mask.h"
+
+#include <algorithm>
+#include <array>
+
+namespace dymsum::planar {
+namespace {
+
+// With the centres' winding numbers or parities.
+template <class Centres>
+Raster rasterize(const Operand& o, const Grid& cells) {
+  Raster raster(cells.rows, cells.columns);
+  Bitmap boundary(cells.rows, cells.columns);
+  Centres centres(cells);
+  const double rim = kRim * cells.cell;
+  // Without clamps: coordinates are not negative, and the raster reaches farther than the operand by a cell.
+  const auto cell = [&](double v) { return static_cast<int>(v * cells.per_cell); };
+  bool has_area = false;
+  for (const Loop& loop : o.loops) {
+    const bool area = loop.kind == LoopKind::outer || loop.kind == LoopKind::hole;
+    has_area |= area;
+    for (std::uint32_t i = loop.first; i < loop.last; ++i) {
+      const std::uint32_t t = o.next[i];
+      const double ax = o.x[i], ay = o.y[i], bx = o.x[t], by = o.y[t];
+      const int r0 = cell(std::min(ay, by) - rim), r1 = cell(std::max(ay, by) + rim);
+      const int c0 = cell(std::min(ax, bx) - rim), c1 = cell(std::max(ax, bx) + rim);
+      if (r1 - r0 <= 1 && c1 - c0 <= 1) {
+        // Most edges of fine operands: the cells of both ends, and for the boundary the whole box.
+        raster.touch.set(cell(ay), cell(ax));
+        raster.touch.set(cell(by), cell(bx));
+        if (!area) continue;
+        boundary.set_run(r0, c0, c1);
+        if (r1 != r0) boundary.set_run(r1, c0, c1);
+      } else {
+        for_each_cell_run(cells, ax, ay, bx, by, [&](int r, int first, int last) { raster.touch.set_run(r, first, last); });
+        if (!area) continue;
+        for_each_cell_run(cells, ax, ay, bx, by, [&](int r, int first, int last) { boundary.set_run(r, first, last); }, kRim);
+      }
+      centres.add_edge(ax, ay, bx, by);
+    }
+  }
+  if (has_area) centres.fill(boundary, raster);
+  return raster;
+}
+
+DeadCells dead_cells_of(const Operand& p, const Operand& q, int cells) {
+  const SumGrid grid({p.points->width, q.points->width}, {p.points->height, q.points->height}, cells);
+  return DeadCells(grid.whole, rasterize<CentreWindings>(p, grid.part[0]), rasterize<CentreWindings>(q, grid.part[1]), DeadCells::Counts::left_out);
+}
+
+}  // namespace
+
+InteriorMask::InteriorMask(const Operand& p, const Operand& q, int cells) : DeadCells(dead_cells_of(p, q, cells)), cells_(cells) {}
+
+Raster fine_raster(const Operand& o, const Grid& cells) { return rasterize<CentreParities>(o, cells); }
+Raster winding_raster(const Operand& o, const Grid& cells) { return rasterize<CentreWindings>(o, cells); }
+
+}  // namespace dymsum::planar

@@ -1,0 +1,454 @@
+#include "planar/operand/lattice.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <mutex>
+#include <optional>
+#include <type_traits>
+
+#include "exact/grid.h"
+#include "exact/int.h"
+#include "exact/integer_pair.h"
+#include "planar/operand/lattice_build.h"
+#include "planar/position/position_signs.h"
+
+namespace dymsum::planar {
+namespace {
+
+using exact::Big;
+using exact::BigRational;
+
+// Widths for coordinates |X| <= 2^B: edge vectors B + 1 bits, pair sums B + 1, their differences B + 2, side and along values
+// 2B + 4, cut parameters N / D with 2B + 4 and 2B + 4, mediants one more, sides of places 4B + 11. Int computes and proves them.
+template <class C>
+class LatticeOf final : public Lattice {
+  struct Vec {
+    C x, y;
+  };
+  using EdgeC = decltype(C{} - C{});
+  struct EdgeVec {
+    EdgeC x, y;
+  };
+  using DiffC = decltype((C{} + C{}) - (C{} + C{}));
+  using Value = decltype(EdgeC{} * DiffC{} - EdgeC{} * DiffC{});
+  using Wide = decltype(Value{} + Value{});
+  struct Ratio {
+    Value n, d;  // d > 0
+  };
+  struct WideRatio {
+    Wide n, d;
+  };
+
+ public:
+  /// `per_double`: the integers per unit of the doubles of the points where these are exact, else 0.
+  LatticeOf(int exponent, double per_double, std::optional<LatticeScale> scale)
+      : exponent_(exponent), per_double_(per_double), scale_(std::move(scale)) {
+    if constexpr (!std::is_same_v<C, Big>) {
+      if (!scale_) return;
+      const C other = exact::narrowed<C>(Big(scale_->den));
+      for (std::uint32_t op = 0; op < 2; ++op)
+        factor_[op] = op == scale_->op ? Vec{exact::narrowed<C>(Big(scale_->x)), exact::narrowed<C>(Big(scale_->y))} : Vec{other, other};
+    }
+  }
+
+  int cross(const Edge& d, const Edge& e) const override {
+    const EdgeVec a = edge(d), b = edge(e);
+    return exact::sign(a.x * b.y - a.y * b.x);
+  }
+  int dot(const Edge& d, const Edge& e) const override {
+    const EdgeVec a = edge(d), b = edge(e);
+    return exact::sign(a.x * b.x + a.y * b.y);
+  }
+  int compare_extent(const Edge& d, const Edge& e, int axis) const override {
+    const Point u = vector(d), v = vector(e);
+    const double p = axis == 0 ? u.x : u.y, q = axis == 0 ? v.x : v.y, gap = p - q;
+    // Three roundings each and one of the difference.
+    if (const double bound = 0x1p-50 * (std::abs(p) + std::abs(q)) + 0x1p-1000; gap > bound || gap < -bound) return gap > 0 ? 1 : -1;
+    const EdgeVec a = edge(d), b = edge(e);
+    return axis == 0 ? exact::sign(a.x - b.x) : exact::sign(a.y - b.y);
+  }
+  int side(const Segment& s, Pair v) const override { return exact::sign(side_value(s, v)); }
+  int along(const Segment& s, Pair v) const override { return exact::sign(along_value(s, v)); }
+  bool same(Pair a, Pair b) const override {
+    const SumVec u = sum(a), v = sum(b);
+    return u.x == v.x && u.y == v.y;
+  }
+
+  int compare_coordinate(Pair a, Pair b, int axis) const override {
+    // With one vertex in common, as the ends of a segment have, the other operand's coordinates as given tell.
+    if (!scale_ && (a.p == b.p || a.q == b.q)) {
+      const std::uint32_t op = a.p == b.p ? 1 : 0;
+      const std::vector<Point>& input = points[op]->input;
+      const Point &u = input[op == 1 ? a.q : a.p], &v = input[op == 1 ? b.q : b.p];
+      const double x = axis == 0 ? u.x : u.y, y = axis == 0 ? v.x : v.y;
+      return (x > y) - (x < y);
+    }
+    const SumVec u = sum(a), v = sum(b);
+    return axis == 0 ? exact::sign(u.x - v.x) : exact::sign(u.y - v.y);
+  }
+
+  // x = on.start + d N / D, so D (d_s x (x - s.start)) = D (d_s x (on.start - s.start)) + N (d_s x d_on).
+  int side(const Segment& s, const Place& x) const override {
+    const EdgeVec a = edge(s.edge), b = edge(x.on.edge);
+    const Value at_start = side_value(s, start_of(x.on));
+    const Value slope = widen(a.x * b.y - a.y * b.x);
+    return sign_at(x, at_start, slope);
+  }
+  int along(const Segment& s, const Place& x) const override {
+    const EdgeVec a = edge(s.edge), b = edge(x.on.edge);
+    const Value at_start = along_value(s, start_of(x.on));
+    const Value slope = widen(a.x * b.x + a.y * b.y);
+    return sign_at(x, at_start, slope);
+  }
+
+  // D (v - start) - N d.
+  int compare_coordinate(Pair v, const Place& x, int axis) const override {
+    const WideRatio t = ratio(x);
+    const SumVec at = sum(v), from = sum(start_of(x.on));
+    const EdgeVec d = edge(x.on.edge);
+    return axis == 0 ? exact::sign(t.d * (at.x - from.x) - t.n * d.x) : exact::sign(t.d * (at.y - from.y) - t.n * d.y);
+  }
+
+  int compare(const Segment& on, const Cut& a, const Cut& b) const override {
+    const Ratio s = parameter(on, a), t = parameter(on, b);
+    return exact::sign(s.n * t.d - t.n * s.d);
+  }
+
+  // start + d N / D over one denominator each, then crosswise.
+  int compare_coordinate(const Place& a, const Place& b, int axis) const override {
+    const WideRatio s = ratio(a), t = ratio(b);
+    const SumVec from_a = sum(start_of(a.on)), from_b = sum(start_of(b.on));
+    const EdgeVec d = edge(a.on.edge), e = edge(b.on.edge);
+    const auto u = axis == 0 ? from_a.x * s.d + d.x * s.n : from_a.y * s.d + d.y * s.n;
+    const auto v = axis == 0 ? from_b.x * t.d + e.x * t.n : from_b.y * t.d + e.y * t.n;
+    return exact::sign(u * t.d - v * s.d);
+  }
+
+  // start + d N / D and the origin, over D.
+  Homogeneous homogeneous(const Place& x) const override {
+    const SumVec s = sum(start_of(x.on));
+    const EdgeVec d = edge(x.on.edge);
+    const WideRatio t = ratio(x);
+    const exact::BigInteger n = number(t.n), w = number(t.d);
+    return in_input((number(s.x) + origin()[0]) * w + number(d.x) * n, (number(s.y) + origin()[1]) * w + number(d.y) * n, w);
+  }
+  Homogeneous homogeneous(Pair v) const override {
+    const SumVec s = sum(v);
+    return in_input(number(s.x) + origin()[0], number(s.y) + origin()[1], 1);
+  }
+
+  std::optional<NearFrame> near_frame() const override {
+    // A crossing's parameter is then a quotient of numbers below 2^804, and no error term of a product underflows.
+    if (!(span * integers_per_unit <= 0x1p400)) return std::nullopt;
+    const Homogeneous zero = in_input(origin()[0], origin()[1], 1), one = in_input(1, 0, 1);
+    return NearFrame{{one.x, one.w}, {zero.x, zero.w}, {zero.y, zero.w}};
+  }
+  // Integers err by 2^-104 of themselves, the quotient, the product and the sum by 2^-100 of theirs.
+  NearPosition near(const Place& x) const override {
+    using exact::integer_pair;
+    const SumVec s = sum(start_of(x.on));
+    const EdgeVec d = edge(x.on.edge);
+    const WideRatio r = ratio(x);
+    const base::DoublePair t = integer_pair(r.n) / integer_pair(r.d);
+    const base::DoublePair sx = integer_pair(s.x), sy = integer_pair(s.y), dx = integer_pair(d.x) * t, dy = integer_pair(d.y) * t;
+    const double reach = std::abs(sx.high) + std::abs(sy.high) + std::abs(dx.high) + std::abs(dy.high);
+    return {sx + dx, sy + dy, reach * 0x1p-97};
+  }
+  NearPosition near(Pair v) const override {
+    const SumVec s = sum(v);
+    const base::DoublePair x = exact::integer_pair(s.x), y = exact::integer_pair(s.y);
+    return {x, y, (std::abs(x.high) + std::abs(y.high)) * 0x1p-103};
+  }
+
+  Point position_of_low(std::uint32_t op) const override {
+    Position p = reduced(in_input(origin()[0], origin()[1], 1));
+    const Point& other = points[1 - op]->offset;
+    p.x -= exact::exact_value(other.x);
+    p.y -= exact::exact_value(other.y);
+    return {exact::round_to_double(p.x), exact::round_to_double(p.y)};
+  }
+  const SharedIntegers& unscaled_integers() const override { return unscaled(); }
+
+ private:
+  template <class T>
+  static Value widen(const T& v) {
+    return Value(v);
+  }
+  template <class T>
+  static boost::multiprecision::cpp_int number(const T& v) {
+    if constexpr (std::is_same_v<T, Big>) {
+      return v.value();
+    } else {
+      return exact::to_big(v).value();
+    }
+  }
+  // (x / w, y / w) integers from the input's origin, in input coordinates.
+  Homogeneous in_input(exact::BigInteger x, exact::BigInteger y, exact::BigInteger w) const {
+    if (exponent_ >= 0) {
+      x <<= exponent_;
+      y <<= exponent_;
+    } else {
+      w <<= -exponent_;
+    }
+    if (scale_) w *= scale_->den;
+    return {std::move(x), std::move(y), std::move(w)};
+  }
+  // Where the integers begin: both offsets, in integers from the input's origin.
+  const std::array<exact::BigInteger, 2>& origin() const {
+    std::call_once(origin_made_, [this] {
+      for (std::uint32_t op = 0; op < 2; ++op) {
+        const exact::BigInteger x = exact::grid_coordinate<Big>(points[op]->offset.x, exponent_).value();
+        const exact::BigInteger y = exact::grid_coordinate<Big>(points[op]->offset.y, exponent_).value();
+        const bool scaled = scale_ && op == scale_->op;
+        const exact::BigInteger one = 1, &factor_x = scaled ? scale_->x : scale_ ? scale_->den : one, &factor_y = scaled ? scale_->y : factor_x;
+        origin_[0] += x * factor_x;
+        origin_[1] += y * factor_y;
+        if (const auto& turned = points[op]->turned; scaled && turned != nullptr) {
+          origin_[0] += turned->low[0] - y * scale_->turn;
+          origin_[1] += turned->low[1] + x * scale_->turn;
+        }
+      }
+    });
+    return origin_;
+  }
+
+  Vec at(std::uint32_t op, std::uint32_t i) const {
+    if constexpr (std::is_same_v<C, exact::Int<29>> || std::is_same_v<C, exact::Int<61>>) {
+      if (per_double_ != 0) {
+        const PlacedPoints& o = *points[op];
+        return {C::from_int64(static_cast<std::int64_t>(o.x[i] * per_double_)), C::from_int64(static_cast<std::int64_t>(o.y[i] * per_double_))};
+      }
+    }
+    if constexpr (!std::is_same_v<C, Big>) {
+      if (const TurnedPoints* turned = points[op]->turned.get(); turned != nullptr)
+        return {C::from_raw(static_cast<typename C::Raw>(turned->at[i][0])), C::from_raw(static_cast<typename C::Raw>(turned->at[i][1]))};
+      if (scale_) {
+        // The product fits: the tier was chosen for it.
+        const auto& v = unscaled().at[op][i];
+        const Vec& f = factor_[op];
+        return {C::from_raw(static_cast<typename C::Raw>(static_cast<typename C::Raw>(v[0]) * f.x.raw())),
+                C::from_raw(static_cast<typename C::Raw>(static_cast<typename C::Raw>(v[1]) * f.y.raw()))};
+      }
+    }
+    if (!filled_.load(std::memory_order_acquire)) {
+      // Most problems ask about few vertices.
+      if (!scale_ && asked_.fetch_add(1, std::memory_order_relaxed) < points[0]->input.size() + points[1]->input.size())
+        return integer(op, i);
+      fill();
+    }
+    return integers_[op][i];
+  }
+  // A vertex of an operand that is not scaled.
+  Vec integer(std::uint32_t op, std::uint32_t i) const {
+    const Point &v = points[op]->input[i], &origin = points[op]->offset;
+    return {exact::grid_coordinate<C>(v.x, origin.x, exponent_), exact::grid_coordinate<C>(v.y, origin.y, exponent_)};
+  }
+  const SharedIntegers& unscaled() const {
+    // Asked for every coordinate: looking at a flag of this lattice's own costs less than call_once.
+    if (const SharedIntegers* made = unscaled_.load(std::memory_order_acquire); made != nullptr) return *made;
+    std::call_once(integers->made, [this] {
+      for (int op = 0; op < 2; ++op)
+        for (const Point& v : points[op]->input)
+          integers->at[op].push_back({exact::grid_coordinate<exact::Int<125>>(v.x, points[op]->offset.x, exponent_).raw(),
+                                      exact::grid_coordinate<exact::Int<125>>(v.y, points[op]->offset.y, exponent_).raw()});
+    });
+    unscaled_.store(integers.get(), std::memory_order_release);
+    return *integers;
+  }
+  // All integers are made when as many have been asked for.
+  void fill() const {
+    const std::lock_guard lock(filling_);
+    if (filled_.load(std::memory_order_relaxed)) return;
+    for (std::uint32_t op = 0; op < 2; ++op) {
+      if constexpr (std::is_same_v<C, Big>) {
+        if (const TurnedPoints* turned = points[op]->turned.get(); turned != nullptr) {
+          for (std::uint32_t i = 0; i < turned->size(); ++i)
+            integers_[op].push_back(turned->at.empty() ? Vec{Big(turned->big[i][0]), Big(turned->big[i][1])}
+                                                       : Vec{exact::to_big(turned->at[i][0]), exact::to_big(turned->at[i][1])});
+          continue;
+        }
+      }
+      for (std::uint32_t i = 0; i < points[op]->input.size(); ++i) {
+        integers_[op].push_back(integer(op, i));
+        if constexpr (std::is_same_v<C, Big>) {
+          if (!scale_) continue;
+          Vec& w = integers_[op].back();
+          const bool scaled = op == scale_->op;
+          w.x = w.x * Big(scaled ? scale_->x : scale_->den);
+          w.y = w.y * Big(scaled ? scale_->y : scale_->den);
+        }
+      }
+    }
+    filled_.store(true, std::memory_order_release);
+  }
+  struct SumVec {
+    decltype(C{} + C{}) x, y;
+  };
+  SumVec sum(Pair v) const {
+    const Vec a = at(0, v.p), b = at(1, v.q);
+    return {a.x + b.x, a.y + b.y};
+  }
+
+  EdgeVec edge(const Edge& e) const {
+    const Vec a = at(e.op, e.from), b = at(e.op, e.to);
+    return {b.x - a.x, b.y - a.y};
+  }
+  auto difference(const Segment& s, Pair v) const {
+    const SumVec a = sum(v), o = sum(start_of(s));
+    struct {
+      DiffC x, y;
+    } d{a.x - o.x, a.y - o.y};
+    return d;
+  }
+  Value side_value(const Segment& s, Pair v) const {
+    const EdgeVec e = edge(s.edge);
+    const auto d = difference(s, v);
+    return e.x * d.y - e.y * d.x;
+  }
+  Value along_value(const Segment& s, Pair v) const {
+    const EdgeVec e = edge(s.edge);
+    const auto d = difference(s, v);
+    return e.x * d.x + e.y * d.y;
+  }
+
+  // The parameter of a cut on `on`, 0 at its start and 1 at its end.
+  Ratio parameter(const Segment& on, const Cut& cut) const {
+    const EdgeVec d = edge(on.edge);
+    Ratio r;
+    if (cut.kind == Cut::Kind::crossing) {
+      const EdgeVec b = edge(cut.by.edge);
+      r.n = side_value(cut.by, start_of(on));
+      r.d = widen(d.x * b.y - d.y * b.x);  // = -(b x d)
+    } else {
+      const auto v = difference(on, cut.pair);
+      if (exact::sign(d.x) != 0) {
+        r.n = widen(v.x);
+        r.d = widen(d.x);
+      } else {
+        r.n = widen(v.y);
+        r.d = widen(d.y);
+      }
+    }
+    if (exact::sign(r.d) < 0) {
+      r.n = -r.n;
+      r.d = -r.d;
+    }
+    return r;
+  }
+  WideRatio ratio(const Place& x) const {
+    const Ratio a = parameter(x.on, x.first);
+    if (!x.between) return {Wide(a.n), Wide(a.d)};
+    const Ratio b = parameter(x.on, x.second);
+    return {a.n + b.n, a.d + b.d};
+  }
+  int sign_at(const Place& x, const Value& at_start, const Value& slope) const {
+    const WideRatio t = ratio(x);
+    return exact::sign(t.d * at_start + t.n * slope);
+  }
+
+  int exponent_;
+  double per_double_;
+  std::optional<LatticeScale> scale_;
+  std::array<Vec, 2> factor_{};  // of the integers, where scaled
+  mutable std::atomic<std::size_t> asked_ = 0;
+  mutable std::mutex filling_;
+  mutable std::atomic<bool> filled_ = false;
+  mutable std::atomic<const SharedIntegers*> unscaled_ = nullptr;  ///< `integers`, once they are made
+  mutable std::array<std::vector<Vec>, 2> integers_;
+  mutable std::once_flag origin_made_;
+  mutable std::array<exact::BigInteger, 2> origin_;
+};
+
+}  // namespace
+
+Lattice::Position Lattice::position(const Place& x) const { return reduced(homogeneous(x)); }
+
+Lattice::Position Lattice::position(Pair v) const { return reduced(homogeneous(v)); }
+
+std::shared_ptr<Lattice> build_lattice(std::array<std::shared_ptr<const PlacedPoints>, 2> points, int exponent, int unit, int bits,
+                                       std::optional<LatticeScale> scale, int min_tier_bits) {
+  const exact::Tier tier = exact::choose_tier(bits, min_tier_bits);
+  const bool dyadic = !scale || (scale->den & (scale->den - 1)) == 0;
+  const double den = scale ? exact::round_to_double(BigRational(scale->den)) : 1;
+  const std::uint32_t scaled = scale ? scale->op : 2;
+  const bool turned = scale && points[scaled]->turned != nullptr;
+  // The integers as doubles, over a power of two where the denominator is one: of at most 53 bits, no step of making them was rounded.
+  const int shift = unit - exponent + (scale && dyadic ? static_cast<int>(msb(scale->den)) : 0);
+  const double per_double = bits <= 53 && dyadic && !turned && std::abs(shift) <= 1000 ? power_of_two(shift) : 0;
+  std::shared_ptr<Lattice> lattice;
+  switch (tier) {
+    case exact::Tier::b29: lattice = std::make_shared<LatticeOf<exact::Int<29>>>(exponent, per_double, std::move(scale)); break;
+    case exact::Tier::b61: lattice = std::make_shared<LatticeOf<exact::Int<61>>>(exponent, per_double, std::move(scale)); break;
+    case exact::Tier::b512: lattice = std::make_shared<LatticeOf<exact::Int<125>>>(exponent, per_double, std::move(scale)); break;
+    case exact::Tier::arbitrary: lattice = std::make_shared<LatticeOf<Big>>(exponent, per_double, std::move(scale)); break;
+  }
+  lattice->tier_bits = static_cast<int>(tier);
+  // Sides have at most 2 B + 4 bits; doubles hold 53. A power of two below scaled coordinates changes nothing.
+  lattice->exact_doubles = bits <= 24 && dyadic;
+  if (tier == exact::Tier::b29) lattice->to_integers = per_double;
+  lattice->points = std::move(points);
+  lattice->unit = power_of_two(unit);
+  lattice->grid_exponent = exponent;
+  lattice->integers_per_unit = den == 1 ? power_of_two(unit - exponent) : std::ldexp(den, unit - exponent);
+  for (std::uint32_t op = 0; op < 2; ++op) {
+    const PlacedPoints& o = *lattice->points[op];
+    lattice->span += std::max(o.width, o.height);
+    const Point at = op == scaled && turned ? lattice->position_of_low(op) : Point{o.offset.x * o.stretch.x, o.offset.y * o.stretch.y};
+    const double x = at.x, y = at.y;
+    lattice->base.x += x;
+    lattice->base.y += y;
+    lattice->base_reach += std::abs(x) + std::abs(y);
+    // The factor and the product are rounded.
+    if (op == scaled) lattice->base_error = 0x1p-51 * (std::abs(x) + std::abs(y));
+  }
+  lattice->exact_input = lattice->exact_doubles && scaled == 2 &&
+                         lattice->span * lattice->unit + lattice->base_reach <= power_of_two(std::min(exponent + 50, 1000));
+  return lattice;
+}
+
+std::shared_ptr<Lattice> make_lattice(std::shared_ptr<const PlacedPoints> p, std::shared_ptr<const PlacedPoints> q, int min_tier_bits) {
+  std::array<std::shared_ptr<const PlacedPoints>, 2> points{std::move(p), std::move(q)};
+  // All-zero coordinates are on every grid.
+  const auto no_grid = [](const PlacedPoints& o) { return o.extent == 0 && o.offset == Point{}; };
+  const int exponent = no_grid(*points[0])   ? points[1]->exponent
+                       : no_grid(*points[1]) ? points[0]->exponent
+                                             : std::min(points[0]->exponent, points[1]->exponent);
+  const int bits = std::max(points[0]->bits(exponent), points[1]->bits(exponent));
+  const int unit = points[0]->moderate() && points[1]->moderate() ? 0 : unit_for(std::max(points[0]->extent, points[1]->extent), exponent, bits);
+  for (auto& o : points) {
+    if (o->unit == unit) continue;
+    auto moved = std::make_shared<PlacedPoints>(*o);
+    place_in_units(*moved, unit);
+    o = std::move(moved);
+  }
+  return build_lattice(std::move(points), exponent, unit, bits, std::nullopt, min_tier_bits);
+}
+
+namespace {
+
+// num / den for positive integers, rounded once: where both are doubles, their division is.
+double quotient(const exact::BigInteger& num, const exact::BigInteger& den) {
+  if (msb(num) >= 53 || msb(den) >= 53) return exact::round_to_double(BigRational(num, den));
+  return static_cast<double>(static_cast<std::uint64_t>(num)) / static_cast<double>(static_cast<std::uint64_t>(den));
+}
+
+}  // namespace
+
+std::shared_ptr<Lattice> make_scaled_lattice(const Lattice& unscaled, const LatticeScale& scale, int min_tier_bits) {
+  const int exponent = unscaled.grid_exponent, unit = unscaled.points[0]->unit;
+  std::array<std::shared_ptr<const PlacedPoints>, 2> points = unscaled.points;
+  int bits = 0;
+  for (std::uint32_t op = 0; op < 2; ++op)
+    bits = std::max(bits, points[op]->bits(exponent) + (op == scale.op ? std::max(factor_bits(scale.x), factor_bits(scale.y))
+                                                                                 : factor_bits(scale.den)));
+  auto stretched = std::make_shared<PlacedPoints>(*points[scale.op]);
+  stretched->stretch = {quotient(scale.x, scale.den), quotient(scale.y, scale.den)};
+  place_in_units(*stretched, unit);
+  points[scale.op] = std::move(stretched);
+  std::shared_ptr<Lattice> lattice = build_lattice(std::move(points), exponent, unit, bits, scale, min_tier_bits);
+  lattice->integers = unscaled.integers;
+  return lattice;
+}
+
+}  // namespace dymsum::planar

@@ -1,0 +1,190 @@
+// The exact layer of the planar engine: two operands as integer points, and the signs everything is decided by.
+// Four number tiers stand behind one interface; callers filter in doubles first and ask here only when that fails.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "dymsum/region.h"
+#include "exact/big.h"
+#include "planar/position/exact_source.h"
+
+namespace dymsum::planar {
+
+/// A directed edge between two source vertices of operand `op` (0 = P, 1 = Q).
+struct Edge {
+  std::uint32_t op = 0, from = 0, to = 0;
+};
+
+/// A directed segment of the plane of sums: edge + vertex of the other operand.
+struct Segment {
+  Edge edge;
+  std::uint32_t vertex = 0;
+};
+
+/// The sum of a vertex of P and a vertex of Q.
+struct Pair {
+  std::uint32_t p = 0, q = 0;
+  friend bool operator==(const Pair&, const Pair&) = default;
+};
+
+inline Pair start_of(const Segment& s) {
+  return s.edge.op == 0 ? Pair{s.edge.from, s.vertex} : Pair{s.vertex, s.edge.from};
+}
+inline Pair end_of(const Segment& s) {
+  return s.edge.op == 0 ? Pair{s.edge.to, s.vertex} : Pair{s.vertex, s.edge.to};
+}
+
+/// A point on the line of a segment `on`: a pair of vertices lying on it, or its crossing with the line of `by`.
+struct Cut {
+  enum class Kind : std::uint8_t { pair, crossing };
+  Kind kind = Kind::pair;
+  Pair pair;
+  Segment by;
+};
+
+/// A point of the plane of sums, exactly: the cut `first` on `on`, or (between) the mediant of two cuts: a point strictly
+/// between them on `on`.
+struct Place {
+  Segment on;
+  Cut first, second;
+  bool between = false;
+  double x = 0, y = 0, error = 0;  ///< |x - exact| and |y - exact| are at most error
+};
+
+/// The vertices of a rotated operand as integers, exactly: a and b of (a, -b; b, a) times the grid integers, minus the smallest coordinate of each axis.
+struct TurnedPoints {
+  std::vector<std::array<exact::i128, 2>> at;         ///< empty where 125 bits are not enough
+  std::vector<std::array<exact::BigInteger, 2>> big;  ///< then these
+  std::array<exact::BigInteger, 2> low;               ///< what was subtracted
+  double factor = 1;                                  ///< of `at`: from integers to the lattice's doubles, rounded
+  exact::BigRational big_factor = 1;                  ///< of `big`: the same
+  std::size_t size() const { return at.empty() ? big.size() : at.size(); }
+  /// The vector from one vertex to another, each component with three roundings.
+  Point vector(std::uint32_t from, std::uint32_t to) const;
+  double rounded(std::uint32_t i, int axis) const;
+  /// The sign of coordinate(i) - coordinate(j) along an axis.
+  int compare(std::uint32_t i, std::uint32_t j, int axis) const;
+};
+
+/// The source vertices of one operand: as given, and relative to the smallest corner of their bounding box.
+struct PlacedPoints {
+  std::vector<Point> input;
+  Point offset;
+  std::vector<double> x, y;   ///< input - offset in units of 2^unit, rounded once
+  double width = 0, height = 0;  ///< the largest x and y
+  Point stretch{1, 1};        ///< the factors by which x and y are scaled besides, rounded: three roundings in all
+  std::shared_ptr<const TurnedPoints> turned;  ///< of a rotated operand: x and y are these then
+  double extent = 0;          ///< the larger of both, in input units
+  int exponent = 0;           ///< the largest grid that holds them: all are multiples of 2^exponent
+  int unit = 0;
+  int top = 0;                ///< the extent is at most 2^top, with its rounding
+  /// The bits of the integers on a grid that holds them.
+  int bits(int grid_exponent) const { return top > grid_exponent ? top - grid_exponent : 0; }
+  /// Nothing can over- or underflow when the unit is 1.
+  bool moderate() const { return exponent >= -400 && extent <= 0x1p400; }
+};
+
+/// Placed in units of 1 where they are moderate, else of their own grid or 2^-60 of their extent.
+std::shared_ptr<const PlacedPoints> place_points(std::vector<Point> input);
+
+/// The unscaled integers of both operands, shared by the lattices of all scales; made when first asked for. Requires 125 bits or fewer.
+struct SharedIntegers {
+  std::once_flag made;
+  std::array<std::vector<std::array<exact::i128, 2>>, 2> at;
+};
+
+/// Integer operands and exact signs. Coordinates are grid units relative to one offset per operand, so that a translation of an
+/// operand never costs bits.
+class Lattice {
+ public:
+  virtual ~Lattice() = default;
+
+  /// The sign of d x e, of d . e for two edge vectors.
+  virtual int cross(const Edge& d, const Edge& e) const = 0;
+  virtual int dot(const Edge& d, const Edge& e) const = 0;
+  /// The sign of d - e along an axis (0 = x, 1 = y).
+  virtual int compare_extent(const Edge& d, const Edge& e, int axis) const = 0;
+  /// The side of the directed line of s on which a pair lies: 1 left, 0 on it, -1 right; and the sign of d . (v - start).
+  virtual int side(const Segment& s, Pair v) const = 0;
+  virtual int along(const Segment& s, Pair v) const = 0;
+  virtual bool same(Pair a, Pair b) const = 0;
+  /// The sign of a - b along an axis (0 = x, 1 = y).
+  virtual int compare_coordinate(Pair a, Pair b, int axis) const = 0;
+  /// The same for any place.
+  virtual int side(const Segment& s, const Place& x) const = 0;
+  virtual int along(const Segment& s, const Place& x) const = 0;
+  /// Order along `on` of two cuts on it: -1, 0, 1.
+  virtual int compare(const Segment& on, const Cut& a, const Cut& b) const = 0;
+  /// The sign of a - b along an axis, for any places.
+  virtual int compare_coordinate(Pair a, const Place& b, int axis) const = 0;
+  virtual int compare_coordinate(const Place& a, const Place& b, int axis) const = 0;
+  using Position = ExactSource::Position;
+  using Homogeneous = ExactSource::Homogeneous;
+  using NearFrame = ExactSource::NearFrame;
+  using NearPosition = ExactSource::NearPosition;
+  /// The exact position in input coordinates.
+  Position position(const Place& x) const;
+  Position position(Pair v) const;
+  /// The same, not in lowest terms.
+  virtual Homogeneous homogeneous(const Place& x) const = 0;
+  virtual Homogeneous homogeneous(Pair v) const = 0;
+  /// Positions to some thirty digits, in units of the exact layer's integers; no frame where these have over 400 bits.
+  virtual std::optional<NearFrame> near_frame() const = 0;
+  virtual NearPosition near(const Place& x) const = 0;
+  virtual NearPosition near(Pair v) const = 0;
+
+  /// Requires: tier_bits is not 0 and `integers` are set.
+  virtual const SharedIntegers& unscaled_integers() const = 0;
+  /// Where the origin of a rotated operand's integers lies in input coordinates, rounded.
+  virtual Point position_of_low(std::uint32_t op) const = 0;
+
+  int tier_bits = 0;           ///< 29, 61, 512, 0
+  bool exact_doubles = false;  ///< every planar sign of degree two is exact when computed in doubles
+  /// Not zero: what the doubles of vertices, edges and pair sums have to be multiplied with to be the integers, exactly. Set where these
+  /// have at most 29 bits: then signs of degree two are those of 64-bit expressions, orders of cuts of 128-bit ones.
+  double to_integers = 0;
+  bool exact_input = false;    ///< pair sums in input coordinates are doubles without rounding
+  double span = 0;             ///< every pair sum has coordinates in [0, span]; a rounding errs by at most span * 2^-53
+  double unit = 1;             ///< doubles count multiples of this power of two: 1 unless an operand is huge or minute
+  double integers_per_unit = 1;  ///< the exact layer's integers per unit of the doubles; may be infinite for huge exponents
+  int grid_exponent = 0;       ///< unscaled coordinates are integers times 2^grid_exponent
+  std::array<std::shared_ptr<const PlacedPoints>, 2> points;
+  std::shared_ptr<SharedIntegers> integers;  ///< of unscaled coordinates, only for lattices that are scaled
+  Point base;                  ///< the sum of the offsets in input coordinates, rounded
+  double base_reach = 0;       ///< the sum of their absolute coordinates
+  double base_error = 0;       ///< of base, beyond one rounding
+
+  /// Edge vector, each component rounded once, three times where the operand is scaled.
+  Point vector(const Edge& e) const {
+    const PlacedPoints& o = *points[e.op];
+    if (o.turned != nullptr) return o.turned->vector(e.from, e.to);
+    const Point &a = o.input[e.from], &b = o.input[e.to];
+    return {(b.x - a.x) / unit * o.stretch.x, (b.y - a.y) / unit * o.stretch.y};
+  }
+  /// A rounded position in input coordinates.
+  Point to_input(double gx, double gy) const { return {gx * unit + base.x, gy * unit + base.y}; }
+};
+
+/// Both operands on their common grid. `min_tier_bits` forces a larger tier. Points are placed anew when their units differ.
+std::shared_ptr<Lattice> make_lattice(std::shared_ptr<const PlacedPoints> p, std::shared_ptr<const PlacedPoints> q, int min_tier_bits);
+
+/// diag(x, y) / den, or a rotation, applied to operand `op`, about the origin of its input coordinates.
+struct LatticeScale {
+  exact::BigInteger x = 1, y = 1, den = 1;  ///< all positive; of a rotation x = y has any sign
+  std::uint32_t op = 0;
+  exact::BigInteger turn = 0;               ///< not zero: (x, -turn; turn, y) instead, a rotation, x^2 + turn^2 = den^2
+};
+
+/// The lattice of two operands of which one is scaled: integers are the scaled operand's times x or y and the other's times den; the
+/// doubles still count units of the unscaled lattice, which make_lattice has made and whose `integers` are set. O(n), a few operations a vertex.
+std::shared_ptr<Lattice> make_scaled_lattice(const Lattice& unscaled, const LatticeScale& scale, int min_tier_bits);
+/// The same for a rotation, by any angle, zero and pi too: vertices are never snapped.
+std::shared_ptr<Lattice> make_turned_lattice(const Lattice& unscaled, const LatticeScale& rotation, int min_tier_bits);
+
+}  // namespace dymsum::planar

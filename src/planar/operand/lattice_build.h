@@ -1,0 +1,36 @@
+// What lattices of all kinds are built with: points in units, bits, tiers.
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
+#include "exact/grid.h"
+#include "planar/operand/lattice.h"
+
+namespace dymsum::planar {
+
+/// x and y of points in units of 2^unit.
+void place_in_units(PlacedPoints& points, int unit);
+
+/// Grid units while these fit well, else 2^-60 of the extent, so that nothing overflows.
+int unit_for(double extent, int exponent, int bits);
+
+/// 2^k.
+inline double power_of_two(int k) {
+  if (k < -1022 || k > 1023) return std::ldexp(1.0, k);
+  return std::bit_cast<double>(static_cast<std::uint64_t>(k + 1023) << 52);
+}
+
+/// The smallest k with n <= 2^k, for n > 0.
+inline int factor_bits(const exact::BigInteger& n) {
+  const int top = static_cast<int>(msb(n));
+  return (n & (n - 1)) == 0 ? top : top + 1;
+}
+
+/// Points in units of 2^unit, `exponent` the grid of both, coordinates of at most `bits` bits.
+std::shared_ptr<Lattice> build_lattice(std::array<std::shared_ptr<const PlacedPoints>, 2> points, int exponent, int unit, int bits,
+                                       std::optional<LatticeScale> scale, int min_tier_bits);
+
+}  // namespace dymsum::planar

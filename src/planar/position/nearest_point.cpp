@@ -1,0 +1,49 @@
+#include "planar/position/nearest_point.h"
+
+#include <cmath>
+
+#include "planar/position/position_signs.h"
+
+namespace dymsum::planar {
+namespace {
+
+using base::DoublePair;
+
+/// Within 2^-105 of itself where nothing underflows.
+DoublePair pair_of(const exact::BigRational& v) {
+  const double high = exact::round_to_double(v);
+  if (!std::isfinite(high)) return {high, 0};
+  return {high, exact::round_to_double(exact::BigRational(v - exact::exact_value(high)))};
+}
+
+/// The double nearest to origin + unit v, |v - exact| <= error, if this is sure. The product and the sum err by 2^-99 of
+/// themselves, with the error of their factors; rounding is monotone, so where both ends of what is possible round to
+/// one double, all of it does. Below 2^-800 error terms may underflow.
+std::optional<double> nearest(DoublePair origin, DoublePair unit, DoublePair v, double error) {
+  const DoublePair moved = unit * v, at = origin + moved;
+  const double reach = std::abs(origin.high) + std::abs(moved.high);
+  const double e = 2 * (error * std::abs(unit.high) + 0x1p-98 * reach);
+  if (!(std::abs(at.high) > 0x1p-800 && reach < 0x1p1000)) return std::nullopt;
+  if (at.high + (at.low + e) == at.high && at.high + (at.low - e) == at.high) return at.high;
+  return std::nullopt;
+}
+
+}  // namespace
+
+NearestPoint::NearestPoint(const ExactSource& source) : source_(source) {
+  if (const auto frame = source.near_frame()) frame_ = {pair_of(frame->unit), pair_of(frame->x), pair_of(frame->y)};
+  // Not where the unit or its product with the integers could lose error terms.
+  if (frame_ && !(frame_->unit.high > 0x1p-500 && frame_->unit.high < 0x1p500)) frame_.reset();
+}
+
+Point NearestPoint::operator()(const SumVertex& vertex) const {
+  if (const std::optional<Point> once = source_.rounded_once(vertex)) return *once;
+  if (frame_) {
+    const ExactSource::NearPosition v = source_.near(vertex);
+    const auto x = nearest(frame_->x, frame_->unit, v.x, v.error), y = nearest(frame_->y, frame_->unit, v.y, v.error);
+    if (x && y) return {*x, *y};
+  }
+  return make_spot(source_.position(vertex)).nearest;
+}
+
+}  // namespace dymsum::planar

@@ -1,0 +1,87 @@
+// The vertices and edges of a sum's rings, segments and points in one flat list, with their exact positions, and the
+// contacts between them: what has to survive rounding.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "planar/position/nearest_point.h"
+#include "planar/position/position_signs.h"
+
+namespace dymsum::planar {
+
+class SumSkeleton {
+ public:
+  /// A ring, a segment (two vertices) or a point (one): vertices first .. first + count - 1.
+  struct Chain {
+    std::uint32_t first = 0, count = 0;
+    bool closed = false;
+    std::optional<std::int64_t> part, ring;  ///< of a ring
+  };
+  struct Edge {
+    std::uint32_t from = 0, to = 0, chain = 0;
+  };
+  /// A vertex inside an edge that it does not belong to. `vertex` stands for all vertices at its exact position.
+  struct VertexOnEdge {
+    std::uint32_t edge = 0, vertex = 0;
+    friend bool operator==(const VertexOnEdge&, const VertexOnEdge&) = default;
+  };
+
+  /// Requires that the sum outlives this.
+  explicit SumSkeleton(const PlanarSum& sum);
+
+  std::vector<Point> nearest;  ///< of all vertices, their nearest doubles
+  std::vector<Chain> chains;  ///< rings part by part, outer ring first; then segments; then points
+  std::vector<Edge> edges;    ///< in the order of the chains
+  std::vector<std::uint32_t> place;  ///< per vertex: the one that stands for all at its exact position
+  std::vector<std::uint32_t> places;  ///< those that stand, sorted by their nearest doubles, x then y
+
+  /// A vertex with its exact position, which is made when first asked for.
+  const Spot& spot(std::uint32_t vertex) const;
+
+  /// Two vertices with different exact positions and the same nearest doubles.
+  std::optional<std::pair<std::uint32_t, std::uint32_t>> first_collision() const;
+
+  /// All contacts, exactly, sorted by edge, then along the edge. O(n log n + m): m vertices in x ranges of edges.
+  std::vector<VertexOnEdge> contacts() const;
+
+  /// The places whose nearest doubles lie in the box of the nearest doubles of a and b.
+  template <class Visit>
+  void visit_places_in_box(Point a, Point b, Visit visit) const;
+
+ private:
+  void add_vertex(const SumVertex& vertex, const NearestPoint& nearest_point);
+  void add_ring(const SumRing& ring, const NearestPoint& nearest_point, std::int64_t part, std::int64_t number);
+  void add_chain(Chain chain);
+  void find_places();
+  /// Lexicographic order of the exact positions.
+  int compare(std::uint32_t a, std::uint32_t b) const;
+
+  std::shared_ptr<const ExactSource> source_;
+  std::vector<const SumVertex*> named_;  ///< of all vertices: they name the positions
+  mutable std::vector<std::unique_ptr<const Spot>> spots_;
+};
+
+template <class Visit>
+void SumSkeleton::visit_places_in_box(Point a, Point b, Visit visit) const {
+  const double min_x = a.x < b.x ? a.x : b.x, max_x = a.x < b.x ? b.x : a.x;
+  const double min_y = a.y < b.y ? a.y : b.y, max_y = a.y < b.y ? b.y : a.y;
+  std::size_t low = 0, high = places.size();
+  while (low < high) {
+    const std::size_t middle = (low + high) / 2;
+    if (nearest[places[middle]].x < min_x)
+      low = middle + 1;
+    else
+      high = middle;
+  }
+  for (; low < places.size(); ++low) {
+    const Point p = nearest[places[low]];
+    if (p.x > max_x) return;
+    if (p.y >= min_y && p.y <= max_y) visit(places[low]);
+  }
+}
+
+}  // namespace dymsum::planar

@@ -1,0 +1,108 @@
+// Whether one point lies in a sum: P meets z - Q, decided on a lattice that also holds z and the origin.
+#include <cmath>
+#include <optional>
+
+#include "dymsum/planar_sum.h"
+#include "planar/boundary/collision.h"
+#include "planar/operand/lattice.h"
+#include "planar/operand/operand.h"
+#include "planar/operand/prepared_region.h"
+
+namespace dymsum {
+namespace {
+
+using namespace planar;
+
+// P and z - Q on one lattice: z is the sum of vertex `z` of P and vertex `origin` of Q.
+struct Query {
+  std::shared_ptr<Lattice> lattice;
+  std::shared_ptr<const Operand> p, q;
+  Pair z;
+};
+
+Query make_query(const Region& p, const Region& q, Point z) {
+  Query query;
+  query.p = prepared_operand(p, 0);
+  query.q = prepared_operand(q, 1);
+  std::vector<Point> vp = query.p->points->input, vq = query.q->points->input;
+  query.z = {static_cast<std::uint32_t>(vp.size()), static_cast<std::uint32_t>(vq.size())};
+  vp.push_back(z);
+  vq.push_back({0, 0});
+  query.lattice = make_lattice(place_points(std::move(vp)), place_points(std::move(vq)), 0);
+  query.p = placed_on(*query.lattice, std::move(query.p));
+  query.q = placed_on(*query.lattice, std::move(query.q));
+  return query;
+}
+
+// z as a place on some segment, or nothing when both operands are the single points z and 0.
+std::optional<Place> place_of(const Query& query) {
+  const Lattice& l = *query.lattice;
+  Place x;
+  x.first.pair = query.z;
+  x.x = l.points[0]->x[query.z.p] + l.points[1]->x[query.z.q];
+  x.y = l.points[0]->y[query.z.p] + l.points[1]->y[query.z.q];
+  x.error = l.exact_doubles ? 0 : 0x1p-51 * l.span;  // two rounded coordinates and their rounded sum
+  for (std::uint32_t op = 0; op < 2; ++op) {
+    const std::uint32_t own = op == 0 ? query.z.p : query.z.q, other = op == 0 ? query.z.q : query.z.p;
+    for (std::uint32_t v = 0; v < own; ++v)
+      if (!(l.points[op]->input[v] == l.points[op]->input[own])) {
+        x.on = {{op, own, v}, other};
+        return x;
+      }
+  }
+  return std::nullopt;
+}
+
+// Whether z lies on the closed segment: the end `vertex` of one set touches the edge of the other.
+bool lies_on(const Lattice& l, const Segment& s, Pair z) {
+  const Segment back{{s.edge.op, s.edge.to, s.edge.from}, s.vertex};
+  return l.side(s, z) == 0 && l.along(s, z) >= 0 && l.along(back, z) >= 0;
+}
+
+// Whether edge e of P and the reflected edge f of Q, moved to z, have a common point.
+bool edges_meet(const Lattice& l, const Edge& e, const Edge& f, Pair z) {
+  const int s1 = l.side({e, f.from}, z), s2 = l.side({e, f.to}, z);
+  if (s1 * s2 > 0) return false;
+  const int s3 = l.side({f, e.from}, z), s4 = l.side({f, e.to}, z);
+  if (s3 * s4 > 0) return false;
+  if (s1 * s2 < 0 && s3 * s4 < 0) return true;
+  return lies_on(l, {e, f.from}, z) || lies_on(l, {e, f.to}, z) || lies_on(l, {f, e.from}, z) ||
+         lies_on(l, {f, e.to}, z);
+}
+
+// Whether the boundaries of two components meet; with `regular`, only where that puts z into the closure of an open
+// set.
+bool boundaries_meet(const Query& query, const Component& cp, const Component& cq, bool regular) {
+  const Lattice& l = *query.lattice;
+  const bool thin = cp.dimension < 2 && cq.dimension < 2;
+  if (regular && thin && (cp.dimension == 0 || cq.dimension == 0)) return false;
+  for (std::uint32_t i = cp.first; i < cp.last; ++i)
+    for (std::uint32_t j = cq.first; j < cq.last; ++j) {
+      const Edge e = query.p->edge(i), f = query.q->edge(j);
+      if (cp.dimension == 0 && cq.dimension == 0) {
+        if (l.same({e.from, f.from}, query.z)) return true;
+      } else if (cp.dimension == 0) {
+        if (lies_on(l, {f, e.from}, query.z)) return true;
+      } else if (cq.dimension == 0) {
+        if (lies_on(l, {e, f.from}, query.z)) return true;
+      } else if (edges_meet(l, e, f, query.z) && !(regular && thin && l.cross(e, f) == 0)) {
+        return true;
+      }
+    }
+  return false;
+}
+
+}  // namespace
+
+bool contains(const Region& p, const Region& q, Point z, Semantics semantics) {
+  if (p.empty() || q.empty() || !std::isfinite(z.x) || !std::isfinite(z.y)) return false;
+  const Query query = make_query(p, q, z);
+  if (semantics != Semantics::open)
+    for (const Component& cp : query.p->components)
+      for (const Component& cq : query.q->components)
+        if (boundaries_meet(query, cp, cq, semantics == Semantics::regular)) return true;
+  const std::optional<Place> x = place_of(query);
+  return x && Collision(*query.lattice, *query.p, *query.q, true).overlaps(*x);
+}
+
+}  // namespace dymsum

@@ -1,0 +1,164 @@
+// P (-) Q: the complement of (closure of the complement of P) (+) -Q. The complement is cut off by a frame wide enough that the
+// frame's own boundary plays no part.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "dymsum/planar_sum.h"
+#include "planar/region/complement.h"
+#include "planar/operand/prepared_region.h"
+#include "planar/region/region_sweep.h"
+#include "planar/region/separate_touching.h"
+#include "planar/sum/sum_engine.h"
+
+namespace dymsum {
+namespace {
+
+using planar::EngineRegion;
+using planar::layout_rings;
+using planar::RingLayout;
+using planar::RingList;
+using planar::RingPlace;
+using planar::separate_touching;
+
+// The number of the frame's own vertices and edges.
+constexpr std::uint32_t kFrame = SumVertex::kNone;
+
+// Integers are grid points of any grid with a unit of at most 1; a power of two at least as large as everything else is one of any.
+double frame_margin(const Region& p, const Region& q) {
+  const auto bp = bounds(p), bq = bounds(q);
+  const double reach = std::max({bp[2] - bp[0], bp[3] - bp[1], bq[2] - bq[0], bq[3] - bq[1], std::abs(bp[0]), std::abs(bp[1]),
+                                 std::abs(bp[2]), std::abs(bp[3])});
+  return std::ldexp(1.0, std::ilogb(std::max(reach, 0x1p-1000)) + 2);
+}
+
+constexpr double kLargestFramed = 0x1p996;  // widths are at most twice as large, and the frame's coordinates four times that
+
+double size(Point v) { return std::max(std::abs(v.x), std::abs(v.y)); }
+
+/// The vertex with the largest coordinate.
+Point farthest(const Region& r) {
+  Point best;
+  const auto see = [&](const std::vector<Point>& points) {
+    for (const Point& v : points)
+      if (size(v) > size(best)) best = v;
+  };
+  for (const Part& part : r.parts()) {
+    see(part.outer);
+    for (const Ring& hole : part.holes) see(hole);
+  }
+  for (const Polyline& line : r.polylines()) see(line);
+  see(r.points());
+  return best;
+}
+
+}  // namespace
+
+std::optional<Error> planar::too_large_to_frame(const Region& p, const Region& q) {
+  const Point a = farthest(p), b = farthest(q), worst = size(a) >= size(b) ? a : b;
+  if (size(worst) <= kLargestFramed) return std::nullopt;
+  Error error{Code::unsupported_operand, "a coordinate is larger than 2^996, too large to look for room inside a region", {}};
+  error.evidence.x = worst.x;
+  error.evidence.y = worst.y;
+  return error;
+}
+
+EngineRegion planar::complement_of(const Region& p, const Region& q) {
+  RegionData data;
+  std::vector<std::uint32_t> vertex_number(4, kFrame), edge_number(4, kFrame);
+  const double m = frame_margin(p, q);
+  data.parts.push_back({{{-m, -m}, {m, -m}, {m, m}, {-m, m}}, {}});
+  const auto reversed = [&](const Ring& ring, std::uint32_t first) {
+    const std::uint32_t n = static_cast<std::uint32_t>(ring.size());
+    for (std::uint32_t k = 0; k < n; ++k) {
+      const std::uint32_t at = n - 1 - k;
+      vertex_number.push_back(first + at);
+      edge_number.push_back(first + (at == 0 ? n - 1 : at - 1));
+    }
+    return Ring(ring.rbegin(), ring.rend());
+  };
+  // The complement's parts are the frame and P's holes; an outer ring of P is a hole of the one directly around it.
+  RingList list;
+  std::vector<std::uint32_t> first;  // ring -> number of its first vertex
+  std::vector<std::size_t> part_of_hole;
+  std::uint32_t at = 0;
+  const auto add = [&](const Ring& ring, bool hole) {
+    list.add(ring);
+    first.push_back(at);
+    at += static_cast<std::uint32_t>(ring.size());
+    part_of_hole.push_back(hole ? data.parts.size() : 0);
+    if (hole) data.parts.emplace_back();
+  };
+  std::vector<const Ring*> rings;
+  for (const Part& part : p.parts()) {
+    add(part.outer, false);
+    rings.push_back(&part.outer);
+    for (const Ring& hole : part.holes) {
+      add(hole, true);
+      rings.push_back(&hole);
+    }
+  }
+  const RingLayout layout = layout_rings(list);
+  for (std::size_t k = 0; k < data.parts.size(); ++k) {
+    for (std::size_t r = 0; r < rings.size(); ++r)
+      if (k > 0 && part_of_hole[r] == k) data.parts[k].outer = reversed(*rings[r], first[r]);
+    for (std::size_t r = 0; r < rings.size(); ++r) {
+      if (part_of_hole[r] != 0) continue;
+      const std::uint32_t around = layout.rings[r].container;
+      if ((around == RingPlace::kNone ? 0 : part_of_hole[around]) == k)
+        data.parts[k].holes.push_back(reversed(*rings[r], first[r]));
+    }
+  }
+  EngineRegion complement = separate_touching(data, p.touching_points());
+  if (complement.borrowed != nullptr) {
+    complement.borrowed = nullptr;
+    complement.own = std::move(data);
+    complement.vertex_numbers = std::move(vertex_number);
+    complement.edge_numbers = std::move(edge_number);
+  } else {
+    for (std::uint32_t& n : complement.vertex_numbers) n = vertex_number[n];
+    for (std::uint32_t& n : complement.edge_numbers) n = edge_number[n];
+  }
+  return complement;
+}
+
+namespace {
+
+bool of_frame(const Contact& c) { return c.p == kFrame; }
+
+}  // namespace
+
+Result<PlanarSum> erode(const Region& p, const Region& q, const SumOptions& options) {
+  if (!p.polylines().empty() || !p.points().empty())
+    return Error{Code::unsupported_operand, "only a region without polylines and points can be eroded", {}};
+  if (q.empty()) return Error{Code::unsupported_operand, "every position holds the empty region", {}};
+  if (p.empty()) return PlanarSum{};
+  if (std::optional<Error> error = planar::too_large_to_frame(p, q)) return *std::move(error);
+  SumOptions open = options;
+  if (open.semantics == Semantics::closed) open.semantics = Semantics::open;
+  Result<planar::SumState> computed = planar::compute_boundary(planar::make_operand(planar::complement_of(p, q), 0), planar::prepared_operand(q, 1, true), open);
+  if (!computed.ok()) return computed.error();
+  planar::SumState state = std::move(computed).value();
+  // Positions that hold Q are what the sum leaves free: its rings the other way round, without the frame's.
+  planar::RawBoundary inner;
+  inner.at_error = state.boundary.at_error;
+  for (std::size_t i = 0; i < state.boundary.rings.size(); ++i) {
+    SumRing& ring = state.boundary.rings[i];
+    if (std::any_of(ring.vertices.begin(), ring.vertices.end(), [](const SumVertex& v) { return of_frame(v.in); })) continue;
+    std::reverse(ring.vertices.begin(), ring.vertices.end());
+    for (SumVertex& v : ring.vertices) std::swap(v.in, v.out);
+    inner.rings.push_back(std::move(ring));
+    inner.outer.push_back(!state.boundary.outer[i]);
+  }
+  inner.cracks = std::move(state.boundary.cracks);
+  inner.punctures = std::move(state.boundary.punctures);
+  state.boundary = std::move(inner);
+  PlanarSum result = planar::finish_sum(std::move(state), open);
+  if (options.semantics == Semantics::closed) {
+    result.segments = result.tight_segments;
+    result.points = result.tight_points;
+  }
+  return result;
+}
+
+}  // namespace dymsum

@@ -1,0 +1,64 @@
+#include "planar/turning/angle_reduction.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "exact/big.h"
+
+namespace dymsum::planar {
+namespace {
+
+using exact::BigInteger;
+using exact::BigRational;
+
+// Angles are integers of steps of 2^-kBits. The largest double is less than 2^1024 quarter turns, and a quarter turn is
+// known to one step: a reduced angle is known to 2^-128.
+constexpr unsigned kBits = 1152, kGuard = 16;
+constexpr double kPi = std::numbers::pi;
+
+// atan(1 / n) in steps of 2^-(kBits + kGuard): fewer than 2^9 terms, each cut off by less than two steps.
+BigInteger arc_tangent_of_inverse(unsigned n) {
+  BigInteger power = (BigInteger(1) << (kBits + kGuard)) / n, sum = power;
+  for (unsigned k = 3; power != 0; k += 2) {
+    power /= n * n;
+    const BigInteger term = power / k;
+    if (k % 4 == 3)
+      sum -= term;
+    else
+      sum += term;
+  }
+  return sum;
+}
+
+// pi / 2 within a step; Machin: pi / 4 = 4 atan(1 / 5) - atan(1 / 239). 10 * 2^10 steps of the guard are less than 1.
+const BigInteger& quarter_turn() {
+  static const BigInteger quarter =
+      BigInteger(8 * arc_tangent_of_inverse(5) - 2 * arc_tangent_of_inverse(239)) >> kGuard;
+  return quarter;
+}
+
+// Beyond half a turn doubles are multiples of 2^-51.
+BigInteger steps_of(double radians) {
+  int exponent = 0;
+  const auto mantissa = static_cast<std::int64_t>(std::ldexp(std::frexp(radians, &exponent), 53));
+  return BigInteger(mantissa) * (BigInteger(1) << static_cast<unsigned>(exponent - 53 + static_cast<int>(kBits)));
+}
+
+}  // namespace
+
+double reduced_angle(double radians) {
+  if (std::abs(radians) <= kPi) return radians == -kPi ? kPi : radians;
+  const BigInteger &quarter = quarter_turn(), steps = steps_of(std::abs(radians));
+  const BigInteger count = (2 * steps + quarter) / (2 * quarter), rest = steps - count * quarter;
+  const int turned = static_cast<int>(BigInteger(count % 4)), sign = radians < 0 ? -1 : 1;
+  if (abs(rest) <= BigInteger(1) << (kBits - 50)) {
+    constexpr std::array<double, 4> kQuarters{0, kPi / 2, kPi, -kPi / 2};
+    return kQuarters[static_cast<std::size_t>((4 + sign * turned) % 4)];
+  }
+  const int quarters = turned == 3 || (turned == 2 && rest > 0) ? turned - 4 : turned;
+  const BigInteger theta = sign * (quarters * quarter + rest);
+  return exact::round_to_double(BigRational(theta, BigInteger(1) << kBits));
+}
+
+}  // namespace dymsum::planar

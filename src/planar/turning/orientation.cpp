@@ -1,0 +1,141 @@
+#include "dymsum/orientation.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "exact/rational_text.h"
+#include "planar/turning/angle_reduction.h"
+#include "planar/turning/turn.h"
+
+namespace dymsum {
+namespace {
+
+using exact::BigInteger;
+using exact::BigRational;
+
+constexpr double kPi = std::numbers::pi;
+
+double angle_of(const BigInteger& n, const BigInteger& d) {
+  if (abs(n) <= abs(d)) return 2 * std::atan(exact::round_to_double(BigRational(n) / d));
+  const double rest = 2 * std::atan(exact::round_to_double(BigRational(d) / n));
+  return n.sign() * d.sign() < 0 ? -kPi - rest : kPi - rest;
+}
+
+// The rational with the smallest denominator in [a, b], 0 <= a < b.
+BigRational simplest(const BigRational& a, const BigRational& b) {
+  const BigInteger floor = numerator(a) / denominator(a);
+  if (BigRational(floor) == a) return a;
+  if (BigRational(BigInteger(floor + 1)) <= b) return BigRational(BigInteger(floor + 1));
+  const BigRational inner = simplest(BigRational(1 / BigRational(b - floor)), BigRational(1 / BigRational(a - floor)));
+  return BigRational(floor) + 1 / inner;
+}
+
+}  // namespace
+
+Result<Orientation> Orientation::of(const Rational& tan_half) {
+  if (tan_half.den == "0" && tan_half.num != "0") {
+    const Result<BigRational> one = exact::rational_of({tan_half.num, "1"}, "tangent", Code::bad_rotation);
+    if (!one) return one.error();
+    return half_turn();
+  }
+  const Result<BigRational> t = exact::rational_of(tan_half, "tangent of half an angle", Code::bad_rotation);
+  if (!t) return t.error();
+  if (t->sign() != 0 && (msb(abs(numerator(*t))) >= exact::kMaxTextBits || msb(denominator(*t)) >= exact::kMaxTextBits))
+    return Error{Code::bad_rotation, "numerator and denominator of the tangent of half an angle may have at most 4096 bits", {}};
+  return planar::orientation_of(*t);
+}
+
+Result<Orientation> Orientation::of(std::int64_t n, std::int64_t d) { return of(Rational{std::to_string(n), std::to_string(d)}); }
+
+Orientation Orientation::half_turn() {
+  Orientation o;
+  o.tan_half_ = {"1", "0"};
+  o.half_turn_ = true;
+  o.radians_ = kPi;
+  return o;
+}
+
+Result<Orientation> Orientation::parse(std::string_view tan_half) {
+  if (tan_half == "inf") return half_turn();
+  const Result<BigRational> t = exact::number_in(tan_half, "tangent of half an angle", Code::bad_rotation);
+  if (!t) return t.error();
+  return of(exact::to_rational(*t));
+}
+
+Result<Orientation> Orientation::nearest(double radians) {
+  if (!std::isfinite(radians)) return Error{Code::bad_rotation, "an angle has to be finite", {}};
+  const double theta = planar::reduced_angle(radians);
+  if (std::abs(theta) == kPi) return half_turn();
+  if (std::abs(theta) == kPi / 2) return of(theta > 0 ? 1 : -1, 1);
+  const double t = std::tan(theta / 2);
+  if (std::abs(t) <= 1) return planar::orientation_of(exact::exact_value(t));
+  const double back = std::tan((theta > 0 ? kPi - theta : -kPi - theta) / 2);
+  if (back == 0) return half_turn();
+  return planar::orientation_of(BigRational(1 / exact::exact_value(back)));
+}
+
+Result<Orientation> Orientation::nearest(double radians, double error) {
+  if (!std::isfinite(radians) || !(error > 0)) return Error{Code::bad_rotation, "an angle has to be finite, and its error positive", {}};
+  // Less than that by what is rounded here.
+  const double theta = planar::reduced_angle(radians), e = 0.99 * error - 0x1p-50;
+  if (e < 0x1p-48) return nearest(radians);
+  if (std::abs(theta) <= e) return Orientation{};
+  if (std::abs(theta) + e >= kPi) return half_turn();
+  // The tangent of half the rest to half a turn is one over that of half the angle.
+  const bool far = std::abs(theta) > kPi / 2;
+  const double a = far ? kPi - std::abs(theta) : std::abs(theta);
+  BigRational t = simplest(exact::exact_value(std::tan((a - e > 0 ? a - e : 0) / 2)), exact::exact_value(std::tan((a + e) / 2)));
+  if (far) {
+    if (t.sign() == 0) return half_turn();
+    t = 1 / t;
+  }
+  return planar::orientation_of(theta < 0 ? BigRational(-t) : t);
+}
+
+Orientation Orientation::inverse() const {
+  if (half_turn_) return *this;
+  return planar::orientation_of(BigRational(-exact::exact_value(tan_half_)));
+}
+
+// Half angles add: (d + n i) multiply.
+Orientation operator*(const Orientation& a, const Orientation& b) {
+  const BigInteger na(a.tan_half_.num), da(a.tan_half_.den), nb(b.tan_half_.num), db(b.tan_half_.den);
+  const BigInteger d = da * db - na * nb, n = na * db + da * nb;
+  return d == 0 ? Orientation::half_turn() : planar::orientation_of(exact::ratio(exact::Big(n), exact::Big(d)));
+}
+
+class OrientationMaker {
+ public:
+  static Orientation make(const BigRational& tan_half) {
+    Orientation o;
+    o.tan_half_ = exact::to_rational(tan_half);
+    o.radians_ = angle_of(numerator(tan_half), denominator(tan_half));
+    return o;
+  }
+};
+
+namespace planar {
+
+Orientation orientation_of(const BigRational& tan_half) { return OrientationMaker::make(tan_half); }
+
+// tan(x + pi / 2) = -1 / tan(x).
+Orientation orientation_at(int chart, const BigRational& t) {
+  if (chart == 0) return orientation_of(t);
+  return t.sign() == 0 ? Orientation::half_turn() : orientation_of(BigRational(-1 / t));
+}
+
+LatticeScale turn_of(const Orientation& o, std::uint32_t op) {
+  const BigInteger n(o.tan_half().num), d(o.tan_half().den);
+  LatticeScale turn{BigInteger(d * d - n * n), BigInteger(d * d - n * n), BigInteger(d * d + n * n), op, BigInteger(2 * n * d)};
+  if ((turn.den & 1) == 0) {
+    // n and d are odd: everything is even.
+    turn.x /= 2;
+    turn.y /= 2;
+    turn.den /= 2;
+    turn.turn /= 2;
+  }
+  return turn;
+}
+
+}  // namespace planar
+}  // namespace dymsum

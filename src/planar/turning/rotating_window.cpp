@@ -1,0 +1,301 @@
+#include "planar/turning/rotating_window.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "planar/turning/box_pairs.h"
+
+namespace dymsum::planar {
+
+RotatingWindow::RotatingWindow(const TurnGrid& grid, const TurnCatalog& catalog, double mid, double h, bool mask)
+    : middle(mid), half(h * (1 + 0x1p-40) + 0x1p-40), forms_(grid.forms), catalog_(catalog), shift_(grid.forms.reach()) {
+  const Heading heading = Heading::of(middle);
+  turned_.reserve(forms_.points(1).size());
+  moved_.reserve(forms_.points(1).size());
+  for (std::uint32_t v = 0; v < forms_.size(1); ++v) {
+    const Point& p = forms_.points(1)[v];
+    turned_.push_back({heading.c * p.x - heading.s * p.y, heading.s * p.x + heading.c * p.y});
+    moved_.push_back(moved(forms_, v, half));
+  }
+  const DeadCells dead = mask ? dead_cells(grid, turned_, half) : DeadCells(grid.grid.whole);
+  add_segments(dead);
+  find_next();
+  find_meetings(dead);
+  index_meetings();
+  find_dead_tails();
+  find_runs();
+  find_rounds();
+  turned_ = {};
+  moved_ = {};
+  swept_ = {};
+}
+
+std::size_t RotatingWindow::bytes() const {
+  return segments.capacity() * sizeof(TurnSegment) + pieces.capacity() * sizeof(TurnPiece) + meetings.capacity() * sizeof(TurnMeeting) +
+         (first_of.capacity() + of.capacity() + live_.capacity()) * 4;
+}
+
+std::uint32_t RotatingWindow::find(const WalkSegment& s) const {
+  const Turn& t = turns_[s.side][s.vertex];
+  if (t.count == 0) return kNone;
+  const std::uint32_t at = catalog_.position(s.side, s.edge, s.vertex);
+  if (at == kNone) return kNone;
+  const std::uint32_t by = at >= t.lo ? at - t.lo : at + catalog_.list_size(s.side, s.vertex) - t.lo;
+  return by < t.count ? live_[t.base + by] : kNone;
+}
+
+RotatingWindow::Swept RotatingWindow::swept(const WalkSegment& s) const {
+  const Pair from = TurningForms::start(s);
+  const std::uint32_t to = forms_.operand(s.side).next[s.edge];
+  Swept w;
+  w.fixed = forms_.points(0)[from.p];
+  w.turning = turned_[from.q];
+  const Point &a = s.side == 0 ? w.fixed : w.turning, &b = s.side == 0 ? forms_.points(0)[to] : turned_[to];
+  w.d = {b.x - a.x, b.y - a.y};
+  w.reach = (s.side == 0 ? moved_[from.q] : std::max(moved_[from.q], moved_[to])) + 0x1p-46 * forms_.span();
+  w.side = s.side;
+  return w;
+}
+
+void RotatingWindow::add_segments(const DeadCells& dead) {
+  const Grid& g = dead.grid();
+  for (std::uint32_t side = 0; side < 2; ++side) turns_[side].assign(forms_.size(1 - side), {});
+  const std::size_t usual = 4 * (std::size_t{forms_.size(0)} + forms_.size(1));  // convolutions are a few times as large as the operands
+  live_.reserve(usual);
+  segments.reserve(usual);
+  swept_.reserve(usual);
+  pieces.reserve(usual);
+  catalog_.for_each_turn(middle - half, middle + half, [&](std::uint32_t side, std::uint32_t vertex, const auto& edges, std::size_t at, std::size_t count) {
+    turns_[side][vertex] = {static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(count), static_cast<std::uint32_t>(live_.size())};
+    for (std::size_t k = 0; k < count; ++k, at = at + 1 == edges.size() ? 0 : at + 1) {
+      live_.push_back(kNone);
+      const WalkSegment walk{side, edges[at].edge, vertex};
+      const Swept w = swept(walk);
+      const double x = w.x() + shift_, y = w.y() + shift_, reach = w.reach + 2 * kReach * g.cell;
+      if (dead.live(g.row(std::min(y, y + w.d.y) - reach), g.column(std::min(x, x + w.d.x) - reach), g.row(std::max(y, y + w.d.y) + reach),
+                    g.column(std::max(x, x + w.d.x) + reach)) == 0)
+        continue;
+      TurnSegment s;
+      s.first_piece = static_cast<std::uint32_t>(pieces.size());
+      add_pieces(w, dead);
+      s.last_piece = static_cast<std::uint32_t>(pieces.size());
+      if (s.first_piece == s.last_piece) continue;
+      live_.back() = static_cast<std::uint32_t>(segments.size());
+      s.walk = walk;
+      s.span = catalog_.span(walk, middle);
+      s.throughout = s.span.from < -half - 2 * kAngleSlack && s.span.to > half + 2 * kAngleSlack;
+      if (!s.throughout) changing.push_back(static_cast<std::uint32_t>(segments.size()));
+      s.start = TurningForms::start(walk);
+      s.end = forms_.end(walk);
+      s.length1 = forms_.length1(walk);
+      segments.push_back(s);
+      swept_.push_back(w);
+      swept_.back().length1 = s.length1;
+    }
+  });
+  all_segments = live_.size();
+}
+
+// Cut where a point of the segment stays in one dead cell throughout: at the middle it lies farther inside than it moves.
+void RotatingWindow::add_pieces(const Swept& w, const DeadCells& dead) {
+  const Grid& g = dead.grid();
+  const double x = w.x() + shift_, y = w.y() + shift_, reach = w.reach + 2 * kReach * g.cell;
+  const auto cells_near = [&](double from, double to) {
+    const double u = x + from * w.d.x, v = x + to * w.d.x, a = y + from * w.d.y, b = y + to * w.d.y;
+    const int r0 = g.row(std::min(a, b) - reach), r1 = g.row(std::max(a, b) + reach);
+    const int c0 = g.column(std::min(u, v) - reach), c1 = g.column(std::max(u, v) + reach);
+    return std::array{dead.live(r0, c0, r1, c1), static_cast<std::uint32_t>(r1 - r0 + 1) * static_cast<std::uint32_t>(c1 - c0 + 1)};
+  };
+  cuts_.clear();
+  if (const auto [live, all] = cells_near(0, 1); live < all && 2 * reach < g.cell) {
+    const double per_x = 1 / w.d.x, per_y = 1 / w.d.y;  // infinite for upright and level ones, which lie in the range of a cell or beside it
+    for_each_cell_run(g, x, y, x + w.d.x, y + w.d.y, [&](int row, int first, int last) {
+      for (int c = first; c <= last; ++c) {
+        if (!dead.dead(row, c)) continue;
+        double t0 = 0, t1 = 1;
+        const auto clip = [&](double from, double per, int cell) {
+          const double u = (cell * g.cell + reach - from) * per, v = ((cell + 1) * g.cell - reach - from) * per;
+          t0 = std::max(t0, std::min(u, v));
+          t1 = std::min(t1, std::max(u, v));
+        };
+        clip(x, per_x, c);
+        clip(y, per_y, row);
+        if (t1 > t0) cuts_.push_back(0.5 * (t0 + t1));
+      }
+    });
+    std::sort(cuts_.begin(), cuts_.end());
+  }
+  for (std::size_t k = 0; k <= cuts_.size(); ++k) {
+    TurnPiece p;
+    p.segment = static_cast<std::uint32_t>(segments.size());
+    p.head_cut = k > 0;
+    p.tail_cut = p.tail_dead = k < cuts_.size();
+    if (p.head_cut) p.head = cuts_[k - 1];
+    if (p.tail_cut) p.tail = cuts_[k];
+    if (!cuts_.empty() && cells_near(p.head, p.tail)[0] == 0) continue;
+    pieces.push_back(p);
+  }
+}
+
+// Both ends of one piece on the same side of the other one's line at every angle, by Taylor's formula. Without branches.
+bool RotatingWindow::apart(const TurnPiece& p, const TurnPiece& q) const {
+  const Swept &a = swept_[p.segment], &b = swept_[q.segment];
+  const double fx = b.fixed.x - a.fixed.x, fy = b.fixed.y - a.fixed.y, tx = b.turning.x - a.turning.x, ty = b.turning.y - a.turning.y;
+  const double k = a.d.x * b.d.y - a.d.y * b.d.x, dot = a.side != b.side ? a.d.x * b.d.x + a.d.y * b.d.y : 0;
+  const double second = 0.5 * half * half * (1 + 0x1p-40), bound = 0x1p-44 * forms_.span();
+  // The side of the place at share u of `other` against `line` is `value` + u k, and its slope `slope` + u dot: what turns against a line
+  // is the other operand's vertex. `sign` tells the direction of the offset.
+  const auto beside = [&](const Swept& line, const Swept& other, double sign, double head, double tail) {
+    const double rx = line.side == 0 ? tx : fx, ry = line.side == 0 ? ty : fy;
+    const double value = sign * (line.d.x * (fy + ty) - line.d.y * (fx + tx)), slope = sign * (line.d.x * rx + line.d.y * ry);
+    const double v = value + sign * head * k, w = value + sign * tail * k;
+    const double most = line.length1 * (second * (std::abs(rx) + std::abs(ry) + (a.side != b.side ? other.length1 : 0)) + bound);
+    const double low = std::min(v, w), high = std::max(v, w), turn = half * std::max(std::abs(slope + head * dot), std::abs(slope + tail * dot)) + most;
+    return (low > turn) | (high < -turn);
+  };
+  return beside(a, b, 1, q.head, q.tail) | beside(b, a, -1, p.head, p.tail);
+}
+
+RotatingWindow::Box RotatingWindow::box_of(const TurnPiece& p, double reach) const {
+  const Swept& w = swept_[p.segment];
+  const double x = w.x() + shift_, y = w.y() + shift_, by = w.reach + reach;
+  const double ax = x + p.head * w.d.x, ay = y + p.head * w.d.y, bx = x + p.tail * w.d.x, cy = y + p.tail * w.d.y;
+  return {std::min(ax, bx) - by, std::min(ay, cy) - by, std::max(ax, bx) + by, std::max(ay, cy) + by};
+}
+
+// Pieces whose swept boxes meet in a live cell, less those that certainly do not meet: what meets in dead cells is covered.
+void RotatingWindow::find_meetings(const DeadCells& dead) {
+  const Grid& g = dead.grid();
+  const double reach = kReach * g.cell;
+  BoxPairs pairs(forms_.span());
+  pairs.reserve(pieces.size());
+  for (const TurnPiece& p : pieces) {
+    const Box box = box_of(p, reach);
+    pairs.add(box.x0, box.y0, box.x1, box.y1);
+  }
+  // Without branches that cannot be predicted: every pair is listed, and the place moves on for those that stay.
+  std::vector<std::array<std::uint32_t, 2>> near = pairs.find();
+  std::size_t n = 0;
+  for (const auto [i, j] : near) {
+    const TurnSegment &s = segments[pieces[i].segment], &t = segments[pieces[j].segment];
+    constexpr double kSlack = 4 * kAngleSlack;
+    // Never at once; or with a vertex in common, beside which they do not meet.
+    const bool never = (s.span.from > t.span.to + kSlack) | (t.span.from > s.span.to + kSlack);
+    near[n] = {i, j};
+    n += !(never | (s.start == t.start) | (s.start == t.end) | (s.end == t.start) | (s.end == t.end));
+  }
+  pair_tests = n;
+  meetings.resize(n);
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    const TurnPiece &p = pieces[near[k][0]], &q = pieces[near[k][1]];
+    meetings[kept] = {near[k][0], near[k][1], p.segment, q.segment};
+    kept += !apart(p, q);
+  }
+  meetings.resize(kept);
+  if (dead.dead_cells() == 0) return;
+  std::erase_if(meetings, [&](const TurnMeeting& m) {
+    const Box u = box_of(pieces[m.a], reach), v = box_of(pieces[m.b], reach);
+    return dead.live(g.row(std::max(u.y0, v.y0)), g.column(std::max(u.x0, v.x0)), g.row(std::min(u.y1, v.y1)), g.column(std::min(u.x1, v.x1))) == 0;
+  });
+}
+
+void RotatingWindow::index_meetings() {
+  first_of.assign(pieces.size() + 1, 0);
+  for (const TurnMeeting& m : meetings) {
+    ++first_of[m.a + 1];
+    ++first_of[m.b + 1];
+  }
+  for (std::size_t i = 0; i < pieces.size(); ++i) first_of[i + 1] += first_of[i];
+  of.resize(first_of.back());
+  std::vector<std::uint32_t> fill(first_of.begin(), first_of.end() - 1);
+  for (std::uint32_t m = 0; m < meetings.size(); ++m) {
+    of[fill[meetings[m].a]++] = m;
+    of[fill[meetings[m].b]++] = m;
+  }
+}
+
+// As at most one of the two exists at a time, one that exists throughout is the only one.
+void RotatingWindow::find_next() {
+  for (TurnSegment& s : segments) {
+    s.next = {find({0, s.end.p, s.end.q}), find({1, s.end.q, s.end.p})};
+    for (const std::uint32_t k : {0u, 1u})
+      if (s.next[k] != kNone && segments[s.next[k]].throughout) s.next = {s.next[k], kNone};
+  }
+}
+
+// A tail is dead when it is cut, when nothing live can continue it, or only whole segments that meet nothing and have dead tails themselves.
+void RotatingWindow::find_dead_tails() {
+  const std::size_t n = segments.size();
+  std::vector<std::uint8_t> ways(n, 0);
+  std::vector<std::uint32_t> dead;
+  const auto kill = [&](std::uint32_t s) {
+    pieces[segments[s].last_piece - 1].tail_dead = true;
+    dead.push_back(s);
+  };
+  for (std::uint32_t s = 0; s < n; ++s) {
+    if (!pieces[segments[s].last_piece - 1].tail_cut)
+      for (const std::uint32_t to : segments[s].next) ways[s] += to != kNone && !pieces[segments[to].first_piece].head_cut;
+    if (ways[s] == 0) kill(s);
+  }
+  for (std::size_t k = 0; k < dead.size(); ++k) {
+    const TurnSegment& s = segments[dead[k]];
+    const std::uint32_t p = s.first_piece;
+    if (s.last_piece != p + 1 || pieces[p].head_cut || first_of[p] != first_of[p + 1]) continue;
+    const std::uint32_t f = forms_.operand(0).prev[s.start.p], t = forms_.operand(1).prev[s.start.q];
+    for (const std::uint32_t from : {find({0, f, s.start.q}), find({1, t, s.start.p})})
+      if (from != kNone && ways[from] > 0 && --ways[from] == 0) kill(from);
+  }
+}
+
+// Quiet pieces one after the other at every angle: walks leap over them. A quiet one follows one quiet one only, so followers lead to an
+// end or back to the first.
+void RotatingWindow::find_runs() {
+  const auto n = static_cast<std::uint32_t>(pieces.size());
+  for (std::uint32_t i = 0; i < n; ++i) {
+    TurnPiece& p = pieces[i];
+    p.quiet = !p.head_cut && !p.tail_cut && first_of[i] == first_of[i + 1] && segments[p.segment].throughout;
+  }
+  for (TurnPiece& p : pieces) {
+    const std::uint32_t next = segments[p.segment].next[0];
+    if (p.tail_cut || next == kNone || !pieces[segments[next].first_piece].quiet) continue;
+    p.follower = segments[next].first_piece;
+  }
+  std::vector<std::uint32_t> run;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    if (!pieces[i].quiet || pieces[i].run_last != kNone) continue;
+    run.assign(1, i);
+    std::uint32_t next = pieces[i].follower;
+    for (; next != kNone && next != i && pieces[next].run_last == kNone; next = pieces[next].follower) run.push_back(next);
+    if (next == i) circles.push_back(i);
+    const std::uint32_t last = next == kNone || next == i ? run.back() : pieces[next].run_last;
+    for (const std::uint32_t k : run) pieces[k].run_last = last;
+  }
+}
+
+// What nothing whole leads to is on no cycle of whole segments; nor is what only that leads to.
+void RotatingWindow::find_rounds() {
+  const auto whole = [&](std::uint32_t s) {
+    const TurnSegment& t = segments[s];
+    return t.last_piece == t.first_piece + 1 && !pieces[t.first_piece].head_cut && !pieces[t.first_piece].tail_dead;
+  };
+  std::vector<std::uint32_t> arriving(segments.size(), 0), removed;
+  for (std::uint32_t s = 0; s < segments.size(); ++s)
+    for (const std::uint32_t to : segments[s].next)
+      if (to != kNone && whole(s)) ++arriving[to];
+  std::vector<std::uint8_t> gone(segments.size(), 0);
+  for (std::uint32_t s = 0; s < segments.size(); ++s) {
+    gone[s] = !whole(s) || arriving[s] == 0;
+    if (gone[s] && whole(s)) removed.push_back(s);
+  }
+  for (std::size_t k = 0; k < removed.size(); ++k)
+    for (const std::uint32_t to : segments[removed[k]].next)
+      if (to != kNone && --arriving[to] == 0 && !gone[to]) {
+        gone[to] = 1;
+        removed.push_back(to);
+      }
+  for (std::uint32_t s = 0; s < segments.size(); ++s)
+    if (!gone[s] && !pieces[segments[s].first_piece].quiet) rounds.push_back(segments[s].first_piece);
+}
+
+}  // namespace dymsum::planar

@@ -1,0 +1,101 @@
+// A window of angles for a rotating sum: the pieces of convolution segments that can bound the sum somewhere in it, and the pairs of
+// pieces that may meet. Built once; frames inside the window only look here.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "planar/arrangement/chain.h"
+#include "planar/turning/turn_catalog.h"
+#include "planar/turning/turn_grid.h"
+
+namespace dymsum::planar {
+
+/// A segment that is live somewhere in the window.
+struct TurnSegment {
+  WalkSegment walk;
+  TurnCatalog::Span span;  ///< it exists there, relative to the middle of the window
+  Pair start, end;
+  double length1 = 0;
+  std::uint32_t first_piece = 0, last_piece = 0;   ///< its pieces [first_piece, last_piece)
+  std::array<std::uint32_t, 2> next{kNone, kNone};  ///< the live segments that may continue it; at most one exists at a time
+  bool throughout = false;                          ///< it exists at every angle of the window
+};
+
+/// A stretch of a segment between its ends or places that lie in dead cells at every angle of the window. What reaches one is false.
+struct TurnPiece {
+  std::uint32_t segment = 0;
+  double head = 0, tail = 1;  ///< in shares of the segment
+  bool head_cut = false, tail_cut = false;
+  bool tail_dead = false;     ///< behind the tail nothing alive can follow, at no angle of the window
+  bool quiet = false;         ///< whole, there at every angle of the window, and nothing meets it
+  std::uint32_t follower = kNone;  ///< a quiet piece that follows it at every angle of the window
+  std::uint32_t run_last = kNone;  ///< of a quiet one: where followers lead to
+};
+
+/// Pieces that may meet, and their segments.
+struct TurnMeeting {
+  std::uint32_t a = 0, b = 0;
+  std::uint32_t segment_a = 0, segment_b = 0;
+};
+
+class RotatingWindow {
+ public:
+  /// Angles within `half` of `middle`, a little more being covered. `mask` off: no cell is dead.
+  RotatingWindow(const TurnGrid& grid, const TurnCatalog& catalog, double middle, double half, bool mask);
+
+  double middle = 0, half = 0;
+  std::vector<TurnSegment> segments;
+  std::vector<TurnPiece> pieces;
+  std::vector<TurnMeeting> meetings;
+  std::vector<std::uint32_t> first_of, of;  ///< the meetings of piece i are of[first_of[i] .. first_of[i + 1])
+  std::vector<std::uint32_t> changing;      ///< segments that do not exist at every angle
+  std::vector<std::uint32_t> rounds;        ///< whole pieces that may follow each other all round, without quiet ones
+  std::vector<std::uint32_t> circles;       ///< quiet pieces whose followers lead back to them, one of each circle
+  std::uint64_t all_segments = 0, pair_tests = 0;
+
+  const TurningForms& forms() const { return forms_; }
+  /// The live segment of that name, or kNone.
+  std::uint32_t find(const WalkSegment& s) const;
+  std::size_t bytes() const;
+
+ private:
+  /// A segment at the middle: the vertices it starts with, its vector and |vector|_1, and how far a point of it moves from there.
+  struct Swept {
+    Point fixed, turning, d;
+    double length1 = 0, reach = 0;
+    std::uint32_t side = 0;
+    double x() const { return fixed.x + turning.x; }
+    double y() const { return fixed.y + turning.y; }
+  };
+  struct Box {
+    double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+  };
+  struct Turn {
+    std::uint32_t lo = 0, count = 0, base = 0;
+  };
+  Swept swept(const WalkSegment& s) const;
+  void add_segments(const DeadCells& dead);
+  void add_pieces(const Swept& w, const DeadCells& dead);
+  Box box_of(const TurnPiece& p, double reach) const;
+  void find_meetings(const DeadCells& dead);
+  bool apart(const TurnPiece& p, const TurnPiece& q) const;
+  void index_meetings();
+  void find_next();
+  void find_dead_tails();
+  void find_runs();
+  void find_rounds();
+
+  const TurningForms& forms_;
+  const TurnCatalog& catalog_;
+  double shift_ = 0;                  // of coordinates to those of the grid
+  std::array<std::vector<Turn>, 2> turns_;  // by side and vertex
+  std::vector<std::uint32_t> live_;   // all segments of the window -> segments
+  std::vector<Point> turned_;         // the turning operand at the middle
+  std::vector<double> moved_;         // how far each of its vertices moves from there
+  std::vector<Swept> swept_;          // of segments
+  std::vector<double> cuts_;
+};
+
+}  // namespace dymsum::planar

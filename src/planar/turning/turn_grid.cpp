@@ -1,0 +1,72 @@
+#include "planar/turning/turn_grid.h"
+
+#include <algorithm>
+
+#include "planar/turning/edge_parallelograms.h"
+
+namespace dymsum::planar {
+namespace {
+
+bool meets_box(Point a, Point b, double x0, double y0, double x1, double y1) {
+  double low = 0, high = 1;
+  const auto clip = [&](double from, double d, double lo, double hi) {
+    if (d == 0) return from >= lo && from <= hi;
+    double u = (lo - from) / d, v = (hi - from) / d;
+    if (u > v) std::swap(u, v);
+    low = std::max(low, u);
+    high = std::min(high, v);
+    return low <= high;
+  };
+  return clip(a.x, b.x - a.x, x0, x1) && clip(a.y, b.y - a.y, y0, y1);
+}
+
+Raster fixed_raster(const TurningForms& forms, const Grid& cells) {
+  const Operand& o = forms.operand(0);
+  Raster raster(cells.rows, cells.columns);
+  Bitmap boundary(cells.rows, cells.columns);
+  CentreWindings windings(cells);
+  for (std::uint32_t i = 0; i < o.size(); ++i) {
+    const Point a = forms.points(0)[i], b = forms.points(0)[o.next[i]];
+    for_each_cell_run(cells, a.x, a.y, b.x, b.y, [&](int r, int first, int last) { raster.touch.set_run(r, first, last); });
+    for_each_cell_run(cells, a.x, a.y, b.x, b.y, [&](int r, int first, int last) { boundary.set_run(r, first, last); }, kRim);
+    windings.add_edge(a.x, a.y, b.x, b.y);
+  }
+  windings.fill(boundary, raster);
+  return raster;
+}
+
+}  // namespace
+
+TurnGrid::TurnGrid(const TurningForms& forms, int cells, std::size_t most_long_edges)
+    : forms(forms), grid({forms.width(), 2 * forms.reach()}, {forms.height(), 2 * forms.reach()}, cells), fixed(fixed_raster(forms, grid.part[0])), cells(cells),
+      long_edges{dymsum::planar::long_edges(forms, 0, grid.whole.cell, most_long_edges), dymsum::planar::long_edges(forms, 1, grid.whole.cell, most_long_edges)} {}
+
+// Inner: farther from the boundary than any of its points moves. Touched at every angle: at the middle, an edge comes
+// into what remains of the cell when a rim as wide as the edge moves is taken off.
+DeadCells dead_cells(const TurnGrid& base, const std::vector<Point>& turned, double half) {
+  const TurningForms& forms = base.forms;
+  const Grid& cells = base.grid.part[1];
+  const Operand& o = forms.operand(1);
+  Raster raster(cells.rows, cells.columns);
+  Bitmap boundary(cells.rows, cells.columns);
+  CentreWindings windings(cells);
+  const double shift = forms.reach();
+  for (std::uint32_t i = 0; i < o.size(); ++i) {
+    const Point a{turned[i].x + shift, turned[i].y + shift}, b{turned[o.next[i]].x + shift, turned[o.next[i]].y + shift};
+    const double reach = std::max(moved(forms, i, half), moved(forms, o.next[i], half)) + 0x1p-48 * forms.span();
+    for_each_cell_run(cells, a.x, a.y, b.x, b.y, [&](int r, int first, int last) { boundary.set_run(r, first, last); }, kRim + reach * cells.per_cell);
+    windings.add_edge(a.x, a.y, b.x, b.y);
+    if (2 * reach >= cells.cell) continue;
+    for_each_cell_run(cells, a.x, a.y, b.x, b.y, [&](int r, int first, int last) {
+      for (int c = first; c <= last; ++c)
+        if (meets_box(a, b, c * cells.cell + reach, r * cells.cell + reach, (c + 1) * cells.cell - reach, (r + 1) * cells.cell - reach)) raster.touch.set_run(r, c, c);
+    });
+  }
+  windings.fill(boundary, raster);
+  if (base.long_edges[0].empty() || base.long_edges[1].empty()) return DeadCells(base.grid.whole, base.fixed, raster);
+  DeadCells dead(base.grid.whole, base.fixed, raster, DeadCells::Counts::left_out);
+  dead.add(edge_parallelograms(base, turned, half));
+  return dead;
+}
+
+}  // namespace dymsum::planar

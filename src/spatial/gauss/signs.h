@@ -1,0 +1,94 @@
+// The two predicates that decide everything about the sum of convex solids: on which side of an edge's circle a face's
+// normal lies on the sphere of directions, for faces of P and edges of Q, and the other way round. Never zero: Q counts
+// as turned by an infinitesimal rotation.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "spatial/gauss/polytope.h"
+#include "spatial/gauss/relative_map.h"
+
+namespace dymsum::spatial {
+
+/// Operand 0 is P, 1 is Q. "The sign of (op, f, h)" is that of n . (M e) with n the outward normal of face f of operand
+/// op, e the vector along half-edge h of the other one, and M the map from that one's coordinates: positive when the
+/// target of h is further out in direction n than its origin.
+class Signs {
+ public:
+  Signs(const Polytope& p, const Polytope& q) : poly_{&p, &q} {}
+
+  const Polytope& poly(int op) const { return *poly_[op]; }
+  const RelativeMap& map() const { return map_; }
+  /// Moves the operands. Cost: O(faces).
+  void set(const RelativeMap& map);
+  /// Moves the operands without the table that `row`, `value` and `sign` read: then only what ends in `_now`, and
+  /// `true_sign`, may be asked for.
+  void move(const RelativeMap& map) { map_ = map; }
+
+  /// Within error(op) of the exact value for unit normal, unit vector and the map as normalised in doubles.
+  double value(int op, std::uint32_t f, HalfEdge h) const {
+    const double v = dot(row_[op][f], poly_[1 - op]->direction[h / 2]);
+    return (h & 1) ? -v : v;
+  }
+  /// n^T M of face f of operand op, n its unit normal.
+  const Vec3& row(int op, std::uint32_t f) const { return row_[op][f]; }
+  /// The same from the map as it is, without the table.
+  Vec3 row_now(int op, std::uint32_t f) const { return row_times(poly_[op]->normal[f], map_.approx(op)); }
+  /// M e of edge e of the other operand, e its unit vector: the value of (op, f, 2e) is the product of f's unit normal
+  /// and this, within the same error.
+  Vec3 mapped_edge(int op, std::uint32_t e) const { return map_.approx(op) * poly_[1 - op]->direction[e]; }
+  double error(int op) const { return map_.error(op); }
+  /// The error where normals and mapped edges are rounded to floats. All factor.
+  float float_error(int op) const { return static_cast<float>(kFloatError * map_.norm(op)); }
+  /// -1 or 1.
+  int sign(int op, std::uint32_t f, HalfEdge h) const {
+    const double v = value(op, f, h);
+    if (v > map_.error(op)) return 1;
+    if (v < -map_.error(op)) return -1;
+    return near_zero_sign(op, f, h);
+  }
+  int sign_now(int op, std::uint32_t f, HalfEdge h) const {
+    const double v = value_now(op, f, h);
+    if (v > map_.error(op)) return 1;
+    if (v < -map_.error(op)) return -1;
+    return near_zero_sign(op, f, h);
+  }
+  /// -1, 0 or 1: without the infinitesimal rotation.
+  int true_sign(int op, std::uint32_t f, HalfEdge h) const;
+  /// The angle by which directions have to move at least before the sign of (op, f, h) can change; not positive where
+  /// doubles cannot tell.
+  double margin(int op, double value) const {
+    return (std::abs(value) - map_.error(op)) * map_.per_norm(op) - 0x1p-40;
+  }
+
+  std::uint64_t exact_signs() const { return exact_signs_; }
+  std::size_t bytes() const { return sizeof(*this) + (row_[0].capacity() + row_[1].capacity()) * sizeof(Vec3); }
+
+  /// Calls f(coordinate, map entry) with values of the narrowest types that hold the operands and the map.
+  template <class F>
+  auto with_types(F&& f) const {
+    const int bits = poly_[0]->bits > poly_[1]->bits ? poly_[0]->bits : poly_[1]->bits;
+    if (bits <= 26 && map_.bits() <= 62) return f(exact::Int<26>{}, exact::Int<62>{});
+    if (bits <= 61 && map_.bits() <= 126) return f(exact::Int<61>{}, exact::Int<126>{});
+    return f(exact::Big{}, exact::Big{});
+  }
+
+ private:
+  double value_now(int op, std::uint32_t f, HalfEdge h) const {
+    const double v = dot(row_now(op, f), poly_[1 - op]->direction[h / 2]);
+    return (h & 1) ? -v : v;
+  }
+  int near_zero_sign(int op, std::uint32_t f, HalfEdge h) const;
+  int plain_tie(int op, std::uint32_t f, HalfEdge h) const;
+  int exact_sign(int op, std::uint32_t f, HalfEdge h) const;
+
+  std::array<const Polytope*, 2> poly_;
+  RelativeMap map_;
+  std::array<std::vector<Vec3>, 2> row_;  // n^T M of every face
+  mutable std::uint64_t exact_signs_ = 0;
+};
+
+}  // namespace dymsum::spatial

@@ -1,0 +1,222 @@
+#include "spatial/mesh/mesh_validate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "spatial/mesh/face_plane.h"
+#include "spatial/mesh/half_edges.h"
+#include "spatial/mesh/six_volume.h"
+
+namespace dymsum {
+
+/// Internal: makes meshes without validation.
+class TrustedMesh {
+ public:
+  static Mesh make(MeshData data, std::size_t shells) {
+    Mesh mesh;
+    mesh.data_ = std::move(data);
+    mesh.shells_ = shells;
+    return mesh;
+  }
+};
+
+Result<Mesh> Mesh::create(MeshData data) {
+  spatial::MeshValidation checked = spatial::validate(data);
+  if (checked.error) return *std::move(checked.error);
+  return spatial::trusted_mesh(std::move(data), checked.shells);
+}
+
+namespace spatial {
+
+Mesh trusted_mesh(MeshData data, std::size_t shells) { return TrustedMesh::make(std::move(data), shells); }
+
+std::optional<Error> check_finite(const std::vector<Point3>& vertices) {
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const Point3& p = vertices[i];
+    if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) continue;
+    Error error{Code::not_finite, "a coordinate is not a finite number", {}};
+    error.evidence.vertex = static_cast<std::int64_t>(i);
+    return error;
+  }
+  return std::nullopt;
+}
+
+std::optional<Error> check_indices(const MeshData& data) {
+  for (std::size_t f = 0; f < data.faces.size(); ++f) {
+    for (const std::uint32_t v : data.faces[f]) {
+      if (v < data.vertices.size()) continue;
+      Error error{Code::bad_index, "a face names a vertex that does not exist", {}};
+      error.evidence.face = static_cast<std::int64_t>(f);
+      error.evidence.vertex = v;
+      return error;
+    }
+  }
+  return std::nullopt;
+}
+
+namespace {
+
+class MeshCheck {
+ public:
+  explicit MeshCheck(const MeshData& data) : data_(data) {}
+
+  std::optional<Error> run() {
+    if (auto error = check_finite(data_.vertices)) return error;
+    if (auto error = check_indices(data_)) return error;
+    if (auto error = check_corners()) return error;
+    if (auto error = check_places()) return error;
+    if (auto error = check_use()) return error;
+    if (auto error = check_faces()) return error;
+    edges_ = half_edges_without_twins(data_.faces);
+    if (auto error = check_edges()) return error;
+    if (auto error = check_fans()) return error;
+    return check_shells();
+  }
+  std::size_t shell_count() const { return shells_.count; }
+
+ private:
+  Error error_at(Code code, std::string message, std::uint32_t vertex) const {
+    Error error{code, std::move(message), {}};
+    const Point3& p = data_.vertices[vertex];
+    error.evidence.vertex = vertex;
+    error.evidence.x = p.x;
+    error.evidence.y = p.y;
+    error.evidence.z = p.z;
+    return error;
+  }
+  Error edge_error(Code code, std::string message, std::uint32_t h) const {
+    Error error = error_at(code, std::move(message), edges_.origin[h]);
+    error.evidence.other_vertex = edges_.target(h);
+    error.evidence.face = edges_.face[h];
+    return error;
+  }
+
+  std::optional<Error> check_corners() const {
+    std::vector<std::size_t> last_face(data_.vertices.size(), data_.faces.size());
+    for (std::size_t f = 0; f < data_.faces.size(); ++f) {
+      const Face& face = data_.faces[f];
+      if (face.size() < 3) {
+        Error error{Code::too_few_vertices, "a face needs at least three vertices", {}};
+        if (!face.empty()) error = error_at(error.code, std::move(error.message), face[0]);
+        error.evidence.face = static_cast<std::int64_t>(f);
+        return error;
+      }
+      for (const std::uint32_t v : face) {
+        if (std::exchange(last_face[v], f) != f) continue;
+        Error error = error_at(Code::repeated_vertex, "a face has a vertex twice", v);
+        error.evidence.face = static_cast<std::int64_t>(f);
+        return error;
+      }
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Error> check_places() const {
+    std::vector<std::uint32_t> order(data_.vertices.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+      const Point3 &p = data_.vertices[a], &q = data_.vertices[b];
+      return std::tie(p.x, p.y, p.z, a) < std::tie(q.x, q.y, q.z, b);
+    });
+    for (std::size_t i = 1; i < order.size(); ++i) {
+      if (data_.vertices[order[i - 1]] != data_.vertices[order[i]]) continue;
+      Error error = error_at(Code::repeated_vertex, "two vertices are at the same place", order[i - 1]);
+      error.evidence.other_vertex = order[i];
+      return error;
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Error> check_use() const {
+    std::vector<bool> used(data_.vertices.size());
+    for (const Face& face : data_.faces) {
+      for (const std::uint32_t v : face) used[v] = true;
+    }
+    const auto unused = std::find(used.begin(), used.end(), false);
+    if (unused == used.end()) return std::nullopt;
+    return error_at(Code::bad_index, "no face uses a vertex", static_cast<std::uint32_t>(unused - used.begin()));
+  }
+
+  std::optional<Error> check_faces() const {
+    for (std::size_t f = 0; f < data_.faces.size(); ++f) {
+      std::optional<Error> error = face_error(data_.vertices, data_.faces[f]);
+      if (!error) continue;
+      error->evidence.face = static_cast<std::int64_t>(f);
+      return error;
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Error> check_edges() {
+    const std::vector<EdgeSide> sides = edge_sides(edges_);
+    std::optional<Error> found;
+    for_each_edge(sides, [&](const EdgeSide* first, const EdgeSide* last) {
+      if (!found) found = edge_error_of(first, last);
+    });
+    if (!found) join_twins(edges_, sides);
+    return found;
+  }
+
+  std::optional<Error> edge_error_of(const EdgeSide* first, const EdgeSide* last) const {
+    const std::uint32_t h = first->half_edge;
+    if (last - first == 1) return edge_error(Code::not_closed, "an edge has a face on one side only", h);
+    const bool several = last - first > 2;
+    if (!several && edges_.origin[h] != edges_.origin[first[1].half_edge]) return std::nullopt;
+    Error error = several ? edge_error(Code::not_manifold, "an edge has more than two faces", h)
+                          : edge_error(Code::wrong_orientation, "two faces run through an edge in one direction", h);
+    error.evidence.other_face = edges_.face[first[1].half_edge];
+    return error;
+  }
+
+  // Turning around a vertex from one of its faces has to meet all of them.
+  std::optional<Error> check_fans() const {
+    std::vector<std::uint32_t> first_face(data_.vertices.size(), HalfEdges::kNone);
+    std::vector<bool> turned(edges_.size());
+    for (std::uint32_t start = 0; start < edges_.size(); ++start) {
+      if (turned[start]) continue;
+      const std::uint32_t v = edges_.origin[start];
+      if (first_face[v] != HalfEdges::kNone) {
+        Error error = error_at(Code::not_manifold, "several fans of faces meet at a vertex", v);
+        error.evidence.face = first_face[v];
+        error.evidence.other_face = edges_.face[start];
+        return error;
+      }
+      first_face[v] = edges_.face[start];
+      for (std::uint32_t h = start; !turned[h]; h = edges_.twin[edges_.previous(h)]) turned[h] = true;
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Error> check_shells() {
+    shells_ = find_shells(edges_);
+    const std::vector<int> signs = shell_signs(data_, shells_);
+    for (std::size_t f = 0; f < data_.faces.size(); ++f) {
+      const int sign = signs[shells_.of_face[f]];
+      if (sign > 0) continue;
+      Error error = sign == 0 ? error_at(Code::no_area, "a shell encloses no volume", data_.faces[f][0])
+                              : error_at(Code::wrong_orientation, "a shell is inside out", data_.faces[f][0]);
+      error.evidence.face = static_cast<std::int64_t>(f);
+      return error;
+    }
+    return std::nullopt;
+  }
+
+  const MeshData& data_;
+  HalfEdges edges_;
+  Shells shells_;
+};
+
+}  // namespace
+
+MeshValidation validate(const MeshData& data) {
+  MeshCheck check(data);
+  if (auto error = check.run()) return {std::move(error), 0};
+  return {std::nullopt, check.shell_count()};
+}
+
+}  // namespace spatial
+}  // namespace dymsum

@@ -1,0 +1,39 @@
+// Faces split into triangles.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "dymsum/mesh.h"
+#include "spatial/mesh/face_plane.h"
+
+namespace dymsum::spatial {
+
+using Triangle = std::array<std::uint32_t, 3>;
+
+/// The side from which a face is looked at: its projection along an axis, turned over where the sign is negative.
+struct View {
+  exact::Axis axis = exact::Axis::z;
+  int sign = 1;
+};
+
+/// The view of a valid face. Exact.
+View view_of(const FacePlane& plane);
+/// A view of a face that is not plane, along the axis of its largest average normal, in doubles.
+View average_view(const std::vector<Point3>& vertices, const Face& face);
+
+/// The face as k - 2 triangles of its own k vertices, by cutting ears. Where the projection is a simple polygon, as it
+/// is for a valid face, they are counter-clockwise in it and each has area; where it is not, they still use every edge
+/// of the face once and their other edges twice, in opposite directions. Exact. For r corners of at least 180 degrees
+/// O(k (r + 1)) where an ear is always near, O(k^2 (r + 1)) at worst.
+std::vector<Triangle> triangulated(const std::vector<Point3>& vertices, const Face& face, View view);
+
+/// All faces of a valid mesh, with the face of every triangle.
+struct Triangles {
+  std::vector<Triangle> triangles;
+  std::vector<std::uint32_t> face;
+};
+Triangles triangulated(const MeshData& data);
+
+}  // namespace dymsum::spatial

@@ -1,0 +1,141 @@
+// Events: exact values, the sum at them and right beside them, and nothing visible in between.
+#include <gtest/gtest.h>
+
+#include "dymsum/shapes.h"
+#include "oracles/random.h"
+#include "oracles/tiny_regions.h"
+#include "planar/scaling/scaling_same.h"
+
+namespace dymsum {
+namespace {
+
+using namespace scaling_tests;
+
+exact::BigRational value(const ScaleEvent& e) { return exact::exact_value(e.s); }
+Scale scale_at(const exact::BigRational& v) { return Scale::of(exact::to_rational(v)).value(); }
+
+/// What the static engine says at any rational scale a / b of P, as long as a P and b Q are doubles.
+void expect_static(const ScalingSum& sum, const Region& p, const Region& q, const exact::BigRational& s) {
+  const double a = static_cast<double>(numerator(s)), b = static_cast<double>(denominator(s));
+  if (a > 0x1p40 || b > 0x1p40) return;
+  EXPECT_EQ(described(sum.sum(), exact::BigRational(denominator(s))), static_answer(p, q, a, b, false, Semantics::closed)) << s;
+}
+
+TEST(ScaleEvents, a_peg_in_a_slot_fits_exactly_at_one_scale) {
+  // A 4 x 4 plate with a 2 x 1 hole; the peg is 1 x 1/2 at scale 1.
+  RegionData plate;
+  plate.parts.push_back({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{{1, 1}, {1, 2}, {3, 2}, {3, 1}}}});
+  const Region p = Region::create(plate).value(), peg = shapes::rectangle(0, 0, 1, 0.5);
+  ScalingOptions options;
+  options.scaled = ScaledOperand::q;
+  ScalingSum sum = ScalingSum::create(p, negated(peg), options).value();
+  const auto next = sum.next_event(Scale(), scale_of(3, 1), true).value();
+  ASSERT_TRUE(next.has_value());
+  EXPECT_EQ(next->s.to_string(), "2/1");
+  EXPECT_TRUE(next->topology);
+  ASSERT_TRUE(sum.set(2.0).ok());
+  EXPECT_EQ(sum.sum().hole_count(), 0u);
+  ASSERT_EQ(sum.sum().tight_points.size(), 1u);
+  EXPECT_EQ(sum.sum().exact(sum.sum().tight_points[0]), (RationalPoint{{"1", "1"}, {"1", "1"}}));
+  for (const int k : {1, 10, 40}) {
+    ASSERT_TRUE(sum.set(2 - std::ldexp(1.0, -k)).ok());
+    EXPECT_EQ(sum.sum().hole_count(), 1u) << k;
+    EXPECT_TRUE(sum.sum().tight_points.empty());
+    ASSERT_TRUE(sum.set(2 + std::ldexp(1.0, -k)).ok());
+    EXPECT_EQ(sum.sum().hole_count(), 0u) << k;
+    EXPECT_TRUE(sum.sum().tight_points.empty());
+  }
+}
+
+TEST(ScaleEvents, sums_at_and_beside_events_are_exact_and_nothing_visible_lies_between) {
+  int visible = 0, invisible = 0, triples = 0;
+  for (int round = 0; round < 12; ++round) {
+    oracles::Random random(static_cast<std::uint64_t>(round) + 100);
+    const auto seed = static_cast<std::uint64_t>(round);
+    const bool tiny = round < 8;
+    const Region p = tiny ? Region::create(oracles::random_parts(random, 7)).value() : on_integers(shapes::random_polygon(24, 2, seed), 8000);
+    const Region q = tiny ? Region::create(oracles::random_parts(random, 4)).value() : on_integers(shapes::noisy_star(9, 0.6, seed), 2000);
+    ScalingSum sum = ScalingSum::create(p, q).value();
+    const Scale low = tiny ? scale_of(1, 3) : scale_of(9, 10), high = tiny ? scale_of(3, 1) : scale_of(11, 10);
+    const std::vector<ScaleEvent> events = sum.events(low, high).value();
+    for (std::size_t i = 0; i < events.size(); ++i) {
+      const exact::BigRational s = value(events[i]);
+      EXPECT_TRUE(s >= exact::exact_value(low.exact()) && s <= exact::exact_value(high.exact()));
+      if (i > 0) {
+        EXPECT_LT(value(events[i - 1]), s);
+      }
+      visible += events[i].visible;
+      invisible += !events[i].visible;
+      triples += events[i].kind == ScaleEvent::Kind::three_segments;
+      ASSERT_TRUE(sum.set(scale_at(s)).ok());
+      expect_static(sum, p, q, s);
+      for (const int k : {20, 30}) {
+        const exact::BigRational d(1, exact::BigInteger(1) << k);
+        for (const exact::BigRational& t : {exact::BigRational(s - d), exact::BigRational(s + d)}) {
+          ASSERT_TRUE(sum.set(scale_at(t)).ok());
+          expect_static(sum, p, q, t);
+        }
+      }
+    }
+    // Between two events that follow each other the hash is constant.
+    for (std::size_t i = 0; i + 1 < events.size(); ++i) {
+      const exact::BigRational a = value(events[i]), b = value(events[i + 1]);
+      std::vector<std::uint64_t> hashes;
+      for (const int k : {1, 5, 9}) {
+        ASSERT_TRUE(sum.set(scale_at(exact::BigRational(a + (b - a) * k / 10))).ok());
+        hashes.push_back(sum.combinatorial_hash());
+      }
+      EXPECT_EQ(hashes[0], hashes[1]) << "round " << round << " between " << a << " and " << b;
+      EXPECT_EQ(hashes[1], hashes[2]) << "round " << round << " between " << a << " and " << b;
+    }
+  }
+  EXPECT_GT(visible, 20);
+  EXPECT_GT(invisible, 20);
+  EXPECT_GT(triples, 5);
+}
+
+TEST(ScaleEvents, ranges_and_operands_that_have_no_events_give_errors) {
+  RegionData line;
+  line.polylines.push_back({{0, 0}, {1, 0}});
+  const Region p = shapes::rectangle(0, 0, 1, 1), q = Region::create(line).value();
+  EXPECT_EQ(ScalingSum::create(p, q).value().events(Scale(), scale_of(2, 1)).error().code, Code::unsupported_operand);
+  EXPECT_EQ(ScalingSum::create(p, p).value().events(scale_of(2, 1), Scale()).error().code, Code::bad_scale);
+}
+
+/// Ends of the intervals in which two segments of the convolution cross, by testing every pair at every candidate scale.
+TEST(ScaleEvents, pair_events_of_two_triangles_are_counted) {
+  const Region p = Region::create({{{{{0, 0}, {4, 1}, {1, 3}}, {}}}, {}, {}}).value(), q = Region::create({{{{{0, 0}, {3, 0}, {0, 2}}, {}}}, {}, {}}).value();
+  const PairEventCount convex = count_pair_events(p, q, ScaledOperand::p).value();
+  // Convex operands: the convolution is the boundary, nothing ever crosses.
+  EXPECT_EQ(convex.events, 0u);
+  EXPECT_EQ(convex.segments, 6u);
+}
+
+/// Over a wide range holes become filled and open again, so that the convolution is made anew between windows.
+TEST(ScaleEvents, a_plate_whose_holes_fill_one_after_the_other) {
+  RegionData plate;
+  plate.parts.push_back({{{0, 0}, {40, 0}, {40, 20}, {0, 20}}, {}});
+  for (int k = 1; k <= 4; ++k) {
+    const double x = 8.0 * k, r = k;
+    plate.parts[0].holes.push_back({{x - r, 10}, {x, 10 + r}, {x + r, 10}, {x, 10 - r}});
+  }
+  const Region p = Region::create(plate).value(), q = shapes::star(5, 1, 2);
+  const Region tool = multiplied(q, 1, 1);
+  ScalingSum sum = ScalingSum::create(p, tool).value();
+  const std::vector<ScaleEvent> events = sum.events(scale_of(1, 4), scale_of(4, 1)).value();
+  ASSERT_GT(events.size(), 8u);
+  std::size_t most = 0, least = 99;
+  for (const ScaleEvent& e : events) {
+    ASSERT_TRUE(sum.set(Scale::of(e.s).value()).ok());
+    const PlanarSum& updated = sum.sum();
+    most = std::max(most, updated.hole_count());
+    least = std::min(least, updated.hole_count());
+    ScalingSum fresh = ScalingSum::create(p, tool).value();
+    ASSERT_TRUE(fresh.set(Scale::of(e.s).value()).ok());
+    EXPECT_EQ(described(updated, 1), described(fresh.sum(), 1)) << e.s.to_string();
+  }
+  EXPECT_GT(most, least + 1) << most << " " << least;
+}
+
+}  // namespace
+}  // namespace dymsum

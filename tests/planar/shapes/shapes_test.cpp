@@ -1,0 +1,167 @@
+#include "dymsum/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <stdexcept>
+#include <string>
+
+#include "planar/shapes/shapes_source.h"
+
+namespace dymsum::shapes {
+namespace {
+
+/// FNV-1a over the bits of all coordinates: what "the same coordinates everywhere" means.
+std::uint64_t fingerprint(const Region& region) {
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  const auto add = [&hash](double x) {
+    unsigned char bytes[sizeof x];
+    std::memcpy(bytes, &x, sizeof x);
+    for (int i = 0; i < 8; ++i) hash = (hash ^ bytes[i]) * 0x100000001b3u;
+  };
+  const auto add_ring = [&](const Ring& ring) {
+    for (const Point& p : ring) {
+      add(p.x);
+      add(p.y);
+    }
+  };
+  for (const Part& part : region.parts()) {
+    add_ring(part.outer);
+    for (const Ring& hole : part.holes) add_ring(hole);
+  }
+  return hash;
+}
+
+int reflex_count(const Ring& ring) {
+  int count = 0;
+  const std::size_t n = ring.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Point a = ring[i], b = ring[(i + 1) % n], c = ring[(i + 2) % n];
+    count += (b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x) < 0;
+  }
+  return count;
+}
+
+/// Whether all coordinates are multiples of 2^-bits.
+bool lies_on_grid(const Region& region, int bits) {
+  for (const Point& p : region.parts().at(0).outer) {
+    if (on_grid(p.x, bits) != p.x || on_grid(p.y, bits) != p.y) return false;
+  }
+  return true;
+}
+
+TEST(Shapes, thesis_like_set_has_the_sizes_of_figure_3_3) {
+  const std::map<std::string, std::size_t> sizes{
+      {"airplane", 51}, {"bar", 4},    {"bird", 275}, {"blob", 18},    {"dog", 145},    {"G1", 30},    {"G2", 34},
+      {"G3", 24}, {"G4", 43},
+      {"hand1", 57},    {"hand2", 84}, {"insignia", 4}, {"sewing", 10}, {"fence", 10}, {"pentagon", 5}, {"star", 44},
+      {"U", 8}};
+  const std::vector<Named> set = thesis_like_set();
+  ASSERT_EQ(set.size(), sizes.size());
+  std::map<std::string, std::size_t> got;
+  for (const Named& shape : set) got[std::string(shape.name)] = shape.region.vertex_count();
+  EXPECT_EQ(got, sizes);
+}
+
+TEST(Shapes, thesis_like_set_is_non_convex_but_for_bar_and_pentagon) {
+  for (const Named& shape : thesis_like_set()) {
+    const int reflex = reflex_count(shape.region.parts().at(0).outer);
+    if (shape.name == "bar" || shape.name == "pentagon") {
+      EXPECT_EQ(reflex, 0) << shape.name;
+    } else {
+      EXPECT_GT(reflex, 0) << shape.name;
+    }
+  }
+}
+
+TEST(Shapes, thesis_like_set_mixes_short_and_full_doubles) {
+  int full = 0;
+  for (const Named& shape : thesis_like_set()) full += !lies_on_grid(shape.region, 40);
+  EXPECT_EQ(full, 4);
+}
+
+TEST(Shapes, same_arguments_give_the_same_bits) {
+  std::map<std::string, std::uint64_t> got;
+  for (const Named& shape : thesis_like_set()) got[std::string(shape.name)] = fingerprint(shape.region);
+  EXPECT_EQ(got["bird"], 0x826c7ef2eafba96u);
+  EXPECT_EQ(got["dog"], 0xc8a4b5a26f0ad092u);
+  EXPECT_EQ(got["star"], 0xf9947f985204528du);
+  EXPECT_EQ(fingerprint(noisy_star(100, 0.5, 7)), 0x1c0dcbd9dee311b0u);
+  EXPECT_EQ(fingerprint(random_polygon(60, 3, 7)), 0x3fea5fbc54ad6b8du);
+  EXPECT_EQ(fingerprint(spiral(3, 24, 2, 0.8)), 0x5e4eddfc1c1ed5f6u);
+  EXPECT_NE(fingerprint(noisy_star(100, 0.5, 7)), fingerprint(noisy_star(100, 0.5, 8)));
+}
+
+TEST(Shapes, circle_points_are_symmetric_and_on_the_circle) {
+  for (const std::int64_t n : {3, 4, 5, 7, 8, 32, 360, 1000}) {
+    for (std::int64_t k = 0; k < n; ++k) {
+      const Point p = circle_point(k, n), mirror = circle_point((n - k) % n, n);
+      const double angle = 2 * std::acos(-1.0) * static_cast<double>(k) / static_cast<double>(n);
+      EXPECT_NEAR(p.x, std::cos(angle), 2e-15) << k << "/" << n;
+      EXPECT_NEAR(p.y, std::sin(angle), 2e-15) << k << "/" << n;
+      EXPECT_EQ(p.x, mirror.x);
+      EXPECT_EQ(p.y, 0.0 - mirror.y);
+    }
+  }
+  EXPECT_EQ(circle_point(1, 4), (Point{0, 1}));
+  EXPECT_EQ(circle_point(2, 4), (Point{-1, 0}));
+  EXPECT_EQ(circle_point(3, 4), (Point{0, -1}));
+  EXPECT_EQ(circle_point(1, 8).x, circle_point(1, 8).y);
+}
+
+TEST(Shapes, discs_are_strictly_convex) {
+  for (const int n : {3, 4, 5, 32, 360, 2000, 2001, 5000}) {
+    const Region region = disc(n, 3);
+    EXPECT_EQ(region.vertex_count(), static_cast<std::size_t>(n));
+    EXPECT_EQ(reflex_count(region.parts().at(0).outer), 0);
+    EXPECT_EQ(region.canonical().vertex_count(), static_cast<std::size_t>(n)) << "collinear vertices";
+  }
+}
+
+TEST(Shapes, counts_follow_the_arguments) {
+  EXPECT_EQ(gear(12, 3, 4).vertex_count(), 48u);
+  EXPECT_EQ(star(9, 1, 2).vertex_count(), 18u);
+  EXPECT_EQ(comb(5, 2, 1, 4).vertex_count(), 20u);
+  EXPECT_EQ(grate(6, 2, 0.5, 9).hole_count(), 5u);
+  EXPECT_EQ(pockets(20, 10).hole_count(), 20u);
+  EXPECT_EQ(pockets(1, 10).hole_count(), 1u);
+  EXPECT_EQ(letter_u(6, 7, 1.5).vertex_count(), 8u);
+  EXPECT_EQ(letter_l(3, 4, 1).vertex_count(), 6u);
+  EXPECT_EQ(spiral(2, 16, 2, 1).vertex_count(), 66u);
+  EXPECT_EQ(noisy_star(50, 0.9, 1).vertex_count(), 50u);
+  EXPECT_EQ(area(rectangle(-1, -2, 3, 4)), 24);
+}
+
+TEST(Shapes, random_polygons_have_their_vertices_and_holes) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const Region region = random_polygon(40, 3, seed);
+    EXPECT_EQ(region.parts().at(0).outer.size(), 40u) << "seed " << seed;
+    EXPECT_EQ(region.hole_count(), 3u) << "seed " << seed;
+    EXPECT_GT(reflex_count(region.parts().at(0).outer), 0) << "seed " << seed;
+  }
+}
+
+TEST(Shapes, radii_of_a_noisy_star_stay_within_the_noise) {
+  const Region region = noisy_star(200, 0.25, 3);
+  for (const Point& p : region.parts().at(0).outer) {
+    const double radius = std::sqrt(p.x * p.x + p.y * p.y);
+    EXPECT_GE(radius, 0.75 - 1e-7);
+    EXPECT_LE(radius, 1 + 1e-7);
+  }
+}
+
+TEST(Shapes, arguments_that_give_no_region_are_refused) {
+  EXPECT_THROW(disc(2, 1), std::invalid_argument);
+  EXPECT_THROW(gear(12, 4, 3), std::invalid_argument);
+  EXPECT_THROW(grate(1, 2, 0.5, 9), std::invalid_argument);
+  EXPECT_THROW(noisy_star(50, 1, 1), std::invalid_argument);
+  EXPECT_THROW(spiral(3, 24, 1, 2), std::invalid_argument);
+  EXPECT_THROW(letter_u(2, 3, 1), std::invalid_argument);
+  EXPECT_THROW(rectangle(0, 0, 0, 1), std::invalid_argument);
+  EXPECT_THROW(circle_point(5, 5), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace dymsum::shapes
