@@ -7,8 +7,8 @@ class App;
 
 namespace dymsum::cli {
 
-/// Stops with wrong usage where an operand or the value of an option is empty, where -o names one place twice, and where standard input
-/// is to be read twice.
+/// Stops with wrong usage where an operand or the value of an option is empty, where -o names one place twice, and
+/// where standard input is to be read twice.
 void check_arguments(const CLI::App& verb);
 
 }  // namespace dymsum::cli

@@ -13,12 +13,12 @@ namespace dymsum::cli {
 
 enum ExitCode {
   kDone = 0,
-  kUsage = 1,        ///< the command line itself is wrong
-  kBadInput = 2,     ///< an input or output file is, with the evidence
-  kDefect = 3,       ///< our defect
-  kNo = 4,           ///< the answer is "no"
-  kUndecided = 5,    ///< neither yes nor no within the limits of the search
-  kInterrupted = 130 ///< by Ctrl-C
+  kUsage = 1,         ///< the command line itself is wrong
+  kBadInput = 2,      ///< an input or output file is, with the evidence
+  kDefect = 3,        ///< our defect
+  kNo = 4,            ///< the answer is "no"
+  kUndecided = 5,     ///< neither yes nor no within the limits of the search
+  kInterrupted = 130  ///< by Ctrl-C
 };
 
 /// What the verb chosen on the command line does.

@@ -33,7 +33,8 @@ std::string without_mark(std::string text) {
 }
 
 const std::string& standard_input() {
-  static const std::string text = without_mark({std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()});
+  static const std::string text =
+      without_mark({std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()});
   return text;
 }
 

@@ -29,10 +29,14 @@ Json evidence_json(const Evidence& e) {
 /// The code of a failure that no library function reported.
 const char* code_of(ExitCode exit) {
   switch (exit) {
-    case kUsage: return "usage";
-    case kDefect: return "defect";
-    case kInterrupted: return "cancelled";
-    default: return "bad_input";
+    case kUsage:
+      return "usage";
+    case kDefect:
+      return "defect";
+    case kInterrupted:
+      return "cancelled";
+    default:
+      return "bad_input";
   }
 }
 
@@ -61,11 +65,13 @@ Json error_json(const Error& error) {
 }
 
 Json failure_json(const std::string& verb, const Stop& stop) {
-  Json error = stop.error() ? error_json(*stop.error())
-                            : Json{{"code", code_of(stop.code())}, {"message", stop.what()}, {"evidence", Json::object()}};
+  Json error = stop.error()
+                   ? error_json(*stop.error())
+                   : Json{{"code", code_of(stop.code())}, {"message", stop.what()}, {"evidence", Json::object()}};
   error["message"] = stop.what();
   error["exit"] = stop.code();
-  return {{"verb", verb.empty() ? Json(nullptr) : Json(verb)}, {"version", DYMSUM_VERSION}, {"error", std::move(error)}};
+  return {
+      {"verb", verb.empty() ? Json(nullptr) : Json(verb)}, {"version", DYMSUM_VERSION}, {"error", std::move(error)}};
 }
 
 }  // namespace dymsum::cli

@@ -23,8 +23,9 @@ std::string report_text(const Json& report);
 /// On standard output.
 void print_report(const Json& report);
 
-/// {"code", "message", "evidence", "exit"} of bad input: the message is the sentence on standard error, the evidence what applies of
-/// file, line, part, ring, vertex, face, place, and the exit code the one that this error ends a run with.
+/// {"code", "message", "evidence", "exit"} of bad input: the message is the sentence on standard error, the evidence
+/// what applies of file, line, part, ring, vertex, face, place, and the exit code the one that this error ends a run
+/// with.
 Json error_json(const Error& error);
 /// The object of a run that failed: verb, version, and error with its exit code.
 Json failure_json(const std::string& verb, const Stop& stop);

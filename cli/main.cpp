@@ -6,19 +6,22 @@
 #include <new>
 
 #include "arguments.h"
-#include "verbs/commands.h"
 #include "exit_code.h"
 #include "json_report.h"
 #include "suggestion.h"
+#include "verbs/commands.h"
 
 namespace {
 
 using namespace dymsum::cli;
 
 constexpr const char* kFooter =
-    "Files: planar .poly .wkt .geojson .svg .json (nesting instances), maps .yaml .map; FILE#NAME selects one shape of several; - is standard\n"
-    "input or output; solid .off .obj .stl .ply, written also as .glb. Results go to standard output, messages to standard error.\n"
-    "Exit: 0 done, 1 wrong usage, 2 bad input, 3 a defect of dymsum, 4 the answer is no, 5 undecided, 130 interrupted.\n"
+    "Files: planar .poly .wkt .geojson .svg .json (nesting instances), maps .yaml .map; FILE#NAME selects one shape of "
+    "several; - is standard\n"
+    "input or output; solid .off .obj .stl .ply, written also as .glb. Results go to standard output, messages to "
+    "standard error.\n"
+    "Exit: 0 done, 1 wrong usage, 2 bad input, 3 a defect of dymsum, 4 the answer is no, 5 undecided, 130 "
+    "interrupted.\n"
     "Example: dymsum sum gear.poly disc.wkt --json -o sum.svg -o stages.svg";
 
 void add_verbs(CLI::App& app, Action& action) {
@@ -41,7 +44,8 @@ void add_verbs(CLI::App& app, Action& action) {
 
 std::vector<std::string> verb_names(const CLI::App& app) {
   std::vector<std::string> names;
-  for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; })) names.push_back(verb->get_name());
+  for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(verb->get_name());
   return names;
 }
 
@@ -82,7 +86,8 @@ Stop wrong_usage(const CLI::App& app, const CLI::ParseError& error, int argc, ch
   std::string what = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr ? unknown_option(parser, argc, argv) : "";
   if (what.empty()) what = error.what();
   std::string usage = "dymsum " + verb;
-  for (const CLI::Option* option : parser.get_options(&CLI::Option::get_positional)) usage += " " + option->get_name(true);
+  for (const CLI::Option* option : parser.get_options(&CLI::Option::get_positional))
+    usage += " " + option->get_name(true);
   return {kUsage, what + "\nUsage: " + usage + " [options]; " + "dymsum " + verb + " --help says more"};
 }
 
@@ -123,7 +128,9 @@ int main(int argc, char** argv) {
   } catch (const Stop& stop) {
     return tell(stop, argc, argv);
   } catch (const std::bad_alloc&) {
-    return tell(Stop(kBadInput, "out of memory in `dymsum " + verb_of(argc, argv) + "`: the inputs, or what comes of them, are too large"), argc, argv);
+    return tell(Stop(kBadInput, "out of memory in `dymsum " + verb_of(argc, argv) +
+                                    "`: the inputs, or what comes of them, are too large"),
+                argc, argv);
   } catch (const std::exception& error) {
     return tell(Stop(kDefect, std::string("this is a defect of dymsum: ") + error.what()), argc, argv);
   }

@@ -35,9 +35,7 @@ std::optional<Point> finite_point(const std::string& text) {
   return Point{*x, *y};
 }
 
-double Angle::radians() const {
-  return degrees ? std::remainder(value, 360) / 180 * std::numbers::pi : value;
-}
+double Angle::radians() const { return degrees ? std::remainder(value, 360) / 180 * std::numbers::pi : value; }
 
 bool Angle::whole_turns() const { return degrees && std::remainder(value, 360) == 0; }
 

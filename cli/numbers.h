@@ -9,7 +9,8 @@
 
 namespace dymsum::cli {
 
-/// The double nearest to a decimal number; nothing for other text, for NaN and infinities, and past the range of doubles.
+/// The double nearest to a decimal number; nothing for other text, for NaN and infinities, and past the range of
+/// doubles.
 std::optional<double> finite_number(const std::string& text);
 
 /// The text between separators; one more piece than separators.
@@ -18,15 +19,19 @@ std::vector<std::string> split(const std::string& text, char separator);
 /// "x,y", both finite.
 std::optional<Point> finite_point(const std::string& text);
 
-/// An angle as it was given: every angle of the command line is a number of radians, or of degrees with `deg` behind it.
+/// An angle as it was given: every angle of the command line is a number of radians, or of degrees with `deg` behind
+/// it.
 struct Angle {
   double value = 0;
   bool degrees = false;
 
-  /// Degrees are reduced to a turn exactly before they become radians: quarter turns stay the doubles that stand for them.
+  /// Degrees are reduced to a turn exactly before they become radians: quarter turns stay the doubles that stand for
+  /// them.
   double radians() const;
   /// A share of the angle, which is k of n.
-  Angle share(std::size_t k, std::size_t n) const { return {value * static_cast<double>(k) / static_cast<double>(n), degrees}; }
+  Angle share(std::size_t k, std::size_t n) const {
+    return {value * static_cast<double>(k) / static_cast<double>(n), degrees};
+  }
   /// Whether it is a number of whole turns: as degrees exactly, as radians never.
   bool whole_turns() const;
   std::string label() const;  ///< "90°", "1.5 rad"

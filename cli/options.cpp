@@ -11,7 +11,8 @@ void add_operands(CLI::App& verb, const Operand& first, const Operand& second, s
 }
 
 void add_angle_options(CLI::App& verb, AngleOptions& options, const std::string& what) {
-  verb.add_option("--angle", options.angle, what + " in radians, or with deg behind it in degrees: 90deg")->type_name("RAD");
+  verb.add_option("--angle", options.angle, what + " in radians, or with deg behind it in degrees: 90deg")
+      ->type_name("RAD");
   verb.add_option("--degrees", options.degrees, what + " in degrees")->type_name("DEG");
 }
 
@@ -44,8 +45,10 @@ void add_repair_option(CLI::App& verb, InputOptions& options) {
 
 void add_exact_option(CLI::App& verb, ReportOptions& options) {
   verb.add_flag("--exact", options.exact,
-                "With --json: area_exact as a fraction of any length. Else it is null for sums of more than 10000 vertices, and where the "
-                "denominators of the vertices, powers of two apart, have more than 16384 bits together: thousands of crossings take "
+                "With --json: area_exact as a fraction of any length. Else it is null for sums of more than 10000 "
+                "vertices, and where the "
+                "denominators of the vertices, powers of two apart, have more than 16384 bits together: thousands of "
+                "crossings take "
                 "minutes. area is correctly rounded always")
       ->needs("--json");
 }
@@ -58,10 +61,13 @@ void add_input_options(CLI::App& verb, InputOptions& options) {
 
 void add_solid_input_options(CLI::App& verb, InputOptions& options) {
   add_repair_option(verb, options);
-  verb.add_flag("--hull", options.hull, "Solids: take the exact convex hull of each, for those that are convex but for rounding, and say on standard error "
-                                        "how far the surface was from it; of rounded results too")
+  verb.add_flag("--hull", options.hull,
+                "Solids: take the exact convex hull of each, for those that are convex but for rounding, and say on "
+                "standard error "
+                "how far the surface was from it; of rounded results too")
       ->excludes("--repair");
-  verb.add_option("--from", options.from, "Format of standard input; otherwise told from its first characters (not of binary .stl)")
+  verb.add_option("--from", options.from,
+                  "Format of standard input; otherwise told from its first characters (not of binary .stl)")
       ->check(CLI::IsMember({"poly", "wkt", "geojson", "svg", "json", "off", "obj", "stl", "ply"}));
 }
 

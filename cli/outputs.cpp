@@ -51,7 +51,9 @@ class Rounded {
 
 bool is_stage_picture(const std::string& file) { return file.ends_with("stages.svg"); }
 
-bool writes_to_stdout(const std::vector<std::string>& files) { return std::find(files.begin(), files.end(), "-") != files.end(); }
+bool writes_to_stdout(const std::vector<std::string>& files) {
+  return std::find(files.begin(), files.end(), "-") != files.end();
+}
 
 std::ostream& report_stream(const std::vector<std::string>& files, bool json) {
   if (!writes_to_stdout(files)) return std::cout;
@@ -64,7 +66,8 @@ std::string format_name(const std::string& file, const std::string& to) { return
 RegionFormat output_format(const std::string& file, const OutputOptions& options) {
   const std::string name = format_name(file, options.to);
   if (!mesh_format(name)) return require(region_format(name));
-  throw Stop(kBadInput, (file == "-" ? "--to " + options.to : file) + " is a format of solids; planar regions are written as .poly .wkt .geojson .svg or .json");
+  throw Stop(kBadInput, (file == "-" ? "--to " + options.to : file) +
+                            " is a format of solids; planar regions are written as .poly .wkt .geojson .svg or .json");
 }
 
 void check_outputs(const OutputOptions& options) {

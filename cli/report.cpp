@@ -127,18 +127,16 @@ Json sum_json(const SumReport& report) {
   const PlanarSum& sum = *report.sum;
   Json json =
       report_head(report.verb, inputs_json(report.inputs), sum.stats.tier_bits, report.timing, stages_json(sum.stats));
-  json.update({{"engine", report.engine},
-          {"semantics", report.semantics}});
+  json.update({{"engine", report.engine}, {"semantics", report.semantics}});
   json.update(size_json(sum, report.exact));
-  json.update({
-          {"segments", sum.segments.size()},
-          {"points", sum.points.size()},
-          {"convolution",
-           {{"full", report.convolution.full},
-            {"kinetic", report.convolution.kinetic},
-            {"reduced", report.convolution.reduced}}},
-          {"crossings", sum.stats.crossings},
-          {"work", work_json(sum.stats)}});
+  json.update({{"segments", sum.segments.size()},
+               {"points", sum.points.size()},
+               {"convolution",
+                {{"full", report.convolution.full},
+                 {"kinetic", report.convolution.kinetic},
+                 {"reduced", report.convolution.reduced}}},
+               {"crossings", sum.stats.crossings},
+               {"work", work_json(sum.stats)}});
   if (report.orientation) json["orientation"] = orientation_json(*report.orientation);
   return json;
 }
@@ -148,12 +146,13 @@ void print_sum(std::ostream& out, const SumReport& report) {
   out << report.verb << " of";
   for (std::size_t i = 0; i < report.inputs.size(); ++i) {
     const Input& input = report.inputs[i];
-    out << (i == 0 ? " " : " and ") << input.file << " ("
-        << counted(input.region.vertex_count(), "vertex", "vertices") << ")";
+    out << (i == 0 ? " " : " and ") << input.file << " (" << counted(input.region.vertex_count(), "vertex", "vertices")
+        << ")";
   }
   if (report.orientation) {
     const Orientation& theta = *report.orientation;
-    out << " at tan(theta / 2) = " << (theta.is_half_turn() ? "inf" : shown(theta.tan_half())) << ", theta = " << theta.radians();
+    out << " at tan(theta / 2) = " << (theta.is_half_turn() ? "inf" : shown(theta.tan_half()))
+        << ", theta = " << theta.radians();
   }
   out << "\n  " << counted(sum.parts.size(), "part") << ", " << counted(sum.hole_count(), "hole") << ", "
       << counted(sum.vertex_count(), "vertex", "vertices");

@@ -28,9 +28,9 @@ struct SumReport {
   bool exact = false;                      ///< area_exact of any length
 };
 
-/// outer, holes, vertices, area, area_exact and tight of a sum. area is a number, or text where it is outside the range of doubles;
-/// area_exact is null for more than 10000 vertices, and where its denominators have more than 16384 bits together, unless it is
-/// wanted `exact`.
+/// outer, holes, vertices, area, area_exact and tight of a sum. area is a number, or text where it is outside the range
+/// of doubles; area_exact is null for more than 10000 vertices, and where its denominators have more than 16384 bits
+/// together, unless it is wanted `exact`.
 Json size_json(const PlanarSum& sum, bool exact);
 /// An area or a volume where it is 0 or a normal double; as text where it was rounded to neither.
 using Measure = std::variant<double, std::string>;

@@ -16,7 +16,8 @@ std::size_t edits(const std::string& a, const std::string& b) {
         continue;
       }
       d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (a[i - 1] != b[j - 1])});
-      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
     }
   }
   return d[a.size()][b.size()];
@@ -32,7 +33,8 @@ std::string closest(const std::string& word, const std::vector<std::string>& can
     if (n < least && n < candidate.size()) least = n, best = candidate;
   }
   if (!best.empty() || word.empty()) return best;
-  const auto begins = std::find_if(candidates.begin(), candidates.end(), [&](const auto& c) { return c.starts_with(word); });
+  const auto begins =
+      std::find_if(candidates.begin(), candidates.end(), [&](const auto& c) { return c.starts_with(word); });
   return begins == candidates.end() ? "" : *begins;
 }
 

@@ -48,7 +48,9 @@ int main(int argc, char** argv) {
       {"peg", shapes::rectangle(0, 0, 2, 1)},
       {"cavity", shapes::rectangle(0, 0, 4, 3)},
       {"hook", Region::create({{}, {{{0, 0}, {2, 0}, {2, 1}}}, {}}).value()},  // a bent wire
-      {"rooms", Region::create({{}, {{{0, 0}, {8, 0}, {8, 6}, {0, 6}, {0, 0}}, {{4, 0}, {4, 2}}, {{4, 3.5}, {4, 6}}}, {}}).value()},  // walls
+      {"rooms",
+       Region::create({{}, {{{0, 0}, {8, 0}, {8, 6}, {0, 6}, {0, 0}}, {{4, 0}, {4, 2}}, {{4, 3.5}, {4, 6}}}, {}})
+           .value()},  // walls
   };
   for (const shapes::Named& shape : all) {
     const std::string file = (folder / shape.name).string() + ".wkt";

@@ -1,4 +1,5 @@
-// Writes solids to try the command line with, into a folder: the models of the thesis's figures 5.3 and 5.4. Usage: demo_solids FOLDER
+// Writes solids to try the command line with, into a folder: the models of the thesis's figures 5.3 and 5.4. Usage:
+// demo_solids FOLDER
 #include <dymsum/dymsum.h>
 #include <filesystem>
 #include <iostream>

@@ -8,7 +8,7 @@ int main() {
   const PlanarSum sum = nfp(slot, peg).value();      // where the peg's corner makes it hit the slot
   std::cout << "area " << sum.area_exact().to_string() << ", " << sum.hole_count() << " holes\n";
   for (const SumSegment& way : sum.tight_segments) {
-    std::cout << "the peg fits, and slides from (" << way.from.at.x << ", " << way.from.at.y << ") to ("
-              << way.to.at.x << ", " << way.to.at.y << ")\n";
+    std::cout << "the peg fits, and slides from (" << way.from.at.x << ", " << way.from.at.y << ") to (" << way.to.at.x
+              << ", " << way.to.at.y << ")\n";
   }
 }

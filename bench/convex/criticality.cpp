@@ -7,7 +7,8 @@
 
 namespace dymsum::bench {
 
-CriticalityRow measure_criticality(const solids::NamedMesh& p, const solids::NamedMesh& q, std::array<std::int32_t, 3> axis) {
+CriticalityRow measure_criticality(const solids::NamedMesh& p, const solids::NamedMesh& q,
+                                   std::array<std::int32_t, 3> axis) {
   constexpr int kSteps = 500, kSumEvery = 25;
   CriticalityRow row;
   row.p = p.name;

@@ -16,11 +16,13 @@ struct CriticalityRow {
   std::size_t p_triangles = 0, q_triangles = 0, angles = 0, map_bytes = 0, sum_bytes = 0;
   CriticalityStats stats;
   double build_ms = 0;
-  double structure_us = 0, update_us = 0;    ///< of one of 500 steps: reading the structure from the map, updating a ConvexSum
+  double structure_us = 0,
+         update_us = 0;  ///< of one of 500 steps: reading the structure from the map, updating a ConvexSum
   double map_sum_us = 0, update_sum_us = 0;  ///< the same up to the exact sum with positions
   std::size_t compared = 0, different = 0;   ///< sums of both
 };
 
-CriticalityRow measure_criticality(const solids::NamedMesh& p, const solids::NamedMesh& q, std::array<std::int32_t, 3> axis);
+CriticalityRow measure_criticality(const solids::NamedMesh& p, const solids::NamedMesh& q,
+                                   std::array<std::int32_t, 3> axis);
 
 }  // namespace dymsum::bench

@@ -40,7 +40,8 @@ std::vector<Point3> posed(const Mesh& mesh, const SolidPose& pose) {
   return out;
 }
 
-MotionRow measure(const solids::NamedMesh& p, const solids::NamedMesh& q, const std::vector<SolidPose>& poses, const MotionProtocol& protocol) {
+MotionRow measure(const solids::NamedMesh& p, const solids::NamedMesh& q, const std::vector<SolidPose>& poses,
+                  const MotionProtocol& protocol) {
   MotionRow row;
   row.p = p.name;
   row.q = q.name;
@@ -59,7 +60,8 @@ MotionRow measure(const solids::NamedMesh& p, const solids::NamedMesh& q, const 
     row.update_us = std::min(row.update_us, us / static_cast<double>(row.moves));
   }
 
-  // The static walk at the same poses in the same order, the same way: at one pose again and again it would be a fifth faster.
+  // The static walk at the same poses in the same order, the same way: at one pose again and again it would be a fifth
+  // faster.
   ConvexSum merged = *ConvexSum::create(p.mesh, q.mesh), triangles = *ConvexSum::create(p.mesh, q.mesh, false);
   row.static_us = 1e300;
   for (int round = 0; round < 3; ++round) {
@@ -71,7 +73,9 @@ MotionRow measure(const solids::NamedMesh& p, const solids::NamedMesh& q, const 
 
   // The same moves again, with the others' turns in between.
   moving.set(poses[0]);
-  const auto every = [&](int count) { return count > 0 ? std::max<std::size_t>(1, row.moves / static_cast<std::size_t>(count)) : row.moves + 1; };
+  const auto every = [&](int count) {
+    return count > 0 ? std::max<std::size_t>(1, row.moves / static_cast<std::size_t>(count)) : row.moves + 1;
+  };
   std::size_t brute_runs = 0, hull_runs = 0;
   for (std::size_t k = 1; k < poses.size(); ++k) {
     const MotionWork work = moving.set(poses[k]);
@@ -117,7 +121,8 @@ Point3 random_axis(std::mt19937_64& random) {
 
 }  // namespace
 
-MotionRow measure_rotation(const solids::NamedMesh& p, const solids::NamedMesh& q, int steps, const MotionProtocol& protocol) {
+MotionRow measure_rotation(const solids::NamedMesh& p, const solids::NamedMesh& q, int steps,
+                           const MotionProtocol& protocol) {
   std::mt19937_64 random(protocol.seed);
   const double angle = 2 * std::acos(-1.0) / steps;
   std::vector<SolidPose> poses{{*Rotation::about(random_axis(random), 1), {}}};
@@ -136,7 +141,9 @@ MotionRow measure_scaling(const solids::NamedMesh& p, const solids::NamedMesh& q
   std::mt19937_64 random(protocol.seed);
   std::uniform_real_distribution<double> factor(-1, 1);
   // Three decimals: what a person would type.
-  const auto scale = [&] { return *Scale::of(Rational{std::to_string(static_cast<int>(1000 * std::exp2(factor(random)))), "1000"}); };
+  const auto scale = [&] {
+    return *Scale::of(Rational{std::to_string(static_cast<int>(1000 * std::exp2(factor(random)))), "1000"});
+  };
   std::vector<SolidPose> poses(1);
   for (int k = 0; k < protocol.moves; ++k) poses.push_back({Rotation(), {scale(), scale(), scale()}});
   return measure(p, q, poses, protocol);

@@ -15,9 +15,10 @@ struct MotionRow {
   std::string p, q;
   std::size_t p_triangles = 0, q_triangles = 0, facets = 0;
   double update_us = 0, static_us = 0, brute_us = 0, brute_merged_us = 0, hull_us = 0;
-  MotionWork work;           ///< totals over all moves
+  MotionWork work;  ///< totals over all moves
   std::size_t moves = 0;
-  std::size_t compared = 0, different = 0;  ///< moves at which combinatorics and volumes were compared with static and brute force
+  std::size_t compared = 0,
+              different = 0;  ///< moves at which combinatorics and volumes were compared with static and brute force
 };
 
 struct MotionProtocol {
@@ -28,7 +29,8 @@ struct MotionProtocol {
 };
 
 /// P turns about random axes, each kept for a random number of moves, by 2 pi / steps a move.
-MotionRow measure_rotation(const solids::NamedMesh& p, const solids::NamedMesh& q, int steps, const MotionProtocol& protocol);
+MotionRow measure_rotation(const solids::NamedMesh& p, const solids::NamedMesh& q, int steps,
+                           const MotionProtocol& protocol);
 /// P is scaled by random factors, each in [1/2, 2] and independent per axis.
 MotionRow measure_scaling(const solids::NamedMesh& p, const solids::NamedMesh& q, const MotionProtocol& protocol);
 

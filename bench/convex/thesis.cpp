@@ -11,11 +11,14 @@ struct Value {
 };
 
 constexpr std::array kRotation{
-    Value{"cone", "HP", 8},        Value{"ellipse", "ellipse", 176}, Value{"GS3", "GS3", 86.26}, Value{"GS3", "GS4", 100.15}, Value{"GS4", "GS4", 121.26},
-    Value{"GS3", "HP", 11.58},     Value{"GS4", "HP", 11.51},        Value{"HP", "HP", 9.00},    Value{"GS3", "T", 29.21},    Value{"GS4", "T", 31.83},
-    Value{"HP", "T", 10.28},       Value{"T", "T", 16.17},           Value{"GS3", "TI", 69.25},  Value{"GS4", "TI", 78.26},   Value{"HP", "TI", 12.78},
-    Value{"T", "TI", 28.08},       Value{"TI", "TI", 63.45},         Value{"GS3", "v-rod", 77.73}, Value{"GS4", "v-rod", 83.05}, Value{"HP", "v-rod", 15.76},
-    Value{"T", "v-rod", 34.23},    Value{"TI", "v-rod", 67.24},      Value{"v-rod", "v-rod", 123.75}};
+    Value{"cone", "HP", 8},       Value{"ellipse", "ellipse", 176}, Value{"GS3", "GS3", 86.26},
+    Value{"GS3", "GS4", 100.15},  Value{"GS4", "GS4", 121.26},      Value{"GS3", "HP", 11.58},
+    Value{"GS4", "HP", 11.51},    Value{"HP", "HP", 9.00},          Value{"GS3", "T", 29.21},
+    Value{"GS4", "T", 31.83},     Value{"HP", "T", 10.28},          Value{"T", "T", 16.17},
+    Value{"GS3", "TI", 69.25},    Value{"GS4", "TI", 78.26},        Value{"HP", "TI", 12.78},
+    Value{"T", "TI", 28.08},      Value{"TI", "TI", 63.45},         Value{"GS3", "v-rod", 77.73},
+    Value{"GS4", "v-rod", 83.05}, Value{"HP", "v-rod", 15.76},      Value{"T", "v-rod", 34.23},
+    Value{"TI", "v-rod", 67.24},  Value{"v-rod", "v-rod", 123.75}};
 
 constexpr std::array<std::string_view, 5> kScaled{"ellipse", "GS3", "GS4", "TI", "v-rod"};
 constexpr double kScaling[5][5] = {{17.231, 16.653, 32.312, 14.636, 19.060},

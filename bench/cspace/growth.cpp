@@ -21,7 +21,8 @@ namespace {
 
 double processor_ms() { return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-// Between the x-coordinates of neighbouring columns the upper and the lower bound are monotone in x: simple whatever the heights are.
+// Between the x-coordinates of neighbouring columns the upper and the lower bound are monotone in x: simple whatever
+// the heights are.
 Region grid_polygon(int n) {
   std::mt19937 random(static_cast<unsigned>(n));
   const int columns = n / 2, height = 12;
@@ -62,12 +63,15 @@ struct Family {
   int largest;  ///< what takes minutes is left out
 };
 
-void print(std::ostream& table, const char* name, const Region& shape, double ms, double exponent, const CspaceObstacle& obstacle) {
+void print(std::ostream& table, const char* name, const Region& shape, double ms, double exponent,
+           const CspaceObstacle& obstacle) {
   const ObstacleWork& w = obstacle.work();
-  table << "| " << name << " | " << shape.vertex_count() << " | " << std::fixed << std::setprecision(ms < 100 ? 1 : 0) << ms << " | ";
+  table << "| " << name << " | " << shape.vertex_count() << " | " << std::fixed << std::setprecision(ms < 100 ? 1 : 0)
+        << ms << " | ";
   if (exponent != 0) table << std::setprecision(2) << exponent;
-  table << " | " << obstacle.patches().size() << " | " << obstacle.angles().size() << " | " << w.windows << " | " << w.candidate_pairs << " | "
-        << w.candidate_triples << " | " << w.potential_events << " | " << w.local_updates << " | " << w.slices << " |\n";
+  table << " | " << obstacle.patches().size() << " | " << obstacle.angles().size() << " | " << w.windows << " | "
+        << w.candidate_pairs << " | " << w.candidate_triples << " | " << w.potential_events << " | " << w.local_updates
+        << " | " << w.slices << " |\n";
 }
 
 }  // namespace
@@ -79,10 +83,13 @@ bool measure_obstacle_growth(const std::string& dir, std::ostream& out) {
                                              {"comb, exact fit", [](int n) { return comb(n, 1); }, 200},
                                              {"spiky star", spiky_star, 100}}};
   std::ostringstream table;
-  table << "# Growth of obstacles\n\nPolygons whose events coincide or crowd, each as robot and as obstacle. Processor time of all threads together, of one run. "
-           "The exponent\ncompares with the row before, by vertices. Teeth of combs are 1 wide; in a gap of width 1 they fit exactly.\nThe star of 200 vertices takes minutes and is left out.\n\n"
+  table << "# Growth of obstacles\n\nPolygons whose events coincide or crowd, each as robot and as obstacle. Processor "
+           "time of all threads together, of one run. "
+           "The exponent\ncompares with the row before, by vertices. Teeth of combs are 1 wide; in a gap of width 1 "
+           "they fit exactly.\nThe star of 200 vertices takes minutes and is left out.\n\n"
            "    ./run bench cspace --growth --results docs/results\n\n"
-           "| polygon with itself | vertices | ms | exponent | patches | angles | windows | pairs | triples | potential events | near the event | whole slices |\n"
+           "| polygon with itself | vertices | ms | exponent | patches | angles | windows | pairs | triples | "
+           "potential events | near the event | whole slices |\n"
            "|---|---|---|---|---|---|---|---|---|---|---|---|\n";
   for (const Family& family : kFamilies) {
     double before = 0, size_before = 0;
@@ -92,7 +99,8 @@ bool measure_obstacle_growth(const std::string& dir, std::ostream& out) {
       const double start = processor_ms();
       const CspaceObstacle obstacle = CspaceObstacle::create(shape, shape).value();
       const double ms = processor_ms() - start, size = static_cast<double>(shape.vertex_count());
-      print(table, family.name, shape, ms, before > 0 ? std::log(ms / before) / std::log(size / size_before) : 0, obstacle);
+      print(table, family.name, shape, ms, before > 0 ? std::log(ms / before) / std::log(size / size_before) : 0,
+            obstacle);
       before = ms;
       size_before = size;
       out << "." << std::flush;

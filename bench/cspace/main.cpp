@@ -34,19 +34,21 @@ struct Options {
 
 void opening(Report& report, const std::string& data) {
   report.line("# Obstacles of all orientations\n");
-  report.line("`./run bench cspace --results docs/results` made this page. Times are processor time of all threads "
-              "together unless they are called wall time. Values of the thesis, on its 2.13 GHz machine, are in "
-              "brackets. P is the robot, which turns; Q the obstacle.");
+  report.line(
+      "`./run bench cspace --results docs/results` made this page. Times are processor time of all threads "
+      "together unless they are called wall time. Values of the thesis, on its 2.13 GHz machine, are in "
+      "brackets. P is the robot, which turns; Q the obstacle.");
   if (data.empty()) report.line("\nNo data folder (DYMSUM_DATA): generated shapes stand in for dog, bird and star.");
   report.csv << "kind,pair,measure,value\n";
 }
 
 std::vector<ObstacleRow> obstacle_table(Report& report, const Options& options, const std::vector<TurningPair>& pairs) {
   report.line("\n## Table 4.1\n");
-  report.line("N_s: contacts that exist at some angle. n_s: patches of the boundary, one ending where its neighbours "
-              "change. n_b: shells. Stand-ins have the vertex counts of the thesis's chapter 3, not its shapes: its "
-              "grates enclose many cavities, for which the last row stands. Slabs: up to 50 random ones per pair, "
-              "their loops of contacts compared with the static engine's slice inside the slab.\n");
+  report.line(
+      "N_s: contacts that exist at some angle. n_s: patches of the boundary, one ending where its neighbours "
+      "change. n_b: shells. Stand-ins have the vertex counts of the thesis's chapter 3, not its shapes: its "
+      "grates enclose many cavities, for which the last row stands. Slabs: up to 50 random ones per pair, "
+      "their loops of contacts compared with the static engine's slice inside the slab.\n");
   obstacle_heading(report);
   std::vector<ObstacleRow> rows;
   for (const TurningPair& pair : pairs) {
@@ -60,12 +62,13 @@ std::vector<ObstacleRow> obstacle_table(Report& report, const Options& options, 
 std::vector<SlicesRow> slices_table(Report& report, const std::vector<TurningPair>& pairs,
                                     const std::vector<ObstacleRow>& obstacles) {
   report.line("\n## Slices instead\n");
-  report.line("One slice a degree at the simplest rational orientation within 1e-6 radians, the same exact vertices "
-              "for all. CGAL: reduced convolution with its exact kernel, operands made before the clock starts; "
-              "scaled: 36 orientations ten degrees apart, times 10. An obstacle answers for all orientations, between "
-              "the slices too: its slabs are the slices that would be needed to know as much. Answers compared: vertices, "
-              "holes and area. Where they differ, CGAL's vertical decomposition is asked at the first three orientations of "
-              "a pair.\n");
+  report.line(
+      "One slice a degree at the simplest rational orientation within 1e-6 radians, the same exact vertices "
+      "for all. CGAL: reduced convolution with its exact kernel, operands made before the clock starts; "
+      "scaled: 36 orientations ten degrees apart, times 10. An obstacle answers for all orientations, between "
+      "the slices too: its slabs are the slices that would be needed to know as much. Answers compared: vertices, "
+      "holes and area. Where they differ, CGAL's vertical decomposition is asked at the first three orientations of "
+      "a pair.\n");
   slices_heading(report);
   std::vector<SlicesRow> rows;
   for (const TurningPair& pair : pairs)
@@ -80,9 +83,10 @@ std::vector<SlicesRow> slices_table(Report& report, const std::vector<TurningPai
 
 void sizes_table(Report& report, const Options& options, const std::vector<TurningPair>& pairs) {
   report.line("\n## Table 4.2\n");
-  report.line("P (+) Q at the orientation of the files. The complete convolution turns the long way round at reflex "
-              "vertices, as the thesis's does. Crossings are proper ones; the thesis's include common endpoints of "
-              "segments (bar/circle has 36 of them and nothing else). Collinear vertices are dropped first.\n");
+  report.line(
+      "P (+) Q at the orientation of the files. The complete convolution turns the long way round at reflex "
+      "vertices, as the thesis's does. Crossings are proper ones; the thesis's include common endpoints of "
+      "segments (bar/circle has 36 of them and nothing else). Collinear vertices are dropped first.\n");
   sizes_heading(report);
   for (const TurningPair& pair : pairs)
     if (options.selects(pair))
@@ -91,8 +95,9 @@ void sizes_table(Report& report, const Options& options, const std::vector<Turni
 
 std::vector<ObstacleRow> symmetric_table(Report& report, const Options& options) {
   report.line("\n## Symmetric and coincident inputs\n");
-  report.line("Many events at one angle and in one place: where the change near an event cannot be told from the "
-              "segments that meet there, a whole slice behind the angle is computed.\n");
+  report.line(
+      "Many events at one angle and in one place: where the change near an event cannot be told from the "
+      "segments that meet there, a whole slice behind the angle is computed.\n");
   symmetric_heading(report);
   std::vector<ObstacleRow> rows;
   for (const TurningPair& pair : symmetric_pairs()) {
@@ -113,9 +118,12 @@ void questions(Report& report, const std::vector<TurningPair>& pairs) {
 // All pairs at 500 steps a turn, and two at other steps.
 std::vector<RotationRow> rotation_table(Report& report, const Options& options, const std::vector<TurningPair>& pairs) {
   report.line("\n## A sum that follows the robot\n");
-  report.line("O (+) -R(theta) R through a whole turn by `RotatingSum`, against `cspace_slice` at the same orientations. Frames that "
-              "build a window and frames from scratch are among them; means hold what medians do not show. Undecided: frames at which "
-              "something touches, or too nearly for doubles. Reading the clock is taken off both. Every frame is compared.\n");
+  report.line(
+      "O (+) -R(theta) R through a whole turn by `RotatingSum`, against `cspace_slice` at the same orientations. "
+      "Frames that "
+      "build a window and frames from scratch are among them; means hold what medians do not show. Undecided: frames "
+      "at which "
+      "something touches, or too nearly for doubles. Reading the clock is taken off both. Every frame is compared.\n");
   rotation_heading(report);
   std::vector<RotationRow> rows;
   const auto add = [&](const TurningPair& pair, int steps) {
@@ -189,8 +197,9 @@ int run(int argc, char** argv) {
   std::filesystem::create_directories(options.results);
   if (options.wants("figure")) {
     write_figures(options, pairs);
-    report.line("\n## Figure 4.4\n\n![The obstacle of grate1/grate2](figure-4.4.svg)\n\n"
-                "![The obstacle of the crossing grates](figure-4.4-grates.svg)");
+    report.line(
+        "\n## Figure 4.4\n\n![The obstacle of grate1/grate2](figure-4.4.svg)\n\n"
+        "![The obstacle of the crossing grates](figure-4.4-grates.svg)");
   }
   std::ofstream(options.results + "/cspace.md") << report.markdown.str();
   std::ofstream(options.results + "/cspace.csv") << report.csv.str();

@@ -16,9 +16,7 @@ using Cycle = std::vector<Contact>;
 constexpr std::size_t kSlabs = 50;
 constexpr std::uint64_t kSeed = 2016;
 
-bool before(const Contact& a, const Contact& b) {
-  return std::tuple{a.kind, a.p, a.q} < std::tuple{b.kind, b.p, b.q};
-}
+bool before(const Contact& a, const Contact& b) { return std::tuple{a.kind, a.p, a.q} < std::tuple{b.kind, b.p, b.q}; }
 bool smaller(const Cycle& a, const Cycle& b) {
   return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), before);
 }

@@ -122,9 +122,18 @@ double brute_seconds(const SampledDepth& sampled, const Configuration& from, std
 }  // namespace
 
 void QueryTables::heading() {
-  const Cells cells{"pair", "patches", "index ms, MB", "contains us (mean of a batch, median)", "exact answers",
-                    "clearance us (mean, median, worst)", "bounds a question", "largest error", "translations us",
-                    "free angles us", "sampled us", "its mean error, wrong patch %",
+  const Cells cells{"pair",
+                    "patches",
+                    "index ms, MB",
+                    "contains us (mean of a batch, median)",
+                    "exact answers",
+                    "clearance us (mean, median, worst)",
+                    "bounds a question",
+                    "largest error",
+                    "translations us",
+                    "free angles us",
+                    "sampled us",
+                    "its mean error, wrong patch %",
                     "its precomputation s, by brute force"};
   write_row(out_, cells);
   write_row(out_, Cells(cells.size(), "---"));

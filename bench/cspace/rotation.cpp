@@ -47,7 +47,8 @@ RotationRow measure_rotation(const TurningPair& pair, int steps) {
   row.name = pair.name;
   row.steps = steps;
   std::vector<Orientation> orientations;
-  for (int k = 1; k <= steps; ++k) orientations.push_back(Orientation::nearest(2 * std::numbers::pi * k / steps, 1e-6).value());
+  for (int k = 1; k <= steps; ++k)
+    orientations.push_back(Orientation::nearest(2 * std::numbers::pi * k / steps, 1e-6).value());
   std::vector<double> updates, slices, windows;
   // Small frames take little longer than reading the clock.
   const double clock = clock_ms();

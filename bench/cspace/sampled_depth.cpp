@@ -74,8 +74,8 @@ SampledAnswer SampledDepth::clearance(const Configuration& from) const {
   const std::size_t count = std::min(kNeighbours, samples_.size());
   std::vector<double> far(samples_.size());
   for (std::size_t k = 0; k < samples_.size(); ++k)
-    far[k] = std::hypot(samples_[k].x - from.x, samples_[k].y - from.y,
-        weight_ * wrapped(samples_[k].theta - from.theta));
+    far[k] =
+        std::hypot(samples_[k].x - from.x, samples_[k].y - from.y, weight_ * wrapped(samples_[k].theta - from.theta));
   std::vector<std::size_t> order(samples_.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::nth_element(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count - 1), order.end(),

@@ -31,7 +31,7 @@ class SampledDepth {
  private:
   double square(const Patch& patch, const Configuration& from, double share, double theta) const;
   double descend(const Patch& patch, const Configuration& from, double share, double theta, double low,
-      double high) const;
+                 double high) const;
 
   const CspaceObstacle& obstacle_;
   double weight_;

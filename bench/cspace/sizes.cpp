@@ -44,8 +44,8 @@ std::vector<Corner> corners(const Region& region) {
 
 /// Appends the edges that leave the corners of `edges` and whose direction the corners of `vertices` turn through: the
 /// directions (in, out], or [in, out) for `with_in`.
-void add_segments(const std::vector<Corner>& edges, const std::vector<Corner>& vertices, bool with_in,
-                  bool convex_only, std::vector<Line>& lines) {
+void add_segments(const std::vector<Corner>& edges, const std::vector<Corner>& vertices, bool with_in, bool convex_only,
+                  std::vector<Line>& lines) {
   for (const Corner& v : vertices) {
     const double turn = v.turn();
     if (convex_only && turn >= std::numbers::pi) continue;
@@ -66,9 +66,7 @@ std::vector<Line> convolution(const Region& p, const Region& q, bool convex_only
   return lines;
 }
 
-double side(const Line& l, Point x) {
-  return (l.b.x - l.a.x) * (x.y - l.a.y) - (l.b.y - l.a.y) * (x.x - l.a.x);
-}
+double side(const Line& l, Point x) { return (l.b.x - l.a.x) * (x.y - l.a.y) - (l.b.y - l.a.y) * (x.x - l.a.x); }
 bool cross(const Line& l, const Line& m) {
   if (std::max(l.a.y, l.b.y) < std::min(m.a.y, m.b.y) || std::max(m.a.y, m.b.y) < std::min(l.a.y, l.b.y)) return false;
   return side(l, m.a) * side(l, m.b) < 0 && side(m, l.a) * side(m, l.b) < 0;

@@ -18,9 +18,7 @@ constexpr std::size_t kExactAreaVertices = 1500;
 constexpr std::size_t kWitnesses = 3;
 constexpr double kWitnessSeconds = 5;
 
-Orientation orientation(int k, int of) {
-  return Orientation::nearest(2 * std::numbers::pi * k / of, 1e-6).value();
-}
+Orientation orientation(int k, int of) { return Orientation::nearest(2 * std::numbers::pi * k / of, 1e-6).value(); }
 
 double static_ms(const TurningPair& pair, int slices) {
   double ms = 0;
@@ -81,7 +79,9 @@ void compare(int degrees, const Described& ours, const RivalAnswer& theirs, cons
   const bool agrees = same(ours, witness);
   row.confirmed += agrees;
   row.remarks.push_back(difference(degrees, ours, theirs) + "; its vertical decomposition " +
-                        (agrees ? "says what we say" : witness.finished ? "says neither" : witness.why_not));
+                        (agrees             ? "says what we say"
+                         : witness.finished ? "says neither"
+                                            : witness.why_not));
 }
 
 /// CGAL's slice at some degrees, compared with ours; the time of the sum alone.

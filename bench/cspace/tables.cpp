@@ -30,12 +30,23 @@ std::string events(const ObstacleWork& w) {
 void csv_line(Report& report, const std::string& kind, const ObstacleRow& r) {
   const ObstacleWork& w = r.work;
   report.values(kind, r.name,
-                {{"cpu_ms", r.cpu.median()}, {"cpu_min_ms", r.cpu.min()}, {"wall_ms", r.wall.median()},
-                 {"runs", r.cpu.ms.size()}, {"surfaces", w.surfaces}, {"patches", r.patches}, {"shells", r.shells},
-                 {"free_cells", r.cells}, {"angles", r.angles}, {"alignments", w.alignments},
-                 {"vertex_events", w.vertex_events}, {"triple_events", w.triple_events},
-                 {"tight_events", w.tight_events}, {"local_updates", w.local_updates}, {"whole_slices", w.slices},
-                 {"slabs_compared", r.slabs_compared}, {"slabs_different", r.slabs_different}});
+                {{"cpu_ms", r.cpu.median()},
+                 {"cpu_min_ms", r.cpu.min()},
+                 {"wall_ms", r.wall.median()},
+                 {"runs", r.cpu.ms.size()},
+                 {"surfaces", w.surfaces},
+                 {"patches", r.patches},
+                 {"shells", r.shells},
+                 {"free_cells", r.cells},
+                 {"angles", r.angles},
+                 {"alignments", w.alignments},
+                 {"vertex_events", w.vertex_events},
+                 {"triple_events", w.triple_events},
+                 {"tight_events", w.tight_events},
+                 {"local_updates", w.local_updates},
+                 {"whole_slices", w.slices},
+                 {"slabs_compared", r.slabs_compared},
+                 {"slabs_different", r.slabs_different}});
 }
 
 template <class Row>
@@ -75,12 +86,11 @@ void obstacle_heading(Report& report) {
 
 void obstacle_line(Report& report, const ObstacleRow& r) {
   const PrintedObstacle& t = r.thesis;
-  report.row({r.name, r.shapes, beside(r.work.surfaces, t.surfaces), beside(r.patches, t.patches),
-              beside(r.shells, t.shells), count(r.angles), events(r.work), count(r.work.local_updates),
-              count(r.work.slices),
-              "**" + ms(r.cpu.median()) + "** (" + ms(r.cpu.min()) + "; " + count(r.cpu.ms.size()) + ")",
-              ms(r.wall.median()), t.seconds > 0 ? fixed(t.seconds, 2) : "-",
-              count(r.slabs_compared) + ", " + count(r.slabs_different)});
+  report.row(
+      {r.name, r.shapes, beside(r.work.surfaces, t.surfaces), beside(r.patches, t.patches), beside(r.shells, t.shells),
+       count(r.angles), events(r.work), count(r.work.local_updates), count(r.work.slices),
+       "**" + ms(r.cpu.median()) + "** (" + ms(r.cpu.min()) + "; " + count(r.cpu.ms.size()) + ")", ms(r.wall.median()),
+       t.seconds > 0 ? fixed(t.seconds, 2) : "-", count(r.slabs_compared) + ", " + count(r.slabs_different)});
   csv_line(report, "obstacle", r);
 }
 
@@ -104,10 +114,16 @@ void slices_line(Report& report, const SlicesRow& r, const ObstacleRow& obstacle
               count(r.vertices_differ) + ", " + count(r.holes_differ) + ", " + count(r.area_differs),
               count(r.any_differs), r.asked > 0 ? count(r.confirmed) + " of " + count(r.asked) + " asked" : "-"});
   report.values("slices", r.name,
-                {{"static_360_ms", r.ours_ms}, {"static_3600_ms", r.fine_ms}, {"static_3600_measured", r.fine_measured},
-                 {"cgal_360_ms", r.cgal_ms}, {"cgal_measured", r.cgal_measured}, {"compared", r.compared},
-                 {"vertices_differ", r.vertices_differ}, {"holes_differ", r.holes_differ},
-                 {"area_differs", r.area_differs}, {"any_differs", r.any_differs}});
+                {{"static_360_ms", r.ours_ms},
+                 {"static_3600_ms", r.fine_ms},
+                 {"static_3600_measured", r.fine_measured},
+                 {"cgal_360_ms", r.cgal_ms},
+                 {"cgal_measured", r.cgal_measured},
+                 {"compared", r.compared},
+                 {"vertices_differ", r.vertices_differ},
+                 {"holes_differ", r.holes_differ},
+                 {"area_differs", r.area_differs},
+                 {"any_differs", r.any_differs}});
 }
 
 void slices_remarks(Report& report, const std::vector<SlicesRow>& rows) {
@@ -130,8 +146,11 @@ void sizes_line(Report& report, const std::string& name, const ConvolutionCounts
               beside(c.reduced, t.reduced), beside(c.reduced_crossings, t.reduced_crossings), count(c.live_crossings),
               count(c.misjudged)});
   report.values("sizes", name,
-                {{"complete", c.complete}, {"complete_crossings", c.complete_crossings}, {"reduced", c.reduced},
-                 {"reduced_crossings", c.reduced_crossings}, {"computed_crossings", c.live_crossings}});
+                {{"complete", c.complete},
+                 {"complete_crossings", c.complete_crossings},
+                 {"reduced", c.reduced},
+                 {"reduced_crossings", c.reduced_crossings},
+                 {"computed_crossings", c.live_crossings}});
 }
 
 void symmetric_heading(Report& report) {
@@ -151,22 +170,30 @@ void symmetric_line(Report& report, const ObstacleRow& r) {
 
 void rotation_heading(Report& report) {
   report.heading({"P/Q", "steps a turn", "update us, median", "mean", "static us, median", "mean", "static / update",
-                  "of means", "windows", "us to build one", "from scratch", "of them undecided", "pieces, pairs a frame",
-                  "collision tests", "vertices", "compared, different"});
+                  "of means", "windows", "us to build one", "from scratch", "of them undecided",
+                  "pieces, pairs a frame", "collision tests", "vertices", "compared, different"});
 }
 
 void rotation_line(Report& report, const RotationRow& r) {
   const auto us = [](double v) { return fixed(1e3 * v, 1e3 * v < 100 ? 1 : 0); };
-  report.row({r.name, count(static_cast<std::uint64_t>(r.steps)), us(r.update_ms), us(r.update_mean_ms), us(r.static_ms),
-              us(r.static_mean_ms), "**" + ratio(r.static_ms, r.update_ms) + "**", ratio(r.static_mean_ms, r.update_mean_ms),
-              count(r.windows), us(r.window_ms), count(r.rebuilt), count(r.degenerate),
-              fixed(r.pieces, 0) + ", " + fixed(r.pairs, 0), fixed(r.collision_tests, 2), fixed(r.vertices, 0),
-              count(r.compared) + ", " + count(r.different)});
+  report.row({r.name, count(static_cast<std::uint64_t>(r.steps)), us(r.update_ms), us(r.update_mean_ms),
+              us(r.static_ms), us(r.static_mean_ms), "**" + ratio(r.static_ms, r.update_ms) + "**",
+              ratio(r.static_mean_ms, r.update_mean_ms), count(r.windows), us(r.window_ms), count(r.rebuilt),
+              count(r.degenerate), fixed(r.pieces, 0) + ", " + fixed(r.pairs, 0), fixed(r.collision_tests, 2),
+              fixed(r.vertices, 0), count(r.compared) + ", " + count(r.different)});
   report.values("rotation_" + count(static_cast<std::uint64_t>(r.steps)), r.name,
-                {{"update_ms", r.update_ms}, {"update_mean_ms", r.update_mean_ms}, {"static_ms", r.static_ms},
-                 {"static_mean_ms", r.static_mean_ms}, {"window_ms", r.window_ms}, {"windows", r.windows},
-                 {"rebuilt", r.rebuilt}, {"degenerate", r.degenerate}, {"pieces", r.pieces}, {"pairs", r.pairs},
-                 {"compared", r.compared}, {"different", r.different}});
+                {{"update_ms", r.update_ms},
+                 {"update_mean_ms", r.update_mean_ms},
+                 {"static_ms", r.static_ms},
+                 {"static_mean_ms", r.static_mean_ms},
+                 {"window_ms", r.window_ms},
+                 {"windows", r.windows},
+                 {"rebuilt", r.rebuilt},
+                 {"degenerate", r.degenerate},
+                 {"pieces", r.pieces},
+                 {"pairs", r.pairs},
+                 {"compared", r.compared},
+                 {"different", r.different}});
 }
 
 void promises(Report& report, const std::vector<ObstacleRow>& obstacles, const std::vector<SlicesRow>& slices,
@@ -197,7 +224,8 @@ void promises(Report& report, const std::vector<ObstacleRow>& obstacles, const s
             fixed(gain, 1) + " times (means " + fixed(r.static_mean_ms / r.update_mean_ms, 1) + ")", gain >= 5);
   }
   if (!rotations.empty())
-    verdict(report, "every frame equals the slice from scratch", count(frames_different) + " differ", frames_different == 0);
+    verdict(report, "every frame equals the slice from scratch", count(frames_different) + " differ",
+            frames_different == 0);
   for (const ObstacleRow& r : obstacles) different += r.slabs_different;
   verdict(report, "every compared slab equals the slice of the static engine", count(different) + " differ",
           different == 0);

@@ -51,8 +51,8 @@ std::vector<TurningPair> turning_pairs(const std::string& data) {
   pairs.push_back(pair("grate1/grate2", stand_in("G1"), stand_in("G2"), {4.9, 1028, 4097, 126, 1394, 5243, 469, 1204}));
   pairs.push_back(pair("bar/grate4", bar, stand_in("G4"), {0.3, 244, 1027, 17, 191, 131, 92, 77}));
   pairs.push_back(pair("grate3/grate4", stand_in("G3"), stand_in("G4"), {21.7, 991, 1947, 39, 1162, 10136, 400, 1544}));
-  pairs.push_back(pair("dog/bird", real(data, "dog"), real(data, "bird"),
-                       {3350.6, 39145, 18500, 1, 38342, 255635, 2921, 3742}));
+  pairs.push_back(
+      pair("dog/bird", real(data, "dog"), real(data, "bird"), {3350.6, 39145, 18500, 1, 38342, 255635, 2921, 3742}));
   pairs.push_back(pair("crossing grates", {upright, "grate of 4 + 4 bars"}, {lying, "grate of 4 + 4 bars"}));
   return pairs;
 }

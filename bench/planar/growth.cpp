@@ -36,9 +36,9 @@ Sized measure(const Region& p, const Region& q) {
 }
 
 void print(std::ostream& out, const std::string& name, const Sized& s, double exponent) {
-  out << "| " << name << " | " << std::fixed << std::setprecision(s.ms < 100 ? 1 : 0) << s.ms << " | " << s.stats.reduced_segments << " | "
-      << s.stats.live_segments << " | " << s.stats.crossings << " | " << s.vertices << " | " << std::setprecision(1)
-      << static_cast<double>(s.stats.peak_bytes) / 1e6 << " | ";
+  out << "| " << name << " | " << std::fixed << std::setprecision(s.ms < 100 ? 1 : 0) << s.ms << " | "
+      << s.stats.reduced_segments << " | " << s.stats.live_segments << " | " << s.stats.crossings << " | " << s.vertices
+      << " | " << std::setprecision(1) << static_cast<double>(s.stats.peak_bytes) / 1e6 << " | ";
   if (exponent != 0) out << std::setprecision(2) << exponent;
   out << " |\n";
 }
@@ -47,10 +47,13 @@ void print(std::ostream& out, const std::string& name, const Sized& s, double ex
 
 bool measure_growth(int largest, const std::string& dir, std::ostream& out) {
   std::ostringstream table;
-  table << "# Growth of large sums\n\nRandom stars with radii between 1 - noise and 1, each with itself, and a circle of jittered vertices with a regular polygon. "
-           "Memory is that of\nthe engine's own arrays. The exponent compares a star with the one half as large; the sum's reduced convolution grows\n"
+  table << "# Growth of large sums\n\nRandom stars with radii between 1 - noise and 1, each with itself, and a circle "
+           "of jittered vertices with a regular polygon. "
+           "Memory is that of\nthe engine's own arrays. The exponent compares a star with the one half as large; the "
+           "sum's reduced convolution grows\n"
            "with the square.\n\n    ./run bench planar --growth --results docs/results\n\n"
-           "| operands | ms | segments | live | crossings | vertices | MB | exponent |\n|---|---|---|---|---|---|---|---|\n";
+           "| operands | ms | segments | live | crossings | vertices | MB | exponent "
+           "|\n|---|---|---|---|---|---|---|---|\n";
   for (const double noise : {0.1, 0.6, 0.9}) {
     double before = 0;
     for (int n = 250; n <= largest; n *= 2) {

@@ -6,8 +6,8 @@
 
 namespace dymsum::bench {
 
-/// Random stars of 250 to `largest` vertices with themselves, and a circle of jittered vertices with a polygon; prints a table, and writes it to
-/// DIR/growth.md unless DIR is empty. False where that cannot be written.
+/// Random stars of 250 to `largest` vertices with themselves, and a circle of jittered vertices with a polygon; prints
+/// a table, and writes it to DIR/growth.md unless DIR is empty. False where that cannot be written.
 bool measure_growth(int largest, const std::string& dir, std::ostream& out);
 
 }  // namespace dymsum::bench

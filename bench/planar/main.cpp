@@ -69,13 +69,13 @@ int run(const Options& options) {
   const std::string data = data_folder();
   Pairs pairs = options.demo ? demo_pairs(data) : all_pairs(data);
   for (const std::string& note : pairs.notes) std::cout << note << "\n";
-  std::cout << "Times: median (and least) processor time in milliseconds; inputs are built before the clock starts, but in \"fresh\": our regions "
-               "from points,\nwith all checks, and one sum. CGAL: 5.5.1,\nreduced convolution with EPECK, unless another column. Ratio: CGAL / ours. Check: holes, "
+  std::cout << "Times: median (and least) processor time in milliseconds; inputs are built before the clock starts, "
+               "but in \"fresh\": our regions "
+               "from points,\nwith all checks, and one sum. CGAL: 5.5.1,\nreduced convolution with EPECK, unless "
+               "another column. Ratio: CGAL / ours. Check: holes, "
                "vertices, area.\n\n";
-  if (options.ours)
-    print_work_heading(std::cout);
-  else
-    print_heading(std::cout);
+  if (options.ours) print_work_heading(std::cout);
+  else print_heading(std::cout);
   std::vector<Row> rows;
   for (std::size_t i = 0; i < pairs.list.size(); ++i) {
     const Pair& pair = pairs.list[i];

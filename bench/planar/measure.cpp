@@ -55,7 +55,8 @@ class StageTimes {
   std::map<std::string_view, Times> times_;
 };
 
-/// From points to the sum, as users pay for it who sum two regions once. Of CGAL's times nothing but the sum is counted.
+/// From points to the sum, as users pay for it who sum two regions once. Of CGAL's times nothing but the sum is
+/// counted.
 double fresh_median_ms(const Pair& pair) {
   Times times;
   for (int k = 0; k < 25; ++k) {

@@ -36,10 +36,14 @@ std::string ratio_text(double ratio) {
 
 const char* verdict_text(Verdict verdict) {
   switch (verdict) {
-    case Verdict::equal: return "equal";
-    case Verdict::cgal_defect: return "CGAL wrong";
-    case Verdict::mismatch: return "MISMATCH";
-    case Verdict::unknown: return "no answer";
+    case Verdict::equal:
+      return "equal";
+    case Verdict::cgal_defect:
+      return "CGAL wrong";
+    case Verdict::mismatch:
+      return "MISMATCH";
+    case Verdict::unknown:
+      return "no answer";
   }
   return "";
 }
@@ -127,7 +131,8 @@ std::string to_csv(const std::vector<Row>& rows) {
   std::ostringstream out;
   out.precision(9);
   out << "group,pair,p_vertices,q_vertices,full,kinetic,reduced,tier,vertices,holes,area,ours_median_ms,ours_min_ms,"
-         "ours_fresh_ms,ours_runs,cgal_median_ms,cgal_min_ms,cgal_runs,ratio,cgal_full_ms,cgal_bisector_ms,cgal_vertical_ms,clipper_"
+         "ours_fresh_ms,ours_runs,cgal_median_ms,cgal_min_ms,cgal_runs,ratio,cgal_full_ms,cgal_bisector_ms,cgal_"
+         "vertical_ms,clipper_"
          "ms,"
          "live_segments,pair_tests,crossings,loops,collision_tests,peak_bytes,check,remark\n";
   const auto ms = [&](const RivalAnswer& answer) {
@@ -164,8 +169,10 @@ std::string to_markdown(const std::vector<Row>& rows) {
     out << "| " << target.promise << " | " << target.measured << " | " << (target.met ? "met" : "**NOT met**")
         << " |\n";
   }
-  out << "\nRegions keep what sums need of them (walks, direction lists, boxes), as in a table of no-fit polygons; the medians do not hold "
-         "making it. Column *fresh* starts from points: both regions are made and checked in it, and summed once; CGAL's times hold the sum of "
+  out << "\nRegions keep what sums need of them (walks, direction lists, boxes), as in a table of no-fit polygons; the "
+         "medians do not hold "
+         "making it. Column *fresh* starts from points: both regions are made and checked in it, and summed once; "
+         "CGAL's times hold the sum of "
          "polygons that are there and checks nothing.\n";
   out << "\n## Sizes of the convolutions\n\n";
   for (const std::string& line : thesis_counts(rows)) out << "- " << line << "\n";
@@ -182,8 +189,8 @@ std::string to_markdown(const std::vector<Row>& rows) {
     group = row.group;
     out << "| " << row.name << " | " << row.p_vertices << " + " << row.q_vertices << " | "
         << row.ours.convolution.reduced << " | " << row.ours.vertices << " | " << row.ours.holes << " | "
-        << milliseconds(row.ours.median_ms) << " | " << milliseconds(row.ours.fresh_ms) << " | " << times(row.reduced) << " | "
-        << (row.reduced.finished ? ratio_text(row.ratio()) : "-") << " | " << times(row.full) << " | "
+        << milliseconds(row.ours.median_ms) << " | " << milliseconds(row.ours.fresh_ms) << " | " << times(row.reduced)
+        << " | " << (row.reduced.finished ? ratio_text(row.ratio()) : "-") << " | " << times(row.full) << " | "
         << times(row.angle_bisector) << " | " << times(row.vertical) << " | " << times(row.clipper) << " | "
         << verdict_text(row.verdict) << " |\n";
   }

@@ -60,12 +60,14 @@ std::vector<Target> targets(const std::vector<Row>& rows) {
   list.push_back({"geometric mean over all pairs, regions prepared: at least 100 times CGAL's reduced convolution",
                   text("%.0f times", mean), mean >= 100});
   const double fresh = geometric_mean(rows, &Row::fresh_ratio);
-  list.push_back({"geometric mean over all pairs, from points: at least 40 times", text("%.0f times", fresh), fresh >= 40});
+  list.push_back(
+      {"geometric mean over all pairs, from points: at least 40 times", text("%.0f times", fresh), fresh >= 40});
   if (const Row* row = least(rows, ratio, [&](const Row& r) { return measured(r) && r.ours.vertices > 20; })) {
     list.push_back({"every pair with more than 20 vertices in the sum: at least 25 times",
                     text("least %.1f times, ", row->ratio()) + row->name, row->ratio() >= 25});
   }
-  if (const Row* row = least(rows, ratio, [&](const Row& r) { return measured(r) && r.p_vertices + r.q_vertices > 20; })) {
+  if (const Row* row =
+          least(rows, ratio, [&](const Row& r) { return measured(r) && r.p_vertices + r.q_vertices > 20; })) {
     list.push_back({"every pair with more than 20 vertices together: at least 25 times",
                     text("least %.1f times, ", row->ratio()) + row->name, row->ratio() >= 25});
   }
@@ -135,7 +137,8 @@ void print_summary(std::ostream& out, const std::vector<Row>& rows) {
   out << "\n== Ratios to CGAL's reduced convolution, geometric means: regions prepared, from points\n";
   for (const Group group : {Group::real, Group::stars, Group::holes, Group::swim, Group::shirts, Group::thesis}) {
     const double mean = geometric_mean(rows, &Row::ratio, &group);
-    if (mean > 0) out << name(group) << ": " << text("%.0f, %.1f", mean, geometric_mean(rows, &Row::fresh_ratio, &group)) << "\n";
+    if (mean > 0)
+      out << name(group) << ": " << text("%.0f, %.1f", mean, geometric_mean(rows, &Row::fresh_ratio, &group)) << "\n";
   }
   const Row* best = least(
       rows, [](const Row& r) { return r.ratio_to_best_cgal(); }, [](const Row& r) { return r.reduced.finished; });

@@ -14,7 +14,8 @@ std::vector<Corner> corners(const PlanarSum& sum) {
   std::vector<Corner> all;
   const auto add = [&](const SumRing& ring) {
     for (const SumVertex& v : ring.vertices)
-      all.push_back({static_cast<std::uint32_t>(v.in.kind), v.in.p, v.in.q, static_cast<std::uint32_t>(v.out.kind), v.out.p, v.out.q});
+      all.push_back({static_cast<std::uint32_t>(v.in.kind), v.in.p, v.in.q, static_cast<std::uint32_t>(v.out.kind),
+                     v.out.p, v.out.q});
   };
   for (const SumPart& part : sum.parts) {
     add(part.outer);

@@ -58,7 +58,8 @@ CopiesRow measure_copies(const ScalingPair& pair, const CopiesPlan& plan, int ro
   std::vector<CopySum> sums;
   for (int round = 0; round < rounds; ++round) {
     // Regions of their own each time: what sums keep of a region is charged to both.
-    const Region master = Region::create(pair.p.data()).value(), robot = Region::create(pair.q.data()).value(), q = negated(robot);
+    const Region master = Region::create(pair.p.data()).value(), robot = Region::create(pair.q.data()).value(),
+                 q = negated(robot);
     std::vector<Region> obstacles;
     for (const double s : plan.scales) obstacles.push_back(scaled(master, s, s).value());
     double start = cpu_ms();

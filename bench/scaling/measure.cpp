@@ -65,7 +65,8 @@ std::vector<ScalingPair> frame_pairs(const std::string& data) {
     pairs.push_back({name, std::move(a), std::move(b), q_scales});
   };
   if (!data.empty()) {
-    const Region neuron = read(data, "neuron"), monkey = read(data, "monkey"), bird = read(data, "bird"), dog = read(data, "dog");
+    const Region neuron = read(data, "neuron"), monkey = read(data, "monkey"), bird = read(data, "bird"),
+                 dog = read(data, "dog");
     add("neuron + disc 32", neuron, shapes::disc(32, 1), true);
     add("monkey + bird", monkey, bird);
     add("dog + dog", dog, dog);
@@ -128,7 +129,8 @@ FramesRow measure_frames(const ScalingPair& pair, const FramesPlan& plan) {
   ScalingOptions options;
   options.scaled = pair.q_scales ? ScaledOperand::q : ScaledOperand::p;
   options.mode = plan.mode;
-  // Each system sweeps on its own, as it would in use, one after the other kSweeps times; then both sweep together and are compared.
+  // Each system sweeps on its own, as it would in use, one after the other kSweeps times; then both sweep together and
+  // are compared.
   std::vector<Times> frame_times(plan.scales.size()), fresh_times(plan.scales.size());
   // Small frames take little longer than reading the clock.
   const double clock = clock_ms();
@@ -141,7 +143,8 @@ FramesRow measure_frames(const ScalingPair& pair, const FramesPlan& plan) {
     }
     for (std::size_t i = 0; i < plan.scales.size(); ++i) {
       const double s = plan.scales[i];
-      const Region p = pair.q_scales ? pair.p : exactly_scaled(pair.p, s), q = pair.q_scales ? exactly_scaled(pair.q, s) : pair.q;
+      const Region p = pair.q_scales ? pair.p : exactly_scaled(pair.p, s),
+                   q = pair.q_scales ? exactly_scaled(pair.q, s) : pair.q;
       const double start = cpu_ms();
       const PlanarSum answer = minkowski_sum(p, q).value();
       fresh_times[i].ms.push_back(std::max(cpu_ms() - start - clock, 0.0));
@@ -151,10 +154,12 @@ FramesRow measure_frames(const ScalingPair& pair, const FramesPlan& plan) {
   PlanarSum before;
   Times kept;  // shares
   Times frame, fresh, update, window, all_pairs, cgal;
-  const std::size_t n = plan.scales.size(), every = plan.rival_frames == 0 ? 0 : std::max<std::size_t>(1, n / plan.rival_frames);
+  const std::size_t n = plan.scales.size(),
+                    every = plan.rival_frames == 0 ? 0 : std::max<std::size_t>(1, n / plan.rival_frames);
   for (std::size_t i = 0; i < n; ++i) {
     const double s = plan.scales[i];
-    const Region p = pair.q_scales ? pair.p : exactly_scaled(pair.p, s), q = pair.q_scales ? exactly_scaled(pair.q, s) : pair.q;
+    const Region p = pair.q_scales ? pair.p : exactly_scaled(pair.p, s),
+                 q = pair.q_scales ? exactly_scaled(pair.q, s) : pair.q;
     const PlanarSum answer = minkowski_sum(p, q).value();
     fresh.ms.push_back(fresh_times[i].median());
     if (!sum.set(s).ok()) throw std::runtime_error("a frame failed");
@@ -169,7 +174,8 @@ FramesRow measure_frames(const ScalingPair& pair, const FramesPlan& plan) {
     row.bytes = std::max(row.bytes, work.peak_bytes);
     ++row.compared;
     row.different += !(answer == sum.sum());
-    row.samples.push_back({s, frame.ms.back(), fresh.ms.back(), work.crossings_changed, answer.stats.crossings, work.rebuilt, work.new_window});
+    row.samples.push_back({s, frame.ms.back(), fresh.ms.back(), work.crossings_changed, answer.stats.crossings,
+                           work.rebuilt, work.new_window});
     row.vertices = std::max<std::uint64_t>(row.vertices, answer.vertex_count());
     row.holes = std::max<std::uint64_t>(row.holes, answer.hole_count());
     if (i > 0) kept.ms.push_back(corners_kept(before, answer));

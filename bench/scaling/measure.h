@@ -8,7 +8,8 @@
 
 namespace dymsum::bench {
 
-/// A pair whose coordinates are integers of at most 24 bits, so that scales with few bits give doubles again: everyone computes the same.
+/// A pair whose coordinates are integers of at most 24 bits, so that scales with few bits give doubles again: everyone
+/// computes the same.
 struct ScalingPair {
   std::string name;
   Region p, q;
@@ -33,8 +34,8 @@ struct FramesRow {
   double frame_ms = 0, frame_mean_ms = 0, static_ms = 0, static_mean_ms = 0;
   double all_pairs_ms = 0, cgal_ms = 0;  ///< on a few of the frames; 0: not measured
   std::uint64_t frames = 0, windows = 0, rebuilt = 0, degenerate = 0, compared = 0, different = 0, cgal_different = 0;
-  double kept = 1;  ///< median share of corners that the frame before had
-  double update_ms = 0, window_ms = 0;   ///< medians of frames inside windows and of those that build one
+  double kept = 1;                      ///< median share of corners that the frame before had
+  double update_ms = 0, window_ms = 0;  ///< medians of frames inside windows and of those that build one
   std::vector<FrameSample> samples;
 };
 

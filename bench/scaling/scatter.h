@@ -9,7 +9,7 @@ namespace dymsum::bench {
 struct Dot {
   double x, y;
 };
-std::string draw_scatter(const std::string& title, const std::string& x_axis, const std::string& y_axis, const std::vector<Dot>& left,
-                         const std::string& second_x_axis, const std::vector<Dot>& right);
+std::string draw_scatter(const std::string& title, const std::string& x_axis, const std::string& y_axis,
+                         const std::vector<Dot>& left, const std::string& second_x_axis, const std::vector<Dot>& right);
 
 }  // namespace dymsum::bench

@@ -131,7 +131,8 @@ void describe(const PolygonWithHoles& sum, RivalAnswer& answer) {
 
 PolygonWithHoles compute(const PolygonWithHoles& p, const PolygonWithHoles& q, CgalMethod method) {
   switch (method) {
-    case CgalMethod::reduced_convolution: return CGAL::minkowski_sum_by_reduced_convolution_2(p, q);
+    case CgalMethod::reduced_convolution:
+      return CGAL::minkowski_sum_by_reduced_convolution_2(p, q);
     case CgalMethod::full_convolution:
       return CGAL::minkowski_sum_by_full_convolution_2(p.outer_boundary(), q.outer_boundary());
     case CgalMethod::small_side_angle_bisector:
@@ -147,10 +148,14 @@ PolygonWithHoles compute(const PolygonWithHoles& p, const PolygonWithHoles& q, C
 
 const char* name(CgalMethod method) {
   switch (method) {
-    case CgalMethod::reduced_convolution: return "CGAL reduced convolution";
-    case CgalMethod::full_convolution: return "CGAL full convolution";
-    case CgalMethod::small_side_angle_bisector: return "CGAL decomposition (small side angle bisector)";
-    case CgalMethod::vertical_decomposition: return "CGAL decomposition (vertical)";
+    case CgalMethod::reduced_convolution:
+      return "CGAL reduced convolution";
+    case CgalMethod::full_convolution:
+      return "CGAL full convolution";
+    case CgalMethod::small_side_angle_bisector:
+      return "CGAL decomposition (small side angle bisector)";
+    case CgalMethod::vertical_decomposition:
+      return "CGAL decomposition (vertical)";
   }
   return "";
 }

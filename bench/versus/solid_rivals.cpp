@@ -30,9 +30,12 @@ HullAnswer cgal_hull_of_sums(const std::vector<Point3>& p, const std::vector<Poi
 
 const char* name(DepthRival rival) {
   switch (rival) {
-    case DepthRival::fcl: return "FCL 0.7";
-    case DepthRival::ccd_gjk_epa: return "libccd GJK/EPA";
-    case DepthRival::ccd_mpr: return "libccd MPR";
+    case DepthRival::fcl:
+      return "FCL 0.7";
+    case DepthRival::ccd_gjk_epa:
+      return "libccd GJK/EPA";
+    case DepthRival::ccd_mpr:
+      return "libccd MPR";
   }
   return "";
 }
@@ -65,7 +68,8 @@ Point3 placed(const CcdObject& o, const Point3& v) {
 void ccd_support(const void* object, const ccd_vec3_t* direction, ccd_vec3_t* out) {
   const auto& o = *static_cast<const CcdObject*>(object);
   const double x = direction->v[0], y = direction->v[1], z = direction->v[2];
-  const double dx = o.m[0] * x + o.m[3] * y + o.m[6] * z, dy = o.m[1] * x + o.m[4] * y + o.m[7] * z, dz = o.m[2] * x + o.m[5] * y + o.m[8] * z;
+  const double dx = o.m[0] * x + o.m[3] * y + o.m[6] * z, dy = o.m[1] * x + o.m[4] * y + o.m[7] * z,
+               dz = o.m[2] * x + o.m[5] * y + o.m[8] * z;
   const Point3* best = &o.vertices->front();
   double most = -1e300;
   for (const Point3& v : *o.vertices) {

@@ -1,4 +1,5 @@
-// Other systems on convex solids, behind plain interfaces: CGAL's convex hull of all vertex sums, and the penetration depths of FCL and libccd.
+// Other systems on convex solids, behind plain interfaces: CGAL's convex hull of all vertex sums, and the penetration
+// depths of FCL and libccd.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +11,8 @@
 
 namespace dymsum::bench {
 
-/// CGAL::convex_hull_3 (EPICK) of all sums of a vertex of p and a vertex of q, as its users compute convex Minkowski sums.
+/// CGAL::convex_hull_3 (EPICK) of all sums of a vertex of p and a vertex of q, as its users compute convex Minkowski
+/// sums.
 struct HullAnswer {
   double ms = 0;
   std::size_t vertices = 0;

@@ -18,22 +18,25 @@ Point highest(const std::vector<CopySum>& sums) {
 }
 
 void dot(std::ostringstream& svg, Point at, double factor, const char* fill) {
-  svg << "<circle cx=\"" << number(at.x) << "\" cy=\"" << number(at.y) << "\" r=\"" << number(3 / factor) << "\" fill=\"" << fill << "\"/>\n";
+  svg << "<circle cx=\"" << number(at.x) << "\" cy=\"" << number(at.y) << "\" r=\"" << number(3 / factor)
+      << "\" fill=\"" << fill << "\"/>\n";
 }
 
 void draw(std::ostringstream& svg, const Drawn& set, const char* style, double factor) {
-  svg << "<path d=\"" << set.path << "\" fill-rule=\"evenodd\" stroke-width=\"" << number(1.2 / factor) << "\" " << style << "/>\n";
+  svg << "<path d=\"" << set.path << "\" fill-rule=\"evenodd\" stroke-width=\"" << number(1.2 / factor) << "\" "
+      << style << "/>\n";
   svg << tight_features(set, factor);
 }
 
 void legend(std::ostringstream& svg, double x, double y, const char* style, const std::string& text) {
-  svg << "<rect x=\"" << number(x) << "\" y=\"" << number(y - 10) << "\" width=\"12\" height=\"12\" " << style << "/><text x=\"" << number(x + 18) << "\" y=\""
-      << number(y) << "\">" << escaped(text) << "</text>\n";
+  svg << "<rect x=\"" << number(x) << "\" y=\"" << number(y - 10) << "\" width=\"12\" height=\"12\" " << style
+      << "/><text x=\"" << number(x + 18) << "\" y=\"" << number(y) << "\">" << escaped(text) << "</text>\n";
 }
 
 }  // namespace
 
-std::string copies_picture(const Region& master, const Region& robot, const std::vector<ScaledCopy>& copies, const std::vector<CopySum>& sums) {
+std::string copies_picture(const Region& master, const Region& robot, const std::vector<ScaledCopy>& copies,
+                           const std::vector<CopySum>& sums) {
   constexpr double kSize = 900, kMargin = 16, kLegend = 28;
   constexpr const char* kGrown = "fill=\"#9ecae1\" stroke=\"#08519c\"";
   constexpr const char* kObstacle = "fill=\"#ffffff\" stroke=\"#333333\"";
@@ -54,8 +57,9 @@ std::string copies_picture(const Region& master, const Region& robot, const std:
   std::ostringstream svg;
   svg << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << number(box.width() * factor + 2 * kMargin) << ' '
       << number(box.height() * factor + 2 * kMargin + kLegend) << "\" font-family=\"sans-serif\" font-size=\"13\">\n"
-      << "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n<g transform=\"translate(" << number(kMargin) << ' ' << number(kMargin) << ") scale("
-      << number(factor) << ") translate(" << number(-box.x0) << ' ' << number(-box.y0) << ")\">\n";
+      << "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n<g transform=\"translate(" << number(kMargin) << ' '
+      << number(kMargin) << ") scale(" << number(factor) << ") translate(" << number(-box.x0) << ' ' << number(-box.y0)
+      << ")\">\n";
   for (const Drawn& set : grown) draw(svg, set, kGrown, factor);
   for (const Drawn& set : solid) draw(svg, set, kObstacle, factor);
   draw(svg, body, kRobot, factor);

@@ -8,8 +8,9 @@
 
 namespace dymsum::cli {
 
-/// The obstacles, what they grow to in the configuration space of the robot, and the robot where it touches one of them; SVG text.
-/// Requires: sums are those of the copies with the reflected robot.
-std::string copies_picture(const Region& master, const Region& robot, const std::vector<ScaledCopy>& copies, const std::vector<CopySum>& sums);
+/// The obstacles, what they grow to in the configuration space of the robot, and the robot where it touches one of
+/// them; SVG text. Requires: sums are those of the copies with the reflected robot.
+std::string copies_picture(const Region& master, const Region& robot, const std::vector<ScaledCopy>& copies,
+                           const std::vector<CopySum>& sums);
 
 }  // namespace dymsum::cli

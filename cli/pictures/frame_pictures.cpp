@@ -61,9 +61,9 @@ void write_frame_pictures(const std::vector<std::string>& files, const std::vect
   constexpr std::size_t kColumns = 8;
   std::vector<std::string> texts;
   for (const std::string& file : files) {
-    texts.push_back(is_page(file)                 ? scrub_page(frames, ticks, title)
+    texts.push_back(is_page(file)                ? scrub_page(frames, ticks, title)
                     : file.ends_with("anim.svg") ? animation(frames)
-                                                  : film_strip(frames, kColumns));
+                                                 : film_strip(frames, kColumns));
   }
   throw_if_interrupted();
   for (std::size_t i = 0; i < texts.size(); ++i) write_text(files[i], texts[i]);
@@ -103,8 +103,8 @@ std::string animation(const std::vector<PicturedFrame>& frames) {
     svg << "<g class=\"frame\" visibility=\"" << (i == 0 ? "visible" : "hidden") << "\">";
     if (frames.size() > 1) show_during(svg, i, frames.size(), seconds);
     const double done = frames.size() > 1 ? double(i) / double(frames.size() - 1) : 1;
-    svg << "<text x=\"" << kGap << "\" y=\"" << kGap << "\">" << escaped(frames[i].caption)
-        << "</text><rect x=\"" << kGap << "\" y=\"" << kGap + 8 << "\" width=\"" << number(width * done)
+    svg << "<text x=\"" << kGap << "\" y=\"" << kGap << "\">" << escaped(frames[i].caption) << "</text><rect x=\""
+        << kGap << "\" y=\"" << kGap + 8 << "\" width=\"" << number(width * done)
         << "\" height=\"3\" fill=\"#08519c\"/>";
     open_drawing(svg, box, factor, kGap, kGap + kText);
     draw(svg, frames[i], factor);

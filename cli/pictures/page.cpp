@@ -44,17 +44,20 @@ again();
 
 /// Text that can stand inside a script element.
 std::string in_script(std::string json) {
-  for (std::size_t at = json.find("</"); at != std::string::npos; at = json.find("</", at + 2)) json.insert(at + 1, "\\");
+  for (std::size_t at = json.find("</"); at != std::string::npos; at = json.find("</", at + 2))
+    json.insert(at + 1, "\\");
   return json;
 }
 
 }  // namespace
 
-std::string page(const std::string& title, const std::string& drawing, const std::vector<LegendEntry>& legend, const std::string& extra,
-                 const std::string& data, const std::string& script) {
-  std::string html = "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
-                     "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"><title>" +
-                     escaped(title) + "</title>\n" + kStyle + "</head><body>\n<h1>" + escaped(title) + "</h1>\n" + drawing + "\n" + kControls;
+std::string page(const std::string& title, const std::string& drawing, const std::vector<LegendEntry>& legend,
+                 const std::string& extra, const std::string& data, const std::string& script) {
+  std::string html =
+      "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"><title>" +
+      escaped(title) + "</title>\n" + kStyle + "</head><body>\n<h1>" + escaped(title) + "</h1>\n" + drawing + "\n" +
+      kControls;
   html += extra + "<div class=\"row key\">";
   for (const LegendEntry& entry : legend)
     html += "<span><i style=\"background:" + entry.colour + "\"></i>" + escaped(entry.text) + "</span>\n";

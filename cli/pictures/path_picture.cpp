@@ -73,9 +73,9 @@ std::string path_picture(const Region& robot, const Region& obstacle, const std:
   std::ostringstream svg;
   svg << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << number(box.width() * factor + 2 * kMargin) << ' '
       << number(box.height() * factor + 2 * kMargin)
-          << "\">\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n<g transform=\"translate("
-      << number(kMargin) << ' ' << number(kMargin) << ") scale(" << number(factor) << ") translate("
-          << number(-box.x0) << ' ' << number(-box.y0) << ")\">\n";
+      << "\">\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n<g transform=\"translate(" << number(kMargin)
+      << ' ' << number(kMargin) << ") scale(" << number(factor) << ") translate(" << number(-box.x0) << ' '
+      << number(-box.y0) << ")\">\n";
   svg << outlined(wall, "fill=\"#9ecae1\" stroke=\"#08519c\"", line);
   for (const std::string& data : pale)
     svg << outlined(data, "fill=\"#e8a33d\" fill-opacity=\"0.12\" stroke=\"#a8650a\" stroke-opacity=\"0.4\"",

@@ -42,7 +42,8 @@ for (const t of ticks) {
 
 }  // namespace
 
-std::string scrub_page(const std::vector<PicturedFrame>& frames, const std::vector<PicturedTick>& marks, const std::string& title) {
+std::string scrub_page(const std::vector<PicturedFrame>& frames, const std::vector<PicturedTick>& marks,
+                       const std::string& title) {
   Box box;
   for (const PicturedFrame& f : frames) box.see(f.set.box);
   box = box.drawable();
@@ -55,12 +56,15 @@ std::string scrub_page(const std::vector<PicturedFrame>& frames, const std::vect
   }
   for (const PicturedTick& t : marks) ticks.push_back({{"at", t.at}, {"strong", t.strong}, {"label", t.caption}});
   std::ostringstream drawing;
-  drawing << "<svg id=\"drawing\" viewBox=\"" << number(box.x0 - margin) << ' ' << number(box.y0 - margin) << ' ' << number(box.width() + 2 * margin) << ' '
-          << number(box.height() + 2 * margin)
-          << "\"><path id=\"sum\" fill=\"#9ecae1\" fill-rule=\"evenodd\" stroke=\"#08519c\" vector-effect=\"non-scaling-stroke\"/>"
+  drawing << "<svg id=\"drawing\" viewBox=\"" << number(box.x0 - margin) << ' ' << number(box.y0 - margin) << ' '
+          << number(box.width() + 2 * margin) << ' ' << number(box.height() + 2 * margin)
+          << "\"><path id=\"sum\" fill=\"#9ecae1\" fill-rule=\"evenodd\" stroke=\"#08519c\" "
+             "vector-effect=\"non-scaling-stroke\"/>"
              "<path id=\"segments\" fill=\"none\" stroke=\""
-          << kTightColour << "\" stroke-width=\"2.5\" stroke-linecap=\"round\" vector-effect=\"non-scaling-stroke\"/><g id=\"tight\" fill=\"" << kTightColour
-          << "\"></g></svg>";
+          << kTightColour
+          << "\" stroke-width=\"2.5\" stroke-linecap=\"round\" vector-effect=\"non-scaling-stroke\"/><g id=\"tight\" "
+             "fill=\""
+          << kTightColour << "\"></g></svg>";
   std::vector<LegendEntry> legend = {{"#9ecae1", "the sum"}, {kTightColour, "tight features"}};
   if (!marks.empty()) {
     legend.push_back({"#777777", "low tick: an event"});

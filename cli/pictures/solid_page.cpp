@@ -92,10 +92,14 @@ std::string solid_page(const std::vector<SolidPicture>& frames, const std::strin
     }
     list.push_back(frame_json(frame));
   }
-  const std::string extra = "<div class=\"row\"><label><input id=\"changes\" type=\"checkbox\" checked> show what is new in red</label>"
-                            "<span>drag to look around</span></div>\n";
-  const std::vector<LegendEntry> legend = {
-      {"#e8a33d", "face of P"}, {"#5bb98c", "face of Q"}, {"#8cbae6", "edge + edge"}, {"#b3b8bf", "merged"}, {"#d81e3a", "new"}};
+  const std::string extra =
+      "<div class=\"row\"><label><input id=\"changes\" type=\"checkbox\" checked> show what is new in red</label>"
+      "<span>drag to look around</span></div>\n";
+  const std::vector<LegendEntry> legend = {{"#e8a33d", "face of P"},
+                                           {"#5bb98c", "face of Q"},
+                                           {"#8cbae6", "edge + edge"},
+                                           {"#b3b8bf", "merged"},
+                                           {"#d81e3a", "new"}};
   std::ostringstream constants;
   constants.precision(17);
   constants << "const reach = " << (reach > 0 ? reach : 1) << ";";

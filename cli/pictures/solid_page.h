@@ -13,8 +13,8 @@ struct SolidPicture {
   SolidSum sum;
 };
 
-/// One HTML page: drag to look around, slider and play button, facets coloured by kind or by whether they changed. A convex solid needs no depth
-/// order: facets that look towards the viewer are all seen. No network, no library.
+/// One HTML page: drag to look around, slider and play button, facets coloured by kind or by whether they changed. A
+/// convex solid needs no depth order: facets that look towards the viewer are all seen. No network, no library.
 std::string solid_page(const std::vector<SolidPicture>& frames, const std::string& title);
 
 }  // namespace dymsum::cli

@@ -70,8 +70,10 @@ Box Box::drawable() const {
   if (empty()) return {0, 0, 1, 1};
   const double furthest = std::max({std::abs(x0), std::abs(y0), std::abs(x1), std::abs(y1)});
   if (!(furthest <= std::numeric_limits<float>::max()) || (size() > 0 && size() < std::numeric_limits<float>::min()))
-    throw Stop(kBadInput, "this cannot be drawn: pictures show coordinates up to 3.4e+38 and extents from 1.2e-38 on, not a drawing of " + number(size()) +
-                              " that reaches to " + number(furthest));
+    throw Stop(
+        kBadInput,
+        "this cannot be drawn: pictures show coordinates up to 3.4e+38 and extents from 1.2e-38 on, not a drawing of " +
+            number(size()) + " that reaches to " + number(furthest));
   Box box = *this;
   if (!(box.width() > 0)) box.x1 = box.x0 + 1;
   if (!(box.height() > 0)) box.y1 = box.y0 + 1;
@@ -117,8 +119,8 @@ Drawn drawn(const Region& region, double scale, Point moved) {
 std::string tight_features(const Drawn& set, double factor) {
   std::string svg;
   if (!set.tight.empty())
-    svg = "<path class=\"tight\" d=\"" + set.tight + "\" fill=\"none\" stroke=\"" + kTightColour + "\" stroke-width=\"" +
-          number(2 / factor) + "\" stroke-linecap=\"round\"/>";
+    svg = "<path class=\"tight\" d=\"" + set.tight + "\" fill=\"none\" stroke=\"" + kTightColour +
+          "\" stroke-width=\"" + number(2 / factor) + "\" stroke-linecap=\"round\"/>";
   for (const Point& p : set.dots)
     svg += "<circle cx=\"" + number(p.x) + "\" cy=\"" + number(p.y) + "\" r=\"" + number(2.5 / factor) + "\" fill=\"" +
            kTightColour + "\"/>";

@@ -19,8 +19,8 @@ struct Box {
   double size() const { return width() > height() ? width() : height(); }
   void see(Point p);
   void see(const Box& other);
-  /// Grown to have area, whatever was seen. Stops with bad input outside the range of single precision, in which viewers compute: what is
-  /// larger is infinite to them, and what is smaller a point.
+  /// Grown to have area, whatever was seen. Stops with bad input outside the range of single precision, in which
+  /// viewers compute: what is larger is infinite to them, and what is smaller a point.
   Box drawable() const;
 };
 
@@ -39,7 +39,8 @@ Drawn drawn(const Region& region, double scale = 1, Point moved = {});
 
 /// The colour of tight features in every picture and page.
 inline constexpr const char* kTightColour = "#d81e3a";
-/// Tight segments and isolated and tight points, in units of which `factor` make a unit of the picture; empty where there are none.
+/// Tight segments and isolated and tight points, in units of which `factor` make a unit of the picture; empty where
+/// there are none.
 std::string tight_features(const Drawn& set, double factor);
 
 /// A coordinate with seven digits.

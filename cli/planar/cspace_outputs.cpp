@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "dymsum/mesh_io.h"
-#include "pictures/frame_pictures.h"
 #include "inputs.h"
+#include "pictures/frame_pictures.h"
 
 namespace dymsum::cli {
 namespace {
@@ -29,22 +29,22 @@ Json angle_json(const CspaceObstacle& obstacle, std::uint32_t number) {
 }
 
 Json patch_json(const CspaceObstacle& obstacle, const Patch& p) {
-  return {{"contact", contact_json(p.contact)},
-          {"left", contact_json(p.left)},
-          {"right", contact_json(p.right)},
-          {"left_corner", p.left_corner},
-          {"right_corner", p.right_corner},
-          {"theta0", angle_json(obstacle, p.begin)},
-          {"theta1", angle_json(obstacle, p.end)},
-          {"shell", p.shell}};
+  return {{"contact", contact_json(p.contact)},    {"left", contact_json(p.left)},
+          {"right", contact_json(p.right)},        {"left_corner", p.left_corner},
+          {"right_corner", p.right_corner},        {"theta0", angle_json(obstacle, p.begin)},
+          {"theta1", angle_json(obstacle, p.end)}, {"shell", p.shell}};
 }
 
 const char* kind_name(ObstacleEvent::Kind kind) {
   switch (kind) {
-    case ObstacleEvent::Kind::alignment: return "alignment";
-    case ObstacleEvent::Kind::vertex_on_segment: return "vertex_on_segment";
-    case ObstacleEvent::Kind::three_segments: return "three_segments";
-    case ObstacleEvent::Kind::tight: break;
+    case ObstacleEvent::Kind::alignment:
+      return "alignment";
+    case ObstacleEvent::Kind::vertex_on_segment:
+      return "vertex_on_segment";
+    case ObstacleEvent::Kind::three_segments:
+      return "three_segments";
+    case ObstacleEvent::Kind::tight:
+      break;
   }
   return "tight";
 }
@@ -57,7 +57,8 @@ std::size_t shade_of(const CspaceObstacle& obstacle, std::uint32_t shell) {
 
 /// Yellow for fixed contacts and blue for rotating ones, as in the figures of docs/results; grey for the caps.
 std::vector<FaceColour> colours_of(const CspaceObstacle& obstacle, const ObstacleMesh& mesh, std::size_t faces) {
-  constexpr std::array<std::array<float, 3>, 2> kHues{{{250 / 255.f, 205 / 255.f, 120 / 255.f}, {40 / 255.f, 115 / 255.f, 185 / 255.f}}};
+  constexpr std::array<std::array<float, 3>, 2> kHues{
+      {{250 / 255.f, 205 / 255.f, 120 / 255.f}, {40 / 255.f, 115 / 255.f, 185 / 255.f}}};
   constexpr std::array<float, kShades> kLight{0, 0.45f, -0.35f, 0.65f, -0.55f};  // towards white, or black
   std::vector<FaceColour> colours;
   for (const auto& hue : kHues) {
@@ -90,7 +91,8 @@ void require_singles(const MeshData& data) {
     const auto less = [&](const Point3& a, const Point3& b) { return a.*axis < b.*axis; };
     const auto [low, high] = std::minmax_element(data.vertices.begin(), data.vertices.end(), less);
     const auto from = static_cast<float>(*low.*axis), to = static_cast<float>(*high.*axis);
-    if (!std::isfinite(from) || !std::isfinite(to)) throw Stop(kBadInput, "a .glb file cannot hold this: a coordinate is past the range of single precision");
+    if (!std::isfinite(from) || !std::isfinite(to))
+      throw Stop(kBadInput, "a .glb file cannot hold this: a coordinate is past the range of single precision");
     if (from == to) throw Stop(kBadInput, "a .glb file cannot hold this: in single precision the obstacle is flat");
   }
 }
@@ -133,8 +135,9 @@ std::string obstacle_glb(const CspaceObstacle& obstacle, const ObstacleMesh& mes
       {"planes", ends == Ends::capped ? "the planes at -pi and at pi show the same slice, as grey caps"
                                       : "the planes at -pi and at pi show the same slice: the surface goes on from the "
                                         "one in the other"},
-      {"colours", "yellow: edges of the obstacle on vertices of the robot; blue: edges of the robot, which turn, on "
-                  "vertices of the obstacle; shades: shells; grey: caps"},
+      {"colours",
+       "yellow: edges of the obstacle on vertices of the robot; blue: edges of the robot, which turn, on "
+       "vertices of the obstacle; shades: shells; grey: caps"},
       {"error", "at every angle within " + digits(mesh.tolerance) + " of the exact surface"},
       {"closed", closure(mesh).watertight() ? "yes" : "no"}};
   const MeshData data = ends == Ends::capped ? capped_mesh_data(mesh) : mesh_data(mesh);
@@ -161,9 +164,9 @@ std::string slice_strip(const CspaceObstacle& obstacle, std::size_t slices, cons
 
 Json mesh_json(const ObstacleMesh& mesh) {
   const MeshClosure closed = closure(mesh);
-  return {{"vertices", mesh.vertices.size()},  {"triangles", mesh.triangles.size()},
-          {"tolerance", mesh.tolerance},       {"watertight", closed.watertight()},
-          {"open_edges", closed.open},         {"crowded_edges", closed.crowded},
+  return {{"vertices", mesh.vertices.size()},    {"triangles", mesh.triangles.size()},
+          {"tolerance", mesh.tolerance},         {"watertight", closed.watertight()},
+          {"open_edges", closed.open},           {"crowded_edges", closed.crowded},
           {"closing_area", closed.closing_area}, {"volume", enclosed_volume(mesh)}};
 }
 

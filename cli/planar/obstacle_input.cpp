@@ -9,7 +9,8 @@ void add_obstacle_input(CLI::App& verb, ObstacleInput& input) {
   const char* const file = ": a file, FILE#NAME for one shape of several, or - for standard input";
   verb.add_option("ROBOT", input.operands[0], std::string("The robot") + file)->type_name("");
   verb.add_option("OBSTACLE", input.operands[1], std::string("The obstacle") + file)->type_name("");
-  verb.add_option("--obstacle", input.file, "Instead of ROBOT and OBSTACLE: a .obstacle file that dymsum cspace wrote")->type_name("FILE");
+  verb.add_option("--obstacle", input.file, "Instead of ROBOT and OBSTACLE: a .obstacle file that dymsum cspace wrote")
+      ->type_name("FILE");
 }
 
 void check_obstacle_input(const std::string& verb, const ObstacleInput& input) {

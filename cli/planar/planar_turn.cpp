@@ -54,7 +54,8 @@ Turned run_frames(const PlanarTurn& turn, const std::vector<Input>& inputs, cons
   Turned turned;
   const std::size_t every = picture_step(poses.size(), turn.files);
   for (std::size_t round = 0; round < turn.report.repeat; ++round) {
-    RotatingSum sum = require(RotatingSum::create(inputs[0].region, inputs[1].region, rotating_options(turn, FrameMode::automatic)));
+    RotatingSum sum =
+        require(RotatingSum::create(inputs[0].region, inputs[1].region, rotating_options(turn, FrameMode::automatic)));
     for (std::size_t i = 0; i < poses.size(); ++i) {
       if (!progress("frames", double(i) / double(poses.size()))) throw_if_interrupted();
       // The sum was made at zero: a frame there is that one, with its time.
@@ -67,7 +68,8 @@ Turned run_frames(const PlanarTurn& turn, const std::vector<Input>& inputs, cons
       turned.rebuilt += work.rebuilt;
       turned.degenerate += work.degenerate;
       if (turn.report.json) turned.frames.push_back(frame_json(sum.sum(), poses[i], work.ms, turn.report.exact));
-      if (every > 0 && i % every == 0) turned.pictures.push_back({turn.angles[i].value, poses[i].caption, drawn(sum.sum())});
+      if (every > 0 && i % every == 0)
+        turned.pictures.push_back({turn.angles[i].value, poses[i].caption, drawn(sum.sum())});
     }
   }
   return turned;
@@ -75,7 +77,8 @@ Turned run_frames(const PlanarTurn& turn, const std::vector<Input>& inputs, cons
 
 /// A fresh computation at a few of the orientations.
 double static_ms(const PlanarTurn& turn, const std::vector<Input>& inputs, const std::vector<Pose>& poses) {
-  RotatingSum fresh = require(RotatingSum::create(inputs[0].region, inputs[1].region, rotating_options(turn, FrameMode::rebuild)));
+  RotatingSum fresh =
+      require(RotatingSum::create(inputs[0].region, inputs[1].region, rotating_options(turn, FrameMode::rebuild)));
   std::vector<double> ms;
   for (const std::size_t i : {std::size_t{0}, poses.size() / 3, poses.size() / 2, poses.size() - 1})
     for (std::size_t k = 0; k < turn.report.repeat; ++k) {
@@ -103,13 +106,14 @@ ExitCode run_planar_turn(const PlanarTurn& turn) {
   if (turn.report.json) {
     Json json = report_head("rotate", inputs_json(inputs), turned.tier, timing, {{"frames", timing.median_ms}});
     json["repeats"] = turn.report.repeat;
-    json.update({{"semantics", turn.semantics},
-                 {"angle_error", turn.error},
-                 {"frames", turned.frames},
-                 {"static_ms", fresh_ms},
-                 {"update_ms", timing.median_ms},
-                 {"work",
-                  {{"degenerate_frames", turned.degenerate}, {"windows", turned.windows}, {"rebuilt", turned.rebuilt}}}});
+    json.update(
+        {{"semantics", turn.semantics},
+         {"angle_error", turn.error},
+         {"frames", turned.frames},
+         {"static_ms", fresh_ms},
+         {"update_ms", timing.median_ms},
+         {"work",
+          {{"degenerate_frames", turned.degenerate}, {"windows", turned.windows}, {"rebuilt", turned.rebuilt}}}});
     print_report(json);
     return kDone;
   }

@@ -11,8 +11,8 @@ namespace dymsum::cli {
 
 struct PlanarTurn {
   std::vector<std::string> operands{"", ""}, files;
-  std::vector<Angle> angles;    ///< of the frames
-  double error = 1e-6;          ///< in radians: the simplest exact orientation within it is taken
+  std::vector<Angle> angles;  ///< of the frames
+  double error = 1e-6;        ///< in radians: the simplest exact orientation within it is taken
   std::string semantics = "closed";
   ReportOptions report;
   InputOptions input;

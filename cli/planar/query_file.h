@@ -21,8 +21,9 @@ std::optional<QueryLine> query_in(const std::string& text);
 /// Ends the command with what is wrong with a line.
 using Refuse = std::function<void(const std::string& why)>;
 
-/// Calls `take` with every line of the file, or of standard input for "-", that is not empty, comments left out, and with
-/// what refuses that line. Stops with bad input, with file and line, for lines that are no queries, and for a file without any.
+/// Calls `take` with every line of the file, or of standard input for "-", that is not empty, comments left out, and
+/// with what refuses that line. Stops with bad input, with file and line, for lines that are no queries, and for a file
+/// without any.
 void for_each_query(const std::string& file, const std::function<void(const QueryLine&, const Refuse&)>& take);
 
 }  // namespace dymsum::cli

@@ -3,11 +3,11 @@
 #include <iostream>
 
 #include "outputs.h"
+#include "planar/tier.h"
 #include "progress_bar.h"
 #include "report.h"
 #include "solid/solid_inputs.h"
 #include "solid/solid_outputs.h"
-#include "planar/tier.h"
 #include "timing.h"
 
 namespace dymsum::cli {

@@ -4,10 +4,10 @@
 #include <iostream>
 #include <optional>
 
+#include "planar/tier.h"
 #include "progress_bar.h"
 #include "report.h"
 #include "solid/solid_inputs.h"
-#include "planar/tier.h"
 #include "timing.h"
 
 namespace dymsum::cli {

@@ -90,7 +90,9 @@ Json solid_inputs_json(const std::vector<SolidInput>& inputs) {
                     {"faces", input.mesh.faces().size()},
                     {"shells", input.mesh.shell_count()}});
     if (!input.hull) continue;
-    list.back()["hull"] = {{"vertices", input.hull->vertices}, {"inside", input.hull->inside_vertices}, {"deviation", input.hull->deviation}};
+    list.back()["hull"] = {{"vertices", input.hull->vertices},
+                           {"inside", input.hull->inside_vertices},
+                           {"deviation", input.hull->deviation}};
   }
   return list;
 }

@@ -4,11 +4,11 @@
 #include <iostream>
 #include <optional>
 
-#include "pictures/frame_pictures.h"
 #include "outputs.h"
+#include "pictures/frame_pictures.h"
+#include "pictures/solid_page.h"
 #include "progress_bar.h"
 #include "solid/solid_outputs.h"
-#include "pictures/solid_page.h"
 #include "timing.h"
 
 namespace dymsum::cli {
@@ -41,8 +41,8 @@ struct Motion {
   std::vector<SolidPicture> pictures;
 };
 
-Motion run(const std::vector<SolidInput>& inputs, const std::vector<SolidFramePose>& poses, bool pictures, const ReportOptions& report,
-           const Progress& progress) {
+Motion run(const std::vector<SolidInput>& inputs, const std::vector<SolidFramePose>& poses, bool pictures,
+           const ReportOptions& report, const Progress& progress) {
   Motion motion;
   for (std::size_t round = 0; round < report.repeat; ++round) {
     motion.sum = require(ConvexSum::create(inputs[0].mesh, inputs[1].mesh));
@@ -71,8 +71,9 @@ double static_ms(const ConvexSum& sum) {
 
 }  // namespace
 
-ExitCode run_solid_motion(const std::string& verb, const std::vector<SolidInput>& inputs, const std::vector<SolidFramePose>& poses,
-                          const std::vector<std::string>& files, const ReportOptions& report) {
+ExitCode run_solid_motion(const std::string& verb, const std::vector<SolidInput>& inputs,
+                          const std::vector<SolidFramePose>& poses, const std::vector<std::string>& files,
+                          const ReportOptions& report) {
   std::ostream& out = report_stream(files, report.json);
   check_outputs(files);
   const InterruptGuard guard;
@@ -83,12 +84,15 @@ ExitCode run_solid_motion(const std::string& verb, const std::vector<SolidInput>
   throw_if_interrupted();
   std::vector<std::string> texts;
   for (const std::string& file : files)
-    texts.push_back(is_page(file) ? solid_page(motion.pictures, verb + " of " + inputs[0].file + " and " + inputs[1].file) : solid_output(motion.sum->sum(), file, {"off", inputs[0].hull.has_value(), false}));
+    texts.push_back(is_page(file)
+                        ? solid_page(motion.pictures, verb + " of " + inputs[0].file + " and " + inputs[1].file)
+                        : solid_output(motion.sum->sum(), file, {"off", inputs[0].hull.has_value(), false}));
   for (std::size_t i = 0; i < files.size(); ++i) write_text(files[i], texts[i]);
   const Timing timing = timing_of(motion.ms);
   const double fresh = static_ms(*motion.sum);
   if (report.json) {
-    Json json = report_head(verb, solid_inputs_json(inputs), motion.sum->tier_bits(), timing, {{"frames", timing.median_ms}});
+    Json json =
+        report_head(verb, solid_inputs_json(inputs), motion.sum->tier_bits(), timing, {{"frames", timing.median_ms}});
     json["repeats"] = report.repeat;
     json.update({{"frames", motion.frames},
                  {"static_ms", fresh},
@@ -98,15 +102,16 @@ ExitCode run_solid_motion(const std::string& verb, const std::vector<SolidInput>
     return kDone;
   }
   const auto per_frame = [&](std::uint64_t n) { return double(n) / double(poses.size()); };
-  out << verb << " of " << inputs[0].file << " and " << inputs[1].file << ", " << counted(poses.size(), "frame") << "\n  update " << timing.median_ms
-            << " ms (median, least " << timing.min_ms << " ms), from scratch " << fresh << " ms\n  a frame checks " << per_frame(motion.checked)
-            << " features and changes " << per_frame(motion.changed) << " of "
-            << motion.sum->facet_count().all << " facets\n";
+  out << verb << " of " << inputs[0].file << " and " << inputs[1].file << ", " << counted(poses.size(), "frame")
+      << "\n  update " << timing.median_ms << " ms (median, least " << timing.min_ms << " ms), from scratch " << fresh
+      << " ms\n  a frame checks " << per_frame(motion.checked) << " features and changes " << per_frame(motion.changed)
+      << " of " << motion.sum->facet_count().all << " facets\n";
   return kDone;
 }
 
 ExitCode run_solid_scale(const ScaleCommand& command, const std::vector<Scale>& sweep) {
-  refuse_options(*command.parser, {"--copies", "--events", "--mode", "--semantics", "--exact"}, "is for planar operands");
+  refuse_options(*command.parser, {"--copies", "--events", "--mode", "--semantics", "--exact"},
+                 "is for planar operands");
   if (sweep.empty() == command.at.empty()) throw Stop(kUsage, "give one of --sweep and --at");
   const std::vector<SolidInput> inputs = read_convex_solids(command.operands, command.input);
   std::vector<SolidFramePose> poses;
@@ -125,7 +130,8 @@ ExitCode run_solid_scale(const ScaleCommand& command, const std::vector<Scale>& 
     } else if (b == std::string::npos) {
       throw Stop(kUsage, "--at wants one scale or three, SX:SY:SZ: " + text);
     } else {
-      add({read_scale(text.substr(0, a), "--at"), read_scale(text.substr(a + 1, b - a - 1), "--at"), read_scale(text.substr(b + 1), "--at")},
+      add({read_scale(text.substr(0, a), "--at"), read_scale(text.substr(a + 1, b - a - 1), "--at"),
+           read_scale(text.substr(b + 1), "--at")},
           "s = " + text);
     }
   }

@@ -8,7 +8,8 @@
 
 namespace dymsum::cli {
 
-/// Whether all operands are solids, told by their extensions or by what standard input holds; a Stop when only some are.
+/// Whether all operands are solids, told by their extensions or by what standard input holds; a Stop when only some
+/// are.
 bool are_solid(const std::vector<std::string>& files, const InputOptions& options = {});
 /// A Stop for verbs that are for planar operands only, when there are others.
 void require_planar(const std::string& verb, const std::vector<std::string>& files);

@@ -25,7 +25,8 @@ Json exact_json(const SolidSum& sum) {
                         {"q", sum.vertices[i].q}});
   }
   for (const SolidFacet& f : sum.facets)
-    facets.push_back({{"kind", facet_kind(f)}, {"p", feature_json(f.p)}, {"q", feature_json(f.q)}, {"vertices", f.vertices}});
+    facets.push_back(
+        {{"kind", facet_kind(f)}, {"p", feature_json(f.p)}, {"q", feature_json(f.q)}, {"vertices", f.vertices}});
   Json json = solid_sum_json(sum);
   json["vertex_list"] = std::move(vertices);
   json["facet_list"] = std::move(facets);
@@ -40,18 +41,21 @@ void check_solid_outputs(const std::vector<std::string>& files, const SolidOutpu
   for (const std::string& file : files) {
     const std::string name = format_name(file, how.to);
     if (is_json(name) || mesh_format(name)) continue;
-    throw Stop(kUsage, "-o writes of solids " + also + ".off .obj .stl .ply .glb or .json: " + (file == "-" ? "--to " + how.to : file));
+    throw Stop(kUsage, "-o writes of solids " + also +
+                           ".off .obj .stl .ply .glb or .json: " + (file == "-" ? "--to " + how.to : file));
   }
 }
 
 bool writes_mesh(const std::vector<std::string>& files, const SolidOutput& how) {
-  return std::any_of(files.begin(), files.end(), [&](const std::string& file) { return !is_json(format_name(file, how.to)); });
+  return std::any_of(files.begin(), files.end(),
+                     [&](const std::string& file) { return !is_json(format_name(file, how.to)); });
 }
 
 MeshFormat mesh_output_format(const std::string& file, const std::string& to) {
   const std::string name = format_name(file, to);
   if (!region_format(name)) return require(mesh_format(name));
-  throw Stop(kBadInput, (file == "-" ? "--to " + to : file) + " is a format of planar regions; solids are written as .off .obj .stl .ply or .glb");
+  throw Stop(kBadInput, (file == "-" ? "--to " + to : file) +
+                            " is a format of planar regions; solids are written as .off .obj .stl .ply or .glb");
 }
 
 std::string facet_kind(const SolidFacet& f) {
@@ -86,7 +90,9 @@ class FacetsAt {
 
  private:
   static std::array<double, 3> key(const Point3& p, Precision precision) {
-    const auto rounded = [&](double c) { return precision == Precision::doubles ? c : static_cast<double>(static_cast<float>(c)); };
+    const auto rounded = [&](double c) {
+      return precision == Precision::doubles ? c : static_cast<double>(static_cast<float>(c));
+    };
     return {rounded(p.x), rounded(p.y), rounded(p.z)};
   }
   std::map<std::array<double, 3>, std::vector<std::uint32_t>> at_;
@@ -96,8 +102,8 @@ Mesh rounded_mesh(const SolidSum& sum, Precision precision, const std::string& f
   if (hull || picture) {
     const HulledMesh hulled = require(sum.rounded_hull(precision));
     if (hull && hulled.mesh.vertices().size() != sum.vertices.size()) {
-      std::cerr << file << ": rounded, " << counted(sum.vertices.size(), "vertex", "vertices") << " became " << hulled.mesh.vertices().size()
-                << ", largest deviation " << hulled.report.deviation << "\n";
+      std::cerr << file << ": rounded, " << counted(sum.vertices.size(), "vertex", "vertices") << " became "
+                << hulled.mesh.vertices().size() << ", largest deviation " << hulled.report.deviation << "\n";
     }
     return hulled.mesh;
   }
@@ -105,13 +111,15 @@ Mesh rounded_mesh(const SolidSum& sum, Precision precision, const std::string& f
   if (mesh) return std::move(mesh).value();
   Error error = mesh.error();
   error.evidence.file = file;
-  if (error.code == Code::rounding_changed_topology) error.message += " (--hull writes the convex hull of what is left; .json keeps the sum exactly)";
+  if (error.code == Code::rounding_changed_topology)
+    error.message += " (--hull writes the convex hull of what is left; .json keeps the sum exactly)";
   stop_with(error);
 }
 
 }  // namespace
 
-std::string mesh_text(const Mesh& mesh, MeshFormat format, const std::string& file, const std::vector<FaceColour>& colours) {
+std::string mesh_text(const Mesh& mesh, MeshFormat format, const std::string& file,
+                      const std::vector<FaceColour>& colours) {
   if (std::optional<Error> error = rounding_error(mesh, format)) {
     error->evidence.file = file;
     stop_with(*error);
@@ -120,12 +128,20 @@ std::string mesh_text(const Mesh& mesh, MeshFormat format, const std::string& fi
 }
 
 std::vector<FaceColour> facet_colours(const SolidSum& sum, const Mesh& mesh, Precision precision) {
-  std::vector<FaceColour> colours{{{0.91f, 0.64f, 0.24f}, {}}, {{0.36f, 0.73f, 0.55f}, {}}, {{0.55f, 0.73f, 0.90f}, {}}, {{0.70f, 0.72f, 0.75f}, {}}, {{0.85f, 0.12f, 0.20f}, {}}};
+  std::vector<FaceColour> colours{{{0.91f, 0.64f, 0.24f}, {}},
+                                  {{0.36f, 0.73f, 0.55f}, {}},
+                                  {{0.55f, 0.73f, 0.90f}, {}},
+                                  {{0.70f, 0.72f, 0.75f}, {}},
+                                  {{0.85f, 0.12f, 0.20f}, {}}};
   const FacetsAt facets(sum, precision);
   for (std::uint32_t i = 0; i < mesh.faces().size(); ++i) {
     const std::optional<std::uint32_t> f = facets.with(mesh, mesh.faces()[i]);
     const std::string kind = f ? facet_kind(sum.facets[*f]) : "";
-    const std::size_t k = f && sum.facets[*f].changed ? 4 : kind == "face_vertex" ? 0 : kind == "vertex_face" ? 1 : kind == "edge_edge" ? 2 : 3;
+    const std::size_t k = f && sum.facets[*f].changed ? 4
+                          : kind == "face_vertex"     ? 0
+                          : kind == "vertex_face"     ? 1
+                          : kind == "edge_edge"       ? 2
+                                                      : 3;
     colours[k].faces.push_back(i);
   }
   return colours;

@@ -13,26 +13,32 @@ namespace dymsum::cli {
 
 /// How meshes of sums are written.
 struct SolidOutput {
-  std::string to = "off";    ///< the format of -
-  bool hull = false;         ///< where rounding changes the topology, take the hull of what is left and say so on standard error
+  std::string to = "off";  ///< the format of -
+  bool hull =
+      false;  ///< where rounding changes the topology, take the hull of what is left and say so on standard error
   bool triangulate = false;
 };
 
-/// Usage errors for outputs that cannot be written, before any long work; `also` is what the verb writes besides, for the message.
-void check_solid_outputs(const std::vector<std::string>& files, const SolidOutput& how = {}, const std::string& also = "");
+/// Usage errors for outputs that cannot be written, before any long work; `also` is what the verb writes besides, for
+/// the message.
+void check_solid_outputs(const std::vector<std::string>& files, const SolidOutput& how = {},
+                         const std::string& also = "");
 /// Whether one of them is a mesh, not the exact sum.
 bool writes_mesh(const std::vector<std::string>& files, const SolidOutput& how);
-/// The format of a mesh in a file, or in --to for "-"; a Stop for others, which says so where it is one of planar regions.
+/// The format of a mesh in a file, or in --to for "-"; a Stop for others, which says so where it is one of planar
+/// regions.
 MeshFormat mesh_output_format(const std::string& file, const std::string& to);
-/// .json the exact sum with provenance, otherwise a valid convex mesh in which facets are coloured by kind, or red where they changed; a Stop where rounding
-/// would spoil it.
+/// .json the exact sum with provenance, otherwise a valid convex mesh in which facets are coloured by kind, or red
+/// where they changed; a Stop where rounding would spoil it.
 std::string solid_output(const SolidSum& sum, const std::string& file, const SolidOutput& how = {});
 /// The bytes of a file; a Stop where single precision cannot hold the mesh.
-std::string mesh_text(const Mesh& mesh, MeshFormat format, const std::string& file, const std::vector<FaceColour>& colours = {});
+std::string mesh_text(const Mesh& mesh, MeshFormat format, const std::string& file,
+                      const std::vector<FaceColour>& colours = {});
 
 /// face + vertex, vertex + face, edge + edge, merged.
 std::string facet_kind(const SolidFacet& facet);
-/// Of the faces of a mesh that was made from the sum: that of the facet that has their vertices, grey where there is none.
+/// Of the faces of a mesh that was made from the sum: that of the facet that has their vertices, grey where there is
+/// none.
 std::vector<FaceColour> facet_colours(const SolidSum& sum, const Mesh& mesh, Precision precision);
 
 /// Facets with a face of one operand, and of two edges.

@@ -30,13 +30,15 @@ std::pair<int, SolidSum> sum_of(const std::vector<SolidInput>& inputs, const Mes
   }
 }
 
-void print_text(std::ostream& out, const std::string& verb, const std::vector<SolidInput>& inputs, const SolidSum& sum, int tier, const Timing& timing) {
+void print_text(std::ostream& out, const std::string& verb, const std::vector<SolidInput>& inputs, const SolidSum& sum,
+                int tier, const Timing& timing) {
   const FacetKinds kinds = facet_kinds(sum);
   out << verb << " of ";
-  for (std::size_t i = 0; i < inputs.size(); ++i) out << (i == 0 ? "" : i + 1 < inputs.size() ? ", " : " and ") << inputs[i].file;
-  out << "\n  " << counted(sum.facets.size(), "facet") << " (" << kinds.with_face << " with a face, "
-      << kinds.of_edges << " edge + edge), " << counted(sum.vertices.size(), "vertex", "vertices") << "\n  volume " << shown(volume_of(sum))
-      << ", area " << shown(surface_of(sum)) << "\n  " << timing.median_ms << " ms, "
+  for (std::size_t i = 0; i < inputs.size(); ++i)
+    out << (i == 0 ? "" : i + 1 < inputs.size() ? ", " : " and ") << inputs[i].file;
+  out << "\n  " << counted(sum.facets.size(), "facet") << " (" << kinds.with_face << " with a face, " << kinds.of_edges
+      << " edge + edge), " << counted(sum.vertices.size(), "vertex", "vertices") << "\n  volume "
+      << shown(volume_of(sum)) << ", area " << shown(surface_of(sum)) << "\n  " << timing.median_ms << " ms, "
       << (tier == 0 ? "arbitrary precision" : std::to_string(tier) + "-bit") << " coordinates\n";
 }
 
@@ -48,18 +50,18 @@ ExitCode run_solid_sum(const SumVerb& verb, const SumCommand& command) {
   const ConvexEngine engine = engine_of(command);
   std::ostream& out = report_stream(command.output.files, command.report.json);
   if (!writes_to_stdout(command.output.files)) refuse_options(*command.parser, {"--to"}, "is the format of -o -");
-  const SolidOutput how{command.parser->count("--to") > 0 ? command.output.to : "off", command.input.hull, command.triangulate};
+  const SolidOutput how{command.parser->count("--to") > 0 ? command.output.to : "off", command.input.hull,
+                        command.triangulate};
   check_solid_outputs(command.output.files, how);
-  if (!writes_mesh(command.output.files, how)) refuse_options(*command.parser, {"--triangulate"}, "belongs to -o FILE.off and other meshes");
+  if (!writes_mesh(command.output.files, how))
+    refuse_options(*command.parser, {"--triangulate"}, "belongs to -o FILE.off and other meshes");
   std::vector<std::string> operands = command.operands;
   operands.insert(operands.end(), command.more.begin(), command.more.end());
   are_solid(operands, command.input);
   const std::vector<SolidInput> inputs = read_convex_solids(operands, command.input);
   const InterruptGuard guard;
   const Mesh q = verb.reflects_second ? negated(inputs[1].mesh) : inputs[1].mesh;
-  const auto [made, timing] = timed(command.report.repeat, [&] {
-    return sum_of(inputs, q, engine);
-  });
+  const auto [made, timing] = timed(command.report.repeat, [&] { return sum_of(inputs, q, engine); });
   const auto& [tier, sum] = made;
   std::vector<std::string> texts;
   for (const std::string& file : command.output.files) texts.push_back(solid_output(sum, file, how));

@@ -44,7 +44,8 @@ Waypoint::Move move_in(const std::string& file, const std::string& name) {
 Waypoint waypoint_in(const std::string& file, const Json& json) {
   Waypoint w;
   w.move = move_in(file, json.at("move").get<std::string>());
-  w.at = {rational_in(json.at("exact").at(0).get<std::string>()), rational_in(json.at("exact").at(1).get<std::string>())};
+  w.at = {rational_in(json.at("exact").at(0).get<std::string>()),
+          rational_in(json.at("exact").at(1).get<std::string>())};
   Result<Orientation> theta = Orientation::parse(json.at("tan_half").get<std::string>());
   if (!theta) refuse(file, theta.error().message);
   w.theta = *theta;
@@ -70,16 +71,17 @@ GivenPath path_of_json(const std::string& file, const Json& json) {
 
 const char* name_of(MotionCheck::Outcome outcome) {
   switch (outcome) {
-    case MotionCheck::Outcome::free: return "free";
-    case MotionCheck::Outcome::blocked: return "blocked";
-    case MotionCheck::Outcome::undecided: return "undecided";
+    case MotionCheck::Outcome::free:
+      return "free";
+    case MotionCheck::Outcome::blocked:
+      return "blocked";
+    case MotionCheck::Outcome::undecided:
+      return "undecided";
   }
   return "";
 }
 
-const char* kind_of(const PathCheck& check) {
-  return !check.turns ? "translation" : check.moves ? "both" : "rotation";
-}
+const char* kind_of(const PathCheck& check) { return !check.turns ? "translation" : check.moves ? "both" : "rotation"; }
 
 }  // namespace
 

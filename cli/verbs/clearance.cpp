@@ -7,16 +7,16 @@
 #include <optional>
 #include <sstream>
 
-#include "verbs/commands.h"
-#include "planar/configuration.h"
 #include "dymsum/obstacle_queries.h"
 #include "exit_code.h"
 #include "inputs.h"
-#include "planar/obstacle_input.h"
 #include "options.h"
+#include "planar/configuration.h"
+#include "planar/obstacle_input.h"
 #include "progress_bar.h"
 #include "report.h"
 #include "timing.h"
+#include "verbs/commands.h"
 
 namespace dymsum::cli {
 namespace {
@@ -42,11 +42,14 @@ double read_weight(const std::string& text, const ObstacleQueries& queries) {
   const std::optional<double> weight = finite_number(text);
   if (!weight || !(*weight >= 0)) throw Stop(kUsage, "--weight wants a length per radian, or inf, not '" + text + "'");
   if (*weight > queries.largest_weight())
-    throw Stop(kUsage, "--weight " + text + " is more than 2^40 times the extent of the obstacle, where doubles of angles say nothing; inf counts translations only");
+    throw Stop(kUsage, "--weight " + text +
+                           " is more than 2^40 times the extent of the obstacle, where doubles of angles say nothing; "
+                           "inf counts translations only");
   return *weight;
 }
 
-Answer ask(const CspaceObstacle& obstacle, const ObstacleQueries& queries, const Configuration& at, double weight, Touching touching) {
+Answer ask(const CspaceObstacle& obstacle, const ObstacleQueries& queries, const Configuration& at, double weight,
+           Touching touching) {
   Answer answer;
   answer.at = at;
   answer.clearance = queries.clearance(at, weight, touching);
@@ -62,10 +65,12 @@ Json distance_json(const Clearance& c) {
 
 Json answer_json(const Answer& a) {
   Json free = Json::array(), contact = nullptr;
-  for (const FreeAngles& f : a.free) free.push_back({{"begin", f.begin}, {"end", f.end}, {"error", std::max(f.begin_error, f.end_error)}});
+  for (const FreeAngles& f : a.free)
+    free.push_back({{"begin", f.begin}, {"end", f.end}, {"error", std::max(f.begin_error, f.end_error)}});
   if (a.contact) {
     const bool fixed = a.contact->kind == Contact::Kind::edge_of_p;
-    contact = {{"kind", fixed ? "vertex_on_edge" : "edge_on_vertex"}, {"obstacle", a.contact->p}, {"robot", a.contact->q}};
+    contact = {
+        {"kind", fixed ? "vertex_on_edge" : "edge_on_vertex"}, {"obstacle", a.contact->p}, {"robot", a.contact->q}};
   }
   Json json = distance_json(a.clearance);
   json["at"] = {a.at.x, a.at.y, a.at.theta};
@@ -85,9 +90,11 @@ std::string distance_text(const Clearance& c) {
 }
 
 void print_text(const Answer& a) {
-  std::cout << "(" << a.at.x << ", " << a.at.y << ", " << a.at.theta << "): " << (std::signbit(a.clearance.distance) ? "overlaps, depth " : "free, clearance ")
-            << distance_text(a.clearance) << " (by translation alone " << distance_text(a.translation) << "), nearest contact at (" << a.clearance.nearest.x << ", "
-            << a.clearance.nearest.y << ", " << a.clearance.nearest.theta << ")\n";
+  std::cout << "(" << a.at.x << ", " << a.at.y << ", " << a.at.theta
+            << "): " << (std::signbit(a.clearance.distance) ? "overlaps, depth " : "free, clearance ")
+            << distance_text(a.clearance) << " (by translation alone " << distance_text(a.translation)
+            << "), nearest contact at (" << a.clearance.nearest.x << ", " << a.clearance.nearest.y << ", "
+            << a.clearance.nearest.theta << ")\n";
 }
 
 ExitCode run_clearance(const ClearanceCommand& command) {
@@ -133,12 +140,20 @@ ExitCode run_clearance(const ClearanceCommand& command) {
 
 void add_clearance(CLI::App& app, Action& action) {
   auto command = std::make_shared<ClearanceCommand>();
-  CLI::App& verb = *app.add_subcommand("clearance", "How far a robot that translates and turns is from touching an obstacle, or how deep it overlaps it");
+  CLI::App& verb = *app.add_subcommand(
+      "clearance",
+      "How far a robot that translates and turns is from touching an obstacle, or how deep it overlaps it");
   add_obstacle_input(verb, command->source);
-  verb.add_option("--at", command->at, "Where the robot is, theta in radians or as 90deg; repeatable")->type_name("x,y,theta")->allow_extra_args(false);
-  verb.add_option("--at-file", command->at_file, "A file of such, x,y,theta on a line; - for standard input")->type_name("FILE");
-  verb.add_option("--weight", command->weight, "What a radian counts, as a length; inf: translations only. Default: the robot's radius of gyration")->type_name("W");
-  verb.add_flag("--strict", command->strict, "Touching counts as overlap: where the robot is jammed, how far it is from being loose");
+  verb.add_option("--at", command->at, "Where the robot is, theta in radians or as 90deg; repeatable")
+      ->type_name("x,y,theta")
+      ->allow_extra_args(false);
+  verb.add_option("--at-file", command->at_file, "A file of such, x,y,theta on a line; - for standard input")
+      ->type_name("FILE");
+  verb.add_option("--weight", command->weight,
+                  "What a radian counts, as a length; inf: translations only. Default: the robot's radius of gyration")
+      ->type_name("W");
+  verb.add_flag("--strict", command->strict,
+                "Touching counts as overlap: where the robot is jammed, how far it is from being loose");
   add_report_options(verb, command->report, "Ask N times and report the median and minimum time");
   add_input_options(verb, command->source.input);
   verb.footer("Example: dymsum clearance bar.wkt rooms.wkt --at 1,2,0.5 --json");

@@ -4,16 +4,16 @@
 #include <memory>
 #include <optional>
 
-#include "verbs/commands.h"
-#include "planar/configuration.h"
 #include "dymsum/motion.h"
 #include "dymsum/obstacle_queries.h"
 #include "options.h"
-#include "progress_bar.h"
+#include "planar/configuration.h"
 #include "planar/query_file.h"
+#include "planar/tier.h"
+#include "progress_bar.h"
 #include "report.h"
 #include "solid/solid_operands.h"
-#include "planar/tier.h"
+#include "verbs/commands.h"
 
 namespace dymsum::cli {
 namespace {
@@ -50,14 +50,15 @@ std::vector<Query> read_queries(const ContainsCommand& command) {
     if (!line) refuse("wants x,y for a place or x,y,theta for a configuration");
     add(*line, refuse);
   }
-  if (!command.at_file.empty())
-    for_each_query(command.at_file, add);
+  if (!command.at_file.empty()) for_each_query(command.at_file, add);
   if (queries.empty()) throw Stop(kUsage, "give --at or --at-file");
   return queries;
 }
 
 /// Touching is inside a closed sum, and free for a robot unless it is said otherwise.
-bool is_closed(const ContainsCommand& command, bool robot) { return command.semantics.empty() ? !robot : command.semantics == "closed"; }
+bool is_closed(const ContainsCommand& command, bool robot) {
+  return command.semantics.empty() ? !robot : command.semantics == "closed";
+}
 
 std::vector<bool> in_sum(const Region& p, const Region& q, const std::vector<Query>& queries, bool closed) {
   std::vector<bool> inside;
@@ -68,7 +69,8 @@ std::vector<bool> in_sum(const Region& p, const Region& q, const std::vector<Que
 }
 
 /// The obstacle of all angles is worth its while for many questions; it knows interiors only.
-std::vector<bool> in_obstacle(const Region& robot, const Region& obstacle, const std::vector<Query>& queries, bool closed, const Progress& progress) {
+std::vector<bool> in_obstacle(const Region& robot, const Region& obstacle, const std::vector<Query>& queries,
+                              bool closed, const Progress& progress) {
   constexpr std::size_t kMany = 256;
   std::vector<bool> inside;
   if (!closed && queries.size() >= kMany) {
@@ -81,7 +83,9 @@ std::vector<bool> in_obstacle(const Region& robot, const Region& obstacle, const
   }
   for (const Query& query : queries) {
     const Point at{query.x, query.y};
-    inside.push_back(!require(check_translation(robot, obstacle, at, at, *query.theta, closed ? Touching::forbidden : Touching::allowed)).free);
+    inside.push_back(!require(check_translation(robot, obstacle, at, at, *query.theta,
+                                                closed ? Touching::forbidden : Touching::allowed))
+                          .free);
   }
   return inside;
 }
@@ -116,10 +120,12 @@ ExitCode run_contains(const ContainsCommand& command) {
   const bool robot = queries.front().theta.has_value(), closed = is_closed(command, robot);
   const std::vector<Input> inputs = read_inputs(command.operands, command.input);
   const Region &first = inputs[0].region, &second = inputs[1].region;
-  // No interrupt guard: a single question cannot be asked to stop, and an interrupt ends the run at once, as it writes no file.
+  // No interrupt guard: a single question cannot be asked to stop, and an interrupt ends the run at once, as it writes
+  // no file.
   std::optional<ProgressBar> bar(std::in_place);
   const auto [inside, timing] = timed(command.report.repeat, [&] {
-    return robot ? in_obstacle(first, second, queries, closed, bar->callback()) : in_sum(first, second, queries, closed);
+    return robot ? in_obstacle(first, second, queries, closed, bar->callback())
+                 : in_sum(first, second, queries, closed);
   });
   bar.reset();
   if (command.report.json) {
@@ -137,18 +143,27 @@ ExitCode run_contains(const ContainsCommand& command) {
 void add_contains(CLI::App& app, Action& action) {
   auto command = std::make_shared<ContainsCommand>();
   CLI::App& verb = *app.add_subcommand(
-      "contains", "Whether places lie in P (+) Q, or configurations in the obstacle of ROBOT P and OBSTACLE Q, exactly");
-  add_operands(verb, {"P", "The first operand, or the robot"}, {"Q", "The second operand, or the obstacle"}, command->operands);
-  verb.add_option("--at", command->at, "A place x,y of the sum, or a configuration x,y,theta of the robot, theta in radians or as 90deg; repeatable")
+      "contains",
+      "Whether places lie in P (+) Q, or configurations in the obstacle of ROBOT P and OBSTACLE Q, exactly");
+  add_operands(verb, {"P", "The first operand, or the robot"}, {"Q", "The second operand, or the obstacle"},
+               command->operands);
+  verb.add_option(
+          "--at", command->at,
+          "A place x,y of the sum, or a configuration x,y,theta of the robot, theta in radians or as 90deg; repeatable")
       ->type_name("x,y[,theta]")
       ->allow_extra_args(false);
-  verb.add_option("--at-file", command->at_file, "Such places or configurations, one a line; # begins a comment; - for standard input")->type_name("FILE");
+  verb.add_option("--at-file", command->at_file,
+                  "Such places or configurations, one a line; # begins a comment; - for standard input")
+      ->type_name("FILE");
   verb.add_option("--semantics", command->semantics,
-                  "closed: touching counts as inside (the default of places); open: it does not (the default of configurations)")
+                  "closed: touching counts as inside (the default of places); open: it does not (the default of "
+                  "configurations)")
       ->check(CLI::IsMember({"closed", "open"}));
   add_report_options(verb, command->report, "Ask N times and report the median and minimum time");
   add_input_options(verb, command->input);
-  verb.footer("Exit code 4 when the answer to a single question is no.\nExample: dymsum contains bar.wkt rooms.wkt --at 1,2,90deg");
+  verb.footer(
+      "Exit code 4 when the answer to a single question is no.\nExample: dymsum contains bar.wkt rooms.wkt --at "
+      "1,2,90deg");
   verb.callback([command, &action] { action = [command] { return run_contains(*command); }; });
 }
 

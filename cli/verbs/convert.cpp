@@ -3,13 +3,13 @@
 #include <iostream>
 #include <memory>
 
-#include "verbs/commands.h"
+#include "planar/tier.h"
 #include "progress_bar.h"
 #include "report.h"
 #include "solid/solid_convert.h"
 #include "solid/solid_inputs.h"
+#include "verbs/commands.h"
 #include "verbs/sum_command.h"
-#include "planar/tier.h"
 
 namespace dymsum::cli {
 namespace {
@@ -51,15 +51,19 @@ ExitCode run(const ConvertCommand& command) {
 
 void add_convert(CLI::App& app, Action& action) {
   auto command = std::make_shared<ConvertCommand>();
-  CLI::App* verb = app.add_subcommand("convert", "Read a region or a solid and write it in another format, coordinates unchanged");
+  CLI::App* verb =
+      app.add_subcommand("convert", "Read a region or a solid and write it in another format, coordinates unchanged");
   command->parser = verb;
   verb->add_option("IN", command->in, "File, FILE#NAME for one shape of several, or - for standard input")->required();
-  verb->add_option("OUT", command->out, "File .poly .wkt .geojson .svg .json, of solids .off .obj .stl .ply .glb, or - for standard output")->required();
+  verb->add_option("OUT", command->out,
+                   "File .poly .wkt .geojson .svg .json, of solids .off .obj .stl .ply .glb, or - for standard output")
+      ->required();
   verb->add_option("--to", command->output.to, "Format of the output -; of solids off if not given")
       ->check(CLI::IsMember({"poly", "wkt", "geojson", "svg", "json", "off", "obj", "stl", "ply", "glb"}))
       ->capture_default_str();
   verb->add_flag("--canonical", command->canonical, "Write the canonical form: equal sets become equal files");
-  verb->add_flag("--triangulate", command->triangulate, "Solids: split faces into triangles, for programs that take no others");
+  verb->add_flag("--triangulate", command->triangulate,
+                 "Solids: split faces into triangles, for programs that take no others");
   verb->add_flag("--json", command->json, "Print one JSON object that says what was converted");
   add_solid_input_options(*verb, command->input);
   verb->footer("Example: dymsum convert monkey.poly monkey.geojson --repair");

@@ -6,14 +6,14 @@
 #include <optional>
 #include <set>
 
-#include "verbs/commands.h"
-#include "planar/cspace_outputs.h"
 #include "dymsum/obstacle_file.h"
 #include "options.h"
 #include "outputs.h"
+#include "planar/cspace_outputs.h"
 #include "progress_bar.h"
 #include "report.h"
 #include "solid/solid_operands.h"
+#include "verbs/commands.h"
 
 namespace dymsum::cli {
 namespace {
@@ -36,8 +36,13 @@ void check(const CspaceCommand& command) {
   require_planar("cspace", command.operands);
   for (const std::string& file : command.files)
     if (!is_glb(file) && !is_strip(file) && !file.ends_with(".json") && !file.ends_with(".obstacle"))
-      throw Stop(kUsage, "-o writes .glb (boundary), .svg (film strip of slices), .json (patches) or .obstacle (all, to be asked again): " + file);
-  const auto written = [&](bool (*kind)(const std::string&)) { return std::any_of(command.files.begin(), command.files.end(), kind); };
+      throw Stop(kUsage,
+                 "-o writes .glb (boundary), .svg (film strip of slices), .json (patches) or .obstacle (all, to be "
+                 "asked again): " +
+                     file);
+  const auto written = [&](bool (*kind)(const std::string&)) {
+    return std::any_of(command.files.begin(), command.files.end(), kind);
+  };
   if (!written(is_glb)) refuse_options(*command.parser, {"--tolerance", "--open"}, "belongs to -o FILE.glb");
   if (!written(is_strip)) refuse_options(*command.parser, {"--slices"}, "belongs to -o FILE.svg");
 }
@@ -49,8 +54,10 @@ CspaceObstacle obstacle_of(const std::vector<Input>& inputs, const ObstacleOptio
   Error error = made.error();
   std::vector<std::string> thin;
   for (const Input& input : inputs)
-    if (const Region& r = input.region; r.parts().empty() || !r.polylines().empty() || !r.points().empty()) thin.push_back(input.file);
-  if (error.code == Code::unsupported_operand && thin.size() == 1 && error.evidence.file.empty()) error.evidence.file = thin[0];
+    if (const Region& r = input.region; r.parts().empty() || !r.polylines().empty() || !r.points().empty())
+      thin.push_back(input.file);
+  if (error.code == Code::unsupported_operand && thin.size() == 1 && error.evidence.file.empty())
+    error.evidence.file = thin[0];
   stop_with(error);
 }
 
@@ -116,10 +123,9 @@ void print_text(const CspaceReport& report) {
             << counted(obstacle.patches().size(), "patch", "patches") << " on " << counted(work.surfaces, "surface")
             << ", " << counted(static_cast<std::size_t>(outer), "outer shell") << ", "
             << counted(shells.size() - static_cast<std::size_t>(outer), "cavity", "cavities") << "\n  "
-            << counted(obstacle.angles().size(), "event angle") << "; events: "
-            << counted(work.alignments, "alignment") << ", " << work.vertex_events << " of a vertex on a segment, "
-            << work.triple_events << " of three segments, "
-            << work.tight_events << " tight\n  free space has "
+            << counted(obstacle.angles().size(), "event angle") << "; events: " << counted(work.alignments, "alignment")
+            << ", " << work.vertex_events << " of a vertex on a segment, " << work.triple_events
+            << " of three segments, " << work.tight_events << " tight\n  free space has "
             << counted(free_components(obstacle), "component") << "\n";
   if (!report.mesh) return;
   const MeshClosure closed = closure(*report.mesh);
@@ -133,12 +139,9 @@ std::vector<std::string> output_texts(const CspaceCommand& command, const Cspace
   for (const std::string& file : command.files) {
     if (is_glb(file))
       texts.push_back(obstacle_glb(report.obstacle, *report.mesh, command.open ? Ends::open : Ends::capped));
-    else if (file.ends_with(".obstacle"))
-      texts.push_back(format_obstacle(report.obstacle));
-    else if (is_strip(file))
-      texts.push_back(slice_strip(report.obstacle, command.slices, progress));
-    else
-      texts.push_back(obstacle_json(report.obstacle).dump(1) + "\n");
+    else if (file.ends_with(".obstacle")) texts.push_back(format_obstacle(report.obstacle));
+    else if (is_strip(file)) texts.push_back(slice_strip(report.obstacle, command.slices, progress));
+    else texts.push_back(obstacle_json(report.obstacle).dump(1) + "\n");
   }
   return texts;
 }
@@ -159,10 +162,8 @@ ExitCode run_cspace(const CspaceCommand& command) {
   bar.reset();
   throw_if_interrupted();
   for (std::size_t i = 0; i < texts.size(); ++i) write_text(command.files[i], texts[i]);
-  if (command.report.json)
-    print_json(report);
-  else
-    print_text(report);
+  if (command.report.json) print_json(report);
+  else print_text(report);
   return kDone;
 }
 
@@ -183,7 +184,8 @@ void add_cspace(CLI::App& app, Action& action) {
       ->type_name("T")
       ->check(CLI::Range(1e-6, 1.0))
       ->capture_default_str();
-  verb.add_flag("--open", command->open, "Leave the mesh open at -pi and pi, where the surface goes on; otherwise the slice there caps it");
+  verb.add_flag("--open", command->open,
+                "Leave the mesh open at -pi and pi, where the surface goes on; otherwise the slice there caps it");
   verb.add_option("--slices", command->slices, "Slices of the film strip")
       ->type_name("N")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1000}))

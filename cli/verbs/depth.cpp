@@ -3,13 +3,13 @@
 #include <iostream>
 #include <memory>
 
-#include "verbs/commands.h"
 #include "dymsum/convex_sum.h"
 #include "options.h"
+#include "planar/tier.h"
 #include "solid/solid_operands.h"
 #include "solid/solid_outputs.h"
-#include "planar/tier.h"
 #include "timing.h"
+#include "verbs/commands.h"
 
 namespace dymsum::cli {
 namespace {
@@ -34,10 +34,12 @@ ExitCode run(const DepthCommand& command) {
   const Point3 moved = command.moved.empty() ? Point3{} : parse_point(command.moved, "--move");
   SolidPose pose;
   if (!command.axis.empty())
-    pose.rotation = require_option(Rotation::about(parse_point(command.axis, "--axis"), read_angle(command.angle).radians()), "--axis");
+    pose.rotation = require_option(
+        Rotation::about(parse_point(command.axis, "--axis"), read_angle(command.angle).radians()), "--axis");
   const std::vector<SolidInput> inputs = read_convex_solids(command.operands, command.input);
-  const auto [depth, timing] =
-      timed(command.report.repeat, [&] { return require(penetration_depth(inputs[0].mesh, inputs[1].mesh, pose, {}, moved)); });
+  const auto [depth, timing] = timed(command.report.repeat, [&] {
+    return require(penetration_depth(inputs[0].mesh, inputs[1].mesh, pose, {}, moved));
+  });
   if (command.report.json) {
     Json json = report_head("depth", solid_inputs_json(inputs), tier_of(inputs[0].mesh, inputs[1].mesh), timing);
     json.update({{"inside", depth.inside},
@@ -48,9 +50,10 @@ ExitCode run(const DepthCommand& command) {
                  {"q", feature_json(depth.q)}});
     print_report(json);
   } else if (depth.inside) {
-    std::cout << "depth " << depth.depth << ": moving " << inputs[1].file << " by that along (" << depth.direction.x << ", " << depth.direction.y << ", "
-              << depth.direction.z << ") separates them\n  " << feature_text(depth.p) << " of " << inputs[0].file << " and " << feature_text(depth.q)
-              << " of " << inputs[1].file << " touch then\n  depth squared is exactly " << shown(depth.depth_squared) << "\n";
+    std::cout << "depth " << depth.depth << ": moving " << inputs[1].file << " by that along (" << depth.direction.x
+              << ", " << depth.direction.y << ", " << depth.direction.z << ") separates them\n  "
+              << feature_text(depth.p) << " of " << inputs[0].file << " and " << feature_text(depth.q) << " of "
+              << inputs[1].file << " touch then\n  depth squared is exactly " << shown(depth.depth_squared) << "\n";
   } else {
     std::cout << "the interiors do not meet\n";
   }
@@ -61,14 +64,16 @@ ExitCode run(const DepthCommand& command) {
 
 void add_depth(CLI::App& app, Action& action) {
   auto command = std::make_shared<DepthCommand>();
-  CLI::App& verb = *app.add_subcommand("depth", "The penetration depth of convex solids: the shortest translation of Q that separates them");
+  CLI::App& verb = *app.add_subcommand(
+      "depth", "The penetration depth of convex solids: the shortest translation of Q that separates them");
   add_operands(verb, {"P", "A convex solid, which may turn"}, {"Q", "Another one, which may move"}, command->operands);
   verb.add_option("--move", command->moved, "Move Q by this translation first")->type_name("X,Y,Z");
   verb.add_option("--axis", command->axis, "Turn P about this axis through the origin first")->type_name("X,Y,Z");
   add_angle_options(verb, command->angle, "by this angle,");
   add_report_options(verb, command->report, "Compute N times and report the median and minimum time");
   add_solid_input_options(verb, command->input);
-  verb.footer("Exit code 4 when their interiors do not meet.\nExample: dymsum depth box.off rod.off --move 0.5,0,0 --json");
+  verb.footer(
+      "Exit code 4 when their interiors do not meet.\nExample: dymsum depth box.off rod.off --move 0.5,0,0 --json");
   verb.callback([command, &action] { action = [command] { return run(*command); }; });
 }
 

@@ -2,11 +2,11 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "verbs/commands.h"
 #include "inputs.h"
 #include "options.h"
 #include "outputs.h"
 #include "solid/solid_convert.h"
+#include "verbs/commands.h"
 
 namespace dymsum::cli {
 namespace {
@@ -25,11 +25,17 @@ void add_hull(CLI::App& app, Action& action) {
   command->verb = "hull";
   command->to = "off";
   command->input.hull = true;
-  CLI::App& verb = *app.add_subcommand("hull", "The exact convex hull of a mesh or of points, and how far the surface was from it");
-  verb.add_option("IN", command->in, "File .off .obj .stl .ply, or - for standard input; faces need not fit together, or be there at all")->required();
+  CLI::App& verb =
+      *app.add_subcommand("hull", "The exact convex hull of a mesh or of points, and how far the surface was from it");
+  verb.add_option("IN", command->in,
+                  "File .off .obj .stl .ply, or - for standard input; faces need not fit together, or be there at all")
+      ->required();
   verb.add_option("OUT", command->out, "File .off .obj .stl .ply .glb, or - for standard output")->required();
-  verb.add_option("--to", command->to, "Format of the output -")->check(CLI::IsMember({"off", "obj", "stl", "ply", "glb"}))->capture_default_str();
-  verb.add_option("--from", command->input.from, "Format of standard input; otherwise told from its first characters (not of binary .stl)")
+  verb.add_option("--to", command->to, "Format of the output -")
+      ->check(CLI::IsMember({"off", "obj", "stl", "ply", "glb"}))
+      ->capture_default_str();
+  verb.add_option("--from", command->input.from,
+                  "Format of standard input; otherwise told from its first characters (not of binary .stl)")
       ->check(CLI::IsMember({"off", "obj", "stl", "ply"}));
   verb.add_flag("--triangulate", command->triangulate, "Split faces into triangles, for programs that take no others");
   verb.add_flag("--json", command->json, "Print one JSON object with the deviation");

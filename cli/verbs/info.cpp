@@ -5,12 +5,12 @@
 #include <iostream>
 #include <memory>
 
-#include "verbs/commands.h"
+#include "planar/tier.h"
 #include "report.h"
 #include "solid/solid_info.h"
 #include "solid/solid_inputs.h"
+#include "verbs/commands.h"
 #include "verbs/sum_command.h"
-#include "planar/tier.h"
 
 namespace dymsum::cli {
 namespace {
@@ -55,12 +55,12 @@ void print_shape(std::ostream& out, const Shape& shape) {
   const Region& region = *shape.region;
   const std::array<double, 4> box = bounds(region);
   const auto precision = out.precision(17);
-  out << "valid, " << counted(region.parts().size(), "part") << ", "
-            << counted(region.hole_count(), "hole") << ", " << counted(region.vertex_count(), "vertex", "vertices");
+  out << "valid, " << counted(region.parts().size(), "part") << ", " << counted(region.hole_count(), "hole") << ", "
+      << counted(region.vertex_count(), "vertex", "vertices");
   if (!region.polylines().empty()) out << ", " << counted(region.polylines().size(), "polyline");
   if (!region.points().empty()) out << ", " << counted(region.points().size(), "isolated point");
   out << "\n  bounds [" << box[0] << ", " << box[2] << "] x [" << box[1] << ", " << box[3] << "]\n  area "
-            << shown_area(region) << "\n  " << tier_name(tier_of(region)) << " integers\n";
+      << shown_area(region) << "\n  " << tier_name(tier_of(region)) << " integers\n";
   out.precision(precision);
 }
 
@@ -130,7 +130,9 @@ void add_info(CLI::App& app, Action& action) {
   command->output.to = "svg";
   CLI::App* verb = app.add_subcommand("info", "What a file holds: counts, bounds, area or volume, validity, tier");
   verb->add_option("F", command->file, "File, FILE#NAME for one shape of several, or - for standard input")->required();
-  verb->add_option("-o", command->output.files, "Draw the region (.svg) or the solid (.glb)")->type_name("FILE")->allow_extra_args(false);
+  verb->add_option("-o", command->output.files, "Draw the region (.svg) or the solid (.glb)")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
   verb->add_flag("--json", command->json, "Print one JSON object");
   add_solid_input_options(*verb, command->input);
   verb->footer("Example: dymsum info neuron.poly --json");

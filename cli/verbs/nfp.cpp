@@ -8,10 +8,14 @@ void add_nfp(CLI::App& app, Action& action) {
   SumVerb verb;
   verb.name = "nfp";
   verb.first = {"FIXED", "The shape A that stays"};
-  verb.second = {"MOVING", "The shape B that moves; the result holds places of its reference point, the origin of its coordinates"};
-  verb.description = "The no-fit polygon FIXED + (-MOVING): where the moving shape's reference point makes it meet the fixed one";
+  verb.second = {
+      "MOVING",
+      "The shape B that moves; the result holds places of its reference point, the origin of its coordinates"};
+  verb.description =
+      "The no-fit polygon FIXED + (-MOVING): where the moving shape's reference point makes it meet the fixed one";
   verb.footer =
-      "The shape that stays comes first. slice, cspace, clearance and path take the ROBOT first: nfp OBSTACLE ROBOT is\n"
+      "The shape that stays comes first. slice, cspace, clearance and path take the ROBOT first: nfp OBSTACLE ROBOT "
+      "is\n"
       "slice ROBOT OBSTACLE at angle 0.\nExample: dymsum nfp 'swim.json#0' 'swim.json#3' --repair -o nfp.svg";
   verb.compute = nfp;
   verb.reflects_second = true;

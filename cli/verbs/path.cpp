@@ -5,21 +5,21 @@
 #include <memory>
 #include <optional>
 
-#include "verbs/check_path.h"
-#include "verbs/commands.h"
-#include "planar/configuration.h"
 #include "dymsum/grown_region.h"
 #include "dymsum/planner.h"
 #include "exit_code.h"
 #include "inputs.h"
-#include "planar/obstacle_input.h"
 #include "options.h"
 #include "outputs.h"
 #include "pictures/path_picture.h"
+#include "planar/configuration.h"
+#include "planar/obstacle_input.h"
+#include "planar/tier.h"
 #include "progress_bar.h"
 #include "report.h"
-#include "planar/tier.h"
 #include "timing.h"
+#include "verbs/check_path.h"
+#include "verbs/commands.h"
 
 namespace dymsum::cli {
 namespace {
@@ -37,32 +37,45 @@ struct PathCommand {
 
 const char* name_of(Waypoint::Move move) {
   switch (move) {
-    case Waypoint::Move::start: return "start";
-    case Waypoint::Move::translation: return "translation";
-    case Waypoint::Move::counter_clockwise: return "counter_clockwise";
-    case Waypoint::Move::clockwise: return "clockwise";
+    case Waypoint::Move::start:
+      return "start";
+    case Waypoint::Move::translation:
+      return "translation";
+    case Waypoint::Move::counter_clockwise:
+      return "counter_clockwise";
+    case Waypoint::Move::clockwise:
+      return "clockwise";
   }
   return "";
 }
 
 const char* name_of(NoPath::Kind kind) {
   switch (kind) {
-    case NoPath::Kind::start_not_free: return "start_not_free";
-    case NoPath::Kind::goal_not_free: return "goal_not_free";
-    case NoPath::Kind::separated: return "separated";
-    case NoPath::Kind::undecided: return "undecided";
+    case NoPath::Kind::start_not_free:
+      return "start_not_free";
+    case NoPath::Kind::goal_not_free:
+      return "goal_not_free";
+    case NoPath::Kind::separated:
+      return "separated";
+    case NoPath::Kind::undecided:
+      return "undecided";
   }
   return "";
 }
 
 Json waypoint_json(const Waypoint& w) {
-  return {{"x", w.approx.x}, {"y", w.approx.y}, {"theta", w.approx.theta},
+  return {{"x", w.approx.x},
+          {"y", w.approx.y},
+          {"theta", w.approx.theta},
           {"tan_half", w.theta.is_half_turn() ? "inf" : w.theta.tan_half().to_string()},
-          {"exact", {w.at.x.to_string(), w.at.y.to_string()}}, {"move", name_of(w.move)}};
+          {"exact", {w.at.x.to_string(), w.at.y.to_string()}},
+          {"move", name_of(w.move)}};
 }
 
 Json component_json(const FreeComponent& c) {
-  return {{"component", c.number}, {"unbounded", c.unbounded}, {"shells", c.shells},
+  return {{"component", c.number},
+          {"unbounded", c.unbounded},
+          {"shells", c.shells},
           {"angles", c.all_angles ? Json("all") : Json{c.from, c.to}}};
 }
 
@@ -79,7 +92,11 @@ Json reason_json(const NoPath& reason) {
   Json start = Json::array(), goal = Json::array();
   for (const FreeComponent& c : reason.start) start.push_back(component_json(c));
   for (const FreeComponent& c : reason.goal) goal.push_back(component_json(c));
-  return {{"kind", name_of(reason.kind)}, {"text", reason.text}, {"contact", contact_json(reason.contact)}, {"start", start}, {"goal", goal},
+  return {{"kind", name_of(reason.kind)},
+          {"text", reason.text},
+          {"contact", contact_json(reason.contact)},
+          {"start", start},
+          {"goal", goal},
           {"unexamined_angles", reason.unexamined_angles},
           {"limit", reason.limit ? limit_json(*reason.limit) : Json(nullptr)}};
 }
@@ -131,8 +148,9 @@ ExitCode code_of(const std::vector<Plan>& plans) {
 void print_margin(const GrownRegion& robot, bool kept) {
   if (robot.margin == 0) return;
   if (kept) std::cout << "keeps a distance of " << robot.margin << " from the obstacle everywhere\n";
-  else std::cout << "this is said of the robot with a margin of " << robot.margin << " around it, at its corners "
-                 << robot.at_most << "\n";
+  else
+    std::cout << "this is said of the robot with a margin of " << robot.margin << " around it, at its corners "
+              << robot.at_most << "\n";
 }
 
 void print_text(const Plan& plan, const GrownRegion& robot) {
@@ -182,7 +200,9 @@ ExitCode run_plan(const PathCommand& command, ObstacleSource source, const Grown
   add_plans(json, plans, goals);
   std::vector<std::string> texts;
   for (const std::string& file : command.files)
-    texts.push_back(file.ends_with(".json") ? report_text(json) : path_picture(source.inputs[0].region, source.inputs[1].region, plans[0].path));
+    texts.push_back(file.ends_with(".json")
+                        ? report_text(json)
+                        : path_picture(source.inputs[0].region, source.inputs[1].region, plans[0].path));
   for (std::size_t i = 0; i < texts.size(); ++i) write_text(command.files[i], texts[i]);
   if (command.report.json) print_report(json);
   for (std::size_t k = 0; k < plans.size() && !command.report.json; ++k) {
@@ -196,7 +216,8 @@ void check_options(const PathCommand& command) {
   for (const std::string& file : command.files) {
     if (!file.ends_with(".json") && !file.ends_with(".svg"))
       throw Stop(kUsage, "-o wants a .json or a .svg file, not " + file);
-    if (file.ends_with(".svg") && command.to.size() > 1) throw Stop(kUsage, "a .svg file shows one path: give one --to");
+    if (file.ends_with(".svg") && command.to.size() > 1)
+      throw Stop(kUsage, "a .svg file shows one path: give one --to");
   }
   const bool ends = !command.from.empty() || !command.to.empty();
   if (command.given.empty() ? command.from.empty() || command.to.empty() : ends)
@@ -218,27 +239,36 @@ ExitCode run_path(const PathCommand& command) {
 
 void add_path(CLI::App& app, Action& action) {
   auto command = std::make_shared<PathCommand>();
-  CLI::App& verb = *app.add_subcommand("path",
+  CLI::App& verb = *app.add_subcommand(
+      "path",
       "A motion of a robot that translates and turns past an obstacle, or the proof that there is none: "
       "ends with 4 then, and with 5 if it is not decided within the time limit; or a path that is given, checked");
   command->parser = &verb;
   add_obstacle_input(verb, command->source);
-  verb.add_option("--from", command->from,
-      "Where the robot starts, theta in radians or as 90deg")->type_name("x,y,theta");
+  verb.add_option("--from", command->from, "Where the robot starts, theta in radians or as 90deg")
+      ->type_name("x,y,theta");
   verb.add_option("--to", command->to, "Where it is to go; repeatable: several goals of one obstacle")
-      ->type_name("x,y,theta")->allow_extra_args(false);
+      ->type_name("x,y,theta")
+      ->allow_extra_args(false);
   verb.add_option("--check-path", command->given,
-      "Check a path instead: lines x,y,theta, [[x,y,theta],...] or the .json that path writes; says the first piece that is "
-      "blocked; - for standard input")->type_name("FILE");
+                  "Check a path instead: lines x,y,theta, [[x,y,theta],...] or the .json that path writes; says the "
+                  "first piece that is "
+                  "blocked; - for standard input")
+      ->type_name("FILE");
   verb.add_option("--margin", command->margin,
-      "Keep this distance from the obstacle in every point: the robot grows by a polygon around that disc, 2 % wider at "
-      "its corners")->type_name("DISTANCE")->check(CLI::NonNegativeNumber);
+                  "Keep this distance from the obstacle in every point: the robot grows by a polygon around that disc, "
+                  "2 % wider at "
+                  "its corners")
+      ->type_name("DISTANCE")
+      ->check(CLI::NonNegativeNumber);
   verb.add_flag("--strict", command->strict, "Touching the obstacle is forbidden");
   verb.add_option("--time-limit", command->time_limit,
-      "Seconds after which the search stops without a decision, 60 unless told")
-      ->type_name("SECONDS")->check(CLI::NonNegativeNumber);
-  verb.add_option("-o", command->files,
-      "Write the path as .json, or as a picture .svg; repeatable")->type_name("FILE")->allow_extra_args(false);
+                  "Seconds after which the search stops without a decision, 60 unless told")
+      ->type_name("SECONDS")
+      ->check(CLI::NonNegativeNumber);
+  verb.add_option("-o", command->files, "Write the path as .json, or as a picture .svg; repeatable")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
   add_report_options(verb, command->report, "Compute N times and report the median and minimum time");
   add_repair_option(verb, command->source.input);
   verb.footer("Example: dymsum path bar.wkt rooms.wkt --from -6,0,1.5708 --to 6,0,0 -o path.svg");

@@ -3,10 +3,10 @@
 #include <memory>
 #include <optional>
 
-#include "verbs/commands.h"
 #include "options.h"
 #include "planar/planar_turn.h"
 #include "solid/solid_motion.h"
+#include "verbs/commands.h"
 
 namespace dymsum::cli {
 namespace {
@@ -24,7 +24,8 @@ struct RotateCommand {
 std::vector<Angle> frame_angles(const RotateCommand& command) {
   const Angle turn = command.angle.given() ? read_angle(command.angle) : Angle{360, true};
   std::vector<Angle> angles;
-  for (std::size_t k = 0; k < command.steps + (turn.whole_turns() ? 0 : 1); ++k) angles.push_back(turn.share(k, command.steps));
+  for (std::size_t k = 0; k < command.steps + (turn.whole_turns() ? 0 : 1); ++k)
+    angles.push_back(turn.share(k, command.steps));
   return angles;
 }
 
@@ -60,14 +61,17 @@ void add_rotate(CLI::App& app, Action& action) {
   CLI::App& verb = *app.add_subcommand(
       "rotate", "P turns and P (+) Q follows, frame by frame, exact at every frame (planar, or convex solids)");
   command->parser = &verb;
-  add_operands(verb, {"P", "The region or convex solid that turns about the origin of its coordinates"}, {"Q", "The one that stays"},
-               command->planar.operands);
-  verb.add_option("--steps", command->steps, "Steps of the turn: a frame at the beginning of each, and one at the end unless it is the first again")
+  add_operands(verb, {"P", "The region or convex solid that turns about the origin of its coordinates"},
+               {"Q", "The one that stays"}, command->planar.operands);
+  verb.add_option(
+          "--steps", command->steps,
+          "Steps of the turn: a frame at the beginning of each, and one at the end unless it is the first again")
       ->type_name("N")
       ->required()
       ->check(CLI::Range(std::size_t{1}, std::size_t{1000000}));
   verb.add_option("--axis", command->axis, "Of solids: axis through the origin [0,0,1]")->type_name("X,Y,Z");
-  add_angle_options(verb, command->angle, "The whole turn [360 degrees], its frames met within 2^-28 (solids) or --error (planar),");
+  add_angle_options(verb, command->angle,
+                    "The whole turn [360 degrees], its frames met within 2^-28 (solids) or --error (planar),");
   verb.add_option("--error", command->error, "Planar: largest error of a frame's angle in radians [1e-6]")
       ->type_name("E");
   verb.add_option("--semantics", command->semantics, "Planar: closed, open or regular [closed]")

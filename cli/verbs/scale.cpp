@@ -5,16 +5,16 @@
 #include <memory>
 #include <optional>
 
-#include "verbs/commands.h"
 #include "dymsum/scaling_sum.h"
-#include "pictures/frame_pictures.h"
 #include "outputs.h"
+#include "pictures/frame_pictures.h"
 #include "progress_bar.h"
 #include "report.h"
-#include "verbs/scale_command.h"
 #include "solid/solid_motion.h"
 #include "solid/solid_operands.h"
 #include "timing.h"
+#include "verbs/commands.h"
+#include "verbs/scale_command.h"
 
 namespace dymsum::cli {
 namespace {
@@ -28,8 +28,10 @@ std::vector<Scale> sweep_scales(const std::string& text) {
   std::string step = text.substr(second + 1);
   const bool ratio = step.ends_with('%');
   if (ratio) step.pop_back();
-  const Scale from = read_scale(text.substr(0, first), "--sweep"), to = read_scale(text.substr(first + 1, second - first - 1), "--sweep");
-  return require_option(scale_steps(from, to, require_option(parse_scale_step(step), "--sweep"), ratio, kMostFrames), "--sweep");
+  const Scale from = read_scale(text.substr(0, first), "--sweep"),
+              to = read_scale(text.substr(first + 1, second - first - 1), "--sweep");
+  return require_option(scale_steps(from, to, require_option(parse_scale_step(step), "--sweep"), ratio, kMostFrames),
+                        "--sweep");
 }
 
 std::vector<Scale> scales_of(const ScaleCommand& command) {
@@ -107,7 +109,8 @@ void keep(Sweep& sweep, const ScaleCommand& command, bool picture) {
   if (command.report.json) sweep.frames.push_back(frame_json(*sweep.sum, command.report.exact));
 }
 
-Sweep run_sweep(const Region& p, const Region& q, const ScaleCommand& command, const std::vector<Scale>& scales, const Progress& progress) {
+Sweep run_sweep(const Region& p, const Region& q, const ScaleCommand& command, const std::vector<Scale>& scales,
+                const Progress& progress) {
   Sweep sweep;
   const std::size_t every = picture_step(scales.size(), command.files);
   for (std::size_t round = 0; round < command.report.repeat; ++round) {
@@ -123,13 +126,16 @@ Sweep run_sweep(const Region& p, const Region& q, const ScaleCommand& command, c
   return sweep;
 }
 
-std::vector<ScaleEvent> events_of(const Sweep& sweep, const ScaleCommand& command, const std::vector<Scale>& scales, const Progress& progress) {
+std::vector<ScaleEvent> events_of(const Sweep& sweep, const ScaleCommand& command, const std::vector<Scale>& scales,
+                                  const Progress& progress) {
   if (!command.events && std::none_of(command.files.begin(), command.files.end(), is_page)) return {};
-  const auto [low, high] = std::minmax_element(scales.begin(), scales.end(), [](const Scale& a, const Scale& b) { return a.approx() < b.approx(); });
+  const auto [low, high] = std::minmax_element(scales.begin(), scales.end(),
+                                               [](const Scale& a, const Scale& b) { return a.approx() < b.approx(); });
   return require(sweep.sum->events(*low, *high, progress));
 }
 
-void print_json(const Sweep& sweep, const std::vector<ScaleEvent>& events, double fresh_ms, const std::vector<Input>& inputs, const ScaleCommand& command) {
+void print_json(const Sweep& sweep, const std::vector<ScaleEvent>& events, double fresh_ms,
+                const std::vector<Input>& inputs, const ScaleCommand& command) {
   const Timing timing = timing_of(sweep.ms);
   const Json list = command.events ? events_json(events) : Json(nullptr);
   Json json = report_head("scale", inputs_json(inputs), sweep.tier, timing, {{"frames", timing.median_ms}});
@@ -149,21 +155,25 @@ void print_json(const Sweep& sweep, const std::vector<ScaleEvent>& events, doubl
   print_report(json);
 }
 
-void print_text(const Sweep& sweep, const std::vector<ScaleEvent>& events, double fresh_ms, const std::vector<Input>& inputs, const ScaleCommand& command,
-                std::size_t frames) {
+void print_text(const Sweep& sweep, const std::vector<ScaleEvent>& events, double fresh_ms,
+                const std::vector<Input>& inputs, const ScaleCommand& command, std::size_t frames) {
   const Timing timing = timing_of(sweep.ms);
   const PlanarSum& last = sweep.sum->sum();
-  std::cout << "scale of " << inputs[0].file << " and " << inputs[1].file << ", " << counted(frames, "frame") << "\n  frame " << timing.median_ms
-            << " ms (median, least " << timing.min_ms << " ms), from scratch " << fresh_ms << " ms\n  " << counted(sweep.windows, "window") << ", "
-            << counted(sweep.rebuilt, "frame") << " from scratch, " << counted(sweep.degenerate, "frame") << " at which something touches\n  at s = "
-            << shown(sweep.sum->scale().exact()) << ": " << counted(last.parts.size(), "part") << ", " << counted(last.hole_count(), "hole") << ", "
+  std::cout << "scale of " << inputs[0].file << " and " << inputs[1].file << ", " << counted(frames, "frame")
+            << "\n  frame " << timing.median_ms << " ms (median, least " << timing.min_ms << " ms), from scratch "
+            << fresh_ms << " ms\n  " << counted(sweep.windows, "window") << ", " << counted(sweep.rebuilt, "frame")
+            << " from scratch, " << counted(sweep.degenerate, "frame")
+            << " at which something touches\n  at s = " << shown(sweep.sum->scale().exact()) << ": "
+            << counted(last.parts.size(), "part") << ", " << counted(last.hole_count(), "hole") << ", "
             << counted(last.vertex_count(), "vertex", "vertices") << "\n";
   for (const ScaleEvent& e : events)
-    if (e.visible && command.events) std::cout << "  event " << shown(e.s) << (e.topology ? "  topology changes" : "") << "\n";
+    if (e.visible && command.events)
+      std::cout << "  event " << shown(e.s) << (e.topology ? "  topology changes" : "") << "\n";
 }
 
 ExitCode run_scale(const ScaleCommand& command) {
-  if (are_solid(command.operands, command.input)) return run_solid_scale(command, command.sweep.empty() ? std::vector<Scale>{} : sweep_scales(command.sweep));
+  if (are_solid(command.operands, command.input))
+    return run_solid_scale(command, command.sweep.empty() ? std::vector<Scale>{} : sweep_scales(command.sweep));
   if (!command.copies.empty()) return run_copies(command);
   const std::vector<Scale> scales = scales_of(command);
   const std::vector<Input> inputs = read_inputs(command.operands, command.input);
@@ -184,19 +194,33 @@ ExitCode run_scale(const ScaleCommand& command) {
 
 void add_options(CLI::App& verb, ScaleCommand& command) {
   command.parser = &verb;
-  add_operands(verb, {"P", "The region or convex solid that scales, unless --scaled q"}, {"Q", "The other one"}, command.operands);
-  verb.add_option("--sweep", command.sweep, "FROM:TO:STEP; STEP is added, or with % multiplies: 1:2:1%; the last frame is at TO")->type_name("A:B:STEP");
-  verb.add_option("--at", command.at, "Scales between commas, exact: 3/2, 1.01, 1e-3; of solids also one per axis: 2:1:1/2; repeatable")->type_name("S,S,...")->allow_extra_args(false);
-  verb.add_option("--copies", command.copies, "Copies of P, one `scale x y` a line: the sum of each with Q, from one sum that scales")->type_name("FILE");
+  add_operands(verb, {"P", "The region or convex solid that scales, unless --scaled q"}, {"Q", "The other one"},
+               command.operands);
+  verb.add_option("--sweep", command.sweep,
+                  "FROM:TO:STEP; STEP is added, or with % multiplies: 1:2:1%; the last frame is at TO")
+      ->type_name("A:B:STEP");
+  verb.add_option("--at", command.at,
+                  "Scales between commas, exact: 3/2, 1.01, 1e-3; of solids also one per axis: 2:1:1/2; repeatable")
+      ->type_name("S,S,...")
+      ->allow_extra_args(false);
+  verb.add_option("--copies", command.copies,
+                  "Copies of P, one `scale x y` a line: the sum of each with Q, from one sum that scales")
+      ->type_name("FILE");
   verb.add_flag("--robot", command.robot, "Q is a robot and P an obstacle: sums with -Q");
-  verb.add_option("--scaled", command.scaled, "Which operand scales")->check(CLI::IsMember({"p", "q"}))->capture_default_str();
+  verb.add_option("--scaled", command.scaled, "Which operand scales")
+      ->check(CLI::IsMember({"p", "q"}))
+      ->capture_default_str();
   verb.add_option("--mode", command.mode, "automatic chooses between the others by their cost; all give the same sums")
       ->check(CLI::IsMember({"automatic", "window", "rebuild"}))
       ->capture_default_str();
-  verb.add_option("--semantics", command.semantics, "closed, open or regular")->check(CLI::IsMember({"closed", "open", "regular"}))->capture_default_str();
+  verb.add_option("--semantics", command.semantics, "closed, open or regular")
+      ->check(CLI::IsMember({"closed", "open", "regular"}))
+      ->capture_default_str();
   verb.add_option("-o", command.files,
-                  "Write .svg (a film strip), anim.svg (an animation) or .html (a page with a slider and ticks at events); with --copies .svg (obstacles, "
-                  "what they grow to, robot); of solids .html (a page that plays) and the last frame as .off .obj .stl .ply .glb .json; repeatable")
+                  "Write .svg (a film strip), anim.svg (an animation) or .html (a page with a slider and ticks at "
+                  "events); with --copies .svg (obstacles, "
+                  "what they grow to, robot); of solids .html (a page that plays) and the last frame as .off .obj .stl "
+                  ".ply .glb .json; repeatable")
       ->type_name("FILE")
       ->allow_extra_args(false);
   verb.add_flag("--events", command.events, "List the exact scales at which the sum changes");
@@ -214,14 +238,20 @@ std::vector<std::string> listed(const std::vector<std::string>& values) {
   return all;
 }
 
-Scale read_scale(const std::string& text, const std::string& option) { return require_option(Scale::parse(text), option); }
+Scale read_scale(const std::string& text, const std::string& option) {
+  return require_option(Scale::parse(text), option);
+}
 
 ScalingOptions scaling_options(const ScaleCommand& command) {
   ScalingOptions options;
   options.scaled = command.scaled == "p" ? ScaledOperand::p : ScaledOperand::q;
   options.reflect_q = command.robot;
-  options.mode = command.mode == "window" ? FrameMode::window : command.mode == "rebuild" ? FrameMode::rebuild : FrameMode::automatic;
-  options.semantics = command.semantics == "open" ? Semantics::open : command.semantics == "regular" ? Semantics::regular : Semantics::closed;
+  options.mode = command.mode == "window"    ? FrameMode::window
+                 : command.mode == "rebuild" ? FrameMode::rebuild
+                                             : FrameMode::automatic;
+  options.semantics = command.semantics == "open"      ? Semantics::open
+                      : command.semantics == "regular" ? Semantics::regular
+                                                       : Semantics::closed;
   return options;
 }
 

@@ -16,7 +16,7 @@ struct ScaleCommand {
   std::vector<std::string> operands{"", ""};
   std::string sweep, copies, scaled = "p", mode = "automatic", semantics = "closed";
   std::vector<std::string> at, files;
-  bool robot = false;   ///< Q is a robot: sums with -Q
+  bool robot = false;  ///< Q is a robot: sums with -Q
   bool events = false;
   ReportOptions report;
   InputOptions input;

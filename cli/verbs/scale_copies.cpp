@@ -2,13 +2,13 @@
 #include <iostream>
 #include <optional>
 
-#include "planar/copies_file.h"
-#include "pictures/copies_picture.h"
 #include "outputs.h"
+#include "pictures/copies_picture.h"
+#include "planar/copies_file.h"
 #include "progress_bar.h"
 #include "report.h"
-#include "verbs/scale_command.h"
 #include "timing.h"
+#include "verbs/scale_command.h"
 
 namespace dymsum::cli {
 namespace {
@@ -18,7 +18,8 @@ void check(const ScaleCommand& command) {
   if (command.scaled != "p") throw Stop(kUsage, "--copies scales MASTER, the first operand");
   if (command.events) throw Stop(kUsage, "--events belongs to --sweep and --at");
   for (const std::string& file : command.files)
-    if (!file.ends_with(".svg")) throw Stop(kUsage, "-o with --copies writes .svg (a picture of the environment): " + file);
+    if (!file.ends_with(".svg"))
+      throw Stop(kUsage, "-o with --copies writes .svg (a picture of the environment): " + file);
 }
 
 Json copies_json(const std::vector<ScaledCopy>& copies, const std::vector<CopySum>& sums, bool exact) {
@@ -60,11 +61,14 @@ ExitCode run_copies(const ScaleCommand& command) {
   ScalingOptions options = scaling_options(command), fresh = options;
   options.progress = fresh.progress = bar->callback();
   fresh.mode = FrameMode::rebuild;
-  const auto [sums, timing] = timed(command.report.repeat, [&] { return require(scaled_copies(master, q, copies, options)); });
-  const Timing scratch = timed(command.report.repeat, [&] { return require(scaled_copies(master, q, copies, fresh)); }).second;
+  const auto [sums, timing] =
+      timed(command.report.repeat, [&] { return require(scaled_copies(master, q, copies, options)); });
+  const Timing scratch =
+      timed(command.report.repeat, [&] { return require(scaled_copies(master, q, copies, fresh)); }).second;
   bar.reset();
   const CopiesWork work = work_of(sums);
-  for (const std::string& file : command.files) write_text(file, copies_picture(master, command.robot ? q : negated(q), copies, sums));
+  for (const std::string& file : command.files)
+    write_text(file, copies_picture(master, command.robot ? q : negated(q), copies, sums));
   if (command.report.json) {
     Json json = report_head("scale", inputs_json(inputs), work.tier, timing, {{"copies", timing.median_ms}});
     json.update({{"semantics", command.semantics},
@@ -76,10 +80,11 @@ ExitCode run_copies(const ScaleCommand& command) {
                  {"work", {{"windows", work.windows}, {"rebuilt", work.rebuilt}}}});
     print_report(json);
   } else {
-    std::cout << counted(copies.size(), "copy", "copies") << " of " << inputs[0].file << (command.robot ? " for robot " : " summed with ") << inputs[1].file
-              << "\n  all " << timing.median_ms << " ms (least " << timing.min_ms << " ms), each from scratch " << scratch.median_ms << " ms\n  "
-              << counted(work.windows, "window") << ", " << counted(work.rebuilt, "sum") << " from scratch; " << counted(work.vertices, "vertex", "vertices")
-              << " in all\n";
+    std::cout << counted(copies.size(), "copy", "copies") << " of " << inputs[0].file
+              << (command.robot ? " for robot " : " summed with ") << inputs[1].file << "\n  all " << timing.median_ms
+              << " ms (least " << timing.min_ms << " ms), each from scratch " << scratch.median_ms << " ms\n  "
+              << counted(work.windows, "window") << ", " << counted(work.rebuilt, "sum") << " from scratch; "
+              << counted(work.vertices, "vertex", "vertices") << " in all\n";
   }
   return kDone;
 }

@@ -8,16 +8,16 @@
 #include <optional>
 #include <sstream>
 
-#include "verbs/commands.h"
 #include "exit_code.h"
 #include "inputs.h"
 #include "numbers.h"
 #include "options.h"
+#include "planar/tier.h"
 #include "progress_bar.h"
 #include "report.h"
 #include "solid/solid_operands.h"
-#include "planar/tier.h"
 #include "timing.h"
+#include "verbs/commands.h"
 
 namespace dymsum::cli {
 namespace {
@@ -51,16 +51,23 @@ std::vector<Point> read_path(const std::string& text) {
 }
 
 Json contact_json(const ScaleContact& c) {
-  const char* kind = c.kind == ScaleContact::Kind::vertex_on_edge ? "vertex_on_edge" : c.kind == ScaleContact::Kind::edge_on_vertex ? "edge_on_vertex" : "vertex_on_vertex";
-  return {{"kind", kind}, {"part", c.part}, {"obstacle", c.obstacle}, {"leg", c.leg}, {"along", c.along.to_string()},
+  const char* kind = c.kind == ScaleContact::Kind::vertex_on_edge   ? "vertex_on_edge"
+                     : c.kind == ScaleContact::Kind::edge_on_vertex ? "edge_on_vertex"
+                                                                    : "vertex_on_vertex";
+  return {{"kind", kind},
+          {"part", c.part},
+          {"obstacle", c.obstacle},
+          {"leg", c.leg},
+          {"along", c.along.to_string()},
           {"at", {c.at.x.to_string(), c.at.y.to_string()}}};
 }
 
 std::string contact_text(const ScaleContact& c, bool on_path) {
   const std::string part = std::to_string(c.part), obstacle = std::to_string(c.obstacle);
-  const std::string text = c.kind == ScaleContact::Kind::vertex_on_edge   ? "vertex " + part + " of the part on edge " + obstacle
-                           : c.kind == ScaleContact::Kind::edge_on_vertex ? "edge " + part + " of the part on vertex " + obstacle
-                                                                          : "vertex " + part + " of the part on vertex " + obstacle;
+  const std::string text =
+      c.kind == ScaleContact::Kind::vertex_on_edge   ? "vertex " + part + " of the part on edge " + obstacle
+      : c.kind == ScaleContact::Kind::edge_on_vertex ? "edge " + part + " of the part on vertex " + obstacle
+                                                     : "vertex " + part + " of the part on vertex " + obstacle;
   if (on_path) return text + ", leg " + std::to_string(c.leg) + " at " + shown(c.along);
   return text + ", part at (" + shown(c.at.x) + ", " + shown(c.at.y) + ")";
 }
@@ -90,11 +97,13 @@ void print_json(const ScaleRange& range, const Timing& timing, const std::vector
 void print_text(const ScaleRange& range, bool on_path) {
   std::cout << (range.free.empty() ? "never free\n" : "free scales:\n");
   for (const ScaleInterval& i : range.free) {
-    std::cout << "  " << (i.low ? "[" + shown(*i.low) : std::string("(0")) << ", " << (i.high ? shown(*i.high) + "]" : std::string("unbounded)")) << "\n";
+    std::cout << "  " << (i.low ? "[" + shown(*i.low) : std::string("(0")) << ", "
+              << (i.high ? shown(*i.high) + "]" : std::string("unbounded)")) << "\n";
     for (const ScaleContact& c : i.at_low) std::cout << "    below: " << contact_text(c, on_path) << "\n";
     for (const ScaleContact& c : i.at_high) std::cout << "    above: " << contact_text(c, on_path) << "\n";
   }
-  if (const auto trap = range.trap(); trap && on_path && !range.free.empty()) std::cout << "  trapped just above " << shown(*trap) << "\n";
+  if (const auto trap = range.trap(); trap && on_path && !range.free.empty())
+    std::cout << "  trapped just above " << shown(*trap) << "\n";
 }
 
 ExitCode run_range(const RangeCommand& command) {
@@ -124,9 +133,13 @@ ExitCode run_range(const RangeCommand& command) {
 
 void add_scale_range(CLI::App& app, Action& action) {
   auto command = std::make_shared<RangeCommand>();
-  CLI::App& verb = *app.add_subcommand("scale-range", "The exact scales at which a part passes obstacles along a path, or fits into a container; ends with 4 when there are none");
-  add_operands(verb, {"PART", "the shape that scales"}, {"OTHER", "obstacles, or with --inside the container"}, command->operands);
-  verb.add_option("--path", command->path, "The translations of the part: \"x,y x,y ...\" or a file with one polyline")->type_name("PATH");
+  CLI::App& verb = *app.add_subcommand("scale-range",
+                                       "The exact scales at which a part passes obstacles along a path, or fits into a "
+                                       "container; ends with 4 when there are none");
+  add_operands(verb, {"PART", "the shape that scales"}, {"OTHER", "obstacles, or with --inside the container"},
+               command->operands);
+  verb.add_option("--path", command->path, "The translations of the part: \"x,y x,y ...\" or a file with one polyline")
+      ->type_name("PATH");
   verb.add_flag("--inside", command->inside, "OTHER is a container, anywhere inside which the part may lie");
   verb.add_option("--place", command->place, "With --inside: only at this translation")->type_name("x,y");
   add_report_options(verb, command->report, "Compute N times and report the median and minimum time");

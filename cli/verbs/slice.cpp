@@ -3,10 +3,10 @@
 #include <memory>
 #include <optional>
 
-#include "verbs/commands.h"
 #include "dymsum/cspace_obstacle.h"
-#include "verbs/sum_command.h"
 #include "planar/turned_region.h"
+#include "verbs/commands.h"
+#include "verbs/sum_command.h"
 
 namespace dymsum::cli {
 namespace {
@@ -19,13 +19,15 @@ struct SliceCommand {
 };
 
 Orientation asked_orientation(const SliceCommand& command) {
-  if (command.tan_half.empty() != command.angle.given()) throw Stop(kUsage, "give one of --tan-half, --angle and --degrees");
+  if (command.tan_half.empty() != command.angle.given())
+    throw Stop(kUsage, "give one of --tan-half, --angle and --degrees");
   if (!command.angle.given()) {
     if (command.error) throw Stop(kUsage, "--error belongs to --angle and --degrees");
     return require_option(Orientation::parse(command.tan_half), "--tan-half");
   }
   const double radians = read_angle(command.angle).radians();
-  return require_option(command.error ? Orientation::nearest(radians, *command.error) : Orientation::nearest(radians), "--angle");
+  return require_option(command.error ? Orientation::nearest(radians, *command.error) : Orientation::nearest(radians),
+                        "--angle");
 }
 
 SumVerb slice_verb() {
@@ -63,7 +65,8 @@ void add_slice(CLI::App& app, Action& action) {
   verb.add_option("--tan-half", command->tan_half, "Tangent of half the angle, exact: 3/7, 0.25; inf is half a turn")
       ->type_name("N/D");
   add_angle_options(verb, command->angle, "The angle, met within 2^-50 or --error,");
-  verb.add_option("--error", command->error, "Largest error of the angle in radians: a simpler tangent is taken")->type_name("E");
+  verb.add_option("--error", command->error, "Largest error of the angle in radians: a simpler tangent is taken")
+      ->type_name("E");
   verb.callback([command, &action] { action = [command] { return run_slice(*command); }; });
 }
 

@@ -31,7 +31,8 @@ SumOptions sum_options(const SumCommand& command) {
 void check(const SumCommand& command) {
   if (!writes_to_stdout(command.output.files)) refuse_options(*command.parser, {"--to"}, "is the format of -o -");
   check_outputs(command.output);
-  if (!writes_rounded(command.output)) refuse_options(*command.parser, {"--round-repair"}, "belongs to -o FILE.wkt, .poly or .geojson");
+  if (!writes_rounded(command.output))
+    refuse_options(*command.parser, {"--round-repair"}, "belongs to -o FILE.wkt, .poly or .geojson");
 }
 
 bool is_empty(const PlanarSum& sum) { return sum.parts.empty() && sum.segments.empty() && sum.points.empty(); }

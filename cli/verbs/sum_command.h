@@ -30,7 +30,7 @@ struct SumVerb {
   bool reflects_second = false;  ///< the convolution behind it is that of P and -Q
   bool empty_is_no = false;      ///< an empty result ends with kNo
   bool planar_only = false;
-  bool several = false;  ///< takes more than two solids
+  bool several = false;                    ///< takes more than two solids
   std::optional<Orientation> orientation;  ///< of the operand that is turned, for the report
   /// The operands as pictures show them and as the convolution is counted; empty: as they are read.
   std::function<std::array<Region, 2>(const Region&, const Region&)> shown;

@@ -1,4 +1,5 @@
-// Sums of convex polygons, kept exact while the operands rotate and scale: the planar case of ConvexSum, with the same names.
+// Sums of convex polygons, kept exact while the operands rotate and scale: the planar case of ConvexSum, with the same
+// names.
 #pragma once
 
 #include <array>
@@ -14,9 +15,10 @@
 
 namespace dymsum {
 
-/// A rotation of the plane by the square of an integer complex number u + v i of any length: by the angle whose half has the tangent v / u. Its matrix is rational:
-/// (c, -s; s, c) / (u^2 + v^2) with c = u^2 - v^2, s = 2 u v. Components are at most 2^30 in magnitude, without common divisor, the first one that is not zero positive:
-/// equal rotations are equal values.
+/// A rotation of the plane by the square of an integer complex number u + v i of any length: by the angle whose half
+/// has the tangent v / u. Its matrix is rational: (c, -s; s, c) / (u^2 + v^2) with c = u^2 - v^2, s = 2 u v. Components
+/// are at most 2^30 in magnitude, without common divisor, the first one that is not zero positive: equal rotations are
+/// equal values.
 class PlanarRotation {
  public:
   static constexpr int kBits = 30;
@@ -25,7 +27,8 @@ class PlanarRotation {
 
   /// tan(angle / 2) = v / u. Errors: bad_rotation when both are zero, or larger than 2^30 without common divisor.
   static Result<PlanarRotation> of(std::int64_t u, std::int64_t v);
-  /// Counter-clockwise; within 2^-29 of the angle, exact for multiples of a quarter turn. Errors: bad_rotation for an angle that is not finite.
+  /// Counter-clockwise; within 2^-29 of the angle, exact for multiples of a quarter turn. Errors: bad_rotation for an
+  /// angle that is not finite.
   static Result<PlanarRotation> nearest(double radians);
   /// First b, then a: exact when the product fits kBits, else within 2^-29 of it.
   friend PlanarRotation operator*(const PlanarRotation& a, const PlanarRotation& b);
@@ -46,10 +49,11 @@ struct PlanarPose {
   friend bool operator==(const PlanarPose&, const PlanarPose&) = default;
 };
 
-/// The exact sum of two convex polygons. Canonical: counter-clockwise, no vertex in the middle of an edge, from the smallest pair on.
+/// The exact sum of two convex polygons. Canonical: counter-clockwise, no vertex in the middle of an edge, from the
+/// smallest pair on.
 struct PolygonSum {
-  /// A vertex of P plus a vertex of Q, by the numbers of their regions. From one to the next P's vertex changes along an edge of P, or Q's along one of Q, or both along
-  /// parallel edges.
+  /// A vertex of P plus a vertex of Q, by the numbers of their regions. From one to the next P's vertex changes along
+  /// an edge of P, or Q's along one of Q, or both along parallel edges.
   struct Vertex {
     std::uint32_t p = 0, q = 0;
     friend auto operator<=>(const Vertex&, const Vertex&) = default;
@@ -64,18 +68,20 @@ struct PolygonSum {
 
 /// The work of one move.
 struct PolygonWork {
-  std::uint64_t vertex_checks = 0;  ///< edges of P whose extreme vertex was looked at; the certificates of the others held
+  std::uint64_t vertex_checks =
+      0;  ///< edges of P whose extreme vertex was looked at; the certificates of the others held
   std::uint64_t vertex_errors = 0;  ///< of these, wrong and corrected
   std::uint64_t steps = 0;          ///< from vertex to vertex
   std::uint64_t exact_signs = 0;    ///< that doubles did not decide
   friend bool operator==(const PolygonWork&, const PolygonWork&) = default;
 };
 
-/// Holds P (+) Q as the vertex of Q that is extreme in the direction of every edge of P, and corrects these pointers when the operands move; the result equals a
-/// fresh computation, always. Thread-compatible.
+/// Holds P (+) Q as the vertex of Q that is extreme in the direction of every edge of P, and corrects these pointers
+/// when the operands move; the result equals a fresh computation, always. Thread-compatible.
 class ConvexPolygonSum {
  public:
-  /// At the identity. Errors: unsupported_operand unless both are one part without holes, polylines and points; not_convex with the reflex vertex. O(m + n).
+  /// At the identity. Errors: unsupported_operand unless both are one part without holes, polylines and points;
+  /// not_convex with the reflex vertex. O(m + n).
   static Result<ConvexPolygonSum> create(const Region& p, const Region& q);
 
   ConvexPolygonSum(const ConvexPolygonSum&);  ///< an independent copy
@@ -84,7 +90,8 @@ class ConvexPolygonSum {
   ConvexPolygonSum& operator=(ConvexPolygonSum&&) noexcept;
   ~ConvexPolygonSum();
 
-  /// Moves P and Q. Each certificate holds for an angle, so small motions look at few edges. O(edges of P), a comparison each, plus the steps.
+  /// Moves P and Q. Each certificate holds for an angle, so small motions look at few edges. O(edges of P), a
+  /// comparison each, plus the steps.
   const PolygonWork& set(const PlanarPose& p, const PlanarPose& q = {});
   /// Forgets all certificates and starts from nothing: what moving is compared with.
   const PolygonWork& rebuild();

@@ -1,5 +1,5 @@
-// Minkowski sums of convex solids, kept exact while the operands rotate and scale: DYMSUM, chapter 5 and section 6.4 of Behar's thesis, corrected and
-// made exact (docs/design/convex-motion.md).
+// Minkowski sums of convex solids, kept exact while the operands rotate and scale: DYMSUM, chapter 5 and section 6.4 of
+// Behar's thesis, corrected and made exact (docs/design/convex-motion.md).
 #pragma once
 
 #include <array>
@@ -30,13 +30,15 @@ struct SolidFeature {
   friend auto operator<=>(const SolidFeature&, const SolidFeature&) = default;
 };
 
-/// A facet of a sum: the sum of the features of P and Q that are extreme in its outward direction. Face + vertex, vertex + face and
-/// edge + edge in general; face + edge, edge + face or face + face where directions coincide.
+/// A facet of a sum: the sum of the features of P and Q that are extreme in its outward direction. Face + vertex,
+/// vertex + face and edge + edge in general; face + edge, edge + face or face + face where directions coincide.
 struct SolidFacet {
   std::vector<std::uint32_t> vertices;  ///< counter-clockwise seen from outside, from the smallest number on
   SolidFeature p, q;
   bool changed = false;  ///< not there before the last move (none before the first one); no part of the value
-  friend bool operator==(const SolidFacet& a, const SolidFacet& b) { return a.p == b.p && a.q == b.q && a.vertices == b.vertices; }
+  friend bool operator==(const SolidFacet& a, const SolidFacet& b) {
+    return a.p == b.p && a.q == b.q && a.vertices == b.vertices;
+  }
 };
 
 struct RationalPoint3 {
@@ -44,8 +46,8 @@ struct RationalPoint3 {
   friend bool operator==(const RationalPoint3&, const RationalPoint3&) = default;
 };
 
-/// The exact sum of two convex solids. Canonical: facets are whole (no two lie in one plane), vertices are sorted by (p, q), facets by their vertices.
-/// Equal operands at equal poses have equal sums.
+/// The exact sum of two convex solids. Canonical: facets are whole (no two lie in one plane), vertices are sorted by
+/// (p, q), facets by their vertices. Equal operands at equal poses have equal sums.
 struct SolidSum {
   /// A vertex of P plus a vertex of Q, by the numbers of their meshes; every vertex of the sum is that in one way only.
   struct Vertex {
@@ -53,7 +55,8 @@ struct SolidSum {
     friend auto operator<=>(const Vertex&, const Vertex&) = default;
   };
   std::vector<Vertex> vertices;
-  std::vector<Point3> at;  ///< their positions, each coordinate the double nearest to the exact value; infinite past the range of doubles
+  std::vector<Point3> at;  ///< their positions, each coordinate the double nearest to the exact value; infinite past
+                           ///< the range of doubles
   std::vector<SolidFacet> facets;
   SolidPose p_pose, q_pose;
 
@@ -61,16 +64,18 @@ struct SolidSum {
   RationalPoint3 exact(std::size_t vertex) const;
   /// The sum with its rounded positions; facets with more than three vertices may no longer be plane to the last bit.
   MeshData rounded() const { return rounded_data(); }
-  /// A valid convex mesh: the hull of all vertices, every coordinate rounded once. Facets that are no longer plane become triangles. Errors:
-  /// not_finite past the range; rounding_changed_topology where two vertices round to one place or one no longer sticks out, with these vertices.
+  /// A valid convex mesh: the hull of all vertices, every coordinate rounded once. Facets that are no longer plane
+  /// become triangles. Errors: not_finite past the range; rounding_changed_topology where two vertices round to one
+  /// place or one no longer sticks out, with these vertices.
   Result<Mesh> rounded_mesh(Precision precision = Precision::doubles) const;
-  /// The same hull of what is left where rounding changes the topology. The report's deviation is the largest distance of a vertex from its exact place; no
-  /// point of the two solids is further from the other one. Errors: not_finite; no_area when everything collapses into a plane.
+  /// The same hull of what is left where rounding changes the topology. The report's deviation is the largest distance
+  /// of a vertex from its exact place; no point of the two solids is further from the other one. Errors: not_finite;
+  /// no_area when everything collapses into a plane.
   Result<HulledMesh> rounded_hull(Precision precision = Precision::doubles) const;
   std::size_t edge_count() const;
-  double volume() const;  ///< nearest to the exact one
+  double volume() const;          ///< nearest to the exact one
   Rational volume_exact() const;  ///< from the facets, in exact arithmetic
-  double area() const;  ///< of the exact facets, with a relative error below 1e-14
+  double area() const;            ///< of the exact facets, with a relative error below 1e-14
 
   friend bool operator==(const SolidSum& a, const SolidSum& b) {
     return a.vertices == b.vertices && a.facets == b.facets && a.p_pose == b.p_pose && a.q_pose == b.q_pose;
@@ -93,41 +98,43 @@ enum class ConvexEngine : std::uint8_t {
 Result<SolidSum> convex_sum(const Mesh& p, const Mesh& q, const SolidPose& p_pose = {}, const SolidPose& q_pose = {},
                             ConvexEngine engine = ConvexEngine::walk);
 
-/// The exact sum of two or more solids, added from the first one on; vertices and features of P are those of the sum of all but the last one.
-/// Errors as above.
+/// The exact sum of two or more solids, added from the first one on; vertices and features of P are those of the sum of
+/// all but the last one. Errors as above.
 Result<SolidSum> convex_sum(std::span<const Mesh> solids);
 
 /// The work of one move.
 struct MotionWork {
-  std::uint64_t vertex_checks = 0;  ///< faces whose extreme vertex was looked at; the certificates of the others held
-  std::uint64_t vertex_errors = 0;  ///< of these, wrong and corrected
+  std::uint64_t vertex_checks = 0;    ///< faces whose extreme vertex was looked at; the certificates of the others held
+  std::uint64_t vertex_errors = 0;    ///< of these, wrong and corrected
   std::uint64_t crossing_checks = 0;  ///< crossings of arcs that were looked at one by one
-  std::uint64_t arc_checks = 0;     ///< edges whose arcs were walked again where they may have changed
-  std::uint64_t arcs_changed = 0;   ///< of these, changed
-  std::uint64_t steps = 0;          ///< from vertex to vertex, in all walks
+  std::uint64_t arc_checks = 0;       ///< edges whose arcs were walked again where they may have changed
+  std::uint64_t arcs_changed = 0;     ///< of these, changed
+  std::uint64_t steps = 0;            ///< from vertex to vertex, in all walks
   std::uint64_t facets_added = 0, facets_removed = 0;  ///< of the generic sum, before coplanar facets merge
-  std::uint64_t exact_signs = 0;    ///< that doubles did not decide
+  std::uint64_t exact_signs = 0;                       ///< that doubles did not decide
   friend bool operator==(const MotionWork&, const MotionWork&) = default;
 };
 
 /// How deep a point lies in a sum.
 struct ConvexDepth {
-  bool inside = false;      ///< in the interior
-  double depth = 0;         ///< distance to the nearest facet's plane, to the nearest double; 0 when not inside
-  Rational depth_squared;   ///< exact
-  Point3 direction;         ///< unit outward normal of that facet, with an error below 2^-50: move the point by depth * direction
-  SolidFeature p, q;        ///< the facet
+  bool inside = false;     ///< in the interior
+  double depth = 0;        ///< distance to the nearest facet's plane, to the nearest double; 0 when not inside
+  Rational depth_squared;  ///< exact
+  Point3
+      direction;  ///< unit outward normal of that facet, with an error below 2^-50: move the point by depth * direction
+  SolidFeature p, q;  ///< the facet
 };
 
-/// Holds P (+) Q and follows the motion of both. Moving corrects the errors that the motion introduces; the result equals a fresh
-/// computation, always. Thread-compatible.
+/// Holds P (+) Q and follows the motion of both. Moving corrects the errors that the motion introduces; the result
+/// equals a fresh computation, always. Thread-compatible.
 class ConvexSum {
  public:
-  /// At the identity. Errors as convex_sum. With merge = false flat edges and vertices stay features of their own, as in the thesis: slower, with the
-  /// same sums; faces have to be triangles then (else unsupported_operand).
+  /// At the identity. Errors as convex_sum. With merge = false flat edges and vertices stay features of their own, as
+  /// in the thesis: slower, with the same sums; faces have to be triangles then (else unsupported_operand).
   static Result<ConvexSum> create(const Mesh& p, const Mesh& q, bool merge = true);
-  /// Of a sum and one more solid, from the exact positions of the sum: P's vertices and faces are the vertices and facets of `p` by their
-  /// numbers. Errors also: unsupported_operand for sums at poses whose positions are no binary fractions.
+  /// Of a sum and one more solid, from the exact positions of the sum: P's vertices and faces are the vertices and
+  /// facets of `p` by their numbers. Errors also: unsupported_operand for sums at poses whose positions are no binary
+  /// fractions.
   static Result<ConvexSum> create(const SolidSum& p, const Mesh& q);
 
   ConvexSum(const ConvexSum&);  ///< an independent copy
@@ -166,8 +173,9 @@ class ConvexSum {
   SolidSum sum() const;
   /// From mixed volumes, O(faces): independent of the facets.
   Rational volume_exact() const;
-  /// With a relative error of at most 1e-12, wherever and of whatever shape the operands are; beyond the range of doubles infinite, below
-  /// that of ordinary ones to the nearest. O(faces); in exact arithmetic for solids much thinner than long.
+  /// With a relative error of at most 1e-12, wherever and of whatever shape the operands are; beyond the range of
+  /// doubles infinite, below that of ordinary ones to the nearest. O(faces); in exact arithmetic for solids much
+  /// thinner than long.
   double volume() const;
   /// Memory held, operands included (without what lies behind arbitrary precision).
   std::size_t bytes() const;
@@ -181,8 +189,8 @@ class ConvexSum {
   };
   /// Requires a finite direction (else std::invalid_argument).
   Support support(Point3 direction) const;
-  /// How deep a point lies, with the facet that is nearest: a global minimum, exact, of solids of any size. O(facets). Requires a finite point
-  /// (else std::invalid_argument).
+  /// How deep a point lies, with the facet that is nearest: a global minimum, exact, of solids of any size. O(facets).
+  /// Requires a finite point (else std::invalid_argument).
   ConvexDepth depth(Point3 point = {}) const;
 
   class State;  ///< internal
@@ -194,10 +202,10 @@ class ConvexSum {
   std::unique_ptr<State> state_;
 };
 
-/// The penetration depth of two convex solids: the shortest translation of Q that separates them, by P (+) -Q. `inside` is whether their interiors
-/// meet. Errors: as convex_sum; not_finite for a translation that is not finite.
-Result<ConvexDepth> penetration_depth(const Mesh& p, const Mesh& q, const SolidPose& p_pose = {}, const SolidPose& q_pose = {},
-                                      Point3 q_moved_by = {});
+/// The penetration depth of two convex solids: the shortest translation of Q that separates them, by P (+) -Q. `inside`
+/// is whether their interiors meet. Errors: as convex_sum; not_finite for a translation that is not finite.
+Result<ConvexDepth> penetration_depth(const Mesh& p, const Mesh& q, const SolidPose& p_pose = {},
+                                      const SolidPose& q_pose = {}, Point3 q_moved_by = {});
 
 /// What a batch reports for one pose of P.
 struct PoseReport {
@@ -212,8 +220,10 @@ struct BatchOptions {
   Progress progress;
   int threads = 0;  ///< 0: as many as there are cores
 };
-/// P (+) Q at many rotations of P. They are visited in an order that makes steps short (along a curve through all rotations), in as many
-/// parts as there are threads; the reports come in the order given. Errors: as create; cancelled.
-Result<std::vector<PoseReport>> pose_batch(const Mesh& p, const Mesh& q, std::span<const Rotation> poses, const BatchOptions& options = {});
+/// P (+) Q at many rotations of P. They are visited in an order that makes steps short (along a curve through all
+/// rotations), in as many parts as there are threads; the reports come in the order given. Errors: as create;
+/// cancelled.
+Result<std::vector<PoseReport>> pose_batch(const Mesh& p, const Mesh& q, std::span<const Rotation> poses,
+                                           const BatchOptions& options = {});
 
 }  // namespace dymsum

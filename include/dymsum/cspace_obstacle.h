@@ -32,12 +32,12 @@ struct Configuration {
 };
 
 /// An angle at which the combinatorics of the slice change: a root of an integer polynomial of degree 2 or 4 in t =
-/// tan(theta / 2). Listed by increasing theta in (-pi, pi]. At each a patch begins or ends, or something happens at that
-/// angle only: something is tight, or the boundary touches itself. (Quarter turns at which more edges are aligned than
-/// there are may be listed in any case.)
+/// tan(theta / 2). Listed by increasing theta in (-pi, pi]. At each a patch begins or ends, or something happens at
+/// that angle only: something is tight, or the boundary touches itself. (Quarter turns at which more edges are aligned
+/// than there are may be listed in any case.)
 struct EventAngle {
-  double theta = 0;            ///< nearest known double
-  double low = 0, high = 0;    ///< the exact angle lies between them
+  double theta = 0;                  ///< nearest known double
+  double low = 0, high = 0;          ///< the exact angle lies between them
   std::optional<Orientation> exact;  ///< where the tangent of the half angle is rational
 };
 
@@ -57,8 +57,8 @@ struct ObstacleEvent {
 };
 
 /// Tight placements: free at one event angle, and no free placement with clearance comes near them. A point, where
-/// `from` equals `to`, or a segment. They belong to the boundary of the obstacle, beside the patches; together these are
-/// all of it, except where may_have_tight_curves().
+/// `from` equals `to`, or a segment. They belong to the boundary of the obstacle, beside the patches; together these
+/// are all of it, except where may_have_tight_curves().
 struct TightFeature {
   std::uint32_t angle = 0;  ///< number in angles()
   Point from, to;           ///< positions, rounded
@@ -70,18 +70,20 @@ struct TightFeature {
 /// `contact`, from the meeting with `left` to the meeting with `right`, with the obstacle on its left.
 struct Patch {
   static constexpr std::uint32_t kNone = 0xffffffff;
-  Contact contact;         ///< edge_of_p: edge of the obstacle + vertex of the robot (`fixed`); edge_of_q: vertex of the obstacle + edge of the robot (`rotating`)
-  Contact left, right;     ///< the contacts before and behind it along the boundary
+  Contact contact;      ///< edge_of_p: edge of the obstacle + vertex of the robot (`fixed`); edge_of_q: vertex of the
+                        ///< obstacle + edge of the robot (`rotating`)
+  Contact left, right;  ///< the contacts before and behind it along the boundary
   bool left_corner = false, right_corner = false;  ///< they meet in a common vertex pair, and not in a crossing
-  std::uint32_t begin = kNone, end = kNone;        ///< numbers in angles(); end <= begin: it passes theta = pi; kNone, kNone: it is there at every angle
+  std::uint32_t begin = kNone, end = kNone;  ///< numbers in angles(); end <= begin: it passes theta = pi; kNone, kNone:
+                                             ///< it is there at every angle
   std::uint32_t shell = 0;
   bool rotating() const { return contact.kind == Contact::Kind::edge_of_q; }
 };
 
 /// A connected piece of the boundary.
 struct Shell {
-  bool outer = true;              ///< the free space it bounds reaches infinity; else it is a cavity of the obstacle
-  std::uint32_t patches = 0;      ///< how many belong to it
+  bool outer = true;          ///< the free space it bounds reaches infinity; else it is a cavity of the obstacle
+  std::uint32_t patches = 0;  ///< how many belong to it
   /// Vertices - edges + patches of the closed surface, if what only touches is taken apart: 2 - 2 handles.
   std::int64_t euler = 0;
   std::uint32_t free_component = 0;  ///< the component of free space on its right
@@ -104,7 +106,7 @@ struct TurnMark {
 
 struct ObstacleWork {
   std::uint64_t windows = 0, segments = 0, candidate_pairs = 0, candidate_triples = 0;
-  std::uint64_t surfaces = 0;           ///< contacts that exist at some angle: the thesis's surfaces before trimming
+  std::uint64_t surfaces = 0;  ///< contacts that exist at some angle: the thesis's surfaces before trimming
   std::uint64_t potential_events = 0, visible_events = 0;
   std::uint64_t alignments = 0, vertex_events = 0, triple_events = 0, tight_events = 0;
   std::uint64_t local_updates = 0, slices = 0;  ///< event angles handled near the event; by a whole slice
@@ -119,15 +121,16 @@ struct ObstacleOptions {
 
 class CspaceObstacle {
  public:
-  /// Regions with holes and several parts. One of the two may have polylines and points besides or instead, which overlap
-  /// where they meet the interior of the other one. Contacts name the vertices and edges of walked rings: those of the
-  /// parts, then every polyline there and back, a ring of 2 (n - 1) for n vertices, then points; cspace_slice names both
-  /// sides of a polyline by its edge. Errors: unsupported_operand for polylines or points in both, as two pieces without
-  /// area never overlap; for empty regions and coordinates beyond 2^400; for a polyline that runs along another one, itself
-  /// or an edge of a part; for polylines and points in one where rings of the other touch, as these may be held there
-  /// without clearance at a range of angles, unless they are one point, or one segment that cannot pass between the rings;
-  /// cancelled.
-  static Result<CspaceObstacle> create(const Region& robot, const Region& obstacle, const ObstacleOptions& options = {});
+  /// Regions with holes and several parts. One of the two may have polylines and points besides or instead, which
+  /// overlap where they meet the interior of the other one. Contacts name the vertices and edges of walked rings: those
+  /// of the parts, then every polyline there and back, a ring of 2 (n - 1) for n vertices, then points; cspace_slice
+  /// names both sides of a polyline by its edge. Errors: unsupported_operand for polylines or points in both, as two
+  /// pieces without area never overlap; for empty regions and coordinates beyond 2^400; for a polyline that runs along
+  /// another one, itself or an edge of a part; for polylines and points in one where rings of the other touch, as these
+  /// may be held there without clearance at a range of angles, unless they are one point, or one segment that cannot
+  /// pass between the rings; cancelled.
+  static Result<CspaceObstacle> create(const Region& robot, const Region& obstacle,
+                                       const ObstacleOptions& options = {});
 
   CspaceObstacle(CspaceObstacle&&) noexcept;
   CspaceObstacle& operator=(CspaceObstacle&&) noexcept;
@@ -189,6 +192,7 @@ class CspaceObstacle {
 };
 
 /// O (+) -R(theta), exactly, without the obstacle of all angles. Errors as minkowski_sum.
-Result<PlanarSum> cspace_slice(const Region& robot, const Region& obstacle, const Orientation& theta, const SumOptions& options = {});
+Result<PlanarSum> cspace_slice(const Region& robot, const Region& obstacle, const Orientation& theta,
+                               const SumOptions& options = {});
 
 }  // namespace dymsum

@@ -1,4 +1,5 @@
-// Frames of sums in motion: how they are made, the work they took and what changed. Shared by ScalingSum and RotatingSum.
+// Frames of sums in motion: how they are made, the work they took and what changed. Shared by ScalingSum and
+// RotatingSum.
 #pragma once
 
 #include <cstdint>
@@ -6,9 +7,10 @@
 
 namespace dymsum {
 
-/// How frames are made. automatic: the controller chooses between the two by what they have cost, with hysteresis. Building a window counts
-/// less than whole, as it makes few frames late and most of them many times cheaper: where steps are large a whole sweep can take up to twice
-/// as long as with `rebuild`. Costs are counted work, not time: every run makes the same choices. All give the identical sum.
+/// How frames are made. automatic: the controller chooses between the two by what they have cost, with hysteresis.
+/// Building a window counts less than whole, as it makes few frames late and most of them many times cheaper: where
+/// steps are large a whole sweep can take up to twice as long as with `rebuild`. Costs are counted work, not time:
+/// every run makes the same choices. All give the identical sum.
 enum class FrameMode : std::uint8_t {
   automatic,
   window,   ///< always update inside windows, however short they live
@@ -17,27 +19,28 @@ enum class FrameMode : std::uint8_t {
 
 /// The work of one frame.
 struct FrameWork {
-  bool rebuilt = false;        ///< computed from scratch, without a window
-  bool new_window = false;     ///< a window was built
-  bool degenerate = false;     ///< something touches at this very scale or angle: no update could serve
-  std::uint64_t pieces = 0;          ///< pieces of segments that are live in the window
-  std::uint64_t candidates = 0;      ///< pairs of pieces that may meet in the window where it is not proved covered
-  std::uint64_t pieces_repaired = 0; ///< whose list of crossings was looked at
-  std::uint64_t lists_changed = 0;   ///< whose list of crossings changed
+  bool rebuilt = false;                 ///< computed from scratch, without a window
+  bool new_window = false;              ///< a window was built
+  bool degenerate = false;              ///< something touches at this very scale or angle: no update could serve
+  std::uint64_t pieces = 0;             ///< pieces of segments that are live in the window
+  std::uint64_t candidates = 0;         ///< pairs of pieces that may meet in the window where it is not proved covered
+  std::uint64_t pieces_repaired = 0;    ///< whose list of crossings was looked at
+  std::uint64_t lists_changed = 0;      ///< whose list of crossings changed
   std::uint64_t crossings_changed = 0;  ///< crossings that came or went in those lists, each counted at both segments
-  std::uint64_t loops_traced = 0;    ///< cycles walked
-  std::uint64_t loops_kept = 0;      ///< cycles carried over without a look
-  std::uint64_t witnessed = 0;       ///< loops and touches proved covered by edges that cross, remembered or found in doubles
+  std::uint64_t loops_traced = 0;       ///< cycles walked
+  std::uint64_t loops_kept = 0;         ///< cycles carried over without a look
+  std::uint64_t witnessed =
+      0;  ///< loops and touches proved covered by edges that cross, remembered or found in doubles
   std::uint64_t witnesses_lost = 0;  ///< remembered collisions that no longer hold; the loop or touch is tested anew
   std::uint64_t collision_tests = 0;
-  std::uint64_t exact_signs = 0;     ///< signs of this frame that doubles did not decide
+  std::uint64_t exact_signs = 0;           ///< signs of this frame that doubles did not decide
   double window_low = 0, window_high = 0;  ///< scales or angles the window covers; 0, 0 without one
-  double ms = 0;                     ///< wall time of the frame
-  std::uint64_t peak_bytes = 0;      ///< of the window's arrays
+  double ms = 0;                           ///< wall time of the frame
+  std::uint64_t peak_bytes = 0;            ///< of the window's arrays
 };
 
-/// What happened to a ring from one frame to the next. Identities last as long as a ring shares a vertex (by its contacts) with a ring
-/// of the frame before; they are never used again.
+/// What happened to a ring from one frame to the next. Identities last as long as a ring shares a vertex (by its
+/// contacts) with a ring of the frame before; they are never used again.
 struct RingChange {
   enum class Kind : std::uint8_t {
     appeared,
@@ -46,7 +49,7 @@ struct RingChange {
     moved,     ///< the same vertices at other positions
   };
   Kind kind = Kind::moved;
-  std::uint64_t ring = 0;           ///< identity
+  std::uint64_t ring = 0;                                         ///< identity
   std::uint32_t vertices_appeared = 0, vertices_disappeared = 0;  ///< by contacts
   friend bool operator==(const RingChange&, const RingChange&) = default;
 };

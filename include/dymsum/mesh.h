@@ -1,4 +1,5 @@
-// Solids bounded by polygons: the one mesh type. A mesh is the boundary of a closed solid; it may have several shells and may be empty.
+// Solids bounded by polygons: the one mesh type. A mesh is the boundary of a closed solid; it may have several shells
+// and may be empty.
 #pragma once
 
 #include <array>
@@ -18,7 +19,8 @@ struct Point3 {
   friend bool operator==(const Point3&, const Point3&) = default;
 };
 
-/// A plane polygon without holes, by its vertices' numbers, counter-clockwise seen from outside; the last is joined to the first.
+/// A plane polygon without holes, by its vertices' numbers, counter-clockwise seen from outside; the last is joined to
+/// the first.
 using Face = std::vector<std::uint32_t>;
 
 /// The plain lists a mesh is made from, not yet validated.
@@ -30,17 +32,19 @@ struct MeshData {
 
 /// A valid mesh. Coordinates are doubles taken at face value: no snapping, no tolerance.
 ///
-/// Valid means, exactly: all coordinates finite; every vertex used and no two at the same place; every face is a polygon of at least three
-/// vertices in one plane that does not cross or touch itself; every edge has exactly two faces, which run through it in opposite directions; the faces around a
-/// vertex form one fan; every shell encloses positive volume. Not checked: that faces which share no vertex stay apart (a convex mesh is
-/// checked to be convex, which implies it).
+/// Valid means, exactly: all coordinates finite; every vertex used and no two at the same place; every face is a
+/// polygon of at least three vertices in one plane that does not cross or touch itself; every edge has exactly two
+/// faces, which run through it in opposite directions; the faces around a vertex form one fan; every shell encloses
+/// positive volume. Not checked: that faces which share no vertex stay apart (a convex mesh is checked to be convex,
+/// which implies it).
 class Mesh {
  public:
   Mesh() = default;  ///< the empty mesh
 
-  /// Validates `data`. Errors: not_finite, bad_index (also for a vertex without a face), too_few_vertices, repeated_vertex, no_area (of a face,
-  /// or a shell without volume), not_planar, self_crossing, not_closed, not_manifold, wrong_orientation (two faces run through an edge in the
-  /// same direction, or a shell is inside out), each with face, vertex (and the other ones) and a place. Cost: O(n log n).
+  /// Validates `data`. Errors: not_finite, bad_index (also for a vertex without a face), too_few_vertices,
+  /// repeated_vertex, no_area (of a face, or a shell without volume), not_planar, self_crossing, not_closed,
+  /// not_manifold, wrong_orientation (two faces run through an edge in the same direction, or a shell is inside out),
+  /// each with face, vertex (and the other ones) and a place. Cost: O(n log n).
   static Result<Mesh> create(MeshData data);
 
   const MeshData& data() const { return data_; }
@@ -52,9 +56,9 @@ class Mesh {
   /// The sum of the faces' vertex counts less two each: how many triangles the faces split into.
   std::size_t triangle_count() const;
 
-  /// The same solid written in one way: coplanar neighbours merged into faces (where the union has no hole and touches itself nowhere),
-  /// vertices in the middle of straight edges and of faces dropped, vertices sorted by x, y, z, every face starting at its smallest
-  /// vertex, faces sorted. Convex solids that are equal have equal canonical forms.
+  /// The same solid written in one way: coplanar neighbours merged into faces (where the union has no hole and touches
+  /// itself nowhere), vertices in the middle of straight edges and of faces dropped, vertices sorted by x, y, z, every
+  /// face starting at its smallest vertex, faces sorted. Convex solids that are equal have equal canonical forms.
   Mesh canonical() const;
 
   /// Equality of canonical forms.
@@ -66,8 +70,9 @@ class Mesh {
   std::size_t shells_ = 0;
 };
 
-/// Nothing for a convex solid (flat edges between coplanar faces are allowed), else the error not_convex with the reflex edge and its two
-/// faces, or why there is none: several shells, or a surface that winds around itself; no_area for the empty mesh. Exact. O(n).
+/// Nothing for a convex solid (flat edges between coplanar faces are allowed), else the error not_convex with the
+/// reflex edge and its two faces, or why there is none: several shells, or a surface that winds around itself; no_area
+/// for the empty mesh. Exact. O(n).
 std::optional<Error> convexity_error(const Mesh& mesh);
 
 /// What repair changed, in numbers and in words.
@@ -89,13 +94,13 @@ struct RepairedMesh {
   MeshRepairReport report;
 };
 
-/// The named repair: merges vertices at exactly the same place, drops unused vertices and faces without area, splits faces that are not
-/// plane, orients faces and shells, and reports what it changed. Holes and edges with more than two faces are not repaired: they come
-/// back as the errors of Mesh::create, with the indices of `data`.
+/// The named repair: merges vertices at exactly the same place, drops unused vertices and faces without area, splits
+/// faces that are not plane, orients faces and shells, and reports what it changed. Holes and edges with more than two
+/// faces are not repaired: they come back as the errors of Mesh::create, with the indices of `data`.
 Result<RepairedMesh> repair(MeshData data);
 
-/// The convex hull of points, exactly, in canonical form. Errors: not_finite; no_area when all points lie in one plane. O(n^2) at worst,
-/// about O(n log n) for points in random order.
+/// The convex hull of points, exactly, in canonical form. Errors: not_finite; no_area when all points lie in one plane.
+/// O(n^2) at worst, about O(n log n) for points in random order.
 Result<Mesh> convex_hull(std::span<const Point3> points);
 
 /// What taking the hull changed.
@@ -103,9 +108,9 @@ struct HullReport {
   std::size_t vertices = 0;         ///< that faces use, at different places
   std::size_t inside_vertices = 0;  ///< of these, strictly inside the hull
   std::size_t unused_vertices = 0;  ///< that no face uses: left out
-  /// No point of the old surface is further than this below the hull's, up to a relative error of 2^-48; 0 exactly where the surface is
-  /// that of the hull. A bound that is reached where the deepest place is a vertex near the faces around it. Of points without faces the depth
-  /// of the deepest one.
+  /// No point of the old surface is further than this below the hull's, up to a relative error of 2^-48; 0 exactly
+  /// where the surface is that of the hull. A bound that is reached where the deepest place is a vertex near the faces
+  /// around it. Of points without faces the depth of the deepest one.
   double deviation = 0;
   std::string to_string() const;
 };
@@ -115,14 +120,16 @@ struct HulledMesh {
   HullReport report;
 };
 
-/// The named way in for solids that are convex but for rounding: the exact convex hull of the vertices that faces use (of all vertices where there
-/// are no faces), in canonical form, and how far the surface was from it. `data` need not be valid. Errors: not_finite, bad_index,
-/// no_area when all vertices lie in one plane. Cost: that of convex_hull, and vertices inside times faces of the hull.
+/// The named way in for solids that are convex but for rounding: the exact convex hull of the vertices that faces use
+/// (of all vertices where there are no faces), in canonical form, and how far the surface was from it. `data` need not
+/// be valid. Errors: not_finite, bad_index, no_area when all vertices lie in one plane. Cost: that of convex_hull, and
+/// vertices inside times faces of the hull.
 Result<HulledMesh> hulled(const MeshData& data);
 
-/// A convex solid moved by (dx, dy, dz): the hull of its vertices, each coordinate rounded to the nearest double once, so it stays convex wherever it
-/// goes. The report's deviation is the largest distance of a vertex from its exact place; no point of the two solids is further from the other one.
-/// Errors: as convexity_error; not_finite; no_area when everything collapses into a plane.
+/// A convex solid moved by (dx, dy, dz): the hull of its vertices, each coordinate rounded to the nearest double once,
+/// so it stays convex wherever it goes. The report's deviation is the largest distance of a vertex from its exact
+/// place; no point of the two solids is further from the other one. Errors: as convexity_error; not_finite; no_area
+/// when everything collapses into a plane.
 Result<HulledMesh> translated_hull(const Mesh& mesh, double dx, double dy, double dz);
 
 /// Faces split into triangles of their own vertices.
@@ -145,11 +152,12 @@ std::array<double, 6> bounds(const Mesh& mesh);
 /// -mesh: the reflection through the origin. Exact.
 Mesh negated(const Mesh& mesh);
 
-/// mesh + (dx, dy, dz), each coordinate rounded to the nearest double. Errors as Mesh::create when rounding spoils validity.
+/// mesh + (dx, dy, dz), each coordinate rounded to the nearest double. Errors as Mesh::create when rounding spoils
+/// validity.
 Result<Mesh> translated(const Mesh& mesh, double dx, double dy, double dz);
 
-/// diag(sx, sy, sz) mesh, each coordinate rounded to the nearest double (exact for powers of two); a reflecting scale keeps the outside
-/// outside. Errors: unsupported_operand for zero or non-finite factors, then as Mesh::create.
+/// diag(sx, sy, sz) mesh, each coordinate rounded to the nearest double (exact for powers of two); a reflecting scale
+/// keeps the outside outside. Errors: unsupported_operand for zero or non-finite factors, then as Mesh::create.
 Result<Mesh> scaled(const Mesh& mesh, double sx, double sy, double sz);
 
 }  // namespace dymsum

@@ -1,5 +1,5 @@
-// Files of meshes. Readers return plain data that is not yet validated, so that a caller can choose between Mesh::create (refuse) and
-// repair (mend and report).
+// Files of meshes. Readers return plain data that is not yet validated, so that a caller can choose between
+// Mesh::create (refuse) and repair (mend and report).
 #pragma once
 
 #include <array>
@@ -16,29 +16,30 @@
 
 namespace dymsum {
 
-/// off: also its binary-free variants with colours or normals, which are skipped. obj: vertices and faces; texture and normal indices, groups and
-/// materials are skipped; negative indices count from the end. stl: text or binary; vertices at exactly the same place are merged. ply:
-/// text or binary of either byte order; further elements and properties are skipped. glb: written only.
+/// off: also its binary-free variants with colours or normals, which are skipped. obj: vertices and faces; texture and
+/// normal indices, groups and materials are skipped; negative indices count from the end. stl: text or binary; vertices
+/// at exactly the same place are merged. ply: text or binary of either byte order; further elements and properties are
+/// skipped. glb: written only.
 enum class MeshFormat { off, obj, stl, ply, glb };
 
 /// The format a path's extension names.
 Result<MeshFormat> mesh_format(std::string_view path);
 
-/// Reads a whole file's bytes. Errors: malformed, truncated, bad_index, not_finite, with file and line (of binary formats: the byte). Memory
-/// is bounded by the size of `bytes`, whatever it announces.
+/// Reads a whole file's bytes. Errors: malformed, truncated, bad_index, not_finite, with file and line (of binary
+/// formats: the byte). Memory is bounded by the size of `bytes`, whatever it announces.
 Result<MeshData> parse_mesh(std::string_view bytes, MeshFormat format, std::string_view file = {});
 /// Errors also: cannot_open, unsupported_format.
 Result<MeshData> read_mesh(const std::string& path);
 
-/// One coloured group of a picture's faces, red, green and blue from 0 to 1 as screens show them (sRGB); `faces` are numbers
-/// of faces of the mesh.
+/// One coloured group of a picture's faces, red, green and blue from 0 to 1 as screens show them (sRGB); `faces` are
+/// numbers of faces of the mesh.
 struct FaceColour {
   std::array<float, 3> rgb{0.6f, 0.75f, 0.9f};
   std::vector<std::uint32_t> faces;
 };
-/// The bytes of a file. Text formats write coordinates that read back as the same doubles; stl and glb round to single precision. Colours
-/// are used by glb, ply and off.
-/// Requires: faces name existing vertices. Faces of more than three vertices need not be plane to the last bit, as those of rounded sums.
+/// The bytes of a file. Text formats write coordinates that read back as the same doubles; stl and glb round to single
+/// precision. Colours are used by glb, ply and off. Requires: faces name existing vertices. Faces of more than three
+/// vertices need not be plane to the last bit, as those of rounded sums.
 std::string format_mesh(const MeshData& mesh, MeshFormat format, std::span<const FaceColour> colours = {});
 inline std::string format_mesh(const Mesh& mesh, MeshFormat format, std::span<const FaceColour> colours = {}) {
   return format_mesh(mesh.data(), format, colours);
@@ -52,9 +53,9 @@ struct GlbLook {
 std::string format_glb(const MeshData& mesh, const GlbLook& look);
 /// stl and glb hold single precision.
 Precision precision_of(MeshFormat format);
-/// Nothing where a file of this format holds the solid: off, obj and ply always do. Else what rounding to single precision did to it: cannot_write past its
-/// range; rounding_changed_topology, in stl where the file would not read back as a valid mesh, in glb, which is a picture, where a shell would
-/// enclose nothing any more.
+/// Nothing where a file of this format holds the solid: off, obj and ply always do. Else what rounding to single
+/// precision did to it: cannot_write past its range; rounding_changed_topology, in stl where the file would not read
+/// back as a valid mesh, in glb, which is a picture, where a shell would enclose nothing any more.
 std::optional<Error> rounding_error(const Mesh& mesh, MeshFormat format);
 /// Replaces the file as a whole. Errors: cannot_write, unsupported_format, and as rounding_error.
 Result<std::size_t> write_mesh(const Mesh& mesh, const std::string& path);

@@ -46,8 +46,8 @@ struct RotationCheck {
   bool free = true;
   /// the first angle behind which the robot overlaps (or at which it touches, where that is forbidden)
   std::optional<EventAngle> first;
-  std::optional<Contact> contact;   ///< there; none where the start itself is deep inside the obstacle
-  bool always = false;              ///< at no angle is there an overlap
+  std::optional<Contact> contact;  ///< there; none where the start itself is deep inside the obstacle
+  bool always = false;             ///< at no angle is there an overlap
   /// else the angles without overlap, single ones left out; by increasing begin
   std::vector<TurnInterval> free_angles;
 };
@@ -62,7 +62,7 @@ Result<RotationCheck> check_rotation(const Region& robot, const Region& obstacle
                                      const Orientation& to, TurnDirection turn, Touching touch = Touching::allowed);
 
 struct MotionOptions {
-  double resolution = 0x1p-20;        ///< of the share of the way
+  double resolution = 0x1p-20;         ///< of the share of the way
   std::uint64_t most_poses = 1 << 20;  ///< more than this many poses are not examined: undecided
 };
 
@@ -83,8 +83,8 @@ struct MotionCheck {
 /// Certified: a pose with a gap larger than |d(x, y)| + min(R |d theta|, 2 R) is free up to there, R being the robot's
 /// reach; whole turns of theta are taken off exactly, and on a way of more than 2^50 radians any angle may occur. An
 /// overlap that exceeds all rounding errors is proved; otherwise the interval is halved. Source: Schwarzer, Saha and
-/// Latombe, "Exact collision checking of robot paths" (2004). Errors: unsupported_operand as CspaceObstacle::create, and
-/// for configurations beyond 2^400; not_finite.
+/// Latombe, "Exact collision checking of robot paths" (2004). Errors: unsupported_operand as CspaceObstacle::create,
+/// and for configurations beyond 2^400; not_finite.
 Result<MotionCheck> check_motion(const Region& robot, const Region& obstacle, const Configuration& a,
                                  const Configuration& b, const MotionOptions& options = {});
 

@@ -8,8 +8,8 @@
 
 namespace dymsum {
 
-/// The obstacle as text: both regions, every event angle as a root of an integer polynomial, patches, shells, free cells
-/// and work (docs/guide/cspace.md, "Files of obstacles"). Nothing is rounded. O(size).
+/// The obstacle as text: both regions, every event angle as a root of an integer polynomial, patches, shells, free
+/// cells and work (docs/guide/cspace.md, "Files of obstacles"). Nothing is rounded. O(size).
 std::string format_obstacle(const CspaceObstacle& obstacle);
 
 /// The obstacle of such a text; it answers every question as the one that was written. Errors: truncated or malformed

@@ -31,8 +31,8 @@ struct ObstacleMesh {
   std::vector<Configuration> vertices;
   std::vector<ObstacleTriangle> triangles;
   std::vector<std::array<std::uint32_t, 2>> seam;  ///< (at -pi, at pi), the same position bit by bit
-  double extent = 0;     ///< the larger of width and height of all slices together
-  double tolerance = 0;  ///< of the options, times the extent
+  double extent = 0;                               ///< the larger of width and height of all slices together
+  double tolerance = 0;                            ///< of the options, times the extent
 };
 
 /// A closed mesh of the obstacle's boundary. Patches are strips between their two curves of ends; neighbours share the
@@ -63,8 +63,9 @@ double enclosed_volume(const ObstacleMesh& mesh);
 /// triangle k.
 MeshData mesh_data(const ObstacleMesh& mesh);
 
-/// The same as a closed surface in space: behind the triangles stand the faces of the slice at -pi and of that at pi, as
-/// polygons that reach their holes along bridges. Every edge of a mesh that is watertight is then an edge of two faces.
+/// The same as a closed surface in space: behind the triangles stand the faces of the slice at -pi and of that at pi,
+/// as polygons that reach their holes along bridges. Every edge of a mesh that is watertight is then an edge of two
+/// faces.
 MeshData capped_mesh_data(const ObstacleMesh& mesh);
 
 }  // namespace dymsum

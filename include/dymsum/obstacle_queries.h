@@ -25,8 +25,9 @@ struct Clearance {
 
 /// Angles at which the robot can stand at a position, from `begin` counter-clockwise to `end`, which is less than
 /// `begin` where they pass pi. Each exact end lies within `error` of its double; beyond it the robot would overlap at
-/// the contact of the patch, which is kNone where none tells. The whole circle has begin = -pi, end = pi and no patches.
-/// A single angle, and nothing else, has begin = end: turned either way, however little, the robot overlaps there.
+/// the contact of the patch, which is kNone where none tells. The whole circle has begin = -pi, end = pi and no
+/// patches. A single angle, and nothing else, has begin = end: turned either way, however little, the robot overlaps
+/// there.
 struct FreeAngles {
   double begin = 0, end = 0;
   double begin_error = 0, end_error = 0;
@@ -63,27 +64,26 @@ class ObstacleQueries {
   /// orientations, in [0, pi], to the boundary of the obstacle.
   /// Touching allowed: the obstacle is open, its boundary all placements that touch without overlap: patches and tight
   /// placements (CspaceObstacle::tight), at which the robot is jammed, or slides but cannot leave. From a free
-  /// configuration it is the distance to the nearest contact, 0 at any contact, jammed ones included; from inside, minus
-  /// the distance to the nearest free placement, which may be a tight one.
-  /// Touching forbidden: the obstacle is closed and holds its contacts. From inside, or from a contact, it is minus the
-  /// distance to placements with clearance, however small: 0 on patches, and of a jammed robot how far it has to go to
-  /// be loose. Elsewhere it is the same as above.
-  /// A global minimum by branch and bound over all patches and tight features, within an error that is stated with it,
-  /// mostly 1e-9 of the distance or 1e-11 of the size of the obstacle. Bounds hold with all roundings
-  /// (docs/design/obstacle-queries.md). The sign is exact; contacts, and only they, have both distance and error 0.
-  /// `weight`, a length per radian, is not negative. Infinite: only translations count, within the slice of exactly this
-  /// angle, with the tight placements of an event angle at that angle only. Of curves of tight placements, which exist
-  /// only where three contacts stay at one point at every angle, the depth counts what lies at event angles, with an
-  /// infinite weight all; clearances count all.
-  /// Microseconds; at a contact, and for an infinite weight at event angles, a whole slice.
-  /// Throws std::invalid_argument for arguments that are not finite, for a negative weight, and for a finite one beyond
-  /// largest_weight(). Source: Behar 2016, section 4.4.2, which samples instead.
+  /// configuration it is the distance to the nearest contact, 0 at any contact, jammed ones included; from inside,
+  /// minus the distance to the nearest free placement, which may be a tight one. Touching forbidden: the obstacle is
+  /// closed and holds its contacts. From inside, or from a contact, it is minus the distance to placements with
+  /// clearance, however small: 0 on patches, and of a jammed robot how far it has to go to be loose. Elsewhere it is
+  /// the same as above. A global minimum by branch and bound over all patches and tight features, within an error that
+  /// is stated with it, mostly 1e-9 of the distance or 1e-11 of the size of the obstacle. Bounds hold with all
+  /// roundings (docs/design/obstacle-queries.md). The sign is exact; contacts, and only they, have both distance and
+  /// error 0. `weight`, a length per radian, is not negative. Infinite: only translations count, within the slice of
+  /// exactly this angle, with the tight placements of an event angle at that angle only. Of curves of tight placements,
+  /// which exist only where three contacts stay at one point at every angle, the depth counts what lies at event
+  /// angles, with an infinite weight all; clearances count all. Microseconds; at a contact, and for an infinite weight
+  /// at event angles, a whole slice. Throws std::invalid_argument for arguments that are not finite, for a negative
+  /// weight, and for a finite one beyond largest_weight(). Source: Behar 2016, section 4.4.2, which samples instead.
   Clearance clearance(const Configuration& from, double weight, Touching touching = Touching::allowed) const;
   /// 2^40 times the extent of the obstacle: beyond, an angle in doubles says nothing about a distance.
   double largest_weight() const;
   /// With the robot's radius of gyration about the reference point.
   Clearance clearance(const Configuration& from) const { return clearance(from, gyration_radius()); }
-  /// The root of the mean square distance of the robot's points, those of a segment too, from the origin of its coordinates.
+  /// The root of the mean square distance of the robot's points, those of a segment too, from the origin of its
+  /// coordinates.
   double gyration_radius() const;
   /// How many bounds of stretches of patches all clearances so far have evaluated.
   std::uint64_t bounds_evaluated() const;

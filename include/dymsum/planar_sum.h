@@ -1,5 +1,5 @@
-// Exact Minkowski sums of planar regions: P (+) Q = { p + q : p in P, q in Q }, with holes, several parts, lower-dimensional
-// operands, tight features, and the provenance of every edge and vertex.
+// Exact Minkowski sums of planar regions: P (+) Q = { p + q : p in P, q in Q }, with holes, several parts,
+// lower-dimensional operands, tight features, and the provenance of every edge and vertex.
 #pragma once
 
 #include <array>
@@ -25,8 +25,8 @@ enum class Engine {
   winding,  ///< kinetic convolution and winding numbers; no collision test for faces
 };
 
-/// closed: the sum of closed sets. open: touching is allowed, the boundary includes the tight features. regular: closure of
-/// the interior; tight features and lower-dimensional pieces are dropped.
+/// closed: the sum of closed sets. open: touching is allowed, the boundary includes the tight features. regular:
+/// closure of the interior; tight features and lower-dimensional pieces are dropped.
 enum class Semantics { closed, open, regular };
 
 struct SumOptions {
@@ -37,7 +37,8 @@ struct SumOptions {
   int min_tier_bits = 0;  ///< use at least this number tier (29, 61, 512; above: arbitrary), for tests
 };
 
-/// A segment of the convolution: an edge of one operand added to a vertex of the other, by their numbers in the regions.
+/// A segment of the convolution: an edge of one operand added to a vertex of the other, by their numbers in the
+/// regions.
 struct Contact {
   enum class Kind : std::uint8_t {
     edge_of_p,  ///< edge p of P + vertex q of Q
@@ -53,13 +54,13 @@ struct Contact {
 /// one line carry a vertex (parallel edges of P and Q), engines may name different ones; elsewhere they name the same.
 struct SumVertex {
   static constexpr std::uint32_t kNone = 0xffffffff;
-  Point at;                                ///< position within PlanarSum::at_error, for reading and drawing
-  Contact in, out;                         ///< the edge that arrives and the edge that leaves
+  Point at;                                          ///< position within PlanarSum::at_error, for reading and drawing
+  Contact in, out;                                   ///< the edge that arrives and the edge that leaves
   std::uint32_t corner_p = kNone, corner_q = kNone;  ///< vertex of P + vertex of Q, or kNone at a crossing
 };
 
-/// A boundary ring; interior on the left: outer rings counter-clockwise, holes clockwise. Edge k runs from vertices[k] to
-/// the next one along vertices[k].out. No collinear vertices; starts at the lexicographically smallest vertex.
+/// A boundary ring; interior on the left: outer rings counter-clockwise, holes clockwise. Edge k runs from vertices[k]
+/// to the next one along vertices[k].out. No collinear vertices; starts at the lexicographically smallest vertex.
 struct SumRing {
   std::vector<SumVertex> vertices;
 };
@@ -91,39 +92,44 @@ struct SumStats {
   std::uint64_t degenerate_nodes = 0;  ///< places handled by the slow vertex routine
   std::uint64_t loops = 0;             ///< closed loops found
   std::uint64_t collision_tests = 0;
-  std::uint64_t filtered_signs = 0;    ///< signs decided by the floating-point filter in the exact layer (not the hot loop)
-  std::uint64_t exact_signs = 0;       ///< signs that needed exact integers
-  int mask_grid = 0;                   ///< cells along the longer side, 0 without a mask
-  std::uint64_t peak_bytes = 0;        ///< peak of the engine's own arrays
+  std::uint64_t filtered_signs =
+      0;                          ///< signs decided by the floating-point filter in the exact layer (not the hot loop)
+  std::uint64_t exact_signs = 0;  ///< signs that needed exact integers
+  int mask_grid = 0;              ///< cells along the longer side, 0 without a mask
+  std::uint64_t peak_bytes = 0;   ///< peak of the engine's own arrays
   struct Stage {
     std::string_view name;
     double ms;
   };
-  std::vector<Stage> stages;           ///< for operands of more than 100 vertices together: reading the clock takes time
+  std::vector<Stage> stages;  ///< for operands of more than 100 vertices together: reading the clock takes time
 };
 
-/// The exact sum. Coordinates are exact rationals behind approximate ones with a stated error (some units in the last place of the
-/// sum's extent); exact() and rounded() give what was promised.
+/// The exact sum. Coordinates are exact rationals behind approximate ones with a stated error (some units in the last
+/// place of the sum's extent); exact() and rounded() give what was promised.
 class PlanarSum {
  public:
-  std::vector<SumPart> parts;              ///< the closure of the interior, sorted; ring order canonical
-  std::vector<SumSegment> segments;        ///< one-dimensional pieces of the set (lower-dimensional operands, exact fits of erode)
-  std::vector<SumVertex> points;           ///< isolated points of the set (likewise)
-  std::vector<SumSegment> tight_segments;  ///< touching without overlap allowed only exactly here: cracks in the open sum
-  std::vector<SumVertex> tight_points;     ///< the same: punctures of the open sum
-  double at_error = 0;                     ///< |at - exact| is at most this in each coordinate, for every vertex
+  std::vector<SumPart> parts;  ///< the closure of the interior, sorted; ring order canonical
+  std::vector<SumSegment>
+      segments;  ///< one-dimensional pieces of the set (lower-dimensional operands, exact fits of erode)
+  std::vector<SumVertex> points;  ///< isolated points of the set (likewise)
+  std::vector<SumSegment>
+      tight_segments;                   ///< touching without overlap allowed only exactly here: cracks in the open sum
+  std::vector<SumVertex> tight_points;  ///< the same: punctures of the open sum
+  double at_error = 0;                  ///< |at - exact| is at most this in each coordinate, for every vertex
   SumStats stats;
   std::optional<PlanarTrace> trace;
 
   std::size_t hole_count() const;
   std::size_t vertex_count() const;  ///< of all rings
-  /// The area as one fraction. Its denominator is about the product of those of all crossings: for thousands of them this costs far
-  /// more than the sum. O(M(b) log b) for b bits in that product, which may be 250 a crossing.
+  /// The area as one fraction. Its denominator is about the product of those of all crossings: for thousands of them
+  /// this costs far more than the sum. O(M(b) log b) for b bits in that product, which may be 250 a crossing.
   Rational area_exact() const;
-  /// The same where that product, powers of two apart, has at most `bits` bits; found out before anything is multiplied.
+  /// The same where that product, powers of two apart, has at most `bits` bits; found out before anything is
+  /// multiplied.
   std::optional<Rational> area_exact_within(std::size_t bits) const;
-  /// The nearest double to the exact area, zero and infinite past the double range. O(n), from positions of about thirty digits with
-  /// a proved error; from more digits where that does not decide, and from the fraction only where the area is a tie of two doubles.
+  /// The nearest double to the exact area, zero and infinite past the double range. O(n), from positions of about
+  /// thirty digits with a proved error; from more digits where that does not decide, and from the fraction only where
+  /// the area is a tie of two doubles.
   double area() const;
 
   /// The exact position of a vertex of this sum.
@@ -132,8 +138,8 @@ class PlanarSum {
   /// The set rounded to doubles, every vertex correctly rounded. Error rounding_changed_topology, with the place, where
   /// rounding would make rings cross, merge or collapse. Tight features are not part of the set.
   Result<Region> rounded() const;
-  /// As rounded(), but vertices that collide after rounding are merged, rings that collapse are dropped and segments that
-  /// collapse become points; the report says how many.
+  /// As rounded(), but vertices that collide after rounding are merged, rings that collapse are dropped and segments
+  /// that collapse become points; the report says how many.
   Result<Repaired> rounded_with_repair() const;
 
   /// Same set and same tight features, exactly. Provenance and stats are not compared.
@@ -144,21 +150,22 @@ class PlanarSum {
 };
 
 /// P (+) Q. Either may be empty (then the sum is), have several parts and holes, or be polylines and points.
-/// Exact: every decision is the sign of an integer expression. Errors: cancelled; unsupported_operand for coordinates beyond 2^1000.
-/// Cost: O(n log n + m log m + N + A + k log k) for N reduced segments, A grid cell entries and k live crossings.
-/// Source: Behar 2016, chapter 3, corrected (docs/design/planar-sum.md).
+/// Exact: every decision is the sign of an integer expression. Errors: cancelled; unsupported_operand for coordinates
+/// beyond 2^1000. Cost: O(n log n + m log m + N + A + k log k) for N reduced segments, A grid cell entries and k live
+/// crossings. Source: Behar 2016, chapter 3, corrected (docs/design/planar-sum.md).
 Result<PlanarSum> minkowski_sum(const Region& p, const Region& q, const SumOptions& options = {});
 
-/// The no-fit polygon of B around A: A (+) -B, the positions of B's reference point at which B meets A. Provenance numbers refer to A and B.
+/// The no-fit polygon of B around A: A (+) -B, the positions of B's reference point at which B meets A. Provenance
+/// numbers refer to A and B.
 Result<PlanarSum> nfp(const Region& a, const Region& b, const SumOptions& options = {});
 
-/// P (-) Q = { x : x + Q inside P }, the inner fit, including positions without any freedom as `segments` and `points`, which are
-/// also listed as tight. Errors: unsupported_operand when P has polylines or points, when Q is empty, and for coordinates beyond 2^996;
-/// cancelled.
+/// P (-) Q = { x : x + Q inside P }, the inner fit, including positions without any freedom as `segments` and `points`,
+/// which are also listed as tight. Errors: unsupported_operand when P has polylines or points, when Q is empty, and for
+/// coordinates beyond 2^996; cancelled.
 Result<PlanarSum> erode(const Region& p, const Region& q, const SumOptions& options = {});
 
-/// The union of regions, as the sum with the origin of all their parts together (semantics as for sums). Provenance: `p` numbers
-/// run through the regions one after the other.
+/// The union of regions, as the sum with the origin of all their parts together (semantics as for sums). Provenance:
+/// `p` numbers run through the regions one after the other.
 Result<PlanarSum> union_of(const std::vector<Region>& regions, const SumOptions& options = {});
 
 /// Counts only: O(n log m + m log n).

@@ -22,10 +22,10 @@ struct Waypoint {
 
 /// A connected component of free space, touching not counted as a connection.
 struct FreeComponent {
-  std::uint32_t number = 0;        ///< FreeCell::component
-  bool unbounded = false;          ///< it reaches infinity
-  bool all_angles = false;         ///< it has configurations of every angle
-  double from = 0, to = 0;         ///< else the interval of its angles, counter-clockwise
+  std::uint32_t number = 0;           ///< FreeCell::component
+  bool unbounded = false;             ///< it reaches infinity
+  bool all_angles = false;            ///< it has configurations of every angle
+  double from = 0, to = 0;            ///< else the interval of its angles, counter-clockwise
   std::vector<std::uint32_t> shells;  ///< that bound it
 };
 
@@ -53,8 +53,8 @@ struct NoPath {
     undecided,  ///< the components are joined, but no path was found: `limit` says how far the search came
   };
   Kind kind = Kind::separated;
-  std::string text;                              ///< one sentence
-  std::optional<Contact> contact;                ///< where start or goal touches
+  std::string text;                ///< one sentence
+  std::optional<Contact> contact;  ///< where start or goal touches
   /// the components around them; several where touching joins them, none in a tight place
   std::vector<FreeComponent> start, goal;
   std::optional<SearchLimit> limit;  ///< exactly when it is undecided

@@ -5,7 +5,8 @@
 
 namespace dymsum {
 
-/// num/den in lowest terms, den > 0, both as decimal digits ("-" in front of a negative num). Equal numbers are equal values.
+/// num/den in lowest terms, den > 0, both as decimal digits ("-" in front of a negative num). Equal numbers are equal
+/// values.
 struct Rational {
   std::string num = "0";
   std::string den = "1";

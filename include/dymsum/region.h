@@ -44,10 +44,11 @@ struct RegionData {
 
 /// A valid region. Coordinates are doubles taken at face value: no snapping, no tolerance.
 ///
-/// Valid means, exactly: all coordinates finite; rings have at least three vertices, no two consecutive ones equal, enclose
-/// area, and do not cross or run along themselves or each other (touching at single points is allowed); outer rings run
-/// counter-clockwise, holes clockwise and inside their outer ring; parts share no interior points. Collinear vertices are
-/// allowed. Polylines have at least two vertices, no two consecutive ones equal; they and points may lie anywhere.
+/// Valid means, exactly: all coordinates finite; rings have at least three vertices, no two consecutive ones equal,
+/// enclose area, and do not cross or run along themselves or each other (touching at single points is allowed); outer
+/// rings run counter-clockwise, holes clockwise and inside their outer ring; parts share no interior points. Collinear
+/// vertices are allowed. Polylines have at least two vertices, no two consecutive ones equal; they and points may lie
+/// anywhere.
 ///
 /// Vertices are numbered through the region: part by part, outer ring then holes, then polylines, then points. The edge
 /// that starts at a vertex has that vertex's number (the last vertex of a polyline and a point start none).
@@ -55,9 +56,9 @@ class Region {
  public:
   Region() = default;  ///< the empty region
 
-  /// Validates `data`. Errors: not_finite, too_few_vertices, repeated_vertex, no_area, wrong_orientation, self_crossing,
-  /// rings_cross, hole_outside, parts_overlap, each with part, ring, vertex (and the other ones) and a place.
-  /// Cost: O(n log n) for n vertices in practice.
+  /// Validates `data`. Errors: not_finite, too_few_vertices, repeated_vertex, no_area, wrong_orientation,
+  /// self_crossing, rings_cross, hole_outside, parts_overlap, each with part, ring, vertex (and the other ones) and a
+  /// place. Cost: O(n log n) for n vertices in practice.
   static Result<Region> create(RegionData data);
 
   const RegionData& data() const { return data_; }
@@ -72,9 +73,9 @@ class Region {
   std::size_t vertex_count() const;
   std::size_t hole_count() const;
 
-  /// The same set written in the one canonical way: collinear vertices dropped, every ring and closed polyline starting at its
-  /// lexicographically smallest vertex, open polylines at the smaller end, everything sorted, duplicates of polylines and points
-  /// dropped. Rings of touching parts keep the cut they were given with.
+  /// The same set written in the one canonical way: collinear vertices dropped, every ring and closed polyline starting
+  /// at its lexicographically smallest vertex, open polylines at the smaller end, everything sorted, duplicates of
+  /// polylines and points dropped. Rings of touching parts keep the cut they were given with.
   Region canonical() const;
 
   /// Equality of canonical forms.
@@ -92,10 +93,10 @@ class Region {
 
 /// What repair changed, in numbers and in words.
 struct RepairReport {
-  std::size_t duplicate_vertices = 0;  ///< consecutive equal vertices merged, closing vertices dropped
-  std::size_t collinear_vertices = 0;  ///< vertices in the middle of straight lines, and spikes, dropped
-  std::size_t reversed_rings = 0;      ///< outer rings made counter-clockwise, holes made clockwise
-  std::size_t dropped_rings = 0;       ///< rings that enclosed nothing
+  std::size_t duplicate_vertices = 0;   ///< consecutive equal vertices merged, closing vertices dropped
+  std::size_t collinear_vertices = 0;   ///< vertices in the middle of straight lines, and spikes, dropped
+  std::size_t reversed_rings = 0;       ///< outer rings made counter-clockwise, holes made clockwise
+  std::size_t dropped_rings = 0;        ///< rings that enclosed nothing
   std::size_t polylines_to_points = 0;  ///< polylines with only one place, made points
   bool changed() const {
     return duplicate_vertices + collinear_vertices + reversed_rings + dropped_rings + polylines_to_points > 0;
@@ -108,14 +109,14 @@ struct Repaired {
   RepairReport report;
 };
 
-/// The named repair: merges duplicate vertices, drops collinear vertices, spikes and empty rings, fixes orientation, and
-/// reports what it changed. Polylines lose duplicate vertices and vertices in the middle of straight lines, but not their
-/// folds. Crossings and misplaced holes are not repaired: they come back as the errors of Region::create, with the indices
-/// of `data`.
+/// The named repair: merges duplicate vertices, drops collinear vertices, spikes and empty rings, fixes orientation,
+/// and reports what it changed. Polylines lose duplicate vertices and vertices in the middle of straight lines, but not
+/// their folds. Crossings and misplaced holes are not repaired: they come back as the errors of Region::create, with
+/// the indices of `data`.
 Result<Repaired> repair(RegionData data);
 
-/// The area for reports: the exact sum of products of coordinates, rounded once. (Not quite exact are only products 2^900
-/// times smaller than the product of the largest |x| and the largest |y|.) Infinite past the double range.
+/// The area for reports: the exact sum of products of coordinates, rounded once. (Not quite exact are only products
+/// 2^900 times smaller than the product of the largest |x| and the largest |y|.) Infinite past the double range.
 double area(const Region& region);
 
 /// The root of the mean square distance of the parts' points from the origin: the natural length per radian of a region
@@ -129,11 +130,12 @@ std::array<double, 4> bounds(const Region& region);
 /// -region: the reflection through the origin. Exact.
 Region negated(const Region& region);
 
-/// region + (dx, dy), each coordinate rounded to the nearest double. Errors as Region::create when rounding spoils validity.
+/// region + (dx, dy), each coordinate rounded to the nearest double. Errors as Region::create when rounding spoils
+/// validity.
 Result<Region> translated(const Region& region, double dx, double dy);
 
-/// diag(sx, sy) region, each coordinate rounded to the nearest double (exact for powers of two); a reflecting scale keeps
-/// orientation valid. Errors: unsupported_operand for zero or non-finite factors, then as Region::create.
+/// diag(sx, sy) region, each coordinate rounded to the nearest double (exact for powers of two); a reflecting scale
+/// keeps orientation valid. Errors: unsupported_operand for zero or non-finite factors, then as Region::create.
 Result<Region> scaled(const Region& region, double sx, double sy);
 
 }  // namespace dymsum

@@ -1,5 +1,5 @@
-// Files of planar regions and pictures. Readers return plain data that is not yet validated, so that a caller can choose
-// between Region::create (refuse) and repair (mend and report).
+// Files of planar regions and pictures. Readers return plain data that is not yet validated, so that a caller can
+// choose between Region::create (refuse) and repair (mend and report).
 #pragma once
 
 #include <iosfwd>
@@ -13,9 +13,9 @@
 
 namespace dymsum {
 
-/// poly: the thesis's format (number of chains; per chain `n out|in`, n points, their order on an index line or more; # comments; glued
-/// numbers such as `-6.64248.788605` are split). wkt: any geometry. geojson: geometry, feature or collection. svg: path, polygon, polyline, rect,
-/// circle-free. json: a nesting instance with `items`.
+/// poly: the thesis's format (number of chains; per chain `n out|in`, n points, their order on an index line or more; #
+/// comments; glued numbers such as `-6.64248.788605` are split). wkt: any geometry. geojson: geometry, feature or
+/// collection. svg: path, polygon, polyline, rect, circle-free. json: a nesting instance with `items`.
 enum class RegionFormat { poly, wkt, geojson, svg, json };
 
 /// The format a path's extension names.
@@ -27,10 +27,12 @@ struct NamedShape {
   RegionData data;
 };
 
-/// All shapes of a file, or the one of "f.json#name"; "-" is standard input. Maps (.yaml, .map) are one shape, see docs/guide/files.md.
-/// Errors: cannot_open, unsupported_format, malformed, truncated, not_finite, each with file and line.
+/// All shapes of a file, or the one of "f.json#name"; "-" is standard input. Maps (.yaml, .map) are one shape, see
+/// docs/guide/files.md. Errors: cannot_open, unsupported_format, malformed, truncated, not_finite, each with file and
+/// line.
 Result<std::vector<NamedShape>> read_shapes(const std::string& path);
-Result<std::vector<NamedShape>> parse_shapes(std::string_view text, RegionFormat format, std::string_view name_for_errors);
+Result<std::vector<NamedShape>> parse_shapes(std::string_view text, RegionFormat format,
+                                             std::string_view name_for_errors);
 
 /// The file's only or selected shape. Error malformed when the file holds several and none is selected.
 Result<RegionData> read_region_data(const std::string& path);
@@ -38,14 +40,14 @@ Result<RegionData> read_region_data(const std::string& path);
 /// The region in a format, coordinates with the fewest digits that read back to the same doubles.
 std::string format_region(const Region& region, RegionFormat format);
 
-/// The same for a sum and its rounded region, with the tight features, every vertex of theirs correctly rounded. GeoJSON: a collection of
-/// two features, named `sum` and `tight`. The others: tight features that are not pieces of the set anyway follow as further
-/// geometries of one collection (.wkt), as `open` and `points` chains after a comment (.poly), or in `polylines` and `points` of the
-/// shape (.json); read back, they are the same closed set.
+/// The same for a sum and its rounded region, with the tight features, every vertex of theirs correctly rounded.
+/// GeoJSON: a collection of two features, named `sum` and `tight`. The others: tight features that are not pieces of
+/// the set anyway follow as further geometries of one collection (.wkt), as `open` and `points` chains after a comment
+/// (.poly), or in `polylines` and `points` of the shape (.json); read back, they are the same closed set.
 std::string format_sum(const PlanarSum& sum, const Region& rounded, RegionFormat format);
 
-/// Writes text to a path ("-" is standard output) through a temporary file beside it, so that an existing file is replaced only by
-/// a complete one. Error cannot_write.
+/// Writes text to a path ("-" is standard output) through a temporary file beside it, so that an existing file is
+/// replaced only by a complete one. Error cannot_write.
 Result<bool> write_file(const std::string& path, std::string_view text);
 
 /// Pictures (SVG text). `draw_sum` shows P, Q and the sum with tight features; `draw_trace` the stages side by side.

@@ -1,5 +1,5 @@
-// Planar sums that stay exact while an operand turns: one object holds R(theta) P (+) Q and follows the orientation. Setting one updates
-// what the change touches; the result equals a fresh computation there, always.
+// Planar sums that stay exact while an operand turns: one object holds R(theta) P (+) Q and follows the orientation.
+// Setting one updates what the change touches; the result equals a fresh computation there, always.
 #pragma once
 
 #include <cstdint>
@@ -25,20 +25,20 @@ struct RotatingOptions {
   Progress progress;      ///< asked before a window is built and between stages of a rebuild, see progress.h
 };
 
-/// Vertices are never rounded: between two frames everything is decided by signs of trigonometric polynomials, in doubles with proved
-/// bounds; a frame that they do not decide, one at which something touches among them, is computed from scratch on integers.
-/// Source: Behar 2016, 6.1 carried over to rotations (docs/design/rotating-sum.md).
+/// Vertices are never rounded: between two frames everything is decided by signs of trigonometric polynomials, in
+/// doubles with proved bounds; a frame that they do not decide, one at which something touches among them, is computed
+/// from scratch on integers. Source: Behar 2016, 6.1 carried over to rotations (docs/design/rotating-sum.md).
 class RotatingSum {
  public:
-  /// R(theta) P (+) Q at theta = 0. General regions; polylines and points make every frame a rebuild. Errors: unsupported_operand for
-  /// coordinates beyond 2^1000; cancelled.
+  /// R(theta) P (+) Q at theta = 0. General regions; polylines and points make every frame a rebuild. Errors:
+  /// unsupported_operand for coordinates beyond 2^1000; cancelled.
   static Result<RotatingSum> create(const Region& p, const Region& q, const RotatingOptions& options = {});
   RotatingSum(RotatingSum&&) noexcept;
   RotatingSum& operator=(RotatingSum&&) noexcept;
   ~RotatingSum();
 
-  /// Turns to an orientation. On an error (cancelled) nothing changes. Cost of a frame inside a window: O(pieces and pairs of the window +
-  /// boundary).
+  /// Turns to an orientation. On an error (cancelled) nothing changes. Cost of a frame inside a window: O(pieces and
+  /// pairs of the window + boundary).
   Result<FrameChanges> set(const Orientation& theta);
 
   const Orientation& orientation() const;

@@ -11,8 +11,8 @@
 namespace dymsum {
 
 /// A rotation given by an integer quaternion (w, x, y, z) of any length, so that its matrix is rational and exact:
-/// R = N / (w^2 + x^2 + y^2 + z^2) with an integer matrix N. Components are at most 2^30 in magnitude, without common divisor, the first one that
-/// is not zero positive: equal rotations are equal values.
+/// R = N / (w^2 + x^2 + y^2 + z^2) with an integer matrix N. Components are at most 2^30 in magnitude, without common
+/// divisor, the first one that is not zero positive: equal rotations are equal values.
 class Rotation {
  public:
   static constexpr int kBits = 30;
@@ -23,8 +23,9 @@ class Rotation {
 
   /// Errors: bad_rotation when all components are zero, or larger than 2^30 without common divisor.
   static Result<Rotation> of(std::int64_t w, std::int64_t x, std::int64_t y, std::int64_t z);
-  /// About an axis through the origin, counter-clockwise seen from its tip; exact for the identity, half turns about and quarter turns about
-  /// the axes of coordinates, else within kAngularError of the doubles given. Errors: bad_rotation for a zero axis or numbers that are not finite.
+  /// About an axis through the origin, counter-clockwise seen from its tip; exact for the identity, half turns about
+  /// and quarter turns about the axes of coordinates, else within kAngularError of the doubles given. Errors:
+  /// bad_rotation for a zero axis or numbers that are not finite.
   static Result<Rotation> about(Point3 axis, double radians);
   /// The rotation of a quaternion of doubles, within kAngularError.
   static Result<Rotation> nearest(double w, double x, double y, double z);

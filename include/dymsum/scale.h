@@ -15,7 +15,8 @@ class Scale {
  public:
   Scale() = default;  ///< 1
 
-  /// The double at face value. Errors: not_finite for NaN and infinities; bad_scale for zero, negative and out of range.
+  /// The double at face value. Errors: not_finite for NaN and infinities; bad_scale for zero, negative and out of
+  /// range.
   static Result<Scale> of(double value);
   /// Errors: malformed when num or den are no integers; bad_scale as above, and for a zero denominator.
   static Result<Scale> of(const Rational& value);
@@ -34,9 +35,10 @@ class Scale {
 /// As Scale::parse, for the step of scale_steps: errors speak of steps.
 Result<Scale> parse_scale_step(std::string_view text);
 
-/// from, from + step, ... and at last `to`, exactly: the last step may be shorter. With `percent` each is 1 + step / 100 times the one before,
-/// rounded to a multiple of 2^-40 so that the numbers stay short. A step that leads away is taken downwards. Errors: bad_scale for more than
-/// `most` steps, and for steps that rounding leaves nothing of.
-Result<std::vector<Scale>> scale_steps(const Scale& from, const Scale& to, const Scale& step, bool percent, std::size_t most);
+/// from, from + step, ... and at last `to`, exactly: the last step may be shorter. With `percent` each is 1 + step /
+/// 100 times the one before, rounded to a multiple of 2^-40 so that the numbers stay short. A step that leads away is
+/// taken downwards. Errors: bad_scale for more than `most` steps, and for steps that rounding leaves nothing of.
+Result<std::vector<Scale>> scale_steps(const Scale& from, const Scale& to, const Scale& step, bool percent,
+                                       std::size_t most);
 
 }  // namespace dymsum

@@ -22,7 +22,8 @@ struct ScaleContact {
   std::uint32_t obstacle = 0;  ///< number of the obstacle's edge or vertex
   std::uint32_t leg = 0;       ///< of a path: between waypoints leg and leg + 1
   Rational along{"0", "1"};    ///< of a path: how far along that leg, in [0, 1]
-  RationalPoint at;            ///< where the reference point of the part stands; for a contact that slides, at its first such place
+  RationalPoint
+      at;  ///< where the reference point of the part stands; for a contact that slides, at its first such place
   friend bool operator==(const ScaleContact&, const ScaleContact&) = default;
 };
 
@@ -39,25 +40,27 @@ struct ScaleRange {
   std::uint64_t tested = 0;         ///< scales at which the question was decided exactly
 
   bool contains(const Scale& s) const;
-  /// The trap: the scale up to which all smaller parts are free, and just above which the path is blocked. None: never blocked.
-  /// Zero: blocked at every small scale.
+  /// The trap: the scale up to which all smaller parts are free, and just above which the path is blocked. None: never
+  /// blocked. Zero: blocked at every small scale.
   std::optional<Rational> trap() const;
 };
 
-/// The scales s for which s `part` (about the origin of its coordinates), moved along the path, never overlaps the obstacles; touching
-/// is allowed. `path` is a polyline of translations with at least one waypoint. Valid is not monotone in s unless the part is star-shaped
-/// about its reference point: hence a set.
-/// Exact. Errors: unsupported_operand for a path without waypoints, empty or lower-dimensional operands, coordinates beyond 2^1000;
-/// not_finite; cancelled. Cost: O(L N) exact values and, per value, O(L N) filtered signs, for L waypoints and N convolution segments.
-/// Source: Behar 2016, 6.6.1; applications.md, section 7.
-Result<ScaleRange> scale_range(const Region& part, const std::vector<Point>& path, const Region& obstacles, const Progress& progress = {});
+/// The scales s for which s `part` (about the origin of its coordinates), moved along the path, never overlaps the
+/// obstacles; touching is allowed. `path` is a polyline of translations with at least one waypoint. Valid is not
+/// monotone in s unless the part is star-shaped about its reference point: hence a set. Exact. Errors:
+/// unsupported_operand for a path without waypoints, empty or lower-dimensional operands, coordinates beyond 2^1000;
+/// not_finite; cancelled. Cost: O(L N) exact values and, per value, O(L N) filtered signs, for L waypoints and N
+/// convolution segments. Source: Behar 2016, 6.6.1; applications.md, section 7.
+Result<ScaleRange> scale_range(const Region& part, const std::vector<Point>& path, const Region& obstacles,
+                               const Progress& progress = {});
 
-/// The scales at which s `part`, placed at `at`, lies inside the container. Errors here and below: as above, coordinates beyond 2^996.
+/// The scales at which s `part`, placed at `at`, lies inside the container. Errors here and below: as above,
+/// coordinates beyond 2^996.
 Result<ScaleRange> fit_range(const Region& part, const Region& container, Point at, const Progress& progress = {});
 
-/// The scales at which s `part` lies inside the container at some translation: erode(container, s part) is not empty. At an end of an
-/// interval the translations left are points and segments; its contacts are those at each of these points, and those that hold
-/// along a stretch of these segments. Cost: an exact frame per event of the scaling sum.
+/// The scales at which s `part` lies inside the container at some translation: erode(container, s part) is not empty.
+/// At an end of an interval the translations left are points and segments; its contacts are those at each of these
+/// points, and those that hold along a stretch of these segments. Cost: an exact frame per event of the scaling sum.
 Result<ScaleRange> fit_range(const Region& part, const Region& container, const Progress& progress = {});
 
 }  // namespace dymsum

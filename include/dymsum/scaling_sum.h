@@ -1,5 +1,5 @@
-// Planar sums that stay exact while an operand scales: one object holds P (+) Q and follows the scale. Setting a scale updates what the
-// change touches; the result equals a fresh computation at that scale, always.
+// Planar sums that stay exact while an operand scales: one object holds P (+) Q and follows the scale. Setting a scale
+// updates what the change touches; the result equals a fresh computation at that scale, always.
 #pragma once
 
 #include <cstdint>
@@ -50,29 +50,31 @@ class ScalingSum {
   ScalingSum& operator=(ScalingSum&&) noexcept;
   ~ScalingSum();
 
-  /// Moves to a scale. On an error (bad_scale, not_finite, cancelled) nothing changes. Cost of a frame inside a window: O(pieces
-  /// checked + work reported + boundary).
+  /// Moves to a scale. On an error (bad_scale, not_finite, cancelled) nothing changes. Cost of a frame inside a window:
+  /// O(pieces checked + work reported + boundary).
   Result<FrameChanges> set(double s);
   Result<FrameChanges> set(const Scale& s);
   /// diag(sx, sy) times the scaled operand; directions change, so frames are rebuilt unless sx = sy.
   Result<FrameChanges> set(const Scale& sx, const Scale& sy);
 
   const Scale& scale() const;
-  /// The exact sum at the current scale; valid until the next set(). Copies stay valid for ever. Of frames inside a window stats hold the
-  /// sizes and the tier only (that of the unscaled operands where no sign needed integers); the rest is in work().
+  /// The exact sum at the current scale; valid until the next set(). Copies stay valid for ever. Of frames inside a
+  /// window stats hold the sizes and the tier only (that of the unscaled operands where no sign needed integers); the
+  /// rest is in work().
   const PlanarSum& sum() const;
   /// Identities of the rings of sum(), part by part, outer ring first.
   std::vector<std::uint64_t> ring_ids() const;
   const FrameWork& work() const;
-  /// A hash of the sum's combinatorics: rings and tight features by the contacts of their vertices, no positions. Constant between
-  /// consecutive visible events.
+  /// A hash of the sum's combinatorics: rings and tight features by the contacts of their vertices, no positions.
+  /// Constant between consecutive visible events.
   std::uint64_t combinatorial_hash() const;
 
-  /// The events in [a, b] in order; a value with events of both kinds is listed once, as vertex_on_segment. Only events outside the
-  /// part of the sum's interior that its mask proves; every visible event is among them. Costs one exact frame per value.
-  /// Does not move the sum. Errors: bad_scale when a > b; cancelled.
+  /// The events in [a, b] in order; a value with events of both kinds is listed once, as vertex_on_segment. Only events
+  /// outside the part of the sum's interior that its mask proves; every visible event is among them. Costs one exact
+  /// frame per value. Does not move the sum. Errors: bad_scale when a > b; cancelled.
   Result<std::vector<ScaleEvent>> events(const Scale& a, const Scale& b, const Progress& progress = {}) const;
-  /// The first visible event after s and at most `limit`, if there is one; with `topology`, the first that changes the topology.
+  /// The first visible event after s and at most `limit`, if there is one; with `topology`, the first that changes the
+  /// topology.
   Result<std::optional<ScaleEvent>> next_event(const Scale& s, const Scale& limit, bool topology = false,
                                                const Progress& progress = {}) const;
 
@@ -83,24 +85,26 @@ class ScalingSum {
   std::unique_ptr<State> state_;
 };
 
-/// The thesis's pair events (6.2.2) over s in (0, infinity), counted without storing them: for each pair of convolution segments the
-/// finite ends of the interval of scales at which they meet. O(N^2) time, O(N) memory.
+/// The thesis's pair events (6.2.2) over s in (0, infinity), counted without storing them: for each pair of convolution
+/// segments the finite ends of the interval of scales at which they meet. O(N^2) time, O(N) memory.
 struct PairEventCount {
   std::uint64_t segments = 0;
   std::uint64_t pairs_that_meet = 0;  ///< pairs with a non-empty interval
   std::uint64_t events = 0;           ///< ends of these intervals strictly between 0 and infinity
   std::uint64_t exact_pairs = 0;      ///< pairs that doubles did not decide
 };
-Result<PairEventCount> count_pair_events(const Region& p, const Region& q, ScaledOperand scaled, const Progress& progress = {});
+Result<PairEventCount> count_pair_events(const Region& p, const Region& q, ScaledOperand scaled,
+                                         const Progress& progress = {});
 
 /// One copy of a master shape: scaled about its origin, then moved.
 struct ScaledCopy {
   Scale scale;
   Point at;
 };
-/// The obstacles s_i P + z_i of an environment summed with Q: for each copy the sum s_i P (+) Q (not moved by z_i), in the order given,
-/// from one sum that visits the scales in order; copies of equal scale share one frame. With FrameMode::automatic windows are planned
-/// from the scales: where six or more lie within 13 %, the rest is computed from scratch. Figure 6.11 of the thesis.
+/// The obstacles s_i P + z_i of an environment summed with Q: for each copy the sum s_i P (+) Q (not moved by z_i), in
+/// the order given, from one sum that visits the scales in order; copies of equal scale share one frame. With
+/// FrameMode::automatic windows are planned from the scales: where six or more lie within 13 %, the rest is computed
+/// from scratch. Figure 6.11 of the thesis.
 struct CopySum {
   PlanarSum sum;
   Point at;        ///< add it to every position

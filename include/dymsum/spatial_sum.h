@@ -1,5 +1,5 @@
-// Exact Minkowski sums of solids of any shape: P (+) Q = { p + q : p in P, q in Q }, with tunnels, cavities, several parts, tight
-// features, and the provenance of every face.
+// Exact Minkowski sums of solids of any shape: P (+) Q = { p + q : p in P, q in Q }, with tunnels, cavities, several
+// parts, tight features, and the provenance of every face.
 #pragma once
 
 #include <array>
@@ -32,14 +32,15 @@ struct SpatialOptions {
 
 /// A face of the boundary: a polygon in one plane, perhaps with holes, seen from outside.
 struct SpatialFace {
-  std::vector<std::vector<std::uint32_t>> loops;  ///< vertex indices: the outer one counter-clockwise, then holes clockwise
+  std::vector<std::vector<std::uint32_t>>
+      loops;                ///< vertex indices: the outer one counter-clockwise, then holes clockwise
   SolidFeature p, q;        ///< what touches there: the smallest pair, where several facets tile the face
   std::uint32_t shell = 0;  ///< connected pieces of the boundary, in the order of their first faces
   friend bool operator==(const SpatialFace& a, const SpatialFace& b) { return a.loops == b.loops; }
 };
 
 struct SpatialStats {
-  int bits = 0;  ///< of coordinates on the common grid
+  int bits = 0;                                  ///< of coordinates on the common grid
   std::uint64_t face_vertex = 0, edge_edge = 0;  ///< facets of the reduced convolution
   std::uint64_t box_pairs = 0, contacts = 0;     ///< pairs of facets with overlapping boxes; of these, meeting
   std::uint64_t points = 0, cells = 0, patches = 0;
@@ -51,8 +52,8 @@ struct SpatialStats {
   std::vector<Stage> stages;
 };
 
-/// The sum of two solids. Canonical: no two neighbouring faces in one plane, no vertex in the middle of a straight edge; vertices sorted by x, y, z,
-/// every loop from its smallest vertex on, faces sorted. Equal sets compare equal.
+/// The sum of two solids. Canonical: no two neighbouring faces in one plane, no vertex in the middle of a straight
+/// edge; vertices sorted by x, y, z, every loop from its smallest vertex on, faces sorted. Equal sets compare equal.
 class SpatialSum {
  public:
   std::vector<Point3> vertices;  ///< positions within at_error
@@ -60,7 +61,8 @@ class SpatialSum {
   std::vector<SpatialFace> faces;
   std::size_t shells = 0;
 
-  /// Positions at which the operands touch without overlapping and that nothing outside comes near: passages exactly as wide as the part.
+  /// Positions at which the operands touch without overlapping and that nothing outside comes near: passages exactly as
+  /// wide as the part.
   std::vector<std::vector<std::vector<std::uint32_t>>> tight_faces;  ///< loops as of a face
   std::vector<std::array<std::uint32_t, 2>> tight_segments;          ///< that bound no tight face; from < to
   std::vector<std::uint32_t> tight_points;                           ///< that end no tight segment
@@ -74,8 +76,9 @@ class SpatialSum {
   /// Rounded at every face.
   double area() const;
 
-  /// The boundary as triangles, every vertex rounded to the nearest doubles: closed and oriented, each edge as often one way as the other. Tight features
-  /// are no part of it. Error rounding_changed_topology with the place where two vertices round to one. Whether rounding makes triangles cross is not checked.
+  /// The boundary as triangles, every vertex rounded to the nearest doubles: closed and oriented, each edge as often
+  /// one way as the other. Tight features are no part of it. Error rounding_changed_topology with the place where two
+  /// vertices round to one. Whether rounding makes triangles cross is not checked.
   Result<MeshData> rounded() const;
 
   /// The same set with the same tight features, exactly. Provenance and stats are not compared.
@@ -85,13 +88,13 @@ class SpatialSum {
   std::shared_ptr<const Source> source;  // internal
 };
 
-/// P (+) Q, the closed sum of closed solids; its boundary is that of the closure of the open sum's complement. Either operand may be
-/// empty (then the sum is), have several parts, cavities, and tunnels. Requires: surfaces that cross or touch themselves nowhere, which Mesh does
-/// not check; of others the result means nothing, or std::invalid_argument or std::logic_error is thrown.
-/// Exact: every decision is the sign of an integer expression. Errors: cancelled; unsupported_operand for coordinates that need more than 250 bits
-/// on their common grid.
-/// Cost: O(N log N + K + T log T) for N facets, K of their pairs that meet and T points where three of them do.
-/// Source: Behar 2016, sections 2.3 to 2.6, corrected (docs/design/solid-sum.md).
+/// P (+) Q, the closed sum of closed solids; its boundary is that of the closure of the open sum's complement. Either
+/// operand may be empty (then the sum is), have several parts, cavities, and tunnels. Requires: surfaces that cross or
+/// touch themselves nowhere, which Mesh does not check; of others the result means nothing, or std::invalid_argument or
+/// std::logic_error is thrown. Exact: every decision is the sign of an integer expression. Errors: cancelled;
+/// unsupported_operand for coordinates that need more than 250 bits on their common grid. Cost: O(N log N + K + T log
+/// T) for N facets, K of their pairs that meet and T points where three of them do. Source: Behar 2016, sections 2.3
+/// to 2.6, corrected (docs/design/solid-sum.md).
 Result<SpatialSum> spatial_sum(const Mesh& p, const Mesh& q, const SpatialOptions& options = {});
 
 }  // namespace dymsum

@@ -18,8 +18,8 @@ namespace dymsum::planar {
 /// Sides of boxes are below this.
 inline constexpr int kBoxQuanta = 0x7fff;
 
-/// Eight numbers; comparing gives -1 or 0 in each. In memory the first one comes first, and so in a word read from there
-/// its low bits.
+/// Eight numbers; comparing gives -1 or 0 in each. In memory the first one comes first, and so in a word read from
+/// there its low bits.
 static_assert(std::endian::native == std::endian::little);
 using Lanes = std::int16_t __attribute__((vector_size(16)));
 inline constexpr std::uint32_t kLanes = 8;
@@ -67,7 +67,9 @@ inline ByteLanes load_bytes(const std::int8_t* from) {
 inline ByteLanes all_bytes(std::int8_t v) { return ByteLanes{} + v; }
 
 /// The left side of a box above its number.
-inline std::uint64_t left_order(std::int16_t left, std::uint32_t number) { return static_cast<std::uint64_t>(left) << 32 | number; }
+inline std::uint64_t left_order(std::int16_t left, std::uint32_t number) {
+  return static_cast<std::uint64_t>(left) << 32 | number;
+}
 
 /// Ascending: by buckets first where they are many, then by insertion.
 template <class Allocator>
@@ -75,7 +77,8 @@ void sort_by_left(std::vector<std::uint64_t, Allocator>& order) {
   const std::size_t n = order.size();
   if (n > 24) {
     const int shift = 32 + 15 - std::min(15, static_cast<int>(std::bit_width(n)));
-    using Counts = std::vector<std::uint32_t, typename std::allocator_traits<Allocator>::template rebind_alloc<std::uint32_t>>;
+    using Counts =
+        std::vector<std::uint32_t, typename std::allocator_traits<Allocator>::template rebind_alloc<std::uint32_t>>;
     Counts start((std::uint64_t{kBoxQuanta} << 32 >> shift) + 2, 0, order.get_allocator());
     for (const std::uint64_t o : order) ++start[(o >> shift) + 1];
     for (std::size_t b = 1; b < start.size(); ++b) start[b] += start[b - 1];

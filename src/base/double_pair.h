@@ -3,8 +3,8 @@
 //
 // The operators keep |low| <= ulp(high) / 2 and have a relative error below 2^-100, as long as nothing overflows and no
 // error term underflows. With u = 2^-53 the sum errs by at most 3 u^2 / (1 - 4 u) and the product by 7 u^2 (Joldes,
-// Muller, Popescu 2017, algorithms 6 and 10); the two remainders of a quotient err by 11 u^2 of it, and adding its parts
-// by 3 u^2.
+// Muller, Popescu 2017, algorithms 6 and 10); the two remainders of a quotient err by 11 u^2 of it, and adding its
+// parts by 3 u^2.
 #pragma once
 
 #include <cmath>

@@ -29,10 +29,8 @@ class KeyNumbers {
     if (const std::uint32_t known = find(key); known != kMissing) return {known, false};
     const std::uint32_t number = static_cast<std::uint32_t>(keys_.size());
     keys_.push_back(key);
-    if (keys_.size() * 2 > slots_.size() && keys_.size() > kLinear)
-      rehash();
-    else if (!slots_.empty())
-      slots_[slot_of(key)] = number;
+    if (keys_.size() * 2 > slots_.size() && keys_.size() > kLinear) rehash();
+    else if (!slots_.empty()) slots_[slot_of(key)] = number;
     return {number, true};
   }
 

@@ -1,4 +1,5 @@
-// Memory of a value with many arrays that are made together and die together: one block instead of an allocation for each.
+// Memory of a value with many arrays that are made together and die together: one block instead of an allocation for
+// each.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +10,9 @@
 
 namespace dymsum {
 
-/// To be the first member, so that the arrays behind it die before their memory does. A copy has arrays of its own on the heap, and what is
-/// assigned is copied into the arrays that are there: so neither changes whose memory it is. Arrays are made by one thread at a time.
+/// To be the first member, so that the arrays behind it die before their memory does. A copy has arrays of its own on
+/// the heap, and what is assigned is copied into the arrays that are there: so neither changes whose memory it is.
+/// Arrays are made by one thread at a time.
 class OwnMemory {
  public:
   OwnMemory() = default;
@@ -41,7 +43,9 @@ class OwnMemory {
       used += room;
       return at;
     }
-    bool holds(const void* at) { return reinterpret_cast<std::uintptr_t>(at) - reinterpret_cast<std::uintptr_t>(bytes()) < size; }
+    bool holds(const void* at) {
+      return reinterpret_cast<std::uintptr_t>(at) - reinterpret_cast<std::uintptr_t>(bytes()) < size;
+    }
   };
   struct Free {
     void operator()(Block* block) const { ::operator delete(block); }
@@ -50,8 +54,8 @@ class OwnMemory {
   std::unique_ptr<Block, Free> block_;
 };
 
-/// Arrays in an OwnMemory, or without one on the heap. What is not given a value has none: resize() does not clear numbers. What an array in
-/// the block gives back is not handed out again.
+/// Arrays in an OwnMemory, or without one on the heap. What is not given a value has none: resize() does not clear
+/// numbers. What an array in the block gives back is not handed out again.
 template <class T>
 class OwnAllocator {
  public:

@@ -22,30 +22,54 @@ void append(std::string& text, std::string_view label, std::optional<std::int64_
 
 std::string_view name(Code code) {
   switch (code) {
-    case Code::cannot_open: return "cannot_open";
-    case Code::cannot_write: return "cannot_write";
-    case Code::unsupported_format: return "unsupported_format";
-    case Code::malformed: return "malformed";
-    case Code::truncated: return "truncated";
-    case Code::not_finite: return "not_finite";
-    case Code::too_few_vertices: return "too_few_vertices";
-    case Code::repeated_vertex: return "repeated_vertex";
-    case Code::no_area: return "no_area";
-    case Code::wrong_orientation: return "wrong_orientation";
-    case Code::self_crossing: return "self_crossing";
-    case Code::rings_cross: return "rings_cross";
-    case Code::hole_outside: return "hole_outside";
-    case Code::parts_overlap: return "parts_overlap";
-    case Code::bad_index: return "bad_index";
-    case Code::not_planar: return "not_planar";
-    case Code::not_closed: return "not_closed";
-    case Code::not_manifold: return "not_manifold";
-    case Code::not_convex: return "not_convex";
-    case Code::unsupported_operand: return "unsupported_operand";
-    case Code::rounding_changed_topology: return "rounding_changed_topology";
-    case Code::bad_scale: return "bad_scale";
-    case Code::bad_rotation: return "bad_rotation";
-    case Code::cancelled: return "cancelled";
+    case Code::cannot_open:
+      return "cannot_open";
+    case Code::cannot_write:
+      return "cannot_write";
+    case Code::unsupported_format:
+      return "unsupported_format";
+    case Code::malformed:
+      return "malformed";
+    case Code::truncated:
+      return "truncated";
+    case Code::not_finite:
+      return "not_finite";
+    case Code::too_few_vertices:
+      return "too_few_vertices";
+    case Code::repeated_vertex:
+      return "repeated_vertex";
+    case Code::no_area:
+      return "no_area";
+    case Code::wrong_orientation:
+      return "wrong_orientation";
+    case Code::self_crossing:
+      return "self_crossing";
+    case Code::rings_cross:
+      return "rings_cross";
+    case Code::hole_outside:
+      return "hole_outside";
+    case Code::parts_overlap:
+      return "parts_overlap";
+    case Code::bad_index:
+      return "bad_index";
+    case Code::not_planar:
+      return "not_planar";
+    case Code::not_closed:
+      return "not_closed";
+    case Code::not_manifold:
+      return "not_manifold";
+    case Code::not_convex:
+      return "not_convex";
+    case Code::unsupported_operand:
+      return "unsupported_operand";
+    case Code::rounding_changed_topology:
+      return "rounding_changed_topology";
+    case Code::bad_scale:
+      return "bad_scale";
+    case Code::bad_rotation:
+      return "bad_rotation";
+    case Code::cancelled:
+      return "cancelled";
   }
   throw std::logic_error("name(Code): not a code");
 }

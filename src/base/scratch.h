@@ -1,5 +1,5 @@
-// Memory for the arrays of one computation: small ones lie in a buffer on the stack, large ones in blocks that the next computation
-// of the same thread uses again. Fresh pages cost more than the arithmetic of a middling sum.
+// Memory for the arrays of one computation: small ones lie in a buffer on the stack, large ones in blocks that the next
+// computation of the same thread uses again. Fresh pages cost more than the arithmetic of a middling sum.
 #pragma once
 
 #include <cstddef>
@@ -57,8 +57,8 @@ class Scratch {
   std::size_t held_ = 0, peak_ = 0;  // bytes handed out, now and at most
 };
 
-/// Arrays of a computation with a scratch, or without one on the heap. What is not given a value has none: resize() does not
-/// clear numbers.
+/// Arrays of a computation with a scratch, or without one on the heap. What is not given a value has none: resize()
+/// does not clear numbers.
 template <class T>
 class ScratchAllocator {
  public:
@@ -73,10 +73,8 @@ class ScratchAllocator {
     return static_cast<T*>(scratch_ != nullptr ? scratch_->take(n * sizeof(T)) : ::operator new(n * sizeof(T)));
   }
   void deallocate(T* pointer, std::size_t n) {
-    if (scratch_ != nullptr)
-      scratch_->give(pointer, n * sizeof(T));
-    else
-      ::operator delete(pointer);
+    if (scratch_ != nullptr) scratch_->give(pointer, n * sizeof(T));
+    else ::operator delete(pointer);
   }
   template <class U>
   void construct(U* at) {

@@ -1,5 +1,5 @@
-// Two doubles at a time: x and y of a point, or what is asked of the first of two segments against the second one and of the second
-// against the first. The same operations as on doubles, one rounding each.
+// Two doubles at a time: x and y of a point, or what is asked of the first of two segments against the second one and
+// of the second against the first. The same operations as on doubles, one rounding each.
 #pragma once
 
 #include <cstdint>

@@ -4,11 +4,11 @@
 #include <optional>
 #include <stdexcept>
 
+#include "depth/exact_facet_distances.h"
+#include "depth/facet_distances.h"
 #include "exact/square_root.h"
 #include "spatial/convex/assemble.h"
 #include "spatial/convex/convex_state.h"
-#include "depth/exact_facet_distances.h"
-#include "depth/facet_distances.h"
 #include "spatial/convex/posed_doubles.h"
 #include "spatial/mesh/rounded_vector.h"
 
@@ -72,7 +72,8 @@ ConvexDepth ConvexSum::depth(Point3 point) const {
   return result;
 }
 
-Result<ConvexDepth> penetration_depth(const Mesh& p, const Mesh& q, const SolidPose& p_pose, const SolidPose& q_pose, Point3 q_moved_by) {
+Result<ConvexDepth> penetration_depth(const Mesh& p, const Mesh& q, const SolidPose& p_pose, const SolidPose& q_pose,
+                                      Point3 q_moved_by) {
   if (!is_finite(q_moved_by)) return Error{Code::not_finite, "the translation is not finite", {}};
   Result<ConvexSum> sum = ConvexSum::create(p, negated(q));
   if (!sum) return sum.error();

@@ -16,8 +16,7 @@ using exact::BigRational;
 
 ExactFacetDistances::ExactFacetDistances(const ConvexSum::State& s, Point3 point) : s_(s) {
   const std::array<ExactPose, 2> pose{ExactPose::of(s.p_pose), ExactPose::of(s.q_pose)};
-  const std::array<exact::Dyadic, 3> x{exact::to_dyadic(point.x), exact::to_dyadic(point.y),
-                                       exact::to_dyadic(point.z)};
+  const std::array<exact::Dyadic, 3> x{exact::to_dyadic(point.x), exact::to_dyadic(point.y), exact::to_dyadic(point.z)};
   exponent_ = std::min(s.p->exponent, s.q->exponent);
   for (const exact::Dyadic& c : x)
     if (c.mantissa != 0) exponent_ = std::min(exponent_, c.exponent);

@@ -4,11 +4,11 @@
 #include <array>
 #include <optional>
 
+#include "depth/facet.h"
+#include "depth/facet_distances.h"
 #include "exact/big.h"
 #include "exact/vector3.h"
 #include "spatial/convex/convex_state.h"
-#include "depth/facet.h"
-#include "depth/facet_distances.h"
 
 namespace dymsum::spatial {
 

@@ -7,8 +7,8 @@
 
 namespace dymsum::spatial {
 
-// Norms are at least 1, as each matrix has an entry in [1, 2), so spreads are; of the three lengths that make reach_ one is
-// at least 1/2. All numbers are at most 2^20, and what underflows loses at most 2^-1000.
+// Norms are at least 1, as each matrix has an entry in [1, 2), so spreads are; of the three lengths that make reach_
+// one is at least 1/2. All numbers are at most 2^20, and what underflows loses at most 2^-1000.
 FacetDistances::FacetDistances(const Overlay& overlay, const PosedDoubles& p, const PosedDoubles& q,
                                const ScaledVector& base)
     : o_(overlay), map_{p.map, q.map}, cofactors_{p.cofactors, q.cofactors} {
@@ -49,9 +49,9 @@ std::vector<GenericFacet> FacetDistances::candidates() {
   return near;
 }
 
-// The facet with outward normal n through a corner, seen from the point. Matrices err by 2^-49 of their entries, unit vectors
-// by 2^-50: n by less than 2^-46 of its spread, so its direction by at most twice that over its length; places by less
-// than 2^-48 of reach_. All of it is below half of 2^-44 spread reach_ over the length of n.
+// The facet with outward normal n through a corner, seen from the point. Matrices err by 2^-49 of their entries, unit
+// vectors by 2^-50: n by less than 2^-46 of its spread, so its direction by at most twice that over its length; places
+// by less than 2^-48 of reach_. All of it is below half of 2^-44 spread reach_ over the length of n.
 void FacetDistances::consider(const GenericFacet& facet, Vec3 n, Vec3 corner) {
   const double product = dot(n, corner), error = 0x1p-44 * spread_[facet.op] * reach_, square = dot(n, n);
   // Nearly all are further away, which no root is needed for. Where squares are too small to tell, roots do.

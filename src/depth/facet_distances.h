@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "depth/facet.h"
-#include "spatial/gauss/overlay.h"
 #include "spatial/convex/posed_doubles.h"
+#include "spatial/gauss/overlay.h"
 
 namespace dymsum::spatial {
 

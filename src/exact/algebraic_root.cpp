@@ -144,7 +144,8 @@ AlgebraicRoot AlgebraicRoot::rational(const BigRational& x) {
   AlgebraicRoot root(f, low, high);
   if (!std::isfinite(low) || !std::isfinite(high)) {
     const BigInteger n = floor_of(x);
-    root.bracket_ = std::make_shared<const RootBracket>(f, DyadicNumber{BigInteger(n - 1), 0}, DyadicNumber{BigInteger(n + 1), 0});
+    root.bracket_ =
+        std::make_shared<const RootBracket>(f, DyadicNumber{BigInteger(n - 1), 0}, DyadicNumber{BigInteger(n + 1), 0});
   }
   return root;
 }

@@ -33,7 +33,7 @@ double round_positive(BigInteger num, BigInteger den) {
   if (unit < 0) num <<= static_cast<unsigned>(-unit);
   if (unit > 0) den <<= static_cast<unsigned>(unit);
   const auto mantissa = static_cast<std::uint64_t>(round_half_even(num, den));  // <= 2^53: exact as a double
-  return std::ldexp(static_cast<double>(mantissa), unit);  // exact, or infinite from 2^1024 on
+  return std::ldexp(static_cast<double>(mantissa), unit);                       // exact, or infinite from 2^1024 on
 }
 
 BigInteger parse_digits(std::string_view digits) {
@@ -99,9 +99,9 @@ double round_to_double(const BigRational& v) {
   if (v.is_zero()) return 0;
   const BigInteger n = abs(numerator(v)), d = denominator(v);
   // Both are doubles: then their division is the one rounding.
-  const double magnitude = msb(n) < 53 && msb(d) < 53
-                               ? static_cast<double>(static_cast<std::uint64_t>(n)) / static_cast<double>(static_cast<std::uint64_t>(d))
-                               : round_positive(n, d);
+  const double magnitude = msb(n) < 53 && msb(d) < 53 ? static_cast<double>(static_cast<std::uint64_t>(n)) /
+                                                            static_cast<double>(static_cast<std::uint64_t>(d))
+                                                      : round_positive(n, d);
   return v < 0 && magnitude != 0 ? -magnitude : magnitude;
 }
 

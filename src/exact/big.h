@@ -72,7 +72,8 @@ C narrowed(const Big& v) {
     static_assert(C::kBits <= 126);
     const BigInteger magnitude = boost::multiprecision::abs(v.value());
     const BigInteger word = (BigInteger(1) << 64) - 1;
-    const u128 low = static_cast<std::uint64_t>(magnitude & word), high = static_cast<std::uint64_t>((magnitude >> 64) & word);
+    const u128 low = static_cast<std::uint64_t>(magnitude & word),
+               high = static_cast<std::uint64_t>((magnitude >> 64) & word);
     const i128 raw = static_cast<i128>((high << 64) | low);
     return C::from_raw(raw_cast<C::kBits>(v.value().sign() < 0 ? -raw : raw));
   }

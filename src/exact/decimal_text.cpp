@@ -25,7 +25,8 @@ BigInteger scaled(BigInteger n, BigInteger d, long shift) {
 std::string decimal_text(const BigRational& v, int digits) {
   if (v.is_zero()) return "0";
   const BigInteger n = abs(numerator(v)), d = denominator(v);
-  // 2^(b - 1) < n / d < 2^(b + 1): the exponent is right or one too small. Rounding up to a power of ten shows as a digit too many as well.
+  // 2^(b - 1) < n / d < 2^(b + 1): the exponent is right or one too small. Rounding up to a power of ten shows as a
+  // digit too many as well.
   const double b = static_cast<double>(msb(n)) - static_cast<double>(msb(d));
   long exponent = std::lround(std::floor((b - 1) * 0.30102999566398119 - 1e-6));
   std::string text;

@@ -52,8 +52,7 @@ class Int {
 
   /// Widening. The converse does not compile.
   template <int A>
-    requires(A < B)
-  constexpr Int(const Int<A>& narrower) : raw_(raw_cast<B>(narrower.raw())) {}
+  requires(A < B) constexpr Int(const Int<A>& narrower) : raw_(raw_cast<B>(narrower.raw())) {}
 
   /// Requires |v| <= 2^B, asserted in debug builds.
   static constexpr Int from_int64(std::int64_t v) {

@@ -1,8 +1,8 @@
 // Integers as pairs of doubles, with a relative error of at most 2^-104: exact up to 106 bits.
 #pragma once
 
-#include "exact/big.h"
 #include "base/double_pair.h"
+#include "exact/big.h"
 #include "exact/int.h"
 
 namespace dymsum::exact {

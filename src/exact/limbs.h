@@ -35,9 +35,7 @@ constexpr Limbs<N> limbs_cast(const Limbs<M>& a) {
 }
 
 constexpr Limbs<1> to_limbs(std::int64_t v) { return {{static_cast<std::uint64_t>(v)}}; }
-constexpr Limbs<2> to_limbs(i128 v) {
-  return {{static_cast<std::uint64_t>(v), static_cast<std::uint64_t>(v >> 64)}};
-}
+constexpr Limbs<2> to_limbs(i128 v) { return {{static_cast<std::uint64_t>(v), static_cast<std::uint64_t>(v >> 64)}}; }
 template <int N>
 constexpr const Limbs<N>& to_limbs(const Limbs<N>& v) {
   return v;

@@ -52,8 +52,9 @@ Scaled square_root(Scaled a) {
   return normalised(std::sqrt(a.mantissa), a.exponent / 2);
 }
 
-// Where doubles have decided. A term p_k u^i v^j has factors with errors 2^-51, 2^-49, 2^-49 and four roundings together with the sums: below 2^-47 of the sum of
-// magnitudes of the terms; what was lost below the doubles is below 2^-990 with components of at most 2.
+// Where doubles have decided. A term p_k u^i v^j has factors with errors 2^-51, 2^-49, 2^-49 and four roundings
+// together with the sums: below 2^-47 of the sum of magnitudes of the terms; what was lost below the doubles is below
+// 2^-990 with components of at most 2.
 constexpr double kTermError = 0x1p-47, kLost = 0x1p-980;
 
 /// The sign of a sum whose terms have these magnitudes together, if doubles tell.
@@ -69,8 +70,8 @@ int sign_of(const Slope slope) { return static_cast<int>(slope); }
 /// q'(t), as a form that has its sign at finite points: u^2 q'(v / u).
 Quadratic derivative(const Quadratic& q) { return {q[1], q[2] + q[2], Big()}; }
 
-/// compare_answer for finite a and b without the filter. A polynomial with positive leading coefficient is negative between its roots and falls before the
-/// middle of them.
+/// compare_answer for finite a and b without the filter. A polynomial with positive leading coefficient is negative
+/// between its roots and falls before the middle of them.
 int exact_compare(const QuadraticRoot& a, const QuadraticRoot& b) {
   const Quadratic& q = b.form();
   const int leading = sign(q[2]);
@@ -104,15 +105,18 @@ Quadratic::Quadratic(Big c0, Big c1, Big c2) : c_{std::move(c0), std::move(c1), 
 
 Big Quadratic::discriminant() const { return c_[1] * c_[1] - shift_left<2>(c_[0] * c_[2]); }
 
-/// The root is both (2 c2 : -c1 + s sqrt D) and (-c1 - s sqrt D : 2 c0), s the slope: at t = v / u the derivative c1 + 2 c2 t is s sqrt D. One of the two has a sum
-/// of two terms of the same sign, so that nothing cancels and not both components vanish. True for the second one.
+/// The root is both (2 c2 : -c1 + s sqrt D) and (-c1 - s sqrt D : 2 c0), s the slope: at t = v / u the derivative c1 +
+/// 2 c2 t is s sqrt D. One of the two has a sum of two terms of the same sign, so that nothing cancels and not both
+/// components vanish. True for the second one.
 bool QuadraticRoot::from_constant() const {
   const int c1 = sign(q_[1]);
   return c1 == 0 ? sign(q_[2]) == 0 : slope_ * c1 > 0;
 }
 
-QuadraticRoot::QuadraticRoot(Quadratic q, int slope, Big discriminant) : q_(std::move(q)), slope_(slope), discriminant_(std::move(discriminant)) {
-  // The single term errs by 2^-52; the sum by 2^-52 of a term, half of 2^-52 and 2^-53 of the root, and 2^-53: below 2^-50.
+QuadraticRoot::QuadraticRoot(Quadratic q, int slope, Big discriminant)
+    : q_(std::move(q)), slope_(slope), discriminant_(std::move(discriminant)) {
+  // The single term errs by 2^-52; the sum by 2^-52 of a term, half of 2^-52 and 2^-53 of the root, and 2^-53: below
+  // 2^-50.
   const bool second = from_constant();
   const Scaled minus_c1 = scaled(-q_[1]);
   Scaled root = square_root(scaled(discriminant_));
@@ -189,12 +193,14 @@ SignAnswer compare_turns_answer(const QuadraticRoot& a, const QuadraticRoot& b) 
 BigRational between(const QuadraticRoot& a, const QuadraticRoot& b) {
   const double low = a.approx()[1] / a.approx()[0], high = b.approx()[1] / b.approx()[0];
   const double middle = low + (high - low) / 2, gap = high - low, error = 0x1p-46 * (std::abs(low) + std::abs(high));
-  // The gap and its middle err by an eighth of the gap at most; a multiple of a quarter to a half of the gap lies within a quarter of it from the middle.
+  // The gap and its middle err by an eighth of the gap at most; a multiple of a quarter to a half of the gap lies
+  // within a quarter of it from the middle.
   if (std::isfinite(gap) && gap > 8 * error && gap > 0x1p-900) {
     const int k = 1 - std::ilogb(gap);
     if (std::abs(std::ldexp(middle, k)) < 0x1p52) {
       const BigInteger n(static_cast<std::int64_t>(std::nearbyint(std::ldexp(middle, k))));
-      return k >= 0 ? BigRational(n, BigInteger(1) << static_cast<unsigned>(k)) : BigRational(BigInteger(n << static_cast<unsigned>(-k)));
+      return k >= 0 ? BigRational(n, BigInteger(1) << static_cast<unsigned>(k))
+                    : BigRational(BigInteger(n << static_cast<unsigned>(-k)));
     }
   }
   // Halving an interval that contains both.

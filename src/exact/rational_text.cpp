@@ -16,8 +16,10 @@ bool is_integer(std::string_view text) {
 
 Result<BigRational> rational_of(const Rational& value, std::string_view what, Code code) {
   const std::string name(what), text = value.to_string().substr(0, 60);
-  if (!is_integer(value.num) || !is_integer(value.den)) return Error{Code::malformed, "a " + name + " has to be a quotient of integers: " + text, {}};
-  if (value.num.size() + value.den.size() > 4 * kMaxTextBits) return Error{code, "numerator and denominator of a " + name + " may have at most 4096 bits", {}};
+  if (!is_integer(value.num) || !is_integer(value.den))
+    return Error{Code::malformed, "a " + name + " has to be a quotient of integers: " + text, {}};
+  if (value.num.size() + value.den.size() > 4 * kMaxTextBits)
+    return Error{code, "numerator and denominator of a " + name + " may have at most 4096 bits", {}};
   const BigInteger den(value.den);
   if (den == 0) return Error{code, "a " + name + " with denominator zero: " + text, {}};
   return ratio(Big(BigInteger(value.num)), Big(den));
@@ -61,7 +63,8 @@ std::optional<BigRational> decimal(std::string_view text) {
 
 Result<BigRational> number_in(std::string_view text, std::string_view what, Code code) {
   const std::string name(what);
-  if (text.size() > 4 * kMaxTextBits) return Error{code, "numerator and denominator of a " + name + " may have at most 4096 bits", {}};
+  if (text.size() > 4 * kMaxTextBits)
+    return Error{code, "numerator and denominator of a " + name + " may have at most 4096 bits", {}};
   if (const std::size_t slash = text.find('/'); slash != std::string_view::npos)
     return rational_of({std::string(text.substr(0, slash)), std::string(text.substr(slash + 1))}, what, code);
   const std::optional<BigRational> value = decimal(text);

@@ -1,4 +1,5 @@
-// Exact integers modulo the prime 2^61 - 1: a value that every representation of a rational number shares, to find equal ones by.
+// Exact integers modulo the prime 2^61 - 1: a value that every representation of a rational number shares, to find
+// equal ones by.
 #pragma once
 
 #include <cstdint>
@@ -40,13 +41,15 @@ constexpr Residue inverse(Residue a) {
 template <int B>
 Residue residue(const Int<B>& v) {
   if constexpr (B <= 62) {
-    return v.raw() < 0 ? minus(0, folded(static_cast<u128>(-static_cast<i128>(v.raw())))) : folded(static_cast<u128>(v.raw()));
+    return v.raw() < 0 ? minus(0, folded(static_cast<u128>(-static_cast<i128>(v.raw()))))
+                       : folded(static_cast<u128>(v.raw()));
   } else if constexpr (B <= 126) {
     return v.raw() < 0 ? minus(0, folded(static_cast<u128>(-v.raw()))) : folded(static_cast<u128>(v.raw()));
   } else {
     const Int<B> size = abs(v);
     Residue r = 0;
-    for (int i = static_cast<int>(size.raw().w.size()); i-- > 0;) r = folded((static_cast<u128>(r) << 64) + size.raw().w[i]);
+    for (int i = static_cast<int>(size.raw().w.size()); i-- > 0;)
+      r = folded((static_cast<u128>(r) << 64) + size.raw().w[i]);
     return sign(v) < 0 ? minus(0, r) : r;
   }
 }

@@ -53,7 +53,8 @@ int leading_sign(const Vector3<T>& v) {
   return sign(v.z);
 }
 
-/// The budgets of exact-integer geometry in space, for coordinates |X| <= 2^B: edges, normals of faces, sides of planes.
+/// The budgets of exact-integer geometry in space, for coordinates |X| <= 2^B: edges, normals of faces, sides of
+/// planes.
 template <int B>
 struct SpatialWidths {
   using Coordinate = Int<B>;

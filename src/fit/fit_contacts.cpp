@@ -27,11 +27,13 @@ class ContactFinder {
     const std::uint32_t next = base_.operands[side].next[edge];
     const auto [ax, ay, ae] = place(side, edge, vertex);
     const auto [bx, by, be] = place(side, next, vertex);
-    const double error = ae + be, x0 = std::min(ax, bx) - error, x1 = std::max(ax, bx) + error, y0 = std::min(ay, by) - error, y1 = std::max(ay, by) + error;
+    const double error = ae + be, x0 = std::min(ax, bx) - error, x1 = std::max(ax, bx) + error,
+                 y0 = std::min(ay, by) - error, y1 = std::max(ay, by) + error;
     for (const Feature& f : features_) {
       const Point u = f.from.nearest, v = f.to.nearest;
       const double slack = kEpsilon * (std::abs(u.x) + std::abs(u.y) + std::abs(v.x) + std::abs(v.y));
-      if (v.x < x0 - slack || u.x > x1 + slack || std::max(u.y, v.y) < y0 - slack || std::min(u.y, v.y) > y1 + slack) continue;
+      if (v.x < x0 - slack || u.x > x1 + slack || std::max(u.y, v.y) < y0 - slack || std::min(u.y, v.y) > y1 + slack)
+        continue;
       decide(side, edge, vertex, spot(side, edge, vertex), spot(side, next, vertex), f);
     }
   }
@@ -39,7 +41,8 @@ class ContactFinder {
   std::vector<ScaleContact> finish() {
     std::sort(found_.begin(), found_.end(), [](const Found& x, const Found& y) {
       if (const int order = compare(x.at, y.at); order != 0) return order < 0;
-      return std::tie(x.contact.kind, x.contact.part, x.contact.obstacle) < std::tie(y.contact.kind, y.contact.part, y.contact.obstacle);
+      return std::tie(x.contact.kind, x.contact.part, x.contact.obstacle) <
+             std::tie(y.contact.kind, y.contact.part, y.contact.obstacle);
     });
     std::vector<ScaleContact> contacts;
     for (Found& f : found_)
@@ -48,7 +51,8 @@ class ContactFinder {
   }
 
  private:
-  static constexpr double kEpsilon = 0x1p-50;  // a product, a sum and the scale: a rounding each, of at most the sizes added up
+  static constexpr double kEpsilon =
+      0x1p-50;  // a product, a sum and the scale: a rounding each, of at most the sizes added up
   struct Feature {
     Spot from, to;  // equal for a point; from <= to
   };
@@ -60,7 +64,9 @@ class ContactFinder {
     double x, y, error;
   };
 
-  Point input(std::uint32_t op, std::uint32_t walk) const { return base_.lattice->points[op]->input[base_.operands[op].source[walk]]; }
+  Point input(std::uint32_t op, std::uint32_t walk) const {
+    return base_.lattice->points[op]->input[base_.operands[op].source[walk]];
+  }
 
   /// Where walk vertex i of operand `side` and j of the other one put the reference point.
   Place place(std::uint32_t side, std::uint32_t i, std::uint32_t j) const {
@@ -70,12 +76,15 @@ class ContactFinder {
   }
   Spot spot(std::uint32_t side, std::uint32_t i, std::uint32_t j) const {
     const Point o = input(0, side == 0 ? i : j), r = input(1, side == 0 ? j : i);
-    return make_spot(Position{exact::exact_value(o.x) + s_ * exact::exact_value(r.x), exact::exact_value(o.y) + s_ * exact::exact_value(r.y)});
+    return make_spot(Position{exact::exact_value(o.x) + s_ * exact::exact_value(r.x),
+                              exact::exact_value(o.y) + s_ * exact::exact_value(r.y)});
   }
 
-  void decide(std::uint32_t side, std::uint32_t edge, std::uint32_t vertex, const Spot& a, const Spot& b, const Feature& f) {
+  void decide(std::uint32_t side, std::uint32_t edge, std::uint32_t vertex, const Spot& a, const Spot& b,
+              const Feature& f) {
     if (compare(f.from, f.to) == 0) {
-      // Every vertex begins an edge: two vertices that meet are found at the edge that begins there, once for both operands.
+      // Every vertex begins an edge: two vertices that meet are found at the edge that begins there, once for both
+      // operands.
       if (compare(f.from, a) == 0) {
         if (side == 0) add(ScaleContact::Kind::vertex_on_vertex, side, edge, vertex, f.from);
       } else if (compare(f.from, b) != 0 && on_segment(a, b, f.from)) {
@@ -89,16 +98,21 @@ class ContactFinder {
     if (compare(first, f.to) < 0 && compare(first, high) < 0) add(kind(side), side, edge, vertex, first);
   }
 
-  static ScaleContact::Kind kind(std::uint32_t side) { return side == 0 ? ScaleContact::Kind::vertex_on_edge : ScaleContact::Kind::edge_on_vertex; }
+  static ScaleContact::Kind kind(std::uint32_t side) {
+    return side == 0 ? ScaleContact::Kind::vertex_on_edge : ScaleContact::Kind::edge_on_vertex;
+  }
 
   void add(ScaleContact::Kind kind, std::uint32_t side, std::uint32_t edge, std::uint32_t vertex, const Spot& at) {
     const Operand &o = base_.operands[0], &r = base_.operands[1];
-    const auto number = [](const std::vector<std::uint32_t>& told, std::uint32_t own) { return told.empty() ? own : told[own]; };
+    const auto number = [](const std::vector<std::uint32_t>& told, std::uint32_t own) {
+      return told.empty() ? own : told[own];
+    };
     ScaleContact c;
     c.kind = kind;
     if (kind == ScaleContact::Kind::vertex_on_edge) c.obstacle = number(numbers_.edges, o.edge_number[edge]);
     else c.obstacle = number(numbers_.vertices, o.vertex_number[side == 0 ? edge : vertex]);
-    c.part = kind == ScaleContact::Kind::edge_on_vertex ? r.edge_number[edge] : r.vertex_number[side == 0 ? vertex : edge];
+    c.part =
+        kind == ScaleContact::Kind::edge_on_vertex ? r.edge_number[edge] : r.vertex_number[side == 0 ? vertex : edge];
     c.at = {exact::to_rational(at.exact.x), exact::to_rational(at.exact.y)};
     found_.push_back({at, std::move(c)});
   }
@@ -113,7 +127,8 @@ class ContactFinder {
 
 }  // namespace
 
-std::vector<ScaleContact> tight_contacts(const OperandPair& base, const PlanarSum& sum, const BigRational& s, const ObstacleNumbers& numbers) {
+std::vector<ScaleContact> tight_contacts(const OperandPair& base, const PlanarSum& sum, const BigRational& s,
+                                         const ObstacleNumbers& numbers) {
   ContactFinder finder(base, sum, s, numbers);
   for (std::uint32_t side = 0; side < 2; ++side)
     for (std::uint32_t edge = 0; edge < base.operands[side].size(); ++edge)

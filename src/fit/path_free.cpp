@@ -28,8 +28,8 @@ void locate(const Lattice& l, Place& p) {
 
 }  // namespace
 
-PathFree::PathFree(std::shared_ptr<const OperandPair> base, std::uint32_t first_waypoint, std::uint32_t waypoints, std::uint32_t reference,
-                   std::uint32_t beside)
+PathFree::PathFree(std::shared_ptr<const OperandPair> base, std::uint32_t first_waypoint, std::uint32_t waypoints,
+                   std::uint32_t reference, std::uint32_t beside)
     : base_(std::move(base)),
       forms_(*base_),
       convolution_(UnfilledLattice(*base_->lattice), base_->operands[0], base_->operands[1]),
@@ -48,8 +48,8 @@ PathFree::PathFree(std::shared_ptr<const OperandPair> base, std::uint32_t first_
   corners_.erase(std::unique(corners_.begin(), corners_.end()), corners_.end());
 }
 
-void PathFree::add(Critical& to, const BigRational& s, const WalkSegment* wall, const WalkPair* corner, std::uint32_t leg, Pair position,
-                   bool on_leg) const {
+void PathFree::add(Critical& to, const BigRational& s, const WalkSegment* wall, const WalkPair* corner,
+                   std::uint32_t leg, Pair position, bool on_leg) const {
   const Operand &o = base_->operands[0], &r = base_->operands[1];
   ScaleContact c;
   if (wall != nullptr && wall->side == 0) {
@@ -69,11 +69,13 @@ void PathFree::add(Critical& to, const BigRational& s, const WalkSegment* wall, 
   // The position of a pair at scale s, in input coordinates.
   const Lattice& l = *base_->lattice;
   const Point p = l.points[0]->input[position.p], q = l.points[1]->input[position.q];
-  const BigRational x = exact::exact_value(p.x) + s * exact::exact_value(q.x), y = exact::exact_value(p.y) + s * exact::exact_value(q.y);
+  const BigRational x = exact::exact_value(p.x) + s * exact::exact_value(q.x),
+                    y = exact::exact_value(p.y) + s * exact::exact_value(q.y);
   c.at = {exact::to_rational(x), exact::to_rational(y)};
   if (on_leg) {
     const Point a = l.points[0]->input[first_ + leg], b = l.points[0]->input[first_ + leg + 1];
-    const BigRational ax = exact::exact_value(a.x), bx = exact::exact_value(b.x), ay = exact::exact_value(a.y), by = exact::exact_value(b.y);
+    const BigRational ax = exact::exact_value(a.x), bx = exact::exact_value(b.x), ay = exact::exact_value(a.y),
+                      by = exact::exact_value(b.y);
     c.along = exact::to_rational(ax != bx ? BigRational((x - ax) / (bx - ax)) : BigRational((y - ay) / (by - ay)));
   } else if (leg + 1 == count_ && leg > 0) {
     c.leg = leg - 1;
@@ -125,11 +127,14 @@ bool PathFree::free(const BigRational& s) const {
   return true;
 }
 
-// Where the leg meets no segment of the convolution, it lies inside or outside the open sum as a whole: one place decides.
+// Where the leg meets no segment of the convolution, it lies inside or outside the open sum as a whole: one place
+// decides.
 bool PathFree::leg_free(std::uint32_t k, const Lattice& l, Collision& collision) const {
   const Segment on = leg(k);
   const Pair from = waypoint(k), to = waypoint(k + 1);
-  const auto at = [&](Pair v) { return Point{l.points[0]->x[v.p] + l.points[1]->x[v.q], l.points[0]->y[v.p] + l.points[1]->y[v.q]}; };
+  const auto at = [&](Pair v) {
+    return Point{l.points[0]->x[v.p] + l.points[1]->x[v.q], l.points[0]->y[v.p] + l.points[1]->y[v.q]};
+  };
   const Point a = at(from), b = at(to);
   const double ax = b.x - a.x, ay = b.y - a.y, size = std::abs(ax) + std::abs(ay);
   const double bound = 0x1p-48 * l.span * size;

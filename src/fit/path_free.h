@@ -14,8 +14,8 @@ namespace dymsum::planar {
 class PathFree {
  public:
   /// Operand 0: obstacles and waypoints; operand 1: the reflected part, scaled, and its reference point.
-  PathFree(std::shared_ptr<const OperandPair> base, std::uint32_t first_waypoint, std::uint32_t waypoints, std::uint32_t reference,
-           std::uint32_t beside);
+  PathFree(std::shared_ptr<const OperandPair> base, std::uint32_t first_waypoint, std::uint32_t waypoints,
+           std::uint32_t reference, std::uint32_t beside);
 
   /// Scales at which something comes into contact with the path, with what does.
   using Critical = std::map<exact::BigRational, std::vector<ScaleContact>>;
@@ -27,7 +27,8 @@ class PathFree {
   Pair waypoint(std::uint32_t k) const { return {first_ + k, reference_}; }
   Segment leg(std::uint32_t k) const { return {{0, first_ + k, first_ + k + 1}, reference_}; }
   bool leg_free(std::uint32_t k, const Lattice& lattice, class Collision& collision) const;
-  void add(Critical& to, const exact::BigRational& s, const WalkSegment* wall, const WalkPair* corner, std::uint32_t leg, Pair position, bool on_leg) const;
+  void add(Critical& to, const exact::BigRational& s, const WalkSegment* wall, const WalkPair* corner,
+           std::uint32_t leg, Pair position, bool on_leg) const;
 
   std::shared_ptr<const OperandPair> base_;
   ExactForms forms_;

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planar/region/complement.h"
-#include "planar/operand/prepared_region.h"
-#include "planar/scaling/events.h"
 #include "fit/fit_contacts.h"
 #include "fit/path_free.h"
+#include "planar/operand/prepared_region.h"
+#include "planar/region/complement.h"
+#include "planar/scaling/events.h"
 
 namespace dymsum {
 
@@ -18,11 +18,11 @@ namespace {
 
 Error unsupported(const char* text) { return {Code::unsupported_operand, text, {}}; }
 
-/// The free set from an oracle that is constant between consecutive critical scales and closed: one question per gap, and one per critical
-/// scale between two blocked gaps. Above `limit` (if any) nothing is free.
+/// The free set from an oracle that is constant between consecutive critical scales and closed: one question per gap,
+/// and one per critical scale between two blocked gaps. Above `limit` (if any) nothing is free.
 template <class Free>
-std::optional<Error> assemble(const PathFree::Critical& critical, const std::optional<BigRational>& limit, const Progress& progress, ScaleRange& range,
-                              Free&& free) {
+std::optional<Error> assemble(const PathFree::Critical& critical, const std::optional<BigRational>& limit,
+                              const Progress& progress, ScaleRange& range, Free&& free) {
   std::vector<BigRational> values;
   for (const auto& [s, contacts] : critical)
     if (!limit || s < *limit) values.push_back(s);
@@ -35,9 +35,13 @@ std::optional<Error> assemble(const PathFree::Critical& critical, const std::opt
   const std::size_t n = values.size();
   std::vector<std::uint8_t> gap(n + 1, 0);  // gap i lies below value i
   for (std::size_t i = 0; i <= n; ++i) {
-    if (progress && !progress("scales", double(i) / double(n + 1))) return Error{Code::cancelled, "stopped on request", {}};
+    if (progress && !progress("scales", double(i) / double(n + 1)))
+      return Error{Code::cancelled, "stopped on request", {}};
     if (i == n && limit) break;
-    const BigRational s = n == 0 ? BigRational(1) : i == 0 ? BigRational(values[0] / 2) : i == n ? BigRational(values[n - 1] * 2) : simple_between(values[i - 1], values[i]);
+    const BigRational s = n == 0   ? BigRational(1)
+                          : i == 0 ? BigRational(values[0] / 2)
+                          : i == n ? BigRational(values[n - 1] * 2)
+                                   : simple_between(values[i - 1], values[i]);
     gap[i] = free(s);
     ++range.tested;
   }
@@ -70,12 +74,13 @@ std::optional<Error> check(const Region& part, const Region& other) {
 }
 
 /// The path of a part past an engine region whose first vertex is not all there is.
-Result<ScaleRange> range_of(const Region& part, const std::vector<Point>& path, const EngineRegion& obstacles, const std::optional<BigRational>& limit,
-                            const Progress& progress) {
+Result<ScaleRange> range_of(const Region& part, const std::vector<Point>& path, const EngineRegion& obstacles,
+                            const std::optional<BigRational>& limit, const Progress& progress) {
   const std::array<std::shared_ptr<const Operand>, 2> kept{make_operand(obstacles, 0), prepared_operand(part, 1, true)};
   const auto first = static_cast<std::uint32_t>(kept[0]->points->input.size());
   const auto reference = static_cast<std::uint32_t>(kept[1]->points->input.size());
-  Result<std::shared_ptr<const OperandPair>> base = OperandPair::create(kept, {path, std::vector<Point>{Point{0, 0}}}, 1, 0);
+  Result<std::shared_ptr<const OperandPair>> base =
+      OperandPair::create(kept, {path, std::vector<Point>{Point{0, 0}}}, 1, 0);
   if (!base) return base.error();
   // A vertex that is not the first waypoint: a lone waypoint's place needs a line to lie on.
   const std::vector<Point>& vertices = (*base)->lattice->points[0]->input;
@@ -83,7 +88,8 @@ Result<ScaleRange> range_of(const Region& part, const std::vector<Point>& path, 
   while (vertices[beside] == path[0]) ++beside;
   const PathFree walk(std::move(base).value(), first, static_cast<std::uint32_t>(path.size()), reference, beside);
   ScaleRange range;
-  if (std::optional<Error> error = assemble(walk.critical(), limit, progress, range, [&](const BigRational& s) { return walk.free(s); }))
+  if (std::optional<Error> error =
+          assemble(walk.critical(), limit, progress, range, [&](const BigRational& s) { return walk.free(s); }))
     return *std::move(error);
   return range;
 }
@@ -91,7 +97,9 @@ Result<ScaleRange> range_of(const Region& part, const std::vector<Point>& path, 
 // The largest scale at which the part's bounding box is no larger than the container's.
 BigRational box_limit(const Region& part, const Region& container) {
   const auto a = bounds(part), b = bounds(container);
-  const auto width = [](const std::array<double, 4>& box, int axis) { return BigRational(exact::exact_value(box[2 + axis]) - exact::exact_value(box[axis])); };
+  const auto width = [](const std::array<double, 4>& box, int axis) {
+    return BigRational(exact::exact_value(box[2 + axis]) - exact::exact_value(box[axis]));
+  };
   return std::min<BigRational>(width(b, 0) / width(a, 0), width(b, 1) / width(a, 1));
 }
 
@@ -107,8 +115,8 @@ Region frame_tool(const Region& part, const BigRational& limit) {
   return Region::create({{{{{-reach, -reach}, {reach, -reach}, {reach, reach}, {-reach, reach}}, {}}}, {}, {}}).value();
 }
 
-/// A scale below `limit` at which the part's bounding box, taken a little larger than it is, has room: it is convex, so every smaller part
-/// has room too.
+/// A scale below `limit` at which the part's bounding box, taken a little larger than it is, has room: it is convex, so
+/// every smaller part has room too.
 Result<BigRational> certain_fit(const Region& part, const Region& container, const BigRational& limit) {
   const auto box = bounds(part);
   const auto up = [](double v) { return std::nextafter(v, INFINITY); };
@@ -134,7 +142,8 @@ class AnyPlacement {
     ObstacleNumbers numbers{std::move(frame.vertex_numbers), std::move(frame.edge_numbers)};
     frame.vertex_numbers.clear();
     frame.edge_numbers.clear();
-    Result<std::shared_ptr<const OperandPair>> base = OperandPair::create({make_operand(frame, 0), prepared_operand(part, 1, true)}, {}, 1, 0);
+    Result<std::shared_ptr<const OperandPair>> base =
+        OperandPair::create({make_operand(frame, 0), prepared_operand(part, 1, true)}, {}, 1, 0);
     if (!base) return base.error();
     return AnyPlacement(std::move(base).value(), std::move(numbers));
   }
@@ -147,8 +156,12 @@ class AnyPlacement {
     return std::nullopt;
   }
   /// After move_to(). Free placements are holes of the sum and its tight features.
-  bool fits() const { return state_->sum.hole_count() + state_->sum.tight_points.size() + state_->sum.tight_segments.size() > 0; }
-  std::vector<ScaleContact> contacts(const BigRational& s) const { return tight_contacts(*base_, state_->sum, s, numbers_); }
+  bool fits() const {
+    return state_->sum.hole_count() + state_->sum.tight_points.size() + state_->sum.tight_segments.size() > 0;
+  }
+  std::vector<ScaleContact> contacts(const BigRational& s) const {
+    return tight_contacts(*base_, state_->sum, s, numbers_);
+  }
 
   std::vector<EventValue> events(const BigRational& from, const BigRational& to) {
     return events_of(*state_->window_between(from, to), state_->forms(), from, to);
@@ -164,14 +177,17 @@ class AnyPlacement {
     return options;
   }
   AnyPlacement(std::shared_ptr<const OperandPair> base, ObstacleNumbers numbers)
-      : base_(base), numbers_(std::move(numbers)), state_(std::make_unique<ScalingSum::State>(std::move(base), options())) {}
+      : base_(base),
+        numbers_(std::move(numbers)),
+        state_(std::make_unique<ScalingSum::State>(std::move(base), options())) {}
 
   std::shared_ptr<const OperandPair> base_;
   ObstacleNumbers numbers_;
   std::unique_ptr<ScalingSum::State> state_;
 };
 
-Result<PathFree::Critical> critical_of(AnyPlacement& placement, const BigRational& low, const BigRational& limit, const Progress& progress) {
+Result<PathFree::Critical> critical_of(AnyPlacement& placement, const BigRational& low, const BigRational& limit,
+                                       const Progress& progress) {
   PathFree::Critical critical;
   for (BigRational from = low; from < limit;) {
     const double done = exact::round_to_double(BigRational((from - low) / (limit - low)));
@@ -197,7 +213,8 @@ std::optional<Rational> ScaleRange::trap() const {
   return free[0].high;
 }
 
-Result<ScaleRange> scale_range(const Region& part, const std::vector<Point>& path, const Region& obstacles, const Progress& progress) {
+Result<ScaleRange> scale_range(const Region& part, const std::vector<Point>& path, const Region& obstacles,
+                               const Progress& progress) {
   if (path.empty()) return unsupported("a path needs at least one waypoint");
   for (std::size_t i = 0; i < path.size(); ++i)
     if (!std::isfinite(path[i].x) || !std::isfinite(path[i].y)) {
@@ -223,7 +240,8 @@ Result<ScaleRange> fit_range(const Region& part, const Region& container, Point 
   const auto b = bounds(tool);
   const Point far = upper({std::abs(at.x), std::abs(at.y)}, {b[2], b[3]});
   const double reach = std::ldexp(1.0, std::ilogb(far.x + far.y) + 1);
-  const Region wide = Region::create({{{{{-reach, -reach}, {reach, -reach}, {reach, reach}, {-reach, reach}}, {}}}, {}, {}}).value();
+  const Region wide =
+      Region::create({{{{{-reach, -reach}, {reach, -reach}, {reach, reach}, {-reach, reach}}, {}}}, {}, {}}).value();
   return range_of(part, {at}, complement_of(container, wide), limit, progress);
 }
 
@@ -244,7 +262,8 @@ Result<ScaleRange> fit_range(const Region& part, const Region& container, const 
     return !failed && placement.fits();
   };
   ScaleRange range;
-  if (std::optional<Error> error = assemble(*critical, limit, progress, range, [&](const BigRational& s) { return s <= *low || fits_at(s); }))
+  if (std::optional<Error> error =
+          assemble(*critical, limit, progress, range, [&](const BigRational& s) { return s <= *low || fits_at(s); }))
     return *std::move(error);
   const auto name = [&](const std::optional<Rational>& end, std::vector<ScaleContact>& contacts) {
     if (!end || !fits_at(exact::exact_value(*end))) return;

@@ -8,10 +8,11 @@
 namespace dymsum {
 namespace {
 
-constexpr double kWidestRun = 1.13;    // beyond it windows sweep too much
-constexpr std::size_t kLeastRun = 6;   // a window costs about as much as five sums
+constexpr double kWidestRun = 1.13;   // beyond it windows sweep too much
+constexpr std::size_t kLeastRun = 6;  // a window costs about as much as five sums
 
-/// For each of the scales, which ascend strictly, how wide a window its frame may build, relatively; 0: none, as too few follow closely.
+/// For each of the scales, which ascend strictly, how wide a window its frame may build, relatively; 0: none, as too
+/// few follow closely.
 std::vector<double> planned_windows(const std::vector<double>& scales) {
   std::vector<double> widths(scales.size(), 0);
   for (std::size_t i = 0; i < scales.size();) {
@@ -21,7 +22,8 @@ std::vector<double> planned_windows(const std::vector<double>& scales) {
       ++i;
       continue;
     }
-    std::fill(widths.begin() + static_cast<std::ptrdiff_t>(i), widths.begin() + static_cast<std::ptrdiff_t>(end), scales[end - 1] / scales[i] - 1 + 0x1p-20);
+    std::fill(widths.begin() + static_cast<std::ptrdiff_t>(i), widths.begin() + static_cast<std::ptrdiff_t>(end),
+              scales[end - 1] / scales[i] - 1 + 0x1p-20);
     i = end;
   }
   return widths;
@@ -46,9 +48,11 @@ std::vector<std::vector<std::size_t>> by_scale(const std::vector<ScaledCopy>& co
 
 }  // namespace
 
-Result<std::vector<CopySum>> scaled_copies(const Region& master, const Region& q, const std::vector<ScaledCopy>& copies, const ScalingOptions& options) {
-  Result<std::shared_ptr<const planar::OperandPair>> base =
-      planar::OperandPair::create({planar::prepared_operand(master, 0), planar::prepared_operand(q, 1, options.reflect_q)}, {}, 0, options.min_tier_bits);
+Result<std::vector<CopySum>> scaled_copies(const Region& master, const Region& q, const std::vector<ScaledCopy>& copies,
+                                           const ScalingOptions& options) {
+  Result<std::shared_ptr<const planar::OperandPair>> base = planar::OperandPair::create(
+      {planar::prepared_operand(master, 0), planar::prepared_operand(q, 1, options.reflect_q)}, {}, 0,
+      options.min_tier_bits);
   if (!base) return base.error();
   ScalingSum::State state(std::move(base).value(), options);
   const bool plan = options.mode == FrameMode::automatic && options.window == 0;

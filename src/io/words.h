@@ -12,9 +12,10 @@ namespace dymsum::io {
 
 class Words {
  public:
-  /// Where `comments`, '#' hides the rest of a line; where `continued`, a backslash at the end of a line outside of comments joins the next
-  /// one to it.
-  Words(const Source& source, bool comments, bool continued = false) : source_(source), comments_(comments), continued_(continued) {}
+  /// Where `comments`, '#' hides the rest of a line; where `continued`, a backslash at the end of a line outside of
+  /// comments joins the next one to it.
+  Words(const Source& source, bool comments, bool continued = false)
+      : source_(source), comments_(comments), continued_(continued) {}
 
   std::size_t offset() const { return at_; }
   void go_to(std::size_t offset) { at_ = offset; }

@@ -35,7 +35,9 @@ TEST(OwnMemory, HoldsWhatFitsAndLeavesTheRestToTheHeap) {
 
 TEST(OwnMemory, ArraysLieSideBySide) {
   const Lists lists = counted(1000, 8);
-  EXPECT_EQ(reinterpret_cast<const std::byte*>(lists.values.data()) - reinterpret_cast<const std::byte*>(lists.numbers.data()), 32);
+  EXPECT_EQ(reinterpret_cast<const std::byte*>(lists.values.data()) -
+                reinterpret_cast<const std::byte*>(lists.numbers.data()),
+            32);
 }
 
 TEST(OwnMemory, CopiesStandOnTheirOwn) {

@@ -11,7 +11,8 @@
 namespace dymsum {
 namespace {
 
-// Blocks of all sizes in random order of life: none overlaps another, all are aligned, and none loses what was written into it.
+// Blocks of all sizes in random order of life: none overlaps another, all are aligned, and none loses what was written
+// into it.
 TEST(Scratch, BlocksAreDisjointAlignedAndKeepTheirContents) {
   constexpr std::uint32_t kSeed = 7;
   std::printf("seed %u\n", kSeed);

@@ -46,7 +46,8 @@ TEST_F(ClearanceCli, AJammedRobotHasNoClearance) {
   EXPECT_EQ(jammed["error"], 0);
   ASSERT_EQ(jammed["free_angles"].size(), 4u);
   for (const Json& f : jammed["free_angles"]) EXPECT_EQ(f["begin"], f["end"]);
-  const Json strict = Json::parse(work.run("dymsum clearance square.wkt room.wkt --at 0,0,0 --strict --weight inf --json").out)["answers"][0];
+  const Json strict = Json::parse(
+      work.run("dymsum clearance square.wkt room.wkt --at 0,0,0 --strict --weight inf --json").out)["answers"][0];
   EXPECT_EQ(strict["distance"], -4);
   EXPECT_FALSE(strict["free"].get<bool>());
 }
@@ -55,9 +56,11 @@ TEST_F(ClearanceCli, ShowsErrorsThatAreNotNegligible) {
   const Outcome wide = work.run("dymsum clearance square.wkt wall.wkt --at -4,0,0 --weight 1e12");
   ASSERT_EQ(wide.code, 0) << wide.err;
   EXPECT_NE(wide.out.find(" +- "), std::string::npos) << wide.out;
-  EXPECT_EQ(work.run("dymsum clearance square.wkt wall.wkt --at -4,0,0 --weight inf").out.find(" +- "), std::string::npos);
+  EXPECT_EQ(work.run("dymsum clearance square.wkt wall.wkt --at -4,0,0 --weight inf").out.find(" +- "),
+            std::string::npos);
   for (const char* weight : {"1e20", "1e300"}) {
-    const Outcome refused = work.run(std::string("dymsum clearance square.wkt wall.wkt --at -4,0,0 --weight ") + weight);
+    const Outcome refused =
+        work.run(std::string("dymsum clearance square.wkt wall.wkt --at -4,0,0 --weight ") + weight);
     EXPECT_EQ(refused.code, 1);
     EXPECT_NE(refused.err.find("inf counts translations only"), std::string::npos) << refused.err;
   }
@@ -65,7 +68,9 @@ TEST_F(ClearanceCli, ShowsErrorsThatAreNotNegligible) {
 
 TEST_F(ClearanceCli, FewerRadiansCountMore) {
   const auto distance = [&](const std::string& weight) {
-    return Json::parse(work.run("dymsum clearance square.wkt wall.wkt --at -1.2,0,0 --json --weight " + weight).out)["answers"][0]["distance"].get<double>();
+    return Json::parse(work.run("dymsum clearance square.wkt wall.wkt --at -1.2,0,0 --json --weight " + weight)
+                           .out)["answers"][0]["distance"]
+        .get<double>();
   };
   // Turning by 0.15 or so brings a corner to the wall.
   EXPECT_LT(distance("0.1"), distance("1"));
@@ -76,7 +81,8 @@ TEST_F(ClearanceCli, FewerRadiansCountMore) {
 TEST_F(ClearanceCli, AsksAnObstacleFromAFileWithoutComputingIt) {
   ASSERT_EQ(work.run("dymsum cspace square.wkt wall.wkt -o wall.obstacle").code, 0);
   work.write("at.txt", "# x, y, theta\n-4, 0, 0\n\n0.5,0,90deg  # inside\n");
-  const Json made = Json::parse(work.run("dymsum clearance square.wkt wall.wkt --at -4,0,0 --at 0.5,0,90deg --json").out);
+  const Json made =
+      Json::parse(work.run("dymsum clearance square.wkt wall.wkt --at -4,0,0 --at 0.5,0,90deg --json").out);
   const Outcome outcome = work.run("dymsum clearance --obstacle wall.obstacle --at-file at.txt --json");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const Json read = Json::parse(outcome.out);

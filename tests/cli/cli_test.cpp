@@ -60,8 +60,8 @@ TEST_F(Cli, SumPrintsEveryKeyOfTheContract) {
 TEST_F(Cli, EveryEngineAndSemanticsGivesTheSameArea) {
   for (const char* engine : {"fast", "brute", "winding"}) {
     for (const char* semantics : {"closed", "open", "regular"}) {
-      const Json report = json(std::string("dymsum sum frame.wkt square.wkt --json --engine ") + engine +
-                               " --semantics " + semantics);
+      const Json report =
+          json(std::string("dymsum sum frame.wkt square.wkt --json --engine ") + engine + " --semantics " + semantics);
       EXPECT_EQ(report["area_exact"], "32/1") << engine << " " << semantics;
       EXPECT_EQ(report["engine"], engine);
       EXPECT_EQ(report["semantics"], semantics);
@@ -135,7 +135,9 @@ TEST_F(Cli, StandardInputAndOutput) {
 TEST_F(Cli, ConvertKeepsEveryDigit) {
   work.write("odd.wkt", "POLYGON ((0.1 -2.5e-300, 3 0.30000000000000004, 1e22 7.25, 0.1 -2.5e-300))");
   ASSERT_EQ(work.run("dymsum convert odd.wkt odd.poly && dymsum convert odd.poly odd.geojson && "
-                     "dymsum convert odd.geojson odd.svg && dymsum convert odd.svg back.wkt").code, 0);
+                     "dymsum convert odd.geojson odd.svg && dymsum convert odd.svg back.wkt")
+                .code,
+            0);
   const std::string folder = (work.folder() / "work/").string();
   EXPECT_EQ(*Region::create(*read_region_data(folder + "odd.wkt")),
             *Region::create(*read_region_data(folder + "back.wkt")));
@@ -160,10 +162,9 @@ TEST_F(Cli, InfoDescribesAFile) {
 TEST_F(Cli, WrongUsageEndsWithOne) {
   for (const char* arguments :
        {"", "glue a b", "sum square.wkt", "sum square.wkt square.wkt --engine slow",
-        "sum square.wkt square.wkt --repeat 0",
-        "sum square.wkt square.wkt --json -o -", "sum - - ", "sum square.wkt square.wkt --semantics ajar",
-        "convert square.wkt", "convert square.wkt - --json", "info square.wkt -o square.poly",
-        "sum square.wkt square.wkt --nothing"}) {
+        "sum square.wkt square.wkt --repeat 0", "sum square.wkt square.wkt --json -o -", "sum - - ",
+        "sum square.wkt square.wkt --semantics ajar", "convert square.wkt", "convert square.wkt - --json",
+        "info square.wkt -o square.poly", "sum square.wkt square.wkt --nothing"}) {
     const Outcome outcome = work.run(std::string("dymsum ") + arguments + " </dev/null");
     EXPECT_EQ(outcome.code, 1) << arguments << "\n" << outcome.err;
     const bool json = std::string(arguments).find("--json") != std::string::npos;
@@ -173,12 +174,14 @@ TEST_F(Cli, WrongUsageEndsWithOne) {
 }
 
 TEST_F(Cli, UnknownVerbsAndOptionsAreNamedWithWhatMayBeMeant) {
-  EXPECT_EQ(work.run("dymsum sun square.wkt square.wkt").err.find("dymsum: unknown verb 'sun'; did you mean sum?\n"), 0U);
+  EXPECT_EQ(work.run("dymsum sun square.wkt square.wkt").err.find("dymsum: unknown verb 'sun'; did you mean sum?\n"),
+            0U);
   EXPECT_EQ(work.run("dymsum clear a b").err.find("dymsum: unknown verb 'clear'; did you mean clearance?\n"), 0U);
   const std::string far = work.run("dymsum frobnicate a b").err;
   EXPECT_EQ(far.find("dymsum: unknown verb 'frobnicate'\nThe verbs are sum nfp erode"), 0U) << far;
   const std::string option = work.run("dymsum sum square.wkt square.wkt --semantic=open").err;
-  EXPECT_EQ(option.find("dymsum: sum has no option --semantic; did you mean --semantics?\nUsage: dymsum sum P Q"), 0U) << option;
+  EXPECT_EQ(option.find("dymsum: sum has no option --semantic; did you mean --semantics?\nUsage: dymsum sum P Q"), 0U)
+      << option;
 }
 
 TEST_F(Cli, FailuresAreJsonWhereJsonIsAskedFor) {
@@ -210,9 +213,12 @@ TEST_F(Cli, BadInputEndsWithTwoAndSaysWhere) {
   work.write("cut.poly", "1\n4 out\n0 0\n1 0\n");
   work.write("nan.wkt", "POLYGON ((0 0, nan 2, 2 0, 0 0))");
   const std::vector<std::pair<std::string, std::string>> cases = {
-      {"sum absent.wkt square.wkt", "absent.wkt"}, {"sum bow.wkt square.wkt", "bow.wkt"},
-      {"sum square.wkt cut.poly", "cut.poly:"},    {"info nan.wkt", "nan.wkt"},
-      {"info bow.wkt", "bow.wkt"},                 {"sum square.wkt square.doc", "square.doc"},
+      {"sum absent.wkt square.wkt", "absent.wkt"},
+      {"sum bow.wkt square.wkt", "bow.wkt"},
+      {"sum square.wkt cut.poly", "cut.poly:"},
+      {"info nan.wkt", "nan.wkt"},
+      {"info bow.wkt", "bow.wkt"},
+      {"sum square.wkt square.doc", "square.doc"},
       {"sum square.wkt square.wkt -o sum.doc", "sum.doc"},
       {"sum square.wkt square.wkt -o absent/sum.wkt", "absent/sum.wkt"},
       {"convert square.wkt out.doc", "out.doc"}};

@@ -25,7 +25,8 @@ class ContainsCli : public testing::Test {
 
 TEST_F(ContainsCli, OneQuestionIsAnsweredByTheExitCode) {
   // The sum of frame and square: [0, 6]^2 without the interior of [2, 4]^2.
-  for (const char* in : {"0,0", "1,1", "6,6", "2,3", "2,2", "1.9999999999999998,3"}) EXPECT_EQ(code(std::string("frame.wkt square.wkt --at ") + in), 0) << in;
+  for (const char* in : {"0,0", "1,1", "6,6", "2,3", "2,2", "1.9999999999999998,3"})
+    EXPECT_EQ(code(std::string("frame.wkt square.wkt --at ") + in), 0) << in;
   for (const char* out : {"3,3", "2.0000000000000004,3", "6.000000000000001,6", "-1e-300,0"})
     EXPECT_EQ(code(std::string("frame.wkt square.wkt --at ") + out), 4) << out;
   EXPECT_EQ(code("frame.wkt square.wkt --semantics open --at 2,3"), 4) << "touching is outside of an open sum";
@@ -34,8 +35,10 @@ TEST_F(ContainsCli, OneQuestionIsAnsweredByTheExitCode) {
 
 TEST_F(ContainsCli, AConfigurationIsInsideWhereTheRobotOverlaps) {
   // A square in a hole of its size: jammed, and free as touching is.
-  for (const char* free : {"0,0,0", "1,0,90deg", "1,1,180deg", "2,0,0", "9,9,1"}) EXPECT_EQ(code(std::string("square.wkt slot.wkt --at ") + free), 4) << free;
-  for (const char* hit : {"1e-300,0,0", "0,0,1e-9", "1,0,1.57", "1.5,0,0", "0,0,90deg"}) EXPECT_EQ(code(std::string("square.wkt slot.wkt --at ") + hit), 0) << hit;
+  for (const char* free : {"0,0,0", "1,0,90deg", "1,1,180deg", "2,0,0", "9,9,1"})
+    EXPECT_EQ(code(std::string("square.wkt slot.wkt --at ") + free), 4) << free;
+  for (const char* hit : {"1e-300,0,0", "0,0,1e-9", "1,0,1.57", "1.5,0,0", "0,0,90deg"})
+    EXPECT_EQ(code(std::string("square.wkt slot.wkt --at ") + hit), 0) << hit;
   EXPECT_EQ(code("square.wkt slot.wkt --semantics closed --at 0,0,0"), 0);
   EXPECT_EQ(code("square.wkt slot.wkt --semantics closed --at 2,0,0"), 0);
   EXPECT_EQ(code("square.wkt slot.wkt --semantics closed --at 2.0000000000000004,0,0"), 4);
@@ -45,7 +48,8 @@ TEST_F(ContainsCli, ManyQuestionsAreReadFromAFile) {
   std::ostringstream file;
   std::string few;
   for (int k = 0; k < 300; ++k) {
-    const std::string line = std::to_string(k % 7 * 0.5 - 1) + "," + std::to_string(k % 11 * 0.5 - 2) + "," + std::to_string(k % 13 * 45) + "deg";
+    const std::string line = std::to_string(k % 7 * 0.5 - 1) + "," + std::to_string(k % 11 * 0.5 - 2) + "," +
+                             std::to_string(k % 13 * 45) + "deg";
     file << line << (k % 3 == 0 ? " # a comment\n\n" : "\n");
     if (k < 60) few += " --at=" + line;
   }
@@ -66,14 +70,16 @@ TEST_F(ContainsCli, ManyQuestionsAreReadFromAFile) {
 }
 
 TEST_F(ContainsCli, WrongQuestionsAreTold) {
-  for (const char* wrong : {"", "--at 1", "--at nan,0", "--at 1,2,3,4", "--at 1,2 --at 1,2,3", "--at 1,,2", "--at 1,2 --semantics regular"})
+  for (const char* wrong :
+       {"", "--at 1", "--at nan,0", "--at 1,2,3,4", "--at 1,2 --at 1,2,3", "--at 1,,2", "--at 1,2 --semantics regular"})
     EXPECT_EQ(code(std::string("square.wkt frame.wkt ") + wrong), 1) << wrong;
   work.write("bad.txt", "1 2\n3 4 5\n");
   const Outcome mixed = work.run("dymsum contains square.wkt frame.wkt --at-file bad.txt");
   EXPECT_EQ(mixed.code, 2);
   EXPECT_EQ(mixed.err, "bad.txt:2: all questions have an angle, or none\n");
   work.write("bad.txt", "1 2\n\n3;4\n");
-  EXPECT_EQ(work.run("dymsum contains square.wkt frame.wkt --at-file bad.txt").err, "bad.txt:3: a question is x,y or x,y,theta\n");
+  EXPECT_EQ(work.run("dymsum contains square.wkt frame.wkt --at-file bad.txt").err,
+            "bad.txt:3: a question is x,y or x,y,theta\n");
   work.write("bad.txt", "# none\n");
   EXPECT_EQ(work.run("dymsum contains square.wkt frame.wkt --at-file bad.txt").code, 2);
   EXPECT_EQ(work.run("dymsum contains square.wkt frame.wkt --at-file absent.txt").code, 2);

@@ -90,16 +90,15 @@ TEST_F(CspaceCli, SliceWritesWhatSumWrites) {
 
 TEST_F(CspaceCli, CspacePrintsEveryKeyOfTheContract) {
   const Json report = json("dymsum cspace rod.wkt cage.wkt --repeat 2 --json");
-  for (const char* key : {"inputs", "tier", "time_ms", "patches_before_trim", "patches", "shells", "angles", "events",
-                          "free_components"})
+  for (const char* key :
+       {"inputs", "tier", "time_ms", "patches_before_trim", "patches", "shells", "angles", "events", "free_components"})
     EXPECT_TRUE(report.contains(key)) << key;
   for (const char* key : {"alignment", "vertex_on_segment", "three_segments", "tight"})
     EXPECT_TRUE(report["events"].contains(key)) << key;
   ASSERT_EQ(report["shells"].size(), 2u);
   int cavities = 0;
   for (const Json& shell : report["shells"]) {
-    for (const char* key : {"kind", "patches", "euler", "component"})
-      EXPECT_TRUE(shell.contains(key)) << key;
+    for (const char* key : {"kind", "patches", "euler", "component"}) EXPECT_TRUE(shell.contains(key)) << key;
     EXPECT_EQ(shell["euler"], 0) << "a torus: the turn closes";
     cavities += shell["kind"] == "cavity";
   }
@@ -143,7 +142,9 @@ Glb read_glb(const std::string& bytes) {
   std::memcpy(&length, bytes.data() + 12, 4);
   glb.json = Json::parse(bytes.substr(20, length));
   const auto start = [&](std::size_t accessor) {
-    return 28 + length + glb.json["bufferViews"][glb.json["accessors"][accessor]["bufferView"].get<std::size_t>()]["byteOffset"].get<std::size_t>();
+    return 28 + length +
+           glb.json["bufferViews"][glb.json["accessors"][accessor]["bufferView"].get<std::size_t>()]["byteOffset"]
+               .get<std::size_t>();
   };
   const Json& primitive = glb.json["meshes"][0]["primitives"][0];
   const std::size_t indices = primitive["indices"];
@@ -182,7 +183,8 @@ TEST_F(CspaceCli, TheGlbIsClosedBitByBitAndSaysHowToReadIt) {
   for (std::size_t k = 0; k < glb.corners.size(); k += 3) {
     const Corner &a = glb.corners[k], &b = glb.corners[k + 1], &c = glb.corners[k + 2];
     low = std::min(low, a[2]), high = std::max(high, a[2]);
-    if (a[2] == b[2] && a[2] == c[2] && a[2] > 3) cap += ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2;
+    if (a[2] == b[2] && a[2] == c[2] && a[2] > 3)
+      cap += ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2;
   }
   EXPECT_FLOAT_EQ(high - low, 6 + 2 * std::hypot(1.0f, 0.25f)) << "as high as wide";
   EXPECT_NEAR(cap, json("dymsum slice rod.wkt cage.wkt --tan-half inf --json")["area"], 1e-4) << "the cap is the slice";
@@ -194,11 +196,16 @@ TEST_F(CspaceCli, TheGlbIsClosedBitByBitAndSaysHowToReadIt) {
 }
 
 TEST_F(CspaceCli, OpenLeavesTheCapsOut) {
-  ASSERT_EQ(work.run("dymsum cspace rod.wkt cage.wkt -o c.glb --tolerance 0.01 && dymsum cspace rod.wkt cage.wkt -o o.glb --tolerance 0.01 --open").code, 0);
+  ASSERT_EQ(work.run("dymsum cspace rod.wkt cage.wkt -o c.glb --tolerance 0.01 && dymsum cspace rod.wkt cage.wkt -o "
+                     "o.glb --tolerance 0.01 --open")
+                .code,
+            0);
   const Glb closed = read_glb(work.read("c.glb")), open = read_glb(work.read("o.glb"));
   EXPECT_LT(open.corners.size(), closed.corners.size());
   const auto uses = edge_uses(open);
-  EXPECT_TRUE(std::any_of(uses.begin(), uses.end(), [&](const auto& use) { return !uses.contains({use.first.second, use.first.first}); }));
+  EXPECT_TRUE(std::any_of(uses.begin(), uses.end(), [&](const auto& use) {
+    return !uses.contains({use.first.second, use.first.first});
+  }));
 }
 
 TEST_F(CspaceCli, RotateFollowsPlanarOperands) {
@@ -235,8 +242,7 @@ TEST_F(CspaceCli, WrongUsageIsTold) {
         "dymsum cspace cube.off cube.off", "dymsum rotate peg.wkt slot.wkt",
         "dymsum rotate peg.wkt slot.wkt --steps 4 --axis 0,0,1", "dymsum rotate peg.wkt slot.wkt --steps 4 --error 0",
         "dymsum rotate peg.wkt slot.wkt --steps 4 -o last.glb",
-        "dymsum rotate cube.off cube.off --steps 4 --error 1e-3",
-        "dymsum cspace peg.wkt slot.wkt -o c.off"}) {
+        "dymsum rotate cube.off cube.off --steps 4 --error 1e-3", "dymsum cspace peg.wkt slot.wkt -o c.off"}) {
     const Outcome outcome = work.run(command);
     EXPECT_EQ(outcome.code, 1) << command << "\n" << outcome.err;
     EXPECT_FALSE(outcome.err.empty()) << command;

@@ -157,7 +157,8 @@ void follow(const Workplace& work, const std::string& guide, const std::string& 
     if (command.empty() || command.starts_with("./run") || command.starts_with("cmake")) return;
     const Outcome outcome = work.run(command);
     EXPECT_EQ(outcome.code, 0) << guide << ": " << command << "\n" << outcome.err;
-    EXPECT_TRUE(shown.empty() || without_times(shown) == without_times(outcome.out)) << guide << ": " << command << "\n" << outcome.out;
+    EXPECT_TRUE(shown.empty() || without_times(shown) == without_times(outcome.out)) << guide << ": " << command << "\n"
+                                                                                     << outcome.out;
   };
   for (std::string line; std::getline(lines, line);) {
     if (line.starts_with("$ ")) {
@@ -188,7 +189,8 @@ TEST(Guides, EveryCommandWorksAndEveryProgramIsAnExample) {
       commands += static_cast<std::size_t>(std::count(block.begin(), block.end(), '$'));
     }
     for (const std::string& program : blocks("cpp", guide))
-      EXPECT_NE(std::find(examples.begin(), examples.end(), program), examples.end()) << guide << ": a program that is no example";
+      EXPECT_NE(std::find(examples.begin(), examples.end(), program), examples.end())
+          << guide << ": a program that is no example";
   }
   EXPECT_GE(guides, 7u);
   EXPECT_GE(commands, 15u);

@@ -79,15 +79,18 @@ TEST_F(LongWork, OutOfMemoryIsAnErrorWithSizes) {
 #endif
   const Outcome outcome = work.run("sh -c 'ulimit -v 200000; exec dymsum sum a.wkt a.wkt --engine brute -o sum.wkt'");
   EXPECT_EQ(outcome.code, 2) << outcome.err;
-  EXPECT_NE(outcome.err.find("the sum of 300 and 300 vertices is too large: out of memory in the stage"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("the sum of 300 and 300 vertices is too large: out of memory in the stage"),
+            std::string::npos)
+      << outcome.err;
   EXPECT_NE(outcome.err.find(" segments"), std::string::npos) << outcome.err;
   EXPECT_FALSE(work.exists("sum.wkt"));
 }
 
 TEST_F(LongWork, TheBarIsOnlyForTerminals) {
   work.write("b.wkt", format_region(shapes::noisy_star(1500, 0.9, 5), RegionFormat::wkt));
-  const std::string command = "timeout --foreground --preserve-status -s INT -k 60 2.5 dymsum sum b.wkt b.wkt --engine brute "
-                              "--repeat 1000";
+  const std::string command =
+      "timeout --foreground --preserve-status -s INT -k 60 2.5 dymsum sum b.wkt b.wkt --engine brute "
+      "--repeat 1000";
   const Outcome piped = work.run(command);
   EXPECT_EQ(piped.err, "dymsum: interrupted\n");
   const Outcome terminal = work.run("script -qec '" + command + "' typescript");

@@ -28,19 +28,24 @@ class Validator {
   void check(const Json& schema, const Json& value, const std::string& at, std::set<std::string>& seen) {
     for (const auto& [keyword, rule] : schema.items()) {
       if (keyword == "$ref") check(root_["$defs"].at(rule.get<std::string>().substr(8)), value, at, seen);
-      else if (keyword == "allOf") for (const Json& each : rule) check(each, value, at, seen);
+      else if (keyword == "allOf")
+        for (const Json& each : rule) check(each, value, at, seen);
       else if (keyword == "anyOf") any_of(rule, value, at, seen);
       else if (keyword == "type") type(rule, value, at);
       else if (keyword == "const") expect(value == rule, at, "is " + value.dump() + ", not " + rule.dump());
-      else if (keyword == "enum") expect(std::find(rule.begin(), rule.end(), value) != rule.end(), at, value.dump() + " is not allowed");
-      else if (keyword == "pattern") expect(!value.is_string() || std::regex_search(value.get<std::string>(), std::regex(rule.get<std::string>())), at, "does not match");
+      else if (keyword == "enum")
+        expect(std::find(rule.begin(), rule.end(), value) != rule.end(), at, value.dump() + " is not allowed");
+      else if (keyword == "pattern")
+        expect(!value.is_string() || std::regex_search(value.get<std::string>(), std::regex(rule.get<std::string>())),
+               at, "does not match");
       else if (keyword == "minimum") expect(!value.is_number() || value >= rule, at, "is too small");
       else if (keyword == "minItems") expect(!value.is_array() || value.size() >= rule, at, "has too few items");
       else if (keyword == "maxItems") expect(!value.is_array() || value.size() <= rule, at, "has too many items");
       else if (keyword == "items") items(rule, value, at);
       else if (keyword == "required") required(rule, value, at);
       else if (keyword == "properties") properties(rule, value, at, seen);
-      else if (keyword != "additionalProperties" && keyword != "unevaluatedProperties") throw std::runtime_error("unknown keyword " + keyword);
+      else if (keyword != "additionalProperties" && keyword != "unevaluatedProperties")
+        throw std::runtime_error("unknown keyword " + keyword);
     }
     rest(schema, value, at, seen);
   }
@@ -52,7 +57,9 @@ class Validator {
     if (!holds) found.push_back(at + ": " + what);
   }
   void type(const Json& rule, const Json& value, const std::string& at) {
-    const bool fits = rule.is_string() ? has_type(value, rule) : std::any_of(rule.begin(), rule.end(), [&](const Json& t) { return has_type(value, t); });
+    const bool fits = rule.is_string()
+                          ? has_type(value, rule)
+                          : std::any_of(rule.begin(), rule.end(), [&](const Json& t) { return has_type(value, t); });
     expect(fits, at, value.dump().substr(0, 60) + " is no " + rule.dump());
   }
   void any_of(const Json& rules, const Json& value, const std::string& at, std::set<std::string>& seen) {
@@ -68,10 +75,12 @@ class Validator {
   }
   void items(const Json& rule, const Json& value, const std::string& at) {
     std::set<std::string> seen;
-    for (std::size_t i = 0; value.is_array() && i < value.size(); ++i, seen.clear()) check(rule, value[i], at + "/" + std::to_string(i), seen);
+    for (std::size_t i = 0; value.is_array() && i < value.size(); ++i, seen.clear())
+      check(rule, value[i], at + "/" + std::to_string(i), seen);
   }
   void required(const Json& rule, const Json& value, const std::string& at) {
-    for (const Json& key : rule) expect(!value.is_object() || value.contains(key.get<std::string>()), at, "lacks " + key.dump());
+    for (const Json& key : rule)
+      expect(!value.is_object() || value.contains(key.get<std::string>()), at, "lacks " + key.dump());
   }
   void properties(const Json& rule, const Json& value, const std::string& at, std::set<std::string>& seen) {
     for (const auto& [key, each] : rule.items()) {

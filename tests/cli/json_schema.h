@@ -8,7 +8,8 @@
 
 namespace dymsum::cli_test {
 
-/// What is wrong with a value: "/answers/0/at: ..." for each violation; empty when it follows `$defs/NAME` of the schema.
+/// What is wrong with a value: "/answers/0/at: ..." for each violation; empty when it follows `$defs/NAME` of the
+/// schema.
 std::vector<std::string> violations(const nlohmann::json& schema, const std::string& name, const nlohmann::json& value);
 
 }  // namespace dymsum::cli_test

@@ -1,4 +1,5 @@
-// Every verb's --json follows docs/guide/report.schema.json, which knows every key, and docs/guide/json.md speaks of each.
+// Every verb's --json follows docs/guide/report.schema.json, which knows every key, and docs/guide/json.md speaks of
+// each.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -84,8 +85,9 @@ class JsonReports : public testing::Test {
     work.write("bow.wkt", "POLYGON ((0 0, 2 2, 2 0, 0 2, 0 0))\n");
     work.write("poses.txt", "1,6,0\n1,1,0\n");
     work.write("copies.txt", "1 0 0\n3/2 9 0\n");
-    work.write("cube.off", "OFF\n8 6 0\n-1 -1 -1\n1 -1 -1\n1 1 -1\n-1 1 -1\n-1 -1 1\n1 -1 1\n1 1 1\n-1 1 1\n"
-                           "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
+    work.write("cube.off",
+               "OFF\n8 6 0\n-1 -1 -1\n1 -1 -1\n1 1 -1\n-1 1 -1\n-1 -1 1\n1 -1 1\n1 1 1\n-1 1 1\n"
+               "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
     work.write("open.off", "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n");
     work.write("cut.off", "OFF\n8 6 12\n0 0 0\n");
   }
@@ -111,7 +113,8 @@ TEST_F(JsonReports, FollowTheSchema) {
     verbs.insert(verb);
     names.insert(c.name);
   }
-  for (const Json& each : schema["oneOf"]) EXPECT_TRUE(names.contains(each["$ref"].get<std::string>().substr(8))) << each;
+  for (const Json& each : schema["oneOf"])
+    EXPECT_TRUE(names.contains(each["$ref"].get<std::string>().substr(8))) << each;
   EXPECT_GE(known.size(), 14u);
   for (const std::string& verb : known) EXPECT_TRUE(verbs.contains(verb)) << verb << " has no case";
 }

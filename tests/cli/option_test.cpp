@@ -18,8 +18,9 @@ class OptionCli : public testing::Test {
   OptionCli() {
     work.write("peg.wkt", "POLYGON ((0 0, 2 0, 2 1, 0 1, 0 0))\n");
     work.write("slot.wkt", "POLYGON ((0 0, 4 0, 4 4, 3 4, 3 1, 1 1, 1 4, 0 4, 0 0))\n");
-    work.write("cube.off", "OFF\n8 6 0\n-1 -1 -1\n1 -1 -1\n1 1 -1\n-1 1 -1\n-1 -1 1\n1 -1 1\n1 1 1\n-1 1 1\n"
-                           "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
+    work.write("cube.off",
+               "OFF\n8 6 0\n-1 -1 -1\n1 -1 -1\n1 1 -1\n-1 1 -1\n-1 -1 1\n1 -1 1\n1 1 1\n-1 1 1\n"
+               "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
   }
   Json json(const std::string& command) {
     const Outcome outcome = work.run(command + " --json");
@@ -37,15 +38,19 @@ class OptionCli : public testing::Test {
 };
 
 TEST_F(OptionCli, AnglesAreRadiansOrDegreesForEveryVerb) {
-  for (const char* angle : {"--tan-half 1", "--angle 1.5707963267948966", "--angle 90deg", "--degrees 90", "--degrees -270", "--angle 3690deg"})
+  for (const char* angle : {"--tan-half 1", "--angle 1.5707963267948966", "--angle 90deg", "--degrees 90",
+                            "--degrees -270", "--angle 3690deg"})
     EXPECT_EQ(json(std::string("dymsum slice peg.wkt slot.wkt ") + angle)["orientation"]["tan_half"], "1/1") << angle;
   for (const char* angle : {"--degrees 90", "--angle 90deg", "--angle 1.5707963267948966"}) {
     const Json frames = json(std::string("dymsum rotate peg.wkt slot.wkt --steps 1 ") + angle)["frames"];
     EXPECT_EQ(frames.back()["tan_half"], "1/1") << angle;
-    EXPECT_EQ(json(std::string("dymsum rotate cube.off cube.off --steps 1 ") + angle)["frames"].back()["volume_exact"], "64/1");
-    EXPECT_EQ(json(std::string("dymsum depth cube.off cube.off --move 1.5,0.25,0 --axis 0,0,1 ") + angle)["depth"], 0.5) << angle;
+    EXPECT_EQ(json(std::string("dymsum rotate cube.off cube.off --steps 1 ") + angle)["frames"].back()["volume_exact"],
+              "64/1");
+    EXPECT_EQ(json(std::string("dymsum depth cube.off cube.off --move 1.5,0.25,0 --axis 0,0,1 ") + angle)["depth"], 0.5)
+        << angle;
   }
-  const Json radians = json("dymsum clearance peg.wkt slot.wkt --at 1,6,1.5707963267948966"), degrees = json("dymsum clearance peg.wkt slot.wkt --at 1,6,90deg");
+  const Json radians = json("dymsum clearance peg.wkt slot.wkt --at 1,6,1.5707963267948966"),
+             degrees = json("dymsum clearance peg.wkt slot.wkt --at 1,6,90deg");
   EXPECT_EQ(radians["answers"], degrees["answers"]);
   EXPECT_EQ(json("dymsum path peg.wkt slot.wkt --from 1,6,90deg --to 1,9,450deg")["waypoints"][0]["tan_half"], "1/1");
 }
@@ -64,12 +69,14 @@ TEST_F(OptionCli, SweepsAndTurnsEndAtTheirEnd) {
   const Json quarter = json("dymsum rotate peg.wkt slot.wkt --steps 3 --degrees 90")["frames"];
   ASSERT_EQ(quarter.size(), 4u);
   EXPECT_EQ(quarter.back()["tan_half"], "1/1");
-  EXPECT_EQ(json("dymsum rotate peg.wkt slot.wkt --steps 3")["frames"].size(), 3u) << "the end of a whole turn is its beginning";
+  EXPECT_EQ(json("dymsum rotate peg.wkt slot.wkt --steps 3")["frames"].size(), 3u)
+      << "the end of a whole turn is its beginning";
   EXPECT_EQ(json("dymsum rotate cube.off cube.off --steps 3 --degrees -720")["frames"].size(), 3u);
 }
 
 TEST_F(OptionCli, WhatIsNoNumberIsWrongUsage) {
-  for (const char* sweep : {"1", "1:2", "1:2:3:4", "a:2:1", "1:nan:1", "1:2:0", "1:2:-1", "1:2:x%", "0:1:1", "1:inf:1", "1:2:1e-18%"}) {
+  for (const char* sweep :
+       {"1", "1:2", "1:2:3:4", "a:2:1", "1:nan:1", "1:2:0", "1:2:-1", "1:2:x%", "0:1:1", "1:inf:1", "1:2:1e-18%"}) {
     refused(std::string("dymsum scale peg.wkt slot.wkt --sweep=") + sweep, "--sweep");
     refused(std::string("dymsum scale cube.off cube.off --sweep=") + sweep, "--sweep");
   }
@@ -77,7 +84,8 @@ TEST_F(OptionCli, WhatIsNoNumberIsWrongUsage) {
     refused(std::string("dymsum scale peg.wkt slot.wkt --at=") + at, "--at");
     refused(std::string("dymsum scale cube.off cube.off --at=") + at, "--at");
   }
-  for (const char* at : {"1:2", "1:2:0", "1:2:3:4"}) refused(std::string("dymsum scale cube.off cube.off --at=") + at, "--at");
+  for (const char* at : {"1:2", "1:2:0", "1:2:3:4"})
+    refused(std::string("dymsum scale cube.off cube.off --at=") + at, "--at");
   for (const char* path : {"nan,0", "0,0 1", "0,0 1,", "0,0 1,2,3", "0,0x", "1e999,0"})
     refused(std::string("dymsum scale-range peg.wkt slot.wkt --path '") + path + "'", "--path wants x,y");
   for (const char* place : {"0", "nan,0", "1,2,3", "1,2 3,4"})
@@ -86,8 +94,8 @@ TEST_F(OptionCli, WhatIsNoNumberIsWrongUsage) {
     refused(std::string("dymsum clearance peg.wkt slot.wkt --at=") + q, "--at wants x,y,theta");
     refused(std::string("dymsum path peg.wkt slot.wkt --to 0,0,0 --from=") + q, "--from wants x,y,theta");
   }
-  for (const char* verb : {"slice peg.wkt slot.wkt", "rotate peg.wkt slot.wkt --steps 2", "rotate cube.off cube.off --steps 2",
-                           "depth cube.off cube.off --axis 0,0,1"}) {
+  for (const char* verb : {"slice peg.wkt slot.wkt", "rotate peg.wkt slot.wkt --steps 2",
+                           "rotate cube.off cube.off --steps 2", "depth cube.off cube.off --axis 0,0,1"}) {
     for (const char* angle : {"--angle nan", "--angle 1rad", "--degrees 90deg", "--degrees x", "--angle 1 --degrees 1"})
       refused(std::string("dymsum ") + verb + " " + angle, angle[2] == 'a' ? "--angle" : "--degrees");
   }
@@ -128,8 +136,10 @@ TEST_F(OptionCli, HelpNamesTheOperandsAndTheirOrder) {
   EXPECT_NE(nfp.find("The shape that stays comes first"), std::string::npos) << nfp;
   EXPECT_NE(slice.find("ROBOT OBSTACLE"), std::string::npos) << slice;
   EXPECT_NE(slice.find("The robot comes first"), std::string::npos) << slice;
-  EXPECT_EQ(work.run("dymsum nfp slot.wkt").err, "dymsum: MOVING is required\nUsage: dymsum nfp FIXED MOVING [options]; dymsum nfp --help says more\n");
-  EXPECT_EQ(json("dymsum nfp slot.wkt peg.wkt")["area_exact"], json("dymsum slice peg.wkt slot.wkt --tan-half 0")["area_exact"]);
+  EXPECT_EQ(work.run("dymsum nfp slot.wkt").err,
+            "dymsum: MOVING is required\nUsage: dymsum nfp FIXED MOVING [options]; dymsum nfp --help says more\n");
+  EXPECT_EQ(json("dymsum nfp slot.wkt peg.wkt")["area_exact"],
+            json("dymsum slice peg.wkt slot.wkt --tan-half 0")["area_exact"]);
 }
 
 }  // namespace

@@ -17,7 +17,8 @@ class PathCli : public testing::Test {
     work.write("square.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))\n");
     // Two rooms and a slot of width 1 between them, from y = 0 to y = 1.
     work.write("rooms.wkt",
-               "POLYGON ((-12 -6, 12 -6, 12 6, -12 6, -12 -6), (-11 -5, -11 5, -1 5, -1 1, 1 1, 1 5, 11 5, 11 -5, 1 -5, 1 0, -1 0, "
+               "POLYGON ((-12 -6, 12 -6, 12 6, -12 6, -12 -6), (-11 -5, -11 5, -1 5, -1 1, 1 1, 1 5, 11 5, 11 -5, 1 "
+               "-5, 1 0, -1 0, "
                "-1 -5, -11 -5))\n");
   }
   Json json(const std::string& command, int code = 0) {
@@ -29,14 +30,15 @@ class PathCli : public testing::Test {
 };
 
 TEST_F(PathCli, PrintsEveryKeyAndWritesFiles) {
-  const Json report = json("dymsum path square.wkt rooms.wkt --from -5,1.5,0.25 --to 5,-2,2 --json -o path.svg -o path.json");
-  for (const char* key : {"inputs", "tier", "time_ms", "found", "waypoints",
-      "reason"}) EXPECT_TRUE(report.contains(key)) << key;
+  const Json report =
+      json("dymsum path square.wkt rooms.wkt --from -5,1.5,0.25 --to 5,-2,2 --json -o path.svg -o path.json");
+  for (const char* key : {"inputs", "tier", "time_ms", "found", "waypoints", "reason"})
+    EXPECT_TRUE(report.contains(key)) << key;
   EXPECT_TRUE(report["found"].get<bool>());
   EXPECT_TRUE(report["reason"].is_null());
   ASSERT_GT(report["waypoints"].size(), 3u);
-  for (const char* key : {"x", "y", "theta", "tan_half", "move"}) EXPECT_TRUE(report["waypoints"][0].contains(key))
-      << key;
+  for (const char* key : {"x", "y", "theta", "tan_half", "move"})
+    EXPECT_TRUE(report["waypoints"][0].contains(key)) << key;
   EXPECT_EQ(report["waypoints"][0]["move"], "start");
   EXPECT_EQ(report["waypoints"][0]["tan_half"].get<std::string>().find("inf"), std::string::npos);
   EXPECT_EQ(report["waypoints"].back()["x"], 5);
@@ -51,11 +53,14 @@ TEST_F(PathCli, PlansToSeveralGoalsOfOneObstacleFromAFile) {
   ASSERT_EQ(several["paths"].size(), 2u);
   EXPECT_EQ(several["paths"][0]["waypoints"], one["waypoints"]);
   EXPECT_TRUE(several["found"].get<bool>());
-  EXPECT_EQ(json("dymsum path --obstacle rooms.obstacle --from -5,1.5,0.25 --to 5,-2,2 --json")["waypoints"], one["waypoints"]);
+  EXPECT_EQ(json("dymsum path --obstacle rooms.obstacle --from -5,1.5,0.25 --to 5,-2,2 --json")["waypoints"],
+            one["waypoints"]);
   const Json no = json("dymsum path --obstacle rooms.obstacle --from -5,1.5,0.25 --to -5,-2,1 --to 11.5,0,0 --json", 4);
   EXPECT_TRUE(no["paths"][0]["found"].get<bool>());
   EXPECT_EQ(no["paths"][1]["reason"]["kind"], "goal_not_free");
-  EXPECT_EQ(work.run("dymsum path --obstacle rooms.obstacle --from -5,1.5,0.25 --to 5,-2,2 --to -5,-2,1 -o path.svg").code, 1);
+  EXPECT_EQ(
+      work.run("dymsum path --obstacle rooms.obstacle --from -5,1.5,0.25 --to 5,-2,2 --to -5,-2,1 -o path.svg").code,
+      1);
 }
 
 TEST_F(PathCli, NoPathEndsWithFourAndSaysWhy) {
@@ -127,8 +132,9 @@ TEST_F(PathCli, ChecksAPathThatIsGiven) {
   work.write("poses.txt", "# x, y, theta\n-5, 0, 0\n-3,0,0deg\n\n-3,0,90deg # in place\n-3,4.5,90deg\n");
   const Outcome wall = work.run(check + "poses.txt");
   EXPECT_EQ(wall.code, 4);
-  EXPECT_EQ(wall.out, "blocked: piece 3, a translation, at (-3, 4), theta = 1.570796327, 88.88888889 % of it: edge 5 "
-                      "of the obstacle and vertex 1 of the robot\n");
+  EXPECT_EQ(wall.out,
+            "blocked: piece 3, a translation, at (-3, 4), theta = 1.570796327, 88.88888889 % of it: edge 5 "
+            "of the obstacle and vertex 1 of the robot\n");
   work.write("poses.json", "[[-5,0,0],[-4,1,1]]");
   EXPECT_EQ(json(check + "poses.json --json")["checked"]["pieces"], 1);
   work.write("touch.json", "[[-5,-5,0],[-4,0,1]]");
@@ -155,11 +161,13 @@ TEST_F(PathCli, FootprintsAreOperands) {
 
 TEST_F(PathCli, MapsAreObstacles) {
   work.write("room.pgm", "P2 6 3 255\n254 254 254 254 254 254\n254 254 0 0 254 254\n254 254 254 0 254 254\n");
-  work.write("room.yaml", "image: room.pgm\nresolution: 0.5\norigin: [-1, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\n"
-                          "free_thresh: 0.196\n");
+  work.write("room.yaml",
+             "image: room.pgm\nresolution: 0.5\norigin: [-1, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\n"
+             "free_thresh: 0.196\n");
   work.write("corner.map", "type octile\nheight 2\nwidth 3\nmap\n..@\n...\n");
   const std::string robot = "\"[[-0.125,-0.125],[0.125,-0.125],[0.125,0.125],[-0.125,0.125]]\" ";
-  const Json over = json("dymsum path " + robot + "room.yaml --from -0.5,0.25,0 --to 1.5,0.25,90deg --margin 0.05 --json");
+  const Json over =
+      json("dymsum path " + robot + "room.yaml --from -0.5,0.25,0 --to 1.5,0.25,90deg --margin 0.05 --json");
   EXPECT_TRUE(over["found"].get<bool>());
   EXPECT_EQ(json("dymsum path " + robot + "room.yaml --from 0.25,0.25,0 --to 5,5,0 --json", 4)["reason"]["kind"],
             "separated");

@@ -29,9 +29,11 @@ class ScaleCli : public testing::Test {
 
 TEST_F(ScaleCli, ScalePrintsEveryKeyOfTheContract) {
   const Json report = json("dymsum scale plate.wkt peg.wkt --scaled q --at 1,3/2,2,2.5 --events --json");
-  for (const char* key : {"inputs", "tier", "time_ms", "frames", "static_ms", "update_ms", "events"}) EXPECT_TRUE(report.contains(key)) << key;
+  for (const char* key : {"inputs", "tier", "time_ms", "frames", "static_ms", "update_ms", "events"})
+    EXPECT_TRUE(report.contains(key)) << key;
   ASSERT_EQ(report["frames"].size(), 4u);
-  for (const char* key : {"s", "outer", "holes", "vertices", "area_exact", "update_ms"}) EXPECT_TRUE(report["frames"][0].contains(key)) << key;
+  for (const char* key : {"s", "outer", "holes", "vertices", "area_exact", "update_ms"})
+    EXPECT_TRUE(report["frames"][0].contains(key)) << key;
   EXPECT_EQ(report["frames"][1]["s"], "3/2");
   EXPECT_EQ(report["frames"][1]["holes"], 1);
   EXPECT_EQ(report["frames"][2]["holes"], 0);
@@ -43,12 +45,14 @@ TEST_F(ScaleCli, ScalePrintsEveryKeyOfTheContract) {
 }
 
 TEST_F(ScaleCli, SweepsAreExactAndPicturesAreWritten) {
-  const Json report = json("dymsum scale plate.wkt peg.wkt --scaled q --sweep 1:2:1/3 -o strip.svg -o page.html --json");
+  const Json report =
+      json("dymsum scale plate.wkt peg.wkt --scaled q --sweep 1:2:1/3 -o strip.svg -o page.html --json");
   ASSERT_EQ(report["frames"].size(), 4u);
   EXPECT_EQ(report["frames"][2]["s"], "5/3");
   EXPECT_EQ(report["frames"][3]["s"], "2/1");
   EXPECT_NE(work.read("strip.svg").find("<svg"), std::string::npos);
-  for (const char* part : {"<script>", "<meta name=\"viewport\"", "id=\"play\"", "id=\"ticks\"", "the sum</span>", "the topology changes</span>"})
+  for (const char* part : {"<script>", "<meta name=\"viewport\"", "id=\"play\"", "id=\"ticks\"", "the sum</span>",
+                           "the topology changes</span>"})
     EXPECT_NE(work.read("page.html").find(part), std::string::npos) << part;
 }
 
@@ -77,7 +81,8 @@ TEST_F(ScaleCli, AnAnimationShowsEveryFrameInItsTurnAndTheFirstOneWithoutAnimati
 TEST_F(ScaleCli, CopiesOfAMasterShapeEqualTheirOwnSums) {
   work.write("copies.txt", "# scale x y\n2 0 0\n\n3/2 10 -0.5 # the second\n2 20 1e1\n");
   const Json report = json("dymsum scale plate.wkt peg.wkt --copies copies.txt --robot --json -o copies.svg");
-  for (const char* key : {"inputs", "tier", "time_ms", "copies", "static_ms", "update_ms", "robot"}) EXPECT_TRUE(report.contains(key)) << key;
+  for (const char* key : {"inputs", "tier", "time_ms", "copies", "static_ms", "update_ms", "robot"})
+    EXPECT_TRUE(report.contains(key)) << key;
   ASSERT_EQ(report["copies"].size(), 3u);
   EXPECT_EQ(report["copies"][1]["s"], "3/2");
   EXPECT_EQ(report["copies"][1]["at"], Json::array({10, -0.5}));
@@ -87,12 +92,15 @@ TEST_F(ScaleCli, CopiesOfAMasterShapeEqualTheirOwnSums) {
   work.write("plate15.wkt", "POLYGON ((0 0, 6 0, 6 6, 0 6, 0 0), (1.5 1.5, 1.5 3, 4.5 3, 4.5 1.5, 1.5 1.5))\n");
   for (const auto& [k, file] : {std::pair{0, "plate2.wkt"}, std::pair{1, "plate15.wkt"}, std::pair{2, "plate2.wkt"}}) {
     const Json own = json(std::string("dymsum nfp ") + file + " peg.wkt --json");
-    for (const char* key : {"outer", "holes", "vertices", "area_exact"}) EXPECT_EQ(report["copies"][k][key], own[key]) << k << " " << key;
+    for (const char* key : {"outer", "holes", "vertices", "area_exact"})
+      EXPECT_EQ(report["copies"][k][key], own[key]) << k << " " << key;
   }
   const std::string svg = work.read("copies.svg");
-  for (const char* what : {"obstacles", "reference point", "#e8a33d", "#9ecae1"}) EXPECT_NE(svg.find(what), std::string::npos) << what;
+  for (const char* what : {"obstacles", "reference point", "#e8a33d", "#9ecae1"})
+    EXPECT_NE(svg.find(what), std::string::npos) << what;
   // Without --robot the operand is summed as it is.
-  EXPECT_EQ(json("dymsum scale plate.wkt peg.wkt --copies copies.txt --json")["copies"][0]["area_exact"], json("dymsum sum plate2.wkt peg.wkt --json")["area_exact"]);
+  EXPECT_EQ(json("dymsum scale plate.wkt peg.wkt --copies copies.txt --json")["copies"][0]["area_exact"],
+            json("dymsum sum plate2.wkt peg.wkt --json")["area_exact"]);
 }
 
 TEST_F(ScaleCli, BadFilesOfCopiesAreRefusedWithTheirLine) {
@@ -116,7 +124,9 @@ TEST_F(ScaleCli, BadFilesOfCopiesAreRefusedWithTheirLine) {
 }
 
 TEST_F(ScaleCli, StepsAreToldAsSteps) {
-  const auto told = [&](const char* step) { return work.run(std::string("dymsum scale plate.wkt peg.wkt --sweep=1:2:") + step); };
+  const auto told = [&](const char* step) {
+    return work.run(std::string("dymsum scale plate.wkt peg.wkt --sweep=1:2:") + step);
+  };
   EXPECT_EQ(told("0").code, 1);
   EXPECT_NE(told("0").err.find("a step of zero"), std::string::npos);
   EXPECT_NE(told("0%").err.find("a step of zero"), std::string::npos);
@@ -141,7 +151,8 @@ TEST_F(ScaleCli, AFitAnywhereNamesWhatHoldsThePart) {
   const std::string text = work.run("dymsum scale-range peg.wkt room.wkt --inside").out;
   EXPECT_NE(text.find("above: vertex 0 of the part on edge 0, part at (6, 3)"), std::string::npos) << text;
   work.write("nothing.wkt", "POLYGON EMPTY\n");
-  EXPECT_NE(work.run("dymsum scale-range nothing.wkt room.wkt --inside").err.find("the part is empty"), std::string::npos);
+  EXPECT_NE(work.run("dymsum scale-range nothing.wkt room.wkt --inside").err.find("the part is empty"),
+            std::string::npos);
 }
 
 TEST_F(ScaleCli, BadScalesAndUsageHaveTheirExitCodes) {

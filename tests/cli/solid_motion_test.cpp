@@ -11,8 +11,9 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr const char* kCube = "OFF\n8 6 0\n-1 -1 -1\n1 -1 -1\n1 1 -1\n-1 1 -1\n-1 -1 1\n1 -1 1\n1 1 1\n-1 1 1\n"
-                              "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
+constexpr const char* kCube =
+    "OFF\n8 6 0\n-1 -1 -1\n1 -1 -1\n1 1 -1\n-1 1 -1\n-1 -1 1\n1 -1 1\n1 1 1\n-1 1 1\n"
+    "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
 constexpr const char* kTetrahedron = "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
 
 class SolidMotionCli : public testing::Test {
@@ -30,12 +31,15 @@ class SolidMotionCli : public testing::Test {
 };
 
 TEST_F(SolidMotionCli, SumPrintsEveryKeyOfTheContractAndWritesEveryFormat) {
-  const Json report = json("dymsum sum cube.off tetrahedron.off --json -o s.off -o s.obj -o s.stl -o s.ply -o s.glb -o s.json");
-  for (const char* key : {"inputs", "tier", "time_ms", "shells", "vertices", "faces", "volume", "volume_exact", "area", "tight", "convolution"})
+  const Json report =
+      json("dymsum sum cube.off tetrahedron.off --json -o s.off -o s.obj -o s.stl -o s.ply -o s.glb -o s.json");
+  for (const char* key : {"inputs", "tier", "time_ms", "shells", "vertices", "faces", "volume", "volume_exact", "area",
+                          "tight", "convolution"})
     EXPECT_TRUE(report.contains(key)) << key;
   EXPECT_EQ(report["shells"], 1);
   EXPECT_EQ(report["tier"], 26);
-  // 8 + 4 * 3 (quarter prisms) ... the volume of a cube grown by a corner, from mixed volumes: 8 + 4 + ... checked against the facets by the library.
+  // 8 + 4 * 3 (quarter prisms) ... the volume of a cube grown by a corner, from mixed volumes: 8 + 4 + ... checked
+  // against the facets by the library.
   EXPECT_EQ(report["volume_exact"], json("dymsum sum tetrahedron.off cube.off --engine brute --json")["volume_exact"]);
   const Json exact = Json::parse(work.read("s.json"));
   EXPECT_EQ(exact["vertex_list"].size(), report["vertices"]);
@@ -45,12 +49,14 @@ TEST_F(SolidMotionCli, SumPrintsEveryKeyOfTheContractAndWritesEveryFormat) {
 }
 
 TEST_F(SolidMotionCli, NfpIsTheSumWithTheReflection) {
-  EXPECT_EQ(json("dymsum nfp cube.off tetrahedron.off --json")["vertices"], json("dymsum sum cube.off tetrahedron.off --json")["vertices"]);
+  EXPECT_EQ(json("dymsum nfp cube.off tetrahedron.off --json")["vertices"],
+            json("dymsum sum cube.off tetrahedron.off --json")["vertices"]);
 }
 
 TEST_F(SolidMotionCli, RotateFollowsATurnAndWritesAPage) {
   const Json report = json("dymsum rotate cube.off cube.off --steps 8 --json -o turn.html -o last.glb");
-  for (const char* key : {"inputs", "tier", "time_ms", "frames", "static_ms", "update_ms"}) EXPECT_TRUE(report.contains(key)) << key;
+  for (const char* key : {"inputs", "tier", "time_ms", "frames", "static_ms", "update_ms"})
+    EXPECT_TRUE(report.contains(key)) << key;
   ASSERT_EQ(report["frames"].size(), 8u);
   EXPECT_EQ(report["frames"][0]["volume_exact"], "64/1");
   EXPECT_EQ(report["frames"][2]["volume_exact"], "64/1") << "a quarter turn is exact";
@@ -60,7 +66,8 @@ TEST_F(SolidMotionCli, RotateFollowsATurnAndWritesAPage) {
   EXPECT_EQ(report["frames"][2]["faces"], 6);
   EXPECT_LE(report["frames"][2]["changed"], 6) << "of these";
   EXPECT_NE(work.run("dymsum rotate cube.off cube.off --steps 4").out.find(" of 6 facets"), std::string::npos);
-  for (const char* part : {"<canvas id=\"drawing\">", "<meta name=\"viewport\"", "id=\"play\"", "face of P</span>", "new</span>"})
+  for (const char* part :
+       {"<canvas id=\"drawing\">", "<meta name=\"viewport\"", "id=\"play\"", "face of P</span>", "new</span>"})
     EXPECT_NE(work.read("turn.html").find(part), std::string::npos) << part;
 }
 
@@ -86,17 +93,20 @@ TEST_F(SolidMotionCli, WrongUsageAndBadSolidsAreTold) {
   work.write("dent.off", "OFF\n5 6 0\n0 0 0\n4 0 0\n0 4 0\n0 0 4\n1/2 1 1\n");
   work.write("flat.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 0))");
   for (const char* command :
-       {"dymsum sum cube.off flat.wkt", "dymsum erode cube.off cube.off", "dymsum sum cube.off cube.off -o s.svg", "dymsum sum cube.off cube.off --engine winding",
-        "dymsum rotate cube.off cube.off", "dymsum rotate cube.off cube.off --steps 0", "dymsum rotate cube.off cube.off --steps 4 --axis 1,2",
-        "dymsum rotate flat.wkt cube.off --steps 4", "dymsum depth flat.wkt flat.wkt", "dymsum depth cube.off cube.off --axis 0,0,1",
-        "dymsum depth cube.off cube.off --move 1,nan,0", "dymsum scale cube.off cube.off --at 1:2", "dymsum scale cube.off cube.off",
+       {"dymsum sum cube.off flat.wkt", "dymsum erode cube.off cube.off", "dymsum sum cube.off cube.off -o s.svg",
+        "dymsum sum cube.off cube.off --engine winding", "dymsum rotate cube.off cube.off",
+        "dymsum rotate cube.off cube.off --steps 0", "dymsum rotate cube.off cube.off --steps 4 --axis 1,2",
+        "dymsum rotate flat.wkt cube.off --steps 4", "dymsum depth flat.wkt flat.wkt",
+        "dymsum depth cube.off cube.off --axis 0,0,1", "dymsum depth cube.off cube.off --move 1,nan,0",
+        "dymsum scale cube.off cube.off --at 1:2", "dymsum scale cube.off cube.off",
         "dymsum rotate cube.off cube.off --steps 4 -o turn.svg",
         "dymsum rotate cube.off cube.off --steps 4 --axis 0,0,0", "dymsum scale cube.off cube.off --at 0"}) {
     const Outcome outcome = work.run(command);
     EXPECT_EQ(outcome.code, 1) << command << "\n" << outcome.err;
     EXPECT_FALSE(outcome.err.empty()) << command;
   }
-  for (const char* command : {"dymsum sum cube.off open.off", "dymsum sum cube.off dent.off", "dymsum sum cube.off missing.off"}) {
+  for (const char* command :
+       {"dymsum sum cube.off open.off", "dymsum sum cube.off dent.off", "dymsum sum cube.off missing.off"}) {
     const Outcome outcome = work.run(command);
     EXPECT_EQ(outcome.code, 2) << command << "\n" << outcome.err;
     EXPECT_FALSE(outcome.err.empty()) << command;

@@ -58,8 +58,14 @@ TEST_F(SolidCli, TierFollowsTheGrid) {
     int bits, tier;
   };
   // the sides are 1, 1 and `size`: 2^-24 and 1 + 2^-52 are units of their own
-  for (const Case& c : {Case{0x1p-24, 24, 26}, {0x1p-26, 26, 26}, {0x1p-27, 27, 54}, {1 + 0x1p-52, 53, 54},
-                        {0x1p-54, 54, 54}, {0x1p-55, 55, 0}, {1e-30, 147, 0}, {2, 1, 26}}) {
+  for (const Case& c : {Case{0x1p-24, 24, 26},
+                        {0x1p-26, 26, 26},
+                        {0x1p-27, 27, 54},
+                        {1 + 0x1p-52, 53, 54},
+                        {0x1p-54, 54, 54},
+                        {0x1p-55, 55, 0},
+                        {1e-30, 147, 0},
+                        {2, 1, 26}}) {
     const Mesh mesh = *scaled(solids::box(0, 0, 0, 1, 1, 1), 1, 1, c.size);
     work.write("x.off", format_mesh(mesh, MeshFormat::off));
     const Json report = json("dymsum info x.off --json");
@@ -88,8 +94,9 @@ TEST_F(SolidCli, WhyASolidIsNotConvex) {
 }
 
 TEST_F(SolidCli, ConvertChainsThroughEveryFormat) {
-  const Outcome chain = work.run("dymsum convert cube.obj a.off && dymsum convert a.off b.ply && "
-                                 "dymsum convert b.ply c.stl && dymsum convert c.stl d.obj && dymsum convert d.obj e.glb");
+  const Outcome chain = work.run(
+      "dymsum convert cube.obj a.off && dymsum convert a.off b.ply && "
+      "dymsum convert b.ply c.stl && dymsum convert c.stl d.obj && dymsum convert d.obj e.glb");
   ASSERT_EQ(chain.code, 0) << chain.err;
   const auto mesh = [&](const std::string& file, MeshFormat format) {
     return *Mesh::create(*parse_mesh(work.read(file), format, file));
@@ -143,7 +150,8 @@ TEST_F(SolidCli, SolidsComeFromStandardInput) {
     const std::string out = std::string("dymsum convert box.off - --to ") + format;
     EXPECT_EQ(work.run(out + " | dymsum info - --from " + format + " --json").code, 0) << format;
     EXPECT_EQ(work.run(out + " | dymsum sum - box.off --from " + format).code, 0) << format;
-    EXPECT_EQ(work.run(out + " | dymsum convert - back.off --from " + format + " && dymsum info back.off").code, 0) << format;
+    EXPECT_EQ(work.run(out + " | dymsum convert - back.off --from " + format + " && dymsum info back.off").code, 0)
+        << format;
     if (std::string(format) == "stl") continue;  // binary: nothing to tell it by
     EXPECT_EQ(work.run(out + " | dymsum sum box.off -").code, 0) << format;
     EXPECT_EQ(work.run(out + " | dymsum info -").out, work.run("dymsum info box.off").out) << format;
@@ -156,17 +164,22 @@ TEST_F(SolidCli, SolidsComeFromStandardInput) {
   EXPECT_EQ(work.run("dymsum info box.off --from off").code, 1);
 }
 
-constexpr const char* kOctahedron = "OFF\n6 8 12\n1 0 0\n-1 0 0\n0 1 0\n0 -1 0\n0 0 1\n0 0 -1\n3 0 2 4\n3 2 1 4\n3 1 3 4\n3 3 0 4\n3 2 0 5\n"
-                                "3 1 2 5\n3 3 1 5\n3 0 3 5\n";
+constexpr const char* kOctahedron =
+    "OFF\n6 8 12\n1 0 0\n-1 0 0\n0 1 0\n0 -1 0\n0 0 1\n0 0 -1\n3 0 2 4\n3 2 1 4\n3 1 3 4\n3 3 0 4\n3 2 0 5\n"
+    "3 1 2 5\n3 3 1 5\n3 0 3 5\n";
 
 TEST_F(SolidCli, HullTakesWhatIsConvexButForRounding) {
   // A cube whose top has a middle that lies 2^-52 below it.
-  work.write("dent.off", "OFF\n9 9 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n1 0 1\n0 1 1\n1 1 1\n0.5 0.5 0.99999999999999978\n4 0 2 3 1\n3 4 5 8\n3 5 7 8\n"
-                         "3 7 6 8\n3 6 4 8\n4 0 1 5 4\n4 1 3 7 5\n4 3 2 6 7\n4 2 0 4 6\n");
+  work.write("dent.off",
+             "OFF\n9 9 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n1 0 1\n0 1 1\n1 1 1\n0.5 0.5 0.99999999999999978\n4 0 2 3 "
+             "1\n3 4 5 8\n3 5 7 8\n"
+             "3 7 6 8\n3 6 4 8\n4 0 1 5 4\n4 1 3 7 5\n4 3 2 6 7\n4 2 0 4 6\n");
   EXPECT_EQ(work.run("dymsum sum dent.off box.off").code, 2);
   const Outcome sum = work.run("dymsum sum dent.off box.off --hull --json");
   ASSERT_EQ(sum.code, 0) << sum.err;
-  EXPECT_NE(sum.err.find("dent.off: convex hull: 1 of 9 vertices inside it, largest deviation 2.22e-16"), std::string::npos) << sum.err;
+  EXPECT_NE(sum.err.find("dent.off: convex hull: 1 of 9 vertices inside it, largest deviation 2.22e-16"),
+            std::string::npos)
+      << sum.err;
   const Json report = Json::parse(sum.out);
   EXPECT_EQ(report["inputs"][0]["hull"], (Json{{"vertices", 9}, {"inside", 1}, {"deviation", 0x1p-52}}));
   EXPECT_EQ(report["volume"], 24.0);
@@ -175,11 +188,15 @@ TEST_F(SolidCli, HullTakesWhatIsConvexButForRounding) {
   EXPECT_EQ(hull["faces"], 6);
   EXPECT_EQ(hull["inputs"][0]["hull"]["deviation"], 0x1p-52);
   EXPECT_EQ(work.run("dymsum hull dent.off - | dymsum info -").out.find("not convex"), std::string::npos);
-  for (const char* verb : {"nfp", "depth"}) EXPECT_EQ(work.run(std::string("dymsum ") + verb + " dent.off box.off --hull").code, 0) << verb;
+  for (const char* verb : {"nfp", "depth"})
+    EXPECT_EQ(work.run(std::string("dymsum ") + verb + " dent.off box.off --hull").code, 0) << verb;
   EXPECT_EQ(work.run("dymsum rotate dent.off box.off --steps 3 --hull").code, 0);
   EXPECT_EQ(work.run("dymsum scale dent.off box.off --at 1,2 --hull").code, 0);
   // Points without faces, and a flat set of them.
-  EXPECT_EQ(work.run("printf 'v 0 0 0\\nv 1 0 0\\nv 0 1 0\\nv 0 0 1\\n' | dymsum hull - points.off && dymsum info points.off").code, 0);
+  EXPECT_EQ(
+      work.run("printf 'v 0 0 0\\nv 1 0 0\\nv 0 1 0\\nv 0 0 1\\n' | dymsum hull - points.off && dymsum info points.off")
+          .code,
+      0);
   EXPECT_EQ(work.run("printf 'v 0 0 0\\nv 1 0 0\\nv 0 1 0\\n' | dymsum hull - flat.off").code, 2);
   work.write("square.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))");
   EXPECT_EQ(work.run("dymsum sum square.wkt square.wkt --hull").code, 1);
@@ -188,8 +205,12 @@ TEST_F(SolidCli, HullTakesWhatIsConvexButForRounding) {
 
 TEST_F(SolidCli, SumsChainAndAreReadBack) {
   work.write("octahedron.off", kOctahedron);
-  work.write("third.off", "OFF\n4 4 0\n0.1 0.2 0.3\n1.1 0.1 0.30000001\n0.2 1.3 0.1\n0.3 0.4 1.7\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
-  const Json at_once = json("dymsum sum box.off octahedron.off third.off box.off --json -o all.off -o all.ply -o all.obj -o all.stl -o all.glb");
+  work.write(
+      "third.off",
+      "OFF\n4 4 0\n0.1 0.2 0.3\n1.1 0.1 0.30000001\n0.2 1.3 0.1\n0.3 0.4 1.7\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+  const Json at_once = json(
+      "dymsum sum box.off octahedron.off third.off box.off --json -o all.off -o all.ply -o all.obj -o all.stl -o "
+      "all.glb");
   EXPECT_EQ(at_once["inputs"].size(), 4u);
   for (const char* file : {"all.off", "all.ply", "all.obj"}) {
     const Json back = json(std::string("dymsum info ") + file + " --json");
@@ -208,11 +229,13 @@ TEST_F(SolidCli, SumsChainAndAreReadBack) {
 }
 
 TEST_F(SolidCli, SumsThatRoundingCollapsesAreRefused) {
-  work.write("far.off", "OFF\n8 6 0\n1125899906842624 1125899906842624 1125899906842624\n1125899906842625 1125899906842624 1125899906842624\n"
-                        "1125899906842625 1125899906842625 1125899906842624\n1125899906842624 1125899906842625 1125899906842624\n"
-                        "1125899906842624 1125899906842624 1125899906842625\n1125899906842625 1125899906842624 1125899906842625\n"
-                        "1125899906842625 1125899906842625 1125899906842625\n1125899906842624 1125899906842625 1125899906842625\n"
-                        "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
+  work.write("far.off",
+             "OFF\n8 6 0\n1125899906842624 1125899906842624 1125899906842624\n1125899906842625 1125899906842624 "
+             "1125899906842624\n"
+             "1125899906842625 1125899906842625 1125899906842624\n1125899906842624 1125899906842625 1125899906842624\n"
+             "1125899906842624 1125899906842624 1125899906842625\n1125899906842625 1125899906842624 1125899906842625\n"
+             "1125899906842625 1125899906842625 1125899906842625\n1125899906842624 1125899906842625 1125899906842625\n"
+             "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
   work.write("tiny.off", "OFF\n4 4 0\n0 0 0\n1e-9 0 0\n0 1e-9 0\n0 0 1e-9\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
   for (const char* file : {"s.off", "s.obj", "s.ply", "s.stl", "s.glb"}) {
     const Outcome refused = work.run(std::string("dymsum sum far.off tiny.off -o ") + file);
@@ -225,7 +248,9 @@ TEST_F(SolidCli, SumsThatRoundingCollapsesAreRefused) {
   EXPECT_EQ(hull.code, 0);
   EXPECT_NE(hull.err.find("s.off: rounded, "), std::string::npos) << hull.err;
   EXPECT_EQ(json("dymsum info s.off --json")["volume"], 1.0);
-  work.write("near.off", "OFF\n4 4 0\n1 1 1\n1.000000001 1 1\n1 1.000000001 1\n1 1 1.000000001\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+  work.write(
+      "near.off",
+      "OFF\n4 4 0\n1 1 1\n1.000000001 1 1\n1 1.000000001 1\n1 1 1.000000001\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
   for (const char* file : {"n.stl", "n.glb", "- --to stl", "- --to glb"})
     EXPECT_EQ(work.run(std::string("dymsum convert near.off ") + file).code, 2) << file;
   EXPECT_EQ(work.run("dymsum info near.off -o n.glb").code, 2);
@@ -233,7 +258,9 @@ TEST_F(SolidCli, SumsThatRoundingCollapsesAreRefused) {
 }
 
 TEST_F(SolidCli, PlanarPicturesThatCannotBeReadBackSaySo) {
-  work.write("far.wkt", "POLYGON ((1125899906842624 1125899906842624, 1125899906842625 1125899906842624, 1125899906842625 1125899906842625, 1125899906842624 1125899906842625, 1125899906842624 1125899906842624))");
+  work.write("far.wkt",
+             "POLYGON ((1125899906842624 1125899906842624, 1125899906842625 1125899906842624, 1125899906842625 "
+             "1125899906842625, 1125899906842624 1125899906842625, 1125899906842624 1125899906842624))");
   work.write("tiny.wkt", "POLYGON ((0 0, 1e-9 0, 0 1e-9, 0 0))");
   EXPECT_EQ(work.run("dymsum sum far.wkt tiny.wkt -o s.wkt").code, 2);
   const Outcome picture = work.run("dymsum sum far.wkt tiny.wkt -o s.svg");

@@ -70,7 +70,8 @@ TEST_F(TightOutput, PicturesDrawThemInOneColour) {
   run("dymsum rotate slot.wkt turned.wkt --steps 4 -o strip.svg -o turn.anim.svg -o page.html");
   run("dymsum scale slot.wkt peg.wkt --robot --sweep 1:2:1/2 -o scale.svg -o scale.html");
   run("dymsum cspace peg.wkt slot.wkt --slices 4 -o slices.svg");
-  for (const char* file : {"sum.svg", "strip.svg", "turn.anim.svg", "page.html", "scale.svg", "scale.html", "slices.svg"}) {
+  for (const char* file :
+       {"sum.svg", "strip.svg", "turn.anim.svg", "page.html", "scale.svg", "scale.html", "slices.svg"}) {
     const std::string text = work.read(file);
     EXPECT_NE(text.find("#d81e3a"), std::string::npos) << file;
     EXPECT_EQ(text.find("#d7301f"), std::string::npos) << file;
@@ -82,7 +83,8 @@ TEST_F(TightOutput, PicturesDrawThemInOneColour) {
 TEST_F(TightOutput, AreasOutsideTheRangeOfDoublesAreText) {
   work.write("huge.wkt", "POLYGON ((0 0, 1e200 0, 1e200 1e200, 0 1e200, 0 0))\n");
   work.write("minute.wkt", "POLYGON ((0 0, 1e-200 0, 1e-200 1e-200, 0 1e-200, 0 0))\n");
-  const Json huge = json("dymsum sum huge.wkt huge.wkt --json"), minute = json("dymsum sum minute.wkt minute.wkt --json");
+  const Json huge = json("dymsum sum huge.wkt huge.wkt --json"),
+             minute = json("dymsum sum minute.wkt minute.wkt --json");
   EXPECT_EQ(huge["area"], "3.9999999999999998e+400");
   EXPECT_EQ(minute["area"], "3.9999999999999999e-400");
   EXPECT_NE(run("dymsum sum huge.wkt huge.wkt").find("area 3.9999999999999998e+400\n"), std::string::npos);
@@ -91,17 +93,22 @@ TEST_F(TightOutput, AreasOutsideTheRangeOfDoublesAreText) {
 }
 
 TEST_F(TightOutput, LongFractionsOfAreasAreGivenWhenAskedFor) {
-  const auto save = [&](const char* file, const Region& region) { work.write(file, format_region(region, RegionFormat::wkt)); };
+  const auto save = [&](const char* file, const Region& region) {
+    work.write(file, format_region(region, RegionFormat::wkt));
+  };
   save("star.wkt", shapes::noisy_star(3000, 0.5, 1));
   save("small.wkt", shapes::disc(7, 0.0004));
-  const Json plain = json("dymsum sum star.wkt small.wkt --json"), exact = json("dymsum sum star.wkt small.wkt --json --exact");
+  const Json plain = json("dymsum sum star.wkt small.wkt --json"),
+             exact = json("dymsum sum star.wkt small.wkt --json --exact");
   ASSERT_GT(plain["crossings"], 50);
   EXPECT_TRUE(plain["area_exact"].is_null());
   EXPECT_GT(exact["area_exact"].get<std::string>().size(), 4000u);
   EXPECT_EQ(plain["area"], exact["area"]);
   EXPECT_TRUE(json("dymsum scale star.wkt small.wkt --at 1 --json")["frames"][0]["area_exact"].is_null());
-  EXPECT_EQ(json("dymsum scale star.wkt small.wkt --at 1 --json --exact")["frames"][0]["area_exact"], exact["area_exact"]);
-  EXPECT_EQ(json("dymsum rotate peg.wkt slot.wkt --steps 4 --json")["frames"][0]["area_exact"], json("dymsum sum peg.wkt slot.wkt --json")["area_exact"]);
+  EXPECT_EQ(json("dymsum scale star.wkt small.wkt --at 1 --json --exact")["frames"][0]["area_exact"],
+            exact["area_exact"]);
+  EXPECT_EQ(json("dymsum rotate peg.wkt slot.wkt --steps 4 --json")["frames"][0]["area_exact"],
+            json("dymsum sum peg.wkt slot.wkt --json")["area_exact"]);
 }
 
 }  // namespace

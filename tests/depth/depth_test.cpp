@@ -2,24 +2,27 @@
 #include <filesystem>
 #include <string>
 
-#include "spatial/convex/convex_cases.h"
 #include "dymsum/mesh_io.h"
 #include "exact/big.h"
 #include "exact/square_root.h"
+#include "spatial/convex/convex_cases.h"
 
 namespace dymsum::test {
 namespace {
 
 using exact::BigRational;
 
-std::array<BigRational, 3> exact_point(const RationalPoint3& p) { return {exact::exact_value(p.x), exact::exact_value(p.y), exact::exact_value(p.z)}; }
+std::array<BigRational, 3> exact_point(const RationalPoint3& p) {
+  return {exact::exact_value(p.x), exact::exact_value(p.y), exact::exact_value(p.z)};
+}
 
 /// The least signed squared distance to the plane of a facet, from the exact positions of the canonical sum.
 BigRational least_signed_square(const SolidSum& sum, Point3 x) {
   const std::array<BigRational, 3> at{exact::exact_value(x.x), exact::exact_value(x.y), exact::exact_value(x.z)};
   std::optional<BigRational> least;
   for (const SolidFacet& f : sum.facets) {
-    const auto a = exact_point(sum.exact(f.vertices[0])), b = exact_point(sum.exact(f.vertices[1])), c = exact_point(sum.exact(f.vertices[2]));
+    const auto a = exact_point(sum.exact(f.vertices[0])), b = exact_point(sum.exact(f.vertices[1])),
+               c = exact_point(sum.exact(f.vertices[2]));
     std::array<BigRational, 3> u, v, w;
     for (int k = 0; k < 3; ++k) {
       u[k] = b[k] - a[k];
@@ -88,8 +91,8 @@ TEST(ConvexDepth, where_doubles_cannot_tell_the_nearest) {
 }
 
 TEST(ConvexDepth, of_solids_of_any_size) {
-  // Hundreds of nearly equal distances. From 2^-511 on their squares are no ordinary doubles any more, at 2^200 the grid's
-  // unit is above one.
+  // Hundreds of nearly equal distances. From 2^-511 on their squares are no ordinary doubles any more, at 2^200 the
+  // grid's unit is above one.
   std::mt19937_64 random(33);
   const Mesh ball = solids::geodesic_sphere(2, 1);
   for (int k = 0; k < 20; ++k) {
@@ -150,7 +153,8 @@ TEST(ConvexDepth, of_subnormal_huge_and_mixed_coordinates) {
   struct Sizes {
     int bits, p, q;
   };
-  const std::vector<Sizes> sizes{{4, -1074, -1074}, {20, -1074, -1074}, {40, -1074, -1070}, {52, -1074, -1050}, {30, -600, -560}, {30, 960, 970}, {40, 400, 395}, {20, -1074, 900}};
+  const std::vector<Sizes> sizes{{4, -1074, -1074}, {20, -1074, -1074}, {40, -1074, -1070}, {52, -1074, -1050},
+                                 {30, -600, -560},  {30, 960, 970},     {40, 400, 395},     {20, -1074, 900}};
   const std::vector<Scale> factors{Scale(), *Scale::parse("3/7"), *Scale::of(0x1p-64), *Scale::of(0x1p64)};
   for (int k = 0; k < 96; ++k) {
     const Sizes& s = sizes[static_cast<std::size_t>(k) % sizes.size()];
@@ -169,7 +173,8 @@ TEST(ConvexDepth, of_subnormal_huge_and_mixed_coordinates) {
     if (truth > 0) {
       EXPECT_EQ(exact::exact_value(depth.depth_squared), truth) << "case " << k;
       // The square of the nearest double is nearest to the truth, up to half of the last place.
-      const BigRational d = exact::exact_value(depth.depth), up = exact::exact_value(std::nextafter(depth.depth, 1e308)),
+      const BigRational d = exact::exact_value(depth.depth),
+                        up = exact::exact_value(std::nextafter(depth.depth, 1e308)),
                         down = exact::exact_value(std::nextafter(depth.depth, 0));
       EXPECT_LE((d + down) * (d + down), 4 * truth) << "case " << k;
       EXPECT_GE((d + up) * (d + up), 4 * truth) << "case " << k;
@@ -180,13 +185,16 @@ TEST(ConvexDepth, of_subnormal_huge_and_mixed_coordinates) {
 }
 
 TEST(ConvexDepth, the_direction_is_that_of_the_facet_where_edges_are_nearly_parallel) {
-  // Two needles whose long edges differ by 2^-40: doubles lose the cross product of their directions, exact numbers do not.
+  // Two needles whose long edges differ by 2^-40: doubles lose the cross product of their directions, exact numbers do
+  // not.
   const auto needle = [](double lean) {
-    return *convex_hull(std::vector<Point3>{{-1, -lean, 0}, {1, lean, 0}, {-1, -lean, -0x1p-20}, {1, 0.25, -0x1p-20}, {1, -0.25, -0x1p-20}});
+    return *convex_hull(std::vector<Point3>{
+        {-1, -lean, 0}, {1, lean, 0}, {-1, -lean, -0x1p-20}, {1, 0.25, -0x1p-20}, {1, -0.25, -0x1p-20}});
   };
   const ConvexDepth d = *penetration_depth(needle(0), negated(needle(0x1p-40)));
   ASSERT_TRUE(d.inside || d.depth == 0);
-  const double size = std::sqrt(d.direction.x * d.direction.x + d.direction.y * d.direction.y + d.direction.z * d.direction.z);
+  const double size =
+      std::sqrt(d.direction.x * d.direction.x + d.direction.y * d.direction.y + d.direction.z * d.direction.z);
   EXPECT_NEAR(size, 1, 1e-15);
 }
 

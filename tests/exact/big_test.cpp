@@ -37,8 +37,8 @@ void expect_nearest(const mpq_class& v, double d) {
   const mpq_class error = abs(mpq_class(d) - v);
   for (double neighbour : {std::nextafter(d, kInfinity), std::nextafter(d, -kInfinity)}) {
     // past the largest double stands 2^1024
-    const mpq_class there = std::isfinite(neighbour) ? mpq_class(neighbour)
-                                                     : mpq_class((neighbour > 0 ? 1 : -1) * (mpz_class(1) << 1024));
+    const mpq_class there =
+        std::isfinite(neighbour) ? mpq_class(neighbour) : mpq_class((neighbour > 0 ? 1 : -1) * (mpz_class(1) << 1024));
     const mpq_class other = abs(there - v);
     ASSERT_LE(error, other) << v << ' ' << d;
     if (error == other) {
@@ -113,9 +113,9 @@ TEST(Rounding, HalfwaysAndTheirNeighbourhoodGoToEven) {
   const mpq_class nudge(mpz_class(1), mpz_class(1) << 2000);
   for (int i = 0; i < 3000; ++i) {
     double d = std::bit_cast<double>(random());
-    if (i % 4 == 0) d = std::bit_cast<double>(random() & 0x800fffffffffffff);         // subnormal
-    if (i % 4 == 1) d = std::ldexp(1.0, static_cast<int>(random() % 2098) - 1074);    // the spacing changes here
-    if (i % 4 == 2) d = std::bit_cast<double>(random() & 0x8000ffffffffffff);         // deep subnormal
+    if (i % 4 == 0) d = std::bit_cast<double>(random() & 0x800fffffffffffff);       // subnormal
+    if (i % 4 == 1) d = std::ldexp(1.0, static_cast<int>(random() % 2098) - 1074);  // the spacing changes here
+    if (i % 4 == 2) d = std::bit_cast<double>(random() & 0x8000ffffffffffff);       // deep subnormal
     if (!std::isfinite(d)) continue;
     const double next = std::nextafter(d, i % 2 ? kInfinity : -kInfinity);
     if (!std::isfinite(next)) continue;

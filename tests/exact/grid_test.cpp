@@ -15,9 +15,7 @@ namespace {
 constexpr std::uint64_t kSeed = 4711;
 constexpr double kMax = std::numeric_limits<double>::max();
 
-mpq_class power(int e) {
-  return e >= 0 ? mpq_class(mpz_class(1) << e) : mpq_class(mpz_class(1), mpz_class(1) << -e);
-}
+mpq_class power(int e) { return e >= 0 ? mpq_class(mpz_class(1) << e) : mpq_class(mpz_class(1), mpz_class(1) << -e); }
 
 double random_double(std::mt19937_64& random) {
   for (;;) {

@@ -38,18 +38,28 @@ static_assert(kAssigns<Int<30>, Int<29>> && !kAssigns<Int<29>, Int<30>> && !kAss
 static_assert(!kConverts<Int<29>, int> && !kConverts<Int<62>, std::int64_t> && !kConverts<Int<62>, double>);
 static_assert(!kConverts<std::int64_t, Int<29>> && !kConverts<double, Int<29>> && !kConverts<bool, Int<29>>);
 template <class A, class B>
-concept Adds = requires(A a, B b) { a + b; };
+concept Adds = requires(A a, B b) {
+  a + b;
+};
 template <class A, class B>
-concept Multiplies = requires(A a, B b) { a * b; };
+concept Multiplies = requires(A a, B b) {
+  a* b;
+};
 template <class A, class B>
-concept AddsInPlace = requires(A a, B b) { a += b; };
+concept AddsInPlace = requires(A a, B b) {
+  a += b;
+};
 template <class A, class B>
-concept Compares = requires(A a, B b) { a < b; };
+concept Compares = requires(A a, B b) {
+  a < b;
+};
 static_assert(Adds<Int<29>, Int<61>> && Multiplies<Int<29>, Int<61>> && Compares<Int<29>, Int<508>>);
 static_assert(!Adds<Int<29>, int> && !Multiplies<Int<29>, std::int64_t> && !Compares<Int<29>, int>);
 static_assert(!AddsInPlace<Int<29>, Int<29>> && !Adds<Int<29>, double>);
 template <class A, class B>
-concept StoresSum = requires(A a, B b) { a = b + b; };
+concept StoresSum = requires(A a, B b) {
+  a = b + b;
+};
 static_assert(StoresSum<Int<30>, Int<29>> && !StoresSum<Int<29>, Int<29>>);
 
 // It works at compile time.
@@ -135,9 +145,10 @@ template <int B>
   for (const mpz_class& x : hard_integers(random, B, 200)) {
     const Int<B> a = from_mpz<B>(x);
     const Int<B + 200> wide = a;
-    expect_unary(B, x, {to_mpz(a), to_mpz(-a), to_mpz(abs(a)), to_mpz(shift_left<1>(a)), to_mpz(shift_left<64>(a)),
-                        to_mpz(shift_left<131>(a)), to_mpz(Int<B + 1>(a)), to_mpz(wide), sign(a), fits<B / 2>(a),
-                        fits<B>(a), wide == a});
+    expect_unary(B, x,
+                 {to_mpz(a), to_mpz(-a), to_mpz(abs(a)), to_mpz(shift_left<1>(a)), to_mpz(shift_left<64>(a)),
+                  to_mpz(shift_left<131>(a)), to_mpz(Int<B + 1>(a)), to_mpz(wide), sign(a), fits<B / 2>(a), fits<B>(a),
+                  wide == a});
     expect_close(B, x, to_double(a));
   }
   EXPECT_EQ(to_mpz(Int<B>{}), 0);

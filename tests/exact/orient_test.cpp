@@ -86,8 +86,8 @@ TEST(Orient, ArbitraryExponentsReachEveryRung) {
 }
 
 TEST(Orient, ExtremesOfTheRangeUnderflowAndOverflow) {
-  const std::array<double, 13> values = {0,    0x1p-1074, -0x1p-1074, 0x3p-1074, 0x1p-1022, 0x1p-540,   -0x1p-537,
-                                         1.0,  0x1p512,   -0x1p1023,  kMax,      -kMax,     0x1.fp-500};
+  const std::array<double, 13> values = {0,   0x1p-1074, -0x1p-1074, 0x3p-1074, 0x1p-1022, 0x1p-540,  -0x1p-537,
+                                         1.0, 0x1p512,   -0x1p1023,  kMax,      -kMax,     0x1.fp-500};
   const RungTally t = tally(kSeed, 20000, [&](auto& random) { return values[random() % values.size()]; });
   EXPECT_EQ(t.wrong, 0);
   EXPECT_GT(t.zeros, 100);
@@ -133,8 +133,8 @@ TEST(Orient, RungsChangeExactlyAtTheirWidths) {
 }
 
 TEST(Orient, RoundedDifferencesWhoseProductsUnderflowAreNotTrusted) {
-  // With u = b - a and w = d - c, l = ux wy is 2^-1075 (1 - 2^-55)(1 + 2^-52) and r = uy wx is 2^-1075 (1 + 2^-53)^2 > l.
-  // In doubles ux rounds up and l to 2^-1074; uy and wx round down and r to 0: the rounded sign is wrong.
+  // With u = b - a and w = d - c, l = ux wy is 2^-1075 (1 - 2^-55)(1 + 2^-52) and r = uy wx is 2^-1075 (1 + 2^-53)^2 >
+  // l. In doubles ux rounds up and l to 2^-1074; uy and wx round down and r to 0: the rounded sign is wrong.
   const Point a{0x1p-555, -0x1p-553}, b{0x1p-500, 0x1p-500};
   const Point c{-0x1p-628, 0}, d{0x1p-575, 0x1.0000000000001p-575};
   EXPECT_GT((b.x - a.x) * (d.y - c.y) - (b.y - a.y) * (d.x - c.x), 0);

@@ -1,4 +1,5 @@
-// Roots of integer quadratics against 600-bit floating point, whose answers are certain for the coefficients that occur here.
+// Roots of integer quadratics against 600-bit floating point, whose answers are certain for the coefficients that occur
+// here.
 #include "exact/quadratic_root.h"
 
 #include <gtest/gtest.h>
@@ -107,7 +108,8 @@ TEST(QuadraticRoot, approximations_and_reciprocals) {
   std::mt19937_64 random = seeded(kSeed);
   for (int i = 0; i < 2000; ++i) {
     const int bits = i % 3 == 0 ? 4 : i % 3 == 1 ? 60 : 200;
-    const Quadratic q(big(random_integer(random, bits)), big(random_integer(random, bits)), big(random_integer(random, bits)));
+    const Quadratic q(big(random_integer(random, bits)), big(random_integer(random, bits)),
+                      big(random_integer(random, bits)));
     for (const Witness& w : witnesses(q)) {
       const auto [u, v] = w.root.approx();
       ASSERT_GE(u, 0);
@@ -119,7 +121,8 @@ TEST(QuadraticRoot, approximations_and_reciprocals) {
         ASSERT_LE(abs(mpf_class(v, kBits) - w.t * mpf_class(u, kBits)), mpf_class(0x1p-48, kBits) * abs(w.t) * u);
       }
       const QuadraticRoot r = w.root.reciprocal();
-      for (const Quadratic& p : {q, small(1, 2, -3), small(-1, 0, 2)}) ASSERT_EQ(sign_at(r, p), sign_at(w.root, p.reversed()));
+      for (const Quadratic& p : {q, small(1, 2, -3), small(-1, 0, 2)})
+        ASSERT_EQ(sign_at(r, p), sign_at(w.root, p.reversed()));
     }
   }
 }
@@ -129,7 +132,8 @@ TEST(QuadraticRoot, large_and_neighbouring_coefficients) {
   FilterCounts counts;
   for (int i = 0; i < 1500; ++i) {
     const int bits = i % 2 ? 30 : 100;
-    const mpz_class a = random_integer(random, bits), b = random_integer(random, bits), c = random_integer(random, bits);
+    const mpz_class a = random_integer(random, bits), b = random_integer(random, bits),
+                    c = random_integer(random, bits);
     // The same roots, and roots that differ in the last digits only.
     const mpz_class k = 1 + (random() % 1000);
     const auto near = [&](const mpz_class& v) { return mpz_class(v * k + (i % 3 == 0 ? 0 : int(random() % 3) - 1)); };
@@ -195,12 +199,14 @@ TEST(QuadraticRoot, numbers_between) {
   };
   std::vector<QuadraticRoot> roots;
   for (int i = 0; i < 60; ++i)
-    for (const QuadraticRoot& r : roots_of(Quadratic(big(random_integer(random, 40)), big(random_integer(random, 40)), big(random_integer(random, 40)))))
+    for (const QuadraticRoot& r : roots_of(Quadratic(big(random_integer(random, 40)), big(random_integer(random, 40)),
+                                                     big(random_integer(random, 40)))))
       roots.push_back(r);
   for (const QuadraticRoot& a : roots)
     for (const QuadraticRoot& b : roots) check(a, b);
   for (int i = 0; i < 200; ++i) {
-    const mpz_class c0 = -1 - abs(random_integer(random, 120)), c1 = random_integer(random, 120), c2 = 1 + abs(random_integer(random, 120));
+    const mpz_class c0 = -1 - abs(random_integer(random, 120)), c1 = random_integer(random, 120),
+                    c2 = 1 + abs(random_integer(random, 120));
     const Quadratic q(big(c0), big(c1), big(c2)), p(big(c0 - 1), big(c1), big(c2));
     for (const QuadraticRoot& a : roots_of(q))
       for (const QuadraticRoot& b : roots_of(p)) {

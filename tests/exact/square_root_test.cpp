@@ -26,7 +26,8 @@ TEST(SquareRoot, is_the_nearest_double_whatever_the_size) {
     const int shift = static_cast<int>(random() % 4200) - 2140;
     const BigInteger num = BigInteger(random()) * random(), den = BigInteger(random() >> (random() % 60)) + 1;
     const BigInteger power = BigInteger(1) << static_cast<unsigned>(std::abs(shift));
-    const BigRational v = shift < 0 ? BigRational(num, BigInteger(den * power)) : BigRational(BigInteger(num * power), den);
+    const BigRational v =
+        shift < 0 ? BigRational(num, BigInteger(den * power)) : BigRational(BigInteger(num * power), den);
     const double r = root_to_double(v);
     if (std::isfinite(r)) expect_nearest(r, v);
   }

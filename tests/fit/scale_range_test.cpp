@@ -1,4 +1,5 @@
-// Scales at which paths are free and parts fit, against membership in the static engine's sums and against shapes done by hand.
+// Scales at which paths are free and parts fit, against membership in the static engine's sums and against shapes done
+// by hand.
 #include "dymsum/scale_range.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +20,8 @@ Region ring(Ring r) { return Region::create({{{std::move(r), {}}}, {}, {}}).valu
 std::string text(const ScaleRange& range) {
   std::string s;
   for (const ScaleInterval& i : range.free)
-    s += (i.low ? "[" + i.low->to_string() : std::string("(0")) + ", " + (i.high ? i.high->to_string() + "]" : std::string("inf)")) + " ";
+    s += (i.low ? "[" + i.low->to_string() : std::string("(0")) + ", " +
+         (i.high ? i.high->to_string() + "]" : std::string("inf)")) + " ";
   return s;
 }
 
@@ -54,26 +56,30 @@ struct Numbered {
 };
 
 /// What touches when the part stands at (x, y) at scale s, by looking at all pairs.
-std::vector<std::string> touching(const Region& part, const Region& container, const exact::BigRational& s, const RationalPoint& at) {
+std::vector<std::string> touching(const Region& part, const Region& container, const exact::BigRational& s,
+                                  const RationalPoint& at) {
   using exact::BigRational;
   struct Place {
     BigRational x, y;
   };
   const Numbered p(part), c(container);
   const auto of_part = [&](Point v) {
-    return Place{BigRational(exact::exact_value(at.x) + s * exact::exact_value(v.x)), BigRational(exact::exact_value(at.y) + s * exact::exact_value(v.y))};
+    return Place{BigRational(exact::exact_value(at.x) + s * exact::exact_value(v.x)),
+                 BigRational(exact::exact_value(at.y) + s * exact::exact_value(v.y))};
   };
   const auto of_container = [](Point v) { return Place{exact::exact_value(v.x), exact::exact_value(v.y)}; };
   const auto same = [](const Place& a, const Place& b) { return a.x == b.x && a.y == b.y; };
   const auto inside = [&](const Place& a, const Place& b, const Place& v) {
-    const BigRational cross = (b.x - a.x) * (v.y - a.y) - (b.y - a.y) * (v.x - a.x), along = (b.x - a.x) * (v.x - a.x) + (b.y - a.y) * (v.y - a.y);
+    const BigRational cross = (b.x - a.x) * (v.y - a.y) - (b.y - a.y) * (v.x - a.x),
+                      along = (b.x - a.x) * (v.x - a.x) + (b.y - a.y) * (v.y - a.y);
     const BigRational length = (b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y);
     return cross == 0 && along > 0 && along < length;
   };
   std::vector<std::string> list;
   for (std::size_t i = 0; i < p.start.size(); ++i)
     for (std::size_t k = 0; k < c.start.size(); ++k) {
-      const Place v = of_part(p.start[i]), w = of_part(p.end[i]), a = of_container(c.start[k]), b = of_container(c.end[k]);
+      const Place v = of_part(p.start[i]), w = of_part(p.end[i]), a = of_container(c.start[k]),
+                  b = of_container(c.end[k]);
       const std::string part_number = std::to_string(i), number = std::to_string(k);
       if (same(v, a)) list.push_back("vertex " + part_number + " on vertex " + number);
       if (inside(a, b, v)) list.push_back("vertex " + part_number + " on edge " + number);
@@ -84,8 +90,8 @@ std::vector<std::string> touching(const Region& part, const Region& container, c
 }
 
 TEST(ScaleRange, a_c_around_a_post_is_free_at_several_scales) {
-  // A C, open to the right, about the origin; the post is the square [2, 3] x [-1/2, 1/2]: inside the C's mouth at large scales,
-  // beyond it at small ones, in its arms never, but in its back in between.
+  // A C, open to the right, about the origin; the post is the square [2, 3] x [-1/2, 1/2]: inside the C's mouth at
+  // large scales, beyond it at small ones, in its arms never, but in its back in between.
   const Region c = ring({{-1, -2}, {2, -2}, {2, -1}, {0, -1}, {0, 1}, {2, 1}, {2, 2}, {-1, 2}});
   const Region post = shapes::rectangle(-3, -0.5, -2, 0.5);
   const ScaleRange range = scale_range(c, {{0, 0}}, post).value();
@@ -105,7 +111,7 @@ TEST(ScaleRange, contacts_at_the_ends_name_what_touches_and_where) {
   for (const ScaleContact& c : range.free[0].at_high) {
     EXPECT_EQ(c.kind, ScaleContact::Kind::vertex_on_edge);
     EXPECT_TRUE(c.part == 1 || c.part == 2) << c.part;  // the right corners
-    EXPECT_EQ(c.obstacle, 3u);                           // the wall's left side
+    EXPECT_EQ(c.obstacle, 3u);                          // the wall's left side
     EXPECT_EQ(c.leg, 0u);
     EXPECT_EQ(c.along.to_string(), "1/1");
     EXPECT_EQ(c.at.x.to_string(), "2/1");
@@ -113,7 +119,8 @@ TEST(ScaleRange, contacts_at_the_ends_name_what_touches_and_where) {
 }
 
 TEST(ScaleRange, an_exact_fit_is_an_interval_of_one_point) {
-  // A square peg pushed along a corridor as wide as itself at s = 2, where its reference point is off centre: larger and smaller ones hit.
+  // A square peg pushed along a corridor as wide as itself at s = 2, where its reference point is off centre: larger
+  // and smaller ones hit.
   const Region part = shapes::rectangle(1, 1, 2, 2);
   RegionData walls;
   walls.parts.push_back({{{0, 0}, {10, 0}, {10, 2}, {0, 2}}, {}});
@@ -140,7 +147,9 @@ TEST(ScaleRange, random_paths_agree_with_membership_at_many_scales) {
   int several = 0, blocked = 0, free = 0;
   for (int round = 0; round < 200; ++round) {
     oracles::Random random(static_cast<std::uint64_t>(round) + 1);
-    const auto point = [&](int size, int shift) { return Point{double(random.below(size) - shift), double(random.below(size) - shift)}; };
+    const auto point = [&](int size, int shift) {
+      return Point{double(random.below(size) - shift), double(random.below(size) - shift)};
+    };
     // A triangle anywhere about its reference point; two triangles as obstacles.
     const auto triangle = [&](int size, int shift) {
       for (;;) {
@@ -161,12 +170,16 @@ TEST(ScaleRange, random_paths_agree_with_membership_at_many_scales) {
     const ScaleRange range = scale_range(part, path, both).value();
     several += range.free.size() > 1;
     const auto is_free = [&](long a, long b) {
-      // The convex part swept along a leg is the hull of both placements: the sum of a triangle and a segment, an integer region.
+      // The convex part swept along a leg is the hull of both placements: the sum of a triangle and a segment, an
+      // integer region.
       for (std::size_t k = 0; k + 1 < path.size(); ++k) {
         RegionData leg;
         leg.polylines.push_back({times(path[k], double(b), double(b)), times(path[k + 1], double(b), double(b))});
         if (path[k] == path[k + 1]) leg = {{}, {}, {times(path[k], double(b), double(b))}};
-        const Region swept = minkowski_sum(multiplied(part, double(a), double(a)), Region::create(leg).value()).value().rounded().value();
+        const Region swept = minkowski_sum(multiplied(part, double(a), double(a)), Region::create(leg).value())
+                                 .value()
+                                 .rounded()
+                                 .value();
         if (contains(multiplied(both, double(b), double(b)), negated(swept), {0, 0}, Semantics::open)) return false;
       }
       return true;
@@ -174,7 +187,8 @@ TEST(ScaleRange, random_paths_agree_with_membership_at_many_scales) {
     for (int k = 1; k <= 48; ++k) {
       const bool expected = is_free(k, 16);
       (expected ? free : blocked)++;
-      ASSERT_EQ(range.contains(scale_of(k, 16)), expected) << "round " << round << ", s = " << k << "/16; free: " << text(range);
+      ASSERT_EQ(range.contains(scale_of(k, 16)), expected)
+          << "round " << round << ", s = " << k << "/16; free: " << text(range);
     }
     for (const ScaleInterval& i : range.free)
       for (const auto& [end, direction] : {std::pair{i.low, -1}, std::pair{i.high, 1}}) {
@@ -182,7 +196,8 @@ TEST(ScaleRange, random_paths_agree_with_membership_at_many_scales) {
         const long a = std::stol(end->num), b = std::stol(end->den);
         EXPECT_TRUE(is_free(a, b)) << "round " << round << ": " << end->to_string();
         const long fine = 1024;
-        EXPECT_FALSE(is_free(a * fine + direction, b * fine) && !range.contains(scale_of(a * fine + direction, b * fine)))
+        EXPECT_FALSE(is_free(a * fine + direction, b * fine) &&
+                     !range.contains(scale_of(a * fine + direction, b * fine)))
             << "round " << round << ": beyond " << end->to_string();
         EXPECT_FALSE((direction < 0 ? i.at_low : i.at_high).empty());
       }
@@ -221,11 +236,13 @@ TEST(FitRange, the_largest_scale_anywhere_is_exact) {
 TEST(FitRange, random_containers_agree_with_erosions) {
   for (int round = 0; round < 6; ++round) {
     const auto seed = static_cast<std::uint64_t>(round) + 1;
-    const Region container = on_integers(shapes::random_polygon(14, 1, seed), 400), part = on_integers(shapes::noisy_star(7, 0.5, seed), 60);
+    const Region container = on_integers(shapes::random_polygon(14, 1, seed), 400),
+                 part = on_integers(shapes::noisy_star(7, 0.5, seed), 60);
     const ScaleRange range = fit_range(part, container).value();
     for (int k = 1; k <= 60; ++k) {
       const PlanarSum room = erode(multiplied(container, 16, 16), multiplied(part, k, k)).value();
-      EXPECT_EQ(range.contains(scale_of(k, 16)), !room.parts.empty() || !room.segments.empty() || !room.points.empty()) << round << " " << k << " " << text(range);
+      EXPECT_EQ(range.contains(scale_of(k, 16)), !room.parts.empty() || !room.segments.empty() || !room.points.empty())
+          << round << " " << k << " " << text(range);
     }
   }
 }
@@ -234,38 +251,53 @@ TEST(FitRange, contacts_of_any_placement_name_what_holds_the_part) {
   // A peg as high as the room slides along it.
   const ScaleRange slides = fit_range(shapes::rectangle(3, 5, 5, 6), shapes::rectangle(0, 0, 7, 3)).value();
   ASSERT_EQ(text(slides), "(0, 3/1] ");
-  EXPECT_EQ(told(slides.free[0].at_high),
-            (std::vector<std::string>{"vertex 0 on edge 0", "vertex 1 on edge 0", "vertex 2 on edge 2", "vertex 3 on edge 2"}));
+  EXPECT_EQ(told(slides.free[0].at_high), (std::vector<std::string>{"vertex 0 on edge 0", "vertex 1 on edge 0",
+                                                                    "vertex 2 on edge 2", "vertex 3 on edge 2"}));
   for (const ScaleContact& c : slides.free[0].at_high) EXPECT_EQ(c.at, (RationalPoint{{"-9", "1"}, {"-15", "1"}}));
   // A triangle in itself.
   const Region t = ring({{-1, -1}, {1, -1}, {0, 1}});
   const ScaleRange same = fit_range(t, t).value();
   ASSERT_EQ(text(same), "(0, 1/1] ");
-  EXPECT_EQ(told(same.free[0].at_high), (std::vector<std::string>{"vertex 0 on vertex 0", "vertex 1 on vertex 1", "vertex 2 on vertex 2"}));
+  EXPECT_EQ(told(same.free[0].at_high),
+            (std::vector<std::string>{"vertex 0 on vertex 0", "vertex 1 on vertex 1", "vertex 2 on vertex 2"}));
 }
 
 TEST(FitRange, a_c_in_a_ring_is_held_from_inside_at_the_low_end_and_from_outside_at_the_high_one) {
   RegionData frame;
   frame.parts.push_back({{{-10, -10}, {10, -10}, {10, 10}, {-10, 10}}, {{{-8, -8}, {-8, 8}, {8, 8}, {8, -8}}}});
   const Region container = Region::create(frame).value();
-  const Region c = ring({{-9.5, -9.5}, {9.5, -9.5}, {9.5, -1}, {8.5, -1}, {8.5, -8.5}, {-8.5, -8.5}, {-8.5, 8.5}, {8.5, 8.5}, {8.5, 1}, {9.5, 1}, {9.5, 9.5}, {-9.5, 9.5}});
+  const Region c = ring({{-9.5, -9.5},
+                         {9.5, -9.5},
+                         {9.5, -1},
+                         {8.5, -1},
+                         {8.5, -8.5},
+                         {-8.5, -8.5},
+                         {-8.5, 8.5},
+                         {8.5, 8.5},
+                         {8.5, 1},
+                         {9.5, 1},
+                         {9.5, 9.5},
+                         {-9.5, 9.5}});
   const ScaleRange range = fit_range(c, container).value();
   ASSERT_FALSE(range.free.empty());
   const ScaleInterval& around = range.free.back();
   ASSERT_TRUE(around.low.has_value());
   EXPECT_EQ(around.low->to_string(), "16/17");
   EXPECT_EQ(around.high->to_string(), "20/19");
-  EXPECT_EQ(told(around.at_low), (std::vector<std::string>{"vertex 3 on edge 6", "vertex 4 on vertex 7", "vertex 5 on vertex 4", "vertex 6 on vertex 5",
-                                                           "vertex 7 on vertex 6", "vertex 8 on edge 6"}));
-  EXPECT_EQ(told(around.at_high), (std::vector<std::string>{"vertex 0 on vertex 0", "vertex 1 on vertex 1", "vertex 10 on vertex 2", "vertex 11 on vertex 3",
-                                                            "vertex 2 on edge 1", "vertex 9 on edge 1"}));
+  EXPECT_EQ(told(around.at_low),
+            (std::vector<std::string>{"vertex 3 on edge 6", "vertex 4 on vertex 7", "vertex 5 on vertex 4",
+                                      "vertex 6 on vertex 5", "vertex 7 on vertex 6", "vertex 8 on edge 6"}));
+  EXPECT_EQ(told(around.at_high),
+            (std::vector<std::string>{"vertex 0 on vertex 0", "vertex 1 on vertex 1", "vertex 10 on vertex 2",
+                                      "vertex 11 on vertex 3", "vertex 2 on edge 1", "vertex 9 on edge 1"}));
 }
 
 TEST(FitRange, contacts_of_random_fits_are_all_that_touch) {
   int points = 0;
   for (int round = 0; round < 6; ++round) {
     const auto seed = static_cast<std::uint64_t>(round) + 1;
-    const Region container = on_integers(shapes::random_polygon(14, 1, seed), 400), part = on_integers(shapes::noisy_star(7, 0.5, seed), 60);
+    const Region container = on_integers(shapes::random_polygon(14, 1, seed), 400),
+                 part = on_integers(shapes::noisy_star(7, 0.5, seed), 60);
     const ScaleRange range = fit_range(part, container).value();
     for (const ScaleInterval& i : range.free)
       for (const auto& [end, contacts] : {std::pair{i.low, i.at_low}, std::pair{i.high, i.at_high}}) {
@@ -279,7 +311,8 @@ TEST(FitRange, contacts_of_random_fits_are_all_that_touch) {
           std::vector<ScaleContact> here;
           for (const ScaleContact& other : contacts)
             if (other.at == c.at) here.push_back(other);
-          EXPECT_EQ(told(here), touching(part, container, exact::exact_value(*end), c.at)) << "round " << round << ", s = " << end->to_string();
+          EXPECT_EQ(told(here), touching(part, container, exact::exact_value(*end), c.at))
+              << "round " << round << ", s = " << end->to_string();
           ++points;
         }
       }

@@ -1,5 +1,5 @@
-// A fuzz target for planar sums: bytes to a tiny pair of operands, every engine against the sum by definition. Prints the pair and
-// aborts when something is wrong.
+// A fuzz target for planar sums: bytes to a tiny pair of operands, every engine against the sum by definition. Prints
+// the pair and aborts when something is wrong.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -43,8 +43,8 @@ double doubled_area(const Ring& ring) {
   return total;
 }
 
-/// One to three pieces, each a head byte (two bits for the kind: part, hole of the last part, polyline, point; three for the
-/// number of vertices) and its vertices.
+/// One to three pieces, each a head byte (two bits for the kind: part, hole of the last part, polyline, point; three
+/// for the number of vertices) and its vertices.
 RegionData take_region(Bytes& bytes) {
   RegionData out;
   const int pieces = 1 + bytes.next() % 3;

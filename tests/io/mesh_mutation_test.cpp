@@ -43,16 +43,45 @@ class Damage {
   std::size_t below(std::size_t end) { return end == 0 ? 0 : random_() % end; }
 
   void mutate(std::string& text) {
-    static const std::string kWords[] = {" nan ", " -inf ", " 1e999 ", " 99999999999999999999 ", " 4294967296 ", " -1 ",
-                                         " 0 ", "1.2.3", "#", "\n", "\r\n", " ", std::string(1, '\0'), "\xFF\xFF\xFF\xFF",
-                                         "/", "f 1 2 3\n", "v 1 2 3\n", "facet", "vertex", "list", "OFF", "endsolid"};
+    static const std::string kWords[] = {" nan ",
+                                         " -inf ",
+                                         " 1e999 ",
+                                         " 99999999999999999999 ",
+                                         " 4294967296 ",
+                                         " -1 ",
+                                         " 0 ",
+                                         "1.2.3",
+                                         "#",
+                                         "\n",
+                                         "\r\n",
+                                         " ",
+                                         std::string(1, '\0'),
+                                         "\xFF\xFF\xFF\xFF",
+                                         "/",
+                                         "f 1 2 3\n",
+                                         "v 1 2 3\n",
+                                         "facet",
+                                         "vertex",
+                                         "list",
+                                         "OFF",
+                                         "endsolid"};
     const std::size_t at = below(text.size() + 1), length = below(std::min<std::size_t>(40, text.size() - at) + 1);
     switch (below(6)) {
-      case 0: text.resize(at); break;
-      case 1: text.erase(at, length); break;
-      case 2: text.insert(below(text.size() + 1), text.substr(at, length)); break;
-      case 3: text.insert(at, kWords[below(std::size(kWords))]); break;
-      case 4: text.replace(at, length, kWords[below(std::size(kWords))]); break;
+      case 0:
+        text.resize(at);
+        break;
+      case 1:
+        text.erase(at, length);
+        break;
+      case 2:
+        text.insert(below(text.size() + 1), text.substr(at, length));
+        break;
+      case 3:
+        text.insert(at, kWords[below(std::size(kWords))]);
+        break;
+      case 4:
+        text.replace(at, length, kWords[below(std::size(kWords))]);
+        break;
       default:
         if (at < text.size()) text[at] = static_cast<char>(static_cast<unsigned char>(text[at]) ^ (1u << below(8)));
     }

@@ -59,12 +59,24 @@ class Mutator {
                                          "<!--",       "<![CDATA["};
     const std::size_t at = below(text.size() + 1), length = below(std::min<std::size_t>(40, text.size() - at) + 1);
     switch (below(7)) {
-      case 0: text.resize(at); break;
-      case 1: text.erase(at, length); break;
-      case 2: text.insert(below(text.size() + 1), text.substr(at, length)); break;
-      case 3: text.insert(at, kWords[below(std::size(kWords))]); break;
-      case 4: text.replace(at, length, kWords[below(std::size(kWords))]); break;
-      case 5: text.insert(at, other.substr(below(other.size()), 30)); break;
+      case 0:
+        text.resize(at);
+        break;
+      case 1:
+        text.erase(at, length);
+        break;
+      case 2:
+        text.insert(below(text.size() + 1), text.substr(at, length));
+        break;
+      case 3:
+        text.insert(at, kWords[below(std::size(kWords))]);
+        break;
+      case 4:
+        text.replace(at, length, kWords[below(std::size(kWords))]);
+        break;
+      case 5:
+        text.insert(at, other.substr(below(other.size()), 30));
+        break;
       default:
         if (at < text.size()) text[at] = static_cast<char>(static_cast<unsigned char>(text[at]) ^ (1u << below(8)));
     }

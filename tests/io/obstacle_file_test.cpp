@@ -99,11 +99,36 @@ TEST(ObstacleFile, an_index_that_names_nothing_is_refused) {
   };
   EXPECT_TRUE(changed("/work/15", 1.5).ok());
   const std::vector<std::pair<const char*, Json>> changes = {
-      {"/patches/0/1", 8}, {"/patches/0/2", 4}, {"/patches/0/0", 2}, {"/patches/3/13", 99}, {"/patches/0/11", -1}, {"/patches/1/12", Patch::kNone},
-      {"/patches/0", Json::array()}, {"/patch_cells", Json::array()}, {"/patch_cells/0", Json::array()}, {"/patch_cells/0/1", 1000},
-      {"/free_cells/0/0", 500}, {"/shells/0/3", 77}, {"/events/0/1", 1000}, {"/events/0/0", 4}, {"/events/0/2", "x"}, {"/angles/0/4/0", "1x"},
-      {"/angles/0/4/0", ""}, {"/angles/0/4", Json::array({"1"})}, {"/angles/0/1", 2}, {"/angles/0/0", 2}, {"/angles/0/5", 9}, {"/robot", Json::array()}, {"/robot/0/0/0", nullptr},
-      {"/robot", 3}, {"/touching_cells", Json::array({1})}, {"/tight", 1}, {"/tight", Json::array({Json::array({1000, 0, 0, 0, 0, 0})})}, {"/always_concurrent", 2}, {"/work", Json::array()}, {"/work/0", -1}};
+      {"/patches/0/1", 8},
+      {"/patches/0/2", 4},
+      {"/patches/0/0", 2},
+      {"/patches/3/13", 99},
+      {"/patches/0/11", -1},
+      {"/patches/1/12", Patch::kNone},
+      {"/patches/0", Json::array()},
+      {"/patch_cells", Json::array()},
+      {"/patch_cells/0", Json::array()},
+      {"/patch_cells/0/1", 1000},
+      {"/free_cells/0/0", 500},
+      {"/shells/0/3", 77},
+      {"/events/0/1", 1000},
+      {"/events/0/0", 4},
+      {"/events/0/2", "x"},
+      {"/angles/0/4/0", "1x"},
+      {"/angles/0/4/0", ""},
+      {"/angles/0/4", Json::array({"1"})},
+      {"/angles/0/1", 2},
+      {"/angles/0/0", 2},
+      {"/angles/0/5", 9},
+      {"/robot", Json::array()},
+      {"/robot/0/0/0", nullptr},
+      {"/robot", 3},
+      {"/touching_cells", Json::array({1})},
+      {"/tight", 1},
+      {"/tight", Json::array({Json::array({1000, 0, 0, 0, 0, 0})})},
+      {"/always_concurrent", 2},
+      {"/work", Json::array()},
+      {"/work/0", -1}};
   for (const auto& [at, value] : changes) EXPECT_FALSE(changed(at, value).ok()) << at << " " << value;
   Json reversed = file["content"]["angles"];
   std::reverse(reversed.begin(), reversed.end());
@@ -123,7 +148,8 @@ TEST(ObstacleFile, other_texts_and_versions_are_refused) {
     ASSERT_FALSE(read.ok()) << text;
     EXPECT_EQ(read.error().code, Code::malformed) << text;
   }
-  EXPECT_NE(parse_obstacle(R"({"format":"dymsum obstacle","version":2})", "f").error().message.find("version 2"), std::string::npos);
+  EXPECT_NE(parse_obstacle(R"({"format":"dymsum obstacle","version":2})", "f").error().message.find("version 2"),
+            std::string::npos);
   EXPECT_EQ(read_obstacle("/no/such/file").error().code, Code::cannot_open);
 }
 

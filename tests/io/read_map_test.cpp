@@ -85,8 +85,8 @@ TEST_F(ReadMap, random_sets_of_cells_are_the_unions_of_their_squares) {
       rows += '\n';
     }
     if (cells.empty()) continue;
-    const std::string file = write("random.map", "type octile\nheight " + std::to_string(h) + "\nwidth " +
-                                                     std::to_string(w) + "\nmap\n" + rows);
+    const std::string file = write(
+        "random.map", "type octile\nheight " + std::to_string(h) + "\nwidth " + std::to_string(w) + "\nmap\n" + rows);
     EXPECT_EQ(region(file + "#occupied"), squares(cells)) << rows;
   }
 }
@@ -95,8 +95,7 @@ TEST_F(ReadMap, a_ros_map_with_every_kind_of_cell) {
   // Occupied, unknown and free in trinary mode; 204 is 51 / 255 = 0.2 exactly.
   write("room.pgm", pgm(4, 2, {0, 205, 254, 255, 89, 90, 204, 100}));
   const std::string keys = "image: room.pgm\nresolution: 0.05\norigin: [-1.5, 2.25, 0.0]  # lower left\n";
-  const std::string file =
-      write("room.yaml", keys + "negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.2\n");
+  const std::string file = write("room.yaml", keys + "negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.2\n");
   const auto set = [&](const std::vector<Point>& cells) { return squares(cells, -1.5, 2.25, 0.05); };
   // 255 - 89 = 166 is more than 0.65 * 255 = 165.75, 165 is less.
   EXPECT_EQ(region(file + "#occupied"), set({{0, 1}, {0, 0}}));
@@ -106,8 +105,7 @@ TEST_F(ReadMap, a_ros_map_with_every_kind_of_cell) {
       write("negated.yaml", keys + "negate: 1\noccupied_thresh: 0.65\nfree_thresh: 0.2\nmode: scale\n");
   EXPECT_EQ(region(negated + "#free"), set({{0, 1}}));
   EXPECT_EQ(region(negated + "#occupied"), set({{1, 1}, {2, 1}, {3, 1}, {2, 0}}));
-  const std::string raw =
-      write("raw.yml", keys + "occupied_thresh: 0.65\nfree_thresh: 0.25\nmode: raw\nnegate: 0\n");
+  const std::string raw = write("raw.yml", keys + "occupied_thresh: 0.65\nfree_thresh: 0.25\nmode: raw\nnegate: 0\n");
   EXPECT_EQ(region(raw + "#free"), set({{0, 1}}));
   EXPECT_EQ(region(raw + "#occupied"), set({{0, 0}, {1, 0}, {3, 0}}));
   EXPECT_EQ(region(raw + "#unknown"), set({{1, 1}, {2, 1}, {3, 1}, {2, 0}}));
@@ -117,8 +115,9 @@ TEST_F(ReadMap, bytes_wide_values_lists_and_quotes) {
   write("bytes.pgm", std::string("P5 2 1 255\n") + '\0' + '\xff');
   write("wide.pgm", std::string("P5\n2 1\n65535\n") + std::string("\0\1\xff\xfe", 4));
   const auto yaml = [&](const std::string& image) {
-    return write("list.yaml", "---\nimage: '" + image + "'\nresolution: 2\norigin:\n  - 1\n- 0.0\n- \"0\"\nunused: x\n"
-                              "negate: 0\noccupied_thresh: 0.5\nfree_thresh: 0.5\n");
+    return write("list.yaml", "---\nimage: '" + image +
+                                  "'\nresolution: 2\norigin:\n  - 1\n- 0.0\n- \"0\"\nunused: x\n"
+                                  "negate: 0\noccupied_thresh: 0.5\nfree_thresh: 0.5\n");
   };
   for (const char* image : {"bytes.pgm", "wide.pgm"})
     EXPECT_EQ(region(yaml(image) + "#occupied"), squares({{0, 0}}, 1, 0, 2)) << image;

@@ -12,7 +12,8 @@
 namespace dymsum::io_test {
 namespace {
 
-const MeshData kTetrahedron = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
+const MeshData kTetrahedron = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                               {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
 
 std::string corpus(const std::string& file) {
   std::ifstream stream(std::filesystem::path(DYMSUM_CORPUS_DIR) / file, std::ios::binary);
@@ -153,12 +154,14 @@ TEST(ReadMesh, PlyErrors) {
   refused(start + vertex + face + "end_header\n0 0 0\n1e300 0 0 0\n", Code::truncated, 11, "longer than the rest");
   const std::string binary = corpus("read_ply/cube_big.ply");
   refused(binary.substr(0, binary.size() - 1), Code::truncated, 0, "a list is longer than the rest of the file (byte ");
-  refused(binary.substr(0, binary.size() - 18), Code::truncated, 0, "(byte " + std::to_string(binary.size() - 18) + ")");
+  refused(binary.substr(0, binary.size() - 18), Code::truncated, 0,
+          "(byte " + std::to_string(binary.size() - 18) + ")");
   refused(binary + "!", Code::malformed, 0, "(byte " + std::to_string(binary.size()) + ")");
 }
 
 TEST(ReadMesh, PathsAndFormats) {
-  for (const MeshFormat format : {MeshFormat::off, MeshFormat::obj, MeshFormat::stl, MeshFormat::ply, MeshFormat::glb}) {
+  for (const MeshFormat format :
+       {MeshFormat::off, MeshFormat::obj, MeshFormat::stl, MeshFormat::ply, MeshFormat::glb}) {
     EXPECT_EQ(mesh_format("a.b/c" + std::string(extension(format))).value(), format);
   }
   EXPECT_EQ(mesh_format("A.STL").value(), MeshFormat::stl);

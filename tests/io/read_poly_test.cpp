@@ -121,7 +121,8 @@ TEST(ReadPoly, huge_announced_counts_allocate_nothing) {
 
 TEST(ReadPoly, the_index_may_go_on_on_further_lines) {
   const RegionData one_line = read_one("2\n4 out\n0 0\n1 0\n1 1\n0 1\n1 2 3 4\n3 out\n5 5\n6 5\n5 6\n1 2 3\n", kPoly);
-  EXPECT_EQ(read_one("2\n4 out\n0 0\n1 0\n1 1\n0 1\n1 2\n3 4\n3 out\n5 5\n6 5\n5 6\n1\n2\n# the last\n3\n", kPoly), one_line);
+  EXPECT_EQ(read_one("2\n4 out\n0 0\n1 0\n1 1\n0 1\n1 2\n3 4\n3 out\n5 5\n6 5\n5 6\n1\n2\n# the last\n3\n", kPoly),
+            one_line);
   refused("2\n4 out\n0 0\n1 0\n1 1\n0 1\n1 2\n3\n3 out\n5 5\n6 5\n5 6\n", Code::malformed, 7, "3 numbers for 4 points");
   refused("1\n4 out\n0 0\n1 0\n1 1\n0 1\n1 2\n2 4\n", Code::malformed, 7, "2 comes twice");
   refused("1\n4 out\n0 0\n1 0\n1 1\n0 1\n1 2\n3\n", Code::truncated, 7, "3 numbers for 4 points");

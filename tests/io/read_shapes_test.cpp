@@ -62,9 +62,8 @@ TEST(ReadShapes, one_shape_is_selected_by_name_or_place) {
 TEST(ReadShapes, a_selection_must_name_one_shape) {
   const Folder folder("select");
   save(folder / "two.json", kTwoItems);
-  save(
-      folder / "same.json",
-      R"({"items":[{"id":1,"shape":{"type":"multi_polygon","data":[]}},
+  save(folder / "same.json",
+       R"({"items":[{"id":1,"shape":{"type":"multi_polygon","data":[]}},
                  {"id":1,"shape":{"type":"multi_polygon","data":[]}}]})");
   save(folder / "none.json", R"({"items":[]})");
   const Error several = error_of(folder / "two.json");

@@ -150,7 +150,9 @@ TEST(ReadSvg, very_many_rings_around_one_another_are_refused_in_time) {
 
 TEST(ReadSvg, nested_svg_elements_place_their_content) {
   const std::string square = "<path d='M0 0L10 0L10 10L0 10Z'/></svg>";
-  const auto at = [](double x0, double y0, double x1, double y1) { return Ring{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; };
+  const auto at = [](double x0, double y0, double x1, double y1) {
+    return Ring{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
+  };
   EXPECT_EQ(ring_of("<svg x='5' y='-2'>" + square), at(5, -2, 15, 8));
   EXPECT_EQ(ring_of("<svg x='5' y='1' width='20' height='20' viewBox='0 0 10 10'>" + square), at(5, 1, 25, 21));
   EXPECT_EQ(ring_of("<svg width='10' height='10' viewBox='-4 2 10 10'>" + square), at(4, -2, 14, 8));
@@ -174,7 +176,8 @@ TEST(ReadSvg, hidden_elements_are_not_read) {
   EXPECT_EQ(ring_of(seen + "<g display='none'>" + hidden + "</g>"), square);
   EXPECT_EQ(ring_of(seen + "<g style='fill:red; display : none !important'><g>" + hidden + "</g></g>"), square);
   EXPECT_EQ(ring_of(seen + "<g visibility='hidden'>" + hidden + "</g>"), square);
-  EXPECT_EQ(ring_of("<g style='visibility:collapse'>" + hidden + "<g visibility='visible'>" + seen + "</g></g>"), square);
+  EXPECT_EQ(ring_of("<g style='visibility:collapse'>" + hidden + "<g visibility='visible'>" + seen + "</g></g>"),
+            square);
   EXPECT_EQ(ring_of(seen + "<rect display='none' width='2' height='2'/>"), square);
   // The element's own style comes before the attribute.
   EXPECT_EQ(ring_of("<rect display='none' style='display:inline' width='1' height='1'/>"), square);
@@ -189,7 +192,8 @@ TEST(ReadSvg, styles_that_place_elements_are_refused) {
   refused("<rect width='1' height='1' style='transform:rotate(45deg)'/>", Code::malformed, 2, "a style sets transform");
   refused("<rect width='1' height='1' style='fill:red;WIDTH:3px'/>", Code::malformed, 2, "a style sets width");
   refused("<rect width='3' height='3' style='rx:1'/>", Code::malformed, 2, "a style sets rx");
-  refused("<rect width='1' height='1' transform='scale(2)' transform-origin='1 1'/>", Code::malformed, 2, "transform-origin");
+  refused("<rect width='1' height='1' transform='scale(2)' transform-origin='1 1'/>", Code::malformed, 2,
+          "transform-origin");
   refused("<style>rect{TRANSFORM:scale(3)}</style><rect width='1' height='1'/>", Code::malformed, 2, "style sheet");
 }
 

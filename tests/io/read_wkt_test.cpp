@@ -85,10 +85,12 @@ TEST(ReadWkt, deep_nesting_is_refused) {
 }
 
 TEST(ReadWkt, third_coordinates_are_refused_as_such) {
-  for (const char* text : {"POLYGON Z ((0 0 1, 1 0 1, 0 1 1, 0 0 1))", "POLYGONZ((0 0 1, 1 0 1, 0 1 1, 0 0 1))", "POINT Z (1 2 3)", "POINTM (1 2 3)",
-                           "MULTIPOINT Z ((1 2 3))", "LineString ZM (0 0 1 1, 1 1 1 1)", "GEOMETRYCOLLECTION Z (POINT Z (1 2 3))"})
+  for (const char* text : {"POLYGON Z ((0 0 1, 1 0 1, 0 1 1, 0 0 1))", "POLYGONZ((0 0 1, 1 0 1, 0 1 1, 0 0 1))",
+                           "POINT Z (1 2 3)", "POINTM (1 2 3)", "MULTIPOINT Z ((1 2 3))",
+                           "LineString ZM (0 0 1 1, 1 1 1 1)", "GEOMETRYCOLLECTION Z (POINT Z (1 2 3))"})
     refused(text, Code::malformed, 1, "not planar: only x and y can be read");
-  for (const char* text : {"POLYGON ((0 0 1, 1 0 1, 0 1 1, 0 0 1))", "POINT (1 2 3)", "MULTIPOINT ((1 2 3))", "LINESTRING (0 0, 1 1 1e3)"})
+  for (const char* text :
+       {"POLYGON ((0 0 1, 1 0 1, 0 1 1, 0 0 1))", "POINT (1 2 3)", "MULTIPOINT ((1 2 3))", "LINESTRING (0 0, 1 1 1e3)"})
     refused(text, Code::malformed, 1, "a third coordinate");
 }
 

@@ -80,7 +80,8 @@ std::vector<Number> numbers(const Glb& glb, std::size_t which, std::size_t each)
   EXPECT_EQ(view["byteLength"], 4 * each * accessor["count"].get<std::size_t>());
   std::vector<Number> list;
   for (std::size_t i = 0; i < each * accessor["count"].get<std::size_t>(); ++i)
-    list.push_back(io::from_bytes<Number>(glb.bytes, view["byteOffset"].get<std::size_t>() + 4 * i, std::endian::little));
+    list.push_back(
+        io::from_bytes<Number>(glb.bytes, view["byteOffset"].get<std::size_t>() + 4 * i, std::endian::little));
   return list;
 }
 
@@ -98,18 +99,24 @@ TEST(WriteMesh, GlbHoldsEveryTriangleInItsColourOnSharedVertices) {
   ASSERT_EQ(glb.json["meshes"][0]["primitives"].size(), 1u);
   const Json& primitive = glb.json["meshes"][0]["primitives"][0];
   EXPECT_FALSE(primitive["attributes"].contains("NORMAL")) << "vertices of one place would not be merged";
-  const auto places = numbers<float>(glb, primitive["attributes"]["POSITION"], 3), lights = numbers<float>(glb, primitive["attributes"]["COLOR_0"], 3);
+  const auto places = numbers<float>(glb, primitive["attributes"]["POSITION"], 3),
+             lights = numbers<float>(glb, primitive["attributes"]["COLOR_0"], 3);
   const auto corners = numbers<std::uint32_t>(glb, primitive["indices"], 1);
   ASSERT_EQ(places.size(), lights.size());
   EXPECT_EQ(corners.size(), 3 * box.triangle_count());
   EXPECT_LT(places.size(), 9 * box.triangle_count());
   double area = 0, red = 0, green = 0;
   for (std::size_t t = 0; t < corners.size(); t += 3) {
-    const auto d = [&](std::size_t corner, std::size_t i) { return double(places[3 * corners[t + corner] + i]) - places[3 * corners[t] + i]; };
-    const double part = std::hypot(d(1, 1) * d(2, 2) - d(1, 2) * d(2, 1), d(1, 2) * d(2, 0) - d(1, 0) * d(2, 2), d(1, 0) * d(2, 1) - d(1, 1) * d(2, 0)) / 2;
+    const auto d = [&](std::size_t corner, std::size_t i) {
+      return double(places[3 * corners[t + corner] + i]) - places[3 * corners[t] + i];
+    };
+    const double part = std::hypot(d(1, 1) * d(2, 2) - d(1, 2) * d(2, 1), d(1, 2) * d(2, 0) - d(1, 0) * d(2, 2),
+                                   d(1, 0) * d(2, 1) - d(1, 1) * d(2, 0)) /
+                        2;
     area += part;
     for (std::size_t k = 1; k < 3; ++k)
-      for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(lights[3 * corners[t + k] + i], lights[3 * corners[t] + i]) << "a triangle has one colour";
+      for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_EQ(lights[3 * corners[t + k] + i], lights[3 * corners[t] + i]) << "a triangle has one colour";
     red += lights[3 * corners[t]] == 1 ? part : 0;
     green += lights[3 * corners[t]] == 0 && lights[3 * corners[t] + 1] == 1 ? part : 0;
   }
@@ -119,7 +126,8 @@ TEST(WriteMesh, GlbHoldsEveryTriangleInItsColourOnSharedVertices) {
   const Json& all = glb.json["accessors"][primitive["attributes"]["POSITION"].get<std::size_t>()];
   EXPECT_EQ(all["min"], Json::array({-1, -2, -3}));
   EXPECT_EQ(all["max"], Json::array({1, 2, 3}));
-  const Glb half = opened(format_glb(box.data(), {std::vector<FaceColour>{{{0.5f, 0.5f, 0.5f}, {0, 1, 2, 3, 4, 5}}}, {}}));
+  const Glb half =
+      opened(format_glb(box.data(), {std::vector<FaceColour>{{{0.5f, 0.5f, 0.5f}, {0, 1, 2, 3, 4, 5}}}, {}}));
   EXPECT_NEAR(numbers<float>(half, half.json["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"], 3)[0], 0.214, 1e-3)
       << "half of what a screen is told is a fifth of the light";
 }
@@ -134,7 +142,8 @@ TEST(WriteMesh, TheEmptyMeshIsAnEmptyScene) {
 TEST(WriteMesh, FilesAreReplacedAsAWhole) {
   const Folder folder("write_mesh");
   const Mesh box = solids::box(0, 0, 0, 1, 2, 3);
-  for (const MeshFormat format : {MeshFormat::off, MeshFormat::obj, MeshFormat::stl, MeshFormat::ply, MeshFormat::glb}) {
+  for (const MeshFormat format :
+       {MeshFormat::off, MeshFormat::obj, MeshFormat::stl, MeshFormat::ply, MeshFormat::glb}) {
     const std::string path = folder / ("box" + std::string(extension(format)));
     const Result<std::size_t> written = write_mesh(box, path);
     ASSERT_TRUE(written.ok()) << written.error().to_string();

@@ -12,22 +12,53 @@ namespace fs = std::filesystem;
 
 /// Every folder of src/ that may hold files, in their order: a file in any other is a violation.
 const std::vector<std::string> kRooms = {
-    "base", "exact",
-    "planar/region", "planar/shapes", "planar/position", "planar/operand", "planar/convolution", "planar/mask", "planar/arrangement",
-    "planar/boundary", "planar/result", "planar/sum", "planar/frames", "planar/scaling", "planar/turning", "planar/rotating",
+    "base",
+    "exact",
+    "planar/region",
+    "planar/shapes",
+    "planar/position",
+    "planar/operand",
+    "planar/convolution",
+    "planar/mask",
+    "planar/arrangement",
+    "planar/boundary",
+    "planar/result",
+    "planar/sum",
+    "planar/frames",
+    "planar/scaling",
+    "planar/turning",
+    "planar/rotating",
     "planar/convex",
-    "cspace/events", "cspace/boundary", "cspace/obstacle", "cspace/motion", "cspace/planner", "cspace/queries", "cspace/mesh",
-    "spatial/mesh", "spatial/solids", "spatial/gauss", "spatial/convex", "spatial/convolution", "spatial/arrangement",
-    "spatial/boundary", "spatial/sum",
-    "depth", "fit",
-    "io", "io/region", "io/mesh", "io/picture", "io/obstacle",
+    "cspace/events",
+    "cspace/boundary",
+    "cspace/obstacle",
+    "cspace/motion",
+    "cspace/planner",
+    "cspace/queries",
+    "cspace/mesh",
+    "spatial/mesh",
+    "spatial/solids",
+    "spatial/gauss",
+    "spatial/convex",
+    "spatial/convolution",
+    "spatial/arrangement",
+    "spatial/boundary",
+    "spatial/sum",
+    "depth",
+    "fit",
+    "io",
+    "io/region",
+    "io/mesh",
+    "io/picture",
+    "io/obstacle",
 };
 
 /// Those of the other trees. The folders of the command line include each other freely.
-const std::vector<std::string> kOtherRooms = {"include/dymsum", "cli", "cli/verbs", "cli/planar", "cli/solid", "cli/pictures", "examples"};
+const std::vector<std::string> kOtherRooms = {"include/dymsum", "cli",          "cli/verbs", "cli/planar",
+                                              "cli/solid",      "cli/pictures", "examples"};
 
-/// Headers from outside the standard library by the first folder of the rooms that may include them; POSIX ones for files and
-/// terminals.
+/// Headers from outside the standard library by the first folder of the rooms that may include them; POSIX ones for
+/// files and terminals.
 const std::map<std::string, std::vector<std::string>> kForeign = {
     {"base", {"tbb/", "oneapi/", "emmintrin.h"}},  // the compiler's own: vector registers, where it has them
     {"exact", {"boost/multiprecision/"}},

@@ -34,7 +34,8 @@ TEST(Layering, EveryKindOfViolationIsFound) {
       "src/exact/looks_up.cpp:6: \"dymsum/missing.h\": no such public header",
       "src/exact/looks_up.cpp:7: \"../planar/shape.h\": no such room",
       "src/planar/in_no_room.cpp:0: : no such room",
-      "src/planar/region/looks_down.cpp:2: \"planar/scaling/window.h\": room planar/scaling stands after room planar/region",
+      "src/planar/region/looks_down.cpp:2: \"planar/scaling/window.h\": room planar/scaling stands after room "
+      "planar/region",
       "src/utils/anything.h:0: : no such room",
   };
   EXPECT_EQ(found, expected);

@@ -29,13 +29,36 @@ inline Region region(std::vector<Part> parts) {
 /// Two rooms of 10 x 10 and a wall between them, 2 thick, with a doorway from y = low to y = high.
 inline Region two_rooms(double low, double high) {
   return region({{box(-12, -6, 12, 6),
-                  {{{-11, -5}, {-11, 5}, {-1, 5}, {-1, high}, {1, high}, {1, 5}, {11, 5}, {11, -5}, {1, -5}, {1, low},
-                    {-1, low}, {-1, -5}}}}});
+                  {{{-11, -5},
+                    {-11, 5},
+                    {-1, 5},
+                    {-1, high},
+                    {1, high},
+                    {1, 5},
+                    {11, 5},
+                    {11, -5},
+                    {1, -5},
+                    {1, low},
+                    {-1, low},
+                    {-1, -5}}}}});
 }
 
 inline Region bug_trap(double mouth) {
-  return region({{{{-5, -5}, {5, -5}, {5, 5}, {-5, 5}, {-5, mouth}, {0, mouth}, {0, mouth + 0.5}, {-4, mouth + 0.5},
-                   {-4, 4}, {4, 4}, {4, -4}, {-4, -4}, {-4, -mouth - 0.5}, {0, -mouth - 0.5}, {0, -mouth},
+  return region({{{{-5, -5},
+                   {5, -5},
+                   {5, 5},
+                   {-5, 5},
+                   {-5, mouth},
+                   {0, mouth},
+                   {0, mouth + 0.5},
+                   {-4, mouth + 0.5},
+                   {-4, 4},
+                   {4, 4},
+                   {4, -4},
+                   {-4, -4},
+                   {-4, -mouth - 0.5},
+                   {0, -mouth - 0.5},
+                   {0, -mouth},
                    {-5, -mouth}},
                   {}}});
 }
@@ -88,14 +111,19 @@ inline std::vector<Room> known_rooms() {
           {"bar and a doorway too narrow", bar, two_rooms(-0.45, 0.45), both, 12},
           {"hook and jamb", hook, two_rooms(-1.25, 1.25), {{-7, -2, 0}, {7, 2, 2 * right}, {7, -2, right}}, 12},
           {"hook and a doorway too narrow", hook, two_rooms(-0.75, 0.5), {{-7, -2, 0}, {7, 2, 2 * right}}, 12},
-          {"bar in a corridor", bar,
+          {"bar in a corridor",
+           bar,
            region({{box(-20, -3, 20, 3), {{{-19, -2}, {-19, 2}, {19, 2}, {19, -2}}}}}),
-           {{-10, 0, 0}, {10, 1, 0.1}, {10, 0, 2 * right}, {0, 0, -2.9}}, 20},
+           {{-10, 0, 0}, {10, 1, 0.1}, {10, 0, 2 * right}, {0, 0, -2.9}},
+           20},
           {"bug trap", wedge, bug_trap(0.5), {{2, 2, 1}, {-9, 3, -2}, {2, -2, -1}}, 11},
           {"bug trap with its mouth shut", wedge, bug_trap(0.25), {{2, 2, 1}, {-9, 3, -2}, {2, -2, -1}}, 11},
           {"square and slot", square, two_rooms(-0.25, 0.875), {{-5, 1.5, 0.3}, {5, -2.25, 2}}, 12},
-          {"square and a slot a hair too narrow", square, two_rooms(0, 1 - 0x1p-20),
-           {{-5, 1.5, 0.3}, {5, -2.25, 2}, {-9, -2.25, 2}}, 12}};
+          {"square and a slot a hair too narrow",
+           square,
+           two_rooms(0, 1 - 0x1p-20),
+           {{-5, 1.5, 0.3}, {5, -2.25, 2}, {-9, -2.25, 2}},
+           12}};
 }
 
 }  // namespace dymsum::sampling

@@ -125,7 +125,8 @@ Pt<N> place_on_first_edge(const ExactRing<N>& hole, const ExactShape<N>& shape) 
   for (int k = 2;; ++k) {
     const N t = N(1) / N(k);
     const Pt<N> m{hole[0].x + (hole[1].x - hole[0].x) * t, hole[0].y + (hole[1].y - hole[0].y) * t};
-    if (k == 1000 || std::none_of(shape.parts.begin(), shape.parts.end(), [&](const ExactPart<N>& part) { return on_ring(part.outer, m); }))
+    if (k == 1000 || std::none_of(shape.parts.begin(), shape.parts.end(),
+                                  [&](const ExactPart<N>& part) { return on_ring(part.outer, m); }))
       return m;
   }
 }
@@ -224,14 +225,16 @@ std::string spot_check(const Region& p, const Region& q, const PlanarSum& sum, i
   for (int i = 0; i < places; ++i) {
     const auto pick = [&](double low, double high) {
       const double step = (high - low) / 1024;
-      return from_double<N>(std::floor(low + step * static_cast<double>(random.below(1025)))) + N(random.below(5)) / N(7);
+      return from_double<N>(std::floor(low + step * static_cast<double>(random.below(1025)))) +
+             N(random.below(5)) / N(7);
     };
     const Pt<N> c{pick(box_p[0] + box_q[0], box_p[2] + box_q[2]), pick(box_p[1] + box_q[1], box_p[3] + box_q[3])};
     int depth = 0;
     bool on_rim = false;
     for (const ExactRing<N>& ring : rings) {
       depth += inside_ring(ring, c) ? 1 : 0;
-      for (std::size_t k = 0; k < ring.size(); ++k) on_rim = on_rim || on_segment(Seg<N>{ring[k], ring[(k + 1) % ring.size()]}, c);
+      for (std::size_t k = 0; k < ring.size(); ++k)
+        on_rim = on_rim || on_segment(Seg<N>{ring[k], ring[(k + 1) % ring.size()]}, c);
     }
     if (on_rim) continue;
     if ((depth % 2 == 1) != member.meets(c)) return "membership of " + text(c) + " is wrong";
@@ -242,9 +245,8 @@ std::string spot_check(const Region& p, const Region& q, const PlanarSum& sum, i
 }  // namespace
 
 std::string check_sum(const Region& p, const Region& q, Semantics semantics, const PlanarSum& sum) {
-  const std::string wrong = on_either([&](auto number) {
-    return check_against(reference_sum<decltype(number)>(p.data(), q.data(), semantics), sum);
-  });
+  const std::string wrong = on_either(
+      [&](auto number) { return check_against(reference_sum<decltype(number)>(p.data(), q.data(), semantics), sum); });
   return wrong.empty() ? check_provenance(p, q, Combination::sum, sum) : wrong;
 }
 
@@ -257,14 +259,14 @@ std::string check_nfp(const Region& a, const Region& b, const PlanarSum& sum) {
 }
 
 std::string check_erode(const Region& p, const Region& q, const PlanarSum& sum) {
-  const std::string wrong = on_either([&](auto number) {
-    return check_against(reference_erode<decltype(number)>(p.data(), q.data()), sum);
-  });
+  const std::string wrong =
+      on_either([&](auto number) { return check_against(reference_erode<decltype(number)>(p.data(), q.data()), sum); });
   return wrong.empty() ? check_provenance(p, q, Combination::erosion, sum) : wrong;
 }
 
 std::string spot_check_sum(const Region& p, const Region& q, const PlanarSum& sum, int places, std::uint64_t seed) {
-  const std::string wrong = on_either([&](auto number) { return spot_check<decltype(number)>(p, q, sum, places, seed); });
+  const std::string wrong =
+      on_either([&](auto number) { return spot_check<decltype(number)>(p, q, sum, places, seed); });
   return wrong.empty() ? check_provenance(p, q, Combination::sum, sum) : wrong;
 }
 

@@ -16,8 +16,8 @@ std::string check_sum(const Region& p, const Region& q, Semantics semantics, con
 std::string check_nfp(const Region& a, const Region& b, const PlanarSum& sum);
 std::string check_erode(const Region& p, const Region& q, const PlanarSum& sum);
 
-/// For larger operands, in O(nm) a place: the membership of every vertex and edge midpoint of a closed sum, and of `places`
-/// random places near it; canonical rings; provenance.
+/// For larger operands, in O(nm) a place: the membership of every vertex and edge midpoint of a closed sum, and of
+/// `places` random places near it; canonical rings; provenance.
 std::string spot_check_sum(const Region& p, const Region& q, const PlanarSum& sum, int places, std::uint64_t seed);
 
 }  // namespace dymsum::oracles

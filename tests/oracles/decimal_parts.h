@@ -12,11 +12,14 @@ namespace dymsum::oracles {
 /// `parts` rings of 3 to `most` vertices out of [-reach, reach]^2, in a row with 2.2 reach between them, every
 /// coordinate times `unit`; some have a hole. Rings never touch.
 inline Region decimal_parts(std::mt19937_64& random, int reach, int most, int parts, double unit = 1) {
-  const auto whole = [&] { return static_cast<double>(static_cast<int>(random() % static_cast<unsigned>(2 * reach + 1)) - reach); };
+  const auto whole = [&] {
+    return static_cast<double>(static_cast<int>(random() % static_cast<unsigned>(2 * reach + 1)) - reach);
+  };
   RegionData data;
   const auto add = [&](RegionData more, std::size_t expected, std::size_t holes) {
     const Result<Repaired> repaired = repair(more);
-    if (!repaired || !repaired->region.touching_points().empty() || repaired->region.parts().size() != expected) return false;
+    if (!repaired || !repaired->region.touching_points().empty() || repaired->region.parts().size() != expected)
+      return false;
     std::size_t found = 0;
     for (const Part& part : repaired->region.parts()) found += part.holes.size();
     if (found != holes) return false;
@@ -46,7 +49,8 @@ inline Region decimal_parts(std::mt19937_64& random, int reach, int most, int pa
 inline Region framed(const Region& region, double low, double high) {
   RegionData data = region.data();
   const double out = 2 * high + low;
-  data.parts.push_back({{{-out, -out}, {out, -out}, {out, out}, {-out, out}}, {{{-low, -low}, {-low, low}, {high, low}, {high, -low}}}});
+  data.parts.push_back(
+      {{{-out, -out}, {out, -out}, {out, out}, {-out, out}}, {{{-low, -low}, {-low, low}, {high, low}, {high, -low}}}});
   Result<Region> made = Region::create(std::move(data));
   return made && made->touching_points().empty() ? *made : region;
 }

@@ -45,7 +45,8 @@ ExactShape<N> exact_shape(const PlanarSum& sum) {
     for (const SumRing& hole : part.holes) exact.holes.push_back(exact_ring<N>(sum, hole));
     out.parts.push_back(std::move(exact));
   }
-  for (const SumSegment& s : sum.segments) out.segments.push_back({exact_point<N>(sum, s.from), exact_point<N>(sum, s.to)});
+  for (const SumSegment& s : sum.segments)
+    out.segments.push_back({exact_point<N>(sum, s.from), exact_point<N>(sum, s.to)});
   for (const SumSegment& s : sum.tight_segments)
     out.tight_segments.push_back({exact_point<N>(sum, s.from), exact_point<N>(sum, s.to)});
   for (const SumVertex& v : sum.points) out.points.push_back(exact_point<N>(sum, v));
@@ -97,9 +98,9 @@ N doubled_area(const ExactRing<N>& ring) {
   return total;
 }
 
-#define DYMSUM_INSTANTIATE(N)                                  \
-  template ExactShape<N> exact_shape<N>(const PlanarSum&);     \
-  template ExactShape<N> canonical<N>(ExactShape<N>);          \
+#define DYMSUM_INSTANTIATE(N)                                               \
+  template ExactShape<N> exact_shape<N>(const PlanarSum&);                  \
+  template ExactShape<N> canonical<N>(ExactShape<N>);                       \
   template ExactShape<N> mapped<N>(const ExactShape<N>&, const Affine<N>&); \
   template N doubled_area<N>(const ExactRing<N>&);
 DYMSUM_INSTANTIATE(Small)

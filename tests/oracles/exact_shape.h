@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "numbers.h"
 #include "dymsum/planar_sum.h"
+#include "numbers.h"
 
 namespace dymsum::oracles {
 
@@ -28,8 +28,8 @@ struct ExactShape {
   std::vector<Seg<N>> segments, tight_segments;
   std::vector<Pt<N>> points, tight_points;
   friend bool operator==(const ExactShape& a, const ExactShape& b) {
-    return a.parts == b.parts && a.segments == b.segments && a.tight_segments == b.tight_segments && a.points == b.points &&
-           a.tight_points == b.tight_points;
+    return a.parts == b.parts && a.segments == b.segments && a.tight_segments == b.tight_segments &&
+           a.points == b.points && a.tight_points == b.tight_points;
   }
 };
 
@@ -41,7 +41,8 @@ ExactShape<N> exact_shape(const PlanarSum& sum);
 template <class N>
 ExactShape<N> canonical(ExactShape<N> shape);
 
-/// Each point c becomes (xx c.x + xy c.y, yx c.x + yy c.y) + move; canonical. A reflecting map turns the rings round again.
+/// Each point c becomes (xx c.x + xy c.y, yx c.x + yy c.y) + move; canonical. A reflecting map turns the rings round
+/// again.
 template <class N>
 struct Affine {
   N xx, xy, yx, yy;

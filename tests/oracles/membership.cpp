@@ -119,8 +119,9 @@ bool meet(const Pieces<I>& p, const Pieces<I>& r, bool thin_pairs) {
   return false;
 }
 
-/// The interior of p's parts meets r, or the interior of r's parts meets p. A proper crossing enters the half-plane on the left of a
-/// rim's edge. Without one the rims only touch at their vertices, so between these each edge stays inside, outside or along the other rim, and its midpoints tell.
+/// The interior of p's parts meets r, or the interior of r's parts meets p. A proper crossing enters the half-plane on
+/// the left of a rim's edge. Without one the rims only touch at their vertices, so between these each edge stays
+/// inside, outside or along the other rim, and its midpoints tell.
 template <class I>
 bool overlap(const Pieces<I>& p, const Pieces<I>& r) {
   if (any_cross(p.rim, r.rim) || any_cross(p.rim, r.lines) || any_cross(p.lines, r.rim)) return true;
@@ -144,7 +145,8 @@ template <class I>
 bool hold(const Pieces<I>& p, const Pieces<I>& r) {
   const auto outside = [&](const Pt<I>& c) { return locate(p.rim, c) == Where::outside; };
   if (any_cross(p.rim, r.rim) || any_cross(p.rim, r.lines)) return false;
-  if (std::any_of(r.corners.begin(), r.corners.end(), outside) || std::any_of(r.dots.begin(), r.dots.end(), outside)) return false;
+  if (std::any_of(r.corners.begin(), r.corners.end(), outside) || std::any_of(r.dots.begin(), r.dots.end(), outside))
+    return false;
   for (const Run<I>& run : split(r.lines, p.rim))
     if (outside(run.middle)) return false;
   for (const Run<I>& run : split(r.rim, p.rim)) {
@@ -298,7 +300,9 @@ bool Membership<N>::holds(const Pt<N>& z) const {
 }
 
 bool meets_closed(const RegionData& p, const RegionData& q, const Pt<Big>& z) { return Membership<Big>(p, q).meets(z); }
-bool overlaps_open(const RegionData& p, const RegionData& q, const Pt<Big>& z) { return Membership<Big>(p, q).overlaps(z); }
+bool overlaps_open(const RegionData& p, const RegionData& q, const Pt<Big>& z) {
+  return Membership<Big>(p, q).overlaps(z);
+}
 bool holds_closed(const RegionData& p, const RegionData& q, const Pt<Big>& z) { return Membership<Big>(p, q).holds(z); }
 
 template Pieces<Small> pieces_of<Small>(const RegionData&);

@@ -5,8 +5,8 @@
 #include <array>
 #include <vector>
 
-#include "numbers.h"
 #include "dymsum/region.h"
+#include "numbers.h"
 
 namespace dymsum::oracles {
 

@@ -15,8 +15,9 @@ namespace dymsum::oracles {
 __extension__ typedef __int128 Wide;
 
 using BigInt = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
-using Big = boost::multiprecision::number<boost::multiprecision::rational_adaptor<boost::multiprecision::cpp_int_backend<>>,
-                                          boost::multiprecision::et_off>;
+using Big =
+    boost::multiprecision::number<boost::multiprecision::rational_adaptor<boost::multiprecision::cpp_int_backend<>>,
+                                  boost::multiprecision::et_off>;
 
 /// Thrown when a Small value would not fit; the caller repeats its work with Big.
 struct Overflow {};

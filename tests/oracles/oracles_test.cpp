@@ -1,4 +1,5 @@
-// The slow answers against each other and against sums that can be written down: convex hulls and unions of lattice cells.
+// The slow answers against each other and against sums that can be written down: convex hulls and unions of lattice
+// cells.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -74,7 +75,8 @@ struct Cells {
   }
 };
 
-/// The coordinate z/2 lies in the sum of the faces u and v: point + point, point + interval, interval + interval (open).
+/// The coordinate z/2 lies in the sum of the faces u and v: point + point, point + interval, interval + interval
+/// (open).
 bool covers(int u, int v, int z) {
   const int spread = (u & 1) + (v & 1);
   return spread == 0 ? z == u + v : std::abs(z - u - v) < spread + (spread == 0 ? 1 : 0);
@@ -135,7 +137,13 @@ TEST(Membership, holds_is_the_complement_of_overlapping_the_outside) {
         for (int u = 0; u <= 4 * b.width; ++u)
           for (int v = 0; v <= 4 * b.height; ++v) {
             // the place (x, y)/2 + (u, v)/4, and whether Q has it
-            if (!b.has(u % 4 == 0 ? u / 2 : u % 4 == 2 ? u / 2 : u / 4 * 2 + 1, v % 4 == 0 ? v / 2 : v % 4 == 2 ? v / 2 : v / 4 * 2 + 1, false))
+            if (!b.has(u % 4 == 0   ? u / 2
+                       : u % 4 == 2 ? u / 2
+                                    : u / 4 * 2 + 1,
+                       v % 4 == 0   ? v / 2
+                       : v % 4 == 2 ? v / 2
+                                    : v / 4 * 2 + 1,
+                       false))
               continue;
             const int s = 2 * x + u, t = 2 * y + v;  // in quarters
             const auto face = [](int quarter) {

@@ -25,7 +25,9 @@ class WktReader {
   }
 
  private:
-  [[noreturn]] void fail() const { throw std::runtime_error("bad WKT: " + text_.substr(0, at_) + " >>> " + text_.substr(at_)); }
+  [[noreturn]] void fail() const {
+    throw std::runtime_error("bad WKT: " + text_.substr(0, at_) + " >>> " + text_.substr(at_));
+  }
   void skip_space() {
     while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_]))) ++at_;
   }

@@ -1,5 +1,5 @@
-// A pair of operands with what is known about their combination, as text: the format of tests/corpus/planar, and of what a
-// failing test prints. Lines `#` comments, `p WKT`, `q WKT`, `op sum|nfp|erode`, `expect KEY VALUE...`.
+// A pair of operands with what is known about their combination, as text: the format of tests/corpus/planar, and of
+// what a failing test prints. Lines `#` comments, `p WKT`, `q WKT`, `op sum|nfp|erode`, `expect KEY VALUE...`.
 #pragma once
 
 #include <ostream>

@@ -69,8 +69,10 @@ template <class N>
 class Checker {
  public:
   Checker(const Region& p, const Region& q, Combination combination, const PlanarSum& sum)
-      : p_(numbered<N>(p, 1)), q_(numbered<N>(q, combination == Combination::sum ? 1 : -1)),
-        combination_(combination), sum_(sum) {}
+      : p_(numbered<N>(p, 1)),
+        q_(numbered<N>(q, combination == Combination::sum ? 1 : -1)),
+        combination_(combination),
+        sum_(sum) {}
 
   std::string run() {
     check_error_bound();
@@ -100,7 +102,8 @@ class Checker {
     double extent = 0;
     for (const auto* operand : {&p_, &q_})
       for (const Pt<N>& c : operand->vertices)
-        for (const N& value : {c.x, c.y}) extent = std::max(extent, std::fabs(to_big(value).template convert_to<double>()));
+        for (const N& value : {c.x, c.y})
+          extent = std::max(extent, std::fabs(to_big(value).template convert_to<double>()));
     if (sum_.at_error > extent * 0x1p-33) wrong_ = "provenance: the error bound of positions is too large";
   }
 
@@ -141,7 +144,8 @@ class Checker {
     if (!within(v.at.x, to_big(at.x), sum_.at_error) || !within(v.at.y, to_big(at.y), sum_.at_error))
       complain("position farther off than at_error", at);
     if (v.corner_p == SumVertex::kNone && v.corner_q == SumVertex::kNone) return;
-    if (v.corner_p >= p_.vertices.size() || v.corner_q >= q_.vertices.size()) return complain("corner does not exist", at);
+    if (v.corner_p >= p_.vertices.size() || v.corner_q >= q_.vertices.size())
+      return complain("corner does not exist", at);
     if (p_.vertices[v.corner_p] + q_.vertices[v.corner_q] != at) complain("corner lies elsewhere", at);
   }
 
@@ -174,7 +178,8 @@ class Checker {
   void check_lone(const SumVertex& v) {
     const Pt<N> at = place(v);
     check_place(v, at);
-    if (v.corner_p < p_.vertices.size() && v.corner_q < q_.vertices.size() && !has_edge(p_, v.corner_p) && !has_edge(q_, v.corner_q))
+    if (v.corner_p < p_.vertices.size() && v.corner_q < q_.vertices.size() && !has_edge(p_, v.corner_p) &&
+        !has_edge(q_, v.corner_q))
       return;  // the sum of two points has no contacts
     for (const Contact& contact : {v.in, v.out}) {
       const std::optional<Seg<N>> s = segment(contact);

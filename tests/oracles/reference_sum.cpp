@@ -170,7 +170,8 @@ std::vector<Seg<N>> maximal(std::vector<Seg<N>> pieces) {
   return pieces;
 }
 
-/// What is asked about the set: membership of the closed set, and of an open set inside it whose points are not interesting.
+/// What is asked about the set: membership of the closed set, and of an open set inside it whose points are not
+/// interesting.
 template <class N>
 struct Questions {
   std::function<bool(const Pt<N>&)> in_set;
@@ -182,7 +183,8 @@ struct Questions {
 enum class EdgeKind { off, deep, rim_forward, rim_backward, crack, thin };
 
 template <class N>
-EdgeKind classify(const Arrangement<N>& a, const Questions<N>& ask, const Pt<N>& from, const Pt<N>& to, std::size_t& asked) {
+EdgeKind classify(const Arrangement<N>& a, const Questions<N>& ask, const Pt<N>& from, const Pt<N>& to,
+                  std::size_t& asked) {
   const Pt<N> m = middle(from, to);
   asked += 2;
   if (!ask.in_set(m)) {
@@ -191,7 +193,8 @@ EdgeKind classify(const Arrangement<N>& a, const Questions<N>& ask, const Pt<N>&
   }
   if (ask.in_open(m)) return EdgeKind::deep;
   const bool along_y = from.x != to.x;  // then the left of from -> to is up; otherwise from is below and left is left
-  const Pt<N> left_place = beside(a, m, along_y, along_y ? 1 : -1), right_place = beside(a, m, along_y, along_y ? -1 : 1);
+  const Pt<N> left_place = beside(a, m, along_y, along_y ? 1 : -1),
+              right_place = beside(a, m, along_y, along_y ? -1 : 1);
   const bool left = ask.in_set(left_place), right = ask.in_set(right_place);
   asked += 2;
   if (!ask.has_thin_faces && (ask.in_open(left_place) != left || ask.in_open(right_place) != right))

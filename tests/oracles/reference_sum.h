@@ -1,29 +1,29 @@
-// The whole sum by definition: cut the plane by every edge + vertex of the operands, ask for each vertex, edge and face of
-// that arrangement whether it belongs to the sum, and keep what separates the answers. For tiny operands.
+// The whole sum by definition: cut the plane by every edge + vertex of the operands, ask for each vertex, edge and face
+// of that arrangement whether it belongs to the sum, and keep what separates the answers. For tiny operands.
 #pragma once
 
 #include <vector>
 
-#include "membership.h"
 #include "dymsum/planar_sum.h"
+#include "membership.h"
 
 namespace dymsum::oracles {
 
 /// What the result of a sum must be. All lists sorted.
 template <class N>
 struct ReferenceSum {
-  std::vector<Pt<N>> stops;            ///< every vertex of the arrangement
-  std::vector<Seg<N>> rim;             ///< boundary of the parts, cut at every stop, interior on the left
-  std::vector<Seg<N>> segments;        ///< maximal, a < b
+  std::vector<Pt<N>> stops;      ///< every vertex of the arrangement
+  std::vector<Seg<N>> rim;       ///< boundary of the parts, cut at every stop, interior on the left
+  std::vector<Seg<N>> segments;  ///< maximal, a < b
   std::vector<Pt<N>> points;
   std::vector<Seg<N>> tight_segments;  ///< maximal, a < b
   std::vector<Pt<N>> tight_points;
   std::size_t cells_asked = 0;
 };
 
-/// P (+) Q. closed: M, with the tight part T = F \ cl int F for F the complement of the open sum; where both operands have
-/// polylines or points, these add to M outside the closure of the open sum and T is not reported. open: the same as if such pairs
-/// added nothing, with T. regular: parts only.
+/// P (+) Q. closed: M, with the tight part T = F \ cl int F for F the complement of the open sum; where both operands
+/// have polylines or points, these add to M outside the closure of the open sum and T is not reported. open: the same
+/// as if such pairs added nothing, with T. regular: parts only.
 template <class N>
 ReferenceSum<N> reference_sum(const RegionData& p, const RegionData& q, Semantics semantics);
 

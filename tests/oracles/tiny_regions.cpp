@@ -121,8 +121,8 @@ RegionData random_cells(Random& random, int grid) {
   return random.chance(25) ? mapped(out, 0, 1, 1, 0) : out;
 }
 
-/// Directed unit edges with the filled cell on the left, joined to rings; where two rings meet at a lattice point, `joined`
-/// takes the right turn (around both cells), otherwise the left one (around one cell).
+/// Directed unit edges with the filled cell on the left, joined to rings; where two rings meet at a lattice point,
+/// `joined` takes the right turn (around both cells), otherwise the left one (around one cell).
 std::vector<Ring> trace_cells(const std::vector<bool>& cells, int width, int height, bool joined) {
   const auto filled = [&](int x, int y) {
     return x >= 0 && y >= 0 && x < width && y < height && cells[static_cast<std::size_t>(y * width + x)];
@@ -165,7 +165,8 @@ std::vector<Ring> trace_cells(const std::vector<bool>& cells, int width, int hei
 void drop_straight(Ring& ring) {
   Ring out;
   for (std::size_t i = 0; i < ring.size(); ++i)
-    if (turn_of(ring[(i + ring.size() - 1) % ring.size()], ring[i], ring[(i + 1) % ring.size()]) != 0) out.push_back(ring[i]);
+    if (turn_of(ring[(i + ring.size() - 1) % ring.size()], ring[i], ring[(i + 1) % ring.size()]) != 0)
+      out.push_back(ring[i]);
   ring = std::move(out);
 }
 
@@ -182,7 +183,8 @@ RegionData cells_region(const std::vector<bool>& cells, int width, int height, b
       holes.push_back(std::move(ring));
     }
   }
-  for (Ring& hole : holes) {  // the cell on the left of its first edge is in its part; the smallest ring around it is the outer one
+  for (Ring& hole :
+       holes) {  // the cell on the left of its first edge is in its part; the smallest ring around it is the outer one
     const double dx = hole[1].x - hole[0].x, dy = hole[1].y - hole[0].y, unit = std::max(std::fabs(dx), std::fabs(dy));
     const Point inside{hole[0].x + (dx - dy) / unit / 2, hole[0].y + (dx + dy) / unit / 2};
     const auto around = [&](const Part& part) {
@@ -218,7 +220,8 @@ RegionData random_islands(Random& random, int grid) {
   Ring hole{{1, 1}, {g - 1, 1}, {g - 1, g - 1}, {1, g - 1}};
   if (random.chance(40)) hole[static_cast<std::size_t>(random.below(4))] = {g / 2, g / 2};
   if (random.chance(30)) hole[static_cast<std::size_t>(random.below(4))] = {static_cast<double>(random.below(2)), 1};
-  if (!is_simple(hole) || doubled_area_of(hole) <= 0 || !may_cut(out, 0, hole)) hole = {{1, 1}, {g - 1, 1}, {g - 1, g - 1}, {1, g - 1}};
+  if (!is_simple(hole) || doubled_area_of(hole) <= 0 || !may_cut(out, 0, hole))
+    hole = {{1, 1}, {g - 1, 1}, {g - 1, g - 1}, {1, g - 1}};
   std::reverse(hole.begin(), hole.end());
   out.parts[0].holes.push_back(std::move(hole));
   if (random.chance(50) && out.parts[0].holes[0].size() == 4) {
@@ -335,7 +338,8 @@ std::vector<RegionData> all_small_polygons(int corners) {
     Ring ring;
     for (const int k : pick) ring.push_back(place(k));
     const auto low = [](const Ring& list, auto member) {
-      return std::min_element(list.begin(), list.end(), [&](const Point& a, const Point& b) { return a.*member < b.*member; });
+      return std::min_element(list.begin(), list.end(),
+                              [&](const Point& a, const Point& b) { return a.*member < b.*member; });
     };
     if ((*low(ring, &Point::x)).x != 0 || (*low(ring, &Point::y)).y != 0) return;  // one translate
     if (!is_simple(ring) || doubled_area_of(ring) <= 0) return;

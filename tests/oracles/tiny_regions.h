@@ -3,18 +3,18 @@
 
 #include <vector>
 
-#include "random.h"
 #include "dymsum/region.h"
+#include "random.h"
 
 namespace dymsum::oracles {
 
-/// A random region with coordinates in 0 .. grid (sheared lattice shapes may leave that range a little): a simple polygon, a
-/// polygon with holes, several parts that may touch, unions of lattice cells, polylines, points, and mixtures.
-/// Valid in the sense of Region::create; never empty.
+/// A random region with coordinates in 0 .. grid (sheared lattice shapes may leave that range a little): a simple
+/// polygon, a polygon with holes, several parts that may touch, unions of lattice cells, polylines, points, and
+/// mixtures. Valid in the sense of Region::create; never empty.
 RegionData random_region(Random& random, int grid);
 
-/// Two random regions; in a third of the pairs Q is made to fit P: it is minus one of P's holes, or a box that slides or fits
-/// between P's lattice cells, or tiny beside a frame with islands.
+/// Two random regions; in a third of the pairs Q is made to fit P: it is minus one of P's holes, or a box that slides
+/// or fits between P's lattice cells, or tiny beside a frame with islands.
 struct Pair {
   RegionData p, q;
 };
@@ -26,8 +26,8 @@ RegionData random_parts(Random& random, int grid);
 /// A random simple polygon with at most `corners` vertices, counter-clockwise.
 Ring random_polygon(Random& random, int grid, int corners);
 
-/// The union of the chosen unit cells of a width x height lattice, row by row; cells that only share a corner are one ring
-/// there when `joined`, separate ones otherwise. Empty when no cell is chosen.
+/// The union of the chosen unit cells of a width x height lattice, row by row; cells that only share a corner are one
+/// ring there when `joined`, separate ones otherwise. Empty when no cell is chosen.
 RegionData cells_region(const std::vector<bool>& cells, int width, int height, bool joined);
 
 /// The integer map (a b; c d), with determinant 1 or -1, of a region; rings keep their orientation rules.

@@ -48,11 +48,13 @@ std::string check_contains(const Region& p, const Region& q) {
   const bool thin_pair = has_thin_pair(p.data(), q.data());
   for (int i = 0; i <= 3; ++i)
     for (int j = 0; j <= 3; ++j) {
-      const Point z{a[0] + b[0] + (a[2] + b[2] - a[0] - b[0]) * i / 3, a[1] + b[1] + (a[3] + b[3] - a[1] - b[1]) * j / 3};
+      const Point z{a[0] + b[0] + (a[2] + b[2] - a[0] - b[0]) * i / 3,
+                    a[1] + b[1] + (a[3] + b[3] - a[1] - b[1]) * j / 3};
       const Pt<Big> exact{from_double<Big>(z.x), from_double<Big>(z.y)};
       if (contains(p, q, z, Semantics::closed) != member.meets(exact)) return "contains (closed) is wrong";
       if (contains(p, q, z, Semantics::open) != member.overlaps(exact)) return "contains (open) is wrong";
-      if (!thin_pair && contains(p, q, z, Semantics::regular) != member.meets(exact)) return "contains (regular) is wrong";
+      if (!thin_pair && contains(p, q, z, Semantics::regular) != member.meets(exact))
+        return "contains (regular) is wrong";
     }
   return "";
 }
@@ -72,11 +74,13 @@ std::string check_difference(const Region& p, const Region& q) {
 }
 
 std::string judge(const Region& p, const Region& q) {
-  const std::size_t count = has_thin_pair(p.data(), q.data()) ? 3 : 2;  // otherwise regular is closed without its features
+  const std::size_t count =
+      has_thin_pair(p.data(), q.data()) ? 3 : 2;  // otherwise regular is closed without its features
   for (std::size_t i = 0; i < count; ++i)
     if (std::string wrong = check_semantics(p, q, i); !wrong.empty()) return wrong;
   if (count == 2) {
-    const Result<PlanarSum> closed = minkowski_sum(p, q), regular = minkowski_sum(p, q, options(Engine::fast, Semantics::regular));
+    const Result<PlanarSum> closed = minkowski_sum(p, q),
+                            regular = minkowski_sum(p, q, options(Engine::fast, Semantics::regular));
     PlanarSum bare = *closed;
     bare.tight_points.clear();
     bare.tight_segments.clear();
@@ -105,8 +109,8 @@ std::string failure_report(const RegionData& p, const RegionData& q, const std::
     const std::string text = verdict(a, b);
     return !text.empty() && !refused(text);
   });
-  return "# " + wrong + "\n# shrunk: " + verdict(small.p, small.q) + "\n" + to_text(small.p, small.q) + "# before shrinking:\n# p " +
-         to_wkt(p) + "\n# q " + to_wkt(q) + "\n";
+  return "# " + wrong + "\n# shrunk: " + verdict(small.p, small.q) + "\n" + to_text(small.p, small.q) +
+         "# before shrinking:\n# p " + to_wkt(p) + "\n# q " + to_wkt(q) + "\n";
 }
 
 std::uint64_t setting(const char* name, std::uint64_t fallback) {

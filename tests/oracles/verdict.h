@@ -3,14 +3,14 @@
 
 #include <string>
 
-#include "tiny_regions.h"
 #include "dymsum/planar_sum.h"
+#include "tiny_regions.h"
 
 namespace dymsum::oracles {
 
-/// The first thing wrong with sum, nfp, erode or contains of the pair, or nothing. Every engine under every semantics gives the
-/// same sum; that sum equals the reference. Invalid regions are refused with the sentence "invalid operand: ...".
-/// Tiny operands only: the reference is slow.
+/// The first thing wrong with sum, nfp, erode or contains of the pair, or nothing. Every engine under every semantics
+/// gives the same sum; that sum equals the reference. Invalid regions are refused with the sentence "invalid operand:
+/// ...". Tiny operands only: the reference is slow.
 std::string verdict(const RegionData& p, const RegionData& q);
 inline bool refused(const std::string& verdict) { return verdict.rfind("invalid operand", 0) == 0; }
 

@@ -53,7 +53,8 @@ class CellGrid {
 
   /// The open cube of size 2 at a voxel.
   void add(const Voxel& at) {
-    for_box({2 * at[0] + 1, 2 * at[1] + 1, 2 * at[2] + 1}, {2 * at[0] + 3, 2 * at[1] + 3, 2 * at[2] + 3}, [&](std::size_t k) { in_sum_[k] = true; });
+    for_box({2 * at[0] + 1, 2 * at[1] + 1, 2 * at[2] + 1}, {2 * at[0] + 3, 2 * at[1] + 3, 2 * at[2] + 3},
+            [&](std::size_t k) { in_sum_[k] = true; });
   }
 
   VoxelSum count() {

@@ -15,18 +15,19 @@ using Voxels = std::set<Voxel>;
 using IntegerMap = std::array<std::array<int, 3>, 3>;
 inline constexpr IntegerMap kNoShear{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
-/// The boundary, every exposed square a face; the map is applied to all vertices (its determinant has to be positive). Edges may have four
-/// faces, vertices several fans.
+/// The boundary, every exposed square a face; the map is applied to all vertices (its determinant has to be positive).
+/// Edges may have four faces, vertices several fans.
 MeshData voxel_mesh(const Voxels& voxels, const IntegerMap& map = kNoShear);
 
 /// Sizes of the open sum int P + int Q and of what is tight in its complement.
 struct VoxelSum {
-  std::size_t volume = 0;         ///< cubes
-  std::size_t tight_faces = 0;    ///< squares in no closure of a free cube
-  std::size_t tight_edges = 0;    ///< in no closure of a free cube or tight square
+  std::size_t volume = 0;       ///< cubes
+  std::size_t tight_faces = 0;  ///< squares in no closure of a free cube
+  std::size_t tight_edges = 0;  ///< in no closure of a free cube or tight square
   std::size_t tight_points = 0;
 };
-/// By membership: the open sum is the union of the open cubes of size 2 at sums of voxels. O(cells of the box times voxels).
+/// By membership: the open sum is the union of the open cubes of size 2 at sums of voxels. O(cells of the box times
+/// voxels).
 VoxelSum voxel_sum(const Voxels& p, const Voxels& q);
 
 /// A pair in boxes of at most `size` voxels a side; of some pairs Q is what fits into the gaps of P.

@@ -1,11 +1,12 @@
-// Proof. Let the interiors meet, and let no edges cross properly. If some boundary ring of one enters the interior of the other and does
-// not lie in it as a whole, it leaves it at a common point of the boundaries: at a vertex of one on an edge or a vertex of the other, as
-// edges do not cross, and there the sectors that the two fill have directions in common. Otherwise a whole ring of one lies in the
-// interior of the other, or no boundary enters the other's interior. Then two parts whose interiors meet are equal and have a common
-// vertex with equal sectors. So three tests tell: proper crossings; sectors at vertices on edges and vertices; a vertex of every ring
-// that touches nothing. Pieces without area have no sectors: if a polyline enters the interior of a part and is not inside as a whole, it
-// leaves it at a common point too, and there one of its rays lies in the open sector. A point that touches is free. Two pieces without area
-// never overlap, so what touches one of them may still lie inside a part.
+// Proof. Let the interiors meet, and let no edges cross properly. If some boundary ring of one enters the interior of
+// the other and does not lie in it as a whole, it leaves it at a common point of the boundaries: at a vertex of one on
+// an edge or a vertex of the other, as edges do not cross, and there the sectors that the two fill have directions in
+// common. Otherwise a whole ring of one lies in the interior of the other, or no boundary enters the other's interior.
+// Then two parts whose interiors meet are equal and have a common vertex with equal sectors. So three tests tell:
+// proper crossings; sectors at vertices on edges and vertices; a vertex of every ring that touches nothing. Pieces
+// without area have no sectors: if a polyline enters the interior of a part and is not inside as a whole, it leaves it
+// at a common point too, and there one of its rays lies in the open sector. A point that touches is free. Two pieces
+// without area never overlap, so what touches one of them may still lie inside a part.
 #include "cspace/boundary/free_place.h"
 
 #include <algorithm>
@@ -27,7 +28,8 @@ struct Sector {
 
 class FreePlace {
  public:
-  FreePlace(const SignsAt& signs, const ExactPlace& z) : signs_(signs), forms_(signs.forms()), z_(z), near_(signs.near(z).value()) {
+  FreePlace(const SignsAt& signs, const ExactPlace& z)
+      : signs_(signs), forms_(signs.forms()), z_(z), near_(signs.near(z).value()) {
     for (std::uint32_t op = 0; op < 2; ++op) {
       const auto& loops = forms_.operand(op).loops;
       touches_[op].assign(loops.size(), 0);
@@ -36,7 +38,8 @@ class FreePlace {
         for (std::uint32_t v = loops[l].first; v < loops[l].last; ++v) loop_of_[op][v] = l;
     }
     const Heading h = signs.heading();
-    for (const Point& q : forms_.points(1)) robot_.push_back({near_.x - (h.c * q.x - h.s * q.y), near_.y - (h.s * q.x + h.c * q.y)});
+    for (const Point& q : forms_.points(1))
+      robot_.push_back({near_.x - (h.c * q.x - h.s * q.y), near_.y - (h.s * q.x + h.c * q.y)});
   }
 
   bool run() {
@@ -55,15 +58,17 @@ class FreePlace {
            std::max(a.y, b.y) + margin < std::min(c.y, d.y) || std::max(c.y, d.y) + margin < std::min(a.y, b.y);
   }
 
-  // With side 0: vertex v of the robot is on the left of edge e of the obstacle. With side 1: vertex v of the obstacle is on the left of
-  // edge e of the robot, which is the reflected operand's, turned round.
+  // With side 0: vertex v of the robot is on the left of edge e of the obstacle. With side 1: vertex v of the obstacle
+  // is on the left of edge e of the robot, which is the reflected operand's, turned round.
   int side(std::uint32_t op, std::uint32_t e, std::uint32_t v) const { return signs_.side_sign({op, e, v}, z_, near_); }
 
   // The edge at the robot's own direction.
   static Ray along(std::uint32_t op, std::uint32_t e) { return {{op, e, 0}, op == 0 ? 1 : -1}; }
   static Ray back(std::uint32_t op, std::uint32_t e) { return {{op, e, 0}, op == 0 ? -1 : 1}; }
   Sector at_edge(std::uint32_t op, std::uint32_t e) const { return {along(op, e), back(op, e)}; }
-  Sector at_vertex(std::uint32_t op, std::uint32_t v) const { return {along(op, v), back(op, forms_.operand(op).prev[v])}; }
+  Sector at_vertex(std::uint32_t op, std::uint32_t v) const {
+    return {along(op, v), back(op, forms_.operand(op).prev[v])};
+  }
 
   bool overlap_at(std::uint32_t i, std::uint32_t j) {
     if (!has_area(0, i) && !has_area(1, j)) return false;
@@ -77,7 +82,8 @@ class FreePlace {
     return (s0 == 0 && overlap_at_vertex(0, i, j)) || (r0 == 0 && overlap_at_vertex(1, j, i));
   }
 
-  // Vertex v of the other operand is on the line of edge e: sectors, where it lies on the edge. At the edge's end another edge starts.
+  // Vertex v of the other operand is on the line of edge e: sectors, where it lies on the edge. At the edge's end
+  // another edge starts.
   bool overlap_at_vertex(std::uint32_t op, std::uint32_t e, std::uint32_t v) {
     const WalkSegment s{op, e, v};
     const Fraction at = signs_.along(s, z_);
@@ -101,7 +107,9 @@ class FreePlace {
   }
 
   int cross(const Ray& u, const Ray& v) const { return u.sign * v.sign * signs_.cross(u.of, v.of); }
-  bool same(const Ray& u, const Ray& v) const { return cross(u, v) == 0 && u.sign * v.sign * signs_.dot(u.of, v.of) > 0; }
+  bool same(const Ray& u, const Ray& v) const {
+    return cross(u, v) == 0 && u.sign * v.sign * signs_.dot(u.of, v.of) > 0;
+  }
   // Counter-clockwise from `first`: 0 before a half turn, 1 at it, 2 beyond. Of another direction.
   int half(const Ray& first, const Ray& u) const { return 1 - cross(first, u); }
   bool starts_in(const Ray& u, const Sector& s) const {
@@ -114,7 +122,9 @@ class FreePlace {
   // Of a polyline only the two rays count, each in the open sector of what has area.
   bool enters(const Sector& rays, const Sector& s) const { return is_in(rays.from, s) || is_in(rays.to, s); }
   bool is_in(const Ray& u, const Sector& s) const { return starts_in(u, s) && !same(u, s.from); }
-  bool has_area(std::uint32_t op, std::uint32_t v) const { return forms_.operand(op).components[forms_.operand(op).component_of[v]].dimension == 2; }
+  bool has_area(std::uint32_t op, std::uint32_t v) const {
+    return forms_.operand(op).components[forms_.operand(op).component_of[v]].dimension == 2;
+  }
 
   bool a_ring_is_inside() const {
     for (std::uint32_t op = 0; op < 2; ++op)
@@ -138,7 +148,8 @@ class FreePlace {
     }
     return in;
   }
-  // Whether vertex k of the other operand is on the left of the line through v in the direction of its edge e: v and k from the line of e.
+  // Whether vertex k of the other operand is on the left of the line through v in the direction of its edge e: v and k
+  // from the line of e.
   bool left_of(std::uint32_t op, std::uint32_t v, std::uint32_t e, std::uint32_t k) const {
     const WalkSegment s{1 - op, e, v};
     const auto at = [&](std::uint32_t of, std::uint32_t i) { return of == 0 ? forms_.points(0)[i] : robot_[i]; };

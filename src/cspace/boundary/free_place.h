@@ -5,8 +5,8 @@
 
 namespace dymsum::planar {
 
-/// True if and only if the open obstacle does not hold z at the angle: the interiors of O and of R, turned and moved, have no point in
-/// common. O(nm) comparisons of doubles; exact signs for pairs of edges that are not clearly apart.
+/// True if and only if the open obstacle does not hold z at the angle: the interiors of O and of R, turned and moved,
+/// have no point in common. O(nm) comparisons of doubles; exact signs for pairs of edges that are not clearly apart.
 bool is_free(const SignsAt& signs, const ExactPlace& z);
 
 }  // namespace dymsum::planar

@@ -19,9 +19,12 @@ std::uint32_t root_of(std::vector<std::uint32_t>& parents, std::uint32_t i) {
   while (parents[i] != i) i = parents[i] = parents[parents[i]];
   return i;
 }
-void join(std::vector<std::uint32_t>& parents, std::uint32_t a, std::uint32_t b) { parents[root_of(parents, a)] = root_of(parents, b); }
+void join(std::vector<std::uint32_t>& parents, std::uint32_t a, std::uint32_t b) {
+  parents[root_of(parents, a)] = root_of(parents, b);
+}
 
-/// A way along the boundary through a place: in along one sub-edge and out along another one, or along one that passes the place.
+/// A way along the boundary through a place: in along one sub-edge and out along another one, or along one that passes
+/// the place.
 struct Visit {
   std::uint32_t in = 0, out = 0;
 };
@@ -35,7 +38,11 @@ struct Germ {
 class Limit {
  public:
   Limit(const SignsAt& signs, const std::vector<LimitEdge>& edges)
-      : signs_(signs), forms_(signs.forms()), edges_(edges), near_(2 * SignsAt::kNear * forms_.span()), own_(edges.size()) {
+      : signs_(signs),
+        forms_(signs.forms()),
+        edges_(edges),
+        near_(2 * SignsAt::kNear * forms_.span()),
+        own_(edges.size()) {
     out_.halves.assign(edges.size(), 0);
   }
 
@@ -70,11 +77,14 @@ class Limit {
       t = signs_.quotient(f.num, product(f.den, signs_.length(s).num));
     }
     t = std::clamp(t, 0.0, 1.0);
-    const Point from = forms_.place(TurningForms::start(s), signs_.heading()), d = forms_.direction(s, signs_.heading());
+    const Point from = forms_.place(TurningForms::start(s), signs_.heading()),
+                d = forms_.direction(s, signs_.heading());
     return {from.x + t * d.x, from.y + t * d.y};
   }
   bool apart(Point a, Point b) const { return std::abs(a.x - b.x) > near_ || std::abs(a.y - b.y) > near_; }
-  bool shrinks(std::uint32_t i) { return !apart(ends_[i][0], ends_[i][1]) && signs_.compare(own_end(i, false), own_end(i, true)) == 0; }
+  bool shrinks(std::uint32_t i) {
+    return !apart(ends_[i][0], ends_[i][1]) && signs_.compare(own_end(i, false), own_end(i, true)) == 0;
+  }
 
   // One at the end of every sub-edge that has a length, under its number; points in between belong to it.
   void find_visits() {
@@ -119,7 +129,8 @@ class Limit {
     boxes.reserve(long_ones.size());
     for (const std::uint32_t i : long_ones) {
       const auto [a, b] = ends_[i];
-      boxes.add(std::min(a.x, b.x) - low.x, std::min(a.y, b.y) - low.y, std::max(a.x, b.x) - low.x + 2 * near_, std::max(a.y, b.y) - low.y + 2 * near_);
+      boxes.add(std::min(a.x, b.x) - low.x, std::min(a.y, b.y) - low.y, std::max(a.x, b.x) - low.x + 2 * near_,
+                std::max(a.y, b.y) - low.y + 2 * near_);
     }
     for (const auto& [k, l] : boxes.find()) {
       end_on_edge(long_ones[k], long_ones[l]);
@@ -132,7 +143,9 @@ class Limit {
     const WalkSegment& s = segment(j);
     const Point z = ends_[i][1];
     const double error = 2 * SignsAt::kNear * forms_.length1(s) * forms_.span(), at = signs_.along_near(s, z);
-    if (at < signs_.along_near(s, ends_[j][0]) - error || at > signs_.along_near(s, ends_[j][1]) + error || !on_line(i, j, error)) return;
+    if (at < signs_.along_near(s, ends_[j][0]) - error || at > signs_.along_near(s, ends_[j][1]) + error ||
+        !on_line(i, j, error))
+      return;
     const int from = order(i, j, false), to = order(i, j, true);
     if (from < 0 || to > 0) return;
     if (from == 0) return join(place_, i, before_[j]);
@@ -145,7 +158,8 @@ class Limit {
   // The end of sub-edge i on the line of j: the start of i's segment, and its share of the segment's vector.
   bool on_line(std::uint32_t i, std::uint32_t j, double error) {
     const WalkSegment &s = segment(j), &t = segment(i);
-    const Point from = forms_.place(TurningForms::start(s), signs_.heading()), d = forms_.direction(s, signs_.heading()), z = ends_[i][1];
+    const Point from = forms_.place(TurningForms::start(s), signs_.heading()),
+                d = forms_.direction(s, signs_.heading()), z = ends_[i][1];
     if (std::abs(d.x * (z.y - from.y) - d.y * (z.x - from.x)) > error) return false;
     const auto is = [&](const WalkSegment& u) { return u.side == s.side && u.edge == s.edge && u.vertex == s.vertex; };
     if (is(t) || is(edges_[i].at.right)) return true;
@@ -174,7 +188,9 @@ class Limit {
       for (; l < order.size() && order[l][0] == order[k][0]; ++l) {
         const Visit& v = visits_[order[l][1]];
         const bool passes = v.in == v.out;
-        if (!passes || std::none_of(here.begin(), here.end(), [&](const Visit& w) { return w.in == v.in && w.out == v.out; })) here.push_back(v);
+        if (!passes ||
+            std::none_of(here.begin(), here.end(), [&](const Visit& w) { return w.in == v.in && w.out == v.out; }))
+          here.push_back(v);
       }
       if (here.size() > 1 || turns_back(here[0])) look_at(here);
       k = l;
@@ -182,7 +198,9 @@ class Limit {
   }
   bool turns_back(const Visit& v) const { return v.in != v.out && signs_.antiparallel(segment(v.in), segment(v.out)); }
 
-  int cross(const Germ& g, const Germ& h) const { return g.sign * h.sign * signs_.cross(segment(g.edge), segment(h.edge)); }
+  int cross(const Germ& g, const Germ& h) const {
+    return g.sign * h.sign * signs_.cross(segment(g.edge), segment(h.edge));
+  }
   bool same(const Germ& g, const Germ& h) const {
     return cross(g, h) == 0 && g.sign * h.sign * signs_.dot(segment(g.edge), segment(h.edge)) > 0;
   }
@@ -192,7 +210,8 @@ class Limit {
     return a != b ? a < b : a != 0 && cross(g, h) < 0;
   }
 
-  // Free sectors lie clockwise from a way out to the next way in. Where both have one direction the walls of a passage meet along it.
+  // Free sectors lie clockwise from a way out to the next way in. Where both have one direction the walls of a passage
+  // meet along it.
   void look_at(const std::vector<Visit>& here) {
     std::vector<Germ> outs, ins;
     for (std::uint32_t v = 0; v < here.size(); ++v) {

@@ -1,5 +1,6 @@
-// The boundary of one side of an angle, at the angle itself: where it touches itself there, and what that adds to the Euler numbers of the
-// surfaces that the boundaries of all angles form. docs/design/cspace-obstacle.md, "Euler numbers".
+// The boundary of one side of an angle, at the angle itself: where it touches itself there, and what that adds to the
+// Euler numbers of the surfaces that the boundaries of all angles form. docs/design/cspace-obstacle.md, "Euler
+// numbers".
 #pragma once
 
 #include <array>
@@ -18,7 +19,8 @@ struct LimitEdge {
 };
 
 struct BoundaryLimit {
-  /// Of every sub-edge, a share: the sum over those of one surface is twice what the surface gains between the angle and this side of it.
+  /// Of every sub-edge, a share: the sum over those of one surface is twice what the surface gains between the angle
+  /// and this side of it.
   std::vector<int> halves;
   /// Sub-edges that belong to one surface where the free space is made smaller by a trifle.
   std::vector<std::array<std::uint32_t, 2>> together;
@@ -26,8 +28,8 @@ struct BoundaryLimit {
   std::optional<Point> touch;
 };
 
-/// Exact. O(n log n) and the pairs of sub-edges whose boxes meet, in doubles; exact signs where doubles do not keep them apart. Throws
-/// std::logic_error unless the sub-edges are the loops of the boundary at near angles.
+/// Exact. O(n log n) and the pairs of sub-edges whose boxes meet, in doubles; exact signs where doubles do not keep
+/// them apart. Throws std::logic_error unless the sub-edges are the loops of the boundary at near angles.
 BoundaryLimit limit_of(const SignsAt& signs, const std::vector<LimitEdge>& edges);
 
 }  // namespace dymsum::planar

@@ -29,7 +29,8 @@ struct ValueNear {
   exact::BigInteger value, error;  ///< times 2^(kMaxDegree shift of x)
   ValueNear(const Polynomial& p, const exact::DyadicNumber& x, unsigned bits) {
     const int degree = std::max(p.degree(), 0);
-    value = p.value_at_dyadic(x.numerator, x.shift) << (static_cast<unsigned>(Polynomial::kMaxDegree - degree) * x.shift);
+    value = p.value_at_dyadic(x.numerator, x.shift)
+            << (static_cast<unsigned>(Polynomial::kMaxDegree - degree) * x.shift);
     for (int k = 1; k <= degree; ++k) error += abs(p[k].value()) * k;
     error <<= Polynomial::kMaxDegree * x.shift;
     error >>= bits;
@@ -75,15 +76,16 @@ double SignsAt::quotient(const Polynomial& num, const Polynomial& den) const {
   }
 }
 
-// Along the first segment: by rounding a crossing in doubles errs by less than 2^-45 of the span over the sine (side_error, over the
-// lengths), and by 2^-49 (1 + 4 / sine) by the angle.
+// Along the first segment: by rounding a crossing in doubles errs by less than 2^-45 of the span over the sine
+// (side_error, over the lengths), and by 2^-49 (1 + 4 / sine) by the angle.
 std::optional<Point> SignsAt::near(const ExactPlace::Simple& z) const {
   if (!z.crossing) return forms_.place(z.corner, heading_);
   const Pair start = TurningForms::start(z.a);
   const double cross = forms_.cross(z.a, z.b).at(heading_);
   const bool clear = std::abs(cross) >= kLeastSine * forms_.length1(z.a) * forms_.length1(z.b);
-  const double t = clear ? forms_.side(z.b, start).at(heading_) / cross
-                         : quotient(forms_.exact_side(z.b, start, angle_.chart), forms_.exact_cross(z.a, z.b, angle_.chart));
+  const double t =
+      clear ? forms_.side(z.b, start).at(heading_) / cross
+            : quotient(forms_.exact_side(z.b, start, angle_.chart), forms_.exact_cross(z.a, z.b, angle_.chart));
   // Of a short segment t may err by more than it is long.
   const double slack = kNear * forms_.span() / forms_.length1(z.a);
   if (!(t > -slack && t < 1 + slack)) return std::nullopt;
@@ -105,7 +107,8 @@ Fraction SignsAt::side(const WalkSegment& s, const ExactPlace::Simple& z) const 
   if (!z.crossing) return {forms_.exact_side(s, z.corner, chart), one()};
   const Pair from = TurningForms::start(z.a);
   const Polynomial ab = forms_.exact_cross(z.a, z.b, chart), share = forms_.exact_side(z.b, from, chart);
-  return {sum_of(product(forms_.exact_side(s, from, chart), ab), product(share, forms_.exact_cross(s, z.a, chart)), 1), ab};
+  return {sum_of(product(forms_.exact_side(s, from, chart), ab), product(share, forms_.exact_cross(s, z.a, chart)), 1),
+          ab};
 }
 
 Fraction SignsAt::along(const WalkSegment& s, const ExactPlace::Simple& z) const {
@@ -139,7 +142,8 @@ int SignsAt::side_sign(const WalkSegment& s, const ExactPlace& z, Point near) co
 
 bool SignsAt::within(const WalkSegment& s, const ExactPlace& z, Point near) const {
   const Point e = forms_.edge(s.side, s.edge);
-  const double value = along_near(s, near), end = e.x * e.x + e.y * e.y, error = 2 * kNear * forms_.length1(s) * forms_.span();
+  const double value = along_near(s, near), end = e.x * e.x + e.y * e.y,
+               error = 2 * kNear * forms_.length1(s) * forms_.span();
   if (value < -error || value > end + error) return false;
   if (value > error && value < end - error) return true;
   const Fraction at = along(s, z);

@@ -1,5 +1,5 @@
-// Points of the plane of sums at the exact angle of an event, where coordinates are algebraic numbers: on which side of a segment's line
-// they are, and where along it.
+// Points of the plane of sums at the exact angle of an event, where coordinates are algebraic numbers: on which side of
+// a segment's line they are, and where along it.
 #pragma once
 
 #include <optional>
@@ -19,8 +19,8 @@ struct Fraction {
   exact::Polynomial num, den;
 };
 
-/// A sum of two vertices, the place on the first of two segments where the other one's line crosses it, or the middle between two such
-/// points.
+/// A sum of two vertices, the place on the first of two segments where the other one's line crosses it, or the middle
+/// between two such points.
 struct ExactPlace {
   struct Simple {
     bool crossing = false;
@@ -48,18 +48,20 @@ class SignsAt {
   /// The place in the forms' doubles, within 2^-37 of the span; nothing where the lines cross clearly off the first
   /// segment.
   std::optional<Point> near(const ExactPlace& z) const;
-  /// (1 + t^2) d_s x (z - start_s), and (1 + t^2) d_s . (z - start_s): of degrees 2 over 0 for a corner, 4 over 2 for a crossing, 6 over
-  /// 4 for a middle.
+  /// (1 + t^2) d_s x (z - start_s), and (1 + t^2) d_s . (z - start_s): of degrees 2 over 0 for a corner, 4 over 2 for a
+  /// crossing, 6 over 4 for a middle.
   Fraction side(const WalkSegment& s, const ExactPlace& z) const;
   Fraction along(const WalkSegment& s, const ExactPlace& z) const;
   Fraction length(const WalkSegment& s) const;  ///< (1 + t^2) d_s . d_s
-  /// Sides and places along, of points within 2^-37 of the span and edges turned by an angle within 2^-49, err by less than this times
-  /// span and length1.
+  /// Sides and places along, of points within 2^-37 of the span and edges turned by an angle within 2^-49, err by less
+  /// than this times span and length1.
   static constexpr double kNear = 0x1p-35;
   /// The sign of side; in doubles where `near`, the place in them, tells.
   int side_sign(const WalkSegment& s, const ExactPlace& z, Point near) const;
   /// On the segment, ends included; `within` where it is known to be on its line.
-  bool holds(const WalkSegment& s, const ExactPlace& z, Point near) const { return side_sign(s, z, near) == 0 && within(s, z, near); }
+  bool holds(const WalkSegment& s, const ExactPlace& z, Point near) const {
+    return side_sign(s, z, near) == 0 && within(s, z, near);
+  }
   bool within(const WalkSegment& s, const ExactPlace& z, Point near) const;
   /// Along s: 1 where y comes behind z.
   int order(const WalkSegment& s, const ExactPlace& y, Point y_near, const ExactPlace& z, Point z_near) const;

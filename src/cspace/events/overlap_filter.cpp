@@ -12,7 +12,8 @@ OverlapFilter::OverlapFilter(const TurningForms& forms, const TurnWindow& window
   }
 }
 
-std::uint32_t OverlapFilter::build(Tree& tree, std::uint32_t op, std::uint32_t first, std::uint32_t last, double grow) const {
+std::uint32_t OverlapFilter::build(Tree& tree, std::uint32_t op, std::uint32_t first, std::uint32_t last,
+                                   double grow) const {
   const auto id = static_cast<std::uint32_t>(tree.nodes.size());
   tree.nodes.push_back({});
   Node node{INFINITY, INFINITY, -INFINITY, -INFINITY, first, last, 0, 0};
@@ -50,14 +51,16 @@ bool OverlapFilter::cross(std::uint32_t i, Point c, Point d) const {
     return std::min(a, b) <= std::max(c, d) && std::min(c, d) <= std::max(a, b);
   };
   const Point a = forms_.points(0)[i], b = forms_.points(0)[forms_.operand(0).next[i]];
-  return boxes_meet(a.x, b.x, c.x, d.x) && boxes_meet(a.y, b.y, c.y, d.y) && opposite(a, b, c, d) && opposite(c, d, a, b);
+  return boxes_meet(a.x, b.x, c.x, d.x) && boxes_meet(a.y, b.y, c.y, d.y) && opposite(a, b, c, d) &&
+         opposite(c, d, a, b);
 }
 
 bool OverlapFilter::lately_cross(Point at, Heading h) const {
   for (std::size_t k = 0; k < known_; ++k) {
     const auto [i, j] = lately_[k];
     if (!cross(i, placed(j, at, h), placed(forms_.operand(1).next[j], at, h))) continue;
-    std::rotate(lately_.begin(), lately_.begin() + static_cast<std::ptrdiff_t>(k), lately_.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+    std::rotate(lately_.begin(), lately_.begin() + static_cast<std::ptrdiff_t>(k),
+                lately_.begin() + static_cast<std::ptrdiff_t>(k) + 1);
     return true;
   }
   return false;
@@ -91,7 +94,8 @@ bool OverlapFilter::edges_apart(std::uint32_t i, std::uint32_t j, Point at, Head
     const double margin = 0x1p-36 * forms_.span();
     return std::max(a0, a1) + margin < std::min(b0, b1) || std::max(b0, b1) + margin < std::min(a0, a1);
   };
-  return same_side(a, b, c, d) || same_side(c, d, a, b) || boxes_apart(a.x, b.x, c.x, d.x) || boxes_apart(a.y, b.y, c.y, d.y);
+  return same_side(a, b, c, d) || same_side(c, d, a, b) || boxes_apart(a.x, b.x, c.x, d.x) ||
+         boxes_apart(a.y, b.y, c.y, d.y);
 }
 
 bool OverlapFilter::touches_only(Point at, Heading h, const std::vector<WalkSegment>& contacts) const {
@@ -131,7 +135,8 @@ bool OverlapFilter::holds(std::uint32_t op, std::uint32_t component, Point x, He
     const Point a = at(i), b = at(o.next[i]);
     if (std::min(a.y, b.y) > x.y + near || std::max(a.y, b.y) < x.y - near || std::max(a.x, b.x) < x.x - near) continue;
     if (std::abs(a.y - x.y) <= near || std::abs(b.y - x.y) <= near) return false;
-    const double cross = (b.x - a.x) * (x.y - a.y) - (b.y - a.y) * (x.x - a.x), bound = near * (std::abs(b.x - a.x) + std::abs(b.y - a.y));
+    const double cross = (b.x - a.x) * (x.y - a.y) - (b.y - a.y) * (x.x - a.x),
+                 bound = near * (std::abs(b.x - a.x) + std::abs(b.y - a.y));
     if (std::abs(cross) <= bound) return false;
     in ^= (cross > 0) == (b.y > a.y);
   }
@@ -149,7 +154,9 @@ bool OverlapFilter::inside(Point at, Heading h) const {
         const auto [i, j] = stack.back();
         stack.pop_back();
         const Node &a = fixed_.nodes[i], &b = turning_.nodes[j];
-        if (a.x1 < at.x - b.x1 - margin || a.x0 > at.x - b.x0 + margin || a.y1 < at.y - b.y1 - margin || a.y0 > at.y - b.y0 + margin) continue;
+        if (a.x1 < at.x - b.x1 - margin || a.x0 > at.x - b.x0 + margin || a.y1 < at.y - b.y1 - margin ||
+            a.y0 > at.y - b.y0 + margin)
+          continue;
         if (a.left == 0 && b.left == 0) {
           if (edges_cross(a, b, at, h)) return true;
         } else if (b.left == 0 || (a.left != 0 && a.last - a.first >= b.last - b.first)) {

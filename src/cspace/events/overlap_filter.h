@@ -43,8 +43,8 @@ class OverlapFilter {
   const TurningForms& forms_;
   const TurnWindow& window_;
   Tree fixed_, turning_;
-  // Pairs of edges that crossed, the last one first: they mostly cross at the next place too. Asked before the trees, so that they change
-  // the time and never the answer.
+  // Pairs of edges that crossed, the last one first: they mostly cross at the next place too. Asked before the trees,
+  // so that they change the time and never the answer.
   mutable std::array<std::pair<std::uint32_t, std::uint32_t>, 8> lately_{};
   mutable std::size_t known_ = 0;
 };

@@ -22,11 +22,13 @@ bool QuarterTurn::representable(const TurningForms& forms) {
   return true;
 }
 
-QuarterTurn::QuarterTurn(const TurningForms& forms, int quarter) : forms_(forms), heading_(kHeadings[static_cast<std::size_t>(quarter)]) {
+QuarterTurn::QuarterTurn(const TurningForms& forms, int quarter)
+    : forms_(forms), heading_(kHeadings[static_cast<std::size_t>(quarter)]) {
   const auto c = static_cast<std::int64_t>(heading_.c), s = static_cast<std::int64_t>(heading_.s);
   for (std::uint32_t op = 0; op < 2; ++op)
     for (std::uint32_t v = 0; v < forms.size(op); ++v) {
-      const auto x = static_cast<std::int64_t>(forms.grid_point(op, v).x), y = static_cast<std::int64_t>(forms.grid_point(op, v).y);
+      const auto x = static_cast<std::int64_t>(forms.grid_point(op, v).x),
+                 y = static_cast<std::int64_t>(forms.grid_point(op, v).y);
       at_[op].push_back(op == 0 ? Vec{x, y} : Vec{c * x - s * y, s * x + c * y});
       exact_forms_ = exact_forms_ && std::abs(x) <= kExact && std::abs(y) <= kExact;
     }
@@ -54,7 +56,8 @@ int QuarterTurn::sign_beside(const TrigForm2& f, double width) const {
   // At quarter turns cosines and sines, also of twice the angle, are 0, 1 and -1.
   const double c = heading_.c, s = heading_.s, c2 = c * c - s * s, s2 = 2 * c * s;
   const std::array<double, 4> derivative{f.slope(heading_), -(f.b * c + f.g * s) - 4 * (f.b2 * c2 + f.g2 * s2),
-                                         f.b * s - f.g * c + 8 * (f.b2 * s2 - f.g2 * c2), f.b * c + f.g * s + 16 * (f.b2 * c2 + f.g2 * s2)};
+                                         f.b * s - f.g * c + 8 * (f.b2 * s2 - f.g2 * c2),
+                                         f.b * c + f.g * s + 16 * (f.b2 * c2 + f.g2 * s2)};
   double factor = 4;  // 2^(m + 1)
   for (std::size_t m = 1; m <= derivative.size(); ++m, factor *= 2) {
     const double d = derivative[m - 1];
@@ -71,13 +74,14 @@ bool QuarterTurn::aligned(std::uint32_t e, std::uint32_t f) const {
   return d.x * g.y - d.y * g.x == 0 && d.x * g.x + d.y * g.y > 0;
 }
 
-// Crowded: more pairs of edges are aligned than there are edges. With each come a dozen events or more, where its segments meet others; a
-// whole slice looks at some segments per edge.
+// Crowded: more pairs of edges are aligned than there are edges. With each come a dozen events or more, where its
+// segments meet others; a whole slice looks at some segments per edge.
 CrowdedQuarters::CrowdedQuarters(const TurningForms& forms, const std::vector<Alignment>& alignments) {
   if (!QuarterTurn::representable(forms)) return;
   for (std::size_t k = 0; k < 4; ++k) {
     const double theta = (k == 3 ? 3 : static_cast<double>(k)) * std::numbers::pi / 2;
-    const auto low = std::lower_bound(alignments.begin(), alignments.end(), theta - kAngleSlack, [](const Alignment& a, double t) { return a.theta < t; });
+    const auto low = std::lower_bound(alignments.begin(), alignments.end(), theta - kAngleSlack,
+                                      [](const Alignment& a, double t) { return a.theta < t; });
     auto high = low;
     while (high != alignments.end() && high->theta <= theta + kAngleSlack) ++high;
     const double per_edge = static_cast<double>(high - low) / (forms.size(0) + forms.size(1));

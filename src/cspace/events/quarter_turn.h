@@ -1,5 +1,6 @@
-// Crowded quarter turns: orientations at which so many edges are aligned that a whole slice behind the angle costs less than the events
-// there. The coordinates of sums are integers then, so which events are theirs is known without polynomials.
+// Crowded quarter turns: orientations at which so many edges are aligned that a whole slice behind the angle costs less
+// than the events there. The coordinates of sums are integers then, so which events are theirs is known without
+// polynomials.
 #pragma once
 
 #include <algorithm>
@@ -8,8 +9,8 @@
 #include <optional>
 #include <vector>
 
-#include "exact/int.h"
 #include "cspace/events/turn_events.h"
+#include "exact/int.h"
 
 namespace dymsum::planar {
 
@@ -26,14 +27,17 @@ class QuarterTurn {
   bool on_line(const WalkSegment& s, Pair v) const { return side(s, v) == 0; }
   /// The three lines have a point in common, or are parallel.
   bool concurrent(const WalkSegment& a, const WalkSegment& b, const WalkSegment& c) const;
-  /// Whether the coefficients of forms are exact in doubles: coordinates of at most 2^10 grid steps, whose differences, products and sums of
-  /// products in TrigForm2 are multiples of 1/2 below 2^52.
+  /// Whether the coefficients of forms are exact in doubles: coordinates of at most 2^10 grid steps, whose differences,
+  /// products and sums of products in TrigForm2 are multiples of 1/2 below 2^52.
   bool exact_forms() const { return exact_forms_; }
-  /// For exact forms: zero here, and nowhere else within `width`. With d the first derivative that is not zero here, the m-th one, by Taylor's
-  /// formula |f(u)| >= |u|^m / m! (|d| - |u| / (m + 1) max |f^(m + 1)|).
+  /// For exact forms: zero here, and nowhere else within `width`. With d the first derivative that is not zero here,
+  /// the m-th one, by Taylor's formula |f(u)| >= |u|^m / m! (|d| - |u| / (m + 1) max |f^(m + 1)|).
   bool zero_here_only(const TrigForm2& f, double width) const { return sign_beside(f, width) != 0; }
-  bool zero_here_only(const TrigForm& f, double width) const { return zero_here_only(TrigForm2{f.a, f.b, f.g, 0, 0}, width); }
-  /// The sign of such a form up to `width` behind this angle, or before it for a negative width; 0 where zero_here_only() does not hold.
+  bool zero_here_only(const TrigForm& f, double width) const {
+    return zero_here_only(TrigForm2{f.a, f.b, f.g, 0, 0}, width);
+  }
+  /// The sign of such a form up to `width` behind this angle, or before it for a negative width; 0 where
+  /// zero_here_only() does not hold.
   int sign_beside(const TrigForm2& f, double width) const;
   /// Edge e of the turning operand and edge f of the fixed one point in the same direction.
   bool aligned(std::uint32_t e, std::uint32_t f) const;

@@ -13,15 +13,16 @@ Located place_on(const TurningForms& forms, const WalkSegment& s, const WalkSegm
   return {t, (forms.side_error(other) + std::abs(t) * 0x1p-46 * forms.length1(s) * forms.length1(other)) / std::abs(d)};
 }
 
-// The start of its segment and a share of its vector, which is a crossing's side / cross. Where the crossing line runs along this one at the
-// angle, both are zero and their derivatives tell the limit.
+// The start of its segment and a share of its vector, which is a crossing's side / cross. Where the crossing line runs
+// along this one at the angle, both are zero and their derivatives tell the limit.
 std::optional<Fraction> end_along(const SignsAt& signs, const WalkSegment& s, const SubEdge& e, bool at_end) {
   const TurningForms& forms = signs.forms();
   const int chart = signs.chart();
   const WalkSegment &t = e.segment, &by = at_end ? e.right : e.left;
   const Pair start = TurningForms::start(t), end = forms.end(t);
   const Polynomial one(std::vector<exact::Big>{exact::Big(exact::BigInteger(1))});
-  if (at_end && meet_at_ends(forms, t, by)) return Fraction{forms.exact_along(s, TurningForms::start(s), end, chart), one};
+  if (at_end && meet_at_ends(forms, t, by))
+    return Fraction{forms.exact_along(s, TurningForms::start(s), end, chart), one};
   const Polynomial base = forms.exact_along(s, TurningForms::start(s), start, chart);
   if (!at_end && meet_at_ends(forms, by, t)) return Fraction{base, one};
   Polynomial side = forms.exact_side(by, start, chart), cross = forms.exact_cross(t, by, chart);

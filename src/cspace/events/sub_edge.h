@@ -1,5 +1,5 @@
-// A piece of the boundary between two angles, of a segment between those of its neighbours along the boundary: where it begins and ends on
-// its line.
+// A piece of the boundary between two angles, of a segment between those of its neighbours along the boundary: where it
+// begins and ends on its line.
 #pragma once
 
 #include <optional>
@@ -19,8 +19,9 @@ struct Located {
 /// Where a segment is cut by another one at an angle near h, or meets it in a common pair of vertices at the given end.
 Located place_on(const TurningForms& forms, const WalkSegment& s, const WalkSegment& other, bool at_start, Heading h);
 
-/// Where a sub-edge begins or ends along the line of s at the exact angle, times |d_s|^2 and (1 + t^2); the limit from near angles where its
-/// neighbour's line comes to lie along its own. Nothing where these are parallel at every angle, or apart at this one.
+/// Where a sub-edge begins or ends along the line of s at the exact angle, times |d_s|^2 and (1 + t^2); the limit from
+/// near angles where its neighbour's line comes to lie along its own. Nothing where these are parallel at every angle,
+/// or apart at this one.
 std::optional<Fraction> end_along(const SignsAt& signs, const WalkSegment& s, const SubEdge& e, bool at_end);
 
 }  // namespace dymsum::planar

@@ -19,7 +19,8 @@ constexpr double kNear = 0x1p-18;
 
 class Collector {
  public:
-  Collector(const TurnWindow& window, const TurningForms& forms, const TurnCatalog& catalog, const OverlapFilter* filter, const QuarterEnds& ends)
+  Collector(const TurnWindow& window, const TurningForms& forms, const TurnCatalog& catalog,
+            const OverlapFilter* filter, const QuarterEnds& ends)
       : w_(window), forms_(forms), catalog_(catalog), filter_(filter), ends_(ends) {}
 
   TurnEvents run(const std::vector<Alignment>& all) {
@@ -29,7 +30,8 @@ class Collector {
     number_headings();
     sketch_meetings();
     for (std::uint32_t a = 0; a < w_.segments.size(); ++a) triples_of(a);
-    std::sort(out_.events.begin(), out_.events.end(), [](const TurnEvent& a, const TurnEvent& b) { return a.low < b.low; });
+    std::sort(out_.events.begin(), out_.events.end(),
+              [](const TurnEvent& a, const TurnEvent& b) { return a.low < b.low; });
     return std::move(out_);
   }
 
@@ -42,7 +44,8 @@ class Collector {
 
   void add_alignments(const std::vector<Alignment>& all) {
     const double slack = 2 * kAngleSlack;
-    auto at = std::lower_bound(all.begin(), all.end(), w_.low - slack, [](const Alignment& a, double t) { return a.theta < t; });
+    auto at = std::lower_bound(all.begin(), all.end(), w_.low - slack,
+                               [](const Alignment& a, double t) { return a.theta < t; });
     for (; at != all.end() && at->theta <= w_.high + slack; ++at) {
       TurnEvent event;
       event.e = at->e;
@@ -67,7 +70,9 @@ class Collector {
     for (const QuarterTurn* end : {ends_.low, ends_.high})
       if (end != nullptr && end->exact_forms() && end->zero_here_only(f, w_.high - w_.low)) return true;
     for (const QuarterTurn* end : {ends_.low, ends_.high})
-      if (end != nullptr && std::abs(f.at(end->heading())) <= error && end->only_zero(f, w_.high - w_.low, error) && zero(*end)) return true;
+      if (end != nullptr && std::abs(f.at(end->heading())) <= error && end->only_zero(f, w_.high - w_.low, error) &&
+          zero(*end))
+        return true;
     return false;
   }
   // Roots in the window, less those at a crowded end.
@@ -81,12 +86,15 @@ class Collector {
   Crossing crossing(std::uint32_t i, std::uint32_t j) const {
     const WalkSegment &a = w_.segments[i], &b = w_.segments[j];
     const TrigForm n = forms_.side(b, TurningForms::start(a)), d = forms_.cross(a, b);
-    const double at = d.at(w_.heading), least = std::abs(at) - std::abs(d.slope(w_.heading)) * w_.half - 0.5 * d.swing() * w_.half * w_.half - 0x1p-46 * forms_.length1(a) * forms_.length1(b);
+    const double at = d.at(w_.heading), least = std::abs(at) - std::abs(d.slope(w_.heading)) * w_.half -
+                                                0.5 * d.swing() * w_.half * w_.half -
+                                                0x1p-46 * forms_.length1(a) * forms_.length1(b);
     if (!(least > 0)) return {j, -INFINITY, INFINITY, 0};
     const double t = n.at(w_.heading) / at;
     const TrigForm k = n - d.times(t);
     const double error = forms_.side_error(b) * (1 + std::abs(t));
-    const double radius = (std::abs(k.slope(w_.heading)) * w_.half + 0.5 * k.swing() * w_.half * w_.half + error) / least * (1 + 0x1p-20);
+    const double radius =
+        (std::abs(k.slope(w_.heading)) * w_.half + 0.5 * k.swing() * w_.half * w_.half + error) / least * (1 + 0x1p-20);
     return {j, t - radius, t + radius, 0};
   }
 
@@ -103,16 +111,20 @@ class Collector {
         if (c.high >= -kNear && c.low <= 1 + kNear) crossings_[i].push_back(c);
       }
     }
-    for (auto& list : crossings_) std::sort(list.begin(), list.end(), [](const Crossing& a, const Crossing& b) { return a.low < b.low; });
+    for (auto& list : crossings_)
+      std::sort(list.begin(), list.end(), [](const Crossing& a, const Crossing& b) { return a.low < b.low; });
   }
 
   // Of two segments with the same direction: the stretch that they share once they are on one line is longer than
   // nothing.
   bool share_stretch(const WalkSegment& a, const WalkSegment& b, double theta) const {
     const Heading h = Heading::of(theta);
-    const Point d = forms_.direction(a, h), e = forms_.direction(b, h), s = forms_.place(TurningForms::start(a), h), t = forms_.place(TurningForms::start(b), h);
-    const double length = std::hypot(d.x, d.y), other = std::hypot(e.x, e.y), from = (d.x * (t.x - s.x) + d.y * (t.y - s.y)) / length;
-    return d.x * e.x + d.y * e.y > 0 && std::min(length, from + other) - std::max(0.0, from) > kNear * std::min(length, other) + 0x1p-40 * forms_.span();
+    const Point d = forms_.direction(a, h), e = forms_.direction(b, h), s = forms_.place(TurningForms::start(a), h),
+                t = forms_.place(TurningForms::start(b), h);
+    const double length = std::hypot(d.x, d.y), other = std::hypot(e.x, e.y),
+                 from = (d.x * (t.x - s.x) + d.y * (t.y - s.y)) / length;
+    return d.x * e.x + d.y * e.y > 0 && std::min(length, from + other) - std::max(0.0, from) >
+                                            kNear * std::min(length, other) + 0x1p-40 * forms_.span();
   }
   bool overlap_at(const WalkSegment& a, const WalkSegment& b, double theta) const {
     return may_exist(a, theta) && may_exist(b, theta) && share_stretch(a, b, theta);
@@ -126,7 +138,9 @@ class Collector {
     if (a.edge == b.edge && (other.next[a.vertex] == b.vertex || other.prev[a.vertex] == b.vertex)) return;
     if (a.vertex == b.vertex) return;  // they do not move against each other
     const TrigForm f = forms_.side(a, TurningForms::start(b));
-    if (f.far_from_zero(w_.heading, w_.half, forms_.side_error(a)) || beside_at_crowded_end(f, a, TurningForms::start(b))) return;
+    if (f.far_from_zero(w_.heading, w_.half, forms_.side_error(a)) ||
+        beside_at_crowded_end(f, a, TurningForms::start(b)))
+      return;
     const exact::Polynomial poly = forms_.exact_side(a, TurningForms::start(b), w_.range.chart);
     if (poly.is_zero()) return;
     for (AlgebraicRoot& root : roots(poly)) {
@@ -161,7 +175,8 @@ class Collector {
           const WalkSegment& a = w_.segments[i];
           if (a.vertex == (a.side == 0 ? v.q : v.p)) continue;  // v does not move against a
           const TrigForm f = forms_.side(a, v);
-          if (!f.far_from_zero(w_.heading, w_.half, forms_.side_error(a)) && !beside_at_crowded_end(f, a, v)) seen.push_back({i, v.p, v.q});
+          if (!f.far_from_zero(w_.heading, w_.half, forms_.side_error(a)) && !beside_at_crowded_end(f, a, v))
+            seen.push_back({i, v.p, v.q});
         }
     std::sort(seen.begin(), seen.end());
     seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
@@ -175,7 +190,8 @@ class Collector {
     const double error = forms_.side_error(a);
     if (f.far_from_zero(w_.heading, w_.half, error)) return;
     // a + r cos(theta - phase); where it only just reaches zero both roots are at the phase.
-    const double r = std::hypot(f.b, f.g), phase = std::atan2(f.g, f.b), back = r > 0 ? std::acos(std::clamp(-f.a / r, -1.0, 1.0)) : 0;
+    const double r = std::hypot(f.b, f.g), phase = std::atan2(f.g, f.b),
+                 back = r > 0 ? std::acos(std::clamp(-f.a / r, -1.0, 1.0)) : 0;
     bool near = r <= error;
     for (const double root : {phase - back, phase + back}) {
       const double theta = w_.middle + std::remainder(root - w_.middle, kTurn);
@@ -200,7 +216,9 @@ class Collector {
       if (!covered(event)) out_.events.push_back(std::move(event));
     }
   }
-  bool may_exist(const WalkSegment& s, double theta) const { return catalog_.exists(s, theta) != TurnCatalog::Existence::no; }
+  bool may_exist(const WalkSegment& s, double theta) const {
+    return catalog_.exists(s, theta) != TurnCatalog::Existence::no;
+  }
 
   bool on(const WalkSegment& a, Pair v, double theta) const {
     const Heading h = Heading::of(theta);
@@ -217,7 +235,9 @@ class Collector {
     for (std::uint32_t side = 0; side < 2; ++side) {
       std::vector<std::uint32_t> order(forms_.size(side));
       std::iota(order.begin(), order.end(), 0);
-      std::sort(order.begin(), order.end(), [&](std::uint32_t e, std::uint32_t f) { return catalog_.edge_angle(side, e) < catalog_.edge_angle(side, f); });
+      std::sort(order.begin(), order.end(), [&](std::uint32_t e, std::uint32_t f) {
+        return catalog_.edge_angle(side, e) < catalog_.edge_angle(side, f);
+      });
       number[side].resize(order.size());
       for (std::size_t k = 0; k < order.size(); ++k) {
         if (k == 0 || !same_direction({side, order[k - 1], 0}, {side, order[k], 0})) ++count;
@@ -243,22 +263,29 @@ class Collector {
     find_orders(a, list);
     for (std::size_t k = 0; k < list.size(); ++k)
       for (std::size_t l = k + 1; l < list.size() && list[l].low <= list[k].high; ++l) {
-        if ((list[k].order == list[l].order && list[k].order != 0) || heading_of_[list[k].other] == heading_of_[list[l].other]) continue;
+        if ((list[k].order == list[l].order && list[k].order != 0) ||
+            heading_of_[list[k].other] == heading_of_[list[l].other])
+          continue;
         const std::uint32_t b = std::min(list[k].other, list[l].other), c = std::max(list[k].other, list[l].other);
         if (a < b || forms_.parallel(w_.segments[b], w_.segments[c])) triple(a, b, c);
       }
   }
 
-  // Where many cross at nearly the same places, as beside a crowded quarter turn, most pairs of them keep their order all the while. In the order
-  // of their places at the middle, neighbours that are never at one place within the window prove that of all between: places are continuous
-  // functions of the angle, as no line is parallel to the segment.
+  // Where many cross at nearly the same places, as beside a crowded quarter turn, most pairs of them keep their order
+  // all the while. In the order of their places at the middle, neighbours that are never at one place within the window
+  // prove that of all between: places are continuous functions of the angle, as no line is parallel to the segment.
   void find_orders(std::uint32_t i, std::vector<Crossing>& list) const {
     constexpr std::size_t kMany = 12;
     std::uint32_t orders = 0;
     for (std::size_t first = 0; first < list.size();) {
       std::size_t last = first + 1;
-      for (double high = list[first].high; last < list.size() && list[last].low <= high; ++last) high = std::max(high, list[last].high);
-      if (last - first >= kMany) find_orders(w_.segments[i], {list.begin() + static_cast<std::ptrdiff_t>(first), list.begin() + static_cast<std::ptrdiff_t>(last)}, orders);
+      for (double high = list[first].high; last < list.size() && list[last].low <= high; ++last)
+        high = std::max(high, list[last].high);
+      if (last - first >= kMany)
+        find_orders(
+            w_.segments[i],
+            {list.begin() + static_cast<std::ptrdiff_t>(first), list.begin() + static_cast<std::ptrdiff_t>(last)},
+            orders);
       first = last;
     }
   }
@@ -267,11 +294,13 @@ class Collector {
     for (Crossing& c : run) {
       const WalkSegment& b = w_.segments[c.other];
       const TrigForm d = forms_.cross(a, b);
-      const double rounding = 0x1p-46 * forms_.length1(a) * forms_.length1(b), cross = d.at(w_.heading), size = std::abs(cross) - rounding;
+      const double rounding = 0x1p-46 * forms_.length1(a) * forms_.length1(b), cross = d.at(w_.heading),
+                   size = std::abs(cross) - rounding;
       const bool crosses = d.far_from_zero(w_.heading, w_.half, rounding) || parallel_at_exact_end(d);
       if (!crosses || !(size > 0)) continue;
       const double t = forms_.side(b, TurningForms::start(a)).at(w_.heading) / cross;
-      places.push_back({&c, t, (forms_.side_error(b) + std::abs(t) * rounding) / size * (1 + 0x1p-20), cross > 0 ? 1 : -1});
+      places.push_back(
+          {&c, t, (forms_.side_error(b) + std::abs(t) * rounding) / size * (1 + 0x1p-20), cross > 0 ? 1 : -1});
     }
     std::sort(places.begin(), places.end(), [](const Place& x, const Place& y) { return x.at < y.at; });
     sort_unclear(a, places);
@@ -285,19 +314,24 @@ class Collector {
     int turn;  // the sign of a's direction x the line's
     bool before(const Place& o) const { return o.at - at - o.error - error > 0; }
   };
-  // Places that come together at a crowded quarter turn may be nearer to each other than doubles tell. A step or two sort most of them.
+  // Places that come together at a crowded quarter turn may be nearer to each other than doubles tell. A step or two
+  // sort most of them.
   void sort_unclear(const WalkSegment& a, std::vector<Place>& places) const {
     constexpr std::size_t kSteps = 8;
     for (std::size_t k = 1; k < places.size(); ++k)
-      for (std::size_t j = k; j > 0 && j + kSteps > k && !places[j - 1].before(places[j]) && order_beside_end(a, places[j - 1], places[j]) > 0; --j)
+      for (std::size_t j = k; j > 0 && j + kSteps > k && !places[j - 1].before(places[j]) &&
+                              order_beside_end(a, places[j - 1], places[j]) > 0;
+           --j)
         std::swap(places[j - 1], places[j]);
   }
-  // The sign of the first place less the second one's in all of the window but a crowded end, at which both are one; 0 where that is not so.
+  // The sign of the first place less the second one's in all of the window but a crowded end, at which both are one; 0
+  // where that is not so.
   int order_beside_end(const WalkSegment& a, const Place& x, const Place& y) const {
     const TrigForm2 g = forms_.concurrency(a, w_.segments[x.crossing->other], w_.segments[y.crossing->other]);
     for (const QuarterTurn* end : {ends_.low, ends_.high})
       if (end != nullptr && end->exact_forms())
-        if (const int sign = end->sign_beside(g, end == ends_.low ? w_.high - w_.low : w_.low - w_.high)) return sign * x.turn * y.turn;
+        if (const int sign = end->sign_beside(g, end == ends_.low ? w_.high - w_.low : w_.low - w_.high))
+          return sign * x.turn * y.turn;
     return 0;
   }
   bool parallel_at_exact_end(const TrigForm& d) const {
@@ -309,7 +343,8 @@ class Collector {
   bool keep_order(const WalkSegment& a, const Place& x, const Place& y) const {
     const WalkSegment &b = w_.segments[x.crossing->other], &c = w_.segments[y.crossing->other];
     if (!x.before(y))
-      return order_beside_end(a, x, y) < 0 || (same_direction(b, c) && forms_.exact_side(b, TurningForms::start(c), w_.range.chart).is_zero());
+      return order_beside_end(a, x, y) < 0 ||
+             (same_direction(b, c) && forms_.exact_side(b, TurningForms::start(c), w_.range.chart).is_zero());
     const TrigForm2 g = forms_.concurrency(a, b, c);
     const double error = forms_.concurrency_error(a, b, c);
     if (g.far_from_zero(w_.heading, w_.half, error)) return true;
@@ -344,7 +379,8 @@ class Collector {
 
   // Whether doubles leave a root in the window at which the three may meet at a place that is not covered. By parts of
   // the window, in which most forms are monotone.
-  bool may_matter(const WalkSegment& a, const WalkSegment& b, const WalkSegment& c, const TrigForm2& g, double error) const {
+  bool may_matter(const WalkSegment& a, const WalkSegment& b, const WalkSegment& c, const TrigForm2& g,
+                  double error) const {
     constexpr int kParts = 4;
     const double half = w_.half / kParts * (1 + 0x1p-20);
     for (int k = 0; k < kParts; ++k) {
@@ -399,12 +435,15 @@ class Collector {
       for (const int y : {(x + 1) % 3, (x + 2) % 3}) {
         const double n = forms_.side(*s[y], TurningForms::start(*s[x])).at(h), d = forms_.cross(*s[x], *s[y]).at(h);
         const double t = n / d, slack = kNear + 0x1p-44 * forms_.span() / forms_.length1(*s[x]);
-        if (std::abs(d) > kNear * forms_.length1(*s[x]) * forms_.length1(*s[y]) && (t < -slack || t > 1 + slack)) return false;
+        if (std::abs(d) > kNear * forms_.length1(*s[x]) * forms_.length1(*s[y]) && (t < -slack || t > 1 + slack))
+          return false;
       }
     return true;
   }
 
-  bool covered(const TurnEvent& event) const { return filter_ != nullptr && certainly_covered(event, forms_, *filter_); }
+  bool covered(const TurnEvent& event) const {
+    return filter_ != nullptr && certainly_covered(event, forms_, *filter_);
+  }
 
   TurnEvent at(AlgebraicRoot root, TurnEvent::Kind kind) const {
     TurnEvent event;
@@ -431,7 +470,8 @@ class Collector {
 const AlgebraicRoot& exact_root(TurnEvent& event, const TurningForms& forms, const TurnRange& range) {
   if (!event.root) {
     // Edges are parallel twice a turn, once in each chart.
-    std::vector<AlgebraicRoot> roots = roots_in(forms.exact_alignment(event.e, event.f, range.chart), range.t_low, range.t_high);
+    std::vector<AlgebraicRoot> roots =
+        roots_in(forms.exact_alignment(event.e, event.f, range.chart), range.t_low, range.t_high);
     event.root = std::move(roots.at(0));
     event.low = range.theta(event.root->low()) - 0x1p-50;
     event.high = range.theta(event.root->high()) + 0x1p-50;
@@ -445,7 +485,8 @@ std::vector<Alignment> alignments(const TurningForms& forms, const TurnCatalog& 
   for (std::uint32_t e = 0; e < turning.size(); ++e)
     for (std::uint32_t f = 0; f < fixed.size() && !forms.is_point(1, e); ++f) {
       if (forms.is_point(0, f)) continue;
-      const bool any = catalog.may_exist({1, e, f}) || catalog.may_exist({1, e, fixed.next[f]}) || catalog.may_exist({0, f, e}) || catalog.may_exist({0, f, turning.next[e]});
+      const bool any = catalog.may_exist({1, e, f}) || catalog.may_exist({1, e, fixed.next[f]}) ||
+                       catalog.may_exist({0, f, e}) || catalog.may_exist({0, f, turning.next[e]});
       if (!any) continue;
       const double theta = positive_angle(catalog.edge_angle(0, f) - catalog.edge_angle(1, e));
       // The first window begins at -pi / 2 and does not hold it; what doubles leave open there is tried in both.
@@ -457,8 +498,8 @@ std::vector<Alignment> alignments(const TurningForms& forms, const TurnCatalog& 
   return all;
 }
 
-TurnEvents events_in(const TurnWindow& window, const TurningForms& forms, const TurnCatalog& catalog, const std::vector<Alignment>& all,
-                     const OverlapFilter* filter, const QuarterEnds& ends) {
+TurnEvents events_in(const TurnWindow& window, const TurningForms& forms, const TurnCatalog& catalog,
+                     const std::vector<Alignment>& all, const OverlapFilter* filter, const QuarterEnds& ends) {
   return Collector(window, forms, catalog, filter, ends).run(all);
 }
 

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "exact/algebraic_root.h"
 #include "cspace/events/overlap_filter.h"
+#include "exact/algebraic_root.h"
 #include "planar/turning/turn_window.h"
 
 namespace dymsum::planar {
@@ -17,12 +17,13 @@ struct TurnEvent {
     alignment,          ///< of turning edge e with fixed edge f
     vertex_on_segment,  ///< v on a
     three_segments,     ///< a, b and c
-    overlap,            ///< a and b, parallel at every angle and in the same direction, come onto one line and share a stretch of it
+    overlap,  ///< a and b, parallel at every angle and in the same direction, come onto one line and share a stretch of
+              ///< it
   };
   Kind kind = Kind::alignment;
   double low = 0, high = 0;  ///< theta lies between them
   WalkSegment a, b, c;
-  Pair v;                    ///< by walk vertices
+  Pair v;  ///< by walk vertices
   std::uint32_t e = 0, f = 0;
   std::optional<exact::AlgebraicRoot> root;  ///< always, but for alignments only when asked for
   double theta() const { return (low + high) / 2; }
@@ -52,7 +53,7 @@ struct QuarterEnds {
   const QuarterTurn *low = nullptr, *high = nullptr;
 };
 /// With a filter, without those at places that are certainly covered. Always without those at crowded ends.
-TurnEvents events_in(const TurnWindow& window, const TurningForms& forms, const TurnCatalog& catalog, const std::vector<Alignment>& all,
-                     const OverlapFilter* filter, const QuarterEnds& ends);
+TurnEvents events_in(const TurnWindow& window, const TurningForms& forms, const TurnCatalog& catalog,
+                     const std::vector<Alignment>& all, const OverlapFilter* filter, const QuarterEnds& ends);
 
 }  // namespace dymsum::planar

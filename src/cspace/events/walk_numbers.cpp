@@ -9,9 +9,12 @@
 namespace dymsum::planar {
 namespace {
 
-bool same_point(const Operand& o, std::uint32_t v, std::uint32_t w) { return o.points->input[o.source[v]] == o.points->input[o.source[w]]; }
+bool same_point(const Operand& o, std::uint32_t v, std::uint32_t w) {
+  return o.points->input[o.source[v]] == o.points->input[o.source[w]];
+}
 
-// The walk edge that goes straight on where another one ends, perhaps of another visit of that vertex; none, or one, as edges do not overlap.
+// The walk edge that goes straight on where another one ends, perhaps of another visit of that vertex; none, or one, as
+// edges do not overlap.
 std::optional<std::uint32_t> straight_on(const TurningForms& forms, const WalkSegment& s) {
   const Operand& o = forms.operand(s.side);
   for (std::uint32_t e = 0; e < o.size(); ++e)
@@ -34,8 +37,8 @@ void number_by_walk(Operand& o) {
   }
 }
 
-// The walk along a polyline or a point that begins at vertex `from` of the region, at vertex `to` of the walked rings, and turns back at
-// vertex `from + last`. Collinear vertices are left out of it.
+// The walk along a polyline or a point that begins at vertex `from` of the region, at vertex `to` of the walked rings,
+// and turns back at vertex `from + last`. Collinear vertices are left out of it.
 void number_loop(Operand& o, const Loop& loop, std::uint32_t from, std::uint32_t to, std::uint32_t last) {
   bool back = false;
   for (std::uint32_t i = loop.first; i < loop.last; ++i) {
@@ -55,7 +58,8 @@ void number_there_and_back(Operand& o, const Region& region) {
   std::uint32_t to = from;
   o.numbered_vertex.resize(walked_vertices(region));
   o.numbered_edge.resize(walked_vertices(region));
-  auto loop = std::find_if(o.loops.begin(), o.loops.end(), [](const Loop& l) { return l.kind == LoopKind::curve || l.kind == LoopKind::point; });
+  auto loop = std::find_if(o.loops.begin(), o.loops.end(),
+                           [](const Loop& l) { return l.kind == LoopKind::curve || l.kind == LoopKind::point; });
   for (const Polyline& line : region.polylines()) {
     const auto n = static_cast<std::uint32_t>(line.size());
     number_loop(o, *loop++, from, to, n - 1);
@@ -63,7 +67,8 @@ void number_there_and_back(Operand& o, const Region& region) {
     to += 2 * (n - 1);
   }
   for (; loop != o.loops.end(); ++loop) number_loop(o, *loop, from++, to++, 0);
-  for (std::uint32_t i = 0; i < o.size(); ++i) o.numbers[i] = {o.vertex_number[i], o.edge_number[i], o.vertex_number[o.next[i]]};
+  for (std::uint32_t i = 0; i < o.size(); ++i)
+    o.numbers[i] = {o.vertex_number[i], o.edge_number[i], o.vertex_number[o.next[i]]};
 }
 
 }  // namespace
@@ -74,7 +79,8 @@ std::shared_ptr<const OperandPair> numbered_by_walk(const OperandPair& base) {
   return same;
 }
 
-std::shared_ptr<const OperandPair> numbered_there_and_back(const OperandPair& base, const std::array<const Region*, 2>& regions) {
+std::shared_ptr<const OperandPair> numbered_there_and_back(const OperandPair& base,
+                                                           const std::array<const Region*, 2>& regions) {
   auto same = std::make_shared<OperandPair>(base);
   for (const std::uint32_t op : {0u, 1u})
     if (has_thin_pieces(*regions[op])) number_there_and_back(same->operands[op], *regions[op]);
@@ -98,8 +104,10 @@ bool meet_at_ends(const TurningForms& forms, const WalkSegment& s, const WalkSeg
   return a == b || (same_point(forms.operand(0), a.p, b.p) && same_point(forms.operand(1), a.q, b.q));
 }
 
-// An edge without cuts is one walk edge. One with cuts starts with the walk edge at the vertex of its number; its end is told by the ring.
-EdgeEnds::EdgeEnds(const Region& region, const Operand& operand) : starts_(operand.size(), true), ends_(operand.size(), true) {
+// An edge without cuts is one walk edge. One with cuts starts with the walk edge at the vertex of its number; its end
+// is told by the ring.
+EdgeEnds::EdgeEnds(const Region& region, const Operand& operand)
+    : starts_(operand.size(), true), ends_(operand.size(), true) {
   if (region.touching_points().empty()) return;
   std::vector<Point> end_of;
   for_each_ring(region, [&](const Ring& ring) {

@@ -17,7 +17,9 @@ bool before(const Point& a, const Point& b) { return a.x != b.x ? a.x < b.x : a.
 
 std::vector<Edge> sorted_edges(const Region& r) {
   std::vector<Edge> edges;
-  const auto add = [&](Point a, Point b, bool of_line) { edges.push_back(before(a, b) ? Edge{a, b, of_line} : Edge{b, a, of_line}); };
+  const auto add = [&](Point a, Point b, bool of_line) {
+    edges.push_back(before(a, b) ? Edge{a, b, of_line} : Edge{b, a, of_line});
+  };
   const auto add_ring = [&](const Ring& ring) {
     for (std::size_t k = 0; k < ring.size(); ++k) add(ring[k], ring[(k + 1) % ring.size()], false);
   };

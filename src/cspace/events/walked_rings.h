@@ -1,5 +1,5 @@
-// The rings of a robot or an obstacle as contacts name their vertices and edges: those of the parts, then every polyline walked there and
-// back, a ring of 2 (n - 1) vertices for one of n, then every point, a ring of one.
+// The rings of a robot or an obstacle as contacts name their vertices and edges: those of the parts, then every
+// polyline walked there and back, a ring of 2 (n - 1) vertices for one of n, then every point, a ring of one.
 #pragma once
 
 #include <optional>
@@ -12,19 +12,22 @@ namespace dymsum::planar {
 /// Whether some of it has no area.
 inline bool has_thin_pieces(const Region& r) { return !r.polylines().empty() || !r.points().empty(); }
 
-/// The error for operands that no robot and obstacle can be: where neither of two pieces has area their sum has no rule that tells which of
-/// their meetings overlap.
+/// The error for operands that no robot and obstacle can be: where neither of two pieces has area their sum has no rule
+/// that tells which of their meetings overlap.
 inline std::optional<Error> refused_pair(const Region& robot, const Region& obstacle) {
-  if (robot.empty() || obstacle.empty()) return Error{Code::unsupported_operand, "robot and obstacle may not be empty", {}};
+  if (robot.empty() || obstacle.empty())
+    return Error{Code::unsupported_operand, "robot and obstacle may not be empty", {}};
   if (has_thin_pieces(robot) && has_thin_pieces(obstacle))
     return Error{Code::unsupported_operand,
-                 "robot and obstacle both have polylines or points: two pieces without area never overlap, so that they would pass through each other; "
-                 "give one of them an area", {}};
+                 "robot and obstacle both have polylines or points: two pieces without area never overlap, so that "
+                 "they would pass through each other; "
+                 "give one of them an area",
+                 {}};
   return std::nullopt;
 }
 
-/// A place from which a polyline runs along another one, along itself, or along an edge of a part, for a stretch. O(n^2) for n edges, most of
-/// them told apart by their places in x.
+/// A place from which a polyline runs along another one, along itself, or along an edge of a part, for a stretch.
+/// O(n^2) for n edges, most of them told apart by their places in x.
 std::optional<Point> overlapping_polylines(const Region& r);
 
 /// A polyline walked there and back.

@@ -96,7 +96,8 @@ RingTable ring_table(const Region& region) {
   // Where rings touch, and where polylines end, fork and pass on their way back.
   if (region.touching_points().empty() && region.polylines().empty() && region.points().empty()) return table;
   std::map<std::pair<double, double>, std::uint32_t> visited;
-  for (std::uint32_t v = 0; v < table.at.size(); ++v) table.first_visit[v] = visited.emplace(std::pair{table.at[v].x + 0.0, table.at[v].y + 0.0}, v).first->second;
+  for (std::uint32_t v = 0; v < table.at.size(); ++v)
+    table.first_visit[v] = visited.emplace(std::pair{table.at[v].x + 0.0, table.at[v].y + 0.0}, v).first->second;
   return table;
 }
 

@@ -1,6 +1,6 @@
-// The planes at -pi and at pi of an obstacle's mesh as faces: what makes it a closed surface in space. The edges of a cap
-// are those that the mesh leaves open in its plane, so it closes whatever is rounded. Which walks and bridges are taken is
-// decided in doubles: a choice that roundings spoil makes triangles overlap by roundings, and opens nothing.
+// The planes at -pi and at pi of an obstacle's mesh as faces: what makes it a closed surface in space. The edges of a
+// cap are those that the mesh leaves open in its plane, so it closes whatever is rounded. Which walks and bridges are
+// taken is decided in doubles: a choice that roundings spoil makes triangles overlap by roundings, and opens nothing.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -29,7 +29,8 @@ class Cap {
   std::vector<Ring3> rings() {
     std::vector<Ring3> outer, holes;
     for (Ring3& walk : walks()) (area(walk) < 0 ? holes : outer).push_back(std::move(walk));
-    std::sort(holes.begin(), holes.end(), [&](const Ring3& a, const Ring3& b) { return rightmost(a).x > rightmost(b).x; });
+    std::sort(holes.begin(), holes.end(),
+              [&](const Ring3& a, const Ring3& b) { return rightmost(a).x > rightmost(b).x; });
     for (Ring3& hole : holes) join(outer, std::move(hole));
     return outer;
   }
@@ -75,7 +76,7 @@ class Cap {
   }
 
   std::multimap<std::uint32_t, std::uint32_t>::iterator leaving(std::multimap<std::uint32_t, std::uint32_t>& out,
-                                                                 std::uint32_t from, std::uint32_t v) const {
+                                                                std::uint32_t from, std::uint32_t v) const {
     const auto [begin, end] = out.equal_range(v);
     if (begin == end) return out.end();  // as many leave as arrive, unless the mesh has gaps elsewhere
     const double back = direction(v, from), turn = 2 * std::acos(-1.0);
@@ -98,7 +99,8 @@ class Cap {
 
   /// Whether the direction from a corner to a point leads into the interior there.
   bool into_interior(const Ring3& ring, std::size_t k, Point to) const {
-    const Point v = at(ring[k]), before = at(ring[(k + ring.size() - 1) % ring.size()]), behind = at(ring[(k + 1) % ring.size()]);
+    const Point v = at(ring[k]), before = at(ring[(k + ring.size() - 1) % ring.size()]),
+                behind = at(ring[(k + 1) % ring.size()]);
     const bool left_out = cross(v, behind, to) >= 0, left_in = cross(before, v, to) >= 0;
     return cross(before, v, behind) >= 0 ? left_out && left_in : left_out || left_in;
   }
@@ -131,7 +133,8 @@ class Cap {
     double flattest = INFINITY, nearest = INFINITY;
     for (std::size_t k = 0; k < ring.size(); ++k) {
       const Point p = at(ring[k]);
-      const bool inside = way * cross(m, meeting, p) >= 0 && way * cross(meeting, end, p) >= 0 && way * cross(end, m, p) >= 0;
+      const bool inside =
+          way * cross(m, meeting, p) >= 0 && way * cross(meeting, end, p) >= 0 && way * cross(end, m, p) >= 0;
       if (!inside || !(p.x > m.x || p == m) || !into_interior(ring, k, m)) continue;
       const double slope = p == m ? 0 : std::abs(p.y - m.y) / (p.x - m.x);
       if (slope > flattest || (slope == flattest && p.x >= nearest)) continue;

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "cspace/mesh/obstacle_rails.h"
-#include "cspace/queries/walked_rings.h"
 #include "cspace/mesh/station_closing.h"
+#include "cspace/queries/walked_rings.h"
 
 namespace dymsum {
 namespace {
@@ -19,8 +19,8 @@ constexpr double kPi = 3.141592653589793;
 constexpr int kMostHalvings = 12;  // of one chord: a curve that runs away needs no more to be seen
 
 struct RobotSizes {
-  double radius = 0;             ///< of the circle about the origin that its vertices stay in
-  std::vector<double> edge;      ///< lengths by the numbers of edges
+  double radius = 0;         ///< of the circle about the origin that its vertices stay in
+  std::vector<double> edge;  ///< lengths by the numbers of edges
 };
 
 RobotSizes robot_sizes(const Region& robot) {
@@ -151,8 +151,8 @@ class MeshBuilder {
   void extend(std::vector<OnRail>& chain, const Rail& rail, OnRail next, int halvings_left) {
     const OnRail from = chain.back();
     const bool known = next.theta == height(rail.last + 1);
-    const Point at = known ? Point{mesh_.vertices[next.vertex].x, mesh_.vertices[next.vertex].y}
-                           : place(rail, next.theta);
+    const Point at =
+        known ? Point{mesh_.vertices[next.vertex].x, mesh_.vertices[next.vertex].y} : place(rail, next.theta);
     const double middle = from.theta + (next.theta - from.theta) / 2;
     if (halvings_left > 0 && middle > from.theta && middle < next.theta) {
       const Configuration& a = mesh_.vertices[from.vertex];

@@ -61,7 +61,8 @@ void name_joints_at_alignments(ObstacleLayout& layout, const CspaceObstacle& obs
 struct RingTable {
   std::vector<Point> at;
   std::vector<std::uint32_t> next, previous;
-  std::vector<std::uint32_t> first_visit;  ///< the smallest number of a vertex at the same point: where rings touch, not its own
+  std::vector<std::uint32_t>
+      first_visit;  ///< the smallest number of a vertex at the same point: where rings touch, not its own
 };
 RingTable ring_table(const Region& region);
 

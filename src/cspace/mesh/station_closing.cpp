@@ -67,9 +67,7 @@ std::vector<std::vector<WalkCorner>> closing_walks(const ObstacleLayout& layout,
 
 void RingCloser::add_edge(std::uint32_t a, std::uint32_t b) { edges_.insert(edge_key(a, b)); }
 
-bool RingCloser::has_edge(std::uint32_t a, std::uint32_t b) const {
-  return edges_.contains(edge_key(a, b));
-}
+bool RingCloser::has_edge(std::uint32_t a, std::uint32_t b) const { return edges_.contains(edge_key(a, b)); }
 
 /// Twice the area of the ear at a corner; an edge there and back costs less than nothing, and a taken edge everything.
 double RingCloser::cost(const std::vector<RingCorner>& ring, std::size_t at) const {

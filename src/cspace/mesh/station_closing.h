@@ -5,8 +5,8 @@
 #include <unordered_set>
 #include <vector>
 
-#include "dymsum/obstacle_mesh.h"
 #include "cspace/mesh/obstacle_rails.h"
+#include "dymsum/obstacle_mesh.h"
 
 namespace dymsum::apps {
 

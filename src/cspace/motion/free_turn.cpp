@@ -16,7 +16,8 @@ std::vector<TurnMark> FreeTurn::marks() {
   const std::size_t n = events.size();
   std::vector<TurnMark> marks;
   for (std::size_t k = 0; k < n; ++k)
-    marks.push_back({event_angle(events[k].angle), false, is_free(orientation_between(events[k].angle, events[(k + 1) % n].angle))});
+    marks.push_back({event_angle(events[k].angle), false,
+                     is_free(orientation_between(events[k].angle, events[(k + 1) % n].angle))});
   for (std::size_t k = 0; k < n; ++k)
     marks[k].free = marks[(k + n - 1) % n].free_behind || marks[k].free_behind || is_free_at(events[k].angle);
   return marks;
@@ -54,7 +55,8 @@ std::vector<TurnMark> CspaceObstacle::turn_marks(double x, double y) const {
   return planar::FreeTurn(*this, {x, y}).marks();
 }
 
-std::vector<TurnMark> CspaceObstacle::turn_marks(double x, double y, const Orientation& from, const Orientation& to) const {
+std::vector<TurnMark> CspaceObstacle::turn_marks(double x, double y, const Orientation& from,
+                                                 const Orientation& to) const {
   return planar::FreeTurn(*this, {x, y}).marks(from, to);
 }
 

@@ -14,8 +14,8 @@ class FreeTurn {
   /// Requires: an obstacle that lives as long as this.
   FreeTurn(const CspaceObstacle& obstacle, Point at);
 
-  /// As CspaceObstacle::turn_marks: the angles are those of Pivot; between two of them one orientation tells what is free,
-  /// at one with overlaps on both sides free_place does.
+  /// As CspaceObstacle::turn_marks: the angles are those of Pivot; between two of them one orientation tells what is
+  /// free, at one with overlaps on both sides free_place does.
   std::vector<TurnMark> marks();
   std::vector<TurnMark> marks(const Orientation& from, const Orientation& to);
 
@@ -26,7 +26,8 @@ class FreeTurn {
   const CspaceObstacle& obstacle_;
   Point at_;
   Pivot pivot_;
-  std::shared_ptr<const OperandPair> base_;  // with the position as a pair of further vertices; made when first asked for
+  std::shared_ptr<const OperandPair>
+      base_;  // with the position as a pair of further vertices; made when first asked for
   std::optional<TurningForms> forms_;
 };
 

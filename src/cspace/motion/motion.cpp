@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cspace/motion/pivot.h"
 #include "cspace/events/walked_rings.h"
+#include "cspace/motion/pivot.h"
 
 namespace dymsum {
 namespace {
@@ -71,7 +71,7 @@ Result<TranslationCheck> check_translation(const Region& robot, const Region& ob
 
 Result<RotationCheck> check_rotation(const Region& robot, const Region& obstacle, const RationalPoint& at,
                                      const Orientation& from, const Orientation& to, TurnDirection turn,
-                                         Touching touch) {
+                                     Touching touch) {
   if (auto error = refused_pair(robot, obstacle)) return *std::move(error);
   const Result<Position> place = position_of(at);
   if (!place) return place.error();

@@ -2,10 +2,10 @@
 #include <cmath>
 #include <vector>
 
+#include "cspace/events/walked_rings.h"
+#include "cspace/motion/pose.h"
 #include "dymsum/motion.h"
 #include "planar/turning/angle_reduction.h"
-#include "cspace/motion/pose.h"
-#include "cspace/events/walked_rings.h"
 
 namespace dymsum {
 namespace {
@@ -71,7 +71,8 @@ class Sweep {
     const double x = a_.x + t * d_.x, y = a_.y + t * d_.y, theta = a_.theta + t * d_.theta;
     const double c = std::cos(theta), s = std::sin(theta);
     Pose::Overlap o = pose_.overlap(x, y, c, s, slack_);
-    if (o == Pose::Overlap::yes && any_angle_ && pose_.overlap(x, y, c, s, 2 * pose_.reach()) != o) o = Pose::Overlap::unsure;
+    if (o == Pose::Overlap::yes && any_angle_ && pose_.overlap(x, y, c, s, 2 * pose_.reach()) != o)
+      o = Pose::Overlap::unsure;
     if (o == Pose::Overlap::no) gap_ = pose_.gap(x, y, c, s, slack_);
     return o;
   }

@@ -108,8 +108,8 @@ bool Pivot::in_reach(const Candidate& c) const {
   const double most = std::max(std::hypot(a.x, a.y), std::hypot(b.x, b.y));
   const double share = l > 0 ? std::clamp(-(a.x * dx + a.y * dy) / l, 0.0, 1.0) : 0.0;
   const double least = std::hypot(a.x + share * dx, a.y + share * dy);
-  const double margin = 0x1p-30 * (most + radius + std::abs(near_.x) + std::abs(near_.y) + std::abs(o.x) +
-      std::abs(o.y));
+  const double margin =
+      0x1p-30 * (most + radius + std::abs(near_.x) + std::abs(near_.y) + std::abs(o.x) + std::abs(o.y));
   return radius <= most + margin && radius >= least - margin;
 }
 
@@ -147,8 +147,8 @@ void Pivot::add_events(const Candidate& c, std::vector<PivotEvent>& to) const {
 bool Pivot::possible(const Candidate& c, Heading middle, double half) const {
   const Outline &robot = pose_.robot(), &obstacle = pose_.obstacle();
   const Point r = robot.vertices[c.robot], o = obstacle.vertices[c.obstacle], v{o.x - near_.x, o.y - near_.y};
-  const Point to = c.edge_of_obstacle ? obstacle.vertices[obstacle.next[c.obstacle]]
-      : robot.vertices[robot.next[c.robot]];
+  const Point to =
+      c.edge_of_obstacle ? obstacle.vertices[obstacle.next[c.obstacle]] : robot.vertices[robot.next[c.robot]];
   const Point from = c.edge_of_obstacle ? o : r, d{to.x - from.x, to.y - from.y};
   const Point &still = c.edge_of_obstacle ? v : r, &turning = c.edge_of_obstacle ? r : v;
   const double along = d.x * turning.x + d.y * turning.y, g = c.edge_of_obstacle ? along : -along;

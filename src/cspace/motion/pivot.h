@@ -4,10 +4,10 @@
 
 #include <vector>
 
-#include "dymsum/motion.h"
-#include "planar/turning/exact_angle.h"
 #include "cspace/motion/pose.h"
 #include "cspace/motion/slice_map.h"
+#include "dymsum/motion.h"
+#include "planar/turning/exact_angle.h"
 #include "planar/turning/turning_forms.h"
 
 namespace dymsum::planar {

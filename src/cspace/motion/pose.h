@@ -19,8 +19,8 @@ struct Outline {
   Outline() = default;
 };
 
-/// Requires that the largest of all coordinates, those of poses too, is neither so small nor so large that squares leave
-/// the range of doubles.
+/// Requires that the largest of all coordinates, those of poses too, is neither so small nor so large that squares
+/// leave the range of doubles.
 class Pose {
  public:
   /// All coordinates times `scale`, a power of two that leaves them exact.

@@ -134,8 +134,7 @@ std::uint32_t SliceMap::edge_at(const SlicePoint& p) const {
 
 // The shares of a to b at which it meets the segment from c to d: one, or both ends of what they have in common.
 void SliceMap::add_meetings(const SlicePoint& a, const SlicePoint& b, const SlicePoint& c, const SlicePoint& d,
-    std::uint32_t edge,
-                            std::vector<std::pair<BigRational, std::uint32_t>>& to) const {
+                            std::uint32_t edge, std::vector<std::pair<BigRational, std::uint32_t>>& to) const {
   if (boxes_apart(a, b, c, d)) return;
   const int from = side(a, b, c), til = side(a, b, d);
   if (from * til > 0 || side(c, d, a) * side(c, d, b) > 0) return;

@@ -83,8 +83,7 @@ class SliceMap {
  private:
   void add(const SumRing& ring);
   void add_meetings(const SlicePoint& a, const SlicePoint& b, const SlicePoint& c, const SlicePoint& d,
-      std::uint32_t edge,
-                    std::vector<std::pair<exact::BigRational, std::uint32_t>>& to) const;
+                    std::uint32_t edge, std::vector<std::pair<exact::BigRational, std::uint32_t>>& to) const;
   Passage standing(const SlicePoint& a, bool touching_allowed) const;
 
   PlanarSum slice_;

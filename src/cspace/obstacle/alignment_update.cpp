@@ -22,7 +22,8 @@ bool ObstacleSweep::alignment_update(TurnEvent& event, const TurnRange& range) {
       AlignedRun run;
       run.first = run.last = n;
       const double length = second ? lf : le, base = second ? le : 0;
-      const Located from = place_on(forms_, node.segment, nodes_[node.prev].segment, true, h), to = place_on(forms_, node.segment, nodes_[node.next].segment, false, h);
+      const Located from = place_on(forms_, node.segment, nodes_[node.prev].segment, true, h),
+                    to = place_on(forms_, node.segment, nodes_[node.next].segment, false, h);
       run.from = base + length * from.t;
       run.to = base + length * to.t;
       run.error = length * (from.error + to.error);
@@ -47,7 +48,8 @@ bool ObstacleSweep::alignment_update(TurnEvent& event, const TurnRange& range) {
     const bool from_middle = forms_.end(nodes_[nodes_[run.first].prev].segment) == middle;
     const bool to_middle = TurningForms::start(nodes_[nodes_[run.last].next].segment) == middle;
     const double near = unsure + run.error;
-    if ((!from_middle && !(std::abs(run.from - lf) > near)) || (!to_middle && !(std::abs(run.to - lf) > near))) return false;
+    if ((!from_middle && !(std::abs(run.from - lf) > near)) || (!to_middle && !(std::abs(run.to - lf) > near)))
+      return false;
     run.on_first = !from_middle && run.from < lf;
     run.on_second = !to_middle && run.to > lf;
     if (!run.on_first && !run.on_second) return false;
@@ -56,7 +58,8 @@ bool ObstacleSweep::alignment_update(TurnEvent& event, const TurnRange& range) {
   return trying_ || carry(event, range, runs, {a, b, b2, a2});
 }
 
-bool ObstacleSweep::carry(TurnEvent& event, const TurnRange& range, const std::vector<AlignedRun>& runs, const std::array<WalkSegment, 4>& s) {
+bool ObstacleSweep::carry(TurnEvent& event, const TurnRange& range, const std::vector<AlignedRun>& runs,
+                          const std::array<WalkSegment, 4>& s) {
   now_ = angle(range, event);
   const Heading h = Heading::of(event.theta());
   note(h, ObstacleEvent::Kind::alignment, place_of(event, forms_, h).at);

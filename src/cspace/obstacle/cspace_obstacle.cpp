@@ -7,15 +7,15 @@
 #include <tuple>
 #include <utility>
 
-#include "planar/boundary/collision.h"
-#include "planar/turning/exact_angle.h"
+#include "cspace/events/walk_numbers.h"
+#include "cspace/events/walked_rings.h"
 #include "cspace/obstacle/convex_obstacle.h"
 #include "cspace/obstacle/general_obstacle.h"
 #include "cspace/obstacle/obstacle_start.h"
 #include "cspace/obstacle/point_passage.h"
+#include "planar/boundary/collision.h"
+#include "planar/turning/exact_angle.h"
 #include "planar/turning/slice.h"
-#include "cspace/events/walk_numbers.h"
-#include "cspace/events/walked_rings.h"
 
 namespace dymsum {
 namespace {
@@ -52,23 +52,32 @@ Error unsupported_at(Point at, const char* message) {
   return error;
 }
 
-bool is_segment(const Region& r) { return r.parts().empty() && r.points().empty() && r.polylines().size() == 1 && r.polylines()[0].size() == 2; }
+bool is_segment(const Region& r) {
+  return r.parts().empty() && r.points().empty() && r.polylines().size() == 1 && r.polylines()[0].size() == 2;
+}
 bool is_point(const Region& r) { return r.parts().empty() && r.polylines().empty() && r.points().size() == 1; }
 
-// Where rings of one touch, the other one's bends and ends may be held in that point, and a segment pass through it, without clearance.
+// Where rings of one touch, the other one's bends and ends may be held in that point, and a segment pass through it,
+// without clearance.
 std::optional<Error> refused_at_touching(const Region& touching, const Region& thin) {
   if (touching.touching_points().empty() || !has_thin_pieces(thin) || is_point(thin)) return std::nullopt;
   if (!is_segment(thin))
-    return unsupported_at(touching.touching_points()[0], "rings touch here, and the other operand has polylines or points, which may be held in that point; only one segment or one point, and parts, are supported with rings that touch");
+    return unsupported_at(touching.touching_points()[0],
+                          "rings touch here, and the other operand has polylines or points, which may be held in that "
+                          "point; only one segment or one point, and parts, are supported with rings that touch");
   if (const std::optional<Point> at = point_passage(touching))
-    return unsupported_at(*at, "rings touch here, and the other operand is a segment, which passes between them without clearance at a range of angles");
+    return unsupported_at(*at,
+                          "rings touch here, and the other operand is a segment, which passes between them without "
+                          "clearance at a range of angles");
   return std::nullopt;
 }
 
 std::optional<Error> refused_wires(const Region& robot, const Region& obstacle) {
   for (const Region* region : {&robot, &obstacle})
     if (const std::optional<Point> at = overlapping_polylines(*region))
-      return unsupported_at(*at, "a polyline runs along another one, along itself or along the edge of a part: what they share is to be given once");
+      return unsupported_at(*at,
+                            "a polyline runs along another one, along itself or along the edge of a part: what they "
+                            "share is to be given once");
   if (std::optional<Error> error = refused_at_touching(obstacle, robot)) return error;
   return refused_at_touching(robot, obstacle);
 }
@@ -177,10 +186,8 @@ std::optional<std::uint32_t> CspaceObstacle::slab_of(const Orientation& theta) c
     const EventAngle& e = s.angles[mid];
     const int sign = e.high < low ? -1 : e.low > high ? 1 : compare(s.exact_angles[mid], at);
     if (sign == 0) return std::nullopt;
-    if (sign < 0)
-      first = mid + 1;
-    else
-      last = mid;
+    if (sign < 0) first = mid + 1;
+    else last = mid;
   }
   return static_cast<std::uint32_t>((first == 0 ? s.angles.size() : first) - 1);
 }

@@ -15,7 +15,8 @@ using PatchKey = std::array<Key, 3>;
 
 class CutPatches {
  public:
-  CutPatches(const ObstacleSweep& sweep, const ContactNames& names) : sweep_(sweep), names_(names), angles_(static_cast<std::uint32_t>(sweep.angles.size())) {}
+  CutPatches(const ObstacleSweep& sweep, const ContactNames& names)
+      : sweep_(sweep), names_(names), angles_(static_cast<std::uint32_t>(sweep.angles.size())) {}
 
   // Slab s lies behind angle s - 1; the one before the first angle is the last one.
   std::vector<CutPatch> run() {
@@ -60,7 +61,8 @@ class CutPatches {
       const PatchKey key{key_of(own), key_of(left), key_of(right)};
       const auto before = open_.find(key);
       // Not where a passage was shut in between.
-      const bool goes_on = before != open_.end() && sweep_.shell_of(patches_[before->second].node) == sweep_.shell_of(n);
+      const bool goes_on =
+          before != open_.end() && sweep_.shell_of(patches_[before->second].node) == sweep_.shell_of(n);
       const std::uint32_t p = goes_on ? before->second : static_cast<std::uint32_t>(patches_.size());
       if (!goes_on) {
         CutPatch fresh;
@@ -75,7 +77,8 @@ class CutPatches {
       CutPatch& patch = patches_[p];
       patch.end = slab == angles_ ? 0 : slab;
       patch.node = n;
-      if (const std::uint32_t c = cell(n, slab); patch.cells.empty() || patch.cells.back().second != c) patch.cells.emplace_back(slab - 1, c);
+      if (const std::uint32_t c = cell(n, slab); patch.cells.empty() || patch.cells.back().second != c)
+        patch.cells.emplace_back(slab - 1, c);
       now[key] = p;
     }
     open_ = std::move(now);
@@ -86,7 +89,8 @@ class CutPatches {
     std::vector<bool> gone(patches_.size(), false);
     for (const auto& [key, from] : open_) {
       const auto to = first.find(key);
-      if (to == first.end() || sweep_.shell_of(patches_[to->second].node) != sweep_.shell_of(patches_[from].node)) continue;
+      if (to == first.end() || sweep_.shell_of(patches_[to->second].node) != sweep_.shell_of(patches_[from].node))
+        continue;
       CutPatch &early = patches_[to->second], &late = patches_[from];
       if (to->second == from) {
         early.begin = early.end = kNobody;
@@ -114,6 +118,8 @@ class CutPatches {
 
 }  // namespace
 
-std::vector<CutPatch> cut_patches(const ObstacleSweep& sweep, const ContactNames& names) { return CutPatches(sweep, names).run(); }
+std::vector<CutPatch> cut_patches(const ObstacleSweep& sweep, const ContactNames& names) {
+  return CutPatches(sweep, names).run();
+}
 
 }  // namespace dymsum::planar

@@ -1,4 +1,5 @@
-// Patches where rings touch: an edge that is cut there has several walk edges, whose visible sub-edges in line are one patch.
+// Patches where rings touch: an edge that is cut there has several walk edges, whose visible sub-edges in line are one
+// patch.
 #pragma once
 
 #include <functional>
@@ -11,19 +12,20 @@ namespace dymsum::planar {
 
 /// A patch in the sweep's own numbers.
 struct CutPatch {
-  Patch patch;                     ///< without begin, end and shell
+  Patch patch;                       ///< without begin, end and shell
   std::uint32_t begin = 0, end = 0;  ///< angles; ObstacleSweep::kNobody: it is there at every angle
-  std::uint32_t node = 0;          ///< one of its sub-edges
+  std::uint32_t node = 0;            ///< one of its sub-edges
   std::vector<std::pair<std::uint32_t, std::uint32_t>> cells;  ///< (angle, cell): the cell on its right from there on
 };
 
 struct ContactNames {
-  std::function<Contact(std::uint32_t)> contact;               ///< of a segment
-  std::function<bool(std::uint32_t, std::uint32_t)> corner;    ///< whether one follows the other at an end of both
+  std::function<Contact(std::uint32_t)> contact;             ///< of a segment
+  std::function<bool(std::uint32_t, std::uint32_t)> corner;  ///< whether one follows the other at an end of both
 };
 
-/// All patches: in every slab sub-edges of one contact that follow each other are put together; what has the same contact and neighbours
-/// in the next slab is the same patch. Requires a closed turn. O(slabs s log s), s the size of a slice.
+/// All patches: in every slab sub-edges of one contact that follow each other are put together; what has the same
+/// contact and neighbours in the next slab is the same patch. Requires a closed turn. O(slabs s log s), s the size of a
+/// slice.
 std::vector<CutPatch> cut_patches(const ObstacleSweep& sweep, const ContactNames& names);
 
 }  // namespace dymsum::planar

@@ -23,7 +23,8 @@ Spot around_common_stretch(const TurnEvent& event, const TurningForms& forms, He
   const Point d = forms.direction(event.a, h), e = forms.direction(event.b, h);
   const Point s = forms.place(TurningForms::start(event.a), h), t = forms.place(TurningForms::start(event.b), h);
   const double length = std::hypot(d.x, d.y), from = (d.x * (t.x - s.x) + d.y * (t.y - s.y)) / length;
-  const double first = std::max(0.0, from), last = std::min(length, from + std::hypot(e.x, e.y)), middle = (first + last) / (2 * length);
+  const double first = std::max(0.0, from), last = std::min(length, from + std::hypot(e.x, e.y)),
+               middle = (first + last) / (2 * length);
   return {{s.x + middle * d.x, s.y + middle * d.y}, std::max(0.0, last - first) / 2 + 4 * kAngle * forms.span()};
 }
 
@@ -61,7 +62,8 @@ std::vector<ObstacleSweep::Group> ObstacleSweep::clusters(const Group& group) co
   };
   for (std::size_t i = 0; i < segments.size(); ++i)
     for (std::size_t j = i + 1; j < segments.size() && segments[j].first == segments[i].first; ++j)
-      if (!spots[segments[i].second].apart_from(spots[segments[j].second])) root[find(segments[j].second)] = find(segments[i].second);
+      if (!spots[segments[i].second].apart_from(spots[segments[j].second]))
+        root[find(segments[j].second)] = find(segments[i].second);
   std::vector<Group> parts(group.size());
   for (std::uint32_t k = 0; k < group.size(); ++k) parts[find(k)].push_back(group[k]);
   std::erase_if(parts, [](const Group& part) { return part.empty(); });

@@ -8,12 +8,12 @@
 #include <stdexcept>
 
 #include "base/parallel.h"
-#include "planar/turning/exact_angle.h"
+#include "cspace/events/quarter_turn.h"
+#include "cspace/events/walk_numbers.h"
 #include "cspace/obstacle/cut_patches.h"
 #include "cspace/obstacle/obstacle_sweep.h"
-#include "cspace/events/quarter_turn.h"
+#include "planar/turning/exact_angle.h"
 #include "planar/turning/turn.h"
-#include "cspace/events/walk_numbers.h"
 
 namespace dymsum::planar {
 namespace {
@@ -25,7 +25,8 @@ constexpr std::uint32_t kNobody = ObstacleSweep::kNobody;
 int windows_for(double pairs) { return 2 * std::clamp(static_cast<int>(std::ceil(0.4 * std::sqrt(pairs))), 8, 256); }
 int cells_for(double pairs) { return std::clamp(static_cast<int>(2.25 * std::sqrt(pairs)), 24, 160); }
 
-/// All pairs of them are looked at for every window. Less than all edges of a star leave whole sectors of the sum without dead cells.
+/// All pairs of them are looked at for every window. Less than all edges of a star leave whole sectors of the sum
+/// without dead cells.
 constexpr std::size_t kLongEdges = 96;
 
 /// Twice the area by the perimeter: how wide a bar, or a comb's teeth, are.
@@ -40,8 +41,8 @@ double thickness(const TurningForms& forms, std::uint32_t op) {
   return std::abs(area2) / perimeter;
 }
 
-/// Where edges crowd at quarter turns, most pairs are of segments that are covered, but for thin places only: cells there are less than half
-/// as wide as the operands are thick, or hardly one would lie inside.
+/// Where edges crowd at quarter turns, most pairs are of segments that are covered, but for thin places only: cells
+/// there are less than half as wide as the operands are thick, or hardly one would lie inside.
 int cells_for_crowd(const TurningForms& forms, double pairs) {
   const double thin = std::min(thickness(forms, 0), thickness(forms, 1));
   const int usual = cells_for(pairs);
@@ -53,7 +54,9 @@ struct AngleOrder {
   std::vector<std::uint32_t> number;  ///< of the sweep's angles
   explicit AngleOrder(const std::vector<ExactAngle>& angles) : number(angles.size()) {
     std::uint32_t behind = 0;
-    const auto passes_pi = [&](const ExactAngle& a) { return a.chart == 1 && exact::compare(a.t, exact::BigRational(0)) > 0; };
+    const auto passes_pi = [&](const ExactAngle& a) {
+      return a.chart == 1 && exact::compare(a.t, exact::BigRational(0)) > 0;
+    };
     for (const ExactAngle& a : angles) behind += passes_pi(a);
     std::uint32_t first = behind, wrapped = 0;
     for (std::size_t k = 0; k < angles.size(); ++k) number[k] = passes_pi(angles[k]) ? wrapped++ : first++;
@@ -64,15 +67,16 @@ struct AngleOrder {
 class Export {
  public:
   Export(const ObstacleSweep& sweep, const TurningForms& forms, CspaceObstacle::State& state)
-      : sweep_(sweep), forms_(forms), state_(state), order_(sweep.angles),
+      : sweep_(sweep),
+        forms_(forms),
+        state_(state),
+        order_(sweep.angles),
         edge_ends_{EdgeEnds(state.obstacle, state.base->operands[0]), EdgeEnds(state.robot, state.base->operands[1])} {}
 
   void run() {
     add_angles();
-    if (state_.robot.touching_points().empty() && state_.obstacle.touching_points().empty())
-      add_patches();
-    else
-      add_cut_patches();
+    if (state_.robot.touching_points().empty() && state_.obstacle.touching_points().empty()) add_patches();
+    else add_cut_patches();
     add_cells();
     add_shells();
     for (ObstacleEvent event : sweep_.events) {
@@ -83,8 +87,10 @@ class Export {
       feature.angle = order_.of(feature.angle);
       state_.tight.push_back(feature);
     }
-    std::stable_sort(state_.tight.begin(), state_.tight.end(), [](const TightFeature& a, const TightFeature& b) { return a.angle < b.angle; });
-    std::stable_sort(state_.events.begin(), state_.events.end(), [](const ObstacleEvent& a, const ObstacleEvent& b) { return a.angle < b.angle; });
+    std::stable_sort(state_.tight.begin(), state_.tight.end(),
+                     [](const TightFeature& a, const TightFeature& b) { return a.angle < b.angle; });
+    std::stable_sort(state_.events.begin(), state_.events.end(),
+                     [](const ObstacleEvent& a, const ObstacleEvent& b) { return a.angle < b.angle; });
   }
 
  private:
@@ -109,7 +115,8 @@ class Export {
     const std::uint32_t n0 = forms_.size(0), n1 = forms_.size(1);
     return id < n0 * n1 ? WalkSegment{0, id / n1, id % n1} : WalkSegment{1, (id - n0 * n1) / n0, (id - n0 * n1) % n0};
   }
-  // Whether the second segment follows the first one at an end of both. At a cut, which is no vertex of its edge, they cross.
+  // Whether the second segment follows the first one at an end of both. At a cut, which is no vertex of its edge, they
+  // cross.
   bool corner(std::uint32_t first, std::uint32_t second) const {
     const WalkSegment a = segment(first), b = segment(second);
     return meet_at_ends(forms_, a, b) && edge_ends_[a.side].ends(a.edge) && edge_ends_[b.side].starts(b.edge);
@@ -147,7 +154,8 @@ class Export {
   }
 
   void add_cut_patches() {
-    const ContactNames names{[this](std::uint32_t id) { return contact(id); }, [this](std::uint32_t a, std::uint32_t b) { return corner(a, b); }};
+    const ContactNames names{[this](std::uint32_t id) { return contact(id); },
+                             [this](std::uint32_t a, std::uint32_t b) { return corner(a, b); }};
     cut_ = cut_patches(sweep_, names);
     for (CutPatch& cut : cut_) {
       cut.patch.begin = order_.of(cut.begin);
@@ -161,7 +169,8 @@ class Export {
   void add_cells_of_cut_patches(const std::vector<std::uint32_t>& number) {
     for (std::size_t p = 0; p < cut_.size(); ++p) {
       auto& cells = state_.patch_cells[p];
-      for (const auto& [angle, cell] : cut_[p].cells) cells.emplace_back(sweep_.angles.empty() ? 0 : order_.of(angle), number[cell]);
+      for (const auto& [angle, cell] : cut_[p].cells)
+        cells.emplace_back(sweep_.angles.empty() ? 0 : order_.of(angle), number[cell]);
       if (cut_[p].begin != kNobody) continue;
       std::sort(cells.begin(), cells.end());
       cells.insert(cells.begin(), {0, cells.back().second});
@@ -223,7 +232,8 @@ class Export {
     }
     std::map<std::uint32_t, std::uint32_t> names;
     for (std::uint32_t c = 0; c < same.size(); ++c)
-      state_.cells[number[c]].component = names.emplace(root[c], static_cast<std::uint32_t>(names.size())).first->second;
+      state_.cells[number[c]].component =
+          names.emplace(root[c], static_cast<std::uint32_t>(names.size())).first->second;
   }
 
   void add_shells() {
@@ -252,10 +262,13 @@ class Export {
     add_euler(names);
   }
 
-  // Over a range of angles without events a shell is made of tubes, which count nothing. At single events a loop is born or vanishes (1) or
-  // splits (-1): a place where a + b tubes end and begin gains 2 - (a + b). Elsewhere limits of the boundary tell.
+  // Over a range of angles without events a shell is made of tubes, which count nothing. At single events a loop is
+  // born or vanishes (1) or splits (-1): a place where a + b tubes end and begin gains 2 - (a + b). Elsewhere limits of
+  // the boundary tell.
   void add_euler(const std::map<std::uint32_t, std::uint32_t>& shell_names) {
-    const auto by_limits = [&](std::uint32_t angle) { return std::binary_search(sweep_.limit_angles().begin(), sweep_.limit_angles().end(), angle); };
+    const auto by_limits = [&](std::uint32_t angle) {
+      return std::binary_search(sweep_.limit_angles().begin(), sweep_.limit_angles().end(), angle);
+    };
     const std::vector<ObstacleSweep::Cell>& cells = sweep_.cells();
     const auto count = static_cast<std::uint32_t>(cells.size());
     // A cell at its beginning and at its end: 2 c and 2 c + 1.
@@ -303,7 +316,8 @@ TurnRange range_of(int k, int windows) {
   // Equal angles, rounded to short dyadic tangents.
   const auto end = [&](int j) {
     if (j == 0 || j == windows) return j == 0 ? -1.0 : 1.0;
-    return std::nearbyint(std::tan((-0.5 + static_cast<double>(j) / windows) * std::numbers::pi / 2) * 0x1p20) * 0x1p-20;
+    return std::nearbyint(std::tan((-0.5 + static_cast<double>(j) / windows) * std::numbers::pi / 2) * 0x1p20) *
+           0x1p-20;
   };
   return {chart, end(i), end(i + 1)};
 }
@@ -329,7 +343,10 @@ void count(const TurnWindow& window, const TurnEvents& found, ObstacleWork& work
 class Preparation {
  public:
   Preparation(const TurningForms& forms, const TurnCatalog& catalog, bool reference)
-      : forms_(forms), catalog_(catalog), reference_(reference), pairs_(static_cast<double>(forms.size(0)) * forms.size(1)),
+      : forms_(forms),
+        catalog_(catalog),
+        reference_(reference),
+        pairs_(static_cast<double>(forms.size(0)) * forms.size(1)),
         all_(alignments(forms, catalog)) {
     if (!reference) crowded_.emplace(forms, all_);
     grid_.emplace(forms, crowded_ && crowded_->any() ? cells_for_crowd(forms, pairs_) : cells_for(pairs_), kLongEdges);
@@ -344,8 +361,9 @@ class Preparation {
   }
 
  private:
-  // Triples grow with the square of the pairs: where segments meet more than some others each, a range is halved. Beside a quarter turn at
-  // which much is aligned they do for certain. Fewer than twelve others are mostly real crossings, of which half a range has as many.
+  // Triples grow with the square of the pairs: where segments meet more than some others each, a range is halved.
+  // Beside a quarter turn at which much is aligned they do for certain. Fewer than twelve others are mostly real
+  // crossings, of which half a range has as many.
   void add(const TurnRange& range, int depth, bool halved, std::vector<Prepared>& parts) const {
     constexpr std::size_t kMost = 12;
     const double middle = std::nearbyint(0.5 * (range.t_low + range.t_high) * 0x1p24) * 0x1p-24;
@@ -388,7 +406,8 @@ class Preparation {
 };
 
 // Ranges are prepared side by side, some at a time, and passed one after the other. False where that was cancelled.
-bool pass_turn(const TurningForms& forms, const TurnCatalog& catalog, ObstacleSweep& sweep, bool reference, const Progress& progress) {
+bool pass_turn(const TurningForms& forms, const TurnCatalog& catalog, ObstacleSweep& sweep, bool reference,
+               const Progress& progress) {
   constexpr int kAtATime = 16;
   const Preparation preparation(forms, catalog, reference);
   const int ranges = preparation.windows();
@@ -397,9 +416,12 @@ bool pass_turn(const TurningForms& forms, const TurnCatalog& catalog, ObstacleSw
   for (int first = 0; first < ranges; first += kAtATime) {
     if (progress && !progress("angles", static_cast<double>(first) / ranges)) return false;
     const int last = std::min(ranges, first + kAtATime);
-    base::parallel_parts(static_cast<std::size_t>(last - first), 0, [&](std::size_t k) { some[k] = preparation.range(first + static_cast<int>(k), halved && k > 0); });
+    base::parallel_parts(static_cast<std::size_t>(last - first), 0, [&](std::size_t k) {
+      some[k] = preparation.range(first + static_cast<int>(k), halved && k > 0);
+    });
     // Where all of some ranges had to be halved the next ones will have to be as well; their first one is asked.
-    halved = std::all_of(some.begin(), some.begin() + (last - first), [](const std::vector<Prepared>& parts) { return parts.size() > 1; });
+    halved = std::all_of(some.begin(), some.begin() + (last - first),
+                         [](const std::vector<Prepared>& parts) { return parts.size() > 1; });
     for (int k = 0; k < last - first; ++k)
       for (Prepared& p : some[static_cast<std::size_t>(k)]) {
         count(*p.window, p.found, sweep.work);
@@ -427,10 +449,12 @@ Result<bool> general_obstacle(CspaceObstacle::State& state, const ObstacleOption
   const std::shared_ptr<const OperandPair> base = touching ? numbered_by_walk(*state.base) : state.base;
   const TurningForms forms(*base);
   const TurnCatalog catalog(forms);
-  if (static_cast<double>(forms.size(0)) * forms.size(1) > 0x1p27) return Error{Code::unsupported_operand, "more than 2^27 pairs of vertices", {}};
+  if (static_cast<double>(forms.size(0)) * forms.size(1) > 0x1p27)
+    return Error{Code::unsupported_operand, "more than 2^27 pairs of vertices", {}};
   ObstacleSweep sweep(forms, catalog, base, options.reference);
   sweep.keeps_all_angles = options.reference;
-  if (!pass_turn(forms, catalog, sweep, options.reference, options.progress)) return Error{Code::cancelled, "stopped on request", {}};
+  if (!pass_turn(forms, catalog, sweep, options.reference, options.progress))
+    return Error{Code::cancelled, "stopped on request", {}};
   if (!sweep.closed_turn()) throw std::logic_error("general_obstacle: a full turn does not lead back to its start");
   Export(sweep, forms, state).run();
   state.always_concurrent = sweep.always_concurrent;

@@ -1,22 +1,23 @@
-// What goes on along one line behind an event: a sub-edge that ends there and one that begins have a stretch in common. Exact at the event's
-// angle, which is algebraic.
+// What goes on along one line behind an event: a sub-edge that ends there and one that begins have a stretch in common.
+// Exact at the event's angle, which is algebraic.
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-#include "cspace/obstacle/obstacle_sweep.h"
 #include "cspace/events/walk_numbers.h"
+#include "cspace/obstacle/obstacle_sweep.h"
 
 namespace dymsum::planar {
 
 double ObstacleSweep::line_offset(std::uint32_t n, Heading h) const {
-  const Point d = forms_.direction(nodes_[n].segment, h), from = forms_.place(TurningForms::start(nodes_[n].segment), h);
+  const Point d = forms_.direction(nodes_[n].segment, h),
+              from = forms_.place(TurningForms::start(nodes_[n].segment), h);
   return (d.x * from.y - d.y * from.x) / std::hypot(d.x, d.y);
 }
 
 // All pairs of an ended node and a new one that continues it. Their lines have one offset: nodes are looked up by it.
-std::vector<std::pair<std::uint32_t, std::uint32_t>> ObstacleSweep::continued_stretches(const std::vector<std::uint32_t>& ended,
-                                                                                        const std::vector<std::uint32_t>& fresh) const {
+std::vector<std::pair<std::uint32_t, std::uint32_t>> ObstacleSweep::continued_stretches(
+    const std::vector<std::uint32_t>& ended, const std::vector<std::uint32_t>& fresh) const {
   const Heading h = Heading::of(theta_now_);
   std::vector<std::pair<double, std::uint32_t>> lines;
   lines.reserve(fresh.size());
@@ -74,7 +75,8 @@ bool ObstacleSweep::collinear(const WalkSegment& s, const WalkSegment& t, Headin
   if (std::abs(forms_.cross(s, t).at(h)) > 0x1p-40 * forms_.length1(s) * forms_.length1(t)) return false;
   const TrigForm side = forms_.side(s, TurningForms::start(t));
   if (std::abs(side.at(h)) > 64 * forms_.side_error(s)) return false;
-  if (crowded_ != nullptr) return crowded_->turn.on_line(s, TurningForms::start(t)) && crowded_->turn.on_line(s, forms_.end(t));
+  if (crowded_ != nullptr)
+    return crowded_->turn.on_line(s, TurningForms::start(t)) && crowded_->turn.on_line(s, forms_.end(t));
   const int chart = angles[now_].chart;
   if (s.side == t.side ? !forms_.parallel(s, t) : signs_now().sign(forms_.exact_cross(s, t, chart)) != 0) return false;
   return signs_now().sign(forms_.exact_side(s, TurningForms::start(t), chart)) == 0;

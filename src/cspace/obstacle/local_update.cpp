@@ -3,11 +3,11 @@
 // out.
 #include <algorithm>
 
-#include "planar/boundary/collision.h"
+#include "cspace/events/walk_numbers.h"
 #include "cspace/obstacle/obstacle_sweep.h"
+#include "planar/boundary/collision.h"
 #include "planar/turning/slice.h"
 #include "planar/turning/turn.h"
-#include "cspace/events/walk_numbers.h"
 
 namespace dymsum::planar {
 namespace {
@@ -52,11 +52,13 @@ ObstacleSweep::Fill ObstacleSweep::fill_triple(Cluster& cluster, const TurnEvent
     cluster.local[k].segment = s[k];
     cluster.local[k].id = id(s[k]);
     const TurnCatalog::Existence exists = catalog_.exists(s[k], event.theta());
-    if (exists != TurnCatalog::Existence::yes) return exists == TurnCatalog::Existence::no ? Fill::nothing : Fill::unsure;
+    if (exists != TurnCatalog::Existence::yes)
+      return exists == TurnCatalog::Existence::no ? Fill::nothing : Fill::unsure;
   }
   if (!find_signs(cluster, h) || !event.root->changes_sign()) return Fill::unsure;
   for (int k = 0; k < 3; ++k) {
-    const Located t = place_on(forms_, s[k], s[(k + 1) % 3], false, h), u = place_on(forms_, s[k], s[(k + 2) % 3], false, h);
+    const Located t = place_on(forms_, s[k], s[(k + 1) % 3], false, h),
+                  u = place_on(forms_, s[k], s[(k + 2) % 3], false, h);
     if (const Fill inside = within(t.error < u.error ? t : u); inside != Fill::done) return inside;
   }
   const TrigForm2 g = forms_.concurrency(event.a, event.b, event.c);
@@ -97,7 +99,8 @@ ObstacleSweep::Fill ObstacleSweep::fill_vertex(Cluster& cluster, const TurnEvent
   cluster.at_error = 0x1p-46 * forms_.span();
   const Point from = forms_.place(TurningForms::start(event.a), h), d = forms_.direction(event.a, h);
   const double t = (d.x * (cluster.at.x - from.x) + d.y * (cluster.at.y - from.y)) / (d.x * d.x + d.y * d.y);
-  if (const Fill inside = within({t, 4 * cluster.at_error / forms_.length1(event.a)}); inside != Fill::done) return inside;
+  if (const Fill inside = within({t, 4 * cluster.at_error / forms_.length1(event.a)}); inside != Fill::done)
+    return inside;
   cluster.size = 1;
   cluster.local[0].segment = event.a;
   cluster.local[0].id = id(event.a);
@@ -117,7 +120,8 @@ ObstacleSweep::Fill ObstacleSweep::fill_vertex(Cluster& cluster, const TurnEvent
   const int side = sign_of(forms_.side(event.a, event.v).slope(h), 4096 * forms_.side_error(event.a));
   if (side == 0) return Fill::unsure;
   Local& a = cluster.local[0];
-  const bool in_crosses = in >= 0 && side == cluster.cross[0][in], out_crosses = out >= 0 && side == -cluster.cross[0][out];
+  const bool in_crosses = in >= 0 && side == cluster.cross[0][in],
+             out_crosses = out >= 0 && side == -cluster.cross[0][out];
   if (in >= 0) {
     Local& b = cluster.local[in];
     if (in_crosses) b.vertices[b.count++] = {0, false};
@@ -155,7 +159,8 @@ bool ObstacleSweep::find_nodes(Cluster& cluster, Heading h) const {
         const Point from = forms_.place(TurningForms::start(local.segment), h), d = forms_.direction(local.segment, h);
         const double t = (d.x * (cluster.at.x - from.x) + d.y * (cluster.at.y - from.y)) / (d.x * d.x + d.y * d.y);
         const double error = kUnsure + 4 * cluster.at_error / forms_.length1(local.segment);
-        const Located u = place_on(forms_, local.segment, nodes_[node.prev].segment, true, h), v = place_on(forms_, local.segment, nodes_[node.next].segment, false, h);
+        const Located u = place_on(forms_, local.segment, nodes_[node.prev].segment, true, h),
+                      v = place_on(forms_, local.segment, nodes_[node.next].segment, false, h);
         if (!(std::abs(t - u.t) > error + u.error && std::abs(t - v.t) > error + v.error)) return false;
         passes = t > u.t && t < v.t;
         if (!passes) continue;
@@ -190,7 +195,8 @@ bool ObstacleSweep::start_alive(const Cluster& c, int segment, int piece) const 
   return v.chain ? v.other >= 0 : c.cross[segment][v.other] > 0;
 }
 
-std::optional<std::vector<ObstacleSweep::Path>> ObstacleSweep::paths(const Cluster& c, std::vector<std::vector<int>>& births) const {
+std::optional<std::vector<ObstacleSweep::Path>> ObstacleSweep::paths(const Cluster& c,
+                                                                     std::vector<std::vector<int>>& births) const {
   std::array<std::array<bool, 3>, 3> seen{};
   const auto successor = [&](int s, int piece) -> std::pair<int, int> {
     const LocalVertex& v = c.local[s].vertices[piece];
@@ -224,7 +230,8 @@ std::optional<std::vector<ObstacleSweep::Path>> ObstacleSweep::paths(const Clust
     for (int piece = 1; piece < c.local[s].count; ++piece) {
       std::vector<int> cycle;
       int at = s, p = piece;
-      while (at >= 0 && p > 0 && p < c.local[at].count && !seen[at][p] && start_alive(c, at, p) && end_alive(c, at, p)) {
+      while (at >= 0 && p > 0 && p < c.local[at].count && !seen[at][p] && start_alive(c, at, p) &&
+             end_alive(c, at, p)) {
         seen[at][p] = true;
         cycle.push_back(at);
         std::tie(at, p) = successor(at, p);
@@ -236,7 +243,8 @@ std::optional<std::vector<ObstacleSweep::Path>> ObstacleSweep::paths(const Clust
 
 // A new loop of constant size: whether the face on its right is free, exactly, at an angle between this event and the
 // next one.
-bool ObstacleSweep::born(const Cluster& cluster, const std::vector<int>& cycle, const std::function<Orientation()>& behind) {
+bool ObstacleSweep::born(const Cluster& cluster, const std::vector<int>& cycle,
+                         const std::function<Orientation()>& behind) {
   ++work.collision_tests;
   const SumState state = placed_at(*base_, behind());
   Collision collision(*state.lattice, *state.p, *state.q, true);
@@ -267,13 +275,17 @@ bool ObstacleSweep::born(const Cluster& cluster, const std::vector<int>& cycle, 
   if (place.second.kind == Cut::Kind::crossing) place.second.by = exact_segment(next);
   const Lattice::Position p = state.lattice->position(place);
   const Point low = state.lattice->base;
-  place.x = exact::round_to_double(exact::BigRational((p.x - exact::exact_value(low.x)) / exact::exact_value(state.lattice->unit)));
-  place.y = exact::round_to_double(exact::BigRational((p.y - exact::exact_value(low.y)) / exact::exact_value(state.lattice->unit)));
-  place.error = 0x1p-44 * state.lattice->span + (state.lattice->base_reach * 0x1p-50 + state.lattice->base_error) / state.lattice->unit;
+  place.x = exact::round_to_double(
+      exact::BigRational((p.x - exact::exact_value(low.x)) / exact::exact_value(state.lattice->unit)));
+  place.y = exact::round_to_double(
+      exact::BigRational((p.y - exact::exact_value(low.y)) / exact::exact_value(state.lattice->unit)));
+  place.error = 0x1p-44 * state.lattice->span +
+                (state.lattice->base_reach * 0x1p-50 + state.lattice->base_error) / state.lattice->unit;
   return !collision.overlaps_right_of(place);
 }
 
-bool ObstacleSweep::apply(const Cluster& cluster, const std::vector<Path>& paths, const std::vector<std::vector<int>>& births) {
+bool ObstacleSweep::apply(const Cluster& cluster, const std::vector<Path>& paths,
+                          const std::vector<std::vector<int>>& births) {
   std::map<std::uint32_t, std::uint32_t> starts, ends;  // old node -> the new one that has its start, its end
   std::vector<std::uint32_t> old, fresh, touched;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> claims;
@@ -331,12 +343,14 @@ bool ObstacleSweep::apply(const Cluster& cluster, const std::vector<Path>& paths
   return true;
 }
 
-bool ObstacleSweep::local_update(TurnEvent& event, const TurnRange& range, const std::function<Orientation()>& behind, OverlapFilter& filter) {
+bool ObstacleSweep::local_update(TurnEvent& event, const TurnRange& range, const std::function<Orientation()>& behind,
+                                 OverlapFilter& filter) {
   if (event.kind == TurnEvent::Kind::alignment) return alignment_update(event, range);
   if (event.kind == TurnEvent::Kind::overlap) return overlap_update(event, range);
   const Heading h = Heading::of(event.theta());
   Cluster cluster;
-  const Fill filled = event.kind == TurnEvent::Kind::three_segments ? fill_triple(cluster, event, h) : fill_vertex(cluster, event, h);
+  const Fill filled =
+      event.kind == TurnEvent::Kind::three_segments ? fill_triple(cluster, event, h) : fill_vertex(cluster, event, h);
   if (filled == Fill::nothing) return true;
   // Not generic: of no interest where everything is covered.
   if (filled == Fill::unsure) return certainly_covered(event, forms_, filter);
@@ -355,7 +369,10 @@ bool ObstacleSweep::local_update(TurnEvent& event, const TurnRange& range, const
   for (const Path& path : *found) same &= path.segments.size() == 1 && path.in == path.out;
   if (same) return true;
   now_ = angle(range, event);
-  note(h, event.kind == TurnEvent::Kind::three_segments ? ObstacleEvent::Kind::three_segments : ObstacleEvent::Kind::vertex_on_segment, cluster.at);
+  note(h,
+       event.kind == TurnEvent::Kind::three_segments ? ObstacleEvent::Kind::three_segments
+                                                     : ObstacleEvent::Kind::vertex_on_segment,
+       cluster.at);
   ++work.local_updates;
   return apply(cluster, *found, births);
 }

@@ -2,10 +2,10 @@
 #include <set>
 #include <stdexcept>
 
-#include "planar/position/ring_containment.h"
-#include "cspace/obstacle/obstacle_sweep.h"
-#include "planar/turning/slice.h"
 #include "cspace/events/walk_numbers.h"
+#include "cspace/obstacle/obstacle_sweep.h"
+#include "planar/position/ring_containment.h"
+#include "planar/turning/slice.h"
 
 namespace dymsum::planar {
 
@@ -36,10 +36,8 @@ void ObstacleSweep::end_node(std::uint32_t n) {
   ended_.push_back(n);
   node.alive = false;
   node.end = now_;
-  if (node.before != kNobody)
-    nodes_[node.before].same = node.same;
-  else
-    first_[node.id] = node.same;
+  if (node.before != kNobody) nodes_[node.before].same = node.same;
+  else first_[node.id] = node.same;
   if (node.same != kNobody) nodes_[node.same].before = node.before;
 }
 
@@ -98,8 +96,8 @@ void ObstacleSweep::refresh(std::vector<std::uint32_t> touched) {
 
 // New nodes have the start, or the end, of old ones: their neighbours are those of the old ones, or what has come in
 // place of these.
-void ObstacleSweep::relink(const std::map<std::uint32_t, std::uint32_t>& starts, const std::map<std::uint32_t, std::uint32_t>& ends,
-                           std::vector<std::uint32_t>& touched) {
+void ObstacleSweep::relink(const std::map<std::uint32_t, std::uint32_t>& starts,
+                           const std::map<std::uint32_t, std::uint32_t>& ends, std::vector<std::uint32_t>& touched) {
   for (const auto& [n, to] : starts) {
     const auto moved = ends.find(nodes_[n].prev);
     link(moved == ends.end() ? nodes_[n].prev : moved->second, to);
@@ -151,10 +149,8 @@ void ObstacleSweep::relabel(const std::vector<std::uint32_t>& touched, const std
     }
     for (const std::uint32_t n : loops[l]) {
       if (nodes_[n].cell == cell) continue;
-      if (nodes_[n].begin != now_)
-        nodes_[n].cells.emplace_back(now_, cell);
-      else
-        nodes_[n].born_cell = cell;
+      if (nodes_[n].begin != now_) nodes_[n].cells.emplace_back(now_, cell);
+      else nodes_[n].born_cell = cell;
       nodes_[n].cell = cell;
     }
   }
@@ -169,7 +165,8 @@ std::vector<WalkSegment> ObstacleSweep::segments_of(const SumRing& ring) const {
 }
 
 WalkSegment ObstacleSweep::walk_segment(const Contact& c) const {
-  return c.kind == Contact::Kind::edge_of_p ? WalkSegment{0, walk_edge_[0][c.p], walk_vertex_[1][c.q]} : WalkSegment{1, walk_edge_[1][c.q], walk_vertex_[0][c.p]};
+  return c.kind == Contact::Kind::edge_of_p ? WalkSegment{0, walk_edge_[0][c.p], walk_vertex_[1][c.q]}
+                                            : WalkSegment{1, walk_edge_[1][c.q], walk_vertex_[0][c.p]};
 }
 
 std::uint32_t ObstacleSweep::cell_at(const SumRing& ring) const {
@@ -195,7 +192,9 @@ void ObstacleSweep::join_faces(const Orientation& at) {
     const std::uint32_t cell = cell_at(part.outer);
     const SumRing* inside = nullptr;
     for (const SumRing* hole : holes)
-      if (ring_contains(*hole, part.outer, *sum->source, sum->at_error) && (inside == nullptr || ring_contains(*inside, *hole, *sum->source, sum->at_error))) inside = hole;
+      if (ring_contains(*hole, part.outer, *sum->source, sum->at_error) &&
+          (inside == nullptr || ring_contains(*inside, *hole, *sum->source, sum->at_error)))
+        inside = hole;
     if (inside != nullptr) {
       join(component_, cell, cell_at(*inside));
       continue;

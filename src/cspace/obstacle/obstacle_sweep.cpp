@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "planar/turning/slice.h"
 #include "cspace/obstacle/tight_curves.h"
+#include "planar/turning/slice.h"
 #include "planar/turning/turn.h"
 
 namespace dymsum::planar {
@@ -12,7 +12,8 @@ namespace dymsum::planar {
 using exact::AlgebraicRoot;
 using exact::BigRational;
 
-ObstacleSweep::ObstacleSweep(const TurningForms& forms, const TurnCatalog& catalog, std::shared_ptr<const OperandPair> base, bool reference)
+ObstacleSweep::ObstacleSweep(const TurningForms& forms, const TurnCatalog& catalog,
+                             std::shared_ptr<const OperandPair> base, bool reference)
     : forms_(forms), catalog_(catalog), base_(std::move(base)), reference_(reference), connected_(base_->connected) {
   first_.assign(std::size_t{2} * forms.size(0) * forms.size(1), kNobody);
   for (std::uint32_t op = 0; op < 2; ++op) {
@@ -39,10 +40,13 @@ Point ObstacleSweep::position(Heading h, Point at) const {
   const Lattice& l = *base_->lattice;
   // The forms' doubles leave out the turned centre and the offsets.
   const Point turned{l.points[1]->offset.x + c.x * l.unit, l.points[1]->offset.y + c.y * l.unit};
-  return {at.x * l.unit + l.points[0]->offset.x + h.c * turned.x - h.s * turned.y, at.y * l.unit + l.points[0]->offset.y + h.s * turned.x + h.c * turned.y};
+  return {at.x * l.unit + l.points[0]->offset.x + h.c * turned.x - h.s * turned.y,
+          at.y * l.unit + l.points[0]->offset.y + h.s * turned.x + h.c * turned.y};
 }
 
-void ObstacleSweep::note(Heading h, ObstacleEvent::Kind kind, Point at) { events.push_back({kind, now_, position(h, at)}); }
+void ObstacleSweep::note(Heading h, ObstacleEvent::Kind kind, Point at) {
+  events.push_back({kind, now_, position(h, at)});
+}
 
 // Between two angles of one chart; in doubles where these are far enough apart.
 Orientation ObstacleSweep::Behind::sample(const TurningForms& forms) const {
@@ -51,12 +55,14 @@ Orientation ObstacleSweep::Behind::sample(const TurningForms& forms) const {
   return orientation_at(range->chart, exact::between(low, high));
 }
 
-TurnEvent* ObstacleSweep::first_event(const TurnRange& range, std::vector<TurnEvent>& events, const TurningForms& forms) {
+TurnEvent* ObstacleSweep::first_event(const TurnRange& range, std::vector<TurnEvent>& events,
+                                      const TurningForms& forms) {
   // The intervals of events may overlap.
   TurnEvent* first = nullptr;
   for (TurnEvent& event : events) {
     if (first != nullptr && event.low > first->high) break;
-    if (first == nullptr || exact::compare(exact_root(event, forms, range), exact_root(*first, forms, range)) < 0) first = &event;
+    if (first == nullptr || exact::compare(exact_root(event, forms, range), exact_root(*first, forms, range)) < 0)
+      first = &event;
   }
   return first;
 }
@@ -80,9 +86,10 @@ void ObstacleSweep::slice(const TurnRange& range, const Group& group, const std:
   ++work.slices;
   now_ = angle(range, event);
   const Heading h = Heading::of(event.theta());
-  note(h, event.kind == TurnEvent::Kind::alignment        ? ObstacleEvent::Kind::alignment
-              : event.kind == TurnEvent::Kind::three_segments ? ObstacleEvent::Kind::three_segments
-                                                              : ObstacleEvent::Kind::vertex_on_segment,
+  note(h,
+       event.kind == TurnEvent::Kind::alignment        ? ObstacleEvent::Kind::alignment
+       : event.kind == TurnEvent::Kind::three_segments ? ObstacleEvent::Kind::three_segments
+                                                       : ObstacleEvent::Kind::vertex_on_segment,
        place_of(event, forms_, h).at);
   take_slice(placed_at(*base_, behind()));
   doubtful_ = group;
@@ -108,7 +115,8 @@ void ObstacleSweep::take_slice(SumState state) {
     const std::vector<WalkSegment> segments = segments_of(ring);
     const std::size_t n = segments.size();
     auto& ring_keys = keys.emplace_back();
-    for (std::size_t k = 0; k < n; ++k) ring_keys.push_back({id(segments[k]), id(segments[(k + n - 1) % n]), id(segments[(k + 1) % n])});
+    for (std::size_t k = 0; k < n; ++k)
+      ring_keys.push_back({id(segments[k]), id(segments[(k + n - 1) % n]), id(segments[(k + 1) % n])});
   }
   const Lines lines_before = lines_of(before);
   std::vector<std::vector<std::uint32_t>> loops;
@@ -202,7 +210,8 @@ std::vector<std::uint32_t> ObstacleSweep::segments_of(const TurnEvent& event, bo
   return {id({1, event.e, event.f}), id({0, event.f, e1}), id({0, event.f, event.e}), id({1, event.e, f1})};
 }
 
-void ObstacleSweep::pass_group(const Group& group, const TurnRange& range, const std::function<Orientation()>& behind, OverlapFilter& filter) {
+void ObstacleSweep::pass_group(const Group& group, const TurnRange& range, const std::function<Orientation()>& behind,
+                               OverlapFilter& filter) {
   now_ = kNobody;
   signs_.reset();
   theta_now_ = group[0]->theta();
@@ -223,14 +232,13 @@ void ObstacleSweep::pass_group(const Group& group, const TurnRange& range, const
   if (!connected_ && (born_ > 1 || (born_ > 0 && work.slices > slices))) join_faces(behind());
 }
 
-void ObstacleSweep::change(const Group& group, const TurnRange& range, const std::function<Orientation()>& behind, OverlapFilter& filter) {
+void ObstacleSweep::change(const Group& group, const TurnRange& range, const std::function<Orientation()>& behind,
+                           OverlapFilter& filter) {
   if (reference_ || crowded_ != nullptr) return slice(range, group, behind);
   Group alone;
   for (const Group& cluster : clusters(group)) {
-    if (cluster.size() == 1)
-      alone.push_back(cluster[0]);
-    else if (matters(cluster, filter))
-      return slice(range, group, behind);
+    if (cluster.size() == 1) alone.push_back(cluster[0]);
+    else if (matters(cluster, filter)) return slice(range, group, behind);
   }
   // What one of several changes is not undone where another one takes a whole slice, as where opposite segments come to
   // lie along each other with events at both ends: so all are tried first.
@@ -251,14 +259,20 @@ void ObstacleSweep::pass_pending(const std::function<Orientation()>& behind, Ove
   crowded_ = nullptr;
 }
 
-void ObstacleSweep::pass(const TurnRange& range, TurnEvents found, OverlapFilter& filter, const CrowdedQuarter* at_end) {
+void ObstacleSweep::pass(const TurnRange& range, TurnEvents found, OverlapFilter& filter,
+                         const CrowdedQuarter* at_end) {
   std::vector<TurnEvent>& events = found.events;
   always_ = std::move(found.always_concurrent);
   always_concurrent |= !always_.empty();
-  if (!pending_.empty()) pass_pending([&] { return Behind{&range, nullptr, first_event(range, events, forms_)}.sample(forms_); }, filter);
+  if (!pending_.empty())
+    pass_pending([&] { return Behind{&range, nullptr, first_event(range, events, forms_)}.sample(forms_); }, filter);
   const double theta_end = range.theta(range.t_high) - 0x1p-40;
-  const auto compare = [&](TurnEvent* a, TurnEvent* b) { return exact::compare(exact_root(*a, forms_, range), exact_root(*b, forms_, range)); };
-  const auto sort = [&](Group& run) { std::stable_sort(run.begin(), run.end(), [&](TurnEvent* a, TurnEvent* b) { return compare(a, b) < 0; }); };
+  const auto compare = [&](TurnEvent* a, TurnEvent* b) {
+    return exact::compare(exact_root(*a, forms_, range), exact_root(*b, forms_, range));
+  };
+  const auto sort = [&](Group& run) {
+    std::stable_sort(run.begin(), run.end(), [&](TurnEvent* a, TurnEvent* b) { return compare(a, b) < 0; });
+  };
   // Runs of events whose intervals overlap.
   std::vector<Group> runs;
   double high = -INFINITY;
@@ -269,13 +283,16 @@ void ObstacleSweep::pass(const TurnRange& range, TurnEvents found, OverlapFilter
   }
   // A group at one angle; what follows it is the rest of its run or the next one.
   const auto pass_run = [&](const Group& group, TurnEvent* next, Group* following) {
-    if (group[0]->high >= theta_end && exact::compare(exact_root(*group[0], forms_, range), AlgebraicRoot::of(range.t_high)) == 0) {
+    if (group[0]->high >= theta_end &&
+        exact::compare(exact_root(*group[0], forms_, range), AlgebraicRoot::of(range.t_high)) == 0) {
       for (TurnEvent* event : group) pending_.push_back(*event);
       pending_range_ = range;
       return;
     }
     const auto behind = [&] {
-      if (next == nullptr && following != nullptr) next = *std::min_element(following->begin(), following->end(), [&](TurnEvent* a, TurnEvent* b) { return compare(a, b) < 0; });
+      if (next == nullptr && following != nullptr)
+        next = *std::min_element(following->begin(), following->end(),
+                                 [&](TurnEvent* a, TurnEvent* b) { return compare(a, b) < 0; });
       return Behind{&range, group[0], next}.sample(forms_);
     };
     pass_group(group, range, behind, filter);
@@ -290,7 +307,8 @@ void ObstacleSweep::pass(const TurnRange& range, TurnEvents found, OverlapFilter
     for (std::size_t k = 0; k < run.size();) {
       std::size_t l = k + 1;
       while (l < run.size() && compare(run[k], run[l]) == 0) ++l;
-      pass_run(Group(run.begin() + static_cast<std::ptrdiff_t>(k), run.begin() + static_cast<std::ptrdiff_t>(l)), l < run.size() ? run[l] : nullptr, following);
+      pass_run(Group(run.begin() + static_cast<std::ptrdiff_t>(k), run.begin() + static_cast<std::ptrdiff_t>(l)),
+               l < run.size() ? run[l] : nullptr, following);
       k = l;
     }
   }
@@ -312,7 +330,8 @@ bool ObstacleSweep::matters(const Group& run, const OverlapFilter& filter) const
   for (const TurnEvent* event : run) {
     for (const std::uint32_t s : segments_of(*event, unsure))
       if (first_[s] != kNobody) return true;
-    const bool point = event->kind == TurnEvent::Kind::vertex_on_segment || event->kind == TurnEvent::Kind::three_segments;
+    const bool point =
+        event->kind == TurnEvent::Kind::vertex_on_segment || event->kind == TurnEvent::Kind::three_segments;
     if (reference_ || (point && !certainly_covered(*event, forms_, filter))) return true;
   }
   return false;

@@ -9,7 +9,8 @@ namespace dymsum::planar {
 
 // Visible sub-edges along the common line, put together where only a vanishing piece of a chain is between them. In
 // units of a's direction from a's start.
-std::vector<ObstacleSweep::Stretch> ObstacleSweep::stretches(const WalkSegment& a, const WalkSegment& b, Heading h) const {
+std::vector<ObstacleSweep::Stretch> ObstacleSweep::stretches(const WalkSegment& a, const WalkSegment& b,
+                                                             Heading h) const {
   const Point d = forms_.direction(a, h), origin = forms_.place(TurningForms::start(a), h);
   const double length = std::hypot(d.x, d.y);
   std::vector<Stretch> found;
@@ -19,7 +20,8 @@ std::vector<ObstacleSweep::Stretch> ObstacleSweep::stretches(const WalkSegment& 
       const double base = (d.x * (from.x - origin.x) + d.y * (from.y - origin.y)) / length, own = std::hypot(e.x, e.y);
       Stretch stretch;
       stretch.nodes = {n};
-      const Located first = place_on(forms_, *s, nodes_[nodes_[n].prev].segment, true, h), last = place_on(forms_, *s, nodes_[nodes_[n].next].segment, false, h);
+      const Located first = place_on(forms_, *s, nodes_[nodes_[n].prev].segment, true, h),
+                    last = place_on(forms_, *s, nodes_[nodes_[n].next].segment, false, h);
       stretch.from = base + own * first.t;
       stretch.to = base + own * last.t;
       stretch.error = own * (first.error + last.error);
@@ -29,7 +31,8 @@ std::vector<ObstacleSweep::Stretch> ObstacleSweep::stretches(const WalkSegment& 
   const auto follows = [&](const Stretch& s, const Stretch& t) {
     const std::uint32_t between = nodes_[s.nodes.back()].next;
     if (nodes_[between].next != t.nodes.front()) return false;
-    return (nodes_[s.nodes.back()].id == ia && nodes_[t.nodes.front()].id == ib) || (nodes_[s.nodes.back()].id == ib && nodes_[t.nodes.front()].id == ia);
+    return (nodes_[s.nodes.back()].id == ia && nodes_[t.nodes.front()].id == ib) ||
+           (nodes_[s.nodes.back()].id == ib && nodes_[t.nodes.front()].id == ia);
   };
   for (bool joined = true; joined;) {
     joined = false;
@@ -77,7 +80,9 @@ bool ObstacleSweep::overlap_update(TurnEvent& event, const TurnRange& range) {
     const bool to_end = TurningForms::start(nodes_[nodes_[s.nodes.back()].next].segment) == end;
     const double near = unsure + s.error;
     for (const double v : {low, high})
-      if ((!(from_start && v == low) && !(std::abs(s.from - v) > near)) || (!(to_end && v == high) && !(std::abs(s.to - v) > near))) return false;
+      if ((!(from_start && v == low) && !(std::abs(s.from - v) > near)) ||
+          (!(to_end && v == high) && !(std::abs(s.to - v) > near)))
+        return false;
     std::vector<WalkSegment> segments;
     if (!from_start && s.from < low) {
       segments.push_back(inner);
@@ -115,7 +120,8 @@ bool ObstacleSweep::overlap_update(TurnEvent& event, const TurnRange& range) {
 
 // New nodes along `segments` in place of old ones that follow each other, with the start of the first and the end of
 // the last.
-void ObstacleSweep::replace(const std::vector<std::uint32_t>& old, const std::vector<WalkSegment>& segments, std::map<std::uint32_t, std::uint32_t>& starts,
+void ObstacleSweep::replace(const std::vector<std::uint32_t>& old, const std::vector<WalkSegment>& segments,
+                            std::map<std::uint32_t, std::uint32_t>& starts,
                             std::map<std::uint32_t, std::uint32_t>& ends, std::vector<std::uint32_t>& touched) {
   std::uint32_t last = kNobody;
   for (const WalkSegment& s : segments) {

@@ -62,11 +62,15 @@ class Around {
     return free;
   }
   bool inside_edge(Point a, Point b) const {
-    if (z_.x < std::min(a.x, b.x) || z_.x > std::max(a.x, b.x) || z_.y < std::min(a.y, b.y) || z_.y > std::max(a.y, b.y)) return false;
+    if (z_.x < std::min(a.x, b.x) || z_.x > std::max(a.x, b.x) || z_.y < std::min(a.y, b.y) ||
+        z_.y > std::max(a.y, b.y))
+      return false;
     return z_ != a && z_ != b && exact::orient_sign(a, b, z_) == 0;
   }
 
-  int cross(const Way& a, const Way& b) const { return exact::orient_sign(z_, a.to, b.to) * (a.opposite == b.opposite ? 1 : -1); }
+  int cross(const Way& a, const Way& b) const {
+    return exact::orient_sign(z_, a.to, b.to) * (a.opposite == b.opposite ? 1 : -1);
+  }
   bool ahead(const Way& a) const { return (a.to.x != z_.x ? a.to.x > z_.x : a.to.y > z_.y) != a.opposite; }
   // Counter-clockwise from a to b: 0 for no turn, 1 for less than a half one, 2 for a half one, 3 for more.
   int turn(const Way& a, const Way& b) const {

@@ -1,5 +1,5 @@
-// Passages that are shut at one angle only: both walls come onto one line there, or a loop shrinks to a point, and they part again. Touching is
-// no connection, so what lies before that angle and what lies behind it are two.
+// Passages that are shut at one angle only: both walls come onto one line there, or a loop shrinks to a point, and they
+// part again. Touching is no connection, so what lies before that angle and what lies behind it are two.
 #include <algorithm>
 #include <cmath>
 
@@ -7,7 +7,8 @@
 
 namespace dymsum::planar {
 
-// A node's stretch on its line at the event's angle, in shares of the length of the first one's segment, from that one's start.
+// A node's stretch on its line at the event's angle, in shares of the length of the first one's segment, from that
+// one's start.
 std::array<double, 3> ObstacleSweep::stretch_now(std::uint32_t on, std::uint32_t n, Heading h) const {
   const WalkSegment &line = nodes_[on].segment, &s = nodes_[n].segment;
   const Point d = forms_.direction(line, h), base = forms_.place(TurningForms::start(line), h);
@@ -48,9 +49,9 @@ std::vector<std::uint32_t> ObstacleSweep::opposite_walls(std::uint32_t n, const 
   return opposite;
 }
 
-// Whether nothing of the stretch that nodes of one line share borders on a face at the angle: it has no length, or walls of the other direction
-// cover it, which are those of `side`, of one side of the angle. (What is covered from before is covered at the angle, hence from behind.) In
-// doubles where they leave a gap that is certain, else exactly.
+// Whether nothing of the stretch that nodes of one line share borders on a face at the angle: it has no length, or
+// walls of the other direction cover it, which are those of `side`, of one side of the angle. (What is covered from
+// before is covered at the angle, hence from behind.) In doubles where they leave a gap that is certain, else exactly.
 bool ObstacleSweep::shut_now(const std::vector<std::uint32_t>& nodes, const Lines& side) const {
   const Heading h = Heading::of(theta_now_);
   const std::uint32_t n = nodes[0];
@@ -76,7 +77,8 @@ bool ObstacleSweep::shut_now(const std::vector<std::uint32_t>& nodes, const Line
   const SignsAt& signs = signs_now();
   std::optional<Fraction> at, end;
   for (const std::uint32_t m : nodes) {
-    const std::optional<Fraction> from = end_along(signs, line, sub_edge(m), false), to = end_along(signs, line, sub_edge(m), true);
+    const std::optional<Fraction> from = end_along(signs, line, sub_edge(m), false),
+                                  to = end_along(signs, line, sub_edge(m), true);
     if (!from || !to) return false;
     if (!at || signs.compare(*from, *at) > 0) at = from;
     if (!end || signs.compare(*to, *end) < 0) end = to;
@@ -84,7 +86,8 @@ bool ObstacleSweep::shut_now(const std::vector<std::uint32_t>& nodes, const Line
   for (bool grown = true; grown && signs.compare(*at, *end) < 0;) {
     grown = false;
     for (const std::uint32_t m : opposite) {
-      const std::optional<Fraction> to = end_along(signs, line, sub_edge(m), false), from = end_along(signs, line, sub_edge(m), true);
+      const std::optional<Fraction> to = end_along(signs, line, sub_edge(m), false),
+                                    from = end_along(signs, line, sub_edge(m), true);
       if (!to || !from || signs.compare(*from, *at) > 0 || signs.compare(*to, *at) <= 0) continue;
       at = to;
       grown = true;

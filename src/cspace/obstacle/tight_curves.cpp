@@ -1,16 +1,17 @@
-// Three contacts that stay at one point z at every angle are no event. Each covers what lies to its left near z, so where their directions
-// span the plane with positive weights z has no free space beside it: free or covered, z changes only at events of another segment or of an
-// end of the three, all of which are listed. Between two events one exact test therefore tells whether z is free, hence tight, unless it is
-// an end of one of them, beside which free space comes to it: then the boundary passes there.
+// Three contacts that stay at one point z at every angle are no event. Each covers what lies to its left near z, so
+// where their directions span the plane with positive weights z has no free space beside it: free or covered, z changes
+// only at events of another segment or of an end of the three, all of which are listed. Between two events one exact
+// test therefore tells whether z is free, hence tight, unless it is an end of one of them, beside which free space
+// comes to it: then the boundary passes there.
 #include "cspace/obstacle/tight_curves.h"
 
 #include <algorithm>
 #include <iterator>
 #include <tuple>
 
-#include "planar/turning/exact_angle.h"
 #include "cspace/boundary/free_place.h"
 #include "cspace/obstacle/obstacle_sweep.h"
+#include "planar/turning/exact_angle.h"
 
 namespace dymsum::planar {
 namespace {
@@ -49,15 +50,18 @@ bool may_span(const TurningForms& forms, const AlwaysConcurrent& s, Heading h) {
 
 }  // namespace
 
-std::vector<AlwaysConcurrent> common_curves(const std::vector<AlwaysConcurrent>& before, const std::vector<AlwaysConcurrent>& behind) {
+std::vector<AlwaysConcurrent> common_curves(const std::vector<AlwaysConcurrent>& before,
+                                            const std::vector<AlwaysConcurrent>& behind) {
   std::vector<AlwaysConcurrent> all;
   std::set_intersection(before.begin(), before.end(), behind.begin(), behind.end(), std::back_inserter(all), less);
   return all;
 }
 
-std::vector<AlwaysConcurrent> other_curves(const std::vector<AlwaysConcurrent>& before, const std::vector<AlwaysConcurrent>& behind) {
+std::vector<AlwaysConcurrent> other_curves(const std::vector<AlwaysConcurrent>& before,
+                                           const std::vector<AlwaysConcurrent>& behind) {
   std::vector<AlwaysConcurrent> all;
-  std::set_symmetric_difference(before.begin(), before.end(), behind.begin(), behind.end(), std::back_inserter(all), less);
+  std::set_symmetric_difference(before.begin(), before.end(), behind.begin(), behind.end(), std::back_inserter(all),
+                                less);
   return all;
 }
 
@@ -84,7 +88,8 @@ std::vector<AlwaysConcurrent> ObstacleSweep::tight_curves(const Orientation& at,
 }
 
 // The place that three concurrent segments have in common, if they do.
-std::optional<ObstacleSweep::Candidate> ObstacleSweep::meeting_of(const SignsAt& signs, const AlwaysConcurrent& three) const {
+std::optional<ObstacleSweep::Candidate> ObstacleSweep::meeting_of(const SignsAt& signs,
+                                                                  const AlwaysConcurrent& three) const {
   for (std::size_t k = 0; k < 3; ++k) {
     const WalkSegment &a = three[k], &b = three[(k + 1) % 3], &c = three[(k + 2) % 3];
     if (signs.cross(a, b) == 0) continue;
@@ -98,7 +103,8 @@ std::optional<ObstacleSweep::Candidate> ObstacleSweep::meeting_of(const SignsAt&
   return std::nullopt;
 }
 
-std::vector<ObstacleSweep::Candidate> ObstacleSweep::places_of(const SignsAt& signs, const std::vector<AlwaysConcurrent>& curves) const {
+std::vector<ObstacleSweep::Candidate> ObstacleSweep::places_of(const SignsAt& signs,
+                                                               const std::vector<AlwaysConcurrent>& curves) const {
   std::vector<Candidate> all;
   for (const AlwaysConcurrent& three : curves)
     if (std::optional<Candidate> z = meeting_of(signs, three)) all.push_back(std::move(*z));

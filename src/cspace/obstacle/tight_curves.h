@@ -8,7 +8,9 @@
 namespace dymsum::planar {
 
 /// What two sorted lists have in common, and what only one of them has.
-std::vector<AlwaysConcurrent> common_curves(const std::vector<AlwaysConcurrent>& before, const std::vector<AlwaysConcurrent>& behind);
-std::vector<AlwaysConcurrent> other_curves(const std::vector<AlwaysConcurrent>& before, const std::vector<AlwaysConcurrent>& behind);
+std::vector<AlwaysConcurrent> common_curves(const std::vector<AlwaysConcurrent>& before,
+                                            const std::vector<AlwaysConcurrent>& behind);
+std::vector<AlwaysConcurrent> other_curves(const std::vector<AlwaysConcurrent>& before,
+                                           const std::vector<AlwaysConcurrent>& behind);
 
 }  // namespace dymsum::planar

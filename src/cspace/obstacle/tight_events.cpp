@@ -1,14 +1,15 @@
-// What happens at one angle only: configurations that are free and that no free configurations with clearance come near, contacts that
-// can be held but neither reached nor left; and places where the boundary touches itself. Where neither is found and no sub-edge began or
-// ended, nothing happens, and the angle is not listed.
+// What happens at one angle only: configurations that are free and that no free configurations with clearance come
+// near, contacts that can be held but neither reached nor left; and places where the boundary touches itself. Where
+// neither is found and no sub-edge began or ended, nothing happens, and the angle is not listed.
 //
-// A tight place z of the angle is not covered, so at least one segment of the convolution goes through it; one contact, two contacts
-// whose lines cross, and the sum of two vertices can be left into free space. So either z is the place of an event at which lines cross,
-// or an end of a segment on another one; or a segment passes through z and another one in the opposite direction, along a stretch. What
-// is covered changes along that stretch only where a further segment comes in, at places that are not covered either. Hence: the places
-// of events, and the stretches between neighbouring ones on two opposite segments, tell all, each by one exact test. Near a place that
-// sub-edges before or behind the angle come to there is free space with clearance; near any other free place there is none, as it is on
-// the boundary of the obstacle.
+// A tight place z of the angle is not covered, so at least one segment of the convolution goes through it; one contact,
+// two contacts whose lines cross, and the sum of two vertices can be left into free space. So either z is the place of
+// an event at which lines cross, or an end of a segment on another one; or a segment passes through z and another one
+// in the opposite direction, along a stretch. What is covered changes along that stretch only where a further segment
+// comes in, at places that are not covered either. Hence: the places of events, and the stretches between neighbouring
+// ones on two opposite segments, tell all, each by one exact test. Near a place that sub-edges before or behind the
+// angle come to there is free space with clearance; near any other free place there is none, as it is on the boundary
+// of the obstacle.
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -16,24 +17,26 @@
 #include "cspace/boundary/free_place.h"
 #include "cspace/boundary/limit_boundary.h"
 #include "cspace/obstacle/obstacle_sweep.h"
-#include "planar/turning/slice.h"
 #include "cspace/obstacle/tight_curves.h"
+#include "planar/turning/slice.h"
 #include "planar/turning/turn.h"
 
 namespace dymsum::planar {
 
-void ObstacleSweep::examine(const TurnRange& range, const OverlapFilter& filter, const std::vector<AlwaysConcurrent>& curves_behind) {
+void ObstacleSweep::examine(const TurnRange& range, const OverlapFilter& filter,
+                            const std::vector<AlwaysConcurrent>& curves_behind) {
   const bool listed = now_ != kNobody;
   if (!listed) now_ = angle(range, *doubtful_[0]);
   const SignsAt& signs = signs_now();
-  // Behind a whole slice at a rational angle one more slice, at the angle, tells what is tight in it; of a crowded quarter turn there are
-  // no events.
+  // Behind a whole slice at a rational angle one more slice, at the angle, tells what is tight in it; of a crowded
+  // quarter turn there are no events.
   const bool by_slice = listed && exact::rational_value(angles[now_].t);
   std::vector<std::array<std::uint32_t, 2>> between;
   std::vector<Candidate> found = by_slice ? candidates_of_open_slice(signs, between) : candidates(signs, filter);
   const std::vector<NodeNow> nodes = nodes_now(signs, true);
   const auto see = [&] {
-    for (Candidate& z : found) z.visible = std::any_of(nodes.begin(), nodes.end(), [&](const NodeNow& n) { return reaches(signs, n, z); });
+    for (Candidate& z : found)
+      z.visible = std::any_of(nodes.begin(), nodes.end(), [&](const NodeNow& n) { return reaches(signs, n, z); });
   };
   see();
   if (!by_slice) {
@@ -67,7 +70,8 @@ void ObstacleSweep::examine(const TurnRange& range, const OverlapFilter& filter,
   for (const Candidate& z : places_of(signs, other_curves(curves_, curves_behind))) {
     if (is_one_of(goes_on, z)) continue;
     any = true;
-    const auto known = std::find_if(found.begin(), found.end(), [&](const Candidate& y) { return same_place(signs, y, z); });
+    const auto known =
+        std::find_if(found.begin(), found.end(), [&](const Candidate& y) { return same_place(signs, y, z); });
     const auto k = static_cast<std::size_t>(known - found.begin());
     if (known == found.end() || !held[k]) note_tight(z, z);
     if (known == found.end() || !is_event[k]) note(signs.heading(), ObstacleEvent::Kind::tight, z.near);
@@ -83,19 +87,21 @@ void ObstacleSweep::examine(const TurnRange& range, const OverlapFilter& filter,
   now_ = kNobody;
 }
 
-// Crossings are known within 2^-37 of the span (SignsAt::near), sums of two vertices within 2^-45: they err by the angle's
-// 2^-49 and some roundings. What turns places into positions rounds each of four terms.
+// Crossings are known within 2^-37 of the span (SignsAt::near), sums of two vertices within 2^-45: they err by the
+// angle's 2^-49 and some roundings. What turns places into positions rounds each of four terms.
 void ObstacleSweep::note_tight(const Candidate& from, const Candidate& to) {
   const Lattice& l = *base_->lattice;
   const Heading h = signs_now().heading();
   TightFeature feature{now_, position(h, from.near), position(h, to.near), 0};
-  const double offsets = std::hypot(l.points[0]->offset.x, l.points[0]->offset.y) + std::hypot(l.points[1]->offset.x, l.points[1]->offset.y);
+  const double offsets = std::hypot(l.points[0]->offset.x, l.points[0]->offset.y) +
+                         std::hypot(l.points[1]->offset.x, l.points[1]->offset.y);
   const double share = from.place.first.crossing || to.place.first.crossing ? 0x1p-37 : 0x1p-45;
   feature.error = (share + 0x1p-47) * forms_.span() * l.unit + 0x1p-47 * offsets;
   tight.push_back(feature);
 }
 
-// The boundary's limits from before and from behind: surfaces, what they gain at the angle, and a place where one of the two touches itself.
+// The boundary's limits from before and from behind: surfaces, what they gain at the angle, and a place where one of
+// the two touches itself.
 std::optional<Point> ObstacleSweep::look_at_limits(const SignsAt& signs) {
   std::vector<std::uint32_t> next_before(nodes_.size(), kNobody), number(nodes_.size());
   for (const auto& [n, next] : relinked_)
@@ -123,7 +129,8 @@ std::optional<Point> ObstacleSweep::look_at_limits(const SignsAt& signs) {
 }
 
 // Places of the doubtful events that are not certainly covered, each once.
-std::vector<ObstacleSweep::Candidate> ObstacleSweep::candidates(const SignsAt& signs, const OverlapFilter& filter) const {
+std::vector<ObstacleSweep::Candidate> ObstacleSweep::candidates(const SignsAt& signs,
+                                                                const OverlapFilter& filter) const {
   std::vector<Candidate> all;
   for (const TurnEvent* event : doubtful_) {
     if (event->kind == TurnEvent::Kind::alignment) continue;
@@ -139,7 +146,8 @@ std::vector<ObstacleSweep::Candidate> ObstacleSweep::candidates(const SignsAt& s
       for (const WalkSegment* s : {&event->a, &event->b})
         for (const Pair v : {TurningForms::start(*s), forms_.end(*s)}) add({false, v, {}, {}}, through_end(*event, v));
     } else {
-      // The two that are least parallel; where all three are, they meet along a stretch, and other events tell its ends.
+      // The two that are least parallel; where all three are, they meet along a stretch, and other events tell its
+      // ends.
       const std::array<const WalkSegment*, 3> s{&event->a, &event->b, &event->c};
       std::size_t best = 0;
       double most = -1;
@@ -151,7 +159,8 @@ std::vector<ObstacleSweep::Candidate> ObstacleSweep::candidates(const SignsAt& s
           best = k;
         }
       }
-      if (signs.cross(*s[best], *s[(best + 1) % 3]) != 0) add({true, {}, *s[best], *s[(best + 1) % 3]}, segments_of(*event, unsure));
+      if (signs.cross(*s[best], *s[(best + 1) % 3]) != 0)
+        add({true, {}, *s[best], *s[(best + 1) % 3]}, segments_of(*event, unsure));
     }
   }
   return each_once(signs, std::move(all));
@@ -198,8 +207,8 @@ std::vector<ObstacleSweep::Candidate> ObstacleSweep::each_once(const SignsAt& si
 }
 
 // At a rational angle: tight places and stretches of the open slice.
-std::vector<ObstacleSweep::Candidate> ObstacleSweep::candidates_of_open_slice(const SignsAt& signs,
-                                                                              std::vector<std::array<std::uint32_t, 2>>& between) const {
+std::vector<ObstacleSweep::Candidate> ObstacleSweep::candidates_of_open_slice(
+    const SignsAt& signs, std::vector<std::array<std::uint32_t, 2>>& between) const {
   SumOptions options;
   options.semantics = Semantics::open;
   const ExactAngle& at = angles[now_];
@@ -210,8 +219,7 @@ std::vector<ObstacleSweep::Candidate> ObstacleSweep::candidates_of_open_slice(co
     Candidate z;
     if (v.corner_p != SumVertex::kNone)
       z.place.first.corner = {walk_vertex_[0][v.corner_p], walk_vertex_[1][v.corner_q]};
-    else
-      z.place.first = {true, {}, walk_segment(v.in), walk_segment(v.out)};
+    else z.place.first = {true, {}, walk_segment(v.in), walk_segment(v.out)};
     z.near = signs.near(z.place).value();
     std::uint32_t k = 0;
     while (k < all.size() && !signs.same(all[k].place, z.place)) ++k;
@@ -223,18 +231,24 @@ std::vector<ObstacleSweep::Candidate> ObstacleSweep::candidates_of_open_slice(co
   return all;
 }
 
-// Neighbouring places along two segments of opposite directions that are there at the angle: of the two sides of a polyline with one vertex
-// mostly one is.
-std::vector<std::array<std::uint32_t, 2>> ObstacleSweep::opposite_stretches(const SignsAt& signs, const std::vector<Candidate>& places) const {
+// Neighbouring places along two segments of opposite directions that are there at the angle: of the two sides of a
+// polyline with one vertex mostly one is.
+std::vector<std::array<std::uint32_t, 2>> ObstacleSweep::opposite_stretches(
+    const SignsAt& signs, const std::vector<Candidate>& places) const {
   std::vector<std::array<std::uint32_t, 2>> found;
-  const auto exists = [&](std::uint32_t s) { return catalog_.exists(segment_of(s), theta_now_) != TurnCatalog::Existence::no; };
+  const auto exists = [&](std::uint32_t s) {
+    return catalog_.exists(segment_of(s), theta_now_) != TurnCatalog::Existence::no;
+  };
   const auto holds = [&](std::uint32_t s, const Candidate& z) {
-    return z.goes_through(s) ? signs.within(segment_of(s), z.place, z.near) : signs.holds(segment_of(s), z.place, z.near);
+    return z.goes_through(s) ? signs.within(segment_of(s), z.place, z.near)
+                             : signs.holds(segment_of(s), z.place, z.near);
   };
   for (std::uint32_t k = 0; k < places.size(); ++k)
     for (const std::uint32_t s : places[k].through)
       for (const std::uint32_t t : places[k].through) {
-        if (s >= t || !signs.antiparallel(segment_of(s), segment_of(t)) || !exists(s) || !exists(t) || !holds(s, places[k]) || !holds(t, places[k])) continue;
+        if (s >= t || !signs.antiparallel(segment_of(s), segment_of(t)) || !exists(s) || !exists(t) ||
+            !holds(s, places[k]) || !holds(t, places[k]))
+          continue;
         // The next place on both, in the direction of s.
         std::optional<std::uint32_t> next;
         const auto follows = [&](std::uint32_t l, std::uint32_t m) {
@@ -257,7 +271,8 @@ std::vector<ObstacleSweep::NodeNow> ObstacleSweep::nodes_now(const SignsAt& sign
     const Node& node = nodes_[n];
     const Point e = forms_.edge(node.segment.side, node.segment.edge);
     const double length2 = e.x * e.x + e.y * e.y;
-    const Located from = place_on(forms_, node.segment, segment_of(node.left), true, h), to = place_on(forms_, node.segment, segment_of(node.right), false, h);
+    const Located from = place_on(forms_, node.segment, segment_of(node.left), true, h),
+                  to = place_on(forms_, node.segment, segment_of(node.right), false, h);
     NodeNow now{n, from.t * length2, to.t * length2, 2 * (from.error + to.error) * length2};
     now.error += SignsAt::kNear * forms_.span() * forms_.length1(node.segment);
     if (!std::isfinite(now.error)) now = {n, 0, 0, INFINITY};
@@ -294,11 +309,15 @@ bool ObstacleSweep::reaches(const SignsAt& signs, const NodeNow& n, const Candid
 }
 
 // Whether sub-edges together come to the whole stretch from y to z.
-bool ObstacleSweep::reached_all_along(const SignsAt& signs, const std::vector<NodeNow>& nodes, const Candidate& y, const Candidate& z) const {
+bool ObstacleSweep::reached_all_along(const SignsAt& signs, const std::vector<NodeNow>& nodes, const Candidate& y,
+                                      const Candidate& z) const {
   std::vector<std::uint32_t> line;
   for (const NodeNow& n : nodes) {
-    const double a = signs.along_near(nodes_[n.node].segment, y.near), b = signs.along_near(nodes_[n.node].segment, z.near);
-    if (std::max(a, b) < n.from - n.error || std::min(a, b) > n.to + n.error || !on_line(signs, n, y) || !on_line(signs, n, z)) continue;
+    const double a = signs.along_near(nodes_[n.node].segment, y.near),
+                 b = signs.along_near(nodes_[n.node].segment, z.near);
+    if (std::max(a, b) < n.from - n.error || std::min(a, b) > n.to + n.error || !on_line(signs, n, y) ||
+        !on_line(signs, n, z))
+      continue;
     if (reaches(signs, n, y) && reaches(signs, n, z)) return true;
     line.push_back(n.node);
   }
@@ -306,7 +325,8 @@ bool ObstacleSweep::reached_all_along(const SignsAt& signs, const std::vector<No
   const WalkSegment first = nodes_[line[0]].segment;
   std::vector<std::array<Fraction, 2>> parts;
   for (const std::uint32_t n : line) {
-    std::optional<Fraction> from = end_along(signs, first, sub_edge(n), false), to = end_along(signs, first, sub_edge(n), true);
+    std::optional<Fraction> from = end_along(signs, first, sub_edge(n), false),
+                            to = end_along(signs, first, sub_edge(n), true);
     if (!from || !to) throw std::logic_error("ObstacleSweep: a sub-edge ends nowhere on its line");
     if (signs.compare(*to, *from) < 0) std::swap(from, to);
     parts.push_back({*from, *to});

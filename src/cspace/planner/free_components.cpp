@@ -28,7 +28,8 @@ void JoinedComponents::join(std::uint32_t a, std::uint32_t b) {
 
 void JoinedComponents::join_touching(const CspaceObstacle& obstacle, PathLevels& levels) {
   const std::vector<FreeCell>& cells = obstacle.free_cells();
-  for (const auto& [a, b] : ObstacleInternals::of(obstacle).touching_cells) join(cells[a].component, cells[b].component);
+  for (const auto& [a, b] : ObstacleInternals::of(obstacle).touching_cells)
+    join(cells[a].component, cells[b].component);
   for (std::size_t k = 0; k < levels.size(); ++k) {
     if (levels.slab(k)) continue;
     const SliceGraph& graph = levels.graph(k);
@@ -80,8 +81,9 @@ std::string text_of(const SearchLimit& limit) {
   std::ostringstream text;
   const auto degrees = [](double radians) { return radians * 180 / std::numbers::pi; };
   if (limit.out_of_time) text << "the time limit of " << limit.seconds << " s was reached";
-  else text << "what joins them is passed along a curve alone, touching all the way, and not by translations and "
-               "rotations in place";
+  else
+    text << "what joins them is passed along a curve alone, touching all the way, and not by translations and "
+            "rotations in place";
   text.precision(10);
   if (limit.passage)
     text << ", at the passage between " << degrees(limit.passage->from) << " and " << degrees(limit.passage->to)

@@ -13,7 +13,8 @@ class JoinedComponents {
   explicit JoinedComponents(const CspaceObstacle& obstacle);
   std::uint32_t root(std::uint32_t component) const;
   void join(std::uint32_t a, std::uint32_t b);
-  /// Joins what touches in a slice at a rational event angle, and before and behind an angle at which a passage is shut.
+  /// Joins what touches in a slice at a rational event angle, and before and behind an angle at which a passage is
+  /// shut.
   void join_touching(const CspaceObstacle& obstacle, PathLevels& levels);
 
  private:

@@ -125,16 +125,16 @@ std::vector<std::uint32_t> PathLevels::cells_of(std::uint32_t slab, const SliceM
 std::uint32_t PathLevels::slab_behind(std::size_t k) const {
   if (levels_[k]->slab) return *levels_[k]->slab;
   const std::vector<ExactAngle>& angles = ObstacleInternals::of(obstacle_).exact_angles;
-  const auto at = std::partition_point(angles.begin(), angles.end(),
-                                       [&](const ExactAngle& e) { return compare(e, angle(k)) < 0; });
+  const auto at =
+      std::partition_point(angles.begin(), angles.end(), [&](const ExactAngle& e) { return compare(e, angle(k)) < 0; });
   return static_cast<std::uint32_t>(at - angles.begin());
 }
 
 // At an event angle: at an orientation next to it, up to which a place of the face stays free.
 std::vector<std::uint32_t> PathLevels::cells_beside(std::size_t k, std::uint32_t face) {
   const SliceGraph& at = graph(k);
-  const auto inside = std::find_if(at.trapezoids().begin(), at.trapezoids().end(),
-                                   [&](const auto& t) { return t.face == face; });
+  const auto inside =
+      std::find_if(at.trapezoids().begin(), at.trapezoids().end(), [&](const auto& t) { return t.face == face; });
   const std::vector<ExactAngle>& angles = ObstacleInternals::of(obstacle_).exact_angles;
   const std::size_t next = (slab_behind(k) + 1) % angles.size();
   const ExactAngle limit = angles.size() > 1 ? angles[next] : exact_angle(orientation_between(angle(k), angle(k)));

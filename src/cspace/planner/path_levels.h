@@ -6,9 +6,9 @@
 #include <unordered_map>
 #include <vector>
 
-#include "dymsum/planner.h"
 #include "cspace/motion/pivot.h"
 #include "cspace/planner/slice_graph.h"
+#include "dymsum/planner.h"
 
 namespace dymsum::planar {
 
@@ -19,7 +19,7 @@ struct PathLevel {
   ExactAngle angle;
   std::uint32_t id = 0;  // in the order in which they were added
   std::optional<std::uint32_t> slab;
-  std::unique_ptr<SliceMap> map;      // made when first looked at
+  std::unique_ptr<SliceMap> map;  // made when first looked at
   std::unique_ptr<SliceGraph> graph;
   std::vector<std::optional<std::vector<std::uint32_t>>> cells;  // by group
 };

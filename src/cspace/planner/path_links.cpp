@@ -17,9 +17,7 @@ PathLinks::PathLinks(const CspaceObstacle& obstacle, PathLevels& levels, const J
       if (event != Patch::kNone) at_event_[{event, root(c)}].push_back(c);
 }
 
-std::uint32_t PathLinks::root(std::uint32_t cell) const {
-  return joined_.root(obstacle_.free_cells()[cell].component);
-}
+std::uint32_t PathLinks::root(std::uint32_t cell) const { return joined_.root(obstacle_.free_cells()[cell].component); }
 
 bool PathLinks::may_join(std::uint32_t cell, std::uint32_t next, std::optional<std::uint32_t> event) const {
   if (cell == kUnknown || next == kUnknown || cell == next) return true;

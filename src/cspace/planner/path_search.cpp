@@ -194,8 +194,8 @@ void PathSearch::refine(const Stuck& gap) {
   const std::vector<Orientation> more = levels_.between(levels_.index_of(gap.low));
   depth_[gap.low] = gap.depth + 1;
   for (const Orientation& theta : more) depth_[levels_.level(levels_.add(theta))] = gap.depth + 1;
-  for (const auto& [level, direction] : {std::pair{gap.low, TurnDirection::counter_clockwise},
-                                         std::pair{gap.high, TurnDirection::clockwise}})
+  for (const auto& [level, direction] :
+       {std::pair{gap.low, TurnDirection::counter_clockwise}, std::pair{gap.high, TurnDirection::clockwise}})
     for (const std::uint32_t v : visits_at(levels_.index_of(level)))
       if (v != kUnreached)
         open_.push({visits_[v].cost + turn_between(level->theta.radians(), goal_angle_), v, direction});

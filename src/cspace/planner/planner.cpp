@@ -21,8 +21,13 @@ class Planner {
  public:
   Planner(const CspaceObstacle& obstacle, PathEnd start, PathEnd goal, const PlanOptions& options, double frame,
           Clock::time_point deadline)
-      : obstacle_(obstacle), options_(options), start_(std::move(start)), goal_(std::move(goal)),
-        levels_(obstacle, options.touching, frame), joined_(obstacle), deadline_(deadline) {}
+      : obstacle_(obstacle),
+        options_(options),
+        start_(std::move(start)),
+        goal_(std::move(goal)),
+        levels_(obstacle, options.touching, frame),
+        joined_(obstacle),
+        deadline_(deadline) {}
 
   // Locate both, compare their components, search.
   Result<Plan> run() {
@@ -112,8 +117,11 @@ class Planner {
     plan_.work.rotations = search.rotations();
     plan_.work.refinements = search.refinements();
     switch (outcome) {
-      case PathSearch::Outcome::cancelled: return Error{Code::cancelled, "cancelled by the progress callback", {}};
-      case PathSearch::Outcome::found: write_path(search.steps()); break;
+      case PathSearch::Outcome::cancelled:
+        return Error{Code::cancelled, "cancelled by the progress callback", {}};
+      case PathSearch::Outcome::found:
+        write_path(search.steps());
+        break;
       case PathSearch::Outcome::nothing:
       case PathSearch::Outcome::out_of_time:
         refuse(NoPath::Kind::undecided, from, to);
@@ -146,7 +154,7 @@ class Planner {
       return all.empty() ? std::string("a place that is held by contacts") : text_of(all[0]);
     };
     reason.text = kind == NoPath::Kind::separated ? "there is no path: "
-        : "undecided, start and goal are joined, but no path was found: ";
+                                                  : "undecided, start and goal are joined, but no path was found: ";
     reason.text += "the start lies in " + place(reason.start) + "; the goal lies in " + place(reason.goal);
   }
 

@@ -89,7 +89,7 @@ std::array<double, 2> SliceGraph::height(std::uint32_t edge, const Line& line) c
   if (!(dx > 8 * e)) return {a.at().y, std::numeric_limits<double>::infinity()};
   const double slope = (b.at().y - a.at().y) / dx, y = a.at().y + slope * (line.at - a.at().x);
   return {y, 16 * e * (1 + std::abs(slope)) + 0x1p-49 * (std::abs(a.at().y) + std::abs(b.at().y) +
-      std::abs(slope) * (std::abs(line.at) + std::abs(a.at().x)))};
+                                                         std::abs(slope) * (std::abs(line.at) + std::abs(a.at().x)))};
 }
 
 BigRational SliceGraph::exact_height(std::uint32_t edge, const BigRational& x) const {
@@ -208,8 +208,8 @@ std::vector<std::uint32_t> SliceGraph::nodes_at(const SlicePoint& p) const {
     if (std::abs(d) > 1.01 * (p.error() + l.error) + 0x1p-52 * std::abs(d)) return d > 0 ? 1 : -1;
     return exact::compare(p.exact().x, l.exact());
   };
-  const auto beyond = std::partition_point(lines_.begin(), lines_.end(),
-      [&](const Line& l) { return compare_line(l) > 0; });
+  const auto beyond =
+      std::partition_point(lines_.begin(), lines_.end(), [&](const Line& l) { return compare_line(l) > 0; });
   if (beyond == lines_.begin() || beyond == lines_.end()) return {};
   const auto line = static_cast<std::uint32_t>(beyond - lines_.begin());
   return nodes_at(p, line, compare_line(lines_[line]) == 0 && line + 1 < lines_.size());

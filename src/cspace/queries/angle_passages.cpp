@@ -24,9 +24,8 @@ class Finder {
   }
 
   Passages run() {
-    std::sort(found_.begin(), found_.end(), [](const Passage& a, const Passage& b) {
-      return a.low != b.low ? a.low < b.low : a.patch < b.patch;
-    });
+    std::sort(found_.begin(), found_.end(),
+              [](const Passage& a, const Passage& b) { return a.low != b.low ? a.low < b.low : a.patch < b.patch; });
     return merged();
   }
 
@@ -112,10 +111,8 @@ class Finder {
   Passages merged() const {
     Passages out;
     for (const Passage& p : found_)
-      if (!out.all.empty() && p.low <= out.all.back().high + kPassageGap)
-        join(out.all.back(), p, 0);
-      else
-        out.all.push_back(p);
+      if (!out.all.empty() && p.low <= out.all.back().high + kPassageGap) join(out.all.back(), p, 0);
+      else out.all.push_back(p);
     while (out.all.size() > 1 && out.all.front().low + 2 * kPi <= out.all.back().high + kPassageGap) {
       join(out.all.back(), out.all.front(), 2 * kPi);
       out.all.erase(out.all.begin());

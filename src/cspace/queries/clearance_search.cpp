@@ -19,8 +19,8 @@ Clearance of(const NearestPatch& found, bool negative) {
 
 }  // namespace
 
-// From as far as 2^200 sizes all of the obstacle is at the same distance, up to 2^43 sizes for the weight: what is nearest
-// is asked from 2^100 sizes, in the same direction, so that no square overflows.
+// From as far as 2^200 sizes all of the obstacle is at the same distance, up to 2^43 sizes for the weight: what is
+// nearest is asked from 2^100 sizes, in the same direction, so that no square overflows.
 template <class Search>
 NearestPatch ClearanceSearch::in_coordinates(const ClearanceQuestion& q, bool whole_edges, Search search) const {
   const Point origin = forms_.origin(), off{q.from.x - origin.x, q.from.y - origin.y};
@@ -41,11 +41,13 @@ NearestPatch ClearanceSearch::in_coordinates(const ClearanceQuestion& q, bool wh
 }
 
 NearestPatch ClearanceSearch::nearest(const ClearanceQuestion& q, bool whole_edges) const {
-  return in_coordinates(q, whole_edges, [&](const DistanceQuestion& asked) { return nearest_patch(forms_, tree_, asked); });
+  return in_coordinates(q, whole_edges,
+                        [&](const DistanceQuestion& asked) { return nearest_patch(forms_, tree_, asked); });
 }
 
 NearestPatch ClearanceSearch::nearest_at(const ClearanceQuestion& q) const {
-  return in_coordinates(q, false, [&](const DistanceQuestion& asked) { return nearest_patch_at(forms_, tree_, asked); });
+  return in_coordinates(q, false,
+                        [&](const DistanceQuestion& asked) { return nearest_patch_at(forms_, tree_, asked); });
 }
 
 // What is nearest to a free configuration with clearance can be left into free space, so that it lies on a patch; one
@@ -54,7 +56,8 @@ ClearanceSearch::Answer ClearanceSearch::any(const ClearanceQuestion& q) const {
   const NearestPatch found = nearest(q, !q.overlaps);
   const NearestTight tight = nearest_tight(obstacle_, q.from, q.weight);
   if (!q.overlaps) {
-    const bool at_patch = found.distance <= found.error, at_curve = obstacle_.may_have_tight_curves() && !q.surely_apart;
+    const bool at_patch = found.distance <= found.error,
+               at_curve = obstacle_.may_have_tight_curves() && !q.surely_apart;
     if (at_patch || at_curve || tight.place.least <= 0) {
       const SliceDistance slice = slice_of(q);
       if (slice.touching()) return touching(q, found, slice.on_edge());
@@ -63,10 +66,12 @@ ClearanceSearch::Answer ClearanceSearch::any(const ClearanceQuestion& q) const {
     return {of(shown, false), shown.bounds};
   }
   Clearance nearest = of(found, true);
-  if (q.touching == Touching::forbidden || !(tight.place.least < found.distance + found.error)) return {nearest, found.bounds};
+  if (q.touching == Touching::forbidden || !(tight.place.least < found.distance + found.error))
+    return {nearest, found.bounds};
   const double least = std::min(found.distance - found.error, tight.place.least);
   if (tight.place.distance + tight.place.error < found.distance + found.error)
-    nearest = {-tight.place.distance, tight.place.error, Patch::kNone, {tight.place.at.x, tight.place.at.y, tight.theta}};
+    nearest = {
+        -tight.place.distance, tight.place.error, Patch::kNone, {tight.place.at.x, tight.place.at.y, tight.theta}};
   nearest.error = std::max(nearest.error, -nearest.distance - least);
   return {nearest, found.bounds};
 }
@@ -80,13 +85,15 @@ NearestPatch ClearanceSearch::on_boundary(const ClearanceQuestion& q, const Near
 }
 
 // On an edge of the closed slice there is free space with clearance nearby.
-ClearanceSearch::Answer ClearanceSearch::touching(const ClearanceQuestion& q, const NearestPatch& found, bool on_edge) const {
+ClearanceSearch::Answer ClearanceSearch::touching(const ClearanceQuestion& q, const NearestPatch& found,
+                                                  bool on_edge) const {
   if (q.touching == Touching::forbidden && !on_edge) {
     const NearestPatch way_out = nearest(q, false);
     return {of(way_out, true), found.bounds + way_out.bounds};
   }
   const bool at_patch = found.distance <= found.error;
-  return {{signed_by(q.touching == Touching::forbidden, 0), 0, at_patch ? found.patch : Patch::kNone, q.from}, found.bounds};
+  return {{signed_by(q.touching == Touching::forbidden, 0), 0, at_patch ? found.patch : Patch::kNone, q.from},
+          found.bounds};
 }
 
 SliceDistance ClearanceSearch::slice_of(const ClearanceQuestion& q) const {
@@ -121,7 +128,8 @@ ClearanceSearch::Answer ClearanceSearch::by_slice(const ClearanceQuestion& q) co
   Clearance nearest{signed_by(inside, 0), 0, Patch::kNone, q.from};
   if (!touching || (strict && !slice.on_edge())) {
     const NearestPlace place = inside && !strict ? slice.to_boundary() : slice.to_edges();
-    nearest = {signed_by(inside, place.distance), place.total_error(), Patch::kNone, {place.at.x, place.at.y, q.from.theta}};
+    nearest = {
+        signed_by(inside, place.distance), place.total_error(), Patch::kNone, {place.at.x, place.at.y, q.from.theta}};
   }
   // The patch at the nearest point, if there is one.
   ClearanceQuestion there = q;

@@ -1,9 +1,9 @@
 // The signed distance of a configuration to the boundary of an obstacle: its patches and its tight placements.
 #pragma once
 
-#include "dymsum/obstacle_queries.h"
 #include "cspace/queries/nearest_patch.h"
 #include "cspace/queries/slice_distance.h"
+#include "dymsum/obstacle_queries.h"
 
 namespace dymsum::apps {
 
@@ -13,8 +13,8 @@ struct ClearanceQuestion {
   double asked = 0;
   double weight = 0;
   Touching touching = Touching::allowed;
-  bool overlaps = false;     ///< exactly
-  bool surely_apart = false; ///< neither overlaps nor touches, as patches tell
+  bool overlaps = false;      ///< exactly
+  bool surely_apart = false;  ///< neither overlaps nor touches, as patches tell
 };
 
 class ClearanceSearch {

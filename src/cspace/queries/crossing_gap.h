@@ -5,8 +5,8 @@
 
 #include <array>
 
-#include "dymsum/region.h"
 #include "base/double_pair.h"
+#include "dymsum/region.h"
 
 namespace dymsum::apps {
 

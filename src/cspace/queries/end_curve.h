@@ -55,9 +55,7 @@ class EndCurve {
   struct Sines {  // of psi, and how much they err relatively
     double c = 1, s = 0;
   };
-  Sines psi(const SmallTurn& x) const {
-    return {cosine_ * x.c - sine_ * x.s, sine_ * x.c + cosine_ * x.s};
-  }
+  Sines psi(const SmallTurn& x) const { return {cosine_ * x.c - sine_ * x.s, sine_ * x.c + cosine_ * x.s}; }
   double raw(const SmallTurn& x) const;
   void set_pole(const PatchEnd& end, int k, double psi);
   double error_at(double sine) const;
@@ -66,10 +64,10 @@ class EndCurve {
   Kind kind_ = Kind::constant;
   bool exact_ = false;  // pole: psi has its relative accuracy
   double length_ = 0, constant_ = 0;
-  double first_ = 0, second_ = 0;  // wave: factors of cos x and sin x; pole: of -tan(psi / 2) and 1 / sin(psi)
-  double gap_ = 0;                 // pole: second_
+  double first_ = 0, second_ = 0;           // wave: factors of cos x and sin x; pole: of -tan(psi / 2) and 1 / sin(psi)
+  double gap_ = 0;                          // pole: second_
   double psi_ = 0, cosine_ = 1, sine_ = 0;  // pole: psi at the reference
-  double slack_ = 0;               // absolute errors of the coefficients
+  double slack_ = 0;                        // absolute errors of the coefficients
 };
 
 }  // namespace dymsum::apps

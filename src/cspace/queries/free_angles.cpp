@@ -56,7 +56,8 @@ class Marks {
       const std::size_t before = (k + n - 1) % n;
       const Passage& p = all[k];
       if (p.crosses && free_behind[before] != free_behind[k]) {
-        found_.push_back({reduced((p.low + p.high) / 2), (p.high - p.low) / 2 + 0x1p-49, p.patch, true, free_behind[k]});
+        found_.push_back(
+            {reduced((p.low + p.high) / 2), (p.high - p.low) / 2 + 0x1p-49, p.patch, true, free_behind[k]});
         continue;
       }
       const Orientation from = orientation_at(p.low - std::min(gap[before] / 2, kBeside));
@@ -111,10 +112,8 @@ std::vector<FreeAngles> free_angles(const CspaceObstacle& obstacle, const PatchF
   for (std::size_t k = 0; k < left.size(); ++k) {
     const Mark &m = left[k], &next = left[(k + 1) % left.size()];
     const bool free_before = left[(k + left.size() - 1) % left.size()].free_behind;
-    if (m.free_behind)
-      out.push_back(between(m, next, k + 1 == left.size()));
-    else if (!free_before)
-      out.push_back({m.angle, m.angle, m.error, m.error, m.patch, m.patch});
+    if (m.free_behind) out.push_back(between(m, next, k + 1 == left.size()));
+    else if (!free_before) out.push_back({m.angle, m.angle, m.error, m.error, m.patch, m.patch});
   }
   std::sort(out.begin(), out.end(), [](const FreeAngles& a, const FreeAngles& b) { return a.begin < b.begin; });
   return out;

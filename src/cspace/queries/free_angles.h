@@ -4,8 +4,8 @@
 #include <functional>
 #include <vector>
 
-#include "dymsum/obstacle_queries.h"
 #include "cspace/queries/patch_forms.h"
+#include "dymsum/obstacle_queries.h"
 
 namespace dymsum::apps {
 

@@ -18,7 +18,7 @@ struct Task {
   enum class Kind : std::uint32_t { node, stretch, part };
   double square = 0;  // lower bound
   Kind kind = Kind::node;
-  std::uint32_t index = 0;  // of a node, a stretch or a part
+  std::uint32_t index = 0;                                                             // of a node, a stretch or a part
   friend bool operator<(const Task& a, const Task& b) { return a.square > b.square; }  // least first on a heap
 };
 
@@ -67,12 +67,9 @@ class Search {
         least_ = std::min(least_, least);
         break;
       }
-      if (task.kind == Task::Kind::node)
-        open(task.index);
-      else if (task.kind == Task::Kind::stretch)
-        add_stretch(task.index);
-      else
-        halve(parts_[task.index]);
+      if (task.kind == Task::Kind::node) open(task.index);
+      else if (task.kind == Task::Kind::stretch) add_stretch(task.index);
+      else halve(parts_[task.index]);
     }
     // Nothing is nearer than the least bound that is left; the nearest point errs by what its end does.
     const double below = found_.distance - std::min(least_, upper_);
@@ -221,7 +218,8 @@ NearestPatch nearest_patch_at(const PatchForms& forms, const PatchTree& tree, co
   std::vector<Task> heap{{0, Task::Kind::node, 0}};
   heap.reserve(128);
   const auto push = [&](const Task& task, double theta, double half) {
-    if (!(task.square < upper2) || std::abs(std::remainder(question.theta - theta, kTurn)) > half + kAngleMargin) return;
+    if (!(task.square < upper2) || std::abs(std::remainder(question.theta - theta, kTurn)) > half + kAngleMargin)
+      return;
     heap.push_back(task);
     std::push_heap(heap.begin(), heap.end());
   };
@@ -256,8 +254,8 @@ NearestPatch nearest_patch_at(const PatchForms& forms, const PatchTree& tree, co
       }
     }
   }
-  best.error = std::max(best.distance - std::min(least, upper), upper - best.distance) +
-               position_error(forms, question);
+  best.error =
+      std::max(best.distance - std::min(least, upper), upper - best.distance) + position_error(forms, question);
   return best;
 }
 

@@ -16,7 +16,8 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-// The root of the mean square distance of the robot's points from the origin: of its parts, else of its polylines, else of its points.
+// The root of the mean square distance of the robot's points from the origin: of its parts, else of its polylines, else
+// of its points.
 double turning_radius(const Region& robot) {
   if (!robot.parts().empty()) return radius_of_gyration(robot);
   // Of a segment its middle, and its length; the mean of these by lengths.
@@ -45,7 +46,11 @@ double reduced(double theta) { return std::abs(theta) <= kPi ? theta : Orientati
 class ObstacleQueries::State {
  public:
   explicit State(const CspaceObstacle& o)
-      : obstacle(o), forms(o), index(o, forms), gyration(turning_radius(o.robot())), tree(o, forms, forms.in_units(gyration)) {}
+      : obstacle(o),
+        forms(o),
+        index(o, forms),
+        gyration(turning_radius(o.robot())),
+        tree(o, forms, forms.in_units(gyration)) {}
 
   // Of what is inside by the patches a curve of tight placements may be free.
   std::optional<bool> sure(double x, double y, double theta) const {
@@ -114,7 +119,8 @@ Clearance ObstacleQueries::clearance(const Configuration& from, double weight, T
   const Configuration at{from.x, from.y, reduced(from.theta)};
   const std::optional<bool> sure = s.sure(at.x, at.y, at.theta);
   const bool overlaps = sure ? *sure : contains(from);
-  const auto found = apps::ClearanceSearch(s.obstacle, s.forms, s.tree).run({at, from.theta, weight, touching, overlaps, sure == false});
+  const auto found = apps::ClearanceSearch(s.obstacle, s.forms, s.tree)
+                         .run({at, from.theta, weight, touching, overlaps, sure == false});
   s.bounds.fetch_add(found.bounds, std::memory_order_relaxed);
   return found.clearance;
 }

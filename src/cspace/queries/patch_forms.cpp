@@ -103,9 +103,8 @@ class FormMaker {
     e.tangent = l.turns ? -cross(b, u) : cross(a, u);
     const auto edge = [](const Numbered& n, std::uint32_t k) { return std::array{n.exact[k], n.exact[n.run_end[k]]}; };
     const Contact &fixed = l.turns ? other : own, &turning = l.turns ? own : other;
-    const CrossingGaps gaps =
-        crossing_gaps(edge(obstacle_, fixed.p), edge(robot_, turning.q), obstacle_.exact[turning.p],
-                      robot_.exact[fixed.q]);
+    const CrossingGaps gaps = crossing_gaps(edge(obstacle_, fixed.p), edge(robot_, turning.q),
+                                            obstacle_.exact[turning.p], robot_.exact[fixed.q]);
     e.gap = {gaps[0], l.turns ? -gaps[1] : gaps[1]};
     // By the angle the robot turns from its edge to the obstacle's.
     if (e.fast(0, l.length) || e.fast(1, l.length))

@@ -7,9 +7,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "dymsum/cspace_obstacle.h"
 #include "base/double_pair.h"
 #include "cspace/queries/range.h"
+#include "dymsum/cspace_obstacle.h"
 
 namespace dymsum::apps {
 
@@ -37,11 +37,11 @@ struct ContactLine {
 
 /// An end of a patch: a hinge, or the crossing with another line. Where along the edge that is, as a length from its
 /// start: at a hinge always `at`. A crossing of two lines that both turn or both do not is at
-/// constant + cosine cos(theta) + sine sin(theta), up to `error` where they are nearly parallel. Else the lines are parallel at `parallel` and half a turn later, and
-/// with psi = theta - parallel - k pi it is at constant - tangent tan(psi / 2) + gap[k] / sin(psi). There the gap,
-/// the distance of the lines while they are parallel, has its relative accuracy, and is 0 exactly where they coincide.
-/// Where it is short the crossing runs fast; then `half_tangent` tells the parallel angle more exactly: its
-/// tan(parallel / 2), and that of the angle less half a turn.
+/// constant + cosine cos(theta) + sine sin(theta), up to `error` where they are nearly parallel. Else the lines are
+/// parallel at `parallel` and half a turn later, and with psi = theta - parallel - k pi it is at constant - tangent
+/// tan(psi / 2) + gap[k] / sin(psi). There the gap, the distance of the lines while they are parallel, has its relative
+/// accuracy, and is 0 exactly where they coincide. Where it is short the crossing runs fast; then `half_tangent` tells
+/// the parallel angle more exactly: its tan(parallel / 2), and that of the angle less half a turn.
 struct PatchEnd {
   bool corner = true;
   Hinge hinge;

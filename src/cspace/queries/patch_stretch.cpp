@@ -153,8 +153,7 @@ class StretchMaker {
     for (const auto& [end, curve] : {std::pair{&form.left, &s.left}, {&form.right, &s.right}}) {
       *curve = EndCurve(*end, form.own.length, s.reference);
       const Pole pole = pole_of(*end, s.reference);
-      if (end == reference.end)
-        *curve = EndCurve(*end, form.own.length, reference.k, 0);
+      if (end == reference.end) *curve = EndCurve(*end, form.own.length, reference.k, 0);
       else if (reference.end != nullptr && pole.end != nullptr && reference.end->fast(reference.k, form.own.length) &&
                end->fast(pole.k, form.own.length))
         *curve = EndCurve(*end, form.own.length, pole.k, difference(half_tangent(reference), half_tangent(pole)));

@@ -111,8 +111,8 @@ PatchTree::PatchTree(const CspaceObstacle& obstacle, const PatchForms& forms, do
   for (const PatchStretch& s : found) {
     const StretchBox box = box_of(forms, s);
     boxes.push_back({box.at.x, box.at.y, box.theta});
-    slabs.push_back({box.along, middle(box.u), half(box.u), middle(box.v), half(box.v), middle(box.theta),
-                     half(box.theta)});
+    slabs.push_back(
+        {box.along, middle(box.u), half(box.u), middle(box.v), half(box.v), middle(box.theta), half(box.theta)});
   }
   const Builder builder(boxes, weight, nodes_);
   for (const std::uint32_t k : builder.order) {

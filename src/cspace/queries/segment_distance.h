@@ -10,8 +10,8 @@
 
 namespace dymsum::apps {
 
-/// The nearest point of one of several sets: the exact distance to it differs from `distance` by at most `error`, and no
-/// point of the sets is nearer than `least`.
+/// The nearest point of one of several sets: the exact distance to it differs from `distance` by at most `error`, and
+/// no point of the sets is nearer than `least`.
 struct NearestPlace {
   double distance = std::numeric_limits<double>::infinity(), error = 0;
   double least = std::numeric_limits<double>::infinity();
@@ -24,7 +24,8 @@ struct NearestPlace {
     const double along = std::clamp((from.x - a.x) * ux + (from.y - a.y) * uy, 0.0, length);
     const Point foot{a.x + along * ux, a.y + along * uy};
     // Each coordinate is rounded a few times, and the foot is nearest up to what it is off along the segment.
-    const double size = std::abs(from.x) + std::abs(from.y) + std::abs(a.x) + std::abs(a.y) + std::abs(b.x) + std::abs(b.y);
+    const double size =
+        std::abs(from.x) + std::abs(from.y) + std::abs(a.x) + std::abs(a.y) + std::abs(b.x) + std::abs(b.y);
     add(std::hypot(from.x - foot.x, from.y - foot.y), off + 0x1p-46 * size, foot);
   }
   void add(double d, double off, Point foot) {

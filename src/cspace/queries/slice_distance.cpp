@@ -19,11 +19,13 @@ NearestPlace nearest_edge(const PlanarSum& slice, Point from) {
 
 }  // namespace
 
-// A way of no length along which touching is forbidden is barred by overlaps and by contacts; an edge it touches is named.
+// A way of no length along which touching is forbidden is barred by overlaps and by contacts; an edge it touches is
+// named.
 SliceDistance::SliceDistance(const CspaceObstacle& obstacle, const Orientation& theta, Point from)
     : obstacle_(obstacle), theta_(theta), from_(from) {
   if (obstacle.contains(from.x, from.y, theta)) return;
-  const TranslationCheck stand = check_translation(obstacle.robot(), obstacle.obstacle(), from, from, theta, Touching::forbidden).value();
+  const TranslationCheck stand =
+      check_translation(obstacle.robot(), obstacle.obstacle(), from, from, theta, Touching::forbidden).value();
   touching_ = !stand.free;
   on_edge_ = stand.contact.has_value();
 }

@@ -1,8 +1,8 @@
 // Where a position lies in one exact slice of an obstacle, and how far it is from what bounds that.
 #pragma once
 
-#include "dymsum/motion.h"
 #include "cspace/queries/segment_distance.h"
+#include "dymsum/motion.h"
 
 namespace dymsum::apps {
 

@@ -147,8 +147,7 @@ StretchDistance::Parabola StretchDistance::parabola(Part part, double x) const {
   Parabola r{square(p.v) + weight2_ * square(p.angle), -sign_ * p.v * p.h + weight2_ * p.angle,
              p.h * p.h - sign_ * p.k * p.v + weight2_};
   if (part == Part::line) return r;
-  const EndCurve::Derivatives end =
-      whole_ ? EndCurve::Derivatives{fixed(part), 0, 0} : curve(part).derivatives(p.t);
+  const EndCurve::Derivatives end = whole_ ? EndCurve::Derivatives{fixed(part), 0, 0} : curve(part).derivatives(p.t);
   const double gap = p.u - end.value, speed = p.k - end.first;
   r.value += gap * gap;
   r.slope += gap * speed;

@@ -13,7 +13,8 @@ NearestTight nearest_tight(const CspaceObstacle& obstacle, const Configuration& 
     NearestPlace flat;
     flat.add_segment({from.x, from.y}, f.from, f.to, f.error);
     const double before = nearest.place.distance;
-    nearest.place.add(std::hypot(flat.distance, turn), flat.error + 0x1p-46 * weight + 0x1p-50 * flat.distance, flat.at);
+    nearest.place.add(std::hypot(flat.distance, turn), flat.error + 0x1p-46 * weight + 0x1p-50 * flat.distance,
+                      flat.at);
     if (nearest.place.distance != before) nearest.theta = theta;
   }
   return nearest;

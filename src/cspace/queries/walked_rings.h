@@ -5,8 +5,8 @@
 
 namespace dymsum::apps {
 
-/// Calls f(ring) for every ring of a region; a polyline of n vertices is walked there and back, as a ring of 2 (n - 1), and a point is a ring
-/// of one.
+/// Calls f(ring) for every ring of a region; a polyline of n vertices is walked there and back, as a ring of 2 (n - 1),
+/// and a point is a ring of one.
 template <class F>
 void for_each_ring(const Region& region, F&& f) {
   for (const Part& part : region.parts()) {

@@ -13,11 +13,16 @@ namespace {
 
 MeshData read_format(const io::Source& source, MeshFormat format) {
   switch (format) {
-    case MeshFormat::off: return io::read_off(source);
-    case MeshFormat::obj: return io::read_obj(source);
-    case MeshFormat::stl: return io::read_stl(source);
-    case MeshFormat::ply: return io::read_ply(source);
-    case MeshFormat::glb: break;
+    case MeshFormat::off:
+      return io::read_off(source);
+    case MeshFormat::obj:
+      return io::read_obj(source);
+    case MeshFormat::stl:
+      return io::read_stl(source);
+    case MeshFormat::ply:
+      return io::read_ply(source);
+    case MeshFormat::glb:
+      break;
   }
   throw io::ReadFailure{io::file_error(Code::unsupported_format, ".glb files are written only", source.file)};
 }
@@ -54,11 +59,16 @@ Result<MeshData> read_mesh(const std::string& path) {
 
 std::string format_mesh(const MeshData& mesh, MeshFormat format, std::span<const FaceColour> colours) {
   switch (format) {
-    case MeshFormat::off: return io::write_off(mesh, colours);
-    case MeshFormat::obj: return io::write_obj(mesh);
-    case MeshFormat::stl: return io::write_stl(mesh);
-    case MeshFormat::ply: return io::write_ply(mesh, colours);
-    case MeshFormat::glb: break;
+    case MeshFormat::off:
+      return io::write_off(mesh, colours);
+    case MeshFormat::obj:
+      return io::write_obj(mesh);
+    case MeshFormat::stl:
+      return io::write_stl(mesh);
+    case MeshFormat::ply:
+      return io::write_ply(mesh, colours);
+    case MeshFormat::glb:
+      break;
   }
   return io::write_glb(mesh, {colours, {}});
 }

@@ -109,13 +109,17 @@ class HeaderReader {
 std::size_t size_of(PlyType type) {
   switch (type) {
     case PlyType::int8:
-    case PlyType::uint8: return 1;
+    case PlyType::uint8:
+      return 1;
     case PlyType::int16:
-    case PlyType::uint16: return 2;
+    case PlyType::uint16:
+      return 2;
     case PlyType::int32:
     case PlyType::uint32:
-    case PlyType::float32: return 4;
-    case PlyType::float64: break;
+    case PlyType::float32:
+      return 4;
+    case PlyType::float64:
+      break;
   }
   return 8;
 }

@@ -1,5 +1,6 @@
-// OBJ: one statement per line, or several that backslashes join; of these `v` and `f` make the mesh. A face's corners are vertex numbers from 1 on, or
-// from -1 backwards from the last vertex so far, each perhaps followed by /texture/normal, which is skipped.
+// OBJ: one statement per line, or several that backslashes join; of these `v` and `f` make the mesh. A face's corners
+// are vertex numbers from 1 on, or from -1 backwards from the last vertex so far, each perhaps followed by
+// /texture/normal, which is skipped.
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -15,7 +16,7 @@ namespace dymsum::io {
 namespace {
 
 /// What says nothing about vertices and faces.
-constexpr std::array<std::string_view, 13> kSkipped = {"vt", "vn", "vp", "g",     "o",      "s", "l",
+constexpr std::array<std::string_view, 13> kSkipped = {"vt", "vn", "vp",     "g",      "o",      "s",     "l",
                                                        "p",  "mg", "mtllib", "usemtl", "usemap", "maplib"};
 
 class ObjReader {

@@ -24,7 +24,8 @@ class OffReader {
     if (!words_.at_line_end()) words_.count("the number of edges");
     read_vertices(vertices);
     read_faces(faces, vertices);
-    if (!words_.at_end()) words_.fail(Code::malformed, "unexpected " + in_quotes(words_.peek()) + " after the last face");
+    if (!words_.at_end())
+      words_.fail(Code::malformed, "unexpected " + in_quotes(words_.peek()) + " after the last face");
     return std::move(data_);
   }
 
@@ -34,7 +35,8 @@ class OffReader {
     if (!word.empty() && is_digit(word[0]) && scan_count(word).length == word.size()) return;  // it may be missing
     const std::size_t start = words_.offset();
     std::string_view prefix = words_.take("'OFF'");
-    if (!prefix.ends_with("OFF")) words_.fail_at(start, Code::malformed, "expected 'OFF' instead of " + in_quotes(word));
+    if (!prefix.ends_with("OFF"))
+      words_.fail_at(start, Code::malformed, "expected 'OFF' instead of " + in_quotes(word));
     prefix.remove_suffix(3);
     extras_ = !prefix.empty();
     for (const std::string_view part : {"ST", "C", "N"}) {

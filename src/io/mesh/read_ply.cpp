@@ -50,14 +50,22 @@ class BinaryNumbers {
     last_ = at_;
     at_ += size_of(type);
     switch (type) {
-      case PlyType::int8: return value<std::int8_t>();
-      case PlyType::uint8: return value<std::uint8_t>();
-      case PlyType::int16: return value<std::int16_t>();
-      case PlyType::uint16: return value<std::uint16_t>();
-      case PlyType::int32: return value<std::int32_t>();
-      case PlyType::uint32: return value<std::uint32_t>();
-      case PlyType::float32: return value<float>();
-      case PlyType::float64: break;
+      case PlyType::int8:
+        return value<std::int8_t>();
+      case PlyType::uint8:
+        return value<std::uint8_t>();
+      case PlyType::int16:
+        return value<std::int16_t>();
+      case PlyType::uint16:
+        return value<std::uint16_t>();
+      case PlyType::int32:
+        return value<std::int32_t>();
+      case PlyType::uint32:
+        return value<std::uint32_t>();
+      case PlyType::float32:
+        return value<float>();
+      case PlyType::float64:
+        break;
     }
     return value<double>();
   }

@@ -106,8 +106,8 @@ MeshData read_binary(const Source& source) {
 
 bool is_binary(std::string_view bytes) {
   if (bytes.size() >= kHeader && kHeader + kTriangle * announced_triangles(bytes) == bytes.size()) return true;
-  const std::size_t first = static_cast<std::size_t>(
-      std::find_if_not(bytes.begin(), bytes.end(), is_blank) - bytes.begin());
+  const std::size_t first =
+      static_cast<std::size_t>(std::find_if_not(bytes.begin(), bytes.end(), is_blank) - bytes.begin());
   return first < bytes.size() && !same_word(bytes.substr(first, 5), "solid");
 }
 

@@ -62,7 +62,8 @@ class GlbWriter {
 
   std::string write() {
     if (!corners_.empty()) {
-      json_["materials"] = {{{"doubleSided", true}, {"pbrMetallicRoughness", {{"metallicFactor", 0}, {"roughnessFactor", 0.8}}}}};
+      json_["materials"] = {
+          {{"doubleSided", true}, {"pbrMetallicRoughness", {{"metallicFactor", 0}, {"roughnessFactor", 0.8}}}}};
       const Json attributes = {{"POSITION", add_triples(places_)}, {"COLOR_0", add_triples(lights_)}};
       add_bounds(0);
       const Json primitive = {{"attributes", attributes}, {"indices", add_corners()}, {"material", 0}};
@@ -94,8 +95,10 @@ class GlbWriter {
 
   std::size_t add_accessor(std::size_t start, int target, int component, std::size_t count, const char* type) {
     const std::size_t view = json_["bufferViews"].size(), accessor = json_["accessors"].size();
-    json_["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", start}, {"byteLength", bytes_.size() - start}, {"target", target}});
-    json_["accessors"].push_back({{"bufferView", view}, {"componentType", component}, {"count", count}, {"type", type}});
+    json_["bufferViews"].push_back(
+        {{"buffer", 0}, {"byteOffset", start}, {"byteLength", bytes_.size() - start}, {"target", target}});
+    json_["accessors"].push_back(
+        {{"bufferView", view}, {"componentType", component}, {"count", count}, {"type", type}});
     return accessor;
   }
 

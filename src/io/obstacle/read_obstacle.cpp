@@ -2,13 +2,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cspace/events/walked_rings.h"
+#include "cspace/obstacle/obstacle_start.h"
 #include "dymsum/obstacle_file.h"
 #include "io/obstacle/obstacle_text.h"
 #include "io/read_file.h"
 #include "io/source.h"
 #include "planar/turning/exact_angle.h"
-#include "cspace/obstacle/obstacle_start.h"
-#include "cspace/events/walked_rings.h"
 
 namespace dymsum {
 namespace {
@@ -64,11 +64,10 @@ Result<Region> region_of(const Json& parts) {
     }
     demand(!read.empty(), "a part has no ring");
     if (read.size() == 1 && is_there_and_back(read[0]))
-      data.polylines.emplace_back(read[0].begin(), read[0].begin() + static_cast<std::ptrdiff_t>(read[0].size() / 2 + 1));
-    else if (read.size() == 1 && read[0].size() == 1)
-      data.points.push_back(read[0][0]);
-    else
-      data.parts.push_back({read[0], {read.begin() + 1, read.end()}});
+      data.polylines.emplace_back(read[0].begin(),
+                                  read[0].begin() + static_cast<std::ptrdiff_t>(read[0].size() / 2 + 1));
+    else if (read.size() == 1 && read[0].size() == 1) data.points.push_back(read[0][0]);
+    else data.parts.push_back({read[0], {read.begin() + 1, read.end()}});
   }
   return Region::create(std::move(data));
 }
@@ -77,7 +76,8 @@ exact::Big coefficient(const Json& j) {
   demand(j.is_string(), "a coefficient is a string of digits");
   const std::string& digits = j.get_ref<const std::string&>();
   const std::size_t sign = digits.starts_with('-') ? 1 : 0;
-  demand(digits.size() > sign && digits.find_first_not_of("0123456789", sign) == std::string::npos, "a coefficient is a string of digits");
+  demand(digits.size() > sign && digits.find_first_not_of("0123456789", sign) == std::string::npos,
+         "a coefficient is a string of digits");
   demand(digits[sign] != '0' || digits.size() == sign + 1, "a coefficient begins with a zero");
   return exact::Big(exact::BigInteger(digits));
 }
@@ -88,7 +88,8 @@ planar::ExactAngle angle_of(const Json& j) {
   demand(low >= -1 && low <= high && high <= 1, "an angle is a half tangent between -1 and 1");
   std::vector<exact::Big> coefficients;
   for (const Json& c : list(j[4])) coefficients.push_back(coefficient(c));
-  demand(coefficients.size() >= 2 && coefficients.size() <= exact::Polynomial::kMaxDegree + 1, "a polynomial has a degree from 1 to 6");
+  demand(coefficients.size() >= 2 && coefficients.size() <= exact::Polynomial::kMaxDegree + 1,
+         "a polynomial has a degree from 1 to 6");
   const exact::Polynomial p(std::move(coefficients));
   const int chart = static_cast<int>(whole(j[0], 2));
   if (low == high) {
@@ -107,22 +108,26 @@ class ContentReader {
     read_angles();
     for (const Json& c : list(j_.at("free_cells"))) {
       array(c, 4);
-      s_.cells.push_back({index_or_none(c[0], angles_), index_or_none(c[1], angles_), flag(c[2]), index(c[3], j_.at("free_cells").size())});
+      s_.cells.push_back({index_or_none(c[0], angles_), index_or_none(c[1], angles_), flag(c[2]),
+                          index(c[3], j_.at("free_cells").size())});
     }
     for (const Json& x : list(j_.at("shells"))) {
       array(x, 4);
       demand(x[2].is_number_integer(), "an Euler number is whole");
-      s_.shells.push_back({flag(x[0]), index(x[1], Patch::kNone), x[2].get<std::int64_t>(), index(x[3], s_.cells.size())});
+      s_.shells.push_back(
+          {flag(x[0]), index(x[1], Patch::kNone), x[2].get<std::int64_t>(), index(x[3], s_.cells.size())});
     }
     read_patches();
     for (const Json& e : list(j_.at("events"))) {
       array(e, 4);
-      s_.events.push_back({static_cast<ObstacleEvent::Kind>(whole(e[0], 4)), index(e[1], angles_), {number(e[2]), number(e[3])}});
+      s_.events.push_back(
+          {static_cast<ObstacleEvent::Kind>(whole(e[0], 4)), index(e[1], angles_), {number(e[2]), number(e[3])}});
     }
     for (const Json& t : list(j_.at("tight"))) {
       array(t, 6);
       demand(number(t[5]) >= 0, "an error is not negative");
-      s_.tight.push_back({index(t[0], angles_), {number(t[1]), number(t[2])}, {number(t[3]), number(t[4])}, number(t[5])});
+      s_.tight.push_back(
+          {index(t[0], angles_), {number(t[1]), number(t[2])}, {number(t[3]), number(t[4])}, number(t[5])});
     }
     s_.always_concurrent = flag(j_.at("always_concurrent"));
     s_.touching_cells = pairs(j_.at("touching_cells"), s_.cells.size(), s_.cells.size());
@@ -137,7 +142,8 @@ class ContentReader {
       demand(n == 1 || planar::compare(s_.exact_angles[n - 2], s_.exact_angles[n - 1]) < 0, "angles are not in order");
       EventAngle angle = planar::event_angle(s_.exact_angles.back());
       const double theta = number(j[5]), low = number(j[6]), high = number(j[7]);
-      demand(low <= theta && theta <= high && low <= angle.high && angle.low <= high, "an angle is not where its doubles say");
+      demand(low <= theta && theta <= high && low <= angle.high && angle.low <= high,
+             "an angle is not where its doubles say");
       angle.theta = theta;
       angle.low = low;
       angle.high = high;
@@ -147,7 +153,8 @@ class ContentReader {
   }
   Contact contact(const Json& j, std::size_t at) const {
     const bool fixed = !flag(j[at]);
-    return {fixed ? Contact::Kind::edge_of_p : Contact::Kind::edge_of_q, index(j[at + 1], planar::walked_vertices(s_.obstacle)),
+    return {fixed ? Contact::Kind::edge_of_p : Contact::Kind::edge_of_q,
+            index(j[at + 1], planar::walked_vertices(s_.obstacle)),
             index(j[at + 2], planar::walked_vertices(s_.robot))};
   }
   void read_patches() {
@@ -165,19 +172,21 @@ class ContentReader {
       demand(!s_.patch_cells.back().empty(), "a patch has no free cell");
     }
   }
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs(const Json& flat, std::size_t first, std::size_t second) const {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs(const Json& flat, std::size_t first,
+                                                             std::size_t second) const {
     demand(flat.is_array() && flat.size() % 2 == 0, "a list of pairs is expected");
     std::vector<std::pair<std::uint32_t, std::uint32_t>> all;
-    for (std::size_t k = 0; k < flat.size(); k += 2) all.emplace_back(index(flat[k], first), index(flat[k + 1], second));
+    for (std::size_t k = 0; k < flat.size(); k += 2)
+      all.emplace_back(index(flat[k], first), index(flat[k + 1], second));
     return all;
   }
   void read_work() {
     const Json& j = array(j_.at("work"), 16);
     ObstacleWork& w = s_.work;
     std::size_t k = 0;
-    for (std::uint64_t* n : {&w.windows, &w.segments, &w.candidate_pairs, &w.candidate_triples, &w.surfaces, &w.potential_events,
-                             &w.visible_events, &w.alignments, &w.vertex_events, &w.triple_events, &w.tight_events, &w.local_updates,
-                             &w.slices, &w.exact_signs, &w.collision_tests})
+    for (std::uint64_t* n : {&w.windows, &w.segments, &w.candidate_pairs, &w.candidate_triples, &w.surfaces,
+                             &w.potential_events, &w.visible_events, &w.alignments, &w.vertex_events, &w.triple_events,
+                             &w.tight_events, &w.local_updates, &w.slices, &w.exact_signs, &w.collision_tests})
       *n = whole(j[k++], ~std::uint64_t{0});
     w.ms = number(j[k]);
   }
@@ -191,10 +200,12 @@ Json content_of(std::string_view text) {
   const Json file = Json::parse(text);
   demand(file.is_object() && file.value("format", Json()) == io::kObstacleFormat, "this is no file of an obstacle");
   if (file.value("version", Json()) != io::kObstacleVersion)
-    throw Refused{"version " + file.value("version", Json()).dump() + " of the format; this program reads version " + std::to_string(io::kObstacleVersion)};
+    throw Refused{"version " + file.value("version", Json()).dump() + " of the format; this program reads version " +
+                  std::to_string(io::kObstacleVersion)};
   const Json content = file.value("content", Json());
   demand(content.is_object(), "there is no content");
-  demand(file.value("checksum", Json()) == io::checksum(content), "the checksum differs: the file is damaged or was changed");
+  demand(file.value("checksum", Json()) == io::checksum(content),
+         "the checksum differs: the file is damaged or was changed");
   return content;
 }
 
@@ -222,7 +233,8 @@ Result<CspaceObstacle> parse_obstacle(std::string_view text, std::string_view na
     // nlohmann says "while parsing" and where; a text that ends too early fails at its end.
     const std::size_t at = std::min<std::size_t>(e.byte, text.size());
     error.code = e.byte > text.size() ? Code::truncated : Code::malformed;
-    error.message = error.code == Code::truncated ? "the file of an obstacle ends too early" : "this is no file of an obstacle";
+    error.message =
+        error.code == Code::truncated ? "the file of an obstacle ends too early" : "this is no file of an obstacle";
     error.evidence.line = io::Source{text, name_for_errors}.line(at);
   } catch (const Json::exception&) {
     error.message = "the file of an obstacle lacks an entry";

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "dymsum/obstacle_file.h"
-#include "io/obstacle/obstacle_text.h"
 #include "cspace/boundary/obstacle_state.h"
 #include "cspace/events/walked_rings.h"
+#include "dymsum/obstacle_file.h"
+#include "io/obstacle/obstacle_text.h"
 
 namespace dymsum {
 namespace {
@@ -57,7 +57,8 @@ void add_contact(Json& to, const Contact& c) {
 Json patch_json(const Patch& p) {
   Json json = Json::array();
   for (const Contact* c : {&p.contact, &p.left, &p.right}) add_contact(json, *c);
-  for (const std::uint32_t n : {p.left_corner ? 1u : 0u, p.right_corner ? 1u : 0u, p.begin, p.end, p.shell}) json.push_back(n);
+  for (const std::uint32_t n : {p.left_corner ? 1u : 0u, p.right_corner ? 1u : 0u, p.begin, p.end, p.shell})
+    json.push_back(n);
   return json;
 }
 
@@ -71,9 +72,9 @@ Json pairs_json(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pair
 }
 
 Json work_json(const ObstacleWork& w) {
-  return Json::array({w.windows, w.segments, w.candidate_pairs, w.candidate_triples, w.surfaces, w.potential_events, w.visible_events,
-                      w.alignments, w.vertex_events, w.triple_events, w.tight_events, w.local_updates, w.slices, w.exact_signs,
-                      w.collision_tests, w.ms});
+  return Json::array({w.windows, w.segments, w.candidate_pairs, w.candidate_triples, w.surfaces, w.potential_events,
+                      w.visible_events, w.alignments, w.vertex_events, w.triple_events, w.tight_events, w.local_updates,
+                      w.slices, w.exact_signs, w.collision_tests, w.ms});
 }
 
 template <class List, class F>
@@ -91,14 +92,22 @@ std::string format_obstacle(const CspaceObstacle& obstacle) {
   content["robot"] = region_json(s.robot);
   content["obstacle"] = region_json(s.obstacle);
   content["angles"] = Json::array();
-  for (std::size_t k = 0; k < s.angles.size(); ++k) content["angles"].push_back(angle_json(s.exact_angles[k], s.angles[k]));
-  content["events"] = list_json(s.events, [](const ObstacleEvent& e) { return Json::array({static_cast<int>(e.kind), e.angle, e.at.x, e.at.y}); });
-  content["tight"] = list_json(s.tight, [](const TightFeature& t) { return Json::array({t.angle, t.from.x, t.from.y, t.to.x, t.to.y, t.error}); });
+  for (std::size_t k = 0; k < s.angles.size(); ++k)
+    content["angles"].push_back(angle_json(s.exact_angles[k], s.angles[k]));
+  content["events"] = list_json(s.events, [](const ObstacleEvent& e) {
+    return Json::array({static_cast<int>(e.kind), e.angle, e.at.x, e.at.y});
+  });
+  content["tight"] = list_json(s.tight, [](const TightFeature& t) {
+    return Json::array({t.angle, t.from.x, t.from.y, t.to.x, t.to.y, t.error});
+  });
   content["always_concurrent"] = s.always_concurrent ? 1 : 0;
   content["patches"] = list_json(s.patches, patch_json);
-  content["shells"] = list_json(s.shells, [](const Shell& x) { return Json::array({x.outer ? 1 : 0, x.patches, x.euler, x.free_component}); });
-  content["free_cells"] =
-      list_json(s.cells, [](const FreeCell& c) { return Json::array({c.begin, c.end, c.unbounded ? 1 : 0, c.component}); });
+  content["shells"] = list_json(s.shells, [](const Shell& x) {
+    return Json::array({x.outer ? 1 : 0, x.patches, x.euler, x.free_component});
+  });
+  content["free_cells"] = list_json(s.cells, [](const FreeCell& c) {
+    return Json::array({c.begin, c.end, c.unbounded ? 1 : 0, c.component});
+  });
   content["patch_cells"] = list_json(s.patch_cells, pairs_json);
   content["touching_cells"] = pairs_json(s.touching_cells);
   content["work"] = work_json(s.work);

@@ -26,8 +26,8 @@ enum class GridSet : std::uint8_t { blocked, occupied, unknown, free };
 
 /// The union of the cells of a set: parts that are connected through sides of cells, holes, vertices only where the
 /// boundary turns. Cells that meet in a corner alone are joined there by a touching point. Corner (i, j) of the grid is
-/// the double nearest to x + i resolution and y + j resolution, as one rounding of each; turned, within some roundings of
-/// that. Every corner is rounded once, and neighbouring cells share it. O(cells).
+/// the double nearest to x + i resolution and y + j resolution, as one rounding of each; turned, within some roundings
+/// of that. Every corner is rounded once, and neighbouring cells share it. O(cells).
 RegionData grid_region(const GridMap& map, GridSet set);
 
 /// A grey image, rows from above: P5 or P2.

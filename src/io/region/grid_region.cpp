@@ -24,7 +24,8 @@ class CellSet {
     height_ = static_cast<std::int64_t>(map.height) + 2 * border_ + 2;
     inside_.assign(static_cast<std::size_t>(width_ * height_), 0);
     for (std::int64_t j = 1; j + 1 < height_; ++j)
-      for (std::int64_t i = 1; i + 1 < width_; ++i) inside_[at(i, j)] = holds(map, set, i - 1 - border_, j - 1 - border_);
+      for (std::int64_t i = 1; i + 1 < width_; ++i)
+        inside_[at(i, j)] = holds(map, set, i - 1 - border_, j - 1 - border_);
   }
 
   std::int64_t width() const { return width_; }
@@ -44,10 +45,14 @@ class CellSet {
     if (i < 0 || j < 0 || i >= w || j >= h) return set == GridSet::blocked;
     const GridCell cell = map.cells[static_cast<std::size_t>(j * w + i)];
     switch (set) {
-      case GridSet::blocked: return cell != GridCell::free;
-      case GridSet::occupied: return cell == GridCell::occupied;
-      case GridSet::unknown: return cell == GridCell::unknown;
-      case GridSet::free: break;
+      case GridSet::blocked:
+        return cell != GridCell::free;
+      case GridSet::occupied:
+        return cell == GridCell::occupied;
+      case GridSet::unknown:
+        return cell == GridCell::unknown;
+      case GridSet::free:
+        break;
     }
     return cell == GridCell::free;
   }
@@ -123,8 +128,8 @@ class Tracer {
   }
 
   const CellSet& set_;
-  std::vector<std::uint8_t> done_;      // directions that were walked, per corner
-  std::vector<std::uint32_t> places_;   // in the open loop, from 1
+  std::vector<std::uint8_t> done_;     // directions that were walked, per corner
+  std::vector<std::uint32_t> places_;  // in the open loop, from 1
 };
 
 // Parts of cells that are connected through sides, by index + 1.
@@ -181,7 +186,7 @@ Ring ring_of(const GridMap& map, const CellSet& set, const Loop& loop) {
 // The cell on the left of a loop's first edge.
 std::size_t cell_beside(const CellSet& set, const Loop& loop) {
   const Corner &a = loop[0], &b = loop[1];
-  const bool left = b.i < a.i, down = b.j < a.j, up = b.j > a.j;
+  const bool left = b.i < a.i, down = b.j<a.j, up = b.j> a.j;
   return set.at(a.i - (left || up), a.j - (left || down));
 }
 

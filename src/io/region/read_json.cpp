@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "io/region/json_shapes.h"
 #include "io/number_text.h"
+#include "io/region/json_shapes.h"
 #include "io/region/readers.h"
 #include "io/region/ring_order.h"
 
@@ -25,7 +25,8 @@ const std::string& require_text(const Source& source, const JsonValue& value, st
 
 Point require_position(const Source& source, const JsonValue& value) {
   if (value.kind() != JsonKind::pair) {
-    source.fail_on_line(Code::malformed, "expected a position of two numbers, [x, y]; others are not planar", value.line());
+    source.fail_on_line(Code::malformed, "expected a position of two numbers, [x, y]; others are not planar",
+                        value.line());
   }
   return value.pair();
 }
@@ -61,8 +62,10 @@ std::vector<NamedShape> read_json(const Source& source) {
   if (const auto footprint = root.find("footprint")) return read_footprint(source, *footprint);
   if (root.find("items")) return read_nesting(source, root);
   if (root.find("type")) return read_geojson(source, root);
-  source.fail_on_line(Code::malformed, "expected an object with 'items' (nesting instance), 'type' (GeoJSON) or 'footprint', or an array of positions",
-                      root.line());
+  source.fail_on_line(
+      Code::malformed,
+      "expected an object with 'items' (nesting instance), 'type' (GeoJSON) or 'footprint', or an array of positions",
+      root.line());
 }
 
 }  // namespace dymsum::io

@@ -1,8 +1,8 @@
 // Maps of the MovingAI benchmarks.
 #include <algorithm>
 
-#include "io/region/grid_map.h"
 #include "io/number_text.h"
+#include "io/region/grid_map.h"
 
 namespace dymsum::io {
 namespace {
@@ -20,8 +20,9 @@ class MovingAiReader {
     std::vector<GridCell> rows;  // from above
     for (std::size_t row = 0; row < map.height; ++row) {
       if (at_ >= source_.text.size())
-        source_.fail_on_line(Code::truncated, "the map announces " + std::to_string(map.height) +
-                                                  " rows and ends after " + std::to_string(row), line_);
+        source_.fail_on_line(
+            Code::truncated,
+            "the map announces " + std::to_string(map.height) + " rows and ends after " + std::to_string(row), line_);
       read_row(next_line(), map.width, rows);
     }
     for (auto end = rows.end(); end != rows.begin(); end -= static_cast<std::ptrdiff_t>(map.width))
@@ -47,7 +48,8 @@ class MovingAiReader {
   std::string_view word_after(std::string_view key) {
     const std::string_view line = next_line();
     const std::size_t blank = line.find(' ');
-    if (line.substr(0, blank) != key || blank == std::string_view::npos) fail("expected '" + std::string(key) + "' and a value");
+    if (line.substr(0, blank) != key || blank == std::string_view::npos)
+      fail("expected '" + std::string(key) + "' and a value");
     return line.substr(blank + 1);
   }
 

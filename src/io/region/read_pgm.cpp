@@ -1,8 +1,8 @@
 // Grey images in portable graymap format, P5 (bytes) and P2 (numbers).
 #include <algorithm>
 
-#include "io/region/grid_map.h"
 #include "io/number_text.h"
+#include "io/region/grid_map.h"
 
 namespace dymsum::io {
 namespace {
@@ -21,7 +21,8 @@ class PgmReader {
     image.width = count("the width", kMostPixels);
     image.height = count("the height", kMostPixels);
     image.most = static_cast<std::uint32_t>(count("the largest value", 65535));
-    if (image.width == 0 || image.height == 0 || image.most == 0) source_.fail(Code::malformed, "an image of nothing", at_);
+    if (image.width == 0 || image.height == 0 || image.most == 0)
+      source_.fail(Code::malformed, "an image of nothing", at_);
     const std::uint64_t pixels = static_cast<std::uint64_t>(image.width) * image.height;
     if (pixels > kMostPixels) source_.fail(Code::malformed, "more than 2^30 pixels", at_);
     if (magic == "P5") read_bytes(image, pixels);
@@ -34,8 +35,7 @@ class PgmReader {
     while (at_ < text_.size() && (is_blank(text_[at_]) || text_[at_] == '#')) {
       if (text_[at_] == '#')
         while (at_ < text_.size() && text_[at_] != '\n') ++at_;
-      else
-        ++at_;
+      else ++at_;
     }
   }
 
@@ -55,8 +55,10 @@ class PgmReader {
     const std::size_t size = image.most > 255 ? 2 : 1;
     if (at_ < text_.size()) ++at_;
     if (text_.size() - at_ < size * pixels)
-      source_.fail(Code::truncated, "the image announces " + std::to_string(pixels) + " pixels and ends after " +
-                                        std::to_string((text_.size() - at_) / size), at_);
+      source_.fail(Code::truncated,
+                   "the image announces " + std::to_string(pixels) + " pixels and ends after " +
+                       std::to_string((text_.size() - at_) / size),
+                   at_);
     image.pixels.reserve(pixels);
     for (std::uint64_t k = 0; k < pixels; ++k, at_ += size) {
       std::uint32_t value = static_cast<unsigned char>(text_[at_]);

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <map>
 
-#include "io/region/grid_map.h"
 #include "io/number_text.h"
 #include "io/read_file.h"
+#include "io/region/grid_map.h"
 
 namespace dymsum::io {
 namespace {
@@ -43,7 +43,8 @@ class YamlLines {
   }
   std::string text(const std::string& key) const {
     const YamlValue& value = require(key);
-    if (value.list || value.words.size() != 1 || value.words[0].empty()) fail("'" + key + "' wants one value", value.line);
+    if (value.list || value.words.size() != 1 || value.words[0].empty())
+      fail("'" + key + "' wants one value", value.line);
     return value.words[0];
   }
   double number(const std::string& word, const std::string& key, std::int64_t line) const {
@@ -71,7 +72,8 @@ class YamlLines {
   }
   static std::string unquoted(std::string_view word) {
     word = trimmed(word);
-    if (word.size() > 1 && (word[0] == '"' || word[0] == '\'') && word.back() == word[0]) word = word.substr(1, word.size() - 2);
+    if (word.size() > 1 && (word[0] == '"' || word[0] == '\'') && word.back() == word[0])
+      word = word.substr(1, word.size() - 2);
     return std::string(word);
   }
 
@@ -131,7 +133,8 @@ Thresholds thresholds_of(const YamlLines& yaml) {
   Thresholds t;
   t.occupied = yaml.number("occupied_thresh");
   t.free = yaml.number("free_thresh");
-  if (!(t.free <= t.occupied)) yaml.fail("free_thresh is larger than occupied_thresh", yaml.require("free_thresh").line);
+  if (!(t.free <= t.occupied))
+    yaml.fail("free_thresh is larger than occupied_thresh", yaml.require("free_thresh").line);
   const std::string negate = yaml.find("negate") != nullptr ? yaml.text("negate") : "0";
   if (negate != "0" && negate != "1" && negate != "true" && negate != "false")
     yaml.fail("'negate' is 0 or 1, not " + in_quotes(negate), yaml.require("negate").line);
@@ -175,7 +178,8 @@ GridMap read_ros_map(const Source& source) {
   map.cells.resize(image.width * image.height);
   for (std::size_t row = 0; row < map.height; ++row)
     for (std::size_t i = 0; i < map.width; ++i)
-      map.cells[(map.height - 1 - row) * map.width + i] = thresholds.cell(image.pixels[row * map.width + i], image.most);
+      map.cells[(map.height - 1 - row) * map.width + i] =
+          thresholds.cell(image.pixels[row * map.width + i], image.most);
   return map;
 }
 

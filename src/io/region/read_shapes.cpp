@@ -5,9 +5,9 @@
 #include <system_error>
 #include <utility>
 
-#include "io/region/grid_map.h"
 #include "io/number_text.h"
 #include "io/read_file.h"
+#include "io/region/grid_map.h"
 #include "io/region/readers.h"
 
 namespace dymsum {
@@ -53,11 +53,15 @@ Result<RegionFormat> format_of_text(std::string_view text, std::string_view file
 
 std::vector<NamedShape> read_format(const io::Source& source, RegionFormat format) {
   switch (format) {
-    case RegionFormat::poly: return io::read_poly(source);
-    case RegionFormat::wkt: return io::read_wkt(source);
-    case RegionFormat::svg: return io::read_svg(source);
+    case RegionFormat::poly:
+      return io::read_poly(source);
+    case RegionFormat::wkt:
+      return io::read_wkt(source);
+    case RegionFormat::svg:
+      return io::read_svg(source);
     case RegionFormat::geojson:
-    case RegionFormat::json: break;
+    case RegionFormat::json:
+      break;
   }
   return io::read_json(source);
 }

@@ -1,6 +1,6 @@
 // SVG: path, polygon, polyline, rect and line elements, all together one shape, coordinates as they stand in the file
-// (SVG's y axis points down; nothing is flipped); of the outermost element no viewBox is applied, and nothing is clipped.
-// What is not drawn is not read. Our own files carry data-dymsum attributes and read back exactly.
+// (SVG's y axis points down; nothing is flipped); of the outermost element no viewBox is applied, and nothing is
+// clipped. What is not drawn is not read. Our own files carry data-dymsum attributes and read back exactly.
 #include <cctype>
 #include <cmath>
 #include <cstddef>
@@ -218,7 +218,8 @@ class SvgReader {
   void refuse_placing(const pugi::xml_node& node) const {
     const std::string_view style = node.attribute("style").value();
     if (style.find("/*") != std::string_view::npos) fail(node, "a style with comments cannot be read");
-    for (const char* name : {"transform", "transform-origin", "translate", "rotate", "scale", "x", "y", "width", "height", "rx", "ry", "d", "offset-path"}) {
+    for (const char* name : {"transform", "transform-origin", "translate", "rotate", "scale", "x", "y", "width",
+                             "height", "rx", "ry", "d", "offset-path"}) {
       if (!svg_property(style, name, "").empty())
         fail(node, std::string("a style sets ") + name + ", which is read from attributes only");
     }

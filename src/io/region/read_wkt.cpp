@@ -91,7 +91,8 @@ class WktReader {
   /// The words that announce more than two coordinates.
   void refuse_third(std::string_view word, std::size_t start) const {
     if (word == "Z" || word == "M" || word == "ZM")
-      source_.fail(Code::malformed, "coordinates with " + std::string(word) + " are not planar: only x and y can be read", start);
+      source_.fail(Code::malformed,
+                   "coordinates with " + std::string(word) + " are not planar: only x and y can be read", start);
   }
 
   double read_coordinate() {
@@ -114,7 +115,10 @@ class WktReader {
     skip();
     if (at_ >= text_.size() || text_[at_] == ',' || text_[at_] == ')') return {x, y};
     if (scan_number(text_.substr(at_)).length > 0)
-      source_.fail(Code::malformed, "a third coordinate, " + in_quotes(rest_of_word()) + ": only x and y can be read, WKT with Z or M is not planar", at_);
+      source_.fail(Code::malformed,
+                   "a third coordinate, " + in_quotes(rest_of_word()) +
+                       ": only x and y can be read, WKT with Z or M is not planar",
+                   at_);
     fail_expecting("',' or ')' after two coordinates");
   }
 
@@ -168,7 +172,8 @@ class WktReader {
   }
 
   static bool is_kind(std::string_view word) {
-    static constexpr std::string_view kKinds[] = {"POINT", "LINESTRING", "POLYGON", "MULTIPOINT", "MULTILINESTRING", "MULTIPOLYGON", "GEOMETRYCOLLECTION"};
+    static constexpr std::string_view kKinds[] = {"POINT",           "LINESTRING",   "POLYGON",           "MULTIPOINT",
+                                                  "MULTILINESTRING", "MULTIPOLYGON", "GEOMETRYCOLLECTION"};
     return std::find(std::begin(kKinds), std::end(kKinds), word) != std::end(kKinds);
   }
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "io/source.h"
 #include "io/region/svg_path.h"
+#include "io/source.h"
 
 namespace dymsum::io {
 

@@ -43,16 +43,25 @@ class PathReader {
     const bool relative = command >= 'a';
     const Point base = relative ? at_ : Point{0, 0};
     switch (upper(command)) {
-      case 'M': return first ? move_to(read_point(base)) : line_to(read_point(base));
-      case 'L': return line_to(read_point(base));
-      case 'H': return line_to({read_from(base.x), at_.y});
-      case 'V': return line_to({at_.x, read_from(base.y)});
-      case 'C': return curve(command, base, 2);
-      case 'Q': return curve(command, base, 1);
-      case 'A': return arc(command, base);
+      case 'M':
+        return first ? move_to(read_point(base)) : line_to(read_point(base));
+      case 'L':
+        return line_to(read_point(base));
+      case 'H':
+        return line_to({read_from(base.x), at_.y});
+      case 'V':
+        return line_to({at_.x, read_from(base.y)});
+      case 'C':
+        return curve(command, base, 2);
+      case 'Q':
+        return curve(command, base, 1);
+      case 'A':
+        return arc(command, base);
       case 'S':
-      case 'T': refuse_curve(command);
-      default: numbers_.fail_before("unknown path command " + in_quotes({&command, 1}));
+      case 'T':
+        refuse_curve(command);
+      default:
+        numbers_.fail_before("unknown path command " + in_quotes({&command, 1}));
     }
   }
 

@@ -57,7 +57,8 @@ struct SvgViewport {
 SvgTransform parse_view_box(const Source& source, const SvgText& text, const SvgViewport& viewport,
                             std::string_view preserve_aspect_ratio);
 
-/// The value of a property: what the `style` attribute says, else the attribute of that name. Without blanks; empty where neither does.
+/// The value of a property: what the `style` attribute says, else the attribute of that name. Without blanks; empty
+/// where neither does.
 std::string_view svg_property(std::string_view style, std::string_view name, std::string_view attribute);
 
 }  // namespace dymsum::io

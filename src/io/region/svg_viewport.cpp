@@ -63,7 +63,8 @@ std::string_view svg_property(std::string_view style, std::string_view name, std
     const std::size_t colon = declaration.find(':');
     if (colon != std::string_view::npos && same_name(trimmed(declaration.substr(0, colon)), name)) {
       value = trimmed(declaration.substr(colon + 1));
-      if (const std::size_t important = value.find('!'); important != std::string_view::npos) value = trimmed(value.substr(0, important));
+      if (const std::size_t important = value.find('!'); important != std::string_view::npos)
+        value = trimmed(value.substr(0, important));
     }
     style.remove_prefix(std::min(end + 1, style.size()));
   }

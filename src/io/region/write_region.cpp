@@ -203,11 +203,16 @@ std::string write_nesting(const RegionData& data) {
 
 std::string format_region_data(const RegionData& data, RegionFormat format) {
   switch (format) {
-    case RegionFormat::poly: return write_poly(data);
-    case RegionFormat::wkt: return write_wkt(data);
-    case RegionFormat::geojson: return write_geojson(data);
-    case RegionFormat::svg: return write_svg(data);
-    case RegionFormat::json: break;
+    case RegionFormat::poly:
+      return write_poly(data);
+    case RegionFormat::wkt:
+      return write_wkt(data);
+    case RegionFormat::geojson:
+      return write_geojson(data);
+    case RegionFormat::svg:
+      return write_svg(data);
+    case RegionFormat::json:
+      break;
   }
   return write_nesting(data);
 }

@@ -36,7 +36,8 @@ class TightData {
 
 bool before(Point a, Point b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
 bool before(const std::vector<Point>& a, const std::vector<Point>& b) {
-  return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), [](Point p, Point q) { return before(p, q); });
+  return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(),
+                                      [](Point p, Point q) { return before(p, q); });
 }
 
 /// In their order, without those that are there already.

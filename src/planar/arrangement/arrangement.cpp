@@ -42,7 +42,8 @@ void Arrangement::build_events(const Poll* poll) {
   std::uint32_t* cut = cut_segments_.data();
   std::uint32_t* const first = first_event_.data();
   // Twice as many events as crossings, and sub-edges of all segments besides.
-  if (2 * meetings_.crossings.size() + meetings_.touches.size() + n >= kNone) throw std::length_error("more than 2^32 pieces of segments");
+  if (2 * meetings_.crossings.size() + meetings_.touches.size() + n >= kNone)
+    throw std::length_error("more than 2^32 pieces of segments");
   if (poll != nullptr) (*poll)(0);
   std::uint32_t total = 0;
   for (std::uint32_t s = 0; s < n; ++s) {
@@ -88,10 +89,8 @@ Arrangement::CutRatio Arrangement::cut_ratio(std::uint32_t s, std::uint32_t even
   if (event & kTouchBit) {
     const WalkPair v = meetings_.touches[event & ~kTouchBit].pair;
     const Operand &p = *soup_.operands[0], &q = *soup_.operands[1];
-    if (b.dx != 0)
-      r = {soup_.integer(p.x[v.p] + q.x[v.q] - b.ax), soup_.integer(b.dx)};
-    else
-      r = {soup_.integer(p.y[v.p] + q.y[v.q] - b.ay), soup_.integer(b.dy)};
+    if (b.dx != 0) r = {soup_.integer(p.x[v.p] + q.x[v.q] - b.ax), soup_.integer(b.dx)};
+    else r = {soup_.integer(p.y[v.p] + q.y[v.q] - b.ay), soup_.integer(b.dy)};
   } else {
     const std::uint32_t t = other(s, event);
     r = {soup_.side_value(t, b.ax, b.ay), soup_.cross_value(s, t)};

@@ -1,5 +1,5 @@
-// Segments cut at their meetings, and the successor of every sub-edge that can be boundary. The generic case is the kill rule; every
-// coincidence goes through the vertex routine. Lemmas 3-5: docs/design/planar-sum.md.
+// Segments cut at their meetings, and the successor of every sub-edge that can be boundary. The generic case is the
+// kill rule; every coincidence goes through the vertex routine. Lemmas 3-5: docs/design/planar-sum.md.
 #pragma once
 
 #include <algorithm>
@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "base/key_numbers.h"
-#include "planar/arrangement/crossings.h"
 #include "base/poll.h"
+#include "planar/arrangement/crossings.h"
 #include "planar/arrangement/soup.h"
 
 namespace dymsum::planar {
@@ -22,10 +22,12 @@ struct SubEnd {
   std::uint32_t other = 0;
 };
 
-/// Sub-edges: segment s with k events has k + 1 sub-edges, numbered first_sub(s) + 0 .. k; sub-edge i starts at event i - 1.
+/// Sub-edges: segment s with k events has k + 1 sub-edges, numbered first_sub(s) + 0 .. k; sub-edge i starts at event i
+/// - 1.
 class Arrangement {
  public:
-  Arrangement(const Soup& soup, Meetings meetings, const Chain& chain, const Array<DeadMark>& dead_marks, const Poll* poll = nullptr);
+  Arrangement(const Soup& soup, Meetings meetings, const Chain& chain, const Array<DeadMark>& dead_marks,
+              const Poll* poll = nullptr);
 
   std::uint32_t sub_count() const { return first_event_.back() + static_cast<std::uint32_t>(soup_.size()); }
   std::uint32_t first_sub(std::uint32_t s) const { return first_event_[s] + s; }
@@ -211,7 +213,7 @@ class Arrangement {
   Array<std::uint32_t> first_event_;
   Array<std::uint32_t> events_;
   Array<std::uint32_t> sub_after_;  // per crossing: the sub-edge of its a that starts there, which continues b
-  Array<std::uint8_t> flags_;   // per sub-edge
+  Array<std::uint8_t> flags_;       // per sub-edge
   struct Link {
     Step to;
     std::uint32_t node = 0;
@@ -221,7 +223,7 @@ class Arrangement {
   Array<Node> nodes_;
   Array<Step> covered_subs_;
   Array<std::uint32_t> cut_segments_;  // those with events
-  Array<std::uint32_t> suspects_;  // segments with touches, or with events that may coincide
+  Array<std::uint32_t> suspects_;      // segments with touches, or with events that may coincide
   std::uint64_t degenerate_nodes_ = 0;
   mutable std::uint64_t exact_orders_ = 0;
 };

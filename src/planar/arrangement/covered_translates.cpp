@@ -20,8 +20,8 @@ struct Frame {
   double depth(double x, double y) const { return y * ux - x * uy; }
 };
 
-// Edges at the ends of the edge that go inwards above it lean over what is beneath; by so much along it for every unit of depth. Directions of edges
-// are rounded once, so that a slope of up to 256 is good to 2^-40.
+// Edges at the ends of the edge that go inwards above it lean over what is beneath; by so much along it for every unit
+// of depth. Directions of edges are rounded once, so that a slope of up to 256 is good to 2^-40.
 constexpr double kSteepest = 256;
 double lean(double along, double depth) {
   if (along <= 0) return 0;
@@ -29,7 +29,8 @@ double lean(double along, double depth) {
   return depth > along / kSteepest ? along / depth : std::numeric_limits<double>::infinity();
 }
 
-// The least depth of an edge that meets the strip beneath another one; infinity where it lies outside the strip or above it.
+// The least depth of an edge that meets the strip beneath another one; infinity where it lies outside the strip or
+// above it.
 double depth_in_strip(const Frame& f, const EdgeBox& e, double margin) {
   const double s = f.along(e.ax - f.ax, e.ay - f.ay), t = f.along(e.bx - f.ax, e.by - f.ay);
   const double c = f.depth(e.ax - f.ax, e.ay - f.ay), d = f.depth(e.bx - f.ax, e.by - f.ay);
@@ -46,7 +47,8 @@ struct Translate {
 // Translates of one edge.
 class Family {
  public:
-  Family(const Beneath& beneath, double length, double reach, double margin) : b_(beneath), length_(length), reach_(reach), margin_(margin) {}
+  Family(const Beneath& beneath, double length, double reach, double margin)
+      : b_(beneath), length_(length), reach_(reach), margin_(margin) {}
 
   /// The ends of what covers the starts of translates, from the left.
   void cover_starts(Array<Translate>& list, Array<Span>& spans) {
@@ -110,15 +112,18 @@ Array<std::uint32_t> by_edge(const Soup& soup, std::uint32_t side, Array<std::ui
 }  // namespace
 
 Beneath beneath(const Operand& o, std::uint32_t edge, double margin) {
-  const LoopKind kind = std::find_if(o.loops.begin(), o.loops.end(), [&](const Loop& l) { return edge < l.last; })->kind;
+  const LoopKind kind =
+      std::find_if(o.loops.begin(), o.loops.end(), [&](const Loop& l) { return edge < l.last; })->kind;
   const Frame f(o.boxes[edge]);
   if ((kind != LoopKind::outer && kind != LoopKind::hole) || f.length <= margin) return {};
   const std::uint32_t before = o.prev[edge], after = o.next[edge];
   const EdgeBox &p = o.boxes[before], &n = o.boxes[after];
-  Beneath b{std::numeric_limits<double>::infinity(), lean(-f.along(p.dx, p.dy), -f.depth(p.dx, p.dy)), lean(-f.along(n.dx, n.dy), f.depth(n.dx, n.dy))};
+  Beneath b{std::numeric_limits<double>::infinity(), lean(-f.along(p.dx, p.dy), -f.depth(p.dx, p.dy)),
+            lean(-f.along(n.dx, n.dy), f.depth(n.dx, n.dy))};
   if (!(b.from_start + b.from_end < kSteepest)) return {};
   for (std::uint32_t e = 0; e < o.boxes.size(); ++e)
-    if (e != edge && e != before && e != after) b.depth = std::min(b.depth, depth_in_strip(f, o.boxes[e], margin) - margin);
+    if (e != edge && e != before && e != after)
+      b.depth = std::min(b.depth, depth_in_strip(f, o.boxes[e], margin) - margin);
   return b.depth > margin ? b : Beneath{};
 }
 

@@ -21,8 +21,8 @@ namespace {
 // The top bit of each 16-bit field; bounds stay below it.
 constexpr std::uint64_t kGuard = 0x8000800080008000;
 
-// Fields of `low`: x0, y0, -x1, -y1; of `high`: x1, y1, -x0, -y0, negated ones counted from the top. Boxes meet when no field of
-// one's low exceeds that of the other's high, that is, when no field of the difference borrows the guard.
+// Fields of `low`: x0, y0, -x1, -y1; of `high`: x1, y1, -x0, -y0, negated ones counted from the top. Boxes meet when no
+// field of one's low exceeds that of the other's high, that is, when no field of the difference borrows the guard.
 bool boxes_meet(std::uint64_t high, std::uint64_t low) { return (((high | kGuard) - low) & kGuard) == kGuard; }
 
 }  // namespace
@@ -42,7 +42,8 @@ void CrossingFinder::make_keys() {
   keys_.resize(soup_.size());
   for (std::uint32_t s = 0; s < soup_.size(); ++s) {
     const BoxQuanta b = quanta(soup_.boxes[s], per_quantum);
-    keys_[s] = {word(b.x0, b.y0, kBoxQuanta - b.x1, kBoxQuanta - b.y1), word(b.x1, b.y1, kBoxQuanta - b.x0, kBoxQuanta - b.y0)};
+    keys_[s] = {word(b.x0, b.y0, kBoxQuanta - b.x1, kBoxQuanta - b.y1),
+                word(b.x1, b.y1, kBoxQuanta - b.x0, kBoxQuanta - b.y0)};
   }
 }
 
@@ -61,7 +62,9 @@ inline CrossingFinder::Probe CrossingFinder::probe(std::uint32_t s) const {
 namespace {
 
 // Two opposite sides of a line, both certain.
-inline bool opposite(double s, double t, double error) { return (s > error && t < -error) || (s < -error && t > error); }
+inline bool opposite(double s, double t, double error) {
+  return (s > error && t < -error) || (s < -error && t > error);
+}
 
 // The same side for both, certainly.
 inline bool one_side(double s, double t, double error) { return std::min(s, t) > error || std::max(s, t) < -error; }
@@ -166,8 +169,9 @@ void CrossingFinder::find_followers(std::uint32_t* follower) const {
   }
 }
 
-// Few boxes: each with all behind it, sixteen at a time in bytes. What is found is put into the order of the sweep, because of several
-// contacts at one place the first one is named. Loops without branches, as far as they go: which boxes meet is hard to foresee.
+// Few boxes: each with all behind it, sixteen at a time in bytes. What is found is put into the order of the sweep,
+// because of several contacts at one place the first one is named. Loops without branches, as far as they go: which
+// boxes meet is hard to foresee.
 void CrossingFinder::compare_all() {
   const std::uint32_t n = static_cast<std::uint32_t>(soup_.size());
   const SoupBox* const boxes = soup_.boxes.data();
@@ -206,12 +210,13 @@ void CrossingFinder::compare_all() {
   find_followers(follower.data());
   std::array<std::uint8_t, kUnsorted> near;
   for (std::uint32_t i = 0; i + 1 < n; ++i) {
-    const ByteLanes low_x = all_bytes(x0[i]), low_y = all_bytes(y0[i]), high_x = all_bytes(x1[i]), high_y = all_bytes(y1[i]);
+    const ByteLanes low_x = all_bytes(x0[i]), low_y = all_bytes(y0[i]), high_x = all_bytes(x1[i]),
+                    high_y = all_bytes(y1[i]);
     const std::uint32_t next = follower[i];
     std::uint32_t count = 0;
     for (std::uint32_t j = i + 1; j < n; j += kByteLanes) {
-      const ByteLanes apart = (load_bytes(&x0[j]) > high_x) | (low_x > load_bytes(&x1[j])) | (load_bytes(&y0[j]) > high_y) |
-                              (low_y > load_bytes(&y1[j]));
+      const ByteLanes apart = (load_bytes(&x0[j]) > high_x) | (low_x > load_bytes(&x1[j])) |
+                              (load_bytes(&y0[j]) > high_y) | (low_y > load_bytes(&y1[j]));
       for (std::uint32_t hits = zero_bytes(apart); hits != 0; hits &= hits - 1) {
         const std::uint32_t k = j + static_cast<std::uint32_t>(std::countr_zero(hits));
         near[count] = static_cast<std::uint8_t>(k);
@@ -319,12 +324,14 @@ void CrossingFinder::make_room(Array<Crossing>& list) {
 }
 
 // a_start, a_end: the sides of a's ends with respect to b, of opposite signs.
-void CrossingFinder::add_crossing(std::uint32_t i, std::uint32_t j, double a_start, double a_end, double b_start, double b_end) {
+void CrossingFinder::add_crossing(std::uint32_t i, std::uint32_t j, double a_start, double a_end, double b_start,
+                                  double b_end) {
   const double t = a_start / (a_start - a_end);
   const auto on_b = [&] { return b_start / (b_start - b_end); };
   bool ambiguous = false;
   if (grid_ != nullptr) {
-    // The crossing belongs to the cell that holds it; near a border every cell reports it and duplicates are dropped later.
+    // The crossing belongs to the cell that holds it; near a border every cell reports it and duplicates are dropped
+    // later.
     const SoupBox& a = soup_.boxes[i];
     const double dx = soup_.dx(i), dy = soup_.dy(i);
     const double x = (a.ax + t * dx) * grid_->per_cell, y = (a.ay + t * dy) * grid_->per_cell;

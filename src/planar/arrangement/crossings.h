@@ -9,9 +9,9 @@
 
 #include "base/box_lanes.h"
 #include "planar/arrangement/chain.h"
+#include "planar/arrangement/soup.h"
 #include "planar/mask/grid.h"
 #include "planar/mask/interior_mask.h"
-#include "planar/arrangement/soup.h"
 
 namespace dymsum::planar {
 
@@ -38,7 +38,7 @@ struct Meetings {
   Array<Crossing> crossings;
   Array<Touch> touches;
   Array<std::pair<WalkPair, WalkPair>> same;  ///< different pairs at the same place
-  bool rough = false;  ///< some crossing has a parameter that errs by kFine or more
+  bool rough = false;                         ///< some crossing has a parameter that errs by kFine or more
   std::uint64_t cell_entries = 0, pair_tests = 0, exact_signs = 0;
 };
 
@@ -54,8 +54,8 @@ struct SegmentPiece {
   double low, high;
 };
 
-/// Finds the meetings of pairs of segments: all of them without a mask, at least those outside dead cells with one. `poll` is
-/// called now and then and stops the search when it returns false.
+/// Finds the meetings of pairs of segments: all of them without a mask, at least those outside dead cells with one.
+/// `poll` is called now and then and stops the search when it returns false.
 class CrossingFinder {
  public:
   CrossingFinder(const Soup& soup, Meetings& out, const Chain* chain = nullptr)
@@ -73,8 +73,8 @@ class CrossingFinder {
   /// Boxes in the order of their left sides: each is compared with those that start before it ends, eight at a time.
   /// With a mask crossings in dead cells are left out.
   void sweep(const InteriorMask* mask = nullptr);
-  /// The same for disjoint pieces of segments: crossings outside them are left out, as far as parameters that err by less than `reach`, a
-  /// distance, tell.
+  /// The same for disjoint pieces of segments: crossings outside them are left out, as far as parameters that err by
+  /// less than `reach`, a distance, tell.
   void sweep(std::span<const SegmentPiece> pieces, double reach);
   /// Just these pairs of segments.
   void pairs(std::span<const std::array<std::uint32_t, 2>> list);
@@ -126,8 +126,8 @@ class CrossingFinder {
   const SegmentPiece *piece_ = nullptr, *other_piece_ = nullptr;  // those whose segments are being compared
   double piece_reach_ = 0;
   Array<BoxKey> keys_;
-  Array<std::uint64_t> cell_;       // the low keys of the segments of one cell
-  Array<std::uint32_t> near_;       // those whose boxes meet the box of one of them, or of one segment in a sweep
+  Array<std::uint64_t> cell_;  // the low keys of the segments of one cell
+  Array<std::uint32_t> near_;  // those whose boxes meet the box of one of them, or of one segment in a sweep
   Array<Crossing> ambiguous_;  // found near a cell border, perhaps several times
 };
 

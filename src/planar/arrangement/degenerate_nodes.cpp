@@ -1,4 +1,5 @@
-// The vertex routine: nodes of the arrangement where crossings coincide or segments end on others, and how the boundary goes on there.
+// The vertex routine: nodes of the arrangement where crossings coincide or segments end on others, and how the boundary
+// goes on there.
 #include <algorithm>
 #include <tuple>
 
@@ -179,8 +180,8 @@ void Arrangement::process_node(const Array<Spot>& spots, const Array<WalkPair>& 
   if (placed) link_rays(buffers, where);
 }
 
-// A sector between two neighbouring rays is free unless the ray before it leaves with it on its left, or the ray behind it arrives
-// with it on its left. The boundary of a free sector comes in on the first and goes out on the second.
+// A sector between two neighbouring rays is free unless the ray before it leaves with it on its left, or the ray behind
+// it arrives with it on its left. The boundary of a free sector comes in on the first and goes out on the second.
 void Arrangement::link_rays(NodeBuffers& buffers, const Node& where) {
   const Ray* const rays = buffers.rays.data();
   const auto n = static_cast<std::uint32_t>(buffers.rays.size());
@@ -228,7 +229,8 @@ void Arrangement::link_rays(NodeBuffers& buffers, const Node& where) {
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const Group &from = groups[g], &to = groups[g + 1 == groups.size() ? 0 : g + 1];
     if (from.left && from.right) {
-      // Covered from both sides: a crack, unless inside M. Each is seen from both ends; keep the one that leaves upwards.
+      // Covered from both sides: a crack, unless inside M. Each is seen from both ends; keep the one that leaves
+      // upwards.
       for (std::uint32_t k = from.begin; k < from.end; ++k)
         if (const Ray& ray = rays[sorted[k]]; ray.out) {
           if (ray.upper) covered_subs_.push_back({ray.sub, ray.segment});
@@ -242,10 +244,8 @@ void Arrangement::link_rays(NodeBuffers& buffers, const Node& where) {
     const Link link{step, where.number};
     for (std::uint32_t k = from.begin; k < from.end; ++k) {
       const auto [number, fresh] = linked_subs_.add(rays[sorted[k]].sub);
-      if (fresh)
-        links_.push_back(link);
-      else
-        links_[number] = link;
+      if (fresh) links_.push_back(link);
+      else links_[number] = link;
     }
   }
 }

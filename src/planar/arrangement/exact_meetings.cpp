@@ -75,15 +75,16 @@ void CrossingFinder::exact_test(std::uint32_t i, std::uint32_t j) {
   const int s3 = side(j, a0, a.ax, a.ay), s4 = side(j, a1, a.bx, a.by);
   if (s3 * s4 > 0) return;
   if (s1 != 0 && s2 != 0 && s3 != 0 && s4 != 0) {
-    // Opposite on both: the crossing parameters come from doubles that may be smaller than their error; keep t in [0, 1].
+    // Opposite on both: the crossing parameters come from doubles that may be smaller than their error; keep t in [0,
+    // 1].
     const double a_dx = soup_.dx(i), a_dy = soup_.dy(i), b_dx = soup_.dx(j), b_dy = soup_.dy(j);
     const double o1 = a_dx * (b.ay - a.ay) - a_dy * (b.ax - a.ax), o2 = a_dx * (b.by - a.ay) - a_dy * (b.bx - a.ax);
     const double o3 = b_dx * (a.ay - b.ay) - b_dy * (a.ax - b.ax), o4 = b_dx * (a.by - b.ay) - b_dy * (a.bx - b.ax);
     out_.rough = true;
     const auto signed_magnitude = [](double o, int s, double error) { return s * std::max(std::abs(o), error * 0.5); };
     const double a_error = soup_.error(i) + 0x1p-1000, b_error = soup_.error(j) + 0x1p-1000;
-    add_crossing(i, j, signed_magnitude(o3, s3, b_error), signed_magnitude(o4, s4, b_error), signed_magnitude(o1, s1, a_error),
-                 signed_magnitude(o2, s2, a_error));
+    add_crossing(i, j, signed_magnitude(o3, s3, b_error), signed_magnitude(o4, s4, b_error),
+                 signed_magnitude(o1, s1, a_error), signed_magnitude(o2, s2, a_error));
     return;
   }
   const auto within = [&](std::uint32_t s, WalkPair from, WalkPair to, WalkPair v, double x, double y) {

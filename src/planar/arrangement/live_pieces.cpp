@@ -7,14 +7,17 @@
 namespace dymsum::planar {
 namespace {
 
-// The parameters of a segment for which it passes a box of cells, or comes within kReach cells of it. The bounds err by less than what kReach moves
-// them: both shift a side of the box, one by 2^-50 of the grid's extent, the other by 2^-14 of a cell.
+// The parameters of a segment for which it passes a box of cells, or comes within kReach cells of it. The bounds err by
+// less than what kReach moves them: both shift a side of the box, one by 2^-50 of the grid's extent, the other by 2^-14
+// of a cell.
 class Passage {
  public:
-  Passage(const SoupBox& b, const Grid& grid) : b_(b), cell_(grid.cell), reach_(kReach * grid.cell), per_dx_(1 / b.dx), per_dy_(1 / b.dy) {}
+  Passage(const SoupBox& b, const Grid& grid)
+      : b_(b), cell_(grid.cell), reach_(kReach * grid.cell), per_dx_(1 / b.dx), per_dy_(1 / b.dy) {}
   Span through(int row0, int column0, int row1, int column1) const {
     Span t{0, 1};
-    if (b_.dx != 0) clip(t, (column0 * cell_ - reach_ - b_.ax) * per_dx_, ((column1 + 1) * cell_ + reach_ - b_.ax) * per_dx_);
+    if (b_.dx != 0)
+      clip(t, (column0 * cell_ - reach_ - b_.ax) * per_dx_, ((column1 + 1) * cell_ + reach_ - b_.ax) * per_dx_);
     if (b_.dy != 0) clip(t, (row0 * cell_ - reach_ - b_.ay) * per_dy_, ((row1 + 1) * cell_ + reach_ - b_.ay) * per_dy_);
     return t;
   }
@@ -59,19 +62,15 @@ class LiveIntervals {
       for (int c = first; c <= last; ++c) {
         const std::uint64_t live = cells_.live(row, c);
         if (live == 0) continue;
-        if (live == ~std::uint64_t{0})
-          add(in_coarse.through(row, c, row, c));
-        else
-          add_fine(in_fine, live, row * kBrick, c * kBrick);
+        if (live == ~std::uint64_t{0}) add(in_coarse.through(row, c, row, c));
+        else add_fine(in_fine, live, row * kBrick, c * kBrick);
       }
     });
     std::sort(found_.begin(), found_.end(), [](const Span& s, const Span& t) { return s.low < t.low; });
     std::size_t n = 0;
     for (const Span& t : found_) {
-      if (n > 0 && t.low <= found_[n - 1].high)
-        found_[n - 1].high = std::max(found_[n - 1].high, t.high);
-      else
-        found_[n++] = t;
+      if (n > 0 && t.low <= found_[n - 1].high) found_[n - 1].high = std::max(found_[n - 1].high, t.high);
+      else found_[n++] = t;
     }
     found_.resize(n);
     return found_;
@@ -128,7 +127,9 @@ bool refine_crowded(FineCells& cells, const CellVisits& visits, std::uint32_t cr
   Array<std::uint32_t> crowded(visits.count.get_allocator().scratch());
   for (std::size_t at = 0; at < visits.count.size(); ++at)
     if (visits.count[at] >= crowd) crowded.push_back(static_cast<std::uint32_t>(at));
-  const auto refine = [&](std::size_t at) { return cells.refine(static_cast<int>(at / columns), static_cast<int>(at % columns)); };
+  const auto refine = [&](std::size_t at) {
+    return cells.refine(static_cast<int>(at / columns), static_cast<int>(at % columns));
+  };
   const std::size_t step = crowded.size() / kSample + 1;
   std::size_t sampled = 0, covered = 0;
   for (std::size_t k = 0; k < crowded.size(); k += step, ++sampled) covered += refine(crowded[k]);
@@ -178,9 +179,10 @@ void drop_covered(Soup& soup, Array<std::uint32_t>& live, LivePieces& pieces) {
     if (s != kNone) s = to[s];
 }
 
-std::optional<Refined> refine(const Operand& p, const Operand& q, InteriorMask& mask, Soup& soup, Array<std::uint32_t>& live, Refine when,
-                              const Poll& poll) {
-  // Below these counts finding out costs more than the crossings. Rasters of fine cells cost more than covered translates.
+std::optional<Refined> refine(const Operand& p, const Operand& q, InteriorMask& mask, Soup& soup,
+                              Array<std::uint32_t>& live, Refine when, const Poll& poll) {
+  // Below these counts finding out costs more than the crossings. Rasters of fine cells cost more than covered
+  // translates.
   constexpr std::size_t kFew = 16384, kPairsEach = 64, kFewWithMany = 2048, kPairsEachWithMany = 8, kTranslates = 64;
   constexpr std::uint32_t kCrowd = 8;
   const bool always = when == Refine::always;
@@ -190,10 +192,12 @@ std::optional<Refined> refine(const Operand& p, const Operand& q, InteriorMask& 
   if (!always && visits.pairs < (many ? kPairsEachWithMany : kPairsEach) * soup.size()) return std::nullopt;
   const std::uint64_t pairs = visits.pairs;
   const double reach = kReach * mask.grid().cell / kBrick;  // twice that of the sweep over pieces
-  const Array<Span> spans = many || always ? uncovered_spans(soup, reach, always ? 1 : kTranslates, poll) : Array<Span>(soup.memory);
+  const Array<Span> spans =
+      many || always ? uncovered_spans(soup, reach, always ? 1 : kTranslates, poll) : Array<Span>(soup.memory);
   if (!spans.empty()) visits = count_visits(soup, spans, mask, poll);
   const bool fine = always || (soup.size() >= kFew && visits.pairs >= kPairsEach * soup.size());
-  std::optional<Refined> refined(std::in_place, fine ? FineCells(p, q, mask) : FineCells(mask), LivePieces(soup.memory), fine);
+  std::optional<Refined> refined(std::in_place, fine ? FineCells(p, q, mask) : FineCells(mask), LivePieces(soup.memory),
+                                 fine);
   const bool pays = fine && refine_crowded(refined->cells, visits, always ? 1 : kCrowd, poll);
   if (!always && !pays && 2 * visits.pairs > pairs) return std::nullopt;
   refined->live = live_pieces(soup, spans, refined->cells, poll);

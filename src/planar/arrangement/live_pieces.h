@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <optional>
 
+#include "base/poll.h"
 #include "planar/arrangement/covered_translates.h"
 #include "planar/arrangement/crossings.h"
-#include "planar/mask/fine_cells.h"
-#include "base/poll.h"
 #include "planar/arrangement/soup.h"
+#include "planar/mask/fine_cells.h"
 
 namespace dymsum::planar {
 
@@ -19,11 +19,13 @@ struct CellVisits {
 };
 CellVisits count_visits(const Soup& soup, const Array<Span>& spans, const InteriorMask& mask, const Poll& poll);
 
-/// Refines the cells that `crowd` segments or more pass. Stops, and returns false, when a sample of them shows little gain.
+/// Refines the cells that `crowd` segments or more pass. Stops, and returns false, when a sample of them shows little
+/// gain.
 bool refine_crowded(FineCells& cells, const CellVisits& visits, std::uint32_t crowd, const Poll& poll);
 
-/// The parts of the segments in live fine cells, and in their spans where there are some; and marks in the parts between them, which lie in covered cells. Pieces of a segment are disjoint and in
-/// its order. A segment without pieces lies in covered cells altogether.
+/// The parts of the segments in live fine cells, and in their spans where there are some; and marks in the parts
+/// between them, which lie in covered cells. Pieces of a segment are disjoint and in its order. A segment without
+/// pieces lies in covered cells altogether.
 struct LivePieces {
   explicit LivePieces(Scratch* memory) : pieces(memory), marks(memory) {}
   Array<SegmentPiece> pieces;
@@ -31,18 +33,19 @@ struct LivePieces {
 };
 LivePieces live_pieces(const Soup& soup, const Array<Span>& spans, const FineCells& cells, const Poll& poll);
 
-/// Drops the segments without pieces from the soup, in which and in `live`, which gives segments for ids, the others get new numbers.
+/// Drops the segments without pieces from the soup, in which and in `live`, which gives segments for ids, the others
+/// get new numbers.
 void drop_covered(Soup& soup, Array<std::uint32_t>& live, LivePieces& pieces);
 
-/// All of that, where so many pairs of segments lie in one cell that it pays; nothing is changed otherwise. Cells are refined only where translates of
-/// edges that cover each other leave such a crowd.
+/// All of that, where so many pairs of segments lie in one cell that it pays; nothing is changed otherwise. Cells are
+/// refined only where translates of edges that cover each other leave such a crowd.
 struct Refined {
   FineCells cells;
   LivePieces live;
   bool fine = false;  ///< whether cells were refined
 };
 enum class Refine { where_it_pays, always };
-std::optional<Refined> refine(const Operand& p, const Operand& q, InteriorMask& mask, Soup& soup, Array<std::uint32_t>& live, Refine when,
-                              const Poll& poll);
+std::optional<Refined> refine(const Operand& p, const Operand& q, InteriorMask& mask, Soup& soup,
+                              Array<std::uint32_t>& live, Refine when, const Poll& poll);
 
 }  // namespace dymsum::planar

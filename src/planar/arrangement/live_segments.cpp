@@ -15,8 +15,8 @@ Array<std::uint32_t> add_live(const ReducedConvolution& convolution, const Inter
   if (twins == Twins::merged) same.reserve(n);
   soup.reserve(std::min<std::size_t>(n, 256));
   const Grid g = mask != nullptr ? mask->grid() : Grid{};
-  // The cells that an edge reaches, as distances from the other operand's vertex. Without clamps: coordinates lie in [0, span], and the
-  // grid reaches farther than that by more than a cell.
+  // The cells that an edge reaches, as distances from the other operand's vertex. Without clamps: coordinates lie in
+  // [0, span], and the grid reaches farther than that by more than a cell.
   struct Cells {
     std::array<float, 4> bounds;  // low row, low column, high row, high column
   };
@@ -28,8 +28,10 @@ Array<std::uint32_t> add_live(const ReducedConvolution& convolution, const Inter
     constexpr double reach = 3 * kReach;
     static_assert(kReach >= 0x1p-14);
     for (const EdgeBox& b : o.boxes)
-      cells.push_back({{static_cast<float>(std::min(b.ay, b.by) * g.per_cell - reach), static_cast<float>(std::min(b.ax, b.bx) * g.per_cell - reach),
-                        static_cast<float>(std::max(b.ay, b.by) * g.per_cell + reach), static_cast<float>(std::max(b.ax, b.bx) * g.per_cell + reach)}});
+      cells.push_back({{static_cast<float>(std::min(b.ay, b.by) * g.per_cell - reach),
+                        static_cast<float>(std::min(b.ax, b.bx) * g.per_cell - reach),
+                        static_cast<float>(std::max(b.ay, b.by) * g.per_cell + reach),
+                        static_cast<float>(std::max(b.ax, b.bx) * g.per_cell + reach)}});
   };
   const auto dead = [&](const Cells& edge, double row, double column) {
     const std::array<double, 4> at{row, column, row, column};

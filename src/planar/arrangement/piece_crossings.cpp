@@ -8,11 +8,14 @@
 
 namespace dymsum::planar {
 
-// Parameters t of a and u of b are the same doubles whenever the two are compared, and pieces of a segment are disjoint: one pair of pieces owns
-// a crossing. One outside covered cells lies in pieces of both by more than the reach.
+// Parameters t of a and u of b are the same doubles whenever the two are compared, and pieces of a segment are
+// disjoint: one pair of pieces owns a crossing. One outside covered cells lies in pieces of both by more than the
+// reach.
 CrossingFinder::Owned CrossingFinder::owned_by_pieces(std::uint32_t a, std::uint32_t b, double t, double u) const {
   const auto length = [&](std::uint32_t s) { return std::abs(soup_.dx(s)) + std::abs(soup_.dy(s)); };
-  if (!(soup_.parameter_error(a, b) * length(a) < piece_reach_ && soup_.parameter_error(b, a) * length(b) < piece_reach_)) return Owned::unsure;
+  if (!(soup_.parameter_error(a, b) * length(a) < piece_reach_ &&
+        soup_.parameter_error(b, a) * length(b) < piece_reach_))
+    return Owned::unsure;
   const auto holds = [](const SegmentPiece& piece, double at) { return at >= piece.low && at <= piece.high; };
   return holds(*piece_, t) && holds(*other_piece_, u) ? Owned::yes : Owned::no;
 }
@@ -27,7 +30,9 @@ void CrossingFinder::sweep(std::span<const SegmentPiece> pieces, double reach) {
   for (std::uint32_t k = 0; k < n; ++k) {
     const SegmentPiece& piece = pieces[k];
     const SoupBox& b = soup_.boxes[piece.segment];
-    const auto along = [](double from, double to, double d, double t) { return t == 1 ? to : std::clamp(from + t * d, std::min(from, to), std::max(from, to)); };
+    const auto along = [](double from, double to, double d, double t) {
+      return t == 1 ? to : std::clamp(from + t * d, std::min(from, to), std::max(from, to));
+    };
     const auto at = [&](double t) { return Point{along(b.ax, b.bx, b.dx, t), along(b.ay, b.by, b.dy, t)}; };
     const Point from = at(piece.low), to = at(piece.high);
     boxes[k] = quanta({from.x, from.y, to.x, to.y, b.dx, b.dy}, per_quantum);

@@ -9,7 +9,8 @@
 
 namespace dymsum::planar {
 
-/// Segments by their ends. Sums of operands with common edge vectors, above all P + P, hold most segments twice; one is enough.
+/// Segments by their ends. Sums of operands with common edge vectors, above all P + P, hold most segments twice; one is
+/// enough.
 class SameSegments {
  public:
   explicit SameSegments(const Soup& soup) : soup_(soup), slots_(soup.memory) {}

@@ -1,4 +1,5 @@
-// Labelled segments whose left sides lie in the open set M: what the arrangement works on. It has never heard of convolutions.
+// Labelled segments whose left sides lie in the open set M: what the arrangement works on. It has never heard of
+// convolutions.
 #pragma once
 
 #include <array>
@@ -26,19 +27,20 @@ struct SoupSegment {
 using SoupBox = EdgeBox;
 
 /// A walk edge moved to a vertex.
-inline SoupBox moved(const EdgeBox& e, double x, double y) { return {e.ax + x, e.ay + y, e.bx + x, e.by + y, e.dx, e.dy}; }
+inline SoupBox moved(const EdgeBox& e, double x, double y) {
+  return {e.ax + x, e.ay + y, e.bx + x, e.by + y, e.dx, e.dy};
+}
 
 /// The error of a sum of two vertices: two rounded coordinates, and the sum rounded.
 inline double sum_error(const Lattice& lattice) { return lattice.exact_doubles ? 0 : 0x1p-51 * lattice.span; }
 
 class Soup {
  public:
-  Soup(const Lattice& lattice, const Operand& p, const Operand& q,
-       Scratch* memory = nullptr)
+  Soup(const Lattice& lattice, const Operand& p, const Operand& q, Scratch* memory = nullptr)
       : lattice(lattice), operands{&p, &q}, segments(memory), boxes(memory), memory(memory) {
     const double roundings = lattice.span;
-    // cross(d, v - a): d once rounded, v and a two roundings each and one more for the difference, two products, one sum; at most
-    // 16 roundings of |d|_1 span.
+    // cross(d, v - a): d once rounded, v and a two roundings each and one more for the difference, two products, one
+    // sum; at most 16 roundings of |d|_1 span.
     side_error = lattice.exact_doubles ? 0 : 0x1p-49 * roundings;
     point_error = sum_error(lattice);
   }
@@ -54,8 +56,8 @@ class Soup {
     boxes.resize(segments.size());
     SoupSegment* segment = segments.data() + i;
     SoupBox* to = boxes.data() + i;
-    convolution.for_each_turn([&](std::uint32_t side, std::uint32_t v, std::span<const std::uint32_t> edges, std::uint32_t lo,
-                                  std::uint32_t count) {
+    convolution.for_each_turn([&](std::uint32_t side, std::uint32_t v, std::span<const std::uint32_t> edges,
+                                  std::uint32_t lo, std::uint32_t count) {
       const EdgeBox* const own = operands[side]->boxes.data();
       const double vx = operands[1 - side]->x[v], vy = operands[1 - side]->y[v];
       const std::uint32_t *at = edges.data() + lo, *const end = edges.data() + edges.size(), label = side << 31;
@@ -117,8 +119,8 @@ class Soup {
     return lattice.cross(exact(s).edge, exact(t).edge);
   }
 
-  /// Whether exact signs are those of the 64-bit integers below: coordinates of 29 bits, sums of 30, differences of 31, products of
-  /// 61, their sums of 62 (exact/grid.h). Pair sums are exact doubles then.
+  /// Whether exact signs are those of the 64-bit integers below: coordinates of 29 bits, sums of 30, differences of 31,
+  /// products of 61, their sums of 62 (exact/grid.h). Pair sums are exact doubles then.
   bool integral() const { return lattice.to_integers != 0; }
   std::int64_t integer(double v) const { return static_cast<std::int64_t>(v * lattice.to_integers); }
   std::int64_t cross_value(std::uint32_t s, std::uint32_t t) const {

@@ -70,8 +70,8 @@ Array<BoundaryLoop> find_loops(const Soup& soup, const Arrangement& arrangement,
 
 namespace {
 
-// Of the loops of a connected sum the one that is its outer boundary: the only counter-clockwise one, or of several false ones that
-// which reaches farthest left. loops.size() when doubles do not tell.
+// Of the loops of a connected sum the one that is its outer boundary: the only counter-clockwise one, or of several
+// false ones that which reaches farthest left. loops.size() when doubles do not tell.
 std::size_t outer_loop(const Arrangement& arrangement, const Array<BoundaryLoop>& loops) {
   std::size_t outer = loops.size(), count = 0;
   for (std::size_t i = 0; i < loops.size(); ++i)
@@ -86,14 +86,17 @@ std::size_t outer_loop(const Arrangement& arrangement, const Array<BoundaryLoop>
       f(p.x, p.error);
     }
   };
-  return leftmost_loop(loops.size(), [&](std::size_t i) { return loops[i].turning < 0; }, for_each_end);
+  return leftmost_loop(
+      loops.size(), [&](std::size_t i) { return loops[i].turning < 0; }, for_each_end);
 }
 
 // Whether the middle of a sub-edge lies in a dead cell: then the loop is false.
 bool passes_dead_cell(const Soup& soup, const Arrangement& arrangement, const BoundaryLoop& loop,
                       const InteriorMask& mask, const FineCells* fine) {
   const Grid& g = mask.grid();
-  const auto dead = [&](double x, double y) { return fine != nullptr ? fine->dead(x, y) : mask.dead(g.row(y), g.column(x)); };
+  const auto dead = [&](double x, double y) {
+    return fine != nullptr ? fine->dead(x, y) : mask.dead(g.row(y), g.column(x));
+  };
   return std::any_of(loop.steps.begin(), loop.steps.end(), [&](const Step& step) {
     const SoupBox& b = soup.boxes[step.segment];
     const double middle = 0.5 * (arrangement.start_parameter(step) + arrangement.end_parameter(step));
@@ -132,8 +135,8 @@ SortedLoops verify_loops(const Soup& soup, const Arrangement& arrangement, Array
   return out;
 }
 
-// At a node that several kept passes share, every pass in is joined to the next way out clockwise from it: interior pairing. Rings
-// then bound connected interiors; those that still meet themselves are cut at the repeated node.
+// At a node that several kept passes share, every pass in is joined to the next way out clockwise from it: interior
+// pairing. Rings then bound connected interiors; those that still meet themselves are cut at the repeated node.
 Array<BoundaryLoop> simple_rings(const Soup& soup, const Arrangement& arrangement, Array<BoundaryLoop> loops) {
   if (arrangement.degenerate_nodes() == 0) return loops;
   Array<std::uint32_t> visits(arrangement.degenerate_nodes() + 1, 0, soup.memory);
@@ -253,8 +256,8 @@ double input_error(const Lattice& lattice, double grid_error) {
 
 namespace {
 
-// What a segment is called in the regions: its contact, and the pair of vertices at its end. Numbers one by one: a structure that is
-// written in parts and read at once makes the processor wait.
+// What a segment is called in the regions: its contact, and the pair of vertices at its end. Numbers one by one: a
+// structure that is written in parts and read at once makes the processor wait.
 struct Named {
   Contact::Kind kind;
   std::uint32_t p, q, corner_p, corner_q;
@@ -275,8 +278,8 @@ inline void set(Contact& contact, const Named& n) {
   contact.q = n.q;
 }
 
-// The step that ends at the lexicographically smallest vertex, crossings aside, as far as doubles tell: a ring that starts there hardly has to be
-// rotated. (A crossing on an outer boundary is a notch.)
+// The step that ends at the lexicographically smallest vertex, crossings aside, as far as doubles tell: a ring that
+// starts there hardly has to be rotated. (A crossing on an outer boundary is a notch.)
 std::size_t leftmost_end(const Soup& soup, const Arrangement::Walker& walker, const Array<Step>& steps) {
   const SoupBox* boxes = soup.boxes.data();
   std::size_t best = 0;

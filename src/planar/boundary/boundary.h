@@ -4,13 +4,13 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/poll.h"
 #include "dymsum/planar_sum.h"
 #include "planar/arrangement/arrangement.h"
+#include "planar/arrangement/soup.h"
 #include "planar/boundary/collision.h"
 #include "planar/mask/fine_cells.h"
 #include "planar/mask/interior_mask.h"
-#include "base/poll.h"
-#include "planar/arrangement/soup.h"
 
 namespace dymsum::planar {
 
@@ -37,10 +37,11 @@ struct VerifyHelp {
 struct SortedLoops {
   Array<BoundaryLoop> kept, dropped;
 };
-SortedLoops verify_loops(const Soup& soup, const Arrangement& arrangement, Array<BoundaryLoop> loops, Collision& collision,
-                         bool connected, const VerifyHelp& help = {});
+SortedLoops verify_loops(const Soup& soup, const Arrangement& arrangement, Array<BoundaryLoop> loops,
+                         Collision& collision, bool connected, const VerifyHelp& help = {});
 
-/// Loops that meet themselves or each other at nodes are cut there so that every ring is simple and bounds a connected interior.
+/// Loops that meet themselves or each other at nodes are cut there so that every ring is simple and bounds a connected
+/// interior.
 Array<BoundaryLoop> simple_rings(const Soup& soup, const Arrangement& arrangement, Array<BoundaryLoop> loops);
 
 /// Provenance.
@@ -48,11 +49,13 @@ inline Contact contact_of(const Soup& soup, std::uint32_t segment) {
   const SoupSegment& g = soup.segments[segment];
   const std::uint32_t edge = soup.operands[g.side()]->edge_number[g.edge()];
   const std::uint32_t vertex = soup.operands[1 - g.side()]->vertex_number[g.vertex];
-  return g.side() == 0 ? Contact{Contact::Kind::edge_of_p, edge, vertex} : Contact{Contact::Kind::edge_of_q, vertex, edge};
+  return g.side() == 0 ? Contact{Contact::Kind::edge_of_p, edge, vertex}
+                       : Contact{Contact::Kind::edge_of_q, vertex, edge};
 }
 SumVertex vertex_of(const Soup& soup, std::uint32_t in, std::uint32_t out, const SubEnd& end, const Place& place);
 
-/// The ring of a loop with collinear steps merged; grows `error` to the largest error of a position, in input coordinates.
+/// The ring of a loop with collinear steps merged; grows `error` to the largest error of a position, in input
+/// coordinates.
 SumRing make_ring(const Soup& soup, const Arrangement& arrangement, const BoundaryLoop& loop, double& error);
 
 /// The error of the position that vertex_of gives to a place, in grid units.

@@ -93,7 +93,8 @@ int Collision::side(std::uint32_t op, std::uint32_t edge, std::uint32_t vertex) 
       s.edge.op == on.edge.op && s.edge.from == on.edge.from && s.edge.to == on.edge.to && s.vertex == on.vertex;
   const int exact = own ? 0 : lattice_.side(s, *x_);
   if (exact != 0 || !displaced_) return exact;
-  // d x (right normal of the carrier) = -(d . carrier); if that is zero too, d x carrier decides, as edges are not zero.
+  // d x (right normal of the carrier) = -(d . carrier); if that is zero too, d x carrier decides, as edges are not
+  // zero.
   const int first = -lattice_.dot(s.edge, x_->on.edge);
   return first != 0 ? first : lattice_.cross(s.edge, x_->on.edge);
 }
@@ -153,7 +154,8 @@ bool Collision::test_components(std::uint32_t p_component, std::uint32_t q_compo
       const double x0 = x_->x - std::max(box.ax, box.bx) - margin, x1 = x_->x - std::min(box.ax, box.bx) + margin;
       const double y0 = x_->y - std::max(box.ay, box.by) - margin, y1 = x_->y - std::min(box.ay, box.by) + margin;
       const auto reaches = [&](const EdgeBox& o) {
-        return std::max(o.ax, o.bx) >= x0 && std::min(o.ax, o.bx) <= x1 && std::max(o.ay, o.by) >= y0 && std::min(o.ay, o.by) <= y1;
+        return std::max(o.ax, o.bx) >= x0 && std::min(o.ax, o.bx) <= x1 && std::max(o.ay, o.by) >= y0 &&
+               std::min(o.ay, o.by) <= y1;
       };
       if (use_tree_ && (b.x1 < x0 || b.x0 > x1 || b.y1 < y0 || b.y0 > y1)) continue;
       for (std::uint32_t f = b.first; f < b.last; ++f)
@@ -201,9 +203,7 @@ bool Collision::edges_cross(std::uint32_t e, std::uint32_t f) {
     const Operand &o = *operands_[op], &other = *operands_[1 - op];
     const double ex = o.ex[edge], ey = o.ey[edge], ax = x_->x - o.x[edge], ay = x_->y - o.y[edge];
     const double bound = (std::abs(ex) + std::abs(ey)) * (x_->error + 0x1p-49 * lattice_.span);
-    const auto value = [&](std::uint32_t v) {
-      return ex * (ay - other.y[v]) - ey * (ax - other.x[v]);
-    };
+    const auto value = [&](std::uint32_t v) { return ex * (ay - other.y[v]) - ey * (ax - other.x[v]); };
     const double s = value(other_edge), t = value(other.next[other_edge]);
     return (s > bound && t < -bound) || (s < -bound && t > bound);
   };
@@ -251,7 +251,8 @@ bool Collision::edges_overlap(std::uint32_t e, std::uint32_t f, bool parallelogr
 
 // The open cone of P at walk vertex i (or along walk edge i) against that of the reflected Q at j.
 struct Collision::Cone {
-  // From ray a counter-clockwise to ray b, each an edge times a sign; area: the open sector, otherwise just the two rays.
+  // From ray a counter-clockwise to ray b, each an edge times a sign; area: the open sector, otherwise just the two
+  // rays.
   Edge a, b;
   int sign_a, sign_b;
   bool area;
@@ -276,9 +277,9 @@ bool Collision::cones_overlap(std::uint32_t i, bool whole_edge_p, std::uint32_t 
   // Position of direction d relative to the open or half-open sector [c.a, c.b): turn t(c.a, d) < t(c.a, c.b).
   const auto turn = [&](const Edge& from, int sf, const Edge& to, int st) {
     const int c = cross(from, to) * sf * st;
-    if (c > 0) return 1;                                         // in (0, pi)
-    if (c < 0) return 3;                                         // in (pi, 2 pi)
-    return dot(from, to) * sf * st > 0 ? 0 : 2;         // 0 or pi
+    if (c > 0) return 1;                         // in (0, pi)
+    if (c < 0) return 3;                         // in (pi, 2 pi)
+    return dot(from, to) * sf * st > 0 ? 0 : 2;  // 0 or pi
   };
   const auto inside = [&](const Cone& c, const Edge& d, int sd, bool closed_start) {
     const int to_d = turn(c.a, c.sign_a, d, sd);
@@ -316,8 +317,8 @@ int Collision::height(std::uint32_t holder, std::uint32_t a, std::uint32_t v) {
   return d.x != 0 ? (d.x > 0 ? 1 : -1) : (d.y > 0 ? -1 : 1);
 }
 
-// Whether a vertex of the other operand, moved to x, lies strictly inside a component of `holder`: winding number by a ray to +x,
-// vertices at the ray's height counting as below it.
+// Whether a vertex of the other operand, moved to x, lies strictly inside a component of `holder`: winding number by a
+// ray to +x, vertices at the ray's height counting as below it.
 bool Collision::contains_vertex(std::uint32_t holder, const EdgeTree& tree, std::uint32_t vertex) {
   const Operand &o = *operands_[holder], &other = *operands_[1 - holder];
   const double vx = x_->x - other.x[vertex], vy = x_->y - other.y[vertex];
@@ -340,7 +341,8 @@ bool Collision::contains_vertex(std::uint32_t holder, const EdgeTree& tree, std:
       const int ha = height(holder, i, vertex), hb = height(holder, o.next[i], vertex);
       if (ha * hb > 0) continue;
       if (ha == 0 && hb == 0) {
-        if (along(holder, i, vertex, false) >= 0 && along(holder, i, vertex, true) >= 0) return false;  // on the boundary
+        if (along(holder, i, vertex, false) >= 0 && along(holder, i, vertex, true) >= 0)
+          return false;  // on the boundary
         continue;
       }
       const int s = side(holder, i, vertex);

@@ -1,4 +1,5 @@
-// Whether a position lies in the open set M = int P + Q or P + int Q, exactly: the operands overlap when Q, reflected, is moved there.
+// Whether a position lies in the open set M = int P + Q or P + int Q, exactly: the operands overlap when Q, reflected,
+// is moved there.
 #pragma once
 
 #include <array>
@@ -22,14 +23,15 @@ class Collision {
 
   /// Whether x itself lies in M. Touching is not overlapping.
   bool overlaps(const Place& x);
-  /// Whether the open face that touches x on the right of segment `on` (the one x lies on) lies in M: x is moved infinitely little
-  /// to the right and then infinitely less ahead.
+  /// Whether the open face that touches x on the right of segment `on` (the one x lies on) lies in M: x is moved
+  /// infinitely little to the right and then infinitely less ahead.
   bool overlaps_right_of(const Place& x);
 
   /// Pairs of components without area are looked at too, as the interiors of the parallelograms of their edges.
   bool with_parallelograms = false;
 
-  /// The walk edges of P and Q whose proper crossing answered the last question with yes, if that is how it was answered.
+  /// The walk edges of P and Q whose proper crossing answered the last question with yes, if that is how it was
+  /// answered.
   std::optional<std::array<std::uint32_t, 2>> crossing_edges() const { return answered_by_; }
 
   const CollisionCounts& counts() const { return counts_; }
@@ -47,8 +49,9 @@ class Collision {
   int side(std::uint32_t op, std::uint32_t edge, std::uint32_t vertex);
   int along(std::uint32_t op, std::uint32_t edge, std::uint32_t vertex, bool from_end);
 
-  // Where the lattice's integers have 29 bits (Lattice::to_integers), the place is (x, y) / w exactly, w > 0, and `ahead` the direction of
-  // the segment that it lies on. Parameters of cuts have 62 bits over 62, those of mediants one more; w (x - pair sum) then 31 more.
+  // Where the lattice's integers have 29 bits (Lattice::to_integers), the place is (x, y) / w exactly, w > 0, and
+  // `ahead` the direction of the segment that it lies on. Parameters of cuts have 62 bits over 62, those of mediants
+  // one more; w (x - pair sum) then 31 more.
   struct Whole {
     std::int64_t x, y;
   };

@@ -20,10 +20,10 @@ constexpr double kNever = -std::numeric_limits<double>::infinity();
 
 /// Strictly convex, counter-clockwise. Edge k runs from vertex k to the next one.
 struct Polygon {
-  std::vector<std::uint32_t> source;                // numbers in the region
+  std::vector<std::uint32_t> source;  // numbers in the region
   std::vector<Point> at;
-  std::vector<std::array<BigInteger, 2>> edge;      // on a grid of the polygon's own
-  std::vector<Point> direction;                     // unit vectors, error below 2^-50
+  std::vector<std::array<BigInteger, 2>> edge;  // on a grid of the polygon's own
+  std::vector<Point> direction;                 // unit vectors, error below 2^-50
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(at.size()); }
   std::uint32_t after(std::uint32_t k) const { return k + 1 == size() ? 0 : k + 1; }
@@ -31,7 +31,8 @@ struct Polygon {
 };
 
 Result<Polygon> make_polygon(const Region& region) {
-  if (region.parts().size() != 1 || !region.parts()[0].holes.empty() || !region.polylines().empty() || !region.points().empty())
+  if (region.parts().size() != 1 || !region.parts()[0].holes.empty() || !region.polylines().empty() ||
+      !region.points().empty())
     return Error{Code::unsupported_operand, "a convex polygon is one part without holes, and nothing else", {}};
   const Ring& ring = region.parts()[0].outer;
   Polygon p;
@@ -54,11 +55,13 @@ Result<Polygon> make_polygon(const Region& region) {
   const int exponent = exact::common_exponent(all);
   for (std::uint32_t k = 0; k < p.size(); ++k) {
     const Point &a = p.at[k], &b = p.at[p.after(k)];
-    const exact::Big x = exact::grid_coordinate<exact::Big>(b.x, a.x, exponent), y = exact::grid_coordinate<exact::Big>(b.y, a.y, exponent);
+    const exact::Big x = exact::grid_coordinate<exact::Big>(b.x, a.x, exponent),
+                     y = exact::grid_coordinate<exact::Big>(b.y, a.y, exponent);
     p.edge.push_back({x.value(), y.value()});
     // Rounded once each; what a common factor loses of the smaller one is far below the error of the unit vector.
     const BigInteger most = std::max(BigInteger(abs(x.value())), BigInteger(abs(y.value())));
-    const double dx = exact::round_to_double(BigRational(x.value(), most)), dy = exact::round_to_double(BigRational(y.value(), most));
+    const double dx = exact::round_to_double(BigRational(x.value(), most)),
+                 dy = exact::round_to_double(BigRational(y.value(), most));
     const double length = std::sqrt(dx * dx + dy * dy);
     p.direction.push_back({dx / length, dy / length});
   }
@@ -78,11 +81,13 @@ struct ExactMatrix {
   }
 };
 
-/// From Q's coordinates to P's up to a positive factor: the adjoint of P's map, whose determinant is positive, after Q's.
+/// From Q's coordinates to P's up to a positive factor: the adjoint of P's map, whose determinant is positive, after
+/// Q's.
 std::array<BigInteger, 4> relative(const ExactMatrix& p, const ExactMatrix& q) {
   const auto& a = p.m;
   const auto& b = q.m;
-  std::array<BigInteger, 4> r{a[3] * b[0] - a[1] * b[2], a[3] * b[1] - a[1] * b[3], a[0] * b[2] - a[2] * b[0], a[0] * b[3] - a[2] * b[1]};
+  std::array<BigInteger, 4> r{a[3] * b[0] - a[1] * b[2], a[3] * b[1] - a[1] * b[3], a[0] * b[2] - a[2] * b[0],
+                              a[0] * b[3] - a[2] * b[1]};
   const BigInteger divisor = gcd(gcd(r[0], r[1]), gcd(r[2], r[3]));
   for (BigInteger& c : r) c /= divisor;
   return r;
@@ -91,14 +96,16 @@ std::array<BigInteger, 4> relative(const ExactMatrix& p, const ExactMatrix& q) {
 using Mat2 = std::array<double, 4>;
 
 /// The largest and the product of the singular values come from these two circles.
-double spectral_norm(const Mat2& m) { return (std::hypot(m[0] + m[3], m[2] - m[1]) + std::hypot(m[0] - m[3], m[1] + m[2])) / 2 * (1 + 0x1p-40); }
+double spectral_norm(const Mat2& m) {
+  return (std::hypot(m[0] + m[3], m[2] - m[1]) + std::hypot(m[0] - m[3], m[1] + m[2])) / 2 * (1 + 0x1p-40);
+}
 
-/// How far directions turn between two maps that are not far apart, at most; 4, more than any angle, otherwise. As in space: T = new old^-1 = I + E moves a vector v by at
-/// most |E v|. Entries of at most 2 with relative errors of 2^-53: those of T err by
-/// less than 2^-48, its norm by less than 2^-46.
+/// How far directions turn between two maps that are not far apart, at most; 4, more than any angle, otherwise. As in
+/// space: T = new old^-1 = I + E moves a vector v by at most |E v|. Entries of at most 2 with relative errors of 2^-53:
+/// those of T err by less than 2^-48, its norm by less than 2^-46.
 double turn_between(const Mat2& before, const Mat2& now) {
-  const Mat2 t{now[0] * before[3] - now[1] * before[2], now[1] * before[0] - now[0] * before[1], now[2] * before[3] - now[3] * before[2],
-               now[3] * before[0] - now[2] * before[1]};
+  const Mat2 t{now[0] * before[3] - now[1] * before[2], now[1] * before[0] - now[0] * before[1],
+               now[2] * before[3] - now[3] * before[2], now[3] * before[0] - now[2] * before[1]};
   const double trace = t[0] + t[3];
   if (!(trace > 0)) return 4;
   const double c = 2 / trace;
@@ -146,7 +153,8 @@ void ConvexPolygonSum::State::turn_to(const PlanarPose& p_to, const PlanarPose& 
   for (int k = 0; k < 4; ++k) approx[k] = exact::round_to_double(BigRational(map[k]) * unit);
   clock += turn_between(before, approx);
   norm = spectral_norm(approx);
-  // Factors with errors 2^-50, 2^-53, 2^-50 and at most five roundings of 2^-53 in every term; four terms, |u_i v_j| <= 1.
+  // Factors with errors 2^-50, 2^-53, 2^-50 and at most five roundings of 2^-53 in every term; four terms, |u_i v_j|
+  // <= 1.
   error = 0x1p-48 * (std::abs(approx[0]) + std::abs(approx[1]) + std::abs(approx[2]) + std::abs(approx[3]));
 }
 
@@ -159,14 +167,15 @@ BigInteger ConvexPolygonSum::State::dot(std::uint32_t i, std::uint32_t j) const 
   return p.edge[i][0] * e[0] + p.edge[i][1] * e[1];
 }
 
-/// The sine of the angle from edge i of P to edge j of Q, times the length of the mapped unit vector: positive when that edge falls in the direction of edge i's outward
-/// normal.
+/// The sine of the angle from edge i of P to edge j of Q, times the length of the mapped unit vector: positive when
+/// that edge falls in the direction of edge i's outward normal.
 double ConvexPolygonSum::State::value(std::uint32_t i, std::uint32_t j) const {
   const Point u = p.direction[i], v = q.direction[j];
   return u.x * (approx[2] * v.x + approx[3] * v.y) - u.y * (approx[0] * v.x + approx[1] * v.y);
 }
 
-/// Never zero: Q counts as turned counter-clockwise by an infinitesimal angle, so that an edge parallel to edge i falls and one against it rises.
+/// Never zero: Q counts as turned counter-clockwise by an infinitesimal angle, so that an edge parallel to edge i falls
+/// and one against it rises.
 int ConvexPolygonSum::State::sign(std::uint32_t i, std::uint32_t j) {
   const double v = value(i, j);
   if (v > error) return 1;
@@ -247,13 +256,16 @@ const PolygonWork& ConvexPolygonSum::rebuild() {
 const PolygonWork& ConvexPolygonSum::work() const { return state_->work; }
 const PlanarPose& ConvexPolygonSum::p_pose() const { return state_->p_pose; }
 const PlanarPose& ConvexPolygonSum::q_pose() const { return state_->q_pose; }
-bool ConvexPolygonSum::same_combinatorics(const ConvexPolygonSum& other) const { return state_->extreme == other.state_->extreme; }
+bool ConvexPolygonSum::same_combinatorics(const ConvexPolygonSum& other) const {
+  return state_->extreme == other.state_->extreme;
+}
 
 PolygonSum ConvexPolygonSum::sum() const {
   const State& s = *state_;
   std::vector<PolygonSum::Vertex> pairs;  // by the numbers of the polygons
   for (std::uint32_t i = 0; i < s.p.size(); ++i) {
-    // Along edge i of P at a vertex of Q, then along Q up to where the next edge of P starts; the first edge of Q may be parallel to edge i.
+    // Along edge i of P at a vertex of Q, then along Q up to where the next edge of P starts; the first edge of Q may
+    // be parallel to edge i.
     const std::uint32_t next = s.p.after(i), end = s.extreme[next];
     std::uint32_t v = s.extreme[i];
     pairs.push_back({i, v});
@@ -264,11 +276,15 @@ PolygonSum ConvexPolygonSum::sum() const {
   PolygonSum sum;
   const ExactMatrix a = ExactMatrix::of(s.p_pose), b = ExactMatrix::of(s.q_pose);
   const auto placed = [](const ExactMatrix& m, Point at, int row) -> BigRational {
-    return (BigRational(m.m[2 * row]) * exact::exact_value(at.x) + BigRational(m.m[2 * row + 1]) * exact::exact_value(at.y)) / BigRational(m.den);
+    return (BigRational(m.m[2 * row]) * exact::exact_value(at.x) +
+            BigRational(m.m[2 * row + 1]) * exact::exact_value(at.y)) /
+           BigRational(m.den);
   };
   for (const PolygonSum::Vertex& v : pairs) {
     sum.vertices.push_back({s.p.source[v.p], s.q.source[v.q]});
-    const auto coordinate = [&](int row) { return exact::to_rational(placed(a, s.p.at[v.p], row) + placed(b, s.q.at[v.q], row)); };
+    const auto coordinate = [&](int row) {
+      return exact::to_rational(placed(a, s.p.at[v.p], row) + placed(b, s.q.at[v.q], row));
+    };
     sum.exact.push_back({coordinate(0), coordinate(1)});
   }
   return sum;

@@ -18,7 +18,9 @@ PlanarRotation make(std::int64_t u, std::int64_t v) { return *PlanarRotation::of
 std::array<std::int64_t, 2> rounded(i128 u, i128 v) {
   const i128 most = std::max(u < 0 ? -u : u, v < 0 ? -v : v);
   if (most <= kMost) return {static_cast<std::int64_t>(u), static_cast<std::int64_t>(v)};
-  const auto scaled = [&](i128 c) { return static_cast<std::int64_t>((2 * c * kMost + (c < 0 ? -most : most)) / (2 * most)); };
+  const auto scaled = [&](i128 c) {
+    return static_cast<std::int64_t>((2 * c * kMost + (c < 0 ? -most : most)) / (2 * most));
+  };
   return {scaled(u), scaled(v)};
 }
 
@@ -29,7 +31,8 @@ Result<PlanarRotation> PlanarRotation::of(std::int64_t u, std::int64_t v) {
   const std::int64_t divisor = std::gcd(u, v), turn = u < 0 || (u == 0 && v < 0) ? -1 : 1;
   u = turn * (u / divisor);
   v = turn * (v / divisor);
-  if (u > kMost || v > kMost || v < -kMost) return Error{Code::bad_rotation, "a component of the rotation is beyond 2^30", {}};
+  if (u > kMost || v > kMost || v < -kMost)
+    return Error{Code::bad_rotation, "a component of the rotation is beyond 2^30", {}};
   PlanarRotation r;
   r.z_ = {u, v};
   return r;
@@ -38,7 +41,9 @@ Result<PlanarRotation> PlanarRotation::of(std::int64_t u, std::int64_t v) {
 Result<PlanarRotation> PlanarRotation::nearest(double radians) {
   if (!std::isfinite(radians)) return Error{Code::bad_rotation, "an angle has to be finite", {}};
   const double u = std::cos(radians / 2), v = std::sin(radians / 2), most = std::max(std::abs(u), std::abs(v));
-  const auto snap = [&](double c) { return static_cast<std::int64_t>(std::nearbyint(c / most * static_cast<double>(kMost))); };
+  const auto snap = [&](double c) {
+    return static_cast<std::int64_t>(std::nearbyint(c / most * static_cast<double>(kMost)));
+  };
   return of(snap(u), snap(v));
 }
 

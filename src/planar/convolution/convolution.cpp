@@ -8,11 +8,11 @@
 namespace dymsum::planar {
 namespace {
 
-// For every position of `own` the number of directions in `other` that are less, or (upper) not greater: one merge. Counts the
-// positions that have an equal direction, unless upper.
+// For every position of `own` the number of directions in `other` that are less, or (upper) not greater: one merge.
+// Counts the positions that have an equal direction, unless upper.
 template <bool upper>
-std::size_t merge_positions(const Lattice& lattice, const Operand& own_op, const DirectionList& own, const Operand& other_op,
-                            const DirectionList& other, Array<std::uint32_t>& bound) {
+std::size_t merge_positions(const Lattice& lattice, const Operand& own_op, const DirectionList& own,
+                            const Operand& other_op, const DirectionList& other, Array<std::uint32_t>& bound) {
   const std::size_t n = own.edges.size(), m = other.edges.size();
   bound.resize(n);
   std::size_t at = 0, equal = 0;
@@ -48,10 +48,8 @@ std::size_t merge_both(const Lattice& lattice, const Operand& p, const Direction
       equal += c == 0;
       p_first = c >= 0;
     }
-    if (p_first)
-      bound_p[i++] = j;
-    else
-      bound_q[j++] = i;
+    if (p_first) bound_p[i++] = j;
+    else bound_q[j++] = i;
   }
   for (; i < n; ++i) bound_p[i] = m;
   for (; j < m; ++j) bound_q[j] = n;
@@ -60,7 +58,8 @@ std::size_t merge_both(const Lattice& lattice, const Operand& p, const Direction
 
 }  // namespace
 
-// Widths are differences of input coordinates, compared exactly: as edges of the two operands along an axis they need no new sign.
+// Widths are differences of input coordinates, compared exactly: as edges of the two operands along an axis they need
+// no new sign.
 bool hole_is_filled(const Lattice& lattice, const Operand& holed, const Loop& hole, const Operand& other,
                     const Component& component) {
   if (component.dimension != 2) return false;
@@ -70,8 +69,11 @@ bool hole_is_filled(const Lattice& lattice, const Operand& holed, const Loop& ho
 }
 
 ReducedConvolution::ReducedConvolution(const Lattice& lattice, const Operand& p, const Operand& q, Scratch* memory)
-    : lattice_(lattice), operands_{&p, &q}, turns_{Array<Turn>(memory), Array<Turn>(memory)},
-      used_{Array<std::uint32_t>(memory), Array<std::uint32_t>(memory)}, lists_(memory) {
+    : lattice_(lattice),
+      operands_{&p, &q},
+      turns_{Array<Turn>(memory), Array<Turn>(memory)},
+      used_{Array<std::uint32_t>(memory), Array<std::uint32_t>(memory)},
+      lists_(memory) {
   for (const Operand* o : operands_)
     for (const DirectionList& list : o->directions) lists_.push_back(&list);
   for (std::uint32_t side = 0; side < 2; ++side) {
@@ -102,7 +104,8 @@ ReducedConvolution::ReducedConvolution(const Lattice& lattice, const Operand& p,
 void ReducedConvolution::add_pair(std::uint32_t cp, std::uint32_t cq, Scratch* memory) {
   const std::array<std::uint32_t, 2> index{cp, cq};
   const std::uint32_t lists_of_p = static_cast<std::uint32_t>(operands_[0]->directions.size());
-  std::array<std::array<std::uint32_t, 2>, 2> lists{operands_[0]->component_directions[cp], operands_[1]->component_directions[cq]};
+  std::array<std::array<std::uint32_t, 2>, 2> lists{operands_[0]->component_directions[cp],
+                                                    operands_[1]->component_directions[cq]};
   for (std::uint32_t& list : lists[1]) list += lists_of_p;
   const std::array<std::uint32_t, 2> whole{lists[0][0], lists[1][0]};
   std::array<std::vector<std::uint8_t>, 2> filled;
@@ -158,10 +161,8 @@ void ReducedConvolution::add_pair(std::uint32_t cp, std::uint32_t cq, Scratch* m
       // Half-open turns with opposite ends: (in, out] against edges of P, [in, out) against edges of Q.
       Positions& bound = variant == 0 ? with_holes[side] : without[side];
       if (bound.empty()) {
-        if (side == 0)
-          merge_positions<true>(lattice_, o, own, edge_operand, *lists_[list], bound);
-        else
-          parallel_edges_ += merge_positions<false>(lattice_, o, own, edge_operand, *lists_[list], bound);
+        if (side == 0) merge_positions<true>(lattice_, o, own, edge_operand, *lists_[list], bound);
+        else parallel_edges_ += merge_positions<false>(lattice_, o, own, edge_operand, *lists_[list], bound);
       }
       Turn* const turns_at = turns_[side].data() + index[side];
       const std::uint32_t columns = columns_[side];

@@ -1,5 +1,5 @@
-// The convolutions of two operands: which edge + vertex sums can lie on the boundary of the sum, found by merging edges sorted by
-// direction. Definition and proofs: docs/design/planar-sum.md.
+// The convolutions of two operands: which edge + vertex sums can lie on the boundary of the sum, found by merging edges
+// sorted by direction. Definition and proofs: docs/design/planar-sum.md.
 #pragma once
 
 #include <array>
@@ -15,8 +15,8 @@
 
 namespace dymsum::planar {
 
-/// The edges of the other operand's component that a vertex meets: positions lo, lo + 1, ... of `list`, modulo its length;
-/// they form the segments base, base + 1, ...
+/// The edges of the other operand's component that a vertex meets: positions lo, lo + 1, ... of `list`, modulo its
+/// length; they form the segments base, base + 1, ...
 struct Turn {
   std::uint32_t list = 0, lo = 0, count = 0, base = 0;
 };
@@ -29,8 +29,7 @@ struct WalkSegment {
 /// The reduced convolution as ranges: segment ids are 0 .. size - 1, side 0 first; (edge, vertex) <-> id in O(1).
 class ReducedConvolution {
  public:
-  ReducedConvolution(const Lattice& lattice, const Operand& p, const Operand& q,
-                     Scratch* memory = nullptr);
+  ReducedConvolution(const Lattice& lattice, const Operand& p, const Operand& q, Scratch* memory = nullptr);
 
   std::uint32_t size() const { return size_; }
   /// The id of a segment, or kNoRank if it is not in the reduced convolution. O(1).
@@ -42,8 +41,8 @@ class ReducedConvolution {
   /// next() of every segment, in the order of ids. Requires: next has size() entries.
   void fill_next(std::span<std::uint32_t> next) const;
 
-  /// Calls f(side, vertex, edges, lo, count) for every vertex that has segments, in the order of ids: with the edges at positions lo,
-  /// lo + 1, ... of the cyclic list.
+  /// Calls f(side, vertex, edges, lo, count) for every vertex that has segments, in the order of ids: with the edges at
+  /// positions lo, lo + 1, ... of the cyclic list.
   template <class F>
   void for_each_turn(F&& f) const {
     for (std::uint32_t side = 0; side < 2; ++side)
@@ -55,8 +54,10 @@ class ReducedConvolution {
   /// Calls f(WalkSegment) for every segment in the order of ids.
   template <class F>
   void for_each(F&& f) const {
-    for_each_turn([&](std::uint32_t side, std::uint32_t v, std::span<const std::uint32_t> edges, std::uint32_t lo, std::uint32_t count) {
-      for (std::uint32_t k = 0, at = lo; k < count; ++k, at = at + 1 == edges.size() ? 0 : at + 1) f(WalkSegment{side, edges[at], v});
+    for_each_turn([&](std::uint32_t side, std::uint32_t v, std::span<const std::uint32_t> edges, std::uint32_t lo,
+                      std::uint32_t count) {
+      for (std::uint32_t k = 0, at = lo; k < count; ++k, at = at + 1 == edges.size() ? 0 : at + 1)
+        f(WalkSegment{side, edges[at], v});
     });
   }
 
@@ -76,13 +77,15 @@ class ReducedConvolution {
     const std::uint32_t k = rank >= t.lo ? rank - t.lo : rank + n - t.lo;
     return k < t.count ? t.base + k : kNoRank;
   }
-  std::uint32_t vertex_of(std::uint32_t side, std::uint32_t turn) const { return columns_[side] == 1 ? turn : turn / columns_[side]; }
+  std::uint32_t vertex_of(std::uint32_t side, std::uint32_t turn) const {
+    return columns_[side] == 1 ? turn : turn / columns_[side];
+  }
   void add_pair(std::uint32_t cp, std::uint32_t cq, Scratch* memory);
 
   const Lattice& lattice_;
   std::array<const Operand*, 2> operands_;
-  std::array<std::uint32_t, 2> columns_{};  ///< components of the edge side
-  std::array<Array<Turn>, 2> turns_;  ///< [side][vertex * columns + component of the edge side]
+  std::array<std::uint32_t, 2> columns_{};    ///< components of the edge side
+  std::array<Array<Turn>, 2> turns_;          ///< [side][vertex * columns + component of the edge side]
   std::array<Array<std::uint32_t>, 2> used_;  ///< the turns that have segments
   Array<const DirectionList*> lists_;
   std::forward_list<DirectionList> own_lists_;  ///< without some of a component's holes
@@ -90,7 +93,9 @@ class ReducedConvolution {
   std::size_t filled_holes_ = 0, parallel_edges_ = 0;
 };
 
-/// Whether a hole of one component cannot hold the other component, by bounding boxes, exactly: then it does not show in the sum.
-bool hole_is_filled(const Lattice& lattice, const Operand& holed, const Loop& hole, const Operand& other, const Component& component);
+/// Whether a hole of one component cannot hold the other component, by bounding boxes, exactly: then it does not show
+/// in the sum.
+bool hole_is_filled(const Lattice& lattice, const Operand& holed, const Loop& hole, const Operand& other,
+                    const Component& component);
 
 }  // namespace dymsum::planar

@@ -6,14 +6,16 @@
 namespace dymsum::planar {
 namespace {
 
-constexpr double kWidest = 1.0;       // a window covers at most so much ahead
-constexpr double kFrames = 2;         // and at least this many steps
-constexpr double kSteps = kFrames + 0.5, kWidestSteps = 2.5;  // where those are so much wider than windows should be, none is tried
-constexpr double kFirst = 0.4;         // the first one, whose cost nobody knows, at most so much: to 1.5 times a scale
+constexpr double kWidest = 1.0;  // a window covers at most so much ahead
+constexpr double kFrames = 2;    // and at least this many steps
+constexpr double kSteps = kFrames + 0.5,
+                 kWidestSteps = 2.5;  // where those are so much wider than windows should be, none is tried
+constexpr double kFirst = 0.4;        // the first one, whose cost nobody knows, at most so much: to 1.5 times a scale
 constexpr double kMostFrames = 64;
 constexpr double kLargestStep = 0.16;  // beyond it no window has been seen to pay
 constexpr double kNarrowest = 1e-6;
-constexpr double kTooDear = 1.15;     // windows are left above so much of a frame from scratch: most of their frames are far cheaper
+constexpr double kTooDear =
+    1.15;  // windows are left above so much of a frame from scratch: most of their frames are far cheaper
 constexpr double kDearestWindow = 12, kDearestFrame = 2;  // times a frame from scratch
 constexpr double kDearestBuilding = 8;  // times a frame from scratch: no window that costs more has been seen to pay
 constexpr std::uint64_t kLongestRest = 256;
@@ -85,7 +87,8 @@ WindowController::Choice WindowController::choose(double step, double widest, Fr
   const std::uint64_t served = served_;
   close_window();
   if (mode == FrameMode::automatic) {
-    // A window that cost more a frame than computing from scratch: leave it for a while, or until steps get much smaller.
+    // A window that cost more a frame than computing from scratch: leave it for a while, or until steps get much
+    // smaller.
     if (served > 0 && last_cost_ > kTooDear * static_cost_) {
       rest(step);
     } else if (served > 0) {

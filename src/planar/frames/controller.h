@@ -1,4 +1,5 @@
-// Chooses how wide the next window is, or that a frame is better computed from scratch, by what frames have cost so far.
+// Chooses how wide the next window is, or that a frame is better computed from scratch, by what frames have cost so
+// far.
 #pragma once
 
 #include <cstdint>
@@ -14,15 +15,16 @@ class WindowController {
     bool window = false;
     double behind = 0, ahead = 0;  ///< how far the window reaches below and above the scale
   };
-  /// For a frame outside the current window, `step` after the last one; windows should not be wider than `widest`, unless that is less
-  /// than a few steps. `window`: their width where the caller knows it, else 0.
+  /// For a frame outside the current window, `step` after the last one; windows should not be wider than `widest`,
+  /// unless that is less than a few steps. `window`: their width where the caller knows it, else 0.
   Choice choose(double step, double widest, FrameMode mode, double window);
 
   /// What was counted, in any unit: a frame from scratch; a frame that built a window; a frame inside one.
   void rebuilt(double cost);
   /// `forgiven`: so much of it does not count when widths are compared.
   void built(double cost, double forgiven = 0);
-  /// What building a window may cost before it is abandoned, or 0 if that is not known; and that it was, for a frame `step` after the last.
+  /// What building a window may cost before it is abandoned, or 0 if that is not known; and that it was, for a frame
+  /// `step` after the last.
   double dearest_building() const;
   void abandoned(double step);
   /// Whether frames inside the window have been dearer than from scratch three times in a row.
@@ -34,16 +36,16 @@ class WindowController {
   void rest(double step);
 
   double static_cost_ = 0;
-  double frames_ahead_ = 6;   ///< how many steps a window covers ahead
-  double factor_ = 1.5;       ///< what that was last multiplied by
-  double last_cost_ = 0;      ///< a frame of the last window, with its share of the building
-  double compared_ = 0;       ///< the same less what was forgiven
+  double frames_ahead_ = 6;  ///< how many steps a window covers ahead
+  double factor_ = 1.5;      ///< what that was last multiplied by
+  double last_cost_ = 0;     ///< a frame of the last window, with its share of the building
+  double compared_ = 0;      ///< the same less what was forgiven
   double spent_ = 0, forgiven_ = 0;
   std::uint64_t served_ = 0;  ///< frames of the open window
   double recent_ = 0;         ///< the largest recent step, fading
   int dear_ = 0;
   std::uint64_t windows_since_ = 0;
-  double bad_step_ = 0;       ///< windows did not pay at this step
+  double bad_step_ = 0;                   ///< windows did not pay at this step
   std::uint64_t rest_ = 0, backoff_ = 8;  ///< frames until they are tried again
 };
 

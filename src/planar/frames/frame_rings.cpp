@@ -53,10 +53,12 @@ std::size_t smallest_vertex(const std::vector<SumVertex>& v, const VertexOrder& 
   return first;
 }
 
-std::vector<std::size_t> place_rings(std::vector<SumRing> rings, const std::vector<std::uint8_t>& outer, PlanarSum& sum) {
+std::vector<std::size_t> place_rings(std::vector<SumRing> rings, const std::vector<std::uint8_t>& outer,
+                                     PlanarSum& sum) {
   std::vector<std::size_t> numbers;
   if (std::count(outer.begin(), outer.end(), std::uint8_t{1}) != 1) {
-    // Several parts: the rings go through the grouping of the static engine, and are recognised by their first vertices.
+    // Several parts: the rings go through the grouping of the static engine, and are recognised by their first
+    // vertices.
     std::unordered_map<std::uint64_t, std::size_t> number_at;
     for (std::size_t i = 0; i < rings.size(); ++i) number_at[key(rings[i].vertices[0])] = i;
     sum.parts = group_rings(std::move(rings), outer, *sum.source, sum.at_error);
@@ -76,8 +78,9 @@ std::vector<std::size_t> place_rings(std::vector<SumRing> rings, const std::vect
   }
   // Rings share no vertices where nothing touches, so their first vertices order them.
   const VertexOrder order(*sum.source, sum.at_error);
-  std::sort(holes.begin(), holes.end(),
-            [&](std::size_t a, std::size_t b) { return order.compare(rings[a].vertices[0], rings[b].vertices[0]) < 0; });
+  std::sort(holes.begin(), holes.end(), [&](std::size_t a, std::size_t b) {
+    return order.compare(rings[a].vertices[0], rings[b].vertices[0]) < 0;
+  });
   for (const std::size_t i : holes) {
     part.holes.push_back(std::move(rings[i]));
     numbers.push_back(i);
@@ -121,8 +124,8 @@ class VertexOwners {
 
 }  // namespace
 
-std::vector<std::uint64_t> RingIdentities::match(const PlanarSum& from, const std::vector<std::uint64_t>& known, const PlanarSum& to,
-                                                 bool same_place, FrameChanges& changes) {
+std::vector<std::uint64_t> RingIdentities::match(const PlanarSum& from, const std::vector<std::uint64_t>& known,
+                                                 const PlanarSum& to, bool same_place, FrameChanges& changes) {
   const std::vector<const SumRing*> before = rings_of(from), after = rings_of(to);
   std::vector<std::uint64_t> ids(after.size(), 0);
   std::vector<std::uint8_t> taken(before.size(), 0);
@@ -148,22 +151,27 @@ std::vector<std::uint64_t> RingIdentities::match(const PlanarSum& from, const st
     shared = std::min({shared, size, old});
     const bool same = size == old && shared == size && same_rings(*before[ring], *after[i]);
     if (!same || !same_place)
-      changes.rings.push_back({same ? RingChange::Kind::moved : RingChange::Kind::reshaped, ids[i], size - shared, old - shared});
+      changes.rings.push_back(
+          {same ? RingChange::Kind::moved : RingChange::Kind::reshaped, ids[i], size - shared, old - shared});
   }
   for (std::size_t i = 0; i < before.size(); ++i)
     if (!taken[i])
-      changes.rings.push_back({RingChange::Kind::disappeared, known[i], 0, static_cast<std::uint32_t>(before[i]->vertices.size())});
+      changes.rings.push_back(
+          {RingChange::Kind::disappeared, known[i], 0, static_cast<std::uint32_t>(before[i]->vertices.size())});
   return ids;
 }
 
 void finish_changes(const PlanarSum& before, const PlanarSum& after, FrameChanges& changes) {
-  const auto more = [](std::size_t now, std::size_t then) { return static_cast<std::int64_t>(now) - static_cast<std::int64_t>(then); };
-  std::sort(changes.rings.begin(), changes.rings.end(), [](const RingChange& a, const RingChange& b) { return a.ring < b.ring; });
+  const auto more = [](std::size_t now, std::size_t then) {
+    return static_cast<std::int64_t>(now) - static_cast<std::int64_t>(then);
+  };
+  std::sort(changes.rings.begin(), changes.rings.end(),
+            [](const RingChange& a, const RingChange& b) { return a.ring < b.ring; });
   changes.tight_points = more(after.tight_points.size(), before.tight_points.size());
   changes.tight_segments = more(after.tight_segments.size(), before.tight_segments.size());
-  changes.topology = before.parts.size() != after.parts.size() || before.hole_count() != after.hole_count() || changes.tight_points != 0 ||
-                     changes.tight_segments != 0 || before.segments.size() != after.segments.size() ||
-                     before.points.size() != after.points.size();
+  changes.topology = before.parts.size() != after.parts.size() || before.hole_count() != after.hole_count() ||
+                     changes.tight_points != 0 || changes.tight_segments != 0 ||
+                     before.segments.size() != after.segments.size() || before.points.size() != after.points.size();
 }
 
 }  // namespace dymsum::planar

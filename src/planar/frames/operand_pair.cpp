@@ -9,9 +9,9 @@ Result<std::shared_ptr<const OperandPair>> OperandPair::create(const Region& p, 
   return create({prepared_operand(p, 0), prepared_operand(q, 1)}, {}, scaled, min_tier_bits);
 }
 
-Result<std::shared_ptr<const OperandPair>> OperandPair::create(const std::array<std::shared_ptr<const Operand>, 2>& kept,
-                                                               const std::array<std::vector<Point>, 2>& further, std::uint32_t scaled,
-                                                               int min_tier_bits) {
+Result<std::shared_ptr<const OperandPair>> OperandPair::create(
+    const std::array<std::shared_ptr<const Operand>, 2>& kept, const std::array<std::vector<Point>, 2>& further,
+    std::uint32_t scaled, int min_tier_bits) {
   auto base = std::make_shared<OperandPair>();
   base->scaled = scaled;
   base->min_tier_bits = min_tier_bits;

@@ -1,4 +1,5 @@
-// What never changes while an operand scales: the operands, their unscaled lattice and walks; and how everything is placed at a scale.
+// What never changes while an operand scales: the operands, their unscaled lattice and walks; and how everything is
+// placed at a scale.
 #pragma once
 
 #include <array>
@@ -15,20 +16,21 @@ namespace dymsum::planar {
 class OperandPair : public std::enable_shared_from_this<OperandPair> {
  public:
   /// Errors: unsupported_operand.
-  static Result<std::shared_ptr<const OperandPair>> create(const Region& p, const Region& q, std::uint32_t scaled, int min_tier_bits);
+  static Result<std::shared_ptr<const OperandPair>> create(const Region& p, const Region& q, std::uint32_t scaled,
+                                                           int min_tier_bits);
 
   /// The same for operands, with further source vertices behind their own that belong to no walk.
   static Result<std::shared_ptr<const OperandPair>> create(const std::array<std::shared_ptr<const Operand>, 2>& kept,
-                                                           const std::array<std::vector<Point>, 2>& further, std::uint32_t scaled,
-                                                           int min_tier_bits);
+                                                           const std::array<std::vector<Point>, 2>& further,
+                                                           std::uint32_t scaled, int min_tier_bits);
 
   std::uint32_t scaled = 0;  ///< operand
   int min_tier_bits = 0;
   std::shared_ptr<const Lattice> lattice;  ///< at scale 1
   std::array<Operand, 2> operands;
   std::array<double, 2> width{}, height{};  ///< of the operands, in the lattice's doubles
-  bool regular = true;    ///< every component has area
-  bool connected = true;  ///< one component each
+  bool regular = true;                      ///< every component has area
+  bool connected = true;                    ///< one component each
 
   LatticeScale lattice_scale(const ScaleValue& x, const ScaleValue& y) const;
   std::shared_ptr<Lattice> lattice_at(const LatticeScale& scale) const;
@@ -39,7 +41,8 @@ class OperandPair : public std::enable_shared_from_this<OperandPair> {
 /// Exact positions at one scale; the lattice is made when first asked for.
 class PairSource final : public ExactSource {
  public:
-  PairSource(std::shared_ptr<const OperandPair> base, LatticeScale scale) : base_(std::move(base)), scale_(std::move(scale)) {}
+  PairSource(std::shared_ptr<const OperandPair> base, LatticeScale scale)
+      : base_(std::move(base)), scale_(std::move(scale)) {}
   Position position(const SumVertex& vertex) const override { return source().position(vertex); }
   Homogeneous homogeneous(const SumVertex& vertex) const override { return source().homogeneous(vertex); }
   std::optional<NearFrame> near_frame() const override { return source().near_frame(); }

@@ -2,7 +2,8 @@
 
 namespace dymsum::planar {
 
-Bricks::Bricks(const Bitmap& cells) : rows_((cells.rows + kBrick - 1) / kBrick), columns_((cells.columns + kBrick - 1) / kBrick) {
+Bricks::Bricks(const Bitmap& cells)
+    : rows_((cells.rows + kBrick - 1) / kBrick), columns_((cells.columns + kBrick - 1) / kBrick) {
   const std::size_t width = static_cast<std::size_t>(columns_) + 2;
   words_.assign(width * (static_cast<std::size_t>(rows_) + 2), 0);
   for (int r = 0; r < cells.rows; ++r) {

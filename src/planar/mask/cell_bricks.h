@@ -20,7 +20,8 @@ class Bricks {
   int columns() const { return columns_; }
   /// Requires: -1 <= row <= rows(), likewise for columns.
   std::uint64_t at(int row, int column) const {
-    return words_[static_cast<std::size_t>(row + 1) * static_cast<std::size_t>(columns_ + 2) + static_cast<std::size_t>(column + 1)];
+    return words_[static_cast<std::size_t>(row + 1) * static_cast<std::size_t>(columns_ + 2) +
+                  static_cast<std::size_t>(column + 1)];
   }
   std::size_t bytes() const { return words_.size() * sizeof words_[0]; }
 
@@ -34,8 +35,8 @@ struct FourBricks {
   std::uint64_t below_left, below, left, at;
 };
 
-/// The cells o of a brick, of those not in `known`, for which o = u + k with u in `a` and k in the four bricks, `at` being the brick
-/// at the same place as o for u = 0; with `known`. Stops when all are.
+/// The cells o of a brick, of those not in `known`, for which o = u + k with u in `a` and k in the four bricks, `at`
+/// being the brick at the same place as o for u = 0; with `known`. Stops when all are.
 inline std::uint64_t brick_sum(std::uint64_t a, const FourBricks& b, std::uint64_t known) {
   constexpr std::uint64_t kColumn = 0x0101010101010101;
   for (int c = 0; c < kBrick; ++c) {

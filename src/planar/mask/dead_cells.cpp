@@ -50,7 +50,8 @@ struct RunRows {
 };
 
 // target |= a row of bits moved right.
-void or_shifted(std::uint64_t* target, std::size_t target_words, const std::uint64_t* row, std::size_t words, int shift) {
+void or_shifted(std::uint64_t* target, std::size_t target_words, const std::uint64_t* row, std::size_t words,
+                int shift) {
   const std::size_t skip = static_cast<std::size_t>(shift) / 64;
   const int by = shift % 64;
   target += skip;
@@ -67,7 +68,8 @@ void or_shifted(std::uint64_t* target, std::size_t target_words, const std::uint
 // The rows of a bitmap that hold anything, widened to the right by some cells more each time.
 class WidenedRows {
  public:
-  WidenedRows(const Bitmap& b, int widest) : words_((static_cast<std::size_t>(b.columns + widest) + 63) / 64), columns_(b.columns) {
+  WidenedRows(const Bitmap& b, int widest)
+      : words_((static_cast<std::size_t>(b.columns + widest) + 63) / 64), columns_(b.columns) {
     for (int r = 0; r < b.rows; ++r) {
       if (std::none_of(b.row(r), b.row(r) + b.words, [](std::uint64_t w) { return w != 0; })) continue;
       rows_.push_back(r);
@@ -105,7 +107,8 @@ class WidenedRows {
   std::vector<std::uint64_t> bits_;
 };
 
-// target |= a + b, plus [0, spread] in both axes. The runs of a of one length are added together, to rows of b that are as much wider.
+// target |= a + b, plus [0, spread] in both axes. The runs of a of one length are added together, to rows of b that are
+// as much wider.
 void add_runs(Bitmap& target, const RunRows& a, const Bitmap& b, int spread) {
   struct Placed {
     int width, row, column;
@@ -121,7 +124,8 @@ void add_runs(Bitmap& target, const RunRows& a, const Bitmap& b, int spread) {
   for (const Placed& run : runs) {
     wide.widen_to(run.width);
     wide.for_each([&](int row, const std::uint64_t* bits, std::size_t words) {
-      for (int d = 0; d <= spread; ++d) or_shifted(target.row(run.row + row + d), target.words, bits, words, run.column);
+      for (int d = 0; d <= spread; ++d)
+        or_shifted(target.row(run.row + row + d), target.words, bits, words, run.column);
     });
   }
 }
@@ -130,7 +134,8 @@ void add_runs(Bitmap& target, const RunRows& a, const Bitmap& b, int spread) {
 struct Intervals {
   static constexpr std::size_t kBlock = 8;
   std::vector<int> first, last;
-  /// An empty interval starts at `far` and ends at -far: with a smaller one that holds no run but the farther empty ones.
+  /// An empty interval starts at `far` and ends at -far: with a smaller one that holds no run but the farther empty
+  /// ones.
   Intervals(std::size_t rows, int far) : first(rows + kBlock, far), last(rows + kBlock, -far) {}
   void set(std::size_t row, Run run) {
     first[row] = run.first;
@@ -138,7 +143,8 @@ struct Intervals {
   }
 };
 
-// Calls f(k) for the rows k in [0, n) of b for which run + b's interval does not lie in that of row `at` + k of `known`. f changes that.
+// Calls f(k) for the rows k in [0, n) of b for which run + b's interval does not lie in that of row `at` + k of
+// `known`. f changes that.
 template <class F>
 void for_each_beyond(Run run, const Intervals& b, std::size_t n, const Intervals& known, std::size_t at, F&& f) {
   for (std::size_t k = 0; k < n; k += Intervals::kBlock) {
@@ -146,15 +152,16 @@ void for_each_beyond(Run run, const Intervals& b, std::size_t n, const Intervals
     const int *const known_first = &known.first[at + k], *const known_last = &known.last[at + k];
     int beyond = 0;
     for (std::size_t i = 0; i < Intervals::kBlock; ++i)
-      beyond |= static_cast<int>(run.first + b_first[i] < known_first[i]) | static_cast<int>(run.last + b_last[i] > known_last[i]);
+      beyond |= static_cast<int>(run.first + b_first[i] < known_first[i]) |
+                static_cast<int>(run.last + b_last[i] > known_last[i]);
     if (beyond == 0) continue;
     for (std::size_t i = 0; i < Intervals::kBlock; ++i)
       if (run.first + b_first[i] < known_first[i] || run.last + b_last[i] > known_last[i]) f(k + i);
   }
 }
 
-// The same run by run. Of every row of the target one interval that is full is known, and what lies in it is not added once more: in
-// sums of solid operands nearly everything, once the longest runs have been added.
+// The same run by run. Of every row of the target one interval that is full is known, and what lies in it is not added
+// once more: in sums of solid operands nearly everything, once the longest runs have been added.
 void add_run_pairs(Bitmap& target, const RunRows& a, const RunRows& b, int spread) {
   const std::size_t rows_a = a.start.size() - 1, rows_b = b.start.size() - 1;
   const auto runs = [](const RunRows& map, std::size_t row) {
@@ -164,7 +171,8 @@ void add_run_pairs(Bitmap& target, const RunRows& a, const RunRows& b, int sprea
     return *std::max_element(row.begin(), row.end(), [](Run x, Run y) { return x.last - x.first < y.last - y.first; });
   };
   constexpr int kFar = 1 << 28;
-  Intervals longest_b(rows_b, 2 * kFar), extent_b(rows_b, 2 * kFar), full(rows_a + rows_b + static_cast<std::size_t>(spread), kFar);
+  Intervals longest_b(rows_b, 2 * kFar), extent_b(rows_b, 2 * kFar),
+      full(rows_a + rows_b + static_cast<std::size_t>(spread), kFar);
   for (std::size_t r = 0; r < rows_b; ++r)
     if (const auto row = runs(b, r); !row.empty()) {
       longest_b.set(r, longest(row));
@@ -191,12 +199,14 @@ void add_run_pairs(Bitmap& target, const RunRows& a, const RunRows& b, int sprea
   std::vector<Row> order;
   for (std::size_t r = 0; r < rows_a; ++r)
     if (const auto row = runs(a, r); !row.empty()) order.push_back({r, wider(longest(row))});
-  std::stable_sort(order.begin(), order.end(),
-                   [](const Row& x, const Row& y) { return x.longest.last - x.longest.first > y.longest.last - y.longest.first; });
+  std::stable_sort(order.begin(), order.end(), [](const Row& x, const Row& y) {
+    return x.longest.last - x.longest.first > y.longest.last - y.longest.first;
+  });
   for (std::size_t d = 0; d <= static_cast<std::size_t>(spread); ++d) {
     for (const auto& [r, x] : order)
-      for_each_beyond(x, longest_b, rows_b, full, r + d,
-                      [&](std::size_t k) { add(r + d + k, {x.first + longest_b.first[k], x.last + longest_b.last[k]}); });
+      for_each_beyond(x, longest_b, rows_b, full, r + d, [&](std::size_t k) {
+        add(r + d + k, {x.first + longest_b.first[k], x.last + longest_b.last[k]});
+      });
     for (const auto& [r, x] : order) {
       const auto row = runs(a, r);
       for_each_beyond(wider({row.front().first, row.back().last}), extent_b, rows_b, full, r + d, [&](std::size_t k) {
@@ -211,10 +221,12 @@ void add_run_pairs(Bitmap& target, const RunRows& a, const RunRows& b, int sprea
 void add_sums(Bitmap& target, const Bitmap& a, const Bitmap& b, int spread) {
   const RunRows runs_a(a), runs_b(b);
   const double per_word = 0.8;  // of one pair of runs
-  const double words = static_cast<double>(std::min(runs_a.runs.size() * b.bits.size(), runs_b.runs.size() * a.bits.size()));
+  const double words =
+      static_cast<double>(std::min(runs_a.runs.size() * b.bits.size(), runs_b.runs.size() * a.bits.size()));
   if (static_cast<double>(runs_a.runs.size()) * static_cast<double>(runs_b.runs.size()) < per_word * words)
     return add_run_pairs(target, runs_a, runs_b, spread);
-  if (runs_a.runs.size() * b.bits.size() <= runs_b.runs.size() * a.bits.size()) return add_runs(target, runs_a, b, spread);
+  if (runs_a.runs.size() * b.bits.size() <= runs_b.runs.size() * a.bits.size())
+    return add_runs(target, runs_a, b, spread);
   add_runs(target, runs_b, a, spread);
 }
 
@@ -235,7 +247,8 @@ Bitmap inner_corners(const Bitmap& inner) {
 
 void CentreWindings::add_edge(double ax, double ay, double bx, double by) {
   const int sign = ay < by ? 1 : -1;
-  for_each_centre_line(cells_, ax, ay, bx, by, [&](int r, int c) { change_[std::size_t(r) * (cells_.columns + 1) + c] -= sign; });
+  for_each_centre_line(cells_, ax, ay, bx, by,
+                       [&](int r, int c) { change_[std::size_t(r) * (cells_.columns + 1) + c] -= sign; });
 }
 
 void CentreWindings::fill(const Bitmap& boundary, Raster& raster) const {
@@ -285,7 +298,8 @@ SumGrid::SumGrid(std::array<double, 2> width, std::array<double, 2> height, int 
 
 DeadCells::DeadCells(const Grid& grid) : grid_(grid), dead_(grid.rows, grid.columns) { count(); }
 
-DeadCells::DeadCells(const Grid& grid, const Raster& p, const Raster& q, Counts counts) : grid_(grid), dead_(grid.rows, grid.columns) {
+DeadCells::DeadCells(const Grid& grid, const Raster& p, const Raster& q, Counts counts)
+    : grid_(grid), dead_(grid.rows, grid.columns) {
   const Bitmap corners_p = inner_corners(p.inner), corners_q = inner_corners(q.inner);
   // Inner cells that form no block of four still make pairs.
   if (!corners_p.any() || !corners_q.any()) add_sums(dead_, p.inner, q.inner, 1);

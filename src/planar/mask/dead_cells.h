@@ -1,5 +1,5 @@
-// Rasters of two operands on one grid, and the cells of the sum that they prove to lie inside it. Shared by the mask of one sum and
-// the mask of a range of scales.
+// Rasters of two operands on one grid, and the cells of the sum that they prove to lie inside it. Shared by the mask of
+// one sum and the mask of a range of scales.
 #pragma once
 
 #include <algorithm>
@@ -50,8 +50,9 @@ struct Raster {
 /// Boundary cells are those within 32 kReach cells of the boundary, so that an inner cell keeps a rim of that width.
 inline constexpr double kRim = 32 * kReach;
 
-/// Calls f(row, column) for every row of cells whose centre line an edge crosses, half-open in y, with the first cell whose centre lies
-/// right of the edge; on which side one within a rounding of it is counted does not matter, as its cell is a boundary cell.
+/// Calls f(row, column) for every row of cells whose centre line an edge crosses, half-open in y, with the first cell
+/// whose centre lies right of the edge; on which side one within a rounding of it is counted does not matter, as its
+/// cell is a boundary cell.
 template <class F>
 void for_each_centre_line(const Grid& cells, double ax, double ay, double bx, double by, F&& f) {
   const double low = ay < by ? ay : by, high = ay < by ? by : ay;
@@ -80,7 +81,8 @@ class CentreParities {
 /// Winding numbers at the centres of cells, from the edges that cross the lines through them.
 class CentreWindings {
  public:
-  explicit CentreWindings(const Grid& cells) : cells_(cells), change_(std::size_t(cells.rows) * (cells.columns + 1), 0) {}
+  explicit CentreWindings(const Grid& cells)
+      : cells_(cells), change_(std::size_t(cells.rows) * (cells.columns + 1), 0) {}
   void add_edge(double ax, double ay, double bx, double by);
   /// Cells with positive winding number off the boundary are inner, and inner ones are touched.
   void fill(const Bitmap& boundary, Raster& raster) const;
@@ -100,7 +102,8 @@ struct SumGrid {
   std::array<Grid, 2> part;
 };
 
-/// The cells of the sum in which every point is one of int P + Q or P + int Q; docs/design/planar-sum.md, "interior mask".
+/// The cells of the sum in which every point is one of int P + Q or P + int Q; docs/design/planar-sum.md, "interior
+/// mask".
 class DeadCells {
  public:
   /// Whether live() will be asked.

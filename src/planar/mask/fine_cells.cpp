@@ -33,15 +33,19 @@ Grid finer(const Grid& g, int factor) {
 }  // namespace
 
 BrickPairs::BrickPairs(const Bitmap& corners, const Bitmap& touch)
-    : corners_(corners), touch_(touch), some_corner_(occupied(corners_)), touch_reversed_(reversed_neighbourhoods(touch_)) {}
+    : corners_(corners),
+      touch_(touch),
+      some_corner_(occupied(corners_)),
+      touch_reversed_(reversed_neighbourhoods(touch_)) {}
 
 // Those of one brick of corners.
 std::uint64_t BrickPairs::with(Place a, Place sum, std::uint64_t known) const {
   const int r = sum.row - a.row, c = sum.column - a.column;
-  if (a.row < 0 || a.column < 0 || a.row >= corners_.rows() || a.column >= corners_.columns() || r < 0 || c < 0 || r > touch_.rows() ||
-      c > touch_.columns())
+  if (a.row < 0 || a.column < 0 || a.row >= corners_.rows() || a.column >= corners_.columns() || r < 0 || c < 0 ||
+      r > touch_.rows() || c > touch_.columns())
     return known;
-  return brick_sum(corners_.at(a.row, a.column), {touch_.at(r - 1, c - 1), touch_.at(r - 1, c), touch_.at(r, c - 1), touch_.at(r, c)}, known);
+  return brick_sum(corners_.at(a.row, a.column),
+                   {touch_.at(r - 1, c - 1), touch_.at(r - 1, c), touch_.at(r, c - 1), touch_.at(r, c)}, known);
 }
 
 std::uint64_t BrickPairs::with_recent(Place sum, std::uint64_t known) const {
@@ -54,10 +58,8 @@ std::uint64_t BrickPairs::with_recent(Place sum, std::uint64_t known) const {
 }
 
 void BrickPairs::remember(Place corner, Place sum) {
-  if (recent_.size() < kRecent)
-    recent_.push_back({corner, sum});
-  else
-    recent_[next_recent_++ % kRecent] = {corner, sum};
+  if (recent_.size() < kRecent) recent_.push_back({corner, sum});
+  else recent_[next_recent_++ % kRecent] = {corner, sum};
 }
 
 std::uint64_t BrickPairs::covered(int row, int column, std::uint64_t known) {
@@ -91,15 +93,19 @@ std::uint64_t BrickPairs::covered(int row, int column, std::uint64_t known) {
 }
 
 std::size_t BrickPairs::bytes() const {
-  return corners_.bytes() + touch_.bytes() + (some_corner_.bits.size() + touch_reversed_.bits.size()) * sizeof some_corner_.bits[0];
+  return corners_.bytes() + touch_.bytes() +
+         (some_corner_.bits.size() + touch_reversed_.bits.size()) * sizeof some_corner_.bits[0];
 }
 
 FineCells::FineCells(InteriorMask& mask)
-    : mask_(&mask), grid_(finer(mask.grid(), kBrick)), brick_(static_cast<std::size_t>(grid_.rows / kBrick) * (grid_.columns / kBrick), kWhole) {}
+    : mask_(&mask),
+      grid_(finer(mask.grid(), kBrick)),
+      brick_(static_cast<std::size_t>(grid_.rows / kBrick) * (grid_.columns / kBrick), kWhole) {}
 
 FineCells::FineCells(const Operand& p, const Operand& q, InteriorMask& mask) : FineCells(mask) {
   const SumGrid coarse({p.points->width, q.points->width}, {p.points->height, q.points->height}, mask.cells());
-  const Raster of_p = fine_raster(p, finer(coarse.part[0], kBrick)), of_q = fine_raster(q, finer(coarse.part[1], kBrick));
+  const Raster of_p = fine_raster(p, finer(coarse.part[0], kBrick)),
+               of_q = fine_raster(q, finer(coarse.part[1], kBrick));
   const Bitmap corners_p = inner_corners(of_p.inner), corners_q = inner_corners(of_q.inner);
   if (corners_p.any()) p_around_q_.emplace(corners_p, of_q.touch);
   if (corners_q.any()) q_around_p_.emplace(corners_q, of_p.touch);

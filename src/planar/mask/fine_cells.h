@@ -15,7 +15,8 @@ namespace dymsum::planar {
 class BrickPairs {
  public:
   BrickPairs(const Bitmap& corners, const Bitmap& touch);
-  /// The cells of a brick of the sum that are sums of a corner and a touched cell, together with those known. O(bricks of an operand / 64).
+  /// The cells of a brick of the sum that are sums of a corner and a touched cell, together with those known. O(bricks
+  /// of an operand / 64).
   std::uint64_t covered(int row, int column, std::uint64_t known);
   std::size_t bytes() const;
 
@@ -29,7 +30,8 @@ class BrickPairs {
 
   Bricks corners_, touch_;
   Bitmap some_corner_;     // bricks with corners
-  Bitmap touch_reversed_;  // bit kMargin + j of row r: whether brick (r, columns - j) of the touched cells, or one left of or below it, has any
+  Bitmap touch_reversed_;  // bit kMargin + j of row r: whether brick (r, columns - j) of the touched cells, or one left
+                           // of or below it, has any
   struct Success {
     Place corner, sum;
   };
@@ -44,8 +46,8 @@ class FineCells {
   /// No cell is refined, nor will be.
   explicit FineCells(InteriorMask& mask);
   FineCells(const Operand& p, const Operand& q, InteriorMask& mask);
-  /// Proves what it can of one live cell of the mask, once; one that is covered as a whole is covered in the mask, too. Returns how many fine
-  /// cells are covered.
+  /// Proves what it can of one live cell of the mask, once; one that is covered as a whole is covered in the mask, too.
+  /// Returns how many fine cells are covered.
   int refine(int row, int column);
 
   /// Eight times as fine as the mask's.
@@ -66,7 +68,8 @@ class FineCells {
  private:
   static constexpr std::uint32_t kWhole = 0xffffffff;
   std::size_t index(int row, int column) const {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(mask_->grid().columns) + static_cast<std::size_t>(column);
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(mask_->grid().columns) +
+           static_cast<std::size_t>(column);
   }
 
   InteriorMask* mask_;

@@ -16,12 +16,14 @@ struct Grid {
   int row(double y) const { return std::clamp(static_cast<int>(y * per_cell), 0, rows - 1); }
 };
 
-/// How far beyond a segment its cells are still visited, in cells. Doubles err by at most 2^-50 of the grid's extent, which is at
-/// most 2^-38 of a cell for up to 2^12 cells; interpolation along a segment of slope up to 2^12 keeps that below 2^-24.
+/// How far beyond a segment its cells are still visited, in cells. Doubles err by at most 2^-50 of the grid's extent,
+/// which is at most 2^-38 of a cell for up to 2^12 cells; interpolation along a segment of slope up to 2^12 keeps that
+/// below 2^-24.
 inline constexpr double kReach = 0x1p-14;
 
-/// Calls f(row, first column, last column) for every row, such that every cell within `cells` of the segment is visited (`cells` times
-/// the size of a cell), and no cell farther than 4 times that. Requires finite coordinates, cells >= kReach.
+/// Calls f(row, first column, last column) for every row, such that every cell within `cells` of the segment is visited
+/// (`cells` times the size of a cell), and no cell farther than 4 times that. Requires finite coordinates, cells >=
+/// kReach.
 template <class F>
 void for_each_cell_run(const Grid& grid, double ax, double ay, double bx, double by, F&& f, double cells = kReach) {
   if (ay > by) {

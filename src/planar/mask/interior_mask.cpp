@@ -32,9 +32,11 @@ Raster rasterize(const Operand& o, const Grid& cells) {
         boundary.set_run(r0, c0, c1);
         if (r1 != r0) boundary.set_run(r1, c0, c1);
       } else {
-        for_each_cell_run(cells, ax, ay, bx, by, [&](int r, int first, int last) { raster.touch.set_run(r, first, last); });
+        for_each_cell_run(cells, ax, ay, bx, by,
+                          [&](int r, int first, int last) { raster.touch.set_run(r, first, last); });
         if (!area) continue;
-        for_each_cell_run(cells, ax, ay, bx, by, [&](int r, int first, int last) { boundary.set_run(r, first, last); }, kRim);
+        for_each_cell_run(
+            cells, ax, ay, bx, by, [&](int r, int first, int last) { boundary.set_run(r, first, last); }, kRim);
       }
       centres.add_edge(ax, ay, bx, by);
     }
@@ -45,12 +47,14 @@ Raster rasterize(const Operand& o, const Grid& cells) {
 
 DeadCells dead_cells_of(const Operand& p, const Operand& q, int cells) {
   const SumGrid grid({p.points->width, q.points->width}, {p.points->height, q.points->height}, cells);
-  return DeadCells(grid.whole, rasterize<CentreWindings>(p, grid.part[0]), rasterize<CentreWindings>(q, grid.part[1]), DeadCells::Counts::left_out);
+  return DeadCells(grid.whole, rasterize<CentreWindings>(p, grid.part[0]), rasterize<CentreWindings>(q, grid.part[1]),
+                   DeadCells::Counts::left_out);
 }
 
 }  // namespace
 
-InteriorMask::InteriorMask(const Operand& p, const Operand& q, int cells) : DeadCells(dead_cells_of(p, q, cells)), cells_(cells) {}
+InteriorMask::InteriorMask(const Operand& p, const Operand& q, int cells)
+    : DeadCells(dead_cells_of(p, q, cells)), cells_(cells) {}
 
 Raster fine_raster(const Operand& o, const Grid& cells) { return rasterize<CentreParities>(o, cells); }
 Raster winding_raster(const Operand& o, const Grid& cells) { return rasterize<CentreWindings>(o, cells); }

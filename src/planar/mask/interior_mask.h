@@ -1,5 +1,5 @@
-// A proof, cell by cell, that parts of the plane lie in the interior of the sum: whatever happens there need not be computed.
-// Lemma and proof: docs/design/planar-sum.md, "interior mask".
+// A proof, cell by cell, that parts of the plane lie in the interior of the sum: whatever happens there need not be
+// computed. Lemma and proof: docs/design/planar-sum.md, "interior mask".
 #pragma once
 
 #include "planar/mask/dead_cells.h"
@@ -18,7 +18,8 @@ class InteriorMask : public DeadCells {
   int cells_;
 };
 
-/// An operand on fine cells: O(cells / 64 + rows met by edges) instead of O(cells). Where components overlap some inner cells are missed.
+/// An operand on fine cells: O(cells / 64 + rows met by edges) instead of O(cells). Where components overlap some inner
+/// cells are missed.
 Raster fine_raster(const Operand& o, const Grid& cells);
 /// The same for any cells, by winding numbers. O(cells).
 Raster winding_raster(const Operand& o, const Grid& cells);

@@ -48,7 +48,8 @@ double key_of(double x, double y) {
 // So many are counted against each other sooner than put into buckets.
 constexpr std::size_t kFew = 40;
 
-// Nearly in order: by a quantum of the key, then by place in the walk. How many come before each is counted for four at a time.
+// Nearly in order: by a quantum of the key, then by place in the walk. How many come before each is counted for four at
+// a time.
 void sort_few(Array<Item>& items, Scratch& memory) {
   using Four = std::int32_t __attribute__((vector_size(16)));
   const std::size_t n = items.size(), lanes = (n + 3) / 4 * 4;
@@ -122,10 +123,8 @@ DirectionList sort_by_direction(const OwnEdges& edges, const Operand& o, const C
   Array<Item> items(n, &memory);
   for (std::uint32_t i = c.first; i < c.last; ++i) items[i - c.first] = {key_of(o.ex[i], o.ey[i]), i};
   const Before before(edges, o);
-  if (n > kFew)
-    sort_into_buckets(items, before, memory);
-  else
-    sort_few(items, memory);
+  if (n > kFew) sort_into_buckets(items, before, memory);
+  else sort_few(items, memory);
   for (std::size_t i = 1; i < n; ++i) {
     const Item item = items[i];
     std::size_t j = i;
@@ -144,12 +143,14 @@ DirectionList sort_by_direction(const OwnEdges& edges, const Operand& o, const C
   return list;
 }
 
-DirectionList sublist(const DirectionList& all, const Operand& o, const Component& c, const std::vector<std::uint8_t>& keep, DirectionList list) {
+DirectionList sublist(const DirectionList& all, const Operand& o, const Component& c,
+                      const std::vector<std::uint8_t>& keep, DirectionList list) {
   list.base = all.base;
   list.rank.assign(all.rank.size(), kNoRank);
   std::vector<std::uint8_t> kept(all.rank.size(), 0);
   for (std::uint32_t l = c.first_loop; l < c.last_loop; ++l)
-    if (keep[l]) std::fill(kept.begin() + (o.loops[l].first - all.base), kept.begin() + (o.loops[l].last - all.base), 1);
+    if (keep[l])
+      std::fill(kept.begin() + (o.loops[l].first - all.base), kept.begin() + (o.loops[l].last - all.base), 1);
   for (std::size_t i = 0; i < all.edges.size(); ++i) {
     if (!kept[all.edges[i] - all.base]) continue;
     list.edges.push_back(all.edges[i]);

@@ -10,7 +10,8 @@
 
 namespace dymsum::planar {
 
-/// Walk edges of one component (or of its outer loop, or without its filled holes) by direction, counter-clockwise from +x.
+/// Walk edges of one component (or of its outer loop, or without its filled holes) by direction, counter-clockwise from
+/// +x.
 struct DirectionList {
   DirectionList() = default;
   explicit DirectionList(const OwnMemory& memory) : edges(memory), keys(memory), rank(memory), next(memory) {}
@@ -23,8 +24,8 @@ struct DirectionList {
 };
 inline constexpr std::uint32_t kNoRank = 0xffffffff;
 
-/// Monotone in the angle, in [0, 4]. Its error: the vector's components carry one rounding each, sum, quotient and difference
-/// one more each, all of quantities at most 4.
+/// Monotone in the angle, in [0, 4]. Its error: the vector's components carry one rounding each, sum, quotient and
+/// difference one more each, all of quantities at most 4.
 inline double pseudo_angle(double x, double y) {
   const double c = x / (std::abs(x) + std::abs(y));
   return y > 0 || (y == 0 && x > 0) ? 1 - c : 3 + c;
@@ -52,6 +53,7 @@ void number(DirectionList& list, const Operand& o);
 DirectionList sort_by_direction(const OwnEdges& edges, const Operand& o, const Component& c);
 
 /// Those of the loops l, counted through the operand, with keep[l] set, in the memory of `list`.
-DirectionList sublist(const DirectionList& all, const Operand& o, const Component& c, const std::vector<std::uint8_t>& keep, DirectionList list = {});
+DirectionList sublist(const DirectionList& all, const Operand& o, const Component& c,
+                      const std::vector<std::uint8_t>& keep, DirectionList list = {});
 
 }  // namespace dymsum::planar

@@ -1,4 +1,5 @@
-// Bounding boxes over the edges of a component: walk edges are spatially coherent, so halving their range is a good tree.
+// Bounding boxes over the edges of a component: walk edges are spatially coherent, so halving their range is a good
+// tree.
 #pragma once
 
 #include <atomic>
@@ -18,7 +19,8 @@ struct EdgeTree {
   std::vector<Node> nodes;  ///< the root first
 };
 
-/// The trees of all components of an operand, made when first asked for: small sums rarely do. Copies make their own. Thread-safe.
+/// The trees of all components of an operand, made when first asked for: small sums rarely do. Copies make their own.
+/// Thread-safe.
 class EdgeTrees {
  public:
   EdgeTrees() = default;

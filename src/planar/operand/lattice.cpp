@@ -19,8 +19,9 @@ namespace {
 using exact::Big;
 using exact::BigRational;
 
-// Widths for coordinates |X| <= 2^B: edge vectors B + 1 bits, pair sums B + 1, their differences B + 2, side and along values
-// 2B + 4, cut parameters N / D with 2B + 4 and 2B + 4, mediants one more, sides of places 4B + 11. Int computes and proves them.
+// Widths for coordinates |X| <= 2^B: edge vectors B + 1 bits, pair sums B + 1, their differences B + 2, side and along
+// values 2B + 4, cut parameters N / D with 2B + 4 and 2B + 4, mediants one more, sides of places 4B + 11. Int computes
+// and proves them.
 template <class C>
 class LatticeOf final : public Lattice {
   struct Vec {
@@ -48,7 +49,8 @@ class LatticeOf final : public Lattice {
       if (!scale_) return;
       const C other = exact::narrowed<C>(Big(scale_->den));
       for (std::uint32_t op = 0; op < 2; ++op)
-        factor_[op] = op == scale_->op ? Vec{exact::narrowed<C>(Big(scale_->x)), exact::narrowed<C>(Big(scale_->y))} : Vec{other, other};
+        factor_[op] = op == scale_->op ? Vec{exact::narrowed<C>(Big(scale_->x)), exact::narrowed<C>(Big(scale_->y))}
+                                       : Vec{other, other};
     }
   }
 
@@ -64,7 +66,8 @@ class LatticeOf final : public Lattice {
     const Point u = vector(d), v = vector(e);
     const double p = axis == 0 ? u.x : u.y, q = axis == 0 ? v.x : v.y, gap = p - q;
     // Three roundings each and one of the difference.
-    if (const double bound = 0x1p-50 * (std::abs(p) + std::abs(q)) + 0x1p-1000; gap > bound || gap < -bound) return gap > 0 ? 1 : -1;
+    if (const double bound = 0x1p-50 * (std::abs(p) + std::abs(q)) + 0x1p-1000; gap > bound || gap < -bound)
+      return gap > 0 ? 1 : -1;
     const EdgeVec a = edge(d), b = edge(e);
     return axis == 0 ? exact::sign(a.x - b.x) : exact::sign(a.y - b.y);
   }
@@ -131,7 +134,8 @@ class LatticeOf final : public Lattice {
     const EdgeVec d = edge(x.on.edge);
     const WideRatio t = ratio(x);
     const exact::BigInteger n = number(t.n), w = number(t.d);
-    return in_input((number(s.x) + origin()[0]) * w + number(d.x) * n, (number(s.y) + origin()[1]) * w + number(d.y) * n, w);
+    return in_input((number(s.x) + origin()[0]) * w + number(d.x) * n,
+                    (number(s.y) + origin()[1]) * w + number(d.y) * n, w);
   }
   Homogeneous homogeneous(Pair v) const override {
     const SumVec s = sum(v);
@@ -151,7 +155,8 @@ class LatticeOf final : public Lattice {
     const EdgeVec d = edge(x.on.edge);
     const WideRatio r = ratio(x);
     const base::DoublePair t = integer_pair(r.n) / integer_pair(r.d);
-    const base::DoublePair sx = integer_pair(s.x), sy = integer_pair(s.y), dx = integer_pair(d.x) * t, dy = integer_pair(d.y) * t;
+    const base::DoublePair sx = integer_pair(s.x), sy = integer_pair(s.y), dx = integer_pair(d.x) * t,
+                           dy = integer_pair(d.y) * t;
     const double reach = std::abs(sx.high) + std::abs(sy.high) + std::abs(dx.high) + std::abs(dy.high);
     return {sx + dx, sy + dy, reach * 0x1p-97};
   }
@@ -201,7 +206,11 @@ class LatticeOf final : public Lattice {
         const exact::BigInteger x = exact::grid_coordinate<Big>(points[op]->offset.x, exponent_).value();
         const exact::BigInteger y = exact::grid_coordinate<Big>(points[op]->offset.y, exponent_).value();
         const bool scaled = scale_ && op == scale_->op;
-        const exact::BigInteger one = 1, &factor_x = scaled ? scale_->x : scale_ ? scale_->den : one, &factor_y = scaled ? scale_->y : factor_x;
+        const exact::BigInteger one = 1,
+                                &factor_x = scaled   ? scale_->x
+                                            : scale_ ? scale_->den
+                                                     : one,
+                                &factor_y = scaled ? scale_->y : factor_x;
         origin_[0] += x * factor_x;
         origin_[1] += y * factor_y;
         if (const auto& turned = points[op]->turned; scaled && turned != nullptr) {
@@ -217,12 +226,14 @@ class LatticeOf final : public Lattice {
     if constexpr (std::is_same_v<C, exact::Int<29>> || std::is_same_v<C, exact::Int<61>>) {
       if (per_double_ != 0) {
         const PlacedPoints& o = *points[op];
-        return {C::from_int64(static_cast<std::int64_t>(o.x[i] * per_double_)), C::from_int64(static_cast<std::int64_t>(o.y[i] * per_double_))};
+        return {C::from_int64(static_cast<std::int64_t>(o.x[i] * per_double_)),
+                C::from_int64(static_cast<std::int64_t>(o.y[i] * per_double_))};
       }
     }
     if constexpr (!std::is_same_v<C, Big>) {
       if (const TurnedPoints* turned = points[op]->turned.get(); turned != nullptr)
-        return {C::from_raw(static_cast<typename C::Raw>(turned->at[i][0])), C::from_raw(static_cast<typename C::Raw>(turned->at[i][1]))};
+        return {C::from_raw(static_cast<typename C::Raw>(turned->at[i][0])),
+                C::from_raw(static_cast<typename C::Raw>(turned->at[i][1]))};
       if (scale_) {
         // The product fits: the tier was chosen for it.
         const auto& v = unscaled().at[op][i];
@@ -250,8 +261,9 @@ class LatticeOf final : public Lattice {
     std::call_once(integers->made, [this] {
       for (int op = 0; op < 2; ++op)
         for (const Point& v : points[op]->input)
-          integers->at[op].push_back({exact::grid_coordinate<exact::Int<125>>(v.x, points[op]->offset.x, exponent_).raw(),
-                                      exact::grid_coordinate<exact::Int<125>>(v.y, points[op]->offset.y, exponent_).raw()});
+          integers->at[op].push_back(
+              {exact::grid_coordinate<exact::Int<125>>(v.x, points[op]->offset.x, exponent_).raw(),
+               exact::grid_coordinate<exact::Int<125>>(v.y, points[op]->offset.y, exponent_).raw()});
     });
     unscaled_.store(integers.get(), std::memory_order_release);
     return *integers;
@@ -264,8 +276,9 @@ class LatticeOf final : public Lattice {
       if constexpr (std::is_same_v<C, Big>) {
         if (const TurnedPoints* turned = points[op]->turned.get(); turned != nullptr) {
           for (std::uint32_t i = 0; i < turned->size(); ++i)
-            integers_[op].push_back(turned->at.empty() ? Vec{Big(turned->big[i][0]), Big(turned->big[i][1])}
-                                                       : Vec{exact::to_big(turned->at[i][0]), exact::to_big(turned->at[i][1])});
+            integers_[op].push_back(turned->at.empty()
+                                        ? Vec{Big(turned->big[i][0]), Big(turned->big[i][1])}
+                                        : Vec{exact::to_big(turned->at[i][0]), exact::to_big(turned->at[i][1])});
           continue;
         }
       }
@@ -366,22 +379,31 @@ Lattice::Position Lattice::position(const Place& x) const { return reduced(homog
 
 Lattice::Position Lattice::position(Pair v) const { return reduced(homogeneous(v)); }
 
-std::shared_ptr<Lattice> build_lattice(std::array<std::shared_ptr<const PlacedPoints>, 2> points, int exponent, int unit, int bits,
-                                       std::optional<LatticeScale> scale, int min_tier_bits) {
+std::shared_ptr<Lattice> build_lattice(std::array<std::shared_ptr<const PlacedPoints>, 2> points, int exponent,
+                                       int unit, int bits, std::optional<LatticeScale> scale, int min_tier_bits) {
   const exact::Tier tier = exact::choose_tier(bits, min_tier_bits);
   const bool dyadic = !scale || (scale->den & (scale->den - 1)) == 0;
   const double den = scale ? exact::round_to_double(BigRational(scale->den)) : 1;
   const std::uint32_t scaled = scale ? scale->op : 2;
   const bool turned = scale && points[scaled]->turned != nullptr;
-  // The integers as doubles, over a power of two where the denominator is one: of at most 53 bits, no step of making them was rounded.
+  // The integers as doubles, over a power of two where the denominator is one: of at most 53 bits, no step of making
+  // them was rounded.
   const int shift = unit - exponent + (scale && dyadic ? static_cast<int>(msb(scale->den)) : 0);
   const double per_double = bits <= 53 && dyadic && !turned && std::abs(shift) <= 1000 ? power_of_two(shift) : 0;
   std::shared_ptr<Lattice> lattice;
   switch (tier) {
-    case exact::Tier::b29: lattice = std::make_shared<LatticeOf<exact::Int<29>>>(exponent, per_double, std::move(scale)); break;
-    case exact::Tier::b61: lattice = std::make_shared<LatticeOf<exact::Int<61>>>(exponent, per_double, std::move(scale)); break;
-    case exact::Tier::b512: lattice = std::make_shared<LatticeOf<exact::Int<125>>>(exponent, per_double, std::move(scale)); break;
-    case exact::Tier::arbitrary: lattice = std::make_shared<LatticeOf<Big>>(exponent, per_double, std::move(scale)); break;
+    case exact::Tier::b29:
+      lattice = std::make_shared<LatticeOf<exact::Int<29>>>(exponent, per_double, std::move(scale));
+      break;
+    case exact::Tier::b61:
+      lattice = std::make_shared<LatticeOf<exact::Int<61>>>(exponent, per_double, std::move(scale));
+      break;
+    case exact::Tier::b512:
+      lattice = std::make_shared<LatticeOf<exact::Int<125>>>(exponent, per_double, std::move(scale));
+      break;
+    case exact::Tier::arbitrary:
+      lattice = std::make_shared<LatticeOf<Big>>(exponent, per_double, std::move(scale));
+      break;
   }
   lattice->tier_bits = static_cast<int>(tier);
   // Sides have at most 2 B + 4 bits; doubles hold 53. A power of two below scaled coordinates changes nothing.
@@ -394,7 +416,8 @@ std::shared_ptr<Lattice> build_lattice(std::array<std::shared_ptr<const PlacedPo
   for (std::uint32_t op = 0; op < 2; ++op) {
     const PlacedPoints& o = *lattice->points[op];
     lattice->span += std::max(o.width, o.height);
-    const Point at = op == scaled && turned ? lattice->position_of_low(op) : Point{o.offset.x * o.stretch.x, o.offset.y * o.stretch.y};
+    const Point at = op == scaled && turned ? lattice->position_of_low(op)
+                                            : Point{o.offset.x * o.stretch.x, o.offset.y * o.stretch.y};
     const double x = at.x, y = at.y;
     lattice->base.x += x;
     lattice->base.y += y;
@@ -402,12 +425,14 @@ std::shared_ptr<Lattice> build_lattice(std::array<std::shared_ptr<const PlacedPo
     // The factor and the product are rounded.
     if (op == scaled) lattice->base_error = 0x1p-51 * (std::abs(x) + std::abs(y));
   }
-  lattice->exact_input = lattice->exact_doubles && scaled == 2 &&
-                         lattice->span * lattice->unit + lattice->base_reach <= power_of_two(std::min(exponent + 50, 1000));
+  lattice->exact_input =
+      lattice->exact_doubles && scaled == 2 &&
+      lattice->span * lattice->unit + lattice->base_reach <= power_of_two(std::min(exponent + 50, 1000));
   return lattice;
 }
 
-std::shared_ptr<Lattice> make_lattice(std::shared_ptr<const PlacedPoints> p, std::shared_ptr<const PlacedPoints> q, int min_tier_bits) {
+std::shared_ptr<Lattice> make_lattice(std::shared_ptr<const PlacedPoints> p, std::shared_ptr<const PlacedPoints> q,
+                                      int min_tier_bits) {
   std::array<std::shared_ptr<const PlacedPoints>, 2> points{std::move(p), std::move(q)};
   // All-zero coordinates are on every grid.
   const auto no_grid = [](const PlacedPoints& o) { return o.extent == 0 && o.offset == Point{}; };
@@ -415,7 +440,9 @@ std::shared_ptr<Lattice> make_lattice(std::shared_ptr<const PlacedPoints> p, std
                        : no_grid(*points[1]) ? points[0]->exponent
                                              : std::min(points[0]->exponent, points[1]->exponent);
   const int bits = std::max(points[0]->bits(exponent), points[1]->bits(exponent));
-  const int unit = points[0]->moderate() && points[1]->moderate() ? 0 : unit_for(std::max(points[0]->extent, points[1]->extent), exponent, bits);
+  const int unit = points[0]->moderate() && points[1]->moderate()
+                       ? 0
+                       : unit_for(std::max(points[0]->extent, points[1]->extent), exponent, bits);
   for (auto& o : points) {
     if (o->unit == unit) continue;
     auto moved = std::make_shared<PlacedPoints>(*o);
@@ -440,8 +467,9 @@ std::shared_ptr<Lattice> make_scaled_lattice(const Lattice& unscaled, const Latt
   std::array<std::shared_ptr<const PlacedPoints>, 2> points = unscaled.points;
   int bits = 0;
   for (std::uint32_t op = 0; op < 2; ++op)
-    bits = std::max(bits, points[op]->bits(exponent) + (op == scale.op ? std::max(factor_bits(scale.x), factor_bits(scale.y))
-                                                                                 : factor_bits(scale.den)));
+    bits = std::max(
+        bits, points[op]->bits(exponent) +
+                  (op == scale.op ? std::max(factor_bits(scale.x), factor_bits(scale.y)) : factor_bits(scale.den)));
   auto stretched = std::make_shared<PlacedPoints>(*points[scale.op]);
   stretched->stretch = {quotient(scale.x, scale.den), quotient(scale.y, scale.den)};
   place_in_units(*stretched, unit);

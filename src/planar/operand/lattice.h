@@ -36,9 +36,7 @@ struct Pair {
 inline Pair start_of(const Segment& s) {
   return s.edge.op == 0 ? Pair{s.edge.from, s.vertex} : Pair{s.vertex, s.edge.from};
 }
-inline Pair end_of(const Segment& s) {
-  return s.edge.op == 0 ? Pair{s.edge.to, s.vertex} : Pair{s.vertex, s.edge.to};
-}
+inline Pair end_of(const Segment& s) { return s.edge.op == 0 ? Pair{s.edge.to, s.vertex} : Pair{s.vertex, s.edge.to}; }
 
 /// A point on the line of a segment `on`: a pair of vertices lying on it, or its crossing with the line of `by`.
 struct Cut {
@@ -48,8 +46,8 @@ struct Cut {
   Segment by;
 };
 
-/// A point of the plane of sums, exactly: the cut `first` on `on`, or (between) the mediant of two cuts: a point strictly
-/// between them on `on`.
+/// A point of the plane of sums, exactly: the cut `first` on `on`, or (between) the mediant of two cuts: a point
+/// strictly between them on `on`.
 struct Place {
   Segment on;
   Cut first, second;
@@ -57,7 +55,8 @@ struct Place {
   double x = 0, y = 0, error = 0;  ///< |x - exact| and |y - exact| are at most error
 };
 
-/// The vertices of a rotated operand as integers, exactly: a and b of (a, -b; b, a) times the grid integers, minus the smallest coordinate of each axis.
+/// The vertices of a rotated operand as integers, exactly: a and b of (a, -b; b, a) times the grid integers, minus the
+/// smallest coordinate of each axis.
 struct TurnedPoints {
   std::vector<std::array<exact::i128, 2>> at;         ///< empty where 125 bits are not enough
   std::vector<std::array<exact::BigInteger, 2>> big;  ///< then these
@@ -76,14 +75,14 @@ struct TurnedPoints {
 struct PlacedPoints {
   std::vector<Point> input;
   Point offset;
-  std::vector<double> x, y;   ///< input - offset in units of 2^unit, rounded once
+  std::vector<double> x, y;      ///< input - offset in units of 2^unit, rounded once
   double width = 0, height = 0;  ///< the largest x and y
-  Point stretch{1, 1};        ///< the factors by which x and y are scaled besides, rounded: three roundings in all
+  Point stretch{1, 1};           ///< the factors by which x and y are scaled besides, rounded: three roundings in all
   std::shared_ptr<const TurnedPoints> turned;  ///< of a rotated operand: x and y are these then
-  double extent = 0;          ///< the larger of both, in input units
-  int exponent = 0;           ///< the largest grid that holds them: all are multiples of 2^exponent
+  double extent = 0;                           ///< the larger of both, in input units
+  int exponent = 0;                            ///< the largest grid that holds them: all are multiples of 2^exponent
   int unit = 0;
-  int top = 0;                ///< the extent is at most 2^top, with its rounding
+  int top = 0;  ///< the extent is at most 2^top, with its rounding
   /// The bits of the integers on a grid that holds them.
   int bits(int grid_exponent) const { return top > grid_exponent ? top - grid_exponent : 0; }
   /// Nothing can over- or underflow when the unit is 1.
@@ -93,14 +92,15 @@ struct PlacedPoints {
 /// Placed in units of 1 where they are moderate, else of their own grid or 2^-60 of their extent.
 std::shared_ptr<const PlacedPoints> place_points(std::vector<Point> input);
 
-/// The unscaled integers of both operands, shared by the lattices of all scales; made when first asked for. Requires 125 bits or fewer.
+/// The unscaled integers of both operands, shared by the lattices of all scales; made when first asked for. Requires
+/// 125 bits or fewer.
 struct SharedIntegers {
   std::once_flag made;
   std::array<std::vector<std::array<exact::i128, 2>>, 2> at;
 };
 
-/// Integer operands and exact signs. Coordinates are grid units relative to one offset per operand, so that a translation of an
-/// operand never costs bits.
+/// Integer operands and exact signs. Coordinates are grid units relative to one offset per operand, so that a
+/// translation of an operand never costs bits.
 class Lattice {
  public:
   virtual ~Lattice() = default;
@@ -110,7 +110,8 @@ class Lattice {
   virtual int dot(const Edge& d, const Edge& e) const = 0;
   /// The sign of d - e along an axis (0 = x, 1 = y).
   virtual int compare_extent(const Edge& d, const Edge& e, int axis) const = 0;
-  /// The side of the directed line of s on which a pair lies: 1 left, 0 on it, -1 right; and the sign of d . (v - start).
+  /// The side of the directed line of s on which a pair lies: 1 left, 0 on it, -1 right; and the sign of d . (v -
+  /// start).
   virtual int side(const Segment& s, Pair v) const = 0;
   virtual int along(const Segment& s, Pair v) const = 0;
   virtual bool same(Pair a, Pair b) const = 0;
@@ -146,19 +147,21 @@ class Lattice {
 
   int tier_bits = 0;           ///< 29, 61, 512, 0
   bool exact_doubles = false;  ///< every planar sign of degree two is exact when computed in doubles
-  /// Not zero: what the doubles of vertices, edges and pair sums have to be multiplied with to be the integers, exactly. Set where these
-  /// have at most 29 bits: then signs of degree two are those of 64-bit expressions, orders of cuts of 128-bit ones.
+  /// Not zero: what the doubles of vertices, edges and pair sums have to be multiplied with to be the integers,
+  /// exactly. Set where these have at most 29 bits: then signs of degree two are those of 64-bit expressions, orders of
+  /// cuts of 128-bit ones.
   double to_integers = 0;
-  bool exact_input = false;    ///< pair sums in input coordinates are doubles without rounding
-  double span = 0;             ///< every pair sum has coordinates in [0, span]; a rounding errs by at most span * 2^-53
-  double unit = 1;             ///< doubles count multiples of this power of two: 1 unless an operand is huge or minute
-  double integers_per_unit = 1;  ///< the exact layer's integers per unit of the doubles; may be infinite for huge exponents
-  int grid_exponent = 0;       ///< unscaled coordinates are integers times 2^grid_exponent
+  bool exact_input = false;  ///< pair sums in input coordinates are doubles without rounding
+  double span = 0;           ///< every pair sum has coordinates in [0, span]; a rounding errs by at most span * 2^-53
+  double unit = 1;           ///< doubles count multiples of this power of two: 1 unless an operand is huge or minute
+  double integers_per_unit =
+      1;                  ///< the exact layer's integers per unit of the doubles; may be infinite for huge exponents
+  int grid_exponent = 0;  ///< unscaled coordinates are integers times 2^grid_exponent
   std::array<std::shared_ptr<const PlacedPoints>, 2> points;
   std::shared_ptr<SharedIntegers> integers;  ///< of unscaled coordinates, only for lattices that are scaled
-  Point base;                  ///< the sum of the offsets in input coordinates, rounded
-  double base_reach = 0;       ///< the sum of their absolute coordinates
-  double base_error = 0;       ///< of base, beyond one rounding
+  Point base;                                ///< the sum of the offsets in input coordinates, rounded
+  double base_reach = 0;                     ///< the sum of their absolute coordinates
+  double base_error = 0;                     ///< of base, beyond one rounding
 
   /// Edge vector, each component rounded once, three times where the operand is scaled.
   Point vector(const Edge& e) const {
@@ -171,18 +174,21 @@ class Lattice {
   Point to_input(double gx, double gy) const { return {gx * unit + base.x, gy * unit + base.y}; }
 };
 
-/// Both operands on their common grid. `min_tier_bits` forces a larger tier. Points are placed anew when their units differ.
-std::shared_ptr<Lattice> make_lattice(std::shared_ptr<const PlacedPoints> p, std::shared_ptr<const PlacedPoints> q, int min_tier_bits);
+/// Both operands on their common grid. `min_tier_bits` forces a larger tier. Points are placed anew when their units
+/// differ.
+std::shared_ptr<Lattice> make_lattice(std::shared_ptr<const PlacedPoints> p, std::shared_ptr<const PlacedPoints> q,
+                                      int min_tier_bits);
 
 /// diag(x, y) / den, or a rotation, applied to operand `op`, about the origin of its input coordinates.
 struct LatticeScale {
   exact::BigInteger x = 1, y = 1, den = 1;  ///< all positive; of a rotation x = y has any sign
   std::uint32_t op = 0;
-  exact::BigInteger turn = 0;               ///< not zero: (x, -turn; turn, y) instead, a rotation, x^2 + turn^2 = den^2
+  exact::BigInteger turn = 0;  ///< not zero: (x, -turn; turn, y) instead, a rotation, x^2 + turn^2 = den^2
 };
 
-/// The lattice of two operands of which one is scaled: integers are the scaled operand's times x or y and the other's times den; the
-/// doubles still count units of the unscaled lattice, which make_lattice has made and whose `integers` are set. O(n), a few operations a vertex.
+/// The lattice of two operands of which one is scaled: integers are the scaled operand's times x or y and the other's
+/// times den; the doubles still count units of the unscaled lattice, which make_lattice has made and whose `integers`
+/// are set. O(n), a few operations a vertex.
 std::shared_ptr<Lattice> make_scaled_lattice(const Lattice& unscaled, const LatticeScale& scale, int min_tier_bits);
 /// The same for a rotation, by any angle, zero and pi too: vertices are never snapped.
 std::shared_ptr<Lattice> make_turned_lattice(const Lattice& unscaled, const LatticeScale& rotation, int min_tier_bits);

@@ -30,7 +30,7 @@ inline int factor_bits(const exact::BigInteger& n) {
 }
 
 /// Points in units of 2^unit, `exponent` the grid of both, coordinates of at most `bits` bits.
-std::shared_ptr<Lattice> build_lattice(std::array<std::shared_ptr<const PlacedPoints>, 2> points, int exponent, int unit, int bits,
-                                       std::optional<LatticeScale> scale, int min_tier_bits);
+std::shared_ptr<Lattice> build_lattice(std::array<std::shared_ptr<const PlacedPoints>, 2> points, int exponent,
+                                       int unit, int bits, std::optional<LatticeScale> scale, int min_tier_bits);
 
 }  // namespace dymsum::planar

@@ -59,7 +59,9 @@ void restart(DirectionList& list, const Operand& o, const Lattice& lattice) {
   const std::size_t n = list.edges.size();
   std::size_t first = 0;
   for (std::size_t k = 1; k < n && first == 0; ++k)
-    if (compare_directions(lattice, list.keys[k], o.edge(list.edges[k]), list.keys[k - 1], o.edge(list.edges[k - 1])) < 0) first = k;
+    if (compare_directions(lattice, list.keys[k], o.edge(list.edges[k]), list.keys[k - 1], o.edge(list.edges[k - 1])) <
+        0)
+      first = k;
   std::rotate(list.edges.begin(), list.edges.begin() + static_cast<std::ptrdiff_t>(first), list.edges.end());
   std::rotate(list.keys.begin(), list.keys.begin() + static_cast<std::ptrdiff_t>(first), list.keys.end());
   number(list, o);
@@ -114,7 +116,8 @@ void place(Operand& o, const Lattice& lattice) {
   place_walk(o);
   // A scale per axis keeps the order of the directions, but not their angles.
   for (DirectionList& list : o.directions)
-    for (std::size_t k = 0; k < list.edges.size(); ++k) list.keys[k] = pseudo_angle(o.ex[list.edges[k]], o.ey[list.edges[k]]);
+    for (std::size_t k = 0; k < list.edges.size(); ++k)
+      list.keys[k] = pseudo_angle(o.ex[list.edges[k]], o.ey[list.edges[k]]);
   if (o.points->turned != nullptr) {
     for (DirectionList& list : o.directions) restart(list, o, lattice);
     for (Loop& loop : o.loops) find_turned_extremes(loop, o, *o.points->turned);
@@ -130,7 +133,8 @@ class Builder {
       : region_(region), edges_(*points), made_(std::make_shared<Operand>(bytes_for(size))), out_(*made_) {
     out_.op = op;
     out_.points = std::move(points);
-    for (auto* list : {&out_.source, &out_.next, &out_.prev, &out_.vertex_number, &out_.edge_number}) list->resize(size.walk);
+    for (auto* list : {&out_.source, &out_.next, &out_.prev, &out_.vertex_number, &out_.edge_number})
+      list->resize(size.walk);
     out_.convex.resize(size.walk);
     for (auto* list : {&out_.ex, &out_.ey}) list->resize(size.walk);
     out_.loops.reserve(size.loops);
@@ -151,7 +155,8 @@ class Builder {
     c.last_loop = static_cast<std::uint32_t>(out_.loops.size());
     c.last = size_;
     const auto outer = out_.convex.begin() + c.first;
-    c.convex = c.dimension == 2 && std::all_of(outer, outer + out_.loops[c.first_loop].last - c.first, [](auto f) { return f != 0; });
+    c.convex = c.dimension == 2 &&
+               std::all_of(outer, outer + out_.loops[c.first_loop].last - c.first, [](auto f) { return f != 0; });
   }
 
   // A closed walk through source vertices; numbers[i] is the number of the edge from walk[i] to walk[i + 1].
@@ -161,7 +166,8 @@ class Builder {
     const std::uint32_t first = size_;
     std::uint32_t at = first;
     // Stores of bytes may change anything, as far as the compiler knows: even where the lists lie.
-    std::uint32_t *const source = out_.source.data(), *const edge_number = out_.edge_number.data(), *const vertex_number = out_.vertex_number.data();
+    std::uint32_t *const source = out_.source.data(), *const edge_number = out_.edge_number.data(),
+                         *const vertex_number = out_.vertex_number.data();
     std::uint8_t* const convex = out_.convex.data();
     double *const ex = out_.ex.data(), *const ey = out_.ey.data();
     const bool touching = region_.touching;
@@ -186,7 +192,8 @@ class Builder {
       }
       const Turn t = exact_turn(edge(before), out);
       convex[at] = t == Turn::convex;
-      // Where a walk goes straight from one ring's edge to another's, the vertex stays: a contact names an edge of one ring.
+      // Where a walk goes straight from one ring's edge to another's, the vertex stays: a contact names an edge of one
+      // ring.
       const bool same_run = !touching || region_.edge_number(numbers[i]) == region_.edge_number(numbers[before]);
       if (t != Turn::straight || !same_run) ++at;
     }
@@ -208,7 +215,8 @@ class Builder {
   }
 
   std::shared_ptr<Operand> finish() && {
-    for (auto* list : {&out_.source, &out_.next, &out_.prev, &out_.vertex_number, &out_.edge_number}) list->resize(size_);
+    for (auto* list : {&out_.source, &out_.next, &out_.prev, &out_.vertex_number, &out_.edge_number})
+      list->resize(size_);
     out_.convex.resize(size_);
     for (auto* list : {&out_.ex, &out_.ey}) list->resize(size_);
     place_walk(out_);
@@ -278,13 +286,12 @@ class Builder {
       const std::uint32_t vertex = out_.vertex_number[i], edge = out_.edge_number[i];
       const std::uint32_t from = out_.source[i], to = out_.source[out_.next[i]];
       if (vertex != kUnnumbered) out_.numbered_vertex[vertex] = from;
-      if (whole)
-        out_.numbered_edge[edge] = {from, to};
-      else if (edge != kUnnumbered)
-        extend(out_.numbered_edge[edge], from, to);
+      if (whole) out_.numbered_edge[edge] = {from, to};
+      else if (edge != kUnnumbered) extend(out_.numbered_edge[edge], from, to);
     }
   }
-  // By the piece from a to b of an edge that is cut: places on one line are in the order of either coordinate that changes.
+  // By the piece from a to b of an edge that is cut: places on one line are in the order of either coordinate that
+  // changes.
   void extend(std::array<std::uint32_t, 2>& edge, std::uint32_t a, std::uint32_t b) const {
     if (edge[0] == kUnnumbered) {
       edge = {a, b};

@@ -1,5 +1,6 @@
-// An operand of a planar sum as the convolution sees it: closed walks with the interior on their left, collinear vertices
-// dropped, grouped into connected components; and everything about them that does not depend on the other operand.
+// An operand of a planar sum as the convolution sees it: closed walks with the interior on their left, collinear
+// vertices dropped, grouped into connected components; and everything about them that does not depend on the other
+// operand.
 #pragma once
 
 #include <array>
@@ -54,27 +55,27 @@ struct Operand {
   using List = OwnArray<T>;
   OwnMemory memory;
   std::uint32_t op = 0;
-  bool reflected = false;                  ///< of the region's reflection: evidence shows coordinates as the region has them
-  List<std::uint32_t> source{memory};       ///< walk vertex -> source vertex
-  List<std::uint32_t> next{memory}, prev{memory};   ///< walk vertex -> walk vertex
-  List<std::uint32_t> vertex_number{memory};  ///< walk vertex -> vertex number in the region
-  List<std::uint32_t> edge_number{memory};    ///< walk edge -> edge number in the region
+  bool reflected = false;  ///< of the region's reflection: evidence shows coordinates as the region has them
+  List<std::uint32_t> source{memory};              ///< walk vertex -> source vertex
+  List<std::uint32_t> next{memory}, prev{memory};  ///< walk vertex -> walk vertex
+  List<std::uint32_t> vertex_number{memory};       ///< walk vertex -> vertex number in the region
+  List<std::uint32_t> edge_number{memory};         ///< walk edge -> edge number in the region
   struct Numbers {
     std::uint32_t vertex = 0, edge = 0, next_vertex = 0;
   };
-  List<Numbers> numbers{memory};            ///< the same side by side, with the number of the edge's end
+  List<Numbers> numbers{memory};                ///< the same side by side, with the number of the edge's end
   List<std::uint32_t> numbered_vertex{memory};  ///< vertex number -> source vertex
   List<std::array<std::uint32_t, 2>> numbered_edge{memory};  ///< edge number -> the source vertices of its walk edge
-  List<std::uint8_t> convex{memory};        ///< strictly convex, tip of a spike, or a point: it can touch with its vertex
-  List<double> x{memory}, y{memory};                ///< walk vertices, in the units of `points`
-  List<double> ex{memory}, ey{memory};              ///< walk edge vectors, each component rounded once
-  List<EdgeBox> boxes{memory};              ///< walk edges: the same side by side
+  List<std::uint8_t> convex{memory};    ///< strictly convex, tip of a spike, or a point: it can touch with its vertex
+  List<double> x{memory}, y{memory};    ///< walk vertices, in the units of `points`
+  List<double> ex{memory}, ey{memory};  ///< walk edge vectors, each component rounded once
+  List<EdgeBox> boxes{memory};          ///< walk edges: the same side by side
   List<Loop> loops{memory};
   List<Component> components{memory};
-  List<std::uint32_t> component_of{memory}; ///< walk vertex -> component
+  List<std::uint32_t> component_of{memory};  ///< walk vertex -> component
   List<DirectionList> directions{memory};
   List<std::array<std::uint32_t, 2>> component_directions{memory};  ///< per component: all its edges, its outer loop's
-  std::shared_ptr<const PlacedPoints> points;  ///< the source vertices
+  std::shared_ptr<const PlacedPoints> points;                       ///< the source vertices
 
   std::size_t size() const { return source.size(); }
   const std::vector<EdgeTree>& trees() const { return trees_.of(*this); }  ///< per component
@@ -84,11 +85,12 @@ struct Operand {
   EdgeTrees trees_;
 };
 
-/// Operand `op` (0 = P, 1 = Q) of a region, or of its reflection. O(n log n); independent of the other operand, so that it can be kept.
+/// Operand `op` (0 = P, 1 = Q) of a region, or of its reflection. O(n log n); independent of the other operand, so that
+/// it can be kept.
 std::shared_ptr<Operand> make_operand(const EngineRegion& region, std::uint32_t op, bool reflected = false);
 
-/// The operand in the units and relative to the offset of a lattice that places its points differently: because the other operand
-/// is huge or minute, because it is scaled, or because there are further points.
+/// The operand in the units and relative to the offset of a lattice that places its points differently: because the
+/// other operand is huge or minute, because it is scaled, or because there are further points.
 std::shared_ptr<const Operand> placed_on(const Lattice& lattice, std::shared_ptr<const Operand> operand);
 
 /// The error for a coordinate that no sum can take: larger than 2^1000, so that differences overflow.

@@ -11,8 +11,8 @@
 
 namespace dymsum::planar {
 
-/// Edges between source vertices that are neither scaled nor turned. Signs are of the points as given, in integers of at most 53 bits where
-/// these hold them, else by the exact predicates of doubles.
+/// Edges between source vertices that are neither scaled nor turned. Signs are of the points as given, in integers of
+/// at most 53 bits where these hold them, else by the exact predicates of doubles.
 class OwnEdges {
  public:
   explicit OwnEdges(const PlacedPoints& points)
@@ -37,7 +37,9 @@ class OwnEdges {
   }
 
  private:
-  exact::Int<54> along(const double* coordinates, const Edge& e) const { return integer(coordinates[e.to]) - integer(coordinates[e.from]); }
+  exact::Int<54> along(const double* coordinates, const Edge& e) const {
+    return integer(coordinates[e.to]) - integer(coordinates[e.from]);
+  }
   // Of at most 53 bits, no step of making the double was rounded.
   exact::Int<53> integer(double coordinate) const {
     return exact::Int<53>::from_int64(static_cast<std::int64_t>(coordinate * per_double_));

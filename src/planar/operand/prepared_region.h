@@ -1,4 +1,5 @@
-// What the engine keeps of a region from one sum to the next: the region as an operand, in each role it has played so far.
+// What the engine keeps of a region from one sum to the next: the region as an operand, in each role it has played so
+// far.
 #pragma once
 
 #include <array>

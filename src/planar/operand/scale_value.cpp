@@ -21,7 +21,8 @@ Error bad(std::string message) { return {Code::bad_scale, std::move(message), {}
 
 Result<BigRational> within_limits(BigRational v, const std::string& what, const std::string& text) {
   const BigInteger limit = BigInteger(1) << 64;
-  if (v > BigRational(limit) || v < BigRational(BigInteger(1), limit)) return bad("a " + what + " has to lie between 2^-64 and 2^64: " + text);
+  if (v > BigRational(limit) || v < BigRational(BigInteger(1), limit))
+    return bad("a " + what + " has to lie between 2^-64 and 2^64: " + text);
   if (msb(numerator(v)) >= kMaxBits || msb(denominator(v)) >= kMaxBits)
     return bad("numerator and denominator of a " + what + " may have at most 4096 bits");
   return v;
@@ -84,8 +85,10 @@ Result<Scale> parse_scale_step(std::string_view text) {
   return Scale::of(exact::to_rational(*v));
 }
 
-Result<std::vector<Scale>> scale_steps(const Scale& from, const Scale& to, const Scale& step, bool percent, std::size_t most) {
-  const BigRational first = exact::exact_value(from.exact()), last = exact::exact_value(to.exact()), by = exact::exact_value(step.exact());
+Result<std::vector<Scale>> scale_steps(const Scale& from, const Scale& to, const Scale& step, bool percent,
+                                       std::size_t most) {
+  const BigRational first = exact::exact_value(from.exact()), last = exact::exact_value(to.exact()),
+                    by = exact::exact_value(step.exact());
   const bool up = last >= first;
   const BigInteger grid = BigInteger(1) << 40;
   std::vector<Scale> scales;
@@ -129,7 +132,8 @@ exact::BigRational simple_between(const BigRational& a, const BigRational& b) {
     const BigRational scaled = k >= 0 ? BigRational(a * one) : BigRational(a / one);
     BigInteger floor = numerator(scaled) / denominator(scaled);
     if (scaled.sign() < 0 && floor * denominator(scaled) != numerator(scaled)) floor -= 1;
-    const BigRational candidate = k >= 0 ? BigRational(BigInteger(floor + 1), one) : BigRational(BigInteger((floor + 1) * one));
+    const BigRational candidate =
+        k >= 0 ? BigRational(BigInteger(floor + 1), one) : BigRational(BigInteger((floor + 1) * one));
     if (candidate > a && candidate < b) return candidate;
   }
 }

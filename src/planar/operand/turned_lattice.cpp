@@ -11,14 +11,17 @@ using exact::BigRational;
 
 Point TurnedPoints::vector(std::uint32_t from, std::uint32_t to) const {
   if (at.empty()) {
-    const auto component = [&](int axis) { return exact::round_to_double(BigRational(BigRational(big[to][axis] - big[from][axis]) * big_factor)); };
+    const auto component = [&](int axis) {
+      return exact::round_to_double(BigRational(BigRational(big[to][axis] - big[from][axis]) * big_factor));
+    };
     return {component(0), component(1)};
   }
   return {static_cast<double>(at[to][0] - at[from][0]) * factor, static_cast<double>(at[to][1] - at[from][1]) * factor};
 }
 
 double TurnedPoints::rounded(std::uint32_t i, int axis) const {
-  return at.empty() ? exact::round_to_double(BigRational(BigRational(big[i][axis]) * big_factor)) : static_cast<double>(at[i][axis]) * factor;
+  return at.empty() ? exact::round_to_double(BigRational(BigRational(big[i][axis]) * big_factor))
+                    : static_cast<double>(at[i][axis]) * factor;
 }
 
 int TurnedPoints::compare(std::uint32_t i, std::uint32_t j, int axis) const {
@@ -28,14 +31,16 @@ int TurnedPoints::compare(std::uint32_t i, std::uint32_t j, int axis) const {
 
 namespace {
 
-// (x, -turn; turn, y) times the grid integers, relative to the smallest coordinate of each axis; and the bits that needs.
+// (x, -turn; turn, y) times the grid integers, relative to the smallest coordinate of each axis; and the bits that
+// needs.
 std::shared_ptr<TurnedPoints> turned_points(const Lattice& unscaled, const LatticeScale& r) {
   const PlacedPoints& o = *unscaled.points[r.op];
   auto turned = std::make_shared<TurnedPoints>();
   const int grid_bits = o.bits(unscaled.grid_exponent);
   // |x X - turn Y| < 2^(grid + den + 1), and a difference of two has one bit more.
   if (grid_bits + factor_bits(r.den) + 2 <= 125 && unscaled.tier_bits != 0) {
-    const exact::i128 c = exact::narrowed<exact::Int<125>>(Big(r.x)).raw(), s = exact::narrowed<exact::Int<125>>(Big(r.turn)).raw();
+    const exact::i128 c = exact::narrowed<exact::Int<125>>(Big(r.x)).raw(),
+                      s = exact::narrowed<exact::Int<125>>(Big(r.turn)).raw();
     std::array<exact::i128, 2> low{};
     const auto& integers = unscaled.unscaled_integers().at[r.op];
     turned->at.reserve(integers.size());
@@ -62,10 +67,12 @@ std::shared_ptr<TurnedPoints> turned_points(const Lattice& unscaled, const Latti
 }
 
 // The integers as x and y, three roundings each.
-void place_turned(PlacedPoints& points, std::shared_ptr<TurnedPoints> turned, const exact::BigInteger& den, int exponent, int unit) {
+void place_turned(PlacedPoints& points, std::shared_ptr<TurnedPoints> turned, const exact::BigInteger& den,
+                  int exponent, int unit) {
   const int shift = exponent - unit;
   const exact::BigInteger power = exact::BigInteger(1) << std::abs(shift);
-  turned->big_factor = shift < 0 ? BigRational(exact::BigInteger(1), exact::BigInteger(den * power)) : BigRational(power, den);
+  turned->big_factor =
+      shift < 0 ? BigRational(exact::BigInteger(1), exact::BigInteger(den * power)) : BigRational(power, den);
   turned->factor = turned->at.empty() ? 0 : exact::round_to_double(turned->big_factor);
   points.unit = unit;
   points.width = points.height = 0;

@@ -65,10 +65,8 @@ double ExactArea::to_double() const {
   const BigInteger magnitude = abs(numerator);
   const auto shift = static_cast<std::int64_t>(msb(denominator)) - static_cast<std::int64_t>(msb(magnitude)) + 64;
   BigInteger quotient, remainder;
-  if (shift >= 0)
-    divide_qr(BigInteger(magnitude << shift), denominator, quotient, remainder);
-  else
-    divide_qr(magnitude, BigInteger(denominator << -shift), quotient, remainder);
+  if (shift >= 0) divide_qr(BigInteger(magnitude << shift), denominator, quotient, remainder);
+  else divide_qr(magnitude, BigInteger(denominator << -shift), quotient, remainder);
   quotient <<= 1;
   if (!remainder.is_zero()) quotient += 1;
   if (numerator.sign() < 0) quotient = -quotient;
@@ -104,9 +102,9 @@ ExactArea exact_area(const std::vector<std::vector<Position>>& rings) {
   return exact_area(std::move(vertices));
 }
 
-// With D the product of the odd factors f of the denominator, gcd(N, D) = gcd(N, product of gcd(f, N)): for every prime,
-// the smaller of its powers in N and D is the smaller of that in N and the sum over f of the smaller of those in N and
-// f. Twos are counted.
+// With D the product of the odd factors f of the denominator, gcd(N, D) = gcd(N, product of gcd(f, N)): for every
+// prime, the smaller of its powers in N and D is the smaller of that in N and the sum over f of the smaller of those in
+// N and f. Twos are counted.
 ExactArea exact_area(std::vector<std::vector<Homogeneous>> rings) {
   std::erase_if(rings, [](const std::vector<Homogeneous>& ring) { return ring.empty(); });
   if (rings.empty()) return {};

@@ -4,9 +4,9 @@
 
 #include <optional>
 
+#include "base/double_pair.h"
 #include "dymsum/planar_sum.h"
 #include "exact/big.h"
-#include "base/double_pair.h"
 
 namespace dymsum {
 

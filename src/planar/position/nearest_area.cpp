@@ -13,9 +13,9 @@ namespace dymsum::planar {
 
 namespace {
 
+using base::DoublePair;
 using exact::BigInteger;
 using exact::BigRational;
-using base::DoublePair;
 
 template <class Visit>
 void each_ring(const PlanarSum& sum, Visit visit) {
@@ -57,9 +57,9 @@ class PairSum {
   void add(const ExactSource::NearPosition& a, const ExactSource::NearPosition& b) {
     const DoublePair left = a.x * b.y, right = b.x * a.y;
     twice_ = twice_ + (left - right);
-    error_ += (std::abs(a.x.high) + std::abs(a.y.high)) * b.error + (std::abs(b.x.high) + std::abs(b.y.high)) * a.error +
-              2 * a.error * b.error + 0x1p-100 * (2 * (std::abs(left.high) + std::abs(right.high)) + std::abs(twice_.high)) +
-              0x1p-1000;
+    error_ += (std::abs(a.x.high) + std::abs(a.y.high)) * b.error +
+              (std::abs(b.x.high) + std::abs(b.y.high)) * a.error + 2 * a.error * b.error +
+              0x1p-100 * (2 * (std::abs(left.high) + std::abs(right.high)) + std::abs(twice_.high)) + 0x1p-1000;
   }
 
   const ExactSource& source_;
@@ -120,8 +120,8 @@ class Multiples {
   BigInteger largest_ = 0;
 };
 
-/// From multiples of 2^-bits of the largest coordinate. Coordinates X err by less than 1, so each of n cross products by
-/// less than 4 max |X| + 2.
+/// From multiples of 2^-bits of the largest coordinate. Coordinates X err by less than 1, so each of n cross products
+/// by less than 4 max |X| + 2.
 AreaRange multiple_range(const PlanarSum& sum, int bits) {
   const double largest = largest_coordinate(sum);
   const int shift = bits - (largest > 0 ? std::ilogb(largest) : 0);
@@ -136,7 +136,8 @@ AreaRange multiple_range(const PlanarSum& sum, int bits) {
       a = b;
     }
   });
-  const BigInteger error = multiples.exact() ? BigInteger(0) : BigInteger(sum.vertex_count() * (4 * multiples.largest() + 2));
+  const BigInteger error =
+      multiples.exact() ? BigInteger(0) : BigInteger(sum.vertex_count() * (4 * multiples.largest() + 2));
   const int scale = 2 * shift + 1;
   const auto value = [&](const BigInteger& n) {
     return scale >= 0 ? BigRational(n, BigInteger(1) << scale) : BigRational(BigInteger(n << -scale));

@@ -14,16 +14,18 @@ namespace dymsum::planar {
 /// Both ends hold the exact area between them; equal: they are the exact area.
 using AreaRange = std::pair<exact::BigRational, exact::BigRational>;
 
-/// Calls decide(range) for narrower and narrower ranges until it returns true, which it has to when both ends are equal:
-/// first positions as pairs of doubles, at a few operations a vertex; then multiples of a power of two, 2^-256 and
-/// 2^-1024 of the largest coordinate; then the exact fraction, at the cost of exact_area. A rounding to d bits is not decided
-/// by the first range only where the area is within about n 2^-94 extent^2 of a place where the rounding changes.
+/// Calls decide(range) for narrower and narrower ranges until it returns true, which it has to when both ends are
+/// equal: first positions as pairs of doubles, at a few operations a vertex; then multiples of a power of two, 2^-256
+/// and 2^-1024 of the largest coordinate; then the exact fraction, at the cost of exact_area. A rounding to d bits is
+/// not decided by the first range only where the area is within about n 2^-94 extent^2 of a place where the rounding
+/// changes.
 void narrow_area(const PlanarSum& sum, const std::function<bool(const AreaRange&)>& decide);
 
 /// The nearest double.
 double nearest_area(const PlanarSum& sum);
 
-/// The fraction, where the denominators of the vertices that are no powers of two have no more than `bits` bits together.
+/// The fraction, where the denominators of the vertices that are no powers of two have no more than `bits` bits
+/// together.
 std::optional<Rational> area_within(const PlanarSum& sum, std::size_t bits);
 
 /// The exact fraction.

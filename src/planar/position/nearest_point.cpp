@@ -16,9 +16,9 @@ DoublePair pair_of(const exact::BigRational& v) {
   return {high, exact::round_to_double(exact::BigRational(v - exact::exact_value(high)))};
 }
 
-/// The double nearest to origin + unit v, |v - exact| <= error, if this is sure. The product and the sum err by 2^-99 of
-/// themselves, with the error of their factors; rounding is monotone, so where both ends of what is possible round to
-/// one double, all of it does. Below 2^-800 error terms may underflow.
+/// The double nearest to origin + unit v, |v - exact| <= error, if this is sure. The product and the sum err by 2^-99
+/// of themselves, with the error of their factors; rounding is monotone, so where both ends of what is possible round
+/// to one double, all of it does. Below 2^-800 error terms may underflow.
 std::optional<double> nearest(DoublePair origin, DoublePair unit, DoublePair v, double error) {
   const DoublePair moved = unit * v, at = origin + moved;
   const double reach = std::abs(origin.high) + std::abs(moved.high);

@@ -1,5 +1,5 @@
-// The nearest doubles of a sum's vertices: from one sum of doubles, from some thirty digits, or from the exact position,
-// whichever decides first.
+// The nearest doubles of a sum's vertices: from one sum of doubles, from some thirty digits, or from the exact
+// position, whichever decides first.
 #pragma once
 
 #include <optional>

@@ -7,12 +7,12 @@
 
 namespace dymsum::planar {
 
-/// The frame with P cut out, under the numbers of P; the frame's own vertices and edges have the number SumVertex::kNone. The frame is
-/// wide enough that its boundary plays no part in sums with -Q.
+/// The frame with P cut out, under the numbers of P; the frame's own vertices and edges have the number
+/// SumVertex::kNone. The frame is wide enough that its boundary plays no part in sums with -Q.
 EngineRegion complement_of(const Region& p, const Region& q);
 
-/// The error for operands around which no such frame can be laid: a coordinate that no sum can take, or so large a one that the frame's
-/// would be. Evidence is the operand's own coordinate.
+/// The error for operands around which no such frame can be laid: a coordinate that no sum can take, or so large a one
+/// that the frame's would be. Evidence is the operand's own coordinate.
 std::optional<Error> too_large_to_frame(const Region& p, const Region& q);
 
 }  // namespace dymsum::planar

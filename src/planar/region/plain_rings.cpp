@@ -8,15 +8,15 @@
 #include <optional>
 #include <utility>
 
+#include "base/box_lanes.h"
 #include "base/scratch.h"
 #include "exact/orient.h"
-#include "base/box_lanes.h"
 
 namespace dymsum::planar {
 namespace {
 
-/// A box in 15-bit quanta in one word: x0, y0, M - x1, M - y1 from the low bits up, with M = 0x7fff and a guard bit above each. Less in
-/// every field is a larger box.
+/// A box in 15-bit quanta in one word: x0, y0, M - x1, M - y1 from the low bits up, with M = 0x7fff and a guard bit
+/// above each. Less in every field is a larger box.
 using Box = std::uint64_t;
 constexpr Box kFields = 0x7fff7fff7fff7fff, kGuards = 0x8000800080008000;
 
@@ -119,7 +119,8 @@ class PlainRings {
     return true;
   }
 
-  // Monotone in the coordinates, so that what meets meets in quanta too. False: no area, or too large or small to be told in doubles.
+  // Monotone in the coordinates, so that what meets meets in quanta too. False: no area, or too large or small to be
+  // told in doubles.
   bool find_quanta() {
     Point low = rings_[0].low, high = rings_[0].high;
     for (const RingSpan& ring : rings_) {
@@ -148,7 +149,8 @@ class PlainRings {
     for (std::uint32_t e = 0; e < size(); ++e) edges[e] = around(at[e], at[next_[e]]);
   }
 
-  /// Left at every vertex, by less than half a turn, and in all one turn: such a ring is convex. False where doubles do not tell.
+  /// Left at every vertex, by less than half a turn, and in all one turn: such a ring is convex. False where doubles do
+  /// not tell.
   bool turns_left_once() const {
     const std::uint32_t n = size();
     const auto upper = [](Point a, Point b) { return b.y > a.y || (b.y == a.y && b.x > a.x); };
@@ -187,13 +189,16 @@ class PlainRings {
       Array<Box>& level = (*boxes_)[level_count_];
       for (std::size_t i = 0; i < below.size(); i += kFanOut) {
         Box box = below[i];
-        for (std::size_t k = i + 1; k < std::min<std::size_t>(i + kFanOut, below.size()); ++k) box = around(box, below[k]);
+        for (std::size_t k = i + 1; k < std::min<std::size_t>(i + kFanOut, below.size()); ++k)
+          box = around(box, below[k]);
         level.push_back(box);
       }
       count_[level_count_++] = static_cast<std::uint32_t>(level.size());
     }
   }
-  std::uint32_t end_of(std::uint32_t level, std::uint32_t group) const { return std::min((group + 1) * kFanOut, count_[level]); }
+  std::uint32_t end_of(std::uint32_t level, std::uint32_t group) const {
+    return std::min((group + 1) * kFanOut, count_[level]);
+  }
 
   // All pairs of edges, eight at a time.
   void all_pairs() {
@@ -217,13 +222,15 @@ class PlainRings {
     for (std::uint32_t e = 0; e < n && left_ > 0; ++e) {
       const Lanes ex0 = Lanes{} + x0[e], ey0 = Lanes{} + y0[e], ex1 = Lanes{} + x1[e], ey1 = Lanes{} + y1[e];
       for (std::uint32_t f = next_[e] == e + 1 ? e + 2 : e + 1; f < n; f += kLanes) {
-        const Lanes apart = (load_lanes(x0 + f) > ex1) | (load_lanes(y0 + f) > ey1) | (load_lanes(x1 + f) < ex0) | (load_lanes(y1 + f) < ey0);
+        const Lanes apart = (load_lanes(x0 + f) > ex1) | (load_lanes(y0 + f) > ey1) | (load_lanes(x1 + f) < ex0) |
+                            (load_lanes(y1 + f) < ey0);
         for (auto bits = zero_lanes(apart); bits != 0; bits &= bits - 1) look_at(e, f + lane_of(bits));
       }
     }
   }
 
-  // All pairs of edges below the boxes [first, last) of a level. What is left is zero or less once a pair is not told apart.
+  // All pairs of edges below the boxes [first, last) of a level. What is left is zero or less once a pair is not told
+  // apart.
   void within(std::uint32_t level, std::uint32_t first, std::uint32_t last) {
     for (std::uint32_t i = first; i < last && left_ > 0; ++i) {
       if (level > 0) within(level - 1, i * kFanOut, end_of(level - 1, i));
@@ -236,10 +243,10 @@ class PlainRings {
     for (std::uint32_t j = first; j < last; ++j) {
       if (!meet(boxes[j], mine)) continue;
       if (--left_ <= 0) return;
-      if (level == 0)
-        look_at(i, j);
+      if (level == 0) look_at(i, j);
       else
-        for (std::uint32_t k = i * kFanOut; k < end_of(level - 1, i); ++k) against(level - 1, k, j * kFanOut, end_of(level - 1, j));
+        for (std::uint32_t k = i * kFanOut; k < end_of(level - 1, i); ++k)
+          against(level - 1, k, j * kFanOut, end_of(level - 1, j));
     }
   }
   void look_at(std::uint32_t e, std::uint32_t f) {
@@ -272,7 +279,8 @@ class PlainRings {
     }
     return in;
   }
-  // Disjoint rings: every hole inside its outer ring and no other hole, and parts side by side. False where a part may lie in a hole.
+  // Disjoint rings: every hole inside its outer ring and no other hole, and parts side by side. False where a part may
+  // lie in a hole.
   bool nested() const {
     const std::size_t r = rings_.size();
     if (r == 1) return true;
@@ -304,7 +312,7 @@ class PlainRings {
   Array<std::uint32_t> next_{&memory_};
   Array<RingSpan> rings_{&memory_};
   Point low_;
-  double x_scale_ = 0, y_scale_ = 0;  ///< quanta per unit
+  double x_scale_ = 0, y_scale_ = 0;                          ///< quanta per unit
   std::optional<std::array<Array<Box>, kMostLevels>> boxes_;  ///< of many edges
   std::array<std::uint32_t, kMostLevels> count_{};
   std::uint32_t level_count_ = 1;

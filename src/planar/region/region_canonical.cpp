@@ -16,9 +16,7 @@ bool less_chain(const std::vector<Point>& a, const std::vector<Point>& b) {
 }
 
 // b lies strictly between its neighbours.
-bool straight(Point a, Point b, Point c) {
-  return exact::orient_sign(a, b, c) == 0 && exact::dot_sign(a, b, b, c) > 0;
-}
+bool straight(Point a, Point b, Point c) { return exact::orient_sign(a, b, c) == 0 && exact::dot_sign(a, b, b, c) > 0; }
 
 // Dropping a straight vertex changes no direction at others, so that all can be judged by the given neighbours.
 std::vector<Point> without_straight_vertices(const std::vector<Point>& chain, bool closed) {

@@ -66,14 +66,14 @@ class RingSweep {
   const RingList& rings_;
   RingLayout layout_;
   SweepStatus status_;
-  std::vector<std::uint32_t> events_;   // vertices in lexicographic order
-  std::vector<Node> node_of_;           // edge -> node while it is in the status
-  std::vector<Ray> right_;              // rays to the right of the current point, from bottom to top
-  std::vector<std::uint64_t> left_;     // strands of the rays to the left, from bottom to top
-  std::vector<Node> range_;             // nodes of the rays to the left, from bottom to top
-  std::vector<std::uint64_t> open_;     // strands met once on the way around the point
-  Node below_ = SweepStatus::kNone;     // neighbours of the range
-  Node ending_ = SweepStatus::kNone;    // the node of an edge that ends at the current point
+  std::vector<std::uint32_t> events_;  // vertices in lexicographic order
+  std::vector<Node> node_of_;          // edge -> node while it is in the status
+  std::vector<Ray> right_;             // rays to the right of the current point, from bottom to top
+  std::vector<std::uint64_t> left_;    // strands of the rays to the left, from bottom to top
+  std::vector<Node> range_;            // nodes of the rays to the left, from bottom to top
+  std::vector<std::uint64_t> open_;    // strands met once on the way around the point
+  Node below_ = SweepStatus::kNone;    // neighbours of the range
+  Node ending_ = SweepStatus::kNone;   // the node of an edge that ends at the current point
 };
 
 void RingSweep::sort_events() {

@@ -32,7 +32,12 @@ void map_region(RegionData& data, F f, bool reverse) {
 Region negated(const Region& region) {
   RegionData data = region.data();
   // Half a turn keeps orientations. Subtracting from zero leaves no negative zeros.
-  map_region(data, [](Point p) { return Point{0 - p.x, 0 - p.y}; }, false);
+  map_region(
+      data,
+      [](Point p) {
+        return Point{0 - p.x, 0 - p.y};
+      },
+      false);
   std::vector<Point> touching(region.touching_points().rbegin(), region.touching_points().rend());
   for (Point& p : touching) p = {0 - p.x, 0 - p.y};
   return planar::trusted_region(std::move(data), std::move(touching));
@@ -40,7 +45,12 @@ Region negated(const Region& region) {
 
 Result<Region> translated(const Region& region, double dx, double dy) {
   RegionData data = region.data();
-  map_region(data, [dx, dy](Point p) { return Point{p.x + dx, p.y + dy}; }, false);
+  map_region(
+      data,
+      [dx, dy](Point p) {
+        return Point{p.x + dx, p.y + dy};
+      },
+      false);
   return Region::create(std::move(data));
 }
 
@@ -49,7 +59,12 @@ Result<Region> scaled(const Region& region, double sx, double sy) {
     return Error{Code::unsupported_operand, "a scale factor is zero or not finite", {}};
   }
   RegionData data = region.data();
-  map_region(data, [sx, sy](Point p) { return Point{p.x * sx, p.y * sy}; }, (sx < 0) != (sy < 0));
+  map_region(
+      data,
+      [sx, sy](Point p) {
+        return Point{p.x * sx, p.y * sy};
+      },
+      (sx < 0) != (sy < 0));
   return Region::create(std::move(data));
 }
 

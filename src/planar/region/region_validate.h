@@ -29,7 +29,8 @@ Validation validate_in_full(const RegionData& data);
 /// What a new region keeps for sums: nothing yet. Defined with PreparedRegion, of which regions know no more.
 std::shared_ptr<PreparedRegion> not_yet_prepared();
 
-/// Region made of data that are known to be valid, such as a reflected region, with the points at which its rings touch.
+/// Region made of data that are known to be valid, such as a reflected region, with the points at which its rings
+/// touch.
 Region trusted_region(RegionData data, std::vector<Point> touching_points);
 
 }  // namespace dymsum::planar

@@ -17,7 +17,8 @@ struct Node {
 };
 
 bool inside_edge(Point a, Point b, Point z) {
-  if (z.x < std::min(a.x, b.x) || z.x > std::max(a.x, b.x) || z.y < std::min(a.y, b.y) || z.y > std::max(a.y, b.y)) return false;
+  if (z.x < std::min(a.x, b.x) || z.x > std::max(a.x, b.x) || z.y < std::min(a.y, b.y) || z.y > std::max(a.y, b.y))
+    return false;
   return z != a && z != b && exact::orient_sign(a, b, z) == 0;
 }
 
@@ -55,7 +56,8 @@ class Separation {
     nodes_.push_back({at, number, number, static_cast<std::uint32_t>(nodes_.size() + 1), cut});
   }
 
-  // Around z, counter-clockwise, region sectors run from a way out to a way in; afterwards each visit of z has one of them.
+  // Around z, counter-clockwise, region sectors run from a way out to a way in; afterwards each visit of z has one of
+  // them.
   void pair_at(Point z) {
     struct Ray {
       Point to;

@@ -1,5 +1,5 @@
-// Regions whose rings touch, rewritten so that the engine's local view holds: at every visit of a vertex the wedge on the left is one
-// whole sector of the region, and components have connected interiors.
+// Regions whose rings touch, rewritten so that the engine's local view holds: at every visit of a vertex the wedge on
+// the left is one whole sector of the region, and components have connected interiors.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace dymsum::planar {
 struct EngineRegion {
   const RegionData* borrowed = nullptr;  ///< without touching points: the region's own data, which must outlive this
   RegionData own;
-  bool touching = false;  ///< edges of different rings may follow each other
+  bool touching = false;                                    ///< edges of different rings may follow each other
   std::vector<std::uint32_t> vertex_numbers, edge_numbers;  ///< empty: unchanged
 
   const RegionData& data() const { return borrowed != nullptr ? *borrowed : own; }
@@ -21,8 +21,9 @@ struct EngineRegion {
   std::uint32_t edge_number(std::uint32_t e) const { return edge_numbers.empty() ? e : edge_numbers[e]; }
 };
 
-/// The same set. Without touching points: the data as they are, borrowed. Otherwise edges are cut at touching points, every way in is joined
-/// to the next way out clockwise, and rings are grouped anew; they may then visit a point several times.
+/// The same set. Without touching points: the data as they are, borrowed. Otherwise edges are cut at touching points,
+/// every way in is joined to the next way out clockwise, and rings are grouped anew; they may then visit a point
+/// several times.
 EngineRegion separate_touching(const RegionData& data, const std::vector<Point>& touching_points);
 
 }  // namespace dymsum::planar

@@ -50,8 +50,8 @@ int compare_rings(const SumRing& a, const SumRing& b, const VertexOrder& order) 
 }
 
 /// The innermost of the outer rings that contain a hole.
-std::size_t parent_of(const SumRing& hole, const std::vector<const SumRing*>& outers,
-                      const std::vector<RingBox>& boxes, const ExactSource& source, double at_error) {
+std::size_t parent_of(const SumRing& hole, const std::vector<const SumRing*>& outers, const std::vector<RingBox>& boxes,
+                      const ExactSource& source, double at_error) {
   const RingBox box = box_of(hole, at_error);
   std::optional<std::size_t> parent;
   for (std::size_t i = 0; i < outers.size(); ++i) {
@@ -89,10 +89,8 @@ std::vector<SumPart> group_rings(std::vector<SumRing> rings, std::span<const std
   parts.resize(outers.size());
   for (std::size_t i = 0; i < rings.size(); ++i) {
     SumPart& part = parts[part_of[i]];
-    if (is_outer[i] != 0)
-      part.outer = std::move(rings[i]);
-    else
-      part.holes.push_back(std::move(rings[i]));
+    if (is_outer[i] != 0) part.outer = std::move(rings[i]);
+    else part.holes.push_back(std::move(rings[i]));
   }
   return parts;
 }
@@ -105,8 +103,7 @@ void canonicalize(std::vector<SumPart>& parts, const ExactSource& source, double
     for (SumRing& hole : part.holes) rotate_to_start(hole, order);
     std::sort(part.holes.begin(), part.holes.end(), before);
   }
-  std::sort(parts.begin(), parts.end(),
-            [&](const SumPart& a, const SumPart& b) { return before(a.outer, b.outer); });
+  std::sort(parts.begin(), parts.end(), [&](const SumPart& a, const SumPart& b) { return before(a.outer, b.outer); });
 }
 
 void canonicalize(std::vector<SumSegment>& segments, const ExactSource& source, double at_error) {

@@ -167,7 +167,9 @@ void add_pieces(const Run& run, const Rings& rings, std::vector<PieceSegment>& p
     return i == 0 ? *run.low : i <= cuts.size() ? cuts[i - 1].at : *run.high;
   };
   const auto cut = [&](std::size_t i) { return i == 0 || i > cuts.size() ? nullptr : &cuts[i - 1]; };
-  const auto free = [&](std::size_t i) { return rings.empty() || locate(rings, middle(spot(i), spot(i + 1))) == Location::outside; };
+  const auto free = [&](std::size_t i) {
+    return rings.empty() || locate(rings, middle(spot(i), spot(i + 1))) == Location::outside;
+  };
   for (std::size_t i = 0; i <= cuts.size(); ++i) {
     if (!free(i)) continue;
     std::size_t end = i + 1;

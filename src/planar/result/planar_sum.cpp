@@ -6,8 +6,8 @@
 
 #include "planar/position/exact_source.h"
 #include "planar/position/nearest_area.h"
-#include "planar/result/rounding.h"
 #include "planar/position/vertex_order.h"
+#include "planar/result/rounding.h"
 
 namespace dymsum {
 
@@ -91,7 +91,9 @@ std::size_t PlanarSum::vertex_count() const {
 
 Rational PlanarSum::area_exact() const { return planar::area_fraction(*this); }
 
-std::optional<Rational> PlanarSum::area_exact_within(std::size_t bits) const { return planar::area_within(*this, bits); }
+std::optional<Rational> PlanarSum::area_exact_within(std::size_t bits) const {
+  return planar::area_within(*this, bits);
+}
 
 double PlanarSum::area() const { return planar::nearest_area(*this); }
 

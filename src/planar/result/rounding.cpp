@@ -56,9 +56,8 @@ BentEdges bend_edges(const SumSkeleton& skeleton, const std::vector<VertexOnEdge
     const SumSkeleton::Edge& edge = skeleton.edges[e];
     const Point a = skeleton.nearest[edge.from], b = skeleton.nearest[edge.to];
     const auto end = std::find_if(next, contacts.end(), [e](const VertexOnEdge& c) { return c.edge != e; });
-    const bool leaves = std::any_of(next, end, [&](const VertexOnEdge& c) {
-      return exact::orient_sign(a, b, skeleton.nearest[c.vertex]) != 0;
-    });
+    const bool leaves = std::any_of(
+        next, end, [&](const VertexOnEdge& c) { return exact::orient_sign(a, b, skeleton.nearest[c.vertex]) != 0; });
     bent.first.push_back(bent.path.size());
     bent.path.push_back(edge.from);
     if (leaves)
@@ -143,14 +142,10 @@ RegionData region_data(const SumSkeleton& skeleton, const BentEdges& bent) {
       for (std::size_t i = bent.first[edge]; i + 1 < bent.first[edge + 1]; ++i)
         points.push_back(skeleton.nearest[bent.path[i]]);
     if (!chain.closed) points.push_back(skeleton.nearest[chain.first + chain.count - 1]);
-    if (!chain.closed && chain.count == 1)
-      data.points.push_back(points.front());
-    else if (!chain.closed)
-      data.polylines.push_back(std::move(points));
-    else if (*chain.ring == 0)
-      data.parts.push_back({std::move(points), {}});
-    else
-      data.parts.back().holes.push_back(std::move(points));
+    if (!chain.closed && chain.count == 1) data.points.push_back(points.front());
+    else if (!chain.closed) data.polylines.push_back(std::move(points));
+    else if (*chain.ring == 0) data.parts.push_back({std::move(points), {}});
+    else data.parts.back().holes.push_back(std::move(points));
   }
   return data;
 }
@@ -166,8 +161,7 @@ Error spoiled(Error error, bool bent) {
 /// Points that rounding made equal, once each.
 std::size_t merge_equal_points(std::vector<Point>& points) {
   const std::size_t before = points.size();
-  std::sort(points.begin(), points.end(),
-            [](Point a, Point b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+  std::sort(points.begin(), points.end(), [](Point a, Point b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
   points.erase(std::unique(points.begin(), points.end()), points.end());
   return before - points.size();
 }

@@ -33,10 +33,10 @@ class SumSkeleton {
   /// Requires that the sum outlives this.
   explicit SumSkeleton(const PlanarSum& sum);
 
-  std::vector<Point> nearest;  ///< of all vertices, their nearest doubles
-  std::vector<Chain> chains;  ///< rings part by part, outer ring first; then segments; then points
-  std::vector<Edge> edges;    ///< in the order of the chains
-  std::vector<std::uint32_t> place;  ///< per vertex: the one that stands for all at its exact position
+  std::vector<Point> nearest;         ///< of all vertices, their nearest doubles
+  std::vector<Chain> chains;          ///< rings part by part, outer ring first; then segments; then points
+  std::vector<Edge> edges;            ///< in the order of the chains
+  std::vector<std::uint32_t> place;   ///< per vertex: the one that stands for all at its exact position
   std::vector<std::uint32_t> places;  ///< those that stand, sorted by their nearest doubles, x then y
 
   /// A vertex with its exact position, which is made when first asked for.
@@ -72,10 +72,8 @@ void SumSkeleton::visit_places_in_box(Point a, Point b, Visit visit) const {
   std::size_t low = 0, high = places.size();
   while (low < high) {
     const std::size_t middle = (low + high) / 2;
-    if (nearest[places[middle]].x < min_x)
-      low = middle + 1;
-    else
-      high = middle;
+    if (nearest[places[middle]].x < min_x) low = middle + 1;
+    else high = middle;
   }
   for (; low < places.size(); ++low) {
     const Point p = nearest[places[low]];

@@ -61,10 +61,12 @@ bool SumSource::on_segment(const Segment& s, const Position& at) const {
   return planar::on_segment(spot(start_of(s)), spot(end_of(s)), make_spot(at));
 }
 
-bool SumSource::on_contact(const Contact& contact, const Position& at) const { return on_segment(segment(contact), at); }
+bool SumSource::on_contact(const Contact& contact, const Position& at) const {
+  return on_segment(segment(contact), at);
+}
 
-// An edge merged from three contacts or more does not remember those in the middle, and where rings touch an edge number stands for
-// several walk edges: then all walk edges on the line are looked at.
+// An edge merged from three contacts or more does not remember those in the middle, and where rings touch an edge
+// number stands for several walk edges: then all walk edges on the line are looked at.
 Contact SumSource::contact_at(const Contact& first, const Contact& last, const Position& at) const {
   if (on_contact(first, at)) return first;
   if (on_contact(last, at)) return last;

@@ -4,9 +4,9 @@
 #include <array>
 #include <memory>
 
-#include "planar/position/exact_source.h"
 #include "planar/operand/lattice.h"
 #include "planar/operand/operand.h"
+#include "planar/position/exact_source.h"
 
 namespace dymsum::planar {
 
@@ -25,7 +25,8 @@ class SumSource final : public ExactSource {
 
   /// Whether a position lies on the closed segment that a contact names.
   bool on_contact(const Contact& contact, const Position& at) const;
-  /// A contact that carries a position on a ring edge whose first and last contacts are given. Requires: `at` lies on that edge.
+  /// A contact that carries a position on a ring edge whose first and last contacts are given. Requires: `at` lies on
+  /// that edge.
   Contact contact_at(const Contact& first, const Contact& last, const Position& at) const;
 
  private:

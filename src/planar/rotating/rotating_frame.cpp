@@ -6,8 +6,9 @@
 namespace dymsum::planar {
 namespace {
 
-// A side of a point computed from places errs by at most this times |d|_1 span, d x e by kCross |d|_1 |e|_1: cos and sin carry 2^-49, every
-// coordinate a few roundings (TurningForms::side_error, doubled because o2 = o1 + d x e carries both).
+// A side of a point computed from places errs by at most this times |d|_1 span, d x e by kCross |d|_1 |e|_1: cos and
+// sin carry 2^-49, every coordinate a few roundings (TurningForms::side_error, doubled because o2 = o1 + d x e carries
+// both).
 constexpr double kSide = 0x1p-45, kCross = 0x1p-46;
 
 float rounded_up(double error) { return static_cast<float>(error) * (1 + 0x1p-20f); }
@@ -58,7 +59,9 @@ bool RotatingFrame::compute(double delta, Heading heading) {
 
 bool RotatingFrame::place_segments(double delta) {
   const TurningForms& forms = window_.forms();
-  const auto turn = [&](Point p) { return Point{heading_.c * p.x - heading_.s * p.y, heading_.s * p.x + heading_.c * p.y}; };
+  const auto turn = [&](Point p) {
+    return Point{heading_.c * p.x - heading_.s * p.y, heading_.s * p.x + heading_.c * p.y};
+  };
   for (std::uint32_t i = 0; i < turned_.size(); ++i) {
     turned_[i] = turn(forms.points(1)[i]);
     turned_edge_[i] = turn(forms.edge(1, i));
@@ -80,8 +83,8 @@ bool RotatingFrame::place_segments(double delta) {
   return true;
 }
 
-// Those are left out of which one does not exist, or both ends of one lie on one side of the other. Without branches: which of them cross
-// cannot be predicted, so all are listed and the place moves on for those that may.
+// Those are left out of which one does not exist, or both ends of one lie on one side of the other. Without branches:
+// which of them cross cannot be predicted, so all are listed and the place moves on for those that may.
 void RotatingFrame::find_near() {
   const std::size_t count = window_.meetings.size();
   near_.resize(count + 1);
@@ -117,7 +120,8 @@ bool RotatingFrame::find_crossings() {
     const double per = -1 / n.k;
     // First on b, then on a.
     const Two at = n.starts * both(per);
-    if (any(at <= firsts(q.range, p.range)) | any(at > seconds(q.range, p.range))) continue;  // they cross in other pieces
+    if (any(at <= firsts(q.range, p.range)) | any(at > seconds(q.range, p.range)))
+      continue;  // they cross in other pieces
     const Two error = both(4 * std::abs(per)) * n.error + both(0x1p-50);
     const bool out_on_a = n.k > 0;
     const Two t = out_on_a ? at : exchanged(at), e = out_on_a ? error : exchanged(error);
@@ -142,7 +146,8 @@ bool RotatingFrame::certainly_beside(const Placed& a, const Placed& b) {
   return (u < -a.error && v < -a.error) || (u > whole + a.error && v > whole + a.error);
 }
 
-// A walk that leaves a crossing arrives at the next one on the piece, unless it comes from the left of what crosses there: then it is covered.
+// A walk that leaves a crossing arrives at the next one on the piece, unless it comes from the left of what crosses
+// there: then it is covered.
 bool RotatingFrame::link_crossings() {
   next_.resize(crossings_.size());
   for (std::uint32_t i = 0; i < count_.size(); ++i) {
@@ -150,7 +155,8 @@ bool RotatingFrame::link_crossings() {
     const Entry* list = &entries_[window_.first_of[i]];
     const std::uint32_t last = count_[i] - 1;
     for (std::uint32_t k = 0; k < last; ++k) {
-      if (!(list[k + 1].t - list[k].t > static_cast<double>(list[k].error) + static_cast<double>(list[k + 1].error))) return false;
+      if (!(list[k + 1].t - list[k].t > static_cast<double>(list[k].error) + static_cast<double>(list[k + 1].error)))
+        return false;
       if (list[k].out()) next_[list[k].number()] = list[k + 1].out() ? kNone : list[k + 1].crossing;
     }
     if (list[last].out()) next_[list[last].number()] = window_.pieces[i].tail_dead ? kNone : kOnward;
@@ -163,7 +169,8 @@ std::uint32_t RotatingFrame::onward(std::uint32_t piece, std::uint32_t begin, st
   for (std::size_t steps = 0; steps <= ways_.size(); ++steps) {
     const Way& way = ways_[piece];
     if (way.leap != kNone) {
-      for (std::uint32_t next = piece; path != nullptr && next != way.leap; path->push_back(next)) next = window_.pieces[next].follower;
+      for (std::uint32_t next = piece; path != nullptr && next != way.leap; path->push_back(next))
+        next = window_.pieces[next].follower;
       piece = way.leap;
       continue;
     }
@@ -225,11 +232,13 @@ bool RotatingFrame::find_cycles() {
   return sure_ && find_plain_cycles();
 }
 
-// Cycles without a crossing: along segments that nothing crosses. Those of quiet pieces alone are known; others have one that is not.
+// Cycles without a crossing: along segments that nothing crosses. Those of quiet pieces alone are known; others have
+// one that is not.
 bool RotatingFrame::find_plain_cycles() {
   const auto add = [&] {
     const auto first = static_cast<std::uint32_t>(steps_.size());
-    for (const std::uint32_t piece : path_) steps_.push_back({piece, window_.pieces[piece].segment, kEnd, kEnd, kEnd, kEnd, false});
+    for (const std::uint32_t piece : path_)
+      steps_.push_back({piece, window_.pieces[piece].segment, kEnd, kEnd, kEnd, kEnd, false});
     return close(first);
   };
   for (const std::uint32_t i : window_.circles) {
@@ -283,7 +292,8 @@ bool RotatingFrame::close(std::uint32_t first) {
 
 std::optional<Point> RotatingFrame::middle_of(const Step& s) const {
   const double from = from_share(s), to = to_share(s), middle = 0.5 * (from + to);
-  const double low = s.from_crossing == kEnd ? 0 : crossings_[s.from_crossing].e_out, high = s.to_crossing == kEnd ? 0 : crossings_[s.to_crossing].e_in;
+  const double low = s.from_crossing == kEnd ? 0 : crossings_[s.from_crossing].e_out,
+               high = s.to_crossing == kEnd ? 0 : crossings_[s.to_crossing].e_in;
   if (!(middle - from > low && to - middle > high)) return std::nullopt;
   const TurnSegment& segment = window_.segments[s.segment];
   const Point at = place(segment.start), d = direction(segment.walk);
@@ -294,7 +304,8 @@ RotatingFrame::Located RotatingFrame::end_of(const Step& s) const {
   if (s.to_crossing == kEnd) return {place(window_.segments[s.segment].end), point_error()};
   const Crossing& c = crossings_[s.to_crossing];
   const Placed &a = placed_[s.segment], &b = placed_[window_.pieces[c.out].segment];
-  const double ea = c.e_in * std::max(std::abs(a.d[0]), std::abs(a.d[1])), eb = c.e_out * std::max(std::abs(b.d[0]), std::abs(b.d[1]));
+  const double ea = c.e_in * std::max(std::abs(a.d[0]), std::abs(a.d[1])),
+               eb = c.e_out * std::max(std::abs(b.d[0]), std::abs(b.d[1]));
   const Two at = ea <= eb ? a.at + both(c.t_in) * a.d : b.at + both(c.t_out) * b.d;
   return {{at[0], at[1]}, point_error() + std::min(ea, eb)};
 }

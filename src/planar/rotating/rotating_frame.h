@@ -1,5 +1,6 @@
-// One frame of a rotating sum: which segments of the window exist at its angle, where they cross, and the cycles they make. In doubles
-// with proved bounds; where those do not decide, the frame is not generic and has to be computed from scratch.
+// One frame of a rotating sum: which segments of the window exist at its angle, where they cross, and the cycles they
+// make. In doubles with proved bounds; where those do not decide, the frame is not generic and has to be computed from
+// scratch.
 #pragma once
 
 #include <array>
@@ -7,8 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "planar/turning/rotating_window.h"
 #include "base/two_lanes.h"
+#include "planar/turning/rotating_window.h"
 
 namespace dymsum::planar {
 
@@ -16,12 +17,13 @@ class RotatingFrame {
  public:
   static constexpr std::uint32_t kEnd = kNone;
 
-  /// A sub-edge of a cycle: of a piece, from the crossing with one segment to that with another, or from or to the segment's end.
+  /// A sub-edge of a cycle: of a piece, from the crossing with one segment to that with another, or from or to the
+  /// segment's end.
   struct Step {
     std::uint32_t piece = 0, segment = 0;
-    std::uint32_t from = kEnd, to = kEnd;        ///< segments
+    std::uint32_t from = kEnd, to = kEnd;                    ///< segments
     std::uint32_t from_crossing = kEnd, to_crossing = kEnd;  ///< of this frame
-    bool straight = false;                       ///< the next one goes straight on: where rings of an operand touch, its edges are cut
+    bool straight = false;  ///< the next one goes straight on: where rings of an operand touch, its edges are cut
   };
   struct Cycle {
     std::uint32_t first = 0, last = 0;  ///< steps [first, last)
@@ -38,8 +40,8 @@ class RotatingFrame {
   RotatingFrame(const RotatingFrame&) = delete;
   RotatingFrame& operator=(const RotatingFrame&) = delete;
 
-  /// At an angle given as the middle of the window + delta, whose cos and sin err by at most 2^-49. False where doubles do not decide;
-  /// then nothing here means anything.
+  /// At an angle given as the middle of the window + delta, whose cos and sin err by at most 2^-49. False where doubles
+  /// do not decide; then nothing here means anything.
   bool compute(double delta, Heading heading);
 
   const RotatingWindow& window() const { return window_; }
@@ -49,7 +51,9 @@ class RotatingFrame {
   Heading heading() const { return heading_; }
   double delta() const { return delta_; }
 
-  Point place(Pair v) const { return {window_.forms().points(0)[v.p].x + turned_[v.q].x, window_.forms().points(0)[v.p].y + turned_[v.q].y}; }
+  Point place(Pair v) const {
+    return {window_.forms().points(0)[v.p].x + turned_[v.q].x, window_.forms().points(0)[v.p].y + turned_[v.q].y};
+  }
   double point_error() const { return 0x1p-48 * window_.forms().span(); }
   /// Where a step ends, and a bound on the error of each coordinate.
   struct Located {
@@ -57,10 +61,13 @@ class RotatingFrame {
     double error = 0;
   };
   Located end_of(const Step& s) const;
-  /// A point of the segment that lies inside a sub-edge, each coordinate within 2 point_error(); nothing where doubles do not know one.
+  /// A point of the segment that lies inside a sub-edge, each coordinate within 2 point_error(); nothing where doubles
+  /// do not know one.
   std::optional<Point> middle_of(const Step& s) const;
   const Point& turned(std::uint32_t v) const { return turned_[v]; }
-  Point direction(const WalkSegment& s) const { return s.side == 0 ? window_.forms().edge(0, s.edge) : turned_edge_[s.edge]; }
+  Point direction(const WalkSegment& s) const {
+    return s.side == 0 ? window_.forms().edge(0, s.edge) : turned_edge_[s.edge];
+  }
   /// In shares of the segment.
   double from_share(const Step& s) const { return s.from_crossing == kEnd ? 0 : crossings_[s.from_crossing].t_out; }
   double to_share(const Step& s) const { return s.to_crossing == kEnd ? 1 : crossings_[s.to_crossing].t_in; }
@@ -75,15 +82,15 @@ class RotatingFrame {
   struct Busy {
     std::uint32_t segment = 0, p = 0, q = 0, edge = 0;
   };
-  /// How a walk that comes to the end of a piece goes on: over a run of quiet pieces to its last one, or to one of two pieces, whichever
-  /// exists. Nowhere from dead tails.
+  /// How a walk that comes to the end of a piece goes on: over a run of quiet pieces to its last one, or to one of two
+  /// pieces, whichever exists. Nowhere from dead tails.
   struct Way {
     std::array<std::uint32_t, 2> next{kNone, kNone};
     std::uint32_t leap = kNone;
     std::uint32_t segment = 0;  ///< of the piece
   };
-  /// Two segments that may cross: k = a x b; the sides of the start of b against a and, reflected, of the start of a against b; bounds on
-  /// their errors.
+  /// Two segments that may cross: k = a x b; the sides of the start of b against a and, reflected, of the start of a
+  /// against b; bounds on their errors.
   struct Near {
     Two starts{}, error{};
     double k = 0;
@@ -115,9 +122,11 @@ class RotatingFrame {
   const Entry& entry(std::uint32_t piece, std::uint32_t k) const { return entries_[window_.first_of[piece] + k]; }
   std::uint32_t partner(std::uint32_t piece, std::uint32_t crossing) const;
   /// The crossing at which a walk arrives that leaves one; kNone where it ends.
-  std::uint32_t successor(std::uint32_t crossing) { return next_[crossing] == kOnward ? onward(crossings_[crossing].out, kNone, nullptr) : next_[crossing]; }
-  /// The same for a walk that comes to the end of a piece; kRound when it gets to the piece `begin`. `path` takes the pieces behind the first
-  /// one.
+  std::uint32_t successor(std::uint32_t crossing) {
+    return next_[crossing] == kOnward ? onward(crossings_[crossing].out, kNone, nullptr) : next_[crossing];
+  }
+  /// The same for a walk that comes to the end of a piece; kRound when it gets to the piece `begin`. `path` takes the
+  /// pieces behind the first one.
   std::uint32_t onward(std::uint32_t piece, std::uint32_t begin, std::vector<std::uint32_t>* path);
   static constexpr std::uint32_t kOnward = 0xfffffffe, kRound = 0xfffffffd;
   std::uint32_t record(std::uint32_t crossing);
@@ -128,18 +137,19 @@ class RotatingFrame {
   Heading heading_;
   double delta_ = 0;
   std::vector<Point> turned_, turned_edge_;
-  std::vector<Way> ways_;                      // by piece
-  std::array<std::vector<Busy>, 2> busy_;      // segments with meetings, by side
-  std::vector<Placed> placed_;                 // by segment, of busy ones; anything where it does not exist
+  std::vector<Way> ways_;                  // by piece
+  std::array<std::vector<Busy>, 2> busy_;  // segments with meetings, by side
+  std::vector<Placed> placed_;             // by segment, of busy ones; anything where it does not exist
   std::vector<std::uint8_t> exists_;
-  std::vector<Near> near_;                     // meetings that may cross: the first near_count_
+  std::vector<Near> near_;  // meetings that may cross: the first near_count_
   std::size_t near_count_ = 0;
   std::vector<Crossing> crossings_;
-  std::vector<std::uint32_t> count_;           // of entries, by piece; the places are those of the window's index of meetings
-  std::vector<Entry> entries_;                 // along each piece
-  std::vector<Stretch> stretches_;             // by piece
-  std::vector<std::uint32_t> next_;            // crossing -> the crossing at which one arrives, kNone, or kOnward: past the end of the piece
-  std::vector<std::uint8_t> seen_, walked_;    // crossing; piece without crossings
+  std::vector<std::uint32_t> count_;  // of entries, by piece; the places are those of the window's index of meetings
+  std::vector<Entry> entries_;        // along each piece
+  std::vector<Stretch> stretches_;    // by piece
+  std::vector<std::uint32_t>
+      next_;  // crossing -> the crossing at which one arrives, kNone, or kOnward: past the end of the piece
+  std::vector<std::uint8_t> seen_, walked_;  // crossing; piece without crossings
   std::vector<std::uint32_t> path_;
   std::vector<Step> steps_;
   std::vector<Cycle> cycles_;

@@ -11,7 +11,7 @@ namespace {
 constexpr std::uint32_t kEnd = RotatingFrame::kEnd;
 constexpr std::uint32_t kGone = 0xfffffffe;  // a segment that a new window does not have
 
-constexpr std::uint32_t kMostLooks = 128;    // pairs of pieces
+constexpr std::uint32_t kMostLooks = 128;  // pairs of pieces
 
 }  // namespace
 
@@ -19,7 +19,11 @@ constexpr std::uint32_t kMostLooks = 128;    // pairs of pieces
 class RotatingLoops::Stretch {
  public:
   Stretch(const RotatingFrame& frame, double from, double to)
-      : window_(frame.window()), forms_(window_.forms()), low_(std::min(from, to)), high_(std::max(from, to)), half_(0.5 * (high_ - low_) + 0x1p-48),
+      : window_(frame.window()),
+        forms_(window_.forms()),
+        low_(std::min(from, to)),
+        high_(std::max(from, to)),
+        half_(0.5 * (high_ - low_) + 0x1p-48),
         heading_(Heading::of(window_.middle + 0.5 * (low_ + high_))) {}
 
   /// It exists all the time, or never.
@@ -51,7 +55,9 @@ class RotatingLoops::Stretch {
  private:
   const WalkSegment& walk(std::uint32_t s) const { return window_.segments[s].walk; }
   const TurnCatalog::Span& span(std::uint32_t s) const { return window_.segments[s].span; }
-  int sign(const TrigForm& form, double error) const { return !form.far_from_zero(heading_, half_, error) ? 0 : form.at(heading_) > 0 ? 1 : -1; }
+  int sign(const TrigForm& form, double error) const {
+    return !form.far_from_zero(heading_, half_, error) ? 0 : form.at(heading_) > 0 ? 1 : -1;
+  }
   int turn(std::uint32_t a, std::uint32_t b) const {
     return sign(forms_.cross(walk(a), walk(b)), 0x1p-46 * forms_.length1(walk(a)) * forms_.length1(walk(b)));
   }
@@ -73,8 +79,8 @@ void RotatingLoops::renumber(const RotatingWindow& from, const RotatingWindow& t
   last_delta_ = std::remainder(last_delta_, kTurn);
 }
 
-void RotatingLoops::update(const RotatingFrame& frame, RotatingPlace& place, RingIdentities& identities, FrameWork& work,
-                           FrameChanges& changes) {
+void RotatingLoops::update(const RotatingFrame& frame, RotatingPlace& place, RingIdentities& identities,
+                           FrameWork& work, FrameChanges& changes) {
   std::swap(old_, loops_);
   std::swap(old_steps_, steps_);
   loops_.clear();
@@ -98,7 +104,8 @@ void RotatingLoops::update(const RotatingFrame& frame, RotatingPlace& place, Rin
   }
   work.loops_traced += loops_.size();
   // The only counter-clockwise loop of a connected sum bounds it, whatever was before.
-  const bool one_outer = connected_ && std::count_if(loops_.begin(), loops_.end(), [](const Loop& l) { return l.turning > 0; }) == 1;
+  const bool one_outer =
+      connected_ && std::count_if(loops_.begin(), loops_.end(), [](const Loop& l) { return l.turning > 0; }) == 1;
   for (Loop& loop : loops_) {
     const bool outer = one_outer && loop.turning > 0;
     work.loops_kept += outer && comparable;
@@ -128,9 +135,9 @@ const RotatingLoops::Known* RotatingLoops::match(const RotatingFrame::Step& s) c
   return nullptr;
 }
 
-// A cycle has the status of any cycle of the frame before with which it shares an undisturbed sub-edge (scaling-sum.md, "Frames": the proof
-// needs continuous motion only); and its witness anyway, which is asked first. Where much has been looked at in vain, a collision test in
-// doubles is cheaper.
+// A cycle has the status of any cycle of the frame before with which it shares an undisturbed sub-edge (scaling-sum.md,
+// "Frames": the proof needs continuous motion only); and its witness anyway, which is asked first. Where much has been
+// looked at in vain, a collision test in doubles is cheaper.
 bool RotatingLoops::inherit(const RotatingFrame& frame, Loop& loop, FrameWork& work) const {
   const RotatingWindow& window = frame.window();
   const Stretch all(frame, last_delta_, frame.delta());
@@ -149,7 +156,9 @@ bool RotatingLoops::inherit(const RotatingFrame& frame, Loop& loop, FrameWork& w
         return true;
       }
     }
-    if (connected_) looked += 1 + window.first_of[window.segments[s.segment].last_piece] - window.first_of[window.segments[s.segment].first_piece];
+    if (connected_)
+      looked += 1 + window.first_of[window.segments[s.segment].last_piece] -
+                window.first_of[window.segments[s.segment].first_piece];
     if (!undisturbed(all, window, s)) continue;
     loop.kept = before.kept;
     ++work.loops_kept;
@@ -190,7 +199,8 @@ bool RotatingLoops::undisturbed(const Stretch& all, const RotatingWindow& window
   return true;
 }
 
-// A connected sum has exactly one counter-clockwise true loop, the one that reaches farthest left: its number, or that of loops.
+// A connected sum has exactly one counter-clockwise true loop, the one that reaches farthest left: its number, or that
+// of loops.
 std::size_t RotatingLoops::outer_loop(const RotatingFrame& frame, const std::vector<std::uint8_t>& told) const {
   const std::size_t n = loops_.size();
   std::size_t count = 0, last = 0;
@@ -201,13 +211,14 @@ std::size_t RotatingLoops::outer_loop(const RotatingFrame& frame, const std::vec
     last = i;
   }
   if (count == 1) return last;
-  return leftmost_loop(n, [&](std::size_t i) { return loops_[i].turning < 0; },
-                       [&](std::size_t i, auto&& f) {
-                         for (std::uint32_t k = loops_[i].first; k < loops_[i].last; ++k) {
-                           const RotatingFrame::Located v = frame.end_of(frame.steps()[k]);
-                           f(v.at.x, v.error);
-                         }
-                       });
+  return leftmost_loop(
+      n, [&](std::size_t i) { return loops_[i].turning < 0; },
+      [&](std::size_t i, auto&& f) {
+        for (std::uint32_t k = loops_[i].first; k < loops_[i].last; ++k) {
+          const RotatingFrame::Located v = frame.end_of(frame.steps()[k]);
+          f(v.at.x, v.error);
+        }
+      });
 }
 
 Segment RotatingLoops::source_segment(std::uint32_t segment, const RotatingWindow& window) const {
@@ -240,20 +251,25 @@ bool RotatingLoops::covered(const RotatingFrame& frame, Loop& loop, RotatingPlac
     const RotatingOverlap::Result told = overlap_.right_of(frame, *longest);
     if (told.answer == RotatingOverlap::Answer::free) loop.witness.reset();
     if (told.answer == RotatingOverlap::Answer::overlap) {
-      loop.witness = swapped_ ? std::array{told.turning_edge, told.fixed_edge} : std::array{told.fixed_edge, told.turning_edge};
+      loop.witness =
+          swapped_ ? std::array{told.turning_edge, told.fixed_edge} : std::array{told.fixed_edge, told.turning_edge};
       lately_[found_++ % lately_.size()] = *loop.witness;
     }
     if (told.answer != RotatingOverlap::Answer::unknown) return told.answer == RotatingOverlap::Answer::overlap;
   }
-  const auto by = [&](std::uint32_t s) { return s == kEnd ? std::nullopt : std::optional<Segment>(source_segment(s, frame.window())); };
-  const bool inside = place.inside_right_of(source_segment(longest->segment, frame.window()), by(longest->from), by(longest->to));
+  const auto by = [&](std::uint32_t s) {
+    return s == kEnd ? std::nullopt : std::optional<Segment>(source_segment(s, frame.window()));
+  };
+  const bool inside =
+      place.inside_right_of(source_segment(longest->segment, frame.window()), by(longest->from), by(longest->to));
   loop.witness = place.crossing_edges();
   if (loop.witness) lately_[found_++ % lately_.size()] = *loop.witness;
   return inside;
 }
 
 // Doubles only: the edges of P and Q cross properly at a point of a loop, and so they do at a point just right of it.
-bool RotatingLoops::covers(const std::array<std::uint32_t, 2>& edges, const RotatingFrame& frame, const RotatingFrame::Located& z) const {
+bool RotatingLoops::covers(const std::array<std::uint32_t, 2>& edges, const RotatingFrame& frame,
+                           const RotatingFrame::Located& z) const {
   const std::array<std::uint32_t, 2> edge = swapped_ ? std::array{edges[1], edges[0]} : edges;
   const Heading h = frame.heading();
   const auto crossed = [&](std::uint32_t side) {
@@ -307,10 +323,12 @@ void RotatingLoops::follow(const RotatingFrame& frame, RingIdentities& identitie
     loop.ring = old_[from].ring;
     const std::uint32_t before = old_[from].vertices;
     const bool same = before == size && shared == size;
-    changes.rings.push_back({same ? RingChange::Kind::moved : RingChange::Kind::reshaped, loop.ring, size - shared, before - shared});
+    changes.rings.push_back(
+        {same ? RingChange::Kind::moved : RingChange::Kind::reshaped, loop.ring, size - shared, before - shared});
   }
   for (std::size_t i = 0; i < old_.size(); ++i)
-    if (old_[i].kept && !claimed[i]) changes.rings.push_back({RingChange::Kind::disappeared, old_[i].ring, 0, old_[i].vertices});
+    if (old_[i].kept && !claimed[i])
+      changes.rings.push_back({RingChange::Kind::disappeared, old_[i].ring, 0, old_[i].vertices});
 }
 
 void RotatingLoops::name(const std::vector<std::uint64_t>& ids) {

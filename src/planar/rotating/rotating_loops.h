@@ -20,16 +20,19 @@ class RotatingLoops {
     std::uint32_t first = 0, last = 0;  ///< steps [first, last)
     int turning = 0;
     std::uint32_t vertices = 0;
-    bool kept = false;                  ///< it bounds the sum
+    bool kept = false;                                    ///< it bounds the sum
     std::optional<std::array<std::uint32_t, 2>> witness;  ///< walk edges of P and Q whose crossing covers it
-    std::uint64_t ring = 0;             ///< identity, of kept ones
+    std::uint64_t ring = 0;                               ///< identity, of kept ones
   };
 
   /// `swapped`: P is the moving operand, operand 1 of the forms.
-  RotatingLoops(const TurningForms& forms, bool connected, bool swapped) : forms_(forms), connected_(connected), swapped_(swapped), overlap_(forms) {}
+  RotatingLoops(const TurningForms& forms, bool connected, bool swapped)
+      : forms_(forms), connected_(connected), swapped_(swapped), overlap_(forms) {}
 
-  /// Takes the cycles of a frame over. What the frame before knew is used if both lie in one window; `identities` gives fresh names.
-  void update(const RotatingFrame& frame, RotatingPlace& place, RingIdentities& identities, FrameWork& work, FrameChanges& changes);
+  /// Takes the cycles of a frame over. What the frame before knew is used if both lie in one window; `identities` gives
+  /// fresh names.
+  void update(const RotatingFrame& frame, RotatingPlace& place, RingIdentities& identities, FrameWork& work,
+              FrameChanges& changes);
   /// Nothing is known any more of the frame before.
   void forget() {
     loops_.clear();
@@ -43,7 +46,10 @@ class RotatingLoops {
 
   const std::vector<Loop>& loops() const { return loops_; }
   bool known() const { return known_; }
-  std::size_t bytes() const { return (steps_.capacity() + old_steps_.capacity()) * sizeof(Known) + (loops_.capacity() + old_.capacity()) * sizeof(Loop); }
+  std::size_t bytes() const {
+    return (steps_.capacity() + old_steps_.capacity()) * sizeof(Known) +
+           (loops_.capacity() + old_.capacity()) * sizeof(Loop);
+  }
 
  private:
   /// What identifies a sub-edge in a window.
@@ -58,7 +64,8 @@ class RotatingLoops {
   bool witnessed(const RotatingFrame& frame, Loop& loop) const;
   static bool undisturbed(const Stretch& all, const RotatingWindow& window, const RotatingFrame::Step& s);
   bool covered(const RotatingFrame& frame, Loop& loop, RotatingPlace& place, FrameWork& work);
-  bool covers(const std::array<std::uint32_t, 2>& edges, const RotatingFrame& frame, const RotatingFrame::Located& z) const;
+  bool covers(const std::array<std::uint32_t, 2>& edges, const RotatingFrame& frame,
+              const RotatingFrame::Located& z) const;
   std::size_t outer_loop(const RotatingFrame& frame, const std::vector<std::uint8_t>& told) const;
   void follow(const RotatingFrame& frame, RingIdentities& identities, FrameChanges& changes);
   Segment source_segment(std::uint32_t segment, const RotatingWindow& window) const;
@@ -67,10 +74,10 @@ class RotatingLoops {
   bool connected_, swapped_;
   RotatingOverlap overlap_;
   bool known_ = false;
-  double last_delta_ = 0;              // of the frame before, in the window
+  double last_delta_ = 0;  // of the frame before, in the window
   std::vector<Loop> loops_, old_;
   std::vector<Known> steps_, old_steps_;
-  std::vector<std::uint32_t> head_;    // segment -> old steps
+  std::vector<std::uint32_t> head_;  // segment -> old steps
   std::vector<std::uint8_t> told_;
   std::array<std::array<std::uint32_t, 2>, 16> lately_{};  // the last edges that were found to cross, of any loop
   std::size_t found_ = 0;

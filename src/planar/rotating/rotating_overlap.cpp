@@ -6,9 +6,9 @@
 namespace dymsum::planar {
 namespace {
 
-// A coordinate difference between the operands errs by at most this times the span: the position by twice RotatingFrame::point_error, a
-// turned vertex by once, differences by roundings. Edge vectors err relatively, by 2^-48, so a side errs by less than twice this times
-// |vector|_1.
+// A coordinate difference between the operands errs by at most this times the span: the position by twice
+// RotatingFrame::point_error, a turned vertex by once, differences by roundings. Edge vectors err relatively, by 2^-48,
+// so a side errs by less than twice this times |vector|_1.
 constexpr double kOff = 0x1p-45;
 constexpr std::size_t kMostPairs = 1 << 16;  // trees of exact boxes are better beyond
 
@@ -16,17 +16,28 @@ constexpr std::size_t kMostPairs = 1 << 16;  // trees of exact boxes are better 
 
 RotatingOverlap::Box RotatingOverlap::box_of(const std::vector<Point>& points) {
   Box box{INFINITY, INFINITY, -INFINITY, -INFINITY};
-  for (const Point& p : points) box = {std::min(box.x0, p.x), std::min(box.y0, p.y), std::max(box.x1, p.x), std::max(box.y1, p.y)};
+  for (const Point& p : points)
+    box = {std::min(box.x0, p.x), std::min(box.y0, p.y), std::max(box.x1, p.x), std::max(box.y1, p.y)};
   return box;
 }
 
-void RotatingOverlap::collect(const Operand& o, const std::vector<Point>& points, const std::vector<Point>& vectors, const Box& box,
-                              std::vector<Edge>& edges) const {
+void RotatingOverlap::collect(const Operand& o, const std::vector<Point>& points, const std::vector<Point>& vectors,
+                              const Box& box, std::vector<Edge>& edges) const {
   const double off = kOff * forms_.span();
   edges.clear();
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     const Point a = points[i], b = points[o.next[i]];
-    const Edge e{a.x, a.y, b.x, b.y, vectors[i].x, vectors[i].y, std::min(a.x, b.x) - off, std::min(a.y, b.y) - off, std::max(a.x, b.x) + off, std::max(a.y, b.y) + off, i};
+    const Edge e{a.x,
+                 a.y,
+                 b.x,
+                 b.y,
+                 vectors[i].x,
+                 vectors[i].y,
+                 std::min(a.x, b.x) - off,
+                 std::min(a.y, b.y) - off,
+                 std::max(a.x, b.x) + off,
+                 std::max(a.y, b.y) + off,
+                 i};
     if (e.x0 <= box.x1 && e.x1 >= box.x0 && e.y0 <= box.y1 && e.y1 >= box.y0) edges.push_back(e);
   }
 }
@@ -55,7 +66,8 @@ RotatingOverlap::Result RotatingOverlap::right_of(const RotatingFrame& frame, co
   // Of two ends against a line: on one side of it certainly (1), certainly on both sides (-1), or not told.
   const auto sides = [&](const Edge& line, const Edge& e) {
     const double bound = (std::abs(line.dx) + std::abs(line.dy)) * 2 * kOff * forms_.span();
-    const double u = line.dx * (e.ay - line.ay) - line.dy * (e.ax - line.ax), v = line.dx * (e.by - line.ay) - line.dy * (e.bx - line.ax);
+    const double u = line.dx * (e.ay - line.ay) - line.dy * (e.ax - line.ax),
+                 v = line.dx * (e.by - line.ay) - line.dy * (e.bx - line.ax);
     if (!(std::abs(u) > bound) || !(std::abs(v) > bound)) return 0;
     return (u > 0) == (v > 0) ? 1 : -1;
   };

@@ -2,7 +2,8 @@
 
 namespace dymsum::planar {
 
-// Both lie on one contact whose edge stands still and is upright (axis 0) or level (axis 1): rectilinear shapes ask this all the time.
+// Both lie on one contact whose edge stands still and is upright (axis 0) or level (axis 1): rectilinear shapes ask
+// this all the time.
 bool TurnedSource::on_common_line(const SumVertex& a, const SumVertex& b, int axis) const {
   const std::uint32_t still = 1 - base_->scaled;
   const auto straight = [&](const Contact& c) {
@@ -23,7 +24,8 @@ std::optional<int> TurnedSource::compare_corners(const SumVertex& a, const SumVe
   if ((still == 0 ? a.corner_q : a.corner_p) != (still == 0 ? b.corner_q : b.corner_p)) return std::nullopt;
   const auto& source = base_->operands[still].numbered_vertex;
   const std::vector<Point>& input = base_->lattice->points[still]->input;
-  const Point &u = input[source[still == 0 ? a.corner_p : a.corner_q]], &v = input[source[still == 0 ? b.corner_p : b.corner_q]];
+  const Point &u = input[source[still == 0 ? a.corner_p : a.corner_q]],
+              &v = input[source[still == 0 ? b.corner_p : b.corner_q]];
   const double x = axis == 0 ? u.x : u.y, y = axis == 0 ? v.x : v.y;
   return x < y ? -1 : x > y;
 }
@@ -45,7 +47,8 @@ const SumSource& TurnedSource::source() const {
   return *source_;
 }
 
-bool RotatingPlace::inside_right_of(const Segment& on, const std::optional<Segment>& from, const std::optional<Segment>& to) {
+bool RotatingPlace::inside_right_of(const Segment& on, const std::optional<Segment>& from,
+                                    const std::optional<Segment>& to) {
   if (!state_) {
     state_ = placed_at(*base_, theta_);
     collision_.emplace(*state_->lattice, *state_->p, *state_->q, true);
@@ -69,8 +72,10 @@ bool RotatingPlace::inside_right_of(const Segment& on, const std::optional<Segme
   // The exact place, rounded, relative to the start, whose doubles are known.
   const Pair start = start_of(p.on);
   const Lattice::Position at = l.position(p), origin = l.position(start);
-  p.x = l.points[0]->x[start.p] + l.points[1]->x[start.q] + exact::round_to_double(exact::BigRational(at.x - origin.x)) / l.unit;
-  p.y = l.points[0]->y[start.p] + l.points[1]->y[start.q] + exact::round_to_double(exact::BigRational(at.y - origin.y)) / l.unit;
+  p.x = l.points[0]->x[start.p] + l.points[1]->x[start.q] +
+        exact::round_to_double(exact::BigRational(at.x - origin.x)) / l.unit;
+  p.y = l.points[0]->y[start.p] + l.points[1]->y[start.q] +
+        exact::round_to_double(exact::BigRational(at.y - origin.y)) / l.unit;
   p.error = 0x1p-48 * l.span;
   return collision_->overlaps_right_of(p);
 }

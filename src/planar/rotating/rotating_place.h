@@ -14,7 +14,8 @@ namespace dymsum::planar {
 /// Exact positions at one orientation.
 class TurnedSource final : public ExactSource {
  public:
-  TurnedSource(std::shared_ptr<const OperandPair> base, Orientation theta) : base_(std::move(base)), theta_(std::move(theta)) {}
+  TurnedSource(std::shared_ptr<const OperandPair> base, Orientation theta)
+      : base_(std::move(base)), theta_(std::move(theta)) {}
   Position position(const SumVertex& vertex) const override { return source().position(vertex); }
   Homogeneous homogeneous(const SumVertex& vertex) const override { return source().homogeneous(vertex); }
   std::optional<NearFrame> near_frame() const override { return source().near_frame(); }
@@ -36,10 +37,11 @@ class TurnedSource final : public ExactSource {
 /// Whether faces of a frame lie in the sum.
 class RotatingPlace {
  public:
-  RotatingPlace(std::shared_ptr<const OperandPair> base, Orientation theta) : base_(std::move(base)), theta_(std::move(theta)) {}
+  RotatingPlace(std::shared_ptr<const OperandPair> base, Orientation theta)
+      : base_(std::move(base)), theta_(std::move(theta)) {}
 
-  /// Whether the face to the right of a sub-edge lies in the open sum: of a segment, from the crossing with one to that with another,
-  /// without which it begins or ends with the segment.
+  /// Whether the face to the right of a sub-edge lies in the open sum: of a segment, from the crossing with one to that
+  /// with another, without which it begins or ends with the segment.
   bool inside_right_of(const Segment& on, const std::optional<Segment>& from, const std::optional<Segment>& to);
   /// The walk edges of P and Q whose crossing was the reason, if that was it.
   std::optional<std::array<std::uint32_t, 2>> crossing_edges() const { return collision_->crossing_edges(); }

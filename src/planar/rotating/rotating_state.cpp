@@ -12,10 +12,13 @@ using namespace planar;
 
 namespace {
 
-double now_ms() { return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+double now_ms() {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
-// What frames cost by what they looked at, in about microseconds: unlike time it is the same in every run, so that every run makes the same
-// choices. Fitted to frames and slices of the pairs of `./run bench cspace` and of random shapes.
+// What frames cost by what they looked at, in about microseconds: unlike time it is the same in every run, so that
+// every run makes the same choices. Fitted to frames and slices of the pairs of `./run bench cspace` and of random
+// shapes.
 double cost_of_slice(const SumStats& s) {
   const auto of = [](double each, std::uint64_t n) { return each * static_cast<double>(n); };
   return 12 + of(0.085, s.reduced_segments) + of(0.11, s.crossings) + of(0.5, s.collision_tests);
@@ -28,25 +31,30 @@ double cost_of_window(const RotatingWindow& w) {
 
 double cost_of_frame(const FrameWork& work, const PlanarSum& sum, double slice) {
   const auto of = [](double each, std::uint64_t n) { return each * static_cast<double>(n); };
-  return 1 + of(0.008, sum.vertex_count()) + of(0.008, work.pieces) + of(0.009, work.candidates) + of(0.025, sum.stats.crossings) +
-         (work.exact_signs > 0 ? 0.5 * slice : 0) + of(0.05 * slice, work.collision_tests);
+  return 1 + of(0.008, sum.vertex_count()) + of(0.008, work.pieces) + of(0.009, work.candidates) +
+         of(0.025, sum.stats.crossings) + (work.exact_signs > 0 ? 0.5 * slice : 0) +
+         of(0.05 * slice, work.collision_tests);
 }
 
-// In the choice of a width windows count by half: they are what makes few frames late, wide ones are what makes all others slower.
+// In the choice of a width windows count by half: they are what makes few frames late, wide ones are what makes all
+// others slower.
 constexpr double kLate = 0.5;
 
 constexpr double kMaskFrom = 100;    // segments from which a mask pays
 constexpr double kCellsSwept = 1.1;  // a cell is so many times as wide as vertices move from the middle of a window
-// Beyond a sweep either way of this share of the extent, divided by the root of the number of segments, pairs that may meet abound.
+// Beyond a sweep either way of this share of the extent, divided by the root of the number of segments, pairs that may
+// meet abound.
 constexpr double kWidest = 1.0 / 7;
 
 int cells_for(double n) { return std::clamp(static_cast<int>(6 * std::sqrt(n)), 8, 256); }
 
 }  // namespace
 
-Result<std::unique_ptr<RotatingSum::State>> RotatingSum::State::create(const Region& p, const Region& q, const RotatingOptions& options) {
+Result<std::unique_ptr<RotatingSum::State>> RotatingSum::State::create(const Region& p, const Region& q,
+                                                                       const RotatingOptions& options) {
   const bool p_turns = options.turning == TurningOperand::p;
-  auto base = OperandPair::create({prepared_operand(p, 0), prepared_operand(q, 1, options.reflect_q)}, {}, p_turns ? 0 : 1, options.min_tier_bits);
+  auto base = OperandPair::create({prepared_operand(p, 0), prepared_operand(q, 1, options.reflect_q)}, {},
+                                  p_turns ? 0 : 1, options.min_tier_bits);
   if (!base) return base.error();
   auto state = std::make_unique<State>();
   state->options = options;
@@ -55,7 +63,10 @@ Result<std::unique_ptr<RotatingSum::State>> RotatingSum::State::create(const Reg
   if (!b.regular || b.operands[0].size() == 0 || b.operands[1].size() == 0) return state;
   const auto size = [&](int op) { return std::hypot(b.width[op], b.height[op]); };
   state->swapped_ = size(0) < size(1) || (size(0) == size(1) && p_turns);
-  auto forms = state->swapped_ ? OperandPair::create({prepared_operand(q, 0, options.reflect_q), prepared_operand(p, 1)}, {}, 1, options.min_tier_bits) : base;
+  auto forms = state->swapped_
+                   ? OperandPair::create({prepared_operand(q, 0, options.reflect_q), prepared_operand(p, 1)}, {}, 1,
+                                         options.min_tier_bits)
+                   : base;
   if (!forms) return forms.error();
   state->forms_base_ = *forms;
   state->forms_ = std::make_unique<TurningForms>(**forms);
@@ -88,7 +99,8 @@ void RotatingSum::State::build_window(double low, double high) {
   names_.assign(window_->segments.size(), {{Contact::Kind::edge_of_p, kNone, kNone}, kNone, kNone});
 }
 
-Result<RotatingSum::State::NextFrame> RotatingSum::State::rebuilt_frame(const Orientation& theta, FrameWork& next_work) {
+Result<RotatingSum::State::NextFrame> RotatingSum::State::rebuilt_frame(const Orientation& theta,
+                                                                        FrameWork& next_work) {
   next_work.rebuilt = true;
   SumOptions sum_options;
   sum_options.semantics = options.semantics;
@@ -107,7 +119,8 @@ const RotatingSum::State::Names& RotatingSum::State::names(std::uint32_t segment
   Names& names = names_[segment];
   if (names.contact.p != kNone) return names;
   const TurnSegment& s = window_->segments[segment];
-  const Operand &fixed = forms_->operand(0), &moving = forms_->operand(1), &o = s.walk.side == 0 ? fixed : moving, &other = s.walk.side == 0 ? moving : fixed;
+  const Operand &fixed = forms_->operand(0), &moving = forms_->operand(1), &o = s.walk.side == 0 ? fixed : moving,
+                &other = s.walk.side == 0 ? moving : fixed;
   const std::uint32_t edge = o.edge_number[s.walk.edge], at = other.vertex_number[s.walk.vertex];
   const bool of_p = (s.walk.side == 0) != swapped_;
   names.contact = of_p ? Contact{Contact::Kind::edge_of_p, edge, at} : Contact{Contact::Kind::edge_of_q, at, edge};
@@ -121,15 +134,16 @@ RotatingSum::State::Rigid RotatingSum::State::to_sum(const Orientation& theta) c
   const Lattice& l = *forms_base_->lattice;
   const Heading world = Heading::of(theta.radians());
   const auto turn = [&](Point p) { return Point{world.c * p.x - world.s * p.y, world.s * p.x + world.c * p.y}; };
-  const Point fixed = l.points[0]->offset, moving{l.points[1]->offset.x + l.unit * forms_->centre().x, l.points[1]->offset.y + l.unit * forms_->centre().y};
+  const Point fixed = l.points[0]->offset, moving{l.points[1]->offset.x + l.unit * forms_->centre().x,
+                                                  l.points[1]->offset.y + l.unit * forms_->centre().y};
   const bool moving_turns = swapped_ == p_turns();
   const Point turned = turn(moving_turns ? moving : fixed), still = moving_turns ? fixed : moving;
   const double c = moving_turns ? l.unit : l.unit * world.c, s = moving_turns ? 0 : l.unit * world.s;
   return {c, -s, s, c, {turned.x + still.x, turned.y + still.y}};
 }
 
-// The steps of a kept loop that end at vertices and their places, from the leftmost on: doubles mostly know where a ring begins. False
-// where a position is known too badly.
+// The steps of a kept loop that end at vertices and their places, from the leftmost on: doubles mostly know where a
+// ring begins. False where a position is known too badly.
 bool RotatingSum::State::place_ring(const RotatingLoops::Loop& loop, const Rigid& rigid, double& error) {
   const double poor = 0x1p-36 * forms_->span(), point_error = frame_->point_error();
   const RotatingFrame::Step* steps = frame_->steps().data();
@@ -209,7 +223,8 @@ bool RotatingSum::State::assemble(const Orientation& theta, NextFrame& next) {
   const VertexOrder order(*sum.source, sum.at_error);
   for (SumRing& ring : rings)
     if (const std::size_t first = smallest_vertex(ring.vertices, order, sum.at_error); first != 0)
-      std::rotate(ring.vertices.begin(), ring.vertices.begin() + static_cast<std::ptrdiff_t>(first), ring.vertices.end());
+      std::rotate(ring.vertices.begin(), ring.vertices.begin() + static_cast<std::ptrdiff_t>(first),
+                  ring.vertices.end());
   std::vector<std::uint64_t> kept_ids;
   for (const RotatingLoops::Loop& loop : loops_->loops())
     if (loop.kept) kept_ids.push_back(loop.ring);
@@ -224,7 +239,8 @@ bool RotatingSum::State::assemble(const Orientation& theta, NextFrame& next) {
   return true;
 }
 
-std::optional<RotatingSum::State::NextFrame> RotatingSum::State::window_frame(const Orientation& theta, FrameWork& next_work) {
+std::optional<RotatingSum::State::NextFrame> RotatingSum::State::window_frame(const Orientation& theta,
+                                                                              FrameWork& next_work) {
   const double angle = moving_angle(theta);
   next_work.pieces = window_->pieces.size();
   next_work.candidates = window_->meetings.size();
@@ -252,7 +268,8 @@ Result<FrameChanges> RotatingSum::State::move_to(const Orientation& theta) {
   std::optional<NextFrame> next;
   bool built = false;
   if (loops_ != nullptr && options.mode != FrameMode::rebuild) {
-    const double angle = moving_angle(theta), before = moving_angle(orientation), step = std::remainder(angle - before, kTurn);
+    const double angle = moving_angle(theta), before = moving_angle(orientation),
+                 step = std::remainder(angle - before, kTurn);
     // Doubles of angles err.
     if (window_ == nullptr || std::abs(std::remainder(angle - window_->middle, kTurn)) > window_->half - 0x1p-44) {
       WindowController::Choice choice = controller_.choose(step, widest_window(), options.mode, options.window);
@@ -261,7 +278,8 @@ Result<FrameChanges> RotatingSum::State::move_to(const Orientation& theta) {
         if (options.progress && !options.progress("window", 0)) return Error{Code::cancelled, "stopped on request", {}};
         // The frame before lies inside, so that what is known of it serves.
         const double back = loops_->known() && std::abs(step) < 0.5 ? 1.001 * std::abs(step) : 0;
-        const double behind = step >= 0 ? std::max(choice.behind, back) : choice.behind, ahead = step >= 0 ? choice.ahead : std::max(choice.ahead, back);
+        const double behind = step >= 0 ? std::max(choice.behind, back) : choice.behind,
+                     ahead = step >= 0 ? choice.ahead : std::max(choice.ahead, back);
         build_window(angle - behind, angle + ahead);
         next_work.new_window = built = true;
       } else {
@@ -286,7 +304,8 @@ Result<FrameChanges> RotatingSum::State::move_to(const Orientation& theta) {
   orientation = theta;
   next_work.ms = now_ms() - begin;
   if (next_work.rebuilt) slice_cost_ = cost_of_slice(sum.stats);
-  const double cost = (next_work.rebuilt ? slice_cost_ : 0) + (window_ != nullptr && !next_work.rebuilt ? cost_of_frame(next_work, sum, slice_cost_) : 0);
+  const double cost = (next_work.rebuilt ? slice_cost_ : 0) +
+                      (window_ != nullptr && !next_work.rebuilt ? cost_of_frame(next_work, sum, slice_cost_) : 0);
   if (built) controller_.built(cost + cost_of_window(*window_), kLate * cost_of_window(*window_));
   else if (window_ == nullptr) controller_.rebuilt(cost);
   else {

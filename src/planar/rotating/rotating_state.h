@@ -70,9 +70,9 @@ class RotatingSum::State {
   std::unique_ptr<planar::RotatingWindow> window_;
   std::unique_ptr<planar::RotatingFrame> frame_;
   std::unique_ptr<planar::RotatingLoops> loops_;
-  std::vector<Names> names_;               // of the window's segments, made when first asked for
-  std::vector<std::uint32_t> steps_;       // scratch: the steps of a ring that end at its vertices
-  std::vector<Point> places_;              // and where
+  std::vector<Names> names_;          // of the window's segments, made when first asked for
+  std::vector<std::uint32_t> steps_;  // scratch: the steps of a ring that end at its vertices
+  std::vector<Point> places_;         // and where
 };
 
 }  // namespace dymsum

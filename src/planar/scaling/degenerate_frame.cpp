@@ -34,7 +34,8 @@ class WindowChain final : public Chain {
 
 }  // namespace
 
-SumState degenerate_frame(const Window& window, const ReducedConvolution& convolution, FramePlace& place, Semantics semantics) {
+SumState degenerate_frame(const Window& window, const ReducedConvolution& convolution, FramePlace& place,
+                          Semantics semantics) {
   SumState state;
   state.lattice = place.share_lattice();
   state.p = std::make_shared<const Operand>(place.operand(0));
@@ -82,7 +83,8 @@ SumState degenerate_frame(const Window& window, const ReducedConvolution& convol
   Collision& collision = place.collision();
   SortedLoops sorted = verify_loops(soup, arrangement, std::move(loops), collision, place.base().connected);
   double grid_error = soup.point_error;
-  if (semantics != Semantics::regular) find_tight_features(soup, arrangement, sorted.kept, collision, state.boundary, grid_error);
+  if (semantics != Semantics::regular)
+    find_tight_features(soup, arrangement, sorted.kept, collision, state.boundary, grid_error);
   for (const BoundaryLoop& ring : simple_rings(soup, arrangement, std::move(sorted.kept))) {
     state.boundary.rings.push_back(make_ring(soup, arrangement, ring, grid_error));
     state.boundary.outer.push_back(ring.turning > 0);

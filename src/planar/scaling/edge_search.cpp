@@ -6,15 +6,16 @@
 namespace dymsum::planar {
 namespace {
 
-// Pairs of tree nodes. Where operands overlap some edges that cross are soon found; where they do not, all would have to be looked at.
+// Pairs of tree nodes. Where operands overlap some edges that cross are soon found; where they do not, all would have
+// to be looked at.
 constexpr std::uint32_t kMostLooks = 128;
 // After so many searches in vain only one of so many is made.
 constexpr std::uint32_t kInVain = 4, kSpared = 4;
 
 }  // namespace
 
-// Whether the ends of an edge of the other operand lie on opposite sides of an edge, certainly. Which end lies on which side is the same at both
-// places: edges keep their directions.
+// Whether the ends of an edge of the other operand lie on opposite sides of an edge, certainly. Which end lies on which
+// side is the same at both places: edges keep their directions.
 inline bool EdgeSearch::opposite(std::uint32_t op, std::uint32_t edge, std::uint32_t other_edge, const Way& at) const {
   const Operand &o = window_.base().operands[op], &other = window_.base().operands[1 - op];
   const Two own = scale(op, at), others = scale(1 - op, at), ex = both(o.ex[edge]), ey = both(o.ey[edge]);
@@ -92,7 +93,8 @@ std::optional<CrossingEdges> EdgeSearch::find_in(const EdgeTree& p, const EdgeTr
   return std::nullopt;
 }
 
-std::optional<CrossingEdges> EdgeSearch::find_in_leaves(const EdgeTree::Node& a, const EdgeTree::Node& b, const Way& at) const {
+std::optional<CrossingEdges> EdgeSearch::find_in_leaves(const EdgeTree::Node& a, const EdgeTree::Node& b,
+                                                        const Way& at) const {
   const double of_p = scale(0, at)[0], of_q = scale(1, at)[0];
   for (std::uint32_t e = a.first; e < a.last; ++e) {
     const EdgeBox& u = window_.base().operands[0].boxes[e];

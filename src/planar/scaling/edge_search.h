@@ -1,5 +1,5 @@
-// Edges of both operands that cross properly when Q, reflected, stands at a place: they prove that the place lies in the open sum. In
-// doubles with proved bounds, without the exact scale.
+// Edges of both operands that cross properly when Q, reflected, stands at a place: they prove that the place lies in
+// the open sum. In doubles with proved bounds, without the exact scale.
 #pragma once
 
 #include <array>
@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "planar/scaling/window.h"
 #include "base/two_lanes.h"
+#include "planar/scaling/window.h"
 
 namespace dymsum::planar {
 
@@ -25,18 +25,20 @@ class EdgeSearch {
     double x, y, error, tau;
   };
   bool cross(const CrossingEdges& edges, const Place& at) const { return cross(edges, Way(at, at)); }
-  /// Some that cross: of those that did so lately, for what covered other places often covers this one, or of all. Nothing where doubles
-  /// know none, as where one operand lies in the other.
+  /// Some that cross: of those that did so lately, for what covered other places often covers this one, or of all.
+  /// Nothing where doubles know none, as where one operand lies in the other.
   std::optional<CrossingEdges> find(const Place& at) { return find(Way(at, at)); }
-  /// Some that cross at both places, and so wherever between them something is that moves from one to the other in a straight line: the
-  /// sum of two edges is a parallelogram whose sides do not turn. Where the last searches were in vain, only some of those asked for are made.
+  /// Some that cross at both places, and so wherever between them something is that moves from one to the other in a
+  /// straight line: the sum of two edges is a parallelogram whose sides do not turn. Where the last searches were in
+  /// vain, only some of those asked for are made.
   std::optional<CrossingEdges> find_or_spare(const Place& from, const Place& to);
   void remember(const CrossingEdges& edges);
 
  private:
   /// Two places.
   struct Way {
-    Way(const Place& from, const Place& to) : x{from.x, to.x}, y{from.y, to.y}, error{from.error, to.error}, tau{from.tau, to.tau} {}
+    Way(const Place& from, const Place& to)
+        : x{from.x, to.x}, y{from.y, to.y}, error{from.error, to.error}, tau{from.tau, to.tau} {}
     Two x, y, error, tau;
   };
   /// What an operand's coordinates are multiplied by.

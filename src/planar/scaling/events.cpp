@@ -19,10 +19,11 @@ class Collector {
     for (const auto& [i, j] : window_.touching) ends_of(i, j);
     for (const auto& [i, j] : window_.folds) ends_of(i, j);
     for (std::uint32_t i = 0; i < window_.pieces.size(); ++i) orders(i);
-    std::sort(values_.begin(), values_.end(), [](const EventValue& a, const EventValue& b) {
-      return a.s < b.s || (a.s == b.s && a.kind < b.kind);
-    });
-    values_.erase(std::unique(values_.begin(), values_.end(), [](const EventValue& a, const EventValue& b) { return a.s == b.s; }), values_.end());
+    std::sort(values_.begin(), values_.end(),
+              [](const EventValue& a, const EventValue& b) { return a.s < b.s || (a.s == b.s && a.kind < b.kind); });
+    values_.erase(std::unique(values_.begin(), values_.end(),
+                              [](const EventValue& a, const EventValue& b) { return a.s == b.s; }),
+                  values_.end());
     return std::move(values_);
   }
 
@@ -80,14 +81,17 @@ class Collector {
       for (std::uint32_t l = k + 1; l < last; ++l) {
         const Candidate &x = window_.candidates[window_.of[k]], &y = window_.candidates[window_.of[l]];
         if (x.sign == 0 || y.sign == 0) continue;
-        const double u = std::max({x.out_low, y.out_low, window_.frame().tau0}), v = std::min({x.out_high, y.out_high, window_.frame().tau1});
+        const double u = std::max({x.out_low, y.out_low, window_.frame().tau0}),
+                     v = std::min({x.out_high, y.out_high, window_.frame().tau1});
         if (!(u <= v)) continue;
-        const double gap_u = line(x).at(u) - line(y).at(u), gap_v = line(x).at(v) - line(y).at(v), slack = error(x) + error(y);
+        const double gap_u = line(x).at(u) - line(y).at(u), gap_v = line(x).at(v) - line(y).at(v),
+                     slack = error(x) + error(y);
         if ((gap_u > slack && gap_v > slack) || (gap_u < -slack && gap_v < -slack)) continue;
         const std::uint32_t s = window_.pieces[i].segment, a = window_.pieces[x.a == i ? x.b : x.a].segment,
                             b = window_.pieces[y.a == i ? y.b : y.a].segment;
         if (a == b) continue;
-        const std::optional<BigRational> root = forms_.concurrent(window_.exact(s), window_.exact(a), window_.exact(b)).root();
+        const std::optional<BigRational> root =
+            forms_.concurrent(window_.exact(s), window_.exact(a), window_.exact(b)).root();
         if (root && within(*root) && touch(s, a, *root) && touch(s, b, *root) && touch(a, b, *root))
           values_.push_back({*root, ScaleEvent::Kind::three_segments});
       }
@@ -101,7 +105,8 @@ class Collector {
 
 }  // namespace
 
-std::vector<EventValue> events_of(const Window& window, const ExactForms& forms, const BigRational& low, const BigRational& high) {
+std::vector<EventValue> events_of(const Window& window, const ExactForms& forms, const BigRational& low,
+                                  const BigRational& high) {
   return Collector(window, forms, low, high).run();
 }
 
@@ -121,7 +126,8 @@ struct Topology {
 };
 
 Topology topology_of(const PlanarSum& s) {
-  return {s.parts.size(), s.hole_count(), s.tight_points.size(), s.tight_segments.size(), s.segments.size(), s.points.size()};
+  return {s.parts.size(),          s.hole_count(),    s.tight_points.size(),
+          s.tight_segments.size(), s.segments.size(), s.points.size()};
 }
 
 struct Snapshot {
@@ -134,7 +140,8 @@ class EventWalk {
  public:
   EventWalk(const ScalingSum::State& state, ScalingSum::State& probe) : state_(state), probe_(probe) {}
 
-  /// Calls f(event) for the events in [from, to] in order until it returns false. Errors: cancelled, and those of frames.
+  /// Calls f(event) for the events in [from, to] in order until it returns false. Errors: cancelled, and those of
+  /// frames.
   template <class F>
   std::optional<Error> run(const BigRational& from, const BigRational& to, const Progress& progress, F&& f) {
     // Neighbours just outside decide what lies before the first and behind the last.
@@ -156,7 +163,9 @@ class EventWalk {
         const bool wanted = e.s >= from && e.s <= to;
         const bool next_wanted = e.s <= to;
         if (wanted) {
-          const BigRational next = i + 1 < values.size() ? values[i + 1].s : (high < end ? next_after(high, end) : BigRational(high * BigRational(1025, 1024)));
+          const BigRational next = i + 1 < values.size() ? values[i + 1].s
+                                                         : (high < end ? next_after(high, end)
+                                                                       : BigRational(high * BigRational(1025, 1024)));
           if (!before) {
             Result<Snapshot> at = look(simple_between(previous, e.s));
             if (!at) return at.error();
@@ -220,7 +229,9 @@ std::optional<Error> not_regular(const OperandPair& base) {
 Result<std::vector<ScaleEvent>> ScalingSum::events(const Scale& a, const Scale& b, const Progress& progress) const {
   if (std::optional<Error> error = not_regular(*state_->base)) return *std::move(error);
   const BigRational low = rational(scale_value(a)), high = rational(scale_value(b));
-  if (low > high) return Error{Code::bad_scale, "the range of scales is empty: " + a.exact().to_string() + " > " + b.exact().to_string(), {}};
+  if (low > high)
+    return Error{
+        Code::bad_scale, "the range of scales is empty: " + a.exact().to_string() + " > " + b.exact().to_string(), {}};
   ScalingOptions options = state_->options;
   options.mode = FrameMode::window;
   options.window = 1.0 / 16;
@@ -236,7 +247,8 @@ Result<std::vector<ScaleEvent>> ScalingSum::events(const Scale& a, const Scale& 
   return events;
 }
 
-Result<std::optional<ScaleEvent>> ScalingSum::next_event(const Scale& s, const Scale& limit, bool topology, const Progress& progress) const {
+Result<std::optional<ScaleEvent>> ScalingSum::next_event(const Scale& s, const Scale& limit, bool topology,
+                                                         const Progress& progress) const {
   if (std::optional<Error> error = not_regular(*state_->base)) return *std::move(error);
   const BigRational low = rational(scale_value(s)), high = rational(scale_value(limit));
   std::optional<ScaleEvent> found;

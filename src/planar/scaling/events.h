@@ -12,8 +12,9 @@ struct EventValue {
   ScaleEvent::Kind kind = ScaleEvent::Kind::vertex_on_segment;
 };
 
-/// All events in [low, high] among the segments live in a window, sorted, each value once. Every scale there at which the boundary's
-/// combinatorics change is among them.
-std::vector<EventValue> events_of(const Window& window, const ExactForms& forms, const exact::BigRational& low, const exact::BigRational& high);
+/// All events in [low, high] among the segments live in a window, sorted, each value once. Every scale there at which
+/// the boundary's combinatorics change is among them.
+std::vector<EventValue> events_of(const Window& window, const ExactForms& forms, const exact::BigRational& low,
+                                  const exact::BigRational& high);
 
 }  // namespace dymsum::planar

@@ -57,7 +57,8 @@ std::uint64_t ExactForms::line_hash(const Segment& s) const {
   std::uint64_t hash = 0;
   for (const BigInteger& v : {d.x, d.y, h.a, h.b}) {
     const auto& raw = v.backend();
-    for (unsigned i = 0; i < raw.size(); ++i) hash = (hash ^ static_cast<std::uint64_t>(raw.limbs()[i])) * 0x9e3779b97f4a7c15u;
+    for (unsigned i = 0; i < raw.size(); ++i)
+      hash = (hash ^ static_cast<std::uint64_t>(raw.limbs()[i])) * 0x9e3779b97f4a7c15u;
     hash = (hash ^ (v.sign() < 0)) * 0xbf58476d1ce4e5b9u;
     hash ^= hash >> 31;
   }

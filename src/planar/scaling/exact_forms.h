@@ -1,4 +1,5 @@
-// The signs of the convolution as polynomials of the scale s: linear, with integer coefficients (exact-methods, section 4).
+// The signs of the convolution as polynomials of the scale s: linear, with integer coefficients (exact-methods, section
+// 4).
 #pragma once
 
 #include <array>
@@ -30,11 +31,13 @@ class ExactForms {
 
   /// d x (v - start) for the unscaled edge d of the segment.
   ExactForm side(const Segment& s, Pair v) const;
-  /// d . (v - start): with the scale's square, as both d and v scale; the sign of d . (v - start) over the edge's own length.
+  /// d . (v - start): with the scale's square, as both d and v scale; the sign of d . (v - start) over the edge's own
+  /// length.
   ExactForm along(const Segment& s, Pair v) const;
   /// Vanishes where the lines of three segments meet in a point. Requires: no two of them parallel.
   ExactForm concurrent(const Segment& a, const Segment& b, const Segment& c) const;
-  /// A hash of the line of a segment as it moves with s, and of its direction: equal for segments whose lines coincide at every scale.
+  /// A hash of the line of a segment as it moves with s, and of its direction: equal for segments whose lines coincide
+  /// at every scale.
   std::uint64_t line_hash(const Segment& s) const;
 
  private:

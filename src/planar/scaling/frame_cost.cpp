@@ -18,8 +18,8 @@ std::uint64_t pairs_of_window(double cost, std::uint32_t all) {
 double cost_of_sum(const PlanarSum& sum) {
   const SumStats& s = sum.stats;
   const double mask = 0.015 * s.mask_grid * s.mask_grid;
-  return 2 + mask + of(0.005, s.reduced_segments) + of(0.31, s.crossings) + of(0.08, s.exact_signs) + of(0.08, sum.vertex_count()) +
-         of(2, s.collision_tests);
+  return 2 + mask + of(0.005, s.reduced_segments) + of(0.31, s.crossings) + of(0.08, s.exact_signs) +
+         of(0.08, sum.vertex_count()) + of(2, s.collision_tests);
 }
 
 double cost_of_window(const Window& window, std::uint32_t all) {

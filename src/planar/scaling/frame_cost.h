@@ -1,5 +1,6 @@
-// What frames of a scaling sum cost, in about microseconds, by what they looked at. Unlike time it is the same in every run and whatever
-// else the machine does, so that every run makes the same choices. Fitted to frames of the pairs of `./run bench scaling`.
+// What frames of a scaling sum cost, in about microseconds, by what they looked at. Unlike time it is the same in every
+// run and whatever else the machine does, so that every run makes the same choices. Fitted to frames of the pairs of
+// `./run bench scaling`.
 #pragma once
 
 #include "dymsum/frames.h"

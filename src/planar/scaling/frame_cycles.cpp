@@ -1,10 +1,12 @@
-// Walking cycles: stretches of cycles that are gone are copied where no list on them changed, the rest goes step by step.
+// Walking cycles: stretches of cycles that are gone are copied where no list on them changed, the rest goes step by
+// step.
 #include "planar/scaling/frame_loops.h"
 
 namespace dymsum::planar {
 
-// Makes the stretches of a loop that is gone known by their first sub-edges; and what lies between them by piece and by vertex. Where the
-// successor map is one-to-one a walk enters a stretch at its head only; in nodes several rays may go on in one.
+// Makes the stretches of a loop that is gone known by their first sub-edges; and what lies between them by piece and by
+// vertex. Where the successor map is one-to-one a walk enters a stretch at its head only; in nodes several rays may go
+// on in one.
 void FrameLoops::take_apart(std::uint32_t number) {
   const FrameLoop& loop = gone_[number];
   const bool owned = loop.kept, all = owned && !lists_.window().nodes.empty();
@@ -28,8 +30,8 @@ void FrameLoops::take_apart(std::uint32_t number) {
   }
 }
 
-// A cycle either has a sub-edge that was not there before, or is an old one: all of its sub-edges were there, and each led to the next. Old
-// ones that pass a changed list have been taken apart, so one sub-edge of each is tried too.
+// A cycle either has a sub-edge that was not there before, or is an old one: all of its sub-edges were there, and each
+// led to the next. Old ones that pass a changed list have been taken apart, so one sub-edge of each is tried too.
 void FrameLoops::trace_new(FrameWork& work) {
   for (const FrameLoop& loop : gone_)
     for (const LoopStep& s : loop.steps) {
@@ -44,7 +46,8 @@ void FrameLoops::trace_new(FrameWork& work) {
 }
 
 void FrameLoops::trace(Step start, FrameWork& work) {
-  if (seen_[lists_.first_sub(start.piece) + start.sub] >= walk_ || !lists_.alive_at_start(start) || !follow(start)) return;
+  if (seen_[lists_.first_sub(start.piece) + start.sub] >= walk_ || !lists_.alive_at_start(start) || !follow(start))
+    return;
   ++work.loops_traced;
   loops_.push_back(walked_loop());
 }
@@ -124,10 +127,12 @@ void FrameLoops::add_step(Step at, Step next, FrameLoop& loop) {
     s.node = lists_.end_node(at);
     const bool at_node = s.node != kNone;
     const Window& window = lists_.window();
-    turn = at_node ? window.cross(window.pieces[at.piece].segment, window.pieces[next.piece].segment) : lists_.next_turn(at.piece);
+    turn = at_node ? window.cross(window.pieces[at.piece].segment, window.pieces[next.piece].segment)
+                   : lists_.next_turn(at.piece);
     if (turn != 0) s.vertex = at_node ? node_vertex(at, next.piece) : made(end_vertex_[at.piece], at, next.piece);
   } else {
-    // The two sides of a crossing tell which arrives and which leaves: a candidate has one vertex, and so has a piece's own end.
+    // The two sides of a crossing tell which arrives and which leaves: a candidate has one vertex, and so has a piece's
+    // own end.
     s.vertex = made(crossing_vertex_[s.to], at, next.piece);
   }
   const int half = lists_.half(at.piece);

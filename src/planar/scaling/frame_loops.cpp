@@ -7,9 +7,10 @@
 
 namespace dymsum::planar {
 std::size_t FrameLoops::bytes() const {
-  std::size_t n = (seen_.capacity() + crossing_vertex_.capacity() + end_vertex_.capacity()) * 4 + heads_.capacity() * sizeof(Head) +
-                  (owners_.capacity() + vertex_owners_.capacity()) * sizeof(Owner) +
-                  vertices_.capacity() * (sizeof(SumVertex) + sizeof(MovingPoint)) + loops_.capacity() * sizeof(FrameLoop);
+  std::size_t n = (seen_.capacity() + crossing_vertex_.capacity() + end_vertex_.capacity()) * 4 +
+                  heads_.capacity() * sizeof(Head) + (owners_.capacity() + vertex_owners_.capacity()) * sizeof(Owner) +
+                  vertices_.capacity() * (sizeof(SumVertex) + sizeof(MovingPoint)) +
+                  loops_.capacity() * sizeof(FrameLoop);
   for (const FrameLoop& l : loops_) n += l.steps.capacity() * sizeof(LoopStep) + l.vertices.capacity() * 4;
   for (const std::vector<LoopStep>& s : spare_) n += s.capacity() * sizeof(LoopStep);
   return n;
@@ -61,8 +62,8 @@ void FrameLoops::begin() {
   ++walk_;
 }
 
-// Whether a cycle some of whose lists have changed is there all the same: changes elsewhere on a piece only shift its sub-edges' numbers.
-// New sub-edges beside them are tried; these are not.
+// Whether a cycle some of whose lists have changed is there all the same: changes elsewhere on a piece only shift its
+// sub-edges' numbers. New sub-edges beside them are tried; these are not.
 bool FrameLoops::stays(FrameLoop& loop) {
   const auto n = static_cast<std::uint32_t>(loop.steps.size());
   shifted_.clear();
@@ -76,7 +77,9 @@ bool FrameLoops::stays(FrameLoop& loop) {
   for (std::size_t i = 0; i < shifted_.size(); ++i) {
     const auto [k, sub] = shifted_[i];
     const LoopStep& next = loop.steps[k + 1 == n ? 0 : k + 1];
-    const Step to = lists_.has_changed(next.piece) ? Step{next.piece, shifted_[i + 1 == shifted_.size() ? 0 : i + 1].sub} : step_of(next);
+    const Step to = lists_.has_changed(next.piece)
+                        ? Step{next.piece, shifted_[i + 1 == shifted_.size() ? 0 : i + 1].sub}
+                        : step_of(next);
     if (!(lists_.successor({loop.steps[k].piece, sub}) == to)) return false;
   }
   for (const auto [k, sub] : shifted_) {
@@ -104,7 +107,9 @@ void FrameLoops::carry_over(double tau, FrameWork& work) {
     }
     work.loops_kept += !touched;
     const auto quiet_edge = [&](const LoopStep& s) { return undisturbed(s, tau); };
-    look_.push_back(!touched ? Look::none : std::any_of(loop.steps.begin(), loop.steps.end(), quiet_edge) ? Look::known : Look::test);
+    look_.push_back(!touched                                                        ? Look::none
+                    : std::any_of(loop.steps.begin(), loop.steps.end(), quiet_edge) ? Look::known
+                                                                                    : Look::test);
     loop.fresh = false;
     if (to != i) loops_[to] = std::move(loop);
     ++to;
@@ -112,7 +117,8 @@ void FrameLoops::carry_over(double tau, FrameWork& work) {
   loops_.resize(to);
 }
 
-// What is new inherits its status from any sub-edge that it shares with an old loop, if nothing came between; and its witness anyway.
+// What is new inherits its status from any sub-edge that it shares with an old loop, if nothing came between; and its
+// witness anyway.
 FrameLoops::Look FrameLoops::inherit(FrameLoop& loop, double tau) const {
   const auto shares = [&](const LoopStep& s, const FrameLoop& old) {
     if (!loop.witness) loop.witness = old.witness;
@@ -162,8 +168,9 @@ void FrameLoops::name_rings() {
     if (gone_[g].kept && !claimed_[g] && gone_[g].ring != 0) ended_.push_back({gone_[g].ring, gone_[g].corners});
 }
 
-// Whether a sub-edge has existed, with nothing between its ends, at every scale since the last frame. A point inside it then moved
-// continuously without meeting another segment, so what lies on its right is inside or outside the sum as it was (docs/design/scaling-sum.md).
+// Whether a sub-edge has existed, with nothing between its ends, at every scale since the last frame. A point inside it
+// then moved continuously without meeting another segment, so what lies on its right is inside or outside the sum as it
+// was (docs/design/scaling-sum.md).
 bool FrameLoops::undisturbed(const LoopStep& edge, double tau) const {
   // What was not looked at is certain over an interval with both frames inside.
   if (!lists_.touched(edge.piece)) return true;
@@ -192,7 +199,8 @@ bool FrameLoops::undisturbed(const LoopStep& edge, double tau) const {
   // Whether everything else on the piece stays clear of the sub-edge while it is there.
   for (const PieceLists::Entry& e : lists_.entries(edge.piece)) {
     if (e.id == edge.from || e.id == edge.to || e.out_high <= low || e.out_low >= high) continue;
-    const double apart = margin + e.error, u = std::max(low, e.out_low), v = std::min(high, e.out_high), t_u = e.t.at(u), t_v = e.t.at(v);
+    const double apart = margin + e.error, u = std::max(low, e.out_low), v = std::min(high, e.out_high),
+                 t_u = e.t.at(u), t_v = e.t.at(v);
     const bool before = from.t.at(u) - t_u > apart && from.t.at(v) - t_v > apart;
     const bool behind = t_u - to.t.at(u) > apart && t_v - to.t.at(v) > apart;
     if (!before && !behind) return false;
@@ -200,7 +208,8 @@ bool FrameLoops::undisturbed(const LoopStep& edge, double tau) const {
   return true;
 }
 
-// A connected sum has exactly one counter-clockwise true loop, the one that reaches farthest left: its number, or that of loops.
+// A connected sum has exactly one counter-clockwise true loop, the one that reaches farthest left: its number, or that
+// of loops.
 std::size_t FrameLoops::outer_loop(double tau) const {
   const std::size_t n = loops_.size();
   std::size_t count = 0, last = 0, known = n;
@@ -217,7 +226,8 @@ std::size_t FrameLoops::outer_loop(double tau) const {
       f(v.x.at(tau), v.error);
     }
   };
-  return leftmost_loop(n, [&](std::size_t i) { return loops_[i].turning < 0; }, for_each_end);
+  return leftmost_loop(
+      n, [&](std::size_t i) { return loops_[i].turning < 0; }, for_each_end);
 }
 
 void FrameLoops::verify(double tau, FramePlace& place, FrameWork& work) {
@@ -248,7 +258,8 @@ bool FrameLoops::quiet(std::uint32_t touch, double tau) const {
   if (!(v.in_low < low && v.in_high > high)) return false;
   for (const PieceLists::Entry& e : lists_.entries(v.piece)) {
     if (e.id == (touch | kTouchBit) || e.out_high <= low || e.out_low >= high) continue;
-    const double apart = v.error + e.error + 0x1p-48 * std::max(1.0, high), u = std::max(low, e.out_low), w = std::min(high, e.out_high);
+    const double apart = v.error + e.error + 0x1p-48 * std::max(1.0, high), u = std::max(low, e.out_low),
+                 w = std::min(high, e.out_high);
     const double gap_u = e.t.at(u) - v.t.at(u), gap_w = e.t.at(w) - v.t.at(w);
     if (!(gap_u > apart && gap_w > apart) && !(gap_u < -apart && gap_w < -apart)) return false;
   }
@@ -288,8 +299,8 @@ void FrameLoops::doubt(std::uint32_t node) {
   doubtful_.push_back(node);
 }
 
-// A node that lies in the open sum does so as long as nothing passes it on a piece it lies inside of: what could uncover it would cross
-// that piece there.
+// A node that lies in the open sum does so as long as nothing passes it on a piece it lies inside of: what could
+// uncover it would cross that piece there.
 void FrameLoops::find_doubtful(bool whole, double tau) {
   const Window& window = lists_.window();
   if (whole) {
@@ -307,7 +318,8 @@ void FrameLoops::find_doubtful(bool whole, double tau) {
   }
 }
 
-// At every scale something touches in these nodes. The boundary passes those that it passes once; the others have to lie in the open sum.
+// At every scale something touches in these nodes. The boundary passes those that it passes once; the others have to
+// lie in the open sum.
 bool FrameLoops::nodes_are_plain(double tau, FramePlace& place, FrameWork& work) {
   if (crowded_ > 0) return false;
   for (const std::uint32_t n : doubtful_) {

@@ -1,5 +1,5 @@
-// The cycles of a window's arrangement, carried from frame to frame: those whose pieces were not looked at stay as they are, the others
-// are walked again, and what is new is proved true or false.
+// The cycles of a window's arrangement, carried from frame to frame: those whose pieces were not looked at stay as they
+// are, the others are walked again, and what is new is proved true or false.
 #pragma once
 
 #include <cstdint>
@@ -7,9 +7,9 @@
 #include <unordered_map>
 #include <vector>
 
+#include "base/two_lanes.h"
 #include "planar/scaling/edge_search.h"
 #include "planar/scaling/piece_lists.h"
-#include "base/two_lanes.h"
 
 namespace dymsum::planar {
 
@@ -22,24 +22,27 @@ struct MovingPoint {
 
 /// A sub-edge of a cycle, and what comes behind it.
 struct LoopStep {
-  std::uint32_t piece = kNone, edge = 0;   ///< sub-edge: PieceLists::first_sub(piece) + its place in the list
-  std::uint32_t from = kNone, to = kNone;  ///< what is at its ends, kNone at a segment's own end; valid even when the list has changed
-  std::uint32_t vertex = kNone;            ///< of FrameLoops::vertices, or kNone where the next step goes straight on
-  std::uint32_t node = kNone;              ///< in which it ends, where something touches at every scale
-  std::int8_t turn = 0;                    ///< into the next step: what it adds to the turning number
+  std::uint32_t piece = kNone, edge = 0;  ///< sub-edge: PieceLists::first_sub(piece) + its place in the list
+  std::uint32_t from = kNone,
+                to =
+                    kNone;  ///< what is at its ends, kNone at a segment's own end; valid even when the list has changed
+  std::uint32_t vertex = kNone;  ///< of FrameLoops::vertices, or kNone where the next step goes straight on
+  std::uint32_t node = kNone;    ///< in which it ends, where something touches at every scale
+  std::int8_t turn = 0;          ///< into the next step: what it adds to the turning number
 };
 
 struct FrameLoop {
   std::vector<LoopStep> steps;
-  std::uint32_t corners = 0;        ///< steps with a vertex
+  std::uint32_t corners = 0;            ///< steps with a vertex
   std::vector<std::uint32_t> vertices;  ///< theirs, of a kept one that has been written
   int turning = 0;
-  bool kept = false;                ///< a true boundary
-  std::uint64_t ring = 0;           ///< identity of a true one, 0: not yet given
-  bool fresh = true;                ///< walked anew in this frame
-  bool counted = false;             ///< among the visits of the nodes that it passes
-  std::uint32_t vertices_before = 0, vertices_shared = 0;  ///< of a fresh one: of the ring whose identity it has taken, and both
-  std::optional<CrossingEdges> witness;  ///< of a false one
+  bool kept = false;       ///< a true boundary
+  std::uint64_t ring = 0;  ///< identity of a true one, 0: not yet given
+  bool fresh = true;       ///< walked anew in this frame
+  bool counted = false;    ///< among the visits of the nodes that it passes
+  std::uint32_t vertices_before = 0,
+                vertices_shared = 0;          ///< of a fresh one: of the ring whose identity it has taken, and both
+  std::optional<CrossingEdges> witness;       ///< of a false one
   std::uint32_t first_run = 0, last_run = 0;  ///< of a fresh one: its stretches, valid during the update
 };
 
@@ -47,8 +50,9 @@ class FrameLoops {
  public:
   explicit FrameLoops(PieceLists& lists) : lists_(lists), search_(lists.window()) {}
 
-  /// After a repair without degeneracies. `whole`: nothing is known about earlier loops. False when the boundary passes a node twice or
-  /// a node may be tight: then this frame is one for the vertex routine, and nothing is known afterwards.
+  /// After a repair without degeneracies. `whole`: nothing is known about earlier loops. False when the boundary passes
+  /// a node twice or a node may be tight: then this frame is one for the vertex routine, and nothing is known
+  /// afterwards.
   bool update(double tau, FramePlace& place, bool whole, FrameWork& work);
   const std::vector<FrameLoop>& loops() const { return loops_; }
   std::vector<FrameLoop>& loops() { return loops_; }
@@ -111,12 +115,13 @@ class FrameLoops {
 
   PieceLists& lists_;
   std::vector<FrameLoop> loops_;
-  std::vector<FrameLoop> gone_;      ///< taken apart by the current update
-  std::vector<Look> look_;           ///< per loop
+  std::vector<FrameLoop> gone_;  ///< taken apart by the current update
+  std::vector<Look> look_;       ///< per loop
   struct Shifted {
     std::uint32_t step, sub;
   };
-  std::vector<Shifted> shifted_;     ///< steps of a loop on pieces whose lists have changed, and where their sub-edges are now
+  std::vector<Shifted>
+      shifted_;  ///< steps of a loop on pieces whose lists have changed, and where their sub-edges are now
   std::vector<std::uint32_t> seen_;  ///< sub-edge -> walk
   struct Owner {
     std::uint32_t walk = 0, loop = 0, step = 0;
@@ -157,13 +162,13 @@ class FrameLoops {
   std::vector<std::uint32_t> visited_;   ///< node -> how often kept loops pass it
   std::uint32_t crowded_ = 0;            ///< nodes that they pass twice or more
   std::vector<std::uint32_t> doubtful_;  ///< nodes of which something changed in this frame
-  double last_tau_ = 0;  ///< of the last update
+  double last_tau_ = 0;                  ///< of the last update
   EdgeSearch search_;
   struct Trail {
     Step at;
     std::uint32_t stretch;  ///< that starts there, or kNone: a single sub-edge
   };
-  std::vector<Trail> trail_;  ///< of the current walk
+  std::vector<Trail> trail_;                  ///< of the current walk
   std::vector<std::vector<LoopStep>> spare_;  ///< storage of loops that are gone
   std::vector<std::uint8_t> claimed_;
 };

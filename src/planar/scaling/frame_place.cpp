@@ -6,7 +6,8 @@ namespace dymsum::planar {
 double FramePlace::tau(std::uint32_t moving) const {
   if (moving == base_->scaled) return value_.approx;
   constexpr std::int64_t kDoubles = std::int64_t{1} << 53;
-  if (value_.num < kDoubles && value_.den < kDoubles) return value_.den.convert_to<double>() / value_.num.convert_to<double>();
+  if (value_.num < kDoubles && value_.den < kDoubles)
+    return value_.den.convert_to<double>() / value_.num.convert_to<double>();
   return exact::round_to_double(exact::BigRational(value_.den, value_.num));
 }
 

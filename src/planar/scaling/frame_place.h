@@ -26,7 +26,10 @@ class FramePlace {
   Collision& collision();
   bool has_lattice() const { return lattice_ != nullptr; }
   bool has_collision() const { return collision_ != nullptr; }
-  std::shared_ptr<const Lattice> share_lattice() { lattice(); return lattice_; }
+  std::shared_ptr<const Lattice> share_lattice() {
+    lattice();
+    return lattice_;
+  }
   std::uint64_t exact_signs = 0;
 
  private:

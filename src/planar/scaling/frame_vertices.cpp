@@ -11,7 +11,8 @@ bool FrameLoops::node_inside(std::uint32_t node, double tau, FramePlace& place, 
   const Lattice& l = *window.base().lattice;
   const Pair v = window.exact(n.at);
   const std::uint32_t m = window.frame().moving, move = m == 0 ? v.p : v.q, rest = m == 0 ? v.q : v.p;
-  const double x = l.points[1 - m]->x[rest] + tau * l.points[m]->x[move], y = l.points[1 - m]->y[rest] + tau * l.points[m]->y[move];
+  const double x = l.points[1 - m]->x[rest] + tau * l.points[m]->x[move],
+               y = l.points[1 - m]->y[rest] + tau * l.points[m]->y[move];
   if (covered(nodes_[node].witness, {x, y, kWindowPoint * window.span(), tau})) {
     ++work.witnessed;
     return true;
@@ -100,7 +101,8 @@ Place FrameLoops::sample(const FrameLoop& loop, double tau, FramePlace& place) c
   const std::uint32_t segment = window.pieces[longest.piece].segment;
   const LiveSegment& on = window.segments[segment];
   const Cutting from = end_cut(longest, false), to = end_cut(longest, true);
-  // Denominators of crossings with an edge of the scaled operand grow with the scale; all are integers over the scale's denominator.
+  // Denominators of crossings with an edge of the scaled operand grow with the scale; all are integers over the scale's
+  // denominator.
   const auto weight_of = [&](const Cutting& c) {
     if (c.cut.kind == Cut::Kind::pair) return c.denominator;
     const double den = exact::round_to_double(exact::BigRational(place.value().den));
@@ -112,7 +114,8 @@ Place FrameLoops::sample(const FrameLoop& loop, double tau, FramePlace& place) c
     weight = 0.5;
     relative = 1;
   }
-  const double t = t0 + weight * (t1 - t0), t_error = from.error + to.error + std::abs(t1 - t0) * 2 * relative + 0x1p-49 * std::max(1.0, tau);
+  const double t = t0 + weight * (t1 - t0),
+               t_error = from.error + to.error + std::abs(t1 - t0) * 2 * relative + 0x1p-49 * std::max(1.0, tau);
   Place p;
   p.on = window.exact(segment);
   p.first = from.cut;
@@ -121,12 +124,14 @@ Place FrameLoops::sample(const FrameLoop& loop, double tau, FramePlace& place) c
   const double grow = place.blow_up(moving);
   p.x = grow * (on.x.at(tau) + t * on.dx);
   p.y = grow * (on.y.at(tau) + t * on.dy);
-  p.error = grow * (t_error * std::max(std::abs(on.dx), std::abs(on.dy)) + kWindowPoint * window.span()) * (1 + 0x1p-40);
+  p.error =
+      grow * (t_error * std::max(std::abs(on.dx), std::abs(on.dy)) + kWindowPoint * window.span()) * (1 + 0x1p-40);
   if (!std::isfinite(p.error)) {
     // Nearly parallel lines, of which the doubles know nothing: the exact position, rounded.
     const Lattice& l = place.lattice();
     const Lattice::Position at = l.position(p);
-    const Place origin{window.exact(segment), {Cut::Kind::pair, start_of(window.exact(segment)), {}}, {}, false, 0, 0, 0};
+    const Place origin{
+        window.exact(segment), {Cut::Kind::pair, start_of(window.exact(segment)), {}}, {}, false, 0, 0, 0};
     const Lattice::Position start = l.position(origin);
     p.x = grow * on.x.at(tau) + exact::round_to_double(exact::BigRational(at.x - start.x)) / l.unit;
     p.y = grow * on.y.at(tau) + exact::round_to_double(exact::BigRational(at.y - start.y)) / l.unit;
@@ -142,7 +147,9 @@ EdgeSearch::Place FrameLoops::beside(const FrameLoop& loop, double tau) const {
   const LiveSegment& on = window.segments[window.pieces[s.piece].segment];
   const Cutting from = end_cut(s, false), to = end_cut(s, true);
   const double t = 0.5 * (from.t.at(tau) + to.t.at(tau));
-  const double error = (from.error + to.error + 0x1p-49 * std::max(1.0, tau)) * std::max(std::abs(on.dx), std::abs(on.dy)) + kWindowPoint * window.span();
+  const double error =
+      (from.error + to.error + 0x1p-49 * std::max(1.0, tau)) * std::max(std::abs(on.dx), std::abs(on.dy)) +
+      kWindowPoint * window.span();
   return {on.x.at(tau) + t * on.dx, on.y.at(tau) + t * on.dy, error, tau};
 }
 
@@ -161,7 +168,8 @@ FrameLoops::MovingVertex FrameLoops::vertex_after(Step s, std::uint32_t in, std:
   const bool end = s.sub == lists_.count(s.piece);
   const std::uint32_t entry = end ? kNone : lists_.entry(s.piece, s.sub);
   if (end || entry & kTouchBit) {
-    const WalkPair at = end ? window.end_pair(window.pieces[s.piece]) : window.nodes[window.touches[entry & ~kTouchBit].node].at;
+    const WalkPair at =
+        end ? window.end_pair(window.pieces[s.piece]) : window.nodes[window.touches[entry & ~kTouchBit].node].at;
     v.vertex.corner_p = window.base().operands[0].vertex_number[at.p];
     v.vertex.corner_q = window.base().operands[1].vertex_number[at.q];
     const Lattice& l = *window.base().lattice;
@@ -171,15 +179,18 @@ FrameLoops::MovingVertex FrameLoops::vertex_after(Step s, std::uint32_t in, std:
     v.point.y = {l.points[1 - m]->y[rest], l.points[m]->y[move]};
   } else {
     const Candidate& c = window.candidates[entry];
-    const LiveSegment &a = window.segments[window.pieces[c.a].segment], &b = window.segments[window.pieces[c.b].segment];
-    const double ea = c.error_a * std::max(std::abs(a.dx), std::abs(a.dy)), eb = c.error_b * std::max(std::abs(b.dx), std::abs(b.dy));
+    const LiveSegment &a = window.segments[window.pieces[c.a].segment],
+                      &b = window.segments[window.pieces[c.b].segment];
+    const double ea = c.error_a * std::max(std::abs(a.dx), std::abs(a.dy)),
+                 eb = c.error_b * std::max(std::abs(b.dx), std::abs(b.dy));
     const LiveSegment& best = ea <= eb ? a : b;
     const Linear& t = ea <= eb ? c.ta : c.tb;
     v.point.x = {best.x.a + best.dx * t.a, best.x.b + best.dx * t.b};
     v.point.y = {best.y.a + best.dy * t.a, best.y.b + best.dy * t.b};
     v.point.error += std::min(ea, eb);
     // Where the line is followed far outside the piece, a and b cancel at tau.
-    v.point.error += 0x1p-50 * (std::abs(v.point.x.a) + std::abs(v.point.y.a) + (std::abs(v.point.x.b) + std::abs(v.point.y.b)) * window.frame().tau1);
+    v.point.error += 0x1p-50 * (std::abs(v.point.x.a) + std::abs(v.point.y.a) +
+                                (std::abs(v.point.x.b) + std::abs(v.point.y.b)) * window.frame().tau1);
   }
   v.vertex.in = window.segments[in].contact;
   v.vertex.out = window.segments[out].contact;

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planar/convolution/convolution.h"
 #include "planar/scaling/exact_forms.h"
 #include "planar/scaling/fill_lattice.h"
-#include "planar/convolution/convolution.h"
 
 namespace dymsum {
 
@@ -46,7 +46,8 @@ struct Line {
 
 }  // namespace
 
-Result<PairEventCount> count_pair_events(const Region& p, const Region& q, ScaledOperand scaled, const Progress& progress) {
+Result<PairEventCount> count_pair_events(const Region& p, const Region& q, ScaledOperand scaled,
+                                         const Progress& progress) {
   Result<std::shared_ptr<const OperandPair>> made = OperandPair::create(p, q, scaled == ScaledOperand::p ? 0 : 1, 0);
   if (!made) return made.error();
   const OperandPair& base = **made;
@@ -62,13 +63,15 @@ Result<PairEventCount> count_pair_events(const Region& p, const Region& q, Scale
     const std::uint32_t a = o.source[w.edge], b = o.source[o.next[w.edge]], v = other.source[w.vertex];
     const bool moving = w.side == k;
     const std::uint32_t ma = moving ? a : v, mb = moving ? b : v, fa = moving ? v : a, fb = moving ? v : b;
-    lines.push_back({l.points[1 - k]->x[fa], l.points[1 - k]->y[fa], l.points[k]->x[ma], l.points[k]->y[ma], o.ex[w.edge], o.ey[w.edge], l.points[1 - k]->x[fb], l.points[1 - k]->y[fb],
-                     l.points[k]->x[mb], l.points[k]->y[mb]});
+    lines.push_back({l.points[1 - k]->x[fa], l.points[1 - k]->y[fa], l.points[k]->x[ma], l.points[k]->y[ma],
+                     o.ex[w.edge], o.ey[w.edge], l.points[1 - k]->x[fb], l.points[1 - k]->y[fb], l.points[k]->x[mb],
+                     l.points[k]->y[mb]});
     segments.push_back({o.edge(w.edge), v});
   });
   PairEventCount count;
   count.segments = lines.size();
-  const double span_f = std::max(base.width[1 - k], base.height[1 - k]), span_m = std::max(base.width[k], base.height[k]);
+  const double span_f = std::max(base.width[1 - k], base.height[1 - k]),
+               span_m = std::max(base.width[k], base.height[k]);
   const auto exactly = [&](std::size_t i, std::size_t j) {
     const Segment &a = segments[i], &b = segments[j];
     const int sign = l.cross(a.edge, b.edge);
@@ -88,7 +91,9 @@ Result<PairEventCount> count_pair_events(const Region& p, const Region& q, Scale
     return std::pair{any, int(low.has_value()) + int(high.has_value())};
   };
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (progress && i % 64 == 0 && !progress("pairs", double(i) * (2.0 * double(lines.size()) - double(i)) / double(lines.size()) / double(lines.size())))
+    if (progress && i % 64 == 0 &&
+        !progress("pairs",
+                  double(i) * (2.0 * double(lines.size()) - double(i)) / double(lines.size()) / double(lines.size())))
       return Error{Code::cancelled, "stopped on request", {}};
     const Line& a = lines[i];
     for (std::size_t j = i + 1; j < lines.size(); ++j) {
@@ -101,8 +106,8 @@ Result<PairEventCount> count_pair_events(const Region& p, const Region& q, Scale
         const double s = d > 0 ? 1 : -1;
         const double eb = 0x1p-50 * (std::abs(b.dx) + std::abs(b.dy)), ea = 0x1p-50 * (std::abs(a.dx) + std::abs(a.dy));
         const auto side = [&](const Line& line, double xf, double yf, double xm, double ym, double sign, double e) {
-          in.meet(sign * (line.dx * (yf - line.yf) - line.dy * (xf - line.xf)), sign * (line.dx * (ym - line.ym) - line.dy * (xm - line.xm)),
-                  e * span_f, e * span_m);
+          in.meet(sign * (line.dx * (yf - line.yf) - line.dy * (xf - line.xf)),
+                  sign * (line.dx * (ym - line.ym) - line.dy * (xm - line.xm)), e * span_f, e * span_m);
         };
         side(b, a.xf, a.yf, a.xm, a.ym, s, eb);
         if (!in.empty) side(b, a.ex0, a.ey0, a.ex1, a.ey1, -s, eb);

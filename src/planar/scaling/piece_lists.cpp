@@ -19,7 +19,8 @@ Meet meet(const Window& window, std::uint32_t a, std::uint32_t b, FramePlace& pl
     const Segment back{{s.edge.op, s.edge.to, s.edge.from}, s.vertex};
     return l.along(s, v) >= 0 && l.along(back, v) >= 0;
   };
-  if ((s1 == 0 && on(sa, b0)) || (s2 == 0 && on(sa, b1)) || (s3 == 0 && on(sb, a0)) || (s4 == 0 && on(sb, a1))) return Meet::degenerate;
+  if ((s1 == 0 && on(sa, b0)) || (s2 == 0 && on(sa, b1)) || (s3 == 0 && on(sb, a0)) || (s4 == 0 && on(sb, a1)))
+    return Meet::degenerate;
   return Meet::none;
 }
 
@@ -39,7 +40,8 @@ PieceLists::PieceLists(Window& window) : window_(window) {
   new_subs_.assign(n, {});
 }
 
-// Entries of a piece lie in the order that they have in the middle of the window: lists are then nearly sorted as they come.
+// Entries of a piece lie in the order that they have in the middle of the window: lists are then nearly sorted as they
+// come.
 void PieceLists::add_entries() {
   crossings_.reserve(window_.candidates.size());
   for (const Candidate& c : window_.candidates) crossings_.push_back({c.a, c.b, 0, 0, c.sign});
@@ -55,7 +57,8 @@ void PieceLists::add_entries() {
     for (std::uint32_t k = window_.first_of[i]; k < window_.first_of[i + 1]; ++k) {
       const Candidate& c = window_.candidates[window_.of[k]];
       const bool a = c.a == i;
-      entries_.push_back({c.out_low, c.in_low, c.in_high, c.out_high, a ? c.ta : c.tb, a ? c.error_a : c.error_b, window_.of[k], false});
+      entries_.push_back({c.out_low, c.in_low, c.in_high, c.out_high, a ? c.ta : c.tb, a ? c.error_a : c.error_b,
+                          window_.of[k], false});
     }
     for (std::uint32_t k = window_.first_touch[i]; k < window_.first_touch[i + 1]; ++k) {
       const PersistentTouch& c = window_.touches[k];
@@ -80,8 +83,9 @@ void PieceLists::add_entries() {
 }
 
 std::size_t PieceLists::bytes() const {
-  return entries_.capacity() * sizeof(Entry) + crossings_.capacity() * sizeof(Crossing) + (low_.capacity() + high_.capacity()) * 8 +
-         hot_.capacity() * sizeof(Hot) + (list_.capacity() + touched_.capacity() + changed_at_.capacity() + changed_.capacity()) * 4 +
+  return entries_.capacity() * sizeof(Entry) + crossings_.capacity() * sizeof(Crossing) +
+         (low_.capacity() + high_.capacity()) * 8 + hot_.capacity() * sizeof(Hot) +
+         (list_.capacity() + touched_.capacity() + changed_at_.capacity() + changed_.capacity()) * 4 +
          items_.capacity() * sizeof(Item) + new_subs_.capacity() * sizeof(NewSubs);
 }
 
@@ -131,7 +135,8 @@ Cut PieceLists::cut_at(std::uint32_t piece, std::uint32_t entry) const {
 int PieceLists::compare_exactly(std::uint32_t piece, const Item& a, const Item& b, FramePlace& place) const {
   if (a.entry == b.entry) return 0;
   ++place.exact_signs;
-  return place.lattice().compare(window_.exact(window_.pieces[piece].segment), cut_at(piece, a.entry), cut_at(piece, b.entry));
+  return place.lattice().compare(window_.exact(window_.pieces[piece].segment), cut_at(piece, a.entry),
+                                 cut_at(piece, b.entry));
 }
 
 // Whether an entry lies before the end of a piece that is handed on.
@@ -139,7 +144,8 @@ bool PieceLists::before_end(std::uint32_t piece, std::uint32_t entry, FramePlace
   const Piece& p = window_.pieces[piece];
   if (!p.handed_on) return true;
   ++place.exact_signs;
-  const int order = place.lattice().compare(window_.exact(p.segment), cut_at(piece, entry), {Cut::Kind::pair, window_.exact(p.tail_at), {}});
+  const int order = place.lattice().compare(window_.exact(p.segment), cut_at(piece, entry),
+                                            {Cut::Kind::pair, window_.exact(p.tail_at), {}});
   certain.generic &= order != 0;
   return order < 0;
 }
@@ -188,9 +194,11 @@ inline bool PieceLists::inside(const Entry& e, double tau, Certainty& certain, b
 bool PieceLists::inside_exactly(std::uint32_t i, std::uint32_t id, FramePlace& place, Certainty& certain) const {
   certain.exact = true;
   if (!(id & kTouchBit)) {
-    const Meet m = meet(window_, window_.pieces[crossings_[id].a].segment, window_.pieces[crossings_[id].b].segment, place);
+    const Meet m =
+        meet(window_, window_.pieces[crossings_[id].a].segment, window_.pieces[crossings_[id].b].segment, place);
     certain.generic &= m != Meet::degenerate;
-    return m == Meet::crossing && before_end(crossings_[id].a, id, place, certain) && before_end(crossings_[id].b, id, place, certain);
+    return m == Meet::crossing && before_end(crossings_[id].a, id, place, certain) &&
+           before_end(crossings_[id].b, id, place, certain);
   }
   const Segment s = window_.exact(window_.pieces[i].segment), back{{s.edge.op, s.edge.to, s.edge.from}, s.vertex};
   const Pair v = window_.exact(window_.nodes[window_.touches[id & ~kTouchBit].node].at);
@@ -200,8 +208,8 @@ bool PieceLists::inside_exactly(std::uint32_t i, std::uint32_t id, FramePlace& p
   return from > 0 && to > 0 && before_end(i, id, place, certain);
 }
 
-// What crosses or touches on the piece here: into items_, not yet in order. Returns how much came and went; nodes are linked anew where a
-// touch did.
+// What crosses or touches on the piece here: into items_, not yet in order. Returns how much came and went; nodes are
+// linked anew where a touch did.
 std::uint32_t PieceLists::collect(std::uint32_t i, double tau, FramePlace& place, Certainty& certain) {
   items_.clear();
   std::uint32_t came_or_went = 0;
@@ -234,7 +242,8 @@ void PieceLists::sort_items(std::uint32_t i, FramePlace& place) {
   }
 }
 
-// The list is certain while the doubles of neighbours stay apart by more than their errors; a little less, for rounding.
+// The list is certain while the doubles of neighbours stay apart by more than their errors; a little less, for
+// rounding.
 void PieceLists::look_at_neighbours(std::uint32_t i, double tau, FramePlace& place, Certainty& certain) const {
   for (std::size_t k = 0; k + 1 < items_.size(); ++k) {
     const Item &a = items_[k], &b = items_[k + 1];
@@ -273,7 +282,9 @@ std::optional<PieceLists::NewSubs> PieceLists::store(std::uint32_t i) {
 }
 
 void PieceLists::mark_changed(std::uint32_t piece, NewSubs subs) {
-  new_subs_[piece] = changed_at_[piece] == frame_ ? NewSubs{std::min(subs.first, new_subs_[piece].first), std::max(subs.last, new_subs_[piece].last)} : subs;
+  new_subs_[piece] = changed_at_[piece] == frame_ ? NewSubs{std::min(subs.first, new_subs_[piece].first),
+                                                            std::max(subs.last, new_subs_[piece].last)}
+                                                  : subs;
   if (changed_at_[piece] == frame_) return;
   changed_.push_back(piece);
   changed_at_[piece] = frame_;
@@ -297,8 +308,8 @@ PieceLists::Step PieceLists::between(std::uint32_t piece, std::uint32_t from, st
   return end == to ? Step{piece, sub} : Step{};
 }
 
-// The sector rule of planar-sum.md on the rays that are there now; their order never changes. Pieces on which walks go another way have
-// changed.
+// The sector rule of planar-sum.md on the rays that are there now; their order never changes. Pieces on which walks go
+// another way have changed.
 void PieceLists::relink(std::uint32_t node) {
   const PersistentNode& n = window_.nodes[node];
   rays_here_.clear();
@@ -351,7 +362,8 @@ std::uint32_t PieceLists::end_node(Step s) const {
 }
 
 std::uint32_t PieceLists::arriving_ray(Step s) const {
-  return s.sub < hot_[s.piece].count ? window_.touches[entry(s.piece, s.sub) & ~kTouchBit].in_ray : hot_[s.piece].tail_ray;
+  return s.sub < hot_[s.piece].count ? window_.touches[entry(s.piece, s.sub) & ~kTouchBit].in_ray
+                                     : hot_[s.piece].tail_ray;
 }
 
 // A sub-edge that starts at a touch or at its piece's own end.

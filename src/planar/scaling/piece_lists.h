@@ -1,5 +1,5 @@
-// For every piece of a window the crossings on it in order, kept true from frame to frame. Each list knows an interval of scales over
-// which it certainly stays as it is; only lists whose interval was left are looked at.
+// For every piece of a window the crossings on it in order, kept true from frame to frame. Each list knows an interval
+// of scales over which it certainly stays as it is; only lists whose interval was left are looked at.
 #pragma once
 
 #include <array>
@@ -18,8 +18,8 @@ class PieceLists {
  public:
   explicit PieceLists(Window& window);
 
-  /// Brings every list to this frame. False when something touches here: the lists of the pieces involved are then unspecified, and
-  /// will be looked at again.
+  /// Brings every list to this frame. False when something touches here: the lists of the pieces involved are then
+  /// unspecified, and will be looked at again.
   bool repair(double tau, FramePlace& place, FrameWork& work);
 
   std::uint32_t count(std::uint32_t piece) const { return hot_[piece].count; }
@@ -41,7 +41,9 @@ class PieceLists {
     std::uint32_t id;  ///< candidate, or touch with kTouchBit
     bool inside;       ///< in the list
   };
-  std::span<const Entry> entries(std::uint32_t piece) const { return {entries_.data() + hot_[piece].base, hot_[piece].entries}; }
+  std::span<const Entry> entries(std::uint32_t piece) const {
+    return {entries_.data() + hot_[piece].base, hot_[piece].entries};
+  }
   /// A candidate's pieces and its places in their lists, while it crosses.
   struct Crossing {
     std::uint32_t a, b, at_a, at_b;
@@ -73,7 +75,8 @@ class PieceLists {
     const Step to = a ? Step{c.b, c.at_b + 1} : Step{c.a, c.at_a + 1};
     return dead(to) ? Step{} : to;
   }
-  /// The ray through which a sub-edge arrives in that node, and the one in which the boundary goes on or kNone. Requires: it ends in one.
+  /// The ray through which a sub-edge arrives in that node, and the one in which the boundary goes on or kNone.
+  /// Requires: it ends in one.
   std::uint32_t arriving_ray(Step s) const;
   std::uint32_t leaving_ray(std::uint32_t arriving) const { return link_[arriving]; }
   /// The node in which a sub-edge ends, if something touches there now, or kNone.
@@ -89,7 +92,8 @@ class PieceLists {
   const std::vector<std::uint32_t>& looked_at() const { return looked_at_; }
   const std::vector<std::uint32_t>& changed() const { return changed_; }
   bool has_changed(std::uint32_t piece) const { return changed_at_[piece] == frame_; }
-  /// Of a piece whose list changed: the sub-edges [first, last] that were not there before, by what is at their ends or where they lead.
+  /// Of a piece whose list changed: the sub-edges [first, last] that were not there before, by what is at their ends or
+  /// where they lead.
   struct NewSubs {
     std::uint32_t first = 0, last = 0;
   };
@@ -155,12 +159,12 @@ class PieceLists {
   std::vector<NewSubs> new_subs_;  ///< per piece, of the frame in which it changed last
   std::vector<Item> items_;
   std::vector<std::uint8_t> touch_active_, node_active_, entered_;  ///< per touch, node, ray
-  std::vector<std::uint32_t> link_;         ///< ray that arrives -> ray that leaves, or kNone
+  std::vector<std::uint32_t> link_;                                 ///< ray that arrives -> ray that leaves, or kNone
   struct Way {
     std::uint32_t link = kNone;
     bool entered = false;
   };
-  std::vector<std::uint32_t> rays_here_;    ///< of a node
+  std::vector<std::uint32_t> rays_here_;  ///< of a node
   std::vector<Way> ways_before_;
   std::vector<std::uint32_t> dirty_nodes_;  ///< where a touch came or went in this frame
   std::uint32_t frame_ = 0;

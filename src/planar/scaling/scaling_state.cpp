@@ -4,10 +4,10 @@
 #include <chrono>
 #include <cmath>
 
-#include "planar/scaling/fill_lattice.h"
-#include "planar/scaling/degenerate_frame.h"
-#include "planar/scaling/frame_cost.h"
 #include "planar/position/vertex_order.h"
+#include "planar/scaling/degenerate_frame.h"
+#include "planar/scaling/fill_lattice.h"
+#include "planar/scaling/frame_cost.h"
 
 namespace dymsum {
 
@@ -32,7 +32,8 @@ constexpr std::uint32_t kMaskFrom = 300;  // segments from which a mask pays
 
 constexpr double kCheapWindow = 4000;  // some milliseconds to build: no window as cheap as that is abandoned
 
-// What building a window counts when frames are compared: less than whole, as it makes few frames late and all the others faster.
+// What building a window counts when frames are compared: less than whole, as it makes few frames late and all the
+// others faster.
 constexpr double kLate = 0.65;
 
 }  // namespace
@@ -47,7 +48,8 @@ ReducedConvolution& ScalingSum::State::convolution_for(double low, double high) 
     return *convolution_;
   }
   const ScaleValue a = scale_value(exact::exact_value(fill_low_)), b = scale_value(exact::exact_value(fill_high_));
-  const auto at_low = base->lattice_at(base->lattice_scale(a, a)), at_high = base->lattice_at(base->lattice_scale(b, b));
+  const auto at_low = base->lattice_at(base->lattice_scale(a, a)),
+             at_high = base->lattice_at(base->lattice_scale(b, b));
   const FillLattice fill(*base->lattice, *at_low, *at_high, base->scaled);
   convolution_ = std::make_shared<ReducedConvolution>(fill, base->operands[0], base->operands[1]);
   return *convolution_;
@@ -113,7 +115,8 @@ WindowSettings ScalingSum::State::settings_for(const BigRational& low, const Big
   return settings;
 }
 
-// The width at which the ends of the moving operand sweep kSweep cells: beyond it masks lose more than longer windows gain.
+// The width at which the ends of the moving operand sweep kSweep cells: beyond it masks lose more than longer windows
+// gain.
 double ScalingSum::State::widest_window(double s) const {
   constexpr double kSweep = 4.5;
   const std::uint32_t k = base->scaled;
@@ -123,7 +126,8 @@ double ScalingSum::State::widest_window(double s) const {
   return moving > 0 ? kSweep * cell / (0.5 * moving) : 1;
 }
 
-std::unique_ptr<Window> ScalingSum::State::window_between(const BigRational& low, const BigRational& high, bool covers) {
+std::unique_ptr<Window> ScalingSum::State::window_between(const BigRational& low, const BigRational& high,
+                                                          bool covers) {
   const double a = exact::round_to_double(low), b = exact::round_to_double(high);
   ReducedConvolution& convolution = convolution_for(a * (1 - 0x1p-30), b * (1 + 0x1p-30));
   WindowSettings settings = settings_for(low, high, a);
@@ -141,7 +145,8 @@ bool ScalingSum::State::build_window(const ScaleValue& s, double behind, double 
   settings.cells = cells_for(n);
   settings.mask = n >= kMaskFrom;
   drop_window();
-  const double dearest = options.mode == FrameMode::automatic && options.window == 0 ? controller_.dearest_building() : 0;
+  const double dearest =
+      options.mode == FrameMode::automatic && options.window == 0 ? controller_.dearest_building() : 0;
   if (dearest > 0) settings.most_pairs = pairs_of_window(std::max(dearest, kCheapWindow), convolution.size());
   window_ = std::make_unique<Window>(*base, convolution, settings);
   if (window_->abandoned) {
@@ -156,7 +161,8 @@ bool ScalingSum::State::build_window(const ScaleValue& s, double behind, double 
   return true;
 }
 
-Result<ScalingSum::State::NextFrame> ScalingSum::State::rebuilt_frame(const ScaleValue& x, const ScaleValue& y, FrameWork& work) {
+Result<ScalingSum::State::NextFrame> ScalingSum::State::rebuilt_frame(const ScaleValue& x, const ScaleValue& y,
+                                                                      FrameWork& work) {
   work.rebuilt = true;
   SumOptions sum_options;
   sum_options.semantics = options.semantics;
@@ -177,15 +183,20 @@ Result<ScalingSum::State::NextFrame> ScalingSum::State::rebuilt_frame(const Scal
 }
 
 // The kept loops at tau as rings, each starting at its smallest vertex; sets what the sum says about its positions.
-ScalingSum::State::KeptRings ScalingSum::State::kept_rings(double tau, FramePlace& place, const PairSource& source, PlanarSum& next) {
+ScalingSum::State::KeptRings ScalingSum::State::kept_rings(double tau, FramePlace& place, const PairSource& source,
+                                                           PlanarSum& next) {
   const Lattice& l = *base->lattice;
   const double grow = place.blow_up(window_->frame().moving), unit = l.unit, s = place.value().approx;
   const std::uint32_t k = base->scaled;
-  const double ox = l.points[k]->offset.x * s + l.points[1 - k]->offset.x, oy = l.points[k]->offset.y * s + l.points[1 - k]->offset.y;
-  const double reach = (std::abs(l.points[k]->offset.x) + std::abs(l.points[k]->offset.y)) * s + std::abs(l.points[1 - k]->offset.x) + std::abs(l.points[1 - k]->offset.y);
+  const double ox = l.points[k]->offset.x * s + l.points[1 - k]->offset.x,
+               oy = l.points[k]->offset.y * s + l.points[1 - k]->offset.y;
+  const double reach = (std::abs(l.points[k]->offset.x) + std::abs(l.points[k]->offset.y)) * s +
+                       std::abs(l.points[1 - k]->offset.x) + std::abs(l.points[1 - k]->offset.y);
   const double span = window_->span(), poor = 0x1p-38 * span;
   // Evaluation, the blow-up and the offsets add a few roundings.
-  const auto input_error = [&](double of_point) { return grow * (of_point + 0x1p-49 * span) * unit * (1 + 0x1p-40) + 0x1p-50 * reach; };
+  const auto input_error = [&](double of_point) {
+    return grow * (of_point + 0x1p-49 * span) * unit * (1 + 0x1p-40) + 0x1p-50 * reach;
+  };
   const VertexOrder order(source, input_error(poor));
   const SumVertex* const vertices = loops_->vertices().data();
   const MovingPoint* const points = loops_->points().data();
@@ -218,7 +229,8 @@ ScalingSum::State::KeptRings ScalingSum::State::kept_rings(double tau, FramePlac
       spare_rings_.pop_back();
     }
     ring.vertices.resize(n);
-    const auto led = std::find_if(loop.vertices.begin(), loop.vertices.end(), [&](std::uint32_t v) { return leads_[v] != 0; });
+    const auto led =
+        std::find_if(loop.vertices.begin(), loop.vertices.end(), [&](std::uint32_t v) { return leads_[v] != 0; });
     const std::size_t start = led == loop.vertices.end() ? 0 : static_cast<std::size_t>(led - loop.vertices.begin());
     SumVertex* const first = ring.vertices.data();
     SumVertex *to = first, *least = first;
@@ -263,7 +275,8 @@ ScalingSum::State::NextFrame ScalingSum::State::assemble(double tau, FramePlace&
   next.sum.stats.live_segments = window_->segments.size();
   next.followed = loops_known_;
   KeptRings kept = kept_rings(tau, place, *source, next.sum);
-  for (const std::size_t i : place_rings(std::move(kept.rings), kept.outer, next.sum)) next.loops.push_back(kept.loops[i]);
+  for (const std::size_t i : place_rings(std::move(kept.rings), kept.outer, next.sum))
+    next.loops.push_back(kept.loops[i]);
   return next;
 }
 
@@ -286,7 +299,8 @@ ScalingSum::State::NextFrame ScalingSum::State::window_frame(const ScaleValue& s
     next = assemble(tau, place);
     loops_known_ = true;
   }
-  if (place.has_collision()) work.collision_tests = std::max<std::uint64_t>(work.collision_tests, place.collision().counts().tests);
+  if (place.has_collision())
+    work.collision_tests = std::max<std::uint64_t>(work.collision_tests, place.collision().counts().tests);
   work.exact_signs += place.exact_signs;
   if (place.has_collision()) work.exact_signs += place.collision().counts().exact;
   work.pieces = window_->pieces.size();
@@ -298,7 +312,8 @@ ScalingSum::State::NextFrame ScalingSum::State::window_frame(const ScaleValue& s
 }
 
 // Identities between two frames of one window, from what the loops remember.
-std::vector<std::uint64_t> ScalingSum::State::follow_rings(const NextFrame& next, bool same_place, FrameChanges& changes) {
+std::vector<std::uint64_t> ScalingSum::State::follow_rings(const NextFrame& next, bool same_place,
+                                                           FrameChanges& changes) {
   std::vector<std::uint64_t> ids;
   for (FrameLoop* loop : next.loops) {
     const std::uint32_t size = loop->corners;
@@ -306,19 +321,22 @@ std::vector<std::uint64_t> ScalingSum::State::follow_rings(const NextFrame& next
       loop->ring = identities_.fresh();
       changes.rings.push_back({RingChange::Kind::appeared, loop->ring, size, 0});
     } else if (loop->fresh && !(loop->vertices_before == size && loop->vertices_shared == size)) {
-      changes.rings.push_back({RingChange::Kind::reshaped, loop->ring, size - loop->vertices_shared, loop->vertices_before - loop->vertices_shared});
+      changes.rings.push_back({RingChange::Kind::reshaped, loop->ring, size - loop->vertices_shared,
+                               loop->vertices_before - loop->vertices_shared});
     } else if (!same_place) {
       changes.rings.push_back({RingChange::Kind::moved, loop->ring, 0, 0});
     }
     ids.push_back(loop->ring);
   }
-  for (const auto& [ring, vertices] : loops_->ended()) changes.rings.push_back({RingChange::Kind::disappeared, ring, 0, vertices});
+  for (const auto& [ring, vertices] : loops_->ended())
+    changes.rings.push_back({RingChange::Kind::disappeared, ring, 0, vertices});
   return ids;
 }
 
 FrameChanges ScalingSum::State::take(NextFrame next, bool same_place) {
   FrameChanges changes;
-  std::vector<std::uint64_t> ids = next.followed ? follow_rings(next, same_place, changes) : identities_.match(sum, ring_ids, next.sum, same_place, changes);
+  std::vector<std::uint64_t> ids = next.followed ? follow_rings(next, same_place, changes)
+                                                 : identities_.match(sum, ring_ids, next.sum, same_place, changes);
   if (!next.followed)
     for (std::size_t i = 0; i < next.loops.size(); ++i) next.loops[i]->ring = ids[i];
   finish_changes(sum, next.sum, changes);
@@ -348,7 +366,8 @@ Result<FrameChanges> ScalingSum::State::move_to(const Scale& x, const Scale& y) 
   if (inside && options.mode != FrameMode::rebuild) {
     next = window_frame(sx, next_work);
   } else if (windowable) {
-    const WindowController::Choice choice = controller_.choose(step, widest_window(sx.approx), options.mode, std::log1p(options.window));
+    const WindowController::Choice choice =
+        controller_.choose(step, widest_window(sx.approx), options.mode, std::log1p(options.window));
     if (choice.window) {
       if (options.progress && !options.progress("window", 0)) return Error{Code::cancelled, "stopped on request", {}};
       built = build_window(sx, choice.behind, choice.ahead);

@@ -7,10 +7,10 @@
 #include "dymsum/scaling_sum.h"
 #include "planar/frames/controller.h"
 #include "planar/frames/frame_rings.h"
+#include "planar/position/vertex_order.h"
 #include "planar/scaling/exact_forms.h"
 #include "planar/scaling/frame_loops.h"
 #include "planar/scaling/line_hashes.h"
-#include "planar/position/vertex_order.h"
 
 namespace dymsum {
 
@@ -33,7 +33,8 @@ class ScalingSum::State {
   planar::ReducedConvolution& convolution_for(double low, double high);
   planar::WindowSettings settings_for(const exact::BigRational& low, const exact::BigRational& high, double at) const;
   /// A window of its own for the events in [low, high]; without `covers` also of crossings inside the sum.
-  std::unique_ptr<planar::Window> window_between(const exact::BigRational& low, const exact::BigRational& high, bool covers = false);
+  std::unique_ptr<planar::Window> window_between(const exact::BigRational& low, const exact::BigRational& high,
+                                                 bool covers = false);
   planar::Window* window() const { return window_.get(); }
   const planar::ExactForms& forms() const;
   std::uint64_t hash(planar::LineHashes& known) const;
@@ -66,7 +67,7 @@ class ScalingSum::State {
   std::unique_ptr<planar::Window> window_;
   std::unique_ptr<planar::PieceLists> lists_;
   std::unique_ptr<planar::FrameLoops> loops_;
-  double low_ = 0, high_ = 0;     ///< scales the window covers
+  double low_ = 0, high_ = 0;  ///< scales the window covers
   bool loops_known_ = false;
   std::vector<std::uint32_t> leaders_;  ///< vertices of the window's loops at which the last frame's rings started,
   std::vector<std::uint8_t> leads_;     ///< and whether a vertex is one of these

@@ -5,8 +5,8 @@
 
 namespace dymsum {
 
-using planar::prepared_operand;
 using planar::OperandPair;
+using planar::prepared_operand;
 
 ScalingSum::ScalingSum(std::unique_ptr<State> state) : state_(std::move(state)) {}
 ScalingSum::ScalingSum(ScalingSum&&) noexcept = default;
@@ -15,8 +15,8 @@ ScalingSum::~ScalingSum() = default;
 
 Result<ScalingSum> ScalingSum::create(const Region& p, const Region& q, const ScalingOptions& options) {
   Result<std::shared_ptr<const OperandPair>> base =
-      OperandPair::create({prepared_operand(p, 0), prepared_operand(q, 1, options.reflect_q)}, {}, options.scaled == ScaledOperand::p ? 0 : 1,
-                          options.min_tier_bits);
+      OperandPair::create({prepared_operand(p, 0), prepared_operand(q, 1, options.reflect_q)}, {},
+                          options.scaled == ScaledOperand::p ? 0 : 1, options.min_tier_bits);
   if (!base) return base.error();
   auto state = std::make_unique<State>(std::move(base).value(), options);
   const FrameMode mode = state->options.mode;

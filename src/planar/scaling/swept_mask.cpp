@@ -10,11 +10,14 @@ struct Place2 {
   double x, y;
 };
 
-// An edge that meets a cell at both ends of the window meets it in between: its places form a plane piece in (x, y, tau), which is convex.
-void touch_at_both_ends(const Grid& cells, Place2 a0, Place2 b0, Place2 a1, Place2 b1, std::vector<std::array<int, 3>>& scratch,
-                        Bitmap& touch) {
+// An edge that meets a cell at both ends of the window meets it in between: its places form a plane piece in (x, y,
+// tau), which is convex.
+void touch_at_both_ends(const Grid& cells, Place2 a0, Place2 b0, Place2 a1, Place2 b1,
+                        std::vector<std::array<int, 3>>& scratch, Bitmap& touch) {
   scratch.clear();
-  for_each_cell_run(cells, a0.x, a0.y, b0.x, b0.y, [&](int r, int first, int last) { scratch.push_back({r, first, last}); });
+  for_each_cell_run(cells, a0.x, a0.y, b0.x, b0.y, [&](int r, int first, int last) {
+    scratch.push_back({r, first, last});
+  });
   for_each_cell_run(cells, a1.x, a1.y, b1.x, b1.y, [&](int r, int first, int last) {
     const int k = r - scratch[0][0];
     if (k < 0 || k >= static_cast<int>(scratch.size())) return;
@@ -43,7 +46,8 @@ Raster rasterize(const Operand& o, const Grid& cells, bool moves, const At& at) 
   return raster;
 }
 
-DeadCells dead_cells_of(const Lattice& unscaled, const std::array<Operand, 2>& operands, const WindowFrame& frame, int cells, bool use) {
+DeadCells dead_cells_of(const Lattice& unscaled, const std::array<Operand, 2>& operands, const WindowFrame& frame,
+                        int cells, bool use) {
   std::array<double, 2> width{unscaled.points[0]->width, unscaled.points[1]->width};
   std::array<double, 2> height{unscaled.points[0]->height, unscaled.points[1]->height};
   width[frame.moving] *= frame.tau1;
@@ -52,7 +56,8 @@ DeadCells dead_cells_of(const Lattice& unscaled, const std::array<Operand, 2>& o
   if (!use) return DeadCells(grid.whole);
   const auto raster = [&](std::uint32_t op) {
     const std::vector<double>&x = unscaled.points[op]->x, &y = unscaled.points[op]->y;
-    if (op != frame.moving) return rasterize(operands[op], grid.part[op], false, [&](std::uint32_t v, int) { return Place2{x[v], y[v]}; });
+    if (op != frame.moving)
+      return rasterize(operands[op], grid.part[op], false, [&](std::uint32_t v, int) { return Place2{x[v], y[v]}; });
     return rasterize(operands[op], grid.part[op], true, [&](std::uint32_t v, int end) {
       const double tau = end == 0 ? frame.tau0 : frame.tau1;
       return Place2{tau * x[v] + frame.shift_x(tau), tau * y[v] + frame.shift_y(tau)};
@@ -63,7 +68,8 @@ DeadCells dead_cells_of(const Lattice& unscaled, const std::array<Operand, 2>& o
 
 }  // namespace
 
-SweptMask::SweptMask(const Lattice& unscaled, const std::array<Operand, 2>& operands, const WindowFrame& frame, int cells, bool use)
+SweptMask::SweptMask(const Lattice& unscaled, const std::array<Operand, 2>& operands, const WindowFrame& frame,
+                     int cells, bool use)
     : DeadCells(dead_cells_of(unscaled, operands, frame, cells, use)) {}
 
 }  // namespace dymsum::planar

@@ -9,9 +9,9 @@
 
 namespace dymsum::planar {
 
-/// How the moving operand's coordinate x stands at parameter tau in the window's frame: tau x + (tau1 - tau) centre. The fixed operand's
-/// coordinates stand as they are. The frame moves with the operand's centre, so that sweeps are half as long; it never enters an exact
-/// sign.
+/// How the moving operand's coordinate x stands at parameter tau in the window's frame: tau x + (tau1 - tau) centre.
+/// The fixed operand's coordinates stand as they are. The frame moves with the operand's centre, so that sweeps are
+/// half as long; it never enters an exact sign.
 struct WindowFrame {
   std::uint32_t moving = 0;  ///< operand
   double tau0 = 1, tau1 = 1;
@@ -20,8 +20,8 @@ struct WindowFrame {
   double shift_y(double tau) const { return (tau1 - tau) * centre_y; }
 };
 
-/// Calls f(row, first column, last column) for the cells within `reach` of the convex quadrangle swept by a segment a b from its place
-/// a0 b0 at one end of the window to a1 b1 at the other.
+/// Calls f(row, first column, last column) for the cells within `reach` of the convex quadrangle swept by a segment a b
+/// from its place a0 b0 at one end of the window to a1 b1 at the other.
 template <class F>
 void for_each_swept_run(const Grid& grid, const double (&x)[4], const double (&y)[4], double reach, F&& f) {
   double y_low = y[0], y_high = y[0], x_low = x[0], x_high = x[0];
@@ -63,7 +63,8 @@ void for_each_swept_run(const Grid& grid, const double (&x)[4], const double (&y
 class SweptMask : public DeadCells {
  public:
   /// `cells` along the longer side. Without `use` no cell is dead and only the grid is made.
-  SweptMask(const Lattice& unscaled, const std::array<Operand, 2>& operands, const WindowFrame& frame, int cells, bool use);
+  SweptMask(const Lattice& unscaled, const std::array<Operand, 2>& operands, const WindowFrame& frame, int cells,
+            bool use);
 };
 
 }  // namespace dymsum::planar

@@ -44,8 +44,10 @@ void Window::add_segment(const WalkSegment& w, std::uint32_t id, const SweptMask
   const Lattice& l = *base_.lattice;
   // The moving operand's vertices at the segment's ends; the fixed one's.
   const bool moving = w.side == m;
-  const std::uint32_t move_a = moving ? a : v, move_b = moving ? b : v, rest_a = moving ? v : a, rest_b = moving ? v : b;
-  const std::vector<double>&xm = l.points[m]->x, &ym = l.points[m]->y, &xf = l.points[1 - m]->x, &yf = l.points[1 - m]->y;
+  const std::uint32_t move_a = moving ? a : v, move_b = moving ? b : v, rest_a = moving ? v : a,
+                      rest_b = moving ? v : b;
+  const std::vector<double>&xm = l.points[m]->x, &ym = l.points[m]->y, &xf = l.points[1 - m]->x,
+        &yf = l.points[1 - m]->y;
   double x0 = INFINITY, x1 = -INFINITY, y0 = INFINITY, y1 = -INFINITY;
   for (const double tau : {swept_.tau0, swept_.tau1}) {
     const double sx = swept_.shift_x(tau), sy = swept_.shift_y(tau);
@@ -76,7 +78,8 @@ void Window::add_segment(const WalkSegment& w, std::uint32_t id, const SweptMask
 }
 
 int Window::cross(std::uint32_t a, std::uint32_t b) const {
-  const double u = segments[a].dx * segments[b].dy, v = segments[a].dy * segments[b].dx, bound = 0x1p-50 * (std::abs(u) + std::abs(v)) + 0x1p-1000;
+  const double u = segments[a].dx * segments[b].dy, v = segments[a].dy * segments[b].dx,
+               bound = 0x1p-50 * (std::abs(u) + std::abs(v)) + 0x1p-1000;
   if (u - v > bound) return 1;
   if (u - v < -bound) return -1;
   return base_.lattice->cross(exact(a).edge, exact(b).edge);

@@ -1,9 +1,10 @@
-// A window of scales: the pieces of convolution segments that can bound the sum somewhere in it, and the pairs of pieces that can meet.
-// Built once; frames inside the window only look here.
+// A window of scales: the pieces of convolution segments that can bound the sum somewhere in it, and the pairs of
+// pieces that can meet. Built once; frames inside the window only look here.
 //
-// One operand is held fixed and the other multiplied by tau: c(tau) = fixed + tau moving. With the scaled operand moving, tau is the
-// scale; with the other one moving, tau is its inverse and everything is divided by the scale, which changes no sign. The smaller operand
-// moves, so sweeps are short. All positions along segments are linear in tau when measured in multiples of the unscaled edge vector.
+// One operand is held fixed and the other multiplied by tau: c(tau) = fixed + tau moving. With the scaled operand
+// moving, tau is the scale; with the other one moving, tau is its inverse and everything is divided by the scale, which
+// changes no sign. The smaller operand moves, so sweeps are short. All positions along segments are linear in tau when
+// measured in multiples of the unscaled edge vector.
 #pragma once
 
 #include <array>
@@ -13,11 +14,11 @@
 #include <utility>
 #include <vector>
 
+#include "base/two_lanes.h"
 #include "planar/arrangement/chain.h"
 #include "planar/convolution/convolution.h"
 #include "planar/frames/operand_pair.h"
 #include "planar/scaling/swept_mask.h"
-#include "base/two_lanes.h"
 
 namespace dymsum::planar {
 
@@ -30,9 +31,9 @@ struct Linear {
 /// A segment of the reduced convolution that is live somewhere in the window.
 struct LiveSegment {
   WalkSegment walk;
-  Linear x, y;       ///< where it starts
-  double dx, dy;     ///< the unscaled edge vector
-  bool moving;       ///< an edge of the moving operand: its length is tau, otherwise 1
+  Linear x, y;    ///< where it starts
+  double dx, dy;  ///< the unscaled edge vector
+  bool moving;    ///< an edge of the moving operand: its length is tau, otherwise 1
   WalkPair start, end;
   Contact contact;
   std::uint32_t first_piece = 0, last_piece = 0;  ///< its pieces [first_piece, last_piece)
@@ -40,8 +41,9 @@ struct LiveSegment {
   double length(double tau) const { return moving ? tau : 1; }
 };
 
-/// A stretch of a live segment between its ends or places in dead cells. What reaches into a dead cell is false. Where segments lie along
-/// each other at every scale, a piece can end where another one begins that goes on, or be covered by another one as a whole.
+/// A stretch of a live segment between its ends or places in dead cells. What reaches into a dead cell is false. Where
+/// segments lie along each other at every scale, a piece can end where another one begins that goes on, or be covered
+/// by another one as a whole.
 struct Piece {
   std::uint32_t segment = 0;
   bool head_cut = false, tail_cut = false;  ///< ends in a dead cell instead of at the segment's end
@@ -50,24 +52,25 @@ struct Piece {
   Linear head, tail;                        ///< where, when cut; the tail also when handed on
   double tail_error = 0;
   WalkPair tail_at;
-  std::uint32_t next = kNone;               ///< the piece that continues at an uncut tail
-  std::int8_t next_turn = 0;                ///< sign of the turn into it
-  std::uint8_t half = 0;                    ///< of the directions: 0 for [0, pi), 1 for the others
+  std::uint32_t next = kNone;  ///< the piece that continues at an uncut tail
+  std::int8_t next_turn = 0;   ///< sign of the turn into it
+  std::uint8_t half = 0;       ///< of the directions: 0 for [0, pi), 1 for the others
 };
 
-/// Two pieces that may meet in the window. They cross properly at the scales of one open interval; doubles know it up to brackets:
-/// not outside (out_low, out_high), certainly inside (in_low, in_high), and exact signs decide in between.
+/// Two pieces that may meet in the window. They cross properly at the scales of one open interval; doubles know it up
+/// to brackets: not outside (out_low, out_high), certainly inside (in_low, in_high), and exact signs decide in between.
 struct Candidate {
-  std::uint32_t a, b;      ///< pieces
-  Linear ta, tb;           ///< where on a and on b
-  double error_a, error_b; ///< of ta and tb, anywhere in the window
+  std::uint32_t a, b;       ///< pieces
+  Linear ta, tb;            ///< where on a and on b
+  double error_a, error_b;  ///< of ta and tb, anywhere in the window
   double out_low, in_low, in_high, out_high;
-  std::int32_t sign;       ///< of d_a x d_b; 0: parallel, they never cross properly
+  std::int32_t sign;  ///< of d_a x d_b; 0: parallel, they never cross properly
 };
 
 inline constexpr std::uint32_t kTouchBit = 0x80000000;
 
-/// The common end of some segments that lies on a piece's line at every scale: parallel edges of both operands at reflex vertices.
+/// The common end of some segments that lies on a piece's line at every scale: parallel edges of both operands at
+/// reflex vertices.
 struct PersistentTouch {
   std::uint32_t piece = 0, node = 0;
   Linear t;
@@ -82,7 +85,7 @@ struct PersistentNode {
   struct Ray {
     std::uint32_t piece = 0, touch = kNone;  ///< kNone: the piece's own end
     bool out = false;
-    std::uint32_t group = 0;                 ///< equal for equal directions
+    std::uint32_t group = 0;  ///< equal for equal directions
   };
   WalkPair at;
   std::uint32_t first_ray = 0, last_ray = 0;
@@ -90,27 +93,29 @@ struct PersistentNode {
   bool covered = false;   ///< lies in the open sum throughout the window: it counts for nothing
 };
 
-/// Window coordinates of sums err by at most this times span: each operand's coordinate one rounding, tau one, product, sum.
+/// Window coordinates of sums err by at most this times span: each operand's coordinate one rounding, tau one, product,
+/// sum.
 inline constexpr double kWindowPoint = 0x1p-49;
 
-/// |d x (v - w)| computed in doubles from sums of window coordinates errs by at most this times |d|_1 span: the edge vector carries one
-/// rounding, a sum fixed + tau moving + shift at most six, twice, the difference, product and final difference one each.
+/// |d x (v - w)| computed in doubles from sums of window coordinates errs by at most this times |d|_1 span: the edge
+/// vector carries one rounding, a sum fixed + tau moving + shift at most six, twice, the difference, product and final
+/// difference one each.
 inline constexpr double kWindowSide = 0x1p-48;
 
 /// The ends a and b of a piece, each coordinate at both ends of the window, in the window's frame.
 struct PieceEnds {
   Two ax, ay, bx, by;
-  double dx, dy;   ///< the unscaled edge vector
-  double error;    ///< of the side of a point of another piece
+  double dx, dy;  ///< the unscaled edge vector
+  double error;   ///< of the side of a point of another piece
 };
 
 struct WindowSettings {
   WindowFrame frame;
-  int cells = 64;       ///< along the grid's longer side
+  int cells = 64;  ///< along the grid's longer side
   bool mask = true;
-  bool covers = true;   ///< leave out crossings and nodes that two edges prove covered while they exist
+  bool covers = true;  ///< leave out crossings and nodes that two edges prove covered while they exist
   std::uint64_t most_pairs = UINT64_MAX;  ///< the window is abandoned when more boxes of pieces meet
-  double shrink = 1;    ///< tests: sweep masks and pairs over this share of the window only; less than 1 is wrong
+  double shrink = 1;  ///< tests: sweep masks and pairs over this share of the window only; less than 1 is wrong
 };
 
 class EdgeSearch;
@@ -136,8 +141,8 @@ class Window {
   std::vector<PersistentNode> nodes;
   std::vector<PersistentNode::Ray> rays;
   std::vector<std::uint32_t> head_ray, tail_ray, node_of_ray;  ///< piece -> ray at its end or kNone; ray -> node
-  std::vector<std::array<std::uint32_t, 2>> touching;  ///< segments that meet in such nodes
-  std::vector<std::uint32_t> live;      ///< id in the convolution -> live segment or kNone
+  std::vector<std::array<std::uint32_t, 2>> touching;          ///< segments that meet in such nodes
+  std::vector<std::uint32_t> live;                             ///< id in the convolution -> live segment or kNone
 
   /// The sign of d_a x d_b of two segments.
   int cross(std::uint32_t a, std::uint32_t b) const;
@@ -204,8 +209,8 @@ class Window {
   WindowFrame frame_, swept_;
   double span_ = 0;
   std::vector<PieceEnds> ends_;
-  std::vector<WalkPair> touch_pair_;      // per touch, until nodes are made
-  std::shared_ptr<Lattice> doubled_;      // the lattice at scale 2: a linear form that is zero there and at 1 is zero
+  std::vector<WalkPair> touch_pair_;  // per touch, until nodes are made
+  std::shared_ptr<Lattice> doubled_;  // the lattice at scale 2: a linear form that is zero there and at 1 is zero
 };
 
 }  // namespace dymsum::planar

@@ -20,13 +20,15 @@ bool Window::always_on(std::uint32_t segment, Pair v) {
   return doubled_->side(s, v) == 0;
 }
 
-// Whether an end of one piece of a pair stays on the line of the other; then they touch there or not at all, and are no candidate.
+// Whether an end of one piece of a pair stays on the line of the other; then they touch there or not at all, and are no
+// candidate.
 bool Window::touch_always(const Candidate& c, std::array<bool, 2> at_a, std::array<bool, 2> at_b) {
   const std::uint32_t si = pieces[c.a].segment, sj = pieces[c.b].segment;
   const LiveSegment &a = segments[si], &b = segments[sj];
   const WalkPair end_a = end_pair(pieces[c.a]), end_b = end_pair(pieces[c.b]);
   const bool start_a = at_a[0] && always_on(sj, exact(a.start)), start_b = at_b[0] && always_on(si, exact(b.start));
-  const bool a_on_b = start_a || (at_a[1] && always_on(sj, exact(end_a))), b_on_a = start_b || (at_b[1] && always_on(si, exact(end_b)));
+  const bool a_on_b = start_a || (at_a[1] && always_on(sj, exact(end_a))),
+             b_on_a = start_b || (at_b[1] && always_on(si, exact(end_b)));
   if (!a_on_b && !b_on_a) return false;
   touching.push_back({si, sj});
   if (a_on_b && b_on_a) folds.push_back({si, sj});
@@ -59,11 +61,15 @@ void Window::touch_parallel(std::uint32_t i, std::uint32_t j) {
   for (const auto& [on_piece, other] : {std::pair{i, j}, std::pair{j, i}}) {
     const LiveSegment &on = segments[pieces[on_piece].segment], &s = segments[pieces[other].segment];
     const double length = on.dx * on.dx + on.dy * on.dy;
-    const double error = 2 * kWindowSide * span_ * (std::abs(on.dx) + std::abs(on.dy)) / length + 0x1p-47 * std::max(1.0, frame_.tau1);
+    const double error =
+        2 * kWindowSide * span_ * (std::abs(on.dx) + std::abs(on.dy)) / length + 0x1p-47 * std::max(1.0, frame_.tau1);
     for (const bool end : {false, true}) {
-      const double f = end ? (s.moving ? 0 : 1) : 0, m = end && s.moving ? 1 : 0;  // the end lies one vector further, times tau if it moves
-      const double ax = s.x.a + f * s.dx - on.x.a, ay = s.y.a + f * s.dy - on.y.a, bx = s.x.b + m * s.dx - on.x.b, by = s.y.b + m * s.dy - on.y.b;
-      add_touch(on_piece, end ? s.end : s.start, {(ax * on.dx + ay * on.dy) / length, (bx * on.dx + by * on.dy) / length}, error);
+      const double f = end ? (s.moving ? 0 : 1) : 0,
+                   m = end && s.moving ? 1 : 0;  // the end lies one vector further, times tau if it moves
+      const double ax = s.x.a + f * s.dx - on.x.a, ay = s.y.a + f * s.dy - on.y.a, bx = s.x.b + m * s.dx - on.x.b,
+                   by = s.y.b + m * s.dy - on.y.b;
+      add_touch(on_piece, end ? s.end : s.start,
+                {(ax * on.dx + ay * on.dy) / length, (bx * on.dx + by * on.dy) / length}, error);
     }
   }
   if (touches.size() == before) return;
@@ -98,8 +104,8 @@ void Window::drop_covered_nodes() {
     const Pair v = exact(node.at);
     const std::uint32_t m = frame_.moving, move = m == 0 ? v.p : v.q, rest = m == 0 ? v.q : v.p;
     const auto at = [&](double tau) {
-      return EdgeSearch::Place{l.points[1 - m]->x[rest] + tau * l.points[m]->x[move], l.points[1 - m]->y[rest] + tau * l.points[m]->y[move],
-                               kWindowPoint * span_, tau};
+      return EdgeSearch::Place{l.points[1 - m]->x[rest] + tau * l.points[m]->x[move],
+                               l.points[1 - m]->y[rest] + tau * l.points[m]->y[move], kWindowPoint * span_, tau};
     };
     node.covered = search.find_or_spare(at(swept_.tau0), at(swept_.tau1)).has_value();
     if (!node.covered) continue;
@@ -114,7 +120,9 @@ Window::NodeRays Window::take_touches() {
   for (std::uint32_t k = 0; k < order.size(); ++k) order[k] = k;
   const auto key = [&](std::uint32_t k) { return std::tuple{touches[k].piece, touch_pair_[k].p, touch_pair_[k].q}; };
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
-  order.erase(std::unique(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return key(a) == key(b); }), order.end());
+  order.erase(
+      std::unique(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return key(a) == key(b); }),
+      order.end());
   std::vector<PersistentTouch> kept;
   NodeRays at;
   for (const std::uint32_t k : order) {

@@ -1,8 +1,10 @@
-// Segments that lie along each other, the same way, at every scale: where several cover a place, one goes on and the others stop there.
+// Segments that lie along each other, the same way, at every scale: where several cover a place, one goes on and the
+// others stop there.
 //
-// Of two such pieces one covers the other, or the one that ends first is handed on to the other where that begins. Each place stays
-// covered: of the pieces through it take the one that ends last (of those the one that begins first); what stops it there would have to end later.
-// Orders have to be certain throughout the window; where they are not, both pieces stay as they are.
+// Of two such pieces one covers the other, or the one that ends first is handed on to the other where that begins. Each
+// place stays covered: of the pieces through it take the one that ends last (of those the one that begins first); what
+// stops it there would have to end later. Orders have to be certain throughout the window; where they are not, both
+// pieces stay as they are.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -31,12 +33,14 @@ double Window::error_along(std::uint32_t piece) const {
   return 4 * kWindowSide * span_ * (std::abs(on.dx) + std::abs(on.dy)) / length + 0x1p-46 * std::max(1.0, frame_.tau1);
 }
 
-// Where another piece on the same line begins and ends, in multiples of this one's edge vector. Requires: neither has been handed on.
+// Where another piece on the same line begins and ends, in multiples of this one's edge vector. Requires: neither has
+// been handed on.
 std::array<Linear, 2> Window::ends_on(std::uint32_t piece, std::uint32_t other) const {
   const LiveSegment &on = segments[pieces[piece].segment], &s = segments[pieces[other].segment];
   const double length = on.dx * on.dx + on.dy * on.dy;
   const auto place = [&](const Linear& t) {
-    const double ax = s.x.a + t.a * s.dx - on.x.a, ay = s.y.a + t.a * s.dy - on.y.a, bx = s.x.b + t.b * s.dx - on.x.b, by = s.y.b + t.b * s.dy - on.y.b;
+    const double ax = s.x.a + t.a * s.dx - on.x.a, ay = s.y.a + t.a * s.dy - on.y.a, bx = s.x.b + t.b * s.dx - on.x.b,
+                 by = s.y.b + t.b * s.dy - on.y.b;
     return Linear{(ax * on.dx + ay * on.dy) / length, (bx * on.dx + by * on.dy) / length};
   };
   return {place(pieces[other].head_cut ? pieces[other].head : Linear{}), place(end_place(pieces[other]))};
@@ -55,7 +59,8 @@ bool Window::covers(std::uint32_t i, std::uint32_t j) const {
   const bool same_start = !a.head_cut && !b.head_cut && segments[a.segment].start == segments[b.segment].start;
   const bool same_end = !a.tail_cut && !b.tail_cut && segments[a.segment].end == segments[b.segment].end;
   if (same_start && same_end) return i < j;
-  return (same_start || certainly_before(a.head_cut ? a.head : Linear{}, start, error)) && (same_end || certainly_before(end, end_place(a), error));
+  return (same_start || certainly_before(a.head_cut ? a.head : Linear{}, start, error)) &&
+         (same_end || certainly_before(end, end_place(a), error));
 }
 
 // Where piece i ends if j begins inside it and ends behind it throughout the window: there.
@@ -65,12 +70,13 @@ std::optional<Linear> Window::begins_inside(std::uint32_t i, std::uint32_t j) co
   const auto [from, to] = ends_on(i, j);
   const Linear start = a.head_cut ? a.head : Linear{}, end = end_place(a);
   const double error = error_along(i);
-  if (!certainly_before(start, from, error) || !certainly_before(from, end, error) || !certainly_before(end, to, error)) return std::nullopt;
+  if (!certainly_before(start, from, error) || !certainly_before(from, end, error) || !certainly_before(end, to, error))
+    return std::nullopt;
   return from;
 }
 
-// Settles the pairs that lie along each other; what stays open stays in `close`. What stops counting still has to be known where something
-// touches at one scale.
+// Settles the pairs that lie along each other; what stays open stays in `close`. What stops counting still has to be
+// known where something touches at one scale.
 void Window::share_lines(PiecePairs& close) {
   PiecePairs along;
   std::erase_if(close, [&](const std::array<std::uint32_t, 2>& pair) {
@@ -99,7 +105,8 @@ void Window::share_lines(PiecePairs& close) {
   });
 }
 
-// Each piece ends at the first of its stops. Where it is not certain which one is first, any will do, and the others stay open.
+// Each piece ends at the first of its stops. Where it is not certain which one is first, any will do, and the others
+// stay open.
 void Window::hand_on(const std::vector<Stop>& stops, PiecePairs& close) {
   for (const Stop& s : stops) {
     Piece& p = pieces[s.piece];

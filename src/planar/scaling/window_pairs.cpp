@@ -21,18 +21,21 @@ std::vector<PieceBox> boxes_of(const std::vector<PieceEnds>& ends, const Grid& g
   std::vector<PieceBox> boxes;
   boxes.reserve(ends.size());
   for (const PieceEnds& e : ends) {
-    const Two x_low = least(e.ax, e.bx), x_high = most(e.ax, e.bx), y_low = least(e.ay, e.by), y_high = most(e.ay, e.by);
+    const Two x_low = least(e.ax, e.bx), x_high = most(e.ax, e.bx), y_low = least(e.ay, e.by),
+              y_high = most(e.ay, e.by);
     const double x0 = std::min(x_low[0], x_low[1]) - reach, x1 = std::max(x_high[0], x_high[1]) + reach;
     const double y0 = std::min(y_low[0], y_low[1]) - reach, y1 = std::max(y_high[0], y_high[1]) + reach;
-    boxes.push_back({x0, x1, y0, y1, g.column(x0), g.column(x1), g.row(y0), g.row(y1), static_cast<std::uint32_t>(boxes.size()), 0, 0});
+    boxes.push_back({x0, x1, y0, y1, g.column(x0), g.column(x1), g.row(y0), g.row(y1),
+                     static_cast<std::uint32_t>(boxes.size()), 0, 0});
   }
   std::sort(boxes.begin(), boxes.end(),
             [](const PieceBox& a, const PieceBox& b) { return a.x0 != b.x0 ? a.x0 < b.x0 : a.piece < b.piece; });
   return boxes;
 }
 
-/// Calls f(box, box) once for each pair of boxes that meet, until it returns false: a sweep in x in each of some horizontal strips, twice
-/// as high as a box on the average. A pair belongs to the strip in which the higher one of the two begins.
+/// Calls f(box, box) once for each pair of boxes that meet, until it returns false: a sweep in x in each of some
+/// horizontal strips, twice as high as a box on the average. A pair belongs to the strip in which the higher one of the
+/// two begins.
 template <class F>
 void for_each_close_pair(const std::vector<PieceEnds>& ends, const Grid& g, F&& f) {
   if (ends.empty()) return;
@@ -73,7 +76,8 @@ void for_each_close_pair(const std::vector<PieceEnds>& ends, const Grid& g, F&& 
     }
 }
 
-/// Doubles prove at both ends of the window that one piece stays on one side of the other's line; sides are linear in tau.
+/// Doubles prove at both ends of the window that one piece stays on one side of the other's line; sides are linear in
+/// tau.
 bool apart(const PieceEnds& line, const PieceEnds& e) {
   const Two dx = both(line.dx), dy = both(line.dy);
   const Two u = dx * (e.ay - line.ay) - dy * (e.ax - line.ax), v = dx * (e.by - line.ay) - dy * (e.bx - line.ax);
@@ -90,8 +94,8 @@ Product product(const LiveSegment& a, const LiveSegment& b) {
   return {u - v, 0x1p-50 * (std::abs(u) + std::abs(v)) + 0x1p-1000};
 }
 
-// Narrows the interval of scales at which g(tau) = a + b tau > 0, where g is known up to `error`. False when it is certainly empty. Sets
-// `unsure` when doubles know nothing of g in the whole window.
+// Narrows the interval of scales at which g(tau) = a + b tau > 0, where g is known up to `error`. False when it is
+// certainly empty. Sets `unsure` when doubles know nothing of g in the whole window.
 bool narrow(const Linear& g, double error, double tau0, double tau1, Candidate& c, bool& unsure) {
   const double g0 = g.at(tau0), g1 = g.at(tau1);
   if (g0 > error && g1 > error) return true;
@@ -136,10 +140,12 @@ bool narrow_at_cut(const Linear& g, double tau0, double tau1, Candidate& c) {
 bool Window::find_candidates(const SweptMask& mask, const WindowSettings& settings) {
   PiecePairs close;
   for_each_close_pair(ends_, mask.grid(), [&](const PieceBox& a, const PieceBox& b) {
-    if (mask.live(std::max(a.row0, b.row0), b.column0, std::min(a.row1, b.row1), std::min(a.column1, b.column1)) == 0) return true;
+    if (mask.live(std::max(a.row0, b.row0), b.column0, std::min(a.row1, b.row1), std::min(a.column1, b.column1)) == 0)
+      return true;
     if (++pair_tests > settings.most_pairs) return false;
     const std::uint32_t i = std::min(a.piece, b.piece), j = std::max(a.piece, b.piece);
-    if (pieces[i].segment != pieces[j].segment && !apart(ends_[i], ends_[j]) && !apart(ends_[j], ends_[i])) close.push_back({i, j});
+    if (pieces[i].segment != pieces[j].segment && !apart(ends_[i], ends_[j]) && !apart(ends_[j], ends_[i]))
+      close.push_back({i, j});
     return true;
   });
   if (pair_tests > settings.most_pairs) return false;
@@ -154,7 +160,8 @@ void Window::test(std::uint32_t i, std::uint32_t j, const SweptMask& mask, EdgeS
   const LiveSegment &a = segments[si], &b = segments[sj];
   const int sign = cross(si, sj);
   const WalkPair end_a = end_pair(pieces[i]), end_b = end_pair(pieces[j]);
-  if (a.end == b.start || b.end == a.start || a.start == b.start || a.end == b.end || end_a == b.start || end_b == a.start || end_a == end_b) {
+  if (a.end == b.start || b.end == a.start || a.start == b.start || a.end == b.end || end_a == b.start ||
+      end_b == a.start || end_a == end_b) {
     // They meet in the common end only, at every scale, unless they fold back onto each other.
     if (sign != 0) return;
     const bool same_way = base_.lattice->dot(exact(si).edge, exact(sj).edge) > 0;
@@ -195,8 +202,8 @@ bool Window::dead_throughout(const Candidate& c, const SweptMask& mask) const {
     x[k] = a.x.at(tau) + t * a.dx + swept_.shift_x(tau);
     y[k] = a.y.at(tau) + t * a.dy + swept_.shift_y(tau);
   }
-  return mask.live(g.row(std::min(y[0], y[1]) - reach), g.column(std::min(x[0], x[1]) - reach), g.row(std::max(y[0], y[1]) + reach),
-                   g.column(std::max(x[0], x[1]) + reach)) == 0;
+  return mask.live(g.row(std::min(y[0], y[1]) - reach), g.column(std::min(x[0], x[1]) - reach),
+                   g.row(std::max(y[0], y[1]) + reach), g.column(std::max(x[0], x[1]) + reach)) == 0;
 }
 
 // The same where two edges cross there all the while (edge_search.h).
@@ -215,13 +222,15 @@ void Window::test_parallel(Candidate c) {
   const LiveSegment &a = segments[pieces[c.a].segment], &b = segments[pieces[c.b].segment];
   const Linear wx{b.x.a - a.x.a, b.x.b - a.x.b}, wy{b.y.a - a.y.a, b.y.b - a.y.b};
   const Linear h{wx.a * a.dy - wy.a * a.dx, wx.b * a.dy - wy.b * a.dx};
-  const double error = kWindowSide * span_ * (std::abs(a.dx) + std::abs(a.dy)), h0 = h.at(frame_.tau0), h1 = h.at(frame_.tau1);
+  const double error = kWindowSide * span_ * (std::abs(a.dx) + std::abs(a.dy)), h0 = h.at(frame_.tau0),
+               h1 = h.at(frame_.tau1);
   if ((h0 > error && h1 > error) || (h0 < -error && h1 < -error)) return;
   const bool close = std::abs(h0) <= error && std::abs(h1) <= error;
   if (close && always_on(pieces[c.a].segment, exact(b.start))) return touch_parallel(c.a, c.b);
   c.in_low = INFINITY;
   if (h.b != 0 && !close) {
-    const double root = -h.a / h.b, wide = error / std::abs(h.b) * (1 + 0x1p-40) + 0x1p-49 * std::abs(root) + 0x1p-50 * frame_.tau1;
+    const double root = -h.a / h.b,
+                 wide = error / std::abs(h.b) * (1 + 0x1p-40) + 0x1p-49 * std::abs(root) + 0x1p-50 * frame_.tau1;
     c.out_low = root - wide;
     c.out_high = root + wide;
   }
@@ -236,18 +245,22 @@ void Window::solve(Candidate& c) const {
   const Linear wx{b.x.a - a.x.a, b.x.b - a.x.b}, wy{b.y.a - a.y.a, b.y.b - a.y.b};
   c.ta = {(wx.a * b.dy - wy.a * b.dx) / d.value, (wx.b * b.dy - wy.b * b.dx) / d.value};
   c.tb = {(wx.a * a.dy - wy.a * a.dx) / d.value, (wx.b * a.dy - wy.b * a.dx) / d.value};
-  // Errors of the numerator, of the denominator relative to it, and of the three roundings here; values within the pieces are at most
-  // max(1, tau1), and outside twice that a wrong value cannot become a right one as long as d is known to a quarter.
-  const double size = kWindowSide * span_, relative = d.error / std::abs(d.value), reach = 2 * std::max(1.0, frame_.tau1);
+  // Errors of the numerator, of the denominator relative to it, and of the three roundings here; values within the
+  // pieces are at most max(1, tau1), and outside twice that a wrong value cannot become a right one as long as d is
+  // known to a quarter.
+  const double size = kWindowSide * span_, relative = d.error / std::abs(d.value),
+               reach = 2 * std::max(1.0, frame_.tau1);
   if (!(relative < 0.25)) return;
   c.error_a = 2 * (size * (std::abs(b.dx) + std::abs(b.dy)) / std::abs(d.value) + reach * relative) + 0x1p-48 * reach;
   c.error_b = 2 * (size * (std::abs(a.dx) + std::abs(a.dy)) / std::abs(d.value) + reach * relative) + 0x1p-48 * reach;
 }
 
-bool Window::bounds(std::uint32_t piece, const Linear& t, double error, Candidate& c, std::array<bool, 2>& unsure) const {
+bool Window::bounds(std::uint32_t piece, const Linear& t, double error, Candidate& c,
+                    std::array<bool, 2>& unsure) const {
   const Piece& p = pieces[piece];
   const double tau0 = frame_.tau0, tau1 = frame_.tau1;
-  const bool head = p.head_cut ? narrow_at_cut({t.a - p.head.a, t.b - p.head.b}, tau0, tau1, c) : narrow(t, error, tau0, tau1, c, unsure[0]);
+  const bool head = p.head_cut ? narrow_at_cut({t.a - p.head.a, t.b - p.head.b}, tau0, tau1, c)
+                               : narrow(t, error, tau0, tau1, c, unsure[0]);
   if (!head) return false;
   const Linear end = end_place(p), rest{end.a - t.a, end.b - t.b};
   if (p.tail_cut) return narrow_at_cut(rest, tau0, tau1, c);

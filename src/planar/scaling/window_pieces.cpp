@@ -42,8 +42,9 @@ PieceEnds ends_between(const SweptSegment& s, const CutPlace& from, const CutPla
   return e;
 }
 
-/// Segments are cut inside dead cells that they meet at both ends of the window (and hence at every scale in between). The cut is the
-/// middle of the chord at both ends and linear in between: the chords and the cell are convex in (x, y, tau).
+/// Segments are cut inside dead cells that they meet at both ends of the window (and hence at every scale in between).
+/// The cut is the middle of the chord at both ends and linear in between: the chords and the cell are convex in (x, y,
+/// tau).
 class PieceCutter {
  public:
   explicit PieceCutter(const SweptMask& mask) : mask_(mask), grid_(mask.grid()), reach_(2 * kReach * grid_.cell) {}
@@ -80,8 +81,10 @@ class PieceCutter {
   Cells cells_near(const PieceEnds& e) const {
     const auto [x0, x1] = std::minmax({e.ax[0], e.ax[1], e.bx[0], e.bx[1]});
     const auto [y0, y1] = std::minmax({e.ay[0], e.ay[1], e.by[0], e.by[1]});
-    const int r0 = grid_.row(y0 - reach_), r1 = grid_.row(y1 + reach_), c0 = grid_.column(x0 - reach_), c1 = grid_.column(x1 + reach_);
-    return {mask_.live(r0, c0, r1, c1), static_cast<std::uint32_t>(r1 - r0 + 1) * static_cast<std::uint32_t>(c1 - c0 + 1)};
+    const int r0 = grid_.row(y0 - reach_), r1 = grid_.row(y1 + reach_), c0 = grid_.column(x0 - reach_),
+              c1 = grid_.column(x1 + reach_);
+    return {mask_.live(r0, c0, r1, c1),
+            static_cast<std::uint32_t>(r1 - r0 + 1) * static_cast<std::uint32_t>(c1 - c0 + 1)};
   }
 
   /// The middle of what end k of the sweep has in a cell, if it has anything.

@@ -27,17 +27,21 @@ Point at_eighth(std::int64_t k, std::int64_t n) {
 
 Point circle_point(std::int64_t k, std::int64_t n) {
   require(n > 0 && k >= 0 && k < n, "circle_point");
-  const std::int64_t quarter = 4 * k / n;      // 0..3
+  const std::int64_t quarter = 4 * k / n;         // 0..3
   const std::int64_t rest = 4 * k - quarter * n;  // angle in the quarter = rest / 4n of a turn, rest < n
   // Beyond the diagonal the point is the mirror image of the one before it.
   const bool beyond = 2 * rest > n;
   Point p = at_eighth(beyond ? n - rest : rest, 4 * n);
   if (beyond) std::swap(p.x, p.y);
   switch (quarter) {
-    case 0: return p;
-    case 1: return {0.0 - p.y, p.x};
-    case 2: return {0.0 - p.x, 0.0 - p.y};
-    default: return {p.y, 0.0 - p.x};
+    case 0:
+      return p;
+    case 1:
+      return {0.0 - p.y, p.x};
+    case 2:
+      return {0.0 - p.x, 0.0 - p.y};
+    default:
+      return {p.y, 0.0 - p.x};
   }
 }
 

@@ -1,12 +1,12 @@
-// P (-) Q: the complement of (closure of the complement of P) (+) -Q. The complement is cut off by a frame wide enough that the
-// frame's own boundary plays no part.
+// P (-) Q: the complement of (closure of the complement of P) (+) -Q. The complement is cut off by a frame wide enough
+// that the frame's own boundary plays no part.
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "dymsum/planar_sum.h"
-#include "planar/region/complement.h"
 #include "planar/operand/prepared_region.h"
+#include "planar/region/complement.h"
 #include "planar/region/region_sweep.h"
 #include "planar/region/separate_touching.h"
 #include "planar/sum/sum_engine.h"
@@ -24,15 +24,17 @@ using planar::separate_touching;
 // The number of the frame's own vertices and edges.
 constexpr std::uint32_t kFrame = SumVertex::kNone;
 
-// Integers are grid points of any grid with a unit of at most 1; a power of two at least as large as everything else is one of any.
+// Integers are grid points of any grid with a unit of at most 1; a power of two at least as large as everything else is
+// one of any.
 double frame_margin(const Region& p, const Region& q) {
   const auto bp = bounds(p), bq = bounds(q);
-  const double reach = std::max({bp[2] - bp[0], bp[3] - bp[1], bq[2] - bq[0], bq[3] - bq[1], std::abs(bp[0]), std::abs(bp[1]),
-                                 std::abs(bp[2]), std::abs(bp[3])});
+  const double reach = std::max({bp[2] - bp[0], bp[3] - bp[1], bq[2] - bq[0], bq[3] - bq[1], std::abs(bp[0]),
+                                 std::abs(bp[1]), std::abs(bp[2]), std::abs(bp[3])});
   return std::ldexp(1.0, std::ilogb(std::max(reach, 0x1p-1000)) + 2);
 }
 
-constexpr double kLargestFramed = 0x1p996;  // widths are at most twice as large, and the frame's coordinates four times that
+constexpr double kLargestFramed =
+    0x1p996;  // widths are at most twice as large, and the frame's coordinates four times that
 
 double size(Point v) { return std::max(std::abs(v.x), std::abs(v.y)); }
 
@@ -57,7 +59,8 @@ Point farthest(const Region& r) {
 std::optional<Error> planar::too_large_to_frame(const Region& p, const Region& q) {
   const Point a = farthest(p), b = farthest(q), worst = size(a) >= size(b) ? a : b;
   if (size(worst) <= kLargestFramed) return std::nullopt;
-  Error error{Code::unsupported_operand, "a coordinate is larger than 2^996, too large to look for room inside a region", {}};
+  Error error{
+      Code::unsupported_operand, "a coordinate is larger than 2^996, too large to look for room inside a region", {}};
   error.evidence.x = worst.x;
   error.evidence.y = worst.y;
   return error;
@@ -136,7 +139,8 @@ Result<PlanarSum> erode(const Region& p, const Region& q, const SumOptions& opti
   if (std::optional<Error> error = planar::too_large_to_frame(p, q)) return *std::move(error);
   SumOptions open = options;
   if (open.semantics == Semantics::closed) open.semantics = Semantics::open;
-  Result<planar::SumState> computed = planar::compute_boundary(planar::make_operand(planar::complement_of(p, q), 0), planar::prepared_operand(q, 1, true), open);
+  Result<planar::SumState> computed = planar::compute_boundary(planar::make_operand(planar::complement_of(p, q), 0),
+                                                               planar::prepared_operand(q, 1, true), open);
   if (!computed.ok()) return computed.error();
   planar::SumState state = std::move(computed).value();
   // Positions that hold Q are what the sum leaves free: its rings the other way round, without the frame's.
@@ -144,7 +148,8 @@ Result<PlanarSum> erode(const Region& p, const Region& q, const SumOptions& opti
   inner.at_error = state.boundary.at_error;
   for (std::size_t i = 0; i < state.boundary.rings.size(); ++i) {
     SumRing& ring = state.boundary.rings[i];
-    if (std::any_of(ring.vertices.begin(), ring.vertices.end(), [](const SumVertex& v) { return of_frame(v.in); })) continue;
+    if (std::any_of(ring.vertices.begin(), ring.vertices.end(), [](const SumVertex& v) { return of_frame(v.in); }))
+      continue;
     std::reverse(ring.vertices.begin(), ring.vertices.end());
     for (SumVertex& v : ring.vertices) std::swap(v.in, v.out);
     inner.rings.push_back(std::move(ring));

@@ -13,7 +13,8 @@ using planar::EngineRegion;
 using planar::Operand;
 using planar::separate_touching;
 
-Result<PlanarSum> sum_of(std::shared_ptr<const Operand> p, std::shared_ptr<const Operand> q, const SumOptions& options) {
+Result<PlanarSum> sum_of(std::shared_ptr<const Operand> p, std::shared_ptr<const Operand> q,
+                         const SumOptions& options) {
   Result<planar::SumState> state = planar::compute_boundary(std::move(p), std::move(q), options);
   if (!state.ok()) return state.error();
   return planar::finish_sum(std::move(state).value(), options);
@@ -32,7 +33,8 @@ std::array<std::uint32_t, 3> group_sizes(const RegionData& r) {
   return count;
 }
 
-// All regions as one. Region data are numbered parts first, then polylines, then points, so the groups are joined one by one.
+// All regions as one. Region data are numbered parts first, then polylines, then points, so the groups are joined one
+// by one.
 EngineRegion join(const std::vector<Region>& regions) {
   EngineRegion all;
   for (int group = 0; group < 3; ++group) {
@@ -68,7 +70,8 @@ Result<PlanarSum> nfp(const Region& a, const Region& b, const SumOptions& option
 
 Result<PlanarSum> union_of(const std::vector<Region>& regions, const SumOptions& options) {
   const RegionData origin{{}, {}, {Point{0, 0}}};
-  return sum_of(planar::make_operand(join(regions), 0), planar::make_operand(separate_touching(origin, {}), 1), options);
+  return sum_of(planar::make_operand(join(regions), 0), planar::make_operand(separate_touching(origin, {}), 1),
+                options);
 }
 
 }  // namespace dymsum

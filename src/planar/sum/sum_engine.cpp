@@ -8,11 +8,11 @@
 #include <stdexcept>
 #include <string>
 
-#include "planar/sum/convex_boundary.h"
 #include "planar/arrangement/live_pieces.h"
 #include "planar/arrangement/live_segments.h"
 #include "planar/result/part_nesting.h"
 #include "planar/result/pieces.h"
+#include "planar/sum/convex_boundary.h"
 #include "planar/sum/winding.h"
 
 namespace dymsum::planar {
@@ -39,10 +39,12 @@ class StageClock {
   std::chrono::steady_clock::time_point last_;
 };
 
-// Chains of the reduced convolution; segments behind `reduced` (parallelogram sides) have no chain and meet by coincidence.
+// Chains of the reduced convolution; segments behind `reduced` (parallelogram sides) have no chain and meet by
+// coincidence.
 class ReducedChain final : public Chain {
  public:
-  ReducedChain(const Soup& soup, const ReducedConvolution& convolution, Array<std::uint32_t> live, std::uint32_t reduced)
+  ReducedChain(const Soup& soup, const ReducedConvolution& convolution, Array<std::uint32_t> live,
+               std::uint32_t reduced)
       : Chain(soup.memory), soup_(soup), convolution_(convolution), live_(std::move(live)), reduced_(reduced) {
     next_.resize(soup.size(), kNone);
     if (live_.empty()) {
@@ -112,8 +114,8 @@ constexpr std::size_t kMerge = 24;
 // Below this many segments a mask does not pay.
 constexpr std::size_t kMask = 400;
 
-// A sweep is cheaper than filling a grid for few segments, and for more of them while each has not too many others above and below it:
-// as many as widths of segments add up to that of the sum.
+// A sweep is cheaper than filling a grid for few segments, and for more of them while each has not too many others
+// above and below it: as many as widths of segments add up to that of the sum.
 bool sweep_pays(const Soup& soup) {
   constexpr std::size_t kFew = 4000;
   constexpr double kBeside = 250;
@@ -175,8 +177,9 @@ void trace_stages(const Soup& soup, const InteriorMask* mask, const Arrangement&
 }
 
 // Cracks and punctures: candidates of the arrangement that are not inside the open sum.
-// A sector that no segment covers may still lie inside: where a chain ends at a reflex vertex its contact covers more than the half
-// discs of its segments. So every node off the boundary is tested, not only those whose sectors are all covered.
+// A sector that no segment covers may still lie inside: where a chain ends at a reflex vertex its contact covers more
+// than the half discs of its segments. So every node off the boundary is tested, not only those whose sectors are all
+// covered.
 void find_tight(const Soup& soup, const Arrangement& arrangement, const Array<BoundaryLoop>& kept, Collision& collision,
                 RawBoundary& out, double& grid_error, const Poll* poll) {
   const std::size_t rounds = arrangement.covered_subs().size() + arrangement.nodes().size();
@@ -193,7 +196,8 @@ void find_tight(const Soup& soup, const Arrangement& arrangement, const Array<Bo
     const SubEnd a = arrangement.start_of(step), b = arrangement.end_of(step);
     grid_error = std::max({grid_error, position_error(soup, from), position_error(soup, to)});
     const std::uint32_t s = step.segment;
-    out.cracks.push_back({vertex_of(soup, s, a.pair ? s : a.other, a, from), vertex_of(soup, s, b.pair ? s : b.other, b, to)});
+    out.cracks.push_back(
+        {vertex_of(soup, s, a.pair ? s : a.other, a, from), vertex_of(soup, s, b.pair ? s : b.other, b, to)});
   }
   for (const Arrangement::Node& node : arrangement.nodes()) {
     if (poll != nullptr) poll->at_test(round++, rounds);
@@ -201,7 +205,8 @@ void find_tight(const Soup& soup, const Arrangement& arrangement, const Array<Bo
     const Place place = arrangement.place_of(node);
     if (collision.overlaps(place)) continue;
     grid_error = std::max(grid_error, position_error(soup, place));
-    out.punctures.push_back(vertex_of(soup, node.segment, node.end.pair ? node.segment : node.end.other, node.end, place));
+    out.punctures.push_back(
+        vertex_of(soup, node.segment, node.end.pair ? node.segment : node.end.other, node.end, place));
   }
 }
 
@@ -258,8 +263,7 @@ void run_reduced(const SumOptions& options, SumState& state, Refine when, Poll& 
   Array<std::uint32_t> live(&scratch);
   if (mask || merge)
     live = add_live(convolution, mask ? &*mask : nullptr, merge ? Twins::merged : Twins::kept, soup, poll);
-  else
-    soup.add(convolution);
+  else soup.add(convolution);
   clock.done("convolution");
   const bool closed = options.semantics != Semantics::open;
   const bool parallelograms = closed && has_dimension_below_two(op) && has_dimension_below_two(oq);
@@ -284,15 +288,12 @@ void run_reduced(const SumOptions& options, SumState& state, Refine when, Poll& 
     poll.stage("crossings");
     finder.poll = &asked;
     finder.first_unchained = reduced_live;
-    if (!fast)
-      finder.all_pairs();
+    if (!fast) finder.all_pairs();
     else if (fine != nullptr) {
       finder.sweep(refined->live.pieces, kReach / 2 * fine->grid().cell);
       marks = std::move(refined->live.marks);
-    } else if (sweep_pays(soup))
-      finder.sweep(mask ? &*mask : nullptr);
-    else
-      finder.grid(mask ? mask->grid() : plain_grid(lattice, soup.size()), mask ? &*mask : nullptr, marks);
+    } else if (sweep_pays(soup)) finder.sweep(mask ? &*mask : nullptr);
+    else finder.grid(mask ? mask->grid() : plain_grid(lattice, soup.size()), mask ? &*mask : nullptr, marks);
   }
   stats.crossings = meetings.crossings.size();
   stats.cell_entries = meetings.cell_entries;
@@ -315,7 +316,8 @@ void run_reduced(const SumOptions& options, SumState& state, Refine when, Poll& 
   Collision collision(lattice, op, oq, fast);
   collision.with_parallelograms = parallelograms;
   const bool connected = fast && !parallelograms && connected_sum(op, oq);
-  SortedLoops sorted = verify_loops(soup, arrangement, std::move(loops), collision, connected, {mask ? &*mask : nullptr, fine, &poll});
+  SortedLoops sorted =
+      verify_loops(soup, arrangement, std::move(loops), collision, connected, {mask ? &*mask : nullptr, fine, &poll});
   clock.done("collision");
   if (state.trace) trace_stages(soup, mask ? &*mask : nullptr, arrangement, sorted, convolution, *state.trace);
   double grid_error = soup.point_error;
@@ -347,7 +349,8 @@ void run_engine(const SumOptions& options, SumState& state, Refine when, Poll& p
 
 Error no_room(const SumState& state, std::string_view stage, std::string_view reason) {
   const auto text = [](std::uint64_t n) { return std::to_string(n); };
-  std::string message = "the sum of " + text(state.p->size()) + " and " + text(state.q->size()) + " vertices is too large: " + std::string(reason);
+  std::string message = "the sum of " + text(state.p->size()) + " and " + text(state.q->size()) +
+                        " vertices is too large: " + std::string(reason);
   if (!stage.empty()) message += " in the stage '" + std::string(stage) + "'";
   if (state.stats.reduced_segments > 0) message += ", " + text(state.stats.reduced_segments) + " segments";
   if (state.stats.live_segments > 0) message += ", " + text(state.stats.live_segments) + " of them to be intersected";
@@ -373,13 +376,13 @@ std::optional<Error> run(SumState& state, const SumOptions& options, Refine when
 
 }  // namespace
 
-void find_tight_features(const Soup& soup, const Arrangement& arrangement, const Array<BoundaryLoop>& kept, Collision& collision,
-                         RawBoundary& out, double& grid_error) {
+void find_tight_features(const Soup& soup, const Arrangement& arrangement, const Array<BoundaryLoop>& kept,
+                         Collision& collision, RawBoundary& out, double& grid_error) {
   find_tight(soup, arrangement, kept, collision, out, grid_error, nullptr);
 }
 
-Result<SumState> compute_boundary(std::shared_ptr<const Operand> p, std::shared_ptr<const Operand> q, const SumOptions& options,
-                                  Refine refine) {
+Result<SumState> compute_boundary(std::shared_ptr<const Operand> p, std::shared_ptr<const Operand> q,
+                                  const SumOptions& options, Refine refine) {
   SumState state;
   StageClock clock(state.stats, timed(*p, *q));
   for (const Operand* o : {p.get(), q.get()})
@@ -398,8 +401,8 @@ Result<SumState> compute_boundary(SumState state, const SumOptions& options) {
   return state;
 }
 
-void lower_dimensional_candidates(const Lattice& lattice, const Operand& p, const Operand& q, std::vector<SumSegment>& segments,
-                                  std::vector<SumVertex>& points) {
+void lower_dimensional_candidates(const Lattice& lattice, const Operand& p, const Operand& q,
+                                  std::vector<SumSegment>& segments, std::vector<SumVertex>& points) {
   const auto corner = [&](std::uint32_t i, std::uint32_t j, const Contact& line) {
     SumVertex v;
     v.in = v.out = line;
@@ -428,14 +431,16 @@ void lower_dimensional_candidates(const Lattice& lattice, const Operand& p, cons
           } else if (lattice.cross(p.edge(i), q.edge(j)) == 0 && lattice.dot(p.edge(i), q.edge(j)) > 0) {
             // Edge by edge, so that every piece lies on its contact.
             segments.push_back({corner(i, j, of_p(i, j)), corner(p.next[i], j, of_p(i, j))});
-            segments.push_back({corner(p.next[i], j, of_q(p.next[i], j)), corner(p.next[i], q.next[j], of_q(p.next[i], j))});
+            segments.push_back(
+                {corner(p.next[i], j, of_q(p.next[i], j)), corner(p.next[i], q.next[j], of_q(p.next[i], j))});
           }
         }
     }
 }
 
 void merge_pieces(const SumSource& source, const std::vector<SumPart>& parts, const std::vector<SumSegment>& candidates,
-                  const std::vector<SumVertex>& candidate_points, std::vector<SumSegment>& segments, std::vector<SumVertex>& points) {
+                  const std::vector<SumVertex>& candidate_points, std::vector<SumSegment>& segments,
+                  std::vector<SumVertex>& points) {
   std::vector<std::vector<Position>> rings;
   std::vector<const SumRing*> ring_of;
   for (const SumPart& part : parts) {
@@ -474,7 +479,8 @@ PlanarSum finish_sum(SumState&& state, const SumOptions& options) {
   RawBoundary& raw = state.boundary;
   std::vector<SumSegment> lines;
   std::vector<SumVertex> points;
-  if (options.semantics == Semantics::closed) lower_dimensional_candidates(*state.lattice, *state.p, *state.q, lines, points);
+  if (options.semantics == Semantics::closed)
+    lower_dimensional_candidates(*state.lattice, *state.p, *state.q, lines, points);
   const auto source = std::make_shared<SumSource>(state.lattice, std::move(state.p), std::move(state.q));
   sum.source = source;
   sum.parts = group_rings(std::move(raw.rings), raw.outer, *source, raw.at_error);
@@ -489,7 +495,8 @@ PlanarSum finish_sum(SumState&& state, const SumOptions& options) {
   clock.done("output");
   sum.at_error = raw.at_error;
   // Where pieces are cut off, their ends are rounded even if all other positions are exact.
-  if (!sum.segments.empty() || !sum.tight_segments.empty()) sum.at_error = std::max(sum.at_error, rounding_error(*state.lattice));
+  if (!sum.segments.empty() || !sum.tight_segments.empty())
+    sum.at_error = std::max(sum.at_error, rounding_error(*state.lattice));
   sum.stats = std::move(state.stats);
   if (state.trace) sum.trace = std::move(*state.trace);
   return sum;

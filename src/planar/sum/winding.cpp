@@ -8,12 +8,12 @@
 #include <unordered_map>
 #include <utility>
 
+#include "planar/arrangement/crossings.h"
+#include "planar/arrangement/segment_graph.h"
 #include "planar/boundary/boundary.h"
 #include "planar/boundary/collision.h"
-#include "planar/arrangement/crossings.h"
-#include "planar/convolution/kinetic.h"
-#include "planar/arrangement/segment_graph.h"
 #include "planar/boundary/winding_numbers.h"
+#include "planar/convolution/kinetic.h"
 
 namespace dymsum::planar {
 namespace {

@@ -23,10 +23,8 @@ BigInteger arc_tangent_of_inverse(unsigned n) {
   for (unsigned k = 3; power != 0; k += 2) {
     power /= n * n;
     const BigInteger term = power / k;
-    if (k % 4 == 3)
-      sum -= term;
-    else
-      sum += term;
+    if (k % 4 == 3) sum -= term;
+    else sum += term;
   }
   return sum;
 }

@@ -10,8 +10,8 @@ BoxPairs::BoxPairs(double extent) {
   per_unit_ = factor <= std::numeric_limits<double>::max() ? factor : 0;
 }
 
-// Behind the last box lie some that start to the right of everything and meet nothing. Which of eight boxes meet cannot be predicted: all
-// are listed and the place moves on for those that do.
+// Behind the last box lie some that start to the right of everything and meet nothing. Which of eight boxes meet cannot
+// be predicted: all are listed and the place moves on for those that do.
 std::vector<std::array<std::uint32_t, 2>> BoxPairs::find() {
   const std::size_t n = boxes_.size();
   order_.resize(n);

@@ -17,7 +17,9 @@ class BoxPairs {
 
   void reserve(std::size_t n) { boxes_.reserve(n); }
   /// The next box, number 0, 1, ...
-  void add(double x0, double y0, double x1, double y1) { boxes_.push_back({quantum(x0), quantum(y0), quantum(x1), quantum(y1)}); }
+  void add(double x0, double y0, double x1, double y1) {
+    boxes_.push_back({quantum(x0), quantum(y0), quantum(x1), quantum(y1)});
+  }
 
   /// Every two boxes that meet, once, and some that nearly do. O(n log n + pairs that meet in x / 8).
   std::vector<std::array<std::uint32_t, 2>> find();
@@ -27,7 +29,9 @@ class BoxPairs {
     std::int16_t x0, y0, x1, y1;
   };
   // Monotone, so boxes that meet do so in quanta too.
-  std::int16_t quantum(double v) const { return static_cast<std::int16_t>(std::clamp(v * per_unit_, 0.0, double{kBoxQuanta - 1})); }
+  std::int16_t quantum(double v) const {
+    return static_cast<std::int16_t>(std::clamp(v * per_unit_, 0.0, double{kBoxQuanta - 1}));
+  }
 
   double per_unit_ = 0;
   std::vector<Box> boxes_;

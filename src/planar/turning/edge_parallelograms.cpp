@@ -7,12 +7,13 @@
 namespace dymsum::planar {
 namespace {
 
-constexpr double kLong = 8;         // cells: sums of shorter edges hold few
-constexpr double kAlong = 0.5;      // cells: edges that are so near each other have nearly the same sums
+constexpr double kLong = 8;     // cells: sums of shorter edges hold few
+constexpr double kAlong = 0.5;  // cells: edges that are so near each other have nearly the same sums
 
 double distance(Point a, Point b) { return std::max(std::abs(a.x - b.x), std::abs(a.y - b.y)); }
 
-/// The cells that lie on one side of a line, x nx + y ny >= least: row r has them from the column (rest - r rise) per on, or up to it.
+/// The cells that lie on one side of a line, x nx + y ny >= least: row r has them from the column (rest - r rise) per
+/// on, or up to it.
 struct HalfPlane {
   HalfPlane(double nx, double ny, double least, const Grid& cells)
       : rest(least - std::min(ny, 0.0) * cells.cell),
@@ -48,12 +49,14 @@ std::vector<std::uint32_t> long_edges(const TurningForms& forms, std::uint32_t o
   std::vector<std::uint32_t> found, kept;
   for (std::uint32_t e = 0; e < forms.size(op); ++e)
     if (length2(e) >= kLong * kLong * cell * cell) found.push_back(e);
-  std::stable_sort(found.begin(), found.end(), [&](std::uint32_t a, std::uint32_t b) { return length2(a) > length2(b); });
+  std::stable_sort(found.begin(), found.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return length2(a) > length2(b); });
   for (const std::uint32_t e : found) {
     const Point a = points[e], b = points[o.next[e]];
     const auto along = [&](std::uint32_t f) {
       const Point c = points[f], d = points[o.next[f]];
-      return std::max(distance(a, c), distance(b, d)) < kAlong * cell || std::max(distance(a, d), distance(b, c)) < kAlong * cell;
+      return std::max(distance(a, c), distance(b, d)) < kAlong * cell ||
+             std::max(distance(a, d), distance(b, c)) < kAlong * cell;
     };
     if (std::none_of(kept.begin(), kept.end(), along)) kept.push_back(e);
     if (kept.size() == most) break;
@@ -61,8 +64,8 @@ std::vector<std::uint32_t> long_edges(const TurningForms& forms, std::uint32_t o
   return kept;
 }
 
-// While the turning edge sweeps, the boundary of the parallelogram moves by no more than the edge's ends do. So what is farther inside at the
-// middle is never reached, and stays inside.
+// While the turning edge sweeps, the boundary of the parallelogram moves by no more than the edge's ends do. So what is
+// farther inside at the middle is never reached, and stays inside.
 Bitmap edge_parallelograms(const TurnGrid& grid, const std::vector<Point>& turned, double half) {
   const TurningForms& forms = grid.forms;
   const Grid& cells = grid.grid.whole;
@@ -71,7 +74,8 @@ Bitmap edge_parallelograms(const TurnGrid& grid, const std::vector<Point>& turne
   for (const std::uint32_t f : grid.long_edges[1]) {
     const std::uint32_t to = forms.operand(1).next[f];
     const Point v{turned[to].x - turned[f].x, turned[to].y - turned[f].y};
-    const double rim = std::max(moved(forms, f, half), moved(forms, to, half)) + 2 * kReach * cells.cell;  // kReach is far beyond all roundings
+    const double rim = std::max(moved(forms, f, half), moved(forms, to, half)) +
+                       2 * kReach * cells.cell;  // kReach is far beyond all roundings
     const double length_v = std::hypot(v.x, v.y);
     for (const std::uint32_t e : grid.long_edges[0]) {
       const Point u = forms.edge(0, e);
@@ -81,11 +85,13 @@ Bitmap edge_parallelograms(const TurnGrid& grid, const std::vector<Point>& turne
       // Left of one side and right of the other one, in either direction.
       const auto beside = [&](Point d, double length, double side) {
         const double nx = -d.y * side, ny = d.x * side, at = nx * x + ny * y;
-        return std::array{HalfPlane{nx, ny, at + rim * length, cells}, HalfPlane{-nx, -ny, -at - std::abs(area) + rim * length, cells}};
+        return std::array{HalfPlane{nx, ny, at + rim * length, cells},
+                          HalfPlane{-nx, -ny, -at - std::abs(area) + rim * length, cells}};
       };
       const auto [a, b] = beside(u, length_u, sign);
       const auto [c, d] = beside(v, length_v, -sign);
-      const int low = cells.row(y + std::min(0.0, u.y) + std::min(0.0, v.y)), high = cells.row(y + std::max(0.0, u.y) + std::max(0.0, v.y));
+      const int low = cells.row(y + std::min(0.0, u.y) + std::min(0.0, v.y)),
+                high = cells.row(y + std::max(0.0, u.y) + std::max(0.0, v.y));
       for (int row = low; row <= high; ++row) {
         const auto [first, last] = columns_inside({a, b, c, d}, cells, row);
         if (first < last) inside.set_run(row, first, last - 1);

@@ -41,11 +41,14 @@ Result<Orientation> Orientation::of(const Rational& tan_half) {
   const Result<BigRational> t = exact::rational_of(tan_half, "tangent of half an angle", Code::bad_rotation);
   if (!t) return t.error();
   if (t->sign() != 0 && (msb(abs(numerator(*t))) >= exact::kMaxTextBits || msb(denominator(*t)) >= exact::kMaxTextBits))
-    return Error{Code::bad_rotation, "numerator and denominator of the tangent of half an angle may have at most 4096 bits", {}};
+    return Error{
+        Code::bad_rotation, "numerator and denominator of the tangent of half an angle may have at most 4096 bits", {}};
   return planar::orientation_of(*t);
 }
 
-Result<Orientation> Orientation::of(std::int64_t n, std::int64_t d) { return of(Rational{std::to_string(n), std::to_string(d)}); }
+Result<Orientation> Orientation::of(std::int64_t n, std::int64_t d) {
+  return of(Rational{std::to_string(n), std::to_string(d)});
+}
 
 Orientation Orientation::half_turn() {
   Orientation o;
@@ -75,7 +78,8 @@ Result<Orientation> Orientation::nearest(double radians) {
 }
 
 Result<Orientation> Orientation::nearest(double radians, double error) {
-  if (!std::isfinite(radians) || !(error > 0)) return Error{Code::bad_rotation, "an angle has to be finite, and its error positive", {}};
+  if (!std::isfinite(radians) || !(error > 0))
+    return Error{Code::bad_rotation, "an angle has to be finite, and its error positive", {}};
   // Less than that by what is rounded here.
   const double theta = planar::reduced_angle(radians), e = 0.99 * error - 0x1p-50;
   if (e < 0x1p-48) return nearest(radians);
@@ -84,7 +88,8 @@ Result<Orientation> Orientation::nearest(double radians, double error) {
   // The tangent of half the rest to half a turn is one over that of half the angle.
   const bool far = std::abs(theta) > kPi / 2;
   const double a = far ? kPi - std::abs(theta) : std::abs(theta);
-  BigRational t = simplest(exact::exact_value(std::tan((a - e > 0 ? a - e : 0) / 2)), exact::exact_value(std::tan((a + e) / 2)));
+  BigRational t =
+      simplest(exact::exact_value(std::tan((a - e > 0 ? a - e : 0) / 2)), exact::exact_value(std::tan((a + e) / 2)));
   if (far) {
     if (t.sign() == 0) return half_turn();
     t = 1 / t;
@@ -126,7 +131,8 @@ Orientation orientation_at(int chart, const BigRational& t) {
 
 LatticeScale turn_of(const Orientation& o, std::uint32_t op) {
   const BigInteger n(o.tan_half().num), d(o.tan_half().den);
-  LatticeScale turn{BigInteger(d * d - n * n), BigInteger(d * d - n * n), BigInteger(d * d + n * n), op, BigInteger(2 * n * d)};
+  LatticeScale turn{BigInteger(d * d - n * n), BigInteger(d * d - n * n), BigInteger(d * d + n * n), op,
+                    BigInteger(2 * n * d)};
   if ((turn.den & 1) == 0) {
     // n and d are odd: everything is even.
     turn.x /= 2;

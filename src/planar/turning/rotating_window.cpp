@@ -8,7 +8,11 @@
 namespace dymsum::planar {
 
 RotatingWindow::RotatingWindow(const TurnGrid& grid, const TurnCatalog& catalog, double mid, double h, bool mask)
-    : middle(mid), half(h * (1 + 0x1p-40) + 0x1p-40), forms_(grid.forms), catalog_(catalog), shift_(grid.forms.reach()) {
+    : middle(mid),
+      half(h * (1 + 0x1p-40) + 0x1p-40),
+      forms_(grid.forms),
+      catalog_(catalog),
+      shift_(grid.forms.reach()) {
   const Heading heading = Heading::of(middle);
   turned_.reserve(forms_.points(1).size());
   moved_.reserve(forms_.points(1).size());
@@ -31,8 +35,8 @@ RotatingWindow::RotatingWindow(const TurnGrid& grid, const TurnCatalog& catalog,
 }
 
 std::size_t RotatingWindow::bytes() const {
-  return segments.capacity() * sizeof(TurnSegment) + pieces.capacity() * sizeof(TurnPiece) + meetings.capacity() * sizeof(TurnMeeting) +
-         (first_of.capacity() + of.capacity() + live_.capacity()) * 4;
+  return segments.capacity() * sizeof(TurnSegment) + pieces.capacity() * sizeof(TurnPiece) +
+         meetings.capacity() * sizeof(TurnMeeting) + (first_of.capacity() + of.capacity() + live_.capacity()) * 4;
 }
 
 std::uint32_t RotatingWindow::find(const WalkSegment& s) const {
@@ -60,43 +64,48 @@ RotatingWindow::Swept RotatingWindow::swept(const WalkSegment& s) const {
 void RotatingWindow::add_segments(const DeadCells& dead) {
   const Grid& g = dead.grid();
   for (std::uint32_t side = 0; side < 2; ++side) turns_[side].assign(forms_.size(1 - side), {});
-  const std::size_t usual = 4 * (std::size_t{forms_.size(0)} + forms_.size(1));  // convolutions are a few times as large as the operands
+  const std::size_t usual =
+      4 * (std::size_t{forms_.size(0)} + forms_.size(1));  // convolutions are a few times as large as the operands
   live_.reserve(usual);
   segments.reserve(usual);
   swept_.reserve(usual);
   pieces.reserve(usual);
-  catalog_.for_each_turn(middle - half, middle + half, [&](std::uint32_t side, std::uint32_t vertex, const auto& edges, std::size_t at, std::size_t count) {
-    turns_[side][vertex] = {static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(count), static_cast<std::uint32_t>(live_.size())};
-    for (std::size_t k = 0; k < count; ++k, at = at + 1 == edges.size() ? 0 : at + 1) {
-      live_.push_back(kNone);
-      const WalkSegment walk{side, edges[at].edge, vertex};
-      const Swept w = swept(walk);
-      const double x = w.x() + shift_, y = w.y() + shift_, reach = w.reach + 2 * kReach * g.cell;
-      if (dead.live(g.row(std::min(y, y + w.d.y) - reach), g.column(std::min(x, x + w.d.x) - reach), g.row(std::max(y, y + w.d.y) + reach),
-                    g.column(std::max(x, x + w.d.x) + reach)) == 0)
-        continue;
-      TurnSegment s;
-      s.first_piece = static_cast<std::uint32_t>(pieces.size());
-      add_pieces(w, dead);
-      s.last_piece = static_cast<std::uint32_t>(pieces.size());
-      if (s.first_piece == s.last_piece) continue;
-      live_.back() = static_cast<std::uint32_t>(segments.size());
-      s.walk = walk;
-      s.span = catalog_.span(walk, middle);
-      s.throughout = s.span.from < -half - 2 * kAngleSlack && s.span.to > half + 2 * kAngleSlack;
-      if (!s.throughout) changing.push_back(static_cast<std::uint32_t>(segments.size()));
-      s.start = TurningForms::start(walk);
-      s.end = forms_.end(walk);
-      s.length1 = forms_.length1(walk);
-      segments.push_back(s);
-      swept_.push_back(w);
-      swept_.back().length1 = s.length1;
-    }
-  });
+  catalog_.for_each_turn(
+      middle - half, middle + half,
+      [&](std::uint32_t side, std::uint32_t vertex, const auto& edges, std::size_t at, std::size_t count) {
+        turns_[side][vertex] = {static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(count),
+                                static_cast<std::uint32_t>(live_.size())};
+        for (std::size_t k = 0; k < count; ++k, at = at + 1 == edges.size() ? 0 : at + 1) {
+          live_.push_back(kNone);
+          const WalkSegment walk{side, edges[at].edge, vertex};
+          const Swept w = swept(walk);
+          const double x = w.x() + shift_, y = w.y() + shift_, reach = w.reach + 2 * kReach * g.cell;
+          if (dead.live(g.row(std::min(y, y + w.d.y) - reach), g.column(std::min(x, x + w.d.x) - reach),
+                        g.row(std::max(y, y + w.d.y) + reach), g.column(std::max(x, x + w.d.x) + reach)) == 0)
+            continue;
+          TurnSegment s;
+          s.first_piece = static_cast<std::uint32_t>(pieces.size());
+          add_pieces(w, dead);
+          s.last_piece = static_cast<std::uint32_t>(pieces.size());
+          if (s.first_piece == s.last_piece) continue;
+          live_.back() = static_cast<std::uint32_t>(segments.size());
+          s.walk = walk;
+          s.span = catalog_.span(walk, middle);
+          s.throughout = s.span.from < -half - 2 * kAngleSlack && s.span.to > half + 2 * kAngleSlack;
+          if (!s.throughout) changing.push_back(static_cast<std::uint32_t>(segments.size()));
+          s.start = TurningForms::start(walk);
+          s.end = forms_.end(walk);
+          s.length1 = forms_.length1(walk);
+          segments.push_back(s);
+          swept_.push_back(w);
+          swept_.back().length1 = s.length1;
+        }
+      });
   all_segments = live_.size();
 }
 
-// Cut where a point of the segment stays in one dead cell throughout: at the middle it lies farther inside than it moves.
+// Cut where a point of the segment stays in one dead cell throughout: at the middle it lies farther inside than it
+// moves.
 void RotatingWindow::add_pieces(const Swept& w, const DeadCells& dead) {
   const Grid& g = dead.grid();
   const double x = w.x() + shift_, y = w.y() + shift_, reach = w.reach + 2 * kReach * g.cell;
@@ -104,11 +113,14 @@ void RotatingWindow::add_pieces(const Swept& w, const DeadCells& dead) {
     const double u = x + from * w.d.x, v = x + to * w.d.x, a = y + from * w.d.y, b = y + to * w.d.y;
     const int r0 = g.row(std::min(a, b) - reach), r1 = g.row(std::max(a, b) + reach);
     const int c0 = g.column(std::min(u, v) - reach), c1 = g.column(std::max(u, v) + reach);
-    return std::array{dead.live(r0, c0, r1, c1), static_cast<std::uint32_t>(r1 - r0 + 1) * static_cast<std::uint32_t>(c1 - c0 + 1)};
+    return std::array{dead.live(r0, c0, r1, c1),
+                      static_cast<std::uint32_t>(r1 - r0 + 1) * static_cast<std::uint32_t>(c1 - c0 + 1)};
   };
   cuts_.clear();
   if (const auto [live, all] = cells_near(0, 1); live < all && 2 * reach < g.cell) {
-    const double per_x = 1 / w.d.x, per_y = 1 / w.d.y;  // infinite for upright and level ones, which lie in the range of a cell or beside it
+    const double per_x = 1 / w.d.x,
+                 per_y =
+                     1 / w.d.y;  // infinite for upright and level ones, which lie in the range of a cell or beside it
     for_each_cell_run(g, x, y, x + w.d.x, y + w.d.y, [&](int row, int first, int last) {
       for (int c = first; c <= last; ++c) {
         if (!dead.dead(row, c)) continue;
@@ -137,20 +149,25 @@ void RotatingWindow::add_pieces(const Swept& w, const DeadCells& dead) {
   }
 }
 
-// Both ends of one piece on the same side of the other one's line at every angle, by Taylor's formula. Without branches.
+// Both ends of one piece on the same side of the other one's line at every angle, by Taylor's formula. Without
+// branches.
 bool RotatingWindow::apart(const TurnPiece& p, const TurnPiece& q) const {
   const Swept &a = swept_[p.segment], &b = swept_[q.segment];
-  const double fx = b.fixed.x - a.fixed.x, fy = b.fixed.y - a.fixed.y, tx = b.turning.x - a.turning.x, ty = b.turning.y - a.turning.y;
+  const double fx = b.fixed.x - a.fixed.x, fy = b.fixed.y - a.fixed.y, tx = b.turning.x - a.turning.x,
+               ty = b.turning.y - a.turning.y;
   const double k = a.d.x * b.d.y - a.d.y * b.d.x, dot = a.side != b.side ? a.d.x * b.d.x + a.d.y * b.d.y : 0;
   const double second = 0.5 * half * half * (1 + 0x1p-40), bound = 0x1p-44 * forms_.span();
-  // The side of the place at share u of `other` against `line` is `value` + u k, and its slope `slope` + u dot: what turns against a line
-  // is the other operand's vertex. `sign` tells the direction of the offset.
+  // The side of the place at share u of `other` against `line` is `value` + u k, and its slope `slope` + u dot: what
+  // turns against a line is the other operand's vertex. `sign` tells the direction of the offset.
   const auto beside = [&](const Swept& line, const Swept& other, double sign, double head, double tail) {
     const double rx = line.side == 0 ? tx : fx, ry = line.side == 0 ? ty : fy;
-    const double value = sign * (line.d.x * (fy + ty) - line.d.y * (fx + tx)), slope = sign * (line.d.x * rx + line.d.y * ry);
+    const double value = sign * (line.d.x * (fy + ty) - line.d.y * (fx + tx)),
+                 slope = sign * (line.d.x * rx + line.d.y * ry);
     const double v = value + sign * head * k, w = value + sign * tail * k;
-    const double most = line.length1 * (second * (std::abs(rx) + std::abs(ry) + (a.side != b.side ? other.length1 : 0)) + bound);
-    const double low = std::min(v, w), high = std::max(v, w), turn = half * std::max(std::abs(slope + head * dot), std::abs(slope + tail * dot)) + most;
+    const double most =
+        line.length1 * (second * (std::abs(rx) + std::abs(ry) + (a.side != b.side ? other.length1 : 0)) + bound);
+    const double low = std::min(v, w), high = std::max(v, w),
+                 turn = half * std::max(std::abs(slope + head * dot), std::abs(slope + tail * dot)) + most;
     return (low > turn) | (high < -turn);
   };
   return beside(a, b, 1, q.head, q.tail) | beside(b, a, -1, p.head, p.tail);
@@ -163,7 +180,8 @@ RotatingWindow::Box RotatingWindow::box_of(const TurnPiece& p, double reach) con
   return {std::min(ax, bx) - by, std::min(ay, cy) - by, std::max(ax, bx) + by, std::max(ay, cy) + by};
 }
 
-// Pieces whose swept boxes meet in a live cell, less those that certainly do not meet: what meets in dead cells is covered.
+// Pieces whose swept boxes meet in a live cell, less those that certainly do not meet: what meets in dead cells is
+// covered.
 void RotatingWindow::find_meetings(const DeadCells& dead) {
   const Grid& g = dead.grid();
   const double reach = kReach * g.cell;
@@ -196,7 +214,8 @@ void RotatingWindow::find_meetings(const DeadCells& dead) {
   if (dead.dead_cells() == 0) return;
   std::erase_if(meetings, [&](const TurnMeeting& m) {
     const Box u = box_of(pieces[m.a], reach), v = box_of(pieces[m.b], reach);
-    return dead.live(g.row(std::max(u.y0, v.y0)), g.column(std::max(u.x0, v.x0)), g.row(std::min(u.y1, v.y1)), g.column(std::min(u.x1, v.x1))) == 0;
+    return dead.live(g.row(std::max(u.y0, v.y0)), g.column(std::max(u.x0, v.x0)), g.row(std::min(u.y1, v.y1)),
+                     g.column(std::min(u.x1, v.x1))) == 0;
   });
 }
 
@@ -224,7 +243,8 @@ void RotatingWindow::find_next() {
   }
 }
 
-// A tail is dead when it is cut, when nothing live can continue it, or only whole segments that meet nothing and have dead tails themselves.
+// A tail is dead when it is cut, when nothing live can continue it, or only whole segments that meet nothing and have
+// dead tails themselves.
 void RotatingWindow::find_dead_tails() {
   const std::size_t n = segments.size();
   std::vector<std::uint8_t> ways(n, 0);
@@ -235,7 +255,8 @@ void RotatingWindow::find_dead_tails() {
   };
   for (std::uint32_t s = 0; s < n; ++s) {
     if (!pieces[segments[s].last_piece - 1].tail_cut)
-      for (const std::uint32_t to : segments[s].next) ways[s] += to != kNone && !pieces[segments[to].first_piece].head_cut;
+      for (const std::uint32_t to : segments[s].next)
+        ways[s] += to != kNone && !pieces[segments[to].first_piece].head_cut;
     if (ways[s] == 0) kill(s);
   }
   for (std::size_t k = 0; k < dead.size(); ++k) {
@@ -248,8 +269,8 @@ void RotatingWindow::find_dead_tails() {
   }
 }
 
-// Quiet pieces one after the other at every angle: walks leap over them. A quiet one follows one quiet one only, so followers lead to an
-// end or back to the first.
+// Quiet pieces one after the other at every angle: walks leap over them. A quiet one follows one quiet one only, so
+// followers lead to an end or back to the first.
 void RotatingWindow::find_runs() {
   const auto n = static_cast<std::uint32_t>(pieces.size());
   for (std::uint32_t i = 0; i < n; ++i) {
@@ -266,7 +287,8 @@ void RotatingWindow::find_runs() {
     if (!pieces[i].quiet || pieces[i].run_last != kNone) continue;
     run.assign(1, i);
     std::uint32_t next = pieces[i].follower;
-    for (; next != kNone && next != i && pieces[next].run_last == kNone; next = pieces[next].follower) run.push_back(next);
+    for (; next != kNone && next != i && pieces[next].run_last == kNone; next = pieces[next].follower)
+      run.push_back(next);
     if (next == i) circles.push_back(i);
     const std::uint32_t last = next == kNone || next == i ? run.back() : pieces[next].run_last;
     for (const std::uint32_t k : run) pieces[k].run_last = last;

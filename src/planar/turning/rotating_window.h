@@ -1,5 +1,5 @@
-// A window of angles for a rotating sum: the pieces of convolution segments that can bound the sum somewhere in it, and the pairs of
-// pieces that may meet. Built once; frames inside the window only look here.
+// A window of angles for a rotating sum: the pieces of convolution segments that can bound the sum somewhere in it, and
+// the pairs of pieces that may meet. Built once; frames inside the window only look here.
 #pragma once
 
 #include <array>
@@ -18,18 +18,20 @@ struct TurnSegment {
   TurnCatalog::Span span;  ///< it exists there, relative to the middle of the window
   Pair start, end;
   double length1 = 0;
-  std::uint32_t first_piece = 0, last_piece = 0;   ///< its pieces [first_piece, last_piece)
-  std::array<std::uint32_t, 2> next{kNone, kNone};  ///< the live segments that may continue it; at most one exists at a time
-  bool throughout = false;                          ///< it exists at every angle of the window
+  std::uint32_t first_piece = 0, last_piece = 0;  ///< its pieces [first_piece, last_piece)
+  std::array<std::uint32_t, 2> next{kNone,
+                                    kNone};  ///< the live segments that may continue it; at most one exists at a time
+  bool throughout = false;                   ///< it exists at every angle of the window
 };
 
-/// A stretch of a segment between its ends or places that lie in dead cells at every angle of the window. What reaches one is false.
+/// A stretch of a segment between its ends or places that lie in dead cells at every angle of the window. What reaches
+/// one is false.
 struct TurnPiece {
   std::uint32_t segment = 0;
   double head = 0, tail = 1;  ///< in shares of the segment
   bool head_cut = false, tail_cut = false;
-  bool tail_dead = false;     ///< behind the tail nothing alive can follow, at no angle of the window
-  bool quiet = false;         ///< whole, there at every angle of the window, and nothing meets it
+  bool tail_dead = false;          ///< behind the tail nothing alive can follow, at no angle of the window
+  bool quiet = false;              ///< whole, there at every angle of the window, and nothing meets it
   std::uint32_t follower = kNone;  ///< a quiet piece that follows it at every angle of the window
   std::uint32_t run_last = kNone;  ///< of a quiet one: where followers lead to
 };
@@ -61,7 +63,8 @@ class RotatingWindow {
   std::size_t bytes() const;
 
  private:
-  /// A segment at the middle: the vertices it starts with, its vector and |vector|_1, and how far a point of it moves from there.
+  /// A segment at the middle: the vertices it starts with, its vector and |vector|_1, and how far a point of it moves
+  /// from there.
   struct Swept {
     Point fixed, turning, d;
     double length1 = 0, reach = 0;
@@ -89,12 +92,12 @@ class RotatingWindow {
 
   const TurningForms& forms_;
   const TurnCatalog& catalog_;
-  double shift_ = 0;                  // of coordinates to those of the grid
+  double shift_ = 0;                        // of coordinates to those of the grid
   std::array<std::vector<Turn>, 2> turns_;  // by side and vertex
-  std::vector<std::uint32_t> live_;   // all segments of the window -> segments
-  std::vector<Point> turned_;         // the turning operand at the middle
-  std::vector<double> moved_;         // how far each of its vertices moves from there
-  std::vector<Swept> swept_;          // of segments
+  std::vector<std::uint32_t> live_;         // all segments of the window -> segments
+  std::vector<Point> turned_;               // the turning operand at the middle
+  std::vector<double> moved_;               // how far each of its vertices moves from there
+  std::vector<Swept> swept_;                // of segments
   std::vector<double> cuts_;
 };
 

@@ -7,9 +7,12 @@
 
 namespace dymsum::planar {
 
-Result<std::shared_ptr<const OperandPair>> turning_base(const Region& p, const Region& q, std::uint32_t turning, bool reflect_q,
-                                                        const std::array<std::vector<Point>, 2>& further, int min_tier_bits) {
-  return OperandPair::create({prepared_operand(p, 0), prepared_operand(q, 1, reflect_q)}, further, turning, min_tier_bits);
+Result<std::shared_ptr<const OperandPair>> turning_base(const Region& p, const Region& q, std::uint32_t turning,
+                                                        bool reflect_q,
+                                                        const std::array<std::vector<Point>, 2>& further,
+                                                        int min_tier_bits) {
+  return OperandPair::create({prepared_operand(p, 0), prepared_operand(q, 1, reflect_q)}, further, turning,
+                             min_tier_bits);
 }
 
 SumState placed_at(const OperandPair& base, const Orientation& theta) {
@@ -31,7 +34,8 @@ Result<PlanarSum> sum_at(const OperandPair& base, const Orientation& theta, cons
 
 namespace dymsum {
 
-Result<PlanarSum> cspace_slice(const Region& robot, const Region& obstacle, const Orientation& theta, const SumOptions& options) {
+Result<PlanarSum> cspace_slice(const Region& robot, const Region& obstacle, const Orientation& theta,
+                               const SumOptions& options) {
   const auto base = planar::turning_base(obstacle, robot, 1, true, {}, options.min_tier_bits);
   if (!base) return base.error();
   return planar::sum_at(**base, theta, options);

@@ -9,8 +9,10 @@ namespace dymsum::planar {
 
 /// Operands of which `turning` rotates about the origin of its coordinates, unrotated. `further`: source vertices that
 /// belong to no walk. Errors: unsupported_operand.
-Result<std::shared_ptr<const OperandPair>> turning_base(const Region& p, const Region& q, std::uint32_t turning, bool reflect_q,
-                                                        const std::array<std::vector<Point>, 2>& further, int min_tier_bits);
+Result<std::shared_ptr<const OperandPair>> turning_base(const Region& p, const Region& q, std::uint32_t turning,
+                                                        bool reflect_q,
+                                                        const std::array<std::vector<Point>, 2>& further,
+                                                        int min_tier_bits);
 
 /// Lattice and operands at an orientation.
 SumState placed_at(const OperandPair& base, const Orientation& theta);

@@ -36,12 +36,14 @@ TurnCatalog::TurnCatalog(const TurningForms& forms) : forms_(forms) {
 }
 
 std::size_t TurnCatalog::lower_bound(const std::vector<Edge>& edges, double angle) {
-  const auto at = std::lower_bound(edges.begin(), edges.end(), angle, [](const Edge& e, double a) { return e.angle < a; });
+  const auto at =
+      std::lower_bound(edges.begin(), edges.end(), angle, [](const Edge& e, double a) { return e.angle < a; });
   return at == edges.end() ? 0 : static_cast<std::size_t>(at - edges.begin());
 }
 
 bool TurnCatalog::may_exist(const WalkSegment& s) const {
-  return convex(1 - s.side, s.vertex) && !forms_.is_point(s.side, s.edge) && !(of_hole_[s.side][s.edge] && of_hole_[1 - s.side][s.vertex]);
+  return convex(1 - s.side, s.vertex) && !forms_.is_point(s.side, s.edge) &&
+         !(of_hole_[s.side][s.edge] && of_hole_[1 - s.side][s.vertex]);
 }
 
 TurnCatalog::Existence TurnCatalog::exists(const WalkSegment& s, double theta) const {
@@ -51,7 +53,8 @@ TurnCatalog::Existence TurnCatalog::exists(const WalkSegment& s, double theta) c
   const double in = angle_[op][forms_.operand(op).prev[s.vertex]];
   const double relative = s.side == 0 ? angle_[0][s.edge] - theta - in : angle_[1][s.edge] + theta - in;
   const double a = positive_angle(relative);
-  if (a < kAngleSlack || a > kTurn - kAngleSlack || std::abs(a - turn_[op][s.vertex]) < kAngleSlack) return Existence::unsure;
+  if (a < kAngleSlack || a > kTurn - kAngleSlack || std::abs(a - turn_[op][s.vertex]) < kAngleSlack)
+    return Existence::unsure;
   return a < turn_[op][s.vertex] ? Existence::yes : Existence::no;
 }
 

@@ -32,8 +32,8 @@ class TurnCatalog {
     std::uint32_t edge = 0;
   };
   /// A single point is a vertex with all directions, and has no edge.
-  /// Calls f(side, vertex, edges, at, count) for every convex vertex: with the edges at positions at, at + 1, ... of the cyclic list it
-  /// makes segments that exist somewhere in [low, high], and perhaps some that only nearly do.
+  /// Calls f(side, vertex, edges, at, count) for every convex vertex: with the edges at positions at, at + 1, ... of
+  /// the cyclic list it makes segments that exist somewhere in [low, high], and perhaps some that only nearly do.
   template <class F>
   void for_each_turn(double low, double high, F&& f) const {
     for (std::uint32_t side = 0; side < 2; ++side) {
@@ -42,7 +42,8 @@ class TurnCatalog {
         const std::vector<Edge>& edges = corner.of_hole ? outer_edges_[side] : edges_[side];
         if (edges.empty()) continue;
         // Directions of edges, less the rotation of the turning operand, between those of the corner.
-        const double from = positive_angle(corner.in + (side == 0 ? low : -high) - kAngleSlack), length = corner.turn + (high - low) + 2 * kAngleSlack;
+        const double from = positive_angle(corner.in + (side == 0 ? low : -high) - kAngleSlack),
+                     length = corner.turn + (high - low) + 2 * kAngleSlack;
         const std::size_t first = lower_bound(edges, from);
         std::size_t at = first, count = 0;
         for (; count < edges.size(); ++count, at = at + 1 == edges.size() ? 0 : at + 1)
@@ -55,9 +56,12 @@ class TurnCatalog {
   /// do.
   template <class F>
   void for_each(double low, double high, F&& f) const {
-    for_each_turn(low, high, [&](std::uint32_t side, std::uint32_t vertex, const std::vector<Edge>& edges, std::size_t at, std::size_t count) {
-      for (std::size_t k = 0; k < count; ++k, at = at + 1 == edges.size() ? 0 : at + 1) f(WalkSegment{side, edges[at].edge, vertex});
-    });
+    for_each_turn(low, high,
+                  [&](std::uint32_t side, std::uint32_t vertex, const std::vector<Edge>& edges, std::size_t at,
+                      std::size_t count) {
+                    for (std::size_t k = 0; k < count; ++k, at = at + 1 == edges.size() ? 0 : at + 1)
+                      f(WalkSegment{side, edges[at].edge, vertex});
+                  });
   }
   /// The position of an edge in the list of for_each_turn for a vertex of the other operand.
   std::uint32_t position(std::uint32_t side, std::uint32_t edge, std::uint32_t vertex) const {
@@ -84,7 +88,9 @@ class TurnCatalog {
       const double r = positive_angle(angle_[1][s.edge] + theta - in);
       span = {-r, turn - r};
     }
-    const double middle = 0.5 * (span.from + span.to), by = middle > kTurn / 2 ? -kTurn : middle < -kTurn / 2 ? kTurn : 0;
+    const double middle = 0.5 * (span.from + span.to), by = middle > kTurn / 2    ? -kTurn
+                                                            : middle < -kTurn / 2 ? kTurn
+                                                                                  : 0;
     return {span.from + by, span.to + by};
   }
 

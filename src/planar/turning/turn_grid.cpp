@@ -27,8 +27,10 @@ Raster fixed_raster(const TurningForms& forms, const Grid& cells) {
   CentreWindings windings(cells);
   for (std::uint32_t i = 0; i < o.size(); ++i) {
     const Point a = forms.points(0)[i], b = forms.points(0)[o.next[i]];
-    for_each_cell_run(cells, a.x, a.y, b.x, b.y, [&](int r, int first, int last) { raster.touch.set_run(r, first, last); });
-    for_each_cell_run(cells, a.x, a.y, b.x, b.y, [&](int r, int first, int last) { boundary.set_run(r, first, last); }, kRim);
+    for_each_cell_run(cells, a.x, a.y, b.x, b.y,
+                      [&](int r, int first, int last) { raster.touch.set_run(r, first, last); });
+    for_each_cell_run(
+        cells, a.x, a.y, b.x, b.y, [&](int r, int first, int last) { boundary.set_run(r, first, last); }, kRim);
     windings.add_edge(a.x, a.y, b.x, b.y);
   }
   windings.fill(boundary, raster);
@@ -38,8 +40,12 @@ Raster fixed_raster(const TurningForms& forms, const Grid& cells) {
 }  // namespace
 
 TurnGrid::TurnGrid(const TurningForms& forms, int cells, std::size_t most_long_edges)
-    : forms(forms), grid({forms.width(), 2 * forms.reach()}, {forms.height(), 2 * forms.reach()}, cells), fixed(fixed_raster(forms, grid.part[0])), cells(cells),
-      long_edges{dymsum::planar::long_edges(forms, 0, grid.whole.cell, most_long_edges), dymsum::planar::long_edges(forms, 1, grid.whole.cell, most_long_edges)} {}
+    : forms(forms),
+      grid({forms.width(), 2 * forms.reach()}, {forms.height(), 2 * forms.reach()}, cells),
+      fixed(fixed_raster(forms, grid.part[0])),
+      cells(cells),
+      long_edges{dymsum::planar::long_edges(forms, 0, grid.whole.cell, most_long_edges),
+                 dymsum::planar::long_edges(forms, 1, grid.whole.cell, most_long_edges)} {}
 
 // Inner: farther from the boundary than any of its points moves. Touched at every angle: at the middle, an edge comes
 // into what remains of the cell when a rim as wide as the edge moves is taken off.
@@ -52,14 +58,19 @@ DeadCells dead_cells(const TurnGrid& base, const std::vector<Point>& turned, dou
   CentreWindings windings(cells);
   const double shift = forms.reach();
   for (std::uint32_t i = 0; i < o.size(); ++i) {
-    const Point a{turned[i].x + shift, turned[i].y + shift}, b{turned[o.next[i]].x + shift, turned[o.next[i]].y + shift};
+    const Point a{turned[i].x + shift, turned[i].y + shift},
+        b{turned[o.next[i]].x + shift, turned[o.next[i]].y + shift};
     const double reach = std::max(moved(forms, i, half), moved(forms, o.next[i], half)) + 0x1p-48 * forms.span();
-    for_each_cell_run(cells, a.x, a.y, b.x, b.y, [&](int r, int first, int last) { boundary.set_run(r, first, last); }, kRim + reach * cells.per_cell);
+    for_each_cell_run(
+        cells, a.x, a.y, b.x, b.y, [&](int r, int first, int last) { boundary.set_run(r, first, last); },
+        kRim + reach * cells.per_cell);
     windings.add_edge(a.x, a.y, b.x, b.y);
     if (2 * reach >= cells.cell) continue;
     for_each_cell_run(cells, a.x, a.y, b.x, b.y, [&](int r, int first, int last) {
       for (int c = first; c <= last; ++c)
-        if (meets_box(a, b, c * cells.cell + reach, r * cells.cell + reach, (c + 1) * cells.cell - reach, (r + 1) * cells.cell - reach)) raster.touch.set_run(r, c, c);
+        if (meets_box(a, b, c * cells.cell + reach, r * cells.cell + reach, (c + 1) * cells.cell - reach,
+                      (r + 1) * cells.cell - reach))
+          raster.touch.set_run(r, c, c);
     });
   }
   windings.fill(boundary, raster);

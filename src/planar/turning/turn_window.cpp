@@ -15,10 +15,12 @@ TurnWindow::TurnWindow(const TurnGrid& base, const TurnCatalog& catalog, const T
   segments.reserve(pieces.segments.size());
   for (const TurnSegment& s : pieces.segments) segments.push_back(s.walk);
   meetings.reserve(pieces.meetings.size());
-  for (const TurnMeeting& m : pieces.meetings) meetings.push_back({std::min(m.segment_a, m.segment_b), std::max(m.segment_a, m.segment_b)});
+  for (const TurnMeeting& m : pieces.meetings)
+    meetings.push_back({std::min(m.segment_a, m.segment_b), std::max(m.segment_a, m.segment_b)});
   sort_meetings();
   const TurningForms& forms = base.forms;
-  for (const Point& p : forms.points(1)) turned.push_back({heading.c * p.x - heading.s * p.y, heading.s * p.x + heading.c * p.y});
+  for (const Point& p : forms.points(1))
+    turned.push_back({heading.c * p.x - heading.s * p.y, heading.s * p.x + heading.c * p.y});
 }
 
 // Into one list per first segment, which are short; without what several pieces of two segments say twice.

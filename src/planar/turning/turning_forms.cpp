@@ -29,12 +29,14 @@ Polynomial polynomial(const std::array<BigInteger, 3>& c) { return Polynomial({B
 void TurningForms::add_point(std::uint32_t op, const PlacedPoints& from, std::size_t k) {
   const int grid = base_.lattice->grid_exponent;
   const Point& v = from.input[k];
-  exact_[op].push_back({exact::grid_coordinate<Big>(v.x, from.offset.x, grid).value(), exact::grid_coordinate<Big>(v.y, from.offset.y, grid).value()});
+  exact_[op].push_back({exact::grid_coordinate<Big>(v.x, from.offset.x, grid).value(),
+                        exact::grid_coordinate<Big>(v.y, from.offset.y, grid).value()});
 }
 
 TurningForms::TurningForms(const OperandPair& base) : TurningForms(base, 0) {}
 
-TurningForms::TurningForms(const OperandPair& base, std::uint32_t further) : base_(base), operands_{&base.operands[0], &base.operands[1]} {
+TurningForms::TurningForms(const OperandPair& base, std::uint32_t further)
+    : base_(base), operands_{&base.operands[0], &base.operands[1]} {
   for (std::uint32_t op = 0; op < 2; ++op) {
     const Operand& o = *operands_[op];
     for (std::uint32_t i = 0; i < o.size(); ++i) {
@@ -72,7 +74,8 @@ TurningForms::Vec TurningForms::vector(std::uint32_t op, std::uint32_t e) const 
 
 TrigForm TurningForms::side(const WalkSegment& s, Pair v) const {
   const Pair from = start(s);
-  const Point d = edge(s.side, s.edge), dq = minus(points_[0][v.p], points_[0][from.p]), dp = minus(points_[1][v.q], points_[1][from.q]);
+  const Point d = edge(s.side, s.edge), dq = minus(points_[0][v.p], points_[0][from.p]),
+              dp = minus(points_[1][v.q], points_[1][from.q]);
   if (s.side == 0) return {planar::cross(d, dq), planar::cross(d, dp), dot(d, dp)};
   return {planar::cross(d, dp), planar::cross(d, dq), -dot(d, dq)};
 }
@@ -124,7 +127,8 @@ TurningForms::Form TurningForms::cross_form(const WalkSegment& s, const WalkSegm
 }
 
 // As concurrency().
-Polynomial TurningForms::exact_concurrency(const WalkSegment& a, const WalkSegment& b, const WalkSegment& c, int chart) const {
+Polynomial TurningForms::exact_concurrency(const WalkSegment& a, const WalkSegment& b, const WalkSegment& c,
+                                           int chart) const {
   const bool same = a.side == b.side && b.side == c.side;
   std::vector<Big> sum(same ? 3 : 5);
   const auto add_product = [&](const WalkSegment& s, const Form& d) {

@@ -69,9 +69,9 @@ class TurningForms {
   std::uint32_t size(std::uint32_t op) const { return static_cast<std::uint32_t>(operands_[op]->size()); }
   const std::vector<Point>& points(std::uint32_t op) const { return points_[op]; }
   Point edge(std::uint32_t op, std::uint32_t e) const { return {operands_[op]->ex[e], operands_[op]->ey[e]}; }
-  double reach() const { return reach_; }  ///< of the turning operand about its centre
+  double reach() const { return reach_; }                      ///< of the turning operand about its centre
   double radius(std::uint32_t v) const { return radius_[v]; }  ///< of a vertex of it
-  double span() const { return span_; }    ///< of all coordinates of sums
+  double span() const { return span_; }                        ///< of all coordinates of sums
   double width() const { return width_; }
   double height() const { return height_; }
   Point centre() const { return centre_; }  ///< of the turning operand, in the lattice's doubles
@@ -112,7 +112,8 @@ class TurningForms {
   }
 
   exact::Polynomial exact_side(const WalkSegment& s, Pair v, int chart) const;
-  exact::Polynomial exact_concurrency(const WalkSegment& a, const WalkSegment& b, const WalkSegment& c, int chart) const;
+  exact::Polynomial exact_concurrency(const WalkSegment& a, const WalkSegment& b, const WalkSegment& c,
+                                      int chart) const;
   /// d x d', and d . (v - u) for two pairs.
   exact::Polynomial exact_cross(const WalkSegment& s, const WalkSegment& t, int chart) const;
   exact::Polynomial exact_along(const WalkSegment& s, Pair u, Pair v, int chart) const;

@@ -9,8 +9,8 @@ namespace dymsum::spatial {
 
 namespace {
 
-/// An end of the stretch that a facet has on another one's plane: where `border` (from corner k to k + 1) meets the plane, along which
-/// the height over the plane rises by the sign `rise`; `corner` where that is a corner.
+/// An end of the stretch that a facet has on another one's plane: where `border` (from corner k to k + 1) meets the
+/// plane, along which the height over the plane rises by the sign `rise`; `corner` where that is a corner.
 struct End {
   int border = -1, rise = 0, corner = -1;
 };
@@ -30,7 +30,8 @@ std::optional<Chord> chord(const SumSpace& space, const TableFacet& f, const Tab
   }
   if (!on && !(above && below)) return std::nullopt;
   Chord result;
-  // Counter-clockwise about the plane's normal the border leaves the upper side at the stretch's end and comes back at its beginning.
+  // Counter-clockwise about the plane's normal the border leaves the upper side at the stretch's end and comes back at
+  // its beginning.
   const auto take = [&](bool end, End e) { (end == (f.side > 0) ? result.to : result.from) = e; };
   for (int k = 0; k < n; ++k) {
     const int next = (k + 1) % n, before = (k + n - 1) % n;
@@ -66,8 +67,8 @@ int twist(const SumSpace& space, const SumEdge& a, const SumEdge& b) {
   return space.exact_twist(a, b);
 }
 
-/// The sign of the way from f's end to g's end in the direction n_f x n_g: with x on the border e of f and y on h of g, y - x = l (n_f x n_g) and
-/// (e x h) . (n_f x n_g) = -(e . n_g) (h . n_f).
+/// The sign of the way from f's end to g's end in the direction n_f x n_g: with x on the border e of f and y on h of g,
+/// y - x = l (n_f x n_g) and (e x h) . (n_f x n_g) = -(e . n_g) (h . n_f).
 int order(const SumSpace& space, const TableFacet& f, End x, const TableFacet& g, End y) {
   return -twist(space, border(f, x.border), border(g, y.border)) * x.rise * y.rise;
 }
@@ -106,7 +107,8 @@ std::optional<Contact> contact(const SumSpace& space, const FacetTable& table, s
   // The later beginning and the earlier end; of equal ones a corner.
   const int begin = order(space, f, a->from, g, b->from);
   const int end = order(space, f, a->to, g, b->to);
-  const bool begin_f = begin < 0 || (begin == 0 && a->from.corner >= 0), end_f = end > 0 || (end == 0 && a->to.corner >= 0);
+  const bool begin_f = begin < 0 || (begin == 0 && a->from.corner >= 0),
+             end_f = end > 0 || (end == 0 && a->to.corner >= 0);
   // The stretch of f begins and ends in order, and so does that of g: only mixed ends can be out of order.
   int length = 1;
   if (begin_f && !end_f) length = order(space, f, a->from, g, b->to);

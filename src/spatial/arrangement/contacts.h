@@ -9,8 +9,8 @@
 
 namespace dymsum::spatial {
 
-/// The common points of facets f < g, from `from` to `to` in the direction n_f x n_g of their planes' normals; one point where both are
-/// equal.
+/// The common points of facets f < g, from `from` to `to` in the direction n_f x n_g of their planes' normals; one
+/// point where both are equal.
 struct Contact {
   std::uint32_t f = 0, g = 0;
   PointSource from, to;
@@ -22,7 +22,7 @@ struct ContactCounts {
 };
 
 struct Contacts {
-  std::vector<Contact> contacts;  ///< sorted by f, g
+  std::vector<Contact> contacts;                       ///< sorted by f, g
   std::vector<std::array<std::uint32_t, 2>> coplanar;  ///< pairs in one plane whose boxes overlap
   ContactCounts counts;
 };
@@ -30,7 +30,8 @@ struct Contacts {
 /// The contact of two facets in different planes that share no edge. Exact.
 std::optional<Contact> contact(const SumSpace& space, const FacetTable& table, std::uint32_t f, std::uint32_t g);
 
-/// All of them. Where two facets in different planes share an edge of sums, that edge is all they have in common, and not listed.
+/// All of them. Where two facets in different planes share an edge of sums, that edge is all they have in common, and
+/// not listed.
 Contacts find_contacts(const SumSpace& space, const FacetTable& table);
 
 }  // namespace dymsum::spatial

@@ -12,7 +12,8 @@ void share_planes(const SumSpace& space, PlaneId first, FacetTable& table) {
   const std::vector<exact::Residue> hash = space.plane_hashes(first, table.facets.size());
   std::vector<std::uint32_t> order(hash.size());
   std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return std::tie(hash[a], a) < std::tie(hash[b], b); });
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return std::tie(hash[a], a) < std::tie(hash[b], b); });
   std::vector<std::uint32_t> leaders;  // of the planes with one hash: nearly always one
   for (std::size_t k = 0; k < order.size(); ++k) {
     if (k == 0 || hash[order[k]] != hash[order[k - 1]]) leaders.clear();

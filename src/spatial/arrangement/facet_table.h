@@ -11,10 +11,10 @@ namespace dymsum::spatial {
 
 struct TableFacet {
   SumFacet facet;
-  PlaneId plane = 0;       ///< the same for all facets in one plane
-  std::int8_t side = 1;    ///< -1 where the facet's normal is opposite to the plane's
-  std::array<EdgeId, 4> edge{};       ///< of the border from corner k to corner k + 1
-  std::array<bool, 4> forward{};      ///< whether it runs along the edge
+  PlaneId plane = 0;              ///< the same for all facets in one plane
+  std::int8_t side = 1;           ///< -1 where the facet's normal is opposite to the plane's
+  std::array<EdgeId, 4> edge{};   ///< of the border from corner k to corner k + 1
+  std::array<bool, 4> forward{};  ///< whether it runs along the edge
 };
 
 struct FacetTable {

@@ -48,8 +48,12 @@ class Arrangement {
 
  private:
   // -- points
-  PointSource source(PointId id) const { return id < result_.known ? points_.source(id) : result_.found[id - result_.known]; }
-  const Approx& approx(PointId id) const { return id < result_.known ? points_.approx(id) : found_approx_[id - result_.known]; }
+  PointSource source(PointId id) const {
+    return id < result_.known ? points_.source(id) : result_.found[id - result_.known];
+  }
+  const Approx& approx(PointId id) const {
+    return id < result_.known ? points_.approx(id) : found_approx_[id - result_.known];
+  }
   /// Coordinates in the plane, counter-clockwise seen against its normal.
   double x(const Approx& a) const { return axis_ == 0 ? a.at.y : axis_ == 1 ? a.at.z : a.at.x; }
   double y(const Approx& a) const { return facing_ * (axis_ == 0 ? a.at.z : axis_ == 1 ? a.at.x : a.at.y); }
@@ -72,7 +76,8 @@ class Arrangement {
     std::vector<Box2> boxes(segments_.size());
     std::vector<std::uint32_t> order(segments_.size());
     for (std::size_t k = 0; k < segments_.size(); ++k) {
-      for (const PointId p : {segments_[k].a, segments_[k].b}) boxes[k].add(x(approx(p)), y(approx(p)), approx(p).radius);
+      for (const PointId p : {segments_[k].a, segments_[k].b})
+        boxes[k].add(x(approx(p)), y(approx(p)), approx(p).radius);
       order[k] = static_cast<std::uint32_t>(k);
     }
     std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -127,7 +132,8 @@ class Arrangement {
       const int axis = long_axis(s);
       const int way = order(segments_[s].a, segments_[s].b, axis);
       for (const PointId p : {segments_[t].a, segments_[t].b}) {
-        if (order(segments_[s].a, p, axis) * way > 0 && order(p, segments_[s].b, axis) * way > 0 && on_line(s, t, p)) inner_[s].push_back(p);
+        if (order(segments_[s].a, p, axis) * way > 0 && order(p, segments_[s].b, axis) * way > 0 && on_line(s, t, p))
+          inner_[s].push_back(p);
       }
     }
   }
@@ -198,11 +204,13 @@ class Arrangement {
       for (const PointId to : inner) {
         const bool along = from < to;
         const int left = along ? segment.inside : -segment.inside;
-        pieces.push_back({std::min(from, to), std::max(from, to), segment.cut, along, segment.side > 0 ? left : 0, segment.side > 0 ? 0 : left});
+        pieces.push_back({std::min(from, to), std::max(from, to), segment.cut, along, segment.side > 0 ? left : 0,
+                          segment.side > 0 ? 0 : left});
         from = to;
       }
     }
-    std::sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return std::tie(a.a, a.b, a.cut) < std::tie(b.a, b.b, b.cut); });
+    std::sort(pieces.begin(), pieces.end(),
+              [](const Piece& a, const Piece& b) { return std::tie(a.a, a.b, a.cut) < std::tie(b.a, b.b, b.cut); });
     for (const Piece& piece : pieces) {
       if (result_.edges.empty() || result_.edges.back().a != piece.a || result_.edges.back().b != piece.b) {
         result_.edges.push_back({piece.a, piece.b, kNoId, kNoId, piece.cut, piece.along});
@@ -227,7 +235,8 @@ class Arrangement {
   void sort_around_points() {
     out_.resize(half_edge_count());
     std::iota(out_.begin(), out_.end(), 0u);
-    std::sort(out_.begin(), out_.end(), [&](std::uint32_t g, std::uint32_t h) { return from(g) != from(h) ? from(g) < from(h) : g < h; });
+    std::sort(out_.begin(), out_.end(),
+              [&](std::uint32_t g, std::uint32_t h) { return from(g) != from(h) ? from(g) < from(h) : g < h; });
     place_.resize(out_.size());
     for (std::size_t first = 0, last = 0; first < out_.size(); first = last) {
       while (last < out_.size() && from(out_[last]) == from(out_[first])) ++last;
@@ -311,7 +320,8 @@ class Arrangement {
     const int s = order(a, b, 0);
     return s != 0 ? s > 0 : order(a, b, 1) > 0;
   }
-  /// At the lowest point of a component all half-edges leave into half a turn: the last one counter-clockwise. To its left is the outside.
+  /// At the lowest point of a component all half-edges leave into half a turn: the last one counter-clockwise. To its
+  /// left is the outside.
   std::uint32_t last_around(std::uint32_t span) const {
     const auto [first, last] = spans_[span];
     for (std::uint32_t k = first; k < last; ++k)
@@ -354,10 +364,9 @@ class Arrangement {
     return inside;
   }
 
-  /// The face of a loop: the loop itself, or for the outside of a component what it lies in; kNoId for the plane's outside.
-  std::uint32_t face(std::uint32_t loop) const {
-    return is_outer_[loop] ? home_[component_[loop]] : loop;
-  }
+  /// The face of a loop: the loop itself, or for the outside of a component what it lies in; kNoId for the plane's
+  /// outside.
+  std::uint32_t face(std::uint32_t loop) const { return is_outer_[loop] ? home_[component_[loop]] : loop; }
 
   void cover_faces() {
     covered_.assign(loop_start_.size(), {0, 0});
@@ -419,7 +428,8 @@ class Arrangement {
       if (!is_point(s)) continue;
       const PointId at = segments_[s].a;
       const auto on = [&](const CellEdge& e) { return e.a == at || e.b == at; };
-      if (std::none_of(result_.edges.begin(), result_.edges.end(), on)) result_.touches.push_back({at, segments_[s].cut});
+      if (std::none_of(result_.edges.begin(), result_.edges.end(), on))
+        result_.touches.push_back({at, segments_[s].cut});
     }
   }
   void add_loop(std::uint32_t loop) {
@@ -445,10 +455,11 @@ class Arrangement {
   struct Span {
     std::uint32_t first, last;
   };
-  std::vector<Span> spans_;               // per point
-  std::vector<std::uint32_t> span_of_;    // per place
+  std::vector<Span> spans_;             // per point
+  std::vector<std::uint32_t> span_of_;  // per place
   std::vector<std::uint32_t> loop_start_, loop_of_, component_;
-  std::vector<std::uint32_t> lowest_, outer_, home_;  // per component: span of its lowest point, loop around it, loop it lies in
+  std::vector<std::uint32_t> lowest_, outer_,
+      home_;  // per component: span of its lowest point, loop around it, loop it lies in
   std::vector<bool> is_outer_;
   std::vector<std::array<int, 2>> covered_;
   PlaneCells result_;
@@ -456,7 +467,8 @@ class Arrangement {
 
 }  // namespace
 
-PlaneCells plane_cells(const SumSpace& space, const PointTable& points, PlaneId plane, std::span<const PlaneSegment> segments) {
+PlaneCells plane_cells(const SumSpace& space, const PointTable& points, PlaneId plane,
+                       std::span<const PlaneSegment> segments) {
   return Arrangement(space, points, plane, segments).run();
 }
 

@@ -1,4 +1,5 @@
-// The arrangement inside one plane: facets in it, cut along their borders and along their contacts with facets of other planes, into cells.
+// The arrangement inside one plane: facets in it, cut along their borders and along their contacts with facets of other
+// planes, into cells.
 #pragma once
 
 #include <cstdint>
@@ -9,11 +10,13 @@
 
 namespace dymsum::spatial {
 
-/// A straight piece in a plane, from a to b in the direction n x n_cut, n being the plane's normal: a point where a == b.
+/// A straight piece in a plane, from a to b in the direction n x n_cut, n being the plane's normal: a point where a ==
+/// b.
 struct PlaneSegment {
   PointId a = 0, b = 0;
   PlaneId cut = 0;  ///< a plane through it, across this one
-  /// For the border of a facet: 1 where the facet lies to the left of the way from a to b, seen against n, -1 to the right; 0 for contacts.
+  /// For the border of a facet: 1 where the facet lies to the left of the way from a to b, seen against n, -1 to the
+  /// right; 0 for contacts.
   std::int8_t inside = 0;
   std::int8_t side = 1;  ///< of the facet: TableFacet::side
 };
@@ -24,8 +27,8 @@ struct Cell {
   std::uint32_t first_loop = 0, last_loop = 0;  ///< of PlaneCells::loops: the outer one first, then those of holes
 };
 
-/// A piece of a line between neighbouring points, with the cells on its sides as seen on the way from a to b against n; kNoId for what no
-/// facet covers.
+/// A piece of a line between neighbouring points, with the cells on its sides as seen on the way from a to b against n;
+/// kNoId for what no facet covers.
 struct CellEdge {
   PointId a = 0, b = 0;
   std::uint32_t left = kNoId, right = kNoId;
@@ -50,8 +53,10 @@ struct PlaneCells {
   std::vector<PointSource> found;
 };
 
-/// The cells of the union of the facets whose borders are among the segments. Points of segments are ids of the table; crossings get ids
-/// behind those of the table, whose order is that of this plane alone. Exact. O(k^2) for k segments whose boxes overlap.
-PlaneCells plane_cells(const SumSpace& space, const PointTable& points, PlaneId plane, std::span<const PlaneSegment> segments);
+/// The cells of the union of the facets whose borders are among the segments. Points of segments are ids of the table;
+/// crossings get ids behind those of the table, whose order is that of this plane alone. Exact. O(k^2) for k segments
+/// whose boxes overlap.
+PlaneCells plane_cells(const SumSpace& space, const PointTable& points, PlaneId plane,
+                       std::span<const PlaneSegment> segments);
 
 }  // namespace dymsum::spatial

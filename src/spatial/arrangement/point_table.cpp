@@ -21,7 +21,8 @@ std::vector<PointId> PointTable::add(std::span<const PointSource> sources) {
   ids.reserve(sources.size());
   for (std::size_t k = 0; k < sources.size(); ++k) {
     std::size_t at = hashes[k] & (slots_.size() - 1);
-    while (slots_[at] != kNoId && !(hash_[slots_[at]] == hashes[k] && space_.same_point(sources_[slots_[at]], sources[k])))
+    while (slots_[at] != kNoId &&
+           !(hash_[slots_[at]] == hashes[k] && space_.same_point(sources_[slots_[at]], sources[k])))
       at = (at + 1) & (slots_.size() - 1);
     if (slots_[at] == kNoId) {
       slots_[at] = static_cast<PointId>(sources_.size());

@@ -12,8 +12,8 @@ class PointTable {
  public:
   explicit PointTable(const SumSpace& space) : space_(space) {}
 
-  /// The ids of points, new ones for those that are not there yet. Exact: found by a hash of the position, compared exactly where sources
-  /// differ.
+  /// The ids of points, new ones for those that are not there yet. Exact: found by a hash of the position, compared
+  /// exactly where sources differ.
   std::vector<PointId> add(std::span<const PointSource> sources);
 
   std::size_t size() const { return sources_.size(); }

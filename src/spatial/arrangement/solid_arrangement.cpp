@@ -11,7 +11,8 @@ namespace dymsum::spatial {
 namespace {
 
 /// Facets joined by overlapping boxes within one plane.
-std::vector<PlaneGroup> plane_groups(const FacetTable& table, const Contacts& contacts, std::vector<std::uint32_t>& group_of) {
+std::vector<PlaneGroup> plane_groups(const FacetTable& table, const Contacts& contacts,
+                                     std::vector<std::uint32_t>& group_of) {
   std::vector<std::uint32_t> parent(table.facets.size());
   std::iota(parent.begin(), parent.end(), 0u);
   const auto root = [&](std::uint32_t f) {
@@ -65,7 +66,8 @@ class UprightPlanes {
 }  // namespace
 
 std::uint32_t SolidArrangement::group_of(std::uint32_t cell) const {
-  const auto at = std::upper_bound(groups.begin(), groups.end(), cell, [](std::uint32_t c, const PlaneGroup& g) { return c < g.first_cell; });
+  const auto at = std::upper_bound(groups.begin(), groups.end(), cell,
+                                   [](std::uint32_t c, const PlaneGroup& g) { return c < g.first_cell; });
   return static_cast<std::uint32_t>(at - groups.begin()) - 1;
 }
 
@@ -81,7 +83,8 @@ SolidArrangement arrange(SumSpace& space, const FacetTable& table, const Contact
   // Points: corners first, then ends of contacts.
   std::vector<PointSource> sources;
   for (const TableFacet& f : table.facets)
-    for (int k = 0; k < f.facet.corners; ++k) sources.push_back({PointSource::Kind::sum, f.facet.corner[k].p, f.facet.corner[k].q, 0});
+    for (int k = 0; k < f.facet.corners; ++k)
+      sources.push_back({PointSource::Kind::sum, f.facet.corner[k].p, f.facet.corner[k].q, 0});
   for (const Contact& c : contacts.contacts) sources.push_back(c.from), sources.push_back(c.to);
   const std::vector<PointId> ids = result.points.add(sources);
 
@@ -99,7 +102,8 @@ SolidArrangement arrange(SumSpace& space, const FacetTable& table, const Contact
       const bool along = f.forward[k] == up;
       // The facet is to the left of its border seen against its own normal.
       const int inside = (along ? 1 : -1) * f.side;
-      segments[group_of[i]].push_back({along ? a : b, along ? b : a, upright.get(f.edge[k], axis), static_cast<std::int8_t>(inside), f.side});
+      segments[group_of[i]].push_back(
+          {along ? a : b, along ? b : a, upright.get(f.edge[k], axis), static_cast<std::int8_t>(inside), f.side});
     }
     at += static_cast<std::size_t>(n);
   }
@@ -116,11 +120,13 @@ SolidArrangement arrange(SumSpace& space, const FacetTable& table, const Contact
   });
   // Names of crossings: the same point is found in several planes.
   sources.clear();
-  for (const PlaneGroup& group : result.groups) sources.insert(sources.end(), group.cells.found.begin(), group.cells.found.end());
+  for (const PlaneGroup& group : result.groups)
+    sources.insert(sources.end(), group.cells.found.begin(), group.cells.found.end());
   const std::vector<PointId> names = result.points.add(sources);
   at = 0;
   for (PlaneGroup& group : result.groups) {
-    group.names.assign(names.begin() + static_cast<std::ptrdiff_t>(at), names.begin() + static_cast<std::ptrdiff_t>(at + group.cells.found.size()));
+    group.names.assign(names.begin() + static_cast<std::ptrdiff_t>(at),
+                       names.begin() + static_cast<std::ptrdiff_t>(at + group.cells.found.size()));
     at += group.cells.found.size();
     group.first_cell = result.cell_count;
     result.cell_count += static_cast<std::uint32_t>(group.cells.cells.size());

@@ -14,8 +14,8 @@ struct PlaneGroup {
   PlaneId plane = 0;
   std::vector<std::uint32_t> facets;
   PlaneCells cells;
-  std::uint32_t first_cell = 0;       ///< the index of its first cell among all
-  std::vector<PointId> names;         ///< of the points found in this plane: their ids in the table
+  std::uint32_t first_cell = 0;  ///< the index of its first cell among all
+  std::vector<PointId> names;    ///< of the points found in this plane: their ids in the table
 };
 
 struct SolidArrangement {

@@ -90,7 +90,9 @@ class Linker {
   void sort_around(const EdgeSide& edge) {
     const Approx &a = arrangement_.points.approx(edge.a), &b = arrangement_.points.approx(edge.b);
     const Vec3 d = b.at - a.at;
-    axis_ = std::abs(d.x) >= std::abs(d.y) && std::abs(d.x) >= std::abs(d.z) ? 0 : std::abs(d.y) >= std::abs(d.z) ? 1 : 2;
+    axis_ = std::abs(d.x) >= std::abs(d.y) && std::abs(d.x) >= std::abs(d.z) ? 0
+            : std::abs(d.y) >= std::abs(d.z)                                 ? 1
+                                                                             : 2;
     along_ = 0;
     const double gap = axis_ == 0 ? d.x : axis_ == 1 ? d.y : d.z;
     if (std::abs(gap) > 2 * (a.radius + b.radius) + space_.span() * 0x1p-50) along_ = gap > 0 ? 1 : -1;
@@ -141,6 +143,8 @@ class Linker {
 
 }  // namespace
 
-CellLinks link_cells(const SumSpace& space, const SolidArrangement& arrangement) { return Linker(space, arrangement).run(); }
+CellLinks link_cells(const SumSpace& space, const SolidArrangement& arrangement) {
+  return Linker(space, arrangement).run();
+}
 
 }  // namespace dymsum::spatial

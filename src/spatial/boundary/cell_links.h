@@ -1,4 +1,5 @@
-// Which cells of the arrangement bound the sum: around every edge the cells' sides that look into one wedge of space belong together.
+// Which cells of the arrangement bound the sum: around every edge the cells' sides that look into one wedge of space
+// belong together.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +16,8 @@ enum class CellState : std::uint8_t {
 };
 
 struct CellLinks {
-  std::vector<std::uint32_t> patch;  ///< per cell: cells whose front sides are connected have the same number; kNoId for covered ones
+  std::vector<std::uint32_t>
+      patch;  ///< per cell: cells whose front sides are connected have the same number; kNoId for covered ones
   std::uint32_t patches = 0;
 };
 

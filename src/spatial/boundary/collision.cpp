@@ -18,8 +18,8 @@ std::vector<Box> boxes_of(const std::vector<Vec3>& at, const std::vector<Triangl
   return boxes;
 }
 
-/// An end of the stretch that a triangle has on another one's plane: on the border from corner k to k + 1, along which the height rises by
-/// the sign `rise`.
+/// An end of the stretch that a triangle has on another one's plane: on the border from corner k to k + 1, along which
+/// the height rises by the sign `rise`.
 struct End {
   int border = 0, rise = 0;
 };
@@ -27,7 +27,8 @@ struct Chord {
   End from, to;
 };
 
-/// From the heights' signs of the corners, which run counter-clockwise about n, in the direction n x (the other plane's normal).
+/// From the heights' signs of the corners, which run counter-clockwise about n, in the direction n x (the other plane's
+/// normal).
 std::optional<Chord> chord(const int (&s)[3]) {
   const bool above = s[0] > 0 || s[1] > 0 || s[2] > 0, below = s[0] < 0 || s[1] < 0 || s[2] < 0;
   const bool on = s[0] == 0 || s[1] == 0 || s[2] == 0;
@@ -58,7 +59,9 @@ Collision::Collision(const SumSpace& space, const SolidOperand& p, const SolidOp
 bool Collision::meets(const Flag& x) const {
   tests_.fetch_add(1, std::memory_order_relaxed);
   const Query query(space_, x);
-  if (p_tree_.any_reflected_pair(q_tree_, query.box(), [&](std::uint32_t i, std::uint32_t j) { return triangles_meet(query, i, j); })) return true;
+  if (p_tree_.any_reflected_pair(q_tree_, query.box(),
+                                 [&](std::uint32_t i, std::uint32_t j) { return triangles_meet(query, i, j); }))
+    return true;
   for (const std::uint32_t v : p_.shell_vertex)
     if (vertex_inside(query, Way::Of::q, v)) return true;
   for (const std::uint32_t v : q_.shell_vertex)
@@ -66,13 +69,14 @@ bool Collision::meets(const Flag& x) const {
   return false;
 }
 
-/// The signs of the corners of triangle a of P over x - c, c of Q, and of those of x - c over a. The normal of x - c is taken as that of c, by
-/// the same order of corners: it points inward. All heights are sides of x.
+/// The signs of the corners of triangle a of P over x - c, c of Q, and of those of x - c over a. The normal of x - c is
+/// taken as that of c, by the same order of corners: it points inward. All heights are sides of x.
 void Collision::heights(const Query& query, std::uint32_t i, std::uint32_t j, int (&sa)[3], int (&sc)[3]) const {
   const Triangle &a = p_.triangles[i], &c = q_.triangles[j];
   const std::vector<Vec3>&p = space_.p(), &q = space_.q();
   const Vec3 ua = p[a[1]] - p[a[0]], va = p[a[2]] - p[a[0]], uc = q[c[1]] - q[c[0]], vc = q[c[2]] - q[c[0]];
-  const Way wa = {Way::Of::p, a[0], a[1]}, wa2 = {Way::Of::p, a[0], a[2]}, wc = {Way::Of::q, c[0], c[1]}, wc2 = {Way::Of::q, c[0], c[2]};
+  const Way wa = {Way::Of::p, a[0], a[1]}, wa2 = {Way::Of::p, a[0], a[2]}, wc = {Way::Of::q, c[0], c[1]},
+            wc2 = {Way::Of::q, c[0], c[2]};
   for (int k = 0; k < 3; ++k) sc[k] = query.side({{a[0], c[k]}, wa, wa2, false}, ua, va);
   if ((sc[0] > 0 && sc[1] > 0 && sc[2] > 0) || (sc[0] < 0 && sc[1] < 0 && sc[2] < 0)) {
     sa[0] = sa[1] = sa[2] = 1;  // apart: they do not matter
@@ -91,8 +95,8 @@ bool Collision::triangles_meet(const Query& query, std::uint32_t i, std::uint32_
   if (!chord_c) return false;
   const std::optional<Chord> chord_a = chord(sa);
   if (!chord_a) return false;
-  // The corners of x - c run clockwise about uc x vc reflected, that is counter-clockwise about it: a point reflection keeps orientation
-  // within a plane. So chord_a runs along n_a x n_c, and chord_c along n_c x n_a.
+  // The corners of x - c run clockwise about uc x vc reflected, that is counter-clockwise about it: a point reflection
+  // keeps orientation within a plane. So chord_a runs along n_a x n_c, and chord_c along n_c x n_a.
   const auto later = [&](End x, End y) {  // the sign of the way from x on a's border to y on c's, along n_a x n_c
     const std::uint32_t e0 = a[x.border], e1 = a[(x.border + 1) % 3], g0 = c[y.border], g1 = c[(y.border + 1) % 3];
     const Vec3 e = p[e1] - p[e0], g = q[g1] - q[g0];
@@ -108,8 +112,8 @@ bool Collision::triangles_meet(const Query& query, std::uint32_t i, std::uint32_
 
 namespace {
 
-/// The sign of x over the upright plane through an edge, with ties broken as if x were moved by an infinitesimal along the first axis, and
-/// a smaller one along the second.
+/// The sign of x over the upright plane through an edge, with ties broken as if x were moved by an infinitesimal along
+/// the first axis, and a smaller one along the second.
 template <class Side>
 int upright(const SumSpace& space, const PlaneSource& plane, Side side) {
   if (const int s = side(plane)) return s;

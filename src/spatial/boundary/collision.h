@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "spatial/mesh/box_tree.h"
 #include "spatial/convolution/solid_operand.h"
 #include "spatial/convolution/sum_space.h"
+#include "spatial/mesh/box_tree.h"
 
 namespace dymsum::spatial {
 
@@ -13,8 +13,8 @@ class Collision {
  public:
   Collision(const SumSpace& space, const SolidOperand& p, const SolidOperand& q);
 
-  /// Whether P meets x - Q. For positions at which the solids do not touch without overlapping, as for all off the facets of the
-  /// convolution, that is whether they overlap. Exact.
+  /// Whether P meets x - Q. For positions at which the solids do not touch without overlapping, as for all off the
+  /// facets of the convolution, that is whether they overlap. Exact.
   bool meets(const Flag& x) const;
 
   /// Whether the interiors of P and x - Q overlap, for any x, also where the solids touch. Exact.

@@ -31,7 +31,8 @@ struct Collision::Query {
     const Vec3 n = cross(u, v), gap = at.at - space.approx(plane.at);
     const double U = sum_of_sizes(u) + 4 * r, V = sum_of_sizes(v) + 4 * r, W = sum_of_sizes(gap) + at.radius + 4 * r;
     const double value = dot(n, gap);
-    const double error = U * V * W * 0x1p-48 + 8 * r * (U * V + V * W + U * W) + U * V * (at.radius + space.span() * 0x1p-52);
+    const double error =
+        U * V * W * 0x1p-48 + 8 * r * (U * V + V * W + U * W) + U * V * (at.radius + space.span() * 0x1p-52);
     if (value > error || value < -error) return (value > 0) != plane.reversed ? 1 : -1;
     return space.exact_side(plane, flag);
   }

@@ -12,8 +12,8 @@ struct Ray {
   int sign = 1;
 };
 
-/// A part of the boundary of a cone: a plane sector of less than half a turn, counter-clockwise from one ray to the other seen from outside.
-/// The outward normal is sign (u x v).
+/// A part of the boundary of a cone: a plane sector of less than half a turn, counter-clockwise from one ray to the
+/// other seen from outside. The outward normal is sign (u x v).
 struct Sector {
   Ray from, to;
   Way u, v;
@@ -69,8 +69,9 @@ class Cone {
     else sectors_.push_back({{to, -1}, {from, -1}, u, v, -1});
   }
 
-  /// The point at an infinitesimal distance from the vertex: an odd number of the solid's triangles lies above it, in the solid's own
-  /// coordinates. Ties are broken as if it were moved along the first axis, and less along the second one.
+  /// The point at an infinitesimal distance from the vertex: an odd number of the solid's triangles lies above it, in
+  /// the solid's own coordinates. Ties are broken as if it were moved along the first axis, and less along the second
+  /// one.
   bool holds_at_vertex(Ray d) const {
     const int sign = d.sign * sign_;
     const std::uint32_t v = at_.index;
@@ -86,7 +87,8 @@ class Cone {
         const std::uint32_t a = t[k], b = t[(k + 1) % 3];
         const Way u = way(a, b), up{Way::Of::axis, 2, 0};
         turn[k] = order(u, up, a);
-        for (std::uint32_t axis = 0; axis < 2 && turn[k] == 0; ++axis) turn[k] = space_.exact_det(u, up, {Way::Of::axis, axis, 0});
+        for (std::uint32_t axis = 0; axis < 2 && turn[k] == 0; ++axis)
+          turn[k] = space_.exact_det(u, up, {Way::Of::axis, axis, 0});
       }
       if (turn[0] == 0 || turn[0] != turn[1] || turn[1] != turn[2]) continue;
       const Way u = way(t[0], t[1]), w = way(t[0], t[2]);
@@ -104,7 +106,8 @@ class Cone {
   std::vector<Sector> sectors_;
 };
 
-/// A half-plane of a cone's boundary at a common ray: to the left of the ray seen against the outward normal, or to the right.
+/// A half-plane of a cone's boundary at a common ray: to the left of the ray seen against the outward normal, or to the
+/// right.
 struct Wall {
   const Sector* sector;
   bool left;
@@ -140,7 +143,8 @@ class Overlap {
     if (a * b >= 0) return false;
     const int c = side(s, t.from), d = side(s, t.to);
     if (c * d >= 0) return false;
-    // Counter-clockwise about n, the ray n x m is where the heights over m fall: s comes along it when a > 0, t along m x n when c > 0.
+    // Counter-clockwise about n, the ray n x m is where the heights over m fall: s comes along it when a > 0, t along m
+    // x n when c > 0.
     return (a > 0) == (c < 0);
   }
 
@@ -183,7 +187,8 @@ class Overlap {
       return (a == 1 || a == 3) && turn(r, x, y) > 0;
     };
     std::stable_sort(walls_.begin(), walls_.end(), before);
-    // Counter-clockwise of a right half lies the inside of its cone. Twice around, so that the state before the first wall is known.
+    // Counter-clockwise of a right half lies the inside of its cone. Twice around, so that the state before the first
+    // wall is known.
     bool inside[2] = {false, false}, known[2] = {false, false};
     for (std::size_t k = 0; k < 2 * walls_.size();) {
       std::size_t last = k;
@@ -206,9 +211,11 @@ class Overlap {
   /// Of the turn around r from one half-plane to another: r . (n x m), as for walls at an edge.
   int turn(Ray r, const Wall& x, const Wall& y) const {
     const Sector &s = *x.sector, &t = *y.sector;
-    return (x.left ? 1 : -1) * (y.left ? 1 : -1) * s.sign * t.sign * r.sign * space_.exact_turn(r.way, s.u, s.v, t.u, t.v);
+    return (x.left ? 1 : -1) * (y.left ? 1 : -1) * s.sign * t.sign * r.sign *
+           space_.exact_turn(r.way, s.u, s.v, t.u, t.v);
   }
-  /// For two halves of one plane: with equal normals both to the left or both to the right, with opposite ones the other way.
+  /// For two halves of one plane: with equal normals both to the left or both to the right, with opposite ones the
+  /// other way.
   bool same_side(const Wall& x, const Wall& y) const {
     const Sector &s = *x.sector, &t = *y.sector;
     const bool equal = s.sign * t.sign * space_.exact_dot(s.u, s.v, t.u, t.v) > 0;

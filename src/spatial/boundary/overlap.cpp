@@ -1,9 +1,9 @@
 // Collision::overlaps: the interiors of two solids that may touch.
 //
-// They overlap exactly if an edge of one crosses a triangle of the other properly, or the local cones overlap at a point of contact that is a
-// vertex of one or a crossing of two edges, or a shell of one that touches nothing lies inside the other. Where interiors overlap and
-// boundaries meet, follow the boundary of the overlap to where both boundaries meet and from there to a vertex of their intersection: the
-// cones overlap there as well.
+// They overlap exactly if an edge of one crosses a triangle of the other properly, or the local cones overlap at a
+// point of contact that is a vertex of one or a crossing of two edges, or a shell of one that touches nothing lies
+// inside the other. Where interiors overlap and boundaries meet, follow the boundary of the overlap to where both
+// boundaries meet and from there to a vertex of their intersection: the cones overlap there as well.
 #include <algorithm>
 #include <array>
 #include <tuple>
@@ -43,7 +43,8 @@ bool Collision::overlaps(const Flag& x) const {
   const Query query(space_, x);
   // Deep inside the sum nearly every position shares its witness with the last one.
   thread_local std::array<std::uint32_t, 2> witness{0, 0};
-  if (witness[0] < p_.triangles.size() && witness[1] < q_.triangles.size() && pierced(query, witness[0], witness[1])) return true;
+  if (witness[0] < p_.triangles.size() && witness[1] < q_.triangles.size() && pierced(query, witness[0], witness[1]))
+    return true;
   const auto pierces = [&](std::uint32_t i, std::uint32_t j) {
     if (!pierced(query, i, j)) return false;
     witness = {i, j};
@@ -88,7 +89,8 @@ bool Collision::pierced(const Query& query, std::uint32_t i, std::uint32_t j) co
   for (int k = 0; k < 3; ++k) {
     for (int l = 0; l < 3; ++l) {
       const std::uint32_t e0 = a[k], e1 = a[(k + 1) % 3], g0 = c[l], g1 = c[(l + 1) % 3];
-      twist[k][l] = query.side({{e0, g0}, {Way::Of::p, e0, e1}, {Way::Of::q, g0, g1}, false}, p[e1] - p[e0], q[g1] - q[g0]);
+      twist[k][l] =
+          query.side({{e0, g0}, {Way::Of::p, e0, e1}, {Way::Of::q, g0, g1}, false}, p[e1] - p[e0], q[g1] - q[g0]);
     }
   }
   for (int k = 0; k < 3; ++k) {
@@ -108,18 +110,21 @@ void Collision::add_touches(const Query& query, std::uint32_t i, std::uint32_t j
   touch_edges(query, i, j, touches);
 }
 
-void Collision::touch_vertices(const Query& query, std::uint32_t i, std::uint32_t j, const int (&sa)[3], const int (&sc)[3],
-                               std::vector<Touch>& touches) const {
-  // A corner of one triangle in the plane of the other one: seen along an axis across that plane, on which sides of its borders?
-  const auto place = [&](const SolidOperand& solid, std::uint32_t t, Way::Of of, const auto& sum_with) -> std::optional<Feature> {
+void Collision::touch_vertices(const Query& query, std::uint32_t i, std::uint32_t j, const int (&sa)[3],
+                               const int (&sc)[3], std::vector<Touch>& touches) const {
+  // A corner of one triangle in the plane of the other one: seen along an axis across that plane, on which sides of its
+  // borders?
+  const auto place = [&](const SolidOperand& solid, std::uint32_t t, Way::Of of,
+                         const auto& sum_with) -> std::optional<Feature> {
     const Triangle& tri = solid.triangles[t];
     const std::vector<Vec3>& at = of == Way::Of::p ? space_.p() : space_.q();
     const int axis = axis_across(space_, {of, tri[0], tri[1]}, {of, tri[0], tri[2]});
     int sides[3];
     for (int k = 0; k < 3; ++k) {
       const std::uint32_t from = tri[k], to = tri[(k + 1) % 3];
-      sides[k] = query.side({sum_with(from), {of, from, to}, {Way::Of::axis, static_cast<std::uint32_t>(axis), 0}, false}, at[to] - at[from],
-                            axis_vector(axis));
+      sides[k] =
+          query.side({sum_with(from), {of, from, to}, {Way::Of::axis, static_cast<std::uint32_t>(axis), 0}, false},
+                     at[to] - at[from], axis_vector(axis));
     }
     int zeros = 0, sign = 0;
     for (const int s : sides) {
@@ -130,8 +135,10 @@ void Collision::touch_vertices(const Query& query, std::uint32_t i, std::uint32_
     }
     if (zeros == 0) return Feature{Feature::Kind::triangle, t};
     for (int k = 0; k < 3; ++k) {
-      if (zeros == 1 && sides[k] == 0) return Feature{Feature::Kind::wedge, solid.wedge_of[3 * t + static_cast<std::uint32_t>(k)]};
-      if (zeros == 2 && sides[k] == 0 && sides[(k + 1) % 3] == 0) return Feature{Feature::Kind::vertex, tri[(k + 1) % 3]};
+      if (zeros == 1 && sides[k] == 0)
+        return Feature{Feature::Kind::wedge, solid.wedge_of[3 * t + static_cast<std::uint32_t>(k)]};
+      if (zeros == 2 && sides[k] == 0 && sides[(k + 1) % 3] == 0)
+        return Feature{Feature::Kind::vertex, tri[(k + 1) % 3]};
     }
     return std::nullopt;
   };
@@ -167,7 +174,8 @@ void Collision::touch_edges(const Query& query, std::uint32_t i, std::uint32_t j
       // The ends of e beside the line of x - g, and those of x - g beside the line of e.
       if (!ends_on_both_sides({{e0, g0}, g, up, false}, {{e1, g0}, g, up, false}, q[g1] - q[g0])) continue;
       if (!ends_on_both_sides({{e0, g0}, e, up, false}, {{e0, g1}, e, up, false}, p[e1] - p[e0])) continue;
-      touches.push_back({{Feature::Kind::wedge, p_.wedge_of[3 * i + k]}, {Feature::Kind::wedge, q_.wedge_of[3 * j + l]}});
+      touches.push_back(
+          {{Feature::Kind::wedge, p_.wedge_of[3 * i + k]}, {Feature::Kind::wedge, q_.wedge_of[3 * j + l]}});
     }
   }
 }

@@ -18,8 +18,13 @@ struct Trace {
 
 class Tight {
  public:
-  Tight(const SumSpace& space, const SolidArrangement& arrangement, const std::vector<bool>& boundary, const Collision& collision)
-      : space_(space), arrangement_(arrangement), boundary_(boundary), collision_(collision), touched_(arrangement.points.size()) {}
+  Tight(const SumSpace& space, const SolidArrangement& arrangement, const std::vector<bool>& boundary,
+        const Collision& collision)
+      : space_(space),
+        arrangement_(arrangement),
+        boundary_(boundary),
+        collision_(collision),
+        touched_(arrangement.points.size()) {}
 
   TightFeatures run() {
     for (const PlaneGroup& group : arrangement_.groups) look_at_cells(group);
@@ -51,7 +56,9 @@ class Tight {
     touched_[arrangement_.point(group, e.a)] = touched_[arrangement_.point(group, e.b)] = true;
     closed_.push_back(edge_key(arrangement_.point(group, e.a), arrangement_.point(group, e.b)));
   }
-  static std::uint64_t edge_key(PointId a, PointId b) { return (static_cast<std::uint64_t>(std::min(a, b)) << 32) | std::max(a, b); }
+  static std::uint64_t edge_key(PointId a, PointId b) {
+    return (static_cast<std::uint64_t>(std::min(a, b)) << 32) | std::max(a, b);
+  }
 
   /// Cells with facets of both directions; and what the closures of boundary and tight cells touch.
   void look_at_cells(const PlaneGroup& group) {
@@ -127,7 +134,8 @@ class Tight {
     for (const PlaneCells::Touch& t : group.cells.touches) {
       const PointId at = arrangement_.point(group, t.at);
       for (const std::int8_t side : {std::int8_t{1}, std::int8_t{-1}})
-        if (!touched_[at] && !overlaps({arrangement_.points.source(at), group.plane, t.cut, 1, 1, side})) touched_[at] = true;
+        if (!touched_[at] && !overlaps({arrangement_.points.source(at), group.plane, t.cut, 1, 1, side}))
+          touched_[at] = true;
     }
   }
 
@@ -141,8 +149,8 @@ class Tight {
   const SolidArrangement& arrangement_;
   const std::vector<bool>& boundary_;
   const Collision& collision_;
-  std::vector<bool> touched_;            // points in the closure of something outside
-  std::vector<std::uint64_t> closed_;    // edges alike
+  std::vector<bool> touched_;          // points in the closure of something outside
+  std::vector<std::uint64_t> closed_;  // edges alike
   bool closed_sorted_ = false;
   std::vector<Trace> edges_, points_;
   TightFeatures result_;
@@ -150,8 +158,8 @@ class Tight {
 
 }  // namespace
 
-TightFeatures tight_features(const SumSpace& space, const SolidArrangement& arrangement, const std::vector<bool>& boundary,
-                             const Collision& collision) {
+TightFeatures tight_features(const SumSpace& space, const SolidArrangement& arrangement,
+                             const std::vector<bool>& boundary, const Collision& collision) {
   return Tight(space, arrangement, boundary, collision).run();
 }
 

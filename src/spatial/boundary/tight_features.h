@@ -11,15 +11,15 @@
 namespace dymsum::spatial {
 
 struct TightFeatures {
-  std::vector<std::uint32_t> cells;                 ///< of the arrangement
-  std::vector<std::array<PointId, 2>> segments;     ///< edges of the arrangement that bound no tight cell
-  std::vector<PointId> points;                      ///< that end no tight segment
+  std::vector<std::uint32_t> cells;              ///< of the arrangement
+  std::vector<std::array<PointId, 2>> segments;  ///< edges of the arrangement that bound no tight cell
+  std::vector<PointId> points;                   ///< that end no tight segment
   std::uint64_t tests = 0;
 };
 
-/// `boundary` tells of every cell whether it bounds the regular part of the sum's complement. Statement and what is left out without a test:
-/// docs/design/solid-sum.md, "Tight features". Exact.
-TightFeatures tight_features(const SumSpace& space, const SolidArrangement& arrangement, const std::vector<bool>& boundary,
-                             const Collision& collision);
+/// `boundary` tells of every cell whether it bounds the regular part of the sum's complement. Statement and what is
+/// left out without a test: docs/design/solid-sum.md, "Tight features". Exact.
+TightFeatures tight_features(const SumSpace& space, const SolidArrangement& arrangement,
+                             const std::vector<bool>& boundary, const Collision& collision);
 
 }  // namespace dymsum::spatial

@@ -67,7 +67,9 @@ class Drafts {
         if (!crosses_properly(o_, c)) continue;
         // The arc of e has the cell of its second vertex on its left; h leaves the cell of its origin.
         const std::uint32_t a = p.origin[2 * e], b = p.target(2 * e), from = q.origin[c.q], to = q.target(c.q);
-        drafts_.push_back({{{a, to}, {b, to}, {b, from}, {a, from}}, edge_feature(p, a, b), edge_feature(q, from, to),
+        drafts_.push_back({{{a, to}, {b, to}, {b, from}, {a, from}},
+                           edge_feature(p, a, b),
+                           edge_feature(q, from, to),
                            id < is_new.size() && is_new[id]});
       }
   }
@@ -76,7 +78,8 @@ class Drafts {
 
  private:
   void add(const ExtremeFeature& p, const ExtremeFeature& q, int op, std::uint32_t f, bool changed) {
-    drafts_.push_back({plane_sum(o_.signs(), p.vertices, q.vertices, op, f), feature(o_.poly(0), p), feature(o_.poly(1), q), changed});
+    drafts_.push_back({plane_sum(o_.signs(), p.vertices, q.vertices, op, f), feature(o_.poly(0), p),
+                       feature(o_.poly(1), q), changed});
   }
 
   const Overlay& o_;
@@ -98,25 +101,33 @@ void number(const Overlay& overlay, std::vector<Draft>& drafts, SolidSum& sum) {
   for (Draft& d : drafts) {
     SolidFacet facet{{}, d.p, d.q, d.changed};
     for (std::size_t i = 0; i < d.vertices.size(); ++i, ++k)
-      facet.vertices.push_back(static_cast<std::uint32_t>(std::lower_bound(sum.vertices.begin(), sum.vertices.end(), all[k]) - sum.vertices.begin()));
-    std::rotate(facet.vertices.begin(), std::min_element(facet.vertices.begin(), facet.vertices.end()), facet.vertices.end());
+      facet.vertices.push_back(static_cast<std::uint32_t>(
+          std::lower_bound(sum.vertices.begin(), sum.vertices.end(), all[k]) - sum.vertices.begin()));
+    std::rotate(facet.vertices.begin(), std::min_element(facet.vertices.begin(), facet.vertices.end()),
+                facet.vertices.end());
     sum.facets.push_back(std::move(facet));
   }
-  std::sort(sum.facets.begin(), sum.facets.end(), [](const SolidFacet& a, const SolidFacet& b) { return a.vertices < b.vertices; });
+  std::sort(sum.facets.begin(), sum.facets.end(),
+            [](const SolidFacet& a, const SolidFacet& b) { return a.vertices < b.vertices; });
 }
 
 }  // namespace
 
-SolidFeature vertex_feature(const Polytope& p, std::uint32_t v) { return {SolidFeature::Kind::vertex, p.source_vertex[v], 0}; }
+SolidFeature vertex_feature(const Polytope& p, std::uint32_t v) {
+  return {SolidFeature::Kind::vertex, p.source_vertex[v], 0};
+}
 
 SolidFeature edge_feature(const Polytope& p, std::uint32_t a, std::uint32_t b) {
   const std::uint32_t from = p.source_vertex[a], to = p.source_vertex[b];
   return {SolidFeature::Kind::edge, std::min(from, to), std::max(from, to)};
 }
 
-SolidFeature face_feature(const Polytope& p, std::uint32_t f) { return {SolidFeature::Kind::face, p.source_face[f], 0}; }
+SolidFeature face_feature(const Polytope& p, std::uint32_t f) {
+  return {SolidFeature::Kind::face, p.source_face[f], 0};
+}
 
-// All edges at the extreme vertex fall or are level; level ones bound the extreme feature, and two level ones are neighbours in the ring.
+// All edges at the extreme vertex fall or are level; level ones bound the extreme feature, and two level ones are
+// neighbours in the ring.
 ExtremeFeature extreme_feature(const Overlay& overlay, int op, std::uint32_t f) {
   const Polytope& other = overlay.poly(1 - op);
   const std::uint32_t v = overlay.extreme(op, f);
@@ -127,7 +138,8 @@ ExtremeFeature extreme_feature(const Overlay& overlay, int op, std::uint32_t f) 
   if (level.empty()) return {{v}, 0};
   if (level.size() == 1) return {{v, other.target(ring[level[0]])}, 0};
   if (level.size() > 2) throw std::logic_error("extreme_feature: three level edges at a vertex");
-  const std::size_t k = level[1] == level[0] + 1 ? level[0] : level[1];  // the face is on the left of the first of the two
+  const std::size_t k =
+      level[1] == level[0] + 1 ? level[0] : level[1];  // the face is on the left of the first of the two
   const std::uint32_t g = other.face[ring[k]];
   return {face_vertices(other, g), g};
 }

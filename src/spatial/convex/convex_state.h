@@ -11,7 +11,8 @@ namespace dymsum {
 
 class ConvexSum::State {
  public:
-  State(std::shared_ptr<const spatial::Polytope> p, std::shared_ptr<const spatial::Polytope> q, std::shared_ptr<const SolidSum::Source> source)
+  State(std::shared_ptr<const spatial::Polytope> p, std::shared_ptr<const spatial::Polytope> q,
+        std::shared_ptr<const SolidSum::Source> source)
       : p(std::move(p)), q(std::move(q)), source(std::move(source)), overlay(*this->p, *this->q) {}
 
   std::shared_ptr<const spatial::Polytope> p, q;

@@ -16,8 +16,15 @@ using spatial::Polytope;
 
 const MotionWork& ConvexSum::State::report() {
   const spatial::OverlayWork& w = overlay.work();
-  work = {w.vertex_checks, w.vertex_errors, w.crossing_checks, w.arc_checks, w.arcs_changed, w.steps, w.crossings_added + w.vertex_errors,
-          w.crossings_removed + w.vertex_errors, w.exact_signs};
+  work = {w.vertex_checks,
+          w.vertex_errors,
+          w.crossing_checks,
+          w.arc_checks,
+          w.arcs_changed,
+          w.steps,
+          w.crossings_added + w.vertex_errors,
+          w.crossings_removed + w.vertex_errors,
+          w.exact_signs};
   return work;
 }
 
@@ -47,7 +54,8 @@ std::shared_ptr<const Polytope> shared(Polytope p) { return std::make_shared<con
 
 }  // namespace
 
-ConvexSum ConvexSum::of(std::shared_ptr<const Polytope> p, std::shared_ptr<const Polytope> q, std::shared_ptr<const SolidSum::Source> source) {
+ConvexSum ConvexSum::of(std::shared_ptr<const Polytope> p, std::shared_ptr<const Polytope> q,
+                        std::shared_ptr<const SolidSum::Source> source) {
   auto state = std::make_unique<State>(std::move(p), std::move(q), std::move(source));
   state->overlay.build(spatial::RelativeMap());
   state->report();
@@ -82,7 +90,9 @@ const MotionWork& ConvexSum::set(const SolidPose& p, const SolidPose& q) {
   return state_->report();
 }
 
-const MotionWork& ConvexSum::rebuild(ConvexEngine engine) { return rebuild(SolidPose(p_pose()), SolidPose(q_pose()), engine); }
+const MotionWork& ConvexSum::rebuild(ConvexEngine engine) {
+  return rebuild(SolidPose(p_pose()), SolidPose(q_pose()), engine);
+}
 
 const MotionWork& ConvexSum::rebuild(const SolidPose& p, const SolidPose& q, ConvexEngine engine) {
   const spatial::RelativeMap map = state_->move(p, q);
@@ -105,7 +115,8 @@ std::size_t ConvexSum::face_vertex_count() const { return state_->p->face_count(
 std::size_t ConvexSum::edge_edge_count() const { return state_->overlay.crossing_count(); }
 ConvexSum::FacetCount ConvexSum::facet_count() const { return spatial::count_facets(state_->overlay); }
 std::size_t ConvexSum::bytes() const {
-  std::size_t total = sizeof(*state_) - sizeof(spatial::Overlay) + state_->overlay.bytes() + state_->p->bytes() + state_->q->bytes();
+  std::size_t total =
+      sizeof(*state_) - sizeof(spatial::Overlay) + state_->overlay.bytes() + state_->p->bytes() + state_->q->bytes();
   for (const SolidSum::Source::Operand& o : state_->source->operand) total += o.bytes();
   return total;
 }
@@ -125,11 +136,13 @@ Rational ConvexSum::volume_exact() const {
   return exact::to_rational(spatial::exact_mixed_volume(state_->overlay, state_->p_pose, state_->q_pose));
 }
 double ConvexSum::volume() const {
-  if (const std::optional<double> v = spatial::mixed_volume(state_->overlay, state_->p_factors, state_->q_factors)) return *v;
+  if (const std::optional<double> v = spatial::mixed_volume(state_->overlay, state_->p_factors, state_->q_factors))
+    return *v;
   return exact::round_to_double(spatial::exact_mixed_volume(state_->overlay, state_->p_pose, state_->q_pose));
 }
 
-Result<SolidSum> convex_sum(const Mesh& p, const Mesh& q, const SolidPose& p_pose, const SolidPose& q_pose, ConvexEngine engine) {
+Result<SolidSum> convex_sum(const Mesh& p, const Mesh& q, const SolidPose& p_pose, const SolidPose& q_pose,
+                            ConvexEngine engine) {
   Result<ConvexSum> sum = ConvexSum::create(p, q);
   if (!sum) return sum.error();
   ConvexSum moved = std::move(sum).value();

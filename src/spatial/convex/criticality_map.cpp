@@ -8,10 +8,10 @@
 
 #include "spatial/convex/assemble.h"
 #include "spatial/convex/exact_places.h"
-#include "spatial/gauss/overlay.h"
 #include "spatial/convex/place_sum.h"
 #include "spatial/convex/structure_store.h"
 #include "spatial/convex/turn_events.h"
+#include "spatial/gauss/overlay.h"
 
 namespace dymsum {
 
@@ -27,17 +27,22 @@ using spatial::TurnForms;
 
 namespace {
 
-QuadraticRoot quarter(int k) { return QuadraticRoot::rational(Big::from_int64(k == 0 ? 0 : k == 3 ? -1 : 1), Big::from_int64(k == 2 ? 0 : 1)); }
+QuadraticRoot quarter(int k) {
+  return QuadraticRoot::rational(Big::from_int64(k == 0 ? 0 : k == 3 ? -1 : 1), Big::from_int64(k == 2 ? 0 : 1));
+}
 
-/// (u : v) of a turn strictly inside the interval from a to b, a < b as turns, or from a to the full turn when b is null. The turns t = 0, 1, infinity, -1
-/// split the circle into parts in which t or 1 / t is at most 1.
+/// (u : v) of a turn strictly inside the interval from a to b, a < b as turns, or from a to the full turn when b is
+/// null. The turns t = 0, 1, infinity, -1 split the circle into parts in which t or 1 / t is at most 1.
 std::array<BigInteger, 2> turn_between(const QuadraticRoot& a, const QuadraticRoot* b) {
   for (int k = 1; k < 4; ++k) {
     const QuadraticRoot stop = quarter(k);
     const int from = exact::compare_turns(a, stop);
     if (from >= 0) continue;
     const int to = b != nullptr ? exact::compare_turns(stop, *b) : -1;
-    if (to < 0) return k == 1 ? std::array<BigInteger, 2>{1, 1} : k == 2 ? std::array<BigInteger, 2>{0, 1} : std::array<BigInteger, 2>{1, -1};
+    if (to < 0)
+      return k == 1   ? std::array<BigInteger, 2>{1, 1}
+             : k == 2 ? std::array<BigInteger, 2>{0, 1}
+                      : std::array<BigInteger, 2>{1, -1};
     break;  // both in the part before this stop
   }
   const bool upright = exact::compare_turns(a, quarter(1)) >= 0 && exact::compare_turns(a, quarter(3)) < 0;
@@ -114,7 +119,8 @@ bool CriticalityMap::State::store(const Progress& progress) {
   Overlay overlay(p, q);
   std::vector<std::uint32_t> words;
   for (std::size_t i = 0; i < intervals(); ++i) {
-    if (i % 64 == 0 && progress && !progress("structures", static_cast<double>(i) / static_cast<double>(intervals()))) return false;
+    if (i % 64 == 0 && progress && !progress("structures", static_cast<double>(i) / static_cast<double>(intervals())))
+      return false;
     const RelativeMap map = RelativeMap::turned(quaternion(turn_inside(i)));
     if (i == 0) {
       overlay.build(map);
@@ -128,13 +134,15 @@ bool CriticalityMap::State::store(const Progress& progress) {
   return true;
 }
 
-Result<CriticalityMap> CriticalityMap::create(const Mesh& p, const Mesh& q, std::array<std::int32_t, 3> axis, const Progress& progress) {
+Result<CriticalityMap> CriticalityMap::create(const Mesh& p, const Mesh& q, std::array<std::int32_t, 3> axis,
+                                              const Progress& progress) {
   const std::int64_t divisor = std::gcd(std::gcd<std::int64_t, std::int64_t>(axis[0], axis[1]), std::int64_t{axis[2]});
   if (divisor == 0) return Error{Code::bad_rotation, "a rotation needs an axis that is not zero", {}};
   std::array<std::int64_t, 3> d;
   for (int k = 0; k < 3; ++k) {
     d[k] = axis[k] / divisor;
-    if (std::abs(d[k]) > std::int64_t{1} << kAxisBits) return Error{Code::bad_rotation, "a component of the axis is beyond 2^15", {}};
+    if (std::abs(d[k]) > std::int64_t{1} << kAxisBits)
+      return Error{Code::bad_rotation, "a component of the axis is beyond 2^15", {}};
   }
   Result<Polytope> a = spatial::make_polytope(p), b = spatial::make_polytope(q);
   if (!a) return a.error();
@@ -153,8 +161,15 @@ Result<CriticalityMap> CriticalityMap::create(const Mesh& p, const Mesh& q, std:
   state->events = std::move(*events);
   state->events.shrink_to_fit();
   if (!state->store(progress)) return cancelled;
-  state->stats = {counts.pairs, counts.persistent, counts.meetings, counts.exact_pairs, counts.exact_orders, state->events.size() * sizeof(TurnEvent),
-                  state->structures.key_bytes(), state->structures.difference_bytes(), state->structures.full_bytes()};
+  state->stats = {counts.pairs,
+                  counts.persistent,
+                  counts.meetings,
+                  counts.exact_pairs,
+                  counts.exact_orders,
+                  state->events.size() * sizeof(TurnEvent),
+                  state->structures.key_bytes(),
+                  state->structures.difference_bytes(),
+                  state->structures.full_bytes()};
   return CriticalityMap(std::move(state));
 }
 
@@ -181,7 +196,8 @@ CriticalAngle CriticalityMap::exact_angle(std::size_t i) const {
 
 std::size_t CriticalityMap::bytes() const {
   const State& s = *state_;
-  std::size_t total = sizeof(s) + s.p.bytes() + s.q.bytes() + s.stats.angle_bytes + s.stats.key_bytes + s.stats.difference_bytes;
+  std::size_t total =
+      sizeof(s) + s.p.bytes() + s.q.bytes() + s.stats.angle_bytes + s.stats.key_bytes + s.stats.difference_bytes;
   for (const SolidSum::Source::Operand& o : s.source->operand) total += o.bytes();
   return total;
 }
@@ -224,8 +240,9 @@ Result<std::size_t> CriticalityMap::facet_count(const Rotation& rotation) const 
   return count;
 }
 
-// The structure of an interval is right at its ends too: extreme vertices stay extreme up to there, crossings that are proper there are proper before, and those
-// that are not any more are left out by `assemble`, which looks at the rotation itself. So are those that persistent coincidences make improper everywhere.
+// The structure of an interval is right at its ends too: extreme vertices stay extreme up to there, crossings that are
+// proper there are proper before, and those that are not any more are left out by `assemble`, which looks at the
+// rotation itself. So are those that persistent coincidences make improper everywhere.
 Result<SolidSum> CriticalityMap::at(const Rotation& rotation) const {
   const Result<std::size_t> i = interval(rotation);
   if (!i) return i.error();

@@ -55,10 +55,13 @@ BigVector ExactPlaces::of(int op, std::uint32_t v) const {
     x = {on(at.x), on(at.y), on(at.z)};
   } else {
     const exact::Vector3<exact::Big>& at = operand.exact[v];
-    const auto on = [&](const exact::Big& c) { return BigInteger(c.value() << static_cast<unsigned>(operand.exponent - exponent_)); };
+    const auto on = [&](const exact::Big& c) {
+      return BigInteger(c.value() << static_cast<unsigned>(operand.exponent - exponent_));
+    };
     x = {on(at.x), on(at.y), on(at.z)};
   }
-  for (int r = 0; r < 3; ++r) y[r] = matrix_[op][3 * r] * x[0] + matrix_[op][3 * r + 1] * x[1] + matrix_[op][3 * r + 2] * x[2];
+  for (int r = 0; r < 3; ++r)
+    y[r] = matrix_[op][3 * r] * x[0] + matrix_[op][3 * r + 1] * x[1] + matrix_[op][3 * r + 2] * x[2];
   return y;
 }
 

@@ -1,4 +1,5 @@
-// Exact positions of the vertices of two posed operands over one denominator, so that sums of them are additions of integers.
+// Exact positions of the vertices of two posed operands over one denominator, so that sums of them are additions of
+// integers.
 #pragma once
 
 #include <array>

@@ -11,7 +11,9 @@ Result<ExactSolid> exact_solid(const SolidSum& sum) {
   const ExactPlaces places(*sum.source, sum.p_pose, sum.q_pose);
   const BigInteger num = numerator(places.unit()), den = denominator(places.unit());
   if (den != BigInteger(1) << msb(den))
-    return Error{Code::unsupported_operand, "a turned or scaled sum, whose positions are no binary fractions, cannot be an operand", {}};
+    return Error{Code::unsupported_operand,
+                 "a turned or scaled sum, whose positions are no binary fractions, cannot be an operand",
+                 {}};
   ExactSolid solid;
   solid.exponent = -static_cast<int>(msb(den));
   for (const SolidSum::Vertex& v : sum.vertices) {

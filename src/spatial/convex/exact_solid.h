@@ -7,7 +7,8 @@
 
 namespace dymsum::spatial {
 
-/// The sum's exact vertices and facets. Errors: unsupported_operand where positions are not multiples of a power of two.
+/// The sum's exact vertices and facets. Errors: unsupported_operand where positions are not multiples of a power of
+/// two.
 Result<ExactSolid> exact_solid(const SolidSum& sum);
 
 }  // namespace dymsum::spatial

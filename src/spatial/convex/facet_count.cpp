@@ -20,7 +20,8 @@ std::vector<bool> marked(std::size_t n, const std::vector<std::uint32_t>& some) 
 }
 
 /// The faces on both sides of the edges of a crossing that face the same way.
-void add_parallel_faces(const Overlay& o, const Crossing& c, std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs) {
+void add_parallel_faces(const Overlay& o, const Crossing& c,
+                        std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs) {
   for (const std::uint32_t f : {o.poly(0).face[2 * c.p], o.poly(0).face[2 * c.p + 1]}) {
     const ExtremeFeature q = extreme_feature(o, 0, f);
     if (q.vertices.size() > 2) pairs.emplace_back(f, q.face);
@@ -29,15 +30,18 @@ void add_parallel_faces(const Overlay& o, const Crossing& c, std::vector<std::pa
 
 }  // namespace
 
-// Every face makes a facet, a pair that faces the same way one together, and so does every crossing that has an area. Where a
-// face f of P and a face g of Q face the same way, the infinitesimal rotation moves g's direction into a cell beside
-// f's, a cone of less than half a turn there. The arcs of g leave in directions that no half-plane holds, so some leave
-// the cone across an arc of f: near f, at a crossing with a zero sign. So pairs are found at crossings without area.
+// Every face makes a facet, a pair that faces the same way one together, and so does every crossing that has an area.
+// Where a face f of P and a face g of Q face the same way, the infinitesimal rotation moves g's direction into a cell
+// beside f's, a cone of less than half a turn there. The arcs of g leave in directions that no half-plane holds, so
+// some leave the cone across an arc of f: near f, at a crossing with a zero sign. So pairs are found at crossings
+// without area.
 ConvexSum::FacetCount count_facets(const Overlay& o) {
   const std::vector<bool> new_p = marked(o.poly(0).face_count(), o.changes().faces[0]),
                           new_q = marked(o.poly(1).face_count(), o.changes().faces[1]),
                           new_crossing = marked(0, o.changes().crossings);
-  const auto count = [](const std::vector<bool>& marks) { return static_cast<std::size_t>(std::count(marks.begin(), marks.end(), true)); };
+  const auto count = [](const std::vector<bool>& marks) {
+    return static_cast<std::size_t>(std::count(marks.begin(), marks.end(), true));
+  };
   ConvexSum::FacetCount facets{new_p.size() + new_q.size(), count(new_p) + count(new_q)};
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
   for (std::uint32_t e = 0; e < o.poly(0).edge_count(); ++e)

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
-#include "spatial/mesh/compensated_sum.h"
 #include "spatial/convex/exact_places.h"
 #include "spatial/convex/posed_doubles.h"
+#include "spatial/mesh/compensated_sum.h"
 #include "spatial/mesh/wide_sum.h"
 
 namespace dymsum::spatial {
@@ -23,7 +23,9 @@ BigMat big_matrix(const ExactPose& pose) {
   return {BigVec{at(0), at(1), at(2)}, BigVec{at(3), at(4), at(5)}, BigVec{at(6), at(7), at(8)}};
 }
 
-BigMat big_cofactors(const BigMat& m) { return {exact::cross(m[1], m[2]), exact::cross(m[2], m[0]), exact::cross(m[0], m[1])}; }
+BigMat big_cofactors(const BigMat& m) {
+  return {exact::cross(m[1], m[2]), exact::cross(m[2], m[0]), exact::cross(m[0], m[1])};
+}
 
 BigRational power_of_two(int e) {
   const BigInteger v = BigInteger(1) << static_cast<unsigned>(e < 0 ? -e : e);
@@ -46,8 +48,8 @@ auto twice_area(const Polytope& p, std::uint32_t f) {
   return exact::Vector3<typename WideSum<Term>::Value>{total.x.value(), total.y.value(), total.z.value()};
 }
 
-/// The sum over the faces f of operand op of the matrices 2 |f| n_f x^T, x the vertex of the other one that is extreme along n_f, in the units of the grids:
-/// in small integers, whatever the poses.
+/// The sum over the faces f of operand op of the matrices 2 |f| n_f x^T, x the vertex of the other one that is extreme
+/// along n_f, in the units of the grids: in small integers, whatever the poses.
 template <class C, class D>
 BigMat moments(const Overlay& o, int op) {
   const Polytope &mine = o.poly(op), &other = o.poly(1 - op);
@@ -62,7 +64,9 @@ BigMat moments(const Overlay& o, int op) {
       row->z.add(*a * x.z);
     }
   }
-  const auto big = [](const auto& row) { return BigVec{exact::to_big(row.x.value()), exact::to_big(row.y.value()), exact::to_big(row.z.value())}; };
+  const auto big = [](const auto& row) {
+    return BigVec{exact::to_big(row.x.value()), exact::to_big(row.y.value()), exact::to_big(row.z.value())};
+  };
   return {big(sum[0]), big(sum[1]), big(sum[2])};
 }
 
@@ -74,13 +78,15 @@ BigMat moments(const Overlay& o, int op) {
   return moments<Big, Big>(o, op);
 }
 
-/// Sum over the faces f of operand op of 2 |f| h(n_f) of the other one, in the units of the grids, up to the denominators of the poses: of
-/// (C a) . (N x) = a^T (C^T N) x for the cofactors C of one matrix and the other one N.
+/// Sum over the faces f of operand op of 2 |f| h(n_f) of the other one, in the units of the grids, up to the
+/// denominators of the poses: of (C a) . (N x) = a^T (C^T N) x for the cofactors C of one matrix and the other one N.
 Big twice_mixed(const Overlay& o, int op, const BigMat& mine, const BigMat& other) {
-  const BigMat across = exact::transposed(big_cofactors(mine)), columns = exact::transposed(other), sum = moments(o, op);
+  const BigMat across = exact::transposed(big_cofactors(mine)), columns = exact::transposed(other),
+               sum = moments(o, op);
   Big total = Big::from_int64(0);
   for (std::size_t i = 0; i < 3; ++i) {
-    const BigVec row{exact::dot(across[i], columns[0]), exact::dot(across[i], columns[1]), exact::dot(across[i], columns[2])};
+    const BigVec row{exact::dot(across[i], columns[0]), exact::dot(across[i], columns[1]),
+                     exact::dot(across[i], columns[2])};
     total = total + exact::dot(row, sum[i]);
   }
   return total;
@@ -104,8 +110,8 @@ exact::BigRational exact_mixed_volume(const Overlay& o, const SolidPose& p_pose,
 
 // Seen from vertex 0 of each operand, all terms are at least zero. Let N be a bound of the norms of the two matrices of
 // a pose. A face's term, area . (cofactors^T map) x, errs by less than 2^-47 |area| N N |x|: matrices by 2^-49 of their
-// entries, at most sqrt(3) 2^-49 N each in norm, both vectors by 2^-50, and products and sums round a dozen times; |x| is at
-// most sqrt(3). Volumes err by 2^-48 of themselves. Sums are of at most a few terms or compensated.
+// entries, at most sqrt(3) 2^-49 N each in norm, both vectors by 2^-50, and products and sums round a dozen times; |x|
+// is at most sqrt(3). Volumes err by 2^-48 of themselves. Sums are of at most a few terms or compensated.
 std::optional<double> mixed_volume(const Overlay& o, const PoseFactors& p, const PoseFactors& q) {
   const std::array<PosedDoubles, 2> pose{PosedDoubles(p), PosedDoubles(q)};
   std::array<double, 4> term{}, error{};

@@ -1,5 +1,6 @@
 // The volume of a sum of convex solids from the extreme vertices alone:
-// V(P + Q) = V(P) + sum over faces f of P of |f| h_Q(n_f) + sum over faces g of Q of |g| h_P(n_g) + V(Q), with support functions h (Minkowski).
+// V(P + Q) = V(P) + sum over faces f of P of |f| h_Q(n_f) + sum over faces g of Q of |g| h_P(n_g) + V(Q), with support
+// functions h (Minkowski).
 #pragma once
 
 #include <optional>

@@ -5,8 +5,8 @@
 namespace dymsum::spatial {
 namespace {
 
-/// How an edge of P and an edge of Q lie to each other in the plane: the sign of their cross product along the normal, and, when that is zero, of
-/// their dot product.
+/// How an edge of P and an edge of Q lie to each other in the plane: the sign of their cross product along the normal,
+/// and, when that is zero, of their dot product.
 struct Turn {
   int cross = 0, dot = 0;
 };
@@ -14,7 +14,8 @@ struct Turn {
 /// Edge vectors of both polygons, compared exactly.
 class Edges {
  public:
-  Edges(const Signs& signs, const std::vector<std::uint32_t>& p, const std::vector<std::uint32_t>& q, int op, std::uint32_t f)
+  Edges(const Signs& signs, const std::vector<std::uint32_t>& p, const std::vector<std::uint32_t>& q, int op,
+        std::uint32_t f)
       : s_(signs), p_(p), q_(q), op_(op), f_(f) {}
 
   Turn turn(std::size_t i, std::size_t j) const {
@@ -23,11 +24,14 @@ class Edges {
       using M = decltype(m);
       const Polytope &a = s_.poly(0), &b = s_.poly(1);
       const auto u = a.template place<C>(p_[(i + 1) % p_.size()]) - a.template place<C>(p_[i]);
-      const auto w = exact::apply(s_.map().template matrix<M>(0), b.template place<C>(q_[(j + 1) % q_.size()]) - b.template place<C>(q_[j]));
+      const auto w = exact::apply(s_.map().template matrix<M>(0),
+                                  b.template place<C>(q_[(j + 1) % q_.size()]) - b.template place<C>(q_[j]));
       const auto perpendicular = exact::cross(u, w);
-      const int side = op_ == 0 ? exact::sign(exact::dot(perpendicular, a.template normal_vector<C>(f_)))
-                                : exact::sign(exact::dot(perpendicular, exact::apply(exact::transposed(s_.map().template matrix<M>(1)),
-                                                                                      b.template normal_vector<C>(f_))));
+      const int side =
+          op_ == 0
+              ? exact::sign(exact::dot(perpendicular, a.template normal_vector<C>(f_)))
+              : exact::sign(exact::dot(perpendicular, exact::apply(exact::transposed(s_.map().template matrix<M>(1)),
+                                                                   b.template normal_vector<C>(f_))));
       return Turn{side, exact::sign(exact::dot(u, w))};
     });
   }
@@ -51,7 +55,8 @@ class Edges {
 
 }  // namespace
 
-std::vector<VertexPair> plane_sum(const Signs& signs, const std::vector<std::uint32_t>& p, const std::vector<std::uint32_t>& q, int op, std::uint32_t f) {
+std::vector<VertexPair> plane_sum(const Signs& signs, const std::vector<std::uint32_t>& p,
+                                  const std::vector<std::uint32_t>& q, int op, std::uint32_t f) {
   std::vector<VertexPair> sum;
   if (q.size() == 1) {
     for (const std::uint32_t v : p) sum.push_back({v, q[0]});

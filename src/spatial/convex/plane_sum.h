@@ -1,4 +1,5 @@
-// The sum of two convex polygons, segments or points that lie in parallel planes: a facet of a sum where directions coincide.
+// The sum of two convex polygons, segments or points that lie in parallel planes: a facet of a sum where directions
+// coincide.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +13,9 @@ struct VertexPair {
   std::uint32_t p = 0, q = 0;  ///< of the polytopes
 };
 
-/// p and q: vertices of P and Q, counter-clockwise seen against the outward normal of face f of operand op, to which both are perpendicular. Returns the
-/// true vertices of the sum, in that order: edges of equal direction become one.
-std::vector<VertexPair> plane_sum(const Signs& signs, const std::vector<std::uint32_t>& p, const std::vector<std::uint32_t>& q, int op, std::uint32_t f);
+/// p and q: vertices of P and Q, counter-clockwise seen against the outward normal of face f of operand op, to which
+/// both are perpendicular. Returns the true vertices of the sum, in that order: edges of equal direction become one.
+std::vector<VertexPair> plane_sum(const Signs& signs, const std::vector<std::uint32_t>& p,
+                                  const std::vector<std::uint32_t>& q, int op, std::uint32_t f);
 
 }  // namespace dymsum::spatial

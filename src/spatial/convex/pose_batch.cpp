@@ -7,12 +7,14 @@
 
 namespace dymsum {
 
-Result<std::vector<PoseReport>> pose_batch(const Mesh& p, const Mesh& q, std::span<const Rotation> poses, const BatchOptions& options) {
+Result<std::vector<PoseReport>> pose_batch(const Mesh& p, const Mesh& q, std::span<const Rotation> poses,
+                                           const BatchOptions& options) {
   Result<ConvexSum> sum = ConvexSum::create(p, q);
   if (!sum) return sum.error();
   const std::vector<std::uint32_t> order = spatial::pose_order(poses);
   std::vector<PoseReport> reports(poses.size());
-  const std::size_t parts = std::min<std::size_t>(poses.size(), static_cast<std::size_t>(options.threads > 0 ? options.threads : base::core_count()));
+  const std::size_t parts = std::min<std::size_t>(
+      poses.size(), static_cast<std::size_t>(options.threads > 0 ? options.threads : base::core_count()));
   std::atomic<bool> stop = false;
   std::mutex progress_mutex;
   std::size_t done = 0;

@@ -10,7 +10,8 @@ namespace {
 
 constexpr int kBits = 10;
 
-/// The place of a cell of the cube of 2^kBits cells a side along its Hilbert curve (Skilling, "Programming the Hilbert curve", 2004).
+/// The place of a cell of the cube of 2^kBits cells a side along its Hilbert curve (Skilling, "Programming the Hilbert
+/// curve", 2004).
 std::uint64_t hilbert(std::array<std::uint32_t, 3> x) {
   for (std::uint32_t q = 1u << (kBits - 1); q > 1; q >>= 1)
     for (std::uint32_t& c : x) {

@@ -9,7 +9,8 @@
 
 namespace dymsum::spatial {
 
-/// The numbers of the rotations along a Hilbert curve through each of the four cubes of quaternions with the same largest component.
+/// The numbers of the rotations along a Hilbert curve through each of the four cubes of quaternions with the same
+/// largest component.
 std::vector<std::uint32_t> pose_order(std::span<const Rotation> poses);
 
 }  // namespace dymsum::spatial

@@ -34,8 +34,8 @@ Mat3 scaled_by_power(const Mat3& m, int exponent) {
   return scaled;
 }
 
-// Roundings of an entry: numerator, norm, their quotient, at most two factors, at most two products: 7 of 2^-53. Factors
-// are between 2^-64 and 2^64 and entries of a rotation that are not zero at least 2^-62, so nothing underflows.
+// Roundings of an entry: numerator, norm, their quotient, at most two factors, at most two products: 7 of 2^-53.
+// Factors are between 2^-64 and 2^64 and entries of a rotation that are not zero at least 2^-62, so nothing underflows.
 PosedDoubles::PosedDoubles(const PoseFactors& pose) {
   map = cofactors = rotation_in_doubles(pose.rotation);
   if (pose.scaled) {

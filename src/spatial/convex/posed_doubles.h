@@ -7,8 +7,9 @@
 namespace dymsum::spatial {
 
 /// The pose x -> 2^exponent map x, and the map of its normals and area vectors, n -> (a positive factor) cofactors n.
-/// The largest entries of both matrices are in [1, 2). Column j of the map is a column of a rotation times the factor of
-/// axis j, column j of the cofactors one times those of the other two axes: every entry has relative error below 2^-49.
+/// The largest entries of both matrices are in [1, 2). Column j of the map is a column of a rotation times the factor
+/// of axis j, column j of the cofactors one times those of the other two axes: every entry has relative error below
+/// 2^-49.
 struct PosedDoubles {
   Mat3 map, cofactors;
   int exponent = 0, cofactors_exponent = 0;  ///< det(A) A^-T = 2^cofactors_exponent cofactors for the pose A

@@ -15,7 +15,9 @@
 namespace dymsum {
 namespace {
 
-std::string in_precision(Precision p) { return p == Precision::doubles ? "rounded to doubles, " : "rounded to single precision, "; }
+std::string in_precision(Precision p) {
+  return p == Precision::doubles ? "rounded to doubles, " : "rounded to single precision, ";
+}
 
 bool less(const Point3& a, const Point3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); }
 
@@ -34,7 +36,8 @@ Result<std::vector<Point3>> rounded_places(const SolidSum& sum, Precision precis
   for (std::uint32_t v = 0; v < at.size(); ++v) {
     for (double* c : {&at[v].x, &at[v].y, &at[v].z}) {
       if (precision == Precision::singles) *c = static_cast<double>(static_cast<float>(*c));
-      if (!std::isfinite(*c)) return at_vertex(Code::not_finite, in_precision(precision) + "a coordinate is past the range", sum, v);
+      if (!std::isfinite(*c))
+        return at_vertex(Code::not_finite, in_precision(precision) + "a coordinate is past the range", sum, v);
     }
   }
   return at;
@@ -46,7 +49,8 @@ std::optional<Error> collision(const SolidSum& sum, const std::vector<Point3>& a
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return less(at[a], at[b]); });
   for (std::size_t i = 1; i < order.size(); ++i) {
     if (at[order[i - 1]] != at[order[i]]) continue;
-    Error error = at_vertex(Code::rounding_changed_topology, in_precision(precision) + "two vertices are at the same place", sum, order[i - 1]);
+    Error error = at_vertex(Code::rounding_changed_topology,
+                            in_precision(precision) + "two vertices are at the same place", sum, order[i - 1]);
     error.evidence.other_vertex = order[i];
     return error;
   }

@@ -4,9 +4,9 @@
 
 #include "dymsum/volume_text.h"
 #include "exact/decimal_text.h"
-#include "spatial/mesh/compensated_sum.h"
 #include "spatial/convex/exact_places.h"
 #include "spatial/convex/place_sum.h"
+#include "spatial/mesh/compensated_sum.h"
 #include "spatial/mesh/rounded_vector.h"
 #include "spatial/mesh/scaled_number.h"
 
@@ -66,8 +66,11 @@ spatial::ScaledNumber surface_of(const SolidSum& sum) {
   int top = 0;
   for (const SolidFacet& f : sum.facets) {
     exact::Vector3<Big>& total = twice.emplace_back();
-    const auto from_first = [&](std::size_t i) { return big_vector(at[f.vertices[i]]) - big_vector(at[f.vertices[0]]); };
-    for (std::size_t i = 1; i + 1 < f.vertices.size(); ++i) total = total + exact::cross(from_first(i), from_first(i + 1));
+    const auto from_first = [&](std::size_t i) {
+      return big_vector(at[f.vertices[i]]) - big_vector(at[f.vertices[0]]);
+    };
+    for (std::size_t i = 1; i + 1 < f.vertices.size(); ++i)
+      total = total + exact::cross(from_first(i), from_first(i + 1));
     top = std::max(top, spatial::bit_length(total));
   }
   spatial::CompensatedSum surface;

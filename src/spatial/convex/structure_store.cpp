@@ -24,9 +24,11 @@ void StructureStore::push(const std::vector<std::uint32_t>& words) {
 }
 
 void StructureStore::read(std::size_t i, std::vector<std::uint32_t>& words) const {
-  const Key& key = *std::prev(std::upper_bound(keys_.begin(), keys_.end(), i, [](std::size_t n, const Key& k) { return n < k.at; }));
+  const Key& key =
+      *std::prev(std::upper_bound(keys_.begin(), keys_.end(), i, [](std::size_t n, const Key& k) { return n < k.at; }));
   words = key.words;
-  const std::size_t from = key.at + 1 < start_.size() ? start_[key.at + 1] : changes_.size(), to = i + 1 < start_.size() ? start_[i + 1] : changes_.size();
+  const std::size_t from = key.at + 1 < start_.size() ? start_[key.at + 1] : changes_.size(),
+                    to = i + 1 < start_.size() ? start_[i + 1] : changes_.size();
   for (std::size_t k = from; k < to; ++k) {
     const Change& c = changes_[k];
     if (c.index >= words.size()) words.resize(c.index + 1, kAbsent);

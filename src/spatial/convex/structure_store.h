@@ -1,4 +1,5 @@
-// A sequence of structures, each a list of words that differs little from the one before: some are stored whole, the others as differences.
+// A sequence of structures, each a list of words that differs little from the one before: some are stored whole, the
+// others as differences.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +8,8 @@
 
 namespace dymsum::spatial {
 
-/// A structure is stored whole when the differences since the last whole one take as much memory as it: memory is at most twice that of the differences (and one
-/// structure), and reading one costs no more than reading two whole ones.
+/// A structure is stored whole when the differences since the last whole one take as much memory as it: memory is at
+/// most twice that of the differences (and one structure), and reading one costs no more than reading two whole ones.
 class StructureStore {
  public:
   void push(const std::vector<std::uint32_t>& words);
@@ -32,8 +33,8 @@ class StructureStore {
   };
   std::vector<Key> keys_;
   std::vector<Change> changes_;
-  std::vector<std::size_t> start_;      // of each structure's changes from the one before
-  std::vector<std::uint32_t> last_;     // scratch while pushing
+  std::vector<std::size_t> start_;   // of each structure's changes from the one before
+  std::vector<std::uint32_t> last_;  // scratch while pushing
   std::size_t since_key_ = 0, full_words_ = 0;
 };
 

@@ -59,7 +59,8 @@ ConvexSum::Support ConvexSum::support(Point3 direction) const {
     const spatial::ExactPose pose = spatial::ExactPose::of(op == 0 ? s.p_pose : s.q_pose);
     // Turned back into the operand's own coordinates: m^T d.
     std::array<Big, 3> back;
-    for (std::size_t c = 0; c < 3; ++c) back[c] = Big(pose.matrix[c]) * b[0] + Big(pose.matrix[3 + c]) * b[1] + Big(pose.matrix[6 + c]) * b[2];
+    for (std::size_t c = 0; c < 3; ++c)
+      back[c] = Big(pose.matrix[c]) * b[0] + Big(pose.matrix[3 + c]) * b[1] + Big(pose.matrix[6 + c]) * b[2];
     const exact::Vector3<Big> turned_back{back[0], back[1], back[2]};
     v[op] = extreme_vertex(s.poly(op), spatial::rounded(turned_back, -spatial::bit_length(turned_back)), turned_back);
   }
@@ -67,7 +68,9 @@ ConvexSum::Support ConvexSum::support(Point3 direction) const {
   result.vertex = {s.p->source_vertex[v[0]], s.q->source_vertex[v[1]]};
   const spatial::ExactPlaces places(*s.source, s.p_pose, s.q_pose);
   const spatial::BigVector x = places.of(0, result.vertex.p), y = places.of(1, result.vertex.q);
-  const auto rounded = [&](std::size_t k) { return exact::round_to_double(BigRational(BigInteger(x[k] + y[k])) * places.unit()); };
+  const auto rounded = [&](std::size_t k) {
+    return exact::round_to_double(BigRational(BigInteger(x[k] + y[k])) * places.unit());
+  };
   result.at = {rounded(0), rounded(1), rounded(2)};
   return result;
 }

@@ -20,11 +20,13 @@ struct Wave {
   double at(double cosine, double sine) const { return a + b * cosine + c * sine; }
 };
 
-// Unit vectors err by 2^-50, the unit axis too. Scalar products of two err by 2 2^-50 and 3 roundings of 2^-53, below 2^-48.5; a, a product of two such, by 2^-47.4; b, the
-// difference of one and a, by 2^-46.8; c, of three vectors, by 2^-47.5. Together, with cos and sin at most 1 and the roundings of at(): below 2^-45.
+// Unit vectors err by 2^-50, the unit axis too. Scalar products of two err by 2 2^-50 and 3 roundings of 2^-53, below
+// 2^-48.5; a, a product of two such, by 2^-47.4; b, the difference of one and a, by 2^-46.8; c, of three vectors, by
+// 2^-47.5. Together, with cos and sin at most 1 and the roundings of at(): below 2^-45.
 constexpr double kWaveError = 0x1p-45;
 
-/// The angle at which a wave rises or falls through zero, if doubles prove that it does: within `error` of that of (cosine, sine).
+/// The angle at which a wave rises or falls through zero, if doubles prove that it does: within `error` of that of
+/// (cosine, sine).
 struct WaveRoot {
   double cosine = 0, sine = 0, error = 0;
 };
@@ -33,12 +35,16 @@ enum class Roots { none, unknown, two };
 
 class WaveRoots {
  public:
-  // A wave of amplitude r has no roots when |a| > r; here with 8 errors to spare, as r and a are at most 1 and a little.
+  // A wave of amplitude r has no roots when |a| > r; here with 8 errors to spare, as r and a are at most 1 and a
+  // little.
   explicit WaveRoots(const Wave& w) : w_(w), square_(w.b * w.b + w.c * w.c), height_(square_ - w.a * w.a) {}
-  Roots known() const { return height_ < -8 * kWaveError ? Roots::none : height_ > 64 * kWaveError ? Roots::two : Roots::unknown; }
+  Roots known() const {
+    return height_ < -8 * kWaveError ? Roots::none : height_ > 64 * kWaveError ? Roots::two : Roots::unknown;
+  }
 
-  /// Where w' = slope sqrt(r^2 - a^2). Let e bound |w| there and the slope be d: where d^2 >= 16 e (r + error) the slope stays above 3 d / 4 within 2 e / d, so the true
-  /// wave has a root there, with this slope, and only one such exists. False where doubles cannot tell.
+  /// Where w' = slope sqrt(r^2 - a^2). Let e bound |w| there and the slope be d: where d^2 >= 16 e (r + error) the
+  /// slope stays above 3 d / 4 within 2 e / d, so the true wave has a root there, with this slope, and only one such
+  /// exists. False where doubles cannot tell.
   bool find(int slope, WaveRoot& root) const {
     const double steep = slope * std::sqrt(height_);
     root.cosine = (-w_.a * w_.b + w_.c * steep) / square_;
@@ -58,7 +64,8 @@ class WaveRoots {
 /// The events of one face with all edges.
 class FaceEvents {
  public:
-  FaceEvents(const TurnForms& forms, TurnEventCounts& counts, std::vector<TurnEvent>& events) : forms_(forms), counts_(counts), events_(events) {}
+  FaceEvents(const TurnForms& forms, TurnEventCounts& counts, std::vector<TurnEvent>& events)
+      : forms_(forms), counts_(counts), events_(events) {}
 
   void find(int op, std::uint32_t f) {
     op_ = op;
@@ -101,8 +108,8 @@ class FaceEvents {
       if (exactly_on_arc(root, e)) add(e, std::move(root));
   }
 
-  /// The two edges that bound the arc's ends: a normal on the circle lies on the arc when neither face, on the edge's left and right, is further out along it,
-  /// which the next edges of these faces tell.
+  /// The two edges that bound the arc's ends: a normal on the circle lies on the arc when neither face, on the edge's
+  /// left and right, is further out along it, which the next edges of these faces tell.
   std::array<HalfEdge, 2> bounds(std::uint32_t e) const {
     const Polytope& other = forms_.poly(1 - op_);
     return {other.next[2 * e], other.next[2 * e + 1]};
@@ -128,7 +135,8 @@ class FaceEvents {
 
   void add(std::uint32_t e, const std::optional<QuadraticRoot>& root) {
     if (!root) throw std::logic_error("find_turn_events: a root that doubles proved is missing");
-    events_.push_back({forms_.angle(*root), f_, e, static_cast<std::int8_t>(op_), static_cast<std::int8_t>(root->slope())});
+    events_.push_back(
+        {forms_.angle(*root), f_, e, static_cast<std::int8_t>(op_), static_cast<std::int8_t>(root->slope())});
   }
 
   const TurnForms& forms_;
@@ -139,9 +147,11 @@ class FaceEvents {
   std::uint32_t f_ = 0;
 };
 
-/// One event per angle. Doubles order all but clusters of neighbours that are closer than their errors; these are ordered exactly.
+/// One event per angle. Doubles order all but clusters of neighbours that are closer than their errors; these are
+/// ordered exactly.
 std::vector<TurnEvent> in_order(const TurnForms& forms, std::vector<TurnEvent> events, TurnEventCounts& counts) {
-  std::stable_sort(events.begin(), events.end(), [](const TurnEvent& a, const TurnEvent& b) { return a.angle < b.angle; });
+  std::stable_sort(events.begin(), events.end(),
+                   [](const TurnEvent& a, const TurnEvent& b) { return a.angle < b.angle; });
   std::vector<TurnEvent> distinct;
   exact::FilterCounts orders;
   for (std::size_t begin = 0, end; begin < events.size(); begin = end) {
@@ -150,10 +160,12 @@ std::vector<TurnEvent> in_order(const TurnForms& forms, std::vector<TurnEvent> e
     std::vector<std::pair<QuadraticRoot, std::size_t>> cluster;
     if (end - begin > 1)
       for (std::size_t k = begin; k < end; ++k) cluster.emplace_back(events[k].root(forms), k);
-    std::stable_sort(cluster.begin(), cluster.end(), [&](const auto& a, const auto& b) { return exact::compare_turns(a.first, b.first, orders) < 0; });
+    std::stable_sort(cluster.begin(), cluster.end(),
+                     [&](const auto& a, const auto& b) { return exact::compare_turns(a.first, b.first, orders) < 0; });
     distinct.push_back(events[cluster.empty() ? begin : cluster[0].second]);
     for (std::size_t k = 1; k < cluster.size(); ++k)
-      if (exact::compare_turns(cluster[k - 1].first, cluster[k].first, orders) != 0) distinct.push_back(events[cluster[k].second]);
+      if (exact::compare_turns(cluster[k - 1].first, cluster[k].first, orders) != 0)
+        distinct.push_back(events[cluster[k].second]);
   }
   counts.exact_orders += orders.exact;
   return distinct;
@@ -161,13 +173,15 @@ std::vector<TurnEvent> in_order(const TurnForms& forms, std::vector<TurnEvent> e
 
 }  // namespace
 
-TurnForms::TurnForms(const Polytope& p, const Polytope& q, std::array<std::int64_t, 3> axis) : poly_{&p, &q}, axis_(axis) {
+TurnForms::TurnForms(const Polytope& p, const Polytope& q, std::array<std::int64_t, 3> axis)
+    : poly_{&p, &q}, axis_(axis) {
   const Vec3 d{static_cast<double>(axis[0]), static_cast<double>(axis[1]), static_cast<double>(axis[2])};
   length_ = length(d);
   unit_ = {d.x / length_, d.y / length_, d.z / length_};
 }
 
-// Widths for coordinates of B bits and an axis of 15: normals 2 B + 3, edges B + 1, their product 3 B + 6; the middle term 3 B + 22 and the last one 3 B + 41 at most.
+// Widths for coordinates of B bits and an axis of 15: normals 2 B + 3, edges B + 1, their product 3 B + 6; the middle
+// term 3 B + 22 and the last one 3 B + 41 at most.
 Quadratic TurnForms::form(int op, std::uint32_t f, HalfEdge h) const {
   const Polytope &own = *poly_[op], &other = *poly_[1 - op];
   const auto of = [&](auto c) {
@@ -187,14 +201,17 @@ Quadratic TurnForms::form(int op, std::uint32_t f, HalfEdge h) const {
   return of(Big{});
 }
 
-// A component errs by 2^-49 of itself, the length by 2^-52, so the half angle by 2^-48 at most, and atan2, doubling and adding a full turn by a few 2^-50.
+// A component errs by 2^-49 of itself, the length by 2^-52, so the half angle by 2^-48 at most, and atan2, doubling and
+// adding a full turn by a few 2^-50.
 double TurnForms::angle(const QuadraticRoot& root) const {
   const auto [u, v] = root.approx();
   const double theta = 2 * std::atan2(v * length_, u);
   return theta < 0 ? theta + kTurn : theta;
 }
 
-QuadraticRoot TurnEvent::root(const TurnForms& forms) const { return *QuadraticRoot::of(forms.form(op, face, 2 * edge), static_cast<Slope>(slope)); }
+QuadraticRoot TurnEvent::root(const TurnForms& forms) const {
+  return *QuadraticRoot::of(forms.form(op, face, 2 * edge), static_cast<Slope>(slope));
+}
 
 std::optional<std::vector<TurnEvent>> find_turn_events(const TurnForms& forms, TurnEventCounts& counts,
                                                        const std::function<bool(std::size_t, std::size_t)>& on_face) {

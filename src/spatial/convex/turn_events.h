@@ -1,4 +1,5 @@
-// When the Gauss maps of two solids meet while P turns about a fixed axis: every angle at which a normal of one lies on an arc of the other.
+// When the Gauss maps of two solids meet while P turns about a fixed axis: every angle at which a normal of one lies on
+// an arc of the other.
 #pragma once
 
 #include <array>
@@ -12,8 +13,9 @@
 
 namespace dymsum::spatial {
 
-/// P turned by the quaternion (u, v d) with d the axis: the sign of (op, f, h) as a form in (u : v), t = v / u = tan(theta / 2) / |d|. With x the edge,
-/// n the normal and s = -1 for op = 0 (P's coordinates see Q turn back), s = 1 for op = 1:
+/// P turned by the quaternion (u, v d) with d the axis: the sign of (op, f, h) as a form in (u : v), t = v / u =
+/// tan(theta / 2) / |d|. With x the edge, n the normal and s = -1 for op = 0 (P's coordinates see Q turn back), s = 1
+/// for op = 1:
 ///   n . N x = u^2 (n . x) + 2 s u v n . (d x x) + v^2 (2 (n . d)(d . x) - |d|^2 (n . x)).
 class TurnForms {
  public:
@@ -35,7 +37,8 @@ class TurnForms {
   double length_ = 0;
 };
 
-/// The normal of face f of operand op lies on the arc of an edge of the other one: a root, of this slope, of the form of (op, f, 2 edge).
+/// The normal of face f of operand op lies on the arc of an edge of the other one: a root, of this slope, of the form
+/// of (op, f, 2 edge).
 struct TurnEvent {
   double angle = 0;  ///< within TurnForms::kAngleError
   std::uint32_t face = 0, edge = 0;
@@ -48,8 +51,9 @@ struct TurnEventCounts {
   std::uint64_t pairs = 0, persistent = 0, meetings = 0, exact_pairs = 0, exact_orders = 0;
 };
 
-/// One event per angle, ascending in [0, 2 pi). A pair whose form vanishes identically has no events: where it matters (the normal enters or leaves the arc) other
-/// pairs see it. Calls on_face(done, all) now and then and stops, with nothing, when it answers false. O(m n) for m and n features.
+/// One event per angle, ascending in [0, 2 pi). A pair whose form vanishes identically has no events: where it matters
+/// (the normal enters or leaves the arc) other pairs see it. Calls on_face(done, all) now and then and stops, with
+/// nothing, when it answers false. O(m n) for m and n features.
 std::optional<std::vector<TurnEvent>> find_turn_events(const TurnForms& forms, TurnEventCounts& counts,
                                                        const std::function<bool(std::size_t, std::size_t)>& on_face);
 

@@ -46,8 +46,8 @@ constexpr bool widths_hold() {
   using X3 = decltype(D{} * Cross{} + D{} * Cross{} + D{} * Cross{});
   using W3 = decltype(dot(Vector3<N>{}, Vector3<Cross>{}));
   using Side3 = decltype(dot(Vector3<N>{}, Vector3<X3>{}) - D{} * W3{});
-  return E::kBits == B + 1 && N::kBits == 2 * B + 3 && D::kBits == 3 * B + 6 && X3::kBits == 7 * B + 15 && W3::kBits == 6 * B + 12 &&
-         Side3::kBits <= 9 * B + 21;
+  return E::kBits == B + 1 && N::kBits == 2 * B + 3 && D::kBits == 3 * B + 6 && X3::kBits == 7 * B + 15 &&
+         W3::kBits == 6 * B + 12 && Side3::kBits <= 9 * B + 21;
 }
 static_assert(widths_hold<26>() && widths_hold<54>());
 
@@ -57,7 +57,8 @@ template <class C>
 GridSpace<C>::GridSpace(std::vector<Point> p, std::vector<Point> q, int bits, const Line (&lines)[3])
     : p_int_(std::move(p)), q_int_(std::move(q)), bits_(bits) {
   std::copy(std::begin(lines), std::end(lines), lines_);
-  const auto fill = [](const std::vector<Point>& from, std::vector<Vec3>& to, std::vector<std::array<exact::Residue, 3>>& residues) {
+  const auto fill = [](const std::vector<Point>& from, std::vector<Vec3>& to,
+                       std::vector<std::array<exact::Residue, 3>>& residues) {
     for (const Point& v : from) {
       to.push_back(doubles(v));
       residues.push_back({exact::residue(v.x), exact::residue(v.y), exact::residue(v.z)});
@@ -66,7 +67,8 @@ GridSpace<C>::GridSpace(std::vector<Point> p, std::vector<Point> q, int bits, co
   fill(p_int_, p_, p_residue_);
   fill(q_int_, q_, q_residue_);
   span_ = std::ldexp(1.0, bits + 1);
-  // Up to 51 bits, both coordinates and their sum are doubles. Else each is within 2^-52 of its size, and so is the sum.
+  // Up to 51 bits, both coordinates and their sum are doubles. Else each is within 2^-52 of its size, and so is the
+  // sum.
   sum_radius_ = bits <= 51 ? 0 : span_ * 0x1p-51;
 }
 
@@ -103,8 +105,8 @@ PlaneId GridSpace<C>::add_planes(std::span<const PlaneSource> sources) {
     plane.n = {scaled(plane.n.x), scaled(plane.n.y), scaled(plane.n.z)};
     plane.d = scaled(plane.d);
     plane.norm1 = (std::abs(plane.n.x) + std::abs(plane.n.y) + std::abs(plane.n.z)) * (1 + 0x1p-50);
-    // Conversions err by 2^-52 of each term, products and sums by 2^-53: 8 of these for every term at most. Underflows by less than the
-    // last summand.
+    // Conversions err by 2^-52 of each term, products and sums by 2^-53: 8 of these for every term at most. Underflows
+    // by less than the last summand.
     plane.slack = (plane.norm1 * span_ + std::abs(plane.d)) * 0x1p-49 + 0x1p-1000;
     planes_.push_back(plane);
   }
@@ -131,7 +133,8 @@ auto GridSpace<C>::with_point(const PointSource& point, F f) const {
   const auto &a = n_[point.a], &b = n_[point.b], &c = n_[point.c];
   const auto bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
   const auto &da = d_[point.a], &db = d_[point.b], &dc = d_[point.c];
-  const auto x = da * bc.x + db * ca.x + dc * ab.x, y = da * bc.y + db * ca.y + dc * ab.y, z = da * bc.z + db * ca.z + dc * ab.z;
+  const auto x = da * bc.x + db * ca.x + dc * ab.x, y = da * bc.y + db * ca.y + dc * ab.y,
+             z = da * bc.z + db * ca.z + dc * ab.z;
   const auto w = dot(a, bc);
   return f(Homogeneous<decltype(da * bc.x + db * ca.x + dc * ab.x), decltype(dot(a, bc))>{{x, y, z}, w});
 }
@@ -278,7 +281,8 @@ Approx GridSpace<C>::exact_approximation(const PointSource& point) const {
 
 template <class C>
 exact::BigRational GridSpace<C>::exact_coordinate(const PointSource& point, int axis) const {
-  return with_point(point, [&](const auto& h) { return exact::ratio(exact::to_big(component(h.x, axis)), exact::to_big(h.w)); });
+  return with_point(
+      point, [&](const auto& h) { return exact::ratio(exact::to_big(component(h.x, axis)), exact::to_big(h.w)); });
 }
 
 template <class C>
@@ -291,7 +295,8 @@ exact::Residue GridSpace<C>::hash_of_zero_weight(const PointSource& point) const
     const exact::Residue num = exact::residue(Big(boost::multiprecision::numerator(v)));
     // A point whose own denominator the prime divides has this hash in every form; others get the common one.
     if (den == 0) return 0;
-    constexpr exact::Residue kFactor[3] = {1, 0x1234567890abcdefULL % exact::kResiduePrime, 0x0fedcba987654321ULL % exact::kResiduePrime};
+    constexpr exact::Residue kFactor[3] = {1, 0x1234567890abcdefULL % exact::kResiduePrime,
+                                           0x0fedcba987654321ULL % exact::kResiduePrime};
     hash = exact::plus(hash, exact::times(kFactor[axis], exact::times(num, exact::inverse(den))));
   }
   return hash;
@@ -340,9 +345,11 @@ std::vector<Vector3<C>> on_grid(const std::vector<Point3>& points, const Line (&
 
 std::unique_ptr<SumSpace> make_sum_space(const std::vector<Point3>& p, const std::vector<Point3>& q) {
   int bits = 0;
-  const Line lines[3] = {common_line(p, q, &Point3::x, bits), common_line(p, q, &Point3::y, bits), common_line(p, q, &Point3::z, bits)};
+  const Line lines[3] = {common_line(p, q, &Point3::x, bits), common_line(p, q, &Point3::y, bits),
+                         common_line(p, q, &Point3::z, bits)};
   const auto make = [&]<class C>(C) -> std::unique_ptr<SumSpace> {
-    return std::make_unique<GridSpace<C>>(on_grid<C>(p, lines, &Line::p_offset), on_grid<C>(q, lines, &Line::q_offset), bits, lines);
+    return std::make_unique<GridSpace<C>>(on_grid<C>(p, lines, &Line::p_offset), on_grid<C>(q, lines, &Line::q_offset),
+                                          bits, lines);
   };
   if (bits <= 26) return make(Int<26>{});
   if (bits <= 54) return make(Int<54>{});

@@ -11,7 +11,8 @@ namespace {
 
 using Bend = Wedge::Bend;
 
-/// A vector in doubles: within `error` of the exact one in each component, both scaled so that the largest component is about 1.
+/// A vector in doubles: within `error` of the exact one in each component, both scaled so that the largest component is
+/// about 1.
 struct Direction {
   Vec3 v;
   double error = 0;
@@ -27,10 +28,10 @@ Direction scaled(Vec3 v, double error) {
 struct Side {
   Way::Of of;
   const SolidOperand& solid;
-  std::vector<Direction> normals;          // of triangles
-  std::vector<std::uint32_t> convex;       // wedges
-  std::vector<Direction> edges;            // of these
-  std::vector<Direction> rays;             // as solid.rays
+  std::vector<Direction> normals;     // of triangles
+  std::vector<std::uint32_t> convex;  // wedges
+  std::vector<Direction> edges;       // of these
+  std::vector<Direction> rays;        // as solid.rays
 
   Side(Way::Of which, const SolidOperand& operand, const SumSpace& space) : of(which), solid(operand) {
     const std::vector<Vec3>& at = which == Way::Of::p ? space.p() : space.q();
@@ -143,8 +144,8 @@ class Facets {
   }
 
  private:
-  /// Faces of one operand with vertices of the other whose rays all lie below the face's plane, or in it with the lexicographic sign of
-  /// `tie`.
+  /// Faces of one operand with vertices of the other whose rays all lie below the face's plane, or in it with the
+  /// lexicographic sign of `tie`.
   void face_vertex(const Side& faces, const Side& vertices, int tie) {
     std::vector<Box> boxes;
     for (const SupportCone& cone : vertices.solid.cones) boxes.push_back(cone_box(vertices, cone));
@@ -212,8 +213,8 @@ class Facets {
 
   void try_edges(std::uint32_t i, std::uint32_t j) {
     const Wedge &e = p_.solid.wedges[p_.convex[i]], &g = q_.solid.wedges[q_.convex[j]];
-    // With n = s (e x g) and d, c from the edges into their faces, n . d <= 0 and n . c <= 0 read, for the faces' normals:
-    // s (g . n_left) >= 0 >= s (g . n_right), s (e . m_left) <= 0 <= s (e . m_right).
+    // With n = s (e x g) and d, c from the edges into their faces, n . d <= 0 and n . c <= 0 read, for the faces'
+    // normals: s (g . n_left) >= 0 >= s (g . n_right), s (e . m_left) <= 0 <= s (e . m_right).
     const int a = sign_at(p_, e.left, q_, j), b = sign_at(p_, e.right, q_, j);
     if (a == b) return;  // both 0: parallel edges
     const int s = a != 0 ? a : -b;
@@ -226,7 +227,8 @@ class Facets {
     add_edge_edge(i, j, s);
   }
 
-  /// Where a face of one edge is coplanar with the facet, the ray of the other edge on its side has to be lexicographically positive.
+  /// Where a face of one edge is coplanar with the facet, the ray of the other edge on its side has to be
+  /// lexicographically positive.
   bool ties_hold(const Wedge& e, const Wedge& g, int a, int b, int c, int d) const {
     const Way ew = p_.way(e.from, e.to), gw = q_.way(g.from, g.to);
     const auto along = [&](const Side& faces, std::uint32_t triangle) {

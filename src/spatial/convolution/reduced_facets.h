@@ -1,5 +1,5 @@
-// The reduced convolution of two solids: facets that together contain every position in which the solids touch without overlapping, and
-// whose back sides lie in the open sum.
+// The reduced convolution of two solids: facets that together contain every position in which the solids touch without
+// overlapping, and whose back sides lie in the open sum.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ namespace dymsum::spatial {
 struct SumFacet {
   enum class Kind : std::uint8_t { face_vertex, vertex_face, edge_edge } kind = Kind::face_vertex;
   std::uint8_t corners = 3;
-  std::uint32_t p = 0, q = 0;  ///< triangle, vertex or wedge of either operand
+  std::uint32_t p = 0, q = 0;        ///< triangle, vertex or wedge of either operand
   std::array<SumPoint, 4> corner{};  ///< counter-clockwise seen from the side of the normal, which is the outer one
 };
 
@@ -30,8 +30,8 @@ struct ReducedConvolution {
   ConvolutionCounts counts;
 };
 
-/// Statement: docs/design/solid-sum.md, "Facets". Exact. Cost: the pairs of faces and vertices, and of edges, whose sets of normals have
-/// overlapping boxes on the sphere of directions.
+/// Statement: docs/design/solid-sum.md, "Facets". Exact. Cost: the pairs of faces and vertices, and of edges, whose
+/// sets of normals have overlapping boxes on the sphere of directions.
 ReducedConvolution reduced_convolution(const SumSpace& space, const SolidOperand& p, const SolidOperand& q);
 
 }  // namespace dymsum::spatial

@@ -35,7 +35,9 @@ std::vector<Side> sorted_sides(const std::vector<Triangle>& triangles) {
   return sides;
 }
 
-std::uint32_t apex(const std::vector<Triangle>& triangles, const Side& s) { return triangles[s.triangle][(s.corner + 2) % 3]; }
+std::uint32_t apex(const std::vector<Triangle>& triangles, const Side& s) {
+  return triangles[s.triangle][(s.corner + 2) % 3];
+}
 
 /// The sides at one edge, counter-clockwise around it seen against the direction from low to high.
 void sort_around(const SolidOperand& solid, std::span<Side> sides) {
@@ -79,7 +81,13 @@ void add_wedges(SolidOperand& solid) {
     for (std::size_t k = 0; k < n; ++k) {
       const Side &back = edge[k], &ahead = edge[(k + 1) % n];
       if (back.forward || !ahead.forward) continue;
-      Wedge w{back.low, back.high, ahead.triangle, back.triangle, apex(solid.triangles, ahead), apex(solid.triangles, back), Bend::flat};
+      Wedge w{back.low,
+              back.high,
+              ahead.triangle,
+              back.triangle,
+              apex(solid.triangles, ahead),
+              apex(solid.triangles, back),
+              Bend::flat};
       w.bend = bend_of(solid, w);
       solid.wedges.push_back(w);
       paired += 2;
@@ -102,7 +110,8 @@ std::vector<std::uint32_t> wedge_of_side(const SolidOperand& solid) {
   return of;
 }
 
-/// The triangles around a vertex that wedges connect: neighbours, and the wedges towards them, counter-clockwise seen from outside.
+/// The triangles around a vertex that wedges connect: neighbours, and the wedges towards them, counter-clockwise seen
+/// from outside.
 struct Fan {
   std::uint32_t vertex;
   std::vector<std::uint32_t> neighbours, wedges;
@@ -125,7 +134,8 @@ void for_each_fan(const SolidOperand& solid, const std::vector<std::uint32_t>& w
       const std::uint32_t w = wedge_of[3 * t + in];
       fan.neighbours.push_back(solid.triangles[t][in]);
       fan.wedges.push_back(w);
-      const std::uint32_t next = solid.wedges[w].left == t && solid.wedges[w].to == fan.vertex ? solid.wedges[w].right : solid.wedges[w].left;
+      const std::uint32_t next =
+          solid.wedges[w].left == t && solid.wedges[w].to == fan.vertex ? solid.wedges[w].right : solid.wedges[w].left;
       std::uint32_t j = 0;
       while (solid.triangles[next][j] != fan.vertex) ++j;
       corner = 3 * next + j;
@@ -134,8 +144,8 @@ void for_each_fan(const SolidOperand& solid, const std::vector<std::uint32_t>& w
   }
 }
 
-/// The extreme rays of the cone that the neighbours of a fan span, as positions in the fan; none where the cone is not pointed. Wraps it
-/// like a gift: from ray to ray, all others to the left.
+/// The extreme rays of the cone that the neighbours of a fan span, as positions in the fan; none where the cone is not
+/// pointed. Wraps it like a gift: from ray to ray, all others to the left.
 std::vector<std::uint32_t> extreme_rays(const SolidOperand& solid, const Fan& fan) {
   const auto& v = solid.vertices;
   const Point3& o = v[fan.vertex];
@@ -143,9 +153,10 @@ std::vector<std::uint32_t> extreme_rays(const SolidOperand& solid, const Fan& fa
     return orient3_sign(o, v[fan.neighbours[i]], v[fan.neighbours[j]], v[fan.neighbours[k]]);
   };
   const auto n = static_cast<std::uint32_t>(fan.neighbours.size());
-  // Whether j is strictly between i and k in their plane, that is, the triangle o, i, k faces the point j from outside never: tells by
-  // orientation within the plane.
-  const auto turns = [&](std::uint32_t a, std::uint32_t b) -> int {  // of a x b along an axis where any plane normal shows, see below
+  // Whether j is strictly between i and k in their plane, that is, the triangle o, i, k faces the point j from outside
+  // never: tells by orientation within the plane.
+  const auto turns = [&](std::uint32_t a,
+                         std::uint32_t b) -> int {  // of a x b along an axis where any plane normal shows, see below
     for (const exact::Axis axis : {exact::Axis::z, exact::Axis::x, exact::Axis::y})
       if (const int s = exact::normal_sign(o, v[fan.neighbours[a]], v[fan.neighbours[b]], axis)) return s;
     return 0;
@@ -157,7 +168,8 @@ std::vector<std::uint32_t> extreme_rays(const SolidOperand& solid, const Fan& fa
     }
     return false;
   };
-  // From ray i the ray with all others on or to the left of the plane through both; among several in that plane the last one.
+  // From ray i the ray with all others on or to the left of the plane through both; among several in that plane the
+  // last one.
   const auto next = [&](std::uint32_t i) -> std::uint32_t {
     std::uint32_t best = 0xffffffff;
     for (std::uint32_t k = 0; k < n; ++k) {

@@ -1,5 +1,5 @@
-// What the convolution needs of a solid: triangles, the wedges of material along its edges, and the cones of material at its vertices
-// that can support a plane.
+// What the convolution needs of a solid: triangles, the wedges of material along its edges, and the cones of material
+// at its vertices that can support a plane.
 #pragma once
 
 #include <array>
@@ -12,17 +12,18 @@
 
 namespace dymsum::spatial {
 
-/// The material at an edge, between two triangles: `left` runs through the edge from `from` to `to`, `right` the other way. An edge where
-/// more than two triangles meet has several wedges.
+/// The material at an edge, between two triangles: `left` runs through the edge from `from` to `to`, `right` the other
+/// way. An edge where more than two triangles meet has several wedges.
 struct Wedge {
   enum class Bend : std::uint8_t { convex, flat, reflex };
   std::uint32_t from = 0, to = 0;
-  std::uint32_t left = 0, right = 0;          ///< triangles
+  std::uint32_t left = 0, right = 0;            ///< triangles
   std::uint32_t left_apex = 0, right_apex = 0;  ///< their third vertices
   Bend bend = Bend::flat;
 };
 
-/// The material at a vertex, where it is contained in a pointed cone: the neighbours along its extreme rays, in order around it.
+/// The material at a vertex, where it is contained in a pointed cone: the neighbours along its extreme rays, in order
+/// around it.
 struct SupportCone {
   std::uint32_t vertex = 0;
   std::uint32_t first = 0, last = 0;  ///< of SolidOperand::rays
@@ -33,11 +34,11 @@ struct SolidOperand {
   std::vector<Triangle> triangles;
   std::vector<std::uint32_t> face;  ///< of the mesh, per triangle
   std::vector<Wedge> wedges;
-  std::vector<std::uint32_t> wedge_of;     ///< at triangle t's side from corner k to k + 1: wedge_of[3 t + k]
+  std::vector<std::uint32_t> wedge_of;      ///< at triangle t's side from corner k to k + 1: wedge_of[3 t + k]
   std::vector<std::uint32_t> corner_begin;  ///< of `corners`, per vertex; one more at the end
   std::vector<std::uint32_t> corners;       ///< 3 t + k for every triangle t with the vertex at corner k
   std::vector<SupportCone> cones;
-  std::vector<std::uint32_t> rays;  ///< neighbours of the cones' vertices
+  std::vector<std::uint32_t> rays;          ///< neighbours of the cones' vertices
   std::vector<std::uint32_t> shell;         ///< per triangle: the connected piece of the surface that it belongs to
   std::vector<std::uint32_t> shell_vertex;  ///< one vertex of every such piece
 
@@ -46,8 +47,8 @@ struct SolidOperand {
   }
 };
 
-/// Requires triangles whose edges pair up into wedges all around: a closed, oriented surface that does not cross itself.
-/// Exact. O(n log n) for bounded degrees, O(k^2) at a vertex with k edges, some of them reflex.
+/// Requires triangles whose edges pair up into wedges all around: a closed, oriented surface that does not cross
+/// itself. Exact. O(n log n) for bounded degrees, O(k^2) at a vertex with k edges, some of them reflex.
 SolidOperand solid_operand(const MeshData& data);
 
 }  // namespace dymsum::spatial

@@ -12,7 +12,8 @@ using exact::plus;
 using exact::Residue;
 using exact::times;
 
-// One product and one sum of doubles round by at most 2^-53 of the result each; 16 times that covers every expression below.
+// One product and one sum of doubles round by at most 2^-53 of the result each; 16 times that covers every expression
+// below.
 constexpr double kRounding = 0x1p-49;
 
 struct Value {
@@ -49,7 +50,8 @@ int SumSpace::side(PlaneId plane, const PointSource& point, const Approx& at) co
 
 int SumSpace::det(PlaneId a, PlaneId b, PlaneId c) const {
   const Vec3 &n = planes_[a].n, &m = planes_[b].n, &k = planes_[c].n;
-  // Components are at most 1 and relatively within 2^-51 of the exact ones: six products of three, rounded along the way.
+  // Components are at most 1 and relatively within 2^-51 of the exact ones: six products of three, rounded along the
+  // way.
   const double v = dot(cross(n, m), k);
   if (v > 0x1p-45) return 1;
   if (v < -0x1p-45) return -1;
@@ -68,7 +70,8 @@ Approx SumSpace::approximate(const PointSource& point) const {
     const double gap = a.v - b.v, gap_error = a.error + b.error + std::abs(gap) * kRounding;
     if (std::abs(gap) > 8 * gap_error) {
       const double t = a.v / gap;
-      const double t_error = (a.error + std::abs(t) * gap_error) / (std::abs(gap) - gap_error) + std::abs(t) * kRounding;
+      const double t_error =
+          (a.error + std::abs(t) * gap_error) / (std::abs(gap) - gap_error) + std::abs(t) * kRounding;
       const Vec3 d = to - from;
       const double reach = std::abs(d.x) + std::abs(d.y) + std::abs(d.z) + 4 * sum_radius_;
       const double radius = sum_radius_ + reach * t_error + (1 + std::abs(t)) * (span_ * kRounding + 4 * sum_radius_);
@@ -81,7 +84,8 @@ Approx SumSpace::approximate(const PointSource& point) const {
   const double w = dot(a.n, bc);
   constexpr double w_error = 0x1p-45;
   if (std::abs(w) > 8 * w_error) {
-    // Cramer's rule: components of the products are at most 2, each off by 2^-47; offsets are at most 2 span and relatively right.
+    // Cramer's rule: components of the products are at most 2, each off by 2^-47; offsets are at most 2 span and
+    // relatively right.
     const Vec3 x = a.d * bc + b.d * ca + c.d * ab;
     const double x_error = (std::abs(a.d) + std::abs(b.d) + std::abs(c.d)) * 0x1p-45;
     const Vec3 at = (1 / w) * x;
@@ -124,7 +128,7 @@ std::vector<Residue> SumSpace::point_hashes(std::span<const PointSource> points)
       w = rise;
       for (int i = 0; i < 3; ++i) values[k][i] = minus(times(from[i], rise), times(d[i], h));
     } else {
-      const PlaneResidue *r[3] = {&plane_residues_[point.a], &plane_residues_[point.b], &plane_residues_[point.c]};
+      const PlaneResidue* r[3] = {&plane_residues_[point.a], &plane_residues_[point.b], &plane_residues_[point.c]};
       x = y = z = w = 0;
       for (int i = 0; i < 3; ++i) {
         const PlaneResidue &m = *r[(i + 1) % 3], &n = *r[(i + 2) % 3];
@@ -161,7 +165,9 @@ std::vector<Residue> SumSpace::point_hashes(std::span<const PointSource> points)
 std::vector<Residue> SumSpace::plane_hashes(PlaneId first, std::size_t count) const {
   // n and d over the first component of n that is not zero: the same for every multiple.
   std::vector<Residue> product(count), result(count);
-  const auto leading = [&](const PlaneResidue& r) { return r.n[0] != 0 ? r.n[0] : r.n[1] != 0 ? r.n[1] : r.n[2] != 0 ? r.n[2] : 1; };
+  const auto leading = [&](const PlaneResidue& r) {
+    return r.n[0] != 0 ? r.n[0] : r.n[1] != 0 ? r.n[1] : r.n[2] != 0 ? r.n[2] : 1;
+  };
   Residue all = 1;
   for (std::size_t k = 0; k < count; ++k) {
     product[k] = all;

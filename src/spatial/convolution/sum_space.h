@@ -1,6 +1,7 @@
-// The space in which the boundary of P (+) Q is looked for: sums of vertices, planes through them, and the points where such planes meet.
-// Planes and points are what they were made from, never rounded coordinates; every question is the sign of an integer expression whose
-// width is proved by its type. Beside each plane and point stand doubles with a bound of their error: they answer most questions.
+// The space in which the boundary of P (+) Q is looked for: sums of vertices, planes through them, and the points where
+// such planes meet. Planes and points are what they were made from, never rounded coordinates; every question is the
+// sign of an integer expression whose width is proved by its type. Beside each plane and point stand doubles with a
+// bound of their error: they answer most questions.
 //
 // Widths for coordinates |X| <= 2^B of either operand on the common grid:
 //   sum p + q, edge            B + 1        normal u x v               2B + 3
@@ -53,8 +54,8 @@ struct PlaneSource {
   bool reversed = false;
 };
 
-/// A plane n . x = d in doubles, scaled by a power of two so that the largest component of n is in [1/2, 1). For every x with coordinates
-/// within the space, n . x - d is within `slack` of the exact value (scaled alike).
+/// A plane n . x = d in doubles, scaled by a power of two so that the largest component of n is in [1/2, 1). For every
+/// x with coordinates within the space, n . x - d is within `slack` of the exact value (scaled alike).
 struct Plane {
   Vec3 n;
   double d = 0, slack = 0;
@@ -68,8 +69,9 @@ struct PointSource {
   friend auto operator<=>(const PointSource&, const PointSource&) = default;
 };
 
-/// A point, and from there infinitesimal steps, each infinitely smaller than the one before: along n x n_cut (times `way`), to the left of
-/// that in the plane, and off the plane along n (times `side`). A `way` or `side` of 0 takes no such steps.
+/// A point, and from there infinitesimal steps, each infinitely smaller than the one before: along n x n_cut (times
+/// `way`), to the left of that in the plane, and off the plane along n (times `side`). A `way` or `side` of 0 takes no
+/// such steps.
 struct Flag {
   PointSource at;
   PlaneId plane = 0, cut = 0;
@@ -176,8 +178,8 @@ class SumSpace {
   mutable std::atomic<std::uint64_t> exact_signs_{0};
 };
 
-/// The space of the sums of two lists of points, on their common grid (for every axis by itself). Requires finite coordinates, and at most
-/// 250 bits.
+/// The space of the sums of two lists of points, on their common grid (for every axis by itself). Requires finite
+/// coordinates, and at most 250 bits.
 std::unique_ptr<SumSpace> make_sum_space(const std::vector<Point3>& p, const std::vector<Point3>& q);
 
 }  // namespace dymsum::spatial

@@ -35,14 +35,14 @@ constexpr Crossing crossing_of(int op, std::uint32_t e, HalfEdge over) {
 
 /// What one update did.
 struct OverlayWork {
-  std::uint64_t vertex_checks = 0;   ///< faces whose extreme vertex was checked
-  std::uint64_t crossing_checks = 0; ///< crossings whose four signs were checked one by one
-  std::uint64_t vertex_errors = 0;   ///< faces whose extreme vertex changed
-  std::uint64_t steps = 0;           ///< steps from vertex to vertex
-  std::uint64_t arc_checks = 0;      ///< edges of the walker whose crossings were walked again, wholly or in part
-  std::uint64_t arcs_changed = 0;    ///< edges of the walker whose crossings changed
+  std::uint64_t vertex_checks = 0;    ///< faces whose extreme vertex was checked
+  std::uint64_t crossing_checks = 0;  ///< crossings whose four signs were checked one by one
+  std::uint64_t vertex_errors = 0;    ///< faces whose extreme vertex changed
+  std::uint64_t steps = 0;            ///< steps from vertex to vertex
+  std::uint64_t arc_checks = 0;       ///< edges of the walker whose crossings were walked again, wholly or in part
+  std::uint64_t arcs_changed = 0;     ///< edges of the walker whose crossings changed
   std::uint64_t crossings_added = 0, crossings_removed = 0;
-  std::uint64_t exact_signs = 0;     ///< signs that doubles did not decide
+  std::uint64_t exact_signs = 0;  ///< signs that doubles did not decide
 };
 
 class Overlay {
@@ -167,7 +167,7 @@ class Overlay {
   int walker_ = 0;
   std::vector<std::uint32_t> chords_;  // its edges that no visit goes by
   std::vector<std::uint32_t> levels_;  // where its visits as far from the first face begin; one more at the end
-  double cell_ = 0;  // the radius of a cell of the other operand's map, if all were alike
+  double cell_ = 0;                    // the radius of a cell of the other operand's map, if all were alike
   // Certificates: what was checked holds until directions have moved by this angle since the start.
   double clock_ = 0;
   std::array<std::vector<double>, 2> vertex_until_;

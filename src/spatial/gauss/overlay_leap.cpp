@@ -52,8 +52,9 @@ void Overlay::walk_to_faces(std::size_t begin, std::size_t end) {
     const Visit& visit = visits_[w][i];
     const Vec3 edge = signs_.mapped_edge(1 - w, visit.via / 2);
     const double way = 1 - 2 * static_cast<double>(visit.via & 1);
-    walks_[i - begin] = {signs_.row_now(w, visit.face), in_floats(way * edge),
-                         visit.via, extreme_[w][visit.from], visit.face, before_first(visit.via / 2)};
+    walks_[i - begin] = {
+        signs_.row_now(w, visit.face), in_floats(way * edge), visit.via, extreme_[w][visit.from], visit.face,
+        before_first(visit.via / 2)};
     walking_[i - begin] = static_cast<std::uint32_t>(i - begin);
   }
   const float error = signs_.float_error(1 - w);

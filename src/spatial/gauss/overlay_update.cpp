@@ -202,7 +202,7 @@ void Overlay::mend_arc(std::uint32_t e) {
       id = add_crossing(e, over);
       crossings_[id].next[w] = next;
       changed = true;
-    } else {  // of the same two edges: it keeps its number
+    } else {                                  // of the same two edges: it keeps its number
       if (crossing_until_[id] == kForever) {  // dropped too early
         std::erase(dropped_, id);
         crossings_[id].next[w] = next;

@@ -41,8 +41,8 @@ std::size_t Overlay::bytes() const {
   const auto of = [](const auto&... v) { return (std::size_t{0} + ... + (v.capacity() * sizeof(v[0]))); };
   return sizeof(*this) - sizeof(signs_) + signs_.bytes() +
          of(extreme_[0], extreme_[1], head_[0], head_[1], crossings_, free_, visits_[0], visits_[1], vertex_until_[0],
-            vertex_until_[1], crossing_until_, chords_, levels_, walks_, found_, across_, walking_, joining_,
-            altered_, dropped_, touched_, uncrossed_, expired_, broken_, breaks_, spreading_, is_touched_[0], is_touched_[1],
+            vertex_until_[1], crossing_until_, chords_, levels_, walks_, found_, across_, walking_, joining_, altered_,
+            dropped_, touched_, uncrossed_, expired_, broken_, breaks_, spreading_, is_touched_[0], is_touched_[1],
             changes_.faces[0], changes_.faces[1], changes_.crossings);
 }
 

@@ -37,7 +37,8 @@ Soup half_edges(const std::vector<Face>& faces) {
     }
   }
   s.twin.resize(s.origin.size());
-  for (std::uint32_t h = 0; h < s.origin.size(); ++h) s.twin[h] = seen.at((std::uint64_t{s.origin[s.next[h]]} << 32) | s.origin[h]);
+  for (std::uint32_t h = 0; h < s.origin.size(); ++h)
+    s.twin[h] = seen.at((std::uint64_t{s.origin[s.next[h]]} << 32) | s.origin[h]);
   return s;
 }
 
@@ -45,13 +46,15 @@ Soup half_edges(const std::vector<Face>& faces) {
 template <class C>
 std::uint32_t corner(const GridPlaces& p, const Soup& s, std::uint32_t h) {
   for (std::uint32_t k = h;; k = s.next[k]) {
-    const auto a = p.place<C>(s.origin[k]), b = p.place<C>(s.origin[s.next[k]]), c = p.place<C>(s.origin[s.next[s.next[k]]]);
+    const auto a = p.place<C>(s.origin[k]), b = p.place<C>(s.origin[s.next[k]]),
+               c = p.place<C>(s.origin[s.next[s.next[k]]]);
     if (exact::leading_sign(exact::cross(b - a, c - b)) != 0) return k;
     if (s.next[k] == h) return k;
   }
 }
 
-/// Faces in the same plane get the same group: neighbours are compared, as a convex solid's coplanar faces are connected.
+/// Faces in the same plane get the same group: neighbours are compared, as a convex solid's coplanar faces are
+/// connected.
 std::vector<std::uint32_t> coplanar_groups(const GridPlaces& p, const Soup& s, std::size_t faces, bool merge) {
   std::vector<std::uint32_t> group(faces), corner_of(faces, kNone);
   std::iota(group.begin(), group.end(), 0);
@@ -67,7 +70,8 @@ std::vector<std::uint32_t> coplanar_groups(const GridPlaces& p, const Soup& s, s
     for (std::uint32_t h = 0; h < s.origin.size(); ++h) {
       if (h > s.twin[h]) continue;
       const std::uint32_t k = corner_of[s.face[h]];
-      const auto a = p.place<C>(s.origin[k]), b = p.place<C>(s.origin[s.next[k]]), d = p.place<C>(s.origin[s.next[s.next[k]]]);
+      const auto a = p.place<C>(s.origin[k]), b = p.place<C>(s.origin[s.next[k]]),
+                 d = p.place<C>(s.origin[s.next[s.next[k]]]);
       const auto n = exact::cross(b - a, d - b);
       bool flat = true;  // all of the neighbour's vertices lie in the plane
       std::uint32_t q = s.twin[h];
@@ -88,7 +92,8 @@ std::vector<std::uint32_t> coplanar_groups(const GridPlaces& p, const Soup& s, s
 /// Half-edges between different groups whose origins are true vertices, joined over flat vertices.
 class Merging {
  public:
-  Merging(const Soup& soup, const std::vector<std::uint32_t>& group, std::size_t vertices) : s_(soup), group_(group), degree_(vertices, 0) {
+  Merging(const Soup& soup, const std::vector<std::uint32_t>& group, std::size_t vertices)
+      : s_(soup), group_(group), degree_(vertices, 0) {
     for (std::uint32_t h = 0; h < s_.origin.size(); ++h)
       if (border(h)) ++degree_[s_.origin[h]];
   }
@@ -118,7 +123,8 @@ struct Numbering {
   std::vector<std::uint32_t> vertex, half_edge, face;  // of the soup, kNone where dropped
 };
 
-Numbering number(Polytope& p, const Soup& s, const Merging& merging, const std::vector<std::uint32_t>& group, const GridPlaces& all, std::uint32_t vertices) {
+Numbering number(Polytope& p, const Soup& s, const Merging& merging, const std::vector<std::uint32_t>& group,
+                 const GridPlaces& all, std::uint32_t vertices) {
   Numbering to{std::vector<std::uint32_t>(vertices, kNone), std::vector<std::uint32_t>(s.origin.size(), kNone),
                std::vector<std::uint32_t>(group.size(), kNone)};
   for (std::uint32_t v = 0; v < vertices; ++v) {
@@ -146,7 +152,8 @@ Numbering number(Polytope& p, const Soup& s, const Merging& merging, const std::
   return to;
 }
 
-void link(Polytope& p, const Soup& s, const Merging& merging, const std::vector<std::uint32_t>& group, const Numbering& to, std::uint32_t edges) {
+void link(Polytope& p, const Soup& s, const Merging& merging, const std::vector<std::uint32_t>& group,
+          const Numbering& to, std::uint32_t edges) {
   p.origin.resize(2 * edges);
   p.face.resize(2 * edges);
   p.next.resize(2 * edges);
@@ -262,7 +269,8 @@ Polytope make(const GridPlaces& all, std::size_t vertices, const std::vector<Fac
   p.bits = all.bits;
   p.exponent = all.exponent;
   const Numbering to = number(p, soup, merging, group, all, static_cast<std::uint32_t>(vertices));
-  const auto edges = static_cast<std::uint32_t>(std::count_if(to.half_edge.begin(), to.half_edge.end(), [](std::uint32_t h) { return h != kNone; }) / 2);
+  const auto edges = static_cast<std::uint32_t>(
+      std::count_if(to.half_edge.begin(), to.half_edge.end(), [](std::uint32_t h) { return h != kNone; }) / 2);
   link(p, soup, merging, group, to, edges);
   make_rings(p);
   make_units(p, edges);
@@ -275,8 +283,8 @@ Polytope make(const GridPlaces& all, std::size_t vertices, const std::vector<Fac
 
 std::size_t Polytope::bytes() const {
   const auto of = [](const auto&... v) { return (std::size_t{0} + ... + (v.capacity() * sizeof(v[0]))); };
-  return sizeof(*this) + of(from_first, grid, big, source_vertex, ring_start, ring, ring_direction, ring_face, ring_normal, eight, sides, origin, face, next, direction, normal, area, first,
-                            source_face);
+  return sizeof(*this) + of(from_first, grid, big, source_vertex, ring_start, ring, ring_direction, ring_face,
+                            ring_normal, eight, sides, origin, face, next, direction, normal, area, first, source_face);
 }
 
 Result<Polytope> make_polytope(const Mesh& mesh, bool merge) {

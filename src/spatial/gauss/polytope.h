@@ -14,42 +14,47 @@
 
 namespace dymsum::spatial {
 
-/// Half-edge 2e runs along edge e from its first vertex to its second, 2e + 1 back. The face on the left of a half-edge, seen from outside,
-/// is its face.
+/// Half-edge 2e runs along edge e from its first vertex to its second, 2e + 1 back. The face on the left of a
+/// half-edge, seen from outside, is its face.
 using HalfEdge = std::uint32_t;
 constexpr HalfEdge twin(HalfEdge h) { return h ^ 1; }
 
 /// Only true vertices, edges and faces, unless it was made without merging: then flat edges and vertices stay.
 struct Polytope : GridPlaces {
   // Vertices.
-  std::vector<Vec3> from_first;                      // place less that of vertex 0, in units of 2^size: components at most 1, relative error below 2^-52
-  std::vector<std::uint32_t> source_vertex;          // number in the mesh it was made from
-  std::vector<std::uint32_t> ring_start;             // of each vertex, into ring; one more at the end
-  std::vector<HalfEdge> ring;                        // half-edges that leave a vertex, counter-clockwise seen from outside
-  std::vector<Vec3> ring_direction;                  // unit vector along each of ring
-  std::vector<std::uint32_t> ring_face;              // face on the left of each of ring
-  std::vector<Vec3> ring_normal;                     // and its outward unit normal
-  std::vector<RingOfEight> eight;                    // the ring of each vertex once more, for floats
+  std::vector<Vec3>
+      from_first;  // place less that of vertex 0, in units of 2^size: components at most 1, relative error below 2^-52
+  std::vector<std::uint32_t> source_vertex;  // number in the mesh it was made from
+  std::vector<std::uint32_t> ring_start;     // of each vertex, into ring; one more at the end
+  std::vector<HalfEdge> ring;                // half-edges that leave a vertex, counter-clockwise seen from outside
+  std::vector<Vec3> ring_direction;          // unit vector along each of ring
+  std::vector<std::uint32_t> ring_face;      // face on the left of each of ring
+  std::vector<Vec3> ring_normal;             // and its outward unit normal
+  std::vector<RingOfEight> eight;            // the ring of each vertex once more, for floats
   // Half-edges.
   std::vector<std::uint32_t> origin, face;
-  std::vector<HalfEdge> next;                        // in the face
+  std::vector<HalfEdge> next;  // in the face
   // Edges and faces.
-  std::vector<std::array<double, 6>> sides;          // of each edge, the normals of its left and its right face: x, x, y, y, z, z
-  std::vector<Vec3> direction;                       // unit vector of each edge, error below 2^-50
-  std::vector<Vec3> normal;                          // outward unit vector of each face, error below 2^-50
-  std::vector<Vec3> area;                            // outward area vector of each face, in units of 4^size; relative error of every component below 2^-50
-  std::vector<HalfEdge> first;                       // a half-edge of each face at a strictly convex corner
-  std::vector<std::uint32_t> source_face;            // the smallest number of the mesh's faces that it was merged from
-  double volume = 0;                                 // in units of 8^size, relative error below 2^-50
-  exact::Big six_volume;                             // six times the volume, in cubed grid units
-  double total_area = 0;                             // at least the lengths of all of area together, by at most 2^-40 more
-  int size = 0;                                      // no vertex is further than 2^size from vertex 0 along an axis
+  std::vector<std::array<double, 6>>
+      sides;                    // of each edge, the normals of its left and its right face: x, x, y, y, z, z
+  std::vector<Vec3> direction;  // unit vector of each edge, error below 2^-50
+  std::vector<Vec3> normal;     // outward unit vector of each face, error below 2^-50
+  std::vector<Vec3>
+      area;  // outward area vector of each face, in units of 4^size; relative error of every component below 2^-50
+  std::vector<HalfEdge> first;             // a half-edge of each face at a strictly convex corner
+  std::vector<std::uint32_t> source_face;  // the smallest number of the mesh's faces that it was merged from
+  double volume = 0;                       // in units of 8^size, relative error below 2^-50
+  exact::Big six_volume;                   // six times the volume, in cubed grid units
+  double total_area = 0;                   // at least the lengths of all of area together, by at most 2^-40 more
+  int size = 0;                            // no vertex is further than 2^size from vertex 0 along an axis
 
   std::uint32_t vertex_count() const { return static_cast<std::uint32_t>(source_vertex.size()); }
   std::uint32_t edge_count() const { return static_cast<std::uint32_t>(direction.size()); }
   std::uint32_t face_count() const { return static_cast<std::uint32_t>(normal.size()); }
   std::uint32_t target(HalfEdge h) const { return origin[twin(h)]; }
-  std::span<const HalfEdge> leaving(std::uint32_t v) const { return {ring.data() + ring_start[v], ring.data() + ring_start[v + 1]}; }
+  std::span<const HalfEdge> leaving(std::uint32_t v) const {
+    return {ring.data() + ring_start[v], ring.data() + ring_start[v + 1]};
+  }
   /// The unit vector along a half-edge.
   Vec3 along(HalfEdge h) const { return (h & 1) ? -direction[h / 2] : direction[h / 2]; }
 
@@ -75,8 +80,8 @@ struct ExactSolid {
   std::vector<Face> faces;
 };
 
-/// The polytope of a convex mesh: coplanar faces merged, flat vertices dropped, or (merge = false) everything as it stands, which must then
-/// have triangles only. Errors: not_convex, no_area for the empty mesh, unsupported_operand.
+/// The polytope of a convex mesh: coplanar faces merged, flat vertices dropped, or (merge = false) everything as it
+/// stands, which must then have triangles only. Errors: not_convex, no_area for the empty mesh, unsupported_operand.
 Result<Polytope> make_polytope(const Mesh& mesh, bool merge = true);
 Polytope make_polytope(const ExactSolid& solid);
 

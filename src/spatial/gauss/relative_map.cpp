@@ -22,7 +22,8 @@ std::array<T, 9> rotation_matrix(T w, T x, T y, T z) {
 }
 
 /// Three numbers over one denominator as integers without common divisor: num[k] times the other two denominators.
-std::array<BigInteger, 3> over_one_denominator(const std::array<BigInteger, 3>& num, const std::array<BigInteger, 3>& den) {
+std::array<BigInteger, 3> over_one_denominator(const std::array<BigInteger, 3>& num,
+                                               const std::array<BigInteger, 3>& den) {
   std::array<BigInteger, 3> v{num[0] * den[1] * den[2], num[1] * den[0] * den[2], num[2] * den[0] * den[1]};
   const BigInteger d = gcd(gcd(v[0], v[1]), v[2]);
   for (BigInteger& c : v) c /= d;
@@ -90,7 +91,7 @@ void RelativeMap::set_rotation(const Rotation& p, const Rotation& q) {
   } else {
     bits_ = 126;
     fixed_[0] = rotation_matrix<i128>(aw * bw + ax * bx + ay * by + az * bz, aw * bx - ax * bw - ay * bz + az * by,
-                                aw * by + ax * bz - ay * bw - az * bx, aw * bz - ax * by + ay * bx - az * bw);
+                                      aw * by + ax * bz - ay * bw - az * bx, aw * bz - ax * by + ay * bx - az * bw);
   }
   for (int r = 0; r < 3; ++r)
     for (int c = 0; c < 3; ++c) fixed_[1][3 * c + r] = fixed_[0][3 * r + c];
@@ -99,8 +100,10 @@ void RelativeMap::set_rotation(const Rotation& p, const Rotation& q) {
 // D_P^-1 R D_Q and D_Q^-1 R^T D_P, each with positive factors that make integers of them.
 void RelativeMap::set_scaled(const PoseFactors& p, const PoseFactors& q) {
   if (set_scaled_in_words(p, q)) return;
-  const std::array<std::array<BigInteger, 3>, 2> left{over_one_denominator(p.den, p.num), over_one_denominator(q.den, q.num)};
-  const std::array<std::array<BigInteger, 3>, 2> right{over_one_denominator(q.num, q.den), over_one_denominator(p.num, p.den)};
+  const std::array<std::array<BigInteger, 3>, 2> left{over_one_denominator(p.den, p.num),
+                                                      over_one_denominator(q.den, q.num)};
+  const std::array<std::array<BigInteger, 3>, 2> right{over_one_denominator(q.num, q.den),
+                                                       over_one_denominator(p.num, p.den)};
   unsigned most = 0;
   big_.resize(18);
   for (int index = 0; index < 2; ++index)
@@ -166,7 +169,8 @@ void RelativeMap::approximate() {
       for (double& v : d) v *= exact::power_of_two(-top);
     } else {
       for (int k = 0; k < 9; ++k)
-        if (sign(big_[9 * index + k]) != 0) top = std::max(top, static_cast<int>(msb(BigInteger(abs(big_[9 * index + k].value())))));
+        if (sign(big_[9 * index + k]) != 0)
+          top = std::max(top, static_cast<int>(msb(BigInteger(abs(big_[9 * index + k].value())))));
       // 2^-top of a number of up to thousands of bits, rounded once.
       const exact::BigRational unit(BigInteger(1), BigInteger(1) << static_cast<unsigned>(top));
       for (int k = 0; k < 9; ++k) d[k] = exact::round_to_double(exact::BigRational(big_[9 * index + k].value()) * unit);
@@ -175,8 +179,8 @@ void RelativeMap::approximate() {
     // Rows of a multiple of a rotation are equally long.
     norm_[index] = rotation_ ? length(approx_[index][0]) * (1 + 0x1p-40) : spectral_bound(approx_[index]);
     per_norm_[index] = 1 / norm_[index];
-    // Three factors with relative errors 2^-50, 2^-52, 2^-50, and at most 6 roundings of 2^-53: below 2^-48 of sum |u_i m_ij v_j|, which is at
-    // most the Frobenius norm.
+    // Three factors with relative errors 2^-50, 2^-52, 2^-50, and at most 6 roundings of 2^-53: below 2^-48 of sum |u_i
+    // m_ij v_j|, which is at most the Frobenius norm.
     error_[index] = 0x1p-48 * frobenius(approx_[index]);
   }
 }
@@ -186,9 +190,10 @@ double spectral_bound(const Mat3& m) {
   return std::sqrt(std::sqrt(std::sqrt(frobenius(s4)))) * (1 + 0x1p-40);
 }
 
-// Directions of Q's edges, seen from P, move by T = L L_before^-1 (up to a factor), normals by T^-T. On the straight path I + t E from the
-// identity to T, E = T - I, a vector v is at most |E v| away from where it started, so it has turned by at most asin |E|; the inverse of
-// I + t E differs from I by at most |E| / (1 - |E|). The sine of the angle bounds both.
+// Directions of Q's edges, seen from P, move by T = L L_before^-1 (up to a factor), normals by T^-T. On the straight
+// path I + t E from the identity to T, E = T - I, a vector v is at most |E v| away from where it started, so it has
+// turned by at most asin |E|; the inverse of I + t E differs from I by at most |E| / (1 - |E|). The sine of the angle
+// bounds both.
 //
 // For a rotation by phi nothing is turned further than phi, and |E| in the Frobenius norm is 2 sqrt(2) sin(phi / 2).
 double RelativeMap::angle_from(const RelativeMap& before) const {

@@ -8,7 +8,8 @@ namespace {
 using exact::Big;
 using exact::Int;
 
-// Coordinates |X| <= 2^B and maps of W bits: normals 2B + 3, mapped edges B + W + 3, their product and the components of their cross product.
+// Coordinates |X| <= 2^B and maps of W bits: normals 2B + 3, mapped edges B + W + 3, their product and the components
+// of their cross product.
 template <int B, int W>
 struct ContactWidths {
   using Normal = typename exact::SpatialWidths<B>::Normal;
@@ -41,7 +42,8 @@ int Signs::true_sign(int op, std::uint32_t f, HalfEdge h) const {
   return with_types([&](auto c, auto m) {
     using C = decltype(c);
     using M = decltype(m);
-    return exact::sign(exact::dot(poly_[op]->template normal_vector<C>(f), exact::apply(map_.matrix<M>(op), poly_[1 - op]->template edge_vector<C>(h))));
+    return exact::sign(exact::dot(poly_[op]->template normal_vector<C>(f),
+                                  exact::apply(map_.matrix<M>(op), poly_[1 - op]->template edge_vector<C>(h))));
   });
 }
 
@@ -76,9 +78,10 @@ int Signs::plain_tie(int op, std::uint32_t f, HalfEdge h) const {
   return 0;
 }
 
-// With Q turned by epsilon about w = (1, delta, delta^2), epsilon << delta << 1, in P's coordinates: a mapped edge E of Q becomes
-// E + epsilon w x E, and n . (w x E) = w . (E x n). A mapped normal N of Q becomes N + epsilon w x N, and (w x N) . e = w . (N x e). The vectors are
-// perpendicular and not zero where the first term vanishes, so the second one never does.
+// With Q turned by epsilon about w = (1, delta, delta^2), epsilon << delta << 1, in P's coordinates: a mapped edge E of
+// Q becomes E + epsilon w x E, and n . (w x E) = w . (E x n). A mapped normal N of Q becomes N + epsilon w x N, and (w
+// x N) . e = w . (N x e). The vectors are perpendicular and not zero where the first term vanishes, so the second one
+// never does.
 int Signs::exact_sign(int op, std::uint32_t f, HalfEdge h) const {
   ++exact_signs_;
   return with_types([&](auto c, auto m) {

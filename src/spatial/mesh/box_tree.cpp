@@ -25,12 +25,15 @@ std::uint32_t BoxTree::build(std::uint32_t first, std::uint32_t last) {
     return id;
   }
   const Vec3 extent = middles.high - middles.low;
-  double Vec3::*axis = extent.x >= extent.y && extent.x >= extent.z ? &Vec3::x : extent.y >= extent.z ? &Vec3::y : &Vec3::z;
+  double Vec3::*axis = extent.x >= extent.y && extent.x >= extent.z ? &Vec3::x
+                       : extent.y >= extent.z                       ? &Vec3::y
+                                                                    : &Vec3::z;
   const std::uint32_t half = first + (last - first) / 2;
-  std::nth_element(order_.begin() + first, order_.begin() + half, order_.begin() + last, [&](std::uint32_t a, std::uint32_t b) {
-    const double x = boxes_[a].middle().*axis, y = boxes_[b].middle().*axis;
-    return x != y ? x < y : a < b;
-  });
+  std::nth_element(order_.begin() + first, order_.begin() + half, order_.begin() + last,
+                   [&](std::uint32_t a, std::uint32_t b) {
+                     const double x = boxes_[a].middle().*axis, y = boxes_[b].middle().*axis;
+                     return x != y ? x < y : a < b;
+                   });
   const std::uint32_t left = build(first, half), right = build(half, last);
   nodes_[id].left = left, nodes_[id].right = right;
   return id;

@@ -27,8 +27,8 @@ struct Box {
 };
 
 inline bool overlap(const Box& a, const Box& b) {
-  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y && a.low.z <= b.high.z &&
-         b.low.z <= a.high.z;
+  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
+         a.low.z <= b.high.z && b.low.z <= a.high.z;
 }
 
 class BoxTree {
@@ -60,17 +60,19 @@ class BoxTree {
       }
     }
   }
-  /// As any_pair, with the boxes of the other tree reflected: a box B stands for the boxes at - B, for all positions `at`.
+  /// As any_pair, with the boxes of the other tree reflected: a box B stands for the boxes at - B, for all positions
+  /// `at`.
   template <class F>
   bool any_reflected_pair(const BoxTree& other, const Box& at, F f) const {
     const auto reflected = [&](const Box& b) { return Box{at.low - b.high, at.high - b.low}; };
     return any_overlap(other, reflected, f);
   }
-  /// Calls f(i, j), i of this tree and j of the other one, for all pairs that overlap once j's boxes are moved by `shift`; stops where f
-  /// says true, and returns whether it did.
+  /// Calls f(i, j), i of this tree and j of the other one, for all pairs that overlap once j's boxes are moved by
+  /// `shift`; stops where f says true, and returns whether it did.
   template <class F>
   bool any_pair(const BoxTree& other, F f) const {
-    return any_overlap(other, [](const Box& b) { return b; }, f);
+    return any_overlap(
+        other, [](const Box& b) { return b; }, f);
   }
 
  private:
@@ -86,7 +88,8 @@ class BoxTree {
       if (na.leaf() && nb.leaf()) {
         for (std::uint32_t k = na.first; k < na.last; ++k)
           for (std::uint32_t l = nb.first; l < nb.last; ++l)
-            if (overlap(boxes_[order_[k]], moved(other.boxes_[other.order_[l]])) && f(order_[k], other.order_[l])) return true;
+            if (overlap(boxes_[order_[k]], moved(other.boxes_[other.order_[l]])) && f(order_[k], other.order_[l]))
+              return true;
       } else if (nb.leaf() || (!na.leaf() && na.box.size() >= nb.box.size())) {
         stack.push_back({na.right, b}), stack.push_back({na.left, b});
       } else {

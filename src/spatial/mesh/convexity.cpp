@@ -33,8 +33,8 @@ Error not_convex(std::string message, std::uint32_t face) {
 }
 
 Error bad_edge(const MeshData& data, const HalfEdges& edges, std::uint32_t h, Bend bend) {
-  Error error = not_convex(bend == Bend::reflex ? "an edge is reflex" : "two faces lie on top of each other",
-                           edges.face[h]);
+  Error error =
+      not_convex(bend == Bend::reflex ? "an edge is reflex" : "two faces lie on top of each other", edges.face[h]);
   const std::uint32_t v = edges.origin[h];
   error.evidence.other_face = edges.face[edges.twin[h]];
   error.evidence.vertex = v;
@@ -74,8 +74,8 @@ std::vector<Vector<C>> from_barycentre(const std::vector<GridPoint<C>>& points, 
     const auto at = [&](std::size_t k) { return coordinate(points[o[k]]); };
     return (at(0) + at(1)) + (at(2) + at(3));
   };
-  const auto x = line([](const auto& p) { return p.x; }), y = line([](const auto& p) { return p.y; }),
-             z = line([](const auto& p) { return p.z; });
+  const auto x = line([](const auto&p) { return p.x; }), y = line([](const auto&p) { return p.y; }),
+             z = line([](const auto&p) { return p.z; });
   std::vector<Vector<C>> seen;
   seen.reserve(points.size());
   using exact::shift_left;

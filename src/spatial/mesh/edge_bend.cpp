@@ -22,8 +22,8 @@ Bend edge_bend(const MeshData& data, const HalfEdges& edges, const std::vector<F
   w = edges.previous(w);
   const int height = side * height_sign(data.vertices, plane, data.vertices[edges.origin[w]]);
   if (height != 0) return height < 0 ? Bend::convex : Bend::reflex;
-  const int other_sign = exact::normal_sign(data.vertices[other.a], data.vertices[other.b], data.vertices[other.c],
-                                            plane.axis);
+  const int other_sign =
+      exact::normal_sign(data.vertices[other.a], data.vertices[other.b], data.vertices[other.c], plane.axis);
   return other_sign == plane.axis_sign ? Bend::flat : Bend::folded;
 }
 

@@ -53,10 +53,14 @@ template <class F>
 auto with_grid_points(const std::vector<Point3>& points, const SpaceGrid& grid, F f) {
   using exact::Tier;
   switch (grid.tier()) {
-    case Tier::b29: return f(grid_points<exact::Int<29>>(points, grid));
-    case Tier::b61: return f(grid_points<exact::Int<61>>(points, grid));
-    case Tier::b512: return f(grid_points<exact::Int<125>>(points, grid));
-    case Tier::arbitrary: break;
+    case Tier::b29:
+      return f(grid_points<exact::Int<29>>(points, grid));
+    case Tier::b61:
+      return f(grid_points<exact::Int<61>>(points, grid));
+    case Tier::b512:
+      return f(grid_points<exact::Int<125>>(points, grid));
+    case Tier::arbitrary:
+      break;
   }
   return f(grid_points<exact::Big>(points, grid));
 }

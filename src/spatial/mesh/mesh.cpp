@@ -91,7 +91,12 @@ Mesh negated(const Mesh& mesh) {
 }
 
 Result<Mesh> translated(const Mesh& mesh, double dx, double dy, double dz) {
-  return Mesh::create(mapped(mesh, [=](const Point3& p) { return Point3{p.x + dx, p.y + dy, p.z + dz}; }, false));
+  return Mesh::create(mapped(
+      mesh,
+      [=](const Point3& p) {
+        return Point3{p.x + dx, p.y + dy, p.z + dz};
+      },
+      false));
 }
 
 Result<Mesh> scaled(const Mesh& mesh, double sx, double sy, double sz) {
@@ -100,7 +105,12 @@ Result<Mesh> scaled(const Mesh& mesh, double sx, double sy, double sz) {
     return Error{Code::unsupported_operand, "a scale factor is zero or not finite", {}};
   }
   const bool reflects = (sx < 0) != ((sy < 0) != (sz < 0));
-  return Mesh::create(mapped(mesh, [=](const Point3& p) { return Point3{p.x * sx, p.y * sy, p.z * sz}; }, reflects));
+  return Mesh::create(mapped(
+      mesh,
+      [=](const Point3& p) {
+        return Point3{p.x * sx, p.y * sy, p.z * sz};
+      },
+      reflects));
 }
 
 }  // namespace dymsum

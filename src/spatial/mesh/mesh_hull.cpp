@@ -13,8 +13,8 @@
 #include "dymsum/mesh.h"
 #include "exact/vector3.h"
 #include "spatial/mesh/grid_places.h"
-#include "spatial/mesh/rounded_vector.h"
 #include "spatial/mesh/mesh_validate.h"
+#include "spatial/mesh/rounded_vector.h"
 #include "spatial/mesh/triangulate.h"
 
 namespace dymsum {
@@ -27,11 +27,12 @@ struct LessPoint {
   bool operator()(const Point3& a, const Point3& b) const { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); }
 };
 
-/// How deep places lie below the planes of a convex mesh. Numerators are exact, so depths have relative errors below 2^-49,
-/// however small they are.
+/// How deep places lie below the planes of a convex mesh. Numerators are exact, so depths have relative errors below
+/// 2^-49, however small they are.
 class Depths {
  public:
-  Depths(const Mesh& hull, std::vector<Point3> points) : hull_(hull), points_(std::move(points)), first_(points_.size()) {
+  Depths(const Mesh& hull, std::vector<Point3> points)
+      : hull_(hull), points_(std::move(points)), first_(points_.size()) {
     points_.insert(points_.end(), hull.vertices().begin(), hull.vertices().end());
     places_ = grid_places(points_);
     for (std::uint32_t f = 0; f < hull.faces().size(); ++f)
@@ -46,7 +47,9 @@ class Depths {
   double depth(std::uint32_t point, std::uint32_t face) const {
     return with_coordinates(places_, [&](auto c) { return depth_as<decltype(c)>(point, face); });
   }
-  bool is_corner(std::uint32_t point) const { return std::binary_search(hull_.vertices().begin(), hull_.vertices().end(), points_[point], LessPoint()); }
+  bool is_corner(std::uint32_t point) const {
+    return std::binary_search(hull_.vertices().begin(), hull_.vertices().end(), points_[point], LessPoint());
+  }
 
  private:
   template <class C>
@@ -82,8 +85,8 @@ class Depths {
   std::map<Point3, std::vector<std::uint32_t>, LessPoint> faces_at_;
 };
 
-/// Planes to look at for a face: those near its corners, but of corners where more than kMany meet only those of the one where
-/// fewest do. The planes at one corner go all round there, so one of them is above the face.
+/// Planes to look at for a face: those near its corners, but of corners where more than kMany meet only those of the
+/// one where fewest do. The planes at one corner go all round there, so one of them is above the face.
 std::vector<std::uint32_t> planes_above(Depths& depths, const Face& face) {
   constexpr std::size_t kMany = 12;
   const std::vector<std::uint32_t>* fewest = &depths.planes_near(face[0]);
@@ -99,8 +102,8 @@ std::vector<std::uint32_t> planes_above(Depths& depths, const Face& face) {
   return planes;
 }
 
-/// A bound of how far the points that a face spans lie below the hull: below one plane no point is deeper than the deepest
-/// corner.
+/// A bound of how far the points that a face spans lie below the hull: below one plane no point is deeper than the
+/// deepest corner.
 double depth_of(Depths& depths, const Face& face) {
   double least = std::numeric_limits<double>::infinity();
   for (const std::uint32_t f : planes_above(depths, face)) {
@@ -174,12 +177,16 @@ Result<HulledMesh> hulled(const MeshData& data) {
 }
 
 std::string HullReport::to_string() const {
-  const auto some = [](std::size_t n, std::size_t all) { return std::to_string(n) + " of " + std::to_string(all) + (all == 1 ? " vertex" : " vertices"); };
+  const auto some = [](std::size_t n, std::size_t all) {
+    return std::to_string(n) + " of " + std::to_string(all) + (all == 1 ? " vertex" : " vertices");
+  };
   std::string text = some(inside_vertices, vertices) + " inside it, largest deviation ";
   char number[32];
   std::snprintf(number, sizeof number, "%.3g", deviation);
   text += number;
-  if (unused_vertices > 0) text += ", " + std::to_string(unused_vertices) + (unused_vertices == 1 ? " unused vertex" : " unused vertices") + " left out";
+  if (unused_vertices > 0)
+    text += ", " + std::to_string(unused_vertices) + (unused_vertices == 1 ? " unused vertex" : " unused vertices") +
+            " left out";
   return text;
 }
 

@@ -59,8 +59,8 @@ inline EightSides eight_sides(const RingOfEight& ring, const std::array<float, 3
                       _mm_mul_ps(_mm_load_ps(&ring.z[k]), z));
   };
   const __m128 low = four(0), high = four(4), least = _mm_set1_ps(error), sign = _mm_set1_ps(-0.0F);
-  const __m128 sure = _mm_and_ps(_mm_cmpgt_ps(_mm_andnot_ps(sign, low), least),
-                                 _mm_cmpgt_ps(_mm_andnot_ps(sign, high), least));
+  const __m128 sure =
+      _mm_and_ps(_mm_cmpgt_ps(_mm_andnot_ps(sign, low), least), _mm_cmpgt_ps(_mm_andnot_ps(sign, high), least));
   const int right = _mm_movemask_ps(low) | (_mm_movemask_ps(high) << 4);
   return {~static_cast<std::uint32_t>(right) & 0xFF, _mm_movemask_ps(sure) == 0xF};
 }

@@ -12,7 +12,8 @@ namespace {
 using exact::i128;
 constexpr std::int64_t kMost = std::int64_t{1} << Rotation::kBits;
 
-// Half turns have two quaternions of opposite sign like all rotations: the first component that is not zero is made positive.
+// Half turns have two quaternions of opposite sign like all rotations: the first component that is not zero is made
+// positive.
 void make_leading_positive(std::array<i128, 4>& q) {
   for (const i128 c : q) {
     if (c == 0) continue;
@@ -79,10 +80,12 @@ Result<Rotation> Rotation::of(std::int64_t w, std::int64_t x, std::int64_t y, st
 
 Result<Rotation> Rotation::nearest(double w, double x, double y, double z) {
   const double most = std::max({std::abs(w), std::abs(x), std::abs(y), std::abs(z)});
-  if (!(most > 0) || !std::isfinite(w + x + y + z)) return Error{Code::bad_rotation, "a rotation needs finite numbers that are not all zero", {}};
+  if (!(most > 0) || !std::isfinite(w + x + y + z))
+    return Error{Code::bad_rotation, "a rotation needs finite numbers that are not all zero", {}};
   std::array<i128, 4> q;
   const std::array<double, 4> d{w, x, y, z};
-  for (int i = 0; i < 4; ++i) q[i] = static_cast<std::int64_t>(std::nearbyint(d[i] / most * static_cast<double>(kMost)));
+  for (int i = 0; i < 4; ++i)
+    q[i] = static_cast<std::int64_t>(std::nearbyint(d[i] / most * static_cast<double>(kMost)));
   reduce(q);
   return make(q);
 }
@@ -120,7 +123,8 @@ std::int64_t Rotation::norm() const {
 }
 
 double Rotation::angle() const {
-  const double v = std::sqrt(double(q_[1]) * double(q_[1]) + double(q_[2]) * double(q_[2]) + double(q_[3]) * double(q_[3]));
+  const double v =
+      std::sqrt(double(q_[1]) * double(q_[1]) + double(q_[2]) * double(q_[2]) + double(q_[3]) * double(q_[3]));
   return 2 * std::atan2(v, std::abs(double(q_[0])));
 }
 

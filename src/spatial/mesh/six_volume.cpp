@@ -49,8 +49,8 @@ void for_each_shell(const std::vector<GridPoint<C>>& points, const std::vector<F
     if (apex[shell] == HalfEdges::kNone) apex[shell] = face[0];
     const GridPoint<C>& from = points[apex[shell]];
     for (std::size_t k = 2; k < face.size(); ++k) {
-      sums[shell] = plus(sums[shell], exact::determinant(points[face[0]] - from, points[face[k - 1]] - from,
-                                                         points[face[k]] - from));
+      sums[shell] = plus(
+          sums[shell], exact::determinant(points[face[0]] - from, points[face[k - 1]] - from, points[face[k]] - from));
     }
   }
   for (std::uint32_t k = 0; k < shells.count; ++k) f(k, sums[k]);

@@ -44,8 +44,7 @@ class Ears {
 
  private:
   int side(std::size_t a, std::size_t b, std::size_t c) const {
-    return view_.sign *
-           exact::normal_sign(vertices_[face_[a]], vertices_[face_[b]], vertices_[face_[c]], view_.axis);
+    return view_.sign * exact::normal_sign(vertices_[face_[a]], vertices_[face_[b]], vertices_[face_[c]], view_.axis);
   }
   bool same(std::size_t a, std::size_t b) const { return vertices_[face_[a]] == vertices_[face_[b]]; }
   int turn(std::size_t i) const { return side(previous_[i], i, next_[i]); }
@@ -62,7 +61,8 @@ class Ears {
   bool is_clear(std::size_t ear) const {
     const std::size_t a = previous_[ear], c = next_[ear];
     return std::none_of(blunt_.begin(), blunt_.end(), [&](std::size_t i) {
-      return !same(i, a) && !same(i, ear) && !same(i, c) && side(a, ear, i) >= 0 && side(ear, c, i) >= 0 && side(c, a, i) >= 0;
+      return !same(i, a) && !same(i, ear) && !same(i, c) && side(a, ear, i) >= 0 && side(ear, c, i) >= 0 &&
+             side(c, a, i) >= 0;
     });
   }
 

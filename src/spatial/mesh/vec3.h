@@ -28,6 +28,8 @@ inline Vec3 row_times(Vec3 v, const Mat3& m) { return v.x * m[0] + v.y * m[1] + 
 inline Mat3 transposed(const Mat3& m) {
   return {Vec3{m[0].x, m[1].x, m[2].x}, Vec3{m[0].y, m[1].y, m[2].y}, Vec3{m[0].z, m[1].z, m[2].z}};
 }
-inline Mat3 operator*(const Mat3& a, const Mat3& b) { return {row_times(a[0], b), row_times(a[1], b), row_times(a[2], b)}; }
+inline Mat3 operator*(const Mat3& a, const Mat3& b) {
+  return {row_times(a[0], b), row_times(a[1], b), row_times(a[2], b)};
+}
 
 }  // namespace dymsum::spatial

@@ -184,11 +184,8 @@ Mesh truncated_icosidodecahedron(double radius) {
   require(radius > 0, "truncated_icosidodecahedron");
   const double g = golden_ratio(), h = g - 1;  // h = 1 / g
   // all signs and even permutations of these: 120 points
-  const std::array<Point3, 5> seeds = {{{h, h, 3 + g},
-                                        {2 * h, g, 1 + 2 * g},
-                                        {h, g * g, 3 * g - 1},
-                                        {2 * g - 1, 2, 2 + g},
-                                        {g, 3, 2 * g}}};
+  const std::array<Point3, 5> seeds = {
+      {{h, h, 3 + g}, {2 * h, g, 1 + 2 * g}, {h, g * g, 3 * g - 1}, {2 * g - 1, 2, 2 + g}, {g, 3, 2 * g}}};
   std::vector<Point3> points;
   for (const Point3& seed : seeds) {
     const Point3 s = times(radius / length(seed), seed);

@@ -33,7 +33,8 @@ class Turns {
     const double ux = bx - ax, uy = by - ay, vx = cx - ax, vy = cy - ay;
     const double value = ux * vy - uy * vx;
     const double sizes = std::abs(ux) + std::abs(uy) + std::abs(vx) + std::abs(vy);
-    const double error = 4 * sum_.at_error * (sizes + 4 * sum_.at_error) + 0x1p-50 * (std::abs(ux * vy) + std::abs(uy * vx)) + 0x1p-1000;
+    const double error =
+        4 * sum_.at_error * (sizes + 4 * sum_.at_error) + 0x1p-50 * (std::abs(ux * vy) + std::abs(uy * vx)) + 0x1p-1000;
     if (value > error) return sign_;
     if (value < -error) return -sign_;
     return sign_ * exact_turn(a, b, c);
@@ -48,7 +49,8 @@ class Turns {
     if (!exact_[v]) {
       const PointSource& at = sum_.source->vertices[v];
       exact_[v].emplace();
-      for (int i = 0; i < 3; ++i) (*exact_[v])[static_cast<std::size_t>(i)] = sum_.source->space->world_coordinate(at, i);
+      for (int i = 0; i < 3; ++i)
+        (*exact_[v])[static_cast<std::size_t>(i)] = sum_.source->space->world_coordinate(at, i);
     }
     return *exact_[v];
   }
@@ -78,13 +80,14 @@ class FaceSplitter {
   }
 
  private:
-  /// Sees the face counter-clockwise: along the axis of its largest area, from the side that the outer loop's turn at its smallest vertex
-  /// tells, which is a left one.
+  /// Sees the face counter-clockwise: along the axis of its largest area, from the side that the outer loop's turn at
+  /// its smallest vertex tells, which is a left one.
   void look_at(const SpatialFace& face) {
     Vec3 n;
     const auto at = [&](std::uint32_t v) { return Vec3{sum_.vertices[v].x, sum_.vertices[v].y, sum_.vertices[v].z}; };
     const Ring& outer = face.loops[0];
-    for (std::size_t k = 1; k + 1 < outer.size(); ++k) n = n + cross(at(outer[k]) - at(outer[0]), at(outer[k + 1]) - at(outer[0]));
+    for (std::size_t k = 1; k + 1 < outer.size(); ++k)
+      n = n + cross(at(outer[k]) - at(outer[0]), at(outer[k + 1]) - at(outer[0]));
     const double size[3] = {std::abs(n.x), std::abs(n.y), std::abs(n.z)};
     std::array<int, 3> axes{0, 1, 2};
     std::sort(axes.begin(), axes.end(), [&](int a, int b) { return size[a] > size[b]; });
@@ -107,7 +110,8 @@ class FaceSplitter {
       if (ring[i] <= h) places.push_back(i);
     std::stable_sort(places.begin(), places.end(), [&](std::size_t a, std::size_t b) { return ring[a] > ring[b]; });
     for (const std::size_t i : places) {
-      if (ring[i] != h && (!opens_to(ring, i, h) || crosses(ring, ring[i], h) || crosses_any(holes, k, ring[i], h))) continue;
+      if (ring[i] != h && (!opens_to(ring, i, h) || crosses(ring, ring[i], h) || crosses_any(holes, k, ring[i], h)))
+        continue;
       if (ring[i] == h && !opens_to(ring, i, hole[1])) continue;
       Ring joined(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(i) + 1);
       if (ring[i] == h) joined.pop_back();
@@ -136,7 +140,8 @@ class FaceSplitter {
     const std::size_t n = ring.size();
     for (std::size_t i = 0; i < n; ++i) {
       const std::uint32_t c = ring[i], d = ring[(i + 1) % n];
-      if (c != a && c != b && turn_(a, b, c) == 0 && (a < c) == (c < b)) return true;  // the order of indices is that along any line
+      if (c != a && c != b && turn_(a, b, c) == 0 && (a < c) == (c < b))
+        return true;  // the order of indices is that along any line
       if (c == a || c == b || d == a || d == b) continue;
       if (turn_(a, b, c) * turn_(a, b, d) < 0 && turn_(c, d, a) * turn_(c, d, b) < 0) return true;
     }

@@ -8,8 +8,8 @@
 
 namespace dymsum::spatial {
 
-/// Every face as triangles of its own vertices, counter-clockwise seen from outside, each with area: all edges of the loops once, all others
-/// twice. Exact. O(n^2) for a face of n vertices, and O(n) more for each hole.
+/// Every face as triangles of its own vertices, counter-clockwise seen from outside, each with area: all edges of the
+/// loops once, all others twice. Exact. O(n^2) for a face of n vertices, and O(n) more for each hole.
 Triangles triangulated(const SpatialSum& sum);
 
 }  // namespace dymsum::spatial

@@ -16,7 +16,8 @@ class Stages {
   /// Ends the stage before it and begins one.
   void begin(std::string_view name) {
     const auto now = std::chrono::steady_clock::now();
-    if (!stats_.stages.empty()) stats_.stages.back().ms = std::chrono::duration<double, std::milli>(now - last_).count();
+    if (!stats_.stages.empty())
+      stats_.stages.back().ms = std::chrono::duration<double, std::milli>(now - last_).count();
     last_ = now;
     if (name.empty()) return;
     stats_.stages.push_back({name, 0});
@@ -70,7 +71,8 @@ Flag flag_at(const SolidArrangement& arrangement, const PlaneGroup& group, const
   return {arrangement.points.source(at), group.plane, e.cut, way, 1, static_cast<std::int8_t>(side)};
 }
 
-SolidBoundary solid_boundary(const SolidOperand& p, const SolidOperand& q, const SpatialOptions& options, SpatialStats& stats) {
+SolidBoundary solid_boundary(const SolidOperand& p, const SolidOperand& q, const SpatialOptions& options,
+                             SpatialStats& stats) {
   SolidBoundary result;
   Stages stages(options, stats);
   stages.begin("convolution");
@@ -80,7 +82,8 @@ SolidBoundary solid_boundary(const SolidOperand& p, const SolidOperand& q, const
   stages.begin("contacts");
   const Contacts contacts = find_contacts(*result.space, result.table);
   stages.begin("arrangement");
-  result.arrangement = std::make_unique<SolidArrangement>(arrange(*result.space, result.table, contacts, options.threads));
+  result.arrangement =
+      std::make_unique<SolidArrangement>(arrange(*result.space, result.table, contacts, options.threads));
   stages.begin("links");
   const CellLinks links = link_cells(*result.space, *result.arrangement);
   stages.begin("collisions");
@@ -96,7 +99,8 @@ SolidBoundary solid_boundary(const SolidOperand& p, const SolidOperand& q, const
   stats.bits = result.space->bits();
   stats.face_vertex = convolution.counts.face_vertex, stats.edge_edge = convolution.counts.edge_edge;
   stats.box_pairs = contacts.counts.box_pairs, stats.contacts = contacts.counts.contacts;
-  stats.points = result.arrangement->points.size(), stats.cells = result.arrangement->cell_count, stats.patches = links.patches;
+  stats.points = result.arrangement->points.size(), stats.cells = result.arrangement->cell_count,
+  stats.patches = links.patches;
   stats.tight_tests = result.tight.tests;
   stats.exact_signs = result.space->exact_signs();
   return result;

@@ -21,9 +21,11 @@ struct SolidBoundary {
 
 /// Throws Cancelled where progress asks to stop.
 struct Cancelled {};
-SolidBoundary solid_boundary(const SolidOperand& p, const SolidOperand& q, const SpatialOptions& options, SpatialStats& stats);
+SolidBoundary solid_boundary(const SolidOperand& p, const SolidOperand& q, const SpatialOptions& options,
+                             SpatialStats& stats);
 
-/// A position off the facets, infinitely near to a cell: in front of it for side 1 or -1 (of the plane's normal), inside it for 0.
+/// A position off the facets, infinitely near to a cell: in front of it for side 1 or -1 (of the plane's normal),
+/// inside it for 0.
 Flag flag_at(const SolidArrangement& arrangement, const PlaneGroup& group, const Cell& cell, int side);
 
 }  // namespace dymsum::spatial

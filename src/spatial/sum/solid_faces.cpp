@@ -13,8 +13,8 @@ namespace {
 
 using Loop = std::vector<PointId>;
 
-/// Which cells belong to what is assembled, and the side from which it is seen: 0 for cells that do not, 1 for the normal's side, -1 for
-/// the other one.
+/// Which cells belong to what is assembled, and the side from which it is seen: 0 for cells that do not, 1 for the
+/// normal's side, -1 for the other one.
 struct Selection {
   std::vector<std::int8_t> side;
 };
@@ -44,12 +44,16 @@ class Merger {
   }
 
  private:
-  static std::uint64_t key(PointId a, PointId b) { return (static_cast<std::uint64_t>(std::min(a, b)) << 32) | std::max(a, b); }
+  static std::uint64_t key(PointId a, PointId b) {
+    return (static_cast<std::uint64_t>(std::min(a, b)) << 32) | std::max(a, b);
+  }
   std::uint64_t key(const PlaneGroup& group, std::uint32_t edge) const {
     const CellEdge& e = group.cells.edges[edge];
     return key(arrangement_.point(group, e.a), arrangement_.point(group, e.b));
   }
-  int side(const PlaneGroup& group, std::uint32_t cell) const { return cell == kNoId ? 0 : selection_.side[group.first_cell + cell]; }
+  int side(const PlaneGroup& group, std::uint32_t cell) const {
+    return cell == kNoId ? 0 : selection_.side[group.first_cell + cell];
+  }
 
   /// How many selected cells come to every piece.
   void count_walls() {
@@ -72,11 +76,11 @@ class Merger {
 
   void trace(const PlaneGroup& group, std::vector<Polygon>& polygons) {
     const PlaneCells& cells = group.cells;
-    const bool any = std::any_of(cells.cells.begin(), cells.cells.end(), [&, c = group.first_cell](const Cell&) mutable {
-      return selection_.side[c++] != 0;
-    });
+    const bool any = std::any_of(cells.cells.begin(), cells.cells.end(),
+                                 [&, c = group.first_cell](const Cell&) mutable { return selection_.side[c++] != 0; });
     if (!any) return;
-    std::vector<std::uint32_t> next(2 * cells.edges.size(), kNoId), cell_of(next.size(), kNoId), parent(cells.cells.size());
+    std::vector<std::uint32_t> next(2 * cells.edges.size(), kNoId), cell_of(next.size(), kNoId),
+        parent(cells.cells.size());
     for (std::uint32_t c = 0; c < cells.cells.size(); ++c) {
       for (std::uint32_t l = cells.cells[c].first_loop; l < cells.cells[c].last_loop; ++l) {
         const std::uint32_t begin = cells.loops[l], end = cells.loops[l + 1];
@@ -166,7 +170,8 @@ class Assembler {
     add_faces(faces);
     for (Polygon& polygon : tight) sum_.tight_faces.push_back(named(polygon));
     std::sort(sum_.tight_faces.begin(), sum_.tight_faces.end());
-    for (const auto& [a, b] : segments) sum_.tight_segments.push_back({std::min(name_[a], name_[b]), std::max(name_[a], name_[b])});
+    for (const auto& [a, b] : segments)
+      sum_.tight_segments.push_back({std::min(name_[a], name_[b]), std::max(name_[a], name_[b])});
     std::sort(sum_.tight_segments.begin(), sum_.tight_segments.end());
     for (const PointId p : boundary_.tight.points) sum_.tight_points.push_back(name_[p]);
     std::sort(sum_.tight_points.begin(), sum_.tight_points.end());
@@ -182,7 +187,8 @@ class Assembler {
     Selection selection{std::vector<std::int8_t>(arrangement_.cell_count)};
     for (const PlaneGroup& group : arrangement_.groups)
       for (std::uint32_t c = 0; c < group.cells.cells.size(); ++c)
-        if (boundary_.boundary[group.first_cell + c]) selection.side[group.first_cell + c] = group.cells.cells[c].front > 0 ? 1 : -1;
+        if (boundary_.boundary[group.first_cell + c])
+          selection.side[group.first_cell + c] = group.cells.cells[c].front > 0 ? 1 : -1;
     return selection;
   }
   Selection tight_selection() const {
@@ -252,7 +258,8 @@ class Assembler {
     return 0;
   }
 
-  void name_vertices(const std::vector<Polygon>& faces, const std::vector<Polygon>& tight, const std::vector<std::array<PointId, 2>>& segments) {
+  void name_vertices(const std::vector<Polygon>& faces, const std::vector<Polygon>& tight,
+                     const std::vector<std::array<PointId, 2>>& segments) {
     std::vector<PointId> used;
     for (const std::vector<Polygon>* list : {&faces, &tight})
       for (const Polygon& polygon : *list)
@@ -273,7 +280,8 @@ class Assembler {
       name_[used[k]] = k;
       const Approx& at = arrangement_.points.approx(used[k]);
       source->vertices.push_back(arrangement_.points.source(used[k]));
-      sum_.vertices.push_back({at.at.x * world[0] + offset[0], at.at.y * world[1] + offset[1], at.at.z * world[2] + offset[2]});
+      sum_.vertices.push_back(
+          {at.at.x * world[0] + offset[0], at.at.y * world[1] + offset[1], at.at.z * world[2] + offset[2]});
       for (int axis = 0; axis < 3; ++axis) {
         const double size = (space_.span() + at.radius) * world[axis] + std::abs(offset[axis]);
         sum_.at_error = std::max(sum_.at_error, at.radius * world[axis] + size * 0x1p-51);
@@ -291,15 +299,16 @@ class Assembler {
       std::rotate(names.begin(), first_corner(names), names.end());
       loops.push_back(std::move(names));
     }
-    // The outer loop holds the smallest vertex; where a hole's loop does, too, the hole turns the other way, and its second vertex tells:
-    // counter-clockwise order from the smallest vertex is the plane's, so the areas' signs differ.
+    // The outer loop holds the smallest vertex; where a hole's loop does, too, the hole turns the other way, and its
+    // second vertex tells: counter-clockwise order from the smallest vertex is the plane's, so the areas' signs differ.
     std::sort(loops.begin(), loops.end());
     if (loops.size() > 1) {
       std::size_t outer = 0;
       double most = area(loops[0]);
       for (std::size_t k = 1; k < loops.size(); ++k)
         if (loops[k][0] == loops[0][0] && area(loops[k]) > most) most = area(loops[k]), outer = k;
-      std::rotate(loops.begin(), loops.begin() + static_cast<std::ptrdiff_t>(outer), loops.begin() + static_cast<std::ptrdiff_t>(outer) + 1);
+      std::rotate(loops.begin(), loops.begin() + static_cast<std::ptrdiff_t>(outer),
+                  loops.begin() + static_cast<std::ptrdiff_t>(outer) + 1);
     }
     return loops;
   }
@@ -310,7 +319,8 @@ class Assembler {
       const auto i = at - names.begin(), j = best - names.begin();
       const auto n = static_cast<std::ptrdiff_t>(names.size());
       for (std::ptrdiff_t k = 0; k < n; ++k) {
-        const std::uint32_t x = names[static_cast<std::size_t>((i + k) % n)], y = names[static_cast<std::size_t>((j + k) % n)];
+        const std::uint32_t x = names[static_cast<std::size_t>((i + k) % n)],
+                            y = names[static_cast<std::size_t>((j + k) % n)];
         if (x == y) continue;
         if (x < y) best = at;
         break;
@@ -321,7 +331,8 @@ class Assembler {
   double area(const std::vector<std::uint32_t>& loop) const {
     const auto at = [&](std::uint32_t v) { return Vec3{sum_.vertices[v].x, sum_.vertices[v].y, sum_.vertices[v].z}; };
     Vec3 n;
-    for (std::size_t k = 1; k + 1 < loop.size(); ++k) n = n + cross(at(loop[k]) - at(loop[0]), at(loop[k + 1]) - at(loop[0]));
+    for (std::size_t k = 1; k + 1 < loop.size(); ++k)
+      n = n + cross(at(loop[k]) - at(loop[0]), at(loop[k + 1]) - at(loop[0]));
     return length(n);
   }
 
@@ -339,7 +350,8 @@ class Assembler {
       entry.patch = boundary_.patch[polygon.cell];
       entries.push_back(std::move(entry));
     }
-    std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.face.loops < b.face.loops; });
+    std::sort(entries.begin(), entries.end(),
+              [](const Entry& a, const Entry& b) { return a.face.loops < b.face.loops; });
     std::vector<std::uint32_t> shell(arrangement_.cell_count, kNoId);
     for (Entry& entry : entries) {
       if (entry.patch == kNoId) throw std::logic_error("solid sum: a boundary cell that links refute");
@@ -350,8 +362,8 @@ class Assembler {
     }
   }
 
-  /// The smallest features among the facets in a cell's plane whose corners' box holds a corner of the cell. The facets of a group tile or
-  /// overlap; any that covers the cell will do.
+  /// The smallest features among the facets in a cell's plane whose corners' box holds a corner of the cell. The facets
+  /// of a group tile or overlap; any that covers the cell will do.
   std::pair<SolidFeature, SolidFeature> provenance(std::uint32_t id) const {
     const PlaneGroup* group = nullptr;
     const Cell& c = cell(id, group);
@@ -392,7 +404,9 @@ class Assembler {
   }
   bool exactly_inside(const TableFacet& facet, SumPoint a, SumPoint b, PointId at) const {
     using exact::BigRational;
-    const auto coordinate = [&](SumPoint s, int axis) { return space_.exact_coordinate({PointSource::Kind::sum, s.p, s.q, 0}, axis); };
+    const auto coordinate = [&](SumPoint s, int axis) {
+      return space_.exact_coordinate({PointSource::Kind::sum, s.p, s.q, 0}, axis);
+    };
     BigRational d[3], w[3];
     for (int axis = 0; axis < 3; ++axis) {
       d[axis] = coordinate(b, axis) - coordinate(a, axis);
@@ -414,9 +428,12 @@ class Assembler {
       return SolidFeature{Kind::edge, a, b};
     };
     switch (f.kind) {
-      case SumFacet::Kind::face_vertex: return {{Kind::face, p_.face[f.p], 0}, {Kind::vertex, f.q, 0}};
-      case SumFacet::Kind::vertex_face: return {{Kind::vertex, f.p, 0}, {Kind::face, q_.face[f.q], 0}};
-      case SumFacet::Kind::edge_edge: break;
+      case SumFacet::Kind::face_vertex:
+        return {{Kind::face, p_.face[f.p], 0}, {Kind::vertex, f.q, 0}};
+      case SumFacet::Kind::vertex_face:
+        return {{Kind::vertex, f.p, 0}, {Kind::face, q_.face[f.q], 0}};
+      case SumFacet::Kind::edge_edge:
+        break;
     }
     return {edge(p_, f.p), edge(q_, f.q)};
   }

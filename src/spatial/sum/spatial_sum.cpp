@@ -27,7 +27,8 @@ Result<SpatialSum> spatial::sum_of_solids(const MeshData& p, const MeshData& q, 
     spatial::SolidBoundary boundary = spatial::solid_boundary(a, b, options, sum.stats);
     const auto start = std::chrono::steady_clock::now();
     spatial::assemble(boundary, a, b, sum);
-    sum.stats.stages.push_back({"faces", std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count()});
+    sum.stats.stages.push_back(
+        {"faces", std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count()});
     std::const_pointer_cast<SpatialSum::Source>(sum.source)->space = std::move(boundary.space);
   } catch (const spatial::Cancelled&) {
     return Error{Code::cancelled, "the computation was cancelled", {}};
@@ -41,7 +42,8 @@ namespace {
 
 std::array<BigRational, 3> world(const SpatialSum::Source& source, std::size_t vertex) {
   const spatial::PointSource& at = source.vertices[vertex];
-  return {source.space->world_coordinate(at, 0), source.space->world_coordinate(at, 1), source.space->world_coordinate(at, 2)};
+  return {source.space->world_coordinate(at, 0), source.space->world_coordinate(at, 1),
+          source.space->world_coordinate(at, 2)};
 }
 
 }  // namespace
@@ -61,7 +63,8 @@ Rational SpatialSum::volume_exact() const {
       const auto& a = at[loop[0]];
       for (std::size_t k = 1; k + 1 < loop.size(); ++k) {
         const auto &b = at[loop[k]], &c = at[loop[k + 1]];
-        six += a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+        six += a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+               a[2] * (b[0] * c[1] - b[1] * c[0]);
       }
     }
   }
@@ -85,7 +88,8 @@ Result<MeshData> SpatialSum::rounded() const {
     mesh.faces.push_back(std::move(face));
   }
   std::vector<Point3> sorted = mesh.vertices;
-  std::sort(sorted.begin(), sorted.end(), [](const Point3& a, const Point3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); });
+  std::sort(sorted.begin(), sorted.end(),
+            [](const Point3& a, const Point3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); });
   const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
   if (twice == sorted.end()) return mesh;
   Error error{Code::rounding_changed_topology, "two vertices of the sum round to one place", {}};
@@ -99,15 +103,16 @@ double SpatialSum::area() const {
   for (const SpatialFace& face : faces) {
     Vec3 n;
     for (const std::vector<std::uint32_t>& loop : face.loops)
-      for (std::size_t k = 1; k + 1 < loop.size(); ++k) n = n + cross(at(loop[k]) - at(loop[0]), at(loop[k + 1]) - at(loop[0]));
+      for (std::size_t k = 1; k + 1 < loop.size(); ++k)
+        n = n + cross(at(loop[k]) - at(loop[0]), at(loop[k + 1]) - at(loop[0]));
     total += length(n) / 2;
   }
   return total;
 }
 
 bool operator==(const SpatialSum& a, const SpatialSum& b) {
-  if (a.faces != b.faces || a.tight_faces != b.tight_faces || a.tight_segments != b.tight_segments || a.tight_points != b.tight_points ||
-      a.vertices.size() != b.vertices.size())
+  if (a.faces != b.faces || a.tight_faces != b.tight_faces || a.tight_segments != b.tight_segments ||
+      a.tight_points != b.tight_points || a.vertices.size() != b.vertices.size())
     return false;
   for (std::size_t k = 0; k < a.vertices.size(); ++k)
     if (world(*a.source, k) != world(*b.source, k)) return false;

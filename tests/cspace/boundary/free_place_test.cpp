@@ -33,7 +33,9 @@ Region scaled(const Region& r, double f) {
 // The reflected robot, turned. Requires multiples of 5.
 Region turned_back(const Region& r, const Turn& turn) {
   RegionData data = r.data();
-  const auto place = [&](Point p) { return Point{-(turn.cosine * p.x - turn.sine * p.y) / 5, -(turn.sine * p.x + turn.cosine * p.y) / 5}; };
+  const auto place = [&](Point p) {
+    return Point{-(turn.cosine * p.x - turn.sine * p.y) / 5, -(turn.sine * p.x + turn.cosine * p.y) / 5};
+  };
   for (Part& part : data.parts) {
     for (Point& p : part.outer) p = place(p);
     for (Ring& hole : part.holes)
@@ -52,8 +54,13 @@ struct Tally {
 class Places {
  public:
   Places(const Region& robot, const Region& obstacle, const Turn& turn)
-      : turn_(turn), base_(turning_base(obstacle, robot, 1, true, {}, 0).value()), forms_(*base_),
-        angle_(exact_angle(*Orientation::of(turn.n, turn.d))), signs_(forms_, angle_), obstacle_(obstacle), robot_(turned_back(robot, turn)) {}
+      : turn_(turn),
+        base_(turning_base(obstacle, robot, 1, true, {}, 0).value()),
+        forms_(*base_),
+        angle_(exact_angle(*Orientation::of(turn.n, turn.d))),
+        signs_(forms_, angle_),
+        obstacle_(obstacle),
+        robot_(turned_back(robot, turn)) {}
 
   void check(Random& random, int count, Tally& tally) {
     const auto any = [&](std::uint32_t op) { return static_cast<std::uint32_t>(random() % forms_.size(op)); };
@@ -72,14 +79,17 @@ class Places {
   }
 
  private:
-  Point input(std::uint32_t op, std::uint32_t v) const { return base_->lattice->points[op]->input[forms_.operand(op).source[v]]; }
+  Point input(std::uint32_t op, std::uint32_t v) const {
+    return base_->lattice->points[op]->input[forms_.operand(op).source[v]];
+  }
   Point place(Pair v) const {
     const Point p = input(0, v.p), q = input(1, v.q);
     return {p.x + (turn_.cosine * q.x - turn_.sine * q.y) / 5, p.y + (turn_.sine * q.x + turn_.cosine * q.y) / 5};
   }
   // On the first segment, where it is an integer.
   std::optional<Point> crossing(const WalkSegment& a, const WalkSegment& b) const {
-    const Point p = place(TurningForms::start(a)), q = place(TurningForms::start(b)), p1 = place(forms_.end(a)), q1 = place(forms_.end(b));
+    const Point p = place(TurningForms::start(a)), q = place(TurningForms::start(b)), p1 = place(forms_.end(a)),
+                q1 = place(forms_.end(b));
     const Point d{p1.x - p.x, p1.y - p.y}, e{q1.x - q.x, q1.y - q.y};
     const double cross = d.x * e.y - d.y * e.x, side = (q.x - p.x) * e.y - (q.y - p.y) * e.x;
     if (cross == 0 || std::fmod(side * d.x, cross) != 0 || std::fmod(side * d.y, cross) != 0) return std::nullopt;
@@ -90,8 +100,8 @@ class Places {
     const bool covered = contains(obstacle_, robot_, z, Semantics::open);
     (covered ? tally.covered : tally.free) += 1;
     ASSERT_EQ(is_free(signs_, exact), !covered)
-        << z.x << ' ' << z.y << " at " << turn_.n << '/' << turn_.d << "\nreflected robot " << format_region(robot_, RegionFormat::wkt)
-        << "\nobstacle " << format_region(obstacle_, RegionFormat::wkt);
+        << z.x << ' ' << z.y << " at " << turn_.n << '/' << turn_.d << "\nreflected robot "
+        << format_region(robot_, RegionFormat::wkt) << "\nobstacle " << format_region(obstacle_, RegionFormat::wkt);
   }
 
   Turn turn_;
@@ -109,8 +119,9 @@ TEST(FreePlace, equals_membership_in_the_open_sum) {
     const bool cells = random() % 3 == 0;
     const Region robot = scaled(cells ? random_cells(random, 3, 1) : random_shape(random, 2, 5, false, parts), 5);
     const bool board = random() % 2 == 0, hole = random() % 2 == 0;
-    const Region obstacle = !cells ? random_shape(random, 12, 6, hole, 1 + static_cast<int>(random() % 2))
-                            : board ? random_board(random, 4, 5) : random_cells(random, 4, 5);
+    const Region obstacle = !cells  ? random_shape(random, 12, 6, hole, 1 + static_cast<int>(random() % 2))
+                            : board ? random_board(random, 4, 5)
+                                    : random_cells(random, 4, 5);
     Places(robot, obstacle, kTurns[random() % kTurns.size()]).check(random, 12, tally);
   });
   if (std::getenv("DYMSUM_SEED") != nullptr) return;
@@ -122,7 +133,9 @@ TEST(FreePlace, equals_membership_in_the_open_sum) {
 TEST(FreePlace, of_pieces_without_area_equals_membership_in_the_open_sum) {
   Tally tally;
   for_seeds(120, [&](Random& random) {
-    const auto grid = [&](int reach) { return 5.0 * (static_cast<int>(random() % static_cast<unsigned>(2 * reach + 1)) - reach); };
+    const auto grid = [&](int reach) {
+      return 5.0 * (static_cast<int>(random() % static_cast<unsigned>(2 * reach + 1)) - reach);
+    };
     const bool robot = random() % 2 == 0;
     const int reach = robot ? 2 : 3;
     RegionData thin;
@@ -131,7 +144,8 @@ TEST(FreePlace, of_pieces_without_area_equals_membership_in_the_open_sum) {
     while (line.size() < 3)
       if (const Point p{grid(reach), grid(reach)}; line.empty() || p != line.back()) line.push_back(p);
     thin.points.push_back({grid(reach), grid(reach)});
-    const Region one = *Region::create(thin), other = scaled(random_shape(random, robot ? 3 : 2, 6, random() % 2 == 0), 5);
+    const Region one = *Region::create(thin),
+                 other = scaled(random_shape(random, robot ? 3 : 2, 6, random() % 2 == 0), 5);
     Places(robot ? one : other, robot ? other : one, kTurns[random() % kTurns.size()]).check(random, 12, tally);
   });
   if (std::getenv("DYMSUM_SEED") != nullptr) return;

@@ -36,13 +36,13 @@ TEST(Translation, stops_where_it_touches_and_names_the_contact) {
 
 TEST(Translation, touching_is_free_unless_forbidden) {
   const Region wall = region({{box(5, -2, 6, 2), {}}});
-  for (const auto& [from, to] : {std::pair{Point{4, -9}, Point{4, 9}}, {Point{0, 0}, Point{4, 0}}, {Point{4, 0},
-      Point{4, 0}}}) {
+  for (const auto& [from, to] :
+       {std::pair{Point{4, -9}, Point{4, 9}}, {Point{0, 0}, Point{4, 0}}, {Point{4, 0}, Point{4, 0}}}) {
     EXPECT_TRUE(check_translation(square(), wall, from, to, {})->free);
     EXPECT_FALSE(check_translation(square(), wall, from, to, {}, Touching::forbidden)->free);
   }
-  EXPECT_EQ(check_translation(square(), wall, Point{0, 0}, Point{4, 0}, {}, Touching::forbidden)->first, (Rational{"1",
-      "1"}));
+  EXPECT_EQ(check_translation(square(), wall, Point{0, 0}, Point{4, 0}, {}, Touching::forbidden)->first,
+            (Rational{"1", "1"}));
   EXPECT_TRUE(check_translation(square(), wall, Point{0, 0}, Point{3.5, 0}, {}, Touching::forbidden)->free);
 }
 
@@ -63,8 +63,8 @@ TEST(Translation, out_of_the_hole_of_a_ring_and_between_parts) {
 }
 
 TEST(Translation, a_start_deep_inside_has_no_contact) {
-  const TranslationCheck check = *check_translation(square(), region({{box(0, 0, 9, 9), {}}}), Point{3, 3}, Point{30,
-      3}, {});
+  const TranslationCheck check =
+      *check_translation(square(), region({{box(0, 0, 9, 9), {}}}), Point{3, 3}, Point{30, 3}, {});
   EXPECT_FALSE(check.free);
   EXPECT_EQ(check.first, (Rational{"0", "1"}));
   EXPECT_FALSE(check.contact.has_value());
@@ -73,7 +73,7 @@ TEST(Translation, a_start_deep_inside_has_no_contact) {
 TEST(Translation, errors) {
   EXPECT_EQ(check_translation(square(), square(), Point{NAN, 0}, Point{}, {}).error().code, Code::not_finite);
   EXPECT_EQ(check_translation(square(), square(), RationalPoint{{"x", "1"}, {}}, RationalPoint{}, {}).error().code,
-      Code::malformed);
+            Code::malformed);
   EXPECT_EQ(check_rotation(square(), {}, Point{0, 0}, {}, {}, kAhead).error().code, Code::unsupported_operand);
   EXPECT_EQ(check_motion(square(), {}, {}, {}).error().code, Code::unsupported_operand);
   EXPECT_EQ(check_motion(square(), square(), {NAN, 0, 0}, {}).error().code, Code::not_finite);
@@ -108,8 +108,8 @@ TEST(Rotation, a_touch_on_the_way_or_at_its_end) {
   // The corner (1, 0) comes to (0, 1) after a quarter turn and passes it along the edge y = 1, its highest place.
   const Region spike = region({{{{0, 0}, {1, 0}, {0.5, 0.125}}, {}}}), roof = region({{box(-5, 1, 5, 2), {}}});
   EXPECT_TRUE(check_rotation(spike, roof, Point{0, 0}, {}, Orientation::half_turn(), kAhead)->free);
-  const RotationCheck touch = *check_rotation(spike, roof, Point{0, 0}, {}, Orientation::half_turn(), kAhead,
-      Touching::forbidden);
+  const RotationCheck touch =
+      *check_rotation(spike, roof, Point{0, 0}, {}, Orientation::half_turn(), kAhead, Touching::forbidden);
   EXPECT_FALSE(touch.free);
   EXPECT_EQ(touch.first->exact, turned(1, 1));
   EXPECT_FALSE(check_rotation(spike, roof, Point{0, 0}, {}, turned(1, 1), kAhead, Touching::forbidden)->free);
@@ -120,16 +120,17 @@ TEST(Rotation, a_touch_on_the_way_or_at_its_end) {
 using Random = std::mt19937_64;
 
 Region random_shape(Random& random, int reach, int most) {
-  const auto at = [&] { return static_cast<double>(static_cast<int>(random() % static_cast<unsigned>(2 * reach +
-      1)) - reach); };
+  const auto at = [&] {
+    return static_cast<double>(static_cast<int>(random() % static_cast<unsigned>(2 * reach + 1)) - reach);
+  };
   for (;;) {
     RegionData data;
     data.parts.emplace_back();
     const int n = 3 + static_cast<int>(random() % static_cast<unsigned>(most - 2));
     for (int i = 0; i < n; ++i) data.parts[0].outer.push_back({at(), at()});
     Result<Repaired> repaired = repair(data);
-    if (repaired.ok() && !repaired->region.empty() &&
-        repaired->region.touching_points().empty()) return repaired->region;
+    if (repaired.ok() && !repaired->region.empty() && repaired->region.touching_points().empty())
+      return repaired->region;
   }
 }
 
@@ -199,7 +200,8 @@ TEST(Rotation, random_turns_agree_with_samples) {
     Random random(seed);
     const auto [robot, obstacle, unit] = random_scene(random, seed, 3);
     const CspaceObstacle c = CspaceObstacle::create(robot, obstacle).value();
-    const Point at{0.5 * unit * (static_cast<int>(random() % 25) - 12), 0.5 * unit * (static_cast<int>(random() % 25) - 12)};
+    const Point at{0.5 * unit * (static_cast<int>(random() % 25) - 12),
+                   0.5 * unit * (static_cast<int>(random() % 25) - 12)};
     const Orientation from = turned(static_cast<int>(random() % 9) - 4, 1 + static_cast<int>(random() % 3));
     const Orientation to = turned(static_cast<int>(random() % 9) - 4, 1 + static_cast<int>(random() % 3));
     const auto direction = random() % 2 == 0 ? kAhead : kBack;
@@ -208,9 +210,13 @@ TEST(Rotation, random_turns_agree_with_samples) {
     if (direction == kAhead && turn < 0) turn += 2 * kPi;
     if (direction == kBack && turn > 0) turn -= 2 * kPi;
     double until = 2;  // the share of the turn at the first contact
-    if (!check.free) until = check.first->theta == from.radians() ? 0 : std::fmod(std::abs(turn > 0
-        ? check.first->theta - from.radians() + 2 * kPi : from.radians() - check.first->theta + 2 * kPi),
-            2 * kPi) / std::abs(turn);
+    if (!check.free)
+      until = check.first->theta == from.radians()
+                  ? 0
+                  : std::fmod(std::abs(turn > 0 ? check.first->theta - from.radians() + 2 * kPi
+                                                : from.radians() - check.first->theta + 2 * kPi),
+                              2 * kPi) /
+                        std::abs(turn);
     for (int i = 1; i < 100; ++i) {
       const double s = i / 100.0;
       const Orientation theta = *Orientation::nearest(from.radians() + s * turn);
@@ -229,7 +235,8 @@ TEST(Rotation, random_turns_agree_with_samples) {
       const bool overlaps = c.contains(at.x, at.y, theta);
       if (near) continue;
       if (!inside && !overlaps) {  // a single angle, at which it touches
-        ASSERT_FALSE(check_rotation(robot, obstacle, at, theta, theta, kAhead, Touching::forbidden)->free) << theta.radians();
+        ASSERT_FALSE(check_rotation(robot, obstacle, at, theta, theta, kAhead, Touching::forbidden)->free)
+            << theta.radians();
       } else {
         ASSERT_NE(inside, overlaps) << theta.radians();
       }
@@ -318,8 +325,8 @@ TEST(Motion, random_ways_agree_with_samples) {
     }
     if (check.outcome != MotionCheck::Outcome::blocked) continue;
     const double t = check.high;
-    EXPECT_TRUE(c.contains(a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), *Orientation::nearest(a.theta +
-        t * (b.theta - a.theta))));
+    EXPECT_TRUE(c.contains(a.x + t * (b.x - a.x), a.y + t * (b.y - a.y),
+                           *Orientation::nearest(a.theta + t * (b.theta - a.theta))));
     EXPECT_LT(check.high - check.low, 1e-4);
   }
   EXPECT_GT(outcomes[0], 10);

@@ -20,9 +20,7 @@ Region shape(Ring outer, std::vector<Ring> holes = {}) {
 
 Ring box(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
 
-Region corner() {
-  return shape(box(-1, -1, 19, 19), {{{0, 0}, {0, 18}, {1, 18}, {1, 1}, {18, 1}, {18, 0}}});
-}
+Region corner() { return shape(box(-1, -1, 19, 19), {{{0, 0}, {0, 18}, {1, 18}, {1, 1}, {18, 1}, {18, 0}}}); }
 
 std::vector<std::array<Point, 2>> edges_of(const Region& region) {
   std::vector<std::array<Point, 2>> edges;
@@ -104,8 +102,9 @@ TEST(GrownRegion, a_path_keeps_the_margin) {
 TEST(PathCheck, names_the_first_piece_that_is_blocked) {
   const Region robot = shape(box(-0.25, -0.125, 0.25, 0.125)), bar = shape(box(-0.5, -0.125, 0.5, 0.125));
   const Region obstacle = corner();
-  const std::vector<Configuration> way{{4, 0.5, 0}, {1, 0.5, 0}, {0.625, 0.5, 0}, {0.5, 0.625, -kPi / 2},
-                                       {0.5, 0.5, -kPi / 2}, {0.5, 9, -kPi / 2}, {2, 9, -kPi / 2}, {2, 9, 9}};
+  const std::vector<Configuration> way{
+      {4, 0.5, 0},          {1, 0.5, 0},        {0.625, 0.5, 0},  {0.5, 0.625, -kPi / 2},
+      {0.5, 0.5, -kPi / 2}, {0.5, 9, -kPi / 2}, {2, 9, -kPi / 2}, {2, 9, 9}};
   const PathCheck wall = check_path(robot, obstacle, way).value();
   EXPECT_EQ(wall.outcome, MotionCheck::Outcome::blocked);
   EXPECT_EQ(wall.piece, 6u);

@@ -1,7 +1,7 @@
-// Placements that are free at one angle only, where that angle has an irrational half tangent and many contacts coincide; and angles at
-// which nothing happens.
-#include "oracles/sanitized.h"
+// Placements that are free at one angle only, where that angle has an irrational half tangent and many contacts
+// coincide; and angles at which nothing happens.
 #include "cspace/obstacle/obstacle_slices.h"
+#include "oracles/sanitized.h"
 
 #include "dymsum/shapes.h"
 
@@ -39,12 +39,13 @@ struct Angle {
   Point turned(Point p) const { return {cosine() * p.x - sine() * p.y, sine() * p.x + cosine() * p.y}; }
 };
 
-constexpr std::array<Angle, 6> kAngles{Angle{0, 0.5, 0, 0.5, 2}, Angle{0.5, 0, 0, 0.5, 3},   Angle{-0.5, 0, 0, 0.5, 3},
-                                       Angle{0.75, 0, 0, 0.25, 7}, Angle{0.25, 0, 0, -0.25, 15}, Angle{0.125, 0, 0, 0.375, 7}};
+constexpr std::array<Angle, 6> kAngles{Angle{0, 0.5, 0, 0.5, 2},     Angle{0.5, 0, 0, 0.5, 3},
+                                       Angle{-0.5, 0, 0, 0.5, 3},    Angle{0.75, 0, 0, 0.25, 7},
+                                       Angle{0.25, 0, 0, -0.25, 15}, Angle{0.125, 0, 0, 0.375, 7}};
 
-/// Darts at an angle and a place of its field, and pins that touch their tips there: triangles with an edge on the only rational line
-/// through such a tip. (Where sqrt(d) varies as if it were rational, every tip stays on its line and all are scaled: so pins around one
-/// polygon hold it never.)
+/// Darts at an angle and a place of its field, and pins that touch their tips there: triangles with an edge on the only
+/// rational line through such a tip. (Where sqrt(d) varies as if it were rational, every tip stays on its line and all
+/// are scaled: so pins around one polygon hold it never.)
 struct Held {
   std::vector<Ring> darts, pins;
   std::vector<std::array<double, 3>> normals;  ///< what each pin allows: normal . (dx, dy, dtheta) >= 0
@@ -72,7 +73,8 @@ Held random_held(Random& random) {
     const Point p{below(33) - 16, below(33) - 16};
     const double phi = below(1000) / 500 * std::numbers::pi;
     const auto corner = [&](double by) {
-      return Point{p.x + std::nearbyint(12 * std::cos(phi + by)) / 4, p.y + std::nearbyint(12 * std::sin(phi + by)) / 4};
+      return Point{p.x + std::nearbyint(12 * std::cos(phi + by)) / 4,
+                   p.y + std::nearbyint(12 * std::sin(phi + by)) / 4};
     };
     const Ring dart{p, corner(-0.25), corner(0.25)};
     const Point a = plus(z0, {angle.c0 * p.x - angle.s0 * p.y, angle.s0 * p.x + angle.c0 * p.y});
@@ -82,10 +84,12 @@ Held random_held(Random& random) {
     Ring placed;
     for (const Point& x : dart) placed.push_back(plus(z, angle.turned(x)));
     // The dart lies on the left of d, or of -d.
-    const double u = cross(d, plus(placed[1], placed[0], -1)) / length, v = cross(d, plus(placed[2], placed[0], -1)) / length;
+    const double u = cross(d, plus(placed[1], placed[0], -1)) / length,
+                 v = cross(d, plus(placed[2], placed[0], -1)) / length;
     if (!(u * v > 0 && std::min(std::abs(u), std::abs(v)) > 0.5)) continue;
     const double step = 1.0 / 64, middle = std::nearbyint(root / step) * step, side = u > 0 ? 1 : -1;
-    const double width = std::max(2.0, std::nearbyint(0.75 / length / step)) * step, off = std::max(1.0, std::nearbyint(32 / length)) / 64;
+    const double width = std::max(2.0, std::nearbyint(0.75 / length / step)) * step,
+                 off = std::max(1.0, std::nearbyint(32 / length)) / 64;
     Ring pin{plus(a, d, middle - width), plus(a, d, middle + width), plus(plus(a, d, middle), {d.y, -d.x}, off * side)};
     if (u > 0) std::reverse(pin.begin(), pin.end());
     if (!far_apart(held.darts, dart) || !far_apart(held.pins, pin)) continue;
@@ -151,8 +155,8 @@ TEST(CspaceExactFit, pins_hold_darts_at_an_irrational_angle) {
     const Region darts = of_rings(h.darts), pins = of_rings(h.pins);
     const CspaceObstacle c = CspaceObstacle::create(darts, pins).value();
     EXPECT_EQ(tight_near(c, h.at), count)
-        << "at " << h.at.x << ' ' << h.at.y << ' ' << h.at.theta << "\nrobot " << format_region(darts, RegionFormat::wkt)
-        << "\nobstacle " << format_region(pins, RegionFormat::wkt);
+        << "at " << h.at.x << ' ' << h.at.y << ' ' << h.at.theta << "\nrobot "
+        << format_region(darts, RegionFormat::wkt) << "\nobstacle " << format_region(pins, RegionFormat::wkt);
     // The pins held by the darts: x + R y = z turns into -R^-1 x, R^-1.
     const double cosine = std::cos(h.at.theta), sine = std::sin(h.at.theta);
     const Configuration turned{-cosine * h.at.x - sine * h.at.y, sine * h.at.x - cosine * h.at.y, -h.at.theta};
@@ -184,19 +188,24 @@ TEST(CspaceExactFit, each_place_of_one_angle_is_reported) {
     options.reference = true;
     EXPECT_EQ(tight_near(CspaceObstacle::create(darts, of_rings(h.pins), options).value(), h.at), 1u);
   });
-  if (std::getenv("DYMSUM_SEED") == nullptr) { EXPECT_GE(held, kShareOfSeeds == 1 ? 2 : 1); }
+  if (std::getenv("DYMSUM_SEED") == nullptr) {
+    EXPECT_GE(held, kShareOfSeeds == 1 ? 2 : 1);
+  }
 }
 
-// A clamp around a slab, in a corridor: inner tips 4 apart around a thickness of 2, outer tips 6 apart in a height of 3. At 60 degrees it
-// slides.
+// A clamp around a slab, in a corridor: inner tips 4 apart around a thickness of 2, outer tips 6 apart in a height
+// of 3. At 60 degrees it slides.
 TEST(CspaceExactFit, a_clamp_slides_at_an_irrational_angle_only) {
-  const Region clamp = polygon({{0, -1}, {2.75, -5.375}, {5, -4}, {0, 5}, {0, 4}, {4.25, -3.25}, {2.5, -4.375}, {0, 0}});
+  const Region clamp =
+      polygon({{0, -1}, {2.75, -5.375}, {5, -4}, {0, 5}, {0, 4}, {4.25, -3.25}, {2.5, -4.375}, {0, 0}});
   const Region walls = of_rings({box(-40, -5, 40, -0.5), box(-40, 2.5, 40, 7), box(-20, 0, 4, 2)});
   const CspaceObstacle c = CspaceObstacle::create(clamp, walls).value();
   std::vector<Configuration> all = tight(c);
   ASSERT_EQ(all.size(), 4u);  // and the same at the slab's other end, turned by a half turn about its middle (-8, 1)
   for (const Configuration& t : all)
-    if (t.theta < 0) { EXPECT_EQ(tight_near(c, {-16 - t.x, 2 - t.y, t.theta + std::numbers::pi}), 1u); }
+    if (t.theta < 0) {
+      EXPECT_EQ(tight_near(c, {-16 - t.x, 2 - t.y, t.theta + std::numbers::pi}), 1u);
+    }
   std::erase_if(all, [](const Configuration& t) { return t.theta < 0; });
   ASSERT_EQ(all.size(), 2u);
   for (const Configuration& t : all) {
@@ -206,7 +215,8 @@ TEST(CspaceExactFit, a_clamp_slides_at_an_irrational_angle_only) {
   EXPECT_NEAR(std::max(all[0].x, all[1].x), 4, 1e-12);  // its inner tip leaves the slab
   // There the inner side, from (2.5, -4.375) to (4.25, -3.25), comes to the slab's corner (4, 0).
   const double root = std::sqrt(3.0);
-  const Point p{1.25 + 4.375 * root / 2, 2.5 * root / 2 - 4.375 / 2}, d{0.875 - 1.125 * root / 2, 1.75 * root / 2 + 1.125 / 2};
+  const Point p{1.25 + 4.375 * root / 2, 2.5 * root / 2 - 4.375 / 2},
+      d{0.875 - 1.125 * root / 2, 1.75 * root / 2 + 1.125 / 2};
   EXPECT_NEAR(std::min(all[0].x, all[1].x), 4 - std::min(p.x - d.x * p.y / d.y, p.x + d.x * (2 - p.y) / d.y), 1e-12);
   // A corridor a hair higher on both sides gives it clearance; a hair lower on one there is no place for it.
   const Region wider = of_rings({box(-40, -5, 40, -0.5 - 0x1p-20), box(-40, 2.5 + 0x1p-20, 40, 7), box(-20, 0, 4, 2)});
@@ -263,7 +273,8 @@ double to_segment(Point x, Point a, Point b) {
   return std::hypot(x.x - a.x - t * d.x, x.y - a.y - t * d.y);
 }
 
-// Every tight event is an end of a tight feature, and the other way round; at rational angles the open slice has them too.
+// Every tight event is an end of a tight feature, and the other way round; at rational angles the open slice has them
+// too.
 TEST(CspaceExactFit, tight_features_end_at_tight_events_and_lie_on_open_slices) {
   std::size_t points = 0, segments = 0;
   for_seeds(30, [&](Random& random) {
@@ -306,9 +317,9 @@ void expect_happenings(const CspaceObstacle& c) {
     if (e.kind == ObstacleEvent::Kind::tight) happens.insert(e.angle);
   for (std::uint32_t k = 0; k < c.angles().size(); ++k) {
     if (happens.contains(k)) continue;
-    EXPECT_TRUE(touches(c, k, c.angles()[k].theta))
-        << "nothing happens at angle " << k << ", " << c.angles()[k].theta << "\nrobot " << format_region(c.robot(), RegionFormat::wkt)
-        << "\nobstacle " << format_region(c.obstacle(), RegionFormat::wkt);
+    EXPECT_TRUE(touches(c, k, c.angles()[k].theta)) << "nothing happens at angle " << k << ", " << c.angles()[k].theta
+                                                    << "\nrobot " << format_region(c.robot(), RegionFormat::wkt)
+                                                    << "\nobstacle " << format_region(c.obstacle(), RegionFormat::wkt);
   }
   for (const ObstacleEvent& e : c.events()) EXPECT_LT(e.angle, c.angles().size());
 }
@@ -317,7 +328,10 @@ void expect_happenings(const CspaceObstacle& c) {
 TEST(CspaceExactFit, an_angle_at_which_the_boundary_only_touches_itself_is_listed) {
   const Region rhombus = polygon({{2, 0}, {0, 1}, {-2, 0}, {0, -1}});
   const auto listed = [&](double gap) {
-    const CspaceObstacle c = CspaceObstacle::create(rhombus, of_rings({{{-1, -4}, {1, -4}, {0, 0}}, {{0, gap}, {1, gap + 4}, {-1, gap + 4}}})).value();
+    const CspaceObstacle c =
+        CspaceObstacle::create(rhombus,
+                               of_rings({{{-1, -4}, {1, -4}, {0, 0}}, {{0, gap}, {1, gap + 4}, {-1, gap + 4}}}))
+            .value();
     expect_happenings(c);
     EXPECT_TRUE(tight(c).empty());
     std::size_t n = 0;
@@ -332,13 +346,24 @@ TEST(CspaceExactFit, an_angle_at_which_the_boundary_only_touches_itself_is_liste
   EXPECT_EQ(listed(4.125), 0u);
 }
 
-// The same with slits and cavities that nothing reaches, so many of whose edges are aligned upright that one slice stands for all events
-// there.
+// The same with slits and cavities that nothing reaches, so many of whose edges are aligned upright that one slice
+// stands for all events there.
 TEST(CspaceExactFit, crowded_quarter_turns_are_listed_where_something_happens) {
   const auto crosses = [](double y) {
     std::vector<Ring> all;
     for (double x = -10; x <= 10; x += 4)
-      all.push_back({{x, y - 1}, {x - 1, y - 1}, {x - 1, y}, {x, y}, {x, y + 1}, {x + 1, y + 1}, {x + 1, y}, {x + 2, y}, {x + 2, y - 1}, {x + 1, y - 1}, {x + 1, y - 2}, {x, y - 2}});
+      all.push_back({{x, y - 1},
+                     {x - 1, y - 1},
+                     {x - 1, y},
+                     {x, y},
+                     {x, y + 1},
+                     {x + 1, y + 1},
+                     {x + 1, y},
+                     {x + 2, y},
+                     {x + 2, y - 1},
+                     {x + 1, y - 1},
+                     {x + 1, y - 2},
+                     {x, y - 2}});
     return all;
   };
   Ring slit_rhombus{{64, 0}};
@@ -374,7 +399,8 @@ TEST(CspaceExactFit, something_happens_at_every_angle_that_is_listed) {
     const Region robot = cells ? random_cells(random, 2, 1) : random_shape(random, 3, 5, false);
     RegionData data;
     data.parts.push_back({box(-40.0 * reach, -40.0 * reach, 40.0 * reach, 40.0 * reach), {}});
-    const Region room = cells ? random_cells(random, 4, 1 + static_cast<double>(random() % 3) / 2) : random_shape(random, reach, 8, false);
+    const Region room = cells ? random_cells(random, 4, 1 + static_cast<double>(random() % 3) / 2)
+                              : random_shape(random, reach, 8, false);
     for (const Part& part : room.parts()) data.parts[0].holes.push_back(reversed(part.outer));
     expect_happenings(CspaceObstacle::create(robot, *Region::create(data)).value());
     expect_happenings(CspaceObstacle::create(robot, room).value());

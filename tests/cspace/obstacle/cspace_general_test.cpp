@@ -1,4 +1,5 @@
-// The obstacle of any two regions: every slab against static slices, on tiny integer grids where events coincide in hundreds, and the same obstacle by whole slices.
+// The obstacle of any two regions: every slab against static slices, on tiny integer grids where events coincide in
+// hundreds, and the same obstacle by whole slices.
 #include "cspace/obstacle/obstacle_slices.h"
 
 #include "dymsum/shapes.h"
@@ -12,7 +13,8 @@ TEST(CspaceGeneral, random_pairs_equal_slices) {
   for_seeds(400, [](Random& random) {
     const bool hole = random() % 3 == 0;
     const int reach = random() % 2 == 0 ? 5 : 1000;
-    const Region robot = random_shape(random, reach, 6, false), obstacle = random_shape(random, hole ? 2 * reach : reach, 7, hole);
+    const Region robot = random_shape(random, reach, 6, false),
+                 obstacle = random_shape(random, hole ? 2 * reach : reach, 7, hole);
     const Result<CspaceObstacle> c = CspaceObstacle::create(robot, obstacle);
     ASSERT_TRUE(c.ok()) << c.error().message;
     expect_slices(*c, random, 400);
@@ -39,7 +41,8 @@ TEST(CspaceGeneral, robots_in_rooms_equal_slices) {
     const Region robot = cells ? random_cells(random, 2, 1) : random_shape(random, std::max(2, reach / 3), 5, false);
     RegionData data;
     data.parts.push_back({box(-40.0 * reach, -40.0 * reach, 40.0 * reach, 40.0 * reach), {}});
-    const Region room = cells ? random_cells(random, 4, 1 + static_cast<double>(random() % 3) / 2) : random_shape(random, reach, 8, false);
+    const Region room = cells ? random_cells(random, 4, 1 + static_cast<double>(random() % 3) / 2)
+                              : random_shape(random, reach, 8, false);
     for (const Part& part : room.parts()) data.parts[0].holes.push_back(reversed(part.outer));
     const CspaceObstacle c = CspaceObstacle::create(robot, *Region::create(data)).value();
     expect_slices(c, random, 200);
@@ -48,15 +51,19 @@ TEST(CspaceGeneral, robots_in_rooms_equal_slices) {
   });
 }
 
-// Decimal distances: points that would be one, or in line, differ by rounding, and events come within 10^-16 of each other.
+// Decimal distances: points that would be one, or in line, differ by rounding, and events come within 10^-16 of each
+// other.
 TEST(CspaceGeneral, several_parts_at_decimal_distances_equal_slices) {
   const auto parts = [](Random& random, int reach, int most, int count, double step) {
     RegionData data;
     while (static_cast<int>(data.parts.size()) < count) {
       RegionData more = data;
-      more.parts.push_back({random_ring(random, reach, most, step * reach * static_cast<double>(data.parts.size())), {}});
+      more.parts.push_back(
+          {random_ring(random, reach, most, step * reach * static_cast<double>(data.parts.size())), {}});
       const Result<Repaired> repaired = repair(more);
-      if (repaired.ok() && repaired->region.touching_points().empty() && repaired->region.parts().size() == more.parts.size()) data = more;
+      if (repaired.ok() && repaired->region.touching_points().empty() &&
+          repaired->region.parts().size() == more.parts.size())
+        data = more;
     }
     return data;
   };
@@ -77,13 +84,19 @@ TEST(CspaceGeneral, several_parts_at_decimal_distances_equal_slices) {
   });
 }
 
-// The fourth and the last two vertices of the obstacle are in line but for the last bit: six events within 10^-16, at one of which two of three
-// segments are nearly parallel.
+// The fourth and the last two vertices of the obstacle are in line but for the last bit: six events within 10^-16, at
+// one of which two of three segments are nearly parallel.
 CspaceObstacle nearly_in_line() {
   RegionData robot, obstacle;
-  robot.parts = {{{{-5, -4}, {-2, -7}, {6, 4}, {0, 8}, {-3, 0}, {-1, -4}}, {}}, {{{13, -8}, {16, -8}, {19, 6}, {9, 6}, {11, -4}}, {}}};
+  robot.parts = {{{{-5, -4}, {-2, -7}, {6, 4}, {0, 8}, {-3, 0}, {-1, -4}}, {}},
+                 {{{13, -8}, {16, -8}, {19, 6}, {9, 6}, {11, -4}}, {}}};
   obstacle.parts = {{{{3, -2}, {5, -2}, {4, 5}, {-2, 3}}, {}},
-                    {{{19.200000000000003, 6}, {17.200000000000003, 6}, {12.200000000000001, -3}, {10.200000000000001, 6}, {11.200000000000001, -5}}, {}},
+                    {{{19.200000000000003, 6},
+                      {17.200000000000003, 6},
+                      {12.200000000000001, -3},
+                      {10.200000000000001, 6},
+                      {11.200000000000001, -5}},
+                     {}},
                     {{{27.400000000000002, 0}, {32.400000000000006, 0}, {21.400000000000002, 5}}, {}}};
   return CspaceObstacle::create(*Region::create(robot), *Region::create(obstacle)).value();
 }
@@ -107,7 +120,9 @@ TEST(CspaceGeneral, whole_slices_give_the_same_obstacle) {
     for (std::uint32_t slab = 0; slab < slabs(slow); ++slab) {
       const Orientation at = slow.inside(slab);
       const std::optional<std::uint32_t> same = fast.slab_of(at);
-      if (same) { ASSERT_EQ(of_slab(slow, slab), of_slab(fast, *same)); }
+      if (same) {
+        ASSERT_EQ(of_slab(slow, slab), of_slab(fast, *same));
+      }
     }
   });
 }
@@ -115,9 +130,12 @@ TEST(CspaceGeneral, whole_slices_give_the_same_obstacle) {
 TEST(CspaceGeneral, shapes_with_many_coinciding_events_equal_slices) {
   Random random(1);
   const std::vector<std::pair<Region, Region>> pairs = {
-      {shapes::star(5, 0.5, 1), shapes::star(5, 0.5, 1)}, {shapes::grate(4, 2, 1, 6), shapes::grate(3, 2, 0.5, 5)},
-      {shapes::letter_l(3, 3, 1), shapes::letter_l(3, 3, 1)}, {shapes::letter_u(3, 3, 1), shapes::comb(4, 2, 1, 2)},
-      {shapes::gear(6, 0.8, 1), shapes::gear(8, 1.5, 2)}, {shapes::rectangle(0, 0, 1, 1), shapes::pockets(6, 10)},
+      {shapes::star(5, 0.5, 1), shapes::star(5, 0.5, 1)},
+      {shapes::grate(4, 2, 1, 6), shapes::grate(3, 2, 0.5, 5)},
+      {shapes::letter_l(3, 3, 1), shapes::letter_l(3, 3, 1)},
+      {shapes::letter_u(3, 3, 1), shapes::comb(4, 2, 1, 2)},
+      {shapes::gear(6, 0.8, 1), shapes::gear(8, 1.5, 2)},
+      {shapes::rectangle(0, 0, 1, 1), shapes::pockets(6, 10)},
       {shapes::noisy_star(30, 0.5, 1), shapes::noisy_star(25, 0.5, 2)}};
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     SCOPED_TRACE(testing::Message() << "pair " << k);
@@ -139,7 +157,8 @@ TEST(CspaceGeneral, a_square_in_its_exact_cavity_is_held_at_quarter_turns_only) 
 
 TEST(CspaceGeneral, a_cavity_a_hair_larger_is_a_closed_room_of_its_own) {
   const double hair = 1 + 0x1p-20;
-  const Region robot = polygon(box(-1, -1, 1, 1)), obstacle = polygon(box(-5, -5, 5, 5), {reversed(box(-hair, -hair, hair, hair))});
+  const Region robot = polygon(box(-1, -1, 1, 1)),
+               obstacle = polygon(box(-5, -5, 5, 5), {reversed(box(-hair, -hair, hair, hair))});
   const CspaceObstacle c = CspaceObstacle::create(robot, obstacle).value();
   EXPECT_EQ(free_components(c), 5u);  // outside, and a room around every quarter turn
   EXPECT_EQ(c.shells().size(), 5u);
@@ -157,18 +176,29 @@ TEST(CspaceGeneral, an_island_in_a_room_shares_its_free_component) {
 }
 
 TEST(CspaceGeneral, an_alignment_with_a_third_vertex_in_line_changes_hands) {
-  // Robot vertices 1, 3 and 4 are in line: at the alignment of edge 3 a segment begins on the very line of a visible one.
+  // Robot vertices 1, 3 and 4 are in line: at the alignment of edge 3 a segment begins on the very line of a visible
+  // one.
   const Region robot = polygon({{0, 0}, {-2, -2}, {2, 0}, {-2, 2}, {-2, -1}});
-  const Region obstacle = polygon(box(-240, -240, 240, 240), {{{3, -6}, {-6, -3}, {-5, 4}, {-3, -3}, {-2, 0}, {-4, 5}}});
+  const Region obstacle =
+      polygon(box(-240, -240, 240, 240), {{{3, -6}, {-6, -3}, {-5, 4}, {-3, -3}, {-2, 0}, {-4, 5}}});
   Random random(1);
   expect_slices(CspaceObstacle::create(robot, obstacle).value(), random, 1000);
 }
 
 TEST(CspaceGeneral, segments_that_live_for_a_millionth_of_a_turn_have_their_events) {
   // Nearly straight chains, as six digits leave them: edges whose directions differ by some millionths.
-  const Region shape = polygon({{-2.886511, 4.636227}, {-3.873049, 5.009661}, {-4.207426, 5.136232}, {-4.124304, 4.636227}, {-3.873049, 3.124781},
-                                {-3.750273, 2.386228}, {-3.707415, 2.128419}, {-3.873049, 2.065723}, {-6.473051, 1.081543}, {-5.393225, 0.136228},
-                                {-4.894720, -2.113772}, {2.800402, -3.543459}});
+  const Region shape = polygon({{-2.886511, 4.636227},
+                                {-3.873049, 5.009661},
+                                {-4.207426, 5.136232},
+                                {-4.124304, 4.636227},
+                                {-3.873049, 3.124781},
+                                {-3.750273, 2.386228},
+                                {-3.707415, 2.128419},
+                                {-3.873049, 2.065723},
+                                {-6.473051, 1.081543},
+                                {-5.393225, 0.136228},
+                                {-4.894720, -2.113772},
+                                {2.800402, -3.543459}});
   Random random(1);
   expect_slices(CspaceObstacle::create(shape, shape).value(), random, 2000);
 }
@@ -191,11 +221,12 @@ TEST(CspaceGeneral, half_tangents_tell_all_event_angles_apart) {
   EXPECT_GT(equal_doubles, 0);
 }
 
-// Three obstacle edges on lines through the origin and three robot vertices T_i = d_i from it: with weights d_j x d_k the concurrency of the
-// three segments vanishes as a polynomial, and around theta = 0 the segments do meet. They begin to
-// and end to where one of them does: an event of its end on the other two.
+// Three obstacle edges on lines through the origin and three robot vertices T_i = d_i from it: with weights d_j x d_k
+// the concurrency of the three segments vanishes as a polynomial, and around theta = 0 the segments do meet. They begin
+// to and end to where one of them does: an event of its end on the other two.
 TEST(CspaceGeneral, three_segments_concurrent_at_every_angle_need_no_whole_slices) {
-  const Ring reflected = {{9, 3}, {10, 0}, {11, 3}, {20, 3}, {13, 9}, {10, 10}, {11, 7}, {9, 5}, {3, 11}, {0, 10}, {3, 9}, {8, 4}};
+  const Ring reflected = {{9, 3},  {10, 0}, {11, 3}, {20, 3}, {13, 9}, {10, 10},
+                          {11, 7}, {9, 5},  {3, 11}, {0, 10}, {3, 9},  {8, 4}};
   Ring robot;
   for (const Point& p : reflected) robot.push_back({-p.x, -p.y});
   RegionData data;
@@ -209,15 +240,17 @@ TEST(CspaceGeneral, three_segments_concurrent_at_every_angle_need_no_whole_slice
   expect_slices(c, random, 1000);
 }
 
-// Two bars on either arm of both, all of one width and at equal distances: the same thing happens at several places at once, often along one
-// segment. That takes no whole slice.
+// Two bars on either arm of both, all of one width and at equal distances: the same thing happens at several places at
+// once, often along one segment. That takes no whole slice.
 TEST(CspaceGeneral, events_at_one_angle_and_several_places_are_handled_one_by_one) {
-  const Region robot = polygon({{-1, -1}, {31.125, -1}, {31.125, 0}, {30.125, 0}, {30.125, 8}, {30, 8}, {30, 0}, {28.125, 0}, {28.125, 8},
-                                {28, 8}, {28, 0}, {0, 0}, {0, 28}, {8, 28}, {8, 28.125}, {0, 28.125}, {0, 30}, {8, 30}, {8, 30.125},
-                                {0, 30.125}, {0, 31.125}, {-1, 31.125}});
-  const Region obstacle = polygon({{0, 19}, {19, 19}, {19, 0}, {20, 0}, {20, 1}, {28, 1}, {28, 1.125}, {20, 1.125}, {20, 2}, {28, 2},
-                                   {28, 2.125}, {20, 2.125}, {20, 20}, {2.125, 20}, {2.125, 28}, {2, 28}, {2, 20}, {1.125, 20}, {1.125, 28},
-                                   {1, 28}, {1, 20}, {0, 20}});
+  const Region robot =
+      polygon({{-1, -1},    {31.125, -1}, {31.125, 0}, {30.125, 0}, {30.125, 8}, {30, 8},     {30, 0},     {28.125, 0},
+               {28.125, 8}, {28, 8},      {28, 0},     {0, 0},      {0, 28},     {8, 28},     {8, 28.125}, {0, 28.125},
+               {0, 30},     {8, 30},      {8, 30.125}, {0, 30.125}, {0, 31.125}, {-1, 31.125}});
+  const Region obstacle =
+      polygon({{0, 19}, {19, 19},    {19, 0},     {20, 0},     {20, 1},  {28, 1},     {28, 1.125}, {20, 1.125},
+               {20, 2}, {28, 2},     {28, 2.125}, {20, 2.125}, {20, 20}, {2.125, 20}, {2.125, 28}, {2, 28},
+               {2, 20}, {1.125, 20}, {1.125, 28}, {1, 28},     {1, 20},  {0, 20}});
   const CspaceObstacle c = CspaceObstacle::create(robot, obstacle).value();
   Random random(1);
   expect_slices(c, random, 1000);
@@ -230,8 +263,8 @@ TEST(CspaceGeneral, events_at_one_angle_and_several_places_are_handled_one_by_on
   EXPECT_EQ(free_components(slow), free_components(c));
 }
 
-// Two opposite segments come to lie along each other, with an event at either end: one of them begins a loop near its place, the other one needs a
-// whole slice, in which that loop is none. It was left without patches.
+// Two opposite segments come to lie along each other, with an event at either end: one of them begins a loop near its
+// place, the other one needs a whole slice, in which that loop is none. It was left without patches.
 TEST(CspaceGeneral, an_event_is_not_handled_where_another_one_of_its_angle_takes_a_slice) {
   const Ring star{{16, 2}, {4, 3}, {4, 13}, {-4, -3}, {-4, -13}, {9, -12}, {4, -1}};
   const std::vector<Ring> pins{{{20, 6}, {21, 6}, {19, 7}}, {{29, 16}, {29, 17}, {28, 16}}};
@@ -255,13 +288,14 @@ TEST(CspaceGeneral, an_event_is_not_handled_where_another_one_of_its_angle_takes
       }
 }
 
-// A rhombus in a corridor as high as its longer diagonal is held, upright, between floor and ceiling: touching is no connection, so there
-// is a room for either half of the turn.
+// A rhombus in a corridor as high as its longer diagonal is held, upright, between floor and ceiling: touching is no
+// connection, so there is a room for either half of the turn.
 TEST(CspaceGeneral, a_passage_that_is_shut_at_one_angle_separates) {
   const auto room = [](double half_width, double half_height) {
     return polygon(box(-40, -40, 40, 40), {reversed(box(-half_width, -half_height, half_width, half_height))});
   };
-  const Region rhombus = polygon({{2, 0}, {0, 1}, {-2, 0}, {0, -1}}), diamond = polygon({{2, 0}, {0, 2}, {-2, 0}, {0, -2}});
+  const Region rhombus = polygon({{2, 0}, {0, 1}, {-2, 0}, {0, -1}}),
+               diamond = polygon({{2, 0}, {0, 2}, {-2, 0}, {0, -2}});
   Random random(1);
   for (const bool reference : {false, true}) {
     ObstacleOptions options;
@@ -281,7 +315,8 @@ TEST(CspaceGeneral, a_passage_that_is_shut_at_one_angle_separates) {
     for (const Shell& shell : point.shells()) EXPECT_EQ(shell.euler, shell.outer ? 0 : 2);
     expect_slices(point, random, 100);
     // Two rooms and a corridor between them that is shut at one angle: the rooms are not.
-    const Ring rooms{{-20, -5}, {-10, -5}, {-10, -2}, {10, -2}, {10, -5}, {20, -5}, {20, 5}, {10, 5}, {10, 2}, {-10, 2}, {-10, 5}, {-20, 5}};
+    const Ring rooms{{-20, -5}, {-10, -5}, {-10, -2}, {10, -2}, {10, -5}, {20, -5},
+                     {20, 5},   {10, 5},   {10, 2},   {-10, 2}, {-10, 5}, {-20, 5}};
     const Region dumbbell = polygon(box(-40, -40, 40, 40), {reversed(rooms)});
     EXPECT_EQ(free_components(CspaceObstacle::create(rhombus, dumbbell, options).value()), 2u);
   }

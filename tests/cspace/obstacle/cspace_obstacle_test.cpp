@@ -134,7 +134,9 @@ void expect_angles(const CspaceObstacle& c) {
     EXPECT_LT(a.high - a.low, 1e-13);
     EXPECT_GT(a.theta, -M_PI);
     EXPECT_LE(a.theta, M_PI);
-    if (k > 0) { EXPECT_LT(c.angles()[k - 1].theta, a.theta); }
+    if (k > 0) {
+      EXPECT_LT(c.angles()[k - 1].theta, a.theta);
+    }
     if (!a.exact) continue;
     EXPECT_NEAR(a.exact->radians(), a.theta, 1e-15);
     EXPECT_EQ(c.slab_of(*a.exact), std::nullopt);
@@ -152,7 +154,9 @@ void expect_obstacle(const CspaceObstacle& c, Random& random, std::size_t most_s
   EXPECT_EQ(c.work().surfaces, 2 * m * n);
   EXPECT_GE(c.patches().size(), 2 * m * n);
   EXPECT_LE(c.patches().size(), 4 * m * n);
-  if (c.angles().size() == m * n) { EXPECT_EQ(c.patches().size(), 4 * m * n); }
+  if (c.angles().size() == m * n) {
+    EXPECT_EQ(c.patches().size(), 4 * m * n);
+  }
   const std::uint32_t step = 1 + static_cast<std::uint32_t>(slabs(c) / most_slabs);
   for (std::uint32_t slab = 0; slab < slabs(c); slab += step) {
     const Orientation at = c.inside(slab);
@@ -225,8 +229,8 @@ TEST(ConvexObstacle, random_hulls_equal_their_slices) {
   for (int i = 0; i < 120; ++i) {
     const int reach = 1 + static_cast<int>(random() % 8);
     const Region robot = random_convex(random, reach, 3 + static_cast<int>(random() % 6));
-    const Region obstacle = random_convex(random, 1 + static_cast<int>(random() % 8),
-        3 + static_cast<int>(random() % 8));
+    const Region obstacle =
+        random_convex(random, 1 + static_cast<int>(random() % 8), 3 + static_cast<int>(random() % 8));
     SCOPED_TRACE(testing::Message() << "pair " << i);
     const CspaceObstacle c = make(robot, obstacle);
     expect_obstacle(c, random);
@@ -264,7 +268,7 @@ TEST(ConvexObstacle, simultaneous_alignments_are_one_angle) {
   // Multiples of a quarter turn, exactly.
   const CspaceObstacle c = make(square, box);
   const std::vector<Orientation> quarters{*Orientation::of(-1, 1), Orientation(), *Orientation::of(1, 1),
-      Orientation::half_turn()};
+                                          Orientation::half_turn()};
   for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(c.angles()[k].exact, quarters[k]);
   EXPECT_EQ(c.angles()[3].theta, M_PI);
   EXPECT_EQ(c.angles()[1].theta, 0);
@@ -286,8 +290,8 @@ TEST(ConvexObstacle, discs_and_far_coordinates) {
   expect_obstacle(make(shapes::disc(13, 1), shapes::disc(17, 2)), random, 40);
   expect_obstacle(make(shapes::disc(32, 1), shapes::disc(32, 1)), random, 40);
   const double far = 0x1p50;
-  const CspaceObstacle c = make(polygon({{0, 0}, {1, 0}, {0, 1}}),
-                                polygon({{far, far}, {far + 3, far + 1}, {far + 1, far + 4}}));
+  const CspaceObstacle c =
+      make(polygon({{0, 0}, {1, 0}, {0, 1}}), polygon({{far, far}, {far + 3, far + 1}, {far + 1, far + 4}}));
   EXPECT_EQ(c.angles().size(), 9u);
   for (std::uint32_t slab = 0; slab < 9; ++slab) EXPECT_EQ(contacts(c, slab), contacts(*c.slice(c.inside(slab))));
   const double huge = 0x1p400, tiny = 0x1p-500;
@@ -327,9 +331,9 @@ TEST(CspaceObstacle, contains_equals_the_slice) {
   for (int i = 0; i < 60; ++i) {
     const CspaceObstacle c = make(random_convex(random, 3, 5), random_convex(random, 3, 6));
     // Quarter turns put vertices on the grid.
-    const Orientation theta = i % 2 == 0 ? *Orientation::of(static_cast<int>(random() % 3) - 1, 1)
-                                         : *Orientation::of(static_cast<int>(random() % 9) - 4,
-                                             1 + static_cast<int>(random() % 4));
+    const Orientation theta =
+        i % 2 == 0 ? *Orientation::of(static_cast<int>(random() % 3) - 1, 1)
+                   : *Orientation::of(static_cast<int>(random() % 9) - 4, 1 + static_cast<int>(random() % 4));
     const PlanarSum slice = *c.slice(theta);
     for (int k = 0; k < 40; ++k) {
       const double x = static_cast<int>(random() % 25) - 12, y = static_cast<int>(random() % 25) - 12;

@@ -23,12 +23,14 @@ Region random_bars(Random& random, int size, int bars) {
 }
 
 std::size_t outer_shells(const CspaceObstacle& c) {
-  return static_cast<std::size_t>(std::count_if(c.shells().begin(), c.shells().end(), [](const Shell& s) { return s.outer; }));
+  return static_cast<std::size_t>(
+      std::count_if(c.shells().begin(), c.shells().end(), [](const Shell& s) { return s.outer; }));
 }
 
 std::size_t tight_events(const CspaceObstacle& c) {
-  return static_cast<std::size_t>(
-      std::count_if(c.events().begin(), c.events().end(), [](const ObstacleEvent& e) { return e.kind == ObstacleEvent::Kind::tight; }));
+  return static_cast<std::size_t>(std::count_if(c.events().begin(), c.events().end(), [](const ObstacleEvent& e) {
+    return e.kind == ObstacleEvent::Kind::tight;
+  }));
 }
 
 TEST(CspaceQuarterTurn, random_bars_equal_slices_and_the_obstacle_by_whole_slices) {
@@ -65,7 +67,8 @@ TEST(CspaceQuarterTurn, events_of_crowded_quarter_turns_are_not_made) {
   expect_slices(c, random, 12);
 }
 
-// Twelve teeth in gaps of their width: 3 million triples of segments met beside the quarter turns, where nearly all keep their order.
+// Twelve teeth in gaps of their width: 3 million triples of segments met beside the quarter turns, where nearly all
+// keep their order.
 TEST(CspaceQuarterTurn, lines_that_keep_their_order_beside_quarter_turns_are_no_triples) {
   const Region comb = shapes::comb(12, 2, 1, 5);
   const CspaceObstacle c = CspaceObstacle::create(comb, comb).value();
@@ -78,7 +81,8 @@ TEST(CspaceQuarterTurn, lines_that_keep_their_order_beside_quarter_turns_are_no_
   expect_slices(loose, random, 1000);
 }
 
-// Teeth on a long handle: lines come together at quarter turns so closely that doubles do not tell their order beside them; 2.5 million triples.
+// Teeth on a long handle: lines come together at quarter turns so closely that doubles do not tell their order beside
+// them; 2.5 million triples.
 TEST(CspaceQuarterTurn, an_order_that_doubles_do_not_tell_beside_a_quarter_turn_is_kept_too) {
   Ring ring{{0, -1}, {1000, -1}, {1000, 0}, {31, 0}};
   for (int tooth = 15; tooth >= 0; --tooth) {
@@ -131,8 +135,11 @@ TEST(CspaceQuarterTurn, fine_coordinates_go_through_the_events) {
 
 // Rooms of the robot's own shape, at whose quarter turns it is free or held: all that the events told.
 TEST(CspaceQuarterTurn, exact_fits_are_found) {
-  const Region room = polygon(box(-20, -20, 20, 20), {reversed({{0, 0}, {6, 0}, {6, 2}, {5, 2}, {5, 1}, {4, 1}, {4, 2}, {3, 2}, {3, 1}, {2, 1}, {2, 3}, {0, 3}})});
-  const Region robot = polygon({{0, 0}, {6, 0}, {6, 2}, {5, 2}, {5, 1}, {4, 1}, {4, 2}, {3, 2}, {3, 1}, {2, 1}, {2, 3}, {0, 3}});
+  const Region room = polygon(
+      box(-20, -20, 20, 20),
+      {reversed({{0, 0}, {6, 0}, {6, 2}, {5, 2}, {5, 1}, {4, 1}, {4, 2}, {3, 2}, {3, 1}, {2, 1}, {2, 3}, {0, 3}})});
+  const Region robot =
+      polygon({{0, 0}, {6, 0}, {6, 2}, {5, 2}, {5, 1}, {4, 1}, {4, 2}, {3, 2}, {3, 1}, {2, 1}, {2, 3}, {0, 3}});
   const CspaceObstacle c = CspaceObstacle::create(robot, room).value();
   EXPECT_EQ(tight_at(c, 0), 1u);
   EXPECT_EQ(tight_events(c), 1u);

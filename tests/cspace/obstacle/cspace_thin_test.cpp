@@ -1,16 +1,19 @@
-// Robots and obstacles with pieces that have no area: bent, closed and branching wires, several pieces, a polygon with a whisker, walls. On
-// grids so small that ends, bends and edges coincide, against static slices, membership by definition and the obstacle by whole slices.
+// Robots and obstacles with pieces that have no area: bent, closed and branching wires, several pieces, a polygon with
+// a whisker, walls. On grids so small that ends, bends and edges coincide, against static slices, membership by
+// definition and the obstacle by whole slices.
+#include "cspace/obstacle/obstacle_slices.h"
 #include "dymsum/motion.h"
 #include "dymsum/obstacle_file.h"
 #include "dymsum/planner.h"
-#include "cspace/obstacle/obstacle_slices.h"
 
 namespace dymsum {
 namespace {
 
 using namespace testing_obstacles;
 
-double grid(Random& random, int reach) { return static_cast<double>(static_cast<int>(random() % static_cast<unsigned>(2 * reach + 1)) - reach); }
+double grid(Random& random, int reach) {
+  return static_cast<double>(static_cast<int>(random() % static_cast<unsigned>(2 * reach + 1)) - reach);
+}
 Point place(Random& random, int reach) { return {grid(random, reach), grid(random, reach)}; }
 
 Polyline random_line(Random& random, int reach, std::size_t vertices) {
@@ -33,7 +36,9 @@ RegionData random_wires(Random& random, int reach) {
   RegionData data;
   const Polyline first = random_line(random, reach, 2 + random() % 3);
   switch (random() % 6) {
-    case 0: data.polylines = {first}; break;
+    case 0:
+      data.polylines = {first};
+      break;
     case 1: {
       Polyline closed = random_line(random, reach, 3);
       if (closed.front() != closed.back()) closed.push_back(closed.front());
@@ -47,9 +52,15 @@ RegionData random_wires(Random& random, int reach) {
           if ((end = place(random, reach)) != middle) data.polylines.push_back({middle, end});
       break;
     }
-    case 3: data.polylines = {first, random_line(random, reach, 2)}; break;
-    case 4: data.polylines = {{{-1, 0}, {1, 0}}, {{0, 0}, {0, 1 + grid(random, 0)}}}; break;  // a T
-    default: data.polylines = {random_line(random, reach, 2 + random() % 2)}; data.points = {place(random, reach)};
+    case 3:
+      data.polylines = {first, random_line(random, reach, 2)};
+      break;
+    case 4:
+      data.polylines = {{{-1, 0}, {1, 0}}, {{0, 0}, {0, 1 + grid(random, 0)}}};
+      break;  // a T
+    default:
+      data.polylines = {random_line(random, reach, 2 + random() % 2)};
+      data.points = {place(random, reach)};
   }
   return data;
 }
@@ -58,9 +69,12 @@ Region wires(Random& random, int reach) { return made(random_wires(random, reach
 
 Region random_solid(Random& random, int reach) {
   switch (random() % 3) {
-    case 0: return random_cells(random, 2, 1);
-    case 1: return random_shape(random, reach, 4, false);
-    default: return random_shape(random, reach, 5, true);
+    case 0:
+      return random_cells(random, 2, 1);
+    case 1:
+      return random_shape(random, reach, 4, false);
+    default:
+      return random_shape(random, reach, 5, true);
   }
 }
 // Parts, and wires anywhere: inside, across, along edges, apart.
@@ -86,7 +100,8 @@ bool runs_along(const Region& region) {
       const auto [c, d] = edges[j];
       const auto cross = [&](Point p) { return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x); };
       const auto dot = [&](Point p) { return (b.x - a.x) * (p.x - a.x) + (b.y - a.y) * (p.y - a.y); };
-      if (cross(c) == 0 && cross(d) == 0 && std::max(dot(c), dot(d)) > 0 && std::min(dot(c), dot(d)) < dot(b)) return true;
+      if (cross(c) == 0 && cross(d) == 0 && std::max(dot(c), dot(d)) > 0 && std::min(dot(c), dot(d)) < dot(b))
+        return true;
     }
   return false;
 }
@@ -117,22 +132,33 @@ struct Pair {
 // One segment and rings that touch elsewhere; or wires and rings that touch on the same side.
 Pair random_touching_pair(Random& random) {
   switch (random() % 4) {
-    case 0: return {wire(random_line(random, 2, 2)), random_touching(random, 3)};
-    case 1: return {random_touching(random, 2), wire(random_line(random, 3, 2))};
-    case 2: return {with_wires(random_touching(random, 1), random, 1), random_solid(random, 2)};
-    default: return {random_solid(random, 2), with_wires(random_touching(random, 2), random, 2)};
+    case 0:
+      return {wire(random_line(random, 2, 2)), random_touching(random, 3)};
+    case 1:
+      return {random_touching(random, 2), wire(random_line(random, 3, 2))};
+    case 2:
+      return {with_wires(random_touching(random, 1), random, 1), random_solid(random, 2)};
+    default:
+      return {random_solid(random, 2), with_wires(random_touching(random, 2), random, 2)};
   }
 }
 Pair random_pair(Random& random) {
   switch (random() % 4) {
-    case 0: return {plain(wires, random, 2), random_solid(random, 3)};
-    case 1: return {plain(random_mixed, random, 1), random_solid(random, 3)};
-    case 2: return {random_solid(random, 2), plain(wires, random, 3)};
-    default: return {random_solid(random, 1), plain(random_mixed, random, 3)};
+    case 0:
+      return {plain(wires, random, 2), random_solid(random, 3)};
+    case 1:
+      return {plain(random_mixed, random, 1), random_solid(random, 3)};
+    case 2:
+      return {random_solid(random, 2), plain(wires, random, 3)};
+    default:
+      return {random_solid(random, 1), plain(random_mixed, random, 3)};
   }
 }
 
-std::string wkt(const Pair& pair) { return "\nrobot " + format_region(pair.robot, RegionFormat::wkt) + "\nobstacle " + format_region(pair.obstacle, RegionFormat::wkt); }
+std::string wkt(const Pair& pair) {
+  return "\nrobot " + format_region(pair.robot, RegionFormat::wkt) + "\nobstacle " +
+         format_region(pair.obstacle, RegionFormat::wkt);
+}
 
 // Loops of places in doubles, without those in the middle of straight lines.
 using Loops = std::vector<std::vector<Point>>;
@@ -145,7 +171,8 @@ void add_loop(Loops& to, const std::vector<Point>& at) {
   for (std::size_t k = 0; k < kept.size(); ++k) {
     const Point a = kept[(k + kept.size() - 1) % kept.size()], b = kept[k], c = kept[(k + 1) % kept.size()];
     const double cross = (b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x);
-    if (std::abs(cross) > 1e-9 * (std::hypot(b.x - a.x, b.y - a.y) * std::hypot(c.x - b.x, c.y - b.y) + 1e-6)) corners.push_back(b);
+    if (std::abs(cross) > 1e-9 * (std::hypot(b.x - a.x, b.y - a.y) * std::hypot(c.x - b.x, c.y - b.y) + 1e-6))
+      corners.push_back(b);
   }
   to.push_back(corners);
 }
@@ -204,7 +231,8 @@ std::string text(const Loops& loops) {
 
 Orientation middle_of(const CspaceObstacle& c, std::uint32_t slab) {
   if (c.angles().empty()) return {};
-  const double low = c.angles()[slab].theta, high = slab + 1 < slabs(c) ? c.angles()[slab + 1].theta : c.angles()[0].theta + 2 * std::numbers::pi;
+  const double low = c.angles()[slab].theta,
+               high = slab + 1 < slabs(c) ? c.angles()[slab + 1].theta : c.angles()[0].theta + 2 * std::numbers::pi;
   const Orientation near = *Orientation::nearest(0.5 * (low + high));
   return high - low > 1e-4 && c.slab_of(near) == slab ? near : c.inside(slab);
 }
@@ -216,15 +244,20 @@ void expect_places(const CspaceObstacle& c, const Pair& pair) {
     SumOptions options;
     options.semantics = Semantics::open;
     const PlanarSum open = *cspace_slice(pair.robot, pair.obstacle, at, options);
-    EXPECT_TRUE(open.tight_segments.empty() && (open.tight_points.empty() || c.may_have_tight_curves())) << at.radians() << wkt(pair);
+    EXPECT_TRUE(open.tight_segments.empty() && (open.tight_points.empty() || c.may_have_tight_curves()))
+        << at.radians() << wkt(pair);
     const Loops made = loops_at(c, slab, at.radians()), expected = loops_of(open);
-    ASSERT_TRUE(same_loops(made, expected)) << "slab " << slab << " at " << at.radians() << wkt(pair) << '\n' << text(made) << "expected\n" << text(expected);
+    ASSERT_TRUE(same_loops(made, expected)) << "slab " << slab << " at " << at.radians() << wkt(pair) << '\n'
+                                            << text(made) << "expected\n"
+                                            << text(expected);
   }
 }
 
 void expect_membership(const CspaceObstacle& c, Random& random, const Pair& pair) {
   for (int k = 0; k < 12; ++k) {
-    const Orientation at = random() % 3 == 0 ? *Orientation::of(static_cast<int>(random() % 5) - 2, 1 + static_cast<int>(random() % 3)) : c.inside(static_cast<std::uint32_t>(random() % slabs(c)));
+    const Orientation at =
+        random() % 3 == 0 ? *Orientation::of(static_cast<int>(random() % 5) - 2, 1 + static_cast<int>(random() % 3))
+                          : c.inside(static_cast<std::uint32_t>(random() % slabs(c)));
     const double x = grid(random, 8) / 2, y = grid(random, 8) / 2;
     const Result<TranslationCheck> still = check_translation(c.robot(), c.obstacle(), Point{x, y}, Point{x, y}, at);
     ASSERT_TRUE(still.ok());
@@ -274,7 +307,8 @@ TEST(CspaceThin, rings_that_touch) {
       for (int k = 0; k < 100 && !tight; ++k) {
         SumOptions options;
         options.semantics = Semantics::open;
-        tight = !cspace_slice(pair.robot, pair.obstacle, *Orientation::nearest(0.0627 * k - 3.1), options)->tight_segments.empty();
+        tight = !cspace_slice(pair.robot, pair.obstacle, *Orientation::nearest(0.0627 * k - 3.1), options)
+                     ->tight_segments.empty();
       }
       EXPECT_TRUE(tight) << wkt(pair);
       return;
@@ -287,8 +321,8 @@ TEST(CspaceThin, rings_that_touch) {
   }
 }
 
-// Three ends in one place are no tight placements: free space comes to them. Nor is a stretch on which one side only of a wall is touched,
-// though both are walked.
+// Three ends in one place are no tight placements: free space comes to them. Nor is a stretch on which one side only of
+// a wall is touched, though both are walked.
 TEST(CspaceThin, ends_beside_free_space_are_not_tight) {
   RegionData star, junction;
   star.polylines = {{{0, 1}, {-2, -1}}, {{0, 1}, {1, 0}}, {{0, 1}, {2, -2}}};
@@ -317,8 +351,9 @@ TEST(CspaceThin, a_square_and_a_door_between_walls) {
   for (std::size_t k = 1; k < way.path.size(); ++k) {
     const Waypoint &a = way.path[k - 1], &b = way.path[k];
     const auto turn = b.move == Waypoint::Move::clockwise ? TurnDirection::clockwise : TurnDirection::counter_clockwise;
-    const bool free = b.move == Waypoint::Move::translation ? check_translation(open.robot(), open.obstacle(), a.at, b.at, a.theta)->free
-                                                            : check_rotation(open.robot(), open.obstacle(), a.at, a.theta, b.theta, turn)->free;
+    const bool free = b.move == Waypoint::Move::translation
+                          ? check_translation(open.robot(), open.obstacle(), a.at, b.at, a.theta)->free
+                          : check_rotation(open.robot(), open.obstacle(), a.at, a.theta, b.theta, turn)->free;
     EXPECT_TRUE(free) << k;
   }
   EXPECT_EQ(plan(room(0.999), {1, 1, 0}, {5, 1, 0})->reason->kind, NoPath::Kind::separated);
@@ -327,7 +362,8 @@ TEST(CspaceThin, a_square_and_a_door_between_walls) {
   EXPECT_EQ(free_components(closed), 2u);
 }
 
-// A wire bent to a U stands over a post that is as wide, at four angles of a square post; over one that is narrower it also comes off.
+// A wire bent to a U stands over a post that is as wide, at four angles of a square post; over one that is narrower it
+// also comes off.
 TEST(CspaceThin, a_staple_over_a_post) {
   const Region staple = wire({{0, -3}, {0, 0}, {1, 0}, {1, -3}});
   const CspaceObstacle jammed = CspaceObstacle::create(staple, polygon(box(0, -1, 1, 0))).value();
@@ -347,7 +383,8 @@ TEST(CspaceThin, a_file_holds_the_same_obstacle) {
     EXPECT_EQ(read->robot().data(), pair.robot.data());
     EXPECT_EQ(read->obstacle().data(), pair.obstacle.data());
     ASSERT_EQ(slabs(*read), slabs(c));
-    for (std::uint32_t slab = 0; slab < slabs(c); ++slab) EXPECT_EQ(of_slab(*read, slab), of_slab(c, slab)) << wkt(pair);
+    for (std::uint32_t slab = 0; slab < slabs(c); ++slab)
+      EXPECT_EQ(of_slab(*read, slab), of_slab(c, slab)) << wkt(pair);
     expect_places(*read, pair);
   });
 }
@@ -357,11 +394,14 @@ TEST(CspaceThin, what_is_refused_has_a_reason_and_a_place) {
   RegionData along = square.data(), touching;
   along.polylines = {{{0.5, 0}, {2, 0}}};
   touching.parts = {{box(0, 0, 2, 2), {}}, {box(2, 2, 5, 5), {}}};
-  const auto error = [](const Region& robot, const Region& obstacle) { return CspaceObstacle::create(robot, obstacle).error(); };
+  const auto error = [](const Region& robot, const Region& obstacle) {
+    return CspaceObstacle::create(robot, obstacle).error();
+  };
   for (const Region& robot : {rod, bent}) {
     EXPECT_EQ(error(robot, rod).code, Code::unsupported_operand);
     EXPECT_EQ(check_motion(robot, rod, {}, {1, 1, 1}).error().code, Code::unsupported_operand);
-    EXPECT_EQ(check_rotation(robot, rod, Point{}, {}, {}, TurnDirection::clockwise).error().code, Code::unsupported_operand);
+    EXPECT_EQ(check_rotation(robot, rod, Point{}, {}, {}, TurnDirection::clockwise).error().code,
+              Code::unsupported_operand);
     EXPECT_EQ(error(robot, made(touching)).evidence.x, 2) << error(robot, made(touching)).message;
     EXPECT_EQ(error(made(touching), robot).evidence.x, 2);
   }

@@ -18,7 +18,9 @@ Region hole_at_an_edge() { return region({{box(0, 0, 8, 8), {{{4, 0}, {1, 4}, {4
 // One ring through (0, 0) twice: two triangles tip to tip.
 Region figure_of_eight() { return region({{{{0, 0}, {3, -2}, {3, 2}}, {}}, {{{0, 0}, {-3, 1}, {-2, -2}}, {}}}); }
 // A ring that comes back to a vertex of itself: a room with a door of no width.
-Region closed_room() { return region({{{{0, 0}, {10, 0}, {10, 10}, {0, 10}, {0, 5}, {2, 8}, {8, 8}, {8, 2}, {2, 2}, {0, 5}}, {}}}); }
+Region closed_room() {
+  return region({{{{0, 0}, {10, 0}, {10, 10}, {0, 10}, {0, 5}, {2, 8}, {8, 8}, {8, 2}, {2, 2}, {0, 5}}, {}}});
+}
 
 void expect_all_slices(const Region& robot, const Region& obstacle) {
   const Result<CspaceObstacle> c = CspaceObstacle::create(robot, obstacle);
@@ -69,9 +71,12 @@ TEST(CspaceTouching, ends_of_patches_are_vertices_of_slices) {
         for (const std::uint32_t p : loop)
           for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
             const Patch& patch = c.patches()[p];
-            if (k == 0 ? patch.left_corner && in_line(c, patch.left, patch.contact) : patch.right_corner && in_line(c, patch.contact, patch.right)) continue;
+            if (k == 0 ? patch.left_corner && in_line(c, patch.left, patch.contact)
+                       : patch.right_corner && in_line(c, patch.contact, patch.right))
+              continue;
             const Point end = c.ends(patch, at.radians())[k];
-            EXPECT_TRUE(std::any_of(vertices.begin(), vertices.end(), [&](Point v) { return std::hypot(v.x - end.x, v.y - end.y) < 1e-9; }))
+            EXPECT_TRUE(std::any_of(vertices.begin(), vertices.end(),
+                                    [&](Point v) { return std::hypot(v.x - end.x, v.y - end.y) < 1e-9; }))
                 << "slab " << slab << " patch " << p << " at " << end.x << ' ' << end.y;
           }
     }
@@ -81,7 +86,9 @@ TEST(CspaceTouching, ends_of_patches_are_vertices_of_slices) {
 // Triangles with a common vertex, on a small grid; often several at one, and vertices on edges.
 Region random_touching(Random& random, int reach) {
   for (;;) {
-    const auto at = [&] { return static_cast<double>(static_cast<int>(random() % static_cast<unsigned>(2 * reach + 1)) - reach); };
+    const auto at = [&] {
+      return static_cast<double>(static_cast<int>(random() % static_cast<unsigned>(2 * reach + 1)) - reach);
+    };
     const auto point = [&] { return Point{at(), at()}; };
     RegionData data;
     const Point z = point();
@@ -110,7 +117,8 @@ Region random_touching(Random& random, int reach) {
 
 TEST(CspaceTouching, random_pairs_equal_slices) {
   for_seeds(60, [](Random& random) {
-    const Region robot = random() % 3 == 0 ? random_touching(random, 4) : random_shape(random, 3, 5, false), obstacle = random_touching(random, 6);
+    const Region robot = random() % 3 == 0 ? random_touching(random, 4) : random_shape(random, 3, 5, false),
+                 obstacle = random_touching(random, 6);
     const Result<CspaceObstacle> c = CspaceObstacle::create(robot, obstacle);
     ASSERT_TRUE(c.ok()) << c.error().message;
     expect_slices(*c, random, 100);
@@ -132,7 +140,8 @@ TEST(CspaceTouching, random_pairs_equal_the_obstacle_by_whole_slices) {
 // Squares of a board that touch at corners: everything in line, and most events at quarter turns.
 TEST(CspaceTouching, boards_equal_slices) {
   for_seeds(40, [](Random& random) {
-    const Region robot = random() % 2 == 0 ? random_board(random, 3, 1) : random_cells(random, 2, 1), obstacle = random_board(random, 4, 1 + static_cast<double>(random() % 3) / 2);
+    const Region robot = random() % 2 == 0 ? random_board(random, 3, 1) : random_cells(random, 2, 1),
+                 obstacle = random_board(random, 4, 1 + static_cast<double>(random() % 3) / 2);
     expect_slices(CspaceObstacle::create(robot, obstacle).value(), random, 60);
   });
 }

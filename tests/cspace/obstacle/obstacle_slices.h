@@ -20,7 +20,9 @@ namespace dymsum::testing_obstacles {
 using Random = std::mt19937_64;
 using Cycle = std::vector<Contact>;
 
-inline bool less(const Contact& a, const Contact& b) { return std::tuple{a.kind, a.p, a.q} < std::tuple{b.kind, b.p, b.q}; }
+inline bool less(const Contact& a, const Contact& b) {
+  return std::tuple{a.kind, a.p, a.q} < std::tuple{b.kind, b.p, b.q};
+}
 
 inline std::vector<Cycle> canonical(std::vector<Cycle> cycles) {
   for (Cycle& cycle : cycles) {
@@ -32,7 +34,9 @@ inline std::vector<Cycle> canonical(std::vector<Cycle> cycles) {
     }
     cycle = best;
   }
-  std::sort(cycles.begin(), cycles.end(), [](const Cycle& a, const Cycle& b) { return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), less); });
+  std::sort(cycles.begin(), cycles.end(), [](const Cycle& a, const Cycle& b) {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), less);
+  });
   return cycles;
 }
 
@@ -65,7 +69,8 @@ inline Point edge_vector(const Region& region, std::uint32_t number) {
   return {};
 }
 
-// One edge in line with another one and the same vertex: where the boundary passes a touching point straight on, slices name the first only.
+// One edge in line with another one and the same vertex: where the boundary passes a touching point straight on, slices
+// name the first only.
 inline bool in_line(const CspaceObstacle& c, const Contact& a, const Contact& b) {
   if (a == b || a.kind != b.kind) return false;
   const bool of_p = a.kind == Contact::Kind::edge_of_p;
@@ -87,7 +92,9 @@ inline std::vector<Cycle> of_slab(const CspaceObstacle& c, std::uint32_t slab) {
   return canonical(std::move(cycles));
 }
 
-inline std::uint32_t slabs(const CspaceObstacle& c) { return std::max<std::uint32_t>(1, static_cast<std::uint32_t>(c.angles().size())); }
+inline std::uint32_t slabs(const CspaceObstacle& c) {
+  return std::max<std::uint32_t>(1, static_cast<std::uint32_t>(c.angles().size()));
+}
 
 inline void expect_slices(const CspaceObstacle& c, Random& random, std::uint32_t most) {
   const std::uint32_t n = slabs(c);
@@ -95,10 +102,12 @@ inline void expect_slices(const CspaceObstacle& c, Random& random, std::uint32_t
   for (std::uint32_t slab = static_cast<std::uint32_t>(random() % step); slab < n; slab += step) {
     const Orientation at = c.inside(slab);
     const std::vector<Cycle> expected = of_slice(*c.slice(at));
-    ASSERT_EQ(of_slab(c, slab), expected) << "slab " << slab << " of " << n << " at " << at.radians() << "\nrobot " << format_region(c.robot(), RegionFormat::wkt)
-                                         << "\nobstacle " << format_region(c.obstacle(), RegionFormat::wkt);
+    ASSERT_EQ(of_slab(c, slab), expected) << "slab " << slab << " of " << n << " at " << at.radians() << "\nrobot "
+                                          << format_region(c.robot(), RegionFormat::wkt) << "\nobstacle "
+                                          << format_region(c.obstacle(), RegionFormat::wkt);
     // Constant between events: the same cycles at another orientation of the slab.
-    const double low = c.angles()[slab].theta, high = slab + 1 < n ? c.angles()[slab + 1].theta : c.angles()[0].theta + 2 * std::numbers::pi;
+    const double low = c.angles()[slab].theta,
+                 high = slab + 1 < n ? c.angles()[slab + 1].theta : c.angles()[0].theta + 2 * std::numbers::pi;
     const double share = 0.02 + 0.96 * static_cast<double>(random() % 4096) / 4096;
     const Orientation other = *Orientation::nearest(low + share * (high - low));
     if (c.slab_of(other) == slab) {
@@ -108,7 +117,9 @@ inline void expect_slices(const CspaceObstacle& c, Random& random, std::uint32_t
 }
 
 inline Ring random_ring(Random& random, int reach, int most, double dx) {
-  const auto at = [&] { return static_cast<double>(static_cast<int>(random() % static_cast<unsigned>(2 * reach + 1)) - reach); };
+  const auto at = [&] {
+    return static_cast<double>(static_cast<int>(random() % static_cast<unsigned>(2 * reach + 1)) - reach);
+  };
   Ring ring;
   const int n = 3 + static_cast<int>(random() % static_cast<unsigned>(most - 2));
   for (int i = 0; i < n; ++i) ring.push_back({at() + dx, at()});
@@ -124,7 +135,9 @@ inline Region random_shape(Random& random, int reach, int most, bool hole, int p
       if (hole) data.parts.back().holes.push_back(random_ring(random, reach, 3, 2.5 * reach * k));
     }
     Result<Repaired> repaired = repair(data);
-    if (repaired.ok() && repaired->region.touching_points().empty() && static_cast<int>(repaired->region.parts().size()) == parts) return repaired->region;
+    if (repaired.ok() && repaired->region.touching_points().empty() &&
+        static_cast<int>(repaired->region.parts().size()) == parts)
+      return repaired->region;
   }
 }
 
@@ -148,7 +161,8 @@ inline std::size_t free_components(const CspaceObstacle& c) {
 
 inline std::size_t tight_at(const CspaceObstacle& c, double theta) {
   std::size_t n = 0;
-  for (const ObstacleEvent& e : c.events()) n += e.kind == ObstacleEvent::Kind::tight && std::abs(c.angles()[e.angle].theta - theta) < 1e-12;
+  for (const ObstacleEvent& e : c.events())
+    n += e.kind == ObstacleEvent::Kind::tight && std::abs(c.angles()[e.angle].theta - theta) < 1e-12;
   return n;
 }
 

@@ -102,8 +102,18 @@ TEST(NarrowPassages, the_longest_ladder_round_a_corner_to_the_last_bit) {
 // Two rooms and a wall between them, 2 t thick, with a doorway.
 Region rooms(double t, double doorway) {
   const double h = doorway / 2;
-  return shape(box(-12, -6, 12, 6), {{{-11, -5}, {-11, 5}, {-t, 5}, {-t, h}, {t, h}, {t, 5}, {11, 5}, {11, -5},
-                                      {t, -5}, {t, -h}, {-t, -h}, {-t, -5}}});
+  return shape(box(-12, -6, 12, 6), {{{-11, -5},
+                                      {-11, 5},
+                                      {-t, 5},
+                                      {-t, h},
+                                      {t, h},
+                                      {t, 5},
+                                      {11, 5},
+                                      {11, -5},
+                                      {t, -5},
+                                      {t, -h},
+                                      {-t, -h},
+                                      {-t, -5}}});
 }
 
 // A rod has no width: the longest one is (a^(2/3) + b^(2/3))^(3/2), 125 for corridors 27 and 64 wide.
@@ -113,7 +123,8 @@ TEST(NarrowPassages, the_longest_rod_round_a_corner_to_the_last_bit) {
     rod.polylines.push_back({{0, 0}, {length, 0}});
     const double far = 910;
     const Ring corridor{{0, 0}, {far, 0}, {far, 27}, {64, 27}, {64, far}, {0, far}};
-    const CspaceObstacle c = CspaceObstacle::create(*Region::create(rod), shape(box(-1, -1, far + 1, far + 1), {corridor})).value();
+    const CspaceObstacle c =
+        CspaceObstacle::create(*Region::create(rod), shape(box(-1, -1, far + 1, far + 1), {corridor})).value();
     const Plan p = plan_round(c, 0, 27, 64, touching);
     if (p.found()) expect_free(c, p, touching, 50);
     return p;
@@ -145,8 +156,8 @@ TEST(NarrowPassages, an_L_through_a_keyhole) {
 // Four corners one after another, to the left and to the right.
 TEST(NarrowPassages, several_in_a_row) {
   const double w = 0.25, length = longest_ladder(1, 1, w) * 0.999;
-  const Ring zigzag{{0, 0}, {10, 0}, {10, 9}, {19, 9}, {19, 18}, {27, 18}, {27, 19}, {18, 19}, {18, 10}, {9, 10},
-                    {9, 1}, {0, 1}};
+  const Ring zigzag{{0, 0},   {10, 0},  {10, 9},  {19, 9}, {19, 18}, {27, 18},
+                    {27, 19}, {18, 19}, {18, 10}, {9, 10}, {9, 1},   {0, 1}};
   const Region obstacle = shape(box(-1, -1, 29, 20), {zigzag});
   const CspaceObstacle c = CspaceObstacle::create(shape(box(0, 0, length, w)), obstacle).value();
   const Configuration start{1, 0.4, 0}, goal{21, 18.3, 0};

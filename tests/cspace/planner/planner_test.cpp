@@ -9,8 +9,8 @@
 #include <numbers>
 #include <random>
 
-#include "dymsum/planar_sum.h"
 #include "cspace/queries/flood_fill.h"
+#include "dymsum/planar_sum.h"
 #include "dymsum/region.h"
 #include "oracles/decimal_parts.h"
 
@@ -63,24 +63,25 @@ void expect_valid(const CspaceObstacle& c, const Plan& p, Configuration start, C
     if (b.move == Waypoint::Move::counter_clockwise && turn < 0) turn += 2 * kPi;
     if (b.move == Waypoint::Move::clockwise && turn > 0) turn -= 2 * kPi;
     for (int i = 0; i <= 40; ++i) {
-      const double s = i / 40.0, x = a.approx.x + s * (b.approx.x - a.approx.x), y = a.approx.y +
-          s * (b.approx.y - a.approx.y);
-      const Orientation theta = turn == 0 || i == 0 ? a.theta : i == 40 ? b.theta
-          : *Orientation::nearest(a.approx.theta + s * turn);
+      const double s = i / 40.0, x = a.approx.x + s * (b.approx.x - a.approx.x),
+                   y = a.approx.y + s * (b.approx.y - a.approx.y);
+      const Orientation theta = turn == 0 || i == 0 ? a.theta
+                                : i == 40           ? b.theta
+                                                    : *Orientation::nearest(a.approx.theta + s * turn);
       ASSERT_FALSE(c.contains(x, y, theta)) << k << " at " << s;
     }
   }
 }
 
 void expect_path(const CspaceObstacle& c, Configuration start, Configuration goal,
-    Touching touching = Touching::allowed) {
+                 Touching touching = Touching::allowed) {
   const Plan p = plan_in(c, start, goal, touching);
   ASSERT_TRUE(p.found()) << p.reason->text;
   expect_valid(c, p, start, goal, touching);
 }
 
 NoPath expect_none(const CspaceObstacle& c, Configuration start, Configuration goal, NoPath::Kind kind,
-    Touching touching = Touching::allowed) {
+                   Touching touching = Touching::allowed) {
   const Plan p = plan_in(c, start, goal, touching);
   EXPECT_FALSE(p.found());
   EXPECT_TRUE(p.path.empty());
@@ -91,8 +92,19 @@ NoPath expect_none(const CspaceObstacle& c, Configuration start, Configuration g
 
 // Two rooms of 10 x 10 and a wall between them, 2 thick, with a doorway from y = low to y = high.
 Region rooms(double low, double high) {
-  return region({{box(-12, -6, 12, 6), {{{-11, -5}, {-11, 5}, {-1, 5}, {-1, high}, {1, high}, {1, 5}, {11, 5}, {11,
-      -5}, {1, -5}, {1, low}, {-1, low}, {-1, -5}}}}});
+  return region({{box(-12, -6, 12, 6),
+                  {{{-11, -5},
+                    {-11, 5},
+                    {-1, 5},
+                    {-1, high},
+                    {1, high},
+                    {1, 5},
+                    {11, 5},
+                    {11, -5},
+                    {1, -5},
+                    {1, low},
+                    {-1, low},
+                    {-1, -5}}}}});
 }
 
 Region bar() { return region({{box(-3, -0.5, 3, 0.5), {}}}); }
@@ -111,8 +123,8 @@ TEST(Planner, an_L_turns_round_the_jamb) {
 }
 
 TEST(Planner, a_bar_cannot_turn_in_a_corridor) {
-  const CspaceObstacle c = obstacle_of(bar(), region({{box(-20, -3, 20, 3), {{{-19, -2}, {-19, 2}, {19, 2}, {19,
-      -2}}}}}));
+  const CspaceObstacle c =
+      obstacle_of(bar(), region({{box(-20, -3, 20, 3), {{{-19, -2}, {-19, 2}, {19, 2}, {19, -2}}}}}));
   expect_path(c, {-10, 0, 0}, {10, 1, 0.1});
   const NoPath reason = expect_none(c, {-10, 0, 0}, {10, 0, kPi}, NoPath::Kind::separated);
   ASSERT_EQ(reason.start.size(), 1u);
@@ -123,9 +135,23 @@ TEST(Planner, a_bar_cannot_turn_in_a_corridor) {
 }
 
 TEST(Planner, a_bug_trap_is_left_through_its_mouth) {
-  const Region trap = region({{{{-5, -5}, {5, -5}, {5, 5}, {-5, 5}, {-5, 0.5}, {0, 0.5}, {0, 1}, {-4, 1}, {-4, 4}, {4,
-      4},
-                               {4, -4}, {-4, -4}, {-4, -1}, {0, -1}, {0, -0.5}, {-5, -0.5}}, {}}});
+  const Region trap = region({{{{-5, -5},
+                                {5, -5},
+                                {5, 5},
+                                {-5, 5},
+                                {-5, 0.5},
+                                {0, 0.5},
+                                {0, 1},
+                                {-4, 1},
+                                {-4, 4},
+                                {4, 4},
+                                {4, -4},
+                                {-4, -4},
+                                {-4, -1},
+                                {0, -1},
+                                {0, -0.5},
+                                {-5, -0.5}},
+                               {}}});
   const Region robot = region({{{{-0.4, -0.3}, {0.5, -0.2}, {0.1, 0.4}}, {}}});
   const CspaceObstacle c = obstacle_of(robot, trap);
   expect_path(c, {2, 2, 1}, {-9, 3, -2}, Touching::forbidden);
@@ -209,16 +235,33 @@ TEST(Planner, paths_are_drawn_tight) {
   // Round the end of a wall, and through a doorway and back to the other wall.
   const CspaceObstacle wall = obstacle_of(square(), region({{box(-1, -5, 1, 5), {}}}));
   const CspaceObstacle doorway = obstacle_of(bar(), rooms(-1, 1));
-  const Region trap = region({{{{-5, -5}, {5, -5}, {5, 5}, {-5, 5}, {-5, 0.5}, {0, 0.5}, {0, 1}, {-4, 1}, {-4, 4},
-                                {4, 4}, {4, -4}, {-4, -4}, {-4, -1}, {0, -1}, {0, -0.5}, {-5, -0.5}}, {}}});
+  const Region trap = region({{{{-5, -5},
+                                {5, -5},
+                                {5, 5},
+                                {-5, 5},
+                                {-5, 0.5},
+                                {0, 0.5},
+                                {0, 1},
+                                {-4, 1},
+                                {-4, 4},
+                                {4, 4},
+                                {4, -4},
+                                {-4, -4},
+                                {-4, -1},
+                                {0, -1},
+                                {0, -0.5},
+                                {-5, -0.5}},
+                               {}}});
   const CspaceObstacle mouth = obstacle_of(region({{{{-0.4, -0.3}, {0.5, -0.2}, {0.1, 0.4}}, {}}}), trap);
   struct Way {
     const CspaceObstacle& obstacle;
     Configuration start, goal;
     double most;
   };
-  for (const Way& w : {Way{wall, {-6, 0, 0}, {6, 0, kPi / 2}, 21}, {wall, {-6, -4, 1}, {6, -4, -2}, 13.5},
-                       {doorway, {-6, 0, kPi / 2}, {6, 0, -kPi / 2}, 12.1}, {mouth, {2, 2, 1}, {-9, 3, -2}, 13.5}}) {
+  for (const Way& w : {Way{wall, {-6, 0, 0}, {6, 0, kPi / 2}, 21},
+                       {wall, {-6, -4, 1}, {6, -4, -2}, 13.5},
+                       {doorway, {-6, 0, kPi / 2}, {6, 0, -kPi / 2}, 12.1},
+                       {mouth, {2, 2, 1}, {-9, 3, -2}, 13.5}}) {
     for (const Touching touching : {Touching::allowed, Touching::forbidden}) {
       const Plan p = plan_in(w.obstacle, w.start, w.goal, touching);
       expect_valid(w.obstacle, p, w.start, w.goal, touching);
@@ -277,8 +320,8 @@ Region random_shape(Random& random, int reach, int most, double scale) {
     const int n = 3 + static_cast<int>(random() % static_cast<unsigned>(most - 2));
     for (int i = 0; i < n; ++i) data.parts[0].outer.push_back({at(), at()});
     Result<Repaired> repaired = repair(data);
-    if (repaired.ok() && !repaired->region.empty() &&
-        repaired->region.touching_points().empty()) return repaired->region;
+    if (repaired.ok() && !repaired->region.empty() && repaired->region.touching_points().empty())
+      return repaired->region;
   }
 }
 
@@ -407,7 +450,7 @@ TEST(Planner, random_scenes_agree_with_a_flood_fill) {
     std::vector<std::array<int, 3>> free;
     for (int tries = 0; tries < 4000 && free.size() < 5; ++tries) {
       const std::array<int, 3> n{4 + static_cast<int>(random() % 21), 4 + static_cast<int>(random() % 21),
-          static_cast<int>(random() % kTurns)};
+                                 static_cast<int>(random() % kTurns)};
       if (flood.gap(n[0], n[1], n[2]) > 0.01) free.push_back(n);
     }
     for (std::size_t k = 1; k < free.size(); ++k) {
@@ -428,7 +471,7 @@ TEST(Planner, random_scenes_agree_with_a_flood_fill) {
     }
   }
   std::cout << found << " found, " << none << " none, " << reached_by_flood << " reached by the flood fill, slowest "
-      << slowest << " ms\n";
+            << slowest << " ms\n";
   EXPECT_EQ(undecided, 0);
   EXPECT_TRUE(first || count || (found > 0 && none > 0 && reached_by_flood > 0));
 }

@@ -41,7 +41,8 @@ TEST(ClearanceScale, tiny_scenes_are_those_of_their_size) {
     for (const int exponent : {-300, -530, -600, -1000}) {
       SCOPED_TRACE(exponent);
       const double s = std::ldexp(1.0, exponent);
-      const CspaceObstacle tiny_obstacle = CspaceObstacle::create(*scaled(robot, s, s), *scaled(obstacle, s, s)).value();
+      const CspaceObstacle tiny_obstacle =
+          CspaceObstacle::create(*scaled(robot, s, s), *scaled(obstacle, s, s)).value();
       const ObstacleQueries tiny(tiny_obstacle);
       EXPECT_EQ(tiny.largest_weight(), s * whole.largest_weight());
       for (const Configuration& q : asked) {
@@ -56,7 +57,8 @@ TEST(ClearanceScale, tiny_scenes_are_those_of_their_size) {
           }
         const std::vector<FreeAngles> a = whole.free_angles(q.x, q.y), b = tiny.free_angles(at.x, at.y);
         ASSERT_EQ(a.size(), b.size());
-        for (std::size_t k = 0; k < a.size(); ++k) EXPECT_NEAR(a[k].begin, b[k].begin, a[k].begin_error + b[k].begin_error);
+        for (std::size_t k = 0; k < a.size(); ++k)
+          EXPECT_NEAR(a[k].begin, b[k].begin, a[k].begin_error + b[k].begin_error);
       }
     }
   }

@@ -22,8 +22,8 @@ class FloodFill {
       for (const Point& p : part.outer) radius_ = std::max(radius_, std::hypot(p.x, p.y));
   }
   Configuration at(int i, int j, int k) const {
-    return {-reach_ + 2 * reach_ * i / (steps_ - 1), -reach_ + 2 * reach_ * j / (steps_ - 1), -std::numbers::pi + 2 * std::numbers::pi * (k +
-        0.5) / turns_};
+    return {-reach_ + 2 * reach_ * i / (steps_ - 1), -reach_ + 2 * reach_ * j / (steps_ - 1),
+            -std::numbers::pi + 2 * std::numbers::pi * (k + 0.5) / turns_};
   }
   double gap(int i, int j, int k) {
     double& g = gap_[static_cast<std::size_t>((k * steps_ + i) * steps_ + j)];
@@ -35,8 +35,9 @@ class FloodFill {
   std::vector<bool> reached(std::array<int, 3> from) {
     std::vector<bool> seen(gap_.size(), false);
     std::queue<std::array<int, 3>> open;
-    const auto number = [&](const std::array<int, 3>& n) { return static_cast<std::size_t>((n[2] * steps_ +
-        n[0]) * steps_ + n[1]); };
+    const auto number = [&](const std::array<int, 3>& n) {
+      return static_cast<std::size_t>((n[2] * steps_ + n[0]) * steps_ + n[1]);
+    };
     seen[number(from)] = true;
     open.push(from);
     const double step = 2 * reach_ / (steps_ - 1), turn = radius_ * 2 * std::numbers::pi / turns_;
@@ -48,8 +49,8 @@ class FloodFill {
         m[static_cast<std::size_t>(d / 2)] += d % 2 == 0 ? 1 : -1;
         if (m[0] < 0 || m[1] < 0 || m[0] >= steps_ || m[1] >= steps_) continue;
         m[2] = (m[2] + turns_) % turns_;
-        if (seen[number(m)] || std::max(gap(n[0], n[1], n[2]), gap(m[0], m[1], m[2])) <= (d < 4 ? step
-            : turn)) continue;
+        if (seen[number(m)] || std::max(gap(n[0], n[1], n[2]), gap(m[0], m[1], m[2])) <= (d < 4 ? step : turn))
+          continue;
         seen[number(m)] = true;
         open.push(m);
       }
@@ -70,8 +71,8 @@ class FloodFill {
       }
     };
     const auto point = [](Point a, Point b, Point p) {
-      const double dx = b.x - a.x, dy = b.y - a.y, s = std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / (dx * dx +
-          dy * dy), 0.0, 1.0);
+      const double dx = b.x - a.x, dy = b.y - a.y,
+                   s = std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / (dx * dx + dy * dy), 0.0, 1.0);
       return std::hypot(p.x - a.x - s * dx, p.y - a.y - s * dy);
     };
     const double cosine = std::cos(q.theta), sine = std::sin(q.theta);

@@ -74,7 +74,9 @@ void expect_angles(const ObstacleQueries& q, double x, double y, Random& random)
     const double theta = uniform(random, -M_PI, M_PI);
     bool inside = false;
     for (const FreeAngles& f : free)
-      inside |= f.single() ? theta == f.begin : f.begin < f.end ? f.begin < theta && theta < f.end : theta > f.begin || theta < f.end;
+      inside |= f.single()        ? theta == f.begin
+                : f.begin < f.end ? f.begin < theta && theta < f.end
+                                  : theta > f.begin || theta < f.end;
     EXPECT_NE(inside, q.contains({x, y, theta})) << x << " " << y << " " << theta;
   }
 }
@@ -85,11 +87,13 @@ std::uint64_t ask(const CspaceObstacle& made, double reach, double unit, Random&
   for (int k = 0; k < 40; ++k) expect_contained(made, q, near_boundary(made, random));
   for (int k = 0; k < 40; ++k) {
     const double quarters = M_PI / 2 * (static_cast<int>(random() % 4) - 1);
-    expect_contained(made, q, {unit * grid(random, 10), unit * grid(random, 10), k % 2 == 0 ? quarters : uniform(random, -3, 3)});
+    expect_contained(
+        made, q, {unit * grid(random, 10), unit * grid(random, 10), k % 2 == 0 ? quarters : uniform(random, -3, 3)});
   }
   const std::uint64_t exact = q.exact_answers();
   for (int k = 0; k < 4; ++k)
-    expect_ball(q, {uniform(random, -reach, reach), uniform(random, -reach, reach), uniform(random, -M_PI, M_PI)}, random);
+    expect_ball(q, {uniform(random, -reach, reach), uniform(random, -reach, reach), uniform(random, -M_PI, M_PI)},
+                random);
   for (int k = 0; k < 3; ++k) expect_angles(q, uniform(random, -reach, reach), uniform(random, -reach, reach), random);
   expect_angles(q, unit * grid(random, 5), unit * grid(random, 5), random);
   return exact;
@@ -130,10 +134,8 @@ TEST(ObstacleQueriesFuzz, segments_and_points) {
     Random random(seed);
     RegionData robot;
     const Point a{grid(random, 3) + 0.5, grid(random, 3)};
-    if (random() % 4 == 0)
-      robot.points.push_back(a);
-    else
-      robot.polylines.push_back({a, {grid(random, 3), grid(random, 3)}});
+    if (random() % 4 == 0) robot.points.push_back(a);
+    else robot.polylines.push_back({a, {grid(random, 3), grid(random, 3)}});
     const CspaceObstacle c = CspaceObstacle::create(*Region::create(robot), random_shape(random, 5)).value();
     ask(c, 8, 1, random);
     // At a contact, to the last bit: never less than 0.
@@ -153,16 +155,23 @@ TEST(ObstacleQueriesFuzz, pieces_without_area) {
     const double l = 1 + std::abs(grid(random, 2));
     RegionData thin;
     switch (seed % 4) {
-      case 0: thin.polylines = {{{0, 0}, {l, 0}, {l, 1.5}}}; break;
-      case 1: thin.polylines = {{{-l, 0}, {l, 0}}, {{0.5, 0}, {0, 1.5}}}; break;
+      case 0:
+        thin.polylines = {{{0, 0}, {l, 0}, {l, 1.5}}};
+        break;
+      case 1:
+        thin.polylines = {{{-l, 0}, {l, 0}}, {{0.5, 0}, {0, 1.5}}};
+        break;
       case 2:
         thin.parts = {{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {}}};
         thin.polylines = {{{1, 0.5}, {1 + l, 0.5}}};
         break;
-      default: thin.polylines = {{{-4, -4}, {4, -4}, {4, 4}, {-4, 4}, {-4, -4}}, {{0, -4}, {0, -l}}, {{0, 0}, {0, 4}}}; thin.points = {{-2, 1}};
+      default:
+        thin.polylines = {{{-4, -4}, {4, -4}, {4, 4}, {-4, 4}, {-4, -4}}, {{0, -4}, {0, -l}}, {{0, 0}, {0, 4}}};
+        thin.points = {{-2, 1}};
     }
     const Region wires = *Region::create(thin), shape = random_shape(random, seed % 4 == 3 ? 2 : 5);
-    const CspaceObstacle c = seed % 4 == 3 ? CspaceObstacle::create(shape, wires).value() : CspaceObstacle::create(wires, shape).value();
+    const CspaceObstacle c =
+        seed % 4 == 3 ? CspaceObstacle::create(shape, wires).value() : CspaceObstacle::create(wires, shape).value();
     ask(c, 8, 1, random);
   }
 }

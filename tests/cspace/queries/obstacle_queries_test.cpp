@@ -102,8 +102,8 @@ TEST(ObstacleQueries, contains_equals_the_exact_test_on_the_boundary) {
     EXPECT_GT(q.exact_answers(), 5u);
     const Frame f = frame(c);
     for (int k = 0; k < 300; ++k) {
-      const Orientation o = random() % 5 == 0 ? Orientation::half_turn()
-          : *Orientation::of(static_cast<int>(random() % 3) - 1, 1);
+      const Orientation o =
+          random() % 5 == 0 ? Orientation::half_turn() : *Orientation::of(static_cast<int>(random() % 3) - 1, 1);
       const double x = std::round(f.x + uniform(random, -1, 1) * f.size);
       const double y = std::round(f.y + uniform(random, -1, 1) * f.size);
       EXPECT_EQ(q.contains(x, y, o), c.contains(x, y, o));
@@ -170,14 +170,16 @@ void expect_witness(const CspaceObstacle& c, const Configuration& from, const Cl
   const Patch& p = c.patches()[found.patch];
   const auto [a, b] = c.ends(p, found.nearest.theta);
   const double dx = b.x - a.x, dy = b.y - a.y, length = dx * dx + dy * dy, size = frame(c).size + std::abs(from.x);
-  const double t = length > 0 ? std::clamp(((found.nearest.x - a.x) * dx + (found.nearest.y - a.y) * dy) / length,
-      0.0, 1.0) : 0.0;
+  const double t =
+      length > 0 ? std::clamp(((found.nearest.x - a.x) * dx + (found.nearest.y - a.y) * dy) / length, 0.0, 1.0) : 0.0;
   EXPECT_LT(std::hypot(a.x + t * dx - found.nearest.x, a.y + t * dy - found.nearest.y), 1e-11 * size);
   const double turn = std::remainder(found.nearest.theta - from.theta, 2 * M_PI);
   const double angle = std::isinf(weight) ? 0 : weight * turn;
   EXPECT_NEAR(std::hypot(found.nearest.x - from.x, found.nearest.y - from.y, angle), std::abs(found.distance),
-      1e-11 * size);
-  if (std::isinf(weight)) { EXPECT_NEAR(turn, 0, 1e-13); }
+              1e-11 * size);
+  if (std::isinf(weight)) {
+    EXPECT_NEAR(turn, 0, 1e-13);
+  }
 }
 
 TEST(ObstacleQueries, clearance_is_the_least_distance_to_all_patches) {
@@ -297,7 +299,7 @@ TEST(ObstacleQueries, clearance_is_a_lipschitz_function) {
     const double w = q.gyration_radius();
     for (int k = 0; k < 200; ++k) {
       const Configuration a = anywhere(c, random), b{a.x + uniform(random, -1, 1), a.y + uniform(random, -1, 1),
-          a.theta + uniform(random, -1, 1)};
+                                                     a.theta + uniform(random, -1, 1)};
       const Clearance at = q.clearance(a), to = q.clearance(b);
       const double moved = std::hypot(a.x - b.x, a.y - b.y, w * (a.theta - b.theta));
       EXPECT_LE(std::abs(at.distance - to.distance), moved + at.error + to.error + 1e-12);
@@ -370,7 +372,7 @@ TEST(ObstacleQueries, free_angles_are_those_that_are_free) {
         const double theta = uniform(random, -M_PI, M_PI);
         const bool expected = !c.contains(at.x, at.y, *Orientation::nearest(theta));
         EXPECT_EQ(std::any_of(free.begin(), free.end(), [&](const FreeAngles& f) { return between(f, theta, 0); }),
-            expected);
+                  expected);
         if (i > 20) i += 40;
       }
       none += free.empty();
@@ -380,8 +382,8 @@ TEST(ObstacleQueries, free_angles_are_those_that_are_free) {
           continue;
         }
         ++ends;
-        for (const auto& [angle, error, patch, way] : {std::tuple{f.begin, f.begin_error, f.begin_patch, 1},
-            std::tuple{f.end, f.end_error, f.end_patch, -1}}) {
+        for (const auto& [angle, error, patch, way] :
+             {std::tuple{f.begin, f.begin_error, f.begin_patch, 1}, std::tuple{f.end, f.end_error, f.end_patch, -1}}) {
           EXPECT_LT(error, 1e-6);
           const double step = way * (error + 1e-9);
           EXPECT_FALSE(q.contains({at.x, at.y, angle + step}));

@@ -75,7 +75,9 @@ TEST(CrossingGap, half_tangents_are_those_of_the_angle_between) {
     const Point u = a[1] - a[0], v = b[1] - b[0];
     const double angle = std::atan2(cross(u, v), dot(u, v));
     const auto [t, opposite] = half_tangents(a, b);
-    if (std::abs(t.high) < 2) { EXPECT_NEAR(2 * std::atan(t.value()), angle, 1e-15); }
+    if (std::abs(t.high) < 2) {
+      EXPECT_NEAR(2 * std::atan(t.value()), angle, 1e-15);
+    }
     if (std::abs(opposite.high) < 2) {
       EXPECT_NEAR(std::abs(std::remainder(2 * std::atan(opposite.value()) - angle, 2 * M_PI)), M_PI, 2e-15);
     }

@@ -1,12 +1,12 @@
-// Clearance, depth and free angles where placements are tight: named cases, and random cells in rooms against a slow answer that looks at
-// exact slices only.
+// Clearance, depth and free angles where placements are tight: named cases, and random cells in rooms against a slow
+// answer that looks at exact slices only.
 #include <gtest/gtest.h>
 
 #include <limits>
 
+#include "cspace/obstacle/obstacle_slices.h"
 #include "dymsum/obstacle_queries.h"
 #include "dymsum/shapes.h"
-#include "cspace/obstacle/obstacle_slices.h"
 
 namespace dymsum {
 namespace {
@@ -37,8 +37,10 @@ TEST(TightClearance, of_a_square_in_its_exact_room) {
   const CspaceObstacle c = CspaceObstacle::create(square(), exact_room()).value();
   EXPECT_EQ(c.tight().size(), 4u);
   const ObstacleQueries q(c);
-  for (const Configuration& jammed : {Configuration{0, 0, 0}, {1, 0, kPi / 2}, {1, 1, kPi}, {1, 1, -kPi}, {1, 1, 3 * kPi}, {0, 1, -kPi / 2}}) {
-    for (const double weight : {q.gyration_radius(), 0.0, 1e-3, 1e3, kInfinity}) expect_contact(q.clearance(jammed, weight));
+  for (const Configuration& jammed :
+       {Configuration{0, 0, 0}, {1, 0, kPi / 2}, {1, 1, kPi}, {1, 1, -kPi}, {1, 1, 3 * kPi}, {0, 1, -kPi / 2}}) {
+    for (const double weight : {q.gyration_radius(), 0.0, 1e-3, 1e3, kInfinity})
+      expect_contact(q.clearance(jammed, weight));
     EXPECT_EQ(q.clearance(jammed, kInfinity, Touching::forbidden).distance, -2);
     const Clearance loose = q.clearance(jammed, 0.8, Touching::forbidden);
     EXPECT_LT(loose.distance, -1.5);
@@ -66,7 +68,8 @@ TEST(TightClearance, of_a_peg_between_the_walls_of_its_slot) {
   for (const double weight : {q.gyration_radius(), 0.0, kInfinity}) {
     expect_contact(q.clearance({1, 1, 0}, weight));
     expect_contact(q.clearance({1, 2.25, 0}, weight));
-    EXPECT_NEAR(q.clearance({0.999999, 2, 0}, weight).distance, weight == 0 ? q.clearance({0.999999, 2, 0}, 0).distance : -1e-6, 1e-9);
+    EXPECT_NEAR(q.clearance({0.999999, 2, 0}, weight).distance,
+                weight == 0 ? q.clearance({0.999999, 2, 0}, 0).distance : -1e-6, 1e-9);
   }
   // On the floor outside the slot it stands level, or half turned; a single angle where it is jammed between the walls.
   expect_singles(q.free_angles(1, 2), {0});
@@ -83,7 +86,8 @@ TEST(TightClearance, at_an_irrational_angle) {
   RegionData darts, pins, two_darts, two_pins;
   for (int k = 0; k < 4; ++k) {
     const bool blocks_ahead = k % 2 == 0;
-    darts.parts.push_back({turned(blocks_ahead ? Ring{{4, 0}, {5, -3}, {6, -2}} : Ring{{4, 0}, {6, 2}, {5, 3}}, k), {}});
+    darts.parts.push_back(
+        {turned(blocks_ahead ? Ring{{4, 0}, {5, -3}, {6, -2}} : Ring{{4, 0}, {6, 2}, {5, 3}}, k), {}});
     pins.parts.push_back({turned(blocks_ahead ? Ring{{2, 2}, {4, 4}, {2, 4}} : Ring{{2, 2}, {4, 2}, {4, 4}}, k), {}});
   }
   const CspaceObstacle c = CspaceObstacle::create(*Region::create(darts), *Region::create(pins)).value();
@@ -102,7 +106,9 @@ TEST(TightClearance, at_an_irrational_angle) {
     for (const FreeAngles& f : ObstacleQueries(*obstacle).free_angles(0, 0)) {
       singles += f.single();
       // Four of them hold it half a turn further too.
-      if (f.single()) { EXPECT_NEAR(f.begin, f.begin > 0 ? kPi / 4 : -3 * kPi / 4, f.begin_error); }
+      if (f.single()) {
+        EXPECT_NEAR(f.begin, f.begin > 0 ? kPi / 4 : -3 * kPi / 4, f.begin_error);
+      }
     }
     EXPECT_EQ(singles, obstacle == &c ? 2 : 1);
   }
@@ -112,8 +118,10 @@ TEST(TightClearance, at_an_irrational_angle) {
 // Three tips slide on three walls at once: at (65 sin, -65 sin) the robot is jammed at every angle near 0.
 TEST(TightClearance, along_a_curve) {
   RegionData tips, walls;
-  tips.parts = {{{{65, 0}, {70, 15}, {60, 15}}, {}}, {{{0, 65}, {-15, 70}, {-15, 60}}, {}}, {{{65, 65}, {70, 50}, {80, 60}}, {}}};
-  walls.parts = {{{{30, 0}, {65, -30}, {100, 0}}, {}}, {{{0, 30}, {30, 65}, {0, 100}}, {}}, {{{40, 40}, {90, 90}, {50, 80}}, {}}};
+  tips.parts = {
+      {{{65, 0}, {70, 15}, {60, 15}}, {}}, {{{0, 65}, {-15, 70}, {-15, 60}}, {}}, {{{65, 65}, {70, 50}, {80, 60}}, {}}};
+  walls.parts = {
+      {{{30, 0}, {65, -30}, {100, 0}}, {}}, {{{0, 30}, {30, 65}, {0, 100}}, {}}, {{{40, 40}, {90, 90}, {50, 80}}, {}}};
   const CspaceObstacle c = CspaceObstacle::create(*Region::create(tips), *Region::create(walls)).value();
   EXPECT_TRUE(c.may_have_tight_curves());
   const ObstacleQueries q(c);
@@ -129,7 +137,9 @@ TEST(TightClearance, along_a_curve) {
   EXPECT_NEAR(q.clearance({16.5, -16, theta}, kInfinity).distance, -0.5, 1e-9);
   EXPECT_LT(q.clearance({16, -16, theta}, q.gyration_radius(), Touching::forbidden).distance, -1e-3);
   const std::vector<FreeAngles> free = q.free_angles(16, -16);
-  EXPECT_TRUE(std::any_of(free.begin(), free.end(), [&](const FreeAngles& f) { return f.single() && std::abs(f.begin - theta) <= f.begin_error; }));
+  EXPECT_TRUE(std::any_of(free.begin(), free.end(), [&](const FreeAngles& f) {
+    return f.single() && std::abs(f.begin - theta) <= f.begin_error;
+  }));
 }
 
 TEST(TightClearance, touching_forbidden) {
@@ -185,11 +195,14 @@ struct Slices {
     for (const EventAngle& a : c.angles())
       if (a.exact) add(c, *a.exact);
   }
-  void add(const CspaceObstacle& c, const Orientation& o) { all.emplace_back(o.radians(), *c.slice(o, Semantics::open)); }
+  void add(const CspaceObstacle& c, const Orientation& o) {
+    all.emplace_back(o.radians(), *c.slice(o, Semantics::open));
+  }
   double distance(const Configuration& q, double weight) const {
     double least = kInfinity;
     for (const auto& [theta, slice] : all)
-      least = std::min(least, std::hypot(to_slice(slice, {q.x, q.y}), weight * std::remainder(theta - q.theta, 2 * kPi)));
+      least =
+          std::min(least, std::hypot(to_slice(slice, {q.x, q.y}), weight * std::remainder(theta - q.theta, 2 * kPi)));
     return least;
   }
 };
@@ -208,8 +221,10 @@ void expect_free_angles(const CspaceObstacle& c, const ObstacleQueries& q, Point
     const bool expected = !c.contains(z.x, z.y, o);
     EXPECT_EQ(covered(o.radians()), expected) << z.x << ' ' << z.y << " quarter " << n;
     if (!expected) continue;
-    const bool beside = !c.contains(z.x, z.y, *Orientation::nearest(o.radians() - 1e-7)) || !c.contains(z.x, z.y, *Orientation::nearest(o.radians() + 1e-7));
-    const bool single = std::any_of(free.begin(), free.end(), [&](const FreeAngles& f) { return f.single() && f.begin == o.radians(); });
+    const bool beside = !c.contains(z.x, z.y, *Orientation::nearest(o.radians() - 1e-7)) ||
+                        !c.contains(z.x, z.y, *Orientation::nearest(o.radians() + 1e-7));
+    const bool single = std::any_of(free.begin(), free.end(),
+                                    [&](const FreeAngles& f) { return f.single() && f.begin == o.radians(); });
     EXPECT_NE(single, beside) << z.x << ' ' << z.y << " quarter " << n;
     singles += single;
   }
@@ -228,7 +243,8 @@ TEST(TightClearance, of_cells_in_rooms_against_slices) {
     for (const Part& part : room.parts()) data.parts[0].holes.push_back(reversed(part.outer));
     const Result<Region> obstacle = Region::create(data);
     if (!obstacle) return;
-    SCOPED_TRACE("robot " + format_region(robot, RegionFormat::wkt) + "\nobstacle " + format_region(*obstacle, RegionFormat::wkt));
+    SCOPED_TRACE("robot " + format_region(robot, RegionFormat::wkt) + "\nobstacle " +
+                 format_region(*obstacle, RegionFormat::wkt));
     const CspaceObstacle c = CspaceObstacle::create(robot, *obstacle).value();
     const ObstacleQueries q(c);
     const Slices slices(c);
@@ -243,7 +259,9 @@ TEST(TightClearance, of_cells_in_rooms_against_slices) {
       const double slow = slices.distance(from, w);
       EXPECT_LE(std::abs(found.distance), slow + found.error + 1e-9);
       EXPECT_GE(std::abs(found.distance), slow - 0.2 * w);
-      EXPECT_NEAR(std::abs(flat.distance), to_slice(*c.slice(*Orientation::nearest(from.theta), Semantics::open), {from.x, from.y}), flat.error + 1e-9);
+      EXPECT_NEAR(std::abs(flat.distance),
+                  to_slice(*c.slice(*Orientation::nearest(from.theta), Semantics::open), {from.x, from.y}),
+                  flat.error + 1e-9);
       EXPECT_EQ(std::signbit(found.distance), q.contains(from));
       EXPECT_EQ(std::signbit(flat.distance), q.contains(from));
       to_tight += found.distance < 0 && found.patch == Patch::kNone;

@@ -57,7 +57,8 @@ TEST(CoveredTranslates, what_lies_beneath_an_edge_is_interior) {
           if (from >= to) continue;
           const double along = from + between * (to - from);
           const Point at = lattice->to_input(box.ax + ux * along - uy * depth, box.ay + uy * along + ux * depth);
-          ASSERT_TRUE(overlaps(sum, at)) << oracles::to_text(origin.data(), shape.data()) << " edge " << e << " depth " << depth << " at " << along;
+          ASSERT_TRUE(overlaps(sum, at)) << oracles::to_text(origin.data(), shape.data()) << " edge " << e << " depth "
+                                         << depth << " at " << along;
         }
     }
   }
@@ -84,7 +85,8 @@ TEST(CoveredTranslates, spans_hold_every_point_outside_the_open_sum) {
       const SoupBox& b = soup.boxes[s];
       const auto check = [&](double t) {
         ++covered;
-        ASSERT_TRUE(overlaps(sum, lattice->to_input(b.ax + t * b.dx, b.ay + t * b.dy))) << oracles::to_text({}, q.data()) << " segment " << s << " at " << t;
+        ASSERT_TRUE(overlaps(sum, lattice->to_input(b.ax + t * b.dx, b.ay + t * b.dy)))
+            << oracles::to_text({}, q.data()) << " segment " << s << " at " << t;
       };
       const bool none = span.low > span.high;
       const double low = none ? 1 : span.low, high = none ? 1 : span.high;
@@ -105,7 +107,8 @@ TEST(CoveredTranslates, sums_are_the_same_as_without) {
       const Region p = shapes::noisy_star(oracles::kSanitized ? 80 : 250, jitter, 3);
       Result<SumState> state = compute_boundary(prepared_operand(p, 0), prepared_operand(q, 1), {}, Refine::always);
       ASSERT_TRUE(state.ok());
-      ASSERT_TRUE(finish_sum(std::move(state).value(), {}) == *minkowski_sum(p, q, brute)) << oracles::to_text(p.data(), q.data());
+      ASSERT_TRUE(finish_sum(std::move(state).value(), {}) == *minkowski_sum(p, q, brute))
+          << oracles::to_text(p.data(), q.data());
     }
 }
 

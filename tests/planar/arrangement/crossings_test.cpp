@@ -119,7 +119,8 @@ TEST(Crossings, sweep_and_grid_find_in_larger_sums_what_all_pairs_find) {
   EXPECT_EQ(large.size(), 2u);
 }
 
-// Where contacts coincide, the first one found is named: few boxes, which are not sorted, must tell them in the same order as many.
+// Where contacts coincide, the first one found is named: few boxes, which are not sorted, must tell them in the same
+// order as many.
 TEST(Crossings, few_and_many_boxes_tell_what_they_find_from_left_to_right) {
   std::set<bool> large;
   for (const int n : {12, 14, 16, 20, 30, 60}) {
@@ -162,7 +163,7 @@ TEST(Crossings, a_mask_leaves_out_only_crossings_inside_the_sum) {
   const Region p = shapes::noisy_star(120, 0.8, kSeed), q = shapes::noisy_star(100, 0.8, kSeed + 1);
   const Segments segments(p, q);
   const InteriorMask mask(*segments.p, *segments.q, 120);
-  const Found all = of_all_pairs(segments), live = found(segments, [&](CrossingFinder& f) { f.sweep(&mask); });
+  const Found all = of_all_pairs(segments), live = found(segments, [&](CrossingFinder&f) { f.sweep(&mask); });
   EXPECT_LT(live.crossings.size(), all.crossings.size() / 2);
   ASSERT_FALSE(live.crossings.empty());
   const auto told = pairs_of(live);

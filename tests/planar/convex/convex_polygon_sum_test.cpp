@@ -1,4 +1,5 @@
-// Convex polygons that turn and scale: the planar engine's sum at every pose, moved or fresh, with the work that it should take.
+// Convex polygons that turn and scale: the planar engine's sum at every pose, moved or fresh, with the work that it
+// should take.
 #include "dymsum/convex_polygon_sum.h"
 
 #include <gtest/gtest.h>
@@ -35,14 +36,17 @@ double side(Point a, Point b, Point c) { return (b.x - a.x) * (c.y - a.y) - (b.y
 Region random_convex(std::mt19937_64& random, int points, int size, bool collinear = false) {
   for (;;) {
     std::vector<Point> at;
-    for (int k = 0; k < points; ++k) at.push_back({double(int(random() % (2 * size + 1)) - size), double(int(random() % (2 * size + 1)) - size)});
+    for (int k = 0; k < points; ++k)
+      at.push_back({double(int(random() % (2 * size + 1)) - size), double(int(random() % (2 * size + 1)) - size)});
     std::sort(at.begin(), at.end(), [](Point a, Point b) { return std::tie(a.x, a.y) < std::tie(b.x, b.y); });
     at.erase(std::unique(at.begin(), at.end()), at.end());
     Ring ring;
     for (int pass = 0; pass < 2; ++pass) {
       const std::size_t from = ring.size();
       for (const Point p : at) {
-        while (ring.size() >= from + 2 && (collinear ? side(ring[ring.size() - 2], ring.back(), p) < 0 : side(ring[ring.size() - 2], ring.back(), p) <= 0)) ring.pop_back();
+        while (ring.size() >= from + 2 && (collinear ? side(ring[ring.size() - 2], ring.back(), p) < 0
+                                                     : side(ring[ring.size() - 2], ring.back(), p) <= 0))
+          ring.pop_back();
         ring.push_back(p);
       }
       ring.pop_back();
@@ -55,7 +59,8 @@ Region random_convex(std::mt19937_64& random, int points, int size, bool colline
 PlanarPose turn(const PlanarRotation& r) { return {r, {}}; }
 PlanarRotation half(std::int64_t u, std::int64_t v) { return *PlanarRotation::of(u, v); }
 
-/// The polygon posed and enlarged by an integer that makes integers of its coordinates, which have to be small integers themselves.
+/// The polygon posed and enlarged by an integer that makes integers of its coordinates, which have to be small integers
+/// themselves.
 Region enlarged(const Region& region, const PlanarPose& pose, std::int64_t factor) {
   const auto [u, v] = pose.rotation.half();
   const std::int64_t norm = u * u + v * v;
@@ -66,7 +71,8 @@ Region enlarged(const Region& region, const PlanarPose& pose, std::int64_t facto
   };
   const double sx = times(pose.scale[0]), sy = times(pose.scale[1]), c = double(u * u - v * v), s = double(2 * u * v);
   Ring ring;
-  for (const Point p : region.parts()[0].outer) ring.push_back({c * sx * p.x - s * sy * p.y, s * sx * p.x + c * sy * p.y});
+  for (const Point p : region.parts()[0].outer)
+    ring.push_back({c * sx * p.x - s * sy * p.y, s * sx * p.x + c * sy * p.y});
   return polygon(ring);
 }
 
@@ -76,7 +82,8 @@ Ring_ canonical(Ring_ ring) {
 }
 Ring_ ring_of(const PolygonSum& sum, std::int64_t factor = 1) {
   Ring_ ring;
-  for (const RationalPoint& p : sum.exact) ring.push_back({exact::exact_value(p.x) * factor, exact::exact_value(p.y) * factor});
+  for (const RationalPoint& p : sum.exact)
+    ring.push_back({exact::exact_value(p.x) * factor, exact::exact_value(p.y) * factor});
   return canonical(ring);
 }
 Ring_ ring_of(const PlanarSum& sum) {
@@ -109,7 +116,8 @@ TEST(ConvexPolygonSum, equals_the_planar_engine_at_the_identity) {
   std::mt19937_64 random = seeded(0);
   for (int k = 0; k < 150; ++k) {
     const int size = k % 3 == 0 ? 2 : k % 3 == 1 ? 10 : 1000;
-    const Region p = random_convex(random, 3 + static_cast<int>(random() % 20), size, k % 2), q = random_convex(random, 3 + static_cast<int>(random() % 9), size, k % 4 < 2);
+    const Region p = random_convex(random, 3 + static_cast<int>(random() % 20), size, k % 2),
+                 q = random_convex(random, 3 + static_cast<int>(random() % 9), size, k % 4 < 2);
     ConvexPolygonSum sum = *ConvexPolygonSum::create(p, q);
     expect_engine(p, q, sum, 1);
     const PlanarSum engine = *minkowski_sum(p, q);
@@ -123,14 +131,17 @@ TEST(ConvexPolygonSum, equals_the_planar_engine_at_exact_turns_and_scales) {
   std::mt19937_64 random = seeded(1);
   std::size_t merged = 0;
   for (int k = 0; k < 60; ++k) {
-    const Region p = random_convex(random, 4 + k % 12, 4), q = k % 3 == 0 ? p : k % 3 == 1 ? negated(p) : random_convex(random, 10, 4);
+    const Region p = random_convex(random, 4 + k % 12, 4), q = k % 3 == 0   ? p
+                                                               : k % 3 == 1 ? negated(p)
+                                                                            : random_convex(random, 10, 4);
     ConvexPolygonSum moving = *ConvexPolygonSum::create(p, q);
     for (int move = 0; move < 8; ++move) {
       PlanarPose a, b;
       std::int64_t factor = 1;
       const auto randomly = [&](PlanarPose& pose) {
         do {
-          const std::int64_t u = static_cast<std::int64_t>(random() % 7) - 3, v = static_cast<std::int64_t>(random() % 7) - 3;
+          const std::int64_t u = static_cast<std::int64_t>(random() % 7) - 3,
+                             v = static_cast<std::int64_t>(random() % 7) - 3;
           if (u != 0 || v != 0) pose.rotation = half(u, v);
         } while (pose.rotation == PlanarRotation() && random() % 4 != 0);
         const auto [u, v] = pose.rotation.half();
@@ -156,7 +167,8 @@ TEST(ConvexPolygonSum, moving_equals_starting_anew) {
   std::mt19937_64 random = seeded(2);
   const double angles[] = {1e-7, 1e-4, 0.0126, 0.2, 1, 3};
   for (int pair = 0; pair < 4; ++pair) {
-    const Region p = pair == 0 ? shapes::disc(120, 3) : random_convex(random, 200, 100 * pair), q = pair == 1 ? shapes::disc(77, 1) : random_convex(random, 300, 5000);
+    const Region p = pair == 0 ? shapes::disc(120, 3) : random_convex(random, 200, 100 * pair),
+                 q = pair == 1 ? shapes::disc(77, 1) : random_convex(random, 300, 5000);
     ConvexPolygonSum moving = *ConvexPolygonSum::create(p, q);
     PlanarPose a, b;
     std::uint64_t errors = 0, clean = 0;
@@ -164,7 +176,8 @@ TEST(ConvexPolygonSum, moving_equals_starting_anew) {
       PlanarPose& one = random() % 3 == 0 ? b : a;
       const double angle = angles[random() % std::size(angles)];
       if (random() % 8 == 0) {
-        one.scale = {*Scale::of(0.5 + double(random() % 1000) / 1000), *Scale::of(0.5 + double(random() % 1000) / 1000)};
+        one.scale = {*Scale::of(0.5 + double(random() % 1000) / 1000),
+                     *Scale::of(0.5 + double(random() % 1000) / 1000)};
       } else {
         one.rotation = *PlanarRotation::nearest(random() % 2 ? angle : -angle) * one.rotation;
       }
@@ -196,7 +209,8 @@ TEST(ConvexPolygonSum, parallel_edges_merge_through_quarter_turns) {
   // 3, 4, 5: a square turned by it has its corners at fifths.
   moving.set(turn(half(2, 1)));
   EXPECT_EQ(moving.sum().vertices.size(), 8u);
-  EXPECT_EQ(moving.sum().area_exact(), (Rational{"192", "5"}));  // the areas 4 and 12, and the circumference 16 times 7/5
+  EXPECT_EQ(moving.sum().area_exact(),
+            (Rational{"192", "5"}));  // the areas 4 and 12, and the circumference 16 times 7/5
   // Both turned alike: parallel again.
   moving.set(turn(half(2, 1)), turn(half(2, 1)));
   EXPECT_EQ(moving.sum().vertices.size(), 4u);
@@ -239,7 +253,8 @@ TEST(ConvexPolygonSum, work_is_what_changes) {
 }
 
 TEST(ConvexPolygonSum, coordinates_of_any_size) {
-  const Region thin = polygon({{0, 0}, {0x1p60, 1}, {0x1p61, 3}, {0x1p60, 3}}), far = polygon({{0x1p300, 0x1p300}, {0x1.0000000000001p300, 0x1p300}, {0x1p300, 0x1.0000000000001p300}});
+  const Region thin = polygon({{0, 0}, {0x1p60, 1}, {0x1p61, 3}, {0x1p60, 3}}),
+               far = polygon({{0x1p300, 0x1p300}, {0x1.0000000000001p300, 0x1p300}, {0x1p300, 0x1.0000000000001p300}});
   for (const Region& p : {thin, far})
     for (const Region& q : {thin, far, shapes::rectangle(-0x1p-200, -1, 0x1p-200, 1)}) {
       ConvexPolygonSum moving = *ConvexPolygonSum::create(p, q);

@@ -17,10 +17,12 @@ Raster random_raster(oracles::Random& random, int rows, int columns, int blocks)
   Raster raster(rows, columns);
   for (int k = 0; k < blocks; ++k) {
     const int r = static_cast<int>(random.below(rows)), c = static_cast<int>(random.below(columns));
-    const int height = 1 + static_cast<int>(random.below(6)), width = 1 + static_cast<int>(random.below(random.chance(30) ? 140 : 9));
+    const int height = 1 + static_cast<int>(random.below(6)),
+              width = 1 + static_cast<int>(random.below(random.chance(30) ? 140 : 9));
     for (int i = r; i < std::min(rows, r + height); ++i) raster.inner.set_run(i, c, std::min(columns, c + width) - 1);
   }
-  for (int k = 0; k < 2 * blocks; ++k) raster.touch.set(static_cast<int>(random.below(rows)), static_cast<int>(random.below(columns)));
+  for (int k = 0; k < 2 * blocks; ++k)
+    raster.touch.set(static_cast<int>(random.below(rows)), static_cast<int>(random.below(columns)));
   for (std::size_t i = 0; i < raster.touch.bits.size(); ++i) raster.touch.bits[i] |= raster.inner.bits[i];
   return raster;
 }
@@ -100,7 +102,8 @@ TEST(DeadCells, are_the_sums_of_inner_corners_and_touched_cells) {
     oracles::Random random(seed);
     const auto size = [&] { return 3 + static_cast<int>(random.below(seed % 3 == 0 ? 150 : 30)); };
     const int rows_p = size(), columns_p = size(), rows_q = size(), columns_q = size();
-    const Raster p = random_raster(random, rows_p, columns_p, seed % 5 == 0 ? 1 : 8), q = random_raster(random, rows_q, columns_q, 6);
+    const Raster p = random_raster(random, rows_p, columns_p, seed % 5 == 0 ? 1 : 8),
+                 q = random_raster(random, rows_q, columns_q, 6);
     const Counts counts = compare_with_definition(p, q, seed);
     dead += counts.dead;
     live += counts.live;

@@ -42,17 +42,20 @@ TEST(FineCells, brick_pairs_are_sums_of_bits) {
     BrickPairs pairs(a, b);
     const Bricks sums(expected);
     for (int r = 0; r < sums.rows(); ++r)
-      for (int c = 0; c < sums.columns(); ++c) ASSERT_EQ(pairs.covered(r, c, 0), sums.at(r, c)) << "seed " << seed << " " << r << " " << c;
+      for (int c = 0; c < sums.columns(); ++c)
+        ASSERT_EQ(pairs.covered(r, c, 0), sums.at(r, c)) << "seed " << seed << " " << r << " " << c;
   }
 }
 
 TEST(FineCells, parities_give_the_raster_of_winding_numbers) {
-  const Region shapes_of[] = {shapes::noisy_star(80, 0.7, 1), shapes::random_polygon(60, 4, 2), shapes::grate(5, 3, 1, 9)};
+  const Region shapes_of[] = {shapes::noisy_star(80, 0.7, 1), shapes::random_polygon(60, 4, 2),
+                              shapes::grate(5, 3, 1, 9)};
   for (const Region& shape : shapes_of) {
     const auto operand = prepared_operand(shape, 0);
     const auto lattice = make_lattice(operand->points, operand->points, 0);
     const auto placed = placed_on(*lattice, operand);
-    const SumGrid grid({placed->points->width, placed->points->width}, {placed->points->height, placed->points->height}, 300);
+    const SumGrid grid({placed->points->width, placed->points->width}, {placed->points->height, placed->points->height},
+                       300);
     const Raster by_parity = fine_raster(*placed, grid.part[0]), by_winding = winding_raster(*placed, grid.part[0]);
     EXPECT_EQ(by_parity.inner.bits, by_winding.inner.bits);
     EXPECT_EQ(by_parity.touch.bits, by_winding.touch.bits);
@@ -83,7 +86,8 @@ struct Refining {
 };
 
 TEST(FineCells, covered_cells_lie_in_the_open_sum_with_their_rim) {
-  const Region star = shapes::noisy_star(40, 0.5, 1), holed = shapes::random_polygon(30, 3, 2), disc = shapes::disc(60, 0.3);
+  const Region star = shapes::noisy_star(40, 0.5, 1), holed = shapes::random_polygon(30, 3, 2),
+               disc = shapes::disc(60, 0.3);
   const std::pair<Region, Region> pairs[] = {{star, holed}, {disc, star}, {holed, star}};
   for (const auto& [p, q] : pairs) {
     const Refining m(p, q, 13);
@@ -163,8 +167,9 @@ TEST(FineCells, refined_sums_of_tiny_grids_are_the_same) {
 }
 
 TEST(FineCells, refined_sums_of_larger_shapes_are_the_same) {
-  const Region shapes_of[] = {shapes::noisy_star(60, 0.8, 1), shapes::random_polygon(50, 4, 2), shapes::grate(6, 3, 1, 11),
-                              shapes::disc(70, 1),            shapes::spiral(3, 12, 1, 0.4),            shapes::comb(8, 3, 1, 5)};
+  const Region shapes_of[] = {shapes::noisy_star(60, 0.8, 1), shapes::random_polygon(50, 4, 2),
+                              shapes::grate(6, 3, 1, 11),     shapes::disc(70, 1),
+                              shapes::spiral(3, 12, 1, 0.4),  shapes::comb(8, 3, 1, 5)};
   for (const Region& p : shapes_of)
     for (const Region& q : shapes_of) {
       const Result<PlanarSum> by_mask = refined_sum(p, q);

@@ -45,14 +45,16 @@ TEST(PreparedRegion, KnowsTheBitsOfItsIntegers) {
     const auto points = planar::place_points({{0, 0}, {extent, 0}});
     ASSERT_EQ(points->extent, extent);
     for (int grid = -1074; grid < 700; grid += 1 + std::abs(grid) / 50)
-      ASSERT_EQ(points->bits(grid), exact::bits_needed(std::nextafter(extent, INFINITY), grid)) << extent << " " << grid;
+      ASSERT_EQ(points->bits(grid), exact::bits_needed(std::nextafter(extent, INFINITY), grid))
+          << extent << " " << grid;
   }
 }
 
 TEST(PreparedRegion, IsMadeOnceByManyThreads) {
   for (int round = 0; round < 20; ++round) {
     const Region p = shapes::noisy_star(40, 0.5, round), q = shapes::noisy_star(30, 0.5, 100 + round);
-    const PlanarSum expected = minkowski_sum(Region::create(p.data()).value(), Region::create(q.data()).value()).value();
+    const PlanarSum expected =
+        minkowski_sum(Region::create(p.data()).value(), Region::create(q.data()).value()).value();
     std::atomic<int> equal = 0;
     std::vector<std::thread> threads;
     for (int t = 0; t < 4; ++t) threads.emplace_back([&] { equal += minkowski_sum(p, q).value() == expected; });
@@ -63,7 +65,9 @@ TEST(PreparedRegion, IsMadeOnceByManyThreads) {
 
 // Of a plate's holes the sum fills one: what it makes of the plate's directions is its own, not kept with the plate.
 TEST(PreparedRegion, ServesManyThreadsWhoseSumsFillSomeHoles) {
-  const auto square = [](double x, double y, double side) { return Ring{{x, y}, {x, y + side}, {x + side, y + side}, {x + side, y}}; };
+  const auto square = [](double x, double y, double side) {
+    return Ring{{x, y}, {x, y + side}, {x + side, y + side}, {x + side, y}};
+  };
   RegionData plate{{{{{0, 0}, {200, 0}, {200, 10}, {0, 10}}, {}}}, {}, {}};
   for (int k = 0; k < 30; ++k) plate.parts[0].holes.push_back(square(6 * k + 1, 1, k % 2 == 0 ? 4 : 0.5));
   const Region p = Region::create(plate).value(), q = shapes::disc(16, 1);
@@ -82,10 +86,11 @@ TEST(PreparedRegion, ServesManyThreadsWhoseSumsFillSomeHoles) {
 // A reflection is read off the region as it is: parts, holes that touch, polylines, points.
 TEST(PreparedRegion, ReflectsEveryKindOfPiece) {
   const Ring outer{{0, 0}, {8, 0}, {8, 8}, {0, 8}};
-  const Region b = Region::create({{{outer, {{{0, 4}, {2, 6}, {3, 4}}, {{3, 4}, {5, 5}, {5, 3}}}}, {{{8, 8}, {9, 8}, {9, 9}}, {}}},
-                                   {{{10, 0}, {12, 1}, {10, 2}, {10, 0}}, {{-3, -3}, {-2, -3}}},
-                                   {{-1, 5}, {0, -4}}})
-                       .value();
+  const Region b =
+      Region::create({{{outer, {{{0, 4}, {2, 6}, {3, 4}}, {{3, 4}, {5, 5}, {5, 3}}}}, {{{8, 8}, {9, 8}, {9, 9}}, {}}},
+                      {{{10, 0}, {12, 1}, {10, 2}, {10, 0}}, {{-3, -3}, {-2, -3}}},
+                      {{-1, 5}, {0, -4}}})
+          .value();
   ASSERT_FALSE(b.touching_points().empty());
   for (const Region& a : {shapes::rectangle(0, 0, 0.5, 0.25), shapes::star(5, 1, 2)}) {
     const PlanarSum reflected = nfp(a, b).value(), expected = minkowski_sum(a, negated(b)).value();

@@ -8,9 +8,9 @@
 #include "dymsum/rotating_sum.h"
 #include "dymsum/scaling_sum.h"
 #include "dymsum/shapes.h"
-#include "planar/sum/listed_source.h"
 #include "planar/position/exact_area.h"
 #include "planar/position/nearest_point.h"
+#include "planar/sum/listed_source.h"
 
 namespace dymsum {
 namespace {

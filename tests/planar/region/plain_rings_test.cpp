@@ -18,8 +18,9 @@ Ring hole(double x, double y, double side) { return {{x, y}, {x, y + side}, {x +
 RegionData one(Ring ring) { return {{{std::move(ring), {}}}, {}, {}}; }
 
 TEST(PlainRings, GeneratedShapesNeedNoSweep) {
-  for (const Region& region : {shapes::rectangle(0, 0, 3, 2), shapes::disc(32, 1), shapes::disc(5000, 1), shapes::grate(20, 1, 0.25, 20),
-                               shapes::noisy_star(100, 0.5, 1), shapes::pockets(20, 10)}) {
+  for (const Region& region :
+       {shapes::rectangle(0, 0, 3, 2), shapes::disc(32, 1), shapes::disc(5000, 1), shapes::grate(20, 1, 0.25, 20),
+        shapes::noisy_star(100, 0.5, 1), shapes::pockets(20, 10)}) {
     EXPECT_TRUE(plainly_valid(region.data())) << region.vertex_count() << " vertices";
   }
   std::size_t plain = 0;
@@ -44,17 +45,21 @@ TEST(PlainRings, WhatIsNotPlainIsLeftToTheSweep) {
   EXPECT_FALSE(plainly_valid(one({{0, 0}, {1, 0}})));
   EXPECT_FALSE(plainly_valid(one({{0, 0}, {1, 0}, {1, 0}, {0, 1}})));
   EXPECT_FALSE(plainly_valid(one({{0, 0}, {1, 0}, {2, 0}})));
-  EXPECT_FALSE(plainly_valid(one({{0, 0}, {2, 0}, {1, 0}, {0, 1}})));        // runs back
-  EXPECT_FALSE(plainly_valid(one({{0, 0}, {2, 2}, {2, 0}, {0, 2}})));        // crosses itself
-  EXPECT_FALSE(plainly_valid(one({{0, 0}, {0, 1}, {1, 0}})));                // clockwise
-  EXPECT_FALSE(plainly_valid(one({{0, 3}, {-2, -3}, {3, 1}, {-3, 1}, {2, -3}})));  // turns left everywhere, but twice round
-  EXPECT_FALSE(plainly_valid(one({{0, 0}, {2, 0}, {1, 0x1p-1074}, {1, 0}})));  // touches itself by less than any product tells
-  EXPECT_FALSE(plainly_valid(one({{0, 0}, {1e308, -1e308}, {1e308, 1e308}, {-1e308, 1e308}})));  // too large for doubles
+  EXPECT_FALSE(plainly_valid(one({{0, 0}, {2, 0}, {1, 0}, {0, 1}})));  // runs back
+  EXPECT_FALSE(plainly_valid(one({{0, 0}, {2, 2}, {2, 0}, {0, 2}})));  // crosses itself
+  EXPECT_FALSE(plainly_valid(one({{0, 0}, {0, 1}, {1, 0}})));          // clockwise
+  EXPECT_FALSE(
+      plainly_valid(one({{0, 3}, {-2, -3}, {3, 1}, {-3, 1}, {2, -3}})));  // turns left everywhere, but twice round
+  EXPECT_FALSE(
+      plainly_valid(one({{0, 0}, {2, 0}, {1, 0x1p-1074}, {1, 0}})));  // touches itself by less than any product tells
+  EXPECT_FALSE(
+      plainly_valid(one({{0, 0}, {1e308, -1e308}, {1e308, 1e308}, {-1e308, 1e308}})));  // too large for doubles
   EXPECT_FALSE(plainly_valid(one({{0, 0}, {1, 0}, {NAN, 1}})));
   EXPECT_FALSE(plainly_valid(one({{0, 0}, {1, 0}, {1, INFINITY}})));
 }
 
-// Rings of every size up to where boxes around boxes begin, one vertex moved across: whichever way pairs are told apart, none is missed.
+// Rings of every size up to where boxes around boxes begin, one vertex moved across: whichever way pairs are told
+// apart, none is missed.
 TEST(PlainRings, OneVertexAcrossIsSeenInRingsOfEverySize) {
   std::size_t crossing = 0;
   for (int n = 5; n <= 130; ++n) {
@@ -81,7 +86,8 @@ TEST(PlainRings, NeverSayMoreThanTheSweep) {
     const std::uint64_t grid = 3 + below(6);
     const auto ring = [&](std::size_t n) {
       Ring made;
-      for (std::size_t i = 0; i < n; ++i) made.push_back({static_cast<double>(below(grid)), static_cast<double>(below(grid))});
+      for (std::size_t i = 0; i < n; ++i)
+        made.push_back({static_cast<double>(below(grid)), static_cast<double>(below(grid))});
       return made;
     };
     RegionData data = one(ring(3 + below(6)));

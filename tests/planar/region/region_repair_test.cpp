@@ -41,7 +41,7 @@ TEST(RegionRepair, DuplicateVerticesAndTheClosingOne) {
 }
 
 TEST(RegionRepair, CollinearVerticesAlsoAtTheSeam) {
-  expect_repaired(one_ring({{1, 0}, {2, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}}), 
+  expect_repaired(one_ring({{1, 0}, {2, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}}),
                   one_ring({{4, 0}, {4, 4}, {0, 4}, {0, 0}}), report(0, 2, 0, 0));
 }
 
@@ -52,8 +52,8 @@ TEST(RegionRepair, SpikesOfEveryKind) {
   expect_repaired(one_ring({{0, 0}, {9, 0}, {4, 0}, {4, 4}, {0, 4}}), one_ring(box(0, 0, 4, 4)), report(0, 1, 0, 0));
   expect_repaired(one_ring({{0, 0}, {4, 0}, {6, 0}, {7, 7}, {6, 0}, {4, 0}, {4, 4}, {0, 4}}), one_ring(box(0, 0, 4, 4)),
                   report(1, 3, 0, 0));
-  expect_repaired(one_ring({{-3, -3}, {0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}}),
-                  one_ring(box(0, 0, 4, 4)), report(1, 1, 0, 0));
+  expect_repaired(one_ring({{-3, -3}, {0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}}), one_ring(box(0, 0, 4, 4)),
+                  report(1, 1, 0, 0));
 }
 
 TEST(RegionRepair, OrientationOfOuterRingsAndHoles) {

@@ -15,8 +15,8 @@ std::string verdict(RegionData data) {
 }
 
 TEST(RegionTouching, HoleTouchesOuterRingAtAVertexOfEither) {
-  EXPECT_EQ(verdict(with_holes(box(0, 0, 8, 8), {{{0, 4}, {2, 5}, {2, 3}}})), "valid");          // vertex on edge
-  EXPECT_EQ(verdict(with_holes(box(0, 0, 8, 8), {{{0, 0}, {1, 2}, {2, 1}}})), "valid");          // vertex on vertex
+  EXPECT_EQ(verdict(with_holes(box(0, 0, 8, 8), {{{0, 4}, {2, 5}, {2, 3}}})), "valid");  // vertex on edge
+  EXPECT_EQ(verdict(with_holes(box(0, 0, 8, 8), {{{0, 0}, {1, 2}, {2, 1}}})), "valid");  // vertex on vertex
   EXPECT_EQ(verdict(with_holes({{0, 0}, {8, 0}, {8, 8}, {4, 4}, {0, 8}}, {{{2, 4}, {6, 4}, {4, 2}}})), "valid");
   EXPECT_EQ(verdict(with_holes(box(0, 0, 8, 8), {{{0, 4}, {4, 8}, {8, 4}, {4, 0}}})), "valid");  // in four places
   // The same from outside.

@@ -7,8 +7,8 @@
 #include <random>
 #include <stdexcept>
 
-#include "planar/sum/listed_source.h"
 #include "planar/position/ring_containment.h"
+#include "planar/sum/listed_source.h"
 
 namespace dymsum::planar {
 namespace {
@@ -97,11 +97,25 @@ TEST_F(NestingTest, AHoleMayTouchItsOuterEverywhere) {
   }
 }
 
-// A square with notches that reach all three vertices of the hole, and the point 1/18 up its first edge, which the exact
-// path (16 vertices, so fractions k/18) tries first after the vertices.
+// A square with notches that reach all three vertices of the hole, and the point 1/18 up its first edge, which the
+// exact path (16 vertices, so fractions k/18) tries first after the vertices.
 TEST_F(NestingTest, TouchingAtAllVerticesIsDecidedInsideAnEdge) {
-  const SumRing notched = source.ring({{-10, -10}, {-1, -10}, {0, 0}, {1, -10}, {10, -10}, {10, 0}, {3, 2}, {10, 4},
-                                       {10, 10}, {1, 10}, {0, 4}, {-1, 10}, {-10, 10}, {-10, 3}, {0, Q(2, 9)}, {-10, 1}});
+  const SumRing notched = source.ring({{-10, -10},
+                                       {-1, -10},
+                                       {0, 0},
+                                       {1, -10},
+                                       {10, -10},
+                                       {10, 0},
+                                       {3, 2},
+                                       {10, 4},
+                                       {10, 10},
+                                       {1, 10},
+                                       {0, 4},
+                                       {-1, 10},
+                                       {-10, 10},
+                                       {-10, 3},
+                                       {0, Q(2, 9)},
+                                       {-10, 1}});
   const SumRing inner = source.ring({{0, 0}, {0, 4}, {3, 2}});
   const SumRing in_notch = source.ring({{Q(-1, 2), 7}, {Q(1, 2), 7}, {0, 9}});
   for (const double at_error : {kAtError, 1e6}) {

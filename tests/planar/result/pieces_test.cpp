@@ -76,8 +76,14 @@ TEST(Pieces, ASegmentAcrossAHoleIsInTheHole) {
 }
 
 TEST(Pieces, CollinearCandidatesAreMergedAndTheSmallestNumberSupports) {
-  const Pieces pieces = run({}, {{{5, 0}, {3, 0}}, {{0, 0}, {1, 0}}, {{1, 0}, {4, 0}}, {{0, 0}, {2, 0}},
-                                 {{7, 0}, {6, 0}}, {{0, 1}, {7, 1}}, {{0, 0}, {0, 3}}, {{0, 3}, {0, 4}}});
+  const Pieces pieces = run({}, {{{5, 0}, {3, 0}},
+                                 {{0, 0}, {1, 0}},
+                                 {{1, 0}, {4, 0}},
+                                 {{0, 0}, {2, 0}},
+                                 {{7, 0}, {6, 0}},
+                                 {{0, 1}, {7, 1}},
+                                 {{0, 0}, {0, 3}},
+                                 {{0, 3}, {0, 4}}});
   ASSERT_EQ(text(pieces), "[0,0 0,4][0,0 5,0][0,1 7,1][6,0 7,0]");
   const PieceSegment& merged = pieces.segments[1];
   EXPECT_EQ(merged.candidate, 0u);

@@ -172,8 +172,7 @@ TEST_F(RoundingTest, CrossingOfSegmentsThatWouldOpenIsAnError) {
     const Q t(1, den), x = 10 * t, y = t - power_of_two(-90);  // reaches below the other segment by less than rounding
     segment(0, 0, 10, 1);
     segment(x, y, 1, 8);
-    const int side =
-        exact::orient_sign({0, 0}, {10, 1}, Point{exact::round_to_double(x), exact::round_to_double(y)});
+    const int side = exact::orient_sign({0, 0}, {10, 1}, Point{exact::round_to_double(x), exact::round_to_double(y)});
     if (side < 0) {
       EXPECT_TRUE(sum.rounded().ok());
     } else if (side > 0) {

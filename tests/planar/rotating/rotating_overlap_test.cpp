@@ -9,9 +9,9 @@
 #include "oracles/random.h"
 #include "oracles/tiny_regions.h"
 #include "planar/operand/prepared_region.h"
-#include "planar/turning/box_pairs.h"
 #include "planar/rotating/rotating_overlap.h"
 #include "planar/rotating/rotating_place.h"
+#include "planar/turning/box_pairs.h"
 
 namespace dymsum::planar {
 namespace {
@@ -37,7 +37,9 @@ void compare(const Region& p, const Region& q, double radians, Tally& tally) {
     const WalkSegment& w = window.segments[s].walk;
     return Segment{forms.operand(w.side).edge(w.edge), forms.operand(1 - w.side).source[w.vertex]};
   };
-  const auto by = [&](std::uint32_t s) { return s == RotatingFrame::kEnd ? std::nullopt : std::optional<Segment>(source(s)); };
+  const auto by = [&](std::uint32_t s) {
+    return s == RotatingFrame::kEnd ? std::nullopt : std::optional<Segment>(source(s));
+  };
   const auto check = [&](const RotatingFrame::Step& s) {
     const RotatingOverlap::Result told = overlap.right_of(frame, s);
     const bool inside = place.inside_right_of(source(s.segment), by(s.from), by(s.to));
@@ -65,10 +67,12 @@ TEST(RotatingOverlap, agrees_with_exact_collision_tests_beside_every_sub_edge) {
     oracles::Random random(seed);
     const oracles::Pair pair = oracles::random_pair(random, 3 + static_cast<int>(random.below(8)));
     const Region p = Region::create(pair.p).value(), q = Region::create(pair.q).value();
-    ASSERT_NO_FATAL_FAILURE(compare(p, q, random.chance(30) ? 1e-9 : 0.01 * static_cast<double>(random.below(600)), tally));
+    ASSERT_NO_FATAL_FAILURE(
+        compare(p, q, random.chance(30) ? 1e-9 : 0.01 * static_cast<double>(random.below(600)), tally));
   }
   for (int seed = 1; seed <= 30; ++seed)
-    ASSERT_NO_FATAL_FAILURE(compare(shapes::random_polygon(50, 3, seed), shapes::noisy_star(20, 0.6, seed + 1), 0.2 * seed, tally));
+    ASSERT_NO_FATAL_FAILURE(
+        compare(shapes::random_polygon(50, 3, seed), shapes::noisy_star(20, 0.6, seed + 1), 0.2 * seed, tally));
   ASSERT_NO_FATAL_FAILURE(compare(shapes::noisy_star(60, 0.5, 1), shapes::noisy_star(50, 0.7, 2), 0.8, tally));
   ASSERT_NO_FATAL_FAILURE(compare(shapes::grate(6, 4, 1, 20), shapes::comb(7, 2, 1, 5), 1.1, tally));
   // It decides nearly always: a test that it left to the exact one would cost ten times as much.

@@ -38,9 +38,10 @@ PlanarSum fresh(const Region& p, const Region& q, const Orientation& theta, cons
 }
 
 bool same_contacts(const SumRing& a, const SumRing& b) {
-  return std::equal(a.vertices.begin(), a.vertices.end(), b.vertices.begin(), b.vertices.end(), [](const SumVertex& u, const SumVertex& v) {
-    return u.in == v.in && u.out == v.out && u.corner_p == v.corner_p && u.corner_q == v.corner_q;
-  });
+  return std::equal(a.vertices.begin(), a.vertices.end(), b.vertices.begin(), b.vertices.end(),
+                    [](const SumVertex& u, const SumVertex& v) {
+                      return u.in == v.in && u.out == v.out && u.corner_p == v.corner_p && u.corner_q == v.corner_q;
+                    });
 }
 
 void expect_frame(const RotatingSum& sum, const PlanarSum& wanted, bool contacts) {
@@ -61,14 +62,16 @@ void expect_frame(const RotatingSum& sum, const PlanarSum& wanted, bool contacts
   };
   for (std::size_t i = 0; i < wanted.parts.size(); ++i) {
     ring(sum.sum().parts[i].outer, wanted.parts[i].outer);
-    for (std::size_t h = 0; h < wanted.parts[i].holes.size(); ++h) ring(sum.sum().parts[i].holes[h], wanted.parts[i].holes[h]);
+    for (std::size_t h = 0; h < wanted.parts[i].holes.size(); ++h)
+      ring(sum.sum().parts[i].holes[h], wanted.parts[i].holes[h]);
   }
 }
 
 TEST(RotatingSum, tiny_pairs_equal_slices_at_every_step) {
   std::uint64_t updated = 0, degenerate = 0, told = 0, tested = 0, holes = 0, parts = 0;
   const char* one = std::getenv("DYMSUM_SEED");
-  const std::uint64_t first = one != nullptr ? std::strtoull(one, nullptr, 10) : 1, rounds = one != nullptr ? 1 : fuzz_rounds(250);
+  const std::uint64_t first = one != nullptr ? std::strtoull(one, nullptr, 10) : 1,
+                      rounds = one != nullptr ? 1 : fuzz_rounds(250);
   for (std::uint64_t seed = first; seed < first + rounds; ++seed) {
     SCOPED_TRACE("DYMSUM_SEED=" + std::to_string(seed));
     oracles::Random random(seed);
@@ -77,7 +80,9 @@ TEST(RotatingSum, tiny_pairs_equal_slices_at_every_step) {
     RotatingOptions options;
     options.reflect_q = random.chance(30);
     options.turning = options.reflect_q || random.chance(50) ? TurningOperand::q : TurningOperand::p;
-    options.semantics = random.chance(20) ? Semantics::open : random.chance(20) ? Semantics::regular : Semantics::closed;
+    options.semantics = random.chance(20)   ? Semantics::open
+                        : random.chance(20) ? Semantics::regular
+                                            : Semantics::closed;
     options.mode = random.chance(70) ? FrameMode::window : FrameMode::automatic;
     options.window = random.chance(70) ? 0.02 * static_cast<double>(1 + random.below(20)) : 0;
     options.min_tier_bits = random.chance(20) ? 61 : 0;
@@ -89,7 +94,8 @@ TEST(RotatingSum, tiny_pairs_equal_slices_at_every_step) {
       ASSERT_TRUE(sum.set(orientation).ok());
       // With Q turning and not reflected the slice names contacts the other way round.
       const bool contacts = options.reflect_q || options.turning == TurningOperand::p;
-      ASSERT_NO_FATAL_FAILURE(expect_frame(sum, fresh(p, q, orientation, options), contacts)) << "theta = " << orientation.radians();
+      ASSERT_NO_FATAL_FAILURE(expect_frame(sum, fresh(p, q, orientation, options), contacts))
+          << "theta = " << orientation.radians();
       updated += !sum.work().rebuilt;
       degenerate += sum.work().degenerate;
       told += sum.work().loops_kept;
@@ -141,7 +147,8 @@ TEST(RotatingSum, larger_pairs_with_masks_equal_slices) {
           const Orientation orientation = at(theta);
           ASSERT_TRUE(sum.set(orientation).ok());
           updated += !sum.work().new_window && !sum.work().rebuilt;
-          ASSERT_NO_FATAL_FAILURE(expect_frame(sum, fresh(shape.p, shape.q, orientation, options), !q_turns)) << "step " << step << ", width " << width;
+          ASSERT_NO_FATAL_FAILURE(expect_frame(sum, fresh(shape.p, shape.q, orientation, options), !q_turns))
+              << "step " << step << ", width " << width;
         }
         EXPECT_GT(updated, 10u);
       }
@@ -210,8 +217,12 @@ TEST(RotatingSum, identities_and_changes_account_for_every_ring) {
       ended.push_back(c.ring);
       next.erase(it);
     }
-    EXPECT_EQ(more, static_cast<std::int64_t>(sum.sum().vertex_count()) - static_cast<std::int64_t>(before.vertex_count())) << k;
-    EXPECT_EQ(changes.topology, before.hole_count() != sum.sum().hole_count() || before.parts.size() != sum.sum().parts.size()) << k;
+    EXPECT_EQ(more,
+              static_cast<std::int64_t>(sum.sum().vertex_count()) - static_cast<std::int64_t>(before.vertex_count()))
+        << k;
+    EXPECT_EQ(changes.topology,
+              before.hole_count() != sum.sum().hole_count() || before.parts.size() != sum.sum().parts.size())
+        << k;
     alive = sum.ring_ids();
     std::vector<std::uint64_t> now = alive;
     std::sort(now.begin(), now.end());
@@ -226,7 +237,8 @@ TEST(RotatingSum, a_frame_inside_a_window_looks_only_there) {
   RotatingOptions options;
   options.mode = FrameMode::window;
   options.window = 0.1;
-  RotatingSum sum = RotatingSum::create(shapes::noisy_star(60, 0.5, 1), shapes::noisy_star(50, 0.7, 2), options).value();
+  RotatingSum sum =
+      RotatingSum::create(shapes::noisy_star(60, 0.5, 1), shapes::noisy_star(50, 0.7, 2), options).value();
   ASSERT_TRUE(sum.set(at(0.3)).ok());
   EXPECT_TRUE(sum.work().new_window);
   const std::uint64_t segments = sum.sum().stats.reduced_segments;
@@ -303,7 +315,8 @@ TEST(RotatingSum, large_steps_in_wide_windows_equal_slices) {
   for (std::uint64_t seed = 1; seed <= fuzz_rounds(150); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     oracles::Random random(seed + 5000);
-    const Region p = shapes::random_polygon(12 + static_cast<int>(random.below(10)), static_cast<int>(random.below(3)), seed);
+    const Region p =
+        shapes::random_polygon(12 + static_cast<int>(random.below(10)), static_cast<int>(random.below(3)), seed);
     const Region q = shapes::noisy_star(6 + static_cast<int>(random.below(8)), 0.8, seed + 1);
     RotatingOptions options;
     options.mode = FrameMode::window;
@@ -318,9 +331,12 @@ TEST(RotatingSum, large_steps_in_wide_windows_equal_slices) {
   }
 }
 
-// A hole that is covered at one angle and free at the next, its edges and crossings being the same: what covers it has passed over it.
+// A hole that is covered at one angle and free at the next, its edges and crossings being the same: what covers it has
+// passed over it.
 TEST(RotatingSum, a_hole_uncovered_in_one_step_appears) {
-  const auto square = [](double x, double y, double half) { return Ring{{x - half, y - half}, {x + half, y - half}, {x + half, y + half}, {x - half, y + half}}; };
+  const auto square = [](double x, double y, double half) {
+    return Ring{{x - half, y - half}, {x + half, y - half}, {x + half, y + half}, {x - half, y + half}};
+  };
   RegionData fixed, turning;
   fixed.parts.push_back({square(0, 0, 4), {{{-1.5, -1.5}, {-1.5, 1.5}, {1.5, 1.5}, {1.5, -1.5}}}});
   fixed.parts.push_back({square(-9.8, -2, 2), {}});
@@ -389,7 +405,8 @@ TEST(RotatingSum, stops_on_request) {
   options.mode = FrameMode::window;
   bool stop = false;
   options.progress = [&](std::string_view, double) { return !stop; };
-  RotatingSum sum = RotatingSum::create(shapes::noisy_star(60, 0.5, 1), shapes::noisy_star(50, 0.7, 2), options).value();
+  RotatingSum sum =
+      RotatingSum::create(shapes::noisy_star(60, 0.5, 1), shapes::noisy_star(50, 0.7, 2), options).value();
   ASSERT_TRUE(sum.set(at(0.01)).ok());
   stop = true;
   const Result<FrameChanges> result = sum.set(at(2));

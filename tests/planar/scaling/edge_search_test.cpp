@@ -48,7 +48,9 @@ TEST(EdgeSearch, finds_edges_wherever_some_cross_and_only_those) {
       bool any = false;
       for (std::uint32_t e = 0; e < base->operands[0].size(); ++e)
         for (std::uint32_t f = 0; f < base->operands[1].size(); ++f) any |= cross_exactly(*window, e, f, z, tau);
-      if (edges) { ASSERT_TRUE(cross_exactly(*window, (*edges)[0], (*edges)[1], z, tau)) << "round " << round << ", place " << k; }
+      if (edges) {
+        ASSERT_TRUE(cross_exactly(*window, (*edges)[0], (*edges)[1], z, tau)) << "round " << round << ", place " << k;
+      }
       if (edges) ++found;
       else ++(any ? missed : none);
     }
@@ -59,8 +61,8 @@ TEST(EdgeSearch, finds_edges_wherever_some_cross_and_only_those) {
   EXPECT_GT(none, 1000);
 }
 
-// Edges that are named for two places cross at both and everywhere on the straight way, while the moving operand grows from one scale to
-// the other.
+// Edges that are named for two places cross at both and everywhere on the straight way, while the moving operand grows
+// from one scale to the other.
 TEST(EdgeSearch, edges_for_two_places_cross_all_the_way) {
   int found = 0, asked = 0;
   for (int round = 0; round < 400; ++round) {
@@ -85,7 +87,8 @@ TEST(EdgeSearch, edges_for_two_places_cross_all_the_way) {
       for (int i = 0; i <= 8; ++i) {
         const double u = i / 8.0;
         const Point z{from.x + u * (to.x - from.x), from.y + u * (to.y - from.y)};
-        ASSERT_TRUE(cross_exactly(*window, (*edges)[0], (*edges)[1], z, tau0 + u * (tau1 - tau0))) << "round " << round << ", way " << k;
+        ASSERT_TRUE(cross_exactly(*window, (*edges)[0], (*edges)[1], z, tau0 + u * (tau1 - tau0)))
+            << "round " << round << ", way " << k;
       }
     }
   }

@@ -8,7 +8,8 @@
 
 namespace dymsum::scaling_tests {
 
-/// A polygon between two skylines of few heights, so that most edges have others on their lines; `upright`: turned by a quarter.
+/// A polygon between two skylines of few heights, so that most edges have others on their lines; `upright`: turned by a
+/// quarter.
 inline Region skylines(std::mt19937& random, int steps, bool upright) {
   const auto level = [&] { return static_cast<double>(random() % 3); };
   Ring ring;
@@ -43,7 +44,8 @@ inline Region skylines(std::mt19937& random, int steps, bool upright) {
 /// Bars of equal width on one side of a beam, at the given places.
 inline Region comb(const std::vector<double>& bars, double length, bool upright) {
   Ring ring{{-2, -2}, {bars.back() + 4, -2}, {bars.back() + 4, 0}};
-  for (std::size_t i = bars.size(); i-- > 0;) ring.insert(ring.end(), {{bars[i] + 1, 0}, {bars[i] + 1, length}, {bars[i], length}, {bars[i], 0}});
+  for (std::size_t i = bars.size(); i-- > 0;)
+    ring.insert(ring.end(), {{bars[i] + 1, 0}, {bars[i] + 1, length}, {bars[i], length}, {bars[i], 0}});
   ring.push_back({-2, 0});
   if (upright)
     for (Point& p : ring) p = {-p.y, p.x};

@@ -1,4 +1,5 @@
-// Cycles that are carried from frame to frame, against cycles walked from scratch on the same lists; and what changed, counted by both.
+// Cycles that are carried from frame to frame, against cycles walked from scratch on the same lists; and what changed,
+// counted by both.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,13 +11,13 @@
 #include <utility>
 
 #include "dymsum/shapes.h"
-#include "planar/frames/frame_rings.h"
-#include "planar/scaling/scaling_state.h"
 #include "oracles/random.h"
 #include "oracles/sanitized.h"
 #include "oracles/tiny_regions.h"
+#include "planar/frames/frame_rings.h"
 #include "planar/scaling/parallel_shapes.h"
 #include "planar/scaling/scaling_same.h"
+#include "planar/scaling/scaling_state.h"
 
 namespace dymsum {
 namespace {
@@ -30,7 +31,8 @@ std::multiset<std::tuple<std::vector<Edge>, std::uint32_t, int, bool>> cycles(co
   std::multiset<std::tuple<std::vector<Edge>, std::uint32_t, int, bool>> all;
   for (const planar::FrameLoop& loop : loops.loops()) {
     std::vector<Edge> edges;
-    for (const planar::LoopStep& s : loop.steps) edges.emplace_back(s.edge, s.piece, s.from, s.to, s.node, s.vertex == planar::kNone, s.turn);
+    for (const planar::LoopStep& s : loop.steps)
+      edges.emplace_back(s.edge, s.piece, s.from, s.to, s.node, s.vertex == planar::kNone, s.turn);
     std::rotate(edges.begin(), std::min_element(edges.begin(), edges.end()), edges.end());
     all.insert({std::move(edges), loop.corners, loop.turning, loop.kept});
   }
@@ -38,8 +40,10 @@ std::multiset<std::tuple<std::vector<Edge>, std::uint32_t, int, bool>> cycles(co
 }
 
 TEST(ScalingCycles, those_carried_over_equal_those_walked_from_scratch) {
-  const Region star = on_integers(shapes::noisy_star(60, 0.6, 3), 4000), other = on_integers(shapes::noisy_star(40, 0.6, 4), 3000);
-  const Region room = on_integers(shapes::random_polygon(60, 3, 5), 3000), same = on_integers(shapes::random_polygon(60, 2, 8), 4000);
+  const Region star = on_integers(shapes::noisy_star(60, 0.6, 3), 4000),
+               other = on_integers(shapes::noisy_star(40, 0.6, 4), 3000);
+  const Region room = on_integers(shapes::random_polygon(60, 3, 5), 3000),
+               same = on_integers(shapes::random_polygon(60, 2, 8), 4000);
   std::uint64_t copied = 0, walked = 0, false_ones = 0, nodes = 0;
   const Region small = on_integers(shapes::noisy_star(16, 0.6, 4), 500);
   for (const auto& [p, q] : {std::pair{star, other}, std::pair{room, small}, std::pair{same, same}}) {
@@ -82,13 +86,16 @@ std::pair<Region, Region> touching_pair(oracles::Random& random) {
     return {Region::create(pair.p).value(), Region::create(pair.q).value()};
   }
   std::mt19937 engine(static_cast<std::uint32_t>(random.below(1 << 30)));
-  if (kind == 1) return {skylines(engine, 3 + random.below(7), random.chance(50)), skylines(engine, 3 + random.below(5), random.chance(50))};
+  if (kind == 1)
+    return {skylines(engine, 3 + random.below(7), random.chance(50)),
+            skylines(engine, 3 + random.below(5), random.chance(50))};
   const auto bars = [&](int count, int pitch) {
     std::vector<double> at;
     for (int i = 0; i < count; ++i) at.push_back(pitch * i + random.below(pitch - 1));
     return at;
   };
-  return {comb(bars(2 + random.below(6), 5), 4 + random.below(40), random.chance(50)), comb(bars(2 + random.below(4), 3), 2 + random.below(20), random.chance(50))};
+  return {comb(bars(2 + random.below(6), 5), 4 + random.below(40), random.chance(50)),
+          comb(bars(2 + random.below(4), 3), 2 + random.below(20), random.chance(50))};
 }
 
 // DYMSUM_FUZZ_PAIRS / 10 pairs; many have segments that touch at every scale.
@@ -132,7 +139,8 @@ TEST(ScalingCycles, those_of_random_pairs_equal_those_walked_from_scratch) {
     }
   }
   EXPECT_GT(compared, 5u * static_cast<unsigned>(rounds));
-  std::printf("%llu frames compared, %llu for the vertex routine\n", static_cast<unsigned long long>(compared), static_cast<unsigned long long>(refused));
+  std::printf("%llu frames compared, %llu for the vertex routine\n", static_cast<unsigned long long>(compared),
+              static_cast<unsigned long long>(refused));
   EXPECT_GT(with_nodes, static_cast<unsigned>(rounds) / 4);
   EXPECT_GT(at_nodes, static_cast<unsigned>(rounds));
   EXPECT_GT(moved_on, static_cast<unsigned>(rounds) / 4);
@@ -142,7 +150,8 @@ TEST(ScalingCycles, what_changed_on_a_ring_is_counted_as_by_comparing_both_sums)
   ScalingOptions options;
   options.mode = FrameMode::window;
   options.window = 0.3;
-  const Region p = on_integers(shapes::noisy_star(60, 0.6, 3), 4000), q = on_integers(shapes::noisy_star(40, 0.6, 4), 3000);
+  const Region p = on_integers(shapes::noisy_star(60, 0.6, 3), 4000),
+               q = on_integers(shapes::noisy_star(40, 0.6, 4), 3000);
   ScalingSum sum = ScalingSum::create(p, q, options).value();
   int compared = 0, reshaped = 0;
   for (int k = 100; k < 160; ++k) {

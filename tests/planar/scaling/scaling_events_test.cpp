@@ -18,7 +18,9 @@ Scale scale_at(const exact::BigRational& v) { return Scale::of(exact::to_rationa
 void expect_static(const ScalingSum& sum, const Region& p, const Region& q, const exact::BigRational& s) {
   const double a = static_cast<double>(numerator(s)), b = static_cast<double>(denominator(s));
   if (a > 0x1p40 || b > 0x1p40) return;
-  EXPECT_EQ(described(sum.sum(), exact::BigRational(denominator(s))), static_answer(p, q, a, b, false, Semantics::closed)) << s;
+  EXPECT_EQ(described(sum.sum(), exact::BigRational(denominator(s))),
+            static_answer(p, q, a, b, false, Semantics::closed))
+      << s;
 }
 
 TEST(ScaleEvents, a_peg_in_a_slot_fits_exactly_at_one_scale) {
@@ -53,8 +55,10 @@ TEST(ScaleEvents, sums_at_and_beside_events_are_exact_and_nothing_visible_lies_b
     oracles::Random random(static_cast<std::uint64_t>(round) + 100);
     const auto seed = static_cast<std::uint64_t>(round);
     const bool tiny = round < 8;
-    const Region p = tiny ? Region::create(oracles::random_parts(random, 7)).value() : on_integers(shapes::random_polygon(24, 2, seed), 8000);
-    const Region q = tiny ? Region::create(oracles::random_parts(random, 4)).value() : on_integers(shapes::noisy_star(9, 0.6, seed), 2000);
+    const Region p = tiny ? Region::create(oracles::random_parts(random, 7)).value()
+                          : on_integers(shapes::random_polygon(24, 2, seed), 8000);
+    const Region q = tiny ? Region::create(oracles::random_parts(random, 4)).value()
+                          : on_integers(shapes::noisy_star(9, 0.6, seed), 2000);
     ScalingSum sum = ScalingSum::create(p, q).value();
     const Scale low = tiny ? scale_of(1, 3) : scale_of(9, 10), high = tiny ? scale_of(3, 1) : scale_of(11, 10);
     const std::vector<ScaleEvent> events = sum.events(low, high).value();
@@ -102,9 +106,11 @@ TEST(ScaleEvents, ranges_and_operands_that_have_no_events_give_errors) {
   EXPECT_EQ(ScalingSum::create(p, p).value().events(scale_of(2, 1), Scale()).error().code, Code::bad_scale);
 }
 
-/// Ends of the intervals in which two segments of the convolution cross, by testing every pair at every candidate scale.
+/// Ends of the intervals in which two segments of the convolution cross, by testing every pair at every candidate
+/// scale.
 TEST(ScaleEvents, pair_events_of_two_triangles_are_counted) {
-  const Region p = Region::create({{{{{0, 0}, {4, 1}, {1, 3}}, {}}}, {}, {}}).value(), q = Region::create({{{{{0, 0}, {3, 0}, {0, 2}}, {}}}, {}, {}}).value();
+  const Region p = Region::create({{{{{0, 0}, {4, 1}, {1, 3}}, {}}}, {}, {}}).value(),
+               q = Region::create({{{{{0, 0}, {3, 0}, {0, 2}}, {}}}, {}, {}}).value();
   const PairEventCount convex = count_pair_events(p, q, ScaledOperand::p).value();
   // Convex operands: the convolution is the boundary, nothing ever crosses.
   EXPECT_EQ(convex.events, 0u);

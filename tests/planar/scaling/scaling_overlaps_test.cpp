@@ -1,12 +1,13 @@
-// Edges of one operand on one line: segments of the convolution lie along each other at every scale, and what crosses one crosses several at
-// one place. Windows let one of them go on, so that such frames need no vertex routine; all frames equal the static engine.
+// Edges of one operand on one line: segments of the convolution lie along each other at every scale, and what crosses
+// one crosses several at one place. Windows let one of them go on, so that such frames need no vertex routine; all
+// frames equal the static engine.
 #include <gtest/gtest.h>
 
 #include <random>
 
 #include "planar/scaling/parallel_shapes.h"
-#include "planar/scaling/scaling_state.h"
 #include "planar/scaling/scaling_same.h"
+#include "planar/scaling/scaling_state.h"
 
 namespace dymsum {
 namespace {
@@ -34,7 +35,8 @@ TEST(ScalingOverlaps, skylines_equal_the_static_engine_between_events_and_at_the
   Shared shared;
   std::uint64_t between = 0, updated = 0, near = 0, near_updated = 0;
   for (int round = 0; round < 160; ++round) {
-    const Region p = skylines(random, 3 + round % 7, round % 3 == 1), q = skylines(random, 3 + round % 5, round % 2 == 1);
+    const Region p = skylines(random, 3 + round % 7, round % 3 == 1),
+                 q = skylines(random, 3 + round % 5, round % 2 == 1);
     const Shared s = shared_pieces(p, q);
     shared.handed_on += s.handed_on;
     shared.covered += s.covered;
@@ -44,7 +46,8 @@ TEST(ScalingOverlaps, skylines_equal_the_static_engine_between_events_and_at_the
     options.semantics = round % 3 == 0 ? Semantics::closed : round % 3 == 1 ? Semantics::open : Semantics::regular;
     options.scaled = round % 2 == 0 ? ScaledOperand::p : ScaledOperand::q;
     ScalingSum sum = ScalingSum::create(p, q, options).value();
-    // Quarters and halves are events of integer shapes; 997 divides nothing. Just beside events doubles do not tell where a piece ends.
+    // Quarters and halves are events of integer shapes; 997 divides nothing. Just beside events doubles do not tell
+    // where a piece ends.
     for (int k = 0; k < 18; ++k) {
       const bool event = k % 3 == 2;
       const long fine = k % 6 == 5 ? 1L << 43 : 1, beside = fine == 1 ? 0 : k % 4 < 2 ? 1 : -1;
@@ -54,7 +57,8 @@ TEST(ScalingOverlaps, skylines_equal_the_static_engine_between_events_and_at_the
       near += beside != 0;
       near_updated += beside != 0 && !sum.work().degenerate;
       updated += !event && !sum.work().degenerate;
-      ASSERT_EQ(described(sum.sum(), exact::BigRational(b)), static_answer(p, q, static_cast<double>(a), static_cast<double>(b), round % 2 == 1, options.semantics))
+      ASSERT_EQ(described(sum.sum(), exact::BigRational(b)),
+                static_answer(p, q, static_cast<double>(a), static_cast<double>(b), round % 2 == 1, options.semantics))
           << round << " " << k;
     }
   }
@@ -76,7 +80,9 @@ TEST(ScalingOverlaps, crossing_combs_are_updated_without_the_vertex_routine) {
     const long a = 997 + 13 * k;
     ASSERT_TRUE(sum.set(scale_of(a, 997)).ok());
     degenerate += sum.work().degenerate;
-    ASSERT_EQ(described(sum.sum(), exact::BigRational(997)), static_answer(p, q, static_cast<double>(a), 997, false, Semantics::closed)) << k;
+    ASSERT_EQ(described(sum.sum(), exact::BigRational(997)),
+              static_answer(p, q, static_cast<double>(a), 997, false, Semantics::closed))
+        << k;
   }
   EXPECT_LE(degenerate, 1u);  // s = 1
 }
@@ -96,7 +102,9 @@ TEST(ScalingOverlaps, combs_with_masks_and_random_jumps_equal_the_static_engine)
     for (int k = 0; k < 40; ++k) {
       a = std::max(600L, a + static_cast<long>(random() % 41) - 18);
       ASSERT_TRUE(sum.set(scale_of(a, 997)).ok());
-      ASSERT_EQ(described(sum.sum(), exact::BigRational(997)), static_answer(p, q, static_cast<double>(a), 997, false, Semantics::closed)) << k;
+      ASSERT_EQ(described(sum.sum(), exact::BigRational(997)),
+                static_answer(p, q, static_cast<double>(a), 997, false, Semantics::closed))
+          << k;
     }
   }
 }

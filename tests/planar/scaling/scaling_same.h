@@ -1,4 +1,5 @@
-// An answer that knows nothing of scaling: at s = a / b the static engine's sum of the integer regions a P and b Q is b times the sum.
+// An answer that knows nothing of scaling: at s = a / b the static engine's sum of the integer regions a P and b Q is b
+// times the sum.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -37,7 +38,8 @@ inline std::vector<std::string> described(const PlanarSum& sum, const exact::Big
   std::vector<std::string> text;
   const auto at = [&](const SumVertex& v) {
     const RationalPoint p = sum.exact(v);
-    return exact::to_rational(exact::exact_value(p.x) * factor).to_string() + "," + exact::to_rational(exact::exact_value(p.y) * factor).to_string();
+    return exact::to_rational(exact::exact_value(p.x) * factor).to_string() + "," +
+           exact::to_rational(exact::exact_value(p.y) * factor).to_string();
   };
   const auto ring = [&](const char* kind, const SumRing& r) {
     std::string line = kind;
@@ -62,7 +64,8 @@ inline std::vector<std::string> described(const PlanarSum& sum, const exact::Big
 }
 
 /// P (+) Q at scale a / b of P (of Q with `q_scales`), by the static engine on integers.
-inline std::vector<std::string> static_answer(const Region& p, const Region& q, double a, double b, bool q_scales, Semantics semantics) {
+inline std::vector<std::string> static_answer(const Region& p, const Region& q, double a, double b, bool q_scales,
+                                              Semantics semantics) {
   SumOptions options;
   options.semantics = semantics;
   const double fp = q_scales ? b : a, fq = q_scales ? a : b;

@@ -23,7 +23,9 @@ struct Mode {
   FrameMode mode;
   double window;
 };
-constexpr Mode kModes[] = {{"rebuild", FrameMode::rebuild, 0}, {"window 40 %", FrameMode::window, 0.4}, {"automatic", FrameMode::automatic, 0}};
+constexpr Mode kModes[] = {{"rebuild", FrameMode::rebuild, 0},
+                           {"window 40 %", FrameMode::window, 0.4},
+                           {"automatic", FrameMode::automatic, 0}};
 
 TEST(ScalingSum, tiny_pairs_equal_the_static_engine_at_every_step) {
   const char* pairs = std::getenv("DYMSUM_FUZZ_PAIRS");
@@ -39,7 +41,9 @@ TEST(ScalingSum, tiny_pairs_equal_the_static_engine_at_every_step) {
     options.scaled = q_scales ? ScaledOperand::q : ScaledOperand::p;
     options.mode = mode.mode;
     options.window = mode.window;
-    options.semantics = random.chance(20) ? Semantics::open : random.chance(20) ? Semantics::regular : Semantics::closed;
+    options.semantics = random.chance(20)   ? Semantics::open
+                        : random.chance(20) ? Semantics::regular
+                                            : Semantics::closed;
     options.min_tier_bits = random.chance(30) ? 61 : 0;
     ScalingSum sum = ScalingSum::create(p, q, options).value();
     long a = 12, b = 12;
@@ -70,11 +74,16 @@ struct Shape {
 
 std::vector<Shape> shapes_of_some_size() {
   std::vector<Shape> list;
-  list.push_back({"star 60 and star 50", on_integers(shapes::noisy_star(60, 0.5, 1), 20000), on_integers(shapes::noisy_star(50, 0.7, 2), 9000)});
-  list.push_back({"random with holes and star", on_integers(shapes::random_polygon(120, 5, 3), 30000), on_integers(shapes::noisy_star(24, 0.6, 4), 4000)});
-  list.push_back({"pockets and disc", on_integers(shapes::pockets(12, 10), 20000), on_integers(shapes::disc(16, 1), 900)});
-  list.push_back({"spiral and gear", on_integers(shapes::spiral(3, 24, 1, 0.4), 20000), on_integers(shapes::gear(9, 1, 1.3), 2500)});
-  list.push_back({"grate and comb", on_integers(shapes::grate(6, 4, 1, 20), 120), on_integers(shapes::comb(7, 2, 1, 5), 26)});
+  list.push_back({"star 60 and star 50", on_integers(shapes::noisy_star(60, 0.5, 1), 20000),
+                  on_integers(shapes::noisy_star(50, 0.7, 2), 9000)});
+  list.push_back({"random with holes and star", on_integers(shapes::random_polygon(120, 5, 3), 30000),
+                  on_integers(shapes::noisy_star(24, 0.6, 4), 4000)});
+  list.push_back(
+      {"pockets and disc", on_integers(shapes::pockets(12, 10), 20000), on_integers(shapes::disc(16, 1), 900)});
+  list.push_back({"spiral and gear", on_integers(shapes::spiral(3, 24, 1, 0.4), 20000),
+                  on_integers(shapes::gear(9, 1, 1.3), 2500)});
+  list.push_back(
+      {"grate and comb", on_integers(shapes::grate(6, 4, 1, 20), 120), on_integers(shapes::comb(7, 2, 1, 5), 26)});
   return list;
 }
 
@@ -102,7 +111,8 @@ TEST(ScalingSum, larger_pairs_with_masks_equal_the_static_engine) {
 }
 
 Shape middling() {
-  return {"random with holes and star", on_integers(shapes::random_polygon(60, 3, 5), 3000), on_integers(shapes::noisy_star(16, 0.6, 4), 500)};
+  return {"random with holes and star", on_integers(shapes::random_polygon(60, 3, 5), 3000),
+          on_integers(shapes::noisy_star(16, 0.6, 4), 500)};
 }
 
 TEST(ScalingSum, forward_and_back_returns_the_identical_state) {
@@ -231,7 +241,8 @@ TEST(ScalingSum, many_random_steps_equal_a_rebuild) {
     a = std::clamp(a + random.below(33) - 16 + (random.chance(1) ? random.below(4000) - 2000 : 0), 400L, 40000L);
     ASSERT_TRUE(sum.set(scale_of(a, 4096)).ok());
     if (step % (heavy ? 100 : 20) != 0) continue;
-    ASSERT_EQ(ours(sum, 4096), static_answer(shape.p, shape.q, double(a), 4096, false, Semantics::closed)) << "step " << step << ", s = " << a << "/4096";
+    ASSERT_EQ(ours(sum, 4096), static_answer(shape.p, shape.q, double(a), 4096, false, Semantics::closed))
+        << "step " << step << ", s = " << a << "/4096";
   }
 }
 
@@ -315,12 +326,14 @@ TEST(ScalingSum, copies_of_a_master_shape_equal_their_own_sums) {
   const Shape shape = middling();
   std::vector<ScaledCopy> copies;
   oracles::Random random(5);
-  for (int k = 0; k < 12; ++k) copies.push_back({scale_of(40 + random.below(160), 100), {double(100 * k), double(50 * k)}});
+  for (int k = 0; k < 12; ++k)
+    copies.push_back({scale_of(40 + random.below(160), 100), {double(100 * k), double(50 * k)}});
   const std::vector<CopySum> sums = scaled_copies(shape.p, shape.q, copies).value();
   ASSERT_EQ(sums.size(), copies.size());
   for (std::size_t k = 0; k < sums.size(); ++k) {
     const long a = std::lround(copies[k].scale.approx() * 100);
-    EXPECT_EQ(described(sums[k].sum, exact::BigRational(100)), static_answer(shape.p, shape.q, double(a), 100, false, Semantics::closed));
+    EXPECT_EQ(described(sums[k].sum, exact::BigRational(100)),
+              static_answer(shape.p, shape.q, double(a), 100, false, Semantics::closed));
     EXPECT_EQ(sums[k].at, copies[k].at);
   }
 }
@@ -336,7 +349,8 @@ TEST(ScalingSum, copies_of_equal_scale_share_one_frame) {
   for (std::size_t k = 0; k < sums.size(); ++k) {
     frames += sums[k].work.rebuilt;
     EXPECT_EQ(sums[k].work.rebuilt, k < 4);
-    EXPECT_EQ(described(sums[k].sum, exact::BigRational(3)), static_answer(shape.p, shape.q, double(2 + k % 4), 3, false, Semantics::closed));
+    EXPECT_EQ(described(sums[k].sum, exact::BigRational(3)),
+              static_answer(shape.p, shape.q, double(2 + k % 4), 3, false, Semantics::closed));
   }
   EXPECT_EQ(frames, 4);
   const auto stop = [](std::string_view stage, double) { return stage != "copies"; };
@@ -355,7 +369,9 @@ TEST(ScalingSum, copies_of_close_scales_share_a_window) {
     windows += sums[k].work.new_window;
     EXPECT_EQ(sums[k].work.rebuilt, k >= 12) << k;
     const long a = std::lround(copies[k].scale.approx() * 100);
-    EXPECT_EQ(described(sums[k].sum, exact::BigRational(100)), static_answer(shape.p, shape.q, double(a), 100, false, Semantics::closed)) << k;
+    EXPECT_EQ(described(sums[k].sum, exact::BigRational(100)),
+              static_answer(shape.p, shape.q, double(a), 100, false, Semantics::closed))
+        << k;
   }
   EXPECT_EQ(windows, 1);
   EXPECT_TRUE(scaled_copies(shape.p, shape.q, {}).value().empty());
@@ -370,7 +386,8 @@ TEST(ScalingSum, a_robot_is_reflected) {
     ScalingSum sum = ScalingSum::create(shape.p, shape.q, options).value();
     for (long a = 100; a < 110; ++a) {
       ASSERT_TRUE(sum.set(scale_of(a, 100)).ok());
-      ASSERT_EQ(ours(sum, 100), static_answer(shape.p, negated(shape.q), double(a), 100, q_scales, Semantics::closed)) << a;
+      ASSERT_EQ(ours(sum, 100), static_answer(shape.p, negated(shape.q), double(a), 100, q_scales, Semantics::closed))
+          << a;
     }
   }
 }

@@ -9,9 +9,9 @@
 
 #include "dymsum/shapes.h"
 #include "oracles/membership.h"
-#include "planar/scaling/scaling_state.h"
 #include "planar/scaling/parallel_shapes.h"
 #include "planar/scaling/scaling_same.h"
+#include "planar/scaling/scaling_state.h"
 
 namespace dymsum {
 namespace {
@@ -19,7 +19,8 @@ namespace {
 using namespace scaling_tests;
 
 std::size_t wrong_frames(double shrink) {
-  const Region p = on_integers(shapes::noisy_star(60, 0.6, 1), 9000), q = on_integers(shapes::noisy_star(40, 0.6, 2), 5000);
+  const Region p = on_integers(shapes::noisy_star(60, 0.6, 1), 9000),
+               q = on_integers(shapes::noisy_star(40, 0.6, 2), 5000);
   ScalingOptions options;
   options.mode = FrameMode::window;
   options.window = 0.5;
@@ -41,7 +42,8 @@ TEST(ScalingWindow, masks_and_pairs_cover_the_whole_sweep) {
 }
 
 TEST(ScalingWindow, every_candidate_crosses_exactly_where_its_interval_says) {
-  const Region p = on_integers(shapes::noisy_star(30, 0.6, 3), 4000), q = on_integers(shapes::noisy_star(20, 0.6, 4), 3000);
+  const Region p = on_integers(shapes::noisy_star(30, 0.6, 3), 4000),
+               q = on_integers(shapes::noisy_star(20, 0.6, 4), 3000);
   auto base = planar::OperandPair::create(p, q, 0, 0).value();
   ScalingSum::State state(base, {});
   const auto window = state.window_between(exact::BigRational(1), exact::BigRational(6, 5));
@@ -69,11 +71,13 @@ TEST(ScalingWindow, every_candidate_crosses_exactly_where_its_interval_says) {
 /// A plate with a square hole; every edge on a line of the grid that the tests below lay over it.
 Region plate(double size, double low, double high) {
   RegionData data;
-  data.parts.push_back({{{0, 0}, {size, 0}, {size, size}, {0, size}}, {{{low, low}, {low, high}, {high, high}, {high, low}}}});
+  data.parts.push_back(
+      {{{0, 0}, {size, 0}, {size, size}, {0, size}}, {{{low, low}, {low, high}, {high, high}, {high, low}}}});
   return Region::create(std::move(data)).value();
 }
 
-/// Dead cells beside live ones: how many there are, and how many of them do not lie in the open sum with the rim that they promise.
+/// Dead cells beside live ones: how many there are, and how many of them do not lie in the open sum with the rim that
+/// they promise.
 std::pair<int, int> dead_cells_and_wrong_ones(const Region& p, const Region& q, planar::WindowFrame frame, int cells) {
   auto base = planar::OperandPair::create(p, q, 1, 0).value();
   frame.centre_x = base->width[frame.moving] / 2;
@@ -82,7 +86,8 @@ std::pair<int, int> dead_cells_and_wrong_ones(const Region& p, const Region& q, 
   const planar::Grid& g = mask.grid();
   int dead = 0, wrong = 0;
   for (const double tau : {frame.tau0, 0.5 * (frame.tau0 + frame.tau1), frame.tau1}) {
-    const oracles::Membership<oracles::Big> sum(frame.moving == 0 ? multiplied(p, tau, tau).data() : p.data(), frame.moving == 1 ? multiplied(q, tau, tau).data() : q.data());
+    const oracles::Membership<oracles::Big> sum(frame.moving == 0 ? multiplied(p, tau, tau).data() : p.data(),
+                                                frame.moving == 1 ? multiplied(q, tau, tau).data() : q.data());
     for (int row = 1; row + 1 < g.rows; ++row)
       for (int column = 1; column + 1 < g.columns; ++column) {
         if (!mask.dead(row, column) || mask.live(row - 1, column - 1, row + 1, column + 1) == 0) continue;
@@ -91,7 +96,8 @@ std::pair<int, int> dead_cells_and_wrong_ones(const Region& p, const Region& q, 
         bool inside = true;
         for (const double y : {row - rim, row + 1 + rim})
           for (const double x : {column - rim, column + 1 + rim})
-            inside &= sum.overlaps({oracles::from_double<oracles::Big>(x * g.cell - frame.shift_x(tau)), oracles::from_double<oracles::Big>(y * g.cell - frame.shift_y(tau))});
+            inside &= sum.overlaps({oracles::from_double<oracles::Big>(x * g.cell - frame.shift_x(tau)),
+                                    oracles::from_double<oracles::Big>(y * g.cell - frame.shift_y(tau))});
         wrong += !inside;
       }
   }
@@ -104,7 +110,8 @@ TEST(ScalingWindow, dead_cells_lie_in_the_open_sum_with_their_rim_at_every_scale
     EXPECT_GT(dead, 20);
     EXPECT_EQ(wrong, 0) << cells << " cells from " << tau0 << " to " << tau1;
   };
-  // Cells of size 1, edges on their borders at both ends of the window: without a rim, cells would end where the sum does.
+  // Cells of size 1, edges on their borders at both ends of the window: without a rim, cells would end where the sum
+  // does.
   check(plate(32, 8, 24), shapes::rectangle(0, 0, 16, 16), 1, 2, 2, 64);
   check(plate(32, 8, 24), shapes::rectangle(0, 0, 16, 16), 1, 1.75, 2, 64);
   check(plate(32, 8, 24), plate(16, 4, 12), 1, 1.75, 2, 64);
@@ -112,15 +119,18 @@ TEST(ScalingWindow, dead_cells_lie_in_the_open_sum_with_their_rim_at_every_scale
   // A hole that grows through cells that were inside at the window's start.
   check(shapes::rectangle(0, 0, 4, 4), plate(16, 4, 12), 1, 1.25, 2, 72);
   // And anywhere.
-  check(on_integers(shapes::noisy_star(20, 0.5, 1), 3000), on_integers(shapes::noisy_star(11, 0.5, 2), 2000), 1, 1, 1.125, 60);
+  check(on_integers(shapes::noisy_star(20, 0.5, 1), 3000), on_integers(shapes::noisy_star(11, 0.5, 2), 2000), 1, 1,
+        1.125, 60);
 }
 
 /// A point of the sum of k P and 100 Q for walk vertices of both.
 oracles::Pt<oracles::Big> corner(const planar::OperandPair& base, planar::WalkPair at, int k) {
   const planar::Lattice& l = *base.lattice;
   const auto value = [&](double x, double offset) { return oracles::Big(exact::exact_value(x * l.unit + offset)); };
-  const double px = base.operands[0].x[at.p], py = base.operands[0].y[at.p], qx = base.operands[1].x[at.q], qy = base.operands[1].y[at.q];
-  return {k * value(px, l.points[0]->offset.x) + 100 * value(qx, l.points[1]->offset.x), k * value(py, l.points[0]->offset.y) + 100 * value(qy, l.points[1]->offset.y)};
+  const double px = base.operands[0].x[at.p], py = base.operands[0].y[at.p], qx = base.operands[1].x[at.q],
+               qy = base.operands[1].y[at.q];
+  return {k * value(px, l.points[0]->offset.x) + 100 * value(qx, l.points[1]->offset.x),
+          k * value(py, l.points[0]->offset.y) + 100 * value(qy, l.points[1]->offset.y)};
 }
 
 // Without covers all pairs are there; with them those that meet inside the open sum may be missing.
@@ -149,7 +159,8 @@ TEST(ScalingWindow, every_pair_that_meets_is_a_candidate_or_meets_inside) {
       const oracles::Membership<oracles::Big> sum(multiplied(p, k, k).data(), multiplied(q, 100, 100).data());
       // Two segments that meet do so in one point, unless they are parallel.
       const auto meet_inside = [&](const planar::LiveSegment& s, const planar::LiveSegment& t) {
-        const auto a = corner(*base, s.start, k), b = corner(*base, s.end, k), c = corner(*base, t.start, k), d = corner(*base, t.end, k);
+        const auto a = corner(*base, s.start, k), b = corner(*base, s.end, k), c = corner(*base, t.start, k),
+                   d = corner(*base, t.end, k);
         const oracles::Big ux = b.x - a.x, uy = b.y - a.y, vx = d.x - c.x, vy = d.y - c.y, cross = ux * vy - uy * vx;
         if (cross == 0) return false;
         const oracles::Big at = ((c.x - a.x) * vy - (c.y - a.y) * vx) / cross;
@@ -169,7 +180,9 @@ TEST(ScalingWindow, every_pair_that_meets_is_a_candidate_or_meets_inside) {
     }
     EXPECT_GT(meeting, 300u);
     EXPECT_EQ(missed, 0u) << (grates ? "grates" : "stars") << (covers ? " with covers" : "");
-    if (covers) { EXPECT_GT(inside, 50u); }
+    if (covers) {
+      EXPECT_GT(inside, 50u);
+    }
     // Most pairs never meet: something is rejected.
     EXPECT_LT(known.size(), std::size_t(n) * (n - 1) / 4);
   }
@@ -188,7 +201,9 @@ TEST(ScalingWindow, nodes_that_count_for_nothing_lie_inside_at_every_scale) {
     for (const int k : {101, 113, 125}) {
       const oracles::Membership<oracles::Big> sum(multiplied(p, k, k).data(), multiplied(q, 100, 100).data());
       for (const planar::PersistentNode& node : window->nodes) {
-        if (node.covered) { EXPECT_TRUE(sum.overlaps(corner(*base, node.at, k))) << "seed " << seed << " at " << k; }
+        if (node.covered) {
+          EXPECT_TRUE(sum.overlaps(corner(*base, node.at, k))) << "seed " << seed << " at " << k;
+        }
         ++(node.covered ? inside : others);
       }
     }
@@ -198,7 +213,8 @@ TEST(ScalingWindow, nodes_that_count_for_nothing_lie_inside_at_every_scale) {
 }
 
 TEST(ScalingWindow, windows_of_more_pairs_than_allowed_are_abandoned) {
-  const Region p = on_integers(shapes::noisy_star(60, 0.6, 3), 4000), q = on_integers(shapes::noisy_star(40, 0.6, 4), 3000);
+  const Region p = on_integers(shapes::noisy_star(60, 0.6, 3), 4000),
+               q = on_integers(shapes::noisy_star(40, 0.6, 4), 3000);
   auto base = planar::OperandPair::create(p, q, 0, 0).value();
   ScalingSum::State state(base, {});
   planar::ReducedConvolution& convolution = state.convolution_for(0.9, 1.6);
@@ -210,16 +226,18 @@ TEST(ScalingWindow, windows_of_more_pairs_than_allowed_are_abandoned) {
   EXPECT_TRUE(planar::Window(*base, convolution, settings).abandoned);
 }
 
-// A window that would cost more than many frames from scratch is begun and abandoned; the frame is right all the same, and so are those
-// after it, for which none is tried.
+// A window that would cost more than many frames from scratch is begun and abandoned; the frame is right all the same,
+// and so are those after it, for which none is tried.
 TEST(ScalingWindow, where_a_window_is_abandoned_the_frame_is_computed_from_scratch) {
-  const Region p = on_integers(shapes::noisy_star(400, 0.9, 3), 1 << 20), q = on_integers(shapes::noisy_star(400, 0.9, 4), 1 << 20);
+  const Region p = on_integers(shapes::noisy_star(400, 0.9, 3), 1 << 20),
+               q = on_integers(shapes::noisy_star(400, 0.9, 4), 1 << 20);
   ScalingSum sum = ScalingSum::create(p, q).value();
   for (const int k : {104, 108, 112}) {
     ASSERT_TRUE(sum.set(scale_of(k, 100)).ok());
     EXPECT_TRUE(sum.work().rebuilt) << k;
     EXPECT_FALSE(sum.work().new_window) << k;
-    EXPECT_EQ(described(sum.sum(), exact::BigRational(100)), static_answer(p, q, k, 100, false, Semantics::closed)) << k;
+    EXPECT_EQ(described(sum.sum(), exact::BigRational(100)), static_answer(p, q, k, 100, false, Semantics::closed))
+        << k;
   }
 }
 
@@ -244,10 +262,12 @@ TEST(ScalingWindow, huge_coordinates_beside_small_ones_equal_a_rebuild) {
 
 TEST(ScalingWindow, lists_stay_as_they_are_within_their_intervals) {
   // Q is smaller and scales, so the window's parameter is the scale.
-  const Region p = on_integers(shapes::noisy_star(40, 0.6, 3), 4000), q = on_integers(shapes::noisy_star(30, 0.6, 4), 3000);
+  const Region p = on_integers(shapes::noisy_star(40, 0.6, 3), 4000),
+               q = on_integers(shapes::noisy_star(30, 0.6, 4), 3000);
   auto base = planar::OperandPair::create(p, q, 1, 0).value();
   ScalingSum::State state(base, {});
-  const auto window = state.window_between(exact::BigRational(1), exact::BigRational(6, 5)), other = state.window_between(exact::BigRational(1), exact::BigRational(6, 5));
+  const auto window = state.window_between(exact::BigRational(1), exact::BigRational(6, 5)),
+             other = state.window_between(exact::BigRational(1), exact::BigRational(6, 5));
   ASSERT_EQ(window->frame().moving, 1u);
   const auto repaired = [&](planar::Window& of, double s) {
     auto lists = std::make_unique<planar::PieceLists>(of);
@@ -270,7 +290,8 @@ TEST(ScalingWindow, lists_stay_as_they_are_within_their_intervals) {
         if (!(end > window->frame().tau0 && end < window->frame().tau1)) continue;
         ++ends;
         const double inside = end + (s - end) * 0x1p-20, outside = end - (s - end) * 0x1p-10;
-        EXPECT_EQ(list(*repaired(*other, inside), i), list(*lists, i)) << "piece " << i << " from " << s << " to " << end;
+        EXPECT_EQ(list(*repaired(*other, inside), i), list(*lists, i))
+            << "piece " << i << " from " << s << " to " << end;
         // Intervals are not much shorter than they could be: most end where the list changes.
         if (list(*repaired(*other, outside), i) != list(*lists, i)) ++tight;
       }
@@ -281,8 +302,8 @@ TEST(ScalingWindow, lists_stay_as_they_are_within_their_intervals) {
 }
 
 TEST(ScalingWindow, a_window_keeps_the_convolution_it_was_made_from) {
-  // The tool fits one of the holes exactly at each of the scales below; ten times as large it fills all of them, and the convolution is
-  // another one.
+  // The tool fits one of the holes exactly at each of the scales below; ten times as large it fills all of them, and
+  // the convolution is another one.
   RegionData data;
   data.parts.push_back({{{0, 0}, {80, 0}, {80, 10}, {0, 10}}, {}});
   for (int k = 33; k < 40; ++k) {

@@ -54,10 +54,9 @@ bool lies_on_grid(const Region& region, int bits) {
 
 TEST(Shapes, thesis_like_set_has_the_sizes_of_figure_3_3) {
   const std::map<std::string, std::size_t> sizes{
-      {"airplane", 51}, {"bar", 4},    {"bird", 275}, {"blob", 18},    {"dog", 145},    {"G1", 30},    {"G2", 34},
-      {"G3", 24}, {"G4", 43},
-      {"hand1", 57},    {"hand2", 84}, {"insignia", 4}, {"sewing", 10}, {"fence", 10}, {"pentagon", 5}, {"star", 44},
-      {"U", 8}};
+      {"airplane", 51}, {"bar", 4},    {"bird", 275},   {"blob", 18},  {"dog", 145},  {"G1", 30},
+      {"G2", 34},       {"G3", 24},    {"G4", 43},      {"hand1", 57}, {"hand2", 84}, {"insignia", 4},
+      {"sewing", 10},   {"fence", 10}, {"pentagon", 5}, {"star", 44},  {"U", 8}};
   const std::vector<Named> set = thesis_like_set();
   ASSERT_EQ(set.size(), sizes.size());
   std::map<std::string, std::size_t> got;

@@ -42,7 +42,8 @@ int carriers(const Ring& p, const Ring& q, const Contact& named, const Place& at
   return count;
 }
 
-/// Compares the contacts of the outer rings' vertices; returns how many differ, each where several contacts carry the vertex.
+/// Compares the contacts of the outer rings' vertices; returns how many differ, each where several contacts carry the
+/// vertex.
 int differing(const Region& p, const Region& q, const PlanarSum& a, const PlanarSum& b) {
   int count = 0;
   EXPECT_EQ(a, b);
@@ -82,7 +83,8 @@ TEST(EngineContacts, DifferOnGridsOnlyWhereSeveralCarryTheVertex) {
     for (std::size_t j = i % 5; j < triangles.size(); j += 5) {
       const Region p = Region::create(triangles[i]).value(), q = Region::create(triangles[j]).value();
       const PlanarSum fast = sum_by(p, q, Engine::fast);
-      for (const Engine engine : {Engine::brute, Engine::winding}) differ += differing(p, q, fast, sum_by(p, q, engine));
+      for (const Engine engine : {Engine::brute, Engine::winding})
+        differ += differing(p, q, fast, sum_by(p, q, engine));
     }
   RecordProperty("differing", differ);
 }

@@ -1,4 +1,5 @@
-// One small text file per hard case (tests/corpus/planar): the facts it states hold for every engine, and the sum by definition agrees.
+// One small text file per hard case (tests/corpus/planar): the facts it states hold for every engine, and the sum by
+// definition agrees.
 #include <gtest/gtest.h>
 
 #include "oracles/exact_shape.h"
@@ -17,7 +18,8 @@ std::vector<Pt<Big>> points_of(const std::string& wkt) {
 std::vector<Seg<Big>> segments_of(const std::string& wkt) {
   std::vector<Seg<Big>> out;
   for (const Polyline& line : parse_wkt(wkt).polylines)
-    out.push_back({{from_double<Big>(line[0].x), from_double<Big>(line[0].y)}, {from_double<Big>(line[1].x), from_double<Big>(line[1].y)}});
+    out.push_back({{from_double<Big>(line[0].x), from_double<Big>(line[0].y)},
+                   {from_double<Big>(line[1].x), from_double<Big>(line[1].y)}});
   return out;
 }
 

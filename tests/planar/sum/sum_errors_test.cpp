@@ -1,4 +1,5 @@
-// Operands that no sum can take are refused with their own coordinate, also where the engine sees them reflected or inside a frame.
+// Operands that no sum can take are refused with their own coordinate, also where the engine sees them reflected or
+// inside a frame.
 #include <gtest/gtest.h>
 
 #include <cmath>

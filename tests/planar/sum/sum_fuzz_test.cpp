@@ -1,16 +1,17 @@
-// Random pairs on tiny grids against the sum by definition. DYMSUM_FUZZ_PAIRS sets how many (default 2000, under sanitizers
-// 150), DYMSUM_FUZZ_SEED the first one; pair k of seed s is pair 0 of seed s + k, so that a failure replays alone.
+// Random pairs on tiny grids against the sum by definition. DYMSUM_FUZZ_PAIRS sets how many (default 2000, under
+// sanitizers 150), DYMSUM_FUZZ_SEED the first one; pair k of seed s is pair 0 of seed s + k, so that a failure replays
+// alone.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <string>
 
+#include "dymsum/shapes.h"
 #include "oracles/check_sum.h"
 #include "oracles/pair_text.h"
 #include "oracles/sanitized.h"
 #include "oracles/verdict.h"
-#include "dymsum/shapes.h"
 
 namespace dymsum::oracles {
 namespace {
@@ -44,7 +45,8 @@ TEST(SumFuzz, tiny_grid_pairs_equal_the_sum_by_definition) {
     thin += sum->segments.size() + sum->points.size();
   }
   std::printf("%llu pairs: %llu tight features, %llu holes, %llu thin pieces\n", static_cast<unsigned long long>(k),
-              static_cast<unsigned long long>(tight), static_cast<unsigned long long>(holes), static_cast<unsigned long long>(thin));
+              static_cast<unsigned long long>(tight), static_cast<unsigned long long>(holes),
+              static_cast<unsigned long long>(thin));
   if (count < 1000) return;
   EXPECT_GT(tight, count / 20);
   EXPECT_GT(holes, count / 40);
@@ -82,14 +84,16 @@ TEST(SumFuzz, free_coordinates_equal_the_sum_by_definition) {
     ++checked;
     ASSERT_EQ(wrong, "") << "DYMSUM_FUZZ_SEED=" << seed + k << " DYMSUM_FUZZ_PAIRS=100\n" << to_text(p, q);
   }
-  std::printf("%llu of %llu pairs valid\n", static_cast<unsigned long long>(checked), static_cast<unsigned long long>(count));
+  std::printf("%llu of %llu pairs valid\n", static_cast<unsigned long long>(checked),
+              static_cast<unsigned long long>(count));
   EXPECT_GE(checked, count / 2);
 }
 
 TEST(SumFuzz, medium_shapes_pass_spot_checks_in_every_engine) {
   const std::uint64_t seed = first_seed(1);
   for (std::uint64_t k = 0; k < 6; ++k) {
-    const Region p = shapes::random_polygon(24, 2, seed + k), q = shapes::noisy_star(14 + static_cast<int>(k), 0.6, seed + k);
+    const Region p = shapes::random_polygon(24, 2, seed + k),
+                 q = shapes::noisy_star(14 + static_cast<int>(k), 0.6, seed + k);
     Result<PlanarSum> sum = minkowski_sum(p, q);
     ASSERT_TRUE(sum.ok());
     ASSERT_EQ(spot_check_sum(p, q, *sum, 60, seed + k), "") << to_text(p.data(), q.data());

@@ -1,5 +1,5 @@
-// Sums of large operands: their work and memory are counted, their boundaries compared with membership by definition, and they stop soon
-// when asked to.
+// Sums of large operands: their work and memory are counted, their boundaries compared with membership by definition,
+// and they stop soon when asked to.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,8 +21,8 @@ namespace {
 constexpr int kFineGrid = 1024;  ///< a mask of more cells is refined
 
 Result<PlanarSum> refined_sum(const Region& p, const Region& q, const SumOptions& options = {}) {
-  Result<planar::SumState> state =
-      planar::compute_boundary(planar::prepared_operand(p, 0), planar::prepared_operand(q, 1), options, planar::Refine::always);
+  Result<planar::SumState> state = planar::compute_boundary(
+      planar::prepared_operand(p, 0), planar::prepared_operand(q, 1), options, planar::Refine::always);
   if (!state.ok()) return state.error();
   return planar::finish_sum(std::move(state).value(), options);
 }
@@ -56,7 +56,9 @@ void check_beside_edges(const Region& p, const Region& q, const PlanarSum& sum, 
     if (length < 1e-6) continue;
     ++checked;
     const double aside = 1e-10 / length;
-    const auto beside = [&](double way) { return Point{(a.x + b.x) / 2 - way * aside * dy, (a.y + b.y) / 2 + way * aside * dx}; };
+    const auto beside = [&](double way) {
+      return Point{(a.x + b.x) / 2 - way * aside * dy, (a.y + b.y) / 2 + way * aside * dx};
+    };
     EXPECT_TRUE(contains(p, q, beside(1))) << "edge " << k;
     EXPECT_FALSE(contains(p, q, beside(-1))) << "edge " << k;
   }
@@ -81,7 +83,8 @@ TEST(SumGrowth, large_sums_equal_those_of_the_reference) {
 
 TEST(SumGrowth, every_stage_stops_on_request) {
   const Region star = shapes::noisy_star(120, 0.6, 1);
-  for (const std::string_view stage : {"convolution", "mask", "segments", "refinement", "crossings", "arrangement", "loops", "collision"}) {
+  for (const std::string_view stage :
+       {"convolution", "mask", "segments", "refinement", "crossings", "arrangement", "loops", "collision"}) {
     SumOptions options;
     options.progress = [&](std::string_view at, double) { return at != stage; };
     const Result<PlanarSum> sum = refined_sum(star, star, options);

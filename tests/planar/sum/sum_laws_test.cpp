@@ -44,7 +44,8 @@ void for_pairs(int count, const Check& check) {
 }
 
 TEST(SumLaws, commutes) {
-  for_pairs(kPairs, [](const RegionData& p, const RegionData& q, Random&) { EXPECT_TRUE(sum_of(p, q) == sum_of(q, p)); });
+  for_pairs(kPairs,
+            [](const RegionData& p, const RegionData& q, Random&) { EXPECT_TRUE(sum_of(p, q) == sum_of(q, p)); });
 }
 
 TEST(SumLaws, nfp_is_the_sum_with_the_reflected_operand) {
@@ -65,8 +66,8 @@ TEST(SumLaws, translates) {
 }
 
 TEST(SumLaws, follows_every_common_linear_map) {
-  constexpr int kMaps[][4] = {{3, 0, 0, 3}, {8, 0, 0, 8}, {-1, 0, 0, 1}, {1, 0, 0, -1}, {0, 1, 1, 0}, {-1, 0, 0, -1},
-                              {0, -1, 1, 0}, {2, 1, 1, 1}, {1, 0, -3, 1}, {5, 0, 0, 1}};
+  constexpr int kMaps[][4] = {{3, 0, 0, 3},   {8, 0, 0, 8},  {-1, 0, 0, 1}, {1, 0, 0, -1}, {0, 1, 1, 0},
+                              {-1, 0, 0, -1}, {0, -1, 1, 0}, {2, 1, 1, 1},  {1, 0, -3, 1}, {5, 0, 0, 1}};
   for_pairs(kPairs, [&](const RegionData& p, const RegionData& q, Random& random) {
     const int* m = kMaps[random.below(10)];
     EXPECT_TRUE(shape_of(mapped(p, m[0], m[1], m[2], m[3]), mapped(q, m[0], m[1], m[2], m[3])) ==
@@ -81,7 +82,8 @@ double common_denominator(const std::vector<ExactShape<Big>>& shapes) {
   for (const auto& shape : shapes)
     for (const auto& part : shape.parts) {
       const auto take = [&](const ExactRing<Big>& ring) {
-        for (const Pt<Big>& c : ring) out = boost::multiprecision::lcm(out, boost::multiprecision::lcm(denominator_of(c.x), denominator_of(c.y)));
+        for (const Pt<Big>& c : ring)
+          out = boost::multiprecision::lcm(out, boost::multiprecision::lcm(denominator_of(c.x), denominator_of(c.y)));
       };
       take(part.outer);
       for (const auto& hole : part.holes) take(hole);
@@ -127,7 +129,8 @@ TEST(SumLaws, associates) {
     const RegionData a = random_parts(random, 3), b = random_parts(random, 3), c = random_parts(random, 2);
     const double k = common_denominator({shape_of(a, b), shape_of(b, c)});
     if (k > 1e6) return;
-    const RegionData ab = rounded_parts(sum_of(times(a, k), times(b, k))), bc = rounded_parts(sum_of(times(b, k), times(c, k)));
+    const RegionData ab = rounded_parts(sum_of(times(a, k), times(b, k))),
+                     bc = rounded_parts(sum_of(times(b, k), times(c, k)));
     EXPECT_TRUE(parts_of(sum_of(ab, times(c, k))) == parts_of(sum_of(times(a, k), bc))) << to_text(a, b) << to_wkt(c);
     ++compared;
   });
@@ -278,9 +281,12 @@ bool nearest(double rounded, const Big& exact) {
   return here <= distance(std::nextafter(rounded, INFINITY)) && here <= distance(std::nextafter(rounded, -INFINITY));
 }
 
-bool nearest(const Point& rounded, const Pt<Big>& exact) { return nearest(rounded.x, exact.x) && nearest(rounded.y, exact.y); }
+bool nearest(const Point& rounded, const Pt<Big>& exact) {
+  return nearest(rounded.x, exact.x) && nearest(rounded.y, exact.y);
+}
 
-/// The rounded ring's vertices are the exact ones in order; where another vertex touches an edge, it may be named in between.
+/// The rounded ring's vertices are the exact ones in order; where another vertex touches an edge, it may be named in
+/// between.
 void expect_rounded(const Ring& have, const ExactRing<Big>& want, const std::vector<Pt<Big>>& all) {
   std::size_t next = 0;
   for (const Point& c : have) {

@@ -4,8 +4,8 @@
 #include <memory>
 #include <random>
 
-#include "planar/sum/listed_source.h"
 #include "planar/position/exact_area.h"
+#include "planar/sum/listed_source.h"
 
 namespace dymsum {
 namespace {

@@ -6,9 +6,9 @@
 #include <ostream>
 #include <string>
 
+#include "dymsum/shapes.h"
 #include "oracles/exact_shape.h"
 #include "oracles/verdict.h"
-#include "dymsum/shapes.h"
 
 namespace dymsum::oracles {
 namespace {
@@ -59,7 +59,8 @@ TEST(Tight, square_in_a_cavity_at_every_gap) {
         const double gap = std::ldexp(1.0, power);
         const Region square = made({{box(-2, -2, 0, 0), {}}});
         const auto cavity = [&](double height) {
-          return made({{box(start - 1, start - 1, start + 5, start + 5), {hole(start, start, start + 2, start + height)}}});
+          return made(
+              {{box(start - 1, start - 1, start + 5, start + 5), {hole(start, start, start + 2, start + height)}}});
         };
         SCOPED_TRACE("engine " + std::to_string(static_cast<int>(engine)) + ", gap 2^" + std::to_string(power));
         EXPECT_EQ(features(cavity(2), square, engine), (Features{0, 0, 1}));
@@ -174,7 +175,8 @@ TEST(Tight, erosion_refuses_containers_without_area_and_empty_parts) {
 /// Moving an operand by 1e9 + 1/3 rounds its coordinates to multiples of 2^-23; holes of 1e-7 freedom and more stay.
 TEST(Tight, translation_by_a_billion_and_a_third_keeps_every_hole) {
   const double far = 1e9 + 1.0 / 3;
-  const Region lost = made({{box(0, 0, 10, 10), {hole(4, 4, 6 + 1e-7, 6 + 1e-7)}}}), square = made({{box(-1, -1, 1, 1), {}}});
+  const Region lost = made({{box(0, 0, 10, 10), {hole(4, 4, 6 + 1e-7, 6 + 1e-7)}}}),
+               square = made({{box(-1, -1, 1, 1), {}}});
   const Region moved_square = translated(square, far, far).value();
   for (const Engine engine : kEngines) {
     EXPECT_EQ(features(lost, square, engine), (Features{1, 0, 0}));

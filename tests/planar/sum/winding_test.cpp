@@ -12,11 +12,11 @@
 #include "oracles/check_sum.h"
 #include "oracles/pair_text.h"
 #include "oracles/tiny_regions.h"
-#include "planar/boundary/collision.h"
-#include "planar/convolution/kinetic.h"
 #include "planar/arrangement/segment_graph.h"
-#include "planar/operand/prepared_region.h"
+#include "planar/boundary/collision.h"
 #include "planar/boundary/winding_numbers.h"
+#include "planar/convolution/kinetic.h"
+#include "planar/operand/prepared_region.h"
 
 namespace dymsum::planar {
 namespace {

@@ -21,7 +21,8 @@ struct Place {
 Place place_of(const Orientation& o) {
   if (o.is_half_turn()) return {-1, 0};
   const exact::BigRational t = exact::exact_value(o.tan_half()), t2 = t * t;
-  return {exact::round_to_double(exact::BigRational((1 - t2) / (1 + t2))), exact::round_to_double(exact::BigRational(2 * t / (1 + t2)))};
+  return {exact::round_to_double(exact::BigRational((1 - t2) / (1 + t2))),
+          exact::round_to_double(exact::BigRational(2 * t / (1 + t2)))};
 }
 
 // Angles near 0 differ as much as their points on the circle.
@@ -34,18 +35,23 @@ void expect_met(double radians, const Orientation& o, double error) {
 
 TEST(Orientation, meets_angles_of_any_size) {
   std::mt19937_64 random(1);
-  std::vector<double> angles{1e6, 1e16, 1e22, 1e300, 5.319372648326541e255, std::numeric_limits<double>::max(), 4, 2 * kPi + 1e-9};
-  for (int k = 0; k < 2000; ++k) angles.push_back(std::ldexp(1 + static_cast<double>(random() % 1000000) / 1e6, static_cast<int>(random() % 1023)));
+  std::vector<double> angles{1e6, 1e16,          1e22, 1e300, 5.319372648326541e255, std::numeric_limits<double>::max(),
+                             4,   2 * kPi + 1e-9};
+  for (int k = 0; k < 2000; ++k)
+    angles.push_back(std::ldexp(1 + static_cast<double>(random() % 1000000) / 1e6, static_cast<int>(random() % 1023)));
   for (const double angle : angles)
     for (const double radians : {angle, -angle}) {
       expect_met(radians, *Orientation::nearest(radians), 0x1p-50);
-      for (const double error : {1e-3, 1e-9, 0x1p-47}) expect_met(radians, *Orientation::nearest(radians, error), error);
+      for (const double error : {1e-3, 1e-9, 0x1p-47})
+        expect_met(radians, *Orientation::nearest(radians, error), error);
     }
 }
 
 TEST(Orientation, meets_multiples_of_quarter_turns_exactly_near_the_origin) {
   for (int k = -9; k <= 9; ++k) {
-    const Orientation expected = k % 4 == 0 ? Orientation{} : k % 2 == 0 ? Orientation::half_turn() : *Orientation::of((k % 4 + 4) % 4 == 1 ? 1 : -1, 1);
+    const Orientation expected = k % 4 == 0   ? Orientation{}
+                                 : k % 2 == 0 ? Orientation::half_turn()
+                                              : *Orientation::of((k % 4 + 4) % 4 == 1 ? 1 : -1, 1);
     EXPECT_EQ(*Orientation::nearest(k * kPi / 2), expected) << k;
   }
   // Up to half a turn a double is what it says.

@@ -28,7 +28,8 @@ std::vector<Point> turned(const TurningForms& forms, double theta) {
   return to;
 }
 
-// Whether edges e and f of the operands cross properly where the second one, reflected, is put at z: z is an inner point of their sum.
+// Whether edges e and f of the operands cross properly where the second one, reflected, is put at z: z is an inner
+// point of their sum.
 bool cross_at(const TurningForms& forms, std::uint32_t e, Point u, Point f0, Point f1, Point z) {
   const Point a = forms.points(0)[e], v{f1.x - f0.x, f1.y - f0.y}, w{z.x - a.x - f0.x, z.y - a.y - f0.y};
   const double area = u.x * v.y - u.y * v.x, s = (w.x * v.y - w.y * v.x) / area, t = (u.x * w.y - u.y * w.x) / area;
@@ -37,13 +38,21 @@ bool cross_at(const TurningForms& forms, std::uint32_t e, Point u, Point f0, Poi
 
 // A rectangle turned by an exact rotation, so that its edges are not parallel to the axes.
 Region slanted(double length, double width) {
-  return Region::create(RegionData{{{{{0, 0}, {length * 0.75, length}, {length * 0.75 - width, length + 0.75 * width}, {-width, 0.75 * width}}, {}}}, {}, {}}).value();
+  return Region::create(RegionData{{{{{0, 0},
+                                      {length * 0.75, length},
+                                      {length * 0.75 - width, length + 0.75 * width},
+                                      {-width, 0.75 * width}},
+                                     {}}},
+                                   {},
+                                   {}})
+      .value();
 }
 
 TEST(EdgeParallelograms, every_cell_is_covered_at_every_angle_of_the_window) {
-  const std::vector<std::pair<Region, Region>> pairs{{shapes::rectangle(0, 0, 32, 0.25), shapes::rectangle(0, 0, 0.25, 30)},
-                                                     {slanted(24, 0.5), shapes::rectangle(0, 0, 28, 0.5)},
-                                                     {shapes::comb(5, 20, 2, 40), shapes::letter_l(30, 20, 0.5)}};
+  const std::vector<std::pair<Region, Region>> pairs{
+      {shapes::rectangle(0, 0, 32, 0.25), shapes::rectangle(0, 0, 0.25, 30)},
+      {slanted(24, 0.5), shapes::rectangle(0, 0, 28, 0.5)},
+      {shapes::comb(5, 20, 2, 40), shapes::letter_l(30, 20, 0.5)}};
   for (const auto& [p, q] : pairs)
     for (const double middle : {0.0, 0.4, 1.6, 3.0})
       for (const double half : {0.01, 0.05}) {
@@ -68,11 +77,13 @@ TEST(EdgeParallelograms, every_cell_is_covered_at_every_angle_of_the_window) {
                   const Point f0 = now[f], f1 = now[forms.operand(1).next[f]];
                   int corners = 0;
                   for (int k = 0; k < 4; ++k)
-                    corners += cross_at(forms, e, forms.edge(0, e), f0, f1,
-                                        {(column + k % 2) * cells.cell - forms.reach(), (row + k / 2) * cells.cell - forms.reach()});
+                    corners += cross_at(
+                        forms, e, forms.edge(0, e), f0, f1,
+                        {(column + k % 2) * cells.cell - forms.reach(), (row + k / 2) * cells.cell - forms.reach()});
                   covered |= corners == 4;
                 }
-              ASSERT_TRUE(covered) << row << " " << column << " of " << cells.rows << " at " << middle << " + " << by << " * " << half;
+              ASSERT_TRUE(covered) << row << " " << column << " of " << cells.rows << " at " << middle << " + " << by
+                                   << " * " << half;
             }
         }
         const bool parallel = &p == &pairs[0].first && middle == 1.6;

@@ -1,4 +1,5 @@
-// Sums at an orientation against static sums of operands that were rotated beforehand: multiplied by the denominator their vertices are integers.
+// Sums at an orientation against static sums of operands that were rotated beforehand: multiplied by the denominator
+// their vertices are integers.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -18,7 +19,10 @@ struct Turn {
 // (c, -s; s, c) with c = d^2 - n^2, s = 2 n d for operand 1; d^2 + n^2 times the identity for operand 0.
 Region mapped(const Region& region, std::int64_t c, std::int64_t s) {
   RegionData data = region.data();
-  const auto map = [&](Point& v) { v = {static_cast<double>(c) * v.x - static_cast<double>(s) * v.y, static_cast<double>(s) * v.x + static_cast<double>(c) * v.y}; };
+  const auto map = [&](Point& v) {
+    v = {static_cast<double>(c) * v.x - static_cast<double>(s) * v.y,
+         static_cast<double>(s) * v.x + static_cast<double>(c) * v.y};
+  };
   for (Part& part : data.parts) {
     for (Point& v : part.outer) map(v);
     for (Ring& hole : part.holes)
@@ -33,7 +37,9 @@ std::vector<std::vector<RationalPoint>> rings(const PlanarSum& sum, std::int64_t
     all.emplace_back();
     for (const SumVertex& v : ring.vertices) {
       const RationalPoint p = sum.exact(v);
-      const auto divided = [&](const Rational& r) { return exact::to_rational(exact::BigRational(exact::exact_value(r) / divisor)); };
+      const auto divided = [&](const Rational& r) {
+        return exact::to_rational(exact::BigRational(exact::exact_value(r) / divisor));
+      };
       all.back().push_back({divided(p.x), divided(p.y)});
     }
   };
@@ -86,8 +92,8 @@ TEST(RotationSlice, equals_the_sum_of_rotated_operands) {
   }
 }
 
-// Rotations with small denominators, several parts, and coordinates whose sums are rounded: p + q = p' + q' in hundreds, and the two sums are
-// seldom the same doubles.
+// Rotations with small denominators, several parts, and coordinates whose sums are rounded: p + q = p' + q' in
+// hundreds, and the two sums are seldom the same doubles.
 TEST(RotationSlice, finds_equal_sums_of_different_pairs_that_are_rounded_differently) {
   std::mt19937_64 random(3);
   const std::vector<Turn> turns = {{1, 2}, {1, 3}, {2, 3}, {3, 1}, {-1, 2}, {-3, 2}, {1, 5}, {-2, 5}};
@@ -147,7 +153,9 @@ TEST(RotationSlice, orientations_of_every_width_fit_their_tier) {
     for (int bits = 3; bits < 140; ++bits) {
       const exact::BigInteger d = exact::BigInteger(1) << bits, n = d / 3 + 1;
       const Orientation theta = *Orientation::of(exact::to_rational(exact::BigRational(n, d)));
-      EXPECT_EQ(cspace_slice(shapes::rectangle(4, -1, 4 + width, 1), shapes::rectangle(0, 0, 5, 1), theta)->vertex_count(), 8u);
+      EXPECT_EQ(
+          cspace_slice(shapes::rectangle(4, -1, 4 + width, 1), shapes::rectangle(0, 0, 5, 1), theta)->vertex_count(),
+          8u);
     }
 }
 

@@ -102,7 +102,9 @@ inline Mesh turned(const Mesh& mesh, const Rotation& r) {
   const auto n = static_cast<double>(r.norm());
   for (Point3& v : data.vertices) {
     const Point3 x = v;
-    const auto row = [&](int k) { return (double(m[3 * k]) * x.x + double(m[3 * k + 1]) * x.y + double(m[3 * k + 2]) * x.z) / n; };
+    const auto row = [&](int k) {
+      return (double(m[3 * k]) * x.x + double(m[3 * k + 1]) * x.y + double(m[3 * k + 2]) * x.z) / n;
+    };
     v = {row(0), row(1), row(2)};
   }
   return *Mesh::create(data);

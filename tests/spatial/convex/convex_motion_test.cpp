@@ -24,7 +24,8 @@ TEST(ConvexMotion, random_rotations_equal_the_static_sum) {
       const double angle = angles[random() % angles.size()];
       (random() % 4 == 0 ? b : a) = small_rotation(random, angle) * (random() % 4 == 0 ? b : a);
       moving.set(SolidPose{a, {}}, SolidPose{b, {}});
-      expect_as_rebuilt(moving, "seed " + std::to_string(seed) + " pair " + std::to_string(pair) + " move " + std::to_string(k));
+      expect_as_rebuilt(
+          moving, "seed " + std::to_string(seed) + " pair " + std::to_string(pair) + " move " + std::to_string(k));
       if (k % 50 != 0) continue;
       ConvexSum brute = moving;
       brute.rebuild(ConvexEngine::brute);
@@ -37,16 +38,19 @@ TEST(ConvexMotion, random_rotations_equal_the_static_sum) {
 TEST(ConvexMotion, grid_polytopes_through_ties) {
   const std::uint64_t seed = setting("DYMSUM_FUZZ_SEED", 22), moves = setting("DYMSUM_FUZZ_MOVES", 1800);
   std::mt19937_64 random(seed);
-  const std::vector<Rotation> turns{*Rotation::of(1, 1, 0, 0), *Rotation::of(1, 0, -1, 0), *Rotation::of(1, 0, 0, 1), *Rotation::of(1, 1, 1, 1),
-                                    *Rotation::of(0, 1, 1, 0), *Rotation::of(3, 1, 0, 0), *Rotation::of(7, 0, 1, 0), Rotation()};
+  const std::vector<Rotation> turns{
+      *Rotation::of(1, 1, 0, 0), *Rotation::of(1, 0, -1, 0), *Rotation::of(1, 0, 0, 1), *Rotation::of(1, 1, 1, 1),
+      *Rotation::of(0, 1, 1, 0), *Rotation::of(3, 1, 0, 0),  *Rotation::of(7, 0, 1, 0), Rotation()};
   for (int pair = 0; pair < 6; ++pair) {
-    const Mesh p = random_grid_polytope(random, 5 + 3 * pair, 3), q = pair % 2 ? negated(p) : random_grid_polytope(random, 8, 2);
+    const Mesh p = random_grid_polytope(random, 5 + 3 * pair, 3),
+               q = pair % 2 ? negated(p) : random_grid_polytope(random, 8, 2);
     ConvexSum moving = *ConvexSum::create(p, q);
     Rotation a;
     for (std::uint64_t k = 0; k < moves / 6; ++k) {
       a = turns[random() % turns.size()] * a;
       moving.set(a);
-      const std::string where = "seed " + std::to_string(seed) + " pair " + std::to_string(pair) + " move " + std::to_string(k);
+      const std::string where =
+          "seed " + std::to_string(seed) + " pair " + std::to_string(pair) + " move " + std::to_string(k);
       expect_as_rebuilt(moving, where);
       ConvexSum brute = moving;
       brute.rebuild(ConvexEngine::brute);
@@ -69,12 +73,18 @@ TEST(ConvexMotion, scaling_and_rotation_together) {
     for (std::uint64_t k = 0; k < moves / 2; ++k) {
       SolidPose& one = random() % 2 ? a : b;
       switch (random() % 3) {
-        case 0: one.scale = {random_scale(random), random_scale(random), random_scale(random)}; break;
-        case 1: one.scale[random() % 3] = *Scale::of(1 + 1e-3 * static_cast<double>(random() % 100)); break;
-        default: one.rotation = small_rotation(random, 0.02) * one.rotation;
+        case 0:
+          one.scale = {random_scale(random), random_scale(random), random_scale(random)};
+          break;
+        case 1:
+          one.scale[random() % 3] = *Scale::of(1 + 1e-3 * static_cast<double>(random() % 100));
+          break;
+        default:
+          one.rotation = small_rotation(random, 0.02) * one.rotation;
       }
       moving.set(a, b);
-      expect_as_rebuilt(moving, "seed " + std::to_string(seed) + " pair " + std::to_string(pair) + " move " + std::to_string(k));
+      expect_as_rebuilt(
+          moving, "seed " + std::to_string(seed) + " pair " + std::to_string(pair) + " move " + std::to_string(k));
       if (k % 20 == 0) {
         EXPECT_EQ(moving.sum().volume_exact(), moving.volume_exact());
       }
@@ -107,7 +117,8 @@ TEST(ConvexMotion, uniform_scaling_moves_positions_only) {
   pose.scale.fill(*Scale::of(3.5));
   const MotionWork work = moving.set(pose);
   EXPECT_EQ(work.vertex_errors + work.facets_added + work.facets_removed, 0u);
-  EXPECT_EQ(work.vertex_checks + work.crossing_checks + work.arc_checks, 0u) << "certificates do not feel a common factor";
+  EXPECT_EQ(work.vertex_checks + work.crossing_checks + work.arc_checks, 0u)
+      << "certificates do not feel a common factor";
   const SolidSum after = moving.sum();
   EXPECT_EQ(after.facets, before.facets);
   EXPECT_NE(after.at, before.at);
@@ -156,7 +167,8 @@ TEST(ConvexMotion, small_motions_check_few_features_and_errors_come_with_changes
     for (const SolidFacet& f : after.facets) changed += f.changed;
     EXPECT_EQ(changed, work.facets_added);
     // Theorem 1 of the thesis: errors of both kinds come together.
-    EXPECT_EQ(work.vertex_errors > 0, work.facets_added > work.vertex_errors || work.facets_removed > work.vertex_errors);
+    EXPECT_EQ(work.vertex_errors > 0,
+              work.facets_added > work.vertex_errors || work.facets_removed > work.vertex_errors);
   }
   EXPECT_LT(checks * 20, most) << "certificates hold for an angle";
   EXPECT_GT(errors, 0u);

@@ -1,8 +1,8 @@
 // The sum of convex solids against the hull of all sums of vertices, the brute force and the laws.
 #include "dymsum/convex_sum.h"
 
-#include "spatial/convex/convex_cases.h"
 #include "exact/big.h"
+#include "spatial/convex/convex_cases.h"
 
 namespace dymsum::test {
 namespace {
@@ -33,14 +33,15 @@ TEST(ConvexSum, grid_polytopes_equal_the_hull_of_sums) {
 
 TEST(ConvexSum, rotated_grid_polytopes_equal_the_hull_of_sums) {
   // Multiples of the norms keep rotated coordinates whole.
-  const std::vector<Rotation> turns{*Rotation::of(2, 1, 0, 0), *Rotation::of(2, 0, 0, -1), *Rotation::of(1, 1, 1, 1), *Rotation::of(1, 0, 1, 0),
-                                    *Rotation::of(0, 2, 1, 0), *Rotation::of(1, 2, 2, 0)};
+  const std::vector<Rotation> turns{*Rotation::of(2, 1, 0, 0), *Rotation::of(2, 0, 0, -1), *Rotation::of(1, 1, 1, 1),
+                                    *Rotation::of(1, 0, 1, 0), *Rotation::of(0, 2, 1, 0),  *Rotation::of(1, 2, 2, 0)};
   std::mt19937_64 random(12);
   for (int k = 0; k < 120; ++k) {
     const Mesh p = random_grid_polytope(random, 4 + k % 9, 3, 45), q = random_grid_polytope(random, 4 + k % 7, 3, 45);
     const Rotation &a = turns[k % turns.size()], &b = turns[(k / 6) % turns.size()];
     const SolidSum sum = *convex_sum(p, q, {a, {}}, {b, {}});
-    EXPECT_EQ(as_mesh(sum).canonical().data(), hull_of_sums(turned(p, a), turned(q, b)).canonical().data()) << "case " << k;
+    EXPECT_EQ(as_mesh(sum).canonical().data(), hull_of_sums(turned(p, a), turned(q, b)).canonical().data())
+        << "case " << k;
     EXPECT_EQ(sum, *convex_sum(p, q, {a, {}}, {b, {}}, ConvexEngine::brute)) << "case " << k;
   }
 }
@@ -60,7 +61,8 @@ TEST(ConvexSum, measures_of_random_sums_agree) {
   for (int k = 0; k < 20; ++k) {
     const Mesh p = random_round_polytope(random, 10 + 3 * k), q = random_round_polytope(random, 40);
     ConvexSum moving = *ConvexSum::create(p, q);
-    SolidPose a{random_rotation(random), {random_scale(random), random_scale(random), random_scale(random)}}, b{random_rotation(random), {}};
+    SolidPose a{random_rotation(random), {random_scale(random), random_scale(random), random_scale(random)}},
+        b{random_rotation(random), {}};
     moving.set(a, b);
     const SolidSum sum = moving.sum();
     expect_closed(sum);
@@ -131,19 +133,22 @@ TEST(ConvexSum, volumes_keep_their_promise_far_away_and_of_thin_solids) {
   const Mesh far = free_box({0x1p50, 0x1p50, 0x1p50}, {0x1p50 + 1, 0x1p50 + 1, 0x1p50 + 1});
   expect_near(far, cube(1), "unit cube at 2^50");
   expect_near(far, negated(far), "twice");
-  expect_near(*translated(solids::ellipsoid(24, 21, 0.5, 0.75, 1), 0x1p30, 0, -0x1p30), solids::cone(40, 1, 2), "ellipsoid at 2^30");
+  expect_near(*translated(solids::ellipsoid(24, 21, 0.5, 0.75, 1), 0x1p30, 0, -0x1p30), solids::cone(40, 1, 2),
+              "ellipsoid at 2^30");
   for (const double thin : {0x1p-20, 0x1p-40, 0x1p-70}) {
     const Mesh plate = *scaled(solids::geodesic_sphere(3, 1), 1, 1, thin), needle = *scaled(cube(1), 1, thin, thin);
     expect_near(plate, plate, "plates");
     expect_near(plate, needle, "plate and needle");
     expect_near(needle, needle, "needles");
   }
-  for (const double unit : {0x1p-300, 0x1p300}) expect_near(*scaled(cube(1), unit, unit, unit), *scaled(solids::cone(9, 1, 1), unit, unit, unit), "sizes");
+  for (const double unit : {0x1p-300, 0x1p300})
+    expect_near(*scaled(cube(1), unit, unit, unit), *scaled(solids::cone(9, 1, 1), unit, unit, unit), "sizes");
 }
 
 TEST(ConvexSum, measures_far_away_are_those_at_the_origin) {
   const Mesh far = free_box({0x1p50, 0x1p50, 0x1p50}, {0x1p50 + 1, 0x1p50 + 1, 0x1p50 + 1});
-  const SolidSum sum = *convex_sum(far, solids::dipyramid(4, 0.25, 0.5)), near = *convex_sum(solids::box(0, 0, 0, 1, 1, 1), solids::dipyramid(4, 0.25, 0.5));
+  const SolidSum sum = *convex_sum(far, solids::dipyramid(4, 0.25, 0.5)),
+                 near = *convex_sum(solids::box(0, 0, 0, 1, 1, 1), solids::dipyramid(4, 0.25, 0.5));
   EXPECT_EQ(sum.volume(), near.volume());
   EXPECT_EQ(sum.area(), near.area()) << "from exact positions, although rounded ones collapse";
   const Mesh tiny = *scaled(cube(1), 0x1p-500, 0x1p-500, 0x1p-500);
@@ -156,18 +161,24 @@ TEST(ConvexSum, facets_are_counted_as_they_are) {
   EXPECT_EQ(count(cube(1), solids::box(0, 0, 0, 1, 2, 3)), 6u);
   EXPECT_EQ(count(solids::tessellated_cube(2, 3), cube(1)), 6u);
   EXPECT_EQ(count(solids::cylinder(12, 1, 1), solids::cylinder(12, 1, 3)), 14u);
-  EXPECT_EQ(count(solids::cylinder(12, 1, 1), solids::cone(9, 2, 1)), convex_sum(solids::cylinder(12, 1, 1), solids::cone(9, 2, 1))->facets.size());
-  for (const solids::NamedMesh& m : solids::thesis_models()) EXPECT_EQ(count(m.mesh, m.mesh), m.mesh.canonical().faces().size()) << m.name;
+  EXPECT_EQ(count(solids::cylinder(12, 1, 1), solids::cone(9, 2, 1)),
+            convex_sum(solids::cylinder(12, 1, 1), solids::cone(9, 2, 1))->facets.size());
+  for (const solids::NamedMesh& m : solids::thesis_models())
+    EXPECT_EQ(count(m.mesh, m.mesh), m.mesh.canonical().faces().size()) << m.name;
   std::mt19937_64 random(17);
-  const std::vector<Rotation> turns{Rotation(), *Rotation::of(1, 1, 1, 1), *Rotation::of(1, 0, 0, 1), *Rotation::of(2, 1, 0, 0)};
+  const std::vector<Rotation> turns{Rotation(), *Rotation::of(1, 1, 1, 1), *Rotation::of(1, 0, 0, 1),
+                                    *Rotation::of(2, 1, 0, 0)};
   for (int k = 0; k < 150; ++k) {
-    ConvexSum sum = *ConvexSum::create(random_grid_polytope(random, 4 + k % 9, 2), random_grid_polytope(random, 4 + k % 7, 2));
+    ConvexSum sum =
+        *ConvexSum::create(random_grid_polytope(random, 4 + k % 9, 2), random_grid_polytope(random, 4 + k % 7, 2));
     for (const Rotation& turn : {turns[k % turns.size()], Rotation(), turns[(k / 2) % turns.size()]}) {
       sum.set(turn);
       const SolidSum whole = sum.sum();
       const ConvexSum::FacetCount facets = sum.facet_count();
       EXPECT_EQ(facets.all, whole.facets.size()) << "case " << k;
-      EXPECT_EQ(facets.changed, static_cast<std::size_t>(std::count_if(whole.facets.begin(), whole.facets.end(), [](const SolidFacet& f) { return f.changed; }))) << "case " << k;
+      EXPECT_EQ(facets.changed, static_cast<std::size_t>(std::count_if(whole.facets.begin(), whole.facets.end(),
+                                                                       [](const SolidFacet& f) { return f.changed; })))
+          << "case " << k;
     }
   }
 }

@@ -1,4 +1,5 @@
-// The criticality map gives back the sum at every angle about its axis, and its angles are those at which the sum changes, exactly.
+// The criticality map gives back the sum at every angle about its axis, and its angles are those at which the sum
+// changes, exactly.
 #include "dymsum/criticality_map.h"
 
 #include <cmath>
@@ -20,8 +21,10 @@ SolidPose pose(const Rotation& r) { return {r, {}}; }
 /// Facets by their features: the structure without positions.
 bool same_structure(const SolidSum& a, const SolidSum& b) { return a.vertices == b.vertices && a.facets == b.facets; }
 
-/// At random angles, inside every interval (of at most `intervals`, evenly spread), and where the interval's rational angle is as simple as a quarter turn.
-void expect_static_sums(const Mesh& p, const Mesh& q, const CriticalityMap& map, std::mt19937_64& random, int angles, std::size_t intervals) {
+/// At random angles, inside every interval (of at most `intervals`, evenly spread), and where the interval's rational
+/// angle is as simple as a quarter turn.
+void expect_static_sums(const Mesh& p, const Mesh& q, const CriticalityMap& map, std::mt19937_64& random, int angles,
+                        std::size_t intervals) {
   std::uniform_real_distribution<double> angle(0, 2 * kPi);
   for (int k = 0; k < angles; ++k) {
     const Rotation r = map.near(angle(random));
@@ -56,20 +59,26 @@ TEST(CriticalityMap, equals_the_static_sum_everywhere) {
 
 TEST(CriticalityMap, grid_polytopes_with_ties_at_events_and_throughout) {
   // A pair of these takes as long as some hundred of the planar fuzz, after which the setting is named.
-  const std::uint64_t seed = setting("DYMSUM_FUZZ_SEED", 52), pairs = std::max<std::uint64_t>(24, setting("DYMSUM_FUZZ_PAIRS", 0) / 100);
+  const std::uint64_t seed = setting("DYMSUM_FUZZ_SEED", 52),
+                      pairs = std::max<std::uint64_t>(24, setting("DYMSUM_FUZZ_PAIRS", 0) / 100);
   std::mt19937_64 random(seed);
   const Axis axes[] = {{0, 0, 1}, {1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {2, -1, 0}, {1, 2, 2}};
   // Quarter turns and others that carry grids to themselves about these axes.
-  const std::array<std::array<std::int64_t, 2>, 9> turns{{{1, 0}, {1, 1}, {0, 1}, {1, -1}, {3, 1}, {-3, 1}, {2, 1}, {1, 2}, {1, 3}}};
+  const std::array<std::array<std::int64_t, 2>, 9> turns{
+      {{1, 0}, {1, 1}, {0, 1}, {1, -1}, {3, 1}, {-3, 1}, {2, 1}, {1, 2}, {1, 3}}};
   std::uint64_t persistent = 0, exact = 0;
   for (std::uint64_t pair = 0; pair < pairs; ++pair) {
     const Axis d = axes[pair % std::size(axes)];
-    const Mesh p = random_grid_polytope(random, 5 + static_cast<int>(pair % 7), 3), q = pair % 3 == 0 ? negated(p) : pair % 3 == 1 ? p : random_grid_polytope(random, 7, 2);
+    const Mesh p = random_grid_polytope(random, 5 + static_cast<int>(pair % 7), 3),
+               q = pair % 3 == 0   ? negated(p)
+                   : pair % 3 == 1 ? p
+                                   : random_grid_polytope(random, 7, 2);
     const CriticalityMap map = *CriticalityMap::create(p, q, d);
     expect_static_sums(p, q, map, random, 10, 60);
     for (const auto& [u, v] : turns) {
       const Rotation r = *Rotation::of(u, v * d[0], v * d[1], v * d[2]);
-      ASSERT_EQ(*map.at(r), *convex_sum(p, q, pose(r))) << "seed " << seed << " pair " << pair << " turn " << u << ":" << v;
+      ASSERT_EQ(*map.at(r), *convex_sum(p, q, pose(r)))
+          << "seed " << seed << " pair " << pair << " turn " << u << ":" << v;
     }
     persistent += map.stats().persistent;
     exact += map.stats().exact_orders;
@@ -103,7 +112,10 @@ TEST(CriticalityMap, cubes_about_an_axis_of_theirs_have_the_quarter_turns) {
     const Rotation r = *Rotation::of(t[0], 0, 0, t[1]);
     EXPECT_EQ(map.at(r)->facets.size(), 6u);
     EXPECT_EQ(*map.at(r), *convex_sum(p, q, pose(r)));
-    EXPECT_EQ(map.angle(*map.interval(r)), map.angle(t == std::array<std::int64_t, 2>{1, 0} ? 0 : t[0] == 0 ? 2 : t[1] > 0 ? 1 : 3));
+    EXPECT_EQ(map.angle(*map.interval(r)), map.angle(t == std::array<std::int64_t, 2>{1, 0} ? 0
+                                                     : t[0] == 0                            ? 2
+                                                     : t[1] > 0                             ? 1
+                                                                                            : 3));
   }
 }
 
@@ -116,8 +128,8 @@ TEST(CriticalityMap, prisms_about_their_axis) {
   EXPECT_GT(map.stats().persistent, 0u);
 }
 
-/// In general position every critical angle separates two different structures, so the map has no angle too many; that it has none too few the static sums inside the
-/// intervals and between show.
+/// In general position every critical angle separates two different structures, so the map has no angle too many; that
+/// it has none too few the static sums inside the intervals and between show.
 TEST(CriticalityMap, every_angle_counts) {
   std::mt19937_64 random(55);
   const Mesh p = random_round_polytope(random, 9), q = random_round_polytope(random, 11);
@@ -132,7 +144,8 @@ TEST(CriticalityMap, every_angle_counts) {
   }
 }
 
-/// Independent of the map: a sum that turns in small steps changes its structure exactly when a critical angle is passed.
+/// Independent of the map: a sum that turns in small steps changes its structure exactly when a critical angle is
+/// passed.
 TEST(CriticalityMap, a_turning_sum_changes_where_the_map_says) {
   std::mt19937_64 random(56);
   const Mesh p = random_round_polytope(random, 10), q = random_round_polytope(random, 8);

@@ -1,4 +1,5 @@
-// Moving a warm sum allocates nothing. This file replaces the program's operator new by one that counts, where no sanitizer has its own.
+// Moving a warm sum allocates nothing. This file replaces the program's operator new by one that counts, where no
+// sanitizer has its own.
 #include <atomic>
 #include <cstdlib>
 #include <new>

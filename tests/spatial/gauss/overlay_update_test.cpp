@@ -93,7 +93,7 @@ std::vector<Pair> pairs(std::mt19937_64& random) {
   const Polytope prism = make(leaning_prism(24, 1.5)), rod = make(leaning_prism(5, 6));
   const Polytope ball = make(random_round_polytope(random, 150)), other = make(random_round_polytope(random, 60));
   const Polytope tips = make(spindle(20));
-  return {{prism, ball}, {ball, prism}, {rod, ball},  {ball, rod}, {prism, rod},
+  return {{prism, ball}, {ball, prism}, {rod, ball},   {ball, rod}, {prism, rod},
           {other, ball}, {ball, other}, {other, tips}, {tips, ball}};
 }
 
@@ -139,7 +139,7 @@ TEST(OverlayUpdate, short_moves_into_ties_and_out_of_them) {
     const Mesh a = random_grid_polytope(random, 8 + static_cast<int>(i), 3);
     const Mesh b = i % 3 == 0 ? negated(a) : i % 3 == 1 ? a : random_grid_polytope(random, 10, 2);
     const Polytope p = *spatial::make_polytope(a);
-  const Polytope q = *spatial::make_polytope(b);
+    const Polytope q = *spatial::make_polytope(b);
     Overlay moving(p, q);
     moving.build(map_of({}));
     for (std::uint64_t k = 0; k < moves / 12; ++k) {

@@ -47,9 +47,8 @@ std::vector<Point3> random_points(std::uint64_t seed, std::size_t count, Draw dr
 TEST(ConvexHull, TinyGridsWithEveryDegeneracy) {
   int flat = 0;
   for (std::uint64_t seed = 1; seed <= 3000; ++seed) {
-    const auto points = random_points(seed, 4 + seed % 30, [&](auto& random) {
-      return static_cast<double>(random() % (2 + seed % 3));
-    });
+    const auto points = random_points(seed, 4 + seed % 30,
+                                      [&](auto& random) { return static_cast<double>(random() % (2 + seed % 3)); });
     const std::string found = problem(points);
     flat += found == "no_area";
     ASSERT_TRUE(found.empty() || found == "no_area") << "seed " << seed << ": " << found;
@@ -60,12 +59,15 @@ TEST(ConvexHull, TinyGridsWithEveryDegeneracy) {
 
 TEST(ConvexHull, FreeCoordinatesOfAllMagnitudes) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
-    EXPECT_EQ(problem(random_points(seed, 60, [](auto& random) {
-                return std::ldexp(static_cast<double>(random() >> 11), -53) - 0.5;
-              })), "");
-    EXPECT_EQ(problem(random_points(seed, 12, [](auto& random) {
-                return std::ldexp(static_cast<double>(random() >> 11) - 0x1p52, static_cast<int>(random() % 1900) - 1000);
-              })), "");
+    EXPECT_EQ(problem(random_points(
+                  seed, 60, [](auto& random) { return std::ldexp(static_cast<double>(random() >> 11), -53) - 0.5; })),
+              "");
+    EXPECT_EQ(problem(random_points(seed, 12,
+                                    [](auto& random) {
+                                      return std::ldexp(static_cast<double>(random() >> 11) - 0x1p52,
+                                                        static_cast<int>(random() % 1900) - 1000);
+                                    })),
+              "");
   }
 }
 

@@ -75,8 +75,19 @@ TEST(MeshCanonical, AMeshOfSeveralShells) {
 
 // A ring cut open whose ends lie against each other: the union of its tops would run along itself.
 TEST(MeshCanonical, WhatMergingWouldMakeInvalidIsOnlySorted) {
-  MeshData data = prism({{0, 3, 0}, {-3, 3, 0}, {-3, -3, 0}, {3, -3, 0}, {3, 3, 0}, {0, 2.5, 0}, {0, 1.5, 0},
-                         {1, 1, 0}, {1, -1, 0}, {-1, -1, 0}, {-1, 1, 0}, {0, 1, 0}}, 1);
+  MeshData data = prism({{0, 3, 0},
+                         {-3, 3, 0},
+                         {-3, -3, 0},
+                         {3, -3, 0},
+                         {3, 3, 0},
+                         {0, 2.5, 0},
+                         {0, 1.5, 0},
+                         {1, 1, 0},
+                         {1, -1, 0},
+                         {-1, -1, 0},
+                         {-1, 1, 0},
+                         {0, 1, 0}},
+                        1);
   EXPECT_EQ(name(Mesh::create(data).error().code), "self_crossing");
   data.faces.resize(12);
   const std::vector<Face> pieces = {{0, 1, 10, 11}, {1, 2, 9, 10}, {2, 3, 8, 9}, {3, 4, 7, 8}, {4, 5, 6, 7}};

@@ -56,9 +56,7 @@ inline MeshData prism(const std::vector<Point3>& ring, double height) {
 }
 
 /// An L of area 3 between 0 and 2.
-inline MeshData l_prism() {
-  return prism({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}}, 1);
-}
+inline MeshData l_prism() { return prism({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}}, 1); }
 
 /// A square ring of outer size 3 and inner size 1, height 1: a torus of 16 quadrangles.
 inline MeshData square_ring() {
@@ -70,9 +68,9 @@ inline MeshData square_ring() {
   }
   for (std::uint32_t i = 0; i < 4; ++i) {
     const std::uint32_t j = (i + 1) % 4;
-    data.faces.push_back({i, j, 8 + j, 8 + i});          // outside
+    data.faces.push_back({i, j, 8 + j, 8 + i});            // outside
     data.faces.push_back({4 + j, 4 + i, 12 + i, 12 + j});  // inside
-    data.faces.push_back({j, i, 4 + i, 4 + j});          // bottom
+    data.faces.push_back({j, i, 4 + i, 4 + j});            // bottom
     data.faces.push_back({8 + i, 8 + j, 12 + j, 12 + i});  // top
   }
   return data;

@@ -18,7 +18,8 @@ Error error_of(const MeshData& data) {
   return {};
 }
 
-void expect(const Error& error, Code code, Number face, Number vertex, Number other_face = {}, Number other_vertex = {}) {
+void expect(const Error& error, Code code, Number face, Number vertex, Number other_face = {},
+            Number other_vertex = {}) {
   EXPECT_EQ(name(error.code), name(code)) << error.to_string();
   EXPECT_EQ(error.evidence.face, face) << error.to_string();
   EXPECT_EQ(error.evidence.vertex, vertex) << error.to_string();

@@ -1,8 +1,8 @@
 // Hulls of nearly convex meshes, and solids that stay convex where they are moved and rounded.
 #include <cmath>
 
-#include "spatial/convex/convex_cases.h"
 #include "exact/big.h"
+#include "spatial/convex/convex_cases.h"
 
 namespace dymsum::test {
 namespace {
@@ -100,7 +100,9 @@ TEST(MeshHull, a_moved_solid_stays_convex_and_says_how_far_it_is_off) {
 TEST(SolidSumChain, of_three_solids_is_the_same_in_every_order) {
   std::mt19937_64 random(41);
   for (int k = 0; k < 25; ++k) {
-    const std::vector<Mesh> solids{random_grid_polytope(random, 5 + k % 4, 3), random_grid_polytope(random, 5, 3, 0x1p-40), random_grid_polytope(random, 4 + k % 5, 2, 3)};
+    const std::vector<Mesh> solids{random_grid_polytope(random, 5 + k % 4, 3),
+                                   random_grid_polytope(random, 5, 3, 0x1p-40),
+                                   random_grid_polytope(random, 4 + k % 5, 2, 3)};
     const SolidSum sum = *convex_sum(solids), other = *convex_sum(std::vector<Mesh>{solids[2], solids[0], solids[1]});
     EXPECT_EQ(sum.volume_exact(), other.volume_exact()) << k;
     EXPECT_EQ(sum.facets.size(), other.facets.size()) << k;
@@ -116,7 +118,8 @@ TEST(SolidSumChain, of_three_solids_is_the_same_in_every_order) {
 TEST(SolidSumChain, needs_more_bits_than_doubles_have) {
   // Unit cubes at 2^50, then boxes of 2^-30 and 2^-60: 110 bits, and exact.
   const Mesh far = free_box({0x1p50, 0, 0}, {0x1p50 + 1, 1, 1});
-  const std::vector<Mesh> solids{far, *scaled(cube(1), 0x1p-30, 0x1p-30, 0x1p-30), *scaled(cube(1), 0x1p-60, 0x1p-60, 0x1p-60)};
+  const std::vector<Mesh> solids{far, *scaled(cube(1), 0x1p-30, 0x1p-30, 0x1p-30),
+                                 *scaled(cube(1), 0x1p-60, 0x1p-60, 0x1p-60)};
   const SolidSum sum = *convex_sum(solids);
   const exact::BigRational side = exact::exact_value(1 + 0x1p-29) + exact::exact_value(0x1p-59);
   EXPECT_EQ(exact::exact_value(sum.volume_exact()), side * side * side);
@@ -148,7 +151,8 @@ TEST(RoundedSum, is_a_valid_convex_mesh_within_its_deviation_or_refused) {
     }
   }
   const Mesh far = free_box({0x1p50, 0, 0}, {0x1p50 + 1, 1, 1});
-  const Result<Mesh> collapsed = convex_sum(far, *scaled(solids::dipyramid(4, 1, 1), 0x1p-30, 0x1p-30, 0x1p-30))->rounded_mesh();
+  const Result<Mesh> collapsed =
+      convex_sum(far, *scaled(solids::dipyramid(4, 1, 1), 0x1p-30, 0x1p-30, 0x1p-30))->rounded_mesh();
   ASSERT_FALSE(collapsed);
   EXPECT_EQ(collapsed.error().code, Code::rounding_changed_topology);
   EXPECT_TRUE(collapsed.error().evidence.vertex && collapsed.error().evidence.x);

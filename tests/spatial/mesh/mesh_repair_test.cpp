@@ -98,8 +98,8 @@ TEST(MeshRepair, TurnsFacesAndShells) {
 
 TEST(MeshRepair, ErrorsKeepTheNumbersOfTheInput) {
   MeshData data = soup_of(cube());
-  data.faces.insert(data.faces.begin(), {0, 0, 0});   // becomes nothing
-  data.faces.pop_back();                              // a hole
+  data.faces.insert(data.faces.begin(), {0, 0, 0});  // becomes nothing
+  data.faces.pop_back();                             // a hole
   const Result<RepairedMesh> holed = repair(data);
   ASSERT_FALSE(holed.ok());
   EXPECT_EQ(name(holed.error().code), "not_closed");
@@ -122,8 +122,9 @@ TEST(MeshRepair, ErrorsKeepTheNumbersOfTheInput) {
 
 TEST(MeshRepair, MoebiusStripsAndOneSidedSurfacesAreRefused) {
   // the real projective plane on six vertices, in space in any position: every edge has two faces, no orientation
-  MeshData data{{{0, 0, 0}, {1, 0, 2}, {0, 1, 5}, {3, 1, 1}, {2, 4, 1}, {1, 2, 7}},
-                {{0, 1, 4}, {0, 1, 5}, {0, 2, 3}, {0, 2, 5}, {0, 3, 4}, {1, 2, 3}, {1, 2, 4}, {1, 3, 5}, {2, 4, 5}, {3, 4, 5}}};
+  MeshData data{
+      {{0, 0, 0}, {1, 0, 2}, {0, 1, 5}, {3, 1, 1}, {2, 4, 1}, {1, 2, 7}},
+      {{0, 1, 4}, {0, 1, 5}, {0, 2, 3}, {0, 2, 5}, {0, 3, 4}, {1, 2, 3}, {1, 2, 4}, {1, 3, 5}, {2, 4, 5}, {3, 4, 5}}};
   EXPECT_EQ(name(repair(data).error().code), "wrong_orientation");
 }
 

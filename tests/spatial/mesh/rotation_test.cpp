@@ -15,7 +15,8 @@ using I = exact::i128;
 
 TEST(Rotation, matrices_are_exactly_orthogonal_at_the_largest_components) {
   const std::int64_t m = std::int64_t{1} << Rotation::kBits;
-  for (const Rotation& r : {*Rotation::of(m, m - 1, -m, m - 3), *Rotation::of(1, m, m, -m), *Rotation::of(3, -1, 2, 5), Rotation()}) {
+  for (const Rotation& r :
+       {*Rotation::of(m, m - 1, -m, m - 3), *Rotation::of(1, m, m, -m), *Rotation::of(3, -1, 2, 5), Rotation()}) {
     const auto n = r.matrix();
     const I size = r.norm();
     for (int i = 0; i < 3; ++i)

@@ -52,8 +52,15 @@ TEST(Triangulate, VerticesInTheMiddleOfEdges) {
 }
 
 TEST(Triangulate, EveryViewOfATurnedFace) {
-  for (const auto& turn : {+[](Point3 p) { return Point3{p.y, p.z, p.x}; }, +[](Point3 p) { return Point3{p.z, p.x, p.y}; },
-                           +[](Point3 p) { return Point3{p.x - p.y, p.x + p.y, p.z + p.x}; }}) {
+  for (const auto& turn : {+[](Point3 p) {
+                             return Point3{p.y, p.z, p.x};
+                           },
+                           +[](Point3 p) {
+                             return Point3{p.z, p.x, p.y};
+                           },
+                           +[](Point3 p) {
+                             return Point3{p.x - p.y, p.x + p.y, p.z + p.x};
+                           }}) {
     MeshData data = l_prism();
     for (Point3& p : data.vertices) p = turn(p);
     expect_splits(data);

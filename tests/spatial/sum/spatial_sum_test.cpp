@@ -31,7 +31,8 @@ MeshData moved(MeshData m, double dx, double dy, double dz) {
 MeshData ell() {
   MeshData m;
   for (const double z : {0.0, 10.0})
-    for (const auto& [x, y] : {std::pair{0.0, 0.0}, {10.0, 0.0}, {10.0, 4.0}, {4.0, 4.0}, {4.0, 10.0}, {0.0, 10.0}}) m.vertices.push_back({x, y, z});
+    for (const auto& [x, y] : {std::pair{0.0, 0.0}, {10.0, 0.0}, {10.0, 4.0}, {4.0, 4.0}, {4.0, 10.0}, {0.0, 10.0}})
+      m.vertices.push_back({x, y, z});
   m.faces = {{5, 4, 3, 2, 1, 0}, {6, 7, 8, 9, 10, 11}};
   for (std::uint32_t i = 0; i < 6; ++i) m.faces.push_back({i, (i + 1) % 6, 6 + (i + 1) % 6, 6 + i});
   return m;
@@ -149,10 +150,39 @@ MeshData blob(std::vector<Point3> vertices, std::uint32_t around) {
 }
 
 TEST(SpatialSum, facets_that_touch_a_face_inside_it_leave_no_tight_point) {
-  const MeshData p = blob({{0, 0, -2}, {1, 0, -1}, {1, 2, -2}, {-2, 2, -3}, {-1, -1, -1}, {1, -3, -3}, {3, 0, 0}, {1, 4, 0}, {-2, 1, 0}, {-2, -1, 0},
-                           {2, -5, 0}, {2, 0, 2}, {0, 1, 1}, {-2, 2, 3}, {-1, -1, 1}, {1, -2, 2}, {0, 0, 4}}, 5);
-  const MeshData q = blob({{0, 0, -3}, {2, 0, -1}, {1, 1, -1}, {-2, 3, -2}, {-3, 0, -2}, {-2, -3, -2}, {2, -3, -2}, {3, 0, 1}, {1, 2, 1}, {-1, 2, 1},
-                           {-3, 0, 2}, {-2, -3, 2}, {1, -2, 1}, {0, 0, 2}}, 6);
+  const MeshData p = blob({{0, 0, -2},
+                           {1, 0, -1},
+                           {1, 2, -2},
+                           {-2, 2, -3},
+                           {-1, -1, -1},
+                           {1, -3, -3},
+                           {3, 0, 0},
+                           {1, 4, 0},
+                           {-2, 1, 0},
+                           {-2, -1, 0},
+                           {2, -5, 0},
+                           {2, 0, 2},
+                           {0, 1, 1},
+                           {-2, 2, 3},
+                           {-1, -1, 1},
+                           {1, -2, 2},
+                           {0, 0, 4}},
+                          5);
+  const MeshData q = blob({{0, 0, -3},
+                           {2, 0, -1},
+                           {1, 1, -1},
+                           {-2, 3, -2},
+                           {-3, 0, -2},
+                           {-2, -3, -2},
+                           {2, -3, -2},
+                           {3, 0, 1},
+                           {1, 2, 1},
+                           {-1, 2, 1},
+                           {-3, 0, 2},
+                           {-2, -3, 2},
+                           {1, -2, 1},
+                           {0, 0, 2}},
+                          6);
   EXPECT_TRUE(sum(p, q).tight_points.empty());
   EXPECT_TRUE(sum(p, q) == sum(q, p));
 }
