@@ -253,8 +253,7 @@ TEST_F(CspaceCli, BadInputNamesItsFileAndLeavesNoOutput) {
   work.write("c.glb", "older\n");
   const std::size_t files = work.file_count();
   for (const auto& [command, named] : std::vector<std::pair<std::string, std::string>>{
-           {"dymsum cspace line.wkt cage.wkt -o c.glb", "line.wkt"},
-           {"dymsum cspace rod.wkt line.wkt -o c.glb", "line.wkt"},
+           {"dymsum cspace line.wkt line.wkt -o c.glb", "both have polylines"},
            {"dymsum cspace rod.wkt none.wkt -o c.glb", "none.wkt"},
            {"dymsum cspace rod.wkt missing.wkt -o c.glb", "missing.wkt"},
            {"dymsum cspace bad.wkt cage.wkt -o c.json -o c.glb", "bad.wkt"},

@@ -27,7 +27,7 @@ PathCheck of_translation(const TranslationCheck& check, const Configuration& a, 
   piece.outcome = check.free ? Outcome::free : Outcome::blocked;
   piece.contact = check.contact;
   if (!check.free) piece.low = piece.high = check.first.to_double();
-  piece.at = between(a, b, piece.low);
+  piece.at = check.free ? b : Configuration{check.at.x.to_double(), check.at.y.to_double(), a.theta};
   return piece;
 }
 
