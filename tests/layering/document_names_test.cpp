@@ -94,7 +94,9 @@ TEST(Documents, LinksLeadToFiles) {
 TEST(Documents, TheReadmeLeadsToEveryGuideAndDesignPage) {
   const std::string readme = text_of(kRoot / "README.md");
   for (const std::string& page : pages()) {
-    if (page.starts_with("docs/")) EXPECT_NE(readme.find("(" + page + ")"), std::string::npos) << page;
+    if (page.starts_with("docs/")) {
+      EXPECT_NE(readme.find("(" + page + ")"), std::string::npos) << page;
+    }
   }
 }
 
