@@ -108,10 +108,10 @@ TEST(Documents, EveryProgramIsAnExampleAndPrintsWhatIsShown) {
 }
 
 TEST(Documents, EveryCommandWorksAndPrintsWhatIsShown) {
-  static const std::regex kEntry(R"(\./run ([a-z]+).*)");
+  static const std::regex kEntry(R"(\./run ([a-z]+).*)"), kOutput("-o ([a-z][^ ]*)");
   const Outcome help = Workplace().run("'" + (kSource / "run").string() + "' help");
   ASSERT_EQ(help.code, 0) << help.err;
-  std::size_t run = 0, shown = 0;
+  std::size_t run = 0, shown = 0, written = 0;
   for (const std::string& document : documents()) {
     const std::vector<Command> all = commands(document);
     if (all.empty()) continue;
@@ -130,6 +130,8 @@ TEST(Documents, EveryCommandWorksAndPrintsWhatIsShown) {
       const Outcome outcome = work.run(command.line);
       EXPECT_EQ(outcome.code, 0) << document << ": " << command.line << "\n" << outcome.err;
       ++run;
+      for (std::sregex_iterator at(command.line.begin(), command.line.end(), kOutput), end; at != end; ++at, ++written)
+        EXPECT_TRUE(work.exists((*at)[1])) << document << ": " << command.line;
       if (command.shown.empty()) continue;
       ++shown;
       EXPECT_EQ(without_times(outcome.out), without_times(command.shown)) << document << ": " << command.line;
@@ -138,8 +140,9 @@ TEST(Documents, EveryCommandWorksAndPrintsWhatIsShown) {
       EXPECT_TRUE(work.read("hero.svg") == read_text(kSource / "docs/figures/hero.svg")) << "draw the picture again";
     }
   }
-  EXPECT_GE(run, 45U);
-  EXPECT_GE(shown, 8U);
+  EXPECT_GE(run, 55U);
+  EXPECT_GE(shown, 9U);
+  EXPECT_GE(written, 36U);
 }
 
 TEST(Documents, TheReadmeShowsWhatAForeignProjectDoes) {
