@@ -1,7 +1,6 @@
 // Writes generated shapes as WKT files into a folder: operands for the command line. Usage: demo_shapes FOLDER
 #include <dymsum/dymsum.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
 
@@ -15,14 +14,15 @@ Region plate_for(const Region& star) {
   RegionData data = shapes::rectangle(0, 0, 42, 16).data();
   double left = 1;
   for (const double scale : {0.75, 1.0, 1.5, 2.5}) {
-    Ring hole = star.parts().front().outer;
-    std::reverse(hole.begin(), hole.end());
+    Ring hole(star.parts().front().outer.rbegin(), star.parts().front().outer.rend());
     for (Point& p : hole) p = {left + 3 * scale - p.x * scale, 8 - p.y * scale};
     data.parts.front().holes.push_back(hole);
     left += 6 * scale + 1;
   }
   return Region::create(data).value();
 }
+
+Region lines(std::vector<Polyline> polylines) { return Region::create({{}, std::move(polylines), {}}).value(); }
 
 }  // namespace
 
@@ -47,15 +47,12 @@ int main(int argc, char** argv) {
       {"slot", shapes::letter_u(4, 4, 1)},
       {"peg", shapes::rectangle(0, 0, 2, 1)},
       {"cavity", shapes::rectangle(0, 0, 4, 3)},
-      {"hook", Region::create({{}, {{{0, 0}, {2, 0}, {2, 1}}}, {}}).value()},  // a bent wire
-      {"rooms",
-       Region::create({{}, {{{0, 0}, {8, 0}, {8, 6}, {0, 6}, {0, 0}}, {{4, 0}, {4, 2}}, {{4, 3.5}, {4, 6}}}, {}})
-           .value()},  // walls
+      {"hook", lines({{{0, 0}, {2, 0}, {2, 1}}})},  // a bent wire
+      {"rooms", lines({{{0, 0}, {8, 0}, {8, 6}, {0, 6}, {0, 0}}, {{4, 0}, {4, 2}}, {{4, 3.5}, {4, 6}}})},  // walls
   };
   for (const shapes::Named& shape : all) {
     const std::string file = (folder / shape.name).string() + ".wkt";
-    const Result<bool> written = write_file(file, format_region(shape.region, RegionFormat::wkt));
-    if (!written) {
+    if (const Result<bool> written = write_file(file, format_region(shape.region, RegionFormat::wkt)); !written) {
       std::cerr << written.error().to_string() << "\n";
       return 2;
     }

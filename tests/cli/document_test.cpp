@@ -1,10 +1,12 @@
-// What README.md and the guide to meshes show is what happens: their programs are the examples, their outputs are the
-// programs', their commands work.
+// What README.md and the guides show is what happens: their programs are the examples, the texts behind them what these
+// print, their commands work and print what is shown.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -14,134 +16,48 @@
 namespace dymsum::cli_test {
 namespace {
 
-const std::filesystem::path kSource = DYMSUM_SOURCE_DIR;
+namespace fs = std::filesystem;
 
-/// The texts between ```KIND and ``` of a document.
-std::vector<std::string> blocks(const std::string& kind, const std::string& document = "README.md") {
-  const std::string text = read_text(kSource / document);
-  std::vector<std::string> found;
-  const std::string opening = "\n```" + kind + "\n";
-  for (std::size_t at = text.find(opening); at != std::string::npos; at = text.find(opening, at)) {
-    at += opening.size();
-    found.push_back(text.substr(at, text.find("```", at) - at));
+const fs::path kSource = DYMSUM_SOURCE_DIR;
+
+struct Block {
+  std::string kind, text;
+};
+
+/// The blocks of a document, in order.
+std::vector<Block> blocks(const std::string& document) {
+  std::istringstream lines(read_text(kSource / document));
+  std::vector<Block> found;
+  bool inside = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("```")) {
+      inside = !inside;
+      if (inside) found.push_back({line.substr(3), ""});
+    } else if (inside) {
+      found.back().text += line + "\n";
+    }
   }
   return found;
 }
 
-TEST(Readme, ProgramIsTheExampleAndPrintsWhatIsShown) {
-  ASSERT_EQ(blocks("cpp").size(), 1U);
-  ASSERT_EQ(blocks("text").size(), 1U);
-  const std::string program = blocks("cpp").front();
-  EXPECT_EQ(program, read_text(kSource / "examples/first_sum.cpp"));
-  EXPECT_LE(std::count(program.begin(), program.end(), '\n'), 15);
-  const Workplace work;
-  const Outcome outcome = work.run("'" DYMSUM_EXAMPLES_DIR "/first_sum'");
-  EXPECT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_EQ(outcome.out, blocks("text").front());
+/// README.md, CONTRIBUTING.md and everything in docs.
+std::vector<std::string> documents() {
+  std::vector<std::string> found = {"README.md", "CONTRIBUTING.md"};
+  for (const auto& entry : fs::recursive_directory_iterator(kSource / "docs"))
+    if (entry.path().extension() == ".md") found.push_back(fs::relative(entry.path(), kSource).generic_string());
+  std::sort(found.begin(), found.end());
+  return found;
 }
 
-TEST(Readme, EveryDymsumCommandWorksAndDrawsThePicture) {
-  const Workplace work;
-  ASSERT_EQ(work.run("'" DYMSUM_EXAMPLES_DIR "/demo_shapes' .").code, 0);
-  std::size_t commands = 0;
-  for (const std::string& block : blocks("console")) {
-    std::istringstream lines(block);
-    for (std::string line; std::getline(lines, line);) {
-      if (line.rfind("$ dymsum ", 0) != 0) continue;
-      ++commands;
-      const Outcome outcome = work.run(line.substr(2));
-      EXPECT_EQ(outcome.code, 0) << line << "\n" << outcome.err;
-    }
-  }
-  EXPECT_GE(commands, 5U);
-  EXPECT_TRUE(work.read("hero.svg") == read_text(kSource / "docs/figures/hero.svg")) << "draw the picture again";
+/// The examples' texts and names.
+std::map<std::string, std::string> examples() {
+  std::map<std::string, std::string> found;
+  for (const auto& entry : fs::directory_iterator(kSource / "examples"))
+    if (entry.path().extension() == ".cpp") found[read_text(entry.path())] = entry.path().stem();
+  return found;
 }
 
-TEST(Readme, EveryFileItNamesExists) {
-  const std::string text = read_text(kSource / "README.md");
-  std::size_t links = 0;
-  for (std::size_t at = text.find("]("); at != std::string::npos; at = text.find("](", at)) {
-    at += 2;
-    const std::string target = text.substr(at, text.find(')', at) - at);
-    if (target.rfind("http", 0) == 0) continue;
-    ++links;
-    EXPECT_TRUE(std::filesystem::exists(kSource / target)) << target;
-  }
-  EXPECT_GE(links, 3U);
-}
-
-TEST(MeshGuide, ProgramAndCommandsDoWhatIsShown) {
-  const std::string guide = "docs/guide/meshes.md";
-  ASSERT_EQ(blocks("cpp", guide).size(), 1U);
-  ASSERT_EQ(blocks("text", guide).size(), 1U);
-  ASSERT_EQ(blocks("console", guide).size(), 1U);
-  EXPECT_EQ(blocks("cpp", guide).front(), read_text(kSource / "examples/first_solid.cpp"));
-  const Workplace work;
-  const Outcome program = work.run("'" DYMSUM_EXAMPLES_DIR "/first_solid'");
-  EXPECT_EQ(program.code, 0) << program.err;
-  EXPECT_EQ(program.out, blocks("text", guide).front());
-  std::istringstream lines(blocks("console", guide).front());
-  std::string shown;
-  for (std::string line; std::getline(lines, line);) {
-    shown += line + "\n";
-    if (line.rfind("$ ", 0) != 0) continue;
-    const Outcome outcome = work.run(line.substr(2));
-    EXPECT_EQ(outcome.code, 0) << line << "\n" << outcome.err;
-    EXPECT_NE(blocks("console", guide).front().find(line + "\n" + outcome.out), std::string::npos) << outcome.out;
-  }
-  EXPECT_NE(shown.find("$ dymsum info"), std::string::npos);
-  EXPECT_TRUE(work.exists("dented.glb"));
-}
-
-TEST(ConvexGuide, ProgramAndCommandsDoWhatIsShown) {
-  const std::string guide = "docs/guide/convex.md";
-  ASSERT_EQ(blocks("cpp", guide).size(), 1U);
-  ASSERT_EQ(blocks("text", guide).size(), 1U);
-  ASSERT_EQ(blocks("console", guide).size(), 1U);
-  EXPECT_EQ(blocks("cpp", guide).front(), read_text(kSource / "examples/turning_solid.cpp"));
-  const Workplace work;
-  const Outcome program = work.run("'" DYMSUM_EXAMPLES_DIR "/turning_solid'");
-  EXPECT_EQ(program.code, 0) << program.err;
-  EXPECT_EQ(program.out, blocks("text", guide).front());
-  EXPECT_EQ(work.run("'" DYMSUM_EXAMPLES_DIR "/demo_solids' .").code, 0);
-  std::istringstream lines(blocks("console", guide).front());
-  int commands = 0;
-  for (std::string line; std::getline(lines, line);) {
-    if (line.rfind("$ ", 0) != 0) continue;
-    const Outcome outcome = work.run(line.substr(2));
-    EXPECT_EQ(outcome.code, 0) << line << "\n" << outcome.err;
-    ++commands;
-  }
-  EXPECT_EQ(commands, 6);
-  EXPECT_TRUE(work.exists("turn.html") && work.exists("sum.glb"));
-}
-
-TEST(CspaceGuide, ProgramAndCommandsDoWhatIsShown) {
-  const std::string guide = "docs/guide/cspace.md";
-  ASSERT_EQ(blocks("cpp", guide).size(), 1U);
-  ASSERT_EQ(blocks("text", guide).size(), 1U);
-  EXPECT_EQ(blocks("cpp", guide).front(), read_text(kSource / "examples/turning_robot.cpp"));
-  const Workplace work;
-  const Outcome program = work.run("'" DYMSUM_EXAMPLES_DIR "/turning_robot'");
-  EXPECT_EQ(program.code, 0) << program.err;
-  EXPECT_EQ(program.out, blocks("text", guide).front());
-  EXPECT_EQ(work.run("'" DYMSUM_EXAMPLES_DIR "/demo_shapes' .").code, 0);
-  work.write("places.txt", "1,6,0\n1,1,0\n");
-  int commands = 0, shown = 0;
-  for (const std::string& block : blocks("console", guide)) {
-    const std::string line = block.substr(0, block.find('\n') + 1);
-    ASSERT_EQ(line.substr(0, 9), "$ dymsum ");
-    const Outcome outcome = work.run(line.substr(2));
-    EXPECT_EQ(outcome.code, 0) << line << "\n" << outcome.err;
-    ++commands;
-    if (block == line) continue;  // what it prints has times in it
-    ++shown;
-    EXPECT_EQ(block, line + outcome.out);
-  }
-  EXPECT_EQ(commands, 9);
-  EXPECT_EQ(shown, 4);
-  EXPECT_TRUE(work.exists("obstacle.glb") && work.exists("slices.svg") && work.exists("turn.anim.svg"));
-}
+std::string example(const std::string& name) { return "'" DYMSUM_EXAMPLES_DIR "/" + name + "'"; }
 
 /// Times differ from run to run.
 std::string without_times(const std::string& text) {
@@ -149,57 +65,100 @@ std::string without_times(const std::string& text) {
   return std::regex_replace(text, kTime, "T ms");
 }
 
-/// Runs the commands of a block; where output is shown behind one, it is what the command prints.
-void follow(const Workplace& work, const std::string& guide, const std::string& block) {
-  std::istringstream lines(block);
-  std::string command, shown;
-  const auto run = [&] {
-    if (command.empty() || command.starts_with("./run") || command.starts_with("cmake")) return;
-    const Outcome outcome = work.run(command);
-    EXPECT_EQ(outcome.code, 0) << guide << ": " << command << "\n" << outcome.err;
-    EXPECT_TRUE(shown.empty() || without_times(shown) == without_times(outcome.out)) << guide << ": " << command << "\n"
-                                                                                     << outcome.out;
-  };
-  for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with("$ ")) {
-      run();
-      command = line.substr(2), shown.clear();
-    } else {
-      shown += line + "\n";
+/// A command of a document, and the output shown below it.
+struct Command {
+  std::string line, shown;
+};
+
+std::vector<Command> commands(const std::string& document) {
+  std::vector<Command> found;
+  for (const Block& block : blocks(document)) {
+    if (block.kind != "console") continue;
+    std::istringstream lines(block.text);
+    for (std::string line; std::getline(lines, line);) {
+      if (line.starts_with("$ ")) found.push_back({line.substr(2), ""});
+      else if (!found.empty()) found.back().shown += line + "\n";
     }
   }
-  run();
+  return found;
 }
 
-TEST(Guides, EveryCommandWorksAndEveryProgramIsAnExample) {
-  std::vector<std::string> examples;
-  for (const auto& entry : std::filesystem::directory_iterator(kSource / "examples"))
-    if (entry.path().extension() == ".cpp") examples.push_back(read_text(entry.path()));
-  std::size_t guides = 0, commands = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(kSource / "docs/guide")) {
-    if (entry.path().extension() != ".md") continue;
-    const std::string guide = "docs/guide/" + entry.path().filename().string();
-    ++guides;
+TEST(Documents, EveryProgramIsAnExampleAndPrintsWhatIsShown) {
+  const std::map<std::string, std::string> names = examples();
+  std::set<std::string> shown;
+  for (const std::string& document : documents()) {
+    const std::vector<Block> all = blocks(document);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      if (all[k].kind != "cpp") continue;
+      ASSERT_TRUE(names.contains(all[k].text)) << document << ": a program that is no example\n" << all[k].text;
+      const std::string name = names.at(all[k].text);
+      shown.insert(name);
+      const Workplace work;
+      const Outcome outcome = work.run(example(name));
+      EXPECT_EQ(outcome.code, 0) << name << "\n" << outcome.err;
+      ASSERT_TRUE(k + 1 < all.size() && all[k + 1].kind == "text") << document << ": nothing behind " << name;
+      EXPECT_EQ(outcome.out, all[k + 1].text) << document << ": " << name;
+    }
+  }
+  for (const auto& [text, name] : names) {
+    EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 60) << name;
+    EXPECT_TRUE(name.starts_with("demo_") || shown.contains(name)) << name << " is shown nowhere";
+  }
+  EXPECT_GE(shown.size(), 8U);
+}
+
+TEST(Documents, EveryCommandWorksAndPrintsWhatIsShown) {
+  static const std::regex kEntry(R"(\./run ([a-z]+).*)"), kOutput("-o ([a-z][^ ]*)");
+  const Outcome help = Workplace().run("'" + (kSource / "run").string() + "' help");
+  ASSERT_EQ(help.code, 0) << help.err;
+  std::size_t run = 0, shown = 0, written = 0;
+  for (const std::string& document : documents()) {
+    const std::vector<Command> all = commands(document);
+    if (all.empty()) continue;
     const Workplace work;
     work.write("places.txt", "1,6,0\n1,1,0\n");
     for (const char* program : {"demo_shapes' .", "demo_solids' .", "first_solid'"})
       ASSERT_EQ(work.run("'" DYMSUM_EXAMPLES_DIR "/" + std::string(program)).code, 0) << program;
-    for (const std::string& block : blocks("console", guide)) {
-      follow(work, guide, block);
-      commands += static_cast<std::size_t>(std::count(block.begin(), block.end(), '$'));
+    for (const Command& command : all) {
+      std::smatch entry;
+      if (std::regex_match(command.line, entry, kEntry)) {
+        EXPECT_NE(help.out.find("./run " + entry[1].str() + " "), std::string::npos)
+            << document << ": " << command.line;
+        continue;
+      }
+      if (command.line.starts_with("cmake ")) continue;  // what builds this very test
+      const Outcome outcome = work.run(command.line);
+      EXPECT_EQ(outcome.code, 0) << document << ": " << command.line << "\n" << outcome.err;
+      ++run;
+      for (std::sregex_iterator at(command.line.begin(), command.line.end(), kOutput), end; at != end; ++at, ++written)
+        EXPECT_TRUE(work.exists((*at)[1])) << document << ": " << command.line;
+      if (command.shown.empty()) continue;
+      ++shown;
+      EXPECT_EQ(without_times(outcome.out), without_times(command.shown)) << document << ": " << command.line;
     }
-    for (const std::string& program : blocks("cpp", guide))
-      EXPECT_NE(std::find(examples.begin(), examples.end(), program), examples.end())
-          << guide << ": a program that is no example";
+    if (document == "README.md") {
+      EXPECT_TRUE(work.read("hero.svg") == read_text(kSource / "docs/figures/hero.svg")) << "draw the picture again";
+    }
   }
-  EXPECT_GE(guides, 7u);
-  EXPECT_GE(commands, 15u);
+  EXPECT_GE(run, 55U);
+  EXPECT_GE(shown, 9U);
+  EXPECT_GE(written, 36U);
+}
+
+TEST(Documents, TheReadmeShowsWhatAForeignProjectDoes) {
+  const std::string foreign =
+      std::regex_replace(read_text(kSource / "tests/package/CMakeLists.txt"), std::regex("(dymsum) [0-9.]+ "), "$1 ");
+  for (const Block& block : blocks("README.md")) {
+    if (block.kind != "cmake") continue;
+    std::istringstream lines(std::regex_replace(block.text, std::regex("my_program"), "foreign"));
+    for (std::string line; std::getline(lines, line);) EXPECT_NE(foreign.find(line), std::string::npos) << line;
+  }
 }
 
 TEST(DemoPrograms, HelpMakesNoFolder) {
   const Workplace work;
   for (const char* program : {"demo_shapes", "demo_solids"}) {
-    const std::string path = std::string("'" DYMSUM_EXAMPLES_DIR "/") + program + "'";
+    const std::string path = example(program);
     const Outcome help = work.run(path + " --help"), wrong = work.run(path + " --all"), none = work.run(path);
     EXPECT_EQ(help.code, 0) << program;
     EXPECT_EQ(help.out, std::string("usage: ") + program + " FOLDER\n");

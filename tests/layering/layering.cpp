@@ -137,6 +137,9 @@ void read_file(const fs::path& root, const std::string& path, std::vector<Violat
 
 }  // namespace
 
+const std::vector<std::string>& rooms() { return kRooms; }
+const std::vector<std::string>& other_rooms() { return kOtherRooms; }
+
 Reading read_tree(const fs::path& root) {
   std::vector<std::string> files;
   for (const char* top : {"include", "src", "cli", "examples"}) {

@@ -19,10 +19,13 @@ struct Reading {
   std::vector<Violation> violations;
 };
 
-/// Everything in include/, src/, cli/ and examples/ below `root` that breaks the order of the rooms:
-/// public headers include the standard library and each other; a room in src/ includes public headers, itself, the
-/// rooms before it and its own foreign headers; src/apps, cli, examples include public headers and themselves, src/apps
-/// also base.
+/// The rooms of src/ in their order, below src/; and the folders of the other trees, below the root.
+const std::vector<std::string>& rooms();
+const std::vector<std::string>& other_rooms();
+
+/// Everything in include/, src/, cli/ and examples/ below `root` that breaks the order of the rooms: public headers
+/// include the standard library and each other; a room in src/ includes public headers, itself, the rooms before it and
+/// its own foreign headers; cli and examples include public headers and themselves; every folder is a room.
 Reading read_tree(const std::filesystem::path& root);
 
 }  // namespace dymsum::layering

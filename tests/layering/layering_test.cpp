@@ -30,7 +30,7 @@ TEST(Layering, EveryKindOfViolationIsFound) {
       "include/dymsum/uses_boost.h:3: <boost/multiprecision/cpp_int.hpp>: a foreign header that this room may not use",
       "src/exact/looks_up.cpp:3: \"planar/region/shape.h\": room planar/region stands after room exact",
       "src/exact/looks_up.cpp:4: <gmpxx.h>: a foreign header that this room may not use",
-      "src/exact/looks_up.cpp:5: \"planar/missing.h\": no such file",
+      "src/exact/looks_up.cpp:5: \"planar/region/missing.h\": no such file",
       "src/exact/looks_up.cpp:6: \"dymsum/missing.h\": no such public header",
       "src/exact/looks_up.cpp:7: \"../planar/shape.h\": no such room",
       "src/planar/in_no_room.cpp:0: : no such room",

@@ -1,5 +1,5 @@
-// The signs of the convolution as polynomials of the scale s: linear, with integer coefficients (exact-methods, section
-// 4).
+// The signs of the convolution as polynomials of the scale s: linear, with integer coefficients.
+// docs/design/scaling-sum.md, "Numbers".
 #pragma once
 
 #include <array>

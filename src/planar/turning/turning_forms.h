@@ -1,6 +1,6 @@
 // What rotation does to the signs of the planar engine: every one is a trigonometric polynomial in theta, of degree 1
 // for the side of a vertex sum and of degree 2 for three lines through one point. In doubles for filters, and as
-// integer polynomials in t = tan(theta / 2). docs/design/cspace-obstacle.md, "Events".
+// integer polynomials in t = tan(theta / 2). docs/design/cspace-obstacle.md, "Numbers".
 #pragma once
 
 #include <array>
