@@ -273,4 +273,28 @@ class Limit {
 
 BoundaryLimit limit_of(const SignsAt& signs, const std::vector<LimitEdge>& edges) { return Limit(signs, edges).run(); }
 
+LimitsOfAngle limits_of_angle(const SignsAt& signs, const BoundaryGraph& graph) {
+  std::vector<std::uint32_t> next_before(graph.nodes().size(), kNobody), index(graph.nodes().size());
+  for (const auto& [n, next] : graph.relinked())
+    if (next_before[n] == kNobody) next_before[n] = next;
+  LimitsOfAngle found;
+  for (const bool behind : {false, true}) {
+    std::vector<std::uint32_t> nodes;
+    for (const std::uint32_t n : graph.alive())
+      if (behind || graph[n].begin != graph.angle()) nodes.push_back(n);
+    for (const std::uint32_t n : graph.ended())
+      if (!behind && graph[n].begin != graph.angle()) nodes.push_back(n);
+    for (std::uint32_t k = 0; k < nodes.size(); ++k) index[nodes[k]] = k;
+    std::vector<LimitEdge> edges;
+    for (const std::uint32_t n : nodes)
+      edges.push_back({graph.sub_edge(n), index[behind || next_before[n] == kNobody ? graph[n].next : next_before[n]]});
+    const BoundaryLimit limit = limit_of(signs, edges);
+    for (std::uint32_t k = 0; k < nodes.size(); ++k)
+      if (limit.halves[k] != 0) found.halves.emplace_back(nodes[k], limit.halves[k]);
+    for (const auto& [k, l] : limit.together) found.together.push_back({nodes[k], nodes[l]});
+    if (limit.touch) found.touch = limit.touch;
+  }
+  return found;
+}
+
 }  // namespace dymsum::planar
