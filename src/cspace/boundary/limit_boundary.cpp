@@ -86,7 +86,7 @@ class Limit {
     return !apart(ends_[i][0], ends_[i][1]) && signs_.compare(own_end(i, false), own_end(i, true)) == 0;
   }
 
-  // One at the end of every sub-edge that has a length, under its number; points in between belong to it.
+  // One at the end of every sub-edge that has a length, under its index; points in between belong to it.
   void find_visits() {
     const auto n = static_cast<std::uint32_t>(edges_.size());
     visits_.assign(n, {kNone, kNone});

@@ -8,6 +8,42 @@
 #include "planar/turning/slice.h"
 
 namespace dymsum::planar {
+namespace {
+
+// The middle of the loop's first piece.
+Place place_on_loop(const std::vector<WalkSegment>& loop, const TurningForms& forms, const SumState& state) {
+  const auto exact_segment = [&](const WalkSegment& s) {
+    const Operand &o = s.side == 0 ? *state.p : *state.q, &other = s.side == 0 ? *state.q : *state.p;
+    return Segment{o.edge(s.edge), other.source[s.vertex]};
+  };
+  // Where the boundary turns from one segment of the loop into the next, `by` the one that is not the first.
+  const auto cut = [&](const WalkSegment& from, const WalkSegment& to, const WalkSegment& by) {
+    Cut c;
+    if (forms.end(from) == TurningForms::start(to)) {
+      c.pair = {state.p->source[forms.end(from).p], state.q->source[forms.end(from).q]};
+    } else {
+      c.kind = Cut::Kind::crossing;
+      c.by = exact_segment(by);
+    }
+    return c;
+  };
+  Place place;
+  place.on = exact_segment(loop[0]);
+  place.between = true;
+  place.first = cut(loop.back(), loop[0], loop.back());
+  place.second = cut(loop[0], loop[1], loop[1]);
+  const Lattice& lattice = *state.lattice;
+  const Lattice::Position p = lattice.position(place);
+  const auto in_steps = [&](const auto& v, double low) {
+    return exact::round_to_double(exact::BigRational((v - exact::exact_value(low)) / exact::exact_value(lattice.unit)));
+  };
+  place.x = in_steps(p.x, lattice.base.x);
+  place.y = in_steps(p.y, lattice.base.y);
+  place.error = 0x1p-44 * lattice.span + (lattice.base_reach * 0x1p-50 + lattice.base_error) / lattice.unit;
+  return place;
+}
+
+}  // namespace
 
 SliceReader::SliceReader(const TurningForms& forms, std::shared_ptr<const OperandPair> base)
     : forms_(forms), base_(std::move(base)), index_(forms.size(0), forms.size(1)) {
@@ -87,43 +123,10 @@ SliceReader::Faces SliceReader::faces(const Orientation& at, const BoundaryGraph
   return faces;
 }
 
-// The middle of the loop's first piece.
-Place SliceReader::place_on_loop(const std::vector<WalkSegment>& loop, const SumState& state) const {
-  const auto exact_segment = [&](const WalkSegment& s) {
-    const Operand &o = s.side == 0 ? *state.p : *state.q, &other = s.side == 0 ? *state.q : *state.p;
-    return Segment{o.edge(s.edge), other.source[s.vertex]};
-  };
-  // Where the boundary turns from one segment of the loop into the next, `by` the one that is not the first.
-  const auto cut = [&](const WalkSegment& from, const WalkSegment& to, const WalkSegment& by) {
-    Cut c;
-    if (forms_.end(from) == TurningForms::start(to)) {
-      c.pair = {state.p->source[forms_.end(from).p], state.q->source[forms_.end(from).q]};
-    } else {
-      c.kind = Cut::Kind::crossing;
-      c.by = exact_segment(by);
-    }
-    return c;
-  };
-  Place place;
-  place.on = exact_segment(loop[0]);
-  place.between = true;
-  place.first = cut(loop.back(), loop[0], loop.back());
-  place.second = cut(loop[0], loop[1], loop[1]);
-  const Lattice& lattice = *state.lattice;
-  const Lattice::Position p = lattice.position(place);
-  const auto in_steps = [&](const auto& v, double low) {
-    return exact::round_to_double(exact::BigRational((v - exact::exact_value(low)) / exact::exact_value(lattice.unit)));
-  };
-  place.x = in_steps(p.x, lattice.base.x);
-  place.y = in_steps(p.y, lattice.base.y);
-  place.error = 0x1p-44 * lattice.span + (lattice.base_reach * 0x1p-50 + lattice.base_error) / lattice.unit;
-  return place;
-}
-
 bool SliceReader::is_free(const std::vector<WalkSegment>& loop, const Orientation& at) const {
   const SumState state = placed_at(*base_, at);
   Collision collision(*state.lattice, *state.p, *state.q, true);
-  return !collision.overlaps_right_of(place_on_loop(loop, state));
+  return !collision.overlaps_right_of(place_on_loop(loop, forms_, state));
 }
 
 }  // namespace dymsum::planar

@@ -7,7 +7,6 @@
 
 #include "cspace/boundary/slice_difference.h"
 #include "dymsum/orientation.h"
-#include "planar/sum/sum_engine.h"
 
 namespace dymsum::planar {
 
@@ -35,7 +34,6 @@ class SliceReader {
  private:
   std::vector<std::uint32_t> segments(const SumRing& ring) const;
   std::uint32_t cell_at(const SumRing& ring, const BoundaryGraph& graph) const;
-  Place place_on_loop(const std::vector<WalkSegment>& loop, const SumState& state) const;
 
   const TurningForms& forms_;
   std::shared_ptr<const OperandPair> base_;

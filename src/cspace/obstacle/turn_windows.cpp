@@ -6,7 +6,7 @@
 namespace dymsum::planar {
 namespace {
 
-/// Windows of a half turn, by the number of pairs of an edge and a vertex: fewer sweep too far, more cost too much
+/// Windows of a half turn, by the count of pairs of an edge and a vertex: fewer sweep too far, more cost too much
 /// each. Even, so that quarter turns are between two.
 int windows_for(double pairs) { return 2 * std::clamp(static_cast<int>(std::ceil(0.4 * std::sqrt(pairs))), 8, 256); }
 int cells_for(double pairs) { return std::clamp(static_cast<int>(2.25 * std::sqrt(pairs)), 24, 160); }
