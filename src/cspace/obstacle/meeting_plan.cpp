@@ -270,7 +270,8 @@ EventPlan plan_meeting(const TurnEvent& event, const SweepScene& scene, const Ov
   }
   if (!routes.paths) return with(EventPlan::Verdict::unsure);
   plan.edit = edit_of(meeting.local(), routes);
-  return with(plan.edit.empty() ? EventPlan::Verdict::nothing : EventPlan::Verdict::change);
+  if (!plan.edit.empty()) plan.verdict = EventPlan::Verdict::change;
+  return plan;
 }
 
 EventPlan plan_event(TurnEvent& event, const TurnRange& range, const SweepScene& scene, const OverlapFilter& filter) {
