@@ -86,7 +86,7 @@ class Limit {
     return !apart(ends_[i][0], ends_[i][1]) && signs_.compare(own_end(i, false), own_end(i, true)) == 0;
   }
 
-  // One at the end of every sub-edge that has a length, under its number; points in between belong to it.
+  // One at the end of every sub-edge that has a length, under its index; points in between belong to it.
   void find_visits() {
     const auto n = static_cast<std::uint32_t>(edges_.size());
     visits_.assign(n, {kNone, kNone});
@@ -272,5 +272,29 @@ class Limit {
 }  // namespace
 
 BoundaryLimit limit_of(const SignsAt& signs, const std::vector<LimitEdge>& edges) { return Limit(signs, edges).run(); }
+
+LimitsOfAngle limits_of_angle(const SignsAt& signs, const BoundaryGraph& graph) {
+  std::vector<std::uint32_t> next_before(graph.nodes().size(), kNobody), index(graph.nodes().size());
+  for (const auto& [n, next] : graph.relinked())
+    if (next_before[n] == kNobody) next_before[n] = next;
+  LimitsOfAngle found;
+  for (const bool behind : {false, true}) {
+    std::vector<std::uint32_t> nodes;
+    for (const std::uint32_t n : graph.alive())
+      if (behind || graph[n].begin != graph.angle()) nodes.push_back(n);
+    for (const std::uint32_t n : graph.ended())
+      if (!behind && graph[n].begin != graph.angle()) nodes.push_back(n);
+    for (std::uint32_t k = 0; k < nodes.size(); ++k) index[nodes[k]] = k;
+    std::vector<LimitEdge> edges;
+    for (const std::uint32_t n : nodes)
+      edges.push_back({graph.sub_edge(n), index[behind || next_before[n] == kNobody ? graph[n].next : next_before[n]]});
+    const BoundaryLimit limit = limit_of(signs, edges);
+    for (std::uint32_t k = 0; k < nodes.size(); ++k)
+      if (limit.halves[k] != 0) found.halves.emplace_back(nodes[k], limit.halves[k]);
+    for (const auto& [k, l] : limit.together) found.together.push_back({nodes[k], nodes[l]});
+    if (limit.touch) found.touch = limit.touch;
+  }
+  return found;
+}
 
 }  // namespace dymsum::planar

@@ -8,11 +8,11 @@
 #include <optional>
 #include <vector>
 
-#include "cspace/events/sub_edge.h"
+#include "cspace/boundary/boundary_graph.h"
 
 namespace dymsum::planar {
 
-/// A sub-edge of a loop with free space on its right, and the number of the one behind it.
+/// A sub-edge of a loop with free space on its right, and the index of the one behind it.
 struct LimitEdge {
   SubEdge at;
   std::uint32_t next = 0;
@@ -31,5 +31,14 @@ struct BoundaryLimit {
 /// Exact. O(n log n) and the pairs of sub-edges whose boxes meet, in doubles; exact signs where doubles do not keep
 /// them apart. Throws std::logic_error unless the sub-edges are the loops of the boundary at near angles.
 BoundaryLimit limit_of(const SignsAt& signs, const std::vector<LimitEdge>& edges);
+
+/// The limits from before and from behind at the graph's angle, by nodes: shares of surfaces, nodes of one surface, and
+/// a place where one of the two limits touches itself.
+struct LimitsOfAngle {
+  std::vector<std::pair<std::uint32_t, int>> halves;
+  std::vector<std::array<std::uint32_t, 2>> together;
+  std::optional<Point> touch;
+};
+LimitsOfAngle limits_of_angle(const SignsAt& signs, const BoundaryGraph& graph);
 
 }  // namespace dymsum::planar

@@ -6,8 +6,8 @@
 #include <set>
 #include <utility>
 
+#include "cspace/events/walked_rings.h"
 #include "cspace/mesh/obstacle_rails.h"
-#include "cspace/queries/walked_rings.h"
 
 namespace dymsum::apps {
 namespace {
@@ -90,7 +90,7 @@ RingTable ring_table(const Region& region) {
       table.previous.push_back(first + (k + n - 1) % n);
     }
   };
-  for_each_ring(region, add);
+  planar::for_each_ring(region, add);
   table.first_visit.resize(table.at.size());
   std::iota(table.first_visit.begin(), table.first_visit.end(), 0u);
   // Where rings touch, and where polylines end, fork and pass on their way back.

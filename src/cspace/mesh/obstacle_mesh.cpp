@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "cspace/events/walked_rings.h"
 #include "cspace/mesh/obstacle_rails.h"
 #include "cspace/mesh/station_closing.h"
-#include "cspace/queries/walked_rings.h"
 
 namespace dymsum {
 namespace {
@@ -20,7 +20,7 @@ constexpr int kMostHalvings = 12;  // of one chord: a curve that runs away needs
 
 struct RobotSizes {
   double radius = 0;         ///< of the circle about the origin that its vertices stay in
-  std::vector<double> edge;  ///< lengths by the numbers of edges
+  std::vector<double> edge;  ///< lengths by edges
 };
 
 RobotSizes robot_sizes(const Region& robot) {
@@ -32,7 +32,7 @@ RobotSizes robot_sizes(const Region& robot) {
       sizes.edge.push_back(std::hypot(b.x - a.x, b.y - a.y));
     }
   };
-  for_each_ring(robot, add);
+  planar::for_each_ring(robot, add);
   return sizes;
 }
 
@@ -133,9 +133,9 @@ class MeshBuilder {
     return k;
   }
 
-  void place_rail(std::uint32_t number) {
-    const Rail& rail = layout_.rails[number];
-    std::vector<OnRail>& chain = on_rail_[number];
+  void place_rail(std::uint32_t index) {
+    const Rail& rail = layout_.rails[index];
+    std::vector<OnRail>& chain = on_rail_[index];
     const double from = height(rail.first), to = height(rail.last + 1);
     chain.push_back({shared_vertex(rail, rail.first), from});
     const double step = std::ldexp(2 * kPi, -std::max(halvings(rail.before), halvings(rail.after)));
@@ -177,9 +177,9 @@ class MeshBuilder {
   }
 
   /// Triangles between the two sides of a piece, from below, the lower next vertex first.
-  void add_strip(std::uint32_t number) {
-    const std::uint32_t patch = layout_.pieces[number].patch;
-    const std::vector<OnRail> left = side(number, 0), right = side(number, 1);
+  void add_strip(std::uint32_t index) {
+    const std::uint32_t patch = layout_.pieces[index].patch;
+    const std::vector<OnRail> left = side(index, 0), right = side(index, 1);
     if (left.empty() || right.empty()) return;
     std::size_t l = 0, r = 0;
     while (l + 1 < left.size() || r + 1 < right.size()) {

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kPi = 3.141592653589793;
 
-/// Numbers joints in the order they are met.
+/// Joints by index, in the order they are met.
 class Joints {
  public:
   explicit Joints(const CspaceObstacle& obstacle)
@@ -29,14 +29,14 @@ class Joints {
  private:
   using Key = std::array<std::uint32_t, 6>;
 
-  std::uint32_t number(const Key& key) {
+  std::uint32_t index(const Key& key) {
     return numbers_.emplace(key, static_cast<std::uint32_t>(numbers_.size())).first->second;
   }
   std::uint32_t corner(std::uint32_t p, std::uint32_t q) {
-    return number({obstacle_.first_visit[p], robot_.first_visit[q], kNobody, 0, 0, 0});
+    return index({obstacle_.first_visit[p], robot_.first_visit[q], kNobody, 0, 0, 0});
   }
   std::uint32_t crossing(const Contact& a, const Contact& b) {
-    return number({a.p, a.q, static_cast<std::uint32_t>(a.kind), b.p, b.q, static_cast<std::uint32_t>(b.kind)});
+    return index({a.p, a.q, static_cast<std::uint32_t>(a.kind), b.p, b.q, static_cast<std::uint32_t>(b.kind)});
   }
 
   RingTable obstacle_, robot_;

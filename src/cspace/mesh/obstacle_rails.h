@@ -35,7 +35,7 @@ struct Station {
 
 /// Layer k lies below station k; layer 0 begins at theta = -pi, and the last station is pi, where both planes are one.
 /// A joint is where two contacts follow each other along the boundary: a sum of two vertices, or a pair of contacts
-/// that cross. There is at most one of a number in a layer.
+/// that cross. There is at most one of an index in a layer.
 struct ObstacleLayout {
   std::vector<Station> stations;
   std::vector<Piece> pieces;
@@ -57,12 +57,12 @@ ObstacleLayout lay_out(const CspaceObstacle& obstacle);
 /// line, so that the crossings with other contacts stay where they are. Fills name_above and name_below.
 void name_joints_at_alignments(ObstacleLayout& layout, const CspaceObstacle& obstacle);
 
-/// The vertices and edges of a region by their numbers; edge k runs from vertex k to next[k].
+/// The vertices and edges of a region by their indices; edge k runs from vertex k to next[k].
 struct RingTable {
   std::vector<Point> at;
   std::vector<std::uint32_t> next, previous;
   std::vector<std::uint32_t>
-      first_visit;  ///< the smallest number of a vertex at the same point: where rings touch, not its own
+      first_visit;  ///< the smallest index of a vertex at the same point: where rings touch, not its own
 };
 RingTable ring_table(const Region& region);
 

@@ -232,7 +232,7 @@ class ConvexEngine {
   const ObstacleOptions& options_;
   const Operand &obstacle_, &robot_;
   std::vector<Direction> obstacle_edges_, robot_edges_;
-  std::vector<std::uint32_t> angle_of_;  // [robot edge][obstacle edge] -> number of the angle
+  std::vector<std::uint32_t> angle_of_;  // [robot edge][obstacle edge] -> index of the angle
 };
 
 }  // namespace

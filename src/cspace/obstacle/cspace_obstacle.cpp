@@ -205,12 +205,12 @@ std::vector<std::vector<std::uint32_t>> CspaceObstacle::loops(std::uint32_t slab
   for (std::uint32_t k = 0; k < patches.size(); ++k)
     if (alive(patches[k], slab, state_->angles.size()))
       by_contacts[{key_of(patches[k].left), key_of(patches[k].contact)}] = k;
-  std::vector<std::uint32_t> numbers;
-  for (const auto& [contacts, k] : by_contacts) numbers.push_back(k);
-  std::sort(numbers.begin(), numbers.end());
+  std::vector<std::uint32_t> indices;
+  for (const auto& [contacts, k] : by_contacts) indices.push_back(k);
+  std::sort(indices.begin(), indices.end());
   std::vector<bool> done(patches.size(), false);
   std::vector<std::vector<std::uint32_t>> loops;
-  for (const std::uint32_t first : numbers) {
+  for (const std::uint32_t first : indices) {
     if (done[first]) continue;
     loops.emplace_back();
     for (std::uint32_t k = first; !done[k];) {
@@ -228,8 +228,8 @@ std::uint32_t CspaceObstacle::free_cell(std::uint32_t slab, std::uint32_t patch)
   const std::size_t slabs = state_->angles.size();
   const auto offset = [&](std::uint32_t k) { return p.begin == Patch::kNone ? k : steps(p.begin, k, slabs); };
   std::uint32_t cell = cells.front().second;
-  for (const auto& [from, number] : cells)
-    if (offset(from) <= offset(slab)) cell = number;
+  for (const auto& [from, index] : cells)
+    if (offset(from) <= offset(slab)) cell = index;
   return cell;
 }
 

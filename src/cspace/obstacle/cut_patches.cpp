@@ -7,16 +7,14 @@
 namespace dymsum::planar {
 namespace {
 
-constexpr std::uint32_t kNobody = ObstacleSweep::kNobody;
-
 using Key = std::tuple<int, std::uint32_t, std::uint32_t>;
 Key key_of(const Contact& c) { return {static_cast<int>(c.kind), c.p, c.q}; }
 using PatchKey = std::array<Key, 3>;
 
 class CutPatches {
  public:
-  CutPatches(const ObstacleSweep& sweep, const ContactNames& names)
-      : sweep_(sweep), names_(names), angles_(static_cast<std::uint32_t>(sweep.angles.size())) {}
+  CutPatches(const SweptBoundary& swept, const ContactNames& names)
+      : swept_(swept), names_(names), angles_(static_cast<std::uint32_t>(swept.angles.size())) {}
 
   // Slab s lies behind angle s - 1; the one before the first angle is the last one.
   std::vector<CutPatch> run() {
@@ -35,11 +33,11 @@ class CutPatches {
   }
 
  private:
-  bool alive(const ObstacleSweep::Node& n, std::uint32_t slab) const {
+  bool alive(const BoundaryGraph::Node& n, std::uint32_t slab) const {
     return (n.begin == kNobody || n.begin < slab) && (n.end == kNobody || n.end >= slab);
   }
   std::uint32_t cell(std::uint32_t n, std::uint32_t slab) const {
-    const ObstacleSweep::Node& node = sweep_.nodes()[n];
+    const BoundaryGraph::Node& node = swept_.graph.nodes()[n];
     std::uint32_t at = node.born_cell;
     for (const auto& [angle, to] : node.cells)
       if (angle < slab) at = to;
@@ -47,7 +45,7 @@ class CutPatches {
   }
 
   void add_slab(std::uint32_t slab) {
-    const std::vector<ObstacleSweep::Node>& nodes = sweep_.nodes();
+    const std::vector<BoundaryGraph::Node>& nodes = swept_.graph.nodes();
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> by_ids;  // (before, own) -> node
     for (std::uint32_t n = 0; n < nodes.size(); ++n)
       if (alive(nodes[n], slab)) by_ids[{nodes[n].left, nodes[n].id}] = n;
@@ -62,7 +60,7 @@ class CutPatches {
       const auto before = open_.find(key);
       // Not where a passage was shut in between.
       const bool goes_on =
-          before != open_.end() && sweep_.shell_of(patches_[before->second].node) == sweep_.shell_of(n);
+          before != open_.end() && swept_.graph.shell_of(patches_[before->second].node) == swept_.graph.shell_of(n);
       const std::uint32_t p = goes_on ? before->second : static_cast<std::uint32_t>(patches_.size());
       if (!goes_on) {
         CutPatch fresh;
@@ -89,7 +87,8 @@ class CutPatches {
     std::vector<bool> gone(patches_.size(), false);
     for (const auto& [key, from] : open_) {
       const auto to = first.find(key);
-      if (to == first.end() || sweep_.shell_of(patches_[to->second].node) != sweep_.shell_of(patches_[from].node))
+      if (to == first.end() ||
+          swept_.graph.shell_of(patches_[to->second].node) != swept_.graph.shell_of(patches_[from].node))
         continue;
       CutPatch &early = patches_[to->second], &late = patches_[from];
       if (to->second == from) {
@@ -109,7 +108,7 @@ class CutPatches {
     patches_.resize(kept);
   }
 
-  const ObstacleSweep& sweep_;
+  const SweptBoundary& swept_;
   const ContactNames& names_;
   std::uint32_t angles_;
   std::vector<CutPatch> patches_;
@@ -118,8 +117,8 @@ class CutPatches {
 
 }  // namespace
 
-std::vector<CutPatch> cut_patches(const ObstacleSweep& sweep, const ContactNames& names) {
-  return CutPatches(sweep, names).run();
+std::vector<CutPatch> cut_patches(const SweptBoundary& swept, const ContactNames& names) {
+  return CutPatches(swept, names).run();
 }
 
 }  // namespace dymsum::planar

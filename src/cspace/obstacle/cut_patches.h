@@ -6,15 +6,15 @@
 #include <utility>
 #include <vector>
 
-#include "cspace/obstacle/obstacle_sweep.h"
+#include "cspace/obstacle/swept_boundary.h"
 
 namespace dymsum::planar {
 
-/// A patch in the sweep's own numbers.
+/// A patch in the sweep's own indices.
 struct CutPatch {
-  Patch patch;                       ///< without begin, end and shell
-  std::uint32_t begin = 0, end = 0;  ///< angles; ObstacleSweep::kNobody: it is there at every angle
-  std::uint32_t node = 0;            ///< one of its sub-edges
+  Patch patch;                                                 ///< without begin, end and shell
+  std::uint32_t begin = 0, end = 0;                            ///< angles; kNobody: it is there at every angle
+  std::uint32_t node = 0;                                      ///< one of its sub-edges
   std::vector<std::pair<std::uint32_t, std::uint32_t>> cells;  ///< (angle, cell): the cell on its right from there on
 };
 
@@ -26,6 +26,6 @@ struct ContactNames {
 /// All patches: in every slab sub-edges of one contact that follow each other are put together; what has the same
 /// contact and neighbours in the next slab is the same patch. Requires a closed turn. O(slabs s log s), s the size of a
 /// slice.
-std::vector<CutPatch> cut_patches(const ObstacleSweep& sweep, const ContactNames& names);
+std::vector<CutPatch> cut_patches(const SweptBoundary& swept, const ContactNames& names);
 
 }  // namespace dymsum::planar

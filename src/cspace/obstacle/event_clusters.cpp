@@ -1,9 +1,8 @@
-// Events at one angle by what they change: each changes the boundary around its own place only, so that events at
-// different places are handled one by one even if a segment takes part in several of them.
-#include <algorithm>
-#include <numeric>
+#include "cspace/obstacle/event_clusters.h"
 
-#include "cspace/obstacle/obstacle_sweep.h"
+#include <algorithm>
+
+#include "cspace/events/event_place.h"
 
 namespace dymsum::planar {
 namespace {
@@ -43,30 +42,66 @@ Spot spot_of(const TurnEvent& event, const TurningForms& forms, Heading h) {
 
 }  // namespace
 
-std::vector<ObstacleSweep::Group> ObstacleSweep::clusters(const Group& group) const {
+EventSegments segments_of(const TurnEvent& event, const SweepScene& scene) {
+  const TurningForms& forms = scene.forms;
+  const SegmentIndex& index = scene.graph.segments();
+  EventSegments found;
+  const auto add = [&](const WalkSegment& s) { found.all.push_back(index.of(s)); };
+  switch (event.kind) {
+    case TurnEvent::Kind::three_segments:
+      for (const WalkSegment& s : {event.a, event.b, event.c}) add(s);
+      break;
+    case TurnEvent::Kind::vertex_on_segment:
+      add(event.a);
+      for (std::uint32_t side = 0; side < 2; ++side) {
+        const std::uint32_t own = side == 0 ? event.v.p : event.v.q, other = side == 0 ? event.v.q : event.v.p;
+        add({side, own, other});
+        add({side, forms.operand(side).prev[own], other});
+      }
+      found.unsure = scene.catalog.joint(event.v, event.theta()).unsure;
+      break;
+    case TurnEvent::Kind::overlap:
+      for (const WalkSegment& s : {event.a, event.b}) add(s);
+      for (const WalkSegment& s : {event.a, event.b}) {
+        const TurnCatalog::Joint start = scene.catalog.joint(TurningForms::start(s), event.theta()),
+                                 end = scene.catalog.joint(forms.end(s), event.theta());
+        found.unsure |= start.unsure || end.unsure;
+        if (start.has_in) add(start.in);
+        if (end.has_out) add(end.out);
+      }
+      break;
+    case TurnEvent::Kind::alignment: {
+      const std::uint32_t e1 = forms.operand(1).next[event.e], f1 = forms.operand(0).next[event.f];
+      for (const WalkSegment& s : {WalkSegment{1, event.e, event.f}, WalkSegment{0, event.f, e1},
+                                   WalkSegment{0, event.f, event.e}, WalkSegment{1, event.e, f1}})
+        add(s);
+      break;
+    }
+  }
+  return found;
+}
+
+std::vector<EventGroup> clusters(const EventGroup& group, const SweepScene& scene) {
   if (group.size() == 1) return {group};
   std::vector<Spot> spots;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> segments;  // id, event
   bool unsure = false;
   for (std::uint32_t k = 0; k < group.size(); ++k) {
-    spots.push_back(spot_of(*group[k], forms_, Heading::of(group[k]->theta())));
-    for (const std::uint32_t s : segments_of(*group[k], unsure)) segments.emplace_back(s, k);
+    spots.push_back(spot_of(*group[k], scene.forms, Heading::of(group[k]->theta())));
+    const EventSegments of = segments_of(*group[k], scene);
+    for (const std::uint32_t s : of.all) segments.emplace_back(s, k);
+    unsure |= of.unsure;
   }
   if (unsure) return {group};
   std::sort(segments.begin(), segments.end());
-  std::vector<std::uint32_t> root(group.size());
-  std::iota(root.begin(), root.end(), 0);
-  const auto find = [&](std::uint32_t k) {
-    while (root[k] != k) k = root[k] = root[root[k]];
-    return k;
-  };
+  Partition together(group.size());
   for (std::size_t i = 0; i < segments.size(); ++i)
     for (std::size_t j = i + 1; j < segments.size() && segments[j].first == segments[i].first; ++j)
       if (!spots[segments[i].second].apart_from(spots[segments[j].second]))
-        root[find(segments[j].second)] = find(segments[i].second);
-  std::vector<Group> parts(group.size());
-  for (std::uint32_t k = 0; k < group.size(); ++k) parts[find(k)].push_back(group[k]);
-  std::erase_if(parts, [](const Group& part) { return part.empty(); });
+        together.join(segments[i].second, segments[j].second);
+  std::vector<EventGroup> parts(group.size());
+  for (std::uint32_t k = 0; k < group.size(); ++k) parts[together.find(k)].push_back(group[k]);
+  std::erase_if(parts, [](const EventGroup& part) { return part.empty(); });
   return parts;
 }
 

@@ -3,276 +3,41 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "cspace/boundary/limit_boundary.h"
+#include "cspace/obstacle/event_plan.h"
+#include "cspace/obstacle/shared_lines.h"
 #include "cspace/obstacle/tight_curves.h"
-#include "planar/turning/slice.h"
+#include "cspace/obstacle/tight_events.h"
 #include "planar/turning/turn.h"
 
 namespace dymsum::planar {
 
 using exact::AlgebraicRoot;
-using exact::BigRational;
 
 ObstacleSweep::ObstacleSweep(const TurningForms& forms, const TurnCatalog& catalog,
                              std::shared_ptr<const OperandPair> base, bool reference)
-    : forms_(forms), catalog_(catalog), base_(std::move(base)), reference_(reference), connected_(base_->connected) {
-  first_.assign(std::size_t{2} * forms.size(0) * forms.size(1), kNobody);
-  for (std::uint32_t op = 0; op < 2; ++op) {
-    const Operand& o = forms.operand(op);
-    walk_vertex_[op].assign(o.numbered_vertex.size(), kNobody);
-    walk_edge_[op].assign(o.numbered_edge.size(), kNobody);
-    for (std::uint32_t i = 0; i < o.size(); ++i) {
-      walk_vertex_[op][o.vertex_number[i]] = i;
-      walk_edge_[op][o.edge_number[i]] = i;
-    }
-  }
-}
-
-std::uint32_t ObstacleSweep::angle(const TurnRange& range, TurnEvent& event) {
-  if (now_ != kNobody) return now_;
-  angles.push_back({range.chart, exact_root(event, forms_, range)});
-  theta_now_ = event.theta();
-  return static_cast<std::uint32_t>(angles.size() - 1);
-}
-
-// Of a point in the forms' doubles.
-Point ObstacleSweep::position(Heading h, Point at) const {
-  const Point c = forms_.centre();
-  const Lattice& l = *base_->lattice;
-  // The forms' doubles leave out the turned centre and the offsets.
-  const Point turned{l.points[1]->offset.x + c.x * l.unit, l.points[1]->offset.y + c.y * l.unit};
-  return {at.x * l.unit + l.points[0]->offset.x + h.c * turned.x - h.s * turned.y,
-          at.y * l.unit + l.points[0]->offset.y + h.s * turned.x + h.c * turned.y};
-}
-
-void ObstacleSweep::note(Heading h, ObstacleEvent::Kind kind, Point at) {
-  events.push_back({kind, now_, position(h, at)});
-}
-
-// Between two angles of one chart; in doubles where these are far enough apart.
-Orientation ObstacleSweep::Behind::sample(const TurningForms& forms) const {
-  const AlgebraicRoot low = from != nullptr ? exact_root(*from, forms, *range) : AlgebraicRoot::of(range->t_low);
-  const AlgebraicRoot high = to != nullptr ? exact_root(*to, forms, *range) : AlgebraicRoot::of(range->t_high);
-  return orientation_at(range->chart, exact::between(low, high));
-}
-
-TurnEvent* ObstacleSweep::first_event(const TurnRange& range, std::vector<TurnEvent>& events,
-                                      const TurningForms& forms) {
-  // The intervals of events may overlap.
-  TurnEvent* first = nullptr;
-  for (TurnEvent& event : events) {
-    if (first != nullptr && event.low > first->high) break;
-    if (first == nullptr || exact::compare(exact_root(event, forms, range), exact_root(*first, forms, range)) < 0)
-      first = &event;
-  }
-  return first;
-}
+    : forms_(forms),
+      catalog_(catalog),
+      reader_(forms, std::move(base)),
+      reference_(reference),
+      swept_(SegmentIndex(forms.size(0), forms.size(1))),
+      now_(forms) {}
 
 void ObstacleSweep::start(const TurnRange& range, TurnEvents& found, const OverlapFilter& filter) {
-  begin_ = Behind{&range, nullptr, first_event(range, found.events, forms_)}.sample(forms_);
-  take_slice(placed_at(*base_, begin_));
+  begin_ = sample(range, nullptr, first_event(range, found.events));
+  swept_.graph.apply(edit_to(reader_.loops(begin_)));
   always_ = found.always_concurrent;
-  always_concurrent = !always_.empty();
-  curves_ = begin_curves_ = tight_curves(begin_, filter);
-  if (!connected_) join_faces(begin_);
-  begin_keys_.resize(nodes_.size());
-  for (std::uint32_t n = 0; n < nodes_.size(); ++n) {
-    begin_nodes_.push_back(n);
-    begin_keys_[n] = {nodes_[n].left, nodes_[n].right};
-  }
+  swept_.always_concurrent = !always_.empty();
+  curves_ = begin_curves_ = tight_curves(scene(), always_, begin_, filter);
+  if (!reader_.base().connected) join_faces(begin_);
 }
 
-void ObstacleSweep::slice(const TurnRange& range, const Group& group, const std::function<Orientation()>& behind) {
-  TurnEvent& event = *group[0];
-  ++work.slices;
-  now_ = angle(range, event);
-  const Heading h = Heading::of(event.theta());
-  note(h,
-       event.kind == TurnEvent::Kind::alignment        ? ObstacleEvent::Kind::alignment
-       : event.kind == TurnEvent::Kind::three_segments ? ObstacleEvent::Kind::three_segments
-                                                       : ObstacleEvent::Kind::vertex_on_segment,
-       place_of(event, forms_, h).at);
-  take_slice(placed_at(*base_, behind()));
-  doubtful_ = group;
-  sliced_ = true;
-}
-
-// Nodes with the same segment and neighbours stay; the others end and begin here.
-void ObstacleSweep::take_slice(SumState state) {
-  SumOptions options;
-  options.semantics = Semantics::regular;
-  const Result<SumState> computed = compute_boundary(std::move(state), options);
-  if (!computed) throw std::logic_error("ObstacleSweep: a slice failed");
-  const RawBoundary& raw = computed->boundary;
-  std::map<std::array<std::uint32_t, 3>, std::uint32_t> old;
-  std::vector<std::uint32_t> before;
-  for (std::uint32_t n = 0; n < nodes_.size(); ++n)
-    if (nodes_[n].alive) {
-      old[{nodes_[n].id, nodes_[n].left, nodes_[n].right}] = n;
-      before.push_back(n);
-    }
-  std::vector<std::vector<std::array<std::uint32_t, 3>>> keys;
-  for (const SumRing& ring : raw.rings) {
-    const std::vector<WalkSegment> segments = segments_of(ring);
-    const std::size_t n = segments.size();
-    auto& ring_keys = keys.emplace_back();
-    for (std::size_t k = 0; k < n; ++k)
-      ring_keys.push_back({id(segments[k]), id(segments[(k + n - 1) % n]), id(segments[(k + 1) % n])});
-  }
-  const Lines lines_before = lines_of(before);
-  std::vector<std::vector<std::uint32_t>> loops;
-  std::vector<std::uint32_t> all;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> touching;  // walls of a shut passage, before and behind
-  for (const auto& ring_keys : keys) {
-    std::vector<std::uint32_t>& loop = loops.emplace_back();
-    for (const auto& key : ring_keys) {
-      const auto it = old.find(key);
-      if (it != old.end() && !shut_now({it->second}, lines_before)) {
-        loop.push_back(it->second);
-        old.erase(it);
-        continue;
-      }
-      const std::uint32_t m = add_node(segment_of(key[0]), kNobody);
-      if (it != old.end()) touching.emplace_back(it->second, m);
-      nodes_[m].left = key[1];
-      nodes_[m].right = key[2];
-      loop.push_back(m);
-    }
-    all.insert(all.end(), loop.begin(), loop.end());
-  }
-  std::vector<std::uint32_t> lost, ended, fresh;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> claims;
-  for (const auto& [key, n] : old) {
-    lost.push_back(nodes_[n].cell);
-    ended.push_back(n);
-  }
-  for (const std::uint32_t m : all)
-    if (nodes_[m].begin == now_) fresh.push_back(m);
-  // What goes on along the same line at the event's angle belongs together, unless a passage is shut there.
-  for (const auto& [n, m] : continued_stretches(ended, fresh)) {
-    if (shut_now({n, m}, lines_before)) {
-      touching.emplace_back(n, m);
-      continue;
-    }
-    join(shell_, n, m);
-    claims.emplace_back(m, nodes_[n].cell);
-  }
-  for (const auto& [key, n] : old) end_node(n);
-  for (std::size_t l = 0; l < loops.size(); ++l)
-    for (std::size_t k = 0; k < loops[l].size(); ++k) link(loops[l][k], loops[l][k + 1 == loops[l].size() ? 0 : k + 1]);
-  if (cells_.empty()) {
-    for (std::size_t l = 0; l < loops.size(); ++l) {
-      const std::uint32_t cell = new_cell(connected_ && raw.outer[l] != 0);
-      for (const std::uint32_t n : loops[l]) nodes_[n].cell = nodes_[n].born_cell = cell;
-    }
-    return;
-  }
-  std::sort(lost.begin(), lost.end());
-  lost.erase(std::unique(lost.begin(), lost.end()), lost.end());
-  relabel(all, lost, claims);
-  for (const auto& [n, m] : touching) touching_cells_.emplace_back(nodes_[n].cell, nodes_[m].cell);
-}
-
-WalkSegment ObstacleSweep::segment_of(std::uint32_t id) const {
-  const std::uint32_t n0 = forms_.size(0), n1 = forms_.size(1);
-  return id < n0 * n1 ? WalkSegment{0, id / n1, id % n1} : WalkSegment{1, (id - n0 * n1) / n0, (id - n0 * n1) % n0};
-}
-
-const SignsAt& ObstacleSweep::signs_now() const {
-  if (!signs_) signs_.emplace(forms_, angles[now_]);
-  return *signs_;
-}
-
-std::vector<std::uint32_t> ObstacleSweep::segments_of(const TurnEvent& event, bool& unsure) const {
-  if (event.kind == TurnEvent::Kind::three_segments) return {id(event.a), id(event.b), id(event.c)};
-  if (event.kind == TurnEvent::Kind::vertex_on_segment) {
-    std::vector<std::uint32_t> all{id(event.a)};
-    for (std::uint32_t side = 0; side < 2; ++side) {
-      const std::uint32_t own = side == 0 ? event.v.p : event.v.q, other = side == 0 ? event.v.q : event.v.p;
-      all.push_back(id({side, own, other}));
-      all.push_back(id({side, forms_.operand(side).prev[own], other}));
-    }
-    unsure |= catalog_.joint(event.v, event.theta()).unsure;
-    return all;
-  }
-  if (event.kind == TurnEvent::Kind::overlap) {
-    std::vector<std::uint32_t> all{id(event.a), id(event.b)};
-    for (const WalkSegment* s : {&event.a, &event.b})
-      for (const Pair v : {TurningForms::start(*s), forms_.end(*s)}) {
-        const TurnCatalog::Joint joint = catalog_.joint(v, event.theta());
-        unsure |= joint.unsure;
-        const bool starts = v == TurningForms::start(*s);
-        if (starts && joint.has_in) all.push_back(id(joint.in));
-        if (!starts && joint.has_out) all.push_back(id(joint.out));
-      }
-    return all;
-  }
-  const std::uint32_t e1 = forms_.operand(1).next[event.e], f1 = forms_.operand(0).next[event.f];
-  return {id({1, event.e, event.f}), id({0, event.f, e1}), id({0, event.f, event.e}), id({1, event.e, f1})};
-}
-
-void ObstacleSweep::pass_group(const Group& group, const TurnRange& range, const std::function<Orientation()>& behind,
-                               OverlapFilter& filter) {
-  now_ = kNobody;
-  signs_.reset();
-  theta_now_ = group[0]->theta();
-  born_ = 0;
-  changed_ = sliced_ = false;
-  ended_.clear();
-  relinked_.clear();
-  doubtful_.clear();
-  const std::uint64_t slices = work.slices;
-  change(group, range, behind, filter);
-  std::vector<AlwaysConcurrent> curves = turned_ ? begin_curves_ : std::vector<AlwaysConcurrent>{};
-  if (!turned_ && !always_.empty()) curves = tight_curves(behind(), filter);
-  if (doubtful_.empty() && !other_curves(curves_, curves).empty()) doubtful_ = group;
-  if (!doubtful_.empty()) examine(range, filter, curves);
-  curves_ = std::move(curves);
-  // Loops of one face keep to one component of free space: splits and joins hand it on, and a face that is born has one
-  // loop unless more are born with it. Whole slices may leave a loop without a claim.
-  if (!connected_ && (born_ > 1 || (born_ > 0 && work.slices > slices))) join_faces(behind());
-}
-
-void ObstacleSweep::change(const Group& group, const TurnRange& range, const std::function<Orientation()>& behind,
-                           OverlapFilter& filter) {
-  if (reference_ || crowded_ != nullptr) return slice(range, group, behind);
-  Group alone;
-  for (const Group& cluster : clusters(group)) {
-    if (cluster.size() == 1) alone.push_back(cluster[0]);
-    else if (matters(cluster, filter)) return slice(range, group, behind);
-  }
-  // What one of several changes is not undone where another one takes a whole slice, as where opposite segments come to
-  // lie along each other with events at both ends: so all are tried first.
-  trying_ = alone.size() > 1;
-  bool settled = true;
-  for (TurnEvent* event : alone) settled = settled && (!trying_ || local_update(*event, range, behind, filter));
-  trying_ = false;
-  for (TurnEvent* event : alone) settled = settled && local_update(*event, range, behind, filter);
-  if (!settled) slice(range, group, behind);
-}
-
-void ObstacleSweep::pass_pending(const std::function<Orientation()>& behind, OverlapFilter& filter) {
-  if (pending_.empty()) return;
-  Group group;
-  for (TurnEvent& event : pending_) group.push_back(&event);
-  pass_group(group, pending_range_, behind, filter);
-  pending_.clear();
-  crowded_ = nullptr;
-}
-
-void ObstacleSweep::pass(const TurnRange& range, TurnEvents found, OverlapFilter& filter,
+void ObstacleSweep::pass(const TurnRange& range, TurnEvents found, const OverlapFilter& filter,
                          const CrowdedQuarter* at_end) {
   std::vector<TurnEvent>& events = found.events;
   always_ = std::move(found.always_concurrent);
-  always_concurrent |= !always_.empty();
-  if (!pending_.empty())
-    pass_pending([&] { return Behind{&range, nullptr, first_event(range, events, forms_)}.sample(forms_); }, filter);
-  const double theta_end = range.theta(range.t_high) - 0x1p-40;
-  const auto compare = [&](TurnEvent* a, TurnEvent* b) {
-    return exact::compare(exact_root(*a, forms_, range), exact_root(*b, forms_, range));
-  };
-  const auto sort = [&](Group& run) {
-    std::stable_sort(run.begin(), run.end(), [&](TurnEvent* a, TurnEvent* b) { return compare(a, b) < 0; });
-  };
+  swept_.always_concurrent |= !always_.empty();
+  pass_pending([&] { return sample(range, nullptr, first_event(range, events)); }, filter);
   // Runs of events whose intervals overlap.
   std::vector<Group> runs;
   double high = -INFINITY;
@@ -281,37 +46,8 @@ void ObstacleSweep::pass(const TurnRange& range, TurnEvents found, OverlapFilter
     runs.back().push_back(&event);
     high = std::max(high, event.high);
   }
-  // A group at one angle; what follows it is the rest of its run or the next one.
-  const auto pass_run = [&](const Group& group, TurnEvent* next, Group* following) {
-    if (group[0]->high >= theta_end &&
-        exact::compare(exact_root(*group[0], forms_, range), AlgebraicRoot::of(range.t_high)) == 0) {
-      for (TurnEvent* event : group) pending_.push_back(*event);
-      pending_range_ = range;
-      return;
-    }
-    const auto behind = [&] {
-      if (next == nullptr && following != nullptr)
-        next = *std::min_element(following->begin(), following->end(),
-                                 [&](TurnEvent* a, TurnEvent* b) { return compare(a, b) < 0; });
-      return Behind{&range, group[0], next}.sample(forms_);
-    };
-    pass_group(group, range, behind, filter);
-  };
-  for (std::size_t r = 0; r < runs.size(); ++r) {
-    Group& run = runs[r];
-    Group* following = r + 1 < runs.size() ? &runs[r + 1] : nullptr;
-    if (run.size() > 1) {
-      if (run.back()->high < theta_end && !matters(run, filter)) continue;
-      sort(run);
-    }
-    for (std::size_t k = 0; k < run.size();) {
-      std::size_t l = k + 1;
-      while (l < run.size() && compare(run[k], run[l]) == 0) ++l;
-      pass_run(Group(run.begin() + static_cast<std::ptrdiff_t>(k), run.begin() + static_cast<std::ptrdiff_t>(l)),
-               l < run.size() ? run[l] : nullptr, following);
-      k = l;
-    }
-  }
+  for (std::size_t r = 0; r < runs.size(); ++r)
+    pass_run(runs[r], r + 1 < runs.size() ? &runs[r + 1] : nullptr, range, filter);
   if (at_end == nullptr) return;
   TurnEvent event;
   event.e = at_end->pair.e;
@@ -323,42 +59,264 @@ void ObstacleSweep::pass(const TurnRange& range, TurnEvents found, OverlapFilter
   crowded_ = at_end;
 }
 
-// Whether a segment of these events is visible, or a place of theirs is not certainly covered: else nothing can change,
-// in whatever order they come.
+void ObstacleSweep::close(const OverlapFilter& filter) {
+  turned_ = true;
+  pass_pending([this] { return begin_; }, filter);
+  if (!swept_.graph.close()) throw std::logic_error("ObstacleSweep: a full turn does not lead back to its start");
+}
+
+// In doubles where the angles are far enough apart.
+Orientation ObstacleSweep::sample(const TurnRange& range, TurnEvent* from, TurnEvent* to) const {
+  const AlgebraicRoot low = from != nullptr ? exact_root(*from, forms_, range) : AlgebraicRoot::of(range.t_low);
+  const AlgebraicRoot high = to != nullptr ? exact_root(*to, forms_, range) : AlgebraicRoot::of(range.t_high);
+  return orientation_at(range.chart, exact::between(low, high));
+}
+
+int ObstacleSweep::compare(TurnEvent& a, TurnEvent& b, const TurnRange& range) const {
+  return exact::compare(exact_root(a, forms_, range), exact_root(b, forms_, range));
+}
+
+// The intervals of events may overlap.
+TurnEvent* ObstacleSweep::first_event(const TurnRange& range, std::vector<TurnEvent>& events) const {
+  TurnEvent* first = nullptr;
+  for (TurnEvent& event : events) {
+    if (first != nullptr && event.low > first->high) break;
+    if (first == nullptr || compare(event, *first, range) < 0) first = &event;
+  }
+  return first;
+}
+
+bool ObstacleSweep::at_end_of(const TurnRange& range, TurnEvent& event) const {
+  return event.high >= range.theta(range.t_high) - 0x1p-40 &&
+         exact::compare(exact_root(event, forms_, range), AlgebraicRoot::of(range.t_high)) == 0;
+}
+
+// Groups at one angle, in order; what follows one of them is the rest of the run or the next one.
+void ObstacleSweep::pass_run(Group& run, Group* following, const TurnRange& range, const OverlapFilter& filter) {
+  const auto before = [&](TurnEvent* a, TurnEvent* b) { return compare(*a, *b, range) < 0; };
+  if (run.size() > 1) {
+    if (run.back()->high < range.theta(range.t_high) - 0x1p-40 && !matters(run, filter)) return;
+    std::stable_sort(run.begin(), run.end(), before);
+  }
+  for (auto first = run.begin(); first != run.end();) {
+    auto last = first + 1;
+    while (last != run.end() && compare(**first, **last, range) == 0) ++last;
+    const Group group(first, last);
+    first = last;
+    // That waits for the next window.
+    if (at_end_of(range, *group[0])) {
+      for (TurnEvent* event : group) pending_.push_back(*event);
+      pending_range_ = range;
+      continue;
+    }
+    TurnEvent* next = last != run.end() ? *last : nullptr;
+    const auto behind = [&] {
+      if (next == nullptr && following != nullptr)
+        next = *std::min_element(following->begin(), following->end(), before);
+      return sample(range, group[0], next);
+    };
+    pass_group(group, range, behind, filter);
+  }
+}
+
+void ObstacleSweep::pass_pending(const Behind& behind, const OverlapFilter& filter) {
+  if (pending_.empty()) return;
+  Group group;
+  for (TurnEvent& event : pending_) group.push_back(&event);
+  pass_group(group, pending_range_, behind, filter);
+  pending_.clear();
+  crowded_ = nullptr;
+}
+
+void ObstacleSweep::pass_group(const Group& group, const TurnRange& range, const Behind& behind,
+                               const OverlapFilter& filter) {
+  swept_.graph.begin_angle();
+  now_.begin(group[0]->theta(), crowded_ != nullptr ? &crowded_->turn : nullptr);
+  sliced_ = false;
+  doubtful_.clear();
+  change(group, range, behind, filter);
+  std::vector<AlwaysConcurrent> curves = turned_ ? begin_curves_ : std::vector<AlwaysConcurrent>{};
+  if (!turned_ && !always_.empty()) curves = tight_curves(scene(), always_, behind(), filter);
+  if (doubtful_.empty() && !other_curves(curves_, curves).empty()) doubtful_ = group;
+  if (!doubtful_.empty()) examine(range, filter, curves);
+  curves_ = std::move(curves);
+  // Loops of one face keep to one component of free space: splits and joins hand it on, and a face that is born has one
+  // loop unless more are born with it. Whole slices may leave a loop without a claim.
+  if (!reader_.base().connected && swept_.graph.loops_born() > (sliced_ ? 0U : 1U)) join_faces(behind());
+}
+
+void ObstacleSweep::change(const Group& group, const TurnRange& range, const Behind& behind,
+                           const OverlapFilter& filter) {
+  if (reference_ || crowded_ != nullptr) return take_slice(group, range, behind);
+  Group alone;
+  for (const Group& cluster : clusters(group, scene())) {
+    if (cluster.size() == 1) alone.push_back(cluster[0]);
+    else if (matters(cluster, filter)) return take_slice(group, range, behind);
+  }
+  // What one of several changes is not undone where another one takes a whole slice, as where opposite segments come to
+  // lie along each other with events at both ends: so all are planned before the first one is applied.
+  if (alone.size() > 1)
+    for (TurnEvent* event : alone)
+      if (plan_event(*event, range, scene(), filter).verdict == EventPlan::Verdict::unsure)
+        return take_slice(group, range, behind);
+  for (TurnEvent* event : alone)
+    if (!settle(*event, range, behind, filter)) return take_slice(group, range, behind);
+}
+
+// Whether a segment of these events is visible, or a position of theirs is not certainly covered: else nothing can
+// change, in whatever order they come.
 bool ObstacleSweep::matters(const Group& run, const OverlapFilter& filter) const {
-  bool unsure = reference_;
+  if (reference_) return true;
   for (const TurnEvent* event : run) {
-    for (const std::uint32_t s : segments_of(*event, unsure))
-      if (first_[s] != kNobody) return true;
+    for (const std::uint32_t s : segments_of(*event, scene()).all)
+      if (swept_.graph.first_on(s) != kNobody) return true;
     const bool point =
         event->kind == TurnEvent::Kind::vertex_on_segment || event->kind == TurnEvent::Kind::three_segments;
-    if (reference_ || (point && !certainly_covered(*event, forms_, filter))) return true;
+    if (point && !certainly_covered(*event, forms_, filter)) return true;
   }
   return false;
 }
 
-void ObstacleSweep::close(OverlapFilter& filter) {
-  turned_ = true;
-  pass_pending([this] { return begin_; }, filter);
-  std::map<std::array<std::uint32_t, 3>, std::uint32_t> last;
-  std::size_t alive = 0;
-  for (std::uint32_t n = 0; n < nodes_.size(); ++n)
-    if (nodes_[n].alive) {
-      last[{nodes_[n].id, nodes_[n].left, nodes_[n].right}] = n;
-      ++alive;
+// Applies what a single event changes. False where that is not certain.
+bool ObstacleSweep::settle(TurnEvent& event, const TurnRange& range, const Behind& behind,
+                           const OverlapFilter& filter) {
+  EventPlan plan = plan_event(event, range, scene(), filter);
+  if (plan.verdict == EventPlan::Verdict::unsure) return false;
+  if (plan.verdict == EventPlan::Verdict::doubtful) doubtful_.push_back(&event);
+  if (plan.verdict != EventPlan::Verdict::change) return true;
+  swept_.work.collision_tests += plan.edit.births.size();
+  std::erase_if(plan.edit.births,
+                [&](const std::vector<WalkSegment>& loop) { return !reader_.is_free(loop, behind()); });
+  if (plan.edit.empty()) return true;
+  list_angle(range, event);
+  note(Heading::of(event.theta()), plan.kind, plan.at);
+  ++swept_.work.local_updates;
+  swept_.graph.apply(plan.edit);
+  return true;
+}
+
+// At a rational angle between this event and the next one.
+void ObstacleSweep::take_slice(const Group& group, const TurnRange& range, const Behind& behind) {
+  TurnEvent& event = *group[0];
+  ++swept_.work.slices;
+  list_angle(range, event);
+  const Heading h = Heading::of(event.theta());
+  note(h,
+       event.kind == TurnEvent::Kind::alignment        ? ObstacleEvent::Kind::alignment
+       : event.kind == TurnEvent::Kind::three_segments ? ObstacleEvent::Kind::three_segments
+                                                       : ObstacleEvent::Kind::vertex_on_segment,
+       place_of(event, forms_, h).at);
+  swept_.graph.apply(edit_to(reader_.loops(behind())));
+  doubtful_ = group;
+  sliced_ = true;
+}
+
+// What goes on along the same line at the event's angle belongs together, unless a passage is shut there.
+SliceEdit ObstacleSweep::edit_to(const std::vector<SliceLoop>& loops) const {
+  const BoundaryGraph& graph = swept_.graph;
+  std::vector<SubEdge> before, ended, fresh;
+  for (const std::uint32_t n : graph.alive()) before.push_back(graph.sub_edge(n));
+  const SharedLines lines(forms_, now_, std::move(before));
+  SliceEdit edit =
+      slice_difference(graph, loops, [&](std::uint32_t n) { return lines.shut(std::array{graph.sub_edge(n)}); });
+  for (const std::uint32_t n : edit.ended) ended.push_back(graph.sub_edge(n));
+  std::vector<std::uint32_t> place_of_fresh;
+  std::uint32_t index = 0;
+  for (const SliceEdit::Loop& loop : edit.loops)
+    for (const SliceEdit::Place& p : loop.places) {
+      if (p.stays == kNobody || graph[p.stays].begin == graph.angle()) {
+        const SegmentIndex& segments = graph.segments();
+        fresh.push_back({segments.segment(p.segment), segments.segment(p.left), segments.segment(p.right)});
+        place_of_fresh.push_back(index);
+      }
+      ++index;
     }
-  closed_ = alive == begin_nodes_.size() && last.size() == alive;
-  continued_.resize(nodes_.size());
-  for (std::uint32_t n = 0; n < nodes_.size(); ++n) continued_[n] = n;
-  for (const std::uint32_t n : begin_nodes_) {
-    const auto it = last.find({nodes_[n].id, begin_keys_[n][0], begin_keys_[n][1]});
-    if (it == last.end()) {
-      closed_ = false;
-      continue;
-    }
-    join(shell_, n, it->second);
-    continued_[it->second] = n;
+  for (const auto& [n, m] : lines.continued(ended, fresh)) {
+    const bool shut = lines.shut(std::array{ended[n], fresh[m]});
+    (shut ? edit.touching : edit.continued).emplace_back(edit.ended[n], place_of_fresh[m]);
   }
+  return edit;
+}
+
+void ObstacleSweep::join_faces(const Orientation& at) {
+  const SliceReader::Faces faces = reader_.faces(at, swept_.graph);
+  for (const auto& [a, b] : faces.same) swept_.graph.join_components(a, b);
+  for (const std::uint32_t cell : faces.unbounded) swept_.graph.set_unbounded(cell);
+}
+
+// What happens at the angle only: what is tight, and where the boundary touches itself. Where neither is found and no
+// sub-edge began or ended, nothing happens, and the angle is not listed.
+void ObstacleSweep::examine(const TurnRange& range, const OverlapFilter& filter,
+                            const std::vector<AlwaysConcurrent>& curves_behind) {
+  BoundaryGraph& graph = swept_.graph;
+  const bool listed = graph.angle() != kNobody;
+  list_angle(range, *doubtful_[0]);
+  const ExactAngle& angle = swept_.angles.back();
+  const auto rational = exact::rational_value(angle.t);
+  const TightCurves curves{curves_, curves_behind};
+  // Of a crowded quarter turn there are no events.
+  const TightFindings found =
+      listed && rational ? tight_in_slice(orientation_at(angle.chart, *rational), curves, scene(), now_, reader_)
+                         : tight_at_events(doubtful_, curves, scene(), now_, filter);
+  const std::size_t tight_before = swept_.tight.size();
+  for (const auto& [from, to] : found.held) swept_.tight.push_back(tight_feature(from, to));
+  std::optional<Point> touch;
+  const Heading h = now_.signs().heading();
+  for (const Point at : found.events) note(h, ObstacleEvent::Kind::tight, at);
+  if (sliced_ || found.looked) touch = look_at_limits();
+  if (!found.events.empty() || graph.changed() || (listed && reference_)) return;
+  if (listed) swept_.events.pop_back();
+  if (touch) return note(h, ObstacleEvent::Kind::vertex_on_segment, *touch);
+  unlist_angle(tight_before);
+}
+
+std::optional<Point> ObstacleSweep::look_at_limits() {
+  const LimitsOfAngle limits = limits_of_angle(now_.signs(), swept_.graph);
+  swept_.limit_halves.insert(swept_.limit_halves.end(), limits.halves.begin(), limits.halves.end());
+  for (const auto& [n, m] : limits.together) swept_.graph.join_shells(n, m);
+  swept_.limit_angles.push_back(swept_.graph.angle());
+  return limits.touch;
+}
+
+void ObstacleSweep::list_angle(const TurnRange& range, TurnEvent& event) {
+  if (swept_.graph.angle() != kNobody) return;
+  swept_.angles.push_back({range.chart, exact_root(event, forms_, range)});
+  now_.set_exact(swept_.angles.back(), event.theta());
+  swept_.graph.set_angle(static_cast<std::uint32_t>(swept_.angles.size() - 1));
+}
+
+void ObstacleSweep::unlist_angle(std::size_t tight_before) {
+  swept_.tight.resize(tight_before);
+  if (!swept_.limit_angles.empty() && swept_.limit_angles.back() == swept_.graph.angle())
+    swept_.limit_angles.pop_back();
+  swept_.angles.pop_back();
+  swept_.graph.set_angle(kNobody);
+}
+
+void ObstacleSweep::note(Heading h, ObstacleEvent::Kind kind, Point at) {
+  swept_.events.push_back({kind, swept_.graph.angle(), position(h, at)});
+}
+
+// Crossings are known within 2^-37 of the span (SignsAt::near), sums of two vertices within 2^-45: they err by the
+// angle's 2^-49 and some roundings. What turns places into positions rounds each of four terms.
+TightFeature ObstacleSweep::tight_feature(const TightCandidate& from, const TightCandidate& to) const {
+  const Lattice& l = *reader_.base().lattice;
+  const Heading h = now_.signs().heading();
+  TightFeature feature{swept_.graph.angle(), position(h, from.near), position(h, to.near), 0};
+  const double offsets = std::hypot(l.points[0]->offset.x, l.points[0]->offset.y) +
+                         std::hypot(l.points[1]->offset.x, l.points[1]->offset.y);
+  const double share = from.place.first.crossing || to.place.first.crossing ? 0x1p-37 : 0x1p-45;
+  feature.error = (share + 0x1p-47) * forms_.span() * l.unit + 0x1p-47 * offsets;
+  return feature;
+}
+
+// Of a point in the forms' doubles, which leave out the turned centre and the offsets.
+Point ObstacleSweep::position(Heading h, Point at) const {
+  const Point c = forms_.centre();
+  const Lattice& l = *reader_.base().lattice;
+  const Point turned{l.points[1]->offset.x + c.x * l.unit, l.points[1]->offset.y + c.y * l.unit};
+  return {at.x * l.unit + l.points[0]->offset.x + h.c * turned.x - h.s * turned.y,
+          at.y * l.unit + l.points[0]->offset.y + h.s * turned.x + h.c * turned.y};
 }
 
 }  // namespace dymsum::planar

@@ -10,7 +10,8 @@
 #include <tuple>
 
 #include "cspace/boundary/free_place.h"
-#include "cspace/obstacle/obstacle_sweep.h"
+#include "cspace/events/event_place.h"
+#include "cspace/obstacle/tight_places.h"
 #include "planar/turning/exact_angle.h"
 
 namespace dymsum::planar {
@@ -65,50 +66,30 @@ std::vector<AlwaysConcurrent> other_curves(const std::vector<AlwaysConcurrent>& 
   return all;
 }
 
-// Of the window's threes, those that meet in a tight place at an angle between events.
-std::vector<AlwaysConcurrent> ObstacleSweep::tight_curves(const Orientation& at, const OverlapFilter& filter) const {
+std::vector<AlwaysConcurrent> tight_curves(const SweepScene& scene, const std::vector<AlwaysConcurrent>& threes,
+                                           const Orientation& at, const OverlapFilter& filter) {
   std::vector<AlwaysConcurrent> found;
   const Heading h = Heading::of(at.radians());
   std::optional<SignsAt> signs;
+  std::optional<PlacesAtAngle> places;
   std::vector<NodeNow> nodes;
-  for (const AlwaysConcurrent& three : always_) {
-    if (!may_span(forms_, three, h)) continue;
-    const EventPlace place = place_of(event_of(three), forms_, h);
+  for (const AlwaysConcurrent& three : threes) {
+    if (!may_span(scene.forms, three, h)) continue;
+    const EventPlace place = place_of(event_of(three), scene.forms, h);
     if (place.sine >= 0x1p-5 && filter.inside(place.at, h)) continue;
-    if (!signs) signs.emplace(forms_, exact_angle(at));
-    const std::optional<Candidate> z = spans(*signs, three) ? meeting_of(*signs, three) : std::nullopt;
+    if (!signs) {
+      signs.emplace(scene.forms, exact_angle(at));
+      places.emplace(scene, *signs);
+    }
+    const std::optional<TightCandidate> z = spans(*signs, three) ? places->meeting_of(three) : std::nullopt;
     if (!z || !is_free(*signs, z->place)) continue;
-    if (nodes.empty()) nodes = nodes_now(*signs, false);
-    if (std::any_of(nodes.begin(), nodes.end(), [&](const NodeNow& n) { return reaches(*signs, n, *z); })) continue;
+    if (nodes.empty()) nodes = places->nodes_now(false);
+    if (std::any_of(nodes.begin(), nodes.end(), [&](const NodeNow& n) { return places->reaches(n, *z); })) continue;
     found.push_back(three);
     std::sort(found.back().begin(), found.back().end(), before);
   }
   std::sort(found.begin(), found.end(), less);
   return found;
-}
-
-// The place that three concurrent segments have in common, if they do.
-std::optional<ObstacleSweep::Candidate> ObstacleSweep::meeting_of(const SignsAt& signs,
-                                                                  const AlwaysConcurrent& three) const {
-  for (std::size_t k = 0; k < 3; ++k) {
-    const WalkSegment &a = three[k], &b = three[(k + 1) % 3], &c = three[(k + 2) % 3];
-    if (signs.cross(a, b) == 0) continue;
-    const ExactPlace at{{true, {}, a, b}, {}};
-    const std::optional<Point> near = signs.near(at);
-    if (!near) return std::nullopt;
-    for (const WalkSegment& s : {a, b, c})
-      if (!signs.within(s, at, *near)) return std::nullopt;
-    return Candidate{at, *near, {id(a), id(b), id(c)}, false};
-  }
-  return std::nullopt;
-}
-
-std::vector<ObstacleSweep::Candidate> ObstacleSweep::places_of(const SignsAt& signs,
-                                                               const std::vector<AlwaysConcurrent>& curves) const {
-  std::vector<Candidate> all;
-  for (const AlwaysConcurrent& three : curves)
-    if (std::optional<Candidate> z = meeting_of(signs, three)) all.push_back(std::move(*z));
-  return each_once(signs, std::move(all));
 }
 
 }  // namespace dymsum::planar

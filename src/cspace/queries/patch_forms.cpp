@@ -1,8 +1,8 @@
 #include "cspace/queries/patch_forms.h"
 
+#include "cspace/events/walked_rings.h"
 #include "cspace/queries/crossing_gap.h"
 #include "cspace/queries/end_curve.h"
-#include "cspace/queries/walked_rings.h"
 
 #include <algorithm>
 #include <array>
@@ -24,11 +24,11 @@ struct Numbered {
 
 Numbered numbered(const Region& region) {
   std::set<std::pair<double, double>> corners;  // vertices that are not in the middle of a straight line
-  for_each_ring(region.canonical(), [&](const Ring& ring) {
+  planar::for_each_ring(region.canonical(), [&](const Ring& ring) {
     for (const Point& v : ring) corners.insert({v.x, v.y});
   });
   Numbered n;
-  for_each_ring(region, [&](const Ring& ring) {
+  planar::for_each_ring(region, [&](const Ring& ring) {
     const std::size_t first = n.at.size(), size = ring.size();
     n.at.insert(n.at.end(), ring.begin(), ring.end());
     for (std::size_t i = 0; i < size; ++i) {

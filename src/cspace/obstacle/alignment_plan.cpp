@@ -1,0 +1,121 @@
+#include <algorithm>
+#include <optional>
+
+#include "cspace/obstacle/event_plan.h"
+
+namespace dymsum::planar {
+namespace {
+
+using Node = BoundaryGraph::Node;
+
+/// Visible sub-edges that follow each other along the common line of two aligned edges, and where they start and end
+/// on it.
+struct AlignedRun {
+  std::uint32_t first = kNobody, last = kNobody;
+  double from = 0, to = 0, error = 0;
+};
+
+class AlignmentEdit {
+ public:
+  AlignmentEdit(const TurnEvent& event, const SweepScene& scene)
+      : forms_(scene.forms),
+        catalog_(scene.catalog),
+        graph_(scene.graph),
+        heading_(Heading::of(event.theta())),
+        length_e_(length(1, event.e)),
+        length_f_(length(0, event.f)) {
+    const std::uint32_t e = event.e, f = event.f, e1 = forms_.operand(1).next[e], f1 = forms_.operand(0).next[f];
+    before_ = {WalkSegment{1, e, f}, WalkSegment{0, f, e1}};
+    behind_ = {WalkSegment{0, f, e}, WalkSegment{1, e, f1}};
+    middle_ = {f1, e};
+  }
+
+  /// Nothing where doubles do not tell.
+  std::optional<BoundaryEdit> edit() const {
+    std::vector<AlignedRun> runs;
+    if (!add_runs(runs)) return std::nullopt;
+    join_over_vertex(runs);
+    BoundaryEdit edit;
+    for (const AlignedRun& run : runs) {
+      std::vector<WalkSegment> segments = segments_behind(run);
+      if (segments.empty()) return std::nullopt;
+      edit.runs.push_back({run.first, run.last, std::move(segments)});
+      edit.gone.push_back(run.first);
+      if (run.last != run.first) edit.gone.push_back(run.last);
+    }
+    return edit;
+  }
+
+ private:
+  double length(std::uint32_t op, std::uint32_t edge) const {
+    const Point d = forms_.edge(op, edge);
+    return std::hypot(d.x, d.y);
+  }
+
+  bool add_runs(std::vector<AlignedRun>& runs) const {
+    for (const bool second : {false, true})
+      for (std::uint32_t n = graph_.first_on(before_[second]); n != kNobody; n = graph_[n].next_on_segment) {
+        const Node& node = graph_[n];
+        const double length = second ? length_f_ : length_e_, base = second ? length_e_ : 0;
+        const Located from = place_on(forms_, node.segment, graph_[node.prev].segment, true, heading_),
+                      to = place_on(forms_, node.segment, graph_[node.next].segment, false, heading_);
+        const AlignedRun run{n, n, base + length * from.t, base + length * to.t, length * (from.error + to.error)};
+        if (!(run.from <= run.to + run.error)) return false;
+        runs.push_back(run);
+      }
+    return true;
+  }
+
+  // A run over the vertex between the two is one.
+  void join_over_vertex(std::vector<AlignedRun>& runs) const {
+    for (std::size_t k = 0; k < runs.size(); ++k)
+      for (std::size_t l = 0; l < runs.size(); ++l) {
+        if (k == l || graph_[runs[k].last].next != runs[l].first || graph_[runs[k].last].id == graph_[runs[l].first].id)
+          continue;
+        runs[k].last = runs[l].last;
+        runs[k].to = runs[l].to;
+        runs[k].error += runs[l].error;
+        runs.erase(runs.begin() + static_cast<std::ptrdiff_t>(l));
+        return;
+      }
+  }
+
+  // What was visible along the line stays so; the segments change, at the new middle vertex. A chain may end or start
+  // there: where that vertex is reflex, the boundary turns at it. None where doubles do not tell.
+  std::vector<WalkSegment> segments_behind(const AlignedRun& run) const {
+    const bool from_middle = forms_.end(graph_[graph_[run.first].prev].segment) == middle_;
+    const bool to_middle = TurningForms::start(graph_[graph_[run.last].next].segment) == middle_;
+    const double near = 1e-9 * (length_e_ + length_f_) + run.error;
+    if ((!from_middle && !(std::abs(run.from - length_f_) > near)) ||
+        (!to_middle && !(std::abs(run.to - length_f_) > near)))
+      return {};
+    std::vector<WalkSegment> segments;
+    if (!from_middle && run.from < length_f_) segments.push_back(behind_[0]);
+    if (!to_middle && run.to > length_f_) segments.push_back(behind_[1]);
+    for (const WalkSegment& s : segments)
+      if (!catalog_.may_exist(s)) return {};
+    return segments;
+  }
+
+  const TurningForms& forms_;
+  const TurnCatalog& catalog_;
+  const BoundaryGraph& graph_;
+  Heading heading_;
+  double length_e_, length_f_;
+  std::array<WalkSegment, 2> before_, behind_;  // along the line, in order
+  Pair middle_;                                 // between the two behind the event
+};
+
+}  // namespace
+
+EventPlan plan_alignment(TurnEvent& event, const TurnRange& range, const SweepScene& scene) {
+  const WalkSegment first{1, event.e, event.f}, second{0, event.f, scene.forms.operand(1).next[event.e]};
+  if (scene.graph.first_on(first) == kNobody && scene.graph.first_on(second) == kNobody) return {};
+  exact_root(event, scene.forms, range);
+  std::optional<BoundaryEdit> edit = AlignmentEdit(event, scene).edit();
+  if (!edit) return {EventPlan::Verdict::unsure, {}, {}, {}};
+  const Point at = place_of(event, scene.forms, Heading::of(event.theta())).at;
+  return {EventPlan::Verdict::change, ObstacleEvent::Kind::alignment, at, std::move(*edit)};
+}
+
+}  // namespace dymsum::planar

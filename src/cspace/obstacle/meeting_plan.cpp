@@ -1,0 +1,288 @@
+#include <algorithm>
+#include <cmath>
+
+#include "cspace/obstacle/event_plan.h"
+#include "cspace/obstacle/local_arrangement.h"
+
+namespace dymsum::planar {
+namespace {
+
+int sign_of(double v, double error) { return v > error ? 1 : v < -error ? -1 : 0; }
+
+/// Positions along a segment nearer than this (as parameters) are not told apart in doubles.
+constexpr double kUnsure = 0x1p-30;
+
+enum class Fill : std::uint8_t {
+  nothing,  ///< the segments do not meet there
+  unsure,   ///< doubles do not tell, or more coincides
+  done,
+};
+
+// Strictly between the ends of a segment, or not on it, or too near to an end.
+Fill within(Located t) {
+  if (t.t < -t.error || t.t > 1 + t.error) return Fill::nothing;
+  return t.t > t.error && t.t < 1 - t.error ? Fill::done : Fill::unsure;
+}
+
+/// The arrangement behind an event, from doubles at the event.
+class Meeting {
+ public:
+  Meeting(const TurnEvent& event, const SweepScene& scene)
+      : event_(event),
+        forms_(scene.forms),
+        catalog_(scene.catalog),
+        graph_(scene.graph),
+        heading_(Heading::of(event.theta())) {}
+
+  Fill fill() { return event_.kind == TurnEvent::Kind::three_segments ? fill_triple() : fill_vertex(); }
+  /// The visible sub-edges that come to the place: those bounded by another segment of it, and those that pass. False
+  /// where doubles do not tell. Requires Fill::done.
+  bool find_nodes();
+  const LocalArrangement& local() const { return local_; }
+  Point at() const { return at_; }
+
+ private:
+  Fill fill_triple();
+  Fill order_along();
+  void find_place();
+  Fill fill_vertex();
+  void add_chain(int in, int out, int side);
+  bool find_signs();
+  bool find_nodes(LocalArrangement::Member& member);
+  std::optional<bool> passes(const WalkSegment& s, const BoundaryGraph::Node& node) const;
+  bool takes_part(std::uint32_t n) const;
+  Point start(const WalkSegment& s) const { return forms_.place(TurningForms::start(s), heading_); }
+  double along(const WalkSegment& s) const {
+    const Point from = start(s), d = forms_.direction(s, heading_);
+    return (d.x * (at_.x - from.x) + d.y * (at_.y - from.y)) / (d.x * d.x + d.y * d.y);
+  }
+
+  const TurnEvent& event_;
+  const TurningForms& forms_;
+  const TurnCatalog& catalog_;
+  const BoundaryGraph& graph_;
+  Heading heading_;
+  LocalArrangement local_;
+  Point at_;
+  double at_error_ = 0;
+};
+
+bool Meeting::find_signs() {
+  for (int i = 0; i < local_.size; ++i)
+    for (int j = i + 1; j < local_.size; ++j) {
+      const WalkSegment &s = local_.members[i].segment, &t = local_.members[j].segment;
+      const int sign = sign_of(forms_.cross(s, t).at(heading_), 0x1p-32 * forms_.length1(s) * forms_.length1(t));
+      if (sign == 0) return false;
+      local_.cross[i][j] = sign;
+      local_.cross[j][i] = -sign;
+    }
+  return true;
+}
+
+Fill Meeting::fill_triple() {
+  local_.size = 3;
+  const std::array<WalkSegment, 3> s{event_.a, event_.b, event_.c};
+  for (int k = 0; k < 3; ++k) {
+    local_.members[k].segment = s[k];
+    const TurnCatalog::Existence exists = catalog_.exists(s[k], event_.theta());
+    if (exists != TurnCatalog::Existence::yes)
+      return exists == TurnCatalog::Existence::no ? Fill::nothing : Fill::unsure;
+  }
+  if (!find_signs() || !event_.root->changes_sign()) return Fill::unsure;
+  for (int k = 0; k < 3; ++k) {
+    const Located t = place_on(forms_, s[k], s[(k + 1) % 3], false, heading_),
+                  u = place_on(forms_, s[k], s[(k + 2) % 3], false, heading_);
+    if (const Fill inside = within(t.error < u.error ? t : u); inside != Fill::done) return inside;
+  }
+  return order_along();
+}
+
+// Behind the event the crossings with b and c on a are in the order sign(G) sign(a x b) sign(a x c), G being the
+// concurrency.
+Fill Meeting::order_along() {
+  const TrigForm2 g = forms_.concurrency(event_.a, event_.b, event_.c);
+  const int after = sign_of(g.slope(heading_), 4096 * forms_.concurrency_error(event_.a, event_.b, event_.c));
+  if (after == 0) return Fill::unsure;
+  for (int k = 0; k < 3; ++k) {
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    const bool i_last = after * local_.cross[k][i] * local_.cross[k][j] > 0;
+    local_.members[k].add({i_last ? j : i, false});
+    local_.members[k].add({i_last ? i : j, false});
+  }
+  find_place();
+  return Fill::done;
+}
+
+// The crossing of the two that are least parallel.
+void Meeting::find_place() {
+  at_error_ = INFINITY;
+  for (int k = 0; k < 3; ++k) {
+    const WalkSegment& s = local_.members[k].segment;
+    const Located t = place_on(forms_, s, local_.members[(k + 1) % 3].segment, false, heading_);
+    const Point from = start(s), d = forms_.direction(s, heading_);
+    const double error = t.error * forms_.length1(s) + 0x1p-46 * forms_.span();
+    if (!(error < at_error_)) continue;
+    at_error_ = error;
+    at_ = {from.x + t.t * d.x, from.y + t.t * d.y};
+  }
+}
+
+// The vertex goes to one side of a; the segments that end and start there cross a or not.
+Fill Meeting::fill_vertex() {
+  const TurnCatalog::Joint joint = catalog_.joint(event_.v, event_.theta());
+  const TurnCatalog::Existence exists = catalog_.exists(event_.a, event_.theta());
+  if (exists == TurnCatalog::Existence::no) return Fill::nothing;
+  if (joint.unsure || exists == TurnCatalog::Existence::unsure) return Fill::unsure;
+  at_ = forms_.place(event_.v, heading_);
+  at_error_ = 0x1p-46 * forms_.span();
+  const Fill inside = within({along(event_.a), 4 * at_error_ / forms_.length1(event_.a)});
+  if (inside != Fill::done) return inside;
+  const auto add = [&](const WalkSegment& s) {
+    local_.members[local_.size].segment = s;
+    return local_.size++;
+  };
+  add(event_.a);
+  const int in = joint.has_in ? add(joint.in) : -1, out = joint.has_out ? add(joint.out) : -1;
+  if (in >= 0) local_.members[in].closes = true;
+  if (out >= 0) local_.members[out].opens = true;
+  if (!find_signs() || !event_.root->changes_sign()) return Fill::unsure;
+  const int side = sign_of(forms_.side(event_.a, event_.v).slope(heading_), 4096 * forms_.side_error(event_.a));
+  if (side == 0) return Fill::unsure;
+  add_chain(in, out, side);
+  return Fill::done;
+}
+
+// `side`: of a, on which the vertex lies behind the event.
+void Meeting::add_chain(int in, int out, int side) {
+  auto& members = local_.members;
+  const auto& cross = local_.cross;
+  const bool in_crosses = in >= 0 && side == cross[0][in], out_crosses = out >= 0 && side == -cross[0][out];
+  if (in >= 0) {
+    if (in_crosses) members[in].add({0, false});
+    members[in].add({out, true});
+  }
+  if (out >= 0) {
+    members[out].add({in, true});
+    if (out_crosses) members[out].add({0, false});
+  }
+  if (in_crosses && out_crosses) {
+    const bool in_first = -side * cross[in][out] * cross[0][in] * cross[0][out] < 0;
+    members[0].add({in_first ? in : out, false});
+    members[0].add({in_first ? out : in, false});
+  } else if (in_crosses || out_crosses) {
+    members[0].add({in_crosses ? in : out, false});
+  }
+}
+
+bool Meeting::takes_part(std::uint32_t n) const {
+  for (int k = 0; k < local_.size; ++k)
+    if (graph_.segments().of(local_.members[k].segment) == graph_[n].id) return true;
+  return false;
+}
+
+bool Meeting::find_nodes() {
+  for (int k = 0; k < local_.size; ++k)
+    if (!find_nodes(local_.members[k])) return false;
+  return true;
+}
+
+bool Meeting::find_nodes(LocalArrangement::Member& member) {
+  for (std::uint32_t n = graph_.first_on(member.segment); n != kNobody; n = graph_[n].next_on_segment) {
+    const BoundaryGraph::Node& node = graph_[n];
+    const bool starts = takes_part(node.prev), ends = takes_part(node.next);
+    if (starts && ends) {
+      local_.vanish.push_back(n);
+      continue;
+    }
+    bool passing = false;
+    if (!starts && !ends) {
+      if (member.opens || member.closes) continue;
+      const std::optional<bool> known = passes(member.segment, node);
+      if (!known) return false;
+      passing = *known;
+    }
+    if (ends || passing) {
+      if (member.in != kNobody) return false;
+      member.in = n;
+    }
+    if (starts || passing) {
+      if (member.out != kNobody) return false;
+      member.out = n;
+    }
+  }
+  return !(member.opens && member.in != kNobody) && !(member.closes && member.out != kNobody);
+}
+
+// Whether the place lies between the ends of a sub-edge.
+std::optional<bool> Meeting::passes(const WalkSegment& s, const BoundaryGraph::Node& node) const {
+  const double t = along(s), error = kUnsure + 4 * at_error_ / forms_.length1(s);
+  const Located u = place_on(forms_, s, graph_[node.prev].segment, true, heading_),
+                v = place_on(forms_, s, graph_[node.next].segment, false, heading_);
+  if (!(std::abs(t - u.t) > error + u.error && std::abs(t - v.t) > error + v.error)) return std::nullopt;
+  return t > u.t && t < v.t;
+}
+
+// What goes on along the same node changes nothing.
+BoundaryEdit edit_of(const LocalArrangement& local, const LocalArrangement::Routes& routes) {
+  const auto segments = [&](const std::vector<int>& members) {
+    std::vector<WalkSegment> all;
+    for (const int k : members) all.push_back(local.members[static_cast<std::size_t>(k)].segment);
+    return all;
+  };
+  BoundaryEdit edit;
+  for (const LocalArrangement::Path& path : *routes.paths) {
+    if (path.members.size() == 1 && path.in == path.out) continue;
+    edit.runs.push_back({path.in, path.out, segments(path.members)});
+    edit.gone.push_back(path.in);
+    edit.gone.push_back(path.out);
+  }
+  std::sort(edit.gone.begin(), edit.gone.end());
+  edit.gone.erase(std::unique(edit.gone.begin(), edit.gone.end()), edit.gone.end());
+  edit.gone.insert(edit.gone.end(), local.vanish.begin(), local.vanish.end());
+  for (const std::vector<int>& cycle : routes.cycles) edit.births.push_back(segments(cycle));
+  edit.loops_may_change = routes.paths->size() > 1 || (!local.vanish.empty() && routes.paths->empty());
+  return edit;
+}
+
+}  // namespace
+
+EventPlan plan_meeting(const TurnEvent& event, const SweepScene& scene, const OverlapFilter& filter) {
+  EventPlan plan;
+  plan.kind = event.kind == TurnEvent::Kind::three_segments ? ObstacleEvent::Kind::three_segments
+                                                            : ObstacleEvent::Kind::vertex_on_segment;
+  const auto with = [&](EventPlan::Verdict verdict) {
+    plan.verdict = verdict;
+    return plan;
+  };
+  Meeting meeting(event, scene);
+  const Fill filled = meeting.fill();
+  if (filled == Fill::nothing) return plan;
+  // Not generic: of no interest where everything is covered.
+  if (filled == Fill::unsure)
+    return with(certainly_covered(event, scene.forms, filter) ? EventPlan::Verdict::nothing
+                                                              : EventPlan::Verdict::unsure);
+  if (!meeting.find_nodes()) return with(EventPlan::Verdict::unsure);
+  plan.at = meeting.at();
+  const LocalArrangement::Routes routes = meeting.local().routes();
+  if (!meeting.local().any()) {
+    if (routes.cycles.empty()) return with(EventPlan::Verdict::doubtful);
+    if (filter.inside(plan.at, Heading::of(event.theta()))) return plan;
+  }
+  if (!routes.paths) return with(EventPlan::Verdict::unsure);
+  plan.edit = edit_of(meeting.local(), routes);
+  if (!plan.edit.empty()) plan.verdict = EventPlan::Verdict::change;
+  return plan;
+}
+
+EventPlan plan_event(TurnEvent& event, const TurnRange& range, const SweepScene& scene, const OverlapFilter& filter) {
+  switch (event.kind) {
+    case TurnEvent::Kind::alignment:
+      return plan_alignment(event, range, scene);
+    case TurnEvent::Kind::overlap:
+      return plan_overlap(event, scene);
+    default:
+      return plan_meeting(event, scene, filter);
+  }
+}
+
+}  // namespace dymsum::planar

@@ -1,0 +1,166 @@
+#include "cspace/obstacle/shared_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace dymsum::planar {
+namespace {
+
+/// Lines that collinear() may call one have offsets from the origin that differ by less than this share of the span, a
+/// tenth of it.
+constexpr double kLineNear = 0x1p-34;
+
+}  // namespace
+
+SharedLines::SharedLines(const TurningForms& forms, const AngleNow& now, std::vector<SubEdge> before)
+    : forms_(forms),
+      now_(now),
+      heading_(now.heading()),
+      before_(std::move(before)),
+      lines_before_(by_offset(before_)) {}
+
+double SharedLines::offset(const SubEdge& e) const {
+  const Point d = forms_.direction(e.segment, heading_), from = forms_.place(TurningForms::start(e.segment), heading_);
+  return (d.x * from.y - d.y * from.x) / std::hypot(d.x, d.y);
+}
+
+SharedLines::ByOffset SharedLines::by_offset(const std::vector<SubEdge>& edges) const {
+  ByOffset lines;
+  lines.reserve(edges.size());
+  for (std::uint32_t k = 0; k < edges.size(); ++k) lines.emplace_back(offset(edges[k]), k);
+  std::sort(lines.begin(), lines.end());
+  return lines;
+}
+
+template <class F>
+void SharedLines::for_each_near(const ByOffset& lines, double offset, F&& f) const {
+  const double near = kLineNear * forms_.span();
+  const auto first = std::lower_bound(lines.begin(), lines.end(), std::pair{offset - near, std::uint32_t{0}});
+  for (auto line = first; line != lines.end() && line->first <= offset + near; ++line) f(line->second);
+}
+
+std::vector<std::pair<std::uint32_t, std::uint32_t>> SharedLines::continued(const std::vector<SubEdge>& ended,
+                                                                            const std::vector<SubEdge>& fresh) const {
+  const ByOffset lines = by_offset(fresh);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> found;
+  for (std::uint32_t n = 0; n < ended.size(); ++n)
+    for_each_near(lines, offset(ended[n]), [&](std::uint32_t m) {
+      if (have_common_stretch(ended[n], fresh[m])) found.emplace_back(n, m);
+    });
+  return found;
+}
+
+// A sub-edge's stretch on a line. Places along it of nearly parallel lines may be anywhere on the segment.
+SharedLines::Stretch SharedLines::stretch_on(const WalkSegment& line, const SubEdge& edge) const {
+  const WalkSegment& s = edge.segment;
+  const Point d = forms_.direction(line, heading_), base = forms_.place(TurningForms::start(line), heading_);
+  const Point from = forms_.place(TurningForms::start(s), heading_), e = forms_.direction(s, heading_);
+  const double length = std::hypot(d.x, d.y);
+  double error = 0x1p-40 * forms_.span();
+  const auto along = [&](bool at_start) {
+    const Located at = place_on(forms_, s, at_start ? edge.left : edge.right, at_start, heading_);
+    error += std::isnan(at.error) ? INFINITY : at.error * forms_.length1(s);
+    const double u = std::clamp(at.t, 0.0, 1.0);
+    return (d.x * (from.x + u * e.x - base.x) + d.y * (from.y + u * e.y - base.y)) / length;
+  };
+  const double first = along(true), last = along(false);
+  return {std::min(first, last), std::max(first, last), error};
+}
+
+// Of one direction, and with a stretch in common at the angle. Ends are quotients `side / cross` of polynomials, where
+// a line runs along this one the quotient of their derivatives.
+bool SharedLines::have_common_stretch(const SubEdge& n, const SubEdge& m) const {
+  if (!(cosine(n.segment, m.segment) > 0) || !collinear(n.segment, m.segment)) return false;
+  const Stretch s = stretch_on(n.segment, n), t = stretch_on(n.segment, m);
+  const double share = std::min(s.to, t.to) - std::max(s.from, t.from), error = s.error + t.error;
+  if (share > error) return true;
+  if (share < -error) return false;
+  const SignsAt& signs = now_.signs();
+  for (const SubEdge* end : {&n, &m}) {
+    const std::optional<Fraction> to = end_along(signs, n.segment, *end, true);
+    for (const SubEdge* start : {&n, &m}) {
+      const std::optional<Fraction> from = end_along(signs, n.segment, *start, false);
+      // Lines that are parallel at every angle do not bound each other.
+      if (!to || !from) throw std::logic_error("SharedLines: a sub-edge ends nowhere on its line");
+      if (signs.compare(*to, *from) <= 0) return false;
+    }
+  }
+  return true;
+}
+
+double SharedLines::cosine(const WalkSegment& s, const WalkSegment& t) const {
+  const Point d = forms_.direction(s, heading_), e = forms_.direction(t, heading_);
+  return d.x * e.x + d.y * e.y;
+}
+
+// Exactly, where doubles do not tell the lines apart.
+bool SharedLines::collinear(const WalkSegment& s, const WalkSegment& t) const {
+  if (std::abs(forms_.cross(s, t).at(heading_)) > 0x1p-40 * forms_.length1(s) * forms_.length1(t)) return false;
+  const TrigForm side = forms_.side(s, TurningForms::start(t));
+  if (std::abs(side.at(heading_)) > 64 * forms_.side_error(s)) return false;
+  if (const QuarterTurn* turn = now_.crowded(); turn != nullptr)
+    return turn->on_line(s, TurningForms::start(t)) && turn->on_line(s, forms_.end(t));
+  const SignsAt& signs = now_.signs();
+  if (s.side == t.side ? !forms_.parallel(s, t) : signs.sign(forms_.exact_cross(s, t, signs.chart())) != 0)
+    return false;
+  return signs.sign(forms_.exact_side(s, TurningForms::start(t), signs.chart())) == 0;
+}
+
+// Walls of the other direction on a sub-edge's line. Turned round, a line has the opposite offset.
+std::vector<SubEdge> SharedLines::opposite_walls(const SubEdge& e) const {
+  std::vector<SubEdge> walls;
+  for_each_near(lines_before_, -offset(e), [&](std::uint32_t m) {
+    const SubEdge& wall = before_[m];
+    if (cosine(e.segment, wall.segment) < 0 && collinear(e.segment, wall.segment)) walls.push_back(wall);
+  });
+  return walls;
+}
+
+// In doubles where they leave a gap that is certain, else exactly.
+bool SharedLines::shut(std::span<const SubEdge> edges) const {
+  const WalkSegment& line = edges[0].segment;
+  const std::vector<SubEdge> walls = opposite_walls(edges[0]);
+  double low = -INFINITY, high = INFINITY, error = 0;
+  for (const SubEdge& e : edges) {
+    const Stretch s = stretch_on(line, e);
+    low = std::max(low, s.from);
+    high = std::min(high, s.to);
+    error += s.error;
+  }
+  if (walls.empty() && high - low > 2 * error) return false;
+  double reach = low, errors = error;
+  std::vector<Stretch> stretches;
+  for (const SubEdge& wall : walls) stretches.push_back(stretch_on(line, wall));
+  std::sort(stretches.begin(), stretches.end());
+  for (const Stretch& s : stretches) {
+    errors = std::max(errors, error + s.error);
+    if (s.from <= reach + 2 * errors) reach = std::max(reach, s.to);
+  }
+  if (high - reach > 2 * errors) return false;
+  return covered_exactly(edges, walls);
+}
+
+bool SharedLines::covered_exactly(std::span<const SubEdge> edges, const std::vector<SubEdge>& walls) const {
+  const WalkSegment& line = edges[0].segment;
+  const SignsAt& signs = now_.signs();
+  std::optional<Fraction> at, end;
+  for (const SubEdge& e : edges) {
+    const std::optional<Fraction> from = end_along(signs, line, e, false), to = end_along(signs, line, e, true);
+    if (!from || !to) return false;
+    if (!at || signs.compare(*from, *at) > 0) at = from;
+    if (!end || signs.compare(*to, *end) < 0) end = to;
+  }
+  for (bool grown = true; grown && signs.compare(*at, *end) < 0;) {
+    grown = false;
+    for (const SubEdge& wall : walls) {
+      const std::optional<Fraction> to = end_along(signs, line, wall, false), from = end_along(signs, line, wall, true);
+      if (!to || !from || signs.compare(*from, *at) > 0 || signs.compare(*to, *at) <= 0) continue;
+      at = to;
+      grown = true;
+    }
+  }
+  return signs.compare(*at, *end) >= 0;
+}
+
+}  // namespace dymsum::planar

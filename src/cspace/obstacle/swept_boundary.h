@@ -1,0 +1,26 @@
+// What a sweep over a full turn finds, in its own indices: angles in the order of the turn, from -pi / 2 on.
+#pragma once
+
+#include <vector>
+
+#include "cspace/boundary/boundary_graph.h"
+#include "planar/turning/exact_angle.h"
+
+namespace dymsum::planar {
+
+struct SweptBoundary {
+  explicit SweptBoundary(SegmentIndex segments) : graph(segments) {}
+
+  BoundaryGraph graph;
+  std::vector<ExactAngle> angles;
+  std::vector<ObstacleEvent> events;
+  std::vector<TightFeature> tight;
+  /// Angles at which Euler numbers are told by limits of the boundary, and then twice what surfaces gain there, each
+  /// with a node of theirs.
+  std::vector<std::uint32_t> limit_angles;
+  std::vector<std::pair<std::uint32_t, int>> limit_halves;
+  bool always_concurrent = false;  ///< of some window: CspaceObstacle::may_have_tight_curves
+  ObstacleWork work;
+};
+
+}  // namespace dymsum::planar

@@ -1,0 +1,70 @@
+// Places at an exact angle, and which visible sub-edges come to them.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "cspace/events/turn_events.h"
+#include "cspace/obstacle/sweep_scene.h"
+
+namespace dymsum::planar {
+
+/// A place that may be free, and segments whose lines go through it.
+struct TightCandidate {
+  ExactPlace place;
+  Point near;  ///< in the forms' doubles
+  std::vector<std::uint32_t> through;
+  bool visible = false;  ///< sub-edges before or behind the angle come to it
+  bool goes_through(std::uint32_t segment) const {
+    return std::find(through.begin(), through.end(), segment) != through.end();
+  }
+};
+
+/// A sub-edge before or behind the angle: where it begins and ends at the angle, as d . (x - start) of its segment, in
+/// doubles.
+struct NodeNow {
+  std::uint32_t node = 0;
+  double from = 0, to = 0, error = 0;  ///< of the difference to `along_near` of a place
+};
+
+/// Exact answers; doubles where they tell.
+class PlacesAtAngle {
+ public:
+  PlacesAtAngle(const SweepScene& scene, const SignsAt& signs)
+      : forms_(scene.forms),
+        catalog_(scene.catalog),
+        graph_(scene.graph),
+        segments_(scene.graph.segments()),
+        signs_(signs) {}
+
+  bool same_place(const TightCandidate& y, const TightCandidate& z) const;
+  std::vector<TightCandidate> each_once(std::vector<TightCandidate> all) const;
+  /// Neighbouring places, by index, along two segments of opposite directions that exist at the angle near theta: of
+  /// the two sides of a polyline with one vertex mostly one does.
+  std::vector<std::array<std::uint32_t, 2>> opposite_stretches(const std::vector<TightCandidate>& places,
+                                                               double theta) const;
+  /// The boundary behind the angle, or before and behind it.
+  std::vector<NodeNow> nodes_now(bool before) const;
+  /// Whether a sub-edge comes to z at the angle.
+  bool reaches(const NodeNow& n, const TightCandidate& z) const;
+  /// Whether sub-edges together come to the whole stretch from y to z.
+  bool reached_all_along(const std::vector<NodeNow>& nodes, const TightCandidate& y, const TightCandidate& z) const;
+  /// The place that three concurrent segments have in common, if they do.
+  std::optional<TightCandidate> meeting_of(const AlwaysConcurrent& three) const;
+  std::vector<TightCandidate> places_of(const std::vector<AlwaysConcurrent>& curves) const;
+
+ private:
+  int order_of_end(const NodeNow& n, const TightCandidate& z, bool at_end) const;
+  bool on_line(const NodeNow& n, const TightCandidate& z) const;
+
+  const TurningForms& forms_;
+  const TurnCatalog& catalog_;
+  const BoundaryGraph& graph_;
+  const SegmentIndex& segments_;
+  const SignsAt& signs_;
+};
+
+}  // namespace dymsum::planar

@@ -1,0 +1,47 @@
+// The full turn in ranges of angles, each with its window and the events that may happen in it.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "cspace/events/quarter_turn.h"
+
+namespace dymsum::planar {
+
+/// A window with its events.
+struct PreparedWindow {
+  TurnRange range;
+  std::unique_ptr<TurnWindow> window;
+  std::unique_ptr<OverlapFilter> filter;
+  TurnEvents found;
+  const CrowdedQuarter* at_end = nullptr;  ///< where it ends with one
+};
+
+/// Ranges of angles one after the other, with their windows and events. Several may be prepared at a time.
+class TurnWindows {
+ public:
+  /// `reference`: all events, none left out.
+  TurnWindows(const TurningForms& forms, const TurnCatalog& catalog, bool reference);
+
+  int count() const { return 2 * per_half_turn_; }
+  TurnRange range_of(int k) const;
+  enum class Halved : std::uint8_t { where_crowded, always };
+  /// One window or, where the range is halved, several.
+  std::vector<PreparedWindow> prepare(int k, Halved halved) const;
+
+ private:
+  void add(const TurnRange& range, int depth, Halved halved, std::vector<PreparedWindow>& parts) const;
+  bool beside_crowd(const TurnRange& range) const;
+
+  const TurningForms& forms_;
+  const TurnCatalog& catalog_;
+  bool reference_;
+  double pairs_;
+  int per_half_turn_;
+  std::vector<Alignment> all_;
+  std::optional<CrowdedQuarters> crowded_;
+  std::optional<TurnGrid> grid_;
+};
+
+}  // namespace dymsum::planar
