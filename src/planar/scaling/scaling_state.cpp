@@ -107,8 +107,8 @@ WindowSettings ScalingSum::State::settings_for(const BigRational& low, const Big
   // A little wider than asked for, so that rounding cannot leave anything out.
   const double a = exact::round_to_double(scaled_moves ? low : BigRational(1 / high));
   const double b = exact::round_to_double(scaled_moves ? high : BigRational(1 / low));
-  settings.frame.tau0 = a * (1 - 0x1p-40);
-  settings.frame.tau1 = b * (1 + 0x1p-40);
+  settings.frame.tau0 = a * exact::kInwards;
+  settings.frame.tau1 = b * exact::kOutwards;
   settings.frame.centre_x = base->width[settings.frame.moving] / 2;
   settings.frame.centre_y = base->height[settings.frame.moving] / 2;
   settings.shrink = shrink;
