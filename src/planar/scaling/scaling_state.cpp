@@ -193,9 +193,10 @@ ScalingSum::State::KeptRings ScalingSum::State::kept_rings(double tau, FramePlac
   const double reach = (std::abs(l.points[k]->offset.x) + std::abs(l.points[k]->offset.y)) * s +
                        std::abs(l.points[1 - k]->offset.x) + std::abs(l.points[1 - k]->offset.y);
   const double span = window_->span(), poor = 0x1p-38 * span;
-  // Evaluation, the blow-up and the offsets add a few roundings.
+  // Times the span: evaluation (3), the blow-up and the last sum; times the offsets: the scale, products and sums.
+  constexpr double kKept = exact::rounding_bound(6, 16), kOffsets = exact::rounding_bound(5, 8);
   const auto input_error = [&](double of_point) {
-    return grow * (of_point + 0x1p-49 * span) * unit * (1 + 0x1p-40) + 0x1p-50 * reach;
+    return grow * (of_point + kKept * span) * unit * exact::kOutwards + kOffsets * reach;
   };
   const VertexOrder order(source, input_error(poor));
   const SumVertex* const vertices = loops_->vertices().data();
