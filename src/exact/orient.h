@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "dymsum/region.h"
+#include "exact/rounding_bound.h"
 
 namespace dymsum::exact {
 
@@ -29,7 +30,6 @@ struct FilterCounts {
   friend bool operator==(const FilterCounts&, const FilterCounts&) = default;
 };
 
-/// The sign of l + r for products l and r of rounded differences where it is certain, else 0.
 // The filter's bound, for s = u v +- w z with u, v, w, z differences of doubles, l = fl(fl(u) fl(v)),
 // r = fl(fl(w) fl(z)) and e = 2^-53. Differences err relatively by at most e (they never underflow), so
 // fl(u) fl(v) = u v (1 + d1)(1 + d2) and l = fl(u) fl(v) (1 + d3) + t, |d| <= e, |t| <= 2^-1075 (t is the underflow of
@@ -40,8 +40,11 @@ struct FilterCounts {
 // The test |fl(s)| > 5e fl(|l| + |r|) + 2^-1000, evaluated in doubles, is stricter: 5e (1 - e)^3 > 4e + 13e^2, and
 // 2^-1000 also covers the underflow of the threshold itself. Overflow makes the threshold infinite or NaN and the test
 // fail.
+inline constexpr double kCertainSign = rounding_bound(4, 5);
+
+/// The sign of l + r for products l and r of rounded differences where it is certain, else 0.
 inline int certain_sign(double l, double r) {
-  const double s = l + r, threshold = 5 * 0x1p-53 * (std::abs(l) + std::abs(r)) + 0x1p-1000;
+  const double s = l + r, threshold = kCertainSign * (std::abs(l) + std::abs(r)) + kUnderflow;
   return (s > threshold) - (s < -threshold);
 }
 

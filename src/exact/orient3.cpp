@@ -6,6 +6,7 @@
 
 #include "exact/big.h"
 #include "exact/grid.h"
+#include "exact/rounding_bound.h"
 
 namespace dymsum::exact {
 
@@ -13,13 +14,13 @@ namespace {
 
 // The filter's bound, with e = 2^-53. Differences of doubles err relatively by at most e and never underflow. A term
 // (u v - u' v') w is formed from three differences (3e), a product (e), a difference (e) and a product (e), and enters
-// at most two sums (2e): together at most (1 + e)^8 - 1 < 8.1e of its permanent (|u v| + |u' v'|) |w|. The permanent is
+// at most two sums (2e): together at most 8 roundings of its permanent (|u v| + |u' v'|) |w|. The permanent is
 // itself evaluated in doubles, each summand by 8 operations at most: at least (1 - e)^8 of its value. So 10e of the
-// computed one covers all that rounding loses. Underflow: where all differences are at most 2^300 in magnitude, each of
-// the six inner products loses at most 2^-1074, times 2^300, and the outer ones 2^-1074 each: below 2^-700, which also
-// covers what the permanent loses. Then no product exceeds 2^903, and nothing overflows.
-constexpr double kRelative = 10 * 0x1p-53;
-constexpr double kUnderflow = 0x1p-700;
+// computed one covers all that rounding loses, with one to spare. Underflow: where all differences are at most 2^300 in
+// magnitude, each of the six inner products loses at most 2^-1074, times 2^300, and the outer ones 2^-1074 each: below
+// 2^-700, which also covers what the permanent loses. Then no product exceeds 2^903, and nothing overflows.
+constexpr double kRelative = rounding_bound(8, 10);
+constexpr double kLost = 0x1p-700;
 constexpr double kLargest = 0x1p300;
 
 struct Differences {
@@ -81,7 +82,7 @@ SignAnswer orient3_answer(const Point3& a, const Point3& b, const Point3& c, con
     const double permanent = (std::abs(yz) + std::abs(zy)) * std::abs(w.x) +
                              (std::abs(zx) + std::abs(xz)) * std::abs(w.y) +
                              (std::abs(xy) + std::abs(yx)) * std::abs(w.z);
-    if (std::abs(s) > kRelative * permanent + kUnderflow) [[likely]]
+    if (std::abs(s) > kRelative * permanent + kLost) [[likely]]
       return {s > 0 ? 1 : -1, Rung::filter};
   }
   return exact_answer(a, b, c, d);

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "exact/rounding_bound.h"
+
 namespace dymsum::exact {
 namespace {
 
@@ -53,9 +55,9 @@ Scaled square_root(Scaled a) {
 }
 
 // Where doubles have decided. A term p_k u^i v^j has factors with errors 2^-51, 2^-49, 2^-49 and four roundings
-// together with the sums: below 2^-47 of the sum of magnitudes of the terms; what was lost below the doubles is below
-// 2^-990 with components of at most 2.
-constexpr double kTermError = 0x1p-47, kLost = 0x1p-980;
+// together with the sums: 4 + 2 * 16 + 4 units of the sum of magnitudes of the terms at most; what was lost below the
+// doubles is below 2^-990 with components of at most 2.
+constexpr double kTermError = rounding_bound(40, 64), kLost = 0x1p-980;
 
 /// The sign of a sum whose terms have these magnitudes together, if doubles tell.
 std::optional<int> filtered(double value, double magnitudes) {
@@ -190,9 +192,13 @@ SignAnswer compare_turns_answer(const QuadraticRoot& a, const QuadraticRoot& b) 
   return compare_answer(a, b);
 }
 
+/// Of the difference of two quotients of components of 8 u each, times their sum: two components, the quotient, the
+/// difference, and half of it and the sum that make the middle.
+constexpr double kQuotients = rounding_bound(2 * 8 + 4, 128);
+
 BigRational between(const QuadraticRoot& a, const QuadraticRoot& b) {
   const double low = a.approx()[1] / a.approx()[0], high = b.approx()[1] / b.approx()[0];
-  const double middle = low + (high - low) / 2, gap = high - low, error = 0x1p-46 * (std::abs(low) + std::abs(high));
+  const double middle = low + (high - low) / 2, gap = high - low, error = kQuotients * (std::abs(low) + std::abs(high));
   // The gap and its middle err by an eighth of the gap at most; a multiple of a quarter to a half of the gap lies
   // within a quarter of it from the middle.
   if (std::isfinite(gap) && gap > 8 * error && gap > 0x1p-900) {

@@ -5,10 +5,11 @@
 #include <cmath>
 #include <utility>
 
+#include "exact/rounding_bound.h"
+
 namespace dymsum::exact {
 namespace {
 
-constexpr double kUnit = 0x1p-53;
 /// More than what underflow can change: below |t| = kLargest, 2^-1022 for each coefficient and operation grows by less
 /// than 2^(6 * 65 + 20).
 constexpr double kLost = 0x1p-600, kLargest = 0x1p64;
@@ -37,7 +38,7 @@ Evaluation evaluate(const Polynomial& p, double t) {
     e.value = e.value * t + a;
     magnitude = magnitude * size + std::abs(a);
   }
-  e.error = (2 * n + 6) * kUnit * magnitude + kLost;
+  e.error = (2 * n + 6) * kRoundoff * magnitude + kLost;
   return e;
 }
 
@@ -71,7 +72,7 @@ std::array<int, 7> bernstein_signs(const Polynomial& p, const Interval& interval
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t k = n; k-- > i;) c[k] += c[k + 1];
   // c[n - j] belongs to the j-th Bernstein coefficient
-  const double error = (5 * static_cast<double>(n) + 8) * kUnit * bound + kLost;
+  const double error = (5 * static_cast<double>(n) + 8) * kRoundoff * bound + kLost;
   std::array<int, 7> signs{};
   for (std::size_t j = 1; j < n; ++j) signs[j] = decided(c[n - j], kBinomials[n][j] * error);
   signs[0] = interval.low_sign;
@@ -108,7 +109,7 @@ double approach(const Polynomial& p, DoubleBracket& bracket, int low_sign, doubl
   double x = bracket.low + (bracket.high - bracket.low) / 2;
   for (int i = 0; i < 60; ++i) {
     const Evaluation e = evaluate(p, x);
-    radius = 1.5 * e.error / std::abs(e.slope) + 2 * kUnit * std::abs(x);
+    radius = 1.5 * e.error / std::abs(e.slope) + 2 * kRoundoff * std::abs(x);
     if (!tighten(bracket, x, e.sign(), low_sign)) break;
     const double next = x - e.value / e.slope;
     const bool inside = next > bracket.low && next < bracket.high;
@@ -153,12 +154,12 @@ std::optional<int> filtered_sign(const Polynomial& p, double low, double high) {
   if (!(size <= kLargest)) return std::nullopt;
   const double middle = low + (high - low) / 2;
   const Evaluation e = evaluate(p, middle);
-  // |p(t) - p(middle)| <= |t - middle| sum k |c_k| size^(k - 1); one part in 2^40 covers all roundings of that product
-  // and 2^-52 size those of the middle.
+  // |p(t) - p(middle)| <= |t - middle| sum k |c_k| size^(k - 1); kOutwards covers all roundings of that product and
+  // two units of size those of the middle.
   double slope = 0;
   for (int k = p.degree(); k > 0; --k) slope = slope * size + k * std::abs(p.approx()[static_cast<std::size_t>(k)]);
-  const double radius = (high - low) / 2 + 0x1p-52 * size;
-  const int sign = decided(e.value, e.error + radius * slope * (1 + 0x1p-40) + kLost);
+  const double radius = (high - low) / 2 + 2 * kRoundoff * size;
+  const int sign = decided(e.value, e.error + radius * slope * kOutwards + kLost);
   return sign == 0 ? std::nullopt : std::optional(sign);
 }
 

@@ -1,5 +1,7 @@
 #include "cspace/events/sub_edge.h"
 
+#include <cmath>
+
 #include "cspace/events/walk_numbers.h"
 
 namespace dymsum::planar {
@@ -9,8 +11,10 @@ using exact::Polynomial;
 Located place_on(const TurningForms& forms, const WalkSegment& s, const WalkSegment& other, bool at_start, Heading h) {
   if (at_start ? meet_at_ends(forms, other, s) : meet_at_ends(forms, s, other)) return {at_start ? 0.0 : 1.0, 0};
   const double d = forms.cross(s, other).at(h), t = forms.side(other, TurningForms::start(s)).at(h) / d;
-  // The numerator errs by its bound, the denominator by a share of the lengths.
-  return {t, (forms.side_error(other) + std::abs(t) * 0x1p-46 * forms.length1(s) * forms.length1(other)) / std::abs(d)};
+  // The numerator errs by its bound, the denominator by a share of the lengths: of lines that may be parallel doubles
+  // know nothing.
+  const double rounding = kTurnedCross * forms.length1(s) * forms.length1(other), size = std::abs(d) - rounding;
+  return {t, size > 0 ? (forms.side_error(other) + std::abs(t) * rounding) / size : INFINITY};
 }
 
 // The start of its segment and a share of its vector, which is a crossing's side / cross. Where the crossing line runs

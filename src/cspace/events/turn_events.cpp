@@ -88,7 +88,7 @@ class Collector {
     const TrigForm n = forms_.side(b, TurningForms::start(a)), d = forms_.cross(a, b);
     const double at = d.at(w_.heading), least = std::abs(at) - std::abs(d.slope(w_.heading)) * w_.half -
                                                 0.5 * d.swing() * w_.half * w_.half -
-                                                0x1p-46 * forms_.length1(a) * forms_.length1(b);
+                                                kTurnedCross * forms_.length1(a) * forms_.length1(b);
     if (!(least > 0)) return {j, -INFINITY, INFINITY, 0};
     const double t = n.at(w_.heading) / at;
     const TrigForm k = n - d.times(t);
@@ -294,7 +294,7 @@ class Collector {
     for (Crossing& c : run) {
       const WalkSegment& b = w_.segments[c.other];
       const TrigForm d = forms_.cross(a, b);
-      const double rounding = 0x1p-46 * forms_.length1(a) * forms_.length1(b), cross = d.at(w_.heading),
+      const double rounding = kTurnedCross * forms_.length1(a) * forms_.length1(b), cross = d.at(w_.heading),
                    size = std::abs(cross) - rounding;
       const bool crosses = d.far_from_zero(w_.heading, w_.half, rounding) || parallel_at_exact_end(d);
       if (!crosses || !(size > 0)) continue;

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "base/scratch.h"
+#include "planar/operand/edge_bounds.h"
 #include "planar/operand/operand.h"
 #include "planar/operand/own_edges.h"
 
@@ -101,8 +102,8 @@ int compare_directions(const Lattice& lattice, const Edge& d, const Edge& e) {
     const std::int64_t cross = integer(u.x) * integer(v.y) - integer(u.y) * integer(v.x);
     return (cross < 0) - (cross > 0);
   }
-  // Three roundings of each component at most, one of each product and one of the difference.
-  const double left = u.x * v.y, right = u.y * v.x, bound = 0x1p-49 * (std::abs(left) + std::abs(right)) + 0x1p-1000;
+  const double left = u.x * v.y, right = u.y * v.x,
+               bound = kScaledEdgeCross * (std::abs(left) + std::abs(right)) + exact::kUnderflow;
   if (const double cross = left - right; cross > bound || cross < -bound) return cross < 0 ? 1 : -1;
   return -lattice.cross(d, e);
 }

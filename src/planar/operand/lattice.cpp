@@ -10,6 +10,7 @@
 #include "exact/grid.h"
 #include "exact/int.h"
 #include "exact/integer_pair.h"
+#include "planar/operand/edge_bounds.h"
 #include "planar/operand/lattice_build.h"
 #include "planar/position/position_signs.h"
 
@@ -65,8 +66,8 @@ class LatticeOf final : public Lattice {
   int compare_extent(const Edge& d, const Edge& e, int axis) const override {
     const Point u = vector(d), v = vector(e);
     const double p = axis == 0 ? u.x : u.y, q = axis == 0 ? v.x : v.y, gap = p - q;
-    // Three roundings each and one of the difference.
-    if (const double bound = 0x1p-50 * (std::abs(p) + std::abs(q)) + 0x1p-1000; gap > bound || gap < -bound)
+    if (const double bound = kScaledEdgeGap * (std::abs(p) + std::abs(q)) + exact::kUnderflow;
+        gap > bound || gap < -bound)
       return gap > 0 ? 1 : -1;
     const EdgeVec a = edge(d), b = edge(e);
     return axis == 0 ? exact::sign(a.x - b.x) : exact::sign(a.y - b.y);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/scratch.h"
+#include "planar/operand/edge_bounds.h"
 #include "planar/operand/own_edges.h"
 
 namespace dymsum::planar {
@@ -176,8 +177,7 @@ class Builder {
       const Edge out = edge(i);
       const Point e = edges_.vector(out.from, out.to);
       const double value = d.x * e.y - d.y * e.x;
-      // Vectors, products and difference are rounded once each: 4 roundings of the products, or underflow.
-      const double bound = 0x1p-50 * (std::abs(d.x * e.y) + std::abs(d.y * e.x)) + 0x1p-1000;
+      const double bound = kEdgeCross * (std::abs(d.x * e.y) + std::abs(d.y * e.x)) + exact::kUnderflow;
       d = e;
       source[at] = walk[i];
       // The straight run that starts here; backward runs of a polyline carry the number of their forward run.

@@ -6,11 +6,13 @@
 namespace dymsum::planar {
 namespace {
 
-// A side of a point computed from places errs by at most this times |d|_1 span, d x e by kCross |d|_1 |e|_1: cos and
-// sin carry 2^-49, every coordinate a few roundings (TurningForms::side_error, doubled because o2 = o1 + d x e carries
-// both).
-constexpr double kSide = 0x1p-45, kCross = 0x1p-46;
+/// Cross products up to this, times both |.|_1, are not divided by: kCrossingSlack needs them known to 56 of 256 units.
+constexpr double kCrossKnown = exact::rounding_bound(56, 256);
+/// Edges whose cross product is less are looked at exactly.
+constexpr double kNearlyStraight = 0x1p-40;
+static_assert(kNearlyStraight > kTurnedCross);
 
+// The conversion and the product lose 2^-24 each.
 float rounded_up(double error) { return static_cast<float>(error) * (1 + 0x1p-20f); }
 
 }  // namespace
@@ -23,7 +25,7 @@ RotatingFrame::RotatingFrame(const RotatingWindow& window) : window_(window) {
     if (window.first_of[s.first_piece] == window.first_of[s.last_piece]) continue;
     busy_[s.walk.side].push_back({i, s.start.p, s.start.q, s.walk.edge});
     placed_[i].length1 = s.length1;
-    placed_[i].error = kSide * window.forms().span() * s.length1;
+    placed_[i].error = kTurnedEndSide * window.forms().span() * s.length1;
   }
   exists_.assign(n, 1);
   turned_.resize(m);
@@ -72,7 +74,7 @@ bool RotatingFrame::place_segments(double delta) {
     if (std::abs(before) < kAngleSlack || std::abs(behind) < kAngleSlack) return false;
     exists_[i] = before > 0 && behind > 0;
     // Everything lies beside what does not exist.
-    placed_[i].error = exists_[i] != 0 ? kSide * forms.span() * placed_[i].length1 : -INFINITY;
+    placed_[i].error = exists_[i] != 0 ? kTurnedEndSide * forms.span() * placed_[i].length1 : -INFINITY;
   }
   for (const std::uint32_t side : {0u, 1u})
     for (const Busy& b : busy_[side]) {
@@ -112,7 +114,7 @@ bool RotatingFrame::find_crossings() {
     const TurnMeeting& m = window_.meetings[n.meeting];
     const Placed &a = placed_[m.segment_a], &b = placed_[m.segment_b];
     const bool unsure = any(least(magnitude(n.starts), magnitude(n.starts + both(n.k))) <= n.error);
-    if (unsure || std::abs(n.k) <= 2 * kCross * a.length1 * b.length1) {
+    if (unsure || std::abs(n.k) <= kCrossKnown * a.length1 * b.length1) {
       if (!certainly_beside(a, b) && !certainly_beside(b, a)) return false;
       continue;
     }
@@ -122,7 +124,7 @@ bool RotatingFrame::find_crossings() {
     const Two at = n.starts * both(per);
     if (any(at <= firsts(q.range, p.range)) | any(at > seconds(q.range, p.range)))
       continue;  // they cross in other pieces
-    const Two error = both(4 * std::abs(per)) * n.error + both(0x1p-50);
+    const Two error = both(kCrossingSlack * std::abs(per)) * n.error + both(kCrossingShare);
     const bool out_on_a = n.k > 0;
     const Two t = out_on_a ? at : exchanged(at), e = out_on_a ? error : exchanged(error);
     crossings_[number] = {out_on_a ? m.b : m.a, out_on_a ? m.a : m.b, t[0], t[1], e[0], e[1]};
@@ -258,7 +260,7 @@ bool RotatingFrame::find_plain_cycles() {
 // 0 for directions in [0, pi), 1 for the others; sets sure_ to false where doubles do not tell.
 int RotatingFrame::half(const TurnSegment& s, Point d) {
   if (s.walk.side == 0) return d.y > 0 || (d.y == 0 && d.x > 0) ? 0 : 1;  // rounded once from exact differences
-  if (std::abs(d.y) <= kCross * s.length1) sure_ = false;
+  if (std::abs(d.y) <= kTurnedDirection * s.length1) sure_ = false;
   return d.y > 0 ? 0 : 1;
 }
 
@@ -272,7 +274,8 @@ bool RotatingFrame::close(std::uint32_t first) {
     const TurnSegment* b = &window_.segments[steps_[i + 1 == last ? first : i + 1].segment];
     const Point e = direction(b->walk);
     const double k = d.x * e.y - d.y * e.x, lengths = a->length1 * b->length1;
-    if (from.to == kEnd && std::abs(k) <= 0x1p-40 * lengths) from.straight = window_.forms().parallel(a->walk, b->walk);
+    if (from.to == kEnd && std::abs(k) <= kNearlyStraight * lengths)
+      from.straight = window_.forms().parallel(a->walk, b->walk);
     const int hf = ht;
     ht = half(*b, e);
     a = b;
@@ -280,7 +283,7 @@ bool RotatingFrame::close(std::uint32_t first) {
     if (hf == ht) continue;
     int turn = -1;  // at crossings always to the right
     if (from.to == kEnd) {
-      if (std::abs(k) <= kCross * lengths) sure_ = false;
+      if (std::abs(k) <= kTurnedCross * lengths) sure_ = false;
       turn = k > 0 ? 1 : -1;
     }
     if (turn > 0 && hf == 1) ++turns;

@@ -54,7 +54,7 @@ class RotatingFrame {
   Point place(Pair v) const {
     return {window_.forms().points(0)[v.p].x + turned_[v.q].x, window_.forms().points(0)[v.p].y + turned_[v.q].y};
   }
-  double point_error() const { return 0x1p-48 * window_.forms().span(); }
+  double point_error() const { return kTurnedPlace * window_.forms().span(); }
   /// Where a step ends, and a bound on the error of each coordinate.
   struct Located {
     Point at;

@@ -23,7 +23,7 @@ class RotatingLoops::Stretch {
         forms_(window_.forms()),
         low_(std::min(from, to)),
         high_(std::max(from, to)),
-        half_(0.5 * (high_ - low_) + 0x1p-48),
+        half_(0.5 * (high_ - low_) + kAngleDouble),
         heading_(Heading::of(window_.middle + 0.5 * (low_ + high_))) {}
 
   /// It exists all the time, or never.
@@ -59,7 +59,7 @@ class RotatingLoops::Stretch {
     return !form.far_from_zero(heading_, half_, error) ? 0 : form.at(heading_) > 0 ? 1 : -1;
   }
   int turn(std::uint32_t a, std::uint32_t b) const {
-    return sign(forms_.cross(walk(a), walk(b)), 0x1p-46 * forms_.length1(walk(a)) * forms_.length1(walk(b)));
+    return sign(forms_.cross(walk(a), walk(b)), kTurnedCross * forms_.length1(walk(a)) * forms_.length1(walk(b)));
   }
 
   const RotatingWindow& window_;
@@ -277,7 +277,8 @@ bool RotatingLoops::covers(const std::array<std::uint32_t, 2>& edges, const Rota
     const std::uint32_t e = edge[side], f = edge[1 - side];
     const WalkSegment s{side, e, f};
     const Point d = forms_.direction(s, h);
-    const double bound = forms_.length1(s) * (z.error + 0x1p-46 * forms_.span());
+    // A turned edge vector is up to sqrt(2) times as long, by the sum of its coordinates, as it was.
+    const double bound = (std::abs(d.x) + std::abs(d.y)) * z.error + forms_.side_error(s);
     const auto value = [&](std::uint32_t v) {
       const Point at = frame.place(side == 0 ? Pair{e, v} : Pair{v, e});
       return d.x * (z.at.y - at.y) - d.y * (z.at.x - at.x);

@@ -7,9 +7,9 @@ namespace dymsum::planar {
 namespace {
 
 // A coordinate difference between the operands errs by at most this times the span: the position by twice
-// RotatingFrame::point_error, a turned vertex by once, differences by roundings. Edge vectors err relatively, by 2^-48,
-// so a side errs by less than twice this times |vector|_1.
-constexpr double kOff = 0x1p-45;
+// RotatingFrame::point_error, a turned vertex by once, differences by roundings. Edge vectors err by kTurnedDirection,
+// 19 L, so a side errs by less than twice this times |vector|_1.
+constexpr double kOff = exact::rounding_bound(2 * 32 + 32 + 4, 256);
 constexpr std::size_t kMostPairs = 1 << 16;  // trees of exact boxes are better beyond
 
 }  // namespace

@@ -1,6 +1,15 @@
 #include "planar/rotating/rotating_place.h"
 
+#include "exact/rounding_bound.h"
+
 namespace dymsum::planar {
+namespace {
+
+/// Of a position rounded from the exact one relative to a pair of vertices, times the span: the difference, two
+/// vertices of three roundings each and two sums.
+constexpr double kRoundedPlace = exact::rounding_bound(9, 32);
+
+}  // namespace
 
 // Both lie on one contact whose edge stands still and is upright (axis 0) or level (axis 1): rectilinear shapes ask
 // this all the time.
@@ -76,7 +85,7 @@ bool RotatingPlace::inside_right_of(const Segment& on, const std::optional<Segme
         exact::round_to_double(exact::BigRational(at.x - origin.x)) / l.unit;
   p.y = l.points[0]->y[start.p] + l.points[1]->y[start.q] +
         exact::round_to_double(exact::BigRational(at.y - origin.y)) / l.unit;
-  p.error = 0x1p-48 * l.span;
+  p.error = kRoundedPlace * l.span;
   return collision_->overlaps_right_of(p);
 }
 

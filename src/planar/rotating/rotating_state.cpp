@@ -39,6 +39,16 @@ double cost_of_frame(const FrameWork& work, const PlanarSum& sum, double slice) 
 // In the choice of a width windows count by half: they are what makes few frames late, wide ones are what makes all
 // others slower.
 constexpr double kLate = 0.5;
+/// Turning (x, y) mixes errors of both coordinates: by |cos| + |sin| <= sqrt(2).
+constexpr double kMixed = 1.5;
+/// Of the rest of turning a position back, times the span: cos and sin, sqrt(2) 16, and six operations; and of turning
+/// the offsets, whose sums carry 2.
+constexpr double kTurnedBack = exact::rounding_bound(23 + 9, 128), kTurnedOffset = exact::rounding_bound(23 + 9, 64);
+/// Positions that are known worse than this, times the span, make the frame be computed from scratch. Any value is
+/// right.
+constexpr double kPoor = 0x1p-36;
+/// Of two doubles of angles and their difference; a window's ends are left that much early.
+constexpr double kAngleGap = exact::rounding_bound(2 * 12 + 4, 512);
 
 constexpr double kMaskFrom = 100;    // segments from which a mask pays
 constexpr double kCellsSwept = 1.1;  // a cell is so many times as wide as vertices move from the middle of a window
@@ -145,7 +155,7 @@ RotatingSum::State::Rigid RotatingSum::State::to_sum(const Orientation& theta) c
 // The steps of a kept loop that end at vertices and their places, from the leftmost on: doubles mostly know where a
 // ring begins. False where a position is known too badly.
 bool RotatingSum::State::place_ring(const RotatingLoops::Loop& loop, const Rigid& rigid, double& error) {
-  const double poor = 0x1p-36 * forms_->span(), point_error = frame_->point_error();
+  const double poor = kPoor * forms_->span(), point_error = frame_->point_error();
   const RotatingFrame::Step* steps = frame_->steps().data();
   const Rigid to_sum = rigid;
   steps_.resize(loop.vertices);
@@ -215,11 +225,11 @@ bool RotatingSum::State::assemble(const Orientation& theta, NextFrame& next) {
     rings.push_back(ring(loop));
     outer.push_back(loop.turning > 0);
   }
-  // Turning back mixes both coordinates; cos and sin carry 2^-49 of everything that is turned.
+  // Turning back mixes both coordinates.
   const Lattice& l = *forms_base_->lattice;
   double offsets = std::abs(forms_->centre().x) * l.unit + std::abs(forms_->centre().y) * l.unit;
   for (const auto& points : l.points) offsets += std::abs(points->offset.x) + std::abs(points->offset.y);
-  sum.at_error = (1.5 * error + 0x1p-46 * forms_->span()) * l.unit + 0x1p-47 * offsets;
+  sum.at_error = (kMixed * error + kTurnedBack * forms_->span()) * l.unit + kTurnedOffset * offsets;
   const VertexOrder order(*sum.source, sum.at_error);
   for (SumRing& ring : rings)
     if (const std::size_t first = smallest_vertex(ring.vertices, order, sum.at_error); first != 0)
@@ -271,7 +281,7 @@ Result<FrameChanges> RotatingSum::State::move_to(const Orientation& theta) {
     const double angle = moving_angle(theta), before = moving_angle(orientation),
                  step = std::remainder(angle - before, kTurn);
     // Doubles of angles err.
-    if (window_ == nullptr || std::abs(std::remainder(angle - window_->middle, kTurn)) > window_->half - 0x1p-44) {
+    if (window_ == nullptr || std::abs(std::remainder(angle - window_->middle, kTurn)) > window_->half - kAngleGap) {
       WindowController::Choice choice = controller_.choose(step, widest_window(), options.mode, options.window);
       if (options.window > 0 && step < 0) std::swap(choice.behind, choice.ahead);
       if (choice.window) {

@@ -19,7 +19,7 @@ constexpr std::uint32_t kInVain = 4, kSpared = 4;
 inline bool EdgeSearch::opposite(std::uint32_t op, std::uint32_t edge, std::uint32_t other_edge, const Way& at) const {
   const Operand &o = window_.base().operands[op], &other = window_.base().operands[1 - op];
   const Two own = scale(op, at), others = scale(1 - op, at), ex = both(o.ex[edge]), ey = both(o.ey[edge]);
-  const Two bound = both(std::abs(o.ex[edge]) + std::abs(o.ey[edge])) * (at.error + both(0x1p-48 * window_.span()));
+  const Two bound = both(std::abs(o.ex[edge]) + std::abs(o.ey[edge])) * (at.error + both(kSearchSide * window_.span()));
   const Two px = own * both(o.x[edge]), py = own * both(o.y[edge]);
   const auto value = [&](std::uint32_t v) {
     return ex * (at.y - (py + others * both(other.y[v]))) - ey * (at.x - (px + others * both(other.x[v])));

@@ -193,7 +193,7 @@ bool FrameLoops::undisturbed(const LoopStep& edge, double tau) const {
     if (id & kTouchBit ? !stays(window.touches[id & ~kTouchBit]) : !stays(window.candidates[id])) return false;
   }
   const End from = end(edge.from, {0, 0}), to = end(edge.to, window.end_place(piece));
-  const double margin = from.error + to.error + piece.tail_error + 0x1p-48 * std::max(1.0, high);
+  const double margin = from.error + to.error + piece.tail_error + kShareGap * std::max(1.0, high);
   for (const double x : {low, high})
     if (!(to.t.at(x) - from.t.at(x) > margin)) return false;
   // Whether everything else on the piece stays clear of the sub-edge while it is there.
@@ -258,7 +258,7 @@ bool FrameLoops::quiet(std::uint32_t touch, double tau) const {
   if (!(v.in_low < low && v.in_high > high)) return false;
   for (const PieceLists::Entry& e : lists_.entries(v.piece)) {
     if (e.id == (touch | kTouchBit) || e.out_high <= low || e.out_low >= high) continue;
-    const double apart = v.error + e.error + 0x1p-48 * std::max(1.0, high), u = std::max(low, e.out_low),
+    const double apart = v.error + e.error + kShareGap * std::max(1.0, high), u = std::max(low, e.out_low),
                  w = std::min(high, e.out_high);
     const double gap_u = e.t.at(u) - v.t.at(u), gap_w = e.t.at(w) - v.t.at(w);
     if (!(gap_u > apart && gap_w > apart) && !(gap_u < -apart && gap_w < -apart)) return false;

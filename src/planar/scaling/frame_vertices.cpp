@@ -50,7 +50,7 @@ FrameLoops::Cutting FrameLoops::end_cut(Step s, bool at_end) const {
   const Window& window = lists_.window();
   const LiveSegment& on = window.segments[window.pieces[s.piece].segment];
   Cutting c;
-  c.relative_error = 0x1p-50;
+  c.relative_error = kLengthWeight;
   const bool end = at_end && s.sub == lists_.count(s.piece), start = !at_end && s.sub == 0;
   if (end || start) {
     const Piece& piece = window.pieces[s.piece];
@@ -79,7 +79,7 @@ FrameLoops::Cutting FrameLoops::end_cut(Step s, bool at_end) const {
   c.cut.by = window.exact(other);
   const double u = on.dx * by.dy, v = on.dy * by.dx, d = std::abs(u - v);
   c.denominator = d * window.base().lattice->integers_per_unit;
-  c.relative_error = d > 0 ? std::min(1.0, 0x1p-48 * (std::abs(u) + std::abs(v)) / d) : 1.0;
+  c.relative_error = d > 0 ? std::min(1.0, kCrossWeight * (std::abs(u) + std::abs(v)) / d) : 1.0;
   return c;
 }
 
@@ -109,13 +109,13 @@ Place FrameLoops::sample(const FrameLoop& loop, double tau, FramePlace& place) c
     return c.denominator * den * (c.cut.by.edge.op == place.base().scaled ? place.value().approx : 1);
   };
   const double d0 = weight_of(from), d1 = weight_of(to), t0 = from.t.at(tau), t1 = to.t.at(tau);
-  double weight = d0 + d1 > 0 ? d1 / (d0 + d1) : 0.5, relative = from.relative_error + to.relative_error + 0x1p-50;
+  double weight = d0 + d1 > 0 ? d1 / (d0 + d1) : 0.5, relative = from.relative_error + to.relative_error + kMediant;
   if (!(weight >= 0 && weight <= 1)) {
     weight = 0.5;
     relative = 1;
   }
   const double t = t0 + weight * (t1 - t0),
-               t_error = from.error + to.error + std::abs(t1 - t0) * 2 * relative + 0x1p-49 * std::max(1.0, tau);
+               t_error = from.error + to.error + std::abs(t1 - t0) * 2 * relative + kShare * std::max(1.0, tau);
   Place p;
   p.on = window.exact(segment);
   p.first = from.cut;
@@ -125,7 +125,7 @@ Place FrameLoops::sample(const FrameLoop& loop, double tau, FramePlace& place) c
   p.x = grow * (on.x.at(tau) + t * on.dx);
   p.y = grow * (on.y.at(tau) + t * on.dy);
   p.error =
-      grow * (t_error * std::max(std::abs(on.dx), std::abs(on.dy)) + kWindowPoint * window.span()) * (1 + 0x1p-40);
+      grow * (t_error * std::max(std::abs(on.dx), std::abs(on.dy)) + kWindowPoint * window.span()) * exact::kOutwards;
   if (!std::isfinite(p.error)) {
     // Nearly parallel lines, of which the doubles know nothing: the exact position, rounded.
     const Lattice& l = place.lattice();
@@ -135,7 +135,7 @@ Place FrameLoops::sample(const FrameLoop& loop, double tau, FramePlace& place) c
     const Lattice::Position start = l.position(origin);
     p.x = grow * on.x.at(tau) + exact::round_to_double(exact::BigRational(at.x - start.x)) / l.unit;
     p.y = grow * on.y.at(tau) + exact::round_to_double(exact::BigRational(at.y - start.y)) / l.unit;
-    p.error = grow * 0x1p-48 * window.span();
+    p.error = grow * kWindowSample * window.span();
   }
   return p;
 }
@@ -148,7 +148,7 @@ EdgeSearch::Place FrameLoops::beside(const FrameLoop& loop, double tau) const {
   const Cutting from = end_cut(s, false), to = end_cut(s, true);
   const double t = 0.5 * (from.t.at(tau) + to.t.at(tau));
   const double error =
-      (from.error + to.error + 0x1p-49 * std::max(1.0, tau)) * std::max(std::abs(on.dx), std::abs(on.dy)) +
+      (from.error + to.error + kShare * std::max(1.0, tau)) * std::max(std::abs(on.dx), std::abs(on.dy)) +
       kWindowPoint * window.span();
   return {on.x.at(tau) + t * on.dx, on.y.at(tau) + t * on.dy, error, tau};
 }
@@ -189,8 +189,8 @@ FrameLoops::MovingVertex FrameLoops::vertex_after(Step s, std::uint32_t in, std:
     v.point.y = {best.y.a + best.dy * t.a, best.y.b + best.dy * t.b};
     v.point.error += std::min(ea, eb);
     // Where the line is followed far outside the piece, a and b cancel at tau.
-    v.point.error += 0x1p-50 * (std::abs(v.point.x.a) + std::abs(v.point.y.a) +
-                                (std::abs(v.point.x.b) + std::abs(v.point.y.b)) * window.frame().tau1);
+    v.point.error += kFollowed * (std::abs(v.point.x.a) + std::abs(v.point.y.a) +
+                                  (std::abs(v.point.x.b) + std::abs(v.point.y.b)) * window.frame().tau1);
   }
   v.vertex.in = window.segments[in].contact;
   v.vertex.out = window.segments[out].contact;

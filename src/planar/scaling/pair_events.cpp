@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "planar/convolution/convolution.h"
+#include "planar/scaling/crossing_range.h"
 #include "planar/scaling/exact_forms.h"
 #include "planar/scaling/fill_lattice.h"
 
@@ -11,33 +12,6 @@ namespace dymsum {
 using namespace planar;
 
 namespace {
-
-// The interval of scales at which a pair crosses: an intersection of four half-lines a + b s > 0 with 0 < s.
-struct Interval {
-  double low = 0, high = INFINITY;
-  bool empty = false, unsure = false;
-
-  void meet(double a, double b, double ea, double eb) {
-    if (empty || unsure) return;
-    const int sa = a > ea ? 1 : a < -ea ? -1 : 0, sb = b > eb ? 1 : b < -eb ? -1 : 0;
-    if (sa == 0 || sb == 0) {
-      unsure = true;
-    } else if (sa < 0 && sb < 0) {
-      empty = true;
-    } else if (sa != sb) {
-      const double root = -a / b, wide = root * (ea / std::abs(a) + eb / std::abs(b)) * 2 + root * 0x1p-50;
-      double& end = sb > 0 ? low : high;
-      // Which of two close roots is the tighter one does not matter; whether the interval is empty does.
-      end = sb > 0 ? std::max(low, root) : std::min(high, root);
-      slack = std::max(slack, wide / root);
-    }
-    if (low > high * (1 + 4 * slack)) empty = true;
-  }
-  void settle() {
-    if (!empty && !(low < high * (1 - 4 * slack))) unsure = true;
-  }
-  double slack = 0;
-};
 
 struct Line {
   double xf, yf, xm, ym, dx, dy;  // start = fixed + s moving; unscaled vector
@@ -99,12 +73,13 @@ Result<PairEventCount> count_pair_events(const Region& p, const Region& q, Scale
     for (std::size_t j = i + 1; j < lines.size(); ++j) {
       const Line& b = lines[j];
       const double u = a.dx * b.dy, v = a.dy * b.dx, d = u - v;
-      Interval in;
-      if (std::abs(d) <= 0x1p-50 * (std::abs(u) + std::abs(v)) + 0x1p-1000) {
+      CrossingRange in;
+      if (std::abs(d) <= kEdgeCross * (std::abs(u) + std::abs(v)) + exact::kUnderflow) {
         in.unsure = true;
       } else {
         const double s = d > 0 ? 1 : -1;
-        const double eb = 0x1p-50 * (std::abs(b.dx) + std::abs(b.dy)), ea = 0x1p-50 * (std::abs(a.dx) + std::abs(a.dy));
+        const double eb = kSideCoefficient * (std::abs(b.dx) + std::abs(b.dy)),
+                     ea = kSideCoefficient * (std::abs(a.dx) + std::abs(a.dy));
         const auto side = [&](const Line& line, double xf, double yf, double xm, double ym, double sign, double e) {
           in.meet(sign * (line.dx * (yf - line.yf) - line.dy * (xf - line.xf)),
                   sign * (line.dx * (ym - line.ym) - line.dy * (xm - line.xm)), e * span_f, e * span_m);

@@ -107,8 +107,8 @@ WindowSettings ScalingSum::State::settings_for(const BigRational& low, const Big
   // A little wider than asked for, so that rounding cannot leave anything out.
   const double a = exact::round_to_double(scaled_moves ? low : BigRational(1 / high));
   const double b = exact::round_to_double(scaled_moves ? high : BigRational(1 / low));
-  settings.frame.tau0 = a * (1 - 0x1p-40);
-  settings.frame.tau1 = b * (1 + 0x1p-40);
+  settings.frame.tau0 = a * exact::kInwards;
+  settings.frame.tau1 = b * exact::kOutwards;
   settings.frame.centre_x = base->width[settings.frame.moving] / 2;
   settings.frame.centre_y = base->height[settings.frame.moving] / 2;
   settings.shrink = shrink;
@@ -193,9 +193,10 @@ ScalingSum::State::KeptRings ScalingSum::State::kept_rings(double tau, FramePlac
   const double reach = (std::abs(l.points[k]->offset.x) + std::abs(l.points[k]->offset.y)) * s +
                        std::abs(l.points[1 - k]->offset.x) + std::abs(l.points[1 - k]->offset.y);
   const double span = window_->span(), poor = 0x1p-38 * span;
-  // Evaluation, the blow-up and the offsets add a few roundings.
+  // Times the span: evaluation (3), the blow-up and the last sum; times the offsets: the scale, products and sums.
+  constexpr double kKept = exact::rounding_bound(6, 16), kOffsets = exact::rounding_bound(5, 8);
   const auto input_error = [&](double of_point) {
-    return grow * (of_point + 0x1p-49 * span) * unit * (1 + 0x1p-40) + 0x1p-50 * reach;
+    return grow * (of_point + kKept * span) * unit * exact::kOutwards + kOffsets * reach;
   };
   const VertexOrder order(source, input_error(poor));
   const SumVertex* const vertices = loops_->vertices().data();

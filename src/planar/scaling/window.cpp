@@ -79,7 +79,7 @@ void Window::add_segment(const WalkSegment& w, std::uint32_t id, const SweptMask
 
 int Window::cross(std::uint32_t a, std::uint32_t b) const {
   const double u = segments[a].dx * segments[b].dy, v = segments[a].dy * segments[b].dx,
-               bound = 0x1p-50 * (std::abs(u) + std::abs(v)) + 0x1p-1000;
+               bound = kEdgeCross * (std::abs(u) + std::abs(v)) + exact::kUnderflow;
   if (u - v > bound) return 1;
   if (u - v < -bound) return -1;
   return base_.lattice->cross(exact(a).edge, exact(b).edge);

@@ -19,6 +19,7 @@
 #include "planar/convolution/convolution.h"
 #include "planar/frames/operand_pair.h"
 #include "planar/scaling/swept_mask.h"
+#include "planar/scaling/window_bounds.h"
 
 namespace dymsum::planar {
 
@@ -92,15 +93,6 @@ struct PersistentNode {
   bool hands_on = false;  ///< pieces end here that others continue, so something meets here at every scale
   bool covered = false;   ///< lies in the open sum throughout the window: it counts for nothing
 };
-
-/// Window coordinates of sums err by at most this times span: each operand's coordinate one rounding, tau one, product,
-/// sum.
-inline constexpr double kWindowPoint = 0x1p-49;
-
-/// |d x (v - w)| computed in doubles from sums of window coordinates errs by at most this times |d|_1 span: the edge
-/// vector carries one rounding, a sum fixed + tau moving + shift at most six, twice, the difference, product and final
-/// difference one each.
-inline constexpr double kWindowSide = 0x1p-48;
 
 /// The ends a and b of a piece, each coordinate at both ends of the window, in the window's frame.
 struct PieceEnds {

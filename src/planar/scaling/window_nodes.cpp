@@ -61,8 +61,8 @@ void Window::touch_parallel(std::uint32_t i, std::uint32_t j) {
   for (const auto& [on_piece, other] : {std::pair{i, j}, std::pair{j, i}}) {
     const LiveSegment &on = segments[pieces[on_piece].segment], &s = segments[pieces[other].segment];
     const double length = on.dx * on.dx + on.dy * on.dy;
-    const double error =
-        2 * kWindowSide * span_ * (std::abs(on.dx) + std::abs(on.dy)) / length + 0x1p-47 * std::max(1.0, frame_.tau1);
+    const double error = 2 * kWindowSide * span_ * (std::abs(on.dx) + std::abs(on.dy)) / length +
+                         kProjection * std::max(1.0, frame_.tau1);
     for (const bool end : {false, true}) {
       const double f = end ? (s.moving ? 0 : 1) : 0,
                    m = end && s.moving ? 1 : 0;  // the end lies one vector further, times tau if it moves

@@ -18,7 +18,7 @@ bool Window::along_always(std::uint32_t i, std::uint32_t j) {
   const std::uint32_t si = pieces[i].segment, sj = pieces[j].segment;
   const LiveSegment &a = segments[si], &b = segments[sj];
   const double u = a.dx * b.dy, v = a.dy * b.dx;
-  if (std::abs(u - v) > 0x1p-50 * (std::abs(u) + std::abs(v)) || a.dx * b.dx + a.dy * b.dy < 0) return false;
+  if (std::abs(u - v) > kEdgeCross * (std::abs(u) + std::abs(v)) || a.dx * b.dx + a.dy * b.dy < 0) return false;
   const double error = kWindowSide * span_ * (std::abs(a.dx) + std::abs(a.dy));
   for (const double tau : {frame_.tau0, frame_.tau1}) {
     const double side = (b.x.at(tau) - a.x.at(tau)) * a.dy - (b.y.at(tau) - a.y.at(tau)) * a.dx;
@@ -30,7 +30,8 @@ bool Window::along_always(std::uint32_t i, std::uint32_t j) {
 double Window::error_along(std::uint32_t piece) const {
   const LiveSegment& on = segments[pieces[piece].segment];
   const double length = on.dx * on.dx + on.dy * on.dy;
-  return 4 * kWindowSide * span_ * (std::abs(on.dx) + std::abs(on.dy)) / length + 0x1p-46 * std::max(1.0, frame_.tau1);
+  return 4 * kWindowSide * span_ * (std::abs(on.dx) + std::abs(on.dy)) / length +
+         kProjectionGap * std::max(1.0, frame_.tau1);
 }
 
 // Where another piece on the same line begins and ends, in multiples of this one's edge vector. Requires: neither has

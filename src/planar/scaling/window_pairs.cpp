@@ -9,6 +9,9 @@ namespace dymsum::planar {
 
 namespace {
 
+/// Crossings known worse than this are left to exact signs at every scale. Any value is right.
+constexpr double kKnownShare = 0x1p-8;
+
 /// What a piece sweeps lies in its box, some of a cell wider than it.
 struct PieceBox {
   double x0, x1, y0, y1;
@@ -91,7 +94,7 @@ struct Product {
 };
 Product product(const LiveSegment& a, const LiveSegment& b) {
   const double u = a.dx * b.dy, v = a.dy * b.dx;
-  return {u - v, 0x1p-50 * (std::abs(u) + std::abs(v)) + 0x1p-1000};
+  return {u - v, kEdgeCross * (std::abs(u) + std::abs(v)) + exact::kUnderflow};
 }
 
 // Narrows the interval of scales at which g(tau) = a + b tau > 0, where g is known up to `error`. False when it is
@@ -100,14 +103,13 @@ bool narrow(const Linear& g, double error, double tau0, double tau1, Candidate& 
   const double g0 = g.at(tau0), g1 = g.at(tau1);
   if (g0 > error && g1 > error) return true;
   if (g0 < -error && g1 < -error) return false;
-  const double slack = 0x1p-50 * tau1;
   if (g.b == 0 || (std::abs(g0) <= error && std::abs(g1) <= error)) {
     c.in_low = INFINITY;  // exact signs decide at every scale
     unsure = true;
     return true;
   }
   // Beyond these values the sign is certain; the division and tau itself are rounded.
-  const double root = -g.a / g.b, wide = error / std::abs(g.b) * (1 + 0x1p-40) + 0x1p-49 * std::abs(root) + slack;
+  const double root = -g.a / g.b, wide = root_error(root, g.b, error, tau1);
   if (g.b > 0) {
     c.out_low = std::max(c.out_low, root - wide);
     c.in_low = std::max(c.in_low, root + wide);
@@ -177,7 +179,7 @@ void Window::test(std::uint32_t i, std::uint32_t j, const SweptMask& mask, EdgeS
   c.error_a = c.error_b = INFINITY;
   if (sign == 0) return test_parallel(c);
   solve(c);
-  if (!(c.error_a < 0x1p-8 && c.error_b < 0x1p-8)) {
+  if (!(c.error_a < kKnownShare && c.error_b < kKnownShare)) {
     c.in_low = INFINITY;  // nearly parallel: exact signs decide at every scale
     candidates.push_back(c);
     return;
@@ -210,7 +212,7 @@ bool Window::dead_throughout(const Candidate& c, const SweptMask& mask) const {
 bool Window::covered_throughout(const Candidate& c, EdgeSearch& search) const {
   const LiveSegment& a = segments[pieces[c.a].segment];
   const auto at = [&](double tau) {
-    const double t = c.ta.at(tau), t_error = c.error_a + 0x1p-49 * std::max(1.0, tau);
+    const double t = c.ta.at(tau), t_error = c.error_a + kShare * std::max(1.0, tau);
     return EdgeSearch::Place{a.x.at(tau) + t * a.dx, a.y.at(tau) + t * a.dy,
                              t_error * std::max(std::abs(a.dx), std::abs(a.dy)) + kWindowPoint * span_, tau};
   };
@@ -229,8 +231,7 @@ void Window::test_parallel(Candidate c) {
   if (close && always_on(pieces[c.a].segment, exact(b.start))) return touch_parallel(c.a, c.b);
   c.in_low = INFINITY;
   if (h.b != 0 && !close) {
-    const double root = -h.a / h.b,
-                 wide = error / std::abs(h.b) * (1 + 0x1p-40) + 0x1p-49 * std::abs(root) + 0x1p-50 * frame_.tau1;
+    const double root = -h.a / h.b, wide = root_error(root, h.b, error, frame_.tau1);
     c.out_low = root - wide;
     c.out_high = root + wide;
   }
@@ -245,14 +246,12 @@ void Window::solve(Candidate& c) const {
   const Linear wx{b.x.a - a.x.a, b.x.b - a.x.b}, wy{b.y.a - a.y.a, b.y.b - a.y.b};
   c.ta = {(wx.a * b.dy - wy.a * b.dx) / d.value, (wx.b * b.dy - wy.b * b.dx) / d.value};
   c.tb = {(wx.a * a.dy - wy.a * a.dx) / d.value, (wx.b * a.dy - wy.b * a.dx) / d.value};
-  // Errors of the numerator, of the denominator relative to it, and of the three roundings here; values within the
-  // pieces are at most max(1, tau1), and outside twice that a wrong value cannot become a right one as long as d is
-  // known to a quarter.
+  // Shares within the pieces are at most max(1, tau1).
   const double size = kWindowSide * span_, relative = d.error / std::abs(d.value),
                reach = 2 * std::max(1.0, frame_.tau1);
-  if (!(relative < 0.25)) return;
-  c.error_a = 2 * (size * (std::abs(b.dx) + std::abs(b.dy)) / std::abs(d.value) + reach * relative) + 0x1p-48 * reach;
-  c.error_b = 2 * (size * (std::abs(a.dx) + std::abs(a.dy)) / std::abs(d.value) + reach * relative) + 0x1p-48 * reach;
+  if (!(relative < kKnownDenominator)) return;
+  c.error_a = share_error(size * (std::abs(b.dx) + std::abs(b.dy)), std::abs(d.value), relative, reach);
+  c.error_b = share_error(size * (std::abs(a.dx) + std::abs(a.dy)), std::abs(d.value), relative, reach);
 }
 
 bool Window::bounds(std::uint32_t piece, const Linear& t, double error, Candidate& c,

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "exact/rounding_bound.h"
 #include "planar/turning/turn.h"
 
 namespace dymsum::planar {
@@ -23,7 +24,11 @@ int sign_of(const AlgebraicRoot& t) {
 // The charts in the order of the angles: (-pi, -pi/2], (-pi/2, pi/2], (pi/2, pi].
 int section(const ExactAngle& a) { return a.chart == 0 ? 1 : sign_of(a.t) > 0 ? 0 : 2; }
 
-// Each error of an arc tangent, of pi and of their sum is less than 2^-51.
+/// Of angle_at: an arc tangent, pi and their sum err by less than 4 u each; of twice an arc tangent, times itself.
+constexpr double kTurned = exact::rounding_bound(12, 16), kArc = exact::rounding_bound(2, 4);
+/// More than what is lost of subnormal angles.
+constexpr double kSubnormal = 0x1p-1070;
+
 double angle_at(double t, int section) {
   const double theta = 2 * std::atan(t);
   return section == 1 ? theta : section == 0 ? theta - kPi : theta + kPi;
@@ -59,11 +64,11 @@ EventAngle event_angle(const ExactAngle& angle) {
   e.low = angle_at(angle.t.low(), s);
   e.high = angle_at(angle.t.high(), s);
   if (s != 1) {
-    e.low -= 0x1p-49;
-    e.high += 0x1p-49;
+    e.low -= kTurned;
+    e.high += kTurned;
   } else if (e.low != 0 || e.high != 0) {
-    e.low -= 0x1p-51 * std::abs(e.low) + 0x1p-1070;
-    e.high += 0x1p-51 * std::abs(e.high) + 0x1p-1070;
+    e.low -= kArc * std::abs(e.low) + kSubnormal;
+    e.high += kArc * std::abs(e.high) + kSubnormal;
   }
   if (const std::optional<BigRational> t = exact::rational_value(angle.t)) e.exact = orientation_at(angle.chart, *t);
   return e;

@@ -9,7 +9,7 @@ namespace dymsum::planar {
 
 RotatingWindow::RotatingWindow(const TurnGrid& grid, const TurnCatalog& catalog, double mid, double h, bool mask)
     : middle(mid),
-      half(h * (1 + 0x1p-40) + 0x1p-40),
+      half(h * exact::kOutwards + kAngleSlack),
       forms_(grid.forms),
       catalog_(catalog),
       shift_(grid.forms.reach()) {
@@ -56,7 +56,7 @@ RotatingWindow::Swept RotatingWindow::swept(const WalkSegment& s) const {
   w.turning = turned_[from.q];
   const Point &a = s.side == 0 ? w.fixed : w.turning, &b = s.side == 0 ? forms_.points(0)[to] : turned_[to];
   w.d = {b.x - a.x, b.y - a.y};
-  w.reach = (s.side == 0 ? moved_[from.q] : std::max(moved_[from.q], moved_[to])) + 0x1p-46 * forms_.span();
+  w.reach = (s.side == 0 ? moved_[from.q] : std::max(moved_[from.q], moved_[to])) + kSweptPlace * forms_.span();
   w.side = s.side;
   return w;
 }
@@ -156,7 +156,7 @@ bool RotatingWindow::apart(const TurnPiece& p, const TurnPiece& q) const {
   const double fx = b.fixed.x - a.fixed.x, fy = b.fixed.y - a.fixed.y, tx = b.turning.x - a.turning.x,
                ty = b.turning.y - a.turning.y;
   const double k = a.d.x * b.d.y - a.d.y * b.d.x, dot = a.side != b.side ? a.d.x * b.d.x + a.d.y * b.d.y : 0;
-  const double second = 0.5 * half * half * (1 + 0x1p-40), bound = 0x1p-44 * forms_.span();
+  const double second = 0.5 * half * half * exact::kOutwards, bound = kApart * forms_.span();
   // The side of the place at share u of `other` against `line` is `value` + u k, and its slope `slope` + u dot: what
   // turns against a line is the other operand's vertex. `sign` tells the direction of the offset.
   const auto beside = [&](const Swept& line, const Swept& other, double sign, double head, double tail) {

@@ -60,7 +60,7 @@ DeadCells dead_cells(const TurnGrid& base, const std::vector<Point>& turned, dou
   for (std::uint32_t i = 0; i < o.size(); ++i) {
     const Point a{turned[i].x + shift, turned[i].y + shift},
         b{turned[o.next[i]].x + shift, turned[o.next[i]].y + shift};
-    const double reach = std::max(moved(forms, i, half), moved(forms, o.next[i], half)) + 0x1p-48 * forms.span();
+    const double reach = std::max(moved(forms, i, half), moved(forms, o.next[i], half)) + kSweptRim * forms.span();
     for_each_cell_run(
         cells, a.x, a.y, b.x, b.y, [&](int r, int first, int last) { boundary.set_run(r, first, last); },
         kRim + reach * cells.per_cell);

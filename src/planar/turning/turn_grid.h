@@ -22,7 +22,7 @@ class TurnGrid {
 
 /// How far a vertex of the turning operand moves within `half` radians, at most; the chord is shorter than the arc.
 inline double moved(const TurningForms& forms, std::uint32_t v, double half) {
-  return forms.radius(v) * half * (1 + 0x1p-40);
+  return forms.radius(v) * half * exact::kOutwards;
 }
 
 /// Cells of the sum that are inside it at every angle within `half` of the one at which the turning operand's vertices

@@ -5,10 +5,10 @@
 namespace dymsum::planar {
 
 TurnWindow::TurnWindow(const TurnGrid& base, const TurnCatalog& catalog, const TurnRange& r, bool mask) : range(r) {
-  low = range.theta(range.t_low) - 0x1p-48;
-  high = range.theta(range.t_high) + 0x1p-48;
+  low = range.theta(range.t_low) - kAngleDouble;
+  high = range.theta(range.t_high) + kAngleDouble;
   middle = (low + high) / 2;
-  half = (high - low) / 2 * (1 + 0x1p-40);
+  half = (high - low) / 2 * exact::kOutwards;
   heading = Heading::of(middle);
   const RotatingWindow pieces(base, catalog, middle, half, mask);
   all_segments = pieces.all_segments;

@@ -12,6 +12,10 @@ using exact::Polynomial;
 
 namespace {
 
+/// Of a cross or scalar product of two edge vectors as given, times their |.|_1: two of the factors, the product, the
+/// sum.
+constexpr double kFixedEdges = exact::rounding_bound(4, 32);
+
 double cross(Point a, Point b) { return a.x * b.y - a.y * b.x; }
 double dot(Point a, Point b) { return a.x * b.x + a.y * b.y; }
 Point minus(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
@@ -91,7 +95,7 @@ bool TurningForms::parallel(const WalkSegment& s, const WalkSegment& t) const {
   if (s.side != t.side) return false;
   if (s.edge == t.edge) return true;
   const double value = planar::cross(edge(s.side, s.edge), edge(t.side, t.edge));
-  if (std::abs(value) > 0x1p-48 * length1(s) * length1(t)) return false;
+  if (std::abs(value) > kFixedEdges * length1(s) * length1(t)) return false;
   return base_.lattice->cross(operands_[s.side]->edge(s.edge), operands_[t.side]->edge(t.edge)) == 0;
 }
 
@@ -167,7 +171,7 @@ Polynomial TurningForms::exact_alignment(std::uint32_t e, std::uint32_t f, int c
 
 int TurningForms::alignment_chart(std::uint32_t e, std::uint32_t f) const {
   const Point d = edge(1, e), g = edge(0, f);
-  const double scale = 0x1p-48 * (std::abs(d.x) + std::abs(d.y)) * (std::abs(g.x) + std::abs(g.y));
+  const double scale = kFixedEdges * (std::abs(d.x) + std::abs(d.y)) * (std::abs(g.x) + std::abs(g.y));
   if (const double v = dot(d, g); std::abs(v) > scale) return v > 0 ? 0 : 1;
   const Vec u = vector(1, e), v = vector(0, f);
   const int along = BigInteger(u.x * v.x + u.y * v.y).sign();

@@ -11,6 +11,7 @@
 #include "exact/polynomial.h"
 #include "planar/convolution/convolution.h"
 #include "planar/frames/operand_pair.h"
+#include "planar/turning/turning_bounds.h"
 
 namespace dymsum::planar {
 
@@ -99,7 +100,7 @@ class TurningForms {
     return std::abs(e.x) + std::abs(e.y);
   }
   /// A bound on the error of side() and of the same computed from places.
-  double side_error(const WalkSegment& s) const { return 0x1p-46 * length1(s) * span_; }
+  double side_error(const WalkSegment& s) const { return kTurnedSide * length1(s) * span_; }
 
   /// d x (v - start), d . (v - start), d x d'.
   TrigForm side(const WalkSegment& s, Pair v) const;
@@ -108,7 +109,7 @@ class TurningForms {
   bool parallel(const WalkSegment& s, const WalkSegment& t) const;
   TrigForm2 concurrency(const WalkSegment& a, const WalkSegment& b, const WalkSegment& c) const;
   double concurrency_error(const WalkSegment& a, const WalkSegment& b, const WalkSegment& c) const {
-    return 0x1p-44 * length1(a) * length1(b) * length1(c) * span_;
+    return kConcurrency * length1(a) * length1(b) * length1(c) * span_;
   }
 
   exact::Polynomial exact_side(const WalkSegment& s, Pair v, int chart) const;

@@ -17,7 +17,7 @@ enum class CellState : std::uint8_t {
 
 struct CellLinks {
   std::vector<std::uint32_t>
-      patch;  ///< per cell: cells whose front sides are connected have the same number; kNoId for covered ones
+      patch;  ///< per cell: cells whose front sides are connected have the same index; kNoId for covered ones
   std::uint32_t patches = 0;
 };
 

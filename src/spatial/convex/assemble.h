@@ -16,7 +16,7 @@ namespace dymsum::spatial {
 void assemble(const Overlay& overlay, SolidSum& sum);
 
 /// The feature of the other operand that is extreme in the direction of face f of operand op: its vertices
-/// counter-clockwise seen from outside, and, of a face, its number in the polytope.
+/// counter-clockwise seen from outside, and, of a face, its index in the polytope.
 struct ExtremeFeature {
   std::vector<std::uint32_t> vertices;
   std::uint32_t face = 0;

@@ -28,7 +28,7 @@ class StructureStore {
     std::uint32_t index, word;
   };
   struct Key {
-    std::size_t at;  // the number of its structure
+    std::size_t at;  // the index of its structure
     std::vector<std::uint32_t> words;
   };
   std::vector<Key> keys_;

@@ -24,7 +24,7 @@ struct Polytope : GridPlaces {
   // Vertices.
   std::vector<Vec3>
       from_first;  // place less that of vertex 0, in units of 2^size: components at most 1, relative error below 2^-52
-  std::vector<std::uint32_t> source_vertex;  // number in the mesh it was made from
+  std::vector<std::uint32_t> source_vertex;  // index in the mesh it was made from
   std::vector<std::uint32_t> ring_start;     // of each vertex, into ring; one more at the end
   std::vector<HalfEdge> ring;                // half-edges that leave a vertex, counter-clockwise seen from outside
   std::vector<Vec3> ring_direction;          // unit vector along each of ring
@@ -42,7 +42,7 @@ struct Polytope : GridPlaces {
   std::vector<Vec3>
       area;  // outward area vector of each face, in units of 4^size; relative error of every component below 2^-50
   std::vector<HalfEdge> first;             // a half-edge of each face at a strictly convex corner
-  std::vector<std::uint32_t> source_face;  // the smallest number of the mesh's faces that it was merged from
+  std::vector<std::uint32_t> source_face;  // the smallest index of the mesh's faces that it was merged from
   double volume = 0;                       // in units of 8^size, relative error below 2^-50
   exact::Big six_volume;                   // six times the volume, in cubed grid units
   double total_area = 0;                   // at least the lengths of all of area together, by at most 2^-40 more

@@ -1,0 +1,71 @@
+// What doubles lose in a window of scales.
+//
+// In units u of roundoff, for c(tau) = f + tau m in the window's frame, with L = |edge vector|_1, F the extent of the
+// operand that stands still, M that of the moving one and S = F + 2 tau1 M the span. Shares of a segment are multiples
+// of its unscaled edge vector; within a piece they are at most max(1, tau).
+//   point    f and m carry 1 each, tau 1, the product and the sum 1 each: 2 F + 4 tau M <= 2 S.
+//   side     d x (v - w): with the shift of the frame, whose sum is one more of at most F + tau1 M, a point has 3 S;
+//   two
+//            of them and the difference 7, the edge vector 1, the product and the last difference 1 each: 10 L S. Ends
+//            of cut pieces carry 4 more for the share, its product and the sum.
+//   share    numerator / denominator: what a side and the denominator lose, and the quotient (see share_error()).
+#pragma once
+
+#include <cmath>
+
+#include "planar/operand/edge_bounds.h"
+
+namespace dymsum::planar {
+
+/// Of a sum's coordinate, times the span.
+inline constexpr double kWindowPoint = exact::rounding_bound(2, 16);
+/// Of a side, times L and the span.
+inline constexpr double kWindowSide = exact::rounding_bound(14, 32);
+/// Of a sample point at most 2 farther from its pair of vertices, blown up and rounded from the exact one, times the
+/// span.
+inline constexpr double kWindowSample = exact::rounding_bound(6, 32);
+/// Of a side of an edge that is scaled where it stands, times |e|_1 and the span: two products of a rounded tau (3
+/// each), their sum, the difference, edge vector, product and difference.
+inline constexpr double kSearchSide = exact::rounding_bound(8, 32);
+
+/// Of a share a + b tau where it is evaluated, times max(1, tau): product, sum and tau; a and b that cancel are covered
+/// by the error of the share, which counts roundings of their size.
+inline constexpr double kShare = exact::rounding_bound(3, 16);
+/// The same for two shares and their difference.
+inline constexpr double kShareGap = exact::rounding_bound(7, 32);
+/// Of a share by a scalar product of sums with an edge vector over its square, besides what the sums err by, times
+/// max(1, tau1): 4 of either product, the quotient and the evaluation.
+inline constexpr double kProjection = exact::rounding_bound(12, 64);
+/// The same for the difference of two.
+inline constexpr double kProjectionGap = exact::rounding_bound(24, 128);
+
+/// Of -a / b, times itself: the quotient, and the sum that makes it an end of a range.
+inline constexpr double kRoot = exact::rounding_bound(2, 16);
+/// Of tau, times tau1: it is the double nearest to the scale.
+inline constexpr double kTau = exact::rounding_bound(1, 8);
+
+/// Of where a share of two crossing lines is evaluated, times the sizes of what a and b make: products, sums and tau.
+inline constexpr double kFollowed = exact::rounding_bound(5, 8);
+/// Of the weights of a mediant, relatively: a length alone; a cross product, over its own share of cancellation, with
+/// the three factors that it is multiplied with; the sum and the quotient.
+inline constexpr double kLengthWeight = exact::rounding_bound(1, 8), kCrossWeight = exact::rounding_bound(8, 32),
+                        kMediant = exact::rounding_bound(3, 8);
+
+/// Denominators d that are known to this share of themselves at most may be divided by.
+inline constexpr double kKnownDenominator = 0.25;
+
+/// Of a share n / d: n errs by `numerator`, d by `relative` of itself, shares that matter are at most half of `reach`.
+/// A share t errs by (numerator / |d| + |t| relative) / (1 - relative) and three roundings; outside of `reach` a wrong
+/// share cannot become a right one. Requires relative < kKnownDenominator.
+inline double share_error(double numerator, double d, double relative, double reach) {
+  constexpr double kDivided = 2, kRounded = exact::rounding_bound(3, 32);
+  static_assert(kDivided >= 1 / (1 - kKnownDenominator));
+  return kDivided * (numerator / d + reach * relative) + kRounded * reach;
+}
+
+/// How far from the root of a + b tau its sign may still be wrong, when a + b tau is known up to `error`.
+inline double root_error(double root, double slope, double error, double tau1) {
+  return error / std::abs(slope) * exact::kOutwards + kRoot * std::abs(root) + kTau * tau1;
+}
+
+}  // namespace dymsum::planar

@@ -1,0 +1,122 @@
+// Bounds of a window's doubles against exact values: they hold, and are not many times too large.
+#include "planar/scaling/window_bounds.h"
+
+#include <gtest/gtest.h>
+
+#include "exact/big.h"
+#include "oracles/random.h"
+#include "planar/scaling/crossing_range.h"
+
+namespace dymsum::planar {
+namespace {
+
+using exact::BigRational;
+
+BigRational exactly(double v) { return exact::exact_value(v); }
+double share(const BigRational& error, double bound) { return exact::round_to_double(BigRational(abs(error))) / bound; }
+
+/// Coordinates that carry the rounding that vertices of a lattice do.
+struct Rounded {
+  BigRational exact;
+  double value;
+  Rounded(oracles::Random& random, int place)
+      : exact(exactly(std::abs(random.signed_unit()) * place) + exactly(random.signed_unit() * 0x1p-52)),
+        value(exact::round_to_double(exact)) {}
+};
+
+TEST(WindowBounds, points_and_sides_err_by_less_and_not_by_much_less) {
+  oracles::Random random(7);
+  double of_point = 0, of_side = 0, of_search = 0;
+  for (int k = 0; k < 20000; ++k) {
+    // All of the span belongs to the fixed operand, to the moving one, or to both.
+    const int fixed = random.below(3), moving = fixed == 0 ? 1 : random.below(3);
+    const double span = fixed + 2.0 * moving;
+    const BigRational scale(random.below(1000) + 1, 1001);  // tau1 = 1
+    const double tau = exact::round_to_double(scale);
+    const Rounded fx(random, fixed), fy(random, fixed), mx(random, moving), my(random, moving), gx(random, fixed),
+        gy(random, fixed), nx(random, moving), ny(random, moving), dx(random, 1), dy(random, 1);
+    const double x = fx.value + tau * mx.value, y = fy.value + tau * my.value, u = gx.value + tau * nx.value,
+                 v = gy.value + tau * ny.value;
+    const BigRational ex = fx.exact + scale * mx.exact, ey = fy.exact + scale * my.exact,
+                      eu = gx.exact + scale * nx.exact, ev = gy.exact + scale * ny.exact;
+    of_point = std::max(of_point, share(exactly(x) - ex, kWindowPoint * span));
+    const BigRational side = dx.exact * (ev - ey) - dy.exact * (eu - ex);
+    const double length = std::abs(dx.value) + std::abs(dy.value), value = dx.value * (v - y) - dy.value * (u - x);
+    of_side = std::max(of_side, share(exactly(value) - side, kWindowSide * length * span));
+    of_search = std::max(of_search, share(exactly(value) - side, kSearchSide * length * span));
+  }
+  // Of the counted errors random ones reach about a half; the rest is the slack that the constants state.
+  EXPECT_LE(of_point, 1);
+  EXPECT_GT(of_point, 1.0 / 32);
+  EXPECT_LE(of_side, 1);
+  EXPECT_GT(of_side, 1.0 / 32);
+  EXPECT_LE(of_search, 1);
+  EXPECT_GT(of_search, 1.0 / 32);
+}
+
+TEST(WindowBounds, cross_products_of_edge_vectors) {
+  oracles::Random random(8);
+  double most = 0;
+  for (int k = 0; k < 20000; ++k) {
+    const Rounded ax(random, 1), ay(random, 1), bx(random, 1), by(random, 1);
+    const double u = ax.value * by.value, v = ay.value * bx.value;
+    most = std::max(most, share(exactly(u - v) - (ax.exact * by.exact - ay.exact * bx.exact), kEdgeCross * (u + v)));
+  }
+  EXPECT_LE(most, 1);
+  EXPECT_GT(most, 1.0 / 8);
+}
+
+TEST(WindowBounds, shares_of_crossing_lines) {
+  oracles::Random random(9);
+  double most = 0;
+  for (int k = 0; k < 20000; ++k) {
+    const BigRational n = exactly(random.signed_unit()), d = exactly(0.25 + std::abs(random.signed_unit()));
+    const double rn = 0x1p-30, rd = 0x1p-3;  // the worst of what is known of both
+    const double value_n = exact::round_to_double(BigRational(n + exactly(random.chance(50) ? rn : -rn))),
+                 value_d = exact::round_to_double(BigRational(d * exactly(random.chance(50) ? 1 + rd : 1 - rd)));
+    if (abs(n) > d * 2) continue;
+    const double relative = 2 * rd < kKnownDenominator ? rd / (1 - rd) : 0.2;
+    most = std::max(most, share(exactly(value_n / value_d) - n / d, share_error(rn, value_d, relative, 2)));
+  }
+  EXPECT_LE(most, 1);
+  EXPECT_GT(most, 1.0 / 8);
+}
+
+TEST(WindowBounds, signs_are_certain_beyond_the_error_of_a_root) {
+  oracles::Random random(10);
+  double most = 0;
+  for (int k = 0; k < 20000; ++k) {
+    const double a = -std::abs(random.signed_unit()), b = 1 + random.signed_unit() / 2,
+                 error = random.chance(50) ? 0 : 0x1p-50;
+    const double root = -a / b, tau1 = 1;
+    const BigRational truth = (-exactly(a) + exactly(error)) / exactly(b) * exactly(1 + 0x1p-53);
+    most = std::max(most, share(exactly(root) - truth, root_error(root, b, error, tau1)));
+  }
+  EXPECT_LE(most, 1);
+  EXPECT_GT(most, 1.0 / 16);
+}
+
+// a + b s known to be positive somewhere in a range of two roots that both are known badly: doubles do not know.
+TEST(WindowBounds, a_badly_known_pair_is_not_called_empty) {
+  CrossingRange range;
+  range.meet(-1.01, 1.01, 1, 1);   // perhaps -0.01 + 2.01 s: from 0.005 on
+  range.meet(1.01, -20.2, 1, 20);  // perhaps 2.01 - 0.2 s: up to 10
+  range.settle();
+  EXPECT_FALSE(range.empty);
+  EXPECT_TRUE(range.unsure);
+}
+
+TEST(WindowBounds, well_known_pairs_are_decided) {
+  CrossingRange some, none, close;
+  for (CrossingRange* r : {&some, &none, &close}) r->meet(-1, 1, 0x1p-50, 0x1p-50);
+  some.meet(2, -1, 0x1p-50, 0x1p-50);
+  none.meet(1, -2, 0x1p-50, 0x1p-50);
+  close.meet(1 + 0x1p-49, -1, 0x1p-50, 0x1p-50);
+  for (CrossingRange* r : {&some, &none, &close}) r->settle();
+  EXPECT_FALSE(some.empty || some.unsure);
+  EXPECT_TRUE(none.empty && !none.unsure);
+  EXPECT_TRUE(close.unsure);
+}
+
+}  // namespace
+}  // namespace dymsum::planar

@@ -1,0 +1,175 @@
+// Bounds of the doubles of turning operands against exact values: they hold, and are not many times too large.
+#include "planar/turning/turning_bounds.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numbers>
+#include <set>
+
+#include "dymsum/shapes.h"
+#include "oracles/random.h"
+#include "planar/operand/prepared_region.h"
+#include "planar/turning/rotating_window.h"
+
+namespace dymsum::planar {
+namespace {
+
+using exact::BigRational;
+using oracles::Random;
+
+struct Made {
+  std::shared_ptr<const OperandPair> base;
+  std::unique_ptr<TurningForms> forms;
+
+  Made(const Region& p, const Region& q) {
+    base = OperandPair::create({prepared_operand(p, 0), prepared_operand(q, 1)}, {}, 1, 0).value();
+    forms = std::make_unique<TurningForms>(*base);
+  }
+  /// A value of `degree` lengths in the forms' doubles: p / (1 + t^2)^(degree / 2) at t.
+  BigRational value(const exact::Polynomial& p, const BigRational& t, int degree) const {
+    BigRational sum = 0;
+    for (int k = p.degree(); k >= 0; --k) sum = sum * t + BigRational(p[k].value());
+    const BigRational unit =
+        exact::exact_value(std::ldexp(1.0, base->lattice->grid_exponent)) / exact::exact_value(base->lattice->unit);
+    for (int k = 0; k < degree; ++k) sum *= unit;
+    for (int k = 0; k < degree / 2; ++k) sum /= 1 + t * t;
+    return sum;
+  }
+};
+
+/// A ring of vertices on free doubles about (x, y), so that every coordinate of a lattice is rounded.
+Region ring(Random& random, double x, double y, double size) {
+  RegionData data;
+  data.parts.emplace_back();
+  const int n = 5;
+  for (int k = 0; k < n; ++k) {
+    const double angle = 2 * std::numbers::pi * (k + 0.4 * random.signed_unit()) / n;
+    data.parts[0].outer.push_back({x + size * std::cos(angle), y + size * std::sin(angle)});
+  }
+  return Region::create(std::move(data)).value();
+}
+
+/// The heading of 2 atan(t), as wrong as kHeading allows where `wrong`.
+Heading heading_at(double t, bool wrong, Random& random) {
+  const double d = 1 + t * t, off = 15 * exact::kRoundoff;
+  Heading h{(1 - t * t) / d, 2 * t / d};
+  if (wrong) h = {h.c + (random.chance(50) ? off : -off), h.s + (random.chance(50) ? off : -off)};
+  return h;
+}
+
+struct Shares {
+  double side = 0, placed = 0, cross = 0, concurrency = 0;
+};
+
+void add(double& most, double value, const BigRational& truth, double bound) {
+  if (bound > 0)
+    most = std::max(most, exact::round_to_double(BigRational(abs(exact::exact_value(value) - truth))) / bound);
+}
+
+Shares largest_shares(int rounds) {
+  Random random(11);
+  Shares most;
+  for (int k = 0; k < rounds; ++k) {
+    const double sizes[] = {1, 0x1p-3, 0x1p-9};
+    const double sp = sizes[random.below(3)], sq = sizes[random.below(3)];
+    const Made m(ring(random, 1.3 * random.signed_unit(), 1.1, sp), ring(random, 0.7, random.signed_unit(), sq));
+    const TurningForms& f = *m.forms;
+    for (int i = 0; i < 40; ++i) {
+      const double t = random.signed_unit();
+      const BigRational at = exact::exact_value(t);
+      const Heading h = heading_at(t, random.chance(70), random);
+      const auto segment = [&] {
+        const auto side = static_cast<std::uint32_t>(random.below(2));
+        return WalkSegment{side, static_cast<std::uint32_t>(random.below(5)),
+                           static_cast<std::uint32_t>(random.below(5))};
+      };
+      const WalkSegment a = segment(), b = segment(), c = segment();
+      const Pair v = TurningForms::start(b);
+      const BigRational side = m.value(f.exact_side(a, v, 0), at, 2);
+      add(most.side, f.side(a, v).at(h), side, f.side_error(a));
+      const Point d = f.direction(a, h), o = f.place(TurningForms::start(a), h), x = f.place(v, h);
+      add(most.placed, d.x * (x.y - o.y) - d.y * (x.x - o.x), side, f.side_error(a));
+      const BigRational cross = m.value(f.exact_cross(a, b, 0), at, 2);
+      const double lengths = f.length1(a) * f.length1(b);
+      add(most.cross, f.cross(a, b).at(h), cross, kTurnedCross * lengths);
+      const Point e = f.direction(b, h);
+      add(most.cross, d.x * e.y - d.y * e.x, cross, kTurnedCross * lengths);
+      if (a.side != b.side || b.side != c.side)
+        add(most.concurrency, f.concurrency(a, b, c).at(h), m.value(f.exact_concurrency(a, b, c, 0), at, 4),
+            f.concurrency_error(a, b, c));
+    }
+  }
+  return most;
+}
+
+TEST(TurningBounds, forms_err_by_less_and_not_by_much_less) {
+  const Shares most = largest_shares(100);
+  RecordProperty("shares", std::to_string(most.side) + " " + std::to_string(most.placed) + " " +
+                               std::to_string(most.cross) + " " + std::to_string(most.concurrency));
+  for (const double share : {most.side, most.placed, most.cross, most.concurrency}) {
+    EXPECT_LE(share, 1);
+    EXPECT_GT(share, 1.0 / 40) << most.side << ' ' << most.placed << ' ' << most.cross << ' ' << most.concurrency;
+  }
+}
+
+// A turning edge so short that the roundings of its ends are a good part of it, crossed by a long one at a small angle.
+TEST(TurningBounds, short_edges_meet_what_crosses_them) {
+  Random random(12);
+  int crossing = 0;
+  for (int k = 0; k < 400; ++k) {
+    const double y = 0.8 + 0.1 * random.signed_unit(), far = 0.9 + 0.05 * random.signed_unit(), ulp = 0x1p-53;
+    const Point a{far, y}, b{far - 17 * ulp, y + 31 * ulp};
+    RegionData turning;
+    turning.parts.emplace_back();
+    turning.parts[0].outer = {{-0.71, -0.63}, {far - 0.01, -0.6}, a, b, {-0.7, 0.83}};
+    // Where the middle of the short edge is at this angle, from the vertex v of the standing operand.
+    const double t = 0.2 + 0.1 * random.signed_unit(), d = 1 + t * t, c = (1 - t * t) / d, s = 2 * t / d;
+    const BigRational rt = exact::exact_value(t), rc = (1 - rt * rt) / (1 + rt * rt), rs = 2 * rt / (1 + rt * rt);
+    const auto turned = [&](const BigRational& px, const BigRational& py) {
+      return std::array{BigRational(rc * px - rs * py), BigRational(rs * px + rc * py)};
+    };
+    const auto r = [](double v) { return exact::exact_value(v); };
+    const auto middle = turned((r(a.x) + r(b.x)) / 2, (r(a.y) + r(b.y)) / 2), low = turned(r(-0.71), r(-0.63));
+    const Point v{0, 0};
+    // The long edge, plus the vertex opposite, passes there: nearly parallel to the short one, the other way.
+    const double gx = b.x - a.x, gy = b.y - a.y, length = std::hypot(gx, gy), off = 0.1 * random.signed_unit();
+    const double ux = (c * gx - s * gy) / length, uy = (s * gx + c * gy) / length;
+    const Point g{ux - off * uy, uy + off * ux};
+    const Point centre{exact::round_to_double(BigRational(middle[0] - low[0])),
+                       exact::round_to_double(BigRational(middle[1] - low[1]))};
+    RegionData standing;
+    standing.parts.resize(2);
+    standing.parts[0].outer = {{-0.3, -0.1}, {v.x, v.y}, {-0.3, 0.1}};
+    standing.parts[1].outer = {{centre.x + 0.5 * g.x, centre.y + 0.5 * g.y},
+                               {centre.x - 0.5 * g.x, centre.y - 0.5 * g.y},
+                               {centre.x + g.y, centre.y - g.x}};
+    const auto p = Region::create(std::move(standing)), q = Region::create(std::move(turning));
+    if (!p.ok() || !q.ok()) continue;
+    const Made m(*p, *q);
+    const TurningForms& f = *m.forms;
+    const TurnCatalog catalog(f);
+    const TurnGrid grid(f, 8);
+    const RotatingWindow window(grid, catalog, 2 * std::atan(t), 0x1p-40, false);
+    const auto across = [&](const TurnSegment& i, const TurnSegment& j) {
+      const auto sign = [&](Pair x) { return f.exact_side(i.walk, x, 0).sign_at(rt); };
+      return sign(j.start) * sign(j.end) < 0;
+    };
+    const auto same = [](Pair i, Pair j) { return i == j; };
+    std::set<std::pair<std::uint32_t, std::uint32_t>> meet;
+    for (const TurnMeeting& n : window.meetings) meet.insert(std::minmax(n.segment_a, n.segment_b));
+    for (std::uint32_t i = 0; i < window.segments.size(); ++i)
+      for (std::uint32_t j = i + 1; j < window.segments.size(); ++j) {
+        const TurnSegment &x = window.segments[i], &z = window.segments[j];
+        if (!x.throughout || !z.throughout || std::min(x.length1, z.length1) > 0x1p-40) continue;
+        if (same(x.start, z.start) || same(x.start, z.end) || same(x.end, z.start) || same(x.end, z.end)) continue;
+        if (!across(x, z) || !across(z, x)) continue;
+        ++crossing;
+        EXPECT_TRUE(meet.contains({i, j})) << k;
+      }
+  }
+  EXPECT_GT(crossing, 50);
+}
+
+}  // namespace
+}  // namespace dymsum::planar
