@@ -2,23 +2,19 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <string>
 
-#include "process.h"
+#include "cli_fixture.h"
 
 namespace dymsum::cli_test {
 namespace {
 
-using Json = nlohmann::json;
-
-class ClearanceCli : public testing::Test {
+class ClearanceCli : public CliTest {
  protected:
   ClearanceCli() {
     work.write("square.wkt", "POLYGON ((-1 -1, 1 -1, 1 1, -1 1, -1 -1))\n");
     work.write("wall.wkt", "POLYGON ((0 -50, 10 -50, 10 50, 0 50, 0 -50))\n");
   }
-  Workplace work;
 };
 
 TEST_F(ClearanceCli, KnowsTheDistanceOfASquareFromAWall) {
