@@ -85,7 +85,8 @@ std::string unknown_option(const CLI::App& verb, int argc, char** argv) {
       return std::string(argv[i]) + ": a shape is selected from a file, as FILE#NAME, not from standard input";
     const std::string option = option_in(argv[i]);
     if (option.empty() || std::find(names.begin(), names.end(), option) != names.end()) continue;
-    return verb.get_name() + " has no option " + option + did_you_mean(option, names);
+    const std::string meant = option.starts_with("--") ? did_you_mean(option, names) : "";
+    return verb.get_name() + " has no option " + option + meant;
   }
   return "";
 }

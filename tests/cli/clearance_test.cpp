@@ -106,13 +106,9 @@ TEST_F(ClearanceCli, SaysWhatIsWrongWithFilesOfObstaclesAndConfigurations) {
 }
 
 TEST_F(ClearanceCli, WrongOptionsAreUsageErrors) {
-  EXPECT_EQ(work.run("dymsum clearance square.wkt wall.wkt").code, 1);
-  EXPECT_EQ(work.run("dymsum clearance square.wkt wall.wkt --at 0,0").code, 1);
-  EXPECT_EQ(work.run("dymsum clearance square.wkt wall.wkt --at 0,0,0 --weight -1").code, 1);
-  EXPECT_EQ(work.run("dymsum clearance square.wkt wall.wkt --at 0,0,0 --weight x").code, 1);
-  const Outcome far = work.run("dymsum clearance square.wkt wall.wkt --at 1e300,0,0");
-  EXPECT_EQ(far.code, 1);
-  EXPECT_NE(far.err.find("2^400"), std::string::npos);
+  const std::string verb = "dymsum clearance square.wkt wall.wkt";
+  all_refused({verb, verb + " --at 0,0", verb + " --at 0,0,0 --weight -1", verb + " --at 0,0,0 --weight x"});
+  refused(verb + " --at 1e300,0,0", "2^400");
 }
 
 }  // namespace

@@ -173,12 +173,9 @@ TEST_F(PathCli, MapsAreObstacles) {
 }
 
 TEST_F(PathCli, WrongOptionsAreUsageErrors) {
-  EXPECT_EQ(work.run("dymsum path square.wkt rooms.wkt --from 0,0 --to 5,0,0").code, 1);
-  EXPECT_EQ(work.run("dymsum path square.wkt rooms.wkt --from 0,0,0,0 --to 5,0,0").code, 1);
-  EXPECT_EQ(work.run("dymsum path square.wkt rooms.wkt --from 0,0,0").code, 1);
-  EXPECT_EQ(work.run("dymsum path square.wkt rooms.wkt --from 0,0,0 --to 5,0,0 -o path.png").code, 1);
-  EXPECT_EQ(work.run("dymsum path square.wkt rooms.wkt --from 0,0,0 --to 5,0,0 --time-limit -1").code, 1);
-  EXPECT_EQ(work.run("dymsum path square.wkt rooms.wkt --from 0,0,0 --to 5,0,0 --margin -1").code, 1);
+  const std::string verb = "dymsum path square.wkt rooms.wkt --from 0,0";
+  all_refused({verb + " --to 5,0,0", verb + ",0,0 --to 5,0,0", verb + ",0", verb + ",0 --to 5,0,0 -o path.png",
+               verb + ",0 --to 5,0,0 --time-limit -1", verb + ",0 --to 5,0,0 --margin -1"});
 }
 
 }  // namespace
