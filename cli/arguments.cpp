@@ -6,6 +6,7 @@
 #include <string>
 
 #include "exit_code.h"
+#include "outputs.h"
 
 namespace dymsum::cli {
 namespace {
@@ -30,13 +31,14 @@ void check_arguments(const CLI::App& verb) {
   bool input_taken = false;
   for (const CLI::Option* option : verb.get_options()) {
     const bool output = option->check_name("-o") || option->check_name("OUT");
+    if (option->check_name("-o")) refuse_repeated(*option);
     for (const std::string& value : option->results()) {
       if (value.empty()) throw Stop(kUsage, option->get_name() + " is given as an empty text");
+      if (output) check_writable(value);
       if (output || value != "-") continue;
       if (input_taken) throw Stop(kUsage, "standard input can be only one of the operands and files that are read");
       input_taken = true;
     }
-    if (option->check_name("-o")) refuse_repeated(*option);
   }
 }
 

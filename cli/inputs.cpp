@@ -13,6 +13,41 @@ void stop_with(const Error& error) {
   throw Stop(kBadInput, error);
 }
 
+std::string shown_file(const std::string& file) { return file == "-" ? "standard input" : file; }
+
+namespace {
+
+bool has_vertex(const Region& region, const Point& at) {
+  const auto has = [&](const std::vector<Point>& points) {
+    return std::find(points.begin(), points.end(), at) != points.end();
+  };
+  return has(region.points()) || std::any_of(region.polylines().begin(), region.polylines().end(), has) ||
+         std::any_of(region.parts().begin(), region.parts().end(), [&](const Part& part) {
+           return has(part.outer) || std::any_of(part.holes.begin(), part.holes.end(), has);
+         });
+}
+
+bool is_thin(const Region& r) { return !r.polylines().empty() || !r.points().empty(); }
+
+}  // namespace
+
+Error in_operand(Error error, const std::vector<Input>& inputs) {
+  if (!error.evidence.file.empty()) return error;
+  const auto name_first = [&](const auto& at_fault) {
+    const auto input = std::find_if(inputs.begin(), inputs.end(), at_fault);
+    if (input != inputs.end()) error.evidence.file = shown_file(input->file);
+    return input != inputs.end();
+  };
+  if (error.evidence.x && error.evidence.y) {
+    const Point at{*error.evidence.x, *error.evidence.y};
+    if (name_first([&](const Input& input) { return has_vertex(input.region, at); })) return error;
+  }
+  if (error.code != Code::unsupported_operand) return error;
+  if (!name_first([](const Input& input) { return input.region.empty(); }))
+    name_first([](const Input& input) { return is_thin(input.region); });
+  return error;
+}
+
 RegionFormat format_named(const std::string& name) { return require(region_format("." + name)); }
 
 RegionFormat format_of_text(std::string_view text) {
@@ -49,7 +84,7 @@ std::vector<NamedShape> read_all(const std::string& file, const InputOptions& op
 
 Result<Region> make_region(RegionData data, const std::string& file, const InputOptions& options) {
   const auto in_file = [&](Error error) {
-    if (error.evidence.file.empty()) error.evidence.file = file == "-" ? "standard input" : file;
+    if (error.evidence.file.empty()) error.evidence.file = shown_file(file);
     return error;
   };
   if (!options.repair) {
@@ -69,7 +104,8 @@ Input read_input(const std::string& file, const InputOptions& options) {
     return {file, require(make_region(require(read_region_data(file)), file, options))};
   std::vector<NamedShape> shapes = read_all(file, options);
   if (shapes.size() != 1) {
-    throw Stop(kBadInput, "standard input: holds " + std::to_string(shapes.size()) + " shapes, and one is needed");
+    throw Stop(kBadInput, "standard input: holds " + std::to_string(shapes.size()) +
+                              " shapes, and one is needed: of a file it can be selected, as FILE#NAME");
   }
   return {file, require(make_region(std::move(shapes.front().data), file, options))};
 }

@@ -29,7 +29,19 @@ T require(Result<T> result);
 /// The same for what an option says: a Stop with kUsage that names it.
 template <class T>
 T require_option(Result<T> result, const std::string& option);
+/// The format that the name of an output asks for: that there is none is wrong usage.
+template <class T>
+T require_format(Result<T> format);
 [[noreturn]] void stop_with(const Error& error);
+
+/// A file as messages name it: "standard input" for "-".
+std::string shown_file(const std::string& file);
+/// The error with the file of the operand it is about, where it names none: the one that holds the vertex it tells, or
+/// else the first one that is empty or has pieces without area.
+Error in_operand(Error error, const std::vector<Input>& inputs);
+/// As require, for what was computed from these operands.
+template <class T>
+T require_of(const std::vector<Input>& inputs, Result<T> result);
 
 /// Whether an operand is itself a footprint, "[[x,y],...]", and names no file.
 bool is_footprint(const std::string& operand);
@@ -63,9 +75,21 @@ T require(Result<T> result) {
 }
 
 template <class T>
+T require_of(const std::vector<Input>& inputs, Result<T> result) {
+  if (!result) stop_with(in_operand(result.error(), inputs));
+  return std::move(result).value();
+}
+
+template <class T>
 T require_option(Result<T> result, const std::string& option) {
   if (!result) throw Stop(kUsage, option + ": " + result.error().to_string(), result.error());
   return std::move(result).value();
+}
+
+template <class T>
+T require_format(Result<T> format) {
+  if (!format) throw Stop(kUsage, format.error());
+  return std::move(format).value();
 }
 
 }  // namespace dymsum::cli

@@ -1,9 +1,13 @@
 #include "line_file.h"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <sstream>
+#include <system_error>
 #include <utility>
 
 #include "inputs.h"
@@ -11,16 +15,20 @@
 namespace dymsum::cli {
 
 void refuse_line(Error error, const std::string& file, std::optional<std::int64_t> line) {
-  error.evidence.file = file == "-" ? "standard input" : file;
+  error.evidence.file = shown_file(file);
   error.evidence.line = line;
   stop_with(error);
 }
 
-std::string file_text(const std::string& file, const std::string& what) {
+std::string file_text(const std::string& file) {
   if (file == "-") return standard_input();
+  const auto refuse = [&](const std::string& why) { refuse_line({Code::cannot_open, why, {}}, file, std::nullopt); };
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file, ignored)) refuse("this is a directory");
   std::ifstream in(file, std::ios::binary);
+  if (!in) refuse(std::strerror(errno));
   std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  if (!in) refuse_line({Code::cannot_open, what + " cannot be read", {}}, file, std::nullopt);
+  if (!in) refuse(std::string("reading failed: ") + std::strerror(errno));
   return without_mark(std::move(text));
 }
 

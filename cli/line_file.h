@@ -13,9 +13,9 @@ namespace dymsum::cli {
 /// Ends the command with an error of a file, and of a line of it where that is known.
 [[noreturn]] void refuse_line(Error error, const std::string& file, std::optional<std::int64_t> line);
 
-/// All of a file, or of standard input for "-", without a byte order mark. Stops when it cannot be read; `what` says
-/// what it is: "the file of copies".
-std::string file_text(const std::string& file, const std::string& what);
+/// All of a file, or of standard input for "-", without a byte order mark. Stops when it cannot be read, with the words
+/// of all readers.
+std::string file_text(const std::string& file);
 
 using TakeLine = std::function<void(const std::string& text, std::int64_t line)>;
 

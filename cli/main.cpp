@@ -1,6 +1,7 @@
 // dymsum VERB INPUTS [options]
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cctype>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -52,8 +53,15 @@ std::vector<std::string> verb_names(const CLI::App& app) {
 /// The verb of a command line, known or not; empty where it begins with an option or with nothing.
 std::string verb_of(int argc, char** argv) { return argc < 2 || argv[1][0] == '-' ? "" : argv[1]; }
 
+/// The option that a word gives: "--name" of "--name=value", "-o" of "-ofile"; empty where it gives none.
+std::string option_in(const std::string& word) {
+  if (word.starts_with("--")) return word.substr(0, word.find('='));
+  const bool is_short = word.size() > 1 && word[0] == '-' && std::isalpha(static_cast<unsigned char>(word[1])) != 0;
+  return is_short ? word.substr(0, 2) : "";
+}
+
 bool wants_json(int argc, char** argv) {
-  return std::find(argv + 1, argv + argc, std::string("--json")) != argv + argc;
+  return std::any_of(argv + 1, argv + argc, [](const std::string& word) { return option_in(word) == "--json"; });
 }
 
 /// The verb is one of ours: else both its name and what may be meant are told.
@@ -68,12 +76,17 @@ void check_verb(const CLI::App& app, const std::string& verb) {
 /// The first option that the verb does not have, with what may be meant.
 std::string unknown_option(const CLI::App& verb, int argc, char** argv) {
   std::vector<std::string> names;
-  for (const CLI::Option* option : verb.get_options())
+  for (const CLI::Option* option : verb.get_options()) {
     for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+  }
   for (int i = 2; i < argc; ++i) {
-    const std::string word = std::string(argv[i]).substr(0, std::string(argv[i]).find('='));
-    if (!word.starts_with("--") || std::find(names.begin(), names.end(), word) != names.end()) continue;
-    return verb.get_name() + " has no option " + word + did_you_mean(word, names);
+    if (std::string(argv[i]).starts_with("-#"))
+      return std::string(argv[i]) + ": a shape is selected from a file, as FILE#NAME, not from standard input";
+    const std::string option = option_in(argv[i]);
+    if (option.empty() || std::find(names.begin(), names.end(), option) != names.end()) continue;
+    const std::string meant = option.starts_with("--") ? did_you_mean(option, names) : "";
+    return verb.get_name() + " has no option " + option + meant;
   }
   return "";
 }
@@ -83,7 +96,10 @@ Stop wrong_usage(const CLI::App& app, const CLI::ParseError& error, int argc, ch
   const std::string verb = verb_of(argc, argv);
   if (verb.empty()) return {kUsage, std::string(error.what()) + "\ndymsum --help lists the verbs"};
   const CLI::App& parser = *app.get_subcommand(verb);
-  std::string what = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr ? unknown_option(parser, argc, argv) : "";
+  // A word that is no option of the verb may also leave an operand missing.
+  const bool misread = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr ||
+                       dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
+  std::string what = misread ? unknown_option(parser, argc, argv) : "";
   if (what.empty()) what = error.what();
   std::string usage = "dymsum " + verb;
   for (const CLI::Option* option : parser.get_options(&CLI::Option::get_positional))

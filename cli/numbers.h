@@ -30,7 +30,7 @@ struct Angle {
   double radians() const;
   /// A share of the angle, which is k of n.
   Angle share(std::size_t k, std::size_t n) const {
-    return {value * static_cast<double>(k) / static_cast<double>(n), degrees};
+    return {value * static_cast<double>(k) / static_cast<double>(n) + 0.0, degrees};  // zero has no sign
   }
   /// Whether it is a number of whole turns: as degrees exactly, as radians never.
   bool whole_turns() const;

@@ -1,8 +1,56 @@
 #include "options.h"
 
 #include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+#include <functional>
+#include <sstream>
+#include <system_error>
 
 namespace dymsum::cli {
+namespace {
+
+using Takes = std::function<bool(const std::string& text)>;
+
+/// Refuses texts that an option does not take, in one sentence for all options.
+CLI::Option* takes(CLI::Option* option, const std::string& wanted, const Takes& accepted) {
+  const auto check = [name = option->get_name(), wanted, accepted](std::string& text) -> std::string {
+    if (accepted(text)) return "";
+    throw Stop(kUsage, name + " wants " + wanted + ", not '" + text + "'");
+  };
+  return option->check(CLI::Validator(check, ""));
+}
+
+std::string digits(double value) {
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+}  // namespace
+
+CLI::Option* within(CLI::Option* option, double least, double most) {
+  const std::string bounds =
+      std::isinf(most) ? "of at least " + digits(least) : "from " + digits(least) + " to " + digits(most);
+  return takes(option, "a number " + bounds, [least, most](const std::string& text) {
+    const std::optional<double> value = finite_number(text);
+    return value && *value >= least && *value <= most;
+  });
+}
+
+CLI::Option* whole_within(CLI::Option* option, std::size_t least, std::size_t most) {
+  const std::string wanted = "a whole number from " + std::to_string(least) + " to " + std::to_string(most);
+  return takes(option, wanted, [least, most](const std::string& text) {
+    std::size_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return error == std::errc() && end == text.data() + text.size() && value >= least && value <= most;
+  });
+}
+
+CLI::Option* add_error_option(CLI::App& verb, std::optional<double>& error, const std::string& what) {
+  return takes(verb.add_option("--error", error, what)->type_name("E"), "a number above 0",
+               [](const std::string& text) { return finite_number(text).value_or(0) > 0; });
+}
 
 void add_operands(CLI::App& verb, const Operand& first, const Operand& second, std::vector<std::string>& operands) {
   const char* const file = ": a file, FILE#NAME for one shape of several, or - for standard input";
@@ -32,9 +80,8 @@ void refuse_options(const CLI::App& verb, const std::vector<std::string>& option
 
 void add_report_options(CLI::App& verb, ReportOptions& options, const std::string& repeated) {
   verb.add_flag("--json", options.json, "Print one JSON object with the result's summary");
-  verb.add_option("--repeat", options.repeat, repeated)
+  whole_within(verb.add_option("--repeat", options.repeat, repeated), 1, 1000000000)
       ->type_name("N")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{1000000000}))
       ->capture_default_str();
 }
 

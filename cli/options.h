@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,7 +12,8 @@
 
 namespace CLI {
 class App;
-}
+class Option;
+}  // namespace CLI
 
 namespace dymsum::cli {
 
@@ -56,6 +59,14 @@ struct AngleOptions {
 void add_angle_options(CLI::App& verb, AngleOptions& options, const std::string& what);
 /// The angle given. Stops with wrong usage for what is none, and where both are. Requires: given().
 Angle read_angle(const AngleOptions& options);
+
+/// Takes numbers from `least` to `most` alone, and refuses others as wrong usage: "--margin wants a number of at least
+/// 0, not '-1'".
+CLI::Option* within(CLI::Option* option, double least, double most = std::numeric_limits<double>::infinity());
+/// The same of whole numbers.
+CLI::Option* whole_within(CLI::Option* option, std::size_t least, std::size_t most);
+/// Takes the largest error of an angle: a number above 0.
+CLI::Option* add_error_option(CLI::App& verb, std::optional<double>& error, const std::string& what);
 
 /// Stops with wrong usage when one of these options is given: "--axis is for solid operands".
 void refuse_options(const CLI::App& verb, const std::vector<std::string>& options, const std::string& why);

@@ -1,8 +1,14 @@
 #include "outputs.h"
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
 #include <iostream>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 #include "dymsum/mesh_io.h"
@@ -65,9 +71,9 @@ std::string format_name(const std::string& file, const std::string& to) { return
 
 RegionFormat output_format(const std::string& file, const OutputOptions& options) {
   const std::string name = format_name(file, options.to);
-  if (!mesh_format(name)) return require(region_format(name));
-  throw Stop(kBadInput, (file == "-" ? "--to " + options.to : file) +
-                            " is a format of solids; planar regions are written as .poly .wkt .geojson .svg or .json");
+  if (!mesh_format(name)) return require_format(region_format(name));
+  throw Stop(kUsage, (file == "-" ? "--to " + options.to : file) +
+                         " is a format of solids; planar regions are written as .poly .wkt .geojson .svg or .json");
 }
 
 void check_outputs(const OutputOptions& options) {
@@ -79,6 +85,26 @@ bool writes_rounded(const OutputOptions& options) {
     const RegionFormat format = output_format(file, options);
     return format != RegionFormat::json && format != RegionFormat::svg;
   });
+}
+
+void check_writable(const std::string& file) {
+  if (file == "-") return;
+  const auto demand = [&](bool holds, const std::string& else_what) {
+    if (holds) return;
+    Error error{Code::cannot_write, else_what + ": " + std::strerror(errno), {}};
+    error.evidence.file = file;
+    stop_with(error);
+  };
+  std::error_code ignored;
+  const std::filesystem::path target = std::filesystem::weakly_canonical(file, ignored);
+  const auto status = std::filesystem::status(file, ignored);
+  errno = EISDIR;
+  demand(!std::filesystem::is_directory(status), "this is a directory");
+  if (std::filesystem::exists(status)) demand(::access(file.c_str(), W_OK) == 0, "the file may not be changed");
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) return;  // devices and pipes
+  const std::filesystem::path folder =
+      target.empty() ? std::filesystem::path(file).parent_path() : target.parent_path();
+  demand(::access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK) == 0, "no file can be made here");
 }
 
 void write_text(const std::string& file, const std::string& text) { require(write_file(file, text)); }

@@ -123,6 +123,16 @@ Json size_json(const PlanarSum& sum, bool exact) {
           {"tight", {{"points", sum.tight_points.size()}, {"segments", sum.tight_segments.size()}}}};
 }
 
+std::string shown(const Timing& timing) {
+  const std::string median = milliseconds(timing.median_ms);
+  if (timing.repeats == 1) return median;
+  return median + " (median of " + std::to_string(timing.repeats) + ", minimum " + milliseconds(timing.min_ms) + ")";
+}
+
+void print_times(std::ostream& out, const Timing& timing) {
+  if (timing.repeats > 1) out << "  " << shown(timing) << "\n";
+}
+
 Json sum_json(const SumReport& report) {
   const PlanarSum& sum = *report.sum;
   Json json =
@@ -163,10 +173,7 @@ void print_sum(std::ostream& out, const SumReport& report) {
       << counted(sum.tight_segments.size(), "segment") << "\n  convolution: full " << report.convolution.full
       << ", kinetic " << report.convolution.kinetic << ", reduced " << report.convolution.reduced << "; "
       << counted(sum.stats.crossings, "crossing") << "\n  " << tier_name(sum.stats.tier_bits) << " integers, engine "
-      << report.engine << ", " << report.semantics << ", " << milliseconds(report.timing.median_ms);
-  if (report.timing.repeats > 1) {
-    out << " (median of " << report.timing.repeats << ", minimum " << milliseconds(report.timing.min_ms) << ")";
-  }
+      << report.engine << ", " << report.semantics << ", " << shown(report.timing);
   out << "\n";
 }
 

@@ -51,6 +51,11 @@ Json orientation_json(const Orientation& orientation);
 Json sum_json(const SumReport& report);
 void print_sum(std::ostream& out, const SumReport& report);
 
+/// "0.12 ms (median of 3, minimum 0.1 ms)".
+std::string shown(const Timing& timing);
+/// That on a line, where a computation was repeated.
+void print_times(std::ostream& out, const Timing& timing);
+
 /// "29-bit", "61-bit", "512-bit" or "arbitrary precision" for 0.
 std::string tier_name(int bits);
 /// An area with 17 digits, whatever its size.

@@ -22,10 +22,10 @@ void dot(std::ostringstream& svg, Point at, double factor, const char* fill) {
       << "\" fill=\"" << fill << "\"/>\n";
 }
 
-void draw(std::ostringstream& svg, const Drawn& set, const char* style, double factor) {
-  svg << "<path d=\"" << set.path << "\" fill-rule=\"evenodd\" stroke-width=\"" << number(1.2 / factor) << "\" "
-      << style << "/>\n";
-  svg << tight_features(set, factor);
+void draw(std::ostringstream& svg, const Drawn& set, const char* style, Point origin, double factor) {
+  svg << "<path d=\"" << path_data(set.chains, origin) << "\" fill-rule=\"evenodd\" stroke-width=\""
+      << number(1.2 / factor) << "\" " << style << "/>\n";
+  svg << tight_features(set, origin, factor);
 }
 
 void legend(std::ostringstream& svg, double x, double y, const char* style, const std::string& text) {
@@ -54,16 +54,17 @@ std::string copies_picture(const Region& master, const Region& robot, const std:
   }
   const Box box = seen.drawable();
   const double factor = kSize / box.size();
+  const Point origin = origin_of(box);
   std::ostringstream svg;
   svg << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << number(box.width() * factor + 2 * kMargin) << ' '
       << number(box.height() * factor + 2 * kMargin + kLegend) << "\" font-family=\"sans-serif\" font-size=\"13\">\n"
       << "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n<g transform=\"translate(" << number(kMargin) << ' '
-      << number(kMargin) << ") scale(" << number(factor) << ") translate(" << number(-box.x0) << ' ' << number(-box.y0)
-      << ")\">\n";
-  for (const Drawn& set : grown) draw(svg, set, kGrown, factor);
-  for (const Drawn& set : solid) draw(svg, set, kObstacle, factor);
-  draw(svg, body, kRobot, factor);
-  dot(svg, {stand.x, -stand.y}, factor, "#333333");
+      << number(kMargin) << ") scale(" << number(factor) << ") translate(" << number(-(box.x0 - origin.x)) << ' '
+      << number(-(box.y0 - origin.y)) << ")\">\n";
+  for (const Drawn& set : grown) draw(svg, set, kGrown, origin, factor);
+  for (const Drawn& set : solid) draw(svg, set, kObstacle, origin, factor);
+  draw(svg, body, kRobot, origin, factor);
+  dot(svg, {stand.x - origin.x, -stand.y - origin.y}, factor, "#333333");
   svg << "</g>\n";
   const double y = box.height() * factor + 2 * kMargin + 12;
   legend(svg, kMargin, y, kObstacle, "obstacles");

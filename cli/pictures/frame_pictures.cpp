@@ -17,9 +17,10 @@ Box joined(const std::vector<PicturedFrame>& frames) {
 }
 
 /// A frame in the units of its own drawing, `factor` of which make a unit of the picture.
-void draw(std::ostringstream& svg, const PicturedFrame& frame, double factor) {
-  svg << "<path d=\"" << frame.set.path << "\" fill=\"#9ecae1\" fill-rule=\"evenodd\" stroke=\"#08519c\" "
-      << "stroke-width=\"" << number(0.8 / factor) << "\"/>" << tight_features(frame.set, factor);
+void draw(std::ostringstream& svg, const PicturedFrame& frame, Point origin, double factor) {
+  svg << "<path d=\"" << path_data(frame.set.chains, origin)
+      << "\" fill=\"#9ecae1\" fill-rule=\"evenodd\" stroke=\"#08519c\" "
+      << "stroke-width=\"" << number(0.8 / factor) << "\"/>" << tight_features(frame.set, origin, factor);
 }
 
 void open_svg(std::ostringstream& svg, double width, double height) {
@@ -29,8 +30,9 @@ void open_svg(std::ostringstream& svg, double width, double height) {
 
 /// Opens a group for a drawing whose upper left corner comes to (x, y).
 void open_drawing(std::ostringstream& svg, const Box& box, double factor, double x, double y) {
+  const Point origin = origin_of(box);
   svg << "<g transform=\"translate(" << number(x) << ' ' << number(y) << ") scale(" << number(factor) << ") translate("
-      << number(-box.x0) << ' ' << number(-box.y0) << ")\">";
+      << number(-(box.x0 - origin.x)) << ' ' << number(-(box.y0 - origin.y)) << ")\">";
 }
 
 /// Shows a group during the i-th of n equal parts of `seconds`, again and again.
@@ -83,7 +85,7 @@ std::string film_strip(const std::vector<PicturedFrame>& frames, std::size_t col
     svg << "<text x=\"" << number(x) << "\" y=\"" << number(y + 10) << "\">" << escaped(frames[i].caption)
         << "</text>\n";
     open_drawing(svg, box, factor, x, y + kText);
-    draw(svg, frames[i], factor);
+    draw(svg, frames[i], origin_of(box), factor);
     svg << "</g>\n";
   }
   svg << "</svg>\n";
@@ -107,7 +109,7 @@ std::string animation(const std::vector<PicturedFrame>& frames) {
         << kGap << "\" y=\"" << kGap + 8 << "\" width=\"" << number(width * done)
         << "\" height=\"3\" fill=\"#08519c\"/>";
     open_drawing(svg, box, factor, kGap, kGap + kText);
-    draw(svg, frames[i], factor);
+    draw(svg, frames[i], origin_of(box), factor);
     svg << "</g></g>\n";
   }
   svg << "</svg>\n";

@@ -9,19 +9,16 @@
 namespace dymsum::cli {
 namespace {
 
-// The robot at a configuration as path data, y downwards.
-std::string placed(const Region& region, const Configuration& q, Box& seen) {
+// The robot at a configuration, y downwards.
+std::vector<Chain> placed(const Region& region, const Configuration& q, Box& seen) {
   const double c = std::cos(q.theta), s = std::sin(q.theta);
-  std::string path;
+  std::vector<Chain> chains;
   const auto add = [&](const Ring& ring) {
-    char command = 'M';
+    Chain& chain = chains.emplace_back(Chain{{}, true});
     for (const Point& p : ring) {
-      const Point at{q.x + c * p.x - s * p.y, -(q.y + s * p.x + c * p.y)};
-      seen.see(at);
-      path += command + number(at.x) + ' ' + number(at.y);
-      command = 'L';
+      chain.points.push_back({q.x + c * p.x - s * p.y, -(q.y + s * p.x + c * p.y)});
+      seen.see(chain.points.back());
     }
-    path += 'Z';
   };
   for (const Part& part : region.parts()) {
     add(part.outer);
@@ -34,7 +31,7 @@ std::string placed(const Region& region, const Configuration& q, Box& seen) {
     add(walk);
   }
   for (const Point& point : region.points()) add({point});
-  return path;
+  return chains;
 }
 
 double turn_of(const Waypoint& from, const Waypoint& to) {
@@ -44,23 +41,19 @@ double turn_of(const Waypoint& from, const Waypoint& to) {
   return 0;
 }
 
-std::string outlined(const std::string& data, const char* style, double width) {
-  return "<path d=\"" + data + "\" fill-rule=\"evenodd\" stroke-width=\"" + number(width) + "\" " + style + "/>\n";
-}
-
 }  // namespace
 
 std::string path_picture(const Region& robot, const Region& obstacle, const std::vector<Waypoint>& path) {
   constexpr double kSize = 900, kMargin = 16;
   constexpr int kBetween = 6;
   Box seen;
-  const std::string wall = placed(obstacle, {}, seen);
-  std::vector<std::string> pale, full;
-  std::string way;
+  const std::vector<Chain> wall = placed(obstacle, {}, seen);
+  std::vector<std::vector<Chain>> pale, full;
+  Chain way;
   for (std::size_t k = 0; k < path.size(); ++k) {
     const Configuration& q = path[k].approx;
     full.push_back(placed(robot, q, seen));
-    way += (k == 0 ? "M" : "L") + number(q.x) + ' ' + number(-q.y);
+    way.points.push_back({q.x, -q.y});
     for (int i = 1; k + 1 < path.size() && i < kBetween; ++i) {
       const double s = static_cast<double>(i) / kBetween;
       const Configuration& next = path[k + 1].approx;
@@ -70,19 +63,24 @@ std::string path_picture(const Region& robot, const Region& obstacle, const std:
   }
   const Box box = seen.drawable();
   const double factor = kSize / box.size(), line = 1 / factor;
+  const Point origin = origin_of(box);
+  const auto outlined = [&](const std::vector<Chain>& chains, const char* style, double width) {
+    return "<path d=\"" + path_data(chains, origin) + "\" fill-rule=\"evenodd\" stroke-width=\"" + number(width) +
+           "\" " + style + "/>\n";
+  };
   std::ostringstream svg;
   svg << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << number(box.width() * factor + 2 * kMargin) << ' '
       << number(box.height() * factor + 2 * kMargin)
       << "\">\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n<g transform=\"translate(" << number(kMargin)
-      << ' ' << number(kMargin) << ") scale(" << number(factor) << ") translate(" << number(-box.x0) << ' '
-      << number(-box.y0) << ")\">\n";
+      << ' ' << number(kMargin) << ") scale(" << number(factor) << ") translate(" << number(-(box.x0 - origin.x)) << ' '
+      << number(-(box.y0 - origin.y)) << ")\">\n";
   svg << outlined(wall, "fill=\"#9ecae1\" stroke=\"#08519c\"", line);
-  for (const std::string& data : pale)
-    svg << outlined(data, "fill=\"#e8a33d\" fill-opacity=\"0.12\" stroke=\"#a8650a\" stroke-opacity=\"0.4\"",
+  for (const std::vector<Chain>& robot_there : pale)
+    svg << outlined(robot_there, "fill=\"#e8a33d\" fill-opacity=\"0.12\" stroke=\"#a8650a\" stroke-opacity=\"0.4\"",
                     0.6 * line);
-  for (const std::string& data : full)
-    svg << outlined(data, "fill=\"#e8a33d\" fill-opacity=\"0.45\" stroke=\"#a8650a\"", line);
-  if (!way.empty()) svg << outlined(way, "fill=\"none\" stroke=\"#333333\"", 1.2 * line);
+  for (const std::vector<Chain>& robot_there : full)
+    svg << outlined(robot_there, "fill=\"#e8a33d\" fill-opacity=\"0.45\" stroke=\"#a8650a\"", line);
+  if (!way.points.empty()) svg << outlined({way}, "fill=\"none\" stroke=\"#333333\"", 1.2 * line);
   svg << "</g>\n</svg>\n";
   return svg.str();
 }

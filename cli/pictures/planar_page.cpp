@@ -8,7 +8,7 @@
 namespace dymsum::cli {
 namespace {
 
-constexpr const char* kShowPlanarFrame = R"(
+constexpr const char* kShowRegion = R"(
 const ns = 'http://www.w3.org/2000/svg';
 function made(name, attributes) {
   const e = document.createElementNS(ns, name);
@@ -48,16 +48,22 @@ std::string scrub_page(const std::vector<PicturedFrame>& frames, const std::vect
   for (const PicturedFrame& f : frames) box.see(f.set.box);
   box = box.drawable();
   const double margin = 0.03 * box.size();
+  const Point origin = origin_of(box);
   nlohmann::json list = nlohmann::json::array(), ticks = nlohmann::json::array();
   for (const PicturedFrame& f : frames) {
     nlohmann::json dots = nlohmann::json::array();
-    for (const Point& p : f.set.dots) dots.push_back({p.x, p.y});
-    list.push_back({{"at", f.at}, {"label", f.caption}, {"d", f.set.path}, {"tight", f.set.tight}, {"dots", dots}});
+    for (const Point& p : f.set.dots) dots.push_back({p.x - origin.x, p.y - origin.y});
+    list.push_back({{"at", f.at},
+                    {"label", f.caption},
+                    {"d", path_data(f.set.chains, origin)},
+                    {"tight", path_data(f.set.tight, origin)},
+                    {"dots", dots}});
   }
   for (const PicturedTick& t : marks) ticks.push_back({{"at", t.at}, {"strong", t.strong}, {"label", t.caption}});
   std::ostringstream drawing;
-  drawing << "<svg id=\"drawing\" viewBox=\"" << number(box.x0 - margin) << ' ' << number(box.y0 - margin) << ' '
-          << number(box.width() + 2 * margin) << ' ' << number(box.height() + 2 * margin)
+  drawing << "<svg id=\"drawing\" viewBox=\"" << number(box.x0 - origin.x - margin) << ' '
+          << number(box.y0 - origin.y - margin) << ' ' << number(box.width() + 2 * margin) << ' '
+          << number(box.height() + 2 * margin)
           << "\"><path id=\"sum\" fill=\"#9ecae1\" fill-rule=\"evenodd\" stroke=\"#08519c\" "
              "vector-effect=\"non-scaling-stroke\"/>"
              "<path id=\"segments\" fill=\"none\" stroke=\""
@@ -70,7 +76,7 @@ std::string scrub_page(const std::vector<PicturedFrame>& frames, const std::vect
     legend.push_back({"#777777", "low tick: an event"});
     legend.push_back({kTightColour, "high tick: the topology changes"});
   }
-  return page(title, drawing.str(), legend, "", list.dump(), "const ticks = " + ticks.dump() + ";" + kShowPlanarFrame);
+  return page(title, drawing.str(), legend, "", list.dump(), "const ticks = " + ticks.dump() + ";" + kShowRegion);
 }
 
 }  // namespace dymsum::cli

@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <sstream>
 
 #include "pictures/page.h"
@@ -13,7 +15,7 @@
 namespace dymsum::cli {
 namespace {
 
-constexpr const char* kShowSolidFrame = R"(
+constexpr const char* kShowSolid = R"(
 const colours = ['#e8a33d', '#5bb98c', '#8cbae6', '#b3b8bf', '#d81e3a'];
 const canvas = el('drawing'), draw = canvas.getContext('2d'), changes = el('changes');
 let yaw = 0.6, pitch = 0.4;
@@ -66,10 +68,27 @@ nlohmann::json shortened(double v) {
   return std::strtod(text, nullptr);
 }
 
-nlohmann::json frame_json(const SolidPicture& picture) {
+/// The middle of a scene that is far from the origin; else the origin, about which the page turns.
+Point3 middle_of(const std::vector<SolidPicture>& frames) {
+  constexpr double kFar = 16, kMost = std::numeric_limits<double>::max();
+  std::array<double, 3> low{kMost, kMost, kMost}, high{-kMost, -kMost, -kMost};
+  double furthest = 0, size = 0;
+  for (const SolidPicture& frame : frames)
+    for (const Point3& at : frame.sum.at)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double c = std::array{at.x, at.y, at.z}[k];
+        low[k] = std::min(low[k], c), high[k] = std::max(high[k], c), furthest = std::max(furthest, std::abs(c));
+      }
+  for (std::size_t k = 0; k < 3; ++k) size = std::max(size, high[k] - low[k]);
+  if (!(furthest > kFar * size)) return {};
+  return {std::midpoint(low[0], high[0]), std::midpoint(low[1], high[1]), std::midpoint(low[2], high[2])};
+}
+
+nlohmann::json frame_json(const SolidPicture& picture, const Point3& middle) {
   const SolidSum& sum = picture.sum;
   nlohmann::json v = nlohmann::json::array(), f = v, k = v, c = v;
-  for (const Point3& at : sum.at) v.push_back({shortened(at.x), shortened(at.y), shortened(at.z)});
+  for (const Point3& at : sum.at)
+    v.push_back({shortened(at.x - middle.x), shortened(at.y - middle.y), shortened(at.z - middle.z)});
   for (const SolidFacet& facet : sum.facets) {
     const std::string kind = facet_kind(facet);
     f.push_back(facet.vertices);
@@ -82,15 +101,16 @@ nlohmann::json frame_json(const SolidPicture& picture) {
 }  // namespace
 
 std::string solid_page(const std::vector<SolidPicture>& frames, const std::string& title) {
+  const Point3 middle = middle_of(frames);
   double reach = 0;
   nlohmann::json list = nlohmann::json::array();
   for (const SolidPicture& frame : frames) {
     for (const Point3& at : frame.sum.at) {
-      const double far = std::hypot(at.x, at.y, at.z);
+      const double far = std::hypot(at.x - middle.x, at.y - middle.y, at.z - middle.z);
       if (!std::isfinite(far)) throw Stop(kBadInput, "this cannot be drawn: a vertex is past the range of doubles");
       reach = std::max(reach, far);
     }
-    list.push_back(frame_json(frame));
+    list.push_back(frame_json(frame, middle));
   }
   const std::string extra =
       "<div class=\"row\"><label><input id=\"changes\" type=\"checkbox\" checked> show what is new in red</label>"
@@ -103,7 +123,7 @@ std::string solid_page(const std::vector<SolidPicture>& frames, const std::strin
   std::ostringstream constants;
   constants.precision(17);
   constants << "const reach = " << (reach > 0 ? reach : 1) << ";";
-  return page(title, "<canvas id=\"drawing\"></canvas>", legend, extra, list.dump(), constants.str() + kShowSolidFrame);
+  return page(title, "<canvas id=\"drawing\"></canvas>", legend, extra, list.dump(), constants.str() + kShowSolid);
 }
 
 }  // namespace dymsum::cli

@@ -9,46 +9,33 @@
 namespace dymsum::cli {
 namespace {
 
-/// Collects path data; everything is moved and turned upside down here.
+/// Collects chains; everything is moved and turned upside down here.
 class Pen {
  public:
-  explicit Pen(double scale, Point moved) : scale_(scale), moved_(moved) { path_.precision(7); }
+  Pen(double scale, Point moved) : scale_(scale), moved_(moved) {}
 
-  // Zero has no sign.
-  Point place(Point p) const { return {scale_ * p.x + moved_.x + 0.0, -(scale_ * p.y + moved_.y) + 0.0}; }
-  void to(char command, Point p) {
-    const Point q = place(p);
-    path_ << command << q.x << ' ' << q.y;
-    set_.box.see(q);
+  template <class Points, class At>
+  void chain(std::vector<Chain>& to, const Points& points, bool closed, At&& at) {
+    Chain& made = to.emplace_back();
+    made.closed = closed;
+    for (const auto& point : points) made.points.push_back(placed(at(point)));
   }
-  void segments(const std::vector<SumSegment>& list) {
-    for (const SumSegment& s : list) {
-      to('M', s.from.at);
-      to('L', s.to.at);
-    }
+  void segments(std::vector<Chain>& to, const std::vector<SumSegment>& list) {
+    for (const SumSegment& s : list) to.push_back({{placed(s.from.at), placed(s.to.at)}, false});
   }
-  /// What follows is tight.
-  void begin_tight() {
-    set_.path = path_.str();
-    path_.str("");
-    tight_ = true;
-  }
-  void close() { path_ << 'Z'; }
-  void dot(Point p) {
-    set_.dots.push_back(place(p));
-    set_.box.see(set_.dots.back());
-  }
-  Drawn finish() {
-    (tight_ ? set_.tight : set_.path) = path_.str();
-    return std::move(set_);
-  }
+  void dot(Point p) { set.dots.push_back(placed(p)); }
+
+  Drawn set;
 
  private:
+  Point placed(Point p) {
+    // Zero has no sign.
+    const Point q{scale_ * p.x + moved_.x + 0.0, -(scale_ * p.y + moved_.y) + 0.0};
+    set.box.see(q);
+    return q;
+  }
   double scale_;
   Point moved_;
-  std::ostringstream path_;
-  bool tight_ = false;
-  Drawn set_;
 };
 
 }  // namespace
@@ -80,50 +67,62 @@ Box Box::drawable() const {
   return box;
 }
 
+Point origin_of(const Box& box) {
+  constexpr double kFar = 16;  // leaves six digits and more of seven
+  const double furthest = std::max({std::abs(box.x0), std::abs(box.y0), std::abs(box.x1), std::abs(box.y1)});
+  return furthest > kFar * box.size() ? Point{box.x0, box.y0} : Point{0, 0};
+}
+
+std::string path_data(const std::vector<Chain>& chains, Point origin) {
+  std::ostringstream path;
+  path.precision(7);
+  for (const Chain& chain : chains) {
+    char command = 'M';
+    for (const Point& p : chain.points) {
+      path << command << p.x - origin.x << ' ' << p.y - origin.y;
+      command = 'L';
+    }
+    if (chain.closed) path << 'Z';
+  }
+  return path.str();
+}
+
 Drawn drawn(const PlanarSum& sum, Point moved) {
   Pen pen(1, moved);
-  const auto ring = [&](const SumRing& r) {
-    for (std::size_t k = 0; k < r.vertices.size(); ++k) pen.to(k == 0 ? 'M' : 'L', r.vertices[k].at);
-    pen.close();
-  };
+  const auto at = [](const SumVertex& v) { return v.at; };
   for (const SumPart& part : sum.parts) {
-    ring(part.outer);
-    for (const SumRing& hole : part.holes) ring(hole);
+    pen.chain(pen.set.chains, part.outer.vertices, true, at);
+    for (const SumRing& hole : part.holes) pen.chain(pen.set.chains, hole.vertices, true, at);
   }
-  pen.segments(sum.segments);
-  pen.begin_tight();
-  pen.segments(sum.tight_segments);
+  pen.segments(pen.set.chains, sum.segments);
+  pen.segments(pen.set.tight, sum.tight_segments);
   for (const auto* points : {&sum.points, &sum.tight_points})
     for (const SumVertex& v : *points) pen.dot(v.at);
-  return pen.finish();
+  return std::move(pen.set);
 }
 
 Drawn drawn(const Region& region, double scale, Point moved) {
   Pen pen(scale, moved);
-  const auto chain = [&](const std::vector<Point>& points) {
-    for (std::size_t k = 0; k < points.size(); ++k) pen.to(k == 0 ? 'M' : 'L', points[k]);
+  const auto chain = [&](const std::vector<Point>& points, bool closed) {
+    pen.chain(pen.set.chains, points, closed, [](const Point& p) { return p; });
   };
   for (const Part& part : region.parts()) {
-    chain(part.outer);
-    pen.close();
-    for (const Ring& hole : part.holes) {
-      chain(hole);
-      pen.close();
-    }
+    chain(part.outer, true);
+    for (const Ring& hole : part.holes) chain(hole, true);
   }
-  for (const Polyline& line : region.polylines()) chain(line);
+  for (const Polyline& line : region.polylines()) chain(line, false);
   for (const Point& p : region.points()) pen.dot(p);
-  return pen.finish();
+  return std::move(pen.set);
 }
 
-std::string tight_features(const Drawn& set, double factor) {
+std::string tight_features(const Drawn& set, Point origin, double factor) {
   std::string svg;
   if (!set.tight.empty())
-    svg = "<path class=\"tight\" d=\"" + set.tight + "\" fill=\"none\" stroke=\"" + kTightColour +
+    svg = "<path class=\"tight\" d=\"" + path_data(set.tight, origin) + "\" fill=\"none\" stroke=\"" + kTightColour +
           "\" stroke-width=\"" + number(2 / factor) + "\" stroke-linecap=\"round\"/>";
   for (const Point& p : set.dots)
-    svg += "<circle cx=\"" + number(p.x) + "\" cy=\"" + number(p.y) + "\" r=\"" + number(2.5 / factor) + "\" fill=\"" +
-           kTightColour + "\"/>";
+    svg += "<circle cx=\"" + number(p.x - origin.x) + "\" cy=\"" + number(p.y - origin.y) + "\" r=\"" +
+           number(2.5 / factor) + "\" fill=\"" + kTightColour + "\"/>";
   return svg;
 }
 

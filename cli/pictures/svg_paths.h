@@ -24,13 +24,26 @@ struct Box {
   Box drawable() const;
 };
 
-/// What a picture needs of a set.
+/// Where a drawing counts its coordinates from: they are written with seven digits, so that a scene far from the origin
+/// has an origin of its own, the corner of its box; others keep theirs.
+Point origin_of(const Box& box);
+
+/// Points that follow one another, and whether the last one leads to the first.
+struct Chain {
+  std::vector<Point> points;
+  bool closed = false;
+};
+
+/// What a picture needs of a set, y downwards.
 struct Drawn {
-  std::string path;         ///< rings and segments
-  std::string tight;        ///< tight segments
-  std::vector<Point> dots;  ///< isolated and tight points
+  std::vector<Chain> chains;  ///< rings and segments
+  std::vector<Chain> tight;   ///< tight segments
+  std::vector<Point> dots;    ///< isolated and tight points
   Box box;
 };
+
+/// SVG path data.
+std::string path_data(const std::vector<Chain>& chains, Point origin);
 
 /// A sum with its tight features, moved.
 Drawn drawn(const PlanarSum& sum, Point moved = {});
@@ -41,7 +54,7 @@ Drawn drawn(const Region& region, double scale = 1, Point moved = {});
 inline constexpr const char* kTightColour = "#d81e3a";
 /// Tight segments and isolated and tight points, in units of which `factor` make a unit of the picture; empty where
 /// there are none.
-std::string tight_features(const Drawn& set, double factor);
+std::string tight_features(const Drawn& set, Point origin, double factor);
 
 /// A coordinate with seven digits.
 std::string number(double v);

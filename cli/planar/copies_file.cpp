@@ -10,7 +10,7 @@ namespace dymsum::cli {
 
 std::vector<ScaledCopy> read_copies(const std::string& file) {
   std::vector<ScaledCopy> copies;
-  const std::string all = file_text(file, "the file of copies");
+  const std::string all = file_text(file);
   const bool any = for_each_line(all, [&](const std::string& text, std::int64_t line) {
     std::istringstream words(text);
     std::string scale, x, y, more;

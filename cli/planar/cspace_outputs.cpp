@@ -9,21 +9,18 @@
 #include "dymsum/mesh_io.h"
 #include "inputs.h"
 #include "pictures/frame_pictures.h"
+#include "planar/contact.h"
 
 namespace dymsum::cli {
 namespace {
 
 const double kPi = std::acos(-1.0);
 
-Json contact_json(const Contact& c) {
-  return {{"kind", c.kind == Contact::Kind::edge_of_q ? "rotating" : "fixed"}, {"p", c.p}, {"q", c.q}};
-}
-
-/// An angle by its number; null for a patch that is there at every angle.
-Json angle_json(const CspaceObstacle& obstacle, std::uint32_t number) {
-  if (number == Patch::kNone) return nullptr;
-  const EventAngle& a = obstacle.angles()[number];
-  Json json = {{"number", number}, {"theta", a.theta}, {"low", a.low}, {"high", a.high}};
+/// An angle by its index; null for a patch that is there at every angle.
+Json angle_json(const CspaceObstacle& obstacle, std::uint32_t index) {
+  if (index == Patch::kNone) return nullptr;
+  const EventAngle& a = obstacle.angles()[index];
+  Json json = {{"index", index}, {"theta", a.theta}, {"low", a.low}, {"high", a.high}};
   if (a.exact) json["tan_half"] = orientation_json(*a.exact)["tan_half"];
   return json;
 }

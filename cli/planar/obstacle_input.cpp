@@ -30,7 +30,7 @@ ObstacleSource read_source(const ObstacleInput& input) {
 
 CspaceObstacle obstacle_of(ObstacleSource& source, const Region& robot, const ObstacleOptions& options) {
   if (source.read) return std::move(*source.read);
-  return require(CspaceObstacle::create(robot, source.inputs[1].region, options));
+  return require_of(source.inputs, CspaceObstacle::create(robot, source.inputs[1].region, options));
 }
 
 }  // namespace dymsum::cli

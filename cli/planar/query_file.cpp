@@ -39,7 +39,7 @@ std::optional<QueryLine> query_in(const std::string& text) {
 }
 
 void for_each_query(const std::string& file, const std::function<void(const QueryLine&, const Refuse&)>& take) {
-  const std::string all = file_text(file, "the file of questions");
+  const std::string all = file_text(file);
   const bool any = for_each_line(all, [&](const std::string& text, std::int64_t line) {
     const std::optional<QueryLine> query = query_in(text);
     if (!query) refuse_line({Code::malformed, "a question is x,y or x,y,theta", {}}, file, line);

@@ -79,7 +79,7 @@ class SolidGrid {
     if (largest_ == 0) return 0;
     int exponent = 0;
     const bool power = std::frexp(largest_, &exponent) == 0.5;
-    return exponent - (power ? 1 : 0) - unit_;
+    return std::max(1, exponent - (power ? 1 : 0) - unit_);
   }
   int tier() const { return bits() <= 26 ? 26 : bits() <= 54 ? 54 : 0; }
 

@@ -11,7 +11,8 @@ int tier_of(const Region& region);
 /// Of two regions that are summed.
 int tier_of(const Region& p, const Region& q);
 
-/// The smallest B such that all coordinates of the mesh are at most 2^B of the largest power of two that divides all.
+/// The smallest B >= 1 such that all coordinates of the mesh are at most 2^B of the largest power of two that divides
+/// all.
 int grid_bits(const Mesh& mesh);
 /// The tier of those bits: 26, 54, or 0 for arbitrary precision.
 int tier_of(const Mesh& mesh);

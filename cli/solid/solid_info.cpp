@@ -57,7 +57,8 @@ void print_info(const Mesh& mesh, const std::optional<Error>& not_convex) {
 ExitCode run_solid_info(const SolidInfo& command) {
   for (const std::string& file : command.pictures) {
     const Result<MeshFormat> format = mesh_format(file);
-    if (!format || *format != MeshFormat::glb) throw Stop(kUsage, "info draws .glb pictures of solids only");
+    if (!format || *format != MeshFormat::glb)
+      throw Stop(kUsage, "info draws solids as .glb pictures only, not " + file);
   }
   const auto [solid, timing] = timed(
       1, [&] { return make_solid(require(read_mesh_data(command.file, command.input)), command.file, command.input); });

@@ -59,7 +59,7 @@ Result<MeshData> read_mesh_data(const std::string& file, const InputOptions& opt
 
 Result<SolidInput> make_solid(MeshData data, const std::string& file, const InputOptions& options) {
   const auto in_file = [&](Error error) {
-    if (error.evidence.file.empty()) error.evidence.file = file == "-" ? "standard input" : file;
+    if (error.evidence.file.empty()) error.evidence.file = shown_file(file);
     return error;
   };
   if (options.hull) {
@@ -90,9 +90,8 @@ Json solid_inputs_json(const std::vector<SolidInput>& inputs) {
                     {"faces", input.mesh.faces().size()},
                     {"shells", input.mesh.shell_count()}});
     if (!input.hull) continue;
-    list.back()["hull"] = {{"vertices", input.hull->vertices},
-                           {"inside", input.hull->inside_vertices},
-                           {"deviation", input.hull->deviation}};
+    list.back()["hull"] = {
+        {"given", input.hull->vertices}, {"inside", input.hull->inside_vertices}, {"deviation", input.hull->deviation}};
   }
   return list;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iostream>
 #include <optional>
+#include <sstream>
 
 #include "outputs.h"
 #include "pictures/frame_pictures.h"
@@ -22,46 +23,47 @@ void check_outputs(const std::vector<std::string>& files) {
     if (!is_page(file)) check_solid_outputs({file}, {}, ".html, and the last frame as ");
 }
 
-Json frame_json(const ConvexSum& sum, const std::string& label, double ms) {
-  const MotionWork& w = sum.work();
+std::uint64_t checked(const MotionWork& w) { return w.vertex_checks + w.crossing_checks + w.arc_checks; }
+
+Json sizes_json(const ConvexSum& sum, const MotionWork& work) {
   const ConvexSum::FacetCount facets = sum.facet_count();
-  return {{"pose", label},
-          {"faces", facets.all},
+  return {{"faces", facets.all},
           {"volume_exact", sum.volume_exact().to_string()},
           {"changed", facets.changed},
-          {"checked", w.vertex_checks + w.crossing_checks + w.arc_checks},
-          {"update_ms", ms}};
+          {"checked", checked(work)}};
 }
 
-struct Motion {
-  std::optional<ConvexSum> sum;
+/// All rounds: the times of every frame; of the last round its work, frames and pictures.
+struct Rounds {
+  std::optional<ConvexSum> sum;  ///< at the last frame
   std::vector<double> ms;
   std::uint64_t changed = 0, checked = 0;
   Json frames = Json::array();
   std::vector<SolidPicture> pictures;
 };
 
-Motion run(const std::vector<SolidInput>& inputs, const std::vector<SolidFramePose>& poses, bool pictures,
-           const ReportOptions& report, const Progress& progress) {
-  Motion motion;
+Rounds run(const SolidMotion& motion, const ReportOptions& report, const Progress& progress) {
+  Rounds rounds;
+  const std::vector<SolidFrame>& frames = motion.frames;
+  const bool pictures = std::any_of(motion.files.begin(), motion.files.end(), is_page);
   for (std::size_t round = 0; round < report.repeat; ++round) {
-    motion.sum = require(ConvexSum::create(inputs[0].mesh, inputs[1].mesh));
-    const std::size_t facets = motion.sum->facet_count().all;
+    rounds.sum = require(ConvexSum::create(motion.inputs[0].mesh, motion.inputs[1].mesh));
+    const std::size_t facets = rounds.sum->facet_count().all;
     const std::size_t most = std::clamp<std::size_t>(kMostPicturedFacets / facets, 1, kMostPictures);
-    const std::size_t every = (poses.size() + most - 1) / most;
-    const bool last = round + 1 == report.repeat;
-    for (std::size_t i = 0; i < poses.size(); ++i) {
-      if (!progress("frames", double(i) / double(poses.size()))) throw_if_interrupted();
-      const auto [work, timing] = timed(1, [&] { return motion.sum->set(poses[i].p, poses[i].q); });
-      motion.ms.push_back(timing.median_ms);
-      if (!last) continue;
-      motion.changed += motion.sum->facet_count().changed;
-      motion.checked += work.vertex_checks + work.crossing_checks + work.arc_checks;
-      if (report.json) motion.frames.push_back(frame_json(*motion.sum, poses[i].label, timing.median_ms));
-      if (pictures && i % every == 0) motion.pictures.push_back({poses[i].label, motion.sum->sum()});
+    const std::size_t every = (frames.size() + most - 1) / most;
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+      if (!progress("frames", double(i) / double(frames.size()))) throw_if_interrupted();
+      const auto [work, timing] = timed(1, [&] { return rounds.sum->set(frames[i].p, frames[i].q); });
+      rounds.ms.push_back(timing.median_ms);
+      if (round + 1 < report.repeat) continue;
+      rounds.changed += rounds.sum->facet_count().changed;
+      rounds.checked += checked(work);
+      if (report.json)
+        rounds.frames.push_back(frame_json(frames[i].name, sizes_json(*rounds.sum, work), timing.median_ms));
+      if (pictures && i % every == 0) rounds.pictures.push_back({frames[i].name.pose, rounds.sum->sum()});
     }
   }
-  return motion;
+  return rounds;
 }
 
 double static_ms(const ConvexSum& sum) {
@@ -69,75 +71,95 @@ double static_ms(const ConvexSum& sum) {
   return timed(9, [&] { return fresh.rebuild(); }).second.median_ms;
 }
 
+void write_outputs(const SolidMotion& motion, const Rounds& rounds) {
+  const std::vector<SolidInput>& inputs = motion.inputs;
+  const std::string title = motion.verb + " of " + inputs[0].file + " and " + inputs[1].file;
+  std::vector<std::string> texts;
+  for (const std::string& file : motion.files)
+    texts.push_back(is_page(file) ? solid_page(rounds.pictures, title)
+                                  : solid_output(rounds.sum->sum(), file, {"off", inputs[0].hull.has_value(), false}));
+  for (std::size_t i = 0; i < texts.size(); ++i) write_text(motion.files[i], texts[i]);
+}
+
+MotionReport report_of(const SolidMotion& motion, std::size_t repeats, Rounds&& rounds) {
+  MotionReport report;
+  report.verb = motion.verb;
+  for (const SolidInput& input : motion.inputs) report.files.push_back(input.file);
+  report.inputs = solid_inputs_json(motion.inputs);
+  report.tier = rounds.sum->tier_bits();
+  report.repeats = repeats;
+  report.frame_count = motion.frames.size();
+  report.ms = std::move(rounds.ms);
+  report.static_ms = static_ms(*rounds.sum);
+  report.asked = motion.asked;
+  report.note = motion.note;
+  report.frames = std::move(rounds.frames);
+  report.work = {{"changed", rounds.changed}, {"checked", rounds.checked}};
+  const std::size_t facets = rounds.sum->facet_count().all;
+  const auto per_frame = [&](std::uint64_t n) { return double(n) / double(motion.frames.size()); };
+  std::ostringstream text;
+  text << "a frame checks " << per_frame(rounds.checked) << " features and changes " << per_frame(rounds.changed)
+       << " of " << counted(facets, "facet");
+  report.work_text = text.str();
+  report.lines = {"at " + motion.frames.back().name.pose + ": " + counted(facets, "facet")};
+  return report;
+}
+
 }  // namespace
 
-ExitCode run_solid_motion(const std::string& verb, const std::vector<SolidInput>& inputs,
-                          const std::vector<SolidFramePose>& poses, const std::vector<std::string>& files,
-                          const ReportOptions& report) {
-  std::ostream& out = report_stream(files, report.json);
-  check_outputs(files);
+SolidFrame turned_frame(const Rotation& rotation, const Point3& axis, const std::string& pose) {
+  const auto& q = rotation.quaternion();
+  const bool clockwise = double(q[1]) * axis.x + double(q[2]) * axis.y + double(q[3]) * axis.z < 0;
+  SolidFrame frame;
+  frame.p.rotation = rotation;
+  frame.name = {pose, {{"theta", clockwise && q[0] != 0 ? -rotation.angle() : rotation.angle()}, {"quaternion", q}}};
+  return frame;
+}
+
+ExitCode run_solid_motion(const SolidMotion& motion, const ReportOptions& report) {
+  std::ostream& out = report_stream(motion.files, report.json);
+  check_outputs(motion.files);
   const InterruptGuard guard;
   std::optional<ProgressBar> bar(std::in_place);
-  const bool pictures = std::any_of(files.begin(), files.end(), is_page);
-  const Motion motion = run(inputs, poses, pictures, report, bar->callback());
+  Rounds rounds = run(motion, report, bar->callback());
   bar.reset();
   throw_if_interrupted();
-  std::vector<std::string> texts;
-  for (const std::string& file : files)
-    texts.push_back(is_page(file)
-                        ? solid_page(motion.pictures, verb + " of " + inputs[0].file + " and " + inputs[1].file)
-                        : solid_output(motion.sum->sum(), file, {"off", inputs[0].hull.has_value(), false}));
-  for (std::size_t i = 0; i < files.size(); ++i) write_text(files[i], texts[i]);
-  const Timing timing = timing_of(motion.ms);
-  const double fresh = static_ms(*motion.sum);
-  if (report.json) {
-    Json json =
-        report_head(verb, solid_inputs_json(inputs), motion.sum->tier_bits(), timing, {{"frames", timing.median_ms}});
-    json["repeats"] = report.repeat;
-    json.update({{"frames", motion.frames},
-                 {"static_ms", fresh},
-                 {"update_ms", timing.median_ms},
-                 {"work", {{"changed", motion.changed}, {"checked", motion.checked}}}});
-    print_report(json);
-    return kDone;
-  }
-  const auto per_frame = [&](std::uint64_t n) { return double(n) / double(poses.size()); };
-  out << verb << " of " << inputs[0].file << " and " << inputs[1].file << ", " << counted(poses.size(), "frame")
-      << "\n  update " << timing.median_ms << " ms (median, least " << timing.min_ms << " ms), from scratch " << fresh
-      << " ms\n  a frame checks " << per_frame(motion.checked) << " features and changes " << per_frame(motion.changed)
-      << " of " << motion.sum->facet_count().all << " facets\n";
+  write_outputs(motion, rounds);
+  const MotionReport made = report_of(motion, report.repeat, std::move(rounds));
+  if (report.json) print_report(motion_json(made));
+  else print_motion(out, made);
   return kDone;
 }
+
+namespace {
+
+/// One scale for all axes, or three between colons.
+std::vector<Scale> scales_in(const std::string& text) {
+  const std::vector<std::string> pieces = split(text, ':');
+  if (pieces.size() != 1 && pieces.size() != 3) throw Stop(kUsage, "--at wants one scale or three, SX:SY:SZ: " + text);
+  std::vector<Scale> scales;
+  for (const std::string& piece : pieces) scales.push_back(read_scale(piece, "--at"));
+  return scales;
+}
+
+}  // namespace
 
 ExitCode run_solid_scale(const ScaleCommand& command, const std::vector<Scale>& sweep) {
   refuse_options(*command.parser, {"--copies", "--events", "--mode", "--semantics", "--exact"},
                  "is for planar operands");
   if (sweep.empty() == command.at.empty()) throw Stop(kUsage, "give one of --sweep and --at");
-  const std::vector<SolidInput> inputs = read_convex_solids(command.operands, command.input);
-  std::vector<SolidFramePose> poses;
-  const auto add = [&](const std::array<Scale, 3>& s, const std::string& label) {
-    SolidFramePose pose;
-    (command.scaled == "p" ? pose.p : pose.q).scale = s;
-    pose.label = label;
-    poses.push_back(pose);
+  SolidMotion motion{"scale", read_convex_solids(command.operands, command.input), {}, command.files, {}, ""};
+  const auto add = [&](const std::vector<Scale>& s) {
+    SolidFrame frame;
+    (command.scaled == "p" ? frame.p : frame.q).scale = {s.front(), s[s.size() / 2], s.back()};
+    frame.name = frame_name(s);
+    motion.frames.push_back(frame);
   };
-  for (const Scale& s : sweep) add({s, s, s}, "s = " + shown(s.exact()));
-  for (const std::string& text : listed(command.at)) {
-    const std::size_t a = text.find(':'), b = a == std::string::npos ? a : text.find(':', a + 1);
-    if (a == std::string::npos) {
-      const Scale s = read_scale(text, "--at");
-      add({s, s, s}, "s = " + text);
-    } else if (b == std::string::npos) {
-      throw Stop(kUsage, "--at wants one scale or three, SX:SY:SZ: " + text);
-    } else {
-      add({read_scale(text.substr(0, a), "--at"), read_scale(text.substr(a + 1, b - a - 1), "--at"),
-           read_scale(text.substr(b + 1), "--at")},
-          "s = " + text);
-    }
-  }
-  std::vector<SolidInput> operands = inputs;
-  if (command.robot) operands[1].mesh = negated(operands[1].mesh);
-  return run_solid_motion("scale", operands, poses, command.files, command.report);
+  for (const Scale& s : sweep) add({s});
+  for (const std::string& text : listed(command.at)) add(scales_in(text));
+  if (command.robot) motion.inputs[1].mesh = negated(motion.inputs[1].mesh);
+  motion.asked = {{"scaled", command.scaled}, {"robot", command.robot}};
+  return run_solid_motion(motion, command.report);
 }
 
 }  // namespace dymsum::cli

@@ -6,21 +6,32 @@
 
 #include "dymsum/convex_sum.h"
 #include "exit_code.h"
+#include "motion_report.h"
 #include "solid/solid_operands.h"
 #include "verbs/scale_command.h"
 
 namespace dymsum::cli {
 
-struct SolidFramePose {
+struct SolidFrame {
   SolidPose p, q;
-  std::string label;  ///< "s = 3/2", "90 degrees"
+  FrameName name;
 };
 
-/// Visits the poses, writes pictures and reports. `verb` names it; `files` may end in .html (a page that plays), or be
-/// a mesh of the last frame.
-ExitCode run_solid_motion(const std::string& verb, const std::vector<SolidInput>& inputs,
-                          const std::vector<SolidFramePose>& poses, const std::vector<std::string>& files,
-                          const ReportOptions& report);
+/// What moves, and what is written of it.
+struct SolidMotion {
+  std::string verb;
+  std::vector<SolidInput> inputs;
+  std::vector<SolidFrame> frames;
+  std::vector<std::string> files;  ///< may end in .html (a page that plays), or be a mesh of the last frame
+  Json asked;                      ///< as MotionReport has it
+  std::string note;
+};
+
+/// Makes the frames, writes pictures and reports.
+ExitCode run_solid_motion(const SolidMotion& motion, const ReportOptions& report);
+
+/// Turned about an axis: of the name of the frame, theta is the exact rotation's angle, in (-pi, pi].
+SolidFrame turned_frame(const Rotation& rotation, const Point3& axis, const std::string& pose);
 
 /// scale with solid operands: `sweep` as parsed, or --at with one scale or three a frame.
 ExitCode run_solid_scale(const ScaleCommand& command, const std::vector<Scale>& sweep);

@@ -53,9 +53,9 @@ bool writes_mesh(const std::vector<std::string>& files, const SolidOutput& how) 
 
 MeshFormat mesh_output_format(const std::string& file, const std::string& to) {
   const std::string name = format_name(file, to);
-  if (!region_format(name)) return require(mesh_format(name));
-  throw Stop(kBadInput, (file == "-" ? "--to " + to : file) +
-                            " is a format of planar regions; solids are written as .off .obj .stl .ply or .glb");
+  if (!region_format(name)) return require_format(mesh_format(name));
+  throw Stop(kUsage, (file == "-" ? "--to " + to : file) +
+                         " is a format of planar regions; solids are written as .off .obj .stl .ply or .glb");
 }
 
 std::string facet_kind(const SolidFacet& f) {

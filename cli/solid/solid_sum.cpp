@@ -38,8 +38,8 @@ void print_text(std::ostream& out, const std::string& verb, const std::vector<So
     out << (i == 0 ? "" : i + 1 < inputs.size() ? ", " : " and ") << inputs[i].file;
   out << "\n  " << counted(sum.facets.size(), "facet") << " (" << kinds.with_face << " with a face, " << kinds.of_edges
       << " edge + edge), " << counted(sum.vertices.size(), "vertex", "vertices") << "\n  volume "
-      << shown(volume_of(sum)) << ", area " << shown(surface_of(sum)) << "\n  " << timing.median_ms << " ms, "
-      << (tier == 0 ? "arbitrary precision" : std::to_string(tier) + "-bit") << " coordinates\n";
+      << shown(volume_of(sum)) << ", area " << shown(surface_of(sum)) << "\n  " << shown(timing) << ", "
+      << tier_name(tier) << " coordinates\n";
 }
 
 }  // namespace

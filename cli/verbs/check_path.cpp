@@ -1,12 +1,12 @@
 #include "verbs/check_path.h"
 
-#include <array>
-#include <cmath>
+#include <algorithm>
 #include <numbers>
 #include <sstream>
 
 #include "inputs.h"
 #include "line_file.h"
+#include "planar/contact.h"
 #include "planar/query_file.h"
 
 namespace dymsum::cli {
@@ -33,6 +33,56 @@ Rational rational_in(const std::string& text) {
   return bar == std::string::npos ? Rational{text, "1"} : Rational{text.substr(0, bar), text.substr(bar + 1)};
 }
 
+Json parsed(const std::string& file, const std::string& text) {
+  try {
+    return Json::parse(text);
+  } catch (const Json::parse_error& error) {
+    const std::size_t at = std::min(error.byte, text.size());
+    refuse(file, error.byte > text.size() ? "the JSON of a path ends too early" : "this is no JSON of a path",
+           1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+  } catch (const Json::out_of_range&) {
+    refuse(file, "a number is past the range of doubles");
+  }
+}
+
+/// The entries of a waypoint; a Stop for those that are missing or of another kind.
+class WaypointEntries {
+ public:
+  WaypointEntries(const std::string& file, const Json& json, std::size_t index)
+      : file_(file), json_(json), index_(index) {}
+
+  std::string text(const char* key) const {
+    const Json* value = find(key);
+    if (value == nullptr || !value->is_string()) wants(key, "a text");
+    return *value;
+  }
+  double number(const char* key) const {
+    const Json* value = find(key);
+    if (value == nullptr || !value->is_number()) wants(key, "a number");
+    return *value;
+  }
+  RationalPoint fractions(const char* key) const {
+    const Json* value = find(key);
+    if (value == nullptr || !value->is_array() || value->size() != 2 || !(*value)[0].is_string() ||
+        !(*value)[1].is_string())
+      wants(key, "a pair of fractions");
+    return {rational_in((*value)[0]), rational_in((*value)[1])};
+  }
+
+ private:
+  const Json* find(const char* key) const {
+    const auto found = json_.find(key);
+    return found == json_.end() ? nullptr : &*found;
+  }
+  [[noreturn]] void wants(const char* key, const char* what) const {
+    refuse(file_, "waypoint " + std::to_string(index_) + " wants " + what + " as `" + key + "`");
+  }
+
+  const std::string& file_;
+  const Json& json_;
+  std::size_t index_;
+};
+
 Waypoint::Move move_in(const std::string& file, const std::string& name) {
   if (name == "start") return Waypoint::Move::start;
   if (name == "translation") return Waypoint::Move::translation;
@@ -41,31 +91,36 @@ Waypoint::Move move_in(const std::string& file, const std::string& name) {
   refuse(file, "'" + name + "' is no move");
 }
 
-Waypoint waypoint_in(const std::string& file, const Json& json) {
+Waypoint waypoint_in(const std::string& file, const WaypointEntries& entries) {
   Waypoint w;
-  w.move = move_in(file, json.at("move").get<std::string>());
-  w.at = {rational_in(json.at("exact").at(0).get<std::string>()),
-          rational_in(json.at("exact").at(1).get<std::string>())};
-  Result<Orientation> theta = Orientation::parse(json.at("tan_half").get<std::string>());
+  w.move = move_in(file, entries.text("move"));
+  w.at = entries.fractions("exact");
+  Result<Orientation> theta = Orientation::parse(entries.text("tan_half"));
   if (!theta) refuse(file, theta.error().message);
   w.theta = *theta;
-  w.approx = {json.at("x").get<double>(), json.at("y").get<double>(), w.theta.radians()};
+  w.approx = {entries.number("x"), entries.number("y"), w.theta.radians()};
   return w;
+}
+
+Configuration pose_in(const std::string& file, const Json& json) {
+  std::vector<double> numbers;
+  if (json.is_array())
+    for (const Json& value : json)
+      if (value.is_number()) numbers.push_back(value);
+  if (json.size() != 3 || numbers.size() != 3)
+    refuse(file, "expected a pose [x, y, theta] of finite numbers instead of " + json.dump());
+  return {numbers[0], numbers[1], numbers[2]};
 }
 
 GivenPath path_of_json(const std::string& file, const Json& json) {
   if (json.is_object()) {
     std::vector<Waypoint> path;
-    for (const Json& w : json.at("waypoints")) path.push_back(waypoint_in(file, w));
+    if (!json.contains("waypoints") || !json["waypoints"].is_array()) refuse(file, "there is no list of `waypoints`");
+    for (const Json& w : json["waypoints"]) path.push_back(waypoint_in(file, {file, w, path.size()}));
     return path;
   }
   std::vector<Configuration> poses;
-  for (const Json& pose : json) {
-    const auto [x, y, theta] = pose.get<std::array<double, 3>>();
-    if (pose.size() != 3 || !std::isfinite(x) || !std::isfinite(y) || !std::isfinite(theta))
-      refuse(file, "expected a pose [x, y, theta] of finite numbers instead of " + pose.dump());
-    poses.push_back({x, y, theta});
-  }
+  for (const Json& pose : json) poses.push_back(pose_in(file, pose));
   return poses;
 }
 
@@ -86,17 +141,13 @@ const char* kind_of(const PathCheck& check) { return !check.turns ? "translation
 }  // namespace
 
 GivenPath read_path_file(const std::string& file) {
-  const std::string text = file_text(file, "the path");
+  const std::string text = file_text(file);
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   GivenPath path;
   if (first == std::string::npos || (text[first] != '{' && text[first] != '[')) {
     path = poses_of_lines(file, text);
   } else {
-    try {
-      path = path_of_json(file, Json::parse(text));
-    } catch (const Json::exception& error) {
-      refuse(file, std::string("no path: ") + error.what());
-    }
+    path = path_of_json(file, parsed(file, text));
   }
   if (size_of(path) == 0) refuse(file, "the file holds no pose");
   return path;
@@ -106,14 +157,14 @@ std::size_t size_of(const GivenPath& path) {
   return std::visit([](const auto& poses) { return poses.size(); }, path);
 }
 
-PathCheck checked(const Region& robot, const Region& obstacle, const GivenPath& path, Touching touching) {
-  return std::visit([&](const auto& poses) { return require(check_path(robot, obstacle, poses, touching)); }, path);
-}
-
-Json contact_json(const std::optional<Contact>& contact) {
-  if (!contact) return nullptr;
-  const bool fixed = contact->kind == Contact::Kind::edge_of_p;
-  return {{"kind", fixed ? "vertex_on_edge" : "edge_on_vertex"}, {"obstacle", contact->p}, {"robot", contact->q}};
+PathCheck checked(const Region& robot, const std::vector<Input>& inputs, const GivenPath& path, Touching touching,
+                  const std::string& file) {
+  const auto run = [&](const auto& poses) { return check_path(robot, inputs[1].region, poses, touching); };
+  Result<PathCheck> check = std::visit(run, path);
+  if (check) return std::move(check).value();
+  Error error = in_operand(check.error(), inputs);
+  if (error.evidence.file.empty()) error.evidence.file = shown_file(file);
+  stop_with(error);
 }
 
 Json check_json(const PathCheck& check, const GivenPath& path) {
@@ -137,11 +188,7 @@ std::string check_text(const PathCheck& check) {
   text << name_of(check.outcome) << ": piece " << check.piece << ", a "
        << (check.moves && check.turns ? "translation that turns" : kind_of(check)) << ", at (" << check.at.x << ", "
        << check.at.y << "), theta = " << check.at.theta << ", " << 100 * check.low << " % of it";
-  if (check.contact) {
-    const bool fixed = check.contact->kind == Contact::Kind::edge_of_p;
-    text << ": " << (fixed ? "edge " : "vertex ") << check.contact->p << " of the obstacle and "
-         << (fixed ? "vertex " : "edge ") << check.contact->q << " of the robot";
-  }
+  if (check.contact) text << ": " << contact_text(*check.contact);
   return text.str();
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dymsum/path_check.h"
+#include "inputs.h"
 #include "json_report.h"
 
 namespace dymsum::cli {
@@ -17,11 +18,11 @@ using GivenPath = std::variant<std::vector<Configuration>, std::vector<Waypoint>
 /// Stops with bad input, with the line where there is one.
 GivenPath read_path_file(const std::string& file);
 
-PathCheck checked(const Region& robot, const Region& obstacle, const GivenPath& path, Touching touching);
+/// The path of `file`, for a robot, grown or not, and the obstacle of the operands.
+PathCheck checked(const Region& robot, const std::vector<Input>& inputs, const GivenPath& path, Touching touching,
+                  const std::string& file);
 std::size_t size_of(const GivenPath& path);
 
-/// {"kind", "obstacle", "robot"}: the kind is vertex_on_edge or edge_on_vertex, indices of the obstacle and the robot.
-Json contact_json(const std::optional<Contact>& contact);
 Json check_json(const PathCheck& check, const GivenPath& path);
 /// "free: 12 pieces", or the first piece that is not.
 std::string check_text(const PathCheck& check);

@@ -12,6 +12,7 @@
 #include "inputs.h"
 #include "options.h"
 #include "planar/configuration.h"
+#include "planar/contact.h"
 #include "planar/obstacle_input.h"
 #include "progress_bar.h"
 #include "report.h"
@@ -64,18 +65,13 @@ Json distance_json(const Clearance& c) {
 }
 
 Json answer_json(const Answer& a) {
-  Json free = Json::array(), contact = nullptr;
+  Json free = Json::array();
   for (const FreeAngles& f : a.free)
     free.push_back({{"begin", f.begin}, {"end", f.end}, {"error", std::max(f.begin_error, f.end_error)}});
-  if (a.contact) {
-    const bool fixed = a.contact->kind == Contact::Kind::edge_of_p;
-    contact = {
-        {"kind", fixed ? "vertex_on_edge" : "edge_on_vertex"}, {"obstacle", a.contact->p}, {"robot", a.contact->q}};
-  }
   Json json = distance_json(a.clearance);
   json["at"] = {a.at.x, a.at.y, a.at.theta};
   json["free"] = !std::signbit(a.clearance.distance);
-  json["contact"] = contact;
+  json["contact"] = contact_json(a.contact);
   json["translation"] = distance_json(a.translation);
   json["free_angles"] = free;
   return json;
@@ -125,6 +121,7 @@ ExitCode run_clearance(const ClearanceCommand& command) {
   });
   if (!command.report.json) {
     for (const Answer& a : answers) print_text(a);
+    print_times(std::cout, timing);
     return kDone;
   }
   Json list = Json::array();

@@ -69,22 +69,23 @@ std::vector<bool> in_sum(const Region& p, const Region& q, const std::vector<Que
 }
 
 /// The obstacle of all angles is worth its while for many questions; it knows interiors only.
-std::vector<bool> in_obstacle(const Region& robot, const Region& obstacle, const std::vector<Query>& queries,
-                              bool closed, const Progress& progress) {
+std::vector<bool> in_obstacle(const std::vector<Input>& inputs, const std::vector<Query>& queries, bool closed,
+                              const Progress& progress) {
+  const Region &robot = inputs[0].region, &obstacle = inputs[1].region;
   constexpr std::size_t kMany = 256;
   std::vector<bool> inside;
   if (!closed && queries.size() >= kMany) {
     ObstacleOptions options;
     options.progress = progress;
-    const CspaceObstacle made = require(CspaceObstacle::create(robot, obstacle, options));
+    const CspaceObstacle made = require_of(inputs, CspaceObstacle::create(robot, obstacle, options));
     const ObstacleQueries index(made);
     for (const Query& query : queries) inside.push_back(index.contains(query.x, query.y, *query.theta));
     return inside;
   }
   for (const Query& query : queries) {
     const Point at{query.x, query.y};
-    inside.push_back(!require(check_translation(robot, obstacle, at, at, *query.theta,
-                                                closed ? Touching::forbidden : Touching::allowed))
+    inside.push_back(!require_of(inputs, check_translation(robot, obstacle, at, at, *query.theta,
+                                                           closed ? Touching::forbidden : Touching::allowed))
                           .free);
   }
   return inside;
@@ -124,8 +125,7 @@ ExitCode run_contains(const ContainsCommand& command) {
   // no file.
   std::optional<ProgressBar> bar(std::in_place);
   const auto [inside, timing] = timed(command.report.repeat, [&] {
-    return robot ? in_obstacle(first, second, queries, closed, bar->callback())
-                 : in_sum(first, second, queries, closed);
+    return robot ? in_obstacle(inputs, queries, closed, bar->callback()) : in_sum(first, second, queries, closed);
   });
   bar.reset();
   if (command.report.json) {
@@ -134,6 +134,7 @@ ExitCode run_contains(const ContainsCommand& command) {
     print_report(json);
   } else {
     print_text(queries, inside);
+    print_times(std::cout, timing);
   }
   return queries.size() == 1 && !inside.front() ? kNo : kDone;
 }

@@ -47,20 +47,6 @@ void check(const CspaceCommand& command) {
   if (!written(is_strip)) refuse_options(*command.parser, {"--slices"}, "belongs to -o FILE.svg");
 }
 
-/// Where one operand only is empty or has pieces without area, its file is told.
-CspaceObstacle obstacle_of(const std::vector<Input>& inputs, const ObstacleOptions& options) {
-  Result<CspaceObstacle> made = CspaceObstacle::create(inputs[0].region, inputs[1].region, options);
-  if (made) return std::move(made).value();
-  Error error = made.error();
-  std::vector<std::string> thin;
-  for (const Input& input : inputs)
-    if (const Region& r = input.region; r.parts().empty() || !r.polylines().empty() || !r.points().empty())
-      thin.push_back(input.file);
-  if (error.code == Code::unsupported_operand && thin.size() == 1 && error.evidence.file.empty())
-    error.evidence.file = thin[0];
-  stop_with(error);
-}
-
 struct CspaceReport {
   const std::vector<Input>& inputs;
   const CspaceObstacle& obstacle;
@@ -127,6 +113,7 @@ void print_text(const CspaceReport& report) {
             << ", " << work.vertex_events << " of a vertex on a segment, " << work.triple_events
             << " of three segments, " << work.tight_events << " tight\n  free space has "
             << counted(free_components(obstacle), "component") << "\n";
+  print_times(std::cout, report.timing);
   if (!report.mesh) return;
   const MeshClosure closed = closure(*report.mesh);
   std::cout << "  mesh of " << counted(report.mesh->triangles.size(), "triangle") << " within "
@@ -153,7 +140,9 @@ ExitCode run_cspace(const CspaceCommand& command) {
   std::optional<ProgressBar> bar(std::in_place);
   ObstacleOptions options;
   options.progress = bar->callback();
-  const auto [obstacle, timing] = timed(command.report.repeat, [&] { return obstacle_of(inputs, options); });
+  const auto [obstacle, timing] = timed(command.report.repeat, [&] {
+    return require_of(inputs, CspaceObstacle::create(inputs[0].region, inputs[1].region, options));
+  });
   std::optional<ObstacleMesh> mesh;
   if (std::any_of(command.files.begin(), command.files.end(), is_glb))
     mesh = require(obstacle_mesh(obstacle, {command.tolerance, options.progress}));
@@ -180,15 +169,14 @@ void add_cspace(CLI::App& app, Action& action) {
                   "with their exact angles) or .obstacle (for --obstacle of clearance and path); repeatable")
       ->type_name("FILE")
       ->allow_extra_args(false);
-  verb.add_option("--tolerance", command->tolerance, "Largest error of the mesh, as a share of its extent")
+  within(verb.add_option("--tolerance", command->tolerance, "Largest error of the mesh, as a share of its extent"),
+         1e-6, 1)
       ->type_name("T")
-      ->check(CLI::Range(1e-6, 1.0))
       ->capture_default_str();
   verb.add_flag("--open", command->open,
                 "Leave the mesh open at -pi and pi, where the surface goes on; otherwise the slice there caps it");
-  verb.add_option("--slices", command->slices, "Slices of the film strip")
+  whole_within(verb.add_option("--slices", command->slices, "Slices of the film strip"), 1, 1000)
       ->type_name("N")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{1000}))
       ->capture_default_str();
   add_report_options(verb, command->report, "Compute N times and report the median and minimum time");
   add_input_options(verb, command->input);

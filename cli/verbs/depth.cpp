@@ -57,6 +57,7 @@ ExitCode run(const DepthCommand& command) {
   } else {
     std::cout << "the interiors do not meet\n";
   }
+  if (!command.report.json) print_times(std::cout, timing);
   return depth.inside ? kDone : kNo;
 }
 

@@ -41,7 +41,7 @@ Json shape_json(const Shape& shape) {
                {"vertices", region.vertex_count()},
                {"polylines", region.polylines().size()},
                {"points", region.points().size()},
-               {"bounds", bounds(region)},
+               {"bounds", region.empty() ? Json(nullptr) : Json(bounds(region))},
                {"area", area_json(region)}});
   return json;
 }
@@ -59,8 +59,8 @@ void print_shape(std::ostream& out, const Shape& shape) {
       << counted(region.vertex_count(), "vertex", "vertices");
   if (!region.polylines().empty()) out << ", " << counted(region.polylines().size(), "polyline");
   if (!region.points().empty()) out << ", " << counted(region.points().size(), "isolated point");
-  out << "\n  bounds [" << box[0] << ", " << box[2] << "] x [" << box[1] << ", " << box[3] << "]\n  area "
-      << shown_area(region) << "\n  " << tier_name(tier_of(region)) << " integers\n";
+  if (!region.empty()) out << "\n  bounds [" << box[0] << ", " << box[2] << "] x [" << box[1] << ", " << box[3] << "]";
+  out << "\n  area " << shown_area(region) << "\n  " << tier_name(tier_of(region)) << " integers\n";
   out.precision(precision);
 }
 
@@ -91,10 +91,15 @@ std::vector<Shape> read_and_validate(const InfoCommand& command) {
   return shapes;
 }
 
+void check_pictures(const InfoCommand& command) {
+  for (const std::string& file : command.output.files)
+    if (output_format(file, command.output) != RegionFormat::svg)
+      throw Stop(kUsage, "info draws regions as .svg pictures only, not " + file);
+}
+
 /// The pictures of the file's first valid shape.
 void draw(const InfoCommand& command, const std::vector<Shape>& shapes) {
   for (const std::string& file : command.output.files) {
-    if (output_format(file, command.output) != RegionFormat::svg) throw Stop(kUsage, "info draws .svg pictures only");
     if (shapes.size() != 1) throw Stop(kUsage, "select one shape to draw: " + command.file + "#NAME");
     if (shapes.front().region) write_text(file, draw_region(*shapes.front().region));
   }
@@ -106,6 +111,7 @@ ExitCode run(const InfoCommand& command) {
     return run_solid_info({command.file, command.json, command.input, command.output.files});
   }
   std::ostream& out = report_stream(command.output.files, command.json);
+  check_pictures(command);
   const auto [shapes, timing] = timed(1, [&] { return read_and_validate(command); });
   draw(command, shapes);
   if (command.json) {

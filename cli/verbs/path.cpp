@@ -13,6 +13,7 @@
 #include "outputs.h"
 #include "pictures/path_picture.h"
 #include "planar/configuration.h"
+#include "planar/contact.h"
 #include "planar/obstacle_input.h"
 #include "planar/tier.h"
 #include "progress_bar.h"
@@ -165,12 +166,15 @@ ExitCode run_check(const PathCommand& command, const std::vector<Input>& inputs,
   const Touching touching = command.strict ? Touching::forbidden : Touching::allowed;
   const InterruptGuard guard;
   const auto [check, timing] =
-      timed(command.report.repeat, [&] { return checked(robot.region, inputs[1].region, path, touching); });
+      timed(command.report.repeat, [&] { return checked(robot.region, inputs, path, touching, command.given); });
   Json json = report_head("path", inputs_json(inputs), tier_of(inputs[0].region, inputs[1].region), timing);
   json.update({{"checked", check_json(check, path)}, {"margin", margin_json(robot)}});
   if (command.report.json) print_report(json);
   else std::cout << check_text(check) << "\n";
-  if (!command.report.json) print_margin(robot, check.outcome == MotionCheck::Outcome::free);
+  if (!command.report.json) {
+    print_margin(robot, check.outcome == MotionCheck::Outcome::free);
+    print_times(std::cout, timing);
+  }
   if (check.outcome == MotionCheck::Outcome::free) return kDone;
   return check.outcome == MotionCheck::Outcome::blocked ? kNo : kUndecided;
 }
@@ -209,6 +213,7 @@ ExitCode run_plan(const PathCommand& command, ObstacleSource source, const Grown
     if (plans.size() > 1) std::cout << "to " << command.to[k] << ":\n";
     print_text(plans[k], robot);
   }
+  if (!command.report.json) print_times(std::cout, timing);
   return code_of(plans);
 }
 
@@ -220,8 +225,14 @@ void check_options(const PathCommand& command) {
       throw Stop(kUsage, "a .svg file shows one path: give one --to");
   }
   const bool ends = !command.from.empty() || !command.to.empty();
-  if (command.given.empty() ? command.from.empty() || command.to.empty() : ends)
-    throw Stop(kUsage, "path wants --from and --to, or --check-path alone");
+  if (!command.given.empty() && ends) throw Stop(kUsage, "--from and --to do not apply to --check-path");
+  if (region_format("." + command.from))
+    throw Stop(kUsage,
+               "--from is where the robot starts, x,y,theta: what standard input is written in is told by its "
+               "first characters");
+  if (command.given.empty() && (command.from.empty() || command.to.empty()))
+    throw Stop(kUsage, "path wants --from x,y,theta and --to x,y,theta, or --check-path FILE: " +
+                           std::string(command.from.empty() ? "--from" : "--to") + " is missing");
   if (!command.given.empty()) refuse_options(*command.parser, {"-o", "--time-limit"}, "does not apply to --check-path");
   check_obstacle_input("path", command.source);
   if (command.margin > 0 && !command.source.file.empty())
@@ -231,7 +242,7 @@ void check_options(const PathCommand& command) {
 ExitCode run_path(const PathCommand& command) {
   check_options(command);
   ObstacleSource source = read_source(command.source);
-  const GrownRegion robot = require(grown(source.inputs[0].region, command.margin));
+  const GrownRegion robot = require_of({source.inputs[0]}, grown(source.inputs[0].region, command.margin));
   return command.given.empty() ? run_plan(command, std::move(source), robot) : run_check(command, source.inputs, robot);
 }
 
@@ -255,17 +266,14 @@ void add_path(CLI::App& app, Action& action) {
                   "first piece that is "
                   "blocked; - for standard input")
       ->type_name("FILE");
-  verb.add_option("--margin", command->margin,
-                  "Keep this distance from the obstacle in every point: the robot grows by a polygon around that disc, "
-                  "2 % wider at "
-                  "its corners")
-      ->type_name("DISTANCE")
-      ->check(CLI::NonNegativeNumber);
+  const char* const margin =
+      "Keep this distance from the obstacle in every point: the robot grows by a polygon around that disc, 2 % wider "
+      "at "
+      "its corners";
+  within(verb.add_option("--margin", command->margin, margin), 0)->type_name("DISTANCE");
   verb.add_flag("--strict", command->strict, "Touching the obstacle is forbidden");
-  verb.add_option("--time-limit", command->time_limit,
-                  "Seconds after which the search stops without a decision, 60 unless told")
-      ->type_name("SECONDS")
-      ->check(CLI::NonNegativeNumber);
+  const char* const limit = "Seconds after which the search stops without a decision, 60 unless told";
+  within(verb.add_option("--time-limit", command->time_limit, limit), 0)->type_name("SECONDS");
   verb.add_option("-o", command->files, "Write the path as .json, or as a picture .svg; repeatable")
       ->type_name("FILE")
       ->allow_extra_args(false);

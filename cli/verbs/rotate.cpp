@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <optional>
+#include <sstream>
 
 #include "options.h"
 #include "planar/planar_turn.h"
@@ -33,15 +34,15 @@ ExitCode run_solids(const RotateCommand& command) {
   refuse_options(*command.parser, {"--error", "--semantics", "--exact"}, "is for planar operands");
   const Point3 axis = parse_point(command.axis.value_or("0,0,1"), "--axis");
   const std::vector<SolidInput> inputs = read_convex_solids(command.planar.operands, command.planar.input);
-  std::vector<SolidFramePose> poses;
-  for (const Angle& angle : frame_angles(command)) {
-    SolidFramePose pose;
-    // Every angle by itself: nothing adds up.
-    pose.p.rotation = require_option(Rotation::about(axis, angle.radians()), "--axis");
-    pose.label = angle.label();
-    poses.push_back(pose);
-  }
-  return run_solid_motion("rotate", inputs, poses, command.planar.files, command.planar.report);
+  SolidMotion motion{"rotate", inputs, {}, command.planar.files, {}, ""};
+  for (const Angle& angle : frame_angles(command))  // every angle by itself: nothing adds up
+    motion.frames.push_back(
+        turned_frame(require_option(Rotation::about(axis, angle.radians()), "--axis"), axis, angle.label()));
+  motion.asked = {{"axis", {axis.x, axis.y, axis.z}}, {"angle_error", Rotation::kAngularError}};
+  std::ostringstream note;
+  note << ", each exact at an orientation within " << Rotation::kAngularError << " of its angle";
+  motion.note = note.str();
+  return run_solid_motion(motion, command.planar.report);
 }
 
 ExitCode run(const RotateCommand& command) {
@@ -63,17 +64,13 @@ void add_rotate(CLI::App& app, Action& action) {
   command->parser = &verb;
   add_operands(verb, {"P", "The region or convex solid that turns about the origin of its coordinates"},
                {"Q", "The one that stays"}, command->planar.operands);
-  verb.add_option(
-          "--steps", command->steps,
-          "Steps of the turn: a frame at the beginning of each, and one at the end unless it is the first again")
-      ->type_name("N")
-      ->required()
-      ->check(CLI::Range(std::size_t{1}, std::size_t{1000000}));
+  const char* const steps =
+      "Steps of the turn: a frame at the beginning of each, and one at the end unless it is the first again";
+  whole_within(verb.add_option("--steps", command->steps, steps), 1, 1000000)->type_name("N")->required();
   verb.add_option("--axis", command->axis, "Of solids: axis through the origin [0,0,1]")->type_name("X,Y,Z");
   add_angle_options(verb, command->angle,
                     "The whole turn [360 degrees], its frames met within 2^-28 (solids) or --error (planar),");
-  verb.add_option("--error", command->error, "Planar: largest error of a frame's angle in radians [1e-6]")
-      ->type_name("E");
+  add_error_option(verb, command->error, "Planar: largest error of a frame's angle in radians [1e-6]");
   verb.add_option("--semantics", command->semantics, "Planar: closed, open or regular [closed]")
       ->check(CLI::IsMember({"closed", "open", "regular"}));
   verb.add_option("-o", command->planar.files,

@@ -6,13 +6,9 @@
 #include <optional>
 
 #include "dymsum/scaling_sum.h"
-#include "outputs.h"
-#include "pictures/frame_pictures.h"
-#include "progress_bar.h"
-#include "report.h"
+#include "planar/planar_motion.h"
 #include "solid/solid_motion.h"
 #include "solid/solid_operands.h"
-#include "timing.h"
 #include "verbs/commands.h"
 #include "verbs/scale_command.h"
 
@@ -54,32 +50,15 @@ Json events_json(const std::vector<ScaleEvent>& events) {
   return list;
 }
 
-Json frame_json(const ScalingSum& sum, bool exact) {
-  Json json = {{"s", sum.scale().exact().to_string()}};
-  json.update(size_json(sum.sum(), exact));
-  json["update_ms"] = sum.work().ms;
-  return json;
-}
-
-/// A fresh computation at a few of the scales.
-double static_ms(const Region& p, const Region& q, const ScaleCommand& command, const std::vector<Scale>& scales) {
-  ScalingOptions options = scaling_options(command);
-  options.mode = FrameMode::rebuild;
-  ScalingSum fresh = require(ScalingSum::create(p, q, options));
-  std::vector<double> ms;
-  for (const std::size_t i : {std::size_t{0}, scales.size() / 2, scales.size() - 1})
-    for (std::size_t k = 0; k < command.report.repeat; ++k) {
-      require(fresh.set(scales[i]));
-      ms.push_back(fresh.work().ms);
-    }
-  return timing_of(ms).median_ms;
-}
-
-/// The exact scale, or its digits where that is long.
-PicturedFrame pictured(const ScalingSum& sum) {
-  std::string label = shown(sum.scale().exact());
-  if (label.size() > 14) label = number(sum.scale().approx());
-  return {sum.scale().approx(), "s = " + label, drawn(sum.sum())};
+/// Pictures have the exact scale as a caption, or its digits where that is long.
+std::vector<PlanarFrame<Scale>> frames_at(const std::vector<Scale>& scales) {
+  std::vector<PlanarFrame<Scale>> frames;
+  for (const Scale& s : scales) {
+    std::string caption = shown(s.exact());
+    if (caption.size() > 14) caption = number(s.approx());
+    frames.push_back({s, frame_name({s}), s.approx(), "s = " + caption});
+  }
+  return frames;
 }
 
 std::vector<PicturedTick> ticks_of(const std::vector<ScaleEvent>& events) {
@@ -89,107 +68,61 @@ std::vector<PicturedTick> ticks_of(const std::vector<ScaleEvent>& events) {
   return ticks;
 }
 
-/// All rounds of a sweep: times of every frame; the last round's work, frames and pictures.
-struct Sweep {
-  std::optional<ScalingSum> sum;  ///< at the last scale
-  std::vector<double> ms;
-  int tier = 0;
-  std::uint64_t lists_changed = 0, degenerate = 0, windows = 0, rebuilt = 0;
-  Json frames = Json::array();
-  std::vector<PicturedFrame> pictures;
-};
-
-void keep(Sweep& sweep, const ScaleCommand& command, bool picture) {
-  const FrameWork& work = sweep.sum->work();
-  sweep.lists_changed += work.lists_changed;
-  sweep.degenerate += work.degenerate;
-  sweep.windows += work.new_window;
-  sweep.rebuilt += work.rebuilt;
-  if (picture) sweep.pictures.push_back(pictured(*sweep.sum));
-  if (command.report.json) sweep.frames.push_back(frame_json(*sweep.sum, command.report.exact));
-}
-
-Sweep run_sweep(const Region& p, const Region& q, const ScaleCommand& command, const std::vector<Scale>& scales,
-                const Progress& progress) {
-  Sweep sweep;
-  const std::size_t every = picture_step(scales.size(), command.files);
-  for (std::size_t round = 0; round < command.report.repeat; ++round) {
-    sweep.sum = require(ScalingSum::create(p, q, scaling_options(command)));
-    for (std::size_t i = 0; i < scales.size(); ++i) {
-      if (!progress("frames", double(i) / double(scales.size()))) throw_if_interrupted();
-      require(sweep.sum->set(scales[i]));
-      sweep.ms.push_back(sweep.sum->work().ms);
-      sweep.tier = std::max(sweep.tier, sweep.sum->sum().stats.tier_bits);
-      if (round + 1 == command.report.repeat) keep(sweep, command, every > 0 && i % every == 0);
-    }
-  }
-  return sweep;
-}
-
-std::vector<ScaleEvent> events_of(const Sweep& sweep, const ScaleCommand& command, const std::vector<Scale>& scales,
+std::vector<ScaleEvent> events_of(const ScalingSum& sum, const ScaleCommand& command, const std::vector<Scale>& scales,
                                   const Progress& progress) {
   if (!command.events && std::none_of(command.files.begin(), command.files.end(), is_page)) return {};
   const auto [low, high] = std::minmax_element(scales.begin(), scales.end(),
                                                [](const Scale& a, const Scale& b) { return a.approx() < b.approx(); });
-  return require(sweep.sum->events(*low, *high, progress));
+  return require(sum.events(*low, *high, progress));
 }
 
-void print_json(const Sweep& sweep, const std::vector<ScaleEvent>& events, double fresh_ms,
-                const std::vector<Input>& inputs, const ScaleCommand& command) {
-  const Timing timing = timing_of(sweep.ms);
-  const Json list = command.events ? events_json(events) : Json(nullptr);
-  Json json = report_head("scale", inputs_json(inputs), sweep.tier, timing, {{"frames", timing.median_ms}});
-  json["repeats"] = command.report.repeat;
-  json.update({{"semantics", command.semantics},
-               {"scaled", command.scaled},
-               {"robot", command.robot},
-               {"frames", sweep.frames},
-               {"static_ms", fresh_ms},
-               {"update_ms", timing.median_ms},
-               {"work",
-                {{"lists_changed", sweep.lists_changed},
-                 {"degenerate_frames", sweep.degenerate},
-                 {"windows", sweep.windows},
-                 {"rebuilt", sweep.rebuilt}}},
-               {"events", list}});
-  print_report(json);
-}
-
-void print_text(const Sweep& sweep, const std::vector<ScaleEvent>& events, double fresh_ms,
-                const std::vector<Input>& inputs, const ScaleCommand& command, std::size_t frames) {
-  const Timing timing = timing_of(sweep.ms);
-  const PlanarSum& last = sweep.sum->sum();
-  std::cout << "scale of " << inputs[0].file << " and " << inputs[1].file << ", " << counted(frames, "frame")
-            << "\n  frame " << timing.median_ms << " ms (median, least " << timing.min_ms << " ms), from scratch "
-            << fresh_ms << " ms\n  " << counted(sweep.windows, "window") << ", " << counted(sweep.rebuilt, "frame")
-            << " from scratch, " << counted(sweep.degenerate, "frame")
-            << " at which something touches\n  at s = " << shown(sweep.sum->scale().exact()) << ": "
-            << counted(last.parts.size(), "part") << ", " << counted(last.hole_count(), "hole") << ", "
-            << counted(last.vertex_count(), "vertex", "vertices") << "\n";
+std::vector<std::string> event_lines(const std::vector<ScaleEvent>& events) {
+  std::vector<std::string> lines;
   for (const ScaleEvent& e : events)
-    if (e.visible && command.events)
-      std::cout << "  event " << shown(e.s) << (e.topology ? "  topology changes" : "") << "\n";
+    if (e.visible) lines.push_back("event " + shown(e.s) + (e.topology ? "  topology changes" : ""));
+  return lines;
+}
+
+ScalingSum scaling_sum(const std::vector<Input>& inputs, const ScalingOptions& options) {
+  return require_of(inputs, ScalingSum::create(inputs[0].region, inputs[1].region, options));
+}
+
+ExitCode run_planar_scale(const ScaleCommand& command) {
+  const std::vector<Scale> scales = scales_of(command);
+  const std::vector<PlanarFrame<Scale>> frames = frames_at(scales);
+  const std::vector<Input> inputs = read_inputs(command.operands, command.input);
+  const InterruptGuard guard;
+  std::optional<ProgressBar> bar(std::in_place);
+  const Progress progress = bar->callback();
+  ScalingOptions options = scaling_options(command);
+  auto motion = run_planar_motion<ScalingSum>(
+      frames, command.report, command.files, progress, [&] { return scaling_sum(inputs, options); },
+      [](ScalingSum& sum, const Scale& s) { require(sum.set(s)); });
+  const std::vector<ScaleEvent> events = events_of(*motion.sum, command, scales, progress);
+  options.mode = FrameMode::rebuild;
+  const double static_ms = planar_static_ms(scaling_sum(inputs, options), frames, command.report.repeat);
+  bar.reset();
+  write_frame_pictures(command.files, motion.pictures, ticks_of(events),
+                       inputs[0].file + " and " + inputs[1].file + ", " + command.scaled + " scales");
+  MotionReport report = planar_motion_report("scale", inputs, command.report.repeat, frames, std::move(motion));
+  report.static_ms = static_ms;
+  report.asked = {{"semantics", command.semantics}, {"scaled", command.scaled}, {"robot", command.robot}};
+  if (command.report.json) {
+    Json json = motion_json(report);
+    json["events"] = command.events ? events_json(events) : Json(nullptr);
+    print_report(json);
+    return kDone;
+  }
+  if (command.events)
+    for (std::string& line : event_lines(events)) report.lines.push_back(std::move(line));
+  print_motion(std::cout, report);
+  return kDone;
 }
 
 ExitCode run_scale(const ScaleCommand& command) {
   if (are_solid(command.operands, command.input))
     return run_solid_scale(command, command.sweep.empty() ? std::vector<Scale>{} : sweep_scales(command.sweep));
-  if (!command.copies.empty()) return run_copies(command);
-  const std::vector<Scale> scales = scales_of(command);
-  const std::vector<Input> inputs = read_inputs(command.operands, command.input);
-  const Region &p = inputs[0].region, &q = inputs[1].region;
-  const InterruptGuard guard;
-  std::optional<ProgressBar> bar(std::in_place);
-  const Progress progress = bar->callback();
-  const Sweep sweep = run_sweep(p, q, command, scales, progress);
-  const std::vector<ScaleEvent> events = events_of(sweep, command, scales, progress);
-  const double fresh_ms = static_ms(p, q, command, scales);
-  bar.reset();
-  const std::string title = inputs[0].file + " and " + inputs[1].file + ", " + command.scaled + " scales";
-  write_frame_pictures(command.files, sweep.pictures, ticks_of(events), title);
-  if (command.report.json) print_json(sweep, events, fresh_ms, inputs, command);
-  else print_text(sweep, events, fresh_ms, inputs, command, scales.size());
-  return kDone;
+  return command.copies.empty() ? run_planar_scale(command) : run_copies(command);
 }
 
 void add_options(CLI::App& verb, ScaleCommand& command) {

@@ -1,4 +1,4 @@
-// dymsum scale MASTER Q --copies FILE
+// dymsum scale P Q --copies FILE
 #include <iostream>
 #include <optional>
 
@@ -15,7 +15,7 @@ namespace {
 
 void check(const ScaleCommand& command) {
   if (!command.sweep.empty() || !command.at.empty()) throw Stop(kUsage, "give one of --sweep, --at and --copies");
-  if (command.scaled != "p") throw Stop(kUsage, "--copies scales MASTER, the first operand");
+  if (command.scaled != "p") throw Stop(kUsage, "--copies scales P, the first operand: --scaled q does not apply");
   if (command.events) throw Stop(kUsage, "--events belongs to --sweep and --at");
   for (const std::string& file : command.files)
     if (!file.ends_with(".svg"))

@@ -119,13 +119,15 @@ ExitCode run_range(const RangeCommand& command) {
   std::optional<ProgressBar> bar(std::in_place);
   const Progress progress = bar->callback();
   const auto compute = [&] {
-    if (!command.inside) return require(scale_range(part, path, other, progress));
-    return require(path.empty() ? fit_range(part, other, progress) : fit_range(part, other, path[0], progress));
+    if (!command.inside) return require_of(inputs, scale_range(part, path, other, progress));
+    return require_of(inputs,
+                      path.empty() ? fit_range(part, other, progress) : fit_range(part, other, path[0], progress));
   };
   const auto [range, timing] = timed(command.report.repeat, compute);
   bar.reset();
   if (command.report.json) print_json(range, timing, inputs);
   else print_text(range, !command.inside);
+  if (!command.report.json) print_times(std::cout, timing);
   return range.free.empty() ? kNo : kDone;
 }
 

@@ -22,7 +22,7 @@ Orientation asked_orientation(const SliceCommand& command) {
   if (command.tan_half.empty() != command.angle.given())
     throw Stop(kUsage, "give one of --tan-half, --angle and --degrees");
   if (!command.angle.given()) {
-    if (command.error) throw Stop(kUsage, "--error belongs to --angle and --degrees");
+    refuse_options(*command.sum.parser, {"--error"}, "belongs to --angle and --degrees");
     return require_option(Orientation::parse(command.tan_half), "--tan-half");
   }
   const double radians = read_angle(command.angle).radians();
@@ -65,8 +65,7 @@ void add_slice(CLI::App& app, Action& action) {
   verb.add_option("--tan-half", command->tan_half, "Tangent of half the angle, exact: 3/7, 0.25; inf is half a turn")
       ->type_name("N/D");
   add_angle_options(verb, command->angle, "The angle, met within 2^-50 or --error,");
-  verb.add_option("--error", command->error, "Largest error of the angle in radians: a simpler tangent is taken")
-      ->type_name("E");
+  add_error_option(verb, command->error, "Largest error of the angle in radians: a simpler tangent is taken");
   verb.callback([command, &action] { action = [command] { return run_slice(*command); }; });
 }
 

@@ -107,7 +107,7 @@ ExitCode run_sum(const SumVerb& verb, const SumCommand& command) {
   std::optional<ProgressBar> bar(std::in_place);
   options.progress = bar->callback();
   const auto compute = [&] {
-    PlanarSum sum = require(verb.compute(p, q, options));
+    PlanarSum sum = require_of(report.inputs, verb.compute(p, q, options));
     throw_if_interrupted();
     return sum;
   };

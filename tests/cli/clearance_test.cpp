@@ -2,23 +2,19 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <string>
 
-#include "process.h"
+#include "cli_fixture.h"
 
 namespace dymsum::cli_test {
 namespace {
 
-using Json = nlohmann::json;
-
-class ClearanceCli : public testing::Test {
+class ClearanceCli : public CliTest {
  protected:
   ClearanceCli() {
     work.write("square.wkt", "POLYGON ((-1 -1, 1 -1, 1 1, -1 1, -1 -1))\n");
     work.write("wall.wkt", "POLYGON ((0 -50, 10 -50, 10 50, 0 50, 0 -50))\n");
   }
-  Workplace work;
 };
 
 TEST_F(ClearanceCli, KnowsTheDistanceOfASquareFromAWall) {
@@ -110,13 +106,9 @@ TEST_F(ClearanceCli, SaysWhatIsWrongWithFilesOfObstaclesAndConfigurations) {
 }
 
 TEST_F(ClearanceCli, WrongOptionsAreUsageErrors) {
-  EXPECT_EQ(work.run("dymsum clearance square.wkt wall.wkt").code, 1);
-  EXPECT_EQ(work.run("dymsum clearance square.wkt wall.wkt --at 0,0").code, 1);
-  EXPECT_EQ(work.run("dymsum clearance square.wkt wall.wkt --at 0,0,0 --weight -1").code, 1);
-  EXPECT_EQ(work.run("dymsum clearance square.wkt wall.wkt --at 0,0,0 --weight x").code, 1);
-  const Outcome far = work.run("dymsum clearance square.wkt wall.wkt --at 1e300,0,0");
-  EXPECT_EQ(far.code, 1);
-  EXPECT_NE(far.err.find("2^400"), std::string::npos);
+  const std::string verb = "dymsum clearance square.wkt wall.wkt";
+  all_refused({verb, verb + " --at 0,0", verb + " --at 0,0,0 --weight -1", verb + " --at 0,0,0 --weight x"});
+  refused(verb + " --at 1e300,0,0", "2^400");
 }
 
 }  // namespace

@@ -1,26 +1,22 @@
 // The verb contains: places of sums and configurations of robots, by hand and against the other verbs.
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 
-#include "process.h"
+#include "cli_fixture.h"
 
 namespace dymsum::cli_test {
 namespace {
 
-using Json = nlohmann::json;
-
-class ContainsCli : public testing::Test {
+class ContainsCli : public CliTest {
  protected:
   ContainsCli() {
-    work.write("square.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))\n");
-    work.write("frame.wkt", "POLYGON ((0 0, 5 0, 5 5, 0 5, 0 0), (1 1, 1 4, 4 4, 4 1, 1 1))\n");
+    work.write("square.wkt", kSquare);
+    work.write("frame.wkt", kFrame);
     work.write("slot.wkt", "POLYGON ((-1 -1, 2 -1, 2 2, -1 2, -1 -1), (0 0, 0 1, 1 1, 1 0, 0 0))\n");
   }
   int code(const std::string& arguments) { return work.run("dymsum contains " + arguments).code; }
-  Workplace work;
 };
 
 TEST_F(ContainsCli, OneQuestionIsAnsweredByTheExitCode) {

@@ -2,19 +2,16 @@
 // each.
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "cli_fixture.h"
 #include "json_schema.h"
-#include "process.h"
 
 namespace dymsum::cli_test {
 namespace {
-
-using Json = nlohmann::json;
 
 const std::filesystem::path kGuide = std::filesystem::path(DYMSUM_SOURCE_DIR) / "docs/guide";
 
@@ -37,8 +34,8 @@ const std::vector<Case> kCases = {
     {"scale", "scale frame.wkt square.wkt --sweep 1:2:1/3 --events"},
     {"scale", "scale frame.wkt square.wkt --at 1,2 --robot --scaled q --semantics open"},
     {"scale_copies", "scale frame.wkt square.wkt --copies copies.txt --robot"},
-    {"solid_motion", "scale cube.off cube.off --at 1,1:2:3"},
-    {"solid_motion", "rotate cube.off cube.off --steps 3 --axis 1,2,3"},
+    {"solid_scale", "scale cube.off cube.off --at 1,1:2:3"},
+    {"solid_rotate", "rotate cube.off cube.off --steps 3 --axis 1,2,3"},
     {"rotate", "rotate peg.wkt slot.wkt --steps 4"},
     {"scale_range", "scale-range square.wkt slot.wkt --path '9,9 6,9'"},
     {"scale_range", "scale-range square.wkt frame.wkt --inside --place 0,0"},
@@ -74,25 +71,22 @@ const std::vector<Case> kCases = {
     {"failure", "glue", 1},
 };
 
-class JsonReports : public testing::Test {
+class JsonReports : public CliTest {
  protected:
   JsonReports() : schema(Json::parse(read_text(kGuide / "report.schema.json"))) {
-    work.write("square.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))\n");
-    work.write("peg.wkt", "POLYGON ((0 0, 2 0, 2 1, 0 1, 0 0))\n");
-    work.write("slot.wkt", "POLYGON ((0 0, 4 0, 4 4, 3 4, 3 1, 1 1, 1 4, 0 4, 0 0))\n");
-    work.write("frame.wkt", "POLYGON ((0 0, 5 0, 5 5, 0 5, 0 0), (1 1, 1 4, 4 4, 4 1, 1 1))\n");
+    work.write("square.wkt", kSquare);
+    work.write("peg.wkt", kPeg);
+    work.write("slot.wkt", kSlot);
+    work.write("frame.wkt", kFrame);
     work.write("two.wkt", "POINT (1 2)\nPOLYGON ((0 0, 1 0, 0 1, 0 0))\n");
-    work.write("bow.wkt", "POLYGON ((0 0, 2 2, 2 0, 0 2, 0 0))\n");
+    work.write("bow.wkt", kBow);
     work.write("poses.txt", "1,6,0\n1,1,0\n");
     work.write("copies.txt", "1 0 0\n3/2 9 0\n");
-    work.write("cube.off",
-               "OFF\n8 6 0\n-1 -1 -1\n1 -1 -1\n1 1 -1\n-1 1 -1\n-1 -1 1\n1 -1 1\n1 1 1\n-1 1 1\n"
-               "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
-    work.write("open.off", "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n");
+    work.write("cube.off", kCube);
+    work.write("open.off", kOpen);
     work.write("cut.off", "OFF\n8 6 12\n0 0 0\n");
   }
   Json schema;
-  Workplace work;
 };
 
 TEST_F(JsonReports, FollowTheSchema) {

@@ -2,39 +2,22 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-#include "process.h"
+#include "cli_fixture.h"
 
 namespace dymsum::cli_test {
 namespace {
 
-using Json = nlohmann::json;
-
-class OptionCli : public testing::Test {
+class OptionCli : public CliTest {
  protected:
   OptionCli() {
-    work.write("peg.wkt", "POLYGON ((0 0, 2 0, 2 1, 0 1, 0 0))\n");
-    work.write("slot.wkt", "POLYGON ((0 0, 4 0, 4 4, 3 4, 3 1, 1 1, 1 4, 0 4, 0 0))\n");
-    work.write("cube.off",
-               "OFF\n8 6 0\n-1 -1 -1\n1 -1 -1\n1 1 -1\n-1 1 -1\n-1 -1 1\n1 -1 1\n1 1 1\n-1 1 1\n"
-               "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
+    work.write("peg.wkt", kPeg);
+    work.write("slot.wkt", kSlot);
+    work.write("cube.off", kCube);
   }
-  Json json(const std::string& command) {
-    const Outcome outcome = work.run(command + " --json");
-    EXPECT_EQ(outcome.code, 0) << command << "\n" << outcome.err;
-    return Json::parse(outcome.out);
-  }
-  /// Wrong usage, which the message names.
-  void refused(const std::string& command, const std::string& named) {
-    const Outcome outcome = work.run(command + " </dev/null");
-    EXPECT_EQ(outcome.code, 1) << command << "\n" << outcome.err;
-    EXPECT_NE(outcome.err.find(named), std::string::npos) << command << "\n" << outcome.err;
-    EXPECT_EQ(outcome.out, "") << command;
-  }
-  Workplace work;
+  Json json(const std::string& command) const { return CliTest::json(command + " --json"); }
 };
 
 TEST_F(OptionCli, AnglesAreRadiansOrDegreesForEveryVerb) {

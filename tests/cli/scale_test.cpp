@@ -1,17 +1,14 @@
 // The verbs scale and scale-range: keys, exit codes, files.
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
 #include <string>
 
-#include "process.h"
+#include "cli_fixture.h"
 
 namespace dymsum::cli_test {
 namespace {
 
-using Json = nlohmann::json;
-
-class ScaleCli : public testing::Test {
+class ScaleCli : public CliTest {
  protected:
   ScaleCli() {
     work.write("plate.wkt", "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 1 2, 3 2, 3 1, 1 1))\n");
@@ -19,12 +16,6 @@ class ScaleCli : public testing::Test {
     work.write("part.wkt", "POLYGON ((-1 -1, 1 -1, 1 1, -1 1, -1 -1))\n");
     work.write("wall.wkt", "POLYGON ((5 -10, 6 -10, 6 10, 5 10, 5 -10))\n");
   }
-  Json json(const std::string& command, int code = 0) {
-    const Outcome outcome = work.run(command);
-    EXPECT_EQ(outcome.code, code) << command << "\n" << outcome.err;
-    return Json::parse(outcome.out);
-  }
-  Workplace work;
 };
 
 TEST_F(ScaleCli, ScalePrintsEveryKeyOfTheContract) {
@@ -59,11 +50,7 @@ TEST_F(ScaleCli, SweepsAreExactAndPicturesAreWritten) {
 TEST_F(ScaleCli, AnAnimationShowsEveryFrameInItsTurnAndTheFirstOneWithoutAnimation) {
   ASSERT_EQ(work.run("dymsum scale plate.wkt peg.wkt --scaled q --at 1,3/2,2,2.5 -o x.anim.svg").code, 0);
   const std::string svg = work.read("x.anim.svg");
-  const auto count = [&](const std::string& what) {
-    std::size_t n = 0;
-    for (std::size_t at = svg.find(what); at != std::string::npos; at = svg.find(what, at + 1)) ++n;
-    return n;
-  };
+  const auto count = [&](const std::string& what) { return CliTest::count("x.anim.svg", what); };
   EXPECT_EQ(count("class=\"frame\""), 4u);
   EXPECT_EQ(count("class=\"frame\" visibility=\"visible\""), 1u);
   EXPECT_LT(svg.find("visibility=\"visible\""), svg.find("visibility=\"hidden\""));

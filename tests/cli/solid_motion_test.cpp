@@ -1,33 +1,19 @@
 // sum, nfp, rotate, scale and depth with solid operands: keys, exit codes, files.
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
 #include <string>
 
-#include "process.h"
+#include "cli_fixture.h"
 
 namespace dymsum::cli_test {
 namespace {
 
-using Json = nlohmann::json;
-
-constexpr const char* kCube =
-    "OFF\n8 6 0\n-1 -1 -1\n1 -1 -1\n1 1 -1\n-1 1 -1\n-1 -1 1\n1 -1 1\n1 1 1\n-1 1 1\n"
-    "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
-constexpr const char* kTetrahedron = "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
-
-class SolidMotionCli : public testing::Test {
+class SolidMotionCli : public CliTest {
  protected:
   SolidMotionCli() {
     work.write("cube.off", kCube);
     work.write("tetrahedron.off", kTetrahedron);
   }
-  Json json(const std::string& command, int code = 0) {
-    const Outcome outcome = work.run(command);
-    EXPECT_EQ(outcome.code, code) << command << "\n" << outcome.err;
-    return outcome.out.empty() ? Json() : Json::parse(outcome.out);
-  }
-  Workplace work;
 };
 
 TEST_F(SolidMotionCli, SumPrintsEveryKeyOfTheContractAndWritesEveryFormat) {
@@ -89,22 +75,17 @@ TEST_F(SolidMotionCli, DepthTellsTheShortestWayOut) {
 }
 
 TEST_F(SolidMotionCli, WrongUsageAndBadSolidsAreTold) {
-  work.write("open.off", "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n");
+  work.write("open.off", kOpen);
   work.write("dent.off", "OFF\n5 6 0\n0 0 0\n4 0 0\n0 4 0\n0 0 4\n1/2 1 1\n");
   work.write("flat.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 0))");
-  for (const char* command :
-       {"dymsum sum cube.off flat.wkt", "dymsum erode cube.off cube.off", "dymsum sum cube.off cube.off -o s.svg",
-        "dymsum sum cube.off cube.off --engine winding", "dymsum rotate cube.off cube.off",
-        "dymsum rotate cube.off cube.off --steps 0", "dymsum rotate cube.off cube.off --steps 4 --axis 1,2",
-        "dymsum rotate flat.wkt cube.off --steps 4", "dymsum depth flat.wkt flat.wkt",
-        "dymsum depth cube.off cube.off --axis 0,0,1", "dymsum depth cube.off cube.off --move 1,nan,0",
-        "dymsum scale cube.off cube.off --at 1:2", "dymsum scale cube.off cube.off",
-        "dymsum rotate cube.off cube.off --steps 4 -o turn.svg",
-        "dymsum rotate cube.off cube.off --steps 4 --axis 0,0,0", "dymsum scale cube.off cube.off --at 0"}) {
-    const Outcome outcome = work.run(command);
-    EXPECT_EQ(outcome.code, 1) << command << "\n" << outcome.err;
-    EXPECT_FALSE(outcome.err.empty()) << command;
-  }
+  all_refused({"dymsum sum cube.off flat.wkt", "dymsum erode cube.off cube.off",
+               "dymsum sum cube.off cube.off -o s.svg", "dymsum sum cube.off cube.off --engine winding",
+               "dymsum rotate cube.off cube.off", "dymsum rotate cube.off cube.off --steps 0",
+               "dymsum rotate cube.off cube.off --steps 4 --axis 1,2", "dymsum rotate flat.wkt cube.off --steps 4",
+               "dymsum depth flat.wkt flat.wkt", "dymsum depth cube.off cube.off --axis 0,0,1",
+               "dymsum depth cube.off cube.off --move 1,nan,0", "dymsum scale cube.off cube.off --at 1:2",
+               "dymsum scale cube.off cube.off", "dymsum rotate cube.off cube.off --steps 4 -o turn.svg",
+               "dymsum rotate cube.off cube.off --steps 4 --axis 0,0,0", "dymsum scale cube.off cube.off --at 0"});
   for (const char* command :
        {"dymsum sum cube.off open.off", "dymsum sum cube.off dent.off", "dymsum sum cube.off missing.off"}) {
     const Outcome outcome = work.run(command);

@@ -1,18 +1,15 @@
 // Tight features in every file and picture, and areas of every size in reports.
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
 #include <string>
 
+#include "cli_fixture.h"
 #include "dymsum/dymsum.h"
-#include "process.h"
 
 namespace dymsum::cli_test {
 namespace {
 
-using Json = nlohmann::json;
-
-class TightOutput : public testing::Test {
+class TightOutput : public CliTest {
  protected:
   TightOutput() {
     work.write("peg.wkt", "POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))\n");
@@ -26,7 +23,6 @@ class TightOutput : public testing::Test {
     return outcome.out;
   }
   Json json(const std::string& command) { return Json::parse(run(command)); }
-  Workplace work;
 };
 
 TEST_F(TightOutput, GeoJsonKeepsTightFeaturesAsAFeatureOfTheirOwn) {
@@ -78,6 +74,36 @@ TEST_F(TightOutput, PicturesDrawThemInOneColour) {
   }
   EXPECT_NE(work.read("slices.svg").find("<path class=\"tight\" d=\"M0 0L0 -4\""), std::string::npos);
   EXPECT_NE(work.read("scale.html").find("\"tight\":\"M0 0L0 -4\""), std::string::npos);
+}
+
+// Seven digits of coordinates near 1e9 are steps of 100: drawings of small scenes there have an origin of their own.
+TEST_F(TightOutput, PicturesFarFromTheOriginAreDrawnAsNearIt) {
+  work.write("here.wkt", "POLYGON ((0 0, 0.75 0, 0.75 0.5, 0 0.5, 0 0))\n");
+  work.write("there.wkt",
+             "POLYGON ((1000000000 1000000000, 1000000000.75 1000000000, 1000000000.75 1000000000.5, "
+             "1000000000 1000000000.5, 1000000000 1000000000))\n");
+  work.write("bit.wkt", "POLYGON ((0 0, 0.125 0, 0 0.125, 0 0))\n");
+  const auto drawn = [&](const std::string& region, const std::string& verb, const std::string& file) {
+    run("dymsum " + verb + " -o " + file);
+    const std::string text = work.read(file);
+    EXPECT_EQ(text.find("1000000000"), std::string::npos) << file;
+    EXPECT_EQ(text.find("1e+09"), std::string::npos) << file << " of " << region;
+    return text;
+  };
+  const auto frame = [](const std::string& text) {
+    const std::size_t at = text.find("d=\"M");
+    return text.substr(at, text.find('"', at + 3) - at);
+  };
+  const std::string strip = drawn("there", "scale there.wkt bit.wkt --scaled q --at 1,2", "there.svg");
+  EXPECT_EQ(frame(strip), "d=\"M0 0.75L0.875 0.75L0.875 0.25L0.75 0.125L0 0.125Z") << strip;
+  drawn("there", "scale there.wkt bit.wkt --scaled q --at 1,2", "there.html");
+  drawn("there", "scale there.wkt bit.wkt --scaled q --at 1,2", "there.anim.svg");
+  work.write("copies.txt", "1 1e9 1e9\n");
+  drawn("here", "scale here.wkt bit.wkt --copies copies.txt", "copies.svg");
+  drawn("there", "path bit.wkt there.wkt --from 999999999,999999999,0 --to 1000000002,1000000000,0", "path.svg");
+  work.write("far.off", "OFF\n4 4 0\n1e9 0 0\n1000000001 0 0\n1e9 1 0\n1e9 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+  work.write("near.off", kTetrahedron);
+  drawn("far", "scale far.off near.off --scaled q --at 1,2", "far.html");
 }
 
 TEST_F(TightOutput, AreasOutsideTheRangeOfDoublesAreText) {

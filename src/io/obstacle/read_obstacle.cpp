@@ -181,14 +181,14 @@ class ContentReader {
     return all;
   }
   void read_work() {
-    const Json& j = array(j_.at("work"), 16);
+    const Json& j = j_.at("work");
+    demand(j.is_array() && (j.size() == 15 || j.size() == 16), "a list has the wrong length");  // with a time, once
     ObstacleWork& w = s_.work;
     std::size_t k = 0;
     for (std::uint64_t* n : {&w.windows, &w.segments, &w.candidate_pairs, &w.candidate_triples, &w.surfaces,
                              &w.potential_events, &w.visible_events, &w.alignments, &w.vertex_events, &w.triple_events,
                              &w.tight_events, &w.local_updates, &w.slices, &w.exact_signs, &w.collision_tests})
       *n = whole(j[k++], ~std::uint64_t{0});
-    w.ms = number(j[k]);
   }
 
   const Json& j_;

@@ -74,7 +74,7 @@ Json pairs_json(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pair
 Json work_json(const ObstacleWork& w) {
   return Json::array({w.windows, w.segments, w.candidate_pairs, w.candidate_triples, w.surfaces, w.potential_events,
                       w.visible_events, w.alignments, w.vertex_events, w.triple_events, w.tight_events, w.local_updates,
-                      w.slices, w.exact_signs, w.collision_tests, w.ms});
+                      w.slices, w.exact_signs, w.collision_tests});
 }
 
 template <class List, class F>

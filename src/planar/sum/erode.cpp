@@ -135,7 +135,7 @@ Result<PlanarSum> erode(const Region& p, const Region& q, const SumOptions& opti
   if (!p.polylines().empty() || !p.points().empty())
     return Error{Code::unsupported_operand, "only a region without polylines and points can be eroded", {}};
   if (q.empty()) return Error{Code::unsupported_operand, "every position holds the empty region", {}};
-  if (p.empty()) return PlanarSum{};
+  if (p.empty()) return minkowski_sum(p, q, options);  // empty too
   if (std::optional<Error> error = planar::too_large_to_frame(p, q)) return *std::move(error);
   SumOptions open = options;
   if (open.semantics == Semantics::closed) open.semantics = Semantics::open;

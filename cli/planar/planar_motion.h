@@ -1,0 +1,119 @@
+// Frames of a planar sum that moves, made one after the other, timed, counted and pictured: what scale and rotate do
+// with planar operands.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dymsum/frames.h"
+#include "inputs.h"
+#include "motion_report.h"
+#include "pictures/frame_pictures.h"
+#include "progress_bar.h"
+#include "report.h"
+
+namespace dymsum::cli {
+
+/// A frame to be made. `Place` is a Scale or an Orientation.
+template <class Place>
+struct PlanarFrame {
+  Place place;
+  FrameName name;
+  double at = 0;        ///< where pictures have it in the motion
+  std::string caption;  ///< of its picture
+};
+
+/// How often each kind of work was done in the frames.
+struct FrameCounts {
+  std::uint64_t lists_changed = 0, degenerate = 0, windows = 0, rebuilt = 0;
+  void add(const FrameWork& work) {
+    lists_changed += work.lists_changed;
+    degenerate += work.degenerate;
+    windows += work.new_window;
+    rebuilt += work.rebuilt;
+  }
+  Json json() const {
+    return {{"lists_changed", lists_changed},
+            {"degenerate_frames", degenerate},
+            {"windows", windows},
+            {"rebuilt", rebuilt}};
+  }
+  std::string text() const {
+    return counted(windows, "window") + ", " + counted(rebuilt, "frame") + " from scratch, " +
+           counted(degenerate, "frame") + " at which something touches";
+  }
+};
+
+/// All rounds: the times of every frame; of the last round its work, frames and pictures.
+template <class Sum>
+struct PlanarMotion {
+  std::optional<Sum> sum;  ///< at the last frame
+  std::vector<double> ms;
+  int tier = 0;
+  FrameCounts work;
+  Json frames = Json::array();
+  std::vector<PicturedFrame> pictures;
+};
+
+/// Makes the frames `report.repeat` times. `make` returns a fresh sum, `move(sum, place)` moves it.
+template <class Sum, class Place, class Make, class Move>
+PlanarMotion<Sum> run_planar_motion(const std::vector<PlanarFrame<Place>>& frames, const ReportOptions& report,
+                                    const std::vector<std::string>& files, const Progress& progress, Make&& make,
+                                    Move&& move) {
+  PlanarMotion<Sum> motion;
+  const std::size_t every = picture_step(frames.size(), files);
+  for (std::size_t round = 0; round < report.repeat; ++round) {
+    motion.sum = make();
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+      if (!progress("frames", double(i) / double(frames.size()))) throw_if_interrupted();
+      move(*motion.sum, frames[i].place);
+      const FrameWork& work = motion.sum->work();
+      motion.ms.push_back(work.ms);
+      motion.tier = std::max(motion.tier, motion.sum->sum().stats.tier_bits);
+      if (round + 1 < report.repeat) continue;
+      motion.work.add(work);
+      if (report.json)
+        motion.frames.push_back(frame_json(frames[i].name, size_json(motion.sum->sum(), report.exact), work.ms));
+      if (every > 0 && i % every == 0)
+        motion.pictures.push_back({frames[i].at, frames[i].caption, drawn(motion.sum->sum())});
+    }
+  }
+  return motion;
+}
+
+/// The median of fresh computations at a few of the frames. Requires: `fresh` computes every frame from scratch.
+template <class Sum, class Place>
+double planar_static_ms(Sum fresh, const std::vector<PlanarFrame<Place>>& frames, std::size_t repeat) {
+  std::vector<double> ms;
+  for (const std::size_t i : {std::size_t{0}, frames.size() / 3, frames.size() / 2, frames.size() - 1})
+    for (std::size_t k = 0; k < repeat; ++k) {
+      require(fresh.set(frames[i].place));
+      ms.push_back(fresh.work().ms);
+    }
+  return timing_of(ms).median_ms;
+}
+
+/// What all planar motions report alike.
+template <class Sum, class Place>
+MotionReport planar_motion_report(const std::string& verb, const std::vector<Input>& inputs, std::size_t repeats,
+                                  const std::vector<PlanarFrame<Place>>& frames, PlanarMotion<Sum>&& motion) {
+  MotionReport report;
+  report.verb = verb;
+  for (const Input& input : inputs) report.files.push_back(input.file);
+  report.inputs = inputs_json(inputs);
+  report.tier = motion.tier;
+  report.repeats = repeats;
+  report.frame_count = frames.size();
+  report.ms = std::move(motion.ms);
+  report.frames = std::move(motion.frames);
+  report.work = motion.work.json();
+  report.work_text = motion.work.text();
+  const PlanarSum& last = motion.sum->sum();
+  report.lines = {"at " + frames.back().name.pose + ": " + counted(last.parts.size(), "part") + ", " +
+                  counted(last.hole_count(), "hole") + ", " + counted(last.vertex_count(), "vertex", "vertices")};
+  return report;
+}
+
+}  // namespace dymsum::cli
