@@ -171,7 +171,11 @@ class Arrangement {
   struct Group;
   struct Spot;
   struct NodeBuffers;
+  struct NodeClasses;
+  void join_suspects(NodeClasses& nodes, const Poll* poll) const;
+  void process_nodes(NodeClasses& nodes, const Poll* poll);
   void process_node(const Array<Spot>& spots, const Array<WalkPair>& pairs, NodeBuffers& buffers);
+  void group_rays(NodeBuffers& buffers) const;
   void link_rays(NodeBuffers& buffers, const Node& where);
   std::pair<std::uint32_t, std::uint32_t> equal_run(std::uint32_t s, std::uint32_t k) const;
   double denominator(std::uint32_t s, const Cut& cut, double& relative_error) const;

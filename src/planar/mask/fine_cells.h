@@ -79,4 +79,14 @@ class FineCells {
   std::optional<BrickPairs> p_around_q_, q_around_p_;
 };
 
+/// What is known to be covered, if anything: cells of a mask, and fine cells where there are some.
+struct KnownCover {
+  const InteriorMask* mask = nullptr;
+  const FineCells* fine = nullptr;
+  bool covers(double x, double y) const {
+    if (fine != nullptr) return fine->dead(x, y);
+    return mask != nullptr && mask->dead(mask->grid().row(y), mask->grid().column(x));
+  }
+};
+
 }  // namespace dymsum::planar

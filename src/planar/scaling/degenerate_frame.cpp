@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "planar/arrangement/crossings.h"
+#include "planar/boundary/tight_features.h"
 
 namespace dymsum::planar {
 namespace {

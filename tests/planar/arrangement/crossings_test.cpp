@@ -17,6 +17,7 @@
 #include "oracles/tiny_regions.h"
 #include "planar/convolution/convolution.h"
 #include "planar/operand/prepared_region.h"
+#include "planar/sum/live_segments.h"
 
 namespace dymsum::planar {
 namespace {
@@ -31,9 +32,9 @@ struct Segments {
     p = placed_on(*lattice, kept_p);
     q = placed_on(*lattice, kept_q);
     soup.emplace(*lattice, *p, *q);
-    soup->add(ReducedConvolution(*lattice, *p, *q));
+    add_all(ReducedConvolution(*lattice, *p, *q), *soup);
   }
-  std::shared_ptr<Lattice> lattice;
+  std::shared_ptr<const Lattice> lattice;
   std::shared_ptr<const Operand> p, q;
   std::optional<Soup> soup;
 };

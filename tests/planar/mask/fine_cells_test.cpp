@@ -13,8 +13,9 @@
 #include "oracles/tiny_regions.h"
 #include "oracles/verdict.h"
 #include "planar/arrangement/live_pieces.h"
-#include "planar/arrangement/live_segments.h"
 #include "planar/operand/prepared_region.h"
+#include "planar/result/finish_sum.h"
+#include "planar/sum/live_segments.h"
 #include "planar/sum/sum_engine.h"
 
 namespace dymsum::planar {
@@ -79,7 +80,7 @@ struct Refining {
     const Grid& g = fine->grid();
     return fine->dead((column + 0.5) * g.cell, (row + 0.5) * g.cell);
   }
-  std::shared_ptr<Lattice> lattice;
+  std::shared_ptr<const Lattice> lattice;
   std::shared_ptr<const Operand> p, q;
   std::optional<InteriorMask> mask;
   std::optional<FineCells> fine;
@@ -118,7 +119,7 @@ TEST(FineCells, pieces_hold_every_point_of_a_segment_outside_covered_cells) {
   Refining m(star, other, 24);
   const ReducedConvolution convolution(*m.lattice, *m.p, *m.q);
   Soup soup(*m.lattice, *m.p, *m.q);
-  soup.add(convolution);
+  add_all(convolution, soup);
   const Progress never;
   const LivePieces live = live_pieces(soup, Array<Span>(), *m.fine, Poll(never));
   std::size_t at = 0, mark = 0, gaps = 0, covered = 0;

@@ -18,7 +18,7 @@ struct Masked {
     lattice = make_lattice(kept_p->points, kept_q->points, 0);
     mask.emplace(*placed_on(*lattice, kept_p), *placed_on(*lattice, kept_q), cells);
   }
-  std::shared_ptr<Lattice> lattice;
+  std::shared_ptr<const Lattice> lattice;
   std::optional<InteriorMask> mask;
 };
 

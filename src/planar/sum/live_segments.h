@@ -1,4 +1,5 @@
-// The segments of a convolution that the mask does not prove to lie inside the sum.
+// The segments of a convolution as labelled segments for the arrangement: all of them, or those that the mask does not
+// prove to lie inside the sum.
 #pragma once
 
 #include "base/poll.h"
@@ -7,6 +8,9 @@
 #include "planar/mask/interior_mask.h"
 
 namespace dymsum::planar {
+
+/// Adds all segments to the soup, in the order of their ids.
+void add_all(const ReducedConvolution& convolution, Soup& soup);
 
 /// Whether segments in the same place become one.
 enum class Twins { kept, merged };
