@@ -53,24 +53,28 @@ void add_tight_features(const WindingBoundary& boundary, SumState& state, double
 
 void run_winding(const SumOptions& options, SumState& state, Poll& poll) {
   StageClock clock(state.stats, true);
+  const auto done = [&] {
+    clock.done(poll.stage());
+    poll(1);
+  };
   const bool parallelograms = options.semantics != Semantics::open && has_component_without_area(*state.p) &&
                               has_component_without_area(*state.q);
   poll.stage("convolution");
   const Tracing tracing = trace_convolution(state, parallelograms);
   const Soup& soup = tracing.soup;
-  clock.done("convolution");
+  done();
 
   poll.stage("crossings");
   Meetings meetings = meetings_of(soup, state.stats, poll);
-  clock.done("crossings");
+  done();
 
   poll.stage("arrangement");
   const SegmentGraph graph = graph_of(soup, std::move(meetings), state.stats);
-  clock.done("arrangement");
+  done();
 
   poll.stage("windings");
   const std::vector<Sides> sides = find_windings(tracing, graph);
-  clock.done("windings");
+  done();
 
   poll.stage("loops");
   const WindingBoundary boundary(tracing, graph, sides);
@@ -80,14 +84,13 @@ void run_winding(const SumOptions& options, SumState& state, Poll& poll) {
   for (const BoundaryEdges& ring : rings)
     state.boundary.add(boundary.ring(ring, error), boundary.counter_clockwise(ring));
   if (state.trace) trace_windings(soup, graph, rings, *state.trace);
-  clock.done("loops");
+  done();
 
   poll.stage("tight");
   if (options.semantics != Semantics::regular && !parallelograms) add_tight_features(boundary, state, error);
   state.boundary.at_error = input_error(*state.lattice, error);
   state.stats.peak_bytes += graph.bytes();
-  clock.done("tight");
-  poll(1);
+  done();
 }
 
 }  // namespace dymsum::planar

@@ -97,8 +97,9 @@ TEST(SimpleRings, holes_that_meet_at_a_node_bound_connected_interiors) {
     EXPECT_EQ(std::abs(ring.turning), 1);
     std::set<std::uint32_t> nodes;
     for (const Step& step : ring.steps)
-      if (const std::uint32_t node = s.arrangement.end_node(step); node != kNone)
+      if (const std::uint32_t node = s.arrangement.end_node(step); node != kNone) {
         EXPECT_TRUE(nodes.insert(node).second) << "a ring meets itself";
+      }
   }
   EXPECT_EQ(after, steps) << "rings have the sub-edges of the loops";
   EXPECT_EQ(std::count_if(rings.begin(), rings.end(), [](const BoundaryLoop& r) { return r.turning > 0; }), 1);
