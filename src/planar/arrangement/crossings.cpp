@@ -282,12 +282,12 @@ void CrossingFinder::pairs(std::span<const std::array<std::uint32_t, 2>> list) {
   finish();
 }
 
-// Whether the crossing of a and b, at parameter t of a, certainly lies in a dead cell, which is in Mo with more around
-// it than t errs.
-bool CrossingFinder::in_dead_cell(std::uint32_t a, std::uint32_t b, double t) const {
+// Whether the crossing of a and b, at parameter t of a, certainly lies in a covered cell, which is in Mo with more
+// around it than t errs.
+bool CrossingFinder::in_covered_cell(std::uint32_t a, std::uint32_t b, double t) const {
   const Grid& g = mask_->grid();
   const double dx = soup_.dx(a), dy = soup_.dy(a);
-  if (!mask_->dead(g.row(soup_.boxes[a].ay + t * dy), g.column(soup_.boxes[a].ax + t * dx))) return false;
+  if (!mask_->covered(g.row(soup_.boxes[a].ay + t * dy), g.column(soup_.boxes[a].ax + t * dx))) return false;
   return soup_.parameter_error(a, b) * (std::abs(dx) + std::abs(dy)) * g.per_cell < kReach;
 }
 
@@ -313,7 +313,7 @@ void CrossingFinder::add_crossing(std::uint32_t i, std::uint32_t j, double a_sta
     const double fx = x - column_, fy = y - row_;
     if (fx < -error || fx > 1 + error || fy < -error || fy > 1 + error) return;
     ambiguous = !(fx > error && fx < 1 - error && fy > error && fy < 1 - error);
-  } else if (mask_ != nullptr && in_dead_cell(i, j, t)) {
+  } else if (mask_ != nullptr && in_covered_cell(i, j, t)) {
     return;
   } else if (piece_ != nullptr) {
     const Owned owned = piece_->segment == i ? owned_by_pieces(i, j, t, on_b()) : owned_by_pieces(j, i, on_b(), t);
@@ -382,7 +382,7 @@ struct CrossingFinder::CellLists {
   Array<std::uint32_t> start, ids;
 };
 
-CrossingFinder::CellLists CrossingFinder::list_cells(Array<DeadMark>& dead_marks) const {
+CrossingFinder::CellLists CrossingFinder::list_cells(Array<CoveredMark>& covered_marks) const {
   const Grid& grid = *grid_;
   struct Item {
     std::uint32_t cell, segment;
@@ -398,10 +398,10 @@ CrossingFinder::CellLists CrossingFinder::list_cells(Array<DeadMark>& dead_marks
     for_each_cell_run(grid, b.ax, b.ay, b.bx, b.by, [&](int row, int c0, int c1) {
       std::uint32_t cell = static_cast<std::uint32_t>(row) * columns + static_cast<std::uint32_t>(c0);
       for (int c = c0; c <= c1; ++c, ++cell) {
-        if (mask_ != nullptr && mask_->dead(row, c)) {
-          if (c > c0 && mask_->dead(row, c - 1)) continue;
+        if (mask_ != nullptr && mask_->covered(row, c)) {
+          if (c > c0 && mask_->covered(row, c - 1)) continue;
           if (const Inside t = inside_cell(b, grid, row, c); t.t1 > t.t0)
-            dead_marks.push_back({s, 0.5 * (t.t0 + t.t1)});
+            covered_marks.push_back({s, 0.5 * (t.t0 + t.t1)});
           continue;
         }
         items.push_back({cell, s});
@@ -416,11 +416,11 @@ CrossingFinder::CellLists CrossingFinder::list_cells(Array<DeadMark>& dead_marks
   return lists;
 }
 
-void CrossingFinder::grid(const Grid& grid, const InteriorMask* mask, Array<DeadMark>& dead_marks) {
+void CrossingFinder::grid(const Grid& grid, const InteriorMask* mask, Array<CoveredMark>& covered_marks) {
   grid_ = &grid;
   mask_ = mask;
   make_keys();
-  const CellLists lists = list_cells(dead_marks);
+  const CellLists lists = list_cells(covered_marks);
   out_.cell_entries = lists.ids.size();
   std::size_t cell = 0;
   for (int r = 0; r < grid.rows; ++r) {

@@ -42,8 +42,8 @@ struct Meetings {
   std::uint64_t cell_entries = 0, pair_tests = 0, exact_signs = 0;
 };
 
-/// A point at parameter t of a segment that lies in a dead cell.
-struct DeadMark {
+/// A point at parameter t of a segment that lies in a covered cell.
+struct CoveredMark {
   std::uint32_t segment;
   double t;
 };
@@ -54,7 +54,7 @@ struct SegmentPiece {
   double low, high;
 };
 
-/// Finds the meetings of pairs of segments: all of them without a mask, at least those outside dead cells with one.
+/// Finds the meetings of pairs of segments: all of them without a mask, at least those outside covered cells with one.
 class CrossingFinder {
  public:
   CrossingFinder(const Soup& soup, Meetings& out, const Chain* chain = nullptr, const Poll* poll = nullptr)
@@ -72,14 +72,14 @@ class CrossingFinder {
   /// Every pair of boxes is looked at: the reference.
   void all_pairs();
   /// Boxes in the order of their left sides: each is compared with those that start before it ends, eight at a time.
-  /// With a mask crossings in dead cells are left out.
+  /// With a mask crossings in covered cells are left out.
   void sweep(const InteriorMask* mask = nullptr);
   /// The same for disjoint pieces of segments: crossings outside them are left out, as far as parameters that err by
   /// less than `reach`, a distance, tell.
   void sweep(std::span<const SegmentPiece> pieces, double reach);
   /// Just these pairs of segments.
   void pairs(std::span<const std::array<std::uint32_t, 2>> list);
-  void grid(const Grid& grid, const InteriorMask* mask, Array<DeadMark>& dead_marks);
+  void grid(const Grid& grid, const InteriorMask* mask, Array<CoveredMark>& covered_marks);
 
  private:
   // Boxes in 15-bit quanta of the span, four to a word, so that one subtraction compares all four bounds.
@@ -109,11 +109,11 @@ class CrossingFinder {
   enum class Owned { no, yes, unsure };
   Owned owned_by_pieces(std::uint32_t a, std::uint32_t b, double t, double u) const;
   static void make_room(Array<Crossing>& list);
-  bool in_dead_cell(std::uint32_t a, std::uint32_t b, double t) const;
+  bool in_covered_cell(std::uint32_t a, std::uint32_t b, double t) const;
   void add_crossing(std::uint32_t a, std::uint32_t b, double a_start, double a_end, double b_start, double b_end);
   void add_touch(std::uint32_t segment, WalkPair pair);
   struct CellLists;
-  CellLists list_cells(Array<DeadMark>& dead_marks) const;
+  CellLists list_cells(Array<CoveredMark>& covered_marks) const;
   void test_cell(std::span<const std::uint32_t> ids);
   void finish();
 

@@ -177,7 +177,7 @@ void Arrangement::process_node(const Array<Spot>& spots, const Array<WalkPair>& 
     }
     placed = true;
     // Between events at one place there is nothing.
-    for (std::uint32_t k = spot.begin + 1; k < spot.end; ++k) flags_[first_sub(spot.segment) + k] |= kDead;
+    for (std::uint32_t k = spot.begin + 1; k < spot.end; ++k) flags_[first_sub(spot.segment) + k] |= kNoBoundary;
     add(spot.segment, spot.begin, false);
     add(spot.segment, spot.end, true);
   }
@@ -278,7 +278,7 @@ void Arrangement::link_rays(NodeBuffers& buffers, const Node& where) {
 
 // The successor at a degenerate end.
 Arrangement::Step Arrangement::linked(Step from) const {
-  if (flags_[from.sub] & kDead) return {};
+  if (flags_[from.sub] & kNoBoundary) return {};
   const std::uint32_t link = linked_subs_.find(from.sub);
   return link == KeyNumbers::kMissing ? Step{} : links_[link].to;
 }

@@ -41,7 +41,7 @@ Meetings all_meetings(const Soup& soup, const Chain* chain, const Poll& poll) {
 }
 
 MarkedMeetings open_meetings(const Soup& soup, const Chain& chain, const KnownCover& cover, const Poll& poll) {
-  MarkedMeetings found{Meetings(soup.memory), Array<DeadMark>(soup.memory)};
+  MarkedMeetings found{Meetings(soup.memory), Array<CoveredMark>(soup.memory)};
   CrossingFinder finder(soup, found.meetings, &chain, &poll);
   if (sweep_pays(soup)) finder.sweep(cover.mask);
   else if (cover.mask != nullptr) finder.grid(cover.mask->grid(), cover.mask, found.marks);

@@ -12,7 +12,7 @@ namespace dymsum::planar {
 /// Meetings, and marks of covered cells that segments pass, where these are found on the way.
 struct MarkedMeetings {
   Meetings meetings;
-  Array<DeadMark> marks;
+  Array<CoveredMark> marks;
 };
 
 /// All meetings, from all pairs of segments. O(n^2) for n segments.

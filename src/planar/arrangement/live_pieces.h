@@ -30,7 +30,7 @@ bool refine_crowded(FineCells& cells, const CellVisits& visits, std::uint32_t cr
 struct LivePieces {
   explicit LivePieces(Scratch* memory) : pieces(memory), marks(memory) {}
   Array<SegmentPiece> pieces;
-  Array<DeadMark> marks;
+  Array<CoveredMark> marks;
 };
 LivePieces live_pieces(const Soup& soup, const Array<Span>& spans, const FineCells& cells, const Poll& poll);
 

@@ -12,9 +12,9 @@ void trace_stages(const Soup& soup, const InteriorMask* mask, const Arrangement&
   if (mask != nullptr)
     for (int r = 0; r < mask->grid().rows; ++r)
       for (int c = 0; c < mask->grid().columns; ++c) {
-        if (!mask->dead(r, c)) continue;
+        if (!mask->covered(r, c)) continue;
         const int first = c;
-        while (c + 1 < mask->grid().columns && mask->dead(r, c + 1)) ++c;
+        while (c + 1 < mask->grid().columns && mask->covered(r, c + 1)) ++c;
         const double h = mask->grid().cell;
         trace.masked_cells.push_back({lattice.to_input(first * h, r * h), lattice.to_input((c + 1) * h, (r + 1) * h)});
       }

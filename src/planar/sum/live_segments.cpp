@@ -28,8 +28,8 @@ class EdgeCells {
                          static_cast<float>(std::max(b.ay, b.by) * per_cell + reach),
                          static_cast<float>(std::max(b.ax, b.bx) * per_cell + reach)});
   }
-  /// Whether all cells that an edge reaches are dead when it is moved by so many rows and columns.
-  bool dead(std::uint32_t edge, double row, double column) const {
+  /// Whether all cells that an edge reaches are covered when it is moved by so many rows and columns.
+  bool covered(std::uint32_t edge, double row, double column) const {
     const std::array<double, 4> at{row, column, row, column};
     std::array<int, 4> cell;
     for (std::size_t k = 0; k < 4; ++k) cell[k] = static_cast<int>(bounds_[edge][k] + at[k]);
@@ -96,7 +96,7 @@ Array<std::uint32_t> add_live(const ReducedConvolution& convolution, const Inter
     const double row = vy * per_cell, column = vx * per_cell;
     for (std::uint32_t k = 0, at = lo; k < count; ++k, at = at + 1 == edges.size() ? 0 : at + 1, ++to) {
       const std::uint32_t e = edges[at];
-      if (cells && cells->dead(e, row, column)) continue;
+      if (cells && cells->covered(e, row, column)) continue;
       const SoupBox b = moved(own[e], vx, vy);
       if (soup.size() == soup.segments.capacity()) soup.reserve(std::min<std::size_t>(n, 2 * soup.size()));
       *to = static_cast<std::uint32_t>(soup.size());

@@ -15,8 +15,8 @@ void add_all(const ReducedConvolution& convolution, Soup& soup);
 /// Whether segments in the same place become one.
 enum class Twins { kept, merged };
 
-/// Adds the segments of the convolution that are not wholly in dead cells to the soup. Returns for each id its segment
-/// there, or kNone.
+/// Adds the segments of the convolution that are not wholly in covered cells to the soup. Returns for each id its
+/// segment there, or kNone.
 Array<std::uint32_t> add_live(const ReducedConvolution& convolution, const InteriorMask* mask, Twins twins, Soup& soup,
                               const Poll& poll);
 

@@ -89,7 +89,7 @@ ReducedChain make_chain(Run& run, const ReducedConvolution& convolution, Segment
 MarkedMeetings find_meetings(Run& run, Segments& segments, const ReducedChain& chain, const KnownCover& cover) {
   run.poll.stage("crossings");
   MarkedMeetings found = [&]() -> MarkedMeetings {
-    if (!run.fast) return {all_meetings(segments.soup, &chain, run.poll), Array<DeadMark>(&run.scratch)};
+    if (!run.fast) return {all_meetings(segments.soup, &chain, run.poll), Array<CoveredMark>(&run.scratch)};
     if (!segments.refined) return open_meetings(segments.soup, chain, cover, run.poll);
     return {piece_meetings(segments.soup, chain, segments.refined->live.pieces, *cover.fine, run.poll),
             std::move(segments.refined->live.marks)};

@@ -72,7 +72,7 @@ Found of_sweep(const Segments& s) {
 }
 Found of_grid(const Segments& s, int cells) {
   const SumGrid sum_grid({s.p->points->width, s.q->points->width}, {s.p->points->height, s.q->points->height}, cells);
-  Array<DeadMark> marks;
+  Array<CoveredMark> marks;
   const Found f = found(s, [&](CrossingFinder& finder) { finder.grid(sum_grid.whole, nullptr, marks); });
   EXPECT_TRUE(marks.empty());
   return f;

@@ -26,7 +26,7 @@ struct Stages {
         convolution(*o.lattice, *o.p, *o.q),
         soup(filled(convolution, o)),
         chain(soup, convolution, Array<std::uint32_t>(), static_cast<std::uint32_t>(soup.size())),
-        arrangement(soup, all_meetings(soup, &chain, Poll(never)), chain, Array<DeadMark>()),
+        arrangement(soup, all_meetings(soup, &chain, Poll(never)), chain, Array<CoveredMark>()),
         collision(*o.lattice, *o.p, *o.q, true),
         sorted(verify_loops(soup, arrangement, find_loops(soup, arrangement), collision, false)) {}
   static Soup filled(const ReducedConvolution& convolution, const PlacedPair& o) {
