@@ -7,8 +7,8 @@
 
 namespace dymsum::planar {
 
-Arrangement::Arrangement(const Soup& soup, Meetings meetings, const Chain& chain, const Array<DeadMark>& dead_marks,
-                         const Poll* poll)
+Arrangement::Arrangement(const Soup& soup, Meetings meetings, const Chain& chain,
+                         const Array<CoveredMark>& covered_marks, const Poll* poll)
     : soup_(soup),
       chain_(chain),
       meetings_(std::move(meetings)),
@@ -25,7 +25,7 @@ Arrangement::Arrangement(const Soup& soup, Meetings meetings, const Chain& chain
   build_events(poll);
   sort_events(poll);
   flags_.assign(sub_count(), 0);
-  mark_dead(dead_marks);
+  mark_covered(covered_marks);
   find_degenerate_nodes(poll);
 }
 
@@ -177,14 +177,14 @@ void Arrangement::sort_events(const Poll* poll) {
   }
 }
 
-// A mark near an event may fall on either side of it: both sub-edges are dead then, so either answer is right.
-void Arrangement::mark_dead(const Array<DeadMark>& marks) {
-  for (const DeadMark& m : marks) {
+// A mark near an event may fall on either side of it: both sub-edges are no boundary then, so either answer is right.
+void Arrangement::mark_covered(const Array<CoveredMark>& marks) {
+  for (const CoveredMark& m : marks) {
     const std::uint32_t* first = events_.data() + first_event_[m.segment];
     const std::uint32_t* last = first + event_count(m.segment);
     const auto before = [&](std::uint32_t e) { return parameter(m.segment, e) < m.t; };
     const auto k = std::partition_point(first, last, before) - first;
-    flags_[first_sub(m.segment) + k] |= kDead;
+    flags_[first_sub(m.segment) + k] |= kNoBoundary;
   }
 }
 

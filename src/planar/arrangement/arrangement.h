@@ -26,14 +26,14 @@ struct SubEnd {
 /// - 1.
 class Arrangement {
  public:
-  Arrangement(const Soup& soup, Meetings meetings, const Chain& chain, const Array<DeadMark>& dead_marks,
+  Arrangement(const Soup& soup, Meetings meetings, const Chain& chain, const Array<CoveredMark>& covered_marks,
               const Poll* poll = nullptr);
 
   std::uint32_t sub_count() const { return first_event_.back() + static_cast<std::uint32_t>(soup_.size()); }
   std::uint32_t first_sub(std::uint32_t s) const { return first_event_[s] + s; }
   std::uint32_t event_count(std::uint32_t s) const { return first_event_[s + 1] - first_event_[s]; }
 
-  /// The sub-edge that continues the boundary after `sub` (on segment s), or kNone when `sub` is dead.
+  /// The sub-edge that continues the boundary after `sub` (on segment s), or kNone where none does.
   struct Step {
     std::uint32_t sub = kNone, segment = kNone;
   };
@@ -54,7 +54,7 @@ class Arrangement {
     std::uint32_t end(std::uint32_t s) const { return first_event_[s + 1] + s + 1; }
     /// Goes on to the successor of a sub-edge; false where there is none: then the numbers are not to be used.
     bool advance(std::uint32_t& sub, std::uint32_t& segment) const {
-      if (flags_[sub] & (kDead | kDegenerateEnd)) {
+      if (flags_[sub] & (kNoBoundary | kDegenerateEnd)) {
         const Step to = arrangement_.linked({sub, segment});
         sub = to.sub;
         segment = to.segment;
@@ -76,7 +76,7 @@ class Arrangement {
         sub = sub_after_[e];
         segment = a;
       }
-      if (!(flags_[sub] & kDead)) return true;
+      if (!(flags_[sub] & kNoBoundary)) return true;
       sub = kNone;
       return false;
     }
@@ -84,7 +84,7 @@ class Arrangement {
     /// Whether the boundary can come into `at` at its start.
     bool alive_at_start(Step at) const {
       const std::uint8_t f = flags_[at.sub];
-      if (f & (kDead | kDegenerateStart)) return !(f & kDead) && f & kEntered;
+      if (f & (kNoBoundary | kDegenerateStart)) return !(f & kNoBoundary) && f & kEntered;
       return at.sub == begin(at.segment) || crossings_[events_[at.sub - at.segment - 1]].a == at.segment;
     }
 
@@ -159,19 +159,23 @@ class Arrangement {
  private:
   // An event of a segment is a crossing or a touch.
   static constexpr std::uint32_t kTouchBit = 0x80000000;
-  enum Flag : std::uint8_t { kDead = 1, kDegenerateStart = 2, kDegenerateEnd = 4, kEntered = 8 };
+  enum Flag : std::uint8_t { kNoBoundary = 1, kDegenerateStart = 2, kDegenerateEnd = 4, kEntered = 8 };
 
   Step linked(Step from) const;
   std::uint32_t linked_node(Step at) const;
   void build_events(const Poll* poll);
   void sort_events(const Poll* poll);
-  void mark_dead(const Array<DeadMark>& marks);
+  void mark_covered(const Array<CoveredMark>& marks);
   void find_degenerate_nodes(const Poll* poll);
   struct Ray;
   struct Group;
   struct Spot;
   struct NodeBuffers;
+  struct NodeClasses;
+  void join_suspects(NodeClasses& nodes, const Poll* poll) const;
+  void process_nodes(NodeClasses& nodes, const Poll* poll);
   void process_node(const Array<Spot>& spots, const Array<WalkPair>& pairs, NodeBuffers& buffers);
+  void group_rays(NodeBuffers& buffers) const;
   void link_rays(NodeBuffers& buffers, const Node& where);
   std::pair<std::uint32_t, std::uint32_t> equal_run(std::uint32_t s, std::uint32_t k) const;
   double denominator(std::uint32_t s, const Cut& cut, double& relative_error) const;

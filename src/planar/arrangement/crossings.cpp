@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <functional>
 #include <limits>
 #include <stdexcept>
 #include <tuple>
@@ -11,8 +10,6 @@
 #ifdef __SSE2__
 #include <emmintrin.h>
 #endif
-
-#include "base/box_lanes.h"
 
 namespace dymsum::planar {
 
@@ -117,7 +114,7 @@ inline bool CrossingFinder::undecided_strangers(const Probe& i, std::uint32_t j)
     return false;
   }
   // Others that share an end.
-  const bool in_chains = i.segment < first_unchained && j < first_unchained;
+  const bool in_chains = i.segment < first_unchained_ && j < first_unchained_;
   return !(in_chains && !near_parallel(u, v) &&
            (soup_.end(i.segment) == soup_.start(j) || soup_.end(j) == soup_.start(i.segment)));
 }
@@ -140,8 +137,8 @@ void CrossingFinder::all_pairs() {
   const std::uint32_t n = static_cast<std::uint32_t>(soup_.size());
   make_keys();
   near_.resize(n);
-  for (std::uint32_t i = 0; i < n && !stopped; ++i) {
-    if (poll != nullptr && i % 256 == 255 && !(*poll)(double(i) / n)) stopped = true;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    ask(i, n);
     const std::uint64_t high = keys_[i].high;
     std::uint32_t* near = near_.data();
     for (std::uint32_t j = i + 1; j < n; ++j) {
@@ -169,19 +166,12 @@ void CrossingFinder::find_followers(std::uint32_t* follower) const {
   }
 }
 
-// Few boxes: each with all behind it, sixteen at a time in bytes. What is found is put into the order of the sweep,
-// because of several contacts at one place the first one is named. Loops without branches, as far as they go: which
-// boxes meet is hard to foresee.
-void CrossingFinder::compare_all() {
-  const std::uint32_t n = static_cast<std::uint32_t>(soup_.size());
-  const SoupBox* const boxes = soup_.boxes.data();
-  std::array<std::int16_t, kUnsorted> left;
-  std::array<std::array<std::int8_t, kUnsorted + kByteLanes>, 4> sides;
-  const auto& [x0, y0, x1, y1] = sides;
-  {
+// Few boxes in bytes.
+struct CrossingFinder::ByteBoxes {
+  ByteBoxes(std::span<const SoupBox> boxes, double per_quantum) {
+    const auto n = static_cast<std::uint32_t>(boxes.size());
     std::array<std::array<std::int16_t, kUnsorted + kByteLanes>, 4> ends;
     auto& [ax, ay, bx, by] = ends;
-    const double per_quantum = quanta_per_unit();
     const auto quantum = [&](double v) { return static_cast<std::int16_t>(static_cast<int>(v * per_quantum)); };
     for (std::uint32_t s = 0; s < n; ++s) {
       ax[s] = quantum(boxes[s].ax);
@@ -196,9 +186,21 @@ void CrossingFinder::compare_all() {
     low_bytes(ay.data(), by.data(), padded, sides[1].data());
     high_bytes(ax.data(), bx.data(), padded, sides[2].data());
     high_bytes(ay.data(), by.data(), padded, sides[3].data());
+    // Behind the last box lie some that start to the right of everything and meet nothing.
+    for (auto& side : sides) std::memset(&side[n], kBeyond, kByteLanes);
   }
-  // Behind the last box lie some that start to the right of everything and meet nothing.
-  for (auto& side : sides) std::memset(&side[n], kBeyond, kByteLanes);
+  std::array<std::int16_t, kUnsorted> left;                              // in the finer quanta
+  std::array<std::array<std::int8_t, kUnsorted + kByteLanes>, 4> sides;  // x0, y0, x1, y1
+};
+
+// Few boxes: each with all behind it, sixteen at a time in bytes. What is found is put into the order of the sweep,
+// because of several contacts at one place the first one is named. Loops without branches, as far as they go: which
+// boxes meet is hard to foresee.
+void CrossingFinder::compare_all() {
+  const std::uint32_t n = static_cast<std::uint32_t>(soup_.size());
+  const ByteBoxes bytes(soup_.boxes, quanta_per_unit());
+  const auto& left = bytes.left;
+  const auto& [x0, y0, x1, y1] = bytes.sides;
   // Pairs of segments as the sweep comes upon them.
   const auto pair_key = [&](std::uint32_t s, std::uint32_t t) {
     const std::uint64_t a = static_cast<std::uint64_t>(left[s]) << kNumberBits | s,
@@ -244,50 +246,22 @@ void CrossingFinder::sweep(const InteriorMask* mask) {
   }
   const double per_quantum = quanta_per_unit();
   Array<BoxQuanta> boxes(n, soup_.memory);
-  Array<std::uint64_t> order(n, soup_.memory);
-  for (std::uint32_t s = 0; s < n; ++s) {
-    boxes[s] = quanta(soup_.boxes[s], per_quantum);
-    order[s] = left_order(boxes[s].x0, s);
-  }
-  sort_by_left(order);
-  // Behind the last box lie some that start to the right of everything and meet nothing.
-  const std::size_t padded = std::size_t{n} + 2 * kLanes;
-  Array<std::int16_t> sides(3 * padded, soup_.memory);
-  std::int16_t *x0 = sides.data(), *y0 = x0 + padded, *y1 = y0 + padded;
-  for (std::uint32_t k = 0; k < n; ++k) {
-    const BoxQuanta& b = boxes[order[k] & 0xffffffff];
-    x0[k] = b.x0;
-    y0[k] = b.y0;
-    y1[k] = b.y1;
-  }
-  for (std::size_t k = n; k < padded; ++k) {
-    x0[k] = y0[k] = std::numeric_limits<std::int16_t>::max();
-    y1[k] = -1;
-  }
+  for (std::uint32_t s = 0; s < n; ++s) boxes[s] = quanta(soup_.boxes[s], per_quantum);
   Array<std::uint32_t> follower(n, soup_.memory);
   find_followers(follower.data());
-  near_.resize(std::size_t{n} + 1);
-  for (std::uint32_t i = 0; i < n && !stopped; ++i) {
-    if (poll != nullptr && i % 256 == 255 && !(*poll)(double(i) / n)) stopped = true;
-    const std::uint32_t s = static_cast<std::uint32_t>(order[i]);
-    const std::int16_t right = boxes[s].x1;
-    const Lanes low = Lanes{} + y0[i], high = Lanes{} + y1[i];
-    const Probe of_s = probe(s);
-    const std::uint32_t next = follower[s];
-    std::uint32_t* hit = near_.data();
-    std::uint32_t j = i + 1;
-    for (; x0[j] <= right; j += kLanes) {
-      const Lanes apart = (load_lanes(y0 + j) > high) | (low > load_lanes(y1 + j));
-      for (auto hits = zero_lanes(apart); hits != 0; hits &= hits - 1) {
-        const auto t = static_cast<std::uint32_t>(order[j + lane_of(hits)]);
-        *hit = t;
-        hit += static_cast<std::uint32_t>(t != next) & static_cast<std::uint32_t>(follower[t] != s);
-      }
-    }
-    out_.pair_tests += j - i - 1;
-    for (const std::uint32_t* t = near_.data(); t != hit; ++t)
-      if (undecided_strangers(of_s, *t)) exact_test(s, *t);
-  }
+  out_.pair_tests += sweep_boxes(
+      boxes, soup_.memory,
+      [&](std::uint32_t s, std::uint32_t i) {
+        ask(i, n);
+        return [s, next = follower[s], follows = follower.data()](std::uint32_t t) {
+          return static_cast<std::uint32_t>(t != next) & static_cast<std::uint32_t>(follows[t] != s);
+        };
+      },
+      [&](std::uint32_t s, std::span<const std::uint32_t> others) {
+        const Probe of_s = probe(s);
+        for (const std::uint32_t t : others)
+          if (undecided_strangers(of_s, t)) exact_test(s, t);
+      });
   finish();
 }
 
@@ -308,12 +282,12 @@ void CrossingFinder::pairs(std::span<const std::array<std::uint32_t, 2>> list) {
   finish();
 }
 
-// Whether the crossing of a and b, at parameter t of a, certainly lies in a dead cell, which is in Mo with more around
-// it than t errs.
-bool CrossingFinder::in_dead_cell(std::uint32_t a, std::uint32_t b, double t) const {
+// Whether the crossing of a and b, at parameter t of a, certainly lies in a covered cell, which is in Mo with more
+// around it than t errs.
+bool CrossingFinder::in_covered_cell(std::uint32_t a, std::uint32_t b, double t) const {
   const Grid& g = mask_->grid();
   const double dx = soup_.dx(a), dy = soup_.dy(a);
-  if (!mask_->dead(g.row(soup_.boxes[a].ay + t * dy), g.column(soup_.boxes[a].ax + t * dx))) return false;
+  if (!mask_->covered(g.row(soup_.boxes[a].ay + t * dy), g.column(soup_.boxes[a].ax + t * dx))) return false;
   return soup_.parameter_error(a, b) * (std::abs(dx) + std::abs(dy)) * g.per_cell < kReach;
 }
 
@@ -339,7 +313,7 @@ void CrossingFinder::add_crossing(std::uint32_t i, std::uint32_t j, double a_sta
     const double fx = x - column_, fy = y - row_;
     if (fx < -error || fx > 1 + error || fy < -error || fy > 1 + error) return;
     ambiguous = !(fx > error && fx < 1 - error && fy > error && fy < 1 - error);
-  } else if (mask_ != nullptr && in_dead_cell(i, j, t)) {
+  } else if (mask_ != nullptr && in_covered_cell(i, j, t)) {
     return;
   } else if (piece_ != nullptr) {
     const Owned owned = piece_->segment == i ? owned_by_pieces(i, j, t, on_b()) : owned_by_pieces(j, i, on_b(), t);
@@ -378,43 +352,56 @@ void CrossingFinder::test_cell(std::span<const std::uint32_t> ids) {
   }
 }
 
-void CrossingFinder::grid(const Grid& grid, const InteriorMask* mask, Array<DeadMark>& dead_marks) {
-  grid_ = &grid;
-  mask_ = mask;
-  make_keys();
+namespace {
+
+// The parameters between which a segment certainly passes through a cell, not just within reach of it: none where t0 >
+// t1.
+struct Inside {
+  double t0 = 0, t1 = 1;
+};
+Inside inside_cell(const SoupBox& b, const Grid& grid, int row, int column) {
+  Inside t;
+  const auto clip = [&](double from, double to, int cell) {
+    const double d = to - from;
+    if (d == 0) return;
+    const double low = std::max(cell * grid.cell, std::min(from, to));
+    const double high = std::min((cell + 1) * grid.cell, std::max(from, to));
+    const double u = (low - from) / d, v = (high - from) / d;
+    t.t0 = std::max(t.t0, std::min(u, v));
+    t.t1 = std::min(t.t1, std::max(u, v));
+  };
+  clip(b.ax, b.bx, column);
+  clip(b.ay, b.by, row);
+  return t;
+}
+
+}  // namespace
+
+// The segments of every live cell, row by row: those of cell k are ids[start[k]], ... before ids[start[k + 1]].
+struct CrossingFinder::CellLists {
+  Array<std::uint32_t> start, ids;
+};
+
+CrossingFinder::CellLists CrossingFinder::list_cells(Array<CoveredMark>& covered_marks) const {
+  const Grid& grid = *grid_;
   struct Item {
     std::uint32_t cell, segment;
   };
   Array<Item> items(soup_.memory);
   items.reserve(soup_.size() * 3 / 2);
   const std::uint32_t columns = static_cast<std::uint32_t>(grid.columns);
-  Array<std::uint32_t> start(std::size_t(grid.rows) * columns + 1, 0, soup_.memory);
+  CellLists lists{Array<std::uint32_t>(std::size_t(grid.rows) * columns + 1, 0, soup_.memory),
+                  Array<std::uint32_t>(soup_.memory)};
+  Array<std::uint32_t>& start = lists.start;
   for (std::uint32_t s = 0; s < soup_.size(); ++s) {
     const SoupBox& b = soup_.boxes[s];
     for_each_cell_run(grid, b.ax, b.ay, b.bx, b.by, [&](int row, int c0, int c1) {
       std::uint32_t cell = static_cast<std::uint32_t>(row) * columns + static_cast<std::uint32_t>(c0);
       for (int c = c0; c <= c1; ++c, ++cell) {
-        if (mask != nullptr && mask->dead(row, c)) {
-          if (c > c0 && mask->dead(row, c - 1)) continue;
-          // A point of the segment near the centre of the cell, by the slower-changing coordinate's inverse.
-          const double dx = b.bx - b.ax, dy = b.by - b.ay;
-          const double x_low = std::max(c * grid.cell, std::min(b.ax, b.bx));
-          const double x_high = std::min((c + 1) * grid.cell, std::max(b.ax, b.bx));
-          const double y_low = std::max(row * grid.cell, std::min(b.ay, b.by));
-          const double y_high = std::min((row + 1) * grid.cell, std::max(b.ay, b.by));
-          double t0 = 0, t1 = 1;
-          if (std::abs(dx) > 0) {
-            const double u = (x_low - b.ax) / dx, v = (x_high - b.ax) / dx;
-            t0 = std::max(t0, std::min(u, v));
-            t1 = std::min(t1, std::max(u, v));
-          }
-          if (std::abs(dy) > 0) {
-            const double u = (y_low - b.ay) / dy, v = (y_high - b.ay) / dy;
-            t0 = std::max(t0, std::min(u, v));
-            t1 = std::min(t1, std::max(u, v));
-          }
-          // Only where the segment certainly passes through the cell, not just within reach of it.
-          if (t1 > t0) dead_marks.push_back({s, 0.5 * (t0 + t1)});
+        if (mask_ != nullptr && mask_->covered(row, c)) {
+          if (c > c0 && mask_->covered(row, c - 1)) continue;
+          if (const Inside t = inside_cell(b, grid, row, c); t.t1 > t.t0)
+            covered_marks.push_back({s, 0.5 * (t.t0 + t.t1)});
           continue;
         }
         items.push_back({cell, s});
@@ -422,23 +409,28 @@ void CrossingFinder::grid(const Grid& grid, const InteriorMask* mask, Array<Dead
       }
     });
   }
-  out_.cell_entries = items.size();
   for (std::size_t c = 1; c < start.size(); ++c) start[c] += start[c - 1];
-  Array<std::uint32_t> ids(items.size(), soup_.memory);
-  {
-    Array<std::uint32_t> at(start.begin(), start.end() - 1, soup_.memory);
-    for (const Item& item : items) ids[at[item.cell]++] = item.segment;
-  }
-  items = Array<Item>(soup_.memory);
-  for (int r = 0; r < grid.rows && !stopped; ++r) {
-    if (poll != nullptr && !(*poll)(double(r) / grid.rows)) stopped = true;
-    for (int c = 0; c < grid.columns; ++c) {
-      const std::size_t cell = std::size_t(r) * columns + c;
-      const std::uint32_t from = start[cell], to = start[cell + 1];
+  lists.ids.resize(items.size());
+  Array<std::uint32_t> at(start.begin(), start.end() - 1, soup_.memory);
+  for (const Item& item : items) lists.ids[at[item.cell]++] = item.segment;
+  return lists;
+}
+
+void CrossingFinder::grid(const Grid& grid, const InteriorMask* mask, Array<CoveredMark>& covered_marks) {
+  grid_ = &grid;
+  mask_ = mask;
+  make_keys();
+  const CellLists lists = list_cells(covered_marks);
+  out_.cell_entries = lists.ids.size();
+  std::size_t cell = 0;
+  for (int r = 0; r < grid.rows; ++r) {
+    if (poll_ != nullptr) (*poll_)(double(r) / grid.rows);
+    for (int c = 0; c < grid.columns; ++c, ++cell) {
+      const std::uint32_t from = lists.start[cell], to = lists.start[cell + 1];
       if (to - from < 2) continue;
       row_ = r;
       column_ = c;
-      test_cell({ids.data() + from, to - from});
+      test_cell({lists.ids.data() + from, to - from});
     }
   }
   finish();

@@ -3,11 +3,11 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
-#include "base/box_lanes.h"
+#include "base/box_sweep.h"
+#include "base/poll.h"
 #include "planar/arrangement/chain.h"
 #include "planar/arrangement/soup.h"
 #include "planar/mask/grid.h"
@@ -42,8 +42,8 @@ struct Meetings {
   std::uint64_t cell_entries = 0, pair_tests = 0, exact_signs = 0;
 };
 
-/// A point at parameter t of a segment that lies in a dead cell.
-struct DeadMark {
+/// A point at parameter t of a segment that lies in a covered cell.
+struct CoveredMark {
   std::uint32_t segment;
   double t;
 };
@@ -54,14 +54,15 @@ struct SegmentPiece {
   double low, high;
 };
 
-/// Finds the meetings of pairs of segments: all of them without a mask, at least those outside dead cells with one.
-/// `poll` is called now and then and stops the search when it returns false.
+/// Finds the meetings of pairs of segments: all of them without a mask, at least those outside covered cells with one.
 class CrossingFinder {
  public:
-  CrossingFinder(const Soup& soup, Meetings& out, const Chain* chain = nullptr)
+  CrossingFinder(const Soup& soup, Meetings& out, const Chain* chain = nullptr, const Poll* poll = nullptr)
       : soup_(soup),
         chain_(chain),
         next_(chain != nullptr ? chain->next() : std::span<const std::uint32_t>{}),
+        first_unchained_(chain != nullptr ? chain->first_unchained() : kNone),
+        poll_(poll),
         out_(out),
         keys_(soup.memory),
         cell_(soup.memory),
@@ -71,32 +72,30 @@ class CrossingFinder {
   /// Every pair of boxes is looked at: the reference.
   void all_pairs();
   /// Boxes in the order of their left sides: each is compared with those that start before it ends, eight at a time.
-  /// With a mask crossings in dead cells are left out.
+  /// With a mask crossings in covered cells are left out.
   void sweep(const InteriorMask* mask = nullptr);
   /// The same for disjoint pieces of segments: crossings outside them are left out, as far as parameters that err by
   /// less than `reach`, a distance, tell.
   void sweep(std::span<const SegmentPiece> pieces, double reach);
   /// Just these pairs of segments.
   void pairs(std::span<const std::array<std::uint32_t, 2>> list);
-  void grid(const Grid& grid, const InteriorMask* mask, Array<DeadMark>& dead_marks);
-  const std::function<bool(double)>* poll = nullptr;
-  bool stopped = false;
-  /// Segments from this number on belong to no chain: their shared ends are meetings like any other.
-  std::uint32_t first_unchained = 0xffffffff;
+  void grid(const Grid& grid, const InteriorMask* mask, Array<CoveredMark>& covered_marks);
 
  private:
   // Boxes in 15-bit quanta of the span, four to a word, so that one subtraction compares all four bounds.
   struct BoxKey {
     std::uint64_t low, high;
   };
-  struct BoxQuanta {
-    std::int16_t x0, y0, x1, y1;
-  };
   BoxQuanta quanta(const SoupBox& box, double per_quantum) const;
   double quanta_per_unit() const;
   void make_keys();
   void find_followers(std::uint32_t* follower) const;
+  struct ByteBoxes;
   void compare_all();
+  // Whether to go on; of rounds that take long.
+  void ask(std::uint32_t round, std::uint32_t rounds) const {
+    if (poll_ != nullptr && round % 256 == 255) (*poll_)(double(round) / rounds);
+  }
   struct Probe;
   Probe probe(std::uint32_t s) const;
   bool undecided(const Probe& a, std::uint32_t b);
@@ -106,18 +105,23 @@ class CrossingFinder {
   int side(std::uint32_t s, WalkPair v, double x, double y);
   bool between(std::uint32_t s, WalkPair v, double x, double y);
   void meet_pieces(const SegmentPiece& piece, std::span<const std::uint32_t> others);
+  SoupBox box_of(const SegmentPiece& piece) const;
   enum class Owned { no, yes, unsure };
   Owned owned_by_pieces(std::uint32_t a, std::uint32_t b, double t, double u) const;
   static void make_room(Array<Crossing>& list);
-  bool in_dead_cell(std::uint32_t a, std::uint32_t b, double t) const;
+  bool in_covered_cell(std::uint32_t a, std::uint32_t b, double t) const;
   void add_crossing(std::uint32_t a, std::uint32_t b, double a_start, double a_end, double b_start, double b_end);
   void add_touch(std::uint32_t segment, WalkPair pair);
+  struct CellLists;
+  CellLists list_cells(Array<CoveredMark>& covered_marks) const;
   void test_cell(std::span<const std::uint32_t> ids);
   void finish();
 
   const Soup& soup_;
   const Chain* chain_;
   std::span<const std::uint32_t> next_;  // empty: no chains
+  std::uint32_t first_unchained_;
+  const Poll* poll_;
   Meetings& out_;
   const Grid* grid_ = nullptr;
   const InteriorMask* mask_ = nullptr;
@@ -133,7 +137,7 @@ class CrossingFinder {
 
 // Monotone; one quantum more at the upper end covers the rounding of the coordinates. They lie in [0, span], up to that
 // rounding.
-inline CrossingFinder::BoxQuanta CrossingFinder::quanta(const SoupBox& b, double per_quantum) const {
+inline BoxQuanta CrossingFinder::quanta(const SoupBox& b, double per_quantum) const {
   const auto quantum = [&](double v) { return static_cast<int>(v * per_quantum); };
   const int ax = quantum(b.ax), ay = quantum(b.ay), bx = quantum(b.bx), by = quantum(b.by);
   const auto number = [](int v) { return static_cast<std::int16_t>(v); };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "base/union_find.h"
 #include "planar/arrangement/arrangement.h"
 #include "planar/operand/directions.h"
 
@@ -55,33 +56,56 @@ std::pair<std::uint32_t, std::uint32_t> Arrangement::equal_run(std::uint32_t s, 
   return {begin, end};
 }
 
-// Places where crossings coincide, or segments end on others, are classes of crossings and pairs of vertices.
-void Arrangement::find_degenerate_nodes(const Poll* poll) {
-  KeyNumbers index(soup_.memory);
-  const Array<std::uint64_t>& elements = index.keys();
-  Array<std::uint32_t> parent(soup_.memory);
-  constexpr std::uint64_t kPair = std::uint64_t{1} << 63;
-  const auto element = [&](std::uint64_t key) {
-    const auto [number, fresh] = index.add(key);
-    if (fresh) parent.push_back(number);
-    return number;
-  };
-  const auto pair_key = [&](WalkPair v) { return kPair | (std::uint64_t{v.p} << 31) | v.q; };
-  const auto event_key = [&](std::uint32_t e) {
-    return e & kTouchBit ? pair_key(meetings_.touches[e & ~kTouchBit].pair) : std::uint64_t{e};
-  };
-  const auto find = [&](std::uint32_t i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
-  const auto unite = [&](std::uint32_t i, std::uint32_t j) { parent[find(i)] = find(j); };
+// Places where crossings coincide, or segments end on others: classes of crossings and pairs of vertices. Their
+// elements are made one by one.
+struct Arrangement::NodeClasses {
+  explicit NodeClasses(Scratch* memory) : index(memory), classes(0, memory), spots(memory) {}
 
-  for (const auto& [a, b] : meetings_.same) unite(element(pair_key(a)), element(pair_key(b)));
+  static constexpr std::uint64_t kPair = std::uint64_t{1} << 63;
+  static std::uint64_t key(WalkPair v) { return kPair | (std::uint64_t{v.p} << 31) | v.q; }
+  static WalkPair pair(std::uint64_t key) {
+    return {static_cast<std::uint32_t>((key & ~kPair) >> 31), static_cast<std::uint32_t>(key & 0x7fffffff)};
+  }
+  std::uint32_t element(std::uint64_t key) {
+    const auto [element, fresh] = index.add(key);
+    if (fresh) classes.add();
+    return element;
+  }
+
   struct Touched {
     std::uint32_t element;
     Spot spot;
   };
-  Array<Touched> spots(soup_.memory);
+  KeyNumbers index;
+  UnionFind classes;
+  Array<Touched> spots;  // where segments pass
+};
+
+void Arrangement::find_degenerate_nodes(const Poll* poll) {
+  NodeClasses nodes(soup_.memory);
+  for (const auto& [a, b] : meetings_.same)
+    nodes.classes.unite(nodes.element(NodeClasses::key(a)), nodes.element(NodeClasses::key(b)));
+  join_suspects(nodes, poll);
+  const Array<std::uint64_t>& elements = nodes.index.keys();
+  if (elements.empty()) return;
+  // A crossing of a class has two segments; one of them may meet nothing else there.
+  for (std::uint32_t e = 0; e < elements.size(); ++e) {
+    if (elements[e] & NodeClasses::kPair) continue;
+    const std::uint32_t c = static_cast<std::uint32_t>(elements[e]);
+    const Crossing& x = meetings_.crossings[c];
+    for (const std::uint32_t s : {x.a, x.b}) {
+      const auto [begin, end] = equal_run(s, position(s, c));
+      nodes.spots.push_back({e, {s, begin, end}});
+    }
+  }
+  process_nodes(nodes, poll);
+}
+
+// Events at one place of a suspect are one class, and so is a touch alone.
+void Arrangement::join_suspects(NodeClasses& nodes, const Poll* poll) const {
+  const auto element = [&](std::uint32_t e) {
+    return nodes.element(e & kTouchBit ? NodeClasses::key(meetings_.touches[e & ~kTouchBit].pair) : std::uint64_t{e});
+  };
   for (const std::uint32_t s : suspects_) {
     if (poll != nullptr) poll->at(s, soup_.size());
     const std::uint32_t* first = events_.data() + first_event_[s];
@@ -92,28 +116,24 @@ void Arrangement::find_degenerate_nodes(const Poll* poll) {
       bool degenerate = end - k > 1;
       for (std::uint32_t i = k; i < end; ++i) degenerate |= (first[i] & kTouchBit) != 0;
       if (degenerate) {
-        const std::uint32_t e = element(event_key(first[k]));
-        for (std::uint32_t i = k + 1; i < end; ++i) unite(e, element(event_key(first[i])));
-        spots.push_back({e, {s, k, end}});
+        const std::uint32_t e = element(first[k]);
+        for (std::uint32_t i = k + 1; i < end; ++i) nodes.classes.unite(e, element(first[i]));
+        nodes.spots.push_back({e, {s, k, end}});
       }
       k = end;
     }
   }
-  if (elements.empty()) return;
-  // A crossing of a class has two segments; one of them may meet nothing else there.
-  for (std::uint32_t e = 0; e < elements.size(); ++e) {
-    if (elements[e] & kPair) continue;
-    const std::uint32_t c = static_cast<std::uint32_t>(elements[e]);
-    const Crossing& x = meetings_.crossings[c];
-    for (const std::uint32_t s : {x.a, x.b}) {
-      const auto [begin, end] = equal_run(s, position(s, c));
-      spots.push_back({e, {s, begin, end}});
-    }
-  }
+}
+
+// Class by class: its spots, each once, and its pairs of vertices.
+void Arrangement::process_nodes(NodeClasses& nodes, const Poll* poll) {
+  using Touched = NodeClasses::Touched;
+  Array<Touched>& spots = nodes.spots;
+  const Array<std::uint64_t>& elements = nodes.index.keys();
   Array<std::pair<std::uint32_t, std::uint32_t>> pair_elements(soup_.memory);  // class, element
   for (std::uint32_t e = 0; e < elements.size(); ++e)
-    if (elements[e] & kPair) pair_elements.emplace_back(find(e), e);
-  for (Touched& t : spots) t.element = find(t.element);
+    if (elements[e] & NodeClasses::kPair) pair_elements.emplace_back(nodes.classes.root(e), e);
+  for (Touched& t : spots) t.element = nodes.classes.root(t.element);
   std::sort(pair_elements.begin(), pair_elements.end());
   std::sort(spots.begin(), spots.end(), [](const Touched& a, const Touched& b) {
     return std::tie(a.element, a.spot.segment, a.spot.begin) < std::tie(b.element, b.spot.segment, b.spot.begin);
@@ -130,10 +150,8 @@ void Arrangement::find_degenerate_nodes(const Poll* poll) {
     pairs.clear();
     for (; i < spots.size() && spots[i].element == root; ++i)
       if (node.empty() || !(node.back() == spots[i].spot)) node.push_back(spots[i].spot);
-    for (; j < pair_elements.size() && pair_elements[j].first == root; ++j) {
-      const std::uint64_t key = elements[pair_elements[j].second] & ~kPair;
-      pairs.push_back({static_cast<std::uint32_t>(key >> 31), static_cast<std::uint32_t>(key & 0x7fffffff)});
-    }
+    for (; j < pair_elements.size() && pair_elements[j].first == root; ++j)
+      pairs.push_back(NodeClasses::pair(elements[pair_elements[j].second]));
     process_node(node, pairs, buffers);
   }
 }
@@ -159,7 +177,7 @@ void Arrangement::process_node(const Array<Spot>& spots, const Array<WalkPair>& 
     }
     placed = true;
     // Between events at one place there is nothing.
-    for (std::uint32_t k = spot.begin + 1; k < spot.end; ++k) flags_[first_sub(spot.segment) + k] |= kDead;
+    for (std::uint32_t k = spot.begin + 1; k < spot.end; ++k) flags_[first_sub(spot.segment) + k] |= kNoBoundary;
     add(spot.segment, spot.begin, false);
     add(spot.segment, spot.end, true);
   }
@@ -180,9 +198,9 @@ void Arrangement::process_node(const Array<Spot>& spots, const Array<WalkPair>& 
   if (placed) link_rays(buffers, where);
 }
 
-// A sector between two neighbouring rays is free unless the ray before it leaves with it on its left, or the ray behind
-// it arrives with it on its left. The boundary of a free sector comes in on the first and goes out on the second.
-void Arrangement::link_rays(NodeBuffers& buffers, const Node& where) {
+// The rays counter-clockwise, those of one direction in a group. Indices are sorted, not rays, which have just been
+// written in parts.
+void Arrangement::group_rays(NodeBuffers& buffers) const {
   const Ray* const rays = buffers.rays.data();
   const auto n = static_cast<std::uint32_t>(buffers.rays.size());
   const auto compare = [&](const Ray& a, const Ray& b) {
@@ -197,7 +215,6 @@ void Arrangement::link_rays(NodeBuffers& buffers, const Node& where) {
     if (c != 0) return c < 0;
     return a.segment != b.segment ? a.segment < b.segment : a.sub < b.sub;
   };
-  // Numbers are sorted, not rays, which have just been written in parts.
   Array<std::uint32_t>& order = buffers.order;
   order.resize(n);
   std::uint32_t* const sorted = order.data();
@@ -225,6 +242,15 @@ void Arrangement::link_rays(NodeBuffers& buffers, const Node& where) {
     groups.push_back({i, end, left, right});
     i = end;
   }
+}
+
+// A sector between two neighbouring rays is free unless the ray before it leaves with it on its left, or the ray behind
+// it arrives with it on its left. The boundary of a free sector comes in on the first and goes out on the second.
+void Arrangement::link_rays(NodeBuffers& buffers, const Node& where) {
+  group_rays(buffers);
+  const Ray* const rays = buffers.rays.data();
+  const std::uint32_t* const sorted = buffers.order.data();
+  const Array<Group>& groups = buffers.groups;
   nodes_.push_back(where);
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const Group &from = groups[g], &to = groups[g + 1 == groups.size() ? 0 : g + 1];
@@ -252,7 +278,7 @@ void Arrangement::link_rays(NodeBuffers& buffers, const Node& where) {
 
 // The successor at a degenerate end.
 Arrangement::Step Arrangement::linked(Step from) const {
-  if (flags_[from.sub] & kDead) return {};
+  if (flags_[from.sub] & kNoBoundary) return {};
   const std::uint32_t link = linked_subs_.find(from.sub);
   return link == KeyNumbers::kMissing ? Step{} : links_[link].to;
 }

@@ -51,7 +51,7 @@ inline bool CrossingFinder::between(std::uint32_t s, WalkPair v, double x, doubl
 void CrossingFinder::exact_test(std::uint32_t i, std::uint32_t j) {
   const SoupBox &a = soup_.boxes[i], &b = soup_.boxes[j];
   const WalkPair a0 = soup_.start(i), a1 = soup_.end(i), b0 = soup_.start(j), b1 = soup_.end(j);
-  const bool in_chains = i < first_unchained && j < first_unchained;
+  const bool in_chains = i < first_unchained_ && j < first_unchained_;
   const bool chained = in_chains && (a1 == b0 || b1 == a0 || a0 == b0 || a1 == b1 ||
                                      (chain_ != nullptr && (chain_->next(i) == j || chain_->next(j) == i)));
   // Segments of one chain share an end; they meet elsewhere only when they fold back onto each other.

@@ -115,7 +115,7 @@ CellVisits count_visits(const Soup& soup, const Array<Span>& spans, const Interi
   }
   for (std::size_t at = 0; at < visits.count.size(); ++at) {
     std::uint32_t& k = visits.count[at];
-    if (mask.dead(static_cast<int>(at / columns), static_cast<int>(at % columns))) k = 0;
+    if (mask.covered(static_cast<int>(at / columns), static_cast<int>(at % columns))) k = 0;
     visits.pairs += std::uint64_t{k} * (k - (k > 0)) / 2;
   }
   return visits;
@@ -174,7 +174,7 @@ void drop_covered(Soup& soup, Array<std::uint32_t>& live, LivePieces& pieces) {
   }
   soup.segments.resize(n);
   soup.boxes.resize(n);
-  for (DeadMark& mark : pieces.marks) mark.segment = to[mark.segment];
+  for (CoveredMark& mark : pieces.marks) mark.segment = to[mark.segment];
   for (std::uint32_t& s : live)
     if (s != kNone) s = to[s];
 }

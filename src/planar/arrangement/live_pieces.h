@@ -9,6 +9,7 @@
 #include "planar/arrangement/crossings.h"
 #include "planar/arrangement/soup.h"
 #include "planar/mask/fine_cells.h"
+#include "planar/mask/refine.h"
 
 namespace dymsum::planar {
 
@@ -29,7 +30,7 @@ bool refine_crowded(FineCells& cells, const CellVisits& visits, std::uint32_t cr
 struct LivePieces {
   explicit LivePieces(Scratch* memory) : pieces(memory), marks(memory) {}
   Array<SegmentPiece> pieces;
-  Array<DeadMark> marks;
+  Array<CoveredMark> marks;
 };
 LivePieces live_pieces(const Soup& soup, const Array<Span>& spans, const FineCells& cells, const Poll& poll);
 
@@ -44,7 +45,6 @@ struct Refined {
   LivePieces live;
   bool fine = false;  ///< whether cells were refined
 };
-enum class Refine { where_it_pays, always };
 std::optional<Refined> refine(const Operand& p, const Operand& q, InteriorMask& mask, Soup& soup,
                               Array<std::uint32_t>& live, Refine when, const Poll& poll);
 

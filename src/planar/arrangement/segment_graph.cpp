@@ -6,6 +6,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "base/union_find.h"
+
 namespace dymsum::planar {
 
 SegmentGraph::SegmentGraph(const Soup& soup, Meetings meetings) : soup_(soup), meetings_(std::move(meetings)) {
@@ -96,31 +98,25 @@ void SegmentGraph::build_events() {
 // A node is a class of crossings and pairs of vertices: those at one place of one segment, and pairs known to be at one
 // place.
 void SegmentGraph::find_nodes() {
-  std::vector<std::uint32_t> parent(meetings_.crossings.size());
-  std::iota(parent.begin(), parent.end(), 0u);
+  UnionFind classes(static_cast<std::uint32_t>(meetings_.crossings.size()));
   std::unordered_map<std::uint64_t, std::uint32_t> pairs;
   const auto element = [&](WalkPair v) {
     const std::uint64_t key = (std::uint64_t{v.p} << 32) | v.q;
-    const auto [it, fresh] = pairs.try_emplace(key, static_cast<std::uint32_t>(parent.size()));
-    if (fresh) parent.push_back(it->second);
+    const auto [it, fresh] = pairs.try_emplace(key, classes.size());
+    if (fresh) classes.add();
     return it->second;
   };
   const auto event_element = [&](const Event& e) { return is_touch(e) ? element(touched(e)) : e.ref; };
-  const auto find = [&](std::uint32_t i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
-  const auto unite = [&](std::uint32_t i, std::uint32_t j) { parent[find(i)] = find(j); };
-  for (const auto& [a, b] : meetings_.same) unite(element(a), element(b));
+  for (const auto& [a, b] : meetings_.same) classes.unite(element(a), element(b));
   const std::uint32_t n = static_cast<std::uint32_t>(soup_.size());
   for (std::uint32_t s = 0; s < n; ++s)
     for (std::uint32_t k = first_event_[s]; k + 1 < first_event_[s + 1]; ++k)
       if (compare_events(s, events_[k], events_[k + 1]) == 0)
-        unite(event_element(events_[k]), event_element(events_[k + 1]));
+        classes.unite(event_element(events_[k]), event_element(events_[k + 1]));
 
   std::unordered_map<std::uint32_t, std::uint32_t> number;  // class -> node
   const auto visit = [&](std::uint32_t s, std::uint32_t e, const Stop& stop) {
-    const auto [it, fresh] = number.try_emplace(find(e), static_cast<std::uint32_t>(nodes_.size()));
+    const auto [it, fresh] = number.try_emplace(classes.root(e), static_cast<std::uint32_t>(nodes_.size()));
     if (fresh) nodes_.emplace_back();
     Node& node = nodes_[it->second];
     // A pair of vertices is the better name: it needs no second segment.

@@ -1,5 +1,5 @@
-// Labelled segments whose left sides lie in the open set M: what the arrangement works on. It has never heard of
-// convolutions.
+// Labelled segments whose left sides lie in the open set M: what the arrangement works on. A label names the ends of a
+// segment, and the segment itself for exact signs; which segments there are, and why, is not known here.
 #pragma once
 
 #include <array>
@@ -8,14 +8,10 @@
 #include <vector>
 
 #include "base/scratch.h"
-#include "planar/convolution/convolution.h"
 #include "planar/operand/lattice.h"
 #include "planar/operand/operand.h"
 
 namespace dymsum::planar {
-
-/// A pair of walk vertices (P, Q).
-using WalkPair = Pair;
 
 /// A labelled segment: walk edge of operand `side` + walk vertex of the other.
 struct SoupSegment {
@@ -49,26 +45,6 @@ class Soup {
     const Operand& other = *operands[1 - w.side];
     return moved(operands[w.side]->boxes[w.edge], other.x[w.vertex], other.y[w.vertex]);
   }
-  /// All segments of a convolution, in the order of their ids.
-  void add(const ReducedConvolution& convolution) {
-    std::size_t i = size();
-    segments.resize(i + convolution.size());
-    boxes.resize(segments.size());
-    SoupSegment* segment = segments.data() + i;
-    SoupBox* to = boxes.data() + i;
-    convolution.for_each_turn([&](std::uint32_t side, std::uint32_t v, std::span<const std::uint32_t> edges,
-                                  std::uint32_t lo, std::uint32_t count) {
-      const EdgeBox* const own = operands[side]->boxes.data();
-      const double vx = operands[1 - side]->x[v], vy = operands[1 - side]->y[v];
-      const std::uint32_t *at = edges.data() + lo, *const end = edges.data() + edges.size(), label = side << 31;
-      for (SoupBox* const last = to + count; to != last; ++to) {
-        const std::uint32_t e = *at;
-        *segment++ = {label | e, v};
-        *to = moved(own[e], vx, vy);
-        if (++at == end) at = edges.data();
-      }
-    });
-  }
   void reserve(std::size_t n) {
     segments.reserve(n);
     boxes.reserve(n);
@@ -76,6 +52,12 @@ class Soup {
   void add(const WalkSegment& w, const SoupBox& b) {
     segments.push_back({(w.side << 31) | w.edge, w.vertex});
     boxes.push_back(b);
+  }
+  void add(const WalkSegment& w) { add(w, box(w)); }
+  /// The last one.
+  void drop_last() {
+    segments.pop_back();
+    boxes.pop_back();
   }
 
   std::size_t size() const { return segments.size(); }

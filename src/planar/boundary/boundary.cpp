@@ -1,10 +1,8 @@
 #include "planar/boundary/boundary.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <unordered_map>
 
 #include "planar/boundary/leftmost_loop.h"
 
@@ -12,9 +10,9 @@ namespace dymsum::planar {
 namespace {
 
 int half(const SoupBox& b) { return b.dy > 0 || (b.dy == 0 && b.dx > 0) ? 0 : 1; }
-int half(const Soup& soup, std::uint32_t s) { return half(soup.boxes[s]); }
 
-// How often the direction passes +x counter-clockwise: +1 or -1 for a loop that bounds one face.
+}  // namespace
+
 int turning_number(const Soup& soup, const Array<Step>& steps) {
   const SoupBox* boxes = soup.boxes.data();
   int turns = 0;
@@ -33,8 +31,6 @@ int turning_number(const Soup& soup, const Array<Step>& steps) {
   }
   return turns;
 }
-
-}  // namespace
 
 Array<BoundaryLoop> find_loops(const Soup& soup, const Arrangement& arrangement, const Poll* poll) {
   Array<BoundaryLoop> loops(soup.memory);
@@ -90,135 +86,47 @@ std::size_t outer_loop(const Arrangement& arrangement, const Array<BoundaryLoop>
       loops.size(), [&](std::size_t i) { return loops[i].turning < 0; }, for_each_end);
 }
 
-// Whether the middle of a sub-edge lies in a dead cell: then the loop is false.
-bool passes_dead_cell(const Soup& soup, const Arrangement& arrangement, const BoundaryLoop& loop,
-                      const InteriorMask& mask, const FineCells* fine) {
-  const Grid& g = mask.grid();
-  const auto dead = [&](double x, double y) {
-    return fine != nullptr ? fine->dead(x, y) : mask.dead(g.row(y), g.column(x));
-  };
+// Whether the middle of a sub-edge is covered: then the loop is false.
+bool passes_covered(const Soup& soup, const Arrangement& arrangement, const BoundaryLoop& loop,
+                    const KnownCover& cover) {
   return std::any_of(loop.steps.begin(), loop.steps.end(), [&](const Step& step) {
     const SoupBox& b = soup.boxes[step.segment];
     const double middle = 0.5 * (arrangement.start_parameter(step) + arrangement.end_parameter(step));
-    return dead(b.ax + middle * soup.dx(step.segment), b.ay + middle * soup.dy(step.segment)) &&
-           arrangement.inner_parameter(step).has_value();
+    return cover.covers(b.ax + middle * b.dx, b.ay + middle * b.dy) && arrangement.inner_parameter(step).has_value();
   });
+}
+
+// The longest sub-edge gives the sample that is easiest to decide.
+const Step& longest_step(const Soup& soup, const Arrangement& arrangement, const BoundaryLoop& loop) {
+  const auto length = [&](const Step& s) {
+    return (arrangement.end_parameter(s) - arrangement.start_parameter(s)) *
+           (std::abs(soup.dx(s.segment)) + std::abs(soup.dy(s.segment)));
+  };
+  const Step* longest = &loop.steps[0];
+  double best = length(*longest);
+  for (const Step& step : loop.steps)
+    if (const double l = length(step); l > best) {
+      best = l;
+      longest = &step;
+    }
+  return *longest;
 }
 
 }  // namespace
 
 SortedLoops verify_loops(const Soup& soup, const Arrangement& arrangement, Array<BoundaryLoop> loops,
-                         Collision& collision, bool connected, const VerifyHelp& help) {
+                         Collision& collision, bool connected, const KnownCover& cover, const Poll* poll) {
   SortedLoops out{Array<BoundaryLoop>(soup.memory), Array<BoundaryLoop>(soup.memory)};
   const std::size_t outer = connected ? outer_loop(arrangement, loops) : loops.size();
   for (std::size_t i = 0; i < loops.size(); ++i) {
-    if (help.poll != nullptr) help.poll->at_test(i, loops.size());
+    if (poll != nullptr) poll->at_test(i, loops.size());
     bool keep = i == outer;
     if (!keep && (outer == loops.size() || loops[i].turning < 0) &&
-        (help.mask == nullptr || !passes_dead_cell(soup, arrangement, loops[i], *help.mask, help.fine))) {
-      // The longest sub-edge gives the sample that is easiest to decide.
-      const auto length = [&](const Step& s) {
-        return (arrangement.end_parameter(s) - arrangement.start_parameter(s)) *
-               (std::abs(soup.dx(s.segment)) + std::abs(soup.dy(s.segment)));
-      };
-      const Step* longest = &loops[i].steps[0];
-      double best = length(*longest);
-      for (const Step& step : loops[i].steps)
-        if (const double l = length(step); l > best) {
-          best = l;
-          longest = &step;
-        }
-      keep = !collision.overlaps_right_of(arrangement.sample(*longest));
-    }
+        (cover.mask == nullptr || !passes_covered(soup, arrangement, loops[i], cover)))
+      keep = !collision.overlaps_right_of(arrangement.sample(longest_step(soup, arrangement, loops[i])));
     (keep ? out.kept : out.dropped).push_back(std::move(loops[i]));
   }
   return out;
-}
-
-// At a node that several kept passes share, every pass in is joined to the next way out clockwise from it: interior
-// pairing. Rings then bound connected interiors; those that still meet themselves are cut at the repeated node.
-Array<BoundaryLoop> simple_rings(const Soup& soup, const Arrangement& arrangement, Array<BoundaryLoop> loops) {
-  if (arrangement.degenerate_nodes() == 0) return loops;
-  Array<std::uint32_t> visits(arrangement.degenerate_nodes() + 1, 0, soup.memory);
-  bool repeated = false;
-  for (const BoundaryLoop& loop : loops)
-    for (const Step& step : loop.steps)
-      if (const std::uint32_t node = arrangement.end_node(step); node != kNone) repeated |= ++visits[node] > 1;
-  if (!repeated) return loops;
-
-  struct Pass {
-    Step in, out;
-  };
-  std::unordered_map<std::uint32_t, std::vector<Pass>> nodes;
-  for (const BoundaryLoop& loop : loops)
-    for (std::size_t i = 0; i < loop.steps.size(); ++i) {
-      const std::uint32_t node = arrangement.end_node(loop.steps[i]);
-      if (node == kNone || visits[node] < 2) continue;
-      nodes[node].push_back({loop.steps[i], loop.steps[(i + 1) % loop.steps.size()]});
-    }
-  std::unordered_map<std::uint32_t, Step> next;  // by sub-edge
-  std::vector<Step> order;
-  for (const BoundaryLoop& loop : loops)
-    for (std::size_t i = 0; i < loop.steps.size(); ++i) {
-      next[loop.steps[i].sub] = loop.steps[(i + 1) % loop.steps.size()];
-      order.push_back(loop.steps[i]);
-    }
-  for (auto& [node, passes] : nodes) {
-    struct Ray {
-      Step step;
-      bool out;
-    };
-    std::vector<Ray> rays;
-    for (const Pass& p : passes) {
-      rays.push_back({p.in, false});
-      rays.push_back({p.out, true});
-    }
-    const auto ray_half = [&](const Ray& r) { return half(soup, r.step.segment) ^ (r.out ? 0 : 1); };
-    std::sort(rays.begin(), rays.end(), [&](const Ray& a, const Ray& b) {
-      if (ray_half(a) != ray_half(b)) return ray_half(a) < ray_half(b);
-      const int c = soup.cross(a.step.segment, b.step.segment) * (a.out == b.out ? 1 : -1);
-      return c > 0;
-    });
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-      if (rays[i].out) continue;
-      const Ray& before = rays[(i + rays.size() - 1) % rays.size()];
-      next[rays[i].step.sub] = before.step;
-    }
-  }
-  Array<BoundaryLoop> rings(soup.memory);
-  std::unordered_map<std::uint32_t, bool> seen;
-  for (const Step& start : order) {
-    if (seen[start.sub]) continue;
-    std::vector<Step> path;
-    std::unordered_map<std::uint32_t, std::size_t> at_node;  // node -> length of the path that ends there
-    Step at = start;
-    const auto emit = [&](std::size_t from) {
-      BoundaryLoop ring;
-      ring.steps.assign(path.begin() + from, path.end());
-      ring.turning = turning_number(soup, ring.steps);
-      for (std::size_t i = from; i < path.size(); ++i)
-        if (const std::uint32_t n = arrangement.end_node(path[i]); n != kNone && i + 1 != path.size()) at_node.erase(n);
-      path.resize(from);
-      rings.push_back(std::move(ring));
-    };
-    do {
-      seen[at.sub] = true;
-      path.push_back(at);
-      const std::uint32_t node = arrangement.end_node(at);
-      const Step following = next[at.sub];
-      if (node != kNone) {
-        const auto it = at_node.find(node);
-        if (it != at_node.end()) {
-          emit(it->second);
-        } else {
-          at_node[node] = path.size();
-        }
-      }
-      at = following;
-    } while (at.sub != start.sub);
-    if (!path.empty()) emit(0);
-  }
-  return rings;
 }
 
 // Doubles worse than this share of the span are replaced by the rounded exact position.

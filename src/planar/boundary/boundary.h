@@ -10,7 +10,6 @@
 #include "planar/arrangement/soup.h"
 #include "planar/boundary/collision.h"
 #include "planar/mask/fine_cells.h"
-#include "planar/mask/interior_mask.h"
 
 namespace dymsum::planar {
 
@@ -22,23 +21,20 @@ struct BoundaryLoop {
   int turning = 0;  ///< 1 counter-clockwise, -1 clockwise
 };
 
+/// How often the direction passes +x counter-clockwise: +1 or -1 for a loop that bounds one face.
+int turning_number(const Soup& soup, const Array<Step>& steps);
+
 /// All cycles.
 Array<BoundaryLoop> find_loops(const Soup& soup, const Arrangement& arrangement, const Poll* poll = nullptr);
 
-/// What is known to be covered, if anything, and whom to ask whether to go on.
-struct VerifyHelp {
-  const InteriorMask* mask = nullptr;
-  const FineCells* fine = nullptr;
-  const Poll* poll = nullptr;
-};
-
-/// Splits loops into true and false ones. With `connected`, the sum has one outer boundary, which needs no test; with a
-/// mask, nor do loops that pass dead cells.
+/// Splits loops into true and false ones. With `connected`, the sum has one outer boundary, which needs no test; nor do
+/// loops that pass covered cells.
 struct SortedLoops {
   Array<BoundaryLoop> kept, dropped;
 };
 SortedLoops verify_loops(const Soup& soup, const Arrangement& arrangement, Array<BoundaryLoop> loops,
-                         Collision& collision, bool connected, const VerifyHelp& help = {});
+                         Collision& collision, bool connected, const KnownCover& cover = {},
+                         const Poll* poll = nullptr);
 
 /// Loops that meet themselves or each other at nodes are cut there so that every ring is simple and bounds a connected
 /// interior.

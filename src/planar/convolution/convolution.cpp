@@ -101,83 +101,96 @@ ReducedConvolution::ReducedConvolution(const Lattice& lattice, const Operand& p,
   }
 }
 
-void ReducedConvolution::add_pair(std::uint32_t cp, std::uint32_t cq, Scratch* memory) {
-  const std::array<std::uint32_t, 2> index{cp, cq};
-  const std::uint32_t lists_of_p = static_cast<std::uint32_t>(operands_[0]->directions.size());
-  std::array<std::array<std::uint32_t, 2>, 2> lists{operands_[0]->component_directions[cp],
-                                                    operands_[1]->component_directions[cq]};
-  for (std::uint32_t& list : lists[1]) list += lists_of_p;
-  const std::array<std::uint32_t, 2> whole{lists[0][0], lists[1][0]};
-  std::array<std::vector<std::uint8_t>, 2> filled;
-  for (std::uint32_t op = 0; op < 2; ++op) {
-    const Operand &o = *operands_[op], &other = *operands_[1 - op];
-    const Component &c = o.components[index[op]], &d = other.components[index[1 - op]];
-    if (c.last_loop - c.first_loop == 1) continue;
-    filled[op].assign(o.loops.size(), 0);
-    std::size_t count = 0;
-    for (std::uint32_t l = c.first_loop + 1; l < c.last_loop; ++l)
-      if (hole_is_filled(lattice_, o, o.loops[l], other, d)) {
-        filled[op][l] = 1;
-        ++count;
-      }
-    filled_holes_ += count;
-    if (count == c.last_loop - c.first_loop - 1) {
-      lists[op][0] = lists[op][1];
-    } else if (count > 0) {
-      std::vector<std::uint8_t> keep(filled[op]);
-      for (std::uint8_t& k : keep) k = !k;
-      own_lists_.push_front(sublist(*lists_[whole[op]], o, c, keep));
-      lists[op][0] = static_cast<std::uint32_t>(lists_.size());
-      lists_.push_back(&own_lists_.front());
+// The holes of one operand's component that the other one's fills, and the lists of its edges without them.
+struct ReducedConvolution::Edges {
+  std::uint32_t component = 0;
+  std::vector<std::uint8_t> filled;      // per loop; empty where the component has no holes
+  std::uint32_t whole = 0;               // the list of all its edges
+  std::array<std::uint32_t, 2> lists{};  // of those that outer loops meet, and holes
+  bool is_filled(std::uint32_t loop) const { return !filled.empty() && filled[loop] != 0; }
+};
+
+ReducedConvolution::Edges ReducedConvolution::edges_of(std::uint32_t op, std::uint32_t component,
+                                                       std::uint32_t other_component) {
+  const Operand &o = *operands_[op], &other = *operands_[1 - op];
+  const Component &c = o.components[component], &d = other.components[other_component];
+  Edges edges;
+  edges.component = component;
+  edges.lists = o.component_directions[component];
+  if (op == 1)
+    for (std::uint32_t& list : edges.lists) list += static_cast<std::uint32_t>(other.directions.size());
+  edges.whole = edges.lists[0];
+  const std::uint32_t holes = c.last_loop - c.first_loop - 1;
+  if (holes == 0) return edges;
+  edges.filled.assign(o.loops.size(), 0);
+  std::size_t count = 0;
+  for (std::uint32_t l = c.first_loop + 1; l < c.last_loop; ++l)
+    if (hole_is_filled(lattice_, o, o.loops[l], other, d)) {
+      edges.filled[l] = 1;
+      ++count;
     }
+  filled_holes_ += count;
+  if (count == holes) {
+    edges.lists[0] = edges.lists[1];
+  } else if (count > 0) {
+    std::vector<std::uint8_t> keep(edges.filled);
+    for (std::uint8_t& k : keep) k = !k;
+    own_lists_.push_front(sublist(*lists_[edges.whole], o, c, keep));
+    edges.lists[0] = static_cast<std::uint32_t>(lists_.size());
+    lists_.push_back(&own_lists_.front());
   }
-  using Positions = Array<std::uint32_t>;
-  std::array<Positions, 2> with_holes{Positions(memory), Positions(memory)};
-  std::array<Positions, 2> without{Positions(memory), Positions(memory)};
+  return edges;
+}
+
+void ReducedConvolution::add_pair(std::uint32_t cp, std::uint32_t cq, Scratch* memory) {
+  const std::array<Edges, 2> edges{edges_of(0, cp, cq), edges_of(1, cq, cp)};
+  std::array<Bounds, 2> bounds{Bounds(memory), Bounds(memory)};
   const auto single_loop = [&](std::uint32_t op) {
-    const Component& c = operands_[op]->components[index[op]];
+    const Component& c = operands_[op]->components[edges[op].component];
     return c.last_loop - c.first_loop == 1 && c.dimension > 0;
   };
   if (single_loop(0) && single_loop(1))
-    parallel_edges_ += merge_both(lattice_, *operands_[0], *lists_[whole[0]], *operands_[1], *lists_[whole[1]],
-                                  with_holes[0], with_holes[1]);
-  for (std::uint32_t side = 0; side < 2; ++side) {
-    const std::uint32_t vertex_op = 1 - side;
-    const Operand &edge_operand = *operands_[side], &o = *operands_[vertex_op];
-    const Component& c = o.components[index[vertex_op]];
-    const DirectionList& own = *lists_[whole[vertex_op]];
-    for (std::uint32_t l = c.first_loop; l < c.last_loop; ++l) {
-      const Loop& loop = o.loops[l];
-      if (!filled[vertex_op].empty() && filled[vertex_op][l]) continue;
-      // Hole against hole cannot touch without overlap elsewhere.
-      const std::size_t variant = loop.kind == LoopKind::hole ? 1 : 0;
-      const std::uint32_t list = lists[side][variant];
-      const std::uint32_t n = static_cast<std::uint32_t>(lists_[list]->edges.size());
-      if (loop.kind == LoopKind::point) {
-        turns_[side][std::size_t{loop.first} * columns_[side] + index[side]] = {list, 0, n, 0};
-        continue;
-      }
-      if (n == 0) continue;
-      // Half-open turns with opposite ends: (in, out] against edges of P, [in, out) against edges of Q.
-      Positions& bound = variant == 0 ? with_holes[side] : without[side];
-      if (bound.empty()) {
-        if (side == 0) merge_positions<true>(lattice_, o, own, edge_operand, *lists_[list], bound);
-        else parallel_edges_ += merge_positions<false>(lattice_, o, own, edge_operand, *lists_[list], bound);
-      }
-      Turn* const turns_at = turns_[side].data() + index[side];
-      const std::uint32_t columns = columns_[side];
-      const std::uint32_t *const rank = own.rank.data(), *const positions = bound.data(), *const prev = o.prev.data();
-      const std::uint8_t* const convex = o.convex.data();
-      for (std::uint32_t v = loop.first; v < loop.last; ++v) {
-        if (!convex[v]) continue;
-        const std::uint32_t in = rank[prev[v] - own.base], out = rank[v - own.base];
-        const std::uint32_t lo = positions[in], hi = positions[out];
-        const bool wraps = out < in;
-        Turn& t = turns_at[std::size_t{v} * columns];
-        t.list = list;
-        t.lo = lo == n ? 0 : lo;
-        t.count = hi - lo + (wraps ? n : 0);
-      }
+    parallel_edges_ += merge_both(lattice_, *operands_[0], *lists_[edges[0].whole], *operands_[1],
+                                  *lists_[edges[1].whole], bounds[0].of_outer, bounds[1].of_outer);
+  for (std::uint32_t side = 0; side < 2; ++side) add_turns(side, edges[side], edges[1 - side], bounds[side]);
+}
+
+// The turns of the vertices of one component among the edges of the other.
+void ReducedConvolution::add_turns(std::uint32_t side, const Edges& edges, const Edges& vertices, Bounds& bounds) {
+  const Operand &edge_operand = *operands_[side], &o = *operands_[1 - side];
+  const Component& c = o.components[vertices.component];
+  const DirectionList& own = *lists_[vertices.whole];
+  for (std::uint32_t l = c.first_loop; l < c.last_loop; ++l) {
+    if (vertices.is_filled(l)) continue;
+    const Loop& loop = o.loops[l];
+    // Hole against hole cannot touch without overlap elsewhere.
+    const bool hole = loop.kind == LoopKind::hole;
+    const std::uint32_t list = edges.lists[hole ? 1 : 0];
+    const std::uint32_t n = static_cast<std::uint32_t>(lists_[list]->edges.size());
+    if (loop.kind == LoopKind::point) {
+      turns_[side][std::size_t{loop.first} * columns_[side] + edges.component] = {list, 0, n, 0};
+      continue;
+    }
+    if (n == 0) continue;
+    // Half-open turns with opposite ends: (in, out] against edges of P, [in, out) against edges of Q.
+    Array<std::uint32_t>& bound = hole ? bounds.of_hole : bounds.of_outer;
+    if (bound.empty()) {
+      if (side == 0) merge_positions<true>(lattice_, o, own, edge_operand, *lists_[list], bound);
+      else parallel_edges_ += merge_positions<false>(lattice_, o, own, edge_operand, *lists_[list], bound);
+    }
+    Turn* const turns_at = turns_[side].data() + edges.component;
+    const std::uint32_t columns = columns_[side];
+    const std::uint32_t *const rank = own.rank.data(), *const positions = bound.data(), *const prev = o.prev.data();
+    const std::uint8_t* const convex = o.convex.data();
+    for (std::uint32_t v = loop.first; v < loop.last; ++v) {
+      if (!convex[v]) continue;
+      const std::uint32_t in = rank[prev[v] - own.base], out = rank[v - own.base];
+      const std::uint32_t lo = positions[in], hi = positions[out];
+      const bool wraps = out < in;
+      Turn& t = turns_at[std::size_t{v} * columns];
+      t.list = list;
+      t.lo = lo == n ? 0 : lo;
+      t.count = hi - lo + (wraps ? n : 0);
     }
   }
 }

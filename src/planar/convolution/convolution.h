@@ -21,11 +21,6 @@ struct Turn {
   std::uint32_t list = 0, lo = 0, count = 0, base = 0;
 };
 
-/// A segment by walk edge of one side and walk vertex of the other: side 0 is edge of P + vertex of Q.
-struct WalkSegment {
-  std::uint32_t side = 0, edge = 0, vertex = 0;
-};
-
 /// The reduced convolution as ranges: segment ids are 0 .. size - 1, side 0 first; (edge, vertex) <-> id in O(1).
 class ReducedConvolution {
  public:
@@ -80,7 +75,15 @@ class ReducedConvolution {
   std::uint32_t vertex_of(std::uint32_t side, std::uint32_t turn) const {
     return columns_[side] == 1 ? turn : turn / columns_[side];
   }
+  struct Edges;
+  // Positions of one list's directions in another one, for outer loops and for holes; empty until asked for.
+  struct Bounds {
+    explicit Bounds(Scratch* memory) : of_outer(memory), of_hole(memory) {}
+    Array<std::uint32_t> of_outer, of_hole;
+  };
+  Edges edges_of(std::uint32_t op, std::uint32_t component, std::uint32_t other_component);
   void add_pair(std::uint32_t cp, std::uint32_t cq, Scratch* memory);
+  void add_turns(std::uint32_t side, const Edges& edges, const Edges& vertices, Bounds& bounds);
 
   const Lattice& lattice_;
   std::array<const Operand*, 2> operands_;

@@ -15,7 +15,7 @@ ConvolutionSizes convolution_sizes(const Region& p, const Region& q) {
   ConvolutionSizes sizes;
   if (p.empty() || q.empty()) return sizes;
   std::shared_ptr<const Operand> kept_p = prepared_operand(p, 0), kept_q = prepared_operand(q, 1);
-  const std::shared_ptr<Lattice> lattice = make_lattice(kept_p->points, kept_q->points, 0);
+  const std::shared_ptr<const Lattice> lattice = make_lattice(kept_p->points, kept_q->points, 0);
   kept_p = placed_on(*lattice, std::move(kept_p));
   kept_q = placed_on(*lattice, std::move(kept_q));
   const Operand &op = *kept_p, &oq = *kept_q;

@@ -25,9 +25,7 @@ Result<std::shared_ptr<const OperandPair>> OperandPair::create(
     points[op] = place_points(std::move(all));
     if (std::optional<Error> error = too_large(*points[op])) return *std::move(error);
   }
-  const std::shared_ptr<Lattice> lattice = make_lattice(points[0], points[1], min_tier_bits);
-  lattice->integers = std::make_shared<SharedIntegers>();
-  base->lattice = lattice;
+  base->lattice = make_lattice(points[0], points[1], min_tier_bits, Further::lattices);
   for (std::uint32_t op = 0; op < 2; ++op) {
     base->operands[op] = *placed_on(*base->lattice, kept[op]);
     const Operand& o = base->operands[op];
@@ -45,7 +43,7 @@ LatticeScale OperandPair::lattice_scale(const ScaleValue& x, const ScaleValue& y
   return {exact::BigInteger(x.num * (common / x.den)), exact::BigInteger(y.num * (common / y.den)), common, scaled};
 }
 
-std::shared_ptr<Lattice> OperandPair::lattice_at(const LatticeScale& scale) const {
+std::shared_ptr<const Lattice> OperandPair::lattice_at(const LatticeScale& scale) const {
   return make_scaled_lattice(*lattice, scale, min_tier_bits);
 }
 

@@ -9,6 +9,7 @@
 
 #include "dymsum/scaling_sum.h"
 #include "planar/operand/scale_value.h"
+#include "planar/result/sum_source.h"
 #include "planar/sum/sum_engine.h"
 
 namespace dymsum::planar {
@@ -33,7 +34,7 @@ class OperandPair : public std::enable_shared_from_this<OperandPair> {
   bool connected = true;                    ///< one component each
 
   LatticeScale lattice_scale(const ScaleValue& x, const ScaleValue& y) const;
-  std::shared_ptr<Lattice> lattice_at(const LatticeScale& scale) const;
+  std::shared_ptr<const Lattice> lattice_at(const LatticeScale& scale) const;
   /// The walks with edge vectors of a lattice.
   std::shared_ptr<const Operand> operand_at(std::uint32_t op, const Lattice& at) const;
 };

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "planar/mask/dead_cells.h"
+#include "planar/mask/covered_cells.h"
 
 namespace dymsum::planar {
 

@@ -55,11 +55,11 @@ class FineCells {
   const InteriorMask& mask() const { return *mask_; }
   /// The live cells in a cell of the mask, as a brick.
   std::uint64_t live(int row, int column) const {
-    if (mask_->dead(row, column)) return 0;
+    if (mask_->covered(row, column)) return 0;
     const std::uint32_t b = brick_[index(row, column)];
     return b == kWhole ? ~std::uint64_t{0} : live_[b];
   }
-  bool dead(double x, double y) const {
+  bool covered(double x, double y) const {
     const int r = grid_.row(y), c = grid_.column(x);
     return ((live(r / kBrick, c / kBrick) >> (r % kBrick * 8 + c % kBrick)) & 1) == 0;
   }
@@ -77,6 +77,16 @@ class FineCells {
   std::vector<std::uint32_t> brick_;  // per cell of the mask
   std::vector<std::uint64_t> live_;
   std::optional<BrickPairs> p_around_q_, q_around_p_;
+};
+
+/// What is known to be covered, if anything: cells of a mask, and fine cells where there are some.
+struct KnownCover {
+  const InteriorMask* mask = nullptr;
+  const FineCells* fine = nullptr;
+  bool covers(double x, double y) const {
+    if (fine != nullptr) return fine->covered(x, y);
+    return mask != nullptr && mask->covered(mask->grid().row(y), mask->grid().column(x));
+  }
 };
 
 }  // namespace dymsum::planar

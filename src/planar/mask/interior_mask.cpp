@@ -45,16 +45,16 @@ Raster rasterize(const Operand& o, const Grid& cells) {
   return raster;
 }
 
-DeadCells dead_cells_of(const Operand& p, const Operand& q, int cells) {
+CoveredCells covered_cells_of(const Operand& p, const Operand& q, int cells) {
   const SumGrid grid({p.points->width, q.points->width}, {p.points->height, q.points->height}, cells);
-  return DeadCells(grid.whole, rasterize<CentreWindings>(p, grid.part[0]), rasterize<CentreWindings>(q, grid.part[1]),
-                   DeadCells::Counts::left_out);
+  return CoveredCells(grid.whole, rasterize<CentreWindings>(p, grid.part[0]),
+                      rasterize<CentreWindings>(q, grid.part[1]), CoveredCells::Counts::left_out);
 }
 
 }  // namespace
 
 InteriorMask::InteriorMask(const Operand& p, const Operand& q, int cells)
-    : DeadCells(dead_cells_of(p, q, cells)), cells_(cells) {}
+    : CoveredCells(covered_cells_of(p, q, cells)), cells_(cells) {}
 
 Raster fine_raster(const Operand& o, const Grid& cells) { return rasterize<CentreParities>(o, cells); }
 Raster winding_raster(const Operand& o, const Grid& cells) { return rasterize<CentreWindings>(o, cells); }

@@ -2,13 +2,13 @@
 // computed. Lemma and proof: docs/design/planar-sum.md, "interior mask".
 #pragma once
 
-#include "planar/mask/dead_cells.h"
+#include "planar/mask/covered_cells.h"
 #include "planar/operand/operand.h"
 
 namespace dymsum::planar {
 
 /// Cells whose closure, grown by 8 kReach cells, lies in int P + Q or P + int Q. Without counts.
-class InteriorMask : public DeadCells {
+class InteriorMask : public CoveredCells {
  public:
   /// `cells` along the longer side of the sum's bounding box.
   InteriorMask(const Operand& p, const Operand& q, int cells);

@@ -44,8 +44,8 @@ class LatticeOf final : public Lattice {
 
  public:
   /// `per_double`: the integers per unit of the doubles of the points where these are exact, else 0.
-  LatticeOf(int exponent, double per_double, std::optional<LatticeScale> scale)
-      : exponent_(exponent), per_double_(per_double), scale_(std::move(scale)) {
+  LatticeOf(LatticeDoubles doubles, double per_double, std::optional<LatticeScale> scale)
+      : Lattice(std::move(doubles)), exponent_(grid_exponent), per_double_(per_double), scale_(std::move(scale)) {
     if constexpr (!std::is_same_v<C, Big>) {
       if (!scale_) return;
       const C other = exact::narrowed<C>(Big(scale_->den));
@@ -167,13 +167,6 @@ class LatticeOf final : public Lattice {
     return {x, y, (std::abs(x.high) + std::abs(y.high)) * 0x1p-103};
   }
 
-  Point position_of_low(std::uint32_t op) const override {
-    Position p = reduced(in_input(origin()[0], origin()[1], 1));
-    const Point& other = points[1 - op]->offset;
-    p.x -= exact::exact_value(other.x);
-    p.y -= exact::exact_value(other.y);
-    return {exact::round_to_double(p.x), exact::round_to_double(p.y)};
-  }
   const SharedIntegers& unscaled_integers() const override { return unscaled(); }
 
  private:
@@ -380,60 +373,65 @@ Lattice::Position Lattice::position(const Place& x) const { return reduced(homog
 
 Lattice::Position Lattice::position(Pair v) const { return reduced(homogeneous(v)); }
 
-std::shared_ptr<Lattice> build_lattice(std::array<std::shared_ptr<const PlacedPoints>, 2> points, int exponent,
-                                       int unit, int bits, std::optional<LatticeScale> scale, int min_tier_bits) {
+namespace {
+
+// The sum of both offsets in input coordinates, and how it errs.
+void add_offsets(LatticeDoubles& lattice, const std::optional<LatticeScale>& scale) {
+  for (std::uint32_t op = 0; op < 2; ++op) {
+    const PlacedPoints& o = *lattice.points[op];
+    const bool scaled = scale && op == scale->op;
+    const Point at = scaled && o.turned != nullptr ? turned_offset(o, *scale, lattice.grid_exponent)
+                                                   : Point{o.offset.x * o.stretch.x, o.offset.y * o.stretch.y};
+    lattice.base.x += at.x;
+    lattice.base.y += at.y;
+    lattice.base_reach += std::abs(at.x) + std::abs(at.y);
+    // The factor and the product are rounded.
+    if (scaled) lattice.base_error = 0x1p-51 * (std::abs(at.x) + std::abs(at.y));
+  }
+}
+
+}  // namespace
+
+std::shared_ptr<const Lattice> build_lattice(LatticePoints points, std::optional<LatticeScale> scale,
+                                             int min_tier_bits) {
+  const auto& [placed, exponent, unit, bits, integers] = points;
   const exact::Tier tier = exact::choose_tier(bits, min_tier_bits);
   const bool dyadic = !scale || (scale->den & (scale->den - 1)) == 0;
   const double den = scale ? exact::round_to_double(BigRational(scale->den)) : 1;
-  const std::uint32_t scaled = scale ? scale->op : 2;
-  const bool turned = scale && points[scaled]->turned != nullptr;
+  const bool turned = scale && placed[scale->op]->turned != nullptr;
   // The integers as doubles, over a power of two where the denominator is one: of at most 53 bits, no step of making
   // them was rounded.
   const int shift = unit - exponent + (scale && dyadic ? static_cast<int>(msb(scale->den)) : 0);
   const double per_double = bits <= 53 && dyadic && !turned && std::abs(shift) <= 1000 ? power_of_two(shift) : 0;
-  std::shared_ptr<Lattice> lattice;
+  LatticeDoubles doubles;
+  doubles.tier_bits = static_cast<int>(tier);
+  // Sides have at most 2 B + 4 bits; doubles hold 53. A power of two below scaled coordinates changes nothing.
+  doubles.exact_doubles = bits <= 24 && dyadic;
+  if (tier == exact::Tier::b29) doubles.to_integers = per_double;
+  doubles.points = placed;
+  doubles.integers = integers;
+  doubles.unit = power_of_two(unit);
+  doubles.grid_exponent = exponent;
+  doubles.integers_per_unit = den == 1 ? power_of_two(unit - exponent) : std::ldexp(den, unit - exponent);
+  for (const auto& o : placed) doubles.span += std::max(o->width, o->height);
+  add_offsets(doubles, scale);
+  doubles.exact_input = doubles.exact_doubles && !scale &&
+                        doubles.span * doubles.unit + doubles.base_reach <= power_of_two(std::min(exponent + 50, 1000));
   switch (tier) {
     case exact::Tier::b29:
-      lattice = std::make_shared<LatticeOf<exact::Int<29>>>(exponent, per_double, std::move(scale));
-      break;
+      return std::make_shared<LatticeOf<exact::Int<29>>>(std::move(doubles), per_double, std::move(scale));
     case exact::Tier::b61:
-      lattice = std::make_shared<LatticeOf<exact::Int<61>>>(exponent, per_double, std::move(scale));
-      break;
+      return std::make_shared<LatticeOf<exact::Int<61>>>(std::move(doubles), per_double, std::move(scale));
     case exact::Tier::b512:
-      lattice = std::make_shared<LatticeOf<exact::Int<125>>>(exponent, per_double, std::move(scale));
-      break;
+      return std::make_shared<LatticeOf<exact::Int<125>>>(std::move(doubles), per_double, std::move(scale));
     case exact::Tier::arbitrary:
-      lattice = std::make_shared<LatticeOf<Big>>(exponent, per_double, std::move(scale));
       break;
   }
-  lattice->tier_bits = static_cast<int>(tier);
-  // Sides have at most 2 B + 4 bits; doubles hold 53. A power of two below scaled coordinates changes nothing.
-  lattice->exact_doubles = bits <= 24 && dyadic;
-  if (tier == exact::Tier::b29) lattice->to_integers = per_double;
-  lattice->points = std::move(points);
-  lattice->unit = power_of_two(unit);
-  lattice->grid_exponent = exponent;
-  lattice->integers_per_unit = den == 1 ? power_of_two(unit - exponent) : std::ldexp(den, unit - exponent);
-  for (std::uint32_t op = 0; op < 2; ++op) {
-    const PlacedPoints& o = *lattice->points[op];
-    lattice->span += std::max(o.width, o.height);
-    const Point at = op == scaled && turned ? lattice->position_of_low(op)
-                                            : Point{o.offset.x * o.stretch.x, o.offset.y * o.stretch.y};
-    const double x = at.x, y = at.y;
-    lattice->base.x += x;
-    lattice->base.y += y;
-    lattice->base_reach += std::abs(x) + std::abs(y);
-    // The factor and the product are rounded.
-    if (op == scaled) lattice->base_error = 0x1p-51 * (std::abs(x) + std::abs(y));
-  }
-  lattice->exact_input =
-      lattice->exact_doubles && scaled == 2 &&
-      lattice->span * lattice->unit + lattice->base_reach <= power_of_two(std::min(exponent + 50, 1000));
-  return lattice;
+  return std::make_shared<LatticeOf<Big>>(std::move(doubles), per_double, std::move(scale));
 }
 
-std::shared_ptr<Lattice> make_lattice(std::shared_ptr<const PlacedPoints> p, std::shared_ptr<const PlacedPoints> q,
-                                      int min_tier_bits) {
+std::shared_ptr<const Lattice> make_lattice(std::shared_ptr<const PlacedPoints> p,
+                                            std::shared_ptr<const PlacedPoints> q, int min_tier_bits, Further further) {
   std::array<std::shared_ptr<const PlacedPoints>, 2> points{std::move(p), std::move(q)};
   // All-zero coordinates are on every grid.
   const auto no_grid = [](const PlacedPoints& o) { return o.extent == 0 && o.offset == Point{}; };
@@ -450,7 +448,9 @@ std::shared_ptr<Lattice> make_lattice(std::shared_ptr<const PlacedPoints> p, std
     place_in_units(*moved, unit);
     o = std::move(moved);
   }
-  return build_lattice(std::move(points), exponent, unit, bits, std::nullopt, min_tier_bits);
+  return build_lattice({std::move(points), exponent, unit, bits,
+                        further == Further::lattices ? std::make_shared<SharedIntegers>() : nullptr},
+                       std::nullopt, min_tier_bits);
 }
 
 namespace {
@@ -463,7 +463,8 @@ double quotient(const exact::BigInteger& num, const exact::BigInteger& den) {
 
 }  // namespace
 
-std::shared_ptr<Lattice> make_scaled_lattice(const Lattice& unscaled, const LatticeScale& scale, int min_tier_bits) {
+std::shared_ptr<const Lattice> make_scaled_lattice(const Lattice& unscaled, const LatticeScale& scale,
+                                                   int min_tier_bits) {
   const int exponent = unscaled.grid_exponent, unit = unscaled.points[0]->unit;
   std::array<std::shared_ptr<const PlacedPoints>, 2> points = unscaled.points;
   int bits = 0;
@@ -475,9 +476,7 @@ std::shared_ptr<Lattice> make_scaled_lattice(const Lattice& unscaled, const Latt
   stretched->stretch = {quotient(scale.x, scale.den), quotient(scale.y, scale.den)};
   place_in_units(*stretched, unit);
   points[scale.op] = std::move(stretched);
-  std::shared_ptr<Lattice> lattice = build_lattice(std::move(points), exponent, unit, bits, scale, min_tier_bits);
-  lattice->integers = unscaled.integers;
-  return lattice;
+  return build_lattice({std::move(points), exponent, unit, bits, unscaled.integers}, scale, min_tier_bits);
 }
 
 }  // namespace dymsum::planar

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "dymsum/region.h"
@@ -99,10 +100,43 @@ struct SharedIntegers {
   std::array<std::vector<std::array<exact::i128, 2>>, 2> at;
 };
 
+/// What a lattice tells in doubles.
+struct LatticeDoubles {
+  int tier_bits = 0;           ///< 29, 61, 512, 0
+  bool exact_doubles = false;  ///< every planar sign of degree two is exact when computed in doubles
+  /// Not zero: what the doubles of vertices, edges and pair sums have to be multiplied with to be the integers,
+  /// exactly. Set where these have at most 29 bits: then signs of degree two are those of 64-bit expressions, orders of
+  /// cuts of 128-bit ones.
+  double to_integers = 0;
+  bool exact_input = false;  ///< pair sums in input coordinates are doubles without rounding
+  double span = 0;           ///< every pair sum has coordinates in [0, span]; a rounding errs by at most span * 2^-53
+  double unit = 1;           ///< doubles count multiples of this power of two: 1 unless an operand is huge or minute
+  double integers_per_unit =
+      1;                  ///< the exact layer's integers per unit of the doubles; may be infinite for huge exponents
+  int grid_exponent = 0;  ///< unscaled coordinates are integers times 2^grid_exponent
+  std::array<std::shared_ptr<const PlacedPoints>, 2> points;
+  std::shared_ptr<SharedIntegers>
+      integers;           ///< of unscaled coordinates, only for lattices made for further ones, and these
+  Point base;             ///< the sum of the offsets in input coordinates, rounded
+  double base_reach = 0;  ///< the sum of their absolute coordinates
+  double base_error = 0;  ///< of base, beyond one rounding
+
+  /// Edge vector, each component rounded once, three times where the operand is scaled.
+  Point vector(const Edge& e) const {
+    const PlacedPoints& o = *points[e.op];
+    if (o.turned != nullptr) return o.turned->vector(e.from, e.to);
+    const Point &a = o.input[e.from], &b = o.input[e.to];
+    return {(b.x - a.x) / unit * o.stretch.x, (b.y - a.y) / unit * o.stretch.y};
+  }
+  /// A rounded position in input coordinates.
+  Point to_input(double gx, double gy) const { return {gx * unit + base.x, gy * unit + base.y}; }
+};
+
 /// Integer operands and exact signs. Coordinates are grid units relative to one offset per operand, so that a
 /// translation of an operand never costs bits.
-class Lattice {
+class Lattice : public LatticeDoubles {
  public:
+  explicit Lattice(LatticeDoubles doubles) : LatticeDoubles(std::move(doubles)) {}
   virtual ~Lattice() = default;
 
   /// The sign of d x e, of d . e for two edge vectors.
@@ -140,44 +174,18 @@ class Lattice {
   virtual NearPosition near(const Place& x) const = 0;
   virtual NearPosition near(Pair v) const = 0;
 
-  /// Requires: tier_bits is not 0 and `integers` are set.
+  /// Requires: tier_bits is not 0, and the lattice was made for further ones.
   virtual const SharedIntegers& unscaled_integers() const = 0;
-  /// Where the origin of a rotated operand's integers lies in input coordinates, rounded.
-  virtual Point position_of_low(std::uint32_t op) const = 0;
-
-  int tier_bits = 0;           ///< 29, 61, 512, 0
-  bool exact_doubles = false;  ///< every planar sign of degree two is exact when computed in doubles
-  /// Not zero: what the doubles of vertices, edges and pair sums have to be multiplied with to be the integers,
-  /// exactly. Set where these have at most 29 bits: then signs of degree two are those of 64-bit expressions, orders of
-  /// cuts of 128-bit ones.
-  double to_integers = 0;
-  bool exact_input = false;  ///< pair sums in input coordinates are doubles without rounding
-  double span = 0;           ///< every pair sum has coordinates in [0, span]; a rounding errs by at most span * 2^-53
-  double unit = 1;           ///< doubles count multiples of this power of two: 1 unless an operand is huge or minute
-  double integers_per_unit =
-      1;                  ///< the exact layer's integers per unit of the doubles; may be infinite for huge exponents
-  int grid_exponent = 0;  ///< unscaled coordinates are integers times 2^grid_exponent
-  std::array<std::shared_ptr<const PlacedPoints>, 2> points;
-  std::shared_ptr<SharedIntegers> integers;  ///< of unscaled coordinates, only for lattices that are scaled
-  Point base;                                ///< the sum of the offsets in input coordinates, rounded
-  double base_reach = 0;                     ///< the sum of their absolute coordinates
-  double base_error = 0;                     ///< of base, beyond one rounding
-
-  /// Edge vector, each component rounded once, three times where the operand is scaled.
-  Point vector(const Edge& e) const {
-    const PlacedPoints& o = *points[e.op];
-    if (o.turned != nullptr) return o.turned->vector(e.from, e.to);
-    const Point &a = o.input[e.from], &b = o.input[e.to];
-    return {(b.x - a.x) / unit * o.stretch.x, (b.y - a.y) / unit * o.stretch.y};
-  }
-  /// A rounded position in input coordinates.
-  Point to_input(double gx, double gy) const { return {gx * unit + base.x, gy * unit + base.y}; }
 };
+
+/// Whether scaled and rotated lattices will be made from this one.
+enum class Further { none, lattices };
 
 /// Both operands on their common grid. `min_tier_bits` forces a larger tier. Points are placed anew when their units
 /// differ.
-std::shared_ptr<Lattice> make_lattice(std::shared_ptr<const PlacedPoints> p, std::shared_ptr<const PlacedPoints> q,
-                                      int min_tier_bits);
+std::shared_ptr<const Lattice> make_lattice(std::shared_ptr<const PlacedPoints> p,
+                                            std::shared_ptr<const PlacedPoints> q, int min_tier_bits,
+                                            Further further = Further::none);
 
 /// diag(x, y) / den, or a rotation, applied to operand `op`, about the origin of its input coordinates.
 struct LatticeScale {
@@ -187,10 +195,12 @@ struct LatticeScale {
 };
 
 /// The lattice of two operands of which one is scaled: integers are the scaled operand's times x or y and the other's
-/// times den; the doubles still count units of the unscaled lattice, which make_lattice has made and whose `integers`
-/// are set. O(n), a few operations a vertex.
-std::shared_ptr<Lattice> make_scaled_lattice(const Lattice& unscaled, const LatticeScale& scale, int min_tier_bits);
+/// times den; the doubles still count units of the unscaled lattice, which make_lattice has made for
+/// further ones. O(n), a few operations a vertex.
+std::shared_ptr<const Lattice> make_scaled_lattice(const Lattice& unscaled, const LatticeScale& scale,
+                                                   int min_tier_bits);
 /// The same for a rotation, by any angle, zero and pi too: vertices are never snapped.
-std::shared_ptr<Lattice> make_turned_lattice(const Lattice& unscaled, const LatticeScale& rotation, int min_tier_bits);
+std::shared_ptr<const Lattice> make_turned_lattice(const Lattice& unscaled, const LatticeScale& rotation,
+                                                   int min_tier_bits);
 
 }  // namespace dymsum::planar

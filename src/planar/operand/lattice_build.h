@@ -29,8 +29,16 @@ inline int factor_bits(const exact::BigInteger& n) {
   return (n & (n - 1)) == 0 ? top : top + 1;
 }
 
-/// Points in units of 2^unit, `exponent` the grid of both, coordinates of at most `bits` bits.
-std::shared_ptr<Lattice> build_lattice(std::array<std::shared_ptr<const PlacedPoints>, 2> points, int exponent,
-                                       int unit, int bits, std::optional<LatticeScale> scale, int min_tier_bits);
+/// Where the integers of a rotated operand begin in input coordinates, rounded.
+Point turned_offset(const PlacedPoints& points, const LatticeScale& rotation, int grid_exponent);
+
+/// The points of both operands in units of 2^unit, on a common grid, with coordinates of at most `bits` bits.
+struct LatticePoints {
+  std::array<std::shared_ptr<const PlacedPoints>, 2> points;
+  int grid_exponent = 0, unit = 0, bits = 0;
+  std::shared_ptr<SharedIntegers> integers;  ///< see LatticeDoubles
+};
+std::shared_ptr<const Lattice> build_lattice(LatticePoints points, std::optional<LatticeScale> scale,
+                                             int min_tier_bits);
 
 }  // namespace dymsum::planar

@@ -410,4 +410,9 @@ std::optional<Error> too_large(const Operand& operand) {
   return error;
 }
 
+bool has_component_without_area(const Operand& operand) {
+  return std::any_of(operand.components.begin(), operand.components.end(),
+                     [](const Component& c) { return c.dimension < 2; });
+}
+
 }  // namespace dymsum::planar

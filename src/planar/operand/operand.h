@@ -85,6 +85,14 @@ struct Operand {
   EdgeTrees trees_;
 };
 
+/// A segment by walk edge of one side and walk vertex of the other: side 0 is edge of P + vertex of Q.
+struct WalkSegment {
+  std::uint32_t side = 0, edge = 0, vertex = 0;
+};
+
+/// A pair of walk vertices (P, Q).
+using WalkPair = Pair;
+
 /// Operand `op` (0 = P, 1 = Q) of a region, or of its reflection. O(n log n); independent of the other operand, so that
 /// it can be kept.
 std::shared_ptr<Operand> make_operand(const EngineRegion& region, std::uint32_t op, bool reflected = false);
@@ -96,5 +104,8 @@ std::shared_ptr<const Operand> placed_on(const Lattice& lattice, std::shared_ptr
 /// The error for a coordinate that no sum can take: larger than 2^1000, so that differences overflow.
 std::optional<Error> too_large(const PlacedPoints& points);
 std::optional<Error> too_large(const Operand& operand);
+
+/// Whether some component is a polyline or a point.
+bool has_component_without_area(const Operand& operand);
 
 }  // namespace dymsum::planar

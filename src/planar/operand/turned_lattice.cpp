@@ -89,7 +89,21 @@ void place_turned(PlacedPoints& points, std::shared_ptr<TurnedPoints> turned, co
 
 }  // namespace
 
-std::shared_ptr<Lattice> make_turned_lattice(const Lattice& unscaled, const LatticeScale& rotation, int min_tier_bits) {
+// (x, -turn; turn, y) times the offset, and what was subtracted: integers over the denominator and the grid.
+Point turned_offset(const PlacedPoints& points, const LatticeScale& r, int grid_exponent) {
+  const exact::BigInteger x = exact::grid_coordinate<Big>(points.offset.x, grid_exponent).value();
+  const exact::BigInteger y = exact::grid_coordinate<Big>(points.offset.y, grid_exponent).value();
+  const exact::BigInteger power = exact::BigInteger(1) << std::abs(grid_exponent);
+  const auto rounded = [&](const exact::BigInteger& n) {
+    return exact::round_to_double(grid_exponent < 0 ? BigRational(n, exact::BigInteger(r.den * power))
+                                                    : BigRational(exact::BigInteger(n * power), r.den));
+  };
+  return {rounded(exact::BigInteger(r.x * x - r.turn * y + points.turned->low[0])),
+          rounded(exact::BigInteger(r.y * y + r.turn * x + points.turned->low[1]))};
+}
+
+std::shared_ptr<const Lattice> make_turned_lattice(const Lattice& unscaled, const LatticeScale& rotation,
+                                                   int min_tier_bits) {
   const int exponent = unscaled.grid_exponent, unit = unscaled.points[0]->unit;
   std::array<std::shared_ptr<const PlacedPoints>, 2> points = unscaled.points;
   const std::uint32_t op = rotation.op;
@@ -102,9 +116,7 @@ std::shared_ptr<Lattice> make_turned_lattice(const Lattice& unscaled, const Latt
   if (turned->at.empty()) bits = std::max(bits, exact::coordinate_bits(exact::Tier::b512) + 1);
   place_turned(*placed, std::move(turned), rotation.den, exponent, unit);
   points[op] = std::move(placed);
-  std::shared_ptr<Lattice> lattice = build_lattice(std::move(points), exponent, unit, bits, rotation, min_tier_bits);
-  lattice->integers = unscaled.integers;
-  return lattice;
+  return build_lattice({std::move(points), exponent, unit, bits, unscaled.integers}, rotation, min_tier_bits);
 }
 
 }  // namespace dymsum::planar

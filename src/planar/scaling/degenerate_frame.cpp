@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "planar/arrangement/crossings.h"
+#include "planar/boundary/tight_features.h"
 
 namespace dymsum::planar {
 namespace {
@@ -59,7 +60,7 @@ SumState degenerate_frame(const Window& window, const ReducedConvolution& convol
   }
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-  Array<DeadMark> marks(&scratch);
+  Array<CoveredMark> marks(&scratch);
   for (const Piece& p : window.pieces) {
     const double length = window.segments[p.segment].length(tau);
     if (p.head_cut) marks.push_back({p.segment, p.head.at(tau) / length});

@@ -33,7 +33,6 @@ class DelegatingLattice : public Lattice {
   NearPosition near(const Place& x) const override { return plain_.near(x); }
   NearPosition near(Pair v) const override { return plain_.near(v); }
   const SharedIntegers& unscaled_integers() const override { return plain_.unscaled_integers(); }
-  Point position_of_low(std::uint32_t op) const override { return plain_.position_of_low(op); }
 
  private:
   const Lattice& plain_;

@@ -4,7 +4,9 @@
 #include <chrono>
 #include <cmath>
 
+#include "planar/boundary/boundary.h"
 #include "planar/position/vertex_order.h"
+#include "planar/result/finish_sum.h"
 #include "planar/scaling/degenerate_frame.h"
 #include "planar/scaling/fill_lattice.h"
 #include "planar/scaling/frame_cost.h"

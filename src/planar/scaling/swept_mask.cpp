@@ -46,14 +46,14 @@ Raster rasterize(const Operand& o, const Grid& cells, bool moves, const At& at) 
   return raster;
 }
 
-DeadCells dead_cells_of(const Lattice& unscaled, const std::array<Operand, 2>& operands, const WindowFrame& frame,
-                        int cells, bool use) {
+CoveredCells covered_cells_of(const Lattice& unscaled, const std::array<Operand, 2>& operands, const WindowFrame& frame,
+                              int cells, bool use) {
   std::array<double, 2> width{unscaled.points[0]->width, unscaled.points[1]->width};
   std::array<double, 2> height{unscaled.points[0]->height, unscaled.points[1]->height};
   width[frame.moving] *= frame.tau1;
   height[frame.moving] *= frame.tau1;
   const SumGrid grid(width, height, cells);
-  if (!use) return DeadCells(grid.whole);
+  if (!use) return CoveredCells(grid.whole);
   const auto raster = [&](std::uint32_t op) {
     const std::vector<double>&x = unscaled.points[op]->x, &y = unscaled.points[op]->y;
     if (op != frame.moving)
@@ -63,13 +63,13 @@ DeadCells dead_cells_of(const Lattice& unscaled, const std::array<Operand, 2>& o
       return Place2{tau * x[v] + frame.shift_x(tau), tau * y[v] + frame.shift_y(tau)};
     });
   };
-  return DeadCells(grid.whole, raster(0), raster(1));
+  return CoveredCells(grid.whole, raster(0), raster(1));
 }
 
 }  // namespace
 
 SweptMask::SweptMask(const Lattice& unscaled, const std::array<Operand, 2>& operands, const WindowFrame& frame,
                      int cells, bool use)
-    : DeadCells(dead_cells_of(unscaled, operands, frame, cells, use)) {}
+    : CoveredCells(covered_cells_of(unscaled, operands, frame, cells, use)) {}
 
 }  // namespace dymsum::planar

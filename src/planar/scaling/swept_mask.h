@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "planar/mask/dead_cells.h"
+#include "planar/mask/covered_cells.h"
 #include "planar/operand/operand.h"
 
 namespace dymsum::planar {
@@ -60,7 +60,7 @@ void for_each_swept_run(const Grid& grid, const double (&x)[4], const double (&y
 }
 
 /// Dead cells: their closures, grown by 8 kReach cells, lie in int P + Q or P + int Q at every scale of the window.
-class SweptMask : public DeadCells {
+class SweptMask : public CoveredCells {
  public:
   /// `cells` along the longer side. Without `use` no cell is dead and only the grid is made.
   SweptMask(const Lattice& unscaled, const std::array<Operand, 2>& operands, const WindowFrame& frame, int cells,

@@ -201,8 +201,8 @@ class Window {
   WindowFrame frame_, swept_;
   double span_ = 0;
   std::vector<PieceEnds> ends_;
-  std::vector<WalkPair> touch_pair_;  // per touch, until nodes are made
-  std::shared_ptr<Lattice> doubled_;  // the lattice at scale 2: a linear form that is zero there and at 1 is zero
+  std::vector<WalkPair> touch_pair_;        // per touch, until nodes are made
+  std::shared_ptr<const Lattice> doubled_;  // the lattice at scale 2: a linear form that is zero there and at 1 is zero
 };
 
 }  // namespace dymsum::planar

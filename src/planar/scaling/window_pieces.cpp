@@ -60,7 +60,7 @@ class PieceCutter {
     if (near.live == near.all) return cuts_;
     for_each_cell_run(grid_, s.ax[0], s.ay[0], s.ax[0] + s.ex[0], s.ay[0] + s.ey[0], [&](int row, int first, int last) {
       for (int c = first; c <= last; ++c) {
-        if (!mask_.dead(row, c)) continue;
+        if (!mask_.covered(row, c)) continue;
         const std::optional<double> from = chord_middle(s, 0, row, c);
         if (!from) continue;
         if (const std::optional<double> to = chord_middle(s, 1, row, c)) cuts_.push_back({{*from, *to}});

@@ -15,7 +15,7 @@ using namespace planar;
 
 // P and z - Q on one lattice: z is the sum of vertex `z` of P and vertex `origin` of Q.
 struct Query {
-  std::shared_ptr<Lattice> lattice;
+  std::shared_ptr<const Lattice> lattice;
   std::shared_ptr<const Operand> p, q;
   Pair z;
 };

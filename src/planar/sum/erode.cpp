@@ -9,6 +9,7 @@
 #include "planar/region/complement.h"
 #include "planar/region/region_sweep.h"
 #include "planar/region/separate_touching.h"
+#include "planar/result/finish_sum.h"
 #include "planar/sum/sum_engine.h"
 
 namespace dymsum {

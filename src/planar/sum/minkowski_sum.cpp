@@ -4,6 +4,7 @@
 
 #include "planar/operand/prepared_region.h"
 #include "planar/region/separate_touching.h"
+#include "planar/result/finish_sum.h"
 #include "planar/sum/sum_engine.h"
 
 namespace dymsum {

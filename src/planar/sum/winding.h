@@ -1,11 +1,12 @@
 // The winding engine: an independent way to the boundary, through the kinetic convolution and winding numbers.
 #pragma once
 
-#include "planar/sum/sum_engine.h"
+#include "base/poll.h"
+#include "planar/result/sum_state.h"
 
 namespace dymsum::planar {
 
-/// Fills state.boundary. Returns false when stopped by the progress callback.
-bool run_winding(const SumOptions& options, SumState& state);
+/// Fills state.boundary.
+void run_winding(const SumOptions& options, SumState& state, Poll& poll);
 
 }  // namespace dymsum::planar

@@ -21,7 +21,7 @@ RotatingWindow::RotatingWindow(const TurnGrid& grid, const TurnCatalog& catalog,
     turned_.push_back({heading.c * p.x - heading.s * p.y, heading.s * p.x + heading.c * p.y});
     moved_.push_back(moved(forms_, v, half));
   }
-  const DeadCells dead = mask ? dead_cells(grid, turned_, half) : DeadCells(grid.grid.whole);
+  const CoveredCells dead = mask ? covered_cells(grid, turned_, half) : CoveredCells(grid.grid.whole);
   add_segments(dead);
   find_next();
   find_meetings(dead);
@@ -61,7 +61,7 @@ RotatingWindow::Swept RotatingWindow::swept(const WalkSegment& s) const {
   return w;
 }
 
-void RotatingWindow::add_segments(const DeadCells& dead) {
+void RotatingWindow::add_segments(const CoveredCells& dead) {
   const Grid& g = dead.grid();
   for (std::uint32_t side = 0; side < 2; ++side) turns_[side].assign(forms_.size(1 - side), {});
   const std::size_t usual =
@@ -106,7 +106,7 @@ void RotatingWindow::add_segments(const DeadCells& dead) {
 
 // Cut where a point of the segment stays in one dead cell throughout: at the middle it lies farther inside than it
 // moves.
-void RotatingWindow::add_pieces(const Swept& w, const DeadCells& dead) {
+void RotatingWindow::add_pieces(const Swept& w, const CoveredCells& dead) {
   const Grid& g = dead.grid();
   const double x = w.x() + shift_, y = w.y() + shift_, reach = w.reach + 2 * kReach * g.cell;
   const auto cells_near = [&](double from, double to) {
@@ -123,7 +123,7 @@ void RotatingWindow::add_pieces(const Swept& w, const DeadCells& dead) {
                      1 / w.d.y;  // infinite for upright and level ones, which lie in the range of a cell or beside it
     for_each_cell_run(g, x, y, x + w.d.x, y + w.d.y, [&](int row, int first, int last) {
       for (int c = first; c <= last; ++c) {
-        if (!dead.dead(row, c)) continue;
+        if (!dead.covered(row, c)) continue;
         double t0 = 0, t1 = 1;
         const auto clip = [&](double from, double per, int cell) {
           const double u = (cell * g.cell + reach - from) * per, v = ((cell + 1) * g.cell - reach - from) * per;
@@ -182,7 +182,7 @@ RotatingWindow::Box RotatingWindow::box_of(const TurnPiece& p, double reach) con
 
 // Pieces whose swept boxes meet in a live cell, less those that certainly do not meet: what meets in dead cells is
 // covered.
-void RotatingWindow::find_meetings(const DeadCells& dead) {
+void RotatingWindow::find_meetings(const CoveredCells& dead) {
   const Grid& g = dead.grid();
   const double reach = kReach * g.cell;
   BoxPairs pairs(forms_.span());
@@ -211,7 +211,7 @@ void RotatingWindow::find_meetings(const DeadCells& dead) {
     kept += !apart(p, q);
   }
   meetings.resize(kept);
-  if (dead.dead_cells() == 0) return;
+  if (dead.covered_cells() == 0) return;
   std::erase_if(meetings, [&](const TurnMeeting& m) {
     const Box u = box_of(pieces[m.a], reach), v = box_of(pieces[m.b], reach);
     return dead.live(g.row(std::max(u.y0, v.y0)), g.column(std::max(u.x0, v.x0)), g.row(std::min(u.y1, v.y1)),

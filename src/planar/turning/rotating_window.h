@@ -79,10 +79,10 @@ class RotatingWindow {
     std::uint32_t lo = 0, count = 0, base = 0;
   };
   Swept swept(const WalkSegment& s) const;
-  void add_segments(const DeadCells& dead);
-  void add_pieces(const Swept& w, const DeadCells& dead);
+  void add_segments(const CoveredCells& dead);
+  void add_pieces(const Swept& w, const CoveredCells& dead);
   Box box_of(const TurnPiece& p, double reach) const;
-  void find_meetings(const DeadCells& dead);
+  void find_meetings(const CoveredCells& dead);
   bool apart(const TurnPiece& p, const TurnPiece& q) const;
   void index_meetings();
   void find_next();

@@ -3,6 +3,7 @@
 #include "dymsum/cspace_obstacle.h"
 #include "dymsum/orientation_sum.h"
 #include "planar/operand/prepared_region.h"
+#include "planar/result/finish_sum.h"
 #include "planar/turning/turn.h"
 
 namespace dymsum::planar {

@@ -49,7 +49,7 @@ TurnGrid::TurnGrid(const TurningForms& forms, int cells, std::size_t most_long_e
 
 // Inner: farther from the boundary than any of its points moves. Touched at every angle: at the middle, an edge comes
 // into what remains of the cell when a rim as wide as the edge moves is taken off.
-DeadCells dead_cells(const TurnGrid& base, const std::vector<Point>& turned, double half) {
+CoveredCells covered_cells(const TurnGrid& base, const std::vector<Point>& turned, double half) {
   const TurningForms& forms = base.forms;
   const Grid& cells = base.grid.part[1];
   const Operand& o = forms.operand(1);
@@ -74,8 +74,9 @@ DeadCells dead_cells(const TurnGrid& base, const std::vector<Point>& turned, dou
     });
   }
   windings.fill(boundary, raster);
-  if (base.long_edges[0].empty() || base.long_edges[1].empty()) return DeadCells(base.grid.whole, base.fixed, raster);
-  DeadCells dead(base.grid.whole, base.fixed, raster, DeadCells::Counts::left_out);
+  if (base.long_edges[0].empty() || base.long_edges[1].empty())
+    return CoveredCells(base.grid.whole, base.fixed, raster);
+  CoveredCells dead(base.grid.whole, base.fixed, raster, CoveredCells::Counts::left_out);
   dead.add(edge_parallelograms(base, turned, half));
   return dead;
 }

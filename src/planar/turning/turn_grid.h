@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "planar/mask/dead_cells.h"
+#include "planar/mask/covered_cells.h"
 #include "planar/turning/turning_forms.h"
 
 namespace dymsum::planar {
@@ -27,6 +27,6 @@ inline double moved(const TurningForms& forms, std::uint32_t v, double half) {
 
 /// Cells of the sum that are inside it at every angle within `half` of the one at which the turning operand's vertices
 /// are `turned`.
-DeadCells dead_cells(const TurnGrid& base, const std::vector<Point>& turned, double half);
+CoveredCells covered_cells(const TurnGrid& base, const std::vector<Point>& turned, double half);
 
 }  // namespace dymsum::planar

@@ -12,6 +12,8 @@
 #include "oracles/pair_text.h"
 #include "oracles/sanitized.h"
 #include "planar/operand/prepared_region.h"
+#include "planar/result/finish_sum.h"
+#include "planar/sum/live_segments.h"
 #include "planar/sum/sum_engine.h"
 
 namespace dymsum::planar {
@@ -74,7 +76,7 @@ TEST(CoveredTranslates, spans_hold_every_point_outside_the_open_sum) {
     const auto op = placed_on(*lattice, kept_p), oq = placed_on(*lattice, kept_q);
     const ReducedConvolution convolution(*lattice, *op, *oq);
     Soup soup(*lattice, *op, *oq);
-    soup.add(convolution);
+    add_all(convolution, soup);
     const Progress never;
     const Array<Span> spans = uncovered_spans(soup, 0x1p-28 * lattice->span, 1, Poll(never));
     ASSERT_FALSE(spans.empty());

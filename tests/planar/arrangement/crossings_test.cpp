@@ -17,6 +17,7 @@
 #include "oracles/tiny_regions.h"
 #include "planar/convolution/convolution.h"
 #include "planar/operand/prepared_region.h"
+#include "planar/sum/live_segments.h"
 
 namespace dymsum::planar {
 namespace {
@@ -31,9 +32,9 @@ struct Segments {
     p = placed_on(*lattice, kept_p);
     q = placed_on(*lattice, kept_q);
     soup.emplace(*lattice, *p, *q);
-    soup->add(ReducedConvolution(*lattice, *p, *q));
+    add_all(ReducedConvolution(*lattice, *p, *q), *soup);
   }
-  std::shared_ptr<Lattice> lattice;
+  std::shared_ptr<const Lattice> lattice;
   std::shared_ptr<const Operand> p, q;
   std::optional<Soup> soup;
 };
@@ -71,7 +72,7 @@ Found of_sweep(const Segments& s) {
 }
 Found of_grid(const Segments& s, int cells) {
   const SumGrid sum_grid({s.p->points->width, s.q->points->width}, {s.p->points->height, s.q->points->height}, cells);
-  Array<DeadMark> marks;
+  Array<CoveredMark> marks;
   const Found f = found(s, [&](CrossingFinder& finder) { finder.grid(sum_grid.whole, nullptr, marks); });
   EXPECT_TRUE(marks.empty());
   return f;

@@ -30,7 +30,7 @@ struct Operands {
   }
   const Operand& of(std::uint32_t op) const { return op == 0 ? p : q; }
 
-  std::shared_ptr<Lattice> lattice;
+  std::shared_ptr<const Lattice> lattice;
   Operand p, q;
 };
 

@@ -18,7 +18,7 @@ namespace {
 
 void expect_in_order(const RegionData& data, const std::string& what) {
   const std::shared_ptr<Operand> o = make_operand(separate_touching(data, {}), 0);
-  const std::shared_ptr<Lattice> lattice = make_lattice(o->points, place_points({}), 512);
+  const std::shared_ptr<const Lattice> lattice = make_lattice(o->points, place_points({}), 512);
   for (const std::array<std::uint32_t, 2>& lists : o->component_directions)
     for (const std::uint32_t l : lists) {
       const DirectionList& list = o->directions[l];

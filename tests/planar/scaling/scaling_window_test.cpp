@@ -78,7 +78,8 @@ Region plate(double size, double low, double high) {
 
 /// Dead cells beside live ones: how many there are, and how many of them do not lie in the open sum with the rim that
 /// they promise.
-std::pair<int, int> dead_cells_and_wrong_ones(const Region& p, const Region& q, planar::WindowFrame frame, int cells) {
+std::pair<int, int> covered_cells_and_wrong_ones(const Region& p, const Region& q, planar::WindowFrame frame,
+                                                 int cells) {
   auto base = planar::OperandPair::create(p, q, 1, 0).value();
   frame.centre_x = base->width[frame.moving] / 2;
   frame.centre_y = base->height[frame.moving] / 2;
@@ -90,7 +91,7 @@ std::pair<int, int> dead_cells_and_wrong_ones(const Region& p, const Region& q, 
                                                 frame.moving == 1 ? multiplied(q, tau, tau).data() : q.data());
     for (int row = 1; row + 1 < g.rows; ++row)
       for (int column = 1; column + 1 < g.columns; ++column) {
-        if (!mask.dead(row, column) || mask.live(row - 1, column - 1, row + 1, column + 1) == 0) continue;
+        if (!mask.covered(row, column) || mask.live(row - 1, column - 1, row + 1, column + 1) == 0) continue;
         ++dead;
         const double rim = 8 * planar::kReach;
         bool inside = true;
@@ -104,9 +105,9 @@ std::pair<int, int> dead_cells_and_wrong_ones(const Region& p, const Region& q, 
   return {dead, wrong};
 }
 
-TEST(ScalingWindow, dead_cells_lie_in_the_open_sum_with_their_rim_at_every_scale) {
+TEST(ScalingWindow, covered_cells_lie_in_the_open_sum_with_their_rim_at_every_scale) {
   const auto check = [](const Region& p, const Region& q, std::uint32_t moving, double tau0, double tau1, int cells) {
-    const auto [dead, wrong] = dead_cells_and_wrong_ones(p, q, {moving, tau0, tau1, 0, 0}, cells);
+    const auto [dead, wrong] = covered_cells_and_wrong_ones(p, q, {moving, tau0, tau1, 0, 0}, cells);
     EXPECT_GT(dead, 20);
     EXPECT_EQ(wrong, 0) << cells << " cells from " << tau0 << " to " << tau1;
   };

@@ -17,7 +17,7 @@ namespace {
 
 bool answers(const Region& a, const Region& b) {
   const auto kept_p = prepared_operand(a, 0), kept_q = prepared_operand(b, 1);
-  const std::shared_ptr<Lattice> lattice = make_lattice(kept_p->points, kept_q->points, 0);
+  const std::shared_ptr<const Lattice> lattice = make_lattice(kept_p->points, kept_q->points, 0);
   return convex_boundary(*lattice, *placed_on(*lattice, kept_p), *placed_on(*lattice, kept_q)).has_value();
 }
 

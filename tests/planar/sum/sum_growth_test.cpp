@@ -13,6 +13,7 @@
 #include "oracles/sanitized.h"
 #include "oracles/verdict.h"
 #include "planar/operand/prepared_region.h"
+#include "planar/result/finish_sum.h"
 #include "planar/sum/sum_engine.h"
 
 namespace dymsum {

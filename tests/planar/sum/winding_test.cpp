@@ -37,7 +37,7 @@ struct Operands {
     p = *placed_on(*lattice, kept_p);
     q = *placed_on(*lattice, kept_q);
   }
-  std::shared_ptr<Lattice> lattice;
+  std::shared_ptr<const Lattice> lattice;
   Operand p, q;
 };
 

@@ -1,5 +1,5 @@
-// Dead cells against the definition, cell by cell.
-#include "planar/mask/dead_cells.h"
+// Covered cells against the definition, cell by cell.
+#include "planar/mask/covered_cells.h"
 
 #include <gtest/gtest.h>
 
@@ -28,7 +28,7 @@ Raster random_raster(oracles::Random& random, int rows, int columns, int blocks)
 }
 
 std::vector<std::uint8_t> by_definition(const Grid& grid, const Raster& p, const Raster& q) {
-  std::vector<std::uint8_t> dead(std::size_t(grid.rows) * grid.columns, 0);
+  std::vector<std::uint8_t> covered(std::size_t(grid.rows) * grid.columns, 0);
   bool corners_p = false, corners_q = false;
   const auto for_each = [](const Bitmap& map, auto&& f) {
     for (int r = 0; r < map.rows; ++r)
@@ -41,7 +41,7 @@ std::vector<std::uint8_t> by_definition(const Grid& grid, const Raster& p, const
       any = true;
       for_each(b, [&](int r, int c) {
         for (int u = 0; u <= spread; ++u)
-          for (int v = 0; v <= spread; ++v) dead[std::size_t(i + r + u) * grid.columns + (j + c + v)] = 1;
+          for (int v = 0; v <= spread; ++v) covered[std::size_t(i + r + u) * grid.columns + (j + c + v)] = 1;
       });
     });
   };
@@ -49,7 +49,7 @@ std::vector<std::uint8_t> by_definition(const Grid& grid, const Raster& p, const
   add(q.inner, p.touch, true, corners_q, 0);
   bool any = false;
   if (!corners_p || !corners_q) add(p.inner, q.inner, false, any, 1);
-  return dead;
+  return covered;
 }
 
 /// Rows of one long run with ragged ends, some with a gap: most sums of two runs lie in longer ones.
@@ -73,7 +73,7 @@ Raster solid_raster(oracles::Random& random, int rows, int columns) {
 }
 
 struct Counts {
-  std::size_t dead = 0, live = 0;
+  std::size_t covered = 0, live = 0;
 };
 
 Counts compare_with_definition(const Raster& p, const Raster& q, std::uint64_t seed) {
@@ -81,23 +81,23 @@ Counts compare_with_definition(const Raster& p, const Raster& q, std::uint64_t s
   grid.rows = p.inner.rows + q.inner.rows;
   grid.columns = p.inner.columns + q.inner.columns;
   grid.cell = grid.per_cell = 1;
-  const DeadCells cells(grid, p, q);
+  const CoveredCells cells(grid, p, q);
   const std::vector<std::uint8_t> expected = by_definition(grid, p, q);
   std::size_t wrong = 0;
   Counts counts;
   for (int r = 0; r < grid.rows; ++r)
     for (int c = 0; c < grid.columns; ++c) {
       const bool d = expected[std::size_t(r) * grid.columns + c] != 0;
-      wrong += cells.dead(r, c) != d;
-      (d ? counts.dead : counts.live) += 1;
+      wrong += cells.covered(r, c) != d;
+      (d ? counts.covered : counts.live) += 1;
       if (cells.live(r, c, r, c) != (d ? 0u : 1u)) ++wrong;
     }
   EXPECT_EQ(wrong, 0u) << "seed " << seed;
   return counts;
 }
 
-TEST(DeadCells, are_the_sums_of_inner_corners_and_touched_cells) {
-  std::size_t dead = 0, live = 0;
+TEST(CoveredCells, are_the_sums_of_inner_corners_and_touched_cells) {
+  std::size_t covered = 0, live = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     oracles::Random random(seed);
     const auto size = [&] { return 3 + static_cast<int>(random.below(seed % 3 == 0 ? 150 : 30)); };
@@ -105,21 +105,21 @@ TEST(DeadCells, are_the_sums_of_inner_corners_and_touched_cells) {
     const Raster p = random_raster(random, rows_p, columns_p, seed % 5 == 0 ? 1 : 8),
                  q = random_raster(random, rows_q, columns_q, 6);
     const Counts counts = compare_with_definition(p, q, seed);
-    dead += counts.dead;
+    covered += counts.covered;
     live += counts.live;
   }
-  EXPECT_GT(dead, 10000u);
+  EXPECT_GT(covered, 10000u);
   EXPECT_GT(live, 10000u);
 }
 
-TEST(DeadCells, of_solid_operands_are_the_same_by_runs) {
+TEST(CoveredCells, of_solid_operands_are_the_same_by_runs) {
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     oracles::Random random(seed);
     const int rows_p = 10 + static_cast<int>(random.below(30)), rows_q = 10 + static_cast<int>(random.below(30));
     const Raster p = solid_raster(random, rows_p, 130 + static_cast<int>(random.below(80)));
     const Raster q = solid_raster(random, rows_q, 130 + static_cast<int>(random.below(80)));
     const Counts counts = compare_with_definition(p, q, seed);
-    EXPECT_GT(counts.dead, 1000u);
+    EXPECT_GT(counts.covered, 1000u);
     EXPECT_GT(counts.live, 100u);
   }
 }

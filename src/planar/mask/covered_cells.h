@@ -104,27 +104,27 @@ struct SumGrid {
 
 /// The cells of the sum in which every point is one of int P + Q or P + int Q; docs/design/planar-sum.md, "interior
 /// mask".
-class DeadCells {
+class CoveredCells {
  public:
   /// Whether live() will be asked.
   enum class Counts { made, left_out };
 
-  /// No cell is dead.
-  explicit DeadCells(const Grid& grid);
-  DeadCells(const Grid& grid, const Raster& p, const Raster& q, Counts counts = Counts::made);
+  /// No cell is covered.
+  explicit CoveredCells(const Grid& grid);
+  CoveredCells(const Grid& grid, const Raster& p, const Raster& q, Counts counts = Counts::made);
   /// Others that lie inside. The counts are made.
   void add(const Bitmap& inside);
 
   const Grid& grid() const { return grid_; }
-  bool dead(int row, int column) const { return dead_.get(row, column); }
+  bool covered(int row, int column) const { return covered_.get(row, column); }
   /// One more cell, proved otherwise. Counts are not made again.
-  void cover(int row, int column) { dead_.set(row, column); }
+  void cover(int row, int column) { covered_.set(row, column); }
   /// Whether some cell of a rectangle is live. O(rows) for up to 64 columns; a live cell in the first rows ends it.
   bool any_live(int row0, int column0, int row1, int column1) const {
     const int a = column0 / 64, b = column1 / 64;
     const std::uint64_t head = ~std::uint64_t{0} << (column0 % 64), tail = ~std::uint64_t{0} >> (63 - column1 % 64);
     for (int r = row0; r <= row1; ++r) {
-      const std::uint64_t* w = dead_.row(r);
+      const std::uint64_t* w = covered_.row(r);
       if (a == b) {
         if ((~w[a] & head & tail) != 0) return true;
         continue;
@@ -141,16 +141,16 @@ class DeadCells {
     const auto at = [&](int r, int c) { return sums_[std::size_t(r) * w + c]; };
     return at(row1 + 1, column1 + 1) - at(row0, column1 + 1) - at(row1 + 1, column0) + at(row0, column0);
   }
-  std::size_t dead_cells() const { return dead_cells_; }
-  std::size_t bytes() const { return dead_.bits.size() * 8 + sums_.size() * 4; }
+  std::size_t covered_cells() const { return covered_cells_; }
+  std::size_t bytes() const { return covered_.bits.size() * 8 + sums_.size() * 4; }
 
  private:
   void count();
 
   Grid grid_;
-  Bitmap dead_;
+  Bitmap covered_;
   std::vector<std::uint32_t> sums_;  // live cells left of and below a corner
-  std::size_t dead_cells_ = 0;
+  std::size_t covered_cells_ = 0;
 };
 
 }  // namespace dymsum::planar

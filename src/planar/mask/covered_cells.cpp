@@ -1,4 +1,4 @@
-#include "planar/mask/dead_cells.h"
+#include "planar/mask/covered_cells.h"
 
 #include <bit>
 #include <cmath>
@@ -296,32 +296,32 @@ SumGrid::SumGrid(std::array<double, 2> width, std::array<double, 2> height, int 
   whole.rows = part[0].rows + part[1].rows;
 }
 
-DeadCells::DeadCells(const Grid& grid) : grid_(grid), dead_(grid.rows, grid.columns) { count(); }
+CoveredCells::CoveredCells(const Grid& grid) : grid_(grid), covered_(grid.rows, grid.columns) { count(); }
 
-DeadCells::DeadCells(const Grid& grid, const Raster& p, const Raster& q, Counts counts)
-    : grid_(grid), dead_(grid.rows, grid.columns) {
+CoveredCells::CoveredCells(const Grid& grid, const Raster& p, const Raster& q, Counts counts)
+    : grid_(grid), covered_(grid.rows, grid.columns) {
   const Bitmap corners_p = inner_corners(p.inner), corners_q = inner_corners(q.inner);
   // Inner cells that form no block of four still make pairs.
-  if (!corners_p.any() || !corners_q.any()) add_sums(dead_, p.inner, q.inner, 1);
-  add_sums(dead_, corners_p, q.touch, 0);
-  add_sums(dead_, corners_q, p.touch, 0);
+  if (!corners_p.any() || !corners_q.any()) add_sums(covered_, p.inner, q.inner, 1);
+  add_sums(covered_, corners_p, q.touch, 0);
+  add_sums(covered_, corners_q, p.touch, 0);
   if (counts == Counts::made) count();
 }
 
-void DeadCells::add(const Bitmap& inside) {
-  for (std::size_t i = 0; i < dead_.bits.size(); ++i) dead_.bits[i] |= inside.bits[i];
+void CoveredCells::add(const Bitmap& inside) {
+  for (std::size_t i = 0; i < covered_.bits.size(); ++i) covered_.bits[i] |= inside.bits[i];
   count();
 }
 
-void DeadCells::count() {
+void CoveredCells::count() {
   const std::size_t w = std::size_t(grid_.columns) + 1;
-  dead_cells_ = 0;
+  covered_cells_ = 0;
   sums_.assign(w * (grid_.rows + 1), 0);
   for (int r = 0; r < grid_.rows; ++r) {
     std::uint32_t live = 0;
     for (int c = 0; c < grid_.columns; ++c) {
-      const bool d = dead(r, c);
-      dead_cells_ += d;
+      const bool d = covered(r, c);
+      covered_cells_ += d;
       live += !d;
       sums_[(r + 1) * w + c + 1] = sums_[r * w + c + 1] + live;
     }
