@@ -9,7 +9,7 @@
 namespace dymsum::cli {
 
 void stop_with(const Error& error) {
-  if (error.code == Code::cancelled) throw Stop(kInterrupted, "interrupted");
+  if (error.code == ErrorCode::cancelled) throw Stop(kInterrupted, "interrupted");
   throw Stop(kBadInput, error);
 }
 

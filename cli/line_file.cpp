@@ -20,7 +20,7 @@ std::string file_text(const std::string& file, const std::string& what) {
   if (file == "-") return standard_input();
   std::ifstream in(file, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  if (!in) refuse_line({Code::cannot_open, what + " cannot be read", {}}, file, std::nullopt);
+  if (!in) refuse_line({ErrorCode::cannot_open, what + " cannot be read", {}}, file, std::nullopt);
   return without_mark(std::move(text));
 }
 

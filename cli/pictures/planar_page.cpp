@@ -8,7 +8,7 @@
 namespace dymsum::cli {
 namespace {
 
-constexpr const char* kShow = R"(
+constexpr const char* kShowPlanarFrame = R"(
 const ns = 'http://www.w3.org/2000/svg';
 function made(name, attributes) {
   const e = document.createElementNS(ns, name);
@@ -70,7 +70,7 @@ std::string scrub_page(const std::vector<PicturedFrame>& frames, const std::vect
     legend.push_back({"#777777", "low tick: an event"});
     legend.push_back({kTightColour, "high tick: the topology changes"});
   }
-  return page(title, drawing.str(), legend, "", list.dump(), "const ticks = " + ticks.dump() + ";" + kShow);
+  return page(title, drawing.str(), legend, "", list.dump(), "const ticks = " + ticks.dump() + ";" + kShowPlanarFrame);
 }
 
 }  // namespace dymsum::cli

@@ -13,7 +13,7 @@
 namespace dymsum::cli {
 namespace {
 
-constexpr const char* kShow = R"(
+constexpr const char* kShowSolidFrame = R"(
 const colours = ['#e8a33d', '#5bb98c', '#8cbae6', '#b3b8bf', '#d81e3a'];
 const canvas = el('drawing'), draw = canvas.getContext('2d'), changes = el('changes');
 let yaw = 0.6, pitch = 0.4;
@@ -103,7 +103,7 @@ std::string solid_page(const std::vector<SolidPicture>& frames, const std::strin
   std::ostringstream constants;
   constants.precision(17);
   constants << "const reach = " << (reach > 0 ? reach : 1) << ";";
-  return page(title, "<canvas id=\"drawing\"></canvas>", legend, extra, list.dump(), constants.str() + kShow);
+  return page(title, "<canvas id=\"drawing\"></canvas>", legend, extra, list.dump(), constants.str() + kShowSolidFrame);
 }
 
 }  // namespace dymsum::cli

@@ -13,7 +13,7 @@ namespace dymsum::cli {
 namespace {
 
 [[noreturn]] void refuse(const std::string& file, const std::string& what, std::optional<std::int64_t> line = {}) {
-  refuse_line({Code::malformed, what, {}}, file, line);
+  refuse_line({ErrorCode::malformed, what, {}}, file, line);
 }
 
 std::vector<Configuration> poses_of_lines(const std::string& file, const std::string& text) {
@@ -28,9 +28,10 @@ std::vector<Configuration> poses_of_lines(const std::string& file, const std::st
   return poses;
 }
 
-Rational rational_in(const std::string& text) {
-  const std::size_t bar = text.find('/');
-  return bar == std::string::npos ? Rational{text, "1"} : Rational{text.substr(0, bar), text.substr(bar + 1)};
+Rational rational_in(const std::string& file, const std::string& text) {
+  const Result<Rational> value = Rational::parse(text);
+  if (!value) refuse(file, value.error().message);
+  return *value;
 }
 
 Waypoint::Move move_in(const std::string& file, const std::string& name) {
@@ -44,8 +45,8 @@ Waypoint::Move move_in(const std::string& file, const std::string& name) {
 Waypoint waypoint_in(const std::string& file, const Json& json) {
   Waypoint w;
   w.move = move_in(file, json.at("move").get<std::string>());
-  w.at = {rational_in(json.at("exact").at(0).get<std::string>()),
-          rational_in(json.at("exact").at(1).get<std::string>())};
+  w.at = {rational_in(file, json.at("exact").at(0).get<std::string>()),
+          rational_in(file, json.at("exact").at(1).get<std::string>())};
   Result<Orientation> theta = Orientation::parse(json.at("tan_half").get<std::string>());
   if (!theta) refuse(file, theta.error().message);
   w.theta = *theta;

@@ -56,7 +56,7 @@ CspaceObstacle obstacle_of(const std::vector<Input>& inputs, const ObstacleOptio
   for (const Input& input : inputs)
     if (const Region& r = input.region; r.parts().empty() || !r.polylines().empty() || !r.points().empty())
       thin.push_back(input.file);
-  if (error.code == Code::unsupported_operand && thin.size() == 1 && error.evidence.file.empty())
+  if (error.code == ErrorCode::unsupported_operand && thin.size() == 1 && error.evidence.file.empty())
     error.evidence.file = thin[0];
   stop_with(error);
 }

@@ -66,7 +66,7 @@ struct AngleOrder {
 
 class Export {
  public:
-  Export(const ObstacleSweep& sweep, const TurningForms& forms, CspaceObstacle::State& state)
+  Export(const ObstacleSweep& sweep, const TurningForms& forms, planar::ObstacleState& state)
       : sweep_(sweep),
         forms_(forms),
         state_(state),
@@ -302,7 +302,7 @@ class Export {
 
   const ObstacleSweep& sweep_;
   const TurningForms& forms_;
-  CspaceObstacle::State& state_;
+  planar::ObstacleState& state_;
   AngleOrder order_;
   std::array<EdgeEnds, 2> edge_ends_;
   std::vector<std::uint32_t> patch_of_;
@@ -444,17 +444,17 @@ std::uint64_t surfaces(const TurningForms& forms, const TurnCatalog& catalog) {
 
 }  // namespace
 
-Result<bool> general_obstacle(CspaceObstacle::State& state, const ObstacleOptions& options) {
+Result<bool> general_obstacle(planar::ObstacleState& state, const ObstacleOptions& options) {
   const bool touching = !state.robot.touching_points().empty() || !state.obstacle.touching_points().empty();
   const std::shared_ptr<const OperandPair> base = touching ? numbered_by_walk(*state.base) : state.base;
   const TurningForms forms(*base);
   const TurnCatalog catalog(forms);
   if (static_cast<double>(forms.size(0)) * forms.size(1) > 0x1p27)
-    return Error{Code::unsupported_operand, "more than 2^27 pairs of vertices", {}};
+    return Error{ErrorCode::unsupported_operand, "more than 2^27 pairs of vertices", {}};
   ObstacleSweep sweep(forms, catalog, base, options.reference);
   sweep.keeps_all_angles = options.reference;
   if (!pass_turn(forms, catalog, sweep, options.reference, options.progress))
-    return Error{Code::cancelled, "stopped on request", {}};
+    return Error{ErrorCode::cancelled, "stopped on request", {}};
   if (!sweep.closed_turn()) throw std::logic_error("general_obstacle: a full turn does not lead back to its start");
   Export(sweep, forms, state).run();
   state.always_concurrent = sweep.always_concurrent;

@@ -355,7 +355,7 @@ Error no_room(const SumState& state, std::string_view stage, std::string_view re
   if (state.stats.reduced_segments > 0) message += ", " + text(state.stats.reduced_segments) + " segments";
   if (state.stats.live_segments > 0) message += ", " + text(state.stats.live_segments) + " of them to be intersected";
   if (state.stats.crossings > 0) message += ", " + text(state.stats.crossings) + " crossings";
-  return {Code::unsupported_operand, message, {}};
+  return {ErrorCode::unsupported_operand, message, {}};
 }
 
 // The chosen engine.
@@ -365,7 +365,7 @@ std::optional<Error> run(SumState& state, const SumOptions& options, Refine when
   try {
     run_engine(options, state, when, poll);
   } catch (const Cancelled&) {
-    return Error{Code::cancelled, "stopped on request", {}};
+    return Error{ErrorCode::cancelled, "stopped on request", {}};
   } catch (const std::bad_alloc&) {
     return no_room(state, poll.stage(), "out of memory");
   } catch (const std::length_error& more) {
@@ -387,7 +387,7 @@ Result<SumState> compute_boundary(std::shared_ptr<const Operand> p, std::shared_
   StageClock clock(state.stats, timed(*p, *q));
   for (const Operand* o : {p.get(), q.get()})
     if (std::optional<Error> error = too_large(*o)) return *std::move(error);
-  state.lattice = make_lattice(p->points, q->points, options.min_tier_bits);
+  state.lattice = make_lattice(p->points, q->points, planar::SumInternals::min_tier_bits(options));
   state.p = placed_on(*state.lattice, std::move(p));
   state.q = placed_on(*state.lattice, std::move(q));
   state.stats.tier_bits = state.lattice->tier_bits;
@@ -482,7 +482,7 @@ PlanarSum finish_sum(SumState&& state, const SumOptions& options) {
   if (options.semantics == Semantics::closed)
     lower_dimensional_candidates(*state.lattice, *state.p, *state.q, lines, points);
   const auto source = std::make_shared<SumSource>(state.lattice, std::move(state.p), std::move(state.q));
-  sum.source = source;
+  exact_source(sum) = source;
   sum.parts = group_rings(std::move(raw.rings), raw.outer, *source, raw.at_error);
   canonicalize(sum.parts, *source, raw.at_error);
   if (!raw.cracks.empty() || !raw.punctures.empty())
