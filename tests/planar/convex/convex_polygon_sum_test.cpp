@@ -265,7 +265,7 @@ TEST(ConvexPolygonSum, coordinates_of_any_size) {
     for (const Region& q : {thin, far, shapes::rectangle(-0x1p-200, -1, 0x1p-200, 1)}) {
       ConvexPolygonSum moving = *ConvexPolygonSum::create(p, q);
       expect_engine(p, q, moving, 1);
-      for (const Orientation r : {half(1, 1), half(0, 1), half(1, -1)}) {
+      for (const Orientation& r : {half(1, 1), half(0, 1), half(1, -1)}) {
         moving.set(turn(r));
         expect_as_rebuilt(moving, p, q);
       }

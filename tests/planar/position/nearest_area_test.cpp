@@ -9,6 +9,7 @@
 #include "dymsum/scaling_sum.h"
 #include "dymsum/shapes.h"
 #include "planar/position/exact_area.h"
+#include "planar/position/exact_source.h"
 #include "planar/position/nearest_point.h"
 #include "planar/sum/listed_source.h"
 

@@ -15,6 +15,7 @@
 #include "exact/big.h"
 #include "oracles/random.h"
 #include "oracles/tiny_regions.h"
+#include "planar/position/exact_source.h"
 
 namespace dymsum {
 namespace {

@@ -9,6 +9,7 @@
 #include "dymsum/shapes.h"
 #include "oracles/random.h"
 #include "oracles/tiny_regions.h"
+#include "planar/position/exact_source.h"
 #include "planar/scaling/scaling_same.h"
 
 namespace dymsum {

@@ -8,6 +8,7 @@
 #include "oracles/exact_shape.h"
 #include "oracles/pair_text.h"
 #include "oracles/tiny_regions.h"
+#include "planar/position/exact_source.h"
 
 namespace dymsum::oracles {
 namespace {

@@ -8,6 +8,7 @@
 #include "dymsum/shapes.h"
 #include "exact/big.h"
 #include "oracles/sanitized.h"
+#include "planar/position/exact_source.h"
 
 namespace dymsum {
 namespace {
