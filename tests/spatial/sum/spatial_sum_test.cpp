@@ -115,9 +115,9 @@ TEST(SpatialSum, of_convex_solids_is_the_same_the_short_way) {
 }
 
 TEST(SpatialSum, of_convex_solids_has_any_size) {
-  const Mesh small = solids::box(0, 0, 0, 1e-200, 1e-200, 1e-200), large = solids::box(0, 0, 0, 1e200, 1e200, 1e200);
-  const SpatialSum both = minkowski_sum(small, large).value();
-  const Rational side = *Rational::of(1e-200) + *Rational::of(1e200);
+  const auto cube = [](double size) { return scaled(solids::box(0, 0, 0, 1, 1, 1), size, size, size).value(); };
+  const SpatialSum both = minkowski_sum(cube(0x1p-300), cube(0x1p300)).value();
+  const Rational side = *Rational::of(0x1p-300) + *Rational::of(0x1p300);
   EXPECT_EQ(both.volume_exact(), side * side * side);
   EXPECT_EQ(both.exact(7).x, side);
 }
