@@ -9,7 +9,7 @@
 namespace dymsum::cli {
 
 void stop_with(const Error& error) {
-  if (error.code == Code::cancelled) throw Stop(kInterrupted, "interrupted");
+  if (error.code == ErrorCode::cancelled) throw Stop(kInterrupted, "interrupted");
   throw Stop(kBadInput, error);
 }
 
@@ -42,7 +42,7 @@ Error in_operand(Error error, const std::vector<Input>& inputs) {
     const Point at{*error.evidence.x, *error.evidence.y};
     if (name_first([&](const Input& input) { return has_vertex(input.region, at); })) return error;
   }
-  if (error.code != Code::unsupported_operand) return error;
+  if (error.code != ErrorCode::unsupported_operand) return error;
   if (!name_first([](const Input& input) { return input.region.empty(); }))
     name_first([](const Input& input) { return is_thin(input.region); });
   return error;

@@ -22,7 +22,9 @@ void refuse_line(Error error, const std::string& file, std::optional<std::int64_
 
 std::string file_text(const std::string& file) {
   if (file == "-") return standard_input();
-  const auto refuse = [&](const std::string& why) { refuse_line({Code::cannot_open, why, {}}, file, std::nullopt); };
+  const auto refuse = [&](const std::string& why) {
+    refuse_line({ErrorCode::cannot_open, why, {}}, file, std::nullopt);
+  };
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored)) refuse("this is a directory");
   std::ifstream in(file, std::ios::binary);

@@ -91,7 +91,7 @@ void check_writable(const std::string& file) {
   if (file == "-") return;
   const auto demand = [&](bool holds, const std::string& else_what) {
     if (holds) return;
-    Error error{Code::cannot_write, else_what + ": " + std::strerror(errno), {}};
+    Error error{ErrorCode::cannot_write, else_what + ": " + std::strerror(errno), {}};
     error.evidence.file = file;
     stop_with(error);
   };

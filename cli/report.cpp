@@ -54,7 +54,7 @@ std::string milliseconds(double ms) {
 
 std::string tier_name(int bits) { return bits == 0 ? "arbitrary precision" : std::to_string(bits) + "-bit"; }
 
-std::string shown(const Rational& value) { return value.den == "1" ? value.num : value.to_string(); }
+std::string shown(const Rational& value) { return value.is_integer() ? value.numerator() : value.to_string(); }
 
 std::string counted(std::size_t n, const std::string& one, const std::string& many) {
   return std::to_string(n) + " " + (n == 1 ? one : many.empty() ? one + "s" : many);

@@ -52,7 +52,7 @@ int main(int argc, char** argv) {
   };
   for (const shapes::Named& shape : all) {
     const std::string file = (folder / shape.name).string() + ".wkt";
-    if (const Result<bool> written = write_file(file, format_region(shape.region, RegionFormat::wkt)); !written) {
+    if (const Result<void> written = write_file(file, format_region(shape.region, RegionFormat::wkt)); !written) {
       std::cerr << written.error().to_string() << "\n";
       return 2;
     }

@@ -27,7 +27,7 @@ int main() {
   using namespace dymsum;
   const Mesh channel = prism(shapes::letter_u(4, 4, 1).parts().front().outer, 5);  // its groove is 2 wide
   const Mesh bar = solids::box(0, 0, 0, 2, 1, 1);
-  const SpatialSum sum = spatial_sum(channel, negated(bar)).value();  // where the bar hits the channel
+  const SpatialSum sum = minkowski_sum(channel, negated(bar)).value();  // where the bar hits the channel
   std::cout << sum.faces.size() << " faces, " << sum.shells << " shell, volume " << sum.volume_exact().to_string()
             << "\n";
   for (const auto& face : sum.tight_faces) {

@@ -62,7 +62,8 @@ MotionRow measure(const solids::NamedMesh& p, const solids::NamedMesh& q, const 
 
   // The static walk at the same poses in the same order, the same way: at one pose again and again it would be a fifth
   // faster.
-  ConvexSum merged = *ConvexSum::create(p.mesh, q.mesh), triangles = *ConvexSum::create(p.mesh, q.mesh, false);
+  ConvexSum merged = *ConvexSum::create(p.mesh, q.mesh),
+            triangles = *ConvexSum::create(p.mesh, q.mesh, FlatFeatures::kept);
   row.static_us = 1e300;
   for (int round = 0; round < 3; ++round) {
     const double us = timed_us([&] {
@@ -142,7 +143,7 @@ MotionRow measure_scaling(const solids::NamedMesh& p, const solids::NamedMesh& q
   std::uniform_real_distribution<double> factor(-1, 1);
   // Three decimals: what a person would type.
   const auto scale = [&] {
-    return *Scale::of(Rational{std::to_string(static_cast<int>(1000 * std::exp2(factor(random)))), "1000"});
+    return *Scale::of(*Rational::of(static_cast<int>(1000 * std::exp2(factor(random))), 1000));
   };
   std::vector<SolidPose> poses(1);
   for (int k = 0; k < protocol.moves; ++k) poses.push_back({Rotation(), {scale(), scale(), scale()}});

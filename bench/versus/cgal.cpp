@@ -29,7 +29,7 @@ Kernel::Point_2 as_given(const Point& point) { return {point.x, point.y}; }
 class ReflectedTurn {
  public:
   explicit ReflectedTurn(const Orientation& theta) {
-    const Exact n(theta.tan_half().num), d(theta.tan_half().den);
+    const Exact n(theta.tan_half().numerator()), d(theta.tan_half().denominator());
     const Exact w = n * n + d * d;
     cosine_ = (d * d - n * n) / w;
     sine_ = 2 * n * d / w;

@@ -17,12 +17,12 @@ std::vector<ScaledCopy> read_copies(const std::string& file) {
     const bool three = static_cast<bool>(words >> scale >> x >> y) && !(words >> more);
     const std::optional<double> at_x = finite_number(x), at_y = finite_number(y);
     if (!three || !at_x || !at_y)
-      refuse_line({Code::malformed, "a copy is a line with a scale and two coordinates", {}}, file, line);
+      refuse_line({ErrorCode::malformed, "a copy is a line with a scale and two coordinates", {}}, file, line);
     Result<Scale> s = Scale::parse(scale);
     if (!s) refuse_line(s.error(), file, line);
     copies.push_back({std::move(s).value(), {*at_x, *at_y}});
   });
-  if (!any) refuse_line({Code::malformed, "the file lists no copies", {}}, file, std::nullopt);
+  if (!any) refuse_line({ErrorCode::malformed, "the file lists no copies", {}}, file, std::nullopt);
   return copies;
 }
 

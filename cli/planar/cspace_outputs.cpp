@@ -149,7 +149,7 @@ std::string slice_strip(const CspaceObstacle& obstacle, std::size_t slices, cons
   const double step = 2 * kPi / static_cast<double>(slices);
   for (std::size_t k = 1; k <= slices; ++k) {
     if (progress && !progress("slices", static_cast<double>(k) / static_cast<double>(slices)))
-      stop_with({Code::cancelled, "interrupted", {}});
+      stop_with({ErrorCode::cancelled, "interrupted", {}});
     const Orientation theta = require(Orientation::nearest(static_cast<double>(k) * step - kPi, step / 1000));
     const PlanarSum slice = require(obstacle.slice(theta));
     const std::string tangent = theta.is_half_turn() ? "inf" : shown(theta.tan_half());

@@ -42,10 +42,10 @@ void for_each_query(const std::string& file, const std::function<void(const Quer
   const std::string all = file_text(file);
   const bool any = for_each_line(all, [&](const std::string& text, std::int64_t line) {
     const std::optional<QueryLine> query = query_in(text);
-    if (!query) refuse_line({Code::malformed, "a question is x,y or x,y,theta", {}}, file, line);
-    take(*query, [&](const std::string& why) { refuse_line({Code::malformed, why, {}}, file, line); });
+    if (!query) refuse_line({ErrorCode::malformed, "a question is x,y or x,y,theta", {}}, file, line);
+    take(*query, [&](const std::string& why) { refuse_line({ErrorCode::malformed, why, {}}, file, line); });
   });
-  if (!any) refuse_line({Code::malformed, "the file holds no questions", {}}, file, std::nullopt);
+  if (!any) refuse_line({ErrorCode::malformed, "the file holds no questions", {}}, file, std::nullopt);
 }
 
 }  // namespace dymsum::cli

@@ -111,7 +111,7 @@ Mesh rounded_mesh(const SolidSum& sum, Precision precision, const std::string& f
   if (mesh) return std::move(mesh).value();
   Error error = mesh.error();
   error.evidence.file = file;
-  if (error.code == Code::rounding_changed_topology)
+  if (error.code == ErrorCode::rounding_changed_topology)
     error.message += " (--hull writes the convex hull of what is left; .json keeps the sum exactly)";
   stop_with(error);
 }

@@ -13,7 +13,7 @@ namespace dymsum::cli {
 namespace {
 
 [[noreturn]] void refuse(const std::string& file, const std::string& what, std::optional<std::int64_t> line = {}) {
-  refuse_line({Code::malformed, what, {}}, file, line);
+  refuse_line({ErrorCode::malformed, what, {}}, file, line);
 }
 
 std::vector<Configuration> poses_of_lines(const std::string& file, const std::string& text) {
@@ -28,9 +28,10 @@ std::vector<Configuration> poses_of_lines(const std::string& file, const std::st
   return poses;
 }
 
-Rational rational_in(const std::string& text) {
-  const std::size_t bar = text.find('/');
-  return bar == std::string::npos ? Rational{text, "1"} : Rational{text.substr(0, bar), text.substr(bar + 1)};
+Rational rational_in(const std::string& file, const std::string& text) {
+  const Result<Rational> value = Rational::parse(text);
+  if (!value) refuse(file, value.error().message);
+  return *value;
 }
 
 Json parsed(const std::string& file, const std::string& text) {
@@ -66,7 +67,7 @@ class WaypointEntries {
     if (value == nullptr || !value->is_array() || value->size() != 2 || !(*value)[0].is_string() ||
         !(*value)[1].is_string())
       wants(key, "a pair of fractions");
-    return {rational_in((*value)[0]), rational_in((*value)[1])};
+    return {rational_in(file_, (*value)[0]), rational_in(file_, (*value)[1])};
   }
 
  private:

@@ -74,7 +74,7 @@ Json waypoint_json(const Waypoint& w) {
 }
 
 Json component_json(const FreeComponent& c) {
-  return {{"component", c.number},
+  return {{"component", c.index},
           {"unbounded", c.unbounded},
           {"shells", c.shells},
           {"angles", c.all_angles ? Json("all") : Json{c.from, c.to}}};

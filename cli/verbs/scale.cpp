@@ -26,7 +26,8 @@ std::vector<Scale> sweep_scales(const std::string& text) {
   if (ratio) step.pop_back();
   const Scale from = read_scale(text.substr(0, first), "--sweep"),
               to = read_scale(text.substr(first + 1, second - first - 1), "--sweep");
-  return require_option(scale_steps(from, to, require_option(parse_scale_step(step), "--sweep"), ratio, kMostFrames),
+  return require_option(scale_steps(from, to, require_option(parse_scale_step(step), "--sweep"),
+                                    ratio ? StepKind::percent : StepKind::difference, kMostFrames),
                         "--sweep");
 }
 

@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "dymsum/orientation.h"
 #include "dymsum/rational.h"
 #include "dymsum/region.h"
 #include "dymsum/result.h"
@@ -15,36 +16,10 @@
 
 namespace dymsum {
 
-/// A rotation of the plane by the square of an integer complex number u + v i of any length: by the angle whose half
-/// has the tangent v / u. Its matrix is rational: (c, -s; s, c) / (u^2 + v^2) with c = u^2 - v^2, s = 2 u v. Components
-/// are at most 2^30 in magnitude, without common divisor, the first one that is not zero positive: equal rotations are
-/// equal values.
-class PlanarRotation {
- public:
-  static constexpr int kBits = 30;
-
-  PlanarRotation() = default;  ///< the identity
-
-  /// tan(angle / 2) = v / u. Errors: bad_rotation when both are zero, or larger than 2^30 without common divisor.
-  static Result<PlanarRotation> of(std::int64_t u, std::int64_t v);
-  /// Counter-clockwise; within 2^-29 of the angle, exact for multiples of a quarter turn. Errors: bad_rotation for an
-  /// angle that is not finite.
-  static Result<PlanarRotation> nearest(double radians);
-  /// First b, then a: exact when the product fits kBits, else within 2^-29 of it.
-  friend PlanarRotation operator*(const PlanarRotation& a, const PlanarRotation& b);
-  PlanarRotation inverse() const { return *of(z_[0], -z_[1]); }
-
-  /// u, v.
-  const std::array<std::int64_t, 2>& half() const { return z_; }
-  friend bool operator==(const PlanarRotation&, const PlanarRotation&) = default;
-
- private:
-  std::array<std::int64_t, 2> z_{1, 0};
-};
-
-/// Where a polygon stands: x -> rotation (diag(scale) x).
+/// A rotation and scales of a polygon about the origin: x -> rotation (diag(scale) x). Exact and of any size; short
+/// rotations (Orientation::nearest with an error) make exact signs cheap.
 struct PlanarPose {
-  PlanarRotation rotation;
+  Orientation rotation;
   std::array<Scale, 2> scale;
   friend bool operator==(const PlanarPose&, const PlanarPose&) = default;
 };
@@ -52,7 +27,7 @@ struct PlanarPose {
 /// The exact sum of two convex polygons. Canonical: counter-clockwise, no vertex in the middle of an edge, from the
 /// smallest pair on.
 struct PolygonSum {
-  /// A vertex of P plus a vertex of Q, by the numbers of their regions. From one to the next P's vertex changes along
+  /// A vertex of P plus a vertex of Q, by their indices in the regions. From one to the next P's vertex changes along
   /// an edge of P, or Q's along one of Q, or both along parallel edges.
   struct Vertex {
     std::uint32_t p = 0, q = 0;
@@ -90,8 +65,8 @@ class ConvexPolygonSum {
   ConvexPolygonSum& operator=(ConvexPolygonSum&&) noexcept;
   ~ConvexPolygonSum();
 
-  /// Moves P and Q. Each certificate holds for an angle, so small motions look at few edges. O(edges of P), a
-  /// comparison each, plus the steps.
+  /// Moves P and Q to these poses. Each certificate holds for an angle, so small motions look at few edges. O(edges of
+  /// P), a comparison each, plus the steps.
   const PolygonWork& set(const PlanarPose& p, const PlanarPose& q = {});
   /// Forgets all certificates and starts from nothing: what moving is compared with.
   const PolygonWork& rebuild();
@@ -104,9 +79,8 @@ class ConvexPolygonSum {
   /// Whether the combinatorics are those of another sum of the same operands.
   bool same_combinatorics(const ConvexPolygonSum& other) const;
 
-  class State;  ///< internal
-
  private:
+  class State;
   explicit ConvexPolygonSum(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };

@@ -18,10 +18,12 @@
 namespace dymsum {
 
 namespace spatial {
-struct Polytope;  // internal
-}
+struct Polytope;
+struct ConvexOperands;
+struct ConvexSumInternals;
+}  // namespace spatial
 
-/// A feature of an operand, by the numbers of its mesh.
+/// A feature of an operand, by indices into its mesh.
 struct SolidFeature {
   enum class Kind : std::uint8_t { vertex, edge, face };
   Kind kind = Kind::vertex;
@@ -33,7 +35,7 @@ struct SolidFeature {
 /// A facet of a sum: the sum of the features of P and Q that are extreme in its outward direction. Face + vertex,
 /// vertex + face and edge + edge in general; face + edge, edge + face or face + face where directions coincide.
 struct SolidFacet {
-  std::vector<std::uint32_t> vertices;  ///< counter-clockwise seen from outside, from the smallest number on
+  std::vector<std::uint32_t> vertices;  ///< counter-clockwise seen from outside, from the smallest index on
   SolidFeature p, q;
   bool changed = false;  ///< not there before the last move (none before the first one); no part of the value
   friend bool operator==(const SolidFacet& a, const SolidFacet& b) {
@@ -41,15 +43,10 @@ struct SolidFacet {
   }
 };
 
-struct RationalPoint3 {
-  Rational x, y, z;
-  friend bool operator==(const RationalPoint3&, const RationalPoint3&) = default;
-};
-
 /// The exact sum of two convex solids. Canonical: facets are whole (no two lie in one plane), vertices are sorted by
 /// (p, q), facets by their vertices. Equal operands at equal poses have equal sums.
 struct SolidSum {
-  /// A vertex of P plus a vertex of Q, by the numbers of their meshes; every vertex of the sum is that in one way only.
+  /// A vertex of P plus a vertex of Q, by their indices in the meshes; every vertex of the sum is one such pair only.
   struct Vertex {
     std::uint32_t p = 0, q = 0;
     friend auto operator<=>(const Vertex&, const Vertex&) = default;
@@ -66,10 +63,10 @@ struct SolidSum {
   MeshData rounded() const { return rounded_data(); }
   /// A valid convex mesh: the hull of all vertices, every coordinate rounded once. Facets that are no longer plane
   /// become triangles. Errors: not_finite past the range; rounding_changed_topology where two vertices round to one
-  /// place or one no longer sticks out, with these vertices.
+  /// position or one is no longer a corner, with these vertices.
   Result<Mesh> rounded_mesh(Precision precision = Precision::doubles) const;
   /// The same hull of what is left where rounding changes the topology. The report's deviation is the largest distance
-  /// of a vertex from its exact place; no point of the two solids is further from the other one. Errors: not_finite;
+  /// of a vertex from its exact position; no point of the two solids is further from the other one. Errors: not_finite;
   /// no_area when everything collapses into a plane.
   Result<HulledMesh> rounded_hull(Precision precision = Precision::doubles) const;
   std::size_t edge_count() const;
@@ -81,11 +78,10 @@ struct SolidSum {
     return a.vertices == b.vertices && a.facets == b.facets && a.p_pose == b.p_pose && a.q_pose == b.q_pose;
   }
 
-  struct Source;                         // internal: the operands
-  std::shared_ptr<const Source> source;  // internal
-
  private:
+  friend struct spatial::ConvexSumInternals;
   MeshData rounded_data() const;
+  std::shared_ptr<const spatial::ConvexOperands> source_;
 };
 
 enum class ConvexEngine : std::uint8_t {
@@ -125,15 +121,21 @@ struct ConvexDepth {
   SolidFeature p, q;  ///< the facet
 };
 
+/// What becomes of edges between coplanar faces and of vertices in the middle of edges and faces.
+enum class FlatFeatures : std::uint8_t {
+  merged,  ///< they belong to the face or edge around them (the default)
+  kept,    ///< features of their own, as in the thesis: slower, with the same sums
+};
+
 /// Holds P (+) Q and follows the motion of both. Moving corrects the errors that the motion introduces; the result
 /// equals a fresh computation, always. Thread-compatible.
 class ConvexSum {
  public:
-  /// At the identity. Errors as convex_sum. With merge = false flat edges and vertices stay features of their own, as
-  /// in the thesis: slower, with the same sums; faces have to be triangles then (else unsupported_operand).
-  static Result<ConvexSum> create(const Mesh& p, const Mesh& q, bool merge = true);
+  /// At the identity. Errors: as convex_sum; unsupported_operand for FlatFeatures::kept and faces that are no
+  /// triangles.
+  static Result<ConvexSum> create(const Mesh& p, const Mesh& q, FlatFeatures flat = FlatFeatures::merged);
   /// Of a sum and one more solid, from the exact positions of the sum: P's vertices and faces are the vertices and
-  /// facets of `p` by their numbers. Errors also: unsupported_operand for sums at poses whose positions are no binary
+  /// facets of `p` by their indices. Errors also: unsupported_operand for sums at poses whose positions are no binary
   /// fractions.
   static Result<ConvexSum> create(const SolidSum& p, const Mesh& q);
 
@@ -193,12 +195,12 @@ class ConvexSum {
   /// Requires a finite point (else std::invalid_argument).
   ConvexDepth depth(Point3 point = {}) const;
 
-  class State;  ///< internal
-
  private:
+  friend struct spatial::ConvexSumInternals;
+  class State;
   explicit ConvexSum(std::unique_ptr<State> state);
   static ConvexSum of(std::shared_ptr<const spatial::Polytope> p, std::shared_ptr<const spatial::Polytope> q,
-                      std::shared_ptr<const SolidSum::Source> source);
+                      std::shared_ptr<const spatial::ConvexOperands> operands);
   std::unique_ptr<State> state_;
 };
 
@@ -220,7 +222,7 @@ struct BatchOptions {
   Progress progress;
   int threads = 0;  ///< 0: as many as there are cores
 };
-/// P (+) Q at many rotations of P. They are visited in an order that makes steps short (along a curve through all
+/// P (+) Q at many rotations of P. They are taken in an order that makes steps short (along a curve through all
 /// rotations), in as many parts as there are threads; the reports come in the order given. Errors: as create;
 /// cancelled.
 Result<std::vector<PoseReport>> pose_batch(const Mesh& p, const Mesh& q, std::span<const Rotation> poses,

@@ -53,7 +53,7 @@ class CriticalityMap {
   static Result<CriticalityMap> create(const Mesh& p, const Mesh& q, std::array<std::int32_t, 3> axis,
                                        const Progress& progress = {});
 
-  /// The number of critical angles, which are all different and ascend; interval i lies between angle i and the next
+  /// The count of critical angles, which are all different and ascend; interval i lies between angle i and the next
   /// one, the last interval goes through zero.
   std::size_t size() const;
   double angle(std::size_t i) const;  ///< as CriticalAngle::radians
@@ -78,9 +78,8 @@ class CriticalityMap {
   /// Errors as interval.
   Result<SolidSum> at(const Rotation& rotation) const;
 
-  class State;  ///< internal
-
  private:
+  class State;
   explicit CriticalityMap(std::shared_ptr<const State> state);
   std::shared_ptr<const State> state_;
 };

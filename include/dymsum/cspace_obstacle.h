@@ -52,7 +52,7 @@ struct ObstacleEvent {
     tight,
   };
   Kind kind = Kind::alignment;
-  std::uint32_t angle = 0;  ///< number in angles()
+  std::uint32_t angle = 0;  ///< index in angles()
   Point at;                 ///< position (x, y), rounded
 };
 
@@ -60,7 +60,7 @@ struct ObstacleEvent {
 /// `from` equals `to`, or a segment. They belong to the boundary of the obstacle, beside the patches; together these
 /// are all of it, except where may_have_tight_curves().
 struct TightFeature {
-  std::uint32_t angle = 0;  ///< number in angles()
+  std::uint32_t angle = 0;  ///< index in angles()
   Point from, to;           ///< positions, rounded
   double error = 0;         ///< each of them is at most so far from the exact one
   friend bool operator==(const TightFeature&, const TightFeature&) = default;
@@ -74,7 +74,7 @@ struct Patch {
                         ///< obstacle + edge of the robot (`rotating`)
   Contact left, right;  ///< the contacts before and behind it along the boundary
   bool left_corner = false, right_corner = false;  ///< they meet in a common vertex pair, and not in a crossing
-  std::uint32_t begin = kNone, end = kNone;  ///< numbers in angles(); end <= begin: it passes theta = pi; kNone, kNone:
+  std::uint32_t begin = kNone, end = kNone;  ///< indices in angles(); end <= begin: it passes theta = pi; kNone, kNone:
                                              ///< it is there at every angle
   std::uint32_t shell = 0;
   bool rotating() const { return contact.kind == Contact::Kind::edge_of_q; }
@@ -161,7 +161,7 @@ class CspaceObstacle {
   std::optional<std::uint32_t> slab_of(const Orientation& theta) const;
   /// A rational orientation inside a slab, with few bits.
   Orientation inside(std::uint32_t slab) const;
-  /// The boundary in a slab: loops of patch numbers in the order of the boundary, outer rings counter-clockwise, holes
+  /// The boundary in a slab: loops of patch indices in the order of the boundary, outer rings counter-clockwise, holes
   /// clockwise.
   std::vector<std::vector<std::uint32_t>> loops(std::uint32_t slab) const;
   /// The free cell on the right of a patch in a slab.
@@ -173,8 +173,8 @@ class CspaceObstacle {
 
   /// The exact slice O (+) -R(theta), by the static engine.
   Result<PlanarSum> slice(const Orientation& theta, Semantics semantics = Semantics::closed) const;
-  /// Whether the robot overlaps the obstacle there: touching is free. Exact: the doubles x, y at face value. O(n + m)
-  /// and more; see ObstacleQueries for fast ones.
+  /// Whether the robot overlaps the obstacle there: touching is free, and so is a position that is not finite. Exact:
+  /// the doubles x, y at face value. O(n + m) and more; see ObstacleQueries for fast ones.
   bool contains(double x, double y, const Orientation& theta) const;
   /// What happens to the robot at (x, y) while it turns once, in the order of the angles in (-pi, pi]; or on the closed
   /// way counter-clockwise between two different orientations, where the last mark tells what is free up to its end.
@@ -183,10 +183,9 @@ class CspaceObstacle {
   std::vector<TurnMark> turn_marks(double x, double y) const;
   std::vector<TurnMark> turn_marks(double x, double y, const Orientation& from, const Orientation& to) const;
 
-  class State;  ///< internal
-
  private:
   friend struct planar::ObstacleInternals;
+  class State;
   explicit CspaceObstacle(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };

@@ -16,7 +16,7 @@ struct GrownRegion {
 /// large, so that rounding loses nothing. A path of a grown robot keeps the margin in every point. It is conservative:
 /// that the grown robot has no path says that none keeps the distance `at_most`, which is margin / cos(pi / sides) and
 /// roundings, 2 % more than the margin for 16 sides. A margin of 0 changes nothing.
-/// Errors: not_finite for a margin that is no number, negative or beyond 2^400, or for fewer than 3 or more than 4096
+/// Errors: out_of_range for a margin that is no number, negative or beyond 2^400, or for fewer than 3 or more than 4096
 /// sides; as minkowski_sum; rounding_changed_topology.
 Result<GrownRegion> grown(const Region& region, double margin, int sides = 16);
 

@@ -14,12 +14,16 @@
 
 namespace dymsum {
 
+namespace spatial {
+struct MeshInternals;
+}
+
 struct Point3 {
   double x = 0, y = 0, z = 0;
   friend bool operator==(const Point3&, const Point3&) = default;
 };
 
-/// A plane polygon without holes, by its vertices' numbers, counter-clockwise seen from outside; the last is joined to
+/// A plane polygon without holes, by its vertices' indices, counter-clockwise seen from outside; the last is joined to
 /// the first.
 using Face = std::vector<std::uint32_t>;
 
@@ -32,7 +36,7 @@ struct MeshData {
 
 /// A valid mesh. Coordinates are doubles taken at face value: no snapping, no tolerance.
 ///
-/// Valid means, exactly: all coordinates finite; every vertex used and no two at the same place; every face is a
+/// Valid means, exactly: all coordinates finite; every vertex used and no two at the same position; every face is a
 /// polygon of at least three vertices in one plane that does not cross or touch itself; every edge has exactly two
 /// faces, which run through it in opposite directions; the faces around a vertex form one fan; every shell encloses
 /// positive volume. Not checked: that faces which share no vertex stay apart (a convex mesh is checked to be convex,
@@ -44,7 +48,7 @@ class Mesh {
   /// Validates `data`. Errors: not_finite, bad_index (also for a vertex without a face), too_few_vertices,
   /// repeated_vertex, no_area (of a face, or a shell without volume), not_planar, self_crossing, not_closed,
   /// not_manifold, wrong_orientation (two faces run through an edge in the same direction, or a shell is inside out),
-  /// each with face, vertex (and the other ones) and a place. Cost: O(n log n).
+  /// each with face, vertex (and the other ones) and a position. Cost: O(n log n).
   static Result<Mesh> create(MeshData data);
 
   const MeshData& data() const { return data_; }
@@ -65,7 +69,7 @@ class Mesh {
   friend bool operator==(const Mesh& a, const Mesh& b);
 
  private:
-  friend class TrustedMesh;  // internal: makes meshes that are known to be valid
+  friend struct spatial::MeshInternals;
   MeshData data_;
   std::size_t shells_ = 0;
 };
@@ -75,9 +79,9 @@ class Mesh {
 /// for the empty mesh. Exact. O(n).
 std::optional<Error> convexity_error(const Mesh& mesh);
 
-/// What repair changed, in numbers and in words.
+/// What repair changed, as counts and in words.
 struct MeshRepairReport {
-  std::size_t duplicate_vertices = 0;  ///< vertices at the same place merged
+  std::size_t duplicate_vertices = 0;  ///< vertices at the same position merged
   std::size_t unused_vertices = 0;     ///< vertices without a face dropped
   std::size_t degenerate_faces = 0;    ///< faces without area dropped
   std::size_t split_faces = 0;         ///< faces that are not plane split into triangles
@@ -94,7 +98,7 @@ struct RepairedMesh {
   MeshRepairReport report;
 };
 
-/// The named repair: merges vertices at exactly the same place, drops unused vertices and faces without area, splits
+/// The named repair: merges vertices at exactly the same position, drops unused vertices and faces without area, splits
 /// faces that are not plane, orients faces and shells, and reports what it changed. Holes and edges with more than two
 /// faces are not repaired: they come back as the errors of Mesh::create, with the indices of `data`.
 Result<RepairedMesh> repair(MeshData data);
@@ -105,11 +109,11 @@ Result<Mesh> convex_hull(std::span<const Point3> points);
 
 /// What taking the hull changed.
 struct HullReport {
-  std::size_t vertices = 0;         ///< that faces use, at different places
+  std::size_t vertices = 0;         ///< that faces use, at different positions
   std::size_t inside_vertices = 0;  ///< of these, strictly inside the hull
   std::size_t unused_vertices = 0;  ///< that no face uses: left out
   /// No point of the old surface is further than this below the hull's, up to a relative error of 2^-48; 0 exactly
-  /// where the surface is that of the hull. A bound that is reached where the deepest place is a vertex near the faces
+  /// where the surface is that of the hull. A bound that is reached where the deepest point is a vertex near the faces
   /// around it. Of points without faces the depth of the deepest one.
   double deviation = 0;
   std::string to_string() const;
@@ -128,14 +132,14 @@ Result<HulledMesh> hulled(const MeshData& data);
 
 /// A convex solid moved by (dx, dy, dz): the hull of its vertices, each coordinate rounded to the nearest double once,
 /// so it stays convex wherever it goes. The report's deviation is the largest distance of a vertex from its exact
-/// place; no point of the two solids is further from the other one. Errors: as convexity_error; not_finite; no_area
+/// position; no point of the two solids is further from the other one. Errors: as convexity_error; not_finite; no_area
 /// when everything collapses into a plane.
 Result<HulledMesh> translated_hull(const Mesh& mesh, double dx, double dy, double dz);
 
 /// Faces split into triangles of their own vertices.
 struct TriangulatedMesh {
   Mesh mesh;
-  std::vector<std::uint32_t> face;  ///< of every triangle the number of the face that it is a part of
+  std::vector<std::uint32_t> face;  ///< of every triangle: the index of the face that it is part of
 };
 TriangulatedMesh triangulated(const Mesh& mesh);
 

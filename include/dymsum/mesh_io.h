@@ -18,8 +18,8 @@ namespace dymsum {
 
 /// off: also its binary-free variants with colours or normals, which are skipped. obj: vertices and faces; texture and
 /// normal indices, groups and materials are skipped; negative indices count from the end. stl: text or binary; vertices
-/// at exactly the same place are merged. ply: text or binary of either byte order; further elements and properties are
-/// skipped. glb: written only.
+/// at exactly the same position are merged. ply: text or binary of either byte order; further elements and properties
+/// are skipped. glb: written only.
 enum class MeshFormat { off, obj, stl, ply, glb };
 
 /// The format a path's extension names.
@@ -32,7 +32,7 @@ Result<MeshData> parse_mesh(std::string_view bytes, MeshFormat format, std::stri
 Result<MeshData> read_mesh(const std::string& path);
 
 /// One coloured group of a picture's faces, red, green and blue from 0 to 1 as screens show them (sRGB); `faces` are
-/// numbers of faces of the mesh.
+/// indices of faces of the mesh.
 struct FaceColour {
   std::array<float, 3> rgb{0.6f, 0.75f, 0.9f};
   std::vector<std::uint32_t> faces;

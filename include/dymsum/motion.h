@@ -20,13 +20,13 @@ enum class Touching : std::uint8_t { allowed, forbidden };
 
 struct TranslationCheck {
   bool free = true;
-  Rational first{"0", "1"};        ///< the share of the way up to which it is free; 0 and `free`: all of it
+  Rational first;                  ///< the share of the way up to which it is free; 0 and `free`: all of it
   RationalPoint at;                ///< where that is; the end of a free way
   std::optional<Contact> contact;  ///< there, an edge and a vertex as for patches; none deep inside the obstacle
 };
 
 /// The robot at orientation theta, moved straight from `from` to `to`. Exact. Regions with holes and several parts.
-/// Errors: as cspace_slice; malformed for rationals that are none, not_finite for doubles that are none.
+/// Errors: as cspace_slice; not_finite for doubles that are not finite.
 /// Cost: one slice, and O(n) filtered signs per meeting with its n edges.
 Result<TranslationCheck> check_translation(const Region& robot, const Region& obstacle, const RationalPoint& from,
                                            const RationalPoint& to, const Orientation& theta,

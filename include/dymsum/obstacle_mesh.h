@@ -36,13 +36,13 @@ struct ObstacleMesh {
 };
 
 /// A closed mesh of the obstacle's boundary. Patches are strips between their two curves of ends; neighbours share the
-/// vertices of a curve by their numbers, so that no gap can open, whatever is rounded. At every angle a triangle of a
+/// vertices of a curve by their indices, so that no gap can open, whatever is rounded. At every angle a triangle of a
 /// patch is within the tolerance of the line of the patch's contact: with a turning radius R, an edge of length L that
 /// turns (0 for fixed ones) and steps D of the angle the distance is at most L D / 4 + R D^2 / 8. Curves are halved
 /// where they are further from their chord than the tolerance. At event angles the boundaries before and after the
 /// event are joined by triangles without area (up to roundings), found by walking contacts and not by comparing
 /// positions.
-/// Requires: a tolerance in range (else std::invalid_argument). Errors: cancelled. Cost: O(T + e log e) for T triangles
+/// Errors: out_of_range for the tolerance; cancelled. Cost: O(T + e log e) for T triangles
 /// and e changes of patches.
 Result<ObstacleMesh> obstacle_mesh(const CspaceObstacle& obstacle, const ObstacleMeshOptions& options = {});
 

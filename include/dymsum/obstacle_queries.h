@@ -14,11 +14,11 @@
 namespace dymsum {
 
 /// The distance of a configuration to the boundary of the obstacle: to the nearest contact, and from inside to the
-/// nearest place that is free.
+/// nearest position that is free.
 struct Clearance {
   double distance = 0;  ///< negative inside the obstacle: then its absolute value is the generalised penetration depth
   double error = 0;     ///< proved: the exact distance differs by at most this; 0 at a contact
-  /// number of a patch on which the nearest point lies; kNone where that is a tight placement
+  /// the index of a patch on which the nearest point lies; kNone where that is a tight placement
   std::uint32_t patch = Patch::kNone;
   Configuration nearest;  ///< a point of the boundary, rounded, at most `error` farther than the nearest one
 };
@@ -44,9 +44,9 @@ class ObstacleQueries {
   ObstacleQueries& operator=(ObstacleQueries&&) noexcept;
   ~ObstacleQueries();
 
-  /// Whether the robot overlaps the obstacle; touching is free. Exact: x and y at face value, the angle being exactly
-  /// Orientation::nearest(theta). Doubles decide away from the boundary and from event angles, CspaceObstacle::contains
-  /// elsewhere. Throws std::logic_error for a theta that is not finite.
+  /// Whether the robot overlaps the obstacle; touching is free, as are positions that are not finite. Exact: x and y at
+  /// face value, the angle being exactly Orientation::nearest(theta). Doubles decide away from the boundary and from
+  /// event angles, CspaceObstacle::contains elsewhere. Requires: a finite theta (else std::invalid_argument).
   bool contains(const Configuration& at) const;
   bool contains(double x, double y, const Orientation& theta) const;
   /// The same for many, in parallel; 1 for contained. 0 threads: as many as there are cores.
@@ -58,6 +58,7 @@ class ObstacleQueries {
   /// angles and the shortest intervals too, at event angles and between them. Ends err by about 2^-40 where a patch
   /// crosses the position, by some units in the last place where more happens there. O(n) for n patches, and there, as
   /// where the position is beside tight placements, O(NM) filtered pairs of vertices and edges of robot and obstacle.
+  /// Requires: a finite position (else std::invalid_argument).
   std::vector<FreeAngles> free_angles(double x, double y) const;
 
   /// The signed distance in the metric dx^2 + dy^2 + weight^2 dtheta^2, dtheta being the angle between two
@@ -75,8 +76,9 @@ class ObstacleQueries {
   /// exactly this angle, with the tight placements of an event angle at that angle only. Of curves of tight placements,
   /// which exist only where three contacts stay at one point at every angle, the depth counts what lies at event
   /// angles, with an infinite weight all; clearances count all. Microseconds; at a contact, and for an infinite weight
-  /// at event angles, a whole slice. Throws std::invalid_argument for arguments that are not finite, for a negative
-  /// weight, and for a finite one beyond largest_weight(). Source: Behar 2016, section 4.4.2, which samples instead.
+  /// at event angles, a whole slice. Requires: finite arguments, and a weight that is not
+  /// negative and, if finite, at most largest_weight() (else std::invalid_argument). Source: Behar 2016, section 4.4.2,
+  /// which samples instead.
   Clearance clearance(const Configuration& from, double weight, Touching touching = Touching::allowed) const;
   /// 2^40 times the extent of the obstacle: beyond, an angle in doubles says nothing about a distance.
   double largest_weight() const;

@@ -1,5 +1,5 @@
-// Exact orientations of the plane: rotations by angles whose half has a rational tangent. They lie as densely as one
-// likes, and rotated vertices are rational.
+// Exact orientations of the plane: rotations by angles whose half has a rational tangent. They are dense, and rotated
+// vertices are rational.
 #pragma once
 
 #include <cstdint>
@@ -10,15 +10,19 @@
 
 namespace dymsum {
 
+namespace planar {
+struct OrientationInternals;
+}
+
 /// A rotation by theta about the origin, given by t = tan(theta / 2) = n / d: its matrix is (c, -s; s, c) / w with c =
 /// d^2 - n^2, s = 2 n d, w = d^2 + n^2. Half a turn is t = infinity. A value: equal orientations compare equal.
 class Orientation {
  public:
   Orientation() = default;  ///< theta = 0
 
-  /// Any rational; numerator and denominator have at most 4096 bits. Errors: malformed when they are no integers;
-  /// bad_rotation beyond the size or for 0/0. 1/0 is half a turn.
+  /// Any rational; numerator and denominator have at most 4096 bits. Errors: bad_rotation beyond that.
   static Result<Orientation> of(const Rational& tan_half);
+  /// t = n / d; half a turn for d = 0. Errors: bad_rotation for 0 / 0.
   static Result<Orientation> of(std::int64_t n, std::int64_t d);
   static Orientation half_turn();
   /// "3/7", "0.25" or "-1e-3", each exactly what it says; "inf" is half a turn. Errors: malformed; bad_rotation.
@@ -32,16 +36,19 @@ class Orientation {
   static Result<Orientation> nearest(double radians, double error);
 
   bool is_half_turn() const { return half_turn_; }
-  const Rational& tan_half() const { return tan_half_; }  ///< 1/0 for half a turn
-  double radians() const { return radians_; }             ///< in (-pi, pi], within 2^-50
+  /// Requires: not half a turn (else std::invalid_argument).
+  const Rational& tan_half() const;
+  double radians() const { return radians_; }  ///< in (-pi, pi], within 2^-50
   Orientation inverse() const;
-  /// First b, then a.
+  /// First b, then a. Exact: the bits of the operands add up.
   friend Orientation operator*(const Orientation& a, const Orientation& b);
-  friend bool operator==(const Orientation& a, const Orientation& b) { return a.tan_half_ == b.tan_half_; }
+  friend bool operator==(const Orientation& a, const Orientation& b) {
+    return a.half_turn_ == b.half_turn_ && a.tan_half_ == b.tan_half_;
+  }
 
  private:
-  friend class OrientationMaker;  // internal
-  Rational tan_half_{"0", "1"};
+  friend struct planar::OrientationInternals;
+  Rational tan_half_;  // 0 for half a turn
   bool half_turn_ = false;
   double radians_ = 0;
 };

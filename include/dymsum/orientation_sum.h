@@ -6,7 +6,7 @@
 
 namespace dymsum {
 
-/// R(theta) P (+) Q: P turned about the origin of its coordinates, never rounded. Provenance numbers refer to P and Q.
+/// R(theta) P (+) Q: P turned about the origin of its coordinates, never rounded. Provenance indices refer to P and Q.
 /// Errors as minkowski_sum.
 Result<PlanarSum> rotated_sum(const Region& p, const Region& q, const Orientation& theta,
                               const SumOptions& options = {});

@@ -18,6 +18,11 @@
 
 namespace dymsum {
 
+class ExactSource;
+namespace planar {
+struct SumInternals;
+}
+
 /// How the boundary is found. All three give the identical canonical result, up to the choice of contacts (SumVertex).
 enum class Engine {
   fast,     ///< interior mask, grid, kill rule, collision tests only where needed (the default)
@@ -29,15 +34,21 @@ enum class Engine {
 /// closure of the interior; tight features and lower-dimensional pieces are dropped.
 enum class Semantics { closed, open, regular };
 
+/// Internal: the number tier that tests ask for. Nothing to be set by users.
+class ForcedTier {
+  friend struct planar::SumInternals;
+  int min_bits_ = 0;
+};
+
 struct SumOptions {
   Engine engine = Engine::fast;
   Semantics semantics = Semantics::closed;
-  Progress progress;      ///< see progress.h
-  bool trace = false;     ///< record the stages in PlanarSum::trace
-  int min_tier_bits = 0;  ///< use at least this number tier (29, 61, 512; above: arbitrary), for tests
+  Progress progress;   ///< see progress.h
+  bool trace = false;  ///< record the stages in PlanarSum::trace
+  ForcedTier forced_tier;
 };
 
-/// A segment of the convolution: an edge of one operand added to a vertex of the other, by their numbers in the
+/// A segment of the convolution: an edge of one operand added to a vertex of the other, by their indices in the
 /// regions.
 struct Contact {
   enum class Kind : std::uint8_t {
@@ -89,7 +100,7 @@ struct SumStats {
   std::uint64_t cell_entries = 0;
   std::uint64_t pair_tests = 0;
   std::uint64_t crossings = 0;         ///< crossings found between live segments
-  std::uint64_t degenerate_nodes = 0;  ///< places handled by the slow vertex routine
+  std::uint64_t degenerate_nodes = 0;  ///< positions handled by the slow vertex routine
   std::uint64_t loops = 0;             ///< closed loops found
   std::uint64_t collision_tests = 0;
   std::uint64_t filtered_signs =
@@ -135,8 +146,8 @@ class PlanarSum {
   /// The exact position of a vertex of this sum.
   RationalPoint exact(const SumVertex& vertex) const;
 
-  /// The set rounded to doubles, every vertex correctly rounded. Error rounding_changed_topology, with the place, where
-  /// rounding would make rings cross, merge or collapse. Tight features are not part of the set.
+  /// The set rounded to doubles, every vertex correctly rounded. Error rounding_changed_topology, with the position,
+  /// where rounding would make rings cross, merge or collapse. Tight features are not part of the set.
   Result<Region> rounded() const;
   /// As rounded(), but vertices that collide after rounding are merged, rings that collapse are dropped and segments
   /// that collapse become points; the report says how many.
@@ -145,8 +156,9 @@ class PlanarSum {
   /// Same set and same tight features, exactly. Provenance and stats are not compared.
   friend bool operator==(const PlanarSum& a, const PlanarSum& b);
 
-  /// Internal: the integer operands behind the exact positions.
-  std::shared_ptr<const class ExactSource> source;
+ private:
+  friend struct planar::SumInternals;
+  std::shared_ptr<const ExactSource> source_;  // of the exact positions
 };
 
 /// P (+) Q. Either may be empty (then the sum is), have several parts and holes, or be polylines and points.
@@ -156,7 +168,7 @@ class PlanarSum {
 Result<PlanarSum> minkowski_sum(const Region& p, const Region& q, const SumOptions& options = {});
 
 /// The no-fit polygon of B around A: A (+) -B, the positions of B's reference point at which B meets A. Provenance
-/// numbers refer to A and B.
+/// indices refer to A and B.
 Result<PlanarSum> nfp(const Region& a, const Region& b, const SumOptions& options = {});
 
 /// P (-) Q = { x : x + Q inside P }, the inner fit, including positions without any freedom as `segments` and `points`,
@@ -165,13 +177,14 @@ Result<PlanarSum> nfp(const Region& a, const Region& b, const SumOptions& option
 Result<PlanarSum> erode(const Region& p, const Region& q, const SumOptions& options = {});
 
 /// The union of regions, as the sum with the origin of all their parts together (semantics as for sums). Provenance:
-/// `p` numbers run through the regions one after the other.
+/// `p` indices run through the regions one after the other.
 Result<PlanarSum> union_of(const std::vector<Region>& regions, const SumOptions& options = {});
 
 /// Counts only: O(n log m + m log n).
 ConvolutionSizes convolution_sizes(const Region& p, const Region& q);
 
-/// True when z lies in the sum: closed and regular operands meet (closed), or overlap (open). Exact; O(nm).
+/// True when z lies in the sum: closed and regular operands meet (closed), or overlap (open). Nothing that is not
+/// finite does. Exact; O(nm).
 bool contains(const Region& p, const Region& q, Point z, Semantics semantics = Semantics::closed);
 
 }  // namespace dymsum

@@ -22,7 +22,7 @@ struct Waypoint {
 
 /// A connected component of free space, touching not counted as a connection.
 struct FreeComponent {
-  std::uint32_t number = 0;           ///< FreeCell::component
+  std::uint32_t index = 0;            ///< FreeCell::component
   bool unbounded = false;             ///< it reaches infinity
   bool all_angles = false;            ///< it has configurations of every angle
   double from = 0, to = 0;            ///< else the interval of its angles, counter-clockwise
@@ -36,7 +36,7 @@ struct SearchLimit {
   bool out_of_time = true;
   double seconds = 0;  ///< the time limit
   /// The passage nearest to the goal that was not crossed, if one is known: between two angles in radians,
-  /// counter-clockwise, a place (x, y) that was reached at one of them, and one at the other that was not.
+  /// counter-clockwise, a position (x, y) that was reached at one of them, and one at the other that was not.
   struct Passage {
     double from = 0, to = 0;
     Point reached, beyond;
@@ -55,7 +55,7 @@ struct NoPath {
   Kind kind = Kind::separated;
   std::string text;                ///< one sentence
   std::optional<Contact> contact;  ///< where start or goal touches
-  /// the components around them; several where touching joins them, none in a tight place
+  /// the components around them; several where touching joins them, none at a tight placement
   std::vector<FreeComponent> start, goal;
   std::optional<SearchLimit> limit;  ///< exactly when it is undecided
   /// events at irrational angles, at which nothing is passed by touching alone
@@ -84,18 +84,16 @@ struct PlanOptions {
 };
 
 /// A path from start to goal, or why there is none. x and y are taken at face value, theta as Orientation::nearest.
-/// Touching forbidden: complete, given the time. Two places are joined exactly if FreeCell::component is the same; a
-/// path in it has some distance from the obstacle, so that finitely many orientations suffice. They are added where
-/// the passage is, until the path is found (docs/design/motion-planning.md has the proof).
-/// Touching allowed: joins further what touches at event angles with a rational tangent of the half angle; passages
-/// that are open at one irrational angle alone are not examined, and not counted on. A passage that can only be
-/// followed along a curve, touching all the way, may stay undecided.
-/// Every translation and rotation of a path is free by check_translation and check_rotation.
-/// Errors: bad_rotation and not_finite for configurations that are not finite; not_finite for a time limit that is no
-/// number or negative; unsupported_operand for coordinates
-/// beyond 2^400; cancelled.
-/// Cost: a slice and a graph of it per event angle on the way, O(n (n + k)) each for n edges and k of them over one
-/// place, and O(NM) filtered signs per rotation tried, N and M being the sizes of robot and obstacle.
+/// Touching forbidden: complete, given the time. Two configurations are joined exactly if FreeCell::component is the
+/// same; a path in it has some distance from the obstacle, so that finitely many orientations suffice. They are added
+/// where the passage is, until the path is found (docs/design/motion-planning.md has the proof). Touching allowed:
+/// joins further what touches at event angles with a rational tangent of the half angle; passages that are open at one
+/// irrational angle alone are not examined, and not counted on. A passage that can only be followed along a curve,
+/// touching all the way, may stay undecided. Every translation and rotation of a path is free by check_translation and
+/// check_rotation. Errors: bad_rotation and not_finite for configurations that are not finite; out_of_range for a time
+/// limit that is no number or negative; unsupported_operand for coordinates beyond 2^400; cancelled. Cost: a slice and
+/// a graph of it per event angle on the way, O(n (n + k)) each for n edges and k of them over one position, and O(NM)
+/// filtered signs per rotation tried, N and M being the sizes of robot and obstacle.
 Result<Plan> plan(const CspaceObstacle& obstacle, const Configuration& start, const Configuration& goal,
                   const PlanOptions& options = {});
 

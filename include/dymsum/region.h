@@ -15,7 +15,8 @@ namespace dymsum {
 
 namespace planar {
 class PreparedRegion;
-}
+struct RegionInternals;
+}  // namespace planar
 
 struct Point {
   double x = 0, y = 0;
@@ -50,15 +51,15 @@ struct RegionData {
 /// vertices are allowed. Polylines have at least two vertices, no two consecutive ones equal; they and points may lie
 /// anywhere.
 ///
-/// Vertices are numbered through the region: part by part, outer ring then holes, then polylines, then points. The edge
-/// that starts at a vertex has that vertex's number (the last vertex of a polyline and a point start none).
+/// Vertices have indices through the whole region: part by part, outer ring then holes, then polylines, then points.
+/// The edge that starts at a vertex has that vertex's index (the last vertex of a polyline and a point start none).
 class Region {
  public:
   Region() = default;  ///< the empty region
 
   /// Validates `data`. Errors: not_finite, too_few_vertices, repeated_vertex, no_area, wrong_orientation,
   /// self_crossing, rings_cross, hole_outside, parts_overlap, each with part, ring, vertex (and the other ones) and a
-  /// place. Cost: O(n log n) for n vertices in practice.
+  /// position. Cost: O(n log n) for n vertices in practice.
   static Result<Region> create(RegionData data);
 
   const RegionData& data() const { return data_; }
@@ -81,23 +82,20 @@ class Region {
   /// Equality of canonical forms.
   friend bool operator==(const Region& a, const Region& b);
 
-  /// Internal: what sums keep of this region, so that the next sum with it starts faster. Null for the default region.
-  planar::PreparedRegion* prepared() const { return prepared_.get(); }
-
  private:
-  friend class TrustedRegion;  // internal: makes regions that are known to be valid
+  friend struct planar::RegionInternals;
   RegionData data_;
   std::vector<Point> touching_points_;
-  std::shared_ptr<planar::PreparedRegion> prepared_;  // shared by copies, which have the same data
+  std::shared_ptr<planar::PreparedRegion> prepared_;  // what sums keep of it; shared by copies
 };
 
-/// What repair changed, in numbers and in words.
+/// What repair changed, as counts and in words.
 struct RepairReport {
   std::size_t duplicate_vertices = 0;   ///< consecutive equal vertices merged, closing vertices dropped
   std::size_t collinear_vertices = 0;   ///< vertices in the middle of straight lines, and spikes, dropped
   std::size_t reversed_rings = 0;       ///< outer rings made counter-clockwise, holes made clockwise
   std::size_t dropped_rings = 0;        ///< rings that enclosed nothing
-  std::size_t polylines_to_points = 0;  ///< polylines with only one place, made points
+  std::size_t polylines_to_points = 0;  ///< polylines that are one point, made points
   bool changed() const {
     return duplicate_vertices + collinear_vertices + reversed_rings + dropped_rings + polylines_to_points > 0;
   }

@@ -48,7 +48,7 @@ std::string format_sum(const PlanarSum& sum, const Region& rounded, RegionFormat
 
 /// Writes text to a path ("-" is standard output) through a temporary file beside it, so that an existing file is
 /// replaced only by a complete one. Error cannot_write.
-Result<bool> write_file(const std::string& path, std::string_view text);
+Result<void> write_file(const std::string& path, std::string_view text);
 
 /// Pictures (SVG text). `draw_sum` shows P, Q and the sum with tight features; `draw_trace` the stages side by side.
 std::string draw_region(const Region& region);

@@ -1,5 +1,9 @@
-// Results and errors: every function that can meet bad data returns a Result, whose error says what is wrong, where,
-// and with which evidence. Broken contracts (calling value() on an error) throw std::logic_error.
+// Results and errors.
+//
+// Bad values are treated in one way everywhere. A function that returns a Result reports whatever it cannot use, be it
+// a file, a coordinate, a number or an option, as an Error with code, sentence and evidence, and changes nothing. A
+// function that returns no Result states under "Requires" what it needs and throws std::invalid_argument where that is
+// violated. value() on an error and error() on a value throw std::logic_error, and so does a defect of the library.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +17,7 @@
 namespace dymsum {
 
 /// What went wrong. Each code has a test that provokes it and checks the evidence.
-enum class Code {
+enum class ErrorCode {
   // files
   cannot_open,         ///< the file does not exist or cannot be read
   cannot_write,        ///< the output could not be written completely; any older file is untouched
@@ -41,11 +45,12 @@ enum class Code {
   rounding_changed_topology,  ///< rounding the exact result to doubles would change its topology
   bad_scale,                  ///< a scale that is not a positive number, or beyond the supported range
   bad_rotation,               ///< a quaternion of zeros, a zero axis, or components beyond 2^30
+  out_of_range,               ///< a number or an option outside of the range that is stated with it
   cancelled,                  ///< the progress callback asked to stop
 };
 
 /// The name of a code as it is written in code, for messages and JSON.
-std::string_view name(Code code);
+std::string_view name(ErrorCode code);
 
 /// Where and what: every field is set only where it applies. Indices count from 0, lines from 1. Rings of a part:
 /// 0 is the outer ring, 1, 2, ... its holes.
@@ -55,17 +60,18 @@ struct Evidence {
   std::optional<std::int64_t> part, ring, vertex;
   std::optional<std::int64_t> other_part, other_ring, other_vertex;
   std::optional<std::int64_t> face, other_face;  ///< of a mesh; an edge is named by vertex and other_vertex
-  std::optional<double> x, y, z;                 ///< a place, in the input's coordinates
+  std::optional<double> x, y, z;                 ///< a position, in the input's coordinates
 
   friend bool operator==(const Evidence&, const Evidence&) = default;
 };
 
 struct Error {
-  Code code = Code::malformed;
+  ErrorCode code = ErrorCode::malformed;
   std::string message;  ///< one sentence, without the evidence
   Evidence evidence;
 
-  /// File, line, part, ring, vertex and place in front of and behind the sentence: "a.poly:12: ring 1, vertex 3: ...".
+  /// File, line, part, ring, vertex and position in front of and behind the sentence: "a.poly:12: ring 1, vertex 3:
+  /// ...".
   std::string to_string() const;
   friend bool operator==(const Error&, const Error&) = default;
 };
@@ -84,19 +90,44 @@ class [[nodiscard]] Result {
     require();
     return std::get<0>(state_);
   }
-  T&& value() && {
+  T value() && {
     require();
     return std::get<0>(std::move(state_));
   }
   const T& operator*() const& { return value(); }
+  T operator*() && { return std::move(*this).value(); }
   const T* operator->() const { return &value(); }
-  const Error& error() const { return std::get<1>(state_); }
+  const Error& error() const {
+    if (ok()) throw std::logic_error("error() called on a value");
+    return std::get<1>(state_);
+  }
 
  private:
   void require() const {
     if (!ok()) throw std::logic_error("value() called on an error: " + std::get<1>(state_).to_string());
   }
   std::variant<T, Error> state_;
+};
+
+/// Done, or an Error: of functions that have nothing to return.
+template <>
+class [[nodiscard]] Result<void> {
+ public:
+  Result() = default;
+  Result(Error error) : error_(std::move(error)) {}
+
+  bool ok() const { return !error_; }
+  explicit operator bool() const { return ok(); }
+  void value() const {
+    if (error_) throw std::logic_error("value() called on an error: " + error_->to_string());
+  }
+  const Error& error() const {
+    if (!error_) throw std::logic_error("error() called on a value");
+    return *error_;
+  }
+
+ private:
+  std::optional<Error> error_;
 };
 
 }  // namespace dymsum

@@ -12,17 +12,21 @@
 
 namespace dymsum {
 
+namespace planar {
+struct RotatingInternals;
+}
+
 /// Which operand turns, about the origin of its coordinates.
 enum class TurningOperand : std::uint8_t { p, q };
 
 struct RotatingOptions {
   TurningOperand turning = TurningOperand::p;
-  bool reflect_q = false;  ///< P (+) -Q: Q is a robot and P an obstacle. Provenance numbers refer to Q
+  bool reflect_q = false;  ///< P (+) -Q: Q is a robot and P an obstacle. Provenance indices refer to Q
   Semantics semantics = Semantics::closed;
   FrameMode mode = FrameMode::automatic;
-  double window = 0;      ///< how many radians windows cover ahead; 0: chosen by the controller
-  int min_tier_bits = 0;  ///< use at least this number tier (29, 61, 512; above: arbitrary), for tests
-  Progress progress;      ///< asked before a window is built and between stages of a rebuild, see progress.h
+  double window = 0;  ///< how many radians windows cover ahead; 0: chosen by the controller
+  ForcedTier forced_tier;
+  Progress progress;  ///< asked before a window is built and between stages of a rebuild, see progress.h
 };
 
 /// Vertices are never rounded: between two frames everything is decided by signs of trigonometric polynomials, in
@@ -48,9 +52,9 @@ class RotatingSum {
   std::vector<std::uint64_t> ring_ids() const;
   const FrameWork& work() const;
 
-  class State;  ///< internal
-
  private:
+  friend struct planar::RotatingInternals;
+  class State;
   explicit RotatingSum(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };

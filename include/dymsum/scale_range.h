@@ -1,4 +1,5 @@
-// At which scales does a part fit: along a path past obstacles, at one place inside a container, or anywhere inside it.
+// At which scales does a part fit: along a path past obstacles, at one position inside a container, or anywhere inside
+// it.
 #pragma once
 
 #include <cstdint>
@@ -18,12 +19,12 @@ struct ScaleContact {
     vertex_on_vertex,  ///< a vertex of the part on a vertex of the obstacle
   };
   Kind kind = Kind::vertex_on_edge;
-  std::uint32_t part = 0;      ///< number of the part's vertex or edge
-  std::uint32_t obstacle = 0;  ///< number of the obstacle's edge or vertex
+  std::uint32_t part = 0;      ///< index of the part's vertex or edge
+  std::uint32_t obstacle = 0;  ///< index of the obstacle's edge or vertex
   std::uint32_t leg = 0;       ///< of a path: between waypoints leg and leg + 1
-  Rational along{"0", "1"};    ///< of a path: how far along that leg, in [0, 1]
+  Rational along;              ///< of a path: how far along that leg, in [0, 1]
   RationalPoint
-      at;  ///< where the reference point of the part stands; for a contact that slides, at its first such place
+      at;  ///< where the reference point of the part stands; for a contact that slides, at its first such position
   friend bool operator==(const ScaleContact&, const ScaleContact&) = default;
 };
 

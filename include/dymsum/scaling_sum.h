@@ -14,17 +14,21 @@
 
 namespace dymsum {
 
+namespace planar {
+struct ScalingInternals;
+}
+
 /// Which operand is multiplied by s, about the origin of its coordinates.
 enum class ScaledOperand : std::uint8_t { p, q };
 
 struct ScalingOptions {
   ScaledOperand scaled = ScaledOperand::p;
-  bool reflect_q = false;  ///< P (+) -Q: Q is a robot and P an obstacle. Provenance numbers refer to Q
+  bool reflect_q = false;  ///< P (+) -Q: Q is a robot and P an obstacle. Provenance indices refer to Q
   Semantics semantics = Semantics::closed;
   FrameMode mode = FrameMode::automatic;
-  double window = 0;      ///< relative width of windows (0.05: from s to 1.05 s); 0: chosen by the controller
-  int min_tier_bits = 0;  ///< use at least this number tier (29, 61, 512; above: arbitrary), for tests
-  Progress progress;      ///< asked between stages of a rebuild, see progress.h
+  double window = 0;  ///< relative width of windows (0.05: from s to 1.05 s); 0: chosen by the controller
+  ForcedTier forced_tier;
+  Progress progress;  ///< asked between stages of a rebuild, see progress.h
 };
 
 /// An exact scale at which segments of the convolution begin or cease to meet.
@@ -37,7 +41,13 @@ struct ScaleEvent {
   double approx = 0;
   Kind kind = Kind::vertex_on_segment;
   bool visible = false;   ///< the boundary's combinatorics or its tight features differ before, at or after it
-  bool topology = false;  ///< the numbers of parts, holes or tight features differ before, at or after it
+  bool topology = false;  ///< the counts of parts, holes or tight features differ before, at or after it
+};
+
+/// What an event has to change to be looked for.
+enum class EventChange : std::uint8_t {
+  visible,   ///< ScaleEvent::visible
+  topology,  ///< ScaleEvent::topology
 };
 
 class ScalingSum {
@@ -73,14 +83,14 @@ class ScalingSum {
   /// outside the part of the sum's interior that its mask proves; every visible event is among them. Costs one exact
   /// frame per value. Does not move the sum. Errors: bad_scale when a > b; cancelled.
   Result<std::vector<ScaleEvent>> events(const Scale& a, const Scale& b, const Progress& progress = {}) const;
-  /// The first visible event after s and at most `limit`, if there is one; with `topology`, the first that changes the
-  /// topology.
-  Result<std::optional<ScaleEvent>> next_event(const Scale& s, const Scale& limit, bool topology = false,
+  /// The first event of the kind asked for after s and at most `limit`, if there is one.
+  Result<std::optional<ScaleEvent>> next_event(const Scale& s, const Scale& limit,
+                                               EventChange change = EventChange::visible,
                                                const Progress& progress = {}) const;
 
-  class State;  ///< internal
-
  private:
+  friend struct planar::ScalingInternals;
+  class State;
   explicit ScalingSum(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };
@@ -102,7 +112,7 @@ struct ScaledCopy {
   Point at;
 };
 /// The obstacles s_i P + z_i of an environment summed with Q: for each copy the sum s_i P (+) Q (not moved by z_i), in
-/// the order given, from one sum that visits the scales in order; copies of equal scale share one frame. With
+/// the order given, from one sum that takes the scales in order; copies of equal scale share one frame. With
 /// FrameMode::automatic windows are planned from the scales: where six or more lie within 13 %, the rest is computed
 /// from scratch. Figure 6.11 of the thesis.
 struct CopySum {

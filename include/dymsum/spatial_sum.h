@@ -17,6 +17,11 @@
 
 namespace dymsum {
 
+namespace spatial {
+struct SpatialPositions;
+struct SpatialSumInternals;
+}  // namespace spatial
+
 /// How the boundary is found. Both give the same result.
 enum class SpatialEngine : std::uint8_t {
   fast,   ///< cells linked around edges, one collision test for every connected piece of the boundary (the default)
@@ -77,24 +82,27 @@ class SpatialSum {
   double area() const;
 
   /// The boundary as triangles, every vertex rounded to the nearest doubles: closed and oriented, each edge as often
-  /// one way as the other. Tight features are no part of it. Error rounding_changed_topology with the place where two
-  /// vertices round to one. Whether rounding makes triangles cross is not checked.
+  /// one way as the other. Tight features are no part of it. Error rounding_changed_topology with the position where
+  /// two vertices round to one. Whether rounding makes triangles cross is not checked.
   Result<MeshData> rounded() const;
 
   /// The same set with the same tight features, exactly. Provenance and stats are not compared.
   friend bool operator==(const SpatialSum& a, const SpatialSum& b);
 
-  struct Source;                         // internal: the planes behind the exact positions
-  std::shared_ptr<const Source> source;  // internal
+ private:
+  friend struct spatial::SpatialSumInternals;
+  std::shared_ptr<const spatial::SpatialPositions> positions_;  // the planes behind the exact positions
 };
 
 /// P (+) Q, the closed sum of closed solids; its boundary is that of the closure of the open sum's complement. Either
 /// operand may be empty (then the sum is), have several parts, cavities, and tunnels. Requires: surfaces that cross or
 /// touch themselves nowhere, which Mesh does not check; of others the result means nothing, or std::invalid_argument or
-/// std::logic_error is thrown. Exact: every decision is the sign of an integer expression. Errors: cancelled;
-/// unsupported_operand for coordinates that need more than 250 bits on their common grid. Cost: O(N log N + K + T log
-/// T) for N facets, K of their pairs that meet and T points where three of them do. Source: Behar 2016, sections 2.3
-/// to 2.6, corrected (docs/design/solid-sum.md).
-Result<SpatialSum> spatial_sum(const Mesh& p, const Mesh& q, const SpatialOptions& options = {});
+/// std::logic_error is thrown. Exact: every decision is the sign of an integer expression.
+/// Convex operands of any size take a short way through convex_sum (with the fast engine), and faces name the features
+/// that are extreme there: O(m + n + k log k) for m and n faces and k facets. Hold a ConvexSum to follow a motion.
+/// All others: O(N log N + K + T log T) for N facets, K of their pairs that meet and T points where three of them do.
+/// Errors: cancelled; unsupported_operand for operands that are not both convex and whose coordinates need more than
+/// 250 bits on their common grid. Source: Behar 2016, sections 2.3 to 2.6, corrected (docs/design/solid-sum.md).
+Result<SpatialSum> minkowski_sum(const Mesh& p, const Mesh& q, const SpatialOptions& options = {});
 
 }  // namespace dymsum

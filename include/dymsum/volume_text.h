@@ -1,5 +1,5 @@
-// Volumes and surfaces of any size as text: for those outside the range of doubles, which the numbers give as zero or
-// infinity. The form is that of area_text.
+// Volumes and surfaces of any size as text, for those outside of the range of doubles, where doubles are zero or
+// infinite. The form is that of area_text.
 #pragma once
 
 #include <string>

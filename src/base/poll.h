@@ -8,7 +8,7 @@
 
 namespace dymsum::planar {
 
-/// Thrown where the caller's progress callback asks to stop; compute_boundary makes Code::cancelled of it.
+/// Thrown where the caller's progress callback asks to stop; compute_boundary makes ErrorCode::cancelled of it.
 struct Cancelled {};
 
 /// Tells the progress callback the stage and its share; does not return when that says to stop.

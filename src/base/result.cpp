@@ -20,58 +20,60 @@ void append(std::string& text, std::string_view label, std::optional<std::int64_
 
 }  // namespace
 
-std::string_view name(Code code) {
+std::string_view name(ErrorCode code) {
   switch (code) {
-    case Code::cannot_open:
+    case ErrorCode::cannot_open:
       return "cannot_open";
-    case Code::cannot_write:
+    case ErrorCode::cannot_write:
       return "cannot_write";
-    case Code::unsupported_format:
+    case ErrorCode::unsupported_format:
       return "unsupported_format";
-    case Code::malformed:
+    case ErrorCode::malformed:
       return "malformed";
-    case Code::truncated:
+    case ErrorCode::truncated:
       return "truncated";
-    case Code::not_finite:
+    case ErrorCode::not_finite:
       return "not_finite";
-    case Code::too_few_vertices:
+    case ErrorCode::too_few_vertices:
       return "too_few_vertices";
-    case Code::repeated_vertex:
+    case ErrorCode::repeated_vertex:
       return "repeated_vertex";
-    case Code::no_area:
+    case ErrorCode::no_area:
       return "no_area";
-    case Code::wrong_orientation:
+    case ErrorCode::wrong_orientation:
       return "wrong_orientation";
-    case Code::self_crossing:
+    case ErrorCode::self_crossing:
       return "self_crossing";
-    case Code::rings_cross:
+    case ErrorCode::rings_cross:
       return "rings_cross";
-    case Code::hole_outside:
+    case ErrorCode::hole_outside:
       return "hole_outside";
-    case Code::parts_overlap:
+    case ErrorCode::parts_overlap:
       return "parts_overlap";
-    case Code::bad_index:
+    case ErrorCode::bad_index:
       return "bad_index";
-    case Code::not_planar:
+    case ErrorCode::not_planar:
       return "not_planar";
-    case Code::not_closed:
+    case ErrorCode::not_closed:
       return "not_closed";
-    case Code::not_manifold:
+    case ErrorCode::not_manifold:
       return "not_manifold";
-    case Code::not_convex:
+    case ErrorCode::not_convex:
       return "not_convex";
-    case Code::unsupported_operand:
+    case ErrorCode::unsupported_operand:
       return "unsupported_operand";
-    case Code::rounding_changed_topology:
+    case ErrorCode::rounding_changed_topology:
       return "rounding_changed_topology";
-    case Code::bad_scale:
+    case ErrorCode::bad_scale:
       return "bad_scale";
-    case Code::bad_rotation:
+    case ErrorCode::bad_rotation:
       return "bad_rotation";
-    case Code::cancelled:
+    case ErrorCode::out_of_range:
+      return "out_of_range";
+    case ErrorCode::cancelled:
       return "cancelled";
   }
-  throw std::logic_error("name(Code): not a code");
+  throw std::logic_error("name(ErrorCode): not a code");
 }
 
 std::string Error::to_string() const {

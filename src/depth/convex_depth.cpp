@@ -20,7 +20,7 @@ using spatial::Vec3;
 
 bool is_finite(Point3 p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
-void name_features(const ConvexSum::State& s, const GenericFacet& facet, ConvexDepth& depth) {
+void name_features(const spatial::ConvexState& s, const GenericFacet& facet, ConvexDepth& depth) {
   const spatial::Overlay& o = s.overlay;
   if (facet.op == 2) {
     const spatial::Crossing& c = o.crossing(facet.id);
@@ -74,7 +74,7 @@ ConvexDepth ConvexSum::depth(Point3 point) const {
 
 Result<ConvexDepth> penetration_depth(const Mesh& p, const Mesh& q, const SolidPose& p_pose, const SolidPose& q_pose,
                                       Point3 q_moved_by) {
-  if (!is_finite(q_moved_by)) return Error{Code::not_finite, "the translation is not finite", {}};
+  if (!is_finite(q_moved_by)) return Error{ErrorCode::not_finite, "the translation is not finite", {}};
   Result<ConvexSum> sum = ConvexSum::create(p, negated(q));
   if (!sum) return sum.error();
   ConvexSum difference = std::move(sum).value();

@@ -14,7 +14,7 @@ using exact::Big;
 using exact::BigInteger;
 using exact::BigRational;
 
-ExactFacetDistances::ExactFacetDistances(const ConvexSum::State& s, Point3 point) : s_(s) {
+ExactFacetDistances::ExactFacetDistances(const spatial::ConvexState& s, Point3 point) : s_(s) {
   const std::array<ExactPose, 2> pose{ExactPose::of(s.p_pose), ExactPose::of(s.q_pose)};
   const std::array<exact::Dyadic, 3> x{exact::to_dyadic(point.x), exact::to_dyadic(point.y), exact::to_dyadic(point.z)};
   exponent_ = std::min(s.p->exponent, s.q->exponent);

@@ -21,7 +21,7 @@ struct SignedSquare {
 /// Everything in integers: places as multiples of 2^exponent / den.
 class ExactFacetDistances {
  public:
-  ExactFacetDistances(const ConvexSum::State& s, Point3 point);
+  ExactFacetDistances(const spatial::ConvexState& s, Point3 point);
 
   /// Nothing for crossings of parallel edges, which are no facets.
   std::optional<SignedSquare> signed_square(const GenericFacet& facet) const;
@@ -35,7 +35,7 @@ class ExactFacetDistances {
  private:
   exact::Vector3<exact::Big> place(std::uint32_t p, std::uint32_t q) const;
 
-  const ConvexSum::State& s_;
+  const spatial::ConvexState& s_;
   std::array<exact::Matrix3<exact::Big>, 2> m_;  // of the poses, over their own denominators
   std::array<exact::Big, 2> unit_;               // what vertices of an operand are multiplied with
   exact::Vector3<exact::Big> x_;

@@ -3,7 +3,9 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
-#include <string>
+#include <utility>
+
+#include "exact/rational_parts.h"
 
 namespace dymsum::exact {
 
@@ -34,14 +36,6 @@ double round_positive(BigInteger num, BigInteger den) {
   if (unit > 0) den <<= static_cast<unsigned>(unit);
   const auto mantissa = static_cast<std::uint64_t>(round_half_even(num, den));  // <= 2^53: exact as a double
   return std::ldexp(static_cast<double>(mantissa), unit);                       // exact, or infinite from 2^1024 on
-}
-
-BigInteger parse_digits(std::string_view digits) {
-  const std::size_t first = digits.find_first_not_of('0');
-  if (digits.empty() || digits.find_first_not_of("0123456789") != std::string_view::npos)
-    throw std::invalid_argument("exact_value: not a decimal integer: '" + std::string(digits) + "'");
-  // Boost reads a leading 0 as octal
-  return first == std::string_view::npos ? BigInteger(0) : BigInteger(std::string(digits.substr(first)));
 }
 
 }  // namespace
@@ -80,12 +74,11 @@ BigRational exact_value(double v) {
 }
 
 BigRational exact_value(const Rational& v) {
-  const std::string_view num = v.num;
-  const bool negative = num.starts_with('-');
-  const BigInteger n = parse_digits(negative ? num.substr(1) : num), d = parse_digits(v.den);
-  if (d == 0) throw std::invalid_argument("exact_value: zero denominator");
-  return BigRational(negative ? BigInteger(-n) : n, d);
+  const RationalParts& r = RationalAccess::parts(v);
+  return BigRational(r.num, r.den);
 }
+BigInteger numerator_of(const Rational& v) { return RationalAccess::parts(v).num; }
+BigInteger denominator_of(const Rational& v) { return RationalAccess::parts(v).den; }
 
 BigRational ratio(const Big& num, const Big& den) {
   if (sign(den) == 0) throw std::domain_error("ratio: zero denominator");
@@ -93,16 +86,19 @@ BigRational ratio(const Big& num, const Big& den) {
   return sign(den) > 0 ? BigRational(num.value(), den.value()) : BigRational((-num).value(), (-den).value());
 }
 
-Rational to_rational(const BigRational& v) { return {numerator(v).str(), denominator(v).str()}; }
+Rational to_rational(const BigRational& v) { return RationalAccess::make(numerator(v), denominator(v)); }
+Rational to_rational(BigInteger num, BigInteger den) { return RationalAccess::make(std::move(num), std::move(den)); }
 
-double round_to_double(const BigRational& v) {
-  if (v.is_zero()) return 0;
-  const BigInteger n = abs(numerator(v)), d = denominator(v);
+double round_to_double(const BigRational& v) { return round_to_double(numerator(v), denominator(v)); }
+
+double round_to_double(const BigInteger& num, const BigInteger& d) {
+  if (num.is_zero()) return 0;
+  const BigInteger n = abs(num);
   // Both are doubles: then their division is the one rounding.
   const double magnitude = msb(n) < 53 && msb(d) < 53 ? static_cast<double>(static_cast<std::uint64_t>(n)) /
                                                             static_cast<double>(static_cast<std::uint64_t>(d))
                                                       : round_positive(n, d);
-  return v < 0 && magnitude != 0 ? -magnitude : magnitude;
+  return num.sign() < 0 && magnitude != 0 ? -magnitude : magnitude;
 }
 
 }  // namespace dymsum::exact

@@ -90,17 +90,23 @@ Big shift_left(const Big& a) {
 
 /// The number a finite double stands for, m 2^e. Throws std::domain_error for NaN and infinities.
 BigRational exact_value(double v);
-/// The number behind a public value. Throws std::invalid_argument unless num is [-]digits and den digits, not all zero.
+/// The number behind a public value.
 BigRational exact_value(const Rational& v);
+BigInteger numerator_of(const Rational& v);
+BigInteger denominator_of(const Rational& v);  ///< positive
 /// num/den, den of either sign (BigRational's own constructor wants a positive one). Throws std::domain_error when den
 /// is zero.
 BigRational ratio(const Big& num, const Big& den);
 
-/// The public value of a rational: lowest terms, positive denominator.
+/// The public value of a rational.
 Rational to_rational(const BigRational& v);
+/// The same of num / den. Requires: lowest terms, den > 0; no common divisor is looked for.
+Rational to_rational(BigInteger num, BigInteger den);
 
 /// The double nearest to v, ties to even, subnormals included; values of at least 2^1024 - 2^970 in magnitude give
 /// infinity, as in IEEE 754. Zero is always +0, also for negative v that round to zero.
 double round_to_double(const BigRational& v);
+/// The same of num / den. Requires: den > 0.
+double round_to_double(const BigInteger& num, const BigInteger& den);
 
 }  // namespace dymsum::exact

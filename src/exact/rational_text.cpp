@@ -12,20 +12,23 @@ bool is_integer(std::string_view text) {
   return !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
 }
 
-}  // namespace
-
-Result<BigRational> rational_of(const Rational& value, std::string_view what, Code code) {
-  const std::string name(what), text = value.to_string().substr(0, 60);
-  if (!is_integer(value.num) || !is_integer(value.den))
-    return Error{Code::malformed, "a " + name + " has to be a quotient of integers: " + text, {}};
-  if (value.num.size() + value.den.size() > 4 * kMaxTextBits)
-    return Error{code, "numerator and denominator of a " + name + " may have at most 4096 bits", {}};
-  const BigInteger den(value.den);
-  if (den == 0) return Error{code, "a " + name + " with denominator zero: " + text, {}};
-  return ratio(Big(BigInteger(value.num)), Big(den));
+// Boost reads a leading 0 as octal.
+BigInteger integer(std::string_view text) {
+  const bool negative = text.starts_with('-');
+  if (negative) text.remove_prefix(1);
+  text.remove_prefix(std::min(text.find_first_not_of('0'), text.size() - 1));
+  const BigInteger magnitude{std::string(text)};
+  return negative ? BigInteger(-magnitude) : magnitude;
 }
 
-namespace {
+Result<BigRational> quotient(std::string_view num, std::string_view den, const std::string& name, ErrorCode code) {
+  const std::string text = (std::string(num) + "/" + std::string(den)).substr(0, 60);
+  if (!is_integer(num) || !is_integer(den))
+    return Error{ErrorCode::malformed, "a " + name + " has to be a quotient of integers: " + text, {}};
+  const BigInteger d = integer(den);
+  if (d == 0) return Error{code, "a " + name + " with denominator zero: " + text, {}};
+  return ratio(Big(integer(num)), Big(d));
+}
 
 /// digits[.digits][e[sign]digits] as a rational.
 std::optional<BigRational> decimal(std::string_view text) {
@@ -61,14 +64,15 @@ std::optional<BigRational> decimal(std::string_view text) {
 
 }  // namespace
 
-Result<BigRational> number_in(std::string_view text, std::string_view what, Code code) {
+Result<BigRational> number_in(std::string_view text, std::string_view what, ErrorCode code,
+                              std::size_t most_characters) {
   const std::string name(what);
-  if (text.size() > 4 * kMaxTextBits)
+  if (text.size() > most_characters)
     return Error{code, "numerator and denominator of a " + name + " may have at most 4096 bits", {}};
   if (const std::size_t slash = text.find('/'); slash != std::string_view::npos)
-    return rational_of({std::string(text.substr(0, slash)), std::string(text.substr(slash + 1))}, what, code);
+    return quotient(text.substr(0, slash), text.substr(slash + 1), name, code);
   const std::optional<BigRational> value = decimal(text);
-  if (!value) return Error{Code::malformed, "not a " + name + ": \"" + std::string(text.substr(0, 60)) + "\"", {}};
+  if (!value) return Error{ErrorCode::malformed, "not a " + name + ": \"" + std::string(text.substr(0, 60)) + "\"", {}};
   return *value;
 }
 

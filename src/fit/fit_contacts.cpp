@@ -17,7 +17,7 @@ class ContactFinder {
  public:
   ContactFinder(const OperandPair& base, const PlanarSum& sum, const BigRational& s, const ObstacleNumbers& numbers)
       : base_(base), s_(s), approx_(exact::round_to_double(s)), numbers_(numbers) {
-    const auto at = [&](const SumVertex& v) { return make_spot(sum.source->position(v)); };
+    const auto at = [&](const SumVertex& v) { return make_spot(exact_source(sum)->position(v)); };
     for (const SumVertex& v : sum.tight_points) features_.push_back({at(v), at(v)});
     for (const SumSegment& t : sum.tight_segments) features_.push_back({at(t.from), at(t.to)});
   }

@@ -79,7 +79,7 @@ void PathFree::add(Critical& to, const BigRational& s, const WalkSegment* wall, 
     c.along = exact::to_rational(ax != bx ? BigRational((x - ax) / (bx - ax)) : BigRational((y - ay) / (by - ay)));
   } else if (leg + 1 == count_ && leg > 0) {
     c.leg = leg - 1;
-    c.along = {"1", "1"};
+    c.along = 1;
   }
   to[s].push_back(c);
 }

@@ -16,7 +16,7 @@ using exact::BigRational;
 
 namespace {
 
-Error unsupported(const char* text) { return {Code::unsupported_operand, text, {}}; }
+Error unsupported(const char* text) { return {ErrorCode::unsupported_operand, text, {}}; }
 
 /// The free set from an oracle that is constant between consecutive critical scales and closed: one question per gap,
 /// and one per critical scale between two blocked gaps. Above `limit` (if any) nothing is free.
@@ -36,7 +36,7 @@ std::optional<Error> assemble(const PathFree::Critical& critical, const std::opt
   std::vector<std::uint8_t> gap(n + 1, 0);  // gap i lies below value i
   for (std::size_t i = 0; i <= n; ++i) {
     if (progress && !progress("scales", double(i) / double(n + 1)))
-      return Error{Code::cancelled, "stopped on request", {}};
+      return Error{ErrorCode::cancelled, "stopped on request", {}};
     if (i == n && limit) break;
     const BigRational s = n == 0   ? BigRational(1)
                           : i == 0 ? BigRational(values[0] / 2)
@@ -179,11 +179,11 @@ class AnyPlacement {
   AnyPlacement(std::shared_ptr<const OperandPair> base, ObstacleNumbers numbers)
       : base_(base),
         numbers_(std::move(numbers)),
-        state_(std::make_unique<ScalingSum::State>(std::move(base), options())) {}
+        state_(std::make_unique<planar::ScalingState>(std::move(base), options())) {}
 
   std::shared_ptr<const OperandPair> base_;
   ObstacleNumbers numbers_;
-  std::unique_ptr<ScalingSum::State> state_;
+  std::unique_ptr<planar::ScalingState> state_;
 };
 
 Result<PathFree::Critical> critical_of(AnyPlacement& placement, const BigRational& low, const BigRational& limit,
@@ -191,7 +191,7 @@ Result<PathFree::Critical> critical_of(AnyPlacement& placement, const BigRationa
   PathFree::Critical critical;
   for (BigRational from = low; from < limit;) {
     const double done = exact::round_to_double(BigRational((from - low) / (limit - low)));
-    if (progress && !progress("events", done)) return Error{Code::cancelled, "stopped on request", {}};
+    if (progress && !progress("events", done)) return Error{ErrorCode::cancelled, "stopped on request", {}};
     const BigRational to = std::min<BigRational>(BigRational(from * BigRational(17, 16)), limit);
     for (const EventValue& e : placement.events(from, to)) critical[e.s];
     from = to;
@@ -209,7 +209,7 @@ bool ScaleRange::contains(const Scale& s) const {
 }
 
 std::optional<Rational> ScaleRange::trap() const {
-  if (free.empty() || free[0].low) return Rational{"0", "1"};
+  if (free.empty() || free[0].low) return Rational();
   return free[0].high;
 }
 
@@ -218,7 +218,7 @@ Result<ScaleRange> scale_range(const Region& part, const std::vector<Point>& pat
   if (path.empty()) return unsupported("a path needs at least one waypoint");
   for (std::size_t i = 0; i < path.size(); ++i)
     if (!std::isfinite(path[i].x) || !std::isfinite(path[i].y)) {
-      Error error{Code::not_finite, "a waypoint of the path is not finite", {}};
+      Error error{ErrorCode::not_finite, "a waypoint of the path is not finite", {}};
       error.evidence.vertex = static_cast<std::int64_t>(i);
       return error;
     }
@@ -231,7 +231,8 @@ Result<ScaleRange> scale_range(const Region& part, const std::vector<Point>& pat
 }
 
 Result<ScaleRange> fit_range(const Region& part, const Region& container, Point at, const Progress& progress) {
-  if (!std::isfinite(at.x) || !std::isfinite(at.y)) return Error{Code::not_finite, "the placement is not finite", {}};
+  if (!std::isfinite(at.x) || !std::isfinite(at.y))
+    return Error{ErrorCode::not_finite, "the placement is not finite", {}};
   if (std::optional<Error> error = check(part, container)) return *std::move(error);
   if (std::optional<Error> error = too_large_to_frame(container, part)) return *std::move(error);
   const BigRational limit = box_limit(part, container);

@@ -52,9 +52,9 @@ Result<std::vector<CopySum>> scaled_copies(const Region& master, const Region& q
                                            const ScalingOptions& options) {
   Result<std::shared_ptr<const planar::OperandPair>> base = planar::OperandPair::create(
       {planar::prepared_operand(master, 0), planar::prepared_operand(q, 1, options.reflect_q)}, {}, 0,
-      options.min_tier_bits);
+      planar::SumInternals::min_tier_bits(options));
   if (!base) return base.error();
-  ScalingSum::State state(std::move(base).value(), options);
+  planar::ScalingState state(std::move(base).value(), options);
   const bool plan = options.mode == FrameMode::automatic && options.window == 0;
   const std::vector<std::vector<std::size_t>> groups = by_scale(copies);
   std::vector<double> scales;
@@ -63,7 +63,7 @@ Result<std::vector<CopySum>> scaled_copies(const Region& master, const Region& q
   std::vector<CopySum> result(copies.size());
   for (std::size_t g = 0; g < groups.size(); ++g) {
     if (options.progress && !options.progress("copies", static_cast<double>(g) / static_cast<double>(groups.size())))
-      return Error{Code::cancelled, "stopped on request", {}};
+      return Error{ErrorCode::cancelled, "stopped on request", {}};
     if (plan) {
       state.options.mode = widths[g] > 0 ? FrameMode::window : FrameMode::rebuild;
       state.options.window = widths[g];

@@ -12,7 +12,7 @@
 
 namespace dymsum::io {
 
-Error file_error(Code code, std::string message, std::string_view file) {
+Error file_error(ErrorCode code, std::string message, std::string_view file) {
   Evidence evidence;
   evidence.file = file;
   return {code, std::move(message), std::move(evidence)};
@@ -32,17 +32,17 @@ Result<std::string> read_file(const std::string& path) {
   const bool standard = path == "-";
   std::error_code ignored;
   if (!standard && std::filesystem::is_directory(path, ignored)) {
-    return file_error(Code::cannot_open, "this is a directory", path);
+    return file_error(ErrorCode::cannot_open, "this is a directory", path);
   }
   const auto close = [standard](std::FILE* file) { return standard ? 0 : std::fclose(file); };
   const std::unique_ptr<std::FILE, decltype(close)> file(standard ? stdin : std::fopen(path.c_str(), "rb"), close);
-  if (!file) return file_error(Code::cannot_open, std::strerror(errno), path);
+  if (!file) return file_error(ErrorCode::cannot_open, std::strerror(errno), path);
   std::string text;
   std::array<char, 1 << 16> block;
   std::size_t count = 0;
   while ((count = std::fread(block.data(), 1, block.size(), file.get())) > 0) text.append(block.data(), count);
   if (std::ferror(file.get()))
-    return file_error(Code::cannot_open, std::string("reading failed: ") + std::strerror(errno), path);
+    return file_error(ErrorCode::cannot_open, std::string("reading failed: ") + std::strerror(errno), path);
   return text;
 }
 

@@ -15,6 +15,6 @@ Result<std::string> read_file(const std::string& path);
 std::string extension(std::string_view path);
 
 /// An error that is about a file as a whole.
-Error file_error(Code code, std::string message, std::string_view file);
+Error file_error(ErrorCode code, std::string message, std::string_view file);
 
 }  // namespace dymsum::io

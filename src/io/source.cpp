@@ -12,11 +12,11 @@ std::int64_t Source::line(std::size_t offset) const {
   return 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n');
 }
 
-void Source::fail(Code code, std::string message, std::size_t offset, Evidence evidence) const {
+void Source::fail(ErrorCode code, std::string message, std::size_t offset, Evidence evidence) const {
   fail_on_line(code, std::move(message), line(offset), std::move(evidence));
 }
 
-void Source::fail_on_line(Code code, std::string message, std::int64_t line, Evidence evidence) const {
+void Source::fail_on_line(ErrorCode code, std::string message, std::int64_t line, Evidence evidence) const {
   evidence.file = file;
   evidence.line = line;
   throw ReadFailure{Error{code, std::move(message), std::move(evidence)}};

@@ -22,8 +22,8 @@ struct Source {
   /// The line of a byte, from 1; past the last character that is not blank, the line of that character.
   std::int64_t line(std::size_t offset) const;
 
-  [[noreturn]] void fail(Code code, std::string message, std::size_t offset, Evidence evidence = {}) const;
-  [[noreturn]] void fail_on_line(Code code, std::string message, std::int64_t line, Evidence evidence = {}) const;
+  [[noreturn]] void fail(ErrorCode code, std::string message, std::size_t offset, Evidence evidence = {}) const;
+  [[noreturn]] void fail_on_line(ErrorCode code, std::string message, std::int64_t line, Evidence evidence = {}) const;
 };
 
 /// Up to 24 characters of a text between quotation marks, for messages; what cannot be printed becomes '?'.

@@ -59,7 +59,7 @@ std::string_view Words::peek() {
 
 std::string_view Words::take(const std::string& what) {
   const std::string_view word = peek();
-  if (word.empty()) fail(Code::truncated, "the file ends before " + what);
+  if (word.empty()) fail(ErrorCode::truncated, "the file ends before " + what);
   at_ += word.size();
   return word;
 }
@@ -68,15 +68,15 @@ void Words::expect(std::string_view keyword) {
   const std::string_view word = take("'" + std::string(keyword) + "'");
   if (same_word(word, keyword)) return;
   at_ -= word.size();
-  fail(Code::malformed, "expected '" + std::string(keyword) + "' instead of " + in_quotes(word));
+  fail(ErrorCode::malformed, "expected '" + std::string(keyword) + "' instead of " + in_quotes(word));
 }
 
 double Words::number(const std::string& what, const Evidence& evidence) {
-  if (at_end()) fail(Code::truncated, "the file ends before " + what, evidence);
+  if (at_end()) fail(ErrorCode::truncated, "the file ends before " + what, evidence);
   const std::string_view word = peek();
   const ScannedNumber scanned = scan_number(word);
   if (scanned.length == 0 || scanned.length != word.size()) {
-    fail(Code::malformed, "expected " + what + " instead of " + in_quotes(word), evidence);
+    fail(ErrorCode::malformed, "expected " + what + " instead of " + in_quotes(word), evidence);
   }
   at_ += word.size();
   return scanned.value;
@@ -85,15 +85,15 @@ double Words::number(const std::string& what, const Evidence& evidence) {
 double Words::coordinate(const Evidence& evidence) {
   const double value = number("a coordinate", evidence);
   if (std::isfinite(value)) return value;
-  fail_at(at_ - 1, Code::not_finite, "a coordinate is not a finite double", evidence);
+  fail_at(at_ - 1, ErrorCode::not_finite, "a coordinate is not a finite double", evidence);
 }
 
 std::uint64_t Words::count(const std::string& what, const Evidence& evidence) {
-  if (at_end()) fail(Code::truncated, "the file ends before " + what, evidence);
+  if (at_end()) fail(ErrorCode::truncated, "the file ends before " + what, evidence);
   const std::string_view word = peek();
   const ScannedCount scanned = scan_count(word);
   if (scanned.length == 0 || scanned.length != word.size()) {
-    fail(Code::malformed, "expected " + what + " instead of " + in_quotes(word), evidence);
+    fail(ErrorCode::malformed, "expected " + what + " instead of " + in_quotes(word), evidence);
   }
   at_ += word.size();
   return scanned.value;
@@ -103,14 +103,14 @@ std::uint32_t Words::index(std::uint64_t vertices, Evidence evidence) {
   const std::uint64_t value = count("a vertex number", evidence);
   if (value < vertices) return static_cast<std::uint32_t>(value);
   evidence.vertex = static_cast<std::int64_t>(std::min<std::uint64_t>(value, std::numeric_limits<std::int64_t>::max()));
-  fail_at(at_ - 1, Code::bad_index, "a face names a vertex that does not exist", std::move(evidence));
+  fail_at(at_ - 1, ErrorCode::bad_index, "a face names a vertex that does not exist", std::move(evidence));
 }
 
-void Words::fail(Code code, std::string message, Evidence evidence) const {
+void Words::fail(ErrorCode code, std::string message, Evidence evidence) const {
   fail_at(at_, code, std::move(message), std::move(evidence));
 }
 
-void Words::fail_at(std::size_t offset, Code code, std::string message, Evidence evidence) const {
+void Words::fail_at(std::size_t offset, ErrorCode code, std::string message, Evidence evidence) const {
   source_.fail(code, std::move(message), offset, std::move(evidence));
 }
 

@@ -44,8 +44,8 @@ class Words {
   std::uint32_t index(std::uint64_t vertices, Evidence evidence);
 
   /// Fails at the word that is next, or at `offset`.
-  [[noreturn]] void fail(Code code, std::string message, Evidence evidence = {}) const;
-  [[noreturn]] void fail_at(std::size_t offset, Code code, std::string message, Evidence evidence = {}) const;
+  [[noreturn]] void fail(ErrorCode code, std::string message, Evidence evidence = {}) const;
+  [[noreturn]] void fail_at(std::size_t offset, ErrorCode code, std::string message, Evidence evidence = {}) const;
 
  private:
   void skip_blanks(bool stay_on_line);

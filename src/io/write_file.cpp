@@ -20,7 +20,7 @@ namespace {
 Error cannot_write(const std::string& path, const std::string& what, int error) {
   Evidence evidence;
   evidence.file = path;
-  return {Code::cannot_write, what + ": " + std::strerror(error), std::move(evidence)};
+  return {ErrorCode::cannot_write, what + ": " + std::strerror(error), std::move(evidence)};
 }
 
 /// 0, or the error number.
@@ -114,17 +114,19 @@ int write_through(const std::string& path, std::string_view text) {
 
 }  // namespace
 
-Result<bool> write_file(const std::string& path, std::string_view text) {
+Result<void> write_file(const std::string& path, std::string_view text) {
   if (path == "-") {
     const int error = write_all(STDOUT_FILENO, text);
-    return error ? Result<bool>(cannot_write(path, "writing to standard output failed", error)) : true;
+    if (error) return cannot_write(path, "writing to standard output failed", error);
+    return {};
   }
   std::error_code ignored;
   const auto status = std::filesystem::status(path, ignored);
   if (std::filesystem::is_directory(status)) return cannot_write(path, "this is a directory", EISDIR);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
     const int error = write_through(path, text);
-    return error ? Result<bool>(cannot_write(path, "writing failed", error)) : true;
+    if (error) return cannot_write(path, "writing failed", error);
+    return {};
   }
   if (std::filesystem::exists(status) && ::access(path.c_str(), W_OK) != 0) {
     return cannot_write(path, "the file may not be changed", errno);
@@ -137,7 +139,7 @@ Result<bool> write_file(const std::string& path, std::string_view text) {
   if (const int error = draft.write(text))
     return cannot_write(path, "writing failed, an older file is untouched", error);
   if (const int error = draft.publish()) return cannot_write(path, "the finished file cannot take its name", error);
-  return true;
+  return {};
 }
 
 }  // namespace dymsum

@@ -12,9 +12,9 @@ TEST(Result, HoldsAValueOrAnError) {
   const Result<int> good = 7;
   ASSERT_TRUE(good.ok());
   EXPECT_EQ(*good, 7);
-  const Result<int> bad = Error{Code::truncated, "the file ends early", {}};
+  const Result<int> bad = Error{ErrorCode::truncated, "the file ends early", {}};
   ASSERT_FALSE(bad);
-  EXPECT_EQ(bad.error().code, Code::truncated);
+  EXPECT_EQ(bad.error().code, ErrorCode::truncated);
   try {
     (void)bad.value();
     FAIL() << "value() of an error must throw";
@@ -23,18 +23,30 @@ TEST(Result, HoldsAValueOrAnError) {
   }
 }
 
-TEST(Code, EveryCodeHasItsOwnName) {
+TEST(Result, OfNothingIsDoneOrAnError) {
+  const Result<void> done, failed = Error{ErrorCode::cannot_write, "the disk is full", {}};
+  EXPECT_TRUE(done.ok());
+  EXPECT_NO_THROW(done.value());
+  EXPECT_THROW((void)done.error(), std::logic_error);
+  EXPECT_FALSE(failed.ok());
+  EXPECT_EQ(failed.error().code, ErrorCode::cannot_write);
+  EXPECT_THROW(failed.value(), std::logic_error);
+}
+
+TEST(Result, HasNoErrorBesideAValue) { EXPECT_THROW((void)Result<int>(1).error(), std::logic_error); }
+
+TEST(ErrorCode, EveryCodeHasItsOwnName) {
   std::set<std::string_view> names;
-  for (int i = 0; i <= static_cast<int>(Code::cancelled); ++i) names.insert(name(static_cast<Code>(i)));
-  EXPECT_EQ(names.size(), static_cast<std::size_t>(Code::cancelled) + 1);
-  EXPECT_EQ(name(Code::cannot_open), "cannot_open");
-  EXPECT_EQ(name(Code::rounding_changed_topology), "rounding_changed_topology");
-  EXPECT_EQ(name(Code::bad_scale), "bad_scale");
-  EXPECT_THROW((void)name(static_cast<Code>(1000)), std::logic_error);
+  for (int i = 0; i <= static_cast<int>(ErrorCode::cancelled); ++i) names.insert(name(static_cast<ErrorCode>(i)));
+  EXPECT_EQ(names.size(), static_cast<std::size_t>(ErrorCode::cancelled) + 1);
+  EXPECT_EQ(name(ErrorCode::cannot_open), "cannot_open");
+  EXPECT_EQ(name(ErrorCode::rounding_changed_topology), "rounding_changed_topology");
+  EXPECT_EQ(name(ErrorCode::bad_scale), "bad_scale");
+  EXPECT_THROW((void)name(static_cast<ErrorCode>(1000)), std::logic_error);
 }
 
 TEST(Error, TextNamesEveryPieceOfEvidence) {
-  Error e{Code::self_crossing, "the ring crosses itself", {}};
+  Error e{ErrorCode::self_crossing, "the ring crosses itself", {}};
   EXPECT_EQ(e.to_string(), "the ring crosses itself");
   e.evidence.ring = 1;
   e.evidence.vertex = 3;
@@ -54,8 +66,8 @@ TEST(Error, TextNamesEveryPieceOfEvidence) {
 }
 
 TEST(Error, PartialEvidence) {
-  Error in_file{Code::malformed, "bad number", {}}, on_line = in_file;
-  Error at_x{Code::not_finite, "not finite", {}}, at_y = at_x;
+  Error in_file{ErrorCode::malformed, "bad number", {}}, on_line = in_file;
+  Error at_x{ErrorCode::not_finite, "not finite", {}}, at_y = at_x;
   in_file.evidence.file = "x.wkt";
   EXPECT_EQ(in_file.to_string(), "x.wkt: bad number");
   on_line.evidence.line = 4;

@@ -200,8 +200,8 @@ TEST(ConvexDepth, the_direction_is_that_of_the_facet_where_edges_are_nearly_para
 
 TEST(ConvexDepth, points_that_are_no_places_are_refused) {
   const double nan = std::nan(""), inf = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(penetration_depth(cube(1), cube(1), {}, {}, {nan, 0, 0}).error().code, Code::not_finite);
-  EXPECT_EQ(penetration_depth(cube(1), cube(1), {}, {}, {0, inf, 0}).error().code, Code::not_finite);
+  EXPECT_EQ(penetration_depth(cube(1), cube(1), {}, {}, {nan, 0, 0}).error().code, ErrorCode::not_finite);
+  EXPECT_EQ(penetration_depth(cube(1), cube(1), {}, {}, {0, inf, 0}).error().code, ErrorCode::not_finite);
   const ConvexSum sum = *ConvexSum::create(cube(1), cube(1));
   EXPECT_THROW((void)sum.depth({0, 0, inf}), std::invalid_argument);
   EXPECT_THROW((void)sum.support({0, nan, 0}), std::invalid_argument);
@@ -248,7 +248,7 @@ TEST(PoseBatch, reports_what_single_sums_say_in_the_order_given) {
   }
   BatchOptions stop;
   stop.progress = [](std::string_view, double done) { return done < 0.5; };
-  EXPECT_EQ(pose_batch(p, q, poses, stop).error().code, Code::cancelled);
+  EXPECT_EQ(pose_batch(p, q, poses, stop).error().code, ErrorCode::cancelled);
   EXPECT_TRUE(pose_batch(p, q, {}, {})->empty());
 }
 

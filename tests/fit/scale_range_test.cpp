@@ -193,7 +193,7 @@ TEST(ScaleRange, random_paths_agree_with_membership_at_many_scales) {
     for (const ScaleInterval& i : range.free)
       for (const auto& [end, direction] : {std::pair{i.low, -1}, std::pair{i.high, 1}}) {
         if (!end) continue;
-        const long a = std::stol(end->num), b = std::stol(end->den);
+        const long a = std::stol(end->numerator()), b = std::stol(end->denominator());
         EXPECT_TRUE(is_free(a, b)) << "round " << round << ": " << end->to_string();
         const long fine = 1024;
         EXPECT_FALSE(is_free(a * fine + direction, b * fine) &&
@@ -253,7 +253,8 @@ TEST(FitRange, contacts_of_any_placement_name_what_holds_the_part) {
   ASSERT_EQ(text(slides), "(0, 3/1] ");
   EXPECT_EQ(told(slides.free[0].at_high), (std::vector<std::string>{"vertex 0 on edge 0", "vertex 1 on edge 0",
                                                                     "vertex 2 on edge 2", "vertex 3 on edge 2"}));
-  for (const ScaleContact& c : slides.free[0].at_high) EXPECT_EQ(c.at, (RationalPoint{{"-9", "1"}, {"-15", "1"}}));
+  for (const ScaleContact& c : slides.free[0].at_high)
+    EXPECT_EQ(c.at, (RationalPoint{*Rational::of(-9, 1), *Rational::of(-15, 1)}));
   // A triangle in itself.
   const Region t = ring({{-1, -1}, {1, -1}, {0, 1}});
   const ScaleRange same = fit_range(t, t).value();
@@ -325,21 +326,21 @@ TEST(ScaleRange, inputs_without_an_answer_give_errors) {
   RegionData line;
   line.polylines.push_back({{0, 0}, {1, 0}});
   const Region thin = Region::create(line).value();
-  EXPECT_EQ(scale_range(square, {}, square).error().code, Code::unsupported_operand);
-  EXPECT_EQ(scale_range(thin, {{0, 0}}, square).error().code, Code::unsupported_operand);
-  EXPECT_EQ(scale_range(square, {{0, 0}}, Region()).error().code, Code::unsupported_operand);
+  EXPECT_EQ(scale_range(square, {}, square).error().code, ErrorCode::unsupported_operand);
+  EXPECT_EQ(scale_range(thin, {{0, 0}}, square).error().code, ErrorCode::unsupported_operand);
+  EXPECT_EQ(scale_range(square, {{0, 0}}, Region()).error().code, ErrorCode::unsupported_operand);
   EXPECT_EQ(scale_range(Region(), {{0, 0}}, square).error().message, "the part is empty");
   EXPECT_EQ(fit_range(Region(), square).error().message, "the part is empty");
   EXPECT_EQ(fit_range(square, Region()).error().message, "the region of obstacles, or the container, is empty");
   EXPECT_NE(fit_range(thin, square).error().message, "the part is empty");
   const Error nan = scale_range(square, {{0, 0}, {NAN, 0}}, square).error();
-  EXPECT_EQ(nan.code, Code::not_finite);
+  EXPECT_EQ(nan.code, ErrorCode::not_finite);
   EXPECT_EQ(nan.evidence.vertex, 1);
-  EXPECT_EQ(fit_range(square, thin).error().code, Code::unsupported_operand);
-  EXPECT_EQ(fit_range(square, square, {INFINITY, 0}).error().code, Code::not_finite);
+  EXPECT_EQ(fit_range(square, thin).error().code, ErrorCode::unsupported_operand);
+  EXPECT_EQ(fit_range(square, square, {INFINITY, 0}).error().code, ErrorCode::not_finite);
   const auto stop = [](std::string_view, double) { return false; };
-  EXPECT_EQ(scale_range(square, {{3, 3}}, square, stop).error().code, Code::cancelled);
-  EXPECT_EQ(fit_range(square, square, stop).error().code, Code::cancelled);
+  EXPECT_EQ(scale_range(square, {{3, 3}}, square, stop).error().code, ErrorCode::cancelled);
+  EXPECT_EQ(fit_range(square, square, stop).error().code, ErrorCode::cancelled);
 }
 
 }  // namespace

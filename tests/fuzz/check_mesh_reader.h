@@ -29,8 +29,8 @@ inline std::string check_mesh_reader(std::string_view bytes, MeshFormat format) 
     const bool line = error.evidence.line && *error.evidence.line >= 1 && *error.evidence.line <= lines;
     const bool byte = is_binary_file(bytes, format) && error.message.find("(byte ") != std::string::npos;
     if (!line && !byte) return "an error without a line or a byte of the file";
-    if (error.code != Code::malformed && error.code != Code::truncated && error.code != Code::not_finite &&
-        error.code != Code::bad_index)
+    if (error.code != ErrorCode::malformed && error.code != ErrorCode::truncated &&
+        error.code != ErrorCode::not_finite && error.code != ErrorCode::bad_index)
       return "an error of another room";
     return "";
   }

@@ -24,7 +24,7 @@ inline std::string check_reader(std::string_view text, RegionFormat format) {
     for (const char c : text) lines += c == '\n';
     if (!error.evidence.line || *error.evidence.line < 1 || *error.evidence.line > lines)
       return "an error without a line of the file";
-    if (error.code != Code::malformed && error.code != Code::truncated && error.code != Code::not_finite)
+    if (error.code != ErrorCode::malformed && error.code != ErrorCode::truncated && error.code != ErrorCode::not_finite)
       return "an error of another room";
     return "";
   }

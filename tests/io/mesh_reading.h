@@ -29,7 +29,7 @@ inline MeshData read_mesh_text(std::string_view text, MeshFormat format) {
 
 /// The reader refuses the text with this code, at this line (0: none), and a sentence that contains `words`. Returns
 /// the evidence.
-inline Evidence expect_mesh_refused(std::string_view text, MeshFormat format, Code code, std::int64_t line,
+inline Evidence expect_mesh_refused(std::string_view text, MeshFormat format, ErrorCode code, std::int64_t line,
                                     std::string_view words) {
   const auto data = parse_mesh(text, format, "dir/test.file");
   if (data) {

@@ -71,7 +71,7 @@ TEST(ObstacleFile, a_file_that_ends_too_early_is_refused) {
   for (std::size_t n = 0; n + 2 < text.size(); n += n < 200 ? 1 : 97) {
     const Result<CspaceObstacle> read = parse_obstacle(std::string_view(text).substr(0, n), "cut.obstacle");
     ASSERT_FALSE(read.ok()) << n;
-    EXPECT_EQ(read.error().code, Code::truncated) << n << ": " << read.error().to_string();
+    EXPECT_EQ(read.error().code, ErrorCode::truncated) << n << ": " << read.error().to_string();
     EXPECT_EQ(read.error().evidence.file, "cut.obstacle");
   }
 }
@@ -140,17 +140,17 @@ TEST(ObstacleFile, an_index_that_names_nothing_is_refused) {
 }
 
 TEST(ObstacleFile, other_texts_and_versions_are_refused) {
-  EXPECT_EQ(parse_obstacle("", "f").error().code, Code::truncated);
+  EXPECT_EQ(parse_obstacle("", "f").error().code, ErrorCode::truncated);
   for (const char* text : {"[]", "7", "{}", "null", R"({"format":"dymsum obstacle","version":2,"content":{}})",
                            R"({"format":"dymsum obstacle","version":1,"checksum":"","content":{}})",
                            R"({"format":"something","version":1})", "POLYGON ((0 0, 1 0, 1 1))"}) {
     const Result<CspaceObstacle> read = parse_obstacle(text, "f");
     ASSERT_FALSE(read.ok()) << text;
-    EXPECT_EQ(read.error().code, Code::malformed) << text;
+    EXPECT_EQ(read.error().code, ErrorCode::malformed) << text;
   }
   EXPECT_NE(parse_obstacle(R"({"format":"dymsum obstacle","version":2})", "f").error().message.find("version 2"),
             std::string::npos);
-  EXPECT_EQ(read_obstacle("/no/such/file").error().code, Code::cannot_open);
+  EXPECT_EQ(read_obstacle("/no/such/file").error().code, ErrorCode::cannot_open);
 }
 
 }  // namespace

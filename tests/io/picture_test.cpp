@@ -31,7 +31,7 @@ SumVertex vertex(double x, double y) {
 /// A square with a square hole, a segment and a point beside it, and tight features.
 PlanarSum hand_made_sum() {
   PlanarSum sum;
-  sum.source = std::make_shared<RoundedPositions>();
+  exact_source(sum) = std::make_shared<RoundedPositions>();
   SumPart part;
   part.outer.vertices = {vertex(0, 0), vertex(10, 0), vertex(10, 10), vertex(0, 10)};
   part.outer.vertices[0].corner_p = 7;

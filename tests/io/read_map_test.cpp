@@ -66,7 +66,7 @@ TEST_F(ReadMap, a_movingai_map_with_its_border) {
   EXPECT_EQ(region(file), squares(blocked));
   EXPECT_EQ(region(file + "#blocked"), squares(blocked));
   EXPECT_TRUE(read_region_data(file + "#unknown")->parts.empty());
-  EXPECT_EQ(refused(file + "#walls").code, Code::malformed);
+  EXPECT_EQ(refused(file + "#walls").code, ErrorCode::malformed);
 }
 
 // Cells that touch in corners alone, holes that touch, islands in holes.
@@ -144,23 +144,23 @@ TEST_F(ReadMap, the_yaw_turns_the_map_about_its_origin) {
 }
 
 TEST_F(ReadMap, wrong_files_are_refused_with_their_place) {
-  const auto map = [&](const std::string& text, Code code, std::int64_t line) {
+  const auto map = [&](const std::string& text, ErrorCode code, std::int64_t line) {
     const Error error = refused(write("wrong.map", text));
     EXPECT_EQ(error.code, code) << text;
     EXPECT_EQ(error.evidence.line, line) << text << error.message;
   };
-  map("type octile\nheight 1\nwidth 2\nmap\n.\n", Code::malformed, 5);
-  map("type octile\nheight 1\nwidth 2\nmap\n.x\n", Code::malformed, 5);
-  map("type octile\nheight 2\nwidth 2\nmap\n..\n", Code::truncated, 5);
-  map("type octile\nheight 1\nwidth 2\nmap\n..\n..\n", Code::malformed, 6);
-  map("type octile\nheight 0\nwidth 2\nmap\n", Code::malformed, 2);
-  map("type octile\nwidth 2\nheight 2\nmap\n", Code::malformed, 2);
-  map("type octile\nheight 32768\nwidth 32768\n", Code::truncated, 3);
+  map("type octile\nheight 1\nwidth 2\nmap\n.\n", ErrorCode::malformed, 5);
+  map("type octile\nheight 1\nwidth 2\nmap\n.x\n", ErrorCode::malformed, 5);
+  map("type octile\nheight 2\nwidth 2\nmap\n..\n", ErrorCode::truncated, 5);
+  map("type octile\nheight 1\nwidth 2\nmap\n..\n..\n", ErrorCode::malformed, 6);
+  map("type octile\nheight 0\nwidth 2\nmap\n", ErrorCode::malformed, 2);
+  map("type octile\nwidth 2\nheight 2\nmap\n", ErrorCode::malformed, 2);
+  map("type octile\nheight 32768\nwidth 32768\n", ErrorCode::truncated, 3);
   write("one.pgm", pgm(1, 1, {0}));
   const std::string rest = "resolution: 1\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.6\nfree_thresh: 0.2\n";
   const auto yaml = [&](const std::string& text, std::int64_t line) {
     const Error error = refused(write("wrong.yaml", text));
-    EXPECT_EQ(error.code, Code::malformed) << text;
+    EXPECT_EQ(error.code, ErrorCode::malformed) << text;
     EXPECT_EQ(error.evidence.line, line) << text << error.message;
   };
   yaml("image: one.png\n" + rest, 1);
@@ -172,22 +172,22 @@ TEST_F(ReadMap, wrong_files_are_refused_with_their_place) {
   yaml("image: one.pgm\nmode: grey\n" + rest, 2);
   yaml("image: one.pgm\n- 3\n" + rest, 2);
   yaml("image: one.pgm\nwords\n" + rest, 2);
-  EXPECT_EQ(refused(write("absent.yaml", "image: absent.pgm\n" + rest)).code, Code::cannot_open);
+  EXPECT_EQ(refused(write("absent.yaml", "image: absent.pgm\n" + rest)).code, ErrorCode::cannot_open);
   const std::string good = write("good.yaml", "image: bad.pgm\n" + rest);
-  const auto image = [&](const std::string& text, Code code) {
+  const auto image = [&](const std::string& text, ErrorCode code) {
     write("bad.pgm", text);
     const Error error = refused(good);
     EXPECT_EQ(error.code, code) << text;
     EXPECT_TRUE(error.evidence.file.ends_with("bad.pgm"));
   };
-  image("P6\n1 1\n255\n...", Code::malformed);
-  image("P5\n2 2\n255\nabc", Code::truncated);
-  image("P2\n2 1\n255\n1", Code::truncated);
-  image("P2\n1 1\n255\n256", Code::malformed);
-  image("P2\n0 1\n255\n", Code::malformed);
-  image("P2\n1 1\n70000\n", Code::malformed);
-  image("P5\n1000000000 1000000000\n255\n", Code::malformed);
-  image("P5\n30000 30000\n255\nxyz", Code::truncated);
+  image("P6\n1 1\n255\n...", ErrorCode::malformed);
+  image("P5\n2 2\n255\nabc", ErrorCode::truncated);
+  image("P2\n2 1\n255\n1", ErrorCode::truncated);
+  image("P2\n1 1\n255\n256", ErrorCode::malformed);
+  image("P2\n0 1\n255\n", ErrorCode::malformed);
+  image("P2\n1 1\n70000\n", ErrorCode::malformed);
+  image("P5\n1000000000 1000000000\n255\n", ErrorCode::malformed);
+  image("P5\n30000 30000\n255\nxyz", ErrorCode::truncated);
 }
 
 }  // namespace

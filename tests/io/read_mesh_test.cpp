@@ -52,111 +52,114 @@ TEST(ReadMesh, NumbersAreTheNearestDoubles) {
 }
 
 TEST(ReadMesh, OffErrors) {
-  const auto refused = [](std::string_view text, Code code, std::int64_t line, std::string_view words) {
+  const auto refused = [](std::string_view text, ErrorCode code, std::int64_t line, std::string_view words) {
     return expect_mesh_refused(text, MeshFormat::off, code, line, words);
   };
-  refused("", Code::truncated, 1, "'OFF'");
-  refused("PLY\n", Code::malformed, 1, "'PLY'");
-  refused("4OFF\n1 1 1\n", Code::malformed, 1, "three-dimensional");
-  refused("OFF BINARY\n", Code::malformed, 1, "binary");
-  refused("OFF\n3\n", Code::truncated, 2, "number of faces");
-  refused("OFF\n3 -1 0\n", Code::malformed, 2, "'-1'");
-  EXPECT_EQ(refused("OFF\n2 0 0\n0 0 0\n", Code::truncated, 3, "ends after 1").vertex, 1);
-  EXPECT_EQ(refused("OFF\n2 0 0\n0 0 0\n0 1\n", Code::truncated, 4, "a coordinate").vertex, 1);
-  EXPECT_EQ(refused("OFF\n1 0 0\n0 0 nan\n", Code::not_finite, 3, "finite").vertex, 0);
-  refused("OFF\n1 0 0\n0 0 1e999\n", Code::not_finite, 3, "finite");
-  refused("OFF\n1 0 0\n0 0 1.5.2\n", Code::malformed, 3, "'1.5.2'");
-  const Evidence index = refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", Code::bad_index, 6, "does not exist");
+  refused("", ErrorCode::truncated, 1, "'OFF'");
+  refused("PLY\n", ErrorCode::malformed, 1, "'PLY'");
+  refused("4OFF\n1 1 1\n", ErrorCode::malformed, 1, "three-dimensional");
+  refused("OFF BINARY\n", ErrorCode::malformed, 1, "binary");
+  refused("OFF\n3\n", ErrorCode::truncated, 2, "number of faces");
+  refused("OFF\n3 -1 0\n", ErrorCode::malformed, 2, "'-1'");
+  EXPECT_EQ(refused("OFF\n2 0 0\n0 0 0\n", ErrorCode::truncated, 3, "ends after 1").vertex, 1);
+  EXPECT_EQ(refused("OFF\n2 0 0\n0 0 0\n0 1\n", ErrorCode::truncated, 4, "a coordinate").vertex, 1);
+  EXPECT_EQ(refused("OFF\n1 0 0\n0 0 nan\n", ErrorCode::not_finite, 3, "finite").vertex, 0);
+  refused("OFF\n1 0 0\n0 0 1e999\n", ErrorCode::not_finite, 3, "finite");
+  refused("OFF\n1 0 0\n0 0 1.5.2\n", ErrorCode::malformed, 3, "'1.5.2'");
+  const Evidence index =
+      refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", ErrorCode::bad_index, 6, "does not exist");
   EXPECT_EQ(index.face, 0);
   EXPECT_EQ(index.vertex, 3);
-  refused("OFF\n1 1 0\n0 0 0\n3 0 0 -1\n", Code::malformed, 4, "'-1'");
-  refused("OFF\n1 1 0\n0 0 0\n3 0 0 99999999999999999999999\n", Code::bad_index, 4, "does not exist");
-  refused("OFF\n1 1 0\n0 0 0\n3 0 0 0 1 2 3 4 5\n", Code::malformed, 4, "more than a colour");
-  EXPECT_EQ(refused("OFF\n1 2 0\n0 0 0\n1 0\n", Code::truncated, 4, "announces 2 faces").face, 1);
-  refused("OFF\n1 0 0\n0 0 0\nrest\n", Code::malformed, 4, "'rest'");
-  refused(corpus("read_off/huge_count.off"), Code::truncated, 3, "18446744073709551615 vertices");
+  refused("OFF\n1 1 0\n0 0 0\n3 0 0 -1\n", ErrorCode::malformed, 4, "'-1'");
+  refused("OFF\n1 1 0\n0 0 0\n3 0 0 99999999999999999999999\n", ErrorCode::bad_index, 4, "does not exist");
+  refused("OFF\n1 1 0\n0 0 0\n3 0 0 0 1 2 3 4 5\n", ErrorCode::malformed, 4, "more than a colour");
+  EXPECT_EQ(refused("OFF\n1 2 0\n0 0 0\n1 0\n", ErrorCode::truncated, 4, "announces 2 faces").face, 1);
+  refused("OFF\n1 0 0\n0 0 0\nrest\n", ErrorCode::malformed, 4, "'rest'");
+  refused(corpus("read_off/huge_count.off"), ErrorCode::truncated, 3, "18446744073709551615 vertices");
 }
 
 TEST(ReadMesh, ObjErrors) {
-  const auto refused = [](std::string_view text, Code code, std::int64_t line, std::string_view words) {
+  const auto refused = [](std::string_view text, ErrorCode code, std::int64_t line, std::string_view words) {
     return expect_mesh_refused(text, MeshFormat::obj, code, line, words);
   };
-  refused("v 0 0\n", Code::malformed, 1, "the line ends");
-  refused("v 0 0 0\nv 0 0 x\n", Code::malformed, 2, "'x'");
-  EXPECT_EQ(refused("v 0 0 0\nv 0 inf 0\n", Code::not_finite, 2, "finite").vertex, 1);
-  refused("v 0 0 0\nf\n", Code::malformed, 2, "the line ends");
-  EXPECT_EQ(refused("v 0 0 0\nf 0 1 1\n", Code::bad_index, 2, "'0'").face, 0);
-  refused("v 0 0 0\nf -2 1 1\n", Code::bad_index, 2, "'-2'");
-  refused("v 0 0 0\nf 1/x 1x 1\n", Code::malformed, 2, "'1x'");
-  refused("v 0 0 0\nf 1 1 99999999999999999999\n", Code::bad_index, 2, "'99999999999999999999'");
-  const Evidence late = refused("v 0 0 0\n\nf 1 1 2\n", Code::bad_index, 3, "does not exist");
+  refused("v 0 0\n", ErrorCode::malformed, 1, "the line ends");
+  refused("v 0 0 0\nv 0 0 x\n", ErrorCode::malformed, 2, "'x'");
+  EXPECT_EQ(refused("v 0 0 0\nv 0 inf 0\n", ErrorCode::not_finite, 2, "finite").vertex, 1);
+  refused("v 0 0 0\nf\n", ErrorCode::malformed, 2, "the line ends");
+  EXPECT_EQ(refused("v 0 0 0\nf 0 1 1\n", ErrorCode::bad_index, 2, "'0'").face, 0);
+  refused("v 0 0 0\nf -2 1 1\n", ErrorCode::bad_index, 2, "'-2'");
+  refused("v 0 0 0\nf 1/x 1x 1\n", ErrorCode::malformed, 2, "'1x'");
+  refused("v 0 0 0\nf 1 1 99999999999999999999\n", ErrorCode::bad_index, 2, "'99999999999999999999'");
+  const Evidence late = refused("v 0 0 0\n\nf 1 1 2\n", ErrorCode::bad_index, 3, "does not exist");
   EXPECT_EQ(late.vertex, 1);
   EXPECT_EQ(late.face, 0);
-  refused("curv 0 1\n", Code::malformed, 1, "'curv'");
-  refused("v 0 0 \\\nx\n", Code::malformed, 2, "'x'");
-  refused("v 0 0 \\ 1\n", Code::malformed, 1, "'\\'");
-  refused("v 0 0 0\nf 1 3 \\\n\nv 1 0 0\n", Code::bad_index, 2, "does not exist");
-  refused("v 0 0 \\", Code::malformed, 1, "'\\'");
+  refused("curv 0 1\n", ErrorCode::malformed, 1, "'curv'");
+  refused("v 0 0 \\\nx\n", ErrorCode::malformed, 2, "'x'");
+  refused("v 0 0 \\ 1\n", ErrorCode::malformed, 1, "'\\'");
+  refused("v 0 0 0\nf 1 3 \\\n\nv 1 0 0\n", ErrorCode::bad_index, 2, "does not exist");
+  refused("v 0 0 \\", ErrorCode::malformed, 1, "'\\'");
   EXPECT_EQ(read_mesh_text("", MeshFormat::obj), MeshData{});
 }
 
 TEST(ReadMesh, StlErrors) {
-  const auto refused = [](std::string_view text, Code code, std::int64_t line, std::string_view words) {
+  const auto refused = [](std::string_view text, ErrorCode code, std::int64_t line, std::string_view words) {
     return expect_mesh_refused(text, MeshFormat::stl, code, line, words);
   };
-  refused("", Code::truncated, 1, "'solid'");
-  refused("solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0\n", Code::truncated, 4, "coordinate");
-  refused("solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 nan\n", Code::not_finite, 4, "finite");
-  refused("solid x\nfacet normal 0 0 1\nloop\n", Code::malformed, 3, "'outer'");
-  refused("solid x\n", Code::truncated, 1, "'endsolid'");
-  refused("solid x\nendsolid\nfacet\n", Code::malformed, 3, "'solid'");
+  refused("", ErrorCode::truncated, 1, "'solid'");
+  refused("solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0\n", ErrorCode::truncated, 4, "coordinate");
+  refused("solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 nan\n", ErrorCode::not_finite, 4, "finite");
+  refused("solid x\nfacet normal 0 0 1\nloop\n", ErrorCode::malformed, 3, "'outer'");
+  refused("solid x\n", ErrorCode::truncated, 1, "'endsolid'");
+  refused("solid x\nendsolid\nfacet\n", ErrorCode::malformed, 3, "'solid'");
   // binary: a byte instead of a line
   const std::string cube = corpus("read_stl/cube_binary.stl");
-  refused(cube.substr(0, 50), Code::truncated, 0, "(byte 50)");
-  refused(cube.substr(0, 200), Code::truncated, 0, "12 triangles and has room for 2 (byte 200)");
-  refused(cube + "!", Code::malformed, 0, "(byte 684)");
+  refused(cube.substr(0, 50), ErrorCode::truncated, 0, "(byte 50)");
+  refused(cube.substr(0, 200), ErrorCode::truncated, 0, "12 triangles and has room for 2 (byte 200)");
+  refused(cube + "!", ErrorCode::malformed, 0, "(byte 684)");
   std::string bad = cube;
   const float nan = std::numeric_limits<float>::quiet_NaN();
   std::memcpy(&bad[84 + 50 + 12 + 4], &nan, 4);
-  EXPECT_EQ(refused(bad, Code::not_finite, 0, "(byte 150)").face, 1);
+  EXPECT_EQ(refused(bad, ErrorCode::not_finite, 0, "(byte 150)").face, 1);
   std::string huge = cube;
   std::memset(&huge[80], 0xff, 4);
-  refused(huge, Code::truncated, 0, "4294967295 triangles");
+  refused(huge, ErrorCode::truncated, 0, "4294967295 triangles");
 }
 
 TEST(ReadMesh, PlyErrors) {
-  const auto refused = [](std::string_view text, Code code, std::int64_t line, std::string_view words) {
+  const auto refused = [](std::string_view text, ErrorCode code, std::int64_t line, std::string_view words) {
     return expect_mesh_refused(text, MeshFormat::ply, code, line, words);
   };
   const std::string start = "ply\nformat ascii 1.0\n";
   const std::string vertex = "element vertex 1\nproperty float x\nproperty float y\nproperty float z\n";
   const std::string face = "element face 1\nproperty list uchar int vertex_indices\n";
-  refused("", Code::truncated, 1, "'ply'");
-  refused("plx\n", Code::malformed, 1, "'plx'");
-  refused("ply\nformat text 1.0\n", Code::malformed, 2, "'text'");
-  refused(start + "elements\n", Code::malformed, 3, "'elements'");
-  refused(start + "property float x\n", Code::malformed, 3, "before the first element");
-  refused(start + "element vertex 1\nproperty real x\n", Code::malformed, 4, "'real'");
-  refused(start + "element vertex 1\nproperty list float int x\n", Code::malformed, 4, "no integer");
-  refused(start + "element vertex 1\nproperty float x\nend_header\n", Code::malformed, 5, "one x, y and z");
-  refused(start + vertex + "property float z\nend_header\n", Code::malformed, 8, "one x, y and z");
-  refused(start + "element face 1\nproperty int a\nend_header\n", Code::malformed, 5, "vertex_indices");
-  refused(start + vertex, Code::truncated, 6, "'end_header'");
-  refused(start + vertex + "end_header\n0 0\n", Code::truncated, 8, "a number");
-  EXPECT_EQ(refused(start + vertex + "end_header\n0 inf 0\n", Code::not_finite, 8, "finite").vertex, 0);
-  refused(start + vertex + "end_header\n0 0 0 0\n", Code::malformed, 8, "after the last");
-  const Evidence index = refused(start + vertex + face + "end_header\n0 0 0\n3 0 0 1\n", Code::bad_index, 11, "exist");
+  refused("", ErrorCode::truncated, 1, "'ply'");
+  refused("plx\n", ErrorCode::malformed, 1, "'plx'");
+  refused("ply\nformat text 1.0\n", ErrorCode::malformed, 2, "'text'");
+  refused(start + "elements\n", ErrorCode::malformed, 3, "'elements'");
+  refused(start + "property float x\n", ErrorCode::malformed, 3, "before the first element");
+  refused(start + "element vertex 1\nproperty real x\n", ErrorCode::malformed, 4, "'real'");
+  refused(start + "element vertex 1\nproperty list float int x\n", ErrorCode::malformed, 4, "no integer");
+  refused(start + "element vertex 1\nproperty float x\nend_header\n", ErrorCode::malformed, 5, "one x, y and z");
+  refused(start + vertex + "property float z\nend_header\n", ErrorCode::malformed, 8, "one x, y and z");
+  refused(start + "element face 1\nproperty int a\nend_header\n", ErrorCode::malformed, 5, "vertex_indices");
+  refused(start + vertex, ErrorCode::truncated, 6, "'end_header'");
+  refused(start + vertex + "end_header\n0 0\n", ErrorCode::truncated, 8, "a number");
+  EXPECT_EQ(refused(start + vertex + "end_header\n0 inf 0\n", ErrorCode::not_finite, 8, "finite").vertex, 0);
+  refused(start + vertex + "end_header\n0 0 0 0\n", ErrorCode::malformed, 8, "after the last");
+  const Evidence index =
+      refused(start + vertex + face + "end_header\n0 0 0\n3 0 0 1\n", ErrorCode::bad_index, 11, "exist");
   EXPECT_EQ(index.face, 0);
   EXPECT_EQ(index.vertex, 1);
-  refused(start + vertex + face + "end_header\n0 0 0\n3 0 0 -1\n", Code::bad_index, 11, "exist");
-  refused(start + vertex + face + "end_header\n0 0 0\n3 0 0 0.5\n", Code::malformed, 11, "no integer");
-  refused(start + vertex + face + "end_header\n0 0 0\n-3 0 0 0\n", Code::malformed, 11, "no count");
-  refused(start + vertex + face + "end_header\n0 0 0\n1e300 0 0 0\n", Code::truncated, 11, "longer than the rest");
+  refused(start + vertex + face + "end_header\n0 0 0\n3 0 0 -1\n", ErrorCode::bad_index, 11, "exist");
+  refused(start + vertex + face + "end_header\n0 0 0\n3 0 0 0.5\n", ErrorCode::malformed, 11, "no integer");
+  refused(start + vertex + face + "end_header\n0 0 0\n-3 0 0 0\n", ErrorCode::malformed, 11, "no count");
+  refused(start + vertex + face + "end_header\n0 0 0\n1e300 0 0 0\n", ErrorCode::truncated, 11, "longer than the rest");
   const std::string binary = corpus("read_ply/cube_big.ply");
-  refused(binary.substr(0, binary.size() - 1), Code::truncated, 0, "a list is longer than the rest of the file (byte ");
-  refused(binary.substr(0, binary.size() - 18), Code::truncated, 0,
+  refused(binary.substr(0, binary.size() - 1), ErrorCode::truncated, 0,
+          "a list is longer than the rest of the file (byte ");
+  refused(binary.substr(0, binary.size() - 18), ErrorCode::truncated, 0,
           "(byte " + std::to_string(binary.size() - 18) + ")");
-  refused(binary + "!", Code::malformed, 0, "(byte " + std::to_string(binary.size()) + ")");
+  refused(binary + "!", ErrorCode::malformed, 0, "(byte " + std::to_string(binary.size()) + ")");
 }
 
 TEST(ReadMesh, PathsAndFormats) {

@@ -34,7 +34,7 @@ TEST(RegionFormatOfPath, other_extensions_are_unsupported) {
   for (const char* path : {"a.off", "a", "", "-", "dir.poly/a", "a.json/b", "a.poly.gz", "a.txt#b"}) {
     const auto format = region_format(path);
     ASSERT_FALSE(format.ok()) << path;
-    EXPECT_EQ(format.error().code, Code::unsupported_format) << path;
+    EXPECT_EQ(format.error().code, ErrorCode::unsupported_format) << path;
     EXPECT_EQ(format.error().evidence.file, path);
   }
 }
@@ -67,11 +67,11 @@ TEST(ReadShapes, a_selection_must_name_one_shape) {
                  {"id":1,"shape":{"type":"multi_polygon","data":[]}}]})");
   save(folder / "none.json", R"({"items":[]})");
   const Error several = error_of(folder / "two.json");
-  EXPECT_EQ(several.code, Code::malformed);
+  EXPECT_EQ(several.code, ErrorCode::malformed);
   EXPECT_EQ(several.evidence.file, folder / "two.json");
   EXPECT_NE(several.message.find("holds 2 shapes"), std::string::npos);
   for (const char* wrong : {"two.json#2", "two.json#eye", "two.json#", "same.json#1", "none.json"}) {
-    EXPECT_EQ(error_of(folder / wrong).code, Code::malformed) << wrong;
+    EXPECT_EQ(error_of(folder / wrong).code, ErrorCode::malformed) << wrong;
   }
   EXPECT_NE(error_of(folder / "same.json#1").message.find("2 shapes are named"), std::string::npos);
 }
@@ -85,21 +85,21 @@ TEST(ReadShapes, a_file_with_a_number_sign_in_its_name) {
 TEST(ReadShapes, files_that_cannot_be_opened) {
   const Folder folder("open");
   const Error missing = error_of(folder / "missing.poly");
-  EXPECT_EQ(missing.code, Code::cannot_open);
+  EXPECT_EQ(missing.code, ErrorCode::cannot_open);
   EXPECT_EQ(missing.evidence.file, folder / "missing.poly");
   EXPECT_NE(missing.message.find("No such file"), std::string::npos);
   std::filesystem::create_directory(folder / "dir.poly");
   const Error directory = error_of(folder / "dir.poly");
-  EXPECT_EQ(directory.code, Code::cannot_open);
+  EXPECT_EQ(directory.code, ErrorCode::cannot_open);
   EXPECT_NE(directory.message.find("directory"), std::string::npos);
-  EXPECT_EQ(error_of(folder / "picture.png").code, Code::unsupported_format);
+  EXPECT_EQ(error_of(folder / "picture.png").code, ErrorCode::unsupported_format);
 }
 
 TEST(ReadShapes, errors_name_the_file_as_it_was_given) {
   const Folder folder("errors");
   save(folder / "bad.poly", "1\n3 out\n0 0\n1 x\n");
   const Error error = error_of(folder / "bad.poly");
-  EXPECT_EQ(error.code, Code::malformed);
+  EXPECT_EQ(error.code, ErrorCode::malformed);
   EXPECT_EQ(error.evidence.file, folder / "bad.poly");
   EXPECT_EQ(error.evidence.line, 4);
   EXPECT_EQ(error.to_string().rfind((folder / "bad.poly") + ":4: ", 0), 0u) << error.to_string();

@@ -44,7 +44,7 @@ inline RegionData read_one(std::string_view text, RegionFormat format) {
 
 /// The reader refuses the text with this code, at this line, and a sentence that contains `words`. Returns the
 /// evidence.
-inline Evidence expect_refused(std::string_view text, RegionFormat format, Code code, std::int64_t line,
+inline Evidence expect_refused(std::string_view text, RegionFormat format, ErrorCode code, std::int64_t line,
                                std::string_view words) {
   const auto shapes = parse_shapes(text, format, "dir/test.file");
   if (shapes) {

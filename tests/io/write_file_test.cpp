@@ -57,11 +57,11 @@ TEST(WriteFile, refuses_directories_and_missing_directories) {
   fs::create_directory(folder / "dir.wkt");
   const auto directory = write_file(folder / "dir.wkt", "one");
   ASSERT_FALSE(directory.ok());
-  EXPECT_EQ(directory.error().code, Code::cannot_write);
+  EXPECT_EQ(directory.error().code, ErrorCode::cannot_write);
   EXPECT_NE(directory.error().message.find("directory"), std::string::npos);
   const auto missing = write_file(folder / "missing/a.wkt", "one");
   ASSERT_FALSE(missing.ok());
-  EXPECT_EQ(missing.error().code, Code::cannot_write);
+  EXPECT_EQ(missing.error().code, ErrorCode::cannot_write);
   EXPECT_EQ(missing.error().evidence.file, folder / "missing/a.wkt");
   EXPECT_EQ(folder.file_count(), 1u);
 }
@@ -70,7 +70,7 @@ TEST(WriteFile, a_full_device_is_an_error) {
   if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
   const auto written = write_file("/dev/full", "one");
   ASSERT_FALSE(written.ok());
-  EXPECT_EQ(written.error().code, Code::cannot_write);
+  EXPECT_EQ(written.error().code, ErrorCode::cannot_write);
   EXPECT_TRUE(write_file("/dev/null", "one").ok());
 }
 
@@ -93,7 +93,7 @@ TEST(WriteFile, when_the_space_runs_out_the_older_file_stays) {
     const rlimit limit{100'000, 100'000};
     ::setrlimit(RLIMIT_FSIZE, &limit);
     const auto written = write_file(path, std::string(200'000, 'x'));
-    return !written.ok() && written.error().code == Code::cannot_write ? 0 : 1;
+    return !written.ok() && written.error().code == ErrorCode::cannot_write ? 0 : 1;
   });
   EXPECT_EQ(status, 0);
   EXPECT_EQ(text_of(path), "older");
@@ -104,7 +104,7 @@ TEST(WriteFile, standard_output_reports_what_it_cannot_take) {
   const int status = in_child([] {
     if (::freopen("/dev/full", "w", stdout) == nullptr) return 2;
     const auto written = write_file("-", "one");
-    return !written.ok() && written.error().code == Code::cannot_write ? 0 : 1;
+    return !written.ok() && written.error().code == ErrorCode::cannot_write ? 0 : 1;
   });
   EXPECT_EQ(status, 0);
 }

@@ -8,7 +8,7 @@ namespace {
 template <class N>
 Pt<N> exact_point(const PlanarSum& sum, const SumVertex& vertex) {
   const RationalPoint at = sum.exact(vertex);
-  return {from_digits<N>(at.x.num, at.x.den), from_digits<N>(at.y.num, at.y.den)};
+  return {from_digits<N>(at.x.numerator(), at.x.denominator()), from_digits<N>(at.y.numerator(), at.y.denominator())};
 }
 
 template <class N>

@@ -94,7 +94,7 @@ class Checker {
 
   Pt<N> place(const SumVertex& v) {
     const RationalPoint at = sum_.exact(v);
-    return {from_digits<N>(at.x.num, at.x.den), from_digits<N>(at.y.num, at.y.den)};
+    return {from_digits<N>(at.x.numerator(), at.x.denominator()), from_digits<N>(at.y.numerator(), at.y.denominator())};
   }
 
   /// The stated error is small against the extent of the operands: 2^-33 of it.

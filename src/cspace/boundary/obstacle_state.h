@@ -40,7 +40,9 @@ namespace dymsum::planar {
 
 /// What the rooms behind the obstacle may read of it.
 struct ObstacleInternals {
+  using State = CspaceObstacle::State;
   static const CspaceObstacle::State& of(const CspaceObstacle& obstacle) { return *obstacle.state_; }
 };
+using ObstacleState = ObstacleInternals::State;
 
 }  // namespace dymsum::planar

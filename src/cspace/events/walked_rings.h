@@ -16,9 +16,9 @@ inline bool has_thin_pieces(const Region& r) { return !r.polylines().empty() || 
 /// that tells which of their meetings overlap.
 inline std::optional<Error> refused_pair(const Region& robot, const Region& obstacle) {
   if (robot.empty() || obstacle.empty())
-    return Error{Code::unsupported_operand, "robot and obstacle may not be empty", {}};
+    return Error{ErrorCode::unsupported_operand, "robot and obstacle may not be empty", {}};
   if (has_thin_pieces(robot) && has_thin_pieces(obstacle))
-    return Error{Code::unsupported_operand,
+    return Error{ErrorCode::unsupported_operand,
                  "robot and obstacle both have polylines or points: two pieces without area never overlap, so that "
                  "they would pass through each other; "
                  "give one of them an area",

@@ -71,7 +71,7 @@ class MeshBuilder {
   bool stopped(const char* stage, std::size_t done, std::size_t all) const {
     return options_.progress && !options_.progress(stage, static_cast<double>(done) / static_cast<double>(all));
   }
-  static Error cancelled() { return {Code::cancelled, "the progress callback asked to stop", {}}; }
+  static Error cancelled() { return {ErrorCode::cancelled, "the progress callback asked to stop", {}}; }
 
   std::uint32_t seam() const { return static_cast<std::uint32_t>(layout_.stations.size()); }
   /// Planes are numbered from the bottom: plane k lies below layer k.
@@ -223,7 +223,7 @@ class MeshBuilder {
 Result<ObstacleMesh> obstacle_mesh(const CspaceObstacle& obstacle, const ObstacleMeshOptions& options) {
   // The user's, for the picture: how fine patches are tessellated. No sign depends on it.
   if (!(options.tolerance >= 1e-6 && options.tolerance <= 1))
-    throw std::invalid_argument("obstacle_mesh: a tolerance lies between 1e-6 and 1");
+    return Error{ErrorCode::out_of_range, "the tolerance of a mesh lies between 1e-6 and 1", {}};
   return MeshBuilder(obstacle, options).build();
 }
 

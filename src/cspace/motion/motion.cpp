@@ -12,16 +12,10 @@ namespace {
 using namespace planar;
 using exact::BigRational;
 
-Result<Position> position_of(const RationalPoint& p) {
-  try {
-    return Position{exact::exact_value(p.x), exact::exact_value(p.y)};
-  } catch (const std::invalid_argument&) {
-    return Error{Code::malformed, "a coordinate is not a rational number", {}};
-  }
-}
+Position position_of(const RationalPoint& p) { return {exact::exact_value(p.x), exact::exact_value(p.y)}; }
 
 Result<RationalPoint> rational(Point p) {
-  if (!std::isfinite(p.x) || !std::isfinite(p.y)) return Error{Code::not_finite, "a coordinate is not finite", {}};
+  if (!std::isfinite(p.x) || !std::isfinite(p.y)) return Error{ErrorCode::not_finite, "a coordinate is not finite", {}};
   return RationalPoint{exact::to_rational(exact::exact_value(p.x)), exact::to_rational(exact::exact_value(p.y))};
 }
 
@@ -45,18 +39,16 @@ std::vector<TurnInterval> intervals(const std::vector<PivotEvent>& events, const
 
 Result<TranslationCheck> check_translation(const Region& robot, const Region& obstacle, const RationalPoint& from,
                                            const RationalPoint& to, const Orientation& theta, Touching touch) {
-  const Result<Position> a = position_of(from), b = position_of(to);
-  if (!a) return a.error();
-  if (!b) return b.error();
+  const Position a = position_of(from), b = position_of(to);
   SumOptions options;
   options.semantics = Semantics::open;
   Result<PlanarSum> slice = cspace_slice(robot, obstacle, theta, options);
   if (!slice) return slice.error();
   const SliceMap map(std::move(slice).value());
-  const SliceMap::Passage passage = map.passage(SlicePoint(*a), SlicePoint(*b), touch == Touching::allowed);
+  const SliceMap::Passage passage = map.passage(SlicePoint(a), SlicePoint(b), touch == Touching::allowed);
   TranslationCheck check{passage.free, exact::to_rational(passage.first), to, std::nullopt};
   if (passage.free) return check;
-  check.at = to_public(along(*a, *b, passage.first));
+  check.at = to_public(along(a, b, passage.first));
   if (passage.edge != SliceMap::kNone) check.contact = map.edges()[passage.edge].contact;
   return check;
 }
@@ -73,10 +65,8 @@ Result<RotationCheck> check_rotation(const Region& robot, const Region& obstacle
                                      const Orientation& from, const Orientation& to, TurnDirection turn,
                                      Touching touch) {
   if (auto error = refused_pair(robot, obstacle)) return *std::move(error);
-  const Result<Position> place = position_of(at);
-  if (!place) return place.error();
   Pivot pivot(robot, obstacle);
-  pivot.stand(*place);
+  pivot.stand(position_of(at));
   RotationCheck check;
   if (const std::optional<PivotStop> stop = pivot.stop(from, to, turn, touch)) {
     check.free = false;

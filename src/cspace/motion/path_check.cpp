@@ -18,7 +18,7 @@ Configuration between(const Configuration& a, const Configuration& b, double sha
 }
 
 Error malformed(std::size_t piece, const std::string& what) {
-  return {Code::malformed, "piece " + std::to_string(piece) + " of the path " + what, {}};
+  return {ErrorCode::malformed, "piece " + std::to_string(piece) + " of the path " + what, {}};
 }
 
 PathCheck of_translation(const TranslationCheck& check, const Configuration& a, const Configuration& b) {
@@ -113,7 +113,7 @@ Result<PathCheck> check_piece(const Region& robot, const Region& obstacle, const
 // The first piece that is not free, else the last one; a path of one pose is a translation to itself.
 template <class Pose, class Check>
 Result<PathCheck> first_not_free(std::span<const Pose> path, Check check) {
-  if (path.empty()) return Error{Code::malformed, "a path of no poses", {}};
+  if (path.empty()) return Error{ErrorCode::malformed, "a path of no poses", {}};
   PathCheck last;
   for (std::size_t k = path.size() == 1 ? 0 : 1; k < path.size(); ++k) {
     Result<PathCheck> piece = check(path[k == 0 ? 0 : k - 1], path[k], k);

@@ -46,7 +46,7 @@ SlicePoint::SlicePoint(const PlanarSum& sum, const SumVertex& vertex)
     : at_(vertex.at), error_(sum.at_error), sum_(&sum), vertex_(&vertex) {}
 
 const Position& SlicePoint::exact() const {
-  if (!exact_ && sum_ != nullptr) exact_ = sum_->source->position(*vertex_);
+  if (!exact_ && sum_ != nullptr) exact_ = exact_source(*sum_)->position(*vertex_);
   if (!exact_) exact_ = Position{exact::exact_value(at_.x), exact::exact_value(at_.y)};
   return *exact_;
 }

@@ -51,7 +51,7 @@ constexpr double kKeyError = 0x1p-48;  // two directions, the rounded difference
 
 class ConvexEngine {
  public:
-  ConvexEngine(CspaceObstacle::State& state, const ObstacleOptions& options)
+  ConvexEngine(planar::ObstacleState& state, const ObstacleOptions& options)
       : state_(state),
         options_(options),
         obstacle_(state.base->operands[0]),
@@ -60,9 +60,9 @@ class ConvexEngine {
         robot_edges_(directions(robot_, *state.base->lattice)) {}
 
   Result<bool> run() {
-    if (!going_on(0)) return Error{Code::cancelled, "the progress callback asked to stop", {}};
+    if (!going_on(0)) return Error{ErrorCode::cancelled, "the progress callback asked to stop", {}};
     align();
-    if (!going_on(0.5)) return Error{Code::cancelled, "the progress callback asked to stop", {}};
+    if (!going_on(0.5)) return Error{ErrorCode::cancelled, "the progress callback asked to stop", {}};
     for (std::uint32_t f = 0; f < m(); ++f)
       for (std::uint32_t r = 0; r < n(); ++r) add_fixed(f, r);
     for (std::uint32_t e = 0; e < n(); ++e)
@@ -228,7 +228,7 @@ class ConvexEngine {
     work.visible_events = work.local_updates = state_.angles.size();
   }
 
-  CspaceObstacle::State& state_;
+  planar::ObstacleState& state_;
   const ObstacleOptions& options_;
   const Operand &obstacle_, &robot_;
   std::vector<Direction> obstacle_edges_, robot_edges_;
@@ -237,13 +237,13 @@ class ConvexEngine {
 
 }  // namespace
 
-bool is_convex_pair(const CspaceObstacle::State& state) {
+bool is_convex_pair(const planar::ObstacleState& state) {
   return std::all_of(state.base->operands.begin(), state.base->operands.end(), [](const Operand& o) {
     return o.components.size() == 1 && o.components[0].convex && o.loops.size() == 1;
   });
 }
 
-Result<bool> convex_obstacle(CspaceObstacle::State& state, const ObstacleOptions& options) {
+Result<bool> convex_obstacle(planar::ObstacleState& state, const ObstacleOptions& options) {
   return ConvexEngine(state, options).run();
 }
 

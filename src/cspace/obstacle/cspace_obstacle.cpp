@@ -24,7 +24,7 @@ using namespace planar;
 
 constexpr double kLargest = 0x1p400;  // of coordinates
 
-Error unsupported(const char* message) { return {Code::unsupported_operand, message, {}}; }
+Error unsupported(const char* message) { return {ErrorCode::unsupported_operand, message, {}}; }
 
 std::optional<Error> beyond_range(const Ring& ring) {
   for (const Point& v : ring) {
@@ -128,14 +128,14 @@ CspaceObstacle::CspaceObstacle(CspaceObstacle&&) noexcept = default;
 CspaceObstacle& CspaceObstacle::operator=(CspaceObstacle&&) noexcept = default;
 CspaceObstacle::~CspaceObstacle() = default;
 
-Result<std::unique_ptr<CspaceObstacle::State>> planar::start_obstacle(const Region& robot, const Region& obstacle) {
+Result<std::unique_ptr<planar::ObstacleState>> planar::start_obstacle(const Region& robot, const Region& obstacle) {
   if (std::optional<Error> error = refused_pair(robot, obstacle)) return *std::move(error);
   for (const Region* region : {&robot, &obstacle})
     if (std::optional<Error> error = beyond_range(*region)) return *std::move(error);
   if (std::optional<Error> error = refused_wires(robot, obstacle)) return *std::move(error);
   auto base = turning_base(obstacle, robot, 1, true, {}, 0);
   if (!base) return base.error();
-  auto state = std::make_unique<CspaceObstacle::State>();
+  auto state = std::make_unique<planar::ObstacleState>();
   state->robot = robot;
   state->obstacle = obstacle;
   const bool thin = has_thin_pieces(robot) || has_thin_pieces(obstacle);

@@ -58,16 +58,16 @@ std::uint64_t surfaces(const TurningForms& forms, const TurnCatalog& catalog) {
 
 }  // namespace
 
-Result<bool> general_obstacle(CspaceObstacle::State& state, const ObstacleOptions& options) {
+Result<bool> general_obstacle(planar::ObstacleState& state, const ObstacleOptions& options) {
   const bool touching = !state.robot.touching_points().empty() || !state.obstacle.touching_points().empty();
   const std::shared_ptr<const OperandPair> base = touching ? numbered_by_walk(*state.base) : state.base;
   const TurningForms forms(*base);
   const TurnCatalog catalog(forms);
   if (static_cast<double>(forms.size(0)) * forms.size(1) > 0x1p27)
-    return Error{Code::unsupported_operand, "more than 2^27 pairs of vertices", {}};
+    return Error{ErrorCode::unsupported_operand, "more than 2^27 pairs of vertices", {}};
   ObstacleSweep sweep(forms, catalog, base, options.reference);
   if (!pass_turn(TurnWindows(forms, catalog, options.reference), sweep, options.progress))
-    return Error{Code::cancelled, "stopped on request", {}};
+    return Error{ErrorCode::cancelled, "stopped on request", {}};
   const SweptBoundary& found = sweep.found();
   export_obstacle(found, forms, state);
   state.always_concurrent = found.always_concurrent;

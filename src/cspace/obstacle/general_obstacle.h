@@ -7,6 +7,6 @@ namespace dymsum::planar {
 
 /// Fills everything but robot, obstacle and base, which are set. False does not occur. Errors: cancelled;
 /// unsupported_operand for regions that touch themselves.
-Result<bool> general_obstacle(CspaceObstacle::State& state, const ObstacleOptions& options);
+Result<bool> general_obstacle(planar::ObstacleState& state, const ObstacleOptions& options);
 
 }  // namespace dymsum::planar

@@ -26,7 +26,7 @@ struct AngleOrder {
 
 class Export {
  public:
-  Export(const SweptBoundary& swept, const TurningForms& forms, CspaceObstacle::State& state)
+  Export(const SweptBoundary& swept, const TurningForms& forms, planar::ObstacleState& state)
       : swept_(swept),
         forms_(forms),
         graph_(swept.graph),
@@ -185,7 +185,7 @@ class Export {
   const SweptBoundary& swept_;
   const TurningForms& forms_;
   const BoundaryGraph& graph_;
-  CspaceObstacle::State& state_;
+  planar::ObstacleState& state_;
   AngleOrder order_;
   std::array<EdgeEnds, 2> edge_ends_;
   std::vector<std::uint32_t> patch_of_;
@@ -196,7 +196,7 @@ class Export {
 
 }  // namespace
 
-void export_obstacle(const SweptBoundary& swept, const TurningForms& forms, CspaceObstacle::State& state) {
+void export_obstacle(const SweptBoundary& swept, const TurningForms& forms, planar::ObstacleState& state) {
   Export(swept, forms, state).run();
 }
 

@@ -8,6 +8,6 @@ namespace dymsum::planar {
 
 /// Fills a state that has its operands and base, which may name contacts differently from the sweep's. Requires that
 /// the sweep is closed.
-void export_obstacle(const SweptBoundary& swept, const TurningForms& forms, CspaceObstacle::State& state);
+void export_obstacle(const SweptBoundary& swept, const TurningForms& forms, planar::ObstacleState& state);
 
 }  // namespace dymsum::planar

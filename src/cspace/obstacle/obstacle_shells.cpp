@@ -8,7 +8,7 @@ namespace {
 using ShellNames = std::map<std::uint32_t, std::uint32_t>;  // of the graph's shells, in the state
 
 ShellNames name_shells(const BoundaryGraph& graph, const std::vector<std::uint32_t>& node_of,
-                       CspaceObstacle::State& state) {
+                       planar::ObstacleState& state) {
   ShellNames names;
   for (std::size_t p = 0; p < state.patches.size(); ++p) {
     const auto [it, fresh] = names.emplace(graph.shell_of(node_of[p]), static_cast<std::uint32_t>(names.size()));
@@ -23,7 +23,7 @@ ShellNames name_shells(const BoundaryGraph& graph, const std::vector<std::uint32
 }
 
 // Outer is what borders on a component of free space that reaches infinity somewhere.
-void find_outer(CspaceObstacle::State& state) {
+void find_outer(planar::ObstacleState& state) {
   std::vector<std::uint8_t> open;
   for (const FreeCell& c : state.cells) {
     if (open.size() <= c.component) open.resize(c.component + 1, 0);
@@ -46,7 +46,7 @@ std::vector<std::uint32_t> shell_of_cells(const BoundaryGraph& graph, const Shel
 // Over a range of angles without events a shell is made of tubes, which count nothing. At single events a loop is born
 // or vanishes (1) or splits (-1): where a + b tubes end and begin a shell gains 2 - (a + b). Elsewhere limits of the
 // boundary tell.
-void add_euler(const SweptBoundary& swept, const ShellNames& names, CspaceObstacle::State& state) {
+void add_euler(const SweptBoundary& swept, const ShellNames& names, planar::ObstacleState& state) {
   const BoundaryGraph& graph = swept.graph;
   const auto count = static_cast<std::uint32_t>(graph.cells().size());
   // Cell c at its beginning and at its end, 2 c and 2 c + 1, where tubes end and begin together.
@@ -72,7 +72,7 @@ void add_euler(const SweptBoundary& swept, const ShellNames& names, CspaceObstac
 
 }  // namespace
 
-void add_shells(const SweptBoundary& swept, const std::vector<std::uint32_t>& node_of, CspaceObstacle::State& state) {
+void add_shells(const SweptBoundary& swept, const std::vector<std::uint32_t>& node_of, planar::ObstacleState& state) {
   const ShellNames names = name_shells(swept.graph, node_of, state);
   find_outer(state);
   add_euler(swept, names, state);

@@ -10,6 +10,6 @@
 namespace dymsum::planar {
 
 /// Adds shells to a state that has patches and cells. `node_of`: of every patch, a node.
-void add_shells(const SweptBoundary& swept, const std::vector<std::uint32_t>& node_of, CspaceObstacle::State& state);
+void add_shells(const SweptBoundary& swept, const std::vector<std::uint32_t>& node_of, planar::ObstacleState& state);
 
 }  // namespace dymsum::planar

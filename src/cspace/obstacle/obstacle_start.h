@@ -8,6 +8,6 @@
 namespace dymsum::planar {
 
 /// A state with robot, obstacle and base, and nothing else. Errors as CspaceObstacle::create.
-Result<std::unique_ptr<CspaceObstacle::State>> start_obstacle(const Region& robot, const Region& obstacle);
+Result<std::unique_ptr<planar::ObstacleState>> start_obstacle(const Region& robot, const Region& obstacle);
 
 }  // namespace dymsum::planar

@@ -110,8 +110,8 @@ SliceReader::Faces SliceReader::faces(const Orientation& at, const BoundaryGraph
     const std::uint32_t cell = cell_at(part.outer, graph);
     const SumRing* inside = nullptr;
     for (const SumRing* hole : holes)
-      if (ring_contains(*hole, part.outer, *sum.source, sum.at_error) &&
-          (inside == nullptr || ring_contains(*inside, *hole, *sum.source, sum.at_error)))
+      if (ring_contains(*hole, part.outer, *exact_source(sum), sum.at_error) &&
+          (inside == nullptr || ring_contains(*inside, *hole, *exact_source(sum), sum.at_error)))
         inside = hole;
     if (inside != nullptr) {
       faces.same.emplace_back(cell, cell_at(*inside, graph));

@@ -44,7 +44,7 @@ void JoinedComponents::join_touching(const CspaceObstacle& obstacle, PathLevels&
 
 FreeComponent described(const CspaceObstacle& obstacle, std::uint32_t component) {
   FreeComponent c;
-  c.number = component;
+  c.index = component;
   const std::size_t slabs = obstacle.angles().size();
   std::vector<bool> covered(slabs, false);
   for (const FreeCell& cell : obstacle.free_cells()) {
@@ -70,7 +70,7 @@ std::string text_of(const FreeComponent& c) {
   std::ostringstream text;
   const auto degrees = [](double radians) { return radians * 180 / std::numbers::pi; };
   text.precision(6);
-  text << "component " << c.number << (c.unbounded ? ", which reaches infinity" : ", which is enclosed");
+  text << "component " << c.index << (c.unbounded ? ", which reaches infinity" : ", which is enclosed");
   if (!c.all_angles) text << " and has angles from " << degrees(c.from) << " to " << degrees(c.to) << " degrees only";
   if (!c.shells.empty()) text << ", bounded by shell";
   for (const std::uint32_t s : c.shells) text << ' ' << s;

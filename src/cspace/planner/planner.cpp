@@ -118,7 +118,7 @@ class Planner {
     plan_.work.refinements = search.refinements();
     switch (outcome) {
       case PathSearch::Outcome::cancelled:
-        return Error{Code::cancelled, "cancelled by the progress callback", {}};
+        return Error{ErrorCode::cancelled, "cancelled by the progress callback", {}};
       case PathSearch::Outcome::found:
         write_path(search.steps());
         break;
@@ -184,9 +184,9 @@ class Planner {
 };
 
 Result<PathEnd> end_of(const Configuration& c) {
-  if (!std::isfinite(c.x) || !std::isfinite(c.y)) return Error{Code::not_finite, "a coordinate is not finite", {}};
+  if (!std::isfinite(c.x) || !std::isfinite(c.y)) return Error{ErrorCode::not_finite, "a coordinate is not finite", {}};
   if (std::abs(c.x) > 0x1p400 || std::abs(c.y) > 0x1p400)
-    return Error{Code::unsupported_operand, "a coordinate is larger than 2^400", {}};
+    return Error{ErrorCode::unsupported_operand, "a coordinate is larger than 2^400", {}};
   const Result<Orientation> theta = Orientation::nearest(c.theta);
   if (!theta) return theta.error();
   return PathEnd{{exact::exact_value(c.x), exact::exact_value(c.y)}, *theta};
@@ -197,7 +197,8 @@ Result<PathEnd> end_of(const Configuration& c) {
 Result<Plan> plan(const CspaceObstacle& obstacle, const Configuration& start, const Configuration& goal,
                   const PlanOptions& options) {
   const auto began = Clock::now();
-  if (!(options.time_limit_seconds >= 0)) return Error{Code::not_finite, "the time limit is no number of seconds", {}};
+  if (!(options.time_limit_seconds >= 0))
+    return Error{ErrorCode::out_of_range, "the time limit is no number of seconds", {}};
   // Beyond a century the clock's numbers might not do.
   const std::chrono::duration<double> limit(std::min(options.time_limit_seconds, 3e9));
   const auto deadline = began + std::chrono::duration_cast<Clock::duration>(limit);

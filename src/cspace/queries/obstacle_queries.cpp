@@ -79,6 +79,7 @@ bool ObstacleQueries::contains(const Configuration& at) const {
   const State& s = *state_;
   if (std::abs(at.theta) <= kPi)
     if (const std::optional<bool> sure = s.sure(at.x, at.y, at.theta)) return *sure;
+  if (!std::isfinite(at.theta)) throw std::invalid_argument("ObstacleQueries::contains: theta is not finite");
   return contains(at.x, at.y, Orientation::nearest(at.theta).value());
 }
 
@@ -104,6 +105,8 @@ double ObstacleQueries::gyration_radius() const { return state_->gyration; }
 std::uint64_t ObstacleQueries::bounds_evaluated() const { return state_->bounds; }
 
 std::vector<FreeAngles> ObstacleQueries::free_angles(double x, double y) const {
+  if (!std::isfinite(x) || !std::isfinite(y))
+    throw std::invalid_argument("ObstacleQueries::free_angles: the position is not finite");
   const State& s = *state_;
   return apps::free_angles(s.obstacle, s.forms, {x, y}, [&](double theta) { return !contains({x, y, theta}); });
 }

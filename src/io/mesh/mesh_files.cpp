@@ -24,7 +24,7 @@ MeshData read_format(const io::Source& source, MeshFormat format) {
     case MeshFormat::glb:
       break;
   }
-  throw io::ReadFailure{io::file_error(Code::unsupported_format, ".glb files are written only", source.file)};
+  throw io::ReadFailure{io::file_error(ErrorCode::unsupported_format, ".glb files are written only", source.file)};
 }
 
 }  // namespace
@@ -36,7 +36,7 @@ Result<MeshFormat> mesh_format(std::string_view path) {
   if (text == ".stl") return MeshFormat::stl;
   if (text == ".ply") return MeshFormat::ply;
   if (text == ".glb") return MeshFormat::glb;
-  return io::file_error(Code::unsupported_format, "the extension is none of .off, .obj, .stl, .ply, .glb", path);
+  return io::file_error(ErrorCode::unsupported_format, "the extension is none of .off, .obj, .stl, .ply, .glb", path);
 }
 
 Result<MeshData> parse_mesh(std::string_view bytes, MeshFormat format, std::string_view file) {
@@ -81,7 +81,7 @@ Result<std::size_t> write_mesh(const Mesh& mesh, const std::string& path) {
     return *std::move(error);
   }
   const std::string bytes = format_mesh(mesh, *format);
-  const Result<bool> written = write_file(path, bytes);
+  const Result<void> written = write_file(path, bytes);
   if (!written) return written.error();
   return bytes.size();
 }

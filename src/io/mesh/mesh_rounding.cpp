@@ -19,7 +19,7 @@ Result<MeshData> in_singles(const Mesh& mesh) {
     for (double* c : {&p.x, &p.y, &p.z}) {
       *c = static_cast<double>(static_cast<float>(*c));
       if (std::isfinite(*c)) continue;
-      Error error{Code::cannot_write, "a coordinate is past the range of single precision", {}};
+      Error error{ErrorCode::cannot_write, "a coordinate is past the range of single precision", {}};
       error.evidence.vertex = static_cast<std::int64_t>(v);
       return error;
     }
@@ -28,7 +28,7 @@ Result<MeshData> in_singles(const Mesh& mesh) {
 }
 
 Error changed(std::string what, Evidence evidence) {
-  return {Code::rounding_changed_topology, "in single precision, " + std::move(what), std::move(evidence)};
+  return {ErrorCode::rounding_changed_topology, "in single precision, " + std::move(what), std::move(evidence)};
 }
 
 std::optional<Error> vanished_shell(const MeshData& data) {

@@ -48,7 +48,7 @@ class HeaderReader {
       } else if (keyword == "property") {
         read_property(start);
       } else {
-        words_.fail_at(start, Code::malformed, "no line of a PLY header begins with " + in_quotes(keyword));
+        words_.fail_at(start, ErrorCode::malformed, "no line of a PLY header begins with " + in_quotes(keyword));
       }
     }
     words_.skip_line();
@@ -67,7 +67,7 @@ class HeaderReader {
     } else if (name == "binary_big_endian") {
       header_.encoding = PlyEncoding::big_endian;
     } else {
-      words_.fail_at(start, Code::malformed, "no encoding is called " + in_quotes(name));
+      words_.fail_at(start, ErrorCode::malformed, "no encoding is called " + in_quotes(name));
     }
     words_.take("the version");
   }
@@ -84,16 +84,17 @@ class HeaderReader {
     for (const TypeName& known : kTypes) {
       if (known.name == name) return known.type;
     }
-    words_.fail_at(words_.offset() - 1, Code::malformed, "no type is called " + in_quotes(name));
+    words_.fail_at(words_.offset() - 1, ErrorCode::malformed, "no type is called " + in_quotes(name));
   }
 
   void read_property(std::size_t start) {
-    if (header_.elements.empty()) words_.fail_at(start, Code::malformed, "a property before the first element");
+    if (header_.elements.empty()) words_.fail_at(start, ErrorCode::malformed, "a property before the first element");
     PlyProperty property;
     if (words_.peek() == "list") {
       words_.take("");
       property.count = read_type();
-      if (!is_integer(*property.count)) words_.fail_at(start, Code::malformed, "the length of a list is no integer");
+      if (!is_integer(*property.count))
+        words_.fail_at(start, ErrorCode::malformed, "the length of a list is no integer");
     }
     property.type = read_type();
     property.name = words_.take("a property's name");

@@ -34,7 +34,7 @@ class ObjReader {
       } else if (std::find(kSkipped.begin(), kSkipped.end(), keyword) != kSkipped.end()) {
         words_.skip_line();
       } else {
-        words_.fail_at(start, Code::malformed, "no statement of an OBJ file begins with " + in_quotes(keyword));
+        words_.fail_at(start, ErrorCode::malformed, "no statement of an OBJ file begins with " + in_quotes(keyword));
       }
     }
     check_indices();
@@ -43,7 +43,7 @@ class ObjReader {
 
  private:
   void need_more(const std::string& what, const Evidence& evidence) {
-    if (words_.at_line_end()) words_.fail(Code::malformed, "the line ends before " + what, evidence);
+    if (words_.at_line_end()) words_.fail(ErrorCode::malformed, "the line ends before " + what, evidence);
   }
 
   /// x y z, and a weight or a colour, which are skipped.
@@ -76,13 +76,14 @@ class ObjReader {
     const ScannedCount number = scan_count(text);
     const bool ends = number.length == text.size() || (number.length > 0 && text[number.length] == '/');
     if (number.length == 0 || !ends) {
-      words_.fail_at(start, Code::malformed, "expected a vertex number instead of " + in_quotes(word), evidence);
+      words_.fail_at(start, ErrorCode::malformed, "expected a vertex number instead of " + in_quotes(word), evidence);
     }
     const std::uint64_t so_far = data_.vertices.size();
     // later vertices may be named, too: check_indices looks when all are known
     const bool exists = number.value > 0 && (backwards ? number.value <= so_far : number.value < UINT32_MAX);
     if (exists) return static_cast<std::uint32_t>(backwards ? so_far - number.value : number.value - 1);
-    words_.fail_at(start, Code::bad_index, "a face names a vertex that does not exist: " + in_quotes(word), evidence);
+    words_.fail_at(start, ErrorCode::bad_index, "a face names a vertex that does not exist: " + in_quotes(word),
+                   evidence);
   }
 
   void check_indices() const {
@@ -91,7 +92,7 @@ class ObjReader {
         if (v < data_.vertices.size()) continue;
         Evidence evidence = at_face(f);
         evidence.vertex = v;
-        words_.fail_at(face_offset_[f], Code::bad_index, "a face names a vertex that does not exist", evidence);
+        words_.fail_at(face_offset_[f], ErrorCode::bad_index, "a face names a vertex that does not exist", evidence);
       }
     }
   }

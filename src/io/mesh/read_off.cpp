@@ -25,7 +25,7 @@ class OffReader {
     read_vertices(vertices);
     read_faces(faces, vertices);
     if (!words_.at_end())
-      words_.fail(Code::malformed, "unexpected " + in_quotes(words_.peek()) + " after the last face");
+      words_.fail(ErrorCode::malformed, "unexpected " + in_quotes(words_.peek()) + " after the last face");
     return std::move(data_);
   }
 
@@ -36,16 +36,16 @@ class OffReader {
     const std::size_t start = words_.offset();
     std::string_view prefix = words_.take("'OFF'");
     if (!prefix.ends_with("OFF"))
-      words_.fail_at(start, Code::malformed, "expected 'OFF' instead of " + in_quotes(word));
+      words_.fail_at(start, ErrorCode::malformed, "expected 'OFF' instead of " + in_quotes(word));
     prefix.remove_suffix(3);
     extras_ = !prefix.empty();
     for (const std::string_view part : {"ST", "C", "N"}) {
       if (prefix.starts_with(part)) prefix.remove_prefix(part.size());
     }
     if (!prefix.empty()) {
-      words_.fail_at(start, Code::malformed, in_quotes(word) + " files are not read, only three-dimensional ones");
+      words_.fail_at(start, ErrorCode::malformed, in_quotes(word) + " files are not read, only three-dimensional ones");
     }
-    if (same_word(words_.peek(), "BINARY")) words_.fail(Code::malformed, "binary OFF files are not read");
+    if (same_word(words_.peek(), "BINARY")) words_.fail(ErrorCode::malformed, "binary OFF files are not read");
   }
 
   void read_vertices(std::uint64_t count) {
@@ -69,7 +69,7 @@ class OffReader {
       Face& face = data_.faces.emplace_back();
       for (std::uint64_t k = 0; k < corners; ++k) face.push_back(words_.index(vertices, evidence));
       for (int part = 0; !words_.at_line_end(); ++part) {
-        if (part == 4) words_.fail(Code::malformed, "a face is followed by more than a colour", evidence);
+        if (part == 4) words_.fail(ErrorCode::malformed, "a face is followed by more than a colour", evidence);
         words_.number("a part of a colour", evidence);
       }
     }
@@ -78,7 +78,7 @@ class OffReader {
   [[noreturn]] void fail_short(const std::string& what, std::uint64_t announced, std::uint64_t found,
                                const Evidence& evidence) {
     const std::string announces = "the file announces " + std::to_string(announced) + " " + what;
-    words_.fail(Code::truncated, announces + " and ends after " + std::to_string(found), evidence);
+    words_.fail(ErrorCode::truncated, announces + " and ends after " + std::to_string(found), evidence);
   }
 
   std::size_t size_;

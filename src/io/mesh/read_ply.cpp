@@ -25,12 +25,12 @@ class TextNumbers {
   double next(PlyType, const Evidence& evidence) { return words_.number("a number", evidence); }
   /// How many more numbers the file can hold.
   std::uint64_t room(PlyType, std::size_t size) const { return (size - words_.offset()) / 2 + 1; }
-  [[noreturn]] void fail(Code code, std::string message, Evidence evidence) const {
+  [[noreturn]] void fail(ErrorCode code, std::string message, Evidence evidence) const {
     words_.fail_at(words_.offset() - 1, code, std::move(message), std::move(evidence));
   }
   void finish() {
     if (words_.at_end()) return;
-    words_.fail(Code::malformed, "unexpected " + in_quotes(words_.peek()) + " after the last element");
+    words_.fail(ErrorCode::malformed, "unexpected " + in_quotes(words_.peek()) + " after the last element");
   }
 
  private:
@@ -45,7 +45,7 @@ class BinaryNumbers {
 
   double next(PlyType type, const Evidence& evidence) {
     if (source_.text.size() - at_ < size_of(type)) {
-      fail_at(source_.text.size(), Code::truncated, "the file ends before what it announces", evidence);
+      fail_at(source_.text.size(), ErrorCode::truncated, "the file ends before what it announces", evidence);
     }
     last_ = at_;
     at_ += size_of(type);
@@ -70,11 +70,11 @@ class BinaryNumbers {
     return value<double>();
   }
   std::uint64_t room(PlyType type, std::size_t size) const { return (size - at_) / size_of(type); }
-  [[noreturn]] void fail(Code code, std::string message, Evidence evidence) const {
+  [[noreturn]] void fail(ErrorCode code, std::string message, Evidence evidence) const {
     fail_at(last_, code, std::move(message), std::move(evidence));
   }
   void finish() const {
-    if (at_ < source_.text.size()) fail_at(at_, Code::malformed, "bytes follow the last element", {});
+    if (at_ < source_.text.size()) fail_at(at_, ErrorCode::malformed, "bytes follow the last element", {});
   }
 
  private:
@@ -82,7 +82,7 @@ class BinaryNumbers {
   double value() const {
     return static_cast<double>(from_bytes<T>(source_.text, last_, order_));
   }
-  [[noreturn]] void fail_at(std::size_t byte, Code code, std::string message, Evidence evidence) const {
+  [[noreturn]] void fail_at(std::size_t byte, ErrorCode code, std::string message, Evidence evidence) const {
     evidence.file = source_.file;
     throw ReadFailure{Error{code, std::move(message) + " (byte " + std::to_string(byte) + ")", std::move(evidence)}};
   }
@@ -136,17 +136,17 @@ class BodyReader {
   void store(Point3& p, const std::string& name, double value, const Evidence& evidence) {
     double* const place = name == "x" ? &p.x : name == "y" ? &p.y : name == "z" ? &p.z : nullptr;
     if (!place) return;
-    if (!std::isfinite(value)) numbers_.fail(Code::not_finite, "a coordinate is not a finite number", evidence);
+    if (!std::isfinite(value)) numbers_.fail(ErrorCode::not_finite, "a coordinate is not a finite number", evidence);
     *place = value;
   }
 
   void read_list(const PlyProperty& property, bool corners, const Evidence& evidence) {
     const double length = numbers_.next(*property.count, evidence);
     if (!(length >= 0 && length == std::floor(length))) {
-      numbers_.fail(Code::malformed, "the length of a list is no count", evidence);
+      numbers_.fail(ErrorCode::malformed, "the length of a list is no count", evidence);
     }
     if (length > static_cast<double>(numbers_.room(property.type, size_))) {
-      numbers_.fail(Code::truncated, "a list is longer than the rest of the file", evidence);
+      numbers_.fail(ErrorCode::truncated, "a list is longer than the rest of the file", evidence);
     }
     Face face;
     for (auto left = static_cast<std::uint64_t>(length); left > 0; --left) {
@@ -157,12 +157,12 @@ class BodyReader {
   }
 
   std::uint32_t corner(double value, Evidence evidence) {
-    if (value != std::floor(value)) numbers_.fail(Code::malformed, "a vertex number is no integer", evidence);
+    if (value != std::floor(value)) numbers_.fail(ErrorCode::malformed, "a vertex number is no integer", evidence);
     if (value >= 0 && value < static_cast<double>(std::min<std::uint64_t>(vertices_, UINT32_MAX))) {
       return static_cast<std::uint32_t>(value);
     }
     if (std::abs(value) < 0x1p62) evidence.vertex = static_cast<std::int64_t>(value);
-    numbers_.fail(Code::bad_index, "a face names a vertex that does not exist", std::move(evidence));
+    numbers_.fail(ErrorCode::bad_index, "a face names a vertex that does not exist", std::move(evidence));
   }
 
   Numbers numbers_;
@@ -182,10 +182,10 @@ void check_elements(const PlyHeader& header, const Words& words) {
       return has([&](const PlyProperty& property) { return property.name == name && !property.count; });
     };
     if (element.name == "vertex" && !(scalar("x") && scalar("y") && scalar("z"))) {
-      words.fail_at(words.offset() - 1, Code::malformed, "the element vertex does not have one x, y and z each");
+      words.fail_at(words.offset() - 1, ErrorCode::malformed, "the element vertex does not have one x, y and z each");
     }
     if (element.name == "face" && !has(is_corner_list)) {
-      words.fail_at(words.offset() - 1, Code::malformed, "the element face does not have one list vertex_indices");
+      words.fail_at(words.offset() - 1, ErrorCode::malformed, "the element face does not have one list vertex_indices");
     }
   }
 }

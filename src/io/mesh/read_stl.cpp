@@ -63,7 +63,7 @@ class TextReader {
   MeshData data_;
 };
 
-[[noreturn]] void fail_at_byte(const Source& source, Code code, std::string message, std::size_t byte,
+[[noreturn]] void fail_at_byte(const Source& source, ErrorCode code, std::string message, std::size_t byte,
                                Evidence evidence = {}) {
   evidence.file = source.file;
   throw ReadFailure{Error{code, std::move(message) + " (byte " + std::to_string(byte) + ")", std::move(evidence)}};
@@ -76,15 +76,15 @@ std::uint64_t announced_triangles(std::string_view bytes) {
 MeshData read_binary(const Source& source) {
   const std::string_view bytes = source.text;
   if (bytes.size() < kHeader) {
-    fail_at_byte(source, Code::truncated, "the file ends before the number of triangles", bytes.size());
+    fail_at_byte(source, ErrorCode::truncated, "the file ends before the number of triangles", bytes.size());
   }
   const std::uint64_t count = announced_triangles(bytes), room = (bytes.size() - kHeader) / kTriangle;
   if (count > room) {
     const std::string announces = "the file announces " + std::to_string(count) + " triangles";
-    fail_at_byte(source, Code::truncated, announces + " and has room for " + std::to_string(room), bytes.size());
+    fail_at_byte(source, ErrorCode::truncated, announces + " and has room for " + std::to_string(room), bytes.size());
   }
   if (kHeader + count * kTriangle != bytes.size()) {
-    fail_at_byte(source, Code::malformed, "bytes follow the last triangle", kHeader + count * kTriangle);
+    fail_at_byte(source, ErrorCode::malformed, "bytes follow the last triangle", kHeader + count * kTriangle);
   }
   MeshData data;
   data.vertices.reserve(3 * count);
@@ -95,7 +95,7 @@ MeshData read_binary(const Source& source) {
       const auto coordinate = [&](std::size_t i) {
         const float value = from_bytes<float>(bytes, at + 4 * i, std::endian::little);
         if (std::isfinite(value)) return static_cast<double>(value);
-        fail_at_byte(source, Code::not_finite, "a coordinate is not a finite number", at + 4 * i, at_face(f));
+        fail_at_byte(source, ErrorCode::not_finite, "a coordinate is not a finite number", at + 4 * i, at_face(f));
       };
       data.vertices.push_back({coordinate(0), coordinate(1), coordinate(2)});
     }

@@ -102,7 +102,7 @@ planar::ExactAngle angle_of(const Json& j) {
 
 class ContentReader {
  public:
-  ContentReader(const Json& content, CspaceObstacle::State& state) : j_(content), s_(state) {}
+  ContentReader(const Json& content, planar::ObstacleState& state) : j_(content), s_(state) {}
 
   void run() {
     read_angles();
@@ -192,7 +192,7 @@ class ContentReader {
   }
 
   const Json& j_;
-  CspaceObstacle::State& s_;
+  planar::ObstacleState& s_;
   std::size_t angles_ = 0;
 };
 
@@ -216,13 +216,13 @@ Result<CspaceObstacle> obstacle_of(const Json& content) {
   auto state = planar::start_obstacle(*robot, *obstacle);
   if (!state) return state.error();
   ContentReader(content, **state).run();
-  return CspaceObstacle::State::finish(std::move(state).value());
+  return planar::ObstacleState::finish(std::move(state).value());
 }
 
 }  // namespace
 
 Result<CspaceObstacle> parse_obstacle(std::string_view text, std::string_view name_for_errors) {
-  Error error{Code::malformed, "", {}};
+  Error error{ErrorCode::malformed, "", {}};
   error.evidence.file = name_for_errors;
   try {
     Result<CspaceObstacle> read = obstacle_of(content_of(text));
@@ -232,9 +232,9 @@ Result<CspaceObstacle> parse_obstacle(std::string_view text, std::string_view na
   } catch (const Json::parse_error& e) {
     // nlohmann says "while parsing" and where; a text that ends too early fails at its end.
     const std::size_t at = std::min<std::size_t>(e.byte, text.size());
-    error.code = e.byte > text.size() ? Code::truncated : Code::malformed;
-    error.message =
-        error.code == Code::truncated ? "the file of an obstacle ends too early" : "this is no file of an obstacle";
+    error.code = e.byte > text.size() ? ErrorCode::truncated : ErrorCode::malformed;
+    error.message = error.code == ErrorCode::truncated ? "the file of an obstacle ends too early"
+                                                       : "this is no file of an obstacle";
     error.evidence.line = io::Source{text, name_for_errors}.line(at);
   } catch (const Json::exception&) {
     error.message = "the file of an obstacle lacks an entry";

@@ -87,7 +87,7 @@ Json list_json(const List& list, F&& f) {
 }  // namespace
 
 std::string format_obstacle(const CspaceObstacle& obstacle) {
-  const CspaceObstacle::State& s = planar::ObstacleInternals::of(obstacle);
+  const planar::ObstacleState& s = planar::ObstacleInternals::of(obstacle);
   Json content;
   content["robot"] = region_json(s.robot);
   content["obstacle"] = region_json(s.obstacle);

@@ -33,7 +33,7 @@ std::vector<Point> require_positions(const Source& source, const JsonValue& valu
 template <class Visit>
 void visit_array(const Source& source, const JsonValue& value, const std::string& what, Visit visit) {
   if (value.kind() != JsonKind::array)
-    source.fail_on_line(Code::malformed, "expected an array of " + what, value.line());
+    source.fail_on_line(ErrorCode::malformed, "expected an array of " + what, value.line());
   value.each(visit);
 }
 

@@ -82,10 +82,10 @@ class TapeWriter : public nlohmann::json_sax<nlohmann::json> {
     const std::string_view word = text.substr(start, text.substr(start).find_first_of(kDelimiters, 1));
     constexpr int kNumberOverflow = 406;
     if (error.id == kNumberOverflow || spells_no_finite_number(word)) {
-      source_.fail(Code::not_finite, "the number " + in_quotes(word) + " is not a finite double", start);
+      source_.fail(ErrorCode::not_finite, "the number " + in_quotes(word) + " is not a finite double", start);
     }
-    if (position > text.size()) source_.fail(Code::truncated, "the JSON text ends too early", text.size());
-    source_.fail(Code::malformed, "no JSON value at " + in_quotes(word), start);
+    if (position > text.size()) source_.fail(ErrorCode::truncated, "the JSON text ends too early", text.size());
+    source_.fail(ErrorCode::malformed, "no JSON value at " + in_quotes(word), start);
   }
 
  private:
@@ -117,7 +117,8 @@ class TapeWriter : public nlohmann::json_sax<nlohmann::json> {
 
   bool open(JsonKind kind) {
     if (open_.size() == kMostNested) {
-      source_.fail_on_line(Code::malformed, "JSON nested deeper than " + std::to_string(kMostNested), progress_.line);
+      source_.fail_on_line(ErrorCode::malformed, "JSON nested deeper than " + std::to_string(kMostNested),
+                           progress_.line);
     }
     open_.push_back(tokens_.size());
     return add({kind, progress_.line, 0, {}});

@@ -21,7 +21,8 @@ class GeoJsonReader {
       return shapes;
     }
     visit_array(source_, require_member(source_, root, "features"), "features", [&](const JsonValue& feature) {
-      if (type_of(feature) != "Feature") source_.fail_on_line(Code::malformed, "expected a Feature", feature.line());
+      if (type_of(feature) != "Feature")
+        source_.fail_on_line(ErrorCode::malformed, "expected a Feature", feature.line());
       shapes.push_back(read_shape(feature));
     });
     return shapes;
@@ -50,7 +51,7 @@ class GeoJsonReader {
   Ring read_ring(const JsonValue& value) const {
     Ring ring = require_positions(source_, value);
     if (ring.empty() || ring.front() != ring.back()) {
-      source_.fail_on_line(Code::malformed, "the ring is not closed: its last position differs from its first",
+      source_.fail_on_line(ErrorCode::malformed, "the ring is not closed: its last position differs from its first",
                            value.line());
     }
     if (ring.size() > 1) ring.pop_back();
@@ -80,7 +81,7 @@ class GeoJsonReader {
     static constexpr std::string_view kKnown[] = {"Point",           "MultiPoint", "LineString",
                                                   "MultiLineString", "Polygon",    "MultiPolygon"};
     if (std::find(std::begin(kKnown), std::end(kKnown), type) == std::end(kKnown)) {
-      source_.fail_on_line(Code::malformed, "unknown GeoJSON type " + in_quotes(type), value.line());
+      source_.fail_on_line(ErrorCode::malformed, "unknown GeoJSON type " + in_quotes(type), value.line());
     }
     const JsonValue coordinates = require_member(source_, value, "coordinates");
     if (type == "Point") {

@@ -9,23 +9,23 @@ namespace dymsum::io {
 
 JsonValue require_member(const Source& source, const JsonValue& object, std::string_view key) {
   if (!object.is_object()) {
-    source.fail_on_line(Code::malformed, "expected an object with '" + std::string(key) + "'", object.line());
+    source.fail_on_line(ErrorCode::malformed, "expected an object with '" + std::string(key) + "'", object.line());
   }
   const auto value = object.find(key);
-  if (!value) source.fail_on_line(Code::malformed, "the object has no '" + std::string(key) + "'", object.line());
+  if (!value) source.fail_on_line(ErrorCode::malformed, "the object has no '" + std::string(key) + "'", object.line());
   return *value;
 }
 
 const std::string& require_text(const Source& source, const JsonValue& value, std::string_view what) {
   if (value.kind() != JsonKind::string) {
-    source.fail_on_line(Code::malformed, "expected " + std::string(what) + " as a string", value.line());
+    source.fail_on_line(ErrorCode::malformed, "expected " + std::string(what) + " as a string", value.line());
   }
   return value.text();
 }
 
 Point require_position(const Source& source, const JsonValue& value) {
   if (value.kind() != JsonKind::pair) {
-    source.fail_on_line(Code::malformed, "expected a position of two numbers, [x, y]; others are not planar",
+    source.fail_on_line(ErrorCode::malformed, "expected a position of two numbers, [x, y]; others are not planar",
                         value.line());
   }
   return value.pair();
@@ -63,7 +63,7 @@ std::vector<NamedShape> read_json(const Source& source) {
   if (root.find("items")) return read_nesting(source, root);
   if (root.find("type")) return read_geojson(source, root);
   source.fail_on_line(
-      Code::malformed,
+      ErrorCode::malformed,
       "expected an object with 'items' (nesting instance), 'type' (GeoJSON) or 'footprint', or an array of positions",
       root.line());
 }

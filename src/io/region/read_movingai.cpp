@@ -21,7 +21,7 @@ class MovingAiReader {
     for (std::size_t row = 0; row < map.height; ++row) {
       if (at_ >= source_.text.size())
         source_.fail_on_line(
-            Code::truncated,
+            ErrorCode::truncated,
             "the map announces " + std::to_string(map.height) + " rows and ends after " + std::to_string(row), line_);
       read_row(next_line(), map.width, rows);
     }
@@ -33,10 +33,10 @@ class MovingAiReader {
   }
 
  private:
-  [[noreturn]] void fail(const std::string& what) const { source_.fail_on_line(Code::malformed, what, line_); }
+  [[noreturn]] void fail(const std::string& what) const { source_.fail_on_line(ErrorCode::malformed, what, line_); }
 
   std::string_view next_line() {
-    if (at_ >= source_.text.size()) source_.fail_on_line(Code::truncated, "the map ends before its rows", line_);
+    if (at_ >= source_.text.size()) source_.fail_on_line(ErrorCode::truncated, "the map ends before its rows", line_);
     ++line_;
     const std::size_t end = std::min(source_.text.find('\n', at_), source_.text.size());
     std::string_view line = source_.text.substr(at_, end - at_);

@@ -40,7 +40,7 @@ class NestingReader {
     } else if (type == "region") {
       data = read_region(require_member(source_, shape, "data"));
     } else {
-      source_.fail_on_line(Code::malformed, "unknown shape type " + in_quotes(type), shape.line());
+      source_.fail_on_line(ErrorCode::malformed, "unknown shape type " + in_quotes(type), shape.line());
     }
     return data;
   }
@@ -63,7 +63,7 @@ class NestingReader {
   double read_number(const JsonValue& object, std::string_view key) const {
     const JsonValue value = require_member(source_, object, key);
     if (value.kind() != JsonKind::number) {
-      source_.fail_on_line(Code::malformed, "expected a number as '" + std::string(key) + "'", value.line());
+      source_.fail_on_line(ErrorCode::malformed, "expected a number as '" + std::string(key) + "'", value.line());
     }
     return value.number();
   }
@@ -72,7 +72,7 @@ class NestingReader {
     const double x0 = read_number(value, "x_min"), y0 = read_number(value, "y_min");
     const double x1 = x0 + read_number(value, "width"), y1 = y0 + read_number(value, "height");
     if (!std::isfinite(x1) || !std::isfinite(y1)) {
-      source_.fail_on_line(Code::not_finite, "the rectangle leaves the double range", value.line());
+      source_.fail_on_line(ErrorCode::not_finite, "the rectangle leaves the double range", value.line());
     }
     return {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, {}};
   }

@@ -15,16 +15,16 @@ class PgmReader {
 
   GreyImage read() {
     const std::string_view magic = text_.substr(0, 2);
-    if (magic != "P5" && magic != "P2") source_.fail(Code::malformed, "a .pgm file begins with P5 or P2", 0);
+    if (magic != "P5" && magic != "P2") source_.fail(ErrorCode::malformed, "a .pgm file begins with P5 or P2", 0);
     at_ = 2;
     GreyImage image;
     image.width = count("the width", kMostPixels);
     image.height = count("the height", kMostPixels);
     image.most = static_cast<std::uint32_t>(count("the largest value", 65535));
     if (image.width == 0 || image.height == 0 || image.most == 0)
-      source_.fail(Code::malformed, "an image of nothing", at_);
+      source_.fail(ErrorCode::malformed, "an image of nothing", at_);
     const std::uint64_t pixels = static_cast<std::uint64_t>(image.width) * image.height;
-    if (pixels > kMostPixels) source_.fail(Code::malformed, "more than 2^30 pixels", at_);
+    if (pixels > kMostPixels) source_.fail(ErrorCode::malformed, "more than 2^30 pixels", at_);
     if (magic == "P5") read_bytes(image, pixels);
     else read_numbers(image, pixels);
     return image;
@@ -41,11 +41,11 @@ class PgmReader {
 
   std::uint64_t count(const std::string& what, std::uint64_t most) {
     skip();
-    if (at_ >= text_.size()) source_.fail(Code::truncated, "the image ends before " + what, at_);
+    if (at_ >= text_.size()) source_.fail(ErrorCode::truncated, "the image ends before " + what, at_);
     const ScannedCount number = scan_count(text_.substr(at_));
     const std::size_t end = at_ + number.length;
     if (number.length == 0 || (end < text_.size() && !is_blank(text_[end])) || number.value > most)
-      source_.fail(Code::malformed, "expected " + what + ", at most " + std::to_string(most), at_);
+      source_.fail(ErrorCode::malformed, "expected " + what + ", at most " + std::to_string(most), at_);
     at_ = end;
     return number.value;
   }
@@ -55,7 +55,7 @@ class PgmReader {
     const std::size_t size = image.most > 255 ? 2 : 1;
     if (at_ < text_.size()) ++at_;
     if (text_.size() - at_ < size * pixels)
-      source_.fail(Code::truncated,
+      source_.fail(ErrorCode::truncated,
                    "the image announces " + std::to_string(pixels) + " pixels and ends after " +
                        std::to_string((text_.size() - at_) / size),
                    at_);
@@ -74,7 +74,7 @@ class PgmReader {
   }
 
   void add(GreyImage& image, std::uint32_t value) {
-    if (value > image.most) source_.fail(Code::malformed, "a pixel is larger than the largest value", at_);
+    if (value > image.most) source_.fail(ErrorCode::malformed, "a pixel is larger than the largest value", at_);
     image.pixels.push_back(static_cast<std::uint16_t>(value));
   }
 

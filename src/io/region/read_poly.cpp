@@ -22,20 +22,20 @@ class PolyReader {
     for (std::uint64_t k = 0; k < chains; ++k) {
       skip();
       if (at_end()) {
-        fail(Code::truncated,
+        fail(ErrorCode::truncated,
              "the file announces " + std::to_string(chains) + " chains and ends after " + std::to_string(k));
       }
       read_chain();
     }
     skip();
-    if (!at_end()) fail(Code::malformed, "unexpected " + in_quotes(word()) + " after the last chain");
+    if (!at_end()) fail(ErrorCode::malformed, "unexpected " + in_quotes(word()) + " after the last chain");
     return std::move(data_);
   }
 
  private:
   bool at_end() const { return at_ >= text_.size(); }
 
-  [[noreturn]] void fail(Code code, std::string message, Evidence evidence = {}) const {
+  [[noreturn]] void fail(ErrorCode code, std::string message, Evidence evidence = {}) const {
     source_.fail(code, std::move(message), at_, std::move(evidence));
   }
 
@@ -60,11 +60,11 @@ class PolyReader {
   }
 
   std::uint64_t read_count(const std::string& what) {
-    if (at_end()) fail(Code::truncated, "the file ends before " + what);
+    if (at_end()) fail(ErrorCode::truncated, "the file ends before " + what);
     const std::string_view digits = word();
     const ScannedCount count = scan_count(digits);
     if (count.length == 0 || count.length != digits.size()) {
-      fail(Code::malformed, "expected " + what + " instead of " + in_quotes(digits));
+      fail(ErrorCode::malformed, "expected " + what + " instead of " + in_quotes(digits));
     }
     at_ += count.length;
     return count.value;
@@ -73,13 +73,13 @@ class PolyReader {
   void read_chain() {
     const std::uint64_t announced = read_count("the number of points of a chain");
     skip();
-    if (at_end()) fail(Code::truncated, "the file ends before the kind of a chain");
+    if (at_end()) fail(ErrorCode::truncated, "the file ends before the kind of a chain");
     const std::string_view kind = word();
     if (kind == "out") {
       data_.parts.emplace_back();
       read_vertices(announced, data_.parts.back().outer, place(0));
     } else if (kind == "in") {
-      if (data_.parts.empty()) fail(Code::malformed, "an 'in' chain without an 'out' chain before it");
+      if (data_.parts.empty()) fail(ErrorCode::malformed, "an 'in' chain without an 'out' chain before it");
       auto& holes = data_.parts.back().holes;
       holes.emplace_back();
       read_vertices(announced, holes.back(), place(static_cast<std::int64_t>(holes.size())));
@@ -91,7 +91,7 @@ class PolyReader {
       read_vertices(announced, points, {});
       data_.points.insert(data_.points.end(), points.begin(), points.end());
     } else {
-      fail(Code::malformed, "expected 'out' or 'in' (or 'open' or 'points') instead of " + in_quotes(kind));
+      fail(ErrorCode::malformed, "expected 'out' or 'in' (or 'open' or 'points') instead of " + in_quotes(kind));
     }
   }
 
@@ -118,12 +118,12 @@ class PolyReader {
   double read_coordinate(std::uint64_t announced, const Evidence& evidence) {
     skip();
     if (at_end()) {
-      fail(Code::truncated, "a chain announces " + std::to_string(announced) + " points and the file ends before them",
-           evidence);
+      fail(ErrorCode::truncated,
+           "a chain announces " + std::to_string(announced) + " points and the file ends before them", evidence);
     }
     const ScannedNumber number = scan_number(text_.substr(at_));
     if (number.length > 0 && !std::isfinite(number.value)) {
-      fail(Code::not_finite, "the coordinate " + in_quotes(word()) + " is not a finite double", evidence);
+      fail(ErrorCode::not_finite, "the coordinate " + in_quotes(word()) + " is not a finite double", evidence);
     }
     const std::size_t end = at_ + number.length;
     const bool complete = end >= text_.size() || is_blank(text_[end]) || text_[end] == '#';
@@ -131,7 +131,7 @@ class PolyReader {
     const bool glued = !complete && text_[end] == '.' && end + 1 < text_.size() && is_digit(text_[end + 1]) &&
                        text_.substr(at_, number.length).find('.') != std::string_view::npos;
     if (number.length == 0 || !(complete || glued)) {
-      fail(Code::malformed, "expected a coordinate instead of " + in_quotes(word()), evidence);
+      fail(ErrorCode::malformed, "expected a coordinate instead of " + in_quotes(word()), evidence);
     }
     at_ = end;
     return number.value;
@@ -163,7 +163,7 @@ class PolyReader {
       if (at_end() || at_chain_header()) break;
     }
     if (ordered.size() != vertices.size()) {
-      const Code code = at_end() ? Code::truncated : Code::malformed;
+      const ErrorCode code = at_end() ? ErrorCode::truncated : ErrorCode::malformed;
       at_ = line_start;
       fail(code, "the index line has " + std::to_string(ordered.size()) + " numbers for " +
                      std::to_string(vertices.size()) + " points");
@@ -178,9 +178,9 @@ class PolyReader {
       const std::uint64_t index = read_count("a point's index");
       if (index < 1 || index > vertices.size() || seen[index - 1]) {
         at_ = line_start;
-        fail(Code::malformed, "the index line is not a permutation of 1 to " + std::to_string(vertices.size()) + ": " +
-                                  std::to_string(index) +
-                                  (index < 1 || index > vertices.size() ? " is outside" : " comes twice"));
+        fail(ErrorCode::malformed, "the index line is not a permutation of 1 to " + std::to_string(vertices.size()) +
+                                       ": " + std::to_string(index) +
+                                       (index < 1 || index > vertices.size() ? " is outside" : " comes twice"));
       }
       seen[index - 1] = true;
       ordered.push_back(vertices[index - 1]);

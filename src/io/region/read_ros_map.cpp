@@ -35,7 +35,7 @@ class YamlLines {
     return at == values_.end() ? nullptr : &at->second;
   }
   [[noreturn]] void fail(const std::string& what, std::int64_t line) const {
-    source_.fail_on_line(Code::malformed, what, line);
+    source_.fail_on_line(ErrorCode::malformed, what, line);
   }
   const YamlValue& require(const std::string& key) const {
     if (const YamlValue* value = find(key)) return *value;
@@ -193,7 +193,8 @@ GridSet grid_set(const Source& source, std::string_view name) {
   if (name == "occupied") return GridSet::occupied;
   if (name == "unknown") return GridSet::unknown;
   if (name == "free") return GridSet::free;
-  source.fail_on_line(Code::malformed, "a map has no " + in_quotes(name) + ": blocked, occupied, unknown or free", 1);
+  source.fail_on_line(ErrorCode::malformed, "a map has no " + in_quotes(name) + ": blocked, occupied, unknown or free",
+                      1);
 }
 
 }  // namespace dymsum::io

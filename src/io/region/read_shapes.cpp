@@ -48,7 +48,8 @@ Result<RegionFormat> format_of_text(std::string_view text, std::string_view file
   if (first == '<') return RegionFormat::svg;
   if (first == '#' || io::is_digit(first)) return RegionFormat::poly;
   if (io::is_letter(first)) return RegionFormat::wkt;
-  return file_error(Code::unsupported_format, "the text begins like none of .poly, .wkt, .geojson, .svg, .json", file);
+  return file_error(ErrorCode::unsupported_format, "the text begins like none of .poly, .wkt, .geojson, .svg, .json",
+                    file);
 }
 
 std::vector<NamedShape> read_format(const io::Source& source, RegionFormat format) {
@@ -85,13 +86,13 @@ Result<NamedShape> select(std::vector<NamedShape> shapes, const std::string& wan
   const auto named = [&](const NamedShape& shape) { return shape.name == wanted; };
   const auto count = std::count_if(shapes.begin(), shapes.end(), named);
   if (count > 1)
-    return file_error(Code::malformed, std::to_string(count) + " shapes are named " + io::in_quotes(wanted), file);
+    return file_error(ErrorCode::malformed, std::to_string(count) + " shapes are named " + io::in_quotes(wanted), file);
   if (count == 1) return std::move(*std::find_if(shapes.begin(), shapes.end(), named));
   const io::ScannedCount place = io::scan_count(wanted);
   if (place.length > 0 && place.length == wanted.size() && place.value < shapes.size())
     return std::move(shapes[place.value]);
-  return file_error(Code::malformed, "no shape " + io::in_quotes(wanted) + " among " + std::to_string(shapes.size()),
-                    file);
+  return file_error(ErrorCode::malformed,
+                    "no shape " + io::in_quotes(wanted) + " among " + std::to_string(shapes.size()), file);
 }
 
 /// A map is one shape: the set of cells that is selected.
@@ -114,7 +115,7 @@ Result<std::vector<NamedShape>> read_map(const Selection& selection) {
 Result<RegionFormat> region_format(std::string_view path) {
   if (const auto format = format_of_extension(path)) return *format;
   if (const auto format = format_of_extension(path.substr(0, path.rfind('#')))) return *format;
-  return file_error(Code::unsupported_format, "the extension is none of .poly, .wkt, .geojson, .svg, .json", path);
+  return file_error(ErrorCode::unsupported_format, "the extension is none of .poly, .wkt, .geojson, .svg, .json", path);
 }
 
 Result<std::vector<NamedShape>> parse_shapes(std::string_view text, RegionFormat format,
@@ -151,9 +152,9 @@ Result<RegionData> read_region_data(const std::string& path) {
   if (!read) return read.error();
   std::vector<NamedShape> shapes = std::move(read).value();
   if (shapes.size() == 1) return std::move(shapes[0].data);
-  if (shapes.empty()) return file_error(Code::malformed, "the file holds no shape", path);
+  if (shapes.empty()) return file_error(ErrorCode::malformed, "the file holds no shape", path);
   return file_error(
-      Code::malformed,
+      ErrorCode::malformed,
       "the file holds " + std::to_string(shapes.size()) + " shapes: select one as in " + path + "#" + shapes[0].name,
       path);
 }

@@ -49,11 +49,12 @@ class SvgReader {
   [[noreturn]] void refuse_document(const pugi::xml_parse_result& result) const {
     const auto offset = static_cast<std::size_t>(result.offset);
     const bool ended = source_.text.find('>', offset) == std::string_view::npos;
-    source_.fail(ended ? Code::truncated : Code::malformed, std::string("XML: ") + result.description(), offset);
+    source_.fail(ended ? ErrorCode::truncated : ErrorCode::malformed, std::string("XML: ") + result.description(),
+                 offset);
   }
 
   [[noreturn]] void fail(const pugi::xml_node& node, std::string message) const {
-    source_.fail(Code::malformed, std::move(message), offset_of(node));
+    source_.fail(ErrorCode::malformed, std::move(message), offset_of(node));
   }
 
   static std::size_t offset_of(const pugi::xml_node& node) {
@@ -167,7 +168,7 @@ class SvgReader {
     for (Point& p : vertices) {
       p = current_.apply(p);
       if (!std::isfinite(p.x) || !std::isfinite(p.y)) {
-        source_.fail(Code::not_finite, "a coordinate leaves the double range", offset_of(node));
+        source_.fail(ErrorCode::not_finite, "a coordinate leaves the double range", offset_of(node));
       }
     }
   }

@@ -26,7 +26,7 @@ class WktReader {
       data_ = &shapes.back().data;
       read_geometry(0);
     }
-    if (shapes.empty()) source_.fail(Code::truncated, "the file ends before the first geometry", at_);
+    if (shapes.empty()) source_.fail(ErrorCode::truncated, "the file ends before the first geometry", at_);
     return shapes;
   }
 
@@ -44,8 +44,8 @@ class WktReader {
   }
 
   [[noreturn]] void fail_expecting(const std::string& what) const {
-    if (at_ >= text_.size()) source_.fail(Code::truncated, "the file ends before " + what, at_);
-    source_.fail(Code::malformed, "expected " + what + " instead of " + in_quotes(rest_of_word()), at_);
+    if (at_ >= text_.size()) source_.fail(ErrorCode::truncated, "the file ends before " + what, at_);
+    source_.fail(ErrorCode::malformed, "expected " + what + " instead of " + in_quotes(rest_of_word()), at_);
   }
 
   std::string read_word() {
@@ -91,7 +91,7 @@ class WktReader {
   /// The words that announce more than two coordinates.
   void refuse_third(std::string_view word, std::size_t start) const {
     if (word == "Z" || word == "M" || word == "ZM")
-      source_.fail(Code::malformed,
+      source_.fail(ErrorCode::malformed,
                    "coordinates with " + std::string(word) + " are not planar: only x and y can be read", start);
   }
 
@@ -100,7 +100,8 @@ class WktReader {
     const ScannedNumber number = scan_number(text_.substr(at_));
     if (number.length == 0) fail_expecting("a coordinate");
     if (!std::isfinite(number.value)) {
-      source_.fail(Code::not_finite, "the coordinate " + in_quotes(rest_of_word()) + " is not a finite double", at_);
+      source_.fail(ErrorCode::not_finite, "the coordinate " + in_quotes(rest_of_word()) + " is not a finite double",
+                   at_);
     }
     const std::size_t end = at_ + number.length;
     if (end < text_.size() && !is_blank(text_[end]) && text_[end] != ',' && text_[end] != ')')
@@ -115,7 +116,7 @@ class WktReader {
     skip();
     if (at_ >= text_.size() || text_[at_] == ',' || text_[at_] == ')') return {x, y};
     if (scan_number(text_.substr(at_)).length > 0)
-      source_.fail(Code::malformed,
+      source_.fail(ErrorCode::malformed,
                    "a third coordinate, " + in_quotes(rest_of_word()) +
                        ": only x and y can be read, WKT with Z or M is not planar",
                    at_);
@@ -133,7 +134,7 @@ class WktReader {
     const std::size_t start = at_;
     Ring ring = read_points();
     if (ring.front() != ring.back())
-      source_.fail(Code::malformed, "the ring is not closed: its last vertex differs from its first", start);
+      source_.fail(ErrorCode::malformed, "the ring is not closed: its last vertex differs from its first", start);
     if (ring.size() > 1) ring.pop_back();
     return ring;
   }
@@ -181,7 +182,7 @@ class WktReader {
     skip();
     const std::size_t start = at_;
     if (depth > kMostNested)
-      source_.fail(Code::malformed, "collections nested deeper than " + std::to_string(kMostNested), start);
+      source_.fail(ErrorCode::malformed, "collections nested deeper than " + std::to_string(kMostNested), start);
     const std::string kind = read_word();
     // POLYGONZ is POLYGON Z.
     for (const std::string_view third : {"ZM", "Z", "M"})

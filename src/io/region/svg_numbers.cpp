@@ -58,17 +58,17 @@ void SvgNumbers::read_flag() {
 }
 
 void SvgNumbers::fail(const std::string& message) const {
-  source_.fail_on_line(Code::malformed,
+  source_.fail_on_line(ErrorCode::malformed,
                        at_end() ? message + ", but the attribute ends" : message + " at " + in_quotes(one_word(rest())),
                        line());
 }
 
 void SvgNumbers::fail_before(const std::string& message) const {
-  source_.fail_on_line(Code::malformed, message, line());
+  source_.fail_on_line(ErrorCode::malformed, message, line());
 }
 
 void SvgNumbers::fail_not_finite(const std::string& message) const {
-  source_.fail_on_line(Code::not_finite, message, line());
+  source_.fail_on_line(ErrorCode::not_finite, message, line());
 }
 
 std::int64_t SvgNumbers::line() const {

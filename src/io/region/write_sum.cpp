@@ -16,7 +16,7 @@ namespace {
 /// Tight features of a sum, rounded.
 class TightData {
  public:
-  explicit TightData(const PlanarSum& sum) : nearest_(*sum.source) {
+  explicit TightData(const PlanarSum& sum) : nearest_(*exact_source(sum)) {
     for (const SumSegment& s : sum.tight_segments) add(nearest_(s.from), nearest_(s.to));
     for (const SumVertex& v : sum.tight_points) add(nearest_(v));
   }

@@ -9,6 +9,7 @@
 #include "exact/big.h"
 #include "exact/grid.h"
 #include "exact/orient.h"
+#include "planar/turning/turn.h"
 
 namespace dymsum {
 namespace {
@@ -33,13 +34,13 @@ struct Polygon {
 Result<Polygon> make_polygon(const Region& region) {
   if (region.parts().size() != 1 || !region.parts()[0].holes.empty() || !region.polylines().empty() ||
       !region.points().empty())
-    return Error{Code::unsupported_operand, "a convex polygon is one part without holes, and nothing else", {}};
+    return Error{ErrorCode::unsupported_operand, "a convex polygon is one part without holes, and nothing else", {}};
   const Ring& ring = region.parts()[0].outer;
   Polygon p;
   for (std::uint32_t k = 0; k < ring.size(); ++k) {
     const int turn = exact::orient_sign(ring[k == 0 ? ring.size() - 1 : k - 1], ring[k], ring[(k + 1) % ring.size()]);
     if (turn < 0) {
-      Error error{Code::not_convex, "the polygon has a reflex vertex", {}};
+      Error error{ErrorCode::not_convex, "the polygon has a reflex vertex", {}};
       error.evidence.part = error.evidence.ring = 0;
       error.evidence.vertex = k;
       error.evidence.x = ring[k].x;
@@ -74,10 +75,11 @@ struct ExactMatrix {
   BigInteger den;
 
   static ExactMatrix of(const PlanarPose& pose) {
-    const BigInteger u = pose.rotation.half()[0], v = pose.rotation.half()[1], c = u * u - v * v, s = 2 * u * v;
-    const Rational &x = pose.scale[0].exact(), &y = pose.scale[1].exact();
-    const BigInteger left = BigInteger(x.num) * BigInteger(y.den), right = BigInteger(y.num) * BigInteger(x.den);
-    return {{c * left, -s * right, s * left, c * right}, (u * u + v * v) * BigInteger(x.den) * BigInteger(y.den)};
+    const auto [n, d] = planar::tan_half_of(pose.rotation);
+    const BigInteger c = d * d - n * n, s = 2 * n * d;
+    const BigRational x = exact::exact_value(pose.scale[0].exact()), y = exact::exact_value(pose.scale[1].exact());
+    const BigInteger left = numerator(x) * denominator(y), right = numerator(y) * denominator(x);
+    return {{c * left, -s * right, s * left, c * right}, (d * d + n * n) * denominator(x) * denominator(y)};
   }
 };
 

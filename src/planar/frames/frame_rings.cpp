@@ -61,8 +61,8 @@ std::vector<std::size_t> place_rings(std::vector<SumRing> rings, const std::vect
     // vertices.
     std::unordered_map<std::uint64_t, std::size_t> number_at;
     for (std::size_t i = 0; i < rings.size(); ++i) number_at[key(rings[i].vertices[0])] = i;
-    sum.parts = group_rings(std::move(rings), outer, *sum.source, sum.at_error);
-    canonicalize(sum.parts, *sum.source, sum.at_error);
+    sum.parts = group_rings(std::move(rings), outer, *exact_source(sum), sum.at_error);
+    canonicalize(sum.parts, *exact_source(sum), sum.at_error);
     for (const SumRing* ring : rings_of(sum)) numbers.push_back(number_at.at(key(ring->vertices[0])));
     return numbers;
   }
@@ -77,7 +77,7 @@ std::vector<std::size_t> place_rings(std::vector<SumRing> rings, const std::vect
     numbers.push_back(i);
   }
   // Rings share no vertices where nothing touches, so their first vertices order them.
-  const VertexOrder order(*sum.source, sum.at_error);
+  const VertexOrder order(*exact_source(sum), sum.at_error);
   std::sort(holes.begin(), holes.end(), [&](std::size_t a, std::size_t b) {
     return order.compare(rings[a].vertices[0], rings[b].vertices[0]) < 0;
   });

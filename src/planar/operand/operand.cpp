@@ -394,7 +394,7 @@ std::optional<Error> too_large(const PlacedPoints& points) {
   if (points.extent + std::abs(points.offset.x) + std::abs(points.offset.y) <= kLimit) return std::nullopt;
   for (const Point& v : points.input) {
     if (std::abs(v.x) <= kLimit && std::abs(v.y) <= kLimit) continue;
-    Error error{Code::unsupported_operand, "a coordinate is larger than 2^1000", {}};
+    Error error{ErrorCode::unsupported_operand, "a coordinate is larger than 2^1000", {}};
     error.evidence.x = v.x;
     error.evidence.y = v.y;
     return error;

@@ -20,7 +20,7 @@ std::shared_ptr<const Operand> PreparedRegion::operand(const Region& region, std
 }
 
 std::shared_ptr<const Operand> prepared_operand(const Region& region, std::uint32_t op, bool reflected) {
-  PreparedRegion* kept = region.prepared();
+  PreparedRegion* kept = RegionInternals::prepared(region);
   if (kept != nullptr) return kept->operand(region, op, reflected);
   return make_operand(separate_touching(region.data(), {}), op);  // the empty region
 }

@@ -17,7 +17,7 @@ using exact::BigRational;
 
 constexpr unsigned kMaxBits = exact::kMaxTextBits;
 
-Error bad(std::string message) { return {Code::bad_scale, std::move(message), {}}; }
+Error bad(std::string message) { return {ErrorCode::bad_scale, std::move(message), {}}; }
 
 Result<BigRational> within_limits(BigRational v, const std::string& what, const std::string& text) {
   const BigInteger limit = BigInteger(1) << 64;
@@ -43,14 +43,14 @@ Result<BigRational> checked_step(BigRational v, const std::string& text) {
 }  // namespace
 
 Result<Scale> Scale::of(double value) {
-  if (!std::isfinite(value)) return Error{Code::not_finite, "a scale has to be a finite number", {}};
+  if (!std::isfinite(value)) return Error{ErrorCode::not_finite, "a scale has to be a finite number", {}};
   if (!(value >= 0x1p-64 && value <= 0x1p64)) return checked(exact::exact_value(value), std::to_string(value)).error();
   Scale s;
   if (value * 0x1p30 == std::floor(value * 0x1p30) && value < 0x1p30) {
     // A small dyadic fraction, as sweeps use them: lowest terms by hand.
     auto num = static_cast<std::uint64_t>(value * 0x1p30), den = std::uint64_t{1} << 30;
     const int common = std::min(std::countr_zero(num), 30);
-    s.value_ = {std::to_string(num >> common), std::to_string(den >> common)};
+    s.value_ = exact::to_rational(BigInteger(num >> common), BigInteger(den >> common));
   } else {
     s.value_ = exact::to_rational(exact::exact_value(value));
   }
@@ -59,9 +59,7 @@ Result<Scale> Scale::of(double value) {
 }
 
 Result<Scale> Scale::of(const Rational& value) {
-  const Result<BigRational> number = exact::rational_of(value, "scale", Code::bad_scale);
-  if (!number) return number.error();
-  const Result<BigRational> v = checked(*number, value.to_string().substr(0, 60));
+  const Result<BigRational> v = checked(exact::exact_value(value), value.to_string().substr(0, 60));
   if (!v) return v.error();
   Scale s;
   s.value_ = exact::to_rational(*v);
@@ -70,7 +68,7 @@ Result<Scale> Scale::of(const Rational& value) {
 }
 
 Result<Scale> Scale::parse(std::string_view text) {
-  const Result<BigRational> number = exact::number_in(text, "scale", Code::bad_scale);
+  const Result<BigRational> number = exact::number_in(text, "scale", ErrorCode::bad_scale);
   if (!number) return number.error();
   const Result<BigRational> v = checked(*number, std::string(text.substr(0, 60)));
   if (!v) return v.error();
@@ -78,14 +76,14 @@ Result<Scale> Scale::parse(std::string_view text) {
 }
 
 Result<Scale> parse_scale_step(std::string_view text) {
-  const Result<BigRational> number = exact::number_in(text, "step", Code::bad_scale);
+  const Result<BigRational> number = exact::number_in(text, "step", ErrorCode::bad_scale);
   if (!number) return number.error();
   const Result<BigRational> v = checked_step(*number, std::string(text.substr(0, 60)));
   if (!v) return v.error();
   return Scale::of(exact::to_rational(*v));
 }
 
-Result<std::vector<Scale>> scale_steps(const Scale& from, const Scale& to, const Scale& step, bool percent,
+Result<std::vector<Scale>> scale_steps(const Scale& from, const Scale& to, const Scale& step, StepKind kind,
                                        std::size_t most) {
   const BigRational first = exact::exact_value(from.exact()), last = exact::exact_value(to.exact()),
                     by = exact::exact_value(step.exact());
@@ -98,7 +96,7 @@ Result<std::vector<Scale>> scale_steps(const Scale& from, const Scale& to, const
     if (!next) return next.error();
     scales.push_back(std::move(next).value());
     BigRational then;
-    if (percent) {
+    if (kind == StepKind::percent) {
       const BigRational ratio = 1 + by / 100, wanted = up ? BigRational(s * ratio) : BigRational(s / ratio);
       then = BigRational(BigInteger(numerator(wanted) * grid / denominator(wanted)), grid);
     } else {
@@ -115,7 +113,7 @@ Result<std::vector<Scale>> scale_steps(const Scale& from, const Scale& to, const
 namespace planar {
 
 ScaleValue scale_value(const Scale& scale) {
-  return {BigInteger(scale.exact().num), BigInteger(scale.exact().den), scale.approx()};
+  return {exact::numerator_of(scale.exact()), exact::denominator_of(scale.exact()), scale.approx()};
 }
 
 ScaleValue scale_value(const BigRational& value) {

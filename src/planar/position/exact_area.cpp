@@ -57,7 +57,7 @@ BigInteger product_of_gcds(std::span<const BigInteger> factors, const BigInteger
 
 }  // namespace
 
-Rational ExactArea::to_rational() const { return {numerator.str(), denominator.str()}; }
+Rational ExactArea::to_rational() const { return exact::to_rational(numerator, denominator); }
 
 // The quotient's first 64 bits or more, and a last bit set when something follows: this rounds as the quotient does.
 double ExactArea::to_double() const {

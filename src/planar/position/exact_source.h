@@ -2,6 +2,7 @@
 // operands, and everything that happens after the boundary has been found.
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "base/double_pair.h"
@@ -51,5 +52,30 @@ class ExactSource {
   virtual int compare_x(const SumVertex& a, const SumVertex& b) const;
   virtual int compare_y(const SumVertex& a, const SumVertex& b) const;
 };
+
+namespace planar {
+
+/// What the rooms behind PlanarSum and SumOptions may do with them.
+struct SumInternals {
+  static const std::shared_ptr<const ExactSource>& source(const PlanarSum& sum) { return sum.source_; }
+  static std::shared_ptr<const ExactSource>& source(PlanarSum& sum) { return sum.source_; }
+  /// The number tier to use at least (29, 61, 512; above: arbitrary), for tests; 0 by itself.
+  template <class Options>
+  static int& min_tier_bits(Options& options) {
+    return options.forced_tier.min_bits_;
+  }
+  template <class Options>
+  static int min_tier_bits(const Options& options) {
+    return options.forced_tier.min_bits_;
+  }
+};
+
+}  // namespace planar
+
+/// The exact positions behind a sum; null for a sum that was put together by hand. Setting it is for engines.
+inline const std::shared_ptr<const ExactSource>& exact_source(const PlanarSum& sum) {
+  return planar::SumInternals::source(sum);
+}
+inline std::shared_ptr<const ExactSource>& exact_source(PlanarSum& sum) { return planar::SumInternals::source(sum); }
 
 }  // namespace dymsum

@@ -26,8 +26,8 @@ void each_ring(const PlanarSum& sum, Visit visit) {
 }
 
 const ExactSource& source_of(const PlanarSum& sum) {
-  if (!sum.source) throw std::logic_error("PlanarSum: vertices without exact positions");
-  return *sum.source;
+  if (!exact_source(sum)) throw std::logic_error("PlanarSum: vertices without exact positions");
+  return *exact_source(sum);
 }
 
 BigRational exact_value(DoublePair v) { return exact::exact_value(v.high) + exact::exact_value(v.low); }
@@ -69,9 +69,9 @@ class PairSum {
 
 /// From pairs of doubles, relative to where the source measures from: the area does not depend on it.
 std::optional<AreaRange> pair_range(const PlanarSum& sum) {
-  const std::optional<ExactSource::NearFrame> frame = sum.source->near_frame();
+  const std::optional<ExactSource::NearFrame> frame = exact_source(sum)->near_frame();
   if (!frame) return std::nullopt;
-  PairSum total(*sum.source);
+  PairSum total(*exact_source(sum));
   each_ring(sum, [&](const SumRing& ring) { total.add(ring); });
   if (!std::isfinite(total.twice().high) || !std::isfinite(total.error())) return std::nullopt;
   const BigRational twice = exact_value(total.twice()), error = exact::exact_value(total.error());
@@ -125,7 +125,7 @@ class Multiples {
 AreaRange multiple_range(const PlanarSum& sum, int bits) {
   const double largest = largest_coordinate(sum);
   const int shift = bits - (largest > 0 ? std::ilogb(largest) : 0);
-  Multiples multiples(*sum.source, shift);
+  Multiples multiples(*exact_source(sum), shift);
   BigInteger twice = 0;
   each_ring(sum, [&](const SumRing& ring) {
     const Multiples::Vertex first = multiples.at(ring.vertices[0]);
@@ -168,7 +168,7 @@ std::optional<ExactArea> area_of(const PlanarSum& sum, std::size_t bits) {
     std::vector<ExactSource::Homogeneous>& to = rings.emplace_back();
     to.reserve(ring.vertices.size());
     for (std::size_t k = 0; k < ring.vertices.size() && total <= bits; ++k) {
-      to.push_back(lowest(sum.source->homogeneous(ring.vertices[k])));
+      to.push_back(lowest(exact_source(sum)->homogeneous(ring.vertices[k])));
       total += odd_bits(to.back().w);
     }
   });

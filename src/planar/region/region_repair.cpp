@@ -162,7 +162,7 @@ class SourceNames {
 
 // A hole with area whose outer ring has none.
 Error homeless_hole(std::int64_t part, std::int64_t ring, const Mended& hole) {
-  Error error{Code::hole_outside, "the outer ring of a hole encloses nothing", {}};
+  Error error{ErrorCode::hole_outside, "the outer ring of a hole encloses nothing", {}};
   error.evidence.part = part;
   error.evidence.ring = ring;
   error.evidence.vertex = hole.source.front();
@@ -192,7 +192,7 @@ std::optional<Error> mend_part(const Part& part, std::int64_t number, RegionData
 }
 
 Error empty_polyline(std::int64_t number) {
-  Error error{Code::too_few_vertices, "a polyline needs at least two vertices", {}};
+  Error error{ErrorCode::too_few_vertices, "a polyline needs at least two vertices", {}};
   error.evidence.ring = number;
   return error;
 }

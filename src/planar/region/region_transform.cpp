@@ -56,7 +56,7 @@ Result<Region> translated(const Region& region, double dx, double dy) {
 
 Result<Region> scaled(const Region& region, double sx, double sy) {
   if (!std::isfinite(sx) || !std::isfinite(sy) || sx == 0 || sy == 0) {
-    return Error{Code::unsupported_operand, "a scale factor is zero or not finite", {}};
+    return Error{ErrorCode::unsupported_operand, "a scale factor is zero or not finite", {}};
   }
   RegionData data = region.data();
   map_region(

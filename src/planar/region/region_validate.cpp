@@ -10,18 +10,6 @@
 
 namespace dymsum {
 
-/// Internal: makes regions without validation.
-class TrustedRegion {
- public:
-  static Region make(RegionData data, std::vector<Point> touching_points) {
-    Region region;
-    region.data_ = std::move(data);
-    region.touching_points_ = std::move(touching_points);
-    region.prepared_ = planar::not_yet_prepared();
-    return region;
-  }
-};
-
 Result<Region> Region::create(RegionData data) {
   planar::Validation checked = planar::validate(data);
   if (checked.error) return *std::move(checked.error);
@@ -30,8 +18,16 @@ Result<Region> Region::create(RegionData data) {
 
 namespace planar {
 
+Region RegionInternals::make(RegionData data, std::vector<Point> touching_points) {
+  Region region;
+  region.data_ = std::move(data);
+  region.touching_points_ = std::move(touching_points);
+  region.prepared_ = not_yet_prepared();
+  return region;
+}
+
 Region trusted_region(RegionData data, std::vector<Point> touching_points) {
-  return TrustedRegion::make(std::move(data), std::move(touching_points));
+  return RegionInternals::make(std::move(data), std::move(touching_points));
 }
 
 namespace {
@@ -44,7 +40,8 @@ struct ChainName {
   std::int64_t ring;
 };
 
-Error chain_error(Code code, std::string message, ChainName chain, std::optional<std::size_t> vertex, const Point* at) {
+Error chain_error(ErrorCode code, std::string message, ChainName chain, std::optional<std::size_t> vertex,
+                  const Point* at) {
   Error error{code, std::move(message), {}};
   error.evidence.part = chain.part;
   error.evidence.ring = chain.ring;
@@ -59,7 +56,7 @@ Error chain_error(Code code, std::string message, ChainName chain, std::optional
 std::optional<Error> check_finite(const std::vector<Point>& chain, ChainName name) {
   for (std::size_t i = 0; i < chain.size(); ++i) {
     if (std::isfinite(chain[i].x) && std::isfinite(chain[i].y)) continue;
-    return chain_error(Code::not_finite, "a coordinate is not a finite number", name, i, nullptr);
+    return chain_error(ErrorCode::not_finite, "a coordinate is not a finite number", name, i, nullptr);
   }
   return std::nullopt;
 }
@@ -67,14 +64,14 @@ std::optional<Error> check_finite(const std::vector<Point>& chain, ChainName nam
 std::optional<Error> check_length(const std::vector<Point>& chain, ChainName name, std::size_t least) {
   if (chain.size() >= least) return std::nullopt;
   const char* what = name.part ? "a ring needs at least three vertices" : "a polyline needs at least two vertices";
-  return chain_error(Code::too_few_vertices, what, name, std::nullopt, chain.empty() ? nullptr : &chain.front());
+  return chain_error(ErrorCode::too_few_vertices, what, name, std::nullopt, chain.empty() ? nullptr : &chain.front());
 }
 
 std::optional<Error> check_repeats(const std::vector<Point>& chain, ChainName name, bool closed) {
   for (std::size_t i = 0; i + (closed ? 0 : 1) < chain.size(); ++i) {
     const std::size_t next = i + 1 == chain.size() ? 0 : i + 1;
     if (chain[i] != chain[next]) continue;
-    Error error = chain_error(Code::repeated_vertex, "two consecutive vertices are equal", name, i, &chain[i]);
+    Error error = chain_error(ErrorCode::repeated_vertex, "two consecutive vertices are equal", name, i, &chain[i]);
     error.evidence.other_vertex = static_cast<std::int64_t>(next);
     return error;
   }
@@ -85,7 +82,7 @@ std::optional<Error> check_area(const Ring& ring, ChainName name) {
   for (std::size_t i = 2; i < ring.size(); ++i) {
     if (exact::orient_sign(ring[0], ring[1], ring[i]) != 0) return std::nullopt;
   }
-  return chain_error(Code::no_area, "all vertices of a ring lie on one line", name, 0, &ring[0]);
+  return chain_error(ErrorCode::no_area, "all vertices of a ring lie on one line", name, 0, &ring[0]);
 }
 
 std::optional<Error> check_ring(const Ring& ring, ChainName name) {
@@ -134,7 +131,7 @@ class LayoutCheck {
     for (std::uint32_t r = 0; r < rings_.ring_count(); ++r) {
       if (layout_.rings[r].counter_clockwise == is_outer(r)) continue;
       const char* what = is_outer(r) ? "an outer ring runs clockwise" : "a hole runs counter-clockwise";
-      return ring_error(Code::wrong_orientation, what, r);
+      return ring_error(ErrorCode::wrong_orientation, what, r);
     }
     for (const std::uint32_t r : outer_of_part_) {
       if (auto error = misplaced_outer(r)) return error;
@@ -161,13 +158,13 @@ class LayoutCheck {
     return std::int64_t{vertex} - rings_.ring_begin[rings_.ring_of[vertex]];
   }
 
-  Error vertex_error(Code code, std::string message, std::uint32_t vertex, Point at) const {
+  Error vertex_error(ErrorCode code, std::string message, std::uint32_t vertex, Point at) const {
     const std::uint32_t ring = rings_.ring_of[vertex];
     return chain_error(code, std::move(message), {part_index(ring), ring_index(ring)},
                        static_cast<std::size_t>(vertex_index(vertex)), &at);
   }
 
-  Error ring_error(Code code, std::string message, std::uint32_t ring, std::uint32_t other = kNone) const {
+  Error ring_error(ErrorCode code, std::string message, std::uint32_t ring, std::uint32_t other = kNone) const {
     const std::uint32_t vertex = layout_.rings[ring].first_vertex;
     Error error = vertex_error(code, std::move(message), vertex, rings_.points[vertex]);
     if (other != kNone) {
@@ -182,7 +179,7 @@ class LayoutCheck {
     const std::uint32_t other = rings_.ring_of[clash.other_edge];
     const bool same = rings_.ring_of[clash.edge] == other;
     const char* what = same ? "a ring crosses itself or runs along itself" : "two rings cross or run along each other";
-    Error error = vertex_error(same ? Code::self_crossing : Code::rings_cross, what, clash.edge, clash.at);
+    Error error = vertex_error(same ? ErrorCode::self_crossing : ErrorCode::rings_cross, what, clash.edge, clash.at);
     error.evidence.other_part = part_index(other);
     error.evidence.other_ring = ring_index(other);
     error.evidence.other_vertex = vertex_index(clash.other_edge);
@@ -193,9 +190,9 @@ class LayoutCheck {
   std::optional<Error> misplaced_outer(std::uint32_t ring) const {
     const std::uint32_t around = layout_.rings[ring].container;
     if (around == kNone) return std::nullopt;
-    if (is_outer(around)) return ring_error(Code::parts_overlap, "a part lies inside another part", ring, around);
+    if (is_outer(around)) return ring_error(ErrorCode::parts_overlap, "a part lies inside another part", ring, around);
     if (part_of_[around] != part_of_[ring]) return std::nullopt;
-    return ring_error(Code::hole_outside, "a hole is not inside its outer ring", around);
+    return ring_error(ErrorCode::hole_outside, "a hole is not inside its outer ring", around);
   }
 
   // A hole must lie directly inside the outer ring of its part.
@@ -206,11 +203,12 @@ class LayoutCheck {
     bool inside = false;
     for (std::uint32_t around = container; around != kNone; around = layout_.rings[around].container) {
       if (part_of_[around] != part_of_[ring]) continue;
-      if (!is_outer(around)) return ring_error(Code::hole_outside, "a hole lies inside another hole", ring, around);
+      if (!is_outer(around))
+        return ring_error(ErrorCode::hole_outside, "a hole lies inside another hole", ring, around);
       inside = true;
     }
-    if (!inside) return ring_error(Code::hole_outside, "a hole is not inside its outer ring", ring);
-    return ring_error(Code::parts_overlap, "a hole of a part lies inside another part", ring, container);
+    if (!inside) return ring_error(ErrorCode::hole_outside, "a hole is not inside its outer ring", ring);
+    return ring_error(ErrorCode::parts_overlap, "a hole of a part lies inside another part", ring, container);
   }
 
   RingList rings_;
@@ -227,7 +225,7 @@ std::optional<Error> check_finite(const RegionData& data) {
   for (std::size_t i = 0; i < data.points.size(); ++i) {
     const Point p = data.points[i];
     if (std::isfinite(p.x) && std::isfinite(p.y)) continue;
-    Error error{Code::not_finite, "a coordinate is not a finite number", {}};
+    Error error{ErrorCode::not_finite, "a coordinate is not a finite number", {}};
     error.evidence.vertex = static_cast<std::int64_t>(i);
     return error;
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "dymsum/region.h"
 #include "dymsum/result.h"
@@ -28,6 +29,13 @@ Validation validate_in_full(const RegionData& data);
 
 /// What a new region keeps for sums: nothing yet. Defined with PreparedRegion, of which regions know no more.
 std::shared_ptr<PreparedRegion> not_yet_prepared();
+
+/// What the rooms behind Region may do with it.
+struct RegionInternals {
+  static Region make(RegionData data, std::vector<Point> touching_points);
+  /// What sums keep of the region, so that the next sum with it starts faster. Null for the default region.
+  static PreparedRegion* prepared(const Region& region) { return region.prepared_.get(); }
+};
 
 /// Region made of data that are known to be valid, such as a reflected region, with the points at which its rings
 /// touch.

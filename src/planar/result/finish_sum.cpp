@@ -17,7 +17,7 @@ PlanarSum finish_sum(SumState&& state, const SumOptions& options) {
   PieceCandidates lower;
   if (options.semantics == Semantics::closed) lower = lower_dimensional_candidates(*state.lattice, *state.p, *state.q);
   const auto source = std::make_shared<SumSource>(state.lattice, std::move(state.p), std::move(state.q));
-  sum.source = source;
+  exact_source(sum) = source;
   sum.parts = group_rings(std::move(raw.rings), raw.outer, *source, raw.at_error);
   canonicalize(sum.parts, *source, raw.at_error);
   merge_pieces(*source, {}, {std::move(raw.cracks), std::move(raw.punctures)}, sum.tight_segments, sum.tight_points);

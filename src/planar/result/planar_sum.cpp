@@ -30,13 +30,13 @@ Rational lowest_terms(exact::BigInteger n, exact::BigInteger w) {
     n /= common;
     w /= common;
   }
-  return {n.str(), w.str()};
+  return exact::to_rational(std::move(n), std::move(w));
 }
 
 /// Compares vertices of two sums by their exact positions; those of one source and one provenance without asking it.
 class SameVertices {
  public:
-  SameVertices(const PlanarSum& a, const PlanarSum& b) : a_(a.source.get()), b_(b.source.get()) {}
+  SameVertices(const PlanarSum& a, const PlanarSum& b) : a_(exact_source(a).get()), b_(exact_source(b).get()) {}
 
   bool operator()(const SumVertex& a, const SumVertex& b) const {
     if (a_ == b_ && planar::same_place(a, b)) return true;
@@ -98,8 +98,8 @@ std::optional<Rational> PlanarSum::area_exact_within(std::size_t bits) const {
 double PlanarSum::area() const { return planar::nearest_area(*this); }
 
 RationalPoint PlanarSum::exact(const SumVertex& vertex) const {
-  if (!source) throw std::logic_error("PlanarSum: vertices without exact positions");
-  const ExactSource::Homogeneous p = source->homogeneous(vertex);
+  if (!source_) throw std::logic_error("PlanarSum: vertices without exact positions");
+  const ExactSource::Homogeneous p = source_->homogeneous(vertex);
   return {lowest_terms(p.x, p.w), lowest_terms(p.y, p.w)};
 }
 

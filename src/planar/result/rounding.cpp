@@ -23,7 +23,7 @@ struct BentEdges {
 };
 
 Error changed(const SumSkeleton& skeleton, std::string what, std::uint32_t vertex, std::uint32_t other) {
-  Error error{Code::rounding_changed_topology, "rounding to doubles " + std::move(what), {}};
+  Error error{ErrorCode::rounding_changed_topology, "rounding to doubles " + std::move(what), {}};
   const auto chain_of = [&](std::uint32_t v) {
     return *std::find_if(skeleton.chains.begin(), skeleton.chains.end(),
                          [v](const SumSkeleton::Chain& c) { return v < c.first + c.count; });
@@ -152,7 +152,7 @@ RegionData region_data(const SumSkeleton& skeleton, const BentEdges& bent) {
 
 /// An error about rounded data, in the sum's terms. Bent edges have vertices that the sum does not number.
 Error spoiled(Error error, bool bent) {
-  error.code = Code::rounding_changed_topology;
+  error.code = ErrorCode::rounding_changed_topology;
   error.message = "rounding to doubles makes an invalid region: " + error.message;
   if (bent) error.evidence.vertex = error.evidence.other_vertex = std::nullopt;
   return error;

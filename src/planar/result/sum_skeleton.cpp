@@ -14,7 +14,7 @@ bool before(Point a, Point b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
 
 }  // namespace
 
-SumSkeleton::SumSkeleton(const PlanarSum& sum) : source_(sum.source) {
+SumSkeleton::SumSkeleton(const PlanarSum& sum) : source_(exact_source(sum)) {
   if (sum.parts.empty() && sum.segments.empty() && sum.points.empty()) return;
   if (!source_) throw std::logic_error("PlanarSum: vertices without a source of exact positions");
   const NearestPoint nearest_point(*source_);

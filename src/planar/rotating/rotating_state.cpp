@@ -60,11 +60,11 @@ int cells_for(double n) { return std::clamp(static_cast<int>(6 * std::sqrt(n)), 
 
 }  // namespace
 
-Result<std::unique_ptr<RotatingSum::State>> RotatingSum::State::create(const Region& p, const Region& q,
-                                                                       const RotatingOptions& options) {
+Result<std::unique_ptr<planar::RotatingState>> RotatingSum::State::create(const Region& p, const Region& q,
+                                                                          const RotatingOptions& options) {
   const bool p_turns = options.turning == TurningOperand::p;
   auto base = OperandPair::create({prepared_operand(p, 0), prepared_operand(q, 1, options.reflect_q)}, {},
-                                  p_turns ? 0 : 1, options.min_tier_bits);
+                                  p_turns ? 0 : 1, planar::SumInternals::min_tier_bits(options));
   if (!base) return base.error();
   auto state = std::make_unique<State>();
   state->options = options;
@@ -75,7 +75,7 @@ Result<std::unique_ptr<RotatingSum::State>> RotatingSum::State::create(const Reg
   state->swapped_ = size(0) < size(1) || (size(0) == size(1) && p_turns);
   auto forms = state->swapped_
                    ? OperandPair::create({prepared_operand(q, 0, options.reflect_q), prepared_operand(p, 1)}, {}, 1,
-                                         options.min_tier_bits)
+                                         planar::SumInternals::min_tier_bits(options))
                    : base;
   if (!forms) return forms.error();
   state->forms_base_ = *forms;
@@ -209,7 +209,7 @@ SumRing RotatingSum::State::ring(const RotatingLoops::Loop& loop) {
 // The kept loops as rings, in input coordinates. False where a position is known too badly.
 bool RotatingSum::State::assemble(const Orientation& theta, NextFrame& next) {
   PlanarSum& sum = next.sum;
-  sum.source = std::make_shared<TurnedSource>(base_, theta);
+  exact_source(sum) = std::make_shared<TurnedSource>(base_, theta);
   sum.stats.tier_bits = base_->lattice->tier_bits;
   sum.stats.reduced_segments = window_->all_segments;
   sum.stats.live_segments = window_->segments.size();
@@ -230,7 +230,7 @@ bool RotatingSum::State::assemble(const Orientation& theta, NextFrame& next) {
   double offsets = std::abs(forms_->centre().x) * l.unit + std::abs(forms_->centre().y) * l.unit;
   for (const auto& points : l.points) offsets += std::abs(points->offset.x) + std::abs(points->offset.y);
   sum.at_error = (kMixed * error + kTurnedBack * forms_->span()) * l.unit + kTurnedOffset * offsets;
-  const VertexOrder order(*sum.source, sum.at_error);
+  const VertexOrder order(*exact_source(sum), sum.at_error);
   for (SumRing& ring : rings)
     if (const std::size_t first = smallest_vertex(ring.vertices, order, sum.at_error); first != 0)
       std::rotate(ring.vertices.begin(), ring.vertices.begin() + static_cast<std::ptrdiff_t>(first),
@@ -270,7 +270,7 @@ std::optional<RotatingSum::State::NextFrame> RotatingSum::State::window_frame(co
 
 Result<FrameChanges> RotatingSum::State::move_to(const Orientation& theta) {
   const double begin = now_ms();
-  if (theta == orientation && sum.source != nullptr) {
+  if (theta == orientation && exact_source(sum) != nullptr) {
     work = {};
     return FrameChanges{};
   }
@@ -285,7 +285,8 @@ Result<FrameChanges> RotatingSum::State::move_to(const Orientation& theta) {
       WindowController::Choice choice = controller_.choose(step, widest_window(), options.mode, options.window);
       if (options.window > 0 && step < 0) std::swap(choice.behind, choice.ahead);
       if (choice.window) {
-        if (options.progress && !options.progress("window", 0)) return Error{Code::cancelled, "stopped on request", {}};
+        if (options.progress && !options.progress("window", 0))
+          return Error{ErrorCode::cancelled, "stopped on request", {}};
         // The frame before lies inside, so that what is known of it serves.
         const double back = loops_->known() && std::abs(step) < 0.5 ? 1.001 * std::abs(step) : 0;
         const double behind = step >= 0 ? std::max(choice.behind, back) : choice.behind,

@@ -75,4 +75,12 @@ class RotatingSum::State {
   std::vector<Point> places_;         // and where
 };
 
+namespace planar {
+
+struct RotatingInternals {
+  using State = RotatingSum::State;
+};
+using RotatingState = RotatingInternals::State;
+
+}  // namespace planar
 }  // namespace dymsum

@@ -138,7 +138,7 @@ struct Snapshot {
 /// Walks upwards through the events, window by window, looking at the sum between them and at them.
 class EventWalk {
  public:
-  EventWalk(const ScalingSum::State& state, ScalingSum::State& probe) : state_(state), probe_(probe) {}
+  EventWalk(const planar::ScalingState& state, planar::ScalingState& probe) : state_(state), probe_(probe) {}
 
   /// Calls f(event) for the events in [from, to] in order until it returns false. Errors: cancelled, and those of
   /// frames.
@@ -152,7 +152,7 @@ class EventWalk {
     std::optional<Snapshot> before;
     while (low < end) {
       if (progress && !progress("events", 1 - std::log(exact::round_to_double(BigRational(end / low))) / all))
-        return Error{Code::cancelled, "stopped on request", {}};
+        return Error{ErrorCode::cancelled, "stopped on request", {}};
       const BigRational high = std::min<BigRational>(BigRational(low * kRatio), end);
       const std::unique_ptr<Window> window = probe_.window_between(low, high);
       std::vector<EventValue> values = events_of(*window, state_.forms(), low, high);
@@ -214,14 +214,14 @@ class EventWalk {
     return Snapshot{probe_.hash(lines_), topology_of(probe_.sum)};
   }
 
-  const ScalingSum::State& state_;
-  ScalingSum::State& probe_;
+  const planar::ScalingState& state_;
+  planar::ScalingState& probe_;
   LineHashes lines_;
 };
 
 std::optional<Error> not_regular(const OperandPair& base) {
   if (base.regular) return std::nullopt;
-  return Error{Code::unsupported_operand, "events are defined for operands without polylines and points", {}};
+  return Error{ErrorCode::unsupported_operand, "events are defined for operands without polylines and points", {}};
 }
 
 }  // namespace
@@ -230,8 +230,9 @@ Result<std::vector<ScaleEvent>> ScalingSum::events(const Scale& a, const Scale& 
   if (std::optional<Error> error = not_regular(*state_->base)) return *std::move(error);
   const BigRational low = rational(scale_value(a)), high = rational(scale_value(b));
   if (low > high)
-    return Error{
-        Code::bad_scale, "the range of scales is empty: " + a.exact().to_string() + " > " + b.exact().to_string(), {}};
+    return Error{ErrorCode::bad_scale,
+                 "the range of scales is empty: " + a.exact().to_string() + " > " + b.exact().to_string(),
+                 {}};
   ScalingOptions options = state_->options;
   options.mode = FrameMode::window;
   options.window = 1.0 / 16;
@@ -247,7 +248,7 @@ Result<std::vector<ScaleEvent>> ScalingSum::events(const Scale& a, const Scale& 
   return events;
 }
 
-Result<std::optional<ScaleEvent>> ScalingSum::next_event(const Scale& s, const Scale& limit, bool topology,
+Result<std::optional<ScaleEvent>> ScalingSum::next_event(const Scale& s, const Scale& limit, EventChange change,
                                                          const Progress& progress) const {
   if (std::optional<Error> error = not_regular(*state_->base)) return *std::move(error);
   const BigRational low = rational(scale_value(s)), high = rational(scale_value(limit));
@@ -260,7 +261,7 @@ Result<std::optional<ScaleEvent>> ScalingSum::next_event(const Scale& s, const S
   State probe(state_->base, options);
   EventWalk walk(*state_, probe);
   if (std::optional<Error> error = walk.run(low, high, progress, [&](const ScaleEvent& e) {
-        if (exact::exact_value(e.s) > low && (topology ? e.topology : e.visible)) found = e;
+        if (exact::exact_value(e.s) > low && (change == EventChange::topology ? e.topology : e.visible)) found = e;
         return !found;
       }))
     return *std::move(error);

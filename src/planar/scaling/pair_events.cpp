@@ -68,7 +68,7 @@ Result<PairEventCount> count_pair_events(const Region& p, const Region& q, Scale
     if (progress && i % 64 == 0 &&
         !progress("pairs",
                   double(i) * (2.0 * double(lines.size()) - double(i)) / double(lines.size()) / double(lines.size())))
-      return Error{Code::cancelled, "stopped on request", {}};
+      return Error{ErrorCode::cancelled, "stopped on request", {}};
     const Line& a = lines[i];
     for (std::size_t j = i + 1; j < lines.size(); ++j) {
       const Line& b = lines[j];

@@ -272,7 +272,7 @@ ScalingSum::State::KeptRings ScalingSum::State::kept_rings(double tau, FramePlac
 ScalingSum::State::NextFrame ScalingSum::State::assemble(double tau, FramePlace& place) {
   NextFrame next;
   const auto source = std::make_shared<PairSource>(base, place.scale());
-  next.sum.source = source;
+  exact_source(next.sum) = source;
   next.sum.stats.tier_bits = place.has_lattice() ? place.lattice().tier_bits : base->lattice->tier_bits;
   next.sum.stats.reduced_segments = window_convolution_->size();
   next.sum.stats.live_segments = window_->segments.size();
@@ -372,7 +372,8 @@ Result<FrameChanges> ScalingSum::State::move_to(const Scale& x, const Scale& y) 
     const WindowController::Choice choice =
         controller_.choose(step, widest_window(sx.approx), options.mode, std::log1p(options.window));
     if (choice.window) {
-      if (options.progress && !options.progress("window", 0)) return Error{Code::cancelled, "stopped on request", {}};
+      if (options.progress && !options.progress("window", 0))
+        return Error{ErrorCode::cancelled, "stopped on request", {}};
       built = build_window(sx, choice.behind, choice.ahead);
       if (built) next = window_frame(sx, next_work);
       else controller_.abandoned(step);

@@ -76,4 +76,12 @@ class ScalingSum::State {
   mutable std::unique_ptr<planar::ExactForms> forms_;
 };
 
+namespace planar {
+
+struct ScalingInternals {
+  using State = ScalingSum::State;
+};
+using ScalingState = ScalingInternals::State;
+
+}  // namespace planar
 }  // namespace dymsum

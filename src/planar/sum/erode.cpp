@@ -60,8 +60,9 @@ Point farthest(const Region& r) {
 std::optional<Error> planar::too_large_to_frame(const Region& p, const Region& q) {
   const Point a = farthest(p), b = farthest(q), worst = size(a) >= size(b) ? a : b;
   if (size(worst) <= kLargestFramed) return std::nullopt;
-  Error error{
-      Code::unsupported_operand, "a coordinate is larger than 2^996, too large to look for room inside a region", {}};
+  Error error{ErrorCode::unsupported_operand,
+              "a coordinate is larger than 2^996, too large to look for room inside a region",
+              {}};
   error.evidence.x = worst.x;
   error.evidence.y = worst.y;
   return error;
@@ -134,8 +135,8 @@ bool of_frame(const Contact& c) { return c.p == kFrame; }
 
 Result<PlanarSum> erode(const Region& p, const Region& q, const SumOptions& options) {
   if (!p.polylines().empty() || !p.points().empty())
-    return Error{Code::unsupported_operand, "only a region without polylines and points can be eroded", {}};
-  if (q.empty()) return Error{Code::unsupported_operand, "every position holds the empty region", {}};
+    return Error{ErrorCode::unsupported_operand, "only a region without polylines and points can be eroded", {}};
+  if (q.empty()) return Error{ErrorCode::unsupported_operand, "every position holds the empty region", {}};
   if (p.empty()) return minkowski_sum(p, q, options);  // empty too
   if (std::optional<Error> error = planar::too_large_to_frame(p, q)) return *std::move(error);
   SumOptions open = options;

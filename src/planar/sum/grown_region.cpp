@@ -28,8 +28,9 @@ double largest_coordinate(const Region& region) {
 // A vertex of the sum is rounded by at most 2^-53 of its coordinates, and so is every edge; a disc that is larger by
 // more than that holds the given one whichever way the edges move. Sine, cosine and products err by less than 2^-50.
 Result<GrownRegion> grown(const Region& region, double margin, int sides) {
-  if (!(margin >= 0 && margin <= 0x1p400)) return Error{Code::not_finite, "a margin is a number from 0 to 2^400", {}};
-  if (sides < 3 || sides > 4096) return Error{Code::not_finite, "a margin has 3 to 4096 sides", {}};
+  if (!(margin >= 0 && margin <= 0x1p400))
+    return Error{ErrorCode::out_of_range, "a margin is a number from 0 to 2^400", {}};
+  if (sides < 3 || sides > 4096) return Error{ErrorCode::out_of_range, "a margin has 3 to 4096 sides", {}};
   if (margin == 0) return GrownRegion{region, 0, 0};
   const double half = std::numbers::pi / sides, coordinates = largest_coordinate(region) + 4 * margin;
   const double inner = margin * (1 + 0x1p-40) + 0x1p-50 * coordinates, outer = inner / std::cos(half) * (1 + 0x1p-40);

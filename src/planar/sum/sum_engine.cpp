@@ -46,7 +46,7 @@ Error no_room(const SumState& state, std::string_view stage, std::string_view re
   if (state.stats.reduced_segments > 0) message += ", " + text(state.stats.reduced_segments) + " segments";
   if (state.stats.live_segments > 0) message += ", " + text(state.stats.live_segments) + " of them to be intersected";
   if (state.stats.crossings > 0) message += ", " + text(state.stats.crossings) + " crossings";
-  return {Code::unsupported_operand, message, {}};
+  return {ErrorCode::unsupported_operand, message, {}};
 }
 
 std::optional<Error> run(SumState& state, const SumOptions& options, Refine refine) {
@@ -55,7 +55,7 @@ std::optional<Error> run(SumState& state, const SumOptions& options, Refine refi
   try {
     run_engine(options, state, refine, poll);
   } catch (const Cancelled&) {
-    return Error{Code::cancelled, "stopped on request", {}};
+    return Error{ErrorCode::cancelled, "stopped on request", {}};
   } catch (const std::bad_alloc&) {
     return no_room(state, poll.stage(), "out of memory");
   } catch (const std::length_error& more) {
@@ -84,7 +84,7 @@ Result<SumState> compute_boundary(std::shared_ptr<const Operand> p, std::shared_
   SumState state;
   state.p = std::move(p);
   state.q = std::move(q);
-  if (std::optional<Error> error = place(state, options.min_tier_bits)) return *std::move(error);
+  if (std::optional<Error> error = place(state, planar::SumInternals::min_tier_bits(options))) return *std::move(error);
   if (std::optional<Error> error = run(state, options, refine)) return *std::move(error);
   return state;
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 #include "exact/rational_text.h"
 #include "planar/turning/angle_reduction.h"
@@ -33,26 +34,22 @@ BigRational simplest(const BigRational& a, const BigRational& b) {
 }  // namespace
 
 Result<Orientation> Orientation::of(const Rational& tan_half) {
-  if (tan_half.den == "0" && tan_half.num != "0") {
-    const Result<BigRational> one = exact::rational_of({tan_half.num, "1"}, "tangent", Code::bad_rotation);
-    if (!one) return one.error();
-    return half_turn();
-  }
-  const Result<BigRational> t = exact::rational_of(tan_half, "tangent of half an angle", Code::bad_rotation);
-  if (!t) return t.error();
-  if (t->sign() != 0 && (msb(abs(numerator(*t))) >= exact::kMaxTextBits || msb(denominator(*t)) >= exact::kMaxTextBits))
-    return Error{
-        Code::bad_rotation, "numerator and denominator of the tangent of half an angle may have at most 4096 bits", {}};
-  return planar::orientation_of(*t);
+  const BigRational t = exact::exact_value(tan_half);
+  if (t.sign() != 0 && (msb(abs(numerator(t))) >= exact::kMaxTextBits || msb(denominator(t)) >= exact::kMaxTextBits))
+    return Error{ErrorCode::bad_rotation,
+                 "numerator and denominator of the tangent of half an angle may have at most 4096 bits",
+                 {}};
+  return planar::orientation_of(t);
 }
 
 Result<Orientation> Orientation::of(std::int64_t n, std::int64_t d) {
-  return of(Rational{std::to_string(n), std::to_string(d)});
+  if (n != 0 && d == 0) return half_turn();
+  if (d == 0) return Error{ErrorCode::bad_rotation, "0 / 0 is the tangent of no angle", {}};
+  return of(*Rational::of(n, d));
 }
 
 Orientation Orientation::half_turn() {
   Orientation o;
-  o.tan_half_ = {"1", "0"};
   o.half_turn_ = true;
   o.radians_ = kPi;
   return o;
@@ -60,13 +57,13 @@ Orientation Orientation::half_turn() {
 
 Result<Orientation> Orientation::parse(std::string_view tan_half) {
   if (tan_half == "inf") return half_turn();
-  const Result<BigRational> t = exact::number_in(tan_half, "tangent of half an angle", Code::bad_rotation);
+  const Result<BigRational> t = exact::number_in(tan_half, "tangent of half an angle", ErrorCode::bad_rotation);
   if (!t) return t.error();
   return of(exact::to_rational(*t));
 }
 
 Result<Orientation> Orientation::nearest(double radians) {
-  if (!std::isfinite(radians)) return Error{Code::bad_rotation, "an angle has to be finite", {}};
+  if (!std::isfinite(radians)) return Error{ErrorCode::bad_rotation, "an angle has to be finite", {}};
   const double theta = planar::reduced_angle(radians);
   if (std::abs(theta) == kPi) return half_turn();
   if (std::abs(theta) == kPi / 2) return of(theta > 0 ? 1 : -1, 1);
@@ -79,7 +76,7 @@ Result<Orientation> Orientation::nearest(double radians) {
 
 Result<Orientation> Orientation::nearest(double radians, double error) {
   if (!std::isfinite(radians) || !(error > 0))
-    return Error{Code::bad_rotation, "an angle has to be finite, and its error positive", {}};
+    return Error{ErrorCode::bad_rotation, "an angle has to be finite, and its error positive", {}};
   // Less than that by what is rounded here.
   const double theta = planar::reduced_angle(radians), e = 0.99 * error - 0x1p-50;
   if (e < 0x1p-48) return nearest(radians);
@@ -97,6 +94,11 @@ Result<Orientation> Orientation::nearest(double radians, double error) {
   return planar::orientation_of(theta < 0 ? BigRational(-t) : t);
 }
 
+const Rational& Orientation::tan_half() const {
+  if (half_turn_) throw std::invalid_argument("Orientation::tan_half: half a turn has none");
+  return tan_half_;
+}
+
 Orientation Orientation::inverse() const {
   if (half_turn_) return *this;
   return planar::orientation_of(BigRational(-exact::exact_value(tan_half_)));
@@ -104,13 +106,13 @@ Orientation Orientation::inverse() const {
 
 // Half angles add: (d + n i) multiply.
 Orientation operator*(const Orientation& a, const Orientation& b) {
-  const BigInteger na(a.tan_half_.num), da(a.tan_half_.den), nb(b.tan_half_.num), db(b.tan_half_.den);
+  const auto [na, da] = planar::tan_half_of(a);
+  const auto [nb, db] = planar::tan_half_of(b);
   const BigInteger d = da * db - na * nb, n = na * db + da * nb;
   return d == 0 ? Orientation::half_turn() : planar::orientation_of(exact::ratio(exact::Big(n), exact::Big(d)));
 }
 
-class OrientationMaker {
- public:
+struct planar::OrientationInternals {
   static Orientation make(const BigRational& tan_half) {
     Orientation o;
     o.tan_half_ = exact::to_rational(tan_half);
@@ -121,7 +123,12 @@ class OrientationMaker {
 
 namespace planar {
 
-Orientation orientation_of(const BigRational& tan_half) { return OrientationMaker::make(tan_half); }
+Orientation orientation_of(const BigRational& tan_half) { return OrientationInternals::make(tan_half); }
+
+TanHalf tan_half_of(const Orientation& o) {
+  if (o.is_half_turn()) return {1, 0};
+  return {exact::numerator_of(o.tan_half()), exact::denominator_of(o.tan_half())};
+}
 
 // tan(x + pi / 2) = -1 / tan(x).
 Orientation orientation_at(int chart, const BigRational& t) {
@@ -130,7 +137,7 @@ Orientation orientation_at(int chart, const BigRational& t) {
 }
 
 LatticeScale turn_of(const Orientation& o, std::uint32_t op) {
-  const BigInteger n(o.tan_half().num), d(o.tan_half().den);
+  const auto [n, d] = tan_half_of(o);
   LatticeScale turn{BigInteger(d * d - n * n), BigInteger(d * d - n * n), BigInteger(d * d + n * n), op,
                     BigInteger(2 * n * d)};
   if ((turn.den & 1) == 0) {

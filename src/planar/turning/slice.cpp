@@ -37,13 +37,13 @@ namespace dymsum {
 
 Result<PlanarSum> cspace_slice(const Region& robot, const Region& obstacle, const Orientation& theta,
                                const SumOptions& options) {
-  const auto base = planar::turning_base(obstacle, robot, 1, true, {}, options.min_tier_bits);
+  const auto base = planar::turning_base(obstacle, robot, 1, true, {}, planar::SumInternals::min_tier_bits(options));
   if (!base) return base.error();
   return planar::sum_at(**base, theta, options);
 }
 
 Result<PlanarSum> rotated_sum(const Region& p, const Region& q, const Orientation& theta, const SumOptions& options) {
-  const auto base = planar::turning_base(p, q, 0, false, {}, options.min_tier_bits);
+  const auto base = planar::turning_base(p, q, 0, false, {}, planar::SumInternals::min_tier_bits(options));
   if (!base) return base.error();
   return planar::sum_at(**base, theta, options);
 }

@@ -6,6 +6,11 @@
 
 namespace dymsum::planar {
 
+/// tan(theta / 2) = n / d in lowest terms, d >= 0; half a turn is 1 / 0.
+struct TanHalf {
+  exact::BigInteger n, d;
+};
+TanHalf tan_half_of(const Orientation& orientation);
 Orientation orientation_of(const exact::BigRational& tan_half);
 /// 2 atan(t), half a turn more in chart 1.
 Orientation orientation_at(int chart, const exact::BigRational& t);

@@ -12,11 +12,11 @@ namespace dymsum {
 class ConvexSum::State {
  public:
   State(std::shared_ptr<const spatial::Polytope> p, std::shared_ptr<const spatial::Polytope> q,
-        std::shared_ptr<const SolidSum::Source> source)
+        std::shared_ptr<const spatial::ConvexOperands> source)
       : p(std::move(p)), q(std::move(q)), source(std::move(source)), overlay(*this->p, *this->q) {}
 
   std::shared_ptr<const spatial::Polytope> p, q;
-  std::shared_ptr<const SolidSum::Source> source;
+  std::shared_ptr<const spatial::ConvexOperands> source;
   spatial::Overlay overlay;
   SolidPose p_pose, q_pose;
   spatial::PoseFactors p_factors, q_factors;
@@ -28,4 +28,17 @@ class ConvexSum::State {
   spatial::RelativeMap move(const SolidPose& p_to, const SolidPose& q_to);
 };
 
+namespace spatial {
+
+/// What the rooms behind ConvexSum and SolidSum may do with them.
+struct ConvexSumInternals {
+  using State = ConvexSum::State;
+  static void set_operands(SolidSum& sum, std::shared_ptr<const ConvexOperands> operands) {
+    sum.source_ = std::move(operands);
+  }
+  static const ConvexOperands& operands(const SolidSum& sum) { return *sum.source_; }
+};
+using ConvexState = ConvexSumInternals::State;
+
+}  // namespace spatial
 }  // namespace dymsum

@@ -55,7 +55,7 @@ std::shared_ptr<const Polytope> shared(Polytope p) { return std::make_shared<con
 }  // namespace
 
 ConvexSum ConvexSum::of(std::shared_ptr<const Polytope> p, std::shared_ptr<const Polytope> q,
-                        std::shared_ptr<const SolidSum::Source> source) {
+                        std::shared_ptr<const spatial::ConvexOperands> source) {
   auto state = std::make_unique<State>(std::move(p), std::move(q), std::move(source));
   state->overlay.build(spatial::RelativeMap());
   state->report();
@@ -63,11 +63,12 @@ ConvexSum ConvexSum::of(std::shared_ptr<const Polytope> p, std::shared_ptr<const
   return ConvexSum(std::move(state));
 }
 
-Result<ConvexSum> ConvexSum::create(const Mesh& p, const Mesh& q, bool merge) {
+Result<ConvexSum> ConvexSum::create(const Mesh& p, const Mesh& q, FlatFeatures flat) {
+  const bool merge = flat == FlatFeatures::merged;
   Result<Polytope> a = spatial::make_polytope(p, merge), b = spatial::make_polytope(q, merge);
   if (!a) return a.error();
   if (!b) return b.error();
-  auto source = std::make_shared<SolidSum::Source>();
+  auto source = std::make_shared<spatial::ConvexOperands>();
   source->operand[0].vertices = p.vertices();
   source->operand[1].vertices = q.vertices();
   return of(shared(std::move(a).value()), shared(std::move(b).value()), std::move(source));
@@ -78,7 +79,7 @@ Result<ConvexSum> ConvexSum::create(const SolidSum& p, const Mesh& q) {
   if (!solid) return solid.error();
   Result<Polytope> b = spatial::make_polytope(q);
   if (!b) return b.error();
-  auto source = std::make_shared<SolidSum::Source>();
+  auto source = std::make_shared<spatial::ConvexOperands>();
   source->operand[0].exact = solid->vertices;
   source->operand[0].exponent = solid->exponent;
   source->operand[1].vertices = q.vertices();
@@ -117,7 +118,7 @@ ConvexSum::FacetCount ConvexSum::facet_count() const { return spatial::count_fac
 std::size_t ConvexSum::bytes() const {
   std::size_t total =
       sizeof(*state_) - sizeof(spatial::Overlay) + state_->overlay.bytes() + state_->p->bytes() + state_->q->bytes();
-  for (const SolidSum::Source::Operand& o : state_->source->operand) total += o.bytes();
+  for (const spatial::ConvexOperands::Operand& o : state_->source->operand) total += o.bytes();
   return total;
 }
 bool ConvexSum::same_combinatorics(const ConvexSum& other) const { return state_->overlay == other.state_->overlay; }
@@ -127,7 +128,7 @@ SolidSum ConvexSum::sum() const {
   spatial::assemble(state_->overlay, sum);
   sum.p_pose = state_->p_pose;
   sum.q_pose = state_->q_pose;
-  sum.source = state_->source;
+  spatial::ConvexSumInternals::set_operands(sum, state_->source);
   spatial::place_sum(sum);
   return sum;
 }
@@ -152,7 +153,7 @@ Result<SolidSum> convex_sum(const Mesh& p, const Mesh& q, const SolidPose& p_pos
 }
 
 Result<SolidSum> convex_sum(std::span<const Mesh> solids) {
-  if (solids.size() < 2) return Error{Code::unsupported_operand, "a sum needs two solids or more", {}};
+  if (solids.size() < 2) return Error{ErrorCode::unsupported_operand, "a sum needs two solids or more", {}};
   Result<SolidSum> sum = convex_sum(solids[0], solids[1]);
   for (std::size_t k = 2; k < solids.size() && sum; ++k) {
     Result<ConvexSum> next = ConvexSum::create(*sum, solids[k]);

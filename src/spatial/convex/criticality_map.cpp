@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "spatial/convex/assemble.h"
+#include "spatial/convex/convex_state.h"
 #include "spatial/convex/exact_places.h"
 #include "spatial/convex/place_sum.h"
 #include "spatial/convex/structure_store.h"
@@ -60,14 +61,14 @@ std::array<BigInteger, 2> turn_between(const QuadraticRoot& a, const QuadraticRo
 
 class CriticalityMap::State {
  public:
-  State(Polytope a, Polytope b, std::array<std::int64_t, 3> axis, std::shared_ptr<const SolidSum::Source> source)
+  State(Polytope a, Polytope b, std::array<std::int64_t, 3> axis, std::shared_ptr<const spatial::ConvexOperands> source)
       : p(std::move(a)), q(std::move(b)), forms(p, q, axis), source(std::move(source)) {}
   State(const State&) = delete;  // forms refers to p and q
   State& operator=(const State&) = delete;
 
   Polytope p, q;
   TurnForms forms;
-  std::shared_ptr<const SolidSum::Source> source;
+  std::shared_ptr<const spatial::ConvexOperands> source;
   std::vector<TurnEvent> events;
   spatial::StructureStore structures;
   CriticalityStats stats;
@@ -137,22 +138,22 @@ bool CriticalityMap::State::store(const Progress& progress) {
 Result<CriticalityMap> CriticalityMap::create(const Mesh& p, const Mesh& q, std::array<std::int32_t, 3> axis,
                                               const Progress& progress) {
   const std::int64_t divisor = std::gcd(std::gcd<std::int64_t, std::int64_t>(axis[0], axis[1]), std::int64_t{axis[2]});
-  if (divisor == 0) return Error{Code::bad_rotation, "a rotation needs an axis that is not zero", {}};
+  if (divisor == 0) return Error{ErrorCode::bad_rotation, "a rotation needs an axis that is not zero", {}};
   std::array<std::int64_t, 3> d;
   for (int k = 0; k < 3; ++k) {
     d[k] = axis[k] / divisor;
     if (std::abs(d[k]) > std::int64_t{1} << kAxisBits)
-      return Error{Code::bad_rotation, "a component of the axis is beyond 2^15", {}};
+      return Error{ErrorCode::bad_rotation, "a component of the axis is beyond 2^15", {}};
   }
   Result<Polytope> a = spatial::make_polytope(p), b = spatial::make_polytope(q);
   if (!a) return a.error();
   if (!b) return b.error();
-  auto source = std::make_shared<SolidSum::Source>();
+  auto source = std::make_shared<spatial::ConvexOperands>();
   source->operand[0].vertices = p.vertices();
   source->operand[1].vertices = q.vertices();
   auto state = std::make_shared<State>(std::move(a).value(), std::move(b).value(), d, std::move(source));
 
-  const Error cancelled{Code::cancelled, "the critical angles were not wanted any more", {}};
+  const Error cancelled{ErrorCode::cancelled, "the critical angles were not wanted any more", {}};
   spatial::TurnEventCounts counts;
   auto events = spatial::find_turn_events(state->forms, counts, [&](std::size_t done, std::size_t all) {
     return !progress || progress("critical angles", static_cast<double>(done) / static_cast<double>(all));
@@ -198,7 +199,7 @@ std::size_t CriticalityMap::bytes() const {
   const State& s = *state_;
   std::size_t total =
       sizeof(s) + s.p.bytes() + s.q.bytes() + s.stats.angle_bytes + s.stats.key_bytes + s.stats.difference_bytes;
-  for (const SolidSum::Source::Operand& o : s.source->operand) total += o.bytes();
+  for (const spatial::ConvexOperands::Operand& o : s.source->operand) total += o.bytes();
   return total;
 }
 
@@ -225,7 +226,7 @@ std::optional<Rotation> CriticalityMap::inside(std::size_t i) const {
 
 Result<std::size_t> CriticalityMap::interval(const Rotation& rotation) const {
   const auto turn = state_->turn_of(rotation);
-  if (!turn) return Error{Code::bad_rotation, "the rotation is not about the axis of the map", {}};
+  if (!turn) return Error{ErrorCode::bad_rotation, "the rotation is not about the axis of the map", {}};
   return state_->interval(*turn);
 }
 
@@ -253,7 +254,7 @@ Result<SolidSum> CriticalityMap::at(const Rotation& rotation) const {
   sum.p_pose.rotation = rotation;
   overlay.restore(RelativeMap(spatial::PoseFactors::of(sum.p_pose), {}), words);
   spatial::assemble(overlay, sum);
-  sum.source = state_->source;
+  spatial::ConvexSumInternals::set_operands(sum, state_->source);
   spatial::place_sum(sum);
   return sum;
 }

@@ -27,18 +27,19 @@ ExactPose ExactPose::of(const SolidPose& pose) {
   return e;
 }
 
-ExactPlaces::ExactPlaces(const SolidSum::Source& source, const SolidPose& p, const SolidPose& q) : source_(source) {
+ExactPlaces::ExactPlaces(const spatial::ConvexOperands& source, const SolidPose& p, const SolidPose& q)
+    : source_(source) {
   const ExactPose a = ExactPose::of(p), b = ExactPose::of(q);
   for (int k = 0; k < 9; ++k) {
     matrix_[0][k] = a.matrix[k] * b.den;
     matrix_[1][k] = b.matrix[k] * a.den;
   }
   std::vector<double> all;
-  for (const SolidSum::Source::Operand& operand : source.operand)
+  for (const spatial::ConvexOperands::Operand& operand : source.operand)
     for (const Point3& v : operand.vertices) all.insert(all.end(), {v.x, v.y, v.z});
   std::optional<int> least;
   if (!all.empty()) least = exact::common_exponent(all);
-  for (const SolidSum::Source::Operand& operand : source.operand)
+  for (const spatial::ConvexOperands::Operand& operand : source.operand)
     if (!operand.exact.empty()) least = std::min(least.value_or(operand.exponent), operand.exponent);
   exponent_ = least.value_or(0);
   const BigInteger den = a.den * b.den;
@@ -47,7 +48,7 @@ ExactPlaces::ExactPlaces(const SolidSum::Source& source, const SolidPose& p, con
 }
 
 BigVector ExactPlaces::of(int op, std::uint32_t v) const {
-  const SolidSum::Source::Operand& operand = source_.operand[op];
+  const spatial::ConvexOperands::Operand& operand = source_.operand[op];
   BigVector x, y;
   if (operand.exact.empty()) {
     const Point3& at = operand.vertices[v];

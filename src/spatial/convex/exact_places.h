@@ -12,8 +12,10 @@
 
 namespace dymsum {
 
-/// The vertices of the operands as they were given.
-struct SolidSum::Source {
+namespace spatial {
+
+/// The vertices of the operands of a SolidSum as they were given.
+struct ConvexOperands {
   /// Of a mesh its doubles, of a sum `exact`, multiples of 2^exponent.
   struct Operand {
     std::vector<Point3> vertices;
@@ -27,8 +29,6 @@ struct SolidSum::Source {
   std::array<Operand, 2> operand;
 };
 
-namespace spatial {
-
 using BigVector = std::array<exact::BigInteger, 3>;
 
 /// x -> matrix x / den.
@@ -40,7 +40,7 @@ struct ExactPose {
 
 class ExactPlaces {
  public:
-  ExactPlaces(const SolidSum::Source& source, const SolidPose& p, const SolidPose& q);
+  ExactPlaces(const spatial::ConvexOperands& source, const SolidPose& p, const SolidPose& q);
 
   /// The numerators of the position of vertex v of an operand; positions are numerators times unit().
   BigVector of(int op, std::uint32_t v) const;
@@ -48,7 +48,7 @@ class ExactPlaces {
   const exact::BigRational& unit() const { return unit_; }
 
  private:
-  const SolidSum::Source& source_;
+  const spatial::ConvexOperands& source_;
   std::array<std::array<exact::BigInteger, 9>, 2> matrix_;  // over the common denominator
   int exponent_ = 0;
   exact::BigRational unit_;

@@ -1,5 +1,6 @@
 #include "spatial/convex/exact_solid.h"
 
+#include "spatial/convex/convex_state.h"
 #include "spatial/convex/exact_places.h"
 
 namespace dymsum::spatial {
@@ -8,10 +9,10 @@ using exact::Big;
 using exact::BigInteger;
 
 Result<ExactSolid> exact_solid(const SolidSum& sum) {
-  const ExactPlaces places(*sum.source, sum.p_pose, sum.q_pose);
+  const ExactPlaces places(spatial::ConvexSumInternals::operands(sum), sum.p_pose, sum.q_pose);
   const BigInteger num = numerator(places.unit()), den = denominator(places.unit());
   if (den != BigInteger(1) << msb(den))
-    return Error{Code::unsupported_operand,
+    return Error{ErrorCode::unsupported_operand,
                  "a turned or scaled sum, whose positions are no binary fractions, cannot be an operand",
                  {}};
   ExactSolid solid;

@@ -30,7 +30,7 @@ Result<std::vector<PoseReport>> pose_batch(const Mesh& p, const Mesh& q, std::sp
       if (!options.progress("poses", static_cast<double>(done) / static_cast<double>(poses.size()))) stop = true;
     }
   });
-  if (stop) return Error{Code::cancelled, "stopped by the progress callback", {}};
+  if (stop) return Error{ErrorCode::cancelled, "stopped by the progress callback", {}};
   return reports;
 }
 

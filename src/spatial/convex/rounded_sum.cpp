@@ -21,7 +21,7 @@ std::string in_precision(Precision p) {
 
 bool less(const Point3& a, const Point3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); }
 
-Error at_vertex(Code code, std::string message, const SolidSum& sum, std::uint32_t v) {
+Error at_vertex(ErrorCode code, std::string message, const SolidSum& sum, std::uint32_t v) {
   Error error{code, std::move(message), {}};
   error.evidence.vertex = v;
   error.evidence.x = sum.at[v].x;
@@ -37,7 +37,7 @@ Result<std::vector<Point3>> rounded_places(const SolidSum& sum, Precision precis
     for (double* c : {&at[v].x, &at[v].y, &at[v].z}) {
       if (precision == Precision::singles) *c = static_cast<double>(static_cast<float>(*c));
       if (!std::isfinite(*c))
-        return at_vertex(Code::not_finite, in_precision(precision) + "a coordinate is past the range", sum, v);
+        return at_vertex(ErrorCode::not_finite, in_precision(precision) + "a coordinate is past the range", sum, v);
     }
   }
   return at;
@@ -49,7 +49,7 @@ std::optional<Error> collision(const SolidSum& sum, const std::vector<Point3>& a
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return less(at[a], at[b]); });
   for (std::size_t i = 1; i < order.size(); ++i) {
     if (at[order[i - 1]] != at[order[i]]) continue;
-    Error error = at_vertex(Code::rounding_changed_topology,
+    Error error = at_vertex(ErrorCode::rounding_changed_topology,
                             in_precision(precision) + "two vertices are at the same place", sum, order[i - 1]);
     error.evidence.other_vertex = order[i];
     return error;
@@ -79,8 +79,8 @@ Result<Mesh> SolidSum::rounded_mesh(Precision precision) const {
     return static_cast<std::uint32_t>(places->size());
   };
   if (hull && hull->vertices().size() == places->size()) return hull;
-  return at_vertex(Code::rounding_changed_topology, in_precision(precision) + "a vertex no longer sticks out", *this,
-                   hull ? inside(hull->vertices()) : 0);
+  return at_vertex(ErrorCode::rounding_changed_topology, in_precision(precision) + "a vertex no longer sticks out",
+                   *this, hull ? inside(hull->vertices()) : 0);
 }
 
 Result<HulledMesh> SolidSum::rounded_hull(Precision precision) const {

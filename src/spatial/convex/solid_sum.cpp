@@ -4,6 +4,7 @@
 
 #include "dymsum/volume_text.h"
 #include "exact/decimal_text.h"
+#include "spatial/convex/convex_state.h"
 #include "spatial/convex/exact_places.h"
 #include "spatial/convex/place_sum.h"
 #include "spatial/mesh/compensated_sum.h"
@@ -24,7 +25,7 @@ std::vector<BigVector> numerators(const SolidSum& sum, const ExactPlaces& places
   std::array<std::vector<BigVector>, 2> table;
   std::array<std::vector<bool>, 2> known;
   for (int op = 0; op < 2; ++op) {
-    table[op].resize(sum.source->operand[op].size());
+    table[op].resize(spatial::ConvexSumInternals::operands(sum).operand[op].size());
     known[op].resize(table[op].size());
   }
   const auto at = [&](int op, std::uint32_t v) -> const BigVector& {
@@ -49,7 +50,7 @@ BigInteger determinant(const BigVector& a, const BigVector& b, const BigVector& 
 
 BigRational volume_of(const SolidSum& sum) {
   if (sum.vertices.empty()) return 0;
-  const ExactPlaces places(*sum.source, sum.p_pose, sum.q_pose);
+  const ExactPlaces places(spatial::ConvexSumInternals::operands(sum), sum.p_pose, sum.q_pose);
   const std::vector<BigVector> at = numerators(sum, places);
   BigInteger six = 0;
   for (const SolidFacet& f : sum.facets)
@@ -60,7 +61,7 @@ BigRational volume_of(const SolidSum& sum) {
 
 spatial::ScaledNumber surface_of(const SolidSum& sum) {
   if (sum.vertices.empty()) return {};
-  const ExactPlaces places(*sum.source, sum.p_pose, sum.q_pose);
+  const ExactPlaces places(spatial::ConvexSumInternals::operands(sum), sum.p_pose, sum.q_pose);
   const std::vector<BigVector> at = numerators(sum, places);
   std::vector<exact::Vector3<Big>> twice;
   int top = 0;
@@ -87,7 +88,7 @@ spatial::ScaledNumber surface_of(const SolidSum& sum) {
 namespace spatial {
 
 void place_sum(SolidSum& sum) {
-  const ExactPlaces places(*sum.source, sum.p_pose, sum.q_pose);
+  const ExactPlaces places(ConvexSumInternals::operands(sum), sum.p_pose, sum.q_pose);
   const std::vector<BigVector> all = numerators(sum, places);
   sum.at.clear();
   for (const BigVector& v : all) {
@@ -99,7 +100,7 @@ void place_sum(SolidSum& sum) {
 }  // namespace spatial
 
 RationalPoint3 SolidSum::exact(std::size_t vertex) const {
-  const ExactPlaces places(*source, p_pose, q_pose);
+  const ExactPlaces places(*source_, p_pose, q_pose);
   const BigVector a = places.of(0, vertices.at(vertex).p), b = places.of(1, vertices.at(vertex).q);
   const auto value = [&](int k) { return exact::to_rational(BigRational(BigInteger(a[k] + b[k])) * places.unit()); };
   return {value(0), value(1), value(2)};

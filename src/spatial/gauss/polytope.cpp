@@ -291,7 +291,7 @@ Result<Polytope> make_polytope(const Mesh& mesh, bool merge) {
   if (std::optional<Error> error = convexity_error(mesh)) return std::move(*error);
   const MeshData& data = mesh.data();
   if (!merge && !std::all_of(data.faces.begin(), data.faces.end(), [](const Face& f) { return f.size() == 3; }))
-    return Error{Code::unsupported_operand, "without merging, all faces have to be triangles", {}};
+    return Error{ErrorCode::unsupported_operand, "without merging, all faces have to be triangles", {}};
   return make(grid_places(data.vertices), data.vertices.size(), data.faces, merge);
 }
 

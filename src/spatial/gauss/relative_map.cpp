@@ -68,8 +68,8 @@ PoseFactors PoseFactors::of(const SolidPose& pose) {
   for (int k = 0; k < 3; ++k) {
     if (pose.scale[k] == Scale()) continue;
     f.scaled = true;
-    f.num[k] = BigInteger(pose.scale[k].exact().num);
-    f.den[k] = BigInteger(pose.scale[k].exact().den);
+    f.num[k] = exact::numerator_of(pose.scale[k].exact());
+    f.den[k] = exact::denominator_of(pose.scale[k].exact());
   }
   return f;
 }

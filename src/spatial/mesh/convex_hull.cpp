@@ -186,7 +186,7 @@ class Hull {
 Result<Mesh> convex_hull(std::span<const Point3> points) {
   if (auto error = spatial::check_finite({points.begin(), points.end()})) return *std::move(error);
   spatial::Hull hull(points);
-  if (!hull.build()) return Error{Code::no_area, "all points lie in one plane", {}};
+  if (!hull.build()) return Error{ErrorCode::no_area, "all points lie in one plane", {}};
   return spatial::trusted_mesh(spatial::merged_and_sorted(hull.result()), 1);
 }
 

@@ -27,7 +27,7 @@ using exact::Big;
 using exact::Int;
 
 Error not_convex(std::string message, std::uint32_t face) {
-  Error error{Code::not_convex, std::move(message), {}};
+  Error error{ErrorCode::not_convex, std::move(message), {}};
   error.evidence.face = face;
   return error;
 }
@@ -143,7 +143,7 @@ std::optional<Error> winding_error(const MeshData& data, const std::vector<FaceP
 
 std::optional<Error> convexity_error(const Mesh& mesh) {
   using namespace spatial;
-  if (mesh.empty()) return Error{Code::no_area, "the mesh is empty", {}};
+  if (mesh.empty()) return Error{ErrorCode::no_area, "the mesh is empty", {}};
   const MeshData& data = mesh.data();
   const HalfEdges edges = half_edges(data.faces);
   if (mesh.shell_count() > 1) {

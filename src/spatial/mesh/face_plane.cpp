@@ -20,7 +20,7 @@ FacePlane plane_through(const std::vector<Point3>& vertices, std::uint32_t a, st
   return {a, b, c, Axis::z, 0};
 }
 
-Error at_vertex(Code code, std::string message, const std::vector<Point3>& vertices, std::uint32_t v) {
+Error at_vertex(ErrorCode code, std::string message, const std::vector<Point3>& vertices, std::uint32_t v) {
   Error error{code, std::move(message), {}};
   error.evidence.vertex = v;
   error.evidence.x = vertices[v].x;
@@ -38,7 +38,7 @@ std::optional<Error> crossing_error(const std::vector<Point3>& vertices, const F
   if (region.ok() && region->touching_points().empty()) return std::nullopt;
   std::size_t corner = 0;
   if (!region) corner = static_cast<std::size_t>(region.error().evidence.vertex.value_or(0));
-  return at_vertex(Code::self_crossing, "a face crosses or touches itself", vertices, face[corner]);
+  return at_vertex(ErrorCode::self_crossing, "a face crosses or touches itself", vertices, face[corner]);
 }
 
 }  // namespace
@@ -70,17 +70,17 @@ std::optional<Error> face_error(const std::vector<Point3>& vertices, const Face&
     plane = plane_through(vertices, face[0], face[1], face[i]);
   }
   if (plane.axis_sign == 0) {
-    return at_vertex(Code::no_area, "all vertices of a face lie on one line", vertices, face[0]);
+    return at_vertex(ErrorCode::no_area, "all vertices of a face lie on one line", vertices, face[0]);
   }
   for (const std::uint32_t v : face) {
     if (height_sign(vertices, plane, vertices[v]) == 0) continue;
-    return at_vertex(Code::not_planar, "the vertices of a face do not lie in one plane", vertices, v);
+    return at_vertex(ErrorCode::not_planar, "the vertices of a face do not lie in one plane", vertices, v);
   }
   if (n == 3) return std::nullopt;
   // the corner at the smallest vertex is flat only where the face runs along itself
   plane = face_plane(vertices, face);
   if (plane.axis_sign == 0) {
-    return at_vertex(Code::self_crossing, "a face crosses or touches itself", vertices, plane.b);
+    return at_vertex(ErrorCode::self_crossing, "a face crosses or touches itself", vertices, plane.b);
   }
   return crossing_error(vertices, face, plane);
 }

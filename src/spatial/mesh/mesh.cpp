@@ -102,7 +102,7 @@ Result<Mesh> translated(const Mesh& mesh, double dx, double dy, double dz) {
 Result<Mesh> scaled(const Mesh& mesh, double sx, double sy, double sz) {
   for (const double s : {sx, sy, sz}) {
     if (std::isfinite(s) && s != 0) continue;
-    return Error{Code::unsupported_operand, "a scale factor is zero or not finite", {}};
+    return Error{ErrorCode::unsupported_operand, "a scale factor is zero or not finite", {}};
   }
   const bool reflects = (sx < 0) != ((sy < 0) != (sz < 0));
   return Mesh::create(mapped(

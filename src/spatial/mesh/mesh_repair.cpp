@@ -83,7 +83,7 @@ class MeshRepair {
 
   bool is_plane(const Face& face) const {
     const std::optional<Error> error = face_error(data_.vertices, face);
-    return !error || error->code != Code::not_planar;
+    return !error || error->code != ErrorCode::not_planar;
   }
 
   void split_faces() {

@@ -13,17 +13,6 @@
 
 namespace dymsum {
 
-/// Internal: makes meshes without validation.
-class TrustedMesh {
- public:
-  static Mesh make(MeshData data, std::size_t shells) {
-    Mesh mesh;
-    mesh.data_ = std::move(data);
-    mesh.shells_ = shells;
-    return mesh;
-  }
-};
-
 Result<Mesh> Mesh::create(MeshData data) {
   spatial::MeshValidation checked = spatial::validate(data);
   if (checked.error) return *std::move(checked.error);
@@ -32,13 +21,22 @@ Result<Mesh> Mesh::create(MeshData data) {
 
 namespace spatial {
 
-Mesh trusted_mesh(MeshData data, std::size_t shells) { return TrustedMesh::make(std::move(data), shells); }
+struct MeshInternals {
+  static Mesh make(MeshData data, std::size_t shells) {
+    Mesh mesh;
+    mesh.data_ = std::move(data);
+    mesh.shells_ = shells;
+    return mesh;
+  }
+};
+
+Mesh trusted_mesh(MeshData data, std::size_t shells) { return MeshInternals::make(std::move(data), shells); }
 
 std::optional<Error> check_finite(const std::vector<Point3>& vertices) {
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const Point3& p = vertices[i];
     if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) continue;
-    Error error{Code::not_finite, "a coordinate is not a finite number", {}};
+    Error error{ErrorCode::not_finite, "a coordinate is not a finite number", {}};
     error.evidence.vertex = static_cast<std::int64_t>(i);
     return error;
   }
@@ -49,7 +47,7 @@ std::optional<Error> check_indices(const MeshData& data) {
   for (std::size_t f = 0; f < data.faces.size(); ++f) {
     for (const std::uint32_t v : data.faces[f]) {
       if (v < data.vertices.size()) continue;
-      Error error{Code::bad_index, "a face names a vertex that does not exist", {}};
+      Error error{ErrorCode::bad_index, "a face names a vertex that does not exist", {}};
       error.evidence.face = static_cast<std::int64_t>(f);
       error.evidence.vertex = v;
       return error;
@@ -79,7 +77,7 @@ class MeshCheck {
   std::size_t shell_count() const { return shells_.count; }
 
  private:
-  Error error_at(Code code, std::string message, std::uint32_t vertex) const {
+  Error error_at(ErrorCode code, std::string message, std::uint32_t vertex) const {
     Error error{code, std::move(message), {}};
     const Point3& p = data_.vertices[vertex];
     error.evidence.vertex = vertex;
@@ -88,7 +86,7 @@ class MeshCheck {
     error.evidence.z = p.z;
     return error;
   }
-  Error edge_error(Code code, std::string message, std::uint32_t h) const {
+  Error edge_error(ErrorCode code, std::string message, std::uint32_t h) const {
     Error error = error_at(code, std::move(message), edges_.origin[h]);
     error.evidence.other_vertex = edges_.target(h);
     error.evidence.face = edges_.face[h];
@@ -100,14 +98,14 @@ class MeshCheck {
     for (std::size_t f = 0; f < data_.faces.size(); ++f) {
       const Face& face = data_.faces[f];
       if (face.size() < 3) {
-        Error error{Code::too_few_vertices, "a face needs at least three vertices", {}};
+        Error error{ErrorCode::too_few_vertices, "a face needs at least three vertices", {}};
         if (!face.empty()) error = error_at(error.code, std::move(error.message), face[0]);
         error.evidence.face = static_cast<std::int64_t>(f);
         return error;
       }
       for (const std::uint32_t v : face) {
         if (std::exchange(last_face[v], f) != f) continue;
-        Error error = error_at(Code::repeated_vertex, "a face has a vertex twice", v);
+        Error error = error_at(ErrorCode::repeated_vertex, "a face has a vertex twice", v);
         error.evidence.face = static_cast<std::int64_t>(f);
         return error;
       }
@@ -124,7 +122,7 @@ class MeshCheck {
     });
     for (std::size_t i = 1; i < order.size(); ++i) {
       if (data_.vertices[order[i - 1]] != data_.vertices[order[i]]) continue;
-      Error error = error_at(Code::repeated_vertex, "two vertices are at the same place", order[i - 1]);
+      Error error = error_at(ErrorCode::repeated_vertex, "two vertices are at the same place", order[i - 1]);
       error.evidence.other_vertex = order[i];
       return error;
     }
@@ -138,7 +136,7 @@ class MeshCheck {
     }
     const auto unused = std::find(used.begin(), used.end(), false);
     if (unused == used.end()) return std::nullopt;
-    return error_at(Code::bad_index, "no face uses a vertex", static_cast<std::uint32_t>(unused - used.begin()));
+    return error_at(ErrorCode::bad_index, "no face uses a vertex", static_cast<std::uint32_t>(unused - used.begin()));
   }
 
   std::optional<Error> check_faces() const {
@@ -163,11 +161,12 @@ class MeshCheck {
 
   std::optional<Error> edge_error_of(const EdgeSide* first, const EdgeSide* last) const {
     const std::uint32_t h = first->half_edge;
-    if (last - first == 1) return edge_error(Code::not_closed, "an edge has a face on one side only", h);
+    if (last - first == 1) return edge_error(ErrorCode::not_closed, "an edge has a face on one side only", h);
     const bool several = last - first > 2;
     if (!several && edges_.origin[h] != edges_.origin[first[1].half_edge]) return std::nullopt;
-    Error error = several ? edge_error(Code::not_manifold, "an edge has more than two faces", h)
-                          : edge_error(Code::wrong_orientation, "two faces run through an edge in one direction", h);
+    Error error = several
+                      ? edge_error(ErrorCode::not_manifold, "an edge has more than two faces", h)
+                      : edge_error(ErrorCode::wrong_orientation, "two faces run through an edge in one direction", h);
     error.evidence.other_face = edges_.face[first[1].half_edge];
     return error;
   }
@@ -180,7 +179,7 @@ class MeshCheck {
       if (turned[start]) continue;
       const std::uint32_t v = edges_.origin[start];
       if (first_face[v] != HalfEdges::kNone) {
-        Error error = error_at(Code::not_manifold, "several fans of faces meet at a vertex", v);
+        Error error = error_at(ErrorCode::not_manifold, "several fans of faces meet at a vertex", v);
         error.evidence.face = first_face[v];
         error.evidence.other_face = edges_.face[start];
         return error;
@@ -197,8 +196,8 @@ class MeshCheck {
     for (std::size_t f = 0; f < data_.faces.size(); ++f) {
       const int sign = signs[shells_.of_face[f]];
       if (sign > 0) continue;
-      Error error = sign == 0 ? error_at(Code::no_area, "a shell encloses no volume", data_.faces[f][0])
-                              : error_at(Code::wrong_orientation, "a shell is inside out", data_.faces[f][0]);
+      Error error = sign == 0 ? error_at(ErrorCode::no_area, "a shell encloses no volume", data_.faces[f][0])
+                              : error_at(ErrorCode::wrong_orientation, "a shell is inside out", data_.faces[f][0]);
       error.evidence.face = static_cast<std::int64_t>(f);
       return error;
     }

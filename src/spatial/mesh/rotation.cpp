@@ -69,9 +69,9 @@ Result<Rotation> make(std::array<i128, 4> q) {
 
 Result<Rotation> Rotation::of(std::int64_t w, std::int64_t x, std::int64_t y, std::int64_t z) {
   std::array<i128, 4> q{w, x, y, z};
-  if (magnitude(q) == 0) return Error{Code::bad_rotation, "a quaternion of zeros is no rotation", {}};
+  if (magnitude(q) == 0) return Error{ErrorCode::bad_rotation, "a quaternion of zeros is no rotation", {}};
   reduce(q);
-  if (magnitude(q) > kMost) return Error{Code::bad_rotation, "a component of the quaternion is beyond 2^30", {}};
+  if (magnitude(q) > kMost) return Error{ErrorCode::bad_rotation, "a component of the quaternion is beyond 2^30", {}};
   make_leading_positive(q);
   Rotation r;
   for (int i = 0; i < 4; ++i) r.q_[i] = static_cast<std::int64_t>(q[i]);
@@ -81,7 +81,7 @@ Result<Rotation> Rotation::of(std::int64_t w, std::int64_t x, std::int64_t y, st
 Result<Rotation> Rotation::nearest(double w, double x, double y, double z) {
   const double most = std::max({std::abs(w), std::abs(x), std::abs(y), std::abs(z)});
   if (!(most > 0) || !std::isfinite(w + x + y + z))
-    return Error{Code::bad_rotation, "a rotation needs finite numbers that are not all zero", {}};
+    return Error{ErrorCode::bad_rotation, "a rotation needs finite numbers that are not all zero", {}};
   std::array<i128, 4> q;
   const std::array<double, 4> d{w, x, y, z};
   for (int i = 0; i < 4; ++i)
@@ -93,7 +93,7 @@ Result<Rotation> Rotation::nearest(double w, double x, double y, double z) {
 Result<Rotation> Rotation::about(Point3 axis, double radians) {
   const double most = std::max({std::abs(axis.x), std::abs(axis.y), std::abs(axis.z)});
   if (!(most > 0) || !std::isfinite(axis.x + axis.y + axis.z) || !std::isfinite(radians))
-    return Error{Code::bad_rotation, "a rotation needs an axis that is not zero, and finite numbers", {}};
+    return Error{ErrorCode::bad_rotation, "a rotation needs an axis that is not zero, and finite numbers", {}};
   const double x = axis.x / most, y = axis.y / most, z = axis.z / most;
   const double c = std::cos(radians / 2), s = std::sin(radians / 2) / std::sqrt(x * x + y * y + z * z);
   return nearest(c, s * x, s * y, s * z);

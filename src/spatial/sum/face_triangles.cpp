@@ -46,12 +46,7 @@ class Turns {
     return axis_ == 0 ? std::array{p.y, p.z} : axis_ == 1 ? std::array{p.z, p.x} : std::array{p.x, p.y};
   }
   const std::array<BigRational, 3>& exact(std::uint32_t v) {
-    if (!exact_[v]) {
-      const PointSource& at = sum_.source->vertices[v];
-      exact_[v].emplace();
-      for (int i = 0; i < 3; ++i)
-        (*exact_[v])[static_cast<std::size_t>(i)] = sum_.source->space->world_coordinate(at, i);
-    }
+    if (!exact_[v]) exact_[v] = SpatialSumInternals::positions(sum_).at(v);
     return *exact_[v];
   }
   int exact_turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) {

@@ -270,7 +270,7 @@ class Assembler {
     used.erase(std::unique(used.begin(), used.end()), used.end());
     std::sort(used.begin(), used.end(), [&](PointId a, PointId b) { return order(a, b) > 0; });
     name_.assign(arrangement_.points.size(), kNoId);
-    auto source = std::make_shared<SpatialSum::Source>();
+    auto source = std::make_shared<SpatialPositions>();
     double world[3], offset[3];
     for (int axis = 0; axis < 3; ++axis) {
       const SumSpace::Line line = space_.line(axis);
@@ -287,7 +287,7 @@ class Assembler {
         sum_.at_error = std::max(sum_.at_error, at.radius * world[axis] + size * 0x1p-51);
       }
     }
-    sum_.source = std::move(source);
+    SpatialSumInternals::set_positions(sum_, std::move(source));
   }
 
   /// Loops by names, each from its smallest one on, the outer one first.

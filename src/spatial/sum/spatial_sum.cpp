@@ -15,7 +15,12 @@ namespace dymsum {
 using exact::BigRational;
 using spatial::Vec3;
 
-Result<SpatialSum> spatial_sum(const Mesh& p, const Mesh& q, const SpatialOptions& options) {
+Result<SpatialSum> minkowski_sum(const Mesh& p, const Mesh& q, const SpatialOptions& options) {
+  if (options.engine == SpatialEngine::fast) {
+    if (options.progress && !options.progress("convex", 0))
+      return Error{ErrorCode::cancelled, "the computation was cancelled", {}};
+    if (const Result<SolidSum> convex = convex_sum(p, q)) return spatial::boundary_of(*convex);
+  }
   return spatial::sum_of_solids(p.data(), q.data(), options);
 }
 
@@ -29,27 +34,23 @@ Result<SpatialSum> spatial::sum_of_solids(const MeshData& p, const MeshData& q, 
     spatial::assemble(boundary, a, b, sum);
     sum.stats.stages.push_back(
         {"faces", std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count()});
-    std::const_pointer_cast<SpatialSum::Source>(sum.source)->space = std::move(boundary.space);
+    const_cast<SpatialPositions&>(SpatialSumInternals::positions(sum)).space = std::move(boundary.space);
   } catch (const spatial::Cancelled&) {
-    return Error{Code::cancelled, "the computation was cancelled", {}};
+    return Error{ErrorCode::cancelled, "the computation was cancelled", {}};
   } catch (const std::invalid_argument& e) {
-    return Error{Code::unsupported_operand, e.what(), {}};
+    return Error{ErrorCode::unsupported_operand, e.what(), {}};
   }
   return sum;
 }
 
-namespace {
-
-std::array<BigRational, 3> world(const SpatialSum::Source& source, std::size_t vertex) {
-  const spatial::PointSource& at = source.vertices[vertex];
-  return {source.space->world_coordinate(at, 0), source.space->world_coordinate(at, 1),
-          source.space->world_coordinate(at, 2)};
+spatial::ExactPosition spatial::SpatialPositions::at(std::size_t vertex) const {
+  if (!space) return listed[vertex];
+  const PointSource& at = vertices[vertex];
+  return {space->world_coordinate(at, 0), space->world_coordinate(at, 1), space->world_coordinate(at, 2)};
 }
 
-}  // namespace
-
 RationalPoint3 SpatialSum::exact(std::size_t vertex) const {
-  const auto [x, y, z] = world(*source, vertex);
+  const auto [x, y, z] = positions_->at(vertex);
   return {exact::to_rational(x), exact::to_rational(y), exact::to_rational(z)};
 }
 
@@ -57,7 +58,7 @@ Rational SpatialSum::volume_exact() const {
   // Tetrahedra over the fans of all loops: those of holes run the other way and count less.
   BigRational six;
   std::vector<std::array<BigRational, 3>> at(vertices.size());
-  for (std::size_t k = 0; k < vertices.size(); ++k) at[k] = world(*source, k);
+  for (std::size_t k = 0; k < vertices.size(); ++k) at[k] = positions_->at(k);
   for (const SpatialFace& face : faces) {
     for (const std::vector<std::uint32_t>& loop : face.loops) {
       const auto& a = at[loop[0]];
@@ -80,7 +81,7 @@ Result<MeshData> SpatialSum::rounded() const {
     for (const std::uint32_t v : t) {
       if (name[v] == kNone) {
         name[v] = static_cast<std::uint32_t>(mesh.vertices.size());
-        const auto [x, y, z] = world(*source, v);
+        const auto [x, y, z] = positions_->at(v);
         mesh.vertices.push_back({exact::round_to_double(x), exact::round_to_double(y), exact::round_to_double(z)});
       }
       face.push_back(name[v]);
@@ -92,7 +93,7 @@ Result<MeshData> SpatialSum::rounded() const {
             [](const Point3& a, const Point3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); });
   const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
   if (twice == sorted.end()) return mesh;
-  Error error{Code::rounding_changed_topology, "two vertices of the sum round to one place", {}};
+  Error error{ErrorCode::rounding_changed_topology, "two vertices of the sum round to one place", {}};
   error.evidence.x = twice->x, error.evidence.y = twice->y, error.evidence.z = twice->z;
   return error;
 }
@@ -115,7 +116,7 @@ bool operator==(const SpatialSum& a, const SpatialSum& b) {
       a.tight_points != b.tight_points || a.vertices.size() != b.vertices.size())
     return false;
   for (std::size_t k = 0; k < a.vertices.size(); ++k)
-    if (world(*a.source, k) != world(*b.source, k)) return false;
+    if (a.positions_->at(k) != b.positions_->at(k)) return false;
   return true;
 }
 

@@ -1,12 +1,15 @@
-// The sum of solids given by plain lists.
+// The sum of solids given by plain lists, and that of convex solids as one of any solids.
 #pragma once
 
 #include "dymsum/spatial_sum.h"
 
 namespace dymsum::spatial {
 
-/// As spatial_sum, for surfaces that also may have edges with more than two faces and vertices with several fans, as
+/// As minkowski_sum, for surfaces that also may have edges with more than two faces and vertices with several fans, as
 /// long as they are closed, oriented, and cross nowhere.
 Result<SpatialSum> sum_of_solids(const MeshData& p, const MeshData& q, const SpatialOptions& options);
+
+/// The same set as a SpatialSum. Faces keep the features that the convex sum names. O(n log n) exact comparisons.
+SpatialSum boundary_of(const SolidSum& convex);
 
 }  // namespace dymsum::spatial

@@ -241,12 +241,12 @@ TEST(ObstacleMesh, HeightOfTheTurnIsTheExtent) {
 TEST(ObstacleMesh, BadTolerancesAndCancelling) {
   const CspaceObstacle obstacle = obstacle_of(pairs()[0]);
   for (const double tolerance : {0.0, -1.0, 1e-7, 2.0, std::nan("")})
-    EXPECT_THROW(mesh_of(obstacle, tolerance), std::invalid_argument) << tolerance;
+    EXPECT_EQ(obstacle_mesh(obstacle, {tolerance, {}}).error().code, ErrorCode::out_of_range) << tolerance;
   int asked = 0;
   const auto stop = [&](std::string_view, double) { return ++asked < 2; };
   const Result<ObstacleMesh> cancelled = obstacle_mesh(obstacle, {1e-3, stop});
   ASSERT_FALSE(cancelled.ok());
-  EXPECT_EQ(cancelled.error().code, Code::cancelled);
+  EXPECT_EQ(cancelled.error().code, ErrorCode::cancelled);
 }
 
 TEST(RotatedSum, IsTheSumWithTheTurnedRegion) {

@@ -64,8 +64,8 @@ TEST(GrownRegion, holds_the_disc_about_every_point_and_little_more) {
     }
   EXPECT_EQ(grown(frame, 0)->region, frame);
   for (const double wrong : {-1.0, std::nan(""), 0x1p401})
-    EXPECT_EQ(grown(frame, wrong).error().code, Code::not_finite);
-  EXPECT_EQ(grown(frame, 1, 2).error().code, Code::not_finite);
+    EXPECT_EQ(grown(frame, wrong).error().code, ErrorCode::out_of_range);
+  EXPECT_EQ(grown(frame, 1, 2).error().code, ErrorCode::out_of_range);
 }
 
 // Poses between the waypoints, in doubles: none comes nearer than the margin but for their rounding.
@@ -155,19 +155,19 @@ TEST(PathCheck, one_pose_touching_and_wrong_paths) {
   EXPECT_EQ(overlap.low, 0);
   // It leaves a touch while it turns, which no resolution tells.
   EXPECT_EQ(check_path(robot, obstacle, both)->outcome, MotionCheck::Outcome::undecided);
-  EXPECT_EQ(check_path(robot, obstacle, none).error().code, Code::malformed);
+  EXPECT_EQ(check_path(robot, obstacle, none).error().code, ErrorCode::malformed);
   const CspaceObstacle c = CspaceObstacle::create(robot, obstacle).value();
   std::vector<Waypoint> path = plan(c, {4, 0.5, 0}, {0.5, 16, -kPi / 2}).value().path;
   ASSERT_GE(path.size(), 3u);
   EXPECT_EQ(check_path(robot, obstacle, std::span<const Waypoint>(path))->outcome, MotionCheck::Outcome::free);
   const auto code = [&] { return check_path(robot, obstacle, std::span<const Waypoint>(path)).error().code; };
   std::swap(path[1].move, path[2].move);
-  EXPECT_EQ(code(), Code::malformed);
+  EXPECT_EQ(code(), ErrorCode::malformed);
   path[1].move = Waypoint::Move::start;
-  EXPECT_EQ(code(), Code::malformed);
+  EXPECT_EQ(code(), ErrorCode::malformed);
   path.erase(path.begin());
   path[0].move = Waypoint::Move::translation;
-  EXPECT_EQ(code(), Code::malformed);
+  EXPECT_EQ(code(), ErrorCode::malformed);
 }
 
 }  // namespace

@@ -343,7 +343,7 @@ TEST(CspaceObstacle, contains_equals_the_slice) {
     }
     for (const SumVertex& v : slice.parts[0].outer.vertices) {
       const RationalPoint at = slice.exact(v);
-      if (at.x.den != "1" || at.y.den != "1") continue;
+      if (at.x.denominator() != "1" || at.y.denominator() != "1") continue;
       EXPECT_FALSE(c.contains(at.x.to_double(), at.y.to_double(), theta));
       ++boundary;
     }
@@ -371,7 +371,7 @@ TEST(CspaceObstacle, slabs_cover_the_circle_in_order) {
       }
     }
     // inside() has few bits.
-    for (std::uint32_t slab = 0; slab < slabs(c); ++slab) EXPECT_LE(c.inside(slab).tan_half().den.size(), 5u);
+    for (std::uint32_t slab = 0; slab < slabs(c); ++slab) EXPECT_LE(c.inside(slab).tan_half().denominator().size(), 5u);
   }
 }
 
@@ -379,15 +379,15 @@ TEST(CspaceObstacle, refuses_what_is_empty_or_too_large) {
   const Region box = shapes::rectangle(0, 0, 1, 1);
   const Region bad[] = {Region(), shapes::rectangle(0, 0, 0x1p401, 1)};
   for (const Region& region : bad) {
-    EXPECT_EQ(CspaceObstacle::create(region, box).error().code, Code::unsupported_operand);
-    EXPECT_EQ(CspaceObstacle::create(box, region).error().code, Code::unsupported_operand);
+    EXPECT_EQ(CspaceObstacle::create(region, box).error().code, ErrorCode::unsupported_operand);
+    EXPECT_EQ(CspaceObstacle::create(box, region).error().code, ErrorCode::unsupported_operand);
   }
   const Error error = CspaceObstacle::create(box, bad[1]).error();
   EXPECT_EQ(error.evidence.x, 0x1p401);
   EXPECT_EQ(error.evidence.y, 0);
   ObstacleOptions options;
   options.progress = [](std::string_view, double) { return false; };
-  EXPECT_EQ(CspaceObstacle::create(box, box, options).error().code, Code::cancelled);
+  EXPECT_EQ(CspaceObstacle::create(box, box, options).error().code, ErrorCode::cancelled);
 }
 
 }  // namespace

@@ -398,16 +398,16 @@ TEST(CspaceThin, what_is_refused_has_a_reason_and_a_place) {
     return CspaceObstacle::create(robot, obstacle).error();
   };
   for (const Region& robot : {rod, bent}) {
-    EXPECT_EQ(error(robot, rod).code, Code::unsupported_operand);
-    EXPECT_EQ(check_motion(robot, rod, {}, {1, 1, 1}).error().code, Code::unsupported_operand);
+    EXPECT_EQ(error(robot, rod).code, ErrorCode::unsupported_operand);
+    EXPECT_EQ(check_motion(robot, rod, {}, {1, 1, 1}).error().code, ErrorCode::unsupported_operand);
     EXPECT_EQ(check_rotation(robot, rod, Point{}, {}, {}, TurnDirection::clockwise).error().code,
-              Code::unsupported_operand);
+              ErrorCode::unsupported_operand);
     EXPECT_EQ(error(robot, made(touching)).evidence.x, 2) << error(robot, made(touching)).message;
     EXPECT_EQ(error(made(touching), robot).evidence.x, 2);
   }
   EXPECT_EQ(error(square, wire({{0, 0}, {4, 0}, {3, 0}})).evidence.x, 3);
   EXPECT_EQ(error(made(along), square).evidence.x, 0.5);
-  EXPECT_EQ(error(Region(), square).code, Code::unsupported_operand);
+  EXPECT_EQ(error(Region(), square).code, ErrorCode::unsupported_operand);
 }
 
 }  // namespace

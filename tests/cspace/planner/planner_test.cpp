@@ -302,12 +302,12 @@ TEST(Planner, a_rhombus_in_a_corridor_as_high_as_its_diagonal) {
 
 TEST(Planner, errors) {
   const CspaceObstacle c = obstacle_of(square(), rooms(-1, 1));
-  EXPECT_EQ(plan(c, {NAN, 0, 0}, {0, 0, 0}).error().code, Code::not_finite);
-  EXPECT_EQ(plan(c, {0, 0, INFINITY}, {0, 0, 0}).error().code, Code::bad_rotation);
-  EXPECT_EQ(plan(c, {0x1p401, 0, 0}, {0, 0, 0}).error().code, Code::unsupported_operand);
+  EXPECT_EQ(plan(c, {NAN, 0, 0}, {0, 0, 0}).error().code, ErrorCode::not_finite);
+  EXPECT_EQ(plan(c, {0, 0, INFINITY}, {0, 0, 0}).error().code, ErrorCode::bad_rotation);
+  EXPECT_EQ(plan(c, {0x1p401, 0, 0}, {0, 0, 0}).error().code, ErrorCode::unsupported_operand);
   PlanOptions options;
   options.progress = [](std::string_view, double) { return false; };
-  EXPECT_EQ(plan(c, {-5, 0, 0}, {5, 0, 1}, options).error().code, Code::cancelled);
+  EXPECT_EQ(plan(c, {-5, 0, 0}, {5, 0, 1}, options).error().code, ErrorCode::cancelled);
 }
 
 using Random = std::mt19937_64;

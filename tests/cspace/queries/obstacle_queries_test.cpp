@@ -139,8 +139,10 @@ TEST(ObstacleQueries, angles_outside_the_circle_and_no_numbers) {
   for (const double bad : {infinity, -infinity, nan}) {
     EXPECT_FALSE(q.contains({bad, 0, 0}));
     EXPECT_FALSE(q.contains({0, bad, 0}));
-    EXPECT_THROW(q.contains({0, 0, bad}), std::logic_error);
+    EXPECT_THROW(q.contains({0, 0, bad}), std::invalid_argument);
     EXPECT_THROW(q.clearance({bad, 0, 0}), std::invalid_argument);
+    EXPECT_THROW(q.free_angles(bad, 0), std::invalid_argument);
+    EXPECT_THROW(q.free_angles(0, bad), std::invalid_argument);
     EXPECT_THROW(q.clearance({0, 0, bad}), std::invalid_argument);
   }
   EXPECT_THROW(q.clearance({}, -1), std::invalid_argument);

@@ -9,6 +9,7 @@
 #include "dymsum/scaling_sum.h"
 #include "dymsum/shapes.h"
 #include "planar/position/exact_area.h"
+#include "planar/position/exact_source.h"
 #include "planar/position/nearest_point.h"
 #include "planar/sum/listed_source.h"
 
@@ -51,12 +52,12 @@ std::vector<SumVertex> vertices_of(const PlanarSum& sum) {
 void expect_near(const PlanarSum& sum, const std::string& what) {
   SCOPED_TRACE(what);
   ASSERT_FALSE(sum.parts.empty());
-  const auto frame = sum.source->near_frame();
+  const auto frame = exact_source(sum)->near_frame();
   ASSERT_TRUE(frame);
-  const planar::NearestPoint nearest(*sum.source);
+  const planar::NearestPoint nearest(*exact_source(sum));
   for (const SumVertex& v : vertices_of(sum)) {
-    const ExactSource::Position p = sum.source->position(v);
-    const ExactSource::NearPosition n = sum.source->near(v);
+    const ExactSource::Position p = exact_source(sum)->position(v);
+    const ExactSource::NearPosition n = exact_source(sum)->near(v);
     const auto off = [&](const base::DoublePair& at, const Q& origin, const Q& exact) -> Q {
       return abs(frame->unit * (exact::exact_value(at.high) + exact::exact_value(at.low)) + origin - exact);
     };
@@ -67,9 +68,9 @@ void expect_near(const PlanarSum& sum, const std::string& what) {
   }
   const Rational area = sum.area_exact();
   EXPECT_EQ(sum.area(), area.to_double());
-  auto counting = std::make_shared<CountingSource>(sum.source);
+  auto counting = std::make_shared<CountingSource>(exact_source(sum));
   PlanarSum counted = sum;
-  counted.source = counting;
+  exact_source(counted) = counting;
   EXPECT_EQ(counted.area(), area.to_double());
   EXPECT_EQ(counting->asked, 0u);
 }
@@ -78,7 +79,7 @@ TEST(NearestArea, EqualsTheFractionForEveryTierAndMotion) {
   const Region p = shapes::random_polygon(40, 2, 3), q = shapes::noisy_star(17, 0.6, 5);
   for (const int tier : {29, 61, 512, 1000}) {
     SumOptions options;
-    options.min_tier_bits = tier;
+    planar::SumInternals::min_tier_bits(options) = tier;
     expect_near(minkowski_sum(p, q, options).value(), "tier " + std::to_string(tier));
   }
   expect_near(minkowski_sum(shapes::grate(5, 2, 1, 9), shapes::gear(7, 0.25, 0.5)).value(), "grate and gear");
@@ -98,8 +99,8 @@ TEST(NearestArea, RoundedRegionsOfSumsInGeneralPositionAskForNoExactPosition) {
   const Region p = shapes::noisy_star(300, 0.5, 1), q = shapes::disc(7, 0.004);
   PlanarSum sum = minkowski_sum(p, q).value();
   ASSERT_GT(sum.stats.crossings, 50u);
-  auto counting = std::make_shared<CountingSource>(sum.source);
-  sum.source = counting;
+  auto counting = std::make_shared<CountingSource>(exact_source(sum));
+  exact_source(sum) = counting;
   ASSERT_TRUE(sum.rounded().ok());
   EXPECT_LE(counting->asked, 4u);  // coordinates near zero
 }
@@ -108,7 +109,7 @@ TEST(NearestArea, RoundedRegionsOfSumsInGeneralPositionAskForNoExactPosition) {
 PlanarSum column(const Q& height) {
   auto source = std::make_shared<ListedSource>();
   PlanarSum sum;
-  sum.source = source;
+  exact_source(sum) = source;
   const Q third(1, 3);
   sum.parts.push_back({source->ring({{third, 0}, {1 + third, 0}, {1 + third, height}, {third, height}}), {}});
   return sum;
@@ -139,7 +140,7 @@ TEST(NearestArea, PowersOfTwoInDenominatorsAreTakenTogether) {
   // 4000 corners on a fine grid: as one fraction each has a power of two of its own, and these used to be multiplied.
   const PlanarSum sum = minkowski_sum(shapes::disc(4000, 1), shapes::rectangle(0, 0, 1, 1)).value();
   const Rational area = sum.area_exact();
-  EXPECT_LT(area.den.size(), 100u);
+  EXPECT_LT(area.denominator().size(), 100u);
   EXPECT_EQ(sum.area(), area.to_double());
 }
 

@@ -84,7 +84,7 @@ TEST(RegionRepair, RingsThatEncloseNothingAreDropped) {
 TEST(RegionRepair, AHoleLeftWithoutItsOuterRingIsAnError) {
   const Result<Repaired> result = repair(with_holes({{0, 0}, {5, 5}}, {box(1, 1, 2, 2)}));
   ASSERT_FALSE(result.ok());
-  EXPECT_EQ(result.error().code, Code::hole_outside);
+  EXPECT_EQ(result.error().code, ErrorCode::hole_outside);
   EXPECT_EQ(result.error().evidence.part, 0);
   EXPECT_EQ(result.error().evidence.ring, 1);
 }
@@ -95,7 +95,7 @@ TEST(RegionRepair, Polylines) {
                   {{}, {{{0, 0}, {5, 5}, {3, 3}}}, {{1, 0}, {7, 7}, {8, 8}}}, report(3, 2, 0, 0, 2));
   const Result<Repaired> result = repair({{}, {{{8, 8}}, {}}, {}});
   ASSERT_FALSE(result.ok());
-  EXPECT_EQ(result.error().code, Code::too_few_vertices);
+  EXPECT_EQ(result.error().code, ErrorCode::too_few_vertices);
   EXPECT_EQ(result.error().evidence.ring, 1);
 }
 
@@ -109,7 +109,7 @@ TEST(RegionRepair, ReportInWords) {
 TEST(RegionRepair, NotFiniteIsAnErrorBeforeAnythingElse) {
   const Result<Repaired> result = repair(one_ring({{0, 0}, {0, 0}, {std::numeric_limits<double>::infinity(), 1}}));
   ASSERT_FALSE(result.ok());
-  EXPECT_EQ(result.error().code, Code::not_finite);
+  EXPECT_EQ(result.error().code, ErrorCode::not_finite);
   EXPECT_EQ(result.error().evidence.vertex, 2);
 }
 
@@ -121,7 +121,7 @@ TEST(RegionRepair, ErrorsNameTheGivenIndices) {
   const Result<Repaired> result = repair(data);
   ASSERT_FALSE(result.ok());
   const Evidence& e = result.error().evidence;
-  EXPECT_EQ(result.error().code, Code::self_crossing);
+  EXPECT_EQ(result.error().code, ErrorCode::self_crossing);
   EXPECT_EQ(e.part, 1);
   EXPECT_EQ(e.ring, 2);
   EXPECT_EQ(e.other_part, 1);

@@ -45,10 +45,10 @@ TEST(RegionTransform, TranslationByABigOffsetThatIsNoLatticeVectorKeepsHoles) {
 TEST(RegionTransform, TranslationThatRoundsVerticesTogetherIsAnError) {
   const Result<Region> collapsed = translated(make(one_ring(box(0, 0, 1, 1))), 1e20, 0);
   ASSERT_FALSE(collapsed.ok());
-  EXPECT_EQ(collapsed.error().code, Code::repeated_vertex);
+  EXPECT_EQ(collapsed.error().code, ErrorCode::repeated_vertex);
   const Result<Region> past = translated(make(one_ring(box(0, 0, 1, 1))), std::numeric_limits<double>::infinity(), 0);
   ASSERT_FALSE(past.ok());
-  EXPECT_EQ(past.error().code, Code::not_finite);
+  EXPECT_EQ(past.error().code, ErrorCode::not_finite);
 }
 
 TEST(RegionTransform, ScaledByReflectionsStaysValid) {
@@ -68,12 +68,12 @@ TEST(RegionTransform, ScaledByReflectionsStaysValid) {
 TEST(RegionTransform, ScaleFactorsThatMakeNoSense) {
   const Region region = make(sample());
   for (const double bad : {0.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
-    EXPECT_EQ(scaled(region, bad, 1).error().code, Code::unsupported_operand);
-    EXPECT_EQ(scaled(region, 1, bad).error().code, Code::unsupported_operand);
+    EXPECT_EQ(scaled(region, bad, 1).error().code, ErrorCode::unsupported_operand);
+    EXPECT_EQ(scaled(region, 1, bad).error().code, ErrorCode::unsupported_operand);
   }
-  EXPECT_EQ(scaled(region, 1e308, 1).error().code, Code::not_finite);
+  EXPECT_EQ(scaled(region, 1e308, 1).error().code, ErrorCode::not_finite);
   const Region quarter = make(one_ring(box(0, 0, 0.25, 0.25)));
-  EXPECT_EQ(scaled(quarter, std::numeric_limits<double>::denorm_min(), 1).error().code, Code::repeated_vertex);
+  EXPECT_EQ(scaled(quarter, std::numeric_limits<double>::denorm_min(), 1).error().code, ErrorCode::repeated_vertex);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ struct RoundingTest : testing::Test {
   std::shared_ptr<ListedSource> source = std::make_shared<ListedSource>();
   PlanarSum sum;
 
-  RoundingTest() { sum.source = source; }
+  RoundingTest() { exact_source(sum) = source; }
   void part(SumRing outer, std::vector<SumRing> holes = {}) {
     sum.parts.push_back({std::move(outer), std::move(holes)});
   }
@@ -24,7 +24,7 @@ struct RoundingTest : testing::Test {
   void expect_error(const std::string& words) {
     const Result<Region> result = sum.rounded();
     ASSERT_FALSE(result.ok());
-    EXPECT_EQ(result.error().code, Code::rounding_changed_topology);
+    EXPECT_EQ(result.error().code, ErrorCode::rounding_changed_topology);
     EXPECT_NE(result.error().message.find(words), std::string::npos) << result.error().to_string();
   }
 };
@@ -131,7 +131,7 @@ TEST_F(RoundingTest, RingsThatWouldCrossAreAnError) {
     } else {
       ++crossed;
       expect_error("makes an invalid region");
-      EXPECT_EQ(sum.rounded_with_repair().error().code, Code::rounding_changed_topology);
+      EXPECT_EQ(sum.rounded_with_repair().error().code, ErrorCode::rounding_changed_topology);
     }
   }
   EXPECT_GE(crossed, 5);
@@ -195,12 +195,12 @@ TEST_F(RoundingTest, SegmentsCrossingInAVertexOfAThirdStayJoined) {
 TEST_F(RoundingTest, CoordinatesPastTheDoubleRangeAreAnError) {
   part(source->ring({{0, 0}, {power_of_two(1200), 0}, {0, 1}}));
   expect_error("leaves the range of doubles");
-  EXPECT_EQ(sum.rounded_with_repair().error().code, Code::rounding_changed_topology);
+  EXPECT_EQ(sum.rounded_with_repair().error().code, ErrorCode::rounding_changed_topology);
 }
 
 TEST_F(RoundingTest, VerticesWithoutASourceAreABrokenContract) {
   part(source->ring({{0, 0}, {1, 0}, {0, 1}}));
-  sum.source = nullptr;
+  exact_source(sum) = nullptr;
   EXPECT_THROW((void)sum.rounded(), std::logic_error);
 }
 

@@ -15,6 +15,7 @@
 #include "exact/big.h"
 #include "oracles/random.h"
 #include "oracles/tiny_regions.h"
+#include "planar/position/exact_source.h"
 
 namespace dymsum {
 namespace {
@@ -85,7 +86,7 @@ TEST(RotatingSum, tiny_pairs_equal_slices_at_every_step) {
                                             : Semantics::closed;
     options.mode = random.chance(70) ? FrameMode::window : FrameMode::automatic;
     options.window = random.chance(70) ? 0.02 * static_cast<double>(1 + random.below(20)) : 0;
-    options.min_tier_bits = random.chance(20) ? 61 : 0;
+    planar::SumInternals::min_tier_bits(options) = random.chance(20) ? 61 : 0;
     RotatingSum sum = RotatingSum::create(p, q, options).value();
     double theta = random.chance(50) ? 0 : 0.5 * kPi * static_cast<double>(random.below(4));
     for (int step = 0; step < 12; ++step) {
@@ -411,7 +412,7 @@ TEST(RotatingSum, stops_on_request) {
   stop = true;
   const Result<FrameChanges> result = sum.set(at(2));
   ASSERT_FALSE(result.ok());
-  EXPECT_EQ(result.error().code, Code::cancelled);
+  EXPECT_EQ(result.error().code, ErrorCode::cancelled);
   EXPECT_TRUE(sum.orientation() == at(0.01));
 }
 

@@ -36,7 +36,7 @@ TEST(EdgeSearch, finds_edges_wherever_some_cross_and_only_those) {
     const Region p = Region::create(pair.p).value(), q = Region::create(pair.q).value();
     auto base = planar::OperandPair::create(p, q, random.below(2), 0).value();
     if (!base->regular || base->operands[0].size() == 0 || base->operands[1].size() == 0) continue;
-    ScalingSum::State state(base, {});
+    planar::ScalingState state(base, {});
     const auto window = state.window_between(exact::BigRational(1), exact::BigRational(2));
     const bool scaled_moves = window->frame().moving == base->scaled;
     planar::EdgeSearch search(*window);
@@ -71,7 +71,7 @@ TEST(EdgeSearch, edges_for_two_places_cross_all_the_way) {
     const Region p = Region::create(pair.p).value(), q = Region::create(pair.q).value();
     auto base = planar::OperandPair::create(p, q, random.below(2), 0).value();
     if (!base->regular || base->operands[0].size() == 0 || base->operands[1].size() == 0) continue;
-    ScalingSum::State state(base, {});
+    planar::ScalingState state(base, {});
     const auto window = state.window_between(exact::BigRational(1), exact::BigRational(2));
     const bool scaled_moves = window->frame().moving == base->scaled;
     planar::EdgeSearch search(*window);

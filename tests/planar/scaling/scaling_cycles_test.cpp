@@ -48,7 +48,7 @@ TEST(ScalingCycles, those_carried_over_equal_those_walked_from_scratch) {
   const Region small = on_integers(shapes::noisy_star(16, 0.6, 4), 500);
   for (const auto& [p, q] : {std::pair{star, other}, std::pair{room, small}, std::pair{same, same}}) {
     auto base = planar::OperandPair::create(p, q, 1, 0).value();
-    ScalingSum::State state(base, {});
+    planar::ScalingState state(base, {});
     const auto window = state.window_between(exact::BigRational(1), exact::BigRational(3, 2));
     planar::PieceLists lists(*window);
     planar::FrameLoops carried(lists);
@@ -108,7 +108,7 @@ TEST(ScalingCycles, those_of_random_pairs_equal_those_walked_from_scratch) {
     const auto [p, q] = touching_pair(random);
     auto base = planar::OperandPair::create(p, q, random.below(2), 0).value();
     if (!base->regular || base->operands[0].size() == 0 || base->operands[1].size() == 0) continue;
-    ScalingSum::State state(base, {});
+    planar::ScalingState state(base, {});
     const auto window = state.window_between(exact::BigRational(1), exact::BigRational(2), random.chance(50));
     planar::PieceLists lists(*window);
     planar::FrameLoops carried(lists);

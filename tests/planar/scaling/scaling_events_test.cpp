@@ -31,14 +31,14 @@ TEST(ScaleEvents, a_peg_in_a_slot_fits_exactly_at_one_scale) {
   ScalingOptions options;
   options.scaled = ScaledOperand::q;
   ScalingSum sum = ScalingSum::create(p, negated(peg), options).value();
-  const auto next = sum.next_event(Scale(), scale_of(3, 1), true).value();
+  const auto next = sum.next_event(Scale(), scale_of(3, 1), EventChange::topology).value();
   ASSERT_TRUE(next.has_value());
   EXPECT_EQ(next->s.to_string(), "2/1");
   EXPECT_TRUE(next->topology);
   ASSERT_TRUE(sum.set(2.0).ok());
   EXPECT_EQ(sum.sum().hole_count(), 0u);
   ASSERT_EQ(sum.sum().tight_points.size(), 1u);
-  EXPECT_EQ(sum.sum().exact(sum.sum().tight_points[0]), (RationalPoint{{"1", "1"}, {"1", "1"}}));
+  EXPECT_EQ(sum.sum().exact(sum.sum().tight_points[0]), (RationalPoint{*Rational::of(1, 1), *Rational::of(1, 1)}));
   for (const int k : {1, 10, 40}) {
     ASSERT_TRUE(sum.set(2 - std::ldexp(1.0, -k)).ok());
     EXPECT_EQ(sum.sum().hole_count(), 1u) << k;
@@ -102,8 +102,9 @@ TEST(ScaleEvents, ranges_and_operands_that_have_no_events_give_errors) {
   RegionData line;
   line.polylines.push_back({{0, 0}, {1, 0}});
   const Region p = shapes::rectangle(0, 0, 1, 1), q = Region::create(line).value();
-  EXPECT_EQ(ScalingSum::create(p, q).value().events(Scale(), scale_of(2, 1)).error().code, Code::unsupported_operand);
-  EXPECT_EQ(ScalingSum::create(p, p).value().events(scale_of(2, 1), Scale()).error().code, Code::bad_scale);
+  EXPECT_EQ(ScalingSum::create(p, q).value().events(Scale(), scale_of(2, 1)).error().code,
+            ErrorCode::unsupported_operand);
+  EXPECT_EQ(ScalingSum::create(p, p).value().events(scale_of(2, 1), Scale()).error().code, ErrorCode::bad_scale);
 }
 
 /// Ends of the intervals in which two segments of the convolution cross, by testing every pair at every candidate

@@ -20,7 +20,7 @@ struct Shared {
 
 Shared shared_pieces(const Region& p, const Region& q) {
   auto base = planar::OperandPair::create(p, q, 0, 0).value();
-  ScalingSum::State state(base, {});
+  planar::ScalingState state(base, {});
   const auto window = state.window_between(exact::BigRational(21, 20), exact::BigRational(23, 20));
   Shared count;
   for (const planar::Piece& piece : window->pieces) {

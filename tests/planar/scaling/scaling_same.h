@@ -88,6 +88,6 @@ inline Region on_integers(const Region& region, double size) {
   return Region::create(std::move(data)).value();
 }
 
-inline Scale scale_of(long a, long b) { return Scale::of(Rational{std::to_string(a), std::to_string(b)}).value(); }
+inline Scale scale_of(long a, long b) { return Scale::of(*Rational::of(a, b)).value(); }
 
 }  // namespace dymsum::scaling_tests

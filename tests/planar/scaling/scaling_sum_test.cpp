@@ -9,6 +9,7 @@
 #include "dymsum/shapes.h"
 #include "oracles/random.h"
 #include "oracles/tiny_regions.h"
+#include "planar/position/exact_source.h"
 #include "planar/scaling/scaling_same.h"
 
 namespace dymsum {
@@ -44,7 +45,7 @@ TEST(ScalingSum, tiny_pairs_equal_the_static_engine_at_every_step) {
     options.semantics = random.chance(20)   ? Semantics::open
                         : random.chance(20) ? Semantics::regular
                                             : Semantics::closed;
-    options.min_tier_bits = random.chance(30) ? 61 : 0;
+    planar::SumInternals::min_tier_bits(options) = random.chance(30) ? 61 : 0;
     ScalingSum sum = ScalingSum::create(p, q, options).value();
     long a = 12, b = 12;
     for (int step = 0; step < 12; ++step) {
@@ -277,29 +278,31 @@ TEST(ScalingSum, bad_scales_are_refused_and_change_nothing) {
   ScalingSum sum = ScalingSum::create(shape.p, shape.q).value();
   ASSERT_TRUE(sum.set(1.25).ok());
   const auto before = described(sum.sum(), exact::BigRational(1));
-  EXPECT_EQ(sum.set(0.0).error().code, Code::bad_scale);
-  EXPECT_EQ(sum.set(-1.0).error().code, Code::bad_scale);
-  EXPECT_EQ(sum.set(NAN).error().code, Code::not_finite);
-  EXPECT_EQ(sum.set(INFINITY).error().code, Code::not_finite);
-  EXPECT_EQ(sum.set(0x1p-65).error().code, Code::bad_scale);
-  EXPECT_EQ(sum.set(0x1p65).error().code, Code::bad_scale);
-  EXPECT_EQ(sum.set(0x1p-1074).error().code, Code::bad_scale);
-  EXPECT_EQ(Scale::of(Rational{"1", "0"}).error().code, Code::bad_scale);
-  EXPECT_EQ(Scale::of(Rational{"x", "2"}).error().code, Code::malformed);
-  EXPECT_EQ(Scale::of(Rational{"1", std::string(2000, '7')}).error().code, Code::bad_scale);
-  EXPECT_EQ(Scale::parse("1/").error().code, Code::malformed);
-  EXPECT_EQ(Scale::parse("").error().code, Code::malformed);
-  EXPECT_EQ(Scale::parse("1.2.3").error().code, Code::malformed);
-  EXPECT_EQ(Scale::parse("1e999999999").error().code, Code::malformed);
-  EXPECT_EQ(Scale::parse("nan").error().code, Code::malformed);
-  EXPECT_EQ(Scale::parse("-2").error().code, Code::bad_scale);
+  EXPECT_EQ(sum.set(0.0).error().code, ErrorCode::bad_scale);
+  EXPECT_EQ(sum.set(-1.0).error().code, ErrorCode::bad_scale);
+  EXPECT_EQ(sum.set(NAN).error().code, ErrorCode::not_finite);
+  EXPECT_EQ(sum.set(INFINITY).error().code, ErrorCode::not_finite);
+  EXPECT_EQ(sum.set(0x1p-65).error().code, ErrorCode::bad_scale);
+  EXPECT_EQ(sum.set(0x1p65).error().code, ErrorCode::bad_scale);
+  EXPECT_EQ(sum.set(0x1p-1074).error().code, ErrorCode::bad_scale);
+  EXPECT_EQ(Scale::of(Rational()).error().code, ErrorCode::bad_scale);
+  EXPECT_EQ(Scale::parse("1/0").error().code, ErrorCode::bad_scale);
+  EXPECT_EQ(Scale::parse("x/2").error().code, ErrorCode::malformed);
+  EXPECT_EQ(*Scale::parse("010/08"), scale_of(5, 4)) << "decimal, whatever the leading zeros";
+  EXPECT_EQ(Scale::of(*Rational::parse("1/" + std::string(2000, '7'))).error().code, ErrorCode::bad_scale);
+  EXPECT_EQ(Scale::parse("1/").error().code, ErrorCode::malformed);
+  EXPECT_EQ(Scale::parse("").error().code, ErrorCode::malformed);
+  EXPECT_EQ(Scale::parse("1.2.3").error().code, ErrorCode::malformed);
+  EXPECT_EQ(Scale::parse("1e999999999").error().code, ErrorCode::malformed);
+  EXPECT_EQ(Scale::parse("nan").error().code, ErrorCode::malformed);
+  EXPECT_EQ(Scale::parse("-2").error().code, ErrorCode::bad_scale);
   EXPECT_EQ(parse_scale_step("1.01").value(), Scale::parse("1.01").value());
   EXPECT_EQ(parse_scale_step("0").error().message, "a step of zero leads nowhere");
-  EXPECT_EQ(parse_scale_step("-1").error().code, Code::bad_scale);
-  EXPECT_EQ(parse_scale_step("1e30").error().code, Code::bad_scale);
-  EXPECT_EQ(parse_scale_step("1/0").error().code, Code::bad_scale);
-  EXPECT_EQ(parse_scale_step("x").error().code, Code::malformed);
-  EXPECT_EQ(parse_scale_step("1/x").error().code, Code::malformed);
+  EXPECT_EQ(parse_scale_step("-1").error().code, ErrorCode::bad_scale);
+  EXPECT_EQ(parse_scale_step("1e30").error().code, ErrorCode::bad_scale);
+  EXPECT_EQ(parse_scale_step("1/0").error().code, ErrorCode::bad_scale);
+  EXPECT_EQ(parse_scale_step("x").error().code, ErrorCode::malformed);
+  EXPECT_EQ(parse_scale_step("1/x").error().code, ErrorCode::malformed);
   EXPECT_EQ(Scale::parse("1.01").value().exact().to_string(), "101/100");
   EXPECT_EQ(Scale::parse("25e-1").value().exact().to_string(), "5/2");
   EXPECT_EQ(sum.scale(), Scale::of(1.25).value());
@@ -315,7 +318,7 @@ TEST(ScalingSum, a_cancelled_frame_changes_nothing) {
   ScalingSum sum = ScalingSum::create(shape.p, shape.q, options).value();
   const auto before = described(sum.sum(), exact::BigRational(1));
   stop = true;
-  EXPECT_EQ(sum.set(3.0).error().code, Code::cancelled);
+  EXPECT_EQ(sum.set(3.0).error().code, ErrorCode::cancelled);
   EXPECT_EQ(described(sum.sum(), exact::BigRational(1)), before);
   stop = false;
   ASSERT_TRUE(sum.set(3.0).ok());
@@ -355,7 +358,7 @@ TEST(ScalingSum, copies_of_equal_scale_share_one_frame) {
   EXPECT_EQ(frames, 4);
   const auto stop = [](std::string_view stage, double) { return stage != "copies"; };
   options.progress = stop;
-  EXPECT_EQ(scaled_copies(shape.p, shape.q, copies, options).error().code, Code::cancelled);
+  EXPECT_EQ(scaled_copies(shape.p, shape.q, copies, options).error().code, ErrorCode::cancelled);
 }
 
 TEST(ScalingSum, copies_of_close_scales_share_a_window) {

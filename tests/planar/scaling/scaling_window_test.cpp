@@ -25,7 +25,7 @@ std::size_t wrong_frames(double shrink) {
   options.mode = FrameMode::window;
   options.window = 0.5;
   auto base = planar::OperandPair::create(p, q, 0, 0).value();
-  ScalingSum::State state(base, options);
+  planar::ScalingState state(base, options);
   state.shrink = shrink;
   std::size_t wrong = 0;
   for (int k = 100; k < 145; ++k) {
@@ -45,7 +45,7 @@ TEST(ScalingWindow, every_candidate_crosses_exactly_where_its_interval_says) {
   const Region p = on_integers(shapes::noisy_star(30, 0.6, 3), 4000),
                q = on_integers(shapes::noisy_star(20, 0.6, 4), 3000);
   auto base = planar::OperandPair::create(p, q, 0, 0).value();
-  ScalingSum::State state(base, {});
+  planar::ScalingState state(base, {});
   const auto window = state.window_between(exact::BigRational(1), exact::BigRational(6, 5));
   ASSERT_GT(window->candidates.size(), 40u);
   std::size_t crossing = 0, apart = 0;
@@ -140,7 +140,7 @@ TEST(ScalingWindow, every_pair_that_meets_is_a_candidate_or_meets_inside) {
     const Region p = grates ? shapes::grate(4, 4, 1, 13) : on_integers(shapes::noisy_star(60, 0.6, 3), 4000);
     const Region q = grates ? shapes::comb(3, 3, 1, 5) : on_integers(shapes::noisy_star(40, 0.6, 4), 3000);
     auto base = planar::OperandPair::create(p, q, 0, 0).value();
-    ScalingSum::State state(base, {});
+    planar::ScalingState state(base, {});
     const exact::BigRational low(1), high(3, 2);
     planar::ReducedConvolution& convolution = state.convolution_for(0.9, 1.6);
     planar::WindowSettings settings = state.settings_for(low, high, 1);
@@ -195,7 +195,7 @@ TEST(ScalingWindow, nodes_that_count_for_nothing_lie_inside_at_every_scale) {
     std::mt19937 engine(seed);
     const Region p = skylines(engine, 6, seed % 2 == 0), q = skylines(engine, 4, seed % 3 == 0);
     auto base = planar::OperandPair::create(p, q, 0, 0).value();
-    ScalingSum::State state(base, {});
+    planar::ScalingState state(base, {});
     const exact::BigRational low(1), high(5, 4);
     EXPECT_EQ(std::ranges::count_if(state.window_between(low, high)->nodes, &planar::PersistentNode::covered), 0);
     const auto window = state.window_between(low, high, true);
@@ -217,7 +217,7 @@ TEST(ScalingWindow, windows_of_more_pairs_than_allowed_are_abandoned) {
   const Region p = on_integers(shapes::noisy_star(60, 0.6, 3), 4000),
                q = on_integers(shapes::noisy_star(40, 0.6, 4), 3000);
   auto base = planar::OperandPair::create(p, q, 0, 0).value();
-  ScalingSum::State state(base, {});
+  planar::ScalingState state(base, {});
   planar::ReducedConvolution& convolution = state.convolution_for(0.9, 1.6);
   planar::WindowSettings settings = state.settings_for(exact::BigRational(1), exact::BigRational(3, 2), 1);
   const std::uint64_t pairs = planar::Window(*base, convolution, settings).pair_tests;
@@ -266,7 +266,7 @@ TEST(ScalingWindow, lists_stay_as_they_are_within_their_intervals) {
   const Region p = on_integers(shapes::noisy_star(40, 0.6, 3), 4000),
                q = on_integers(shapes::noisy_star(30, 0.6, 4), 3000);
   auto base = planar::OperandPair::create(p, q, 1, 0).value();
-  ScalingSum::State state(base, {});
+  planar::ScalingState state(base, {});
   const auto window = state.window_between(exact::BigRational(1), exact::BigRational(6, 5)),
              other = state.window_between(exact::BigRational(1), exact::BigRational(6, 5));
   ASSERT_EQ(window->frame().moving, 1u);
@@ -316,7 +316,7 @@ TEST(ScalingWindow, a_window_keeps_the_convolution_it_was_made_from) {
   options.mode = FrameMode::window;
   options.window = 0.25;
   auto base = planar::OperandPair::create(p, q, 1, 0).value();
-  ScalingSum::State state(base, options);
+  planar::ScalingState state(base, options);
   ASSERT_TRUE(state.move_to(scale_of(1, 1), scale_of(1, 1)).ok());
   std::size_t degenerate = 0;
   for (int k = 33; k < 40; ++k) {

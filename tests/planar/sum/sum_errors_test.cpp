@@ -16,7 +16,7 @@ Region triangle(double x) { return Region::create({{{{{0, 0}, {x, 0}, {0, 1}}, {
 template <class T>
 void expect_named(const Result<T>& result, double x) {
   ASSERT_FALSE(result.ok());
-  EXPECT_EQ(result.error().code, Code::unsupported_operand);
+  EXPECT_EQ(result.error().code, ErrorCode::unsupported_operand);
   EXPECT_EQ(result.error().evidence.x, x) << result.error().to_string();
   EXPECT_EQ(result.error().evidence.y, 0.0);
   EXPECT_FALSE(std::signbit(*result.error().evidence.y)) << result.error().to_string();

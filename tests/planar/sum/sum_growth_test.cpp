@@ -90,7 +90,7 @@ TEST(SumGrowth, every_stage_stops_on_request) {
     options.progress = [&](std::string_view at, double) { return at != stage; };
     const Result<PlanarSum> sum = refined_sum(star, star, options);
     ASSERT_FALSE(sum.ok()) << stage;
-    EXPECT_EQ(sum.error().code, Code::cancelled);
+    EXPECT_EQ(sum.error().code, ErrorCode::cancelled);
   }
 }
 

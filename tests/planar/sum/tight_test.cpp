@@ -166,8 +166,8 @@ TEST(Tight, erosion_refuses_containers_without_area_and_empty_parts) {
   const Region square = made({{box(0, 0, 1, 1), {}}});
   RegionData mixed = square.data();
   mixed.points.push_back({5, 5});
-  EXPECT_EQ(erode(Region::create(mixed).value(), square).error().code, Code::unsupported_operand);
-  EXPECT_EQ(erode(square, Region()).error().code, Code::unsupported_operand);
+  EXPECT_EQ(erode(Region::create(mixed).value(), square).error().code, ErrorCode::unsupported_operand);
+  EXPECT_EQ(erode(square, Region()).error().code, ErrorCode::unsupported_operand);
   const PlanarSum nothing = erode(Region(), square).value();
   EXPECT_TRUE(nothing.parts.empty() && nothing.segments.empty() && nothing.points.empty());
 }

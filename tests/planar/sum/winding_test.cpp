@@ -251,7 +251,7 @@ TEST(WindingEngine, stops_on_request_at_every_stage) {
     options.progress = [&](std::string_view at, double share) { return at != stage || share < 1; };
     const Result<PlanarSum> sum = minkowski_sum(p, q, options);
     ASSERT_FALSE(sum.ok()) << stage;
-    EXPECT_EQ(sum.error().code, Code::cancelled);
+    EXPECT_EQ(sum.error().code, ErrorCode::cancelled);
   }
 }
 

@@ -8,6 +8,7 @@
 #include "dymsum/shapes.h"
 #include "exact/big.h"
 #include "oracles/sanitized.h"
+#include "planar/position/exact_source.h"
 
 namespace dymsum {
 namespace {
@@ -127,7 +128,7 @@ TEST(RotationSlice, equals_the_sum_of_rotated_operands_in_every_tier) {
     options.semantics = Semantics::open;
     const PlanarSum first = *cspace_slice(robot, obstacle, theta, options);
     for (const int bits : {61, 512, 4096}) {
-      options.min_tier_bits = bits;
+      planar::SumInternals::min_tier_bits(options) = bits;
       EXPECT_TRUE(first == *cspace_slice(robot, obstacle, theta, options));
     }
   }
@@ -163,11 +164,17 @@ TEST(Orientation, names_angles) {
   EXPECT_EQ(Orientation::of(1, 0)->radians(), M_PI);
   EXPECT_EQ(*Orientation::of(2, 6), *Orientation::of(1, 3));
   EXPECT_EQ(*Orientation::of(2, -6), *Orientation::of(-1, 3));
-  EXPECT_EQ(Orientation::parse("0.25")->tan_half(), (Rational{"1", "4"}));
+  EXPECT_EQ(Orientation::parse("0.25")->tan_half(), *Rational::of(1, 4));
   EXPECT_TRUE(Orientation::parse("inf")->is_half_turn());
-  EXPECT_EQ(Orientation::of(0, 0).error().code, Code::bad_rotation);
-  EXPECT_EQ(Orientation::parse("a").error().code, Code::malformed);
-  EXPECT_EQ(Orientation::nearest(NAN).error().code, Code::bad_rotation);
+  EXPECT_THROW((void)Orientation::half_turn().tan_half(), std::invalid_argument);
+  EXPECT_NE(Orientation::half_turn(), Orientation());
+  EXPECT_EQ(Orientation::parse("1/0").error().code, ErrorCode::bad_rotation);
+  EXPECT_EQ(*Orientation::of(3, 2) * Orientation::of(3, 2)->inverse(), Orientation());
+  EXPECT_EQ(*Orientation::of(1, 2) * *Orientation::of(1, 3), *Orientation::of(1, 1))
+      << "Euler's sum for a quarter of pi";
+  EXPECT_EQ(Orientation::of(0, 0).error().code, ErrorCode::bad_rotation);
+  EXPECT_EQ(Orientation::parse("a").error().code, ErrorCode::malformed);
+  EXPECT_EQ(Orientation::nearest(NAN).error().code, ErrorCode::bad_rotation);
   EXPECT_EQ(*Orientation::nearest(M_PI / 2), *Orientation::of(1, 1));
   EXPECT_EQ(*Orientation::nearest(-M_PI), Orientation::half_turn());
   EXPECT_EQ(*Orientation::of(1, 1) * *Orientation::of(1, 1), Orientation::half_turn());
@@ -176,7 +183,7 @@ TEST(Orientation, names_angles) {
     for (const double error : {1e-2, 1e-5, 1e-9, 1e-13})
       EXPECT_NEAR(std::remainder(Orientation::nearest(angle, error)->radians() - angle, 2 * M_PI), 0, error);
   }
-  EXPECT_LE(Orientation::nearest(1.234567, 1e-3)->tan_half().den.size(), 3u);
+  EXPECT_LE(Orientation::nearest(1.234567, 1e-3)->tan_half().denominator().size(), 3u);
 }
 
 }  // namespace

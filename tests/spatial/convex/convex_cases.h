@@ -51,7 +51,7 @@ inline Rotation small_rotation(std::mt19937_64& random, double angle) {
 
 inline Scale random_scale(std::mt19937_64& random) {
   std::uniform_int_distribution<int> n(1, 40);
-  return *Scale::of(Rational{std::to_string(n(random)), std::to_string(n(random))});
+  return *Scale::of(*Rational::of(n(random), n(random)));
 }
 
 /// Two tips over a ring of vertices: as many edges leave a tip as there are sides.

@@ -184,7 +184,7 @@ TEST(ConvexSum, facets_are_counted_as_they_are) {
 }
 
 TEST(ConvexSum, operands_that_are_not_convex_solids_are_told) {
-  EXPECT_EQ(ConvexSum::create(Mesh(), cube(1)).error().code, Code::no_area);
+  EXPECT_EQ(ConvexSum::create(Mesh(), cube(1)).error().code, ErrorCode::no_area);
   // A cube with a dent.
   MeshData dent = cube(2).data();
   dent.vertices.push_back({0, 0, 0});
@@ -196,7 +196,7 @@ TEST(ConvexSum, operands_that_are_not_convex_solids_are_told) {
   ASSERT_TRUE(mesh) << mesh.error().to_string();
   const Result<SolidSum> sum = convex_sum(cube(1), *mesh);
   ASSERT_FALSE(sum);
-  EXPECT_EQ(sum.error().code, Code::not_convex);
+  EXPECT_EQ(sum.error().code, ErrorCode::not_convex);
   EXPECT_TRUE(sum.error().evidence.vertex && sum.error().evidence.other_vertex);
 }
 

@@ -243,15 +243,15 @@ TEST(CriticalityMap, memory_is_that_of_the_differences) {
 
 TEST(CriticalityMap, errors) {
   const Mesh p = cube(1);
-  EXPECT_EQ(CriticalityMap::create(p, p, {0, 0, 0}).error().code, Code::bad_rotation);
-  EXPECT_EQ(CriticalityMap::create(p, p, {1, 32769, 0}).error().code, Code::bad_rotation);
+  EXPECT_EQ(CriticalityMap::create(p, p, {0, 0, 0}).error().code, ErrorCode::bad_rotation);
+  EXPECT_EQ(CriticalityMap::create(p, p, {1, 32769, 0}).error().code, ErrorCode::bad_rotation);
   EXPECT_TRUE(CriticalityMap::create(p, p, {0, 65536, 0}).ok()) << "of any length when a divisor makes it short";
-  EXPECT_EQ(CriticalityMap::create(p, Mesh(), {1, 0, 0}).error().code, Code::no_area);
+  EXPECT_EQ(CriticalityMap::create(p, Mesh(), {1, 0, 0}).error().code, ErrorCode::no_area);
   const CriticalityMap map = *CriticalityMap::create(p, p, {1, 2, 3});
   const Rotation other = *Rotation::of(1, 1, 2, 4);
-  EXPECT_EQ(map.at(other).error().code, Code::bad_rotation);
-  EXPECT_EQ(map.facet_count(other).error().code, Code::bad_rotation);
-  EXPECT_EQ(map.interval(other).error().code, Code::bad_rotation);
+  EXPECT_EQ(map.at(other).error().code, ErrorCode::bad_rotation);
+  EXPECT_EQ(map.facet_count(other).error().code, ErrorCode::bad_rotation);
+  EXPECT_EQ(map.interval(other).error().code, ErrorCode::bad_rotation);
   std::set<std::string> stages;
   for (const char* stop : {"critical angles", "structures"}) {
     const auto cancelled = CriticalityMap::create(p, p, {1, 2, 3}, [&](std::string_view stage, double share) {
@@ -261,7 +261,7 @@ TEST(CriticalityMap, errors) {
       return stage != stop;
     });
     ASSERT_FALSE(cancelled.ok());
-    EXPECT_EQ(cancelled.error().code, Code::cancelled);
+    EXPECT_EQ(cancelled.error().code, ErrorCode::cancelled);
   }
   EXPECT_EQ(stages.size(), 2u);
 }

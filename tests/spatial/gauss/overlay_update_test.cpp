@@ -269,7 +269,7 @@ TEST(OverlayUpdate, ties_along_the_axes_are_those_of_exact_numbers) {
   std::mt19937_64 random(58);
   // (10^51 + 1) / 10^51, and three digits times that.
   const std::string zeros(48, '0'), more = zeros + "000";
-  const Scale wide = *Scale::of(Rational{"1" + zeros + "001", "1" + more});
+  const Scale wide = *Scale::parse("1" + zeros + "001/1" + more);
   std::uint64_t plain = 0, exact = 0;
   for (int k = 0; k < 300; ++k) {
     const Polytope p = *spatial::make_polytope(random_grid_polytope(random, 9, 2));
@@ -278,8 +278,8 @@ TEST(OverlayUpdate, ties_along_the_axes_are_those_of_exact_numbers) {
     const std::size_t axis = random() % 3;
     for (std::size_t i = 0; i < 3; ++i) {
       const std::string n = std::to_string(500 + random() % 500);
-      pose.scale[i] = stretched.scale[i] = *Scale::of(Rational{n, "1000"});
-      if (i == axis) stretched.scale[i] = *Scale::of(Rational{n + zeros + n, "1000" + more});
+      pose.scale[i] = stretched.scale[i] = *Scale::parse(n + "/1000");
+      if (i == axis) stretched.scale[i] = *Scale::parse(n + zeros + n + "/1000" + more);
     }
     other.scale[axis] = wide;
     const RelativeMap map = map_of(pose), same(PoseFactors::of(stretched), PoseFactors::of(other));

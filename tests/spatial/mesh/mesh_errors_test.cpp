@@ -18,7 +18,7 @@ Error error_of(const MeshData& data) {
   return {};
 }
 
-void expect(const Error& error, Code code, Number face, Number vertex, Number other_face = {},
+void expect(const Error& error, ErrorCode code, Number face, Number vertex, Number other_face = {},
             Number other_vertex = {}) {
   EXPECT_EQ(name(error.code), name(code)) << error.to_string();
   EXPECT_EQ(error.evidence.face, face) << error.to_string();
@@ -39,7 +39,7 @@ TEST(MeshErrors, not_finite) {
     for (double Point3::*coordinate : {&Point3::x, &Point3::y, &Point3::z}) {
       MeshData data = cube();
       data.vertices[5].*coordinate = bad;
-      expect(error_of(data), Code::not_finite, {}, 5);
+      expect(error_of(data), ErrorCode::not_finite, {}, 5);
     }
   }
 }
@@ -47,30 +47,30 @@ TEST(MeshErrors, not_finite) {
 TEST(MeshErrors, bad_index) {
   MeshData data = cube();
   data.faces[2][1] = 8;
-  expect(error_of(data), Code::bad_index, 2, 8);
+  expect(error_of(data), ErrorCode::bad_index, 2, 8);
   data = cube();
   data.vertices.push_back({7, 8, 9});
   const Error error = error_of(data);
-  expect(error, Code::bad_index, {}, 8);
+  expect(error, ErrorCode::bad_index, {}, 8);
   expect_place(error, {7, 8, 9});
 }
 
 TEST(MeshErrors, too_few_vertices) {
   MeshData data = cube();
   data.faces.push_back({3, 4});
-  expect(error_of(data), Code::too_few_vertices, 6, 3);
+  expect(error_of(data), ErrorCode::too_few_vertices, 6, 3);
   data.faces.back().clear();
-  expect(error_of(data), Code::too_few_vertices, 6, {});
+  expect(error_of(data), ErrorCode::too_few_vertices, 6, {});
 }
 
 TEST(MeshErrors, repeated_vertex) {
   MeshData data = cube();
   data.faces[1] = {4, 5, 7, 5};
-  expect(error_of(data), Code::repeated_vertex, 1, 5);
+  expect(error_of(data), ErrorCode::repeated_vertex, 1, 5);
   data = cube();
   data.vertices[6] = {0, -0.0, 0};
   const Error error = error_of(data);
-  expect(error, Code::repeated_vertex, {}, 0, {}, 6);
+  expect(error, ErrorCode::repeated_vertex, {}, 0, {}, 6);
   expect_place(error, {0, 0, 0});
 }
 
@@ -79,11 +79,11 @@ TEST(MeshErrors, no_area) {
   data.vertices.push_back({0.5, 0, 0});
   data.faces.push_back({0, 8, 1});
   const Error line = error_of(data);
-  expect(line, Code::no_area, 6, 0);
+  expect(line, ErrorCode::no_area, 6, 0);
   expect_place(line, {0, 0, 0});
   // a sheet with two sides
   const Error sheet = error_of({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}});
-  expect(sheet, Code::no_area, 0, 0);
+  expect(sheet, ErrorCode::no_area, 0, 0);
   EXPECT_NE(sheet.message.find("volume"), std::string::npos);
 }
 
@@ -91,7 +91,7 @@ TEST(MeshErrors, not_planar_by_one_unit_in_the_last_place) {
   MeshData data = cube();
   data.vertices[7].z = 1 + 0x1p-52;
   const Error error = error_of(data);
-  expect(error, Code::not_planar, 1, 6);
+  expect(error, ErrorCode::not_planar, 1, 6);
   expect_place(error, {0, 1, 1});
 }
 
@@ -111,7 +111,7 @@ TEST(MeshErrors, not_closed) {
   MeshData data = cube();
   data.faces.erase(data.faces.begin() + 1);  // the top
   const Error error = error_of(data);
-  expect(error, Code::not_closed, 1, 5, {}, 4);
+  expect(error, ErrorCode::not_closed, 1, 5, {}, 4);
   expect_place(error, {1, 0, 1});
 }
 
@@ -122,7 +122,7 @@ TEST(MeshErrors, not_manifold_at_an_edge) {
   data.vertices.push_back({0, -1, 0});
   for (const Face& face : std::vector<Face>{{0, 5, 4}, {0, 4, 3}, {0, 3, 5}, {4, 5, 3}}) data.faces.push_back(face);
   const Error error = error_of(data);
-  expect(error, Code::not_manifold, 1, 3, 2, 0);
+  expect(error, ErrorCode::not_manifold, 1, 3, 2, 0);
   expect_place(error, {0, 0, 1});
 }
 
@@ -131,7 +131,7 @@ TEST(MeshErrors, not_manifold_at_a_vertex) {
   data.vertices.insert(data.vertices.end(), {{-1, 0, 0}, {0, -1, 0}, {0, 0, -1}});
   for (const Face& face : std::vector<Face>{{0, 4, 5}, {0, 5, 6}, {0, 6, 4}, {4, 6, 5}}) data.faces.push_back(face);
   const Error error = error_of(data);
-  expect(error, Code::not_manifold, 0, 0, 4);
+  expect(error, ErrorCode::not_manifold, 0, 0, 4);
   expect_place(error, {0, 0, 0});
 }
 
@@ -139,9 +139,9 @@ TEST(MeshErrors, wrong_orientation) {
   MeshData data = cube();
   std::reverse(data.faces[3].begin(), data.faces[3].end());
   const Error edge = error_of(data);
-  expect(edge, Code::wrong_orientation, 0, 2, 3, 3);
+  expect(edge, ErrorCode::wrong_orientation, 0, 2, 3, 3);
   const Error inside_out = error_of(joined(cube(), turned_inside_out(cube(1, {5, 0, 0}))));
-  expect(inside_out, Code::wrong_orientation, 6, 8);
+  expect(inside_out, ErrorCode::wrong_orientation, 6, 8);
   expect_place(inside_out, {5, 0, 0});
 }
 

@@ -78,9 +78,9 @@ TEST(MeshHull, what_no_face_uses_is_left_out_and_bad_data_is_told) {
   EXPECT_EQ(hulled(data)->mesh, cube(1));
   EXPECT_EQ(hulled(data)->report.unused_vertices, 1u);
   EXPECT_EQ(hulled({data.vertices, {}})->mesh.vertices().size(), 8u) << "points: 7 corners and the far one";
-  EXPECT_EQ(hulled({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {}}).error().code, Code::no_area);
-  EXPECT_EQ(hulled({{{0, 0, std::nan("")}}, {}}).error().code, Code::not_finite);
-  EXPECT_EQ(hulled({{{0, 0, 0}}, {{0, 1, 2}}}).error().code, Code::bad_index);
+  EXPECT_EQ(hulled({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {}}).error().code, ErrorCode::no_area);
+  EXPECT_EQ(hulled({{{0, 0, std::nan("")}}, {}}).error().code, ErrorCode::not_finite);
+  EXPECT_EQ(hulled({{{0, 0, 0}}, {{0, 1, 2}}}).error().code, ErrorCode::bad_index);
 }
 
 TEST(MeshHull, a_moved_solid_stays_convex_and_says_how_far_it_is_off) {
@@ -92,9 +92,9 @@ TEST(MeshHull, a_moved_solid_stays_convex_and_says_how_far_it_is_off) {
   EXPECT_EQ(convexity_error(far.mesh), std::nullopt);
   EXPECT_GT(far.report.deviation, 0);
   EXPECT_LE(far.report.deviation, std::sqrt(3.0) * 0x1p-13);
-  EXPECT_EQ(translated_hull(ball, 0x1p80, 0, 0).error().code, Code::no_area);
-  EXPECT_EQ(translated_hull(ball, INFINITY, 0, 0).error().code, Code::not_finite);
-  EXPECT_EQ(translated_hull(*Mesh::create(with_middle(0.5)), 0, 0, 0).error().code, Code::not_convex);
+  EXPECT_EQ(translated_hull(ball, 0x1p80, 0, 0).error().code, ErrorCode::no_area);
+  EXPECT_EQ(translated_hull(ball, INFINITY, 0, 0).error().code, ErrorCode::not_finite);
+  EXPECT_EQ(translated_hull(*Mesh::create(with_middle(0.5)), 0, 0, 0).error().code, ErrorCode::not_convex);
 }
 
 TEST(SolidSumChain, of_three_solids_is_the_same_in_every_order) {
@@ -124,9 +124,9 @@ TEST(SolidSumChain, needs_more_bits_than_doubles_have) {
   const exact::BigRational side = exact::exact_value(1 + 0x1p-29) + exact::exact_value(0x1p-59);
   EXPECT_EQ(exact::exact_value(sum.volume_exact()), side * side * side);
   EXPECT_EQ(sum.facets.size(), 6u);
-  EXPECT_EQ(convex_sum(std::vector<Mesh>{far}).error().code, Code::unsupported_operand);
+  EXPECT_EQ(convex_sum(std::vector<Mesh>{far}).error().code, ErrorCode::unsupported_operand);
   const SolidSum turned = *convex_sum(far, far, {*Rotation::of(2, 1, 0, 0), {}});
-  EXPECT_EQ(ConvexSum::create(turned, far).error().code, Code::unsupported_operand) << "fifths";
+  EXPECT_EQ(ConvexSum::create(turned, far).error().code, ErrorCode::unsupported_operand) << "fifths";
   const SolidSum quarter = *convex_sum(far, far, {*Rotation::of(1, 1, 0, 0), {}});
   EXPECT_TRUE(ConvexSum::create(quarter, far).ok());
 }
@@ -146,7 +146,7 @@ TEST(RoundedSum, is_a_valid_convex_mesh_within_its_deviation_or_refused) {
         EXPECT_EQ(mesh->data(), hull.mesh.data());
         EXPECT_EQ(mesh->vertices().size(), sum.vertices.size());
       } else {
-        EXPECT_EQ(mesh.error().code, Code::rounding_changed_topology);
+        EXPECT_EQ(mesh.error().code, ErrorCode::rounding_changed_topology);
       }
     }
   }
@@ -154,11 +154,11 @@ TEST(RoundedSum, is_a_valid_convex_mesh_within_its_deviation_or_refused) {
   const Result<Mesh> collapsed =
       convex_sum(far, *scaled(solids::dipyramid(4, 1, 1), 0x1p-30, 0x1p-30, 0x1p-30))->rounded_mesh();
   ASSERT_FALSE(collapsed);
-  EXPECT_EQ(collapsed.error().code, Code::rounding_changed_topology);
+  EXPECT_EQ(collapsed.error().code, ErrorCode::rounding_changed_topology);
   EXPECT_TRUE(collapsed.error().evidence.vertex && collapsed.error().evidence.x);
   const Mesh huge = free_box({0, 0, 0}, {0x1p1023, 0x1p1023, 0x1p1023});
-  EXPECT_EQ(convex_sum(huge, huge)->rounded_mesh().error().code, Code::not_finite);
-  EXPECT_EQ(convex_sum(huge, cube(1))->rounded_mesh(Precision::singles).error().code, Code::not_finite);
+  EXPECT_EQ(convex_sum(huge, huge)->rounded_mesh().error().code, ErrorCode::not_finite);
+  EXPECT_EQ(convex_sum(huge, cube(1))->rounded_mesh(Precision::singles).error().code, ErrorCode::not_finite);
 }
 
 }  // namespace

@@ -67,13 +67,13 @@ TEST(Rotation, quarter_and_half_turns_about_the_axes_are_exact) {
 
 TEST(Rotation, bad_numbers_are_told) {
   const double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(Rotation::of(0, 0, 0, 0).error().code, Code::bad_rotation);
-  EXPECT_EQ(Rotation::of((std::int64_t{1} << 30) + 1, 1, 0, 0).error().code, Code::bad_rotation);
-  EXPECT_EQ(Rotation::about({0, 0, 0}, 1).error().code, Code::bad_rotation);
-  EXPECT_EQ(Rotation::about({0, nan, 1}, 1).error().code, Code::bad_rotation);
-  EXPECT_EQ(Rotation::about({0, 0, 1}, inf).error().code, Code::bad_rotation);
-  EXPECT_EQ(Rotation::nearest(0, 0, 0, 0).error().code, Code::bad_rotation);
-  EXPECT_EQ(Rotation::nearest(nan, 0, 0, 1).error().code, Code::bad_rotation);
+  EXPECT_EQ(Rotation::of(0, 0, 0, 0).error().code, ErrorCode::bad_rotation);
+  EXPECT_EQ(Rotation::of((std::int64_t{1} << 30) + 1, 1, 0, 0).error().code, ErrorCode::bad_rotation);
+  EXPECT_EQ(Rotation::about({0, 0, 0}, 1).error().code, ErrorCode::bad_rotation);
+  EXPECT_EQ(Rotation::about({0, nan, 1}, 1).error().code, ErrorCode::bad_rotation);
+  EXPECT_EQ(Rotation::about({0, 0, 1}, inf).error().code, ErrorCode::bad_rotation);
+  EXPECT_EQ(Rotation::nearest(0, 0, 0, 0).error().code, ErrorCode::bad_rotation);
+  EXPECT_EQ(Rotation::nearest(nan, 0, 0, 1).error().code, ErrorCode::bad_rotation);
   EXPECT_TRUE(Rotation::of(std::int64_t{1} << 40, 0, 0, 0).ok()) << "a common divisor is no size";
 }
 
