@@ -89,9 +89,7 @@ class SpatialSum {
 };
 
 /// P (+) Q, the closed sum of closed solids; its boundary is that of the closure of the open sum's complement. Either
-/// operand may be empty (then the sum is), have several parts, cavities, and tunnels. Requires: surfaces that cross or
-/// touch themselves nowhere, which Mesh does not check; of others the result means nothing, or std::invalid_argument or
-/// std::logic_error is thrown. Exact: every decision is the sign of an integer expression. Errors: cancelled;
+/// operand may be empty (then the sum is), have several parts, cavities, and tunnels. Exact: every decision is the sign of an integer expression. Errors: cancelled;
 /// unsupported_operand for coordinates that need more than 250 bits on their common grid. Cost: O(N log N + K + T log
 /// T) for N facets, K of their pairs that meet and T points where three of them do. Source: Behar 2016, sections 2.3
 /// to 2.6, corrected (docs/design/solid-sum.md).

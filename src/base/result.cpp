@@ -58,6 +58,8 @@ std::string_view name(Code code) {
       return "not_closed";
     case Code::not_manifold:
       return "not_manifold";
+    case Code::faces_cross:
+      return "faces_cross";
     case Code::not_convex:
       return "not_convex";
     case Code::unsupported_operand:
