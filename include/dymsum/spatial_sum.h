@@ -76,10 +76,14 @@ class SpatialSum {
   /// Rounded at every face.
   double area() const;
 
+  struct Rounded {
+    MeshData mesh;
+    std::vector<std::uint32_t> face;  ///< of every triangle: the face that it is a part of
+  };
   /// The boundary as triangles, every vertex rounded to the nearest doubles: closed and oriented, each edge as often
   /// one way as the other. Tight features are no part of it. Error rounding_changed_topology with the place where two
-  /// vertices round to one. Whether rounding makes triangles cross is not checked.
-  Result<MeshData> rounded() const;
+  /// vertices round to one, or where rounding makes triangles cross or touch. O(n log n) beyond the triangles.
+  Result<Rounded> rounded() const;
 
   /// The same set with the same tight features, exactly. Provenance and stats are not compared.
   friend bool operator==(const SpatialSum& a, const SpatialSum& b);
@@ -89,10 +93,10 @@ class SpatialSum {
 };
 
 /// P (+) Q, the closed sum of closed solids; its boundary is that of the closure of the open sum's complement. Either
-/// operand may be empty (then the sum is), have several parts, cavities, and tunnels. Exact: every decision is the sign of an integer expression. Errors: cancelled;
-/// unsupported_operand for coordinates that need more than 250 bits on their common grid. Cost: O(N log N + K + T log
-/// T) for N facets, K of their pairs that meet and T points where three of them do. Source: Behar 2016, sections 2.3
-/// to 2.6, corrected (docs/design/solid-sum.md).
+/// operand may be empty (then the sum is), have several parts, cavities, and tunnels. Exact: every decision is the sign
+/// of an integer expression. Errors: cancelled; unsupported_operand for coordinates that need more than 250 bits on
+/// their common grid. Cost: O(N log N + K + T log T) for N facets, K of their pairs that meet and T points where three
+/// of them do. Source: Behar 2016, sections 2.3 to 2.6, corrected (docs/design/solid-sum.md).
 Result<SpatialSum> spatial_sum(const Mesh& p, const Mesh& q, const SpatialOptions& options = {});
 
 }  // namespace dymsum
