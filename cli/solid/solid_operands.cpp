@@ -20,14 +20,19 @@ void require_planar(const std::string& verb, const std::vector<std::string>& fil
   if (are_solid(files)) throw Stop(kUsage, verb + " is for planar operands");
 }
 
-std::vector<SolidInput> read_convex_solids(const std::vector<std::string>& files, const InputOptions& options) {
+std::vector<SolidInput> read_solids(const std::vector<std::string>& files, const InputOptions& options) {
   refuse_unused_format(files, options);
   std::vector<SolidInput> inputs;
-  for (const std::string& file : files) {
-    inputs.push_back(read_solid(file, options));
+  for (const std::string& file : files) inputs.push_back(read_solid(file, options));
+  return inputs;
+}
+
+std::vector<SolidInput> read_convex_solids(const std::vector<std::string>& files, const InputOptions& options) {
+  std::vector<SolidInput> inputs = read_solids(files, options);
+  for (const SolidInput& input : inputs) {
     // Told here, where the file is known.
-    if (std::optional<Error> error = convexity_error(inputs.back().mesh)) {
-      error->evidence.file = file;
+    if (std::optional<Error> error = convexity_error(input.mesh)) {
+      error->evidence.file = input.file;
       stop_with(*error);
     }
   }

@@ -13,6 +13,8 @@ namespace dymsum::cli {
 bool are_solid(const std::vector<std::string>& files, const InputOptions& options = {});
 /// A Stop for verbs that are for planar operands only, when there are others.
 void require_planar(const std::string& verb, const std::vector<std::string>& files);
+/// The solids of files, of any shape.
+std::vector<SolidInput> read_solids(const std::vector<std::string>& files, const InputOptions& options);
 /// The convex solids of files.
 std::vector<SolidInput> read_convex_solids(const std::vector<std::string>& files, const InputOptions& options);
 

@@ -1,11 +1,13 @@
 #include "solid/solid_sum.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
 
 #include "dymsum/convex_sum.h"
 #include "progress_bar.h"
 #include "report.h"
+#include "solid/any_solid_sum.h"
 #include "solid/solid_operands.h"
 #include "solid/solid_outputs.h"
 #include "timing.h"
@@ -58,7 +60,9 @@ ExitCode run_solid_sum(const SumVerb& verb, const SumCommand& command) {
   std::vector<std::string> operands = command.operands;
   operands.insert(operands.end(), command.more.begin(), command.more.end());
   are_solid(operands, command.input);
-  const std::vector<SolidInput> inputs = read_convex_solids(operands, command.input);
+  const std::vector<SolidInput> inputs = read_solids(operands, command.input);
+  const auto convex = [](const SolidInput& input) { return !convexity_error(input.mesh); };
+  if (!std::all_of(inputs.begin(), inputs.end(), convex)) return run_any_solid_sum(verb, command, inputs, how);
   const InterruptGuard guard;
   const Mesh q = verb.reflects_second ? negated(inputs[1].mesh) : inputs[1].mesh;
   const auto [made, timing] = timed(command.report.repeat, [&] { return sum_of(inputs, q, engine); });

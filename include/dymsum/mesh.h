@@ -38,9 +38,9 @@ struct MeshData {
 ///
 /// Valid means, exactly: all coordinates finite; every vertex used and no two at the same position; every face is a
 /// polygon of at least three vertices in one plane that does not cross or touch itself; every edge has exactly two
-/// faces, which run through it in opposite directions; the faces around a vertex form one fan; every shell encloses
-/// positive volume. Not checked: that faces which share no vertex stay apart (a convex mesh is checked to be convex,
-/// which implies it).
+/// faces, which run through it in opposite directions; the faces around a vertex form one fan; two faces have nothing
+/// in common but common vertices and edges; every shell encloses volume and runs outward, or inward around a cavity
+/// where an odd number of others lie around it.
 class Mesh {
  public:
   Mesh() = default;  ///< the empty mesh
@@ -48,7 +48,8 @@ class Mesh {
   /// Validates `data`. Errors: not_finite, bad_index (also for a vertex without a face), too_few_vertices,
   /// repeated_vertex, no_area (of a face, or a shell without volume), not_planar, self_crossing, not_closed,
   /// not_manifold, wrong_orientation (two faces run through an edge in the same direction, or a shell is inside out),
-  /// each with face, vertex (and the other ones) and a position. Cost: O(n log n).
+  /// faces_cross, each with face, vertex (and the other ones) and a position. Cost: O((n + k) log n) for k pairs of
+  /// faces with overlapping boxes.
   static Result<Mesh> create(MeshData data);
 
   const MeshData& data() const { return data_; }

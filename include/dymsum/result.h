@@ -39,6 +39,7 @@ enum class ErrorCode {
   not_planar,    ///< the vertices of a face do not lie in one plane
   not_closed,    ///< an edge with a face on one side only
   not_manifold,  ///< an edge with more than two faces, or a vertex where several fans of faces meet
+  faces_cross,   ///< two faces have a point in common that belongs to no common vertex or edge
   not_convex,    ///< the operation is defined for convex solids only, and an edge or a vertex of this one is not
   // sums
   unsupported_operand,        ///< the operation is not defined for such an operand

@@ -81,10 +81,14 @@ class SpatialSum {
   /// Rounded at every face.
   double area() const;
 
+  struct Rounded {
+    MeshData mesh;
+    std::vector<std::uint32_t> face;  ///< of every triangle: the face that it is a part of
+  };
   /// The boundary as triangles, every vertex rounded to the nearest doubles: closed and oriented, each edge as often
   /// one way as the other. Tight features are no part of it. Error rounding_changed_topology with the position where
-  /// two vertices round to one. Whether rounding makes triangles cross is not checked.
-  Result<MeshData> rounded() const;
+  /// two vertices round to one, a triangle to a line, or triangles cross or touch. O(n log n) beyond the triangles.
+  Result<Rounded> rounded() const;
 
   /// The same set with the same tight features, exactly. Provenance and stats are not compared.
   friend bool operator==(const SpatialSum& a, const SpatialSum& b);
@@ -95,9 +99,8 @@ class SpatialSum {
 };
 
 /// P (+) Q, the closed sum of closed solids; its boundary is that of the closure of the open sum's complement. Either
-/// operand may be empty (then the sum is), have several parts, cavities, and tunnels. Requires: surfaces that cross or
-/// touch themselves nowhere, which Mesh does not check; of others the result means nothing, or std::invalid_argument or
-/// std::logic_error is thrown. Exact: every decision is the sign of an integer expression.
+/// operand may be empty (then the sum is), have several parts, cavities, and tunnels. Exact: every decision is the sign
+/// of an integer expression.
 /// Convex operands of any size take a short way through convex_sum (with the fast engine), and faces name the features
 /// that are extreme there: O(m + n + k log k) for m and n faces and k facets. Hold a ConvexSum to follow a motion.
 /// All others: O(N log N + K + T log T) for N facets, K of their pairs that meet and T points where three of them do.

@@ -58,6 +58,8 @@ std::string_view name(ErrorCode code) {
       return "not_closed";
     case ErrorCode::not_manifold:
       return "not_manifold";
+    case ErrorCode::faces_cross:
+      return "faces_cross";
     case ErrorCode::not_convex:
       return "not_convex";
     case ErrorCode::unsupported_operand:

@@ -26,6 +26,8 @@ using Triple = std::array<float, 3>;
 constexpr int kFloat = 5126, kUnsigned = 5125, kVertices = 34962, kIndices = 34963;
 constexpr std::uint32_t kMagic = 0x46546C67, kVersion = 2, kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
 
+constexpr std::array<float, 3> kMarkColour{0.85f, 0.12f, 0.20f};
+
 Triple rounded(const Point3& p) { return {to_float(p.x), to_float(p.y), to_float(p.z)}; }
 
 /// glTF's colours are amounts of light, and ours what a screen is told.
@@ -40,38 +42,45 @@ Triple light_of(const std::array<float, 3>& rgb) {
 
 class GlbWriter {
  public:
-  GlbWriter(const MeshData& data, std::span<const std::pair<std::string, std::string>> notes) : data_(data) {
+  explicit GlbWriter(std::span<const std::pair<std::string, std::string>> notes) {
     json_ = {{"asset", {{"version", "2.0"}, {"generator", "dymsum"}}}, {"scene", 0}};
     json_["scenes"] = Json::array({Json::object()});
     for (const auto& [name, text] : notes) json_["asset"]["extras"][name] = text;
   }
 
   /// A triangle with two corners at one place is left out: its other edges become one.
-  void add(const spatial::Triangle& triangle, std::size_t colour, const Triple& light) {
-    const auto at = [&](std::size_t k) { return rounded(data_.vertices[triangle[k]]); };
+  void add(const MeshData& data, const spatial::Triangle& triangle, std::size_t colour, const Triple& light) {
+    const auto at = [&](std::size_t k) { return rounded(data.vertices[triangle[k]]); };
     if (at(0) == at(1) || at(1) == at(2) || at(2) == at(0)) return;
     for (const std::uint32_t vertex : triangle) {
       const auto [known, fresh] = number_.try_emplace({vertex, colour}, static_cast<std::uint32_t>(places_.size()));
       if (fresh) {
-        places_.push_back(rounded(data_.vertices[vertex]));
+        places_.push_back(rounded(data.vertices[vertex]));
         lights_.push_back(light);
       }
       corners_.push_back(known->second);
     }
   }
 
+  /// What was added since the last mesh becomes one, of its own node.
+  void end_mesh() {
+    if (corners_.empty()) return;
+    const Json attributes = {{"POSITION", add_triples(places_)}, {"COLOR_0", add_triples(lights_)}};
+    add_bounds(attributes["POSITION"]);
+    const Json primitive = {{"attributes", attributes}, {"indices", add_corners()}, {"material", 0}};
+    const std::size_t index = json_["meshes"].size();
+    json_["meshes"].push_back({{"primitives", Json::array({primitive})}});
+    // z is up in our files and y in glTF: a quarter turn about x
+    const double half = std::sqrt(0.5);
+    json_["nodes"].push_back({{"mesh", index}, {"rotation", {-half, 0.0, 0.0, half}}});
+    json_["scenes"][0]["nodes"].push_back(index);
+    places_.clear(), lights_.clear(), corners_.clear(), number_.clear();
+  }
+
   std::string write() {
-    if (!corners_.empty()) {
+    if (!bytes_.empty()) {
       json_["materials"] = {
           {{"doubleSided", true}, {"pbrMetallicRoughness", {{"metallicFactor", 0}, {"roughnessFactor", 0.8}}}}};
-      const Json attributes = {{"POSITION", add_triples(places_)}, {"COLOR_0", add_triples(lights_)}};
-      add_bounds(0);
-      const Json primitive = {{"attributes", attributes}, {"indices", add_corners()}, {"material", 0}};
-      json_["meshes"] = {{{"primitives", Json::array({primitive})}}};
-      // z is up in our files and y in glTF: a quarter turn about x
-      const double half = std::sqrt(0.5);
-      json_["nodes"] = {{{"mesh", 0}, {"rotation", {-half, 0.0, 0.0, half}}}};
-      json_["scenes"][0]["nodes"] = {0};
       json_["buffers"] = {{{"byteLength", bytes_.size()}}};
     }
     std::string text = json_.dump();
@@ -126,7 +135,6 @@ class GlbWriter {
     json_["accessors"][accessor].update({{"min", low}, {"max", high}});
   }
 
-  const MeshData& data_;
   Json json_;
   std::vector<Triple> places_, lights_;
   std::vector<std::uint32_t> corners_;
@@ -142,10 +150,17 @@ std::string write_glb(const MeshData& data, const GlbLook& look) {
   std::vector<Triple> lights;
   for (const FaceColour& colour : look.colours) lights.push_back(light_of(colour.rgb));
   lights.push_back(light_of(FaceColour{}.rgb));
-  GlbWriter writer(data, look.notes);
+  GlbWriter writer(look.notes);
   for (std::size_t i = 0; i < all.triangles.size(); ++i) {
     const std::size_t colour = colour_of[all.face[i]];
-    writer.add(all.triangles[i], colour, lights[colour]);
+    writer.add(data, all.triangles[i], colour, lights[colour]);
+  }
+  writer.end_mesh();
+  if (look.marks) {
+    const spatial::Triangles marks = spatial::triangulated(*look.marks);
+    for (const spatial::Triangle& triangle : marks.triangles)
+      writer.add(*look.marks, triangle, 0, light_of(kMarkColour));
+    writer.end_mesh();
   }
   return writer.write();
 }

@@ -11,7 +11,9 @@
 #include "exact/orient3.h"
 #include "spatial/mesh/half_edges.h"
 #include "spatial/mesh/mesh_validate.h"
+#include "spatial/mesh/shell_nesting.h"
 #include "spatial/mesh/six_volume.h"
+#include "spatial/mesh/surface_crossings.h"
 #include "spatial/mesh/triangulate.h"
 
 namespace dymsum {
@@ -141,11 +143,25 @@ class MeshRepair {
     const HalfEdges edges = half_edges(data_.faces);
     if (std::find(edges.twin.begin(), edges.twin.end(), HalfEdges::kNone) != edges.twin.end()) return;
     const Shells shells = find_shells(edges);
-    const std::vector<int> signs = shell_signs(data_, shells);
+    std::vector<int> signs = shell_signs(data_, shells);
+    const std::vector<std::uint32_t> depths = depths_of(shells);
+    for (std::size_t s = 0; s < signs.size(); ++s) {
+      if (depths[s] % 2 == 1) signs[s] = -signs[s];  // around a cavity
+    }
     report_.reversed_shells += static_cast<std::size_t>(std::count(signs.begin(), signs.end(), -1));
     for (std::size_t f = 0; f < data_.faces.size(); ++f) {
       if (signs[shells.of_face[f]] < 0) turn_over(data_.faces[f]);
     }
+  }
+
+  /// None where a face is not valid by itself, so that Mesh::create refuses it.
+  std::vector<std::uint32_t> depths_of(const Shells& shells) const {
+    const auto is_valid = [&](const Face& face) { return !face_error(data_.vertices, face); };
+    if (shells.count < 2 || !std::all_of(data_.faces.begin(), data_.faces.end(), is_valid)) {
+      return std::vector<std::uint32_t>(shells.count);
+    }
+    const Triangles triangles = triangulated(data_);
+    return shell_depths(data_, shells, triangles, boxes_of(data_.vertices, triangles.triangles));
   }
 
   static void turn_over(Face& face) { std::reverse(face.begin() + 1, face.end()); }

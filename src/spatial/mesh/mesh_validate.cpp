@@ -9,7 +9,9 @@
 
 #include "spatial/mesh/face_plane.h"
 #include "spatial/mesh/half_edges.h"
+#include "spatial/mesh/shell_nesting.h"
 #include "spatial/mesh/six_volume.h"
+#include "spatial/mesh/surface_crossings.h"
 
 namespace dymsum {
 
@@ -72,7 +74,11 @@ class MeshCheck {
     edges_ = half_edges_without_twins(data_.faces);
     if (auto error = check_edges()) return error;
     if (auto error = check_fans()) return error;
-    return check_shells();
+    if (auto error = check_volumes()) return error;
+    triangles_ = triangulated(data_);
+    boxes_ = boxes_of(data_.vertices, triangles_.triangles);
+    if (auto error = check_meetings()) return error;
+    return check_orientations();
   }
   std::size_t shell_count() const { return shells_.count; }
 
@@ -190,14 +196,41 @@ class MeshCheck {
     return std::nullopt;
   }
 
-  std::optional<Error> check_shells() {
+  std::optional<Error> check_meetings() const {
+    const std::optional<FaceMeeting> meeting = find_meeting(data_, triangles_, boxes_);
+    if (!meeting) return std::nullopt;
+    Error error{ErrorCode::faces_cross, "two faces cross or touch where they share no vertex and no edge", {}};
+    error.evidence.face = meeting->face;
+    error.evidence.other_face = meeting->other_face;
+    error.evidence.x = meeting->at.x;
+    error.evidence.y = meeting->at.y;
+    error.evidence.z = meeting->at.z;
+    return error;
+  }
+
+  std::optional<Error> check_volumes() {
     shells_ = find_shells(edges_);
-    const std::vector<int> signs = shell_signs(data_, shells_);
+    signs_ = shell_signs(data_, shells_);
+    return first_face([&](std::uint32_t shell) { return signs_[shell] == 0; }, ErrorCode::no_area,
+                      "a shell encloses no volume");
+  }
+
+  std::optional<Error> check_orientations() const {
+    const std::vector<std::uint32_t> depths = shell_depths(data_, shells_, triangles_, boxes_);
+    if (auto error = first_face([&](std::uint32_t shell) { return depths[shell] % 2 == 0 && signs_[shell] < 0; },
+                                ErrorCode::wrong_orientation, "a shell is inside out")) {
+      return error;
+    }
+    return first_face([&](std::uint32_t shell) { return depths[shell] % 2 == 1 && signs_[shell] > 0; },
+                      ErrorCode::wrong_orientation, "a shell inside another one does not run inward, around a cavity");
+  }
+
+  /// The error at the first face of a shell that is wrong.
+  template <class Wrong>
+  std::optional<Error> first_face(Wrong wrong, ErrorCode code, const char* message) const {
     for (std::size_t f = 0; f < data_.faces.size(); ++f) {
-      const int sign = signs[shells_.of_face[f]];
-      if (sign > 0) continue;
-      Error error = sign == 0 ? error_at(ErrorCode::no_area, "a shell encloses no volume", data_.faces[f][0])
-                              : error_at(ErrorCode::wrong_orientation, "a shell is inside out", data_.faces[f][0]);
+      if (!wrong(shells_.of_face[f])) continue;
+      Error error = error_at(code, message, data_.faces[f][0]);
       error.evidence.face = static_cast<std::int64_t>(f);
       return error;
     }
@@ -206,7 +239,10 @@ class MeshCheck {
 
   const MeshData& data_;
   HalfEdges edges_;
+  Triangles triangles_;
+  BoxTree boxes_;
   Shells shells_;
+  std::vector<int> signs_;  // of the shells' volumes
 };
 
 }  // namespace

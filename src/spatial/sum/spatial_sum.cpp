@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "spatial/sum/face_triangles.h"
+#include "spatial/sum/rounded_surface.h"
 #include "spatial/sum/solid_faces.h"
 #include "spatial/sum/sum_of_solids.h"
 #include "spatial/sum/sum_source.h"
@@ -72,30 +73,27 @@ Rational SpatialSum::volume_exact() const {
   return exact::to_rational(six / 6);
 }
 
-Result<MeshData> SpatialSum::rounded() const {
-  MeshData mesh;
+Result<SpatialSum::Rounded> SpatialSum::rounded() const {
+  Rounded result;
   constexpr std::uint32_t kNone = 0xffffffff;
   std::vector<std::uint32_t> name(vertices.size(), kNone);
-  for (const spatial::Triangle& t : spatial::triangulated(*this).triangles) {
+  spatial::Triangles all = spatial::triangulated(*this);
+  for (const spatial::Triangle& t : all.triangles) {
     Face face;
     for (const std::uint32_t v : t) {
       if (name[v] == kNone) {
-        name[v] = static_cast<std::uint32_t>(mesh.vertices.size());
+        name[v] = static_cast<std::uint32_t>(result.mesh.vertices.size());
         const auto [x, y, z] = positions_->at(v);
-        mesh.vertices.push_back({exact::round_to_double(x), exact::round_to_double(y), exact::round_to_double(z)});
+        result.mesh.vertices.push_back(
+            {exact::round_to_double(x), exact::round_to_double(y), exact::round_to_double(z)});
       }
       face.push_back(name[v]);
     }
-    mesh.faces.push_back(std::move(face));
+    result.mesh.faces.push_back(std::move(face));
   }
-  std::vector<Point3> sorted = mesh.vertices;
-  std::sort(sorted.begin(), sorted.end(),
-            [](const Point3& a, const Point3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); });
-  const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
-  if (twice == sorted.end()) return mesh;
-  Error error{ErrorCode::rounding_changed_topology, "two vertices of the sum round to one place", {}};
-  error.evidence.x = twice->x, error.evidence.y = twice->y, error.evidence.z = twice->z;
-  return error;
+  result.face = std::move(all.face);
+  if (std::optional<Error> error = spatial::rounding_error(result.mesh)) return *std::move(error);
+  return result;
 }
 
 double SpatialSum::area() const {

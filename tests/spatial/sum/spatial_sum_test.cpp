@@ -236,7 +236,7 @@ int fuzz_pairs(int few) {
 
 /// Every edge as often one way as the other, and the volume of the triangles.
 void expect_closed(const SpatialSum& s, const std::string& what) {
-  const MeshData mesh = s.rounded().value();
+  const MeshData mesh = s.rounded().value().mesh;
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
   double six = 0;
   for (const Face& f : mesh.faces) {
@@ -251,7 +251,7 @@ void expect_closed(const SpatialSum& s, const std::string& what) {
 TEST(SpatialSum, as_triangles_is_closed_and_of_the_same_volume) {
   expect_closed(sum(tunnel(), box(0.95)), "faces with holes");
   expect_closed(sum(cavity(), box(0.5)), "two shells");
-  EXPECT_TRUE(Mesh::create(sum(tunnel(), box(0.95)).rounded().value()).ok());
+  EXPECT_TRUE(Mesh::create(sum(tunnel(), box(0.95)).rounded().value().mesh).ok());
   for (int k = 0; k < fuzz_pairs(12); ++k) {
     std::mt19937_64 random(static_cast<std::uint64_t>(500 + k));
     const auto [p, q] = oracles::random_voxels(k % 8 == 0 ? 4 : 3, random);
