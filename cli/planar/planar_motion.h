@@ -10,6 +10,7 @@
 #include "dymsum/frames.h"
 #include "inputs.h"
 #include "motion_report.h"
+#include "options.h"
 #include "pictures/frame_pictures.h"
 #include "progress_bar.h"
 #include "report.h"
