@@ -33,7 +33,11 @@ int compare(const Rational& a, const Rational& b) {
 
 }  // namespace
 
-Rational::Rational(Whole value) : Rational(RationalAccess::make(BigInteger(value.value), BigInteger(1))) {}
+Rational::Rational(Whole value) {
+  // Scales are 1 nearly everywhere: no memory is asked for.
+  static const Rational kOne = RationalAccess::make(BigInteger(1), BigInteger(1));
+  *this = value.value == 1 ? kOne : RationalAccess::make(BigInteger(value.value), BigInteger(1));
+}
 
 Result<Rational> Rational::of(std::int64_t numerator, std::int64_t denominator) {
   if (denominator == 0) return Error{ErrorCode::malformed, "a quotient with denominator zero", {}};

@@ -371,7 +371,10 @@ TEST(CspaceObstacle, slabs_cover_the_circle_in_order) {
       }
     }
     // inside() has few bits.
-    for (std::uint32_t slab = 0; slab < slabs(c); ++slab) EXPECT_LE(c.inside(slab).tan_half().denominator().size(), 5u);
+    for (std::uint32_t slab = 0; slab < slabs(c); ++slab) {
+      const Orientation inside = c.inside(slab);
+      if (!inside.is_half_turn()) EXPECT_LE(inside.tan_half().denominator().size(), 5u);
+    }
   }
 }
 

@@ -107,8 +107,7 @@ TEST(SpatialSum, of_convex_solids_is_the_same_the_short_way) {
       EXPECT_TRUE(direct == minkowski_sum(convex[j], convex[i]).value()) << i << ", " << j;
       EXPECT_EQ(direct.volume_exact(), general.volume_exact());
       EXPECT_EQ(direct.shells, 1u);
-      EXPECT_EQ(direct.rounded().value().mesh.vertices.size(),
-                general.rounded().value().mesh.vertices.size());
+      EXPECT_EQ(direct.rounded().value().mesh.vertices.size(), general.rounded().value().mesh.vertices.size());
       for (std::size_t k = 0; k < direct.vertices.size(); ++k)
         EXPECT_EQ(direct.vertices[k].x, direct.exact(k).x.to_double());
     }
