@@ -44,7 +44,8 @@ function(dymsum_trust_precompiled target)
 endfunction()
 
 # All files of a folder in one translation unit: their headers are read, and their templates instantiated, once. For builds
-# from nothing; where files change, single ones are faster. Files of a folder may not use a name for two things.
+# from nothing; where files change, single ones are faster. Files of a folder may not use a name for two things; those of the
+# folders in ARGN do.
 option(DYMSUM_UNITY "Compile the files of a folder together" OFF)
 function(dymsum_unite target)
   if(NOT DYMSUM_UNITY)
@@ -55,6 +56,9 @@ function(dymsum_unite target)
   foreach(source IN LISTS sources)
     cmake_path(RELATIVE_PATH source BASE_DIRECTORY "${PROJECT_SOURCE_DIR}" OUTPUT_VARIABLE group)
     cmake_path(GET group PARENT_PATH group)
+    if(group IN_LIST ARGN)
+      continue()
+    endif()
     string(REPLACE "/" "_" group "${group}")
     set_source_files_properties("${source}" PROPERTIES UNITY_GROUP "${group}")
   endforeach()
