@@ -14,19 +14,19 @@ namespace {
 using boost::multiprecision::msb;
 
 /// mantissa 2^exponent, 1/2 <= |mantissa| < 1 or zero: a double with the exponents that large integers need.
-struct Scaled {
+struct ScaledCoefficient {
   double mantissa = 0;
   long exponent = 0;
 };
 
-Scaled normalised(double mantissa, long exponent) {
+ScaledCoefficient normalised(double mantissa, long exponent) {
   int more = 0;
   mantissa = std::frexp(mantissa, &more);
   return {mantissa, exponent + more};
 }
 
 /// Relative error at most 2^-52: all but 120 leading bits are cut (2^-119), the rest is rounded (2^-53).
-Scaled scaled(const Big& v) {
+ScaledCoefficient scaled(const Big& v) {
   if (sign(v) == 0) return {};
   const BigInteger magnitude = boost::multiprecision::abs(v.value());
   const long cut = std::max(0L, static_cast<long>(msb(magnitude)) - 120);
@@ -35,13 +35,13 @@ Scaled scaled(const Big& v) {
 }
 
 /// x 2^by, zero far below the doubles.
-double times_power(Scaled x, long by) {
+double times_power(ScaledCoefficient x, long by) {
   const long e = x.exponent + by;
   return e < -2000 ? 0 : std::ldexp(x.mantissa, static_cast<int>(e));
 }
 
 /// The sum of two numbers of the same sign: relative error the larger one's plus 2^-53.
-Scaled plus_same_sign(Scaled a, Scaled b) {
+ScaledCoefficient plus_same_sign(ScaledCoefficient a, ScaledCoefficient b) {
   if (a.mantissa == 0) return b;
   if (b.mantissa == 0) return a;
   const long e = std::max(a.exponent, b.exponent);
@@ -49,7 +49,7 @@ Scaled plus_same_sign(Scaled a, Scaled b) {
 }
 
 /// Relative error: half of the argument's, plus 2^-53.
-Scaled square_root(Scaled a) {
+ScaledCoefficient square_root(ScaledCoefficient a) {
   if (a.exponent % 2 != 0) a = {2 * a.mantissa, a.exponent - 1};
   return normalised(std::sqrt(a.mantissa), a.exponent / 2);
 }
@@ -57,11 +57,11 @@ Scaled square_root(Scaled a) {
 // Where doubles have decided. A term p_k u^i v^j has factors with errors 2^-51, 2^-49, 2^-49 and four roundings
 // together with the sums: 4 + 2 * 16 + 4 units of the sum of magnitudes of the terms at most; what was lost below the
 // doubles is below 2^-990 with components of at most 2.
-constexpr double kTermError = rounding_bound(40, 64), kLost = 0x1p-980;
+constexpr double kTermError = rounding_bound(40, 64), kUnderflowLoss = 0x1p-980;
 
 /// The sign of a sum whose terms have these magnitudes together, if doubles tell.
 std::optional<int> filtered(double value, double magnitudes) {
-  const double error = kTermError * magnitudes + kLost;
+  const double error = kTermError * magnitudes + kUnderflowLoss;
   if (value > error) return 1;
   if (value < -error) return -1;
   return std::nullopt;
@@ -87,7 +87,7 @@ int exact_compare(const QuadraticRoot& a, const QuadraticRoot& b) {
 
 /// 0 for t >= 0, 1 for infinity, 2 for t < 0.
 int turn_class(const QuadraticRoot& r, bool& exactly) {
-  if (r.approx()[0] > kLost && std::abs(r.approx()[1]) > kLost) return r.approx()[1] > 0 ? 0 : 2;
+  if (r.approx()[0] > kUnderflowLoss && std::abs(r.approx()[1]) > kUnderflowLoss) return r.approx()[1] > 0 ? 0 : 2;
   exactly = true;
   if (r.is_infinite()) return 1;
   return sign_at(r, {Big(), Big::from_int64(1), Big()}) >= 0 ? 0 : 2;
@@ -96,7 +96,7 @@ int turn_class(const QuadraticRoot& r, bool& exactly) {
 }  // namespace
 
 Quadratic::Quadratic(Big c0, Big c1, Big c2) : c_{std::move(c0), std::move(c1), std::move(c2)} {
-  std::array<Scaled, 3> d;
+  std::array<ScaledCoefficient, 3> d;
   long top = -1;
   for (int k = 0; k < 3; ++k) {
     d[k] = scaled(c_[k]);
@@ -120,13 +120,13 @@ QuadraticRoot::QuadraticRoot(Quadratic q, int slope, Big discriminant)
   // The single term errs by 2^-52; the sum by 2^-52 of a term, half of 2^-52 and 2^-53 of the root, and 2^-53: below
   // 2^-50.
   const bool second = from_constant();
-  const Scaled minus_c1 = scaled(-q_[1]);
-  Scaled root = square_root(scaled(discriminant_));
+  const ScaledCoefficient minus_c1 = scaled(-q_[1]);
+  ScaledCoefficient root = square_root(scaled(discriminant_));
   root.mantissa *= second ? -slope_ : slope_;
-  const Scaled sum = plus_same_sign(minus_c1, root);
-  Scaled single = scaled(second ? q_[0] : q_[2]);
+  const ScaledCoefficient sum = plus_same_sign(minus_c1, root);
+  ScaledCoefficient single = scaled(second ? q_[0] : q_[2]);
   single.exponent += 1;
-  Scaled u = second ? sum : single, v = second ? single : sum;
+  ScaledCoefficient u = second ? sum : single, v = second ? single : sum;
   const long top = u.mantissa == 0 ? v.exponent : v.mantissa == 0 ? u.exponent : std::max(u.exponent, v.exponent);
   approx_ = {times_power(u, 1 - top), times_power(v, 1 - top)};
   if (approx_[0] < 0) approx_ = {-approx_[0], -approx_[1]};
@@ -178,7 +178,7 @@ std::vector<QuadraticRoot> roots_of(const Quadratic& q) {
 SignAnswer compare_answer(const QuadraticRoot& a, const QuadraticRoot& b) {
   const auto [au, av] = a.approx();
   const auto [bu, bv] = b.approx();
-  if (au > kLost && bu > kLost)
+  if (au > kUnderflowLoss && bu > kUnderflowLoss)
     if (const auto s = filtered(av * bu - bv * au, std::abs(av * bu) + std::abs(bv * au))) return {*s, Rung::filter};
   const bool infinite = b.is_infinite();
   if (a.is_infinite()) return {infinite ? 0 : 1, Rung::big};

@@ -10,9 +10,9 @@
 namespace dymsum::exact {
 namespace {
 
-/// More than what underflow can change: below |t| = kLargest, 2^-1022 for each coefficient and operation grows by less
-/// than 2^(6 * 65 + 20).
-constexpr double kLost = 0x1p-600, kLargest = 0x1p64;
+/// More than what underflow can change: below |t| = kLargestArgument, 2^-1022 for each coefficient and operation grows
+/// by less than 2^(6 * 65 + 20).
+constexpr double kFilterUnderflow = 0x1p-600, kLargestArgument = 0x1p64;
 /// Generic polynomials need fewer than ten; those with multiple roots would never end.
 constexpr int kMaxIntervals = 48;
 
@@ -38,7 +38,7 @@ Evaluation evaluate(const Polynomial& p, double t) {
     e.value = e.value * t + a;
     magnitude = magnitude * size + std::abs(a);
   }
-  e.error = (2 * n + 6) * kRoundoff * magnitude + kLost;
+  e.error = (2 * n + 6) * kRoundoff * magnitude + kFilterUnderflow;
   return e;
 }
 
@@ -46,7 +46,7 @@ constexpr std::array<std::array<double, 7>, 7> kBinomials = {
     {{1}, {1, 1}, {1, 2, 1}, {1, 3, 3, 1}, {1, 4, 6, 4, 1}, {1, 5, 10, 10, 5, 1}, {1, 6, 15, 20, 15, 6, 1}}};
 
 /// Where p is to be searched; its signs at the ends are certain.
-struct Interval {
+struct FilteredInterval {
   DoubleBracket ends;
   int low_sign = 0, high_sign = 0;
 };
@@ -58,7 +58,7 @@ struct Interval {
 /// magnitudes, whose Bernstein coefficients are at most the value of sum |c_k| x^k at |l| + w. 3 more cover the
 /// rounding of that value and the second order.
 /// The first and the last coefficient are values of p.
-std::array<int, 7> bernstein_signs(const Polynomial& p, const Interval& interval) {
+std::array<int, 7> bernstein_signs(const Polynomial& p, const FilteredInterval& interval) {
   const auto n = static_cast<std::size_t>(p.degree());
   auto c = p.approx();
   const double l = interval.ends.low, w = interval.ends.high - l, reach = std::abs(l) + w;
@@ -72,7 +72,7 @@ std::array<int, 7> bernstein_signs(const Polynomial& p, const Interval& interval
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t k = n; k-- > i;) c[k] += c[k + 1];
   // c[n - j] belongs to the j-th Bernstein coefficient
-  const double error = (5 * static_cast<double>(n) + 8) * kRoundoff * bound + kLost;
+  const double error = (5 * static_cast<double>(n) + 8) * kRoundoff * bound + kFilterUnderflow;
   std::array<int, 7> signs{};
   for (std::size_t j = 1; j < n; ++j) signs[j] = decided(c[n - j], kBinomials[n][j] * error);
   signs[0] = interval.low_sign;
@@ -136,13 +136,14 @@ DoubleBracket narrowed(const Polynomial& p, DoubleBracket bracket, int low_sign)
 
 /// Both parts of an interval, if p is certain to be not 0 where it is divided: not in the middle, which is where roots
 /// of simple polynomials lie.
-std::optional<std::pair<Interval, Interval>> divided(const Polynomial& p, const Interval& i) {
+std::optional<std::pair<FilteredInterval, FilteredInterval>> divided(const Polynomial& p, const FilteredInterval& i) {
   for (const double fraction : {0.4873, 0.6127}) {
     const double x = i.ends.low + fraction * (i.ends.high - i.ends.low);
     if (!(i.ends.low < x && x < i.ends.high)) return std::nullopt;
     const int sign = evaluate(p, x).sign();
     if (sign == 0) continue;
-    return std::pair{Interval{{i.ends.low, x}, i.low_sign, sign}, Interval{{x, i.ends.high}, sign, i.high_sign}};
+    return std::pair{FilteredInterval{{i.ends.low, x}, i.low_sign, sign},
+                     FilteredInterval{{x, i.ends.high}, sign, i.high_sign}};
   }
   return std::nullopt;
 }
@@ -151,7 +152,7 @@ std::optional<std::pair<Interval, Interval>> divided(const Polynomial& p, const 
 
 std::optional<int> filtered_sign(const Polynomial& p, double low, double high) {
   const double size = std::max(std::abs(low), std::abs(high));
-  if (!(size <= kLargest)) return std::nullopt;
+  if (!(size <= kLargestArgument)) return std::nullopt;
   const double middle = low + (high - low) / 2;
   const Evaluation e = evaluate(p, middle);
   // |p(t) - p(middle)| <= |t - middle| sum k |c_k| size^(k - 1); kOutwards covers all roundings of that product and
@@ -159,20 +160,20 @@ std::optional<int> filtered_sign(const Polynomial& p, double low, double high) {
   double slope = 0;
   for (int k = p.degree(); k > 0; --k) slope = slope * size + k * std::abs(p.approx()[static_cast<std::size_t>(k)]);
   const double radius = (high - low) / 2 + 2 * kRoundoff * size;
-  const int sign = decided(e.value, e.error + radius * slope * kOutwards + kLost);
+  const int sign = decided(e.value, e.error + radius * slope * kOutwards + kFilterUnderflow);
   return sign == 0 ? std::nullopt : std::optional(sign);
 }
 
 std::optional<std::vector<DoubleBracket>> filtered_roots(const Polynomial& p, double lo, double hi) {
-  if (p.is_zero() || !(std::max(std::abs(lo), std::abs(hi)) <= kLargest)) return std::nullopt;
+  if (p.is_zero() || !(std::max(std::abs(lo), std::abs(hi)) <= kLargestArgument)) return std::nullopt;
   std::vector<DoubleBracket> roots;
-  std::array<Interval, kMaxIntervals + 2> waiting;  // the leftmost last
+  std::array<FilteredInterval, kMaxIntervals + 2> waiting;  // the leftmost last
   std::size_t count = 0;
   waiting[count++] = {{lo, hi}, evaluate(p, lo).sign(), evaluate(p, hi).sign()};
   if (waiting[0].low_sign == 0 || waiting[0].high_sign == 0) return std::nullopt;
   for (int i = 0; count > 0; ++i) {
     if (i == kMaxIntervals) return std::nullopt;
-    const Interval interval = waiting[--count];
+    const FilteredInterval interval = waiting[--count];
     const Content found = content(bernstein_signs(p, interval), static_cast<std::size_t>(p.degree()));
     if (found == Content::one) roots.push_back(narrowed(p, interval.ends, interval.low_sign));
     if (found != Content::unknown) continue;

@@ -16,7 +16,7 @@ using base::exact_sum;
 
 constexpr unsigned kSeed = 4711;
 
-BigRational value(DoublePair v) { return exact_value(v.high) + exact_value(v.low); }
+BigRational value_of_pair(DoublePair v) { return exact_value(v.high) + exact_value(v.low); }
 BigRational power(int exponent) {
   const BigInteger p = BigInteger(1) << std::abs(exponent);
   return exponent < 0 ? BigRational(1, p) : BigRational(p);
@@ -35,17 +35,17 @@ TEST(DoublePair, IntegersOfEverySizeKeep104Bits) {
     v >>= static_cast<unsigned>((64 - bits % 64) % 64);
     if (random() % 2 == 0) v = -v;
     const Big big(v);
-    ASSERT_TRUE(within(value(integer_pair(big)), BigRational(v), -104)) << v;
+    ASSERT_TRUE(within(value_of_pair(integer_pair(big)), BigRational(v), -104)) << v;
     if (msb(BigInteger(abs(v) + 1)) <= 105) {
-      ASSERT_EQ(value(integer_pair(big)), BigRational(v));
+      ASSERT_EQ(value_of_pair(integer_pair(big)), BigRational(v));
     }
     if (bits > 61) continue;
     const auto small = Int<62>::from_int64(static_cast<std::int64_t>(v));
-    ASSERT_EQ(value(integer_pair(small)), BigRational(v));
+    ASSERT_EQ(value_of_pair(integer_pair(small)), BigRational(v));
     // The same in limbs, and products that need more of them than doubles hold.
-    ASSERT_EQ(value(integer_pair(Int<254>(small))), BigRational(v));
+    ASSERT_EQ(value_of_pair(integer_pair(Int<254>(small))), BigRational(v));
     const auto wide = small * small * small * small * small;
-    ASSERT_TRUE(within(value(integer_pair(wide)), BigRational(v) * v * v * v * v, -104)) << v;
+    ASSERT_TRUE(within(value_of_pair(integer_pair(wide)), BigRational(v) * v * v * v * v, -104)) << v;
   }
 }
 
@@ -62,10 +62,10 @@ TEST(DoublePair, OperationsKeep100Bits) {
     // Every second time as near to the other as cancels most.
     DoublePair b = pair();
     if (round % 2 == 0) b = exact_sum(-a.high, std::nextafter(-a.low, 1));
-    ASSERT_TRUE(within(value(a + b), value(a) + value(b), -100));
-    ASSERT_TRUE(within(value(a - b), value(a) - value(b), -100));
-    ASSERT_TRUE(within(value(a * b), value(a) * value(b), -100));
-    ASSERT_TRUE(within(value(a / b), value(a) / value(b), -100));
+    ASSERT_TRUE(within(value_of_pair(a + b), value_of_pair(a) + value_of_pair(b), -100));
+    ASSERT_TRUE(within(value_of_pair(a - b), value_of_pair(a) - value_of_pair(b), -100));
+    ASSERT_TRUE(within(value_of_pair(a * b), value_of_pair(a) * value_of_pair(b), -100));
+    ASSERT_TRUE(within(value_of_pair(a / b), value_of_pair(a) / value_of_pair(b), -100));
   }
 }
 

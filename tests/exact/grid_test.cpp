@@ -15,7 +15,9 @@ namespace {
 constexpr std::uint64_t kSeed = 4711;
 constexpr double kMax = std::numeric_limits<double>::max();
 
-mpq_class power(int e) { return e >= 0 ? mpq_class(mpz_class(1) << e) : mpq_class(mpz_class(1), mpz_class(1) << -e); }
+mpq_class power_of_two(int e) {
+  return e >= 0 ? mpq_class(mpz_class(1) << e) : mpq_class(mpz_class(1), mpz_class(1) << -e);
+}
 
 double random_double(std::mt19937_64& random) {
   for (;;) {
@@ -39,7 +41,7 @@ TEST(Grid, DyadicPartsGiveTheNumberBack) {
     const Dyadic d = to_dyadic(v);
     if (v == 0) continue;
     ASSERT_NE(d.mantissa % 2, 0) << v;
-    ASSERT_EQ(mpq_class(static_cast<long>(d.mantissa)) * power(d.exponent), mpq_class(v));
+    ASSERT_EQ(mpq_class(static_cast<long>(d.mantissa)) * power_of_two(d.exponent), mpq_class(v));
   }
   EXPECT_EQ(to_dyadic(0.0).mantissa, 0);
   EXPECT_EQ(to_dyadic(-0.0).mantissa, 0);
@@ -61,7 +63,7 @@ TEST(Grid, TheCommonUnitDividesEverythingAndTwiceTheUnitDoesNot) {
     bool twice = true;
     for (const auto* span : {&x, &y})
       for (const double v : *span) {
-        const mpq_class q = mpq_class(v) / power(e);
+        const mpq_class q = mpq_class(v) / power_of_two(e);
         ASSERT_EQ(q.get_den(), 1) << v;
         twice = twice && q.get_num() % 2 == 0;
       }
@@ -79,7 +81,7 @@ TEST(Grid, TheCommonUnitDividesEverythingAndTwiceTheUnitDoesNot) {
 
 TEST(Grid, BitsNeededIsSmallest) {
   std::mt19937_64 random = seeded(kSeed + 1);
-  const auto holds = [](int bits, const mpq_class& v, int e) { return abs(v) <= power(bits) * power(e); };
+  const auto holds = [](int bits, const mpq_class& v, int e) { return abs(v) <= power_of_two(bits) * power_of_two(e); };
   for (int i = 0; i < 20000; ++i) {
     const bool wild = i % 2 == 0;
     const double a = wild ? random_double(random) : everyday_double(random);
@@ -123,11 +125,11 @@ TEST(Grid, TheCenterIsOnTheGridAndHalvesTheBits) {
     const std::vector<double> both = {low, high};
     const int e = common_exponent(both);
     const double center = grid_center(low, high, e);
-    ASSERT_EQ(mpq_class(mpq_class(center) / power(e)).get_den(), 1) << low << ' ' << high;
+    ASSERT_EQ(mpq_class(mpq_class(center) / power_of_two(e)).get_den(), 1) << low << ' ' << high;
     const mpq_class middle = (mpq_class(low) + mpq_class(high)) / 2;
     const mpq_class off = abs(mpq_class(center) - middle);
-    const mpq_class ulp = center == 0 ? mpq_class(0) : mpq_class(std::abs(center)) / power(52);
-    ASSERT_LE(off, power(e) + ulp) << low << ' ' << high;
+    const mpq_class ulp = center == 0 ? mpq_class(0) : mpq_class(std::abs(center)) / power_of_two(52);
+    ASSERT_LE(off, power_of_two(e) + ulp) << low << ' ' << high;
   }
   EXPECT_EQ(grid_center(1e9, 1e9 + 100, 0), 1e9 + 50);
   EXPECT_EQ(grid_center(-kMax, kMax, 971), 0);
@@ -159,7 +161,7 @@ void check_coordinates(int bits) {
     const int e = common_exponent(both) - static_cast<int>(random() % 3);
     if (bits >= 0 && bits_needed(v, v, offset, e) > bits) continue;
     ++used;
-    const mpq_class expected = (mpq_class(v) - mpq_class(offset)) / power(e);
+    const mpq_class expected = (mpq_class(v) - mpq_class(offset)) / power_of_two(e);
     ASSERT_EQ(to_mpz_any(grid_coordinate<C>(v, offset, e)), expected.get_num()) << v << ' ' << offset;
     if (offset == 0) {
       ASSERT_EQ(to_mpz_any(grid_coordinate<C>(v, e)), expected.get_num()) << v;

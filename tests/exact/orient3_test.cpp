@@ -11,7 +11,7 @@
 namespace dymsum::exact {
 namespace {
 
-constexpr double kMax = std::numeric_limits<double>::max();
+constexpr double kLargestDouble = std::numeric_limits<double>::max();
 constexpr double kTiny = std::numeric_limits<double>::denorm_min();
 
 int orient3_by_gmp(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
@@ -31,7 +31,7 @@ struct Tally {
 };
 
 template <class Draw>
-Tally tally(std::uint64_t seed, int rounds, Draw draw) {
+Tally tally3(std::uint64_t seed, int rounds, Draw draw) {
   std::mt19937_64 random = seeded(seed);
   Tally t;
   for (int i = 0; i < rounds; ++i) {
@@ -43,7 +43,7 @@ Tally tally(std::uint64_t seed, int rounds, Draw draw) {
     if (i % 3 == 0) p[3] = {p[0].x + p[1].x - p[2].x, p[0].y + p[1].y - p[2].y, p[0].z + p[1].z - p[2].z};
     for (Point3& q : p) {
       for (double* c : {&q.x, &q.y, &q.z}) {
-        if (!std::isfinite(*c)) *c = kMax;
+        if (!std::isfinite(*c)) *c = kLargestDouble;
       }
     }
     const SignAnswer answer = orient3_answer(p[0], p[1], p[2], p[3]);
@@ -56,7 +56,7 @@ Tally tally(std::uint64_t seed, int rounds, Draw draw) {
 }
 
 TEST(Orient3, SmallIntegersAreDecidedInOneWordWhereTheFilterIsSilent) {
-  const Tally t = tally(1, 20000, [](auto& random) { return static_cast<double>(random() % 9) - 4; });
+  const Tally t = tally3(1, 20000, [](auto& random) { return static_cast<double>(random() % 9) - 4; });
   EXPECT_EQ(t.wrong, 0);
   EXPECT_GT(t.zeros, 5000);
   EXPECT_GT(t.at(Rung::filter), 10000);
@@ -65,14 +65,14 @@ TEST(Orient3, SmallIntegersAreDecidedInOneWordWhereTheFilterIsSilent) {
 }
 
 TEST(Orient3, FreeDoublesAreMostlyFiltered) {
-  const Tally t = tally(2, 20000, [](auto& random) { return std::ldexp(static_cast<double>(random() >> 11), -53); });
+  const Tally t = tally3(2, 20000, [](auto& random) { return std::ldexp(static_cast<double>(random() >> 11), -53); });
   EXPECT_EQ(t.wrong, 0);
   EXPECT_GT(t.at(Rung::filter), 13000);
   EXPECT_GT(t.at(Rung::int125), 5000);  // the fourth point rounded from the plane of the others
 }
 
 TEST(Orient3, AnyExponentsFromTheSmallestToTheLargestDouble) {
-  const Tally t = tally(3, 6000, [](auto& random) {
+  const Tally t = tally3(3, 6000, [](auto& random) {
     const double m = std::ldexp(static_cast<double>(random() >> 11) + 1, -52) * (random() % 2 ? 1 : -1);
     return std::ldexp(m, static_cast<int>(random() % 2090) - 1070);
   });
@@ -81,8 +81,8 @@ TEST(Orient3, AnyExponentsFromTheSmallestToTheLargestDouble) {
 }
 
 TEST(Orient3, ExtremeCoordinates) {
-  const double values[] = {0, kTiny, -kTiny, kMax, -kMax, 1, 1 + 0x1p-52, 0x1p300, 0x1p-300};
-  const Tally t = tally(4, 6000, [&](auto& random) { return values[random() % std::size(values)]; });
+  const double values[] = {0, kTiny, -kTiny, kLargestDouble, -kLargestDouble, 1, 1 + 0x1p-52, 0x1p300, 0x1p-300};
+  const Tally t = tally3(4, 6000, [&](auto& random) { return values[random() % std::size(values)]; });
   EXPECT_EQ(t.wrong, 0);
   EXPECT_GT(t.zeros, 100);
 }

@@ -12,7 +12,7 @@ namespace dymsum::exact {
 namespace {
 
 constexpr std::uint64_t kSeed = 31337;
-constexpr double kMax = std::numeric_limits<double>::max();
+constexpr double kGreatest = std::numeric_limits<double>::max();
 
 int cross_by_gmp(Point a, Point b, Point c, Point d) {
   const mpq_class ux = mpq_class(b.x) - mpq_class(a.x), uy = mpq_class(b.y) - mpq_class(a.y);
@@ -86,8 +86,8 @@ TEST(Orient, ArbitraryExponentsReachEveryRung) {
 }
 
 TEST(Orient, ExtremesOfTheRangeUnderflowAndOverflow) {
-  const std::array<double, 13> values = {0,   0x1p-1074, -0x1p-1074, 0x3p-1074, 0x1p-1022, 0x1p-540,  -0x1p-537,
-                                         1.0, 0x1p512,   -0x1p1023,  kMax,      -kMax,     0x1.fp-500};
+  const std::array<double, 13> values = {0,   0x1p-1074, -0x1p-1074, 0x3p-1074, 0x1p-1022,  0x1p-540,  -0x1p-537,
+                                         1.0, 0x1p512,   -0x1p1023,  kGreatest, -kGreatest, 0x1.fp-500};
   const RungTally t = tally(kSeed, 20000, [&](auto& random) { return values[random() % values.size()]; });
   EXPECT_EQ(t.wrong, 0);
   EXPECT_GT(t.zeros, 100);
@@ -104,7 +104,8 @@ TEST(Orient, NearlyCollinearPointsOfEveryScale) {
     const auto unit = [&] { return static_cast<double>(random() >> 11) * 0x1p-53 * scale; };
     const Point a{unit(), unit()}, b{unit(), unit()};
     Point c{a.x + along * (b.x - a.x), a.y + along * (b.y - a.y)};
-    for (int k = static_cast<int>(random() % 3); k > 0; --k) c.y = std::nextafter(c.y, random() % 2 ? kMax : -kMax);
+    for (int k = static_cast<int>(random() % 3); k > 0; --k)
+      c.y = std::nextafter(c.y, random() % 2 ? kGreatest : -kGreatest);
     t.all(a, b, c, a);
   }
   EXPECT_EQ(t.wrong, 0);
@@ -116,14 +117,14 @@ TEST(Orient, RungsChangeExactlyAtTheirWidths) {
   // o, (1, 1) and (r, r) on the unit grid: the extent r decides, one bit early or late would be seen
   const auto rung = [](double r) { return cross_answer({0, 0}, {1, 1}, {0, 0}, {r, r}).rung; };
   EXPECT_EQ(rung(0x1p61), Rung::int61);
-  EXPECT_EQ(rung(std::nextafter(0x1p61, kMax)), Rung::int125);
+  EXPECT_EQ(rung(std::nextafter(0x1p61, kGreatest)), Rung::int125);
   EXPECT_EQ(rung(0x1p62), Rung::int125);
   EXPECT_EQ(rung(0x1p125), Rung::int125);
-  EXPECT_EQ(rung(std::nextafter(0x1p125, kMax)), Rung::big);
+  EXPECT_EQ(rung(std::nextafter(0x1p125, kGreatest)), Rung::big);
   EXPECT_EQ(rung(0x1p126), Rung::big);
   for (const double r : {0x1p61, 0x1p62, 0x1p125, 0x1p126}) {
     RungTally t;
-    const double next = std::nextafter(r, kMax);
+    const double next = std::nextafter(r, kGreatest);
     t.all({0, 0}, {1, 1}, {0, 0}, {next, next});
     t.all({0, 0}, {r, next}, {0, 0}, {next, next + (next - r)});
     t.all({0, 0}, {r, r}, {-1, 1}, {r, -r});

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint64_t kSeed = 707;
 
-mpq_class value(const Polynomial& p, const mpq_class& x) {
+mpq_class value_of_polynomial(const Polynomial& p, const mpq_class& x) {
   mpq_class v = 0;
   for (int k = p.degree(); k >= 0; --k) v = v * x + mpq_class(to_mpz(p[k]));
   return v;
@@ -25,8 +25,9 @@ TEST(Polynomial, values_and_derivatives) {
   for (int i = 0; i < 300; ++i) {
     const Polynomial p = random_polynomial(random, i % 7, 90);
     const std::int64_t num = static_cast<int>(random() % 2001) - 1000, den = 1 + static_cast<int>(random() % 50);
-    ASSERT_EQ(p.sign_at(big(num), big(den)), sgn(value(p, mpq_class(num, den))));
-    const mpq_class scaled = value(p, mpq_class(num, 32)) * (mpq_class(1) << (5 * std::max(0, p.degree())));
+    ASSERT_EQ(p.sign_at(big(num), big(den)), sgn(value_of_polynomial(p, mpq_class(num, den))));
+    const mpq_class scaled =
+        value_of_polynomial(p, mpq_class(num, 32)) * (mpq_class(1) << (5 * std::max(0, p.degree())));
     ASSERT_EQ(mpq_class(p.value_at_dyadic(num, 5).str()), scaled);
   }
   EXPECT_EQ(poly({7, 1, 2, 3}).derivative(), poly({1, 4, 9}));
@@ -131,7 +132,7 @@ TEST(Polynomial, signs_in_doubles_are_never_wrong) {
     const double t = root * (1 + std::ldexp(offset, -20 - static_cast<int>(random() % 34)));
     const auto s = filtered_sign(p, t, t);
     (s ? decided : open) += 1;
-    ASSERT_TRUE(!s || *s == sgn(value(p, mpq_class(t)))) << i;
+    ASSERT_TRUE(!s || *s == sgn(value_of_polynomial(p, mpq_class(t)))) << i;
     const double low = std::min(t, root), high = std::max(t, root);
     const auto both = filtered_sign(p, low - 1e-3, high + 1e-3);
     ASSERT_FALSE(both) << "there is a root inside";

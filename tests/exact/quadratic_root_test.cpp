@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint64_t kSeed = 404;
 constexpr int kBits = 600;
 
-mpz_class to_mpz(const Big& v) { return mpz_class(v.value().str()); }
+mpz_class mpz_of(const Big& v) { return mpz_class(v.value().str()); }
 Big big(const mpz_class& v) { return Big(BigInteger(v.get_str())); }
 Quadratic small(int c0, int c1, int c2) { return {Big::from_int64(c0), Big::from_int64(c1), Big::from_int64(c2)}; }
 
@@ -26,22 +26,22 @@ int sign_of(const mpf_class& v, int zero_bits = kBits / 3) {
 }
 
 /// A root as a place on the line, by the schoolbook formula, and its polynomial.
-struct Witness {
+struct QuadraticWitness {
   bool infinite = false;
   mpf_class t{0, kBits};
   QuadraticRoot root;
 };
 
-std::vector<Witness> witnesses(const Quadratic& q) {
-  std::vector<Witness> all;
-  const mpf_class c0(to_mpz(q[0]), kBits), c1(to_mpz(q[1]), kBits), c2(to_mpz(q[2]), kBits);
+std::vector<QuadraticWitness> witnesses(const Quadratic& q) {
+  std::vector<QuadraticWitness> all;
+  const mpf_class c0(mpz_of(q[0]), kBits), c1(mpz_of(q[1]), kBits), c2(mpz_of(q[2]), kBits);
   for (const Slope slope : {Slope::falling, Slope::touching, Slope::rising}) {
     const auto root = QuadraticRoot::of(q, slope);
     const mpf_class d = c1 * c1 - 4 * c0 * c2;
     const bool expected = !q.is_zero() && (slope == Slope::touching ? sgn(d) == 0 : sgn(d) > 0);
     EXPECT_EQ(root.has_value(), expected);
     if (!root) continue;
-    Witness w{false, mpf_class(0, kBits), *root};
+    QuadraticWitness w{false, mpf_class(0, kBits), *root};
     const int s = static_cast<int>(slope);
     if (sgn(c2) != 0) {
       w.t = (-c1 + s * sqrt(d)) / (2 * c2);
@@ -56,16 +56,16 @@ std::vector<Witness> witnesses(const Quadratic& q) {
   return all;
 }
 
-int witness_sign(const Witness& w, const Quadratic& p, int zero_bits = kBits / 3) {
-  const mpf_class p0(to_mpz(p[0]), kBits), p1(to_mpz(p[1]), kBits), p2(to_mpz(p[2]), kBits);
+int witness_sign(const QuadraticWitness& w, const Quadratic& p, int zero_bits = kBits / 3) {
+  const mpf_class p0(mpz_of(p[0]), kBits), p1(mpz_of(p[1]), kBits), p2(mpz_of(p[2]), kBits);
   return w.infinite ? sgn(p2) : sign_of(p0 + w.t * (p1 + w.t * p2), zero_bits);
 }
-int witness_compare(const Witness& a, const Witness& b, int zero_bits = kBits / 3) {
+int witness_compare(const QuadraticWitness& a, const QuadraticWitness& b, int zero_bits = kBits / 3) {
   if (a.infinite || b.infinite) return int(a.infinite) - int(b.infinite);
   return sign_of(a.t - b.t, zero_bits);
 }
-int witness_turns(const Witness& a, const Witness& b) {
-  const auto part = [](const Witness& w) { return w.infinite ? 1 : sign_of(w.t) >= 0 ? 0 : 2; };
+int witness_turns(const QuadraticWitness& a, const QuadraticWitness& b) {
+  const auto part = [](const QuadraticWitness& w) { return w.infinite ? 1 : sign_of(w.t) >= 0 ? 0 : 2; };
   return part(a) != part(b) ? (part(a) < part(b) ? -1 : 1) : witness_compare(a, b);
 }
 
@@ -79,19 +79,19 @@ std::vector<Quadratic> all_small(int most) {
 
 TEST(QuadraticRoot, small_coefficients_exhaustively) {
   const std::vector<Quadratic> forms = all_small(3);
-  std::vector<Witness> roots;
+  std::vector<QuadraticWitness> roots;
   for (const Quadratic& q : forms)
-    for (const Witness& w : witnesses(q)) roots.push_back(w);
+    for (const QuadraticWitness& w : witnesses(q)) roots.push_back(w);
   ASSERT_GT(roots.size(), 300u);
   FilterCounts signs, orders;
   std::size_t equal = 0, zero = 0;
-  for (const Witness& w : roots) {
+  for (const QuadraticWitness& w : roots) {
     for (const Quadratic& p : forms) {
       const int s = sign_at(w.root, p, signs);
       ASSERT_EQ(s, witness_sign(w, p));
       zero += s == 0;
     }
-    for (const Witness& x : roots) {
+    for (const QuadraticWitness& x : roots) {
       const int s = compare(w.root, x.root, orders);
       ASSERT_EQ(s, witness_compare(w, x));
       equal += s == 0;
@@ -110,7 +110,7 @@ TEST(QuadraticRoot, approximations_and_reciprocals) {
     const int bits = i % 3 == 0 ? 4 : i % 3 == 1 ? 60 : 200;
     const Quadratic q(big(random_integer(random, bits)), big(random_integer(random, bits)),
                       big(random_integer(random, bits)));
-    for (const Witness& w : witnesses(q)) {
+    for (const QuadraticWitness& w : witnesses(q)) {
       const auto [u, v] = w.root.approx();
       ASSERT_GE(u, 0);
       ASSERT_LE(std::max(u, std::abs(v)), 2);
@@ -138,10 +138,11 @@ TEST(QuadraticRoot, large_and_neighbouring_coefficients) {
     const mpz_class k = 1 + (random() % 1000);
     const auto near = [&](const mpz_class& v) { return mpz_class(v * k + (i % 3 == 0 ? 0 : int(random() % 3) - 1)); };
     const Quadratic q(big(a), big(b), big(c)), p(big(near(a)), big(near(b)), big(near(c)));
-    for (const Witness& w : witnesses(q)) {
+    for (const QuadraticWitness& w : witnesses(q)) {
       ASSERT_EQ(sign_at(w.root, p, counts), witness_sign(w, p, 300)) << i;
       ASSERT_EQ(sign_at(w.root, q, counts), 0) << i;
-      for (const Witness& x : witnesses(p)) ASSERT_EQ(compare(w.root, x.root, counts), witness_compare(w, x, 300)) << i;
+      for (const QuadraticWitness& x : witnesses(p))
+        ASSERT_EQ(compare(w.root, x.root, counts), witness_compare(w, x, 300)) << i;
     }
   }
   EXPECT_GT(counts.filtered, 100u);

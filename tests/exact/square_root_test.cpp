@@ -11,7 +11,7 @@ namespace dymsum::exact {
 namespace {
 
 /// Whether r is a double nearest to the root of v: both middles towards its neighbours are on the right sides.
-void expect_nearest(double r, const BigRational& v) {
+void expect_nearest_root(double r, const BigRational& v) {
   const BigRational at = exact_value(r), below = (at + exact_value(std::nextafter(r, 0))) / 2;
   EXPECT_LE(below * below, v) << r;
   const double up = std::nextafter(r, std::numeric_limits<double>::infinity());
@@ -29,7 +29,7 @@ TEST(SquareRoot, is_the_nearest_double_whatever_the_size) {
     const BigRational v =
         shift < 0 ? BigRational(num, BigInteger(den * power)) : BigRational(BigInteger(num * power), den);
     const double r = root_to_double(v);
-    if (std::isfinite(r)) expect_nearest(r, v);
+    if (std::isfinite(r)) expect_nearest_root(r, v);
   }
 }
 

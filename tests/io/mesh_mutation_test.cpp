@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 std::string folder_of(MeshFormat format) { return "read_" + std::string(extension(format).substr(1)); }
 
-std::vector<std::string> seeds_of(MeshFormat format) {
+std::vector<std::string> mesh_seeds_of(MeshFormat format) {
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(fs::path(DYMSUM_CORPUS_DIR) / folder_of(format))) {
     files.push_back(entry.path());
@@ -90,8 +90,8 @@ class Damage {
   std::mt19937_64 random_;
 };
 
-void damage(MeshFormat format) {
-  const std::vector<std::string> seeds = seeds_of(format);
+void damage_mesh(MeshFormat format) {
+  const std::vector<std::string> seeds = mesh_seeds_of(format);
   ASSERT_GE(seeds.size(), 3u);
   int refused = 0, accepted = 0;
   for (std::uint64_t seed = 1; seed <= 6000; ++seed) {
@@ -99,19 +99,19 @@ void damage(MeshFormat format) {
     ASSERT_EQ(fuzz::check_mesh_reader(text, format), "") << extension(format) << ", seed " << seed << "\n" << text;
     ++(parse_mesh(text, format, "damaged").ok() ? accepted : refused);
   }
-  // both outcomes occur, or the damage tests nothing
+  // both outcomes occur, or the damage_mesh tests nothing
   EXPECT_GT(refused, 500);
   EXPECT_GT(accepted, 100);
 }
 
-TEST(DamagedMeshFiles, off) { damage(MeshFormat::off); }
-TEST(DamagedMeshFiles, obj) { damage(MeshFormat::obj); }
-TEST(DamagedMeshFiles, stl) { damage(MeshFormat::stl); }
-TEST(DamagedMeshFiles, ply) { damage(MeshFormat::ply); }
+TEST(DamagedMeshFiles, off) { damage_mesh(MeshFormat::off); }
+TEST(DamagedMeshFiles, obj) { damage_mesh(MeshFormat::obj); }
+TEST(DamagedMeshFiles, stl) { damage_mesh(MeshFormat::stl); }
+TEST(DamagedMeshFiles, ply) { damage_mesh(MeshFormat::ply); }
 
 TEST(DamagedMeshFiles, every_truncation_of_every_seed) {
   for (const MeshFormat format : kMeshFormats) {
-    for (const std::string& text : seeds_of(format)) {
+    for (const std::string& text : mesh_seeds_of(format)) {
       for (std::size_t size = 0; size <= text.size(); ++size) {
         ASSERT_EQ(fuzz::check_mesh_reader(text.substr(0, size), format), "") << extension(format) << "\n" << size;
       }
@@ -121,7 +121,7 @@ TEST(DamagedMeshFiles, every_truncation_of_every_seed) {
 
 TEST(DamagedMeshFiles, a_file_of_one_format_read_as_another) {
   for (const MeshFormat from : kMeshFormats) {
-    for (const std::string& text : seeds_of(from)) {
+    for (const std::string& text : mesh_seeds_of(from)) {
       for (const MeshFormat format : kMeshFormats) {
         EXPECT_EQ(fuzz::check_mesh_reader(text, format), "") << extension(from) << " as " << extension(format);
       }

@@ -6,7 +6,7 @@ namespace {
 constexpr RegionFormat kGeoJson = RegionFormat::geojson;
 constexpr RegionFormat kJson = RegionFormat::json;
 
-Evidence refused(std::string_view text, ErrorCode code, std::int64_t line, std::string_view words) {
+Evidence refused_json(std::string_view text, ErrorCode code, std::int64_t line, std::string_view words) {
   return expect_refused(text, kJson, code, line, words);
 }
 
@@ -47,17 +47,19 @@ TEST(ReadGeoJson, each_feature_is_a_shape_named_by_id_or_name) {
 }
 
 TEST(ReadGeoJson, refuses_what_does_not_follow_the_format) {
-  refused("{\"type\":\"Circle\",\n\"coordinates\":[0,0]}", ErrorCode::malformed, 1, "unknown GeoJSON type 'Circle'");
-  refused("{\"type\":\n7}", ErrorCode::malformed, 2, "'type' as a string");
-  refused("{\"type\":\"Polygon\"}", ErrorCode::malformed, 1, "no 'coordinates'");
-  refused("{\"type\":\"Polygon\",\"coordinates\":[\n[[0,0],[1,0],[0,1]]]}", ErrorCode::malformed, 2, "not closed");
-  refused("{\"type\":\"Polygon\",\"coordinates\":[\n[[0,0],[1,0],\n[0,1,5],[0,0]]]}", ErrorCode::malformed, 3,
-          "two numbers");
-  refused("{\"type\":\"LineString\",\"coordinates\":[[0,0],\n\n[1,\"0\"]]}", ErrorCode::malformed, 3, "two numbers");
-  refused("{\"type\":\"LineString\",\"coordinates\":[0,0]}", ErrorCode::malformed, 1, "array of positions");
-  refused("{\"type\":\"Feature\",\"properties\":{}}", ErrorCode::malformed, 1, "no 'geometry'");
-  refused("{\"type\":\"FeatureCollection\",\"features\":[\n{\"type\":\"Point\",\"coordinates\":[1,2]}]}",
-          ErrorCode::malformed, 2, "expected a Feature");
+  refused_json("{\"type\":\"Circle\",\n\"coordinates\":[0,0]}", ErrorCode::malformed, 1,
+               "unknown GeoJSON type 'Circle'");
+  refused_json("{\"type\":\n7}", ErrorCode::malformed, 2, "'type' as a string");
+  refused_json("{\"type\":\"Polygon\"}", ErrorCode::malformed, 1, "no 'coordinates'");
+  refused_json("{\"type\":\"Polygon\",\"coordinates\":[\n[[0,0],[1,0],[0,1]]]}", ErrorCode::malformed, 2, "not closed");
+  refused_json("{\"type\":\"Polygon\",\"coordinates\":[\n[[0,0],[1,0],\n[0,1,5],[0,0]]]}", ErrorCode::malformed, 3,
+               "two numbers");
+  refused_json("{\"type\":\"LineString\",\"coordinates\":[[0,0],\n\n[1,\"0\"]]}", ErrorCode::malformed, 3,
+               "two numbers");
+  refused_json("{\"type\":\"LineString\",\"coordinates\":[0,0]}", ErrorCode::malformed, 1, "array of positions");
+  refused_json("{\"type\":\"Feature\",\"properties\":{}}", ErrorCode::malformed, 1, "no 'geometry'");
+  refused_json("{\"type\":\"FeatureCollection\",\"features\":[\n{\"type\":\"Point\",\"coordinates\":[1,2]}]}",
+               ErrorCode::malformed, 2, "expected a Feature");
 }
 
 TEST(ReadNesting, items_are_shapes_named_by_id_and_kept_as_they_are) {
@@ -93,48 +95,48 @@ TEST(ReadNesting, duplicate_vertices_and_clockwise_rings_are_left_to_repair) {
 }
 
 TEST(ReadNesting, refuses_what_does_not_follow_the_format) {
-  refused("[1, 2]", ErrorCode::malformed, 1, "'items'");
-  refused("{\"name\":\"x\"}", ErrorCode::malformed, 1, "'items'");
-  refused("{\"items\":\n7}", ErrorCode::malformed, 2, "array of items");
-  refused("{\"items\":[\n\n{\"id\":1}]}", ErrorCode::malformed, 3, "no 'shape'");
-  refused("{\"items\":[\n{\"shape\":\n{\"type\":\"spline\",\"data\":[]}}]}", ErrorCode::malformed, 3,
-          "unknown shape type 'spline'");
-  refused("{\"items\":[{\"shape\":{\"type\":\"simple_polygon\",\"data\":[\n[0,0],\n[1]]}}]}", ErrorCode::malformed, 3,
-          "two numbers");
-  refused(
+  refused_json("[1, 2]", ErrorCode::malformed, 1, "'items'");
+  refused_json("{\"name\":\"x\"}", ErrorCode::malformed, 1, "'items'");
+  refused_json("{\"items\":\n7}", ErrorCode::malformed, 2, "array of items");
+  refused_json("{\"items\":[\n\n{\"id\":1}]}", ErrorCode::malformed, 3, "no 'shape'");
+  refused_json("{\"items\":[\n{\"shape\":\n{\"type\":\"spline\",\"data\":[]}}]}", ErrorCode::malformed, 3,
+               "unknown shape type 'spline'");
+  refused_json("{\"items\":[{\"shape\":{\"type\":\"simple_polygon\",\"data\":[\n[0,0],\n[1]]}}]}", ErrorCode::malformed,
+               3, "two numbers");
+  refused_json(
       "{\"items\":[{\"shape\":{\"type\":\"rectangle\",\"data\":{\"x_min\":0,\"y_min\":\"0\",\"width\":1,\"height\":1}}}"
       "]}",
       ErrorCode::malformed, 1, "a number as 'y_min'");
-  refused(
+  refused_json(
       "{\"items\":[{\"shape\":{\"type\":\"rectangle\",\"data\":{\"x_min\":1e308,\"y_min\":0,\"width\":1e308,\"height\":"
       "1}}}]}",
       ErrorCode::not_finite, 1, "double range");
 }
 
 TEST(ReadJson, broken_text_is_refused_at_its_line) {
-  refused("{\"items\":[\n1,,2]}", ErrorCode::malformed, 2, "no JSON value");
-  refused("{\"items\":[\n1 2]}", ErrorCode::malformed, 2, "no JSON value");
-  refused("{'items':[]}", ErrorCode::malformed, 1, "no JSON value");
-  refused("{\"items\":[]}\nmore", ErrorCode::malformed, 2, "no JSON value");
-  refused("{\"items\":\n\"\xFF\"}", ErrorCode::malformed, 2, "no JSON value");
-  refused("", ErrorCode::truncated, 1, "ends too early");
-  refused("{\"items\":[\n[1,2],\n", ErrorCode::truncated, 2, "ends too early");
-  refused("{\"items\":[\n[1,2", ErrorCode::truncated, 2, "ends too early");
+  refused_json("{\"items\":[\n1,,2]}", ErrorCode::malformed, 2, "no JSON value");
+  refused_json("{\"items\":[\n1 2]}", ErrorCode::malformed, 2, "no JSON value");
+  refused_json("{'items':[]}", ErrorCode::malformed, 1, "no JSON value");
+  refused_json("{\"items\":[]}\nmore", ErrorCode::malformed, 2, "no JSON value");
+  refused_json("{\"items\":\n\"\xFF\"}", ErrorCode::malformed, 2, "no JSON value");
+  refused_json("", ErrorCode::truncated, 1, "ends too early");
+  refused_json("{\"items\":[\n[1,2],\n", ErrorCode::truncated, 2, "ends too early");
+  refused_json("{\"items\":[\n[1,2", ErrorCode::truncated, 2, "ends too early");
 }
 
 TEST(ReadJson, numbers_must_be_finite) {
   const std::string head = "{\"type\":\"Point\",\n\"coordinates\":[0,\n";
   for (const char* bad : {"1e999", "-1e999", "NaN", "-Infinity", "Infinity", "nan", "inf"}) {
-    refused(head + bad + "]}", ErrorCode::not_finite, 3, bad);
+    refused_json(head + bad + "]}", ErrorCode::not_finite, 3, bad);
   }
   EXPECT_EQ(read_one(head + "1e-999]}", kJson).points, (std::vector<Point>{{0, 0}}));
 }
 
 TEST(ReadJson, deep_nesting_is_refused_without_recursion) {
-  refused(std::string(5'000'000, '['), ErrorCode::malformed, 1, "nested deeper than 200");
+  refused_json(std::string(5'000'000, '['), ErrorCode::malformed, 1, "nested deeper than 200");
   std::string objects;
   for (int i = 0; i < 100'000; ++i) objects += "{\"items\":";
-  refused(objects, ErrorCode::malformed, 1, "nested deeper than 200");
+  refused_json(objects, ErrorCode::malformed, 1, "nested deeper than 200");
 }
 
 }  // namespace

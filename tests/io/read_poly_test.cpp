@@ -7,7 +7,7 @@ namespace {
 
 constexpr RegionFormat kPoly = RegionFormat::poly;
 
-Evidence refused(std::string_view text, ErrorCode code, std::int64_t line, std::string_view words) {
+Evidence refused_poly(std::string_view text, ErrorCode code, std::int64_t line, std::string_view words) {
   return expect_refused(text, kPoly, code, line, words);
 }
 
@@ -69,65 +69,66 @@ TEST(ReadPoly, numbers_are_the_nearest_doubles) {
 }
 
 TEST(ReadPoly, refuses_text_that_is_no_poly_file) {
-  refused("hello\n", ErrorCode::malformed, 1, "the number of chains instead of 'hello'");
-  refused("1\nthree out\n", ErrorCode::malformed, 2, "number of points");
-  refused("1\n-3 out\n", ErrorCode::malformed, 2, "'-3'");
-  refused("1\n3 around\n0 0\n", ErrorCode::malformed, 2, "'around'");
-  refused("1\n3 in\n0 0\n1 0\n0 1\n", ErrorCode::malformed, 2, "without an 'out' chain");
-  refused("1\n3 out\n0 0\n1 0\n0 1\n1 2 3\nmore\n", ErrorCode::malformed, 7, "after the last chain");
+  refused_poly("hello\n", ErrorCode::malformed, 1, "the number of chains instead of 'hello'");
+  refused_poly("1\nthree out\n", ErrorCode::malformed, 2, "number of points");
+  refused_poly("1\n-3 out\n", ErrorCode::malformed, 2, "'-3'");
+  refused_poly("1\n3 around\n0 0\n", ErrorCode::malformed, 2, "'around'");
+  refused_poly("1\n3 in\n0 0\n1 0\n0 1\n", ErrorCode::malformed, 2, "without an 'out' chain");
+  refused_poly("1\n3 out\n0 0\n1 0\n0 1\n1 2 3\nmore\n", ErrorCode::malformed, 7, "after the last chain");
 }
 
 TEST(ReadPoly, a_bad_coordinate_is_named_with_chain_vertex_and_line) {
-  const Evidence bad = refused("2\n3 out\n0 0\n1 0\n0 1\n3 in\n0 0\n1 0x\n0 1\n", ErrorCode::malformed, 8, "'0x'");
+  const Evidence bad = refused_poly("2\n3 out\n0 0\n1 0\n0 1\n3 in\n0 0\n1 0x\n0 1\n", ErrorCode::malformed, 8, "'0x'");
   EXPECT_EQ(bad.part, 0);
   EXPECT_EQ(bad.ring, 1);
   EXPECT_EQ(bad.vertex, 1);
-  refused("1\n3 out\n0 0\n1,0\n", ErrorCode::malformed, 4, "'1,0'");
-  refused("1\n3 out\n0 0\n1 1.5.\n", ErrorCode::malformed, 4, "'1.5.'");
-  refused("1\n3 out\n0 0\n1 5-2\n", ErrorCode::malformed, 4, "'5-2'");
+  refused_poly("1\n3 out\n0 0\n1,0\n", ErrorCode::malformed, 4, "'1,0'");
+  refused_poly("1\n3 out\n0 0\n1 1.5.\n", ErrorCode::malformed, 4, "'1.5.'");
+  refused_poly("1\n3 out\n0 0\n1 5-2\n", ErrorCode::malformed, 4, "'5-2'");
 }
 
 TEST(ReadPoly, coordinates_must_be_finite) {
   for (const char* bad : {"nan", "inf", "-inf", "NAN", "1e999", "-1e999", "1e99999999999999999999"}) {
     const Evidence evidence =
-        refused("1\n3 out\n0 0\n1 " + std::string(bad) + "\n0 1\n", ErrorCode::not_finite, 4, bad);
+        refused_poly("1\n3 out\n0 0\n1 " + std::string(bad) + "\n0 1\n", ErrorCode::not_finite, 4, bad);
     EXPECT_EQ(evidence.vertex, 1);
   }
-  refused("1\n1 points\n0 " + std::string(400, '9') + "e-50\n", ErrorCode::not_finite, 3, "finite");
+  refused_poly("1\n1 points\n0 " + std::string(400, '9') + "e-50\n", ErrorCode::not_finite, 3, "finite");
 }
 
 TEST(ReadPoly, an_index_line_must_be_a_permutation) {
-  refused("1\n3 out\n0 0\n1 0\n0 1\n1 2 2\n", ErrorCode::malformed, 6, "2 comes twice");
-  refused("1\n3 out\n0 0\n1 0\n0 1\n0 1 2\n", ErrorCode::malformed, 6, "0 is outside");
-  refused("1\n3 out\n0 0\n1 0\n0 1\n1 2 4\n", ErrorCode::malformed, 6, "4 is outside");
-  refused("1\n3 out\n0 0\n1 0\n0 1\n1 2 3 1\n", ErrorCode::malformed, 6, "comes twice");
-  refused("1\n3 out\n0 0\n1 0\n0 1\n1 2.5 3\n", ErrorCode::malformed, 6, "'2.5'");
-  refused("2\n3 out\n0 0\n1 0\n0 1\n1 2\n3 out\n0 0\n1 0\n0 1\n", ErrorCode::malformed, 6, "2 numbers for 3 points");
+  refused_poly("1\n3 out\n0 0\n1 0\n0 1\n1 2 2\n", ErrorCode::malformed, 6, "2 comes twice");
+  refused_poly("1\n3 out\n0 0\n1 0\n0 1\n0 1 2\n", ErrorCode::malformed, 6, "0 is outside");
+  refused_poly("1\n3 out\n0 0\n1 0\n0 1\n1 2 4\n", ErrorCode::malformed, 6, "4 is outside");
+  refused_poly("1\n3 out\n0 0\n1 0\n0 1\n1 2 3 1\n", ErrorCode::malformed, 6, "comes twice");
+  refused_poly("1\n3 out\n0 0\n1 0\n0 1\n1 2.5 3\n", ErrorCode::malformed, 6, "'2.5'");
+  refused_poly("2\n3 out\n0 0\n1 0\n0 1\n1 2\n3 out\n0 0\n1 0\n0 1\n", ErrorCode::malformed, 6,
+               "2 numbers for 3 points");
 }
 
 TEST(ReadPoly, a_file_that_ends_early_is_truncated) {
-  refused("", ErrorCode::truncated, 1, "ends before the number of chains");
-  refused("# only a comment\n\n", ErrorCode::truncated, 1, "ends before the number of chains");
-  refused("2\n3 out\n0 0\n1 0\n0 1\n1 2 3\n", ErrorCode::truncated, 6, "announces 2 chains and ends after 1");
-  refused("1\n3", ErrorCode::truncated, 2, "the kind");
-  refused("1\n3 out\n0 0\n1", ErrorCode::truncated, 4, "3 points");
-  refused("1\n3 out\n0 0\n1 0\n0 1\n1 2", ErrorCode::truncated, 6, "2 numbers for 3 points");
+  refused_poly("", ErrorCode::truncated, 1, "ends before the number of chains");
+  refused_poly("# only a comment\n\n", ErrorCode::truncated, 1, "ends before the number of chains");
+  refused_poly("2\n3 out\n0 0\n1 0\n0 1\n1 2 3\n", ErrorCode::truncated, 6, "announces 2 chains and ends after 1");
+  refused_poly("1\n3", ErrorCode::truncated, 2, "the kind");
+  refused_poly("1\n3 out\n0 0\n1", ErrorCode::truncated, 4, "3 points");
+  refused_poly("1\n3 out\n0 0\n1 0\n0 1\n1 2", ErrorCode::truncated, 6, "2 numbers for 3 points");
 }
 
 TEST(ReadPoly, huge_announced_counts_allocate_nothing) {
-  refused("1\n18446744073709551615 out\n0 0\n", ErrorCode::truncated, 3, "ends before them");
-  refused("1\n99999999999999999999999999 out\n0 0\n", ErrorCode::truncated, 3, "ends before them");
-  refused("18446744073709551615\n3 out\n0 0\n1 0\n0 1\n1 2 3\n", ErrorCode::truncated, 6, "ends after 1");
+  refused_poly("1\n18446744073709551615 out\n0 0\n", ErrorCode::truncated, 3, "ends before them");
+  refused_poly("1\n99999999999999999999999999 out\n0 0\n", ErrorCode::truncated, 3, "ends before them");
+  refused_poly("18446744073709551615\n3 out\n0 0\n1 0\n0 1\n1 2 3\n", ErrorCode::truncated, 6, "ends after 1");
 }
 
 TEST(ReadPoly, the_index_may_go_on_on_further_lines) {
   const RegionData one_line = read_one("2\n4 out\n0 0\n1 0\n1 1\n0 1\n1 2 3 4\n3 out\n5 5\n6 5\n5 6\n1 2 3\n", kPoly);
   EXPECT_EQ(read_one("2\n4 out\n0 0\n1 0\n1 1\n0 1\n1 2\n3 4\n3 out\n5 5\n6 5\n5 6\n1\n2\n# the last\n3\n", kPoly),
             one_line);
-  refused("2\n4 out\n0 0\n1 0\n1 1\n0 1\n1 2\n3\n3 out\n5 5\n6 5\n5 6\n", ErrorCode::malformed, 7,
-          "3 numbers for 4 points");
-  refused("1\n4 out\n0 0\n1 0\n1 1\n0 1\n1 2\n2 4\n", ErrorCode::malformed, 7, "2 comes twice");
-  refused("1\n4 out\n0 0\n1 0\n1 1\n0 1\n1 2\n3\n", ErrorCode::truncated, 7, "3 numbers for 4 points");
+  refused_poly("2\n4 out\n0 0\n1 0\n1 1\n0 1\n1 2\n3\n3 out\n5 5\n6 5\n5 6\n", ErrorCode::malformed, 7,
+               "3 numbers for 4 points");
+  refused_poly("1\n4 out\n0 0\n1 0\n1 1\n0 1\n1 2\n2 4\n", ErrorCode::malformed, 7, "2 comes twice");
+  refused_poly("1\n4 out\n0 0\n1 0\n1 1\n0 1\n1 2\n3\n", ErrorCode::truncated, 7, "3 numbers for 4 points");
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ std::string svg(const std::string& body) {
 
 RegionData read(const std::string& body) { return read_one(svg(body), RegionFormat::svg); }
 
-Evidence refused(const std::string& body, ErrorCode code, std::int64_t line, std::string_view words) {
+Evidence refused_svg(const std::string& body, ErrorCode code, std::int64_t line, std::string_view words) {
   return expect_refused(svg(body), RegionFormat::svg, code, line, words);
 }
 
@@ -91,30 +91,30 @@ TEST(ReadSvg, marked_files_read_back_without_their_transforms) {
 }
 
 TEST(ReadSvg, curves_are_refused_by_name) {
-  refused("<path d='M0 0\nC1 1 2 2 3 3Z'/>", ErrorCode::malformed, 3, "command C");
-  refused("<path d='M0 0q1 1 2 0'/>", ErrorCode::malformed, 2, "command q");
-  refused("<path d='M0 0A1 1 0 0 1 2 2'/>", ErrorCode::malformed, 2, "command A");
-  refused("<path d='M0 0\n\nS1 1 2 2'/>", ErrorCode::malformed, 4, "command S");
-  refused("<path d='M0 0t1 1'/>", ErrorCode::malformed, 2, "command t");
-  refused("\n<circle r='3'/>", ErrorCode::malformed, 3, "'circle'");
-  refused("<ellipse rx='3' ry='2'/>", ErrorCode::malformed, 2, "'ellipse'");
-  refused("<rect width='3' height='3' rx='1'/>", ErrorCode::malformed, 2, "round corners");
-  refused("<use href='#a'/>", ErrorCode::malformed, 2, "'use'");
+  refused_svg("<path d='M0 0\nC1 1 2 2 3 3Z'/>", ErrorCode::malformed, 3, "command C");
+  refused_svg("<path d='M0 0q1 1 2 0'/>", ErrorCode::malformed, 2, "command q");
+  refused_svg("<path d='M0 0A1 1 0 0 1 2 2'/>", ErrorCode::malformed, 2, "command A");
+  refused_svg("<path d='M0 0\n\nS1 1 2 2'/>", ErrorCode::malformed, 4, "command S");
+  refused_svg("<path d='M0 0t1 1'/>", ErrorCode::malformed, 2, "command t");
+  refused_svg("\n<circle r='3'/>", ErrorCode::malformed, 3, "'circle'");
+  refused_svg("<ellipse rx='3' ry='2'/>", ErrorCode::malformed, 2, "'ellipse'");
+  refused_svg("<rect width='3' height='3' rx='1'/>", ErrorCode::malformed, 2, "round corners");
+  refused_svg("<use href='#a'/>", ErrorCode::malformed, 2, "'use'");
 }
 
 TEST(ReadSvg, refuses_what_does_not_follow_the_format) {
-  refused("<path d='L0 0'/>", ErrorCode::malformed, 2, "start with a move");
-  refused("<path id='d' class = \"a d='\"\n d='M0 0\nL1 x'/>", ErrorCode::malformed, 4, "expected a number at 'x'");
-  refused("<path d='M0 0 W 3'/>", ErrorCode::malformed, 2, "'W'");
-  refused("<path d='M0 0 L 3'/>", ErrorCode::malformed, 2, "attribute ends");
-  refused("<path d='M0 0 A 1 1 0 2 0 1 1'/>", ErrorCode::malformed, 2, "flag");
-  refused("<polygon points='1,2 3'/>", ErrorCode::malformed, 2, "attribute ends");
-  refused("<rect width='3em' height='3'/>", ErrorCode::malformed, 2, "'width'");
-  refused("<g transform='rotate(30)'/>\n<g transform='rotate(30)'><line x2='1'/></g>", ErrorCode::malformed, 3,
-          "'rotate'");
-  refused("<line transform='scale(1 2 3)' x2='1'/>", ErrorCode::malformed, 2, "3 arguments");
-  refused("<line transform='scale 1' x2='1'/>", ErrorCode::malformed, 2, "a transform such as");
-  refused("<line transform='scale(1' x2='1'/>", ErrorCode::malformed, 2, "')'");
+  refused_svg("<path d='L0 0'/>", ErrorCode::malformed, 2, "start with a move");
+  refused_svg("<path id='d' class = \"a d='\"\n d='M0 0\nL1 x'/>", ErrorCode::malformed, 4, "expected a number at 'x'");
+  refused_svg("<path d='M0 0 W 3'/>", ErrorCode::malformed, 2, "'W'");
+  refused_svg("<path d='M0 0 L 3'/>", ErrorCode::malformed, 2, "attribute ends");
+  refused_svg("<path d='M0 0 A 1 1 0 2 0 1 1'/>", ErrorCode::malformed, 2, "flag");
+  refused_svg("<polygon points='1,2 3'/>", ErrorCode::malformed, 2, "attribute ends");
+  refused_svg("<rect width='3em' height='3'/>", ErrorCode::malformed, 2, "'width'");
+  refused_svg("<g transform='rotate(30)'/>\n<g transform='rotate(30)'><line x2='1'/></g>", ErrorCode::malformed, 3,
+              "'rotate'");
+  refused_svg("<line transform='scale(1 2 3)' x2='1'/>", ErrorCode::malformed, 2, "3 arguments");
+  refused_svg("<line transform='scale 1' x2='1'/>", ErrorCode::malformed, 2, "a transform such as");
+  refused_svg("<line transform='scale(1' x2='1'/>", ErrorCode::malformed, 2, "')'");
   expect_refused("<html>\n</html>", RegionFormat::svg, ErrorCode::malformed, 1, "not svg");
   expect_refused("<svg>\n<g>\n</svg>", RegionFormat::svg, ErrorCode::malformed, 3, "XML");
   expect_refused("<svg data-dymsum='trace'/>", RegionFormat::svg, ErrorCode::malformed, 1, "stages");
@@ -125,10 +125,10 @@ TEST(ReadSvg, refuses_what_does_not_follow_the_format) {
 }
 
 TEST(ReadSvg, coordinates_must_be_finite) {
-  refused("<path d='M0 0\nL1e999 0'/>", ErrorCode::not_finite, 3, "1e999");
-  refused("<path d='M0 0 L nan 0'/>", ErrorCode::not_finite, 2, "nan");
-  refused("<path d='M1e308 0l1e308 0'/>", ErrorCode::not_finite, 2, "double range");
-  refused("<line transform='scale(1e10)' x2='1e300'/>", ErrorCode::not_finite, 2, "double range");
+  refused_svg("<path d='M0 0\nL1e999 0'/>", ErrorCode::not_finite, 3, "1e999");
+  refused_svg("<path d='M0 0 L nan 0'/>", ErrorCode::not_finite, 2, "nan");
+  refused_svg("<path d='M1e308 0l1e308 0'/>", ErrorCode::not_finite, 2, "double range");
+  refused_svg("<line transform='scale(1e10)' x2='1e300'/>", ErrorCode::not_finite, 2, "double range");
 }
 
 TEST(ReadSvg, a_file_that_ends_early_is_truncated) {
@@ -140,13 +140,13 @@ TEST(ReadSvg, deep_nesting_is_refused) {
   std::string body;
   for (int i = 0; i < 100000; ++i) body += "<g>";
   for (int i = 0; i < 100000; ++i) body += "</g>";
-  refused(body, ErrorCode::malformed, 2, "nested deeper than 200");
+  refused_svg(body, ErrorCode::malformed, 2, "nested deeper than 200");
 }
 
 TEST(ReadSvg, very_many_rings_around_one_another_are_refused_in_time) {
   std::string path = "<path d='";
   for (int i = 0; i < 60000; ++i) path += "M0 0L9 0L0 9Z";
-  refused(path + "'/>", ErrorCode::malformed, 2, "too many rings");
+  refused_svg(path + "'/>", ErrorCode::malformed, 2, "too many rings");
 }
 
 TEST(ReadSvg, nested_svg_elements_place_their_content) {
@@ -164,12 +164,12 @@ TEST(ReadSvg, nested_svg_elements_place_their_content) {
   EXPECT_EQ(ring_of(wide + " preserveAspectRatio='xMaxYMax meet'>" + square), at(20, 0, 40, 20));
   EXPECT_EQ(ring_of(wide + " preserveAspectRatio='none'>" + square), at(0, 0, 40, 20));
   EXPECT_EQ(ring_of("<g transform='scale(2)'><svg x='5'><svg y='1'>" + square + "</svg></g>"), at(10, 2, 30, 22));
-  refused("<svg width='9' height='9' viewBox='0 0 10'>" + square, ErrorCode::malformed, 2, "four numbers");
-  refused("<svg width='9' height='9' viewBox='0 0 10 0'>" + square, ErrorCode::malformed, 2,
-          "positive width and height");
-  refused("<svg width='-9' height='9'>" + square, ErrorCode::malformed, 2, "negative width");
-  refused("<svg width='9' viewBox='0 0 10 10'>" + square, ErrorCode::malformed, 2, "needs its width and height");
-  refused(wide + " preserveAspectRatio='xMidYMid slice'>" + square, ErrorCode::malformed, 2, "cuts off");
+  refused_svg("<svg width='9' height='9' viewBox='0 0 10'>" + square, ErrorCode::malformed, 2, "four numbers");
+  refused_svg("<svg width='9' height='9' viewBox='0 0 10 0'>" + square, ErrorCode::malformed, 2,
+              "positive width and height");
+  refused_svg("<svg width='-9' height='9'>" + square, ErrorCode::malformed, 2, "negative width");
+  refused_svg("<svg width='9' viewBox='0 0 10 10'>" + square, ErrorCode::malformed, 2, "needs its width and height");
+  refused_svg(wide + " preserveAspectRatio='xMidYMid slice'>" + square, ErrorCode::malformed, 2, "cuts off");
 }
 
 TEST(ReadSvg, hidden_elements_are_not_read) {
@@ -184,26 +184,26 @@ TEST(ReadSvg, hidden_elements_are_not_read) {
   // The element's own style comes before the attribute.
   EXPECT_EQ(ring_of("<rect display='none' style='display:inline' width='1' height='1'/>"), square);
   EXPECT_EQ(ring_of("<style>rect { fill: red }</style>" + seen), square);
-  refused("<style>.a { display: none }</style>" + seen, ErrorCode::malformed, 2, "style sheet");
+  refused_svg("<style>.a { display: none }</style>" + seen, ErrorCode::malformed, 2, "style sheet");
   EXPECT_EQ(ring_of(seen + "<g style='DISPLAY:none'>" + hidden + "</g>"), square);
-  refused("<g style='/**/display:none'/>" + seen, ErrorCode::malformed, 2, "comments");
+  refused_svg("<g style='/**/display:none'/>" + seen, ErrorCode::malformed, 2, "comments");
   EXPECT_EQ(ring_of(seen + "<svg width='0' height='9'>" + hidden + "</svg>"), square);
 }
 
 TEST(ReadSvg, styles_that_place_elements_are_refused) {
-  refused("<rect width='1' height='1' style='transform:rotate(45deg)'/>", ErrorCode::malformed, 2,
-          "a style sets transform");
-  refused("<rect width='1' height='1' style='fill:red;WIDTH:3px'/>", ErrorCode::malformed, 2, "a style sets width");
-  refused("<rect width='3' height='3' style='rx:1'/>", ErrorCode::malformed, 2, "a style sets rx");
-  refused("<rect width='1' height='1' transform='scale(2)' transform-origin='1 1'/>", ErrorCode::malformed, 2,
-          "transform-origin");
-  refused("<style>rect{TRANSFORM:scale(3)}</style><rect width='1' height='1'/>", ErrorCode::malformed, 2,
-          "style sheet");
+  refused_svg("<rect width='1' height='1' style='transform:rotate(45deg)'/>", ErrorCode::malformed, 2,
+              "a style sets transform");
+  refused_svg("<rect width='1' height='1' style='fill:red;WIDTH:3px'/>", ErrorCode::malformed, 2, "a style sets width");
+  refused_svg("<rect width='3' height='3' style='rx:1'/>", ErrorCode::malformed, 2, "a style sets rx");
+  refused_svg("<rect width='1' height='1' transform='scale(2)' transform-origin='1 1'/>", ErrorCode::malformed, 2,
+              "transform-origin");
+  refused_svg("<style>rect{TRANSFORM:scale(3)}</style><rect width='1' height='1'/>", ErrorCode::malformed, 2,
+              "style sheet");
 }
 
 TEST(ReadSvg, negative_sizes_are_refused) {
-  refused("\n<rect width='-2' height='3'/>", ErrorCode::malformed, 3, "'rect' has a negative width");
-  refused("<rect width='2' height='-3'/>", ErrorCode::malformed, 2, "'rect' has a negative height");
+  refused_svg("\n<rect width='-2' height='3'/>", ErrorCode::malformed, 3, "'rect' has a negative width");
+  refused_svg("<rect width='2' height='-3'/>", ErrorCode::malformed, 2, "'rect' has a negative height");
 }
 
 }  // namespace

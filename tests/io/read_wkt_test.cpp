@@ -5,7 +5,7 @@ namespace {
 
 constexpr RegionFormat kWkt = RegionFormat::wkt;
 
-Evidence refused(std::string_view text, ErrorCode code, std::int64_t line, std::string_view words) {
+Evidence refused_wkt(std::string_view text, ErrorCode code, std::int64_t line, std::string_view words) {
   return expect_refused(text, kWkt, code, line, words);
 }
 
@@ -56,42 +56,42 @@ TEST(ReadWkt, a_sole_shape_is_named_after_its_file) {
 }
 
 TEST(ReadWkt, refuses_what_does_not_follow_the_format) {
-  refused("POINT (1 2)\nCIRCLE (1 2)\n", ErrorCode::malformed, 2, "instead of 'CIRCLE'");
-  refused("POLYGON Z ((0 0 1, 1 0 1, 0 1 1, 0 0 1))", ErrorCode::malformed, 1, "not planar");
-  refused("POLYGON ((0 0,\n1 0 7,\n0 1, 0 0))", ErrorCode::malformed, 2, "a third coordinate");
-  refused("POLYGON ((0 0,\n1 0x,\n0 1, 0 0))", ErrorCode::malformed, 2, "'0x'");
-  refused("POLYGON ((0 0, 1 0, 0 1\n, 0 0.5))", ErrorCode::malformed, 1, "not closed");
-  refused("LINESTRING (0 0; 1 1)", ErrorCode::malformed, 1, "'0;'");
-  refused("\nPOINT (1)", ErrorCode::malformed, 2, "a coordinate");
+  refused_wkt("POINT (1 2)\nCIRCLE (1 2)\n", ErrorCode::malformed, 2, "instead of 'CIRCLE'");
+  refused_wkt("POLYGON Z ((0 0 1, 1 0 1, 0 1 1, 0 0 1))", ErrorCode::malformed, 1, "not planar");
+  refused_wkt("POLYGON ((0 0,\n1 0 7,\n0 1, 0 0))", ErrorCode::malformed, 2, "a third coordinate");
+  refused_wkt("POLYGON ((0 0,\n1 0x,\n0 1, 0 0))", ErrorCode::malformed, 2, "'0x'");
+  refused_wkt("POLYGON ((0 0, 1 0, 0 1\n, 0 0.5))", ErrorCode::malformed, 1, "not closed");
+  refused_wkt("LINESTRING (0 0; 1 1)", ErrorCode::malformed, 1, "'0;'");
+  refused_wkt("\nPOINT (1)", ErrorCode::malformed, 2, "a coordinate");
 }
 
 TEST(ReadWkt, coordinates_must_be_finite) {
-  refused("LINESTRING (0 0,\n1 1e999)", ErrorCode::not_finite, 2, "1e999");
-  refused("POINT (nan 0)", ErrorCode::not_finite, 1, "nan");
-  refused("POINT (0 -Infinity)", ErrorCode::not_finite, 1, "-Infinity");
+  refused_wkt("LINESTRING (0 0,\n1 1e999)", ErrorCode::not_finite, 2, "1e999");
+  refused_wkt("POINT (nan 0)", ErrorCode::not_finite, 1, "nan");
+  refused_wkt("POINT (0 -Infinity)", ErrorCode::not_finite, 1, "-Infinity");
 }
 
 TEST(ReadWkt, a_file_that_ends_early_is_truncated) {
-  refused("", ErrorCode::truncated, 1, "first geometry");
-  refused("POLYGON ((0 0, 1 0,\n0 1", ErrorCode::truncated, 2, "',' or ')'");
-  refused("POLYGON ((0 0, 1 0,\n", ErrorCode::truncated, 1, "a coordinate");
-  refused("POLYGON", ErrorCode::truncated, 1, "'('");
+  refused_wkt("", ErrorCode::truncated, 1, "first geometry");
+  refused_wkt("POLYGON ((0 0, 1 0,\n0 1", ErrorCode::truncated, 2, "',' or ')'");
+  refused_wkt("POLYGON ((0 0, 1 0,\n", ErrorCode::truncated, 1, "a coordinate");
+  refused_wkt("POLYGON", ErrorCode::truncated, 1, "'('");
 }
 
 TEST(ReadWkt, deep_nesting_is_refused) {
   std::string text;
   for (int i = 0; i < 100000; ++i) text += "GEOMETRYCOLLECTION(";
-  refused(text, ErrorCode::malformed, 1, "nested deeper than 32");
+  refused_wkt(text, ErrorCode::malformed, 1, "nested deeper than 32");
 }
 
 TEST(ReadWkt, third_coordinates_are_refused_as_such) {
   for (const char* text : {"POLYGON Z ((0 0 1, 1 0 1, 0 1 1, 0 0 1))", "POLYGONZ((0 0 1, 1 0 1, 0 1 1, 0 0 1))",
                            "POINT Z (1 2 3)", "POINTM (1 2 3)", "MULTIPOINT Z ((1 2 3))",
                            "LineString ZM (0 0 1 1, 1 1 1 1)", "GEOMETRYCOLLECTION Z (POINT Z (1 2 3))"})
-    refused(text, ErrorCode::malformed, 1, "not planar: only x and y can be read");
+    refused_wkt(text, ErrorCode::malformed, 1, "not planar: only x and y can be read");
   for (const char* text :
        {"POLYGON ((0 0 1, 1 0 1, 0 1 1, 0 0 1))", "POINT (1 2 3)", "MULTIPOINT ((1 2 3))", "LINESTRING (0 0, 1 1 1e3)"})
-    refused(text, ErrorCode::malformed, 1, "a third coordinate");
+    refused_wkt(text, ErrorCode::malformed, 1, "a third coordinate");
 }
 
 }  // namespace

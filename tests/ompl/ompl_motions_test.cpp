@@ -11,6 +11,7 @@
 
 #include <cstdlib>
 #include <iostream>
+#include <numbers>
 
 #include "dymsum/motion.h"
 #include "dymsum/obstacle_queries.h"
@@ -26,8 +27,6 @@ namespace og = ompl::geometric;
 using Random = std::mt19937_64;
 using State = ob::SE2StateSpace::StateType;
 using Scoped = ob::ScopedState<ob::SE2StateSpace>;
-
-constexpr double kPi = std::numbers::pi;
 
 double uniform(Random& random, double low, double high) {
   return std::uniform_real_distribution<double>(low, high)(random);
@@ -46,7 +45,7 @@ Configuration of(const ob::State* s) {
 
 // As OMPL interpolates: the shorter way round.
 Configuration towards(const Configuration& a, Configuration b) {
-  b.theta = a.theta + std::remainder(b.theta - a.theta, 2 * kPi);
+  b.theta = a.theta + std::remainder(b.theta - a.theta, 2 * std::numbers::pi);
   return b;
 }
 Configuration along(const Configuration& a, const Configuration& b, double share) {
@@ -71,8 +70,8 @@ class Sampler {
   Scoped state(const Configuration& c) const {
     Scoped s(space_);
     s->setXY(c.x, c.y);
-    const double yaw = std::remainder(c.theta, 2 * kPi);
-    s->setYaw(yaw < kPi ? yaw : -kPi);  // OMPL's angles end before pi
+    const double yaw = std::remainder(c.theta, 2 * std::numbers::pi);
+    s->setYaw(yaw < std::numbers::pi ? yaw : -std::numbers::pi);  // OMPL's angles end before pi
     return s;
   }
   struct Verdict {
@@ -159,7 +158,7 @@ void compare_straight(const Room& room, const Sampler& sampler, const Configurat
   if (!line.free && line.contact) {
     EXPECT_LT(sampler.plain.gap({line.at.x.to_double(), line.at.y.to_double(), a.theta}), 1e-8) << room.name;
   }
-  const double turn = std::remainder(goal.theta - a.theta, 2 * kPi);
+  const double turn = std::remainder(goal.theta - a.theta, 2 * std::numbers::pi);
   const TurnDirection way = turn > 0 ? TurnDirection::counter_clockwise : TurnDirection::clockwise;
   const RotationCheck pivot = check_rotation(room.robot, room.obstacle, Point{a.x, a.y}, theta, to, way).value();
   const Sampler::Verdict turned = sampler.moves(a, {a.x, a.y, goal.theta});
@@ -167,7 +166,7 @@ void compare_straight(const Room& room, const Sampler& sampler, const Configurat
   EXPECT_TRUE(turned.valid || !pivot.free) << room.name << ": a free rotation is sampled to collide";
   if (!pivot.free && pivot.first) {
     EXPECT_LT(sampler.plain.gap({a.x, a.y, pivot.first->theta}), 1e-8) << room.name;
-    const double ahead = std::abs(std::remainder(pivot.first->theta - a.theta, 2 * kPi));
+    const double ahead = std::abs(std::remainder(pivot.first->theta - a.theta, 2 * std::numbers::pi));
     if (!turned.valid) {
       EXPECT_LE(ahead, std::abs(turn) * (turned.last_valid + turned.step) + 1e-9) << room.name;
     }
@@ -177,7 +176,7 @@ void compare_straight(const Room& room, const Sampler& sampler, const Configurat
 Configuration free_place(const Room& room, const PlainCollision& plain, Random& random) {
   for (;;) {
     const Configuration c{uniform(random, -room.size, room.size), uniform(random, -room.size, room.size),
-                          uniform(random, -kPi, kPi)};
+                          uniform(random, -std::numbers::pi, std::numbers::pi)};
     if (!plain.overlaps(c) && plain.gap(c) > 1e-3) return c;
   }
 }
@@ -221,8 +220,8 @@ void expect_sampled(const Room& room, const Sampler& sampler, const Plan& plan) 
   for (std::size_t k = 1; k < plan.path.size(); ++k) {
     const Configuration &a = plan.path[k - 1].approx, &b = plan.path[k].approx;
     double turn = b.theta - a.theta;
-    if (plan.path[k].move == Waypoint::Move::counter_clockwise && turn < 0) turn += 2 * kPi;
-    if (plan.path[k].move == Waypoint::Move::clockwise && turn > 0) turn -= 2 * kPi;
+    if (plan.path[k].move == Waypoint::Move::counter_clockwise && turn < 0) turn += 2 * std::numbers::pi;
+    if (plan.path[k].move == Waypoint::Move::clockwise && turn > 0) turn -= 2 * std::numbers::pi;
     // OMPL turns the shorter way.
     for (int part = 0; part < 3; ++part) {
       const Configuration from{along(a, {b.x, b.y, a.theta + turn}, part / 3.0)};

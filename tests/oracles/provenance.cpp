@@ -54,7 +54,7 @@ Numbered<N> numbered(const Region& region, int sign) {
 }
 
 template <class N>
-std::string text(const Pt<N>& c) {
+std::string point_text(const Pt<N>& c) {
   std::ostringstream out;
   out << "(" << to_big(c.x) << ", " << to_big(c.y) << ")";
   return out.str();
@@ -89,7 +89,7 @@ class Checker {
 
  private:
   void complain(const std::string& what, const Pt<N>& at) {
-    if (wrong_.empty()) wrong_ = "provenance: " + what + " at " + text(at);
+    if (wrong_.empty()) wrong_ = "provenance: " + what + " at " + point_text(at);
   }
 
   Pt<N> place(const SumVertex& v) {

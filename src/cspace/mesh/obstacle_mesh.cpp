@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <stdexcept>
 #include <utility>
 
@@ -14,8 +15,6 @@ namespace dymsum {
 namespace {
 
 using namespace apps;
-
-constexpr double kPi = 3.141592653589793;
 constexpr int kMostHalvings = 12;  // of one chord: a curve that runs away needs no more to be seen
 
 struct RobotSizes {
@@ -75,10 +74,12 @@ class MeshBuilder {
 
   std::uint32_t seam() const { return static_cast<std::uint32_t>(layout_.stations.size()); }
   /// Planes are numbered from the bottom: plane k lies below layer k.
-  double height(std::uint32_t plane) const { return plane == 0 ? -kPi : layout_.stations[plane - 1].theta; }
+  double height(std::uint32_t plane) const {
+    return plane == 0 ? -std::numbers::pi : layout_.stations[plane - 1].theta;
+  }
 
   Point place(const Rail& rail, double theta) const {
-    if (theta == -kPi) theta = kPi;  // bit by bit the same
+    if (theta == -std::numbers::pi) theta = std::numbers::pi;  // bit by bit the same
     const std::vector<Patch>& patches = obstacle_.patches();
     if (rail.before != kNobody) return obstacle_.ends(patches[layout_.pieces[rail.before].patch], theta)[1];
     return obstacle_.ends(patches[layout_.pieces[rail.after].patch], theta)[0];
@@ -108,7 +109,7 @@ class MeshBuilder {
     const auto [at, fresh] = shared_.try_emplace(key_of(joint, seam()), 0);
     if (fresh) {
       const Configuration& bottom = mesh_.vertices[shared_.at({joint, 0})];
-      at->second = add_vertex({bottom.x, bottom.y}, kPi);
+      at->second = add_vertex({bottom.x, bottom.y}, std::numbers::pi);
     }
     return at->second;
   }
@@ -117,7 +118,7 @@ class MeshBuilder {
     for (const auto& [key, bottom] : shared_) {
       if (key.second != 0) continue;
       const std::uint32_t top = top_of(key.first);
-      mesh_.vertices[bottom] = {mesh_.vertices[top].x, mesh_.vertices[top].y, -kPi};
+      mesh_.vertices[bottom] = {mesh_.vertices[top].x, mesh_.vertices[top].y, -std::numbers::pi};
       mesh_.seam.push_back({bottom, top});
     }
   }
@@ -129,7 +130,7 @@ class MeshBuilder {
     const double length = patch.rotating() ? sizes_.edge.at(patch.contact.q) : 0;
     int k = 2;
     const auto error = [&](double step) { return length * step / 4 + sizes_.radius * step * step / 8; };
-    while (k < 40 && error(std::ldexp(2 * kPi, -k)) > mesh_.tolerance) ++k;
+    while (k < 40 && error(std::ldexp(2 * std::numbers::pi, -k)) > mesh_.tolerance) ++k;
     return k;
   }
 
@@ -138,9 +139,9 @@ class MeshBuilder {
     std::vector<OnRail>& chain = on_rail_[index];
     const double from = height(rail.first), to = height(rail.last + 1);
     chain.push_back({shared_vertex(rail, rail.first), from});
-    const double step = std::ldexp(2 * kPi, -std::max(halvings(rail.before), halvings(rail.after)));
-    for (double k = std::floor((from + kPi) / step) + 1;; ++k) {
-      const double theta = k * step - kPi;
+    const double step = std::ldexp(2 * std::numbers::pi, -std::max(halvings(rail.before), halvings(rail.after)));
+    for (double k = std::floor((from + std::numbers::pi) / step) + 1;; ++k) {
+      const double theta = k * step - std::numbers::pi;
       if (theta >= to - step / 1024) break;
       if (theta > from + step / 1024) extend(chain, rail, {0, theta}, kMostHalvings);
     }

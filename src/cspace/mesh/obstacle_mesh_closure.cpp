@@ -1,14 +1,13 @@
 // What can be said of the mesh of an obstacle without the obstacle.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "dymsum/obstacle_mesh.h"
 
 namespace dymsum {
 namespace {
-
-constexpr double kPi = 3.141592653589793;
 
 /// An edge from its smaller to its larger vertex, and which way a triangle runs along it.
 struct Use {
@@ -69,7 +68,7 @@ double enclosed_volume(const ObstacleMesh& mesh) {
 
 MeshData mesh_data(const ObstacleMesh& mesh) {
   MeshData data;
-  const double scale = mesh.extent / (2 * kPi);
+  const double scale = mesh.extent / (2 * std::numbers::pi);
   for (const Configuration& v : mesh.vertices) data.vertices.push_back({v.x, v.y, v.theta * scale});
   for (const ObstacleTriangle& t : mesh.triangles) data.faces.push_back({t.vertices[0], t.vertices[1], t.vertices[2]});
   return data;

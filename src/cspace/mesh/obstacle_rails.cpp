@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <numbers>
 #include <utility>
 
 namespace dymsum::apps {
 namespace {
-
-constexpr double kPi = 3.141592653589793;
 
 /// Joints by index, in the order they are met.
 class Joints {
@@ -47,7 +46,7 @@ void add_stations(ObstacleLayout& layout, const std::vector<EventAngle>& angles)
   const bool at_pi = !angles.empty() && angles.back().exact && angles.back().exact->is_half_turn();
   for (const EventAngle& angle : angles) layout.stations.emplace_back().theta = angle.theta;
   if (!at_pi) layout.stations.emplace_back();
-  layout.stations.back().theta = kPi;
+  layout.stations.back().theta = std::numbers::pi;
   const auto n = static_cast<std::uint32_t>(layout.stations.size());
   for (std::uint32_t k = 0; k < n; ++k) layout.stations[k].below = k, layout.stations[k].above = (k + 1) % n;
 }

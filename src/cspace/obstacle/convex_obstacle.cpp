@@ -43,7 +43,7 @@ std::vector<Direction> directions(const Operand& o, const Lattice& lattice) {
 
 // The alignment of a robot edge e with an obstacle edge f, R(theta) e and f having the same sense: theta is the
 // argument of f times the conjugate of e.
-struct Alignment {
+struct EdgeAlignment {
   std::uint32_t e = 0, f = 0;
   double key = 0;  // theta within kKeyError, on the proper side of pi
 };
@@ -76,25 +76,25 @@ class ConvexEngine {
   std::uint32_t n() const { return static_cast<std::uint32_t>(robot_.size()); }
   bool going_on(double fraction) const { return !options_.progress || options_.progress("alignments", fraction); }
 
-  BigInteger real(const Alignment& a) const {
+  BigInteger real(const EdgeAlignment& a) const {
     const Direction &e = robot_edges_[a.e], &f = obstacle_edges_[a.f];
     return e.x * f.x + e.y * f.y;
   }
-  BigInteger imaginary(const Alignment& a) const {
+  BigInteger imaginary(const EdgeAlignment& a) const {
     const Direction &e = robot_edges_[a.e], &f = obstacle_edges_[a.f];
     return e.x * f.y - e.y * f.x;
   }
 
-  Alignment alignment(std::uint32_t e, std::uint32_t f) const {
-    constexpr double kPi = std::numbers::pi;
-    Alignment a{e, f, std::remainder(obstacle_edges_[f].angle - robot_edges_[e].angle, 2 * kPi)};
+  EdgeAlignment alignment(std::uint32_t e, std::uint32_t f) const {
+    EdgeAlignment a{e, f, std::remainder(obstacle_edges_[f].angle - robot_edges_[e].angle, 2 * std::numbers::pi)};
     // Half a turn or a little more or less: the imaginary part tells the sides apart.
-    if (std::abs(a.key) > kPi - kKeyError) a.key = std::copysign(a.key, imaginary(a).sign() < 0 ? -1.0 : 1.0);
+    if (std::abs(a.key) > std::numbers::pi - kKeyError)
+      a.key = std::copysign(a.key, imaginary(a).sign() < 0 ? -1.0 : 1.0);
     return a;
   }
 
   // The sign of a - b. Exact: keys apart decide; angles that close are in the order of the cross product.
-  int compare(const Alignment& a, const Alignment& b) {
+  int compare(const EdgeAlignment& a, const EdgeAlignment& b) {
     if (a.key < b.key - 2 * kKeyError) return -1;
     if (a.key > b.key + 2 * kKeyError) return 1;
     ++state_.work.exact_signs;
@@ -103,10 +103,10 @@ class ConvexEngine {
 
   // Sorts the alignments; equal angles become one.
   void align() {
-    std::vector<Alignment> all;
+    std::vector<EdgeAlignment> all;
     for (std::uint32_t e = 0; e < n(); ++e)
       for (std::uint32_t f = 0; f < m(); ++f) all.push_back(alignment(e, f));
-    std::sort(all.begin(), all.end(), [&](const Alignment& a, const Alignment& b) {
+    std::sort(all.begin(), all.end(), [&](const EdgeAlignment& a, const EdgeAlignment& b) {
       const int c = compare(a, b);
       return c != 0 ? c < 0 : std::pair{a.e, a.f} < std::pair{b.e, b.f};
     });
@@ -121,7 +121,7 @@ class ConvexEngine {
 
   // With z = a + b i and a >= 0, or -z in chart 1: t is the root in (-1, 1] of b (1 - t^2) - 2 a t; the other one is
   // -1/t.
-  void add_angle(const Alignment& at) {
+  void add_angle(const EdgeAlignment& at) {
     BigInteger a = real(at), b = imaginary(at);
     const int chart = a.sign() > 0 || (a.sign() == 0 && b.sign() > 0) ? 0 : 1;
     if (chart == 1) {
@@ -136,7 +136,7 @@ class ConvexEngine {
     state_.angles.push_back(event_angle(state_.exact_angles.back()));
   }
 
-  void add_event(const Alignment& a, std::uint32_t angle) {
+  void add_event(const EdgeAlignment& a, std::uint32_t angle) {
     const double theta = state_.angles[angle].theta, c = std::cos(theta), s = std::sin(theta);
     const auto middle = [](const Operand& o, std::uint32_t i) {
       const Point u = o.points->input[o.source[i]], v = o.points->input[o.source[o.next[i]]];

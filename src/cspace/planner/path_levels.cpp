@@ -8,8 +8,6 @@
 namespace dymsum::planar {
 namespace {
 
-constexpr std::uint32_t kUnknown = SliceMap::kNone;
-
 std::unique_ptr<SliceMap> map_at(const CspaceObstacle& obstacle, const Orientation& theta) {
   return std::make_unique<SliceMap>(std::move(obstacle.slice(theta, Semantics::open)).value());
 }

@@ -12,6 +12,9 @@
 
 namespace dymsum::planar {
 
+/// A cell, or an edge, that is not known.
+inline constexpr std::uint32_t kUnknown = SliceMap::kNone;
+
 /// One orientation with its slice.
 struct PathLevel {
   explicit PathLevel(const Orientation& at) : theta(at), angle(exact_angle(at)) {}

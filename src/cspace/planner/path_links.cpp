@@ -3,11 +3,7 @@
 #include <algorithm>
 
 namespace dymsum::planar {
-namespace {
-
-constexpr std::uint32_t kUnknown = SliceMap::kNone;
-
-}  // namespace
+namespace {}  // namespace
 
 PathLinks::PathLinks(const CspaceObstacle& obstacle, PathLevels& levels, const JoinedComponents& joined)
     : obstacle_(obstacle), levels_(levels), joined_(joined) {

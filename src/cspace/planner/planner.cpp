@@ -15,8 +15,6 @@ using namespace planar;
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::uint32_t kUnknown = SliceMap::kNone;
-
 class Planner {
  public:
   Planner(const CspaceObstacle& obstacle, PathEnd start, PathEnd goal, const PlanOptions& options, double frame,

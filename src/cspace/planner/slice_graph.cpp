@@ -15,23 +15,21 @@ using exact::BigRational;
 
 namespace {
 
-constexpr std::uint32_t kNone = SliceMap::kNone;
-
 // Names the connected pieces of a graph 0, 1, ... in the order of their first nodes; returns how many.
 template <class Links>
 std::uint32_t name_pieces(const Links& links, std::vector<std::uint32_t>& names) {
-  names.assign(links.size(), kNone);
+  names.assign(links.size(), SliceMap::kNone);
   std::uint32_t count = 0;
   std::vector<std::uint32_t> open;
   for (std::uint32_t first = 0; first < links.size(); ++first) {
-    if (names[first] != kNone) continue;
+    if (names[first] != SliceMap::kNone) continue;
     names[first] = count;
     open.push_back(first);
     while (!open.empty()) {
       const std::uint32_t node = open.back();
       open.pop_back();
       for (const auto& l : links[node])
-        if (names[l.to] == kNone) {
+        if (names[l.to] == SliceMap::kNone) {
           names[l.to] = count;
           open.push_back(l.to);
         }
@@ -72,7 +70,7 @@ void SliceGraph::add_lines() {
   for (std::size_t k = 0; k < order.size(); ++k) order[k] = map_.edges()[k].from;
   std::sort(order.begin(), order.end(),
             [&](std::uint32_t a, std::uint32_t b) { return compare_x(spots[a], spots[b]) < 0; });
-  rank_.assign(spots.size(), kNone);
+  rank_.assign(spots.size(), SliceMap::kNone);
   lines_.push_back({-frame_, 0, exact::exact_value(-frame_), nullptr});
   for (std::size_t k = 0; k < order.size(); ++k) {
     const SlicePoint& s = spots[order[k]];
@@ -98,12 +96,12 @@ BigRational SliceGraph::exact_height(std::uint32_t edge, const BigRational& x) c
   return BigRational(a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x));
 }
 
-// Of the heights of two edges over a line; `rank` is that of a line through vertices, else kNone.
+// Of the heights of two edges over a line; `rank` is that of a line through vertices, else SliceMap::kNone.
 int SliceGraph::compare_heights(std::uint32_t e, std::uint32_t f, const Line& line, std::uint32_t rank) const {
   if (e == f) return 0;
   if (e == kBottom || f == kTop) return -1;
   if (f == kBottom || e == kTop) return 1;
-  if (rank != kNone) {
+  if (rank != SliceMap::kNone) {
     const SliceMap::Edge &a = map_.edges()[e], &b = map_.edges()[f];
     for (const std::uint32_t s : {a.from, a.to})
       if ((s == b.from || s == b.to) && rank_[s] == rank) return 0;
@@ -145,7 +143,7 @@ void SliceGraph::add_column(std::uint32_t column) {
     if (a <= column && b > column) active.push_back(e);
   }
   std::sort(active.begin(), active.end(),
-            [&](std::uint32_t e, std::uint32_t f) { return compare_heights(e, f, middle, kNone) < 0; });
+            [&](std::uint32_t e, std::uint32_t f) { return compare_heights(e, f, middle, SliceMap::kNone) < 0; });
   for (std::size_t k = 0; k <= active.size(); k += 2)
     add_trapezoid(column, k == 0 ? kBottom : active[k - 1], k == active.size() ? kTop : active[k], middle);
 }
@@ -241,7 +239,7 @@ void SliceGraph::join_touching() {
   links_.resize(trapezoids_.size() + map_.cracks().size());
   for (std::uint32_t k = 0; k < map_.spots().size(); ++k) {
     const SlicePoint& s = map_.spots()[k];
-    join_at(s, rank_[k] != kNone ? nodes_at(s, rank_[k], true) : nodes_at(s));
+    join_at(s, rank_[k] != SliceMap::kNone ? nodes_at(s, rank_[k], true) : nodes_at(s));
   }
   // Cracks that cross; meetings at their ends are among the spots.
   for (std::size_t i = 0; i < map_.cracks().size(); ++i)
@@ -261,7 +259,7 @@ void SliceGraph::join_touching() {
 
 std::uint32_t SliceGraph::group_at(const SlicePoint& p) const {
   const std::vector<std::uint32_t> nodes = nodes_at(p);
-  return nodes.empty() ? kNone : group_[nodes[0]];
+  return nodes.empty() ? SliceMap::kNone : group_[nodes[0]];
 }
 
 std::vector<Position> SliceGraph::way(const Position& from, const Position& to) const {
@@ -269,13 +267,13 @@ std::vector<Position> SliceGraph::way(const Position& from, const Position& to) 
   if (map_.passage(start, goal, touching_).free) return {from, to};
   const std::vector<std::uint32_t> ends = nodes_at(goal);
   std::vector<const Link*> by(links_.size(), nullptr);
-  std::vector<std::uint32_t> before(links_.size(), kNone);
+  std::vector<std::uint32_t> before(links_.size(), SliceMap::kNone);
   std::deque<std::uint32_t> open;
   for (const std::uint32_t n : nodes_at(start)) {
     before[n] = n;
     open.push_back(n);
   }
-  const auto reached = [&](std::uint32_t n) { return before[n] != kNone; };
+  const auto reached = [&](std::uint32_t n) { return before[n] != SliceMap::kNone; };
   while (!open.empty() && std::none_of(ends.begin(), ends.end(), reached)) {
     const std::uint32_t n = open.front();
     open.pop_front();

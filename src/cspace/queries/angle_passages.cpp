@@ -7,8 +7,6 @@
 namespace dymsum::apps {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 class Finder {
  public:
   Finder(const CspaceObstacle& obstacle, const PatchForms& forms, Point at)
@@ -17,7 +15,7 @@ class Finder {
       const PatchForm& form = forms[p];
       if (outside(form)) continue;
       pieces_.clear();
-      PatchForms::split(obstacle, p, 4 * kPi, pieces_);
+      PatchForms::split(obstacle, p, 4 * std::numbers::pi, pieces_);
       add(form.own, p);
     }
     for (const TightFeature& f : obstacle.tight()) add_tight(f, at);
@@ -54,7 +52,8 @@ class Finder {
     const double near = std::acos(std::clamp(value + off, -1.0, 1.0)) - 0x1p-48;
     const double far = std::acos(std::clamp(value - off, -1.0, 1.0)) + 0x1p-48;
     if (value + off >= 1) return add_turned(phase - far - off, phase + far + off, patch, false);
-    if (value - off <= -1) return add_turned(phase + near - off, phase + 2 * kPi - near + off, patch, false);
+    if (value - off <= -1)
+      return add_turned(phase + near - off, phase + 2 * std::numbers::pi - near + off, patch, false);
     add_turned(phase - far - off, phase - near + off, patch, true);
     add_turned(phase + near - off, phase + far + off, patch, true);
   }
@@ -74,7 +73,7 @@ class Finder {
 
   void add_turned(double low, double high, std::uint32_t patch, bool crosses) {
     const double margin = forms_.angle_margin();
-    for (const double turn : {-2 * kPi, 0.0, 2 * kPi})
+    for (const double turn : {-2 * std::numbers::pi, 0.0, 2 * std::numbers::pi})
       for (const PatchPiece& piece : pieces_)
         if (high + turn >= piece.low - margin && low + turn <= piece.high + margin)
           add_here(low + turn - 0x1p-50, high + turn + 0x1p-50, patch, crosses);
@@ -103,7 +102,9 @@ class Finder {
   }
 
   void push(double low, double high, std::uint32_t patch, bool crosses) {
-    const double turns = low < -kPi ? 2 * kPi : low >= kPi ? -2 * kPi : 0;
+    const double turns = low < -std::numbers::pi   ? 2 * std::numbers::pi
+                         : low >= std::numbers::pi ? -2 * std::numbers::pi
+                                                   : 0;
     found_.push_back({low + turns, high + turns, patch, crosses});
   }
 
@@ -113,11 +114,12 @@ class Finder {
     for (const Passage& p : found_)
       if (!out.all.empty() && p.low <= out.all.back().high + kPassageGap) join(out.all.back(), p, 0);
       else out.all.push_back(p);
-    while (out.all.size() > 1 && out.all.front().low + 2 * kPi <= out.all.back().high + kPassageGap) {
-      join(out.all.back(), out.all.front(), 2 * kPi);
+    while (out.all.size() > 1 && out.all.front().low + 2 * std::numbers::pi <= out.all.back().high + kPassageGap) {
+      join(out.all.back(), out.all.front(), 2 * std::numbers::pi);
       out.all.erase(out.all.begin());
     }
-    if (!out.all.empty() && out.all.front().low + 2 * kPi <= out.all.back().high + kPassageGap) out = {{}, true};
+    if (!out.all.empty() && out.all.front().low + 2 * std::numbers::pi <= out.all.back().high + kPassageGap)
+      out = {{}, true};
     return out;
   }
   static void join(Passage& to, const Passage& more, double turn) {

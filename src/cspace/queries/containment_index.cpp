@@ -7,8 +7,6 @@
 namespace dymsum::apps {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 // About a dozen patches begin in a bin.
 std::size_t bins_for(std::size_t patches) {
   std::size_t bins = 32;
@@ -28,7 +26,9 @@ ContainmentIndex::ContainmentIndex(const CspaceObstacle& obstacle, const PatchFo
   for (const EventAngle& a : obstacle.angles()) angles_.push_back(a.theta);
   for (const Patch& p : obstacle.patches()) alive_.push_back({p.begin, p.end});
   for (std::size_t bin = 0; bin < bins_; ++bin) {
-    const double low = -kPi + 2 * kPi * static_cast<double>(bin) / static_cast<double>(bins_) - forms_.angle_margin();
+    const double low = -std::numbers::pi +
+                       2 * std::numbers::pi * static_cast<double>(bin) / static_cast<double>(bins_) -
+                       forms_.angle_margin();
     const auto first = std::lower_bound(angles_.begin(), angles_.end(), low);
     first_angle_.push_back(static_cast<std::uint32_t>(first - angles_.begin()));
   }
@@ -37,13 +37,14 @@ ContainmentIndex::ContainmentIndex(const CspaceObstacle& obstacle, const PatchFo
 }
 
 std::size_t ContainmentIndex::bin_of(double theta) const {
-  const double at = (theta + kPi) * (static_cast<double>(bins_) / (2 * kPi));
+  const double at = (theta + std::numbers::pi) * (static_cast<double>(bins_) / (2 * std::numbers::pi));
   return at > 0 ? std::min(bins_ - 1, static_cast<std::size_t>(at)) : 0;
 }
 
 // Every patch goes to the rows of its box over the angles that it shares with a bin.
 void ContainmentIndex::build(const CspaceObstacle& obstacle) {
-  const double width = 2 * kPi / static_cast<double>(bins_), size = forms_.size(), margin = forms_.angle_margin();
+  const double width = 2 * std::numbers::pi / static_cast<double>(bins_), size = forms_.size(),
+               margin = forms_.angle_margin();
   const double per_row = static_cast<double>(rows_) / (2 * size);
   const auto row_of = [&](double y) {
     return static_cast<std::uint32_t>(std::clamp((y + size) * per_row, 0.0, static_cast<double>(rows_) - 1));
@@ -52,10 +53,10 @@ void ContainmentIndex::build(const CspaceObstacle& obstacle) {
   std::vector<PatchPiece> pieces;
   for (std::uint32_t p = 0; p < forms_.forms().size(); ++p) {
     pieces.clear();
-    PatchForms::split(obstacle, p, 4 * kPi, pieces);
+    PatchForms::split(obstacle, p, 4 * std::numbers::pi, pieces);
     for (const PatchPiece& piece : pieces)
       for (std::size_t bin = bin_of(piece.low - margin); bin <= bin_of(piece.high + margin); ++bin) {
-        const double from = -kPi + static_cast<double>(bin) * width;
+        const double from = -std::numbers::pi + static_cast<double>(bin) * width;
         const double low = std::max(from, piece.low) - margin;
         const double high = std::min(from + width, piece.high) + margin;
         const PointRange box = forms_.box(forms_[p], (low + high) / 2, std::max(high - low, 0.0) / 2);
@@ -91,7 +92,7 @@ std::optional<std::uint32_t> ContainmentIndex::slab(std::size_t bin, double thet
   const auto near = [&](double angle) { return std::abs(angle - theta) <= margin; };
   const auto before = behind == angles_.begin() ? angles_.end() : behind;
   if ((behind != angles_.end() && near(*behind)) || near(*(before - 1))) return std::nullopt;
-  if (theta > kPi - margin || theta < -kPi + margin) return std::nullopt;
+  if (theta > std::numbers::pi - margin || theta < -std::numbers::pi + margin) return std::nullopt;
   return static_cast<std::uint32_t>(before - angles_.begin()) - 1;
 }
 

@@ -39,7 +39,7 @@ Terms sum(Terms a, const Terms& b, double sign) {
   return a;
 }
 
-Terms difference(double a, double b) {
+Terms arrow_between(double a, double b) {
   const DoublePair d = exact_sum(a, -b);
   Terms out;
   add(out, d.low);
@@ -47,18 +47,18 @@ Terms difference(double a, double b) {
   return out;
 }
 
-struct Vector {
+struct Arrow {
   DoublePair x, y;
 };
-Vector from_to(Point a, Point b) { return {exact_sum(b.x, -a.x), exact_sum(b.y, -a.y)}; }
-DoublePair cross(const Vector& a, const Vector& b) { return a.x * b.y - a.y * b.x; }
-DoublePair dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y; }
-DoublePair square(const Vector& a) { return a.x * a.x + a.y * a.y; }
+Arrow from_to(Point a, Point b) { return {exact_sum(b.x, -a.x), exact_sum(b.y, -a.y)}; }
+DoublePair cross_of_arrows(const Arrow& a, const Arrow& b) { return a.x * b.y - a.y * b.x; }
+DoublePair dot_of_arrows(const Arrow& a, const Arrow& b) { return a.x * b.x + a.y * b.y; }
+DoublePair square_of_arrow(const Arrow& a) { return a.x * a.x + a.y * a.y; }
 
 // The signed distance of p from the line through a and b.
 DoublePair height(Point p, const std::array<Point, 2>& line) {
-  const Vector d = from_to(line[0], line[1]);
-  return cross(from_to(line[0], p), d) / square_root(square(d));
+  const Arrow d = from_to(line[0], line[1]);
+  return cross_of_arrows(from_to(line[0], p), d) / square_root(square_of_arrow(d));
 }
 
 int sign_of(const Terms& terms) { return terms.empty() ? 0 : terms.back() > 0 ? 1 : -1; }
@@ -67,8 +67,8 @@ int sign_of(const Terms& terms) { return terms.empty() ? 0 : terms.back() > 0 ? 
 // not as far, 2 on both lines: by the squares of the distances times those of the lengths.
 int same_height(Point p, const std::array<Point, 2>& line, Point q, const std::array<Point, 2>& other) {
   const auto parts = [](Point point, const std::array<Point, 2>& l) {
-    const Terms dx = difference(l[1].x, l[0].x), dy = difference(l[1].y, l[0].y);
-    const Terms gx = difference(point.x, l[0].x), gy = difference(point.y, l[0].y);
+    const Terms dx = arrow_between(l[1].x, l[0].x), dy = arrow_between(l[1].y, l[0].y);
+    const Terms gx = arrow_between(point.x, l[0].x), gy = arrow_between(point.y, l[0].y);
     const Terms area = sum(product(gx, dy), product(gy, dx), -1);
     return std::array{area, sum(product(dx, dx), product(dy, dy), 1)};
   };
@@ -109,14 +109,15 @@ CrossingGaps crossing_gaps(const std::array<Point, 2>& fixed, const std::array<P
 // tan(phi / 2) = sin / (1 + cos) = (1 - cos) / sin, of which one does not cancel.
 std::array<DoublePair, 2> half_tangents(const std::array<Point, 2>& a, const std::array<Point, 2>& b) {
   const auto unit = [](const std::array<Point, 2>& edge) {
-    Vector v = from_to(edge[0], edge[1]);
+    Arrow v = from_to(edge[0], edge[1]);
     int exponent = 0;
     std::frexp(std::max(std::abs(v.x.high), std::abs(v.y.high)), &exponent);
     for (DoublePair* d : {&v.x, &v.y}) *d = {std::ldexp(d->high, -exponent), std::ldexp(d->low, -exponent)};
     return v;
   };
-  const Vector u = unit(a), v = unit(b);
-  const DoublePair lengths = square_root(square(u) * square(v)), c = dot(u, v), s = cross(u, v);
+  const Arrow u = unit(a), v = unit(b);
+  const DoublePair lengths = square_root(square_of_arrow(u) * square_of_arrow(v)), c = dot_of_arrows(u, v),
+                   s = cross_of_arrows(u, v);
   const auto half = [&](const DoublePair& cosine, const DoublePair& sine) {
     return cosine.high > 0 ? sine / (lengths + cosine) : (lengths - cosine) / sine;
   };

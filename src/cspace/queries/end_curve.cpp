@@ -5,24 +5,20 @@
 #include <numbers>
 
 namespace dymsum::apps {
-namespace {
-
-constexpr double kPi = std::numbers::pi;
-
-}  // namespace
+namespace {}  // namespace
 
 int nearest_parallel(const PatchEnd& end, double theta) {
-  return static_cast<int>(std::lround((theta - end.parallel) / kPi)) & 1;
+  return static_cast<int>(std::lround((theta - end.parallel) / std::numbers::pi)) & 1;
 }
 
-double parallel_angle(const PatchEnd& end, int k) { return end.parallel + k * kPi; }
+double parallel_angle(const PatchEnd& end, int k) { return end.parallel + k * std::numbers::pi; }
 
 EndCurve::EndCurve(const PatchEnd& end, double length, double reference) : length_(length) {
   constant_ = end.corner ? end.at : end.constant;
   if (end.corner) return;
   if (end.mixed) {
     const int k = nearest_parallel(end, reference);
-    set_pole(end, k, std::remainder(reference - parallel_angle(end, k), 2 * kPi));
+    set_pole(end, k, std::remainder(reference - parallel_angle(end, k), 2 * std::numbers::pi));
     return;
   }
   kind_ = Kind::wave;

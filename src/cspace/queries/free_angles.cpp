@@ -9,8 +9,6 @@
 namespace dymsum::apps {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 // An angle at which something may change at the position.
 struct Mark {
   double angle = 0, error = 0;
@@ -23,7 +21,9 @@ Mark mark_of(const TurnMark& m, std::uint32_t patch) {
   return {e.theta, std::max(e.theta - e.low, e.high - e.theta), patch, m.free, m.free_behind};
 }
 
-double reduced(double theta) { return std::clamp(std::remainder(theta, 2 * kPi), -kPi, kPi); }
+double reduced(double theta) {
+  return std::clamp(std::remainder(theta, 2 * std::numbers::pi), -std::numbers::pi, std::numbers::pi);
+}
 Orientation orientation_at(double theta) { return Orientation::nearest(theta).value(); }
 
 class Marks {
@@ -49,7 +49,7 @@ class Marks {
     std::vector<double> gap(n);
     std::vector<bool> free_behind(n);
     for (std::size_t k = 0; k < n; ++k) {
-      gap[k] = (k + 1 < n ? all[k + 1].low : all[0].low + 2 * kPi) - all[k].high;
+      gap[k] = (k + 1 < n ? all[k + 1].low : all[0].low + 2 * std::numbers::pi) - all[k].high;
       free_behind[k] = is_free_(reduced(all[k].high + gap[k] / 2));
     }
     for (std::size_t k = 0; k < n; ++k) {
@@ -87,7 +87,7 @@ FreeAngles between(const Mark& begin, const Mark& end, bool passes_pi) {
 
 std::vector<FreeAngles> all_or_none(bool free) {
   if (!free) return {};
-  return {{-kPi, kPi, 0, 0, Patch::kNone, Patch::kNone}};
+  return {{-std::numbers::pi, std::numbers::pi, 0, 0, Patch::kNone, Patch::kNone}};
 }
 
 // Without those at which nothing changes: what is left begins or ends an interval, or is free alone.

@@ -23,7 +23,7 @@ struct Task {
 };
 
 // x of a stretch between low and high, best looked at on both sides of `split`.
-struct Part {
+struct BoxedPart {
   std::uint32_t stretch = 0;
   double low = 0, high = 0, split = 0, off = 0;
 };
@@ -134,12 +134,12 @@ class Search {
     if (off + s.low < -kTurn / 2 + kAngleMargin) add({index, s.low, s.high, 0, off + kTurn});
   }
 
-  void halve(const Part part) {
+  void halve(const BoxedPart part) {
     add({part.stretch, part.low, part.split, 0, part.off});
     add({part.stretch, part.split, part.high, 0, part.off});
   }
 
-  void add(Part part) {
+  void add(BoxedPart part) {
     ++found_.bounds;
     const PatchStretch& s = tree_.stretch(part.stretch);
     const StretchDistance distance(forms_[s.patch], s, question_, part.off);
@@ -162,14 +162,14 @@ class Search {
   }
 
   // Where doubles do not tell when the patch begins, a part of its own is left open.
-  static double split_of(const Part& part, const PatchStretch& s, const StretchDistance::Bound& bound) {
+  static double split_of(const BoxedPart& part, const PatchStretch& s, const StretchDistance::Bound& bound) {
     const auto within = [&](double x) { return part.low < x && x < part.high; };
     if (bound.splits && within(bound.split)) return bound.split;
     if (bound.x < s.surely_low && within(s.surely_low)) return s.surely_low;
     if (bound.x > s.surely_high && within(s.surely_high)) return s.surely_high;
     return part.low + (part.high - part.low) / 2;
   }
-  bool too_short(const Part& part, const PatchStretch& s) const {
+  bool too_short(const BoxedPart& part, const PatchStretch& s) const {
     const double width = part.high - part.low;
     if (!(width > 0x1p-46 * (std::abs(part.low) + std::abs(part.high)) && width > 0x1p-80)) return true;
     return !question_.whole_edges && (part.high <= s.surely_low || part.low >= s.surely_high);
@@ -197,7 +197,7 @@ class Search {
   const DistanceQuestion& question_;
   double slack_;
   std::vector<Task> heap_;
-  std::vector<Part> parts_;
+  std::vector<BoxedPart> parts_;
   NearestPatch found_;
   double upper_ = kInfinity, upper2_ = kInfinity;  // the least distance known, with its error
   double least_ = kInfinity;                       // the least bound among what is not looked at any more

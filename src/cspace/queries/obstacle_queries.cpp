@@ -14,8 +14,6 @@
 namespace dymsum {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 // The root of the mean square distance of the robot's points from the origin: of its parts, else of its polylines, else
 // of its points.
 double turning_radius(const Region& robot) {
@@ -39,7 +37,9 @@ double turning_radius(const Region& robot) {
 }
 
 // In [-pi, pi], within 2^-51 of the angle of Orientation::nearest.
-double reduced(double theta) { return std::abs(theta) <= kPi ? theta : Orientation::nearest(theta).value().radians(); }
+double reduced(double theta) {
+  return std::abs(theta) <= std::numbers::pi ? theta : Orientation::nearest(theta).value().radians();
+}
 
 }  // namespace
 
@@ -77,7 +77,7 @@ ObstacleQueries::~ObstacleQueries() = default;
 
 bool ObstacleQueries::contains(const Configuration& at) const {
   const State& s = *state_;
-  if (std::abs(at.theta) <= kPi)
+  if (std::abs(at.theta) <= std::numbers::pi)
     if (const std::optional<bool> sure = s.sure(at.x, at.y, at.theta)) return *sure;
   if (!std::isfinite(at.theta)) throw std::invalid_argument("ObstacleQueries::contains: theta is not finite");
   return contains(at.x, at.y, Orientation::nearest(at.theta).value());

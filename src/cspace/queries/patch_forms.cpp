@@ -14,8 +14,6 @@
 namespace dymsum::apps {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 // Vertices by their numbers, and where the straight run that starts at each of them ends.
 struct Numbered {
   std::vector<Point> at, exact;
@@ -185,11 +183,11 @@ void PatchForms::split(const CspaceObstacle& obstacle, std::uint32_t patch, doub
       out.push_back({patch, low + k * width, k + 1 == parts ? high : low + (k + 1) * width});
     }
   };
-  if (p.begin == Patch::kNone) return add(-kPi, kPi);
+  if (p.begin == Patch::kNone) return add(-std::numbers::pi, std::numbers::pi);
   const double begin = obstacle.angles()[p.begin].theta, end = obstacle.angles()[p.end].theta;
   if (p.begin < p.end) return add(begin, end);
-  if (begin < kPi) add(begin, kPi);
-  add(-kPi, end);
+  if (begin < std::numbers::pi) add(begin, std::numbers::pi);
+  add(-std::numbers::pi, end);
 }
 
 }  // namespace dymsum::apps

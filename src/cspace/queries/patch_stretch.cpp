@@ -6,8 +6,6 @@
 
 namespace dymsum::apps {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 constexpr double kAngleError = 0x1p-48;  // of sums and differences of angles below 16, a few roundings each
 constexpr double kFast = 0x1p-10;        // radians from a pole, farther away a crossing takes its time
 
@@ -37,7 +35,8 @@ Pole near_pole(const PatchForm& form, const Cover& cover, double longest) {
     const double middle = (cover.low + cover.high) / 2;
     const Pole pole = pole_of(*end, middle);
     if (pole.end == nullptr) continue;
-    const double off = std::abs(std::remainder(middle - pole.angle(), 2 * kPi)) + (cover.high - cover.low) / 2;
+    const double off =
+        std::abs(std::remainder(middle - pole.angle(), 2 * std::numbers::pi)) + (cover.high - cover.low) / 2;
     if (off >= nearest) continue;
     best = pole;
     nearest = off;
@@ -73,11 +72,12 @@ class StretchMaker {
     for (std::uint32_t p = 0; p < forms_.forms().size(); ++p) {
       const Patch& patch = obstacle_.patches()[p];
       if (patch.begin == Patch::kNone) {
-        split(p, {-kPi - kAngleError, kPi + kAngleError, -kPi, kPi, Patch::kNone, Patch::kNone});
+        split(p, {-std::numbers::pi - kAngleError, std::numbers::pi + kAngleError, -std::numbers::pi, std::numbers::pi,
+                  Patch::kNone, Patch::kNone});
         continue;
       }
       const EventAngle &a = obstacle_.angles()[patch.begin], &b = obstacle_.angles()[patch.end];
-      const double turn = patch.end <= patch.begin ? 2 * kPi : 0;
+      const double turn = patch.end <= patch.begin ? 2 * std::numbers::pi : 0;
       split(p, {a.low, b.high + turn, a.high, b.low + turn, patch.begin, patch.end});
     }
     return std::move(out_);
@@ -107,7 +107,7 @@ class StretchMaker {
     const double middle = (cover.low + cover.high) / 2;
     PatchStretch s;
     s.patch = patch;
-    s.reference = std::remainder(pole.end == nullptr ? middle : pole.angle(), 2 * kPi);
+    s.reference = std::remainder(pole.end == nullptr ? middle : pole.angle(), 2 * std::numbers::pi);
     if (pole.end == nullptr) {
       s.c = std::cos(s.reference);
       s.s = std::sin(s.reference);
@@ -115,7 +115,8 @@ class StretchMaker {
       place_at(form, pole, s);
     }
     // The cover, moved by whole turns next to the reference.
-    const double from = s.reference + std::round((middle - s.reference) / (2 * kPi)) * (2 * kPi);
+    const double from =
+        s.reference + std::round((middle - s.reference) / (2 * std::numbers::pi)) * (2 * std::numbers::pi);
     s.low = cover.low - from - kAngleError;
     s.high = cover.high - from + kAngleError;
     s.surely_low = cover.surely_low - from + kAngleError;

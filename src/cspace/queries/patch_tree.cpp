@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint32_t kLeaf = 4;
 constexpr double kLongest = 0.1;  // radians: boxes of longer stretches are mostly empty
-constexpr double kTurn = 2 * std::numbers::pi;
+constexpr double kFullTurn = 2 * std::numbers::pi;
 
 using Box = std::array<Range, 3>;  // x, y, theta
 
@@ -98,9 +98,9 @@ double outside(double middle, double half, double v) { return std::max(0.0, std:
 // Middles are at most a little more than half a turn from 0, and so is v.
 double angle_outside(double middle, double half, double v) {
   const double off = std::abs(v - middle);
-  return std::max(0.0, std::min(off, std::abs(kTurn - off)) - half);
+  return std::max(0.0, std::min(off, std::abs(kFullTurn - off)) - half);
 }
-double square(double v) { return v * v; }
+double squared(double v) { return v * v; }
 
 }  // namespace
 
@@ -130,7 +130,7 @@ std::array<double, PatchTree::kWide> square_distances(const PatchTree::Node& nod
   std::array<double, PatchTree::kWide> all;
   for (std::size_t k = 0; k < PatchTree::kWide; ++k) {
     const double x = outside(node.x[k], node.x_half[k], at.x), y = outside(node.y[k], node.y_half[k], at.y);
-    all[k] = x * x + y * y + square(weight * angle_outside(node.theta[k], node.theta_half[k], theta));
+    all[k] = x * x + y * y + squared(weight * angle_outside(node.theta[k], node.theta_half[k], theta));
   }
   return all;
 }
@@ -138,7 +138,7 @@ std::array<double, PatchTree::kWide> square_distances(const PatchTree::Node& nod
 double square_distance(const PatchTree::Slab& slab, Point at, double theta, double weight) {
   const double u = outside(slab.u, slab.u_half, dot(slab.along, at));
   const double v = outside(slab.v, slab.v_half, cross(slab.along, at));
-  return u * u + v * v + square(weight * angle_outside(slab.theta, slab.theta_half, theta));
+  return u * u + v * v + squared(weight * angle_outside(slab.theta, slab.theta_half, theta));
 }
 
 }  // namespace dymsum::apps

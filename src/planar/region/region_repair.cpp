@@ -11,7 +11,7 @@ namespace dymsum {
 
 namespace {
 
-bool less(Point a, Point b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
+bool lexicographically_less(Point a, Point b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
 
 // A mended chain, and where each of its vertices was.
 struct Mended {
@@ -79,7 +79,7 @@ class RingMender {
 // True when the ring runs counter-clockwise. All its rays at the lexicographically smallest point go right, and what
 // lies under the lowest is outside. Requires a mended ring; means nothing for one that crosses itself.
 bool runs_counter_clockwise(const Ring& ring) {
-  const Point start = *std::min_element(ring.begin(), ring.end(), less);
+  const Point start = *std::min_element(ring.begin(), ring.end(), lexicographically_less);
   bool first = true, outgoing = true;
   Point lowest{};
   const auto offer = [&](Point end, bool out) {

@@ -32,8 +32,6 @@ Region trusted_region(RegionData data, std::vector<Point> touching_points) {
 
 namespace {
 
-constexpr std::uint32_t kNone = RingPlace::kNone;
-
 // Which chain of a region: a ring of a part, or a polyline.
 struct ChainName {
   std::optional<std::int64_t> part;
@@ -164,10 +162,11 @@ class LayoutCheck {
                        static_cast<std::size_t>(vertex_index(vertex)), &at);
   }
 
-  Error ring_error(ErrorCode code, std::string message, std::uint32_t ring, std::uint32_t other = kNone) const {
+  Error ring_error(ErrorCode code, std::string message, std::uint32_t ring,
+                   std::uint32_t other = RingPlace::kNone) const {
     const std::uint32_t vertex = layout_.rings[ring].first_vertex;
     Error error = vertex_error(code, std::move(message), vertex, rings_.points[vertex]);
-    if (other != kNone) {
+    if (other != RingPlace::kNone) {
       error.evidence.other_part = part_index(other);
       error.evidence.other_ring = ring_index(other);
     }
@@ -189,7 +188,7 @@ class LayoutCheck {
   // A part may lie outside all others, or directly inside a hole.
   std::optional<Error> misplaced_outer(std::uint32_t ring) const {
     const std::uint32_t around = layout_.rings[ring].container;
-    if (around == kNone) return std::nullopt;
+    if (around == RingPlace::kNone) return std::nullopt;
     if (is_outer(around)) return ring_error(ErrorCode::parts_overlap, "a part lies inside another part", ring, around);
     if (part_of_[around] != part_of_[ring]) return std::nullopt;
     return ring_error(ErrorCode::hole_outside, "a hole is not inside its outer ring", around);
@@ -201,7 +200,7 @@ class LayoutCheck {
     const std::uint32_t container = layout_.rings[ring].container;
     if (container == outer) return std::nullopt;
     bool inside = false;
-    for (std::uint32_t around = container; around != kNone; around = layout_.rings[around].container) {
+    for (std::uint32_t around = container; around != RingPlace::kNone; around = layout_.rings[around].container) {
       if (part_of_[around] != part_of_[ring]) continue;
       if (!is_outer(around))
         return ring_error(ErrorCode::hole_outside, "a hole lies inside another hole", ring, around);

@@ -37,7 +37,7 @@ struct Run {
 };
 
 /// A place where the run may enter or leave the parts.
-struct Cut {
+struct RingCut {
   Spot at;
   std::uint32_t ring, edge;
 };
@@ -110,8 +110,8 @@ bool boxes_apart(const Spot& a, const Spot& b, const Spot& c, const Spot& d) {
 }
 
 /// Ring vertices on the run and crossings of ring edges with it, strictly between its ends, sorted, each place once.
-std::vector<Cut> cuts_of(const Run& run, const Rings& rings) {
-  std::vector<Cut> cuts;
+std::vector<RingCut> cuts_of(const Run& run, const Rings& rings) {
+  std::vector<RingCut> cuts;
   const auto add = [&](Spot at, std::size_t ring, std::size_t edge) {
     if (compare(*run.low, at) < 0 && compare(at, *run.high) < 0)
       cuts.push_back({std::move(at), static_cast<std::uint32_t>(ring), static_cast<std::uint32_t>(edge)});
@@ -127,8 +127,9 @@ std::vector<Cut> cuts_of(const Run& run, const Rings& rings) {
       if (side * next_side < 0) add(crossing(*run.low, *run.high, a, b), r, k);
     }
   }
-  std::stable_sort(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b) { return compare(a.at, b.at) < 0; });
-  const auto same = [](const Cut& a, const Cut& b) { return compare(a.at, b.at) == 0; };
+  std::stable_sort(cuts.begin(), cuts.end(),
+                   [](const RingCut& a, const RingCut& b) { return compare(a.at, b.at) < 0; });
+  const auto same = [](const RingCut& a, const RingCut& b) { return compare(a.at, b.at) == 0; };
   cuts.erase(std::unique(cuts.begin(), cuts.end(), same), cuts.end());
   return cuts;
 }
@@ -137,7 +138,7 @@ Spot middle(const Spot& a, const Spot& b) {
   return make_spot(Position{(a.exact.x + b.exact.x) / 2, (a.exact.y + b.exact.y) / 2});
 }
 
-PieceEnd make_end(const Spot& at, const Cut* cut) {
+PieceEnd make_end(const Spot& at, const RingCut* cut) {
   PieceEnd end;
   end.at = at.exact;
   if (cut != nullptr) {
@@ -162,7 +163,7 @@ void name_candidates(PieceSegment& piece, const Spot& from, const Spot& to, cons
 
 /// The pieces of one run: its intervals between cuts whose middles lie outside the parts, neighbours joined.
 void add_pieces(const Run& run, const Rings& rings, std::vector<PieceSegment>& pieces) {
-  const std::vector<Cut> cuts = cuts_of(run, rings);
+  const std::vector<RingCut> cuts = cuts_of(run, rings);
   const auto spot = [&](std::size_t i) -> const Spot& {
     return i == 0 ? *run.low : i <= cuts.size() ? cuts[i - 1].at : *run.high;
   };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 
@@ -18,8 +19,7 @@ double small_tangent(double x) {
 }
 
 Point at_eighth(std::int64_t k, std::int64_t n) {
-  constexpr double kPi = 3.14159265358979323846;
-  const double t = small_tangent(kPi * static_cast<double>(k) / static_cast<double>(n));
+  const double t = small_tangent(std::numbers::pi * static_cast<double>(k) / static_cast<double>(n));
   return {(1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)};
 }
 

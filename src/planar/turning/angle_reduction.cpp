@@ -15,7 +15,6 @@ using exact::BigRational;
 // Angles are integers of steps of 2^-kBits. The largest double is less than 2^1024 quarter turns, and a quarter turn is
 // known to one step: a reduced angle is known to 2^-128.
 constexpr unsigned kBits = 1152, kGuard = 16;
-constexpr double kPi = std::numbers::pi;
 
 // atan(1 / n) in steps of 2^-(kBits + kGuard): fewer than 2^9 terms, each cut off by less than two steps.
 BigInteger arc_tangent_of_inverse(unsigned n) {
@@ -46,12 +45,12 @@ BigInteger steps_of(double radians) {
 }  // namespace
 
 double reduced_angle(double radians) {
-  if (std::abs(radians) <= kPi) return radians == -kPi ? kPi : radians;
+  if (std::abs(radians) <= std::numbers::pi) return radians == -std::numbers::pi ? std::numbers::pi : radians;
   const BigInteger &quarter = quarter_turn(), steps = steps_of(std::abs(radians));
   const BigInteger count = (2 * steps + quarter) / (2 * quarter), rest = steps - count * quarter;
   const int turned = static_cast<int>(BigInteger(count % 4)), sign = radians < 0 ? -1 : 1;
   if (abs(rest) <= BigInteger(1) << (kBits - 50)) {
-    constexpr std::array<double, 4> kQuarters{0, kPi / 2, kPi, -kPi / 2};
+    constexpr std::array<double, 4> kQuarters{0, std::numbers::pi / 2, std::numbers::pi, -std::numbers::pi / 2};
     return kQuarters[static_cast<std::size_t>((4 + sign * turned) % 4)];
   }
   const int quarters = turned == 3 || (turned == 2 && rest > 0) ? turned - 4 : turned;

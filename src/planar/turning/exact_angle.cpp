@@ -13,8 +13,6 @@ using exact::BigRational;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 int sign_of(const AlgebraicRoot& t) {
   if (t.low() > 0) return 1;
   if (t.high() < 0) return -1;
@@ -31,7 +29,7 @@ constexpr double kSubnormal = 0x1p-1070;
 
 double angle_at(double t, int section) {
   const double theta = 2 * std::atan(t);
-  return section == 1 ? theta : section == 0 ? theta - kPi : theta + kPi;
+  return section == 1 ? theta : section == 0 ? theta - std::numbers::pi : theta + std::numbers::pi;
 }
 
 // Whether b comes before c on the way counter-clockwise from a, all the way round when c = a.

@@ -14,12 +14,10 @@ namespace {
 using exact::BigInteger;
 using exact::BigRational;
 
-constexpr double kPi = std::numbers::pi;
-
 double angle_of(const BigInteger& n, const BigInteger& d) {
   if (abs(n) <= abs(d)) return 2 * std::atan(exact::round_to_double(BigRational(n) / d));
   const double rest = 2 * std::atan(exact::round_to_double(BigRational(d) / n));
-  return n.sign() * d.sign() < 0 ? -kPi - rest : kPi - rest;
+  return n.sign() * d.sign() < 0 ? -std::numbers::pi - rest : std::numbers::pi - rest;
 }
 
 // The rational with the smallest denominator in [a, b], 0 <= a < b.
@@ -51,7 +49,7 @@ Result<Orientation> Orientation::of(std::int64_t n, std::int64_t d) {
 Orientation Orientation::half_turn() {
   Orientation o;
   o.half_turn_ = true;
-  o.radians_ = kPi;
+  o.radians_ = std::numbers::pi;
   return o;
 }
 
@@ -65,11 +63,11 @@ Result<Orientation> Orientation::parse(std::string_view tan_half) {
 Result<Orientation> Orientation::nearest(double radians) {
   if (!std::isfinite(radians)) return Error{ErrorCode::bad_rotation, "an angle has to be finite", {}};
   const double theta = planar::reduced_angle(radians);
-  if (std::abs(theta) == kPi) return half_turn();
-  if (std::abs(theta) == kPi / 2) return of(theta > 0 ? 1 : -1, 1);
+  if (std::abs(theta) == std::numbers::pi) return half_turn();
+  if (std::abs(theta) == std::numbers::pi / 2) return of(theta > 0 ? 1 : -1, 1);
   const double t = std::tan(theta / 2);
   if (std::abs(t) <= 1) return planar::orientation_of(exact::exact_value(t));
-  const double back = std::tan((theta > 0 ? kPi - theta : -kPi - theta) / 2);
+  const double back = std::tan((theta > 0 ? std::numbers::pi - theta : -std::numbers::pi - theta) / 2);
   if (back == 0) return half_turn();
   return planar::orientation_of(BigRational(1 / exact::exact_value(back)));
 }
@@ -81,10 +79,10 @@ Result<Orientation> Orientation::nearest(double radians, double error) {
   const double theta = planar::reduced_angle(radians), e = 0.99 * error - 0x1p-50;
   if (e < 0x1p-48) return nearest(radians);
   if (std::abs(theta) <= e) return Orientation{};
-  if (std::abs(theta) + e >= kPi) return half_turn();
+  if (std::abs(theta) + e >= std::numbers::pi) return half_turn();
   // The tangent of half the rest to half a turn is one over that of half the angle.
-  const bool far = std::abs(theta) > kPi / 2;
-  const double a = far ? kPi - std::abs(theta) : std::abs(theta);
+  const bool far = std::abs(theta) > std::numbers::pi / 2;
+  const double a = far ? std::numbers::pi - std::abs(theta) : std::abs(theta);
   BigRational t =
       simplest(exact::exact_value(std::tan((a - e > 0 ? a - e : 0) / 2)), exact::exact_value(std::tan((a + e) / 2)));
   if (far) {

@@ -108,7 +108,7 @@ class Cone {
 
 /// A half-plane of a cone's boundary at a common ray: to the left of the ray seen against the outward normal, or to the
 /// right.
-struct Wall {
+struct ConeWall {
   const Sector* sector;
   bool left;
   int cone;
@@ -176,12 +176,12 @@ class Overlap {
         if (at == 3 || at == 2) walls_.push_back({&s, false, c});
       }
     }
-    const Wall reference = walls_[0];
-    const auto sector = [&](const Wall& w) {
+    const ConeWall reference = walls_[0];
+    const auto sector = [&](const ConeWall& w) {
       const int t = turn(r, reference, w);
       return t > 0 ? 1 : t < 0 ? 3 : same_side(reference, w) ? 0 : 2;
     };
-    const auto before = [&](const Wall& x, const Wall& y) {
+    const auto before = [&](const ConeWall& x, const ConeWall& y) {
       const int a = sector(x), b = sector(y);
       if (a != b) return a < b;
       return (a == 1 || a == 3) && turn(r, x, y) > 0;
@@ -194,7 +194,7 @@ class Overlap {
       std::size_t last = k;
       bool enters[2] = {false, false}, leaves[2] = {false, false};
       do {
-        const Wall& w = walls_[last % walls_.size()];
+        const ConeWall& w = walls_[last % walls_.size()];
         (w.left ? leaves : enters)[w.cone] = true;
         ++last;
       } while (last % walls_.size() != 0 && !before(walls_[k % walls_.size()], walls_[last % walls_.size()]));
@@ -209,14 +209,14 @@ class Overlap {
   }
 
   /// Of the turn around r from one half-plane to another: r . (n x m), as for walls at an edge.
-  int turn(Ray r, const Wall& x, const Wall& y) const {
+  int turn(Ray r, const ConeWall& x, const ConeWall& y) const {
     const Sector &s = *x.sector, &t = *y.sector;
     return (x.left ? 1 : -1) * (y.left ? 1 : -1) * s.sign * t.sign * r.sign *
            space_.exact_turn(r.way, s.u, s.v, t.u, t.v);
   }
   /// For two halves of one plane: with equal normals both to the left or both to the right, with opposite ones the
   /// other way.
-  bool same_side(const Wall& x, const Wall& y) const {
+  bool same_side(const ConeWall& x, const ConeWall& y) const {
     const Sector &s = *x.sector, &t = *y.sector;
     const bool equal = s.sign * t.sign * space_.exact_dot(s.u, s.v, t.u, t.v) > 0;
     return (x.left == y.left) == equal;
@@ -224,7 +224,7 @@ class Overlap {
 
   const SumSpace& space_;
   const Cone* cone_[2];
-  std::vector<Wall> walls_;
+  std::vector<ConeWall> walls_;
 };
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace dymsum::spatial {
 
 namespace {
 
-using Bend = Wedge::Bend;
+using EdgeBendSigns = Wedge::Bend;
 
 /// A vector in doubles: within `error` of the exact one in each component, both scaled so that the largest component is
 /// about 1.
@@ -25,7 +25,7 @@ Direction scaled(Vec3 v, double error) {
 }
 
 /// One operand with its normals and edges in doubles.
-struct Side {
+struct FacetSide {
   Way::Of of;
   const SolidOperand& solid;
   std::vector<Direction> normals;     // of triangles
@@ -33,7 +33,7 @@ struct Side {
   std::vector<Direction> edges;       // of these
   std::vector<Direction> rays;        // as solid.rays
 
-  Side(Way::Of which, const SolidOperand& operand, const SumSpace& space) : of(which), solid(operand) {
+  FacetSide(Way::Of which, const SolidOperand& operand, const SumSpace& space) : of(which), solid(operand) {
     const std::vector<Vec3>& at = which == Way::Of::p ? space.p() : space.q();
     const double each = space.sum_radius();  // of a difference of two vertices, at most twice that
     const auto difference = [&](std::uint32_t from, std::uint32_t to) { return at[to] - at[from]; };
@@ -44,7 +44,7 @@ struct Side {
       normals.push_back(scaled(cross(u, v), error));
     }
     for (std::uint32_t w = 0; w < solid.wedges.size(); ++w) {
-      if (solid.wedges[w].bend != Bend::convex) continue;
+      if (solid.wedges[w].bend != EdgeBendSigns::convex) continue;
       convex.push_back(w);
       const Vec3 d = difference(solid.wedges[w].from, solid.wedges[w].to);
       edges.push_back(scaled(d, 2 * each + norm(d) * 0x1p-52));
@@ -68,7 +68,7 @@ int filtered(const Direction& n, const Direction& d) {
   return v > error ? 1 : v < -error ? -1 : 0;
 }
 
-int normal_sign(const SumSpace& space, const Side& faces, std::uint32_t triangle, Way d) {
+int normal_sign(const SumSpace& space, const FacetSide& faces, std::uint32_t triangle, Way d) {
   const Triangle& t = faces.solid.triangles[triangle];
   return space.exact_det(faces.way(t[0], t[1]), faces.way(t[0], t[2]), d);
 }
@@ -83,7 +83,7 @@ void add_unit(Box& box, const Direction& d) {
 }
 
 /// The box of the normals of a convex edge: the shorter arc between those of its faces.
-Box arc_box(const Side& side, const Wedge& w) {
+Box arc_box(const FacetSide& side, const Wedge& w) {
   Box box;
   const Direction &a = side.normals[w.left], &b = side.normals[w.right];
   add_unit(box, a), add_unit(box, b);
@@ -95,7 +95,7 @@ Box arc_box(const Side& side, const Wedge& w) {
 }
 
 /// The box of the normals that a cone supports: those with n . d <= 0 for all its rays d.
-Box cone_box(const Side& side, const SupportCone& cone) {
+Box cone_box(const FacetSide& side, const SupportCone& cone) {
   Box box;
   const std::uint32_t n = cone.last - cone.first;
   const auto ray = [&](std::uint32_t k) -> const Direction& { return side.rays[cone.first + k % n]; };
@@ -146,7 +146,7 @@ class Facets {
  private:
   /// Faces of one operand with vertices of the other whose rays all lie below the face's plane, or in it with the
   /// lexicographic sign of `tie`.
-  void face_vertex(const Side& faces, const Side& vertices, int tie) {
+  void face_vertex(const FacetSide& faces, const FacetSide& vertices, int tie) {
     std::vector<Box> boxes;
     for (const SupportCone& cone : vertices.solid.cones) boxes.push_back(cone_box(vertices, cone));
     const BoxTree tree(std::move(boxes));
@@ -165,7 +165,8 @@ class Facets {
     }
   }
 
-  bool supports(const Side& faces, std::uint32_t t, const Side& vertices, const SupportCone& cone, int tie) const {
+  bool supports(const FacetSide& faces, std::uint32_t t, const FacetSide& vertices, const SupportCone& cone,
+                int tie) const {
     for (std::uint32_t k = cone.first; k < cone.last; ++k) {
       int s = filtered(faces.normals[t], vertices.rays[k]);
       if (s == 0) {
@@ -178,7 +179,7 @@ class Facets {
     return true;
   }
 
-  void add_face_vertex(const Side& faces, std::uint32_t t, std::uint32_t v) {
+  void add_face_vertex(const FacetSide& faces, std::uint32_t t, std::uint32_t v) {
     const Triangle& tri = faces.solid.triangles[t];
     SumFacet facet;
     const bool of_p = faces.of == Way::Of::p;
@@ -204,7 +205,7 @@ class Facets {
   }
 
   /// The sign of face's normal times the other operand's edge.
-  int sign_at(const Side& faces, std::uint32_t triangle, const Side& edges, std::uint32_t i) const {
+  int sign_at(const FacetSide& faces, std::uint32_t triangle, const FacetSide& edges, std::uint32_t i) const {
     const int s = filtered(faces.normals[triangle], edges.edges[i]);
     if (s != 0) return s;
     const Wedge& w = edges.solid.wedges[edges.convex[i]];
@@ -231,7 +232,7 @@ class Facets {
   /// lexicographically positive.
   bool ties_hold(const Wedge& e, const Wedge& g, int a, int b, int c, int d) const {
     const Way ew = p_.way(e.from, e.to), gw = q_.way(g.from, g.to);
-    const auto along = [&](const Side& faces, std::uint32_t triangle) {
+    const auto along = [&](const FacetSide& faces, std::uint32_t triangle) {
       const Triangle& t = faces.solid.triangles[triangle];
       return space_.exact_dot(faces.way(t[0], t[1]), faces.way(t[0], t[2]), ew, gw);
     };
@@ -257,7 +258,7 @@ class Facets {
   }
 
   const SumSpace& space_;
-  Side p_, q_;
+  FacetSide p_, q_;
   ReducedConvolution result_;
 };
 

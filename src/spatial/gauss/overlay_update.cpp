@@ -11,7 +11,7 @@ namespace dymsum::spatial {
 namespace {
 
 constexpr double kForever = std::numeric_limits<double>::infinity();
-constexpr double kNever = -kForever;
+constexpr double kBeforeAll = -kForever;
 /// Among the breaks of an arc, above all numbers of crossings.
 constexpr std::uint32_t kEnds = std::uint32_t{1} << 31;
 
@@ -36,7 +36,7 @@ inline double most_rise(const Polytope& p, std::uint32_t v, Vec3 row) {
   const auto larger = [](double a, double b) { return a > b ? a : b; };
   const std::uint32_t end = p.ring_start[v + 1];
   std::uint32_t k = p.ring_start[v];
-  double most = kNever, also = kNever;  // two, so that comparisons need not wait for each other
+  double most = kBeforeAll, also = kBeforeAll;  // two, so that comparisons need not wait for each other
   for (; k + 1 < end; k += 2) {
     most = larger(rise(k), most);
     also = larger(rise(k + 1), also);
@@ -100,8 +100,8 @@ void Overlay::break_arc(std::uint32_t e, std::uint32_t by) {
 }
 
 /// The angle by which directions have to move at least before the circle of the walker's edge that is mapped to `along`
-/// can leave the cell of the origin of `over` elsewhere than across its arc; kNever where doubles do not prove that it
-/// leaves it there.
+/// can leave the cell of the origin of `over` elsewhere than across its arc; kBeforeAll where doubles do not prove that
+/// it leaves it there.
 inline double Overlay::slack(HalfEdge over, Vec3 along) const {
   const int op = 1 - walker_;
   const std::array<double, 6>& n = poly(op).sides[over / 2];
@@ -110,7 +110,7 @@ inline double Overlay::slack(HalfEdge over, Vec3 along) const {
   // Without a branch: half-edges point either way as often.
   const double forward = 1 - 2 * static_cast<double>(over & 1);
   const double least = std::min(forward * side[0], -forward * side[1]);
-  return least > signs_.error(op) ? signs_.margin(op, least) : kNever;
+  return least > signs_.error(op) ? signs_.margin(op, least) : kBeforeAll;
 }
 
 /// Crossings whose certificates have ended: those that doubles do not prove any more break the arc that they lie on.
@@ -121,7 +121,7 @@ void Overlay::check_crossings() {
   for (const std::uint32_t id : expired_) {
     const std::uint32_t e = edge_of(w, crossings_[id]);
     crossing_until_[id] = clock_ + slack(across(w, crossings_[id]), signs_.mapped_edge(1 - w, e));
-    if (crossing_until_[id] == kNever) break_arc(e, 1);
+    if (crossing_until_[id] == kBeforeAll) break_arc(e, 1);
   }
 }
 
@@ -156,7 +156,7 @@ void Overlay::mend_arc(std::uint32_t e) {
   const Vec3 along = signs_.mapped_edge(1 - w, e);
   const std::uint32_t end = extreme_[w][mine.face[2 * e + 1]];
   const auto over_of = [&](std::uint32_t id) { return across(w, crossings_[id]); };
-  const auto fails = [&](std::uint32_t id) { return crossing_until_[id] == kNever; };
+  const auto fails = [&](std::uint32_t id) { return crossing_until_[id] == kBeforeAll; };
   std::uint32_t last = kNoCrossing, next = head_[w][e], v = extreme_[w][mine.face[2 * e]], walked = 0;
   bool changed = false;
   const auto link = [&](std::uint32_t id) { (last == kNoCrossing ? head_[w][e] : crossings_[last].next[w]) = id; };
@@ -236,7 +236,7 @@ std::uint32_t Overlay::add_crossing(std::uint32_t e, HalfEdge over) {
   if (free_.empty()) {
     id = static_cast<std::uint32_t>(crossings_.size());
     crossings_.emplace_back();
-    crossing_until_.push_back(kNever);
+    crossing_until_.push_back(kBeforeAll);
   } else {
     id = free_.back();
     free_.pop_back();

@@ -23,15 +23,15 @@ namespace spatial {
 
 namespace {
 
-constexpr std::uint32_t kNone = 0xffffffff;
+constexpr std::uint32_t kNoIndex = 0xffffffff;
 
 /// A triangle, counter-clockwise seen from outside; neighbour[i] is across the edge from vertex[i].
 struct Facet {
   std::array<std::uint32_t, 3> vertex;
-  std::array<std::uint32_t, 3> neighbour{kNone, kNone, kNone};
+  std::array<std::uint32_t, 3> neighbour{kNoIndex, kNoIndex, kNoIndex};
   std::vector<std::uint32_t> outside;  ///< points that keep this facet
   bool alive = true;
-  std::uint32_t seen_by = kNone;  ///< the last inserted point that saw the facet
+  std::uint32_t seen_by = kNoIndex;  ///< the last inserted point that saw the facet
 };
 
 /// The same order for the same number of points everywhere (splitmix64).
@@ -51,7 +51,7 @@ std::vector<std::uint32_t> shuffled(std::size_t count) {
 
 class Hull {
  public:
-  explicit Hull(std::span<const Point3> points) : points_(points), facet_of_(points.size(), kNone) {}
+  explicit Hull(std::span<const Point3> points) : points_(points), facet_of_(points.size(), kNoIndex) {}
 
   /// False when all points lie in one plane.
   bool build() {
@@ -60,10 +60,10 @@ class Hull {
     if (!simplex) return false;
     start(*simplex);
     for (const std::uint32_t p : order) {
-      for (std::uint32_t f = 0; f < 4 && facet_of_[p] == kNone; ++f) assign(p, f);
+      for (std::uint32_t f = 0; f < 4 && facet_of_[p] == kNoIndex; ++f) assign(p, f);
     }
     for (const std::uint32_t p : order) {
-      if (facet_of_[p] != kNone) insert(p);
+      if (facet_of_[p] != kNoIndex) insert(p);
     }
     return true;
   }
@@ -106,7 +106,7 @@ class Hull {
     facets_.push_back({{s[1], s[0], s[3]}, {3, 2, 0}, {}});
     facets_.push_back({{s[2], s[1], s[3]}, {1, 3, 0}, {}});
     facets_.push_back({{s[0], s[2], s[3]}, {2, 1, 0}, {}});
-    edge_from_.assign(points_.size(), kNone);
+    edge_from_.assign(points_.size(), kNoIndex);
   }
 
   void assign(std::uint32_t p, std::uint32_t facet) {
@@ -125,12 +125,12 @@ class Hull {
     const auto first_new = static_cast<std::uint32_t>(facets_.size());
     for (const HorizonEdge& edge : horizon) {
       edge_from_[edge.from] = static_cast<std::uint32_t>(facets_.size());
-      facets_.push_back({{p, edge.from, edge.to}, {edge.beyond, kNone, kNone}, {}});
+      facets_.push_back({{p, edge.from, edge.to}, {edge.beyond, kNoIndex, kNoIndex}, {}});
     }
     for (std::uint32_t f = first_new; f < facets_.size(); ++f) join(f);
     for (const std::uint32_t q : orphans_) {
-      facet_of_[q] = kNone;
-      for (std::uint32_t f = first_new; q != p && f < facets_.size() && facet_of_[q] == kNone; ++f) assign(q, f);
+      facet_of_[q] = kNoIndex;
+      for (std::uint32_t f = first_new; q != p && f < facets_.size() && facet_of_[q] == kNoIndex; ++f) assign(q, f);
     }
   }
 
@@ -173,7 +173,7 @@ class Hull {
   }
 
   std::span<const Point3> points_;
-  std::vector<std::uint32_t> facet_of_;   ///< per point the facet it keeps, kNone inside
+  std::vector<std::uint32_t> facet_of_;   ///< per point the facet it keeps, kNoIndex inside
   std::vector<std::uint32_t> edge_from_;  ///< per vertex the new facet whose horizon edge starts there
   std::vector<Facet> facets_;
   std::vector<std::uint32_t> orphans_, stack_;

@@ -14,8 +14,6 @@
 
 namespace dymsum {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 constexpr auto kAhead = TurnDirection::counter_clockwise;
 constexpr auto kBack = TurnDirection::clockwise;
 
@@ -205,15 +203,15 @@ TEST(Rotation, random_turns_agree_with_samples) {
     const auto direction = random() % 2 == 0 ? kAhead : kBack;
     const RotationCheck check = *check_rotation(robot, obstacle, at, from, to, direction);
     double turn = to.radians() - from.radians();
-    if (direction == kAhead && turn < 0) turn += 2 * kPi;
-    if (direction == kBack && turn > 0) turn -= 2 * kPi;
+    if (direction == kAhead && turn < 0) turn += 2 * std::numbers::pi;
+    if (direction == kBack && turn > 0) turn -= 2 * std::numbers::pi;
     double until = 2;  // the share of the turn at the first contact
     if (!check.free)
       until = check.first->theta == from.radians()
                   ? 0
-                  : std::fmod(std::abs(turn > 0 ? check.first->theta - from.radians() + 2 * kPi
-                                                : from.radians() - check.first->theta + 2 * kPi),
-                              2 * kPi) /
+                  : std::fmod(std::abs(turn > 0 ? check.first->theta - from.radians() + 2 * std::numbers::pi
+                                                : from.radians() - check.first->theta + 2 * std::numbers::pi),
+                              2 * std::numbers::pi) /
                         std::abs(turn);
     for (int i = 1; i < 100; ++i) {
       const double s = i / 100.0;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "dymsum/grown_region.h"
 #include "dymsum/planner.h"
@@ -12,15 +13,15 @@
 namespace dymsum {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 Region shape(Ring outer, std::vector<Ring> holes = {}) {
   return Region::create({{{std::move(outer), std::move(holes)}}, {}, {}}).value();
 }
 
-Ring box(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
+Ring rectangle_ring(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
 
-Region corner() { return shape(box(-1, -1, 19, 19), {{{0, 0}, {0, 18}, {1, 18}, {1, 1}, {18, 1}, {18, 0}}}); }
+Region corner() {
+  return shape(rectangle_ring(-1, -1, 19, 19), {{{0, 0}, {0, 18}, {1, 18}, {1, 1}, {18, 1}, {18, 0}}});
+}
 
 std::vector<std::array<Point, 2>> edges_of(const Region& region) {
   std::vector<std::array<Point, 2>> edges;
@@ -60,7 +61,7 @@ TEST(GrownRegion, holds_the_disc_about_every_point_and_little_more) {
         for (const auto& f : inner) least = std::min(least, distance(e[0], f));
         EXPECT_LE(least, grown_frame.at_most);
       }
-      EXPECT_LE(grown_frame.at_most, margin / std::cos(kPi / sides) * 1.0001 + 1e-13);
+      EXPECT_LE(grown_frame.at_most, margin / std::cos(std::numbers::pi / sides) * 1.0001 + 1e-13);
     }
   EXPECT_EQ(grown(frame, 0)->region, frame);
   for (const double wrong : {-1.0, std::nan(""), 0x1p401})
@@ -70,19 +71,19 @@ TEST(GrownRegion, holds_the_disc_about_every_point_and_little_more) {
 
 // Poses between the waypoints, in doubles: none comes nearer than the margin but for their rounding.
 TEST(GrownRegion, a_path_keeps_the_margin) {
-  const Region robot = shape(box(-0.5, -0.125, 0.5, 0.125)), obstacle = corner();
+  const Region robot = shape(rectangle_ring(-0.5, -0.125, 0.5, 0.125)), obstacle = corner();
   const auto walls = edges_of(obstacle);
   for (const double margin : {0.05, 0.1, 0.2}) {
     const GrownRegion thick = grown(robot, margin).value();
     const CspaceObstacle c = CspaceObstacle::create(thick.region, obstacle).value();
-    const Plan p = plan(c, {4, 0.5, 0}, {0.5, 16, -kPi / 2}).value();
+    const Plan p = plan(c, {4, 0.5, 0}, {0.5, 16, -std::numbers::pi / 2}).value();
     ASSERT_TRUE(p.found()) << p.reason->text;
     EXPECT_EQ(check_path(thick.region, obstacle, std::span<const Waypoint>(p.path))->outcome,
               MotionCheck::Outcome::free);
     double least = INFINITY;
     for (std::size_t k = 1; k < p.path.size(); ++k) {
       const Configuration a = p.path[k - 1].approx, b = p.path[k].approx;
-      const double turn = std::remainder(b.theta - a.theta, 2 * kPi);
+      const double turn = std::remainder(b.theta - a.theta, 2 * std::numbers::pi);
       for (int i = 0; i <= 50; ++i) {
         const double s = i / 50.0, theta = a.theta + s * turn, x = a.x + s * (b.x - a.x), y = a.y + s * (b.y - a.y);
         auto placed = edges_of(robot);
@@ -96,22 +97,28 @@ TEST(GrownRegion, a_path_keeps_the_margin) {
   }
   // The corridor is 1 wide, and the robot 0.25.
   const CspaceObstacle full = CspaceObstacle::create(grown(robot, 0.4)->region, obstacle).value();
-  EXPECT_EQ(plan(full, {4, 0.5, 0}, {0.5, 16, -kPi / 2})->reason->kind, NoPath::Kind::start_not_free);
+  EXPECT_EQ(plan(full, {4, 0.5, 0}, {0.5, 16, -std::numbers::pi / 2})->reason->kind, NoPath::Kind::start_not_free);
 }
 
 TEST(PathCheck, names_the_first_piece_that_is_blocked) {
-  const Region robot = shape(box(-0.25, -0.125, 0.25, 0.125)), bar = shape(box(-0.5, -0.125, 0.5, 0.125));
+  const Region robot = shape(rectangle_ring(-0.25, -0.125, 0.25, 0.125)),
+               bar = shape(rectangle_ring(-0.5, -0.125, 0.5, 0.125));
   const Region obstacle = corner();
-  const std::vector<Configuration> way{
-      {4, 0.5, 0},          {1, 0.5, 0},        {0.625, 0.5, 0},  {0.5, 0.625, -kPi / 2},
-      {0.5, 0.5, -kPi / 2}, {0.5, 9, -kPi / 2}, {2, 9, -kPi / 2}, {2, 9, 9}};
+  const std::vector<Configuration> way{{4, 0.5, 0},
+                                       {1, 0.5, 0},
+                                       {0.625, 0.5, 0},
+                                       {0.5, 0.625, -std::numbers::pi / 2},
+                                       {0.5, 0.5, -std::numbers::pi / 2},
+                                       {0.5, 9, -std::numbers::pi / 2},
+                                       {2, 9, -std::numbers::pi / 2},
+                                       {2, 9, 9}};
   const PathCheck wall = check_path(robot, obstacle, way).value();
   EXPECT_EQ(wall.outcome, MotionCheck::Outcome::blocked);
   EXPECT_EQ(wall.piece, 6u);
   EXPECT_EQ(wall.pieces, 6u);
   EXPECT_TRUE(wall.moves && !wall.turns);
   EXPECT_EQ(wall.low, 0.25);  // from 0.5 to 0.875 of the way to 2
-  EXPECT_EQ(wall.at, (Configuration{0.875, 9, -kPi / 2}));
+  EXPECT_EQ(wall.at, (Configuration{0.875, 9, -std::numbers::pi / 2}));
   ASSERT_TRUE(wall.contact.has_value());
   const auto part = std::span(way).first(6);
   EXPECT_EQ(check_path(robot, obstacle, part)->outcome, MotionCheck::Outcome::free);
@@ -124,14 +131,15 @@ TEST(PathCheck, names_the_first_piece_that_is_blocked) {
   const double angle = std::asin(0.5 / std::hypot(0.5, 0.125)) - std::atan2(0.125, 0.5);
   EXPECT_NEAR(stopped.low * 7, angle, 1e-12);
   // A whole turn comes back to where it started, and is not free for that.
-  const std::vector<Configuration> round{{9, 0.5, 0}, {9, 0.5, 2 * kPi}}, back{{9, 0.5, 0}, {9, 0.5, -2 * kPi}};
+  const std::vector<Configuration> round{{9, 0.5, 0}, {9, 0.5, 2 * std::numbers::pi}},
+      back{{9, 0.5, 0}, {9, 0.5, -2 * std::numbers::pi}};
   EXPECT_NEAR(check_path(bar, obstacle, round)->at.theta, angle, 1e-12);
   EXPECT_NEAR(check_path(bar, obstacle, back)->at.theta, -angle, 1e-12);
 }
 
 // Whole turns are taken off exactly, so that the first contact is where it is at the angle itself.
 TEST(PathCheck, angles_of_many_turns) {
-  const Region bar = shape(box(-0.5, -0.125, 0.5, 0.125)), obstacle = corner();
+  const Region bar = shape(rectangle_ring(-0.5, -0.125, 0.5, 0.125)), obstacle = corner();
   for (const double theta : {1e8, 1e15, -3e300}) {
     const double reduced = Orientation::nearest(theta)->radians();
     const std::vector<Configuration> far{{50, 0, theta}, {50, 9, -theta}};
@@ -145,7 +153,7 @@ TEST(PathCheck, angles_of_many_turns) {
 }
 
 TEST(PathCheck, one_pose_touching_and_wrong_paths) {
-  const Region robot = shape(box(-0.5, -0.125, 0.5, 0.125)), obstacle = corner();
+  const Region robot = shape(rectangle_ring(-0.5, -0.125, 0.5, 0.125)), obstacle = corner();
   const std::vector<Configuration> touching{{4, 0.125, 0}}, inside{{4, 0, 0}}, both{{4, 0.125, 0}, {5, 0.5, 0.1}}, none;
   EXPECT_EQ(check_path(robot, obstacle, touching)->outcome, MotionCheck::Outcome::free);
   EXPECT_EQ(check_path(robot, obstacle, touching, Touching::forbidden)->outcome, MotionCheck::Outcome::blocked);
@@ -157,7 +165,7 @@ TEST(PathCheck, one_pose_touching_and_wrong_paths) {
   EXPECT_EQ(check_path(robot, obstacle, both)->outcome, MotionCheck::Outcome::undecided);
   EXPECT_EQ(check_path(robot, obstacle, none).error().code, ErrorCode::malformed);
   const CspaceObstacle c = CspaceObstacle::create(robot, obstacle).value();
-  std::vector<Waypoint> path = plan(c, {4, 0.5, 0}, {0.5, 16, -kPi / 2}).value().path;
+  std::vector<Waypoint> path = plan(c, {4, 0.5, 0}, {0.5, 16, -std::numbers::pi / 2}).value().path;
   ASSERT_GE(path.size(), 3u);
   EXPECT_EQ(check_path(robot, obstacle, std::span<const Waypoint>(path))->outcome, MotionCheck::Outcome::free);
   const auto code = [&] { return check_path(robot, obstacle, std::span<const Waypoint>(path)).error().code; };

@@ -27,7 +27,7 @@ std::size_t tight_near(const CspaceObstacle& c, const Configuration& z) {
 }
 
 Point plus(Point a, Point b, double f = 1) { return {a.x + f * b.x, a.y + f * b.y}; }
-double cross(Point a, Point b) { return a.x * b.y - a.y * b.x; }
+double plus_shape(Point a, Point b) { return a.x * b.y - a.y * b.x; }
 double dot(Point a, Point b) { return a.x * b.x + a.y * b.y; }
 
 /// cos = c0 + c1 sqrt(d), sin = s0 + s1 sqrt(d), all of them dyadic.
@@ -84,8 +84,8 @@ Held random_held(Random& random) {
     Ring placed;
     for (const Point& x : dart) placed.push_back(plus(z, angle.turned(x)));
     // The dart lies on the left of d, or of -d.
-    const double u = cross(d, plus(placed[1], placed[0], -1)) / length,
-                 v = cross(d, plus(placed[2], placed[0], -1)) / length;
+    const double u = plus_shape(d, plus(placed[1], placed[0], -1)) / length,
+                 v = plus_shape(d, plus(placed[2], placed[0], -1)) / length;
     if (!(u * v > 0 && std::min(std::abs(u), std::abs(v)) > 0.5)) continue;
     const double step = 1.0 / 64, middle = std::nearbyint(root / step) * step, side = u > 0 ? 1 : -1;
     const double width = std::max(2.0, std::nearbyint(0.75 / length / step)) * step,

@@ -373,7 +373,9 @@ TEST(CspaceObstacle, slabs_cover_the_circle_in_order) {
     // inside() has few bits.
     for (std::uint32_t slab = 0; slab < slabs(c); ++slab) {
       const Orientation inside = c.inside(slab);
-      if (!inside.is_half_turn()) EXPECT_LE(inside.tan_half().denominator().size(), 5u);
+      if (!inside.is_half_turn()) {
+        EXPECT_LE(inside.tan_half().denominator().size(), 5u);
+      }
     }
   }
 }

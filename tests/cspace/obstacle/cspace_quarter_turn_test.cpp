@@ -27,7 +27,7 @@ std::size_t outer_shells(const CspaceObstacle& c) {
       std::count_if(c.shells().begin(), c.shells().end(), [](const Shell& s) { return s.outer; }));
 }
 
-std::size_t tight_events(const CspaceObstacle& c) {
+std::size_t count_of_tight_events(const CspaceObstacle& c) {
   return static_cast<std::size_t>(std::count_if(c.events().begin(), c.events().end(), [](const ObstacleEvent& e) {
     return e.kind == ObstacleEvent::Kind::tight;
   }));
@@ -142,7 +142,7 @@ TEST(CspaceQuarterTurn, exact_fits_are_found) {
       polygon({{0, 0}, {6, 0}, {6, 2}, {5, 2}, {5, 1}, {4, 1}, {4, 2}, {3, 2}, {3, 1}, {2, 1}, {2, 3}, {0, 3}});
   const CspaceObstacle c = CspaceObstacle::create(robot, room).value();
   EXPECT_EQ(tight_at(c, 0), 1u);
-  EXPECT_EQ(tight_events(c), 1u);
+  EXPECT_EQ(count_of_tight_events(c), 1u);
   EXPECT_EQ(c.shells().size(), 1u);
 }
 

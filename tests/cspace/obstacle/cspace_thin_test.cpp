@@ -11,10 +11,10 @@ namespace {
 
 using namespace testing_obstacles;
 
-double grid(Random& random, int reach) {
+double grid_coordinate(Random& random, int reach) {
   return static_cast<double>(static_cast<int>(random() % static_cast<unsigned>(2 * reach + 1)) - reach);
 }
-Point place(Random& random, int reach) { return {grid(random, reach), grid(random, reach)}; }
+Point place(Random& random, int reach) { return {grid_coordinate(random, reach), grid_coordinate(random, reach)}; }
 
 Polyline random_line(Random& random, int reach, std::size_t vertices) {
   Polyline line{place(random, reach)};
@@ -56,7 +56,7 @@ RegionData random_wires(Random& random, int reach) {
       data.polylines = {first, random_line(random, reach, 2)};
       break;
     case 4:
-      data.polylines = {{{-1, 0}, {1, 0}}, {{0, 0}, {0, 1 + grid(random, 0)}}};
+      data.polylines = {{{-1, 0}, {1, 0}}, {{0, 0}, {0, 1 + grid_coordinate(random, 0)}}};
       break;  // a T
     default:
       data.polylines = {random_line(random, reach, 2 + random() % 2)};
@@ -110,7 +110,7 @@ Region plain(Region (*make)(Random&, int), Random& random, int reach) {
     if (const Region region = make(random, reach); !runs_along(region)) return region;
 }
 // Parts that touch at points.
-Region random_touching(Random& random, int reach) {
+Region random_rings_that_touch(Random& random, int reach) {
   for (;;) {
     RegionData data;
     for (int k = 0; k < 2; ++k) data.parts.push_back({random_ring(random, reach, 5, 0), {}});
@@ -133,13 +133,13 @@ struct Pair {
 Pair random_touching_pair(Random& random) {
   switch (random() % 4) {
     case 0:
-      return {wire(random_line(random, 2, 2)), random_touching(random, 3)};
+      return {wire(random_line(random, 2, 2)), random_rings_that_touch(random, 3)};
     case 1:
-      return {random_touching(random, 2), wire(random_line(random, 3, 2))};
+      return {random_rings_that_touch(random, 2), wire(random_line(random, 3, 2))};
     case 2:
-      return {with_wires(random_touching(random, 1), random, 1), random_solid(random, 2)};
+      return {with_wires(random_rings_that_touch(random, 1), random, 1), random_solid(random, 2)};
     default:
-      return {random_solid(random, 2), with_wires(random_touching(random, 2), random, 2)};
+      return {random_solid(random, 2), with_wires(random_rings_that_touch(random, 2), random, 2)};
   }
 }
 Pair random_pair(Random& random) {
@@ -253,12 +253,12 @@ void expect_places(const CspaceObstacle& c, const Pair& pair) {
   }
 }
 
-void expect_membership(const CspaceObstacle& c, Random& random, const Pair& pair) {
+void expect_thin_membership(const CspaceObstacle& c, Random& random, const Pair& pair) {
   for (int k = 0; k < 12; ++k) {
     const Orientation at =
         random() % 3 == 0 ? *Orientation::of(static_cast<int>(random() % 5) - 2, 1 + static_cast<int>(random() % 3))
                           : c.inside(static_cast<std::uint32_t>(random() % slabs(c)));
-    const double x = grid(random, 8) / 2, y = grid(random, 8) / 2;
+    const double x = grid_coordinate(random, 8) / 2, y = grid_coordinate(random, 8) / 2;
     const Result<TranslationCheck> still = check_translation(c.robot(), c.obstacle(), Point{x, y}, Point{x, y}, at);
     ASSERT_TRUE(still.ok());
     EXPECT_EQ(c.contains(x, y, at), !still->free) << x << ' ' << y << ' ' << at.radians() << wkt(pair);
@@ -269,7 +269,7 @@ void expect_slices_and_membership(const Pair& pair, Random& random) {
   const Result<CspaceObstacle> c = CspaceObstacle::create(pair.robot, pair.obstacle);
   ASSERT_TRUE(c.ok()) << c.error().message << wkt(pair);
   expect_places(*c, pair);
-  expect_membership(*c, random, pair);
+  expect_thin_membership(*c, random, pair);
 }
 void expect_as_by_whole_slices(const Pair& pair) {
   const CspaceObstacle fast = CspaceObstacle::create(pair.robot, pair.obstacle).value();

@@ -6,13 +6,12 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <numbers>
 
 #include "dymsum/planner.h"
 
 namespace dymsum {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 Region shape(Ring outer, std::vector<Ring> holes = {}) {
   RegionData data;
@@ -26,7 +25,7 @@ Ring box(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0
 // (sin t cos t). The least of these lengths, by narrowing an interval around it.
 double longest_ladder(double a, double b, double w) {
   const auto length = [&](double t) { return (a * std::cos(t) + b * std::sin(t) - w) / (std::sin(t) * std::cos(t)); };
-  double low = 1e-3, high = kPi / 2 - 1e-3;
+  double low = 1e-3, high = std::numbers::pi / 2 - 1e-3;
   for (int k = 0; k < 300; ++k) {
     const double t = low + (high - low) / 3, u = high - (high - low) / 3;
     (length(t) < length(u) ? high : low) = length(t) < length(u) ? u : t;
@@ -44,7 +43,7 @@ CspaceObstacle round_the_corner(double length, double w, double a, double b) {
 Plan plan_round(const CspaceObstacle& c, double w, double a, double b, Touching touching) {
   PlanOptions options;
   options.touching = touching;
-  return plan(c, {2 * b, (a - w) / 2, 0}, {(b - w) / 2, 8 * a + 2 * b, -kPi / 2}, options).value();
+  return plan(c, {2 * b, (a - w) / 2, 0}, {(b - w) / 2, 8 * a + 2 * b, -std::numbers::pi / 2}, options).value();
 }
 
 // Every piece by the public checks; of a long path every `stride`th.
@@ -145,9 +144,10 @@ TEST(NarrowPassages, an_L_through_a_keyhole) {
       PlanOptions options;
       options.touching = slack == 1e-3 ? Touching::allowed : Touching::forbidden;
       const auto c = CspaceObstacle::create(robot, rooms(t, width * (1 + slack)));
-      expect_free(*c, plan(*c, {-7, -2, 0}, {7, 2, kPi}, options).value(), options.touching, slack < 1e-3 ? 29 : 7);
+      expect_free(*c, plan(*c, {-7, -2, 0}, {7, 2, std::numbers::pi}, options).value(), options.touching,
+                  slack < 1e-3 ? 29 : 7);
       const auto none = CspaceObstacle::create(robot, rooms(t, width * (1 - slack)));
-      const Plan p = plan(*none, {-7, -2, 0}, {7, 2, kPi}, options).value();
+      const Plan p = plan(*none, {-7, -2, 0}, {7, 2, std::numbers::pi}, options).value();
       ASSERT_FALSE(p.found());
       EXPECT_EQ(p.reason->kind, NoPath::Kind::separated);
     }
@@ -175,7 +175,7 @@ TEST(NarrowPassages, undecided_says_where) {
   const CspaceObstacle c = round_the_corner(longest_ladder(1, 1, 0.25) * 0.9999, 0.25, 1, 1);
   PlanOptions options;
   options.time_limit_seconds = 0;
-  const Plan p = plan(c, {2, 0.4, 0}, {0.4, 9, -kPi / 2}, options).value();
+  const Plan p = plan(c, {2, 0.4, 0}, {0.4, 9, -std::numbers::pi / 2}, options).value();
   ASSERT_FALSE(p.found());
   EXPECT_EQ(p.reason->kind, NoPath::Kind::undecided);
   ASSERT_TRUE(p.reason->limit.has_value());
@@ -185,10 +185,10 @@ TEST(NarrowPassages, undecided_says_where) {
   EXPECT_EQ(p.reason->limit->passage->reached.x, 2);
   EXPECT_NE(p.reason->text.find("time limit of 0 s"), std::string::npos) << p.reason->text;
   options.time_limit_seconds = std::numeric_limits<double>::infinity();
-  EXPECT_TRUE(plan(c, {2, 0.4, 0}, {0.4, 9, -kPi / 2}, options)->found());
+  EXPECT_TRUE(plan(c, {2, 0.4, 0}, {0.4, 9, -std::numbers::pi / 2}, options)->found());
   for (const double wrong : {-1.0, std::nan("")}) {
     options.time_limit_seconds = wrong;
-    EXPECT_EQ(plan(c, {2, 0.4, 0}, {0.4, 9, -kPi / 2}, options).error().code, ErrorCode::out_of_range);
+    EXPECT_EQ(plan(c, {2, 0.4, 0}, {0.4, 9, -std::numbers::pi / 2}, options).error().code, ErrorCode::out_of_range);
   }
 }
 

@@ -17,8 +17,6 @@
 namespace dymsum {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 Region region(std::vector<Part> parts) {
   RegionData data;
   data.parts = std::move(parts);
@@ -26,7 +24,7 @@ Region region(std::vector<Part> parts) {
   return repaired.value().region;
 }
 
-Ring box(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
+Ring rectangle_ring(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
 
 CspaceObstacle obstacle_of(const Region& robot, const Region& obstacle) {
   return CspaceObstacle::create(robot, obstacle).value();
@@ -60,8 +58,8 @@ void expect_valid(const CspaceObstacle& c, const Plan& p, Configuration start, C
     }
     if (touching == Touching::allowed) continue;
     double turn = b.approx.theta - a.approx.theta;
-    if (b.move == Waypoint::Move::counter_clockwise && turn < 0) turn += 2 * kPi;
-    if (b.move == Waypoint::Move::clockwise && turn > 0) turn -= 2 * kPi;
+    if (b.move == Waypoint::Move::counter_clockwise && turn < 0) turn += 2 * std::numbers::pi;
+    if (b.move == Waypoint::Move::clockwise && turn > 0) turn -= 2 * std::numbers::pi;
     for (int i = 0; i <= 40; ++i) {
       const double s = i / 40.0, x = a.approx.x + s * (b.approx.x - a.approx.x),
                    y = a.approx.y + s * (b.approx.y - a.approx.y);
@@ -90,9 +88,9 @@ NoPath expect_none(const CspaceObstacle& c, Configuration start, Configuration g
   return *p.reason;
 }
 
-// Two rooms of 10 x 10 and a wall between them, 2 thick, with a doorway from y = low to y = high.
-Region rooms(double low, double high) {
-  return region({{box(-12, -6, 12, 6),
+// Two two_rooms of 10 x 10 and a wall between them, 2 thick, with a doorway from y = low to y = high.
+Region two_rooms(double low, double high) {
+  return region({{rectangle_ring(-12, -6, 12, 6),
                   {{{-11, -5},
                     {-11, 5},
                     {-1, 5},
@@ -107,26 +105,26 @@ Region rooms(double low, double high) {
                     {-1, -5}}}}});
 }
 
-Region bar() { return region({{box(-3, -0.5, 3, 0.5), {}}}); }
-Region square() { return region({{box(0, 0, 1, 1), {}}}); }
+Region bar() { return region({{rectangle_ring(-3, -0.5, 3, 0.5), {}}}); }
+Region square() { return region({{rectangle_ring(0, 0, 1, 1), {}}}); }
 
 TEST(Planner, a_bar_turns_to_pass_a_doorway_narrower_than_its_length) {
-  const CspaceObstacle c = obstacle_of(bar(), rooms(-1, 1));
-  expect_path(c, {-6, 0, kPi / 2}, {6, 0, kPi / 2});
-  expect_path(c, {-6, 0, kPi / 2}, {6, 0, -kPi / 2}, Touching::forbidden);
+  const CspaceObstacle c = obstacle_of(bar(), two_rooms(-1, 1));
+  expect_path(c, {-6, 0, std::numbers::pi / 2}, {6, 0, std::numbers::pi / 2});
+  expect_path(c, {-6, 0, std::numbers::pi / 2}, {6, 0, -std::numbers::pi / 2}, Touching::forbidden);
 }
 
 TEST(Planner, an_L_turns_round_the_jamb) {
   const Region robot = region({{{{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 4}, {0, 4}}, {}}});
-  const CspaceObstacle c = obstacle_of(robot, rooms(-1.25, 1.25));
-  expect_path(c, {-7, -2, 0}, {7, 2, kPi}, Touching::forbidden);
+  const CspaceObstacle c = obstacle_of(robot, two_rooms(-1.25, 1.25));
+  expect_path(c, {-7, -2, 0}, {7, 2, std::numbers::pi}, Touching::forbidden);
 }
 
 TEST(Planner, a_bar_cannot_turn_in_a_corridor) {
   const CspaceObstacle c =
-      obstacle_of(bar(), region({{box(-20, -3, 20, 3), {{{-19, -2}, {-19, 2}, {19, 2}, {19, -2}}}}}));
+      obstacle_of(bar(), region({{rectangle_ring(-20, -3, 20, 3), {{{-19, -2}, {-19, 2}, {19, 2}, {19, -2}}}}}));
   expect_path(c, {-10, 0, 0}, {10, 1, 0.1});
-  const NoPath reason = expect_none(c, {-10, 0, 0}, {10, 0, kPi}, NoPath::Kind::separated);
+  const NoPath reason = expect_none(c, {-10, 0, 0}, {10, 0, std::numbers::pi}, NoPath::Kind::separated);
   ASSERT_EQ(reason.start.size(), 1u);
   EXPECT_FALSE(reason.start[0].unbounded);
   EXPECT_FALSE(reason.start[0].all_angles);
@@ -158,41 +156,41 @@ TEST(Planner, a_bug_trap_is_left_through_its_mouth) {
 }
 
 TEST(Planner, a_slot_of_exactly_the_width_is_passed_only_by_touching) {
-  const CspaceObstacle c = obstacle_of(square(), rooms(0, 1));
+  const CspaceObstacle c = obstacle_of(square(), two_rooms(0, 1));
   const Configuration start{-5, 1.5, 0.3}, goal{5, -2.25, 2};
   expect_path(c, start, goal);
   expect_none(c, start, goal, NoPath::Kind::separated, Touching::forbidden);
   expect_path(c, {-0.5, 0, 0}, goal);
-  expect_path(c, {-0.5, 1, -kPi / 2}, {0, 0, 0});
+  expect_path(c, {-0.5, 1, -std::numbers::pi / 2}, {0, 0, 0});
 }
 
 TEST(Planner, a_slot_a_hair_too_narrow_is_not_passed) {
-  const CspaceObstacle c = obstacle_of(square(), rooms(0, 1 - 0x1p-20));
+  const CspaceObstacle c = obstacle_of(square(), two_rooms(0, 1 - 0x1p-20));
   expect_none(c, {-5, 1.5, 0.3}, {5, -2.25, 2}, NoPath::Kind::separated);
   expect_path(c, {-5, 1.5, 0.3}, {-9, -2.25, 2});
 }
 
 TEST(Planner, a_slot_a_hair_wider_is_passed_without_touching) {
-  const CspaceObstacle c = obstacle_of(square(), rooms(0, 1 + 0x1p-20));
+  const CspaceObstacle c = obstacle_of(square(), two_rooms(0, 1 + 0x1p-20));
   expect_path(c, {-5, 1.5, 0.3}, {5, -2.25, 2}, Touching::forbidden);
 }
 
 TEST(Planner, a_slanted_slot_of_exactly_the_width) {
-  // The rooms along (3, 4), five times as long: all corners stay integers.
-  const Region straight = rooms(0, 1);
+  // The two_rooms along (3, 4), five times as long: all corners stay integers.
+  const Region straight = two_rooms(0, 1);
   RegionData data = straight.data();
   const auto turned = [](Ring& ring) {
     for (Point& p : ring) p = {3 * p.x - 4 * p.y, 4 * p.x + 3 * p.y};
   };
   turned(data.parts[0].outer);
   turned(data.parts[0].holes[0]);
-  const CspaceObstacle c = obstacle_of(region({{box(0, 0, 5, 5), {}}}), *Region::create(data));
+  const CspaceObstacle c = obstacle_of(region({{rectangle_ring(0, 0, 5, 5), {}}}), *Region::create(data));
   expect_path(c, {-15, -20, 0}, {15, 20, 1});
   expect_none(c, {-15, -20, 0}, {15, 20, 1}, NoPath::Kind::separated, Touching::forbidden);
 }
 
 TEST(Planner, an_enclosed_start_and_ends_that_are_not_free) {
-  const CspaceObstacle c = obstacle_of(square(), rooms(-1, 1));
+  const CspaceObstacle c = obstacle_of(square(), two_rooms(-1, 1));
   const NoPath out = expect_none(c, {-5, 0, 0}, {50, 0, 0}, NoPath::Kind::separated);
   EXPECT_FALSE(out.start.at(0).unbounded);
   EXPECT_TRUE(out.start.at(0).all_angles);
@@ -207,7 +205,7 @@ TEST(Planner, an_enclosed_start_and_ends_that_are_not_free) {
 }
 
 TEST(Planner, nowhere_to_go_and_once_round) {
-  const CspaceObstacle c = obstacle_of(bar(), region({{box(10, 10, 11, 11), {}}}));
+  const CspaceObstacle c = obstacle_of(bar(), region({{rectangle_ring(10, 10, 11, 11), {}}}));
   expect_path(c, {0, 0, 1}, {0, 0, 1});
   EXPECT_EQ(plan_in(c, {0, 0, 1}, {0, 0, 1}).path.size(), 1u);
   const Plan round = plan_in(c, {0, 0, 3}, {0, 0, -3});
@@ -217,11 +215,12 @@ TEST(Planner, nowhere_to_go_and_once_round) {
 }
 
 TEST(Planner, a_square_held_exactly_in_its_own_shape) {
-  const CspaceObstacle c = obstacle_of(square(), region({{box(-1, -1, 2, 2), {{{0, 0}, {0, 1}, {1, 1}, {1, 0}}}}}));
+  const CspaceObstacle c =
+      obstacle_of(square(), region({{rectangle_ring(-1, -1, 2, 2), {{{0, 0}, {0, 1}, {1, 1}, {1, 0}}}}}));
   expect_path(c, {0, 0, 0}, {0, 0, 0});
   const NoPath held = expect_none(c, {0, 0, 0}, {5, 5, 0}, NoPath::Kind::separated);
   EXPECT_TRUE(held.start.empty());
-  expect_none(c, {0, 0, 0}, {1, 0, kPi / 2}, NoPath::Kind::separated);
+  expect_none(c, {0, 0, 0}, {1, 0, std::numbers::pi / 2}, NoPath::Kind::separated);
 }
 
 double way_length(const Plan& p) {
@@ -233,8 +232,8 @@ double way_length(const Plan& p) {
 
 TEST(Planner, paths_are_drawn_tight) {
   // Round the end of a wall, and through a doorway and back to the other wall.
-  const CspaceObstacle wall = obstacle_of(square(), region({{box(-1, -5, 1, 5), {}}}));
-  const CspaceObstacle doorway = obstacle_of(bar(), rooms(-1, 1));
+  const CspaceObstacle wall = obstacle_of(square(), region({{rectangle_ring(-1, -5, 1, 5), {}}}));
+  const CspaceObstacle doorway = obstacle_of(bar(), two_rooms(-1, 1));
   const Region trap = region({{{{-5, -5},
                                 {5, -5},
                                 {5, 5},
@@ -258,9 +257,9 @@ TEST(Planner, paths_are_drawn_tight) {
     Configuration start, goal;
     double most;
   };
-  for (const Way& w : {Way{wall, {-6, 0, 0}, {6, 0, kPi / 2}, 21},
+  for (const Way& w : {Way{wall, {-6, 0, 0}, {6, 0, std::numbers::pi / 2}, 21},
                        {wall, {-6, -4, 1}, {6, -4, -2}, 13.5},
-                       {doorway, {-6, 0, kPi / 2}, {6, 0, -kPi / 2}, 12.1},
+                       {doorway, {-6, 0, std::numbers::pi / 2}, {6, 0, -std::numbers::pi / 2}, 12.1},
                        {mouth, {2, 2, 1}, {-9, 3, -2}, 13.5}}) {
     for (const Touching touching : {Touching::allowed, Touching::forbidden}) {
       const Plan p = plan_in(w.obstacle, w.start, w.goal, touching);
@@ -272,10 +271,10 @@ TEST(Planner, paths_are_drawn_tight) {
 
 // A wall whose ends meet in one point lets nothing through; squares that meet in a corner are walked around.
 TEST(Planner, rings_that_touch) {
-  const Region robot = region({{box(-0.25, -0.25, 0.25, 0.25), {}}});
+  const Region robot = region({{rectangle_ring(-0.25, -0.25, 0.25, 0.25), {}}});
   RegionData room, squares;
   room.parts = {{{{0, 0}, {10, 0}, {10, 10}, {0, 10}, {0, 5}, {2, 8}, {8, 8}, {8, 2}, {2, 2}, {0, 5}}, {}}};
-  squares.parts = {{box(0, 0, 2, 2), {}}, {box(2, 2, 5, 5), {}}};
+  squares.parts = {{rectangle_ring(0, 0, 2, 2), {}}, {rectangle_ring(2, 2, 5, 5), {}}};
   const CspaceObstacle closed = obstacle_of(robot, *Region::create(room));
   const Plan none = plan_in(closed, {5, 5, 0}, {15, 5, 0});
   ASSERT_FALSE(none.found());
@@ -291,9 +290,9 @@ TEST(Planner, rings_that_touch) {
 TEST(Planner, a_rhombus_in_a_corridor_as_high_as_its_diagonal) {
   const Region robot = region({{{{2, 0}, {0, 1}, {-2, 0}, {0, -1}}, {}}});
   RegionData data;
-  data.parts = {{box(-40, -40, 40, 40), {{{-20, -2}, {-20, 2}, {20, 2}, {20, -2}}}}};
+  data.parts = {{rectangle_ring(-40, -40, 40, 40), {{{-20, -2}, {-20, 2}, {20, 2}, {20, -2}}}}};
   const CspaceObstacle c = obstacle_of(robot, *Region::create(data));
-  const Configuration start{-10, 0, 0}, goal{10, 0, kPi};
+  const Configuration start{-10, 0, 0}, goal{10, 0, std::numbers::pi};
   const Plan none = plan_in(c, start, goal, Touching::forbidden);
   ASSERT_FALSE(none.found());
   EXPECT_EQ(none.reason->kind, NoPath::Kind::separated);
@@ -301,7 +300,7 @@ TEST(Planner, a_rhombus_in_a_corridor_as_high_as_its_diagonal) {
 }
 
 TEST(Planner, errors) {
-  const CspaceObstacle c = obstacle_of(square(), rooms(-1, 1));
+  const CspaceObstacle c = obstacle_of(square(), two_rooms(-1, 1));
   EXPECT_EQ(plan(c, {NAN, 0, 0}, {0, 0, 0}).error().code, ErrorCode::not_finite);
   EXPECT_EQ(plan(c, {0, 0, INFINITY}, {0, 0, 0}).error().code, ErrorCode::bad_rotation);
   EXPECT_EQ(plan(c, {0x1p401, 0, 0}, {0, 0, 0}).error().code, ErrorCode::unsupported_operand);
@@ -325,12 +324,12 @@ Region random_shape(Random& random, int reach, int most, double scale) {
   }
 }
 
-// A random cave: a star with deep corners, cut out of a box.
+// A random cave: a star with deep corners, cut out of a rectangle_ring.
 Region random_cave(Random& random) {
   for (;;) {
-    Part part{box(-8, -8, 8, 8), {Ring{}}};
+    Part part{rectangle_ring(-8, -8, 8, 8), {Ring{}}};
     for (int k = 0; k < 14; ++k) {
-      const double r = 1 + static_cast<double>(random() % 6), angle = -2 * kPi * k / 14;
+      const double r = 1 + static_cast<double>(random() % 6), angle = -2 * std::numbers::pi * k / 14;
       part.holes[0].push_back({std::round(2 * r * std::cos(angle)) / 2, std::round(2 * r * std::sin(angle)) / 2});
     }
     if (Result<Region> cave = Region::create({{part}, {}, {}})) return std::move(cave).value();
@@ -346,7 +345,7 @@ Region random_maze(Random& random, int n, std::vector<std::vector<bool>>& wall) 
       for (int j = 0; j <= n + 1; ++j) {
         const bool solid = i == 0 || j == 0 || i > n || j > n || random() % 5 < 2;
         wall[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = solid;
-        if (solid) blocks.push_back(region({{box(i, j, i + 1, j + 1), {}}}));
+        if (solid) blocks.push_back(region({{rectangle_ring(i, j, i + 1, j + 1), {}}}));
       }
     Result<Region> all = union_of(blocks)->rounded();
     if (all.ok() && all->touching_points().empty()) return std::move(all).value();
@@ -360,13 +359,13 @@ TEST(Planner, a_square_in_mazes_of_exactly_its_width) {
     Random random(seed);
     std::vector<std::vector<bool>> wall;
     const CspaceObstacle c = obstacle_of(square(), random_maze(random, 5, wall));
-    std::vector<std::pair<std::size_t, std::size_t>> rooms;
+    std::vector<std::pair<std::size_t, std::size_t>> two_rooms;
     for (std::size_t i = 0; i < wall.size(); ++i)
       for (std::size_t j = 0; j < wall.size(); ++j)
-        if (!wall[i][j]) rooms.emplace_back(i, j);
-    if (rooms.empty()) continue;
-    std::vector<std::pair<std::size_t, std::size_t>> open{rooms[random() % rooms.size()]};
-    const auto [gi, gj] = rooms[random() % rooms.size()];
+        if (!wall[i][j]) two_rooms.emplace_back(i, j);
+    if (two_rooms.empty()) continue;
+    std::vector<std::pair<std::size_t, std::size_t>> open{two_rooms[random() % two_rooms.size()]};
+    const auto [gi, gj] = two_rooms[random() % two_rooms.size()];
     const Configuration start{static_cast<double>(open[0].first), static_cast<double>(open[0].second), 0};
     std::vector<std::vector<bool>> seen = wall;
     seen[open[0].first][open[0].second] = true;
@@ -383,7 +382,8 @@ TEST(Planner, a_square_in_mazes_of_exactly_its_width) {
     }
     // The goal turned by a quarter about its own middle.
     const bool quarter = random() % 2 == 0;
-    const Configuration goal{static_cast<double>(gi) + quarter, static_cast<double>(gj), quarter ? kPi / 2 : 0};
+    const Configuration goal{static_cast<double>(gi) + quarter, static_cast<double>(gj),
+                             quarter ? std::numbers::pi / 2 : 0};
     const Plan p = plan_in(c, start, goal);
     if (!quarter) {
       ASSERT_EQ(p.found(), reached);

@@ -13,7 +13,7 @@ namespace {
 
 using Random = std::mt19937_64;
 
-double uniform(Random& random, double low, double high) {
+double uniform_between(Random& random, double low, double high) {
   return std::uniform_real_distribution<double>(low, high)(random);
 }
 
@@ -61,8 +61,8 @@ Frame frame(const CspaceObstacle& c) {
 
 Configuration anywhere(const CspaceObstacle& c, Random& random) {
   const Frame f = frame(c);
-  return {f.x + uniform(random, -1.2, 1.2) * f.size, f.y + uniform(random, -1.2, 1.2) * f.size,
-          uniform(random, -M_PI, M_PI)};
+  return {f.x + uniform_between(random, -1.2, 1.2) * f.size, f.y + uniform_between(random, -1.2, 1.2) * f.size,
+          uniform_between(random, -M_PI, M_PI)};
 }
 
 CspaceObstacle make(const std::pair<Region, Region>& pair) {
@@ -94,7 +94,7 @@ TEST(ObstacleQueries, contains_equals_the_exact_test_on_the_boundary) {
     // Points of patches, rounded: some of them inside, some not; and grid points at quarter turns, many exactly on it.
     for (std::uint32_t p = 0; p < c.patches().size(); p += 3) {
       const Patch& patch = c.patches()[p];
-      const double theta = c.angles()[patch.begin].theta + 1e-4, share = uniform(random, 0, 1);
+      const double theta = c.angles()[patch.begin].theta + 1e-4, share = uniform_between(random, 0, 1);
       const auto [a, b] = c.ends(patch, theta);
       const Configuration at{a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), theta};
       EXPECT_EQ(q.contains(at), c.contains(at.x, at.y, *Orientation::nearest(theta)));
@@ -104,8 +104,8 @@ TEST(ObstacleQueries, contains_equals_the_exact_test_on_the_boundary) {
     for (int k = 0; k < 300; ++k) {
       const Orientation o =
           random() % 5 == 0 ? Orientation::half_turn() : *Orientation::of(static_cast<int>(random() % 3) - 1, 1);
-      const double x = std::round(f.x + uniform(random, -1, 1) * f.size);
-      const double y = std::round(f.y + uniform(random, -1, 1) * f.size);
+      const double x = std::round(f.x + uniform_between(random, -1, 1) * f.size);
+      const double y = std::round(f.y + uniform_between(random, -1, 1) * f.size);
       EXPECT_EQ(q.contains(x, y, o), c.contains(x, y, o));
     }
   }
@@ -264,7 +264,7 @@ TEST(ObstacleQueries, clearance_knows_that_the_circle_closes) {
     const ObstacleQueries q(c);
     for (int k = 0; k < 100; ++k) {
       Configuration from = anywhere(c, random);
-      const double e = uniform(random, 0, 1e-7), w = q.gyration_radius();
+      const double e = uniform_between(random, 0, 1e-7), w = q.gyration_radius();
       from.theta = M_PI - e;
       const Clearance a = q.clearance(from);
       from.theta = -M_PI + e;
@@ -300,8 +300,9 @@ TEST(ObstacleQueries, clearance_is_a_lipschitz_function) {
     const ObstacleQueries q(c);
     const double w = q.gyration_radius();
     for (int k = 0; k < 200; ++k) {
-      const Configuration a = anywhere(c, random), b{a.x + uniform(random, -1, 1), a.y + uniform(random, -1, 1),
-                                                     a.theta + uniform(random, -1, 1)};
+      const Configuration a = anywhere(c, random),
+                          b{a.x + uniform_between(random, -1, 1), a.y + uniform_between(random, -1, 1),
+                            a.theta + uniform_between(random, -1, 1)};
       const Clearance at = q.clearance(a), to = q.clearance(b);
       const double moved = std::hypot(a.x - b.x, a.y - b.y, w * (a.theta - b.theta));
       EXPECT_LE(std::abs(at.distance - to.distance), moved + at.error + to.error + 1e-12);
@@ -328,15 +329,17 @@ TEST(ObstacleQueries, clearance_of_a_nearly_symmetric_star) {
     // Nothing changes nearer than it says, and the point that is told is on the boundary.
     const double radius = std::abs(found.distance) - found.error;
     for (int i = 0; i < 20; ++i) {
-      const double x = uniform(random, -1, 1), y = uniform(random, -1, 1), z = uniform(random, -1, 1);
-      const double step = 0.999 * radius * uniform(random, 0, 1) / std::sqrt(x * x + y * y + z * z);
+      const double x = uniform_between(random, -1, 1), y = uniform_between(random, -1, 1),
+                   z = uniform_between(random, -1, 1);
+      const double step = 0.999 * radius * uniform_between(random, 0, 1) / std::sqrt(x * x + y * y + z * z);
       EXPECT_EQ(q.contains({from.x + step * x, from.y + step * y, from.theta + step * z / w}), found.distance < 0);
     }
     EXPECT_LE(std::abs(q.clearance(found.nearest).distance), 1e-6 * size);
     // No slice is nearer, those beside the nearest point in particular.
     for (int i = 0; i < 6; ++i) {
       Configuration at = from;
-      at.theta = i < 3 ? found.nearest.theta + (i - 1) * 1e-9 : found.nearest.theta + uniform(random, -0.1, 0.1);
+      at.theta =
+          i < 3 ? found.nearest.theta + (i - 1) * 1e-9 : found.nearest.theta + uniform_between(random, -0.1, 0.1);
       const double turn = w * std::remainder(at.theta - from.theta, 2 * M_PI);
       EXPECT_LE(std::abs(found.distance), std::hypot(slice_distance(c, at), turn) + found.error);
     }
@@ -371,7 +374,7 @@ TEST(ObstacleQueries, free_angles_are_those_that_are_free) {
       const Configuration at = anywhere(c, random);
       const std::vector<FreeAngles> free = q.free_angles(at.x, at.y);
       for (int i = 0; i < 500; ++i) {
-        const double theta = uniform(random, -M_PI, M_PI);
+        const double theta = uniform_between(random, -M_PI, M_PI);
         const bool expected = !c.contains(at.x, at.y, *Orientation::nearest(theta));
         EXPECT_EQ(std::any_of(free.begin(), free.end(), [&](const FreeAngles& f) { return between(f, theta, 0); }),
                   expected);
@@ -431,9 +434,10 @@ TEST(ObstacleQueries, an_exact_fit_between_parts_is_free) {
   EXPECT_TRUE(q.contains({2.5, 0.5, M_PI / 2 + 0x1p-45}));
   for (int k = 0; k < 500; ++k) {
     const Orientation o = k % 2 == 0 ? *Orientation::of(static_cast<int>(random() % 3) - 1, 1)
-                                     : *Orientation::nearest(uniform(random, -3, 3));
-    for (const Point& at : {Point{2.5, uniform(random, -1, 2)}, Point{uniform(random, -1, 5), uniform(random, -1, 3)},
-                            Point{2 + uniform(random, -1e-3, 1e-3), 2}})
+                                     : *Orientation::nearest(uniform_between(random, -3, 3));
+    for (const Point& at : {Point{2.5, uniform_between(random, -1, 2)},
+                            Point{uniform_between(random, -1, 5), uniform_between(random, -1, 3)},
+                            Point{2 + uniform_between(random, -1e-3, 1e-3), 2}})
       EXPECT_EQ(q.contains(at.x, at.y, o), c.contains(at.x, at.y, o));
   }
   EXPECT_GT(q.exact_answers(), 200u);

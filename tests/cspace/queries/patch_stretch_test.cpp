@@ -16,7 +16,7 @@ namespace {
 
 using Random = std::mt19937_64;
 
-double uniform(Random& random, double low, double high) {
+double uniform_in(Random& random, double low, double high) {
   return std::uniform_real_distribution<double>(low, high)(random);
 }
 
@@ -67,7 +67,9 @@ TEST(CrossingGap, half_tangents_are_those_of_the_angle_between) {
   Random random(1);
   for (int k = 0; k < 1000; ++k) {
     const auto edge = [&] {
-      const auto at = [&] { return Point{std::round(uniform(random, -9, 9)), std::round(uniform(random, -9, 9))}; };
+      const auto at = [&] {
+        return Point{std::round(uniform_in(random, -9, 9)), std::round(uniform_in(random, -9, 9))};
+      };
       for (;;)
         if (const std::array<Point, 2> e{at(), at()}; !(e[0] == e[1])) return e;
     };
@@ -115,11 +117,11 @@ TEST(EndCurve, derivatives_and_ranges) {
       const bool fast = &curve == &curves[0] && gap != 0;
       for (int k = 0; k < 2000; ++k) {
         const double near = gap == 0 ? 0.1 : std::min(0.05, std::abs(gap));
-        double a = near * std::pow(10, uniform(random, -1, 0.5)), b = a * (1 + uniform(random, 0, 0.3));
+        double a = near * std::pow(10, uniform_in(random, -1, 0.5)), b = a * (1 + uniform_in(random, 0, 0.3));
         if (k % 2 == 0) a = -a, b = -b;
         const EndCurve::Ranges r = curve.ranges(std::min(a, b), std::max(a, b));
         ASSERT_TRUE(r.known);
-        for (const double x : {a, b, a + uniform(random, 0, 1) * (b - a)}) {
+        for (const double x : {a, b, a + uniform_in(random, 0, 1) * (b - a)}) {
           const EndCurve::Derivatives d = curve.derivatives(SmallTurn(x));
           if (d.value < 0 || d.value > 4) continue;
           EXPECT_DOUBLE_EQ(d.value, curve.value(SmallTurn(x)));
@@ -179,7 +181,7 @@ TEST(PatchStretch, ends_are_those_of_the_patches_and_in_the_box) {
     for (const PatchStretch& s : make_stretches(obstacle, forms, 0.1)) {
       if (!(s.surely_high - s.surely_low > 1e-5)) continue;
       const StretchBox box = box_of(forms, s);
-      const double x = s.surely_low + uniform(random, 0.01, 0.99) * (s.surely_high - s.surely_low);
+      const double x = s.surely_low + uniform_in(random, 0.01, 0.99) * (s.surely_high - s.surely_low);
       const double theta = std::remainder(s.reference + x, 2 * M_PI);
       const auto ends = obstacle.ends(obstacle.patches()[s.patch], theta);
       const Turn turn(theta);
@@ -211,10 +213,10 @@ TEST(StretchDistance, no_sample_is_nearer_than_the_bound) {
     for (const PatchStretch& s : make_stretches(obstacle, forms, 0.1)) {
       if (!(s.surely_high - s.surely_low > 1e-7)) continue;
       for (const bool whole : {false, true}) {
-        const double size = forms.size(), theta = uniform(random, -M_PI, M_PI), w = size * uniform(random, 0, 1);
-        const DistanceQuestion q{{uniform(random, -size, size), uniform(random, -size, size)}, theta, w, whole};
+        const double size = forms.size(), theta = uniform_in(random, -M_PI, M_PI), w = size * uniform_in(random, 0, 1);
+        const DistanceQuestion q{{uniform_in(random, -size, size), uniform_in(random, -size, size)}, theta, w, whole};
         const StretchDistance distance(forms[s.patch], s, q, std::remainder(s.reference - theta, 2 * M_PI));
-        double low = s.surely_low + uniform(random, 0, 1) * (s.surely_high - s.surely_low), high = s.surely_high;
+        double low = s.surely_low + uniform_in(random, 0, 1) * (s.surely_high - s.surely_low), high = s.surely_high;
         if (random() % 2 == 0) high = low + (high - low) / 50;
         const StretchDistance::Bound bound = distance.lower(low, high, INFINITY);
         double least = INFINITY;

@@ -13,7 +13,7 @@ namespace {
 
 using namespace testing_obstacles;
 
-constexpr double kPi = std::numbers::pi, kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kPi = std::numbers::pi, kOnlyTurns = std::numeric_limits<double>::infinity();
 
 Region square() { return polygon(box(0, 0, 1, 1)); }
 Region exact_room() { return polygon(box(-1, -1, 2, 2), {reversed(box(0, 0, 1, 1))}); }
@@ -39,9 +39,9 @@ TEST(TightClearance, of_a_square_in_its_exact_room) {
   const ObstacleQueries q(c);
   for (const Configuration& jammed :
        {Configuration{0, 0, 0}, {1, 0, kPi / 2}, {1, 1, kPi}, {1, 1, -kPi}, {1, 1, 3 * kPi}, {0, 1, -kPi / 2}}) {
-    for (const double weight : {q.gyration_radius(), 0.0, 1e-3, 1e3, kInfinity})
+    for (const double weight : {q.gyration_radius(), 0.0, 1e-3, 1e3, kOnlyTurns})
       expect_contact(q.clearance(jammed, weight));
-    EXPECT_EQ(q.clearance(jammed, kInfinity, Touching::forbidden).distance, -2);
+    EXPECT_EQ(q.clearance(jammed, kOnlyTurns, Touching::forbidden).distance, -2);
     const Clearance loose = q.clearance(jammed, 0.8, Touching::forbidden);
     EXPECT_LT(loose.distance, -1.5);
     EXPECT_EQ(q.clearance(loose.nearest, 0.8, Touching::allowed).patch != Patch::kNone, true);
@@ -51,9 +51,9 @@ TEST(TightClearance, of_a_square_in_its_exact_room) {
   EXPECT_NEAR(q.clearance({0.25, 0, 0.125}).distance, -std::hypot(0.25, 0.125 * w), 1e-9);
   EXPECT_NEAR(q.clearance({0, 0, 0.5}, 0).distance, 0, 1e-9);
   // By translation alone only the places of this very angle count.
-  EXPECT_NEAR(q.clearance({0.25, 0, 0}, kInfinity).distance, -0.25, 1e-9);
-  EXPECT_NEAR(q.clearance({0.25, 0, 1e-14}, kInfinity).distance, -1.75, 1e-9);
-  EXPECT_NEAR(q.clearance({0.25, 0, 0x1p-60}, kInfinity).distance, -1.75, 1e-9);
+  EXPECT_NEAR(q.clearance({0.25, 0, 0}, kOnlyTurns).distance, -0.25, 1e-9);
+  EXPECT_NEAR(q.clearance({0.25, 0, 1e-14}, kOnlyTurns).distance, -1.75, 1e-9);
+  EXPECT_NEAR(q.clearance({0.25, 0, 0x1p-60}, kOnlyTurns).distance, -1.75, 1e-9);
   expect_singles(q.free_angles(0, 0), {0});
   expect_singles(q.free_angles(1, 1), {kPi});
   expect_singles(q.free_angles(0, 1), {-kPi / 2});
@@ -65,7 +65,7 @@ TEST(TightClearance, of_a_peg_between_the_walls_of_its_slot) {
   const Region slot = polygon({{0, 0}, {4, 0}, {4, 4}, {3, 4}, {3, 1}, {1, 1}, {1, 4}, {0, 4}});
   const CspaceObstacle c = CspaceObstacle::create(polygon(box(0, 0, 2, 1)), slot).value();
   const ObstacleQueries q(c);
-  for (const double weight : {q.gyration_radius(), 0.0, kInfinity}) {
+  for (const double weight : {q.gyration_radius(), 0.0, kOnlyTurns}) {
     expect_contact(q.clearance({1, 1, 0}, weight));
     expect_contact(q.clearance({1, 2.25, 0}, weight));
     EXPECT_NEAR(q.clearance({0.999999, 2, 0}, weight).distance,
@@ -73,7 +73,7 @@ TEST(TightClearance, of_a_peg_between_the_walls_of_its_slot) {
   }
   // On the floor outside the slot it stands level, or half turned; a single angle where it is jammed between the walls.
   expect_singles(q.free_angles(1, 2), {0});
-  EXPECT_EQ(q.clearance({1, 2, 0}, kInfinity, Touching::forbidden).distance, -2);
+  EXPECT_EQ(q.clearance({1, 2, 0}, kOnlyTurns, Touching::forbidden).distance, -2);
 }
 
 // Darts whose tips are held by pins at an eighth of a turn, which no rational tangent of the half angle meets.
@@ -133,8 +133,8 @@ TEST(TightClearance, along_a_curve) {
   EXPECT_FALSE(q.contains({16, -16, theta}));
   EXPECT_TRUE(q.contains({16, -16, theta + 1e-9}));
   expect_contact(q.clearance({16, -16, theta}));
-  expect_contact(q.clearance({16, -16, theta}, kInfinity));
-  EXPECT_NEAR(q.clearance({16.5, -16, theta}, kInfinity).distance, -0.5, 1e-9);
+  expect_contact(q.clearance({16, -16, theta}, kOnlyTurns));
+  EXPECT_NEAR(q.clearance({16.5, -16, theta}, kOnlyTurns).distance, -0.5, 1e-9);
   EXPECT_LT(q.clearance({16, -16, theta}, q.gyration_radius(), Touching::forbidden).distance, -1e-3);
   const std::vector<FreeAngles> free = q.free_angles(16, -16);
   EXPECT_TRUE(std::any_of(free.begin(), free.end(), [&](const FreeAngles& f) {
@@ -145,7 +145,7 @@ TEST(TightClearance, along_a_curve) {
 TEST(TightClearance, touching_forbidden) {
   const CspaceObstacle c = CspaceObstacle::create(square(), square()).value();
   const ObstacleQueries q(c);
-  for (const double weight : {q.gyration_radius(), kInfinity}) {
+  for (const double weight : {q.gyration_radius(), kOnlyTurns}) {
     expect_contact(q.clearance({1, 0.5, 0}, weight));
     const Clearance strict = q.clearance({1, 0.5, 0}, weight, Touching::forbidden);
     EXPECT_EQ(strict.distance, 0);
@@ -173,7 +173,7 @@ double to_segment(Point z, Point a, Point b) {
 
 // To all that bounds the open slice.
 double to_slice(const PlanarSum& slice, Point z) {
-  double least = kInfinity;
+  double least = kOnlyTurns;
   const auto add = [&](const SumRing& ring) {
     for (std::size_t i = 0; i < ring.vertices.size(); ++i)
       least = std::min(least, to_segment(z, ring.vertices[i].at, ring.vertices[(i + 1) % ring.vertices.size()].at));
@@ -199,7 +199,7 @@ struct Slices {
     all.emplace_back(o.radians(), *c.slice(o, Semantics::open));
   }
   double distance(const Configuration& q, double weight) const {
-    double least = kInfinity;
+    double least = kOnlyTurns;
     for (const auto& [theta, slice] : all)
       least =
           std::min(least, std::hypot(to_slice(slice, {q.x, q.y}), weight * std::remainder(theta - q.theta, 2 * kPi)));
@@ -255,7 +255,7 @@ TEST(TightClearance, of_cells_in_rooms_against_slices) {
       const double quarter = static_cast<double>(random() % 4) * kPi / 2 - kPi / 2;
       const Configuration from{at(), at(), k % 4 == 3 ? quarter + 0.3 : quarter};
       SCOPED_TRACE(testing::Message() << from.x << ' ' << from.y << ' ' << from.theta);
-      const Clearance found = q.clearance(from, w), flat = q.clearance(from, kInfinity);
+      const Clearance found = q.clearance(from, w), flat = q.clearance(from, kOnlyTurns);
       const double slow = slices.distance(from, w);
       EXPECT_LE(std::abs(found.distance), slow + found.error + 1e-9);
       EXPECT_GE(std::abs(found.distance), slow - 0.2 * w);

@@ -10,14 +10,14 @@
 namespace dymsum::test {
 namespace {
 
-Region make(RegionData data) { return Region::create(std::move(data)).value(); }
+Region made_region(RegionData data) { return Region::create(std::move(data)).value(); }
 
 RegionData sample() {
   return {{{box(0, 0, 8, 8), {reversed(box(1, 1, 2, 2)), {{8, 4}, {6, 3}, {6, 5}}}}}, {{{9, 9}, {10, 12}}}, {{-3, 0}}};
 }
 
 TEST(RegionTransform, NegatedTwiceIsTheSame) {
-  const Region region = make(sample());
+  const Region region = made_region(sample());
   const Region once = negated(region);
   EXPECT_TRUE(Region::create(once.data()).ok());
   EXPECT_EQ(once.parts()[0].outer, (Ring{{0, 0}, {-8, 0}, {-8, -8}, {0, -8}}));
@@ -30,29 +30,30 @@ TEST(RegionTransform, NegatedTwiceIsTheSame) {
 }
 
 TEST(RegionTransform, Translated) {
-  const Region region = make(sample());
+  const Region region = made_region(sample());
   const Region moved = translated(region, 1e9, -3).value();
   EXPECT_EQ(moved.parts()[0].holes[1][0], (Point{1e9 + 8, 1}));
   EXPECT_EQ(translated(moved, -1e9, 3).value(), region);
 }
 
 TEST(RegionTransform, TranslationByABigOffsetThatIsNoLatticeVectorKeepsHoles) {
-  const Region moved = translated(make(sample()), 1e9 + 1.0 / 3, 1e9 + 1.0 / 3).value();
+  const Region moved = translated(made_region(sample()), 1e9 + 1.0 / 3, 1e9 + 1.0 / 3).value();
   EXPECT_EQ(moved.hole_count(), 2u);
-  EXPECT_EQ(area(moved), area(make(sample())));
+  EXPECT_EQ(area(moved), area(made_region(sample())));
 }
 
 TEST(RegionTransform, TranslationThatRoundsVerticesTogetherIsAnError) {
-  const Result<Region> collapsed = translated(make(one_ring(box(0, 0, 1, 1))), 1e20, 0);
+  const Result<Region> collapsed = translated(made_region(one_ring(box(0, 0, 1, 1))), 1e20, 0);
   ASSERT_FALSE(collapsed.ok());
   EXPECT_EQ(collapsed.error().code, ErrorCode::repeated_vertex);
-  const Result<Region> past = translated(make(one_ring(box(0, 0, 1, 1))), std::numeric_limits<double>::infinity(), 0);
+  const Result<Region> past =
+      translated(made_region(one_ring(box(0, 0, 1, 1))), std::numeric_limits<double>::infinity(), 0);
   ASSERT_FALSE(past.ok());
   EXPECT_EQ(past.error().code, ErrorCode::not_finite);
 }
 
 TEST(RegionTransform, ScaledByReflectionsStaysValid) {
-  const Region region = make(sample());
+  const Region region = made_region(sample());
   for (const double sx : {-2.0, 0.5}) {
     for (const double sy : {-4.0, 8.0}) {
       const Result<Region> other = scaled(region, sx, sy);
@@ -66,13 +67,13 @@ TEST(RegionTransform, ScaledByReflectionsStaysValid) {
 }
 
 TEST(RegionTransform, ScaleFactorsThatMakeNoSense) {
-  const Region region = make(sample());
+  const Region region = made_region(sample());
   for (const double bad : {0.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
     EXPECT_EQ(scaled(region, bad, 1).error().code, ErrorCode::unsupported_operand);
     EXPECT_EQ(scaled(region, 1, bad).error().code, ErrorCode::unsupported_operand);
   }
   EXPECT_EQ(scaled(region, 1e308, 1).error().code, ErrorCode::not_finite);
-  const Region quarter = make(one_ring(box(0, 0, 0.25, 0.25)));
+  const Region quarter = made_region(one_ring(box(0, 0, 0.25, 0.25)));
   EXPECT_EQ(scaled(quarter, std::numeric_limits<double>::denorm_min(), 1).error().code, ErrorCode::repeated_vertex);
 }
 

@@ -20,8 +20,6 @@
 namespace dymsum {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 Orientation at(double radians, double error = 1e-6) { return Orientation::nearest(radians, error).value(); }
 
 std::uint64_t fuzz_rounds(std::uint64_t usual) {
@@ -88,7 +86,7 @@ TEST(RotatingSum, tiny_pairs_equal_slices_at_every_step) {
     options.window = random.chance(70) ? 0.02 * static_cast<double>(1 + random.below(20)) : 0;
     planar::SumInternals::min_tier_bits(options) = random.chance(20) ? 61 : 0;
     RotatingSum sum = RotatingSum::create(p, q, options).value();
-    double theta = random.chance(50) ? 0 : 0.5 * kPi * static_cast<double>(random.below(4));
+    double theta = random.chance(50) ? 0 : 0.5 * std::numbers::pi * static_cast<double>(random.below(4));
     for (int step = 0; step < 12; ++step) {
       // Coarse errors give simple orientations, at which more coincides.
       const Orientation orientation = at(theta, random.chance(30) ? 0.02 : 1e-5);
@@ -165,7 +163,7 @@ TEST(RotatingSum, every_slice_around_an_event_is_right_from_both_sides) {
     options.semantics = semantics;
     options.mode = FrameMode::window;
     RotatingSum sum = RotatingSum::create(slot, square, options).value();
-    for (const double quarter : {0.0, 0.5 * kPi, kPi, -0.5 * kPi})
+    for (const double quarter : {0.0, 0.5 * std::numbers::pi, std::numbers::pi, -0.5 * std::numbers::pi})
       for (int k = 30; k > 0; k -= 3)
         for (const double theta : {quarter - std::ldexp(1.0, -k), quarter, quarter + std::ldexp(1.0, -k)}) {
           const Orientation orientation = Orientation::nearest(theta).value();
@@ -185,13 +183,13 @@ TEST(RotatingSum, a_full_turn_and_the_way_back_return_the_same_state) {
   constexpr int kSteps = 300;
   std::vector<PlanarSum> seen;
   for (int k = 1; k <= kSteps; ++k) {
-    ASSERT_TRUE(sum.set(at(2 * kPi * k / kSteps)).ok());
+    ASSERT_TRUE(sum.set(at(2 * std::numbers::pi * k / kSteps)).ok());
     seen.push_back(sum.sum());
   }
   ASSERT_TRUE(sum.set(Orientation()).ok());
   EXPECT_TRUE(sum.sum() == start);
   for (int k = kSteps; k > 0; --k) {
-    ASSERT_TRUE(sum.set(at(2 * kPi * k / kSteps)).ok());
+    ASSERT_TRUE(sum.set(at(2 * std::numbers::pi * k / kSteps)).ok());
     ASSERT_TRUE(sum.sum() == seen[static_cast<std::size_t>(k - 1)]) << k;
   }
 }

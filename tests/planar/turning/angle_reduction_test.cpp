@@ -12,8 +12,6 @@
 namespace dymsum {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 struct Place {
   double cosine = 1, sine = 0;
 };
@@ -29,14 +27,20 @@ Place place_of(const Orientation& o) {
 void expect_met(double radians, const Orientation& o, double error) {
   const Place at = place_of(o);
   EXPECT_LE(std::hypot(at.cosine - std::cos(radians), at.sine - std::sin(radians)), error + 0x1p-51) << radians;
-  EXPECT_GT(o.radians(), -kPi);
-  EXPECT_LE(o.radians(), kPi);
+  EXPECT_GT(o.radians(), -std::numbers::pi);
+  EXPECT_LE(o.radians(), std::numbers::pi);
 }
 
 TEST(Orientation, meets_angles_of_any_size) {
   std::mt19937_64 random(1);
-  std::vector<double> angles{1e6, 1e16,          1e22, 1e300, 5.319372648326541e255, std::numeric_limits<double>::max(),
-                             4,   2 * kPi + 1e-9};
+  std::vector<double> angles{1e6,
+                             1e16,
+                             1e22,
+                             1e300,
+                             5.319372648326541e255,
+                             std::numeric_limits<double>::max(),
+                             4,
+                             2 * std::numbers::pi + 1e-9};
   for (int k = 0; k < 2000; ++k)
     angles.push_back(std::ldexp(1 + static_cast<double>(random() % 1000000) / 1e6, static_cast<int>(random() % 1023)));
   for (const double angle : angles)
@@ -52,12 +56,12 @@ TEST(Orientation, meets_multiples_of_quarter_turns_exactly_near_the_origin) {
     const Orientation expected = k % 4 == 0   ? Orientation{}
                                  : k % 2 == 0 ? Orientation::half_turn()
                                               : *Orientation::of((k % 4 + 4) % 4 == 1 ? 1 : -1, 1);
-    EXPECT_EQ(*Orientation::nearest(k * kPi / 2), expected) << k;
+    EXPECT_EQ(*Orientation::nearest(k * std::numbers::pi / 2), expected) << k;
   }
   // Up to half a turn a double is what it says.
   EXPECT_NE(*Orientation::nearest(1e-17), Orientation{});
-  EXPECT_NE(*Orientation::nearest(std::nextafter(kPi, 0)), Orientation::half_turn());
-  EXPECT_NE(*Orientation::nearest(std::nextafter(kPi / 2, 4)), *Orientation::of(1, 1));
+  EXPECT_NE(*Orientation::nearest(std::nextafter(std::numbers::pi, 0)), Orientation::half_turn());
+  EXPECT_NE(*Orientation::nearest(std::nextafter(std::numbers::pi / 2, 4)), *Orientation::of(1, 1));
 }
 
 }  // namespace

@@ -18,11 +18,11 @@ namespace {
 using exact::BigRational;
 using oracles::Random;
 
-struct Made {
+struct MadeForms {
   std::shared_ptr<const OperandPair> base;
   std::unique_ptr<TurningForms> forms;
 
-  Made(const Region& p, const Region& q) {
+  MadeForms(const Region& p, const Region& q) {
     base = OperandPair::create({prepared_operand(p, 0), prepared_operand(q, 1)}, {}, 1, 0).value();
     forms = std::make_unique<TurningForms>(*base);
   }
@@ -73,7 +73,7 @@ Shares largest_shares(int rounds) {
   for (int k = 0; k < rounds; ++k) {
     const double sizes[] = {1, 0x1p-3, 0x1p-9};
     const double sp = sizes[random.below(3)], sq = sizes[random.below(3)];
-    const Made m(ring(random, 1.3 * random.signed_unit(), 1.1, sp), ring(random, 0.7, random.signed_unit(), sq));
+    const MadeForms m(ring(random, 1.3 * random.signed_unit(), 1.1, sp), ring(random, 0.7, random.signed_unit(), sq));
     const TurningForms& f = *m.forms;
     for (int i = 0; i < 40; ++i) {
       const double t = random.signed_unit();
@@ -146,7 +146,7 @@ TEST(TurningBounds, short_edges_meet_what_crosses_them) {
                                {centre.x + g.y, centre.y - g.x}};
     const auto p = Region::create(std::move(standing)), q = Region::create(std::move(turning));
     if (!p.ok() || !q.ok()) continue;
-    const Made m(*p, *q);
+    const MadeForms m(*p, *q);
     const TurningForms& f = *m.forms;
     const TurnCatalog catalog(f);
     const TurnGrid grid(f, 8);

@@ -10,7 +10,7 @@
 namespace dymsum::spatial_test {
 namespace {
 
-Mesh made(MeshData data) {
+Mesh solid_of(MeshData data) {
   Result<Mesh> mesh = Mesh::create(std::move(data));
   EXPECT_TRUE(mesh.ok()) << mesh.error().to_string();
   return mesh.ok() ? std::move(mesh).value() : Mesh{};
@@ -37,7 +37,7 @@ TEST(Convexity, FlatFacesMayBeConcave) {
   data.faces.push_back({m, r, 7, b});
   data.faces[3] = {2, 6, b, 7, 3};
   data.faces[5] = {1, 3, 7, r, 5};
-  EXPECT_EQ(convexity_error(made(data)), std::nullopt);
+  EXPECT_EQ(convexity_error(solid_of(data)), std::nullopt);
   // the middle of the top pushed in or pulled out by one unit in the last place is no longer plane
   MeshData bent = data;
   bent.vertices[m].z = 2 - 0x1p-52;
@@ -52,7 +52,7 @@ TEST(Convexity, ADentOfOneUnitInTheLastPlaceIsFound) {
     for (const bool outwards : {false, true}) {
       MeshData data = plain.data();
       data.vertices[v].z = outwards ? 1 + 0x1p-52 : 1 - 0x1p-53;
-      const std::optional<Error> error = convexity_error(made(data));
+      const std::optional<Error> error = convexity_error(solid_of(data));
       ASSERT_TRUE(error.has_value());  // outwards: the folds beside the bump are reflex, as the squares' diagonals show
       EXPECT_EQ(name(error->code), "not_convex");
       EXPECT_TRUE(error->evidence.face && error->evidence.other_face && error->evidence.vertex);
@@ -61,7 +61,7 @@ TEST(Convexity, ADentOfOneUnitInTheLastPlaceIsFound) {
 }
 
 TEST(Convexity, AReflexEdgeIsNamed) {
-  const Mesh mesh = made(l_prism());
+  const Mesh mesh = solid_of(l_prism());
   const std::optional<Error> error = convexity_error(mesh);
   ASSERT_TRUE(error.has_value());
   EXPECT_EQ(name(error->code), "not_convex");
@@ -75,7 +75,7 @@ TEST(Convexity, AReflexEdgeIsNamed) {
 
 TEST(Convexity, NothingAndSeveralShells) {
   EXPECT_EQ(name(convexity_error(Mesh())->code), "no_area");
-  const std::optional<Error> error = convexity_error(made(joined(cube(), cube(2, {3, 0, 0}))));
+  const std::optional<Error> error = convexity_error(solid_of(joined(cube(), cube(2, {3, 0, 0}))));
   ASSERT_TRUE(error.has_value());
   EXPECT_EQ(name(error->code), "not_convex");
   EXPECT_EQ(error->evidence.face, 6);

@@ -9,7 +9,7 @@
 namespace dymsum::spatial_test {
 namespace {
 
-Mesh made(MeshData data) {
+Mesh mesh_of(MeshData data) {
   Result<Mesh> mesh = Mesh::create(std::move(data));
   EXPECT_TRUE(mesh.ok()) << mesh.error().to_string();
   return mesh.ok() ? std::move(mesh).value() : Mesh{};
@@ -30,8 +30,8 @@ TEST(MeshCanonical, OrderAndTriangulationDoNotMatter) {
     const Mesh canonical = model.mesh.canonical();
     EXPECT_TRUE(Mesh::create(canonical.data()).ok()) << model.name;
     EXPECT_EQ(canonical.canonical().data(), canonical.data()) << model.name;
-    EXPECT_EQ(made(shuffled(model.mesh.data(), ++seed)).canonical().data(), canonical.data()) << model.name;
-    EXPECT_EQ(made(shuffled(canonical.data(), ++seed)).canonical().data(), canonical.data()) << model.name;
+    EXPECT_EQ(mesh_of(shuffled(model.mesh.data(), ++seed)).canonical().data(), canonical.data()) << model.name;
+    EXPECT_EQ(mesh_of(shuffled(canonical.data(), ++seed)).canonical().data(), canonical.data()) << model.name;
     EXPECT_EQ(volume(canonical), volume(model.mesh)) << model.name;
     EXPECT_EQ(canonical.vertices().size() + canonical.faces().size(), canonical.edge_count() + 2) << model.name;
   }
@@ -48,12 +48,12 @@ TEST(MeshCanonical, MergedFacesMayBeConcave) {
   data.faces.insert(data.faces.end(), halves.begin(), halves.end());
   ASSERT_EQ(data.faces[5], (Face{10, 0, 1, 11}));
   data.faces[5] = {10, 12, 0, 1, 13, 11};
-  EXPECT_EQ(made(data).canonical().data(), made(l_prism()).canonical().data());
-  EXPECT_EQ(made(l_prism()).canonical().faces().size(), 8u);
+  EXPECT_EQ(mesh_of(data).canonical().data(), mesh_of(l_prism()).canonical().data());
+  EXPECT_EQ(mesh_of(l_prism()).canonical().faces().size(), 8u);
 }
 
 TEST(MeshCanonical, AFaceWithAHoleStaysSplit) {
-  const Mesh ring = made(square_ring());
+  const Mesh ring = mesh_of(square_ring());
   const Mesh canonical = ring.canonical();
   EXPECT_EQ(canonical.faces().size(), 16u);
   EXPECT_EQ(canonical.canonical().data(), canonical.data());
@@ -61,14 +61,14 @@ TEST(MeshCanonical, AFaceWithAHoleStaysSplit) {
 }
 
 TEST(MeshCanonical, NegativeZerosDisappear) {
-  const Mesh mesh = scaled(made(cube()), -1, -1, -1)->canonical();
+  const Mesh mesh = scaled(mesh_of(cube()), -1, -1, -1)->canonical();
   for (const Point3& p : mesh.vertices()) {
     EXPECT_FALSE((p.x == 0 && std::signbit(p.x)) || (p.y == 0 && std::signbit(p.y)) || (p.z == 0 && std::signbit(p.z)));
   }
 }
 
 TEST(MeshCanonical, AMeshOfSeveralShells) {
-  const Mesh a = made(joined(cube(), cube(2, {3, 0, 0}))), b = made(joined(cube(2, {3, 0, 0}), cube()));
+  const Mesh a = mesh_of(joined(cube(), cube(2, {3, 0, 0}))), b = mesh_of(joined(cube(2, {3, 0, 0}), cube()));
   EXPECT_EQ(a, b);
   EXPECT_EQ(a.canonical().shell_count(), 2u);
 }
@@ -103,16 +103,16 @@ TEST(MeshCanonical, ARingWhoseEndsTouchIsNoMesh) {
   EXPECT_EQ(name(Mesh::create(data).error().code), "faces_cross");
   // Open by a gap it is one, and its tops are one face.
   for (const std::size_t v : {10u, 11u, 12u, 13u}) data.vertices[v].x = 0.125;
-  const Mesh mesh = made(data), canonical = mesh.canonical();
+  const Mesh mesh = mesh_of(data), canonical = mesh.canonical();
   EXPECT_EQ(canonical.faces().size(), 14u);
   EXPECT_TRUE(Mesh::create(canonical.data()).ok());
   EXPECT_EQ(volume(canonical), volume(mesh));
-  EXPECT_EQ(made(shuffled(data, 5)).canonical().data(), canonical.data());
+  EXPECT_EQ(mesh_of(shuffled(data, 5)).canonical().data(), canonical.data());
 }
 
 // Two cubes with faces in one plane, as two shells: nothing is merged across.
 TEST(MeshCanonical, ShellsWithFacesInOnePlaneStayApart) {
-  const Mesh mesh = made(joined(cube(), cube(1, {1.25, 0, 0.5})));
+  const Mesh mesh = mesh_of(joined(cube(), cube(1, {1.25, 0, 0.5})));
   EXPECT_EQ(mesh.canonical().faces().size(), 12u);
   EXPECT_EQ(mesh.shell_count(), 2u);
 }
