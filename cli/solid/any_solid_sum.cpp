@@ -17,6 +17,9 @@ namespace {
 
 using Kind = SolidFeature::Kind;
 
+/// Bits of the integers that hold both operands; 0 for integers of any size.
+int grid_tier(const SpatialSum& sum) { return sum.stats.bits <= 26 ? 26 : sum.stats.bits <= 54 ? 54 : 0; }
+
 std::string face_kind(const SpatialFace& f) {
   if (f.p.kind == Kind::face && f.q.kind == Kind::vertex) return "face_vertex";
   if (f.p.kind == Kind::vertex && f.q.kind == Kind::face) return "vertex_face";
@@ -139,7 +142,8 @@ void print_text(std::ostream& out, const std::string& verb, const std::vector<So
         << counted(sum.tight_segments.size(), "segment") << ", " << counted(sum.tight_points.size(), "point") << "\n";
   }
   out << "  " << sum.stats.face_vertex << " face + vertex and " << sum.stats.edge_edge << " edge + edge facets, "
-      << timing.median_ms << " ms, " << sum.stats.bits << "-bit coordinates\n";
+      << timing.median_ms << " ms, "
+      << (grid_tier(sum) == 0 ? "arbitrary precision" : std::to_string(grid_tier(sum)) + "-bit") << " coordinates\n";
 }
 
 }  // namespace
@@ -195,7 +199,7 @@ ExitCode run_any_solid_sum(const SumVerb& verb, const SumCommand& command, const
   for (std::size_t i = 0; i < texts.size(); ++i) write_text(command.output.files[i], texts[i]);
   std::ostream& out = report_stream(command.output.files, command.report.json);
   if (command.report.json) {
-    Json json = report_head(verb.name, solid_inputs_json(inputs), sum.stats.bits, timing);
+    Json json = report_head(verb.name, solid_inputs_json(inputs), grid_tier(sum), timing);
     json["engine"] = command.engine;
     json.update(any_solid_sum_json(sum));
     print_report(json);

@@ -49,7 +49,7 @@ struct GlbLook {
   std::span<const FaceColour> colours;
   /// Names and texts, kept in the file as extras of its asset.
   std::span<const std::pair<std::string, std::string>> notes;
-  /// A second mesh, in red: what has to be seen beside the first one, or through it.
+  /// A second mesh, in red: what has to be seen through the first one, which is drawn half transparent then.
   const MeshData* marks = nullptr;
 };
 std::string format_glb(const MeshData& mesh, const GlbLook& look);

@@ -62,13 +62,21 @@ class GlbWriter {
     }
   }
 
-  /// What was added since the last mesh becomes one, of its own node.
-  void end_mesh() {
+  /// What was added since the last mesh becomes one, of its own node and material; less than opaque, what lies behind
+  /// shows.
+  void end_mesh(double opacity) {
     if (corners_.empty()) return;
     const Json attributes = {{"POSITION", add_triples(places_)}, {"COLOR_0", add_triples(lights_)}};
     add_bounds(attributes["POSITION"]);
-    const Json primitive = {{"attributes", attributes}, {"indices", add_corners()}, {"material", 0}};
     const std::size_t index = json_["meshes"].size();
+    const Json primitive = {{"attributes", attributes}, {"indices", add_corners()}, {"material", index}};
+    Json material = {{"doubleSided", true},
+                     {"pbrMetallicRoughness", {{"metallicFactor", 0}, {"roughnessFactor", 0.8}}}};
+    if (opacity < 1) {
+      material["alphaMode"] = "BLEND";
+      material["pbrMetallicRoughness"]["baseColorFactor"] = {1, 1, 1, opacity};
+    }
+    json_["materials"].push_back(std::move(material));
     json_["meshes"].push_back({{"primitives", Json::array({primitive})}});
     // z is up in our files and y in glTF: a quarter turn about x
     const double half = std::sqrt(0.5);
@@ -78,11 +86,7 @@ class GlbWriter {
   }
 
   std::string write() {
-    if (!bytes_.empty()) {
-      json_["materials"] = {
-          {{"doubleSided", true}, {"pbrMetallicRoughness", {{"metallicFactor", 0}, {"roughnessFactor", 0.8}}}}};
-      json_["buffers"] = {{{"byteLength", bytes_.size()}}};
-    }
+    if (!bytes_.empty()) json_["buffers"] = {{{"byteLength", bytes_.size()}}};
     std::string text = json_.dump();
     text.append((4 - text.size() % 4) % 4, ' ');
     std::string out;
@@ -155,12 +159,13 @@ std::string write_glb(const MeshData& data, const GlbLook& look) {
     const std::size_t colour = colour_of[all.face[i]];
     writer.add(data, all.triangles[i], colour, lights[colour]);
   }
-  writer.end_mesh();
-  if (look.marks) {
+  const bool marked = look.marks && !look.marks->faces.empty();
+  writer.end_mesh(marked ? 0.4 : 1);
+  if (marked) {
     const spatial::Triangles marks = spatial::triangulated(*look.marks);
     for (const spatial::Triangle& triangle : marks.triangles)
       writer.add(*look.marks, triangle, 0, light_of(kMarkColour));
-    writer.end_mesh();
+    writer.end_mesh(1);
   }
   return writer.write();
 }

@@ -1,0 +1,67 @@
+// sum and nfp of solids that are not convex.
+#include "cli_fixture.h"
+
+namespace dymsum::cli_test {
+namespace {
+
+/// A block of 8 x 8 x 4 with a square tunnel of width 2 along z.
+constexpr const char* kTunnel =
+    "OFF\n16 16 0\n-4 -4 0\n4 -4 0\n4 4 0\n-4 4 0\n-1 -1 0\n1 -1 0\n1 1 0\n-1 1 0\n-4 -4 4\n4 -4 4\n4 4 4\n-4 4 4\n-1 "
+    "-1 4\n"
+    "1 -1 4\n1 1 4\n-1 1 4\n4 8 9 13 12\n4 1 0 4 5\n4 0 1 9 8\n4 5 4 12 13\n4 9 10 14 13\n4 2 1 5 6\n4 1 2 10 9\n4 6 5 "
+    "13 14\n"
+    "4 10 11 15 14\n4 3 2 6 7\n4 2 3 11 10\n4 7 6 14 15\n4 11 8 12 15\n4 0 3 7 4\n4 3 0 8 11\n4 4 7 15 12\n";
+
+class AnySolidSum : public CliTest {
+ protected:
+  AnySolidSum() {
+    work.write("tunnel.off", kTunnel);
+    work.write("cube.off", kCube);
+  }
+};
+
+TEST_F(AnySolidSum, APegAsWideAsItsTunnelHasOneWayThrough) {
+  const Json sum = json("dymsum nfp tunnel.off cube.off -o fit.json -o fit.glb -o fit.off --json");
+  EXPECT_EQ(sum["volume_exact"], "600/1");
+  EXPECT_EQ(sum["tier"], 26);
+  EXPECT_EQ(sum["shells"], 1);
+  EXPECT_EQ(sum["faces"], 6);
+  EXPECT_EQ(sum["tight"], (Json{{"points", 0}, {"segments", 1}, {"faces", 0}}));
+  const Json exact = Json::parse(work.read("fit.json"));
+  const Json segment = exact["tight_list"]["segments"][0];
+  EXPECT_EQ(exact["vertex_list"][segment[0].get<std::size_t>()]["exact"], (Json{"0/1", "0/1", "-1/1"}));
+  EXPECT_EQ(exact["vertex_list"][segment[1].get<std::size_t>()]["exact"], (Json{"0/1", "0/1", "5/1"}));
+  EXPECT_EQ(count("fit.glb", "BLEND"), 1u) << "the way through shows";
+  EXPECT_EQ(json("dymsum info fit.off --json")["volume"], 600.0);
+}
+
+TEST_F(AnySolidSum, ASmallerPegLeavesATunnel) {
+  const Json sum = json("dymsum sum tunnel.off cube.off --engine brute --json");
+  EXPECT_EQ(sum["volume_exact"], "600/1") << "a cube is its own reflection";
+  work.write("pin.off", "OFF\n4 4 0\n0 0 0\n0.5 0 0\n0 0.5 0\n0 0 0.5\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+  const Json open = json("dymsum nfp tunnel.off pin.off -o open.glb --json");
+  EXPECT_EQ(open["tight"], (Json{{"points", 0}, {"segments", 0}, {"faces", 0}}));
+  EXPECT_EQ(count("open.glb", "BLEND"), 0u);
+  EXPECT_LT(open["volume"], 600);
+  const Outcome text = work.run("dymsum nfp tunnel.off pin.off");
+  EXPECT_EQ(text.out.find("tight"), std::string::npos) << text.out;
+}
+
+TEST_F(AnySolidSum, WhatItDoesNotTakeIsRefused) {
+  EXPECT_EQ(work.run("dymsum sum tunnel.off cube.off cube.off").code, 1);
+  EXPECT_EQ(work.run("dymsum sum tunnel.off cube.off --engine winding").code, 1);
+  EXPECT_EQ(work.run("dymsum depth tunnel.off cube.off").code, 2);
+  // Two cubes that cross in one file.
+  work.write("crossing.off",
+             "OFF\n16 12 0\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n0 0 2\n2 0 2\n2 2 2\n0 2 2\n1 1 1\n3 1 1\n3 3 1\n1 3 1\n1 1 "
+             "3\n3 1 3\n3 3 3\n1 3 3\n"
+             "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n4 8 11 10 9\n4 12 13 14 15\n4 8 9 13 "
+             "12\n4 9 10 14 13\n"
+             "4 10 11 15 14\n4 11 8 12 15\n");
+  const Json failure = json("dymsum sum tunnel.off crossing.off --json", 2);
+  EXPECT_EQ(failure["error"]["code"], "faces_cross");
+  EXPECT_TRUE(failure["error"]["evidence"].contains("other_face"));
+}
+
+}  // namespace
+}  // namespace dymsum::cli_test
