@@ -18,7 +18,9 @@ namespace {
 using Kind = SolidFeature::Kind;
 
 /// Bits of the integers that hold both operands; 0 for integers of any size.
-int grid_tier(const SpatialSum& sum) { return sum.stats.bits <= 26 ? 26 : sum.stats.bits <= 54 ? 54 : 0; }
+int grid_tier(const SpatialSum& sum) {
+  return sum.stats.bits == 0 || sum.stats.bits > 54 ? 0 : sum.stats.bits <= 26 ? 26 : 54;
+}
 
 std::string face_kind(const SpatialFace& f) {
   if (f.p.kind == Kind::face && f.q.kind == Kind::vertex) return "face_vertex";
@@ -174,7 +176,16 @@ std::string any_solid_output(const SpatialSum& sum, const std::string& file, con
     stop_with(error);
   }
   const std::vector<FaceColour> colours = colours_of(sum, *rounded);
-  if (format != MeshFormat::glb) return format_mesh(rounded->mesh, format, colours);
+  const Result<Mesh> mesh = Mesh::create(rounded->mesh);
+  if (format != MeshFormat::glb) {
+    if (mesh) return mesh_text(*mesh, format, file, colours);
+    // An edge or a vertex at which the sum touches itself: no file of a mesh would be read back.
+    Error error = mesh.error();
+    error.evidence.file = file;
+    error.message += " (.json keeps the sum exactly, .glb draws it)";
+    stop_with(error);
+  }
+  if (mesh) mesh_text(*mesh, format, file);  // whether single precision holds it
   const Marks marks(sum);
   return format_glb(rounded->mesh, {colours, {}, &marks.mesh()});
 }

@@ -47,6 +47,21 @@ TEST_F(AnySolidSum, ASmallerPegLeavesATunnel) {
   EXPECT_EQ(text.out.find("tight"), std::string::npos) << text.out;
 }
 
+TEST_F(AnySolidSum, FilesThatWouldNotReadBackAreNotWritten) {
+  // Beside two cubes that are 2 apart along both axes, a cube of width 2 leaves sums that touch in an edge.
+  work.write("two.off",
+             "OFF\n16 12 0\n-1 -1 -1\n1 -1 -1\n1 1 -1\n-1 1 -1\n-1 -1 1\n1 -1 1\n1 1 1\n-1 1 1\n3 3 -1\n5 3 -1\n5 5 "
+             "-1\n3 5 -1\n3 3 1\n"
+             "5 3 1\n5 5 1\n3 5 1\n4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n4 8 11 10 9\n4 12 "
+             "13 14 15\n"
+             "4 8 9 13 12\n4 9 10 14 13\n4 10 11 15 14\n4 11 8 12 15\n");
+  const Outcome off = work.run("dymsum sum two.off cube.off -o sum.off");
+  EXPECT_EQ(off.code, 2);
+  EXPECT_NE(off.err.find("sum.off"), std::string::npos) << off.err;
+  EXPECT_NE(off.err.find(".json keeps the sum"), std::string::npos) << off.err;
+  EXPECT_EQ(work.run("dymsum sum two.off cube.off -o sum.json -o sum.glb").code, 0);
+}
+
 TEST_F(AnySolidSum, WhatItDoesNotTakeIsRefused) {
   EXPECT_EQ(work.run("dymsum sum tunnel.off cube.off cube.off").code, 1);
   EXPECT_EQ(work.run("dymsum sum tunnel.off cube.off --engine winding").code, 1);
