@@ -68,7 +68,7 @@ TEST(CoveredTranslates, what_lies_beneath_an_edge_is_interior) {
 }
 
 TEST(CoveredTranslates, spans_hold_every_point_outside_the_open_sum) {
-  const int n = oracles::kSanitized ? 60 : 150;
+  const int n = 150;  // fewer translates of an edge are not looked at
   for (const Region& q : various()) {
     const Region p = shapes::noisy_star(n, 0.02, 5);
     const auto kept_p = prepared_operand(p, 0), kept_q = prepared_operand(q, 1);
@@ -97,7 +97,7 @@ TEST(CoveredTranslates, spans_hold_every_point_outside_the_open_sum) {
       for (const double t : {high, 0.5 * (1 + high), 1.0})
         if (high < 1) check(t);
     }
-    EXPECT_GE(covered, oracles::kSanitized ? 0 : 21) << oracles::to_text({}, q.data());
+    EXPECT_GT(covered, 20) << oracles::to_text({}, q.data());
   }
 }
 
