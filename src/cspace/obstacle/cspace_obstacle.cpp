@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <map>
+#include <stdexcept>
 #include <tuple>
 #include <utility>
 
@@ -113,6 +114,18 @@ PlacedContact placed(const OperandPair& base, const Contact& c, double cosine, d
 }
 
 double cross(Point a, Point b) { return a.x * b.y - a.y * b.x; }
+
+// A segment that starts at a pair of the last vertices: to any vertex that is somewhere else. Of the robot where the
+// obstacle is that single point.
+Segment segment_from(const Lattice& l, Pair z) {
+  for (const std::uint32_t op : {0u, 1u}) {
+    const std::uint32_t own = op == 0 ? z.p : z.q, other = op == 0 ? z.q : z.p;
+    const std::vector<Point>& input = l.points[op]->input;
+    for (std::uint32_t to = 0; to < own; ++to)
+      if (!(input[to] == input[own])) return {{op, own, to}, other};
+  }
+  throw std::logic_error("CspaceObstacle: neither operand has an area");
+}
 
 // Where the line of `other` crosses the segment, as a share of it; `unless` where they look parallel.
 double crossing(const PlacedContact& on, const PlacedContact& other, double unless) {
@@ -263,10 +276,7 @@ bool CspaceObstacle::contains(double x, double y, const Orientation& theta) cons
   place.x = l.points[0]->x[z.p] + l.points[1]->x[z.q];
   place.y = l.points[0]->y[z.p] + l.points[1]->y[z.q];
   place.error = 0x1p-49 * l.span;  // some roundings of coordinates of at most the span
-  // Any segment through the place will do: to a vertex of the obstacle that is somewhere else.
-  std::uint32_t to = 0;
-  while (l.points[0]->input[to] == l.points[0]->input[z.p]) ++to;
-  place.on = {{0, z.p, to}, z.q};
+  place.on = segment_from(l, z);
   return Collision(l, *at.p, *at.q, true).overlaps(place);
 }
 

@@ -115,9 +115,12 @@ class Judge {
   template <class Free>
   TightFindings run(const std::vector<NodeNow>& nodes, const Free& free_between) {
     for (const auto& [y, z] : between_) {
-      if (places_.reached_all_along(nodes, found_[y], found_[z]) || !free_between(found_[y], found_[z])) continue;
-      held_[y] = held_[z] = is_event_[y] = is_event_[z] = on_stretch_[y] = on_stretch_[z] = true;
-      out_.held.emplace_back(found_[y], found_[z]);
+      const std::vector<PlacesAtAngle::PartEnds> parts = places_.not_reached(nodes, found_[y], found_[z]);
+      if (parts.empty() || !free_between(found_[y], found_[z])) continue;
+      for (const auto& [from, to] : parts) {
+        const TightCandidate begin = end_of_part(from, y);
+        out_.held.emplace_back(begin, end_of_part(to, z));
+      }
     }
     for (std::size_t k = 0; k < found_.size(); ++k) {
       if (held_[k] && !on_stretch_[k]) out_.held.emplace_back(found_[k], found_[k]);
@@ -132,6 +135,18 @@ class Judge {
   bool goes_on(const TightCandidate& z) const {
     return std::any_of(goes_on_.begin(), goes_on_.end(),
                        [&](const TightCandidate& y) { return places_.same_place(y, z); });
+  }
+  // Of a part of a stretch, `at` it or where the stretch itself ends: an event.
+  TightCandidate end_of_part(const std::optional<Point>& at, std::uint32_t k) {
+    if (!at) {
+      held_[k] = is_event_[k] = on_stretch_[k] = true;
+      return found_[k];
+    }
+    out_.events.push_back(*at);
+    TightCandidate end;
+    end.place.first.crossing = true;  // it errs as crossings do
+    end.near = *at;
+    return end;
   }
   // A curve begins or ends.
   void add_change(const TightCandidate& z) {

@@ -112,38 +112,56 @@ bool PlacesAtAngle::reaches(const NodeNow& n, const TightCandidate& z) const {
   return order_of_end(n, z, false) <= 0 && order_of_end(n, z, true) >= 0;
 }
 
-bool PlacesAtAngle::reached_all_along(const std::vector<NodeNow>& nodes, const TightCandidate& y,
-                                      const TightCandidate& z) const {
+std::array<Fraction, 2> PlacesAtAngle::limit_along(const WalkSegment& line, std::uint32_t node) const {
+  std::optional<Fraction> from = end_along(signs_, line, graph_.sub_edge(node), false),
+                          to = end_along(signs_, line, graph_.sub_edge(node), true);
+  if (!from || !to) throw std::logic_error("PlacesAtAngle: a sub-edge ends nowhere on its line");
+  if (signs_.compare(*to, *from) < 0) std::swap(from, to);
+  return {*from, *to};
+}
+
+Point PlacesAtAngle::point_on(const WalkSegment& line, const Fraction& along) const {
+  const double t = signs_.quotient(along.num, product(along.den, signs_.length(line).num));
+  const Point from = forms_.place(TurningForms::start(line), signs_.heading()),
+              d = forms_.direction(line, signs_.heading());
+  return {from.x + t * d.x, from.y + t * d.y};
+}
+
+// Limits are closed: what is left out between two of them is longer than nothing.
+std::vector<PlacesAtAngle::PartEnds> PlacesAtAngle::not_reached(const std::vector<NodeNow>& nodes,
+                                                                const TightCandidate& y,
+                                                                const TightCandidate& z) const {
   std::vector<std::uint32_t> line;
   for (const NodeNow& n : nodes) {
     const double a = signs_.along_near(graph_[n.node].segment, y.near),
                  b = signs_.along_near(graph_[n.node].segment, z.near);
     if (std::max(a, b) < n.from - n.error || std::min(a, b) > n.to + n.error || !on_line(n, y) || !on_line(n, z))
       continue;
-    if (reaches(n, y) && reaches(n, z)) return true;
+    if (reaches(n, y) && reaches(n, z)) return {};
     line.push_back(n.node);
   }
-  if (line.empty()) return false;
+  if (line.empty()) return {{}};
   const WalkSegment first = graph_[line[0]].segment;
-  std::vector<std::array<Fraction, 2>> parts;
-  for (const std::uint32_t n : line) {
-    std::optional<Fraction> from = end_along(signs_, first, graph_.sub_edge(n), false),
-                            to = end_along(signs_, first, graph_.sub_edge(n), true);
-    if (!from || !to) throw std::logic_error("PlacesAtAngle: a sub-edge ends nowhere on its line");
-    if (signs_.compare(*to, *from) < 0) std::swap(from, to);
-    parts.push_back({*from, *to});
-  }
+  std::vector<std::array<Fraction, 2>> limits;
+  for (const std::uint32_t n : line) limits.push_back(limit_along(first, n));
+  std::sort(limits.begin(), limits.end(),
+            [&](const auto& a, const auto& b) { return signs_.compare(a[0], b[0]) < 0; });
   Fraction at = signs_.along(first, y.place), end = signs_.along(first, z.place);
-  if (signs_.compare(end, at) < 0) std::swap(at, end);
-  for (bool grown = true; grown && signs_.compare(at, end) < 0;) {
-    grown = false;
-    for (const auto& [from, to] : parts) {
-      if (signs_.compare(from, at) > 0 || signs_.compare(to, at) <= 0) continue;
-      at = to;
-      grown = true;
-    }
+  const bool turned = signs_.compare(end, at) < 0;
+  if (turned) std::swap(at, end);
+  std::vector<PartEnds> parts;
+  std::optional<Point> from;
+  for (const auto& [low, high] : limits) {
+    if (signs_.compare(low, end) >= 0 || signs_.compare(at, end) >= 0) break;
+    if (signs_.compare(high, at) <= 0) continue;
+    if (signs_.compare(low, at) > 0) parts.push_back({from, point_on(first, low)});
+    at = high;
+    from = point_on(first, high);
   }
-  return signs_.compare(at, end) >= 0;
+  if (signs_.compare(at, end) < 0) parts.push_back({from, std::nullopt});
+  if (turned)
+    for (PartEnds& part : parts) std::swap(part[0], part[1]);
+  return parts;
 }
 
 std::optional<TightCandidate> PlacesAtAngle::meeting_of(const AlwaysConcurrent& three) const {

@@ -50,8 +50,11 @@ class PlacesAtAngle {
   std::vector<NodeNow> nodes_now(bool before) const;
   /// Whether a sub-edge comes to z at the angle.
   bool reaches(const NodeNow& n, const TightCandidate& z) const;
-  /// Whether sub-edges together come to the whole stretch from y to z.
-  bool reached_all_along(const std::vector<NodeNow>& nodes, const TightCandidate& y, const TightCandidate& z) const;
+  /// Ends of a part of a stretch from y to z; nothing for y and for z.
+  using PartEnds = std::array<std::optional<Point>, 2>;
+  /// The parts of the stretch from y to z that no sub-edges come to.
+  std::vector<PartEnds> not_reached(const std::vector<NodeNow>& nodes, const TightCandidate& y,
+                                    const TightCandidate& z) const;
   /// The place that three concurrent segments have in common, if they do.
   std::optional<TightCandidate> meeting_of(const AlwaysConcurrent& three) const;
   std::vector<TightCandidate> places_of(const std::vector<AlwaysConcurrent>& curves) const;
@@ -59,6 +62,9 @@ class PlacesAtAngle {
  private:
   int order_of_end(const NodeNow& n, const TightCandidate& z, bool at_end) const;
   bool on_line(const NodeNow& n, const TightCandidate& z) const;
+  /// Where a sub-edge comes to a line, on which it is, at the angle: exact places along that.
+  std::array<Fraction, 2> limit_along(const WalkSegment& line, std::uint32_t node) const;
+  Point point_on(const WalkSegment& line, const Fraction& along) const;
 
   const TurningForms& forms_;
   const TurnCatalog& catalog_;
