@@ -67,7 +67,14 @@ void add_depth(CLI::App& app, Action& action) {
   auto command = std::make_shared<DepthCommand>();
   CLI::App& verb = *app.add_subcommand(
       "depth", "The penetration depth of convex solids: the shortest translation of Q that separates them");
-  add_operands(verb, {"P", "A convex solid, which may turn"}, {"Q", "Another one, which may move"}, command->operands);
+  // A shape of several is selected by name in planar files only.
+  const char* const file = ": a file, or - for standard input";
+  verb.add_option("P", command->operands[0], std::string("A convex solid, which may turn") + file)
+      ->required()
+      ->type_name("");
+  verb.add_option("Q", command->operands[1], std::string("Another one, which may move") + file)
+      ->required()
+      ->type_name("");
   verb.add_option("--move", command->moved, "Move Q by this translation first")->type_name("X,Y,Z");
   verb.add_option("--axis", command->axis, "Turn P about this axis through the origin first")->type_name("X,Y,Z");
   add_angle_options(verb, command->angle, "by this angle,");

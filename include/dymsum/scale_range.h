@@ -51,7 +51,7 @@ struct ScaleRange {
 /// monotone in s unless the part is star-shaped about its reference point: hence a set. Exact. Errors:
 /// unsupported_operand for a path without waypoints, empty or lower-dimensional operands, coordinates beyond 2^1000;
 /// not_finite; cancelled. Cost: O(L N) exact values and, per value, O(L N) filtered signs, for L waypoints and N
-/// convolution segments. Source: Behar 2016, 6.6.1; applications.md, section 7.
+/// convolution segments. Source: Behar 2016, 6.6.1.
 Result<ScaleRange> scale_range(const Region& part, const std::vector<Point>& path, const Region& obstacles,
                                const Progress& progress = {});
 

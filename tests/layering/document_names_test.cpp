@@ -125,6 +125,23 @@ TEST(Documents, PathsAreThere) {
   EXPECT_GE(paths, 100U);
 }
 
+TEST(Documents, PagesThatCommentsNameAreThere) {
+  static const std::regex kPage(R"(([A-Za-z0-9_/-]+\.md)\b)");
+  std::set<std::string> known;
+  for (const std::string& page : pages()) known.insert(fs::path(page).filename());
+  std::size_t named = 0;
+  for (const fs::path& source : sources()) {
+    const std::string file = fs::relative(source, kRoot).generic_string();
+    if (file.starts_with("tests/") || file.starts_with("bench/")) continue;
+    for (const std::string& page : all_matches(text_of(source), kPage)) {
+      ++named;
+      const bool whole = page.find('/') != std::string::npos;
+      EXPECT_TRUE(whole ? fs::exists(kRoot / page) : known.contains(page)) << file << ": " << page;
+    }
+  }
+  EXPECT_GE(named, 20U);
+}
+
 /// The tables of design pages whose last column is headed "file (`FOLDER`)" name files below that folder.
 TEST(Documents, OutlinesNameFiles) {
   static const std::regex kHead(R"(\|[^|]*file[^|]*\(`([a-z_/]+)/`\) \|$)");

@@ -159,8 +159,8 @@ int SignsAt::order(const WalkSegment& s, const ExactPlace& y, Point y_near, cons
 bool SignsAt::same(const ExactPlace::Simple& y, const ExactPlace& z) const {
   if (y.crossing) return sign(side(y.a, z)) == 0 && sign(side(y.b, z)) == 0;
   // An edge that starts there; a single point has none.
-  const WalkSegment s = forms_.is_point(0, y.corner.p) ? WalkSegment{1, y.corner.q, y.corner.p}
-                                                       : WalkSegment{0, y.corner.p, y.corner.q};
+  const WalkSegment s =
+      forms_.is_point(0, y.corner.p) ? WalkSegment{1, y.corner.q, y.corner.p} : WalkSegment{0, y.corner.p, y.corner.q};
   return sign(side(s, z)) == 0 && sign(along(s, z)) == 0;
 }
 

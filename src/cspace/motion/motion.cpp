@@ -41,7 +41,8 @@ Result<TranslationCheck> check_translation(const Region& robot, const Region& ob
                                            const RationalPoint& to, const Orientation& theta, Touching touch) {
   const Position a = position_of(from), b = position_of(to);
   SumOptions options;
-  options.semantics = Semantics::open;
+  // Two pieces without area that touch have no open sum, but a closed one.
+  options.semantics = touch == Touching::allowed ? Semantics::open : Semantics::closed;
   Result<PlanarSum> slice = cspace_slice(robot, obstacle, theta, options);
   if (!slice) return slice.error();
   const SliceMap map(std::move(slice).value());

@@ -92,14 +92,17 @@ SliceMap::SliceMap(PlanarSum slice) : slice_(std::move(slice)) {
     add(part.outer);
     for (const SumRing& hole : part.holes) add(hole);
   }
-  const auto crack = [&](const SumVertex& from, const SumVertex& to) {
-    const auto first = static_cast<std::uint32_t>(spots_.size());
-    spots_.emplace_back(slice_, from);
-    spots_.emplace_back(slice_, to);
-    cracks_.push_back({first, first + 1});
-  };
-  for (const SumSegment& s : slice_.tight_segments) crack(s.from, s.to);
-  for (const SumVertex& v : slice_.tight_points) crack(v, v);
+  for (const SumSegment& s : slice_.tight_segments) cracks_.push_back(add(s.from, s.to));
+  for (const SumVertex& v : slice_.tight_points) cracks_.push_back(add(v, v));
+  for (const SumSegment& s : slice_.segments) wires_.push_back(add(s.from, s.to));
+  for (const SumVertex& v : slice_.points) wires_.push_back(add(v, v));
+}
+
+std::array<std::uint32_t, 2> SliceMap::add(const SumVertex& from, const SumVertex& to) {
+  const auto first = static_cast<std::uint32_t>(spots_.size());
+  spots_.emplace_back(slice_, from);
+  spots_.emplace_back(slice_, to);
+  return {first, first + 1};
 }
 
 void SliceMap::add(const SumRing& ring) {
@@ -108,6 +111,11 @@ void SliceMap::add(const SumRing& ring) {
     spots_.emplace_back(slice_, ring.vertices[k]);
     edges_.push_back({first + k, first + (k + 1) % n, ring.vertices[k].in, ring.vertices[k].out});
   }
+}
+
+bool SliceMap::on_any(const std::vector<std::array<std::uint32_t, 2>>& pieces, const SlicePoint& p) const {
+  return std::any_of(pieces.begin(), pieces.end(),
+                     [&](const auto& piece) { return on_segment(spots_[piece[0]], spots_[piece[1]], p); });
 }
 
 SliceMap::Where SliceMap::where(const SlicePoint& p) const {
@@ -120,10 +128,8 @@ SliceMap::Where SliceMap::where(const SlicePoint& p) const {
     if ((ahead <= 0) == (behind <= 0)) continue;
     if (side(a, b, p) == (ahead <= 0 ? -1 : 1)) inside = !inside;
   }
-  if (!inside) return Where::outside;
-  for (const auto& [a, b] : cracks_)
-    if (a == b ? same(spots_[a], p) : on_segment(spots_[a], spots_[b], p)) return Where::touching;
-  return Where::inside;
+  if (!inside) return on_any(wires_, p) ? Where::touching : Where::outside;
+  return on_any(cracks_, p) ? Where::touching : Where::inside;
 }
 
 std::uint32_t SliceMap::edge_at(const SlicePoint& p) const {
@@ -165,6 +171,7 @@ SliceMap::Passage SliceMap::passage(const SlicePoint& a, const SlicePoint& b, bo
   const auto earlier = [](const auto& m, const auto& n) { return m < n; };
   if (!touching_allowed) {
     const Passage start = standing(a, false);
+    for (const auto& [c, d] : wires_) add_meetings(a, b, spots_[c], spots_[d], kNone, meetings);
     if (!start.free || meetings.empty()) return start;
     const auto first = std::min_element(meetings.begin(), meetings.end(), earlier);
     return {false, first->first, first->second};

@@ -61,7 +61,7 @@ class SliceMap {
     std::uint32_t edge = kNone;
   };
 
-  /// Requires: a slice with Semantics::open.
+  /// Requires: a slice with Semantics::open, or a closed one for ways on which touching is forbidden.
   explicit SliceMap(PlanarSum slice);
   SliceMap(const SliceMap&) = delete;
   SliceMap& operator=(const SliceMap&) = delete;
@@ -71,7 +71,8 @@ class SliceMap {
   /// Spots that are the ends of the tight segments; a tight point is both of its ends.
   const std::vector<std::array<std::uint32_t, 2>>& cracks() const { return cracks_; }
 
-  /// Touching: on the boundary of the open slice, tight features included. O(n).
+  /// Touching: on the boundary of the open slice, tight features included, or on a piece of the slice without area.
+  /// O(n).
   Where where(const SlicePoint& p) const;
   /// An edge that p lies on, or kNone.
   std::uint32_t edge_at(const SlicePoint& p) const;
@@ -82,6 +83,8 @@ class SliceMap {
 
  private:
   void add(const SumRing& ring);
+  std::array<std::uint32_t, 2> add(const SumVertex& from, const SumVertex& to);
+  bool on_any(const std::vector<std::array<std::uint32_t, 2>>& pieces, const SlicePoint& p) const;
   void add_meetings(const SlicePoint& a, const SlicePoint& b, const SlicePoint& c, const SlicePoint& d,
                     std::uint32_t edge, std::vector<std::pair<exact::BigRational, std::uint32_t>>& to) const;
   Passage standing(const SlicePoint& a, bool touching_allowed) const;
@@ -89,7 +92,7 @@ class SliceMap {
   PlanarSum slice_;
   std::vector<SlicePoint> spots_;
   std::vector<Edge> edges_;
-  std::vector<std::array<std::uint32_t, 2>> cracks_;
+  std::vector<std::array<std::uint32_t, 2>> cracks_, wires_;  // wires: pieces without area
 };
 
 }  // namespace dymsum::planar
