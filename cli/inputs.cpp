@@ -40,7 +40,18 @@ Error in_operand(Error error, const std::vector<Input>& inputs) {
   };
   if (error.evidence.x && error.evidence.y) {
     const Point at{*error.evidence.x, *error.evidence.y};
-    if (name_first([&](const Input& input) { return has_vertex(input.region, at); })) return error;
+    const bool any_thin =
+        std::any_of(inputs.begin(), inputs.end(), [](const Input& input) { return is_thin(input.region); });
+    const auto touches = [&](const Input& input) {
+      const std::vector<Point>& points = input.region.touching_points();
+      return any_thin && !is_thin(input.region) && std::find(points.begin(), points.end(), at) != points.end();
+    };
+    const auto holds = [&](const Input& input) { return has_vertex(input.region, at); };
+    // Of two operands with a vertex there the one at fault has rings that touch, beside polylines of the other one; or
+    // else polylines.
+    if (name_first(touches) || name_first([&](const Input& input) { return is_thin(input.region) && holds(input); }) ||
+        name_first(holds))
+      return error;
   }
   if (error.code != ErrorCode::unsupported_operand) return error;
   if (!name_first([](const Input& input) { return input.region.empty(); }))

@@ -73,14 +73,16 @@ std::optional<Error> refused_at_touching(const Region& touching, const Region& t
   return std::nullopt;
 }
 
+// Touching rings first: where a polyline is refused the other operand has none.
 std::optional<Error> refused_wires(const Region& robot, const Region& obstacle) {
+  if (std::optional<Error> error = refused_at_touching(obstacle, robot)) return error;
+  if (std::optional<Error> error = refused_at_touching(robot, obstacle)) return error;
   for (const Region* region : {&robot, &obstacle})
     if (const std::optional<Point> at = overlapping_polylines(*region))
       return unsupported_at(*at,
                             "a polyline runs along another one, along itself or along the edge of a part: what they "
                             "share is to be given once");
-  if (std::optional<Error> error = refused_at_touching(obstacle, robot)) return error;
-  return refused_at_touching(robot, obstacle);
+  return std::nullopt;
 }
 
 auto key_of(const Contact& c) { return std::tuple{c.kind, c.p, c.q}; }

@@ -172,6 +172,33 @@ TEST(IsolatedPoints, pieces_without_area_on_both_sides_touch) {
   EXPECT_GT(entered, oracles::kSanitized ? 3 : 10);
 }
 
+TEST(IsolatedPoints, obstacles_equal_those_by_whole_slices) {
+  for_seeds(40, [](Random& random) {
+    const Region body = random_body(random), pieces = random_pieces(random, 3, body);
+    const bool swapped = random() % 3 == 0;
+    const Region &robot = swapped ? pieces : body, &obstacle = swapped ? body : pieces;
+    const auto made_with = [&](bool reference) {
+      ObstacleOptions options;
+      options.reference = reference;
+      return CspaceObstacle::create(robot, obstacle, options);
+    };
+    const Result<CspaceObstacle> fast = made_with(false), slow = made_with(true);
+    ASSERT_EQ(fast.ok(), slow.ok());
+    if (!fast) return;
+    const auto shells = [](const CspaceObstacle& c) {
+      std::vector<std::int64_t> all;
+      for (const Shell& s : c.shells()) all.push_back(s.euler);
+      std::sort(all.begin(), all.end());
+      return all;
+    };
+    const std::string pair =
+        "robot " + format_region(robot, RegionFormat::wkt) + "\nobstacle " + format_region(obstacle, RegionFormat::wkt);
+    EXPECT_EQ(shells(*fast), shells(*slow)) << pair;
+    EXPECT_EQ(free_components(*fast), free_components(*slow)) << pair;
+    EXPECT_EQ(fast->tight().empty(), slow->tight().empty()) << pair;
+  });
+}
+
 TEST(IsolatedPoints, every_question_agrees_with_membership) {
   Tally tally;
   for_seeds(40, [&](Random& random) {

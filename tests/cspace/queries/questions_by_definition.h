@@ -236,17 +236,26 @@ class Questions {
   void expect_turn(const Asked& a) {
     const Turn& to = kTurns[random_() % kTurns.size()];
     const Orientation from = *Orientation::nearest(a.at.theta), goal = to.orientation();
-    const RotationCheck turn =
-        check_rotation(c_.robot(), c_.obstacle(), a.z, from, goal, TurnDirection::counter_clockwise).value();
-    const double length = std::fmod(goal.radians() - from.radians() + 4 * std::numbers::pi, 2 * std::numbers::pi);
+    const auto turn = [&](Touching touch) {
+      return check_rotation(c_.robot(), c_.obstacle(), a.z, from, goal, TurnDirection::counter_clockwise, touch)
+          .value();
+    };
+    const RotationCheck allowed = turn(Touching::allowed), forbidden = turn(Touching::forbidden);
+    const auto ahead = [&](const Orientation& o) {
+      return std::fmod(o.radians() - from.radians() + 4 * std::numbers::pi, 2 * std::numbers::pi);
+    };
     for (const Turn& t : kTurns) {
-      const double ahead =
-          std::fmod(t.orientation().radians() - from.radians() + 4 * std::numbers::pi, 2 * std::numbers::pi);
-      if (ahead > length + 1e-9 || !Truth(c_.robot(), c_.obstacle(), t).overlaps(a.z)) continue;
-      EXPECT_FALSE(turn.free) << "turned to " << to.n << '/' << to.d;
+      if (ahead(t.orientation()) > ahead(goal) + 1e-9) continue;
+      const Truth truth(c_.robot(), c_.obstacle(), t);
+      EXPECT_FALSE(truth.overlaps(a.z) && allowed.free) << "turned to " << to.n << '/' << to.d;
+      EXPECT_FALSE((truth.overlaps(a.z) || truth.touches(a.z)) && forbidden.free) << "to " << to.n << '/' << to.d;
     }
-    if (!turn.free) {
-      EXPECT_FALSE(is_free_at(a.z, turn.first->theta + (a.overlaps ? 0 : 1e-9)));
+    if (!allowed.free) {
+      EXPECT_FALSE(is_free_at(a.z, allowed.first->theta + (a.overlaps ? 0 : 1e-9)));
+    }
+    if (!forbidden.free && forbidden.first->exact) {
+      EXPECT_FALSE(
+          check_translation(c_.robot(), c_.obstacle(), a.z, a.z, *forbidden.first->exact, Touching::forbidden)->free);
     }
   }
 
