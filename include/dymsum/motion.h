@@ -20,9 +20,10 @@ enum class Touching : std::uint8_t { allowed, forbidden };
 
 struct TranslationCheck {
   bool free = true;
-  Rational first;                  ///< the share of the way up to which it is free; 0 and `free`: all of it
-  RationalPoint at;                ///< where that is; the end of a free way
-  std::optional<Contact> contact;  ///< there, an edge and a vertex as for patches; none deep inside the obstacle
+  Rational first;    ///< the share of the way up to which it is free; 0 and `free`: all of it
+  RationalPoint at;  ///< where that is; the end of a free way
+  /// there, an edge and a vertex as for patches; none deep inside the obstacle, nor where points meet what has no area
+  std::optional<Contact> contact;
 };
 
 /// The robot at orientation theta, moved straight from `from` to `to`. Exact. Regions with holes and several parts.
