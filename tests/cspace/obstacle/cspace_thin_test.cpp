@@ -305,10 +305,10 @@ TEST(CspaceThin, rings_that_touch) {
     if (is_refused(pair)) {
       ++refused;
       bool tight = false;
-      for (int k = 0; k < 100 && !tight; ++k) {
+      for (int k = 0; k < 1000 && !tight; ++k) {
         SumOptions options;
         options.semantics = Semantics::open;
-        tight = !cspace_slice(pair.robot, pair.obstacle, *Orientation::nearest(0.0627 * k - 3.1), options)
+        tight = !cspace_slice(pair.robot, pair.obstacle, *Orientation::nearest(0.00627 * k - 3.1, 1e-6), options)
                      ->tight_segments.empty();
       }
       EXPECT_TRUE(tight) << wkt(pair);

@@ -7,7 +7,8 @@ namespace isolated_points {
 
 using namespace testing_questions;
 
-// Squares, bars, parallelograms, triangles, an L, and a square that is flush at a turn by (4, 3); about any vertex.
+// Squares, bars, parallelograms, triangles, an L, and a square that is flush at a turn by (4, 3); about any vertex;
+// or a room of such a shape.
 Region random_body(Random& random) {
   static const std::vector<Ring> kBodies{box(0, 0, 1, 1),
                                          box(0, 0, 2, 2),
@@ -22,12 +23,13 @@ Region random_body(Random& random) {
   Ring ring = kBodies[random() % kBodies.size()];
   const Point origin = random() % 4 == 0 ? Point{0.5, 0.5} : ring[random() % ring.size()];
   for (Point& p : ring) p = {p.x - origin.x, p.y - origin.y};
-  return polygon(ring);
+  return random() % 4 == 0 ? polygon(box(-12, -12, 12, 12), {reversed(ring)}) : polygon(ring);
 }
 
-// Of the grid, on the ring of a body: points that all of them hold it.
+// Of the grid, on the ring of a body: points that all of them hold it. Of a room on its walls.
 std::vector<Point> rim_of(const Region& body) {
-  const Ring& ring = body.parts()[0].outer;
+  const Part& part = body.parts()[0];
+  const Ring& ring = part.holes.empty() ? part.outer : part.holes[0];
   std::vector<Point> all;
   for (double x = -8; x <= 8; x += 0.5)
     for (double y = -8; y <= 8; y += 0.5)
