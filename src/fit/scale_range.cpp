@@ -8,6 +8,7 @@
 #include "planar/operand/prepared_region.h"
 #include "planar/region/complement.h"
 #include "planar/scaling/events.h"
+#include "planar/scaling/scaling_state.h"
 
 namespace dymsum {
 
@@ -164,13 +165,13 @@ class AnyPlacement {
   }
 
   std::vector<EventValue> events(const BigRational& from, const BigRational& to) {
-    return events_of(*state_->window_between(from, to), state_->forms(), from, to);
+    return events_of(*state_->windows.between(from, to), state_->forms(), from, to);
   }
 
  private:
-  static ScalingOptions options() {
-    ScalingOptions options;
-    options.scaled = ScaledOperand::q;
+  static MovingOptions options() {
+    MovingOptions options;
+    options.moving = MovingOperand::q;
     options.semantics = Semantics::open;
     options.mode = FrameMode::window;
     options.window = 1.0 / 16;

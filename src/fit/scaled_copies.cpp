@@ -49,7 +49,7 @@ std::vector<std::vector<std::size_t>> by_scale(const std::vector<ScaledCopy>& co
 }  // namespace
 
 Result<std::vector<CopySum>> scaled_copies(const Region& master, const Region& q, const std::vector<ScaledCopy>& copies,
-                                           const ScalingOptions& options) {
+                                           const MovingOptions& options) {
   Result<std::shared_ptr<const planar::OperandPair>> base = planar::OperandPair::create(
       {planar::prepared_operand(master, 0), planar::prepared_operand(q, 1, options.reflect_q)}, {}, 0,
       planar::SumInternals::min_tier_bits(options));

@@ -254,7 +254,7 @@ bool CspaceObstacle::contains(double x, double y, const Orientation& theta) cons
   // The obstacle of moderate operands is moderate.
   if (!(std::abs(x) <= 0x1p402 && std::abs(y) <= 0x1p402)) return false;
   const auto base = turning_base(state_->obstacle, state_->robot, 1, true, {{{Point{x, y}}, {Point{0, 0}}}}, 0);
-  const SumState at = placed_at(**base, theta);
+  const PlacedPair at = placed_at(**base, theta);
   const Lattice& l = *at.lattice;
   Place place;
   place.first.pair = {static_cast<std::uint32_t>(l.points[0]->input.size() - 1),

@@ -1,16 +1,12 @@
-// What never changes while an operand scales: the operands, their unscaled lattice and walks; and how everything is
-// placed at a scale.
+// What never changes while an operand moves: the operands, their lattice and walks as they were given; and how
+// everything is placed at a scale.
 #pragma once
 
 #include <array>
 #include <memory>
-#include <mutex>
-#include <optional>
 
-#include "dymsum/scaling_sum.h"
 #include "planar/operand/scale_value.h"
-#include "planar/result/sum_source.h"
-#include "planar/sum/sum_engine.h"
+#include "planar/sum/placed_sum.h"
 
 namespace dymsum::planar {
 
@@ -37,28 +33,7 @@ class OperandPair : public std::enable_shared_from_this<OperandPair> {
   std::shared_ptr<const Lattice> lattice_at(const LatticeScale& scale) const;
   /// The walks with edge vectors of a lattice.
   std::shared_ptr<const Operand> operand_at(std::uint32_t op, const Lattice& at) const;
-};
-
-/// Exact positions at one scale; the lattice is made when first asked for.
-class PairSource final : public ExactSource {
- public:
-  PairSource(std::shared_ptr<const OperandPair> base, LatticeScale scale)
-      : base_(std::move(base)), scale_(std::move(scale)) {}
-  Position position(const SumVertex& vertex) const override { return source().position(vertex); }
-  Homogeneous homogeneous(const SumVertex& vertex) const override { return source().homogeneous(vertex); }
-  std::optional<NearFrame> near_frame() const override { return source().near_frame(); }
-  NearPosition near(const SumVertex& vertex) const override { return source().near(vertex); }
-  int compare_x(const SumVertex& a, const SumVertex& b) const override;
-  int compare_y(const SumVertex& a, const SumVertex& b) const override;
-
- private:
-  const SumSource& source() const;
-  bool on_common_line(const SumVertex& a, const SumVertex& b, int axis) const;
-  std::optional<int> compare_corners(const SumVertex& a, const SumVertex& b, int axis) const;
-  std::shared_ptr<const OperandPair> base_;
-  LatticeScale scale_;
-  mutable std::once_flag made_;
-  mutable std::unique_ptr<const SumSource> source_;
+  PlacedPair placed_on_lattice(std::shared_ptr<const Lattice> at) const;
 };
 
 }  // namespace dymsum::planar

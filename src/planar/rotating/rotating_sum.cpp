@@ -9,7 +9,7 @@ RotatingSum::RotatingSum(RotatingSum&&) noexcept = default;
 RotatingSum& RotatingSum::operator=(RotatingSum&&) noexcept = default;
 RotatingSum::~RotatingSum() = default;
 
-Result<RotatingSum> RotatingSum::create(const Region& p, const Region& q, const RotatingOptions& options) {
+Result<RotatingSum> RotatingSum::create(const Region& p, const Region& q, const MovingOptions& options) {
   Result<std::unique_ptr<State>> state = State::create(p, q, options);
   if (!state) return state.error();
   (*state)->options.mode = FrameMode::rebuild;

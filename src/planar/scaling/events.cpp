@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planar/scaling/scaling_state.h"
+
 namespace dymsum::planar {
 
 using exact::BigRational;
@@ -154,7 +156,7 @@ class EventWalk {
       if (progress && !progress("events", 1 - std::log(exact::round_to_double(BigRational(end / low))) / all))
         return Error{ErrorCode::cancelled, "stopped on request", {}};
       const BigRational high = std::min<BigRational>(BigRational(low * kRatio), end);
-      const std::unique_ptr<Window> window = probe_.window_between(low, high);
+      const std::unique_ptr<Window> window = probe_.windows.between(low, high);
       std::vector<EventValue> values = events_of(*window, state_.forms(), low, high);
       for (std::size_t i = 0; i < values.size(); ++i) {
         const EventValue& e = values[i];
@@ -198,7 +200,7 @@ class EventWalk {
     BigRational from = low;
     while (from < end) {
       const BigRational to = std::min<BigRational>(BigRational(from * kRatio), end);
-      const std::unique_ptr<Window> window = probe_.window_between(from, to);
+      const std::unique_ptr<Window> window = probe_.windows.between(from, to);
       for (const EventValue& e : events_of(*window, state_.forms(), from, to))
         if (e.s > low) return e.s;
       from = to;
@@ -233,7 +235,7 @@ Result<std::vector<ScaleEvent>> ScalingSum::events(const Scale& a, const Scale& 
     return Error{ErrorCode::bad_scale,
                  "the range of scales is empty: " + a.exact().to_string() + " > " + b.exact().to_string(),
                  {}};
-  ScalingOptions options = state_->options;
+  MovingOptions options = state_->options;
   options.mode = FrameMode::window;
   options.window = 1.0 / 16;
   options.progress = {};
@@ -254,7 +256,7 @@ Result<std::optional<ScaleEvent>> ScalingSum::next_event(const Scale& s, const S
   const BigRational low = rational(scale_value(s)), high = rational(scale_value(limit));
   std::optional<ScaleEvent> found;
   if (low >= high) return found;
-  ScalingOptions options = state_->options;
+  MovingOptions options = state_->options;
   options.mode = FrameMode::window;
   options.window = 1.0 / 16;
   options.progress = {};

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/two_lanes.h"
+#include "planar/frames/frame_rings.h"
 #include "planar/scaling/edge_search.h"
 #include "planar/scaling/piece_lists.h"
 
@@ -53,14 +54,15 @@ class FrameLoops {
   /// After a repair without degeneracies. `whole`: nothing is known about earlier loops. False when the boundary passes
   /// a node twice or a node may be tight: then this frame is one for the vertex routine, and nothing is known
   /// afterwards.
-  bool update(double tau, FramePlace& place, bool whole, FrameWork& work);
+  bool update(double tau, ExactFrame& frame, bool whole, FrameWork& work);
   const std::vector<FrameLoop>& loops() const { return loops_; }
   std::vector<FrameLoop>& loops() { return loops_; }
   /// By the numbers in steps; without their positions, which points() knows.
   const std::vector<SumVertex>& vertices() const { return vertices_; }
   const std::vector<MovingPoint>& points() const { return points_; }
-  /// Rings that the last update has ended: identity and number of vertices.
-  const std::vector<std::pair<std::uint64_t, std::uint32_t>>& ended() const { return ended_; }
+  /// What the last update did to rings; names new ones. Requires: it knew the frame before; `kept` are the kept loops,
+  /// in the order of the sum's rings. `stays`: at the same scale.
+  void follow(const std::vector<FrameLoop*>& kept, RingIdentities& identities, bool stays, FrameChanges& changes) const;
   /// Steps that the last update took over from cycles that were gone.
   std::uint64_t copied() const { return copied_; }
   std::size_t bytes() const;
@@ -76,9 +78,9 @@ class FrameLoops {
   void visit(const FrameLoop& loop, bool comes);
   void doubt(std::uint32_t node);
   void find_doubtful(bool whole, double tau);
-  bool nodes_are_plain(double tau, FramePlace& place, FrameWork& work);
+  bool nodes_are_plain(double tau, ExactFrame& frame, FrameWork& work);
   std::size_t outer_loop(double tau) const;
-  void verify(double tau, FramePlace& place, FrameWork& work);
+  void verify(double tau, ExactFrame& frame, FrameWork& work);
   bool undisturbed(const LoopStep& edge, double tau) const;
   bool quiet(std::uint32_t touch, double tau) const;
   void name_rings();
@@ -95,8 +97,8 @@ class FrameLoops {
   std::uint32_t node_vertex(Step at, std::uint32_t next_piece);
 
   // frame_vertices.cpp
-  bool node_inside(std::uint32_t node, double tau, FramePlace& place, FrameWork& work);
-  bool is_false(FrameLoop& loop, double tau, FramePlace& place, FrameWork& work);
+  bool node_inside(std::uint32_t node, double tau, ExactFrame& frame, FrameWork& work);
+  bool is_false(FrameLoop& loop, double tau, ExactFrame& frame, FrameWork& work);
   struct Cutting {
     Linear t;
     double error;
@@ -104,7 +106,7 @@ class FrameLoops {
     double denominator, relative_error;
   };
   Cutting end_cut(Step s, bool at_end) const;
-  Place sample(const FrameLoop& loop, double tau, FramePlace& place) const;
+  Place sample(const FrameLoop& loop, double tau, ExactFrame& frame) const;
   EdgeSearch::Place beside(const FrameLoop& loop, double tau) const;
   bool covered(std::optional<CrossingEdges>& witness, const EdgeSearch::Place& at);
   struct MovingVertex {
@@ -151,7 +153,7 @@ class FrameLoops {
   std::vector<std::uint32_t> crossing_vertex_, end_vertex_;  ///< candidate, piece -> vertex
   std::vector<std::uint32_t> node_vertex_;                   ///< arriving ray -> the first of its vertices
   std::vector<NodeVertex> node_vertices_;
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> ended_;
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> ended_;  ///< rings: identity and count of vertices
   std::uint32_t walk_ = 0;
   std::uint64_t copied_ = 0;
   struct NodeState {

@@ -5,7 +5,7 @@
 #include "planar/scaling/frame_loops.h"
 
 namespace dymsum::planar {
-bool FrameLoops::node_inside(std::uint32_t node, double tau, FramePlace& place, FrameWork& work) {
+bool FrameLoops::node_inside(std::uint32_t node, double tau, ExactFrame& frame, FrameWork& work) {
   const Window& window = lists_.window();
   const PersistentNode& n = window.nodes[node];
   const Lattice& l = *window.base().lattice;
@@ -21,26 +21,26 @@ bool FrameLoops::node_inside(std::uint32_t node, double tau, FramePlace& place, 
   Place p;
   p.on = window.exact(window.pieces[window.rays[n.first_ray].piece].segment);
   p.first.pair = v;
-  const double grow = place.blow_up(m);
+  const double grow = frame.blow_up(m);
   p.x = grow * x;
   p.y = grow * y;
   p.error = grow * 2 * kWindowPoint * window.span();
   ++work.collision_tests;
-  const bool inside = place.collision().overlaps(p);
-  nodes_[node].witness = place.collision().crossing_edges();
+  const bool inside = frame.collision().overlaps(p);
+  nodes_[node].witness = frame.collision().crossing_edges();
   if (nodes_[node].witness) search_.remember(*nodes_[node].witness);
   return inside;
 }
 
-bool FrameLoops::is_false(FrameLoop& loop, double tau, FramePlace& place, FrameWork& work) {
+bool FrameLoops::is_false(FrameLoop& loop, double tau, ExactFrame& frame, FrameWork& work) {
   if (covered(loop.witness, beside(loop, tau))) {
     ++work.witnessed;
     return true;
   }
   work.witnesses_lost += loop.witness.has_value();
   ++work.collision_tests;
-  Collision& collision = place.collision();
-  const bool overlap = collision.overlaps_right_of(sample(loop, tau, place));
+  Collision& collision = frame.collision();
+  const bool overlap = collision.overlaps_right_of(sample(loop, tau, frame));
   loop.witness = collision.crossing_edges();
   if (loop.witness) search_.remember(*loop.witness);
   return overlap;
@@ -84,7 +84,7 @@ FrameLoops::Cutting FrameLoops::end_cut(Step s, bool at_end) const {
 }
 
 // The mediant of the cuts at both ends of the longest sub-edge, as the exact layer takes it.
-Place FrameLoops::sample(const FrameLoop& loop, double tau, FramePlace& place) const {
+Place FrameLoops::sample(const FrameLoop& loop, double tau, ExactFrame& frame) const {
   const Window& window = lists_.window();
   const std::uint32_t moving = window.frame().moving;
   Step longest;
@@ -105,8 +105,8 @@ Place FrameLoops::sample(const FrameLoop& loop, double tau, FramePlace& place) c
   // denominator.
   const auto weight_of = [&](const Cutting& c) {
     if (c.cut.kind == Cut::Kind::pair) return c.denominator;
-    const double den = exact::round_to_double(exact::BigRational(place.value().den));
-    return c.denominator * den * (c.cut.by.edge.op == place.base().scaled ? place.value().approx : 1);
+    const double den = exact::round_to_double(exact::BigRational(frame.value().den));
+    return c.denominator * den * (c.cut.by.edge.op == frame.base().scaled ? frame.value().approx : 1);
   };
   const double d0 = weight_of(from), d1 = weight_of(to), t0 = from.t.at(tau), t1 = to.t.at(tau);
   double weight = d0 + d1 > 0 ? d1 / (d0 + d1) : 0.5, relative = from.relative_error + to.relative_error + kMediant;
@@ -121,14 +121,14 @@ Place FrameLoops::sample(const FrameLoop& loop, double tau, FramePlace& place) c
   p.first = from.cut;
   p.second = to.cut;
   p.between = true;
-  const double grow = place.blow_up(moving);
+  const double grow = frame.blow_up(moving);
   p.x = grow * (on.x.at(tau) + t * on.dx);
   p.y = grow * (on.y.at(tau) + t * on.dy);
   p.error =
       grow * (t_error * std::max(std::abs(on.dx), std::abs(on.dy)) + kWindowPoint * window.span()) * exact::kOutwards;
   if (!std::isfinite(p.error)) {
     // Nearly parallel lines, of which the doubles know nothing: the exact position, rounded.
-    const Lattice& l = place.lattice();
+    const Lattice& l = frame.lattice();
     const Lattice::Position at = l.position(p);
     const Place origin{
         window.exact(segment), {Cut::Kind::pair, start_of(window.exact(segment)), {}}, {}, false, 0, 0, 0};

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dymsum/scaling_sum.h"
 #include "planar/convolution/convolution.h"
 #include "planar/scaling/crossing_range.h"
 #include "planar/scaling/exact_forms.h"
@@ -20,9 +21,9 @@ struct Line {
 
 }  // namespace
 
-Result<PairEventCount> count_pair_events(const Region& p, const Region& q, ScaledOperand scaled,
+Result<PairEventCount> count_pair_events(const Region& p, const Region& q, MovingOperand scaled,
                                          const Progress& progress) {
-  Result<std::shared_ptr<const OperandPair>> made = OperandPair::create(p, q, scaled == ScaledOperand::p ? 0 : 1, 0);
+  Result<std::shared_ptr<const OperandPair>> made = OperandPair::create(p, q, scaled == MovingOperand::p ? 0 : 1, 0);
   if (!made) return made.error();
   const OperandPair& base = **made;
   const Lattice& l = *base.lattice;

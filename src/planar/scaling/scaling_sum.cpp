@@ -13,10 +13,10 @@ ScalingSum::ScalingSum(ScalingSum&&) noexcept = default;
 ScalingSum& ScalingSum::operator=(ScalingSum&&) noexcept = default;
 ScalingSum::~ScalingSum() = default;
 
-Result<ScalingSum> ScalingSum::create(const Region& p, const Region& q, const ScalingOptions& options) {
+Result<ScalingSum> ScalingSum::create(const Region& p, const Region& q, const MovingOptions& options) {
   Result<std::shared_ptr<const OperandPair>> base =
       OperandPair::create({prepared_operand(p, 0), prepared_operand(q, 1, options.reflect_q)}, {},
-                          options.scaled == ScaledOperand::p ? 0 : 1, planar::SumInternals::min_tier_bits(options));
+                          options.moving == MovingOperand::p ? 0 : 1, planar::SumInternals::min_tier_bits(options));
   if (!base) return base.error();
   auto state = std::make_unique<State>(std::move(base).value(), options);
   const FrameMode mode = state->options.mode;

@@ -16,19 +16,12 @@ Result<std::shared_ptr<const OperandPair>> turning_base(const Region& p, const R
                              min_tier_bits);
 }
 
-SumState placed_at(const OperandPair& base, const Orientation& theta) {
-  SumState state;
-  state.lattice = make_turned_lattice(*base.lattice, turn_of(theta, base.scaled), base.min_tier_bits);
-  state.p = base.operand_at(0, *state.lattice);
-  state.q = base.operand_at(1, *state.lattice);
-  state.stats.tier_bits = state.lattice->tier_bits;
-  return state;
+PlacedPair placed_at(const OperandPair& base, const Orientation& theta) {
+  return base.placed_on_lattice(make_turned_lattice(*base.lattice, turn_of(theta, base.scaled), base.min_tier_bits));
 }
 
 Result<PlanarSum> sum_at(const OperandPair& base, const Orientation& theta, const SumOptions& options) {
-  Result<SumState> computed = compute_boundary(placed_at(base, theta), options);
-  if (!computed) return computed.error();
-  return finish_sum(std::move(computed).value(), options);
+  return placed_sum(placed_at(base, theta), options);
 }
 
 }  // namespace dymsum::planar

@@ -3,7 +3,6 @@
 
 #include "dymsum/orientation.h"
 #include "planar/frames/operand_pair.h"
-#include "planar/sum/sum_engine.h"
 
 namespace dymsum::planar {
 
@@ -15,7 +14,7 @@ Result<std::shared_ptr<const OperandPair>> turning_base(const Region& p, const R
                                                         int min_tier_bits);
 
 /// Lattice and operands at an orientation.
-SumState placed_at(const OperandPair& base, const Orientation& theta);
+PlacedPair placed_at(const OperandPair& base, const Orientation& theta);
 Result<PlanarSum> sum_at(const OperandPair& base, const Orientation& theta, const SumOptions& options);
 
 }  // namespace dymsum::planar

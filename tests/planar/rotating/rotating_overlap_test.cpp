@@ -9,8 +9,8 @@
 #include "oracles/random.h"
 #include "oracles/tiny_regions.h"
 #include "planar/operand/prepared_region.h"
+#include "planar/rotating/exact_overlap.h"
 #include "planar/rotating/rotating_overlap.h"
-#include "planar/rotating/rotating_place.h"
 #include "planar/turning/box_pairs.h"
 
 namespace dymsum::planar {
@@ -32,7 +32,7 @@ void compare(const Region& p, const Region& q, double radians, Tally& tally) {
   RotatingFrame frame(window);
   if (!frame.compute(theta.radians() - window.middle, Heading::of(theta.radians()))) return;
   RotatingOverlap overlap(forms);
-  RotatingPlace place(base, theta);
+  ExactOverlap place(base, theta);
   const auto source = [&](std::uint32_t s) {
     const WalkSegment& w = window.segments[s].walk;
     return Segment{forms.operand(w.side).edge(w.edge), forms.operand(1 - w.side).source[w.vertex]};

@@ -37,7 +37,7 @@ TEST(EdgeSearch, finds_edges_wherever_some_cross_and_only_those) {
     auto base = planar::OperandPair::create(p, q, random.below(2), 0).value();
     if (!base->regular || base->operands[0].size() == 0 || base->operands[1].size() == 0) continue;
     planar::ScalingState state(base, {});
-    const auto window = state.window_between(exact::BigRational(1), exact::BigRational(2));
+    const auto window = state.windows.between(exact::BigRational(1), exact::BigRational(2));
     const bool scaled_moves = window->frame().moving == base->scaled;
     planar::EdgeSearch search(*window);
     for (int k = 0; k < 20; ++k) {
@@ -72,7 +72,7 @@ TEST(EdgeSearch, edges_for_two_places_cross_all_the_way) {
     auto base = planar::OperandPair::create(p, q, random.below(2), 0).value();
     if (!base->regular || base->operands[0].size() == 0 || base->operands[1].size() == 0) continue;
     planar::ScalingState state(base, {});
-    const auto window = state.window_between(exact::BigRational(1), exact::BigRational(2));
+    const auto window = state.windows.between(exact::BigRational(1), exact::BigRational(2));
     const bool scaled_moves = window->frame().moving == base->scaled;
     planar::EdgeSearch search(*window);
     for (int k = 0; k < 20; ++k) {

@@ -49,13 +49,13 @@ TEST(ScalingCycles, those_carried_over_equal_those_walked_from_scratch) {
   for (const auto& [p, q] : {std::pair{star, other}, std::pair{room, small}, std::pair{same, same}}) {
     auto base = planar::OperandPair::create(p, q, 1, 0).value();
     planar::ScalingState state(base, {});
-    const auto window = state.window_between(exact::BigRational(1), exact::BigRational(3, 2));
+    const auto window = state.windows.between(exact::BigRational(1), exact::BigRational(3, 2));
     planar::PieceLists lists(*window);
     planar::FrameLoops carried(lists);
     bool known = false;
     nodes += window->nodes.size();
     for (const int k : {1001, 1003, 1004, 1007, 1020, 1021, 1060, 1061, 1150, 1149, 1151, 1300, 1301, 1302, 1201}) {
-      planar::FramePlace place(base, planar::scale_value(exact::BigRational(k, 1000)));
+      planar::ExactFrame place(base, planar::scale_value(exact::BigRational(k, 1000)));
       const double tau = place.tau(window->frame().moving);
       FrameWork work;
       if (!lists.repair(tau, place, work)) continue;
@@ -109,14 +109,14 @@ TEST(ScalingCycles, those_of_random_pairs_equal_those_walked_from_scratch) {
     auto base = planar::OperandPair::create(p, q, random.below(2), 0).value();
     if (!base->regular || base->operands[0].size() == 0 || base->operands[1].size() == 0) continue;
     planar::ScalingState state(base, {});
-    const auto window = state.window_between(exact::BigRational(1), exact::BigRational(2), random.chance(50));
+    const auto window = state.windows.between(exact::BigRational(1), exact::BigRational(2), random.chance(50));
     planar::PieceLists lists(*window);
     planar::FrameLoops carried(lists);
     with_nodes += !window->nodes.empty();
     bool known = false;
     for (int step = 0, k = 1001; step < 16; ++step) {
       k = random.chance(30) ? 1001 + random.below(998) : std::clamp(k + random.below(121) - 60, 1001, 1999);
-      planar::FramePlace place(base, planar::scale_value(exact::BigRational(k, 1000)));
+      planar::ExactFrame place(base, planar::scale_value(exact::BigRational(k, 1000)));
       const double tau = place.tau(window->frame().moving);
       FrameWork work;
       if (!lists.repair(tau, place, work)) {
@@ -147,7 +147,7 @@ TEST(ScalingCycles, those_of_random_pairs_equal_those_walked_from_scratch) {
 }
 
 TEST(ScalingCycles, what_changed_on_a_ring_is_counted_as_by_comparing_both_sums) {
-  ScalingOptions options;
+  MovingOptions options;
   options.mode = FrameMode::window;
   options.window = 0.3;
   const Region p = on_integers(shapes::noisy_star(60, 0.6, 3), 4000),

@@ -8,9 +8,9 @@
 
 namespace dymsum::planar {
 
-class FramePlace {
+class ExactFrame {
  public:
-  FramePlace(std::shared_ptr<const OperandPair> base, const ScaleValue& s)
+  ExactFrame(std::shared_ptr<const OperandPair> base, const ScaleValue& s)
       : base_(std::move(base)), value_(s), scale_(base_->lattice_scale(s, s)) {}
 
   const ScaleValue& value() const { return value_; }
@@ -26,10 +26,7 @@ class FramePlace {
   Collision& collision();
   bool has_lattice() const { return lattice_ != nullptr; }
   bool has_collision() const { return collision_ != nullptr; }
-  std::shared_ptr<const Lattice> share_lattice() {
-    lattice();
-    return lattice_;
-  }
+  PlacedPair placed();
   std::uint64_t exact_signs = 0;
 
  private:
