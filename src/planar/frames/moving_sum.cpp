@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <chrono>
 
+#include "planar/sum/placed_sum.h"
+
 namespace dymsum::planar {
 namespace {
 

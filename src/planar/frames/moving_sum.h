@@ -12,7 +12,7 @@
 #include "dymsum/frames.h"
 #include "planar/frames/controller.h"
 #include "planar/frames/frame_rings.h"
-#include "planar/sum/placed_sum.h"
+#include "planar/operand/placed_pair.h"
 
 namespace dymsum::planar {
 

@@ -1,19 +1,12 @@
 #include "planar/frames/operand_pair.h"
 
-#include "planar/operand/prepared_region.h"
-
 namespace dymsum::planar {
-
-Result<std::shared_ptr<const OperandPair>> OperandPair::create(const Region& p, const Region& q, std::uint32_t scaled,
-                                                               int min_tier_bits) {
-  return create({prepared_operand(p, 0), prepared_operand(q, 1)}, {}, scaled, min_tier_bits);
-}
 
 Result<std::shared_ptr<const OperandPair>> OperandPair::create(
     const std::array<std::shared_ptr<const Operand>, 2>& kept, const std::array<std::vector<Point>, 2>& further,
-    std::uint32_t scaled, int min_tier_bits) {
+    std::uint32_t moved, int min_tier_bits) {
   auto base = std::make_shared<OperandPair>();
-  base->scaled = scaled;
+  base->moved = moved;
   base->min_tier_bits = min_tier_bits;
   std::array<std::shared_ptr<const PlacedPoints>, 2> points;
   for (std::uint32_t op = 0; op < 2; ++op) {
@@ -38,9 +31,9 @@ Result<std::shared_ptr<const OperandPair>> OperandPair::create(
 }
 
 LatticeScale OperandPair::lattice_scale(const ScaleValue& x, const ScaleValue& y) const {
-  if (x == y) return {x.num, x.num, x.den, scaled};
+  if (x == y) return {x.num, x.num, x.den, moved};
   const exact::BigInteger common = boost::multiprecision::lcm(x.den, y.den);
-  return {exact::BigInteger(x.num * (common / x.den)), exact::BigInteger(y.num * (common / y.den)), common, scaled};
+  return {exact::BigInteger(x.num * (common / x.den)), exact::BigInteger(y.num * (common / y.den)), common, moved};
 }
 
 std::shared_ptr<const Lattice> OperandPair::lattice_at(const LatticeScale& scale) const {

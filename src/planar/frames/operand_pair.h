@@ -5,25 +5,22 @@
 #include <array>
 #include <memory>
 
+#include "planar/operand/operand.h"
+#include "planar/operand/placed_pair.h"
 #include "planar/operand/scale_value.h"
-#include "planar/sum/placed_sum.h"
 
 namespace dymsum::planar {
 
 class OperandPair : public std::enable_shared_from_this<OperandPair> {
  public:
-  /// Errors: unsupported_operand.
-  static Result<std::shared_ptr<const OperandPair>> create(const Region& p, const Region& q, std::uint32_t scaled,
-                                                           int min_tier_bits);
-
-  /// The same for operands, with further source vertices behind their own that belong to no walk.
+  /// Of operands, with further source vertices behind their own that belong to no walk. Errors: unsupported_operand.
   static Result<std::shared_ptr<const OperandPair>> create(const std::array<std::shared_ptr<const Operand>, 2>& kept,
                                                            const std::array<std::vector<Point>, 2>& further,
-                                                           std::uint32_t scaled, int min_tier_bits);
+                                                           std::uint32_t moved, int min_tier_bits);
 
-  std::uint32_t scaled = 0;  ///< operand
+  std::uint32_t moved = 0;  ///< the operand that is scaled or turned
   int min_tier_bits = 0;
-  std::shared_ptr<const Lattice> lattice;  ///< at scale 1
+  std::shared_ptr<const Lattice> lattice;  ///< as they were given
   std::array<Operand, 2> operands;
   std::array<double, 2> width{}, height{};  ///< of the operands, in the lattice's doubles
   bool regular = true;                      ///< every component has area

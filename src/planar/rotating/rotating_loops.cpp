@@ -53,7 +53,7 @@ class RotatingLoops::Stretch {
   }
 
  private:
-  const WalkSegment& walk(std::uint32_t s) const { return window_.segments[s].walk; }
+  const WalkSegment& walk(std::uint32_t s) const { return window_.segments[s]; }
   const TurnCatalog::Span& span(std::uint32_t s) const { return window_.segments[s].span; }
   int sign(const TrigForm& form, double error) const {
     return !form.far_from_zero(heading_, half_, error) ? 0 : form.at(heading_) > 0 ? 1 : -1;
@@ -71,7 +71,7 @@ class RotatingLoops::Stretch {
 void RotatingLoops::renumber(const RotatingWindow& from, const RotatingWindow& to) {
   const auto number = [&](std::uint32_t s) {
     if (s == kEnd || s == kGone) return s;
-    const std::uint32_t n = to.find(from.segments[s].walk);
+    const std::uint32_t n = to.find(from.segments[s]);
     return n == kNone ? kGone : n;
   };
   for (Known& k : steps_) k = {number(k.segment), number(k.from), number(k.to), k.loop, kNone};
@@ -192,7 +192,7 @@ bool RotatingLoops::undisturbed(const Stretch& all, const RotatingWindow& window
   };
   for (std::uint32_t p = window.segments[a].first_piece; p < window.segments[a].last_piece; ++p)
     for (std::uint32_t k = window.first_of[p]; k < window.first_of[p + 1]; ++k) {
-      const TurnMeeting& m = window.meetings[window.of[k]];
+      const TurnCandidate& m = window.candidates[window.of[k]];
       const std::uint32_t b = window.pieces[m.a == p ? m.b : m.a].segment;
       if (b != s.from && b != s.to && !stays_away(b)) return false;
     }
@@ -222,7 +222,7 @@ std::size_t RotatingLoops::outer_loop(const RotatingFrame& frame, const std::vec
 }
 
 Segment RotatingLoops::source_segment(std::uint32_t segment, const RotatingWindow& window) const {
-  const WalkSegment& w = window.segments[segment].walk;
+  const WalkSegment& w = window.segments[segment];
   const Operand &o = forms_.operand(w.side), &other = forms_.operand(1 - w.side);
   Edge edge = o.edge(w.edge);
   if (swapped_) edge.op = 1 - edge.op;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planar/operand/prepared_region.h"
 #include "planar/position/vertex_order.h"
 #include "planar/rotating/rotating_cost.h"
 #include "planar/rotating/turned_source.h"
@@ -30,28 +29,23 @@ constexpr double kWidest = 1.0 / 7;
 
 }  // namespace
 
-Result<std::unique_ptr<RotatingSum::State>> RotatingSum::State::create(const Region& p, const Region& q,
-                                                                       const MovingOptions& options) {
-  const bool p_turns = options.moving == MovingOperand::p;
-  auto base = OperandPair::create({prepared_operand(p, 0), prepared_operand(q, 1, options.reflect_q)}, {},
-                                  p_turns ? 0 : 1, SumInternals::min_tier_bits(options));
-  if (!base) return base.error();
-  auto state = std::make_unique<State>(*base, options);
-  const OperandPair& b = **base;
-  if (!b.regular || b.operands[0].size() == 0 || b.operands[1].size() == 0) return state;
-  const auto size = [&](int op) { return std::hypot(b.width[op], b.height[op]); };
-  state->swapped_ = size(0) < size(1) || (size(0) == size(1) && p_turns);
-  auto forms = state->swapped_
-                   ? OperandPair::create({prepared_operand(q, 0, options.reflect_q), prepared_operand(p, 1)}, {}, 1,
-                                         SumInternals::min_tier_bits(options))
-                   : base;
-  if (!forms) return forms.error();
-  state->forms_base_ = *forms;
-  state->forms_ = std::make_unique<TurningForms>(**forms);
-  state->catalog_ = std::make_unique<TurnCatalog>(*state->forms_);
-  state->catalog_->for_each(0, 0, [&](const WalkSegment&) { ++state->segments_; });
-  state->loops_ = std::make_unique<RotatingLoops>(*state->forms_, b.connected, state->swapped_);
-  return state;
+RotatingSum::State::State(std::shared_ptr<const OperandPair> base, std::shared_ptr<const OperandPair> forms_base,
+                          const MovingOptions& options)
+    : MovingSum(options), base_(std::move(base)), forms_base_(std::move(forms_base)), swapped_(p_is_smaller(*base_)) {
+  if (!has_windows(*base_)) return;
+  forms_ = std::make_unique<TurningForms>(*forms_base_);
+  catalog_ = std::make_unique<TurnCatalog>(*forms_);
+  catalog_->for_each(0, 0, [&](const WalkSegment&) { ++segments_; });
+  loops_ = std::make_unique<RotatingLoops>(*forms_, base_->connected, swapped_);
+}
+
+bool RotatingSum::State::has_windows(const OperandPair& base) {
+  return base.regular && base.operands[0].size() > 0 && base.operands[1].size() > 0;
+}
+
+bool RotatingSum::State::p_is_smaller(const OperandPair& base) {
+  const auto size = [&](int op) { return std::hypot(base.width[op], base.height[op]); };
+  return size(0) < size(1) || (size(0) == size(1) && base.moved == 0);
 }
 
 PlacedPair RotatingSum::State::placed() const { return placed_at(*base_, theta_); }
@@ -118,7 +112,7 @@ std::optional<MovingSum::NextFrame> RotatingSum::State::window_frame(const Move&
   const RotatingWindow& window = frames_->window;
   const double angle = moving_angle(theta_);
   next_work.pieces = window.pieces.size();
-  next_work.candidates = window.meetings.size();
+  next_work.candidates = window.candidates.size();
   next_work.window_low = window.middle - window.half;
   next_work.window_high = window.middle + window.half;
   next_work.peak_bytes = window.bytes() + loops_->bytes();

@@ -11,10 +11,12 @@ namespace dymsum {
 
 class RotatingSum::State final : public planar::MovingSum {
  public:
-  /// Errors: unsupported_operand.
-  static Result<std::unique_ptr<State>> create(const Region& p, const Region& q, const MovingOptions& options);
-  State(std::shared_ptr<const planar::OperandPair> base, const MovingOptions& options)
-      : MovingSum(options), base_(std::move(base)) {}
+  /// `forms_base`: the same operands, the smaller one, which moves in windows, as operand 1.
+  State(std::shared_ptr<const planar::OperandPair> base, std::shared_ptr<const planar::OperandPair> forms_base,
+        const MovingOptions& options);
+  /// Whether windows can serve at all; otherwise there is no need of `forms_base`.
+  static bool has_windows(const planar::OperandPair& base);
+  static bool p_is_smaller(const planar::OperandPair& base);
 
   /// Changes nothing on an error.
   Result<FrameChanges> move_to(const Orientation& theta);

@@ -29,10 +29,10 @@ const TurnedRings::Names& TurnedRings::names(std::uint32_t segment) {
   Names& names = names_[segment];
   if (names.contact.p != kNone) return names;
   const TurnSegment& s = window_.segments[segment];
-  const Operand &fixed = forms_.operand(0), &moving = forms_.operand(1), &o = s.walk.side == 0 ? fixed : moving,
-                &other = s.walk.side == 0 ? moving : fixed;
-  const std::uint32_t edge = o.edge_number[s.walk.edge], at = other.vertex_number[s.walk.vertex];
-  const bool of_p = (s.walk.side == 0) != swapped_;
+  const Operand &fixed = forms_.operand(0), &moving = forms_.operand(1), &o = s.side == 0 ? fixed : moving,
+                &other = s.side == 0 ? moving : fixed;
+  const std::uint32_t edge = o.edge_number[s.edge], at = other.vertex_number[s.vertex];
+  const bool of_p = (s.side == 0) != swapped_;
   names.contact = of_p ? Contact{Contact::Kind::edge_of_p, edge, at} : Contact{Contact::Kind::edge_of_q, at, edge};
   names.corner_p = fixed.vertex_number[s.end.p];
   names.corner_q = moving.vertex_number[s.end.q];

@@ -8,7 +8,7 @@ PlacedPair TurnedSource::placed() const { return placed_at(base(), theta_); }
 
 // Sums with one vertex of the turning operand differ as the vertices that stand still do.
 std::optional<int> TurnedSource::compare_corners(const SumVertex& a, const SumVertex& b, int axis) const {
-  const std::uint32_t still = 1 - base().scaled;
+  const std::uint32_t still = 1 - base().moved;
   if ((still == 0 ? a.corner_q : a.corner_p) != (still == 0 ? b.corner_q : b.corner_p)) return std::nullopt;
   const auto& source = base().operands[still].numbered_vertex;
   const std::vector<Point>& input = base().lattice->points[still]->input;

@@ -13,7 +13,7 @@ class TurnedSource final : public PairSource {
 
  private:
   PlacedPair placed() const override;
-  bool keeps_axes(std::uint32_t op) const override { return op != base().scaled; }
+  bool keeps_axes(std::uint32_t op) const override { return op != base().moved; }
   std::optional<int> compare_corners(const SumVertex& a, const SumVertex& b, int axis) const override;
   Orientation theta_;
 };

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "planar/sum/placed_sum.h"
+
 namespace dymsum::planar {
 namespace {
 

@@ -4,7 +4,7 @@ namespace dymsum::planar {
 
 // Both ways round to the nearest double; quotients of doubles do so by themselves.
 double ExactFrame::tau(std::uint32_t moving) const {
-  if (moving == base_->scaled) return value_.approx;
+  if (moving == base_->moved) return value_.approx;
   constexpr std::int64_t kDoubles = std::int64_t{1} << 53;
   if (value_.num < kDoubles && value_.den < kDoubles)
     return value_.den.convert_to<double>() / value_.num.convert_to<double>();
@@ -17,7 +17,7 @@ const Lattice& ExactFrame::lattice() {
 }
 
 const Operand& ExactFrame::operand(std::uint32_t op) {
-  if (op != base_->scaled) return base_->operands[op];
+  if (op != base_->moved) return base_->operands[op];
   if (scaled_ == nullptr) scaled_ = base_->operand_at(op, lattice());
   return *scaled_;
 }
@@ -25,7 +25,7 @@ const Operand& ExactFrame::operand(std::uint32_t op) {
 PlacedPair ExactFrame::placed() {
   const auto shared = [this](std::uint32_t op) {
     operand(op);
-    return op == base_->scaled ? scaled_ : std::shared_ptr<const Operand>(base_, &base_->operands[op]);
+    return op == base_->moved ? scaled_ : std::shared_ptr<const Operand>(base_, &base_->operands[op]);
   };
   lattice();
   return {lattice_, shared(0), shared(1)};

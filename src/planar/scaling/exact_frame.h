@@ -19,7 +19,7 @@ class ExactFrame {
   /// The parameter of a window whose operand `moving` moves.
   double tau(std::uint32_t moving) const;
   /// What the window's coordinates are multiplied by.
-  double blow_up(std::uint32_t moving) const { return moving == base_->scaled ? 1 : value_.approx; }
+  double blow_up(std::uint32_t moving) const { return moving == base_->moved ? 1 : value_.approx; }
 
   const Lattice& lattice();
   const Operand& operand(std::uint32_t op);

@@ -222,7 +222,7 @@ std::size_t FrameLoops::outer_loop(double tau) const {
   if (known < n || count == 1) return known < n ? known : last;
   const auto for_each_end = [&](std::size_t i, auto&& f) {
     for (const LoopStep& s : loops_[i].steps) {
-      const MovingPoint v = vertex_after(step_of(s), 0, 0).point;
+      const MovingPoint v = places_.vertex_after(step_of(s), 0, 0).point;
       f(v.x.at(tau), v.error);
     }
   };
@@ -241,7 +241,7 @@ void FrameLoops::verify(double tau, ExactFrame& frame, FrameWork& work) {
     } else if (outer != loops_.size() && loop.turning > 0) {
       loop.kept = false;
     } else {
-      loop.kept = !is_false(loop, tau, frame, work);
+      loop.kept = !cover_.covers(loop.steps, loop.witness, tau, frame, work);
     }
     if (was_kept && !loop.kept && loop.ring != 0) {
       ended_.push_back({loop.ring, loop.corners});
@@ -324,7 +324,7 @@ bool FrameLoops::nodes_are_plain(double tau, ExactFrame& frame, FrameWork& work)
   if (crowded_ > 0) return false;
   for (const std::uint32_t n : doubtful_) {
     if (!lists_.active(n) || visited_[n] > 0 || nodes_[n].inside) continue;
-    if (!node_inside(n, tau, frame, work)) return false;
+    if (!cover_.covers_node(n, nodes_[n].witness, tau, frame, work)) return false;
     nodes_[n].inside = true;
   }
   return true;

@@ -7,30 +7,11 @@
 #include <unordered_map>
 #include <vector>
 
-#include "base/two_lanes.h"
 #include "planar/frames/frame_rings.h"
-#include "planar/scaling/edge_search.h"
-#include "planar/scaling/piece_lists.h"
+#include "planar/scaling/loop_cover.h"
+#include "planar/scaling/loop_places.h"
 
 namespace dymsum::planar {
-
-/// Where a vertex of the sum is that moves with tau, in the window's coordinates.
-struct MovingPoint {
-  Linear x, y;
-  double error = 0;  ///< anywhere in the window
-  Two at(double tau) const { return Two{x.a, y.a} + Two{x.b, y.b} * both(tau); }
-};
-
-/// A sub-edge of a cycle, and what comes behind it.
-struct LoopStep {
-  std::uint32_t piece = kNone, edge = 0;  ///< sub-edge: PieceLists::first_sub(piece) + its place in the list
-  std::uint32_t from = kNone,
-                to =
-                    kNone;  ///< what is at its ends, kNone at a segment's own end; valid even when the list has changed
-  std::uint32_t vertex = kNone;  ///< of FrameLoops::vertices, or kNone where the next step goes straight on
-  std::uint32_t node = kNone;    ///< in which it ends, where something touches at every scale
-  std::int8_t turn = 0;          ///< into the next step: what it adds to the turning number
-};
 
 struct FrameLoop {
   std::vector<LoopStep> steps;
@@ -49,7 +30,7 @@ struct FrameLoop {
 
 class FrameLoops {
  public:
-  explicit FrameLoops(PieceLists& lists) : lists_(lists), search_(lists.window()) {}
+  explicit FrameLoops(PieceLists& lists) : lists_(lists), places_(lists), cover_(lists) {}
 
   /// After a repair without degeneracies. `whole`: nothing is known about earlier loops. False when the boundary passes
   /// a node twice or a node may be tight: then this frame is one for the vertex routine, and nothing is known
@@ -96,26 +77,9 @@ class FrameLoops {
   std::uint32_t made(std::uint32_t& vertex, Step at, std::uint32_t next_piece);
   std::uint32_t node_vertex(Step at, std::uint32_t next_piece);
 
-  // frame_vertices.cpp
-  bool node_inside(std::uint32_t node, double tau, ExactFrame& frame, FrameWork& work);
-  bool is_false(FrameLoop& loop, double tau, ExactFrame& frame, FrameWork& work);
-  struct Cutting {
-    Linear t;
-    double error;
-    Cut cut;
-    double denominator, relative_error;
-  };
-  Cutting end_cut(Step s, bool at_end) const;
-  Place sample(const FrameLoop& loop, double tau, ExactFrame& frame) const;
-  EdgeSearch::Place beside(const FrameLoop& loop, double tau) const;
-  bool covered(std::optional<CrossingEdges>& witness, const EdgeSearch::Place& at);
-  struct MovingVertex {
-    SumVertex vertex;
-    MovingPoint point;
-  };
-  MovingVertex vertex_after(Step s, std::uint32_t in, std::uint32_t out) const;
-
   PieceLists& lists_;
+  LoopPlaces places_;
+  LoopCover cover_;
   std::vector<FrameLoop> loops_;
   std::vector<FrameLoop> gone_;  ///< taken apart by the current update
   std::vector<Look> look_;       ///< per loop
@@ -165,7 +129,6 @@ class FrameLoops {
   std::uint32_t crowded_ = 0;            ///< nodes that they pass twice or more
   std::vector<std::uint32_t> doubtful_;  ///< nodes of which something changed in this frame
   double last_tau_ = 0;                  ///< of the last update
-  EdgeSearch search_;
   struct Trail {
     Step at;
     std::uint32_t stretch;  ///< that starts there, or kNone: a single sub-edge

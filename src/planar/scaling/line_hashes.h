@@ -3,10 +3,12 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <unordered_map>
 #include <vector>
 
+#include "dymsum/planar_sum.h"
 #include "planar/scaling/exact_forms.h"
 
 namespace dymsum::planar {
@@ -14,9 +16,7 @@ namespace dymsum::planar {
 /// For every value the first index that it has in a list. Requires that the values asked for are in it.
 class FirstIndices {
  public:
-  /// Once: later calls change nothing.
-  void fill(std::span<const std::uint32_t> values) {
-    if (!index_.empty()) return;
+  explicit FirstIndices(std::span<const std::uint32_t> values) {
     for (std::uint32_t k = 0; k < values.size(); ++k) {
       if (values[k] >= index_.size()) index_.resize(values[k] + std::size_t{1}, kNone);
       if (index_[values[k]] == kNone) index_[values[k]] = k;
@@ -25,18 +25,25 @@ class FirstIndices {
   std::uint32_t operator[](std::uint32_t value) const { return index_[value]; }
 
  private:
-  static constexpr std::uint32_t kNone = 0xffffffff;
   std::vector<std::uint32_t> index_;
 };
 
 /// Of one pair of operands.
-struct LineHashes {
-  std::array<FirstIndices, 2> edges, vertices;             ///< of the operands: indices in their walks
-  std::unordered_map<std::uint64_t, std::uint64_t> lines;  ///< of contacts
-};
+class LineHashes {
+ public:
+  explicit LineHashes(std::shared_ptr<const OperandPair> base);
+  /// See ScalingSum::combinatorial_hash.
+  std::uint64_t of(const PlanarSum& sum);
+  const ExactForms& forms() const { return forms_; }
 
-/// See ScalingSum::combinatorial_hash.
-std::uint64_t combinatorial_hash(const PlanarSum& sum, const OperandPair& base, const ExactForms& forms,
-                                 LineHashes& known);
+ private:
+  Segment segment(const Contact& c) const;
+  std::uint64_t line(const Contact& c);
+
+  std::shared_ptr<const OperandPair> base_;
+  ExactForms forms_;
+  std::array<FirstIndices, 2> edges_, vertices_;            // of the operands: indices in their walks
+  std::unordered_map<std::uint64_t, std::uint64_t> lines_;  // of contacts
+};
 
 }  // namespace dymsum::planar

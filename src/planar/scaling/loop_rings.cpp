@@ -15,7 +15,7 @@ struct ToInput {
     grow = frame.blow_up(window.frame().moving);
     unit = l.unit;
     const double s = frame.value().approx;
-    const Point &scaled = l.points[frame.base().scaled]->offset, &other = l.points[1 - frame.base().scaled]->offset;
+    const Point &scaled = l.points[frame.base().moved]->offset, &other = l.points[1 - frame.base().moved]->offset;
     origin = Two{scaled.x * s + other.x, scaled.y * s + other.y};
     reach = (std::abs(scaled.x) + std::abs(scaled.y)) * s + std::abs(other.x) + std::abs(other.y);
   }
@@ -29,7 +29,48 @@ struct ToInput {
   Two origin{};
 };
 
+struct Written {
+  std::uint32_t leader = kNone;  ///< the smallest vertex
+  double error = 0;              ///< the largest of a position
+};
+
+// A loop's vertices as a ring from the smallest one on, which `start` often is.
+template <class Put>
+Written write(const std::vector<std::uint32_t>& vertices, std::size_t start, const VertexOrder& order, const Put& put,
+              SumRing& ring) {
+  const std::size_t n = vertices.size();
+  ring.vertices.resize(n);
+  SumVertex* const first = ring.vertices.data();
+  SumVertex *to = first, *least = first;
+  Written written;
+  const auto put_all = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i, ++to) {
+      written.error = std::max(written.error, put(vertices[i], *to));
+      if (written.leader != kNone && (order.certainly_right(*to, *least) || order.compare(*to, *least) >= 0)) continue;
+      least = to;
+      written.leader = vertices[i];
+    }
+  };
+  put_all(start, n);
+  put_all(0, start);
+  std::rotate(first, least, to);
+  return written;
+}
+
 }  // namespace
+
+// Where a ring of the last frame started, or 0.
+std::size_t LoopRings::likely_start(const FrameLoop& loop) const {
+  const auto led =
+      std::find_if(loop.vertices.begin(), loop.vertices.end(), [&](std::uint32_t v) { return leads_[v] != 0; });
+  return led == loop.vertices.end() ? 0 : static_cast<std::size_t>(led - loop.vertices.begin());
+}
+
+void LoopRings::lead(std::vector<std::uint32_t> leaders) {
+  for (const std::uint32_t v : leaders_) leads_[v] = 0;
+  for (const std::uint32_t v : leaders) leads_[v] = 1;
+  leaders_ = std::move(leaders);
+}
 
 LoopRings::Rings LoopRings::at(double tau, const Window& window, const ExactFrame& frame, const ExactSource& source,
                                const std::function<SumRing()>& spare) {
@@ -38,8 +79,7 @@ LoopRings::Rings LoopRings::at(double tau, const Window& window, const ExactFram
   const VertexOrder order(source, to_input.error(poor));
   const SumVertex* const vertices = loops_.vertices().data();
   const MovingPoint* const points = loops_.points().data();
-  double error = 0;
-  // Returns the bound on what it puts.
+  // Returns the bound on what it puts. By value: what it writes cannot be any of these.
   const auto put = [=, &source](std::uint32_t vertex, SumVertex& to) {
     to = vertices[vertex];
     const MovingPoint& v = points[vertex];
@@ -52,48 +92,24 @@ LoopRings::Rings LoopRings::at(double tau, const Window& window, const ExactFram
     to.at = {exact::round_to_double(p.x), exact::round_to_double(p.y)};
     return poor;
   };
-  // Rings start at their smallest vertices, most often those of the frame before.
+  double error = 0;
   std::vector<std::uint32_t> leaders;
   leads_.resize(loops_.vertices().size(), 0);
-  const auto ring_of = [&](FrameLoop& loop) {
-    if (loop.vertices.empty())
-      for (const LoopStep& step : loop.steps)
-        if (step.vertex != kNone) loop.vertices.push_back(step.vertex);
-    const std::size_t n = loop.vertices.size();
-    SumRing ring = spare();
-    ring.vertices.resize(n);
-    const auto led =
-        std::find_if(loop.vertices.begin(), loop.vertices.end(), [&](std::uint32_t v) { return leads_[v] != 0; });
-    const std::size_t start = led == loop.vertices.end() ? 0 : static_cast<std::size_t>(led - loop.vertices.begin());
-    SumVertex* const first = ring.vertices.data();
-    SumVertex *to = first, *least = first;
-    std::uint32_t leader = kNone;
-    double worst = 0;
-    const auto put_all = [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i, ++to) {
-        worst = std::max(worst, put(loop.vertices[i], *to));
-        if (leader != kNone && (order.certainly_right(*to, *least) || order.compare(*to, *least) >= 0)) continue;
-        least = to;
-        leader = loop.vertices[i];
-      }
-    };
-    put_all(start, n);
-    put_all(0, start);
-    error = std::max(error, worst);
-    std::rotate(first, least, to);
-    leaders.push_back(leader);
-    return ring;
-  };
   Rings kept;
   for (FrameLoop& loop : loops_.loops()) {
     if (!loop.kept) continue;
-    kept.rings.push_back(ring_of(loop));
+    if (loop.vertices.empty())
+      for (const LoopStep& step : loop.steps)
+        if (step.vertex != kNone) loop.vertices.push_back(step.vertex);
+    SumRing ring = spare();
+    const Written written = write(loop.vertices, likely_start(loop), order, put, ring);
+    leaders.push_back(written.leader);
+    error = std::max(error, written.error);
+    kept.rings.push_back(std::move(ring));
     kept.outer.push_back(loop.turning > 0);
     kept.loops.push_back(&loop);
   }
-  for (const std::uint32_t v : leaders_) leads_[v] = 0;
-  for (const std::uint32_t v : leaders) leads_[v] = 1;
-  leaders_ = std::move(leaders);
+  lead(std::move(leaders));
   kept.at_error = to_input.error(error);
   return kept;
 }

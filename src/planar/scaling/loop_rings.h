@@ -25,6 +25,9 @@ class LoopRings {
            const std::function<SumRing()>& spare);
 
  private:
+  std::size_t likely_start(const FrameLoop& loop) const;
+  void lead(std::vector<std::uint32_t> leaders);
+
   FrameLoops& loops_;
   std::vector<std::uint32_t> leaders_;  ///< vertices at which the last frame's rings started,
   std::vector<std::uint8_t> leads_;     ///< and whether a vertex is one of these

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planar/convolution/convolution.h"
 #include "planar/scaling/degenerate_frame.h"
 #include "planar/scaling/frame_cost.h"
 #include "planar/scaling/scaled_source.h"
@@ -20,11 +21,6 @@ constexpr double kCheapWindow = 4000;  // some milliseconds to build: no window 
 constexpr double kLate = 0.65;
 
 }  // namespace
-
-const ExactForms& ScalingSum::State::forms() const {
-  if (forms_ == nullptr) forms_ = std::make_unique<ExactForms>(*base);
-  return *forms_;
-}
 
 PlacedPair ScalingSum::State::placed() const {
   return base->placed_on_lattice(base->lattice_at(base->lattice_scale(x_, y_)));

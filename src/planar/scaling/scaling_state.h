@@ -5,8 +5,6 @@
 
 #include "dymsum/scaling_sum.h"
 #include "planar/frames/moving_sum.h"
-#include "planar/scaling/exact_forms.h"
-#include "planar/scaling/line_hashes.h"
 #include "planar/scaling/loop_rings.h"
 #include "planar/scaling/window_builder.h"
 
@@ -23,9 +21,6 @@ class ScalingSum::State final : public planar::MovingSum {
   std::shared_ptr<const planar::OperandPair> base;
   planar::WindowBuilder windows;
   Scale scale, scale_y;
-
-  const planar::ExactForms& forms() const;
-  std::uint64_t hash(planar::LineHashes& known) const { return planar::combinatorial_hash(sum, *base, forms(), known); }
 
  private:
   /// What frames inside the window look at.
@@ -50,7 +45,6 @@ class ScalingSum::State final : public planar::MovingSum {
 
   planar::ScaleValue x_, y_;  ///< the new position, during a move
   std::unique_ptr<Frames> frames_;
-  mutable std::unique_ptr<planar::ExactForms> forms_;
 };
 
 namespace planar {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planar/convolution/convolution.h"
+
 namespace dymsum::planar {
 
 Window::Window(const OperandPair& base, const ReducedConvolution& convolution, const WindowSettings& settings)

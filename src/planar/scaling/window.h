@@ -15,13 +15,13 @@
 #include <vector>
 
 #include "base/two_lanes.h"
-#include "planar/arrangement/chain.h"
-#include "planar/convolution/convolution.h"
 #include "planar/frames/operand_pair.h"
 #include "planar/scaling/swept_mask.h"
 #include "planar/scaling/window_bounds.h"
 
 namespace dymsum::planar {
+
+class ReducedConvolution;
 
 /// a + b tau.
 struct Linear {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planar/convolution/convolution.h"
 #include "planar/scaling/fill_lattice.h"
 
 namespace dymsum::planar {
@@ -39,7 +40,7 @@ const ReducedConvolution& WindowBuilder::convolution_for(double low, double high
     return base_->lattice_at(base_->lattice_scale(value, value));
   };
   const auto at_low = lattice_at(fill_low_), at_high = lattice_at(fill_high_);
-  const FillLattice fill(lattice, *at_low, *at_high, base_->scaled);
+  const FillLattice fill(lattice, *at_low, *at_high, base_->moved);
   convolution_ = std::make_shared<ReducedConvolution>(fill, p, q);
   return *convolution_;
 }
@@ -47,13 +48,13 @@ const ReducedConvolution& WindowBuilder::convolution_for(double low, double high
 std::array<double, 2> WindowBuilder::sizes(double s) const {
   std::array<double, 2> size{};
   for (std::uint32_t op = 0; op < 2; ++op)
-    size[op] = std::max(base_->width[op], base_->height[op]) * (op == base_->scaled ? s : 1);
+    size[op] = std::max(base_->width[op], base_->height[op]) * (op == base_->moved ? s : 1);
   return size;
 }
 
 WindowSettings WindowBuilder::settings_for(const BigRational& low, const BigRational& high, double at) const {
   WindowSettings settings;
-  const std::uint32_t k = base_->scaled;
+  const std::uint32_t k = base_->moved;
   const std::array<double, 2> size = sizes(at);
   const bool scaled_moves = size[k] <= size[1 - k];
   settings.frame.moving = scaled_moves ? k : 1 - k;

@@ -15,6 +15,7 @@
 #include "oracles/sanitized.h"
 #include "oracles/tiny_regions.h"
 #include "planar/frames/frame_rings.h"
+#include "planar/frames/region_pair.h"
 #include "planar/scaling/parallel_shapes.h"
 #include "planar/scaling/scaling_same.h"
 #include "planar/scaling/scaling_state.h"
@@ -47,7 +48,7 @@ TEST(ScalingCycles, those_carried_over_equal_those_walked_from_scratch) {
   std::uint64_t copied = 0, walked = 0, false_ones = 0, nodes = 0;
   const Region small = on_integers(shapes::noisy_star(16, 0.6, 4), 500);
   for (const auto& [p, q] : {std::pair{star, other}, std::pair{room, small}, std::pair{same, same}}) {
-    auto base = planar::OperandPair::create(p, q, 1, 0).value();
+    auto base = planar::pair_of_regions(p, q, planar::PairOptions{.moved = 1}).value();
     planar::ScalingState state(base, {});
     const auto window = state.windows.between(exact::BigRational(1), exact::BigRational(3, 2));
     planar::PieceLists lists(*window);
@@ -106,7 +107,8 @@ TEST(ScalingCycles, those_of_random_pairs_equal_those_walked_from_scratch) {
   for (int round = 0; round < rounds; ++round) {
     oracles::Random random(static_cast<std::uint64_t>(round) + 1);
     const auto [p, q] = touching_pair(random);
-    auto base = planar::OperandPair::create(p, q, random.below(2), 0).value();
+    auto base = planar::pair_of_regions(p, q, planar::PairOptions{.moved = static_cast<std::uint32_t>(random.below(2))})
+                    .value();
     if (!base->regular || base->operands[0].size() == 0 || base->operands[1].size() == 0) continue;
     planar::ScalingState state(base, {});
     const auto window = state.windows.between(exact::BigRational(1), exact::BigRational(2), random.chance(50));

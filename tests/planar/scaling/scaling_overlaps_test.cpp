@@ -5,6 +5,7 @@
 
 #include <random>
 
+#include "planar/frames/region_pair.h"
 #include "planar/scaling/parallel_shapes.h"
 #include "planar/scaling/scaling_same.h"
 #include "planar/scaling/scaling_state.h"
@@ -19,7 +20,7 @@ struct Shared {
 };
 
 Shared shared_pieces(const Region& p, const Region& q) {
-  auto base = planar::OperandPair::create(p, q, 0, 0).value();
+  auto base = planar::pair_of_regions(p, q, planar::PairOptions{.moved = 0}).value();
   planar::ScalingState state(base, {});
   const auto window = state.windows.between(exact::BigRational(21, 20), exact::BigRational(23, 20));
   Shared count;

@@ -1,4 +1,5 @@
 // Windows: conservative, and shown to be so by breaking them; which path answered.
+#include "planar/frames/region_pair.h"
 #include "planar/scaling/window.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +25,7 @@ std::size_t wrong_frames(double shrink) {
   MovingOptions options;
   options.mode = FrameMode::window;
   options.window = 0.5;
-  auto base = planar::OperandPair::create(p, q, 0, 0).value();
+  auto base = planar::pair_of_regions(p, q, planar::PairOptions{.moved = 0}).value();
   planar::ScalingState state(base, options);
   state.windows.shrink = shrink;
   std::size_t wrong = 0;
@@ -44,7 +45,7 @@ TEST(ScalingWindow, masks_and_pairs_cover_the_whole_sweep) {
 TEST(ScalingWindow, every_candidate_crosses_exactly_where_its_interval_says) {
   const Region p = on_integers(shapes::noisy_star(30, 0.6, 3), 4000),
                q = on_integers(shapes::noisy_star(20, 0.6, 4), 3000);
-  auto base = planar::OperandPair::create(p, q, 0, 0).value();
+  auto base = planar::pair_of_regions(p, q, planar::PairOptions{.moved = 0}).value();
   planar::ScalingState state(base, {});
   const auto window = state.windows.between(exact::BigRational(1), exact::BigRational(6, 5));
   ASSERT_GT(window->candidates.size(), 40u);
@@ -80,7 +81,7 @@ Region plate(double size, double low, double high) {
 /// they promise.
 std::pair<int, int> covered_cells_and_wrong_ones(const Region& p, const Region& q, planar::WindowFrame frame,
                                                  int cells) {
-  auto base = planar::OperandPair::create(p, q, 1, 0).value();
+  auto base = planar::pair_of_regions(p, q, planar::PairOptions{.moved = 1}).value();
   frame.centre_x = base->width[frame.moving] / 2;
   frame.centre_y = base->height[frame.moving] / 2;
   const planar::SweptMask mask(*base->lattice, base->operands, frame, cells, true);
@@ -139,7 +140,7 @@ TEST(ScalingWindow, every_pair_that_meets_is_a_candidate_or_meets_inside) {
   for (const auto& [grates, covers] : {std::pair{false, false}, {true, false}, {false, true}, {true, true}}) {
     const Region p = grates ? shapes::grate(4, 4, 1, 13) : on_integers(shapes::noisy_star(60, 0.6, 3), 4000);
     const Region q = grates ? shapes::comb(3, 3, 1, 5) : on_integers(shapes::noisy_star(40, 0.6, 4), 3000);
-    auto base = planar::OperandPair::create(p, q, 0, 0).value();
+    auto base = planar::pair_of_regions(p, q, planar::PairOptions{.moved = 0}).value();
     planar::ScalingState state(base, {});
     const exact::BigRational low(1), high(3, 2);
     const planar::ReducedConvolution& convolution = state.windows.convolution_for(0.9, 1.6);
@@ -194,7 +195,7 @@ TEST(ScalingWindow, nodes_that_count_for_nothing_lie_inside_at_every_scale) {
   for (unsigned seed = 1; seed <= 30; ++seed) {
     std::mt19937 engine(seed);
     const Region p = skylines(engine, 6, seed % 2 == 0), q = skylines(engine, 4, seed % 3 == 0);
-    auto base = planar::OperandPair::create(p, q, 0, 0).value();
+    auto base = planar::pair_of_regions(p, q, planar::PairOptions{.moved = 0}).value();
     planar::ScalingState state(base, {});
     const exact::BigRational low(1), high(5, 4);
     EXPECT_EQ(std::ranges::count_if(state.windows.between(low, high)->nodes, &planar::PersistentNode::covered), 0);
@@ -216,7 +217,7 @@ TEST(ScalingWindow, nodes_that_count_for_nothing_lie_inside_at_every_scale) {
 TEST(ScalingWindow, windows_of_more_pairs_than_allowed_are_abandoned) {
   const Region p = on_integers(shapes::noisy_star(60, 0.6, 3), 4000),
                q = on_integers(shapes::noisy_star(40, 0.6, 4), 3000);
-  auto base = planar::OperandPair::create(p, q, 0, 0).value();
+  auto base = planar::pair_of_regions(p, q, planar::PairOptions{.moved = 0}).value();
   planar::ScalingState state(base, {});
   const planar::ReducedConvolution& convolution = state.windows.convolution_for(0.9, 1.6);
   planar::WindowSettings settings = state.windows.settings_for(exact::BigRational(1), exact::BigRational(3, 2), 1);
@@ -265,7 +266,7 @@ TEST(ScalingWindow, lists_stay_as_they_are_within_their_intervals) {
   // Q is smaller and scales, so the window's parameter is the scale.
   const Region p = on_integers(shapes::noisy_star(40, 0.6, 3), 4000),
                q = on_integers(shapes::noisy_star(30, 0.6, 4), 3000);
-  auto base = planar::OperandPair::create(p, q, 1, 0).value();
+  auto base = planar::pair_of_regions(p, q, planar::PairOptions{.moved = 1}).value();
   planar::ScalingState state(base, {});
   const auto window = state.windows.between(exact::BigRational(1), exact::BigRational(6, 5)),
              other = state.windows.between(exact::BigRational(1), exact::BigRational(6, 5));
@@ -315,7 +316,7 @@ TEST(ScalingWindow, a_window_keeps_the_convolution_it_was_made_from) {
   MovingOptions options;
   options.mode = FrameMode::window;
   options.window = 0.25;
-  auto base = planar::OperandPair::create(p, q, 1, 0).value();
+  auto base = planar::pair_of_regions(p, q, planar::PairOptions{.moved = 1}).value();
   planar::ScalingState state(base, options);
   ASSERT_TRUE(state.move_to(scale_of(1, 1), scale_of(1, 1)).ok());
   std::size_t degenerate = 0;
