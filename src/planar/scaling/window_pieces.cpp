@@ -1,8 +1,8 @@
-// Cutting: segments of a window lose what lies in dead cells throughout.
+#include "planar/scaling/window_pieces.h"
+
 #include <algorithm>
 
 #include "planar/mask/segment_clip.h"
-#include "planar/scaling/window.h"
 
 namespace dymsum::planar {
 
@@ -97,26 +97,27 @@ class PieceCutter {
 
 }  // namespace
 
-void Window::add_pieces(const SweptMask& mask) {
+std::vector<PieceEnds> cut_pieces(Window& window, const WindowFrame& frame, const SweptMask& mask) {
+  std::vector<PieceEnds> all_ends;
   PieceCutter cutter(mask);
-  const double width = swept_.tau1 - swept_.tau0;
-  for (std::uint32_t n = 0; n < segments.size(); ++n) {
-    LiveSegment& s = segments[n];
-    const SweptSegment swept = swept_segment(s, swept_);
+  const double width = frame.tau1 - frame.tau0;
+  for (std::uint32_t n = 0; n < window.segments.size(); ++n) {
+    LiveSegment& s = window.segments[n];
+    const SweptSegment swept = swept_segment(s, frame);
     const std::vector<CutPlace>& cuts = cutter.cuts(swept);
     const auto linear = [&](const CutPlace& c) {
-      const double u = c.t[0] * s.length(swept_.tau0), v = c.t[1] * s.length(swept_.tau1);
+      const double u = c.t[0] * s.length(frame.tau0), v = c.t[1] * s.length(frame.tau1);
       const double slope = width > 0 ? (v - u) / width : 0;
-      return Linear{u - slope * swept_.tau0, slope};
+      return Linear{u - slope * frame.tau0, slope};
     };
-    s.first_piece = static_cast<std::uint32_t>(pieces.size());
+    s.first_piece = static_cast<std::uint32_t>(window.pieces.size());
     for (std::size_t k = 0; k <= cuts.size(); ++k) {
       const CutPlace from = k == 0 ? CutPlace{{0, 0}} : cuts[k - 1], to = k == cuts.size() ? CutPlace{{1, 1}} : cuts[k];
       PieceEnds ends = ends_between(swept, from, to);
       if (!cuts.empty() && !cutter.live(ends)) continue;
       ends.dx = s.dx;
       ends.dy = s.dy;
-      ends.error = kWindowSide * (std::abs(s.dx) + std::abs(s.dy)) * span_;
+      ends.error = kWindowSide * (std::abs(s.dx) + std::abs(s.dy)) * window.span();
       Piece p;
       p.segment = n;
       p.half = s.dy > 0 || (s.dy == 0 && s.dx > 0) ? 0 : 1;
@@ -124,11 +125,12 @@ void Window::add_pieces(const SweptMask& mask) {
       p.tail_cut = k < cuts.size();
       if (p.head_cut) p.head = linear(from);
       if (p.tail_cut) p.tail = linear(to);
-      pieces.push_back(p);
-      ends_.push_back(ends);
+      window.pieces.push_back(p);
+      all_ends.push_back(ends);
     }
-    s.last_piece = static_cast<std::uint32_t>(pieces.size());
+    s.last_piece = static_cast<std::uint32_t>(window.pieces.size());
   }
+  return all_ends;
 }
 
 }  // namespace dymsum::planar

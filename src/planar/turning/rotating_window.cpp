@@ -26,7 +26,7 @@ RotatingWindow::RotatingWindow(const TurnGrid& grid, const TurnCatalog& catalog,
   add_segments(dead);
   find_next();
   find_candidates(dead);
-  index_candidates();
+  index(candidates, pieces.size());
   find_dead_tails();
   find_runs();
   find_rounds();
@@ -208,21 +208,6 @@ void RotatingWindow::find_candidates(const CoveredCells& dead) {
     return dead.live(g.row(std::max(u.y0, v.y0)), g.column(std::max(u.x0, v.x0)), g.row(std::min(u.y1, v.y1)),
                      g.column(std::min(u.x1, v.x1))) == 0;
   });
-}
-
-void RotatingWindow::index_candidates() {
-  first_of.assign(pieces.size() + 1, 0);
-  for (const TurnCandidate& m : candidates) {
-    ++first_of[m.a + 1];
-    ++first_of[m.b + 1];
-  }
-  for (std::size_t i = 0; i < pieces.size(); ++i) first_of[i + 1] += first_of[i];
-  of.resize(first_of.back());
-  std::vector<std::uint32_t> fill(first_of.begin(), first_of.end() - 1);
-  for (std::uint32_t m = 0; m < candidates.size(); ++m) {
-    of[fill[candidates[m].a]++] = m;
-    of[fill[candidates[m].b]++] = m;
-  }
 }
 
 // As at most one of the two exists at a time, one that exists throughout is the only one.

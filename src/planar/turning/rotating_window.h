@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "planar/frames/candidate_index.h"
 #include "planar/turning/turn_catalog.h"
 #include "planar/turning/turn_grid.h"
 
@@ -40,7 +41,7 @@ struct TurnCandidate {
   std::uint32_t segment_a = 0, segment_b = 0;
 };
 
-class RotatingWindow {
+class RotatingWindow : public CandidateIndex {
  public:
   /// Angles within `half` of `middle`, a little more being covered. `mask` off: no cell is dead.
   RotatingWindow(const TurnGrid& grid, const TurnCatalog& catalog, double middle, double half, bool mask);
@@ -51,10 +52,9 @@ class RotatingWindow {
   std::vector<TurnSegment> segments;
   std::vector<TurnPiece> pieces;
   std::vector<TurnCandidate> candidates;
-  std::vector<std::uint32_t> first_of, of;  ///< those of piece i are of[first_of[i] .. first_of[i + 1])
-  std::vector<std::uint32_t> changing;      ///< segments that do not exist at every angle
-  std::vector<std::uint32_t> rounds;        ///< whole pieces that may follow each other all round, without quiet ones
-  std::vector<std::uint32_t> circles;       ///< quiet pieces whose followers lead back to them, one of each circle
+  std::vector<std::uint32_t> changing;  ///< segments that do not exist at every angle
+  std::vector<std::uint32_t> rounds;    ///< whole pieces that may follow each other all round, without quiet ones
+  std::vector<std::uint32_t> circles;   ///< quiet pieces whose followers lead back to them, one of each circle
   std::uint64_t all_segments = 0, pair_tests = 0;
 
   const TurningForms& forms() const { return forms_; }
@@ -84,7 +84,6 @@ class RotatingWindow {
   Box box_of(const TurnPiece& p, double reach) const;
   void find_candidates(const CoveredCells& dead);
   bool apart(const TurnPiece& p, const TurnPiece& q) const;
-  void index_candidates();
   void find_next();
   void find_dead_tails();
   void find_runs();
