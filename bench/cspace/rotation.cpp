@@ -22,8 +22,8 @@ double mean(const std::vector<double>& list) {
 }
 
 RotatingSum rotating(const TurningPair& pair) {
-  RotatingOptions options;
-  options.turning = TurningOperand::q;
+  MovingOptions options;
+  options.moving = MovingOperand::q;
   options.reflect_q = true;
   return RotatingSum::create(pair.obstacle, pair.robot, options).value();
 }

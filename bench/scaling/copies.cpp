@@ -52,7 +52,7 @@ CopiesRow measure_copies(const ScalingPair& pair, const CopiesPlan& plan, int ro
   row.segments = convolution_sizes(pair.p, negated(pair.q)).reduced;
   std::vector<ScaledCopy> copies;
   for (const double s : plan.scales) copies.push_back({Scale::of(s).value(), {}});
-  ScalingOptions options;
+  MovingOptions options;
   options.reflect_q = true;
   Times ours, fresh, all_pairs;
   std::vector<CopySum> sums;

@@ -238,7 +238,7 @@ void pair_events_table(Report& report, const Options& options, const std::vector
   for (const ScalingPair& pair : pairs) {
     if (!is_thesis_pair(pair) || !wanted(options, pair.name)) continue;
     const PairEventCount c =
-        count_pair_events(pair.p, pair.q, pair.q_scales ? ScaledOperand::q : ScaledOperand::p).value();
+        count_pair_events(pair.p, pair.q, pair.q_scales ? MovingOperand::q : MovingOperand::p).value();
     report.line("| " + pair.name + " | " + std::to_string(c.segments) + " | " + std::to_string(c.pairs_that_meet) +
                 " | " + std::to_string(c.events) + " | " + std::to_string(c.exact_pairs) + " |");
   }

@@ -126,8 +126,8 @@ FramesRow measure_frames(const ScalingPair& pair, const FramesPlan& plan) {
   row.p_vertices = pair.p.vertex_count();
   row.q_vertices = pair.q.vertex_count();
   row.segments = convolution_sizes(pair.p, pair.q).reduced;
-  ScalingOptions options;
-  options.scaled = pair.q_scales ? ScaledOperand::q : ScaledOperand::p;
+  MovingOptions options;
+  options.moving = pair.q_scales ? MovingOperand::q : MovingOperand::p;
   options.mode = plan.mode;
   // Each system sweeps on its own, as it would in use, one after the other kSweeps times; then both sweep together and
   // are compared.

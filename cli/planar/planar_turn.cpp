@@ -19,7 +19,7 @@ std::vector<PlanarFrame<Orientation>> frames_of(const PlanarTurn& turn) {
 }
 
 RotatingSum rotating_sum(const PlanarTurn& turn, const std::vector<Input>& inputs, FrameMode mode) {
-  RotatingOptions options;
+  MovingOptions options;
   options.semantics = turn.semantics == "open"      ? Semantics::open
                       : turn.semantics == "regular" ? Semantics::regular
                                                     : Semantics::closed;

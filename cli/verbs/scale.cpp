@@ -84,7 +84,7 @@ std::vector<std::string> event_lines(const std::vector<ScaleEvent>& events) {
   return lines;
 }
 
-ScalingSum scaling_sum(const std::vector<Input>& inputs, const ScalingOptions& options) {
+ScalingSum scaling_sum(const std::vector<Input>& inputs, const MovingOptions& options) {
   return require_of(inputs, ScalingSum::create(inputs[0].region, inputs[1].region, options));
 }
 
@@ -95,7 +95,7 @@ ExitCode run_planar_scale(const ScaleCommand& command) {
   const InterruptGuard guard;
   std::optional<ProgressBar> bar(std::in_place);
   const Progress progress = bar->callback();
-  ScalingOptions options = scaling_options(command);
+  MovingOptions options = scaling_options(command);
   auto motion = run_planar_motion<ScalingSum>(
       frames, command.report, command.files, progress, [&] { return scaling_sum(inputs, options); },
       [](ScalingSum& sum, const Scale& s) { require(sum.set(s)); });
@@ -176,9 +176,9 @@ Scale read_scale(const std::string& text, const std::string& option) {
   return require_option(Scale::parse(text), option);
 }
 
-ScalingOptions scaling_options(const ScaleCommand& command) {
-  ScalingOptions options;
-  options.scaled = command.scaled == "p" ? ScaledOperand::p : ScaledOperand::q;
+MovingOptions scaling_options(const ScaleCommand& command) {
+  MovingOptions options;
+  options.moving = command.scaled == "p" ? MovingOperand::p : MovingOperand::q;
   options.reflect_q = command.robot;
   options.mode = command.mode == "window"    ? FrameMode::window
                  : command.mode == "rebuild" ? FrameMode::rebuild

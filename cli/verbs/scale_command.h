@@ -26,7 +26,7 @@ struct ScaleCommand {
 std::vector<std::string> listed(const std::vector<std::string>& values);
 /// An exact scale; a Stop with wrong usage for what is none.
 Scale read_scale(const std::string& text, const std::string& option);
-ScalingOptions scaling_options(const ScaleCommand& command);
+MovingOptions scaling_options(const ScaleCommand& command);
 
 /// scale --copies: the sums of the copies of a master shape that a file lists.
 ExitCode run_copies(const ScaleCommand& command);

@@ -58,7 +58,7 @@ ExitCode run_copies(const ScaleCommand& command) {
   const Region &master = inputs[0].region, &q = inputs[1].region;
   const InterruptGuard guard;
   std::optional<ProgressBar> bar(std::in_place);
-  ScalingOptions options = scaling_options(command), fresh = options;
+  MovingOptions options = scaling_options(command), fresh = options;
   options.progress = fresh.progress = bar->callback();
   fresh.mode = FrameMode::rebuild;
   const auto [sums, timing] =

@@ -1,11 +1,17 @@
-// Frames of sums in motion: how they are made, the work they took and what changed. Shared by ScalingSum and
-// RotatingSum.
+// Planar sums in motion: which operand moves, how frames are made, the work they took and what changed. Shared by
+// ScalingSum and RotatingSum.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
+#include "dymsum/planar_sum.h"
+#include "dymsum/progress.h"
+
 namespace dymsum {
+
+/// Which operand moves: is scaled or turned, about the origin of its coordinates.
+enum class MovingOperand : std::uint8_t { p, q };
 
 /// How frames are made. automatic: the controller chooses between the two by what they have cost, with hysteresis.
 /// Building a window counts less than whole, as it makes few frames late and most of them many times cheaper: where
@@ -15,6 +21,18 @@ enum class FrameMode : std::uint8_t {
   automatic,
   window,   ///< always update inside windows, however short they live
   rebuild,  ///< always compute from scratch
+};
+
+struct MovingOptions {
+  MovingOperand moving = MovingOperand::p;
+  bool reflect_q = false;  ///< P (+) -Q: Q is a robot and P an obstacle. Provenance indices refer to Q
+  Semantics semantics = Semantics::closed;
+  FrameMode mode = FrameMode::automatic;
+  /// How far windows reach ahead: relative to the scale (0.05: from s to 1.05 s), or in radians; 0: chosen by the
+  /// controller.
+  double window = 0;
+  ForcedTier forced_tier;
+  Progress progress;  ///< asked before a window is built and between stages of a rebuild, see progress.h
 };
 
 /// The work of one frame.

@@ -16,19 +16,6 @@ namespace planar {
 struct RotatingInternals;
 }
 
-/// Which operand turns, about the origin of its coordinates.
-enum class TurningOperand : std::uint8_t { p, q };
-
-struct RotatingOptions {
-  TurningOperand turning = TurningOperand::p;
-  bool reflect_q = false;  ///< P (+) -Q: Q is a robot and P an obstacle. Provenance indices refer to Q
-  Semantics semantics = Semantics::closed;
-  FrameMode mode = FrameMode::automatic;
-  double window = 0;  ///< how many radians windows cover ahead; 0: chosen by the controller
-  ForcedTier forced_tier;
-  Progress progress;  ///< asked before a window is built and between stages of a rebuild, see progress.h
-};
-
 /// Vertices are never rounded: between two frames everything is decided by signs of trigonometric polynomials, in
 /// doubles with proved bounds; a frame that they do not decide, one at which something touches among them, is computed
 /// from scratch on integers. Source: Behar 2016, 6.1 carried over to rotations (docs/design/rotating-sum.md).
@@ -36,7 +23,7 @@ class RotatingSum {
  public:
   /// R(theta) P (+) Q at theta = 0. General regions; polylines and points make every frame a rebuild. Errors:
   /// unsupported_operand for coordinates beyond 2^1000; cancelled.
-  static Result<RotatingSum> create(const Region& p, const Region& q, const RotatingOptions& options = {});
+  static Result<RotatingSum> create(const Region& p, const Region& q, const MovingOptions& options = {});
   RotatingSum(RotatingSum&&) noexcept;
   RotatingSum& operator=(RotatingSum&&) noexcept;
   ~RotatingSum();

@@ -18,19 +18,6 @@ namespace planar {
 struct ScalingInternals;
 }
 
-/// Which operand is multiplied by s, about the origin of its coordinates.
-enum class ScaledOperand : std::uint8_t { p, q };
-
-struct ScalingOptions {
-  ScaledOperand scaled = ScaledOperand::p;
-  bool reflect_q = false;  ///< P (+) -Q: Q is a robot and P an obstacle. Provenance indices refer to Q
-  Semantics semantics = Semantics::closed;
-  FrameMode mode = FrameMode::automatic;
-  double window = 0;  ///< relative width of windows (0.05: from s to 1.05 s); 0: chosen by the controller
-  ForcedTier forced_tier;
-  Progress progress;  ///< asked between stages of a rebuild, see progress.h
-};
-
 /// An exact scale at which segments of the convolution begin or cease to meet.
 struct ScaleEvent {
   enum class Kind : std::uint8_t {
@@ -54,7 +41,7 @@ class ScalingSum {
  public:
   /// P (+) Q with one operand to be scaled, at s = 1. General regions; polylines and points make every frame a rebuild.
   /// Errors: unsupported_operand for coordinates beyond 2^1000; cancelled.
-  static Result<ScalingSum> create(const Region& p, const Region& q, const ScalingOptions& options = {});
+  static Result<ScalingSum> create(const Region& p, const Region& q, const MovingOptions& options = {});
 
   ScalingSum(ScalingSum&&) noexcept;
   ScalingSum& operator=(ScalingSum&&) noexcept;
@@ -103,7 +90,7 @@ struct PairEventCount {
   std::uint64_t events = 0;           ///< ends of these intervals strictly between 0 and infinity
   std::uint64_t exact_pairs = 0;      ///< pairs that doubles did not decide
 };
-Result<PairEventCount> count_pair_events(const Region& p, const Region& q, ScaledOperand scaled,
+Result<PairEventCount> count_pair_events(const Region& p, const Region& q, MovingOperand scaled,
                                          const Progress& progress = {});
 
 /// One copy of a master shape: scaled about its origin, then moved.
@@ -121,6 +108,6 @@ struct CopySum {
   FrameWork work;  ///< nothing for a copy whose scale another one before it has
 };
 Result<std::vector<CopySum>> scaled_copies(const Region& master, const Region& q, const std::vector<ScaledCopy>& copies,
-                                           const ScalingOptions& options = {});
+                                           const MovingOptions& options = {});
 
 }  // namespace dymsum

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dymsum/scale_range.h"
+#include "planar/arrangement/soup.h"
 #include "planar/convolution/convolution.h"
 #include "planar/frames/operand_pair.h"
 #include "planar/scaling/exact_forms.h"

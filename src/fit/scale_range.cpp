@@ -7,7 +7,9 @@
 #include "fit/path_free.h"
 #include "planar/operand/prepared_region.h"
 #include "planar/region/complement.h"
+#include "planar/region/separate_touching.h"
 #include "planar/scaling/events.h"
+#include "planar/scaling/scaling_state.h"
 
 namespace dymsum {
 
@@ -164,13 +166,13 @@ class AnyPlacement {
   }
 
   std::vector<EventValue> events(const BigRational& from, const BigRational& to) {
-    return events_of(*state_->window_between(from, to), state_->forms(), from, to);
+    return events_of(*state_->windows.between(from, to), forms_, from, to);
   }
 
  private:
-  static ScalingOptions options() {
-    ScalingOptions options;
-    options.scaled = ScaledOperand::q;
+  static MovingOptions options() {
+    MovingOptions options;
+    options.moving = MovingOperand::q;
     options.semantics = Semantics::open;
     options.mode = FrameMode::window;
     options.window = 1.0 / 16;
@@ -179,10 +181,12 @@ class AnyPlacement {
   AnyPlacement(std::shared_ptr<const OperandPair> base, ObstacleNumbers numbers)
       : base_(base),
         numbers_(std::move(numbers)),
+        forms_(*base_),
         state_(std::make_unique<planar::ScalingState>(std::move(base), options())) {}
 
   std::shared_ptr<const OperandPair> base_;
   ObstacleNumbers numbers_;
+  ExactForms forms_;
   std::unique_ptr<planar::ScalingState> state_;
 };
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "planar/operand/prepared_region.h"
+#include "planar/frames/region_pair.h"
 #include "planar/scaling/scaling_state.h"
 
 namespace dymsum {
@@ -49,12 +49,12 @@ std::vector<std::vector<std::size_t>> by_scale(const std::vector<ScaledCopy>& co
 }  // namespace
 
 Result<std::vector<CopySum>> scaled_copies(const Region& master, const Region& q, const std::vector<ScaledCopy>& copies,
-                                           const ScalingOptions& options) {
-  Result<std::shared_ptr<const planar::OperandPair>> base = planar::OperandPair::create(
-      {planar::prepared_operand(master, 0), planar::prepared_operand(q, 1, options.reflect_q)}, {}, 0,
-      planar::SumInternals::min_tier_bits(options));
+                                           const MovingOptions& options) {
+  MovingOptions scaling = options;
+  scaling.moving = MovingOperand::p;
+  Result<std::shared_ptr<const planar::OperandPair>> base = planar::pair_of_regions(master, q, scaling);
   if (!base) return base.error();
-  planar::ScalingState state(std::move(base).value(), options);
+  planar::ScalingState state(std::move(base).value(), scaling);
   const bool plan = options.mode == FrameMode::automatic && options.window == 0;
   const std::vector<std::vector<std::size_t>> groups = by_scale(copies);
   std::vector<double> scales;

@@ -1,21 +1,15 @@
 // Two regions as operands on their common lattice: what the stages of a sum start from.
 #pragma once
 
-#include <memory>
-
+#include "planar/operand/placed_pair.h"
 #include "planar/operand/prepared_region.h"
 
 namespace dymsum::planar {
 
-struct PlacedPair {
-  PlacedPair(const Region& a, const Region& b) {
-    const auto kept_p = prepared_operand(a, 0), kept_q = prepared_operand(b, 1);
-    lattice = make_lattice(kept_p->points, kept_q->points, 0);
-    p = placed_on(*lattice, kept_p);
-    q = placed_on(*lattice, kept_q);
-  }
-  std::shared_ptr<const Lattice> lattice;
-  std::shared_ptr<const Operand> p, q;
-};
+inline PlacedPair placed_pair(const Region& a, const Region& b) {
+  const auto p = prepared_operand(a, 0), q = prepared_operand(b, 1);
+  const auto lattice = make_lattice(p->points, q->points, 0);
+  return {lattice, placed_on(*lattice, p), placed_on(*lattice, q)};
+}
 
 }  // namespace dymsum::planar

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "planar/convolution/convolution.h"
+#include "planar/operand/operand.h"
 
 namespace dymsum::planar {
 

@@ -100,7 +100,7 @@ class Collector {
 
   void find_crossings() {
     crossings_.resize(w_.segments.size());
-    for (const TurnWindow::Meeting& m : w_.meetings) {
+    for (const TurnWindow::SegmentPair& m : w_.pairs) {
       if (forms_.parallel(w_.segments[m.a], w_.segments[m.b])) {
         overlaps(w_.segments[m.a], w_.segments[m.b]);
         continue;
@@ -169,7 +169,7 @@ class Collector {
 
   void find_vertices() {
     std::vector<std::array<std::uint32_t, 3>> seen;
-    for (const TurnWindow::Meeting& m : w_.meetings)
+    for (const TurnWindow::SegmentPair& m : w_.pairs)
       for (const auto& [i, j] : {std::pair{m.a, m.b}, std::pair{m.b, m.a}})
         for (const Pair v : {TurningForms::start(w_.segments[j]), forms_.end(w_.segments[j])}) {
           const WalkSegment& a = w_.segments[i];
@@ -252,7 +252,7 @@ class Collector {
   static std::size_t bit_of(std::uint32_t k) { return (k * 2654435761u) >> 23; }
   void sketch_meetings() {
     sketches_.resize(w_.segments.size());
-    for (const TurnWindow::Meeting& m : w_.meetings) sketches_[m.a].set(bit_of(m.b));
+    for (const TurnWindow::SegmentPair& m : w_.pairs) sketches_[m.a].set(bit_of(m.b));
   }
   bool may_meet(std::uint32_t j, std::uint32_t k) const { return sketches_[j].test(bit_of(k)); }
 

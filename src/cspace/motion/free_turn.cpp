@@ -1,7 +1,7 @@
 #include "cspace/motion/free_turn.h"
 
 #include "cspace/boundary/free_place.h"
-#include "planar/turning/slice.h"
+#include "planar/frames/region_pair.h"
 
 namespace dymsum::planar {
 
@@ -39,7 +39,9 @@ std::vector<TurnMark> FreeTurn::marks(const Orientation& from, const Orientation
 
 bool FreeTurn::is_free_at(const ExactAngle& angle) {
   if (!forms_) {
-    base_ = turning_base(obstacle_.obstacle(), obstacle_.robot(), 1, true, {{{at_}, {Point{0, 0}}}}, 0).value();
+    base_ = pair_of_regions(obstacle_.obstacle(), obstacle_.robot(),
+                            {.moved = 1, .reflect_q = true, .further = {{{at_}, {Point{0, 0}}}}})
+                .value();
     forms_.emplace(*base_, 1);
   }
   ExactPlace place;

@@ -15,6 +15,7 @@
 #include "cspace/obstacle/obstacle_start.h"
 #include "cspace/obstacle/point_passage.h"
 #include "planar/boundary/collision.h"
+#include "planar/frames/region_pair.h"
 #include "planar/turning/exact_angle.h"
 #include "planar/turning/slice.h"
 
@@ -148,7 +149,7 @@ Result<std::unique_ptr<planar::ObstacleState>> planar::start_obstacle(const Regi
   for (const Region* region : {&robot, &obstacle})
     if (std::optional<Error> error = beyond_range(*region)) return *std::move(error);
   if (std::optional<Error> error = refused_wires(robot, obstacle)) return *std::move(error);
-  auto base = turning_base(obstacle, robot, 1, true, {}, 0);
+  auto base = pair_of_regions(obstacle, robot, PairOptions{.moved = 1, .reflect_q = true});
   if (!base) return base.error();
   auto state = std::make_unique<planar::ObstacleState>();
   state->robot = robot;
@@ -268,8 +269,9 @@ Result<PlanarSum> CspaceObstacle::slice(const Orientation& theta, Semantics sema
 bool CspaceObstacle::contains(double x, double y, const Orientation& theta) const {
   // The obstacle of moderate operands is moderate.
   if (!(std::abs(x) <= 0x1p402 && std::abs(y) <= 0x1p402)) return false;
-  const auto base = turning_base(state_->obstacle, state_->robot, 1, true, {{{Point{x, y}}, {Point{0, 0}}}}, 0);
-  const SumState at = placed_at(**base, theta);
+  const auto base = pair_of_regions(state_->obstacle, state_->robot,
+                                    {.moved = 1, .reflect_q = true, .further = {{{Point{x, y}}, {Point{0, 0}}}}});
+  const PlacedPair at = placed_at(**base, theta);
   const Lattice& l = *at.lattice;
   Place place;
   place.first.pair = {static_cast<std::uint32_t>(l.points[0]->input.size() - 1),

@@ -5,13 +5,14 @@
 #include "cspace/events/walk_numbers.h"
 #include "planar/boundary/collision.h"
 #include "planar/position/ring_containment.h"
+#include "planar/sum/sum_engine.h"
 #include "planar/turning/slice.h"
 
 namespace dymsum::planar {
 namespace {
 
 // The middle of the loop's first piece.
-Place place_on_loop(const std::vector<WalkSegment>& loop, const TurningForms& forms, const SumState& state) {
+Place place_on_loop(const std::vector<WalkSegment>& loop, const TurningForms& forms, const PlacedPair& state) {
   const auto exact_segment = [&](const WalkSegment& s) {
     const Operand &o = s.side == 0 ? *state.p : *state.q, &other = s.side == 0 ? *state.q : *state.p;
     return Segment{o.edge(s.edge), other.source[s.vertex]};
@@ -124,7 +125,7 @@ SliceReader::Faces SliceReader::faces(const Orientation& at, const BoundaryGraph
 }
 
 bool SliceReader::is_free(const std::vector<WalkSegment>& loop, const Orientation& at) const {
-  const SumState state = placed_at(*base_, at);
+  const PlacedPair state = placed_at(*base_, at);
   Collision collision(*state.lattice, *state.p, *state.q, true);
   return !collision.overlaps_right_of(place_on_loop(loop, forms_, state));
 }

@@ -81,7 +81,7 @@ void TurnWindows::add(const TurnRange& range, int depth, Halved halved, std::vec
   PreparedWindow p;
   p.range = range;
   p.window = std::make_unique<TurnWindow>(*grid_, catalog_, range, !reference_ && pairs_ > 100);
-  if (divides && p.window->meetings.size() > kMost * p.window->segments.size()) return halve();
+  if (divides && p.window->pairs.size() > kMost * p.window->segments.size()) return halve();
   p.filter = std::make_unique<OverlapFilter>(forms_, *p.window);
   QuarterEnds ends;
   if (crowded_) {

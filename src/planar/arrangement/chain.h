@@ -9,8 +9,6 @@
 
 namespace dymsum::planar {
 
-inline constexpr std::uint32_t kNone = 0xffffffff;
-
 /// A segment that starts or ends at a pair.
 struct Incidence {
   std::uint32_t segment = 0;

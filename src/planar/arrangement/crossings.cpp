@@ -11,6 +11,8 @@
 #include <emmintrin.h>
 #endif
 
+#include "planar/mask/segment_clip.h"
+
 namespace dymsum::planar {
 
 namespace {
@@ -354,25 +356,10 @@ void CrossingFinder::test_cell(std::span<const std::uint32_t> ids) {
 
 namespace {
 
-// The parameters between which a segment certainly passes through a cell, not just within reach of it: none where t0 >
-// t1.
-struct Inside {
-  double t0 = 0, t1 = 1;
-};
-Inside inside_cell(const SoupBox& b, const Grid& grid, int row, int column) {
-  Inside t;
-  const auto clip = [&](double from, double to, int cell) {
-    const double d = to - from;
-    if (d == 0) return;
-    const double low = std::max(cell * grid.cell, std::min(from, to));
-    const double high = std::min((cell + 1) * grid.cell, std::max(from, to));
-    const double u = (low - from) / d, v = (high - from) / d;
-    t.t0 = std::max(t.t0, std::min(u, v));
-    t.t1 = std::min(t.t1, std::max(u, v));
-  };
-  clip(b.ax, b.bx, column);
-  clip(b.ay, b.by, row);
-  return t;
+// What of a segment certainly lies in a cell, not just within reach of it.
+SegmentClip::Part inside_cell(const SoupBox& b, const Grid& grid, int row, int column) {
+  const double h = grid.cell;
+  return SegmentClip(b.ax, b.ay, b.bx - b.ax, b.by - b.ay).within(column * h, row * h, (column + 1) * h, (row + 1) * h);
 }
 
 }  // namespace
@@ -400,8 +387,8 @@ CrossingFinder::CellLists CrossingFinder::list_cells(Array<CoveredMark>& covered
       for (int c = c0; c <= c1; ++c, ++cell) {
         if (mask_ != nullptr && mask_->covered(row, c)) {
           if (c > c0 && mask_->covered(row, c - 1)) continue;
-          if (const Inside t = inside_cell(b, grid, row, c); t.t1 > t.t0)
-            covered_marks.push_back({s, 0.5 * (t.t0 + t.t1)});
+          if (const SegmentClip::Part t = inside_cell(b, grid, row, c); t.to > t.from)
+            covered_marks.push_back({s, t.middle()});
           continue;
         }
         items.push_back({cell, s});

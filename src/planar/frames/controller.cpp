@@ -14,10 +14,10 @@ constexpr double kFirst = 0.4;        // the first one, whose cost nobody knows,
 constexpr double kMostFrames = 64;
 constexpr double kLargestStep = 0.16;  // beyond it no window has been seen to pay
 constexpr double kNarrowest = 1e-6;
-constexpr double kTooDear =
+constexpr double kTooExpensive =
     1.15;  // windows are left above so much of a frame from scratch: most of their frames are far cheaper
-constexpr double kDearestWindow = 12, kDearestFrame = 2;  // times a frame from scratch
-constexpr double kDearestBuilding = 8;  // times a frame from scratch: no window that costs more has been seen to pay
+constexpr double kMostOfWindow = 12, kMostOfFrame = 2;  // times a frame from scratch
+constexpr double kMostOfBuilding = 8;  // times a frame from scratch: no window that costs more has been seen to pay
 constexpr std::uint64_t kLongestRest = 256;
 constexpr double kHysteresis = 0.05;  // relative gain below which the width stays
 
@@ -26,7 +26,7 @@ constexpr double kHysteresis = 0.05;  // relative gain below which the width sta
 void WindowController::close_window() {
   if (served_ == 0) return;
   const double cost = (spent_ - forgiven_) / static_cast<double>(served_);
-  // Climb towards the cheapest width; turn round when it got dearer by more than frames differ anyway.
+  // Climb towards the cheapest width; turn round when it got more expensive by more than frames differ anyway.
   if (compared_ > 0 && cost > compared_ * (1 + kHysteresis)) factor_ = 1 / factor_;
   if (compared_ == 0 || std::abs(cost - compared_) > kHysteresis * compared_)
     frames_ahead_ = std::clamp(frames_ahead_ * factor_, kFrames, kMostFrames);
@@ -37,24 +37,24 @@ void WindowController::close_window() {
 }
 
 void WindowController::rebuilt(double cost) {
-  // What is cheaper counts at once, what is dearer slowly.
+  // What is cheaper counts at once, what is more expensive slowly.
   static_cost_ = static_cost_ == 0 || cost < static_cost_ ? cost : 0.9 * static_cost_ + 0.1 * cost;
   if (rest_ > 0) --rest_;
 }
 
 bool WindowController::give_up(double cost) {
   if (cost <= static_cost_ || static_cost_ == 0) {
-    dear_ = 0;
+    expensive_ = 0;
     return false;
   }
-  if (++dear_ < 3) return false;
-  dear_ = 0;
+  if (++expensive_ < 3) return false;
+  expensive_ = 0;
   return true;
 }
 
 // One frame with many collision tests says little about the next ones.
 void WindowController::built(double cost, double forgiven) {
-  spent_ = static_cost_ > 0 ? std::min(cost, kDearestWindow * static_cost_) : cost;
+  spent_ = static_cost_ > 0 ? std::min(cost, kMostOfWindow * static_cost_) : cost;
   forgiven_ = std::min(forgiven, spent_);
   served_ = 1;
 }
@@ -71,10 +71,10 @@ void WindowController::rest(double step) {
   backoff_ = std::min<std::uint64_t>(2 * backoff_, kLongestRest);
 }
 
-double WindowController::dearest_building() const { return kDearestBuilding * static_cost_; }
+double WindowController::most_expensive_building() const { return kMostOfBuilding * static_cost_; }
 
 void WindowController::updated(double cost) {
-  spent_ += static_cost_ > 0 ? std::min(cost, kDearestFrame * static_cost_) : cost;
+  spent_ += static_cost_ > 0 ? std::min(cost, kMostOfFrame * static_cost_) : cost;
   ++served_;
 }
 
@@ -89,7 +89,7 @@ WindowController::Choice WindowController::choose(double step, double widest, Fr
   if (mode == FrameMode::automatic) {
     // A window that cost more a frame than computing from scratch: leave it for a while, or until steps get much
     // smaller.
-    if (served > 0 && last_cost_ > kTooDear * static_cost_) {
+    if (served > 0 && last_cost_ > kTooExpensive * static_cost_) {
       rest(step);
     } else if (served > 0) {
       bad_step_ = 0;

@@ -25,9 +25,9 @@ class WindowController {
   void built(double cost, double forgiven = 0);
   /// What building a window may cost before it is abandoned, or 0 if that is not known; and that it was, for a frame
   /// `step` after the last.
-  double dearest_building() const;
+  double most_expensive_building() const;
   void abandoned(double step);
-  /// Whether frames inside the window have been dearer than from scratch three times in a row.
+  /// Whether frames inside the window have been more expensive than from scratch three times in a row.
   bool give_up(double cost);
   void updated(double cost);
 
@@ -43,7 +43,7 @@ class WindowController {
   double spent_ = 0, forgiven_ = 0;
   std::uint64_t served_ = 0;  ///< frames of the open window
   double recent_ = 0;         ///< the largest recent step, fading
-  int dear_ = 0;
+  int expensive_ = 0;
   std::uint64_t windows_since_ = 0;
   double bad_step_ = 0;                   ///< windows did not pay at this step
   std::uint64_t rest_ = 0, backoff_ = 8;  ///< frames until they are tried again

@@ -14,7 +14,7 @@
 #include "planar/operand/directions.h"
 #include "planar/operand/edge_tree.h"
 #include "planar/operand/lattice.h"
-#include "planar/region/separate_touching.h"
+#include "planar/region/engine_region.h"
 
 namespace dymsum::planar {
 
@@ -84,6 +84,9 @@ struct Operand {
  private:
   EdgeTrees trees_;
 };
+
+/// No segment, piece, edge or vertex.
+inline constexpr std::uint32_t kNone = 0xffffffff;
 
 /// A segment by walk edge of one side and walk vertex of the other: side 0 is edge of P + vertex of Q.
 struct WalkSegment {

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "planar/region/separate_touching.h"
+#include "planar/region/engine_region.h"
 
 namespace dymsum::planar {
 

@@ -6,12 +6,14 @@
 #include "dymsum/planar_sum.h"
 #include "planar/boundary/raw_boundary.h"
 #include "planar/operand/operand.h"
+#include "planar/operand/placed_pair.h"
 
 namespace dymsum::planar {
 
-struct SumState {
-  std::shared_ptr<const Lattice> lattice;
-  std::shared_ptr<const Operand> p, q;
+struct SumState : PlacedPair {
+  SumState() = default;
+  explicit SumState(PlacedPair placed) : PlacedPair(std::move(placed)) { stats.tier_bits = lattice->tier_bits; }
+
   RawBoundary boundary;
   SumStats stats;
   std::unique_ptr<PlanarTrace> trace;  ///< where one is to be recorded

@@ -23,7 +23,7 @@ RotatingFrame::RotatingFrame(const RotatingWindow& window) : window_(window) {
   for (std::uint32_t i = 0; i < n; ++i) {
     const TurnSegment& s = window.segments[i];
     if (window.first_of[s.first_piece] == window.first_of[s.last_piece]) continue;
-    busy_[s.walk.side].push_back({i, s.start.p, s.start.q, s.walk.edge});
+    busy_[s.side].push_back({i, s.start.p, s.start.q, s.edge});
     placed_[i].length1 = s.length1;
     placed_[i].error = kTurnedEndSide * window.forms().span() * s.length1;
   }
@@ -88,13 +88,13 @@ bool RotatingFrame::place_segments(double delta) {
 // Those are left out of which one does not exist, or both ends of one lie on one side of the other. Without branches:
 // which of them cross cannot be predicted, so all are listed and the place moves on for those that may.
 void RotatingFrame::find_near() {
-  const std::size_t count = window_.meetings.size();
+  const std::size_t count = window_.candidates.size();
   near_.resize(count + 1);
-  const TurnMeeting* meetings = window_.meetings.data();
+  const TurnCandidate* candidates = window_.candidates.data();
   const Placed* placed = placed_.data();
   Near* near = near_.data();
   for (std::uint32_t i = 0; i < count; ++i) {
-    const Placed &a = placed[meetings[i].segment_a], &b = placed[meetings[i].segment_b];
+    const Placed &a = placed[candidates[i].segment_a], &b = placed[candidates[i].segment_b];
     const Two w = b.at - a.at, crossed = a.d * exchanged(b.d), error = {a.error, b.error};
     const double k = crossed[0] - crossed[1];
     const Two starts = firsts(a.d, b.d) * seconds(w, w) - seconds(a.d, b.d) * firsts(w, w), ends = starts + both(k);
@@ -111,7 +111,7 @@ bool RotatingFrame::find_crossings() {
   std::uint32_t number = 0;
   for (std::size_t i = 0; i < near_count_; ++i) {
     const Near& n = near_[i];
-    const TurnMeeting& m = window_.meetings[n.meeting];
+    const TurnCandidate& m = window_.candidates[n.candidate];
     const Placed &a = placed_[m.segment_a], &b = placed_[m.segment_b];
     const bool unsure = any(least(magnitude(n.starts), magnitude(n.starts + both(n.k))) <= n.error);
     if (unsure || std::abs(n.k) <= kCrossKnown * a.length1 * b.length1) {
@@ -259,7 +259,7 @@ bool RotatingFrame::find_plain_cycles() {
 
 // 0 for directions in [0, pi), 1 for the others; sets sure_ to false where doubles do not tell.
 int RotatingFrame::half(const TurnSegment& s, Point d) {
-  if (s.walk.side == 0) return d.y > 0 || (d.y == 0 && d.x > 0) ? 0 : 1;  // rounded once from exact differences
+  if (s.side == 0) return d.y > 0 || (d.y == 0 && d.x > 0) ? 0 : 1;  // rounded once from exact differences
   if (std::abs(d.y) <= kTurnedDirection * s.length1) sure_ = false;
   return d.y > 0 ? 0 : 1;
 }
@@ -267,15 +267,15 @@ int RotatingFrame::half(const TurnSegment& s, Point d) {
 bool RotatingFrame::close(std::uint32_t first) {
   const auto last = static_cast<std::uint32_t>(steps_.size());
   const TurnSegment* a = &window_.segments[steps_[first].segment];
-  Point d = direction(a->walk);
+  Point d = direction(*a);
   int turns = 0, ht = half(*a, d);
   for (std::uint32_t i = first; i < last; ++i) {
     Step& from = steps_[i];
     const TurnSegment* b = &window_.segments[steps_[i + 1 == last ? first : i + 1].segment];
-    const Point e = direction(b->walk);
+    const Point e = direction(*b);
     const double k = d.x * e.y - d.y * e.x, lengths = a->length1 * b->length1;
     if (from.to == kEnd && std::abs(k) <= kNearlyStraight * lengths)
-      from.straight = window_.forms().parallel(a->walk, b->walk);
+      from.straight = window_.forms().parallel(*a, *b);
     const int hf = ht;
     ht = half(*b, e);
     a = b;
@@ -299,7 +299,7 @@ std::optional<Point> RotatingFrame::middle_of(const Step& s) const {
                high = s.to_crossing == kEnd ? 0 : crossings_[s.to_crossing].e_in;
   if (!(middle - from > low && to - middle > high)) return std::nullopt;
   const TurnSegment& segment = window_.segments[s.segment];
-  const Point at = place(segment.start), d = direction(segment.walk);
+  const Point at = place(segment.start), d = direction(segment);
   return Point{at.x + middle * d.x, at.y + middle * d.y};
 }
 

@@ -94,7 +94,7 @@ class RotatingFrame {
   struct Near {
     Two starts{}, error{};
     double k = 0;
-    std::uint32_t meeting = 0;
+    std::uint32_t candidate = 0;
   };
   /// A crossing on a piece.
   struct Entry {
@@ -138,13 +138,13 @@ class RotatingFrame {
   double delta_ = 0;
   std::vector<Point> turned_, turned_edge_;
   std::vector<Way> ways_;                  // by piece
-  std::array<std::vector<Busy>, 2> busy_;  // segments with meetings, by side
+  std::array<std::vector<Busy>, 2> busy_;  // segments with candidates, by side
   std::vector<Placed> placed_;             // by segment, of busy ones; anything where it does not exist
   std::vector<std::uint8_t> exists_;
-  std::vector<Near> near_;  // meetings that may cross: the first near_count_
+  std::vector<Near> near_;  // candidates that may cross: the first near_count_
   std::size_t near_count_ = 0;
   std::vector<Crossing> crossings_;
-  std::vector<std::uint32_t> count_;  // of entries, by piece; the places are those of the window's index of meetings
+  std::vector<std::uint32_t> count_;  // of entries, by piece; the places are those of the window's index of candidates
   std::vector<Entry> entries_;        // along each piece
   std::vector<Stretch> stretches_;    // by piece
   std::vector<std::uint32_t>

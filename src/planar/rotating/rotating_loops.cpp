@@ -53,7 +53,7 @@ class RotatingLoops::Stretch {
   }
 
  private:
-  const WalkSegment& walk(std::uint32_t s) const { return window_.segments[s].walk; }
+  const WalkSegment& walk(std::uint32_t s) const { return window_.segments[s]; }
   const TurnCatalog::Span& span(std::uint32_t s) const { return window_.segments[s].span; }
   int sign(const TrigForm& form, double error) const {
     return !form.far_from_zero(heading_, half_, error) ? 0 : form.at(heading_) > 0 ? 1 : -1;
@@ -71,7 +71,7 @@ class RotatingLoops::Stretch {
 void RotatingLoops::renumber(const RotatingWindow& from, const RotatingWindow& to) {
   const auto number = [&](std::uint32_t s) {
     if (s == kEnd || s == kGone) return s;
-    const std::uint32_t n = to.find(from.segments[s].walk);
+    const std::uint32_t n = to.find(from.segments[s]);
     return n == kNone ? kGone : n;
   };
   for (Known& k : steps_) k = {number(k.segment), number(k.from), number(k.to), k.loop, kNone};
@@ -79,7 +79,7 @@ void RotatingLoops::renumber(const RotatingWindow& from, const RotatingWindow& t
   last_delta_ = std::remainder(last_delta_, kTurn);
 }
 
-void RotatingLoops::update(const RotatingFrame& frame, RotatingPlace& place, RingIdentities& identities,
+void RotatingLoops::update(const RotatingFrame& frame, ExactOverlap& exact_overlap, RingIdentities& identities,
                            FrameWork& work, FrameChanges& changes) {
   std::swap(old_, loops_);
   std::swap(old_steps_, steps_);
@@ -117,7 +117,7 @@ void RotatingLoops::update(const RotatingFrame& frame, RotatingPlace& place, Rin
     Loop& loop = loops_[i];
     if (i == outer) loop.kept = true;
     else if (outer != loops_.size() && loop.turning > 0) loop.kept = false;
-    else loop.kept = !covered(frame, loop, place, work);
+    else loop.kept = !covered(frame, loop, exact_overlap, work);
   }
   for (std::uint32_t i = 0; i < loops_.size(); ++i)
     for (std::uint32_t k = loops_[i].first; k < loops_[i].last; ++k) {
@@ -192,7 +192,7 @@ bool RotatingLoops::undisturbed(const Stretch& all, const RotatingWindow& window
   };
   for (std::uint32_t p = window.segments[a].first_piece; p < window.segments[a].last_piece; ++p)
     for (std::uint32_t k = window.first_of[p]; k < window.first_of[p + 1]; ++k) {
-      const TurnMeeting& m = window.meetings[window.of[k]];
+      const TurnCandidate& m = window.candidates[window.of[k]];
       const std::uint32_t b = window.pieces[m.a == p ? m.b : m.a].segment;
       if (b != s.from && b != s.to && !stays_away(b)) return false;
     }
@@ -222,14 +222,14 @@ std::size_t RotatingLoops::outer_loop(const RotatingFrame& frame, const std::vec
 }
 
 Segment RotatingLoops::source_segment(std::uint32_t segment, const RotatingWindow& window) const {
-  const WalkSegment& w = window.segments[segment].walk;
+  const WalkSegment& w = window.segments[segment];
   const Operand &o = forms_.operand(w.side), &other = forms_.operand(1 - w.side);
   Edge edge = o.edge(w.edge);
   if (swapped_) edge.op = 1 - edge.op;
   return {edge, other.source[w.vertex]};
 }
 
-bool RotatingLoops::covered(const RotatingFrame& frame, Loop& loop, RotatingPlace& place, FrameWork& work) {
+bool RotatingLoops::covered(const RotatingFrame& frame, Loop& loop, ExactOverlap& exact_overlap, FrameWork& work) {
   if (witnessed(frame, loop)) {
     ++work.witnessed;
     return true;
@@ -260,9 +260,9 @@ bool RotatingLoops::covered(const RotatingFrame& frame, Loop& loop, RotatingPlac
   const auto by = [&](std::uint32_t s) {
     return s == kEnd ? std::nullopt : std::optional<Segment>(source_segment(s, frame.window()));
   };
-  const bool inside =
-      place.inside_right_of(source_segment(longest->segment, frame.window()), by(longest->from), by(longest->to));
-  loop.witness = place.crossing_edges();
+  const bool inside = exact_overlap.inside_right_of(source_segment(longest->segment, frame.window()), by(longest->from),
+                                                    by(longest->to));
+  loop.witness = exact_overlap.crossing_edges();
   if (loop.witness) lately_[found_++ % lately_.size()] = *loop.witness;
   return inside;
 }
@@ -330,12 +330,6 @@ void RotatingLoops::follow(const RotatingFrame& frame, RingIdentities& identitie
   for (std::size_t i = 0; i < old_.size(); ++i)
     if (old_[i].kept && !claimed[i])
       changes.rings.push_back({RingChange::Kind::disappeared, old_[i].ring, 0, old_[i].vertices});
-}
-
-void RotatingLoops::name(const std::vector<std::uint64_t>& ids) {
-  std::size_t k = 0;
-  for (Loop& loop : loops_)
-    if (loop.kept) loop.ring = ids[k++];
 }
 
 }  // namespace dymsum::planar

@@ -8,9 +8,9 @@
 
 #include "dymsum/frames.h"
 #include "planar/frames/frame_rings.h"
+#include "planar/rotating/exact_overlap.h"
 #include "planar/rotating/rotating_frame.h"
 #include "planar/rotating/rotating_overlap.h"
-#include "planar/rotating/rotating_place.h"
 
 namespace dymsum::planar {
 
@@ -31,7 +31,7 @@ class RotatingLoops {
 
   /// Takes the cycles of a frame over. What the frame before knew is used if both lie in one window; `identities` gives
   /// fresh names.
-  void update(const RotatingFrame& frame, RotatingPlace& place, RingIdentities& identities, FrameWork& work,
+  void update(const RotatingFrame& frame, ExactOverlap& exact_overlap, RingIdentities& identities, FrameWork& work,
               FrameChanges& changes);
   /// Nothing is known any more of the frame before.
   void forget() {
@@ -39,12 +39,11 @@ class RotatingLoops {
     steps_.clear();
     known_ = false;
   }
-  /// Rings that another way has named.
-  void name(const std::vector<std::uint64_t>& ids_of_kept);
   /// Before the first frame of a new window: the frame before in the numbers of its segments.
   void renumber(const RotatingWindow& from, const RotatingWindow& to);
 
   const std::vector<Loop>& loops() const { return loops_; }
+  std::vector<Loop>& loops() { return loops_; }
   bool known() const { return known_; }
   std::size_t bytes() const {
     return (steps_.capacity() + old_steps_.capacity()) * sizeof(Known) +
@@ -63,7 +62,7 @@ class RotatingLoops {
   bool inherit(const RotatingFrame& frame, Loop& loop, FrameWork& work) const;
   bool witnessed(const RotatingFrame& frame, Loop& loop) const;
   static bool undisturbed(const Stretch& all, const RotatingWindow& window, const RotatingFrame::Step& s);
-  bool covered(const RotatingFrame& frame, Loop& loop, RotatingPlace& place, FrameWork& work);
+  bool covered(const RotatingFrame& frame, Loop& loop, ExactOverlap& exact_overlap, FrameWork& work);
   bool covers(const std::array<std::uint32_t, 2>& edges, const RotatingFrame& frame,
               const RotatingFrame::Located& z) const;
   std::size_t outer_loop(const RotatingFrame& frame, const std::vector<std::uint8_t>& told) const;

@@ -58,7 +58,7 @@ RotatingOverlap::Result RotatingOverlap::right_of(const RotatingFrame& frame, co
   collect(fixed, forms_.points(0), vectors_[0], box_of(turning_), of_fixed_);
   collect(turning, turning_, vectors_[1], box_of(forms_.points(0)), of_turning_);
   if (of_fixed_.size() * of_turning_.size() > kMostPairs) return {};
-  const WalkSegment& on = frame.window().segments[s.segment].walk;
+  const WalkSegment& on = frame.window().segments[s.segment];
   const auto touches = [&](std::uint32_t e, std::uint32_t f) {
     if (on.side == 0) return e == on.edge && (f == on.vertex || f == turning.prev[on.vertex]);
     return f == on.edge && (e == on.vertex || e == fixed.prev[on.vertex]);

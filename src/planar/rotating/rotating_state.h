@@ -1,78 +1,64 @@
-// The state behind a RotatingSum: one window, its loops, and the current frame.
+// The state behind a RotatingSum: the window of angles, its frame and loops.
 #pragma once
 
 #include <memory>
 
 #include "dymsum/rotating_sum.h"
-#include "planar/frames/controller.h"
-#include "planar/frames/frame_rings.h"
-#include "planar/rotating/rotating_loops.h"
+#include "planar/frames/moving_sum.h"
+#include "planar/rotating/turned_rings.h"
 
 namespace dymsum {
 
-class RotatingSum::State {
+class RotatingSum::State final : public planar::MovingSum {
  public:
-  /// Errors: unsupported_operand.
-  static Result<std::unique_ptr<State>> create(const Region& p, const Region& q, const RotatingOptions& options);
+  /// `forms_base`: the same operands, the smaller one, which moves in windows, as operand 1.
+  State(std::shared_ptr<const planar::OperandPair> base, std::shared_ptr<const planar::OperandPair> forms_base,
+        const MovingOptions& options);
+  /// Whether windows can serve at all; otherwise there is no need of `forms_base`.
+  static bool has_windows(const planar::OperandPair& base);
+  static bool p_is_smaller(const planar::OperandPair& base);
 
   /// Changes nothing on an error.
   Result<FrameChanges> move_to(const Orientation& theta);
 
-  RotatingOptions options;
   Orientation orientation;
-  PlanarSum sum;
-  std::vector<std::uint64_t> ring_ids;
-  FrameWork work;
 
  private:
-  struct NextFrame {
-    PlanarSum sum;
-    std::vector<std::uint64_t> ids;
-    bool followed = false;  ///< the identities come from the frame before
-    bool updated = false;
-    FrameChanges changes;
+  /// What frames inside the window look at.
+  struct Frames {
+    Frames(planar::RotatingWindow w, const planar::OperandPair& base, bool swapped, bool moving_turns)
+        : window(std::move(w)), frame(window), rings(base, window, swapped, moving_turns) {}
+    planar::RotatingWindow window;
+    planar::RotatingFrame frame;
+    planar::TurnedRings rings;
   };
+  planar::PlacedPair placed() const override;
+  bool build_window(const Move& move, const planar::WindowController::Choice& reach) override;
+  void drop_window() override;
+  bool has_window() const override { return frames_ != nullptr; }
+  std::optional<NextFrame> window_frame(const Move& move, FrameWork& work) override;
+  double cost_of(const FrameWork& work) override;
+  WindowCost cost_of_window() const override;
+
   /// The turn of the moving operand in the frame in which the other one rests.
   double moving_angle(const Orientation& theta) const { return (swapped_ == p_turns() ? 1 : -1) * theta.radians(); }
-  bool p_turns() const { return options.turning == TurningOperand::p; }
+  bool p_turns() const { return options.moving == MovingOperand::p; }
   double widest_window() const;
-  void build_window(double low, double high);
-  void drop_window();
-  Result<NextFrame> rebuilt_frame(const Orientation& theta, FrameWork& work);
-  /// Nothing where doubles do not decide the frame.
-  std::optional<NextFrame> window_frame(const Orientation& theta, FrameWork& work);
-  /// From the coordinates of the forms to those of the sum: scaled, perhaps turned, and moved.
-  struct Rigid {
-    double xx = 1, xy = 0, yx = 0, yy = 1;
-    Point by;
-  };
-  Rigid to_sum(const Orientation& theta) const;
-  bool assemble(const Orientation& theta, NextFrame& next);
-  /// How the sum names a segment and its end.
-  struct Names {
-    Contact contact;
-    std::uint32_t corner_p = 0, corner_q = 0;
-  };
-  const Names& names(std::uint32_t segment);
-  bool place_ring(const planar::RotatingLoops::Loop& loop, const Rigid& rigid, double& error);
-  SumRing ring(const planar::RotatingLoops::Loop& loop);
+  double extent() const;
+  int cells_for(double half) const;
+  bool assemble(NextFrame& next);
 
   std::shared_ptr<const planar::OperandPair> base_;        // P is operand 0
   std::shared_ptr<const planar::OperandPair> forms_base_;  // the moving operand is operand 1: the smaller one
   bool swapped_ = false;                                   // that is P
-  std::unique_ptr<planar::TurningForms> forms_;
+  std::unique_ptr<planar::TurningForms> forms_;            // none: every frame is a rebuild
   std::unique_ptr<planar::TurnCatalog> catalog_;
   std::unique_ptr<planar::TurnGrid> grid_;
-  double segments_ = 0;  // of the reduced convolution, about
-  planar::WindowController controller_;
+  double segments_ = 0;    // of the reduced convolution, about
   double slice_cost_ = 0;  // of the last frame from scratch
-  planar::RingIdentities identities_;
-  std::unique_ptr<planar::RotatingWindow> window_;
-  std::unique_ptr<planar::RotatingFrame> frame_;
+  Orientation theta_;      // the new position, during a move
+  std::unique_ptr<Frames> frames_;
   std::unique_ptr<planar::RotatingLoops> loops_;
-  std::vector<Names> names_;          // of the window's segments, made when first asked for
-  std::vector<std::uint32_t> steps_;  // scratch: the steps of a ring that end at its vertices
-  std::vector<Point> places_;         // and where
 };
 
 namespace planar {

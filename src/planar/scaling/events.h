@@ -3,7 +3,9 @@
 
 #include <vector>
 
-#include "planar/scaling/scaling_state.h"
+#include "dymsum/scaling_sum.h"
+#include "planar/scaling/exact_forms.h"
+#include "planar/scaling/window.h"
 
 namespace dymsum::planar {
 

@@ -6,7 +6,7 @@ namespace dymsum::planar {
 
 using exact::BigInteger;
 
-ExactForms::ExactForms(const OperandPair& base) : scaled_(base.scaled) {
+ExactForms::ExactForms(const OperandPair& base) : scaled_(base.moved) {
   const Lattice& l = *base.lattice;
   for (int op = 0; op < 2; ++op)
     for (const Point& v : l.points[op]->input)

@@ -147,7 +147,8 @@ std::uint32_t FrameLoops::made(std::uint32_t& vertex, Step at, std::uint32_t nex
   if (vertex != kNone) return vertex;
   const Window& window = lists_.window();
   vertex = static_cast<std::uint32_t>(vertices_.size());
-  const MovingVertex v = vertex_after(at, window.pieces[at.piece].segment, window.pieces[next_piece].segment);
+  const LoopPlaces::MovingVertex v =
+      places_.vertex_after(at, window.pieces[at.piece].segment, window.pieces[next_piece].segment);
   vertices_.push_back(v.vertex);
   points_.push_back(v.point);
   vertex_owners_.push_back({});

@@ -16,7 +16,7 @@ std::size_t FrameLoops::bytes() const {
   return n;
 }
 
-bool FrameLoops::update(double tau, FramePlace& place, bool whole, FrameWork& work) {
+bool FrameLoops::update(double tau, ExactFrame& frame, bool whole, FrameWork& work) {
   const Window& window = lists_.window();
   begin();
   if (whole) loops_.clear();
@@ -29,12 +29,12 @@ bool FrameLoops::update(double tau, FramePlace& place, bool whole, FrameWork& wo
     trace_new(work);
   }
   for (std::size_t i = fresh; i < loops_.size(); ++i) look_.push_back(inherit(loops_[i], tau));
-  verify(tau, place, work);
+  verify(tau, frame, work);
   name_rings();
   count_visits(whole);
   for (FrameLoop& loop : gone_) spare_.push_back(std::move(loop.steps));
   find_doubtful(whole, tau);
-  const bool plain = nodes_are_plain(tau, place, work);
+  const bool plain = nodes_are_plain(tau, frame, work);
   last_tau_ = tau;
   return plain;
 }
@@ -222,7 +222,7 @@ std::size_t FrameLoops::outer_loop(double tau) const {
   if (known < n || count == 1) return known < n ? known : last;
   const auto for_each_end = [&](std::size_t i, auto&& f) {
     for (const LoopStep& s : loops_[i].steps) {
-      const MovingPoint v = vertex_after(step_of(s), 0, 0).point;
+      const MovingPoint v = places_.vertex_after(step_of(s), 0, 0).point;
       f(v.x.at(tau), v.error);
     }
   };
@@ -230,8 +230,8 @@ std::size_t FrameLoops::outer_loop(double tau) const {
       n, [&](std::size_t i) { return loops_[i].turning < 0; }, for_each_end);
 }
 
-void FrameLoops::verify(double tau, FramePlace& place, FrameWork& work) {
-  const std::size_t outer = place.base().connected ? outer_loop(tau) : loops_.size();
+void FrameLoops::verify(double tau, ExactFrame& frame, FrameWork& work) {
+  const std::size_t outer = frame.base().connected ? outer_loop(tau) : loops_.size();
   for (std::size_t i = 0; i < loops_.size(); ++i) {
     if (look_[i] != Look::test) continue;
     FrameLoop& loop = loops_[i];
@@ -241,7 +241,7 @@ void FrameLoops::verify(double tau, FramePlace& place, FrameWork& work) {
     } else if (outer != loops_.size() && loop.turning > 0) {
       loop.kept = false;
     } else {
-      loop.kept = !is_false(loop, tau, place, work);
+      loop.kept = !cover_.covers(loop.steps, loop.witness, tau, frame, work);
     }
     if (was_kept && !loop.kept && loop.ring != 0) {
       ended_.push_back({loop.ring, loop.corners});
@@ -320,14 +320,33 @@ void FrameLoops::find_doubtful(bool whole, double tau) {
 
 // At every scale something touches in these nodes. The boundary passes those that it passes once; the others have to
 // lie in the open sum.
-bool FrameLoops::nodes_are_plain(double tau, FramePlace& place, FrameWork& work) {
+bool FrameLoops::nodes_are_plain(double tau, ExactFrame& frame, FrameWork& work) {
   if (crowded_ > 0) return false;
   for (const std::uint32_t n : doubtful_) {
     if (!lists_.active(n) || visited_[n] > 0 || nodes_[n].inside) continue;
-    if (!node_inside(n, tau, place, work)) return false;
+    if (!cover_.covers_node(n, nodes_[n].witness, tau, frame, work)) return false;
     nodes_[n].inside = true;
   }
   return true;
+}
+
+void FrameLoops::follow(const std::vector<FrameLoop*>& kept, RingIdentities& identities, bool stays,
+                        FrameChanges& changes) const {
+  for (FrameLoop* ring : kept) {
+    FrameLoop& loop = *ring;
+    const std::uint32_t size = loop.corners;
+    if (loop.ring == 0) {
+      loop.ring = identities.fresh();
+      changes.rings.push_back({RingChange::Kind::appeared, loop.ring, size, 0});
+    } else if (loop.fresh && !(loop.vertices_before == size && loop.vertices_shared == size)) {
+      changes.rings.push_back({RingChange::Kind::reshaped, loop.ring, size - loop.vertices_shared,
+                               loop.vertices_before - loop.vertices_shared});
+    } else if (!stays) {
+      changes.rings.push_back({RingChange::Kind::moved, loop.ring, 0, 0});
+    }
+  }
+  for (const auto& [ring, vertices] : ended_)
+    changes.rings.push_back({RingChange::Kind::disappeared, ring, 0, vertices});
 }
 
 }  // namespace dymsum::planar

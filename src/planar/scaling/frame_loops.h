@@ -7,29 +7,11 @@
 #include <unordered_map>
 #include <vector>
 
-#include "base/two_lanes.h"
-#include "planar/scaling/edge_search.h"
-#include "planar/scaling/piece_lists.h"
+#include "planar/frames/frame_rings.h"
+#include "planar/scaling/loop_cover.h"
+#include "planar/scaling/loop_places.h"
 
 namespace dymsum::planar {
-
-/// Where a vertex of the sum is that moves with tau, in the window's coordinates.
-struct MovingPoint {
-  Linear x, y;
-  double error = 0;  ///< anywhere in the window
-  Two at(double tau) const { return Two{x.a, y.a} + Two{x.b, y.b} * both(tau); }
-};
-
-/// A sub-edge of a cycle, and what comes behind it.
-struct LoopStep {
-  std::uint32_t piece = kNone, edge = 0;  ///< sub-edge: PieceLists::first_sub(piece) + its place in the list
-  std::uint32_t from = kNone,
-                to =
-                    kNone;  ///< what is at its ends, kNone at a segment's own end; valid even when the list has changed
-  std::uint32_t vertex = kNone;  ///< of FrameLoops::vertices, or kNone where the next step goes straight on
-  std::uint32_t node = kNone;    ///< in which it ends, where something touches at every scale
-  std::int8_t turn = 0;          ///< into the next step: what it adds to the turning number
-};
 
 struct FrameLoop {
   std::vector<LoopStep> steps;
@@ -48,19 +30,20 @@ struct FrameLoop {
 
 class FrameLoops {
  public:
-  explicit FrameLoops(PieceLists& lists) : lists_(lists), search_(lists.window()) {}
+  explicit FrameLoops(PieceLists& lists) : lists_(lists), places_(lists), cover_(lists) {}
 
   /// After a repair without degeneracies. `whole`: nothing is known about earlier loops. False when the boundary passes
   /// a node twice or a node may be tight: then this frame is one for the vertex routine, and nothing is known
   /// afterwards.
-  bool update(double tau, FramePlace& place, bool whole, FrameWork& work);
+  bool update(double tau, ExactFrame& frame, bool whole, FrameWork& work);
   const std::vector<FrameLoop>& loops() const { return loops_; }
   std::vector<FrameLoop>& loops() { return loops_; }
   /// By the numbers in steps; without their positions, which points() knows.
   const std::vector<SumVertex>& vertices() const { return vertices_; }
   const std::vector<MovingPoint>& points() const { return points_; }
-  /// Rings that the last update has ended: identity and number of vertices.
-  const std::vector<std::pair<std::uint64_t, std::uint32_t>>& ended() const { return ended_; }
+  /// What the last update did to rings; names new ones. Requires: it knew the frame before; `kept` are the kept loops,
+  /// in the order of the sum's rings. `stays`: at the same scale.
+  void follow(const std::vector<FrameLoop*>& kept, RingIdentities& identities, bool stays, FrameChanges& changes) const;
   /// Steps that the last update took over from cycles that were gone.
   std::uint64_t copied() const { return copied_; }
   std::size_t bytes() const;
@@ -76,9 +59,9 @@ class FrameLoops {
   void visit(const FrameLoop& loop, bool comes);
   void doubt(std::uint32_t node);
   void find_doubtful(bool whole, double tau);
-  bool nodes_are_plain(double tau, FramePlace& place, FrameWork& work);
+  bool nodes_are_plain(double tau, ExactFrame& frame, FrameWork& work);
   std::size_t outer_loop(double tau) const;
-  void verify(double tau, FramePlace& place, FrameWork& work);
+  void verify(double tau, ExactFrame& frame, FrameWork& work);
   bool undisturbed(const LoopStep& edge, double tau) const;
   bool quiet(std::uint32_t touch, double tau) const;
   void name_rings();
@@ -94,26 +77,9 @@ class FrameLoops {
   std::uint32_t made(std::uint32_t& vertex, Step at, std::uint32_t next_piece);
   std::uint32_t node_vertex(Step at, std::uint32_t next_piece);
 
-  // frame_vertices.cpp
-  bool node_inside(std::uint32_t node, double tau, FramePlace& place, FrameWork& work);
-  bool is_false(FrameLoop& loop, double tau, FramePlace& place, FrameWork& work);
-  struct Cutting {
-    Linear t;
-    double error;
-    Cut cut;
-    double denominator, relative_error;
-  };
-  Cutting end_cut(Step s, bool at_end) const;
-  Place sample(const FrameLoop& loop, double tau, FramePlace& place) const;
-  EdgeSearch::Place beside(const FrameLoop& loop, double tau) const;
-  bool covered(std::optional<CrossingEdges>& witness, const EdgeSearch::Place& at);
-  struct MovingVertex {
-    SumVertex vertex;
-    MovingPoint point;
-  };
-  MovingVertex vertex_after(Step s, std::uint32_t in, std::uint32_t out) const;
-
   PieceLists& lists_;
+  LoopPlaces places_;
+  LoopCover cover_;
   std::vector<FrameLoop> loops_;
   std::vector<FrameLoop> gone_;  ///< taken apart by the current update
   std::vector<Look> look_;       ///< per loop
@@ -151,7 +117,7 @@ class FrameLoops {
   std::vector<std::uint32_t> crossing_vertex_, end_vertex_;  ///< candidate, piece -> vertex
   std::vector<std::uint32_t> node_vertex_;                   ///< arriving ray -> the first of its vertices
   std::vector<NodeVertex> node_vertices_;
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> ended_;
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> ended_;  ///< rings: identity and count of vertices
   std::uint32_t walk_ = 0;
   std::uint64_t copied_ = 0;
   struct NodeState {
@@ -163,7 +129,6 @@ class FrameLoops {
   std::uint32_t crowded_ = 0;            ///< nodes that they pass twice or more
   std::vector<std::uint32_t> doubtful_;  ///< nodes of which something changed in this frame
   double last_tau_ = 0;                  ///< of the last update
-  EdgeSearch search_;
   struct Trail {
     Step at;
     std::uint32_t stretch;  ///< that starts there, or kNone: a single sub-edge

@@ -3,34 +3,47 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <unordered_map>
 #include <vector>
 
+#include "dymsum/planar_sum.h"
+#include "planar/scaling/exact_forms.h"
+
 namespace dymsum::planar {
 
-/// For every number the first place that it has in a list. Requires that the numbers asked for are in it.
-class FirstPlaces {
+/// For every value the first index that it has in a list. Requires that the values asked for are in it.
+class FirstIndices {
  public:
-  /// Once: later calls change nothing.
-  void fill(std::span<const std::uint32_t> numbers) {
-    if (!place_.empty()) return;
-    for (std::uint32_t k = 0; k < numbers.size(); ++k) {
-      if (numbers[k] >= place_.size()) place_.resize(numbers[k] + std::size_t{1}, kNone);
-      if (place_[numbers[k]] == kNone) place_[numbers[k]] = k;
+  explicit FirstIndices(std::span<const std::uint32_t> values) {
+    for (std::uint32_t k = 0; k < values.size(); ++k) {
+      if (values[k] >= index_.size()) index_.resize(values[k] + std::size_t{1}, kNone);
+      if (index_[values[k]] == kNone) index_[values[k]] = k;
     }
   }
-  std::uint32_t operator[](std::uint32_t number) const { return place_[number]; }
+  std::uint32_t operator[](std::uint32_t value) const { return index_[value]; }
 
  private:
-  static constexpr std::uint32_t kNone = 0xffffffff;
-  std::vector<std::uint32_t> place_;
+  std::vector<std::uint32_t> index_;
 };
 
 /// Of one pair of operands.
-struct LineHashes {
-  std::array<FirstPlaces, 2> edges, vertices;              ///< of the operands: places in their walks
-  std::unordered_map<std::uint64_t, std::uint64_t> lines;  ///< of contacts
+class LineHashes {
+ public:
+  explicit LineHashes(std::shared_ptr<const OperandPair> base);
+  /// See ScalingSum::combinatorial_hash.
+  std::uint64_t of(const PlanarSum& sum);
+  const ExactForms& forms() const { return forms_; }
+
+ private:
+  Segment segment(const Contact& c) const;
+  std::uint64_t line(const Contact& c);
+
+  std::shared_ptr<const OperandPair> base_;
+  ExactForms forms_;
+  std::array<FirstIndices, 2> edges_, vertices_;            // of the operands: indices in their walks
+  std::unordered_map<std::uint64_t, std::uint64_t> lines_;  // of contacts
 };
 
 }  // namespace dymsum::planar

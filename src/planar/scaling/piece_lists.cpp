@@ -5,11 +5,11 @@
 
 namespace dymsum::planar {
 
-Meet meet(const Window& window, std::uint32_t a, std::uint32_t b, FramePlace& place) {
-  const Lattice& l = place.lattice();
+Meet meet(const Window& window, std::uint32_t a, std::uint32_t b, ExactFrame& frame) {
+  const Lattice& l = frame.lattice();
   const Segment sa = window.exact(a), sb = window.exact(b);
   const Pair a0 = start_of(sa), a1 = end_of(sa), b0 = start_of(sb), b1 = end_of(sb);
-  place.exact_signs += 4;
+  frame.exact_signs += 4;
   const int s1 = l.side(sa, b0), s2 = l.side(sa, b1);
   if (s1 * s2 > 0) return Meet::none;
   const int s3 = l.side(sb, a0), s4 = l.side(sb, a1);
@@ -89,7 +89,7 @@ std::size_t PieceLists::bytes() const {
          items_.capacity() * sizeof(Item) + new_subs_.capacity() * sizeof(NewSubs);
 }
 
-bool PieceLists::repair(double tau, FramePlace& place, FrameWork& work) {
+bool PieceLists::repair(double tau, ExactFrame& frame, FrameWork& work) {
   ++frame_;
   looked_at_.clear();
   changed_.clear();
@@ -107,7 +107,7 @@ bool PieceLists::repair(double tau, FramePlace& place, FrameWork& work) {
     for (std::uint32_t i = b * kBlock; i < std::min(n, (b + 1) * kBlock); ++i) {
       if (!(tau > low_[i] && tau < high_[i])) {
         ++work.pieces_repaired;
-        generic &= refresh(i, tau, place, work);
+        generic &= refresh(i, tau, frame, work);
       }
       low = std::max(low, low_[i]);
       high = std::min(high, high_[i]);
@@ -132,31 +132,31 @@ Cut PieceLists::cut_at(std::uint32_t piece, std::uint32_t entry) const {
   return x;
 }
 
-int PieceLists::compare_exactly(std::uint32_t piece, const Item& a, const Item& b, FramePlace& place) const {
+int PieceLists::compare_exactly(std::uint32_t piece, const Item& a, const Item& b, ExactFrame& frame) const {
   if (a.entry == b.entry) return 0;
-  ++place.exact_signs;
-  return place.lattice().compare(window_.exact(window_.pieces[piece].segment), cut_at(piece, a.entry),
+  ++frame.exact_signs;
+  return frame.lattice().compare(window_.exact(window_.pieces[piece].segment), cut_at(piece, a.entry),
                                  cut_at(piece, b.entry));
 }
 
 // Whether an entry lies before the end of a piece that is handed on.
-bool PieceLists::before_end(std::uint32_t piece, std::uint32_t entry, FramePlace& place, Certainty& certain) const {
+bool PieceLists::before_end(std::uint32_t piece, std::uint32_t entry, ExactFrame& frame, Certainty& certain) const {
   const Piece& p = window_.pieces[piece];
   if (!p.handed_on) return true;
-  ++place.exact_signs;
-  const int order = place.lattice().compare(window_.exact(p.segment), cut_at(piece, entry),
+  ++frame.exact_signs;
+  const int order = frame.lattice().compare(window_.exact(p.segment), cut_at(piece, entry),
                                             {Cut::Kind::pair, window_.exact(p.tail_at), {}});
   certain.generic &= order != 0;
   return order < 0;
 }
 
-bool PieceLists::refresh(std::uint32_t i, double tau, FramePlace& place, FrameWork& work) {
+bool PieceLists::refresh(std::uint32_t i, double tau, ExactFrame& frame, FrameWork& work) {
   touched_[i] = frame_;
   looked_at_.push_back(i);
   Certainty c;
-  const std::uint32_t came_or_went = collect(i, tau, place, c);
-  sort_items(i, place);
-  look_at_neighbours(i, tau, place, c);
+  const std::uint32_t came_or_went = collect(i, tau, frame, c);
+  sort_items(i, frame);
+  look_at_neighbours(i, tau, frame, c);
   if (c.exact || !c.generic) {
     c.low = INFINITY;
     c.high = -INFINITY;
@@ -191,32 +191,32 @@ inline bool PieceLists::inside(const Entry& e, double tau, Certainty& certain, b
   return true;
 }
 
-bool PieceLists::inside_exactly(std::uint32_t i, std::uint32_t id, FramePlace& place, Certainty& certain) const {
+bool PieceLists::inside_exactly(std::uint32_t i, std::uint32_t id, ExactFrame& frame, Certainty& certain) const {
   certain.exact = true;
   if (!(id & kTouchBit)) {
     const Meet m =
-        meet(window_, window_.pieces[crossings_[id].a].segment, window_.pieces[crossings_[id].b].segment, place);
+        meet(window_, window_.pieces[crossings_[id].a].segment, window_.pieces[crossings_[id].b].segment, frame);
     certain.generic &= m != Meet::degenerate;
-    return m == Meet::crossing && before_end(crossings_[id].a, id, place, certain) &&
-           before_end(crossings_[id].b, id, place, certain);
+    return m == Meet::crossing && before_end(crossings_[id].a, id, frame, certain) &&
+           before_end(crossings_[id].b, id, frame, certain);
   }
   const Segment s = window_.exact(window_.pieces[i].segment), back{{s.edge.op, s.edge.to, s.edge.from}, s.vertex};
   const Pair v = window_.exact(window_.nodes[window_.touches[id & ~kTouchBit].node].at);
-  const int from = place.lattice().along(s, v), to = place.lattice().along(back, v);
-  place.exact_signs += 2;
+  const int from = frame.lattice().along(s, v), to = frame.lattice().along(back, v);
+  frame.exact_signs += 2;
   certain.generic &= from != 0 && to != 0;
-  return from > 0 && to > 0 && before_end(i, id, place, certain);
+  return from > 0 && to > 0 && before_end(i, id, frame, certain);
 }
 
 // What crosses or touches on the piece here: into items_, not yet in order. Returns how much came and went; nodes are
 // linked anew where a touch did.
-std::uint32_t PieceLists::collect(std::uint32_t i, double tau, FramePlace& place, Certainty& certain) {
+std::uint32_t PieceLists::collect(std::uint32_t i, double tau, ExactFrame& frame, Certainty& certain) {
   items_.clear();
   std::uint32_t came_or_went = 0;
   for (Entry *at = entries_.data() + hot_[i].base, *end = at + hot_[i].entries; at != end; ++at) {
     Entry& e = *at;
     bool unsure = false, here = inside(e, tau, certain, unsure);
-    if (unsure) here = inside_exactly(i, e.id, place, certain);
+    if (unsure) here = inside_exactly(i, e.id, frame, certain);
     came_or_went += here != e.inside;
     e.inside = here;
     if (e.id & kTouchBit) {
@@ -231,8 +231,8 @@ std::uint32_t PieceLists::collect(std::uint32_t i, double tau, FramePlace& place
   return came_or_went;
 }
 
-void PieceLists::sort_items(std::uint32_t i, FramePlace& place) {
-  const auto before = [&](const Item& a, const Item& b) { return compare(i, a, b, place) < 0; };
+void PieceLists::sort_items(std::uint32_t i, ExactFrame& frame) {
+  const auto before = [&](const Item& a, const Item& b) { return compare(i, a, b, frame) < 0; };
   if (items_.size() > 24) return std::sort(items_.begin(), items_.end(), before);
   for (std::size_t k = 1; k < items_.size(); ++k) {
     const Item e = items_[k];
@@ -244,13 +244,13 @@ void PieceLists::sort_items(std::uint32_t i, FramePlace& place) {
 
 // The list is certain while the doubles of neighbours stay apart by more than their errors; a little less, for
 // rounding.
-void PieceLists::look_at_neighbours(std::uint32_t i, double tau, FramePlace& place, Certainty& certain) const {
+void PieceLists::look_at_neighbours(std::uint32_t i, double tau, ExactFrame& frame, Certainty& certain) const {
   for (std::size_t k = 0; k + 1 < items_.size(); ++k) {
     const Item &a = items_[k], &b = items_[k + 1];
     const double margin = (b.t - a.t) - (a.error + b.error);
     if (!(margin > 0)) {
       certain.exact = true;
-      certain.generic &= compare(i, a, b, place) != 0;
+      certain.generic &= compare(i, a, b, frame) != 0;
       continue;
     }
     // They meet at `end`, ahead or behind; never where they keep apart.

@@ -9,7 +9,8 @@
 #include <span>
 #include <vector>
 
-#include "planar/scaling/frame_place.h"
+#include "dymsum/frames.h"
+#include "planar/scaling/exact_frame.h"
 #include "planar/scaling/window.h"
 
 namespace dymsum::planar {
@@ -20,7 +21,7 @@ class PieceLists {
 
   /// Brings every list to this frame. False when something touches here: the lists of the pieces involved are then
   /// unspecified, and will be looked at again.
-  bool repair(double tau, FramePlace& place, FrameWork& work);
+  bool repair(double tau, ExactFrame& frame, FrameWork& work);
 
   std::uint32_t count(std::uint32_t piece) const { return hot_[piece].count; }
   /// What is at position k: a candidate that crosses here, or, with kTouchBit, a persistent touch.
@@ -116,12 +117,12 @@ class PieceLists {
     double low = -INFINITY, high = INFINITY;
     bool exact = false, generic = true;
   };
-  bool refresh(std::uint32_t piece, double tau, FramePlace& place, FrameWork& work);
-  std::uint32_t collect(std::uint32_t piece, double tau, FramePlace& place, Certainty& certain);
+  bool refresh(std::uint32_t piece, double tau, ExactFrame& frame, FrameWork& work);
+  std::uint32_t collect(std::uint32_t piece, double tau, ExactFrame& frame, Certainty& certain);
   static bool inside(const Entry& e, double tau, Certainty& certain, bool& unsure);
-  bool inside_exactly(std::uint32_t piece, std::uint32_t id, FramePlace& place, Certainty& certain) const;
-  void sort_items(std::uint32_t piece, FramePlace& place);
-  void look_at_neighbours(std::uint32_t piece, double tau, FramePlace& place, Certainty& certain) const;
+  bool inside_exactly(std::uint32_t piece, std::uint32_t id, ExactFrame& frame, Certainty& certain) const;
+  void sort_items(std::uint32_t piece, ExactFrame& frame);
+  void look_at_neighbours(std::uint32_t piece, double tau, ExactFrame& frame, Certainty& certain) const;
   std::optional<NewSubs> store(std::uint32_t piece);
   bool alive_at_touch(Step s) const;
   Step successor_at_touch(Step s) const;
@@ -130,13 +131,13 @@ class PieceLists {
   Step target(std::uint32_t ray) const;
   void mark_changed(std::uint32_t piece, NewSubs subs);
   std::uint32_t place_in_list(std::uint32_t piece, std::uint32_t entry) const;
-  int compare(std::uint32_t piece, const Item& a, const Item& b, FramePlace& place) const {
+  int compare(std::uint32_t piece, const Item& a, const Item& b, ExactFrame& frame) const {
     const double gap = a.t - b.t, error = a.error + b.error;
-    return gap > error ? 1 : gap < -error ? -1 : compare_exactly(piece, a, b, place);
+    return gap > error ? 1 : gap < -error ? -1 : compare_exactly(piece, a, b, frame);
   }
-  int compare_exactly(std::uint32_t piece, const Item& a, const Item& b, FramePlace& place) const;
+  int compare_exactly(std::uint32_t piece, const Item& a, const Item& b, ExactFrame& frame) const;
   Cut cut_at(std::uint32_t piece, std::uint32_t entry) const;
-  bool before_end(std::uint32_t piece, std::uint32_t entry, FramePlace& place, Certainty& certain) const;
+  bool before_end(std::uint32_t piece, std::uint32_t entry, ExactFrame& frame, Certainty& certain) const;
 
   Window& window_;
   std::vector<double> low_, high_;  ///< the list of a piece is certain strictly between
@@ -172,6 +173,6 @@ class PieceLists {
 
 /// How two live segments meet at an exact scale.
 enum class Meet { none, crossing, degenerate };
-Meet meet(const Window& window, std::uint32_t a, std::uint32_t b, FramePlace& place);
+Meet meet(const Window& window, std::uint32_t a, std::uint32_t b, ExactFrame& frame);
 
 }  // namespace dymsum::planar

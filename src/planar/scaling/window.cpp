@@ -3,28 +3,46 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planar/convolution/convolution.h"
+#include "planar/scaling/edge_search.h"
+#include "planar/scaling/window_nodes.h"
+#include "planar/scaling/window_pairs.h"
+
 namespace dymsum::planar {
 
-Window::Window(const OperandPair& base, const ReducedConvolution& convolution, const WindowSettings& settings)
-    : base_(base), frame_(settings.frame), swept_(settings.frame) {
+namespace {
+
+WindowFrame swept_frame(const WindowSettings& settings) {
+  WindowFrame swept = settings.frame;
   if (settings.shrink < 1) {
-    const double middle = 0.5 * (frame_.tau0 + frame_.tau1), half = 0.5 * settings.shrink * (frame_.tau1 - frame_.tau0);
-    swept_.tau0 = middle - half;
-    swept_.tau1 = middle + half;
+    const double middle = 0.5 * (swept.tau0 + swept.tau1), half = 0.5 * settings.shrink * (swept.tau1 - swept.tau0);
+    swept.tau0 = middle - half;
+    swept.tau1 = middle + half;
   }
+  return swept;
+}
+
+}  // namespace
+
+Window::Window(const OperandPair& base, const ReducedConvolution& convolution, const WindowSettings& settings)
+    : base_(base), frame_(settings.frame) {
+  const WindowFrame swept = swept_frame(settings);
   const std::uint32_t m = frame_.moving;
   span_ = std::max(base.width[1 - m], base.height[1 - m]) + 2 * frame_.tau1 * std::max(base.width[m], base.height[m]);
-  const SweptMask mask(*base.lattice, base.operands, swept_, settings.cells, settings.mask);
+  const SweptMask mask(*base.lattice, base.operands, swept, settings.cells, settings.mask);
   live.assign(convolution.size(), kNone);
   std::uint32_t id = 0;
-  convolution.for_each([&](const WalkSegment& w) { add_segment(w, id++, mask); });
-  add_pieces(mask);
-  abandoned = !find_candidates(mask, settings);
+  convolution.for_each([&](const WalkSegment& w) { add_segment(w, id++, swept, mask); });
+  const std::vector<PieceEnds> ends = cut_pieces(*this, swept, mask);
+  EdgeSearch search(*this);
+  const auto touch_pairs =
+      find_candidates(*this, swept, mask, ends, settings.most_pairs, settings.covers ? &search : nullptr);
+  abandoned = !touch_pairs;
   if (abandoned) return;
-  make_nodes(settings.covers);
-  index_candidates();
+  make_nodes(*this, *touch_pairs);
+  if (settings.covers) drop_covered_nodes(*this, swept);
+  index(candidates, pieces.size());
   link_pieces(convolution);
-  ends_ = {};
 }
 
 Segment Window::exact(std::uint32_t s) const {
@@ -37,7 +55,7 @@ std::size_t Window::bytes() const {
          candidates.capacity() * sizeof(Candidate) + (first_of.capacity() + of.capacity() + live.capacity()) * 4;
 }
 
-void Window::add_segment(const WalkSegment& w, std::uint32_t id, const SweptMask& mask) {
+void Window::add_segment(const WalkSegment& w, std::uint32_t id, const WindowFrame& swept, const SweptMask& mask) {
   const std::uint32_t m = frame_.moving;
   const Operand &o = base_.operands[w.side], &other = base_.operands[1 - w.side];
   const std::uint32_t a = o.source[w.edge], b = o.source[o.next[w.edge]], v = other.source[w.vertex];
@@ -49,8 +67,8 @@ void Window::add_segment(const WalkSegment& w, std::uint32_t id, const SweptMask
   const std::vector<double>&xm = l.points[m]->x, &ym = l.points[m]->y, &xf = l.points[1 - m]->x,
         &yf = l.points[1 - m]->y;
   double x0 = INFINITY, x1 = -INFINITY, y0 = INFINITY, y1 = -INFINITY;
-  for (const double tau : {swept_.tau0, swept_.tau1}) {
-    const double sx = swept_.shift_x(tau), sy = swept_.shift_y(tau);
+  for (const double tau : {swept.tau0, swept.tau1}) {
+    const double sx = swept.shift_x(tau), sy = swept.shift_y(tau);
     const double ax = xf[rest_a] + tau * xm[move_a] + sx, bx = xf[rest_b] + tau * xm[move_b] + sx;
     const double ay = yf[rest_a] + tau * ym[move_a] + sy, by = yf[rest_b] + tau * ym[move_b] + sy;
     x0 = std::min({x0, ax, bx});

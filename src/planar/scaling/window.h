@@ -9,19 +9,17 @@
 
 #include <array>
 #include <cstdint>
-#include <map>
-#include <optional>
-#include <utility>
 #include <vector>
 
 #include "base/two_lanes.h"
-#include "planar/arrangement/chain.h"
-#include "planar/convolution/convolution.h"
+#include "planar/frames/candidate_index.h"
 #include "planar/frames/operand_pair.h"
 #include "planar/scaling/swept_mask.h"
 #include "planar/scaling/window_bounds.h"
 
 namespace dymsum::planar {
+
+class ReducedConvolution;
 
 /// a + b tau.
 struct Linear {
@@ -94,13 +92,6 @@ struct PersistentNode {
   bool covered = false;   ///< lies in the open sum throughout the window: it counts for nothing
 };
 
-/// The ends a and b of a piece, each coordinate at both ends of the window, in the window's frame.
-struct PieceEnds {
-  Two ax, ay, bx, by;
-  double dx, dy;  ///< the unscaled edge vector
-  double error;   ///< of the side of a point of another piece
-};
-
 struct WindowSettings {
   WindowFrame frame;
   int cells = 64;  ///< along the grid's longer side
@@ -110,9 +101,7 @@ struct WindowSettings {
   double shrink = 1;  ///< tests: sweep masks and pairs over this share of the window only; less than 1 is wrong
 };
 
-class EdgeSearch;
-
-class Window {
+class Window : public CandidateIndex {
  public:
   Window(const OperandPair& base, const ReducedConvolution& convolution, const WindowSettings& settings);
 
@@ -124,8 +113,6 @@ class Window {
   std::vector<LiveSegment> segments;
   std::vector<Piece> pieces;
   std::vector<Candidate> candidates;
-  std::vector<std::uint32_t> first_of;  ///< piece -> its candidates are of[first_of[i] .. first_of[i + 1])
-  std::vector<std::uint32_t> of;
   /// Segments that run back along each other from a common end at every scale.
   std::vector<std::array<std::uint32_t, 2>> folds;
   std::vector<PersistentTouch> touches;
@@ -151,58 +138,12 @@ class Window {
   std::size_t bytes() const;
 
  private:
-  using NodeRays = std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<PersistentNode::Ray>>;
-
-  void add_segment(const WalkSegment& w, std::uint32_t id, const SweptMask& mask);
+  void add_segment(const WalkSegment& w, std::uint32_t id, const WindowFrame& swept, const SweptMask& mask);
   void link_pieces(const ReducedConvolution& convolution);
 
-  // window_pieces.cpp
-  void add_pieces(const SweptMask& mask);
-
-  // window_pairs.cpp
-  bool find_candidates(const SweptMask& mask, const WindowSettings& settings);
-  void test(std::uint32_t i, std::uint32_t j, const SweptMask& mask, EdgeSearch* search);
-  bool dead_throughout(const Candidate& c, const SweptMask& mask) const;
-  bool covered_throughout(const Candidate& c, EdgeSearch& search) const;
-  void test_parallel(Candidate c);
-  void solve(Candidate& c) const;
-  bool bounds(std::uint32_t piece, const Linear& t, double error, Candidate& c, std::array<bool, 2>& unsure) const;
-
-  // window_overlaps.cpp
-  using PiecePairs = std::vector<std::array<std::uint32_t, 2>>;
-  struct Stop {
-    std::uint32_t piece, at;  ///< a piece, and one that begins inside it
-    Linear place;
-  };
-  void share_lines(PiecePairs& close);
-  void hand_on(const std::vector<Stop>& stops, PiecePairs& close);
-  bool along_always(std::uint32_t i, std::uint32_t j);
-  std::array<Linear, 2> ends_on(std::uint32_t piece, std::uint32_t other) const;
-  double error_along(std::uint32_t piece) const;
-  bool certainly_before(const Linear& a, const Linear& b, double error) const;
-  bool covers(std::uint32_t i, std::uint32_t j) const;
-  std::optional<Linear> begins_inside(std::uint32_t i, std::uint32_t j) const;
-
-  // window_nodes.cpp
-  bool always_on(std::uint32_t segment, Pair v);
-  bool touch_always(const Candidate& c, std::array<bool, 2> at_a, std::array<bool, 2> at_b);
-  void add_touch(std::uint32_t piece, WalkPair v, const Linear& t, double error);
-  void touch_parallel(std::uint32_t i, std::uint32_t j);
-  void make_nodes(bool covers);
-  void drop_covered_nodes();
-  NodeRays take_touches();
-  void add_end_rays(NodeRays& at) const;
-  void sort_rays(std::vector<PersistentNode::Ray>& list) const;
-  void add_node(WalkPair at, const std::vector<PersistentNode::Ray>& list);
-  void drop_pairs_through_nodes();
-  void index_candidates();
-
   const OperandPair& base_;
-  WindowFrame frame_, swept_;
+  WindowFrame frame_;
   double span_ = 0;
-  std::vector<PieceEnds> ends_;
-  std::vector<WalkPair> touch_pair_;        // per touch, until nodes are made
-  std::shared_ptr<const Lattice> doubled_;  // the lattice at scale 2: a linear form that is zero there and at 1 is zero
 };
 
 }  // namespace dymsum::planar

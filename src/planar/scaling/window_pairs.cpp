@@ -1,12 +1,14 @@
-// Pair finding: which pieces of a window may meet, and when they cross.
+#include "planar/scaling/window_pairs.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include "planar/scaling/edge_search.h"
-#include "planar/scaling/window.h"
+#include "planar/scaling/piece_range.h"
+#include "planar/scaling/window_nodes.h"
+#include "planar/scaling/window_overlaps.h"
 
 namespace dymsum::planar {
-
 namespace {
 
 /// Crossings known worse than this are left to exact signs at every scale. Any value is right.
@@ -97,77 +99,62 @@ Product product(const LiveSegment& a, const LiveSegment& b) {
   return {u - v, kEdgeCross * (std::abs(u) + std::abs(v)) + exact::kUnderflow};
 }
 
-// Narrows the interval of scales at which g(tau) = a + b tau > 0, where g is known up to `error`. False when it is
-// certainly empty. Sets `unsure` when doubles know nothing of g in the whole window.
-bool narrow(const Linear& g, double error, double tau0, double tau1, Candidate& c, bool& unsure) {
-  const double g0 = g.at(tau0), g1 = g.at(tau1);
-  if (g0 > error && g1 > error) return true;
-  if (g0 < -error && g1 < -error) return false;
-  if (g.b == 0 || (std::abs(g0) <= error && std::abs(g1) <= error)) {
-    c.in_low = INFINITY;  // exact signs decide at every scale
-    unsure = true;
-    return true;
-  }
-  // Beyond these values the sign is certain; the division and tau itself are rounded.
-  const double root = -g.a / g.b, wide = root_error(root, g.b, error, tau1);
-  if (g.b > 0) {
-    c.out_low = std::max(c.out_low, root - wide);
-    c.in_low = std::max(c.in_low, root + wide);
-  } else {
-    c.out_high = std::min(c.out_high, root + wide);
-    c.in_high = std::min(c.in_high, root - wide);
-  }
-  return c.out_low < c.out_high;
-}
+class PairTests {
+ public:
+  PairTests(Window& window, const WindowFrame& swept, const SweptMask& mask, EdgeSearch* search)
+      : window_(window),
+        swept_(swept),
+        mask_(mask),
+        search_(search),
+        always_on_(window),
+        touches_(window, always_on_) {}
+  bool run(const std::vector<PieceEnds>& ends, std::uint64_t most_pairs);
+  const std::vector<WalkPair>& touch_pairs() const { return touches_.pairs(); }
 
-// A cut lies in a dead cell, where nothing matters; only both pieces at it must agree: the same numbers, no error.
-bool narrow_at_cut(const Linear& g, double tau0, double tau1, Candidate& c) {
-  const double g0 = g.at(tau0), g1 = g.at(tau1);
-  if (g0 > 0 && g1 > 0) return true;
-  if (g0 <= 0 && g1 <= 0) return false;
-  const double root = -g.a / g.b;
-  if (g.b > 0) {
-    c.out_low = std::max(c.out_low, root);
-    c.in_low = std::max(c.in_low, root);
-  } else {
-    c.out_high = std::min(c.out_high, root);
-    c.in_high = std::min(c.in_high, root);
-  }
-  return c.out_low < c.out_high;
-}
+ private:
+  void test(std::uint32_t i, std::uint32_t j);
+  bool dead_throughout(const Candidate& c) const;
+  bool covered_throughout(const Candidate& c) const;
+  void test_parallel(Candidate c);
+  void solve(Candidate& c) const;
 
-}  // namespace
+  Window& window_;
+  const WindowFrame& swept_;
+  const SweptMask& mask_;
+  EdgeSearch* search_;  // none: crossings inside the sum are found too
+  AlwaysOn always_on_;
+  TouchFinder touches_;
+};
 
 // Pieces meet in what their boxes share; where all of that is dead nothing matters.
-bool Window::find_candidates(const SweptMask& mask, const WindowSettings& settings) {
+bool PairTests::run(const std::vector<PieceEnds>& ends, std::uint64_t most_pairs) {
   PiecePairs close;
-  for_each_close_pair(ends_, mask.grid(), [&](const PieceBox& a, const PieceBox& b) {
-    if (mask.live(std::max(a.row0, b.row0), b.column0, std::min(a.row1, b.row1), std::min(a.column1, b.column1)) == 0)
+  for_each_close_pair(ends, mask_.grid(), [&](const PieceBox& a, const PieceBox& b) {
+    if (mask_.live(std::max(a.row0, b.row0), b.column0, std::min(a.row1, b.row1), std::min(a.column1, b.column1)) == 0)
       return true;
-    if (++pair_tests > settings.most_pairs) return false;
+    if (++window_.pair_tests > most_pairs) return false;
     const std::uint32_t i = std::min(a.piece, b.piece), j = std::max(a.piece, b.piece);
-    if (pieces[i].segment != pieces[j].segment && !apart(ends_[i], ends_[j]) && !apart(ends_[j], ends_[i]))
+    if (window_.pieces[i].segment != window_.pieces[j].segment && !apart(ends[i], ends[j]) && !apart(ends[j], ends[i]))
       close.push_back({i, j});
     return true;
   });
-  if (pair_tests > settings.most_pairs) return false;
-  share_lines(close);
-  EdgeSearch search(*this);
-  for (const auto& [i, j] : close) test(i, j, mask, settings.covers ? &search : nullptr);
+  if (window_.pair_tests > most_pairs) return false;
+  share_lines(window_, always_on_, close);
+  for (const auto& [i, j] : close) test(i, j);
   return true;
 }
 
-void Window::test(std::uint32_t i, std::uint32_t j, const SweptMask& mask, EdgeSearch* search) {
-  const std::uint32_t si = pieces[i].segment, sj = pieces[j].segment;
-  const LiveSegment &a = segments[si], &b = segments[sj];
-  const int sign = cross(si, sj);
-  const WalkPair end_a = end_pair(pieces[i]), end_b = end_pair(pieces[j]);
+void PairTests::test(std::uint32_t i, std::uint32_t j) {
+  const std::uint32_t si = window_.pieces[i].segment, sj = window_.pieces[j].segment;
+  const LiveSegment &a = window_.segments[si], &b = window_.segments[sj];
+  const int sign = window_.cross(si, sj);
+  const WalkPair end_a = window_.end_pair(window_.pieces[i]), end_b = window_.end_pair(window_.pieces[j]);
   if (a.end == b.start || b.end == a.start || a.start == b.start || a.end == b.end || end_a == b.start ||
       end_b == a.start || end_a == end_b) {
     // They meet in the common end only, at every scale, unless they fold back onto each other.
     if (sign != 0) return;
-    const bool same_way = base_.lattice->dot(exact(si).edge, exact(sj).edge) > 0;
-    if (same_way == (a.start == b.start || a.end == b.end)) folds.push_back({si, sj});
+    const bool same_way = window_.base().lattice->dot(window_.exact(si).edge, window_.exact(sj).edge) > 0;
+    if (same_way == (a.start == b.start || a.end == b.end)) window_.folds.push_back({si, sj});
     return;
   }
   Candidate c{};
@@ -181,89 +168,93 @@ void Window::test(std::uint32_t i, std::uint32_t j, const SweptMask& mask, EdgeS
   solve(c);
   if (!(c.error_a < kKnownShare && c.error_b < kKnownShare)) {
     c.in_low = INFINITY;  // nearly parallel: exact signs decide at every scale
-    candidates.push_back(c);
+    window_.candidates.push_back(c);
     return;
   }
   std::array<bool, 2> at_a{}, at_b{};
-  if (!bounds(i, c.ta, c.error_a, c, at_a) || !bounds(j, c.tb, c.error_b, c, at_b)) return;
-  if (c.out_high <= frame_.tau0 || c.out_low >= frame_.tau1) return;
+  if (!narrow_to_piece(window_, i, c.ta, c.error_a, c, at_a) || !narrow_to_piece(window_, j, c.tb, c.error_b, c, at_b))
+    return;
+  if (c.out_high <= window_.frame().tau0 || c.out_low >= window_.frame().tau1) return;
   // An end of one on the line of the other, throughout the window as far as doubles tell: at every scale?
-  if ((at_a[0] || at_a[1] || at_b[0] || at_b[1]) && touch_always(c, at_a, at_b)) return;
-  if (!dead_throughout(c, mask) && (search == nullptr || !covered_throughout(c, *search))) candidates.push_back(c);
+  if ((at_a[0] || at_a[1] || at_b[0] || at_b[1]) && touches_.touch_always(c, at_a, at_b)) return;
+  if (!dead_throughout(c) && (search_ == nullptr || !covered_throughout(c))) window_.candidates.push_back(c);
 }
 
 // Crossings move along a line: those that do so in dead cells only are left out. Boundaries end at crossings on the
 // boundary, so what passes the place of one in a dead cell is false on both sides of it.
-bool Window::dead_throughout(const Candidate& c, const SweptMask& mask) const {
-  const LiveSegment& a = segments[pieces[c.a].segment];
-  const Grid& g = mask.grid();
+bool PairTests::dead_throughout(const Candidate& c) const {
+  const LiveSegment& a = window_.segments[window_.pieces[c.a].segment];
+  const Grid& g = mask_.grid();
   const double reach = 4 * kReach * g.cell + c.error_a * std::max(std::abs(a.dx), std::abs(a.dy));
   double x[2], y[2];
   for (int k = 0; k < 2; ++k) {
-    const double tau = k == 0 ? std::max(c.out_low, frame_.tau0) : std::min(c.out_high, frame_.tau1), t = c.ta.at(tau);
+    const double tau = k == 0 ? std::max(c.out_low, window_.frame().tau0) : std::min(c.out_high, window_.frame().tau1),
+                 t = c.ta.at(tau);
     x[k] = a.x.at(tau) + t * a.dx + swept_.shift_x(tau);
     y[k] = a.y.at(tau) + t * a.dy + swept_.shift_y(tau);
   }
-  return mask.live(g.row(std::min(y[0], y[1]) - reach), g.column(std::min(x[0], x[1]) - reach),
-                   g.row(std::max(y[0], y[1]) + reach), g.column(std::max(x[0], x[1]) + reach)) == 0;
+  return mask_.live(g.row(std::min(y[0], y[1]) - reach), g.column(std::min(x[0], x[1]) - reach),
+                    g.row(std::max(y[0], y[1]) + reach), g.column(std::max(x[0], x[1]) + reach)) == 0;
 }
 
 // The same where two edges cross there all the while (edge_search.h).
-bool Window::covered_throughout(const Candidate& c, EdgeSearch& search) const {
-  const LiveSegment& a = segments[pieces[c.a].segment];
+bool PairTests::covered_throughout(const Candidate& c) const {
+  const LiveSegment& a = window_.segments[window_.pieces[c.a].segment];
   const auto at = [&](double tau) {
     const double t = c.ta.at(tau), t_error = c.error_a + kShare * std::max(1.0, tau);
     return EdgeSearch::Place{a.x.at(tau) + t * a.dx, a.y.at(tau) + t * a.dy,
-                             t_error * std::max(std::abs(a.dx), std::abs(a.dy)) + kWindowPoint * span_, tau};
+                             t_error * std::max(std::abs(a.dx), std::abs(a.dy)) + kWindowPoint * window_.span(), tau};
   };
-  return search.find_or_spare(at(std::max(c.out_low, swept_.tau0)), at(std::min(c.out_high, swept_.tau1))).has_value();
+  return search_->find_or_spare(at(std::max(c.out_low, swept_.tau0)), at(std::min(c.out_high, swept_.tau1)))
+      .has_value();
 }
 
 // Parallel pieces can touch where their lines coincide.
-void Window::test_parallel(Candidate c) {
-  const LiveSegment &a = segments[pieces[c.a].segment], &b = segments[pieces[c.b].segment];
+void PairTests::test_parallel(Candidate c) {
+  const LiveSegment &a = window_.segments[window_.pieces[c.a].segment],
+                    &b = window_.segments[window_.pieces[c.b].segment];
   const Linear wx{b.x.a - a.x.a, b.x.b - a.x.b}, wy{b.y.a - a.y.a, b.y.b - a.y.b};
   const Linear h{wx.a * a.dy - wy.a * a.dx, wx.b * a.dy - wy.b * a.dx};
-  const double error = kWindowSide * span_ * (std::abs(a.dx) + std::abs(a.dy)), h0 = h.at(frame_.tau0),
-               h1 = h.at(frame_.tau1);
+  const double error = kWindowSide * window_.span() * (std::abs(a.dx) + std::abs(a.dy)),
+               h0 = h.at(window_.frame().tau0), h1 = h.at(window_.frame().tau1);
   if ((h0 > error && h1 > error) || (h0 < -error && h1 < -error)) return;
   const bool close = std::abs(h0) <= error && std::abs(h1) <= error;
-  if (close && always_on(pieces[c.a].segment, exact(b.start))) return touch_parallel(c.a, c.b);
+  if (close && always_on_(window_.pieces[c.a].segment, window_.exact(b.start)))
+    return touches_.touch_parallel(c.a, c.b);
   c.in_low = INFINITY;
   if (h.b != 0 && !close) {
-    const double root = -h.a / h.b, wide = root_error(root, h.b, error, frame_.tau1);
+    const double root = -h.a / h.b, wide = root_error(root, h.b, error, window_.frame().tau1);
     c.out_low = root - wide;
     c.out_high = root + wide;
   }
-  candidates.push_back(c);
+  window_.candidates.push_back(c);
 }
 
 // Where two lines that are not parallel meet, on each of them; errors stay infinite where doubles know too little.
-void Window::solve(Candidate& c) const {
-  const LiveSegment &a = segments[pieces[c.a].segment], &b = segments[pieces[c.b].segment];
+void PairTests::solve(Candidate& c) const {
+  const LiveSegment &a = window_.segments[window_.pieces[c.a].segment],
+                    &b = window_.segments[window_.pieces[c.b].segment];
   const Product d = product(a, b);
   if (!(std::abs(d.value) > d.error)) return;
   const Linear wx{b.x.a - a.x.a, b.x.b - a.x.b}, wy{b.y.a - a.y.a, b.y.b - a.y.b};
   c.ta = {(wx.a * b.dy - wy.a * b.dx) / d.value, (wx.b * b.dy - wy.b * b.dx) / d.value};
   c.tb = {(wx.a * a.dy - wy.a * a.dx) / d.value, (wx.b * a.dy - wy.b * a.dx) / d.value};
   // Shares within the pieces are at most max(1, tau1).
-  const double size = kWindowSide * span_, relative = d.error / std::abs(d.value),
-               reach = 2 * std::max(1.0, frame_.tau1);
+  const double size = kWindowSide * window_.span(), relative = d.error / std::abs(d.value),
+               reach = 2 * std::max(1.0, window_.frame().tau1);
   if (!(relative < kKnownDenominator)) return;
   c.error_a = share_error(size * (std::abs(b.dx) + std::abs(b.dy)), std::abs(d.value), relative, reach);
   c.error_b = share_error(size * (std::abs(a.dx) + std::abs(a.dy)), std::abs(d.value), relative, reach);
 }
 
-bool Window::bounds(std::uint32_t piece, const Linear& t, double error, Candidate& c,
-                    std::array<bool, 2>& unsure) const {
-  const Piece& p = pieces[piece];
-  const double tau0 = frame_.tau0, tau1 = frame_.tau1;
-  const bool head = p.head_cut ? narrow_at_cut({t.a - p.head.a, t.b - p.head.b}, tau0, tau1, c)
-                               : narrow(t, error, tau0, tau1, c, unsure[0]);
-  if (!head) return false;
-  const Linear end = end_place(p), rest{end.a - t.a, end.b - t.b};
-  if (p.tail_cut) return narrow_at_cut(rest, tau0, tau1, c);
-  return narrow(rest, error + p.tail_error, tau0, tau1, c, unsure[1]);
+}  // namespace
+
+std::optional<std::vector<WalkPair>> find_candidates(Window& window, const WindowFrame& swept, const SweptMask& mask,
+                                                     const std::vector<PieceEnds>& ends, std::uint64_t most_pairs,
+                                                     EdgeSearch* search) {
+  PairTests tests(window, swept, mask, search);
+  if (!tests.run(ends, most_pairs)) return std::nullopt;
+  return tests.touch_pairs();
 }
 
 }  // namespace dymsum::planar

@@ -1,9 +1,8 @@
-// Cutting: segments of a window lose what lies in dead cells throughout.
-#include <algorithm>
-#include <cmath>
-#include <optional>
+#include "planar/scaling/window_pieces.h"
 
-#include "planar/scaling/window.h"
+#include <algorithm>
+
+#include "planar/mask/segment_clip.h"
 
 namespace dymsum::planar {
 
@@ -52,18 +51,16 @@ class PieceCutter {
   /// In order along the segment; valid until the next call.
   const std::vector<CutPlace>& cuts(const SweptSegment& s) {
     cuts_.clear();
-    for (int k = 0; k < 2; ++k) {
-      per_x_[k] = 1 / s.ex[k];
-      per_y_[k] = 1 / s.ey[k];
-    }
     const Cells near = cells_near(ends_between(s, {{0, 0}}, {{1, 1}}));
     if (near.live == near.all) return cuts_;
-    for_each_cell_run(grid_, s.ax[0], s.ay[0], s.ax[0] + s.ex[0], s.ay[0] + s.ey[0], [&](int row, int first, int last) {
-      for (int c = first; c <= last; ++c) {
+    const SegmentClip first(s.ax[0], s.ay[0], s.ex[0], s.ey[0]), last(s.ax[1], s.ay[1], s.ex[1], s.ey[1]);
+    for_each_cell_run(grid_, s.ax[0], s.ay[0], s.ax[0] + s.ex[0], s.ay[0] + s.ey[0], [&](int row, int from, int to) {
+      for (int c = from; c <= to; ++c) {
         if (!mask_.covered(row, c)) continue;
-        const std::optional<double> from = chord_middle(s, 0, row, c);
-        if (!from) continue;
-        if (const std::optional<double> to = chord_middle(s, 1, row, c)) cuts_.push_back({{*from, *to}});
+        const SegmentClip::Part low = in_cell(first, row, c);
+        if (!(low.to > low.from)) continue;
+        if (const SegmentClip::Part high = in_cell(last, row, c); high.to > high.from)
+          cuts_.push_back({{low.middle(), high.middle()}});
       }
     });
     std::sort(cuts_.begin(), cuts_.end(), [](const CutPlace& a, const CutPlace& b) { return a.t[0] < b.t[0]; });
@@ -87,54 +84,40 @@ class PieceCutter {
             static_cast<std::uint32_t>(r1 - r0 + 1) * static_cast<std::uint32_t>(c1 - c0 + 1)};
   }
 
-  /// The middle of what end k of the sweep has in a cell, if it has anything.
-  std::optional<double> chord_middle(const SweptSegment& s, int k, int row, int column) const {
-    double t0 = 0, t1 = 1;
-    const auto clip = [&](double from, double per_d, int cell) {
-      const double low = cell * grid_.cell, high = (cell + 1) * grid_.cell;
-      if (!std::isfinite(per_d)) {
-        if (from < low || from > high) t1 = -1;
-        return;
-      }
-      const double u = (low - from) * per_d, v = (high - from) * per_d;
-      t0 = std::max(t0, std::min(u, v));
-      t1 = std::min(t1, std::max(u, v));
-    };
-    clip(s.ax[k], per_x_[k], column);
-    clip(s.ay[k], per_y_[k], row);
-    if (!(t1 > t0)) return std::nullopt;
-    return 0.5 * (t0 + t1);
+  SegmentClip::Part in_cell(const SegmentClip& segment, int row, int column) const {
+    const double h = grid_.cell;
+    return segment.within(column * h, row * h, (column + 1) * h, (row + 1) * h);
   }
 
   const SweptMask& mask_;
   const Grid& grid_;
   double reach_;
-  double per_x_[2] = {}, per_y_[2] = {};  // lengths of the segment at hand, inverted
   std::vector<CutPlace> cuts_;
 };
 
 }  // namespace
 
-void Window::add_pieces(const SweptMask& mask) {
+std::vector<PieceEnds> cut_pieces(Window& window, const WindowFrame& frame, const SweptMask& mask) {
+  std::vector<PieceEnds> all_ends;
   PieceCutter cutter(mask);
-  const double width = swept_.tau1 - swept_.tau0;
-  for (std::uint32_t n = 0; n < segments.size(); ++n) {
-    LiveSegment& s = segments[n];
-    const SweptSegment swept = swept_segment(s, swept_);
+  const double width = frame.tau1 - frame.tau0;
+  for (std::uint32_t n = 0; n < window.segments.size(); ++n) {
+    LiveSegment& s = window.segments[n];
+    const SweptSegment swept = swept_segment(s, frame);
     const std::vector<CutPlace>& cuts = cutter.cuts(swept);
     const auto linear = [&](const CutPlace& c) {
-      const double u = c.t[0] * s.length(swept_.tau0), v = c.t[1] * s.length(swept_.tau1);
+      const double u = c.t[0] * s.length(frame.tau0), v = c.t[1] * s.length(frame.tau1);
       const double slope = width > 0 ? (v - u) / width : 0;
-      return Linear{u - slope * swept_.tau0, slope};
+      return Linear{u - slope * frame.tau0, slope};
     };
-    s.first_piece = static_cast<std::uint32_t>(pieces.size());
+    s.first_piece = static_cast<std::uint32_t>(window.pieces.size());
     for (std::size_t k = 0; k <= cuts.size(); ++k) {
       const CutPlace from = k == 0 ? CutPlace{{0, 0}} : cuts[k - 1], to = k == cuts.size() ? CutPlace{{1, 1}} : cuts[k];
       PieceEnds ends = ends_between(swept, from, to);
       if (!cuts.empty() && !cutter.live(ends)) continue;
       ends.dx = s.dx;
       ends.dy = s.dy;
-      ends.error = kWindowSide * (std::abs(s.dx) + std::abs(s.dy)) * span_;
+      ends.error = kWindowSide * (std::abs(s.dx) + std::abs(s.dy)) * window.span();
       Piece p;
       p.segment = n;
       p.half = s.dy > 0 || (s.dy == 0 && s.dx > 0) ? 0 : 1;
@@ -142,11 +125,12 @@ void Window::add_pieces(const SweptMask& mask) {
       p.tail_cut = k < cuts.size();
       if (p.head_cut) p.head = linear(from);
       if (p.tail_cut) p.tail = linear(to);
-      pieces.push_back(p);
-      ends_.push_back(ends);
+      window.pieces.push_back(p);
+      all_ends.push_back(ends);
     }
-    s.last_piece = static_cast<std::uint32_t>(pieces.size());
+    s.last_piece = static_cast<std::uint32_t>(window.pieces.size());
   }
+  return all_ends;
 }
 
 }  // namespace dymsum::planar

@@ -89,7 +89,8 @@ Result<SumState> compute_boundary(std::shared_ptr<const Operand> p, std::shared_
   return state;
 }
 
-Result<SumState> compute_boundary(SumState state, const SumOptions& options) {
+Result<SumState> compute_boundary(PlacedPair placed, const SumOptions& options) {
+  SumState state(std::move(placed));
   if (std::optional<Error> error = run(state, options, Refine::where_it_pays)) return *std::move(error);
   return state;
 }

@@ -11,7 +11,7 @@ namespace dymsum::planar {
 Result<SumState> compute_boundary(std::shared_ptr<const Operand> p, std::shared_ptr<const Operand> q,
                                   const SumOptions& options, Refine refine = Refine::where_it_pays);
 
-/// The same for operands that are already on a lattice: state.lattice, state.p, state.q.
-Result<SumState> compute_boundary(SumState state, const SumOptions& options);
+/// The same for operands that are already on a lattice.
+Result<SumState> compute_boundary(PlacedPair placed, const SumOptions& options);
 
 }  // namespace dymsum::planar

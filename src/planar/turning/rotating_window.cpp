@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planar/mask/segment_clip.h"
 #include "planar/turning/box_pairs.h"
 
 namespace dymsum::planar {
@@ -10,33 +11,32 @@ namespace dymsum::planar {
 RotatingWindow::RotatingWindow(const TurnGrid& grid, const TurnCatalog& catalog, double mid, double h, bool mask)
     : middle(mid),
       half(h * exact::kOutwards + kAngleSlack),
+      heading(Heading::of(mid)),
       forms_(grid.forms),
       catalog_(catalog),
       shift_(grid.forms.reach()) {
-  const Heading heading = Heading::of(middle);
-  turned_.reserve(forms_.points(1).size());
+  turned.reserve(forms_.points(1).size());
   moved_.reserve(forms_.points(1).size());
   for (std::uint32_t v = 0; v < forms_.size(1); ++v) {
     const Point& p = forms_.points(1)[v];
-    turned_.push_back({heading.c * p.x - heading.s * p.y, heading.s * p.x + heading.c * p.y});
+    turned.push_back({heading.c * p.x - heading.s * p.y, heading.s * p.x + heading.c * p.y});
     moved_.push_back(moved(forms_, v, half));
   }
-  const CoveredCells dead = mask ? covered_cells(grid, turned_, half) : CoveredCells(grid.grid.whole);
+  const CoveredCells dead = mask ? covered_cells(grid, turned, half) : CoveredCells(grid.grid.whole);
   add_segments(dead);
   find_next();
-  find_meetings(dead);
-  index_meetings();
+  find_candidates(dead);
+  index(candidates, pieces.size());
   find_dead_tails();
   find_runs();
   find_rounds();
-  turned_ = {};
   moved_ = {};
   swept_ = {};
 }
 
 std::size_t RotatingWindow::bytes() const {
   return segments.capacity() * sizeof(TurnSegment) + pieces.capacity() * sizeof(TurnPiece) +
-         meetings.capacity() * sizeof(TurnMeeting) + (first_of.capacity() + of.capacity() + live_.capacity()) * 4;
+         candidates.capacity() * sizeof(TurnCandidate) + (first_of.capacity() + of.capacity() + live_.capacity()) * 4;
 }
 
 std::uint32_t RotatingWindow::find(const WalkSegment& s) const {
@@ -53,8 +53,8 @@ RotatingWindow::Swept RotatingWindow::swept(const WalkSegment& s) const {
   const std::uint32_t to = forms_.operand(s.side).next[s.edge];
   Swept w;
   w.fixed = forms_.points(0)[from.p];
-  w.turning = turned_[from.q];
-  const Point &a = s.side == 0 ? w.fixed : w.turning, &b = s.side == 0 ? forms_.points(0)[to] : turned_[to];
+  w.turning = turned[from.q];
+  const Point &a = s.side == 0 ? w.fixed : w.turning, &b = s.side == 0 ? forms_.points(0)[to] : turned[to];
   w.d = {b.x - a.x, b.y - a.y};
   w.reach = (s.side == 0 ? moved_[from.q] : std::max(moved_[from.q], moved_[to])) + kSweptPlace * forms_.span();
   w.side = s.side;
@@ -83,13 +83,12 @@ void RotatingWindow::add_segments(const CoveredCells& dead) {
           if (dead.live(g.row(std::min(y, y + w.d.y) - reach), g.column(std::min(x, x + w.d.x) - reach),
                         g.row(std::max(y, y + w.d.y) + reach), g.column(std::max(x, x + w.d.x) + reach)) == 0)
             continue;
-          TurnSegment s;
+          TurnSegment s{walk};
           s.first_piece = static_cast<std::uint32_t>(pieces.size());
           add_pieces(w, dead);
           s.last_piece = static_cast<std::uint32_t>(pieces.size());
           if (s.first_piece == s.last_piece) continue;
           live_.back() = static_cast<std::uint32_t>(segments.size());
-          s.walk = walk;
           s.span = catalog_.span(walk, middle);
           s.throughout = s.span.from < -half - 2 * kAngleSlack && s.span.to > half + 2 * kAngleSlack;
           if (!s.throughout) changing.push_back(static_cast<std::uint32_t>(segments.size()));
@@ -118,21 +117,13 @@ void RotatingWindow::add_pieces(const Swept& w, const CoveredCells& dead) {
   };
   cuts_.clear();
   if (const auto [live, all] = cells_near(0, 1); live < all && 2 * reach < g.cell) {
-    const double per_x = 1 / w.d.x,
-                 per_y =
-                     1 / w.d.y;  // infinite for upright and level ones, which lie in the range of a cell or beside it
+    const SegmentClip clip(x, y, w.d.x, w.d.y);
     for_each_cell_run(g, x, y, x + w.d.x, y + w.d.y, [&](int row, int first, int last) {
       for (int c = first; c <= last; ++c) {
         if (!dead.covered(row, c)) continue;
-        double t0 = 0, t1 = 1;
-        const auto clip = [&](double from, double per, int cell) {
-          const double u = (cell * g.cell + reach - from) * per, v = ((cell + 1) * g.cell - reach - from) * per;
-          t0 = std::max(t0, std::min(u, v));
-          t1 = std::min(t1, std::max(u, v));
-        };
-        clip(x, per_x, c);
-        clip(y, per_y, row);
-        if (t1 > t0) cuts_.push_back(0.5 * (t0 + t1));
+        const SegmentClip::Part part =
+            clip.within(c * g.cell + reach, row * g.cell + reach, (c + 1) * g.cell - reach, (row + 1) * g.cell - reach);
+        if (part.to > part.from) cuts_.push_back(part.middle());
       }
     });
     std::sort(cuts_.begin(), cuts_.end());
@@ -182,7 +173,7 @@ RotatingWindow::Box RotatingWindow::box_of(const TurnPiece& p, double reach) con
 
 // Pieces whose swept boxes meet in a live cell, less those that certainly do not meet: what meets in dead cells is
 // covered.
-void RotatingWindow::find_meetings(const CoveredCells& dead) {
+void RotatingWindow::find_candidates(const CoveredCells& dead) {
   const Grid& g = dead.grid();
   const double reach = kReach * g.cell;
   BoxPairs pairs(forms_.span());
@@ -203,35 +194,20 @@ void RotatingWindow::find_meetings(const CoveredCells& dead) {
     n += !(never | (s.start == t.start) | (s.start == t.end) | (s.end == t.start) | (s.end == t.end));
   }
   pair_tests = n;
-  meetings.resize(n);
+  candidates.resize(n);
   std::size_t kept = 0;
   for (std::size_t k = 0; k < n; ++k) {
     const TurnPiece &p = pieces[near[k][0]], &q = pieces[near[k][1]];
-    meetings[kept] = {near[k][0], near[k][1], p.segment, q.segment};
+    candidates[kept] = {near[k][0], near[k][1], p.segment, q.segment};
     kept += !apart(p, q);
   }
-  meetings.resize(kept);
+  candidates.resize(kept);
   if (dead.covered_cells() == 0) return;
-  std::erase_if(meetings, [&](const TurnMeeting& m) {
+  std::erase_if(candidates, [&](const TurnCandidate& m) {
     const Box u = box_of(pieces[m.a], reach), v = box_of(pieces[m.b], reach);
     return dead.live(g.row(std::max(u.y0, v.y0)), g.column(std::max(u.x0, v.x0)), g.row(std::min(u.y1, v.y1)),
                      g.column(std::min(u.x1, v.x1))) == 0;
   });
-}
-
-void RotatingWindow::index_meetings() {
-  first_of.assign(pieces.size() + 1, 0);
-  for (const TurnMeeting& m : meetings) {
-    ++first_of[m.a + 1];
-    ++first_of[m.b + 1];
-  }
-  for (std::size_t i = 0; i < pieces.size(); ++i) first_of[i + 1] += first_of[i];
-  of.resize(first_of.back());
-  std::vector<std::uint32_t> fill(first_of.begin(), first_of.end() - 1);
-  for (std::uint32_t m = 0; m < meetings.size(); ++m) {
-    of[fill[meetings[m].a]++] = m;
-    of[fill[meetings[m].b]++] = m;
-  }
 }
 
 // As at most one of the two exists at a time, one that exists throughout is the only one.

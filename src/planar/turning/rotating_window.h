@@ -6,17 +6,16 @@
 #include <cstdint>
 #include <vector>
 
-#include "planar/arrangement/chain.h"
+#include "planar/frames/candidate_index.h"
 #include "planar/turning/turn_catalog.h"
 #include "planar/turning/turn_grid.h"
 
 namespace dymsum::planar {
 
 /// A segment that is live somewhere in the window.
-struct TurnSegment {
-  WalkSegment walk;
-  TurnCatalog::Span span;  ///< it exists there, relative to the middle of the window
-  Pair start, end;
+struct TurnSegment : WalkSegment {
+  TurnCatalog::Span span = {};  ///< it exists there, relative to the middle of the window
+  Pair start = {}, end = {};
   double length1 = 0;
   std::uint32_t first_piece = 0, last_piece = 0;  ///< its pieces [first_piece, last_piece)
   std::array<std::uint32_t, 2> next{kNone,
@@ -36,25 +35,26 @@ struct TurnPiece {
   std::uint32_t run_last = kNone;  ///< of a quiet one: where followers lead to
 };
 
-/// Pieces that may meet, and their segments.
-struct TurnMeeting {
+/// Two pieces that may meet, and their segments.
+struct TurnCandidate {
   std::uint32_t a = 0, b = 0;
   std::uint32_t segment_a = 0, segment_b = 0;
 };
 
-class RotatingWindow {
+class RotatingWindow : public CandidateIndex {
  public:
   /// Angles within `half` of `middle`, a little more being covered. `mask` off: no cell is dead.
   RotatingWindow(const TurnGrid& grid, const TurnCatalog& catalog, double middle, double half, bool mask);
 
   double middle = 0, half = 0;
+  Heading heading;            ///< of the middle
+  std::vector<Point> turned;  ///< vertices of the turning operand there, about its centre
   std::vector<TurnSegment> segments;
   std::vector<TurnPiece> pieces;
-  std::vector<TurnMeeting> meetings;
-  std::vector<std::uint32_t> first_of, of;  ///< the meetings of piece i are of[first_of[i] .. first_of[i + 1])
-  std::vector<std::uint32_t> changing;      ///< segments that do not exist at every angle
-  std::vector<std::uint32_t> rounds;        ///< whole pieces that may follow each other all round, without quiet ones
-  std::vector<std::uint32_t> circles;       ///< quiet pieces whose followers lead back to them, one of each circle
+  std::vector<TurnCandidate> candidates;
+  std::vector<std::uint32_t> changing;  ///< segments that do not exist at every angle
+  std::vector<std::uint32_t> rounds;    ///< whole pieces that may follow each other all round, without quiet ones
+  std::vector<std::uint32_t> circles;   ///< quiet pieces whose followers lead back to them, one of each circle
   std::uint64_t all_segments = 0, pair_tests = 0;
 
   const TurningForms& forms() const { return forms_; }
@@ -82,9 +82,8 @@ class RotatingWindow {
   void add_segments(const CoveredCells& dead);
   void add_pieces(const Swept& w, const CoveredCells& dead);
   Box box_of(const TurnPiece& p, double reach) const;
-  void find_meetings(const CoveredCells& dead);
+  void find_candidates(const CoveredCells& dead);
   bool apart(const TurnPiece& p, const TurnPiece& q) const;
-  void index_meetings();
   void find_next();
   void find_dead_tails();
   void find_runs();
@@ -95,7 +94,6 @@ class RotatingWindow {
   double shift_ = 0;                        // of coordinates to those of the grid
   std::array<std::vector<Turn>, 2> turns_;  // by side and vertex
   std::vector<std::uint32_t> live_;         // all segments of the window -> segments
-  std::vector<Point> turned_;               // the turning operand at the middle
   std::vector<double> moved_;               // how far each of its vertices moves from there
   std::vector<Swept> swept_;                // of segments
   std::vector<double> cuts_;

@@ -2,23 +2,11 @@
 
 #include <algorithm>
 
+#include "planar/mask/segment_clip.h"
 #include "planar/turning/edge_parallelograms.h"
 
 namespace dymsum::planar {
 namespace {
-
-bool meets_box(Point a, Point b, double x0, double y0, double x1, double y1) {
-  double low = 0, high = 1;
-  const auto clip = [&](double from, double d, double lo, double hi) {
-    if (d == 0) return from >= lo && from <= hi;
-    double u = (lo - from) / d, v = (hi - from) / d;
-    if (u > v) std::swap(u, v);
-    low = std::max(low, u);
-    high = std::min(high, v);
-    return low <= high;
-  };
-  return clip(a.x, b.x - a.x, x0, x1) && clip(a.y, b.y - a.y, y0, y1);
-}
 
 Raster fixed_raster(const TurningForms& forms, const Grid& cells) {
   const Operand& o = forms.operand(0);
@@ -66,11 +54,13 @@ CoveredCells covered_cells(const TurnGrid& base, const std::vector<Point>& turne
         kRim + reach * cells.per_cell);
     windings.add_edge(a.x, a.y, b.x, b.y);
     if (2 * reach >= cells.cell) continue;
+    const SegmentClip clip(a.x, a.y, b.x - a.x, b.y - a.y);
     for_each_cell_run(cells, a.x, a.y, b.x, b.y, [&](int r, int first, int last) {
-      for (int c = first; c <= last; ++c)
-        if (meets_box(a, b, c * cells.cell + reach, r * cells.cell + reach, (c + 1) * cells.cell - reach,
-                      (r + 1) * cells.cell - reach))
-          raster.touch.set_run(r, c, c);
+      for (int c = first; c <= last; ++c) {
+        const SegmentClip::Part part = clip.within(c * cells.cell + reach, r * cells.cell + reach,
+                                                   (c + 1) * cells.cell - reach, (r + 1) * cells.cell - reach);
+        if (part.from <= part.to) raster.touch.set_run(r, c, c);
+      }
     });
   }
   windings.fill(boundary, raster);

@@ -1,9 +1,7 @@
-// A range of angles with one set of segments: those that are not inside the obstacle at every angle of it, and the
-// pairs of them that may meet.
+// The window of angles between two exact ones: its segments, and the pairs of them that may meet.
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "planar/turning/rotating_window.h"
@@ -17,30 +15,25 @@ struct TurnRange {
   double theta(double t) const { return 2 * std::atan(t) + (chart == 1 ? std::numbers::pi : 0.0); }
 };
 
-class TurnWindow {
+class TurnWindow : public RotatingWindow {
  public:
-  TurnWindow(const TurnGrid& base, const TurnCatalog& catalog, const TurnRange& range, bool mask);
+  TurnWindow(const TurnGrid& grid, const TurnCatalog& catalog, const TurnRange& range, bool mask);
 
-  /// A pair of segments that may meet outside dead cells, a < b, by their numbers here. Pairs with a common end meet
-  /// nowhere else and are left out.
-  struct Meeting {
+  /// Segments of which pieces may meet, a < b.
+  struct SegmentPair {
     std::uint32_t a = 0, b = 0;
-    friend auto operator<=>(const Meeting&, const Meeting&) = default;
+    friend auto operator<=>(const SegmentPair&, const SegmentPair&) = default;
   };
   TurnRange range;
-  double low = 0, high = 0, middle = 0, half = 0;  ///< angles, rounded outwards
-  Heading heading;                                 ///< of the middle
-  std::vector<WalkSegment> segments;
-  std::vector<Meeting> meetings;        ///< sorted
-  std::vector<std::uint32_t> first_of;  ///< those of segment a are meetings[first_of[a] .. first_of[a + 1])
-  std::vector<Point> turned;            ///< vertices of the turning operand at the middle, about its centre
-  std::size_t all_segments = 0;         ///< before the mask
+  double low = 0, high = 0;        ///< angles, rounded outwards
+  std::vector<SegmentPair> pairs;  ///< sorted
 
-  /// Whether two segments are a meeting. Requires a < b. By the few meetings of a.
+  /// Whether two segments are a pair. Requires a < b. By the few pairs of a.
   bool meet(std::uint32_t a, std::uint32_t b) const;
 
  private:
-  void sort_meetings();
+  void sort_pairs();
+  std::vector<std::uint32_t> pairs_of_;  // those of segment a are pairs[pairs_of_[a] .. pairs_of_[a + 1])
 };
 
 }  // namespace dymsum::planar

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "exact/polynomial.h"
-#include "planar/convolution/convolution.h"
 #include "planar/frames/operand_pair.h"
+#include "planar/operand/operand.h"
 #include "planar/turning/turning_bounds.h"
 
 namespace dymsum::planar {

@@ -2,8 +2,8 @@
 #include "cspace/boundary/free_place.h"
 
 #include "cspace/obstacle/obstacle_slices.h"
+#include "planar/frames/region_pair.h"
 #include "planar/turning/exact_angle.h"
-#include "planar/turning/slice.h"
 
 namespace dymsum::planar {
 namespace {
@@ -55,7 +55,7 @@ class Places {
  public:
   Places(const Region& robot, const Region& obstacle, const Turn& turn)
       : turn_(turn),
-        base_(turning_base(obstacle, robot, 1, true, {}, 0).value()),
+        base_(pair_of_regions(obstacle, robot, PairOptions{.moved = 1, .reflect_q = true}).value()),
         forms_(*base_),
         angle_(exact_angle(*Orientation::of(turn.n, turn.d))),
         signs_(forms_, angle_),

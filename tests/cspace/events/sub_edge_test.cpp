@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "oracles/random.h"
-#include "planar/operand/prepared_region.h"
+#include "planar/frames/region_pair.h"
 
 namespace dymsum::planar {
 namespace {
@@ -34,8 +34,7 @@ TEST(SubEdge, nearly_parallel_lines_cross_within_the_error_that_is_said) {
   oracles::Random random(3);
   int known = 0, unknown = 0;
   for (int k = 0; k < 300; ++k) {
-    const auto base =
-        OperandPair::create({prepared_operand(ring(random), 0), prepared_operand(ring(random), 1)}, {}, 1, 0).value();
+    const auto base = pair_of_regions(ring(random), ring(random), PairOptions{.moved = 1}).value();
     const TurningForms forms(*base);
     for (std::uint32_t e = 0; e < 5; ++e)
       for (std::uint32_t f = 0; f < 5; ++f) {

@@ -4,13 +4,14 @@
 #include <gtest/gtest.h>
 
 #include "dymsum/shapes.h"
-#include "planar/turning/slice.h"
+#include "planar/frames/region_pair.h"
 
 namespace dymsum::planar {
 namespace {
 
 void expect_full_turn(const Region& robot, const Region& obstacle, TurnWindows::Halved halved) {
-  const std::shared_ptr<const OperandPair> base = turning_base(obstacle, robot, 1, true, {}, 0).value();
+  const std::shared_ptr<const OperandPair> base =
+      pair_of_regions(obstacle, robot, PairOptions{.moved = 1, .reflect_q = true}).value();
   const TurningForms forms(*base);
   const TurnCatalog catalog(forms);
   const TurnWindows windows(forms, catalog, false);

@@ -26,7 +26,7 @@ Pairs crossing_pairs(const Meetings& meetings) {
 
 /// Without a mask; whether a grid was used.
 bool finds_all(const Region& a, const Region& b) {
-  const PlacedPair o(a, b);
+  const PlacedPair o = placed_pair(a, b);
   const ReducedConvolution convolution(*o.lattice, *o.p, *o.q);
   Soup soup(*o.lattice, *o.p, *o.q);
   add_all(convolution, soup);

@@ -22,7 +22,7 @@ Region polygon(Ring outer, std::vector<Ring> holes = {}) {
 /// Everything up to the collision tests, without a mask.
 struct Stages {
   Stages(const Region& a, const Region& b)
-      : o(a, b),
+      : o(placed_pair(a, b)),
         convolution(*o.lattice, *o.p, *o.q),
         soup(filled(convolution, o)),
         chain(soup, convolution, Array<std::uint32_t>(), static_cast<std::uint32_t>(soup.size())),

@@ -14,7 +14,7 @@ namespace {
 TEST(WindingBoundary, of_a_frame_and_the_square_that_fits_into_it) {
   const Region frame =
       Region::create({{{{{0, 0}, {3, 0}, {3, 3}, {0, 3}}, {{{1, 1}, {1, 2}, {2, 2}, {2, 1}}}}}, {}, {}}).value();
-  const PlacedPair o(frame, shapes::rectangle(0, 0, 1, 1));
+  const PlacedPair o = placed_pair(frame, shapes::rectangle(0, 0, 1, 1));
   Tracing tracing(*o.lattice, *o.p, *o.q);
   for (const KineticSegment& s : kinetic_convolution(*o.lattice, *o.p, *o.q)) tracing.add(s.walk, s.sign);
   const Progress never;

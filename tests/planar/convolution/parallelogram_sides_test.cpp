@@ -13,7 +13,7 @@ namespace {
 Region line(Polyline points) { return Region::create({{}, {std::move(points)}, {}}).value(); }
 
 TEST(ParallelogramSides, close_around_every_pair_of_edges_that_is_not_parallel) {
-  const PlacedPair o(line({{0, 0}, {4, 0}, {4, 3}}), line({{0, 0}, {0, 2}}));
+  const PlacedPair o = placed_pair(line({{0, 0}, {4, 0}, {4, 3}}), line({{0, 0}, {0, 2}}));
   const std::vector<WalkSegment> sides = parallelogram_sides(*o.lattice, *o.p, *o.q);
   ASSERT_EQ(sides.size(), 4u) << "(4, 0) with (0, 2) there and back";
   std::map<std::pair<double, double>, int> ends;
@@ -32,7 +32,7 @@ TEST(ParallelogramSides, close_around_every_pair_of_edges_that_is_not_parallel) 
 
 TEST(ParallelogramSides, none_beside_a_component_with_area) {
   const Region square = Region::create({{{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {}}}, {}, {}}).value();
-  const PlacedPair o(square, line({{0, 0}, {3, 1}}));
+  const PlacedPair o = placed_pair(square, line({{0, 0}, {3, 1}}));
   EXPECT_TRUE(parallelogram_sides(*o.lattice, *o.p, *o.q).empty());
   EXPECT_FALSE(has_component_without_area(*o.p));
   EXPECT_TRUE(has_component_without_area(*o.q));

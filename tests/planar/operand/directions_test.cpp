@@ -12,6 +12,7 @@
 
 #include "dymsum/shapes.h"
 #include "planar/operand/operand.h"
+#include "planar/region/separate_touching.h"
 
 namespace dymsum::planar {
 namespace {

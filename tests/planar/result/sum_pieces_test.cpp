@@ -13,7 +13,7 @@ Region thin(std::vector<Polyline> lines, std::vector<Point> points) {
 }
 
 TEST(SumPieces, a_point_moves_points_and_polylines) {
-  const PlacedPair o(thin({{{0, 0}, {4, 0}}}, {{9, 9}}), thin({}, {{1, 1}}));
+  const PlacedPair o = placed_pair(thin({{{0, 0}, {4, 0}}}, {{9, 9}}), thin({}, {{1, 1}}));
   const PieceCandidates found = lower_dimensional_candidates(*o.lattice, *o.p, *o.q);
   EXPECT_EQ(found.segments.size(), 2u) << "there and back";
   ASSERT_EQ(found.points.size(), 1u);
@@ -29,7 +29,7 @@ TEST(SumPieces, a_point_moves_points_and_polylines) {
 }
 
 TEST(SumPieces, parallel_edges_are_added_end_to_end) {
-  const PlacedPair o(thin({{{0, 0}, {4, 2}}}, {}), thin({{{0, 0}, {2, 1}}}, {}));
+  const PlacedPair o = placed_pair(thin({{{0, 0}, {4, 2}}}, {}), thin({{{0, 0}, {2, 1}}}, {}));
   const PieceCandidates found = lower_dimensional_candidates(*o.lattice, *o.p, *o.q);
   const SumSource source(o.lattice, o.p, o.q);
   std::vector<SumSegment> segments;

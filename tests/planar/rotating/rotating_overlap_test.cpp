@@ -8,9 +8,9 @@
 #include "dymsum/shapes.h"
 #include "oracles/random.h"
 #include "oracles/tiny_regions.h"
-#include "planar/operand/prepared_region.h"
+#include "planar/frames/region_pair.h"
+#include "planar/rotating/exact_overlap.h"
 #include "planar/rotating/rotating_overlap.h"
-#include "planar/rotating/rotating_place.h"
 #include "planar/turning/box_pairs.h"
 
 namespace dymsum::planar {
@@ -22,7 +22,7 @@ struct Tally {
 
 // Beside every sub-edge of every cycle of one frame, and every segment.
 void compare(const Region& p, const Region& q, double radians, Tally& tally) {
-  const auto base = OperandPair::create({prepared_operand(p, 0), prepared_operand(q, 1)}, {}, 1, 0).value();
+  const auto base = pair_of_regions(p, q, PairOptions{.moved = 1}).value();
   if (!base->regular || !base->connected) return;
   const TurningForms forms(*base);
   const TurnCatalog catalog(forms);
@@ -32,9 +32,9 @@ void compare(const Region& p, const Region& q, double radians, Tally& tally) {
   RotatingFrame frame(window);
   if (!frame.compute(theta.radians() - window.middle, Heading::of(theta.radians()))) return;
   RotatingOverlap overlap(forms);
-  RotatingPlace place(base, theta);
+  ExactOverlap place(base, theta);
   const auto source = [&](std::uint32_t s) {
-    const WalkSegment& w = window.segments[s].walk;
+    const WalkSegment& w = window.segments[s];
     return Segment{forms.operand(w.side).edge(w.edge), forms.operand(1 - w.side).source[w.vertex]};
   };
   const auto by = [&](std::uint32_t s) {
@@ -53,7 +53,7 @@ void compare(const Region& p, const Region& q, double radians, Tally& tally) {
   for (const RotatingFrame::Step& s : frame.steps()) ASSERT_NO_FATAL_FAILURE(check(s));
   // And in the middle of every segment that exists, whatever crosses it.
   for (std::uint32_t i = 0; i < window.segments.size(); ++i)
-    if (catalog.exists(window.segments[i].walk, theta.radians()) == TurnCatalog::Existence::yes) {
+    if (catalog.exists(window.segments[i], theta.radians()) == TurnCatalog::Existence::yes) {
       RotatingFrame::Step s;
       s.segment = i;
       ASSERT_NO_FATAL_FAILURE(check(s));

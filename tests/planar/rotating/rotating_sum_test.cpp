@@ -27,11 +27,11 @@ std::uint64_t fuzz_rounds(std::uint64_t usual) {
   return pairs != nullptr ? std::max<std::uint64_t>(usual, std::strtoull(pairs, nullptr, 10) / 40) : usual;
 }
 
-PlanarSum fresh(const Region& p, const Region& q, const Orientation& theta, const RotatingOptions& options) {
+PlanarSum fresh(const Region& p, const Region& q, const Orientation& theta, const MovingOptions& options) {
   SumOptions sum_options;
   sum_options.semantics = options.semantics;
   if (options.reflect_q) return cspace_slice(q, p, theta, sum_options).value();
-  if (options.turning == TurningOperand::p) return rotated_sum(p, q, theta, sum_options).value();
+  if (options.moving == MovingOperand::p) return rotated_sum(p, q, theta, sum_options).value();
   // P + R Q is R (R^-1 P + Q): the same positions need Q in the turning place, and numbers the other way round.
   return rotated_sum(q, p, theta, sum_options).value();
 }
@@ -76,9 +76,9 @@ TEST(RotatingSum, tiny_pairs_equal_slices_at_every_step) {
     oracles::Random random(seed);
     const oracles::Pair pair = oracles::random_pair(random, 3 + static_cast<int>(random.below(8)));
     const Region p = Region::create(pair.p).value(), q = Region::create(pair.q).value();
-    RotatingOptions options;
+    MovingOptions options;
     options.reflect_q = random.chance(30);
-    options.turning = options.reflect_q || random.chance(50) ? TurningOperand::q : TurningOperand::p;
+    options.moving = options.reflect_q || random.chance(50) ? MovingOperand::q : MovingOperand::p;
     options.semantics = random.chance(20)   ? Semantics::open
                         : random.chance(20) ? Semantics::regular
                                             : Semantics::closed;
@@ -92,7 +92,7 @@ TEST(RotatingSum, tiny_pairs_equal_slices_at_every_step) {
       const Orientation orientation = at(theta, random.chance(30) ? 0.02 : 1e-5);
       ASSERT_TRUE(sum.set(orientation).ok());
       // With Q turning and not reflected the slice names contacts the other way round.
-      const bool contacts = options.reflect_q || options.turning == TurningOperand::p;
+      const bool contacts = options.reflect_q || options.moving == MovingOperand::p;
       ASSERT_NO_FATAL_FAILURE(expect_frame(sum, fresh(p, q, orientation, options), contacts))
           << "theta = " << orientation.radians();
       updated += !sum.work().rebuilt;
@@ -133,8 +133,8 @@ TEST(RotatingSum, larger_pairs_with_masks_equal_slices) {
     for (const bool q_turns : {false, true})
       for (const double width : {0.0, 0.04, 0.2}) {
         SCOPED_TRACE(shape.name);
-        RotatingOptions options;
-        options.turning = q_turns ? TurningOperand::q : TurningOperand::p;
+        MovingOptions options;
+        options.moving = q_turns ? MovingOperand::q : MovingOperand::p;
         options.mode = FrameMode::window;
         options.window = width;
         RotatingSum sum = RotatingSum::create(shape.p, shape.q, options).value();
@@ -157,8 +157,8 @@ TEST(RotatingSum, every_slice_around_an_event_is_right_from_both_sides) {
   // A square in a slot: free at quarter turns only.
   const Region slot = shapes::grate(4, 2, 1, 3), square = shapes::rectangle(0, 0, 1, 1);
   for (const Semantics semantics : {Semantics::closed, Semantics::open, Semantics::regular}) {
-    RotatingOptions options;
-    options.turning = TurningOperand::q;
+    MovingOptions options;
+    options.moving = MovingOperand::q;
     options.reflect_q = true;
     options.semantics = semantics;
     options.mode = FrameMode::window;
@@ -233,7 +233,7 @@ TEST(RotatingSum, identities_and_changes_account_for_every_ring) {
 }
 
 TEST(RotatingSum, a_frame_inside_a_window_looks_only_there) {
-  RotatingOptions options;
+  MovingOptions options;
   options.mode = FrameMode::window;
   options.window = 0.1;
   RotatingSum sum =
@@ -283,8 +283,8 @@ TEST(RotatingSum, frames_at_exact_events_equal_slices) {
     };
     const Region p = polygon(7), q = polygon(5);
     const CspaceObstacle obstacle = CspaceObstacle::create(q, p).value();
-    RotatingOptions options;
-    options.turning = TurningOperand::q;
+    MovingOptions options;
+    options.moving = MovingOperand::q;
     options.reflect_q = true;
     options.mode = FrameMode::window;
     options.window = 0.05;
@@ -317,7 +317,7 @@ TEST(RotatingSum, large_steps_in_wide_windows_equal_slices) {
     const Region p =
         shapes::random_polygon(12 + static_cast<int>(random.below(10)), static_cast<int>(random.below(3)), seed);
     const Region q = shapes::noisy_star(6 + static_cast<int>(random.below(8)), 0.8, seed + 1);
-    RotatingOptions options;
+    MovingOptions options;
     options.mode = FrameMode::window;
     options.window = 1.2;
     RotatingSum sum = RotatingSum::create(p, q, options).value();
@@ -344,8 +344,8 @@ TEST(RotatingSum, a_hole_uncovered_in_one_step_appears) {
   const Region p = Region::create(fixed).value(), q = Region::create(turning).value();
   // The frame before lies in the window, or does not.
   for (const double window : {1.5, 0.05}) {
-    RotatingOptions options;
-    options.turning = TurningOperand::q;
+    MovingOptions options;
+    options.moving = MovingOperand::q;
     options.mode = FrameMode::window;
     options.window = window;
     RotatingSum sum = RotatingSum::create(p, q, options).value();
@@ -388,7 +388,7 @@ TEST(RotatingSum, huge_and_minute_coordinates_equal_slices) {
   };
   for (const auto& [one, other] : {std::pair{390, 390}, {-380, -380}, {980, 980}, {-900, -900}, {390, 300}, {0, 60}}) {
     const Region p = scaled(shapes::noisy_star(20, 0.6, 1), one), q = scaled(shapes::noisy_star(14, 0.7, 2), other);
-    RotatingOptions options;
+    MovingOptions options;
     options.mode = FrameMode::window;
     RotatingSum sum = RotatingSum::create(p, q, options).value();
     for (int k = 1; k < 12; ++k) {
@@ -400,7 +400,7 @@ TEST(RotatingSum, huge_and_minute_coordinates_equal_slices) {
 }
 
 TEST(RotatingSum, stops_on_request) {
-  RotatingOptions options;
+  MovingOptions options;
   options.mode = FrameMode::window;
   bool stop = false;
   options.progress = [&](std::string_view, double) { return !stop; };

@@ -1,5 +1,6 @@
 // Edges that prove a place covered: the search against all pairs of edges, and each answer by exact signs.
 #include "planar/scaling/edge_search.h"
+#include "planar/frames/region_pair.h"
 
 #include <gtest/gtest.h>
 
@@ -34,11 +35,12 @@ TEST(EdgeSearch, finds_edges_wherever_some_cross_and_only_those) {
     oracles::Random random(static_cast<std::uint64_t>(round) + 1);
     const oracles::Pair pair = oracles::random_pair(random, 4 + random.below(6));
     const Region p = Region::create(pair.p).value(), q = Region::create(pair.q).value();
-    auto base = planar::OperandPair::create(p, q, random.below(2), 0).value();
+    auto base = planar::pair_of_regions(p, q, planar::PairOptions{.moved = static_cast<std::uint32_t>(random.below(2))})
+                    .value();
     if (!base->regular || base->operands[0].size() == 0 || base->operands[1].size() == 0) continue;
     planar::ScalingState state(base, {});
-    const auto window = state.window_between(exact::BigRational(1), exact::BigRational(2));
-    const bool scaled_moves = window->frame().moving == base->scaled;
+    const auto window = state.windows.between(exact::BigRational(1), exact::BigRational(2));
+    const bool scaled_moves = window->frame().moving == base->moved;
     planar::EdgeSearch search(*window);
     for (int k = 0; k < 20; ++k) {
       const double tau = scaled_moves ? 1 + random.below(16) / 16.0 : 1 - random.below(8) / 16.0, span = window->span();
@@ -69,11 +71,12 @@ TEST(EdgeSearch, edges_for_two_places_cross_all_the_way) {
     oracles::Random random(static_cast<std::uint64_t>(round) + 1);
     const oracles::Pair pair = oracles::random_pair(random, 4 + random.below(6));
     const Region p = Region::create(pair.p).value(), q = Region::create(pair.q).value();
-    auto base = planar::OperandPair::create(p, q, random.below(2), 0).value();
+    auto base = planar::pair_of_regions(p, q, planar::PairOptions{.moved = static_cast<std::uint32_t>(random.below(2))})
+                    .value();
     if (!base->regular || base->operands[0].size() == 0 || base->operands[1].size() == 0) continue;
     planar::ScalingState state(base, {});
-    const auto window = state.window_between(exact::BigRational(1), exact::BigRational(2));
-    const bool scaled_moves = window->frame().moving == base->scaled;
+    const auto window = state.windows.between(exact::BigRational(1), exact::BigRational(2));
+    const bool scaled_moves = window->frame().moving == base->moved;
     planar::EdgeSearch search(*window);
     for (int k = 0; k < 20; ++k) {
       const int span = static_cast<int>(16 * window->span());

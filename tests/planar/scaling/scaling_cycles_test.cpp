@@ -15,6 +15,7 @@
 #include "oracles/sanitized.h"
 #include "oracles/tiny_regions.h"
 #include "planar/frames/frame_rings.h"
+#include "planar/frames/region_pair.h"
 #include "planar/scaling/parallel_shapes.h"
 #include "planar/scaling/scaling_same.h"
 #include "planar/scaling/scaling_state.h"
@@ -47,15 +48,15 @@ TEST(ScalingCycles, those_carried_over_equal_those_walked_from_scratch) {
   std::uint64_t copied = 0, walked = 0, false_ones = 0, nodes = 0;
   const Region small = on_integers(shapes::noisy_star(16, 0.6, 4), 500);
   for (const auto& [p, q] : {std::pair{star, other}, std::pair{room, small}, std::pair{same, same}}) {
-    auto base = planar::OperandPair::create(p, q, 1, 0).value();
+    auto base = planar::pair_of_regions(p, q, planar::PairOptions{.moved = 1}).value();
     planar::ScalingState state(base, {});
-    const auto window = state.window_between(exact::BigRational(1), exact::BigRational(3, 2));
+    const auto window = state.windows.between(exact::BigRational(1), exact::BigRational(3, 2));
     planar::PieceLists lists(*window);
     planar::FrameLoops carried(lists);
     bool known = false;
     nodes += window->nodes.size();
     for (const int k : {1001, 1003, 1004, 1007, 1020, 1021, 1060, 1061, 1150, 1149, 1151, 1300, 1301, 1302, 1201}) {
-      planar::FramePlace place(base, planar::scale_value(exact::BigRational(k, 1000)));
+      planar::ExactFrame place(base, planar::scale_value(exact::BigRational(k, 1000)));
       const double tau = place.tau(window->frame().moving);
       FrameWork work;
       if (!lists.repair(tau, place, work)) continue;
@@ -106,17 +107,18 @@ TEST(ScalingCycles, those_of_random_pairs_equal_those_walked_from_scratch) {
   for (int round = 0; round < rounds; ++round) {
     oracles::Random random(static_cast<std::uint64_t>(round) + 1);
     const auto [p, q] = touching_pair(random);
-    auto base = planar::OperandPair::create(p, q, random.below(2), 0).value();
+    auto base = planar::pair_of_regions(p, q, planar::PairOptions{.moved = static_cast<std::uint32_t>(random.below(2))})
+                    .value();
     if (!base->regular || base->operands[0].size() == 0 || base->operands[1].size() == 0) continue;
     planar::ScalingState state(base, {});
-    const auto window = state.window_between(exact::BigRational(1), exact::BigRational(2), random.chance(50));
+    const auto window = state.windows.between(exact::BigRational(1), exact::BigRational(2), random.chance(50));
     planar::PieceLists lists(*window);
     planar::FrameLoops carried(lists);
     with_nodes += !window->nodes.empty();
     bool known = false;
     for (int step = 0, k = 1001; step < 16; ++step) {
       k = random.chance(30) ? 1001 + random.below(998) : std::clamp(k + random.below(121) - 60, 1001, 1999);
-      planar::FramePlace place(base, planar::scale_value(exact::BigRational(k, 1000)));
+      planar::ExactFrame place(base, planar::scale_value(exact::BigRational(k, 1000)));
       const double tau = place.tau(window->frame().moving);
       FrameWork work;
       if (!lists.repair(tau, place, work)) {
@@ -147,7 +149,7 @@ TEST(ScalingCycles, those_of_random_pairs_equal_those_walked_from_scratch) {
 }
 
 TEST(ScalingCycles, what_changed_on_a_ring_is_counted_as_by_comparing_both_sums) {
-  ScalingOptions options;
+  MovingOptions options;
   options.mode = FrameMode::window;
   options.window = 0.3;
   const Region p = on_integers(shapes::noisy_star(60, 0.6, 3), 4000),

@@ -28,8 +28,8 @@ TEST(ScaleEvents, a_peg_in_a_slot_fits_exactly_at_one_scale) {
   RegionData plate;
   plate.parts.push_back({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{{1, 1}, {1, 2}, {3, 2}, {3, 1}}}});
   const Region p = Region::create(plate).value(), peg = shapes::rectangle(0, 0, 1, 0.5);
-  ScalingOptions options;
-  options.scaled = ScaledOperand::q;
+  MovingOptions options;
+  options.moving = MovingOperand::q;
   ScalingSum sum = ScalingSum::create(p, negated(peg), options).value();
   const auto next = sum.next_event(Scale(), scale_of(3, 1), EventChange::topology).value();
   ASSERT_TRUE(next.has_value());
@@ -112,7 +112,7 @@ TEST(ScaleEvents, ranges_and_operands_that_have_no_events_give_errors) {
 TEST(ScaleEvents, pair_events_of_two_triangles_are_counted) {
   const Region p = Region::create({{{{{0, 0}, {4, 1}, {1, 3}}, {}}}, {}, {}}).value(),
                q = Region::create({{{{{0, 0}, {3, 0}, {0, 2}}, {}}}, {}, {}}).value();
-  const PairEventCount convex = count_pair_events(p, q, ScaledOperand::p).value();
+  const PairEventCount convex = count_pair_events(p, q, MovingOperand::p).value();
   // Convex operands: the convolution is the boundary, nothing ever crosses.
   EXPECT_EQ(convex.events, 0u);
   EXPECT_EQ(convex.segments, 6u);

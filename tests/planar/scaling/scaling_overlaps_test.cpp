@@ -5,6 +5,7 @@
 
 #include <random>
 
+#include "planar/frames/region_pair.h"
 #include "planar/scaling/parallel_shapes.h"
 #include "planar/scaling/scaling_same.h"
 #include "planar/scaling/scaling_state.h"
@@ -19,9 +20,9 @@ struct Shared {
 };
 
 Shared shared_pieces(const Region& p, const Region& q) {
-  auto base = planar::OperandPair::create(p, q, 0, 0).value();
+  auto base = planar::pair_of_regions(p, q, planar::PairOptions{.moved = 0}).value();
   planar::ScalingState state(base, {});
-  const auto window = state.window_between(exact::BigRational(21, 20), exact::BigRational(23, 20));
+  const auto window = state.windows.between(exact::BigRational(21, 20), exact::BigRational(23, 20));
   Shared count;
   for (const planar::Piece& piece : window->pieces) {
     count.handed_on += piece.handed_on && !piece.covered;
@@ -40,11 +41,11 @@ TEST(ScalingOverlaps, skylines_equal_the_static_engine_between_events_and_at_the
     const Shared s = shared_pieces(p, q);
     shared.handed_on += s.handed_on;
     shared.covered += s.covered;
-    ScalingOptions options;
+    MovingOptions options;
     options.mode = FrameMode::window;
     options.window = round % 4 == 0 ? 0.6 : 0.15;
     options.semantics = round % 3 == 0 ? Semantics::closed : round % 3 == 1 ? Semantics::open : Semantics::regular;
-    options.scaled = round % 2 == 0 ? ScaledOperand::p : ScaledOperand::q;
+    options.moving = round % 2 == 0 ? MovingOperand::p : MovingOperand::q;
     ScalingSum sum = ScalingSum::create(p, q, options).value();
     // Quarters and halves are events of integer shapes; 997 divides nothing. Just beside events doubles do not tell
     // where a piece ends.
@@ -72,7 +73,7 @@ TEST(ScalingOverlaps, skylines_equal_the_static_engine_between_events_and_at_the
 TEST(ScalingOverlaps, crossing_combs_are_updated_without_the_vertex_routine) {
   const std::vector<double> wide{0, 9, 18, 27, 36}, narrow{0, 3, 6};
   const Region p = comb(wide, 60, false), q = comb(narrow, 50, true);
-  ScalingOptions options;
+  MovingOptions options;
   options.mode = FrameMode::window;
   ScalingSum sum = ScalingSum::create(p, q, options).value();
   std::uint64_t degenerate = 0;
@@ -94,7 +95,7 @@ TEST(ScalingOverlaps, combs_with_masks_and_random_jumps_equal_the_static_engine)
   for (int i = 0; i < 9; ++i) others.push_back(4.0 * i + static_cast<double>(random() % 2));
   for (const bool upright : {false, true}) {
     const Region p = comb(bars, 40, false), q = comb(others, 12, upright);
-    ScalingOptions options;
+    MovingOptions options;
     options.mode = FrameMode::window;
     options.window = 0.05;
     ScalingSum sum = ScalingSum::create(p, q, options).value();

@@ -38,8 +38,8 @@ TEST(ScalingSum, tiny_pairs_equal_the_static_engine_at_every_step) {
     const Region p = Region::create(pair.p).value(), q = Region::create(pair.q).value();
     const bool q_scales = random.chance(40);
     const Mode& mode = kModes[random.below(3)];
-    ScalingOptions options;
-    options.scaled = q_scales ? ScaledOperand::q : ScaledOperand::p;
+    MovingOptions options;
+    options.moving = q_scales ? MovingOperand::q : MovingOperand::p;
     options.mode = mode.mode;
     options.window = mode.window;
     options.semantics = random.chance(20)   ? Semantics::open
@@ -92,8 +92,8 @@ TEST(ScalingSum, larger_pairs_with_masks_equal_the_static_engine) {
   for (const Shape& shape : shapes_of_some_size())
     for (const bool q_scales : {false, true})
       for (const double width : {0.03, 0.3}) {
-        ScalingOptions options;
-        options.scaled = q_scales ? ScaledOperand::q : ScaledOperand::p;
+        MovingOptions options;
+        options.moving = q_scales ? MovingOperand::q : MovingOperand::p;
         options.mode = FrameMode::window;
         options.window = width;
         ScalingSum sum = ScalingSum::create(shape.p, shape.q, options).value();
@@ -136,8 +136,8 @@ TEST(ScalingSum, forward_and_back_returns_the_identical_state) {
 TEST(ScalingSum, non_uniform_scales_equal_the_static_engine) {
   const Shape shape = middling();
   for (const bool q_scales : {false, true}) {
-    ScalingOptions options;
-    options.scaled = q_scales ? ScaledOperand::q : ScaledOperand::p;
+    MovingOptions options;
+    options.moving = q_scales ? MovingOperand::q : MovingOperand::p;
     ScalingSum sum = ScalingSum::create(shape.p, shape.q, options).value();
     oracles::Random random(3);
     for (int k = 0; k < 20; ++k) {
@@ -154,7 +154,7 @@ TEST(ScalingSum, non_uniform_scales_equal_the_static_engine) {
 
 TEST(ScalingSum, a_frame_without_event_touches_no_loop) {
   const Shape shape = middling();
-  ScalingOptions options;
+  MovingOptions options;
   options.mode = FrameMode::window;
   options.window = 0.1;
   ScalingSum sum = ScalingSum::create(shape.p, shape.q, options).value();
@@ -219,7 +219,7 @@ TEST(ScalingSum, identities_and_changes_account_for_every_ring) {
 // P + s P: all edges have parallels, and at reflex vertices ends of segments lie on other segments at every scale.
 TEST(ScalingSum, parallel_operands_are_updated_without_the_vertex_routine) {
   const Region p = on_integers(shapes::random_polygon(60, 2, 8), 4000);
-  ScalingOptions options;
+  MovingOptions options;
   options.mode = FrameMode::window;
   options.window = 0.2;
   ScalingSum sum = ScalingSum::create(p, p, options).value();
@@ -312,7 +312,7 @@ TEST(ScalingSum, bad_scales_are_refused_and_change_nothing) {
 
 TEST(ScalingSum, a_cancelled_frame_changes_nothing) {
   const Shape shape = middling();
-  ScalingOptions options;
+  MovingOptions options;
   bool stop = false;
   options.progress = [&](std::string_view, double) { return !stop; };
   ScalingSum sum = ScalingSum::create(shape.p, shape.q, options).value();
@@ -345,7 +345,7 @@ TEST(ScalingSum, copies_of_equal_scale_share_one_frame) {
   const Shape shape = middling();
   std::vector<ScaledCopy> copies;
   for (int k = 0; k < 12; ++k) copies.push_back({scale_of(2 + k % 4, 3), {double(k), 0}});
-  ScalingOptions options;
+  MovingOptions options;
   options.mode = FrameMode::rebuild;
   const std::vector<CopySum> sums = scaled_copies(shape.p, shape.q, copies, options).value();
   int frames = 0;
@@ -383,9 +383,9 @@ TEST(ScalingSum, copies_of_close_scales_share_a_window) {
 TEST(ScalingSum, a_robot_is_reflected) {
   const Shape shape = middling();
   for (const bool q_scales : {false, true}) {
-    ScalingOptions options;
+    MovingOptions options;
     options.reflect_q = true;
-    options.scaled = q_scales ? ScaledOperand::q : ScaledOperand::p;
+    options.moving = q_scales ? MovingOperand::q : MovingOperand::p;
     ScalingSum sum = ScalingSum::create(shape.p, shape.q, options).value();
     for (long a = 100; a < 110; ++a) {
       ASSERT_TRUE(sum.set(scale_of(a, 100)).ok());

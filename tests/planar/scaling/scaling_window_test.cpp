@@ -1,4 +1,5 @@
 // Windows: conservative, and shown to be so by breaking them; which path answered.
+#include "planar/frames/region_pair.h"
 #include "planar/scaling/window.h"
 
 #include <gtest/gtest.h>
@@ -21,12 +22,12 @@ using namespace scaling_tests;
 std::size_t wrong_frames(double shrink) {
   const Region p = on_integers(shapes::noisy_star(60, 0.6, 1), 9000),
                q = on_integers(shapes::noisy_star(40, 0.6, 2), 5000);
-  ScalingOptions options;
+  MovingOptions options;
   options.mode = FrameMode::window;
   options.window = 0.5;
-  auto base = planar::OperandPair::create(p, q, 0, 0).value();
+  auto base = planar::pair_of_regions(p, q, planar::PairOptions{.moved = 0}).value();
   planar::ScalingState state(base, options);
-  state.shrink = shrink;
+  state.windows.shrink = shrink;
   std::size_t wrong = 0;
   for (int k = 100; k < 145; ++k) {
     EXPECT_TRUE(state.move_to(scale_of(k, 100), scale_of(k, 100)).ok());
@@ -44,13 +45,13 @@ TEST(ScalingWindow, masks_and_pairs_cover_the_whole_sweep) {
 TEST(ScalingWindow, every_candidate_crosses_exactly_where_its_interval_says) {
   const Region p = on_integers(shapes::noisy_star(30, 0.6, 3), 4000),
                q = on_integers(shapes::noisy_star(20, 0.6, 4), 3000);
-  auto base = planar::OperandPair::create(p, q, 0, 0).value();
+  auto base = planar::pair_of_regions(p, q, planar::PairOptions{.moved = 0}).value();
   planar::ScalingState state(base, {});
-  const auto window = state.window_between(exact::BigRational(1), exact::BigRational(6, 5));
+  const auto window = state.windows.between(exact::BigRational(1), exact::BigRational(6, 5));
   ASSERT_GT(window->candidates.size(), 40u);
   std::size_t crossing = 0, apart = 0;
   for (const int k : {100, 107, 113, 120}) {
-    planar::FramePlace place(base, planar::scale_value(exact::BigRational(k, 100)));
+    planar::ExactFrame place(base, planar::scale_value(exact::BigRational(k, 100)));
     const double tau = place.tau(window->frame().moving);
     for (const planar::Candidate& c : window->candidates) {
       const planar::Piece &a = window->pieces[c.a], &b = window->pieces[c.b];
@@ -80,7 +81,7 @@ Region plate(double size, double low, double high) {
 /// they promise.
 std::pair<int, int> covered_cells_and_wrong_ones(const Region& p, const Region& q, planar::WindowFrame frame,
                                                  int cells) {
-  auto base = planar::OperandPair::create(p, q, 1, 0).value();
+  auto base = planar::pair_of_regions(p, q, planar::PairOptions{.moved = 1}).value();
   frame.centre_x = base->width[frame.moving] / 2;
   frame.centre_y = base->height[frame.moving] / 2;
   const planar::SweptMask mask(*base->lattice, base->operands, frame, cells, true);
@@ -139,11 +140,11 @@ TEST(ScalingWindow, every_pair_that_meets_is_a_candidate_or_meets_inside) {
   for (const auto& [grates, covers] : {std::pair{false, false}, {true, false}, {false, true}, {true, true}}) {
     const Region p = grates ? shapes::grate(4, 4, 1, 13) : on_integers(shapes::noisy_star(60, 0.6, 3), 4000);
     const Region q = grates ? shapes::comb(3, 3, 1, 5) : on_integers(shapes::noisy_star(40, 0.6, 4), 3000);
-    auto base = planar::OperandPair::create(p, q, 0, 0).value();
+    auto base = planar::pair_of_regions(p, q, planar::PairOptions{.moved = 0}).value();
     planar::ScalingState state(base, {});
     const exact::BigRational low(1), high(3, 2);
-    planar::ReducedConvolution& convolution = state.convolution_for(0.9, 1.6);
-    planar::WindowSettings settings = state.settings_for(low, high, 1);
+    const planar::ReducedConvolution& convolution = state.windows.convolution_for(0.9, 1.6);
+    planar::WindowSettings settings = state.windows.settings_for(low, high, 1);
     settings.mask = false;  // nothing is cut: every piece is a segment
     settings.cells = 24;
     settings.covers = covers;
@@ -156,7 +157,7 @@ TEST(ScalingWindow, every_pair_that_meets_is_a_candidate_or_meets_inside) {
     const auto n = static_cast<std::uint32_t>(window.segments.size());
     std::size_t meeting = 0, missed = 0, inside = 0;
     for (const int k : {100, 103, 111, 125, 140, 150}) {
-      planar::FramePlace place(base, planar::scale_value(exact::BigRational(k, 100)));
+      planar::ExactFrame place(base, planar::scale_value(exact::BigRational(k, 100)));
       const oracles::Membership<oracles::Big> sum(multiplied(p, k, k).data(), multiplied(q, 100, 100).data());
       // Two segments that meet do so in one point, unless they are parallel.
       const auto meet_inside = [&](const planar::LiveSegment& s, const planar::LiveSegment& t) {
@@ -194,11 +195,11 @@ TEST(ScalingWindow, nodes_that_count_for_nothing_lie_inside_at_every_scale) {
   for (unsigned seed = 1; seed <= 30; ++seed) {
     std::mt19937 engine(seed);
     const Region p = skylines(engine, 6, seed % 2 == 0), q = skylines(engine, 4, seed % 3 == 0);
-    auto base = planar::OperandPair::create(p, q, 0, 0).value();
+    auto base = planar::pair_of_regions(p, q, planar::PairOptions{.moved = 0}).value();
     planar::ScalingState state(base, {});
     const exact::BigRational low(1), high(5, 4);
-    EXPECT_EQ(std::ranges::count_if(state.window_between(low, high)->nodes, &planar::PersistentNode::covered), 0);
-    const auto window = state.window_between(low, high, true);
+    EXPECT_EQ(std::ranges::count_if(state.windows.between(low, high)->nodes, &planar::PersistentNode::covered), 0);
+    const auto window = state.windows.between(low, high, true);
     for (const int k : {101, 113, 125}) {
       const oracles::Membership<oracles::Big> sum(multiplied(p, k, k).data(), multiplied(q, 100, 100).data());
       for (const planar::PersistentNode& node : window->nodes) {
@@ -216,10 +217,10 @@ TEST(ScalingWindow, nodes_that_count_for_nothing_lie_inside_at_every_scale) {
 TEST(ScalingWindow, windows_of_more_pairs_than_allowed_are_abandoned) {
   const Region p = on_integers(shapes::noisy_star(60, 0.6, 3), 4000),
                q = on_integers(shapes::noisy_star(40, 0.6, 4), 3000);
-  auto base = planar::OperandPair::create(p, q, 0, 0).value();
+  auto base = planar::pair_of_regions(p, q, planar::PairOptions{.moved = 0}).value();
   planar::ScalingState state(base, {});
-  planar::ReducedConvolution& convolution = state.convolution_for(0.9, 1.6);
-  planar::WindowSettings settings = state.settings_for(exact::BigRational(1), exact::BigRational(3, 2), 1);
+  const planar::ReducedConvolution& convolution = state.windows.convolution_for(0.9, 1.6);
+  planar::WindowSettings settings = state.windows.settings_for(exact::BigRational(1), exact::BigRational(3, 2), 1);
   const std::uint64_t pairs = planar::Window(*base, convolution, settings).pair_tests;
   settings.most_pairs = pairs;
   EXPECT_FALSE(planar::Window(*base, convolution, settings).abandoned);
@@ -249,7 +250,7 @@ TEST(ScalingWindow, huge_coordinates_beside_small_ones_equal_a_rebuild) {
   data.parts.push_back({{{0, 0}, {huge, 1}, {3, 2}, {huge, huge}, {-huge, 5}, {2, 1}}, {}});
   const Result<Region> p = Region::create(data);
   ASSERT_TRUE(p.ok());
-  ScalingOptions window, rebuild;
+  MovingOptions window, rebuild;
   window.mode = FrameMode::window;
   rebuild.mode = FrameMode::rebuild;
   ScalingSum sum = ScalingSum::create(*p, *p, window).value(), fresh = ScalingSum::create(*p, *p, rebuild).value();
@@ -265,14 +266,14 @@ TEST(ScalingWindow, lists_stay_as_they_are_within_their_intervals) {
   // Q is smaller and scales, so the window's parameter is the scale.
   const Region p = on_integers(shapes::noisy_star(40, 0.6, 3), 4000),
                q = on_integers(shapes::noisy_star(30, 0.6, 4), 3000);
-  auto base = planar::OperandPair::create(p, q, 1, 0).value();
+  auto base = planar::pair_of_regions(p, q, planar::PairOptions{.moved = 1}).value();
   planar::ScalingState state(base, {});
-  const auto window = state.window_between(exact::BigRational(1), exact::BigRational(6, 5)),
-             other = state.window_between(exact::BigRational(1), exact::BigRational(6, 5));
+  const auto window = state.windows.between(exact::BigRational(1), exact::BigRational(6, 5)),
+             other = state.windows.between(exact::BigRational(1), exact::BigRational(6, 5));
   ASSERT_EQ(window->frame().moving, 1u);
   const auto repaired = [&](planar::Window& of, double s) {
     auto lists = std::make_unique<planar::PieceLists>(of);
-    planar::FramePlace place(base, planar::scale_value(exact::exact_value(s)));
+    planar::ExactFrame place(base, planar::scale_value(exact::exact_value(s)));
     FrameWork work;
     lists->repair(s, place, work);
     return lists;
@@ -312,16 +313,16 @@ TEST(ScalingWindow, a_window_keeps_the_convolution_it_was_made_from) {
     data.parts[0].holes.push_back({{x, 2}, {x, 2 + size}, {x + size, 2 + size}, {x + size, 2}});
   }
   const Region p = Region::create(data).value(), q = shapes::rectangle(0, 0, 4, 4);
-  ScalingOptions options;
+  MovingOptions options;
   options.mode = FrameMode::window;
   options.window = 0.25;
-  auto base = planar::OperandPair::create(p, q, 1, 0).value();
+  auto base = planar::pair_of_regions(p, q, planar::PairOptions{.moved = 1}).value();
   planar::ScalingState state(base, options);
   ASSERT_TRUE(state.move_to(scale_of(1, 1), scale_of(1, 1)).ok());
   std::size_t degenerate = 0;
   for (int k = 33; k < 40; ++k) {
     // Looking for events far away asks for the convolution of other scales.
-    (void)state.window_between(exact::BigRational(k % 2 == 0 ? 20 : 1, 2), exact::BigRational(k % 2 == 0 ? 21 : 2, 2));
+    (void)state.windows.between(exact::BigRational(k % 2 == 0 ? 20 : 1, 2), exact::BigRational(k % 2 == 0 ? 21 : 2, 2));
     ASSERT_TRUE(state.move_to(scale_of(k, 32), scale_of(k, 32)).ok());
     degenerate += state.work.degenerate;
     EXPECT_EQ(described(state.sum, exact::BigRational(32)), static_answer(p, q, k, 32, true, Semantics::closed)) << k;

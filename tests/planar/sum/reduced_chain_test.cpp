@@ -50,7 +50,7 @@ void check(const PlacedPair& o, const InteriorMask* mask) {
 }
 
 TEST(ReducedChain, of_all_segments_and_of_those_outside_a_mask) {
-  const PlacedPair o(shapes::noisy_star(40, 0.5, 1), shapes::random_polygon(20, 1, 2));
+  const PlacedPair o = placed_pair(shapes::noisy_star(40, 0.5, 1), shapes::random_polygon(20, 1, 2));
   check(o, nullptr);
   const InteriorMask fine(*o.p, *o.q, 24), coarse(*o.p, *o.q, 8);
   check(o, &fine);
@@ -60,7 +60,7 @@ TEST(ReducedChain, of_all_segments_and_of_those_outside_a_mask) {
 TEST(ReducedChain, sides_of_parallelograms_belong_to_none) {
   const Region bent = Region::create({{}, {{{0, 0}, {4, 0}, {4, 3}}}, {}}).value();
   const Region tall = Region::create({{}, {{{0, 0}, {1, 2}}}, {}}).value();
-  check(PlacedPair(bent, tall), nullptr);
+  check(placed_pair(bent, tall), nullptr);
 }
 
 }  // namespace

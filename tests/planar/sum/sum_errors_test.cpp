@@ -30,7 +30,7 @@ TEST(SumErrors, huge_coordinates_are_told_as_the_operand_has_them) {
   expect_named(nfp(small, huge), 0x1p1001);
   expect_named(erode(huge, small), 0x1p1001);
   expect_named(erode(small, huge), 0x1p1001);
-  ScalingOptions options;
+  MovingOptions options;
   options.reflect_q = true;
   expect_named(ScalingSum::create(small, huge, options), 0x1p1001);
   expect_named(scale_range(huge, {{0, 0}}, small), 0x1p1001);

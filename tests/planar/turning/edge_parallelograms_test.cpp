@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "dymsum/shapes.h"
-#include "planar/operand/prepared_region.h"
+#include "planar/frames/region_pair.h"
 #include "planar/turning/edge_parallelograms.h"
 #include "planar/turning/rotating_window.h"
 
@@ -16,7 +16,7 @@ struct Made {
 
 Made made(const Region& p, const Region& q) {
   Made m;
-  m.base = OperandPair::create({prepared_operand(p, 0), prepared_operand(q, 1)}, {}, 1, 0).value();
+  m.base = pair_of_regions(p, q, PairOptions{.moved = 1}).value();
   m.forms = std::make_unique<TurningForms>(*m.base);
   return m;
 }
@@ -108,7 +108,7 @@ TEST(EdgeParallelograms, windows_look_at_fewer_pairs_by_them) {
   TurnGrid without = grid;
   without.long_edges = {};
   const RotatingWindow with(grid, catalog, 0.5, 0.005, true), all(without, catalog, 0.5, 0.005, true);
-  EXPECT_LT(4 * with.meetings.size(), 3 * all.meetings.size());
+  EXPECT_LT(4 * with.candidates.size(), 3 * all.candidates.size());
 }
 
 }  // namespace

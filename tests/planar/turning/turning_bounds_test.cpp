@@ -9,7 +9,7 @@
 
 #include "dymsum/shapes.h"
 #include "oracles/random.h"
-#include "planar/operand/prepared_region.h"
+#include "planar/frames/region_pair.h"
 #include "planar/turning/rotating_window.h"
 
 namespace dymsum::planar {
@@ -23,7 +23,7 @@ struct MadeForms {
   std::unique_ptr<TurningForms> forms;
 
   MadeForms(const Region& p, const Region& q) {
-    base = OperandPair::create({prepared_operand(p, 0), prepared_operand(q, 1)}, {}, 1, 0).value();
+    base = pair_of_regions(p, q, PairOptions{.moved = 1}).value();
     forms = std::make_unique<TurningForms>(*base);
   }
   /// A value of `degree` lengths in the forms' doubles: p / (1 + t^2)^(degree / 2) at t.
@@ -152,12 +152,12 @@ TEST(TurningBounds, short_edges_meet_what_crosses_them) {
     const TurnGrid grid(f, 8);
     const RotatingWindow window(grid, catalog, 2 * std::atan(t), 0x1p-40, false);
     const auto across = [&](const TurnSegment& i, const TurnSegment& j) {
-      const auto sign = [&](Pair x) { return f.exact_side(i.walk, x, 0).sign_at(rt); };
+      const auto sign = [&](Pair x) { return f.exact_side(i, x, 0).sign_at(rt); };
       return sign(j.start) * sign(j.end) < 0;
     };
     const auto same = [](Pair i, Pair j) { return i == j; };
     std::set<std::pair<std::uint32_t, std::uint32_t>> meet;
-    for (const TurnMeeting& n : window.meetings) meet.insert(std::minmax(n.segment_a, n.segment_b));
+    for (const TurnCandidate& n : window.candidates) meet.insert(std::minmax(n.segment_a, n.segment_b));
     for (std::uint32_t i = 0; i < window.segments.size(); ++i)
       for (std::uint32_t j = i + 1; j < window.segments.size(); ++j) {
         const TurnSegment &x = window.segments[i], &z = window.segments[j];

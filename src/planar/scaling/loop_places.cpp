@@ -1,52 +1,11 @@
-// Where the loops of a frame are: their vertices, samples beside them, and the collisions remembered there.
+#include "planar/scaling/loop_places.h"
+
 #include <algorithm>
 #include <cmath>
 
-#include "planar/scaling/frame_loops.h"
-
 namespace dymsum::planar {
-bool FrameLoops::node_inside(std::uint32_t node, double tau, FramePlace& place, FrameWork& work) {
-  const Window& window = lists_.window();
-  const PersistentNode& n = window.nodes[node];
-  const Lattice& l = *window.base().lattice;
-  const Pair v = window.exact(n.at);
-  const std::uint32_t m = window.frame().moving, move = m == 0 ? v.p : v.q, rest = m == 0 ? v.q : v.p;
-  const double x = l.points[1 - m]->x[rest] + tau * l.points[m]->x[move],
-               y = l.points[1 - m]->y[rest] + tau * l.points[m]->y[move];
-  if (covered(nodes_[node].witness, {x, y, kWindowPoint * window.span(), tau})) {
-    ++work.witnessed;
-    return true;
-  }
-  work.witnesses_lost += nodes_[node].witness.has_value();
-  Place p;
-  p.on = window.exact(window.pieces[window.rays[n.first_ray].piece].segment);
-  p.first.pair = v;
-  const double grow = place.blow_up(m);
-  p.x = grow * x;
-  p.y = grow * y;
-  p.error = grow * 2 * kWindowPoint * window.span();
-  ++work.collision_tests;
-  const bool inside = place.collision().overlaps(p);
-  nodes_[node].witness = place.collision().crossing_edges();
-  if (nodes_[node].witness) search_.remember(*nodes_[node].witness);
-  return inside;
-}
 
-bool FrameLoops::is_false(FrameLoop& loop, double tau, FramePlace& place, FrameWork& work) {
-  if (covered(loop.witness, beside(loop, tau))) {
-    ++work.witnessed;
-    return true;
-  }
-  work.witnesses_lost += loop.witness.has_value();
-  ++work.collision_tests;
-  Collision& collision = place.collision();
-  const bool overlap = collision.overlaps_right_of(sample(loop, tau, place));
-  loop.witness = collision.crossing_edges();
-  if (loop.witness) search_.remember(*loop.witness);
-  return overlap;
-}
-
-FrameLoops::Cutting FrameLoops::end_cut(Step s, bool at_end) const {
+LoopPlaces::Cutting LoopPlaces::end_cut(Step s, bool at_end) const {
   const Window& window = lists_.window();
   const LiveSegment& on = window.segments[window.pieces[s.piece].segment];
   Cutting c;
@@ -83,13 +42,11 @@ FrameLoops::Cutting FrameLoops::end_cut(Step s, bool at_end) const {
   return c;
 }
 
-// The mediant of the cuts at both ends of the longest sub-edge, as the exact layer takes it.
-Place FrameLoops::sample(const FrameLoop& loop, double tau, FramePlace& place) const {
+LoopPlaces::Step LoopPlaces::longest_of(const std::vector<LoopStep>& cycle, double tau) const {
   const Window& window = lists_.window();
-  const std::uint32_t moving = window.frame().moving;
   Step longest;
   double best = -1;
-  for (const LoopStep& step : loop.steps) {
+  for (const LoopStep& step : cycle) {
     const Step s = step_of(step);
     const LiveSegment& on = window.segments[window.pieces[s.piece].segment];
     const double l = (end_cut(s, true).t.at(tau) - end_cut(s, false).t.at(tau)) * (std::abs(on.dx) + std::abs(on.dy));
@@ -98,6 +55,13 @@ Place FrameLoops::sample(const FrameLoop& loop, double tau, FramePlace& place) c
       longest = s;
     }
   }
+  return longest;
+}
+
+Place LoopPlaces::sample(const std::vector<LoopStep>& cycle, double tau, ExactFrame& frame) const {
+  const Window& window = lists_.window();
+  const std::uint32_t moving = window.frame().moving;
+  const Step longest = longest_of(cycle, tau);
   const std::uint32_t segment = window.pieces[longest.piece].segment;
   const LiveSegment& on = window.segments[segment];
   const Cutting from = end_cut(longest, false), to = end_cut(longest, true);
@@ -105,8 +69,8 @@ Place FrameLoops::sample(const FrameLoop& loop, double tau, FramePlace& place) c
   // denominator.
   const auto weight_of = [&](const Cutting& c) {
     if (c.cut.kind == Cut::Kind::pair) return c.denominator;
-    const double den = exact::round_to_double(exact::BigRational(place.value().den));
-    return c.denominator * den * (c.cut.by.edge.op == place.base().scaled ? place.value().approx : 1);
+    const double den = exact::round_to_double(exact::BigRational(frame.value().den));
+    return c.denominator * den * (c.cut.by.edge.op == frame.base().moved ? frame.value().approx : 1);
   };
   const double d0 = weight_of(from), d1 = weight_of(to), t0 = from.t.at(tau), t1 = to.t.at(tau);
   double weight = d0 + d1 > 0 ? d1 / (d0 + d1) : 0.5, relative = from.relative_error + to.relative_error + kMediant;
@@ -121,14 +85,14 @@ Place FrameLoops::sample(const FrameLoop& loop, double tau, FramePlace& place) c
   p.first = from.cut;
   p.second = to.cut;
   p.between = true;
-  const double grow = place.blow_up(moving);
+  const double grow = frame.blow_up(moving);
   p.x = grow * (on.x.at(tau) + t * on.dx);
   p.y = grow * (on.y.at(tau) + t * on.dy);
   p.error =
       grow * (t_error * std::max(std::abs(on.dx), std::abs(on.dy)) + kWindowPoint * window.span()) * exact::kOutwards;
   if (!std::isfinite(p.error)) {
     // Nearly parallel lines, of which the doubles know nothing: the exact position, rounded.
-    const Lattice& l = place.lattice();
+    const Lattice& l = frame.lattice();
     const Lattice::Position at = l.position(p);
     const Place origin{
         window.exact(segment), {Cut::Kind::pair, start_of(window.exact(segment)), {}}, {}, false, 0, 0, 0};
@@ -140,10 +104,9 @@ Place FrameLoops::sample(const FrameLoop& loop, double tau, FramePlace& place) c
   return p;
 }
 
-// A point of the loop. Edges that cross properly when Q, reflected, stands there do so at a point just right of it.
-EdgeSearch::Place FrameLoops::beside(const FrameLoop& loop, double tau) const {
+EdgeSearch::Place LoopPlaces::beside(const std::vector<LoopStep>& cycle, double tau) const {
   const Window& window = lists_.window();
-  const Step s = step_of(loop.steps[0]);
+  const Step s = step_of(cycle[0]);
   const LiveSegment& on = window.segments[window.pieces[s.piece].segment];
   const Cutting from = end_cut(s, false), to = end_cut(s, true);
   const double t = 0.5 * (from.t.at(tau) + to.t.at(tau));
@@ -153,15 +116,30 @@ EdgeSearch::Place FrameLoops::beside(const FrameLoop& loop, double tau) const {
   return {on.x.at(tau) + t * on.dx, on.y.at(tau) + t * on.dy, error, tau};
 }
 
-// By the edges that covered it in the frame before, or by others, which are its witness from now on.
-bool FrameLoops::covered(std::optional<CrossingEdges>& witness, const EdgeSearch::Place& at) {
-  if (witness && search_.cross(*witness, at)) return true;
-  const std::optional<CrossingEdges> edges = search_.find(at);
-  if (edges) witness = edges;
-  return edges.has_value();
+EdgeSearch::Place LoopPlaces::at_node(std::uint32_t node, double tau) const {
+  const Window& window = lists_.window();
+  const Lattice& l = *window.base().lattice;
+  const Pair v = window.exact(window.nodes[node].at);
+  const std::uint32_t m = window.frame().moving, move = m == 0 ? v.p : v.q, rest = m == 0 ? v.q : v.p;
+  return {l.points[1 - m]->x[rest] + tau * l.points[m]->x[move], l.points[1 - m]->y[rest] + tau * l.points[m]->y[move],
+          kWindowPoint * window.span(), tau};
 }
 
-FrameLoops::MovingVertex FrameLoops::vertex_after(Step s, std::uint32_t in, std::uint32_t out) const {
+Place LoopPlaces::exact_node(std::uint32_t node, double tau, const ExactFrame& frame) const {
+  const Window& window = lists_.window();
+  const PersistentNode& n = window.nodes[node];
+  const EdgeSearch::Place at = at_node(node, tau);
+  const double grow = frame.blow_up(window.frame().moving);
+  Place p;
+  p.on = window.exact(window.pieces[window.rays[n.first_ray].piece].segment);
+  p.first.pair = window.exact(n.at);
+  p.x = grow * at.x;
+  p.y = grow * at.y;
+  p.error = grow * 2 * kWindowPoint * window.span();
+  return p;
+}
+
+LoopPlaces::MovingVertex LoopPlaces::vertex_after(Step s, std::uint32_t in, std::uint32_t out) const {
   const Window& window = lists_.window();
   MovingVertex v;
   v.point.error = kWindowPoint * window.span();

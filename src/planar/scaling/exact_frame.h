@@ -8,9 +8,9 @@
 
 namespace dymsum::planar {
 
-class FramePlace {
+class ExactFrame {
  public:
-  FramePlace(std::shared_ptr<const OperandPair> base, const ScaleValue& s)
+  ExactFrame(std::shared_ptr<const OperandPair> base, const ScaleValue& s)
       : base_(std::move(base)), value_(s), scale_(base_->lattice_scale(s, s)) {}
 
   const ScaleValue& value() const { return value_; }
@@ -19,17 +19,14 @@ class FramePlace {
   /// The parameter of a window whose operand `moving` moves.
   double tau(std::uint32_t moving) const;
   /// What the window's coordinates are multiplied by.
-  double blow_up(std::uint32_t moving) const { return moving == base_->scaled ? 1 : value_.approx; }
+  double blow_up(std::uint32_t moving) const { return moving == base_->moved ? 1 : value_.approx; }
 
   const Lattice& lattice();
   const Operand& operand(std::uint32_t op);
   Collision& collision();
   bool has_lattice() const { return lattice_ != nullptr; }
   bool has_collision() const { return collision_ != nullptr; }
-  std::shared_ptr<const Lattice> share_lattice() {
-    lattice();
-    return lattice_;
-  }
+  PlacedPair placed();
   std::uint64_t exact_signs = 0;
 
  private:

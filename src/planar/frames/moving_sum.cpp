@@ -1,0 +1,106 @@
+#include "planar/frames/moving_sum.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "planar/sum/placed_sum.h"
+
+namespace dymsum::planar {
+namespace {
+
+double now_ms() {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+Result<FrameChanges> MovingSum::move(const Move& move) {
+  const double begin = now_ms();
+  FrameWork next_work;
+  const Result<bool> in_window = open_window(move, next_work);
+  if (!in_window) return in_window.error();
+  std::optional<NextFrame> next;
+  if (*in_window) next = window_frame(move, next_work);
+  if (!next) {
+    Result<NextFrame> rebuilt = rebuilt_frame(next_work);
+    if (!rebuilt) return rebuilt.error();
+    if (!*in_window) drop_window();
+    next = std::move(rebuilt).value();
+  }
+  FrameChanges changes = take(*std::move(next), move);
+  next_work.ms = now_ms() - begin;
+  charge(next_work);
+  work = next_work;
+  return changes;
+}
+
+// Whether the current window, perhaps a new one, covers the new position.
+Result<bool> MovingSum::open_window(const Move& move, FrameWork& next_work) {
+  if (!move.windows || options.mode == FrameMode::rebuild) return false;
+  if (move.inside) return true;
+  const WindowController::Choice reach = controller_.choose(move.step, move.widest, options.mode, move.asked);
+  if (!reach.window) return false;
+  if (options.progress && !options.progress("window", 0)) return Error{ErrorCode::cancelled, "stopped on request", {}};
+  next_work.new_window = build_window(move, reach);
+  if (!next_work.new_window) controller_.abandoned(move.step);
+  return next_work.new_window;
+}
+
+Result<MovingSum::NextFrame> MovingSum::rebuilt_frame(FrameWork& next_work) const {
+  next_work.rebuilt = true;
+  SumOptions sum_options;
+  sum_options.semantics = options.semantics;
+  sum_options.progress = options.progress;
+  Result<PlanarSum> computed = placed_sum(placed(), sum_options);
+  if (!computed) return computed.error();
+  NextFrame next;
+  next.sum = std::move(computed).value();
+  next_work.exact_signs = next.sum.stats.exact_signs;
+  next_work.collision_tests = next.sum.stats.collision_tests;
+  next_work.loops_traced = next.sum.stats.loops;
+  return next;
+}
+
+FrameChanges MovingSum::take(NextFrame next, const Move& move) {
+  std::vector<std::uint64_t> ids;
+  if (next.followed) {
+    for (const std::uint64_t* id : next.identities) ids.push_back(*id);
+  } else {
+    ids = identities_.match(sum, ring_ids, next.sum, move.stays, next.changes);
+    for (std::size_t i = 0; i < next.identities.size(); ++i) *next.identities[i] = ids[i];
+  }
+  finish_changes(sum, next.sum, next.changes);
+  spare_rings_.clear();
+  if (!next.identities.empty()) {
+    for (SumPart& part : sum.parts) {
+      spare_rings_.push_back(std::move(part.outer));
+      for (SumRing& hole : part.holes) spare_rings_.push_back(std::move(hole));
+    }
+    std::reverse(spare_rings_.begin(), spare_rings_.end());
+  }
+  sum = std::move(next.sum);
+  ring_ids = std::move(ids);
+  return std::move(next.changes);
+}
+
+SumRing MovingSum::spare_ring() {
+  if (spare_rings_.empty()) return {};
+  SumRing ring = std::move(spare_rings_.back());
+  spare_rings_.pop_back();
+  return ring;
+}
+
+void MovingSum::charge(const FrameWork& done) {
+  const double cost = cost_of(done);
+  if (done.new_window) {
+    const WindowCost window = cost_of_window();
+    controller_.built(cost + window.counted, window.forgiven);
+  } else if (!has_window()) {
+    controller_.rebuilt(cost);
+  } else {
+    controller_.updated(cost);
+    if (chooses() && controller_.give_up(cost)) drop_window();
+  }
+}
+
+}  // namespace dymsum::planar

@@ -1,0 +1,22 @@
+#include "planar/frames/region_pair.h"
+
+#include "planar/operand/prepared_region.h"
+#include "planar/position/exact_source.h"
+
+namespace dymsum::planar {
+
+Result<std::shared_ptr<const OperandPair>> pair_of_regions(const Region& p, const Region& q,
+                                                           const PairOptions& options) {
+  return OperandPair::create({prepared_operand(p, 0), prepared_operand(q, 1, options.reflect_q)}, options.further,
+                             options.moved, options.min_tier_bits);
+}
+
+Result<std::shared_ptr<const OperandPair>> pair_of_regions(const Region& p, const Region& q,
+                                                           const MovingOptions& options) {
+  return pair_of_regions(p, q,
+                         PairOptions{.moved = options.moving == MovingOperand::p ? 0U : 1U,
+                                     .reflect_q = options.reflect_q,
+                                     .min_tier_bits = SumInternals::min_tier_bits(options)});
+}
+
+}  // namespace dymsum::planar

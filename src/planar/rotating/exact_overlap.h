@@ -1,0 +1,34 @@
+// Whether faces of a frame of a rotating sum lie in the sum, exactly: the operands at one orientation, made when first
+// asked for.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+
+#include "planar/boundary/collision.h"
+#include "planar/turning/slice.h"
+
+namespace dymsum::planar {
+
+class ExactOverlap {
+ public:
+  ExactOverlap(std::shared_ptr<const OperandPair> base, Orientation theta)
+      : base_(std::move(base)), theta_(std::move(theta)) {}
+
+  /// Whether the face to the right of a sub-edge lies in the open sum: of a segment, from the crossing with one to that
+  /// with another, without which it begins or ends with the segment.
+  bool inside_right_of(const Segment& on, const std::optional<Segment>& from, const std::optional<Segment>& to);
+  /// The walk edges of P and Q whose crossing was the reason, if that was it.
+  std::optional<std::array<std::uint32_t, 2>> crossing_edges() const { return collision_->crossing_edges(); }
+  std::uint64_t tests() const { return collision_ ? collision_->counts().tests : 0; }
+  std::uint64_t exact_signs() const { return collision_ ? collision_->counts().exact : 0; }
+
+ private:
+  std::shared_ptr<const OperandPair> base_;
+  Orientation theta_;
+  std::optional<PlacedPair> placed_;
+  std::optional<Collision> collision_;
+};
+
+}  // namespace dymsum::planar

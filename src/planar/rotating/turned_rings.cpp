@@ -1,0 +1,132 @@
+#include "planar/rotating/turned_rings.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dymsum::planar {
+namespace {
+
+/// Turning (x, y) mixes errors of both coordinates: by |cos| + |sin| <= sqrt(2).
+constexpr double kMixed = 1.5;
+/// Of the rest of turning a position back, times the span: cos and sin, sqrt(2) 16, and six operations; and of turning
+/// the offsets, whose sums carry 2.
+constexpr double kTurnedBack = exact::rounding_bound(23 + 9, 128), kTurnedOffset = exact::rounding_bound(23 + 9, 64);
+/// Positions that are known worse than this, times the span, make the frame be computed from scratch. Any value is
+/// right.
+constexpr double kPoor = 0x1p-36;
+
+}  // namespace
+
+TurnedRings::TurnedRings(const OperandPair& forms_base, const RotatingWindow& window, bool swapped, bool moving_turns)
+    : base_(forms_base),
+      window_(window),
+      forms_(window.forms()),
+      swapped_(swapped),
+      moving_turns_(moving_turns),
+      names_(window.segments.size(), {{Contact::Kind::edge_of_p, kNone, kNone}, kNone, kNone}) {}
+
+const TurnedRings::Names& TurnedRings::names(std::uint32_t segment) {
+  Names& names = names_[segment];
+  if (names.contact.p != kNone) return names;
+  const TurnSegment& s = window_.segments[segment];
+  const Operand &fixed = forms_.operand(0), &moving = forms_.operand(1), &o = s.side == 0 ? fixed : moving,
+                &other = s.side == 0 ? moving : fixed;
+  const std::uint32_t edge = o.edge_number[s.edge], at = other.vertex_number[s.vertex];
+  const bool of_p = (s.side == 0) != swapped_;
+  names.contact = of_p ? Contact{Contact::Kind::edge_of_p, edge, at} : Contact{Contact::Kind::edge_of_q, at, edge};
+  names.corner_p = fixed.vertex_number[s.end.p];
+  names.corner_q = moving.vertex_number[s.end.q];
+  if (swapped_) std::swap(names.corner_p, names.corner_q);
+  return names;
+}
+
+TurnedRings::Rigid TurnedRings::to_sum(const Orientation& theta) const {
+  const Lattice& l = *base_.lattice;
+  const Heading world = Heading::of(theta.radians());
+  const auto turn = [&](Point p) { return Point{world.c * p.x - world.s * p.y, world.s * p.x + world.c * p.y}; };
+  const Point fixed = l.points[0]->offset, moving{l.points[1]->offset.x + l.unit * forms_.centre().x,
+                                                  l.points[1]->offset.y + l.unit * forms_.centre().y};
+  const Point turned = turn(moving_turns_ ? moving : fixed), still = moving_turns_ ? fixed : moving;
+  const double c = moving_turns_ ? l.unit : l.unit * world.c, s = moving_turns_ ? 0 : l.unit * world.s;
+  return {c, -s, s, c, {turned.x + still.x, turned.y + still.y}};
+}
+
+// Turning back mixes both coordinates.
+double TurnedRings::input_error(double error) const {
+  const Lattice& l = *base_.lattice;
+  double offsets = std::abs(forms_.centre().x) * l.unit + std::abs(forms_.centre().y) * l.unit;
+  for (const auto& points : l.points) offsets += std::abs(points->offset.x) + std::abs(points->offset.y);
+  return (kMixed * error + kTurnedBack * forms_.span()) * l.unit + kTurnedOffset * offsets;
+}
+
+// The steps of a kept loop that end at vertices and their positions, from the leftmost on: doubles mostly know where a
+// ring begins. Returns the largest error, in the frame.
+double TurnedRings::find_positions(const RotatingLoops::Loop& loop, const RotatingFrame& frame, const Rigid& to_sum) {
+  const Rigid rigid = to_sum;  // by value: what is written below cannot be it
+  const RotatingFrame::Step* steps = frame.steps().data();
+  steps_.resize(loop.vertices);
+  positions_.resize(loop.vertices);
+  std::size_t n = 0, first = 0;
+  double leftmost = INFINITY, worst = frame.point_error();
+  for (std::uint32_t k = loop.first; k < loop.last; ++k) {
+    const RotatingFrame::Step& s = steps[k];
+    if (s.straight) continue;
+    double x, y;
+    if (s.to_crossing == RotatingFrame::kEnd) {
+      const Point at = frame.place(window_.segments[s.segment].end);
+      x = at.x;
+      y = at.y;
+    } else {
+      const RotatingFrame::Located z = frame.end_of(s);
+      worst = std::max(worst, z.error);
+      x = z.at.x;
+      y = z.at.y;
+    }
+    positions_[n] = rigid(x, y);
+    const double u = positions_[n].x;
+    first = u < leftmost ? n : first;
+    leftmost = std::min(u, leftmost);
+    steps_[n++] = k;
+  }
+  std::rotate(steps_.begin(), steps_.begin() + static_cast<std::ptrdiff_t>(first), steps_.end());
+  std::rotate(positions_.begin(), positions_.begin() + static_cast<std::ptrdiff_t>(first), positions_.end());
+  return worst;
+}
+
+SumRing TurnedRings::ring(const RotatingLoops::Loop& loop, const RotatingFrame& frame) {
+  SumRing ring;
+  ring.vertices.resize(steps_.size());
+  for (std::size_t i = 0; i < steps_.size(); ++i) {
+    const std::uint32_t k = steps_[i];
+    const RotatingFrame::Step &s = frame.steps()[k], &next = frame.steps()[k + 1 == loop.last ? loop.first : k + 1];
+    const Names& in = names(s.segment);
+    SumVertex& v = ring.vertices[i];
+    v.at = positions_[i];
+    v.in = in.contact;
+    v.out = names(next.segment).contact;
+    if (s.to_crossing != RotatingFrame::kEnd) continue;
+    v.corner_p = in.corner_p;
+    v.corner_q = in.corner_q;
+  }
+  return ring;
+}
+
+std::optional<TurnedRings::Rings> TurnedRings::at(const Orientation& theta, const RotatingFrame& frame,
+                                                  RotatingLoops& loops) {
+  Rings kept;
+  const Rigid rigid = to_sum(theta);
+  const double poor = kPoor * forms_.span();
+  double error = 0;
+  for (RotatingLoops::Loop& loop : loops.loops()) {
+    if (!loop.kept) continue;
+    error = std::max(error, find_positions(loop, frame, rigid));
+    if (error > poor) return std::nullopt;
+    kept.rings.push_back(ring(loop, frame));
+    kept.outer.push_back(loop.turning > 0);
+    kept.loops.push_back(&loop);
+  }
+  kept.at_error = input_error(error);
+  return kept;
+}
+
+}  // namespace dymsum::planar

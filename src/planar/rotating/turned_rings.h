@@ -1,0 +1,55 @@
+// The loops of a frame as rings of a sum, in input coordinates.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "dymsum/orientation.h"
+#include "planar/rotating/rotating_loops.h"
+
+namespace dymsum::planar {
+
+/// Of one window.
+class TurnedRings {
+ public:
+  /// `swapped`: P is the moving operand, operand 1 of the forms. `moving_turns`: the moving operand turns in the sum;
+  /// otherwise what it stands against does.
+  TurnedRings(const OperandPair& forms_base, const RotatingWindow& window, bool swapped, bool moving_turns);
+
+  struct Rings {
+    std::vector<SumRing> rings;  ///< from their leftmost vertices on, as doubles have them
+    std::vector<std::uint8_t> outer;
+    std::vector<RotatingLoops::Loop*> loops;
+    double at_error = 0;
+  };
+  /// The kept loops. Nothing where a position is known too badly.
+  std::optional<Rings> at(const Orientation& theta, const RotatingFrame& frame, RotatingLoops& loops);
+
+ private:
+  /// From the coordinates of the forms to those of the sum: scaled, perhaps turned, and moved.
+  struct Rigid {
+    double xx = 1, xy = 0, yx = 0, yy = 1;
+    Point by;
+    Point operator()(double x, double y) const { return {xx * x + xy * y + by.x, yx * x + yy * y + by.y}; }
+  };
+  /// How the sum names a segment and its end.
+  struct Names {
+    Contact contact;
+    std::uint32_t corner_p = 0, corner_q = 0;
+  };
+  Rigid to_sum(const Orientation& theta) const;
+  double input_error(double error) const;
+  const Names& names(std::uint32_t segment);
+  double find_positions(const RotatingLoops::Loop& loop, const RotatingFrame& frame, const Rigid& to_sum);
+  SumRing ring(const RotatingLoops::Loop& loop, const RotatingFrame& frame);
+
+  const OperandPair& base_;
+  const RotatingWindow& window_;
+  const TurningForms& forms_;
+  bool swapped_, moving_turns_;
+  std::vector<Names> names_;          // of segments, made when first asked for
+  std::vector<std::uint32_t> steps_;  // scratch: the steps of a ring that end at its vertices
+  std::vector<Point> positions_;      // and where
+};
+
+}  // namespace dymsum::planar

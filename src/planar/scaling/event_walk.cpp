@@ -1,0 +1,163 @@
+// ScalingSum's events: those of its windows, less what changes nothing in the sum between them and at them.
+#include <algorithm>
+#include <cmath>
+
+#include "planar/scaling/events.h"
+#include "planar/scaling/line_hashes.h"
+#include "planar/scaling/scaling_state.h"
+
+namespace dymsum {
+
+using namespace planar;
+using exact::BigRational;
+
+namespace {
+
+/// What makes two sums topologically different.
+struct Topology {
+  std::size_t parts = 0, holes = 0, tight_points = 0, tight_segments = 0, segments = 0, points = 0;
+  friend bool operator==(const Topology&, const Topology&) = default;
+};
+
+Topology topology_of(const PlanarSum& s) {
+  return {s.parts.size(),          s.hole_count(),    s.tight_points.size(),
+          s.tight_segments.size(), s.segments.size(), s.points.size()};
+}
+
+struct Snapshot {
+  std::uint64_t hash = 0;
+  Topology topology;
+};
+
+/// Walks upwards through the events, window by window, looking at the sum between them and at them.
+class EventWalk {
+ public:
+  explicit EventWalk(ScalingState& probe) : probe_(probe), lines_(probe.base) {}
+
+  /// Calls f(event) for the events in [from, to] in order until it returns false. Errors: cancelled, and those of
+  /// frames.
+  template <class F>
+  std::optional<Error> run(const BigRational& from, const BigRational& to, const Progress& progress, F&& f) {
+    // Neighbours just outside decide what lies before the first and behind the last.
+    BigRational low = from * BigRational(1023, 1024);
+    const BigRational end = to * BigRational(1025, 1024);
+    const double all = std::log(exact::round_to_double(BigRational(end / low)));
+    std::optional<BigRational> last;
+    std::optional<Snapshot> before;
+    while (low < end) {
+      if (progress && !progress("events", 1 - std::log(exact::round_to_double(BigRational(end / low))) / all))
+        return Error{ErrorCode::cancelled, "stopped on request", {}};
+      const BigRational high = std::min<BigRational>(BigRational(low * kRatio), end);
+      const std::unique_ptr<Window> window = probe_.windows.between(low, high);
+      std::vector<EventValue> values = events_of(*window, lines_.forms(), low, high);
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        const EventValue& e = values[i];
+        if (last && e.s == *last) continue;  // on the border of two windows
+        const BigRational previous = last ? *last : BigRational(low * BigRational(1023, 1024));
+        const bool wanted = e.s >= from && e.s <= to;
+        const bool next_wanted = e.s <= to;
+        if (wanted) {
+          const BigRational next = i + 1 < values.size() ? values[i + 1].s
+                                                         : (high < end ? next_after(high, end)
+                                                                       : BigRational(high * BigRational(1025, 1024)));
+          if (!before) {
+            Result<Snapshot> at = look(simple_between(previous, e.s));
+            if (!at) return at.error();
+            before = *at;
+          }
+          const Result<Snapshot> here = look(e.s), after = look(simple_between(e.s, next));
+          if (!here) return here.error();
+          if (!after) return after.error();
+          ScaleEvent event;
+          event.s = exact::to_rational(e.s);
+          event.approx = exact::round_to_double(e.s);
+          event.kind = e.kind;
+          event.topology = !(before->topology == after->topology) || !(here->topology == before->topology);
+          event.visible = event.topology || before->hash != after->hash;
+          if (!f(event)) return std::nullopt;
+          before = *after;
+        }
+        last = e.s;
+        if (!next_wanted) return std::nullopt;
+      }
+      low = high;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  static inline const BigRational kRatio{17, 16};
+
+  BigRational next_after(const BigRational& low, const BigRational& end) {
+    BigRational from = low;
+    while (from < end) {
+      const BigRational to = std::min<BigRational>(BigRational(from * kRatio), end);
+      const std::unique_ptr<Window> window = probe_.windows.between(from, to);
+      for (const EventValue& e : events_of(*window, lines_.forms(), from, to))
+        if (e.s > low) return e.s;
+      from = to;
+    }
+    return BigRational(end * BigRational(1025, 1024));
+  }
+
+  Result<Snapshot> look(const BigRational& s) {
+    const Result<Scale> scale = Scale::of(exact::to_rational(s));
+    if (!scale) return scale.error();
+    const Result<FrameChanges> moved = probe_.move_to(*scale, *scale);
+    if (!moved) return moved.error();
+    return Snapshot{lines_.of(probe_.sum), topology_of(probe_.sum)};
+  }
+
+  ScalingState& probe_;
+  LineHashes lines_;
+};
+
+MovingOptions probe_options(MovingOptions options) {
+  options.mode = FrameMode::window;
+  options.window = 1.0 / 16;
+  options.progress = {};
+  return options;
+}
+
+std::optional<Error> not_regular(const OperandPair& base) {
+  if (base.regular) return std::nullopt;
+  return Error{ErrorCode::unsupported_operand, "events are defined for operands without polylines and points", {}};
+}
+
+}  // namespace
+
+Result<std::vector<ScaleEvent>> ScalingSum::events(const Scale& a, const Scale& b, const Progress& progress) const {
+  if (std::optional<Error> error = not_regular(*state_->base)) return *std::move(error);
+  const BigRational low = rational(scale_value(a)), high = rational(scale_value(b));
+  if (low > high)
+    return Error{ErrorCode::bad_scale,
+                 "the range of scales is empty: " + a.exact().to_string() + " > " + b.exact().to_string(),
+                 {}};
+  State probe(state_->base, probe_options(state_->options));
+  std::vector<ScaleEvent> events;
+  EventWalk walk(probe);
+  if (std::optional<Error> error = walk.run(low, high, progress, [&](const ScaleEvent& e) {
+        events.push_back(e);
+        return true;
+      }))
+    return *std::move(error);
+  return events;
+}
+
+Result<std::optional<ScaleEvent>> ScalingSum::next_event(const Scale& s, const Scale& limit, EventChange change,
+                                                         const Progress& progress) const {
+  if (std::optional<Error> error = not_regular(*state_->base)) return *std::move(error);
+  const BigRational low = rational(scale_value(s)), high = rational(scale_value(limit));
+  std::optional<ScaleEvent> found;
+  if (low >= high) return found;
+  State probe(state_->base, probe_options(state_->options));
+  EventWalk walk(probe);
+  if (std::optional<Error> error = walk.run(low, high, progress, [&](const ScaleEvent& e) {
+        if (exact::exact_value(e.s) > low && (change == EventChange::topology ? e.topology : e.visible)) found = e;
+        return !found;
+      }))
+    return *std::move(error);
+  return found;
+}
+
+}  // namespace dymsum

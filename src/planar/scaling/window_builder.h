@@ -1,0 +1,39 @@
+// Makes windows of scales: the convolution of a range of scales, the grid, and which operand moves in the window.
+#pragma once
+
+#include <memory>
+
+#include "exact/big.h"
+#include "planar/scaling/window.h"
+
+namespace dymsum::planar {
+
+class WindowBuilder {
+ public:
+  explicit WindowBuilder(std::shared_ptr<const OperandPair> base) : base_(std::move(base)) {}
+
+  /// A window for the events in [low, high]; without `covers` also of crossings inside the sum.
+  std::unique_ptr<Window> between(const exact::BigRational& low, const exact::BigRational& high, bool covers = false);
+  /// A window for frames in (low, high), near `at` at first; abandoned when more than `most_pairs` boxes meet.
+  std::unique_ptr<Window> frames(double low, double high, double at, std::uint64_t most_pairs);
+  /// The width, as a logarithm, beyond which masks lose more than longer windows gain.
+  double widest(double s) const;
+
+  /// The reduced convolution of all scales in [low, high], perhaps of more.
+  const ReducedConvolution& convolution_for(double low, double high);
+  /// The one the last window was made from: its ids are the window's.
+  std::shared_ptr<const ReducedConvolution> convolution() const { return convolution_; }
+  /// Of a window for scales in [low, high]: all but the grid. At `at` the smaller operand moves.
+  WindowSettings settings_for(const exact::BigRational& low, const exact::BigRational& high, double at) const;
+  double shrink = 1;  ///< tests only, see WindowSettings
+
+ private:
+  WindowSettings with_grid(WindowSettings settings) const;
+  std::array<double, 2> sizes(double s) const;
+
+  std::shared_ptr<const OperandPair> base_;
+  std::shared_ptr<const ReducedConvolution> convolution_;
+  double fill_low_ = 0, fill_high_ = 0;  ///< scales for which the convolution's filled holes are right
+};
+
+}  // namespace dymsum::planar

@@ -1,0 +1,21 @@
+// Pair finding: which pieces of a window may meet, and when they cross.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "planar/scaling/window_pieces.h"
+
+namespace dymsum::planar {
+
+class EdgeSearch;
+
+/// Fills in a window's candidates, and what touches at every scale. Returns for every touch its pair of vertices;
+/// nothing where more than `most_pairs` boxes of pieces meet. `search`, if there is one, leaves out crossings that two
+/// edges prove covered while they exist.
+std::optional<std::vector<WalkPair>> find_candidates(Window& window, const WindowFrame& swept, const SweptMask& mask,
+                                                     const std::vector<PieceEnds>& ends, std::uint64_t most_pairs,
+                                                     EdgeSearch* search);
+
+}  // namespace dymsum::planar

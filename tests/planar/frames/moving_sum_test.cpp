@@ -1,0 +1,155 @@
+// The move that all moving sums share, on a motion without a motion: a window is a range of numbers, and every frame is
+// the same sum.
+#include "planar/frames/moving_sum.h"
+
+#include <gtest/gtest.h>
+
+#include "dymsum/shapes.h"
+#include "planar/frames/region_pair.h"
+#include "planar/sum/placed_sum.h"
+
+namespace dymsum::planar {
+namespace {
+
+class Still final : public MovingSum {
+ public:
+  explicit Still(MovingOptions options) : MovingSum(std::move(options)) {}
+
+  Result<FrameChanges> move_to(double to) {
+    position_ = to;
+    Move next;
+    next.inside = open_ && to > low_ && to < high_;
+    next.stays = to == at_;
+    next.step = to - at_;
+    next.widest = 1;
+    next.asked = options.window;
+    Result<FrameChanges> changes = move(next);
+    if (changes) at_ = to;
+    return changes;
+  }
+
+  bool undecided = false;  // frames inside the window fail
+  bool too_expensive = false;
+  bool followed = false;
+  std::uint64_t identity = 0;  // of the one ring, as loops would keep it
+  int built = 0, dropped = 0;
+  double at_ = 0;
+
+ private:
+  PlacedPair placed() const override { return pair_->placed_on_lattice(pair_->lattice); }
+  bool build_window(const Move&, const WindowController::Choice& reach) override {
+    if (too_expensive) return false;
+    ++built;
+    open_ = true;
+    low_ = position_ - reach.behind;
+    high_ = position_ + reach.ahead;
+    return true;
+  }
+  void drop_window() override {
+    dropped += open_;
+    open_ = false;
+  }
+  bool has_window() const override { return open_; }
+  std::optional<NextFrame> window_frame(const Move&, FrameWork&) override {
+    if (undecided) return std::nullopt;
+    NextFrame next;
+    next.sum = *placed_sum(placed(), {});
+    next.followed = followed;
+    next.identities = {&identity};
+    return next;
+  }
+  double cost_of(const FrameWork& done) override { return done.rebuilt ? 100 : 1; }
+  WindowCost cost_of_window() const override { return {10, 0}; }
+
+  std::shared_ptr<const OperandPair> pair_ =
+      *pair_of_regions(shapes::rectangle(0, 0, 2, 1), shapes::rectangle(0, 0, 1, 3), PairOptions{.moved = 1});
+  double position_ = 0, low_ = 0, high_ = 0;
+  bool open_ = false;
+};
+
+MovingOptions with(FrameMode mode, double window = 0) {
+  MovingOptions options;
+  options.mode = mode;
+  options.window = window;
+  return options;
+}
+
+TEST(MovingSum, a_window_serves_until_its_end) {
+  Still sum(with(FrameMode::window, 0.5));
+  for (const double to : {0.1, 0.2, 0.3}) ASSERT_TRUE(sum.move_to(to).ok());
+  EXPECT_EQ(sum.built, 1);
+  EXPECT_FALSE(sum.work.new_window);
+  EXPECT_FALSE(sum.work.rebuilt);
+  ASSERT_TRUE(sum.move_to(2).ok());
+  EXPECT_EQ(sum.built, 2);
+  EXPECT_TRUE(sum.work.new_window);
+}
+
+TEST(MovingSum, rebuilding_opens_no_window) {
+  Still sum(with(FrameMode::rebuild));
+  for (const double to : {0.1, 0.2, 0.3}) {
+    ASSERT_TRUE(sum.move_to(to).ok());
+    EXPECT_TRUE(sum.work.rebuilt);
+  }
+  EXPECT_EQ(sum.built, 0);
+}
+
+TEST(MovingSum, what_a_window_does_not_decide_is_rebuilt_and_the_window_stays) {
+  Still sum(with(FrameMode::window, 0.5));
+  ASSERT_TRUE(sum.move_to(0.1).ok());
+  const PlanarSum before = sum.sum;
+  sum.undecided = true;
+  ASSERT_TRUE(sum.move_to(0.2).ok());
+  EXPECT_TRUE(sum.work.rebuilt);
+  EXPECT_TRUE(sum.sum == before);
+  sum.undecided = false;
+  ASSERT_TRUE(sum.move_to(0.3).ok());
+  EXPECT_FALSE(sum.work.rebuilt);
+  EXPECT_EQ(sum.built, 1);
+  EXPECT_EQ(sum.dropped, 0);
+}
+
+TEST(MovingSum, windows_that_would_cost_too_much_are_left) {
+  Still sum(with(FrameMode::window, 0.5));
+  sum.too_expensive = true;
+  ASSERT_TRUE(sum.move_to(0.1).ok());
+  EXPECT_TRUE(sum.work.rebuilt);
+  EXPECT_FALSE(sum.work.new_window);
+}
+
+TEST(MovingSum, nothing_changes_where_it_is_stopped) {
+  Still sum(with(FrameMode::window, 0.5));
+  ASSERT_TRUE(sum.move_to(0.1).ok());
+  const std::vector<std::uint64_t> ids = sum.ring_ids;
+  sum.options.progress = [](std::string_view, double) { return false; };
+  const Result<FrameChanges> stopped = sum.move_to(3);
+  ASSERT_FALSE(stopped.ok());
+  EXPECT_EQ(stopped.error().code, ErrorCode::cancelled);
+  EXPECT_EQ(sum.at_, 0.1);
+  EXPECT_EQ(sum.ring_ids, ids);
+  EXPECT_EQ(sum.built, 1);
+}
+
+TEST(MovingSum, identities_go_from_sums_to_loops_and_back) {
+  Still sum(with(FrameMode::window, 0.5));
+  const FrameChanges first = *sum.move_to(0.1);
+  ASSERT_EQ(first.rings.size(), 1u);
+  EXPECT_EQ(first.rings[0].kind, RingChange::Kind::appeared);
+  ASSERT_EQ(sum.ring_ids.size(), 1u);
+  EXPECT_EQ(sum.identity, sum.ring_ids[0]) << "the loops are told";
+  const FrameChanges second = *sum.move_to(0.2);
+  EXPECT_EQ(second.rings, (std::vector<RingChange>{{RingChange::Kind::moved, sum.ring_ids[0], 0, 0}}));
+  sum.followed = true;
+  sum.identity = 77;
+  EXPECT_TRUE(sum.move_to(0.3)->rings.empty()) << "the loops tell changes";
+  EXPECT_EQ(sum.ring_ids, std::vector<std::uint64_t>{77});
+}
+
+TEST(MovingSum, a_frame_where_the_last_one_was_moves_no_ring) {
+  Still sum(with(FrameMode::rebuild));
+  ASSERT_TRUE(sum.move_to(0.1).ok());
+  EXPECT_TRUE(sum.move_to(0.1)->rings.empty());
+}
+
+}  // namespace
+}  // namespace dymsum::planar
