@@ -23,6 +23,9 @@ void join(std::vector<std::uint32_t>& parents, std::uint32_t a, std::uint32_t b)
   parents[root_of(parents, a)] = root_of(parents, b);
 }
 
+/// Ends that err by more than this share of the span are taken from exact quotients.
+constexpr double kKnownEnd = 0x1p-39;
+
 /// A way along the boundary through a place: in along one sub-edge and out along another one, or along one that passes
 /// the place.
 struct Visit {
@@ -72,7 +75,7 @@ class Limit {
     const WalkSegment& s = segment(i);
     const Located l = place_on(forms_, s, at_end ? edges_[i].at.right : edges_[i].at.left, !at_end, signs_.heading());
     double t = l.t;
-    if (!(l.error * forms_.length1(s) < 0x1p-39 * forms_.span())) {
+    if (!(l.error * forms_.length1(s) < kKnownEnd * forms_.span())) {
       const Fraction& f = own_end(i, at_end);
       t = signs_.quotient(f.num, product(f.den, signs_.length(s).num));
     }

@@ -20,7 +20,9 @@ struct Passages {
   std::vector<Passage> all;
   bool everywhere = false;
 };
+/// Any gap is right that halves of it are told apart in doubles of angles.
 constexpr double kPassageGap = 0x1p-44;
+static_assert(kPassageGap >= 4 * kAngleMargin);
 
 /// `at` is absolute.
 Passages passages_at(const CspaceObstacle& obstacle, const PatchForms& forms, Point at);
