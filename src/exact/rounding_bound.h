@@ -45,8 +45,4 @@ inline constexpr double kUnderflow = 0x1p-1000;
 inline constexpr double kOutwards = 1 + 0x1p-40, kInwards = 1 - 0x1p-40;
 static_assert(gamma(1 << 12) * (1 + gamma(1)) < kOutwards - 1 && gamma(1 << 12) * (1 + gamma(1)) < 1 - kInwards);
 
-/// Factors that make up for one rounding of a positive number: fl(x kUp) >= y and fl(x kDown) <= y for x = fl(y), as
-/// either moves x by a unit in its last place at least.
-inline constexpr double kUp = 1 + 2 * kRoundoff, kDown = 1 - 2 * kRoundoff;
-
 }  // namespace dymsum::exact

@@ -9,7 +9,7 @@
 #include "exact/big.h"
 #include "exact/grid.h"
 #include "exact/orient.h"
-#include "exact/rounding_bound.h"
+#include "exact/one_rounding.h"
 #include "planar/turning/turn.h"
 
 namespace dymsum {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "exact/rounding_bound.h"
+#include "exact/one_rounding.h"
 #include "spatial/gauss/signs.h"
 
 namespace dymsum::spatial {
