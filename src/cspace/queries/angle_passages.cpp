@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace dymsum::apps {
+namespace dymsum::cspace {
 namespace {
 
 // Of c + a cos(theta) + b sin(theta), times |edge|_1 and the sizes: a difference of positions (3) or a corner, an edge
@@ -155,4 +155,4 @@ Passages passages_at(const CspaceObstacle& obstacle, const PatchForms& forms, Po
   return Finder(obstacle, forms, at).run();
 }
 
-}  // namespace dymsum::apps
+}  // namespace dymsum::cspace

@@ -6,7 +6,7 @@
 
 #include "cspace/queries/tight_distance.h"
 
-namespace dymsum::apps {
+namespace dymsum::cspace {
 namespace {
 
 constexpr double kSure = 1024;  // times its error: a distance at which what is nearest is known to be boundary
@@ -147,4 +147,4 @@ ClearanceSearch::Answer ClearanceSearch::by_slice(const ClearanceQuestion& q) co
   return {nearest, patch.bounds};
 }
 
-}  // namespace dymsum::apps
+}  // namespace dymsum::cspace

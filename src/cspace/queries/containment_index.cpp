@@ -4,7 +4,7 @@
 #include <limits>
 #include <numbers>
 
-namespace dymsum::apps {
+namespace dymsum::cspace {
 namespace {
 
 // About a dozen patches begin in a bin.
@@ -140,4 +140,4 @@ std::optional<bool> ContainmentIndex::contains(double x, double y, double theta)
   return inside;
 }
 
-}  // namespace dymsum::apps
+}  // namespace dymsum::cspace

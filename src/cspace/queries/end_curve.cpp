@@ -4,7 +4,7 @@
 #include <limits>
 #include <numbers>
 
-namespace dymsum::apps {
+namespace dymsum::cspace {
 namespace {
 
 // Of a value on the edge, times the sizes of its terms. A wave's factors are sums of two products with a cosine and a
@@ -141,4 +141,4 @@ Range EndCurve::possible(double a, double b) const {
   return from < near && to > near ? Range{near - psi_, b} : Range{a, b};
 }
 
-}  // namespace dymsum::apps
+}  // namespace dymsum::cspace

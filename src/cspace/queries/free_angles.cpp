@@ -6,7 +6,7 @@
 
 #include "cspace/queries/angle_passages.h"
 
-namespace dymsum::apps {
+namespace dymsum::cspace {
 namespace {
 
 // An angle at which something may change at the position.
@@ -124,4 +124,4 @@ std::vector<FreeAngles> free_angles(const CspaceObstacle& obstacle, const PatchF
   return out;
 }
 
-}  // namespace dymsum::apps
+}  // namespace dymsum::cspace

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-namespace dymsum::apps {
+namespace dymsum::cspace {
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
@@ -265,4 +265,4 @@ NearestPatch nearest_patch_at(const PatchForms& forms, const PatchTree& tree, co
   return best;
 }
 
-}  // namespace dymsum::apps
+}  // namespace dymsum::cspace

@@ -11,7 +11,7 @@
 #include <set>
 #include <utility>
 
-namespace dymsum::apps {
+namespace dymsum::cspace {
 namespace {
 
 // Of a patch's end, in units of u.
@@ -204,4 +204,4 @@ void PatchForms::split(const CspaceObstacle& obstacle, std::uint32_t patch, doub
   add(-std::numbers::pi, end);
 }
 
-}  // namespace dymsum::apps
+}  // namespace dymsum::cspace

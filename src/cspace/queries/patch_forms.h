@@ -12,7 +12,7 @@
 #include "dymsum/cspace_obstacle.h"
 #include "exact/rounding_bound.h"
 
-namespace dymsum::apps {
+namespace dymsum::cspace {
 
 using base::DoublePair;
 
@@ -125,4 +125,4 @@ inline Point direction(const ContactLine& l, const Turn& turn) { return l.turns 
 
 inline Point quarter(Point v) { return {-v.y, v.x}; }
 
-}  // namespace dymsum::apps
+}  // namespace dymsum::cspace

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <optional>
 
-namespace dymsum::apps {
+namespace dymsum::cspace {
 namespace {
 // Of an angle from a reference: a multiple of a turn (4), its sum with the reference and the difference, 8 each as they
 // are below 16.
@@ -219,4 +219,4 @@ StretchBox box_of(const PatchForms& forms, const PatchStretch& stretch) {
           {from + stretch.low, to + stretch.high}};
 }
 
-}  // namespace dymsum::apps
+}  // namespace dymsum::cspace

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <numeric>
 
-namespace dymsum::apps {
+namespace dymsum::cspace {
 namespace {
 
 constexpr std::uint32_t kLeaf = 4;
@@ -144,4 +144,4 @@ double square_distance(const PatchTree::Slab& slab, Point at, double theta, doub
   return u * u + v * v + squared(weight * angle_outside(slab.theta, slab.theta_half, theta));
 }
 
-}  // namespace dymsum::apps
+}  // namespace dymsum::cspace

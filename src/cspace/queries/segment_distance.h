@@ -9,7 +9,7 @@
 #include "dymsum/cspace_obstacle.h"
 #include "exact/rounding_bound.h"
 
-namespace dymsum::apps {
+namespace dymsum::cspace {
 
 /// Of the distance of a point from a segment, times the sum M of all coordinates. Vectors between the points are at most
 /// M long. The unit vector errs by 6 of itself, the place along the segment by 6 + 3, the foot by 9 and two more
@@ -44,4 +44,4 @@ struct NearestPlace {
   double total_error() const { return std::max(error, distance - least); }
 };
 
-}  // namespace dymsum::apps
+}  // namespace dymsum::cspace

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace dymsum::apps {
+namespace dymsum::cspace {
 namespace {
 
 // Of u and v, times the sizes of their terms: scalar and cross products with unit vectors (5 + 3 each), turned (2 * 4),
@@ -212,4 +212,4 @@ StretchDistance::Bound StretchDistance::lower(double low, double high, double en
   return bound;
 }
 
-}  // namespace dymsum::apps
+}  // namespace dymsum::cspace

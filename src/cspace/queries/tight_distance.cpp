@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-namespace dymsum::apps {
+namespace dymsum::cspace {
 
 // Of a turn, times its weight: both angles' doubles, and the product of at most 4. Of the length of a vector, relatively.
 constexpr double kTurn = exact::rounding_bound(2 * 12 + 4, 128), kLength = exact::rounding_bound(3, 8);
@@ -23,4 +23,4 @@ NearestTight nearest_tight(const CspaceObstacle& obstacle, const Configuration& 
   return nearest;
 }
 
-}  // namespace dymsum::apps
+}  // namespace dymsum::cspace
