@@ -15,9 +15,9 @@ namespace {
 
 // Of a place below, times the span: two coordinates (3 and 1), their sum, the distance and the sum with it.
 constexpr double kPlaceError = exact::rounding_bound(4 + 1 + 1 + 1, 16);
-// Of the side of a wall's end from a leg, times the span and |leg|_1, where the wall crosses the leg: two points (4 each)
-// and their difference; product and difference; and what turns the leg's line about its start where the leg is short,
-// the error of a difference of two ends, as far as the leg is long (4 + 4 + 1).
+// Of the side of a wall's end from a leg, times the span and |leg|_1, where the wall crosses the leg: two points (4
+// each) and their difference; product and difference; and what turns the leg's line about its start where the leg is
+// short, the error of a difference of two ends, as far as the leg is long (4 + 4 + 1).
 constexpr double kLegSide = exact::rounding_bound(9 + 2 + 9, 32);
 
 Segment reversed(const Segment& s) { return {{s.edge.op, s.edge.to, s.edge.from}, s.vertex}; }

@@ -27,9 +27,9 @@ EventPlace place_of(const TurnEvent& event, const TurningForms& forms, Heading h
 // A crossing errs by what the side and the cross product do, over the sine.
 static_assert((kTurnedSide + kTurnedCross) / kPlacedSine + kTurnedPlace < OverlapFilter::kPlace);
 
-// The place of an event moves by at most 1 + 4 / sine spans for every radian (event_clusters.cpp), a vertex of the robot
-// by less than one. What is covered by the filter's margin at one angle is covered as long as they move by less than
-// that leaves.
+// The place of an event moves by at most 1 + 4 / sine spans for every radian (event_clusters.cpp), a vertex of the
+// robot by less than one. What is covered by the filter's margin at one angle is covered as long as they move by less
+// than that leaves.
 bool certainly_covered(const TurnEvent& event, const TurningForms& forms, const OverlapFilter& filter) {
   const Heading h = Heading::of(event.theta());
   const EventPlace place = place_of(event, forms, h);

@@ -13,8 +13,8 @@ namespace {
 
 using planar::Pose;
 
-// Of a + t d on the way from a to b, with d = b - a rounded: times |d| + 4 for the angle, which is reduced to at most pi
-// first (2), times |a| + |b| for a coordinate; d, the product and the sum.
+// Of a + t d on the way from a to b, with d = b - a rounded: times |d| + 4 for the angle, which is reduced to at most
+// pi first (2), times |a| + |b| for a coordinate; d, the product and the sum.
 constexpr double kAngle = exact::rounding_bound(2 + 3, 8), kCoordinate = exact::rounding_bound(3, 8);
 
 double largest(const Region& region) {

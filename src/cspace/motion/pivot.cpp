@@ -123,8 +123,7 @@ bool Pivot::in_reach(const Candidate& c) const {
   const double most = std::max(std::hypot(a.x, a.y), std::hypot(b.x, b.y));
   const double share = l > 0 ? std::clamp(-(a.x * dx + a.y * dy) / l, 0.0, 1.0) : 0.0;
   const double least = std::hypot(a.x + share * dx, a.y + share * dy);
-  const double margin =
-      kNear * (most + radius + std::abs(near_.x) + std::abs(near_.y) + std::abs(o.x) + std::abs(o.y));
+  const double margin = kNear * (most + radius + std::abs(near_.x) + std::abs(near_.y) + std::abs(o.x) + std::abs(o.y));
   return radius <= most + margin && radius >= least - margin;
 }
 

@@ -16,8 +16,8 @@ namespace {
 constexpr double kCross = exact::rounding_bound(4, 8);
 // Of the length of a vector, which is at least that long: two squares, their sum, the root.
 constexpr double kLength = exact::rounding_bound(3, 8);
-// Of a coordinate of x + R r, times 2 |r| + |x|: cosine and sine err by 1 each, sqrt(2) |r| together, the products by |r|
-// together, their difference and the sum by |r| and |x| + |r|.
+// Of a coordinate of x + R r, times 2 |r| + |x|: cosine and sine err by 1 each, sqrt(2) |r| together, the products by
+// |r| together, their difference and the sum by |r| and |x| + |r|.
 constexpr double kPlaced = exact::rounding_bound(5, 8);
 // Of the distance of a vertex from an edge, times M = span + reach + |x| + |y|; vectors from the edge's start to the
 // vertex are at most sqrt(2) M long, and so are those to the foot. The share of the foot errs by 4 of numerator and

@@ -11,7 +11,8 @@
 namespace dymsum::planar {
 namespace {
 
-// Of a position from the lattice's base: itself and its double, times the span; the sum of the offsets, times the reach.
+// Of a position from the lattice's base: itself and its double, times the span; the sum of the offsets, times the
+// reach.
 constexpr double kPlace = exact::rounding_bound(1, 512), kBase = exact::rounding_bound(2, 8);
 
 // The middle of the loop's first piece.

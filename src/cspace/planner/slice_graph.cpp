@@ -97,8 +97,9 @@ std::array<double, 2> SliceGraph::height(std::uint32_t edge, const Line& line) c
   const double e = std::max({a.error(), b.error(), line.error}), dx = b.at().x - a.at().x;
   if (!(dx > kTold * e)) return {a.at().y, std::numeric_limits<double>::infinity()};
   const double slope = (b.at().y - a.at().y) / dx, y = a.at().y + slope * (line.at - a.at().x);
-  return {y, kMoved * e * (1 + std::abs(slope)) + kHeight * (std::abs(a.at().y) + std::abs(b.at().y) +
-                                                         std::abs(slope) * (std::abs(line.at) + std::abs(a.at().x)))};
+  return {y,
+          kMoved * e * (1 + std::abs(slope)) + kHeight * (std::abs(a.at().y) + std::abs(b.at().y) +
+                                                          std::abs(slope) * (std::abs(line.at) + std::abs(a.at().x)))};
 }
 
 BigRational SliceGraph::exact_height(std::uint32_t edge, const BigRational& x) const {

@@ -114,7 +114,8 @@ std::optional<bool> ContainmentIndex::meets_ray(std::uint32_t patch, const Turn&
   if (xa > error && xb > error) return true;
   if (xa < -error && xb < -error) return false;
   const double area = xa * yb - ya * xb;
-  const double bound = 2 * error * (std::abs(xa) + std::abs(xb) + std::abs(ya) + std::abs(yb) + error) + exact::kUnderflow;
+  const double bound =
+      2 * error * (std::abs(xa) + std::abs(xb) + std::abs(ya) + std::abs(yb) + error) + exact::kUnderflow;
   if (!(std::abs(area) > bound)) return std::nullopt;
   return (area > 0) == (yb > ya);
 }

@@ -15,9 +15,9 @@ namespace dymsum::cspace {
 namespace {
 
 // Of a patch's end, in units of u.
-//   turned    a vector of length l by cosine, sine and angle, which err by 8 together: 8 sqrt(2) l, products and sum 2 l.
-//   hinge     its turned part, the fixed part (1) and the sum: at most the size.
-//   crossing  of two lines, over the sine s of their angle: the difference of two positions (3) of at most the size
+//   turned    a vector of length l by cosine, sine and angle, which err by 8 together: 8 sqrt(2) l, products and sum 2
+//   l. hinge     its turned part, the fixed part (1) and the sum: at most the size. crossing  of two lines, over the
+//   sine s of their angle: the difference of two positions (3) of at most the size
 //             times a unit vector (5), product, difference and quotient; the length on the edge times twice 5 and 2 for
 //             what the sine errs by.
 // Directions of edges that are short against the size err by more, as their ends do: that turns a line about its start

@@ -11,8 +11,8 @@
 
 namespace dymsum::cspace {
 
-/// Of the distance of a point from a segment, times the sum M of all coordinates. Vectors between the points are at most
-/// M long. The unit vector errs by 6 of itself, the place along the segment by 6 + 3, the foot by 9 and two more
+/// Of the distance of a point from a segment, times the sum M of all coordinates. Vectors between the points are at
+/// most M long. The unit vector errs by 6 of itself, the place along the segment by 6 + 3, the foot by 9 and two more
 /// operations of as much, the distance by the difference and its length.
 inline constexpr double kSegmentDistance = exact::rounding_bound(9 + 6 + 4 + 3, 128);
 

@@ -8,8 +8,8 @@
 
 #include "exact/big.h"
 #include "exact/grid.h"
-#include "exact/orient.h"
 #include "exact/one_rounding.h"
+#include "exact/orient.h"
 #include "planar/turning/turn.h"
 
 namespace dymsum {
@@ -20,8 +20,8 @@ using exact::BigRational;
 
 constexpr double kNever = -std::numeric_limits<double>::infinity();
 
-// Of a coordinate of a unit vector, in units u of itself: its own rounding and the quotient's, and the length's, that of
-// a square root (1) of a sum of squares (2 + 1 + 1, halved).
+// Of a coordinate of a unit vector, in units u of itself: its own rounding and the quotient's, and the length's, that
+// of a square root (1) of a sum of squares (2 + 1 + 1, halved).
 constexpr int kUnit = 2 + 3;
 /// Of the sign's form, times the sum of the map's entries: two unit vectors and an entry (1) make a term, with two
 /// products and two sums; coordinates of unit vectors are at most 1.

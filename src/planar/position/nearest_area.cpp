@@ -63,7 +63,8 @@ class PairSum {
     twice_ = twice_ + (left - right);
     error_ += (std::abs(a.x.high) + std::abs(a.y.high)) * b.error +
               (std::abs(b.x.high) + std::abs(b.y.high)) * a.error + 2 * a.error * b.error +
-              base::kPairError * (2 * (std::abs(left.high) + std::abs(right.high)) + std::abs(twice_.high)) + exact::kUnderflow;
+              base::kPairError * (2 * (std::abs(left.high) + std::abs(right.high)) + std::abs(twice_.high)) +
+              exact::kUnderflow;
   }
 
   const ExactSource& source_;

@@ -1,9 +1,9 @@
 // Whether a mesh bounds a convex solid.
 //
-// Faces of a mesh meet only where they share an edge or a vertex, and one fan of them goes around every vertex. Where no
-// edge is reflex, small spheres around a point of the surface cut the solid in regions whose border is a simple polygon
-// without reflex corners, and those are convex: the solid is locally convex. A connected closed set that is locally
-// convex is convex (Tietze 1928, Nakajima 1928).
+// Faces of a mesh meet only where they share an edge or a vertex, and one fan of them goes around every vertex. Where
+// no edge is reflex, small spheres around a point of the surface cut the solid in regions whose border is a simple
+// polygon without reflex corners, and those are convex: the solid is locally convex. A connected closed set that is
+// locally convex is convex (Tietze 1928, Nakajima 1928).
 #include <algorithm>
 #include <optional>
 #include <string>
