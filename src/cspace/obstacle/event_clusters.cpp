@@ -9,9 +9,9 @@ namespace {
 
 /// Angles of events err by less, or their places are not computed.
 constexpr double kAngle = 0x1p-30;
-/// Places of lines at a smaller sine are not used; with this one 2^-40 / sine is less than kAngle.
-constexpr double kLeastSine = 0x1p-10;
-static_assert(0x1p-40 / kLeastSine <= kAngle);
+/// Places of lines at a smaller sine are not used. They err by less than kCrossing / sine, times the span.
+constexpr double kLeastSine = 0x1p-10, kCrossing = 0x1p-40;
+static_assert(kCrossing / kLeastSine <= kAngle);
 
 /// A disc that certainly holds the place of an event, or the stretch along which it changes the boundary; infinite for
 /// alignments and where doubles do not tell.
