@@ -1,7 +1,7 @@
 // All pairs of edges by the angle at which they point in the same direction, and that angle exactly.
 #include <algorithm>
 
-#include "cspace/events/turn_events.h"
+#include "cspace/events/event_angles.h"
 
 namespace dymsum::planar {
 
@@ -11,7 +11,7 @@ const exact::AlgebraicRoot& exact_root(TurnEvent& event, const TurningForms& for
     std::vector<exact::AlgebraicRoot> roots =
         roots_in(forms.exact_alignment(event.e, event.f, range.chart), range.t_low, range.t_high);
     event.root = std::move(roots.at(0));
-    event.set_angles(range);
+    set_angles(event, range);
   }
   return *event.root;
 }

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <span>
 
+#include "cspace/events/event_angles.h"
 #include "cspace/events/event_place.h"
 #include "cspace/events/quarter_turn.h"
 
@@ -470,7 +471,7 @@ class Collector {
     TurnEvent event;
     event.kind = kind;
     event.root = std::move(root);
-    event.set_angles(w_.range);
+    set_angles(event, w_.range);
     return event;
   }
 

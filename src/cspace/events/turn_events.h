@@ -8,7 +8,6 @@
 
 #include "cspace/events/overlap_filter.h"
 #include "exact/algebraic_root.h"
-#include "exact/rounding_bound.h"
 #include "planar/turning/turn_window.h"
 
 namespace dymsum::planar {
@@ -28,13 +27,6 @@ struct TurnEvent {
   std::uint32_t e = 0, f = 0;
   std::optional<exact::AlgebraicRoot> root;  ///< always, but for alignments only when asked for
   double theta() const { return (low + high) / 2; }
-  /// Sets `low` and `high` from `root`.
-  void set_angles(const TurnRange& range) {
-    low = range.theta(root->low()) - kEventAngle;
-    high = range.theta(root->high()) + kEventAngle;
-  }
-  /// Of the angle of a tangent: twice an arc tangent, and its sum with half a turn, below 8.
-  static constexpr double kEventAngle = exact::rounding_bound(2 + 4, 8);
 };
 
 /// The exact angle.
