@@ -16,7 +16,6 @@ using exact::BigRational;
 using oracles::Random;
 
 BigRational exactly(double v) { return exact::exact_value(v); }
-int sign(const BigRational& v) { return v.sign(); }
 SlicePoint point(BigRational x, BigRational y) { return SlicePoint(Position{std::move(x), std::move(y)}); }
 
 // Points on a line, moved off it by less or a little more than doubles of their positions tell.

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <random>
 
+#include "cspace/planner/test_rooms.h"
 #include "dymsum/region.h"
 #include "oracles/decimal_parts.h"
 #include "oracles/sanitized.h"
