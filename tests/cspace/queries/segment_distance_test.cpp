@@ -45,7 +45,7 @@ TEST(SegmentDistance, errs_by_less_than_it_says_and_not_by_much_less) {
     const double sum = exact::round_to_double(BigRational(abs(distance * distance - truth)));
     most = std::max(most, sum / (2 * nearest.distance + nearest.error) / nearest.error);
   }
-  EXPECT_GT(most, 1.0 / 128);
+  EXPECT_GT(most, 1.0 / 256);
 }
 
 }  // namespace
