@@ -11,6 +11,9 @@
 
 namespace dymsum::base {
 
+/// Of an operation, times its result.
+inline constexpr double kPairError = 0x1p-100;
+
 struct DoublePair {
   double high = 0, low = 0;
   double value() const { return high + low; }

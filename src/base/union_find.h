@@ -27,6 +27,10 @@ class UnionFind {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
   }
+  std::uint32_t root(std::uint32_t i) const {
+    while (parent_[i] != i) i = parent_[i];
+    return i;
+  }
   bool same(std::uint32_t i, std::uint32_t j) { return root(i) == root(j); }
   /// Joins two classes; the root of j's stands for both.
   void unite(std::uint32_t i, std::uint32_t j) { parent_[root(i)] = root(j); }

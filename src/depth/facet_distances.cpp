@@ -3,9 +3,23 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exact/rounding_bound.h"
 #include "spatial/convex/assemble.h"
 
 namespace dymsum::spatial {
+namespace {
+
+// Matrices err by 16 u of their entries and unit vectors by 8: normals, sums of three products, by 27 of entries that
+// make up sqrt(3) of the spread; those across two edges by twice as much and the product of norms: 128. Places err by
+// 16 + 16 of the reach.
+constexpr int kNormal = 128, kPlace = 32;
+// Of normal times place over the normal's length, times spread and reach over that length: the normal's error counts
+// again in the length; three products and their sum, the quotient and the root.
+constexpr double kDistanceError = exact::rounding_bound(2 * kNormal + kPlace + 3 + 2, 512);
+// Squares above this have lost nothing to underflow.
+constexpr double kNotSmall = 0x1p-900;
+
+}  // namespace
 
 // Norms are at least 1, as each matrix has an entry in [1, 2), so spreads are; of the three lengths that make reach_
 // one is at least 1/2. All numbers are at most 2^20, and what underflows loses at most 2^-1000.
@@ -49,20 +63,18 @@ std::vector<GenericFacet> FacetDistances::candidates() {
   return near;
 }
 
-// The facet with outward normal n through a corner, seen from the point. Matrices err by 2^-49 of their entries, unit
-// vectors by 2^-50: n by less than 2^-46 of its spread, so its direction by at most twice that over its length; places
-// by less than 2^-48 of reach_. All of it is below half of 2^-44 spread reach_ over the length of n.
+// The facet with outward normal n through a corner, seen from the point.
 void FacetDistances::consider(const GenericFacet& facet, Vec3 n, Vec3 corner) {
-  const double product = dot(n, corner), error = 0x1p-44 * spread_[facet.op] * reach_, square = dot(n, n);
+  const double product = dot(n, corner), error = kDistanceError * spread_[facet.op] * reach_, square = dot(n, n);
   // Nearly all are further away, which no root is needed for. Where squares are too small to tell, roots do.
   const double least = product - error, least_square = least * least;
-  if (least > 0 && least_square > far_ * square && least_square > 0x1p-900) return;
+  if (least > 0 && least_square > far_ * square && least_square > kNotSmall) return;
   const double size = std::sqrt(square);
   double lower = -std::numeric_limits<double>::infinity();  // doubles may give no direction
   if (error < reach_ * size) {
     lower = least / size;
     least_upper_ = std::min(least_upper_, (product + error) / size);
-    far_ = least_upper_ * least_upper_ * (1 + 0x1p-40);
+    far_ = least_upper_ * least_upper_ * exact::kOutwards;
   }
   if (lower <= least_upper_) lower_.push_back({lower, facet});
 }

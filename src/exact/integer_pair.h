@@ -9,6 +9,9 @@ namespace dymsum::exact {
 
 using base::DoublePair;
 
+/// Of an integer as a pair, times itself.
+inline constexpr double kIntegerPairError = 0x1p-104;
+
 /// Requires |v| <= 2^126. Either double errs by 2^-53 of what it rounds.
 inline DoublePair integer_pair(i128 v) {
   const auto high = static_cast<double>(v);

@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "exact/rounding_bound.h"
 #include "planar/position/position_signs.h"
 
 namespace dymsum::planar {
@@ -31,7 +32,7 @@ class ContactFinder {
                  y0 = std::min(ay, by) - error, y1 = std::max(ay, by) + error;
     for (const Feature& f : features_) {
       const Point u = f.from.nearest, v = f.to.nearest;
-      const double slack = kEpsilon * (std::abs(u.x) + std::abs(u.y) + std::abs(v.x) + std::abs(v.y));
+      const double slack = kPlaceError * (std::abs(u.x) + std::abs(u.y) + std::abs(v.x) + std::abs(v.y));
       if (v.x < x0 - slack || u.x > x1 + slack || std::max(u.y, v.y) < y0 - slack || std::min(u.y, v.y) > y1 + slack)
         continue;
       decide(side, edge, vertex, spot(side, edge, vertex), spot(side, next, vertex), f);
@@ -51,8 +52,8 @@ class ContactFinder {
   }
 
  private:
-  static constexpr double kEpsilon =
-      0x1p-50;  // a product, a sum and the scale: a rounding each, of at most the sizes added up
+  // Of a place, times the sizes added up: the scale, the product and the sum, and the sums with the bound itself.
+  static constexpr double kPlaceError = exact::rounding_bound(3 + 2, 8);
   struct Feature {
     Spot from, to;  // equal for a point; from <= to
   };
@@ -72,7 +73,7 @@ class ContactFinder {
   Place place(std::uint32_t side, std::uint32_t i, std::uint32_t j) const {
     const Point o = input(0, side == 0 ? i : j), r = input(1, side == 0 ? j : i);
     const double size = std::abs(o.x) + std::abs(o.y) + approx_ * (std::abs(r.x) + std::abs(r.y));
-    return {o.x + approx_ * r.x, o.y + approx_ * r.y, kEpsilon * size};
+    return {o.x + approx_ * r.x, o.y + approx_ * r.y, kPlaceError * size + exact::kUnderflow};
   }
   Spot spot(std::uint32_t side, std::uint32_t i, std::uint32_t j) const {
     const Point o = input(0, side == 0 ? i : j), r = input(1, side == 0 ? j : i);

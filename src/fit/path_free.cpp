@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exact/rounding_bound.h"
 #include "planar/boundary/collision.h"
 #include "planar/scaling/fill_lattice.h"
 
@@ -11,6 +12,13 @@ namespace dymsum::planar {
 using exact::BigRational;
 
 namespace {
+
+// Of a place below, times the span: two coordinates (3 and 1), their sum, the distance and the sum with it.
+constexpr double kPlaceError = exact::rounding_bound(4 + 1 + 1 + 1, 16);
+// Of the side of a wall's end from a leg, times the span and |leg|_1, where the wall crosses the leg: two points (4
+// each) and their difference; product and difference; and what turns the leg's line about its start where the leg is
+// short, the error of a difference of two ends, as far as the leg is long (4 + 4 + 1).
+constexpr double kLegSide = exact::rounding_bound(9 + 2 + 9, 32);
 
 Segment reversed(const Segment& s) { return {{s.edge.op, s.edge.to, s.edge.from}, s.vertex}; }
 
@@ -23,7 +31,7 @@ void locate(const Lattice& l, Place& p) {
   const Pair v = start_of(p.on);
   p.x = l.points[0]->x[v.p] + l.points[1]->x[v.q] + exact::round_to_double(BigRational(at.x - from.x)) / l.unit;
   p.y = l.points[0]->y[v.p] + l.points[1]->y[v.q] + exact::round_to_double(BigRational(at.y - from.y)) / l.unit;
-  p.error = 0x1p-49 * l.span;
+  p.error = kPlaceError * l.span;
 }
 
 }  // namespace
@@ -137,7 +145,7 @@ bool PathFree::leg_free(std::uint32_t k, const Lattice& l, Collision& collision)
   };
   const Point a = at(from), b = at(to);
   const double ax = b.x - a.x, ay = b.y - a.y, size = std::abs(ax) + std::abs(ay);
-  const double bound = 0x1p-48 * l.span * size;
+  const double bound = kLegSide * l.span * size;
   std::vector<Cut> cuts;
   Cut end;
   end.pair = from;

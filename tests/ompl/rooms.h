@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cspace/planner/test_rooms.h"
 #include "dymsum/cspace_obstacle.h"
 #include "dymsum/region.h"
 
@@ -19,49 +20,7 @@ struct Room {
   double size = 0;                    ///< the motions stay within [-size, size]
 };
 
-inline Ring box(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
-inline Region region(std::vector<Part> parts) {
-  RegionData data;
-  data.parts = std::move(parts);
-  return repair(std::move(data)).value().region;
-}
-
-/// Two rooms of 10 x 10 and a wall between them, 2 thick, with a doorway from y = low to y = high.
-inline Region two_rooms(double low, double high) {
-  return region({{box(-12, -6, 12, 6),
-                  {{{-11, -5},
-                    {-11, 5},
-                    {-1, 5},
-                    {-1, high},
-                    {1, high},
-                    {1, 5},
-                    {11, 5},
-                    {11, -5},
-                    {1, -5},
-                    {1, low},
-                    {-1, low},
-                    {-1, -5}}}}});
-}
-
-inline Region bug_trap(double mouth) {
-  return region({{{{-5, -5},
-                   {5, -5},
-                   {5, 5},
-                   {-5, 5},
-                   {-5, mouth},
-                   {0, mouth},
-                   {0, mouth + 0.5},
-                   {-4, mouth + 0.5},
-                   {-4, 4},
-                   {4, 4},
-                   {4, -4},
-                   {-4, -4},
-                   {-4, -mouth - 0.5},
-                   {0, -mouth - 0.5},
-                   {0, -mouth},
-                   {-5, -mouth}},
-                  {}}});
-}
+using test_rooms::box, test_rooms::bug_trap, test_rooms::region, test_rooms::two_rooms;
 
 /// A cave with deep corners.
 inline Region cave(std::mt19937_64& random) {

@@ -51,7 +51,7 @@ class FreePlace {
 
  private:
   bool boxes_apart(std::uint32_t i, std::uint32_t j) const {
-    const double margin = 0x1p-35 * forms_.span();
+    const double margin = SignsAt::kNear * forms_.span();
     const Point a = forms_.points(0)[i], b = forms_.points(0)[forms_.operand(0).next[i]];
     const Point c = robot_[j], d = robot_[forms_.operand(1).next[j]];
     return std::max(a.x, b.x) + margin < std::min(c.x, d.x) || std::max(c.x, d.x) + margin < std::min(a.x, b.x) ||

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 
+#include "base/union_find.h"
 #include "planar/turning/box_pairs.h"
 
 namespace dymsum::planar {
@@ -15,13 +15,8 @@ constexpr std::uint32_t kNone = 0xffffffff;
 
 [[noreturn]] void not_a_boundary(const char* why) { throw std::logic_error(std::string("limit_of: ") + why); }
 
-std::uint32_t root_of(std::vector<std::uint32_t>& parents, std::uint32_t i) {
-  while (parents[i] != i) i = parents[i] = parents[parents[i]];
-  return i;
-}
-void join(std::vector<std::uint32_t>& parents, std::uint32_t a, std::uint32_t b) {
-  parents[root_of(parents, a)] = root_of(parents, b);
-}
+/// Ends that err by more than this share of the span are taken from exact quotients.
+constexpr double kKnownEnd = 0x1p-39;
 
 /// A way along the boundary through a place: in along one sub-edge and out along another one, or along one that passes
 /// the place.
@@ -72,7 +67,7 @@ class Limit {
     const WalkSegment& s = segment(i);
     const Located l = place_on(forms_, s, at_end ? edges_[i].at.right : edges_[i].at.left, !at_end, signs_.heading());
     double t = l.t;
-    if (!(l.error * forms_.length1(s) < 0x1p-39 * forms_.span())) {
+    if (!(l.error * forms_.length1(s) < kKnownEnd * forms_.span())) {
       const Fraction& f = own_end(i, at_end);
       t = signs_.quotient(f.num, product(f.den, signs_.length(s).num));
     }
@@ -113,8 +108,7 @@ class Limit {
 
   // Ends of sub-edges on other ones. Limits of disjoint loops do not cross, so they touch at ends of one of them.
   void find_touches() {
-    place_.resize(visits_.size());
-    std::iota(place_.begin(), place_.end(), 0u);
+    place_ = UnionFind(static_cast<std::uint32_t>(visits_.size()));
     Point low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
     std::vector<std::uint32_t> long_ones;
     for (std::uint32_t i = 0; i < edges_.size(); ++i) {
@@ -148,12 +142,12 @@ class Limit {
       return;
     const int from = order(i, j, false), to = order(i, j, true);
     if (from < 0 || to > 0) return;
-    if (from == 0) return join(place_, i, before_[j]);
-    if (to == 0) return join(place_, i, j);
+    if (from == 0) return place_.unite(i, before_[j]);
+    if (to == 0) return place_.unite(i, j);
     const auto passing = static_cast<std::uint32_t>(visits_.size());
     visits_.push_back({j, j});
-    place_.push_back(passing);
-    join(place_, i, passing);
+    place_.add();
+    place_.unite(i, passing);
   }
   // The end of sub-edge i on the line of j: the start of i's segment, and its share of the segment's vector.
   bool on_line(std::uint32_t i, std::uint32_t j, double error) {
@@ -179,7 +173,7 @@ class Limit {
   void look_at_places() {
     std::vector<std::array<std::uint32_t, 2>> order;  // place, visit
     for (std::uint32_t v = 0; v < visits_.size(); ++v)
-      if (visits_[v].in != kNone) order.push_back({root_of(place_, v), v});
+      if (visits_[v].in != kNone) order.push_back({place_.root(v), v});
     std::sort(order.begin(), order.end());
     for (std::size_t k = 0; k < order.size();) {
       std::size_t l = k;
@@ -219,7 +213,8 @@ class Limit {
       ins.push_back({here[v].in, -1, v});
     }
     constexpr std::uint32_t kNobody = 0xffffffff;
-    std::vector<std::uint32_t> sector_of(outs.size(), kNobody), room(here.size());
+    std::vector<std::uint32_t> sector_of(outs.size(), kNobody);
+    UnionFind room(static_cast<std::uint32_t>(here.size()));
     std::vector<std::uint8_t> meets(ins.size()), bounds(ins.size());
     for (std::uint32_t o = 0; o < outs.size(); ++o)
       for (std::uint32_t i = 0; i < ins.size(); ++i) {
@@ -239,14 +234,13 @@ class Limit {
       if (i == kNobody || bounds[i]) not_a_boundary("the free sectors of a place overlap");
       bounds[i] = 1;
     }
-    std::iota(room.begin(), room.end(), 0u);
     for (std::uint32_t o = 0; o < outs.size(); ++o) {
-      join(room, outs[o].visit, ins[sector_of[o]].visit);
+      room.unite(outs[o].visit, ins[sector_of[o]].visit);
       out_.together.push_back({outs[o].edge, ins[sector_of[o]].edge});
     }
     for (std::uint32_t v = 0; v < here.size(); ++v) {
       out_.together.push_back({here[v].in, here[v].out});
-      if (root_of(room, v) != v) out_.halves[here[v].out] -= 2;
+      if (room.root(v) != v) out_.halves[here[v].out] -= 2;
     }
     if (here.size() > 1) out_.touch = place_of(here);
   }
@@ -265,7 +259,8 @@ class Limit {
   std::vector<std::array<Point, 2>> ends_;
   std::vector<std::uint8_t> is_point_;
   std::vector<Visit> visits_;
-  std::vector<std::uint32_t> before_, place_;
+  std::vector<std::uint32_t> before_;
+  UnionFind place_;  // of visits
   BoundaryLimit out_;
 };
 

@@ -3,37 +3,27 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <numeric>
-#include <vector>
+
+#include "base/union_find.h"
 
 namespace dymsum::planar {
 
 /// A class is named by its smallest element, in whatever order classes were joined.
 class Partition {
  public:
-  explicit Partition(std::size_t count = 0) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0U); }
-  std::size_t size() const { return parent_.size(); }
+  explicit Partition(std::size_t count = 0) : classes_(static_cast<std::uint32_t>(count)) {}
+  std::size_t size() const { return classes_.size(); }
   /// A class of its own.
-  std::uint32_t add() {
-    parent_.push_back(static_cast<std::uint32_t>(parent_.size()));
-    return parent_.back();
-  }
-  std::uint32_t find(std::uint32_t i) const {
-    while (parent_[i] != i) i = parent_[i];
-    return i;
-  }
+  std::uint32_t add() { return classes_.add(); }
+  std::uint32_t find(std::uint32_t i) const { return classes_.root(i); }
   void join(std::uint32_t a, std::uint32_t b) {
-    a = shorten(a);
-    b = shorten(b);
-    if (a != b) parent_[std::max(a, b)] = std::min(a, b);
+    a = classes_.root(a);
+    b = classes_.root(b);
+    if (a != b) classes_.unite(std::max(a, b), std::min(a, b));
   }
 
  private:
-  std::uint32_t shorten(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  std::vector<std::uint32_t> parent_;
+  UnionFind classes_;
 };
 
 }  // namespace dymsum::planar

@@ -1,5 +1,7 @@
 #include "cspace/events/event_place.h"
 
+#include "planar/turning/turning_bounds.h"
+
 namespace dymsum::planar {
 
 EventPlace place_of(const TurnEvent& event, const TurningForms& forms, Heading h) {
@@ -22,11 +24,17 @@ EventPlace place_of(const TurnEvent& event, const TurningForms& forms, Heading h
   return place;
 }
 
+// A crossing errs by what the side and the cross product do, over the sine.
+static_assert((kTurnedSide + kTurnedCross) / kPlacedSine + kTurnedPlace < OverlapFilter::kPlace);
+
+// The place of an event moves by at most 1 + 4 / sine spans for every radian (event_clusters.cpp), a vertex of the
+// robot by less than one. What is covered by the filter's margin at one angle is covered as long as they move by less
+// than that leaves.
 bool certainly_covered(const TurnEvent& event, const TurningForms& forms, const OverlapFilter& filter) {
-  if (event.high - event.low > 0x1p-38) return false;
   const Heading h = Heading::of(event.theta());
   const EventPlace place = place_of(event, forms, h);
-  return place.sine >= 0x1p-5 && filter.inside(place.at, h);
+  const double moves = (event.high - event.low) * (2 + 4 / place.sine);
+  return place.sine >= kPlacedSine && moves <= OverlapFilter::kMoves && filter.inside(place.at, h);
 }
 
 }  // namespace dymsum::planar

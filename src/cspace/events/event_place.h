@@ -14,9 +14,11 @@ struct EventPlace {
 };
 EventPlace place_of(const TurnEvent& event, const TurningForms& forms, Heading h);
 
-/// Certainly inside the obstacle, where nothing is visible. The margins of the filter, 2^-36 of the span, are wider
-/// than what places err, 2^-41 by rounding and 2^-38 by the angle; false for nearly parallel segments and uncertain
-/// angles. Of a vertex event or three segments.
+/// Lines that cross at a smaller sine have no place that is known well enough.
+inline constexpr double kPlacedSine = 0x1p-5;
+
+/// Certainly inside the obstacle, where nothing is visible; false for nearly parallel segments and uncertain angles. Of
+/// a vertex event or three segments.
 bool certainly_covered(const TurnEvent& event, const TurningForms& forms, const OverlapFilter& filter);
 
 }  // namespace dymsum::planar

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "exact/rounding_bound.h"
+
 namespace dymsum::planar {
 
 using exact::Polynomial;
@@ -9,6 +11,9 @@ using exact::Polynomial;
 namespace {
 
 constexpr double kLeastSine = 0x1p-4;
+// Of the cross or scalar product of two edges at the heading, times their lengths: the form (kTurnedCross, and as much
+// for two directions), and what an angle within 2^-49 turns it by.
+constexpr double kProduct = exact::rounding_bound(56 + 2 * 16, 8192);
 
 Polynomial one() { return Polynomial({exact::Big(exact::BigInteger(1))}); }
 
@@ -169,14 +174,14 @@ bool SignsAt::same(const ExactPlace& y, const ExactPlace& z) const { return same
 
 int SignsAt::cross(const WalkSegment& d, const WalkSegment& e) const {
   const double value = forms_.cross(d, e).at(heading_);
-  if (std::abs(value) > 0x1p-40 * forms_.length1(d) * forms_.length1(e)) return value > 0 ? 1 : -1;
+  if (std::abs(value) > kProduct * forms_.length1(d) * forms_.length1(e)) return value > 0 ? 1 : -1;
   return sign(forms_.exact_cross(d, e, angle_.chart));
 }
 
 int SignsAt::dot(const WalkSegment& d, const WalkSegment& e) const {
   const Point u = forms_.direction(d, heading_), v = forms_.direction(e, heading_);
   const double value = u.x * v.x + u.y * v.y;
-  if (std::abs(value) > 0x1p-40 * forms_.length1(d) * forms_.length1(e)) return value > 0 ? 1 : -1;
+  if (std::abs(value) > kProduct * forms_.length1(d) * forms_.length1(e)) return value > 0 ? 1 : -1;
   return sign(forms_.exact_along(d, TurningForms::start(e), forms_.end(e), angle_.chart));
 }
 

@@ -43,7 +43,7 @@ Point OverlapFilter::placed(std::uint32_t v, Point at, Heading h) const {
 // Whether fixed edge i crosses the edge from c to d: the four sides, all beyond their errors.
 bool OverlapFilter::cross(std::uint32_t i, Point c, Point d) const {
   const auto opposite = [&](Point u, Point v, Point x, Point y) {
-    const double dx = v.x - u.x, dy = v.y - u.y, bound = 0x1p-36 * (std::abs(dx) + std::abs(dy)) * forms_.span();
+    const double dx = v.x - u.x, dy = v.y - u.y, bound = kMargin * (std::abs(dx) + std::abs(dy)) * forms_.span();
     const double s = dx * (x.y - u.y) - dy * (x.x - u.x), t = dx * (y.y - u.y) - dy * (y.x - u.x);
     return (s > bound && t < -bound) || (s < -bound && t > bound);
   };
@@ -86,12 +86,12 @@ bool OverlapFilter::edges_apart(std::uint32_t i, std::uint32_t j, Point at, Head
   const Point a = forms_.points(0)[i], b = forms_.points(0)[forms_.operand(0).next[i]];
   const Point c = placed(j, at, h), d = placed(forms_.operand(1).next[j], at, h);
   const auto same_side = [&](Point u, Point v, Point x, Point y) {
-    const double dx = v.x - u.x, dy = v.y - u.y, bound = 0x1p-36 * (std::abs(dx) + std::abs(dy)) * forms_.span();
+    const double dx = v.x - u.x, dy = v.y - u.y, bound = kMargin * (std::abs(dx) + std::abs(dy)) * forms_.span();
     const double s = dx * (x.y - u.y) - dy * (x.x - u.x), t = dx * (y.y - u.y) - dy * (y.x - u.x);
     return (s > bound && t > bound) || (s < -bound && t < -bound);
   };
   const auto boxes_apart = [&](double a0, double a1, double b0, double b1) {
-    const double margin = 0x1p-36 * forms_.span();
+    const double margin = kMargin * forms_.span();
     return std::max(a0, a1) + margin < std::min(b0, b1) || std::max(b0, b1) + margin < std::min(a0, a1);
   };
   return same_side(a, b, c, d) || same_side(c, d, a, b) || boxes_apart(a.x, b.x, c.x, d.x) ||
@@ -125,7 +125,7 @@ bool OverlapFilter::touches_only(Point at, Heading h, const std::vector<WalkSegm
 bool OverlapFilter::holds(std::uint32_t op, std::uint32_t component, Point x, Heading h) const {
   const Operand& o = forms_.operand(op);
   const Component& c = o.components[component];
-  const double near = 0x1p-36 * forms_.span();
+  const double near = kMargin * forms_.span();
   const auto at = [&](std::uint32_t v) {
     const Point p = forms_.points(op)[v];
     return op == 0 ? p : Point{h.c * p.x - h.s * p.y, h.s * p.x + h.c * p.y};
@@ -145,7 +145,7 @@ bool OverlapFilter::holds(std::uint32_t op, std::uint32_t component, Point x, He
 
 bool OverlapFilter::inside(Point at, Heading h) const {
   if (lately_cross(at, h)) return true;
-  const double margin = 0x1p-36 * forms_.span();
+  const double margin = kMargin * forms_.span();
   std::vector<std::pair<std::uint32_t, std::uint32_t>> stack;
   for (std::uint32_t p = 0; p < fixed_.roots.size(); ++p)
     for (std::uint32_t q = 0; q < turning_.roots.size(); ++q) {

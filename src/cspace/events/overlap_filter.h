@@ -8,12 +8,18 @@
 #include <vector>
 
 #include "planar/turning/turn_window.h"
+#include "planar/turning/turning_bounds.h"
 
 namespace dymsum::planar {
 
 /// Used by one thread at a time: it remembers which edges crossed last.
 class OverlapFilter {
  public:
+  /// In shares of the span: what edges have to be apart or cross by, so that places may err by kPlace, and by kMoves
+  /// more because they are asked about at a slightly different angle.
+  static constexpr double kMargin = 0x1p-32, kPlace = 0x1p-36, kMoves = 0x1p-33;
+  static_assert(kPlace + kMoves + 4 * kTurnedSide < kMargin);
+
   OverlapFilter(const TurningForms& forms, const TurnWindow& window);
 
   /// True only if the open obstacle of angle h holds the position `at` (of the forms' doubles): edges cross properly,

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "exact/rounding_bound.h"
+
 namespace dymsum::planar {
 namespace {
 
@@ -63,7 +65,7 @@ int QuarterTurn::sign_beside(const TrigForm2& f, double width) const {
     const double d = derivative[m - 1];
     if (d == 0) continue;
     const double next = std::abs(f.b) + std::abs(f.g) + factor * (std::abs(f.b2) + std::abs(f.g2));
-    if (!(std::abs(d) > next * std::abs(width) / static_cast<double>(m + 1) * (1 + 0x1p-40))) return 0;
+    if (!(std::abs(d) > next * std::abs(width) / static_cast<double>(m + 1) * exact::kOutwards)) return 0;
     return (d > 0) == (width > 0 || m % 2 == 0) ? 1 : -1;
   }
   return 0;

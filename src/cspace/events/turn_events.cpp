@@ -5,6 +5,7 @@
 #include <numeric>
 #include <span>
 
+#include "cspace/events/event_angles.h"
 #include "cspace/events/event_place.h"
 #include "cspace/events/quarter_turn.h"
 
@@ -16,6 +17,15 @@ namespace {
 
 /// Where doubles look for events they look a little farther, relative to lengths and in radians.
 constexpr double kNear = 0x1p-18;
+/// Of what is looked for a little farther, relatively.
+constexpr double kWider = 1 + 0x1p-20;
+/// Of a stretch that two segments share, times the span: two places (16 each) and a product with a direction (19 + 2).
+constexpr double kStretch = exact::rounding_bound(2 * 16 + 19 + 2, 8192);
+/// A vertex whose root doubles know worse, or whose slope there is less than this share of what it can be, is looked
+/// at exactly.
+constexpr double kSteep = 0x1p-20;
+/// Roots that three lines have in doubles are not used where they are known worse.
+constexpr double kKnownRoot = 0x1p-30;
 
 class Collector {
  public:
@@ -94,7 +104,7 @@ class Collector {
     const TrigForm k = n - d.times(t);
     const double error = forms_.side_error(b) * (1 + std::abs(t));
     const double radius =
-        (std::abs(k.slope(w_.heading)) * w_.half + 0.5 * k.swing() * w_.half * w_.half + error) / least * (1 + 0x1p-20);
+        (std::abs(k.slope(w_.heading)) * w_.half + 0.5 * k.swing() * w_.half * w_.half + error) / least * kWider;
     return {j, t - radius, t + radius, 0};
   }
 
@@ -124,7 +134,7 @@ class Collector {
     const double length = std::hypot(d.x, d.y), other = std::hypot(e.x, e.y),
                  from = (d.x * (t.x - s.x) + d.y * (t.y - s.y)) / length;
     return d.x * e.x + d.y * e.y > 0 && std::min(length, from + other) - std::max(0.0, from) >
-                                            kNear * std::min(length, other) + 0x1p-40 * forms_.span();
+                                            kNear * std::min(length, other) + kStretch * forms_.span();
   }
   bool overlap_at(const WalkSegment& a, const WalkSegment& b, double theta) const {
     return may_exist(a, theta) && may_exist(b, theta) && share_stretch(a, b, theta);
@@ -201,10 +211,10 @@ class Collector {
       TurnEvent event;
       event.kind = TurnEvent::Kind::vertex_on_segment;
       event.v = v;
-      const double off = 2 * (std::abs(f.at(h)) + error) / (std::abs(f.slope(h)) - 0x1p-20 * f.swing());
+      const double off = 2 * (std::abs(f.at(h)) + error) / (std::abs(f.slope(h)) - kSteep * f.swing());
       event.low = theta - off;
       event.high = theta + off;
-      near |= !(off >= 0 && off < 0x1p-20) || !covered(event);
+      near |= !(off >= 0 && off < kSteep) || !covered(event);
     }
     if (!near) return;
     const exact::Polynomial poly = forms_.exact_side(a, v, w_.range.chart);
@@ -218,6 +228,11 @@ class Collector {
   }
   bool may_exist(const WalkSegment& s, double theta) const {
     return catalog_.exists(s, theta) != TurnCatalog::Existence::no;
+  }
+  bool may_exist_near(const WalkSegment& s, double theta, double error) const {
+    if (!catalog_.may_exist(s)) return false;
+    const TurnCatalog::Span span = catalog_.span(s, theta);
+    return span.from <= error + kAngleSlack && span.to >= -error - kAngleSlack;
   }
 
   bool on(const WalkSegment& a, Pair v, double theta) const {
@@ -299,8 +314,7 @@ class Collector {
       const bool crosses = d.far_from_zero(w_.heading, w_.half, rounding) || parallel_at_exact_end(d);
       if (!crosses || !(size > 0)) continue;
       const double t = forms_.side(b, TurningForms::start(a)).at(w_.heading) / cross;
-      places.push_back(
-          {&c, t, (forms_.side_error(b) + std::abs(t) * rounding) / size * (1 + 0x1p-20), cross > 0 ? 1 : -1});
+      places.push_back({&c, t, (forms_.side_error(b) + std::abs(t) * rounding) / size * kWider, cross > 0 ? 1 : -1});
     }
     std::sort(places.begin(), places.end(), [](const Place& x, const Place& y) { return x.at < y.at; });
     sort_unclear(a, places);
@@ -362,7 +376,8 @@ class Collector {
   struct Root {
     double theta = 0, error = 0;
   };
-  // The root of a form that is monotone around `middle`, within at most 2^-30; nothing where doubles do not find one.
+  // The root of a form that is monotone around `middle`, within at most kKnownRoot; nothing where doubles do not find
+  // one.
   std::optional<Root> only_root(const TrigForm2& g, double error, double middle, double half) const {
     const double least = std::abs(g.slope(Heading::of(middle))) - 3 * g.bend() * half;
     if (!(least > 0)) return std::nullopt;
@@ -374,7 +389,7 @@ class Collector {
     }
     // The slope is at least `least` up to twice `half` from the middle.
     const double off = (std::abs(g.at(Heading::of(theta))) + error) / least;
-    return off < 0x1p-30 ? std::optional<Root>({theta, off}) : std::nullopt;
+    return off < kKnownRoot ? std::optional<Root>({theta, off}) : std::nullopt;
   }
 
   // Whether doubles leave a root in the window at which the three may meet at a place that is not covered. By parts of
@@ -382,13 +397,13 @@ class Collector {
   bool may_matter(const WalkSegment& a, const WalkSegment& b, const WalkSegment& c, const TrigForm2& g,
                   double error) const {
     constexpr int kParts = 4;
-    const double half = w_.half / kParts * (1 + 0x1p-20);
+    const double half = w_.half / kParts * kWider;
     for (int k = 0; k < kParts; ++k) {
       const double middle = w_.middle + w_.half * (2 * k + 1 - kParts) / kParts;
       if (g.far_from_zero(Heading::of(middle), half, error)) continue;
       const std::optional<Root> root = only_root(g, error, middle, half);
       if (!root) return true;
-      if (!all_cross(a, b, c, root->theta)) continue;
+      if (!all_cross(a, b, c, root->theta, root->error)) continue;
       TurnEvent event;
       event.kind = TurnEvent::Kind::three_segments;
       event.low = root->theta - root->error;
@@ -418,27 +433,34 @@ class Collector {
     }
     for (AlgebraicRoot& root : roots(poly)) {
       TurnEvent event = at(std::move(root), TurnEvent::Kind::three_segments);
-      if (!all_cross(a, b, c, event.theta())) continue;
+      if (!all_cross(a, b, c, event.theta(), (event.high - event.low) / 2)) continue;
       event.a = a;
       event.b = b;
       event.c = c;
       if (!covered(event)) out_.events.push_back(std::move(event));
     }
   }
-  // All three exist there and each of them holds its crossing with the next, with slack.
-  bool all_cross(const WalkSegment& a, const WalkSegment& b, const WalkSegment& c, double theta) const {
+  // False where, within `error` of theta, not all three exist or one of them does not hold its crossing with another.
+  bool all_cross(const WalkSegment& a, const WalkSegment& b, const WalkSegment& c, double theta, double error) const {
     for (const WalkSegment* s : {&a, &b, &c})
-      if (!may_exist(*s, theta)) return false;
+      if (!may_exist_near(*s, theta, error)) return false;
     const Heading h = Heading::of(theta);
     const std::array<const WalkSegment*, 3> s{&a, &b, &c};
     for (int x = 0; x < 3; ++x)
-      for (const int y : {(x + 1) % 3, (x + 2) % 3}) {
-        const double n = forms_.side(*s[y], TurningForms::start(*s[x])).at(h), d = forms_.cross(*s[x], *s[y]).at(h);
-        const double t = n / d, slack = kNear + 0x1p-44 * forms_.span() / forms_.length1(*s[x]);
-        if (std::abs(d) > kNear * forms_.length1(*s[x]) * forms_.length1(*s[y]) && (t < -slack || t > 1 + slack))
-          return false;
-      }
+      for (const int y : {(x + 1) % 3, (x + 2) % 3})
+        if (crosses_elsewhere(*s[x], *s[y], h, error)) return false;
     return true;
+  }
+  // The parameter n / d of b's line along a is clearly off a: by more than what n and d err by, and what the angle
+  // moves them by, over a d that is known by half.
+  bool crosses_elsewhere(const WalkSegment& a, const WalkSegment& b, Heading h, double error) const {
+    const TrigForm side = forms_.side(b, TurningForms::start(a)), cross = forms_.cross(a, b);
+    const double n = side.at(h), d = cross.at(h), t = n / d, lengths = forms_.length1(a) * forms_.length1(b),
+                 n_error = forms_.side_error(b) + error * side.swing(),
+                 d_error = kTurnedCross * lengths + error * cross.swing();
+    if (!(std::abs(d) > kNear * lengths && std::abs(d) > 2 * d_error)) return false;
+    const double slack = kNear + 2 * (n_error + std::abs(t) * d_error) / std::abs(d);
+    return t < -slack || t > 1 + slack;
   }
 
   bool covered(const TurnEvent& event) const {
@@ -448,9 +470,8 @@ class Collector {
   TurnEvent at(AlgebraicRoot root, TurnEvent::Kind kind) const {
     TurnEvent event;
     event.kind = kind;
-    event.low = w_.range.theta(root.low()) - 0x1p-50;
-    event.high = w_.range.theta(root.high()) + 0x1p-50;
     event.root = std::move(root);
+    set_angles(event, w_.range);
     return event;
   }
 
@@ -466,37 +487,6 @@ class Collector {
 };
 
 }  // namespace
-
-const AlgebraicRoot& exact_root(TurnEvent& event, const TurningForms& forms, const TurnRange& range) {
-  if (!event.root) {
-    // Edges are parallel twice a turn, once in each chart.
-    std::vector<AlgebraicRoot> roots =
-        roots_in(forms.exact_alignment(event.e, event.f, range.chart), range.t_low, range.t_high);
-    event.root = std::move(roots.at(0));
-    event.low = range.theta(event.root->low()) - 0x1p-50;
-    event.high = range.theta(event.root->high()) + 0x1p-50;
-  }
-  return *event.root;
-}
-
-std::vector<Alignment> alignments(const TurningForms& forms, const TurnCatalog& catalog) {
-  std::vector<Alignment> all;
-  const Operand &fixed = forms.operand(0), &turning = forms.operand(1);
-  for (std::uint32_t e = 0; e < turning.size(); ++e)
-    for (std::uint32_t f = 0; f < fixed.size() && !forms.is_point(1, e); ++f) {
-      if (forms.is_point(0, f)) continue;
-      const bool any = catalog.may_exist({1, e, f}) || catalog.may_exist({1, e, fixed.next[f]}) ||
-                       catalog.may_exist({0, f, e}) || catalog.may_exist({0, f, turning.next[e]});
-      if (!any) continue;
-      const double theta = positive_angle(catalog.edge_angle(0, f) - catalog.edge_angle(1, e));
-      // The first window begins at -pi / 2 and does not hold it; what doubles leave open there is tried in both.
-      const double end = 1.5 * std::numbers::pi;
-      if (theta <= end + 2 * kAngleSlack) all.push_back({theta, e, f});
-      if (theta >= end - 2 * kAngleSlack) all.push_back({theta - kTurn, e, f});
-    }
-  std::sort(all.begin(), all.end(), [](const Alignment& a, const Alignment& b) { return a.theta < b.theta; });
-  return all;
-}
 
 TurnEvents events_in(const TurnWindow& window, const TurningForms& forms, const TurnCatalog& catalog,
                      const std::vector<Alignment>& all, const OverlapFilter* filter, const QuarterEnds& ends) {

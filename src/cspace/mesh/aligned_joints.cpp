@@ -9,7 +9,7 @@
 #include "cspace/events/walked_rings.h"
 #include "cspace/mesh/obstacle_rails.h"
 
-namespace dymsum::apps {
+namespace dymsum::cspace {
 namespace {
 
 /// An edge of each operand at most: the line of a contact. With both, the edges are parallel and the line is that of
@@ -120,4 +120,4 @@ void name_joints_at_alignments(ObstacleLayout& layout, const CspaceObstacle& obs
   }
 }
 
-}  // namespace dymsum::apps
+}  // namespace dymsum::cspace

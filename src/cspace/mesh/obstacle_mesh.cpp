@@ -14,7 +14,7 @@
 namespace dymsum {
 namespace {
 
-using namespace apps;
+using namespace cspace;
 constexpr int kMostHalvings = 12;  // of one chord: a curve that runs away needs no more to be seen
 
 struct RobotSizes {

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <utility>
 
-namespace dymsum::apps {
+namespace dymsum::cspace {
 namespace {
 
 /// Joints by index, in the order they are met.
@@ -166,4 +166,4 @@ ObstacleLayout lay_out(const CspaceObstacle& obstacle) {
   return layout;
 }
 
-}  // namespace dymsum::apps
+}  // namespace dymsum::cspace

@@ -8,7 +8,7 @@
 
 #include "dymsum/cspace_obstacle.h"
 
-namespace dymsum::apps {
+namespace dymsum::cspace {
 
 inline constexpr std::uint32_t kNobody = 0xffffffff;
 
@@ -66,4 +66,4 @@ struct RingTable {
 };
 RingTable ring_table(const Region& region);
 
-}  // namespace dymsum::apps
+}  // namespace dymsum::cspace

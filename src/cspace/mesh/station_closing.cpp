@@ -6,7 +6,7 @@
 #include <limits>
 #include <unordered_map>
 
-namespace dymsum::apps {
+namespace dymsum::cspace {
 namespace {
 
 using PieceAt = std::unordered_map<std::uint32_t, std::uint32_t>;
@@ -104,4 +104,4 @@ void RingCloser::close(std::vector<RingCorner> ring) {
   }
 }
 
-}  // namespace dymsum::apps
+}  // namespace dymsum::cspace

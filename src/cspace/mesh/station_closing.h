@@ -8,7 +8,7 @@
 #include "cspace/mesh/obstacle_rails.h"
 #include "dymsum/obstacle_mesh.h"
 
-namespace dymsum::apps {
+namespace dymsum::cspace {
 
 /// A corner of a closed walk, and the patch of the edge that leaves it.
 struct WalkCorner {
@@ -44,4 +44,4 @@ class RingCloser {
   std::unordered_set<std::uint64_t> edges_;
 };
 
-}  // namespace dymsum::apps
+}  // namespace dymsum::cspace

@@ -5,12 +5,17 @@
 #include "cspace/events/walked_rings.h"
 #include "cspace/motion/pose.h"
 #include "dymsum/motion.h"
+#include "exact/rounding_bound.h"
 #include "planar/turning/angle_reduction.h"
 
 namespace dymsum {
 namespace {
 
 using planar::Pose;
+
+// Of a + t d on the way from a to b, with d = b - a rounded: times |d| + 4 for the angle, which is reduced to at most
+// pi first (2), times |a| + |b| for a coordinate; d, the product and the sum.
+constexpr double kAngle = exact::rounding_bound(2 + 3, 8), kCoordinate = exact::rounding_bound(3, 8);
 
 double largest(const Region& region) {
   const auto [x0, y0, x1, y1] = bounds(region);
@@ -39,8 +44,8 @@ class Sweep {
     any_angle_ = std::abs(d_.theta) > 0x1p50;
     if (any_angle_) d_.theta = 0;
     // Rounding of the angle turns the robot a little, that of the place moves it.
-    slack_ = 0x1p-50 * (std::abs(d_.theta) + 4) * pose_.reach() +
-             0x1p-50 * (std::abs(a.x) + std::abs(b.x) + std::abs(a.y) + std::abs(b.y));
+    slack_ = kAngle * (std::abs(d_.theta) + 4) * pose_.reach() +
+             kCoordinate * (std::abs(a.x) + std::abs(b.x) + std::abs(a.y) + std::abs(b.y));
   }
 
   MotionCheck run(const MotionOptions& options) {
@@ -63,7 +68,7 @@ class Sweep {
  private:
   // No point of the robot moves farther in this share of the way: on its arc never more than across the circle.
   double reached(double share) const {
-    return (share * way_ + std::min(2 * pose_.reach(), share * arc_)) * (1 + 0x1p-40) + 4 * share * slack_;
+    return (share * way_ + std::min(2 * pose_.reach(), share * arc_)) * exact::kOutwards + 4 * share * slack_;
   }
 
   Pose::Overlap overlap(double t) {

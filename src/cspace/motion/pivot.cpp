@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "exact/rounding_bound.h"
+
 namespace dymsum::planar {
 
 using exact::BigInteger;
@@ -28,6 +30,19 @@ Polynomial polynomial(const BigRational& a, const BigRational& b, const BigRatio
   return Polynomial(std::move(whole));
 }
 
+// Of a place that is rounded, times |x| + |y|.
+constexpr double kRounded = exact::rounding_bound(1, 2);
+// Of a vertex of the turned robot, times its reach: the heading's double and what its cosine and sine err by.
+constexpr double kTurned = exact::rounding_bound(12 + 2, 32);
+// Of the form of a vertex over an edge, times |edge|_1 and all coordinates: two differences and the place (3), products
+// and their sums (2 for each of the three terms), and cosine and sine (16 each).
+constexpr double kForm = exact::rounding_bound(3 * (3 + 2) + 2 * 16, 512);
+// Of half of the difference of two angles.
+constexpr double kHalf = exact::rounding_bound(2 * 12 + 8, 8192);
+// Circles that miss an edge by more than this share of all coordinates miss it; any share above a thousand roundings is
+// right, as only those that come nearer are looked at.
+constexpr double kNear = 0x1p-30;
+
 // Counter-clockwise from `from`: whether a comes before b; `from` itself comes first.
 bool earlier(const ExactAngle& from, const ExactAngle& a, const ExactAngle& b) {
   const bool a_ahead = compare(a, from) >= 0, b_ahead = compare(b, from) >= 0;
@@ -42,12 +57,12 @@ Pivot::Pivot(const Region& robot, const Region& obstacle)
 void Pivot::stand(const Position& at) {
   at_ = at;
   near_ = {exact::round_to_double(at.x), exact::round_to_double(at.y)};
-  error_ = 0x1p-52 * (std::abs(near_.x) + std::abs(near_.y)) + 0x1p-1000;
+  error_ = kRounded * (std::abs(near_.x) + std::abs(near_.y)) + exact::kUnderflow;
 }
 
 bool Pivot::overlaps(const Orientation& theta) {
   const double c = std::cos(theta.radians()), s = std::sin(theta.radians());
-  const Pose::Overlap quick = pose_.overlap(near_.x, near_.y, c, s, error_ + 0x1p-48 * pose_.reach());
+  const Pose::Overlap quick = pose_.overlap(near_.x, near_.y, c, s, error_ + kTurned * pose_.reach());
   if (quick != Pose::Overlap::unsure) return quick == Pose::Overlap::yes;
   SumOptions options;
   options.semantics = Semantics::open;
@@ -108,8 +123,7 @@ bool Pivot::in_reach(const Candidate& c) const {
   const double most = std::max(std::hypot(a.x, a.y), std::hypot(b.x, b.y));
   const double share = l > 0 ? std::clamp(-(a.x * dx + a.y * dy) / l, 0.0, 1.0) : 0.0;
   const double least = std::hypot(a.x + share * dx, a.y + share * dy);
-  const double margin =
-      0x1p-30 * (most + radius + std::abs(near_.x) + std::abs(near_.y) + std::abs(o.x) + std::abs(o.y));
+  const double margin = kNear * (most + radius + std::abs(near_.x) + std::abs(near_.y) + std::abs(o.x) + std::abs(o.y));
   return radius <= most + margin && radius >= least - margin;
 }
 
@@ -154,7 +168,7 @@ bool Pivot::possible(const Candidate& c, Heading middle, double half) const {
   const double along = d.x * turning.x + d.y * turning.y, g = c.edge_of_obstacle ? along : -along;
   const TrigForm form{-(d.x * still.y - d.y * still.x), d.x * turning.y - d.y * turning.x, g};
   const double size = std::abs(o.x) + std::abs(o.y) + std::abs(near_.x) + std::abs(near_.y) + pose_.reach();
-  return !form.far_from_zero(middle, half, 0x1p-44 * (std::abs(d.x) + std::abs(d.y)) * size);
+  return !form.far_from_zero(middle, half, kForm * (std::abs(d.x) + std::abs(d.y)) * size);
 }
 
 void Pivot::sort_out(std::vector<PivotEvent>& events) {
@@ -175,7 +189,7 @@ std::vector<PivotEvent> Pivot::events() const {
 
 std::vector<PivotEvent> Pivot::events(const Orientation& from, const Orientation& to) const {
   const double two_pi = 2 * std::numbers::pi, a = from.radians(), b = to.radians() + (to.radians() < a ? two_pi : 0);
-  const double half = 0.5 * (b - a) + 0x1p-40;
+  const double half = 0.5 * (b - a) + kHalf;
   const Heading middle = Heading::of(0.5 * (a + b));
   std::vector<PivotEvent> events;
   each_candidate([&](const Candidate& c) {

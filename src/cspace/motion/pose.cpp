@@ -6,9 +6,24 @@
 #include <limits>
 
 #include "cspace/events/walked_rings.h"
+#include "exact/rounding_bound.h"
 
 namespace dymsum::planar {
 namespace {
+
+// Of a cross product of differences that are known, times |product| + |product|: two differences, the products and
+// their difference.
+constexpr double kCross = exact::rounding_bound(4, 8);
+// Of the length of a vector, which is at least that long: two squares, their sum, the root.
+constexpr double kLength = exact::rounding_bound(3, 8);
+// Of a coordinate of x + R r, times 2 |r| + |x|: cosine and sine err by 1 each, sqrt(2) |r| together, the products by
+// |r| together, their difference and the sum by |r| and |x| + |r|.
+constexpr double kPlaced = exact::rounding_bound(5, 8);
+// Of the distance of a vertex from an edge, times M = span + reach + |x| + |y|; vectors from the edge's start to the
+// vertex are at most sqrt(2) M long, and so are those to the foot. The share of the foot errs by 4 of numerator and
+// denominator each and the quotient, which moves the foot by 9 sqrt(2) M; the difference of vector and foot errs by 4
+// sqrt(2), its length by 2 sqrt(2).
+constexpr double kDistance = exact::rounding_bound(22, 32);
 
 double largest(const std::vector<Point>& points) {
   double most = 0;
@@ -16,12 +31,13 @@ double largest(const std::vector<Point>& points) {
   return most;
 }
 
-// The sign of (b - a) x (c - a), every coordinate within e; 0 when it is not certain.
+// The sign of (b - a) x (c - a), every coordinate within e; 0 when it is not certain. Differences err by 2 e, which the
+// other one is multiplied with; a hundredth more covers the roundings of that.
 int certain_side(Point a, Point b, Point c, double e) {
   const double bx = b.x - a.x, by = b.y - a.y, cx = c.x - a.x, cy = c.y - a.y;
   const double det = bx * cy - by * cx;
   const double bound = 2.02 * e * (std::abs(bx) + std::abs(by) + std::abs(cx) + std::abs(cy) + 4 * e) +
-                       0x1p-50 * (std::abs(bx * cy) + std::abs(by * cx)) + 0x1p-1000;
+                       kCross * (std::abs(bx * cy) + std::abs(by * cx)) + exact::kUnderflow;
   return det > bound ? 1 : det < -bound ? -1 : 0;
 }
 
@@ -78,18 +94,18 @@ Pose::Pose(const Region& robot, const Region& obstacle, double scale) : robot_(r
   for (Outline* outline : {&robot_, &obstacle_})
     for (Point& p : outline->vertices) p = {scale * p.x, scale * p.y};
   for (const Point& p : robot_.vertices) reach_ = std::max(reach_, std::hypot(p.x, p.y));
-  reach_ *= 1 + 0x1p-50;
+  reach_ *= 1 + kLength;
   span_ = largest(obstacle_.vertices);
   placed_.resize(robot_.vertices.size());
 }
 
-// The bound on the error of each coordinate: two products, two sums, and the errors of cosine and sine.
+// The bound on the error of each coordinate.
 double Pose::place(double x, double y, double c, double s, double slack) {
   for (std::size_t k = 0; k < placed_.size(); ++k) {
     const Point r = robot_.vertices[k];
     placed_[k] = {x + (c * r.x - s * r.y), y + (s * r.x + c * r.y)};
   }
-  return slack + 0x1p-50 * (2 * reach_ + std::abs(x) + std::abs(y));
+  return slack + kPlaced * (2 * reach_ + std::abs(x) + std::abs(y));
 }
 
 Pose::Overlap Pose::overlap(double x, double y, double c, double s, double slack) {
@@ -121,8 +137,7 @@ Pose::Gap Pose::gap(double x, double y, double c, double s, double slack) {
       if (on_obstacle < gap.at_least) gap = {on_obstacle, {Contact::Kind::edge_of_p, j, i}};
       if (on_robot < gap.at_least) gap = {on_robot, {Contact::Kind::edge_of_q, j, i}};
     }
-  // Coordinates of differences are below twice the span of both; each distance errs by some of their roundings.
-  const double rounding = 0x1p-48 * (span_ + reach_ + std::abs(x) + std::abs(y));
+  const double rounding = kDistance * (span_ + reach_ + std::abs(x) + std::abs(y));
   gap.at_least = std::max(0.0, gap.at_least - 4 * e - rounding);
   return gap;
 }

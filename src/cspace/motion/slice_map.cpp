@@ -4,12 +4,23 @@
 #include <cmath>
 
 #include "exact/rational_order.h"
+#include "exact/rounding_bound.h"
 
 namespace dymsum::planar {
 
 using exact::BigRational;
 
 namespace {
+
+// Of a position that is rounded, times its largest coordinate; rounded to a subnormal number it errs by 2^-1075.
+constexpr double kRounded = exact::rounding_bound(1, 2), kSubnormal = 0x1p-1060;
+// Of a cross product of differences, times |product| + |product|, and of a difference, besides what they err by.
+constexpr double kCross = exact::rounding_bound(4, 8), kDifference = exact::rounding_bound(1, 2);
+// The roundings of bounds themselves.
+constexpr double kWider = 1.01;
+
+// Whether d, the difference of two numbers that err by `error` together, has a certain sign.
+bool certain(double d, double error) { return std::abs(d) > kWider * error + kDifference * std::abs(d); }
 
 int sign_of(const BigRational& v) { return v.sign(); }
 
@@ -36,7 +47,7 @@ BigRational share_of(const Position& a, const Position& b, const Position& p) {
 }  // namespace
 
 SlicePoint::SlicePoint(Position exact) : at_{exact::round_to_double(exact.x), exact::round_to_double(exact.y)} {
-  error_ = std::max(std::abs(at_.x), std::abs(at_.y)) * 0x1p-52 + 0x1p-1060;
+  error_ = std::max(std::abs(at_.x), std::abs(at_.y)) * kRounded + kSubnormal;
   exact_ = std::move(exact);
 }
 
@@ -56,8 +67,8 @@ int side(const SlicePoint& a, const SlicePoint& b, const SlicePoint& c) {
   const double e = 2 * std::max({a.error(), b.error(), c.error()});
   const double bx = b.at().x - a.at().x, by = b.at().y - a.at().y, cx = c.at().x - a.at().x, cy = c.at().y - a.at().y;
   const double det = bx * cy - by * cx;
-  const double bound = 1.01 * e * (std::abs(bx) + std::abs(by) + std::abs(cx) + std::abs(cy) + 2 * e) +
-                       0x1p-50 * (std::abs(bx * cy) + std::abs(by * cx)) + 0x1p-1000;
+  const double bound = kWider * e * (std::abs(bx) + std::abs(by) + std::abs(cx) + std::abs(cy) + 2 * e) +
+                       kCross * (std::abs(bx * cy) + std::abs(by * cx)) + exact::kUnderflow;
   if (std::abs(det) > bound) return det > 0 ? 1 : -1;
   if (&a == &b || &a == &c || &b == &c) return 0;
   const Position &p = a.exact(), &q = b.exact(), &r = c.exact();
@@ -66,13 +77,13 @@ int side(const SlicePoint& a, const SlicePoint& b, const SlicePoint& c) {
 
 int compare_x(const SlicePoint& a, const SlicePoint& b) {
   const double d = a.at().x - b.at().x;
-  if (std::abs(d) > 1.01 * (a.error() + b.error()) + 0x1p-52 * std::abs(d)) return d > 0 ? 1 : -1;
+  if (certain(d, a.error() + b.error())) return d > 0 ? 1 : -1;
   return &a == &b ? 0 : exact::compare(a.exact().x, b.exact().x);
 }
 
 int compare_y(const SlicePoint& a, const SlicePoint& b) {
   const double d = a.at().y - b.at().y;
-  if (std::abs(d) > 1.01 * (a.error() + b.error()) + 0x1p-52 * std::abs(d)) return d > 0 ? 1 : -1;
+  if (certain(d, a.error() + b.error())) return d > 0 ? 1 : -1;
   return &a == &b ? 0 : exact::compare(a.exact().y, b.exact().y);
 }
 

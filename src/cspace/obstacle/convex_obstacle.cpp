@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "exact/rounding_bound.h"
 #include "planar/turning/exact_angle.h"
 
 namespace dymsum::planar {
@@ -47,7 +48,9 @@ struct EdgeAlignment {
   std::uint32_t e = 0, f = 0;
   double key = 0;  // theta within kKeyError, on the proper side of pi
 };
-constexpr double kKeyError = 0x1p-48;  // two directions, the rounded difference and the rounded turn
+// Two directions (an arc tangent of at most pi, 4, of a vector, 3), their difference and its sum with a whole turn, of
+// less than 8 each.
+constexpr double kKeyError = exact::rounding_bound(2 * (4 + 3) + 4 + 4 + 3, 32);
 
 class ConvexEngine {
  public:

@@ -3,6 +3,7 @@
 
 #include "cspace/obstacle/event_plan.h"
 #include "cspace/obstacle/local_arrangement.h"
+#include "exact/rounding_bound.h"
 
 namespace dymsum::planar {
 namespace {
@@ -11,6 +12,13 @@ int sign_of(double v, double error) { return v > error ? 1 : v < -error ? -1 : 0
 
 /// Positions along a segment nearer than this (as parameters) are not told apart in doubles.
 constexpr double kUnsure = 0x1p-30;
+/// Segments whose directions differ by less, relatively, are left to exact signs: far more than the form errs by
+/// (kTurnedCross), so that the sign holds at the event's angle too.
+constexpr double kParallel = 0x1p-32;
+/// The same for slopes, in errors of the form.
+constexpr double kSlopes = 4096;
+/// Of a place on a segment beside the share's error, times the span: a place (16), a direction (19), product and sum.
+constexpr double kPlaceError = exact::rounding_bound(16 + 19 + 2, 128);
 
 enum class Fill : std::uint8_t {
   nothing,  ///< the segments do not meet there
@@ -71,7 +79,7 @@ bool Meeting::find_signs() {
   for (int i = 0; i < local_.size; ++i)
     for (int j = i + 1; j < local_.size; ++j) {
       const WalkSegment &s = local_.members[i].segment, &t = local_.members[j].segment;
-      const int sign = sign_of(forms_.cross(s, t).at(heading_), 0x1p-32 * forms_.length1(s) * forms_.length1(t));
+      const int sign = sign_of(forms_.cross(s, t).at(heading_), kParallel * forms_.length1(s) * forms_.length1(t));
       if (sign == 0) return false;
       local_.cross[i][j] = sign;
       local_.cross[j][i] = -sign;
@@ -120,7 +128,7 @@ void Meeting::find_place() {
     const WalkSegment& s = local_.members[k].segment;
     const Located t = place_on(forms_, s, local_.members[(k + 1) % 3].segment, false, heading_);
     const Point from = start(s), d = forms_.direction(s, heading_);
-    const double error = t.error * forms_.length1(s) + 0x1p-46 * forms_.span();
+    const double error = t.error * forms_.length1(s) + kPlaceError * forms_.span();
     if (!(error < at_error_)) continue;
     at_error_ = error;
     at_ = {from.x + t.t * d.x, from.y + t.t * d.y};
@@ -134,7 +142,7 @@ Fill Meeting::fill_vertex() {
   if (exists == TurnCatalog::Existence::no) return Fill::nothing;
   if (joint.unsure || exists == TurnCatalog::Existence::unsure) return Fill::unsure;
   at_ = forms_.place(event_.v, heading_);
-  at_error_ = 0x1p-46 * forms_.span();
+  at_error_ = kPlaceError * forms_.span();
   const Fill inside = within({along(event_.a), 4 * at_error_ / forms_.length1(event_.a)});
   if (inside != Fill::done) return inside;
   const auto add = [&](const WalkSegment& s) {
@@ -146,7 +154,7 @@ Fill Meeting::fill_vertex() {
   if (in >= 0) local_.members[in].closes = true;
   if (out >= 0) local_.members[out].opens = true;
   if (!find_signs() || !event_.root->changes_sign()) return Fill::unsure;
-  const int side = sign_of(forms_.side(event_.a, event_.v).slope(heading_), 4096 * forms_.side_error(event_.a));
+  const int side = sign_of(forms_.side(event_.a, event_.v).slope(heading_), kSlopes * forms_.side_error(event_.a));
   if (side == 0) return Fill::unsure;
   add_chain(in, out, side);
   return Fill::done;

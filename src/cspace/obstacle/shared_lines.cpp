@@ -4,12 +4,21 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "exact/rounding_bound.h"
+
 namespace dymsum::planar {
 namespace {
 
 /// Lines that collinear() may call one have offsets from the origin that differ by less than this share of the span, a
 /// tenth of it.
 constexpr double kLineNear = 0x1p-34;
+/// Of an end of a stretch, times the span, beside what its share of the segment errs by: two places (16), a difference
+/// and a direction (19 for the one, 19 and 2 for the unit vector), products and sums.
+constexpr double kStretch = exact::rounding_bound(2 * 16 + 1 + 19 + 21 + 6, 8192);
+/// Of the cross product of two directions, times their lengths, at an angle that errs by 2^-49.
+constexpr double kParallel = exact::rounding_bound(56 + 2 * 16, 8192);
+/// So many times what sides err by are certain at the angle, too.
+constexpr double kSides = 64;
 
 }  // namespace
 
@@ -57,7 +66,7 @@ SharedLines::Stretch SharedLines::stretch_on(const WalkSegment& line, const SubE
   const Point d = forms_.direction(line, heading_), base = forms_.place(TurningForms::start(line), heading_);
   const Point from = forms_.place(TurningForms::start(s), heading_), e = forms_.direction(s, heading_);
   const double length = std::hypot(d.x, d.y);
-  double error = 0x1p-40 * forms_.span();
+  double error = kStretch * forms_.span();
   const auto along = [&](bool at_start) {
     const Located at = place_on(forms_, s, at_start ? edge.left : edge.right, at_start, heading_);
     error += std::isnan(at.error) ? INFINITY : at.error * forms_.length1(s);
@@ -96,9 +105,9 @@ double SharedLines::cosine(const WalkSegment& s, const WalkSegment& t) const {
 
 // Exactly, where doubles do not tell the lines apart.
 bool SharedLines::collinear(const WalkSegment& s, const WalkSegment& t) const {
-  if (std::abs(forms_.cross(s, t).at(heading_)) > 0x1p-40 * forms_.length1(s) * forms_.length1(t)) return false;
+  if (std::abs(forms_.cross(s, t).at(heading_)) > kParallel * forms_.length1(s) * forms_.length1(t)) return false;
   const TrigForm side = forms_.side(s, TurningForms::start(t));
-  if (std::abs(side.at(heading_)) > 64 * forms_.side_error(s)) return false;
+  if (std::abs(side.at(heading_)) > kSides * forms_.side_error(s)) return false;
   if (const QuarterTurn* turn = now_.crowded(); turn != nullptr)
     return turn->on_line(s, TurningForms::start(t)) && turn->on_line(s, forms_.end(t));
   const SignsAt& signs = now_.signs();

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "cspace/events/walk_numbers.h"
+#include "exact/rounding_bound.h"
 #include "planar/boundary/collision.h"
 #include "planar/position/ring_containment.h"
 #include "planar/sum/sum_engine.h"
@@ -10,6 +11,10 @@
 
 namespace dymsum::planar {
 namespace {
+
+// Of a position from the lattice's base: itself and its double, times the span; the sum of the offsets, times the
+// reach.
+constexpr double kPlace = exact::rounding_bound(1, 512), kBase = exact::rounding_bound(2, 8);
 
 // The middle of the loop's first piece.
 Place place_on_loop(const std::vector<WalkSegment>& loop, const TurningForms& forms, const PlacedPair& state) {
@@ -40,7 +45,7 @@ Place place_on_loop(const std::vector<WalkSegment>& loop, const TurningForms& fo
   };
   place.x = in_steps(p.x, lattice.base.x);
   place.y = in_steps(p.y, lattice.base.y);
-  place.error = 0x1p-44 * lattice.span + (lattice.base_reach * 0x1p-50 + lattice.base_error) / lattice.unit;
+  place.error = kPlace * lattice.span + (lattice.base_reach * kBase + lattice.base_error) / lattice.unit;
   return place;
 }
 

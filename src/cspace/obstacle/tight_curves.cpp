@@ -12,6 +12,7 @@
 #include "cspace/boundary/free_place.h"
 #include "cspace/events/event_place.h"
 #include "cspace/obstacle/tight_places.h"
+#include "exact/rounding_bound.h"
 #include "planar/turning/exact_angle.h"
 
 namespace dymsum::planar {
@@ -38,11 +39,13 @@ bool spans(const SignsAt& signs, const AlwaysConcurrent& s) {
   const int ab = signs.cross(s[0], s[1]);
   return ab != 0 && signs.cross(s[1], s[2]) == ab && signs.cross(s[2], s[0]) == ab;
 }
+// Of a cross product, times the lengths.
+constexpr double kCross = exact::rounding_bound(56, 8192);
 bool may_span(const TurningForms& forms, const AlwaysConcurrent& s, Heading h) {
   int most = 0, least = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     const WalkSegment &a = s[k], &b = s[(k + 1) % 3];
-    const double cross = forms.cross(a, b).at(h), error = 0x1p-40 * forms.length1(a) * forms.length1(b);
+    const double cross = forms.cross(a, b).at(h), error = kCross * forms.length1(a) * forms.length1(b);
     most += cross > -error;
     least += cross < error;
   }
@@ -76,7 +79,7 @@ std::vector<AlwaysConcurrent> tight_curves(const SweepScene& scene, const std::v
   for (const AlwaysConcurrent& three : threes) {
     if (!may_span(scene.forms, three, h)) continue;
     const EventPlace place = place_of(event_of(three), scene.forms, h);
-    if (place.sine >= 0x1p-5 && filter.inside(place.at, h)) continue;
+    if (place.sine >= kPlacedSine && filter.inside(place.at, h)) continue;
     if (!signs) {
       signs.emplace(scene.forms, exact_angle(at));
       places.emplace(scene, *signs);

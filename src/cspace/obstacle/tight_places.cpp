@@ -16,7 +16,7 @@ bool PlacesAtAngle::same_place(const TightCandidate& y, const TightCandidate& z)
 }
 
 std::vector<TightCandidate> PlacesAtAngle::each_once(std::vector<TightCandidate> all) const {
-  const double apart = 0x1p-35 * forms_.span();
+  const double apart = SignsAt::kNear * forms_.span();
   std::stable_sort(all.begin(), all.end(),
                    [](const TightCandidate& y, const TightCandidate& z) { return y.near.x < z.near.x; });
   std::vector<TightCandidate> once;

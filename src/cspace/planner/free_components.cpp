@@ -2,34 +2,28 @@
 
 #include <algorithm>
 #include <numbers>
-#include <numeric>
 #include <sstream>
 
 #include "cspace/boundary/obstacle_state.h"
 
 namespace dymsum::planar {
 
-JoinedComponents::JoinedComponents(const CspaceObstacle& obstacle) {
-  std::uint32_t most = 0;
-  for (const FreeCell& cell : obstacle.free_cells()) most = std::max(most, cell.component + 1);
-  parent_.resize(most);
-  std::iota(parent_.begin(), parent_.end(), 0u);
+namespace {
+
+std::uint32_t component_count(const CspaceObstacle& obstacle) {
+  std::uint32_t count = 0;
+  for (const FreeCell& cell : obstacle.free_cells()) count = std::max(count, cell.component + 1);
+  return count;
 }
 
-std::uint32_t JoinedComponents::root(std::uint32_t component) const {
-  while (parent_[component] != component) component = parent_[component];
-  return component;
-}
+}  // namespace
 
-void JoinedComponents::join(std::uint32_t a, std::uint32_t b) {
-  const std::uint32_t low = std::min(root(a), root(b)), high = std::max(root(a), root(b));
-  parent_[high] = low;
-}
+JoinedComponents::JoinedComponents(const CspaceObstacle& obstacle) : classes_(component_count(obstacle)) {}
 
 void JoinedComponents::join_touching(const CspaceObstacle& obstacle, PathLevels& levels) {
   const std::vector<FreeCell>& cells = obstacle.free_cells();
   for (const auto& [a, b] : ObstacleInternals::of(obstacle).touching_cells)
-    join(cells[a].component, cells[b].component);
+    classes_.join(cells[a].component, cells[b].component);
   for (std::size_t k = 0; k < levels.size(); ++k) {
     if (levels.slab(k)) continue;
     const SliceGraph& graph = levels.graph(k);
@@ -37,7 +31,7 @@ void JoinedComponents::join_touching(const CspaceObstacle& obstacle, PathLevels&
     for (std::uint32_t g = 0; g < graph.groups(); ++g) {
       const std::vector<std::uint32_t> together = levels.components(k, g);
       for (const std::uint32_t c : together)
-        if (c != SliceMap::kNone && together[0] != SliceMap::kNone) join(together[0], c);
+        if (c != SliceMap::kNone && together[0] != SliceMap::kNone) classes_.join(together[0], c);
     }
   }
 }

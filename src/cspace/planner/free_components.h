@@ -3,22 +3,22 @@
 
 #include <vector>
 
+#include "cspace/boundary/partition.h"
 #include "cspace/planner/path_levels.h"
 
 namespace dymsum::planar {
 
-/// Components that touching joins: a partition, at first into single ones.
+/// Components that touching joins, at first single ones.
 class JoinedComponents {
  public:
   explicit JoinedComponents(const CspaceObstacle& obstacle);
-  std::uint32_t root(std::uint32_t component) const;
-  void join(std::uint32_t a, std::uint32_t b);
+  std::uint32_t root(std::uint32_t component) const { return classes_.find(component); }
   /// Joins what touches in a slice at a rational event angle, and before and behind an angle at which a passage is
   /// shut.
   void join_touching(const CspaceObstacle& obstacle, PathLevels& levels);
 
  private:
-  std::vector<std::uint32_t> parent_;
+  Partition classes_;
 };
 
 FreeComponent described(const CspaceObstacle& obstacle, std::uint32_t component);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "cspace/boundary/obstacle_state.h"
+#include "exact/rounding_bound.h"
 
 namespace dymsum::planar {
 namespace {
@@ -32,11 +33,14 @@ const SliceGraph& PathLevels::graph(std::size_t k) {
   return *level.graph;
 }
 
+// Of the difference of two angles in (-pi, pi], absolutely: their doubles, and a rounding of at most 2 pi.
+constexpr double kAngleGap = exact::rounding_bound(2 * 12 + 4, 32);
+
 std::size_t PathLevels::index_of(const PathLevel* level) const {
   const double theta = level->theta.radians();
   const auto at = std::partition_point(levels_.begin(), levels_.end(), [&](const auto& l) {
-    const double d = l->theta.radians() - theta;  // both within 2^-50
-    return std::abs(d) > 0x1p-48 ? d < 0 : compare(l->angle, level->angle) < 0;
+    const double d = l->theta.radians() - theta;
+    return std::abs(d) > kAngleGap ? d < 0 : compare(l->angle, level->angle) < 0;
   });
   return static_cast<std::size_t>(at - levels_.begin());
 }

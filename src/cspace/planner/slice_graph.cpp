@@ -8,12 +8,23 @@
 #include <stdexcept>
 
 #include "exact/rational_order.h"
+#include "exact/rounding_bound.h"
 
 namespace dymsum::planar {
 
 using exact::BigRational;
 
 namespace {
+
+// Of the height of an edge over a line between its ends, e being the most that their coordinates and the line's err by:
+// with the slope s and ends more than kTold e apart, 2 e (1 + |s|) / (1 - 2 / kTold) for the slope, e for the left end
+// and 2 e |s| for the distance from it, less than kMoved e (1 + |s|).
+constexpr double kTold = 8, kMoved = 16;
+static_assert(2 / (1 - 2 / kTold) + 2 <= kMoved / 2);
+// Besides, times the sizes of what is added: two differences, the quotient, another difference, the product, the sum.
+constexpr double kHeight = exact::rounding_bound(6, 16);
+// Of half a sum, and of a difference.
+constexpr double kMiddle = exact::rounding_bound(1, 4), kDifference = exact::rounding_bound(1, 2);
 
 // Names the connected pieces of a graph 0, 1, ... in the order of their first nodes; returns how many.
 template <class Links>
@@ -84,10 +95,11 @@ std::array<double, 2> SliceGraph::height(std::uint32_t edge, const Line& line) c
   if (edge == kBottom || edge == kTop) return {edge == kTop ? frame_ : -frame_, 0};
   const SlicePoint &a = left(edge), &b = right(edge);
   const double e = std::max({a.error(), b.error(), line.error}), dx = b.at().x - a.at().x;
-  if (!(dx > 8 * e)) return {a.at().y, std::numeric_limits<double>::infinity()};
+  if (!(dx > kTold * e)) return {a.at().y, std::numeric_limits<double>::infinity()};
   const double slope = (b.at().y - a.at().y) / dx, y = a.at().y + slope * (line.at - a.at().x);
-  return {y, 16 * e * (1 + std::abs(slope)) + 0x1p-49 * (std::abs(a.at().y) + std::abs(b.at().y) +
-                                                         std::abs(slope) * (std::abs(line.at) + std::abs(a.at().x)))};
+  return {y,
+          kMoved * e * (1 + std::abs(slope)) + kHeight * (std::abs(a.at().y) + std::abs(b.at().y) +
+                                                          std::abs(slope) * (std::abs(line.at) + std::abs(a.at().x)))};
 }
 
 BigRational SliceGraph::exact_height(std::uint32_t edge, const BigRational& x) const {
@@ -134,7 +146,7 @@ void SliceGraph::add_column(std::uint32_t column) {
   if (to.at - from.at > 16 * (from.error + to.error) && from.at < middle.at && middle.at < to.at) {
     middle.x = exact::exact_value(middle.at);
   } else {
-    middle = {middle.at, 2 * (from.error + to.error) + std::abs(middle.at) * 0x1p-51,
+    middle = {middle.at, 2 * (from.error + to.error) + std::abs(middle.at) * kMiddle,
               BigRational((from.exact() + to.exact()) / 2), nullptr};
   }
   std::vector<std::uint32_t> active;
@@ -203,7 +215,7 @@ bool SliceGraph::holds(const Trapezoid& t, const SlicePoint& p) const {
 std::vector<std::uint32_t> SliceGraph::nodes_at(const SlicePoint& p) const {
   const auto compare_line = [&](const Line& l) {
     const double d = p.at().x - l.at;
-    if (std::abs(d) > 1.01 * (p.error() + l.error) + 0x1p-52 * std::abs(d)) return d > 0 ? 1 : -1;
+    if (std::abs(d) > 1.01 * (p.error() + l.error) + kDifference * std::abs(d)) return d > 0 ? 1 : -1;
     return exact::compare(p.exact().x, l.exact());
   };
   const auto beyond =

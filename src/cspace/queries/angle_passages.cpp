@@ -4,8 +4,22 @@
 #include <cmath>
 #include <numbers>
 
-namespace dymsum::apps {
+namespace dymsum::cspace {
 namespace {
+
+// Of c + a cos(theta) + b sin(theta), times |edge|_1 and the sizes: a difference of positions (3) or a corner, an edge
+// (1), product and sum, for the constant and for the wave, sqrt(2) of which count.
+constexpr double kLine = exact::rounding_bound(3 * (3 + 1 + 2), 32);
+// The wave has to exceed what is known of it by this factor, so that the angle errs by at most 4 errors / amplitude.
+constexpr double kKnown = 64;
+// Of an arc cosine, and of its sums with the phase: 4 each; then of the sums with whole turns, of less than 16 each:
+// together with the other ones.
+constexpr double kAngle = exact::rounding_bound(4 + 4 + 4, 32), kTurned = exact::rounding_bound(4, 8);
+static_assert(exact::gamma(12 + 8 + 8 + 4) < kAngle + kTurned);
+// Of distances, times the sizes: a dozen roundings; of a tight placement besides its own error.
+constexpr double kCircle = exact::rounding_bound(16, 8192), kTight = exact::rounding_bound(16, 512);
+// Passages that begin so near to each other may be one: any width is right, as such a one is looked at exactly.
+constexpr double kOneBegin = 0x1p-46;
 
 class Finder {
  public:
@@ -31,7 +45,7 @@ class Finder {
   // No angle brings the whole edge to the position: its circle about the contact's fixed point misses that.
   bool outside(const PatchForm& form) const {
     const ContactLine& l = form.own;
-    const double margin = 0x1p-40 * forms_.size();
+    const double margin = kCircle * forms_.size();
     if (!l.turns) return false;
     const Point far = l.start.b + l.along, gap = at_ - l.start.a;
     return std::hypot(gap.x, gap.y) > std::max(std::hypot(far.x, far.y), std::hypot(l.start.b.x, l.start.b.y)) + margin;
@@ -44,13 +58,13 @@ class Finder {
     const double constant = l.turns ? -cross(d, r) : cross(d, gap);
     const double amplitude = std::hypot(wave.x, wave.y);
     const double size = forms_.size() + std::abs(at_.x) + std::abs(at_.y);
-    const double error = 0x1p-48 * (std::abs(d.x) + std::abs(d.y)) * size;
+    const double error = kLine * (std::abs(d.x) + std::abs(d.y)) * size;
     if (std::abs(constant) > amplitude + error) return;
-    if (!(amplitude > 0x1p6 * error)) return add_persistent(amplitude == 0, patch);
+    if (!(amplitude > kKnown * error)) return add_persistent(amplitude == 0, patch);
     const double value = -constant / amplitude, off = 4 * error / amplitude;
     const double phase = std::atan2(wave.y, wave.x);
-    const double near = std::acos(std::clamp(value + off, -1.0, 1.0)) - 0x1p-48;
-    const double far = std::acos(std::clamp(value - off, -1.0, 1.0)) + 0x1p-48;
+    const double near = std::acos(std::clamp(value + off, -1.0, 1.0)) - kAngle;
+    const double far = std::acos(std::clamp(value - off, -1.0, 1.0)) + kAngle;
     if (value + off >= 1) return add_turned(phase - far - off, phase + far + off, patch, false);
     if (value - off <= -1)
       return add_turned(phase + near - off, phase + 2 * std::numbers::pi - near + off, patch, false);
@@ -76,7 +90,7 @@ class Finder {
     for (const double turn : {-2 * std::numbers::pi, 0.0, 2 * std::numbers::pi})
       for (const PatchPiece& piece : pieces_)
         if (high + turn >= piece.low - margin && low + turn <= piece.high + margin)
-          add_here(low + turn - 0x1p-50, high + turn + 0x1p-50, patch, crosses);
+          add_here(low + turn - kTurned, high + turn + kTurned, patch, crosses);
   }
 
   // Unless an end of the patch is far from the position then.
@@ -95,10 +109,10 @@ class Finder {
     const Point d = forms_.in_units(f.to - f.from), gap = forms_.in_units(at - f.from), place = forms_.in_units(at);
     const double length2 = dot(d, d), share = length2 > 0 ? std::clamp(dot(gap, d) / length2, 0.0, 1.0) : 0;
     const double off = std::hypot(gap.x - share * d.x, gap.y - share * d.y);
-    const double margin = 0x1p-44 * (std::abs(place.x) + std::abs(place.y) + forms_.size());
+    const double margin = kTight * (std::abs(place.x) + std::abs(place.y) + forms_.size());
     if (off > 2 * forms_.in_units(f.error) + margin) return;
     const EventAngle& angle = obstacle_.angles()[f.angle];
-    push(angle.low - 0x1p-48, angle.high + 0x1p-48, Patch::kNone, false);
+    push(angle.low - kAngle, angle.high + kAngle, Patch::kNone, false);
   }
 
   void push(double low, double high, std::uint32_t patch, bool crosses) {
@@ -123,7 +137,7 @@ class Finder {
     return out;
   }
   static void join(Passage& to, const Passage& more, double turn) {
-    to.crosses = to.crosses && more.crosses && to.patch == more.patch && more.low + turn <= to.low + 0x1p-46;
+    to.crosses = to.crosses && more.crosses && to.patch == more.patch && more.low + turn <= to.low + kOneBegin;
     to.high = std::max(to.high, more.high + turn);
     if (to.patch == Patch::kNone) to.patch = more.patch;
   }
@@ -141,4 +155,4 @@ Passages passages_at(const CspaceObstacle& obstacle, const PatchForms& forms, Po
   return Finder(obstacle, forms, at).run();
 }
 
-}  // namespace dymsum::apps
+}  // namespace dymsum::cspace

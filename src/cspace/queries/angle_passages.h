@@ -5,7 +5,7 @@
 
 #include "cspace/queries/patch_forms.h"
 
-namespace dymsum::apps {
+namespace dymsum::cspace {
 
 /// Angles within [low, high], low in [-pi, pi). Nothing changes at the position outside of passages, unless there are
 /// curves of tight placements.
@@ -20,9 +20,11 @@ struct Passages {
   std::vector<Passage> all;
   bool everywhere = false;
 };
+/// Any gap is right that halves of it are told apart in doubles of angles.
 constexpr double kPassageGap = 0x1p-44;
+static_assert(kPassageGap >= 4 * kAngleMargin);
 
 /// `at` is absolute.
 Passages passages_at(const CspaceObstacle& obstacle, const PatchForms& forms, Point at);
 
-}  // namespace dymsum::apps
+}  // namespace dymsum::cspace

@@ -6,10 +6,18 @@
 
 #include "cspace/queries/tight_distance.h"
 
-namespace dymsum::apps {
+namespace dymsum::cspace {
 namespace {
 
 constexpr double kSure = 1024;  // times its error: a distance at which what is nearest is known to be boundary
+
+// From so far away all of the obstacle is at one distance, up to a size or 2^43 sizes for the weight in 2^200.
+constexpr double kFar = 0x1p200, kAskedFrom = 0x1p100, kFarError = 0x1p-43;
+constexpr double kSubnormal = 0x1p-1073;  // two roundings of what is smaller than doubles tell
+// Events so near to an angle are looked at in its slice: any margin above what angles err by is right.
+constexpr double kNearEvent = 4 * kAngleMargin;
+// Distances worse than this share are taken from the slice.
+constexpr double kExactEnough = 0x1p-32;
 
 double signed_by(bool negative, double v) { return negative ? -v : v; }
 
@@ -25,16 +33,16 @@ template <class Search>
 NearestPatch ClearanceSearch::in_coordinates(const ClearanceQuestion& q, bool whole_edges, Search search) const {
   const Point origin = forms_.origin(), off{q.from.x - origin.x, q.from.y - origin.y};
   const double farther = std::max(std::abs(off.x), std::abs(off.y)), size = forms_.size() * forms_.unit();
-  const bool far = farther > 0x1p200 * size;
-  const double shrunk = 0x1p100 * forms_.size() / farther;
+  const bool far = farther > kFar * size;
+  const double shrunk = kAskedFrom * forms_.size() / farther;
   const Point from = far ? Point{shrunk * off.x, shrunk * off.y} : forms_.in_units(off);
   NearestPatch found = search({from, q.from.theta, std::isinf(q.weight) ? 0 : forms_.in_units(q.weight), whole_edges});
   found.distance *= forms_.unit();
   found.error *= forms_.unit();
-  if (forms_.unit() < 1) found.error += 0x1p-1073;  // what is rounded here
+  if (forms_.unit() < 1) found.error += kSubnormal;
   if (far && found.patch != Patch::kNone) {
     found.distance = std::hypot(off.x, off.y);
-    found.error = 0x1p-43 * found.distance;
+    found.error = kFarError * found.distance;
   }
   found.at = {found.at.x * forms_.unit() + origin.x, found.at.y * forms_.unit() + origin.y};
   return found;
@@ -101,7 +109,7 @@ SliceDistance ClearanceSearch::slice_of(const ClearanceQuestion& q) const {
 }
 
 bool ClearanceSearch::near_event(double theta) const {
-  const double margin = std::max(0x1p-44, 4 * forms_.angle_margin());
+  const double margin = std::max(kNearEvent, 4 * forms_.angle_margin());
   const std::vector<EventAngle>& angles = obstacle_.angles();
   for (const double turn : {-2 * std::numbers::pi, 0.0, 2 * std::numbers::pi}) {
     const auto from = std::lower_bound(angles.begin(), angles.end(), theta + turn - margin,
@@ -116,7 +124,7 @@ bool ClearanceSearch::near_event(double theta) const {
 ClearanceSearch::Answer ClearanceSearch::translation(const ClearanceQuestion& q) const {
   if (near_event(q.from.theta) || obstacle_.may_have_tight_curves()) return by_slice(q);
   const NearestPatch found = nearest_at(q);
-  const bool exact_enough = found.error <= 0x1p-32 * (found.distance + forms_.size() * forms_.unit());
+  const bool exact_enough = found.error <= kExactEnough * (found.distance + forms_.size() * forms_.unit());
   if (!exact_enough || (!q.overlaps && found.distance <= found.error)) return by_slice(q);
   return {of(found, q.overlaps), found.bounds};
 }
@@ -139,4 +147,4 @@ ClearanceSearch::Answer ClearanceSearch::by_slice(const ClearanceQuestion& q) co
   return {nearest, patch.bounds};
 }
 
-}  // namespace dymsum::apps
+}  // namespace dymsum::cspace

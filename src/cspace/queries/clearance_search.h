@@ -5,7 +5,7 @@
 #include "cspace/queries/slice_distance.h"
 #include "dymsum/obstacle_queries.h"
 
-namespace dymsum::apps {
+namespace dymsum::cspace {
 
 /// `from.theta` in [-pi, pi], within 2^-50 of Orientation::nearest(asked).
 struct ClearanceQuestion {
@@ -47,4 +47,4 @@ class ClearanceSearch {
   const PatchTree& tree_;
 };
 
-}  // namespace dymsum::apps
+}  // namespace dymsum::cspace

@@ -4,7 +4,7 @@
 #include <limits>
 #include <numbers>
 
-namespace dymsum::apps {
+namespace dymsum::cspace {
 namespace {
 
 // About a dozen patches begin in a bin.
@@ -114,14 +114,15 @@ std::optional<bool> ContainmentIndex::meets_ray(std::uint32_t patch, const Turn&
   if (xa > error && xb > error) return true;
   if (xa < -error && xb < -error) return false;
   const double area = xa * yb - ya * xb;
-  const double bound = 2 * error * (std::abs(xa) + std::abs(xb) + std::abs(ya) + std::abs(yb) + error) + 0x1p-1000;
+  const double bound =
+      2 * error * (std::abs(xa) + std::abs(xb) + std::abs(ya) + std::abs(yb) + error) + exact::kUnderflow;
   if (!(std::abs(area) > bound)) return std::nullopt;
   return (area > 0) == (yb > ya);
 }
 
 std::optional<bool> ContainmentIndex::contains(double x, double y, double theta) const {
   const Point q = forms_.relative({x, y});
-  const double size = forms_.size() * (1 + 0x1p-40);
+  const double size = forms_.size() * exact::kOutwards;
   if (!(std::abs(q.x) <= size && std::abs(q.y) <= size)) return false;
   const std::size_t bin = bin_of(theta);
   const std::optional<std::uint32_t> at = slab(bin, theta);
@@ -140,4 +141,4 @@ std::optional<bool> ContainmentIndex::contains(double x, double y, double theta)
   return inside;
 }
 
-}  // namespace dymsum::apps
+}  // namespace dymsum::cspace

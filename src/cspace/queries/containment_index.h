@@ -6,7 +6,7 @@
 
 #include "cspace/queries/patch_forms.h"
 
-namespace dymsum::apps {
+namespace dymsum::cspace {
 
 /// Angles are cut into bins, positions in every bin into rows; each cell lists the patches that pass through it. Relies
 /// on this: between event angles every position without freedom lies on a patch.
@@ -44,4 +44,4 @@ class ContainmentIndex {
   std::vector<Entry> entries_;
 };
 
-}  // namespace dymsum::apps
+}  // namespace dymsum::cspace

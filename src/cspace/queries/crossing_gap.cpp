@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-namespace dymsum::apps {
+namespace dymsum::cspace {
 namespace {
 
 using base::exact_product, base::exact_sum;
@@ -124,4 +124,4 @@ std::array<DoublePair, 2> half_tangents(const std::array<Point, 2>& a, const std
   return {half(c, s), half(-c, -s)};
 }
 
-}  // namespace dymsum::apps
+}  // namespace dymsum::cspace

@@ -8,7 +8,7 @@
 #include "base/double_pair.h"
 #include "dymsum/region.h"
 
-namespace dymsum::apps {
+namespace dymsum::cspace {
 
 using base::DoublePair;
 
@@ -23,4 +23,4 @@ CrossingGaps crossing_gaps(const std::array<Point, 2>& fixed, const std::array<P
 /// tan(phi / 2) of the angle from a to b, and of that angle less half a turn: each within 2^-98 where it is at most 1.
 std::array<DoublePair, 2> half_tangents(const std::array<Point, 2>& a, const std::array<Point, 2>& b);
 
-}  // namespace dymsum::apps
+}  // namespace dymsum::cspace

@@ -4,8 +4,19 @@
 #include <limits>
 #include <numbers>
 
-namespace dymsum::apps {
-namespace {}  // namespace
+namespace dymsum::cspace {
+namespace {
+
+// Of a value on the edge, times the sizes of its terms. A wave's factors are sums of two products with a cosine and a
+// sine (2 + 1 + 1), and those of x (2) take part as well: 4 + 2 + 1, for both terms, and two sums. The tangent of half
+// of psi errs by what psi does (14), and by 8 for its quotient of a sum; product, sums and the sum with the gap's.
+constexpr double kSlack = exact::rounding_bound(14 + 8 + 4, 32);
+static_assert(2 * (4 + 2 + 1) + 2 <= 14 + 8 + 4);
+// Of gap / sin(psi): the gap, the quotient; and of the sine, absolutely or times its terms: the parallel angle, an arc
+// tangent of unit vectors (2 * 5 + 2), and the angle taken off.
+constexpr double kGap = exact::rounding_bound(6, 32), kSine = exact::rounding_bound(14, 16);
+
+}  // namespace
 
 int nearest_parallel(const PatchEnd& end, double theta) {
   return static_cast<int>(std::lround((theta - end.parallel) / std::numbers::pi)) & 1;
@@ -25,7 +36,7 @@ EndCurve::EndCurve(const PatchEnd& end, double length, double reference) : lengt
   const Turn turn(reference);
   first_ = end.cosine * turn.c + end.sine * turn.s;
   second_ = end.sine * turn.c - end.cosine * turn.s;
-  slack_ = end.error + 0x1p-48 * (std::abs(constant_) + std::abs(end.cosine) + std::abs(end.sine));
+  slack_ = end.error + kSlack * (std::abs(constant_) + std::abs(end.cosine) + std::abs(end.sine));
 }
 
 EndCurve::EndCurve(const PatchEnd& end, double length, int k, double psi) : exact_(true), length_(length) {
@@ -37,7 +48,7 @@ void EndCurve::set_pole(const PatchEnd& end, int k, double psi) {
   kind_ = Kind::pole;
   first_ = end.tangent;
   gap_ = second_ = end.gap[static_cast<std::size_t>(k)];
-  slack_ = 0x1p-48 * (std::abs(constant_) + std::abs(first_) + length_);
+  slack_ = kSlack * (std::abs(constant_) + std::abs(first_) + length_);
   psi_ = psi;
   cosine_ = std::cos(psi);
   sine_ = std::sin(psi);
@@ -51,7 +62,7 @@ double EndCurve::raw(const SmallTurn& x) const {
   return gap_ == 0 ? smooth : smooth + gap_ / p.s;
 }
 
-// psi and its sine err by 2^-49 at most, or by 2^-49 of their terms, which have one sign on the side of the reference;
+// psi and its sine err by kSine at most, or by kSine of their terms, which have one sign on the side of the reference;
 // across the pole from there only as much as the terms. On the edge gap / sin(psi) is no longer than everything else
 // together.
 double EndCurve::error_at(double sine) const {
@@ -59,7 +70,7 @@ double EndCurve::error_at(double sine) const {
   if (sine == 0) return std::numeric_limits<double>::infinity();
   const double share = std::min(std::abs(gap_ / sine), 2 * (length_ + std::abs(constant_) + std::abs(first_)));
   const double terms = exact_ ? std::abs(sine_) + std::abs(sine) : 1;
-  return slack_ + share * (0x1p-48 + 0x1p-49 * terms / std::abs(sine));
+  return slack_ + share * (kGap + kSine * terms / std::abs(sine));
 }
 
 double EndCurve::error(const SmallTurn& x) const { return error_at(psi(x).s); }
@@ -95,7 +106,7 @@ EndCurve::Ranges EndCurve::ranges(double a, double b) const {
     const PointRange wave = turning({first_ * m.c + second_ * m.s, second_ * m.c - first_ * m.s}, half);
     const Range value = constant_ + wave.x;
     const Range wider{value.low - slack_, value.high + slack_};
-    return {clamp(wider, 0, length_), wave.y, -1.0 * wave.x, true, slack_, 0x1p48 * slack_};
+    return {clamp(wider, 0, length_), wave.y, -1.0 * wave.x, true, slack_, slack_ / kSlack};
   }
   const Sines p = psi(u), q = psi(v);
   if (across_pole(p, q) || !(p.c > -0.5) || !(q.c > -0.5))
@@ -103,7 +114,7 @@ EndCurve::Ranges EndCurve::ranges(double a, double b) const {
   const Range t = between(p.s / (1 + p.c), q.s / (1 + q.c));
   const Range half = 0.5 * (1.0 + between(t.low * t.low, t.high * t.high));
   const Range wide_half{t.low <= 0 && t.high >= 0 ? 0.5 : half.low, half.high};
-  Ranges r{constant_ + -first_ * t, -first_ * wide_half, -first_ * (wide_half * t), true, 0, 0x1p48 * slack_};
+  Ranges r{constant_ + -first_ * t, -first_ * wide_half, -first_ * (wide_half * t), true, 0, slack_ / kSlack};
   if (gap_ != 0) {
     const double sign = p.s > 0 ? 1 : -1, s0 = std::abs(p.s), s1 = std::abs(q.s);
     const double most = p.c * q.c > 0 ? std::max(s0, s1) : 1, least = std::min(s0, s1);
@@ -130,4 +141,4 @@ Range EndCurve::possible(double a, double b) const {
   return from < near && to > near ? Range{near - psi_, b} : Range{a, b};
 }
 
-}  // namespace dymsum::apps
+}  // namespace dymsum::cspace

@@ -5,7 +5,7 @@
 #include "cspace/queries/patch_forms.h"
 #include "cspace/queries/range.h"
 
-namespace dymsum::apps {
+namespace dymsum::cspace {
 
 /// The cosine and the sine of an x with |x| <= 1/2, each to 2^-52.
 struct SmallTurn {
@@ -70,4 +70,4 @@ class EndCurve {
   double slack_ = 0;                        // absolute errors of the coefficients
 };
 
-}  // namespace dymsum::apps
+}  // namespace dymsum::cspace

@@ -6,7 +6,7 @@
 
 #include "cspace/queries/angle_passages.h"
 
-namespace dymsum::apps {
+namespace dymsum::cspace {
 namespace {
 
 // An angle at which something may change at the position.
@@ -57,7 +57,7 @@ class Marks {
       const Passage& p = all[k];
       if (p.crosses && free_behind[before] != free_behind[k]) {
         found_.push_back(
-            {reduced((p.low + p.high) / 2), (p.high - p.low) / 2 + 0x1p-49, p.patch, true, free_behind[k]});
+            {reduced((p.low + p.high) / 2), (p.high - p.low) / 2 + kMiddle, p.patch, true, free_behind[k]});
         continue;
       }
       const Orientation from = orientation_at(p.low - std::min(gap[before] / 2, kBeside));
@@ -66,12 +66,17 @@ class Marks {
     }
   }
 
+  // Of the middle of two angles of at most 8, reduced: a half of 8, and 4.
+  static constexpr double kMiddle = exact::rounding_bound(4 + 4, 16);
   static constexpr double kBeside = 0x1p-20;  // few other contacts come so near
   const CspaceObstacle& obstacle_;
   Point at_;
   const std::function<bool(double)>& is_free_;
   std::vector<Mark> found_;
 };
+
+// The next double of an angle of at most 4.
+constexpr double kNextAngle = exact::rounding_bound(4, 8);
 
 // Begin and end of an interval whose doubles are the same are moved apart: only single angles begin where they end.
 FreeAngles between(const Mark& begin, const Mark& end, bool passes_pi) {
@@ -80,8 +85,8 @@ FreeAngles between(const Mark& begin, const Mark& end, bool passes_pi) {
   const double up = passes_pi ? 4 : -4;
   f.begin = std::nextafter(f.begin, up);
   f.end = std::nextafter(f.end, -up);
-  f.begin_error += 0x1p-50;
-  f.end_error += 0x1p-50;
+  f.begin_error += kNextAngle;
+  f.end_error += kNextAngle;
   return f;
 }
 
@@ -119,4 +124,4 @@ std::vector<FreeAngles> free_angles(const CspaceObstacle& obstacle, const PatchF
   return out;
 }
 
-}  // namespace dymsum::apps
+}  // namespace dymsum::cspace

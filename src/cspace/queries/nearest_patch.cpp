@@ -6,11 +6,17 @@
 #include <numbers>
 #include <vector>
 
-namespace dymsum::apps {
+namespace dymsum::cspace {
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
-constexpr double kAngleMargin = 0x1p-46;
+// Of a position or an angle, times the sizes of both: hinges, lines, places on them and the distance, 16 to 64 each
+// (patch_forms.cpp, end_curve.cpp, stretch_distance.cpp).
+constexpr double kPosition = exact::rounding_bound(4 * 64, 1024);
+// Of the angle of a question from a stretch's reference: both doubles, and three differences of at most 8.
+constexpr double kAngle = exact::rounding_bound(12 + 3 * 4, 32);
+// Parts that are shorter, relatively or absolutely, are not halved any more; what they leave open is part of the error.
+constexpr double kShortPart = 0x1p-46, kShortest = 0x1p-80;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::uint64_t kMostBounds = 20000;  // what is left open then is part of the error
 
@@ -30,7 +36,7 @@ struct BoxedPart {
 
 // Positions and angles err by less than this, in the worst direction.
 double position_error(const PatchForms& forms, const DistanceQuestion& q) {
-  return 0x1p-43 * (forms.size() + std::abs(q.from.x) + std::abs(q.from.y) + q.weight);
+  return kPosition * (forms.size() + std::abs(q.from.x) + std::abs(q.from.y) + q.weight);
 }
 
 // The point at x of a stretch, `along` its edge.
@@ -171,7 +177,7 @@ class Search {
   }
   bool too_short(const BoxedPart& part, const PatchStretch& s) const {
     const double width = part.high - part.low;
-    if (!(width > 0x1p-46 * (std::abs(part.low) + std::abs(part.high)) && width > 0x1p-80)) return true;
+    if (!(width > kShortPart * (std::abs(part.low) + std::abs(part.high)) && width > kShortest)) return true;
     return !question_.whole_edges && (part.high <= s.surely_low || part.low >= s.surely_high);
   }
 
@@ -234,7 +240,7 @@ NearestPatch nearest_patch_at(const PatchForms& forms, const PatchTree& tree, co
       ++best.bounds;
       const StretchDistance distance(forms[s.patch], s, question, 0);
       StretchDistance::Nearest n = distance.nearest(x);
-      n.error += distance.drift(x, 0x1p-48);
+      n.error += distance.drift(x, kAngle);
       least = std::min(least, n.distance - n.error);
       if (!(n.distance + n.error < upper)) continue;
       upper = n.distance + n.error;
@@ -259,4 +265,4 @@ NearestPatch nearest_patch_at(const PatchForms& forms, const PatchTree& tree, co
   return best;
 }
 
-}  // namespace dymsum::apps
+}  // namespace dymsum::cspace

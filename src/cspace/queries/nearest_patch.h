@@ -4,7 +4,7 @@
 #include "cspace/queries/patch_tree.h"
 #include "cspace/queries/stretch_distance.h"
 
-namespace dymsum::apps {
+namespace dymsum::cspace {
 
 struct NearestPatch {
   double distance = 0;
@@ -21,4 +21,4 @@ NearestPatch nearest_patch(const PatchForms& forms, const PatchTree& tree, const
 /// end within 2^-45 of it may count or not. The error is infinite where an end moves too fast.
 NearestPatch nearest_patch_at(const PatchForms& forms, const PatchTree& tree, const DistanceQuestion& question);
 
-}  // namespace dymsum::apps
+}  // namespace dymsum::cspace

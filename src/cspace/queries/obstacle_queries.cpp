@@ -63,10 +63,10 @@ class ObstacleQueries::State {
   }
 
   const CspaceObstacle& obstacle;
-  apps::PatchForms forms;
-  apps::ContainmentIndex index;
+  cspace::PatchForms forms;
+  cspace::ContainmentIndex index;
   double gyration = 0;
-  apps::PatchTree tree;
+  cspace::PatchTree tree;
   mutable std::atomic<std::uint64_t> exact_answers{0}, bounds{0};
 };
 
@@ -108,7 +108,7 @@ std::vector<FreeAngles> ObstacleQueries::free_angles(double x, double y) const {
   if (!std::isfinite(x) || !std::isfinite(y))
     throw std::invalid_argument("ObstacleQueries::free_angles: the position is not finite");
   const State& s = *state_;
-  return apps::free_angles(s.obstacle, s.forms, {x, y}, [&](double theta) { return !contains({x, y, theta}); });
+  return cspace::free_angles(s.obstacle, s.forms, {x, y}, [&](double theta) { return !contains({x, y, theta}); });
 }
 
 double ObstacleQueries::largest_weight() const { return 0x1p40 * state_->forms.size() * state_->forms.unit(); }
@@ -122,7 +122,7 @@ Clearance ObstacleQueries::clearance(const Configuration& from, double weight, T
   const Configuration at{from.x, from.y, reduced(from.theta)};
   const std::optional<bool> sure = s.sure(at.x, at.y, at.theta);
   const bool overlaps = sure ? *sure : contains(from);
-  const auto found = apps::ClearanceSearch(s.obstacle, s.forms, s.tree)
+  const auto found = cspace::ClearanceSearch(s.obstacle, s.forms, s.tree)
                          .run({at, from.theta, weight, touching, overlaps, sure == false});
   s.bounds.fetch_add(found.bounds, std::memory_order_relaxed);
   return found.clearance;

@@ -11,8 +11,25 @@
 #include <set>
 #include <utility>
 
-namespace dymsum::apps {
+namespace dymsum::cspace {
 namespace {
+
+// Of a patch's end, in units of u.
+//   turned    a vector of length l by cosine, sine and angle, which err by 8 together: 8 sqrt(2) l, products and sum 2
+//   l. hinge     its turned part, the fixed part (1) and the sum: at most the size. crossing  of two lines, over the
+//   sine s of their angle: the difference of two positions (3) of at most the size
+//             times a unit vector (5), product, difference and quotient; the length on the edge times twice 5 and 2 for
+//             what the sine errs by.
+// Directions of edges that are short against the size err by more, as their ends do: that turns a line about its start
+// by no more than an end errs. Where the lines are so nearly parallel that this changes the sine, the bounds are larger
+// than the edge.
+constexpr double kHinge = exact::rounding_bound(14 + 1 + 1, 32);
+constexpr double kCrossing = exact::rounding_bound(12, 16);
+// Of the cross product of two turned vectors, times their lengths; and besides, of one with a gap, the quotient and the
+// product that make a place of it.
+constexpr double kCross = exact::rounding_bound(2 * 14 + 3 + (14 + 3) + 3, 128);
+// Of the ranges of a box, times the size: turned vectors, and a dozen of products and sums.
+constexpr double kBox = exact::rounding_bound(2 * 14 + 2 * 12, 8192);
 
 // Vertices by their numbers, and where the straight run that starts at each of them ends.
 struct Numbered {
@@ -92,8 +109,7 @@ class FormMaker {
       e.constant = (l.turns ? cross(b, m) : cross(a, m)) / s;
       e.cosine = (l.turns ? cross(a, m) : cross(b, m)) / s;
       e.sine = (l.turns ? dot(a, m) : -dot(b, m)) / s;
-      // Positions err by 2^-52 of the size, directions by 2^-52.
-      e.error = 0x1p-49 * (size_ + l.length) / std::abs(s);
+      e.error = kCrossing * (size_ + l.length) / std::abs(s);
       return;
     }
     e.parallel = l.turns ? std::atan2(cross(u, m), dot(u, m)) : std::atan2(cross(m, u), dot(m, u));
@@ -111,7 +127,7 @@ class FormMaker {
   static double farthest(const Numbered& n) {
     double most = 0;
     for (const Point& v : n.at) most = std::max(most, std::hypot(v.x, v.y));
-    return most * (1 + 0x1p-40);
+    return most * exact::kOutwards;
   }
   Numbered obstacle_, robot_;
   double size_ = 0;
@@ -139,21 +155,19 @@ PatchForms::PatchForms(const CspaceObstacle& obstacle) : per_unit_(per_unit_of(o
   for (const EventAngle& a : obstacle.angles()) angle_margin_ = std::max(angle_margin_, 2 * (a.high - a.low));
 }
 
-// With e = 2^-48 size: the cosine, the sine and the angle err by 2^-50 together, so that a rotated vector of length l
-// errs by less than 2^-49 l, and a hinge by e. The share is cross(gap, other) / cross(d, other): the gap errs by 2 e,
-// directions by 2^-49 of their length, products by 2^-51; what the share errs by is multiplied by the length of d, of
-// which the share itself is at most one.
+// The share is cross(gap, other) / cross(d, other): the gap errs by two hinges; what the share errs by is multiplied by
+// the length of d, of which the share itself is at most one.
 PlacedEnd PatchForms::end(const PatchForm& form, const PatchEnd& end, const Turn& turn) const {
-  const double e = 0x1p-48 * size_;
+  const double e = kHinge * size_;
   if (end.corner) return {place(end.hinge, turn), e};
   const Point s = place(form.own.start, turn), d = direction(form.own, turn);
   const Point gap = place(end.other.start, turn) - s, other = direction(end.other, turn);
   const double across = cross(d, other), share = std::clamp(cross(gap, other) / across, 0.0, 1.0);
   const double length = std::sqrt(dot(d, d)), product = length * std::sqrt(dot(other, other));
-  const double certain = std::abs(across) - 0x1p-46 * product - 0x1p-1000;
+  const double certain = std::abs(across) - kCross * product - exact::kUnderflow;
   if (!(certain > 0)) return {s, std::numeric_limits<double>::infinity()};
   const double wide = std::abs(gap.x) + std::abs(gap.y) + length;
-  return {{s.x + share * d.x, s.y + share * d.y}, 2 * e + (4 * e + 0x1p-46 * wide) * (product / certain)};
+  return {{s.x + share * d.x, s.y + share * d.y}, 2 * e + (4 * e + kCross * wide) * (product / certain)};
 }
 
 // The ends of all segments, each on the line of the contact.
@@ -162,7 +176,7 @@ PointRange PatchForms::box(const PatchForm& form, double theta, double half) con
   const PointRange arm = turning(turn * form.own.start.b, half);
   const Point a = form.own.start.a, d = form.own.turns ? turn * form.own.unit : form.own.unit;
   const PointRange along = form.own.turns ? turning(d, half) : PointRange{{d.x, d.x}, {d.y, d.y}};
-  const double margin = 0x1p-40 * size_;
+  const double margin = kBox * size_;
   PointRange box;
   for (const PatchEnd* end : {&form.left, &form.right}) {
     const Range at = EndCurve(*end, form.own.length, theta).range(-half, half);
@@ -190,4 +204,4 @@ void PatchForms::split(const CspaceObstacle& obstacle, std::uint32_t patch, doub
   add(-std::numbers::pi, end);
 }
 
-}  // namespace dymsum::apps
+}  // namespace dymsum::cspace

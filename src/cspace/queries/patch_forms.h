@@ -10,8 +10,9 @@
 #include "base/double_pair.h"
 #include "cspace/queries/range.h"
 #include "dymsum/cspace_obstacle.h"
+#include "exact/rounding_bound.h"
 
-namespace dymsum::apps {
+namespace dymsum::cspace {
 
 using base::DoublePair;
 
@@ -51,9 +52,11 @@ struct PatchEnd {
   double constant = 0, cosine = 0, sine = 0, error = 0, tangent = 0, parallel = 0;
   std::array<double, 2> gap{};
   std::array<DoublePair, 2> half_tangent{};
+  /// Any share is right: more angles are kept with more digits.
+  static constexpr double kFastShare = 0x1p-13;
   bool fast(int k, double length) const {
     const double g = std::abs(gap[static_cast<std::size_t>(k)]);
-    return g != 0 && g < 0x1p-13 * length;
+    return g != 0 && g < kFastShare * length;
   }
 };
 
@@ -68,6 +71,10 @@ struct PatchPiece {
   std::uint32_t patch = 0;
   double low = 0, high = 0;
 };
+
+/// More than event angles (kAngleDouble, and the width of their intervals) and the angles of questions (8 u) err,
+/// together.
+inline constexpr double kAngleMargin = exact::rounding_bound(2 * 12 + 8, 128);
 
 /// A position in doubles; each coordinate errs by at most `error`, infinite where the lines look parallel.
 struct PlacedEnd {
@@ -91,7 +98,7 @@ class PatchForms {
   /// reach().
   double size() const { return size_; }
   double reach() const { return reach_; }
-  /// More than event angles and the angles of questions err, together.
+  /// kAngleMargin, or twice the width of an event angle's interval.
   double angle_margin() const { return angle_margin_; }
 
   /// Proved: lines that coincide somewhere are not taken for granted.
@@ -106,7 +113,7 @@ class PatchForms {
   std::vector<PatchForm> forms_;
   Point origin_;
   double per_unit_ = 1;
-  double size_ = 0, reach_ = 0, angle_margin_ = 0x1p-46;
+  double size_ = 0, reach_ = 0, angle_margin_ = kAngleMargin;
 };
 
 inline double cross(Point a, Point b) { return a.x * b.y - a.y * b.x; }
@@ -118,4 +125,4 @@ inline Point direction(const ContactLine& l, const Turn& turn) { return l.turns 
 
 inline Point quarter(Point v) { return {-v.y, v.x}; }
 
-}  // namespace dymsum::apps
+}  // namespace dymsum::cspace

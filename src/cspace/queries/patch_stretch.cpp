@@ -4,10 +4,18 @@
 #include <numbers>
 #include <optional>
 
-namespace dymsum::apps {
+namespace dymsum::cspace {
 namespace {
-constexpr double kAngleError = 0x1p-48;  // of sums and differences of angles below 16, a few roundings each
-constexpr double kFast = 0x1p-10;        // radians from a pole, farther away a crossing takes its time
+// Of an angle from a reference: a multiple of a turn (4), its sum with the reference and the difference, 8 each as they
+// are below 16.
+constexpr double kAngleError = exact::rounding_bound(4 + 8 + 8, 32);
+constexpr double kFast = 0x1p-10;  // radians from a pole, farther away a crossing takes its time
+// Of the difference of two angles by tangents of their halves in pairs of doubles: relatively the arc tangent, its
+// argument's value and twice; absolutely what is left of pairs that cancel.
+constexpr double kDifference = exact::rounding_bound(2 + 2, 32), kCancelled = 0x1p-90;
+static_assert(kCancelled > 1000 * base::kPairError);
+// Of the ranges of a box, times the size: turned vectors (14), and a dozen of products and sums.
+constexpr double kBox = exact::rounding_bound(2 * 14 + 2 * 12, 8192);
 
 // Angles that a patch covers, counter-clockwise, and those that it surely has.
 struct Cover {
@@ -137,7 +145,7 @@ class StretchMaker {
       }
       return difference(*event, at);
     };
-    const auto error = [](double x) { return 0x1p-48 * std::abs(x) + 0x1p-90; };
+    const auto error = [](double x) { return kDifference * std::abs(x) + kCancelled; };
     if (cover.begin != Patch::kNone && std::abs(s.low) < kFast) {
       const double x = beyond(cover.begin);
       s.low = x - error(x);
@@ -200,7 +208,7 @@ StretchBox box_of(const PatchForms& forms, const PatchStretch& stretch) {
   const Range at{std::min(left.low, right.low), std::max(left.high, right.high)};
   const Range b_along = u.x * arm.x + u.y * arm.y, b_off = n.x * arm.x + n.y * arm.y;
   const Range along = u.x * line.x + u.y * line.y, off = n.x * line.x + n.y * line.y;
-  const double margin = 0x1p-40 * forms.size();
+  const double margin = kBox * forms.size();
   const Range wider{-margin, margin};
   const double from = stretch.reference - 4 * kAngleError, to = stretch.reference + 4 * kAngleError;
   const PointRange box{join(left * line.x, right * line.x), join(left * line.y, right * line.y)};
@@ -211,4 +219,4 @@ StretchBox box_of(const PatchForms& forms, const PatchStretch& stretch) {
           {from + stretch.low, to + stretch.high}};
 }
 
-}  // namespace dymsum::apps
+}  // namespace dymsum::cspace

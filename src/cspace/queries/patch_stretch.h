@@ -7,7 +7,7 @@
 #include "cspace/queries/end_curve.h"
 #include "cspace/queries/patch_forms.h"
 
-namespace dymsum::apps {
+namespace dymsum::cspace {
 
 /// The angles reference + x with x in [low, high] cover a part of a patch; with x in [surely_low, surely_high], if that
 /// is not empty, they belong to it. The cosine and the sine are those of the exact reference, which may differ from its
@@ -31,4 +31,4 @@ struct StretchBox {
 std::vector<PatchStretch> make_stretches(const CspaceObstacle& obstacle, const PatchForms& forms, double longest);
 StretchBox box_of(const PatchForms& forms, const PatchStretch& stretch);
 
-}  // namespace dymsum::apps
+}  // namespace dymsum::cspace

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <numeric>
 
-namespace dymsum::apps {
+namespace dymsum::cspace {
 namespace {
 
 constexpr std::uint32_t kLeaf = 4;
@@ -16,8 +16,11 @@ using Box = std::array<Range, 3>;  // x, y, theta
 
 Box join(const Box& a, const Box& b) { return {join(a[0], b[0]), join(a[1], b[1]), join(a[2], b[2])}; }
 
+// Of half a width, relatively: the difference from the middle, which is a double itself.
+constexpr double kHalf = exact::rounding_bound(1, 8);
+
 double middle(Range r) { return r.low / 2 + r.high / 2; }
-double half(Range r) { return std::max(r.high - middle(r), middle(r) - r.low) * (1 + 0x1p-50); }
+double half(Range r) { return std::max(r.high - middle(r), middle(r) - r.low) * (1 + kHalf); }
 
 // Splits stretches, by their numbers, until few are left.
 class Builder {
@@ -141,4 +144,4 @@ double square_distance(const PatchTree::Slab& slab, Point at, double theta, doub
   return u * u + v * v + squared(weight * angle_outside(slab.theta, slab.theta_half, theta));
 }
 
-}  // namespace dymsum::apps
+}  // namespace dymsum::cspace

@@ -7,7 +7,7 @@
 
 #include "cspace/queries/patch_stretch.h"
 
-namespace dymsum::apps {
+namespace dymsum::cspace {
 
 class PatchTree {
  public:
@@ -44,4 +44,4 @@ std::array<double, PatchTree::kWide> square_distances(const PatchTree::Node& nod
                                                       double weight);
 double square_distance(const PatchTree::Slab& slab, Point at, double theta, double weight);
 
-}  // namespace dymsum::apps
+}  // namespace dymsum::cspace

@@ -6,7 +6,7 @@
 
 #include "dymsum/region.h"
 
-namespace dymsum::apps {
+namespace dymsum::cspace {
 
 /// All values between low and high.
 struct Range {
@@ -46,4 +46,4 @@ inline PointRange turning(Point v, double half) {
   return {v.x * c + -v.y * s, v.y * c + v.x * s};
 }
 
-}  // namespace dymsum::apps
+}  // namespace dymsum::cspace

@@ -7,8 +7,14 @@
 #include <limits>
 
 #include "dymsum/cspace_obstacle.h"
+#include "exact/rounding_bound.h"
 
-namespace dymsum::apps {
+namespace dymsum::cspace {
+
+/// Of the distance of a point from a segment, times the sum M of all coordinates. Vectors between the points are at
+/// most M long. The unit vector errs by 6 of itself, the place along the segment by 6 + 3, the foot by 9 and two more
+/// operations of as much, the distance by the difference and its length.
+inline constexpr double kSegmentDistance = exact::rounding_bound(9 + 6 + 4 + 3, 128);
 
 /// The nearest point of one of several sets: the exact distance to it differs from `distance` by at most `error`, and
 /// no point of the sets is nearer than `least`.
@@ -23,10 +29,9 @@ struct NearestPlace {
     const double ux = length > 0 ? (b.x - a.x) / length : 1, uy = length > 0 ? (b.y - a.y) / length : 0;
     const double along = std::clamp((from.x - a.x) * ux + (from.y - a.y) * uy, 0.0, length);
     const Point foot{a.x + along * ux, a.y + along * uy};
-    // Each coordinate is rounded a few times, and the foot is nearest up to what it is off along the segment.
     const double size =
         std::abs(from.x) + std::abs(from.y) + std::abs(a.x) + std::abs(a.y) + std::abs(b.x) + std::abs(b.y);
-    add(std::hypot(from.x - foot.x, from.y - foot.y), off + 0x1p-46 * size, foot);
+    add(std::hypot(from.x - foot.x, from.y - foot.y), off + kSegmentDistance * size, foot);
   }
   void add(double d, double off, Point foot) {
     least = std::min(least, d - off);
@@ -39,4 +44,4 @@ struct NearestPlace {
   double total_error() const { return std::max(error, distance - least); }
 };
 
-}  // namespace dymsum::apps
+}  // namespace dymsum::cspace

@@ -1,6 +1,6 @@
 #include "cspace/queries/slice_distance.h"
 
-namespace dymsum::apps {
+namespace dymsum::cspace {
 namespace {
 
 void add_ring(const PlanarSum& slice, const SumRing& ring, Point from, NearestPlace& to) {
@@ -40,4 +40,4 @@ NearestPlace SliceDistance::to_boundary() const {
   return nearest;
 }
 
-}  // namespace dymsum::apps
+}  // namespace dymsum::cspace

@@ -4,7 +4,7 @@
 #include "cspace/queries/segment_distance.h"
 #include "dymsum/motion.h"
 
-namespace dymsum::apps {
+namespace dymsum::cspace {
 
 class SliceDistance {
  public:
@@ -24,4 +24,4 @@ class SliceDistance {
   bool touching_ = false, on_edge_ = false;
 };
 
-}  // namespace dymsum::apps
+}  // namespace dymsum::cspace

@@ -4,8 +4,14 @@
 #include <cmath>
 #include <limits>
 
-namespace dymsum::apps {
+namespace dymsum::cspace {
 namespace {
+
+// Of u and v, times the sizes of their terms: scalar and cross products with unit vectors (5 + 3 each), turned (2 * 4),
+// and sums. Of what is made of two of them, times the square of all sizes: both, the product and sums.
+constexpr double kCoordinate = exact::rounding_bound(8 + 8 + 2, 512), kSquare = exact::rounding_bound(2 * 18 + 6, 512);
+// A bound so near to the value is not improved any more: any share is right.
+constexpr double kNearEnough = 1 - 0x1p-34;
 
 double square(double v) { return v * v; }
 
@@ -49,7 +55,7 @@ StretchDistance::StretchDistance(const PatchForm& form, const PatchStretch& stre
   }
   h_ = stretch.c * p + stretch.s * q;
   k_ = stretch.c * q - stretch.s * p;
-  tolerance_ = 0x1p-44 * (std::abs(u0_) + std::abs(v0_) + std::abs(h_) + std::abs(k_));
+  tolerance_ = kCoordinate * (std::abs(u0_) + std::abs(v0_) + std::abs(h_) + std::abs(k_));
 }
 
 StretchDistance::Place StretchDistance::at(double x) const {
@@ -162,14 +168,14 @@ double StretchDistance::least_curvature(Part part, Range h, Range k, const EndCu
   const double size = square(reach) + weight2_;
   const auto falls = [&](double z) { return z * (v0_ + z); };
   const double most = std::max(falls(sign_ * k.low), falls(sign_ * k.high));
-  if (part == Part::line) return least_square(h) - most + weight2_ - 0x1p-44 * size;
+  if (part == Part::line) return least_square(h) - most + weight2_ - kSquare * size;
   if (end.first.low == 0 && end.first.high == 0) {
     const Range wave = (u0_ - end.value.low) * h + (sign_ * v0_) * k;
-    return weight2_ - wave.high - 0x1p-44 * size;
+    return weight2_ - wave.high - kSquare * size;
   }
   const Range speed = k - end.first, gap = u0_ + (h - end.value), faster = gap * (-1.0 * h - end.second);
   const double moving = square(magnitude(speed)) + magnitude(faster);
-  return least_square(speed) + faster.low + least_square(h) - most + weight2_ - 0x1p-44 * (size + moving);
+  return least_square(speed) + faster.low + least_square(h) - most + weight2_ - kSquare * (size + moving);
 }
 
 StretchDistance::Bound StretchDistance::lower(double low, double high, double enough) const {
@@ -195,7 +201,7 @@ StretchDistance::Bound StretchDistance::lower(double low, double high, double en
     const Parabola p = parabola(part, x);
     bound.x = x;
     best = std::max(best, least_of(p.value, p.slope, curvature, low - x, high - x));
-    if (best >= p.value * (1 - 0x1p-34)) break;
+    if (best >= p.value * kNearEnough) break;
     const double bend = std::max(p.curvature, curvature);
     const double next = bend > 0 ? std::clamp(x - p.slope / bend, low, high) : p.slope > 0 ? low : high;
     if (next == x) break;
@@ -206,4 +212,4 @@ StretchDistance::Bound StretchDistance::lower(double low, double high, double en
   return bound;
 }
 
-}  // namespace dymsum::apps
+}  // namespace dymsum::cspace

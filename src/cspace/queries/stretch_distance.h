@@ -4,7 +4,7 @@
 
 #include "cspace/queries/patch_stretch.h"
 
-namespace dymsum::apps {
+namespace dymsum::cspace {
 
 /// What is asked: distances in the metric dx^2 + dy^2 + weight^2 dtheta^2.
 struct DistanceQuestion {
@@ -64,4 +64,4 @@ class StretchDistance {
   double tolerance_ = 0;
 };
 
-}  // namespace dymsum::apps
+}  // namespace dymsum::cspace

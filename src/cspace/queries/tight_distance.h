@@ -3,7 +3,7 @@
 
 #include "cspace/queries/segment_distance.h"
 
-namespace dymsum::apps {
+namespace dymsum::cspace {
 
 struct NearestTight {
   NearestPlace place;  ///< by the metric dx^2 + dy^2 + weight^2 dtheta^2; infinitely far where nothing is tight
@@ -14,4 +14,4 @@ struct NearestTight {
 /// finite weight.
 NearestTight nearest_tight(const CspaceObstacle& obstacle, const Configuration& from, double weight);
 
-}  // namespace dymsum::apps
+}  // namespace dymsum::cspace

@@ -234,18 +234,22 @@ Place Arrangement::place(std::uint32_t s, const Cut& cut, double t, double t_err
   const double dx = soup_.dx(s), dy = soup_.dy(s);
   p.x = t == 1 ? b.bx : b.ax + t * dx;
   p.y = t == 1 ? b.by : b.ay + t * dy;
-  p.error = t == 0 || t == 1 ? soup_.point_error : step_error(t_error, dx, dy);
+  p.error = t == 0 || t == 1 ? soup_.point_error : soup_.step_error(t_error, dx, dy);
   return p;
 }
+
+// Of the denominators below, as shares: a component of a scaled vector; a cross product of two of them, times
+// (|u| + |v|) / |u - v|, and the factor with its product.
+constexpr double kLengthShare = exact::rounding_bound(3, 8), kCrossShare = exact::rounding_bound(8 + 2, 16);
 
 // |denominator| of a cut's parameter as the lattice takes it, for the mediant.
 double Arrangement::denominator(std::uint32_t s, const Cut& cut, double& relative_error) const {
   const double dx = soup_.dx(s), dy = soup_.dy(s);
-  relative_error = 0x1p-50;  // three roundings
+  relative_error = kLengthShare;
   if (cut.kind == Cut::Kind::pair) return dx != 0 ? std::abs(dx) : std::abs(dy);
   const Point b = soup_.lattice.vector(cut.by.edge);
   const double u = dx * b.y, v = dy * b.x, d = std::abs(u - v);
-  relative_error = d > 0 ? std::min(1.0, 0x1p-49 * (std::abs(u) + std::abs(v)) / d) : 1.0;
+  relative_error = d > 0 ? std::min(1.0, kCrossShare * (std::abs(u) + std::abs(v)) / d) : 1.0;
   // In the integers of the exact layer, against which the other kind of cut is measured once less.
   return d * soup_.lattice.integers_per_unit;
 }
@@ -256,7 +260,7 @@ std::optional<double> Arrangement::inner_parameter(Step at) const {
   const double e0 = k > 0 ? parameter_error(s, event(s, k - 1)) : 0;
   const double e1 = k < event_count(s) ? parameter_error(s, event(s, k)) : 0;
   const double middle = 0.5 * (t0 + t1);
-  if (!(middle - t0 > e0 + 0x1p-50 && t1 - middle > e1 + 0x1p-50)) return std::nullopt;
+  if (!(middle - t0 > e0 + kShareRoundings && t1 - middle > e1 + kShareRoundings)) return std::nullopt;
   return middle;
 }
 
@@ -275,7 +279,7 @@ Place Arrangement::sample(Step at) const {
   const double e0 = k > 0 ? parameter_error(at.segment, first[k - 1]) : 0.0;
   const double e1 = k < event_count(at.segment) ? parameter_error(at.segment, first[k]) : 0.0;
   const double t = t0 + weight * (t1 - t0);
-  const double error = e0 + e1 + std::abs(t1 - t0) * 2 * (error_from + error_to) + 0x1p-50;
+  const double error = e0 + e1 + std::abs(t1 - t0) * 2 * (error_from + error_to) + kShareRoundings;
   Place p = place(at.segment, from, t == 0 || t == 1 ? 0.5 : t, error + (t == 0 || t == 1 ? 0.5 : 0));
   p.second = to;
   p.between = true;

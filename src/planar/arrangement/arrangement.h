@@ -122,7 +122,7 @@ class Arrangement {
     if (k == event_count(s)) return {b.bx, b.by, soup_.point_error};
     const std::uint32_t e = event(s, k);
     const double dx = soup_.dx(s), dy = soup_.dy(s), t = parameter(s, e);
-    return {b.ax + t * dx, b.ay + t * dy, step_error(parameter_error(s, e), dx, dy)};
+    return {b.ax + t * dx, b.ay + t * dy, soup_.step_error(parameter_error(s, e), dx, dy)};
   }
   Cut start_cut(Step at) const;
   Cut end_cut(Step at) const;
@@ -179,11 +179,6 @@ class Arrangement {
   void link_rays(NodeBuffers& buffers, const Node& where);
   std::pair<std::uint32_t, std::uint32_t> equal_run(std::uint32_t s, std::uint32_t k) const;
   double denominator(std::uint32_t s, const Cut& cut, double& relative_error) const;
-  // The start, the step (t's own error, its rounding and the direction's) and the final sum.
-  double step_error(double t_error, double dx, double dy) const {
-    const double length = std::max(std::abs(dx), std::abs(dy));
-    return 2 * soup_.point_error + (t_error + 0x1p-51) * length + 0x1p-52 * soup_.lattice.span;
-  }
   // The k-th event of segment s, k < event_count(s); its parameter and a bound on the parameter's error.
   std::uint32_t event(std::uint32_t s, std::uint32_t k) const { return events_[first_event_[s] + k]; }
   double parameter(std::uint32_t s, std::uint32_t event) const {

@@ -130,8 +130,11 @@ Beneath beneath(const Operand& o, std::uint32_t edge, double margin) {
 Array<Span> uncovered_spans(const Soup& soup, double reach, std::size_t fewest, const Poll& poll) {
   // Looking at all edges of an operand once for every so many translates.
   constexpr std::size_t kEdgesEach = 8;
-  // Far beyond what lengths err by.
-  const double margin = 0x1p-40 * soup.lattice.span;
+  // Of a difference of two lengths, each the scalar product of a difference of two points (3 + 3 + 1 roundings of a
+  // coordinate) with a unit vector (3 + 2 + 1): 15 roundings of |x| + |y| <= sqrt(2) S, the product's among them, and
+  // the sum.
+  constexpr double kLengths = exact::rounding_bound(2 * (22 + 1) + 1, 8192);
+  const double margin = kLengths * soup.lattice.span;
   Array<Span> spans(soup.memory);
   Array<std::uint32_t> list(soup.memory);
   Array<Translate> family(soup.memory);

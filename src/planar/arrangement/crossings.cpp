@@ -70,7 +70,7 @@ inline bool one_side(double s, double t, double error) { return std::min(s, t) >
 
 // Two cross products' difference: perhaps zero.
 inline bool near_parallel(double u, double v) {
-  return std::abs(u - v) <= 0x1p-49 * (std::abs(u) + std::abs(v)) + 0x1p-1000;
+  return std::abs(u - v) <= kScaledEdgeCross * (std::abs(u) + std::abs(v)) + exact::kUnderflow;
 }
 
 #ifdef __SSE2__
@@ -111,7 +111,7 @@ inline bool CrossingFinder::undecided_strangers(const Probe& i, std::uint32_t j)
   if (one_side(o3, o4, b_error)) return false;
   const double u = a.dx * b.dy, v = a.dy * b.dx;
   if (opposite(o1, o2, i.error) && opposite(o3, o4, b_error)) {
-    if (!(8 * std::max(i.error, b_error) < 0.5 * Meetings::kFine * std::abs(u - v))) out_.rough = true;
+    if (!(kCrossingShares * std::max(i.error, b_error) < 0.5 * Meetings::kFine * std::abs(u - v))) out_.rough = true;
     add_crossing(i.segment, j, o3, o4, o1, o2);
     return false;
   }

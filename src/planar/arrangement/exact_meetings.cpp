@@ -13,7 +13,7 @@ void CrossingFinder::add_touch(std::uint32_t segment, WalkPair pair) {
   const double dx = soup_.dx(segment), dy = soup_.dy(segment);
   const bool by_x = std::abs(dx) > std::abs(dy);
   const double t = by_x ? (x - s.ax) / dx : (y - s.ay) / dy;
-  const double error = 4 * soup_.point_error / std::max(std::abs(dx), std::abs(dy)) + 0x1p-50;
+  const double error = kTouchShares * soup_.point_error / std::max(std::abs(dx), std::abs(dy)) + kShareRoundings;
   out_.touches.push_back({segment, pair, std::clamp(t, 0.0, 1.0), static_cast<float>(error)});
 }
 
@@ -82,7 +82,7 @@ void CrossingFinder::exact_test(std::uint32_t i, std::uint32_t j) {
     const double o3 = b_dx * (a.ay - b.ay) - b_dy * (a.ax - b.ax), o4 = b_dx * (a.by - b.ay) - b_dy * (a.bx - b.ax);
     out_.rough = true;
     const auto signed_magnitude = [](double o, int s, double error) { return s * std::max(std::abs(o), error * 0.5); };
-    const double a_error = soup_.error(i) + 0x1p-1000, b_error = soup_.error(j) + 0x1p-1000;
+    const double a_error = soup_.error(i) + exact::kUnderflow, b_error = soup_.error(j) + exact::kUnderflow;
     add_crossing(i, j, signed_magnitude(o3, s3, b_error), signed_magnitude(o4, s4, b_error),
                  signed_magnitude(o1, s1, a_error), signed_magnitude(o2, s2, a_error));
     return;

@@ -54,13 +54,11 @@ Place SegmentGraph::place(std::uint32_t s, const Stop& stop) const {
   p.on = soup_.exact(s);
   p.first = stop.cut;
   const SoupBox& b = soup_.boxes[s];
-  const double dx = soup_.dx(s), dy = soup_.dy(s), length = std::max(std::abs(dx), std::abs(dy));
+  const double dx = soup_.dx(s), dy = soup_.dy(s);
   const bool at_end = stop.t == 1 && stop.error == 0;
   p.x = at_end ? b.bx : b.ax + stop.t * dx;
   p.y = at_end ? b.by : b.ay + stop.t * dy;
-  // The start, the step (the parameter's error, its rounding and the direction's) and the final sum.
-  p.error = stop.error == 0 ? soup_.point_error
-                            : 2 * soup_.point_error + (stop.error + 0x1p-50) * length + 0x1p-51 * soup_.lattice.span;
+  p.error = stop.error == 0 ? soup_.point_error : soup_.step_error(stop.error, dx, dy);
   return p;
 }
 
@@ -203,9 +201,9 @@ Place SegmentGraph::sample(std::uint32_t edge) const {
   p.between = true;
   p.x = 0.5 * (a.x + b.x);
   p.y = 0.5 * (a.y + b.y);
-  // Anywhere between the ends; the factor covers the roundings here.
+  // Anywhere between the ends; the factor covers the roundings of the distance, the rest those of the middle.
   p.error = 0.625 * std::max(std::abs(b.x - a.x), std::abs(b.y - a.y)) + 2 * (a.error + b.error) +
-            0x1p-51 * soup_.lattice.span;
+            kStepSum * soup_.lattice.span;
   return p;
 }
 

@@ -2,6 +2,7 @@
 // segment, and the segment itself for exact signs; which segments there are, and why, is not known here.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -10,6 +11,7 @@
 #include "base/scratch.h"
 #include "planar/operand/lattice.h"
 #include "planar/operand/operand.h"
+#include "planar/operand/sum_bounds.h"
 
 namespace dymsum::planar {
 
@@ -27,17 +29,14 @@ inline SoupBox moved(const EdgeBox& e, double x, double y) {
   return {e.ax + x, e.ay + y, e.bx + x, e.by + y, e.dx, e.dy};
 }
 
-/// The error of a sum of two vertices: two rounded coordinates, and the sum rounded.
-inline double sum_error(const Lattice& lattice) { return lattice.exact_doubles ? 0 : 0x1p-51 * lattice.span; }
+/// The error of a sum of two vertices.
+inline double sum_error(const Lattice& lattice) { return lattice.exact_doubles ? 0 : kSumPoint * lattice.span; }
 
 class Soup {
  public:
   Soup(const Lattice& lattice, const Operand& p, const Operand& q, Scratch* memory = nullptr)
       : lattice(lattice), operands{&p, &q}, segments(memory), boxes(memory), memory(memory) {
-    const double roundings = lattice.span;
-    // cross(d, v - a): d once rounded, v and a two roundings each and one more for the difference, two products, one
-    // sum; at most 16 roundings of |d|_1 span.
-    side_error = lattice.exact_doubles ? 0 : 0x1p-49 * roundings;
+    side_error = lattice.exact_doubles ? 0 : kSumSide * lattice.span;
     point_error = sum_error(lattice);
   }
 
@@ -66,12 +65,14 @@ class Soup {
   /// |cross computed in doubles - exact| is at most this for the directed line of s.
   double error(std::uint32_t s) const { return side_error * (std::abs(dx(s)) + std::abs(dy(s))); }
 
-  /// A bound on the error of the parameter of s where it crosses t properly, computed from its ends' sides of t.
-  /// Numerator and denominator err by at most 1.5 and 3 side errors; the quotient is at most 1 and rounded twice. The
-  /// denominator is the cross product of the directions but for one side error; where it is so small that 8 side errors
-  /// are not enough, the bound is larger than 1.
+  /// A bound on the error of the parameter of s where it crosses t properly, computed from its ends' sides of t. It is
+  /// at least 1 where the directions are too nearly parallel.
   double parameter_error(std::uint32_t s, std::uint32_t t) const {
-    return 8 * error(t) / std::abs(dx(s) * dy(t) - dy(s) * dx(t)) + 0x1p-50;
+    return kCrossingShares * error(t) / std::abs(dx(s) * dy(t) - dy(s) * dx(t)) + kShareRoundings;
+  }
+  /// Of each coordinate of start + t d, where t errs by `t_error`.
+  double step_error(double t_error, double dx, double dy) const {
+    return 2 * point_error + (t_error + kStepLength) * std::max(std::abs(dx), std::abs(dy)) + kStepSum * lattice.span;
   }
 
   WalkPair start(std::uint32_t s) const {
@@ -92,8 +93,7 @@ class Soup {
 
   int cross(std::uint32_t s, std::uint32_t t) const {
     const double a = dx(s) * dy(t), b = dy(s) * dx(t), value = a - b;
-    // Scaled components carry three roundings each: seven in a product, one in the difference.
-    const double bound = 0x1p-49 * (std::abs(a) + std::abs(b)) + 0x1p-1000;
+    const double bound = kScaledEdgeCross * (std::abs(a) + std::abs(b)) + exact::kUnderflow;
     if (value > bound) return 1;
     if (value < -bound) return -1;
     if (lattice.exact_doubles) return (value > 0) - (value < 0);

@@ -129,7 +129,7 @@ SortedLoops verify_loops(const Soup& soup, const Arrangement& arrangement, Array
   return out;
 }
 
-// Doubles worse than this share of the span are replaced by the rounded exact position.
+// Doubles worse than this share of the span are replaced by the rounded exact position. Any value is right.
 constexpr double kPoor = 0x1p-38;
 
 double position_error(const Soup& soup, const Place& place) { return std::min(place.error, kPoor * soup.lattice.span); }
@@ -152,9 +152,13 @@ SumVertex vertex_of(const Soup& soup, std::uint32_t in, std::uint32_t out, const
   return v;
 }
 
-// The sum of the offsets and the final sum are rounded.
+// The sum of the offsets errs by u of itself, the final sum by u of itself and by no more than what is added to the
+// base: with R the reach and S the span, both by at most 2 u (R + S). (By 2 u R + u S, but for terms of u^2 R; those
+// are less than u S where S > u R, and else the final sum errs by S at most.)
+constexpr double kInput = 2 * exact::kRoundoff;
+
 double rounding_error(const Lattice& lattice) {
-  return 0x1p-52 * (lattice.base_reach + lattice.span * lattice.unit) + lattice.base_error;
+  return kInput * (lattice.base_reach + lattice.span * lattice.unit) + lattice.base_error;
 }
 
 double input_error(const Lattice& lattice, double grid_error) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "planar/operand/sum_bounds.h"
+
 namespace dymsum::planar {
 
 Collision::Collision(const Lattice& lattice, const Operand& p, const Operand& q, bool use_tree)
@@ -70,8 +72,7 @@ int Collision::side(std::uint32_t op, std::uint32_t edge, std::uint32_t vertex) 
   const double ex = o.ex[edge], ey = o.ey[edge];
   const double sx = o.x[edge] + other.x[vertex], sy = o.y[edge] + other.y[vertex];
   const double value = ex * (x_->y - sy) - ey * (x_->x - sx);
-  // The place's error, and at most 16 roundings as for segments (soup.h).
-  const double bound = (std::abs(ex) + std::abs(ey)) * (x_->error + 0x1p-49 * lattice_.span);
+  const double bound = (std::abs(ex) + std::abs(ey)) * (x_->error + kSumSide * lattice_.span);
   if (value > bound || value < -bound) {
     ++counts_.filtered;
     return value > 0 ? 1 : -1;
@@ -140,7 +141,7 @@ bool Collision::test(const Place& x) {
 bool Collision::test_components(std::uint32_t p_component, std::uint32_t q_component) {
   using Node = EdgeTree::Node;
   const EdgeTree &tp = operands_[0]->trees()[p_component], &tq = operands_[1]->trees()[q_component];
-  const double margin = x_->error + 0x1p-49 * lattice_.span;
+  const double margin = x_->error + kSumBox * lattice_.span;
   const Component &cp = operands_[0]->components[p_component], &cq = operands_[1]->components[q_component];
   const bool parallelogram = cp.dimension != 2 && cq.dimension != 2;
   const auto apart = [&](const Node& a, const Node& b) {
@@ -202,7 +203,7 @@ bool Collision::edges_cross(std::uint32_t e, std::uint32_t f) {
   const auto sides = [&](std::uint32_t op, std::uint32_t edge, std::uint32_t other_edge) {
     const Operand &o = *operands_[op], &other = *operands_[1 - op];
     const double ex = o.ex[edge], ey = o.ey[edge], ax = x_->x - o.x[edge], ay = x_->y - o.y[edge];
-    const double bound = (std::abs(ex) + std::abs(ey)) * (x_->error + 0x1p-49 * lattice_.span);
+    const double bound = (std::abs(ex) + std::abs(ey)) * (x_->error + kSumSide * lattice_.span);
     const auto value = [&](std::uint32_t v) { return ex * (ay - other.y[v]) - ey * (ax - other.x[v]); };
     const double s = value(other_edge), t = value(other.next[other_edge]);
     return (s > bound && t < -bound) || (s < -bound && t > bound);
@@ -300,7 +301,7 @@ bool Collision::cones_overlap(std::uint32_t i, bool whole_edge_p, std::uint32_t 
 int Collision::height(std::uint32_t holder, std::uint32_t a, std::uint32_t v) {
   const Operand &o = *operands_[holder], &other = *operands_[1 - holder];
   const double value = o.y[a] + other.y[v] - x_->y;
-  const double bound = x_->error + 0x1p-50 * lattice_.span;
+  const double bound = x_->error + kSumHeight * lattice_.span;
   if (value > bound || value < -bound) return value > 0 ? 1 : -1;
   ++counts_.exact;
   int exact = 0;
@@ -322,7 +323,7 @@ int Collision::height(std::uint32_t holder, std::uint32_t a, std::uint32_t v) {
 bool Collision::contains_vertex(std::uint32_t holder, const EdgeTree& tree, std::uint32_t vertex) {
   const Operand &o = *operands_[holder], &other = *operands_[1 - holder];
   const double vx = x_->x - other.x[vertex], vy = x_->y - other.y[vertex];
-  const double margin = x_->error + 0x1p-49 * lattice_.span;
+  const double margin = x_->error + kSumBox * lattice_.span;
   int winding = 0;
   std::array<std::uint32_t, 64> stack;
   std::size_t top = 0;

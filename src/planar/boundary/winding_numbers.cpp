@@ -31,7 +31,7 @@ int winding_right_of(const Tracing& tracing, const Place& x) {
     const int h = lattice.compare_coordinate(soup.exact(v), x, 1);
     return h != 0 ? h : tie;
   };
-  const double margin = x.error + 2 * soup.point_error + 0x1p-50 * lattice.span;
+  const double margin = x.error + 2 * soup.point_error + kSumHeight * lattice.span;
   int winding = 0;
   for (std::uint32_t s = 0; s < soup.size(); ++s) {
     const SoupBox& b = soup.boxes[s];

@@ -8,6 +8,7 @@
 
 #include "exact/big.h"
 #include "exact/grid.h"
+#include "exact/one_rounding.h"
 #include "exact/orient.h"
 #include "planar/turning/turn.h"
 
@@ -19,12 +20,26 @@ using exact::BigRational;
 
 constexpr double kNever = -std::numeric_limits<double>::infinity();
 
+// Of a coordinate of a unit vector, in units u of itself: its own rounding and the quotient's, and the length's, that
+// of a square root (1) of a sum of squares (2 + 1 + 1, halved).
+constexpr int kUnit = 2 + 3;
+/// Of the sign's form, times the sum of the map's entries: two unit vectors and an entry (1) make a term, with two
+/// products and two sums; coordinates of unit vectors are at most 1.
+constexpr double kSignError = exact::rounding_bound(2 * kUnit + 1 + 2 + 2, 32);
+/// Of the spectral norm of c T - I for T = new old^-1, times c. Entries of the maps are less than 2 and carry 1; those
+/// of T are sums of two products of at most 4, so they err by 2 * 4 * 3 + 8 = 32, and c T and the difference from I
+/// are rounded: 2 * 8. Norms err by twice what entries do.
+constexpr double kTurnError = exact::rounding_bound(2 * (32 + 16), 128);
+/// What a certificate leaves out of the angle that it holds for: a margin is at most the norm, its difference from the
+/// error, the quotient and the difference from this bound are rounded.
+constexpr double kMarginError = exact::rounding_bound(3, 8192);
+
 /// Strictly convex, counter-clockwise. Edge k runs from vertex k to the next one.
 struct Polygon {
   std::vector<std::uint32_t> source;  // numbers in the region
   std::vector<Point> at;
   std::vector<std::array<BigInteger, 2>> edge;  // on a grid of the polygon's own
-  std::vector<Point> direction;                 // unit vectors, error below 2^-50
+  std::vector<Point> direction;                 // unit vectors, up to kUnit of each coordinate
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(at.size()); }
   std::uint32_t after(std::uint32_t k) const { return k + 1 == size() ? 0 : k + 1; }
@@ -99,20 +114,19 @@ using Mat2 = std::array<double, 4>;
 
 /// The largest and the product of the singular values come from these two circles.
 double spectral_norm(const Mat2& m) {
-  return (std::hypot(m[0] + m[3], m[2] - m[1]) + std::hypot(m[0] - m[3], m[1] + m[2])) / 2 * (1 + 0x1p-40);
+  return (std::hypot(m[0] + m[3], m[2] - m[1]) + std::hypot(m[0] - m[3], m[1] + m[2])) / 2 * exact::kOutwards;
 }
 
 /// How far directions turn between two maps that are not far apart, at most; 4, more than any angle, otherwise. As in
-/// space: T = new old^-1 = I + E moves a vector v by at most |E v|. Entries of at most 2 with relative errors of 2^-53:
-/// those of T err by less than 2^-48, its norm by less than 2^-46.
+/// space: c T = I + E moves a vector v by at most |E v|.
 double turn_between(const Mat2& before, const Mat2& now) {
   const Mat2 t{now[0] * before[3] - now[1] * before[2], now[1] * before[0] - now[0] * before[1],
                now[2] * before[3] - now[3] * before[2], now[3] * before[0] - now[2] * before[1]};
   const double trace = t[0] + t[3];
   if (!(trace > 0)) return 4;
   const double c = 2 / trace;
-  const double e = spectral_norm({c * t[0] - 1, c * t[1], c * t[2], c * t[3] - 1}) + 0x1p-46 * c;
-  return e < 0.4 ? std::asin(e) * (1 + 0x1p-40) : 4;
+  const double e = spectral_norm({c * t[0] - 1, c * t[1], c * t[2], c * t[3] - 1}) + kTurnError * c;
+  return e < 0.4 ? std::asin(e) * exact::kOutwards : 4;
 }
 
 }  // namespace
@@ -153,11 +167,9 @@ void ConvexPolygonSum::State::turn_to(const PlanarPose& p_to, const PlanarPose& 
   const BigRational unit(BigInteger(1), BigInteger(1) << static_cast<unsigned>(msb(most)));
   const Mat2 before = approx;
   for (int k = 0; k < 4; ++k) approx[k] = exact::round_to_double(BigRational(map[k]) * unit);
-  clock += turn_between(before, approx);
+  clock = (clock + turn_between(before, approx)) * exact::kUp;
   norm = spectral_norm(approx);
-  // Factors with errors 2^-50, 2^-53, 2^-50 and at most five roundings of 2^-53 in every term; four terms, |u_i v_j|
-  // <= 1.
-  error = 0x1p-48 * (std::abs(approx[0]) + std::abs(approx[1]) + std::abs(approx[2]) + std::abs(approx[3]));
+  error = kSignError * (std::abs(approx[0]) + std::abs(approx[1]) + std::abs(approx[2]) + std::abs(approx[3]));
 }
 
 BigInteger ConvexPolygonSum::State::cross(std::uint32_t i, std::uint32_t j) const {
@@ -201,7 +213,7 @@ void ConvexPolygonSum::State::climb(std::uint32_t i, std::uint32_t from) {
   if (v == from)
     for (; sign(i, q.before(v)) > 0; ++work.steps) v = q.before(v);
   const double margin = std::min(std::abs(value(i, v)), std::abs(value(i, q.before(v)))) - error;
-  until[i] = clock + margin / norm - 0x1p-40;
+  until[i] = (clock + (margin / norm - kMarginError)) * exact::kDown;
   extreme[i] = v;
 }
 

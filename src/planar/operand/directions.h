@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/own_memory.h"
+#include "exact/rounding_bound.h"
 #include "planar/operand/lattice.h"
 
 namespace dymsum::planar {
@@ -24,13 +25,15 @@ struct DirectionList {
 };
 inline constexpr std::uint32_t kNoRank = 0xffffffff;
 
-/// Monotone in the angle, in [0, 4]. Its error: the vector's components carry one rounding each, sum, quotient and
-/// difference one more each, all of quantities at most 4.
+/// Monotone in the angle, in [0, 4].
 inline double pseudo_angle(double x, double y) {
   const double c = x / (std::abs(x) + std::abs(y));
   return y > 0 || (y == 0 && x > 0) ? 1 - c : 3 + c;
 }
-inline constexpr double kAngleError = 0x1p-48;
+/// Of the pseudo-angle of a vector whose components carry three roundings each, of a scaled one: a change of x by d of
+/// itself changes x / (|x| + |y|) by |x y| / (|x| + |y|)^2 d <= d / 4, so components make 2 * 3 / 4, sum and quotient
+/// 1 each, and the final sum, which is less than 4, makes 2. Two of them are compared, and the bound's own sum makes 2.
+inline constexpr double kAngleError = exact::rounding_bound(2 * 6 + 2, 32);
 
 /// The order of directions: by half plane (angles [0, pi) first), then counter-clockwise. -1, 0, 1.
 int compare_directions(const Lattice& lattice, const Edge& d, const Edge& e);

@@ -18,6 +18,10 @@ namespace dymsum::planar {
 namespace {
 
 using exact::Big;
+
+// Of places in pairs of doubles, times the sizes of their terms: integers; the quotient, the product and the sum.
+constexpr double kNearVertex = 2 * exact::kIntegerPairError, kNearCrossing = 8 * base::kPairError;
+static_assert(3 * base::kPairError + 8 * exact::kIntegerPairError < kNearCrossing);
 using exact::BigRational;
 
 // Widths for coordinates |X| <= 2^B: edge vectors B + 1 bits, pair sums B + 1, their differences B + 2, side and along
@@ -149,7 +153,6 @@ class LatticeOf final : public Lattice {
     const Homogeneous zero = in_input(origin()[0], origin()[1], 1), one = in_input(1, 0, 1);
     return NearFrame{{one.x, one.w}, {zero.x, zero.w}, {zero.y, zero.w}};
   }
-  // Integers err by 2^-104 of themselves, the quotient, the product and the sum by 2^-100 of theirs.
   NearPosition near(const Place& x) const override {
     using exact::integer_pair;
     const SumVec s = sum(start_of(x.on));
@@ -159,12 +162,12 @@ class LatticeOf final : public Lattice {
     const base::DoublePair sx = integer_pair(s.x), sy = integer_pair(s.y), dx = integer_pair(d.x) * t,
                            dy = integer_pair(d.y) * t;
     const double reach = std::abs(sx.high) + std::abs(sy.high) + std::abs(dx.high) + std::abs(dy.high);
-    return {sx + dx, sy + dy, reach * 0x1p-97};
+    return {sx + dx, sy + dy, reach * kNearCrossing};
   }
   NearPosition near(Pair v) const override {
     const SumVec s = sum(v);
     const base::DoublePair x = exact::integer_pair(s.x), y = exact::integer_pair(s.y);
-    return {x, y, (std::abs(x.high) + std::abs(y.high)) * 0x1p-103};
+    return {x, y, (std::abs(x.high) + std::abs(y.high)) * kNearVertex};
   }
 
   const SharedIntegers& unscaled_integers() const override { return unscaled(); }
@@ -375,6 +378,9 @@ Lattice::Position Lattice::position(Pair v) const { return reduced(homogeneous(v
 
 namespace {
 
+// Of a scaled offset.
+constexpr double kScaledBase = exact::rounding_bound(2, 4);
+
 // The sum of both offsets in input coordinates, and how it errs.
 void add_offsets(LatticeDoubles& lattice, const std::optional<LatticeScale>& scale) {
   for (std::uint32_t op = 0; op < 2; ++op) {
@@ -386,7 +392,7 @@ void add_offsets(LatticeDoubles& lattice, const std::optional<LatticeScale>& sca
     lattice.base.y += at.y;
     lattice.base_reach += std::abs(at.x) + std::abs(at.y);
     // The factor and the product are rounded.
-    if (scaled) lattice.base_error = 0x1p-51 * (std::abs(at.x) + std::abs(at.y));
+    if (scaled) lattice.base_error = kScaledBase * (std::abs(at.x) + std::abs(at.y));
   }
 }
 

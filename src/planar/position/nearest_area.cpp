@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "exact/rounding_bound.h"
 #include "planar/position/exact_area.h"
 #include "planar/position/exact_source.h"
 
@@ -33,8 +34,9 @@ const ExactSource& source_of(const PlanarSum& sum) {
 BigRational exact_value(DoublePair v) { return exact::exact_value(v.high) + exact::exact_value(v.low); }
 
 /// Twice the area in pairs of doubles, with its error. The cross product of positions a and b that err by e and f errs
-/// by (|ax| + |ay|) f + (|bx| + |by|) e + 2 e f, and each of its operations by 2^-100 of its result, or less than
-/// 2^-1000 where that underflows. The error is added up in doubles, hence the factor in the end.
+/// by (|ax| + |ay|) f + (|bx| + |by|) e + 2 e f, and each of its operations by kPairError of its result, or less
+/// than kUnderflow where that underflows. The error is added up in doubles, hence the factor in the end: a rounding for
+/// each of at most 2^32 vertices.
 class PairSum {
  public:
   explicit PairSum(const ExactSource& source) : source_(source) {}
@@ -51,15 +53,18 @@ class PairSum {
   }
 
   DoublePair twice() const { return twice_; }
-  double error() const { return error_ * (1 + 0x1p-10); }
+  double error() const { return error_ * kAddedUp; }
 
  private:
+  static constexpr double kAddedUp = 1 + 0x1p-10;
+
   void add(const ExactSource::NearPosition& a, const ExactSource::NearPosition& b) {
     const DoublePair left = a.x * b.y, right = b.x * a.y;
     twice_ = twice_ + (left - right);
     error_ += (std::abs(a.x.high) + std::abs(a.y.high)) * b.error +
               (std::abs(b.x.high) + std::abs(b.y.high)) * a.error + 2 * a.error * b.error +
-              0x1p-100 * (2 * (std::abs(left.high) + std::abs(right.high)) + std::abs(twice_.high)) + 0x1p-1000;
+              base::kPairError * (2 * (std::abs(left.high) + std::abs(right.high)) + std::abs(twice_.high)) +
+              exact::kUnderflow;
   }
 
   const ExactSource& source_;

@@ -16,14 +16,18 @@ DoublePair pair_of(const exact::BigRational& v) {
   return {high, exact::round_to_double(exact::BigRational(v - exact::exact_value(high)))};
 }
 
-/// The double nearest to origin + unit v, |v - exact| <= error, if this is sure. The product and the sum err by 2^-99
-/// of themselves, with the error of their factors; rounding is monotone, so where both ends of what is possible round
-/// to one double, all of it does. Below 2^-800 error terms may underflow.
+/// Of origin + unit v, times the sizes of both terms: unit and origin (2^-105), the product and the sum.
+constexpr double kMoved = 4 * base::kPairError;
+/// Error terms below may underflow, sums above overflow.
+constexpr double kLeast = 0x1p-800, kMost = 0x1p1000;
+
+/// The double nearest to origin + unit v, |v - exact| <= error, if this is sure. Rounding is monotone, so where both
+/// ends of what is possible round to one double, all of it does; twice as much covers the roundings of these ends.
 std::optional<double> nearest(DoublePair origin, DoublePair unit, DoublePair v, double error) {
   const DoublePair moved = unit * v, at = origin + moved;
   const double reach = std::abs(origin.high) + std::abs(moved.high);
-  const double e = 2 * (error * std::abs(unit.high) + 0x1p-98 * reach);
-  if (!(std::abs(at.high) > 0x1p-800 && reach < 0x1p1000)) return std::nullopt;
+  const double e = 2 * (error * std::abs(unit.high) + kMoved * reach);
+  if (!(std::abs(at.high) > kLeast && reach < kMost)) return std::nullopt;
   if (at.high + (at.low + e) == at.high && at.high + (at.low - e) == at.high) return at.high;
   return std::nullopt;
 }

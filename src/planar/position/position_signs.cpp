@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <utility>
+
+#include "exact/rounding_bound.h"
 
 namespace dymsum {
 
@@ -95,7 +96,7 @@ int compare(const Spot& a, const Spot& b) {
 // cover the rounding of the bound itself. kTiny covers coordinates rounded to subnormals, kSmallest products that
 // underflow. Infinite or NaN values fail the last comparison.
 int orientation_filtered(Point a, Point b, Point c) {
-  constexpr double u = std::numeric_limits<double>::epsilon() / 2, kTiny = 0x1p-1070, kSmallest = 0x1p-400;
+  constexpr double u = exact::kRoundoff, kTiny = 0x1p-1070, kSmallest = 0x1p-400;
   const double ex = 4 * u * std::max({std::fabs(a.x), std::fabs(b.x), std::fabs(c.x)}) + kTiny;
   const double ey = 4 * u * std::max({std::fabs(a.y), std::fabs(b.y), std::fabs(c.y)}) + kTiny;
   const double qx = b.x - a.x, qy = b.y - a.y, rx = c.x - a.x, ry = c.y - a.y;

@@ -7,6 +7,7 @@
 #include "planar/operand/lattice.h"
 #include "planar/operand/operand.h"
 #include "planar/operand/prepared_region.h"
+#include "planar/operand/sum_bounds.h"
 
 namespace dymsum {
 namespace {
@@ -41,7 +42,7 @@ std::optional<Place> place_of(const Query& query) {
   x.first.pair = query.z;
   x.x = l.points[0]->x[query.z.p] + l.points[1]->x[query.z.q];
   x.y = l.points[0]->y[query.z.p] + l.points[1]->y[query.z.q];
-  x.error = l.exact_doubles ? 0 : 0x1p-51 * l.span;  // two rounded coordinates and their rounded sum
+  x.error = l.exact_doubles ? 0 : kSumPoint * l.span;
   for (std::uint32_t op = 0; op < 2; ++op) {
     const std::uint32_t own = op == 0 ? query.z.p : query.z.q, other = op == 0 ? query.z.q : query.z.p;
     for (std::uint32_t v = 0; v < own; ++v)

@@ -2,17 +2,22 @@
 
 #include <cstddef>
 
+#include "exact/rounding_bound.h"
 #include "planar/convolution/convolution.h"
 
 namespace dymsum::planar {
 namespace {
 
-// The largest holes tell mostly, by their rounded extents, which err by some roundings of the operands' sizes.
+// Of the difference of two extents, times the sum of both operands' sizes: coordinates (3), their differences, what is
+// left and the error taken off, 3 + 1 + 1 + 1 roundings of one extent and 3 + 1 + 1 of the other.
+constexpr double kExtents = exact::rounding_bound(11, 128);
+
+// The largest holes tell mostly, by their rounded extents.
 bool all_filled(const Lattice& lattice, const Operand& holed, const Operand& other) {
   if (holed.loops.size() == 1) return true;
   const Component &c = holed.components[0], &d = other.components[0];
   const PlacedPoints &a = *lattice.points[holed.op], &b = *lattice.points[other.op];
-  const double error = 0x1p-46 * (a.width + a.height + b.width + b.height);
+  const double error = kExtents * (a.width + a.height + b.width + b.height);
   const Loop &widest = holed.loops[c.widest_hole], &tallest = holed.loops[c.tallest_hole], &outer = other.loops[0];
   if (a.x[widest.max_x] - a.x[widest.min_x] < b.x[outer.max_x] - b.x[outer.min_x] - error) return true;
   if (a.y[tallest.max_y] - a.y[tallest.min_y] < b.y[outer.max_y] - b.y[outer.min_y] - error) return true;

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "dymsum/planar_sum.h"
+#include "exact/rounding_bound.h"
 
 namespace dymsum {
 namespace {
@@ -25,15 +26,18 @@ double largest_coordinate(const Region& region) {
 
 }  // namespace
 
-// A vertex of the sum is rounded by at most 2^-53 of its coordinates, and so is every edge; a disc that is larger by
-// more than that holds the given one whichever way the edges move. Sine, cosine and products err by less than 2^-50.
+// Of coordinates: a vertex of the sum is rounded once, and so is every edge; a vertex of the disc three times.
+constexpr double kMoved = exact::rounding_bound(2 + 3, 8);
+
+// A disc that is larger by more than what vertices and edges are moved by holds the given one whichever way they move.
 Result<GrownRegion> grown(const Region& region, double margin, int sides) {
   if (!(margin >= 0 && margin <= 0x1p400))
     return Error{ErrorCode::out_of_range, "a margin is a number from 0 to 2^400", {}};
   if (sides < 3 || sides > 4096) return Error{ErrorCode::out_of_range, "a margin has 3 to 4096 sides", {}};
   if (margin == 0) return GrownRegion{region, 0, 0};
   const double half = std::numbers::pi / sides, coordinates = largest_coordinate(region) + 4 * margin;
-  const double inner = margin * (1 + 0x1p-40) + 0x1p-50 * coordinates, outer = inner / std::cos(half) * (1 + 0x1p-40);
+  const double inner = margin * exact::kOutwards + kMoved * coordinates,
+               outer = inner / std::cos(half) * exact::kOutwards;
   Part polygon;
   for (int k = 0; k < sides; ++k) {
     const double angle = (2 * k + 1) * half;
@@ -45,7 +49,7 @@ Result<GrownRegion> grown(const Region& region, double margin, int sides) {
   if (!sum) return sum.error();
   Result<Region> rounded = sum->rounded();
   if (!rounded) return rounded.error();
-  return GrownRegion{std::move(rounded).value(), margin, outer * (1 + 0x1p-40) + 0x1p-50 * coordinates};
+  return GrownRegion{std::move(rounded).value(), margin, outer * exact::kOutwards + kMoved * coordinates};
 }
 
 }  // namespace dymsum

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "exact/rational_text.h"
+#include "exact/rounding_bound.h"
 #include "planar/turning/angle_reduction.h"
 #include "planar/turning/turn.h"
 
@@ -72,12 +73,15 @@ Result<Orientation> Orientation::nearest(double radians) {
   return planar::orientation_of(BigRational(1 / exact::exact_value(back)));
 }
 
+// Of the error that is allowed a share is kept for what tangents lose, and what the reduced angle errs by; below the
+// shortest one the nearest orientation is as good.
+constexpr double kShare = 0.99, kReduced = exact::rounding_bound(4, 8), kShortest = exact::rounding_bound(16, 32);
+
 Result<Orientation> Orientation::nearest(double radians, double error) {
   if (!std::isfinite(radians) || !(error > 0))
     return Error{ErrorCode::bad_rotation, "an angle has to be finite, and its error positive", {}};
-  // Less than that by what is rounded here.
-  const double theta = planar::reduced_angle(radians), e = 0.99 * error - 0x1p-50;
-  if (e < 0x1p-48) return nearest(radians);
+  const double theta = planar::reduced_angle(radians), e = kShare * error - kReduced;
+  if (e < kShortest) return nearest(radians);
   if (std::abs(theta) <= e) return Orientation{};
   if (std::abs(theta) + e >= std::numbers::pi) return half_turn();
   // The tangent of half the rest to half a turn is one over that of half the angle.

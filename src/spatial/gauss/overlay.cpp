@@ -88,7 +88,7 @@ bool Overlay::climb(int op, std::uint32_t f, std::uint32_t start, Vec3 row) {
     if (k < end) also = std::max(also, value(k));
     most = std::max(most, also);
     if (most < -error) {
-      vertex_until_[op][f] = clock_ + signs_.margin(op, most);
+      vertex_until_[op][f] = later(signs_.margin(op, most));
       extreme_[op][f] = v;
       return v != before;
     }
@@ -125,7 +125,7 @@ void Overlay::walk(std::uint32_t e) {
     const double left_side = walker_ == 0 ? dot(signs_.row(1, q.face[exit]), along) : dot(f_left, d);
     const double right_side = walker_ == 0 ? dot(signs_.row(1, q.face[twin(exit)]), along) : dot(f_right, d);
     const double least = std::min(std::abs(left_side), std::abs(right_side));
-    last = append_crossing(e, exit, clock_ + signs_.margin(1 - walker_, least), last);
+    last = append_crossing(e, exit, later(signs_.margin(1 - walker_, least)), last);
     v = q.target(exit);
   }
   work_.steps += walked;

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "exact/one_rounding.h"
 #include "spatial/gauss/signs.h"
 
 namespace dymsum::spatial {
@@ -168,6 +169,9 @@ class Overlay {
   std::vector<std::uint32_t> chords_;  // its edges that no visit goes by
   std::vector<std::uint32_t> levels_;  // where its visits as far from the first face begin; one more at the end
   double cell_ = 0;                    // the radius of a cell of the other operand's map, if all were alike
+  /// The time until which what was checked now holds; no later however far the clock has come. kBeforeAll stays.
+  double later(double margin) const { return (clock_ + margin) * exact::kDown; }
+
   // Certificates: what was checked holds until directions have moved by this angle since the start.
   double clock_ = 0;
   std::array<std::vector<double>, 2> vertex_until_;

@@ -51,7 +51,7 @@ void Overlay::update(const RelativeMap& map, bool use_margins) {
   if (use_margins && map == signs_.map()) return;
   const std::uint64_t exact_before = signs_.exact_signs();
   const double angle = use_margins ? map.angle_from(signs_.map()) : 4;
-  clock_ += angle;
+  clock_ = (clock_ + angle) * exact::kUp;
   signs_.move(map);
   if (angle > kLeap * cell_) {
     leap();
@@ -77,7 +77,7 @@ void Overlay::correct_vertices() {
   std::size_t failed = 0;
   for (const std::uint32_t f : expired_) {
     const double most = most_rise(poly(1 - w), extreme_[w][f], signs_.row_now(w, f));
-    vertex_until_[w][f] = clock_ + signs_.margin(w, most);
+    vertex_until_[w][f] = later(signs_.margin(w, most));
     expired_[failed] = f;
     failed += !(most < -error);
   }
@@ -120,7 +120,7 @@ void Overlay::check_crossings() {
   work_.crossing_checks += expired_.size();
   for (const std::uint32_t id : expired_) {
     const std::uint32_t e = edge_of(w, crossings_[id]);
-    crossing_until_[id] = clock_ + slack(across(w, crossings_[id]), signs_.mapped_edge(1 - w, e));
+    crossing_until_[id] = later(slack(across(w, crossings_[id]), signs_.mapped_edge(1 - w, e)));
     if (crossing_until_[id] == kBeforeAll) break_arc(e, 1);
   }
 }
@@ -216,7 +216,7 @@ void Overlay::mend_arc(std::uint32_t e) {
         changed = true;
       }
     }
-    crossing_until_[id] = std::max(clock_, clock_ + slack(over, along));
+    crossing_until_[id] = std::max(clock_, later(slack(over, along)));
     pass(id, over);
   }
   if (v == end) {

@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "exact/grid.h"
+#include "exact/rounding_bound.h"
 #include "spatial/mesh/compensated_sum.h"
 #include "spatial/mesh/rounded_vector.h"
 #include "spatial/mesh/wide_sum.h"
@@ -249,7 +250,7 @@ void measure_as(Polytope& p) {
   }
   p.volume = volume.value() / 6;
   p.six_volume = exact::to_big(six.value());
-  p.total_area = area.value() * (1 + 0x1p-40);
+  p.total_area = area.value() * exact::kOutwards;
   p.size += p.exponent;
 }
 

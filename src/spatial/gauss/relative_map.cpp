@@ -6,6 +6,8 @@
 #include <numeric>
 #include <optional>
 
+#include "exact/rounding_bound.h"
+
 namespace dymsum::spatial {
 namespace {
 
@@ -155,6 +157,21 @@ RelativeMap RelativeMap::turned(const std::array<BigInteger, 4>& quaternion) {
   return map;
 }
 
+namespace {
+
+// Of a sign's form, times the sum of |u_i m_ij v_j|, which is at most the Frobenius norm: two unit vectors (8 each), an
+// entry (2), two products and the sums of three.
+constexpr double kSignError = exact::rounding_bound(2 * 8 + 2 + 2 + 4, 32);
+// Of the norm of c T - I for T = L L_before^-1, times c and both norms. Entries of T err by 2 * 2 of the maps', 1 of
+// the product and 2 of the sum, times the Frobenius norms, each at most sqrt(3) times the norm; c T and the difference
+// are rounded, 2 of twice 3.
+constexpr double kTurnError = exact::rounding_bound(3 * 7 + 2 * 3, 64);
+// The same for a rotation, where c makes the norms 1: rows that are equally long are known to be so by 4 of their
+// lengths besides.
+constexpr double kRotationError = exact::rounding_bound(3 * (7 + 4) + 2 * 3, 1 << 15);
+
+}  // namespace
+
 void RelativeMap::approximate() {
   for (int index = 0; index < 2; ++index) {
     int top = 0;
@@ -177,17 +194,15 @@ void RelativeMap::approximate() {
     }
     approx_[index] = {Vec3{d[0], d[1], d[2]}, Vec3{d[3], d[4], d[5]}, Vec3{d[6], d[7], d[8]}};
     // Rows of a multiple of a rotation are equally long.
-    norm_[index] = rotation_ ? length(approx_[index][0]) * (1 + 0x1p-40) : spectral_bound(approx_[index]);
+    norm_[index] = rotation_ ? length(approx_[index][0]) * exact::kOutwards : spectral_bound(approx_[index]);
     per_norm_[index] = 1 / norm_[index];
-    // Three factors with relative errors 2^-50, 2^-52, 2^-50, and at most 6 roundings of 2^-53: below 2^-48 of sum |u_i
-    // m_ij v_j|, which is at most the Frobenius norm.
-    error_[index] = 0x1p-48 * frobenius(approx_[index]);
+    error_[index] = kSignError * frobenius(approx_[index]);
   }
 }
 
 double spectral_bound(const Mat3& m) {
   const Mat3 s = transposed(m) * m, s2 = s * s, s4 = s2 * s2;
-  return std::sqrt(std::sqrt(std::sqrt(frobenius(s4)))) * (1 + 0x1p-40);
+  return std::sqrt(std::sqrt(std::sqrt(frobenius(s4)))) * exact::kOutwards;
 }
 
 // Directions of Q's edges, seen from P, move by T = L L_before^-1 (up to a factor), normals by T^-T. On the straight
@@ -208,12 +223,12 @@ double RelativeMap::angle_from(const RelativeMap& before) const {
   t[1].y -= 1;
   t[2].z -= 1;
   if (turned) {
-    const double half_sine = (frobenius(t) + 0x1p-38) / std::sqrt(8.0);
-    return half_sine < 1 ? 2 * std::asin(half_sine) * (1 + 0x1p-40) : kLarge;
+    const double half_sine = (frobenius(t) + kRotationError) / std::sqrt(8.0);
+    return half_sine < 1 ? 2 * std::asin(half_sine) * exact::kOutwards : kLarge;
   }
-  const double e = spectral_bound(t) + 0x1p-47 * c * norm_[0] * before.norm_[1];
+  const double e = spectral_bound(t) + kTurnError * c * norm_[0] * before.norm_[1];
   if (!(e < 0.4)) return kLarge;
-  return std::asin(e / (1 - e)) * (1 + 0x1p-40);
+  return std::asin(e / (1 - e)) * exact::kOutwards;
 }
 
 }  // namespace dymsum::spatial

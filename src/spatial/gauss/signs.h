@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "exact/rounding_bound.h"
 #include "spatial/gauss/polytope.h"
 #include "spatial/gauss/relative_map.h"
 
@@ -60,7 +61,11 @@ class Signs {
   int true_sign(int op, std::uint32_t f, HalfEdge h) const;
   /// The angle by which directions have to move at least before the sign of (op, f, h) can change; not positive where
   /// doubles cannot tell.
-  double margin(int op, double value) const { return (std::abs(value) - map_.error(op)) * map_.per_norm(op) - 0x1p-40; }
+  double margin(int op, double value) const {
+    // Of at most 1: the difference, the quotient by the norm and the last difference.
+    constexpr double kMarginError = exact::rounding_bound(2 + 2 + 1, 8192);
+    return (std::abs(value) - map_.error(op)) * map_.per_norm(op) - kMarginError;
+  }
 
   std::uint64_t exact_signs() const { return exact_signs_; }
   std::size_t bytes() const { return sizeof(*this) + (row_[0].capacity() + row_[1].capacity()) * sizeof(Vec3); }

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <random>
 
+#include "cspace/planner/test_rooms.h"
 #include "dymsum/region.h"
 #include "oracles/decimal_parts.h"
 #include "oracles/sanitized.h"
@@ -114,21 +115,7 @@ TEST(Rotation, a_touch_on_the_way_or_at_its_end) {
 }
 
 using Random = std::mt19937_64;
-
-Region random_shape(Random& random, int reach, int most) {
-  const auto at = [&] {
-    return static_cast<double>(static_cast<int>(random() % static_cast<unsigned>(2 * reach + 1)) - reach);
-  };
-  for (;;) {
-    RegionData data;
-    data.parts.emplace_back();
-    const int n = 3 + static_cast<int>(random() % static_cast<unsigned>(most - 2));
-    for (int i = 0; i < n; ++i) data.parts[0].outer.push_back({at(), at()});
-    Result<Repaired> repaired = repair(data);
-    if (repaired.ok() && !repaired->region.empty() && repaired->region.touching_points().empty())
-      return repaired->region;
-  }
-}
+using test_rooms::random_shape;
 
 std::uint64_t rounds(std::uint64_t usual) {
   const char* count = std::getenv("DYMSUM_FUZZ_MOTIONS");

@@ -8,18 +8,19 @@
 #include <limits>
 #include <numbers>
 
+#include "cspace/planner/test_rooms.h"
 #include "dymsum/planner.h"
 
 namespace dymsum {
 namespace {
+
+using namespace test_rooms;
 
 Region shape(Ring outer, std::vector<Ring> holes = {}) {
   RegionData data;
   data.parts = {{std::move(outer), std::move(holes)}};
   return repair(std::move(data)).value().region;
 }
-
-Ring box(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
 
 // At angle t the longest ladder that touches both outer walls and the inner corner has (a cos t + b sin t - w) /
 // (sin t cos t). The least of these lengths, by narrowing an interval around it.
@@ -50,15 +51,8 @@ Plan plan_round(const CspaceObstacle& c, double w, double a, double b, Touching 
 void expect_free(const CspaceObstacle& c, const Plan& p, Touching touching, std::size_t stride = 1) {
   ASSERT_TRUE(p.found()) << p.reason->text;
   for (std::size_t k = 1; k < p.path.size(); k += stride) {
-    const Waypoint &a = p.path[k - 1], &b = p.path[k];
-    if (b.move == Waypoint::Move::translation) {
-      ASSERT_EQ(a.theta, b.theta);
-      ASSERT_TRUE(check_translation(c.robot(), c.obstacle(), a.at, b.at, a.theta, touching)->free) << k;
-    } else {
-      ASSERT_EQ(a.at, b.at);
-      const auto d = b.move == Waypoint::Move::clockwise ? TurnDirection::clockwise : TurnDirection::counter_clockwise;
-      ASSERT_TRUE(check_rotation(c.robot(), c.obstacle(), a.at, a.theta, b.theta, d, touching)->free) << k;
-    }
+    expect_free_piece(c, p, k, touching);
+    if (testing::Test::HasFatalFailure()) return;
   }
 }
 

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <random>
 
+#include "cspace/planner/test_rooms.h"
 #include "cspace/queries/flood_fill.h"
 #include "dymsum/planar_sum.h"
 #include "dymsum/region.h"
@@ -17,14 +18,7 @@
 namespace dymsum {
 namespace {
 
-Region region(std::vector<Part> parts) {
-  RegionData data;
-  data.parts = std::move(parts);
-  Result<Repaired> repaired = repair(std::move(data));
-  return repaired.value().region;
-}
-
-Ring rectangle_ring(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
+using namespace test_rooms;
 
 CspaceObstacle obstacle_of(const Region& robot, const Region& obstacle) {
   return CspaceObstacle::create(robot, obstacle).value();
@@ -47,15 +41,9 @@ void expect_valid(const CspaceObstacle& c, const Plan& p, Configuration start, C
   EXPECT_EQ(p.path.back().approx.y, goal.y);
   EXPECT_EQ(p.path.back().theta, *Orientation::nearest(goal.theta));
   for (std::size_t k = 1; k < p.path.size(); ++k) {
+    expect_free_piece(c, p, k, touching);
+    if (testing::Test::HasFatalFailure()) return;
     const Waypoint &a = p.path[k - 1], &b = p.path[k];
-    if (b.move == Waypoint::Move::translation) {
-      ASSERT_EQ(a.theta, b.theta);
-      ASSERT_TRUE(check_translation(c.robot(), c.obstacle(), a.at, b.at, a.theta, touching)->free) << k;
-    } else {
-      ASSERT_EQ(a.at, b.at);
-      const auto d = b.move == Waypoint::Move::clockwise ? TurnDirection::clockwise : TurnDirection::counter_clockwise;
-      ASSERT_TRUE(check_rotation(c.robot(), c.obstacle(), a.at, a.theta, b.theta, d, touching)->free) << k;
-    }
     if (touching == Touching::allowed) continue;
     double turn = b.approx.theta - a.approx.theta;
     if (b.move == Waypoint::Move::counter_clockwise && turn < 0) turn += 2 * std::numbers::pi;
@@ -88,25 +76,8 @@ NoPath expect_none(const CspaceObstacle& c, Configuration start, Configuration g
   return *p.reason;
 }
 
-// Two two_rooms of 10 x 10 and a wall between them, 2 thick, with a doorway from y = low to y = high.
-Region two_rooms(double low, double high) {
-  return region({{rectangle_ring(-12, -6, 12, 6),
-                  {{{-11, -5},
-                    {-11, 5},
-                    {-1, 5},
-                    {-1, high},
-                    {1, high},
-                    {1, 5},
-                    {11, 5},
-                    {11, -5},
-                    {1, -5},
-                    {1, low},
-                    {-1, low},
-                    {-1, -5}}}}});
-}
-
-Region bar() { return region({{rectangle_ring(-3, -0.5, 3, 0.5), {}}}); }
-Region square() { return region({{rectangle_ring(0, 0, 1, 1), {}}}); }
+Region bar() { return region({{box(-3, -0.5, 3, 0.5), {}}}); }
+Region square() { return region({{box(0, 0, 1, 1), {}}}); }
 
 TEST(Planner, a_bar_turns_to_pass_a_doorway_narrower_than_its_length) {
   const CspaceObstacle c = obstacle_of(bar(), two_rooms(-1, 1));
@@ -122,7 +93,7 @@ TEST(Planner, an_L_turns_round_the_jamb) {
 
 TEST(Planner, a_bar_cannot_turn_in_a_corridor) {
   const CspaceObstacle c =
-      obstacle_of(bar(), region({{rectangle_ring(-20, -3, 20, 3), {{{-19, -2}, {-19, 2}, {19, 2}, {19, -2}}}}}));
+      obstacle_of(bar(), region({{box(-20, -3, 20, 3), {{{-19, -2}, {-19, 2}, {19, 2}, {19, -2}}}}}));
   expect_path(c, {-10, 0, 0}, {10, 1, 0.1});
   const NoPath reason = expect_none(c, {-10, 0, 0}, {10, 0, std::numbers::pi}, NoPath::Kind::separated);
   ASSERT_EQ(reason.start.size(), 1u);
@@ -133,23 +104,7 @@ TEST(Planner, a_bar_cannot_turn_in_a_corridor) {
 }
 
 TEST(Planner, a_bug_trap_is_left_through_its_mouth) {
-  const Region trap = region({{{{-5, -5},
-                                {5, -5},
-                                {5, 5},
-                                {-5, 5},
-                                {-5, 0.5},
-                                {0, 0.5},
-                                {0, 1},
-                                {-4, 1},
-                                {-4, 4},
-                                {4, 4},
-                                {4, -4},
-                                {-4, -4},
-                                {-4, -1},
-                                {0, -1},
-                                {0, -0.5},
-                                {-5, -0.5}},
-                               {}}});
+  const Region trap = bug_trap(0.5);
   const Region robot = region({{{{-0.4, -0.3}, {0.5, -0.2}, {0.1, 0.4}}, {}}});
   const CspaceObstacle c = obstacle_of(robot, trap);
   expect_path(c, {2, 2, 1}, {-9, 3, -2}, Touching::forbidden);
@@ -176,7 +131,7 @@ TEST(Planner, a_slot_a_hair_wider_is_passed_without_touching) {
 }
 
 TEST(Planner, a_slanted_slot_of_exactly_the_width) {
-  // The two_rooms along (3, 4), five times as long: all corners stay integers.
+  // The rooms along (3, 4), five times as long: all corners stay integers.
   const Region straight = two_rooms(0, 1);
   RegionData data = straight.data();
   const auto turned = [](Ring& ring) {
@@ -184,7 +139,7 @@ TEST(Planner, a_slanted_slot_of_exactly_the_width) {
   };
   turned(data.parts[0].outer);
   turned(data.parts[0].holes[0]);
-  const CspaceObstacle c = obstacle_of(region({{rectangle_ring(0, 0, 5, 5), {}}}), *Region::create(data));
+  const CspaceObstacle c = obstacle_of(region({{box(0, 0, 5, 5), {}}}), *Region::create(data));
   expect_path(c, {-15, -20, 0}, {15, 20, 1});
   expect_none(c, {-15, -20, 0}, {15, 20, 1}, NoPath::Kind::separated, Touching::forbidden);
 }
@@ -205,7 +160,7 @@ TEST(Planner, an_enclosed_start_and_ends_that_are_not_free) {
 }
 
 TEST(Planner, nowhere_to_go_and_once_round) {
-  const CspaceObstacle c = obstacle_of(bar(), region({{rectangle_ring(10, 10, 11, 11), {}}}));
+  const CspaceObstacle c = obstacle_of(bar(), region({{box(10, 10, 11, 11), {}}}));
   expect_path(c, {0, 0, 1}, {0, 0, 1});
   EXPECT_EQ(plan_in(c, {0, 0, 1}, {0, 0, 1}).path.size(), 1u);
   const Plan round = plan_in(c, {0, 0, 3}, {0, 0, -3});
@@ -215,8 +170,7 @@ TEST(Planner, nowhere_to_go_and_once_round) {
 }
 
 TEST(Planner, a_square_held_exactly_in_its_own_shape) {
-  const CspaceObstacle c =
-      obstacle_of(square(), region({{rectangle_ring(-1, -1, 2, 2), {{{0, 0}, {0, 1}, {1, 1}, {1, 0}}}}}));
+  const CspaceObstacle c = obstacle_of(square(), region({{box(-1, -1, 2, 2), {{{0, 0}, {0, 1}, {1, 1}, {1, 0}}}}}));
   expect_path(c, {0, 0, 0}, {0, 0, 0});
   const NoPath held = expect_none(c, {0, 0, 0}, {5, 5, 0}, NoPath::Kind::separated);
   EXPECT_TRUE(held.start.empty());
@@ -232,25 +186,9 @@ double way_length(const Plan& p) {
 
 TEST(Planner, paths_are_drawn_tight) {
   // Round the end of a wall, and through a doorway and back to the other wall.
-  const CspaceObstacle wall = obstacle_of(square(), region({{rectangle_ring(-1, -5, 1, 5), {}}}));
+  const CspaceObstacle wall = obstacle_of(square(), region({{box(-1, -5, 1, 5), {}}}));
   const CspaceObstacle doorway = obstacle_of(bar(), two_rooms(-1, 1));
-  const Region trap = region({{{{-5, -5},
-                                {5, -5},
-                                {5, 5},
-                                {-5, 5},
-                                {-5, 0.5},
-                                {0, 0.5},
-                                {0, 1},
-                                {-4, 1},
-                                {-4, 4},
-                                {4, 4},
-                                {4, -4},
-                                {-4, -4},
-                                {-4, -1},
-                                {0, -1},
-                                {0, -0.5},
-                                {-5, -0.5}},
-                               {}}});
+  const Region trap = bug_trap(0.5);
   const CspaceObstacle mouth = obstacle_of(region({{{{-0.4, -0.3}, {0.5, -0.2}, {0.1, 0.4}}, {}}}), trap);
   struct Way {
     const CspaceObstacle& obstacle;
@@ -271,10 +209,10 @@ TEST(Planner, paths_are_drawn_tight) {
 
 // A wall whose ends meet in one point lets nothing through; squares that meet in a corner are walked around.
 TEST(Planner, rings_that_touch) {
-  const Region robot = region({{rectangle_ring(-0.25, -0.25, 0.25, 0.25), {}}});
+  const Region robot = region({{box(-0.25, -0.25, 0.25, 0.25), {}}});
   RegionData room, squares;
   room.parts = {{{{0, 0}, {10, 0}, {10, 10}, {0, 10}, {0, 5}, {2, 8}, {8, 8}, {8, 2}, {2, 2}, {0, 5}}, {}}};
-  squares.parts = {{rectangle_ring(0, 0, 2, 2), {}}, {rectangle_ring(2, 2, 5, 5), {}}};
+  squares.parts = {{box(0, 0, 2, 2), {}}, {box(2, 2, 5, 5), {}}};
   const CspaceObstacle closed = obstacle_of(robot, *Region::create(room));
   const Plan none = plan_in(closed, {5, 5, 0}, {15, 5, 0});
   ASSERT_FALSE(none.found());
@@ -290,7 +228,7 @@ TEST(Planner, rings_that_touch) {
 TEST(Planner, a_rhombus_in_a_corridor_as_high_as_its_diagonal) {
   const Region robot = region({{{{2, 0}, {0, 1}, {-2, 0}, {0, -1}}, {}}});
   RegionData data;
-  data.parts = {{rectangle_ring(-40, -40, 40, 40), {{{-20, -2}, {-20, 2}, {20, 2}, {20, -2}}}}};
+  data.parts = {{box(-40, -40, 40, 40), {{{-20, -2}, {-20, 2}, {20, 2}, {20, -2}}}}};
   const CspaceObstacle c = obstacle_of(robot, *Region::create(data));
   const Configuration start{-10, 0, 0}, goal{10, 0, std::numbers::pi};
   const Plan none = plan_in(c, start, goal, Touching::forbidden);
@@ -311,23 +249,10 @@ TEST(Planner, errors) {
 
 using Random = std::mt19937_64;
 
-Region random_shape(Random& random, int reach, int most, double scale) {
-  const auto at = [&] { return scale * (static_cast<int>(random() % static_cast<unsigned>(2 * reach + 1)) - reach); };
-  for (;;) {
-    RegionData data;
-    data.parts.emplace_back();
-    const int n = 3 + static_cast<int>(random() % static_cast<unsigned>(most - 2));
-    for (int i = 0; i < n; ++i) data.parts[0].outer.push_back({at(), at()});
-    Result<Repaired> repaired = repair(data);
-    if (repaired.ok() && !repaired->region.empty() && repaired->region.touching_points().empty())
-      return repaired->region;
-  }
-}
-
-// A random cave: a star with deep corners, cut out of a rectangle_ring.
+// A random cave: a star with deep corners, cut out of a rectangle.
 Region random_cave(Random& random) {
   for (;;) {
-    Part part{rectangle_ring(-8, -8, 8, 8), {Ring{}}};
+    Part part{box(-8, -8, 8, 8), {Ring{}}};
     for (int k = 0; k < 14; ++k) {
       const double r = 1 + static_cast<double>(random() % 6), angle = -2 * std::numbers::pi * k / 14;
       part.holes[0].push_back({std::round(2 * r * std::cos(angle)) / 2, std::round(2 * r * std::sin(angle)) / 2});
@@ -345,7 +270,7 @@ Region random_maze(Random& random, int n, std::vector<std::vector<bool>>& wall) 
       for (int j = 0; j <= n + 1; ++j) {
         const bool solid = i == 0 || j == 0 || i > n || j > n || random() % 5 < 2;
         wall[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = solid;
-        if (solid) blocks.push_back(region({{rectangle_ring(i, j, i + 1, j + 1), {}}}));
+        if (solid) blocks.push_back(region({{box(i, j, i + 1, j + 1), {}}}));
       }
     Result<Region> all = union_of(blocks)->rounded();
     if (all.ok() && all->touching_points().empty()) return std::move(all).value();
@@ -359,13 +284,13 @@ TEST(Planner, a_square_in_mazes_of_exactly_its_width) {
     Random random(seed);
     std::vector<std::vector<bool>> wall;
     const CspaceObstacle c = obstacle_of(square(), random_maze(random, 5, wall));
-    std::vector<std::pair<std::size_t, std::size_t>> two_rooms;
+    std::vector<std::pair<std::size_t, std::size_t>> rooms;
     for (std::size_t i = 0; i < wall.size(); ++i)
       for (std::size_t j = 0; j < wall.size(); ++j)
-        if (!wall[i][j]) two_rooms.emplace_back(i, j);
-    if (two_rooms.empty()) continue;
-    std::vector<std::pair<std::size_t, std::size_t>> open{two_rooms[random() % two_rooms.size()]};
-    const auto [gi, gj] = two_rooms[random() % two_rooms.size()];
+        if (!wall[i][j]) rooms.emplace_back(i, j);
+    if (rooms.empty()) continue;
+    std::vector<std::pair<std::size_t, std::size_t>> open{rooms[random() % rooms.size()]};
+    const auto [gi, gj] = rooms[random() % rooms.size()];
     const Configuration start{static_cast<double>(open[0].first), static_cast<double>(open[0].second), 0};
     std::vector<std::vector<bool>> seen = wall;
     seen[open[0].first][open[0].second] = true;

@@ -11,7 +11,7 @@
 #include "cspace/queries/stretch_distance.h"
 #include "dymsum/shapes.h"
 
-namespace dymsum::apps {
+namespace dymsum::cspace {
 namespace {
 
 using Random = std::mt19937_64;
@@ -231,4 +231,4 @@ TEST(StretchDistance, no_sample_is_nearer_than_the_bound) {
 }
 
 }  // namespace
-}  // namespace dymsum::apps
+}  // namespace dymsum::cspace

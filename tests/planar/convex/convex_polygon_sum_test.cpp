@@ -291,5 +291,21 @@ TEST(ConvexPolygonSum, errors) {
   EXPECT_EQ(evidence.y, 1);
 }
 
+// Turning by hundreds of radians in all leaves room for steps of 2^-48.
+TEST(ConvexPolygonSum, minute_steps_are_noticed_after_many_turns) {
+  const Region square = polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+  ConvexPolygonSum moving = *ConvexPolygonSum::create(square, square);
+  for (int k = 0; k < 200; ++k) moving.set(turn(*Orientation::of(k % 2 == 0 ? 3 : 0, 1)));
+  const std::int64_t start = -(std::int64_t{3} << 7);  // 3 / 2 of what a certificate leaves out, in steps
+  std::size_t changes = 0;
+  for (std::int64_t k = start; k < -2 * start; ++k) {
+    const ConvexPolygonSum before = moving;
+    moving.set({}, turn(*Orientation::of(k, std::int64_t{1} << 49)));
+    changes += !moving.same_combinatorics(before);
+    if (k == start || k % 64 == 0) expect_as_rebuilt(moving, square, square);
+  }
+  EXPECT_EQ(changes, 1u);
+}
+
 }  // namespace
 }  // namespace dymsum

@@ -157,6 +157,31 @@ TEST(OverlayUpdate, short_moves_into_ties_and_out_of_them) {
   EXPECT_GT(mended, moves);
 }
 
+// Turning by hundreds of radians in all leaves room for scales that change by 2^-47.
+TEST(OverlayUpdate, minute_steps_are_noticed_after_many_turns) {
+  std::mt19937_64 random(58);
+  const Polytope p = *spatial::make_polytope(random_grid_polytope(random, 12, 3));
+  Overlay moving(p, p);
+  moving.build(map_of({}));
+  SolidPose pose;
+  for (int k = 0; k < 200; ++k) {
+    pose.rotation = *Rotation::of(1, k % 2, 0, 0);
+    moving.update(map_of(pose));
+  }
+  std::uint64_t changes = 0;
+  for (int k = 3 << 9; k > -(3 << 9); k -= k > 0 ? 1 : 64) {
+    pose = {};
+    pose.scale[0] = *Scale::of(1 - k * 0x1p-47);
+    const Overlay before = moving;
+    moving.update(map_of(pose));
+    changes += moving.work().vertex_errors;
+    if (k % 32 != 0) continue;
+    expect_as_built(before, moving, map_of(pose), place(58, 0, static_cast<std::uint64_t>(k + 2000)));
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GT(changes, 0u);
+}
+
 TEST(OverlayUpdate, cells_smaller_than_the_move_jump_over_normals) {
   const std::uint64_t seed = setting("DYMSUM_FUZZ_SEED", 57), moves = setting("DYMSUM_FUZZ_MOVES", 3000);
   std::mt19937_64 random(seed);

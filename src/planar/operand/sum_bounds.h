@@ -1,0 +1,43 @@
+// What the doubles of sums of vertices lose: bounds of soups, arrangements and collisions, where both operands rest.
+//
+// In units u of roundoff, with L = |edge vector|_1 and S the span. A coordinate of a vertex carries 1 rounding, of a
+// scaled or turned operand 3: its own, the factor's and the product's.
+//   point   3 S of the coordinates, and the sum.
+//   side    d x (v - start): two points and their difference 9 S, the edge vector 3, product and difference 1 each:
+//           14 L S. Where v is a place, its own error counts instead of one point's: 10 L S.
+//   share   of a segment where another one crosses it, n / (n - m) for the sides n and m of its ends: what n and m err
+//           by is weighted with 1 - t and t, so t errs by what one side does over |n - m|.
+#pragma once
+
+#include "planar/operand/edge_bounds.h"
+
+namespace dymsum::planar {
+
+/// Of the sum of two vertices, each coordinate, times the span.
+// No slack is needed. With a vertex x and its factor s in [1, 2), and their product rounded to p in [1, 2), the
+// roundings of x, s, p and the sum err by u (x + s) + u^2 + 2 u, where x + s <= 1 + x s: no more than 4 u p, as p = 1
+// only for x = s = 1, when the product is exact. In the binades above, each u of a rounding is 2 u of twice the number.
+inline constexpr double kSumPoint = 4 * exact::kRoundoff;
+/// Of the side of a vertex or a place, times L and the span.
+inline constexpr double kSumSide = exact::rounding_bound(14, 16);
+/// How far apart a box and a place, or two boxes at a place, have to be, times the span: coordinates, two differences,
+/// and the margin taken off.
+inline constexpr double kSumBox = exact::rounding_bound(3 + 1 + 3, 16);
+/// The same for a vertex's height over a place: the sum of two vertices, and the difference.
+inline constexpr double kSumHeight = exact::rounding_bound(4 + 1, 8);
+
+/// Of a share of a crossing: times side error / |d x e|. Sides are taken for at least half a side error, so they err by
+/// 3/2 of one; n - m differs from d x e by 3 of them, and d x e by 1. |d x e| is more than 8 where the share says
+/// anything, so n - m is at least half of it.
+inline constexpr double kCrossingShares = 8;
+static_assert(1.5 / (1 - (3 + 1) / kCrossingShares) <= kCrossingShares);
+/// The same of a vertex on a segment, times point error / max(|dx|, |dy|): two points, and what the vector errs by.
+inline constexpr double kTouchShares = 4;
+/// Besides, absolutely: the difference, the quotient and what is made of shares up to 1 by three operations.
+inline constexpr double kShareRoundings = exact::rounding_bound(5, 8);
+
+/// Of start + t d beside the errors of the start and of t: product and sum, times |d| and the span. What d is rounded
+/// by is less than another error of a point, which is counted with the start.
+inline constexpr double kStepLength = exact::rounding_bound(1, 4), kStepSum = exact::rounding_bound(1, 2);
+
+}  // namespace dymsum::planar
