@@ -25,7 +25,7 @@ TEST(EventPlace, nearly_parallel_segments_are_covered_at_certain_angles_only) {
   const TurnWindow window(scene.grid, scene.catalog, range, false);
   const OverlapFilter filter(scene.forms, window);
   int slow = 0, fast = 0;
-  for (const TurnWindow::Meeting& m : window.meetings) {
+  for (const TurnWindow::SegmentPair& m : window.pairs) {
     TurnEvent event;
     event.kind = TurnEvent::Kind::three_segments;
     event.a = window.segments[m.a];
