@@ -76,8 +76,8 @@ class Mesh {
 };
 
 /// Nothing for a convex solid (flat edges between coplanar faces are allowed), else the error not_convex with the
-/// reflex edge and its two faces, or why there is none: several shells, or a surface that winds around itself; no_area
-/// for the empty mesh. Exact. O(n).
+/// reflex edge and its two faces, or why there is none: several shells; no_area for the empty mesh.
+/// Exact. O(n).
 std::optional<Error> convexity_error(const Mesh& mesh);
 
 /// What repair changed, as counts and in words.

@@ -301,7 +301,7 @@ TEST(ConvexPolygonSum, minute_steps_are_noticed_after_many_turns) {
   for (std::int64_t k = start; k < -2 * start; ++k) {
     const ConvexPolygonSum before = moving;
     moving.set({}, turn(*Orientation::of(k, std::int64_t{1} << 49)));
-    changes += !moving.same_combinatorics(before);
+    changes += k > start && !moving.same_combinatorics(before);
     if (k == start || k % 64 == 0) expect_as_rebuilt(moving, square, square);
   }
   EXPECT_EQ(changes, 1u);
