@@ -47,6 +47,7 @@ struct SpatialFace {
 struct SpatialStats {
   int bits = 0;                                  ///< of coordinates on the common grid
   std::uint64_t face_vertex = 0, edge_edge = 0;  ///< facets of the reduced convolution
+  std::uint64_t inner_facets = 0;                ///< of these, dropped because they lie deep inside the open sum
   std::uint64_t box_pairs = 0, contacts = 0;     ///< pairs of facets with overlapping boxes; of these, meeting
   std::uint64_t points = 0, cells = 0, patches = 0;
   std::uint64_t collision_tests = 0, tight_tests = 0, exact_signs = 0;

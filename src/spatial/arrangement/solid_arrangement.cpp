@@ -103,20 +103,24 @@ SolidArrangement arrange(SumSpace& space, const FacetTable& table, const Contact
       // The facet is to the left of its border seen against its own normal.
       const int inside = (along ? 1 : -1) * f.side;
       segments[group_of[i]].push_back(
-          {along ? a : b, along ? b : a, upright.get(f.edge[k], axis), static_cast<std::int8_t>(inside), f.side});
+          {along ? a : b, along ? b : a, upright.get(f.edge[k], axis), static_cast<std::int8_t>(inside), f.side,
+           f.edge[k]});
     }
     at += static_cast<std::size_t>(n);
   }
   for (const Contact& c : contacts.contacts) {
     const PointId from = ids[at++], to = ids[at++];
     const PlaneId f = table.facets[c.f].plane, g = table.facets[c.g].plane;
-    segments[group_of[c.f]].push_back({from, to, g, 0, 1});
-    segments[group_of[c.g]].push_back({to, from, f, 0, 1});
+    segments[group_of[c.f]].push_back({from, to, g, 0, 1, kNoId});
+    segments[group_of[c.g]].push_back({to, from, f, 0, 1, kNoId});
   }
 
-  base::parallel_parts(result.groups.size(), threads, [&](std::size_t g) {
-    PlaneGroup& group = result.groups[g];
-    group.cells = plane_cells(space, result.points, group.plane, segments[g]);
+  constexpr std::size_t kPart = 64;
+  const std::size_t count = result.groups.size();
+  base::parallel_parts((count + kPart - 1) / kPart, threads, [&](std::size_t part) {
+    PlaneArranger arranger(space, result.points);
+    for (std::size_t g = part * kPart; g < std::min(count, (part + 1) * kPart); ++g)
+      result.groups[g].cells = arranger.run(result.groups[g].plane, segments[g]);
   });
   // Names of crossings: the same point is found in several planes.
   sources.clear();

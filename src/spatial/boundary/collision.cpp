@@ -49,16 +49,18 @@ std::optional<Chord> chord(const int (&s)[3]) {
 
 }  // namespace
 
-Collision::Collision(const SumSpace& space, const SolidOperand& p, const SolidOperand& q)
+Collision::Collision(const SumSpace& space, const SolidOperand& p, const SolidOperand& q, const InnerCells& inner)
     : space_(space),
       p_(p),
       q_(q),
       p_tree_(boxes_of(space.p(), p.triangles, space.sum_radius())),
-      q_tree_(boxes_of(space.q(), q.triangles, space.sum_radius())) {}
+      q_tree_(boxes_of(space.q(), q.triangles, space.sum_radius())),
+      inner_(inner) {}
 
 bool Collision::meets(const Flag& x) const {
   tests_.fetch_add(1, std::memory_order_relaxed);
   const Query query(space_, x);
+  if (inner_.hold(query.box())) return true;
   if (p_tree_.any_reflected_pair(q_tree_, query.box(),
                                  [&](std::uint32_t i, std::uint32_t j) { return triangles_meet(query, i, j); }))
     return true;

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "spatial/convolution/inner_cells.h"
 #include "spatial/convolution/solid_operand.h"
 #include "spatial/convolution/sum_space.h"
 #include "spatial/mesh/box_tree.h"
@@ -11,7 +12,8 @@ namespace dymsum::spatial {
 
 class Collision {
  public:
-  Collision(const SumSpace& space, const SolidOperand& p, const SolidOperand& q);
+  /// `inner` answers for positions deep inside, and has to live as long.
+  Collision(const SumSpace& space, const SolidOperand& p, const SolidOperand& q, const InnerCells& inner);
 
   /// Whether P meets x - Q. For positions at which the solids do not touch without overlapping, as for all off the
   /// facets of the convolution, that is whether they overlap. Exact.
@@ -21,6 +23,8 @@ class Collision {
   bool overlaps(const Flag& x) const;
 
   std::uint64_t tests() const { return tests_; }
+  const SolidOperand& p() const { return p_; }
+  const SolidOperand& q() const { return q_; }
 
  private:
   struct Query;
@@ -37,6 +41,7 @@ class Collision {
   const SumSpace& space_;
   const SolidOperand &p_, &q_;
   BoxTree p_tree_, q_tree_;
+  const InnerCells& inner_;
   mutable std::atomic<std::uint64_t> tests_{0};
 };
 

@@ -41,6 +41,7 @@ Vec3 axis_vector(int axis) { return {axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.
 bool Collision::overlaps(const Flag& x) const {
   tests_.fetch_add(1, std::memory_order_relaxed);
   const Query query(space_, x);
+  if (inner_.hold(query.box())) return true;
   // Deep inside the sum nearly every position shares its witness with the last one.
   thread_local std::array<std::uint32_t, 2> witness{0, 0};
   if (witness[0] < p_.triangles.size() && witness[1] < q_.triangles.size() && pierced(query, witness[0], witness[1]))

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "spatial/convolution/direction.h"
 #include "spatial/mesh/box_tree.h"
 
 namespace dymsum::spatial {
@@ -10,19 +11,6 @@ namespace dymsum::spatial {
 namespace {
 
 using EdgeBendSigns = Wedge::Bend;
-
-/// A vector in doubles: within `error` of the exact one in each component, both scaled so that the largest component is
-/// about 1.
-struct Direction {
-  Vec3 v;
-  double error = 0;
-};
-
-Direction scaled(Vec3 v, double error) {
-  const double size = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-  if (!(size > 4 * error)) return {{0, 0, 0}, 4};  // says nothing: every sign is left to integers
-  return {(1 / size) * v, error / size + 0x1p-51};
-}
 
 /// One operand with its normals and edges in doubles.
 struct FacetSide {
@@ -35,38 +23,22 @@ struct FacetSide {
 
   FacetSide(Way::Of which, const SolidOperand& operand, const SumSpace& space) : of(which), solid(operand) {
     const std::vector<Vec3>& at = which == Way::Of::p ? space.p() : space.q();
-    const double each = space.sum_radius();  // of a difference of two vertices, at most twice that
-    const auto difference = [&](std::uint32_t from, std::uint32_t to) { return at[to] - at[from]; };
-    const auto norm = [](Vec3 v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
-    for (const Triangle& t : solid.triangles) {
-      const Vec3 u = difference(t[0], t[1]), v = difference(t[0], t[2]);
-      const double error = norm(u) * norm(v) * 0x1p-50 + 4 * each * (norm(u) + norm(v) + each);
-      normals.push_back(scaled(cross(u, v), error));
-    }
+    const double each = space.sum_radius();
+    for (const Triangle& t : solid.triangles) normals.push_back(normal_direction(at[t[0]], at[t[1]], at[t[2]], each));
     for (std::uint32_t w = 0; w < solid.wedges.size(); ++w) {
       if (solid.wedges[w].bend != EdgeBendSigns::convex) continue;
       convex.push_back(w);
-      const Vec3 d = difference(solid.wedges[w].from, solid.wedges[w].to);
-      edges.push_back(scaled(d, 2 * each + norm(d) * 0x1p-52));
+      edges.push_back(edge_direction(at[solid.wedges[w].from], at[solid.wedges[w].to], each));
     }
     rays.resize(solid.rays.size());
     for (const SupportCone& cone : solid.cones) {
-      for (std::uint32_t k = cone.first; k < cone.last; ++k) {
-        const Vec3 d = difference(cone.vertex, solid.rays[k]);
-        rays[k] = scaled(d, 2 * each + norm(d) * 0x1p-52);
-      }
+      for (std::uint32_t k = cone.first; k < cone.last; ++k)
+        rays[k] = edge_direction(at[cone.vertex], at[solid.rays[k]], each);
     }
   }
 
   Way way(std::uint32_t from, std::uint32_t to) const { return {of, from, to}; }
 };
-
-/// Of n . d by doubles; 0 where they leave it open.
-int filtered(const Direction& n, const Direction& d) {
-  const double v = dot(n.v, d.v);
-  const double error = 3 * (n.error + d.error + n.error * d.error) + 0x1p-49;
-  return v > error ? 1 : v < -error ? -1 : 0;
-}
 
 int normal_sign(const SumSpace& space, const FacetSide& faces, std::uint32_t triangle, Way d) {
   const Triangle& t = faces.solid.triangles[triangle];
@@ -168,7 +140,7 @@ class Facets {
   bool supports(const FacetSide& faces, std::uint32_t t, const FacetSide& vertices, const SupportCone& cone,
                 int tie) const {
     for (std::uint32_t k = cone.first; k < cone.last; ++k) {
-      int s = filtered(faces.normals[t], vertices.rays[k]);
+      int s = filtered_sign(faces.normals[t], vertices.rays[k]);
       if (s == 0) {
         const Way d = vertices.way(cone.vertex, vertices.solid.rays[k]);
         s = normal_sign(space_, faces, t, d);
@@ -206,7 +178,7 @@ class Facets {
 
   /// The sign of face's normal times the other operand's edge.
   int sign_at(const FacetSide& faces, std::uint32_t triangle, const FacetSide& edges, std::uint32_t i) const {
-    const int s = filtered(faces.normals[triangle], edges.edges[i]);
+    const int s = filtered_sign(faces.normals[triangle], edges.edges[i]);
     if (s != 0) return s;
     const Wedge& w = edges.solid.wedges[edges.convex[i]];
     return normal_sign(space_, faces, triangle, edges.way(w.from, w.to));

@@ -185,4 +185,44 @@ std::vector<Residue> SumSpace::plane_hashes(PlaneId first, std::size_t count) co
   return result;
 }
 
+void SumSpace::line_hashes(PlaneId plane, std::span<const PlaneId> cuts, std::vector<Residue>& hashes) const {
+  // n x m and m d - n d' are the line's coordinates up to one factor: they are divided by the first component of n x m
+  // that is not zero.
+  const PlaneResidue& n = plane_residues_[plane];
+  hashes.resize(cuts.size());
+  thread_local std::vector<std::array<Residue, 2>> values;
+  values.resize(cuts.size());
+  Residue all = 1;
+  for (std::size_t k = 0; k < cuts.size(); ++k) {
+    const PlaneResidue& m = plane_residues_[cuts[k]];
+    Residue way[3], mixed = 0;
+    constexpr Residue kFactor[6] = {1,
+                                    0x1234567890abcdefULL % exact::kResiduePrime,
+                                    0x0fedcba987654321ULL % exact::kResiduePrime,
+                                    0x1b873593cc9e2d51ULL % exact::kResiduePrime,
+                                    0x02d51e1b8735932dULL % exact::kResiduePrime,
+                                    0x0b4c9e2d511b8735ULL % exact::kResiduePrime};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3, l = (i + 2) % 3;
+      way[i] = minus(times(n.n[j], m.n[l]), times(n.n[l], m.n[j]));
+      mixed = plus(mixed, times(way[i], kFactor[i]));
+      mixed = plus(mixed, times(minus(times(m.n[i], n.d), times(n.n[i], m.d)), kFactor[3 + i]));
+    }
+    const Residue lead = way[0] != 0 ? way[0] : way[1] != 0 ? way[1] : way[2];
+    values[k] = {lead, mixed};
+    hashes[k] = all;  // the product of all before
+    if (lead != 0) all = times(all, lead);
+  }
+  Residue back = inverse(all);
+  for (std::size_t k = cuts.size(); k-- > 0;) {
+    const auto [lead, mixed] = values[k];
+    if (lead == 0) {
+      hashes[k] = 0;
+      continue;
+    }
+    hashes[k] = times(mixed, times(back, hashes[k]));
+    back = times(back, lead);
+  }
+}
+
 }  // namespace dymsum::spatial

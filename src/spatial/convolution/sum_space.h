@@ -148,6 +148,8 @@ class SumSpace {
   std::vector<exact::Residue> point_hashes(std::span<const PointSource> points) const;
   /// The same for planes, whatever the side of their normals.
   std::vector<exact::Residue> plane_hashes(PlaneId first, std::size_t count) const;
+  /// The same value for all `cuts` that meet a plane in one line; 0 for what may meet it in any line.
+  void line_hashes(PlaneId plane, std::span<const PlaneId> cuts, std::vector<exact::Residue>& hashes) const;
 
   /// The grid along an axis: a coordinate X of P stands for X 2^exponent + p_offset.
   struct Line {

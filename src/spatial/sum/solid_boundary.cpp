@@ -61,6 +61,23 @@ void judge_cells(SolidBoundary& result, const Collision& collision) {
   });
 }
 
+/// Few boxes are many times faster than the facets that they save.
+int boxes_across(std::size_t facets) { return facets < 64 ? 0 : facets < 2000 ? 32 : facets < 20000 ? 62 : 126; }
+
+/// Facets deep inside the open sum bound nothing, and without them off the facets there still are only cells of the
+/// open sum and cells of the outside.
+std::size_t drop_inner(ReducedConvolution& convolution, const InnerCells& inner) {
+  std::size_t kept = 0;
+  for (std::size_t f = 0; f < convolution.facets.size(); ++f) {
+    if (inner.hold(convolution.facets[f])) continue;
+    convolution.facets[kept] = convolution.facets[f];
+    convolution.planes[kept++] = convolution.planes[f];
+  }
+  const std::size_t dropped = convolution.facets.size() - kept;
+  convolution.facets.resize(kept), convolution.planes.resize(kept);
+  return dropped;
+}
+
 }  // namespace
 
 Flag flag_at(const SolidArrangement& arrangement, const PlaneGroup& group, const Cell& cell, int side) {
@@ -77,7 +94,10 @@ SolidBoundary solid_boundary(const SolidOperand& p, const SolidOperand& q, const
   Stages stages(options, stats);
   stages.begin("convolution");
   result.space = make_sum_space(p.vertices, q.vertices);
-  const ReducedConvolution convolution = reduced_convolution(*result.space, p, q);
+  ReducedConvolution convolution = reduced_convolution(*result.space, p, q);
+  const bool fast = options.engine == SpatialEngine::fast;
+  const InnerCells inner(*result.space, p, q, fast ? boxes_across(convolution.facets.size()) : 0);
+  stats.inner_facets = drop_inner(convolution, inner);
   result.table = facet_table(*result.space, convolution);
   stages.begin("contacts");
   const Contacts contacts = find_contacts(*result.space, result.table);
@@ -87,14 +107,14 @@ SolidBoundary solid_boundary(const SolidOperand& p, const SolidOperand& q, const
   stages.begin("links");
   const CellLinks links = link_cells(*result.space, *result.arrangement);
   stages.begin("collisions");
-  const Collision collision(*result.space, p, q);
+  const Collision collision(*result.space, p, q, inner);
   result.boundary.assign(result.arrangement->cell_count, false);
-  if (options.engine == SpatialEngine::fast) judge_patches(result, links, collision);
+  if (fast) judge_patches(result, links, collision);
   else judge_cells(result, collision);
   result.patch = links.patch;
   stats.collision_tests = collision.tests();
   stages.begin("tight features");
-  if (options.tight) result.tight = tight_features(*result.space, *result.arrangement, result.boundary, collision);
+  if (options.tight) result.tight = tight_features(*result.space, result.table, *result.arrangement, result.boundary, collision);
   stages.begin("");
   stats.bits = result.space->bits();
   stats.face_vertex = convolution.counts.face_vertex, stats.edge_edge = convolution.counts.edge_edge;
