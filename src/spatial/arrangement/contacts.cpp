@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/parallel.h"
 #include "spatial/mesh/box_tree.h"
 
 namespace dymsum::spatial {
@@ -124,27 +125,39 @@ std::optional<Contact> contact(const SumSpace& space, const FacetTable& table, s
   return result;
 }
 
-Contacts find_contacts(const SumSpace& space, const FacetTable& table) {
-  Contacts result;
+Contacts find_contacts(const SumSpace& space, const FacetTable& table, int threads) {
   std::vector<Box> boxes;
   boxes.reserve(table.facets.size());
   for (const TableFacet& f : table.facets) boxes.push_back(box_of(space, f));
   const BoxTree tree(std::move(boxes));
-  std::vector<std::uint32_t> near;
-  for (std::uint32_t f = 0; f < table.facets.size(); ++f) {
-    near.clear();
-    tree.for_each(tree.box(f), [&](std::uint32_t g) {
-      if (g > f) near.push_back(g);
-    });
-    std::sort(near.begin(), near.end());
-    for (const std::uint32_t g : near) {
-      ++result.counts.box_pairs;
-      if (table.facets[f].plane == table.facets[g].plane) {
-        result.coplanar.push_back({f, g});
-      } else if (!share_edge(table.facets[f], table.facets[g])) {
-        if (const std::optional<Contact> c = contact(space, table, f, g)) result.contacts.push_back(*c);
+  constexpr std::size_t kPart = 256;
+  const std::size_t count = table.facets.size();
+  std::vector<Contacts> parts((count + kPart - 1) / kPart);
+  base::parallel_parts(parts.size(), threads, [&](std::size_t part) {
+    Contacts& some = parts[part];
+    std::vector<std::uint32_t> near;
+    for (std::size_t k = part * kPart; k < std::min(count, (part + 1) * kPart); ++k) {
+      const auto f = static_cast<std::uint32_t>(k);
+      near.clear();
+      tree.for_each(tree.box(f), [&](std::uint32_t g) {
+        if (g > f) near.push_back(g);
+      });
+      std::sort(near.begin(), near.end());
+      some.counts.box_pairs += near.size();
+      for (const std::uint32_t g : near) {
+        if (table.facets[f].plane == table.facets[g].plane) {
+          some.coplanar.push_back({f, g});
+        } else if (!share_edge(table.facets[f], table.facets[g])) {
+          if (const std::optional<Contact> c = contact(space, table, f, g)) some.contacts.push_back(*c);
+        }
       }
     }
+  });
+  Contacts result;
+  for (const Contacts& some : parts) {
+    result.contacts.insert(result.contacts.end(), some.contacts.begin(), some.contacts.end());
+    result.coplanar.insert(result.coplanar.end(), some.coplanar.begin(), some.coplanar.end());
+    result.counts.box_pairs += some.counts.box_pairs;
   }
   result.counts.contacts = result.contacts.size();
   return result;

@@ -14,7 +14,7 @@ class PointTable {
 
   /// The ids of points, new ones for those that are not there yet. Exact: found by a hash of the position, compared
   /// exactly where sources differ.
-  std::vector<PointId> add(std::span<const PointSource> sources);
+  std::vector<PointId> add(std::span<const PointSource> sources, int threads);
 
   std::size_t size() const { return sources_.size(); }
   const PointSource& source(PointId id) const { return sources_[id]; }

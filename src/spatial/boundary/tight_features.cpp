@@ -1,8 +1,8 @@
 #include "spatial/boundary/tight_features.h"
 
 #include <algorithm>
+#include <numeric>
 #include <span>
-#include <tuple>
 
 #include "spatial/boundary/lone_contacts.h"
 
@@ -29,64 +29,54 @@ class Tight {
         const Collision& collision, LoneContacts lone)
       : space_(space),
         arrangement_(arrangement),
-        boundary_(boundary),
         collision_(collision),
         lone_(std::move(lone)),
+        outside_(boundary),
         touched_(arrangement.points.size()) {}
 
   TightFeatures run() {
     for (const PlaneGroup& group : arrangement_.groups) look_at_cells(group);
-    std::sort(closed_.begin(), closed_.end());
-    for (std::uint32_t g = 0; g < arrangement_.groups.size(); ++g) collect_edges(g);
-    sort(edges_);
-    for_each_place(edges_, [&](std::span<const Trace> traces) { look_at_edge(traces); });
+    const auto edges = static_cast<std::uint32_t>(arrangement_.edge_ends.size());
+    std::vector<bool> closed(edges);
+    for (std::uint32_t e = 0; e < edges; ++e) {
+      closed[e] = touches_outside(e);
+      if (closed[e]) touch(e);
+    }
+    for (std::uint32_t e = 0; e < edges; ++e)
+      if (!closed[e]) look_at_edge(e);
     for (const PlaneGroup& group : arrangement_.groups) look_at_touches(group);
     std::sort(dots_.begin(), dots_.end());
-    for (std::uint32_t g = 0; g < arrangement_.groups.size(); ++g) collect_points(g);
-    sort(points_);
-    for_each_place(points_, [&](std::span<const Trace> traces) { look_at_point(traces); });
+    look_at_points();
     return std::move(result_);
   }
 
  private:
-  static void sort(std::vector<Trace>& traces) {
-    std::sort(traces.begin(), traces.end(), [](const Trace& x, const Trace& y) {
-      return std::tie(x.a, x.b, x.plane, x.cut) < std::tie(y.a, y.b, y.plane, y.cut);
-    });
-  }
-  template <class F>
-  static void for_each_place(const std::vector<Trace>& traces, F f) {
-    for (std::size_t first = 0, last = 0; first < traces.size(); first = last) {
-      while (last < traces.size() && traces[last].a == traces[first].a && traces[last].b == traces[first].b) ++last;
-      f(std::span<const Trace>(&traces[first], last - first));
+  /// Whether the closure of a boundary or a tight cell holds an edge.
+  bool touches_outside(std::uint32_t edge) const {
+    for (const EdgeUse use : arrangement_.uses(edge)) {
+      const CellEdge& e = arrangement_.edge(use);
+      const std::uint32_t first = arrangement_.groups[use.group].first_cell;
+      for (const std::uint32_t c : {e.left, e.right})
+        if (c != kNoId && outside_[first + c]) return true;
     }
+    return false;
+  }
+  void touch(std::uint32_t edge) {
+    for (const PointId p : arrangement_.edge_ends[edge]) touched_[p] = true;
   }
 
-  void touch(const PlaneGroup& group, std::uint32_t half_edge) {
-    const CellEdge& e = group.cells.edges[half_edge / 2];
-    touched_[arrangement_.point(group, e.a)] = touched_[arrangement_.point(group, e.b)] = true;
-    closed_.push_back(edge_key(arrangement_.point(group, e.a), arrangement_.point(group, e.b)));
-  }
-  static std::uint64_t edge_key(PointId a, PointId b) {
-    return (static_cast<std::uint64_t>(std::min(a, b)) << 32) | std::max(a, b);
-  }
-
-  /// Cells with facets of both directions; and what the closures of boundary and tight cells touch.
+  /// Cells with facets of both directions.
   void look_at_cells(const PlaneGroup& group) {
     for (std::uint32_t c = 0; c < group.cells.cells.size(); ++c) {
       const Cell& cell = group.cells.cells[c];
-      const std::uint32_t begin = group.cells.loops[cell.first_loop], end = group.cells.loops[cell.last_loop];
-      bool outside = boundary_[group.first_cell + c];
-      if (cell.front > 0 && cell.back > 0) {
-        const std::uint32_t h = group.cells.half_edges[begin];
-        const CellEdge& e = group.cells.edges[h / 2];
-        const PointId at = arrangement_.point(group, h & 1 ? e.b : e.a);
-        const auto way = static_cast<std::int8_t>((e.along ? 1 : -1) * (h & 1 ? -1 : 1));
-        outside = !overlaps({arrangement_.points.source(at), group.plane, e.cut, way, 1, 0});
-        if (outside) result_.cells.push_back(group.first_cell + c);
-      }
-      if (!outside) continue;
-      for (std::uint32_t k = begin; k < end; ++k) touch(group, group.cells.half_edges[k]);
+      if (cell.front == 0 || cell.back == 0) continue;
+      const std::uint32_t h = group.cells.half_edges[group.cells.loops[cell.first_loop]];
+      const CellEdge& e = group.cells.edges[h / 2];
+      const PointId at = arrangement_.point(group, h & 1 ? e.b : e.a);
+      const auto way = static_cast<std::int8_t>((e.along ? 1 : -1) * (h & 1 ? -1 : 1));
+      if (overlaps({arrangement_.points.source(at), group.plane, e.cut, way, 1, 0})) continue;
+      outside_[group.first_cell + c] = true;
+      result_.cells.push_back(group.first_cell + c);
     }
   }
 
@@ -114,41 +104,25 @@ class Tight {
   }
   static bool one_border(const CellEdge& e) { return e.border != kNoId && e.border != kManyEdges; }
 
-  /// Of places that nothing outside is known to touch.
-  void collect_edges(std::uint32_t g) {
-    const PlaneGroup& group = arrangement_.groups[g];
-    for (const CellEdge& e : group.cells.edges) {
-      const PointId a = arrangement_.point(group, e.a), b = arrangement_.point(group, e.b);
-      if (std::binary_search(closed_.begin(), closed_.end(), edge_key(a, b))) continue;
-      const auto way = static_cast<std::int8_t>((e.along ? 1 : -1) * (a < b ? 1 : -1));
-      Trace trace{std::min(a, b), std::max(a, b), group.plane, e.cut, way, is_full(group, e), Trace::End::other,
-                  e.border, g};
-      if (one_border(e) && one_sided(group, e)) trace.end = Trace::End::border;
-      edges_.push_back(trace);
-    }
+  Trace edge_trace(std::uint32_t edge, EdgeUse use) const {
+    const PlaneGroup& group = arrangement_.groups[use.group];
+    const CellEdge& e = group.cells.edges[use.edge];
+    const auto [a, b] = arrangement_.edge_ends[edge];
+    const auto way = static_cast<std::int8_t>((e.along ? 1 : -1) * (arrangement_.point(group, e.a) == a ? 1 : -1));
+    Trace trace{a, b, group.plane, e.cut, way, is_full(group, e), Trace::End::other, e.border, use.group};
+    if (one_border(e) && one_sided(group, e)) trace.end = Trace::End::border;
+    return trace;
   }
-  void collect_points(std::uint32_t g) {
-    const PlaneGroup& group = arrangement_.groups[g];
-    ends_.clear();
-    for (std::uint32_t e = 0; e < group.cells.edges.size(); ++e)
-      for (const PointId p : {group.cells.edges[e].a, group.cells.edges[e].b})
-        if (const PointId at = arrangement_.point(group, p); !touched_[at]) ends_.push_back({at, e});
-    std::sort(ends_.begin(), ends_.end());
-    for (std::size_t first = 0, last = 0; first < ends_.size(); first = last) {
-      while (last < ends_.size() && ends_[last][0] == ends_[first][0]) ++last;
-      points_.push_back(point_trace(g, {&ends_[first], last - first}));
-    }
-  }
-  Trace point_trace(std::uint32_t g, std::span<const std::array<std::uint32_t, 2>> ends) const {
-    const PlaneGroup& group = arrangement_.groups[g];
-    const PointId at = ends[0][0];
+  /// Of the edges of one group at a point.
+  Trace point_trace(PointId at, std::span<const EdgeUse> ends) const {
+    const PlaneGroup& group = arrangement_.groups[ends[0].group];
     const PointSource& source = arrangement_.points.source(at);
     const SumPoint sum{source.a, source.b};
-    Trace trace{at, at, group.plane, 0, 0, true, Trace::End::other, kNoId, g};
+    Trace trace{at, at, group.plane, 0, 0, true, Trace::End::other, kNoId, ends[0].group};
     bool alone = true, through = true, corner = source.kind == PointSource::Kind::sum;
     int borders = 0;
-    for (const auto& [p, edge] : ends) {
-      const CellEdge& e = group.cells.edges[edge];
+    for (const EdgeUse use : ends) {
+      const CellEdge& e = group.cells.edges[use.edge];
       trace.full = trace.full && is_full(group, e);
       alone = alone && single(group, e.left) && single(group, e.right);
       if (e.border == kNoId) continue;
@@ -207,13 +181,15 @@ class Tight {
     return lone_groups_[g] == 2;
   }
 
-  void look_at_edge(std::span<const Trace> traces) {
-    const Trace& t = traces[0];
-    if (traces.size() < 3 && free_in_a_wedge(traces)) return;
-    if (free_by_itself(traces)) return;
+  void look_at_edge(std::uint32_t edge) {
+    traces_.clear();
+    for (const EdgeUse use : arrangement_.uses(edge)) traces_.push_back(edge_trace(edge, use));
+    if (traces_.size() < 3 && free_in_a_wedge(traces_)) return;
+    if (free_by_itself(traces_)) return;
+    const Trace& t = traces_[0];
     if (overlaps({arrangement_.points.source(t.a), t.plane, t.cut, t.way, 0, 0})) return;
     result_.segments.push_back({t.a, t.b});
-    touched_[t.a] = touched_[t.b] = true;
+    touch(edge);
   }
 
   /// Where facets touch the inside of a cell at a point, the outside may lie in front of that cell.
@@ -227,25 +203,46 @@ class Tight {
     }
   }
 
-  void look_at_point(std::span<const Trace> traces) {
-    const PointId at = traces[0].a;
-    if (touched_[at] || free_in_a_wedge(traces)) return;
+  /// Of the points that nothing outside is known to touch: all edges at each.
+  void look_at_points() {
+    std::vector<std::uint32_t> begin(arrangement_.points.size() + 1, 0);
+    const auto for_each = [&](auto f) {
+      for (std::uint32_t g = 0; g < arrangement_.groups.size(); ++g) {
+        const PlaneGroup& group = arrangement_.groups[g];
+        for (std::uint32_t e = 0; e < group.cells.edges.size(); ++e)
+          for (const PointId p : {group.cells.edges[e].a, group.cells.edges[e].b})
+            if (const PointId at = arrangement_.point(group, p); !touched_[at]) f(at, EdgeUse{g, e});
+      }
+    };
+    for_each([&](PointId at, EdgeUse) { ++begin[at + 1]; });
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    std::vector<EdgeUse> ends(begin.back());
+    std::vector<std::uint32_t> place(begin.begin(), begin.end() - 1);
+    for_each([&](PointId at, EdgeUse use) { ends[place[at]++] = use; });
+    for (PointId at = 0; at + 1 < begin.size(); ++at)
+      if (begin[at] < begin[at + 1]) look_at_point(at, {ends.data() + begin[at], ends.data() + begin[at + 1]});
+  }
+  void look_at_point(PointId at, std::span<const EdgeUse> ends) {
+    traces_.clear();
+    for (std::size_t first = 0, last = 0; first < ends.size(); first = last) {
+      while (last < ends.size() && ends[last].group == ends[first].group) ++last;
+      traces_.push_back(point_trace(at, ends.subspan(first, last - first)));
+    }
+    if (free_in_a_wedge(traces_)) return;
     // Facets that touch it inside of a cell are in no trace.
-    if (!std::binary_search(dots_.begin(), dots_.end(), at) && free_by_itself(traces)) return;
+    if (!std::binary_search(dots_.begin(), dots_.end(), at) && free_by_itself(traces_)) return;
     if (!overlaps({arrangement_.points.source(at), 0, 0, 0, 0, 0})) result_.points.push_back(at);
   }
 
   const SumSpace& space_;
   const SolidArrangement& arrangement_;
-  const std::vector<bool>& boundary_;
   const Collision& collision_;
   LoneContacts lone_;
-  std::vector<bool> touched_;          // points in the closure of something outside
-  std::vector<std::uint64_t> closed_;  // edges alike
-  std::vector<Trace> edges_, points_;
-  std::vector<PointId> dots_;                       // points that facets touch inside of a cell
-  std::vector<std::array<std::uint32_t, 2>> ends_;  // scratch: points with edges of one plane
-  std::vector<std::uint8_t> lone_groups_;           // 0 not known yet, 1 no, 2 yes
+  std::vector<bool> outside_;               // cells of the boundary, and tight ones
+  std::vector<bool> touched_;               // points in the closure of something outside
+  std::vector<PointId> dots_;               // points that facets touch inside of a cell
+  std::vector<Trace> traces_;               // scratch: of one place
+  std::vector<std::uint8_t> lone_groups_;   // 0 not known yet, 1 no, 2 yes
   TightFeatures result_;
 };
 

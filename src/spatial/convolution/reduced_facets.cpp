@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/parallel.h"
 #include "spatial/convolution/direction.h"
 #include "spatial/mesh/box_tree.h"
 
@@ -101,29 +102,19 @@ Box cone_box(const FacetSide& side, const SupportCone& cone) {
   return box;
 }
 
+/// The facets of some features of one operand with all of the other one.
 class Facets {
  public:
-  Facets(const SumSpace& space, const SolidOperand& p, const SolidOperand& q)
-      : space_(space), p_(Way::Of::p, p, space), q_(Way::Of::q, q, space) {}
+  Facets(const SumSpace& space, const FacetSide& p, const FacetSide& q) : space_(space), p_(p), q_(q) {}
 
-  ReducedConvolution run() {
-    face_vertex(p_, q_, -1);
-    face_vertex(q_, p_, 1);
-    result_.counts.face_vertex = result_.facets.size();
-    edge_edge();
-    result_.counts.edge_edge = result_.facets.size() - result_.counts.face_vertex;
-    return std::move(result_);
-  }
+  ReducedConvolution take() { return std::move(result_); }
 
- private:
   /// Faces of one operand with vertices of the other whose rays all lie below the face's plane, or in it with the
   /// lexicographic sign of `tie`.
-  void face_vertex(const FacetSide& faces, const FacetSide& vertices, int tie) {
-    std::vector<Box> boxes;
-    for (const SupportCone& cone : vertices.solid.cones) boxes.push_back(cone_box(vertices, cone));
-    const BoxTree tree(std::move(boxes));
+  void face_vertex(const FacetSide& faces, const FacetSide& vertices, const BoxTree& tree, int tie,
+                   std::uint32_t first, std::uint32_t last) {
     std::vector<std::uint32_t> found;
-    for (std::uint32_t t = 0; t < faces.solid.triangles.size(); ++t) {
+    for (std::uint32_t t = first; t < last; ++t) {
       Box at;
       add_unit(at, faces.normals[t]);
       at.grow(0x1p-18);
@@ -134,9 +125,23 @@ class Facets {
       });
       std::sort(found.begin(), found.end());
       for (const std::uint32_t cone : found) add_face_vertex(faces, t, vertices.solid.cones[cone].vertex);
+      result_.counts.face_vertex += found.size();
     }
   }
 
+  /// Convex edges of P with those of Q, by the boxes of these.
+  void edge_edge(const BoxTree& tree, std::uint32_t first, std::uint32_t last) {
+    std::vector<std::uint32_t> found;
+    for (std::uint32_t i = first; i < last; ++i) {
+      found.clear();
+      tree.for_each(arc_box(p_, p_.solid.wedges[p_.convex[i]]), [&](std::uint32_t j) { found.push_back(j); });
+      result_.counts.pairs_tried += found.size();
+      std::sort(found.begin(), found.end());
+      for (const std::uint32_t j : found) try_edges(i, j);
+    }
+  }
+
+ private:
   bool supports(const FacetSide& faces, std::uint32_t t, const FacetSide& vertices, const SupportCone& cone,
                 int tie) const {
     for (std::uint32_t k = cone.first; k < cone.last; ++k) {
@@ -160,20 +165,6 @@ class Facets {
     for (int k = 0; k < 3; ++k) facet.corner[k] = of_p ? SumPoint{tri[k], v} : SumPoint{v, tri[k]};
     result_.facets.push_back(facet);
     result_.planes.push_back({facet.corner[0], faces.way(tri[0], tri[1]), faces.way(tri[0], tri[2]), false});
-  }
-
-  void edge_edge() {
-    std::vector<Box> boxes;
-    for (const std::uint32_t w : q_.convex) boxes.push_back(arc_box(q_, q_.solid.wedges[w]));
-    const BoxTree tree(std::move(boxes));
-    std::vector<std::uint32_t> found;
-    for (std::uint32_t i = 0; i < p_.convex.size(); ++i) {
-      found.clear();
-      tree.for_each(arc_box(p_, p_.solid.wedges[p_.convex[i]]), [&](std::uint32_t j) { found.push_back(j); });
-      result_.counts.pairs_tried += found.size();
-      std::sort(found.begin(), found.end());
-      for (const std::uint32_t j : found) try_edges(i, j);
-    }
   }
 
   /// The sign of face's normal times the other operand's edge.
@@ -225,19 +216,64 @@ class Facets {
     facet.p = we, facet.q = wg;
     facet.corner = {SumPoint{e.from, g.from}, {e.to, g.from}, {e.to, g.to}, {e.from, g.to}};
     if (s < 0) std::swap(facet.corner[1], facet.corner[3]);
+    ++result_.counts.edge_edge;
     result_.facets.push_back(facet);
     result_.planes.push_back({facet.corner[0], p_.way(e.from, e.to), q_.way(g.from, g.to), s < 0});
   }
 
   const SumSpace& space_;
-  FacetSide p_, q_;
+  const FacetSide &p_, &q_;
   ReducedConvolution result_;
 };
 
+BoxTree cone_tree(const FacetSide& side) {
+  std::vector<Box> boxes;
+  for (const SupportCone& cone : side.solid.cones) boxes.push_back(cone_box(side, cone));
+  return BoxTree(std::move(boxes));
+}
+BoxTree arc_tree(const FacetSide& side) {
+  std::vector<Box> boxes;
+  for (const std::uint32_t w : side.convex) boxes.push_back(arc_box(side, side.solid.wedges[w]));
+  return BoxTree(std::move(boxes));
+}
+
+void append(ReducedConvolution& all, const ReducedConvolution& some) {
+  all.facets.insert(all.facets.end(), some.facets.begin(), some.facets.end());
+  all.planes.insert(all.planes.end(), some.planes.begin(), some.planes.end());
+  all.counts.face_vertex += some.counts.face_vertex;
+  all.counts.edge_edge += some.counts.edge_edge;
+  all.counts.pairs_tried += some.counts.pairs_tried;
+}
+
 }  // namespace
 
-ReducedConvolution reduced_convolution(const SumSpace& space, const SolidOperand& p, const SolidOperand& q) {
-  return Facets(space, p, q).run();
+ReducedConvolution reduced_convolution(const SumSpace& space, const SolidOperand& p, const SolidOperand& q,
+                                       int threads) {
+  const FacetSide a(Way::Of::p, p, space), b(Way::Of::q, q, space);
+  const BoxTree p_cones = cone_tree(a), q_cones = cone_tree(b), q_arcs = arc_tree(b);
+  // Faces of P, faces of Q, edges of P, in parts.
+  constexpr std::uint32_t kPart = 128;
+  const auto parts_of = [](std::size_t n) { return (static_cast<std::uint32_t>(n) + kPart - 1) / kPart; };
+  const std::uint32_t faces_p = parts_of(p.triangles.size()), faces_q = parts_of(q.triangles.size()),
+                      edges = parts_of(a.convex.size());
+  std::vector<ReducedConvolution> parts(faces_p + faces_q + edges);
+  base::parallel_parts(parts.size(), threads, [&](std::size_t k) {
+    Facets facets(space, a, b);
+    auto part = static_cast<std::uint32_t>(k);
+    const auto last = [&](std::size_t n) { return std::min(static_cast<std::uint32_t>(n), (part + 1) * kPart); };
+    if (part < faces_p) {
+      facets.face_vertex(a, b, q_cones, -1, part * kPart, last(p.triangles.size()));
+    } else if (part -= faces_p; part < faces_q) {
+      facets.face_vertex(b, a, p_cones, 1, part * kPart, last(q.triangles.size()));
+    } else {
+      part -= faces_q;
+      facets.edge_edge(q_arcs, part * kPart, last(a.convex.size()));
+    }
+    parts[k] = facets.take();
+  });
+  ReducedConvolution all;
+  for (const ReducedConvolution& part : parts) append(all, part);
+  return all;
 }
 
 }  // namespace dymsum::spatial

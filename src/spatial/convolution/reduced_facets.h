@@ -32,6 +32,6 @@ struct ReducedConvolution {
 
 /// Statement: docs/design/solid-sum.md, "Facets". Exact. Cost: the pairs of faces and vertices, and of edges, whose
 /// sets of normals have overlapping boxes on the sphere of directions.
-ReducedConvolution reduced_convolution(const SumSpace& space, const SolidOperand& p, const SolidOperand& q);
+ReducedConvolution reduced_convolution(const SumSpace& space, const SolidOperand& p, const SolidOperand& q, int threads);
 
 }  // namespace dymsum::spatial

@@ -94,18 +94,18 @@ SolidBoundary solid_boundary(const SolidOperand& p, const SolidOperand& q, const
   Stages stages(options, stats);
   stages.begin("convolution");
   result.space = make_sum_space(p.vertices, q.vertices);
-  ReducedConvolution convolution = reduced_convolution(*result.space, p, q);
+  ReducedConvolution convolution = reduced_convolution(*result.space, p, q, options.threads);
   const bool fast = options.engine == SpatialEngine::fast;
   const InnerCells inner(*result.space, p, q, fast ? boxes_across(convolution.facets.size()) : 0);
   stats.inner_facets = drop_inner(convolution, inner);
   result.table = facet_table(*result.space, convolution);
   stages.begin("contacts");
-  const Contacts contacts = find_contacts(*result.space, result.table);
+  const Contacts contacts = find_contacts(*result.space, result.table, options.threads);
   stages.begin("arrangement");
   result.arrangement =
       std::make_unique<SolidArrangement>(arrange(*result.space, result.table, contacts, options.threads));
   stages.begin("links");
-  const CellLinks links = link_cells(*result.space, *result.arrangement);
+  const CellLinks links = link_cells(*result.space, *result.arrangement, options.threads);
   stages.begin("collisions");
   const Collision collision(*result.space, p, q, inner);
   result.boundary.assign(result.arrangement->cell_count, false);
