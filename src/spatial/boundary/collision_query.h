@@ -15,7 +15,14 @@ struct Collision::Query {
   const Flag& flag;
   Approx at;
 
-  Query(const SumSpace& s, const Flag& x) : space(s), flag(x), at(s.approximate(x.at)) {}
+  /// A sum in exact doubles, without steps.
+  bool plain;
+
+  Query(const SumSpace& s, const Flag& x)
+      : space(s),
+        flag(x),
+        at(s.approximate(x.at)),
+        plain(x.at.kind == PointSource::Kind::sum && x.way == 0 && x.left == 0 && x.side == 0) {}
 
   /// Where x is.
   Box box() const {
@@ -31,6 +38,7 @@ struct Collision::Query {
     const Vec3 n = cross(u, v), gap = at.at - space.approx(plane.at);
     const double U = sum_of_sizes(u) + 4 * r, V = sum_of_sizes(v) + 4 * r, W = sum_of_sizes(gap) + at.radius + 4 * r;
     const double value = dot(n, gap);
+    if (plain && space.computed_exactly(U, V, W)) return value == 0 ? 0 : (value > 0) != plane.reversed ? 1 : -1;
     const double error =
         U * V * W * 0x1p-48 + 8 * r * (U * V + V * W + U * W) + U * V * (at.radius + space.span() * 0x1p-52);
     if (value > error || value < -error) return (value > 0) != plane.reversed ? 1 : -1;

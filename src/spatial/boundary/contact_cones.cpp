@@ -56,7 +56,7 @@ class Cone {
   }
 
   /// Of the sector's outward normal times d.
-  int side(const Sector& s, Ray d) const { return s.sign * d.sign * space_.exact_det(s.u, s.v, d.way); }
+  int side(const Sector& s, Ray d) const { return s.sign * d.sign * space_.det(s.u, s.v, d.way); }
 
  private:
   Way way(std::uint32_t from, std::uint32_t to) const { return {of_, from, to}; }
@@ -76,9 +76,9 @@ class Cone {
     const int sign = d.sign * sign_;
     const std::uint32_t v = at_.index;
     const auto order = [&](Way u, Way w, std::uint32_t from) {  // of (u x w) . (vertex + d - from)
-      const int s = from == v ? 0 : space_.exact_det(u, w, way(from, v));
+      const int s = from == v ? 0 : space_.det(u, w, way(from, v));
       if (s != 0) return s;
-      return sign * space_.exact_det(u, w, d.way);
+      return sign * space_.det(u, w, d.way);
     };
     bool inside = false;
     for (const Triangle& t : solid_.triangles) {
@@ -88,11 +88,11 @@ class Cone {
         const Way u = way(a, b), up{Way::Of::axis, 2, 0};
         turn[k] = order(u, up, a);
         for (std::uint32_t axis = 0; axis < 2 && turn[k] == 0; ++axis)
-          turn[k] = space_.exact_det(u, up, {Way::Of::axis, axis, 0});
+          turn[k] = space_.det(u, up, {Way::Of::axis, axis, 0});
       }
       if (turn[0] == 0 || turn[0] != turn[1] || turn[1] != turn[2]) continue;
       const Way u = way(t[0], t[1]), w = way(t[0], t[2]);
-      const int up = space_.exact_det(u, w, {Way::Of::axis, 2, 0});
+      const int up = space_.det(u, w, {Way::Of::axis, 2, 0});
       if (order(u, w, t[0]) * up < 0) inside = !inside;
     }
     return inside;
@@ -135,7 +135,7 @@ class Overlap {
   }
 
  private:
-  int side(const Sector& s, Ray d) const { return s.sign * d.sign * space_.exact_det(s.u, s.v, d.way); }
+  int side(const Sector& s, Ray d) const { return s.sign * d.sign * space_.det(s.u, s.v, d.way); }
 
   /// Whether the insides of both sectors cross.
   bool cross(const Sector& s, const Sector& t) const {

@@ -22,7 +22,7 @@ namespace {
 
 int axis_across(const SumSpace& space, Way u, Way v) {
   for (std::uint32_t axis = 0; axis < 3; ++axis)
-    if (space.exact_det(u, v, {Way::Of::axis, axis, 0}) != 0) return static_cast<int>(axis);
+    if (space.det(u, v, {Way::Of::axis, axis, 0}) != 0) return static_cast<int>(axis);
   return -1;
 }
 

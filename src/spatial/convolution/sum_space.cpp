@@ -58,6 +58,21 @@ int SumSpace::det(PlaneId a, PlaneId b, PlaneId c) const {
   return exact_det(a, b, c);
 }
 
+Vec3 SumSpace::approx(Way w) const {
+  if (w.of == Way::Of::p) return p_[w.to] - p_[w.from];
+  if (w.of == Way::Of::q) return q_[w.to] - q_[w.from];
+  return {w.from == 0 ? 1.0 : 0.0, w.from == 1 ? 1.0 : 0.0, w.from == 2 ? 1.0 : 0.0};
+}
+
+int SumSpace::det(Way u, Way v, Way w) const {
+  const Vec3 a = approx(u), b = approx(v), c = approx(w);
+  const auto size = [&](Vec3 d) { return std::abs(d.x) + std::abs(d.y) + std::abs(d.z) + 4 * sum_radius_; };
+  const double A = size(a), B = size(b), C = size(c), value = dot(cross(a, b), c);
+  if (computed_exactly(A, B, C)) return value > 0 ? 1 : value < 0 ? -1 : 0;
+  const double error = A * B * C * 0x1p-48 + 8 * sum_radius_ * (A * B + B * C + C * A);
+  return value > error ? 1 : value < -error ? -1 : exact_det(u, v, w);
+}
+
 Approx SumSpace::approximate(const PointSource& point) const {
   if (point.kind == PointSource::Kind::sum) return {approx(SumPoint{point.a, point.b}), sum_radius_};
   const double limit = span_ * 0x1p-30;

@@ -139,6 +139,10 @@ class SumSpace {
   int side(PlaneId plane, SumPoint point) const;
   int side(PlaneId plane, const PointSource& point, const Approx& approx) const;
   int det(PlaneId a, PlaneId b, PlaneId c) const;
+  int det(Way u, Way v, Way w) const;
+  /// Of a determinant of three vectors with these sums of sizes, computed in doubles from integers: whether no rounding
+  /// took place.
+  bool computed_exactly(double u, double v, double w) const { return sum_radius_ == 0 && u * v * w < 0x1p50; }
 
   /// Doubles for a point; the radius is at most 2^-30 of the span.
   Approx approximate(const PointSource& point) const;
@@ -165,6 +169,7 @@ class SumSpace {
   std::uint64_t exact_signs() const { return exact_signs_; }
 
  protected:
+  Vec3 approx(Way w) const;
   struct PlaneResidue {
     exact::Residue n[3], d;
   };
