@@ -48,6 +48,7 @@ enum class ErrorCode {
   bad_rotation,               ///< a quaternion of zeros, a zero axis, or components beyond 2^30
   out_of_range,               ///< a number or an option outside of the range that is stated with it
   cancelled,                  ///< the progress callback asked to stop
+  out_of_memory,              ///< more memory is needed than the options or the machine give
 };
 
 /// The name of a code as it is written in code, for messages and JSON.

@@ -32,6 +32,8 @@ struct SpatialOptions {
   SpatialEngine engine = SpatialEngine::fast;
   bool tight = true;  ///< look for tight features
   int threads = 0;    ///< 0: as many as there are cores; the result does not depend on it
+  /// Bytes that the computation may hold beside its operands and the result; 0: no limit. Accounted for by stages.
+  std::uint64_t memory = 0;
   Progress progress;
 };
 
@@ -51,6 +53,7 @@ struct SpatialStats {
   std::uint64_t box_pairs = 0, contacts = 0;     ///< pairs of facets with overlapping boxes; of these, meeting
   std::uint64_t points = 0, cells = 0, patches = 0;
   std::uint64_t collision_tests = 0, tight_tests = 0, exact_signs = 0;
+  std::uint64_t held_bytes = 0;  ///< what SpatialOptions::memory is compared with, at the end
   struct Stage {
     std::string_view name;
     double ms;
@@ -105,8 +108,21 @@ class SpatialSum {
 /// Convex operands of any size take a short way through convex_sum (with the fast engine), and faces name the features
 /// that are extreme there: O(m + n + k log k) for m and n faces and k facets. Hold a ConvexSum to follow a motion.
 /// All others: O(N log N + K + T log T) for N facets, K of their pairs that meet and T points where three of them do.
-/// Errors: cancelled; unsupported_operand for operands that are not both convex and whose coordinates need more than
+/// Errors: cancelled; out_of_memory where options.memory does not suffice (the message names the need that is known or
+/// predicted by then) or the machine's memory does not; unsupported_operand for operands that are not both convex and whose coordinates need more than
 /// 250 bits on their common grid. Source: Behar 2016, sections 2.3 to 2.6, corrected (docs/design/solid-sum.md).
 Result<SpatialSum> minkowski_sum(const Mesh& p, const Mesh& q, const SpatialOptions& options = {});
+
+/// What a sum will take, before it is computed: expected numbers of facets of the reduced convolution, if each operand
+/// were turned at random against the other one, and the memory that so many facets need.
+struct SpatialCost {
+  double face_vertex = 0, edge_edge = 0;
+  std::uint64_t full_face_vertex = 0, full_edge_edge = 0;  ///< all pairs, which a convolution by brute force looks at
+  std::uint64_t bytes = 0;
+};
+/// Crofton's formula and its like: edge + edge L_P L_Q / (2 pi^2), L being the sum of the exterior dihedral angles of
+/// convex edges; face + vertex c_P n_Q + c_Q n_P, n being triangles and c how often the cones of normals that vertices
+/// support cover the sphere. Right in the mean over all turns; parallel faces and edges have more or fewer. O(m + n).
+SpatialCost predict_cost(const Mesh& p, const Mesh& q);
 
 }  // namespace dymsum

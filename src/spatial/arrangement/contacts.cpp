@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/parallel.h"
 #include "spatial/mesh/box_tree.h"
 
 namespace dymsum::spatial {
@@ -89,6 +88,9 @@ bool share_edge(const TableFacet& f, const TableFacet& g) {
   return false;
 }
 
+/// The contact itself, its ends as points, and its segments in two planes, before they are cut.
+constexpr std::size_t kBytesPerContact = sizeof(Contact) + 2 * (sizeof(PointSource) + sizeof(PointId)) + 2 * 24;
+
 Box box_of(const SumSpace& space, const TableFacet& f) {
   Box box;
   for (int k = 0; k < f.facet.corners; ++k) box.add(space.approx(f.facet.corner[k]));
@@ -125,7 +127,7 @@ std::optional<Contact> contact(const SumSpace& space, const FacetTable& table, s
   return result;
 }
 
-Contacts find_contacts(const SumSpace& space, const FacetTable& table, int threads) {
+Contacts find_contacts(const SumSpace& space, const FacetTable& table, StageWatch& watch) {
   std::vector<Box> boxes;
   boxes.reserve(table.facets.size());
   for (const TableFacet& f : table.facets) boxes.push_back(box_of(space, f));
@@ -133,7 +135,7 @@ Contacts find_contacts(const SumSpace& space, const FacetTable& table, int threa
   constexpr std::size_t kPart = 256;
   const std::size_t count = table.facets.size();
   std::vector<Contacts> parts((count + kPart - 1) / kPart);
-  base::parallel_parts(parts.size(), threads, [&](std::size_t part) {
+  watch.run(parts.size(), [&](std::size_t part) {
     Contacts& some = parts[part];
     std::vector<std::uint32_t> near;
     for (std::size_t k = part * kPart; k < std::min(count, (part + 1) * kPart); ++k) {
@@ -152,6 +154,7 @@ Contacts find_contacts(const SumSpace& space, const FacetTable& table, int threa
         }
       }
     }
+    watch.hold(some.contacts.size() * kBytesPerContact + some.coplanar.size() * sizeof(some.coplanar[0]));
   });
   Contacts result;
   for (const Contacts& some : parts) {

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <bit>
 
-#include "base/parallel.h"
-
 namespace dymsum::spatial {
 
 void PointTable::rehash(std::size_t slots) {
@@ -16,10 +14,10 @@ void PointTable::rehash(std::size_t slots) {
   }
 }
 
-std::vector<PointId> PointTable::add(std::span<const PointSource> sources, int threads) {
+std::vector<PointId> PointTable::add(std::span<const PointSource> sources, StageWatch& watch) {
   constexpr std::size_t kPart = 1024;
   std::vector<exact::Residue> hashes(sources.size());
-  base::parallel_parts((sources.size() + kPart - 1) / kPart, threads, [&](std::size_t part) {
+  watch.run((sources.size() + kPart - 1) / kPart, [&](std::size_t part) {
     const std::size_t first = part * kPart, count = std::min(kPart, sources.size() - first);
     const std::vector<exact::Residue> some = space_.point_hashes(sources.subspan(first, count));
     std::copy(some.begin(), some.end(), hashes.begin() + static_cast<std::ptrdiff_t>(first));
@@ -41,8 +39,9 @@ std::vector<PointId> PointTable::add(std::span<const PointSource> sources, int t
     }
     ids.push_back(slots_[at]);
   }
+  watch.hold((sources_.size() - known) * (sizeof(PointSource) + sizeof(Approx) + sizeof(exact::Residue) + 4 * sizeof(PointId)));
   approx_.resize(sources_.size());
-  base::parallel_parts((sources_.size() - known + kPart - 1) / kPart, threads, [&](std::size_t part) {
+  watch.run((sources_.size() - known + kPart - 1) / kPart, [&](std::size_t part) {
     const std::size_t first = known + part * kPart;
     for (std::size_t k = first; k < std::min(first + kPart, sources_.size()); ++k)
       approx_[k] = space_.approximate(sources_[k]);

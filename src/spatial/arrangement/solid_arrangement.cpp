@@ -4,8 +4,6 @@
 #include <map>
 #include <numeric>
 
-#include "base/parallel.h"
-
 namespace dymsum::spatial {
 
 namespace {
@@ -99,6 +97,13 @@ void collect_edges(SolidArrangement& all) {
   all.first_use.push_back(static_cast<std::uint32_t>(all.edge_uses.size()));
 }
 
+/// With what edges and points are listed in later.
+std::size_t bytes_of(const PlaneCells& cells) {
+  return sizeof(PlaneGroup) + cells.cells.size() * (sizeof(Cell) + 8) +
+         cells.edges.size() * (sizeof(CellEdge) + 2 * sizeof(EdgeUse) + 12) + cells.half_edges.size() * 4 +
+         cells.loops.size() * 4 + cells.found.size() * (2 * sizeof(PointSource) + sizeof(PointId));
+}
+
 }  // namespace
 
 std::uint32_t SolidArrangement::group_of(std::uint32_t cell) const {
@@ -107,7 +112,7 @@ std::uint32_t SolidArrangement::group_of(std::uint32_t cell) const {
   return static_cast<std::uint32_t>(at - groups.begin()) - 1;
 }
 
-SolidArrangement arrange(SumSpace& space, const FacetTable& table, const Contacts& contacts, int threads) {
+SolidArrangement arrange(SumSpace& space, const FacetTable& table, const Contacts& contacts, StageWatch& watch) {
   SolidArrangement result(space);
   std::vector<std::uint32_t> group_of;
   result.groups = plane_groups(table, contacts, group_of);
@@ -122,7 +127,7 @@ SolidArrangement arrange(SumSpace& space, const FacetTable& table, const Contact
     for (int k = 0; k < f.facet.corners; ++k)
       sources.push_back({PointSource::Kind::sum, f.facet.corner[k].p, f.facet.corner[k].q, 0});
   for (const Contact& c : contacts.contacts) sources.push_back(c.from), sources.push_back(c.to);
-  const std::vector<PointId> ids = result.points.add(sources, threads);
+  const std::vector<PointId> ids = result.points.add(sources, watch);
 
   // Segments of every group.
   std::vector<std::uint32_t> begin(result.groups.size() + 1, 0);
@@ -158,17 +163,21 @@ SolidArrangement arrange(SumSpace& space, const FacetTable& table, const Contact
 
   constexpr std::size_t kPart = 64;
   const std::size_t count = result.groups.size();
-  base::parallel_parts((count + kPart - 1) / kPart, threads, [&](std::size_t part) {
+  watch.run((count + kPart - 1) / kPart, [&](std::size_t part) {
     PlaneArranger arranger(space, result.points);
     for (std::size_t g = part * kPart; g < std::min(count, (part + 1) * kPart); ++g)
       result.groups[g].cells = arranger.run(
           result.groups[g].plane, {segments.data() + begin[g], segments.data() + begin[g + 1]});
+    std::size_t bytes = 0;
+    for (std::size_t g = part * kPart; g < std::min(count, (part + 1) * kPart); ++g)
+      bytes += bytes_of(result.groups[g].cells);
+    watch.hold(bytes);
   });
   // Names of crossings: the same point is found in several planes.
   sources.clear();
   for (const PlaneGroup& group : result.groups)
     sources.insert(sources.end(), group.cells.found.begin(), group.cells.found.end());
-  const std::vector<PointId> names = result.points.add(sources, threads);
+  const std::vector<PointId> names = result.points.add(sources, watch);
   at = 0;
   for (PlaneGroup& group : result.groups) {
     group.names.assign(names.begin() + static_cast<std::ptrdiff_t>(at),

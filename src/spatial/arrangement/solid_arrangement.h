@@ -48,7 +48,7 @@ struct SolidArrangement {
   const CellEdge& edge(EdgeUse use) const { return groups[use.group].cells.edges[use.edge]; }
 };
 
-/// Exact. `threads` 0: as many as there are cores; the result does not depend on it.
-SolidArrangement arrange(SumSpace& space, const FacetTable& table, const Contacts& contacts, int threads);
+/// Exact.
+SolidArrangement arrange(SumSpace& space, const FacetTable& table, const Contacts& contacts, StageWatch& watch);
 
 }  // namespace dymsum::spatial

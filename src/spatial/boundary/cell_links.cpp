@@ -5,8 +5,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "base/parallel.h"
-
 namespace dymsum::spatial {
 
 namespace {
@@ -93,7 +91,7 @@ class Wedges {
 
 }  // namespace
 
-CellLinks link_cells(const SumSpace& space, const SolidArrangement& arrangement, int threads) {
+CellLinks link_cells(const SumSpace& space, const SolidArrangement& arrangement, StageWatch& watch) {
   const std::uint32_t covered = arrangement.cell_count;
   std::vector<std::int8_t> facing;  // 1 where the free side is the normal's, -1 the other one, 0 none
   facing.reserve(covered);
@@ -103,7 +101,7 @@ CellLinks link_cells(const SumSpace& space, const SolidArrangement& arrangement,
   constexpr std::size_t kPart = 2048;
   const std::size_t edges = arrangement.edge_ends.size();
   std::vector<std::vector<std::array<std::uint32_t, 2>>> joins((edges + kPart - 1) / kPart);
-  base::parallel_parts(joins.size(), threads, [&](std::size_t part) {
+  watch.run(joins.size(), [&](std::size_t part) {
     Wedges wedges(space, arrangement, facing);
     for (std::size_t e = part * kPart; e < std::min(edges, (part + 1) * kPart); ++e)
       wedges.link_edge(static_cast<std::uint32_t>(e), joins[part]);

@@ -22,6 +22,6 @@ struct CellLinks {
 };
 
 /// Statement and proof: docs/design/solid-sum.md, "Links". A cell that facets of both directions cover has no patch.
-CellLinks link_cells(const SumSpace& space, const SolidArrangement& arrangement, int threads);
+CellLinks link_cells(const SumSpace& space, const SolidArrangement& arrangement, StageWatch& watch);
 
 }  // namespace dymsum::spatial

@@ -49,13 +49,24 @@ LoneContacts::LoneContacts(const SumSpace& space, const FacetTable& table, const
 bool LoneContacts::lone(const Side& edges, std::uint32_t from, std::uint32_t to, const Side& vertices,
                         std::uint32_t v) {
   int faces = 0;
+  Vec3 way;
   const bool across = edges.all_triangles(from, [&](std::uint32_t t) {
     const Triangle& triangle = edges.solid.triangles[t];
     if (triangle[0] != to && triangle[1] != to && triangle[2] != to) return true;
     ++faces;
+    const double size = length(edges.normals[t].v);
+    if (size > 0) way = way - (1 / size) * edges.normals[t].v;
     return vertices.all_edges(v, [&](const Direction& d) { return filtered_sign(edges.normals[t], d) != 0; });
   });
   if (!across || faces != 2) return false;
+  // Inward through both faces: a way apart.
+  const Direction inward = scaled_direction(way, 0);
+  const bool free = edges.all_triangles(from, [&](std::uint32_t t) {
+    const Triangle& triangle = edges.solid.triangles[t];
+    const bool there = triangle[0] == to || triangle[1] == to || triangle[2] == to;
+    return !there || filtered_sign(edges.normals[t], inward) < 0;
+  });
+  if (!free) return false;
   const Direction along = edges.edge(from, to);
   return vertices.all_triangles(v,
                                 [&](std::uint32_t t) { return filtered_sign(vertices.normals[t], along) != 0; });

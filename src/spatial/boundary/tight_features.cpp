@@ -26,16 +26,18 @@ struct Trace {
 class Tight {
  public:
   Tight(const SumSpace& space, const SolidArrangement& arrangement, const std::vector<bool>& boundary,
-        const Collision& collision, LoneContacts lone)
+        const Collision& collision, LoneContacts lone, StageWatch& watch)
       : space_(space),
         arrangement_(arrangement),
         collision_(collision),
         lone_(std::move(lone)),
+        watch_(watch),
         outside_(boundary),
         touched_(arrangement.points.size()) {}
 
   TightFeatures run() {
     for (const PlaneGroup& group : arrangement_.groups) look_at_cells(group);
+    share_ = 1.0 / 3;
     const auto edges = static_cast<std::uint32_t>(arrangement_.edge_ends.size());
     std::vector<bool> closed(edges);
     for (std::uint32_t e = 0; e < edges; ++e) {
@@ -46,6 +48,7 @@ class Tight {
       if (!closed[e]) look_at_edge(e);
     for (const PlaneGroup& group : arrangement_.groups) look_at_touches(group);
     std::sort(dots_.begin(), dots_.end());
+    share_ = 2.0 / 3;
     look_at_points();
     return std::move(result_);
   }
@@ -81,7 +84,7 @@ class Tight {
   }
 
   bool overlaps(const Flag& flag) {
-    ++result_.tests;
+    if (++result_.tests % 16 == 0) watch_.ask(share_);
     return collision_.overlaps(flag);
   }
 
@@ -238,19 +241,23 @@ class Tight {
   const SolidArrangement& arrangement_;
   const Collision& collision_;
   LoneContacts lone_;
+  StageWatch& watch_;
   std::vector<bool> outside_;               // cells of the boundary, and tight ones
   std::vector<bool> touched_;               // points in the closure of something outside
   std::vector<PointId> dots_;               // points that facets touch inside of a cell
   std::vector<Trace> traces_;               // scratch: of one place
   std::vector<std::uint8_t> lone_groups_;   // 0 not known yet, 1 no, 2 yes
+  double share_ = 0;
   TightFeatures result_;
 };
 
 }  // namespace
 
 TightFeatures tight_features(const SumSpace& space, const FacetTable& table, const SolidArrangement& arrangement,
-                             const std::vector<bool>& boundary, const Collision& collision) {
-  return Tight(space, arrangement, boundary, collision, LoneContacts(space, table, collision.p(), collision.q())).run();
+                             const std::vector<bool>& boundary, const Collision& collision, StageWatch& watch) {
+  return Tight(space, arrangement, boundary, collision, LoneContacts(space, table, collision.p(), collision.q()),
+               watch)
+      .run();
 }
 
 }  // namespace dymsum::spatial

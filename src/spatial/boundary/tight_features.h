@@ -20,6 +20,6 @@ struct TightFeatures {
 /// `boundary` tells of every cell whether it bounds the regular part of the sum's complement. Statement and what is
 /// left out without a test: docs/design/solid-sum.md, "Tight features". Exact.
 TightFeatures tight_features(const SumSpace& space, const FacetTable& table, const SolidArrangement& arrangement,
-                             const std::vector<bool>& boundary, const Collision& collision);
+                             const std::vector<bool>& boundary, const Collision& collision, StageWatch& watch);
 
 }  // namespace dymsum::spatial

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/parallel.h"
 #include "spatial/convolution/direction.h"
 #include "spatial/mesh/box_tree.h"
 
@@ -248,7 +247,7 @@ void append(ReducedConvolution& all, const ReducedConvolution& some) {
 }  // namespace
 
 ReducedConvolution reduced_convolution(const SumSpace& space, const SolidOperand& p, const SolidOperand& q,
-                                       int threads) {
+                                       StageWatch& watch) {
   const FacetSide a(Way::Of::p, p, space), b(Way::Of::q, q, space);
   const BoxTree p_cones = cone_tree(a), q_cones = cone_tree(b), q_arcs = arc_tree(b);
   // Faces of P, faces of Q, edges of P, in parts.
@@ -257,7 +256,7 @@ ReducedConvolution reduced_convolution(const SumSpace& space, const SolidOperand
   const std::uint32_t faces_p = parts_of(p.triangles.size()), faces_q = parts_of(q.triangles.size()),
                       edges = parts_of(a.convex.size());
   std::vector<ReducedConvolution> parts(faces_p + faces_q + edges);
-  base::parallel_parts(parts.size(), threads, [&](std::size_t k) {
+  watch.run(parts.size(), [&](std::size_t k) {
     Facets facets(space, a, b);
     auto part = static_cast<std::uint32_t>(k);
     const auto last = [&](std::size_t n) { return std::min(static_cast<std::uint32_t>(n), (part + 1) * kPart); };
@@ -270,6 +269,7 @@ ReducedConvolution reduced_convolution(const SumSpace& space, const SolidOperand
       facets.edge_edge(q_arcs, part * kPart, last(a.convex.size()));
     }
     parts[k] = facets.take();
+    watch.hold(parts[k].facets.size() * (sizeof(SumFacet) + sizeof(PlaneSource)));
   });
   ReducedConvolution all;
   for (const ReducedConvolution& part : parts) append(all, part);

@@ -1,34 +1,10 @@
 #include "spatial/sum/solid_boundary.h"
 
-#include <chrono>
-
-#include "base/parallel.h"
 #include "spatial/boundary/cell_links.h"
 
 namespace dymsum::spatial {
 
 namespace {
-
-class Stages {
- public:
-  Stages(const SpatialOptions& options, SpatialStats& stats) : options_(options), stats_(stats) {}
-
-  /// Ends the stage before it and begins one.
-  void begin(std::string_view name) {
-    const auto now = std::chrono::steady_clock::now();
-    if (!stats_.stages.empty())
-      stats_.stages.back().ms = std::chrono::duration<double, std::milli>(now - last_).count();
-    last_ = now;
-    if (name.empty()) return;
-    stats_.stages.push_back({name, 0});
-    if (options_.progress && !options_.progress(name, 0)) throw Cancelled{};
-  }
-
- private:
-  const SpatialOptions& options_;
-  SpatialStats& stats_;
-  std::chrono::steady_clock::time_point last_;
-};
 
 template <class F>
 void for_each_cell(const SolidArrangement& arrangement, F f) {
@@ -37,13 +13,14 @@ void for_each_cell(const SolidArrangement& arrangement, F f) {
 }
 
 /// Patches whose front lies outside: one collision test each.
-void judge_patches(SolidBoundary& result, const CellLinks& links, const Collision& collision) {
+void judge_patches(SolidBoundary& result, const CellLinks& links, const Collision& collision, StageWatch& watch) {
   enum class Verdict : std::uint8_t { unknown, outside, covered };
   std::vector<Verdict> verdict(links.patches, Verdict::unknown);
   for_each_cell(*result.arrangement, [&](const PlaneGroup& group, std::uint32_t id, const Cell& cell) {
     const std::uint32_t patch = links.patch[id];
     if (patch == kNoId) return;
     if (verdict[patch] == Verdict::unknown) {
+      if (collision.tests() % 16 == 15) watch.ask(0);
       const bool meets = collision.meets(flag_at(*result.arrangement, group, cell, cell.front > 0 ? 1 : -1));
       verdict[patch] = meets ? Verdict::covered : Verdict::outside;
     }
@@ -53,13 +30,17 @@ void judge_patches(SolidBoundary& result, const CellLinks& links, const Collisio
 }
 
 /// Every cell by itself: facets of one direction, and nothing in front.
-void judge_cells(SolidBoundary& result, const Collision& collision) {
+void judge_cells(SolidBoundary& result, const Collision& collision, StageWatch& watch) {
   for_each_cell(*result.arrangement, [&](const PlaneGroup& group, std::uint32_t id, const Cell& cell) {
+    if (id % 16 == 15) watch.ask(static_cast<double>(id) / result.arrangement->cell_count);
     const bool above = !collision.meets(flag_at(*result.arrangement, group, cell, 1));
     const bool below = !collision.meets(flag_at(*result.arrangement, group, cell, -1));
     result.boundary[id] = above != below;
   });
 }
+
+/// In the table and on the way into it, its planes and edges, its borders as segments and their upright planes.
+constexpr std::size_t kBytesPerTableFacet = sizeof(TableFacet) + 900;
 
 /// Few boxes are many times faster than the facets that they save.
 int boxes_across(std::size_t facets) { return facets < 64 ? 0 : facets < 2000 ? 32 : facets < 20000 ? 62 : 126; }
@@ -89,39 +70,40 @@ Flag flag_at(const SolidArrangement& arrangement, const PlaneGroup& group, const
 }
 
 SolidBoundary solid_boundary(const SolidOperand& p, const SolidOperand& q, const SpatialOptions& options,
-                             SpatialStats& stats) {
+                             SpatialStats& stats, StageWatch& watch) {
   SolidBoundary result;
-  Stages stages(options, stats);
-  stages.begin("convolution");
+  watch.begin("convolution");
   result.space = make_sum_space(p.vertices, q.vertices);
-  ReducedConvolution convolution = reduced_convolution(*result.space, p, q, options.threads);
+  ReducedConvolution convolution = reduced_convolution(*result.space, p, q, watch);
   const bool fast = options.engine == SpatialEngine::fast;
   const InnerCells inner(*result.space, p, q, fast ? boxes_across(convolution.facets.size()) : 0);
   stats.inner_facets = drop_inner(convolution, inner);
+  watch.hold(convolution.facets.size() * kBytesPerTableFacet);
   result.table = facet_table(*result.space, convolution);
-  stages.begin("contacts");
-  const Contacts contacts = find_contacts(*result.space, result.table, options.threads);
-  stages.begin("arrangement");
+  watch.begin("contacts");
+  const Contacts contacts = find_contacts(*result.space, result.table, watch);
+  watch.begin("arrangement");
   result.arrangement =
-      std::make_unique<SolidArrangement>(arrange(*result.space, result.table, contacts, options.threads));
-  stages.begin("links");
-  const CellLinks links = link_cells(*result.space, *result.arrangement, options.threads);
-  stages.begin("collisions");
+      std::make_unique<SolidArrangement>(arrange(*result.space, result.table, contacts, watch));
+  watch.begin("links");
+  const CellLinks links = link_cells(*result.space, *result.arrangement, watch);
+  watch.begin("collisions");
   const Collision collision(*result.space, p, q, inner);
   result.boundary.assign(result.arrangement->cell_count, false);
-  if (fast) judge_patches(result, links, collision);
-  else judge_cells(result, collision);
+  if (fast) judge_patches(result, links, collision, watch);
+  else judge_cells(result, collision, watch);
   result.patch = links.patch;
   stats.collision_tests = collision.tests();
-  stages.begin("tight features");
-  if (options.tight) result.tight = tight_features(*result.space, result.table, *result.arrangement, result.boundary, collision);
-  stages.begin("");
+  watch.begin("tight features");
+  if (options.tight) result.tight = tight_features(*result.space, result.table, *result.arrangement, result.boundary, collision, watch);
+  watch.begin("");
   stats.bits = result.space->bits();
   stats.face_vertex = convolution.counts.face_vertex, stats.edge_edge = convolution.counts.edge_edge;
   stats.box_pairs = contacts.counts.box_pairs, stats.contacts = contacts.counts.contacts;
   stats.points = result.arrangement->points.size(), stats.cells = result.arrangement->cell_count,
   stats.patches = links.patches;
   stats.tight_tests = result.tight.tests;
+  stats.held_bytes = watch.held();
   stats.exact_signs = result.space->exact_signs();
   return result;
 }

@@ -1,10 +1,12 @@
 #include "dymsum/spatial_sum.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <new>
+#include <string>
 #include <tuple>
 
+#include "spatial/convolution/predicted_cost.h"
 #include "spatial/sum/face_triangles.h"
 #include "spatial/sum/rounded_surface.h"
 #include "spatial/sum/solid_faces.h"
@@ -15,6 +17,19 @@ namespace dymsum {
 
 using exact::BigRational;
 using spatial::Vec3;
+
+namespace {
+
+std::string megabytes(std::uint64_t bytes) { return std::to_string((bytes + 999999) / 1000000) + " MB"; }
+
+Error too_large(const SpatialOptions& options, const char* what, std::uint64_t bytes) {
+  return {ErrorCode::out_of_memory,
+          std::string("the sum ") + what + " " + megabytes(bytes) + " of memory, the limit is " +
+              megabytes(options.memory),
+          {}};
+}
+
+}  // namespace
 
 Result<SpatialSum> minkowski_sum(const Mesh& p, const Mesh& q, const SpatialOptions& options) {
   if (options.engine == SpatialEngine::fast) {
@@ -29,15 +44,22 @@ Result<SpatialSum> spatial::sum_of_solids(const MeshData& p, const MeshData& q, 
   SpatialSum sum;
   if (p.faces.empty() || q.faces.empty()) return sum;
   const SolidOperand a = solid_operand(p), b = solid_operand(q);
+  const SpatialCost cost = predicted_cost(a, b);
+  if (options.memory != 0 && cost.bytes > options.memory) return too_large(options, "is predicted to take", cost.bytes);
+  StageWatch watch(options, sum.stats);
   try {
-    spatial::SolidBoundary boundary = spatial::solid_boundary(a, b, options, sum.stats);
-    const auto start = std::chrono::steady_clock::now();
+    spatial::SolidBoundary boundary = spatial::solid_boundary(a, b, options, sum.stats, watch);
+    watch.begin("faces");
     spatial::assemble(boundary, a, b, sum);
-    sum.stats.stages.push_back(
-        {"faces", std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count()});
+    watch.begin("");
     const_cast<SpatialPositions&>(SpatialSumInternals::positions(sum)).space = std::move(boundary.space);
   } catch (const spatial::Cancelled&) {
     return Error{ErrorCode::cancelled, "the computation was cancelled", {}};
+  } catch (const spatial::OverBudget& e) {
+    return too_large(options, "takes at least", e.bytes);
+  } catch (const std::bad_alloc&) {
+    return Error{ErrorCode::out_of_memory,
+                 "the sum needs more memory than there is; predicted were " + megabytes(cost.bytes), {}};
   } catch (const std::invalid_argument& e) {
     return Error{ErrorCode::unsupported_operand, e.what(), {}};
   }
