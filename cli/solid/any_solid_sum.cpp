@@ -10,6 +10,7 @@
 #include "exit_code.h"
 #include "outputs.h"
 #include "progress_bar.h"
+#include "solid/solid_limits.h"
 #include "timing.h"
 
 namespace dymsum::cli {
@@ -199,6 +200,8 @@ ExitCode run_any_solid_sum(const SumVerb& verb, const SumCommand& command, const
   SpatialOptions options;
   options.engine = command.engine == "brute" ? SpatialEngine::brute : SpatialEngine::fast;
   options.progress = bar->callback();
+  options.memory = memory_bytes(command.memory_mb);
+  announce_cost(inputs[0].mesh, q);
   const auto [sum, timing] = timed(command.report.repeat, [&] {
     Result<SpatialSum> made = minkowski_sum(inputs[0].mesh, q, options);
     throw_if_interrupted();

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "progress_bar.h"
+#include "solid/solid_limits.h"
 #include "report.h"
 #include "solid/solid_operands.h"
 #include "solid/solid_sum.h"
@@ -70,6 +71,7 @@ CLI::App& declare_sum_verb(CLI::App& app, const SumVerb& verb, SumCommand& comma
     add_input_options(parser, command.input);
   } else {
     parser.add_flag("--triangulate", command.triangulate, "Solids: write triangles, for programs that take no others");
+    add_memory_option(parser, command.memory_mb);
     add_solid_input_options(parser, command.input);
   }
   parser.footer(verb.footer);
@@ -89,7 +91,7 @@ ExitCode run_sum(const SumVerb& verb, const SumCommand& command) {
     return run_solid_sum(verb, command);
   }
   if (!command.more.empty()) throw Stop(kUsage, "more than two operands have to be solids");
-  if (!verb.planar_only) refuse_options(*command.parser, {"--triangulate"}, "is for solids");
+  if (!verb.planar_only) refuse_options(*command.parser, {"--triangulate", "--memory"}, "is for solids");
   std::ostream& out = report_stream(command.output.files, command.report.json);
   check(command);
   SumReport report;

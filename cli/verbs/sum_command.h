@@ -41,6 +41,7 @@ struct SumCommand {
   const CLI::App* parser = nullptr;  ///< which options were given
   std::vector<std::string> operands{"", ""}, more;
   bool triangulate = false;
+  double memory_mb = 0;  ///< of solids; 0: no limit
   std::string engine = "fast", semantics = "closed";
   ReportOptions report;
   InputOptions input;

@@ -15,6 +15,7 @@ class PlaneArranger::Cells {
     lines_.run(segments);
     result_ = {};
     result_.known = points_.known();
+    result_.edges.reserve(lines_.pieces().size());
     for (const LinePiece& p : lines_.pieces()) result_.edges.push_back({p.a, p.b, kNoId, kNoId, p.cut, p.along, p.border});
     sort_around_points();
     trace_loops();

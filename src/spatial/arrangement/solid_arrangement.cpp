@@ -112,7 +112,7 @@ std::uint32_t SolidArrangement::group_of(std::uint32_t cell) const {
   return static_cast<std::uint32_t>(at - groups.begin()) - 1;
 }
 
-SolidArrangement arrange(SumSpace& space, const FacetTable& table, const Contacts& contacts, StageWatch& watch) {
+SolidArrangement arrange(SumSpace& space, const FacetTable& table, Contacts contacts, StageWatch& watch) {
   SolidArrangement result(space);
   std::vector<std::uint32_t> group_of;
   result.groups = plane_groups(table, contacts, group_of);
@@ -127,7 +127,7 @@ SolidArrangement arrange(SumSpace& space, const FacetTable& table, const Contact
     for (int k = 0; k < f.facet.corners; ++k)
       sources.push_back({PointSource::Kind::sum, f.facet.corner[k].p, f.facet.corner[k].q, 0});
   for (const Contact& c : contacts.contacts) sources.push_back(c.from), sources.push_back(c.to);
-  const std::vector<PointId> ids = result.points.add(sources, watch);
+  std::vector<PointId> ids = result.points.add(sources, watch);
 
   // Segments of every group.
   std::vector<std::uint32_t> begin(result.groups.size() + 1, 0);
@@ -161,6 +161,7 @@ SolidArrangement arrange(SumSpace& space, const FacetTable& table, const Contact
     segments[place[group_of[c.g]]++] = {to, from, f, 0, 1, kNoId};
   }
 
+  contacts = {}, sources = {}, ids = {};
   constexpr std::size_t kPart = 64;
   const std::size_t count = result.groups.size();
   watch.run((count + kPart - 1) / kPart, [&](std::size_t part) {
@@ -174,7 +175,7 @@ SolidArrangement arrange(SumSpace& space, const FacetTable& table, const Contact
     watch.hold(bytes);
   });
   // Names of crossings: the same point is found in several planes.
-  sources.clear();
+  segments = {};
   for (const PlaneGroup& group : result.groups)
     sources.insert(sources.end(), group.cells.found.begin(), group.cells.found.end());
   const std::vector<PointId> names = result.points.add(sources, watch);

@@ -49,6 +49,6 @@ struct SolidArrangement {
 };
 
 /// Exact.
-SolidArrangement arrange(SumSpace& space, const FacetTable& table, const Contacts& contacts, StageWatch& watch);
+SolidArrangement arrange(SumSpace& space, const FacetTable& table, Contacts contacts, StageWatch& watch);
 
 }  // namespace dymsum::spatial

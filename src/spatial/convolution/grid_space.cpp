@@ -92,6 +92,8 @@ Vector3<typename GridSpace<C>::Normal> GridSpace<C>::normal(const PlaneSource& s
 template <class C>
 PlaneId GridSpace<C>::add_planes(std::span<const PlaneSource> sources) {
   const auto first = static_cast<PlaneId>(n_.size());
+  const std::size_t all = n_.size() + sources.size();
+  n_.reserve(all), d_.reserve(all), plane_residues_.reserve(all), planes_.reserve(all);
   for (const PlaneSource& source : sources) {
     const auto n = normal(source);
     const Offset d = dot(n, sum(source.at));

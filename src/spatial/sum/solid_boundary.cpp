@@ -81,10 +81,11 @@ SolidBoundary solid_boundary(const SolidOperand& p, const SolidOperand& q, const
   watch.hold(convolution.facets.size() * kBytesPerTableFacet);
   result.table = facet_table(*result.space, convolution);
   watch.begin("contacts");
-  const Contacts contacts = find_contacts(*result.space, result.table, watch);
+  Contacts contacts = find_contacts(*result.space, result.table, watch);
+  stats.box_pairs = contacts.counts.box_pairs, stats.contacts = contacts.counts.contacts;
   watch.begin("arrangement");
   result.arrangement =
-      std::make_unique<SolidArrangement>(arrange(*result.space, result.table, contacts, watch));
+      std::make_unique<SolidArrangement>(arrange(*result.space, result.table, std::move(contacts), watch));
   watch.begin("links");
   const CellLinks links = link_cells(*result.space, *result.arrangement, watch);
   watch.begin("collisions");
@@ -99,7 +100,6 @@ SolidBoundary solid_boundary(const SolidOperand& p, const SolidOperand& q, const
   watch.begin("");
   stats.bits = result.space->bits();
   stats.face_vertex = convolution.counts.face_vertex, stats.edge_edge = convolution.counts.edge_edge;
-  stats.box_pairs = contacts.counts.box_pairs, stats.contacts = contacts.counts.contacts;
   stats.points = result.arrangement->points.size(), stats.cells = result.arrangement->cell_count,
   stats.patches = links.patches;
   stats.tight_tests = result.tight.tests;
