@@ -24,8 +24,10 @@ struct SpatialSumInternals;
 
 /// How the boundary is found. Both give the same result.
 enum class SpatialEngine : std::uint8_t {
-  fast,   ///< cells linked around edges, one collision test for every connected piece of the boundary (the default)
-  brute,  ///< every cell tested by itself: the reference
+  /// Facets deep inside dropped, cells linked around edges, one collision test for every connected piece of the
+  /// boundary, and for tight features only where there may be some (the default).
+  fast,
+  brute,  ///< all facets; every cell, edge and point tested by itself: the reference
 };
 
 struct SpatialOptions {

@@ -26,11 +26,12 @@ struct Trace {
 class Tight {
  public:
   Tight(const SumSpace& space, const SolidArrangement& arrangement, const std::vector<bool>& boundary,
-        const Collision& collision, LoneContacts lone, StageWatch& watch)
+        const Collision& collision, LoneContacts lone, bool every_place, StageWatch& watch)
       : space_(space),
         arrangement_(arrangement),
         collision_(collision),
         lone_(std::move(lone)),
+        every_place_(every_place),
         watch_(watch),
         outside_(boundary),
         touched_(arrangement.points.size()) {}
@@ -187,8 +188,7 @@ class Tight {
   void look_at_edge(std::uint32_t edge) {
     traces_.clear();
     for (const EdgeUse use : arrangement_.uses(edge)) traces_.push_back(edge_trace(edge, use));
-    if (traces_.size() < 3 && free_in_a_wedge(traces_)) return;
-    if (free_by_itself(traces_)) return;
+    if (!every_place_ && ((traces_.size() < 3 && free_in_a_wedge(traces_)) || free_by_itself(traces_))) return;
     const Trace& t = traces_[0];
     if (overlaps({arrangement_.points.source(t.a), t.plane, t.cut, t.way, 0, 0})) return;
     result_.segments.push_back({t.a, t.b});
@@ -231,9 +231,9 @@ class Tight {
       while (last < ends.size() && ends[last].group == ends[first].group) ++last;
       traces_.push_back(point_trace(at, ends.subspan(first, last - first)));
     }
-    if (free_in_a_wedge(traces_)) return;
     // Facets that touch it inside of a cell are in no trace.
-    if (!std::binary_search(dots_.begin(), dots_.end(), at) && free_by_itself(traces_)) return;
+    const bool dot = std::binary_search(dots_.begin(), dots_.end(), at);
+    if (!every_place_ && (free_in_a_wedge(traces_) || (!dot && free_by_itself(traces_)))) return;
     if (!overlaps({arrangement_.points.source(at), 0, 0, 0, 0, 0})) result_.points.push_back(at);
   }
 
@@ -241,6 +241,7 @@ class Tight {
   const SolidArrangement& arrangement_;
   const Collision& collision_;
   LoneContacts lone_;
+  bool every_place_;
   StageWatch& watch_;
   std::vector<bool> outside_;               // cells of the boundary, and tight ones
   std::vector<bool> touched_;               // points in the closure of something outside
@@ -254,9 +255,9 @@ class Tight {
 }  // namespace
 
 TightFeatures tight_features(const SumSpace& space, const FacetTable& table, const SolidArrangement& arrangement,
-                             const std::vector<bool>& boundary, const Collision& collision, StageWatch& watch) {
+                             const std::vector<bool>& boundary, const Collision& collision, bool every_place, StageWatch& watch) {
   return Tight(space, arrangement, boundary, collision, LoneContacts(space, table, collision.p(), collision.q()),
-               watch)
+               every_place, watch)
       .run();
 }
 
