@@ -285,7 +285,7 @@ std::vector<SolidPair> solid_pairs(const std::string& data) {
   pairs.push_back({"grate 8 + cube", "flat", grate(8), cube(0.25)});
   pairs.push_back({"comb 8 + upright comb 8", "flat", comb(8, false), comb(8, true)});
   pairs.push_back({"gear 12 + gear 9", "gears", gear(12, 4), gear(9, 3)});
-  pairs.push_back({"gear 24 + turned gear 16", "gears", gear(24, 4), turned(gear(16, 2.5), 0.5, 0.3, 0.2)});
+  pairs.push_back({"gear 24 + turned gear 16", "gears", gear(24, 4), turned(gear(16, 2.5), 0, 0, 0.3)});
   add_real_pairs(data, pairs);
   return pairs;
 }
