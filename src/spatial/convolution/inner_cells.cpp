@@ -17,6 +17,12 @@ Box box_around(Vec3 a, Vec3 b, Vec3 c) {
   return box;
 }
 
+/// The axis along which two boxes have the fewest rows.
+int flattest(Vec3 p, Vec3 q) {
+  const double across[3] = {p.y * p.z * q.y * q.z, p.z * p.x * q.z * q.x, p.x * p.y * q.x * q.y};
+  return static_cast<int>(std::min_element(across, across + 3) - across);
+}
+
 /// Whether the upward ray from a point passes through a triangle: 1 yes, 0 no, -1 not known.
 int passes(Vec3 from, Vec3 a, Vec3 b, Vec3 c, double margin) {
   const Box box = box_around(a, b, c);
@@ -41,23 +47,33 @@ int passes(Vec3 from, Vec3 a, Vec3 b, Vec3 c, double margin) {
 
 }  // namespace
 
-InnerCells::InnerCells(const SumSpace& space, const SolidOperand& p, const SolidOperand& q, int across)
+InnerCells::InnerCells(const SumSpace& space, const SolidOperand& p, const SolidOperand& q, int across,
+                       StageWatch& watch)
     : space_(space), margin_(space.sum_radius() + space.span() * 0x1p-44) {
   if (across < 2 || p.triangles.empty() || q.triangles.empty()) return;
   Box of_p, of_q;
   for (const Vec3& v : space.p()) of_p.add(v);
   for (const Vec3& v : space.q()) of_q.add(v);
-  const Vec3 reach = (of_p.high - of_p.low) + (of_q.high - of_q.low);
-  step_ = (1.0 / across) * reach;
+  axis_ = flattest(of_p.high - of_p.low, of_q.high - of_q.low);
+  step_ = (1.0 / across) * turned((of_p.high - of_p.low) + (of_q.high - of_q.low));
   if (!(std::min({step_.x, step_.y, step_.z}) > 64 * margin_)) return;
-  Lattice a = inside(p, space.p()), b = inside(q, space.q());
+  Lattice both[2];
+  watch.run(2, [&](std::size_t k) {
+    const std::vector<Vec3>& from = k == 0 ? space.p() : space.q();
+    std::vector<Vec3> at;
+    at.reserve(from.size());
+    for (const Vec3& v : from) at.push_back(turned(v));
+    both[k] = inside(k == 0 ? p : q, at);
+  });
+  const Lattice &a = both[0], &b = both[1];
   low_ = a.low + b.low;
   for (std::size_t i = 0; i < 3; ++i) size_[i] = a.size[i] + b.size[i] - 1;
   words_ = (static_cast<std::size_t>(size_[2]) + 63) / 64;
   const std::vector<Row> p_rows = rows(a), q_rows = rows(b);
   if (p_rows.empty() || q_rows.empty()) return;
   bits_.assign(static_cast<std::size_t>(size_[0]) * static_cast<std::size_t>(size_[1]) * words_, 0);
-  add_rows(p_rows, q_rows);
+  watch.run(static_cast<std::size_t>(size_[0]),
+            [&](std::size_t x) { add_rows(static_cast<int>(x), p_rows, q_rows); });
 }
 
 InnerCells::Place InnerCells::place(const Lattice& lattice, Vec3 at) const {
@@ -155,9 +171,14 @@ std::vector<InnerCells::Row> InnerCells::rows(const Lattice& lattice) const {
   return result;
 }
 
-void InnerCells::add_rows(const std::vector<Row>& p, const std::vector<Row>& q) {
-  for (const Row& a : p)
-    for (const Row& b : q) set(a.x + b.x, a.y + b.y, a.first + b.first, a.last + b.last);
+/// All sums of rows with one x; rows are sorted by x.
+void InnerCells::add_rows(int x, const std::vector<Row>& p, const std::vector<Row>& q) {
+  auto begin = q.end(), end = q.end();
+  for (const Row& a : p) {
+    while (begin != q.begin() && (begin - 1)->x >= x - a.x) --begin;
+    while (end != q.begin() && (end - 1)->x > x - a.x) --end;
+    for (auto b = begin; b != end; ++b) set(x, a.y + b->y, a.first + b->first, a.last + b->last);
+  }
 }
 
 void InnerCells::set(int x, int y, int first, int last) {
@@ -179,7 +200,8 @@ void InnerCells::set(int x, int y, int first, int last) {
 bool InnerCells::hold(const Box& box) const {
   if (bits_.empty()) return false;
   std::size_t at[3];
-  const double low[3] = {box.low.x, box.low.y, box.low.z}, high[3] = {box.high.x, box.high.y, box.high.z};
+  const Vec3 from = turned(box.low), to = turned(box.high);
+  const double low[3] = {from.x, from.y, from.z}, high[3] = {to.x, to.y, to.z};
   const double origin[3] = {low_.x, low_.y, low_.z}, step[3] = {step_.x, step_.y, step_.z};
   for (std::size_t i = 0; i < 3; ++i) {
     const double m = std::floor((0.5 * (low[i] + high[i]) - origin[i]) / step[i] + 0.5);
@@ -194,7 +216,7 @@ bool InnerCells::hold(const Box& box) const {
 bool InnerCells::holds_piece(Vec3 a, Vec3 b, Vec3 c) const {
   const Box box = box_around(a, b, c);
   if (hold(box)) return true;
-  const Vec3 size = box.high - box.low;
+  const Vec3 size = turned(box.high - box.low);
   if (size.x <= step_.x && size.y <= step_.y && size.z <= step_.z) return false;
   Box centre;
   centre.add(1.0 / 3 * (a + b + c));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "spatial/convolution/reduced_facets.h"
+#include "spatial/convolution/stage_watch.h"
 #include "spatial/mesh/box_tree.h"
 
 namespace dymsum::spatial {
@@ -15,8 +16,9 @@ namespace dymsum::spatial {
 /// with a margin: what it holds is a proof, the rest says nothing.
 class InnerCells {
  public:
-  /// With about `across` boxes over the sum in each direction; below 2 there are none.
-  InnerCells(const SumSpace& space, const SolidOperand& p, const SolidOperand& q, int across);
+  /// With about `across` boxes over the sum in each direction; below 2 there are none. O(k + r s) for k boxes near the
+  /// surfaces and r and s rows of boxes inside.
+  InnerCells(const SumSpace& space, const SolidOperand& p, const SolidOperand& q, int across, StageWatch& watch);
 
   /// Whether all positions in a closed box lie in the open sum.
   bool hold(const Box& box) const;
@@ -40,16 +42,19 @@ class InnerCells {
     int x, y, first, last;  // boxes inside, from first to last along z
   };
 
+  /// Coordinates with the direction of rows last.
+  Vec3 turned(Vec3 v) const { return axis_ == 2 ? v : axis_ == 1 ? Vec3{v.z, v.x, v.y} : Vec3{v.y, v.z, v.x}; }
   Place place(const Lattice& lattice, Vec3 at) const;
   Lattice inside(const SolidOperand& solid, const std::vector<Vec3>& at) const;
   void mark(Lattice& lattice, Vec3 a, Vec3 b, Vec3 c) const;
   void fill(Lattice& lattice, const SolidOperand& solid, const std::vector<Vec3>& at, Place from) const;
   std::vector<Row> rows(const Lattice& lattice) const;
-  void add_rows(const std::vector<Row>& p, const std::vector<Row>& q);
+  void add_rows(int x, const std::vector<Row>& p, const std::vector<Row>& q);
   void set(int x, int y, int first, int last);
   bool holds_piece(Vec3 a, Vec3 b, Vec3 c) const;
 
   const SumSpace& space_;
+  int axis_ = 2;  // along which rows run
   Vec3 step_, low_;
   double margin_ = 0;
   Place size_{};

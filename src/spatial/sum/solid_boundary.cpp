@@ -76,7 +76,7 @@ SolidBoundary solid_boundary(const SolidOperand& p, const SolidOperand& q, const
   result.space = make_sum_space(p.vertices, q.vertices);
   ReducedConvolution convolution = reduced_convolution(*result.space, p, q, watch);
   const bool fast = options.engine == SpatialEngine::fast;
-  const InnerCells inner(*result.space, p, q, fast ? boxes_across(convolution.facets.size()) : 0);
+  const InnerCells inner(*result.space, p, q, fast ? boxes_across(convolution.facets.size()) : 0, watch);
   stats.inner_facets = drop_inner(convolution, inner);
   watch.hold(convolution.facets.size() * kBytesPerTableFacet);
   result.table = facet_table(*result.space, convolution);
