@@ -65,7 +65,8 @@ void table(const std::vector<SolidRow>& rows, bool rivals, Report& report) {
       "result included, over what it had before. Reading: validation of both meshes; writing: rounding, checking and "
       "formatting the triangles.\n");
   report.line(
-      "| pair | triangles | median ms | p99 | worst | two threads ms | gain | limit | best published / ours | MB | bytes "
+      "| pair | triangles | median ms | p99 | worst | two threads ms | gain | limit | best published / ours | MB | "
+      "bytes "
       "a facet | reading ms | writing ms | faces | tight |");
   report.line("|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|");
   for (const SolidRow& r : rows) {
@@ -80,8 +81,8 @@ void table(const std::vector<SolidRow>& rows, bool rivals, Report& report) {
                 number(ms) + " | " + number(quantile(o.ms, 0.99)) + " | " + number(quantile(o.ms, 1)) + " | " +
                 number(two) + " | " + number(ms / two) + " | " +
                 (r.limit_ms > 0 ? number(r.limit_ms) + (ms <= r.limit_ms ? " met" : " NOT met") : "-") + " | " +
-                (r.published_ms > 0 ? number(r.published_ms / ms) : "-") + " | " + fixed(o.peak_bytes / 1e6, 1) + " | " +
-                fixed(facets > 0 ? o.peak_bytes / facets : 0, 0) + " | " + number(o.validate_ms) + " | " +
+                (r.published_ms > 0 ? number(r.published_ms / ms) : "-") + " | " + fixed(o.peak_bytes / 1e6, 1) +
+                " | " + fixed(facets > 0 ? o.peak_bytes / facets : 0, 0) + " | " + number(o.validate_ms) + " | " +
                 number(o.round_ms) + " | " + std::to_string(o.faces) + " | " + std::to_string(o.tight) + " |");
   }
   report.line("\n## Ours: work\n");
@@ -108,7 +109,8 @@ void table(const std::vector<SolidRow>& rows, bool rivals, Report& report) {
   if (!rivals) return;
   report.line("\n## Beside CGAL and Manifold\n");
   report.line(
-      "Processor time in ms of CGAL 5.5 `minkowski_sum_3` (EPECK, from Nef polyhedra) and of Manifold's `minkowski_sum` "
+      "Processor time in ms of CGAL 5.5 `minkowski_sum_3` (EPECK, from Nef polyhedra) and of Manifold's "
+      "`minkowski_sum` "
       "through Python: with both operands moved until the origin lies inside, and as they stand. Volumes are compared "
       "to 1e-6.\n");
   report.line(
@@ -137,7 +139,8 @@ void summary(const std::vector<SolidRow>& rows, Report& report) {
                 std::to_string(all.size()) + " pairs");
   };
   report.line("\n## Ratios\n");
-  one("CGAL / ours", [](const SolidRow& r) { return r.cgal.finished ? r.cgal.median_ms / quantile(r.ours.ms, 0.5) : 0; });
+  one("CGAL / ours",
+      [](const SolidRow& r) { return r.cgal.finished ? r.cgal.median_ms / quantile(r.ours.ms, 0.5) : 0; });
   one("Manifold / ours",
       [](const SolidRow& r) { return r.manifold.finished ? r.manifold.median_ms / quantile(r.ours.ms, 0.5) : 0; });
   one("best published / ours", [](const SolidRow& r) { return r.published_ms / quantile(r.ours.ms, 0.5); });
@@ -151,11 +154,11 @@ void add_csv(const SolidRow& r, Report& report) {
              << quantile(o.ms, 0.5) << ',' << quantile(o.ms, 0.99) << ',' << quantile(o.ms, 1) << ','
              << quantile(o.two_threads_ms, 0.5) << ',' << o.peak_bytes << ',' << o.validate_ms << ',' << o.round_ms
              << ',' << o.stats.face_vertex << ',' << o.stats.edge_edge << ',' << o.predicted.face_vertex << ','
-             << o.predicted.edge_edge << ',' << o.stats.inner_facets << ',' << o.stats.contacts << ','
-             << o.stats.points << ',' << o.stats.cells << ',' << o.faces << ',' << o.tight << ','
-             << std::setprecision(12) << o.volume << ',' << (r.cgal.finished ? r.cgal.median_ms : 0) << ','
-             << r.cgal.area << ',' << (r.manifold.finished ? r.manifold.median_ms : 0) << ',' << r.manifold.area << ','
-             << r.unguarded.area << std::setprecision(6) << '\n';
+             << o.predicted.edge_edge << ',' << o.stats.inner_facets << ',' << o.stats.contacts << ',' << o.stats.points
+             << ',' << o.stats.cells << ',' << o.faces << ',' << o.tight << ',' << std::setprecision(12) << o.volume
+             << ',' << (r.cgal.finished ? r.cgal.median_ms : 0) << ',' << r.cgal.area << ','
+             << (r.manifold.finished ? r.manifold.median_ms : 0) << ',' << r.manifold.area << ',' << r.unguarded.area
+             << std::setprecision(6) << '\n';
 }
 
 constexpr const char* kColumns =
@@ -165,8 +168,9 @@ constexpr const char* kColumns =
 
 void growth(Report& report) {
   report.line("# Growth of sums of solids\n");
-  report.line("`./run bench solid --growth --results docs/results` made this page. One thread, best of the runs; memory "
-              "is the process's peak, result included.\n");
+  report.line(
+      "`./run bench solid --growth --results docs/results` made this page. One thread, best of the runs; memory "
+      "is the process's peak, result included.\n");
   report.line("| operands | triangles each | ms | facets | contacts | MB | exponent of time | of memory |");
   report.line("|---|---|---|---|---|---|---|---|");
   for (const bool blobs : {false, true}) {

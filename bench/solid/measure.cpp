@@ -17,7 +17,9 @@ namespace dymsum::bench {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-double since(Clock::time_point start) { return std::chrono::duration<double, std::milli>(Clock::now() - start).count(); }
+double since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
 
 /// kB of the process now, or at most since the mark was reset.
 double status_kb(const char* field) {

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "progress_bar.h"
-#include "solid/solid_limits.h"
 #include "report.h"
+#include "solid/solid_limits.h"
 #include "solid/solid_operands.h"
 #include "solid/solid_sum.h"
 

@@ -111,8 +111,9 @@ class SpatialSum {
 /// that are extreme there: O(m + n + k log k) for m and n faces and k facets. Hold a ConvexSum to follow a motion.
 /// All others: O(N log N + K + T log T) for N facets, K of their pairs that meet and T points where three of them do.
 /// Errors: cancelled; out_of_memory where options.memory does not suffice (the message names the need that is known or
-/// predicted by then) or the machine's memory does not; unsupported_operand for operands that are not both convex and whose coordinates need more than
-/// 250 bits on their common grid. Source: Behar 2016, sections 2.3 to 2.6, corrected (docs/design/solid-sum.md).
+/// predicted by then) or the machine's memory does not; unsupported_operand for operands that are not both convex and
+/// whose coordinates need more than 250 bits on their common grid. Source: Behar 2016, sections 2.3 to 2.6, corrected
+/// (docs/design/solid-sum.md).
 Result<SpatialSum> minkowski_sum(const Mesh& p, const Mesh& q, const SpatialOptions& options = {});
 
 /// What a sum will take, before it is computed: expected numbers of facets of the reduced convolution, if each operand

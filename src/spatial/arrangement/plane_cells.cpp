@@ -16,7 +16,8 @@ class PlaneArranger::Cells {
     result_ = {};
     result_.known = points_.known();
     result_.edges.reserve(lines_.pieces().size());
-    for (const LinePiece& p : lines_.pieces()) result_.edges.push_back({p.a, p.b, kNoId, kNoId, p.cut, p.along, p.border});
+    for (const LinePiece& p : lines_.pieces())
+      result_.edges.push_back({p.a, p.b, kNoId, kNoId, p.cut, p.along, p.border});
     sort_around_points();
     trace_loops();
     find_components();
@@ -229,8 +230,7 @@ class PlaneArranger::Cells {
       if (seen_[across] == 0) {
         seen_[across] = 1;
         const std::array<int, 2>& change = lines_.pieces()[h / 2].change;
-        for (std::size_t i = 0; i < 2; ++i)
-          covered_[across][i] = covered_[loop][i] - (h & 1 ? -1 : 1) * change[i];
+        for (std::size_t i = 0; i < 2; ++i) covered_[across][i] = covered_[loop][i] - (h & 1 ? -1 : 1) * change[i];
         todo_.push_back(across);
       }
       h = next(h);

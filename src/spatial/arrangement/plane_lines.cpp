@@ -25,8 +25,8 @@ void PlaneLines::merge_equal(std::span<const PlaneSegment> segments) {
     }
     const bool along = s.a < s.b;
     const int left = along ? s.inside : -s.inside;
-    stretches_.push_back(
-        {std::min(s.a, s.b), std::max(s.a, s.b), s.cut, along, s.side > 0 ? left : 0, s.side > 0 ? 0 : left, s.border, 0});
+    stretches_.push_back({std::min(s.a, s.b), std::max(s.a, s.b), s.cut, along, s.side > 0 ? left : 0,
+                          s.side > 0 ? 0 : left, s.border, 0});
   }
   std::sort(stretches_.begin(), stretches_.end(), [](const Stretch& s, const Stretch& t) {
     return std::tie(s.a, s.b, s.cut, s.border) < std::tie(t.a, t.b, t.cut, t.border);
@@ -284,8 +284,9 @@ void PlaneLines::cut_run(std::uint32_t r, std::span<PointId> points) {
     for (std::size_t i = 0; i < 4; ++i) sum[i] += steps_[k][i];
     const int front = static_cast<int>(sum[0]), back = static_cast<int>(sum[1]);
     const bool up = points[k] < points[k + 1];
-    LinePiece piece{std::min(points[k], points[k + 1]), std::max(points[k], points[k + 1]), run.cut,
-                    up == run.along, kNoId, {up ? front : -front, up ? back : -back}};
+    LinePiece piece{
+        std::min(points[k], points[k + 1]),      std::max(points[k], points[k + 1]), run.cut, up == run.along, kNoId,
+        {up ? front : -front, up ? back : -back}};
     if (sum[2] > 0) piece.border = sum[2] == 1 ? static_cast<EdgeId>(sum[3]) : kManyEdges;
     pieces_.push_back(piece);
   }

@@ -39,7 +39,8 @@ std::vector<PointId> PointTable::add(std::span<const PointSource> sources, Stage
     }
     ids.push_back(slots_[at]);
   }
-  watch.hold((sources_.size() - known) * (sizeof(PointSource) + sizeof(Approx) + sizeof(exact::Residue) + 4 * sizeof(PointId)));
+  watch.hold((sources_.size() - known) *
+             (sizeof(PointSource) + sizeof(Approx) + sizeof(exact::Residue) + 4 * sizeof(PointId)));
   approx_.resize(sources_.size());
   watch.run((sources_.size() - known + kPart - 1) / kPart, [&](std::size_t part) {
     const std::size_t first = known + part * kPart;

@@ -131,8 +131,7 @@ SolidArrangement arrange(SumSpace& space, const FacetTable& table, Contacts cont
 
   // Segments of every group.
   std::vector<std::uint32_t> begin(result.groups.size() + 1, 0);
-  for (std::uint32_t i = 0; i < table.facets.size(); ++i)
-    begin[group_of[i] + 1] += table.facets[i].facet.corners;
+  for (std::uint32_t i = 0; i < table.facets.size(); ++i) begin[group_of[i] + 1] += table.facets[i].facet.corners;
   for (const Contact& c : contacts.contacts) ++begin[group_of[c.f] + 1], ++begin[group_of[c.g] + 1];
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
   std::vector<PlaneSegment> segments(begin.back());
@@ -149,8 +148,9 @@ SolidArrangement arrange(SumSpace& space, const FacetTable& table, Contacts cont
       const bool along = f.forward[k] == up;
       // The facet is to the left of its border seen against its own normal.
       const int inside = (along ? 1 : -1) * f.side;
-      segments[place[group_of[i]]++] = {along ? a : b, along ? b : a, upright.get(f.edge[k], axis),
-                                        static_cast<std::int8_t>(inside), f.side, f.edge[k]};
+      segments[place[group_of[i]]++] = {
+          along ? a : b, along ? b : a, upright.get(f.edge[k], axis), static_cast<std::int8_t>(inside),
+          f.side,        f.edge[k]};
     }
     at += static_cast<std::size_t>(n);
   }
@@ -167,8 +167,8 @@ SolidArrangement arrange(SumSpace& space, const FacetTable& table, Contacts cont
   watch.run((count + kPart - 1) / kPart, [&](std::size_t part) {
     PlaneArranger arranger(space, result.points);
     for (std::size_t g = part * kPart; g < std::min(count, (part + 1) * kPart); ++g)
-      result.groups[g].cells = arranger.run(
-          result.groups[g].plane, {segments.data() + begin[g], segments.data() + begin[g + 1]});
+      result.groups[g].cells =
+          arranger.run(result.groups[g].plane, {segments.data() + begin[g], segments.data() + begin[g + 1]});
     std::size_t bytes = 0;
     for (std::size_t g = part * kPart; g < std::min(count, (part + 1) * kPart); ++g)
       bytes += bytes_of(result.groups[g].cells);

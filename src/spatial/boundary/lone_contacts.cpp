@@ -42,8 +42,7 @@ bool LoneContacts::Side::has_free_way(std::uint32_t vertex) {
   return tame[vertex] == 2;
 }
 
-LoneContacts::LoneContacts(const SumSpace& space, const FacetTable& table, const SolidOperand& p,
-                           const SolidOperand& q)
+LoneContacts::LoneContacts(const SumSpace& space, const FacetTable& table, const SolidOperand& p, const SolidOperand& q)
     : space_(space), table_(table), p_(space, p, space.p()), q_(space, q, space.q()), edge_(space.edges().size(), 0) {}
 
 bool LoneContacts::lone(const Side& edges, std::uint32_t from, std::uint32_t to, const Side& vertices,
@@ -68,8 +67,7 @@ bool LoneContacts::lone(const Side& edges, std::uint32_t from, std::uint32_t to,
   });
   if (!free) return false;
   const Direction along = edges.edge(from, to);
-  return vertices.all_triangles(v,
-                                [&](std::uint32_t t) { return filtered_sign(vertices.normals[t], along) != 0; });
+  return vertices.all_triangles(v, [&](std::uint32_t t) { return filtered_sign(vertices.normals[t], along) != 0; });
 }
 
 /// No face at a vertex of one operand is parallel to an edge at a vertex of the other.
@@ -83,8 +81,7 @@ bool LoneContacts::edge(EdgeId id) {
   if (edge_[id] == 0) {
     const SumEdge& e = space_.edges()[id];
     const bool of_p = e.from.q == e.to.q;
-    const bool yes =
-        of_p ? lone(p_, e.from.p, e.to.p, q_, e.from.q) : lone(q_, e.from.q, e.to.q, p_, e.from.p);
+    const bool yes = of_p ? lone(p_, e.from.p, e.to.p, q_, e.from.q) : lone(q_, e.from.q, e.to.q, p_, e.from.p);
     edge_[id] = yes ? 2 : 1;
   }
   return edge_[id] == 2;

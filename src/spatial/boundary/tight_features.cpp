@@ -132,8 +132,7 @@ class Tight {
       if (e.border == kNoId) continue;
       if (borders++ == 0) trace.border = e.border;
       through = through && e.border == trace.border && one_border(e) && one_sided(group, e);
-      corner = corner && one_border(e) &&
-               (space_.edges()[e.border].from == sum || space_.edges()[e.border].to == sum);
+      corner = corner && one_border(e) && (space_.edges()[e.border].from == sum || space_.edges()[e.border].to == sum);
     }
     if (borders == 0) trace.end = trace.full ? Trace::End::none : Trace::End::other;
     else if (alone && through && borders == 2) trace.end = Trace::End::border;
@@ -180,7 +179,8 @@ class Tight {
     if (lone_groups_.empty()) lone_groups_.assign(arrangement_.groups.size(), 0);
     if (lone_groups_[g] == 0) {
       const std::vector<std::uint32_t>& facets = arrangement_.groups[g].facets;
-      lone_groups_[g] = std::all_of(facets.begin(), facets.end(), [&](std::uint32_t f) { return lone_.facet(f); }) ? 2 : 1;
+      lone_groups_[g] =
+          std::all_of(facets.begin(), facets.end(), [&](std::uint32_t f) { return lone_.facet(f); }) ? 2 : 1;
     }
     return lone_groups_[g] == 2;
   }
@@ -243,11 +243,11 @@ class Tight {
   LoneContacts lone_;
   bool every_place_;
   StageWatch& watch_;
-  std::vector<bool> outside_;               // cells of the boundary, and tight ones
-  std::vector<bool> touched_;               // points in the closure of something outside
-  std::vector<PointId> dots_;               // points that facets touch inside of a cell
-  std::vector<Trace> traces_;               // scratch: of one place
-  std::vector<std::uint8_t> lone_groups_;   // 0 not known yet, 1 no, 2 yes
+  std::vector<bool> outside_;              // cells of the boundary, and tight ones
+  std::vector<bool> touched_;              // points in the closure of something outside
+  std::vector<PointId> dots_;              // points that facets touch inside of a cell
+  std::vector<Trace> traces_;              // scratch: of one place
+  std::vector<std::uint8_t> lone_groups_;  // 0 not known yet, 1 no, 2 yes
   double share_ = 0;
   TightFeatures result_;
 };
@@ -255,7 +255,8 @@ class Tight {
 }  // namespace
 
 TightFeatures tight_features(const SumSpace& space, const FacetTable& table, const SolidArrangement& arrangement,
-                             const std::vector<bool>& boundary, const Collision& collision, bool every_place, StageWatch& watch) {
+                             const std::vector<bool>& boundary, const Collision& collision, bool every_place,
+                             StageWatch& watch) {
   return Tight(space, arrangement, boundary, collision, LoneContacts(space, table, collision.p(), collision.q()),
                every_place, watch)
       .run();

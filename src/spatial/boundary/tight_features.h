@@ -21,6 +21,7 @@ struct TightFeatures {
 /// no test, for reference. Statement and what is
 /// left out without a test: docs/design/solid-sum.md, "Tight features". Exact.
 TightFeatures tight_features(const SumSpace& space, const FacetTable& table, const SolidArrangement& arrangement,
-                             const std::vector<bool>& boundary, const Collision& collision, bool every_place, StageWatch& watch);
+                             const std::vector<bool>& boundary, const Collision& collision, bool every_place,
+                             StageWatch& watch);
 
 }  // namespace dymsum::spatial

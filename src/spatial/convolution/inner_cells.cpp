@@ -40,8 +40,8 @@ int passes(Vec3 from, Vec3 a, Vec3 b, Vec3 c, double margin) {
   // The point's box touches no triangle, so that it is above or below where it is inside the projection.
   if (s == 0 || t == 0 || u == 0) return -1;
   const double h = dot(cross(b - a, c - a), from - a) * s;
-  const double error =
-      64 * margin * (direction_norm(b - a) + direction_norm(c - a)) * (direction_norm(from - a) + direction_norm(b - a));
+  const double error = 64 * margin * (direction_norm(b - a) + direction_norm(c - a)) *
+                       (direction_norm(from - a) + direction_norm(b - a));
   return h < -error ? 1 : h > error ? 0 : -1;
 }
 
@@ -72,8 +72,7 @@ InnerCells::InnerCells(const SumSpace& space, const SolidOperand& p, const Solid
   const std::vector<Row> p_rows = rows(a), q_rows = rows(b);
   if (p_rows.empty() || q_rows.empty()) return;
   bits_.assign(static_cast<std::size_t>(size_[0]) * static_cast<std::size_t>(size_[1]) * words_, 0);
-  watch.run(static_cast<std::size_t>(size_[0]),
-            [&](std::size_t x) { add_rows(static_cast<int>(x), p_rows, q_rows); });
+  watch.run(static_cast<std::size_t>(size_[0]), [&](std::size_t x) { add_rows(static_cast<int>(x), p_rows, q_rows); });
 }
 
 InnerCells::Place InnerCells::place(const Lattice& lattice, Vec3 at) const {
@@ -182,9 +181,8 @@ void InnerCells::add_rows(int x, const std::vector<Row>& p, const std::vector<Ro
 }
 
 void InnerCells::set(int x, int y, int first, int last) {
-  std::uint64_t* row = &bits_[(static_cast<std::size_t>(x) * static_cast<std::size_t>(size_[1]) +
-                               static_cast<std::size_t>(y)) *
-                              words_];
+  std::uint64_t* row =
+      &bits_[(static_cast<std::size_t>(x) * static_cast<std::size_t>(size_[1]) + static_cast<std::size_t>(y)) * words_];
   const auto from = static_cast<std::size_t>(first), to = static_cast<std::size_t>(last);
   const std::uint64_t head = ~std::uint64_t{0} << (from % 64), tail = ~std::uint64_t{0} >> (63 - to % 64);
   if (from / 64 == to / 64) {

@@ -110,8 +110,8 @@ class Facets {
 
   /// Faces of one operand with vertices of the other whose rays all lie below the face's plane, or in it with the
   /// lexicographic sign of `tie`.
-  void face_vertex(const FacetSide& faces, const FacetSide& vertices, const BoxTree& tree, int tie,
-                   std::uint32_t first, std::uint32_t last) {
+  void face_vertex(const FacetSide& faces, const FacetSide& vertices, const BoxTree& tree, int tie, std::uint32_t first,
+                   std::uint32_t last) {
     std::vector<std::uint32_t> found;
     for (std::uint32_t t = first; t < last; ++t) {
       Box at;

@@ -96,7 +96,9 @@ SolidBoundary solid_boundary(const SolidOperand& p, const SolidOperand& q, const
   result.patch = links.patch;
   stats.collision_tests = collision.tests();
   watch.begin("tight features");
-  if (options.tight) result.tight = tight_features(*result.space, result.table, *result.arrangement, result.boundary, collision, !fast, watch);
+  if (options.tight)
+    result.tight =
+        tight_features(*result.space, result.table, *result.arrangement, result.boundary, collision, !fast, watch);
   watch.begin("");
   stats.bits = result.space->bits();
   stats.face_vertex = convolution.counts.face_vertex, stats.edge_edge = convolution.counts.edge_edge;

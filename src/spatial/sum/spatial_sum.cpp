@@ -23,10 +23,10 @@ namespace {
 std::string megabytes(std::uint64_t bytes) { return std::to_string((bytes + 999999) / 1000000) + " MB"; }
 
 Error too_large(const SpatialOptions& options, const char* what, std::uint64_t bytes) {
-  return {ErrorCode::out_of_memory,
-          std::string("the sum ") + what + " " + megabytes(bytes) + " of memory, the limit is " +
-              megabytes(options.memory),
-          {}};
+  return {
+      ErrorCode::out_of_memory,
+      std::string("the sum ") + what + " " + megabytes(bytes) + " of memory, the limit is " + megabytes(options.memory),
+      {}};
 }
 
 }  // namespace
@@ -59,7 +59,8 @@ Result<SpatialSum> spatial::sum_of_solids(const MeshData& p, const MeshData& q, 
     return too_large(options, "takes at least", e.bytes);
   } catch (const std::bad_alloc&) {
     return Error{ErrorCode::out_of_memory,
-                 "the sum needs more memory than there is; predicted were " + megabytes(cost.bytes), {}};
+                 "the sum needs more memory than there is; predicted were " + megabytes(cost.bytes),
+                 {}};
   } catch (const std::invalid_argument& e) {
     return Error{ErrorCode::unsupported_operand, e.what(), {}};
   }

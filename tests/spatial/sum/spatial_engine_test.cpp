@@ -53,8 +53,8 @@ MeshData tiny_polyhedron(std::mt19937_64& random) {
   MeshData m;
   const auto place = [&](double z, double r, double angle) {
     const double s = size * (0.4 + 0.2 * below(4));
-    m.vertices.push_back({std::nearbyint(s * r * std::cos(angle)), std::nearbyint(s * r * std::sin(angle)),
-                          std::nearbyint(s * z)});
+    m.vertices.push_back(
+        {std::nearbyint(s * r * std::cos(angle)), std::nearbyint(s * r * std::sin(angle)), std::nearbyint(s * z)});
   };
   place(-1, 0, 0);
   for (int j = 1; j <= rings; ++j)
