@@ -43,7 +43,7 @@ void judge_cells(SolidBoundary& result, const Collision& collision, StageWatch& 
 constexpr std::size_t kBytesPerTableFacet = sizeof(TableFacet) + 900;
 
 /// Few boxes are many times faster than the facets that they save.
-int boxes_across(std::size_t facets) { return facets < 64 ? 0 : facets < 2000 ? 32 : facets < 20000 ? 62 : 126; }
+int boxes_across(std::size_t facets) { return facets < 500 ? 0 : facets < 2000 ? 32 : facets < 20000 ? 62 : 126; }
 
 /// Facets deep inside the open sum bound nothing, and without them off the facets there still are only cells of the
 /// open sum and cells of the outside.
