@@ -1,4 +1,5 @@
-// PLY, text and binary: the elements vertex (x, y, z) and face (a list of vertex numbers); others are skipped. Every
+// PLY, text and binary: the elements vertex (x, y, z), face (a list of vertex numbers) and edge (vertex1, vertex2); others
+// are skipped. Every
 // property that is read takes at least a byte of the file, and elements without properties are not counted through, so
 // that announced numbers cost neither time nor memory.
 #include <algorithm>
@@ -117,11 +118,12 @@ class BodyReader {
 
  private:
   void read_item(const PlyElement& element) {
-    const bool vertex = element.name == "vertex", face = element.name == "face";
+    const bool vertex = element.name == "vertex", face = element.name == "face", edge = element.name == "edge";
     Evidence evidence;
     if (vertex) evidence = at_vertex(data_.vertices.size());
-    if (face) evidence = at_face(data_.faces.size());
+    if (face || edge) evidence = at_face(data_.faces.size());
     Point3 p;
+    Face ends(2);
     for (const PlyProperty& property : element.properties) {
       if (property.count) {
         read_list(property, face && is_corner_list(property), evidence);
@@ -129,8 +131,11 @@ class BodyReader {
       }
       const double value = numbers_.next(property.type, evidence);
       if (vertex) store(p, property.name, value, evidence);
+      if (edge && property.name == "vertex1") ends[0] = corner(value, evidence);
+      if (edge && property.name == "vertex2") ends[1] = corner(value, evidence);
     }
     if (vertex) data_.vertices.push_back(p);
+    if (edge) data_.faces.push_back(std::move(ends));
   }
 
   void store(Point3& p, const std::string& name, double value, const Evidence& evidence) {
@@ -186,6 +191,10 @@ void check_elements(const PlyHeader& header, const Words& words) {
     }
     if (element.name == "face" && !has(is_corner_list)) {
       words.fail_at(words.offset() - 1, ErrorCode::malformed, "the element face does not have one list vertex_indices");
+    }
+    if (element.name == "edge" && !(scalar("vertex1") && scalar("vertex2"))) {
+      words.fail_at(words.offset() - 1, ErrorCode::malformed,
+                    "the element edge does not have one vertex1 and vertex2 each");
     }
   }
 }

@@ -79,7 +79,7 @@ std::string write_obj(const MeshData& data) {
     out += '\n';
   }
   for (const Face& face : data.faces) {
-    out += 'f';
+    out += face.size() == 1 ? 'p' : face.size() == 2 ? 'l' : 'f';
     append_corners(out, face, 1);
     out += '\n';
   }

@@ -31,7 +31,7 @@ class Linker {
     parent_.resize(arrangement_.cell_count + 1);  // the last one: what is covered
     std::iota(parent_.begin(), parent_.end(), 0u);
     for (const PlaneGroup& group : arrangement_.groups)
-      for (const Cell& cell : group.cells.cells) facing_.push_back(cell.front > 0 ? cell.back > 0 ? 0 : 1 : -1);
+      for (const Cell& cell : group.cells.cells) facing_.push_back(cell.front > 0 ? cell.back > 0 ? 0 : 1 : cell.back > 0 ? -1 : kNoWall);
     for (std::uint32_t c = 0; c < facing_.size(); ++c)
       if (facing_[c] == 0) join(c, covered());
     std::vector<EdgeSide> sides = edge_sides();
@@ -56,9 +56,11 @@ class Linker {
   std::vector<EdgeSide> edge_sides() const {
     std::vector<EdgeSide> sides;
     for (const PlaneGroup& group : arrangement_.groups) {
-      const auto cell = [&](std::uint32_t c) { return c == kNoId ? kNoId : group.first_cell + c; };
+      const auto cell = [&](std::uint32_t c) {
+        return c == kNoId || facing_[group.first_cell + c] == kNoWall ? kNoId : group.first_cell + c;
+      };
       for (const CellEdge& e : group.cells.edges) {
-        if (e.left == kNoId && e.right == kNoId) continue;
+        if (cell(e.left) == kNoId && cell(e.right) == kNoId) continue;
         const PointId a = arrangement_.point(group, e.a), b = arrangement_.point(group, e.b);
         if (a < b) sides.push_back({a, b, group.plane, cell(e.left), cell(e.right)});
         else sides.push_back({b, a, group.plane, cell(e.right), cell(e.left)});
@@ -136,6 +138,7 @@ class Linker {
   const SumSpace& space_;
   const SolidArrangement& arrangement_;
   std::vector<std::uint32_t> parent_;
+  static constexpr std::int8_t kNoWall = 2;
   std::vector<std::int8_t> facing_;  // 1 where the free side is the normal's, -1 the other one, 0 none
   std::vector<Wall> walls_;
   int axis_ = 0, along_ = 0;

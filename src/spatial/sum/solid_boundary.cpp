@@ -61,6 +61,19 @@ void judge_cells(SolidBoundary& result, const Collision& collision) {
   });
 }
 
+/// Behind a facet of two thin parts need not be anything: each cell is given the directions that its two sides tell, none
+/// where they are alike.
+void look_at_both_sides(SolidArrangement& arrangement, const Collision& collision) {
+  for (PlaneGroup& group : arrangement.groups) {
+    for (Cell& cell : group.cells.cells) {
+      const bool above = collision.meets(flag_at(arrangement, group, cell, 1));
+      const bool below = collision.meets(flag_at(arrangement, group, cell, -1));
+      cell.front = below && !above;
+      cell.back = above && !below;
+    }
+  }
+}
+
 }  // namespace
 
 Flag flag_at(const SolidArrangement& arrangement, const PlaneGroup& group, const Cell& cell, int side) {
@@ -84,17 +97,20 @@ SolidBoundary solid_boundary(const SolidOperand& p, const SolidOperand& q, const
   stages.begin("arrangement");
   result.arrangement =
       std::make_unique<SolidArrangement>(arrange(*result.space, result.table, contacts, options.threads));
+  const Collision collision(*result.space, p, q);
+  const bool both_thin = p.has_thin() && q.has_thin();
+  if (both_thin) look_at_both_sides(*result.arrangement, collision);
   stages.begin("links");
   const CellLinks links = link_cells(*result.space, *result.arrangement);
   stages.begin("collisions");
-  const Collision collision(*result.space, p, q);
   result.boundary.assign(result.arrangement->cell_count, false);
-  if (options.engine == SpatialEngine::fast) judge_patches(result, links, collision);
-  else judge_cells(result, collision);
+  if (options.engine == SpatialEngine::brute) judge_cells(result, collision);
+  else judge_patches(result, links, collision);
   result.patch = links.patch;
   stats.collision_tests = collision.tests();
   stages.begin("tight features");
-  if (options.tight) result.tight = tight_features(*result.space, *result.arrangement, result.boundary, collision);
+  if (options.tight && options.semantics != Semantics::regular && !both_thin)
+    result.tight = tight_features(*result.space, *result.arrangement, result.boundary, collision);
   stages.begin("");
   stats.bits = result.space->bits();
   stats.face_vertex = convolution.counts.face_vertex, stats.edge_edge = convolution.counts.edge_edge;

@@ -22,13 +22,28 @@ Result<SpatialSum> minkowski_sum(const Mesh& p, const Mesh& q, const SpatialOpti
       return Error{ErrorCode::cancelled, "the computation was cancelled", {}};
     if (const Result<SolidSum> convex = convex_sum(p, q)) return spatial::boundary_of(*convex);
   }
-  return spatial::sum_of_solids(p.data(), q.data(), options);
+  return spatial::sum_of_solids(p, q, options);
 }
 
 Result<SpatialSum> spatial::sum_of_solids(const MeshData& p, const MeshData& q, const SpatialOptions& options) {
+  return sum_of_operands(solid_operand(p), solid_operand(q), options);
+}
+
+Result<SpatialSum> spatial::sum_of_solids(const Mesh& p, const Mesh& q, const SpatialOptions& options) {
+  if (p.has_thin_parts() && q.has_thin_parts() && options.semantics == Semantics::open)
+    return Error{ErrorCode::unsupported_operand,
+                 "the open sum is defined where one operand has no parts without volume", {}};
+  Result<SpatialSum> sum = sum_of_operands(solid_operand(p.data(), p.thin_faces()),
+                                           solid_operand(q.data(), q.thin_faces()), options);
+  if (sum && sum->faces.empty() && p.has_thin_parts() && q.has_thin_parts())
+    return Error{ErrorCode::unsupported_operand, "the sum of these parts without volume has no volume either", {}};
+  return sum;
+}
+
+Result<SpatialSum> spatial::sum_of_operands(const SolidOperand& a, const SolidOperand& b,
+                                            const SpatialOptions& options) {
   SpatialSum sum;
-  if (p.faces.empty() || q.faces.empty()) return sum;
-  const SolidOperand a = solid_operand(p), b = solid_operand(q);
+  if (a.vertices.empty() || b.vertices.empty()) return sum;
   try {
     spatial::SolidBoundary boundary = spatial::solid_boundary(a, b, options, sum.stats);
     const auto start = std::chrono::steady_clock::now();
