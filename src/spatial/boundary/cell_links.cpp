@@ -128,7 +128,7 @@ class Linker {
     std::vector<std::uint32_t> index(parent_.size(), kNoId);
     for (std::uint32_t c = 0; c < arrangement_.cell_count; ++c) {
       const std::uint32_t r = root(c);
-      if (r == root(covered())) continue;
+      if (r == root(covered()) || facing_[c] == kNoWall) continue;
       if (index[r] == kNoId) index[r] = links.patches++;
       links.patch[c] = index[r];
     }

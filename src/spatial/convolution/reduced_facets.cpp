@@ -59,6 +59,7 @@ struct FacetSide {
   }
 
   Way way(std::uint32_t from, std::uint32_t to) const { return {of, from, to}; }
+  bool is_thin(const Wedge& w) const { return w.is_segment() || w.left >= solid.first_plate; }
 };
 
 /// Of n . d by doubles; 0 where they leave it open.
@@ -225,19 +226,23 @@ class Facets {
     // With n = s (e x g) and d, c from the edges into their faces, n . d <= 0 and n . c <= 0 read, for the faces'
     // normals: s (g . n_left) >= 0 >= s (g . n_right), s (e . m_left) <= 0 <= s (e . m_right).
     // A segment by itself has no faces, and those of a plate's edge are opposite. All zero: parallel edges, or thin parts
-    // in one plane.
+    // in one plane, which is seen from both sides.
     const bool bare_e = e.is_segment(), bare_g = g.is_segment();
     const int a = bare_e ? 0 : sign_at(p_, e.left, q_, j), b = bare_e ? 0 : sign_at(p_, e.right, q_, j);
-    if (a != 0 && a == b) return;
+    if (a == b && (a != 0 || !p_.is_thin(e))) return;
     int s = a != 0 ? a : -b;
     if (s * b > 0) return;
     const int c = bare_g ? 0 : sign_at(q_, g.left, p_, i);
     if (s * c > 0) return;
     const int d = bare_g ? 0 : sign_at(q_, g.right, p_, i);
     if (s == 0) s = c != 0 ? -c : d;
-    if (s == 0 || s * c > 0 || s * d < 0) return;
+    if (s == 0 && space_.exact_dot(p_.way(e.from, e.to), q_.way(g.from, g.to), p_.way(e.from, e.to),
+                                   q_.way(g.from, g.to)) == 0)
+      return;
+    if (s * c > 0 || s * d < 0) return;
     if ((a == 0 || b == 0 || c == 0 || d == 0) && !ties_hold(e, g, a, b, c, d)) return;
-    add_edge_edge(i, j, s);
+    add_edge_edge(i, j, s != 0 ? s : 1);
+    if (s == 0) add_edge_edge(i, j, -1);
   }
 
   /// Where a face of one edge is coplanar with the facet, the ray of the other edge on its side has to be
