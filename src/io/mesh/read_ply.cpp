@@ -1,5 +1,5 @@
-// PLY, text and binary: the elements vertex (x, y, z), face (a list of vertex numbers) and edge (vertex1, vertex2); others
-// are skipped. Every
+// PLY, text and binary: the elements vertex (x, y, z), face (a list of vertex numbers) and edge (vertex1, vertex2), of
+// which those of faces say nothing new; others are skipped. Every
 // property that is read takes at least a byte of the file, and elements without properties are not counted through, so
 // that announced numbers cost neither time nor memory.
 #include <algorithm>
@@ -113,15 +113,29 @@ class BodyReader {
       for (std::uint64_t i = 0; i < element.count; ++i) read_item(element);
     }
     numbers_.finish();
+    add_edges();
     return std::move(data_);
   }
 
  private:
+  /// Edges that no face has are segments by themselves.
+  void add_edges() {
+    if (edges_.empty()) return;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> known;
+    for (const Face& face : data_.faces)
+      for (std::size_t k = 0; k < face.size(); ++k) known.push_back(std::minmax(face[k], face[(k + 1) % face.size()]));
+    std::sort(known.begin(), known.end());
+    for (Face& edge : edges_) {
+      const std::pair<std::uint32_t, std::uint32_t> ends = std::minmax(edge[0], edge[1]);
+      if (!std::binary_search(known.begin(), known.end(), ends)) data_.faces.push_back(std::move(edge));
+    }
+  }
+
   void read_item(const PlyElement& element) {
     const bool vertex = element.name == "vertex", face = element.name == "face", edge = element.name == "edge";
     Evidence evidence;
     if (vertex) evidence = at_vertex(data_.vertices.size());
-    if (face || edge) evidence = at_face(data_.faces.size());
+    if (face) evidence = at_face(data_.faces.size());
     Point3 p;
     Face ends(2);
     for (const PlyProperty& property : element.properties) {
@@ -135,7 +149,7 @@ class BodyReader {
       if (edge && property.name == "vertex2") ends[1] = corner(value, evidence);
     }
     if (vertex) data_.vertices.push_back(p);
-    if (edge) data_.faces.push_back(std::move(ends));
+    if (edge) edges_.push_back(std::move(ends));
   }
 
   void store(Point3& p, const std::string& name, double value, const Evidence& evidence) {
@@ -175,6 +189,7 @@ class BodyReader {
   std::size_t size_;
   std::uint64_t vertices_ = 0;
   MeshData data_;
+  std::vector<Face> edges_;
 };
 
 /// Vertices have places, and faces corners, or the file is none of a mesh.
