@@ -97,6 +97,15 @@ bool is_corner_list(const PlyProperty& property) {
   return property.count && (property.name == "vertex_indices" || property.name == "vertex_index");
 }
 
+/// With two ends; others say nothing.
+bool is_edge(const PlyElement& element) {
+  const auto has = [&](std::string_view name) {
+    return std::any_of(element.properties.begin(), element.properties.end(),
+                       [&](const PlyProperty& property) { return property.name == name && !property.count; });
+  };
+  return element.name == "edge" && has("vertex1") && has("vertex2");
+}
+
 template <class Numbers>
 class BodyReader {
  public:
@@ -132,7 +141,7 @@ class BodyReader {
   }
 
   void read_item(const PlyElement& element) {
-    const bool vertex = element.name == "vertex", face = element.name == "face", edge = element.name == "edge";
+    const bool vertex = element.name == "vertex", face = element.name == "face", edge = is_edge(element);
     Evidence evidence;
     if (vertex) evidence = at_vertex(data_.vertices.size());
     if (face) evidence = at_face(data_.faces.size());
@@ -206,10 +215,6 @@ void check_elements(const PlyHeader& header, const Words& words) {
     }
     if (element.name == "face" && !has(is_corner_list)) {
       words.fail_at(words.offset() - 1, ErrorCode::malformed, "the element face does not have one list vertex_indices");
-    }
-    if (element.name == "edge" && !(scalar("vertex1") && scalar("vertex2"))) {
-      words.fail_at(words.offset() - 1, ErrorCode::malformed,
-                    "the element edge does not have one vertex1 and vertex2 each");
     }
   }
 }

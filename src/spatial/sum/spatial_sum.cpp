@@ -10,6 +10,7 @@
 #include "spatial/sum/solid_faces.h"
 #include "spatial/sum/sum_of_solids.h"
 #include "spatial/sum/sum_source.h"
+#include "spatial/sum/touching_vertices.h"
 
 namespace dymsum {
 
@@ -92,7 +93,7 @@ Result<SpatialSum::Rounded> SpatialSum::rounded() const {
   Rounded result;
   constexpr std::uint32_t kNone = 0xffffffff;
   std::vector<std::uint32_t> name(vertices.size(), kNone);
-  spatial::Triangles all = spatial::triangulated(*this);
+  spatial::Triangles all = spatial::split_at_touching_vertices(*this, spatial::triangulated(*this));
   for (const spatial::Triangle& t : all.triangles) {
     Face face;
     for (const std::uint32_t v : t) {

@@ -155,6 +155,36 @@ TEST(SolidLaws, the_sum_of_several_is_exact_or_refused) {
   EXPECT_GT(exact, 0);
 }
 
+TEST(SolidLaws, sums_that_touch_themselves_are_operands) {
+  // Over a slab hang a wedge, with its edge down, and a tip: an octahedron makes them touch its top inside.
+  const MeshData slab = solids::box(-9, -9, -1, 9, 9, 0).data();
+  const Mesh octahedron = solids::dipyramid(4, 1, 1);
+  double height = 0;
+  for (const Point3& v : octahedron.vertices()) height = std::max(height, v.z);
+  const double low = 2 * height;
+  const std::vector<std::vector<Point3>> above{
+      {{-3, 0, low}, {3, 0, low}, {-3, -2, 5}, {3, -2, 5}, {-3, 2, 5}, {3, 2, 5}},
+      {{0, 0, low}, {-3, -2, 5}, {3, -2, 5}, {0, 3, 5}},
+      {{1, 1, low}, {-3, -2, 5}, {3, -2, 5}, {0, 3, 5}, {1, -0.5, low}, {-0.5, 0, low + 0.5}}};
+  for (const std::vector<Point3>& points : above) {
+    MeshData data = slab;
+    const auto count = static_cast<std::uint32_t>(data.vertices.size());
+    const Mesh hanging = convex_hull(points).value();
+    data.vertices.insert(data.vertices.end(), hanging.vertices().begin(), hanging.vertices().end());
+    for (Face f : hanging.faces()) {
+      for (std::uint32_t& v : f) v += count;
+      data.faces.push_back(f);
+    }
+    const SpatialSum s = sum(Mesh::create(data).value(), octahedron);
+    const Result<SpatialSum::Rounded> rounded = s.rounded();
+    ASSERT_TRUE(rounded.ok()) << rounded.error().to_string();
+    const Result<Mesh> mesh = Mesh::create(rounded->mesh);
+    ASSERT_TRUE(mesh.ok()) << mesh.error().to_string();
+    EXPECT_NEAR(volume(*mesh), s.volume(), 1e-9);
+    EXPECT_GT(sum(*mesh, solids::box(0, 0, 0, 1, 1, 1)).volume(), s.volume());
+  }
+}
+
 TEST(SolidLaws, known_volumes) {
   MeshData ell;
   for (const double z : {0.0, 10.0})
