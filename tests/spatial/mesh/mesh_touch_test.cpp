@@ -134,7 +134,7 @@ TEST(MeshTouch, that_goes_further_is_refused) {
 TEST(MeshTouch, of_random_unions_of_cubes) {
   const oracles::IntegerMap shear{{{1, 2, -1}, {0, 1, 1}, {0, 0, 1}}};
   int touching = 0;
-  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
     std::mt19937_64 random(seed);
     const auto [p, q] = oracles::random_voxels(4, random);
     for (const oracles::Voxels& voxels : {p, q}) {
@@ -153,7 +153,7 @@ TEST(MeshTouch, of_random_unions_of_cubes) {
       EXPECT_TRUE(repair(turned_inside_out(data))->mesh == mesh) << "seed " << seed;
     }
   }
-  EXPECT_GT(touching, 12);
+  EXPECT_GT(touching, 8);
 }
 
 TEST(MeshTouch, is_written_and_read_back) {

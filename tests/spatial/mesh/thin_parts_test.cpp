@@ -45,7 +45,7 @@ TEST(ThinParts, ofASolidAreToldApart) {
   EXPECT_EQ(thin_count(split.mesh), 4u + 2);
   EXPECT_TRUE(Mesh::with_thin_parts(split.mesh.data()).ok());
   EXPECT_FALSE(Mesh::create(cube_with_parts()).ok());
-  EXPECT_EQ(repair(cube_with_parts()).error().code, ErrorCode::not_closed) << "the fin";
+  EXPECT_EQ(repair(cube_with_parts()).error().code, ErrorCode::not_manifold) << "the fin";
 }
 
 TEST(ThinParts, areSurfacesWhereTheyAreNotClosed) {
