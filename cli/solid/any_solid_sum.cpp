@@ -17,9 +17,9 @@ namespace {
 
 using Kind = SolidFeature::Kind;
 
-/// Bits of the integers that hold both operands; 0 for integers of any size.
+/// Bits of the integers that hold both operands; 0 for integers of any size, as convex ones in the end have.
 int grid_tier(const SpatialSum& sum) {
-  return sum.stats.bits == 0 || sum.stats.bits > 54 ? 0 : sum.stats.bits <= 26 ? 26 : 54;
+  return sum.stats.cells == 0 || sum.stats.bits > 54 ? 0 : sum.stats.bits <= 26 ? 26 : 54;
 }
 
 std::string face_kind(const SpatialFace& f) {

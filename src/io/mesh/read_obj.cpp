@@ -1,5 +1,5 @@
-// OBJ: one statement per line, or several that backslashes join; of these `v`, `f`, `l` (polylines) and `p` (points)
-// make the mesh. A face's corners
+// OBJ: one statement per line, or several that backslashes join; of these `v`, `f`, `l` (polylines, but for
+// the edges of faces) and `p` (points) make the mesh. A face's corners
 // are vertex numbers from 1 on, or from -1 backwards from the last vertex so far, each perhaps followed by
 // /texture/normal, which is skipped.
 #include <algorithm>
@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "io/mesh/face_edges.h"
 #include "io/mesh/mesh_readers.h"
 #include "io/number_text.h"
 #include "io/words.h"
@@ -39,6 +40,7 @@ class ObjReader {
       }
     }
     check_indices();
+    drop_edges_of_faces();
     return std::move(data_);
   }
 
@@ -72,7 +74,20 @@ class ObjReader {
       data_.faces.emplace_back(face.begin() + static_cast<std::ptrdiff_t>(k),
                                face.begin() + static_cast<std::ptrdiff_t>(k + corners));
       face_offset_.push_back(start);
+      is_line_.push_back(keyword == "l");
     }
+  }
+
+  void drop_edges_of_faces() {
+    if (std::find(is_line_.begin(), is_line_.end(), true) == is_line_.end()) return;
+    const FaceEdges known(data_.faces);
+    std::size_t kept = 0;
+    for (std::size_t f = 0; f < data_.faces.size(); ++f) {
+      if (is_line_[f] && known.has(data_.faces[f])) continue;
+      if (kept != f) data_.faces[kept] = std::move(data_.faces[f]);
+      ++kept;
+    }
+    data_.faces.resize(kept);
   }
 
   std::uint32_t read_corner(Evidence evidence) {
@@ -108,6 +123,7 @@ class ObjReader {
   Words words_;
   MeshData data_;
   std::vector<std::size_t> face_offset_;
+  std::vector<bool> is_line_;  // per face
 };
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "io/bytes.h"
+#include "io/mesh/face_edges.h"
 #include "io/mesh/mesh_readers.h"
 #include "io/mesh/ply_header.h"
 #include "io/words.h"
@@ -130,14 +131,9 @@ class BodyReader {
   /// Edges that no face has are segments by themselves.
   void add_edges() {
     if (edges_.empty()) return;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> known;
-    for (const Face& face : data_.faces)
-      for (std::size_t k = 0; k < face.size(); ++k) known.push_back(std::minmax(face[k], face[(k + 1) % face.size()]));
-    std::sort(known.begin(), known.end());
-    for (Face& edge : edges_) {
-      const std::pair<std::uint32_t, std::uint32_t> ends = std::minmax(edge[0], edge[1]);
-      if (!std::binary_search(known.begin(), known.end(), ends)) data_.faces.push_back(std::move(edge));
-    }
+    const FaceEdges known(data_.faces);
+    for (Face& edge : edges_)
+      if (!known.has(edge)) data_.faces.push_back(std::move(edge));
   }
 
   void read_item(const PlyElement& element) {
