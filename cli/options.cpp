@@ -120,9 +120,10 @@ void add_solid_input_options(CLI::App& verb, InputOptions& options) {
 
 void add_thin_option(CLI::App& verb, InputOptions& options) {
   options.offers_thin = true;
-  verb.add_flag("--thin", options.thin,
-                "Solids: take points, segments and open surfaces in the files as parts without volume; of a solid with a "
-                "gap only its surface is left")
+  verb.add_flag(
+          "--thin", options.thin,
+          "Solids: take points, segments and open surfaces in the files as parts without volume; of a solid with a "
+          "gap only its surface is left")
       ->excludes("--repair")
       ->excludes("--hull");
 }

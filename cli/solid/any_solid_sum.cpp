@@ -139,9 +139,9 @@ void print_text(std::ostream& out, const std::string& verb, const std::vector<So
   out << verb << " of ";
   for (std::size_t i = 0; i < inputs.size(); ++i)
     out << (i == 0 ? "" : i + 1 < inputs.size() ? ", " : " and ") << inputs[i].file;
-  out << "\n  " << counted(sum.faces.size(), "face")
-      << " on " << counted(sum.shells, "shell") << ", " << counted(sum.vertices.size(), "vertex", "vertices")
-      << "\n  volume " << shown(sum.volume()) << ", area " << shown(sum.area()) << "\n";
+  out << "\n  " << counted(sum.faces.size(), "face") << " on " << counted(sum.shells, "shell") << ", "
+      << counted(sum.vertices.size(), "vertex", "vertices") << "\n  volume " << shown(sum.volume()) << ", area "
+      << shown(sum.area()) << "\n";
   if (!sum.tight_faces.empty() || !sum.tight_segments.empty() || !sum.tight_points.empty()) {
     out << "  tight: " << counted(sum.tight_faces.size(), "face") << ", "
         << counted(sum.tight_segments.size(), "segment") << ", " << counted(sum.tight_points.size(), "point") << "\n";

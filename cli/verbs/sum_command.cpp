@@ -64,7 +64,8 @@ void add_sum_options(CLI::App& verb, SumCommand& command) {
 CLI::App& declare_sum_verb(CLI::App& app, const SumVerb& verb, SumCommand& command) {
   CLI::App& parser = *app.add_subcommand(verb.name, verb.description);
   add_operands(parser, verb.first, verb.second, command.operands);
-  if (verb.several) parser.add_option("MORE", command.more, "More solids: the sum of all, exact throughout")->type_name("");
+  if (verb.several)
+    parser.add_option("MORE", command.more, "More solids: the sum of all, exact throughout")->type_name("");
   add_sum_options(parser, command);
   if (verb.planar_only) {
     add_input_options(parser, command.input);

@@ -118,8 +118,8 @@ struct RepairedMesh {
 };
 
 /// The named repair: merges vertices at exactly the same position, drops unused vertices and faces without area, splits
-/// faces that are not plane or that have a vertex twice (a bridge to a hole), orients faces and shells, and reports what
-/// it changed. Open edges and edges with an odd number of faces are not repaired: they come back as the errors of
+/// faces that are not plane or that have a vertex twice (a bridge to a hole), orients faces and shells, and reports
+/// what it changed. Open edges and edges with an odd number of faces are not repaired: they come back as the errors of
 /// Mesh::create, with the indices of `data`.
 Result<RepairedMesh> repair(MeshData data);
 

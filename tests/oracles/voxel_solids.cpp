@@ -130,8 +130,7 @@ VoxelSum voxel_sum(const Voxels& p, const Voxels& q) {
 MeshData lattice_mesh(const LatticeCells& cells, const IntegerMap& map) {
   Voxels cubes;
   for (const Voxel& c : cells)
-    if (c[0] % 2 != 0 && c[1] % 2 != 0 && c[2] % 2 != 0)
-      cubes.insert({(c[0] - 1) / 2, (c[1] - 1) / 2, (c[2] - 1) / 2});
+    if (c[0] % 2 != 0 && c[1] % 2 != 0 && c[2] % 2 != 0) cubes.insert({(c[0] - 1) / 2, (c[1] - 1) / 2, (c[2] - 1) / 2});
   MeshData mesh = voxel_mesh(cubes);
   const auto vertex = [&](const Voxel& at) {
     const Point3 p{static_cast<double>(at[0]), static_cast<double>(at[1]), static_cast<double>(at[2])};

@@ -30,8 +30,8 @@ struct VoxelSum {
 /// voxels).
 VoxelSum voxel_sum(const Voxels& p, const Voxels& q);
 
-/// Closed cells of the lattice by doubled coordinates: an odd one is a unit interval, an even one a point. So (1, 0, 0) is
-/// the segment from the origin to (1, 0, 0).
+/// Closed cells of the lattice by doubled coordinates: an odd one is a unit interval, an even one a point. So (1, 0, 0)
+/// is the segment from the origin to (1, 0, 0).
 using LatticeCells = std::set<Voxel>;
 
 /// Points, segments and squares as faces, cubes as their boundary.

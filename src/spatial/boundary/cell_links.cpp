@@ -31,7 +31,8 @@ class Linker {
     parent_.resize(arrangement_.cell_count + 1);  // the last one: what is covered
     std::iota(parent_.begin(), parent_.end(), 0u);
     for (const PlaneGroup& group : arrangement_.groups)
-      for (const Cell& cell : group.cells.cells) facing_.push_back(cell.front > 0 ? cell.back > 0 ? 0 : 1 : cell.back > 0 ? -1 : kNoWall);
+      for (const Cell& cell : group.cells.cells)
+        facing_.push_back(cell.front > 0 ? cell.back > 0 ? 0 : 1 : cell.back > 0 ? -1 : kNoWall);
     for (std::uint32_t c = 0; c < facing_.size(); ++c)
       if (facing_[c] == 0) join(c, covered());
     std::vector<EdgeSide> sides = edge_sides();

@@ -156,8 +156,8 @@ class Overlap {
     return false;
   }
 
-  /// Whether the second cone, a thin one, meets the inside of the first one: at a ray of either, or where sectors cross.
-  /// A sector that runs along the first one's boundary leaves it at such a ray.
+  /// Whether the second cone, a thin one, meets the inside of the first one: at a ray of either, or where sectors
+  /// cross. A sector that runs along the first one's boundary leaves it at such a ray.
   bool thin_meets() {
     const Cone &solid = *cone_[0], &thin = *cone_[1];
     for (const Ray r : thin.rays())
@@ -231,8 +231,8 @@ class Overlap {
     if (a != b) return a < b;
     return (a == 1 || a == 3) && turn(r, x, y) > 0;
   }
-  /// f(enters, leaves) for the walls in every half-plane around r, twice around, so that the state before the first wall
-  /// is known: counter-clockwise of a right half lies the inside of its cone. Whether f ever says true.
+  /// f(enters, leaves) for the walls in every half-plane around r, twice around, so that the state before the first
+  /// wall is known: counter-clockwise of a right half lies the inside of its cone. Whether f ever says true.
   template <class F>
   bool any_around(Ray r, F f) {
     collect_walls(r);

@@ -109,8 +109,8 @@ void Collision::add_touches(const Query& query, std::uint32_t i, std::uint32_t j
   touch_edges(query, i, j, touches);
 }
 
-/// Where a vertex of the other operand lies on a triangle, in whose plane it is: seen along an axis across that plane, on
-/// which sides of its borders?
+/// Where a vertex of the other operand lies on a triangle, in whose plane it is: seen along an axis across that plane,
+/// on which sides of its borders?
 std::optional<Feature> Collision::place(const Query& query, Way::Of of, std::uint32_t t, std::uint32_t v) const {
   const SolidOperand& solid = of == Way::Of::p ? p_ : q_;
   const Triangle& tri = solid.triangles[t];
@@ -134,8 +134,7 @@ std::optional<Feature> Collision::place(const Query& query, Way::Of of, std::uin
   for (int k = 0; k < 3; ++k) {
     if (zeros == 1 && sides[k] == 0)
       return Feature{Feature::Kind::wedge, solid.wedge_of[3 * t + static_cast<std::uint32_t>(k)]};
-    if (zeros == 2 && sides[k] == 0 && sides[(k + 1) % 3] == 0)
-      return Feature{Feature::Kind::vertex, tri[(k + 1) % 3]};
+    if (zeros == 2 && sides[k] == 0 && sides[(k + 1) % 3] == 0) return Feature{Feature::Kind::vertex, tri[(k + 1) % 3]};
   }
   return std::nullopt;
 }

@@ -29,13 +29,11 @@ bool Collision::segment_crosses(const Query& query, Way::Of of, std::uint32_t we
 
 bool Collision::segments_cross(const Query& query) const {
   const Box box = query.box();
-  return p_segments_.any_reflected_pair(q_tree_, box,
-                                        [&](std::uint32_t i, std::uint32_t j) {
-                                          return segment_crosses(query, Way::Of::p, p_.segments[i], j);
-                                        }) ||
-         p_tree_.any_reflected_pair(q_segments_, box, [&](std::uint32_t i, std::uint32_t j) {
-           return segment_crosses(query, Way::Of::q, q_.segments[j], i);
-         });
+  return p_segments_.any_reflected_pair(q_tree_, box, [&](std::uint32_t i, std::uint32_t j) {
+    return segment_crosses(query, Way::Of::p, p_.segments[i], j);
+  }) || p_tree_.any_reflected_pair(q_segments_, box, [&](std::uint32_t i, std::uint32_t j) {
+    return segment_crosses(query, Way::Of::q, q_.segments[j], i);
+  });
 }
 
 void Collision::add_thin_touches(const Query& query, std::vector<Touch>& touches) const {

@@ -225,8 +225,8 @@ class Facets {
     const Wedge &e = p_.solid.wedges[p_.convex[i]], &g = q_.solid.wedges[q_.convex[j]];
     // With n = s (e x g) and d, c from the edges into their faces, n . d <= 0 and n . c <= 0 read, for the faces'
     // normals: s (g . n_left) >= 0 >= s (g . n_right), s (e . m_left) <= 0 <= s (e . m_right).
-    // A segment by itself has no faces, and those of a plate's edge are opposite. All zero: parallel edges, or thin parts
-    // in one plane, which is seen from both sides.
+    // A segment by itself has no faces, and those of a plate's edge are opposite. All zero: parallel edges, or thin
+    // parts in one plane, which is seen from both sides.
     const bool bare_e = e.is_segment(), bare_g = g.is_segment();
     const int a = bare_e ? 0 : sign_at(p_, e.left, q_, j), b = bare_e ? 0 : sign_at(p_, e.right, q_, j);
     if (a == b && (a != 0 || !p_.is_thin(e))) return;
@@ -236,8 +236,8 @@ class Facets {
     if (s * c > 0) return;
     const int d = bare_g ? 0 : sign_at(q_, g.right, p_, i);
     if (s == 0) s = c != 0 ? -c : d;
-    if (s == 0 && space_.exact_dot(p_.way(e.from, e.to), q_.way(g.from, g.to), p_.way(e.from, e.to),
-                                   q_.way(g.from, g.to)) == 0)
+    if (s == 0 &&
+        space_.exact_dot(p_.way(e.from, e.to), q_.way(g.from, g.to), p_.way(e.from, e.to), q_.way(g.from, g.to)) == 0)
       return;
     if (s * c > 0 || s * d < 0) return;
     if ((a == 0 || b == 0 || c == 0 || d == 0) && !ties_hold(e, g, a, b, c, d)) return;

@@ -58,8 +58,8 @@ struct SolidOperand {
 };
 
 /// Requires triangles whose edges pair up into wedges all around: a closed, oriented surface that does not cross
-/// itself, but for the faces that `thin` marks (none where it is empty). Exact. O(n log n) for bounded degrees, O(k^2) at
-/// a vertex with k edges, some of them reflex.
+/// itself, but for the faces that `thin` marks (none where it is empty). Exact. O(n log n) for bounded degrees, O(k^2)
+/// at a vertex with k edges, some of them reflex.
 SolidOperand solid_operand(const MeshData& data, const std::vector<bool>& thin = {});
 
 /// The extreme rays of the cone that the directions from a vertex to its neighbours span, as positions among these, in

@@ -173,9 +173,8 @@ class ThinParts {
   bool lie_in_a_plane(std::uint32_t v, const std::vector<std::uint32_t>& rays) const {
     for (std::size_t j = 1; j < rays.size(); ++j) {
       if (exact::collinear(at(v), at(rays[0]), at(rays[j]))) continue;
-      return std::all_of(rays.begin(), rays.end(), [&](std::uint32_t r) {
-        return orient3_sign(at(v), at(rays[0]), at(rays[j]), at(r)) == 0;
-      });
+      return std::all_of(rays.begin(), rays.end(),
+                         [&](std::uint32_t r) { return orient3_sign(at(v), at(rays[0]), at(rays[j]), at(r)) == 0; });
     }
     return true;
   }

@@ -82,7 +82,9 @@ double volume(const Mesh& mesh) { return exact::round_to_double(spatial::exact_v
 
 double surface_area(const Mesh& mesh) { return surface_of(mesh).nearest(); }
 
-std::string volume_text(const Mesh& mesh) { return exact::decimal_text(spatial::exact_volume(spatial::solid_part(mesh)), 17); }
+std::string volume_text(const Mesh& mesh) {
+  return exact::decimal_text(spatial::exact_volume(spatial::solid_part(mesh)), 17);
+}
 
 std::string surface_text(const Mesh& mesh) { return surface_of(mesh).text(); }
 
@@ -105,11 +107,11 @@ Mesh negated(const Mesh& mesh) {
 
 Result<Mesh> translated(const Mesh& mesh, double dx, double dy, double dz) {
   return checked_like(mesh, mapped(
-      mesh,
-      [=](const Point3& p) {
-        return Point3{p.x + dx, p.y + dy, p.z + dz};
-      },
-      false));
+                                mesh,
+                                [=](const Point3& p) {
+                                  return Point3{p.x + dx, p.y + dy, p.z + dz};
+                                },
+                                false));
 }
 
 Result<Mesh> scaled(const Mesh& mesh, double sx, double sy, double sz) {
@@ -119,11 +121,11 @@ Result<Mesh> scaled(const Mesh& mesh, double sx, double sy, double sz) {
   }
   const bool reflects = (sx < 0) != ((sy < 0) != (sz < 0));
   return checked_like(mesh, mapped(
-      mesh,
-      [=](const Point3& p) {
-        return Point3{p.x * sx, p.y * sy, p.z * sz};
-      },
-      reflects));
+                                mesh,
+                                [=](const Point3& p) {
+                                  return Point3{p.x * sx, p.y * sy, p.z * sz};
+                                },
+                                reflects));
 }
 
 }  // namespace dymsum

@@ -167,9 +167,8 @@ class MeshRepair {
     const std::vector<EdgeSide> sides = edge_sides(edges);
     bool even = true, several = false;
     for_each_edge(sides, [&](const EdgeSide* first, const EdgeSide* last) {
-      const auto along = std::count_if(first, last, [&](const EdgeSide& s) {
-        return edges.origin[s.half_edge] == edges.origin[first->half_edge];
-      });
+      const auto along = std::count_if(
+          first, last, [&](const EdgeSide& s) { return edges.origin[s.half_edge] == edges.origin[first->half_edge]; });
       even &= 2 * along == last - first;
       several |= last - first > 2;
     });

@@ -193,9 +193,8 @@ class MeshCheck {
     const std::uint32_t h = first->half_edge;
     const auto count = last - first;
     if (count == 1) return edge_error(ErrorCode::not_closed, "an edge has a face on one side only", h);
-    const auto along = std::count_if(first, last, [&](const EdgeSide& s) {
-      return edges_.origin[s.half_edge] == edges_.origin[h];
-    });
+    const auto along =
+        std::count_if(first, last, [&](const EdgeSide& s) { return edges_.origin[s.half_edge] == edges_.origin[h]; });
     if (2 * along == count) return std::nullopt;
     Error error = count % 2 == 1
                       ? edge_error(ErrorCode::not_manifold, "an edge has an odd number of faces", h)

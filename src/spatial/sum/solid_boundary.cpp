@@ -61,8 +61,8 @@ void judge_cells(SolidBoundary& result, const Collision& collision) {
   });
 }
 
-/// Behind a facet of two thin parts need not be anything: each cell is given the directions that its two sides tell, none
-/// where they are alike.
+/// Behind a facet of two thin parts need not be anything: each cell is given the directions that its two sides tell,
+/// none where they are alike.
 void look_at_both_sides(SolidArrangement& arrangement, const Collision& collision) {
   for (PlaneGroup& group : arrangement.groups) {
     for (Cell& cell : group.cells.cells) {

@@ -32,10 +32,10 @@ Result<SpatialSum> spatial::sum_of_solids(const MeshData& p, const MeshData& q, 
 
 Result<SpatialSum> spatial::sum_of_solids(const Mesh& p, const Mesh& q, const SpatialOptions& options) {
   if (p.has_thin_parts() && q.has_thin_parts() && options.semantics == Semantics::open)
-    return Error{ErrorCode::unsupported_operand,
-                 "the open sum is defined where one operand has no parts without volume", {}};
-  Result<SpatialSum> sum = sum_of_operands(solid_operand(p.data(), p.thin_faces()),
-                                           solid_operand(q.data(), q.thin_faces()), options);
+    return Error{
+        ErrorCode::unsupported_operand, "the open sum is defined where one operand has no parts without volume", {}};
+  Result<SpatialSum> sum =
+      sum_of_operands(solid_operand(p.data(), p.thin_faces()), solid_operand(q.data(), q.thin_faces()), options);
   if (sum && sum->faces.empty() && p.has_thin_parts() && q.has_thin_parts())
     return Error{ErrorCode::unsupported_operand, "the sum of these parts without volume has no volume either", {}};
   return sum;

@@ -22,7 +22,8 @@ Result<Mesh> as_mesh(const SpatialSum& sum) {
       return back && *back == value;
     };
     if (holds(p.x, exact.x) && holds(p.y, exact.y) && holds(p.z, exact.z)) continue;
-    Error error{ErrorCode::unsupported_operand, "a vertex of the sum is no operand's: no doubles hold its position", {}};
+    Error error{
+        ErrorCode::unsupported_operand, "a vertex of the sum is no operand's: no doubles hold its position", {}};
     error.evidence.x = p.x;
     error.evidence.y = p.y;
     error.evidence.z = p.z;

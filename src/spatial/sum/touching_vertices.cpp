@@ -60,8 +60,8 @@ class TouchingVertices {
   bool near(const Triangle& t, std::uint32_t v) const {
     const Vec3 u = at(t[1]) - at(t[0]), w = at(t[2]) - at(t[0]), d = at(v) - at(t[0]);
     const auto size = [&](Vec3 x) { return std::abs(x.x) + std::abs(x.y) + std::abs(x.z) + 4 * sum_.at_error; };
-    const double error =
-        8 * sum_.at_error * (size(u) * size(w) + size(w) * size(d) + size(d) * size(u)) + size(u) * size(w) * size(d) * 0x1p-48;
+    const double error = 8 * sum_.at_error * (size(u) * size(w) + size(w) * size(d) + size(d) * size(u)) +
+                         size(u) * size(w) * size(d) * 0x1p-48;
     return !(std::abs(dot(cross(u, w), d)) > error);
   }
 

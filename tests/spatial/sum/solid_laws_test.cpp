@@ -15,7 +15,9 @@ namespace {
 using oracles::Voxel;
 using oracles::Voxels;
 
-SpatialSum sum(const Mesh& p, const Mesh& q, SpatialOptions options = {}) { return minkowski_sum(p, q, options).value(); }
+SpatialSum sum(const Mesh& p, const Mesh& q, SpatialOptions options = {}) {
+  return minkowski_sum(p, q, options).value();
+}
 Mesh mesh_of(const SpatialSum& s) { return as_mesh(s).value(); }
 Mesh voxel_solid(const Voxels& voxels) { return Mesh::create(oracles::voxel_mesh(voxels)).value(); }
 
@@ -275,10 +277,11 @@ bool inside_surface(const MeshData& mesh, const Point3& z) {
       length[k] = std::hypot(v[k][0], v[k][1], v[k][2]);
     }
     const auto dot = [&](int i, int j) { return v[i][0] * v[j][0] + v[i][1] * v[j][1] + v[i][2] * v[j][2]; };
-    const double det = v[0][0] * (v[1][1] * v[2][2] - v[1][2] * v[2][1]) - v[0][1] * (v[1][0] * v[2][2] - v[1][2] * v[2][0]) +
+    const double det = v[0][0] * (v[1][1] * v[2][2] - v[1][2] * v[2][1]) -
+                       v[0][1] * (v[1][0] * v[2][2] - v[1][2] * v[2][0]) +
                        v[0][2] * (v[1][0] * v[2][1] - v[1][1] * v[2][0]);
-    turns += std::atan2(det, length[0] * length[1] * length[2] + dot(0, 1) * length[2] + dot(1, 2) * length[0] +
-                                 dot(2, 0) * length[1]);
+    turns += std::atan2(
+        det, length[0] * length[1] * length[2] + dot(0, 1) * length[2] + dot(1, 2) * length[0] + dot(2, 0) * length[1]);
   }
   return turns > std::acos(-1.0);
 }
@@ -288,8 +291,7 @@ Mesh random_parts(std::mt19937_64& random) {
   const auto below = [&](int n) { return static_cast<int>(random() % static_cast<std::uint64_t>(n)); };
   while (true) {
     MeshData data;
-    for (int k = 2 + below(5); k >= 0; --k)
-      data.vertices.push_back({below(9) - 4.0, below(9) - 4.0, below(9) - 4.0});
+    for (int k = 2 + below(5); k >= 0; --k) data.vertices.push_back({below(9) - 4.0, below(9) - 4.0, below(9) - 4.0});
     const int n = static_cast<int>(data.vertices.size());
     std::vector<bool> used(data.vertices.size());
     for (int k = below(4); k >= 0 || std::find(used.begin(), used.end(), false) != used.end(); --k) {

@@ -1,4 +1,5 @@
-// Sums with operands without volume: points, segments, polylines, plates, open surfaces, and solids that have such parts.
+// Sums with operands without volume: points, segments, polylines, plates, open surfaces, and solids that have such
+// parts.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -101,7 +102,8 @@ TEST(ThinOperands, a_wire_as_long_as_a_cavity_is_wide_leaves_a_tight_face) {
   EXPECT_TRUE(segment.tight_faces.empty());
   EXPECT_EQ(tight_length(segment), 2);
   // a bent wire that spans the cavity along all axes
-  const SpatialSum point = sum(hollow, thin({{{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {1, 1, 1}}, {{0, 1}, {1, 2}, {2, 3}}}));
+  const SpatialSum point =
+      sum(hollow, thin({{{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {1, 1, 1}}, {{0, 1}, {1, 2}, {2, 3}}}));
   EXPECT_TRUE(point.tight_faces.empty() && point.tight_segments.empty());
   ASSERT_EQ(point.tight_points.size(), 1u);
   EXPECT_EQ(point.exact(point.tight_points[0]), (RationalPoint3{}));
