@@ -342,5 +342,40 @@ TEST(SolidLaws, sums_with_parts_without_volume_are_the_union_of_those_with_each_
   EXPECT_GT(outside, 100);
 }
 
+TEST(SolidLaws, sums_of_parts_without_volume_are_the_union_of_those_of_their_pairs) {
+  int inside = 0, outside = 0;
+  for (int k = 0; k < fuzz_pairs(40); ++k) {
+    std::mt19937_64 random(static_cast<std::uint64_t>(800 + k));
+    const Mesh p = random_parts(random), q = random_parts(random);
+    std::vector<Mesh> hulls;
+    for (const Face& a : p.faces()) {
+      for (const Face& b : q.faces()) {
+        std::vector<Point3> points;
+        for (const std::uint32_t v : a)
+          for (const std::uint32_t w : b)
+            points.push_back({p.vertices()[v].x + q.vertices()[w].x, p.vertices()[v].y + q.vertices()[w].y,
+                              p.vertices()[v].z + q.vertices()[w].z});
+        const Result<Mesh> hull = convex_hull(points);
+        if (hull) hulls.push_back(triangulated(*hull).mesh);
+      }
+    }
+    const Result<SpatialSum> s = minkowski_sum(p, q);
+    ASSERT_EQ(s.ok(), !hulls.empty()) << "seed " << 800 + k;
+    if (!s.ok()) continue;
+    EXPECT_TRUE(*s == minkowski_sum(q, p).value()) << "seed " << 800 + k;
+    const Result<SpatialSum::Rounded> surface = s->rounded();
+    for (int j = 0; j < 40 && surface; ++j) {
+      const auto coordinate = [&] { return static_cast<double>(random() % 1500) / 128 - 6.0 + 0x1p-12; };
+      const Point3 z{coordinate(), coordinate(), coordinate()};
+      const bool expected =
+          std::any_of(hulls.begin(), hulls.end(), [&](const Mesh& h) { return inside_surface(h.data(), z); });
+      EXPECT_EQ(inside_surface(surface->mesh, z), expected) << "seed " << 800 + k;
+      ++(expected ? inside : outside);
+    }
+  }
+  EXPECT_GT(inside, 30);
+  EXPECT_GT(outside, 100);
+}
+
 }  // namespace
 }  // namespace dymsum
