@@ -118,4 +118,14 @@ void add_solid_input_options(CLI::App& verb, InputOptions& options) {
       ->check(CLI::IsMember({"poly", "wkt", "geojson", "svg", "json", "off", "obj", "stl", "ply"}));
 }
 
+void add_thin_option(CLI::App& verb, InputOptions& options) {
+  options.offers_thin = true;
+  verb.add_flag(
+          "--thin", options.thin,
+          "Solids: take points, segments and open surfaces in the files as parts without volume; of a solid with a "
+          "gap only its surface is left")
+      ->excludes("--repair")
+      ->excludes("--hull");
+}
+
 }  // namespace dymsum::cli

@@ -18,9 +18,9 @@ namespace {
 
 using Kind = SolidFeature::Kind;
 
-/// Bits of the integers that hold both operands; 0 for integers of any size.
+/// Bits of the integers that hold both operands; 0 for integers of any size, as convex ones in the end have.
 int grid_tier(const SpatialSum& sum) {
-  return sum.stats.bits == 0 || sum.stats.bits > 54 ? 0 : sum.stats.bits <= 26 ? 26 : 54;
+  return sum.stats.cells == 0 || sum.stats.bits > 54 ? 0 : sum.stats.bits <= 26 ? 26 : 54;
 }
 
 std::string face_kind(const SpatialFace& f) {
@@ -137,9 +137,12 @@ class Marks {
 
 void print_text(std::ostream& out, const std::string& verb, const std::vector<SolidInput>& inputs,
                 const SpatialSum& sum, const Timing& timing) {
-  out << verb << " of " << inputs[0].file << " and " << inputs[1].file << "\n  " << counted(sum.faces.size(), "face")
-      << " on " << counted(sum.shells, "shell") << ", " << counted(sum.vertices.size(), "vertex", "vertices")
-      << "\n  volume " << shown(sum.volume()) << ", area " << shown(sum.area()) << "\n";
+  out << verb << " of ";
+  for (std::size_t i = 0; i < inputs.size(); ++i)
+    out << (i == 0 ? "" : i + 1 < inputs.size() ? ", " : " and ") << inputs[i].file;
+  out << "\n  " << counted(sum.faces.size(), "face") << " on " << counted(sum.shells, "shell") << ", "
+      << counted(sum.vertices.size(), "vertex", "vertices") << "\n  volume " << shown(sum.volume()) << ", area "
+      << shown(sum.area()) << "\n";
   if (!sum.tight_faces.empty() || !sum.tight_segments.empty() || !sum.tight_points.empty()) {
     out << "  tight: " << counted(sum.tight_faces.size(), "face") << ", "
         << counted(sum.tight_segments.size(), "segment") << ", " << counted(sum.tight_points.size(), "point") << "\n";
@@ -180,7 +183,7 @@ std::string any_solid_output(const SpatialSum& sum, const std::string& file, con
   const Result<Mesh> mesh = Mesh::create(rounded->mesh);
   if (format != MeshFormat::glb) {
     if (mesh) return mesh_text(*mesh, format, file, colours);
-    // An edge or a vertex at which the sum touches itself: no file of a mesh would be read back.
+    // A vertex or an edge of the sum that touches a face inside it: no file of a mesh would be read back.
     Error error = mesh.error();
     error.evidence.file = file;
     error.message += " (.json keeps the sum exactly, .glb draws it)";
@@ -193,17 +196,22 @@ std::string any_solid_output(const SpatialSum& sum, const std::string& file, con
 
 ExitCode run_any_solid_sum(const SumVerb& verb, const SumCommand& command, const std::vector<SolidInput>& inputs,
                            const SolidOutput& how) {
-  if (inputs.size() != 2) throw Stop(kUsage, "solids that are not convex are added two at a time");
   const InterruptGuard guard;
-  const Mesh q = verb.reflects_second ? negated(inputs[1].mesh) : inputs[1].mesh;
+  std::vector<Mesh> operands;
+  for (const SolidInput& input : inputs) operands.push_back(input.mesh);
+  if (verb.reflects_second) operands[1] = negated(operands[1]);
   std::optional<ProgressBar> bar(std::in_place);
   SpatialOptions options;
+  options.semantics = command.semantics == "regular" ? Semantics::regular
+                      : command.semantics == "open"  ? Semantics::open
+                                                     : Semantics::closed;
   options.engine = command.engine == "brute" ? SpatialEngine::brute : SpatialEngine::fast;
   options.progress = bar->callback();
   options.memory = memory_bytes(command.memory_mb);
   announce_cost(inputs[0].mesh, q);
   const auto [sum, timing] = timed(command.report.repeat, [&] {
-    Result<SpatialSum> made = minkowski_sum(inputs[0].mesh, q, options);
+    Result<SpatialSum> made =
+        inputs.size() > 2 ? minkowski_sum(operands, options) : minkowski_sum(operands[0], operands[1], options);
     throw_if_interrupted();
     return require(std::move(made));
   });
@@ -215,6 +223,7 @@ ExitCode run_any_solid_sum(const SumVerb& verb, const SumCommand& command, const
   if (command.report.json) {
     Json json = report_head(verb.name, solid_inputs_json(inputs), grid_tier(sum), timing);
     json["engine"] = command.engine;
+    json["semantics"] = command.semantics;
     json.update(any_solid_sum_json(sum));
     print_report(json);
     return kDone;

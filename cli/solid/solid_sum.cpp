@@ -48,7 +48,7 @@ void print_text(std::ostream& out, const std::string& verb, const std::vector<So
 
 ExitCode run_solid_sum(const SumVerb& verb, const SumCommand& command) {
   if (verb.name == "erode") throw Stop(kUsage, "erode is defined for planar regions so far");
-  refuse_options(*command.parser, {"--semantics", "--round-repair", "--exact"}, "is for planar operands");
+  refuse_options(*command.parser, {"--round-repair", "--exact"}, "is for planar operands");
   const ConvexEngine engine = engine_of(command);
   std::ostream& out = report_stream(command.output.files, command.report.json);
   if (!writes_to_stdout(command.output.files)) refuse_options(*command.parser, {"--to"}, "is the format of -o -");
@@ -73,6 +73,7 @@ ExitCode run_solid_sum(const SumVerb& verb, const SumCommand& command) {
   if (command.report.json) {
     Json json = report_head(verb.name, solid_inputs_json(inputs), tier, timing);
     json["engine"] = command.engine;
+    json["semantics"] = command.semantics;
     json.update(solid_sum_json(sum));
     print_report(json);
     return kDone;

@@ -38,7 +38,7 @@ enum class ErrorCode {
   bad_index,     ///< a face names a vertex that does not exist
   not_planar,    ///< the vertices of a face do not lie in one plane
   not_closed,    ///< an edge with a face on one side only
-  not_manifold,  ///< an edge with more than two faces, or a vertex where several fans of faces meet
+  not_manifold,  ///< an edge whose faces do not bound inside and outside by turns, such as three faces
   faces_cross,   ///< two faces have a point in common that belongs to no common vertex or edge
   not_convex,    ///< the operation is defined for convex solids only, and an edge or a vertex of this one is not
   // sums

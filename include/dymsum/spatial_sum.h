@@ -6,11 +6,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string_view>
 #include <vector>
 
 #include "dymsum/convex_sum.h"
 #include "dymsum/mesh.h"
+#include "dymsum/planar_sum.h"
 #include "dymsum/progress.h"
 #include "dymsum/rational.h"
 #include "dymsum/result.h"
@@ -32,7 +34,10 @@ enum class SpatialEngine : std::uint8_t {
 
 struct SpatialOptions {
   SpatialEngine engine = SpatialEngine::fast;
-  bool tight = true;  ///< look for tight features
+  /// closed and open list tight features, regular does not: with area and volume all are the closure of the open sum.
+  /// Of two operands with thin parts: see minkowski_sum.
+  Semantics semantics = Semantics::closed;
+  bool tight = true;  ///< look for tight features; false lists none
   int threads = 0;    ///< 0: as many as there are cores; the result does not depend on it
   /// Bytes that the computation may hold beside its operands and the result; 0: no limit. Accounted for by stages.
   std::uint64_t memory = 0;
@@ -110,11 +115,30 @@ class SpatialSum {
 /// Convex operands of any size take a short way through convex_sum (with the fast engine), and faces name the features
 /// that are extreme there: O(m + n + k log k) for m and n faces and k facets. Hold a ConvexSum to follow a motion.
 /// All others: O(N log N + K + T log T) for N facets, K of their pairs that meet and T points where three of them do.
-/// Errors: cancelled; out_of_memory where options.memory does not suffice (the message names the need that is known or
-/// predicted by then) or the machine's memory does not; unsupported_operand for operands that are not both convex and
-/// whose coordinates need more than 250 bits on their common grid. Source: Behar 2016, sections 2.3 to 2.6, corrected
-/// (docs/design/solid-sum.md).
+/// Thin parts (Mesh::with_thin_parts) of one operand: the open sum is int P + Q, Q having the thin parts; all else is
+/// the same, tight features included. Of both: closed and regular is the closure of the interior of P + Q, without
+/// tight features; every cell of the arrangement is tested by itself. Errors: cancelled; out_of_memory
+/// where options.memory does not suffice (the message names the need that is known or predicted by then) or the
+/// machine's memory does not; unsupported_operand for operands that are not both convex and whose coordinates need more
+/// than 250 bits on their common grid; for thin parts of both where their sum has no interior, and for their open sum.
+/// Source: Behar 2016, sections 2.3 to 2.6, corrected (docs/design/solid-sum.md).
 Result<SpatialSum> minkowski_sum(const Mesh& p, const Mesh& q, const SpatialOptions& options = {});
+
+/// The regular part of a sum as an operand of further sums: the same set exactly, without what is tight. Errors:
+/// unsupported_operand with the position of a vertex that no doubles hold; then as SpatialSum::rounded.
+Result<Mesh> as_mesh(const SpatialSum& sum);
+
+/// The sum of several operands, at least one, which are added two at a time: convex solids first, then other solids,
+/// then those with thin parts. Sums in between are operands as as_mesh makes them; as the open sum of three takes
+/// nothing from what is tight in that of two, nothing is lost. Faces name features of the last two. Errors: as
+/// minkowski_sum and as_mesh, with the number of operands that were added in the message.
+Result<SpatialSum> minkowski_sum(std::span<const Mesh> operands, const SpatialOptions& options = {});
+
+/// True when z lies in the sum: P and z - Q meet (closed, regular), or their interiors do (open; of thin parts: they
+/// meet the other one's interior). By that definition, not by the sum's boundary. Nothing that is not finite does.
+/// Exact. O((m + n) log(m + n)) beyond the pairs of triangles with overlapping boxes. Errors: unsupported_operand where
+/// both have thin parts, and for coordinates of more than 250 bits on the common grid.
+Result<bool> contains(const Mesh& p, const Mesh& q, const Point3& z, Semantics semantics = Semantics::closed);
 
 /// What a sum will take, before it is computed: expected numbers of facets of the reduced convolution, if each operand
 /// were turned at random against the other one, and the memory that so many facets need.

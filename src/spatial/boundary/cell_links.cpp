@@ -9,6 +9,8 @@ namespace dymsum::spatial {
 
 namespace {
 
+constexpr std::int8_t kNoWall = 2;  // of a cell's facing: it is looked through
+
 /// Half of a plane at an edge, covered by a cell.
 struct Wall {
   PlaneId plane;
@@ -29,8 +31,8 @@ class Wedges {
       const CellEdge& e = group.cells.edges[use.edge];
       const bool up = arrangement_.point(group, e.a) < arrangement_.point(group, e.b);
       const std::uint32_t left = up ? e.left : e.right, right = up ? e.right : e.left;
-      if (left != kNoId) walls_.push_back({group.plane, true, group.first_cell + left});
-      if (right != kNoId) walls_.push_back({group.plane, false, group.first_cell + right});
+      add_wall(group, true, left);
+      add_wall(group, false, right);
     }
     if (walls_.size() > 2) sort_around(arrangement_.edge_ends[edge]);
     for (std::size_t k = 0; k < walls_.size(); ++k) {
@@ -41,6 +43,10 @@ class Wedges {
 
  private:
   std::uint32_t covered() const { return arrangement_.cell_count; }
+  void add_wall(const PlaneGroup& group, bool left, std::uint32_t cell) {
+    if (cell != kNoId && facing_[group.first_cell + cell] != kNoWall)
+      walls_.push_back({group.plane, left, group.first_cell + cell});
+  }
   /// The cell whose free side looks counter-clockwise (or clockwise) around the edge from the wall, or what is covered.
   std::uint32_t looking(const Wall& wall, bool counter_clockwise) const {
     // Counter-clockwise of the left half lies the normal's side, of the right half the other one.
@@ -96,7 +102,8 @@ CellLinks link_cells(const SumSpace& space, const SolidArrangement& arrangement,
   std::vector<std::int8_t> facing;  // 1 where the free side is the normal's, -1 the other one, 0 none
   facing.reserve(covered);
   for (const PlaneGroup& group : arrangement.groups)
-    for (const Cell& cell : group.cells.cells) facing.push_back(cell.front > 0 ? cell.back > 0 ? 0 : 1 : -1);
+    for (const Cell& cell : group.cells.cells)
+      facing.push_back(cell.front > 0 ? cell.back > 0 ? 0 : 1 : cell.back > 0 ? -1 : kNoWall);
 
   constexpr std::size_t kPart = 2048;
   const std::size_t edges = arrangement.edge_ends.size();
@@ -124,7 +131,7 @@ CellLinks link_cells(const SumSpace& space, const SolidArrangement& arrangement,
   const std::uint32_t buried = root(covered);
   for (std::uint32_t c = 0; c < covered; ++c) {
     const std::uint32_t r = root(c);
-    if (r == buried) continue;
+    if (r == buried || facing[c] == kNoWall) continue;
     if (index[r] == kNoId) index[r] = links.patches++;
     links.patch[c] = index[r];
   }

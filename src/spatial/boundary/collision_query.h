@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "spatial/boundary/collision.h"
+#include "spatial/boundary/contact_cones.h"
 
 namespace dymsum::spatial {
 
@@ -45,5 +46,19 @@ struct Collision::Query {
     return space.exact_side(plane, flag);
   }
 };
+
+/// Where P and x - Q touch.
+struct Collision::Touch {
+  Feature p, q;
+  friend auto operator<=>(const Touch&, const Touch&) = default;
+};
+
+/// An axis that does not lie in the plane of two directions; -1 where they are parallel.
+inline int axis_across(const SumSpace& space, Way u, Way v) {
+  for (std::uint32_t axis = 0; axis < 3; ++axis)
+    if (space.det(u, v, {Way::Of::axis, axis, 0}) != 0) return static_cast<int>(axis);
+  return -1;
+}
+inline Vec3 axis_vector(int axis) { return {axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0}; }
 
 }  // namespace dymsum::spatial

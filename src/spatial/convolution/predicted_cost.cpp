@@ -23,8 +23,10 @@ double angle(Vec3 u, Vec3 v) { return std::atan2(length(cross(u, v)), dot(u, v))
 /// Of convex edges: the lengths of the arcs of their normals.
 double convex_angles(const SolidOperand& solid) {
   double sum = 0;
-  for (const Wedge& w : solid.wedges)
-    if (w.bend == Wedge::Bend::convex) sum += angle(normal(solid, w.left), normal(solid, w.right));
+  for (const Wedge& w : solid.wedges) {
+    if (w.is_segment()) sum += 2 * std::numbers::pi;
+    else if (w.bend == Wedge::Bend::convex) sum += angle(normal(solid, w.left), normal(solid, w.right));
+  }
   return sum;
 }
 
@@ -60,7 +62,8 @@ SpatialCost predicted_cost(const SolidOperand& p, const SolidOperand& q) {
 namespace dymsum {
 
 SpatialCost predict_cost(const Mesh& p, const Mesh& q) {
-  return spatial::predicted_cost(spatial::solid_operand(p.data()), spatial::solid_operand(q.data()));
+  return spatial::predicted_cost(spatial::solid_operand(p.data(), p.thin_faces()),
+                                 spatial::solid_operand(q.data(), q.thin_faces()));
 }
 
 }  // namespace dymsum

@@ -38,6 +38,7 @@ struct FacetSide {
   }
 
   Way way(std::uint32_t from, std::uint32_t to) const { return {of, from, to}; }
+  bool is_thin(const Wedge& w) const { return w.is_segment() || w.left >= solid.first_plate; }
 };
 
 int normal_sign(const SumSpace& space, const FacetSide& faces, std::uint32_t triangle, Way d) {
@@ -57,6 +58,10 @@ void add_unit(Box& box, const Direction& d) {
 /// The box of the normals of a convex edge: the shorter arc between those of its faces.
 Box arc_box(const FacetSide& side, const Wedge& w) {
   Box box;
+  if (w.is_segment()) {
+    box.add(Vec3{-1, -1, -1}), box.add(Vec3{1, 1, 1});
+    return box;
+  }
   const Direction &a = side.normals[w.left], &b = side.normals[w.right];
   add_unit(box, a), add_unit(box, b);
   // An arc of angle t bulges over its chord by 1 - cos(t / 2) at most.
@@ -70,6 +75,10 @@ Box arc_box(const FacetSide& side, const Wedge& w) {
 Box cone_box(const FacetSide& side, const SupportCone& cone) {
   Box box;
   const std::uint32_t n = cone.last - cone.first;
+  if (cone.flat) {
+    box.add(Vec3{-1, -1, -1}), box.add(Vec3{1, 1, 1});
+    return box;
+  }
   const auto ray = [&](std::uint32_t k) -> const Direction& { return side.rays[cone.first + k % n]; };
   std::vector<Vec3> corner;
   for (std::uint32_t k = 0; k < n; ++k) {
@@ -178,16 +187,24 @@ class Facets {
     const Wedge &e = p_.solid.wedges[p_.convex[i]], &g = q_.solid.wedges[q_.convex[j]];
     // With n = s (e x g) and d, c from the edges into their faces, n . d <= 0 and n . c <= 0 read, for the faces'
     // normals: s (g . n_left) >= 0 >= s (g . n_right), s (e . m_left) <= 0 <= s (e . m_right).
-    const int a = sign_at(p_, e.left, q_, j), b = sign_at(p_, e.right, q_, j);
-    if (a == b) return;  // both 0: parallel edges
-    const int s = a != 0 ? a : -b;
+    // A segment by itself has no faces, and those of a plate's edge are opposite. All zero: parallel edges, or thin
+    // parts in one plane, which is seen from both sides.
+    const bool bare_e = e.is_segment(), bare_g = g.is_segment();
+    const int a = bare_e ? 0 : sign_at(p_, e.left, q_, j), b = bare_e ? 0 : sign_at(p_, e.right, q_, j);
+    if (a == b && (a != 0 || !p_.is_thin(e))) return;
+    int s = a != 0 ? a : -b;
     if (s * b > 0) return;
-    const int c = sign_at(q_, g.left, p_, i);
+    const int c = bare_g ? 0 : sign_at(q_, g.left, p_, i);
     if (s * c > 0) return;
-    const int d = sign_at(q_, g.right, p_, i);
-    if (s * d < 0 || (c == 0 && d == 0)) return;
+    const int d = bare_g ? 0 : sign_at(q_, g.right, p_, i);
+    if (s == 0) s = c != 0 ? -c : d;
+    if (s == 0 &&
+        space_.exact_dot(p_.way(e.from, e.to), q_.way(g.from, g.to), p_.way(e.from, e.to), q_.way(g.from, g.to)) == 0)
+      return;
+    if (s * c > 0 || s * d < 0) return;
     if ((a == 0 || b == 0 || c == 0 || d == 0) && !ties_hold(e, g, a, b, c, d)) return;
-    add_edge_edge(i, j, s);
+    add_edge_edge(i, j, s != 0 ? s : 1);
+    if (s == 0) add_edge_edge(i, j, -1);
   }
 
   /// Where a face of one edge is coplanar with the facet, the ray of the other edge on its side has to be
@@ -199,10 +216,10 @@ class Facets {
       return space_.exact_dot(faces.way(t[0], t[1]), faces.way(t[0], t[2]), ew, gw);
     };
     const int lex_e = space_.exact_leading(ew), lex_g = space_.exact_leading(gw);
-    if (a == 0 && along(p_, e.left) * lex_g < 0) return false;
-    if (b == 0 && -along(p_, e.right) * lex_g < 0) return false;
-    if (c == 0 && along(q_, g.left) * lex_e < 0) return false;
-    if (d == 0 && -along(q_, g.right) * lex_e < 0) return false;
+    if (!e.is_segment() && a == 0 && along(p_, e.left) * lex_g < 0) return false;
+    if (!e.is_segment() && b == 0 && -along(p_, e.right) * lex_g < 0) return false;
+    if (!g.is_segment() && c == 0 && along(q_, g.left) * lex_e < 0) return false;
+    if (!g.is_segment() && d == 0 && -along(q_, g.right) * lex_e < 0) return false;
     return true;
   }
 

@@ -14,6 +14,7 @@
 
 #include "exact/orient3.h"
 #include "spatial/mesh/edge_bend.h"
+#include "spatial/mesh/edge_order.h"
 #include "spatial/mesh/grid_points.h"
 #include "spatial/mesh/half_edges.h"
 
@@ -144,8 +145,13 @@ std::optional<Error> winding_error(const MeshData& data, const std::vector<FaceP
 std::optional<Error> convexity_error(const Mesh& mesh) {
   using namespace spatial;
   if (mesh.empty()) return Error{ErrorCode::no_area, "the mesh is empty", {}};
+  if (mesh.has_thin_parts()) {
+    const std::vector<bool>& thin = mesh.thin_faces();
+    const auto first = std::find(thin.begin(), thin.end(), true) - thin.begin();
+    return not_convex("the mesh has parts without volume", static_cast<std::uint32_t>(first));
+  }
   const MeshData& data = mesh.data();
-  const HalfEdges edges = half_edges(data.faces);
+  const HalfEdges edges = half_edges(data);
   if (mesh.shell_count() > 1) {
     const Shells shells = find_shells(edges);
     const auto second = std::find(shells.of_face.begin(), shells.of_face.end(), 1u);

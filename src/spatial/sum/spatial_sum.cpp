@@ -12,6 +12,7 @@
 #include "spatial/sum/solid_faces.h"
 #include "spatial/sum/sum_of_solids.h"
 #include "spatial/sum/sum_source.h"
+#include "spatial/sum/touching_vertices.h"
 
 namespace dymsum {
 
@@ -37,13 +38,28 @@ Result<SpatialSum> minkowski_sum(const Mesh& p, const Mesh& q, const SpatialOpti
       return Error{ErrorCode::cancelled, "the computation was cancelled", {}};
     if (const Result<SolidSum> convex = convex_sum(p, q)) return spatial::boundary_of(*convex);
   }
-  return spatial::sum_of_solids(p.data(), q.data(), options);
+  return spatial::sum_of_solids(p, q, options);
 }
 
 Result<SpatialSum> spatial::sum_of_solids(const MeshData& p, const MeshData& q, const SpatialOptions& options) {
+  return sum_of_operands(solid_operand(p), solid_operand(q), options);
+}
+
+Result<SpatialSum> spatial::sum_of_solids(const Mesh& p, const Mesh& q, const SpatialOptions& options) {
+  if (p.has_thin_parts() && q.has_thin_parts() && options.semantics == Semantics::open)
+    return Error{
+        ErrorCode::unsupported_operand, "the open sum is defined where one operand has no parts without volume", {}};
+  Result<SpatialSum> sum =
+      sum_of_operands(solid_operand(p.data(), p.thin_faces()), solid_operand(q.data(), q.thin_faces()), options);
+  if (sum && sum->faces.empty() && p.has_thin_parts() && q.has_thin_parts())
+    return Error{ErrorCode::unsupported_operand, "the sum of these parts without volume has no volume either", {}};
+  return sum;
+}
+
+Result<SpatialSum> spatial::sum_of_operands(const SolidOperand& a, const SolidOperand& b,
+                                            const SpatialOptions& options) {
   SpatialSum sum;
-  if (p.faces.empty() || q.faces.empty()) return sum;
-  const SolidOperand a = solid_operand(p), b = solid_operand(q);
+  if (a.vertices.empty() || b.vertices.empty()) return sum;
   const SpatialCost cost = predicted_cost(a, b);
   if (options.memory != 0 && cost.bytes > options.memory) return too_large(options, "is predicted to take", cost.bytes);
   StageWatch watch(options, sum.stats);
@@ -100,7 +116,7 @@ Result<SpatialSum::Rounded> SpatialSum::rounded() const {
   Rounded result;
   constexpr std::uint32_t kNone = 0xffffffff;
   std::vector<std::uint32_t> name(vertices.size(), kNone);
-  spatial::Triangles all = spatial::triangulated(*this);
+  spatial::Triangles all = spatial::split_at_touching_vertices(*this, spatial::triangulated(*this));
   for (const spatial::Triangle& t : all.triangles) {
     Face face;
     for (const std::uint32_t v : t) {
