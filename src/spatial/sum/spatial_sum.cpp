@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <tuple>
 
 #include "spatial/sum/face_triangles.h"
 #include "spatial/sum/rounded_surface.h"
@@ -12,9 +10,6 @@
 #include "spatial/sum/sum_source.h"
 
 namespace dymsum {
-
-using exact::BigRational;
-using spatial::Vec3;
 
 Result<SpatialSum> minkowski_sum(const Mesh& p, const Mesh& q, const SpatialOptions& options) {
   if (options.engine == SpatialEngine::fast) {
@@ -44,33 +39,9 @@ Result<SpatialSum> spatial::sum_of_solids(const MeshData& p, const MeshData& q, 
   return sum;
 }
 
-spatial::ExactPosition spatial::SpatialPositions::at(std::size_t vertex) const {
-  if (!space) return listed[vertex];
-  const PointSource& at = vertices[vertex];
-  return {space->world_coordinate(at, 0), space->world_coordinate(at, 1), space->world_coordinate(at, 2)};
-}
-
 RationalPoint3 SpatialSum::exact(std::size_t vertex) const {
   const auto [x, y, z] = positions_->at(vertex);
   return {exact::to_rational(x), exact::to_rational(y), exact::to_rational(z)};
-}
-
-Rational SpatialSum::volume_exact() const {
-  // Tetrahedra over the fans of all loops: those of holes run the other way and count less.
-  BigRational six;
-  std::vector<std::array<BigRational, 3>> at(vertices.size());
-  for (std::size_t k = 0; k < vertices.size(); ++k) at[k] = positions_->at(k);
-  for (const SpatialFace& face : faces) {
-    for (const std::vector<std::uint32_t>& loop : face.loops) {
-      const auto& a = at[loop[0]];
-      for (std::size_t k = 1; k + 1 < loop.size(); ++k) {
-        const auto &b = at[loop[k]], &c = at[loop[k + 1]];
-        six += a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
-               a[2] * (b[0] * c[1] - b[1] * c[0]);
-      }
-    }
-  }
-  return exact::to_rational(six / 6);
 }
 
 Result<SpatialSum::Rounded> SpatialSum::rounded() const {
@@ -94,19 +65,6 @@ Result<SpatialSum::Rounded> SpatialSum::rounded() const {
   result.face = std::move(all.face);
   if (std::optional<Error> error = spatial::rounding_error(result.mesh)) return *std::move(error);
   return result;
-}
-
-double SpatialSum::area() const {
-  double total = 0;
-  const auto at = [&](std::uint32_t v) { return Vec3{vertices[v].x, vertices[v].y, vertices[v].z}; };
-  for (const SpatialFace& face : faces) {
-    Vec3 n;
-    for (const std::vector<std::uint32_t>& loop : face.loops)
-      for (std::size_t k = 1; k + 1 < loop.size(); ++k)
-        n = n + cross(at(loop[k]) - at(loop[0]), at(loop[k + 1]) - at(loop[0]));
-    total += length(n) / 2;
-  }
-  return total;
 }
 
 bool operator==(const SpatialSum& a, const SpatialSum& b) {
