@@ -30,6 +30,7 @@
 #include "dymsum/scale_range.h"
 #include "dymsum/scaling_sum.h"
 #include "dymsum/shapes.h"
+#include "dymsum/solid_erosion.h"
 #include "dymsum/solids.h"
 #include "dymsum/spatial_sum.h"
 #include "dymsum/trace.h"

@@ -184,19 +184,19 @@ std::vector<EdgeId> FeaturePairs::edges_at(PointId at) const {
   return edges;
 }
 
-SolidContact FeaturePairs::features(const SumFacet& f) const {
+SolidContact features_of(const SumFacet& f, const SolidOperand& p, const SolidOperand& q) {
   const auto edge = [](const SolidOperand& s, std::uint32_t w) {
     return edge_feature(s.wedges[w].from, s.wedges[w].to);
   };
   switch (f.kind) {
     case SumFacet::Kind::face_vertex:
-      return {{Kind::face, p_.face[f.p], 0}, {Kind::vertex, f.q, 0}};
+      return {{Kind::face, p.face[f.p], 0}, {Kind::vertex, f.q, 0}};
     case SumFacet::Kind::vertex_face:
-      return {{Kind::vertex, f.p, 0}, {Kind::face, q_.face[f.q], 0}};
+      return {{Kind::vertex, f.p, 0}, {Kind::face, q.face[f.q], 0}};
     case SumFacet::Kind::edge_edge:
       break;
   }
-  return {edge(p_, f.p), edge(q_, f.q)};
+  return {edge(p, f.p), edge(q, f.q)};
 }
 
 /// An edge of one operand, or the face that it splits, and a vertex of the other one.

@@ -12,6 +12,9 @@
 
 namespace dymsum::spatial {
 
+/// The features whose sum a facet is.
+SolidContact features_of(const SumFacet& facet, const SolidOperand& p, const SolidOperand& q);
+
 class FeaturePairs {
  public:
   FeaturePairs(const SolidBoundary& boundary, const SolidOperand& p, const SolidOperand& q);
@@ -31,7 +34,7 @@ class FeaturePairs {
   bool inside_border(const TableFacet& facet, int border, PointId at) const;
   bool exactly_inside(const TableFacet& facet, SumPoint a, SumPoint b, PointId at) const;
   bool runs_along(const SumEdge& edge, PointId from, PointId to) const;
-  SolidContact features(const SumFacet& facet) const;
+  SolidContact features(const SumFacet& facet) const { return features_of(facet, p_, q_); }
   SolidContact features(const SumEdge& edge) const;
   std::vector<EdgeId> edges_at(PointId at) const;
 
