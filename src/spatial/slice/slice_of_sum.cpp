@@ -1,0 +1,50 @@
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "dymsum/solid_slice.h"
+#include "exact/big.h"
+#include "spatial/slice/slice_region.h"
+
+namespace dymsum {
+
+namespace {
+
+/// Whether the plane meets the box of the sum.
+bool within(const Mesh& p, const Mesh& q, double z) {
+  const auto a = bounds(p), b = bounds(q);
+  const exact::BigRational at = exact::exact_value(z);
+  return exact::exact_value(a[2]) + exact::exact_value(b[2]) <= at &&
+         at <= exact::exact_value(a[5]) + exact::exact_value(b[5]);
+}
+
+bool goes_on(const SpatialOptions& options, std::string_view stage) {
+  return !options.progress || options.progress(stage, 0);
+}
+
+const Error kCancelled{ErrorCode::cancelled, "the computation was cancelled", {}};
+
+}  // namespace
+
+Result<SolidSlice> slice_of_sum(const Mesh& p, const Mesh& q, double z, const SpatialOptions& options) {
+  if (!std::isfinite(z)) return Error{ErrorCode::not_finite, "the height of a slice is a number", {}};
+  SolidSlice slice;
+  slice.z = z;
+  if (p.empty() || q.empty() || !within(p, q, z)) return slice;
+  const spatial::SolidOperand a = spatial::solid_operand(p.data()), b = spatial::solid_operand(q.data());
+  try {
+    if (!goes_on(options, "convolution")) return kCancelled;
+    spatial::SlicePlane plane = spatial::slice_plane(a, b, z);
+    if (!goes_on(options, "collisions")) return kCancelled;
+    const spatial::Collision collision(*plane.space, a, b);
+    const spatial::SliceStates states = spatial::slice_states(plane, collision);
+    slice.stats = {plane.space->bits(), plane.facets, plane.table.facets.size(), plane.cells.cells.size(),
+                   collision.tests()};
+    spatial::collect_region(std::move(plane), states, a, b, slice);
+  } catch (const std::invalid_argument& e) {
+    return Error{ErrorCode::unsupported_operand, e.what(), {}};
+  }
+  return slice;
+}
+
+}  // namespace dymsum
