@@ -31,6 +31,7 @@
 #include "dymsum/scaling_sum.h"
 #include "dymsum/shapes.h"
 #include "dymsum/solid_erosion.h"
+#include "dymsum/solid_offset.h"
 #include "dymsum/solid_slice.h"
 #include "dymsum/solids.h"
 #include "dymsum/spatial_sum.h"
