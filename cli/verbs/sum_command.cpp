@@ -66,12 +66,9 @@ CLI::App& declare_sum_verb(CLI::App& app, const SumVerb& verb, SumCommand& comma
   add_operands(parser, verb.first, verb.second, command.operands);
   if (verb.several) parser.add_option("MORE", command.more, "More solids: their sum, exact throughout")->type_name("");
   add_sum_options(parser, command);
-  if (verb.planar_only) {
-    add_input_options(parser, command.input);
-  } else {
+  if (!verb.planar_result)
     parser.add_flag("--triangulate", command.triangulate, "Solids: write triangles, for programs that take no others");
-    add_solid_input_options(parser, command.input);
-  }
+  add_solid_input_options(parser, command.input);
   parser.footer(verb.footer);
   command.parser = &parser;
   return parser;
@@ -84,12 +81,9 @@ void add_sum_verb(CLI::App& app, const SumVerb& verb, Action& action) {
 }
 
 ExitCode run_sum(const SumVerb& verb, const SumCommand& command) {
-  if (are_solid(command.operands, command.input)) {
-    if (verb.planar_only) throw Stop(kUsage, verb.name + " is for planar operands");
-    return run_solid_sum(verb, command);
-  }
+  if (are_solid(command.operands, command.input)) return run_solid_sum(verb, command);
   if (!command.more.empty()) throw Stop(kUsage, "more than two operands have to be solids");
-  if (!verb.planar_only) refuse_options(*command.parser, {"--triangulate"}, "is for solids");
+  if (!verb.planar_result) refuse_options(*command.parser, {"--triangulate"}, "is for solids");
   std::ostream& out = report_stream(command.output.files, command.report.json);
   check(command);
   SumReport report;
