@@ -134,6 +134,15 @@ class Inside {
   SpatialSum result_;
 };
 
+/// A vertex of -B that an error tells is one of B.
+Error of_operands(Error error, const MeshData& b) {
+  Evidence& e = error.evidence;
+  if (!e.vertex || !e.x || static_cast<std::size_t>(*e.vertex) >= b.vertices.size()) return error;
+  const Point3& v = b.vertices[static_cast<std::size_t>(*e.vertex)];
+  if (Point3{-*e.x, -*e.y, -*e.z} == v) e.x = v.x, e.y = v.y, e.z = v.z;
+  return error;
+}
+
 }  // namespace
 
 Result<SpatialSum> erosion(const MeshData& a, const MeshData& b, const SpatialOptions& options) {
@@ -142,7 +151,7 @@ Result<SpatialSum> erosion(const MeshData& a, const MeshData& b, const SpatialOp
   Result<MeshData> complement = framed_complement(a, b);
   if (!complement) return complement.error();
   const Result<SpatialSum> sum = sum_of_solids(*complement, reflected(b), options);
-  if (!sum) return sum.error();
+  if (!sum) return of_operands(sum.error(), b);
   return Inside(*sum, a).run();
 }
 

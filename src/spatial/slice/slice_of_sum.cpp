@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include "dymsum/solid_slice.h"
 #include "exact/big.h"
 #include "spatial/slice/slice_region.h"
+#include "spatial/sum/grid_error.h"
 
 namespace dymsum {
 
@@ -41,8 +43,9 @@ Result<SolidSlice> slice_of_sum(const Mesh& p, const Mesh& q, double z, const Sp
     slice.stats = {plane.space->bits(), plane.facets, plane.table.facets.size(), plane.cells.cells.size(),
                    collision.tests()};
     spatial::collect_region(std::move(plane), states, a, b, slice);
-  } catch (const std::invalid_argument& e) {
-    return Error{ErrorCode::unsupported_operand, e.what(), {}};
+  } catch (const std::invalid_argument&) {
+    if (std::optional<Error> error = spatial::grid_error(p.vertices(), q.vertices())) return *std::move(error);
+    throw;
   }
   return slice;
 }

@@ -69,7 +69,9 @@ class Builder {
   }
 
   void take_facets() {
-    const ReducedConvolution all = reduced_convolution(*result_.space, p_, q_);
+    // Facets do not depend on the height, whose digits may need a finer grid than the operands.
+    const std::unique_ptr<SumSpace> own = make_sum_space(p_.vertices, q_.vertices);
+    const ReducedConvolution all = reduced_convolution(*own, p_, q_);
     result_.facets = all.facets.size();
     ReducedConvolution met;
     for (std::size_t f = 0; f < all.facets.size(); ++f) {

@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "spatial/sum/face_triangles.h"
+#include "spatial/sum/grid_error.h"
 #include "spatial/sum/rounded_surface.h"
 #include "spatial/sum/solid_faces.h"
 #include "spatial/sum/sum_of_solids.h"
@@ -33,8 +34,9 @@ Result<SpatialSum> spatial::sum_of_solids(const MeshData& p, const MeshData& q, 
     const_cast<SpatialPositions&>(SpatialSumInternals::positions(sum)).space = std::move(boundary.space);
   } catch (const spatial::Cancelled&) {
     return Error{ErrorCode::cancelled, "the computation was cancelled", {}};
-  } catch (const std::invalid_argument& e) {
-    return Error{ErrorCode::unsupported_operand, e.what(), {}};
+  } catch (const std::invalid_argument&) {
+    if (std::optional<Error> error = grid_error(p.vertices, q.vertices)) return *std::move(error);
+    throw;
   }
   return sum;
 }
