@@ -10,7 +10,7 @@ namespace dymsum {
 
 std::string draw_section(const PlanarSum& sum, const std::vector<SumPart>& touching) {
   using namespace io;
-  constexpr double kSide = 760, kMargin = 28, kLegend = 52;
+  constexpr double kSide = 760, kMargin = 28, kLegend = 60;
   const RegionData result = rounded_data(sum);
   PlanarSum only_touching = sum;
   only_touching.parts = touching;
@@ -27,8 +27,8 @@ std::string draw_section(const PlanarSum& sum, const std::vector<SumPart>& touch
   draw_marked(picture, result, placement, palette::kSum, palette::kSumEdge);
   if (!touching.empty()) draw_plain(picture, rounded_data(only_touching), placement, "#f6b8c1", palette::kTight);
   draw_tight(picture, sum, placement);
-  picture.text(kMargin, kMargin + height + 26, 13, palette::kQuiet, describe(result));
-  const double y = kMargin + height + 38;
+  picture.text(kMargin, kMargin + height + 24, 13, palette::kQuiet, describe(result));
+  const double y = kMargin + height + 44;
   picture.swatch(kMargin, y, palette::kSum, palette::kSumEdge, "sum");
   if (!touching.empty()) picture.swatch(kMargin + 80, y, "#f6b8c1", palette::kTight, "touching only");
   const std::string tight = describe_tight(sum);

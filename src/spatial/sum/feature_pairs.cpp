@@ -67,7 +67,8 @@ std::optional<SolidContact> FeaturePairs::of_edge(PointId a, PointId b) const {
   for (const auto& [from, to] : {std::pair{a, b}, {b, a}}) {
     for (const EdgeId e : edges_at(from)) {
       const SumEdge& edge = space_.edges()[e];
-      if ((!least || edge < *least) && runs_along(edge, from, to)) least = edge;
+      if (least && !(edge < *least)) continue;
+      if ((is_named_by(from, e) && is_named_by(to, e)) || runs_along(edge, from, to)) least = edge;
     }
   }
   return least ? std::optional(features(*least)) : std::nullopt;
@@ -148,6 +149,15 @@ bool FeaturePairs::exactly_inside(const TableFacet& facet, SumPoint a, SumPoint 
     return BigRational(d[i] * w[j] - d[j] * w[i]).sign() * up >= 0;
   }
   return false;
+}
+
+/// Whether a point's source tells that it lies on an edge of sums.
+bool FeaturePairs::is_named_by(PointId at, EdgeId e) const {
+  const PointSource& source = arrangement_.points.source(at);
+  if (source.kind == PointSource::Kind::edge) return source.a == e;
+  const SumEdge& edge = space_.edges()[e];
+  const SumPoint sum{source.a, source.b};
+  return source.kind == PointSource::Kind::sum && (sum == edge.from || sum == edge.to);
 }
 
 /// Whether an edge of sums that holds `from` goes on from there towards `to`.

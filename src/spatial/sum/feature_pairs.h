@@ -33,6 +33,7 @@ class FeaturePairs {
   bool holds(const TableFacet& facet, PointId at) const;
   bool inside_border(const TableFacet& facet, int border, PointId at) const;
   bool exactly_inside(const TableFacet& facet, SumPoint a, SumPoint b, PointId at) const;
+  bool is_named_by(PointId at, EdgeId edge) const;
   bool runs_along(const SumEdge& edge, PointId from, PointId to) const;
   SolidContact features(const SumFacet& facet) const { return features_of(facet, p_, q_); }
   SolidContact features(const SumEdge& edge) const;

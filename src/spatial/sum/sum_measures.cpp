@@ -12,6 +12,7 @@
 #include "dymsum/volume_text.h"
 #include "exact/decimal_text.h"
 #include "exact/factored_fraction.h"
+#include "exact/square_root.h"
 #include "spatial/sum/sum_source.h"
 
 namespace dymsum {
@@ -163,6 +164,19 @@ std::array<BigInteger, 4> lowest(std::array<BigInteger, 4> p) {
   return p;
 }
 
+/// In units of one power of two, the largest in any weight, whose exponent is returned: what is left of the weights is
+/// odd.
+int leave_odd(std::vector<std::array<BigInteger, 4>>& at) {
+  unsigned twos = 0;
+  for (const auto& v : at) twos = std::max(twos, static_cast<unsigned>(lsb(v[3])));
+  for (auto& v : at) {
+    const auto own = static_cast<unsigned>(lsb(v[3]));
+    v[3] >>= own;
+    for (std::size_t axis = 0; axis < 3; ++axis) v[axis] <<= twos - own;
+  }
+  return static_cast<int>(twos);
+}
+
 std::optional<Rational> volume_fraction(const SpatialSum& sum, std::size_t bits) {
   if (sum.faces.empty()) return Rational();
   const SpatialPositions& positions = spatial::SpatialSumInternals::positions(sum);
@@ -170,19 +184,21 @@ std::optional<Rational> volume_fraction(const SpatialSum& sum, std::size_t bits)
   std::size_t total = 0;
   for (std::size_t v = 0; v < sum.vertices.size(); ++v) {
     at.push_back(lowest(positions.homogeneous(v)));
-    total += at.back()[3] == 1 ? 0 : msb(at.back()[3]) + 1;
+    const BigInteger& w = at.back()[3];
+    total += msb(w) == lsb(w) ? 0 : msb(w) - lsb(w) + 1;  // powers of two have a common one
     if (total > bits) return std::nullopt;
   }
+  const std::array<int, 3> unit = positions.unit_exponents();
+  const int power = unit[0] + unit[1] + unit[2] - 3 * leave_odd(at);
   const VolumeTree tree(sum, std::move(at));
   const VolumeShare six = tree.total();
   if (six.numerator.is_zero()) return Rational();
   std::vector<BigInteger> factors{6};
   for (const std::uint32_t v : six.vertices) factors.push_back(tree.weight(v));
-  BigInteger numerator = six.numerator, denominator = exact::product_of(factors);
-  const std::array<int, 3> unit = positions.unit_exponents();
-  if (const int power = unit[0] + unit[1] + unit[2]; power >= 0) numerator <<= power;
-  else denominator <<= -power, factors.push_back(BigInteger(1) << -power);
-  const BigInteger common = exact::gcd_with_product(factors, numerator);
+  BigInteger numerator = six.numerator;
+  if (power >= 0) numerator <<= power;
+  else factors.push_back(BigInteger(1) << -power);
+  const BigInteger denominator = exact::product_of(factors), common = exact::gcd_with_product(factors, numerator);
   return exact::to_rational(BigInteger(numerator / common), BigInteger(denominator / common));
 }
 
@@ -226,7 +242,7 @@ Range area_range(const SpatialSum& sum, int size, int bits) {
   for (const SpatialFace& face : sum.faces) {
     const Integers n = twice_area(face, m.at);
     BigInteger rest;
-    total += sqrt(BigInteger(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]), rest);
+    total += exact::floor_root(BigInteger(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]), rest);
     exact = exact && rest.is_zero();
   }
   // The length of a vector is off by less than twice what its components are, the root by less than 1.
@@ -252,8 +268,8 @@ std::optional<BigRational> rational_area(const SpatialSum& sum) {
     }
     const BigRational square = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
     BigInteger rest_n, rest_d;
-    const BigInteger over = sqrt(BigInteger(numerator(square)), rest_n),
-                     under = sqrt(BigInteger(denominator(square)), rest_d);
+    const BigInteger over = exact::floor_root(BigInteger(numerator(square)), rest_n),
+                     under = exact::floor_root(BigInteger(denominator(square)), rest_d);
     if (!rest_n.is_zero() || !rest_d.is_zero()) return std::nullopt;
     total += BigRational(over, under);
   }
