@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -94,7 +95,35 @@ std::vector<FaceColour> colours_of(const SpatialSum& sum, const SpatialSum::Roun
   return colours;
 }
 
+/// The convolution at its place, and the result to the right of it.
+std::string stages_of(const SpatialSum& sum, const SpatialSum::Rounded& rounded) {
+  std::vector<FaceColour> colours = colours_of(sum, rounded);
+  MeshData all;
+  double low = INFINITY, high = -INFINITY;
+  for (FaceColour& colour : colours)
+    for (std::uint32_t& face : colour.faces) face += static_cast<std::uint32_t>(sum.trace->facets.size());
+  for (const SpatialTrace::Facet& facet : sum.trace->facets) {
+    Face& face = all.faces.emplace_back();
+    colours[static_cast<std::size_t>(facet.kind)].faces.push_back(static_cast<std::uint32_t>(all.faces.size() - 1));
+    for (const Point3& p : facet.corners) {
+      face.push_back(static_cast<std::uint32_t>(all.vertices.size()));
+      all.vertices.push_back(p);
+      low = std::min(low, p.x), high = std::max(high, p.x);
+    }
+  }
+  const auto first = static_cast<std::uint32_t>(all.vertices.size());
+  for (const Point3& p : rounded.mesh.vertices) all.vertices.push_back({p.x + 1.2 * (high - low), p.y, p.z});
+  for (const Face& face : rounded.mesh.faces) {
+    Face& moved = all.faces.emplace_back(face);
+    for (std::uint32_t& v : moved) v += first;
+  }
+  const MeshData cuts = bars(sum.trace->pieces, 0.0015 * (high - low));
+  return format_glb(all, {colours, {}, &cuts});
+}
+
 }  // namespace
+
+bool is_stage_mesh(const std::string& file) { return file.ends_with("stages.glb"); }
 
 Json any_solid_sum_json(const SpatialSum& sum, bool exact) {
   constexpr std::size_t kMostBits = 16384;
@@ -123,6 +152,7 @@ std::string any_solid_output(const SpatialSum& sum, const std::string& file, con
     error.message += " (.json keeps the sum exactly)";
     stop_with(error);
   }
+  if (is_stage_mesh(name) && sum.trace && !sum.trace->facets.empty()) return stages_of(sum, *rounded);
   const std::vector<FaceColour> colours = colours_of(sum, *rounded);
   const Result<Mesh> mesh = Mesh::create(rounded->mesh);
   if (format != MeshFormat::glb) {

@@ -1,5 +1,6 @@
 #include "solid/any_solid_sum.h"
 
+#include <algorithm>
 #include <iostream>
 #include <optional>
 #include <utility>
@@ -44,6 +45,7 @@ ExitCode run_any_solid(const SolidRun& run, const std::function<Result<SolidOutc
   SpatialOptions options;
   options.engine = run.engine == "brute" ? SpatialEngine::brute : SpatialEngine::fast;
   options.progress = bar->callback();
+  options.trace = std::any_of(run.files.begin(), run.files.end(), is_stage_mesh);
   const auto [outcome, timing] = timed(run.report.repeat, [&] {
     Result<SolidOutcome> made = compute(options);
     throw_if_interrupted();

@@ -75,7 +75,9 @@ ExitCode run_solid_sum(const SumVerb& verb, const SumCommand& command) {
   are_solid(operands, command.input);
   const std::vector<SolidInput> inputs = read_solids(operands, command.input);
   const auto convex = [](const SolidInput& input) { return !convexity_error(input.mesh); };
-  if (verb.name == "erode" || !std::all_of(inputs.begin(), inputs.end(), convex))
+  const std::vector<std::string>& files = command.output.files;
+  if (verb.name == "erode" || std::any_of(files.begin(), files.end(), is_stage_mesh) ||
+      !std::all_of(inputs.begin(), inputs.end(), convex))
     return run_general(verb, command, inputs, how);
   const InterruptGuard guard;
   const Mesh q = verb.reflects_second ? negated(inputs[1].mesh) : inputs[1].mesh;

@@ -10,25 +10,10 @@ namespace {
 
 class Marks {
  public:
-  explicit Marks(const SpatialSum& sum) : sum_(sum) {
-    Point3 low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
-    for (const Point3& v : sum.vertices) {
-      low = {std::min(low.x, v.x), std::min(low.y, v.y), std::min(low.z, v.z)};
-      high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
-    }
-    radius_ = 0.004 * std::max({high.x - low.x, high.y - low.y, high.z - low.z, 0.0});
-    for (const std::uint32_t v : sum.tight_points) add_point(sum.vertices[v], 2 * radius_);
-    for (const auto& [from, to] : sum.tight_segments) add_bar(sum.vertices[from], sum.vertices[to]);
-    for (const auto& face : sum.tight_faces) {
-      for (const std::vector<std::uint32_t>& loop : face) {
-        for (std::size_t k = 0; k < loop.size(); ++k) add_bar(at(loop[k]), at(loop[(k + 1) % loop.size()]));
-      }
-    }
-  }
+  explicit Marks(double radius) : radius_(radius) {}
+
   MeshData take() { return std::move(mesh_); }
 
- private:
-  const Point3& at(std::uint32_t v) const { return sum_.vertices[v]; }
   std::uint32_t add(double x, double y, double z) {
     mesh_.vertices.push_back({x, y, z});
     return static_cast<std::uint32_t>(mesh_.vertices.size() - 1);
@@ -74,13 +59,34 @@ class Marks {
     mesh_.faces.push_back({corners[3], corners[4], corners[5]});
   }
 
-  const SpatialSum& sum_;
-  double radius_ = 0;
+ private:
+  double radius_;
   MeshData mesh_;
 };
 
 }  // namespace
 
-MeshData tight_marks(const SpatialSum& sum) { return Marks(sum).take(); }
+MeshData tight_marks(const SpatialSum& sum) {
+  Point3 low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
+  for (const Point3& v : sum.vertices) {
+    low = {std::min(low.x, v.x), std::min(low.y, v.y), std::min(low.z, v.z)};
+    high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
+  }
+  const double radius = 0.004 * std::max({high.x - low.x, high.y - low.y, high.z - low.z, 0.0});
+  Marks marks(radius);
+  const auto at = [&](std::uint32_t v) -> const Point3& { return sum.vertices[v]; };
+  for (const std::uint32_t v : sum.tight_points) marks.add_point(at(v), 2 * radius);
+  for (const auto& [from, to] : sum.tight_segments) marks.add_bar(at(from), at(to));
+  for (const auto& face : sum.tight_faces)
+    for (const std::vector<std::uint32_t>& loop : face)
+      for (std::size_t k = 0; k < loop.size(); ++k) marks.add_bar(at(loop[k]), at(loop[(k + 1) % loop.size()]));
+  return marks.take();
+}
+
+MeshData bars(const std::vector<std::array<Point3, 2>>& segments, double radius) {
+  Marks marks(radius);
+  for (const auto& [from, to] : segments) marks.add_bar(from, to);
+  return marks.take();
+}
 
 }  // namespace dymsum::cli

@@ -35,5 +35,6 @@
 #include "dymsum/solid_slice.h"
 #include "dymsum/solids.h"
 #include "dymsum/spatial_sum.h"
+#include "dymsum/spatial_trace.h"
 #include "dymsum/trace.h"
 #include "dymsum/volume_text.h"

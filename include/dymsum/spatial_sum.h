@@ -15,6 +15,7 @@
 #include "dymsum/progress.h"
 #include "dymsum/rational.h"
 #include "dymsum/result.h"
+#include "dymsum/spatial_trace.h"
 
 namespace dymsum {
 
@@ -31,8 +32,9 @@ enum class SpatialEngine : std::uint8_t {
 
 struct SpatialOptions {
   SpatialEngine engine = SpatialEngine::fast;
-  bool tight = true;  ///< look for tight features
-  int threads = 0;    ///< 0: as many as there are cores; the result does not depend on it
+  bool tight = true;   ///< look for tight features
+  bool trace = false;  ///< record the stages in SpatialSum::trace
+  int threads = 0;     ///< 0: as many as there are cores; the result does not depend on it
   Progress progress;
 };
 
@@ -95,6 +97,7 @@ class SpatialSum {
   std::vector<std::array<SolidContact, 2>> tight_face_contacts;
   std::vector<std::vector<SolidContact>> tight_segment_contacts, tight_point_contacts;
   SpatialStats stats;
+  std::optional<SpatialTrace> trace;
 
   /// The exact position of a vertex.
   RationalPoint3 exact(std::size_t vertex) const;

@@ -111,6 +111,14 @@ TEST_F(SolidVerbs, AllSumsHaveTheSameLists) {
   }
 }
 
+TEST_F(SolidVerbs, StagesAreDrawnBesideTheResult) {
+  for (const char* operands : {"cube.off wedge.off", "tunnel.off cube.off"}) {
+    EXPECT_EQ(work.run(std::string("dymsum nfp ") + operands + " -o stages.glb -o plain.glb").code, 0) << operands;
+    EXPECT_GT(work.read("stages.glb").size(), work.read("plain.glb").size()) << operands;
+    EXPECT_EQ(count("stages.glb", "BLEND"), 1u) << operands;
+  }
+}
+
 TEST_F(SolidVerbs, HaveHelpWithAnExample) {
   for (const char* verb : {"opening", "closing", "offset", "slice", "erode"}) {
     const Outcome outcome = work.run(std::string("dymsum ") + verb + " --help");

@@ -37,6 +37,7 @@ class Inside {
     add_tight();
     result_.at_error = sum_.at_error;
     result_.stats = sum_.stats;
+    result_.trace = sum_.trace;
     return std::move(result_);
   }
 

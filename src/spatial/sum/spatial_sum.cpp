@@ -9,11 +9,12 @@
 #include "spatial/sum/solid_faces.h"
 #include "spatial/sum/sum_of_solids.h"
 #include "spatial/sum/sum_source.h"
+#include "spatial/sum/sum_trace.h"
 
 namespace dymsum {
 
 Result<SpatialSum> minkowski_sum(const Mesh& p, const Mesh& q, const SpatialOptions& options) {
-  if (options.engine == SpatialEngine::fast) {
+  if (options.engine == SpatialEngine::fast && !options.trace) {
     if (options.progress && !options.progress("convex", 0))
       return Error{ErrorCode::cancelled, "the computation was cancelled", {}};
     if (const Result<SolidSum> convex = convex_sum(p, q)) return spatial::boundary_of(*convex);
@@ -29,6 +30,7 @@ Result<SpatialSum> spatial::sum_of_solids(const MeshData& p, const MeshData& q, 
     spatial::SolidBoundary boundary = spatial::solid_boundary(a, b, options, sum.stats);
     const auto start = std::chrono::steady_clock::now();
     spatial::assemble(boundary, a, b, sum);
+    if (options.trace) sum.trace = trace_of(boundary);
     sum.stats.stages.push_back(
         {"faces", std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count()});
     const_cast<SpatialPositions&>(SpatialSumInternals::positions(sum)).space = std::move(boundary.space);
