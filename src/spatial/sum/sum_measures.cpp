@@ -211,7 +211,7 @@ void narrow_volume(const SpatialSum& sum, const std::function<bool(const Range&)
     return;
   }
   const std::array<int, 3> size = sizes(sum);
-  for (const int bits : {128, 512, 2048})
+  for (const int bits : {100, 512, 2048})
     if (decide(volume_range(sum, size, bits))) return;
   const BigRational exact = exact::exact_value(*volume_fraction(sum, kAnyLength));
   decide({exact, exact});
@@ -285,9 +285,9 @@ void narrow_area(const SpatialSum& sum, const std::function<bool(const Range&)>&
   }
   const std::array<int, 3> sizes_of = sizes(sum);
   const int size = *std::max_element(sizes_of.begin(), sizes_of.end());
-  for (int bits = 128;; bits *= 4) {
+  for (int bits = 100;; bits *= 4) {
     if (decide(area_range(sum, size, bits))) return;
-    if (bits != 2048) continue;
+    if (bits != 1600) continue;
     if (const std::optional<BigRational> exact = rational_area(sum)) {
       decide({*exact, *exact});
       return;
