@@ -22,7 +22,7 @@ struct TessellatedBall {
 };
 
 /// A ball with high - low <= tolerance; inside: high <= radius, outside: low >= radius. Its facets are those of a
-/// geodesic sphere, about 4 radius / tolerance of them, its coordinates have few digits. Errors: out_of_range for a
+/// geodesic sphere, about 7 radius / tolerance of them, its coordinates have few digits. Errors: out_of_range for a
 /// radius or a tolerance that is not a positive number, or one of less than 2^-14 of the radius.
 Result<TessellatedBall> tessellated_ball(double radius, double tolerance, OffsetBound bound = OffsetBound::inside);
 

@@ -102,7 +102,7 @@ class SpatialSum {
   /// The exact position of a vertex.
   RationalPoint3 exact(std::size_t vertex) const;
   /// The nearest doubles to the exact volume and area of the surface; zero and infinite past the range of doubles
-  /// (volume_text.h has them as text then). O(n), from positions of 128 bits with a proved error; from more where these
+  /// (volume_text.h has them as text then). O(n), from positions of 100 bits with a proved error; from more where these
   /// do not decide.
   double volume() const;
   double area() const;

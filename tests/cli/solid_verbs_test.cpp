@@ -67,8 +67,8 @@ TEST_F(SolidVerbs, SliceIsPlanar) {
   const Json slice = json("dymsum slice tunnel.off cube.off --z 1.5 --json -o s.svg -o s.wkt -o s.json -o s.geojson");
   EXPECT_EQ(slice["area_exact"], "100/1");
   EXPECT_EQ(slice["tight"], (Json{{"points", 1}, {"segments", 0}}));
-  EXPECT_EQ(json("dymsum info s.wkt --json")["area"], 100.0);
-  EXPECT_EQ(json("dymsum info s.svg --json")["area"], 100.0) << "the picture reads back";
+  EXPECT_EQ(json("dymsum info s.wkt --json")["shapes"][0]["area"], 100.0);
+  EXPECT_EQ(json("dymsum info s.svg --json")["shapes"][0]["area"], 100.0) << "the picture reads back";
   const Json exact = Json::parse(work.read("s.json"));
   EXPECT_EQ(exact["tight_points"][0]["exact"], (Json{"0/1", "0/1"}));
   for (const Json& vertex : exact["parts"][0]["outer"])
