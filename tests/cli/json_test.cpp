@@ -95,9 +95,10 @@ class JsonReports : public CliTest {
     work.write("small.off",
                "OFF\n8 6 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n4 0 3 2 1\n4 4 5 6 7\n"
                "4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
-    work.write("ell.off",
-               "OFF\n12 8 0\n0 0 0\n6 0 0\n6 3 0\n3 3 0\n3 6 0\n0 6 0\n0 0 4\n6 0 4\n6 3 4\n3 3 4\n3 6 4\n0 6 4\n"
-               "6 5 4 3 2 1 0\n6 6 7 8 9 10 11\n4 0 1 7 6\n4 1 2 8 7\n4 2 3 9 8\n4 3 4 10 9\n4 4 5 11 10\n4 5 0 6 11\n");
+    work.write(
+        "ell.off",
+        "OFF\n12 8 0\n0 0 0\n6 0 0\n6 3 0\n3 3 0\n3 6 0\n0 6 0\n0 0 4\n6 0 4\n6 3 4\n3 3 4\n3 6 4\n0 6 4\n"
+        "6 5 4 3 2 1 0\n6 6 7 8 9 10 11\n4 0 1 7 6\n4 1 2 8 7\n4 2 3 9 8\n4 3 4 10 9\n4 4 5 11 10\n4 5 0 6 11\n");
     work.write("open.off", kOpen);
     work.write("cut.off", "OFF\n8 6 12\n0 0 0\n");
   }

@@ -9,8 +9,8 @@
 
 namespace dymsum::spatial {
 
-/// unsupported_operand, with the vertex whose coordinate has the smallest unit on the axis that needs most bits; nothing
-/// where 250 bits do. Requires: both have vertices.
+/// unsupported_operand, with the vertex whose coordinate has the smallest unit on the axis that needs most bits;
+/// nothing where 250 bits do. Requires: both have vertices.
 std::optional<Error> grid_error(const std::vector<Point3>& p, const std::vector<Point3>& q);
 
 }  // namespace dymsum::spatial
