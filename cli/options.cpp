@@ -92,11 +92,13 @@ void add_repair_option(CLI::App& verb, InputOptions& options) {
 
 void add_exact_option(CLI::App& verb, ReportOptions& options) {
   verb.add_flag("--exact", options.exact,
-                "With --json: area_exact as a fraction of any length. Else it is null for sums of more than 10000 "
+                "With --json: area_exact (of solids volume_exact) as a fraction of any length. Else it is null for "
+                "sums of more "
+                "than 10000 "
                 "vertices, and where the "
                 "denominators of the vertices, powers of two apart, have more than 16384 bits together: thousands of "
                 "crossings take "
-                "minutes. area is correctly rounded always")
+                "minutes. area and volume are correctly rounded always")
       ->needs("--json");
 }
 

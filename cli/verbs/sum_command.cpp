@@ -68,12 +68,11 @@ CLI::App& declare_sum_verb(CLI::App& app, const SumVerb& verb, SumCommand& comma
   if (verb.several)
     parser.add_option("MORE", command.more, "More solids: the sum of all, exact throughout")->type_name("");
   add_sum_options(parser, command);
-  if (verb.planar_only) {
-    add_input_options(parser, command.input);
-  } else {
+  if (!verb.planar_result)
     parser.add_flag("--triangulate", command.triangulate, "Solids: write triangles, for programs that take no others");
+  add_solid_input_options(parser, command.input);
+  if (!verb.planar_result) {
     add_memory_option(parser, command.memory_mb);
-    add_solid_input_options(parser, command.input);
     add_thin_option(parser, command.input);
   }
   parser.footer(verb.footer);
@@ -88,12 +87,9 @@ void add_sum_verb(CLI::App& app, const SumVerb& verb, Action& action) {
 }
 
 ExitCode run_sum(const SumVerb& verb, const SumCommand& command) {
-  if (are_solid(command.operands, command.input)) {
-    if (verb.planar_only) throw Stop(kUsage, verb.name + " is for planar operands");
-    return run_solid_sum(verb, command);
-  }
+  if (are_solid(command.operands, command.input)) return run_solid_sum(verb, command);
   if (!command.more.empty()) throw Stop(kUsage, "more than two operands have to be solids");
-  if (!verb.planar_only) refuse_options(*command.parser, {"--triangulate", "--memory", "--thin"}, "is for solids");
+  if (!verb.planar_result) refuse_options(*command.parser, {"--triangulate", "--memory", "--thin"}, "is for solids");
   std::ostream& out = report_stream(command.output.files, command.report.json);
   check(command);
   SumReport report;

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -16,6 +17,7 @@
 #include "dymsum/progress.h"
 #include "dymsum/rational.h"
 #include "dymsum/result.h"
+#include "dymsum/spatial_trace.h"
 
 namespace dymsum {
 
@@ -38,6 +40,7 @@ struct SpatialOptions {
   /// Of two operands with thin parts: see minkowski_sum.
   Semantics semantics = Semantics::closed;
   bool tight = true;  ///< look for tight features; false lists none
+  bool trace = false;  ///< record the stages in SpatialSum::trace
   int threads = 0;    ///< 0: as many as there are cores; the result does not depend on it
   /// Bytes that the computation may hold beside its operands and the result; 0: no limit. Accounted for by stages.
   std::uint64_t memory = 0;
@@ -51,6 +54,21 @@ struct SpatialFace {
   SolidFeature p, q;        ///< what touches there: the smallest pair, where several facets tile the face
   std::uint32_t shell = 0;  ///< connected pieces of the boundary, in the order of their first faces
   friend bool operator==(const SpatialFace& a, const SpatialFace& b) { return a.loops == b.loops; }
+};
+
+/// A feature of P and one of Q that touch.
+struct SolidContact {
+  SolidFeature p, q;
+  friend auto operator<=>(const SolidContact&, const SolidContact&) = default;
+};
+
+/// An edge of the boundary.
+struct SpatialEdge {
+  std::uint32_t from = 0, to = 0;    ///< vertices, from < to
+  std::vector<std::uint32_t> faces;  ///< that it bounds, ascending: two, or more where the boundary touches itself
+  /// An edge and a vertex (or two parallel edges) that touch along it, from one of its ends on; none where two faces
+  /// cross, whose own features tell then. An edge inside a face of an operand counts as that face.
+  std::optional<SolidContact> contact;
 };
 
 struct SpatialStats {
@@ -76,21 +94,34 @@ class SpatialSum {
   double at_error = 0;
   std::vector<SpatialFace> faces;
   std::size_t shells = 0;
+  std::vector<SpatialEdge> edges;  ///< of the faces, sorted by from and to
+  /// Of every vertex the two vertices that touch there, or an edge and a vertex; none where three faces cross.
+  std::vector<std::optional<SolidContact>> vertex_contacts;
 
   /// Positions at which the operands touch without overlapping and that nothing outside comes near: passages exactly as
   /// wide as the part.
   std::vector<std::vector<std::vector<std::uint32_t>>> tight_faces;  ///< loops as of a face
   std::vector<std::array<std::uint32_t, 2>> tight_segments;          ///< that bound no tight face; from < to
   std::vector<std::uint32_t> tight_points;                           ///< that end no tight segment
+  /// What touches there: on the two sides of a tight face, seen from its front and from its back; all pairs of a face
+  /// and a vertex or of two edges along a tight segment, at its `from`, and at a tight point.
+  std::vector<std::array<SolidContact, 2>> tight_face_contacts;
+  std::vector<std::vector<SolidContact>> tight_segment_contacts, tight_point_contacts;
   SpatialStats stats;
+  std::optional<SpatialTrace> trace;
 
   /// The exact position of a vertex.
   RationalPoint3 exact(std::size_t vertex) const;
-  /// Nearest to the exact volume, and that itself: O(n) rationals of growing size.
-  double volume() const { return volume_exact().to_double(); }
-  Rational volume_exact() const;
-  /// Rounded at every face.
+  /// The nearest doubles to the exact volume and area of the surface; zero and infinite past the range of doubles
+  /// (volume_text.h has them as text then). O(n), from positions of 100 bits with a proved error; from more where these
+  /// do not decide.
+  double volume() const;
   double area() const;
+  /// The volume as one fraction. Its denominator is about the product of those of all vertices, 150 bits each where
+  /// three planes cross: for thousands of them this costs as much as the sum. O(M(b) log b) for b bits in that product.
+  Rational volume_exact() const;
+  /// The same where that product has at most `bits` bits; found out before anything is multiplied.
+  std::optional<Rational> volume_exact_within(std::size_t bits) const;
 
   struct Rounded {
     MeshData mesh;

@@ -288,6 +288,17 @@ exact::BigRational GridSpace<C>::exact_coordinate(const PointSource& point, int 
 }
 
 template <class C>
+std::array<exact::BigInteger, 4> GridSpace<C>::homogeneous(const PointSource& point) const {
+  return with_point(point, [&](const auto& h) {
+    std::array<exact::BigInteger, 4> v{exact::to_big(h.x.x).value(), exact::to_big(h.x.y).value(),
+                                       exact::to_big(h.x.z).value(), exact::to_big(h.w).value()};
+    if (v[3].sign() < 0)
+      for (exact::BigInteger& c : v) c = -c;
+    return v;
+  });
+}
+
+template <class C>
 exact::Residue GridSpace<C>::hash_of_zero_weight(const PointSource& point) const {
   // The weight is a multiple of the prime. In lowest terms numerators and denominators tell.
   exact::Residue hash = 0;

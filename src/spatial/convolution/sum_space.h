@@ -166,6 +166,8 @@ class SumSpace {
 
   virtual int bits() const = 0;
   virtual exact::BigRational exact_coordinate(const PointSource& point, int axis) const = 0;
+  /// x, y, z and w > 0: the position on the grid is (x, y, z) / w, not in lowest terms.
+  virtual std::array<exact::BigInteger, 4> homogeneous(const PointSource& point) const = 0;
   std::uint64_t exact_signs() const { return exact_signs_; }
 
  protected:
