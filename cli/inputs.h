@@ -15,7 +15,9 @@ namespace dymsum::cli {
 struct InputOptions {
   bool repair = false;  ///< mend with dymsum::repair and print its report on standard error
   bool hull = false;    ///< solids: take the convex hull with dymsum::hulled and print its report on standard error
-  std::string from;     ///< the format of standard input; empty: told from its first characters
+  bool thin = false;    ///< solids: points, segments and open surfaces are operands, too
+  bool offers_thin = false;  ///< whether the verb has --thin
+  std::string from;          ///< the format of standard input; empty: told from its first characters
 };
 
 struct Input {

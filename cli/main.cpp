@@ -29,6 +29,9 @@ void add_verbs(CLI::App& app, Action& action) {
   add_sum(app, action);
   add_nfp(app, action);
   add_erode(app, action);
+  add_opening(app, action);
+  add_closing(app, action);
+  add_offset(app, action);
   add_scale(app, action);
   add_scale_range(app, action);
   add_rotate(app, action);
@@ -108,7 +111,7 @@ Stop wrong_usage(const CLI::App& app, const CLI::ParseError& error, int argc, ch
 }
 
 ExitCode run(int argc, char** argv) {
-  CLI::App app("dymsum: exact Minkowski sums of planar regions and convex solids, and of both in motion", "dymsum");
+  CLI::App app("dymsum: exact Minkowski sums of planar regions and of solids, and of both in motion", "dymsum");
   app.require_subcommand(1);
   app.set_version_flag("--version", DYMSUM_VERSION);
   app.footer(kFooter);

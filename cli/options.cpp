@@ -92,11 +92,13 @@ void add_repair_option(CLI::App& verb, InputOptions& options) {
 
 void add_exact_option(CLI::App& verb, ReportOptions& options) {
   verb.add_flag("--exact", options.exact,
-                "With --json: area_exact as a fraction of any length. Else it is null for sums of more than 10000 "
+                "With --json: area_exact (of solids volume_exact) as a fraction of any length. Else it is null for "
+                "sums of more "
+                "than 10000 "
                 "vertices, and where the "
                 "denominators of the vertices, powers of two apart, have more than 16384 bits together: thousands of "
                 "crossings take "
-                "minutes. area is correctly rounded always")
+                "minutes. area and volume are correctly rounded always")
       ->needs("--json");
 }
 
@@ -116,6 +118,16 @@ void add_solid_input_options(CLI::App& verb, InputOptions& options) {
   verb.add_option("--from", options.from,
                   "Format of standard input; otherwise told from its first characters (not of binary .stl)")
       ->check(CLI::IsMember({"poly", "wkt", "geojson", "svg", "json", "off", "obj", "stl", "ply"}));
+}
+
+void add_thin_option(CLI::App& verb, InputOptions& options) {
+  options.offers_thin = true;
+  verb.add_flag(
+          "--thin", options.thin,
+          "Solids: take points, segments and open surfaces in the files as parts without volume; of a solid with a "
+          "gap only its surface is left")
+      ->excludes("--repair")
+      ->excludes("--hull");
 }
 
 }  // namespace dymsum::cli

@@ -48,6 +48,7 @@ void add_exact_option(CLI::App& verb, ReportOptions& options);
 void add_input_options(CLI::App& verb, InputOptions& options);
 /// Declares them and --hull, for verbs that take solids, with the formats of these.
 void add_solid_input_options(CLI::App& verb, InputOptions& options);
+void add_thin_option(CLI::App& verb, InputOptions& options);
 
 /// --angle or --degrees, as they were written.
 struct AngleOptions {

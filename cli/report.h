@@ -11,6 +11,7 @@
 #include "dymsum/mesh.h"
 #include "dymsum/orientation.h"
 #include "dymsum/planar_sum.h"
+#include "dymsum/spatial_sum.h"
 #include "inputs.h"
 #include "json_report.h"
 #include "timing.h"
@@ -36,8 +37,10 @@ Json size_json(const PlanarSum& sum, bool exact);
 using Measure = std::variant<double, std::string>;
 Measure volume_of(const Mesh& mesh);
 Measure volume_of(const SolidSum& sum);
+Measure volume_of(const SpatialSum& sum);
 Measure surface_of(const Mesh& mesh);
 Measure surface_of(const SolidSum& sum);
+Measure surface_of(const SpatialSum& sum);
 Json measure_json(const Measure& measure);
 /// With 17 digits.
 std::string shown(const Measure& measure);

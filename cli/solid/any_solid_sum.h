@@ -1,20 +1,34 @@
-// sum and nfp of two solids of any shape.
+// Verbs whose result is a solid of any shape: sum, nfp and erode of solids that are not all convex, opening, closing
+// and offset.
 #pragma once
 
-#include "dymsum/spatial_sum.h"
-#include "solid/solid_outputs.h"
-#include "verbs/sum_command.h"
+#include <functional>
+
+#include "options.h"
+#include "solid/any_solid_outputs.h"
 
 namespace dymsum::cli {
 
-/// Of solids that need not be convex.
-ExitCode run_any_solid_sum(const SumVerb& verb, const SumCommand& command, const std::vector<SolidInput>& inputs,
-                           const SolidOutput& how);
+/// What such a verb is asked for.
+struct SolidRun {
+  std::string verb, engine = "fast";
+  std::vector<SolidInput> inputs;
+  ReportOptions report;
+  std::vector<std::string> files;
+  SolidOutput how;
+  bool empty_is_no = false;  ///< an empty result ends with kNo
+  std::string semantics = "closed";
+  double memory_mb = 0;  ///< 0: no limit
+};
 
-/// .json the exact sum with provenance, else a closed mesh of triangles coloured by kind, with tight features in red in
-/// .glb; a Stop where rounding would spoil it.
-std::string any_solid_output(const SpatialSum& sum, const std::string& file, const SolidOutput& how);
+/// What it computes: the solid, and what the verb reports besides.
+struct SolidOutcome {
+  SpatialSum solid;
+  Json more = Json::object();
+  std::string text;  ///< for a person: a line, or nothing
+};
 
-Json any_solid_sum_json(const SpatialSum& sum);
+/// Computes, writes the outputs and reports.
+ExitCode run_any_solid(const SolidRun& run, const std::function<Result<SolidOutcome>(const SpatialOptions&)>& compute);
 
 }  // namespace dymsum::cli

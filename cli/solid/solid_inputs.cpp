@@ -29,6 +29,13 @@ std::optional<MeshFormat> format_of_input(const InputOptions& options) {
   return named ? std::optional(*named) : std::nullopt;
 }
 
+/// Says how parts without volume are taken where that is what is wrong.
+Error without_volume(Error error, const InputOptions& options) {
+  const bool thin = error.code == ErrorCode::not_closed || error.code == ErrorCode::too_few_vertices;
+  if (thin && options.offers_thin && !options.thin) error.message += "; --thin takes parts without volume";
+  return error;
+}
+
 Result<SolidInput> hull_of(const MeshData& data, const std::string& file) {
   Result<HulledMesh> hull = hulled(data);
   if (!hull) return hull.error();
@@ -68,8 +75,8 @@ Result<SolidInput> make_solid(MeshData data, const std::string& file, const Inpu
     return hull;
   }
   if (!options.repair) {
-    Result<Mesh> mesh = Mesh::create(std::move(data));
-    if (!mesh) return in_file(mesh.error());
+    Result<Mesh> mesh = options.thin ? Mesh::with_thin_parts(std::move(data)) : Mesh::create(std::move(data));
+    if (!mesh) return in_file(without_volume(mesh.error(), options));
     return SolidInput{file, std::move(mesh).value()};
   }
   Result<RepairedMesh> repaired = repair(std::move(data));

@@ -15,21 +15,52 @@ namespace {
 
 using Kind = SolidFeature::Kind;
 
+/// The vertex, or the edge between two.
+Json between(std::uint32_t a, std::uint32_t b) {
+  if (a == b) return feature_json({Kind::vertex, a, 0});
+  return feature_json({Kind::edge, std::min(a, b), std::max(a, b)});
+}
+
+/// Every edge with the two facets beside it, and what touches along it.
+Json edge_list(const SolidSum& sum) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>> facets;
+  for (std::uint32_t f = 0; f < sum.facets.size(); ++f) {
+    const std::vector<std::uint32_t>& loop = sum.facets[f].vertices;
+    for (std::size_t k = 0; k < loop.size(); ++k)
+      facets[std::minmax(loop[k], loop[(k + 1) % loop.size()])].push_back(f);
+  }
+  Json list = Json::array();
+  for (const auto& [ends, faces] : facets) {
+    const SolidSum::Vertex &a = sum.vertices[ends.first], &b = sum.vertices[ends.second];
+    list.push_back({{"vertices", {ends.first, ends.second}},
+                    {"faces", faces},
+                    {"p", between(a.p, b.p)},
+                    {"q", between(a.q, b.q)}});
+  }
+  return list;
+}
+
+/// With the keys of sums of any shape: one shell, faces without holes, nothing tight.
 Json exact_json(const SolidSum& sum) {
-  Json vertices = Json::array(), facets = Json::array();
+  Json vertices = Json::array(), faces = Json::array();
   for (std::size_t i = 0; i < sum.vertices.size(); ++i) {
     const RationalPoint3 at = sum.exact(i);
     vertices.push_back({{"at", {sum.at[i].x, sum.at[i].y, sum.at[i].z}},
                         {"exact", {at.x.to_string(), at.y.to_string(), at.z.to_string()}},
-                        {"p", sum.vertices[i].p},
-                        {"q", sum.vertices[i].q}});
+                        {"p", feature_json({Kind::vertex, sum.vertices[i].p, 0})},
+                        {"q", feature_json({Kind::vertex, sum.vertices[i].q, 0})}});
   }
   for (const SolidFacet& f : sum.facets)
-    facets.push_back(
-        {{"kind", facet_kind(f)}, {"p", feature_json(f.p)}, {"q", feature_json(f.q)}, {"vertices", f.vertices}});
+    faces.push_back({{"kind", facet_kind(f)},
+                     {"p", feature_json(f.p)},
+                     {"q", feature_json(f.q)},
+                     {"shell", 0},
+                     {"loops", Json::array({f.vertices})}});
   Json json = solid_sum_json(sum);
   json["vertex_list"] = std::move(vertices);
-  json["facet_list"] = std::move(facets);
+  json["edge_list"] = edge_list(sum);
+  json["face_list"] = std::move(faces);
+  json["tight_list"] = {{"faces", Json::array()}, {"segments", Json::array()}, {"points", Json::array()}};
   return json;
 }
 

@@ -8,6 +8,7 @@
 #include "progress_bar.h"
 #include "report.h"
 #include "solid/any_solid_sum.h"
+#include "solid/solid_limits.h"
 #include "solid/solid_operands.h"
 #include "solid/solid_outputs.h"
 #include "timing.h"
@@ -44,11 +45,33 @@ void print_text(std::ostream& out, const std::string& verb, const std::vector<So
       << tier_name(tier) << " coordinates\n";
 }
 
+/// Of solids that need not be convex.
+ExitCode run_general(const SumVerb& verb, const SumCommand& command, const std::vector<SolidInput>& inputs,
+                     const SolidOutput& how) {
+  // Results are triangles.
+  if (verb.name == "erode") refuse_options(*command.parser, {"--triangulate"}, "is for sums of convex solids");
+  else if (inputs.size() == 2) announce_cost(inputs[0].mesh, inputs[1].mesh);
+  const SolidRun run{verb.name,   command.engine, inputs,           command.report,    command.output.files,
+                     how,         verb.empty_is_no, command.semantics, command.memory_mb};
+  return run_any_solid(run, [&](const SpatialOptions& options) -> Result<SolidOutcome> {
+    std::vector<Mesh> operands;
+    if (inputs.size() > 2)
+      for (const SolidInput& input : inputs) operands.push_back(input.mesh);
+    Result<SpatialSum> sum =
+        operands.empty() ? verb.solid(inputs[0].mesh, inputs[1].mesh, options) : minkowski_sum(operands, options);
+    if (!sum) return sum.error();
+    return SolidOutcome{*std::move(sum), Json::object(), ""};
+  });
+}
+
 }  // namespace
 
 ExitCode run_solid_sum(const SumVerb& verb, const SumCommand& command) {
-  if (verb.name == "erode") throw Stop(kUsage, "erode is defined for planar regions so far");
-  refuse_options(*command.parser, {"--semantics", "--round-repair", "--exact"}, "is for planar operands");
+  refuse_options(*command.parser, {"--round-repair"}, "is for planar operands");
+  if (verb.name == "erode") {
+    refuse_options(*command.parser, {"--semantics"}, "is for planar operands");
+    refuse_options(*command.parser, {"--thin"}, "is for sums");
+  }
   const ConvexEngine engine = engine_of(command);
   std::ostream& out = report_stream(command.output.files, command.report.json);
   if (!writes_to_stdout(command.output.files)) refuse_options(*command.parser, {"--to"}, "is the format of -o -");
@@ -62,7 +85,10 @@ ExitCode run_solid_sum(const SumVerb& verb, const SumCommand& command) {
   are_solid(operands, command.input);
   const std::vector<SolidInput> inputs = read_solids(operands, command.input);
   const auto convex = [](const SolidInput& input) { return !convexity_error(input.mesh); };
-  if (!std::all_of(inputs.begin(), inputs.end(), convex)) return run_any_solid_sum(verb, command, inputs, how);
+  const std::vector<std::string>& files = command.output.files;
+  if (verb.name == "erode" || std::any_of(files.begin(), files.end(), is_stage_mesh) ||
+      !std::all_of(inputs.begin(), inputs.end(), convex))
+    return run_general(verb, command, inputs, how);
   const InterruptGuard guard;
   const Mesh q = verb.reflects_second ? negated(inputs[1].mesh) : inputs[1].mesh;
   const auto [made, timing] = timed(command.report.repeat, [&] { return sum_of(inputs, q, engine); });
@@ -73,6 +99,7 @@ ExitCode run_solid_sum(const SumVerb& verb, const SumCommand& command) {
   if (command.report.json) {
     Json json = report_head(verb.name, solid_inputs_json(inputs), tier, timing);
     json["engine"] = command.engine;
+    json["semantics"] = command.semantics;
     json.update(solid_sum_json(sum));
     print_report(json);
     return kDone;

@@ -12,6 +12,9 @@ namespace dymsum::cli {
 void add_sum(CLI::App& app, Action& action);
 void add_nfp(CLI::App& app, Action& action);
 void add_erode(CLI::App& app, Action& action);
+void add_opening(CLI::App& app, Action& action);
+void add_closing(CLI::App& app, Action& action);
+void add_offset(CLI::App& app, Action& action);
 void add_scale(CLI::App& app, Action& action);
 void add_scale_range(CLI::App& app, Action& action);
 void add_rotate(CLI::App& app, Action& action);

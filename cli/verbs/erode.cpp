@@ -1,4 +1,5 @@
 // dymsum erode CONTAINER PART
+#include "dymsum/solid_erosion.h"
 #include "verbs/commands.h"
 #include "verbs/sum_command.h"
 
@@ -7,12 +8,17 @@ namespace dymsum::cli {
 void add_erode(CLI::App& app, Action& action) {
   SumVerb verb;
   verb.name = "erode";
-  verb.first = {"CONTAINER", "The region P to stay inside of"};
-  verb.second = {"PART", "The region Q that is to fit"};
+  verb.first = {"CONTAINER", "The region or solid P to stay inside of"};
+  verb.second = {"PART", "The one Q that is to fit"};
   verb.description =
       "The inner fit { x : x + PART inside CONTAINER }; ends with 4 when the part fits nowhere, also not exactly";
-  verb.footer = "Example: dymsum erode sheet.wkt part.wkt --json";
-  verb.compute = erode;
+  verb.footer =
+      "Positions are those of PART's reference point, the origin of its coordinates. Those without room to move are "
+      "the\n"
+      "tight features: of solids faces, segments and points.\n"
+      "Example: dymsum erode sheet.wkt part.wkt --json";
+  verb.compute = [](const Region& p, const Region& q, const SumOptions& options) { return erode(p, q, options); };
+  verb.solid = [](const Mesh& a, const Mesh& b, const SpatialOptions& options) { return erode(a, b, options); };
   verb.reflects_second = true;
   verb.empty_is_no = true;
   add_sum_verb(app, verb, action);

@@ -18,6 +18,9 @@ void add_nfp(CLI::App& app, Action& action) {
       "is\n"
       "slice ROBOT OBSTACLE at angle 0.\nExample: dymsum nfp 'swim.json#0' 'swim.json#3' --repair -o nfp.svg";
   verb.compute = nfp;
+  verb.solid = [](const Mesh& fixed, const Mesh& moving, const SpatialOptions& options) {
+    return minkowski_sum(fixed, negated(moving), options);
+  };
   verb.reflects_second = true;
   add_sum_verb(app, verb, action);
 }

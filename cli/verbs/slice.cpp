@@ -5,6 +5,8 @@
 
 #include "dymsum/cspace_obstacle.h"
 #include "planar/turned_region.h"
+#include "solid/solid_operands.h"
+#include "solid/solid_slice.h"
 #include "verbs/commands.h"
 #include "verbs/sum_command.h"
 
@@ -15,7 +17,8 @@ struct SliceCommand {
   SumCommand sum;
   std::string tan_half;
   AngleOptions angle;
-  std::optional<double> error;
+  std::optional<double> error, z;
+  bool reflect = false;
 };
 
 Orientation asked_orientation(const SliceCommand& command) {
@@ -33,18 +36,28 @@ Orientation asked_orientation(const SliceCommand& command) {
 SumVerb slice_verb() {
   SumVerb verb;
   verb.name = "slice";
-  verb.first = kRobot;
-  verb.second = kObstacle;
-  verb.description = "One orientation of a configuration-space obstacle: OBSTACLE (+) -ROBOT, the robot turned exactly";
+  verb.first = {"ROBOT", "The shape that turns about the origin of its coordinates, and moves; or the solid P"};
+  verb.second = {"OBSTACLE", "The shape that stays; or the solid Q"};
+  verb.description =
+      "One orientation of a configuration-space obstacle: OBSTACLE (+) -ROBOT, the robot turned exactly; of solids one "
+      "height of the sum P + Q";
   verb.footer =
-      "The robot comes first, as for cspace, clearance and path; nfp takes the shape that stays first.\n"
-      "Example: dymsum slice peg.wkt slot.wkt --tan-half 1/3 -o slice.svg";
-  verb.planar_only = true;
+      "The robot comes first, as for cspace, clearance and path; nfp takes the shape that stays first. Of solids only\n"
+      "what meets the height --z is computed; --reflect takes P + -Q, the places of a tool Q that hit the part P.\n"
+      "Example: dymsum slice peg.wkt slot.wkt --tan-half 1/3 -o slice.svg\n"
+      "Example: dymsum slice part.off tool.off --z 1.5 --reflect -o slice.svg";
+  verb.planar_result = true;
   verb.reflects_second = true;
   return verb;
 }
 
 ExitCode run_slice(const SliceCommand& command) {
+  if (are_solid(command.sum.operands, command.sum.input)) {
+    refuse_options(*command.sum.parser, {"--tan-half", "--angle", "--degrees", "--error"}, "is for planar operands");
+    if (!command.z) throw Stop(kUsage, "slice of solids wants the height --z");
+    return run_solid_slice(command.sum, *command.z, command.reflect);
+  }
+  refuse_options(*command.sum.parser, {"--z", "--reflect", "--hull"}, "is for solids");
   SumVerb verb = slice_verb();
   const Orientation theta = asked_orientation(command);
   verb.orientation = theta;
@@ -66,6 +79,9 @@ void add_slice(CLI::App& app, Action& action) {
       ->type_name("N/D");
   add_angle_options(verb, command->angle, "The angle, met within 2^-50 or --error,");
   add_error_option(verb, command->error, "Largest error of the angle in radians: a simpler tangent is taken");
+  within(verb.add_option("--z", command->z, "Solids: the height, a number taken at face value"), -1e300, 1e300)
+      ->type_name("Z");
+  verb.add_flag("--reflect", command->reflect, "Solids: of P + -Q instead of P + Q");
   verb.callback([command, &action] { action = [command] { return run_slice(*command); }; });
 }
 

@@ -7,11 +7,14 @@ namespace dymsum::cli {
 void add_sum(CLI::App& app, Action& action) {
   SumVerb verb;
   verb.name = "sum";
-  verb.first = {"P", "A region or convex solid"};
+  verb.first = {"P", "A region or solid"};
   verb.second = {"Q", "Another one of the same kind"};
   verb.description = "The Minkowski sum P + Q = { p + q : p in P, q in Q }";
   verb.footer = "Example: dymsum sum gear.poly disc.wkt -o sum.svg -o sum.json";
-  verb.compute = minkowski_sum;
+  verb.compute = [](const Region& p, const Region& q, const SumOptions& options) {
+    return minkowski_sum(p, q, options);
+  };
+  verb.solid = [](const Mesh& p, const Mesh& q, const SpatialOptions& options) { return minkowski_sum(p, q, options); };
   verb.several = true;
   add_sum_verb(app, verb, action);
 }

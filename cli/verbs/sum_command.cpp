@@ -9,6 +9,7 @@
 
 #include "progress_bar.h"
 #include "report.h"
+#include "solid/solid_limits.h"
 #include "solid/solid_operands.h"
 #include "solid/solid_sum.h"
 
@@ -64,13 +65,15 @@ void add_sum_options(CLI::App& verb, SumCommand& command) {
 CLI::App& declare_sum_verb(CLI::App& app, const SumVerb& verb, SumCommand& command) {
   CLI::App& parser = *app.add_subcommand(verb.name, verb.description);
   add_operands(parser, verb.first, verb.second, command.operands);
-  if (verb.several) parser.add_option("MORE", command.more, "More solids: their sum, exact throughout")->type_name("");
+  if (verb.several)
+    parser.add_option("MORE", command.more, "More solids: the sum of all, exact throughout")->type_name("");
   add_sum_options(parser, command);
-  if (verb.planar_only) {
-    add_input_options(parser, command.input);
-  } else {
+  if (!verb.planar_result)
     parser.add_flag("--triangulate", command.triangulate, "Solids: write triangles, for programs that take no others");
-    add_solid_input_options(parser, command.input);
+  add_solid_input_options(parser, command.input);
+  if (!verb.planar_result) {
+    add_memory_option(parser, command.memory_mb);
+    add_thin_option(parser, command.input);
   }
   parser.footer(verb.footer);
   command.parser = &parser;
@@ -84,12 +87,9 @@ void add_sum_verb(CLI::App& app, const SumVerb& verb, Action& action) {
 }
 
 ExitCode run_sum(const SumVerb& verb, const SumCommand& command) {
-  if (are_solid(command.operands, command.input)) {
-    if (verb.planar_only) throw Stop(kUsage, verb.name + " is for planar operands");
-    return run_solid_sum(verb, command);
-  }
+  if (are_solid(command.operands, command.input)) return run_solid_sum(verb, command);
   if (!command.more.empty()) throw Stop(kUsage, "more than two operands have to be solids");
-  if (!verb.planar_only) refuse_options(*command.parser, {"--triangulate"}, "is for solids");
+  if (!verb.planar_result) refuse_options(*command.parser, {"--triangulate", "--memory", "--thin"}, "is for solids");
   std::ostream& out = report_stream(command.output.files, command.report.json);
   check(command);
   SumReport report;

@@ -9,6 +9,7 @@
 
 #include "dymsum/orientation.h"
 #include "dymsum/planar_sum.h"
+#include "dymsum/spatial_sum.h"
 #include "exit_code.h"
 #include "inputs.h"
 #include "options.h"
@@ -27,9 +28,10 @@ struct SumVerb {
   std::string description, footer;
   /// The public function it calls.
   std::function<Result<PlanarSum>(const Region&, const Region&, const SumOptions&)> compute;
-  bool reflects_second = false;  ///< the convolution behind it is that of P and -Q
-  bool empty_is_no = false;      ///< an empty result ends with kNo
-  bool planar_only = false;
+  std::function<Result<SpatialSum>(const Mesh&, const Mesh&, const SpatialOptions&)> solid;  ///< of solids
+  bool reflects_second = false;            ///< the convolution behind it is that of P and -Q
+  bool empty_is_no = false;                ///< an empty result ends with kNo
+  bool planar_result = false;              ///< of solids, too
   bool several = false;                    ///< takes more than two solids
   std::optional<Orientation> orientation;  ///< of the operand that is turned, for the report
   /// The operands as pictures show them and as the convolution is counted; empty: as they are read.
@@ -41,6 +43,7 @@ struct SumCommand {
   const CLI::App* parser = nullptr;  ///< which options were given
   std::vector<std::string> operands{"", ""}, more;
   bool triangulate = false;
+  double memory_mb = 0;  ///< of solids; 0: no limit
   std::string engine = "fast", semantics = "closed";
   ReportOptions report;
   InputOptions input;

@@ -1,5 +1,6 @@
 // Solids bounded by polygons: the one mesh type. A mesh is the boundary of a closed solid; it may have several shells
-// and may be empty.
+// and may be empty. It may also hold thin parts, those without volume: points, segments, polylines, plane polygons and
+// open surfaces (Mesh::with_thin_parts).
 #pragma once
 
 #include <array>
@@ -24,7 +25,7 @@ struct Point3 {
 };
 
 /// A plane polygon without holes, by its vertices' indices, counter-clockwise seen from outside; the last is joined to
-/// the first.
+/// the first. Of thin parts: with two vertices a segment, with one a point.
 using Face = std::vector<std::uint32_t>;
 
 /// The plain lists a mesh is made from, not yet validated.
@@ -37,33 +38,49 @@ struct MeshData {
 /// A valid mesh. Coordinates are doubles taken at face value: no snapping, no tolerance.
 ///
 /// Valid means, exactly: all coordinates finite; every vertex used and no two at the same position; every face is a
-/// polygon of at least three vertices in one plane that does not cross or touch itself; every edge has exactly two
-/// faces, which run through it in opposite directions; the faces around a vertex form one fan; two faces have nothing
-/// in common but common vertices and edges; every shell encloses volume and runs outward, or inward around a cavity
-/// where an odd number of others lie around it.
+/// polygon of at least three vertices in one plane that does not cross or touch itself; every edge has two faces, which
+/// run through it in opposite directions, or, where the solid touches itself, more, which do so by turns around it; two
+/// faces have nothing in common but common vertices and edges; every shell encloses volume and runs outward, or inward
+/// around a cavity where an odd number of others lie around it. Solids that touch at an edge or a vertex are different
+/// shells, unless the solid's inside connects them elsewhere.
 class Mesh {
  public:
   Mesh() = default;  ///< the empty mesh
 
   /// Validates `data`. Errors: not_finite, bad_index (also for a vertex without a face), too_few_vertices,
   /// repeated_vertex, no_area (of a face, or a shell without volume), not_planar, self_crossing, not_closed,
-  /// not_manifold, wrong_orientation (two faces run through an edge in the same direction, or a shell is inside out),
-  /// faces_cross, each with face, vertex (and the other ones) and a position. Cost: O((n + k) log n) for k pairs of
-  /// faces with overlapping boxes.
+  /// not_manifold (an edge with an odd number of faces, or with faces that do not bound inside and outside by turns),
+  /// wrong_orientation (two faces run through an edge in the same direction, or a shell is inside out), faces_cross,
+  /// each with face, vertex (and the other ones) and a position. Cost: O((n + k) log n) for k pairs of faces with
+  /// overlapping boxes.
   static Result<Mesh> create(MeshData data);
+
+  /// A set of any dimension, the union of a solid and thin parts. Points and segments are thin; so is a face with an
+  /// edge that no other face has, then its neighbours that are left with such an edge, and so on: an open surface as a
+  /// whole, not a solid to which a fin is attached. What is left has to be the boundary of a solid. Thin faces may lie
+  /// anywhere, cross and overlap each other and the solid; it does not matter which way they run. A surface that is
+  /// closed bounds a solid.
+  /// Errors: as create. A solid from which one triangle is missing is an open surface here: that is why create refuses
+  /// it.
+  static Result<Mesh> with_thin_parts(MeshData data);
 
   const MeshData& data() const { return data_; }
   const std::vector<Point3>& vertices() const { return data_.vertices; }
   const std::vector<Face>& faces() const { return data_.faces; }
   bool empty() const { return data_.faces.empty(); }
-  std::size_t shell_count() const { return shells_; }
+  std::size_t shell_count() const { return shells_; }  ///< of the solid
+  /// Which faces are thin; empty where none is.
+  const std::vector<bool>& thin_faces() const { return thin_; }
+  bool has_thin_parts() const { return !thin_.empty(); }
+  /// Pairs of vertices that an edge joins.
   std::size_t edge_count() const;
-  /// The sum of the faces' vertex counts less two each: how many triangles the faces split into.
+  /// How many triangles the faces split into.
   std::size_t triangle_count() const;
 
   /// The same solid written in one way: coplanar neighbours merged into faces (where the union has no hole and touches
   /// itself nowhere), vertices in the middle of straight edges and of faces dropped, vertices sorted by x, y, z, every
-  /// face starting at its smallest vertex, faces sorted. Convex solids that are equal have equal canonical forms.
+  /// face starting at its smallest vertex, faces sorted. Convex solids that are equal have equal canonical forms. With
+  /// thin parts nothing is merged.
   Mesh canonical() const;
 
   /// Equality of canonical forms.
@@ -73,11 +90,12 @@ class Mesh {
   friend struct spatial::MeshInternals;
   MeshData data_;
   std::size_t shells_ = 0;
+  std::vector<bool> thin_;
 };
 
 /// Nothing for a convex solid (flat edges between coplanar faces are allowed), else the error not_convex with the
-/// reflex edge and its two faces, or why there is none: several shells; no_area for the empty mesh.
-/// Exact. O(n).
+/// reflex edge and its two faces, or why there is none: several shells, thin parts; no_area for the empty mesh. Exact.
+/// O(n).
 std::optional<Error> convexity_error(const Mesh& mesh);
 
 /// What repair changed, as counts and in words.
@@ -85,7 +103,7 @@ struct MeshRepairReport {
   std::size_t duplicate_vertices = 0;  ///< vertices at the same position merged
   std::size_t unused_vertices = 0;     ///< vertices without a face dropped
   std::size_t degenerate_faces = 0;    ///< faces without area dropped
-  std::size_t split_faces = 0;         ///< faces that are not plane split into triangles
+  std::size_t split_faces = 0;         ///< faces that are not plane, or have a vertex twice, split into triangles
   std::size_t reversed_shells = 0;     ///< shells turned inside out made right
   std::size_t reversed_faces = 0;      ///< single faces turned over to agree with their neighbours
   bool changed() const {
@@ -100,8 +118,9 @@ struct RepairedMesh {
 };
 
 /// The named repair: merges vertices at exactly the same position, drops unused vertices and faces without area, splits
-/// faces that are not plane, orients faces and shells, and reports what it changed. Holes and edges with more than two
-/// faces are not repaired: they come back as the errors of Mesh::create, with the indices of `data`.
+/// faces that are not plane or that have a vertex twice (a bridge to a hole), orients faces and shells, and reports
+/// what it changed. Open edges and edges with an odd number of faces are not repaired: they come back as the errors of
+/// Mesh::create, with the indices of `data`.
 Result<RepairedMesh> repair(MeshData data);
 
 /// The convex hull of points, exactly, in canonical form. Errors: not_finite; no_area when all points lie in one plane.
@@ -137,7 +156,7 @@ Result<HulledMesh> hulled(const MeshData& data);
 /// when everything collapses into a plane.
 Result<HulledMesh> translated_hull(const Mesh& mesh, double dx, double dy, double dz);
 
-/// Faces split into triangles of their own vertices.
+/// Faces split into triangles of their own vertices. Points and segments stay as they are.
 struct TriangulatedMesh {
   Mesh mesh;
   std::vector<std::uint32_t> face;  ///< of every triangle: the index of the face that it is part of
@@ -147,7 +166,8 @@ TriangulatedMesh triangulated(const Mesh& mesh);
 /// How exactly a file holds coordinates.
 enum class Precision : std::uint8_t { doubles, singles };
 
-/// Volume and surface for reports: the volume is the exact sum rounded once, the surface is rounded at every face.
+/// Volume and surface for reports: the volume is the exact sum rounded once, the surface is rounded at every face (thin
+/// faces count once).
 double volume(const Mesh& mesh);
 double surface_area(const Mesh& mesh);
 

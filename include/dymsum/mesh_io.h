@@ -16,10 +16,11 @@
 
 namespace dymsum {
 
-/// off: also its binary-free variants with colours or normals, which are skipped. obj: vertices and faces; texture and
-/// normal indices, groups and materials are skipped; negative indices count from the end. stl: text or binary; vertices
-/// at exactly the same position are merged. ply: text or binary of either byte order; further elements and properties
-/// are skipped. glb: written only.
+/// off: also its binary-free variants with colours or normals, which are skipped. obj: vertices, faces, lines (as
+/// segments) and points; texture and normal indices, groups and materials are skipped; negative indices count from the
+/// end. stl: text or binary; vertices at exactly the same position are merged. ply: text or binary of either byte
+/// order; edges that are no face's are segments, further elements and properties are skipped. glb: written only. Points
+/// and segments are faces with one vertex and with two (Mesh::with_thin_parts).
 enum class MeshFormat { off, obj, stl, ply, glb };
 
 /// The format a path's extension names.
@@ -56,8 +57,9 @@ std::string format_glb(const MeshData& mesh, const GlbLook& look);
 /// stl and glb hold single precision.
 Precision precision_of(MeshFormat format);
 /// Nothing where a file of this format holds the solid: off, obj and ply always do. Else what rounding to single
-/// precision did to it: cannot_write past its range; rounding_changed_topology, in stl where the file would not read
-/// back as a valid mesh, in glb, which is a picture, where a shell would enclose nothing any more.
+/// precision did to it: cannot_write past its range, and for points and segments; rounding_changed_topology, in stl
+/// where the file would not read back as a valid mesh, in glb, which is a picture, where a shell would enclose nothing
+/// any more.
 std::optional<Error> rounding_error(const Mesh& mesh, MeshFormat format);
 /// Replaces the file as a whole. Errors: cannot_write, unsupported_format, and as rounding_error.
 Result<std::size_t> write_mesh(const Mesh& mesh, const std::string& path);

@@ -53,6 +53,8 @@ Result<void> write_file(const std::string& path, std::string_view text);
 /// Pictures (SVG text). `draw_sum` shows P, Q and the sum with tight features; `draw_trace` the stages side by side.
 std::string draw_region(const Region& region);
 std::string draw_sum(const Region& p, const Region& q, const PlanarSum& sum);
+/// A set alone, and parts of it in which solids only touch (SolidSlice::touching).
+std::string draw_section(const PlanarSum& sum, const std::vector<SumPart>& touching = {});
 std::string draw_trace(const Region& p, const Region& q, const PlanarSum& sum);
 
 /// The sum as JSON text: rings with rounded and exact coordinates and the provenance of every edge and vertex.

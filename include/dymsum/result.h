@@ -38,7 +38,7 @@ enum class ErrorCode {
   bad_index,     ///< a face names a vertex that does not exist
   not_planar,    ///< the vertices of a face do not lie in one plane
   not_closed,    ///< an edge with a face on one side only
-  not_manifold,  ///< an edge with more than two faces, or a vertex where several fans of faces meet
+  not_manifold,  ///< an edge whose faces do not bound inside and outside by turns, such as three faces
   faces_cross,   ///< two faces have a point in common that belongs to no common vertex or edge
   not_convex,    ///< the operation is defined for convex solids only, and an edge or a vertex of this one is not
   // sums
@@ -48,6 +48,7 @@ enum class ErrorCode {
   bad_rotation,               ///< a quaternion of zeros, a zero axis, or components beyond 2^30
   out_of_range,               ///< a number or an option outside of the range that is stated with it
   cancelled,                  ///< the progress callback asked to stop
+  out_of_memory,              ///< more memory is needed than the options or the machine give
 };
 
 /// The name of a code as it is written in code, for messages and JSON.

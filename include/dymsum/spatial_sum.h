@@ -6,14 +6,18 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
 #include "dymsum/convex_sum.h"
 #include "dymsum/mesh.h"
+#include "dymsum/planar_sum.h"
 #include "dymsum/progress.h"
 #include "dymsum/rational.h"
 #include "dymsum/result.h"
+#include "dymsum/spatial_trace.h"
 
 namespace dymsum {
 
@@ -24,14 +28,22 @@ struct SpatialSumInternals;
 
 /// How the boundary is found. Both give the same result.
 enum class SpatialEngine : std::uint8_t {
-  fast,   ///< cells linked around edges, one collision test for every connected piece of the boundary (the default)
-  brute,  ///< every cell tested by itself: the reference
+  /// Facets deep inside dropped, cells linked around edges, one collision test for every connected piece of the
+  /// boundary, and for tight features only where there may be some (the default).
+  fast,
+  brute,  ///< all facets; every cell, edge and point tested by itself: the reference
 };
 
 struct SpatialOptions {
   SpatialEngine engine = SpatialEngine::fast;
-  bool tight = true;  ///< look for tight features
+  /// closed and open list tight features, regular does not: with area and volume all are the closure of the open sum.
+  /// Of two operands with thin parts: see minkowski_sum.
+  Semantics semantics = Semantics::closed;
+  bool tight = true;  ///< look for tight features; false lists none
+  bool trace = false;  ///< record the stages in SpatialSum::trace
   int threads = 0;    ///< 0: as many as there are cores; the result does not depend on it
+  /// Bytes that the computation may hold beside its operands and the result; 0: no limit. Accounted for by stages.
+  std::uint64_t memory = 0;
   Progress progress;
 };
 
@@ -44,12 +56,29 @@ struct SpatialFace {
   friend bool operator==(const SpatialFace& a, const SpatialFace& b) { return a.loops == b.loops; }
 };
 
+/// A feature of P and one of Q that touch.
+struct SolidContact {
+  SolidFeature p, q;
+  friend auto operator<=>(const SolidContact&, const SolidContact&) = default;
+};
+
+/// An edge of the boundary.
+struct SpatialEdge {
+  std::uint32_t from = 0, to = 0;    ///< vertices, from < to
+  std::vector<std::uint32_t> faces;  ///< that it bounds, ascending: two, or more where the boundary touches itself
+  /// An edge and a vertex (or two parallel edges) that touch along it, from one of its ends on; none where two faces
+  /// cross, whose own features tell then. An edge inside a face of an operand counts as that face.
+  std::optional<SolidContact> contact;
+};
+
 struct SpatialStats {
   int bits = 0;                                  ///< of coordinates on the common grid
   std::uint64_t face_vertex = 0, edge_edge = 0;  ///< facets of the reduced convolution
+  std::uint64_t inner_facets = 0;                ///< of these, dropped because they lie deep inside the open sum
   std::uint64_t box_pairs = 0, contacts = 0;     ///< pairs of facets with overlapping boxes; of these, meeting
   std::uint64_t points = 0, cells = 0, patches = 0;
   std::uint64_t collision_tests = 0, tight_tests = 0, exact_signs = 0;
+  std::uint64_t held_bytes = 0;  ///< what SpatialOptions::memory is compared with, at the end
   struct Stage {
     std::string_view name;
     double ms;
@@ -65,21 +94,34 @@ class SpatialSum {
   double at_error = 0;
   std::vector<SpatialFace> faces;
   std::size_t shells = 0;
+  std::vector<SpatialEdge> edges;  ///< of the faces, sorted by from and to
+  /// Of every vertex the two vertices that touch there, or an edge and a vertex; none where three faces cross.
+  std::vector<std::optional<SolidContact>> vertex_contacts;
 
   /// Positions at which the operands touch without overlapping and that nothing outside comes near: passages exactly as
   /// wide as the part.
   std::vector<std::vector<std::vector<std::uint32_t>>> tight_faces;  ///< loops as of a face
   std::vector<std::array<std::uint32_t, 2>> tight_segments;          ///< that bound no tight face; from < to
   std::vector<std::uint32_t> tight_points;                           ///< that end no tight segment
+  /// What touches there: on the two sides of a tight face, seen from its front and from its back; all pairs of a face
+  /// and a vertex or of two edges along a tight segment, at its `from`, and at a tight point.
+  std::vector<std::array<SolidContact, 2>> tight_face_contacts;
+  std::vector<std::vector<SolidContact>> tight_segment_contacts, tight_point_contacts;
   SpatialStats stats;
+  std::optional<SpatialTrace> trace;
 
   /// The exact position of a vertex.
   RationalPoint3 exact(std::size_t vertex) const;
-  /// Nearest to the exact volume, and that itself: O(n) rationals of growing size.
-  double volume() const { return volume_exact().to_double(); }
-  Rational volume_exact() const;
-  /// Rounded at every face.
+  /// The nearest doubles to the exact volume and area of the surface; zero and infinite past the range of doubles
+  /// (volume_text.h has them as text then). O(n), from positions of 100 bits with a proved error; from more where these
+  /// do not decide.
+  double volume() const;
   double area() const;
+  /// The volume as one fraction. Its denominator is about the product of those of all vertices, 150 bits each where
+  /// three planes cross: for thousands of them this costs as much as the sum. O(M(b) log b) for b bits in that product.
+  Rational volume_exact() const;
+  /// The same where that product has at most `bits` bits; found out before anything is multiplied.
+  std::optional<Rational> volume_exact_within(std::size_t bits) const;
 
   struct Rounded {
     MeshData mesh;
@@ -104,8 +146,41 @@ class SpatialSum {
 /// Convex operands of any size take a short way through convex_sum (with the fast engine), and faces name the features
 /// that are extreme there: O(m + n + k log k) for m and n faces and k facets. Hold a ConvexSum to follow a motion.
 /// All others: O(N log N + K + T log T) for N facets, K of their pairs that meet and T points where three of them do.
-/// Errors: cancelled; unsupported_operand for operands that are not both convex and whose coordinates need more than
-/// 250 bits on their common grid. Source: Behar 2016, sections 2.3 to 2.6, corrected (docs/design/solid-sum.md).
+/// Thin parts (Mesh::with_thin_parts) of one operand: the open sum is int P + Q, Q having the thin parts; all else is
+/// the same, tight features included. Of both: closed and regular is the closure of the interior of P + Q, without
+/// tight features; every cell of the arrangement is tested by itself. Errors: cancelled; out_of_memory
+/// where options.memory does not suffice (the message names the need that is known or predicted by then) or the
+/// machine's memory does not; unsupported_operand for operands that are not both convex and whose coordinates need more
+/// than 250 bits on their common grid; for thin parts of both where their sum has no interior, and for their open sum.
+/// Source: Behar 2016, sections 2.3 to 2.6, corrected (docs/design/solid-sum.md).
 Result<SpatialSum> minkowski_sum(const Mesh& p, const Mesh& q, const SpatialOptions& options = {});
+
+/// The regular part of a sum as an operand of further sums: the same set exactly, without what is tight. Errors:
+/// unsupported_operand with the position of a vertex that no doubles hold; then as SpatialSum::rounded.
+Result<Mesh> as_mesh(const SpatialSum& sum);
+
+/// The sum of several operands, at least one, which are added two at a time: convex solids first, then other solids,
+/// then those with thin parts. Sums in between are operands as as_mesh makes them; as the open sum of three takes
+/// nothing from what is tight in that of two, nothing is lost. Faces name features of the last two. Errors: as
+/// minkowski_sum and as_mesh, with the number of operands that were added in the message.
+Result<SpatialSum> minkowski_sum(std::span<const Mesh> operands, const SpatialOptions& options = {});
+
+/// True when z lies in the sum: P and z - Q meet (closed, regular), or their interiors do (open; of thin parts: they
+/// meet the other one's interior). By that definition, not by the sum's boundary. Nothing that is not finite does.
+/// Exact. O((m + n) log(m + n)) beyond the pairs of triangles with overlapping boxes. Errors: unsupported_operand where
+/// both have thin parts, and for coordinates of more than 250 bits on the common grid.
+Result<bool> contains(const Mesh& p, const Mesh& q, const Point3& z, Semantics semantics = Semantics::closed);
+
+/// What a sum will take, before it is computed: expected numbers of facets of the reduced convolution, if each operand
+/// were turned at random against the other one, and the memory that so many facets need.
+struct SpatialCost {
+  double face_vertex = 0, edge_edge = 0;
+  std::uint64_t full_face_vertex = 0, full_edge_edge = 0;  ///< all pairs, which a convolution by brute force looks at
+  std::uint64_t bytes = 0;
+};
+/// Crofton's formula and its like: edge + edge L_P L_Q / (2 pi^2), L being the sum of the exterior dihedral angles of
+/// convex edges; face + vertex c_P n_Q + c_Q n_P, n being triangles and c how often the cones of normals that vertices
+/// support cover the sphere. Right in the mean over all turns; parallel faces and edges have more or fewer. O(m + n).
+SpatialCost predict_cost(const Mesh& p, const Mesh& q);
 
 }  // namespace dymsum

@@ -74,6 +74,8 @@ std::string_view name(ErrorCode code) {
       return "out_of_range";
     case ErrorCode::cancelled:
       return "cancelled";
+    case ErrorCode::out_of_memory:
+      return "out_of_memory";
   }
   throw std::logic_error("name(ErrorCode): not a code");
 }

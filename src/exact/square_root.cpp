@@ -1,6 +1,8 @@
 #include "exact/square_root.h"
 
+#include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace dymsum::exact {
 
@@ -16,9 +18,26 @@ double root_to_double(const BigRational& v) {
   num <<= static_cast<unsigned>(2 * k);
   BigInteger whole, rest, left;
   divide_qr(num, den, whole, rest);
-  const BigInteger r = sqrt(whole, left);
+  const BigInteger r = floor_root(whole, left);
   const BigInteger r_and_more = 2 * r + (left != 0 || rest != 0 ? 1 : 0);
   return round_to_double(BigRational(r_and_more, BigInteger(1) << static_cast<unsigned>(k + 1)));
+}
+
+// Newton's iteration from above falls until it reaches the root rounded down.
+BigInteger floor_root(const BigInteger& n, BigInteger& rest) {
+  rest = 0;
+  if (n.is_zero()) return 0;
+  // At most 62 leading bits, an even number of them cut off: their root in doubles, rounded up.
+  const unsigned length = static_cast<unsigned>(msb(n)) + 1, cut = length <= 62 ? 0 : (length - 61) / 2 * 2;
+  const double leading = std::sqrt(static_cast<double>(static_cast<std::uint64_t>(n >> cut)) + 1);
+  BigInteger root = (BigInteger(static_cast<std::uint64_t>(leading)) + 2) << (cut / 2);
+  for (;;) {
+    BigInteger next = (root + n / root) >> 1;
+    if (next >= root) break;
+    root = std::move(next);
+  }
+  rest = n - root * root;
+  return root;
 }
 
 }  // namespace dymsum::exact

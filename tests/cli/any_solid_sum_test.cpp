@@ -28,7 +28,7 @@ TEST_F(AnySolidSum, APegAsWideAsItsTunnelHasOneWayThrough) {
   EXPECT_EQ(sum["faces"], 6);
   EXPECT_EQ(sum["tight"], (Json{{"points", 0}, {"segments", 1}, {"faces", 0}}));
   const Json exact = Json::parse(work.read("fit.json"));
-  const Json segment = exact["tight_list"]["segments"][0];
+  const Json segment = exact["tight_list"]["segments"][0]["vertices"];
   EXPECT_EQ(exact["vertex_list"][segment[0].get<std::size_t>()]["exact"], (Json{"0/1", "0/1", "-1/1"}));
   EXPECT_EQ(exact["vertex_list"][segment[1].get<std::size_t>()]["exact"], (Json{"0/1", "0/1", "5/1"}));
   EXPECT_EQ(count("fit.glb", "BLEND"), 1u) << "the way through shows";
@@ -47,7 +47,7 @@ TEST_F(AnySolidSum, ASmallerPegLeavesATunnel) {
   EXPECT_EQ(text.out.find("tight"), std::string::npos) << text.out;
 }
 
-TEST_F(AnySolidSum, FilesThatWouldNotReadBackAreNotWritten) {
+TEST_F(AnySolidSum, SumsThatTouchThemselvesAreWrittenAndReadBack) {
   // Beside two cubes that are 2 apart along both axes, a cube of width 2 leaves sums that touch in an edge.
   work.write("two.off",
              "OFF\n16 12 0\n-1 -1 -1\n1 -1 -1\n1 1 -1\n-1 1 -1\n-1 -1 1\n1 -1 1\n1 1 1\n-1 1 1\n3 3 -1\n5 3 -1\n5 5 "
@@ -55,15 +55,47 @@ TEST_F(AnySolidSum, FilesThatWouldNotReadBackAreNotWritten) {
              "5 3 1\n5 5 1\n3 5 1\n4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n4 8 11 10 9\n4 12 "
              "13 14 15\n"
              "4 8 9 13 12\n4 9 10 14 13\n4 10 11 15 14\n4 11 8 12 15\n");
-  const Outcome off = work.run("dymsum sum two.off cube.off -o sum.off");
-  EXPECT_EQ(off.code, 2);
-  EXPECT_NE(off.err.find("sum.off"), std::string::npos) << off.err;
-  EXPECT_NE(off.err.find(".json keeps the sum"), std::string::npos) << off.err;
-  EXPECT_EQ(work.run("dymsum sum two.off cube.off -o sum.json -o sum.glb").code, 0);
+  EXPECT_EQ(work.run("dymsum sum two.off cube.off -o sum.off -o sum.glb").code, 0);
+  EXPECT_EQ(work.run("dymsum info sum.off").code, 0);
+  // as an operand again, and of three in one run
+  const std::string volume = json("dymsum sum sum.off cube.off --json")["volume_exact"];
+  EXPECT_EQ(json("dymsum sum two.off cube.off cube.off --json")["volume_exact"], volume);
+  EXPECT_EQ(json("dymsum sum cube.off two.off cube.off --json")["volume_exact"], volume);
+}
+
+TEST_F(AnySolidSum, OfThree) {
+  EXPECT_EQ(json("dymsum sum tunnel.off cube.off cube.off --json")["volume_exact"], "1152/1");
+  const Outcome text = work.run("dymsum sum tunnel.off cube.off cube.off");
+  EXPECT_NE(text.out.find("tunnel.off, cube.off and cube.off"), std::string::npos) << text.out;
+}
+
+TEST_F(AnySolidSum, SemanticsSayWhetherTightFeaturesAreListed) {
+  for (const char* semantics : {"closed", "open", "regular"}) {
+    const Json report = json(std::string("dymsum sum tunnel.off cube.off --json --semantics ") + semantics);
+    EXPECT_EQ(report["semantics"], semantics);
+    EXPECT_EQ(report["volume_exact"], "600/1");
+    EXPECT_EQ(report["tight"]["segments"], std::string(semantics) == "regular" ? 0 : 1);
+  }
+}
+
+TEST_F(AnySolidSum, PartsWithoutVolumeAreTakenWhereAskedFor) {
+  work.write("wire.obj", "v 0 0 0\nv 2 0 0\nv 2 2 0\nl 1 2 3\n");
+  work.write("point.obj", "v 1 2 3\np 1\n");
+  work.write("sheet.off", "OFF\n4 1 0\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n4 0 1 2 3\n");
+  EXPECT_EQ(json("dymsum sum cube.off point.obj --thin --json")["volume_exact"], "8/1");
+  EXPECT_EQ(json("dymsum sum cube.off wire.obj --thin --json")["volume_exact"], "24/1");
+  EXPECT_EQ(json("dymsum nfp cube.off sheet.off --thin --json")["volume_exact"], "32/1");
+  EXPECT_EQ(json("dymsum sum cube.off sheet.off wire.obj point.obj --thin --json")["volume_exact"], "64/1");
+  const Outcome sheet = work.run("dymsum sum cube.off sheet.off"), wire = work.run("dymsum sum cube.off wire.obj");
+  EXPECT_EQ(sheet.code, 2);
+  EXPECT_NE(sheet.err.find("--thin"), std::string::npos) << sheet.err;
+  EXPECT_EQ(wire.code, 2);
+  EXPECT_NE(wire.err.find("--thin"), std::string::npos) << wire.err;
+  EXPECT_EQ(work.run("dymsum sum sheet.off wire.obj --thin").code, 2) << "flat";
+  EXPECT_EQ(work.run("dymsum info sheet.off").err.find("--thin"), std::string::npos);
 }
 
 TEST_F(AnySolidSum, WhatItDoesNotTakeIsRefused) {
-  EXPECT_EQ(work.run("dymsum sum tunnel.off cube.off cube.off").code, 1);
   EXPECT_EQ(work.run("dymsum sum tunnel.off cube.off --engine winding").code, 1);
   EXPECT_EQ(work.run("dymsum depth tunnel.off cube.off").code, 2);
   // Two cubes that cross in one file.

@@ -31,6 +31,14 @@ const std::vector<Case> kCases = {
     {"planar_sum", "slice peg.wkt slot.wkt --degrees 30 --error 1e-3"},
     {"solid_sum", "sum cube.off cube.off"},
     {"solid_sum", "nfp cube.off cube.off --engine brute"},
+    {"solid_sum", "nfp ell.off cube.off"},
+    {"solid_sum", "erode ell.off cube.off"},
+    {"solid_sum", "erode cube.off ell.off", 4},
+    {"solid_sum", "opening ell.off small.off"},
+    {"solid_sum", "closing ell.off cube.off"},
+    {"solid_sum", "offset ell.off --by -0.25"},
+    {"solid_slice", "slice ell.off cube.off --z 0.5"},
+    {"solid_slice", "slice ell.off cube.off --z 9 --exact"},
     {"scale", "scale frame.wkt square.wkt --sweep 1:2:1/3 --events"},
     {"scale", "scale frame.wkt square.wkt --at 1,2 --robot --scaled q --semantics open"},
     {"scale_copies", "scale frame.wkt square.wkt --copies copies.txt --robot"},
@@ -62,6 +70,7 @@ const std::vector<Case> kCases = {
     {"convert", "convert frame.wkt out.geojson"},
     {"solid_convert", "convert cube.off out.obj"},
     {"solid_convert", "hull cube.off out.off"},
+    {"failure", "opening ell.off ell.off", 2},
     {"failure", "sum bow.wkt square.wkt", 2},
     {"failure", "sum cube.off open.off", 2},
     {"failure", "info cut.off", 2},
@@ -83,6 +92,13 @@ class JsonReports : public CliTest {
     work.write("poses.txt", "1,6,0\n1,1,0\n");
     work.write("copies.txt", "1 0 0\n3/2 9 0\n");
     work.write("cube.off", kCube);
+    work.write("small.off",
+               "OFF\n8 6 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n4 0 3 2 1\n4 4 5 6 7\n"
+               "4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
+    work.write(
+        "ell.off",
+        "OFF\n12 8 0\n0 0 0\n6 0 0\n6 3 0\n3 3 0\n3 6 0\n0 6 0\n0 0 4\n6 0 4\n6 3 4\n3 3 4\n3 6 4\n0 6 4\n"
+        "6 5 4 3 2 1 0\n6 6 7 8 9 10 11\n4 0 1 7 6\n4 1 2 8 7\n4 2 3 9 8\n4 3 4 10 9\n4 4 5 11 10\n4 5 0 6 11\n");
     work.write("open.off", kOpen);
     work.write("cut.off", "OFF\n8 6 12\n0 0 0\n");
   }

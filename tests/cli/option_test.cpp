@@ -89,7 +89,7 @@ TEST_F(OptionCli, WhatIsNoNumberIsWrongUsage) {
 
 TEST_F(OptionCli, WhatDoesNotApplyIsRefused) {
   for (const auto& [command, option] : std::vector<std::pair<std::string, std::string>>{
-           {"sum cube.off cube.off --semantics open", "--semantics"},
+           {"sum peg.wkt slot.wkt --thin", "--thin"},
            {"nfp cube.off cube.off --round-repair", "--round-repair"},
            {"scale cube.off cube.off --at 1 --semantics open", "--semantics"},
            {"scale cube.off cube.off --at 1 --mode window", "--mode"},

@@ -29,7 +29,7 @@ TEST_F(SolidMotionCli, SumPrintsEveryKeyOfTheContractAndWritesEveryFormat) {
   EXPECT_EQ(report["volume_exact"], json("dymsum sum tetrahedron.off cube.off --engine brute --json")["volume_exact"]);
   const Json exact = Json::parse(work.read("s.json"));
   EXPECT_EQ(exact["vertex_list"].size(), report["vertices"]);
-  EXPECT_EQ(exact["facet_list"].size(), report["faces"]);
+  EXPECT_EQ(exact["face_list"].size(), report["faces"]);
   EXPECT_EQ(json("dymsum sum s.off cube.off --json")["shells"], 1) << "what was written can be read";
   EXPECT_EQ(work.read("s.glb").substr(0, 4), "glTF");
 }
@@ -78,7 +78,7 @@ TEST_F(SolidMotionCli, WrongUsageAndBadSolidsAreTold) {
   work.write("open.off", kOpen);
   work.write("dent.off", "OFF\n5 6 0\n0 0 0\n4 0 0\n0 4 0\n0 0 4\n1/2 1 1\n");
   work.write("flat.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 0))");
-  all_refused({"dymsum sum cube.off flat.wkt", "dymsum erode cube.off cube.off",
+  all_refused({"dymsum sum cube.off flat.wkt", "dymsum erode cube.off flat.wkt",
                "dymsum sum cube.off cube.off -o s.svg", "dymsum sum cube.off cube.off --engine winding",
                "dymsum rotate cube.off cube.off", "dymsum rotate cube.off cube.off --steps 0",
                "dymsum rotate cube.off cube.off --steps 4 --axis 1,2", "dymsum rotate flat.wkt cube.off --steps 4",

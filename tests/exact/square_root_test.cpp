@@ -50,5 +50,22 @@ TEST(SquareRoot, of_squares_and_of_squares_of_middles) {
   EXPECT_THROW((void)root_to_double(-1), std::logic_error);
 }
 
+TEST(FloorRoot, IsTheWholePartAndTheRest) {
+  std::mt19937_64 random(5);
+  for (int bits = 1; bits < 700; bits += 3) {
+    BigInteger n = 0;
+    for (int k = 0; k < bits; k += 32) n = (n << 32) + static_cast<std::uint32_t>(random());
+    n >>= static_cast<unsigned>(n.is_zero() ? 0 : bits % 7);
+    for (const BigInteger& value :
+         {n, BigInteger(n * n), BigInteger(n * n + 2 * n), BigInteger(n * n - (n > 0 ? 1 : 0))}) {
+      BigInteger rest;
+      const BigInteger root = floor_root(value, rest);
+      EXPECT_EQ(root * root + rest, value);
+      EXPECT_GE(rest, 0);
+      EXPECT_LE(rest, 2 * root);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace dymsum::exact

@@ -41,8 +41,11 @@ inline std::string check_mesh_reader(std::string_view bytes, MeshFormat format) 
   }
   const auto repaired = repair(*data);
   if (repaired && !Mesh::create(repaired->mesh.data())) return "a repaired mesh is not valid";
-  const auto mesh = Mesh::create(*data);
-  if (!mesh) return "";
+  const auto mesh = Mesh::with_thin_parts(*data);
+  if (!mesh) return Mesh::create(*data) ? "a solid is refused where it may have parts without volume" : "";
+  if (!Mesh::create(*data) && !mesh->has_thin_parts()) return "a set without thin parts is no solid";
+  if (!Mesh::with_thin_parts(mesh->canonical().data())) return "a valid mesh is not when it is sorted";
+  if (triangulated(*mesh).mesh.has_thin_parts() != mesh->has_thin_parts()) return "triangles lose thin parts";
   for (const MeshFormat other : {MeshFormat::off, MeshFormat::obj, MeshFormat::ply}) {
     const auto again = parse_mesh(format_mesh(*mesh, other), other, "again");
     if (!again) return "our own text is refused: " + again.error().to_string();

@@ -45,6 +45,30 @@ TEST(ReadMesh, TheCorpusHoldsOneTetrahedronInEveryVariant) {
   EXPECT_EQ(read_mesh_text(corpus("read_ply/faces_first.ply"), MeshFormat::ply), kTetrahedron);
 }
 
+TEST(ReadMesh, PointsAndSegmentsAreFacesWithOneVertexAndWithTwo) {
+  const MeshData obj = read_mesh_text(corpus("read_obj/lines_and_points.obj"), MeshFormat::obj);
+  EXPECT_EQ(obj.faces, (std::vector<Face>{{0, 1, 2}, {1, 3}, {3, 4}, {5}, {6}}));
+  const MeshData ply = read_mesh_text(corpus("read_ply/loose_edge.ply"), MeshFormat::ply);
+  EXPECT_EQ(ply.faces, (std::vector<Face>{{0, 1, 2}, {3, 4}})) << "an edge of the face says nothing new";
+  const MeshData off = read_mesh_text(corpus("read_off/point_and_segment.off"), MeshFormat::off);
+  EXPECT_EQ(off.faces, (std::vector<Face>{{0, 1, 2}, {3, 4}, {5}}));
+  for (const MeshData& data : {obj, ply, off}) {
+    const Mesh mesh = Mesh::with_thin_parts(data).value();
+    for (const MeshFormat format : {MeshFormat::off, MeshFormat::obj, MeshFormat::ply})
+      EXPECT_EQ(read_mesh_text(format_mesh(mesh, format), format), data);
+    for (const MeshFormat format : {MeshFormat::stl, MeshFormat::glb}) {
+      const std::optional<Error> error = rounding_error(mesh, format);
+      ASSERT_TRUE(error);
+      EXPECT_EQ(error->code, ErrorCode::cannot_write);
+      EXPECT_EQ(error->evidence.face, 1);
+    }
+  }
+  const MeshData sheet{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+  EXPECT_FALSE(rounding_error(Mesh::with_thin_parts(sheet).value(), MeshFormat::stl));
+  expect_mesh_refused("v 0 0 0\nl 1\n", MeshFormat::obj, ErrorCode::malformed, 2, "two vertices");
+  expect_mesh_refused("v 0 0 0\np 2\n", MeshFormat::obj, ErrorCode::bad_index, 2, "does not exist");
+}
+
 TEST(ReadMesh, NumbersAreTheNearestDoubles) {
   const std::vector<Point3> expected = {{0.1, -0.0, 3.3778}, {2, 0.5, 5e-324}, {1e308, 0, -4}};
   EXPECT_EQ(read_mesh_text("OFF\n3 0 0\n0.1 -1e-400 3.3778\n+2 .5 5e-324\n1e308 -0 -4.\n", MeshFormat::off).vertices,

@@ -57,6 +57,14 @@ class CellGrid {
             [&](std::size_t k) { in_sum_[k] = true; });
   }
 
+  /// Cells at which f holds.
+  template <class F>
+  void add_if(F f) {
+    for_all([&](const Voxel& cell) {
+      if (f(cell)) in_sum_[place(cell)] = true;
+    });
+  }
+
   VoxelSum count() {
     VoxelSum sum;
     for (int dimension = 3; dimension >= 0; --dimension) {
@@ -117,6 +125,117 @@ VoxelSum voxel_sum(const Voxels& p, const Voxels& q) {
   CellGrid grid(low, high);
   for (const Voxel& c : sums) grid.add(c);
   return grid.count();
+}
+
+MeshData lattice_mesh(const LatticeCells& cells, const IntegerMap& map) {
+  Voxels cubes;
+  for (const Voxel& c : cells)
+    if (c[0] % 2 != 0 && c[1] % 2 != 0 && c[2] % 2 != 0) cubes.insert({(c[0] - 1) / 2, (c[1] - 1) / 2, (c[2] - 1) / 2});
+  MeshData mesh = voxel_mesh(cubes);
+  const auto vertex = [&](const Voxel& at) {
+    const Point3 p{static_cast<double>(at[0]), static_cast<double>(at[1]), static_cast<double>(at[2])};
+    const auto found = std::find(mesh.vertices.begin(), mesh.vertices.end(), p);
+    if (found == mesh.vertices.end()) mesh.vertices.push_back(p);
+    return static_cast<std::uint32_t>(std::find(mesh.vertices.begin(), mesh.vertices.end(), p) - mesh.vertices.begin());
+  };
+  for (const Voxel& c : cells) {
+    std::vector<int> along;
+    Voxel low{};
+    for (int i = 0; i < 3; ++i) {
+      const bool open = c[i] % 2 != 0;
+      if (open) along.push_back(i);
+      low[i] = (c[i] - (open ? 1 : 0)) / 2;
+    }
+    if (along.size() == 3) continue;
+    Face face;
+    const auto add = [&](int u, int v) {
+      Voxel at = low;
+      if (!along.empty()) at[along[0]] += u;
+      if (along.size() == 2) at[along[1]] += v;
+      face.push_back(vertex(at));
+    };
+    add(0, 0);
+    if (!along.empty()) add(1, 0);
+    if (along.size() == 2) add(1, 1), add(0, 1);
+    mesh.faces.push_back(std::move(face));
+  }
+  for (Point3& p : mesh.vertices) {
+    double v[3];
+    for (int i = 0; i < 3; ++i) v[i] = map[i][0] * p.x + map[i][1] * p.y + map[i][2] * p.z;
+    p = {v[0], v[1], v[2]};
+  }
+  return mesh;
+}
+
+namespace {
+
+/// Lattice cells, open ones by odd coordinates, in the interior of the voxels' union.
+LatticeCells interior_cells(const Voxels& voxels) {
+  LatticeCells cells;
+  for (const Voxel& v : voxels) {
+    for (int corner = 0; corner < 27; ++corner) {
+      const Voxel cell{2 * v[0] + corner % 3, 2 * v[1] + corner / 3 % 3, 2 * v[2] + corner / 9};
+      bool inside = true;
+      for (int side = 0; side < 8; ++side) {
+        Voxel at{};
+        for (int i = 0; i < 3; ++i) {
+          const int c = cell[i], before = (side >> i) & 1;
+          at[i] = c % 2 != 0 ? (c - 1) / 2 : c / 2 - before;
+        }
+        inside &= voxels.contains(at);
+      }
+      if (inside) cells.insert(cell);
+    }
+  }
+  return cells;
+}
+
+}  // namespace
+
+VoxelSum lattice_sum(const Voxels& p, const LatticeCells& q) {
+  const LatticeCells inside = interior_cells(p);
+  Voxel low{1 << 20, 1 << 20, 1 << 20}, high{-(1 << 20), -(1 << 20), -(1 << 20)};
+  for (const Voxel& a : p) {
+    for (const Voxel& b : q) {
+      for (int i = 0; i < 3; ++i) {
+        low[i] = std::min(low[i], a[i] + b[i] / 2 - 1), high[i] = std::max(high[i], a[i] + b[i] / 2 + 3);
+      }
+    }
+  }
+  CellGrid grid(low, high);
+  grid.add_if([&](const Voxel& x) {  // does x - Q, x the middle of the cell, meet the interior?
+    for (const Voxel& b : q) {
+      for (const Voxel& c : inside) {
+        bool meets = true;
+        for (int i = 0; i < 3; ++i) {
+          // x - b is [from, to], the cell a point or an open interval
+          const int half = std::abs(b[i] % 2), from = x[i] - b[i] - half, to = x[i] - b[i] + half;
+          const int open = std::abs(c[i] % 2);
+          meets &= open == 0 ? from <= c[i] && c[i] <= to : from < c[i] + 1 && to > c[i] - 1;
+        }
+        if (meets) return true;
+      }
+    }
+    return false;
+  });
+  return grid.count();
+}
+
+std::size_t volume_of_sums(const LatticeCells& p, const LatticeCells& q) {
+  Voxels cubes;
+  for (const Voxel& a : p) {
+    for (const Voxel& b : q) {
+      Voxel low{}, size{};
+      for (int i = 0; i < 3; ++i) {
+        size[i] = std::abs(a[i] % 2) + std::abs(b[i] % 2);
+        low[i] = (a[i] + b[i] - size[i]) / 2;
+      }
+      for (int x = 0; x < size[0]; ++x)
+        for (int y = 0; y < size[1]; ++y)
+          for (int z = 0; z < size[2]; ++z) cubes.insert({low[0] + x, low[1] + y, low[2] + z});
+    }
+  }
+  return cubes.size();
 }
 
 std::array<Voxels, 2> random_voxels(int size, std::mt19937_64& random) {

@@ -30,6 +30,18 @@ struct VoxelSum {
 /// voxels).
 VoxelSum voxel_sum(const Voxels& p, const Voxels& q);
 
+/// Closed cells of the lattice by doubled coordinates: an odd one is a unit interval, an even one a point. So (1, 0, 0)
+/// is the segment from the origin to (1, 0, 0).
+using LatticeCells = std::set<Voxel>;
+
+/// Points, segments and squares as faces, cubes as their boundary.
+MeshData lattice_mesh(const LatticeCells& cells, const IntegerMap& map = kNoShear);
+
+/// As voxel_sum of the open sum int P + Q.
+VoxelSum lattice_sum(const Voxels& p, const LatticeCells& q);
+/// The volume of the union of the sums of two cells each.
+std::size_t volume_of_sums(const LatticeCells& p, const LatticeCells& q);
+
 /// A pair in boxes of at most `size` voxels a side; of some pairs Q is what fits into the gaps of P.
 std::array<Voxels, 2> random_voxels(int size, std::mt19937_64& random);
 

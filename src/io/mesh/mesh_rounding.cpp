@@ -5,15 +5,14 @@
 
 #include "dymsum/mesh_io.h"
 #include "io/mesh/mesh_readers.h"
-#include "spatial/mesh/half_edges.h"
+#include "spatial/mesh/edge_order.h"
 #include "spatial/mesh/six_volume.h"
 
 namespace dymsum {
 namespace {
 
-/// The triangles that a file would hold, or the vertex that is past the range.
-Result<MeshData> in_singles(const Mesh& mesh) {
-  MeshData data = triangulated(mesh).mesh.data();
+/// In single precision, or the vertex that is past the range.
+Result<MeshData> in_singles(MeshData data) {
   for (std::size_t v = 0; v < data.vertices.size(); ++v) {
     Point3& p = data.vertices[v];
     for (double* c : {&p.x, &p.y, &p.z}) {
@@ -31,10 +30,12 @@ Error changed(std::string what, Evidence evidence) {
   return {ErrorCode::rounding_changed_topology, "in single precision, " + std::move(what), std::move(evidence)};
 }
 
-std::optional<Error> vanished_shell(const MeshData& data) {
-  const spatial::Shells shells = spatial::find_shells(spatial::half_edges(data.faces));
-  const std::vector<int> signs = spatial::shell_signs(data, shells);
-  if (std::all_of(signs.begin(), signs.end(), [](int s) { return s > 0; })) return std::nullopt;
+/// Requires the same faces.
+std::optional<Error> vanished_shell(const Mesh& mesh, const MeshData& rounded) {
+  if (mesh.has_thin_parts()) return std::nullopt;  // a picture
+  const MeshData& exact = mesh.data();
+  const spatial::Shells shells = spatial::find_shells(spatial::half_edges(exact));
+  if (spatial::shell_signs(exact, shells) == spatial::shell_signs(rounded, shells)) return std::nullopt;
   return changed("a shell encloses no volume", {});
 }
 
@@ -46,11 +47,19 @@ Precision precision_of(MeshFormat format) {
 
 std::optional<Error> rounding_error(const Mesh& mesh, MeshFormat format) {
   if (precision_of(format) == Precision::doubles) return std::nullopt;
-  const Result<MeshData> data = in_singles(mesh);
+  for (std::size_t f = 0; f < mesh.faces().size(); ++f) {
+    if (mesh.faces()[f].size() >= 3) continue;
+    Error error{ErrorCode::cannot_write, "files of this format hold no points and no segments", {}};
+    error.evidence.face = static_cast<std::int64_t>(f);
+    return error;
+  }
+  const Mesh split = triangulated(mesh).mesh;
+  const MeshData& triangles = split.data();  // what a file would hold
+  const Result<MeshData> data = in_singles(triangles);
   if (!data) return data.error();
-  if (format == MeshFormat::glb) return vanished_shell(*data);
+  if (format == MeshFormat::glb) return vanished_shell(split, *data);
   // As the reader does: vertices at one place are one, and what no longer is a solid is refused.
-  const Result<Mesh> back = Mesh::create(*data);
+  const Result<Mesh> back = mesh.has_thin_parts() ? Mesh::with_thin_parts(*data) : Mesh::create(*data);
   if (back) return std::nullopt;
   Evidence evidence = back.error().evidence;
   evidence.face.reset();  // of the triangles, not of the mesh's faces

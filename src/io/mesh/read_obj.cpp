@@ -1,4 +1,5 @@
-// OBJ: one statement per line, or several that backslashes join; of these `v` and `f` make the mesh. A face's corners
+// OBJ: one statement per line, or several that backslashes join; of these `v`, `f`, `l` (polylines, but for
+// the edges of faces) and `p` (points) make the mesh. A face's corners
 // are vertex numbers from 1 on, or from -1 backwards from the last vertex so far, each perhaps followed by
 // /texture/normal, which is skipped.
 #include <algorithm>
@@ -7,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "io/mesh/face_edges.h"
 #include "io/mesh/mesh_readers.h"
 #include "io/number_text.h"
 #include "io/words.h"
@@ -16,8 +18,8 @@ namespace dymsum::io {
 namespace {
 
 /// What says nothing about vertices and faces.
-constexpr std::array<std::string_view, 13> kSkipped = {"vt", "vn", "vp",     "g",      "o",      "s",     "l",
-                                                       "p",  "mg", "mtllib", "usemtl", "usemap", "maplib"};
+constexpr std::array<std::string_view, 11> kSkipped = {"vt", "vn",     "vp",     "g",      "o",     "s",
+                                                       "mg", "mtllib", "usemtl", "usemap", "maplib"};
 
 class ObjReader {
  public:
@@ -29,8 +31,8 @@ class ObjReader {
       const std::string_view keyword = words_.take("a statement");
       if (keyword == "v") {
         read_vertex();
-      } else if (keyword == "f") {
-        read_face(start);
+      } else if (keyword == "f" || keyword == "l" || keyword == "p") {
+        read_face(start, keyword);
       } else if (std::find(kSkipped.begin(), kSkipped.end(), keyword) != kSkipped.end()) {
         words_.skip_line();
       } else {
@@ -38,6 +40,7 @@ class ObjReader {
       }
     }
     check_indices();
+    drop_edges_of_faces();
     return std::move(data_);
   }
 
@@ -58,13 +61,33 @@ class ObjReader {
     data_.vertices.push_back({p[0], p[1], p[2]});
   }
 
-  void read_face(std::size_t start) {
+  /// A face; a polyline as one segment after another; points.
+  void read_face(std::size_t start, std::string_view keyword) {
     const Evidence evidence = at_face(data_.faces.size());
     Face face;
     need_more("a vertex number", evidence);
     while (!words_.at_line_end()) face.push_back(read_corner(evidence));
-    data_.faces.push_back(std::move(face));
-    face_offset_.push_back(start);
+    const std::size_t corners = keyword == "f" ? face.size() : keyword == "l" ? 2 : 1;
+    if (keyword == "l" && face.size() < 2)
+      words_.fail_at(start, ErrorCode::malformed, "a line needs at least two vertices", evidence);
+    for (std::size_t k = 0; k + corners <= face.size(); ++k) {
+      data_.faces.emplace_back(face.begin() + static_cast<std::ptrdiff_t>(k),
+                               face.begin() + static_cast<std::ptrdiff_t>(k + corners));
+      face_offset_.push_back(start);
+      is_line_.push_back(keyword == "l");
+    }
+  }
+
+  void drop_edges_of_faces() {
+    if (std::find(is_line_.begin(), is_line_.end(), true) == is_line_.end()) return;
+    const FaceEdges known(data_.faces);
+    std::size_t kept = 0;
+    for (std::size_t f = 0; f < data_.faces.size(); ++f) {
+      if (is_line_[f] && known.has(data_.faces[f])) continue;
+      if (kept != f) data_.faces[kept] = std::move(data_.faces[f]);
+      ++kept;
+    }
+    data_.faces.resize(kept);
   }
 
   std::uint32_t read_corner(Evidence evidence) {
@@ -100,6 +123,7 @@ class ObjReader {
   Words words_;
   MeshData data_;
   std::vector<std::size_t> face_offset_;
+  std::vector<bool> is_line_;  // per face
 };
 
 }  // namespace

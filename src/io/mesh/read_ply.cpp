@@ -1,4 +1,5 @@
-// PLY, text and binary: the elements vertex (x, y, z) and face (a list of vertex numbers); others are skipped. Every
+// PLY, text and binary: the elements vertex (x, y, z), face (a list of vertex numbers) and edge (vertex1, vertex2), of
+// which those of faces say nothing new; others are skipped. Every
 // property that is read takes at least a byte of the file, and elements without properties are not counted through, so
 // that announced numbers cost neither time nor memory.
 #include <algorithm>
@@ -9,6 +10,7 @@
 #include <utility>
 
 #include "io/bytes.h"
+#include "io/mesh/face_edges.h"
 #include "io/mesh/mesh_readers.h"
 #include "io/mesh/ply_header.h"
 #include "io/words.h"
@@ -96,6 +98,15 @@ bool is_corner_list(const PlyProperty& property) {
   return property.count && (property.name == "vertex_indices" || property.name == "vertex_index");
 }
 
+/// With two ends; others say nothing.
+bool is_edge(const PlyElement& element) {
+  const auto has = [&](std::string_view name) {
+    return std::any_of(element.properties.begin(), element.properties.end(),
+                       [&](const PlyProperty& property) { return property.name == name && !property.count; });
+  };
+  return element.name == "edge" && has("vertex1") && has("vertex2");
+}
+
 template <class Numbers>
 class BodyReader {
  public:
@@ -112,16 +123,26 @@ class BodyReader {
       for (std::uint64_t i = 0; i < element.count; ++i) read_item(element);
     }
     numbers_.finish();
+    add_edges();
     return std::move(data_);
   }
 
  private:
+  /// Edges that no face has are segments by themselves.
+  void add_edges() {
+    if (edges_.empty()) return;
+    const FaceEdges known(data_.faces);
+    for (Face& edge : edges_)
+      if (!known.has(edge)) data_.faces.push_back(std::move(edge));
+  }
+
   void read_item(const PlyElement& element) {
-    const bool vertex = element.name == "vertex", face = element.name == "face";
+    const bool vertex = element.name == "vertex", face = element.name == "face", edge = is_edge(element);
     Evidence evidence;
     if (vertex) evidence = at_vertex(data_.vertices.size());
     if (face) evidence = at_face(data_.faces.size());
     Point3 p;
+    Face ends(2);
     for (const PlyProperty& property : element.properties) {
       if (property.count) {
         read_list(property, face && is_corner_list(property), evidence);
@@ -129,8 +150,11 @@ class BodyReader {
       }
       const double value = numbers_.next(property.type, evidence);
       if (vertex) store(p, property.name, value, evidence);
+      if (edge && property.name == "vertex1") ends[0] = corner(value, evidence);
+      if (edge && property.name == "vertex2") ends[1] = corner(value, evidence);
     }
     if (vertex) data_.vertices.push_back(p);
+    if (edge) edges_.push_back(std::move(ends));
   }
 
   void store(Point3& p, const std::string& name, double value, const Evidence& evidence) {
@@ -170,6 +194,7 @@ class BodyReader {
   std::size_t size_;
   std::uint64_t vertices_ = 0;
   MeshData data_;
+  std::vector<Face> edges_;
 };
 
 /// Vertices have places, and faces corners, or the file is none of a mesh.

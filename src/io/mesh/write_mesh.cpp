@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "io/bytes.h"
+#include "io/mesh/face_edges.h"
 #include "io/mesh/mesh_readers.h"
 #include "io/number_text.h"
 #include "spatial/mesh/face_plane.h"
@@ -72,6 +73,9 @@ std::string write_off(const MeshData& data, std::span<const FaceColour> colours)
 }
 
 std::string write_obj(const MeshData& data) {
+  const bool has_segments =
+      std::any_of(data.faces.begin(), data.faces.end(), [](const Face& face) { return face.size() == 2; });
+  const FaceEdges known(has_segments ? data.faces : std::vector<Face>{});
   std::string out;
   for (const Point3& p : data.vertices) {
     out += "v ";
@@ -79,7 +83,8 @@ std::string write_obj(const MeshData& data) {
     out += '\n';
   }
   for (const Face& face : data.faces) {
-    out += 'f';
+    // A line along a face would not be read back.
+    out += face.size() == 1 ? 'p' : face.size() == 2 && !known.has(face) ? 'l' : 'f';
     append_corners(out, face, 1);
     out += '\n';
   }

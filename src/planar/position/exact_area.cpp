@@ -5,6 +5,8 @@
 #include <span>
 #include <utility>
 
+#include "exact/factored_fraction.h"
+
 namespace dymsum::planar {
 
 namespace {
@@ -40,19 +42,6 @@ Fraction ring_sums(std::span<const std::vector<Homogeneous>> rings) {
   const Fraction left = ring_sums(rings.first(rings.size() / 2)), right = ring_sums(rings.subspan(rings.size() / 2));
   return {left.numerator * right.denominator + right.numerator * left.denominator,
           left.denominator * right.denominator};
-}
-
-BigInteger product_of(std::span<const BigInteger> factors) {
-  if (factors.size() == 1) return factors[0];
-  return product_of(factors.first(factors.size() / 2)) * product_of(factors.subspan(factors.size() / 2));
-}
-
-/// The product over factors f of gcd(f, value): the value's remainder is taken by ever smaller products of factors.
-BigInteger product_of_gcds(std::span<const BigInteger> factors, const BigInteger& value) {
-  if (factors.size() == 1) return gcd(factors[0], BigInteger(value % factors[0]));
-  const auto left = factors.first(factors.size() / 2), right = factors.subspan(factors.size() / 2);
-  return product_of_gcds(left, BigInteger(value % product_of(left))) *
-         product_of_gcds(right, BigInteger(value % product_of(right)));
 }
 
 }  // namespace
@@ -102,9 +91,7 @@ ExactArea exact_area(const std::vector<std::vector<Position>>& rings) {
   return exact_area(std::move(vertices));
 }
 
-// With D the product of the odd factors f of the denominator, gcd(N, D) = gcd(N, product of gcd(f, N)): for every
-// prime, the smaller of its powers in N and D is the smaller of that in N and the sum over f of the smaller of those in
-// N and f. Twos are counted.
+// The odd factors of the denominator are known; twos are counted.
 ExactArea exact_area(std::vector<std::vector<Homogeneous>> rings) {
   std::erase_if(rings, [](const std::vector<Homogeneous>& ring) { return ring.empty(); });
   if (rings.empty()) return {};
@@ -117,8 +104,7 @@ ExactArea exact_area(std::vector<std::vector<Homogeneous>> rings) {
   }
   Fraction sum = ring_sums(rings);
   if (sum.numerator.is_zero()) return {};
-  const BigInteger part = product_of_gcds(factors, BigInteger(abs(sum.numerator) % sum.denominator));
-  const BigInteger common = gcd(part, BigInteger(abs(sum.numerator) % part));
+  const BigInteger common = exact::gcd_with_product(factors, sum.numerator);
   const unsigned shared = std::min(twos, static_cast<unsigned>(lsb(abs(sum.numerator))));
   return {BigInteger(sum.numerator / common) >> shared, BigInteger(sum.denominator / common) << (twos - shared)};
 }

@@ -88,6 +88,9 @@ bool share_edge(const TableFacet& f, const TableFacet& g) {
   return false;
 }
 
+/// The contact itself, its ends as points, and its segments in two planes, before they are cut.
+constexpr std::size_t kBytesPerContact = sizeof(Contact) + 2 * (sizeof(PointSource) + sizeof(PointId)) + 2 * 24;
+
 Box box_of(const SumSpace& space, const TableFacet& f) {
   Box box;
   for (int k = 0; k < f.facet.corners; ++k) box.add(space.approx(f.facet.corner[k]));
@@ -124,27 +127,40 @@ std::optional<Contact> contact(const SumSpace& space, const FacetTable& table, s
   return result;
 }
 
-Contacts find_contacts(const SumSpace& space, const FacetTable& table) {
-  Contacts result;
+Contacts find_contacts(const SumSpace& space, const FacetTable& table, StageWatch& watch) {
   std::vector<Box> boxes;
   boxes.reserve(table.facets.size());
   for (const TableFacet& f : table.facets) boxes.push_back(box_of(space, f));
   const BoxTree tree(std::move(boxes));
-  std::vector<std::uint32_t> near;
-  for (std::uint32_t f = 0; f < table.facets.size(); ++f) {
-    near.clear();
-    tree.for_each(tree.box(f), [&](std::uint32_t g) {
-      if (g > f) near.push_back(g);
-    });
-    std::sort(near.begin(), near.end());
-    for (const std::uint32_t g : near) {
-      ++result.counts.box_pairs;
-      if (table.facets[f].plane == table.facets[g].plane) {
-        result.coplanar.push_back({f, g});
-      } else if (!share_edge(table.facets[f], table.facets[g])) {
-        if (const std::optional<Contact> c = contact(space, table, f, g)) result.contacts.push_back(*c);
+  constexpr std::size_t kPart = 256;
+  const std::size_t count = table.facets.size();
+  std::vector<Contacts> parts((count + kPart - 1) / kPart);
+  watch.run(parts.size(), [&](std::size_t part) {
+    Contacts& some = parts[part];
+    std::vector<std::uint32_t> near;
+    for (std::size_t k = part * kPart; k < std::min(count, (part + 1) * kPart); ++k) {
+      const auto f = static_cast<std::uint32_t>(k);
+      near.clear();
+      tree.for_each(tree.box(f), [&](std::uint32_t g) {
+        if (g > f) near.push_back(g);
+      });
+      std::sort(near.begin(), near.end());
+      some.counts.box_pairs += near.size();
+      for (const std::uint32_t g : near) {
+        if (table.facets[f].plane == table.facets[g].plane) {
+          some.coplanar.push_back({f, g});
+        } else if (!share_edge(table.facets[f], table.facets[g])) {
+          if (const std::optional<Contact> c = contact(space, table, f, g)) some.contacts.push_back(*c);
+        }
       }
     }
+    watch.hold(some.contacts.size() * kBytesPerContact + some.coplanar.size() * sizeof(some.coplanar[0]));
+  });
+  Contacts result;
+  for (const Contacts& some : parts) {
+    result.contacts.insert(result.contacts.end(), some.contacts.begin(), some.contacts.end());
+    result.coplanar.insert(result.coplanar.end(), some.coplanar.begin(), some.coplanar.end());
+    result.counts.box_pairs += some.counts.box_pairs;
   }
   result.counts.contacts = result.contacts.size();
   return result;

@@ -32,6 +32,6 @@ std::optional<Contact> contact(const SumSpace& space, const FacetTable& table, s
 
 /// All of them. Where two facets in different planes share an edge of sums, that edge is all they have in common, and
 /// not listed.
-Contacts find_contacts(const SumSpace& space, const FacetTable& table);
+Contacts find_contacts(const SumSpace& space, const FacetTable& table, StageWatch& watch);
 
 }  // namespace dymsum::spatial

@@ -14,9 +14,15 @@ void share_planes(const SumSpace& space, PlaneId first, FacetTable& table) {
   std::iota(order.begin(), order.end(), 0u);
   std::sort(order.begin(), order.end(),
             [&](std::uint32_t a, std::uint32_t b) { return std::tie(hash[a], a) < std::tie(hash[b], b); });
-  std::vector<std::uint32_t> leaders;  // of the planes with one hash: nearly always one
+  // Of the planes with one hash, nearly always one; behind those with the hash 0, which may be any plane and come
+  // first.
+  std::vector<std::uint32_t> leaders;
+  std::size_t wild = 0;
   for (std::size_t k = 0; k < order.size(); ++k) {
-    if (k == 0 || hash[order[k]] != hash[order[k - 1]]) leaders.clear();
+    if (k == 0 || hash[order[k]] != hash[order[k - 1]]) {
+      if (k > 0 && hash[order[k - 1]] == 0) wild = leaders.size();
+      leaders.resize(wild);
+    }
     TableFacet& facet = table.facets[order[k]];
     facet.plane = first + order[k], facet.side = 1;
     int same = 0;

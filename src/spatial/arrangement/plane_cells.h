@@ -3,23 +3,13 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
-#include "spatial/arrangement/point_table.h"
+#include "spatial/arrangement/plane_lines.h"
 
 namespace dymsum::spatial {
-
-/// A straight piece in a plane, from a to b in the direction n x n_cut, n being the plane's normal: a point where a ==
-/// b.
-struct PlaneSegment {
-  PointId a = 0, b = 0;
-  PlaneId cut = 0;  ///< a plane through it, across this one
-  /// For the border of a facet: 1 where the facet lies to the left of the way from a to b, seen against n, -1 to the
-  /// right; 0 for contacts.
-  std::int8_t inside = 0;
-  std::int8_t side = 1;  ///< of the facet: TableFacet::side
-};
 
 /// An open cell, covered by so many facets whose normal is the plane's (front) or its opposite (back).
 struct Cell {
@@ -33,7 +23,8 @@ struct CellEdge {
   PointId a = 0, b = 0;
   std::uint32_t left = kNoId, right = kNoId;
   PlaneId cut = 0;
-  bool along = true;  ///< the way from a to b is n x n_cut
+  bool along = true;      ///< the way from a to b is n x n_cut
+  EdgeId border = kNoId;  ///< the one edge of sums that runs there as a border, or kManyEdges
 };
 
 struct PlaneCells {
@@ -53,10 +44,20 @@ struct PlaneCells {
   std::vector<PointSource> found;
 };
 
-/// The cells of the union of the facets whose borders are among the segments. Points of segments are ids of the table;
-/// crossings get ids behind those of the table, whose order is that of this plane alone. Exact. O(k^2) for k segments
-/// whose boxes overlap.
-PlaneCells plane_cells(const SumSpace& space, const PointTable& points, PlaneId plane,
-                       std::span<const PlaneSegment> segments);
+/// Makes cells of one plane after the other, in arrays that it keeps.
+class PlaneArranger {
+ public:
+  PlaneArranger(const SumSpace& space, const PointTable& points);
+  ~PlaneArranger();
+
+  /// The cells of the union of the facets whose borders are among the segments. Points of segments are ids of the
+  /// table; crossings get ids behind those of the table, whose order is that of this plane alone. Exact. Cost: that of
+  /// PlaneLines::run, and O(c l) for c components with l loops around them.
+  PlaneCells run(PlaneId plane, std::span<const PlaneSegment> segments);
+
+ private:
+  class Cells;
+  std::unique_ptr<Cells> cells_;
+};
 
 }  // namespace dymsum::spatial

@@ -1,5 +1,6 @@
 #include "spatial/arrangement/point_table.h"
 
+#include <algorithm>
 #include <bit>
 
 namespace dymsum::spatial {
@@ -13,10 +14,17 @@ void PointTable::rehash(std::size_t slots) {
   }
 }
 
-std::vector<PointId> PointTable::add(std::span<const PointSource> sources) {
-  const std::vector<exact::Residue> hashes = space_.point_hashes(sources);
+std::vector<PointId> PointTable::add(std::span<const PointSource> sources, StageWatch& watch) {
+  constexpr std::size_t kPart = 1024;
+  std::vector<exact::Residue> hashes(sources.size());
+  watch.run((sources.size() + kPart - 1) / kPart, [&](std::size_t part) {
+    const std::size_t first = part * kPart, count = std::min(kPart, sources.size() - first);
+    const std::vector<exact::Residue> some = space_.point_hashes(sources.subspan(first, count));
+    std::copy(some.begin(), some.end(), hashes.begin() + static_cast<std::ptrdiff_t>(first));
+  });
   const std::size_t room = std::bit_ceil(2 * (sources_.size() + sources.size()) + 16);
   if (room > slots_.size()) rehash(room);
+  const std::size_t known = sources_.size();
   std::vector<PointId> ids;
   ids.reserve(sources.size());
   for (std::size_t k = 0; k < sources.size(); ++k) {
@@ -27,11 +35,18 @@ std::vector<PointId> PointTable::add(std::span<const PointSource> sources) {
     if (slots_[at] == kNoId) {
       slots_[at] = static_cast<PointId>(sources_.size());
       sources_.push_back(sources[k]);
-      approx_.push_back(space_.approximate(sources[k]));
       hash_.push_back(hashes[k]);
     }
     ids.push_back(slots_[at]);
   }
+  watch.hold((sources_.size() - known) *
+             (sizeof(PointSource) + sizeof(Approx) + sizeof(exact::Residue) + 4 * sizeof(PointId)));
+  approx_.resize(sources_.size());
+  watch.run((sources_.size() - known + kPart - 1) / kPart, [&](std::size_t part) {
+    const std::size_t first = known + part * kPart;
+    for (std::size_t k = first; k < std::min(first + kPart, sources_.size()); ++k)
+      approx_[k] = space_.approximate(sources_[k]);
+  });
   return ids;
 }
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "spatial/convolution/stage_watch.h"
 #include "spatial/convolution/sum_space.h"
 
 namespace dymsum::spatial {
@@ -14,7 +15,7 @@ class PointTable {
 
   /// The ids of points, new ones for those that are not there yet. Exact: found by a hash of the position, compared
   /// exactly where sources differ.
-  std::vector<PointId> add(std::span<const PointSource> sources);
+  std::vector<PointId> add(std::span<const PointSource> sources, StageWatch& watch);
 
   std::size_t size() const { return sources_.size(); }
   const PointSource& source(PointId id) const { return sources_[id]; }

@@ -4,8 +4,6 @@
 #include <map>
 #include <numeric>
 
-#include "base/parallel.h"
-
 namespace dymsum::spatial {
 
 namespace {
@@ -63,6 +61,49 @@ class UprightPlanes {
   PlaneId first_ = 0;
 };
 
+/// Lists the edges of all planes by their ends: sorted by the smaller end, for each by the other one.
+void collect_edges(SolidArrangement& all) {
+  std::vector<std::uint32_t> begin(all.points.size() + 1, 0);
+  const auto for_each = [&](auto f) {
+    for (std::uint32_t g = 0; g < all.groups.size(); ++g) {
+      const PlaneGroup& group = all.groups[g];
+      for (std::uint32_t e = 0; e < group.cells.edges.size(); ++e) {
+        const PointId a = all.point(group, group.cells.edges[e].a), b = all.point(group, group.cells.edges[e].b);
+        f(std::min(a, b), std::max(a, b), EdgeUse{g, e});
+      }
+    }
+  };
+  for_each([&](PointId a, PointId, EdgeUse) { ++begin[a + 1]; });
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  struct Use {
+    PointId b;
+    EdgeUse use;
+  };
+  std::vector<Use> uses(begin.back());
+  std::vector<std::uint32_t> at(begin.begin(), begin.end() - 1);
+  for_each([&](PointId a, PointId b, EdgeUse use) { uses[at[a]++] = {b, use}; });
+  all.edge_uses.reserve(uses.size());
+  for (PointId a = 0; a + 1 < begin.size(); ++a) {
+    const auto first = uses.begin() + begin[a], last = uses.begin() + begin[a + 1];
+    std::stable_sort(first, last, [](const Use& x, const Use& y) { return x.b < y.b; });
+    for (auto u = first; u != last; ++u) {
+      if (u == first || u->b != (u - 1)->b) {
+        all.edge_ends.push_back({a, u->b});
+        all.first_use.push_back(static_cast<std::uint32_t>(all.edge_uses.size()));
+      }
+      all.edge_uses.push_back(u->use);
+    }
+  }
+  all.first_use.push_back(static_cast<std::uint32_t>(all.edge_uses.size()));
+}
+
+/// With what edges and points are listed in later.
+std::size_t bytes_of(const PlaneCells& cells) {
+  return sizeof(PlaneGroup) + cells.cells.size() * (sizeof(Cell) + 8) +
+         cells.edges.size() * (sizeof(CellEdge) + 2 * sizeof(EdgeUse) + 12) + cells.half_edges.size() * 4 +
+         cells.loops.size() * 4 + cells.found.size() * (2 * sizeof(PointSource) + sizeof(PointId));
+}
+
 }  // namespace
 
 std::uint32_t SolidArrangement::group_of(std::uint32_t cell) const {
@@ -71,7 +112,7 @@ std::uint32_t SolidArrangement::group_of(std::uint32_t cell) const {
   return static_cast<std::uint32_t>(at - groups.begin()) - 1;
 }
 
-SolidArrangement arrange(SumSpace& space, const FacetTable& table, const Contacts& contacts, int threads) {
+SolidArrangement arrange(SumSpace& space, const FacetTable& table, Contacts contacts, StageWatch& watch) {
   SolidArrangement result(space);
   std::vector<std::uint32_t> group_of;
   result.groups = plane_groups(table, contacts, group_of);
@@ -86,10 +127,15 @@ SolidArrangement arrange(SumSpace& space, const FacetTable& table, const Contact
     for (int k = 0; k < f.facet.corners; ++k)
       sources.push_back({PointSource::Kind::sum, f.facet.corner[k].p, f.facet.corner[k].q, 0});
   for (const Contact& c : contacts.contacts) sources.push_back(c.from), sources.push_back(c.to);
-  const std::vector<PointId> ids = result.points.add(sources);
+  std::vector<PointId> ids = result.points.add(sources, watch);
 
   // Segments of every group.
-  std::vector<std::vector<PlaneSegment>> segments(result.groups.size());
+  std::vector<std::uint32_t> begin(result.groups.size() + 1, 0);
+  for (std::uint32_t i = 0; i < table.facets.size(); ++i) begin[group_of[i] + 1] += table.facets[i].facet.corners;
+  for (const Contact& c : contacts.contacts) ++begin[group_of[c.f] + 1], ++begin[group_of[c.g] + 1];
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<PlaneSegment> segments(begin.back());
+  std::vector<std::uint32_t> place(begin.begin(), begin.end() - 1);
   std::size_t at = 0;
   for (std::uint32_t i = 0; i < table.facets.size(); ++i) {
     const TableFacet& f = table.facets[i];
@@ -102,27 +148,37 @@ SolidArrangement arrange(SumSpace& space, const FacetTable& table, const Contact
       const bool along = f.forward[k] == up;
       // The facet is to the left of its border seen against its own normal.
       const int inside = (along ? 1 : -1) * f.side;
-      segments[group_of[i]].push_back(
-          {along ? a : b, along ? b : a, upright.get(f.edge[k], axis), static_cast<std::int8_t>(inside), f.side});
+      segments[place[group_of[i]]++] = {
+          along ? a : b, along ? b : a, upright.get(f.edge[k], axis), static_cast<std::int8_t>(inside),
+          f.side,        f.edge[k]};
     }
     at += static_cast<std::size_t>(n);
   }
   for (const Contact& c : contacts.contacts) {
     const PointId from = ids[at++], to = ids[at++];
     const PlaneId f = table.facets[c.f].plane, g = table.facets[c.g].plane;
-    segments[group_of[c.f]].push_back({from, to, g, 0, 1});
-    segments[group_of[c.g]].push_back({to, from, f, 0, 1});
+    segments[place[group_of[c.f]]++] = {from, to, g, 0, 1, kNoId};
+    segments[place[group_of[c.g]]++] = {to, from, f, 0, 1, kNoId};
   }
 
-  base::parallel_parts(result.groups.size(), threads, [&](std::size_t g) {
-    PlaneGroup& group = result.groups[g];
-    group.cells = plane_cells(space, result.points, group.plane, segments[g]);
+  contacts = {}, sources = {}, ids = {};
+  constexpr std::size_t kPart = 64;
+  const std::size_t count = result.groups.size();
+  watch.run((count + kPart - 1) / kPart, [&](std::size_t part) {
+    PlaneArranger arranger(space, result.points);
+    for (std::size_t g = part * kPart; g < std::min(count, (part + 1) * kPart); ++g)
+      result.groups[g].cells =
+          arranger.run(result.groups[g].plane, {segments.data() + begin[g], segments.data() + begin[g + 1]});
+    std::size_t bytes = 0;
+    for (std::size_t g = part * kPart; g < std::min(count, (part + 1) * kPart); ++g)
+      bytes += bytes_of(result.groups[g].cells);
+    watch.hold(bytes);
   });
   // Names of crossings: the same point is found in several planes.
-  sources.clear();
+  segments = {};
   for (const PlaneGroup& group : result.groups)
     sources.insert(sources.end(), group.cells.found.begin(), group.cells.found.end());
-  const std::vector<PointId> names = result.points.add(sources);
+  const std::vector<PointId> names = result.points.add(sources, watch);
   at = 0;
   for (PlaneGroup& group : result.groups) {
     group.names.assign(names.begin() + static_cast<std::ptrdiff_t>(at),
@@ -130,7 +186,9 @@ SolidArrangement arrange(SumSpace& space, const FacetTable& table, const Contact
     at += group.cells.found.size();
     group.first_cell = result.cell_count;
     result.cell_count += static_cast<std::uint32_t>(group.cells.cells.size());
+    group.cells.found = {};
   }
+  collect_edges(result);
   return result;
 }
 

@@ -1,7 +1,9 @@
 // All planes of a convolution cut into cells, with the points and edges that cells of different planes share.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "spatial/arrangement/contacts.h"
@@ -18,10 +20,20 @@ struct PlaneGroup {
   std::vector<PointId> names;    ///< of the points found in this plane: their ids in the table
 };
 
+/// An edge of a group's cells.
+struct EdgeUse {
+  std::uint32_t group = 0, edge = 0;
+};
+
 struct SolidArrangement {
   PointTable points;
   std::vector<PlaneGroup> groups;
   std::uint32_t cell_count = 0;
+  /// The edges of all planes, each once: edge e, from point edge_ends[e][0] to a larger one, is what edge_uses from
+  /// first_use[e] to first_use[e + 1] are in their planes.
+  std::vector<std::array<PointId, 2>> edge_ends;
+  std::vector<std::uint32_t> first_use;
+  std::vector<EdgeUse> edge_uses;
 
   explicit SolidArrangement(const SumSpace& space) : points(space) {}
 
@@ -30,9 +42,13 @@ struct SolidArrangement {
     return id < group.cells.known ? id : group.names[id - group.cells.known];
   }
   std::uint32_t group_of(std::uint32_t cell) const;
+  std::span<const EdgeUse> uses(std::uint32_t edge) const {
+    return {edge_uses.data() + first_use[edge], edge_uses.data() + first_use[edge + 1]};
+  }
+  const CellEdge& edge(EdgeUse use) const { return groups[use.group].cells.edges[use.edge]; }
 };
 
-/// Exact. `threads` 0: as many as there are cores; the result does not depend on it.
-SolidArrangement arrange(SumSpace& space, const FacetTable& table, const Contacts& contacts, int threads);
+/// Exact.
+SolidArrangement arrange(SumSpace& space, const FacetTable& table, Contacts contacts, StageWatch& watch);
 
 }  // namespace dymsum::spatial

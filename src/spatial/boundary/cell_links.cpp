@@ -1,20 +1,15 @@
 #include "spatial/boundary/cell_links.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
-#include <span>
-#include <tuple>
 
 namespace dymsum::spatial {
 
 namespace {
 
-struct EdgeSide {
-  PointId a, b;
-  PlaneId plane;
-  std::uint32_t left, right;  ///< cells, on the way from a to b seen against the plane's normal
-};
+constexpr std::int8_t kNoWall = 2;  // of a cell's facing: it is looked through
 
 /// Half of a plane at an edge, covered by a cell.
 struct Wall {
@@ -23,61 +18,34 @@ struct Wall {
   std::uint32_t cell;
 };
 
-class Linker {
+/// The pairs of cells that look into one wedge around an edge.
+class Wedges {
  public:
-  Linker(const SumSpace& space, const SolidArrangement& arrangement) : space_(space), arrangement_(arrangement) {}
+  Wedges(const SumSpace& space, const SolidArrangement& arrangement, const std::vector<std::int8_t>& facing)
+      : space_(space), arrangement_(arrangement), facing_(facing) {}
 
-  CellLinks run() {
-    parent_.resize(arrangement_.cell_count + 1);  // the last one: what is covered
-    std::iota(parent_.begin(), parent_.end(), 0u);
-    for (const PlaneGroup& group : arrangement_.groups)
-      for (const Cell& cell : group.cells.cells) facing_.push_back(cell.front > 0 ? cell.back > 0 ? 0 : 1 : -1);
-    for (std::uint32_t c = 0; c < facing_.size(); ++c)
-      if (facing_[c] == 0) join(c, covered());
-    std::vector<EdgeSide> sides = edge_sides();
-    std::sort(sides.begin(), sides.end(), [](const EdgeSide& x, const EdgeSide& y) {
-      return std::tie(x.a, x.b, x.plane, x.left, x.right) < std::tie(y.a, y.b, y.plane, y.left, y.right);
-    });
-    for (std::size_t first = 0, last = 0; first < sides.size(); first = last) {
-      while (last < sides.size() && sides[last].a == sides[first].a && sides[last].b == sides[first].b) ++last;
-      link_edge({&sides[first], last - first});
+  void link_edge(std::uint32_t edge, std::vector<std::array<std::uint32_t, 2>>& joins) {
+    walls_.clear();
+    for (const EdgeUse use : arrangement_.uses(edge)) {
+      const PlaneGroup& group = arrangement_.groups[use.group];
+      const CellEdge& e = group.cells.edges[use.edge];
+      const bool up = arrangement_.point(group, e.a) < arrangement_.point(group, e.b);
+      const std::uint32_t left = up ? e.left : e.right, right = up ? e.right : e.left;
+      add_wall(group, true, left);
+      add_wall(group, false, right);
     }
-    return numbered();
+    if (walls_.size() > 2) sort_around(arrangement_.edge_ends[edge]);
+    for (std::size_t k = 0; k < walls_.size(); ++k) {
+      const std::uint32_t x = looking(walls_[k], true), y = looking(walls_[(k + 1) % walls_.size()], false);
+      if (x != y) joins.push_back({x, y});
+    }
   }
 
  private:
   std::uint32_t covered() const { return arrangement_.cell_count; }
-  std::uint32_t root(std::uint32_t c) {
-    while (parent_[c] != c) c = parent_[c] = parent_[parent_[c]];
-    return c;
-  }
-  void join(std::uint32_t a, std::uint32_t b) { parent_[root(a)] = root(b); }
-
-  std::vector<EdgeSide> edge_sides() const {
-    std::vector<EdgeSide> sides;
-    for (const PlaneGroup& group : arrangement_.groups) {
-      const auto cell = [&](std::uint32_t c) { return c == kNoId ? kNoId : group.first_cell + c; };
-      for (const CellEdge& e : group.cells.edges) {
-        if (e.left == kNoId && e.right == kNoId) continue;
-        const PointId a = arrangement_.point(group, e.a), b = arrangement_.point(group, e.b);
-        if (a < b) sides.push_back({a, b, group.plane, cell(e.left), cell(e.right)});
-        else sides.push_back({b, a, group.plane, cell(e.right), cell(e.left)});
-      }
-    }
-    return sides;
-  }
-
-  void link_edge(std::span<const EdgeSide> sides) {
-    walls_.clear();
-    for (const EdgeSide& s : sides) {
-      if (s.left != kNoId) walls_.push_back({s.plane, true, s.left});
-      if (s.right != kNoId) walls_.push_back({s.plane, false, s.right});
-    }
-    if (walls_.size() > 2 || (walls_.size() == 2 && sides.size() == 1)) sort_around(sides[0]);
-    for (std::size_t k = 0; k < walls_.size(); ++k) {
-      const std::uint32_t x = looking(walls_[k], true), y = looking(walls_[(k + 1) % walls_.size()], false);
-      join(x, y);
-    }
+  void add_wall(const PlaneGroup& group, bool left, std::uint32_t cell) {
+    if (cell != kNoId && facing_[group.first_cell + cell] != kNoWall)
+      walls_.push_back({group.plane, left, group.first_cell + cell});
   }
   /// The cell whose free side looks counter-clockwise (or clockwise) around the edge from the wall, or what is covered.
   std::uint32_t looking(const Wall& wall, bool counter_clockwise) const {
@@ -87,8 +55,8 @@ class Linker {
   }
 
   /// Counter-clockwise seen against the way from a to b.
-  void sort_around(const EdgeSide& edge) {
-    const Approx &a = arrangement_.points.approx(edge.a), &b = arrangement_.points.approx(edge.b);
+  void sort_around(const std::array<PointId, 2>& edge) {
+    const Approx &a = arrangement_.points.approx(edge[0]), &b = arrangement_.points.approx(edge[1]);
     const Vec3 d = b.at - a.at;
     axis_ = std::abs(d.x) >= std::abs(d.y) && std::abs(d.x) >= std::abs(d.z) ? 0
             : std::abs(d.y) >= std::abs(d.z)                                 ? 1
@@ -98,7 +66,7 @@ class Linker {
     if (std::abs(gap) > 2 * (a.radius + b.radius) + space_.span() * 0x1p-50) along_ = gap > 0 ? 1 : -1;
     for (int k = 0; k < 3 && along_ == 0; ++k) {
       axis_ = k;
-      along_ = space_.exact_order(arrangement_.points.source(edge.a), arrangement_.points.source(edge.b), k);
+      along_ = space_.exact_order(arrangement_.points.source(edge[0]), arrangement_.points.source(edge[1]), k);
     }
     const Wall reference = walls_[0];
     const auto sector = [&](const Wall& w) {
@@ -120,31 +88,54 @@ class Linker {
     return s * along_ * (x.left ? 1 : -1) * (y.left ? 1 : -1);
   }
 
-  CellLinks numbered() {
-    CellLinks links;
-    links.patch.assign(arrangement_.cell_count, kNoId);
-    std::vector<std::uint32_t> index(parent_.size(), kNoId);
-    for (std::uint32_t c = 0; c < arrangement_.cell_count; ++c) {
-      const std::uint32_t r = root(c);
-      if (r == root(covered())) continue;
-      if (index[r] == kNoId) index[r] = links.patches++;
-      links.patch[c] = index[r];
-    }
-    return links;
-  }
-
   const SumSpace& space_;
   const SolidArrangement& arrangement_;
-  std::vector<std::uint32_t> parent_;
-  std::vector<std::int8_t> facing_;  // 1 where the free side is the normal's, -1 the other one, 0 none
+  const std::vector<std::int8_t>& facing_;
   std::vector<Wall> walls_;
   int axis_ = 0, along_ = 0;
 };
 
 }  // namespace
 
-CellLinks link_cells(const SumSpace& space, const SolidArrangement& arrangement) {
-  return Linker(space, arrangement).run();
+CellLinks link_cells(const SumSpace& space, const SolidArrangement& arrangement, StageWatch& watch) {
+  const std::uint32_t covered = arrangement.cell_count;
+  std::vector<std::int8_t> facing;  // 1 where the free side is the normal's, -1 the other one, 0 none
+  facing.reserve(covered);
+  for (const PlaneGroup& group : arrangement.groups)
+    for (const Cell& cell : group.cells.cells)
+      facing.push_back(cell.front > 0 ? cell.back > 0 ? 0 : 1 : cell.back > 0 ? -1 : kNoWall);
+
+  constexpr std::size_t kPart = 2048;
+  const std::size_t edges = arrangement.edge_ends.size();
+  std::vector<std::vector<std::array<std::uint32_t, 2>>> joins((edges + kPart - 1) / kPart);
+  watch.run(joins.size(), [&](std::size_t part) {
+    Wedges wedges(space, arrangement, facing);
+    for (std::size_t e = part * kPart; e < std::min(edges, (part + 1) * kPart); ++e)
+      wedges.link_edge(static_cast<std::uint32_t>(e), joins[part]);
+  });
+
+  std::vector<std::uint32_t> parent(covered + 1);
+  std::iota(parent.begin(), parent.end(), 0u);
+  const auto root = [&](std::uint32_t c) {
+    while (parent[c] != c) c = parent[c] = parent[parent[c]];
+    return c;
+  };
+  for (std::uint32_t c = 0; c < covered; ++c)
+    if (facing[c] == 0) parent[root(c)] = root(covered);
+  for (const auto& part : joins)
+    for (const auto& [x, y] : part) parent[root(x)] = root(y);
+
+  CellLinks links;
+  links.patch.assign(covered, kNoId);
+  std::vector<std::uint32_t> index(parent.size(), kNoId);
+  const std::uint32_t buried = root(covered);
+  for (std::uint32_t c = 0; c < covered; ++c) {
+    const std::uint32_t r = root(c);
+    if (r == buried || facing[c] == kNoWall) continue;
+    if (index[r] == kNoId) index[r] = links.patches++;
+    links.patch[c] = index[r];
+  }
+  return links;
 }
 
 }  // namespace dymsum::spatial

@@ -21,7 +21,8 @@ struct CellLinks {
   std::uint32_t patches = 0;
 };
 
-/// Statement and proof: docs/design/solid-sum.md, "Links". A cell that facets of both directions cover has no patch.
-CellLinks link_cells(const SumSpace& space, const SolidArrangement& arrangement);
+/// Statement and proof: docs/design/solid-sum.md, "Links". A cell that facets of both directions cover has no patch,
+/// and one of neither is looked through.
+CellLinks link_cells(const SumSpace& space, const SolidArrangement& arrangement, StageWatch& watch);
 
 }  // namespace dymsum::spatial

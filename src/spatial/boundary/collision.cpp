@@ -18,6 +18,26 @@ std::vector<Box> boxes_of(const std::vector<Vec3>& at, const std::vector<Triangl
   return boxes;
 }
 
+std::vector<Box> segment_boxes(const std::vector<Vec3>& at, const SolidOperand& solid, double radius) {
+  std::vector<Box> boxes;
+  for (const std::uint32_t w : solid.segments) {
+    Box box;
+    box.add(at[solid.wedges[w].from]), box.add(at[solid.wedges[w].to]);
+    box.grow(radius);
+    boxes.push_back(box);
+  }
+  return boxes;
+}
+
+std::vector<Box> point_boxes(const std::vector<Vec3>& at, const SolidOperand& solid, double radius) {
+  std::vector<Box> boxes;
+  for (const std::uint32_t v : solid.points) {
+    boxes.emplace_back().add(at[v]);
+    boxes.back().grow(radius);
+  }
+  return boxes;
+}
+
 /// An end of the stretch that a triangle has on another one's plane: on the border from corner k to k + 1, along which
 /// the height rises by the sign `rise`.
 struct End {
@@ -49,19 +69,26 @@ std::optional<Chord> chord(const int (&s)[3]) {
 
 }  // namespace
 
-Collision::Collision(const SumSpace& space, const SolidOperand& p, const SolidOperand& q)
+Collision::Collision(const SumSpace& space, const SolidOperand& p, const SolidOperand& q, const InnerCells* inner)
     : space_(space),
       p_(p),
       q_(q),
       p_tree_(boxes_of(space.p(), p.triangles, space.sum_radius())),
-      q_tree_(boxes_of(space.q(), q.triangles, space.sum_radius())) {}
+      q_tree_(boxes_of(space.q(), q.triangles, space.sum_radius())),
+      p_segments_(segment_boxes(space.p(), p, space.sum_radius())),
+      q_segments_(segment_boxes(space.q(), q, space.sum_radius())),
+      p_points_(point_boxes(space.p(), p, space.sum_radius())),
+      q_points_(point_boxes(space.q(), q, space.sum_radius())),
+      inner_(inner) {}
 
 bool Collision::meets(const Flag& x) const {
   tests_.fetch_add(1, std::memory_order_relaxed);
   const Query query(space_, x);
+  if (inner_ != nullptr && inner_->hold(query.box())) return true;
   if (p_tree_.any_reflected_pair(q_tree_, query.box(),
                                  [&](std::uint32_t i, std::uint32_t j) { return triangles_meet(query, i, j); }))
     return true;
+  if (segments_cross(query)) return true;
   for (const std::uint32_t v : p_.shell_vertex)
     if (vertex_inside(query, Way::Of::q, v)) return true;
   for (const std::uint32_t v : q_.shell_vertex)

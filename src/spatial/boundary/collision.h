@@ -1,26 +1,37 @@
 // Whether P overlaps x - Q: whether a position x lies in the open sum.
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "spatial/convolution/inner_cells.h"
 #include "spatial/convolution/solid_operand.h"
 #include "spatial/convolution/sum_space.h"
 #include "spatial/mesh/box_tree.h"
 
 namespace dymsum::spatial {
 
+struct Feature;
+
 class Collision {
  public:
-  Collision(const SumSpace& space, const SolidOperand& p, const SolidOperand& q);
+  /// `inner` answers for positions deep inside; where it is given it has to live as long.
+  Collision(const SumSpace& space, const SolidOperand& p, const SolidOperand& q, const InnerCells* inner = nullptr);
 
   /// Whether P meets x - Q. For positions at which the solids do not touch without overlapping, as for all off the
   /// facets of the convolution, that is whether they overlap. Exact.
   bool meets(const Flag& x) const;
 
-  /// Whether the interiors of P and x - Q overlap, for any x, also where the solids touch. Exact.
+  /// Whether the interiors of P and x - Q overlap, for any x, also where the solids touch; of thin parts: whether they
+  /// meet the other one's interior. Exact.
   bool overlaps(const Flag& x) const;
 
+  /// Whether they meet or touch, for any x. Requires that one of them has no thin parts. Exact.
+  bool touches(const Flag& x) const;
+
   std::uint64_t tests() const { return tests_; }
+  const SolidOperand& p() const { return p_; }
+  const SolidOperand& q() const { return q_; }
 
  private:
   struct Query;
@@ -30,6 +41,16 @@ class Collision {
   void touch_vertices(const Query& query, std::uint32_t i, std::uint32_t j, const int (&sa)[3], const int (&sc)[3],
                       std::vector<Touch>& touches) const;
   void touch_edges(const Query& query, std::uint32_t i, std::uint32_t j, std::vector<Touch>& touches) const;
+  std::optional<Feature> place(const Query& query, Way::Of of, std::uint32_t triangle, std::uint32_t vertex) const;
+  bool segment_crosses(const Query& query, Way::Of of, std::uint32_t wedge, std::uint32_t triangle) const;
+  bool segments_cross(const Query& query) const;
+  std::vector<Touch> all_touches(const Query& query) const;
+  void add_thin_touches(const Query& query, std::vector<Touch>& touches) const;
+  void touch_end(const Query& query, Way::Of of, std::uint32_t vertex, std::uint32_t triangle,
+                 std::vector<Touch>& touches) const;
+  void touch_segment(const Query& query, Way::Of of, std::uint32_t wedge, std::uint32_t triangle,
+                     std::vector<Touch>& touches) const;
+  bool inside_segment(const Query& query, Way::Of of, std::uint32_t wedge, std::uint32_t vertex) const;
   void heights(const Query& query, std::uint32_t i, std::uint32_t j, int (&sa)[3], int (&sc)[3]) const;
   bool triangles_meet(const Query& query, std::uint32_t i, std::uint32_t j) const;
   bool vertex_inside(const Query& query, Way::Of of, std::uint32_t v) const;
@@ -37,6 +58,8 @@ class Collision {
   const SumSpace& space_;
   const SolidOperand &p_, &q_;
   BoxTree p_tree_, q_tree_;
+  BoxTree p_segments_, q_segments_, p_points_, q_points_;  // in the order of the operands' lists
+  const InnerCells* inner_;
   mutable std::atomic<std::uint64_t> tests_{0};
 };
 

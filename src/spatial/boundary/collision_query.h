@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "spatial/boundary/collision.h"
+#include "spatial/boundary/contact_cones.h"
 
 namespace dymsum::spatial {
 
@@ -15,7 +16,14 @@ struct Collision::Query {
   const Flag& flag;
   Approx at;
 
-  Query(const SumSpace& s, const Flag& x) : space(s), flag(x), at(s.approximate(x.at)) {}
+  /// A sum in exact doubles, without steps.
+  bool plain;
+
+  Query(const SumSpace& s, const Flag& x)
+      : space(s),
+        flag(x),
+        at(s.approximate(x.at)),
+        plain(x.at.kind == PointSource::Kind::sum && x.way == 0 && x.left == 0 && x.side == 0) {}
 
   /// Where x is.
   Box box() const {
@@ -31,11 +39,26 @@ struct Collision::Query {
     const Vec3 n = cross(u, v), gap = at.at - space.approx(plane.at);
     const double U = sum_of_sizes(u) + 4 * r, V = sum_of_sizes(v) + 4 * r, W = sum_of_sizes(gap) + at.radius + 4 * r;
     const double value = dot(n, gap);
+    if (plain && space.computed_exactly(U, V, W)) return value == 0 ? 0 : (value > 0) != plane.reversed ? 1 : -1;
     const double error =
         U * V * W * 0x1p-48 + 8 * r * (U * V + V * W + U * W) + U * V * (at.radius + space.span() * 0x1p-52);
     if (value > error || value < -error) return (value > 0) != plane.reversed ? 1 : -1;
     return space.exact_side(plane, flag);
   }
 };
+
+/// Where P and x - Q touch.
+struct Collision::Touch {
+  Feature p, q;
+  friend auto operator<=>(const Touch&, const Touch&) = default;
+};
+
+/// An axis that does not lie in the plane of two directions; -1 where they are parallel.
+inline int axis_across(const SumSpace& space, Way u, Way v) {
+  for (std::uint32_t axis = 0; axis < 3; ++axis)
+    if (space.det(u, v, {Way::Of::axis, axis, 0}) != 0) return static_cast<int>(axis);
+  return -1;
+}
+inline Vec3 axis_vector(int axis) { return {axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0}; }
 
 }  // namespace dymsum::spatial

@@ -20,17 +20,21 @@ struct Sector {
   int sign = 1;
 };
 
-/// The local cone of P, or of -Q, at a feature.
+/// The local cone of P, or of -Q, at a feature: of its solid parts, or of its thin ones, which have no inside.
 class Cone {
  public:
-  Cone(const SumSpace& space, const SolidOperand& solid, bool reflected, Feature at)
+  Cone(const SumSpace& space, const SolidOperand& solid, bool reflected, Feature at, bool thin)
       : space_(space), solid_(solid), of_(reflected ? Way::Of::q : Way::Of::p), sign_(reflected ? -1 : 1), at_(at) {
+    const auto is_wanted = [&](std::uint32_t triangle) { return (triangle >= solid.first_plate) == thin; };
+    if (thin) add_segments();
     if (at.kind == Feature::Kind::triangle) {
+      if (!is_wanted(at.index)) return;
       // A plane: three sectors between the directions of the triangle's sides.
       const Triangle& t = solid.triangles[at.index];
       for (int k = 0; k < 3; ++k) add(at.index, way(t[k], t[(k + 1) % 3]), way(t[(k + 1) % 3], t[(k + 2) % 3]));
     } else if (at.kind == Feature::Kind::wedge) {
       const Wedge& w = solid.wedges[at.index];
+      if (w.is_segment() || !is_wanted(w.left)) return;
       add(w.left, way(w.from, w.to), way(w.from, w.left_apex));
       add(w.left, way(w.from, w.left_apex), way(w.to, w.from));
       add(w.right, way(w.to, w.from), way(w.from, w.right_apex));
@@ -38,12 +42,15 @@ class Cone {
     } else {
       for (std::uint32_t c = solid.corner_begin[at.index]; c < solid.corner_begin[at.index + 1]; ++c) {
         const std::uint32_t t = solid.corners[c] / 3, k = solid.corners[c] % 3;
+        if (!is_wanted(t)) continue;
         add(t, way(at.index, solid.triangles[t][(k + 1) % 3]), way(at.index, solid.triangles[t][(k + 2) % 3]));
       }
     }
   }
 
   const std::vector<Sector>& sectors() const { return sectors_; }
+  /// Segments by themselves.
+  const std::vector<Ray>& rays() const { return rays_; }
 
   /// Whether a direction that is not on the boundary points into the cone.
   bool holds(Ray d) const {
@@ -56,10 +63,24 @@ class Cone {
   }
 
   /// Of the sector's outward normal times d.
-  int side(const Sector& s, Ray d) const { return s.sign * d.sign * space_.exact_det(s.u, s.v, d.way); }
+  int side(const Sector& s, Ray d) const { return s.sign * d.sign * space_.det(s.u, s.v, d.way); }
 
  private:
   Way way(std::uint32_t from, std::uint32_t to) const { return {of_, from, to}; }
+
+  void add_segments() {
+    const bool at_vertex = at_.kind == Feature::Kind::vertex;
+    if (at_.kind == Feature::Kind::wedge && solid_.wedges[at_.index].is_segment()) {
+      const Wedge& w = solid_.wedges[at_.index];
+      rays_.push_back({way(w.from, w.to), 1});
+      rays_.push_back({way(w.from, w.to), -1});
+    }
+    for (std::size_t k = 0; at_vertex && k < solid_.segments.size(); ++k) {
+      const Wedge& w = solid_.wedges[solid_.segments[k]];
+      if (w.from == at_.index) rays_.push_back({way(w.from, w.to), sign_});
+      if (w.to == at_.index) rays_.push_back({way(w.to, w.from), sign_});
+    }
+  }
 
   void add(std::uint32_t triangle, Way from, Way to) {
     const Triangle& t = solid_.triangles[triangle];
@@ -76,9 +97,9 @@ class Cone {
     const int sign = d.sign * sign_;
     const std::uint32_t v = at_.index;
     const auto order = [&](Way u, Way w, std::uint32_t from) {  // of (u x w) . (vertex + d - from)
-      const int s = from == v ? 0 : space_.exact_det(u, w, way(from, v));
+      const int s = from == v ? 0 : space_.det(u, w, way(from, v));
       if (s != 0) return s;
-      return sign * space_.exact_det(u, w, d.way);
+      return sign * space_.det(u, w, d.way);
     };
     bool inside = false;
     for (const Triangle& t : solid_.triangles) {
@@ -88,11 +109,11 @@ class Cone {
         const Way u = way(a, b), up{Way::Of::axis, 2, 0};
         turn[k] = order(u, up, a);
         for (std::uint32_t axis = 0; axis < 2 && turn[k] == 0; ++axis)
-          turn[k] = space_.exact_det(u, up, {Way::Of::axis, axis, 0});
+          turn[k] = space_.det(u, up, {Way::Of::axis, axis, 0});
       }
       if (turn[0] == 0 || turn[0] != turn[1] || turn[1] != turn[2]) continue;
       const Way u = way(t[0], t[1]), w = way(t[0], t[2]);
-      const int up = space_.exact_det(u, w, {Way::Of::axis, 2, 0});
+      const int up = space_.det(u, w, {Way::Of::axis, 2, 0});
       if (order(u, w, t[0]) * up < 0) inside = !inside;
     }
     return inside;
@@ -104,6 +125,7 @@ class Cone {
   int sign_;
   Feature at_;
   std::vector<Sector> sectors_;
+  std::vector<Ray> rays_;
 };
 
 /// A half-plane of a cone's boundary at a common ray: to the left of the ray seen against the outward normal, or to the
@@ -134,8 +156,27 @@ class Overlap {
     return false;
   }
 
+  /// Whether the second cone, a thin one, meets the inside of the first one: at a ray of either, or where sectors
+  /// cross. A sector that runs along the first one's boundary leaves it at such a ray.
+  bool thin_meets() {
+    const Cone &solid = *cone_[0], &thin = *cone_[1];
+    for (const Ray r : thin.rays())
+      if (!on_boundary(0, r) && solid.holds(r)) return true;
+    for (const Sector& s : solid.sectors()) {
+      for (const Sector& t : thin.sectors())
+        if (cross(s, t)) return true;
+      if (on_boundary(1, s.from) && thin_meets_around(s.from)) return true;
+    }
+    for (const Sector& t : thin.sectors()) {
+      for (const Ray r : {t.from, t.to}) {
+        if (on_boundary(0, r) ? thin_meets_around(r) : solid.holds(r)) return true;
+      }
+    }
+    return false;
+  }
+
  private:
-  int side(const Sector& s, Ray d) const { return s.sign * d.sign * space_.exact_det(s.u, s.v, d.way); }
+  int side(const Sector& s, Ray d) const { return s.sign * d.sign * space_.det(s.u, s.v, d.way); }
 
   /// Whether the insides of both sectors cross.
   bool cross(const Sector& s, const Sector& t) const {
@@ -167,7 +208,8 @@ class Overlap {
     return false;
   }
 
-  bool overlap_around(Ray r) {
+  /// The walls of both cones at a common ray, counter-clockwise around it.
+  void collect_walls(Ray r) {
     walls_.clear();
     for (int c = 0; c < 2; ++c) {
       for (const Sector& s : cone_[c]->sectors()) {
@@ -176,20 +218,24 @@ class Overlap {
         if (at == 3 || at == 2) walls_.push_back({&s, false, c});
       }
     }
-    const ConeWall reference = walls_[0];
-    const auto sector = [&](const ConeWall& w) {
-      const int t = turn(r, reference, w);
-      return t > 0 ? 1 : t < 0 ? 3 : same_side(reference, w) ? 0 : 2;
-    };
-    const auto before = [&](const ConeWall& x, const ConeWall& y) {
-      const int a = sector(x), b = sector(y);
-      if (a != b) return a < b;
-      return (a == 1 || a == 3) && turn(r, x, y) > 0;
-    };
-    std::stable_sort(walls_.begin(), walls_.end(), before);
-    // Counter-clockwise of a right half lies the inside of its cone. Twice around, so that the state before the first
-    // wall is known.
-    bool inside[2] = {false, false}, known[2] = {false, false};
+    reference_ = walls_[0];
+    std::stable_sort(walls_.begin(), walls_.end(),
+                     [&](const ConeWall& x, const ConeWall& y) { return before(r, x, y); });
+  }
+  int sector(Ray r, const ConeWall& w) const {
+    const int t = turn(r, reference_, w);
+    return t > 0 ? 1 : t < 0 ? 3 : same_side(reference_, w) ? 0 : 2;
+  }
+  bool before(Ray r, const ConeWall& x, const ConeWall& y) const {
+    const int a = sector(r, x), b = sector(r, y);
+    if (a != b) return a < b;
+    return (a == 1 || a == 3) && turn(r, x, y) > 0;
+  }
+  /// f(enters, leaves) for the walls in every half-plane around r, twice around, so that the state before the first
+  /// wall is known: counter-clockwise of a right half lies the inside of its cone. Whether f ever says true.
+  template <class F>
+  bool any_around(Ray r, F f) {
+    collect_walls(r);
     for (std::size_t k = 0; k < 2 * walls_.size();) {
       std::size_t last = k;
       bool enters[2] = {false, false}, leaves[2] = {false, false};
@@ -197,15 +243,32 @@ class Overlap {
         const ConeWall& w = walls_[last % walls_.size()];
         (w.left ? leaves : enters)[w.cone] = true;
         ++last;
-      } while (last % walls_.size() != 0 && !before(walls_[k % walls_.size()], walls_[last % walls_.size()]));
+      } while (last % walls_.size() != 0 && !before(r, walls_[k % walls_.size()], walls_[last % walls_.size()]));
+      if (f(enters, leaves)) return true;
+      k = last;
+    }
+    return false;
+  }
+
+  bool overlap_around(Ray r) {
+    bool inside[2] = {false, false}, known[2] = {false, false};
+    return any_around(r, [&](const bool(&enters)[2], const bool(&leaves)[2]) {
       for (int c = 0; c < 2; ++c) {
         if (enters[c]) inside[c] = known[c] = true;
         else if (leaves[c]) inside[c] = false, known[c] = true;
       }
-      if (known[0] && known[1] && inside[0] && inside[1]) return true;
-      k = last;
-    }
-    return false;
+      return known[0] && known[1] && inside[0] && inside[1];
+    });
+  }
+  bool thin_meets_around(Ray r) {
+    bool inside = false;
+    return any_around(r, [&](const bool(&enters)[2], const bool(&leaves)[2]) {
+      if (enters[0] || leaves[0]) {
+        inside = enters[0];
+        return false;
+      }
+      return inside && (enters[1] || leaves[1]);
+    });
   }
 
   /// Of the turn around r from one half-plane to another: r . (n x m), as for walls at an edge.
@@ -225,13 +288,17 @@ class Overlap {
   const SumSpace& space_;
   const Cone* cone_[2];
   std::vector<ConeWall> walls_;
+  ConeWall reference_{};
 };
 
 }  // namespace
 
 bool cones_overlap(const SumSpace& space, const SolidOperand& p, Feature at_p, const SolidOperand& q, Feature at_q) {
-  const Cone a(space, p, false, at_p), b(space, q, true, at_q);
-  return Overlap(space, a, b).run();
+  const Cone a(space, p, false, at_p, false), b(space, q, true, at_q, false);
+  const bool solid_a = !a.sectors().empty(), solid_b = !b.sectors().empty();
+  if (solid_a && solid_b && Overlap(space, a, b).run()) return true;
+  if (solid_a && q.has_thin() && Overlap(space, a, Cone(space, q, true, at_q, true)).thin_meets()) return true;
+  return solid_b && p.has_thin() && Overlap(space, b, Cone(space, p, false, at_p, true)).thin_meets();
 }
 
 }  // namespace dymsum::spatial

@@ -17,8 +17,8 @@ struct Feature {
   friend auto operator<=>(const Feature&, const Feature&) = default;
 };
 
-/// Whether the interiors of P's cone at feature p and of the cone of -Q at feature -q overlap, both with one apex.
-/// Exact. O(k l) for k and l triangles there.
+/// Whether the interiors of P's cone at feature p and of the cone of -Q at feature -q overlap, both with one apex; of
+/// thin parts there, whether they meet the other one's interior. Exact. O(k l) for k and l triangles there.
 bool cones_overlap(const SumSpace& space, const SolidOperand& p, Feature at_p, const SolidOperand& q, Feature at_q);
 
 }  // namespace dymsum::spatial

@@ -13,34 +13,26 @@
 
 namespace dymsum::spatial {
 
-struct Collision::Touch {
-  Feature p, q;
-  friend auto operator<=>(const Touch&, const Touch&) = default;
-};
-
 namespace {
-
-int axis_across(const SumSpace& space, Way u, Way v) {
-  for (std::uint32_t axis = 0; axis < 3; ++axis)
-    if (space.exact_det(u, v, {Way::Of::axis, axis, 0}) != 0) return static_cast<int>(axis);
-  return -1;
-}
 
 void mark(const SolidOperand& solid, Feature f, std::vector<bool>& shells) {
   if (f.kind == Feature::Kind::triangle) shells[solid.shell[f.index]] = true;
-  if (f.kind == Feature::Kind::wedge) shells[solid.shell[solid.wedges[f.index].left]] = true;
+  if (f.kind == Feature::Kind::wedge) {
+    const Wedge& w = solid.wedges[f.index];
+    shells[w.is_segment() ? solid.thin_shell[w.from] : solid.shell[w.left]] = true;
+  }
   if (f.kind != Feature::Kind::vertex) return;
+  if (solid.has_thin() && solid.thin_shell[f.index] != Wedge::kNone) shells[solid.thin_shell[f.index]] = true;
   for (std::uint32_t c = solid.corner_begin[f.index]; c < solid.corner_begin[f.index + 1]; ++c)
     shells[solid.shell[solid.corners[c] / 3]] = true;
 }
-
-Vec3 axis_vector(int axis) { return {axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0}; }
 
 }  // namespace
 
 bool Collision::overlaps(const Flag& x) const {
   tests_.fetch_add(1, std::memory_order_relaxed);
   const Query query(space_, x);
+  if (inner_ != nullptr && inner_->hold(query.box())) return true;
   // Deep inside the sum nearly every position shares its witness with the last one.
   thread_local std::array<std::uint32_t, 2> witness{0, 0};
   if (witness[0] < p_.triangles.size() && witness[1] < q_.triangles.size() && pierced(query, witness[0], witness[1]))
@@ -50,14 +42,8 @@ bool Collision::overlaps(const Flag& x) const {
     witness = {i, j};
     return true;
   };
-  if (p_tree_.any_reflected_pair(q_tree_, query.box(), pierces)) return true;
-  std::vector<Touch> touches;
-  p_tree_.any_reflected_pair(q_tree_, query.box(), [&](std::uint32_t i, std::uint32_t j) {
-    add_touches(query, i, j, touches);
-    return false;
-  });
-  std::sort(touches.begin(), touches.end());
-  touches.erase(std::unique(touches.begin(), touches.end()), touches.end());
+  if (p_tree_.any_reflected_pair(q_tree_, query.box(), pierces) || segments_cross(query)) return true;
+  const std::vector<Touch> touches = all_touches(query);
   for (const Touch& t : touches)
     if (cones_overlap(space_, p_, t.p, q_, t.q)) return true;
   // Shells that touch something lie outside up to there. Others are inside or outside as a whole.
@@ -68,6 +54,20 @@ bool Collision::overlaps(const Flag& x) const {
   for (std::size_t k = 0; k < q_touched.size(); ++k)
     if (!q_touched[k] && vertex_inside(query, Way::Of::p, q_.shell_vertex[k])) return true;
   return false;
+}
+
+bool Collision::touches(const Flag& x) const { return overlaps(x) || !all_touches(Query(space_, x)).empty(); }
+
+std::vector<Collision::Touch> Collision::all_touches(const Query& query) const {
+  std::vector<Touch> touches;
+  p_tree_.any_reflected_pair(q_tree_, query.box(), [&](std::uint32_t i, std::uint32_t j) {
+    add_touches(query, i, j, touches);
+    return false;
+  });
+  add_thin_touches(query, touches);
+  std::sort(touches.begin(), touches.end());
+  touches.erase(std::unique(touches.begin(), touches.end()), touches.end());
+  return touches;
 }
 
 namespace {
@@ -110,49 +110,45 @@ void Collision::add_touches(const Query& query, std::uint32_t i, std::uint32_t j
   touch_edges(query, i, j, touches);
 }
 
+/// Where a vertex of the other operand lies on a triangle, in whose plane it is: seen along an axis across that plane,
+/// on which sides of its borders?
+std::optional<Feature> Collision::place(const Query& query, Way::Of of, std::uint32_t t, std::uint32_t v) const {
+  const SolidOperand& solid = of == Way::Of::p ? p_ : q_;
+  const Triangle& tri = solid.triangles[t];
+  const std::vector<Vec3>& at = of == Way::Of::p ? space_.p() : space_.q();
+  const int axis = axis_across(space_, {of, tri[0], tri[1]}, {of, tri[0], tri[2]});
+  int sides[3];
+  for (int k = 0; k < 3; ++k) {
+    const std::uint32_t from = tri[k], to = tri[(k + 1) % 3];
+    const SumPoint sum = of == Way::Of::p ? SumPoint{from, v} : SumPoint{v, from};
+    sides[k] = query.side({sum, {of, from, to}, {Way::Of::axis, static_cast<std::uint32_t>(axis), 0}, false},
+                          at[to] - at[from], axis_vector(axis));
+  }
+  int zeros = 0, sign = 0;
+  for (const int s : sides) {
+    zeros += s == 0;
+    if (s == 0) continue;
+    if (sign != 0 && s != sign) return std::nullopt;
+    sign = s;
+  }
+  if (zeros == 0) return Feature{Feature::Kind::triangle, t};
+  for (int k = 0; k < 3; ++k) {
+    if (zeros == 1 && sides[k] == 0)
+      return Feature{Feature::Kind::wedge, solid.wedge_of[3 * t + static_cast<std::uint32_t>(k)]};
+    if (zeros == 2 && sides[k] == 0 && sides[(k + 1) % 3] == 0) return Feature{Feature::Kind::vertex, tri[(k + 1) % 3]};
+  }
+  return std::nullopt;
+}
+
 void Collision::touch_vertices(const Query& query, std::uint32_t i, std::uint32_t j, const int (&sa)[3],
                                const int (&sc)[3], std::vector<Touch>& touches) const {
-  // A corner of one triangle in the plane of the other one: seen along an axis across that plane, on which sides of its
-  // borders?
-  const auto place = [&](const SolidOperand& solid, std::uint32_t t, Way::Of of,
-                         const auto& sum_with) -> std::optional<Feature> {
-    const Triangle& tri = solid.triangles[t];
-    const std::vector<Vec3>& at = of == Way::Of::p ? space_.p() : space_.q();
-    const int axis = axis_across(space_, {of, tri[0], tri[1]}, {of, tri[0], tri[2]});
-    int sides[3];
-    for (int k = 0; k < 3; ++k) {
-      const std::uint32_t from = tri[k], to = tri[(k + 1) % 3];
-      sides[k] =
-          query.side({sum_with(from), {of, from, to}, {Way::Of::axis, static_cast<std::uint32_t>(axis), 0}, false},
-                     at[to] - at[from], axis_vector(axis));
-    }
-    int zeros = 0, sign = 0;
-    for (const int s : sides) {
-      zeros += s == 0;
-      if (s == 0) continue;
-      if (sign != 0 && s != sign) return std::nullopt;
-      sign = s;
-    }
-    if (zeros == 0) return Feature{Feature::Kind::triangle, t};
-    for (int k = 0; k < 3; ++k) {
-      if (zeros == 1 && sides[k] == 0)
-        return Feature{Feature::Kind::wedge, solid.wedge_of[3 * t + static_cast<std::uint32_t>(k)]};
-      if (zeros == 2 && sides[k] == 0 && sides[(k + 1) % 3] == 0)
-        return Feature{Feature::Kind::vertex, tri[(k + 1) % 3]};
-    }
-    return std::nullopt;
-  };
   const Triangle &a = p_.triangles[i], &c = q_.triangles[j];
   for (int k = 0; k < 3; ++k) {
     if (sa[k] == 0) {
-      const std::uint32_t v = a[k];
-      if (const auto f = place(q_, j, Way::Of::q, [&](std::uint32_t g) { return SumPoint{v, g}; }))
-        touches.push_back({{Feature::Kind::vertex, v}, *f});
+      if (const auto f = place(query, Way::Of::q, j, a[k])) touches.push_back({{Feature::Kind::vertex, a[k]}, *f});
     }
     if (sc[k] == 0) {
-      const std::uint32_t v = c[k];
-      if (const auto f = place(p_, i, Way::Of::p, [&](std::uint32_t e) { return SumPoint{e, v}; }))
-        touches.push_back({*f, {Feature::Kind::vertex, v}});
+      if (const auto f = place(query, Way::Of::p, i, c[k])) touches.push_back({*f, {Feature::Kind::vertex, c[k]}});
     }
   }
 }

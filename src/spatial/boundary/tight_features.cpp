@@ -1,8 +1,10 @@
 #include "spatial/boundary/tight_features.h"
 
 #include <algorithm>
+#include <numeric>
 #include <span>
-#include <tuple>
+
+#include "spatial/boundary/lone_contacts.h"
 
 namespace dymsum::spatial {
 
@@ -14,97 +16,128 @@ struct Trace {
   PlaneId plane, cut;
   std::int8_t way;  ///< 1 where the way from a to b is n x n_cut
   bool full;        ///< all around it in the plane lie facets of one direction, none of the other
+  /// What facets of the plane end there: none; one facet, along the edge of sums `border`; those with a corner at the
+  /// sum that the point is; or something else.
+  enum class End : std::uint8_t { none, border, corner, other } end = End::other;
+  EdgeId border = kNoId;
+  std::uint32_t group = 0;
 };
 
 class Tight {
  public:
   Tight(const SumSpace& space, const SolidArrangement& arrangement, const std::vector<bool>& boundary,
-        const Collision& collision)
+        const Collision& collision, LoneContacts lone, bool every_place, StageWatch& watch)
       : space_(space),
         arrangement_(arrangement),
-        boundary_(boundary),
         collision_(collision),
+        lone_(std::move(lone)),
+        every_place_(every_place),
+        watch_(watch),
+        outside_(boundary),
         touched_(arrangement.points.size()) {}
 
   TightFeatures run() {
     for (const PlaneGroup& group : arrangement_.groups) look_at_cells(group);
-    for (const PlaneGroup& group : arrangement_.groups) collect(group);
-    sort(edges_);
-    for_each_place(edges_, [&](std::span<const Trace> traces) { look_at_edge(traces); });
+    share_ = 1.0 / 3;
+    const auto edges = static_cast<std::uint32_t>(arrangement_.edge_ends.size());
+    std::vector<bool> closed(edges);
+    for (std::uint32_t e = 0; e < edges; ++e) {
+      closed[e] = touches_outside(e);
+      if (closed[e]) touch(e);
+    }
+    for (std::uint32_t e = 0; e < edges; ++e)
+      if (!closed[e]) look_at_edge(e);
     for (const PlaneGroup& group : arrangement_.groups) look_at_touches(group);
-    sort(points_);
-    for_each_place(points_, [&](std::span<const Trace> traces) { look_at_point(traces); });
+    std::sort(dots_.begin(), dots_.end());
+    share_ = 2.0 / 3;
+    look_at_points();
     return std::move(result_);
   }
 
  private:
-  static void sort(std::vector<Trace>& traces) {
-    std::sort(traces.begin(), traces.end(), [](const Trace& x, const Trace& y) {
-      return std::tie(x.a, x.b, x.plane, x.cut) < std::tie(y.a, y.b, y.plane, y.cut);
-    });
-  }
-  template <class F>
-  static void for_each_place(const std::vector<Trace>& traces, F f) {
-    for (std::size_t first = 0, last = 0; first < traces.size(); first = last) {
-      while (last < traces.size() && traces[last].a == traces[first].a && traces[last].b == traces[first].b) ++last;
-      f(std::span<const Trace>(&traces[first], last - first));
+  /// Whether the closure of a boundary or a tight cell holds an edge.
+  bool touches_outside(std::uint32_t edge) const {
+    for (const EdgeUse use : arrangement_.uses(edge)) {
+      const CellEdge& e = arrangement_.edge(use);
+      const std::uint32_t first = arrangement_.groups[use.group].first_cell;
+      for (const std::uint32_t c : {e.left, e.right})
+        if (c != kNoId && outside_[first + c]) return true;
     }
+    return false;
+  }
+  void touch(std::uint32_t edge) {
+    for (const PointId p : arrangement_.edge_ends[edge]) touched_[p] = true;
   }
 
-  void touch(const PlaneGroup& group, std::uint32_t half_edge) {
-    const CellEdge& e = group.cells.edges[half_edge / 2];
-    touched_[arrangement_.point(group, e.a)] = touched_[arrangement_.point(group, e.b)] = true;
-    closed_.push_back(edge_key(arrangement_.point(group, e.a), arrangement_.point(group, e.b)));
-  }
-  static std::uint64_t edge_key(PointId a, PointId b) {
-    return (static_cast<std::uint64_t>(std::min(a, b)) << 32) | std::max(a, b);
-  }
-
-  /// Cells with facets of both directions; and what the closures of boundary and tight cells touch.
+  /// Cells with facets of both directions.
   void look_at_cells(const PlaneGroup& group) {
     for (std::uint32_t c = 0; c < group.cells.cells.size(); ++c) {
       const Cell& cell = group.cells.cells[c];
-      const std::uint32_t begin = group.cells.loops[cell.first_loop], end = group.cells.loops[cell.last_loop];
-      bool outside = boundary_[group.first_cell + c];
-      if (cell.front > 0 && cell.back > 0) {
-        const std::uint32_t h = group.cells.half_edges[begin];
-        const CellEdge& e = group.cells.edges[h / 2];
-        const PointId at = arrangement_.point(group, h & 1 ? e.b : e.a);
-        const auto way = static_cast<std::int8_t>((e.along ? 1 : -1) * (h & 1 ? -1 : 1));
-        outside = !overlaps({arrangement_.points.source(at), group.plane, e.cut, way, 1, 0});
-        if (outside) result_.cells.push_back(group.first_cell + c);
-      }
-      if (!outside) continue;
-      for (std::uint32_t k = begin; k < end; ++k) touch(group, group.cells.half_edges[k]);
+      if (cell.front == 0 || cell.back == 0) continue;
+      const std::uint32_t h = group.cells.half_edges[group.cells.loops[cell.first_loop]];
+      const CellEdge& e = group.cells.edges[h / 2];
+      const PointId at = arrangement_.point(group, h & 1 ? e.b : e.a);
+      const auto way = static_cast<std::int8_t>((e.along ? 1 : -1) * (h & 1 ? -1 : 1));
+      if (overlaps({arrangement_.points.source(at), group.plane, e.cut, way, 1, 0})) continue;
+      outside_[group.first_cell + c] = true;
+      result_.cells.push_back(group.first_cell + c);
     }
   }
 
   bool overlaps(const Flag& flag) {
-    ++result_.tests;
+    if (++result_.tests % 16 == 0) watch_.ask(share_);
     return collision_.overlaps(flag);
   }
 
-  void collect(const PlaneGroup& group) {
-    const auto facing = [&](std::uint32_t c) {  // 1 or -1 for facets of one direction, else 0
-      if (c == kNoId) return 0;
-      const Cell& cell = group.cells.cells[c];
-      return cell.front > 0 ? cell.back > 0 ? 0 : 1 : -1;
-    };
-    std::vector<Trace> ends;
-    for (const CellEdge& e : group.cells.edges) {
-      const PointId a = arrangement_.point(group, e.a), b = arrangement_.point(group, e.b);
-      const bool full = facing(e.left) != 0 && facing(e.left) == facing(e.right);
-      const auto way = static_cast<std::int8_t>((e.along ? 1 : -1) * (a < b ? 1 : -1));
-      edges_.push_back({std::min(a, b), std::max(a, b), group.plane, e.cut, way, full});
-      ends.push_back({a, a, group.plane, 0, 0, full});
-      ends.push_back({b, b, group.plane, 0, 0, full});
+  /// 1 or -1 for facets of one direction, else 0.
+  static int facing(const PlaneGroup& group, std::uint32_t c) {
+    if (c == kNoId) return 0;
+    const Cell& cell = group.cells.cells[c];
+    return cell.front > 0 ? cell.back > 0 ? 0 : 1 : -1;
+  }
+  static bool is_full(const PlaneGroup& group, const CellEdge& e) {
+    const int left = facing(group, e.left);
+    return left != 0 && left == facing(group, e.right);
+  }
+  static bool single(const PlaneGroup& group, std::uint32_t c) {
+    return c == kNoId || group.cells.cells[c].front + group.cells.cells[c].back == 1;
+  }
+  /// One facet on one side, nothing on the other.
+  static bool one_sided(const PlaneGroup& group, const CellEdge& e) {
+    return (e.left == kNoId) != (e.right == kNoId) && single(group, e.left) && single(group, e.right);
+  }
+  static bool one_border(const CellEdge& e) { return e.border != kNoId && e.border != kManyEdges; }
+
+  Trace edge_trace(std::uint32_t edge, EdgeUse use) const {
+    const PlaneGroup& group = arrangement_.groups[use.group];
+    const CellEdge& e = group.cells.edges[use.edge];
+    const auto [a, b] = arrangement_.edge_ends[edge];
+    const auto way = static_cast<std::int8_t>((e.along ? 1 : -1) * (arrangement_.point(group, e.a) == a ? 1 : -1));
+    Trace trace{a, b, group.plane, e.cut, way, is_full(group, e), Trace::End::other, e.border, use.group};
+    if (one_border(e) && one_sided(group, e)) trace.end = Trace::End::border;
+    return trace;
+  }
+  /// Of the edges of one group at a point.
+  Trace point_trace(PointId at, std::span<const EdgeUse> ends) const {
+    const PlaneGroup& group = arrangement_.groups[ends[0].group];
+    const PointSource& source = arrangement_.points.source(at);
+    const SumPoint sum{source.a, source.b};
+    Trace trace{at, at, group.plane, 0, 0, true, Trace::End::other, kNoId, ends[0].group};
+    bool alone = true, through = true, corner = source.kind == PointSource::Kind::sum;
+    int borders = 0;
+    for (const EdgeUse use : ends) {
+      const CellEdge& e = group.cells.edges[use.edge];
+      trace.full = trace.full && is_full(group, e);
+      alone = alone && single(group, e.left) && single(group, e.right);
+      if (e.border == kNoId) continue;
+      if (borders++ == 0) trace.border = e.border;
+      through = through && e.border == trace.border && one_border(e) && one_sided(group, e);
+      corner = corner && one_border(e) && (space_.edges()[e.border].from == sum || space_.edges()[e.border].to == sum);
     }
-    sort(ends);
-    for_each_place(ends, [&](std::span<const Trace> traces) {
-      Trace trace = traces[0];
-      trace.full = std::all_of(traces.begin(), traces.end(), [](const Trace& t) { return t.full; });
-      points_.push_back(trace);
-    });
+    if (borders == 0) trace.end = trace.full ? Trace::End::none : Trace::End::other;
+    else if (alone && through && borders == 2) trace.end = Trace::End::border;
+    else if (alone && corner) trace.end = Trace::End::corner;
+    return trace;
   }
 
   /// Whether contacts there hold up motion in independent directions only: then what is free is free in a wedge, too.
@@ -116,51 +149,117 @@ class Tight {
     return space_.det(traces[0].plane, traces[1].plane, traces[2].plane) != 0;
   }
 
-  void look_at_edge(std::span<const Trace> traces) {
-    if (!closed_sorted_) {
-      std::sort(closed_.begin(), closed_.end());
-      closed_sorted_ = true;
+  /// Whether all facets there come from one contact, or one and another that holds up motion across it only: the
+  /// solids can be moved apart then, into an open set of positions.
+  bool free_by_itself(std::span<const Trace> traces) {
+    const Trace* plane = nullptr;
+    const Trace* border = nullptr;
+    std::size_t corners = 0;
+    for (const Trace& t : traces) {
+      if (t.end == Trace::End::other) return false;
+      if (t.end == Trace::End::corner) ++corners;
+      if (t.end == Trace::End::none) {
+        if (plane != nullptr) return false;
+        plane = &t;
+      }
+      if (t.end == Trace::End::border) {
+        if (border != nullptr && border->border != t.border) return false;
+        border = &t;
+      }
     }
-    const Trace& t = traces[0];
-    if (std::binary_search(closed_.begin(), closed_.end(), edge_key(t.a, t.b))) return;
-    if (traces.size() < 3 && free_in_a_wedge(traces)) return;
+    if (corners > 0) {
+      const PointSource& at = arrangement_.points.source(traces[0].a);
+      return corners == traces.size() && lone_.corner({at.a, at.b});
+    }
+    if (border == nullptr || !lone_.edge(border->border)) return false;
+    return plane == nullptr || (lone_.crosses(border->border, plane->plane) && lone_group(plane->group));
+  }
+  /// Whether the contacts inside all facets of a group are single points.
+  bool lone_group(std::uint32_t g) {
+    if (lone_groups_.empty()) lone_groups_.assign(arrangement_.groups.size(), 0);
+    if (lone_groups_[g] == 0) {
+      const std::vector<std::uint32_t>& facets = arrangement_.groups[g].facets;
+      lone_groups_[g] =
+          std::all_of(facets.begin(), facets.end(), [&](std::uint32_t f) { return lone_.facet(f); }) ? 2 : 1;
+    }
+    return lone_groups_[g] == 2;
+  }
+
+  void look_at_edge(std::uint32_t edge) {
+    traces_.clear();
+    for (const EdgeUse use : arrangement_.uses(edge)) traces_.push_back(edge_trace(edge, use));
+    if (!every_place_ && ((traces_.size() < 3 && free_in_a_wedge(traces_)) || free_by_itself(traces_))) return;
+    const Trace& t = traces_[0];
     if (overlaps({arrangement_.points.source(t.a), t.plane, t.cut, t.way, 0, 0})) return;
     result_.segments.push_back({t.a, t.b});
-    touched_[t.a] = touched_[t.b] = true;
+    touch(edge);
   }
 
   /// Where facets touch the inside of a cell at a point, the outside may lie in front of that cell.
   void look_at_touches(const PlaneGroup& group) {
     for (const PlaneCells::Touch& t : group.cells.touches) {
       const PointId at = arrangement_.point(group, t.at);
+      dots_.push_back(at);
       for (const std::int8_t side : {std::int8_t{1}, std::int8_t{-1}})
         if (!touched_[at] && !overlaps({arrangement_.points.source(at), group.plane, t.cut, 1, 1, side}))
           touched_[at] = true;
     }
   }
 
-  void look_at_point(std::span<const Trace> traces) {
-    const PointId at = traces[0].a;
-    if (touched_[at] || free_in_a_wedge(traces)) return;
+  /// Of the points that nothing outside is known to touch: all edges at each.
+  void look_at_points() {
+    std::vector<std::uint32_t> begin(arrangement_.points.size() + 1, 0);
+    const auto for_each = [&](auto f) {
+      for (std::uint32_t g = 0; g < arrangement_.groups.size(); ++g) {
+        const PlaneGroup& group = arrangement_.groups[g];
+        for (std::uint32_t e = 0; e < group.cells.edges.size(); ++e)
+          for (const PointId p : {group.cells.edges[e].a, group.cells.edges[e].b})
+            if (const PointId at = arrangement_.point(group, p); !touched_[at]) f(at, EdgeUse{g, e});
+      }
+    };
+    for_each([&](PointId at, EdgeUse) { ++begin[at + 1]; });
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    std::vector<EdgeUse> ends(begin.back());
+    std::vector<std::uint32_t> place(begin.begin(), begin.end() - 1);
+    for_each([&](PointId at, EdgeUse use) { ends[place[at]++] = use; });
+    for (PointId at = 0; at + 1 < begin.size(); ++at)
+      if (begin[at] < begin[at + 1]) look_at_point(at, {ends.data() + begin[at], ends.data() + begin[at + 1]});
+  }
+  void look_at_point(PointId at, std::span<const EdgeUse> ends) {
+    traces_.clear();
+    for (std::size_t first = 0, last = 0; first < ends.size(); first = last) {
+      while (last < ends.size() && ends[last].group == ends[first].group) ++last;
+      traces_.push_back(point_trace(at, ends.subspan(first, last - first)));
+    }
+    // Facets that touch it inside of a cell are in no trace.
+    const bool dot = std::binary_search(dots_.begin(), dots_.end(), at);
+    if (!every_place_ && (free_in_a_wedge(traces_) || (!dot && free_by_itself(traces_)))) return;
     if (!overlaps({arrangement_.points.source(at), 0, 0, 0, 0, 0})) result_.points.push_back(at);
   }
 
   const SumSpace& space_;
   const SolidArrangement& arrangement_;
-  const std::vector<bool>& boundary_;
   const Collision& collision_;
-  std::vector<bool> touched_;          // points in the closure of something outside
-  std::vector<std::uint64_t> closed_;  // edges alike
-  bool closed_sorted_ = false;
-  std::vector<Trace> edges_, points_;
+  LoneContacts lone_;
+  bool every_place_;
+  StageWatch& watch_;
+  std::vector<bool> outside_;              // cells of the boundary, and tight ones
+  std::vector<bool> touched_;              // points in the closure of something outside
+  std::vector<PointId> dots_;              // points that facets touch inside of a cell
+  std::vector<Trace> traces_;              // scratch: of one place
+  std::vector<std::uint8_t> lone_groups_;  // 0 not known yet, 1 no, 2 yes
+  double share_ = 0;
   TightFeatures result_;
 };
 
 }  // namespace
 
-TightFeatures tight_features(const SumSpace& space, const SolidArrangement& arrangement,
-                             const std::vector<bool>& boundary, const Collision& collision) {
-  return Tight(space, arrangement, boundary, collision).run();
+TightFeatures tight_features(const SumSpace& space, const FacetTable& table, const SolidArrangement& arrangement,
+                             const std::vector<bool>& boundary, const Collision& collision, bool every_place,
+                             StageWatch& watch) {
+  return Tight(space, arrangement, boundary, collision, LoneContacts(space, table, collision.p(), collision.q()),
+               every_place, watch)
+      .run();
 }
 
 }  // namespace dymsum::spatial

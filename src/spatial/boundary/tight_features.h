@@ -17,9 +17,11 @@ struct TightFeatures {
   std::uint64_t tests = 0;
 };
 
-/// `boundary` tells of every cell whether it bounds the regular part of the sum's complement. Statement and what is
+/// `boundary` tells of every cell whether it bounds the regular part of the sum's complement. `every_place` leaves out
+/// no test, for reference. Statement and what is
 /// left out without a test: docs/design/solid-sum.md, "Tight features". Exact.
-TightFeatures tight_features(const SumSpace& space, const SolidArrangement& arrangement,
-                             const std::vector<bool>& boundary, const Collision& collision);
+TightFeatures tight_features(const SumSpace& space, const FacetTable& table, const SolidArrangement& arrangement,
+                             const std::vector<bool>& boundary, const Collision& collision, bool every_place,
+                             StageWatch& watch);
 
 }  // namespace dymsum::spatial

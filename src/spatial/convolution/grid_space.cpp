@@ -92,6 +92,8 @@ Vector3<typename GridSpace<C>::Normal> GridSpace<C>::normal(const PlaneSource& s
 template <class C>
 PlaneId GridSpace<C>::add_planes(std::span<const PlaneSource> sources) {
   const auto first = static_cast<PlaneId>(n_.size());
+  const std::size_t all = n_.size() + sources.size();
+  n_.reserve(all), d_.reserve(all), plane_residues_.reserve(all), planes_.reserve(all);
   for (const PlaneSource& source : sources) {
     const auto n = normal(source);
     const Offset d = dot(n, sum(source.at));
@@ -283,6 +285,17 @@ template <class C>
 exact::BigRational GridSpace<C>::exact_coordinate(const PointSource& point, int axis) const {
   return with_point(
       point, [&](const auto& h) { return exact::ratio(exact::to_big(component(h.x, axis)), exact::to_big(h.w)); });
+}
+
+template <class C>
+std::array<exact::BigInteger, 4> GridSpace<C>::homogeneous(const PointSource& point) const {
+  return with_point(point, [&](const auto& h) {
+    std::array<exact::BigInteger, 4> v{exact::to_big(h.x.x).value(), exact::to_big(h.x.y).value(),
+                                       exact::to_big(h.x.z).value(), exact::to_big(h.w).value()};
+    if (v[3].sign() < 0)
+      for (exact::BigInteger& c : v) c = -c;
+    return v;
+  });
 }
 
 template <class C>

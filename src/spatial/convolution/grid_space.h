@@ -45,6 +45,7 @@ class GridSpace final : public SumSpace {
   Approx exact_approximation(const PointSource& point) const override;
   int bits() const override { return bits_; }
   exact::BigRational exact_coordinate(const PointSource& point, int axis) const override;
+  std::array<exact::BigInteger, 4> homogeneous(const PointSource& point) const override;
 
  protected:
   exact::Residue hash_of_zero_weight(const PointSource& point) const override;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "spatial/convolution/direction.h"
 #include "spatial/mesh/box_tree.h"
 
 namespace dymsum::spatial {
@@ -10,19 +11,6 @@ namespace dymsum::spatial {
 namespace {
 
 using EdgeBendSigns = Wedge::Bend;
-
-/// A vector in doubles: within `error` of the exact one in each component, both scaled so that the largest component is
-/// about 1.
-struct Direction {
-  Vec3 v;
-  double error = 0;
-};
-
-Direction scaled(Vec3 v, double error) {
-  const double size = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-  if (!(size > 4 * error)) return {{0, 0, 0}, 4};  // says nothing: every sign is left to integers
-  return {(1 / size) * v, error / size + 0x1p-51};
-}
 
 /// One operand with its normals and edges in doubles.
 struct FacetSide {
@@ -35,38 +23,23 @@ struct FacetSide {
 
   FacetSide(Way::Of which, const SolidOperand& operand, const SumSpace& space) : of(which), solid(operand) {
     const std::vector<Vec3>& at = which == Way::Of::p ? space.p() : space.q();
-    const double each = space.sum_radius();  // of a difference of two vertices, at most twice that
-    const auto difference = [&](std::uint32_t from, std::uint32_t to) { return at[to] - at[from]; };
-    const auto norm = [](Vec3 v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
-    for (const Triangle& t : solid.triangles) {
-      const Vec3 u = difference(t[0], t[1]), v = difference(t[0], t[2]);
-      const double error = norm(u) * norm(v) * 0x1p-50 + 4 * each * (norm(u) + norm(v) + each);
-      normals.push_back(scaled(cross(u, v), error));
-    }
+    const double each = space.sum_radius();
+    for (const Triangle& t : solid.triangles) normals.push_back(normal_direction(at[t[0]], at[t[1]], at[t[2]], each));
     for (std::uint32_t w = 0; w < solid.wedges.size(); ++w) {
       if (solid.wedges[w].bend != EdgeBendSigns::convex) continue;
       convex.push_back(w);
-      const Vec3 d = difference(solid.wedges[w].from, solid.wedges[w].to);
-      edges.push_back(scaled(d, 2 * each + norm(d) * 0x1p-52));
+      edges.push_back(edge_direction(at[solid.wedges[w].from], at[solid.wedges[w].to], each));
     }
     rays.resize(solid.rays.size());
     for (const SupportCone& cone : solid.cones) {
-      for (std::uint32_t k = cone.first; k < cone.last; ++k) {
-        const Vec3 d = difference(cone.vertex, solid.rays[k]);
-        rays[k] = scaled(d, 2 * each + norm(d) * 0x1p-52);
-      }
+      for (std::uint32_t k = cone.first; k < cone.last; ++k)
+        rays[k] = edge_direction(at[cone.vertex], at[solid.rays[k]], each);
     }
   }
 
   Way way(std::uint32_t from, std::uint32_t to) const { return {of, from, to}; }
+  bool is_thin(const Wedge& w) const { return w.is_segment() || w.left >= solid.first_plate; }
 };
-
-/// Of n . d by doubles; 0 where they leave it open.
-int filtered(const Direction& n, const Direction& d) {
-  const double v = dot(n.v, d.v);
-  const double error = 3 * (n.error + d.error + n.error * d.error) + 0x1p-49;
-  return v > error ? 1 : v < -error ? -1 : 0;
-}
 
 int normal_sign(const SumSpace& space, const FacetSide& faces, std::uint32_t triangle, Way d) {
   const Triangle& t = faces.solid.triangles[triangle];
@@ -85,6 +58,10 @@ void add_unit(Box& box, const Direction& d) {
 /// The box of the normals of a convex edge: the shorter arc between those of its faces.
 Box arc_box(const FacetSide& side, const Wedge& w) {
   Box box;
+  if (w.is_segment()) {
+    box.add(Vec3{-1, -1, -1}), box.add(Vec3{1, 1, 1});
+    return box;
+  }
   const Direction &a = side.normals[w.left], &b = side.normals[w.right];
   add_unit(box, a), add_unit(box, b);
   // An arc of angle t bulges over its chord by 1 - cos(t / 2) at most.
@@ -98,6 +75,10 @@ Box arc_box(const FacetSide& side, const Wedge& w) {
 Box cone_box(const FacetSide& side, const SupportCone& cone) {
   Box box;
   const std::uint32_t n = cone.last - cone.first;
+  if (cone.flat) {
+    box.add(Vec3{-1, -1, -1}), box.add(Vec3{1, 1, 1});
+    return box;
+  }
   const auto ray = [&](std::uint32_t k) -> const Direction& { return side.rays[cone.first + k % n]; };
   std::vector<Vec3> corner;
   for (std::uint32_t k = 0; k < n; ++k) {
@@ -129,29 +110,19 @@ Box cone_box(const FacetSide& side, const SupportCone& cone) {
   return box;
 }
 
+/// The facets of some features of one operand with all of the other one.
 class Facets {
  public:
-  Facets(const SumSpace& space, const SolidOperand& p, const SolidOperand& q)
-      : space_(space), p_(Way::Of::p, p, space), q_(Way::Of::q, q, space) {}
+  Facets(const SumSpace& space, const FacetSide& p, const FacetSide& q) : space_(space), p_(p), q_(q) {}
 
-  ReducedConvolution run() {
-    face_vertex(p_, q_, -1);
-    face_vertex(q_, p_, 1);
-    result_.counts.face_vertex = result_.facets.size();
-    edge_edge();
-    result_.counts.edge_edge = result_.facets.size() - result_.counts.face_vertex;
-    return std::move(result_);
-  }
+  ReducedConvolution take() { return std::move(result_); }
 
- private:
   /// Faces of one operand with vertices of the other whose rays all lie below the face's plane, or in it with the
   /// lexicographic sign of `tie`.
-  void face_vertex(const FacetSide& faces, const FacetSide& vertices, int tie) {
-    std::vector<Box> boxes;
-    for (const SupportCone& cone : vertices.solid.cones) boxes.push_back(cone_box(vertices, cone));
-    const BoxTree tree(std::move(boxes));
+  void face_vertex(const FacetSide& faces, const FacetSide& vertices, const BoxTree& tree, int tie, std::uint32_t first,
+                   std::uint32_t last) {
     std::vector<std::uint32_t> found;
-    for (std::uint32_t t = 0; t < faces.solid.triangles.size(); ++t) {
+    for (std::uint32_t t = first; t < last; ++t) {
       Box at;
       add_unit(at, faces.normals[t]);
       at.grow(0x1p-18);
@@ -162,13 +133,27 @@ class Facets {
       });
       std::sort(found.begin(), found.end());
       for (const std::uint32_t cone : found) add_face_vertex(faces, t, vertices.solid.cones[cone].vertex);
+      result_.counts.face_vertex += found.size();
     }
   }
 
+  /// Convex edges of P with those of Q, by the boxes of these.
+  void edge_edge(const BoxTree& tree, std::uint32_t first, std::uint32_t last) {
+    std::vector<std::uint32_t> found;
+    for (std::uint32_t i = first; i < last; ++i) {
+      found.clear();
+      tree.for_each(arc_box(p_, p_.solid.wedges[p_.convex[i]]), [&](std::uint32_t j) { found.push_back(j); });
+      result_.counts.pairs_tried += found.size();
+      std::sort(found.begin(), found.end());
+      for (const std::uint32_t j : found) try_edges(i, j);
+    }
+  }
+
+ private:
   bool supports(const FacetSide& faces, std::uint32_t t, const FacetSide& vertices, const SupportCone& cone,
                 int tie) const {
     for (std::uint32_t k = cone.first; k < cone.last; ++k) {
-      int s = filtered(faces.normals[t], vertices.rays[k]);
+      int s = filtered_sign(faces.normals[t], vertices.rays[k]);
       if (s == 0) {
         const Way d = vertices.way(cone.vertex, vertices.solid.rays[k]);
         s = normal_sign(space_, faces, t, d);
@@ -190,23 +175,9 @@ class Facets {
     result_.planes.push_back({facet.corner[0], faces.way(tri[0], tri[1]), faces.way(tri[0], tri[2]), false});
   }
 
-  void edge_edge() {
-    std::vector<Box> boxes;
-    for (const std::uint32_t w : q_.convex) boxes.push_back(arc_box(q_, q_.solid.wedges[w]));
-    const BoxTree tree(std::move(boxes));
-    std::vector<std::uint32_t> found;
-    for (std::uint32_t i = 0; i < p_.convex.size(); ++i) {
-      found.clear();
-      tree.for_each(arc_box(p_, p_.solid.wedges[p_.convex[i]]), [&](std::uint32_t j) { found.push_back(j); });
-      result_.counts.pairs_tried += found.size();
-      std::sort(found.begin(), found.end());
-      for (const std::uint32_t j : found) try_edges(i, j);
-    }
-  }
-
   /// The sign of face's normal times the other operand's edge.
   int sign_at(const FacetSide& faces, std::uint32_t triangle, const FacetSide& edges, std::uint32_t i) const {
-    const int s = filtered(faces.normals[triangle], edges.edges[i]);
+    const int s = filtered_sign(faces.normals[triangle], edges.edges[i]);
     if (s != 0) return s;
     const Wedge& w = edges.solid.wedges[edges.convex[i]];
     return normal_sign(space_, faces, triangle, edges.way(w.from, w.to));
@@ -216,16 +187,24 @@ class Facets {
     const Wedge &e = p_.solid.wedges[p_.convex[i]], &g = q_.solid.wedges[q_.convex[j]];
     // With n = s (e x g) and d, c from the edges into their faces, n . d <= 0 and n . c <= 0 read, for the faces'
     // normals: s (g . n_left) >= 0 >= s (g . n_right), s (e . m_left) <= 0 <= s (e . m_right).
-    const int a = sign_at(p_, e.left, q_, j), b = sign_at(p_, e.right, q_, j);
-    if (a == b) return;  // both 0: parallel edges
-    const int s = a != 0 ? a : -b;
+    // A segment by itself has no faces, and those of a plate's edge are opposite. All zero: parallel edges, or thin
+    // parts in one plane, which is seen from both sides.
+    const bool bare_e = e.is_segment(), bare_g = g.is_segment();
+    const int a = bare_e ? 0 : sign_at(p_, e.left, q_, j), b = bare_e ? 0 : sign_at(p_, e.right, q_, j);
+    if (a == b && (a != 0 || !p_.is_thin(e))) return;
+    int s = a != 0 ? a : -b;
     if (s * b > 0) return;
-    const int c = sign_at(q_, g.left, p_, i);
+    const int c = bare_g ? 0 : sign_at(q_, g.left, p_, i);
     if (s * c > 0) return;
-    const int d = sign_at(q_, g.right, p_, i);
-    if (s * d < 0 || (c == 0 && d == 0)) return;
+    const int d = bare_g ? 0 : sign_at(q_, g.right, p_, i);
+    if (s == 0) s = c != 0 ? -c : d;
+    if (s == 0 &&
+        space_.exact_dot(p_.way(e.from, e.to), q_.way(g.from, g.to), p_.way(e.from, e.to), q_.way(g.from, g.to)) == 0)
+      return;
+    if (s * c > 0 || s * d < 0) return;
     if ((a == 0 || b == 0 || c == 0 || d == 0) && !ties_hold(e, g, a, b, c, d)) return;
-    add_edge_edge(i, j, s);
+    add_edge_edge(i, j, s != 0 ? s : 1);
+    if (s == 0) add_edge_edge(i, j, -1);
   }
 
   /// Where a face of one edge is coplanar with the facet, the ray of the other edge on its side has to be
@@ -237,10 +216,10 @@ class Facets {
       return space_.exact_dot(faces.way(t[0], t[1]), faces.way(t[0], t[2]), ew, gw);
     };
     const int lex_e = space_.exact_leading(ew), lex_g = space_.exact_leading(gw);
-    if (a == 0 && along(p_, e.left) * lex_g < 0) return false;
-    if (b == 0 && -along(p_, e.right) * lex_g < 0) return false;
-    if (c == 0 && along(q_, g.left) * lex_e < 0) return false;
-    if (d == 0 && -along(q_, g.right) * lex_e < 0) return false;
+    if (!e.is_segment() && a == 0 && along(p_, e.left) * lex_g < 0) return false;
+    if (!e.is_segment() && b == 0 && -along(p_, e.right) * lex_g < 0) return false;
+    if (!g.is_segment() && c == 0 && along(q_, g.left) * lex_e < 0) return false;
+    if (!g.is_segment() && d == 0 && -along(q_, g.right) * lex_e < 0) return false;
     return true;
   }
 
@@ -253,19 +232,65 @@ class Facets {
     facet.p = we, facet.q = wg;
     facet.corner = {SumPoint{e.from, g.from}, {e.to, g.from}, {e.to, g.to}, {e.from, g.to}};
     if (s < 0) std::swap(facet.corner[1], facet.corner[3]);
+    ++result_.counts.edge_edge;
     result_.facets.push_back(facet);
     result_.planes.push_back({facet.corner[0], p_.way(e.from, e.to), q_.way(g.from, g.to), s < 0});
   }
 
   const SumSpace& space_;
-  FacetSide p_, q_;
+  const FacetSide &p_, &q_;
   ReducedConvolution result_;
 };
 
+BoxTree cone_tree(const FacetSide& side) {
+  std::vector<Box> boxes;
+  for (const SupportCone& cone : side.solid.cones) boxes.push_back(cone_box(side, cone));
+  return BoxTree(std::move(boxes));
+}
+BoxTree arc_tree(const FacetSide& side) {
+  std::vector<Box> boxes;
+  for (const std::uint32_t w : side.convex) boxes.push_back(arc_box(side, side.solid.wedges[w]));
+  return BoxTree(std::move(boxes));
+}
+
+void append(ReducedConvolution& all, const ReducedConvolution& some) {
+  all.facets.insert(all.facets.end(), some.facets.begin(), some.facets.end());
+  all.planes.insert(all.planes.end(), some.planes.begin(), some.planes.end());
+  all.counts.face_vertex += some.counts.face_vertex;
+  all.counts.edge_edge += some.counts.edge_edge;
+  all.counts.pairs_tried += some.counts.pairs_tried;
+}
+
 }  // namespace
 
-ReducedConvolution reduced_convolution(const SumSpace& space, const SolidOperand& p, const SolidOperand& q) {
-  return Facets(space, p, q).run();
+ReducedConvolution reduced_convolution(const SumSpace& space, const SolidOperand& p, const SolidOperand& q,
+                                       StageWatch& watch) {
+  const FacetSide a(Way::Of::p, p, space), b(Way::Of::q, q, space);
+  const BoxTree p_cones = cone_tree(a), q_cones = cone_tree(b), q_arcs = arc_tree(b);
+  // Faces of P, faces of Q, edges of P, in parts.
+  constexpr std::uint32_t kPart = 128;
+  const auto parts_of = [](std::size_t n) { return (static_cast<std::uint32_t>(n) + kPart - 1) / kPart; };
+  const std::uint32_t faces_p = parts_of(p.triangles.size()), faces_q = parts_of(q.triangles.size()),
+                      edges = parts_of(a.convex.size());
+  std::vector<ReducedConvolution> parts(faces_p + faces_q + edges);
+  watch.run(parts.size(), [&](std::size_t k) {
+    Facets facets(space, a, b);
+    auto part = static_cast<std::uint32_t>(k);
+    const auto last = [&](std::size_t n) { return std::min(static_cast<std::uint32_t>(n), (part + 1) * kPart); };
+    if (part < faces_p) {
+      facets.face_vertex(a, b, q_cones, -1, part * kPart, last(p.triangles.size()));
+    } else if (part -= faces_p; part < faces_q) {
+      facets.face_vertex(b, a, p_cones, 1, part * kPart, last(q.triangles.size()));
+    } else {
+      part -= faces_q;
+      facets.edge_edge(q_arcs, part * kPart, last(a.convex.size()));
+    }
+    parts[k] = facets.take();
+    watch.hold(parts[k].facets.size() * (sizeof(SumFacet) + sizeof(PlaneSource)));
+  });
+  ReducedConvolution all;
+  for (const ReducedConvolution& part : parts) append(all, part);
+  return all;
 }
 
 }  // namespace dymsum::spatial

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "spatial/convolution/solid_operand.h"
+#include "spatial/convolution/stage_watch.h"
 #include "spatial/convolution/sum_space.h"
 
 namespace dymsum::spatial {
@@ -32,6 +33,7 @@ struct ReducedConvolution {
 
 /// Statement: docs/design/solid-sum.md, "Facets". Exact. Cost: the pairs of faces and vertices, and of edges, whose
 /// sets of normals have overlapping boxes on the sphere of directions.
-ReducedConvolution reduced_convolution(const SumSpace& space, const SolidOperand& p, const SolidOperand& q);
+ReducedConvolution reduced_convolution(const SumSpace& space, const SolidOperand& p, const SolidOperand& q,
+                                       StageWatch& watch);
 
 }  // namespace dymsum::spatial

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "exact/orient3.h"
+#include "spatial/convolution/thin_parts.h"
 
 namespace dymsum::spatial {
 
@@ -144,65 +145,9 @@ void for_each_fan(const SolidOperand& solid, const std::vector<std::uint32_t>& w
   }
 }
 
-/// The extreme rays of the cone that the neighbours of a fan span, as positions in the fan; none where the cone is not
-/// pointed. Wraps it like a gift: from ray to ray, all others to the left.
-std::vector<std::uint32_t> extreme_rays(const SolidOperand& solid, const Fan& fan) {
-  const auto& v = solid.vertices;
-  const Point3& o = v[fan.vertex];
-  const auto det = [&](std::uint32_t i, std::uint32_t j, std::uint32_t k) {
-    return orient3_sign(o, v[fan.neighbours[i]], v[fan.neighbours[j]], v[fan.neighbours[k]]);
-  };
-  const auto n = static_cast<std::uint32_t>(fan.neighbours.size());
-  // Whether j is strictly between i and k in their plane, that is, the triangle o, i, k faces the point j from outside
-  // never: tells by orientation within the plane.
-  const auto turns = [&](std::uint32_t a,
-                         std::uint32_t b) -> int {  // of a x b along an axis where any plane normal shows, see below
-    for (const exact::Axis axis : {exact::Axis::z, exact::Axis::x, exact::Axis::y})
-      if (const int s = exact::normal_sign(o, v[fan.neighbours[a]], v[fan.neighbours[b]], axis)) return s;
-    return 0;
-  };
-  const auto same_turn = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
-    for (const exact::Axis axis : {exact::Axis::z, exact::Axis::x, exact::Axis::y}) {
-      const int s = exact::normal_sign(o, v[fan.neighbours[a]], v[fan.neighbours[b]], axis);
-      if (s != 0) return s == exact::normal_sign(o, v[fan.neighbours[c]], v[fan.neighbours[d]], axis);
-    }
-    return false;
-  };
-  // From ray i the ray with all others on or to the left of the plane through both; among several in that plane the
-  // last one.
-  const auto next = [&](std::uint32_t i) -> std::uint32_t {
-    std::uint32_t best = 0xffffffff;
-    for (std::uint32_t k = 0; k < n; ++k) {
-      if (k == i || turns(i, k) == 0) continue;
-      if (best == 0xffffffff) {
-        best = k;
-        continue;
-      }
-      const int s = det(i, best, k);
-      if (s < 0 || (s == 0 && same_turn(i, best, best, k))) best = k;
-    }
-    if (best == 0xffffffff) return best;
-    for (std::uint32_t k = 0; k < n; ++k) {
-      if (k == i || k == best) continue;
-      if (turns(i, k) == 0) return 0xffffffff;  // the opposite ray: not pointed (equal rays do not occur in a fan)
-      const int s = det(i, best, k);
-      if (s < 0 || (s == 0 && !same_turn(i, best, i, k))) return 0xffffffff;
-    }
-    return best;
-  };
-  for (std::uint32_t start = 0; start < n; ++start) {
-    std::vector<std::uint32_t> rays{start};
-    for (std::uint32_t at = next(start); at != 0xffffffff && rays.size() <= n; at = next(at)) {
-      if (at == start) return rays;
-      rays.push_back(at);
-    }
-  }
-  return {};
-}
-
 void add_cone(SolidOperand& solid, const Fan& fan) {
   const auto bend = [&](std::uint32_t k) { return solid.wedges[fan.wedges[k]].bend; };
-  const std::vector<std::uint32_t> rays = extreme_rays(solid, fan);
+  const std::vector<std::uint32_t> rays = extreme_rays(solid.vertices, fan.vertex, fan.neighbours);
   if (rays.size() < 3) return;
   // The material is on the cone's side where an extreme ray is a convex edge, and on the other side of a pit.
   if (bend(rays[0]) != Bend::convex) return;
@@ -239,19 +184,88 @@ void add_corners(SolidOperand& solid) {
   for (std::uint32_t c = 0; c < solid.corners.size(); ++c) solid.corners[at[solid.triangles[c / 3][c % 3]]++] = c;
 }
 
+/// The triangles of the faces that are not thin.
+Triangles solid_triangles(const MeshData& data, const std::vector<bool>& thin) {
+  Triangles all = triangulated(data), solid;
+  if (thin.empty()) return all;
+  for (std::size_t t = 0; t < all.triangles.size(); ++t) {
+    if (thin[all.face[t]]) continue;
+    solid.triangles.push_back(all.triangles[t]);
+    solid.face.push_back(all.face[t]);
+  }
+  return solid;
+}
+
 }  // namespace
 
-SolidOperand solid_operand(const MeshData& data) {
+// Wraps the cone like a gift: from ray to ray, all others to the left.
+std::vector<std::uint32_t> extreme_rays(const std::vector<Point3>& v, std::uint32_t vertex,
+                                        std::span<const std::uint32_t> neighbours) {
+  const Point3& o = v[vertex];
+  const auto det = [&](std::uint32_t i, std::uint32_t j, std::uint32_t k) {
+    return orient3_sign(o, v[neighbours[i]], v[neighbours[j]], v[neighbours[k]]);
+  };
+  const auto n = static_cast<std::uint32_t>(neighbours.size());
+  // Whether j is strictly between i and k in their plane, that is, the triangle o, i, k faces the point j from outside
+  // never: tells by orientation within the plane.
+  const auto turns = [&](std::uint32_t a,
+                         std::uint32_t b) -> int {  // of a x b along an axis where any plane normal shows, see below
+    for (const exact::Axis axis : {exact::Axis::z, exact::Axis::x, exact::Axis::y})
+      if (const int s = exact::normal_sign(o, v[neighbours[a]], v[neighbours[b]], axis)) return s;
+    return 0;
+  };
+  const auto same_turn = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+    for (const exact::Axis axis : {exact::Axis::z, exact::Axis::x, exact::Axis::y}) {
+      const int s = exact::normal_sign(o, v[neighbours[a]], v[neighbours[b]], axis);
+      if (s != 0) return s == exact::normal_sign(o, v[neighbours[c]], v[neighbours[d]], axis);
+    }
+    return false;
+  };
+  // From ray i the ray with all others on or to the left of the plane through both; among several in that plane the
+  // last one.
+  const auto next = [&](std::uint32_t i) -> std::uint32_t {
+    std::uint32_t best = 0xffffffff;
+    for (std::uint32_t k = 0; k < n; ++k) {
+      if (k == i || turns(i, k) == 0) continue;
+      if (best == 0xffffffff) {
+        best = k;
+        continue;
+      }
+      const int s = det(i, best, k);
+      if (s < 0 || (s == 0 && same_turn(i, best, best, k))) best = k;
+    }
+    if (best == 0xffffffff) return best;
+    for (std::uint32_t k = 0; k < n; ++k) {
+      if (k == i || k == best) continue;
+      if (turns(i, k) == 0) return 0xffffffff;  // the opposite ray: not pointed (equal rays do not occur in a fan)
+      const int s = det(i, best, k);
+      if (s < 0 || (s == 0 && !same_turn(i, best, i, k))) return 0xffffffff;
+    }
+    return best;
+  };
+  for (std::uint32_t start = 0; start < n; ++start) {
+    std::vector<std::uint32_t> rays{start};
+    for (std::uint32_t at = next(start); at != 0xffffffff && rays.size() <= n; at = next(at)) {
+      if (at == start) return rays;
+      rays.push_back(at);
+    }
+  }
+  return {};
+}
+
+SolidOperand solid_operand(const MeshData& data, const std::vector<bool>& thin) {
   SolidOperand solid;
   solid.vertices = data.vertices;
-  Triangles split = triangulated(data);
+  Triangles split = solid_triangles(data, thin);
   solid.triangles = std::move(split.triangles);
   solid.face = std::move(split.face);
+  solid.first_plate = static_cast<std::uint32_t>(solid.triangles.size());
   add_wedges(solid);
   solid.wedge_of = wedge_of_side(solid);
-  add_corners(solid);
   for_each_fan(solid, solid.wedge_of, [&](const Fan& fan) { add_cone(solid, fan); });
   add_shells(solid);
+  if (!thin.empty()) add_thin_parts(solid, data, thin);
+  add_corners(solid);
   return solid;
 }
 

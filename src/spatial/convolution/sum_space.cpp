@@ -58,6 +58,21 @@ int SumSpace::det(PlaneId a, PlaneId b, PlaneId c) const {
   return exact_det(a, b, c);
 }
 
+Vec3 SumSpace::approx(Way w) const {
+  if (w.of == Way::Of::p) return p_[w.to] - p_[w.from];
+  if (w.of == Way::Of::q) return q_[w.to] - q_[w.from];
+  return {w.from == 0 ? 1.0 : 0.0, w.from == 1 ? 1.0 : 0.0, w.from == 2 ? 1.0 : 0.0};
+}
+
+int SumSpace::det(Way u, Way v, Way w) const {
+  const Vec3 a = approx(u), b = approx(v), c = approx(w);
+  const auto size = [&](Vec3 d) { return std::abs(d.x) + std::abs(d.y) + std::abs(d.z) + 4 * sum_radius_; };
+  const double A = size(a), B = size(b), C = size(c), value = dot(cross(a, b), c);
+  if (computed_exactly(A, B, C)) return value > 0 ? 1 : value < 0 ? -1 : 0;
+  const double error = A * B * C * 0x1p-48 + 8 * sum_radius_ * (A * B + B * C + C * A);
+  return value > error ? 1 : value < -error ? -1 : exact_det(u, v, w);
+}
+
 Approx SumSpace::approximate(const PointSource& point) const {
   if (point.kind == PointSource::Kind::sum) return {approx(SumPoint{point.a, point.b}), sum_radius_};
   const double limit = span_ * 0x1p-30;
@@ -183,6 +198,46 @@ std::vector<Residue> SumSpace::plane_hashes(PlaneId first, std::size_t count) co
                           times(times(r.d, i), 0x1b873593cc9e2d51ULL % exact::kResiduePrime)));
   }
   return result;
+}
+
+void SumSpace::line_hashes(PlaneId plane, std::span<const PlaneId> cuts, std::vector<Residue>& hashes) const {
+  // n x m and m d - n d' are the line's coordinates up to one factor: they are divided by the first component of n x m
+  // that is not zero.
+  const PlaneResidue& n = plane_residues_[plane];
+  hashes.resize(cuts.size());
+  thread_local std::vector<std::array<Residue, 2>> values;
+  values.resize(cuts.size());
+  Residue all = 1;
+  for (std::size_t k = 0; k < cuts.size(); ++k) {
+    const PlaneResidue& m = plane_residues_[cuts[k]];
+    Residue way[3], mixed = 0;
+    constexpr Residue kFactor[6] = {1,
+                                    0x1234567890abcdefULL % exact::kResiduePrime,
+                                    0x0fedcba987654321ULL % exact::kResiduePrime,
+                                    0x1b873593cc9e2d51ULL % exact::kResiduePrime,
+                                    0x02d51e1b8735932dULL % exact::kResiduePrime,
+                                    0x0b4c9e2d511b8735ULL % exact::kResiduePrime};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3, l = (i + 2) % 3;
+      way[i] = minus(times(n.n[j], m.n[l]), times(n.n[l], m.n[j]));
+      mixed = plus(mixed, times(way[i], kFactor[i]));
+      mixed = plus(mixed, times(minus(times(m.n[i], n.d), times(n.n[i], m.d)), kFactor[3 + i]));
+    }
+    const Residue lead = way[0] != 0 ? way[0] : way[1] != 0 ? way[1] : way[2];
+    values[k] = {lead, mixed};
+    hashes[k] = all;  // the product of all before
+    if (lead != 0) all = times(all, lead);
+  }
+  Residue back = inverse(all);
+  for (std::size_t k = cuts.size(); k-- > 0;) {
+    const auto [lead, mixed] = values[k];
+    if (lead == 0) {
+      hashes[k] = 0;
+      continue;
+    }
+    hashes[k] = times(mixed, times(back, hashes[k]));
+    back = times(back, lead);
+  }
 }
 
 }  // namespace dymsum::spatial

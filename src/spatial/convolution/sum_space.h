@@ -139,6 +139,10 @@ class SumSpace {
   int side(PlaneId plane, SumPoint point) const;
   int side(PlaneId plane, const PointSource& point, const Approx& approx) const;
   int det(PlaneId a, PlaneId b, PlaneId c) const;
+  int det(Way u, Way v, Way w) const;
+  /// Of a determinant of three vectors with these sums of sizes, computed in doubles from integers: whether no rounding
+  /// took place.
+  bool computed_exactly(double u, double v, double w) const { return sum_radius_ == 0 && u * v * w < 0x1p50; }
 
   /// Doubles for a point; the radius is at most 2^-30 of the span.
   Approx approximate(const PointSource& point) const;
@@ -148,6 +152,8 @@ class SumSpace {
   std::vector<exact::Residue> point_hashes(std::span<const PointSource> points) const;
   /// The same for planes, whatever the side of their normals.
   std::vector<exact::Residue> plane_hashes(PlaneId first, std::size_t count) const;
+  /// The same value for all `cuts` that meet a plane in one line; 0 for what may meet it in any line.
+  void line_hashes(PlaneId plane, std::span<const PlaneId> cuts, std::vector<exact::Residue>& hashes) const;
 
   /// The grid along an axis: a coordinate X of P stands for X 2^exponent + p_offset.
   struct Line {
@@ -160,9 +166,12 @@ class SumSpace {
 
   virtual int bits() const = 0;
   virtual exact::BigRational exact_coordinate(const PointSource& point, int axis) const = 0;
+  /// x, y, z and w > 0: the position on the grid is (x, y, z) / w, not in lowest terms.
+  virtual std::array<exact::BigInteger, 4> homogeneous(const PointSource& point) const = 0;
   std::uint64_t exact_signs() const { return exact_signs_; }
 
  protected:
+  Vec3 approx(Way w) const;
   struct PlaneResidue {
     exact::Residue n[3], d;
   };

@@ -1,15 +1,16 @@
 // Whether a mesh bounds a convex solid.
 //
-// Faces of a mesh meet only where they share an edge or a vertex, and one fan of them goes around every vertex. Where
-// no edge is reflex, small spheres around a point of the surface cut the solid in regions whose border is a simple
-// polygon without reflex corners, and those are convex: the solid is locally convex. A connected closed set that is
-// locally convex is convex (Tietze 1928, Nakajima 1928).
+// Faces of a mesh meet only where they share an edge or a vertex, and each fan of them goes around its vertex once. Where
+// no edge is reflex, a small sphere around a point of the surface cuts the material of a fan in a region whose border is
+// a simple polygon without reflex corners, and that is convex: the surface is locally convex. A connected closed surface
+// that is locally convex bounds a convex solid, also if it were allowed to touch itself (van Heijenoort 1952).
 #include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "spatial/mesh/edge_bend.h"
+#include "spatial/mesh/edge_order.h"
 #include "spatial/mesh/half_edges.h"
 
 namespace dymsum {
@@ -44,8 +45,13 @@ Error bad_edge(const MeshData& data, const HalfEdges& edges, std::uint32_t h, Be
 std::optional<Error> convexity_error(const Mesh& mesh) {
   using namespace spatial;
   if (mesh.empty()) return Error{ErrorCode::no_area, "the mesh is empty", {}};
+  if (mesh.has_thin_parts()) {
+    const std::vector<bool>& thin = mesh.thin_faces();
+    const auto first = std::find(thin.begin(), thin.end(), true) - thin.begin();
+    return not_convex("the mesh has parts without volume", static_cast<std::uint32_t>(first));
+  }
   const MeshData& data = mesh.data();
-  const HalfEdges edges = half_edges(data.faces);
+  const HalfEdges edges = half_edges(data);
   if (mesh.shell_count() > 1) {
     const Shells shells = find_shells(edges);
     const auto second = std::find(shells.of_face.begin(), shells.of_face.end(), 1u);

@@ -11,6 +11,7 @@
 #include "spatial/mesh/mesh_validate.h"
 #include "spatial/mesh/scaled_number.h"
 #include "spatial/mesh/six_volume.h"
+#include "spatial/mesh/thin_faces.h"
 
 namespace dymsum {
 
@@ -26,10 +27,9 @@ MeshData mapped(const Mesh& mesh, F f, bool reverse) {
   return data;
 }
 
-std::size_t half_edge_count(const Mesh& mesh) {
-  std::size_t count = 0;
-  for (const Face& face : mesh.faces()) count += face.size();
-  return count;
+/// Validated as the mesh was.
+Result<Mesh> checked_like(const Mesh& mesh, MeshData data) {
+  return mesh.has_thin_parts() ? Mesh::with_thin_parts(std::move(data)) : Mesh::create(std::move(data));
 }
 
 /// Twice the area of a face whose coordinates are at most 1 in magnitude.
@@ -39,6 +39,7 @@ double doubled_area(const std::vector<Point3>& vertices, const Face& face, int e
     const auto unit = [exponent](double a, double b) { return std::scalbn(a, -exponent) - std::scalbn(b, -exponent); };
     return Point3{unit(p.x, first.x), unit(p.y, first.y), unit(p.z, first.z)};
   };
+  if (face.size() < 3) return 0;
   Point3 sum, a = from_first(face[1]);
   for (std::size_t i = 2; i < face.size(); ++i) {
     const Point3 b = from_first(face[i]);
@@ -61,15 +62,29 @@ spatial::ScaledNumber surface_of(const Mesh& mesh) {
 
 }  // namespace
 
-std::size_t Mesh::edge_count() const { return half_edge_count(*this) / 2; }
+std::size_t Mesh::edge_count() const {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  for (const Face& face : faces()) {
+    for (std::size_t k = 0; face.size() > 1 && k < face.size(); ++k)
+      pairs.push_back(std::minmax(face[k], face[(k + 1) % face.size()]));
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return static_cast<std::size_t>(std::unique(pairs.begin(), pairs.end()) - pairs.begin());
+}
 
-std::size_t Mesh::triangle_count() const { return half_edge_count(*this) - 2 * faces().size(); }
+std::size_t Mesh::triangle_count() const {
+  std::size_t count = 0;
+  for (const Face& face : faces()) count += std::max<std::size_t>(face.size(), 2) - 2;
+  return count;
+}
 
-double volume(const Mesh& mesh) { return exact::round_to_double(spatial::exact_volume(mesh.data())); }
+double volume(const Mesh& mesh) { return exact::round_to_double(spatial::exact_volume(spatial::solid_part(mesh))); }
 
 double surface_area(const Mesh& mesh) { return surface_of(mesh).nearest(); }
 
-std::string volume_text(const Mesh& mesh) { return exact::decimal_text(spatial::exact_volume(mesh.data()), 17); }
+std::string volume_text(const Mesh& mesh) {
+  return exact::decimal_text(spatial::exact_volume(spatial::solid_part(mesh)), 17);
+}
 
 std::string surface_text(const Mesh& mesh) { return surface_of(mesh).text(); }
 
@@ -87,16 +102,16 @@ std::array<double, 6> bounds(const Mesh& mesh) {
 Mesh negated(const Mesh& mesh) {
   // Subtracting from zero leaves no negative zeros. A reflection through a point turns every face over.
   const auto reflect = [](const Point3& p) { return Point3{0 - p.x, 0 - p.y, 0 - p.z}; };
-  return spatial::trusted_mesh(mapped(mesh, reflect, true), mesh.shell_count());
+  return spatial::trusted_mesh(mapped(mesh, reflect, true), mesh.shell_count(), mesh.thin_faces());
 }
 
 Result<Mesh> translated(const Mesh& mesh, double dx, double dy, double dz) {
-  return Mesh::create(mapped(
-      mesh,
-      [=](const Point3& p) {
-        return Point3{p.x + dx, p.y + dy, p.z + dz};
-      },
-      false));
+  return checked_like(mesh, mapped(
+                                mesh,
+                                [=](const Point3& p) {
+                                  return Point3{p.x + dx, p.y + dy, p.z + dz};
+                                },
+                                false));
 }
 
 Result<Mesh> scaled(const Mesh& mesh, double sx, double sy, double sz) {
@@ -105,12 +120,12 @@ Result<Mesh> scaled(const Mesh& mesh, double sx, double sy, double sz) {
     return Error{ErrorCode::unsupported_operand, "a scale factor is zero or not finite", {}};
   }
   const bool reflects = (sx < 0) != ((sy < 0) != (sz < 0));
-  return Mesh::create(mapped(
-      mesh,
-      [=](const Point3& p) {
-        return Point3{p.x * sx, p.y * sy, p.z * sz};
-      },
-      reflects));
+  return checked_like(mesh, mapped(
+                                mesh,
+                                [=](const Point3& p) {
+                                  return Point3{p.x * sx, p.y * sy, p.z * sz};
+                                },
+                                reflects));
 }
 
 }  // namespace dymsum

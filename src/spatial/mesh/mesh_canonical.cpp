@@ -7,8 +7,10 @@
 
 #include "exact/orient3.h"
 #include "spatial/mesh/edge_bend.h"
+#include "spatial/mesh/edge_order.h"
 #include "spatial/mesh/half_edges.h"
 #include "spatial/mesh/mesh_validate.h"
+#include "spatial/mesh/thin_faces.h"
 
 namespace dymsum {
 
@@ -23,7 +25,7 @@ bool less(const Point3& p, const Point3& q) { return std::tie(p.x, p.y, p.z) < s
 /// Faces joined through flat edges, and the outlines of what they cover.
 class FlatGroups {
  public:
-  explicit FlatGroups(const MeshData& data) : data_(data), edges_(half_edges(data.faces)), group_(data.faces.size()) {
+  explicit FlatGroups(const MeshData& data) : data_(data), edges_(half_edges(data)), group_(data.faces.size()) {
     std::iota(group_.begin(), group_.end(), 0u);
     const std::vector<FacePlane> planes = face_planes(data);
     for (std::uint32_t h = 0; h < edges_.size(); ++h) {
@@ -144,6 +146,11 @@ MeshData merged_and_sorted(const MeshData& data) {
 }  // namespace spatial
 
 Mesh Mesh::canonical() const {
+  if (has_thin_parts()) {
+    MeshData sorted = spatial::sorted(data_.vertices, data_.faces);
+    std::vector<bool> thin = spatial::thin_faces(sorted.faces);
+    return spatial::trusted_mesh(std::move(sorted), shells_, std::move(thin));
+  }
   MeshData merged = spatial::merged_and_sorted(data_);
   // Surfaces that touch themselves may lose their validity by merging; they are sorted only.
   if (spatial::validate(merged).error) merged = spatial::sorted(data_.vertices, data_.faces);

@@ -217,7 +217,15 @@ TriangulatedMesh triangulated(const Mesh& mesh) {
   spatial::Triangles all = spatial::triangulated(mesh.data());
   MeshData data{mesh.vertices(), {}};
   for (const spatial::Triangle& t : all.triangles) data.faces.emplace_back(t.begin(), t.end());
-  return {spatial::trusted_mesh(std::move(data), mesh.shell_count()), std::move(all.face)};
+  if (!mesh.has_thin_parts()) return {spatial::trusted_mesh(std::move(data), mesh.shell_count()), std::move(all.face)};
+  for (std::uint32_t f = 0; f < mesh.faces().size(); ++f) {
+    if (mesh.faces()[f].size() >= 3) continue;
+    data.faces.push_back(mesh.faces()[f]);
+    all.face.push_back(f);
+  }
+  std::vector<bool> thin;
+  for (const std::uint32_t f : all.face) thin.push_back(mesh.thin_faces()[f]);
+  return {spatial::trusted_mesh(std::move(data), mesh.shell_count(), std::move(thin)), std::move(all.face)};
 }
 
 }  // namespace dymsum

@@ -1,6 +1,5 @@
 // The named repair of meshes.
 #include <algorithm>
-#include <iterator>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -9,7 +8,7 @@
 
 #include "dymsum/mesh.h"
 #include "exact/orient3.h"
-#include "spatial/mesh/half_edges.h"
+#include "spatial/mesh/edge_order.h"
 #include "spatial/mesh/mesh_validate.h"
 #include "spatial/mesh/shell_nesting.h"
 #include "spatial/mesh/six_volume.h"
@@ -88,22 +87,31 @@ class MeshRepair {
     return !error || error->code != ErrorCode::not_planar;
   }
 
+  /// Bridges to holes, and corners at which a face touches itself.
+  static bool has_vertex_twice(Face face) {
+    std::sort(face.begin(), face.end());
+    return std::adjacent_find(face.begin(), face.end()) != face.end();
+  }
+
+  /// The face as triangles, or the face itself where it is not to be split, or one of them would have no area.
+  std::vector<Face> pieces_of(const Face& face) const {
+    std::vector<Face> pieces;
+    if (face.size() > 3 && (has_vertex_twice(face) || !is_plane(face))) {
+      for (const Triangle& t : triangulated(data_.vertices, face, average_view(data_.vertices, face)))
+        pieces.emplace_back(t.begin(), t.end());
+      if (std::all_of(pieces.begin(), pieces.end(), [&](const Face& f) { return has_area(f); })) return pieces;
+    }
+    return {face};
+  }
+
   void split_faces() {
     std::vector<Face> faces;
     std::vector<std::int64_t> origins;
     for (std::size_t f = 0; f < data_.faces.size(); ++f) {
-      Face& face = data_.faces[f];
-      std::vector<Face> pieces;
-      if (face.size() == 3 || is_plane(face)) {
-        pieces.push_back(std::move(face));
-      } else {
-        ++report_.split_faces;
-        for (const Triangle& t : triangulated(data_.vertices, face, average_view(data_.vertices, face))) {
-          pieces.emplace_back(t.begin(), t.end());
-        }
-      }
+      const std::vector<Face> pieces = pieces_of(data_.faces[f]);
+      report_.split_faces += pieces.size() > 1;
       origins.insert(origins.end(), pieces.size(), face_origin_[f]);
-      std::move(pieces.begin(), pieces.end(), std::back_inserter(faces));
+      faces.insert(faces.end(), pieces.begin(), pieces.end());
     }
     data_.faces = std::move(faces);
     face_origin_ = std::move(origins);
@@ -140,8 +148,8 @@ class MeshRepair {
       turn_over(data_.faces[f]);
       ++report_.reversed_faces;
     }
-    const HalfEdges edges = half_edges(data_.faces);
-    if (std::find(edges.twin.begin(), edges.twin.end(), HalfEdges::kNone) != edges.twin.end()) return;
+    HalfEdges edges = half_edges_without_twins(data_.faces);
+    if (!is_closed(edges)) return;
     const Shells shells = find_shells(edges);
     std::vector<int> signs = shell_signs(data_, shells);
     const std::vector<std::uint32_t> depths = depths_of(shells);
@@ -154,12 +162,26 @@ class MeshRepair {
     }
   }
 
+  /// Joins all edges; false where the surface is not closed, or not valid for other reasons.
+  bool is_closed(HalfEdges& edges) const {
+    const std::vector<EdgeSide> sides = edge_sides(edges);
+    bool even = true, several = false;
+    for_each_edge(sides, [&](const EdgeSide* first, const EdgeSide* last) {
+      const auto along = std::count_if(
+          first, last, [&](const EdgeSide& s) { return edges.origin[s.half_edge] == edges.origin[first->half_edge]; });
+      even &= 2 * along == last - first;
+      several |= last - first > 2;
+    });
+    return even && (!several || all_faces_valid()) && !join_around(edges, sides, data_);
+  }
+  bool all_faces_valid() const {
+    return std::all_of(data_.faces.begin(), data_.faces.end(),
+                       [&](const Face& face) { return !has_vertex_twice(face) && !face_error(data_.vertices, face); });
+  }
+
   /// None where a face is not valid by itself, so that Mesh::create refuses it.
   std::vector<std::uint32_t> depths_of(const Shells& shells) const {
-    const auto is_valid = [&](const Face& face) { return !face_error(data_.vertices, face); };
-    if (shells.count < 2 || !std::all_of(data_.faces.begin(), data_.faces.end(), is_valid)) {
-      return std::vector<std::uint32_t>(shells.count);
-    }
+    if (shells.count < 2 || !all_faces_valid()) return std::vector<std::uint32_t>(shells.count);
     const Triangles triangles = triangulated(data_);
     return shell_depths(data_, shells, triangles, boxes_of(data_.vertices, triangles.triangles));
   }

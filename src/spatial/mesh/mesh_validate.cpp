@@ -7,11 +7,13 @@
 #include <tuple>
 #include <utility>
 
+#include "spatial/mesh/edge_order.h"
 #include "spatial/mesh/face_plane.h"
 #include "spatial/mesh/half_edges.h"
 #include "spatial/mesh/shell_nesting.h"
 #include "spatial/mesh/six_volume.h"
 #include "spatial/mesh/surface_crossings.h"
+#include "spatial/mesh/thin_faces.h"
 
 namespace dymsum {
 
@@ -21,18 +23,28 @@ Result<Mesh> Mesh::create(MeshData data) {
   return spatial::trusted_mesh(std::move(data), checked.shells);
 }
 
+Result<Mesh> Mesh::with_thin_parts(MeshData data) {
+  std::vector<bool> thin;
+  spatial::MeshValidation checked = spatial::validate_with_thin_parts(data, thin);
+  if (checked.error) return *std::move(checked.error);
+  return spatial::trusted_mesh(std::move(data), checked.shells, std::move(thin));
+}
+
 namespace spatial {
 
 struct MeshInternals {
-  static Mesh make(MeshData data, std::size_t shells) {
+  static Mesh make(MeshData data, std::size_t shells, std::vector<bool> thin) {
     Mesh mesh;
     mesh.data_ = std::move(data);
     mesh.shells_ = shells;
+    mesh.thin_ = std::move(thin);
     return mesh;
   }
 };
 
-Mesh trusted_mesh(MeshData data, std::size_t shells) { return MeshInternals::make(std::move(data), shells); }
+Mesh trusted_mesh(MeshData data, std::size_t shells, std::vector<bool> thin) {
+  return MeshInternals::make(std::move(data), shells, std::move(thin));
+}
 
 std::optional<Error> check_finite(const std::vector<Point3>& vertices) {
   for (std::size_t i = 0; i < vertices.size(); ++i) {
@@ -62,18 +74,22 @@ namespace {
 
 class MeshCheck {
  public:
-  explicit MeshCheck(const MeshData& data) : data_(data) {}
+  /// `least` vertices a face.
+  MeshCheck(const MeshData& data, std::size_t least) : data_(data), least_(least) {}
 
-  std::optional<Error> run() {
+  /// Vertices, and faces by themselves.
+  std::optional<Error> check_lists() const {
     if (auto error = check_finite(data_.vertices)) return error;
     if (auto error = check_indices(data_)) return error;
     if (auto error = check_corners()) return error;
     if (auto error = check_places()) return error;
     if (auto error = check_use()) return error;
-    if (auto error = check_faces()) return error;
+    return check_faces();
+  }
+  /// How faces meet.
+  std::optional<Error> check_surface() {
     edges_ = half_edges_without_twins(data_.faces);
     if (auto error = check_edges()) return error;
-    if (auto error = check_fans()) return error;
     if (auto error = check_volumes()) return error;
     triangles_ = triangulated(data_);
     boxes_ = boxes_of(data_.vertices, triangles_.triangles);
@@ -103,8 +119,10 @@ class MeshCheck {
     std::vector<std::size_t> last_face(data_.vertices.size(), data_.faces.size());
     for (std::size_t f = 0; f < data_.faces.size(); ++f) {
       const Face& face = data_.faces[f];
-      if (face.size() < 3) {
-        Error error{ErrorCode::too_few_vertices, "a face needs at least three vertices", {}};
+      if (face.size() < least_) {
+        Error error{ErrorCode::too_few_vertices,
+                    least_ == 1 ? "a face without vertices" : "a face needs at least three vertices",
+                    {}};
         if (!face.empty()) error = error_at(error.code, std::move(error.message), face[0]);
         error.evidence.face = static_cast<std::int64_t>(f);
         return error;
@@ -147,6 +165,7 @@ class MeshCheck {
 
   std::optional<Error> check_faces() const {
     for (std::size_t f = 0; f < data_.faces.size(); ++f) {
+      if (data_.faces[f].size() < 3) continue;
       std::optional<Error> error = face_error(data_.vertices, data_.faces[f]);
       if (!error) continue;
       error->evidence.face = static_cast<std::int64_t>(f);
@@ -161,39 +180,27 @@ class MeshCheck {
     for_each_edge(sides, [&](const EdgeSide* first, const EdgeSide* last) {
       if (!found) found = edge_error_of(first, last);
     });
-    if (!found) join_twins(edges_, sides);
-    return found;
+    if (found) return found;
+    const std::optional<SideClash> clash = join_around(edges_, sides, data_);
+    if (!clash) return std::nullopt;
+    Error error = edge_error(ErrorCode::not_manifold,
+                             "the faces around an edge do not bound inside and outside by turns", clash->half_edge);
+    error.evidence.other_face = edges_.face[clash->other];
+    return error;
   }
 
   std::optional<Error> edge_error_of(const EdgeSide* first, const EdgeSide* last) const {
     const std::uint32_t h = first->half_edge;
-    if (last - first == 1) return edge_error(ErrorCode::not_closed, "an edge has a face on one side only", h);
-    const bool several = last - first > 2;
-    if (!several && edges_.origin[h] != edges_.origin[first[1].half_edge]) return std::nullopt;
-    Error error = several
-                      ? edge_error(ErrorCode::not_manifold, "an edge has more than two faces", h)
+    const auto count = last - first;
+    if (count == 1) return edge_error(ErrorCode::not_closed, "an edge has a face on one side only", h);
+    const auto along =
+        std::count_if(first, last, [&](const EdgeSide& s) { return edges_.origin[s.half_edge] == edges_.origin[h]; });
+    if (2 * along == count) return std::nullopt;
+    Error error = count % 2 == 1
+                      ? edge_error(ErrorCode::not_manifold, "an edge has an odd number of faces", h)
                       : edge_error(ErrorCode::wrong_orientation, "two faces run through an edge in one direction", h);
     error.evidence.other_face = edges_.face[first[1].half_edge];
     return error;
-  }
-
-  // Turning around a vertex from one of its faces has to meet all of them.
-  std::optional<Error> check_fans() const {
-    std::vector<std::uint32_t> first_face(data_.vertices.size(), HalfEdges::kNone);
-    std::vector<bool> turned(edges_.size());
-    for (std::uint32_t start = 0; start < edges_.size(); ++start) {
-      if (turned[start]) continue;
-      const std::uint32_t v = edges_.origin[start];
-      if (first_face[v] != HalfEdges::kNone) {
-        Error error = error_at(ErrorCode::not_manifold, "several fans of faces meet at a vertex", v);
-        error.evidence.face = first_face[v];
-        error.evidence.other_face = edges_.face[start];
-        return error;
-      }
-      first_face[v] = edges_.face[start];
-      for (std::uint32_t h = start; !turned[h]; h = edges_.twin[edges_.previous(h)]) turned[h] = true;
-    }
-    return std::nullopt;
   }
 
   std::optional<Error> check_meetings() const {
@@ -238,6 +245,7 @@ class MeshCheck {
   }
 
   const MeshData& data_;
+  std::size_t least_;
   HalfEdges edges_;
   Triangles triangles_;
   BoxTree boxes_;
@@ -248,9 +256,28 @@ class MeshCheck {
 }  // namespace
 
 MeshValidation validate(const MeshData& data) {
-  MeshCheck check(data);
-  if (auto error = check.run()) return {std::move(error), 0};
+  MeshCheck check(data, 3);
+  if (auto error = check.check_lists()) return {std::move(error), 0};
+  if (auto error = check.check_surface()) return {std::move(error), 0};
   return {std::nullopt, check.shell_count()};
+}
+
+MeshValidation validate_with_thin_parts(const MeshData& data, std::vector<bool>& thin) {
+  if (auto error = MeshCheck(data, 1).check_lists()) return {std::move(error), 0};
+  thin = thin_faces(data.faces);
+  MeshData solid{data.vertices, {}};
+  std::vector<std::int64_t> origin;
+  for (std::size_t f = 0; f < data.faces.size(); ++f) {
+    if (!thin.empty() && thin[f]) continue;
+    solid.faces.push_back(data.faces[f]);
+    origin.push_back(static_cast<std::int64_t>(f));
+  }
+  MeshCheck check(solid, 3);
+  std::optional<Error> error = check.check_surface();
+  if (!error) return {std::nullopt, check.shell_count()};
+  for (auto* face : {&error->evidence.face, &error->evidence.other_face})
+    if (*face) *face = origin[static_cast<std::size_t>(**face)];
+  return {std::move(error), 0};
 }
 
 }  // namespace spatial

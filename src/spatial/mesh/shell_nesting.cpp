@@ -2,8 +2,10 @@
 
 #include <limits>
 #include <map>
+#include <optional>
 
 #include "exact/orient3.h"
+#include "spatial/mesh/grid_points.h"
 
 namespace dymsum::spatial {
 namespace {
@@ -31,26 +33,88 @@ int passage(const Point3& a, const Point3& b, const Point3& c, const Point3& p) 
   return exact::orient3_sign(a, b, c, p) * facing > 0 ? facing : 0;
 }
 
+/// The same for the middle of a triangle, on the grid with all coordinates times three.
+class PassageOfMiddles {
+ public:
+  explicit PassageOfMiddles(const MeshData& data)
+      : points_(grid_points<exact::Big>(data.vertices, space_grid(data.vertices))) {}
+
+  int passage(const Triangle& t, const Triangle& from) const {
+    const Point3Big p = plus(plus(points_[from[0]], points_[from[1]]), points_[from[2]]);
+    const Point3Big a = tripled(points_[t[0]]) - p, b = tripled(points_[t[1]]) - p, c = tripled(points_[t[2]]) - p;
+    const int facing = sign((b - a).y * (c - a).z - (b - a).z * (c - a).y);
+    if (facing == 0 || side(a, b) != facing || side(b, c) != facing || side(c, a) != facing) return 0;
+    // Of det(b - a, c - a, p - a), p being the origin.
+    return -sign(exact::determinant(a, b, c)) * facing > 0 ? facing : 0;
+  }
+
+ private:
+  using Point3Big = GridPoint<exact::Big>;
+
+  static Point3Big plus(const Point3Big& a, const Point3Big& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+  static Point3Big tripled(const Point3Big& a) { return plus(plus(a, a), a); }
+  /// As perturbed_side, of the origin.
+  static int side(const Point3Big& a, const Point3Big& b) {
+    if (const int s = sign(a.y * b.z - a.z * b.y)) return s;
+    if (a.z != b.z) return a.z < b.z ? -1 : 1;
+    return a.y < b.y ? 1 : -1;
+  }
+
+  std::vector<Point3Big> points_;
+};
+
+/// Where the ray from a shell starts: a vertex of its own, or, where it shares all of them, the middle of a triangle.
+struct RayStart {
+  std::optional<std::uint32_t> vertex;
+  std::uint32_t triangle = 0;
+};
+
+std::vector<RayStart> ray_starts(const MeshData& data, const Shells& shells, const Triangles& triangles) {
+  constexpr std::uint32_t kShared = HalfEdges::kNone - 1;
+  std::vector<std::uint32_t> owner(data.vertices.size(), HalfEdges::kNone);
+  for (std::uint32_t f = 0; f < data.faces.size(); ++f) {
+    for (const std::uint32_t v : data.faces[f]) {
+      if (owner[v] == HalfEdges::kNone) owner[v] = shells.of_face[f];
+      else if (owner[v] != shells.of_face[f]) owner[v] = kShared;
+    }
+  }
+  std::vector<RayStart> starts(shells.count);
+  for (std::uint32_t t = 0; t < triangles.triangles.size(); ++t) {
+    RayStart& start = starts[shells.of_face[triangles.face[t]]];
+    start.triangle = t;
+    for (const std::uint32_t v : triangles.triangles[t])
+      if (!start.vertex && owner[v] != kShared) start.vertex = v;
+  }
+  return starts;
+}
+
 }  // namespace
 
 std::vector<std::uint32_t> shell_depths(const MeshData& data, const Shells& shells, const Triangles& triangles,
                                         const BoxTree& boxes) {
   std::vector<std::uint32_t> depths(shells.count);
   if (shells.count < 2) return depths;
-  std::vector<bool> seen(shells.count);
-  for (std::uint32_t f = 0; f < data.faces.size(); ++f) {
-    const std::uint32_t shell = shells.of_face[f];
-    if (seen[shell]) continue;
-    seen[shell] = true;
-    const Point3& p = data.vertices[data.faces[f][0]];
+  std::optional<PassageOfMiddles> middles;
+  const std::vector<RayStart> starts = ray_starts(data, shells, triangles);
+  for (std::uint32_t shell = 0; shell < shells.count; ++shell) {
+    const RayStart& start = starts[shell];
+    if (!start.vertex && !middles) middles.emplace(data);
     Box ray;
-    ray.low = {-std::numeric_limits<double>::infinity(), p.y, p.z};
-    ray.high = {p.x, p.y, p.z};
+    if (start.vertex) {
+      const Point3& p = data.vertices[*start.vertex];
+      ray.add(Vec3{p.x, p.y, p.z});
+    } else {
+      ray = boxes.box(start.triangle);
+    }
+    ray.low.x = -std::numeric_limits<double>::infinity();
     std::map<std::uint32_t, int> winding;
     boxes.for_each(ray, [&](std::uint32_t t) {
       const std::uint32_t other = shells.of_face[triangles.face[t]];
+      if (other == shell) return;
       const Triangle& v = triangles.triangles[t];
-      if (other != shell) winding[other] += passage(data.vertices[v[0]], data.vertices[v[1]], data.vertices[v[2]], p);
+      winding[other] += start.vertex ? passage(data.vertices[v[0]], data.vertices[v[1]], data.vertices[v[2]],
+                                               data.vertices[*start.vertex])
+                                     : middles->passage(v, triangles.triangles[start.triangle]);
     });
     for (const auto& [other, turns] : winding) depths[shell] += turns != 0;
   }

@@ -107,6 +107,7 @@ std::vector<Triangle> triangulated(const std::vector<Point3>& vertices, const Fa
 Triangles triangulated(const MeshData& data) {
   Triangles all;
   for (std::uint32_t f = 0; f < data.faces.size(); ++f) {
+    if (data.faces[f].size() < 3) continue;
     const View view = data.faces[f].size() == 3 ? View{} : view_of(face_plane(data.vertices, data.faces[f]));
     for (const Triangle& t : triangulated(data.vertices, data.faces[f], view)) {
       all.triangles.push_back(t);

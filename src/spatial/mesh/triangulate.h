@@ -29,7 +29,7 @@ View average_view(const std::vector<Point3>& vertices, const Face& face);
 /// O(k (r + 1)) where an ear is always near, O(k^2 (r + 1)) at worst.
 std::vector<Triangle> triangulated(const std::vector<Point3>& vertices, const Face& face, View view);
 
-/// All faces of a valid mesh, with the face of every triangle.
+/// All faces of a valid mesh, with the face of every triangle; points and segments have none.
 struct Triangles {
   std::vector<Triangle> triangles;
   std::vector<std::uint32_t> face;

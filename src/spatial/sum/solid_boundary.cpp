@@ -1,34 +1,10 @@
 #include "spatial/sum/solid_boundary.h"
 
-#include <chrono>
-
-#include "base/parallel.h"
 #include "spatial/boundary/cell_links.h"
 
 namespace dymsum::spatial {
 
 namespace {
-
-class Stages {
- public:
-  Stages(const SpatialOptions& options, SpatialStats& stats) : options_(options), stats_(stats) {}
-
-  /// Ends the stage before it and begins one.
-  void begin(std::string_view name) {
-    const auto now = std::chrono::steady_clock::now();
-    if (!stats_.stages.empty())
-      stats_.stages.back().ms = std::chrono::duration<double, std::milli>(now - last_).count();
-    last_ = now;
-    if (name.empty()) return;
-    stats_.stages.push_back({name, 0});
-    if (options_.progress && !options_.progress(name, 0)) throw Cancelled{};
-  }
-
- private:
-  const SpatialOptions& options_;
-  SpatialStats& stats_;
-  std::chrono::steady_clock::time_point last_;
-};
 
 template <class F>
 void for_each_cell(const SolidArrangement& arrangement, F f) {
@@ -37,13 +13,14 @@ void for_each_cell(const SolidArrangement& arrangement, F f) {
 }
 
 /// Patches whose front lies outside: one collision test each.
-void judge_patches(SolidBoundary& result, const CellLinks& links, const Collision& collision) {
+void judge_patches(SolidBoundary& result, const CellLinks& links, const Collision& collision, StageWatch& watch) {
   enum class Verdict : std::uint8_t { unknown, outside, covered };
   std::vector<Verdict> verdict(links.patches, Verdict::unknown);
   for_each_cell(*result.arrangement, [&](const PlaneGroup& group, std::uint32_t id, const Cell& cell) {
     const std::uint32_t patch = links.patch[id];
     if (patch == kNoId) return;
     if (verdict[patch] == Verdict::unknown) {
+      if (collision.tests() % 16 == 15) watch.ask(0);
       const bool meets = collision.meets(flag_at(*result.arrangement, group, cell, cell.front > 0 ? 1 : -1));
       verdict[patch] = meets ? Verdict::covered : Verdict::outside;
     }
@@ -53,12 +30,47 @@ void judge_patches(SolidBoundary& result, const CellLinks& links, const Collisio
 }
 
 /// Every cell by itself: facets of one direction, and nothing in front.
-void judge_cells(SolidBoundary& result, const Collision& collision) {
+void judge_cells(SolidBoundary& result, const Collision& collision, StageWatch& watch) {
   for_each_cell(*result.arrangement, [&](const PlaneGroup& group, std::uint32_t id, const Cell& cell) {
+    if (id % 16 == 15) watch.ask(static_cast<double>(id) / result.arrangement->cell_count);
     const bool above = !collision.meets(flag_at(*result.arrangement, group, cell, 1));
     const bool below = !collision.meets(flag_at(*result.arrangement, group, cell, -1));
     result.boundary[id] = above != below;
   });
+}
+
+/// In the table and on the way into it, its planes and edges, its borders as segments and their upright planes.
+constexpr std::size_t kBytesPerTableFacet = sizeof(TableFacet) + 900;
+
+/// Few boxes are many times faster than the facets that they save.
+int boxes_across(std::size_t facets) { return facets < 500 ? 0 : facets < 2000 ? 32 : facets < 20000 ? 62 : 126; }
+
+/// Facets deep inside the open sum bound nothing, and without them off the facets there still are only cells of the
+/// open sum and cells of the outside.
+std::size_t drop_inner(ReducedConvolution& convolution, const InnerCells& inner) {
+  std::size_t kept = 0;
+  for (std::size_t f = 0; f < convolution.facets.size(); ++f) {
+    if (inner.hold(convolution.facets[f])) continue;
+    convolution.facets[kept] = convolution.facets[f];
+    convolution.planes[kept++] = convolution.planes[f];
+  }
+  const std::size_t dropped = convolution.facets.size() - kept;
+  convolution.facets.resize(kept), convolution.planes.resize(kept);
+  return dropped;
+}
+
+/// Behind a facet of two thin parts need not be anything: each cell is given the directions that its two sides tell,
+/// none where they are alike.
+void look_at_both_sides(SolidArrangement& arrangement, const Collision& collision, StageWatch& watch) {
+  for (PlaneGroup& group : arrangement.groups) {
+    for (Cell& cell : group.cells.cells) {
+      if (collision.tests() % 16 == 15) watch.ask(0);
+      const bool above = collision.meets(flag_at(arrangement, group, cell, 1));
+      const bool below = collision.meets(flag_at(arrangement, group, cell, -1));
+      cell.front = below && !above;
+      cell.back = above && !below;
+    }
+  }
 }
 
 }  // namespace
@@ -72,36 +84,45 @@ Flag flag_at(const SolidArrangement& arrangement, const PlaneGroup& group, const
 }
 
 SolidBoundary solid_boundary(const SolidOperand& p, const SolidOperand& q, const SpatialOptions& options,
-                             SpatialStats& stats) {
+                             SpatialStats& stats, StageWatch& watch) {
   SolidBoundary result;
-  Stages stages(options, stats);
-  stages.begin("convolution");
+  watch.begin("convolution");
   result.space = make_sum_space(p.vertices, q.vertices);
-  const ReducedConvolution convolution = reduced_convolution(*result.space, p, q);
+  ReducedConvolution convolution = reduced_convolution(*result.space, p, q, watch);
+  // What is left out for speed is proved for solids alone.
+  const bool fast = options.engine == SpatialEngine::fast && !p.has_thin() && !q.has_thin();
+  const InnerCells inner(*result.space, p, q, fast ? boxes_across(convolution.facets.size()) : 0, watch);
+  stats.inner_facets = drop_inner(convolution, inner);
+  watch.hold(convolution.facets.size() * kBytesPerTableFacet);
   result.table = facet_table(*result.space, convolution);
-  stages.begin("contacts");
-  const Contacts contacts = find_contacts(*result.space, result.table);
-  stages.begin("arrangement");
+  watch.begin("contacts");
+  Contacts contacts = find_contacts(*result.space, result.table, watch);
+  stats.box_pairs = contacts.counts.box_pairs, stats.contacts = contacts.counts.contacts;
+  watch.begin("arrangement");
   result.arrangement =
-      std::make_unique<SolidArrangement>(arrange(*result.space, result.table, contacts, options.threads));
-  stages.begin("links");
-  const CellLinks links = link_cells(*result.space, *result.arrangement);
-  stages.begin("collisions");
-  const Collision collision(*result.space, p, q);
+      std::make_unique<SolidArrangement>(arrange(*result.space, result.table, std::move(contacts), watch));
+  const Collision collision(*result.space, p, q, &inner);
+  const bool both_thin = p.has_thin() && q.has_thin();
+  if (both_thin) look_at_both_sides(*result.arrangement, collision, watch);
+  watch.begin("links");
+  const CellLinks links = link_cells(*result.space, *result.arrangement, watch);
+  watch.begin("collisions");
   result.boundary.assign(result.arrangement->cell_count, false);
-  if (options.engine == SpatialEngine::fast) judge_patches(result, links, collision);
-  else judge_cells(result, collision);
+  if (options.engine == SpatialEngine::brute) judge_cells(result, collision, watch);
+  else judge_patches(result, links, collision, watch);
   result.patch = links.patch;
   stats.collision_tests = collision.tests();
-  stages.begin("tight features");
-  if (options.tight) result.tight = tight_features(*result.space, *result.arrangement, result.boundary, collision);
-  stages.begin("");
+  watch.begin("tight features");
+  if (options.tight && options.semantics != Semantics::regular && !both_thin)
+    result.tight =
+        tight_features(*result.space, result.table, *result.arrangement, result.boundary, collision, !fast, watch);
+  watch.begin("");
   stats.bits = result.space->bits();
   stats.face_vertex = convolution.counts.face_vertex, stats.edge_edge = convolution.counts.edge_edge;
-  stats.box_pairs = contacts.counts.box_pairs, stats.contacts = contacts.counts.contacts;
   stats.points = result.arrangement->points.size(), stats.cells = result.arrangement->cell_count,
   stats.patches = links.patches;
   stats.tight_tests = result.tight.tests;
+  stats.held_bytes = watch.held();
   stats.exact_signs = result.space->exact_signs();
   return result;
 }

@@ -19,10 +19,9 @@ struct SolidBoundary {
   TightFeatures tight;
 };
 
-/// Throws Cancelled where progress asks to stop.
-struct Cancelled {};
+/// Throws Cancelled and OverBudget.
 SolidBoundary solid_boundary(const SolidOperand& p, const SolidOperand& q, const SpatialOptions& options,
-                             SpatialStats& stats);
+                             SpatialStats& stats, StageWatch& watch);
 
 /// A position off the facets, infinitely near to a cell: in front of it for side 1 or -1 (of the plane's normal),
 /// inside it for 0.

@@ -1,53 +1,85 @@
 #include "dymsum/spatial_sum.h"
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
-#include <tuple>
+#include <new>
+#include <string>
 
+#include "spatial/convolution/predicted_cost.h"
 #include "spatial/sum/face_triangles.h"
+#include "spatial/sum/grid_error.h"
 #include "spatial/sum/rounded_surface.h"
 #include "spatial/sum/solid_faces.h"
 #include "spatial/sum/sum_of_solids.h"
 #include "spatial/sum/sum_source.h"
+#include "spatial/sum/sum_trace.h"
+#include "spatial/sum/touching_vertices.h"
 
 namespace dymsum {
 
-using exact::BigRational;
-using spatial::Vec3;
+namespace {
+
+std::string megabytes(std::uint64_t bytes) { return std::to_string((bytes + 999999) / 1000000) + " MB"; }
+
+Error too_large(const SpatialOptions& options, const char* what, std::uint64_t bytes) {
+  return {
+      ErrorCode::out_of_memory,
+      std::string("the sum ") + what + " " + megabytes(bytes) + " of memory, the limit is " + megabytes(options.memory),
+      {}};
+}
+
+}  // namespace
 
 Result<SpatialSum> minkowski_sum(const Mesh& p, const Mesh& q, const SpatialOptions& options) {
-  if (options.engine == SpatialEngine::fast) {
+  if (options.engine == SpatialEngine::fast && !options.trace) {
     if (options.progress && !options.progress("convex", 0))
       return Error{ErrorCode::cancelled, "the computation was cancelled", {}};
     if (const Result<SolidSum> convex = convex_sum(p, q)) return spatial::boundary_of(*convex);
   }
-  return spatial::sum_of_solids(p.data(), q.data(), options);
+  return spatial::sum_of_solids(p, q, options);
 }
 
 Result<SpatialSum> spatial::sum_of_solids(const MeshData& p, const MeshData& q, const SpatialOptions& options) {
-  SpatialSum sum;
-  if (p.faces.empty() || q.faces.empty()) return sum;
-  const SolidOperand a = solid_operand(p), b = solid_operand(q);
-  try {
-    spatial::SolidBoundary boundary = spatial::solid_boundary(a, b, options, sum.stats);
-    const auto start = std::chrono::steady_clock::now();
-    spatial::assemble(boundary, a, b, sum);
-    sum.stats.stages.push_back(
-        {"faces", std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count()});
-    const_cast<SpatialPositions&>(SpatialSumInternals::positions(sum)).space = std::move(boundary.space);
-  } catch (const spatial::Cancelled&) {
-    return Error{ErrorCode::cancelled, "the computation was cancelled", {}};
-  } catch (const std::invalid_argument& e) {
-    return Error{ErrorCode::unsupported_operand, e.what(), {}};
-  }
+  return sum_of_operands(solid_operand(p), solid_operand(q), options);
+}
+
+Result<SpatialSum> spatial::sum_of_solids(const Mesh& p, const Mesh& q, const SpatialOptions& options) {
+  if (p.has_thin_parts() && q.has_thin_parts() && options.semantics == Semantics::open)
+    return Error{
+        ErrorCode::unsupported_operand, "the open sum is defined where one operand has no parts without volume", {}};
+  Result<SpatialSum> sum =
+      sum_of_operands(solid_operand(p.data(), p.thin_faces()), solid_operand(q.data(), q.thin_faces()), options);
+  if (sum && sum->faces.empty() && p.has_thin_parts() && q.has_thin_parts())
+    return Error{ErrorCode::unsupported_operand, "the sum of these parts without volume has no volume either", {}};
   return sum;
 }
 
-spatial::ExactPosition spatial::SpatialPositions::at(std::size_t vertex) const {
-  if (!space) return listed[vertex];
-  const PointSource& at = vertices[vertex];
-  return {space->world_coordinate(at, 0), space->world_coordinate(at, 1), space->world_coordinate(at, 2)};
+Result<SpatialSum> spatial::sum_of_operands(const SolidOperand& a, const SolidOperand& b,
+                                            const SpatialOptions& options) {
+  SpatialSum sum;
+  if (a.vertices.empty() || b.vertices.empty()) return sum;
+  const SpatialCost cost = predicted_cost(a, b);
+  if (options.memory != 0 && cost.bytes > options.memory) return too_large(options, "is predicted to take", cost.bytes);
+  StageWatch watch(options, sum.stats);
+  try {
+    spatial::SolidBoundary boundary = spatial::solid_boundary(a, b, options, sum.stats, watch);
+    watch.begin("faces");
+    spatial::assemble(boundary, a, b, sum);
+    if (options.trace) sum.trace = trace_of(boundary);
+    watch.begin("");
+    const_cast<SpatialPositions&>(SpatialSumInternals::positions(sum)).space = std::move(boundary.space);
+  } catch (const spatial::Cancelled&) {
+    return Error{ErrorCode::cancelled, "the computation was cancelled", {}};
+  } catch (const spatial::OverBudget& e) {
+    return too_large(options, "takes at least", e.bytes);
+  } catch (const std::bad_alloc&) {
+    return Error{ErrorCode::out_of_memory,
+                 "the sum needs more memory than there is; predicted were " + megabytes(cost.bytes),
+                 {}};
+  } catch (const std::invalid_argument&) {
+    if (std::optional<Error> error = grid_error(a.vertices, b.vertices)) return *std::move(error);
+    throw;
+  }
+  return sum;
 }
 
 RationalPoint3 SpatialSum::exact(std::size_t vertex) const {
@@ -55,29 +87,11 @@ RationalPoint3 SpatialSum::exact(std::size_t vertex) const {
   return {exact::to_rational(x), exact::to_rational(y), exact::to_rational(z)};
 }
 
-Rational SpatialSum::volume_exact() const {
-  // Tetrahedra over the fans of all loops: those of holes run the other way and count less.
-  BigRational six;
-  std::vector<std::array<BigRational, 3>> at(vertices.size());
-  for (std::size_t k = 0; k < vertices.size(); ++k) at[k] = positions_->at(k);
-  for (const SpatialFace& face : faces) {
-    for (const std::vector<std::uint32_t>& loop : face.loops) {
-      const auto& a = at[loop[0]];
-      for (std::size_t k = 1; k + 1 < loop.size(); ++k) {
-        const auto &b = at[loop[k]], &c = at[loop[k + 1]];
-        six += a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
-               a[2] * (b[0] * c[1] - b[1] * c[0]);
-      }
-    }
-  }
-  return exact::to_rational(six / 6);
-}
-
 Result<SpatialSum::Rounded> SpatialSum::rounded() const {
   Rounded result;
   constexpr std::uint32_t kNone = 0xffffffff;
   std::vector<std::uint32_t> name(vertices.size(), kNone);
-  spatial::Triangles all = spatial::triangulated(*this);
+  spatial::Triangles all = spatial::split_at_touching_vertices(*this, spatial::triangulated(*this));
   for (const spatial::Triangle& t : all.triangles) {
     Face face;
     for (const std::uint32_t v : t) {
@@ -94,19 +108,6 @@ Result<SpatialSum::Rounded> SpatialSum::rounded() const {
   result.face = std::move(all.face);
   if (std::optional<Error> error = spatial::rounding_error(result.mesh)) return *std::move(error);
   return result;
-}
-
-double SpatialSum::area() const {
-  double total = 0;
-  const auto at = [&](std::uint32_t v) { return Vec3{vertices[v].x, vertices[v].y, vertices[v].z}; };
-  for (const SpatialFace& face : faces) {
-    Vec3 n;
-    for (const std::vector<std::uint32_t>& loop : face.loops)
-      for (std::size_t k = 1; k + 1 < loop.size(); ++k)
-        n = n + cross(at(loop[k]) - at(loop[0]), at(loop[k + 1]) - at(loop[0]));
-    total += length(n) / 2;
-  }
-  return total;
 }
 
 bool operator==(const SpatialSum& a, const SpatialSum& b) {

@@ -4,6 +4,7 @@
 
 #include "spatial/convex/convex_state.h"
 #include "spatial/convex/exact_places.h"
+#include "spatial/sum/sum_edges.h"
 #include "spatial/sum/sum_of_solids.h"
 #include "spatial/sum/sum_source.h"
 
@@ -25,6 +26,18 @@ ExactPosition position(const BigVector& numerators, const exact::BigRational& un
   return {of(numerators[0]), of(numerators[1]), of(numerators[2])};
 }
 
+using Kind = SolidFeature::Kind;
+
+SolidFeature feature(std::uint32_t a, std::uint32_t b) {
+  if (a == b) return {Kind::vertex, a, 0};
+  return {Kind::edge, std::min(a, b), std::max(a, b)};
+}
+
+/// Along an edge of a convex sum one edge touches a vertex, or two parallel edges touch.
+SolidContact between(const SolidSum::Vertex& a, const SolidSum::Vertex& b) {
+  return {feature(a.p, b.p), feature(a.q, b.q)};
+}
+
 }  // namespace
 
 // The facets of a convex sum are its faces: whole, without holes, and nothing is tight.
@@ -41,6 +54,8 @@ SpatialSum boundary_of(const SolidSum& convex) {
     name[order[k]] = k;
     sorted->listed.push_back(position(at[order[k]], places.unit()));
     const Point3& nearest = sum.vertices.emplace_back(convex.at[order[k]]);
+    const SolidSum::Vertex& pair = convex.vertices[order[k]];
+    sum.vertex_contacts.push_back(SolidContact{{Kind::vertex, pair.p, 0}, {Kind::vertex, pair.q, 0}});
     const double size = std::max({std::abs(nearest.x), std::abs(nearest.y), std::abs(nearest.z)});
     sum.at_error = std::max(sum.at_error, size * 0x1p-53 + 0x1p-1074);
   }
@@ -55,6 +70,9 @@ SpatialSum boundary_of(const SolidSum& convex) {
   std::sort(sum.faces.begin(), sum.faces.end(),
             [](const SpatialFace& a, const SpatialFace& b) { return a.loops < b.loops; });
   sum.shells = 1;
+  sum.edges = edges_of(sum.faces);
+  for (SpatialEdge& edge : sum.edges)
+    edge.contact = between(convex.vertices[order[edge.from]], convex.vertices[order[edge.to]]);
   return sum;
 }
 

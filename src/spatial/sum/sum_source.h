@@ -21,6 +21,17 @@ struct SpatialPositions {
   std::vector<ExactPosition> listed;
 
   ExactPosition at(std::size_t vertex) const;
+
+  // Where all that counts is how positions lie to each other, they are seen from an origin near the sum, in units of
+  // powers of two along each axis: the grid's.
+  /// x, y, z and w > 0: the position is (x, y, z) / w, not in lowest terms.
+  std::array<exact::BigInteger, 4> homogeneous(std::size_t vertex) const;
+  /// The exponents of the units of homogeneous().
+  std::array<int, 3> unit_exponents() const;
+  /// The position in multiples of 2^-shift along each axis, rounded down; `exact` becomes false where that changes it.
+  std::array<exact::BigInteger, 3> multiples(std::size_t vertex, const std::array<int, 3>& shift, bool& exact) const;
+  /// Raises exponents to those of powers of two that the coordinates do not exceed.
+  void grow(std::size_t vertex, std::array<int, 3>& exponents) const;
 };
 
 struct SpatialSumInternals {

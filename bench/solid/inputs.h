@@ -1,0 +1,43 @@
+// Operands of the solid benchmark, made anew on every run: same arguments, same coordinates everywhere.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "dymsum/mesh.h"
+
+namespace dymsum::bench {
+
+/// 2 nu nv triangles about the z axis.
+MeshData torus(double large, double small, int nu, int nv);
+/// A sphere of 2 slices (stacks - 1) triangles, its radius times 1 + bump * a sum of 12 plane waves drawn by the seed.
+MeshData blob(double radius, double bump, int stacks, int slices, std::uint32_t seed);
+/// Turned about x, then y, then z, in radians.
+MeshData turned(const MeshData& mesh, double x, double y, double z);
+/// All coordinates as multiples of 2^-bits.
+MeshData snapped(MeshData mesh, int bits);
+
+/// Bars along x upon bars along y, with square gaps between them.
+MeshData grate(int bars);
+/// A back along y with teeth along x or z.
+MeshData comb(int teeth, bool upright);
+/// A wheel of two units of height with so many teeth, its middle in the origin.
+MeshData gear(int teeth, double radius);
+MeshData ell();              ///< a cube of size 10 without a corner of 6 x 6 x 10
+MeshData tunnel();           ///< a cube of size 10 about the origin with a tunnel of 2 x 2 along x
+MeshData cube(double half);  ///< about the origin
+
+struct SolidPair {
+  std::string name, group;
+  MeshData p, q;
+  double published_ms = 0;  ///< of the best research code on this class of machine, 0 where unknown
+  double limit_ms = 0;      ///< what the project promises on one core
+};
+
+/// All pairs; with real meshes where `data`/solid has them.
+std::vector<SolidPair> solid_pairs(const std::string& data);
+/// Tori or blobs of about so many triangles each.
+SolidPair growth_pair(bool blobs, int triangles);
+
+}  // namespace dymsum::bench

@@ -1,0 +1,26 @@
+// Files and summaries of solid sums of any shape.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "dymsum/spatial_sum.h"
+#include "solid/solid_outputs.h"
+
+namespace dymsum::cli {
+
+/// .json the exact sum with provenance, else a closed mesh of triangles coloured by kind, with tight features in red in
+/// .glb; a Stop where rounding would spoil it. Stages need a sum with its trace.
+std::string any_solid_output(const SpatialSum& sum, const std::string& file, const SolidOutput& how);
+
+/// Whether a file's name asks for the picture of the stages ("stages.glb", "x.stages.glb"): the convolution, cut along
+/// red lines, beside the result.
+bool is_stage_mesh(const std::string& file);
+
+/// The summary of a report. volume_exact is null where it is long, unless it is wanted `exact`.
+Json any_solid_sum_json(const SpatialSum& sum, bool exact);
+
+/// The error with the file of the operand that has the vertex it tells, or whose reflection has.
+Error in_solid_operand(Error error, const std::vector<SolidInput>& inputs);
+
+}  // namespace dymsum::cli

@@ -1,0 +1,29 @@
+// What verbs have in common whose operands and results are solids alone.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "solid/any_solid_sum.h"
+
+namespace CLI {
+class App;
+}
+
+namespace dymsum::cli {
+
+struct SolidCommand {
+  const CLI::App* parser = nullptr;
+  std::vector<std::string> operands, files;
+  std::string to = "off", engine = "fast";
+  ReportOptions report;
+  InputOptions input;
+};
+
+/// Declares -o, --to, --engine, --json, --repeat, --exact, --repair, --hull and --from.
+void add_solid_options(CLI::App& verb, SolidCommand& command);
+
+/// Checks outputs and reads the operands.
+SolidRun read_solid_run(const std::string& verb, const SolidCommand& command);
+
+}  // namespace dymsum::cli

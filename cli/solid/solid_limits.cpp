@@ -1,0 +1,36 @@
+#include "solid/solid_limits.h"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <iostream>
+
+#include "dymsum/spatial_sum.h"
+
+namespace dymsum::cli {
+
+namespace {
+
+// About a second on one core.
+constexpr double kManyFacets = 40000;
+
+}  // namespace
+
+void add_memory_option(CLI::App& verb, double& megabytes) {
+  verb.add_option("--memory", megabytes, "Solids: stop with an error before more than MB megabytes are held")
+      ->check(CLI::Range(1.0, 1e9))
+      ->type_name("MB");
+}
+
+std::uint64_t memory_bytes(double megabytes) { return static_cast<std::uint64_t>(std::llround(megabytes * 1e6)); }
+
+void announce_cost(const Mesh& p, const Mesh& q) {
+  // Short operands cannot have many facets; angles are looked at only where they can.
+  if (static_cast<double>(p.triangle_count()) * static_cast<double>(q.triangle_count()) < kManyFacets) return;
+  const SpatialCost cost = predict_cost(p, q);
+  if (cost.face_vertex + cost.edge_edge < kManyFacets) return;
+  std::cerr << "expected: about " << std::llround(cost.face_vertex) << " face + vertex and "
+            << std::llround(cost.edge_edge) << " edge + edge facets, " << (cost.bytes + 999999) / 1000000
+            << " MB of memory\n";
+}
+
+}  // namespace dymsum::cli

@@ -1,0 +1,21 @@
+// What a solid sum may take, and what it is expected to.
+#pragma once
+
+#include <cstdint>
+
+#include "dymsum/mesh.h"
+
+namespace CLI {
+class App;
+}
+
+namespace dymsum::cli {
+
+/// --memory MB.
+void add_memory_option(CLI::App& verb, double& megabytes);
+std::uint64_t memory_bytes(double megabytes);
+
+/// Says on standard error what a sum will take where that is more than about a second.
+void announce_cost(const Mesh& p, const Mesh& q);
+
+}  // namespace dymsum::cli

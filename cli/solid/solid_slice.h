@@ -1,0 +1,11 @@
+// slice of two solids: the section of their sum at one height.
+#pragma once
+
+#include "verbs/sum_command.h"
+
+namespace dymsum::cli {
+
+/// With `reflected` that of P (+) -Q. Writes planar files.
+ExitCode run_solid_slice(const SumCommand& command, double z, bool reflected);
+
+}  // namespace dymsum::cli

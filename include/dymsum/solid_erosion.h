@@ -1,0 +1,41 @@
+// What is left of a solid when another one has to fit inside, and the two operations made of it: opening and closing.
+#pragma once
+
+#include "dymsum/mesh.h"
+#include "dymsum/result.h"
+#include "dymsum/spatial_sum.h"
+
+namespace dymsum {
+
+/// A (-) B = { x : x + B inside A }, the inner fit: the positions of B's reference point, the origin of its
+/// coordinates, at which B lies inside A. (Others write A (-) -B for this set.) The faces of the result bound the
+/// positions with room to move and are seen from outside of these; its tight features are the positions without: a
+/// plate as thick as its slot has a face of them, a peg as wide as its tunnel a segment, a key in its cavity a point.
+/// Contacts name features of A and B. Exact. The result has no volume and no tight features where B fits nowhere.
+/// Cost: that of the sum of A with a box around it, and -B. Errors: as minkowski_sum; unsupported_operand for an empty
+/// B (every position holds it), and where A is too far from the origin to put a box around it.
+Result<SpatialSum> erode(const Mesh& a, const Mesh& b, const SpatialOptions& options = {});
+
+/// What becomes of positions between two operations that are no doubles.
+enum class BetweenSteps : std::uint8_t {
+  exact,    ///< error rounding_changed_topology with the position (the default)
+  rounded,  ///< each coordinate to the nearest double; SolidOpening tells how far that moved them
+};
+
+struct SolidOpening {
+  SpatialSum solid;
+  /// No vertex between the two operations was moved by more than this; 0: the result is exact.
+  double moved = 0;
+};
+
+/// (A (-) B) (+) B: the union of all x + B inside A. Exact where the vertices of A (-) B are doubles, as those of
+/// solids with axis-parallel faces; see BetweenSteps. Errors also: unsupported_operand where A (-) B has tight
+/// features, with the position of one: what they add is the sum of B with a set without volume.
+Result<SolidOpening> opening(const Mesh& a, const Mesh& b, const SpatialOptions& options = {},
+                             BetweenSteps between = BetweenSteps::exact);
+
+/// (A (+) B) (-) B: all positions that no x - B outside of A reaches. Likewise.
+Result<SolidOpening> closing(const Mesh& a, const Mesh& b, const SpatialOptions& options = {},
+                             BetweenSteps between = BetweenSteps::exact);
+
+}  // namespace dymsum

@@ -1,0 +1,295 @@
+#include "spatial/arrangement/plane_lines.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace dymsum::spatial {
+
+void PlaneLines::run(std::span<const PlaneSegment> segments) {
+  merge_equal(segments);
+  find_lines();
+  make_runs();
+  cross_runs();
+  place_dots();
+  name_crossings();
+  cut_runs();
+}
+
+/// Segments with the same ends are one stretch.
+void PlaneLines::merge_equal(std::span<const PlaneSegment> segments) {
+  stretches_.clear(), dots_.clear();
+  for (const PlaneSegment& s : segments) {
+    if (s.a == s.b) {
+      dots_.push_back(s);
+      continue;
+    }
+    const bool along = s.a < s.b;
+    const int left = along ? s.inside : -s.inside;
+    stretches_.push_back({std::min(s.a, s.b), std::max(s.a, s.b), s.cut, along, s.side > 0 ? left : 0,
+                          s.side > 0 ? 0 : left, s.border, 0});
+  }
+  std::sort(stretches_.begin(), stretches_.end(), [](const Stretch& s, const Stretch& t) {
+    return std::tie(s.a, s.b, s.cut, s.border) < std::tie(t.a, t.b, t.cut, t.border);
+  });
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < stretches_.size(); ++k) {
+    const Stretch& s = stretches_[k];
+    if (kept == 0 || stretches_[kept - 1].a != s.a || stretches_[kept - 1].b != s.b) {
+      stretches_[kept++] = s;
+      continue;
+    }
+    Stretch& t = stretches_[kept - 1];
+    t.front += s.front, t.back += s.back;
+    if (t.border == kNoId) t.border = s.border;
+    else if (s.border != kNoId && s.border != t.border) t.border = kManyEdges;
+  }
+  stretches_.resize(kept);
+}
+
+bool PlaneLines::on_line(const Stretch& line, const Stretch& s) const {
+  return points_.left_of(line.cut, s.a) == 0 && points_.left_of(line.cut, s.b) == 0;
+}
+
+/// Numbers the lines of all stretches: `order_` lists stretches line by line.
+void PlaneLines::find_lines() {
+  const auto n = static_cast<std::uint32_t>(stretches_.size());
+  cuts_.clear(), order_.clear();
+  for (std::uint32_t k = 0; k < n; ++k) cuts_.push_back(stretches_[k].cut), order_.push_back(k);
+  points_.space().line_hashes(points_.plane(), cuts_, hash_);
+  std::sort(order_.begin(), order_.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return std::tie(hash_[a], a) < std::tie(hash_[b], b); });
+  std::vector<std::uint32_t>& leaders = by_x_;  // the first stretch of every line
+  leaders.clear();
+  std::uint32_t same_hash = 0;  // the first line with the hash at hand
+  bool mixed = false;
+  // What has the hash 0 may lie on any line, and comes first.
+  const bool wild = n > 0 && hash_[order_[0]] == 0;
+  for (std::uint32_t k = 0; k < n; ++k) {
+    Stretch& s = stretches_[order_[k]];
+    const auto lines = static_cast<std::uint32_t>(leaders.size());
+    if (k > 0 && hash_[order_[k]] != hash_[order_[k - 1]] && !wild) same_hash = lines;
+    s.line = same_hash;
+    while (s.line < lines && stretches_[leaders[s.line]].cut != s.cut && !on_line(stretches_[leaders[s.line]], s))
+      ++s.line;
+    if (s.line == lines) leaders.push_back(order_[k]);
+    else mixed |= s.line + 1 < lines;
+  }
+  if (mixed)
+    std::sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return std::tie(stretches_[a].line, a) < std::tie(stretches_[b].line, b);
+    });
+}
+
+void PlaneLines::make_runs() {
+  runs_.clear(), breaks_.clear();
+  const auto n = static_cast<std::uint32_t>(order_.size());
+  for (std::uint32_t first = 0, last = 0; first < n; first = last) {
+    while (last < n && stretches_[order_[last]].line == stretches_[order_[first]].line) ++last;
+    const Stretch& s = stretches_[order_[first]];
+    if (last - first == 1) add_run(first, last, s.a, s.b);
+    else split_line(first, last);
+  }
+}
+
+void PlaneLines::add_run(std::uint32_t first, std::uint32_t last, PointId a, PointId b) {
+  const Stretch& s = stretches_[order_[first]];
+  Run run{a, b, s.cut, s.along, first, last, 1e300, 1e300, -1e300, -1e300};
+  for (const PointId p : {a, b}) {
+    const Approx& at = points_.approx(p);
+    const double x = points_.x(at), y = points_.y(at);
+    run.low_x = std::min(run.low_x, x - at.radius), run.high_x = std::max(run.high_x, x + at.radius);
+    run.low_y = std::min(run.low_y, y - at.radius), run.high_y = std::max(run.high_y, y + at.radius);
+  }
+  runs_.push_back(run);
+}
+
+/// Stretches of one line as runs, all in the direction of the first one's way from a to b.
+void PlaneLines::split_line(std::uint32_t first, std::uint32_t last) {
+  const Stretch lead = stretches_[order_[first]];
+  const int axis = points_.long_axis(lead.a, lead.b), way = points_.order(lead.a, lead.b, axis);
+  const auto before = [&](PointId p, PointId q) { return points_.order(p, q, axis) * way > 0; };
+  for (std::uint32_t k = first; k < last; ++k) {
+    Stretch& s = stretches_[order_[k]];
+    s.cut = lead.cut, s.along = lead.along;
+    if (!before(s.a, s.b)) std::swap(s.a, s.b), s.front = -s.front, s.back = -s.back;
+  }
+  std::sort(order_.begin() + first, order_.begin() + last, [&](std::uint32_t i, std::uint32_t j) {
+    const Stretch &s = stretches_[i], &t = stretches_[j];
+    if (s.a != t.a) return before(s.a, t.a);
+    return i < j;
+  });
+  std::uint32_t begin = first;
+  PointId end = stretches_[order_[first]].b;
+  const auto finish = [&](std::uint32_t k) {
+    const PointId start = stretches_[order_[begin]].a;
+    const auto run = static_cast<std::uint32_t>(runs_.size());
+    for (std::uint32_t i = begin; i < k; ++i)
+      for (const PointId p : {stretches_[order_[i]].a, stretches_[order_[i]].b})
+        if (p != start && p != end) breaks_.push_back({run, p});
+    add_run(begin, k, start, end);
+    begin = k;
+  };
+  for (std::uint32_t k = first + 1; k < last; ++k) {
+    const Stretch& s = stretches_[order_[k]];
+    if (s.a != end && !before(s.a, end)) {
+      finish(k);
+      end = s.b;
+    } else if (before(end, s.b)) {
+      end = s.b;
+    }
+  }
+  finish(last);
+}
+
+void PlaneLines::cross_runs() {
+  crossings_.clear(), by_x_.clear(), open_.clear();
+  for (std::uint32_t r = 0; r < runs_.size(); ++r) by_x_.push_back(r);
+  std::sort(by_x_.begin(), by_x_.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return std::tie(runs_[a].low_x, a) < std::tie(runs_[b].low_x, b);
+  });
+  for (const std::uint32_t s : by_x_) {
+    const Run& run = runs_[s];
+    std::size_t kept = 0;
+    for (const std::uint32_t t : open_) {
+      const Run& other = runs_[t];
+      if (other.high_x < run.low_x) continue;
+      open_[kept++] = t;
+      if (other.low_y <= run.high_y && run.low_y <= other.high_y) cross(s, t);
+    }
+    open_.resize(kept);
+    open_.push_back(s);
+  }
+}
+
+/// Of runs on different lines, or apart on one.
+void PlaneLines::cross(std::uint32_t i, std::uint32_t j) {
+  const Run &s = runs_[i], &t = runs_[j];
+  if (s.cut == t.cut) return;
+  const auto side = [&](PointId end, const Run& r) {
+    return end == r.a || end == r.b ? 0 : points_.left_of(r.cut, end);
+  };
+  const int sa = side(s.a, t), sb = side(s.b, t);
+  if (sa * sb > 0) return;
+  const int ta = side(t.a, s), tb = side(t.b, s);
+  if (ta * tb > 0) return;
+  if (sa * sb < 0 && ta * tb < 0) {
+    PointSource at{PointSource::Kind::planes, points_.plane(), s.cut, t.cut};
+    if (at.a > at.b) std::swap(at.a, at.b);
+    if (at.b > at.c) std::swap(at.b, at.c);
+    if (at.a > at.b) std::swap(at.a, at.b);
+    crossings_.push_back({i, j, at});
+    return;
+  }
+  // An end on the other run.
+  if (sa == 0 && ta * tb < 0) breaks_.push_back({j, s.a});
+  if (sb == 0 && ta * tb < 0) breaks_.push_back({j, s.b});
+  if (ta == 0 && sa * sb < 0) breaks_.push_back({i, t.a});
+  if (tb == 0 && sa * sb < 0) breaks_.push_back({i, t.b});
+}
+
+/// Points inside a run.
+void PlaneLines::place_dots() {
+  for (const PlaneSegment& dot : dots_) {
+    const Approx& at = points_.approx(dot.a);
+    const double x = points_.x(at), y = points_.y(at), r = at.radius;
+    for (std::uint32_t k = 0; k < runs_.size(); ++k) {
+      const Run& run = runs_[k];
+      if (x + r < run.low_x || x - r > run.high_x || y + r < run.low_y || y - r > run.high_y) continue;
+      if (dot.a == run.a || dot.a == run.b || points_.left_of(run.cut, dot.a) != 0) continue;
+      const int axis = points_.long_axis(run.a, run.b), way = points_.order(run.a, run.b, axis);
+      if (points_.order(run.a, dot.a, axis) * way > 0 && points_.order(dot.a, run.b, axis) * way > 0)
+        breaks_.push_back({k, dot.a});
+    }
+  }
+}
+
+void PlaneLines::name_crossings() {
+  if (crossings_.empty()) return;
+  sources_.clear(), named_.clear();
+  for (const Crossing& c : crossings_) sources_.push_back(c.at);
+  const std::vector<exact::Residue> hashes = points_.space().point_hashes(sources_);
+  for (const Run& r : runs_)
+    for (const PointId p : {r.a, r.b}) named_.emplace_back(points_.table().hash(p), p);
+  for (const Break& b : breaks_) named_.emplace_back(points_.table().hash(b.at), b.at);
+  // Crossings by their order, behind what is known.
+  const auto known = points_.known();
+  for (std::uint32_t k = 0; k < crossings_.size(); ++k) named_.emplace_back(hashes[k], known + k);
+  std::sort(named_.begin(), named_.end());
+  named_.erase(std::unique(named_.begin(), named_.end()), named_.end());
+  std::vector<PointId>& same = inner_;  // points with one hash: nearly always one
+  same.clear();
+  for (std::size_t k = 0; k < named_.size(); ++k) {
+    const auto [hash, id] = named_[k];
+    if (k == 0 || hash != named_[k - 1].first) same.clear();
+    if (id < known) {
+      same.push_back(id);
+      continue;
+    }
+    const Crossing& c = crossings_[id - known];
+    PointId at = kNoId;
+    for (const PointId p : same)
+      if (points_.space().same_point(points_.source(p), c.at)) at = p;
+    if (at == kNoId) same.push_back(at = points_.add(c.at));
+    breaks_.push_back({c.s, at});
+    breaks_.push_back({c.t, at});
+  }
+}
+
+void PlaneLines::cut_runs() {
+  pieces_.clear();
+  std::sort(breaks_.begin(), breaks_.end(),
+            [](const Break& x, const Break& y) { return std::tie(x.run, x.at) < std::tie(y.run, y.at); });
+  std::size_t at = 0;
+  for (std::uint32_t r = 0; r < runs_.size(); ++r) {
+    inner_.clear();
+    inner_.push_back(runs_[r].a);
+    for (; at < breaks_.size() && breaks_[at].run == r; ++at)
+      if (breaks_[at].at != inner_.back()) inner_.push_back(breaks_[at].at);
+    if (inner_.size() > 2) {
+      const int axis = points_.long_axis(runs_[r].a, runs_[r].b), way = points_.order(runs_[r].a, runs_[r].b, axis);
+      std::sort(inner_.begin() + 1, inner_.end(),
+                [&](PointId p, PointId q) { return points_.order(p, q, axis) * way > 0; });
+    }
+    inner_.push_back(runs_[r].b);
+    cut_run(r, inner_);
+  }
+}
+
+/// `points` in order from the run's a to its b.
+void PlaneLines::cut_run(std::uint32_t r, std::span<PointId> points) {
+  const Run& run = runs_[r];
+  const std::size_t n = points.size() - 1;
+  // Per piece: changes (in the run's direction), borders, and the sum of their ids.
+  steps_.assign(n + 1, {0, 0, 0, 0});
+  if (run.last - run.first > 1) {
+    index_.clear();
+    for (std::uint32_t k = 0; k <= n; ++k) index_.push_back({points[k], k});
+    std::sort(index_.begin(), index_.end());
+  }
+  const auto place = [&](PointId p) -> std::size_t {
+    if (p == run.a) return 0;
+    if (p == run.b) return n;
+    return (*std::lower_bound(index_.begin(), index_.end(), std::array<std::uint32_t, 2>{p, 0}))[1];
+  };
+  for (std::uint32_t k = run.first; k < run.last; ++k) {
+    const Stretch& s = stretches_[order_[k]];
+    const std::uint64_t borders = s.border == kNoId ? 0 : s.border == kManyEdges ? 2 : 1;
+    const std::array<std::uint64_t, 4> step{static_cast<std::uint64_t>(s.front), static_cast<std::uint64_t>(s.back),
+                                            borders, borders == 1 ? s.border : 0};
+    const std::size_t from = place(s.a), to = place(s.b);
+    for (std::size_t i = 0; i < 4; ++i) steps_[from][i] += step[i], steps_[to][i] -= step[i];
+  }
+  std::array<std::uint64_t, 4> sum{0, 0, 0, 0};
+  for (std::size_t k = 0; k < n; ++k) {
+    for (std::size_t i = 0; i < 4; ++i) sum[i] += steps_[k][i];
+    const int front = static_cast<int>(sum[0]), back = static_cast<int>(sum[1]);
+    const bool up = points[k] < points[k + 1];
+    LinePiece piece{
+        std::min(points[k], points[k + 1]),      std::max(points[k], points[k + 1]), run.cut, up == run.along, kNoId,
+        {up ? front : -front, up ? back : -back}};
+    if (sum[2] > 0) piece.border = sum[2] == 1 ? static_cast<EdgeId>(sum[3]) : kManyEdges;
+    pieces_.push_back(piece);
+  }
+}
+
+}  // namespace dymsum::spatial

@@ -1,0 +1,114 @@
+#include "spatial/boundary/lone_contacts.h"
+
+namespace dymsum::spatial {
+
+LoneContacts::Side::Side(const SumSpace& space, const SolidOperand& operand, const std::vector<Vec3>& vertices)
+    : solid(operand), at(vertices), radius(space.sum_radius()), tame(operand.vertices.size(), 0) {
+  normals.reserve(solid.triangles.size());
+  for (const Triangle& t : solid.triangles) normals.push_back(normal_direction(at[t[0]], at[t[1]], at[t[2]], radius));
+}
+
+template <class F>
+bool LoneContacts::Side::all_triangles(std::uint32_t vertex, F f) const {
+  for (std::uint32_t c = solid.corner_begin[vertex]; c < solid.corner_begin[vertex + 1]; ++c)
+    if (!f(solid.corners[c] / 3)) return false;
+  return true;
+}
+
+/// Every edge at a vertex leaves it in one of the triangles there.
+template <class F>
+bool LoneContacts::Side::all_edges(std::uint32_t vertex, F f) const {
+  for (std::uint32_t c = solid.corner_begin[vertex]; c < solid.corner_begin[vertex + 1]; ++c) {
+    const std::uint32_t corner = solid.corners[c];
+    if (!f(edge(vertex, solid.triangles[corner / 3][(corner + 1) % 3]))) return false;
+  }
+  return true;
+}
+
+/// Whether a way leads inward through all faces at a vertex: moved along it, the material there stays in itself.
+bool LoneContacts::Side::has_free_way(std::uint32_t vertex) {
+  if (tame[vertex] == 0) {
+    Vec3 sum;
+    all_triangles(vertex, [&](std::uint32_t t) {
+      const Vec3 n = normals[t].v;
+      const double size = length(n);
+      if (size > 0) sum = sum - (1 / size) * n;
+      return true;
+    });
+    const Direction way = scaled_direction(sum, 0);
+    const bool all = all_triangles(vertex, [&](std::uint32_t t) { return filtered_sign(normals[t], way) < 0; });
+    tame[vertex] = all ? 2 : 1;
+  }
+  return tame[vertex] == 2;
+}
+
+LoneContacts::LoneContacts(const SumSpace& space, const FacetTable& table, const SolidOperand& p, const SolidOperand& q)
+    : space_(space), table_(table), p_(space, p, space.p()), q_(space, q, space.q()), edge_(space.edges().size(), 0) {}
+
+bool LoneContacts::lone(const Side& edges, std::uint32_t from, std::uint32_t to, const Side& vertices,
+                        std::uint32_t v) {
+  int faces = 0;
+  Vec3 way;
+  const bool across = edges.all_triangles(from, [&](std::uint32_t t) {
+    const Triangle& triangle = edges.solid.triangles[t];
+    if (triangle[0] != to && triangle[1] != to && triangle[2] != to) return true;
+    ++faces;
+    const double size = length(edges.normals[t].v);
+    if (size > 0) way = way - (1 / size) * edges.normals[t].v;
+    return vertices.all_edges(v, [&](const Direction& d) { return filtered_sign(edges.normals[t], d) != 0; });
+  });
+  if (!across || faces != 2) return false;
+  // Inward through both faces: a way apart.
+  const Direction inward = scaled_direction(way, 0);
+  const bool free = edges.all_triangles(from, [&](std::uint32_t t) {
+    const Triangle& triangle = edges.solid.triangles[t];
+    const bool there = triangle[0] == to || triangle[1] == to || triangle[2] == to;
+    return !there || filtered_sign(edges.normals[t], inward) < 0;
+  });
+  if (!free) return false;
+  const Direction along = edges.edge(from, to);
+  return vertices.all_triangles(v, [&](std::uint32_t t) { return filtered_sign(vertices.normals[t], along) != 0; });
+}
+
+/// No face at a vertex of one operand is parallel to an edge at a vertex of the other.
+bool LoneContacts::lone(const Side& faces, std::uint32_t vertex, const Side& edges, std::uint32_t v) {
+  return edges.all_edges(v, [&](const Direction& d) {
+    return faces.all_triangles(vertex, [&](std::uint32_t t) { return filtered_sign(faces.normals[t], d) != 0; });
+  });
+}
+
+bool LoneContacts::edge(EdgeId id) {
+  if (edge_[id] == 0) {
+    const SumEdge& e = space_.edges()[id];
+    const bool of_p = e.from.q == e.to.q;
+    const bool yes = of_p ? lone(p_, e.from.p, e.to.p, q_, e.from.q) : lone(q_, e.from.q, e.to.q, p_, e.from.p);
+    edge_[id] = yes ? 2 : 1;
+  }
+  return edge_[id] == 2;
+}
+
+bool LoneContacts::corner(SumPoint s) {
+  return (p_.has_free_way(s.p) || q_.has_free_way(s.q)) && lone(p_, s.p, q_, s.q) && lone(q_, s.q, p_, s.p);
+}
+
+bool LoneContacts::facet(std::uint32_t id) {
+  const SumFacet& f = table_.facets[id].facet;
+  const auto face_vertex = [](const Side& faces, std::uint32_t t, const Side& vertices, std::uint32_t v) {
+    return vertices.all_edges(v, [&](const Direction& d) { return filtered_sign(faces.normals[t], d) != 0; });
+  };
+  if (f.kind == SumFacet::Kind::face_vertex) return face_vertex(p_, f.p, q_, f.q);
+  if (f.kind == SumFacet::Kind::vertex_face) return face_vertex(q_, f.q, p_, f.p);
+  const Wedge &e = p_.solid.wedges[f.p], &g = q_.solid.wedges[f.q];
+  const Direction along_e = p_.edge(e.from, e.to), along_g = q_.edge(g.from, g.to);
+  return filtered_sign(p_.normals[e.left], along_g) != 0 && filtered_sign(p_.normals[e.right], along_g) != 0 &&
+         filtered_sign(q_.normals[g.left], along_e) != 0 && filtered_sign(q_.normals[g.right], along_e) != 0;
+}
+
+bool LoneContacts::crosses(EdgeId id, PlaneId plane) const {
+  const SumEdge& e = space_.edges()[id];
+  const Direction along = edge_direction(space_.approx(e.from), space_.approx(e.to), space_.sum_radius());
+  // The plane's normal is relatively within 2^-51, its largest component at least a half.
+  return filtered_sign({space_.plane(plane).n, 0x1p-49}, along) != 0;
+}
+
+}  // namespace dymsum::spatial

@@ -1,0 +1,53 @@
+// Where two solids touch in single points: no edge of one is parallel to a face of the other there.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "spatial/arrangement/facet_table.h"
+#include "spatial/convolution/direction.h"
+
+namespace dymsum::spatial {
+
+/// Answers by doubles with a bound, so a "no" may also mean that they do not tell. "Yes" is a proof. Terms and use:
+/// docs/design/solid-sum.md, "Tight features".
+class LoneContacts {
+ public:
+  LoneContacts(const SumSpace& space, const FacetTable& table, const SolidOperand& p, const SolidOperand& q);
+
+  /// An edge of two faces and a vertex of the other operand that touch inside the edge and overlap nowhere near touch
+  /// nowhere else near, and there is an open set of ways to move apart.
+  bool edge(EdgeId edge);
+  /// The same of two vertices.
+  bool corner(SumPoint corner);
+  /// Inside a facet the features that it is made from touch nowhere else near.
+  bool facet(std::uint32_t facet);
+  /// An edge of sums is not parallel to a plane.
+  bool crosses(EdgeId edge, PlaneId plane) const;
+
+ private:
+  struct Side {
+    const SolidOperand& solid;
+    const std::vector<Vec3>& at;
+    double radius;
+    std::vector<Direction> normals;
+    std::vector<std::uint8_t> tame;  // per vertex: 0 not known yet, 1 no, 2 yes
+
+    Side(const SumSpace& space, const SolidOperand& operand, const std::vector<Vec3>& vertices);
+    Direction edge(std::uint32_t from, std::uint32_t to) const { return edge_direction(at[from], at[to], radius); }
+    template <class F>
+    bool all_triangles(std::uint32_t vertex, F f) const;
+    template <class F>
+    bool all_edges(std::uint32_t vertex, F f) const;
+    bool has_free_way(std::uint32_t vertex);
+  };
+  static bool lone(const Side& edges, std::uint32_t from, std::uint32_t to, const Side& vertices, std::uint32_t v);
+  static bool lone(const Side& faces, std::uint32_t vertex, const Side& edges, std::uint32_t v);
+
+  const SumSpace& space_;
+  const FacetTable& table_;
+  Side p_, q_;
+  std::vector<std::uint8_t> edge_;  // 0 not known yet, 1 no, 2 yes
+};
+
+}  // namespace dymsum::spatial

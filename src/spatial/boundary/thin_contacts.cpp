@@ -1,0 +1,130 @@
+// Segments and points that are thin parts by themselves: where they cross and touch the triangles of the other operand.
+#include "spatial/boundary/collision_query.h"
+
+namespace dymsum::spatial {
+
+/// Whether a segment of the given operand crosses the inside of a triangle of the other one.
+bool Collision::segment_crosses(const Query& query, Way::Of of, std::uint32_t wedge, std::uint32_t triangle) const {
+  const bool in_p = of == Way::Of::p;
+  const Way::Of other = in_p ? Way::Of::q : Way::Of::p;
+  const Wedge& w = (in_p ? p_ : q_).wedges[wedge];
+  const Triangle& t = (in_p ? q_ : p_).triangles[triangle];
+  const std::vector<Vec3>&at = in_p ? space_.p() : space_.q(), &corners = in_p ? space_.q() : space_.p();
+  const auto sum = [&](std::uint32_t end, std::uint32_t corner) {
+    return in_p ? SumPoint{end, corner} : SumPoint{corner, end};
+  };
+  const auto height = [&](std::uint32_t end) {
+    return query.side({sum(end, t[0]), {other, t[0], t[1]}, {other, t[0], t[2]}, false}, corners[t[1]] - corners[t[0]],
+                      corners[t[2]] - corners[t[0]]);
+  };
+  if (height(w.from) * height(w.to) >= 0) return false;
+  int twist[3];
+  for (int k = 0; k < 3; ++k) {
+    const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+    twist[k] = query.side({sum(w.from, a), {of, w.from, w.to}, {other, a, b}, false}, at[w.to] - at[w.from],
+                          corners[b] - corners[a]);
+  }
+  return twist[0] != 0 && twist[0] == twist[1] && twist[1] == twist[2];
+}
+
+bool Collision::segments_cross(const Query& query) const {
+  const Box box = query.box();
+  return p_segments_.any_reflected_pair(q_tree_, box, [&](std::uint32_t i, std::uint32_t j) {
+    return segment_crosses(query, Way::Of::p, p_.segments[i], j);
+  }) || p_tree_.any_reflected_pair(q_segments_, box, [&](std::uint32_t i, std::uint32_t j) {
+    return segment_crosses(query, Way::Of::q, q_.segments[j], i);
+  });
+}
+
+void Collision::add_thin_touches(const Query& query, std::vector<Touch>& touches) const {
+  const Box box = query.box();
+  p_segments_.any_reflected_pair(q_tree_, box, [&](std::uint32_t i, std::uint32_t j) {
+    touch_segment(query, Way::Of::p, p_.segments[i], j, touches);
+    return false;
+  });
+  p_tree_.any_reflected_pair(q_segments_, box, [&](std::uint32_t i, std::uint32_t j) {
+    touch_segment(query, Way::Of::q, q_.segments[j], i, touches);
+    return false;
+  });
+  p_points_.any_reflected_pair(q_tree_, box, [&](std::uint32_t i, std::uint32_t j) {
+    touch_end(query, Way::Of::p, p_.points[i], j, touches);
+    return false;
+  });
+  p_tree_.any_reflected_pair(q_points_, box, [&](std::uint32_t i, std::uint32_t j) {
+    touch_end(query, Way::Of::q, q_.points[j], i, touches);
+    return false;
+  });
+}
+
+/// A vertex of the given operand on a triangle of the other one.
+void Collision::touch_end(const Query& query, Way::Of of, std::uint32_t v, std::uint32_t triangle,
+                          std::vector<Touch>& touches) const {
+  const bool in_p = of == Way::Of::p;
+  const Way::Of other = in_p ? Way::Of::q : Way::Of::p;
+  const Triangle& t = (in_p ? q_ : p_).triangles[triangle];
+  const std::vector<Vec3>& corners = in_p ? space_.q() : space_.p();
+  const SumPoint sum = in_p ? SumPoint{v, t[0]} : SumPoint{t[0], v};
+  const PlaneSource plane{sum, {other, t[0], t[1]}, {other, t[0], t[2]}, false};
+  if (query.side(plane, corners[t[1]] - corners[t[0]], corners[t[2]] - corners[t[0]]) != 0) return;
+  const std::optional<Feature> its = place(query, other, triangle, v);
+  const Feature mine{Feature::Kind::vertex, v};
+  if (its) touches.push_back(in_p ? Touch{mine, *its} : Touch{*its, mine});
+}
+
+/// Ends on the triangle, its corners on the segment, and edges that cross the segment.
+void Collision::touch_segment(const Query& query, Way::Of of, std::uint32_t wedge, std::uint32_t triangle,
+                              std::vector<Touch>& touches) const {
+  const bool in_p = of == Way::Of::p;
+  const Way::Of other = in_p ? Way::Of::q : Way::Of::p;
+  const Wedge& w = (in_p ? p_ : q_).wedges[wedge];
+  const SolidOperand& solid = in_p ? q_ : p_;
+  const Triangle& t = solid.triangles[triangle];
+  const std::vector<Vec3>&at = in_p ? space_.p() : space_.q(), &corners = in_p ? space_.q() : space_.p();
+  const auto sum = [&](std::uint32_t end, std::uint32_t corner) {
+    return in_p ? SumPoint{end, corner} : SumPoint{corner, end};
+  };
+  const auto add = [&](Feature mine, Feature its) { touches.push_back(in_p ? Touch{mine, its} : Touch{its, mine}); };
+  for (const std::uint32_t end : {w.from, w.to}) touch_end(query, of, end, triangle, touches);
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+    if (inside_segment(query, of, wedge, a)) add({Feature::Kind::wedge, wedge}, {Feature::Kind::vertex, a});
+    const Way e{of, w.from, w.to}, g{other, a, b};
+    const int axis = axis_across(space_, e, g);
+    const Vec3 along_e = at[w.to] - at[w.from], along_g = corners[b] - corners[a];
+    if (axis < 0 || query.side({sum(w.from, a), e, g, false}, along_e, along_g) != 0) continue;
+    const Way up{Way::Of::axis, static_cast<std::uint32_t>(axis), 0};
+    const auto between = [&](SumPoint first, SumPoint second, Way line, Vec3 along) {
+      return query.side({first, line, up, false}, along, axis_vector(axis)) *
+                 query.side({second, line, up, false}, along, axis_vector(axis)) <
+             0;
+    };
+    if (between(sum(w.from, a), sum(w.to, a), g, along_g) && between(sum(w.from, a), sum(w.from, b), e, along_e))
+      add({Feature::Kind::wedge, wedge}, {Feature::Kind::wedge, solid.wedge_of[3 * triangle + k]});
+  }
+}
+
+/// Whether a vertex of the other operand lies between the ends of a segment.
+bool Collision::inside_segment(const Query& query, Way::Of of, std::uint32_t wedge, std::uint32_t v) const {
+  const bool in_p = of == Way::Of::p;
+  const Wedge& w = (in_p ? p_ : q_).wedges[wedge];
+  const Vec3 along = in_p ? space_.p()[w.to] - space_.p()[w.from] : space_.q()[w.to] - space_.q()[w.from];
+  const auto sum = [&](std::uint32_t end) { return in_p ? SumPoint{end, v} : SumPoint{v, end}; };
+  const Way line{of, w.from, w.to};
+  const auto axis_way = [](int axis) { return Way{Way::Of::axis, static_cast<std::uint32_t>(axis), 0}; };
+  for (int axis = 0; axis < 3; ++axis) {
+    // Beside the line, seen along the axis; nothing is where the line runs along it.
+    const bool beside = axis_across(space_, line, axis_way(axis)) >= 0;
+    if (beside && query.side({sum(w.from), line, axis_way(axis), false}, along, axis_vector(axis)) != 0) return false;
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    const int u = (axis + 1) % 3, v2 = (axis + 2) % 3;
+    if (space_.exact_det(line, axis_way(u), axis_way(v2)) == 0) continue;
+    const auto order = [&](std::uint32_t end) {
+      return query.side({sum(end), axis_way(u), axis_way(v2), false}, axis_vector(u), axis_vector(v2));
+    };
+    return order(w.from) * order(w.to) < 0;
+  }
+  return false;
+}
+
+}  // namespace dymsum::spatial

@@ -1,0 +1,75 @@
+// What the stages of a solid sum share: threads, progress, and a budget of memory.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <string_view>
+#include <thread>
+
+#include "base/parallel.h"
+#include "dymsum/spatial_sum.h"
+
+namespace dymsum::spatial {
+
+/// Thrown where progress asks to stop.
+struct Cancelled {};
+/// Thrown where a stage is about to hold more than the budget.
+struct OverBudget {
+  std::uint64_t bytes;  ///< that it would hold
+};
+
+class StageWatch {
+ public:
+  StageWatch(const SpatialOptions& options, SpatialStats& stats) : options_(options), stats_(stats) {}
+
+  /// Ends the stage before it and begins one; an empty name only ends.
+  void begin(std::string_view name) {
+    const auto now = std::chrono::steady_clock::now();
+    if (!stats_.stages.empty() && begun_)
+      stats_.stages.back().ms = std::chrono::duration<double, std::milli>(now - last_).count();
+    last_ = now, begun_ = !name.empty();
+    if (name.empty()) return;
+    stats_.stages.push_back({name, 0});
+    ask(0);
+  }
+
+  /// Calls part(k) for all k below `parts`, on several threads, and in between asks progress, on the caller's thread
+  /// alone, whether to go on.
+  template <class F>
+  void run(std::size_t parts, F part) {
+    std::atomic<std::size_t> done{0};
+    const std::thread::id caller = std::this_thread::get_id();
+    base::parallel_parts(parts, options_.threads, [&](std::size_t k) {
+      if (stop_.load(std::memory_order_relaxed)) throw Cancelled{};
+      part(k);
+      const std::size_t so_far = done.fetch_add(1, std::memory_order_relaxed) + 1;
+      if (std::this_thread::get_id() == caller) ask(static_cast<double>(so_far) / static_cast<double>(parts));
+    });
+  }
+
+  /// To be called by stages that run in one piece, now and then.
+  void ask(double share) {
+    if (options_.progress && !options_.progress(stats_.stages.back().name, share)) {
+      stop_ = true;
+      throw Cancelled{};
+    }
+  }
+
+  /// Accounts for memory from here to the end of the sum.
+  void hold(std::uint64_t bytes) {
+    const std::uint64_t all = held_.fetch_add(bytes, std::memory_order_relaxed) + bytes;
+    if (options_.memory != 0 && all > options_.memory) throw OverBudget{all};
+  }
+  std::uint64_t held() const { return held_; }
+
+ private:
+  const SpatialOptions& options_;
+  SpatialStats& stats_;
+  std::chrono::steady_clock::time_point last_;
+  bool begun_ = false;
+  std::atomic<bool> stop_{false};
+  std::atomic<std::uint64_t> held_{0};
+};
+
+}  // namespace dymsum::spatial

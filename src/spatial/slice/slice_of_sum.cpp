@@ -1,0 +1,59 @@
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "dymsum/solid_slice.h"
+#include "exact/big.h"
+#include "spatial/convolution/stage_watch.h"
+#include "spatial/slice/slice_region.h"
+#include "spatial/sum/grid_error.h"
+
+namespace dymsum {
+
+namespace {
+
+/// Whether the plane meets the box of the sum.
+bool within(const Mesh& p, const Mesh& q, double z) {
+  const auto a = bounds(p), b = bounds(q);
+  const exact::BigRational at = exact::exact_value(z);
+  return exact::exact_value(a[2]) + exact::exact_value(b[2]) <= at &&
+         at <= exact::exact_value(a[5]) + exact::exact_value(b[5]);
+}
+
+const Error kCancelled{ErrorCode::cancelled, "the computation was cancelled", {}};
+
+}  // namespace
+
+Result<SolidSlice> slice_of_sum(const Mesh& p, const Mesh& q, double z, const SpatialOptions& options) {
+  if (!std::isfinite(z)) return Error{ErrorCode::not_finite, "the height of a slice is a number", {}};
+  SolidSlice slice;
+  slice.z = z;
+  if (p.has_thin_parts() || q.has_thin_parts())
+    return Error{ErrorCode::unsupported_operand, "slices are of solids without thin parts", {}};
+  if (p.empty() || q.empty() || !within(p, q, z)) return slice;
+  const spatial::SolidOperand a = spatial::solid_operand(p.data()), b = spatial::solid_operand(q.data());
+  SpatialStats stats;
+  spatial::StageWatch watch(options, stats);
+  try {
+    watch.begin("convolution");
+    spatial::SlicePlane plane = spatial::slice_plane(a, b, z, watch);
+    watch.begin("collisions");
+    const spatial::Collision collision(*plane.space, a, b);
+    const spatial::SliceStates states = spatial::slice_states(plane, collision);
+    slice.stats = {plane.space->bits(), plane.facets, plane.table.facets.size(), plane.cells.cells.size(),
+                   collision.tests()};
+    spatial::collect_region(std::move(plane), states, a, b, slice);
+  } catch (const spatial::Cancelled&) {
+    return kCancelled;
+  } catch (const spatial::OverBudget& e) {
+    return Error{ErrorCode::out_of_memory, "the slice takes at least " + std::to_string(e.bytes) + " bytes of memory", {}};
+  } catch (const std::invalid_argument&) {
+    if (std::optional<Error> error = spatial::grid_error(p.vertices(), q.vertices())) return *std::move(error);
+    throw;
+  }
+  return slice;
+}
+
+}  // namespace dymsum

@@ -1,0 +1,183 @@
+#include "spatial/slice/slice_plane.h"
+
+#include <algorithm>
+
+#include "exact/big.h"
+#include "spatial/erode/frame.h"
+
+namespace dymsum::spatial {
+
+namespace {
+
+/// The height as a sum of two doubles, one for each operand: near the operands where that is exact, so that the common
+/// grid stays narrow.
+std::array<double, 2> split(double height, double near_q) {
+  const double near_p = height - near_q;
+  const bool exact =
+      std::isfinite(near_p) && exact::exact_value(near_p) + exact::exact_value(near_q) == exact::exact_value(height);
+  return exact ? std::array{near_p, near_q} : std::array{height, 0.0};
+}
+
+std::array<double, 2> range_of(const std::vector<Point3>& vertices, double Point3::*axis) {
+  const auto [low, high] = std::minmax_element(vertices.begin(), vertices.end(),
+                                               [&](const Point3& a, const Point3& b) { return a.*axis < b.*axis; });
+  return {(*low).*axis, (*high).*axis};
+}
+
+/// The end of a facet's stretch: at a corner, or on the border that begins there.
+struct End {
+  int corner = 0;
+  bool on_border = false;
+};
+
+class Builder {
+ public:
+  Builder(const SolidOperand& p, const SolidOperand& q, double height, StageWatch& watch)
+      : p_(p), q_(q), height_(height), watch_(watch) {}
+
+  SlicePlane run() {
+    make_space();
+    take_facets();
+    add_frame();
+    for (std::uint32_t f = 0; f < result_.table.facets.size(); ++f) add_facet(f);
+    name_points();
+    std::vector<PlaneSegment> segments;
+    for (const SliceSegment& s : result_.segments) segments.push_back(s.segment);
+    result_.cells = PlaneArranger(*result_.space, *result_.points).run(result_.plane, segments);
+    result_.names = result_.points->add(result_.cells.found, watch_);
+    return std::move(result_);
+  }
+
+ private:
+  /// Vertices behind those of the operands make sums in the plane: the corners of the frame.
+  void make_space() {
+    std::vector<Point3> p = p_.vertices, q = q_.vertices;
+    first_corner_ = static_cast<std::uint32_t>(p.size());
+    anchor_ = static_cast<std::uint32_t>(q.size());
+    const auto [z, anchor_z] = split(height_, q[0].z);
+    const auto frame = [&](double Point3::*axis) {
+      const auto [low, high] = range_of(p_.vertices, axis);
+      const auto [q_low, q_high] = range_of(q_.vertices, axis);
+      return framed(low, high, q_high - q_low);
+    };
+    const auto x = frame(&Point3::x), y = frame(&Point3::y);
+    for (const auto& [i, j] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}})
+      p.push_back({x[static_cast<std::size_t>(i)], y[static_cast<std::size_t>(j)], z});
+    q.push_back({q[0].x, q[0].y, anchor_z});
+    result_.space = make_sum_space(p, q);
+    const PlaneSource plane{{first_corner_, anchor_}, {Way::Of::axis, 0, 0}, {Way::Of::axis, 1, 0}, false};
+    result_.plane = result_.space->add_planes(std::array{plane});
+  }
+
+  void take_facets() {
+    // Facets do not depend on the height, whose digits may need a finer grid than the operands.
+    const std::unique_ptr<SumSpace> own = make_sum_space(p_.vertices, q_.vertices);
+    const ReducedConvolution all = reduced_convolution(*own, p_, q_, watch_);
+    result_.facets = all.facets.size();
+    ReducedConvolution met;
+    for (std::size_t f = 0; f < all.facets.size(); ++f) {
+      const auto sides = sides_of(all.facets[f]);
+      const auto [low, high] = std::minmax_element(sides.begin(), sides.begin() + all.facets[f].corners);
+      if (*low > 0 || *high < 0) continue;
+      met.facets.push_back(all.facets[f]);
+      met.planes.push_back(all.planes[f]);
+    }
+    result_.table = facet_table(*result_.space, met);
+  }
+  std::array<int, 4> sides_of(const SumFacet& facet) const {
+    std::array<int, 4> sides{};
+    for (int k = 0; k < facet.corners; ++k)
+      sides[static_cast<std::size_t>(k)] =
+          result_.space->side(result_.plane, facet.corner[static_cast<std::size_t>(k)]);
+    return sides;
+  }
+
+  void add(const PointSource& a, const PointSource& b, SliceSegment segment) {
+    sources_.push_back(a);
+    sources_.push_back(b);
+    result_.segments.push_back(segment);
+  }
+  static PointSource source(SumPoint s) { return {PointSource::Kind::sum, s.p, s.q, 0}; }
+
+  /// The upright plane through a way: the way is n x n_cut, n pointing up.
+  PlaneId upright(SumPoint at, Way way) {
+    return result_.space->add_planes(std::array{PlaneSource{at, way, {Way::Of::axis, 2, 0}, false}});
+  }
+  void add_frame() {
+    for (std::uint32_t k = 0; k < 4; ++k) {
+      const SumPoint a{first_corner_ + k, anchor_}, b{first_corner_ + (k + 1) % 4, anchor_};
+      add(source(a), source(b), {{0, 0, upright(a, {Way::Of::p, a.p, b.p}), 1, 1}, SliceSegment::kFrame, false});
+    }
+  }
+
+  void add_facet(std::uint32_t f) {
+    const TableFacet& facet = result_.table.facets[f];
+    const std::array<int, 4> sides = sides_of(facet.facet);
+    const bool flat = std::all_of(sides.begin(), sides.begin() + facet.facet.corners, [](int s) { return s == 0; });
+    if (flat) add_flat(f);
+    else add_stretch(f, sides);
+  }
+
+  void add_flat(std::uint32_t f) {
+    const TableFacet& facet = result_.table.facets[f];
+    const std::size_t n = facet.facet.corners;
+    const bool up = result_.space->exact_normal(facet.plane, 2) * facet.side > 0;
+    for (std::size_t k = 0; k < n; ++k) {
+      const SumPoint a = facet.facet.corner[k], b = facet.facet.corner[(k + 1) % n];
+      const Way way = a.q == b.q ? Way{Way::Of::p, a.p, b.p} : Way{Way::Of::q, a.q, b.q};
+      const auto side = static_cast<std::int8_t>(up ? 1 : -1);
+      add(source(a), source(b), {{0, 0, upright(a, way), side, side}, f, false});
+    }
+  }
+
+  /// Counter-clockwise about the facet's own normal m, its border comes up through the plane at the beginning of the
+  /// stretch in the direction m x z and goes down at its end. A border in the plane is one that comes down at its first
+  /// corner and goes up at its second one where the facet lies above it, and the other way round below.
+  void add_stretch(std::uint32_t f, const std::array<int, 4>& sides) {
+    const TableFacet& facet = result_.table.facets[f];
+    const std::size_t n = facet.facet.corners;
+    PointSource from, to;
+    bool has_from = false, has_to = false;
+    const auto take = [&](bool rises, const PointSource& at) {
+      (rises ? from : to) = at;
+      (rises ? has_from : has_to) = true;
+    };
+    for (std::size_t k = 0; k < n; ++k) {
+      const int before = sides[(k + n - 1) % n], here = sides[k], behind = sides[(k + 1) % n];
+      const PointSource corner = source(facet.facet.corner[k]);
+      if (here * behind < 0) take(behind > 0, {PointSource::Kind::edge, facet.edge[k], result_.plane, 0});
+      if (here != 0) continue;
+      if (before == behind) take(true, corner), take(false, corner);
+      else take(before != 0 ? before < 0 : behind > 0, corner);
+    }
+    if (!has_from || !has_to) throw std::logic_error("slice: a facet that meets the plane without a stretch");
+    // The way of a segment is z x n_cut, that is z x m where the facet's normal is its plane's.
+    if (facet.side > 0) std::swap(from, to);
+    const auto [low, high] = std::minmax_element(sides.begin(), sides.begin() + facet.facet.corners);
+    add(from, to, {{0, 0, facet.plane, 0, 1}, f, *low < 0 && *high > 0});
+  }
+
+  void name_points() {
+    result_.points = std::make_unique<PointTable>(*result_.space);
+    const std::vector<PointId> ids = result_.points->add(sources_, watch_);
+    for (std::size_t k = 0; k < result_.segments.size(); ++k) {
+      result_.segments[k].segment.a = ids[2 * k];
+      result_.segments[k].segment.b = ids[2 * k + 1];
+    }
+  }
+
+  const SolidOperand &p_, &q_;
+  double height_;
+  StageWatch& watch_;
+  std::uint32_t first_corner_ = 0, anchor_ = 0;
+  std::vector<PointSource> sources_;  // two for every segment
+  SlicePlane result_;
+};
+
+}  // namespace
+
+SlicePlane slice_plane(const SolidOperand& p, const SolidOperand& q, double height, StageWatch& watch) {
+  return Builder(p, q, height, watch).run();
+}
+
+}  // namespace dymsum::spatial

@@ -1,0 +1,40 @@
+// The facets of a sum cut by a horizontal plane, and the cells into which they divide it.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "spatial/arrangement/facet_table.h"
+#include "spatial/arrangement/plane_cells.h"
+#include "spatial/convolution/solid_operand.h"
+#include "spatial/convolution/stage_watch.h"
+
+namespace dymsum::spatial {
+
+/// A stretch of the plane's arrangement: where a facet meets it, the border of one that lies in it, or of the frame.
+struct SliceSegment {
+  static constexpr std::uint32_t kFrame = 0xffffffff;
+  PlaneSegment segment;
+  std::uint32_t facet = kFrame;  ///< of the table
+  bool crossing = false;         ///< the facet has points above and below the plane
+};
+
+/// The plane z = height in the space of a sum, within a frame wider than the sum: cells without facets are cells of the
+/// frame.
+struct SlicePlane {
+  std::unique_ptr<SumSpace> space;
+  FacetTable table;  ///< of facets that meet the plane
+  PlaneId plane = 0;
+  std::unique_ptr<PointTable> points;
+  std::vector<SliceSegment> segments;
+  PlaneCells cells;
+  std::vector<PointId> names;  ///< of the points found in the cells: their ids in `points`
+  std::uint64_t facets = 0;    ///< of the whole convolution
+
+  PointId point(PointId id) const { return id < cells.known ? id : names[id - cells.known]; }
+};
+
+/// Requires operands that are not empty.
+SlicePlane slice_plane(const SolidOperand& p, const SolidOperand& q, double height, StageWatch& watch);
+
+}  // namespace dymsum::spatial

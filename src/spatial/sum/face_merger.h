@@ -1,0 +1,28 @@
+// Cells of one plane put together to polygons.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "spatial/arrangement/solid_arrangement.h"
+
+namespace dymsum::spatial {
+
+/// Which cells belong to what is put together, and the side from which it is seen: 0 for cells that do not, 1 for the
+/// normal's side, -1 for the other one.
+struct Selection {
+  std::vector<std::int8_t> side;
+};
+
+/// A polygon as loops of points of the arrangement, counter-clockwise around its inside.
+struct CellPolygon {
+  std::vector<std::vector<PointId>> loops;
+  std::uint32_t cell = 0;  ///< one of its cells
+};
+
+/// The selected cells as polygons: a piece of a line that two of them in one plane share, and nothing else that is
+/// selected touches, is no border; a point where all borders run along one line is no corner.
+std::vector<CellPolygon> merged_cells(const SumSpace& space, const SolidArrangement& arrangement,
+                                      const Selection& selection);
+
+}  // namespace dymsum::spatial

@@ -1,0 +1,223 @@
+#include "spatial/sum/feature_pairs.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace dymsum::spatial {
+
+namespace {
+
+using exact::BigRational;
+using Kind = SolidFeature::Kind;
+
+std::uint64_t key(std::uint32_t a, std::uint32_t b) {
+  return (static_cast<std::uint64_t>(std::min(a, b)) << 32) | std::max(a, b);
+}
+
+std::unordered_map<std::uint64_t, std::uint32_t> diagonals(const SolidOperand& solid) {
+  std::unordered_map<std::uint64_t, std::uint32_t> found;
+  for (const Wedge& w : solid.wedges)
+    if (solid.face[w.left] == solid.face[w.right]) found.emplace(key(w.from, w.to), solid.face[w.left]);
+  return found;
+}
+
+SolidFeature edge_feature(std::uint32_t a, std::uint32_t b) { return {Kind::edge, std::min(a, b), std::max(a, b)}; }
+
+std::vector<Box> facet_boxes(const SumSpace& space, const FacetTable& table) {
+  std::vector<Box> boxes;
+  boxes.reserve(table.facets.size());
+  for (const TableFacet& f : table.facets) {
+    Box box;
+    for (int k = 0; k < f.facet.corners; ++k) box.add(space.approx(f.facet.corner[k]));
+    box.grow(space.sum_radius());
+    boxes.push_back(box);
+  }
+  return boxes;
+}
+
+}  // namespace
+
+FeaturePairs::FeaturePairs(const SolidBoundary& boundary, const SolidOperand& p, const SolidOperand& q)
+    : boundary_(boundary),
+      space_(*boundary.space),
+      arrangement_(*boundary.arrangement),
+      p_(p),
+      q_(q),
+      diagonal_{diagonals(p), diagonals(q)},
+      facets_(facet_boxes(*boundary.space, boundary.table)) {
+  const std::vector<SumEdge>& edges = space_.edges();
+  ends_.reserve(2 * edges.size());
+  for (EdgeId e = 0; e < edges.size(); ++e) ends_.push_back({edges[e].from, e}), ends_.push_back({edges[e].to, e});
+  std::sort(ends_.begin(), ends_.end());
+}
+
+// The facets of a group tile or overlap; any that covers the cell will do.
+SolidContact FeaturePairs::of_cell(std::uint32_t id, int side) const {
+  const PlaneGroup& group = arrangement_.groups[arrangement_.group_of(id)];
+  for (const std::uint32_t f : group.facets) {
+    const TableFacet& facet = boundary_.table.facets[f];
+    if (facet.side == side && covers(facet, group, group.cells.cells[id - group.first_cell]))
+      return features(facet.facet);
+  }
+  throw std::logic_error("solid sum: a cell without a facet");
+}
+
+std::optional<SolidContact> FeaturePairs::of_edge(PointId a, PointId b) const {
+  std::optional<SumEdge> least;
+  for (const auto& [from, to] : {std::pair{a, b}, {b, a}}) {
+    for (const EdgeId e : edges_at(from)) {
+      const SumEdge& edge = space_.edges()[e];
+      if (least && !(edge < *least)) continue;
+      if ((is_named_by(from, e) && is_named_by(to, e)) || runs_along(edge, from, to)) least = edge;
+    }
+  }
+  return least ? std::optional(features(*least)) : std::nullopt;
+}
+
+std::optional<SolidContact> FeaturePairs::of_point(PointId at) const {
+  const PointSource& source = arrangement_.points.source(at);
+  if (source.kind == PointSource::Kind::sum)
+    return SolidContact{{Kind::vertex, source.a, 0}, {Kind::vertex, source.b, 0}};
+  if (source.kind == PointSource::Kind::edge) return features(space_.edges()[source.a]);
+  return std::nullopt;
+}
+
+std::vector<SolidContact> FeaturePairs::of_facets_at(std::span<const PointId> points) const {
+  const Approx& first = arrangement_.points.approx(points[0]);
+  Box box;
+  box.add(first.at);
+  box.grow(first.radius + space_.span() * 0x1p-50);
+  std::vector<SolidContact> contacts;
+  facets_.for_each(box, [&](std::uint32_t f) {
+    const TableFacet& facet = boundary_.table.facets[f];
+    if (std::all_of(points.begin(), points.end(), [&](PointId at) { return holds(facet, at); }))
+      contacts.push_back(features(facet.facet));
+  });
+  std::sort(contacts.begin(), contacts.end());
+  contacts.erase(std::unique(contacts.begin(), contacts.end()), contacts.end());
+  return contacts;
+}
+
+/// Whether the convex facet covers the cell: all corners of the cell lie on or within its borders.
+bool FeaturePairs::covers(const TableFacet& facet, const PlaneGroup& group, const Cell& cell) const {
+  if (group.facets.size() == 1) return true;
+  for (std::uint32_t k = group.cells.loops[cell.first_loop]; k < group.cells.loops[cell.first_loop + 1]; ++k) {
+    const std::uint32_t h = group.cells.half_edges[k];
+    const CellEdge& e = group.cells.edges[h / 2];
+    const PointId at = arrangement_.point(group, h & 1 ? e.b : e.a);
+    for (int i = 0; i < facet.facet.corners; ++i)
+      if (!inside_border(facet, i, at)) return false;
+  }
+  return true;
+}
+
+bool FeaturePairs::holds(const TableFacet& facet, PointId at) const {
+  if (space_.side(facet.plane, arrangement_.points.source(at), arrangement_.points.approx(at)) != 0) return false;
+  for (int i = 0; i < facet.facet.corners; ++i)
+    if (!inside_border(facet, i, at)) return false;
+  return true;
+}
+
+/// Left of the border or on it, seen against the facet's normal; requires a point in the facet's plane.
+bool FeaturePairs::inside_border(const TableFacet& facet, int border, PointId at) const {
+  const int n = facet.facet.corners;
+  const SumPoint a = facet.facet.corner[border], b = facet.facet.corner[(border + 1) % n];
+  const Vec3 normal = static_cast<double>(facet.side) * space_.plane(facet.plane).n;
+  const Vec3 from = space_.approx(a), d = space_.approx(b) - from;
+  const Approx& p = arrangement_.points.approx(at);
+  const double v = dot(normal, cross(d, p.at - from));
+  const double size = std::abs(d.x) + std::abs(d.y) + std::abs(d.z) + 4 * space_.sum_radius();
+  const double error = size * (space_.span() * 0x1p-46 + 4 * p.radius + 16 * space_.sum_radius());
+  if (v > error) return true;
+  if (v < -error) return false;
+  return exactly_inside(facet, a, b, at);
+}
+
+bool FeaturePairs::exactly_inside(const TableFacet& facet, SumPoint a, SumPoint b, PointId at) const {
+  const auto coordinate = [&](SumPoint s, int axis) {
+    return space_.exact_coordinate({PointSource::Kind::sum, s.p, s.q, 0}, axis);
+  };
+  BigRational d[3], w[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    d[axis] = coordinate(b, axis) - coordinate(a, axis);
+    w[axis] = space_.exact_coordinate(arrangement_.points.source(at), axis) - coordinate(a, axis);
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    const int up = space_.exact_normal(facet.plane, axis) * facet.side;
+    if (up == 0) continue;
+    const int i = (axis + 1) % 3, j = (axis + 2) % 3;
+    return BigRational(d[i] * w[j] - d[j] * w[i]).sign() * up >= 0;
+  }
+  return false;
+}
+
+/// Whether a point's source tells that it lies on an edge of sums.
+bool FeaturePairs::is_named_by(PointId at, EdgeId e) const {
+  const PointSource& source = arrangement_.points.source(at);
+  if (source.kind == PointSource::Kind::edge) return source.a == e;
+  const SumEdge& edge = space_.edges()[e];
+  const SumPoint sum{source.a, source.b};
+  return source.kind == PointSource::Kind::sum && (sum == edge.from || sum == edge.to);
+}
+
+/// Whether an edge of sums that holds `from` goes on from there towards `to`.
+bool FeaturePairs::runs_along(const SumEdge& edge, PointId from, PointId to) const {
+  const Approx &f = arrangement_.points.approx(from), &t = arrangement_.points.approx(to);
+  const Vec3 start = space_.approx(edge.from), d = space_.approx(edge.to) - start, way = t.at - f.at;
+  const auto norm = [](Vec3 v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
+  const double radius = f.radius + t.radius + 8 * space_.sum_radius() + space_.span() * 0x1p-46;
+  if (norm(cross(d, way)) > 8 * (norm(d) + norm(way) + radius) * radius) return false;
+  BigRational e[3], w[3], before = 0, after = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto at = [&](SumPoint s) { return space_.exact_coordinate({PointSource::Kind::sum, s.p, s.q, 0}, axis); };
+    const BigRational here = space_.exact_coordinate(arrangement_.points.source(from), axis);
+    e[axis] = at(edge.to) - at(edge.from);
+    w[axis] = space_.exact_coordinate(arrangement_.points.source(to), axis) - here;
+    before += w[axis] * (at(edge.from) - here);
+    after += w[axis] * (at(edge.to) - here);
+  }
+  for (int i = 0; i < 3; ++i)
+    if (e[i] * w[(i + 1) % 3] != e[(i + 1) % 3] * w[i]) return false;
+  return before > 0 || after > 0;
+}
+
+/// The edges of sums that a point's source tells to hold it.
+std::vector<EdgeId> FeaturePairs::edges_at(PointId at) const {
+  const PointSource& source = arrangement_.points.source(at);
+  if (source.kind == PointSource::Kind::edge) return {source.a};
+  std::vector<EdgeId> edges;
+  if (source.kind != PointSource::Kind::sum) return edges;
+  const SumPoint sum{source.a, source.b};
+  for (auto k = std::lower_bound(ends_.begin(), ends_.end(), std::pair{sum, EdgeId{0}});
+       k != ends_.end() && k->first == sum; ++k)
+    edges.push_back(k->second);
+  return edges;
+}
+
+SolidContact features_of(const SumFacet& f, const SolidOperand& p, const SolidOperand& q) {
+  const auto edge = [](const SolidOperand& s, std::uint32_t w) {
+    return edge_feature(s.wedges[w].from, s.wedges[w].to);
+  };
+  switch (f.kind) {
+    case SumFacet::Kind::face_vertex:
+      return {{Kind::face, p.face[f.p], 0}, {Kind::vertex, f.q, 0}};
+    case SumFacet::Kind::vertex_face:
+      return {{Kind::vertex, f.p, 0}, {Kind::face, q.face[f.q], 0}};
+    case SumFacet::Kind::edge_edge:
+      break;
+  }
+  return {edge(p, f.p), edge(q, f.q)};
+}
+
+/// An edge of one operand, or the face that it splits, and a vertex of the other one.
+SolidContact FeaturePairs::features(const SumEdge& edge) const {
+  const bool of_p = edge.from.q == edge.to.q;
+  const std::uint32_t a = of_p ? edge.from.p : edge.from.q, b = of_p ? edge.to.p : edge.to.q;
+  const auto inside = diagonal_[of_p ? 0 : 1].find(key(a, b));
+  const SolidFeature line =
+      inside == diagonal_[of_p ? 0 : 1].end() ? edge_feature(a, b) : SolidFeature{Kind::face, inside->second, 0};
+  const SolidFeature vertex{Kind::vertex, of_p ? edge.from.q : edge.from.p, 0};
+  return of_p ? SolidContact{line, vertex} : SolidContact{vertex, line};
+}
+
+}  // namespace dymsum::spatial

@@ -1,0 +1,51 @@
+// Which features of the operands touch on the faces, along the edges and at the points of a sum.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <tuple>
+#include <unordered_map>
+#include <vector>
+
+#include "spatial/mesh/box_tree.h"
+#include "spatial/sum/solid_boundary.h"
+
+namespace dymsum::spatial {
+
+/// The features whose sum a facet is.
+SolidContact features_of(const SumFacet& facet, const SolidOperand& p, const SolidOperand& q);
+
+class FeaturePairs {
+ public:
+  FeaturePairs(const SolidBoundary& boundary, const SolidOperand& p, const SolidOperand& q);
+
+  /// The pair of a facet with this side (1 or -1: of the plane's normal) that covers the cell.
+  SolidContact of_cell(std::uint32_t cell, int side) const;
+  /// An edge and a vertex whose sum runs along ab at one of its ends; none where two faces cross.
+  std::optional<SolidContact> of_edge(PointId a, PointId b) const;
+  /// Two vertices with that sum, or an edge and a vertex; none where three faces cross.
+  std::optional<SolidContact> of_point(PointId at) const;
+  /// Of all facets that hold these points, sorted. O(log n + k) for k facets near the first one.
+  std::vector<SolidContact> of_facets_at(std::span<const PointId> points) const;
+
+ private:
+  bool covers(const TableFacet& facet, const PlaneGroup& group, const Cell& cell) const;
+  bool holds(const TableFacet& facet, PointId at) const;
+  bool inside_border(const TableFacet& facet, int border, PointId at) const;
+  bool exactly_inside(const TableFacet& facet, SumPoint a, SumPoint b, PointId at) const;
+  bool is_named_by(PointId at, EdgeId edge) const;
+  bool runs_along(const SumEdge& edge, PointId from, PointId to) const;
+  SolidContact features(const SumFacet& facet) const { return features_of(facet, p_, q_); }
+  SolidContact features(const SumEdge& edge) const;
+  std::vector<EdgeId> edges_at(PointId at) const;
+
+  const SolidBoundary& boundary_;
+  const SumSpace& space_;
+  const SolidArrangement& arrangement_;
+  const SolidOperand &p_, &q_;
+  std::vector<std::pair<SumPoint, EdgeId>> ends_;                 // of all edges of sums, sorted
+  std::unordered_map<std::uint64_t, std::uint32_t> diagonal_[2];  // edges inside faces, and these faces
+  BoxTree facets_;
+};
+
+}  // namespace dymsum::spatial

@@ -1,0 +1,55 @@
+#include "spatial/sum/sum_source.h"
+
+#include <algorithm>
+
+namespace dymsum::spatial {
+
+using exact::BigInteger;
+
+ExactPosition SpatialPositions::at(std::size_t vertex) const {
+  if (!space) return listed[vertex];
+  const PointSource& at = vertices[vertex];
+  return {space->world_coordinate(at, 0), space->world_coordinate(at, 1), space->world_coordinate(at, 2)};
+}
+
+std::array<BigInteger, 4> SpatialPositions::homogeneous(std::size_t vertex) const {
+  if (space) return space->homogeneous(vertices[vertex]);
+  const ExactPosition& at = listed[vertex];
+  std::array<BigInteger, 4> h{0, 0, 0, 1};
+  for (int axis = 0; axis < 3; ++axis) h[3] = lcm(h[3], BigInteger(denominator(at[axis])));
+  for (int axis = 0; axis < 3; ++axis) h[axis] = numerator(at[axis]) * (h[3] / denominator(at[axis]));
+  return h;
+}
+
+std::array<int, 3> SpatialPositions::unit_exponents() const {
+  if (!space) return {0, 0, 0};
+  return {space->line(0).exponent, space->line(1).exponent, space->line(2).exponent};
+}
+
+std::array<BigInteger, 3> SpatialPositions::multiples(std::size_t vertex, const std::array<int, 3>& shift,
+                                                      bool& exact) const {
+  const std::array<BigInteger, 4> h = homogeneous(vertex);
+  const std::array<int, 3> unit = unit_exponents();
+  std::array<BigInteger, 3> result;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int power = shift[axis] + unit[axis];
+    BigInteger rest;
+    if (power >= 0) divide_qr(BigInteger(h[axis] << power), h[3], result[axis], rest);
+    else divide_qr(h[axis], BigInteger(h[3] << -power), result[axis], rest);
+    exact = exact && rest.is_zero();
+    if (rest.sign() < 0) result[axis] -= 1;  // down, not towards zero
+  }
+  return result;
+}
+
+void SpatialPositions::grow(std::size_t vertex, std::array<int, 3>& exponents) const {
+  const std::array<BigInteger, 4> h = homogeneous(vertex);
+  const std::array<int, 3> unit = unit_exponents();
+  for (int axis = 0; axis < 3; ++axis) {
+    if (h[axis].is_zero()) continue;
+    const int size = static_cast<int>(msb(abs(h[axis]))) - static_cast<int>(msb(h[3])) + 1 + unit[axis];
+    exponents[axis] = std::max(exponents[axis], size);
+  }
+}
+
+}  // namespace dymsum::spatial

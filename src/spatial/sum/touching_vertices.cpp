@@ -1,0 +1,129 @@
+#include "spatial/sum/touching_vertices.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "spatial/mesh/box_tree.h"
+#include "spatial/sum/sum_source.h"
+
+namespace dymsum::spatial {
+namespace {
+
+using exact::BigRational;
+
+class TouchingVertices {
+ public:
+  explicit TouchingVertices(const SpatialSum& sum) : sum_(sum), exact_(sum.vertices.size()) {}
+
+  Triangles run(const Triangles& all) {
+    std::map<std::uint32_t, std::vector<std::uint32_t>> touched = find(all.triangles);
+    Triangles result;
+    for (std::uint32_t t = 0; t < all.triangles.size(); ++t) {
+      const auto at = touched.find(t);
+      if (at == touched.end()) add(result, all.triangles[t], all.face[t]);
+      else split(result, all.triangles[t], all.face[t], at->second);
+    }
+    return result;
+  }
+
+ private:
+  Vec3 at(std::uint32_t v) const { return {sum_.vertices[v].x, sum_.vertices[v].y, sum_.vertices[v].z}; }
+  static void add(Triangles& result, const Triangle& t, std::uint32_t face) {
+    result.triangles.push_back(t);
+    result.face.push_back(face);
+  }
+  static bool has(const Triangle& t, std::uint32_t v) { return t[0] == v || t[1] == v || t[2] == v; }
+
+  std::map<std::uint32_t, std::vector<std::uint32_t>> find(const std::vector<Triangle>& triangles) {
+    std::vector<Box> boxes(triangles.size());
+    std::vector<bool> used(sum_.vertices.size());
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+      for (const std::uint32_t v : triangles[t]) boxes[t].add(at(v)), used[v] = true;
+      boxes[t].grow(2 * sum_.at_error);
+    }
+    const BoxTree tree(std::move(boxes));
+    std::map<std::uint32_t, std::vector<std::uint32_t>> touched;
+    for (std::uint32_t v = 0; v < used.size(); ++v) {
+      if (!used[v]) continue;
+      Box box;
+      box.add(at(v));
+      tree.for_each(box, [&](std::uint32_t t) {
+        if (!has(triangles[t], v) && near(triangles[t], v) && contains(triangles[t], v)) touched[t].push_back(v);
+      });
+    }
+    return touched;
+  }
+
+  /// False where doubles tell that a vertex is off a triangle's plane.
+  bool near(const Triangle& t, std::uint32_t v) const {
+    const Vec3 u = at(t[1]) - at(t[0]), w = at(t[2]) - at(t[0]), d = at(v) - at(t[0]);
+    const auto size = [&](Vec3 x) { return std::abs(x.x) + std::abs(x.y) + std::abs(x.z) + 4 * sum_.at_error; };
+    const double error = 8 * sum_.at_error * (size(u) * size(w) + size(w) * size(d) + size(d) * size(u)) +
+                         size(u) * size(w) * size(d) * 0x1p-48;
+    return !(std::abs(dot(cross(u, w), d)) > error);
+  }
+
+  const ExactPosition& exact(std::uint32_t v) {
+    if (!exact_[v]) exact_[v] = SpatialSumInternals::positions(sum_).at(v);
+    return *exact_[v];
+  }
+  /// Of the component of (b - a) x (c - a) along an axis.
+  int turn(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::size_t axis) {
+    const std::size_t i = (axis + 1) % 3, j = (axis + 2) % 3;
+    const ExactPosition &p = exact(a), &q = exact(b), &r = exact(c);
+    return BigRational((q[i] - p[i]) * (r[j] - p[j]) - (q[j] - p[j]) * (r[i] - p[i])).sign();
+  }
+  bool in_plane(const Triangle& t, std::uint32_t v) {
+    const ExactPosition &o = exact(t[0]), &a = exact(t[1]), &b = exact(t[2]), &p = exact(v);
+    BigRational det;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+      det += (p[k] - o[k]) * ((a[i] - o[i]) * (b[j] - o[j]) - (a[j] - o[j]) * (b[i] - o[i]));
+    }
+    return det.sign() == 0;
+  }
+  /// Inside the closed triangle, in whose plane the vertex is seen along an axis across it.
+  bool contains(const Triangle& t, std::uint32_t v) { return in_plane(t, v) && sides(t, v).has_value(); }
+  /// On which sides of the borders from corner k to k + 1 the vertex lies: 1 inside, 0 on them; none outside.
+  std::optional<std::array<int, 3>> sides(const Triangle& t, std::uint32_t v) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const int facing = turn(t[0], t[1], t[2], axis);
+      if (facing == 0) continue;
+      std::array<int, 3> result{};
+      for (std::size_t k = 0; k < 3; ++k) {
+        result[k] = facing * turn(t[k], t[(k + 1) % 3], v, axis);
+        if (result[k] < 0) return std::nullopt;
+      }
+      return result;
+    }
+    return std::nullopt;
+  }
+
+  /// The first vertex makes three triangles, or two where it is on a border; the others go where they are.
+  void split(Triangles& result, const Triangle& t, std::uint32_t face, const std::vector<std::uint32_t>& inside) {
+    if (inside.empty()) return add(result, t, face);
+    const std::uint32_t v = inside[0];
+    const std::optional<std::array<int, 3>> side = sides(t, v);
+    for (std::size_t k = 0; k < 3; ++k) {
+      if ((*side)[k] == 0) continue;
+      const Triangle part{t[k], t[(k + 1) % 3], v};
+      std::vector<std::uint32_t> rest;
+      for (std::size_t i = 1; i < inside.size(); ++i)
+        if (sides(part, inside[i])) rest.push_back(inside[i]);
+      split(result, part, face, rest);
+    }
+  }
+
+  const SpatialSum& sum_;
+  std::vector<std::optional<ExactPosition>> exact_;
+};
+
+}  // namespace
+
+Triangles split_at_touching_vertices(const SpatialSum& sum, Triangles triangles) {
+  return TouchingVertices(sum).run(triangles);
+}
+
+}  // namespace dymsum::spatial

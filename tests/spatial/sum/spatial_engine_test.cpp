@@ -1,0 +1,203 @@
+// The engine of solid sums: what it leaves out, threads, predicted cost, memory, cancelling.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+#include <random>
+#include <set>
+
+#include "dymsum/spatial_sum.h"
+#include "oracles/voxel_solids.h"
+#include "spatial/sum/sum_of_solids.h"
+
+namespace dymsum {
+namespace {
+
+using spatial::sum_of_solids;
+
+int fuzz_pairs(int few) {
+  const char* text = std::getenv("DYMSUM_FUZZ_PAIRS");
+  return text != nullptr ? std::max(few, std::atoi(text) / 10) : few;
+}
+
+double snapped(double v) { return std::ldexp(std::nearbyint(std::ldexp(v, 12)), -12); }
+
+Point3 turned(Point3 p, double a, double b) {
+  const double y = std::cos(a) * p.y - std::sin(a) * p.z, z = std::sin(a) * p.y + std::cos(a) * p.z;
+  return {snapped(std::cos(b) * p.x - std::sin(b) * y), snapped(std::sin(b) * p.x + std::cos(b) * y), snapped(z)};
+}
+
+MeshData torus(double large, double small, int nu, int nv, double turn) {
+  MeshData m;
+  for (int i = 0; i < nu; ++i)
+    for (int j = 0; j < nv; ++j) {
+      const double u = 2 * std::numbers::pi * i / nu, w = 2 * std::numbers::pi * j / nv;
+      const double r = large + small * std::cos(w);
+      m.vertices.push_back(turned({r * std::cos(u), r * std::sin(u), small * std::sin(w)}, turn, 0.7 * turn));
+    }
+  const auto id = [&](int i, int j) { return static_cast<std::uint32_t>((i % nu) * nv + j % nv); };
+  for (int i = 0; i < nu; ++i)
+    for (int j = 0; j < nv; ++j) {
+      m.faces.push_back({id(i, j), id(i + 1, j), id(i + 1, j + 1)});
+      m.faces.push_back({id(i, j), id(i + 1, j + 1), id(i, j + 1)});
+    }
+  return m;
+}
+
+/// Rings of vertices at small integers between two poles, star-shaped or nearly so; not always valid.
+MeshData tiny_polyhedron(std::mt19937_64& random) {
+  const auto below = [&](int n) { return static_cast<int>(random() % static_cast<std::uint64_t>(n)); };
+  const int rings = 1 + below(3), around = 3 + below(3);
+  const int size = 2 + below(3);
+  MeshData m;
+  const auto place = [&](double z, double r, double angle) {
+    const double s = size * (0.4 + 0.2 * below(4));
+    m.vertices.push_back(
+        {std::nearbyint(s * r * std::cos(angle)), std::nearbyint(s * r * std::sin(angle)), std::nearbyint(s * z)});
+  };
+  place(-1, 0, 0);
+  for (int j = 1; j <= rings; ++j)
+    for (int i = 0; i < around; ++i) {
+      const double a = std::numbers::pi * j / (rings + 1);
+      place(-std::cos(a), std::sin(a), 2 * std::numbers::pi * i / around);
+    }
+  place(1, 0, 0);
+  const auto top = static_cast<std::uint32_t>(m.vertices.size() - 1);
+  const auto id = [&](int i, int j) { return static_cast<std::uint32_t>(1 + j * around + i % around); };
+  for (int i = 0; i < around; ++i) {
+    m.faces.push_back({0, id(i + 1, 0), id(i, 0)});
+    m.faces.push_back({top, id(i, rings - 1), id(i + 1, rings - 1)});
+    for (int j = 0; j + 1 < rings; ++j) {
+      m.faces.push_back({id(i, j), id(i + 1, j), id(i + 1, j + 1)});
+      m.faces.push_back({id(i, j), id(i + 1, j + 1), id(i, j + 1)});
+    }
+  }
+  return m;
+}
+
+Mesh valid_polyhedron(std::mt19937_64& random) {
+  while (true)
+    if (Result<Mesh> mesh = Mesh::create(tiny_polyhedron(random)); mesh.ok()) return *std::move(mesh);
+}
+
+SpatialSum sum(const MeshData& p, const MeshData& q, SpatialEngine engine = SpatialEngine::fast, int threads = 1) {
+  SpatialOptions options;
+  options.engine = engine;
+  options.threads = threads;
+  return sum_of_solids(p, q, options).value();
+}
+
+TEST(SpatialEngine, tests_of_all_places_find_nothing_more_in_tiny_polyhedra) {
+  std::uint64_t left_out = 0;
+  for (int k = 0; k < fuzz_pairs(40); ++k) {
+    std::mt19937_64 random(static_cast<std::uint64_t>(k));
+    const MeshData p = valid_polyhedron(random).data(), q = valid_polyhedron(random).data();
+    const SpatialSum fast = sum(p, q), all = sum(p, q, SpatialEngine::brute);
+    EXPECT_TRUE(fast == all) << "seed " << k;
+    EXPECT_TRUE(fast == sum(q, p)) << "seed " << k;
+    left_out += all.stats.tight_tests - fast.stats.tight_tests;
+  }
+  EXPECT_GT(left_out, 100u);
+}
+
+TEST(SpatialEngine, facets_deep_inside_are_dropped_and_nothing_else_changes) {
+  const MeshData p = torus(2, 0.6, 16, 8, 0), q = torus(1.3, 0.35, 12, 6, 0.7);
+  const SpatialSum fast = sum(p, q), all = sum(p, q, SpatialEngine::brute);
+  EXPECT_GT(fast.stats.inner_facets, 30u);
+  EXPECT_EQ(all.stats.inner_facets, 0u);
+  EXPECT_LT(fast.stats.tight_tests, 100u) << "nearly all contacts are single points";
+  EXPECT_GT(all.stats.tight_tests, 3000u);
+  EXPECT_TRUE(fast == all);
+}
+
+TEST(SpatialEngine, facets_deep_inside_unions_of_cubes_are_dropped) {
+  oracles::Voxels p, q;
+  for (int x = 0; x < 7; ++x)
+    for (int y = 0; y < 7; ++y)
+      for (int z = 0; z < 7; ++z)
+        if (x != 3 || y != 3) p.insert({x, y, z});
+  for (int x = 0; x < 5; ++x)
+    for (int y = 0; y < 5; ++y)
+      for (int z = 0; z < 5; ++z)
+        if (z != 2 || x == 0) q.insert({x, y, z});
+  const SpatialSum fast = sum(oracles::voxel_mesh(p), oracles::voxel_mesh(q));
+  EXPECT_GT(fast.stats.inner_facets, 10u);
+  EXPECT_EQ(fast.volume_exact(), static_cast<std::int64_t>(oracles::voxel_sum(p, q).volume));
+}
+
+TEST(SpatialEngine, threads_change_nothing) {
+  const MeshData p = torus(2, 0.6, 16, 8, 0), q = torus(1.3, 0.35, 16, 8, 0.7);
+  const SpatialSum one = sum(p, q), two = sum(p, q, SpatialEngine::fast, 2);
+  EXPECT_TRUE(one == two);
+  EXPECT_EQ(one.vertices, two.vertices);
+  ASSERT_EQ(one.faces.size(), two.faces.size());
+  for (std::size_t f = 0; f < one.faces.size(); ++f) {
+    EXPECT_EQ(one.faces[f].p, two.faces[f].p);
+    EXPECT_EQ(one.faces[f].q, two.faces[f].q);
+    EXPECT_EQ(one.faces[f].shell, two.faces[f].shell);
+  }
+  EXPECT_EQ(one.stats.points, two.stats.points);
+  EXPECT_EQ(one.stats.contacts, two.stats.contacts);
+}
+
+TEST(SpatialEngine, cost_is_predicted_from_angles) {
+  const Mesh p = Mesh::create(torus(2, 0.6, 32, 16, 0)).value();
+  double face_vertex = 0, edge_edge = 0;
+  for (int k = 0; k < 8; ++k) {
+    const Mesh q = Mesh::create(torus(1.3, 0.35, 16, 8, 0.1 + 0.7 * k)).value();
+    const SpatialCost cost = predict_cost(p, q);
+    const SpatialSum s = minkowski_sum(p, q).value();
+    face_vertex += static_cast<double>(s.stats.face_vertex) / cost.face_vertex / 8;
+    edge_edge += static_cast<double>(s.stats.edge_edge) / cost.edge_edge / 8;
+    EXPECT_EQ(cost.full_edge_edge, 1536u * 384u);
+  }
+  EXPECT_NEAR(face_vertex, 1, 0.1);
+  EXPECT_NEAR(edge_edge, 1, 0.1);
+}
+
+TEST(SpatialEngine, more_memory_than_allowed_is_an_error_before_it_is_taken) {
+  const Mesh p = Mesh::create(torus(2, 0.6, 16, 8, 0)).value(), q = Mesh::create(torus(1.3, 0.35, 16, 8, 0.7)).value();
+  SpatialOptions options;
+  options.memory = 100'000;
+  const Error predicted = minkowski_sum(p, q, options).error();
+  EXPECT_EQ(predicted.code, ErrorCode::out_of_memory);
+  EXPECT_NE(predicted.message.find("predicted"), std::string::npos) << predicted.message;
+  options.memory = 100'000'000;
+  const std::uint64_t held = minkowski_sum(p, q, options).value().stats.held_bytes;
+  EXPECT_GT(held, 100'000u);
+  // Enough for what is predicted, not for contacts of facets in masses.
+  oracles::Voxels grate;
+  for (int x = 0; x < 7; ++x)
+    for (int y = 0; y < 7; ++y)
+      for (int z = 0; z < 2; ++z)
+        if ((z == 0 ? x : y) % 2 == 0) grate.insert({x, y, z});
+  const Mesh g = Mesh::create(oracles::voxel_mesh(grate)).value();
+  options.memory = predict_cost(g, g).bytes + 1'000'000;
+  const Error actual = minkowski_sum(g, g, options).error();
+  EXPECT_EQ(actual.code, ErrorCode::out_of_memory);
+  EXPECT_NE(actual.message.find("at least"), std::string::npos) << actual.message;
+}
+
+TEST(SpatialEngine, can_be_cancelled_in_every_stage) {
+  const MeshData p = torus(2, 0.6, 16, 8, 0), q = torus(1.3, 0.35, 16, 8, 0.7);
+  for (const int threads : {1, 2}) {
+    std::set<std::string> stages;
+    SpatialOptions options;
+    options.threads = threads;
+    options.progress = [&](std::string_view stage, double share) {
+      EXPECT_TRUE(share >= 0 && share <= 1) << stage;
+      stages.insert(std::string(stage));
+      return true;
+    };
+    ASSERT_TRUE(sum_of_solids(p, q, options).ok());
+    EXPECT_GE(stages.size(), 6u);
+    for (const std::string& where : stages) {
+      options.progress = [&](std::string_view stage, double) { return stage != where; };
+      EXPECT_EQ(sum_of_solids(p, q, options).error().code, ErrorCode::cancelled) << where;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace dymsum
