@@ -72,7 +72,7 @@ std::string write_off(const MeshData& data, std::span<const FaceColour> colours)
 }
 
 std::string write_obj(const MeshData& data) {
-  std::string out;
+  std::string out = data.vertices.empty() ? "# the empty solid\n" : "";  // readers refuse files of nothing
   for (const Point3& p : data.vertices) {
     out += "v ";
     append_point(out, p);

@@ -73,10 +73,11 @@ Result<Orientation> Orientation::nearest(double radians) {
 }
 
 Result<Orientation> Orientation::nearest(double radians, double error) {
-  if (!std::isfinite(radians) || !(error > 0))
-    return Error{ErrorCode::bad_rotation, "an angle has to be finite, and its error positive", {}};
+  if (!std::isfinite(radians)) return Error{ErrorCode::bad_rotation, "an angle has to be finite", {}};
+  if (!(error >= kAngularError))
+    return Error{ErrorCode::bad_rotation, "an angle is met within 2^-50, 8.9e-16 radians: its error cannot be less", {}};
   // Less than that by what is rounded here.
-  const double theta = planar::reduced_angle(radians), e = 0.99 * error - 0x1p-50;
+  const double theta = planar::reduced_angle(radians), e = 0.99 * error - kAngularError;
   if (e < 0x1p-48) return nearest(radians);
   if (std::abs(theta) <= e) return Orientation{};
   if (std::abs(theta) + e >= std::numbers::pi) return half_turn();
@@ -91,6 +92,15 @@ Result<Orientation> Orientation::nearest(double radians, double error) {
   }
   return planar::orientation_of(theta < 0 ? BigRational(-t) : t);
 }
+
+double reduced_radians(const Rational& radians) {
+  const BigRational value = exact::exact_value(radians);
+  if (abs(numerator(value)) >> 1024 >= denominator(value))
+    throw std::invalid_argument("reduced_radians: an angle of 2^1024 or more");
+  return planar::reduced_angle(value);
+}
+
+double reduced_degrees(const Rational& degrees) { return planar::reduced_degrees(exact::exact_value(degrees)); }
 
 const Rational& Orientation::tan_half() const {
   if (half_turn_) throw std::invalid_argument("Orientation::tan_half: half a turn has none");
