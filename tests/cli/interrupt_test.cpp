@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "dymsum/dymsum.h"
@@ -71,6 +72,31 @@ TEST_F(LongWork, QuestionsAndScaleRangesEndAtOnce) {
     EXPECT_EQ(outcome.out, "") << question;
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(1400)) << question;
   }
+}
+
+// Stages that never ask whether to go on, of a solid with thousands of faces.
+TEST_F(LongWork, ConvexSolidsInMotionEndAtOnce) {
+  work.write("ball.off", format_mesh(shapes::geodesic_sphere(40, 1).data(), MeshFormat::off));
+  for (const char* const command : {"rotate ball.off ball.off --steps 9 -o turn.html --json",
+                                    "scale ball.off ball.off --at 2,3 -o last.off", "sum ball.off ball.off -o sum.off"}) {
+    const auto start = std::chrono::steady_clock::now();
+    const Outcome outcome =
+        work.run(std::string("timeout --foreground --preserve-status -s INT -k 9 1.5 dymsum ") + command);
+    const auto took = std::chrono::steady_clock::now() - start;
+    if (outcome.code == 0) continue;  // a fast machine
+    EXPECT_EQ(outcome.code, 130) << command << ": " << outcome.err;
+    EXPECT_LT(took, std::chrono::milliseconds(2500)) << command;
+  }
+  EXPECT_FALSE(work.exists("turn.html"));
+}
+
+TEST_F(LongWork, AnInterruptedReportIsOneObject) {
+  const Outcome outcome =
+      work.run("timeout --foreground --preserve-status -s INT 0.5 dymsum sum a.wkt a.wkt --repeat 1000000 --json");
+  EXPECT_EQ(outcome.code, 130) << outcome.err;
+  const auto json = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(json["error"]["code"], "cancelled");
+  EXPECT_EQ(json["error"]["exit"], 130);
 }
 
 TEST_F(LongWork, OutOfMemoryIsAnErrorWithSizes) {

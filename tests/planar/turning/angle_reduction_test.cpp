@@ -92,6 +92,7 @@ TEST(Orientation, degrees_of_any_size_are_reduced_exactly) {
     for (const int degrees : {-179, -91, -30, 1, 60, 89, 100, 179})
       EXPECT_NEAR(reduced_degrees(whole + Rational(degrees)), degrees / 180.0 * kPi, 0x1p-50) << turns;
     EXPECT_NEAR(reduced_degrees(whole + *Rational::of(1, 3)), kPi / 540, 0x1p-55) << turns;
+    EXPECT_EQ(reduced_degrees(whole + *Rational::parse("1e-30") - 180), kPi) << turns;
   }
 }
 
