@@ -75,7 +75,8 @@ Result<Orientation> Orientation::nearest(double radians) {
 Result<Orientation> Orientation::nearest(double radians, double error) {
   if (!std::isfinite(radians)) return Error{ErrorCode::bad_rotation, "an angle has to be finite", {}};
   if (!(error >= kAngularError))
-    return Error{ErrorCode::bad_rotation, "an angle is met within 2^-50, 8.9e-16 radians: its error cannot be less", {}};
+    return Error{
+        ErrorCode::bad_rotation, "an angle is met within 2^-50, 8.9e-16 radians: its error cannot be less", {}};
   // Less than that by what is rounded here.
   const double theta = planar::reduced_angle(radians), e = 0.99 * error - kAngularError;
   if (e < 0x1p-48) return nearest(radians);
