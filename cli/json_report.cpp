@@ -2,6 +2,8 @@
 
 #include <iostream>
 
+#include "progress_bar.h"
+
 namespace dymsum::cli {
 namespace {
 
@@ -55,7 +57,11 @@ std::string report_text(const Json& report) {
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-void print_report(const Json& report) { std::cout << report_text(report); }
+void print_report(const Json& report) {
+  const std::string text = report_text(report);
+  const WriteGuard guard;
+  std::cout << text << std::flush;
+}
 
 Json error_json(const Error& error) {
   return {{"code", std::string(name(error.code))},

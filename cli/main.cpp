@@ -9,6 +9,7 @@
 #include "arguments.h"
 #include "exit_code.h"
 #include "json_report.h"
+#include "progress_bar.h"
 #include "suggestion.h"
 #include "verbs/commands.h"
 
@@ -126,6 +127,8 @@ ExitCode run(int argc, char** argv) {
     return kDone;
   }
   check_arguments(*app.get_subcommands().front());
+  if (wants_json(argc, argv))
+    print_when_interrupted(report_text(failure_json(verb_of(argc, argv), Stop(kInterrupted, "interrupted"))));
   return action();
 }
 

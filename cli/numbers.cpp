@@ -3,8 +3,9 @@
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
-#include <numbers>
 #include <sstream>
+
+#include "dymsum/orientation.h"
 
 namespace dymsum::cli {
 
@@ -35,13 +36,21 @@ std::optional<Point> finite_point(const std::string& text) {
   return Point{*x, *y};
 }
 
-double Angle::radians() const { return degrees ? std::remainder(value, 360) / 180 * std::numbers::pi : value; }
+double Angle::radians() const {
+  if (degrees) return reduced_degrees(exact);
+  const double nearest = exact.to_double();
+  return *Rational::of(nearest) == exact ? nearest : reduced_radians(exact);
+}
 
-bool Angle::whole_turns() const { return degrees && std::remainder(value, 360) == 0; }
+Angle Angle::share(std::size_t k, std::size_t n) const {
+  return {exact * *Rational::of(static_cast<std::int64_t>(k), static_cast<std::int64_t>(n)), degrees};
+}
+
+bool Angle::whole_turns() const { return degrees && (exact / 360).is_integer(); }
 
 std::string Angle::label() const {
   std::ostringstream text;
-  text << value << (degrees ? "°" : " rad");
+  text << value() << (degrees ? "°" : " rad");
   return text.str();
 }
 
@@ -49,7 +58,8 @@ std::optional<Angle> angle_in(const std::string& text) {
   const bool degrees = text.ends_with("deg");
   const std::optional<double> value = finite_number(degrees ? text.substr(0, text.size() - 3) : text);
   if (!value) return std::nullopt;
-  return Angle{*value, degrees};
+  const Result<Rational> written = Rational::parse(degrees ? text.substr(0, text.size() - 3) : "");
+  return Angle{written ? *written : *Rational::of(*value), degrees};
 }
 
 }  // namespace dymsum::cli

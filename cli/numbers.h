@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "dymsum/rational.h"
 #include "dymsum/region.h"
 
 namespace dymsum::cli {
@@ -19,19 +20,19 @@ std::vector<std::string> split(const std::string& text, char separator);
 /// "x,y", both finite.
 std::optional<Point> finite_point(const std::string& text);
 
-/// An angle as it was given: every angle of the command line is a number of radians, or of degrees with `deg` behind
-/// it.
+/// An angle as it was given: every angle of the command line is a number of radians, taken as the double it is, or of
+/// degrees with `deg` behind it, taken exactly as written.
 struct Angle {
-  double value = 0;
+  Rational exact;
   bool degrees = false;
 
-  /// Degrees are reduced to a turn exactly before they become radians: quarter turns stay the doubles that stand for
-  /// them.
+  /// For labels and pictures.
+  double value() const { return exact.to_double(); }
+  /// Doubles of radians stay as they are. Degrees, and shares of radians, are reduced to a turn exactly before they are
+  /// rounded: quarter turns stay the doubles that stand for them.
   double radians() const;
   /// A share of the angle, which is k of n.
-  Angle share(std::size_t k, std::size_t n) const {
-    return {value * static_cast<double>(k) / static_cast<double>(n) + 0.0, degrees};  // zero has no sign
-  }
+  Angle share(std::size_t k, std::size_t n) const;
   /// Whether it is a number of whole turns: as degrees exactly, as radians never.
   bool whole_turns() const;
   std::string label() const;  ///< "90°", "1.5 rad"

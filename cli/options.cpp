@@ -7,6 +7,8 @@
 #include <sstream>
 #include <system_error>
 
+#include "dymsum/orientation.h"
+
 namespace dymsum::cli {
 namespace {
 
@@ -48,8 +50,8 @@ CLI::Option* whole_within(CLI::Option* option, std::size_t least, std::size_t mo
 }
 
 CLI::Option* add_error_option(CLI::App& verb, std::optional<double>& error, const std::string& what) {
-  return takes(verb.add_option("--error", error, what)->type_name("E"), "a number above 0",
-               [](const std::string& text) { return finite_number(text).value_or(0) > 0; });
+  return takes(verb.add_option("--error", error, what)->type_name("E"), "a number of at least 8.9e-16, 2^-50",
+               [](const std::string& text) { return finite_number(text).value_or(0) >= Orientation::kAngularError; });
 }
 
 void add_operands(CLI::App& verb, const Operand& first, const Operand& second, std::vector<std::string>& operands) {

@@ -66,7 +66,7 @@ Angle read_angle(const AngleOptions& options);
 CLI::Option* within(CLI::Option* option, double least, double most = std::numeric_limits<double>::infinity());
 /// The same of whole numbers.
 CLI::Option* whole_within(CLI::Option* option, std::size_t least, std::size_t most);
-/// Takes the largest error of an angle: a number above 0.
+/// Takes the largest error of an angle: at least Orientation::kAngularError.
 CLI::Option* add_error_option(CLI::App& verb, std::optional<double>& error, const std::string& what);
 
 /// Stops with wrong usage when one of these options is given: "--axis is for solid operands".

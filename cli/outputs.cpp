@@ -107,7 +107,10 @@ void check_writable(const std::string& file) {
   demand(::access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK) == 0, "no file can be made here");
 }
 
-void write_text(const std::string& file, const std::string& text) { require(write_file(file, text)); }
+void write_text(const std::string& file, const std::string& text) {
+  const WriteGuard guard;
+  require(write_file(file, text));
+}
 
 void write_sum(const Region& p, const Region& q, const PlanarSum& sum, const OutputOptions& options) {
   Rounded rounded(sum, options.round_repair);

@@ -7,13 +7,15 @@
 #include <csignal>
 #include <iostream>
 #include <string>
+#include <utility>
 
 #include "exit_code.h"
 
 namespace dymsum::cli {
 namespace {
 
-volatile std::sig_atomic_t interrupted = 0;
+volatile std::sig_atomic_t interrupted = 0, writing = 0, bar_shown = 0;
+std::string last_words;  // on standard output; not changed once signals are caught
 
 // The stage that is being drawn: there is one bar at a time.
 struct Stage {
@@ -31,15 +33,36 @@ std::string time_left(double seconds, double share) {
                     : ", " + std::to_string(static_cast<int>(std::ceil(std::min(left / 60, 1e6)))) + " min left";
 }
 
+void say(int file, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t count = ::write(file, text.data(), text.size());
+    if (count <= 0) return;
+    text.remove_prefix(static_cast<std::size_t>(count));
+  }
+}
+
+// Calls only what a signal handler may call. No file is open for writing here: there is nothing to put in order.
 extern "C" void on_interrupt(int) {
-  interrupted = 1;
-  std::signal(SIGINT, SIG_DFL);
+  if (writing != 0) {
+    interrupted = 1;
+    std::signal(SIGINT, SIG_DFL);
+    return;
+  }
+  say(STDOUT_FILENO, last_words);
+  if (bar_shown != 0) say(STDERR_FILENO, "\r\x1b[K");
+  say(STDERR_FILENO, "dymsum: interrupted\n");
+  ::_exit(kInterrupted);
 }
 
 }  // namespace
 
+void print_when_interrupted(std::string text) { last_words = std::move(text); }
+
 InterruptGuard::InterruptGuard() { std::signal(SIGINT, on_interrupt); }
 InterruptGuard::~InterruptGuard() { std::signal(SIGINT, SIG_DFL); }
+
+WriteGuard::WriteGuard() { writing = writing + 1; }
+WriteGuard::~WriteGuard() { writing = writing - 1; }
 
 void throw_if_interrupted() {
   if (interrupted != 0) throw Stop(kInterrupted, "interrupted");
@@ -50,6 +73,7 @@ ProgressBar::ProgressBar()
 
 ProgressBar::~ProgressBar() {
   if (drawn_) std::cerr << "\r\x1b[K" << std::flush;
+  bar_shown = 0;
 }
 
 Progress ProgressBar::callback() {
@@ -69,6 +93,7 @@ void ProgressBar::draw(std::string_view stage, double fraction) {
   if (now < next_draw_) return;
   next_draw_ = now + std::chrono::milliseconds(100);
   drawn_ = true;
+  bar_shown = 1;
   constexpr int kWidth = 40;
   const double share = std::clamp(fraction, 0.0, 1.0);
   const auto full = static_cast<std::size_t>(share * kWidth);

@@ -2,14 +2,16 @@
 #pragma once
 
 #include <chrono>
+#include <string>
 #include <string_view>
 
 #include "dymsum/progress.h"
 
 namespace dymsum::cli {
 
-/// While one lives, Ctrl-C only sets a flag, which the progress callback and throw_if_interrupted() read, so that no
-/// file is left half-written; a second Ctrl-C kills. Before that, while inputs are read, Ctrl-C kills at once.
+/// While one lives, Ctrl-C ends the run at once, wherever it is: with kInterrupted, and saying so. Only while a
+/// WriteGuard lives it sets a flag instead, which throw_if_interrupted() reads, and a second Ctrl-C kills. Before that,
+/// while inputs are read, Ctrl-C kills at once.
 class InterruptGuard {
  public:
   InterruptGuard();
@@ -17,6 +19,18 @@ class InterruptGuard {
   InterruptGuard(const InterruptGuard&) = delete;
   InterruptGuard& operator=(const InterruptGuard&) = delete;
 };
+
+/// Around the writing of a file or a report, so that neither is left half-written.
+class WriteGuard {
+ public:
+  WriteGuard();
+  ~WriteGuard();
+  WriteGuard(const WriteGuard&) = delete;
+  WriteGuard& operator=(const WriteGuard&) = delete;
+};
+
+/// What an interrupted run prints on standard output: a report of the failure.
+void print_when_interrupted(std::string text);
 
 void throw_if_interrupted();  ///< Stop with kInterrupted
 

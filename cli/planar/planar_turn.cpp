@@ -13,7 +13,7 @@ std::vector<PlanarFrame<Orientation>> frames_of(const PlanarTurn& turn) {
   std::vector<PlanarFrame<Orientation>> frames;
   for (const Angle& angle : turn.angles) {
     const Orientation theta = require_option(Orientation::nearest(angle.radians(), turn.error), "--error");
-    frames.push_back({theta, frame_name(angle.label(), theta), angle.value, angle.label()});
+    frames.push_back({theta, frame_name(angle.label(), theta), angle.value(), angle.label()});
   }
   return frames;
 }

@@ -26,7 +26,7 @@ Json info_json(const SolidInput& input, const std::optional<Error>& not_convex, 
   if (not_convex) json["not_convex"] = not_convex->to_string();
   json.update({{"volume", measure_json(volume_of(mesh))},
                {"area", measure_json(surface_of(mesh))},
-               {"bounds", bounds(mesh)},
+               {"bounds", mesh.empty() ? Json(nullptr) : Json(bounds(mesh))},
                {"bits", grid_bits(mesh)}});
   return json;
 }
@@ -72,6 +72,7 @@ ExitCode run_solid_info(const SolidInfo& command) {
   const std::optional<Error> not_convex = convexity_error(mesh);
   {
     const InterruptGuard guard;
+    const WriteGuard writing;
     for (const std::string& file : command.pictures) require(write_mesh(mesh, file));
   }
   if (command.json) {

@@ -51,8 +51,8 @@ ExitCode run_general(const SumVerb& verb, const SumCommand& command, const std::
   // Results are triangles.
   if (verb.name == "erode") refuse_options(*command.parser, {"--triangulate"}, "is for sums of convex solids");
   else if (inputs.size() == 2) announce_cost(inputs[0].mesh, inputs[1].mesh);
-  const SolidRun run{verb.name,   command.engine, inputs,           command.report,    command.output.files,
-                     how,         verb.empty_is_no, command.semantics, command.memory_mb};
+  const SolidRun run{verb.name,        command.engine,    inputs,           command.report, command.output.files, how,
+                     verb.empty_is_no, command.semantics, command.memory_mb};
   return run_any_solid(run, [&](const SpatialOptions& options) -> Result<SolidOutcome> {
     std::vector<Mesh> operands;
     if (inputs.size() > 2)

@@ -23,7 +23,7 @@ std::vector<Configuration> poses_of_lines(const std::string& file, const std::st
     if (!pose || !pose->theta) refuse(file, "expected a pose x,y,theta", line);
     const Angle& theta = *pose->theta;
     // Whole turns count: from one pose to the next the robot turns by the difference.
-    poses.push_back({pose->x, pose->y, theta.degrees ? theta.value / 180 * std::numbers::pi : theta.value});
+    poses.push_back({pose->x, pose->y, theta.degrees ? theta.value() / 180 * std::numbers::pi : theta.value()});
   });
   return poses;
 }

@@ -11,7 +11,8 @@ void add_erode(CLI::App& app, Action& action) {
   verb.first = {"CONTAINER", "The region or solid P to stay inside of"};
   verb.second = {"PART", "The one Q that is to fit"};
   verb.description =
-      "The inner fit { x : x + PART inside CONTAINER }; ends with 4 when the part fits nowhere, also not exactly";
+      "The inner fit { x : x + PART inside CONTAINER }; ends with 4 when the part fits nowhere, also not exactly "
+      "(with --semantics regular: nowhere with room to move both ways)";
   verb.footer =
       "Positions are those of PART's reference point, the origin of its coordinates. Those without room to move are "
       "the\n"

@@ -23,7 +23,7 @@ struct RotateCommand {
 
 /// From zero to the end of the turn in equal steps. The end of a whole turn is its beginning, and shown once.
 std::vector<Angle> frame_angles(const RotateCommand& command) {
-  const Angle turn = command.angle.given() ? read_angle(command.angle) : Angle{360, true};
+  const Angle turn = command.angle.given() ? read_angle(command.angle) : Angle{Rational(360), true};
   std::vector<Angle> angles;
   for (std::size_t k = 0; k < command.steps + (turn.whole_turns() ? 0 : 1); ++k)
     angles.push_back(turn.share(k, command.steps));

@@ -36,7 +36,11 @@ void check(const SumCommand& command) {
     refuse_options(*command.parser, {"--round-repair"}, "belongs to -o FILE.wkt, .poly or .geojson");
 }
 
-bool is_empty(const PlanarSum& sum) { return sum.parts.empty() && sum.segments.empty() && sum.points.empty(); }
+/// Exact fits of the open semantics are tight features alone.
+bool is_empty(const PlanarSum& sum) {
+  return sum.parts.empty() && sum.segments.empty() && sum.points.empty() && sum.tight_segments.empty() &&
+         sum.tight_points.empty();
+}
 
 void add_sum_options(CLI::App& verb, SumCommand& command) {
   verb.add_option("-o", command.output.files,

@@ -18,6 +18,9 @@ struct OrientationInternals;
 /// d^2 - n^2, s = 2 n d, w = d^2 + n^2. Half a turn is t = infinity. A value: equal orientations compare equal.
 class Orientation {
  public:
+  /// Angles in radians are met within this at best.
+  static constexpr double kAngularError = 0x1p-50;
+
   Orientation() = default;  ///< theta = 0
 
   /// Any rational; numerator and denominator have at most 4096 bits. Errors: bad_rotation beyond that.
@@ -32,7 +35,8 @@ class Orientation {
   /// doubles of these up to about 4 pi; farther out a double says what it says). Errors: bad_rotation for an angle that
   /// is not finite.
   static Result<Orientation> nearest(double radians);
-  /// The simplest one within `error` > 0 of the angle: fewer bits, faster exact signs.
+  /// The simplest one within `error` of the angle: fewer bits, faster exact signs. Errors: bad_rotation for an angle
+  /// that is not finite, and for an error below kAngularError, which cannot be promised.
   static Result<Orientation> nearest(double radians, double error);
 
   bool is_half_turn() const { return half_turn_; }
@@ -52,5 +56,13 @@ class Orientation {
   bool half_turn_ = false;
   double radians_ = 0;
 };
+
+/// An angle less whole turns, in (-pi, pi]: for angles that no double says, as shares of a long turn. Reduced exactly
+/// and rounded once; beyond half a turn what is within 2^-50 of a multiple of a quarter turn is that multiple, as
+/// doubles give it. Orientation::nearest of the result is within 2^-50 of the angle. Requires a magnitude below 2^1024
+/// (else std::invalid_argument).
+double reduced_radians(const Rational& radians);
+/// The same of degrees, in radians: any magnitude; multiples of 90 are quarter turns.
+double reduced_degrees(const Rational& degrees);
 
 }  // namespace dymsum

@@ -39,9 +39,9 @@ struct SpatialOptions {
   /// closed and open list tight features, regular does not: with area and volume all are the closure of the open sum.
   /// Of two operands with thin parts: see minkowski_sum.
   Semantics semantics = Semantics::closed;
-  bool tight = true;  ///< look for tight features; false lists none
+  bool tight = true;   ///< look for tight features; false lists none
   bool trace = false;  ///< record the stages in SpatialSum::trace
-  int threads = 0;    ///< 0: as many as there are cores; the result does not depend on it
+  int threads = 0;     ///< 0: as many as there are cores; the result does not depend on it
   /// Bytes that the computation may hold beside its operands and the result; 0: no limit. Accounted for by stages.
   std::uint64_t memory = 0;
   Progress progress;

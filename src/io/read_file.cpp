@@ -28,12 +28,14 @@ std::string extension(std::string_view path) {
   return text;
 }
 
+bool is_directory(const std::string& path) {
+  std::error_code ignored;
+  return std::filesystem::is_directory(path, ignored);
+}
+
 Result<std::string> read_file(const std::string& path) {
   const bool standard = path == "-";
-  std::error_code ignored;
-  if (!standard && std::filesystem::is_directory(path, ignored)) {
-    return file_error(ErrorCode::cannot_open, "this is a directory", path);
-  }
+  if (!standard && is_directory(path)) return file_error(ErrorCode::cannot_open, "this is a directory", path);
   const auto close = [standard](std::FILE* file) { return standard ? 0 : std::fclose(file); };
   const std::unique_ptr<std::FILE, decltype(close)> file(standard ? stdin : std::fopen(path.c_str(), "rb"), close);
   if (!file) return file_error(ErrorCode::cannot_open, std::strerror(errno), path);

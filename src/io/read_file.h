@@ -11,6 +11,8 @@ namespace dymsum::io {
 /// The bytes of a file, or of standard input for "-". Error cannot_open, also for directories.
 Result<std::string> read_file(const std::string& path);
 
+bool is_directory(const std::string& path);
+
 /// From the last dot of the path's last part on, in lower case: ".off"; empty where there is none.
 std::string extension(std::string_view path);
 

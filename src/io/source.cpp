@@ -16,6 +16,12 @@ void Source::fail(ErrorCode code, std::string message, std::size_t offset, Evide
   fail_on_line(code, std::move(message), line(offset), std::move(evidence));
 }
 
+void Source::fail_in_bytes(ErrorCode code, std::string message) const {
+  Evidence evidence;
+  evidence.file = file;
+  throw ReadFailure{Error{code, std::move(message), std::move(evidence)}};
+}
+
 void Source::fail_on_line(ErrorCode code, std::string message, std::int64_t line, Evidence evidence) const {
   evidence.file = file;
   evidence.line = line;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "dymsum/dymsum.h"
@@ -71,6 +72,32 @@ TEST_F(LongWork, QuestionsAndScaleRangesEndAtOnce) {
     EXPECT_EQ(outcome.out, "") << question;
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(1400)) << question;
   }
+}
+
+// Stages that never ask whether to go on, of a solid with thousands of faces.
+TEST_F(LongWork, LargeConvexSolidsEndAtOnce) {
+  work.write("ball.off", format_mesh(solids::geodesic_sphere(40, 1).data(), MeshFormat::off));
+  for (const char* const run :
+       {"1 dymsum sum ball.off ball.off -o sum.off", "2.5 dymsum sum ball.off ball.off -o sum.off",
+        "1 dymsum rotate ball.off ball.off --steps 9 -o turn.html"}) {
+    const auto start = std::chrono::steady_clock::now();
+    const Outcome outcome =
+        work.run(std::string("timeout --foreground --preserve-status -s INT -k 9 ") + run + " --repeat 1000");
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+    EXPECT_EQ(outcome.code, 130) << run << ": " << outcome.err;
+    EXPECT_LT(took.count(), std::stod(run) + 1) << run;
+  }
+  EXPECT_FALSE(work.exists("sum.off"));
+  EXPECT_FALSE(work.exists("turn.html"));
+}
+
+TEST_F(LongWork, AnInterruptedReportIsOneObject) {
+  const Outcome outcome =
+      work.run("timeout --foreground --preserve-status -s INT 0.5 dymsum sum a.wkt a.wkt --repeat 1000000 --json");
+  EXPECT_EQ(outcome.code, 130) << outcome.err;
+  const auto json = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(json["error"]["code"], "cancelled");
+  EXPECT_EQ(json["error"]["exit"], 130);
 }
 
 TEST_F(LongWork, OutOfMemoryIsAnErrorWithSizes) {

@@ -122,7 +122,8 @@ TEST(ReadMesh, ObjErrors) {
   refused("v 0 0 \\ 1\n", ErrorCode::malformed, 1, "'\\'");
   refused("v 0 0 0\nf 1 3 \\\n\nv 1 0 0\n", ErrorCode::bad_index, 2, "does not exist");
   refused("v 0 0 \\", ErrorCode::malformed, 1, "'\\'");
-  EXPECT_EQ(read_mesh_text("", MeshFormat::obj), MeshData{});
+  for (const char* const nothing : {"", " \n"}) refused(nothing, ErrorCode::truncated, 1, "empty");
+  EXPECT_EQ(read_mesh_text("# nothing\n", MeshFormat::obj), MeshData{});
 }
 
 TEST(ReadMesh, StlErrors) {

@@ -51,7 +51,9 @@ Result<MeshData> parse_mesh(std::string_view bytes, MeshFormat format, std::stri
 
 Result<MeshData> read_mesh(const std::string& path) {
   const Result<MeshFormat> format = mesh_format(path);
-  if (!format) return format.error();
+  if (!format && io::is_directory(path)) return io::read_file(path).error();
+  if (!format)
+    return io::file_error(ErrorCode::unsupported_format, "the extension is none of .off, .obj, .stl, .ply", path);
   const Result<std::string> bytes = io::read_file(path);
   if (!bytes) return bytes.error();
   return parse_mesh(*bytes, *format, path);

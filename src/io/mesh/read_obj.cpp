@@ -23,9 +23,12 @@ constexpr std::array<std::string_view, 11> kSkipped = {"vt", "vn",     "vp",    
 
 class ObjReader {
  public:
-  explicit ObjReader(const Source& source) : words_(source, true, true) {}
+  explicit ObjReader(const Source& source)
+      : words_(source, true, true), blank_(std::all_of(source.text.begin(), source.text.end(), is_blank)) {}
 
   MeshData read() {
+    // A statement is not needed, for solids without faces; but a file that was cut off at its beginning is none.
+    if (blank_) words_.fail(ErrorCode::truncated, "the file is empty");
     while (!words_.at_end()) {
       const std::size_t start = words_.offset();
       const std::string_view keyword = words_.take("a statement");
@@ -121,6 +124,7 @@ class ObjReader {
   }
 
   Words words_;
+  bool blank_;
   MeshData data_;
   std::vector<std::size_t> face_offset_;
   std::vector<bool> is_line_;  // per face

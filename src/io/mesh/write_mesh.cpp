@@ -76,7 +76,7 @@ std::string write_obj(const MeshData& data) {
   const bool has_segments =
       std::any_of(data.faces.begin(), data.faces.end(), [](const Face& face) { return face.size() == 2; });
   const FaceEdges known(has_segments ? data.faces : std::vector<Face>{});
-  std::string out;
+  std::string out = data.vertices.empty() ? "# the empty solid\n" : "";  // readers refuse files of nothing
   for (const Point3& p : data.vertices) {
     out += "v ";
     append_point(out, p);

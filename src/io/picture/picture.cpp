@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "io/number_text.h"
+#include "planar/position/nearest_point.h"
 
 namespace dymsum::io {
 
@@ -244,9 +245,11 @@ void draw_plain(Picture& picture, const RegionData& data, const Placement& place
 }
 
 RegionData rounded_data(const PlanarSum& sum) {
-  const auto ring = [](const SumRing& from) {
+  if (!exact_source(sum)) return {};  // nothing was summed
+  const planar::NearestPoint nearest(*exact_source(sum));
+  const auto ring = [&](const SumRing& from) {
     Ring to;
-    for (const SumVertex& v : from.vertices) to.push_back(v.at);
+    for (const SumVertex& v : from.vertices) to.push_back(nearest(v));
     return to;
   };
   RegionData data;
@@ -254,8 +257,8 @@ RegionData rounded_data(const PlanarSum& sum) {
     data.parts.push_back({ring(part.outer), {}});
     for (const SumRing& hole : part.holes) data.parts.back().holes.push_back(ring(hole));
   }
-  for (const SumSegment& segment : sum.segments) data.polylines.push_back({segment.from.at, segment.to.at});
-  for (const SumVertex& point : sum.points) data.points.push_back(point.at);
+  for (const SumSegment& segment : sum.segments) data.polylines.push_back({nearest(segment.from), nearest(segment.to)});
+  for (const SumVertex& point : sum.points) data.points.push_back(nearest(point));
   return data;
 }
 

@@ -111,7 +111,7 @@ void draw_plain(Picture& picture, const RegionData& data, const Placement& place
 void draw_marked(Picture& picture, const RegionData& data, const Placement& placement, std::string_view fill,
                  std::string_view edge);
 
-/// A sum's rings as plain lists, rounded; its lower-dimensional pieces as polylines and points.
+/// A sum's rings as plain lists, every vertex the nearest double; its lower-dimensional pieces as polylines and points.
 RegionData rounded_data(const PlanarSum& sum);
 
 /// Tight features, drawn to be seen: red lines and dots on a white rim.

@@ -7,6 +7,7 @@
 namespace dymsum::io {
 namespace {
 
+constexpr const char* kTooLarge = "a pixel is larger than the largest value";
 constexpr std::uint64_t kMostPixels = std::uint64_t{1} << 30;
 
 class PgmReader {
@@ -55,27 +56,27 @@ class PgmReader {
     const std::size_t size = image.most > 255 ? 2 : 1;
     if (at_ < text_.size()) ++at_;
     if (text_.size() - at_ < size * pixels)
-      source_.fail(ErrorCode::truncated,
-                   "the image announces " + std::to_string(pixels) + " pixels and ends after " +
-                       std::to_string((text_.size() - at_) / size),
-                   at_);
+      source_.fail_in_bytes(ErrorCode::truncated, "the image announces " + std::to_string(pixels) +
+                                                      " pixels and ends after " +
+                                                      std::to_string((text_.size() - at_) / size) + ", at byte " +
+                                                      std::to_string(text_.size()));
     image.pixels.reserve(pixels);
     for (std::uint64_t k = 0; k < pixels; ++k, at_ += size) {
       std::uint32_t value = static_cast<unsigned char>(text_[at_]);
       if (size == 2) value = value << 8 | static_cast<unsigned char>(text_[at_ + 1]);
-      add(image, value);
+      if (value > image.most)
+        source_.fail_in_bytes(ErrorCode::malformed, kTooLarge + std::string(", at byte ") + std::to_string(at_));
+      image.pixels.push_back(static_cast<std::uint16_t>(value));
     }
   }
 
   void read_numbers(GreyImage& image, std::uint64_t pixels) {
     image.pixels.reserve(std::min<std::uint64_t>(pixels, text_.size() / 2));
-    for (std::uint64_t k = 0; k < pixels; ++k)
-      add(image, static_cast<std::uint32_t>(count("pixel " + std::to_string(k), 65535)));
-  }
-
-  void add(GreyImage& image, std::uint32_t value) {
-    if (value > image.most) source_.fail(ErrorCode::malformed, "a pixel is larger than the largest value", at_);
-    image.pixels.push_back(static_cast<std::uint16_t>(value));
+    for (std::uint64_t k = 0; k < pixels; ++k) {
+      const std::uint64_t value = count("pixel " + std::to_string(k), 65535);
+      if (value > image.most) source_.fail(ErrorCode::malformed, kTooLarge, at_);
+      image.pixels.push_back(static_cast<std::uint16_t>(value));
+    }
   }
 
   const Source& source_;

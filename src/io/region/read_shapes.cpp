@@ -135,7 +135,8 @@ Result<std::vector<NamedShape>> read_shapes(const std::string& path) {
   const Selection selection = split_selection(path);
   if (io::names_map(selection.file)) return read_map(selection);
   const std::optional<RegionFormat> known = format_of_extension(selection.file);
-  if (selection.file != "-" && !known) return region_format(selection.file).error();
+  if (selection.file != "-" && !known && !io::is_directory(selection.file))
+    return region_format(selection.file).error();
   const Result<std::string> text = io::read_file(selection.file);
   if (!text) return text.error();
   const Result<RegionFormat> format = known ? Result<RegionFormat>(*known) : format_of_text(*text, selection.file);

@@ -1,10 +1,12 @@
 // A sum as JSON text with exact coordinates and provenance; written, never read.
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "dymsum/region_io.h"
 #include "io/number_text.h"
+#include "planar/position/nearest_point.h"
 
 namespace dymsum {
 
@@ -12,7 +14,9 @@ namespace {
 
 class SumWriter {
  public:
-  explicit SumWriter(const PlanarSum& sum) : sum_(sum) {}
+  explicit SumWriter(const PlanarSum& sum) : sum_(sum) {
+    if (exact_source(sum)) nearest_.emplace(*exact_source(sum));
+  }
 
   std::string write() {
     out_ = "{\n\"parts\":[";
@@ -71,10 +75,11 @@ class SumWriter {
 
   void vertex(const SumVertex& v) {
     const RationalPoint exact = sum_.exact(v);
+    const Point nearest = (*nearest_)(v);
     out_ += "\n{\"x\":";
-    append_number(v.at.x);
+    append_number(nearest.x);
     out_ += ",\"y\":";
-    append_number(v.at.y);
+    append_number(nearest.y);
     out_ += ",\"x_exact\":\"" + exact.x.to_string() + "\",\"y_exact\":\"" + exact.y.to_string() + "\",\"in\":";
     contact(v.in);
     out_ += ",\"out\":";
@@ -96,6 +101,7 @@ class SumWriter {
   }
 
   const PlanarSum& sum_;
+  std::optional<planar::NearestPoint> nearest_;  ///< not of a sum without vertices
   std::string out_;
 };
 

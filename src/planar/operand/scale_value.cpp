@@ -89,6 +89,10 @@ Result<std::vector<Scale>> scale_steps(const Scale& from, const Scale& to, const
                     by = exact::exact_value(step.exact());
   const bool up = last >= first;
   const BigInteger grid = BigInteger(1) << 40;
+  // No step is longer than that: what is too many is told before they are made.
+  const BigRational longest =
+      kind == StepKind::percent ? BigRational(std::max(first, last) * by / 100 + BigRational(1, grid)) : by;
+  if (abs(BigRational(last - first)) >= longest * most) return bad("more than " + std::to_string(most) + " steps");
   std::vector<Scale> scales;
   for (BigRational s = first; up ? s <= last : s >= last;) {
     if (scales.size() == most) return bad("more than " + std::to_string(most) + " steps");

@@ -91,6 +91,7 @@ std::array<double, 4> bounds(const Region& region) {
       box = {std::min(box[0], p.x), std::min(box[1], p.y), std::max(box[2], p.x), std::max(box[3], p.y)};
     }
   });
+  for (double& side : box) side += 0.0;  // zero has no sign
   return box;
 }
 

@@ -274,8 +274,7 @@ bool RotatingFrame::close(std::uint32_t first) {
     const TurnSegment* b = &window_.segments[steps_[i + 1 == last ? first : i + 1].segment];
     const Point e = direction(*b);
     const double k = d.x * e.y - d.y * e.x, lengths = a->length1 * b->length1;
-    if (from.to == kEnd && std::abs(k) <= kNearlyStraight * lengths)
-      from.straight = window_.forms().parallel(*a, *b);
+    if (from.to == kEnd && std::abs(k) <= kNearlyStraight * lengths) from.straight = window_.forms().parallel(*a, *b);
     const int hf = ht;
     ht = half(*b, e);
     a = b;

@@ -35,27 +35,45 @@ const BigInteger& quarter_turn() {
   return quarter;
 }
 
-// Beyond half a turn doubles are multiples of 2^-51.
-BigInteger steps_of(double radians) {
-  int exponent = 0;
-  const auto mantissa = static_cast<std::int64_t>(std::ldexp(std::frexp(radians, &exponent), 53));
-  return BigInteger(mantissa) * (BigInteger(1) << static_cast<unsigned>(exponent - 53 + static_cast<int>(kBits)));
+// The steps below a positive angle: less than one is lost.
+BigInteger steps_of(const BigRational& radians) { return (numerator(radians) << kBits) / denominator(radians); }
+
+// What rounds to -pi is pi.
+double rounded(const BigRational& theta) {
+  const double nearest = exact::round_to_double(theta);
+  return nearest == -std::numbers::pi ? std::numbers::pi : nearest;
 }
+
+constexpr std::array<double, 4> kQuarters{0, std::numbers::pi / 2, std::numbers::pi, -std::numbers::pi / 2};
 
 }  // namespace
 
 double reduced_angle(double radians) {
   if (std::abs(radians) <= std::numbers::pi) return radians == -std::numbers::pi ? std::numbers::pi : radians;
-  const BigInteger &quarter = quarter_turn(), steps = steps_of(std::abs(radians));
+  return reduced_angle(exact::exact_value(radians));
+}
+
+double reduced_angle(const BigRational& radians) {
+  static const BigRational half = exact::exact_value(std::numbers::pi);
+  const BigRational magnitude = abs(radians);
+  if (magnitude <= half) return rounded(radians);
+  const BigInteger &quarter = quarter_turn(), steps = steps_of(magnitude);
   const BigInteger count = (2 * steps + quarter) / (2 * quarter), rest = steps - count * quarter;
-  const int turned = static_cast<int>(BigInteger(count % 4)), sign = radians < 0 ? -1 : 1;
-  if (abs(rest) <= BigInteger(1) << (kBits - 50)) {
-    constexpr std::array<double, 4> kQuarters{0, std::numbers::pi / 2, std::numbers::pi, -std::numbers::pi / 2};
-    return kQuarters[static_cast<std::size_t>((4 + sign * turned) % 4)];
-  }
+  const int turned = static_cast<int>(BigInteger(count % 4)), sign = radians.sign();
+  if (abs(rest) <= BigInteger(1) << (kBits - 50)) return kQuarters[static_cast<std::size_t>((4 + sign * turned) % 4)];
   const int quarters = turned == 3 || (turned == 2 && rest > 0) ? turned - 4 : turned;
   const BigInteger theta = sign * (quarters * quarter + rest);
-  return exact::round_to_double(BigRational(theta, BigInteger(1) << kBits));
+  return rounded(BigRational(theta, BigInteger(1) << kBits));
+}
+
+double reduced_degrees(const BigRational& degrees) {
+  const BigInteger whole = 360 * denominator(degrees);
+  BigInteger rest = numerator(degrees) % whole;  // of the sign of the angle
+  if (2 * rest > whole) rest -= whole;
+  if (2 * rest <= -whole) rest += whole;
+  const BigInteger quarters = 4 * rest;
+  if (quarters % whole == 0) return kQuarters[static_cast<std::size_t>((4 + static_cast<int>(quarters / whole)) % 4)];
+  return rounded(BigRational(quarters * quarter_turn(), whole << kBits));
 }
 
 }  // namespace dymsum::planar

@@ -1,11 +1,18 @@
 // Angles of any size less whole turns, without losing digits.
 #pragma once
 
+#include "exact/big.h"
+
 namespace dymsum::planar {
 
 /// radians - 2 pi k in (-pi, pi], exactly reduced and then rounded once: within 2^-52, for every finite double. Beyond
 /// half a turn what is within 2^-50 of a multiple of a quarter turn is that multiple, as doubles give it. Up to half a
 /// turn nothing is changed, but that -pi is pi. Requires a finite argument.
 double reduced_angle(double radians);
+/// The same for an angle that no double says, below 2^1024 in magnitude: the nearest double up to half a turn.
+double reduced_angle(const exact::BigRational& radians);
+/// The same for degrees of any size: multiples of a quarter turn are those, as doubles give them, and everything else
+/// is rounded once.
+double reduced_degrees(const exact::BigRational& degrees);
 
 }  // namespace dymsum::planar

@@ -78,8 +78,10 @@ Result<Orientation> Orientation::nearest(double radians) {
 constexpr double kShare = 0.99, kReduced = exact::rounding_bound(4, 8), kShortest = exact::rounding_bound(16, 32);
 
 Result<Orientation> Orientation::nearest(double radians, double error) {
-  if (!std::isfinite(radians) || !(error > 0))
-    return Error{ErrorCode::bad_rotation, "an angle has to be finite, and its error positive", {}};
+  if (!std::isfinite(radians)) return Error{ErrorCode::bad_rotation, "an angle has to be finite", {}};
+  if (!(error >= kAngularError))
+    return Error{
+        ErrorCode::bad_rotation, "an angle is met within 2^-50, 8.9e-16 radians: its error cannot be less", {}};
   const double theta = planar::reduced_angle(radians), e = kShare * error - kReduced;
   if (e < kShortest) return nearest(radians);
   if (std::abs(theta) <= e) return Orientation{};
@@ -95,6 +97,15 @@ Result<Orientation> Orientation::nearest(double radians, double error) {
   }
   return planar::orientation_of(theta < 0 ? BigRational(-t) : t);
 }
+
+double reduced_radians(const Rational& radians) {
+  const BigRational value = exact::exact_value(radians);
+  if (abs(numerator(value)) >> 1024 >= denominator(value))
+    throw std::invalid_argument("reduced_radians: an angle of 2^1024 or more");
+  return planar::reduced_angle(value);
+}
+
+double reduced_degrees(const Rational& degrees) { return planar::reduced_degrees(exact::exact_value(degrees)); }
 
 const Rational& Orientation::tan_half() const {
   if (half_turn_) throw std::invalid_argument("Orientation::tan_half: half a turn has none");

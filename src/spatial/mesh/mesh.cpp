@@ -96,7 +96,8 @@ std::array<double, 6> bounds(const Mesh& mesh) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
   }
-  return {low.x, low.y, low.z, high.x, high.y, high.z};
+  // Zero has no sign.
+  return {low.x + 0.0, low.y + 0.0, low.z + 0.0, high.x + 0.0, high.y + 0.0, high.z + 0.0};
 }
 
 Mesh negated(const Mesh& mesh) {

@@ -48,7 +48,8 @@ Result<SolidSlice> slice_of_sum(const Mesh& p, const Mesh& q, double z, const Sp
   } catch (const spatial::Cancelled&) {
     return kCancelled;
   } catch (const spatial::OverBudget& e) {
-    return Error{ErrorCode::out_of_memory, "the slice takes at least " + std::to_string(e.bytes) + " bytes of memory", {}};
+    return Error{
+        ErrorCode::out_of_memory, "the slice takes at least " + std::to_string(e.bytes) + " bytes of memory", {}};
   } catch (const std::invalid_argument&) {
     if (std::optional<Error> error = spatial::grid_error(p.vertices(), q.vertices())) return *std::move(error);
     throw;

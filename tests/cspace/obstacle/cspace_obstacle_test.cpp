@@ -64,7 +64,8 @@ Orientation elsewhere(const CspaceObstacle& c, std::uint32_t slab, Random& rando
   double high = c.angles()[(slab + 1) % c.angles().size()].theta;
   if (high <= low) high += 2 * M_PI;
   const double share = std::uniform_real_distribution<double>(0.01, 0.99)(random);
-  const Orientation o = *Orientation::nearest(low + share * (high - low), 1e-4 * (high - low));
+  const Orientation o =
+      *Orientation::nearest(low + share * (high - low), std::max(1e-4 * (high - low), Orientation::kAngularError));
   return c.slab_of(o) == slab ? o : c.inside(slab);
 }
 

@@ -298,6 +298,10 @@ TEST(ScalingSum, bad_scales_are_refused_and_change_nothing) {
   EXPECT_EQ(Scale::parse("-2").error().code, ErrorCode::bad_scale);
   EXPECT_EQ(parse_scale_step("1.01").value(), Scale::parse("1.01").value());
   EXPECT_EQ(parse_scale_step("0").error().message, "a step of zero leads nowhere");
+  // At once: making them would take minutes, and all memory.
+  for (const StepKind kind : {StepKind::difference, StepKind::percent})
+    EXPECT_EQ(scale_steps(scale_of(1, 1), scale_of(2, 1), *Scale::of(0x1p-39), kind, 1000000000).error().message,
+              "more than 1000000000 steps");
   EXPECT_EQ(parse_scale_step("-1").error().code, ErrorCode::bad_scale);
   EXPECT_EQ(parse_scale_step("1e30").error().code, ErrorCode::bad_scale);
   EXPECT_EQ(parse_scale_step("1/0").error().code, ErrorCode::bad_scale);

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 #include <random>
+#include <stdexcept>
+#include <string>
 
 #include "dymsum/orientation.h"
 #include "exact/big.h"
@@ -62,6 +64,47 @@ TEST(Orientation, meets_multiples_of_quarter_turns_exactly_near_the_origin) {
   EXPECT_NE(*Orientation::nearest(1e-17), Orientation{});
   EXPECT_NE(*Orientation::nearest(std::nextafter(std::numbers::pi, 0)), Orientation::half_turn());
   EXPECT_NE(*Orientation::nearest(std::nextafter(std::numbers::pi / 2, 4)), *Orientation::of(1, 1));
+}
+
+// Turning three times by a third is turning by the whole.
+TEST(Orientation, meets_shares_of_long_turns) {
+  for (const double radians : {1.0, 7.0, 1e9, 1e12, 1e15, 1e16 + 2, 1e20, 1e22, 1e300}) {
+    const double third = reduced_radians(*Rational::of(radians) / 3);
+    EXPECT_LE(std::abs(third), std::numbers::pi) << radians;
+    const Orientation turn = *Orientation::nearest(third);
+    expect_met(radians, turn * turn * turn, 3 * Orientation::kAngularError);
+    expect_met(-radians, (turn * turn * turn).inverse(), 3 * Orientation::kAngularError);
+    EXPECT_EQ(reduced_radians(-*Rational::of(radians) / 3), -third);
+    EXPECT_EQ(*Orientation::nearest(reduced_radians(*Rational::of(radians))), *Orientation::nearest(radians));
+  }
+  EXPECT_THROW(reduced_radians(*Rational::of(1e308) * Rational(1000)), std::invalid_argument);
+}
+
+TEST(Orientation, degrees_of_any_size_are_reduced_exactly) {
+  constexpr double kPi = std::numbers::pi;
+  for (const char* const turns : {"0/1", "1/1", "-1/1", "1000000000000/1", "-123456789012345678901234567890/1"}) {
+    const Rational whole = *Rational::parse(turns) * 360;
+    EXPECT_EQ(reduced_degrees(whole), 0);
+    EXPECT_EQ(reduced_degrees(whole + 90), kPi / 2);
+    EXPECT_EQ(reduced_degrees(whole + 180), kPi);
+    EXPECT_EQ(reduced_degrees(whole - 180), kPi);
+    EXPECT_EQ(reduced_degrees(whole + 270), -kPi / 2);
+    for (const int degrees : {-179, -91, -30, 1, 60, 89, 100, 179})
+      EXPECT_NEAR(reduced_degrees(whole + Rational(degrees)), degrees / 180.0 * kPi, 0x1p-50) << turns;
+    EXPECT_NEAR(reduced_degrees(whole + *Rational::of(1, 3)), kPi / 540, 0x1p-55) << turns;
+    EXPECT_EQ(reduced_degrees(whole + *Rational::parse("1e-30") - 180), kPi) << turns;
+  }
+}
+
+TEST(Orientation, an_error_that_cannot_be_promised_is_refused) {
+  constexpr double kLeast = Orientation::kAngularError;
+  expect_met(1, *Orientation::nearest(1, kLeast), kLeast);
+  for (const double error : {std::nextafter(kLeast, 0), 1e-18, 1e-300, 0.0, -1.0, std::nan("")}) {
+    const Result<Orientation> met = Orientation::nearest(1, error);
+    ASSERT_FALSE(met.ok()) << error;
+    EXPECT_EQ(met.error().code, ErrorCode::bad_rotation);
+    EXPECT_NE(met.error().message.find("2^-50"), std::string::npos);
+  }
 }
 
 }  // namespace
