@@ -16,8 +16,10 @@ std::uint64_t key(std::uint32_t a, std::uint32_t b) {
 
 std::unordered_map<std::uint64_t, std::uint32_t> diagonals(const SolidOperand& solid) {
   std::unordered_map<std::uint64_t, std::uint32_t> found;
-  for (const Wedge& w : solid.wedges)
+  for (const Wedge& w : solid.wedges) {
+    if (w.is_segment() || w.bend != Wedge::Bend::flat) continue;
     if (solid.face[w.left] == solid.face[w.right]) found.emplace(key(w.from, w.to), solid.face[w.left]);
+  }
   return found;
 }
 
@@ -43,6 +45,7 @@ FeaturePairs::FeaturePairs(const SolidBoundary& boundary, const SolidOperand& p,
       arrangement_(*boundary.arrangement),
       p_(p),
       q_(q),
+      both_thin_(p.has_thin() && q.has_thin()),
       diagonal_{diagonals(p), diagonals(q)},
       facets_(facet_boxes(*boundary.space, boundary.table)) {
   const std::vector<SumEdge>& edges = space_.edges();
@@ -51,12 +54,13 @@ FeaturePairs::FeaturePairs(const SolidBoundary& boundary, const SolidOperand& p,
   std::sort(ends_.begin(), ends_.end());
 }
 
-// The facets of a group tile or overlap; any that covers the cell will do.
+// The facets of a group tile or overlap; any that covers the cell will do. Of thin parts in both operands either side
+// of a facet may be free.
 SolidContact FeaturePairs::of_cell(std::uint32_t id, int side) const {
   const PlaneGroup& group = arrangement_.groups[arrangement_.group_of(id)];
   for (const std::uint32_t f : group.facets) {
     const TableFacet& facet = boundary_.table.facets[f];
-    if (facet.side == side && covers(facet, group, group.cells.cells[id - group.first_cell]))
+    if ((facet.side == side || both_thin_) && covers(facet, group, group.cells.cells[id - group.first_cell]))
       return features(facet.facet);
   }
   throw std::logic_error("solid sum: a cell without a facet");

@@ -43,7 +43,8 @@ class FeaturePairs {
   const SumSpace& space_;
   const SolidArrangement& arrangement_;
   const SolidOperand &p_, &q_;
-  std::vector<std::pair<SumPoint, EdgeId>> ends_;                 // of all edges of sums, sorted
+  std::vector<std::pair<SumPoint, EdgeId>> ends_;  // of all edges of sums, sorted
+  bool both_thin_;
   std::unordered_map<std::uint64_t, std::uint32_t> diagonal_[2];  // edges inside faces, and these faces
   BoxTree facets_;
 };
