@@ -40,7 +40,7 @@ PathCheck of_rotation(const RotationCheck& check, const Configuration& from, dou
   if (!check.free && check.first) {
     double ahead = std::remainder(check.first->theta - planar::reduced_angle(from.theta), 2 * std::numbers::pi);
     if (ahead * turn < 0) ahead += turn > 0 ? 2 * std::numbers::pi : -2 * std::numbers::pi;
-    piece.low = piece.high = turn == 0 ? 0 : std::clamp(ahead / turn, 0.0, 1.0);
+    piece.low = piece.high = turn == 0 ? 0 : std::clamp(ahead / turn, 0.0, 1.0) + 0.0;  // no -0
   }
   piece.at = {from.x, from.y, piece.low == 0 ? from.theta : from.theta + piece.low * turn};
   return piece;
