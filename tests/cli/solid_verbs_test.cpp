@@ -5,7 +5,7 @@ namespace dymsum::cli_test {
 namespace {
 
 /// A block of 8 x 8 x 4 with a square tunnel of width 2 along z.
-constexpr const char* kTunnel =
+constexpr const char* kBore =
     "OFF\n16 16 0\n-4 -4 0\n4 -4 0\n4 4 0\n-4 4 0\n-1 -1 0\n1 -1 0\n1 1 0\n-1 1 0\n-4 -4 4\n4 -4 4\n4 4 4\n-4 4 4\n-1 "
     "-1 4\n"
     "1 -1 4\n1 1 4\n-1 1 4\n4 8 9 13 12\n4 1 0 4 5\n4 0 1 9 8\n4 5 4 12 13\n4 9 10 14 13\n4 2 1 5 6\n4 1 2 10 9\n4 6 5 "
@@ -15,7 +15,7 @@ constexpr const char* kTunnel =
 class SolidVerbs : public CliTest {
  protected:
   SolidVerbs() {
-    work.write("tunnel.off", kTunnel);
+    work.write("tunnel.off", kBore);
     work.write("cube.off", kCube);
     work.write("wedge.off", kTetrahedron);
   }

@@ -13,9 +13,9 @@ using exact::BigRational;
 namespace {
 
 // Of a position that is rounded, times its largest coordinate; rounded to a subnormal number it errs by 2^-1075.
-constexpr double kRounded = exact::rounding_bound(1, 2), kSubnormal = 0x1p-1060;
+constexpr double kPositionRounded = exact::rounding_bound(1, 2), kSubnormal = 0x1p-1060;
 // Of a cross product of differences, times |product| + |product|, and of a difference, besides what they err by.
-constexpr double kCross = exact::rounding_bound(4, 8), kDifference = exact::rounding_bound(1, 2);
+constexpr double kMapCross = exact::rounding_bound(4, 8), kDifference = exact::rounding_bound(1, 2);
 // The roundings of bounds themselves.
 constexpr double kWider = 1.01;
 
@@ -47,7 +47,7 @@ BigRational share_of(const Position& a, const Position& b, const Position& p) {
 }  // namespace
 
 SlicePoint::SlicePoint(Position exact) : at_{exact::round_to_double(exact.x), exact::round_to_double(exact.y)} {
-  error_ = std::max(std::abs(at_.x), std::abs(at_.y)) * kRounded + kSubnormal;
+  error_ = std::max(std::abs(at_.x), std::abs(at_.y)) * kPositionRounded + kSubnormal;
   exact_ = std::move(exact);
 }
 
@@ -68,7 +68,7 @@ int side(const SlicePoint& a, const SlicePoint& b, const SlicePoint& c) {
   const double bx = b.at().x - a.at().x, by = b.at().y - a.at().y, cx = c.at().x - a.at().x, cy = c.at().y - a.at().y;
   const double det = bx * cy - by * cx;
   const double bound = kWider * e * (std::abs(bx) + std::abs(by) + std::abs(cx) + std::abs(cy) + 2 * e) +
-                       kCross * (std::abs(bx * cy) + std::abs(by * cx)) + exact::kUnderflow;
+                       kMapCross * (std::abs(bx * cy) + std::abs(by * cx)) + exact::kUnderflow;
   if (std::abs(det) > bound) return det > 0 ? 1 : -1;
   if (&a == &b || &a == &c || &b == &c) return 0;
   const Position &p = a.exact(), &q = b.exact(), &r = c.exact();

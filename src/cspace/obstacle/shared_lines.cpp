@@ -16,7 +16,7 @@ constexpr double kLineNear = 0x1p-34;
 /// and a direction (19 for the one, 19 and 2 for the unit vector), products and sums.
 constexpr double kStretch = exact::rounding_bound(2 * 16 + 1 + 19 + 21 + 6, 8192);
 /// Of the cross product of two directions, times their lengths, at an angle that errs by 2^-49.
-constexpr double kParallel = exact::rounding_bound(56 + 2 * 16, 8192);
+constexpr double kParallelLines = exact::rounding_bound(56 + 2 * 16, 8192);
 /// So many times what sides err by are certain at the angle, too.
 constexpr double kSides = 64;
 
@@ -105,7 +105,7 @@ double SharedLines::cosine(const WalkSegment& s, const WalkSegment& t) const {
 
 // Exactly, where doubles do not tell the lines apart.
 bool SharedLines::collinear(const WalkSegment& s, const WalkSegment& t) const {
-  if (std::abs(forms_.cross(s, t).at(heading_)) > kParallel * forms_.length1(s) * forms_.length1(t)) return false;
+  if (std::abs(forms_.cross(s, t).at(heading_)) > kParallelLines * forms_.length1(s) * forms_.length1(t)) return false;
   const TrigForm side = forms_.side(s, TurningForms::start(t));
   if (std::abs(side.at(heading_)) > kSides * forms_.side_error(s)) return false;
   if (const QuarterTurn* turn = now_.crowded(); turn != nullptr)

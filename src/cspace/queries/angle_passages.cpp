@@ -14,8 +14,8 @@ constexpr double kLine = exact::rounding_bound(3 * (3 + 1 + 2), 32);
 constexpr double kKnown = 64;
 // Of an arc cosine, and of its sums with the phase: 4 each; then of the sums with whole turns, of less than 16 each:
 // together with the other ones.
-constexpr double kAngle = exact::rounding_bound(4 + 4 + 4, 32), kTurned = exact::rounding_bound(4, 8);
-static_assert(exact::gamma(12 + 8 + 8 + 4) < kAngle + kTurned);
+constexpr double kPassageAngle = exact::rounding_bound(4 + 4 + 4, 32), kTurned = exact::rounding_bound(4, 8);
+static_assert(exact::gamma(12 + 8 + 8 + 4) < kPassageAngle + kTurned);
 // Of distances, times the sizes: a dozen roundings; of a tight placement besides its own error.
 constexpr double kCircle = exact::rounding_bound(16, 8192), kTight = exact::rounding_bound(16, 512);
 // Passages that begin so near to each other may be one: any width is right, as such a one is looked at exactly.
@@ -63,8 +63,8 @@ class Finder {
     if (!(amplitude > kKnown * error)) return add_persistent(amplitude == 0, patch);
     const double value = -constant / amplitude, off = 4 * error / amplitude;
     const double phase = std::atan2(wave.y, wave.x);
-    const double near = std::acos(std::clamp(value + off, -1.0, 1.0)) - kAngle;
-    const double far = std::acos(std::clamp(value - off, -1.0, 1.0)) + kAngle;
+    const double near = std::acos(std::clamp(value + off, -1.0, 1.0)) - kPassageAngle;
+    const double far = std::acos(std::clamp(value - off, -1.0, 1.0)) + kPassageAngle;
     if (value + off >= 1) return add_turned(phase - far - off, phase + far + off, patch, false);
     if (value - off <= -1)
       return add_turned(phase + near - off, phase + 2 * std::numbers::pi - near + off, patch, false);
@@ -112,7 +112,7 @@ class Finder {
     const double margin = kTight * (std::abs(place.x) + std::abs(place.y) + forms_.size());
     if (off > 2 * forms_.in_units(f.error) + margin) return;
     const EventAngle& angle = obstacle_.angles()[f.angle];
-    push(angle.low - kAngle, angle.high + kAngle, Patch::kNone, false);
+    push(angle.low - kPassageAngle, angle.high + kPassageAngle, Patch::kNone, false);
   }
 
   void push(double low, double high, std::uint32_t patch, bool crosses) {

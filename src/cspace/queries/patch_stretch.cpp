@@ -15,7 +15,7 @@ constexpr double kFast = 0x1p-10;  // radians from a pole, farther away a crossi
 constexpr double kDifference = exact::rounding_bound(2 + 2, 32), kCancelled = 0x1p-90;
 static_assert(kCancelled > 1000 * base::kPairError);
 // Of the ranges of a box, times the size: turned vectors (14), and a dozen of products and sums.
-constexpr double kBox = exact::rounding_bound(2 * 14 + 2 * 12, 8192);
+constexpr double kStretchBox = exact::rounding_bound(2 * 14 + 2 * 12, 8192);
 
 // Angles that a patch covers, counter-clockwise, and those that it surely has.
 struct Cover {
@@ -208,7 +208,7 @@ StretchBox box_of(const PatchForms& forms, const PatchStretch& stretch) {
   const Range at{std::min(left.low, right.low), std::max(left.high, right.high)};
   const Range b_along = u.x * arm.x + u.y * arm.y, b_off = n.x * arm.x + n.y * arm.y;
   const Range along = u.x * line.x + u.y * line.y, off = n.x * line.x + n.y * line.y;
-  const double margin = kBox * forms.size();
+  const double margin = kStretchBox * forms.size();
   const Range wider{-margin, margin};
   const double from = stretch.reference - 4 * kAngleError, to = stretch.reference + 4 * kAngleError;
   const PointRange box{join(left * line.x, right * line.x), join(left * line.y, right * line.y)};

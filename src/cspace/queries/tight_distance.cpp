@@ -6,18 +6,19 @@ namespace dymsum::cspace {
 
 // Of a turn, times its weight: both angles' doubles, and the product of at most 4. Of the length of a vector,
 // relatively.
-constexpr double kTurn = exact::rounding_bound(2 * 12 + 4, 128), kLength = exact::rounding_bound(3, 8);
+constexpr double kTurnError = exact::rounding_bound(2 * 12 + 4, 128), kFlatLength = exact::rounding_bound(3, 8);
 
 NearestTight nearest_tight(const CspaceObstacle& obstacle, const Configuration& from, double weight) {
   NearestTight nearest;
   for (const TightFeature& f : obstacle.tight()) {
     const double theta = obstacle.angles()[f.angle].theta;
     const double turn = weight * std::remainder(theta - from.theta, 2 * std::numbers::pi);
-    if (std::abs(turn) > nearest.place.distance + nearest.place.error + kTurn * weight) continue;
+    if (std::abs(turn) > nearest.place.distance + nearest.place.error + kTurnError * weight) continue;
     NearestPlace flat;
     flat.add_segment({from.x, from.y}, f.from, f.to, f.error);
     const double before = nearest.place.distance;
-    nearest.place.add(std::hypot(flat.distance, turn), flat.error + kTurn * weight + kLength * flat.distance, flat.at);
+    nearest.place.add(std::hypot(flat.distance, turn), flat.error + kTurnError * weight + kFlatLength * flat.distance,
+                      flat.at);
     if (nearest.place.distance != before) nearest.theta = theta;
   }
   return nearest;

@@ -6,7 +6,7 @@
 namespace dymsum::spatial_test {
 namespace {
 
-Error error_of(const MeshData& data) {
+Error thin_error(const MeshData& data) {
   const Result<Mesh> mesh = Mesh::with_thin_parts(data);
   EXPECT_FALSE(mesh.ok());
   return mesh.ok() ? Error{} : mesh.error();
@@ -69,27 +69,27 @@ TEST(ThinParts, areSurfacesWhereTheyAreNotClosed) {
 TEST(ThinParts, errors) {
   MeshData data = cube_with_parts();
   data.faces.push_back({4, 5, 7, 6});  // the top once more: no edge of it is free
-  const Error twice = error_of(data);
+  const Error twice = thin_error(data);
   EXPECT_EQ(twice.code, ErrorCode::not_manifold);
   EXPECT_EQ(twice.evidence.face, 5);
   data = cube_with_parts();
   data.faces.push_back({});
-  EXPECT_EQ(error_of(data).code, ErrorCode::too_few_vertices);
+  EXPECT_EQ(thin_error(data).code, ErrorCode::too_few_vertices);
   data = cube_with_parts();
   data.faces.push_back({12, 12});
-  EXPECT_EQ(error_of(data).code, ErrorCode::repeated_vertex);
+  EXPECT_EQ(thin_error(data).code, ErrorCode::repeated_vertex);
   data = cube_with_parts();
   data.vertices[13] = {9, 9, 9};
-  EXPECT_EQ(error_of(data).code, ErrorCode::repeated_vertex);
+  EXPECT_EQ(thin_error(data).code, ErrorCode::repeated_vertex);
   data = cube_with_parts();
   data.vertices[11].z = 7;
-  EXPECT_EQ(error_of(data).code, ErrorCode::not_planar);
+  EXPECT_EQ(thin_error(data).code, ErrorCode::not_planar);
   data = cube_with_parts();
   data.faces.push_back({1, 12, 77});
-  EXPECT_EQ(error_of(data).code, ErrorCode::bad_index);
+  EXPECT_EQ(thin_error(data).code, ErrorCode::bad_index);
   data = cube_with_parts();
   std::reverse(data.faces[5].begin(), data.faces[5].end());
-  const Error reversed = error_of(data);
+  const Error reversed = thin_error(data);
   EXPECT_EQ(reversed.code, ErrorCode::wrong_orientation);
   EXPECT_GE(reversed.evidence.face.value(), 4) << "by the indices of the data";
 }
