@@ -6,8 +6,8 @@
 
 namespace dymsum::spatial {
 
-/// Arrays per facet of the reduced convolution, at the peak, of sums whose facets meet about seven others each
-/// (measured: docs/results/solid.md); those that meet more take more.
+/// Arrays per facet of the reduced convolution, at the peak, of sums whose facets meet about seven others each,
+/// as `./run bench solid` measures them; those that meet more take more.
 inline constexpr double kBytesPerFacet = 1800;
 
 /// Statement: dymsum/spatial_sum.h, predict_cost.
