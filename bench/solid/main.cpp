@@ -15,18 +15,19 @@ namespace dymsum::bench {
 namespace {
 
 constexpr const char* kUsage =
-    "dymsum_bench_solid [--ours | --growth] [--long] [--only TEXT] [--results DIR]\n"
-    "  (default)      all pairs, against CGAL's Nef polyhedra and Manifold, a minute at most for each of them\n"
+    "dymsum_bench_solid [--ours | --growth] [--minutes N] [--only TEXT] [--results DIR]\n"
+    "  (default)      all pairs, against CGAL's Nef polyhedra and Manifold\n"
     "  --ours         ours alone\n"
     "  --growth       ours alone on tori and blobs of 250 to 20,000 triangles each\n"
-    "  --long         an hour for each of the others\n"
+    "  --minutes N    at most that long for each answer of the others (default 1)\n"
     "  --only TEXT    only pairs whose name contains TEXT\n"
     "  --results DIR  also write solid.md and solid.csv (with --growth solid-growth.md) into DIR\n"
     "Environment: DYMSUM_DATA, a folder with solid/ (else ../shared/data beside the checkout, where present);\n"
     "DYMSUM_PYTHON, an interpreter that has manifold3d (`./run bench solid` makes one).\n";
 
 struct Options {
-  bool ours = false, growth = false, everything = false;
+  bool ours = false, growth = false;
+  double minutes = 1;
   std::string only, results;
 };
 
@@ -202,7 +203,7 @@ Options parse(int argc, char** argv) {
     const std::string word = argv[i];
     if (word == "--ours") options.ours = true;
     else if (word == "--growth") options.growth = true;
-    else if (word == "--long") options.everything = true;
+    else if (word == "--minutes" && i + 1 < argc) options.minutes = std::stod(argv[++i]);
     else if (word == "--only" && i + 1 < argc) options.only = argv[++i];
     else if (word == "--results" && i + 1 < argc) options.results = argv[++i];
     else throw std::invalid_argument(kUsage);
@@ -228,7 +229,7 @@ int run(const Options& options) {
     return 0;
   }
   SolidProtocol protocol;
-  protocol.limit_s = options.ours ? 0 : options.everything ? 3600 : 60;
+  protocol.limit_s = options.ours ? 0 : 60 * options.minutes;
   protocol.python = environment("DYMSUM_PYTHON", "");
   std::vector<SolidRow> rows;
   report.csv << kColumns;

@@ -29,7 +29,9 @@ Kernel::Point_2 as_given(const Point& point) { return {point.x, point.y}; }
 class ReflectedTurn {
  public:
   explicit ReflectedTurn(const Orientation& theta) {
-    const Exact n(theta.tan_half().numerator()), d(theta.tan_half().denominator());
+    const bool half = theta.is_half_turn();  // tan(theta / 2) = 1 / 0
+    const Exact n = half ? Exact(1) : Exact(theta.tan_half().numerator());
+    const Exact d = half ? Exact(0) : Exact(theta.tan_half().denominator());
     const Exact w = n * n + d * d;
     cosine_ = (d * d - n * n) / w;
     sine_ = 2 * n * d / w;
