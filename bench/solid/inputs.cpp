@@ -13,7 +13,15 @@ namespace dymsum::bench {
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
-constexpr int kBits = 22;  // with the sizes below: 26 bits
+constexpr int kBits = 22;
+
+MeshData placed(MeshData mesh, Coordinates coordinates) {
+  if (coordinates == Coordinates::raw) return mesh;
+  for (Point3& p : mesh.vertices)
+    for (double Point3::*c : {&Point3::x, &Point3::y, &Point3::z})
+      p.*c = std::ldexp(std::nearbyint(std::ldexp(p.*c, kBits)), -kBits);
+  return mesh;
+}
 
 /// The Mersenne Twister seeded and read as the recipe's author did (Python's random.Random): uniform doubles.
 class Uniform {
@@ -92,16 +100,19 @@ MeshData cells(int nx, int ny, int nz, const std::function<bool(int, int, int)>&
   return mesh;
 }
 
-SolidPair tori(int nu, int nv) {
+std::string named(const std::string& name, Coordinates c) { return (c == Coordinates::raw ? "raw " : "") + name; }
+
+SolidPair tori(int nu, int nv, Coordinates c = Coordinates::snapped) {
   const std::string n = std::to_string(2 * nu * nv);
-  return {"torus " + n + " + torus " + n, "tori", torus(2, 0.6, nu, nv),
-          turned(torus(1.3, 0.35, nu, nv), 0.7, 0.4, 0.3)};
+  return {named("torus " + n + " + torus " + n, c), "tori", torus(2, 0.6, nu, nv, c),
+          turned(torus(1.3, 0.35, nu, nv, c), 0.7, 0.4, 0.3, c)};
 }
 
-SolidPair blobs(int stacks, int slices) {
+SolidPair blobs(int stacks, int slices, Coordinates c = Coordinates::snapped) {
   const std::string n = std::to_string(2 * slices * (stacks - 1));
-  return {"blob " + n + " + blob " + n, "blobs", turned(blob(1, 0.12, stacks, slices, 1), 0.3, 0.5, 0.2),
-          turned(blob(0.6, 0.12, stacks, slices, 2), 0.1, 0.9, 0.4)};
+  return {named("blob " + n + " + blob " + n, c), "blobs",
+          turned(blob(1, 0.12, stacks, slices, 1, c), 0.3, 0.5, 0.2, c),
+          turned(blob(0.6, 0.12, stacks, slices, 2, c), 0.1, 0.9, 0.4, c)};
 }
 
 MeshData ball(int stacks, int slices) { return blob(0.3, 0, stacks, slices, 0); }
@@ -132,7 +143,7 @@ void add_real_pairs(const std::string& data, std::vector<SolidPair>& pairs) {
 
 }  // namespace
 
-MeshData torus(double large, double small, int nu, int nv) {
+MeshData torus(double large, double small, int nu, int nv, Coordinates coordinates) {
   MeshData mesh;
   for (int i = 0; i < nu; ++i)
     for (int j = 0; j < nv; ++j) {
@@ -145,10 +156,10 @@ MeshData torus(double large, double small, int nu, int nv) {
       mesh.faces.push_back({id(i, j), id(i + 1, j), id(i + 1, j + 1)});
       mesh.faces.push_back({id(i, j), id(i + 1, j + 1), id(i, j + 1)});
     }
-  return snapped(std::move(mesh), kBits);
+  return placed(std::move(mesh), coordinates);
 }
 
-MeshData blob(double radius, double bump, int stacks, int slices, std::uint32_t seed) {
+MeshData blob(double radius, double bump, int stacks, int slices, std::uint32_t seed, Coordinates coordinates) {
   struct Wave {
     double q[3], phase;
   };
@@ -182,24 +193,17 @@ MeshData blob(double radius, double bump, int stacks, int slices, std::uint32_t 
     }
     mesh.faces.push_back({bottom, id(stacks - 1, j + 1), id(stacks - 1, j)});
   }
-  return snapped(std::move(mesh), kBits);
+  return placed(std::move(mesh), coordinates);
 }
 
-MeshData turned(const MeshData& mesh, double x, double y, double z) {
+MeshData turned(const MeshData& mesh, double x, double y, double z, Coordinates coordinates) {
   MeshData result = mesh;
   const auto turn = [](double& a, double& b, double angle) {
     const double c = std::cos(angle), s = std::sin(angle), old = a;
     a = c * old - s * b, b = s * old + c * b;
   };
   for (Point3& p : result.vertices) turn(p.y, p.z, x), turn(p.z, p.x, y), turn(p.x, p.y, z);
-  return snapped(std::move(result), kBits);
-}
-
-MeshData snapped(MeshData mesh, int bits) {
-  for (Point3& p : mesh.vertices)
-    for (double Point3::*c : {&Point3::x, &Point3::y, &Point3::z})
-      p.*c = std::ldexp(std::nearbyint(std::ldexp(p.*c, bits)), -bits);
-  return mesh;
+  return placed(std::move(result), coordinates);
 }
 
 MeshData grate(int bars) {
@@ -229,7 +233,7 @@ MeshData gear(int teeth, double radius) {
     mesh.faces.push_back({a, b, m + b, m + a});
   }
   mesh.faces.push_back(std::move(top)), mesh.faces.push_back(std::move(bottom));
-  return snapped(std::move(mesh), kBits);
+  return placed(std::move(mesh), Coordinates::snapped);
 }
 
 MeshData cube(double half) {
@@ -265,12 +269,14 @@ MeshData tunnel() {
 
 std::vector<SolidPair> solid_pairs(const std::string& data) {
   std::vector<SolidPair> pairs;
-  pairs.push_back(promised(tori(8, 6), 39, 36));
-  pairs.push_back(promised(tori(16, 8), 130, 40));
-  pairs.push_back(promised(tori(32, 16), 390, 100));
-  pairs.push_back(promised(tori(64, 40), 2400, 0));
-  pairs.push_back(promised(blobs(17, 32), 1260, 320));
-  pairs.push_back(promised(blobs(37, 70), 11400, 2900));
+  for (const Coordinates c : {Coordinates::snapped, Coordinates::raw}) {
+    pairs.push_back(promised(tori(8, 6, c), 39, 36));
+    pairs.push_back(promised(tori(16, 8, c), 130, 40));
+    pairs.push_back(promised(tori(32, 16, c), 390, 100));
+    pairs.push_back(promised(tori(64, 40, c), 2400, 0));
+    pairs.push_back(promised(blobs(17, 32, c), 1260, 320));
+    pairs.push_back(promised(blobs(37, 70, c), 11400, 2900));
+  }
   const MeshData t96 = torus(2, 0.6, 8, 6), t1024 = torus(2, 0.6, 32, 16), t5120 = torus(2, 0.6, 64, 40);
   pairs.push_back({"torus 96 + ball 48", "balls", t96, ball(5, 6)});
   pairs.push_back({"torus 1024 + ball 224", "balls", t1024, ball(8, 16), 130, 32});

@@ -9,14 +9,16 @@
 
 namespace dymsum::bench {
 
+/// Generated coordinates are multiples of 2^-22, with the sizes below 26 bits, unless they are to be as computed.
+enum class Coordinates { snapped, raw };
+
 /// 2 nu nv triangles about the z axis.
-MeshData torus(double large, double small, int nu, int nv);
+MeshData torus(double large, double small, int nu, int nv, Coordinates = Coordinates::snapped);
 /// A sphere of 2 slices (stacks - 1) triangles, its radius times 1 + bump * a sum of 12 plane waves drawn by the seed.
-MeshData blob(double radius, double bump, int stacks, int slices, std::uint32_t seed);
+MeshData blob(double radius, double bump, int stacks, int slices, std::uint32_t seed,
+              Coordinates = Coordinates::snapped);
 /// Turned about x, then y, then z, in radians.
-MeshData turned(const MeshData& mesh, double x, double y, double z);
-/// All coordinates as multiples of 2^-bits.
-MeshData snapped(MeshData mesh, int bits);
+MeshData turned(const MeshData& mesh, double x, double y, double z, Coordinates = Coordinates::snapped);
 
 /// Bars along x upon bars along y, with square gaps between them.
 MeshData grate(int bars);

@@ -199,5 +199,47 @@ TEST(SpatialEngine, can_be_cancelled_in_every_stage) {
   }
 }
 
+/// A tetrahedron of this size with a corner in the origin.
+MeshData small_corner(double size) {
+  return {{{0, 0, 0}, {size, 0, 0}, {0, size, 0}, {0, 0, size}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
+}
+
+MeshData with(MeshData p, const MeshData& apart, Point3 at) {
+  const auto first = static_cast<std::uint32_t>(p.vertices.size());
+  for (const Point3& v : apart.vertices) p.vertices.push_back({v.x + at.x, v.y + at.y, v.z + at.z});
+  for (Face f : apart.faces) {
+    for (std::uint32_t& v : f) v += first;
+    p.faces.push_back(std::move(f));
+  }
+  return p;
+}
+
+// One tiny part, far away along one axis after the other, makes the common grid so fine that coordinates have 26, 61,
+// 124 or more bits along the two others.
+TEST(SpatialEngine, coordinates_of_any_width_give_the_same) {
+  std::mt19937_64 random(31);
+  std::set<int> widths;
+  for (const int power : {-10, -45, -90, -110, -200})
+    for (int pair = 0; pair < fuzz_pairs(6); ++pair) {
+      const Mesh p = valid_polyhedron(random), q = valid_polyhedron(random);
+      MeshData tiny = small_corner(std::ldexp(1, power));
+      const int axis = pair % 3;
+      for (Point3& v : tiny.vertices) (axis == 0 ? v.x : axis == 1 ? v.y : v.z) *= std::ldexp(1, -power);
+      const Point3 at{axis == 0 ? 100.0 : 0, axis == 1 ? 100.0 : 0, axis == 2 ? 100.0 : 0};
+      const MeshData far = with({}, tiny, at);
+      const SpatialSum alone = sum(p.data(), q.data()), apart = sum(far, q.data()),
+                       both = sum(with(p.data(), tiny, at), q.data());
+      widths.insert(both.stats.bits <= 26 ? 26 : both.stats.bits <= 61 ? 61 : both.stats.bits <= 124 ? 124 : 250);
+      const std::string where = "2^" + std::to_string(power) + ", pair " + std::to_string(pair);
+      EXPECT_EQ(both.faces.size(), alone.faces.size() + apart.faces.size()) << where;
+      EXPECT_EQ(both.vertices.size(), alone.vertices.size() + apart.vertices.size()) << where;
+      EXPECT_EQ(both.tight_faces.size(), alone.tight_faces.size()) << where;
+      EXPECT_EQ(both.tight_segments.size(), alone.tight_segments.size()) << where;
+      EXPECT_EQ(both.tight_points.size(), alone.tight_points.size()) << where;
+      EXPECT_EQ(both.volume_exact(), alone.volume_exact() + apart.volume_exact()) << where;
+    }
+  EXPECT_EQ(widths, (std::set<int>{26, 61, 124, 250}));
+}
+
 }  // namespace
 }  // namespace dymsum
