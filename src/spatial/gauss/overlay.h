@@ -140,7 +140,8 @@ class Overlay {
   void join_pairs();
   void follow_pairs(std::span<const std::uint32_t> faces);
   void break_arcs_of(std::uint32_t f, std::uint32_t g);
-  void find_pairs_after_leap();
+  void keep_pairs();
+  void mend_new_pairs();
   // From nothing.
   void clear_crossings();
   void walk(std::uint32_t e);
@@ -197,9 +198,10 @@ class Overlay {
   // The operand whose faces and arcs are certified and walked in updates, the one with fewer faces; the other one's
   // follow.
   int walker_ = 0;
-  std::vector<std::uint32_t> chords_;  // its edges that no visit goes by
-  std::vector<std::uint32_t> levels_;  // where its visits as far from the first face begin; one more at the end
-  double cell_ = 0;                    // the radius of a cell of the other operand's map, if all were alike
+  std::vector<std::uint32_t> chords_;       // its edges that no visit goes by
+  std::vector<std::uint32_t> also_chords_;  // those by which a visit goes to a face of a pair
+  std::vector<std::uint32_t> levels_;       // where its visits as far from the first face begin; one more at the end
+  double cell_ = 0;                         // the radius of a cell of the other operand's map, if all were alike
   /// The time until which what was checked now holds; no later however far the clock has come. kBeforeAll stays.
   double later(double margin) const { return (clock_ + margin) * exact::kDown; }
 

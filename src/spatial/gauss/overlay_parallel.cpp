@@ -147,15 +147,43 @@ void Overlay::break_arcs_of(std::uint32_t f, std::uint32_t g) {
   }
 }
 
-/// After a long move, which knows nothing of pairs: its walks went through the crossings near them.
-void Overlay::find_pairs_after_leap() {
+/// Before a long move is followed: the pairs that stay, and where their arcs begin now.
+void Overlay::keep_pairs() {
+  const int w = walker_;
+  for (const FacePair& pair : pairs_) parallel_[0][pair.p] = parallel_[1][pair.q] = kNoFace;
+  std::size_t stay = 0;
+  for (const FacePair& pair : pairs_) {
+    const std::uint32_t f = w == 0 ? pair.p : pair.q, g = w == 0 ? pair.q : pair.p;
+    // The vertices are noted as changed only where nothing else will do so.
+    const std::uint32_t before = extreme_[w][f], other_before = extreme_[1 - w][g];
+    const bool changed = climb(w, f, before, signs_.row_now(w, f));
+    if (parallel_face(w, f) != g) {
+      extreme_[w][f] = before;
+      continue;
+    }
+    if (changed) note_face(w, f);
+    if (climb(1 - w, g, other_before, signs_.row_now(1 - w, g))) note_face(1 - w, g);
+    pairs_[stay++] = pair;
+  }
+  pairs_.resize(stay);
+  join_pairs();
+  const auto changed = [](HalfEdge) {};
+  for (const FacePair& pair : pairs_) {
+    start_arcs(0, pair.p, pair.q, changed);
+    start_arcs(1, pair.q, pair.p, changed);
+  }
+}
+
+/// After a long move, whose walks went through the crossings near pairs that it did not know of.
+void Overlay::mend_new_pairs() {
   const int w = walker_;
   expired_.clear();
   const double error = signs_.error(w);
   for (std::uint32_t f = 0; f < poly(w).face_count(); ++f)
     if (!(most_rise(poly(1 - w), extreme_[w][f], signs_.row_now(w, f)) < -error)) expired_.push_back(f);
+  const std::size_t kept = pairs_.size();
   follow_pairs(expired_);
-  if (pairs_.empty()) return;
+  if (pairs_.size() == kept) return;
   for (const std::uint32_t e : broken_)
     for (std::uint32_t id = head_[w][e]; id != kNoCrossing; id = crossings_[id].next[w]) {
       crossing_until_[id] = kBeforeAll;

@@ -34,9 +34,9 @@ void Overlay::update(const RelativeMap& map, bool use_margins) {
   const double angle = use_margins ? map.angle_from(signs_.map()) : 4;
   clock_ = (clock_ + angle) * exact::kUp;
   signs_.move(map);
-  if (angle > kLeap * cell_ && pairs_.empty()) {
+  if (angle > kLeap * cell_) {
     leap();
-    find_pairs_after_leap();
+    mend_new_pairs();
   } else {
     correct_vertices();
     check_crossings();
