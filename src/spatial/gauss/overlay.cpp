@@ -12,6 +12,8 @@ namespace dymsum::spatial {
 namespace {
 
 constexpr double kNever = -std::numeric_limits<double>::infinity();
+/// Of a face, from which on the next faces round it are climbed for from one another.
+constexpr std::uint32_t kManyEdges = 8;
 
 }  // namespace
 
@@ -20,19 +22,24 @@ Overlay::Overlay(const Polytope& p, const Polytope& q) : signs_(p, q) {
     extreme_[op].assign(poly(op).face_count(), 0);
     vertex_until_[op].assign(poly(op).face_count(), kNever);
     head_[op].assign(poly(op).edge_count(), kNoCrossing);
+    parallel_[op].assign(poly(op).face_count(), kNoFace);
+    start_[op].assign(2 * poly(op).edge_count(), 0);
+    has_flat_edges_ |= poly(op).has_flat_edges;
   }
   for (int op = 0; op < 2; ++op) {
     const Polytope& mine = poly(op);
     std::vector<std::uint8_t> seen(mine.face_count(), 0);
     seen[0] = 1;
-    visits_[op].push_back({0, 0, 0});
+    visits_[op].push_back({0, 0, 0, 0});
     for (std::size_t i = 0; i < visits_[op].size(); ++i) {
       const std::uint32_t f = visits_[op][i].face;
       HalfEdge h = mine.first[f];
+      std::uint32_t near = f, edges = 0;
       do {
         const std::uint32_t g = mine.face[twin(h)];
-        if (!seen[g]) visits_[op].push_back({g, f, h});
+        if (!seen[g]) visits_[op].push_back({g, f, h, near});
         seen[g] = 1;
+        if (++edges >= kManyEdges) near = g;
         h = mine.next[h];
       } while (h != mine.first[f]);
     }
@@ -115,9 +122,9 @@ void Overlay::walk(std::uint32_t e) {
   const Vec3 f_left = signs_.row(0, left), f_right = signs_.row(0, right), along = p.direction[e];
   const auto value = [&](std::uint32_t k) { return dot(signs_.row(1, q.ring_face[k]), along); };
   const auto sign = [&](std::uint32_t k) { return signs_.sign(1, q.ring_face[k], 2 * e); };
-  const std::uint32_t end = extreme_[0][right];
+  const std::uint32_t end = end_cell(0, 2 * e + 1);
   std::uint32_t last = kNoCrossing, walked = 0;
-  for (std::uint32_t v = extreme_[0][left]; v != end; ++walked) {
+  for (std::uint32_t v = end_cell(0, 2 * e); v != end; ++walked) {
     const HalfEdge exit = q.ring[leaving_slot(q, v, signs_.error(1), value, sign)];
     if (walked > q.edge_count()) throw std::logic_error("Overlay: an arc does not end");
     // The signs that updates rely on: see overlay_update.cpp.
@@ -181,10 +188,9 @@ std::uint32_t Overlay::order_along(int op, std::uint32_t e, std::uint32_t v) {
 /// All arcs of Q that are crossed: their ends are known, so this compares the walks along P's arcs with the climbs from
 /// Q's faces.
 void Overlay::order_along_q() {
-  const Polytope& q = poly(1);
   for (const std::uint32_t e : touched_) {
     is_touched_[1][e] = 0;
-    if (order_along(1, e, extreme_[1][q.face[2 * e]]) != extreme_[1][q.face[2 * e + 1]])
+    if (order_along(1, e, end_cell(1, 2 * e)) != end_cell(1, 2 * e + 1))
       throw std::logic_error("Overlay: the crossings of an arc do not lead to its end");
   }
   touched_.clear();
@@ -222,8 +228,9 @@ void Overlay::build(const RelativeMap& map) {
   for (int op = 0; op < 2; ++op) {
     work_.vertex_checks += visits_[op].size();
     for (const Visit& visit : visits_[op])
-      if (climb(op, visit.face, extreme_[op][visit.from], signs_.row(op, visit.face))) note_face(op, visit.face);
+      if (climb(op, visit.face, extreme_[op][visit.near], signs_.row(op, visit.face))) note_face(op, visit.face);
   }
+  find_pairs();
   for (std::uint32_t e = 0; e < poly(0).edge_count(); ++e) walk(e);
   work_.arc_checks = poly(0).edge_count();
   finish_crossings();

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -22,6 +23,7 @@ struct Crossing {
   std::array<std::uint32_t, 2> next{};
 };
 constexpr std::uint32_t kNoCrossing = ~std::uint32_t{0};
+constexpr std::uint32_t kNoFace = ~std::uint32_t{0};
 
 /// A crossing seen from either operand: along the arc of this edge of operand op, from its left face to its right one,
 /// ...
@@ -70,6 +72,8 @@ class Overlay {
   const Polytope& poly(int op) const { return signs_.poly(op); }
   /// The vertex of the other operand that is extreme in the direction of face f of operand op.
   std::uint32_t extreme(int op, std::uint32_t f) const { return extreme_[op][f]; }
+  /// The face of the other operand that truly faces the same way as face f of operand op, or kNoFace.
+  std::uint32_t parallel_face(int op, std::uint32_t f) const;
   /// The first crossing along the arc of edge e of operand op, from its left face (the face of half-edge 2e) to its
   /// right one.
   std::uint32_t first_crossing(int op, std::uint32_t e) const { return head_[op][e]; }
@@ -110,6 +114,11 @@ class Overlay {
   struct Across {
     std::uint32_t first, count, begin, end;
   };
+  // Faces of both operands that face the same way.
+  struct FacePair {
+    std::uint32_t p, q;
+    friend auto operator<=>(const FacePair&, const FacePair&) = default;
+  };
   // Shared.
   void restart();
   void make_levels();
@@ -118,6 +127,21 @@ class Overlay {
   void note_face(int op, std::uint32_t f);
   void touch(int op, std::uint32_t e);
   std::uint32_t order_along(int op, std::uint32_t e, std::uint32_t v);
+  /// The cell in which the arc of half-edge h of operand op begins at the face of h.
+  std::uint32_t end_cell(int op, HalfEdge h) const {
+    const std::uint32_t f = poly(op).face[h];
+    return parallel_[op][f] == kNoFace ? extreme_[op][f] : start_[op][h];
+  }
+  // Pairs of faces: overlay_parallel.cpp.
+  int side_beyond(int op, HalfEdge mine, HalfEdge other) const;
+  template <class Changed>
+  void start_arcs(int op, std::uint32_t f, std::uint32_t g, const Changed& changed);
+  void find_pairs();
+  void join_pairs();
+  void follow_pairs(std::span<const std::uint32_t> faces);
+  void break_arcs_of(std::uint32_t f, std::uint32_t g);
+  void keep_pairs();
+  void mend_new_pairs();
   // From nothing.
   void clear_crossings();
   void walk(std::uint32_t e);
@@ -128,6 +152,7 @@ class Overlay {
   void correct_vertices();
   void check_crossings();
   void break_arc(std::uint32_t e, std::uint32_t by);
+  void mend_broken();
   void mend_arc(std::uint32_t e);
   std::uint32_t add_crossing(std::uint32_t e, HalfEdge over);
   void remove_crossing(std::uint32_t id);
@@ -156,22 +181,33 @@ class Overlay {
   std::array<std::vector<std::uint32_t>, 2> head_;
   std::vector<Crossing> crossings_;
   std::vector<std::uint32_t> free_;
-  // Faces in an order in which each but the first comes after a neighbour, that neighbour, and its half-edge between
-  // them.
+  // Pairs of faces that face the same way, by either face, and the cells in which the arcs of half-edges of such faces
+  // begin. Not where there are flat edges, whose arcs are points.
+  std::vector<FacePair> pairs_, parted_;
+  std::array<std::vector<std::uint32_t>, 2> parallel_, start_;
+  bool has_flat_edges_ = false;
+  // Faces in an order in which each but the first comes after a neighbour, that neighbour, its half-edge between them,
+  // and a face before it to climb from: the neighbour, or, round a face of many edges, the one visited from there just
+  // before, as neighbours round such a face are closer to each other than to it.
   struct Visit {
     std::uint32_t face, from;
     HalfEdge via;
+    std::uint32_t near;
   };
   std::array<std::vector<Visit>, 2> visits_;
   // The operand whose faces and arcs are certified and walked in updates, the one with fewer faces; the other one's
   // follow.
   int walker_ = 0;
-  std::vector<std::uint32_t> chords_;  // its edges that no visit goes by
-  std::vector<std::uint32_t> levels_;  // where its visits as far from the first face begin; one more at the end
-  double cell_ = 0;                    // the radius of a cell of the other operand's map, if all were alike
+  std::vector<std::uint32_t> chords_;       // its edges that no visit goes by
+  std::vector<std::uint32_t> also_chords_;  // those by which a visit goes to a face of a pair
+  std::vector<std::uint32_t> levels_;       // where its visits as far from the first face begin; one more at the end
+  double cell_ = 0;                         // the radius of a cell of the other operand's map, if all were alike
   /// The time until which what was checked now holds; no later however far the clock has come. kBeforeAll stays.
   double later(double margin) const { return (clock_ + margin) * exact::kDown; }
 
+  static constexpr double kForever = std::numeric_limits<double>::infinity(), kBeforeAll = -kForever;
+  /// Among the breaks of an arc, above all counts of crossings: its ends have changed.
+  static constexpr std::uint32_t kEnds = std::uint32_t{1} << 31;
   // Certificates: what was checked holds until directions have moved by this angle since the start.
   double clock_ = 0;
   std::array<std::vector<double>, 2> vertex_until_;

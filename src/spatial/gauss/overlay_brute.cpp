@@ -45,13 +45,22 @@ void Overlay::build_brute(const RelativeMap& map) {
       if (found != 1) throw std::logic_error("Overlay::build_brute: a face has to have one extreme vertex");
     }
   }
+  find_pairs();
+  // Arcs that begin or end in the same direction do not count as crossing: see overlay_parallel.cpp.
+  const auto share_an_end = [this](std::uint32_t p, std::uint32_t q) {
+    for (const std::uint32_t f : {poly(0).face[2 * p], poly(0).face[2 * p + 1]})
+      for (const std::uint32_t g : {poly(1).face[2 * q], poly(1).face[2 * q + 1]})
+        if (parallel_[0][f] == g) return true;
+    return false;
+  };
   std::vector<HalfEdge> crossed;
   for (std::uint32_t p = 0; p < poly(0).edge_count(); ++p) {
     crossed.clear();
     for (std::uint32_t q = 0; q < poly(1).edge_count(); ++q)
-      if (const std::int64_t h = crossing_half_edge(signs_, p, q); h >= 0) crossed.push_back(static_cast<HalfEdge>(h));
+      if (const std::int64_t h = crossing_half_edge(signs_, p, q); h >= 0 && !share_an_end(p, q))
+        crossed.push_back(static_cast<HalfEdge>(h));
     // In order: each leaves the vertex that the one before it led to.
-    std::uint32_t v = extreme_[0][poly(0).face[2 * p]], last = kNoCrossing;
+    std::uint32_t v = end_cell(0, 2 * p), last = kNoCrossing;
     for (auto from = crossed.begin(); from != crossed.end(); ++from) {
       const auto it = std::find_if(from, crossed.end(), [&](HalfEdge h) { return poly(1).origin[h] == v; });
       if (it == crossed.end()) throw std::logic_error("Overlay::build_brute: crossings do not join");

@@ -1,6 +1,7 @@
 // Moves so long that hardly anything stays: all arcs of the walker are walked, without a look at what was, and the
 // walks find the faces' vertices too. Many arcs are walked side by side, a cell each at a time: where an arc ends
-// cannot be guessed, so nothing here branches on it.
+// cannot be guessed, so nothing here branches on it. Pairs of faces that face the same way and still do are known
+// beforehand; those that come to do so are mended afterwards.
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
@@ -29,8 +30,10 @@ void Overlay::leap() {
   const int w = walker_;
   const Polytope& mine = poly(w);
   found_.assign(before_first(mine.edge_count()), {kNoCrossing, 0, kEnd, kEnd, kNoCrossing});
+  keep_pairs();
   const std::uint32_t first = visits_[w][0].face;
-  if (climb(w, first, extreme_[w][first], signs_.row_now(w, first))) note_face(w, first);
+  if (parallel_[w][first] == kNoFace && climb(w, first, extreme_[w][first], signs_.row_now(w, first)))
+    note_face(w, first);
   for (std::size_t k = 1; k + 1 < levels_.size(); ++k) walk_to_faces(levels_[k], levels_[k + 1]);
   walk_chords();
   std::fill(vertex_until_[w].begin(), vertex_until_[w].end(), clock_);
@@ -47,15 +50,21 @@ void Overlay::leap() {
 void Overlay::walk_to_faces(std::size_t begin, std::size_t end) {
   const int w = walker_;
   walks_.resize(std::max(walks_.size(), end - begin));
-  walking_.resize(end - begin);
+  walking_.clear();
   for (std::size_t i = begin; i < end; ++i) {
     const Visit& visit = visits_[w][i];
+    if (parallel_[w][visit.face] != kNoFace) {  // its cells are known
+      walks_[i - begin].goal = visit.face;
+      walks_[i - begin].v = extreme_[w][visit.face];
+      also_chords_.push_back(visit.via / 2);
+      continue;
+    }
     const Vec3 edge = signs_.mapped_edge(1 - w, visit.via / 2);
     const double way = 1 - 2 * static_cast<double>(visit.via & 1);
     walks_[i - begin] = {
-        signs_.row_now(w, visit.face), in_floats(way * edge), visit.via, extreme_[w][visit.from], visit.face,
+        signs_.row_now(w, visit.face), in_floats(way * edge), visit.via, end_cell(w, visit.via), visit.face,
         before_first(visit.via / 2)};
-    walking_[i - begin] = static_cast<std::uint32_t>(i - begin);
+    walking_.push_back(static_cast<std::uint32_t>(i - begin));
   }
   const float error = signs_.float_error(1 - w);
   for (std::uint32_t rounds = 0; !walking_.empty(); ++rounds) {
@@ -113,17 +122,18 @@ void Overlay::step_to_faces(float float_error) {
   found_.resize(n);
 }
 
-/// The arcs of edges both of whose faces' vertices are known.
+/// The arcs of edges the cells of both of whose ends are known.
 void Overlay::walk_chords() {
   const int w = walker_;
-  const Polytope& mine = poly(w);
-  walks_.resize(std::max(walks_.size(), chords_.size()));
+  walks_.resize(std::max(walks_.size(), chords_.size() + also_chords_.size()));
   std::size_t n = 0;
-  for (const std::uint32_t e : chords_) {
-    const std::uint32_t begin = extreme_[w][mine.face[2 * e]], end = extreme_[w][mine.face[2 * e + 1]];
-    walks_[n] = {{}, in_floats(signs_.mapped_edge(1 - w, e)), 2 * e, begin, end, before_first(e)};
-    n += begin != end;
-  }
+  for (const std::vector<std::uint32_t>* edges : {&chords_, &also_chords_})
+    for (const std::uint32_t e : *edges) {
+      const std::uint32_t begin = end_cell(w, 2 * e), end = end_cell(w, 2 * e + 1);
+      walks_[n] = {{}, in_floats(signs_.mapped_edge(1 - w, e)), 2 * e, begin, end, before_first(e)};
+      n += begin != end;
+    }
+  also_chords_.clear();
   walking_.resize(n);
   for (std::uint32_t i = 0; i < n; ++i) walking_[i] = i;
   const float error = signs_.float_error(1 - w);
@@ -234,15 +244,17 @@ void Overlay::follow_found() {
   const int op = 1 - walker_;
   for (const std::uint32_t e : joining_) std::tie(across_[e].begin, across_[e].end) = cells_of_ends(op, e);
   const std::uint32_t first = visits_[op][0].face;
-  if (climb(op, first, extreme_[op][first], signs_.row_now(op, first))) note_face(op, first);
+  if (parallel_[op][first] == kNoFace && climb(op, first, extreme_[op][first], signs_.row_now(op, first)))
+    note_face(op, first);
   std::vector<std::uint32_t>& changed = changes_.faces[op];
   std::size_t n = changed.size();
   changed.resize(n + visits_[op].size());
   for (std::size_t i = 1; i < visits_[op].size(); ++i) {
     const Visit& visit = visits_[op][i];
+    if (parallel_[op][visit.face] != kNoFace) continue;  // climbed for
     const Across& across = across_[visit.via / 2];
     const std::uint32_t end = (visit.via & 1) ? across.begin : across.end;
-    const std::uint32_t v = across.count > 0 ? end : extreme_[op][visit.from];
+    const std::uint32_t v = across.count > 0 ? end : end_cell(op, visit.via);
     std::uint32_t& vertex = extreme_[op][visit.face];
     changed[n] = visit.face;
     n += vertex != v;

@@ -1,19 +1,14 @@
 // A motion's errors in an overlay, found by certificates and mended where they are.
 #include <algorithm>
-#include <limits>
 #include <stdexcept>
 #include <utility>
 
 #include "spatial/gauss/leaving_slot.h"
+#include "spatial/gauss/most_rise.h"
 #include "spatial/gauss/overlay.h"
 
 namespace dymsum::spatial {
 namespace {
-
-constexpr double kForever = std::numeric_limits<double>::infinity();
-constexpr double kBeforeAll = -kForever;
-/// Among the breaks of an arc, above all numbers of crossings.
-constexpr std::uint32_t kEnds = std::uint32_t{1} << 31;
 
 /// Moves by more than this many cells start from neighbouring faces instead of from the vertices before: measured, see
 /// docs/design/convex-motion.md.
@@ -30,20 +25,6 @@ void find_expired(const std::vector<double>& until, double clock, std::vector<st
   expired.resize(n);
 }
 
-/// The largest product of `row` and a unit vector along an edge that leaves v, which has three or more.
-inline double most_rise(const Polytope& p, std::uint32_t v, Vec3 row) {
-  const auto rise = [&](std::uint32_t k) { return dot(row, p.ring_direction[k]); };
-  const auto larger = [](double a, double b) { return a > b ? a : b; };
-  const std::uint32_t end = p.ring_start[v + 1];
-  std::uint32_t k = p.ring_start[v];
-  double most = kBeforeAll, also = kBeforeAll;  // two, so that comparisons need not wait for each other
-  for (; k + 1 < end; k += 2) {
-    most = larger(rise(k), most);
-    also = larger(rise(k + 1), also);
-  }
-  return larger(also, larger(rise(end - 1), most));  // an odd last one, or one once more
-}
-
 }  // namespace
 
 void Overlay::update(const RelativeMap& map, bool use_margins) {
@@ -55,15 +36,21 @@ void Overlay::update(const RelativeMap& map, bool use_margins) {
   signs_.move(map);
   if (angle > kLeap * cell_) {
     leap();
+    mend_new_pairs();
   } else {
     correct_vertices();
     check_crossings();
-    for (const std::uint32_t e : broken_) mend_arc(e);
     work_.arc_checks = broken_.size();
-    broken_.clear();
-    settle_other_side();
+    mend_broken();
   }
   work_.exact_signs = signs_.exact_signs() - exact_before;
+}
+
+/// Arcs that broke, and what follows from them.
+void Overlay::mend_broken() {
+  for (const std::uint32_t e : broken_) mend_arc(e);
+  broken_.clear();
+  settle_other_side();
 }
 
 /// The walker's faces. Where a face's vertex changes, its edges' arcs begin or end elsewhere.
@@ -91,6 +78,7 @@ void Overlay::correct_vertices() {
       h = mine.next[h];
     } while (h != mine.first[f]);
   }
+  if (!expired_.empty() || !pairs_.empty()) follow_pairs(expired_);
 }
 
 /// Its ends have changed (`by` = kEnds), or one of its crossings may be none any more (1).
@@ -149,15 +137,15 @@ HalfEdge Overlay::exit_in_doubt(HalfEdge h, std::uint32_t v, Vec3 along) const {
 /// circle leaves a convex cell once; elsewhere the cell says across which arc to leave it.
 void Overlay::mend_arc(std::uint32_t e) {
   const int w = walker_;
-  const Polytope &mine = poly(w), &other = poly(1 - w);
+  const Polytope& other = poly(1 - w);
   const bool through = breaks_[e] >= kEnds;
   std::uint32_t failed = breaks_[e] % kEnds;
   breaks_[e] = 0;
   const Vec3 along = signs_.mapped_edge(1 - w, e);
-  const std::uint32_t end = extreme_[w][mine.face[2 * e + 1]];
+  const std::uint32_t end = end_cell(w, 2 * e + 1);
   const auto over_of = [&](std::uint32_t id) { return across(w, crossings_[id]); };
   const auto fails = [&](std::uint32_t id) { return crossing_until_[id] == kBeforeAll; };
-  std::uint32_t last = kNoCrossing, next = head_[w][e], v = extreme_[w][mine.face[2 * e]], walked = 0;
+  std::uint32_t last = kNoCrossing, next = head_[w][e], v = end_cell(w, 2 * e), walked = 0;
   bool changed = false;
   const auto link = [&](std::uint32_t id) { (last == kNoCrossing ? head_[w][e] : crossings_[last].next[w]) = id; };
   const auto drop_until = [&](std::uint32_t id) {
@@ -322,8 +310,9 @@ void Overlay::settle_other_side() {
   spread_vertex(op);
   // An arc that is crossed no more joins two faces one of which may still be wrong.
   for (const std::uint32_t e : uncrossed_) {
-    if (extreme_[op][other.face[2 * e]] == extreme_[op][other.face[2 * e + 1]]) continue;
+    if (end_cell(op, 2 * e) == end_cell(op, 2 * e + 1)) continue;
     for (const std::uint32_t f : {other.face[2 * e], other.face[2 * e + 1]}) {
+      if (parallel_[op][f] != kNoFace) continue;
       ++work_.vertex_checks;
       if (!climb(op, f, extreme_[op][f], signs_.row_now(op, f))) continue;
       note_face(op, f);
@@ -336,7 +325,7 @@ void Overlay::settle_other_side() {
 }
 
 void Overlay::set_vertex(int op, std::uint32_t f, std::uint32_t v) {
-  if (extreme_[op][f] == v) return;
+  if (extreme_[op][f] == v || parallel_[op][f] != kNoFace) return;
   extreme_[op][f] = v;
   note_face(op, f);
   spreading_.push_back(f);

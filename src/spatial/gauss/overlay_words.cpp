@@ -24,6 +24,8 @@ void Overlay::restore(const RelativeMap& map, std::span<const std::uint32_t> wor
   restart();
   signs_.set(map);
   clear_crossings();
+  for (const FacePair& pair : pairs_) parallel_[0][pair.p] = parallel_[1][pair.q] = kNoFace;
+  pairs_.clear();  // only build may follow
   extreme_[0].assign(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(p));
   const auto middle = words.begin() + static_cast<std::ptrdiff_t>(p);
   extreme_[1].assign(middle, words.begin() + static_cast<std::ptrdiff_t>(faces));
@@ -41,9 +43,10 @@ std::size_t Overlay::bytes() const {
   const auto of = [](const auto&... v) { return (std::size_t{0} + ... + (v.capacity() * sizeof(v[0]))); };
   return sizeof(*this) - sizeof(signs_) + signs_.bytes() +
          of(extreme_[0], extreme_[1], head_[0], head_[1], crossings_, free_, visits_[0], visits_[1], vertex_until_[0],
-            vertex_until_[1], crossing_until_, chords_, levels_, walks_, found_, across_, walking_, joining_, altered_,
-            dropped_, touched_, uncrossed_, expired_, broken_, breaks_, spreading_, is_touched_[0], is_touched_[1],
-            changes_.faces[0], changes_.faces[1], changes_.crossings);
+            vertex_until_[1], crossing_until_, chords_, also_chords_, levels_, walks_, found_, across_, walking_,
+            joining_, altered_, pairs_, parted_, parallel_[0], parallel_[1], start_[0], start_[1], dropped_, touched_,
+            uncrossed_, expired_, broken_, breaks_, spreading_, is_touched_[0], is_touched_[1], changes_.faces[0],
+            changes_.faces[1], changes_.crossings);
 }
 
 }  // namespace dymsum::spatial

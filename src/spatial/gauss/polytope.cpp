@@ -269,6 +269,7 @@ Polytope make(const GridPlaces& all, std::size_t vertices, const std::vector<Fac
   Polytope p;
   p.bits = all.bits;
   p.exponent = all.exponent;
+  p.has_flat_edges = !merge;
   const Numbering to = number(p, soup, merging, group, all, static_cast<std::uint32_t>(vertices));
   const auto edges = static_cast<std::uint32_t>(
       std::count_if(to.half_edge.begin(), to.half_edge.end(), [](std::uint32_t h) { return h != kNone; }) / 2);

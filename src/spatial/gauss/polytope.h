@@ -46,6 +46,7 @@ struct Polytope : GridPlaces {
   double volume = 0;                       // in units of 8^size, relative error below 2^-50
   exact::Big six_volume;                   // six times the volume, in cubed grid units
   double total_area = 0;                   // at least the lengths of all of area together, by at most 2^-40 more
+  bool has_flat_edges = false;             // made without merging: faces may lie in one plane
   int size = 0;                            // no vertex is further than 2^size from vertex 0 along an axis
 
   std::uint32_t vertex_count() const { return static_cast<std::uint32_t>(source_vertex.size()); }

@@ -38,6 +38,7 @@ int Signs::true_sign(int op, std::uint32_t f, HalfEdge h) const {
   const double v = value_now(op, f, h);
   if (v > map_.error(op)) return 1;
   if (v < -map_.error(op)) return -1;
+  if (plainly_zero(op, f, h)) return 0;
   ++exact_signs_;
   return with_types([&](auto c, auto m) {
     using C = decltype(c);
@@ -52,26 +53,47 @@ int Signs::near_zero_sign(int op, std::uint32_t f, HalfEdge h) const {
   return tie != 0 ? tie : exact_sign(op, f, h);
 }
 
-/// The sign where the value is zero because every one of its terms has a factor zero, as for edges and faces along the
-/// axes that a solid is scaled along, and doubles tell which way the infinitesimal rotation goes; 0 otherwise. Doubles
-/// that stand for numbers of the two narrow kinds are zero only where those are.
-int Signs::plain_tie(int op, std::uint32_t f, HalfEdge h) const {
-  constexpr int kNarrow = 61, kNarrowMap = 126;
-  if (std::max({poly_[0]->bits, poly_[1]->bits}) > kNarrow || map_.bits() > kNarrowMap) return 0;
+namespace {
+
+bool terms_zero(Vec3 a, Vec3 b) { return (a.x == 0 || b.x == 0) && (a.y == 0 || b.y == 0) && (a.z == 0 || b.z == 0); }
+
+}  // namespace
+
+/// The form of a sign in doubles, from . M^T with: of an edge mapped and a normal, or the other way round.
+struct Signs::Form {
+  Mat3 m;
+  Vec3 from, with;
+  std::array<bool, 3> zero;  // the components of the mapped vector whose terms all have a factor zero
+};
+
+Signs::Form Signs::form(int op, std::uint32_t f, HalfEdge h) const {
   const Vec3 n = poly_[op]->normal[f], e = poly_[1 - op]->along(h);
-  const Mat3 m = op == 0 ? map_.approx(0) : transposed(map_.approx(1));
-  const Vec3 from = op == 0 ? e : n, with = op == 0 ? n : e;
-  const auto terms_zero = [](Vec3 a, Vec3 b) {
-    return (a.x == 0 || b.x == 0) && (a.y == 0 || b.y == 0) && (a.z == 0 || b.z == 0);
-  };
-  const auto mapped = [&](const Vec3& row) { return terms_zero(row, from) ? 0 : dot(row, from); };
-  const std::array<bool, 3> zero{terms_zero(m[0], from), terms_zero(m[1], from), terms_zero(m[2], from)};
-  if (!((zero[0] || with.x == 0) && (zero[1] || with.y == 0) && (zero[2] || with.z == 0))) return 0;
+  Form x{op == 0 ? map_.approx(0) : transposed(map_.approx(1)), op == 0 ? e : n, op == 0 ? n : e, {}};
+  for (std::size_t k = 0; k < 3; ++k) x.zero[k] = terms_zero(x.m[k], x.from);
+  return x;
+}
+
+/// Whether the value is zero because every one of its terms has a factor zero, as for edges and faces along the axes
+/// that a solid is scaled along or turned about. Doubles that stand for numbers of the two narrow kinds are zero only
+/// where those are.
+bool Signs::plainly_zero(const Form& x) const {
+  constexpr int kNarrow = 61, kNarrowMap = 126;
+  if (std::max({poly_[0]->bits, poly_[1]->bits}) > kNarrow || map_.bits() > kNarrowMap) return false;
+  return (x.zero[0] || x.with.x == 0) && (x.zero[1] || x.with.y == 0) && (x.zero[2] || x.with.z == 0);
+}
+bool Signs::plainly_zero(int op, std::uint32_t f, HalfEdge h) const { return plainly_zero(form(op, f, h)); }
+
+/// The sign where the value is plainly zero and doubles tell which way the infinitesimal rotation goes; 0 otherwise.
+int Signs::plain_tie(int op, std::uint32_t f, HalfEdge h) const {
+  const Form x = form(op, f, h);
+  if (!plainly_zero(x)) return 0;
   // The first component of mapped x with that is not zero, see below; its error is that of a value.
-  const std::array<double, 3> a{mapped(m[0]), mapped(m[1]), mapped(m[2])}, b{with.x, with.y, with.z};
+  std::array<double, 3> a;
+  for (std::size_t k = 0; k < 3; ++k) a[k] = x.zero[k] ? 0 : dot(x.m[k], x.from);
+  const std::array<double, 3> b{x.with.x, x.with.y, x.with.z};
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
-    if ((zero[i] || b[j] == 0) && (zero[j] || b[i] == 0)) continue;
+    if ((x.zero[i] || b[j] == 0) && (x.zero[j] || b[i] == 0)) continue;
     const double c = a[i] * b[j] - a[j] * b[i];
     return c > map_.error(op) ? 1 : c < -map_.error(op) ? -1 : 0;
   }

@@ -85,6 +85,10 @@ class Signs {
     return (h & 1) ? -v : v;
   }
   int near_zero_sign(int op, std::uint32_t f, HalfEdge h) const;
+  struct Form;
+  Form form(int op, std::uint32_t f, HalfEdge h) const;
+  bool plainly_zero(const Form& x) const;
+  bool plainly_zero(int op, std::uint32_t f, HalfEdge h) const;
   int plain_tie(int op, std::uint32_t f, HalfEdge h) const;
   int exact_sign(int op, std::uint32_t f, HalfEdge h) const;
 
