@@ -146,11 +146,12 @@ void for_each_fan(const SolidOperand& solid, const std::vector<std::uint32_t>& w
 }
 
 void add_cone(SolidOperand& solid, const Fan& fan) {
-  const auto bend = [&](std::uint32_t k) { return solid.wedges[fan.wedges[k]].bend; };
   const std::vector<std::uint32_t> rays = extreme_rays(solid.vertices, fan.vertex, fan.neighbours);
   if (rays.size() < 3) return;
-  // The material is on the cone's side where an extreme ray is a convex edge, and on the other side of a pit.
-  if (bend(rays[0]) != Bend::convex) return;
+  // The material is on the cone's side where an extreme ray is a convex edge, and on the other side of a pit. A fan may
+  // go by an edge of four faces twice: then all of its wedges count, as a pit has a convex one inside its cone too.
+  for (std::size_t k = 0; k < fan.neighbours.size(); ++k)
+    if (fan.neighbours[k] == fan.neighbours[rays[0]] && solid.wedges[fan.wedges[k]].bend != Bend::convex) return;
   SupportCone cone{fan.vertex, static_cast<std::uint32_t>(solid.rays.size()), 0};
   for (const std::uint32_t k : rays) solid.rays.push_back(fan.neighbours[k]);
   cone.last = static_cast<std::uint32_t>(solid.rays.size());
@@ -205,7 +206,17 @@ std::vector<std::uint32_t> extreme_rays(const std::vector<Point3>& v, std::uint3
   const auto det = [&](std::uint32_t i, std::uint32_t j, std::uint32_t k) {
     return orient3_sign(o, v[neighbours[i]], v[neighbours[j]], v[neighbours[k]]);
   };
-  const auto n = static_cast<std::uint32_t>(neighbours.size());
+  // A fan that goes by an edge of four faces twice has its ray twice.
+  std::vector<std::uint32_t> distinct(neighbours.size());
+  std::iota(distinct.begin(), distinct.end(), 0u);
+  std::sort(distinct.begin(), distinct.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return std::pair(neighbours[a], a) < std::pair(neighbours[b], b);
+  });
+  distinct.erase(std::unique(distinct.begin(), distinct.end(),
+                             [&](std::uint32_t a, std::uint32_t b) { return neighbours[a] == neighbours[b]; }),
+                 distinct.end());
+  std::sort(distinct.begin(), distinct.end());
+  const std::size_t n = distinct.size();
   // Whether j is strictly between i and k in their plane, that is, the triangle o, i, k faces the point j from outside
   // never: tells by orientation within the plane.
   const auto turns = [&](std::uint32_t a,
@@ -225,7 +236,7 @@ std::vector<std::uint32_t> extreme_rays(const std::vector<Point3>& v, std::uint3
   // last one.
   const auto next = [&](std::uint32_t i) -> std::uint32_t {
     std::uint32_t best = 0xffffffff;
-    for (std::uint32_t k = 0; k < n; ++k) {
+    for (const std::uint32_t k : distinct) {
       if (k == i || turns(i, k) == 0) continue;
       if (best == 0xffffffff) {
         best = k;
@@ -235,15 +246,15 @@ std::vector<std::uint32_t> extreme_rays(const std::vector<Point3>& v, std::uint3
       if (s < 0 || (s == 0 && same_turn(i, best, best, k))) best = k;
     }
     if (best == 0xffffffff) return best;
-    for (std::uint32_t k = 0; k < n; ++k) {
+    for (const std::uint32_t k : distinct) {
       if (k == i || k == best) continue;
-      if (turns(i, k) == 0) return 0xffffffff;  // the opposite ray: not pointed (equal rays do not occur in a fan)
+      if (turns(i, k) == 0) return 0xffffffff;  // the opposite ray: not pointed
       const int s = det(i, best, k);
       if (s < 0 || (s == 0 && !same_turn(i, best, i, k))) return 0xffffffff;
     }
     return best;
   };
-  for (std::uint32_t start = 0; start < n; ++start) {
+  for (const std::uint32_t start : distinct) {
     std::vector<std::uint32_t> rays{start};
     for (std::uint32_t at = next(start); at != 0xffffffff && rays.size() <= n; at = next(at)) {
       if (at == start) return rays;

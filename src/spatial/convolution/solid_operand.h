@@ -63,7 +63,8 @@ struct SolidOperand {
 SolidOperand solid_operand(const MeshData& data, const std::vector<bool>& thin = {});
 
 /// The extreme rays of the cone that the directions from a vertex to its neighbours span, as positions among these, in
-/// order around it; none where the cone is not pointed, or flat. Requires different directions. O(k^2).
+/// order around it, the first of those to one neighbour; none where the cone is not pointed, or flat. Requires different
+/// directions of different neighbours. O(k^2).
 std::vector<std::uint32_t> extreme_rays(const std::vector<Point3>& vertices, std::uint32_t vertex,
                                         std::span<const std::uint32_t> neighbours);
 

@@ -1,0 +1,183 @@
+// Operands that touch themselves: unions of some tetrahedra of a complex, with edges of four and more faces, vertices
+// of several fans, and pits whose rims touch. Their sum is the union of the convex sums of the tetrahedra.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <random>
+#include <vector>
+
+#include "dymsum/convex_sum.h"
+#include "dymsum/solids.h"
+#include "dymsum/spatial_sum.h"
+#include "spatial/sum/sum_of_solids.h"
+
+namespace dymsum {
+namespace {
+
+using Tetrahedron = std::array<Point3, 4>;  // positively oriented
+
+Point3 minus(Point3 a, Point3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+double det(Point3 a, Point3 b, Point3 c) {
+  return a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) + a.z * (b.x * c.y - b.y * c.x);
+}
+double six_volume(const Tetrahedron& t) { return det(minus(t[1], t[0]), minus(t[2], t[0]), minus(t[3], t[0])); }
+
+/// Some of the tetrahedra of cubes cut along their diagonals, vertices moved a little; none turned over.
+std::vector<Tetrahedron> random_complex(std::mt19937_64& random, int cubes, int scale) {
+  std::map<std::array<int, 3>, Point3> at;
+  for (int x = 0; x <= cubes; ++x)
+    for (int y = 0; y <= cubes; ++y)
+      for (int z = 0; z <= cubes; ++z) {
+        const auto moved = [&](int c) { return static_cast<double>(scale * c + static_cast<int>(random() % 2)); };
+        at[{x, y, z}] = {moved(x), moved(y), moved(z)};
+      }
+  std::vector<Tetrahedron> chosen;
+  for (int x = 0; x < cubes; ++x)
+    for (int y = 0; y < cubes; ++y)
+      for (int z = 0; z < cubes; ++z)
+        for (std::array<std::size_t, 3> order :
+             {std::array<std::size_t, 3>{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}) {
+          std::array<int, 3> corner{x, y, z};
+          Tetrahedron t{at[corner]};
+          for (std::size_t k = 0; k < 3; ++k) {
+            ++corner[order[k]];
+            t[k + 1] = at[corner];
+          }
+          if (six_volume(t) < 0) std::swap(t[0], t[1]);
+          const bool turned_over = scale < 3 && six_volume(t) == 0;
+          if (random() % 3 != 0 && !turned_over) chosen.push_back(t);
+        }
+  return chosen;
+}
+
+/// The triangles of one tetrahedron only.
+MeshData boundary(const std::vector<Tetrahedron>& complex) {
+  MeshData mesh;
+  std::map<std::array<double, 3>, std::uint32_t> index;
+  const auto vertex = [&](const Point3& p) {
+    const auto [place, added] =
+        index.emplace(std::array{p.x, p.y, p.z}, static_cast<std::uint32_t>(mesh.vertices.size()));
+    if (added) mesh.vertices.push_back(p);
+    return place->second;
+  };
+  std::map<std::array<std::uint32_t, 3>, std::pair<Face, int>> triangles;
+  for (const Tetrahedron& t : complex)
+    for (const auto& [i, j, k] : {std::array<std::size_t, 3>{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}) {
+      const Face face{vertex(t[i]), vertex(t[j]), vertex(t[k])};
+      std::array<std::uint32_t, 3> sorted{face[0], face[1], face[2]};
+      std::sort(sorted.begin(), sorted.end());
+      auto& [first, count] = triangles[sorted];
+      first = face, ++count;
+    }
+  for (const auto& [sorted, triangle] : triangles)
+    if (triangle.second == 1) mesh.faces.push_back(triangle.first);
+  return mesh;
+}
+
+Mesh solid_of(const Tetrahedron& t) {
+  return Mesh::create({{t[0], t[1], t[2], t[3]}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}}).value();
+}
+
+SpatialSum sum(const Mesh& p, const Mesh& q, SpatialEngine engine = SpatialEngine::fast) {
+  SpatialOptions options;
+  options.engine = engine;
+  return spatial::sum_of_solids(p.data(), q.data(), options).value();
+}
+
+/// How often the triangles go round a point that is not near them.
+double winding(const MeshData& mesh, Point3 x) {
+  double angle = 0;
+  for (const Face& f : mesh.faces) {
+    const Point3 a = minus(mesh.vertices[f[0]], x), b = minus(mesh.vertices[f[1]], x),
+                 c = minus(mesh.vertices[f[2]], x);
+    const auto dot = [](Point3 u, Point3 v) { return u.x * v.x + u.y * v.y + u.z * v.z; };
+    const double la = std::sqrt(dot(a, a)), lb = std::sqrt(dot(b, b)), lc = std::sqrt(dot(c, c));
+    angle += 2 * std::atan2(det(a, b, c), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+  }
+  return angle / (4 * std::numbers::pi);
+}
+
+int fuzz_pairs(int few) {
+  const char* text = std::getenv("DYMSUM_FUZZ_PAIRS");
+  return text != nullptr ? std::max(few, std::atoi(text) / 20) : few;
+}
+
+TEST(SelfTouching, sums_are_the_unions_of_convex_sums) {
+  int solids = 0, inside = 0, outside = 0;
+  for (int k = 0; k < fuzz_pairs(40); ++k) {
+    std::mt19937_64 random(static_cast<std::uint64_t>(k));
+    const int scale = 2 + static_cast<int>(random() % 2);
+    const std::vector<Tetrahedron> complex = random_complex(random, k % 4 == 0 ? 2 : 1, scale);
+    const Result<Mesh> p = Mesh::create(boundary(complex));
+    if (!p.ok() || complex.empty()) continue;  // moved vertices may touch what they should not
+    std::vector<Tetrahedron> parts = random_complex(random, 1, scale);
+    parts.resize(std::min<std::size_t>(parts.size(), 1));
+    if (parts.empty() || six_volume(parts[0]) == 0) continue;
+    const Mesh q = solid_of(parts[0]);
+    const SpatialSum s = sum(*p, q);
+    EXPECT_TRUE(s == sum(q, *p)) << "seed " << k;
+    EXPECT_TRUE(s == sum(*p, q, SpatialEngine::brute)) << "seed " << k;
+    ++solids;
+    std::vector<MeshData> convex;
+    for (const Tetrahedron& t : complex) convex.push_back(minkowski_sum(solid_of(t), q).value().rounded().value().mesh);
+    const MeshData all = s.rounded().value().mesh;
+    std::uniform_real_distribution<double> place(-0.5, 4.0 * scale);
+    for (int i = 0; i < 40; ++i) {
+      const Point3 x{place(random), place(random), place(random)};
+      bool covered = false;
+      for (const MeshData& c : convex) covered |= winding(c, x) > 0.5;
+      EXPECT_EQ(winding(all, x) > 0.5, covered) << "seed " << k << " at " << x.x << " " << x.y << " " << x.z;
+      ++(covered ? inside : outside);
+    }
+  }
+  EXPECT_GT(solids, 10);
+  EXPECT_GT(inside, 50);
+  EXPECT_GT(outside, 50);
+}
+
+// A pit open along one edge only, where it touches the outside: an edge of four faces that one fan goes by twice.
+TEST(SelfTouching, a_pit_whose_rim_touches_the_outside_keeps_its_surface) {
+  const Mesh pit = Mesh::create({{{1, 0, 0}, {0, 0, 2}, {0, 1, 0}, {1, 0, 1}, {0, 2, 0}, {1, 1, 1}},
+                                 {{0, 1, 2},
+                                  {0, 2, 3},
+                                  {0, 3, 1},
+                                  {2, 4, 0},
+                                  {2, 0, 5},
+                                  {0, 4, 5},
+                                  {2, 1, 4},
+                                  {4, 1, 5},
+                                  {1, 3, 5},
+                                  {2, 5, 3}}})
+                       .value();
+  const Mesh corner =
+      Mesh::create({{{0, 0, 0}, {0, 0, 2}, {0, 1, 0}, {1, 0, 0}}, {{0, 1, 2}, {0, 2, 3}, {2, 1, 3}, {0, 3, 1}}})
+          .value();
+  EXPECT_EQ(sum(pit, corner).volume_exact().to_string(), "203/24");
+  EXPECT_EQ(sum(corner, pit).volume_exact().to_string(), "203/24");
+  const Mesh cube = solids::box(0, 0, 0, 1, 1, 1);
+  EXPECT_TRUE(sum(pit, cube) == sum(cube, pit));
+  // Whichever way the axes, and so the ties, run.
+  for (const auto& [i, j, k] : {std::array<int, 3>{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {1, 0, 2}, {0, 2, 1}, {2, 1, 0}})
+    for (int signs = 0; signs < 8; ++signs) {
+      const auto turned = [&, i = i, j = j, k = k](const Mesh& mesh) {
+        MeshData data = mesh.data();
+        for (Point3& v : data.vertices) {
+          const std::array<double, 3> c{v.x, v.y, v.z};
+          v = {(signs & 1 ? -1 : 1) * c[static_cast<std::size_t>(i)],
+               (signs & 2 ? -1 : 1) * c[static_cast<std::size_t>(j)],
+               (signs & 4 ? -1 : 1) * c[static_cast<std::size_t>(k)]};
+        }
+        const bool odd = ((i + 1) % 3 != j) != (signs == 1 || signs == 2 || signs == 4 || signs == 7);
+        if (odd)
+          for (Face& f : data.faces) std::reverse(f.begin(), f.end());
+        return Mesh::create(data).value();
+      };
+      EXPECT_EQ(sum(turned(pit), turned(corner)).volume_exact().to_string(), "203/24") << i << j << k << " " << signs;
+    }
+}
+
+}  // namespace
+}  // namespace dymsum
