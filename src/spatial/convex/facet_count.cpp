@@ -29,12 +29,8 @@ ConvexSum::FacetCount count_facets(const Overlay& o) {
     return static_cast<std::size_t>(std::count(marks.begin(), marks.end(), true));
   };
   ConvexSum::FacetCount facets{new_p.size() + new_q.size(), count(new_p) + count(new_q)};
-  for (std::uint32_t f = 0; f < o.poly(0).face_count(); ++f) {
-    const std::uint32_t g = o.parallel_face(0, f);
-    if (g == kNoFace) continue;
-    --facets.all;
-    facets.changed -= new_p[f] && new_q[g];
-  }
+  facets.all -= o.pairs().size();
+  for (const Overlay::FacePair& pair : o.pairs()) facets.changed -= new_p[pair.p] && new_q[pair.q];
   for (std::uint32_t e = 0; e < o.poly(0).edge_count(); ++e)
     for (std::uint32_t id = o.first_crossing(0, e); id != kNoCrossing; id = o.crossing(id).next[0]) {
       if (!crosses_properly(o, o.crossing(id))) continue;

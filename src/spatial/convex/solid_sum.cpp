@@ -1,11 +1,13 @@
 // Positions and measures of an assembled sum.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "dymsum/volume_text.h"
 #include "exact/decimal_text.h"
 #include "spatial/convex/convex_state.h"
 #include "spatial/convex/exact_places.h"
+#include "spatial/convex/nearest_places.h"
 #include "spatial/convex/place_sum.h"
 #include "spatial/mesh/compensated_sum.h"
 #include "spatial/mesh/rounded_vector.h"
@@ -88,12 +90,22 @@ spatial::ScaledNumber surface_of(const SolidSum& sum) {
 namespace spatial {
 
 void place_sum(SolidSum& sum) {
-  const ExactPlaces places(ConvexSumInternals::operands(sum), sum.p_pose, sum.q_pose);
-  const std::vector<BigVector> all = numerators(sum, places);
+  const ConvexOperands& operands = ConvexSumInternals::operands(sum);
+  const NearestPlaces nearest(operands, sum.p_pose, sum.q_pose);
+  std::optional<ExactPlaces> exactly;
   sum.at.clear();
-  for (const BigVector& v : all) {
-    const auto rounded = [&](const BigInteger& c) { return exact::round_to_double(BigRational(c) * places.unit()); };
-    sum.at.push_back({rounded(v[0]), rounded(v[1]), rounded(v[2])});
+  sum.at.reserve(sum.vertices.size());
+  for (const SolidSum::Vertex& v : sum.vertices) {
+    if (const std::optional<Point3> at = nearest(v.p, v.q)) {
+      sum.at.push_back(*at);
+      continue;
+    }
+    if (!exactly) exactly.emplace(operands, sum.p_pose, sum.q_pose);
+    const BigVector a = exactly->of(0, v.p), b = exactly->of(1, v.q);
+    const auto rounded = [&](std::size_t k) {
+      return exact::round_to_double(BigRational(BigInteger(a[k] + b[k])) * exactly->unit());
+    };
+    sum.at.push_back({rounded(0), rounded(1), rounded(2)});
   }
 }
 

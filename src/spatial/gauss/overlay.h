@@ -72,8 +72,12 @@ class Overlay {
   const Polytope& poly(int op) const { return signs_.poly(op); }
   /// The vertex of the other operand that is extreme in the direction of face f of operand op.
   std::uint32_t extreme(int op, std::uint32_t f) const { return extreme_[op][f]; }
-  /// The face of the other operand that truly faces the same way as face f of operand op, or kNoFace.
-  std::uint32_t parallel_face(int op, std::uint32_t f) const;
+  /// Faces of P and of Q that truly face the same way; none of operands made without merging.
+  struct FacePair {
+    std::uint32_t p, q;
+    friend auto operator<=>(const FacePair&, const FacePair&) = default;
+  };
+  const std::vector<FacePair>& pairs() const { return pairs_; }
   /// The first crossing along the arc of edge e of operand op, from its left face (the face of half-edge 2e) to its
   /// right one.
   std::uint32_t first_crossing(int op, std::uint32_t e) const { return head_[op][e]; }
@@ -114,11 +118,6 @@ class Overlay {
   struct Across {
     std::uint32_t first, count, begin, end;
   };
-  // Faces of both operands that face the same way.
-  struct FacePair {
-    std::uint32_t p, q;
-    friend auto operator<=>(const FacePair&, const FacePair&) = default;
-  };
   // Shared.
   void restart();
   void make_levels();
@@ -133,6 +132,7 @@ class Overlay {
     return parallel_[op][f] == kNoFace ? extreme_[op][f] : start_[op][h];
   }
   // Pairs of faces: overlay_parallel.cpp.
+  std::uint32_t parallel_face(int op, std::uint32_t f) const;
   int side_beyond(int op, HalfEdge mine, HalfEdge other) const;
   template <class Changed>
   void start_arcs(int op, std::uint32_t f, std::uint32_t g, const Changed& changed);
@@ -181,8 +181,8 @@ class Overlay {
   std::array<std::vector<std::uint32_t>, 2> head_;
   std::vector<Crossing> crossings_;
   std::vector<std::uint32_t> free_;
-  // Pairs of faces that face the same way, by either face, and the cells in which the arcs of half-edges of such faces
-  // begin. Not where there are flat edges, whose arcs are points.
+  // Pairs of faces that face the same way, also by either face, and the cells in which the arcs of half-edges of such
+  // faces begin. Not where there are flat edges, whose arcs are points.
   std::vector<FacePair> pairs_, parted_;
   std::array<std::vector<std::uint32_t>, 2> parallel_, start_;
   bool has_flat_edges_ = false;

@@ -11,6 +11,7 @@
 
 namespace dymsum::spatial {
 
+/// The face of the other operand that face f of operand op, whose extreme vertex is known, is truly parallel to.
 std::uint32_t Overlay::parallel_face(int op, std::uint32_t f) const {
   const Polytope& other = poly(1 - op);
   const std::uint32_t v = extreme_[op][f], begin = other.ring_start[v], size = other.ring_start[v + 1] - begin;

@@ -1,4 +1,5 @@
 // Overlays written down and taken up again.
+#include <algorithm>
 #include <stdexcept>
 
 #include "spatial/gauss/overlay.h"
@@ -24,11 +25,12 @@ void Overlay::restore(const RelativeMap& map, std::span<const std::uint32_t> wor
   restart();
   signs_.set(map);
   clear_crossings();
-  for (const FacePair& pair : pairs_) parallel_[0][pair.p] = parallel_[1][pair.q] = kNoFace;
-  pairs_.clear();  // only build may follow
   extreme_[0].assign(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(p));
   const auto middle = words.begin() + static_cast<std::ptrdiff_t>(p);
   extreme_[1].assign(middle, words.begin() + static_cast<std::ptrdiff_t>(faces));
+  // Only build may follow, and looks at all faces.
+  std::fill(vertex_until_[0].begin(), vertex_until_[0].end(), clock_);
+  find_pairs();
   for (std::size_t k = faces; k < words.size(); k += 2) {
     if (words[k] == kNoCrossing) continue;
     const auto id = static_cast<std::uint32_t>(crossings_.size());

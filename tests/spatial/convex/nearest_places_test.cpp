@@ -1,0 +1,56 @@
+// Positions of vertices are the doubles nearest to the exact ones, also where pairs of doubles do not tell.
+#include <random>
+
+#include "exact/big.h"
+#include "spatial/convex/convex_cases.h"
+#include "spatial/convex/setting.h"
+
+namespace dymsum::test {
+namespace {
+
+Mesh between(double x0, double x1) {
+  std::vector<Point3> at;
+  for (const double x : {x0, x1})
+    for (const double y : {-1.0, 1.0})
+      for (const double z : {-1.0, 1.0}) at.push_back({x, y, z});
+  return *convex_hull(at);
+}
+
+double nearest(const Rational& v) { return exact::round_to_double(exact::exact_value(v)); }
+
+void expect_nearest(const SolidSum& sum, const std::string& where) {
+  for (std::size_t v = 0; v < sum.vertices.size(); ++v) {
+    const RationalPoint3 at = sum.exact(v);
+    ASSERT_EQ(sum.at[v].x, nearest(at.x)) << where;
+    ASSERT_EQ(sum.at[v].y, nearest(at.y)) << where;
+    ASSERT_EQ(sum.at[v].z, nearest(at.z)) << where;
+    ASSERT_FALSE(std::signbit(sum.at[v].x) && sum.at[v].x == 0) << where;
+  }
+}
+
+TEST(NearestPlaces, are_the_nearest_doubles_at_any_pose) {
+  const std::uint64_t seed = setting("DYMSUM_FUZZ_SEED", 71), moves = setting("DYMSUM_FUZZ_MOVES", 200);
+  std::mt19937_64 random(seed);
+  for (std::uint64_t k = 0; k < moves; ++k) {
+    const Mesh p = k % 2 == 0 ? random_grid_polytope(random, 12, 3) : random_round_polytope(random, 12);
+    const Mesh q = k % 3 == 0 ? solids::box(-1, -1, -1, 1, 1, 1) : random_round_polytope(random, 10);
+    SolidPose pose{k % 5 == 0 ? Rotation() : random_rotation(random), {}};
+    if (k % 4 == 0) pose.scale = {random_scale(random), random_scale(random), random_scale(random)};
+    expect_nearest(*convex_sum(p, q, pose, k % 7 == 0 ? pose : SolidPose{}),
+                   "seed " + std::to_string(seed) + " " + std::to_string(k));
+  }
+}
+
+// Sums half-way between two doubles, next to that, beyond the range of pairs, and zero by cancelling.
+TEST(NearestPlaces, where_pairs_of_doubles_do_not_tell_are_exact) {
+  for (const double small : {0x1p-53, 0x1.0000000000001p-53, 0x1.fffffffffffffp-54, 0x1p-300, 0x1p-1074, 0x1p-960}) {
+    const Mesh p = between(1, 2), q = between(small, 3 * small);
+    expect_nearest(*convex_sum(p, q), std::to_string(small));
+    expect_nearest(*convex_sum(p, q, {*Rotation::about({1, 2, 3}, 0.7), {}}), std::to_string(small));
+  }
+  const Mesh large = between(-0x1p1000, 0x1p1000);
+  expect_nearest(*convex_sum(large, large), "large");
+}
+
+}  // namespace
+}  // namespace dymsum::test
