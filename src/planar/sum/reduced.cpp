@@ -32,8 +32,7 @@ struct Run {
   const Operand &p = *state.p, &q = *state.q;
   SumStats& stats = state.stats;
   const bool fast = options.engine == Engine::fast;
-  const bool parallelograms =
-      options.semantics != Semantics::open && has_component_without_area(p) && has_component_without_area(q);
+  const bool parallelograms = makes_parallelograms(options.semantics, p, q);
 };
 
 // Segments in a soup; of those of the convolution, which come first, only live ones.
