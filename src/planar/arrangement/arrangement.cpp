@@ -166,7 +166,7 @@ void Arrangement::sort_events(const Poll* poll) {
       }
       for (std::uint32_t i = 1; i < n; ++i) {
         const double gap = times[i] - times[i - 1];
-        if (gap > 2 * Meetings::kFine && fine) continue;
+        if (gap > Meetings::kApart && fine) continue;
         close |= !(gap > parameter_error(s, first[i - 1]) + parameter_error(s, first[i]));
       }
       if (close) sort(first, n, [&](std::uint32_t a, std::uint32_t b) { return compare_events(s, a, b) < 0; });
@@ -279,7 +279,7 @@ Place Arrangement::sample(Step at) const {
   const double e0 = k > 0 ? parameter_error(at.segment, first[k - 1]) : 0.0;
   const double e1 = k < event_count(at.segment) ? parameter_error(at.segment, first[k]) : 0.0;
   const double t = t0 + weight * (t1 - t0);
-  const double error = e0 + e1 + std::abs(t1 - t0) * 2 * (error_from + error_to) + kShareRoundings;
+  const double error = e0 + e1 + std::abs(t1 - t0) * kMediantShares * (error_from + error_to) + kShareRoundings;
   Place p = place(at.segment, from, t == 0 || t == 1 ? 0.5 : t, error + (t == 0 || t == 1 ? 0.5 : 0));
   p.second = to;
   p.between = true;

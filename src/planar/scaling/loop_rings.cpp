@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planar/operand/sum_bounds.h"
 #include "planar/position/vertex_order.h"
 
 namespace dymsum::planar {
@@ -75,7 +76,7 @@ void LoopRings::lead(std::vector<std::uint32_t> leaders) {
 LoopRings::Rings LoopRings::at(double tau, const Window& window, const ExactFrame& frame, const ExactSource& source,
                                const std::function<SumRing()>& spare) {
   const ToInput to_input(window, frame);
-  const double poor = 0x1p-38 * window.span();
+  const double poor = kPoorPosition * window.span();
   const VertexOrder order(source, to_input.error(poor));
   const SumVertex* const vertices = loops_.vertices().data();
   const MovingPoint* const points = loops_.points().data();

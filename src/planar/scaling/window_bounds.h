@@ -5,9 +5,8 @@
 // of its unscaled edge vector; within a piece they are at most max(1, tau).
 //   point    f and m carry 1 each, tau 1, the product and the sum 1 each: 2 F + 4 tau M <= 2 S.
 //   side     d x (v - w): with the shift of the frame, whose sum is one more of at most F + tau1 M, a point has 3 S;
-//   two
-//            of them and the difference 7, the edge vector 1, the product and the last difference 1 each: 10 L S. Ends
-//            of cut pieces carry 4 more for the share, its product and the sum.
+//            two of them and the difference 7, the edge vector 1, the product and the last difference 1 each: 10 L S.
+//            Ends of cut pieces carry 4 more for the share, its product and the sum.
 //   share    numerator / denominator: what a side and the denominator lose, and the quotient (see share_error()).
 #pragma once
 
@@ -33,11 +32,13 @@ inline constexpr double kSearchSide = exact::rounding_bound(8, 32);
 inline constexpr double kShare = exact::rounding_bound(3, 16);
 /// The same for two shares and their difference.
 inline constexpr double kShareGap = exact::rounding_bound(7, 32);
-/// Of a share by a scalar product of sums with an edge vector over its square, besides what the sums err by, times
-/// max(1, tau1): 4 of either product, the quotient and the evaluation.
-inline constexpr double kProjection = exact::rounding_bound(12, 64);
+/// Of a share by a scalar product of sums with an edge vector over its square, times max(1, tau1): 4 of either product,
+/// the quotient and the evaluation. Besides, what the sums err by, times |d|_1 and the span over the square: a side,
+/// and for a place farther on the same line a vector, its product and the sum.
+inline constexpr double kProjection = exact::rounding_bound(12, 64), kProjectedSums = exact::rounding_bound(14 + 4, 64);
 /// The same for the difference of two.
-inline constexpr double kProjectionGap = exact::rounding_bound(24, 128);
+inline constexpr double kProjectionGap = exact::rounding_bound(24, 128),
+                        kProjectedGap = exact::rounding_bound(2 * (14 + 4), 128);
 
 /// Of -a / b, times itself: the quotient, and the sum that makes it an end of a range.
 inline constexpr double kRoot = exact::rounding_bound(2, 16);
