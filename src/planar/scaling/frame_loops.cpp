@@ -307,11 +307,11 @@ void FrameLoops::find_doubtful(bool whole, double tau) {
     for (std::uint32_t n = 0; n < window.nodes.size(); ++n) doubt(n);
     return;
   }
-  for (const std::uint32_t n : lists_.relinked()) doubt(n);
+  for (const std::uint32_t n : lists_.links().relinked()) doubt(n);
   for (const std::uint32_t piece : lists_.looked_at()) {
     for (std::uint32_t k = window.first_touch[piece]; k < window.first_touch[piece + 1]; ++k) {
       const std::uint32_t n = window.touches[k].node;
-      if (nodes_[n].inside && lists_.active_touch(k) && !quiet(k, tau)) doubt(n);
+      if (nodes_[n].inside && lists_.links().active_touch(k) && !quiet(k, tau)) doubt(n);
     }
     for (const std::uint32_t ray : {window.head_ray[piece], window.tail_ray[piece]})
       if (ray != kNone && window.nodes[window.node_of_ray[ray]].hands_on) doubt(window.node_of_ray[ray]);
@@ -323,7 +323,7 @@ void FrameLoops::find_doubtful(bool whole, double tau) {
 bool FrameLoops::nodes_are_plain(double tau, ExactFrame& frame, FrameWork& work) {
   if (crowded_ > 0) return false;
   for (const std::uint32_t n : doubtful_) {
-    if (!lists_.active(n) || visited_[n] > 0 || nodes_[n].inside) continue;
+    if (!lists_.links().active(n) || visited_[n] > 0 || nodes_[n].inside) continue;
     if (!cover_.covers_node(n, nodes_[n].witness, tau, frame, work)) return false;
     nodes_[n].inside = true;
   }
