@@ -1,4 +1,5 @@
-// What the doubles of sums of vertices lose: bounds of soups, arrangements and collisions, where both operands rest.
+// What the doubles of edge vectors and of sums of vertices lose: bounds of soups, arrangements and collisions, where
+// both operands rest.
 //
 // In units u of roundoff, with L = |edge vector|_1 and S the span. A coordinate of a vertex carries 1 rounding, of a
 // scaled or turned operand 3: its own, the factor's and the product's.
@@ -9,9 +10,17 @@
 //           by is weighted with 1 - t and t, so t errs by what one side does over |n - m|.
 #pragma once
 
-#include "planar/operand/edge_bounds.h"
+#include "exact/rounding_bound.h"
 
 namespace dymsum::planar {
+
+/// Of x y' - y x' for vectors whose components carry one rounding each, times |x y'| + |y x'|: two of the factors, the
+/// product and the difference.
+inline constexpr double kEdgeCross = exact::rounding_bound(4, 8);
+/// The same for those of a scaled or turned operand, which carry three each.
+inline constexpr double kScaledEdgeCross = exact::rounding_bound(8, 16);
+/// Of the difference of two such components, times the sum of both.
+inline constexpr double kScaledEdgeGap = exact::rounding_bound(4, 8);
 
 /// Of the sum of two vertices, each coordinate, times the span.
 // No slack is needed. With a vertex x and its factor s in [1, 2), and their product rounded to p in [1, 2), the

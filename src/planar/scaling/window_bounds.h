@@ -12,7 +12,7 @@
 
 #include <cmath>
 
-#include "planar/operand/edge_bounds.h"
+#include "planar/operand/sum_bounds.h"
 
 namespace dymsum::planar {
 

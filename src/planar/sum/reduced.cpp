@@ -10,7 +10,6 @@
 #include "planar/boundary/boundary.h"
 #include "planar/boundary/tight_features.h"
 #include "planar/convolution/parallelogram_sides.h"
-#include "planar/mask/grid_size.h"
 #include "planar/result/trace_stages.h"
 #include "planar/sum/live_segments.h"
 #include "planar/sum/reduced_chain.h"

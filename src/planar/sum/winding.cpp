@@ -9,7 +9,7 @@
 #include "planar/boundary/winding_numbers.h"
 #include "planar/convolution/kinetic.h"
 #include "planar/convolution/parallelogram_sides.h"
-#include "planar/result/trace_windings.h"
+#include "planar/result/trace_stages.h"
 
 namespace dymsum::planar {
 namespace {
