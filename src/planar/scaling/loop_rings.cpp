@@ -21,10 +21,8 @@ struct ToInput {
     reach = (std::abs(scaled.x) + std::abs(scaled.y)) * s + std::abs(other.x) + std::abs(other.y);
   }
   Two operator()(const Two& at) const { return both(grow) * at * both(unit) + origin; }
-  // Times the span: evaluation (3), the blow-up and the last sum; times the offsets: the scale, products and sums.
   double error(double of_point) const {
-    constexpr double kKept = exact::rounding_bound(6, 16), kOffsets = exact::rounding_bound(5, 8);
-    return grow * (of_point + kKept * span) * unit * exact::kOutwards + kOffsets * reach;
+    return grow * (of_point + kKeptPosition * span) * unit * exact::kOutwards + kKeptOffsets * reach;
   }
   double span, grow = 1, unit = 1, reach = 0;
   Two origin{};

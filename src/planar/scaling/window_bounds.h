@@ -52,6 +52,10 @@ inline constexpr double kFollowed = exact::rounding_bound(5, 8);
 inline constexpr double kLengthWeight = exact::rounding_bound(1, 8), kCrossWeight = exact::rounding_bound(8, 32),
                         kMediant = exact::rounding_bound(3, 8);
 
+/// Of a position in input coordinates, times the span: evaluation (3), the blow-up and the last sum; times the offsets:
+/// the scale, products and sums.
+inline constexpr double kKeptPosition = exact::rounding_bound(6, 16), kKeptOffsets = exact::rounding_bound(5, 8);
+
 /// Denominators d that are known to this share of themselves at most may be divided by.
 inline constexpr double kKnownDenominator = 0.25;
 

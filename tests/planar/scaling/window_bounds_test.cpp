@@ -119,6 +119,28 @@ TEST(WindowBounds, moving_shares_err_by_less_and_not_by_much_less) {
   }
 }
 
+// Positions blown up and moved to where they are in the input, with the scale rounded.
+TEST(WindowBounds, kept_positions_err_by_less_and_not_by_much_less) {
+  oracles::Random random(14);
+  double inside = 0, outside = 0;
+  for (int k = 0; k < 20000; ++k) {
+    const BigRational s(random.below(1000) + 1, random.below(1000) + 1), tau = 1 / s;
+    const double scale = exact::round_to_double(s), t = exact::round_to_double(tau);
+    const double a = random.signed_unit(), b = random.signed_unit() * scale, span = 1 + scale * t;
+    const double far = random.chance(50) ? 0 : 1000 * random.signed_unit(), other = far == 0 ? 0 : random.signed_unit();
+    const double origin = far * scale + other, value = scale * (a + b * t) + origin;
+    const BigRational truth = s * (exactly(a) + exactly(b) * tau) + exactly(far) * s + exactly(other);
+    const double of_span = scale * kKeptPosition * span,
+                 of_offsets = kKeptOffsets * (std::abs(far) * scale + std::abs(other));
+    double& most = far == 0 ? inside : outside;
+    most = std::max(most, share(exactly(value) - truth, of_span + of_offsets));
+  }
+  EXPECT_LE(inside, 1);
+  EXPECT_GT(inside, 1.0 / 32);
+  EXPECT_LE(outside, 1);
+  EXPECT_GT(outside, 1.0 / 32);
+}
+
 // Where a vertex lies along an edge, by scalar products.
 TEST(WindowBounds, projections_err_by_less_and_not_by_much_less) {
   oracles::Random random(12);
