@@ -1,8 +1,10 @@
 // How long the stages of a computation take.
 #pragma once
 
-#include <chrono>
+#include <optional>
 #include <string_view>
+
+#include "base/stopwatch.h"
 
 namespace dymsum {
 
@@ -11,21 +13,16 @@ namespace dymsum {
 template <class Stats>
 class StageClock {
  public:
-  StageClock(Stats& stats, bool runs) : stats_(stats), runs_(runs) {
-    if (runs) last_ = Clock::now();
+  StageClock(Stats& stats, bool runs) : stats_(stats) {
+    if (runs) watch_.emplace();
   }
   void done(std::string_view stage) {
-    if (!runs_) return;
-    const auto now = Clock::now();
-    stats_.stages.push_back({stage, std::chrono::duration<double, std::milli>(now - last_).count()});
-    last_ = now;
+    if (watch_) stats_.stages.push_back({stage, watch_->lap()});
   }
 
  private:
-  using Clock = std::chrono::steady_clock;
   Stats& stats_;
-  bool runs_;
-  Clock::time_point last_;
+  std::optional<Stopwatch> watch_;
 };
 
 }  // namespace dymsum

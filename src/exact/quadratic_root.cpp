@@ -200,8 +200,9 @@ BigRational between(const QuadraticRoot& a, const QuadraticRoot& b) {
   const double low = a.approx()[1] / a.approx()[0], high = b.approx()[1] / b.approx()[0];
   const double middle = low + (high - low) / 2, gap = high - low, error = kQuotients * (std::abs(low) + std::abs(high));
   // The gap and its middle err by an eighth of the gap at most; a multiple of a quarter to a half of the gap lies
-  // within a quarter of it from the middle.
-  if (std::isfinite(gap) && gap > 8 * error && gap > 0x1p-900) {
+  // within a quarter of it from the middle. Nothing that is as large as kLeastGap has lost anything to underflow.
+  constexpr double kKnownGap = 8, kLeastGap = 0x1p-900;
+  if (std::isfinite(gap) && gap > kKnownGap * error && gap > kLeastGap) {
     const int k = 1 - std::ilogb(gap);
     if (std::abs(std::ldexp(middle, k)) < 0x1p52) {
       const BigInteger n(static_cast<std::int64_t>(std::nearbyint(std::ldexp(middle, k))));

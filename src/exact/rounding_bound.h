@@ -39,10 +39,20 @@ static_assert(rounding_bound(1, 2) == 0x1p-52 && rounding_bound(1 << 20, (1 << 2
 /// Added to a bound of sums of products of plain doubles: far more than the 2^-1075 that each of them loses where it
 /// underflows, and than what the bound's own products lose.
 inline constexpr double kUnderflow = 0x1p-1000;
+/// Added to a bound of single values: more than the 2^-1075 that each of up to 16 of them loses where it is rounded to
+/// a subnormal.
+inline constexpr double kSubnormal = 16 * 0x1p-1074;
 
 /// Factors for expressions of terms of one sign with fewer than 2^12 roundings: the result is not below, not above the
 /// exact value.
 inline constexpr double kOutwards = 1 + 0x1p-40, kInwards = 1 - 0x1p-40;
 static_assert(gamma(1 << 12) * (1 + gamma(1)) < kOutwards - 1 && gamma(1 << 12) * (1 + gamma(1)) < 1 - kInwards);
+
+/// Roundoff of floats.
+inline constexpr double kFloatRoundoff = 0x1p-24;
+/// For a bound that is kept as a float: converted and multiplied by this, it is not below the double. Requires at least
+/// 2^-100.
+inline constexpr float kFloatOutwards = 1 + 0x1p-20f;
+static_assert((1 - kFloatRoundoff) * (1 - kFloatRoundoff) * kFloatOutwards > 1);
 
 }  // namespace dymsum::exact

@@ -5,6 +5,7 @@
 
 #include "exact/rounding_bound.h"
 #include "planar/boundary/collision.h"
+#include "planar/operand/round_place.h"
 #include "planar/scaling/fill_lattice.h"
 
 namespace dymsum::planar {
@@ -13,26 +14,12 @@ using exact::BigRational;
 
 namespace {
 
-// Of a place below, times the span: two coordinates (3 and 1), their sum, the distance and the sum with it.
-constexpr double kPlaceError = exact::rounding_bound(4 + 1 + 1 + 1, 16);
 // Of the side of a wall's end from a leg, times the span and |leg|_1, where the wall crosses the leg: two points (4
 // each) and their difference; product and difference; and what turns the leg's line about its start where the leg is
 // short, the error of a difference of two ends, as far as the leg is long (4 + 4 + 1).
 constexpr double kLegSide = exact::rounding_bound(9 + 2 + 9, 32);
 
 Segment reversed(const Segment& s) { return {{s.edge.op, s.edge.to, s.edge.from}, s.vertex}; }
-
-// A place with doubles to match: its exact position, rounded, from the start of its segment.
-void locate(const Lattice& l, Place& p) {
-  Place start;
-  start.on = p.on;
-  start.first.pair = start_of(p.on);
-  const Lattice::Position at = l.position(p), from = l.position(start);
-  const Pair v = start_of(p.on);
-  p.x = l.points[0]->x[v.p] + l.points[1]->x[v.q] + exact::round_to_double(BigRational(at.x - from.x)) / l.unit;
-  p.y = l.points[0]->y[v.p] + l.points[1]->y[v.q] + exact::round_to_double(BigRational(at.y - from.y)) / l.unit;
-  p.error = kPlaceError * l.span;
-}
 
 }  // namespace
 
@@ -128,7 +115,7 @@ bool PathFree::free(const BigRational& s) const {
   Place start;
   start.on = count_ > 1 ? leg(0) : Segment{{0, first_, beside_}, reference_};
   start.first.pair = waypoint(0);
-  locate(*lattice, start);
+  round_place(*lattice, start);
   if (collision.overlaps(start)) return false;
   for (std::uint32_t k = 0; k + 1 < count_; ++k)
     if (!leg_free(k, *lattice, collision)) return false;
@@ -186,7 +173,7 @@ bool PathFree::leg_free(std::uint32_t k, const Lattice& l, Collision& collision)
     p.first = cuts[i];
     p.second = cuts[i + 1];
     p.between = true;
-    locate(l, p);
+    round_place(l, p);
     if (collision.overlaps(p)) return false;
   }
   return true;

@@ -113,7 +113,8 @@ Region frame_tool(const Region& part, const BigRational& limit) {
   const double s = std::nextafter(exact::round_to_double(limit), INFINITY);
   double reach = 0;
   for (const double v : box) reach = std::max(reach, std::abs(v) * s);
-  reach = std::ldexp(1.0, std::ilogb(std::max(reach, 0x1p-900)) + 2);
+  constexpr double kLeast = 0x1p-900;  // of a point, which reaches nowhere
+  reach = std::ldexp(1.0, std::ilogb(std::max(reach, kLeast)) + 2);
   return Region::create({{{{{-reach, -reach}, {reach, -reach}, {reach, reach}, {-reach, reach}}, {}}}, {}, {}}).value();
 }
 

@@ -32,6 +32,29 @@ TEST(RoundingBound, outwards_and_inwards_cover_many_roundings) {
   EXPECT_LE(high * exact_value(kInwards), 1);
 }
 
+TEST(RoundingBound, floats_outwards_are_not_below_their_doubles) {
+  oracles::Random random(6);
+  int below = 0;
+  for (int k = 0; k < 20000; ++k) {
+    const double e = std::abs(random.signed_unit()) + 0x1p-100;
+    EXPECT_GE(static_cast<double>(static_cast<float>(e) * kFloatOutwards), e);
+    below += static_cast<double>(static_cast<float>(e) * (1 + (kFloatOutwards - 1) / 32)) < e;
+  }
+  EXPECT_GT(below, 0);
+}
+
+TEST(RoundingBound, sixteen_values_lose_less_than_is_added_for_subnormals) {
+  oracles::Random random(7);
+  BigRational lost = 0, largest = 0;
+  for (int k = 0; k < 20000; ++k) {
+    const BigRational v = exact_value(std::abs(random.signed_unit())) * exact_value(0x1p-1070) / 7;
+    lost = abs(BigRational(exact_value(round_to_double(v)) - v));
+    largest = std::max(largest, lost);
+  }
+  EXPECT_LE(16 * largest, exact_value(kSubnormal));
+  EXPECT_GT(32 * largest * 2, exact_value(kSubnormal));
+}
+
 TEST(RoundingBound, plain_signs_err_by_less_and_not_by_much_less) {
   oracles::Random random(5);
   double most = 0;

@@ -1,13 +1,13 @@
 #include "dymsum/cspace_obstacle.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <map>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
 
+#include "base/stopwatch.h"
 #include "cspace/events/walk_numbers.h"
 #include "cspace/events/walked_rings.h"
 #include "cspace/obstacle/convex_obstacle.h"
@@ -161,13 +161,13 @@ Result<std::unique_ptr<planar::ObstacleState>> planar::start_obstacle(const Regi
 
 Result<CspaceObstacle> CspaceObstacle::create(const Region& robot, const Region& obstacle,
                                               const ObstacleOptions& options) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   auto state = start_obstacle(robot, obstacle);
   if (!state) return state.error();
   const Result<bool> done =
       is_convex_pair(**state) ? convex_obstacle(**state, options) : general_obstacle(**state, options);
   if (!done) return done.error();
-  (*state)->work.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  (*state)->work.ms = watch.ms();
   return CspaceObstacle(std::move(state).value());
 }
 

@@ -112,68 +112,103 @@ int Arrangement::compare_events(std::uint32_t s, std::uint32_t a, std::uint32_t 
   return soup_.lattice.compare(soup_.exact(s), event_cut(s, a), event_cut(s, b));
 }
 
-// By parameter first. Only where neighbours are closer than their errors, by exact comparison; those are remembered.
-void Arrangement::sort_events(const Poll* poll) {
-  if (events_.empty()) return;
-  constexpr std::uint32_t kInsertion = 24;
-  const auto sort = [](auto* first, std::uint32_t n, auto&& less) {
-    if (n > kInsertion) return std::sort(first, first + n, less);
-    for (std::uint32_t i = 1; i < n; ++i) {
-      const auto e = first[i];
-      std::uint32_t j = i;
-      for (; j > 0 && less(e, first[j - 1]); --j) first[j] = first[j - 1];
-      first[j] = e;
-    }
-  };
+namespace {
+
+constexpr std::uint32_t kInsertion = 24;  // up to so many are sorted by insertion
+
+}  // namespace
+
+/// The parameters of the events of one segment, in order.
+struct Arrangement::EventTimes {
   struct Timed {
     double t;
     std::uint32_t event;
   };
-  Array<Timed> buffer(soup_.memory);
-  Array<double> times(kInsertion, soup_.memory);
-  // Then neighbours farther apart than twice that need no closer look.
+  explicit EventTimes(Scratch* memory) : times(kInsertion, memory), buffer(memory) {}
+  Array<double> times;
+  Array<Timed> buffer;  // of many
+};
+
+// Returns the bits of all events together.
+inline std::uint32_t Arrangement::sort_by_parameter(std::uint32_t s, std::span<std::uint32_t> events,
+                                                    EventTimes& to) const {
+  const auto n = static_cast<std::uint32_t>(events.size());
+  std::uint32_t* const first = events.data();
+  Array<double>& times = to.times;
+  std::uint32_t kinds = 0;
+  if (n <= kInsertion) {
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const std::uint32_t e = first[i];
+      const double t = parameter(s, e);
+      kinds |= e;
+      std::uint32_t j = i;
+      for (; j > 0 && t < times[j - 1]; --j) {
+        times[j] = times[j - 1];
+        first[j] = first[j - 1];
+      }
+      times[j] = t;
+      first[j] = e;
+    }
+    return kinds;
+  }
+  to.buffer.resize(n);
+  for (std::uint32_t i = 0; i < n; ++i) to.buffer[i] = {parameter(s, first[i]), first[i]};
+  std::sort(to.buffer.begin(), to.buffer.end(),
+            [](const EventTimes::Timed& a, const EventTimes::Timed& b) { return a.t < b.t; });
+  if (times.size() < n) times.resize(2 * n);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    times[i] = to.buffer[i].t;
+    kinds |= first[i] = to.buffer[i].event;
+  }
+  return kinds;
+}
+
+// Whether some neighbours are closer than their errors. With `fine` those farther apart than kApart need no closer
+// look.
+inline bool Arrangement::too_close(std::uint32_t s, std::span<const std::uint32_t> events, const EventTimes& at,
+                                   bool fine) const {
+  bool close = false;
+  for (std::size_t i = 1; i < events.size(); ++i) {
+    const double gap = at.times[i] - at.times[i - 1];
+    if (gap > Meetings::kApart && fine) continue;
+    close |= !(gap > parameter_error(s, events[i - 1]) + parameter_error(s, events[i]));
+  }
+  return close;
+}
+
+// By parameter first. Only where neighbours are closer than their errors, by exact comparison; those are remembered.
+void Arrangement::sort_events(const Poll* poll) {
+  if (events_.empty()) return;
+  const auto sort_exactly = [this](std::uint32_t s, std::span<std::uint32_t> events) {
+    const auto less = [&](std::uint32_t a, std::uint32_t b) { return compare_events(s, a, b) < 0; };
+    if (events.size() > kInsertion) return std::sort(events.begin(), events.end(), less);
+    for (std::size_t i = 1; i < events.size(); ++i) {
+      const std::uint32_t e = events[i];
+      std::size_t j = i;
+      for (; j > 0 && less(e, events[j - 1]); --j) events[j] = events[j - 1];
+      events[j] = e;
+    }
+  };
+  EventTimes times(soup_.memory);
   const bool fine = !meetings_.rough && meetings_.touches.empty();
   const Crossing* const crossings = meetings_.crossings.data();
   for (const std::uint32_t s : cut_segments_) {
     if (poll != nullptr) poll->at(s, soup_.size());
-    const std::uint32_t begin = first_event_[s], n = first_event_[s + 1] - begin;
-    std::uint32_t* const first = events_.data() + begin;
-    std::uint32_t kinds = first[0];
+    const std::uint32_t begin = first_event_[s];
+    const std::span<std::uint32_t> events(events_.data() + begin, first_event_[s + 1] - begin);
+    std::uint32_t kinds = events[0];
     bool close = false;
-    if (n > 1) {
-      if (n <= kInsertion) {
-        for (std::uint32_t i = 0; i < n; ++i) {
-          const std::uint32_t e = first[i];
-          const double t = parameter(s, e);
-          kinds |= e;
-          std::uint32_t j = i;
-          for (; j > 0 && t < times[j - 1]; --j) {
-            times[j] = times[j - 1];
-            first[j] = first[j - 1];
-          }
-          times[j] = t;
-          first[j] = e;
-        }
-      } else {
-        buffer.resize(n);
-        for (std::uint32_t i = 0; i < n; ++i) buffer[i] = {parameter(s, first[i]), first[i]};
-        std::sort(buffer.begin(), buffer.end(), [](const Timed& a, const Timed& b) { return a.t < b.t; });
-        if (times.size() < n) times.resize(2 * n);
-        for (std::uint32_t i = 0; i < n; ++i) {
-          times[i] = buffer[i].t;
-          kinds |= first[i] = buffer[i].event;
-        }
-      }
-      for (std::uint32_t i = 1; i < n; ++i) {
-        const double gap = times[i] - times[i - 1];
-        if (gap > 2 * Meetings::kFine && fine) continue;
-        close |= !(gap > parameter_error(s, first[i - 1]) + parameter_error(s, first[i]));
-      }
-      if (close) sort(first, n, [&](std::uint32_t a, std::uint32_t b) { return compare_events(s, a, b) < 0; });
+    if (events.size() > 1) {
+      kinds = sort_by_parameter(s, events, times);
+      close = too_close(s, events, times, fine);
+      if (close) sort_exactly(s, events);
     }
     if (close || (kinds & kTouchBit)) suspects_.push_back(s);
-    for (std::uint32_t i = 0, sub = begin + s + 1; i < n; ++i, ++sub)
-      if (!(first[i] & kTouchBit) && crossings[first[i]].a == s) sub_after_[first[i]] = sub;
+    std::uint32_t sub = begin + s + 1;
+    for (const std::uint32_t e : events) {
+      if (!(e & kTouchBit) && crossings[e].a == s) sub_after_[e] = sub;
+      ++sub;
+    }
   }
 }
 
@@ -279,7 +314,7 @@ Place Arrangement::sample(Step at) const {
   const double e0 = k > 0 ? parameter_error(at.segment, first[k - 1]) : 0.0;
   const double e1 = k < event_count(at.segment) ? parameter_error(at.segment, first[k]) : 0.0;
   const double t = t0 + weight * (t1 - t0);
-  const double error = e0 + e1 + std::abs(t1 - t0) * 2 * (error_from + error_to) + kShareRoundings;
+  const double error = e0 + e1 + std::abs(t1 - t0) * kMediantShares * (error_from + error_to) + kShareRoundings;
   Place p = place(at.segment, from, t == 0 || t == 1 ? 0.5 : t, error + (t == 0 || t == 1 ? 0.5 : 0));
   p.second = to;
   p.between = true;

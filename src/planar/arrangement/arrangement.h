@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "base/key_numbers.h"
@@ -165,6 +166,9 @@ class Arrangement {
   std::uint32_t linked_node(Step at) const;
   void build_events(const Poll* poll);
   void sort_events(const Poll* poll);
+  struct EventTimes;
+  std::uint32_t sort_by_parameter(std::uint32_t segment, std::span<std::uint32_t> events, EventTimes& to) const;
+  bool too_close(std::uint32_t segment, std::span<const std::uint32_t> events, const EventTimes& at, bool fine) const;
   void mark_covered(const Array<CoveredMark>& marks);
   void find_degenerate_nodes(const Poll* poll);
   struct Ray;

@@ -97,6 +97,10 @@ inline void high_bytes(const std::int16_t* a, const std::int16_t* b, std::uint32
 // bits.
 constexpr std::uint32_t kNumberBits = 7, kUnsorted = 1 << kNumberBits, kSmall = 15 + kNumberBits;
 
+// What a parameter that is not rough errs by besides kShareRoundings.
+constexpr double kFine = Meetings::kApart / 4;
+static_assert(kFine + kShareRoundings <= Meetings::kApart / 2);
+
 }  // namespace
 
 // In doubles, for segments that are no neighbours in a chain. True when these do not tell: then it takes an exact test.
@@ -111,7 +115,7 @@ inline bool CrossingFinder::undecided_strangers(const Probe& i, std::uint32_t j)
   if (one_side(o3, o4, b_error)) return false;
   const double u = a.dx * b.dy, v = a.dy * b.dx;
   if (opposite(o1, o2, i.error) && opposite(o3, o4, b_error)) {
-    if (!(kCrossingShares * std::max(i.error, b_error) < 0.5 * Meetings::kFine * std::abs(u - v))) out_.rough = true;
+    if (!(kCrossingShares * std::max(i.error, b_error) < kFine * std::abs(u - v))) out_.rough = true;
     add_crossing(i.segment, j, o3, o4, o1, o2);
     return false;
   }

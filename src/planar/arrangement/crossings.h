@@ -32,13 +32,15 @@ struct Touch {
 };
 
 struct Meetings {
-  static constexpr double kFine = 0x1p-30;
+  /// Parameters that are farther apart than this need no comparison of their errors, unless `rough`. Any value is
+  /// right.
+  static constexpr double kApart = 0x1p-29;
   explicit Meetings(Scratch* memory = nullptr) : crossings(memory), touches(memory), same(memory) {}
 
   Array<Crossing> crossings;
   Array<Touch> touches;
   Array<std::pair<WalkPair, WalkPair>> same;  ///< different pairs at the same place
-  bool rough = false;                         ///< some crossing has a parameter that errs by kFine or more
+  bool rough = false;                         ///< some crossing has a parameter that errs by half of kApart or more
   std::uint64_t cell_entries = 0, pair_tests = 0, exact_signs = 0;
 };
 

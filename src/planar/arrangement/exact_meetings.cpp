@@ -81,7 +81,9 @@ void CrossingFinder::exact_test(std::uint32_t i, std::uint32_t j) {
     const double o1 = a_dx * (b.ay - a.ay) - a_dy * (b.ax - a.ax), o2 = a_dx * (b.by - a.ay) - a_dy * (b.bx - a.ax);
     const double o3 = b_dx * (a.ay - b.ay) - b_dy * (a.ax - b.ax), o4 = b_dx * (a.by - b.ay) - b_dy * (a.bx - b.ax);
     out_.rough = true;
-    const auto signed_magnitude = [](double o, int s, double error) { return s * std::max(std::abs(o), error * 0.5); };
+    const auto signed_magnitude = [](double o, int s, double error) {
+      return s * std::max(std::abs(o), error * kLeastSide);
+    };
     const double a_error = soup_.error(i) + exact::kUnderflow, b_error = soup_.error(j) + exact::kUnderflow;
     add_crossing(i, j, signed_magnitude(o3, s3, b_error), signed_magnitude(o4, s4, b_error),
                  signed_magnitude(o1, s1, a_error), signed_magnitude(o2, s2, a_error));

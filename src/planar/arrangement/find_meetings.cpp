@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planar/mask/grid_size.h"
 
 namespace dymsum::planar {
 namespace {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "planar/mask/segment_clip.h"
+
 namespace dymsum::planar {
 namespace {
 
@@ -13,22 +15,16 @@ namespace {
 class Passage {
  public:
   Passage(const SoupBox& b, const Grid& grid)
-      : b_(b), cell_(grid.cell), reach_(kReach * grid.cell), per_dx_(1 / b.dx), per_dy_(1 / b.dy) {}
+      : clip_(b.ax, b.ay, b.dx, b.dy), cell_(grid.cell), reach_(kReach * grid.cell) {}
   Span through(int row0, int column0, int row1, int column1) const {
-    Span t{0, 1};
-    if (b_.dx != 0)
-      clip(t, (column0 * cell_ - reach_ - b_.ax) * per_dx_, ((column1 + 1) * cell_ + reach_ - b_.ax) * per_dx_);
-    if (b_.dy != 0) clip(t, (row0 * cell_ - reach_ - b_.ay) * per_dy_, ((row1 + 1) * cell_ + reach_ - b_.ay) * per_dy_);
-    return t;
+    const SegmentClip::Part part = clip_.within(column0 * cell_ - reach_, row0 * cell_ - reach_,
+                                                (column1 + 1) * cell_ + reach_, (row1 + 1) * cell_ + reach_);
+    return {part.from, part.to};
   }
 
  private:
-  static void clip(Span& t, double u, double v) {
-    t.low = std::max(t.low, std::min(u, v));
-    t.high = std::min(t.high, std::max(u, v));
-  }
-  const SoupBox& b_;
-  double cell_, reach_, per_dx_, per_dy_;
+  SegmentClip clip_;
+  double cell_, reach_;
 };
 
 // The box of a part of a segment, for cells: its vector is that of the whole.

@@ -184,8 +184,7 @@ int SegmentGraph::compare(const Ray& a, const Ray& b) const {
   };
   const auto segment = [&](const Ray& r) { return sub_edges_[edges_[r.edge].first].segment; };
   const auto half = [&](const Ray& r) {
-    const double dx = along(r) * soup_.dx(segment(r)), dy = along(r) * soup_.dy(segment(r));
-    return dy > 0 || (dy == 0 && dx > 0) ? 0 : 1;
+    return half_plane(along(r) * soup_.dx(segment(r)), along(r) * soup_.dy(segment(r)));
   };
   if (half(a) != half(b)) return half(a) < half(b) ? -1 : 1;
   return -soup_.cross(segment(a), segment(b)) * along(a) * along(b);
@@ -201,8 +200,10 @@ Place SegmentGraph::sample(std::uint32_t edge) const {
   p.between = true;
   p.x = 0.5 * (a.x + b.x);
   p.y = 0.5 * (a.y + b.y);
-  // Anywhere between the ends; the factor covers the roundings of the distance, the rest those of the middle.
-  p.error = 0.625 * std::max(std::abs(b.x - a.x), std::abs(b.y - a.y)) + 2 * (a.error + b.error) +
+  // Anywhere between the ends, so half of their distance away, which is rounded; the rest covers the middle's
+  // roundings.
+  constexpr double kHalf = 0.5 * (1 + exact::rounding_bound(3, 4));
+  p.error = kHalf * std::max(std::abs(b.x - a.x), std::abs(b.y - a.y)) + 2 * (a.error + b.error) +
             kStepSum * soup_.lattice.span;
   return p;
 }

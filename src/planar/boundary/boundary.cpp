@@ -7,20 +7,14 @@
 #include "planar/boundary/leftmost_loop.h"
 
 namespace dymsum::planar {
-namespace {
-
-int half(const SoupBox& b) { return b.dy > 0 || (b.dy == 0 && b.dx > 0) ? 0 : 1; }
-
-}  // namespace
-
 int turning_number(const Soup& soup, const Array<Step>& steps) {
   const SoupBox* boxes = soup.boxes.data();
   int turns = 0;
   std::uint32_t last = steps.back().segment;
-  int from = half(boxes[last]);
+  int from = half_plane(boxes[last].dx, boxes[last].dy);
   for (const Step& step : steps) {
     const std::uint32_t s = step.segment;
-    const int to = half(boxes[s]);
+    const int to = half_plane(boxes[s].dx, boxes[s].dy);
     if (from != to) {
       const int c = soup.cross(last, s);
       if (c > 0 && from == 1) ++turns;
@@ -129,10 +123,9 @@ SortedLoops verify_loops(const Soup& soup, const Arrangement& arrangement, Array
   return out;
 }
 
-// Doubles worse than this share of the span are replaced by the rounded exact position. Any value is right.
-constexpr double kPoor = 0x1p-38;
-
-double position_error(const Soup& soup, const Place& place) { return std::min(place.error, kPoor * soup.lattice.span); }
+double position_error(const Soup& soup, const Place& place) {
+  return std::min(place.error, kPoorPosition * soup.lattice.span);
+}
 
 SumVertex vertex_of(const Soup& soup, std::uint32_t in, std::uint32_t out, const SubEnd& end, const Place& place) {
   SumVertex v;
@@ -168,7 +161,7 @@ double input_error(const Lattice& lattice, double grid_error) {
 
 namespace {
 
-// What a segment is called in the regions: its contact, and the pair of vertices at its end. Numbers one by one: a
+// contact_of, with the pair of vertices at the segment's end, for all vertices of a ring. Numbers one by one: a
 // structure that is written in parts and read at once makes the processor wait.
 struct Named {
   Contact::Kind kind;
@@ -211,7 +204,7 @@ std::size_t leftmost_end(const Soup& soup, const Arrangement::Walker& walker, co
 SumRing make_ring(const Soup& soup, const Arrangement& arrangement, const BoundaryLoop& loop, double& error) {
   const Step* const steps = loop.steps.data();
   const std::size_t n = loop.steps.size();
-  const double poor = kPoor * soup.lattice.span, unit = soup.lattice.unit;
+  const double poor = kPoorPosition * soup.lattice.span, unit = soup.lattice.unit;
   const Point base = soup.lattice.base;
   const Operand::Numbers *const of_p = soup.operands[0]->numbers.data(), *const of_q = soup.operands[1]->numbers.data();
   const SoupBox* const boxes = soup.boxes.data();

@@ -10,6 +10,7 @@
 #include "planar/arrangement/soup.h"
 #include "planar/boundary/collision.h"
 #include "planar/mask/fine_cells.h"
+#include "planar/operand/contact_of.h"
 
 namespace dymsum::planar {
 
@@ -43,10 +44,7 @@ Array<BoundaryLoop> simple_rings(const Soup& soup, const Arrangement& arrangemen
 /// Provenance.
 inline Contact contact_of(const Soup& soup, std::uint32_t segment) {
   const SoupSegment& g = soup.segments[segment];
-  const std::uint32_t edge = soup.operands[g.side()]->edge_number[g.edge()];
-  const std::uint32_t vertex = soup.operands[1 - g.side()]->vertex_number[g.vertex];
-  return g.side() == 0 ? Contact{Contact::Kind::edge_of_p, edge, vertex}
-                       : Contact{Contact::Kind::edge_of_q, vertex, edge};
+  return contact_of(WalkSegment{g.side(), g.edge(), g.vertex}, *soup.operands[0], *soup.operands[1]);
 }
 SumVertex vertex_of(const Soup& soup, std::uint32_t in, std::uint32_t out, const SubEnd& end, const Place& place);
 

@@ -11,6 +11,9 @@ namespace dymsum::planar {
 /// of a connected sum its outer boundary. for_each_end(i, f) calls f(x, error) for the vertices of loop i.
 template <class Clockwise, class ForEachEnd>
 std::size_t leftmost_loop(std::size_t n, const Clockwise& clockwise, const ForEachEnd& for_each_end) {
+  // The least x of loop i lies within 2 error of low, the difference x - e errs by a rounding of x, which positions err
+  // by, too, and the difference below by as much.
+  constexpr double kApart = 4;
   double best = INFINITY, second = INFINITY, error = 0;
   std::size_t leftmost = n;
   for (std::size_t i = 0; i < n; ++i) {
@@ -28,7 +31,7 @@ std::size_t leftmost_loop(std::size_t n, const Clockwise& clockwise, const ForEa
       second = std::min(second, low);
     }
   }
-  return second - best > 4 * error ? leftmost : n;
+  return second - best > kApart * error ? leftmost : n;
 }
 
 }  // namespace dymsum::planar

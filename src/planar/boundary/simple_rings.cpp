@@ -18,7 +18,7 @@ struct Ray {
 void sort_rays(const Soup& soup, std::vector<Ray>& rays) {
   const auto half = [&](const Ray& r) {
     const SoupBox& b = soup.boxes[r.step.segment];
-    return (b.dy > 0 || (b.dy == 0 && b.dx > 0) ? 0 : 1) ^ (r.out ? 0 : 1);
+    return half_plane(b.dx, b.dy) ^ (r.out ? 0 : 1);
   };
   std::sort(rays.begin(), rays.end(), [&](const Ray& a, const Ray& b) {
     if (half(a) != half(b)) return half(a) < half(b);

@@ -45,10 +45,11 @@ SumRing WindingBoundary::ring(const BoundaryEdges& edges, double& error) const {
   return ring;
 }
 
-// How often the direction of a ring passes +x counter-clockwise is 1 for a counter-clockwise one, -1 otherwise.
+// How often the direction of a ring passes +x counter-clockwise is 1 for a counter-clockwise one, -1 otherwise. Not by
+// the other engines' turning_number: this one is there to be compared with them.
 bool WindingBoundary::counter_clockwise(const BoundaryEdges& ring) const {
   const Soup& soup = tracing_.soup;
-  const auto upper = [&](std::uint32_t s) { return soup.dy(s) > 0 || (soup.dy(s) == 0 && soup.dx(s) > 0); };
+  const auto upper = [&](std::uint32_t s) { return half_plane(soup.dx(s), soup.dy(s)) == 0; };
   int turns = 0;
   std::uint32_t last = ring.back().segment;
   for (const BoundaryEdge& e : ring) {

@@ -2,6 +2,10 @@
 
 namespace dymsum::planar {
 
+bool makes_parallelograms(Semantics semantics, const Operand& p, const Operand& q) {
+  return semantics != Semantics::open && has_component_without_area(p) && has_component_without_area(q);
+}
+
 std::vector<WalkSegment> parallelogram_sides(const Lattice& lattice, const Operand& p, const Operand& q) {
   std::vector<WalkSegment> sides;
   for (const Component& cp : p.components)

@@ -3,10 +3,14 @@
 
 #include <vector>
 
+#include "dymsum/planar_sum.h"
 #include "planar/operand/lattice.h"
 #include "planar/operand/operand.h"
 
 namespace dymsum::planar {
+
+/// Whether there are any: in open sums they are none.
+bool makes_parallelograms(Semantics semantics, const Operand& p, const Operand& q);
 
 /// Two sides of the parallelogram of every pair of edges of two components without area that turns left; as polylines
 /// are walked there and back, those of the backward edges close it, counter-clockwise. O(n m) for n and m such edges.

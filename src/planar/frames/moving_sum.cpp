@@ -1,21 +1,14 @@
 #include "planar/frames/moving_sum.h"
 
 #include <algorithm>
-#include <chrono>
 
+#include "base/stopwatch.h"
 #include "planar/sum/placed_sum.h"
 
 namespace dymsum::planar {
-namespace {
-
-double now_ms() {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-}  // namespace
 
 Result<FrameChanges> MovingSum::move(const Move& move) {
-  const double begin = now_ms();
+  const Stopwatch watch;
   FrameWork next_work;
   const Result<bool> in_window = open_window(move, next_work);
   if (!in_window) return in_window.error();
@@ -28,7 +21,7 @@ Result<FrameChanges> MovingSum::move(const Move& move) {
     next = std::move(rebuilt).value();
   }
   FrameChanges changes = take(*std::move(next), move);
-  next_work.ms = now_ms() - begin;
+  next_work.ms = watch.ms();
   charge(next_work);
   work = next_work;
   return changes;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "planar/mask/grid.h"
@@ -90,6 +91,43 @@ class CentreWindings {
  private:
   const Grid& cells_;
   std::vector<int> change_;
+};
+
+/// A raster in the making, edge by edge; which cells an edge touches, and which are boundary cells, is told by who
+/// makes it. Centres: CentreWindings or CentreParities.
+template <class Centres>
+class RasterMaker {
+ public:
+  explicit RasterMaker(const Grid& cells)
+      : cells_(cells), raster_(cells.rows, cells.columns), boundary_(cells.rows, cells.columns), centres_(cells) {}
+
+  void touch(int row, int first, int last) { raster_.touch.set_run(row, first, last); }
+  /// The cells that an edge comes into.
+  void touch_edge(double ax, double ay, double bx, double by) {
+    for_each_cell_run(cells_, ax, ay, bx, by, [&](int r, int first, int last) { touch(r, first, last); });
+  }
+  void bound(int row, int first, int last) { boundary_.set_run(row, first, last); }
+  /// The cells within `rim` cells of an edge.
+  void bound_edge(double ax, double ay, double bx, double by, double rim) {
+    for_each_cell_run(
+        cells_, ax, ay, bx, by, [&](int r, int first, int last) { bound(r, first, last); }, rim);
+  }
+  /// What lies on the left of an edge counts once more.
+  void wind_edge(double ax, double ay, double bx, double by) { centres_.add_edge(ax, ay, bx, by); }
+
+  Bitmap& touched() { return raster_.touch; }
+  /// Nothing is inner where there is no area.
+  Raster with_area() && {
+    centres_.fill(boundary_, raster_);
+    return std::move(raster_);
+  }
+  Raster without_area() && { return std::move(raster_); }
+
+ private:
+  const Grid& cells_;
+  Raster raster_;
+  Bitmap boundary_;
+  Centres centres_;
 };
 
 /// Corners (i, j), between columns i - 1 and i and rows j - 1 and j, whose four cells are inner.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 namespace dymsum::planar {
@@ -15,6 +16,12 @@ struct Grid {
   int column(double x) const { return std::clamp(static_cast<int>(x * per_cell), 0, columns - 1); }
   int row(double y) const { return std::clamp(static_cast<int>(y * per_cell), 0, rows - 1); }
 };
+
+/// Cells along the longer side of a sum for n segments: finer grids cost more in the mask than they save in pairs.
+inline int grid_size(std::size_t n) {
+  constexpr double kCellsPerRoot = 2;
+  return std::clamp(static_cast<int>(kCellsPerRoot * std::sqrt(static_cast<double>(n))), 8, 1024);
+}
 
 /// How far beyond a segment its cells are still visited, in cells. Doubles err by at most 2^-50 of the grid's extent,
 /// which is at most 2^-38 of a cell for up to 2^12 cells; interpolation along a segment of slope up to 2^12 keeps that

@@ -9,9 +9,7 @@ namespace {
 // With the centres' winding numbers or parities.
 template <class Centres>
 Raster rasterize(const Operand& o, const Grid& cells) {
-  Raster raster(cells.rows, cells.columns);
-  Bitmap boundary(cells.rows, cells.columns);
-  Centres centres(cells);
+  RasterMaker<Centres> maker(cells);
   const double rim = kRim * cells.cell;
   // Without clamps: coordinates are not negative, and the raster reaches farther than the operand by a cell.
   const auto cell = [&](double v) { return static_cast<int>(v * cells.per_cell); };
@@ -26,23 +24,20 @@ Raster rasterize(const Operand& o, const Grid& cells) {
       const int c0 = cell(std::min(ax, bx) - rim), c1 = cell(std::max(ax, bx) + rim);
       if (r1 - r0 <= 1 && c1 - c0 <= 1) {
         // Most edges of fine operands: the cells of both ends, and for the boundary the whole box.
-        raster.touch.set(cell(ay), cell(ax));
-        raster.touch.set(cell(by), cell(bx));
+        maker.touched().set(cell(ay), cell(ax));
+        maker.touched().set(cell(by), cell(bx));
         if (!area) continue;
-        boundary.set_run(r0, c0, c1);
-        if (r1 != r0) boundary.set_run(r1, c0, c1);
+        maker.bound(r0, c0, c1);
+        if (r1 != r0) maker.bound(r1, c0, c1);
       } else {
-        for_each_cell_run(cells, ax, ay, bx, by,
-                          [&](int r, int first, int last) { raster.touch.set_run(r, first, last); });
+        maker.touch_edge(ax, ay, bx, by);
         if (!area) continue;
-        for_each_cell_run(
-            cells, ax, ay, bx, by, [&](int r, int first, int last) { boundary.set_run(r, first, last); }, kRim);
+        maker.bound_edge(ax, ay, bx, by, kRim);
       }
-      centres.add_edge(ax, ay, bx, by);
+      maker.wind_edge(ax, ay, bx, by);
     }
   }
-  if (has_area) centres.fill(boundary, raster);
-  return raster;
+  return has_area ? std::move(maker).with_area() : std::move(maker).without_area();
 }
 
 CoveredCells covered_cells_of(const Operand& p, const Operand& q, int cells) {

@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "base/scratch.h"
-#include "planar/operand/edge_bounds.h"
+#include "planar/operand/sum_bounds.h"
 #include "planar/operand/operand.h"
 #include "planar/operand/own_edges.h"
 

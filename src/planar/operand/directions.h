@@ -25,10 +25,13 @@ struct DirectionList {
 };
 inline constexpr std::uint32_t kNoRank = 0xffffffff;
 
+/// 0 for directions in [0, pi), 1 for the others.
+inline int half_plane(double x, double y) { return y > 0 || (y == 0 && x > 0) ? 0 : 1; }
+
 /// Monotone in the angle, in [0, 4].
 inline double pseudo_angle(double x, double y) {
   const double c = x / (std::abs(x) + std::abs(y));
-  return y > 0 || (y == 0 && x > 0) ? 1 - c : 3 + c;
+  return half_plane(x, y) == 0 ? 1 - c : 3 + c;
 }
 /// Of the pseudo-angle of a vector whose components carry three roundings each, of a scaled one: a change of x by d of
 /// itself changes x / (|x| + |y|) by |x y| / (|x| + |y|)^2 d <= d / 4, so components make 2 * 3 / 4, sum and quotient

@@ -10,7 +10,7 @@
 #include "exact/grid.h"
 #include "exact/int.h"
 #include "exact/integer_pair.h"
-#include "planar/operand/edge_bounds.h"
+#include "planar/operand/sum_bounds.h"
 #include "planar/operand/lattice_build.h"
 #include "planar/position/position_signs.h"
 
@@ -376,53 +376,13 @@ Lattice::Position Lattice::position(const Place& x) const { return reduced(homog
 
 Lattice::Position Lattice::position(Pair v) const { return reduced(homogeneous(v)); }
 
-namespace {
-
-// Of a scaled offset.
-constexpr double kScaledBase = exact::rounding_bound(2, 4);
-
-// The sum of both offsets in input coordinates, and how it errs.
-void add_offsets(LatticeDoubles& lattice, const std::optional<LatticeScale>& scale) {
-  for (std::uint32_t op = 0; op < 2; ++op) {
-    const PlacedPoints& o = *lattice.points[op];
-    const bool scaled = scale && op == scale->op;
-    const Point at = scaled && o.turned != nullptr ? turned_offset(o, *scale, lattice.grid_exponent)
-                                                   : Point{o.offset.x * o.stretch.x, o.offset.y * o.stretch.y};
-    lattice.base.x += at.x;
-    lattice.base.y += at.y;
-    lattice.base_reach += std::abs(at.x) + std::abs(at.y);
-    // The factor and the product are rounded.
-    if (scaled) lattice.base_error = kScaledBase * (std::abs(at.x) + std::abs(at.y));
-  }
-}
-
-}  // namespace
-
 std::shared_ptr<const Lattice> build_lattice(LatticePoints points, std::optional<LatticeScale> scale,
                                              int min_tier_bits) {
-  const auto& [placed, exponent, unit, bits, integers] = points;
-  const exact::Tier tier = exact::choose_tier(bits, min_tier_bits);
-  const bool dyadic = !scale || (scale->den & (scale->den - 1)) == 0;
-  const double den = scale ? exact::round_to_double(BigRational(scale->den)) : 1;
-  const bool turned = scale && placed[scale->op]->turned != nullptr;
-  // The integers as doubles, over a power of two where the denominator is one: of at most 53 bits, no step of making
-  // them was rounded.
-  const int shift = unit - exponent + (scale && dyadic ? static_cast<int>(msb(scale->den)) : 0);
-  const double per_double = bits <= 53 && dyadic && !turned && std::abs(shift) <= 1000 ? power_of_two(shift) : 0;
-  LatticeDoubles doubles;
+  const exact::Tier tier = exact::choose_tier(points.bits, min_tier_bits);
+  const double per_double = integers_per_double(points, scale);
+  LatticeDoubles doubles = lattice_doubles(points, scale);
   doubles.tier_bits = static_cast<int>(tier);
-  // Sides have at most 2 B + 4 bits; doubles hold 53. A power of two below scaled coordinates changes nothing.
-  doubles.exact_doubles = bits <= 24 && dyadic;
   if (tier == exact::Tier::b29) doubles.to_integers = per_double;
-  doubles.points = placed;
-  doubles.integers = integers;
-  doubles.unit = power_of_two(unit);
-  doubles.grid_exponent = exponent;
-  doubles.integers_per_unit = den == 1 ? power_of_two(unit - exponent) : std::ldexp(den, unit - exponent);
-  for (const auto& o : placed) doubles.span += std::max(o->width, o->height);
-  add_offsets(doubles, scale);
-  doubles.exact_input = doubles.exact_doubles && !scale &&
-                        doubles.span * doubles.unit + doubles.base_reach <= power_of_two(std::min(exponent + 50, 1000));
   switch (tier) {
     case exact::Tier::b29:
       return std::make_shared<LatticeOf<exact::Int<29>>>(std::move(doubles), per_double, std::move(scale));
@@ -434,55 +394,6 @@ std::shared_ptr<const Lattice> build_lattice(LatticePoints points, std::optional
       break;
   }
   return std::make_shared<LatticeOf<Big>>(std::move(doubles), per_double, std::move(scale));
-}
-
-std::shared_ptr<const Lattice> make_lattice(std::shared_ptr<const PlacedPoints> p,
-                                            std::shared_ptr<const PlacedPoints> q, int min_tier_bits, Further further) {
-  std::array<std::shared_ptr<const PlacedPoints>, 2> points{std::move(p), std::move(q)};
-  // All-zero coordinates are on every grid.
-  const auto no_grid = [](const PlacedPoints& o) { return o.extent == 0 && o.offset == Point{}; };
-  const int exponent = no_grid(*points[0])   ? points[1]->exponent
-                       : no_grid(*points[1]) ? points[0]->exponent
-                                             : std::min(points[0]->exponent, points[1]->exponent);
-  const int bits = std::max(points[0]->bits(exponent), points[1]->bits(exponent));
-  const int unit = points[0]->moderate() && points[1]->moderate()
-                       ? 0
-                       : unit_for(std::max(points[0]->extent, points[1]->extent), exponent, bits);
-  for (auto& o : points) {
-    if (o->unit == unit) continue;
-    auto moved = std::make_shared<PlacedPoints>(*o);
-    place_in_units(*moved, unit);
-    o = std::move(moved);
-  }
-  return build_lattice({std::move(points), exponent, unit, bits,
-                        further == Further::lattices ? std::make_shared<SharedIntegers>() : nullptr},
-                       std::nullopt, min_tier_bits);
-}
-
-namespace {
-
-// num / den for positive integers, rounded once: where both are doubles, their division is.
-double quotient(const exact::BigInteger& num, const exact::BigInteger& den) {
-  if (msb(num) >= 53 || msb(den) >= 53) return exact::round_to_double(BigRational(num, den));
-  return static_cast<double>(static_cast<std::uint64_t>(num)) / static_cast<double>(static_cast<std::uint64_t>(den));
-}
-
-}  // namespace
-
-std::shared_ptr<const Lattice> make_scaled_lattice(const Lattice& unscaled, const LatticeScale& scale,
-                                                   int min_tier_bits) {
-  const int exponent = unscaled.grid_exponent, unit = unscaled.points[0]->unit;
-  std::array<std::shared_ptr<const PlacedPoints>, 2> points = unscaled.points;
-  int bits = 0;
-  for (std::uint32_t op = 0; op < 2; ++op)
-    bits = std::max(
-        bits, points[op]->bits(exponent) +
-                  (op == scale.op ? std::max(factor_bits(scale.x), factor_bits(scale.y)) : factor_bits(scale.den)));
-  auto stretched = std::make_shared<PlacedPoints>(*points[scale.op]);
-  stretched->stretch = {quotient(scale.x, scale.den), quotient(scale.y, scale.den)};
-  place_in_units(*stretched, unit);
-  points[scale.op] = std::move(stretched);
-  return build_lattice({std::move(points), exponent, unit, bits, unscaled.integers}, scale, min_tier_bits);
 }
 
 }  // namespace dymsum::planar

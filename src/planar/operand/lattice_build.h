@@ -38,6 +38,10 @@ struct LatticePoints {
   int grid_exponent = 0, unit = 0, bits = 0;
   std::shared_ptr<SharedIntegers> integers;  ///< see LatticeDoubles
 };
+/// How many integers make a unit of the doubles, where these are exact; else 0.
+double integers_per_double(const LatticePoints& points, const std::optional<LatticeScale>& scale);
+/// All but the tier.
+LatticeDoubles lattice_doubles(const LatticePoints& points, const std::optional<LatticeScale>& scale);
 std::shared_ptr<const Lattice> build_lattice(LatticePoints points, std::optional<LatticeScale> scale,
                                              int min_tier_bits);
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "base/scratch.h"
-#include "planar/operand/edge_bounds.h"
+#include "planar/operand/sum_bounds.h"
 #include "planar/operand/own_edges.h"
 
 namespace dymsum::planar {

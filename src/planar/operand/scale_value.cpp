@@ -44,7 +44,9 @@ Result<BigRational> checked_step(BigRational v, const std::string& text) {
 
 Result<Scale> Scale::of(double value) {
   if (!std::isfinite(value)) return Error{ErrorCode::not_finite, "a scale has to be a finite number", {}};
-  if (!(value >= 0x1p-64 && value <= 0x1p64)) return checked(exact::exact_value(value), std::to_string(value)).error();
+  constexpr double kLimit = 0x1p64;  // of within_limits
+  if (!(value >= 1 / kLimit && value <= kLimit))
+    return checked(exact::exact_value(value), std::to_string(value)).error();
   Scale s;
   if (value * 0x1p30 == std::floor(value * 0x1p30) && value < 0x1p30) {
     // A small dyadic fraction, as sweeps use them: lowest terms by hand.
@@ -128,7 +130,8 @@ exact::BigRational simple_between(const BigRational& a, const BigRational& b) {
   // The first power of two 2^k that fits twice between them has a multiple strictly inside; smaller k are tried first.
   const BigRational width = b - a;
   const double w = exact::round_to_double(width);
-  int k = w > 0x1p-1000 ? static_cast<int>(std::floor(-std::log2(w))) - 1 : 0;
+  constexpr double kLeast = 0x1p-1000;  // below, all k are tried
+  int k = w > kLeast ? static_cast<int>(std::floor(-std::log2(w))) - 1 : 0;
   for (;; ++k) {
     const BigInteger one = BigInteger(1) << static_cast<unsigned>(std::abs(k));
     const BigRational scaled = k >= 0 ? BigRational(a * one) : BigRational(a / one);

@@ -1,4 +1,5 @@
-// What the doubles of sums of vertices lose: bounds of soups, arrangements and collisions, where both operands rest.
+// What the doubles of edge vectors and of sums of vertices lose: bounds of soups, arrangements and collisions, where
+// both operands rest.
 //
 // In units u of roundoff, with L = |edge vector|_1 and S the span. A coordinate of a vertex carries 1 rounding, of a
 // scaled or turned operand 3: its own, the factor's and the product's.
@@ -9,9 +10,17 @@
 //           by is weighted with 1 - t and t, so t errs by what one side does over |n - m|.
 #pragma once
 
-#include "planar/operand/edge_bounds.h"
+#include "exact/rounding_bound.h"
 
 namespace dymsum::planar {
+
+/// Of x y' - y x' for vectors whose components carry one rounding each, times |x y'| + |y x'|: two of the factors, the
+/// product and the difference.
+inline constexpr double kEdgeCross = exact::rounding_bound(4, 8);
+/// The same for those of a scaled or turned operand, which carry three each.
+inline constexpr double kScaledEdgeCross = exact::rounding_bound(8, 16);
+/// Of the difference of two such components, times the sum of both.
+inline constexpr double kScaledEdgeGap = exact::rounding_bound(4, 8);
 
 /// Of the sum of two vertices, each coordinate, times the span.
 // No slack is needed. With a vertex x and its factor s in [1, 2), and their product rounded to p in [1, 2), the
@@ -26,18 +35,32 @@ inline constexpr double kSumBox = exact::rounding_bound(3 + 1 + 3, 16);
 /// The same for a vertex's height over a place: the sum of two vertices, and the difference.
 inline constexpr double kSumHeight = exact::rounding_bound(4 + 1, 8);
 
-/// Of a share of a crossing: times side error / |d x e|. Sides are taken for at least half a side error, so they err by
-/// 3/2 of one; n - m differs from d x e by 3 of them, and d x e by 1. |d x e| is more than 8 where the share says
-/// anything, so n - m is at least half of it.
+/// Sides whose signs are known otherwise are taken for at least this share of a side error.
+inline constexpr double kLeastSide = 0.5;
+/// Of a share of a crossing: times side error / |d x e|. Sides err by 3/2 of one, as they are taken for kLeastSide at
+/// least; n - m differs from d x e by 3 of them, and d x e by 1. |d x e| is more than 8 where the share says anything,
+/// so n - m is at least half of it.
 inline constexpr double kCrossingShares = 8;
-static_assert(1.5 / (1 - (3 + 1) / kCrossingShares) <= kCrossingShares);
-/// The same of a vertex on a segment, times point error / max(|dx|, |dy|): two points, and what the vector errs by.
+static_assert((1 + kLeastSide) / (1 - (2 * (1 + kLeastSide) + 1) / kCrossingShares) <= kCrossingShares);
+/// The same of a vertex on a segment, times point error / max(|dx|, |dy|): two points, and what the vector errs by;
+/// kept as a float.
 inline constexpr double kTouchShares = 4;
+static_assert(3 <= kTouchShares * (1 - exact::kFloatRoundoff));
 /// Besides, absolutely: the difference, the quotient and what is made of shares up to 1 by three operations.
 inline constexpr double kShareRoundings = exact::rounding_bound(5, 8);
+/// Of the weight w of a mediant, times what both denominators err by, as shares of themselves: w errs by at most
+/// w (1 - w) (r + s) / (1 - r - s) <= (r + s) / 2 where r + s <= 1/2, and by less than 1 anywhere.
+inline constexpr double kMediantShares = 2;
+static_assert(kMediantShares * 0.5 >= 1);
 
 /// Of start + t d beside the errors of the start and of t: product and sum, times |d| and the span. What d is rounded
 /// by is less than another error of a point, which is counted with the start.
 inline constexpr double kStepLength = exact::rounding_bound(1, 4), kStepSum = exact::rounding_bound(1, 2);
+/// Of a position rounded from the exact one relative to a pair of vertices, times the span: the difference, two
+/// vertices of three roundings each and two sums.
+inline constexpr double kRoundedPlace = exact::rounding_bound(9, 32);
+
+/// Positions that are known worse than this, times the span, are rounded from the exact ones. Any value is right.
+inline constexpr double kPoorPosition = 0x1p-38;
 
 }  // namespace dymsum::planar

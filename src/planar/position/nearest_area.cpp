@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <stdexcept>
 #include <vector>
@@ -35,8 +36,8 @@ BigRational exact_value(DoublePair v) { return exact::exact_value(v.high) + exac
 
 /// Twice the area in pairs of doubles, with its error. The cross product of positions a and b that err by e and f errs
 /// by (|ax| + |ay|) f + (|bx| + |by|) e + 2 e f, and each of its operations by kPairError of its result, or less
-/// than kUnderflow where that underflows. The error is added up in doubles, hence the factor in the end: a rounding for
-/// each of at most 2^32 vertices.
+/// than kUnderflow where that underflows. The error is added up in doubles, hence the factor in the end: fewer than
+/// 16 roundings for each of at most 2^32 vertices.
 class PairSum {
  public:
   explicit PairSum(const ExactSource& source) : source_(source) {}
@@ -57,6 +58,7 @@ class PairSum {
 
  private:
   static constexpr double kAddedUp = 1 + 0x1p-10;
+  static_assert((std::uint64_t{1} << 32) * 16 * exact::kRoundoff < (kAddedUp - 1) / 2);
 
   void add(const ExactSource::NearPosition& a, const ExactSource::NearPosition& b) {
     const DoublePair left = a.x * b.y, right = b.x * a.y;

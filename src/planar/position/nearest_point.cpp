@@ -20,6 +20,8 @@ DoublePair pair_of(const exact::BigRational& v) {
 constexpr double kMoved = 4 * base::kPairError;
 /// Error terms below may underflow, sums above overflow.
 constexpr double kLeast = 0x1p-800, kMost = 0x1p1000;
+/// Of a unit: beyond, it or its product with the integers could lose error terms.
+constexpr double kLeastUnit = 0x1p-500, kMostUnit = 0x1p500;
 
 /// The double nearest to origin + unit v, |v - exact| <= error, if this is sure. Rounding is monotone, so where both
 /// ends of what is possible round to one double, all of it does; twice as much covers the roundings of these ends.
@@ -36,8 +38,7 @@ std::optional<double> nearest(DoublePair origin, DoublePair unit, DoublePair v, 
 
 NearestPoint::NearestPoint(const ExactSource& source) : source_(source) {
   if (const auto frame = source.near_frame()) frame_ = {pair_of(frame->unit), pair_of(frame->x), pair_of(frame->y)};
-  // Not where the unit or its product with the integers could lose error terms.
-  if (frame_ && !(frame_->unit.high > 0x1p-500 && frame_->unit.high < 0x1p500)) frame_.reset();
+  if (frame_ && !(frame_->unit.high > kLeastUnit && frame_->unit.high < kMostUnit)) frame_.reset();
 }
 
 Point NearestPoint::operator()(const SumVertex& vertex) const {

@@ -93,18 +93,18 @@ int compare(const Spot& a, const Spot& b) {
 // Let u = 2^-53 and X the largest |x|. Each nearest x errs by at most u X (normal range), so a difference of two errs
 // by at most 2 u X, plus u |difference| <= 2 u X for its own rounding: ex = 4 u X. With ey alike, the products err by
 // at most ex (|qy| + |ry|) + ey (|qx| + |rx|) + 2 ex ey, and rounding adds 3 u (|qx ry| + |qy rx|). All is doubled to
-// cover the rounding of the bound itself. kTiny covers coordinates rounded to subnormals, kSmallest products that
+// cover the rounding of the bound itself. kSubnormal covers coordinates rounded to subnormals, kUnderflow products that
 // underflow. Infinite or NaN values fail the last comparison.
 int orientation_filtered(Point a, Point b, Point c) {
-  constexpr double u = exact::kRoundoff, kTiny = 0x1p-1070, kSmallest = 0x1p-400;
-  const double ex = 4 * u * std::max({std::fabs(a.x), std::fabs(b.x), std::fabs(c.x)}) + kTiny;
-  const double ey = 4 * u * std::max({std::fabs(a.y), std::fabs(b.y), std::fabs(c.y)}) + kTiny;
+  constexpr double u = exact::kRoundoff;
+  const double ex = 4 * u * std::max({std::fabs(a.x), std::fabs(b.x), std::fabs(c.x)}) + exact::kSubnormal;
+  const double ey = 4 * u * std::max({std::fabs(a.y), std::fabs(b.y), std::fabs(c.y)}) + exact::kSubnormal;
   const double qx = b.x - a.x, qy = b.y - a.y, rx = c.x - a.x, ry = c.y - a.y;
   const double left = qx * ry, right = qy * rx;
   const double bound = 2 * (ex * (std::fabs(qy) + std::fabs(ry)) + ey * (std::fabs(qx) + std::fabs(rx)) + 2 * ex * ey +
                             3 * u * (std::fabs(left) + std::fabs(right)));
   const double det = left - right;
-  if (!(std::fabs(det) > bound + kSmallest)) return 0;
+  if (!(std::fabs(det) > bound + exact::kUnderflow)) return 0;
   return det > 0 ? 1 : -1;
 }
 

@@ -7,13 +7,18 @@
 #include <stdexcept>
 #include <vector>
 
+#include "exact/rounding_bound.h"
 #include "planar/position/position_signs.h"
 
 namespace dymsum::planar {
 
 namespace {
 
-constexpr double kUnit = std::numeric_limits<double>::epsilon() / 2;
+/// Of a point on an edge, times the largest coordinate: two products and their sum, whose shares add up to 1.
+constexpr double kOnEdge = exact::rounding_bound(2, 4);
+/// Of the side of a point, besides what differences of coordinates err by that come from positions, times the sum of
+/// both products: the roundings of two differences, of the product and of the difference of products.
+constexpr double kSide = exact::rounding_bound(4, 8);
 
 enum class Side { inside, outside, unsure };
 
@@ -23,17 +28,19 @@ struct RoughPoint {
 };
 
 /// A point on the edge from a to b, near 7/16 of the way: off the middle, where symmetric shapes tend to touch. Each
-/// coordinate of 9/16 a + 7/16 b inherits at most at_error, and three roundings.
+/// coordinate of 9/16 a + 7/16 b inherits at most at_error.
 RoughPoint point_on_edge(const SumVertex& a, const SumVertex& b, double at_error) {
   const double x = 0.5625 * a.at.x + 0.4375 * b.at.x, y = 0.5625 * a.at.y + 0.4375 * b.at.y;
   const double largest = std::max({std::fabs(a.at.x), std::fabs(a.at.y), std::fabs(b.at.x), std::fabs(b.at.y)});
-  return {x, y, at_error + 4 * kUnit * largest + std::numeric_limits<double>::min()};
+  return {x, y, at_error + kOnEdge * largest + exact::kUnderflow};
 }
 
 /// Parity of the ring's edges that cross the ray from q to the right, or unsure where an error bound does not decide.
-/// Every difference of coordinates errs by at most `error` plus its own rounding, which the factor two covers.
+/// Every difference of coordinates errs by at most `error`, outwards of what both positions err by, and its own
+/// rounding, which does not change its sign. With E that error, ax by - ay bx errs by at most E (|ax| + |ay| + |bx| +
+/// |by|) + 2 E^2 besides kSide.
 Side rough_side(const std::vector<SumVertex>& ring, const RoughPoint& q, double at_error) {
-  const double error = 1.0001 * (at_error + q.error);
+  const double error = (at_error + q.error) * exact::kOutwards;
   bool inside = false;
   for (std::size_t k = 0; k < ring.size(); ++k) {
     const Point a = ring[k].at, b = ring[k + 1 == ring.size() ? 0 : k + 1].at;
@@ -48,8 +55,8 @@ Side rough_side(const std::vector<SumVertex>& ring, const RoughPoint& q, double 
     }
     const double left = ax * by, right = ay * bx, det = left - right;
     const double reach = std::fabs(ax) + std::fabs(ay) + std::fabs(bx) + std::fabs(by);
-    const double bound = 2 * (error * reach + 2 * error * error + 4 * kUnit * (std::fabs(left) + std::fabs(right))) +
-                         std::numeric_limits<double>::min();
+    const double bound = (error * reach + 2 * error * error) * exact::kOutwards +
+                         kSide * (std::fabs(left) + std::fabs(right)) + exact::kUnderflow;
     if (!(std::fabs(det) > bound)) return Side::unsure;
     if ((det > 0) == (by > 0)) inside = !inside;  // q lies to the left of the edge taken upwards
   }

@@ -1,5 +1,6 @@
 #include "planar/result/sum_pieces.h"
 
+#include "planar/operand/contact_of.h"
 #include "planar/result/pieces.h"
 
 namespace dymsum::planar {
@@ -27,11 +28,11 @@ class Candidates {
 
  private:
   void add_edge_of_p(std::uint32_t e, std::uint32_t j) {
-    const Contact line{Contact::Kind::edge_of_p, p_.edge_number[e], q_.vertex_number[j]};
+    const Contact line = contact_of({0, e, j}, p_, q_);
     out_.segments.push_back({corner(e, j, line), corner(p_.next[e], j, line)});
   }
   void add_edge_of_q(std::uint32_t i, std::uint32_t f) {
-    const Contact line{Contact::Kind::edge_of_q, p_.vertex_number[i], q_.edge_number[f]};
+    const Contact line = contact_of({1, f, i}, p_, q_);
     out_.segments.push_back({corner(i, f, line), corner(i, q_.next[f], line)});
   }
   SumVertex corner(std::uint32_t i, std::uint32_t j, const Contact& line) const {

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "planar/operand/contact_of.h"
 #include "planar/position/position_signs.h"
 
 namespace dymsum::planar {
@@ -78,8 +79,7 @@ Contact SumSource::contact_at(const Contact& first, const Contact& last, const P
       for (std::uint32_t v = 0; v < other.size(); ++v) {
         const Segment s{o.edge(e), other.source[v]};
         if (lattice_->side(line, start_of(s)) != 0) continue;
-        const Contact c = op == 0 ? Contact{Contact::Kind::edge_of_p, o.edge_number[e], other.vertex_number[v]}
-                                  : Contact{Contact::Kind::edge_of_q, other.vertex_number[v], o.edge_number[e]};
+        const Contact c = contact_of({op, e, v}, *operands_[0], *operands_[1]);
         if (c.p != SumVertex::kNone && c.q != SumVertex::kNone && on_segment(s, at)) return c;
       }
     }

@@ -6,14 +6,10 @@
 namespace dymsum::planar {
 namespace {
 
-/// Cross products up to this, times both |.|_1, are not divided by: kCrossingSlack needs them known to 56 of 256 units.
-constexpr double kCrossKnown = exact::rounding_bound(56, 256);
-/// Edges whose cross product is less are looked at exactly.
-constexpr double kNearlyStraight = 0x1p-40;
-static_assert(kNearlyStraight > kTurnedCross);
+/// Edges whose cross product is less are looked at exactly: any value is right beyond what it errs by.
+constexpr double kNearlyStraight = 64 * kTurnedCross;
 
-// The conversion and the product lose 2^-24 each.
-float rounded_up(double error) { return static_cast<float>(error) * (1 + 0x1p-20f); }
+float rounded_up(double error) { return static_cast<float>(error) * exact::kFloatOutwards; }
 
 }  // namespace
 
@@ -257,9 +253,9 @@ bool RotatingFrame::find_plain_cycles() {
   return sure_;
 }
 
-// 0 for directions in [0, pi), 1 for the others; sets sure_ to false where doubles do not tell.
+// Sets sure_ to false where doubles do not tell.
 int RotatingFrame::half(const TurnSegment& s, Point d) {
-  if (s.side == 0) return d.y > 0 || (d.y == 0 && d.x > 0) ? 0 : 1;  // rounded once from exact differences
+  if (s.side == 0) return half_plane(d.x, d.y);  // rounded once from exact differences
   if (std::abs(d.y) <= kTurnedDirection * s.length1) sure_ = false;
   return d.y > 0 ? 0 : 1;
 }

@@ -6,10 +6,6 @@
 namespace dymsum::planar {
 namespace {
 
-// A coordinate difference between the operands errs by at most this times the span: the position by twice
-// RotatingFrame::point_error, a turned vertex by once, differences by roundings. Edge vectors err by kTurnedDirection,
-// 19 L, so a side errs by less than twice this times |vector|_1.
-constexpr double kOff = exact::rounding_bound(2 * 32 + 32 + 4, 256);
 constexpr std::size_t kMostPairs = 1 << 16;  // trees of exact boxes are better beyond
 
 }  // namespace
@@ -23,7 +19,7 @@ RotatingOverlap::Box RotatingOverlap::box_of(const std::vector<Point>& points) {
 
 void RotatingOverlap::collect(const Operand& o, const std::vector<Point>& points, const std::vector<Point>& vectors,
                               const Box& box, std::vector<Edge>& edges) const {
-  const double off = kOff * forms_.span();
+  const double off = kOverlapPlace * forms_.span();
   edges.clear();
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     const Point a = points[i], b = points[o.next[i]];
@@ -65,7 +61,7 @@ RotatingOverlap::Result RotatingOverlap::right_of(const RotatingFrame& frame, co
   };
   // Of two ends against a line: on one side of it certainly (1), certainly on both sides (-1), or not told.
   const auto sides = [&](const Edge& line, const Edge& e) {
-    const double bound = (std::abs(line.dx) + std::abs(line.dy)) * 2 * kOff * forms_.span();
+    const double bound = (std::abs(line.dx) + std::abs(line.dy)) * kOverlapSide * forms_.span();
     const double u = line.dx * (e.ay - line.ay) - line.dy * (e.ax - line.ax),
                  v = line.dx * (e.by - line.ay) - line.dy * (e.bx - line.ax);
     if (!(std::abs(u) > bound) || !(std::abs(v) > bound)) return 0;

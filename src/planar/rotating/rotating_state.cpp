@@ -18,9 +18,6 @@ namespace {
 // others slower.
 constexpr double kLate = 0.5;
 
-/// Of two doubles of angles and their difference; a window's ends are left that much early.
-constexpr double kAngleGap = exact::rounding_bound(2 * 12 + 4, 512);
-
 constexpr double kMaskFrom = 100;    // segments from which a mask pays
 constexpr double kCellsSwept = 1.1;  // a cell is so many times as wide as vertices move from the middle of a window
 // Beyond a sweep either way of this share of the extent, divided by the root of the number of segments, pairs that may
@@ -152,9 +149,9 @@ Result<FrameChanges> RotatingSum::State::move_to(const Orientation& theta) {
   to.windows = forms_ != nullptr;
   const double angle = moving_angle(theta);
   to.step = std::remainder(angle - moving_angle(orientation), kTurn);
-  // Doubles of angles err.
-  to.inside = frames_ != nullptr &&
-              std::abs(std::remainder(angle - frames_->window.middle, kTurn)) <= frames_->window.half - kAngleGap;
+  // Doubles of angles err, so a window's ends are left a little early.
+  to.inside = frames_ != nullptr && std::abs(std::remainder(angle - frames_->window.middle, kTurn)) <=
+                                        frames_->window.half - kAngleDifference;
   to.widest = to.windows ? widest_window() : 0;
   to.asked = options.window;
   Result<FrameChanges> changes = move(to);

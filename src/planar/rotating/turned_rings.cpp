@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planar/operand/contact_of.h"
+
 namespace dymsum::planar {
 namespace {
 
-/// Turning (x, y) mixes errors of both coordinates: by |cos| + |sin| <= sqrt(2).
-constexpr double kMixed = 1.5;
-/// Of the rest of turning a position back, times the span: cos and sin, sqrt(2) 16, and six operations; and of turning
-/// the offsets, whose sums carry 2.
-constexpr double kTurnedBack = exact::rounding_bound(23 + 9, 128), kTurnedOffset = exact::rounding_bound(23 + 9, 64);
 /// Positions that are known worse than this, times the span, make the frame be computed from scratch. Any value is
 /// right.
 constexpr double kPoor = 0x1p-36;
@@ -29,11 +26,8 @@ const TurnedRings::Names& TurnedRings::names(std::uint32_t segment) {
   Names& names = names_[segment];
   if (names.contact.p != kNone) return names;
   const TurnSegment& s = window_.segments[segment];
-  const Operand &fixed = forms_.operand(0), &moving = forms_.operand(1), &o = s.side == 0 ? fixed : moving,
-                &other = s.side == 0 ? moving : fixed;
-  const std::uint32_t edge = o.edge_number[s.edge], at = other.vertex_number[s.vertex];
-  const bool of_p = (s.side == 0) != swapped_;
-  names.contact = of_p ? Contact{Contact::Kind::edge_of_p, edge, at} : Contact{Contact::Kind::edge_of_q, at, edge};
+  const Operand &fixed = forms_.operand(0), &moving = forms_.operand(1);
+  names.contact = swapped_ ? contact_of({1 - s.side, s.edge, s.vertex}, moving, fixed) : contact_of(s, fixed, moving);
   names.corner_p = fixed.vertex_number[s.end.p];
   names.corner_q = moving.vertex_number[s.end.q];
   if (swapped_) std::swap(names.corner_p, names.corner_q);

@@ -31,10 +31,9 @@ bool FrameLoops::update(double tau, ExactFrame& frame, bool whole, FrameWork& wo
   for (std::size_t i = fresh; i < loops_.size(); ++i) look_.push_back(inherit(loops_[i], tau));
   verify(tau, frame, work);
   name_rings();
-  count_visits(whole);
+  count_kept(whole);
   for (FrameLoop& loop : gone_) spare_.push_back(std::move(loop.steps));
-  find_doubtful(whole, tau);
-  const bool plain = nodes_are_plain(tau, frame, work);
+  const bool plain = nodes_.are_plain(whole, tau, last_tau_, frame, work);
   last_tau_ = tau;
   return plain;
 }
@@ -49,8 +48,7 @@ void FrameLoops::begin() {
     crossing_vertex_.resize(window.candidates.size(), kNone);
     end_vertex_.resize(window.pieces.size(), kNone);
     node_vertex_.resize(window.rays.size(), kNone);
-    nodes_.assign(window.nodes.size(), {});
-    visited_.assign(window.nodes.size(), 0);
+    nodes_.reset();
     walk_ = 0;
   }
   copied_ = 0;
@@ -250,84 +248,15 @@ void FrameLoops::verify(double tau, ExactFrame& frame, FrameWork& work) {
   }
 }
 
-// Whether nothing on its piece passed a touch at any scale since the last frame.
-bool FrameLoops::quiet(std::uint32_t touch, double tau) const {
-  const Window& window = lists_.window();
-  const PersistentTouch& v = window.touches[touch];
-  const double low = std::min(tau, last_tau_), high = std::max(tau, last_tau_);
-  if (!(v.in_low < low && v.in_high > high)) return false;
-  for (const PieceLists::Entry& e : lists_.entries(v.piece)) {
-    if (e.id == (touch | kTouchBit) || e.out_high <= low || e.out_low >= high) continue;
-    const double apart = v.error + e.error + kShareGap * std::max(1.0, high), u = std::max(low, e.out_low),
-                 w = std::min(high, e.out_high);
-    const double gap_u = e.t.at(u) - v.t.at(u), gap_w = e.t.at(w) - v.t.at(w);
-    if (!(gap_u > apart && gap_w > apart) && !(gap_u < -apart && gap_w < -apart)) return false;
-  }
-  return true;
-}
-
 // Kept loops that came or went count at the nodes they pass.
-void FrameLoops::count_visits(bool whole) {
-  doubtful_.clear();
-  if (whole) {
-    std::fill(visited_.begin(), visited_.end(), 0);
-    crowded_ = 0;
-  }
+void FrameLoops::count_kept(bool whole) {
+  nodes_.begin(whole);
   for (const FrameLoop& loop : gone_)
-    if (loop.counted) visit(loop, false);
+    if (loop.counted) nodes_.count(loop.steps, false);
   for (FrameLoop& loop : loops_) {
-    if (loop.counted != loop.kept) visit(loop, loop.kept);
+    if (loop.counted != loop.kept) nodes_.count(loop.steps, loop.kept);
     loop.counted = loop.kept;
   }
-}
-
-void FrameLoops::visit(const FrameLoop& loop, bool comes) {
-  for (const LoopStep& s : loop.steps) {
-    if (s.node == kNone) continue;
-    std::uint32_t& visits = visited_[s.node];
-    if (comes) {
-      crowded_ += ++visits == 2;
-      continue;
-    }
-    crowded_ -= visits-- == 2;
-    if (visits == 0) doubtful_.push_back(s.node);
-  }
-}
-
-void FrameLoops::doubt(std::uint32_t node) {
-  nodes_[node].inside = false;
-  doubtful_.push_back(node);
-}
-
-// A node that lies in the open sum does so as long as nothing passes it on a piece it lies inside of: what could
-// uncover it would cross that piece there.
-void FrameLoops::find_doubtful(bool whole, double tau) {
-  const Window& window = lists_.window();
-  if (whole) {
-    for (std::uint32_t n = 0; n < window.nodes.size(); ++n) doubt(n);
-    return;
-  }
-  for (const std::uint32_t n : lists_.relinked()) doubt(n);
-  for (const std::uint32_t piece : lists_.looked_at()) {
-    for (std::uint32_t k = window.first_touch[piece]; k < window.first_touch[piece + 1]; ++k) {
-      const std::uint32_t n = window.touches[k].node;
-      if (nodes_[n].inside && lists_.active_touch(k) && !quiet(k, tau)) doubt(n);
-    }
-    for (const std::uint32_t ray : {window.head_ray[piece], window.tail_ray[piece]})
-      if (ray != kNone && window.nodes[window.node_of_ray[ray]].hands_on) doubt(window.node_of_ray[ray]);
-  }
-}
-
-// At every scale something touches in these nodes. The boundary passes those that it passes once; the others have to
-// lie in the open sum.
-bool FrameLoops::nodes_are_plain(double tau, ExactFrame& frame, FrameWork& work) {
-  if (crowded_ > 0) return false;
-  for (const std::uint32_t n : doubtful_) {
-    if (!lists_.active(n) || visited_[n] > 0 || nodes_[n].inside) continue;
-    if (!cover_.covers_node(n, nodes_[n].witness, tau, frame, work)) return false;
-    nodes_[n].inside = true;
-  }
-  return true;
 }
 
 void FrameLoops::follow(const std::vector<FrameLoop*>& kept, RingIdentities& identities, bool stays,

@@ -8,8 +8,7 @@
 #include <vector>
 
 #include "planar/frames/frame_rings.h"
-#include "planar/scaling/loop_cover.h"
-#include "planar/scaling/loop_places.h"
+#include "planar/scaling/loop_nodes.h"
 
 namespace dymsum::planar {
 
@@ -30,7 +29,7 @@ struct FrameLoop {
 
 class FrameLoops {
  public:
-  explicit FrameLoops(PieceLists& lists) : lists_(lists), places_(lists), cover_(lists) {}
+  explicit FrameLoops(PieceLists& lists) : lists_(lists), places_(lists), cover_(lists), nodes_(lists, cover_) {}
 
   /// After a repair without degeneracies. `whole`: nothing is known about earlier loops. False when the boundary passes
   /// a node twice or a node may be tight: then this frame is one for the vertex routine, and nothing is known
@@ -55,15 +54,10 @@ class FrameLoops {
   void carry_over(double tau, FrameWork& work);
   bool stays(FrameLoop& loop);
   Look inherit(FrameLoop& loop, double tau) const;
-  void count_visits(bool whole);
-  void visit(const FrameLoop& loop, bool comes);
-  void doubt(std::uint32_t node);
-  void find_doubtful(bool whole, double tau);
-  bool nodes_are_plain(double tau, ExactFrame& frame, FrameWork& work);
+  void count_kept(bool whole);
   std::size_t outer_loop(double tau) const;
   void verify(double tau, ExactFrame& frame, FrameWork& work);
   bool undisturbed(const LoopStep& edge, double tau) const;
-  bool quiet(std::uint32_t touch, double tau) const;
   void name_rings();
   Step step_of(const LoopStep& s) const { return {s.piece, s.edge - lists_.first_sub(s.piece)}; }
 
@@ -80,6 +74,7 @@ class FrameLoops {
   PieceLists& lists_;
   LoopPlaces places_;
   LoopCover cover_;
+  LoopNodes nodes_;
   std::vector<FrameLoop> loops_;
   std::vector<FrameLoop> gone_;  ///< taken apart by the current update
   std::vector<Look> look_;       ///< per loop
@@ -120,15 +115,7 @@ class FrameLoops {
   std::vector<std::pair<std::uint64_t, std::uint32_t>> ended_;  ///< rings: identity and count of vertices
   std::uint32_t walk_ = 0;
   std::uint64_t copied_ = 0;
-  struct NodeState {
-    bool inside = false;  ///< proved to lie in the open sum
-    std::optional<CrossingEdges> witness;
-  };
-  std::vector<NodeState> nodes_;
-  std::vector<std::uint32_t> visited_;   ///< node -> how often kept loops pass it
-  std::uint32_t crowded_ = 0;            ///< nodes that they pass twice or more
-  std::vector<std::uint32_t> doubtful_;  ///< nodes of which something changed in this frame
-  double last_tau_ = 0;                  ///< of the last update
+  double last_tau_ = 0;  ///< of the last update
   struct Trail {
     Step at;
     std::uint32_t stretch;  ///< that starts there, or kNone: a single sub-edge

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planar/operand/sum_bounds.h"
+
 namespace dymsum::planar {
 
 LoopPlaces::Cutting LoopPlaces::end_cut(Step s, bool at_end) const {
@@ -79,7 +81,8 @@ Place LoopPlaces::sample(const std::vector<LoopStep>& cycle, double tau, ExactFr
     relative = 1;
   }
   const double t = t0 + weight * (t1 - t0),
-               t_error = from.error + to.error + std::abs(t1 - t0) * 2 * relative + kShare * std::max(1.0, tau);
+               t_error =
+                   from.error + to.error + std::abs(t1 - t0) * kMediantShares * relative + kShare * std::max(1.0, tau);
   Place p;
   p.on = window.exact(segment);
   p.first = from.cut;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planar/operand/sum_bounds.h"
 #include "planar/position/vertex_order.h"
 
 namespace dymsum::planar {
@@ -20,10 +21,8 @@ struct ToInput {
     reach = (std::abs(scaled.x) + std::abs(scaled.y)) * s + std::abs(other.x) + std::abs(other.y);
   }
   Two operator()(const Two& at) const { return both(grow) * at * both(unit) + origin; }
-  // Times the span: evaluation (3), the blow-up and the last sum; times the offsets: the scale, products and sums.
   double error(double of_point) const {
-    constexpr double kKept = exact::rounding_bound(6, 16), kOffsets = exact::rounding_bound(5, 8);
-    return grow * (of_point + kKept * span) * unit * exact::kOutwards + kOffsets * reach;
+    return grow * (of_point + kKeptPosition * span) * unit * exact::kOutwards + kKeptOffsets * reach;
   }
   double span, grow = 1, unit = 1, reach = 0;
   Two origin{};
@@ -75,7 +74,7 @@ void LoopRings::lead(std::vector<std::uint32_t> leaders) {
 LoopRings::Rings LoopRings::at(double tau, const Window& window, const ExactFrame& frame, const ExactSource& source,
                                const std::function<SumRing()>& spare) {
   const ToInput to_input(window, frame);
-  const double poor = 0x1p-38 * window.span();
+  const double poor = kPoorPosition * window.span();
   const VertexOrder order(source, to_input.error(poor));
   const SumVertex* const vertices = loops_.vertices().data();
   const MovingPoint* const points = loops_.points().data();

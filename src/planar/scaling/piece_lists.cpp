@@ -24,17 +24,13 @@ Meet meet(const Window& window, std::uint32_t a, std::uint32_t b, ExactFrame& fr
   return Meet::none;
 }
 
-PieceLists::PieceLists(Window& window) : window_(window) {
+PieceLists::PieceLists(Window& window) : window_(window), links_(window) {
   const std::size_t n = window.pieces.size();
   low_.assign(n, INFINITY);
   high_.assign(n, -INFINITY);
   blocks_.assign((n + kBlock - 1) / kBlock, {INFINITY, -INFINITY});
   list_.assign(window.of.size() + window.touches.size(), 0);
   add_entries();
-  touch_active_.assign(window.touches.size(), 0);
-  node_active_.assign(window.nodes.size(), 0);
-  entered_.assign(window.rays.size(), 0);
-  link_.assign(window.rays.size(), kNone);
   touched_.assign(n, 0);
   changed_at_.assign(n, 0);
   new_subs_.assign(n, {});
@@ -93,11 +89,8 @@ bool PieceLists::repair(double tau, ExactFrame& frame, FrameWork& work) {
   ++frame_;
   looked_at_.clear();
   changed_.clear();
-  dirty_nodes_.clear();
+  links_.begin(frame_ == 1);
   bool generic = window_.folds.empty();
-  if (frame_ == 1)
-    for (std::uint32_t k = 0; k < window_.nodes.size(); ++k)
-      if (window_.nodes[k].hands_on && !window_.nodes[k].covered) dirty_nodes_.push_back(k);
   const std::uint32_t n = static_cast<std::uint32_t>(hot_.size());
   for (std::uint32_t b = 0; b < blocks_.size(); ++b) {
     auto& [low, high] = blocks_[b];
@@ -114,9 +107,7 @@ bool PieceLists::repair(double tau, ExactFrame& frame, FrameWork& work) {
     }
   }
   work.lists_changed += changed_.size();
-  std::sort(dirty_nodes_.begin(), dirty_nodes_.end());
-  dirty_nodes_.erase(std::unique(dirty_nodes_.begin(), dirty_nodes_.end()), dirty_nodes_.end());
-  for (const std::uint32_t node : dirty_nodes_) relink(node);
+  links_.relink([&](std::uint32_t piece) { mark_changed(piece, {0, count(piece)}); });
   return generic;
 }
 
@@ -219,13 +210,7 @@ std::uint32_t PieceLists::collect(std::uint32_t i, double tau, ExactFrame& frame
     if (unsure) here = inside_exactly(i, e.id, frame, certain);
     came_or_went += here != e.inside;
     e.inside = here;
-    if (e.id & kTouchBit) {
-      const std::uint32_t touch = e.id & ~kTouchBit;
-      if (touch_active_[touch] != here) {
-        touch_active_[touch] = here;
-        dirty_nodes_.push_back(window_.touches[touch].node);
-      }
-    }
+    if (e.id & kTouchBit) links_.set_touch(e.id & ~kTouchBit, here);
     if (here) items_.push_back({e.t.at(tau), e.error, e.t.b, e.id});
   }
   return came_or_went;
@@ -242,8 +227,9 @@ void PieceLists::sort_items(std::uint32_t i, ExactFrame& frame) {
   }
 }
 
-// The list is certain while the doubles of neighbours stay apart by more than their errors; a little less, for
-// rounding.
+// The list is certain while the lines of neighbours stay apart by more than their errors. As doubles at tau they err by
+// less than is left of what their errors grant, as do tau and the end: bounds of windows grant more than twice what
+// they count. The margin's own roundings, its quotient's and the slopes' are shares of the margin, taken off.
 void PieceLists::look_at_neighbours(std::uint32_t i, double tau, ExactFrame& frame, Certainty& certain) const {
   for (std::size_t k = 0; k + 1 < items_.size(); ++k) {
     const Item &a = items_[k], &b = items_[k + 1];
@@ -254,7 +240,7 @@ void PieceLists::look_at_neighbours(std::uint32_t i, double tau, ExactFrame& fra
       continue;
     }
     // They meet at `end`, ahead or behind; never where they keep apart.
-    const double closing = a.slope - b.slope, end = tau + margin / closing * (1 - 0x1p-30);
+    const double closing = a.slope - b.slope, end = tau + margin / closing * exact::kInwards;
     certain.high = closing > 0 && end < certain.high ? end : certain.high;
     certain.low = closing < 0 && end > certain.low ? end : certain.low;
   }
@@ -308,45 +294,6 @@ PieceLists::Step PieceLists::between(std::uint32_t piece, std::uint32_t from, st
   return end == to ? Step{piece, sub} : Step{};
 }
 
-// The sector rule of planar-sum.md on the rays that are there now; their order never changes. Pieces on which walks go
-// another way have changed.
-void PieceLists::relink(std::uint32_t node) {
-  const PersistentNode& n = window_.nodes[node];
-  rays_here_.clear();
-  ways_before_.clear();
-  bool any = false;
-  for (std::uint32_t r = n.first_ray; r < n.last_ray; ++r) {
-    ways_before_.push_back({link_[r], entered_[r] != 0});
-    link_[r] = kNone;
-    entered_[r] = 0;
-    const PersistentNode::Ray& ray = window_.rays[r];
-    if (ray.touch != kNone && !touch_active_[ray.touch]) continue;
-    any |= ray.touch != kNone || n.hands_on;
-    rays_here_.push_back(r);
-  }
-  const std::size_t m = any ? rays_here_.size() : 0;
-  const auto group = [&](std::size_t k) { return window_.rays[rays_here_[k]].group; };
-  for (std::size_t k = 0; k < m;) {
-    std::size_t end = k + 1;
-    while (end < m && group(end) == group(k)) ++end;
-    const std::size_t to = end == m ? 0 : end;
-    // Rays of one direction all leave or all arrive; otherwise the window is left to the static routine.
-    if (!window_.rays[rays_here_[k]].out && window_.rays[rays_here_[to]].out) {
-      entered_[rays_here_[to]] = 1;
-      for (std::size_t q = k; q < end; ++q) link_[rays_here_[q]] = rays_here_[to];
-    }
-    k = end;
-  }
-  const bool was_active = node_active_[node];
-  node_active_[node] = any;
-  for (std::uint32_t r = n.first_ray; r < n.last_ray; ++r) {
-    const Way before = ways_before_[r - n.first_ray];
-    if (was_active == any && before.link == link_[r] && before.entered == (entered_[r] != 0)) continue;
-    const std::uint32_t piece = window_.rays[r].piece;
-    mark_changed(piece, {0, count(piece)});
-  }
-}
-
 PieceLists::Step PieceLists::target(std::uint32_t ray) const {
   const PersistentNode::Ray& r = window_.rays[ray];
   return r.touch == kNone ? Step{r.piece, 0} : Step{r.piece, window_.touches[r.touch].at + 1};
@@ -357,8 +304,7 @@ std::uint32_t PieceLists::end_node(Step s) const {
     const std::uint32_t e = entry(s.piece, s.sub);
     return e & kTouchBit ? window_.touches[e & ~kTouchBit].node : kNone;
   }
-  const std::uint32_t ray = hot_[s.piece].tail_ray;
-  return ray != kNone && node_active_[window_.node_of_ray[ray]] ? window_.node_of_ray[ray] : kNone;
+  return links_.node_at(hot_[s.piece].tail_ray);
 }
 
 std::uint32_t PieceLists::arriving_ray(Step s) const {
@@ -368,9 +314,9 @@ std::uint32_t PieceLists::arriving_ray(Step s) const {
 
 // A sub-edge that starts at a touch or at its piece's own end.
 bool PieceLists::alive_at_touch(Step s) const {
-  if (s.sub > 0) return entered_[window_.touches[entry(s.piece, s.sub - 1) & ~kTouchBit].out_ray];
+  if (s.sub > 0) return links_.entered(window_.touches[entry(s.piece, s.sub - 1) & ~kTouchBit].out_ray);
   const std::uint32_t ray = hot_[s.piece].head_ray;
-  return ray == kNone || !node_active_[window_.node_of_ray[ray]] || entered_[ray];
+  return links_.node_at(ray) == kNone || links_.entered(ray);
 }
 
 // Behind a sub-edge that ends at a touch or at its piece's own end.
@@ -378,7 +324,7 @@ PieceLists::Step PieceLists::successor_at_touch(Step s) const {
   const Hot& h = hot_[s.piece];
   Step to{h.next, 0};
   if (end_node(s) != kNone) {
-    const std::uint32_t ray = link_[arriving_ray(s)];
+    const std::uint32_t ray = links_.leaving(arriving_ray(s));
     if (ray == kNone) return {};
     to = target(ray);
   }

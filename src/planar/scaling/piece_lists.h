@@ -11,7 +11,7 @@
 
 #include "dymsum/frames.h"
 #include "planar/scaling/exact_frame.h"
-#include "planar/scaling/window.h"
+#include "planar/scaling/node_links.h"
 
 namespace dymsum::planar {
 
@@ -79,14 +79,11 @@ class PieceLists {
   /// The ray through which a sub-edge arrives in that node, and the one in which the boundary goes on or kNone.
   /// Requires: it ends in one.
   std::uint32_t arriving_ray(Step s) const;
-  std::uint32_t leaving_ray(std::uint32_t arriving) const { return link_[arriving]; }
+  std::uint32_t leaving_ray(std::uint32_t arriving) const { return links_.leaving(arriving); }
   /// The node in which a sub-edge ends, if something touches there now, or kNone.
   std::uint32_t end_node(Step s) const;
-  /// Nodes at which something touches now.
-  bool active(std::uint32_t node) const { return node_active_[node]; }
-  bool active_touch(std::uint32_t touch) const { return touch_active_[touch]; }
-  /// Those at which something began or ceased to touch in the last repair.
-  const std::vector<std::uint32_t>& relinked() const { return dirty_nodes_; }
+  /// What touches now.
+  const NodeLinks& links() const { return links_; }
 
   /// Pieces looked at by the last repair, and those among them whose list changed.
   bool touched(std::uint32_t piece) const { return touched_[piece] == frame_; }
@@ -127,7 +124,6 @@ class PieceLists {
   bool alive_at_touch(Step s) const;
   Step successor_at_touch(Step s) const;
   std::uint32_t base(std::uint32_t piece) const { return hot_[piece].base; }
-  void relink(std::uint32_t node);
   Step target(std::uint32_t ray) const;
   void mark_changed(std::uint32_t piece, NewSubs subs);
   std::uint32_t place_in_list(std::uint32_t piece, std::uint32_t entry) const;
@@ -159,15 +155,7 @@ class PieceLists {
   std::vector<std::uint32_t> touched_, looked_at_, changed_at_, changed_;
   std::vector<NewSubs> new_subs_;  ///< per piece, of the frame in which it changed last
   std::vector<Item> items_;
-  std::vector<std::uint8_t> touch_active_, node_active_, entered_;  ///< per touch, node, ray
-  std::vector<std::uint32_t> link_;                                 ///< ray that arrives -> ray that leaves, or kNone
-  struct Way {
-    std::uint32_t link = kNone;
-    bool entered = false;
-  };
-  std::vector<std::uint32_t> rays_here_;  ///< of a node
-  std::vector<Way> ways_before_;
-  std::vector<std::uint32_t> dirty_nodes_;  ///< where a touch came or went in this frame
+  NodeLinks links_;
   std::uint32_t frame_ = 0;
 };
 

@@ -28,9 +28,7 @@ void touch_at_both_ends(const Grid& cells, Place2 a0, Place2 b0, Place2 a1, Plac
 
 template <class At>
 Raster rasterize(const Operand& o, const Grid& cells, bool moves, const At& at) {
-  Raster raster(cells.rows, cells.columns);
-  Bitmap boundary(cells.rows, cells.columns);
-  CentreWindings windings(cells);
+  RasterMaker<CentreWindings> maker(cells);
   std::vector<std::array<int, 3>> scratch;
   const double rim = kRim * cells.cell;
   for (const Loop& loop : o.loops)
@@ -38,12 +36,11 @@ Raster rasterize(const Operand& o, const Grid& cells, bool moves, const At& at) 
       const std::uint32_t s = o.source[i], t = o.source[o.next[i]];
       const Place2 a0 = at(s, 0), b0 = at(t, 0), a1 = moves ? at(s, 1) : a0, b1 = moves ? at(t, 1) : b0;
       const double x[4] = {a0.x, b0.x, b1.x, a1.x}, y[4] = {a0.y, b0.y, b1.y, a1.y};
-      for_each_swept_run(cells, x, y, rim, [&](int r, int first, int last) { boundary.set_run(r, first, last); });
-      touch_at_both_ends(cells, a0, b0, a1, b1, scratch, raster.touch);
-      windings.add_edge(a0.x, a0.y, b0.x, b0.y);
+      for_each_swept_run(cells, x, y, rim, [&](int r, int first, int last) { maker.bound(r, first, last); });
+      touch_at_both_ends(cells, a0, b0, a1, b1, scratch, maker.touched());
+      maker.wind_edge(a0.x, a0.y, b0.x, b0.y);
     }
-  windings.fill(boundary, raster);
-  return raster;
+  return std::move(maker).with_area();
 }
 
 CoveredCells covered_cells_of(const Lattice& unscaled, const std::array<Operand, 2>& operands, const WindowFrame& frame,

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "planar/convolution/convolution.h"
+#include "planar/operand/contact_of.h"
 #include "planar/scaling/edge_search.h"
 #include "planar/scaling/window_nodes.h"
 #include "planar/scaling/window_pairs.h"
@@ -90,8 +91,7 @@ void Window::add_segment(const WalkSegment& w, std::uint32_t id, const WindowFra
   const std::uint32_t next = o.next[w.edge];
   s.start = w.side == 0 ? WalkPair{w.edge, w.vertex} : WalkPair{w.vertex, w.edge};
   s.end = w.side == 0 ? WalkPair{next, w.vertex} : WalkPair{w.vertex, next};
-  s.contact = w.side == 0 ? Contact{Contact::Kind::edge_of_p, o.edge_number[w.edge], other.vertex_number[w.vertex]}
-                          : Contact{Contact::Kind::edge_of_q, other.vertex_number[w.vertex], o.edge_number[w.edge]};
+  s.contact = contact_of(w, base_.operands[0], base_.operands[1]);
   segments.push_back(s);
 }
 

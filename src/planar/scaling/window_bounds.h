@@ -5,15 +5,14 @@
 // of its unscaled edge vector; within a piece they are at most max(1, tau).
 //   point    f and m carry 1 each, tau 1, the product and the sum 1 each: 2 F + 4 tau M <= 2 S.
 //   side     d x (v - w): with the shift of the frame, whose sum is one more of at most F + tau1 M, a point has 3 S;
-//   two
-//            of them and the difference 7, the edge vector 1, the product and the last difference 1 each: 10 L S. Ends
-//            of cut pieces carry 4 more for the share, its product and the sum.
+//            two of them and the difference 7, the edge vector 1, the product and the last difference 1 each: 10 L S.
+//            Ends of cut pieces carry 4 more for the share, its product and the sum.
 //   share    numerator / denominator: what a side and the denominator lose, and the quotient (see share_error()).
 #pragma once
 
 #include <cmath>
 
-#include "planar/operand/edge_bounds.h"
+#include "planar/operand/sum_bounds.h"
 
 namespace dymsum::planar {
 
@@ -33,11 +32,13 @@ inline constexpr double kSearchSide = exact::rounding_bound(8, 32);
 inline constexpr double kShare = exact::rounding_bound(3, 16);
 /// The same for two shares and their difference.
 inline constexpr double kShareGap = exact::rounding_bound(7, 32);
-/// Of a share by a scalar product of sums with an edge vector over its square, besides what the sums err by, times
-/// max(1, tau1): 4 of either product, the quotient and the evaluation.
-inline constexpr double kProjection = exact::rounding_bound(12, 64);
+/// Of a share by a scalar product of sums with an edge vector over its square, times max(1, tau1): 4 of either product,
+/// the quotient and the evaluation. Besides, what the sums err by, times |d|_1 and the span over the square: a side,
+/// and for a place farther on the same line a vector, its product and the sum.
+inline constexpr double kProjection = exact::rounding_bound(12, 64), kProjectedSums = exact::rounding_bound(14 + 4, 64);
 /// The same for the difference of two.
-inline constexpr double kProjectionGap = exact::rounding_bound(24, 128);
+inline constexpr double kProjectionGap = exact::rounding_bound(24, 128),
+                        kProjectedGap = exact::rounding_bound(2 * (14 + 4), 128);
 
 /// Of -a / b, times itself: the quotient, and the sum that makes it an end of a range.
 inline constexpr double kRoot = exact::rounding_bound(2, 16);
@@ -50,6 +51,10 @@ inline constexpr double kFollowed = exact::rounding_bound(5, 8);
 /// the three factors that it is multiplied with; the sum and the quotient.
 inline constexpr double kLengthWeight = exact::rounding_bound(1, 8), kCrossWeight = exact::rounding_bound(8, 32),
                         kMediant = exact::rounding_bound(3, 8);
+
+/// Of a position in input coordinates, times the span: evaluation (3), the blow-up and the last sum; times the offsets:
+/// the scale, products and sums.
+inline constexpr double kKeptPosition = exact::rounding_bound(6, 16), kKeptOffsets = exact::rounding_bound(5, 8);
 
 /// Denominators d that are known to this share of themselves at most may be divided by.
 inline constexpr double kKnownDenominator = 0.25;

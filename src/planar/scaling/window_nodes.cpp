@@ -54,7 +54,7 @@ void TouchFinder::touch_parallel(std::uint32_t i, std::uint32_t j) {
     const LiveSegment &on = window_.segments[window_.pieces[on_piece].segment],
                       &s = window_.segments[window_.pieces[other].segment];
     const double length = on.dx * on.dx + on.dy * on.dy;
-    const double error = 2 * kWindowSide * window_.span() * (std::abs(on.dx) + std::abs(on.dy)) / length +
+    const double error = kProjectedSums * window_.span() * (std::abs(on.dx) + std::abs(on.dy)) / length +
                          kProjection * std::max(1.0, window_.frame().tau1);
     for (const bool end : {false, true}) {
       const double f = end ? (s.moving ? 0 : 1) : 0,

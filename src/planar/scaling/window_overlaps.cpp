@@ -50,7 +50,7 @@ bool SharedLines::along_always(std::uint32_t i, std::uint32_t j) {
 double SharedLines::error_along(std::uint32_t piece) const {
   const LiveSegment& on = window_.segments[window_.pieces[piece].segment];
   const double length = on.dx * on.dx + on.dy * on.dy;
-  return 4 * kWindowSide * window_.span() * (std::abs(on.dx) + std::abs(on.dy)) / length +
+  return kProjectedGap * window_.span() * (std::abs(on.dx) + std::abs(on.dy)) / length +
          kProjectionGap * std::max(1.0, window_.frame().tau1);
 }
 

@@ -120,7 +120,7 @@ std::vector<PieceEnds> cut_pieces(Window& window, const WindowFrame& frame, cons
       ends.error = kWindowSide * (std::abs(s.dx) + std::abs(s.dy)) * window.span();
       Piece p;
       p.segment = n;
-      p.half = s.dy > 0 || (s.dy == 0 && s.dx > 0) ? 0 : 1;
+      p.half = static_cast<std::uint8_t>(half_plane(s.dx, s.dy));
       p.head_cut = k > 0;
       p.tail_cut = k < cuts.size();
       if (p.head_cut) p.head = linear(from);

@@ -4,6 +4,7 @@
 
 #include "exact/rounding_bound.h"
 #include "planar/convolution/convolution.h"
+#include "planar/operand/contact_of.h"
 
 namespace dymsum::planar {
 namespace {
@@ -37,8 +38,8 @@ std::optional<SumRing> convex_boundary(const Lattice& lattice, const Operand& p,
   const std::size_t n = of_p.edges.size(), m = of_q.edges.size();
   // The next edges of P and Q start at vertices i and j.
   std::uint32_t i = of_p.edges[0], j = of_q.edges[0];
-  const auto edge_of_p = [&] { return Contact{Contact::Kind::edge_of_p, p.edge_number[i], q.vertex_number[j]}; };
-  const auto edge_of_q = [&] { return Contact{Contact::Kind::edge_of_q, p.vertex_number[i], q.edge_number[j]}; };
+  const auto edge_of_p = [&] { return contact_of({0, i, j}, p, q); };
+  const auto edge_of_q = [&] { return contact_of({1, j, i}, p, q); };
   SumRing ring;
   ring.vertices.reserve(n + m);
   Contact last;

@@ -31,7 +31,8 @@ double frame_margin(const Region& p, const Region& q) {
   const auto bp = bounds(p), bq = bounds(q);
   const double reach = std::max({bp[2] - bp[0], bp[3] - bp[1], bq[2] - bq[0], bq[3] - bq[1], std::abs(bp[0]),
                                  std::abs(bp[1]), std::abs(bp[2]), std::abs(bp[3])});
-  return std::ldexp(1.0, std::ilogb(std::max(reach, 0x1p-1000)) + 2);
+  constexpr double kLeast = 0x1p-1000;  // of a point, which reaches nowhere
+  return std::ldexp(1.0, std::ilogb(std::max(reach, kLeast)) + 2);
 }
 
 constexpr double kLargestFramed =

@@ -17,9 +17,10 @@ class EdgeCells {
   }
 
   void of(const Operand& o) {
-    // A rounding errs by at most kReach, as there are fewer than 2048 rows and columns.
+    // A float errs by at most kReach, as there are fewer than 2048 rows and columns: half a unit in the last place of
+    // 1024 and more.
     constexpr double reach = 3 * kReach;
-    static_assert(kReach >= 0x1p-14);
+    static_assert(1024 * exact::kFloatRoundoff <= kReach);
     const double per_cell = mask_.grid().per_cell;
     bounds_.clear();
     for (const EdgeBox& b : o.boxes)

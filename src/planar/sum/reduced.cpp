@@ -10,7 +10,6 @@
 #include "planar/boundary/boundary.h"
 #include "planar/boundary/tight_features.h"
 #include "planar/convolution/parallelogram_sides.h"
-#include "planar/mask/grid_size.h"
 #include "planar/result/trace_stages.h"
 #include "planar/sum/live_segments.h"
 #include "planar/sum/reduced_chain.h"
@@ -32,8 +31,7 @@ struct Run {
   const Operand &p = *state.p, &q = *state.q;
   SumStats& stats = state.stats;
   const bool fast = options.engine == Engine::fast;
-  const bool parallelograms =
-      options.semantics != Semantics::open && has_component_without_area(p) && has_component_without_area(q);
+  const bool parallelograms = makes_parallelograms(options.semantics, p, q);
 };
 
 // Segments in a soup; of those of the convolution, which come first, only live ones.

@@ -9,7 +9,7 @@
 #include "planar/boundary/winding_numbers.h"
 #include "planar/convolution/kinetic.h"
 #include "planar/convolution/parallelogram_sides.h"
-#include "planar/result/trace_windings.h"
+#include "planar/result/trace_stages.h"
 
 namespace dymsum::planar {
 namespace {
@@ -57,8 +57,7 @@ void run_winding(const SumOptions& options, SumState& state, Poll& poll) {
     clock.done(poll.stage());
     poll(1);
   };
-  const bool parallelograms = options.semantics != Semantics::open && has_component_without_area(*state.p) &&
-                              has_component_without_area(*state.q);
+  const bool parallelograms = makes_parallelograms(options.semantics, *state.p, *state.q);
   poll.stage("convolution");
   const Tracing tracing = trace_convolution(state, parallelograms);
   const Soup& soup = tracing.soup;

@@ -24,8 +24,6 @@ int section(const ExactAngle& a) { return a.chart == 0 ? 1 : sign_of(a.t) > 0 ? 
 
 /// Of angle_at: an arc tangent, pi and their sum err by less than 4 u each; of twice an arc tangent, times itself.
 constexpr double kTurned = exact::rounding_bound(12, 16), kArc = exact::rounding_bound(2, 4);
-/// More than what is lost of subnormal angles.
-constexpr double kSubnormal = 0x1p-1070;
 
 double angle_at(double t, int section) {
   const double theta = 2 * std::atan(t);
@@ -65,8 +63,8 @@ EventAngle event_angle(const ExactAngle& angle) {
     e.low -= kTurned;
     e.high += kTurned;
   } else if (e.low != 0 || e.high != 0) {
-    e.low -= kArc * std::abs(e.low) + kSubnormal;
-    e.high += kArc * std::abs(e.high) + kSubnormal;
+    e.low -= kArc * std::abs(e.low) + exact::kSubnormal;
+    e.high += kArc * std::abs(e.high) + exact::kSubnormal;
   }
   if (const std::optional<BigRational> t = exact::rational_value(angle.t)) e.exact = orientation_at(angle.chart, *t);
   return e;

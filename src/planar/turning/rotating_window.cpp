@@ -187,7 +187,7 @@ void RotatingWindow::find_candidates(const CoveredCells& dead) {
   std::size_t n = 0;
   for (const auto [i, j] : near) {
     const TurnSegment &s = segments[pieces[i].segment], &t = segments[pieces[j].segment];
-    constexpr double kSlack = 4 * kAngleSlack;
+    constexpr double kSlack = 4 * kAngleSlack;  // of two spans, either within two of them
     // Never at once; or with a vertex in common, beside which they do not meet.
     const bool never = (s.span.from > t.span.to + kSlack) | (t.span.from > s.span.to + kSlack);
     near[n] = {i, j};

@@ -5,13 +5,22 @@
 #include <numbers>
 #include <vector>
 
+#include "exact/rounding_bound.h"
 #include "planar/turning/turning_forms.h"
 
 namespace dymsum::planar {
 
 inline constexpr double kTurn = 2 * std::numbers::pi;
-/// Angles of edges err by less; an angle that is nearer to a limit is not decided by doubles.
-inline constexpr double kAngleSlack = 0x1p-40;
+/// Angles that are nearer than this to where a segment begins or ends are not decided by doubles. In units u of
+/// roundoff, half a unit in the last place being 4 u below 8 radians, 8 u below 16 and 16 u below 32:
+//   edge      u of the vector's components, 4 each of the arc tangent, of 2 pi and of the sum: 13.
+//   turn      two edges, the difference, 2 pi and the sum: 26 + 12 = 38.
+//   relative  angle of an edge less that of another one and theta, which errs by 12 (kAngleDouble): two differences of
+//             less than 16 and 32, up to four times 2 pi (16), the product (16), its difference, and perhaps 2 pi and
+//             the sum: 26 + 12 + 8 + 16 + 16 + 16 + 4 + 8 = 106.
+//   span      relative less turn, brought near 0 by 2 pi: 106 + 38 + 4 + 8 = 156.
+//   with      the angle of a frame, from the middle of its window: 28 (kAngleDifference) and the difference.
+inline constexpr double kAngleSlack = exact::rounding_bound(156 + 28 + 4, 8192);
 
 /// In [0, 2 pi).
 inline double positive_angle(double a) {

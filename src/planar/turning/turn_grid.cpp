@@ -10,19 +10,14 @@ namespace {
 
 Raster fixed_raster(const TurningForms& forms, const Grid& cells) {
   const Operand& o = forms.operand(0);
-  Raster raster(cells.rows, cells.columns);
-  Bitmap boundary(cells.rows, cells.columns);
-  CentreWindings windings(cells);
+  RasterMaker<CentreWindings> maker(cells);
   for (std::uint32_t i = 0; i < o.size(); ++i) {
     const Point a = forms.points(0)[i], b = forms.points(0)[o.next[i]];
-    for_each_cell_run(cells, a.x, a.y, b.x, b.y,
-                      [&](int r, int first, int last) { raster.touch.set_run(r, first, last); });
-    for_each_cell_run(
-        cells, a.x, a.y, b.x, b.y, [&](int r, int first, int last) { boundary.set_run(r, first, last); }, kRim);
-    windings.add_edge(a.x, a.y, b.x, b.y);
+    maker.touch_edge(a.x, a.y, b.x, b.y);
+    maker.bound_edge(a.x, a.y, b.x, b.y, kRim);
+    maker.wind_edge(a.x, a.y, b.x, b.y);
   }
-  windings.fill(boundary, raster);
-  return raster;
+  return std::move(maker).with_area();
 }
 
 }  // namespace
@@ -41,29 +36,25 @@ CoveredCells covered_cells(const TurnGrid& base, const std::vector<Point>& turne
   const TurningForms& forms = base.forms;
   const Grid& cells = base.grid.part[1];
   const Operand& o = forms.operand(1);
-  Raster raster(cells.rows, cells.columns);
-  Bitmap boundary(cells.rows, cells.columns);
-  CentreWindings windings(cells);
+  RasterMaker<CentreWindings> maker(cells);
   const double shift = forms.reach();
   for (std::uint32_t i = 0; i < o.size(); ++i) {
     const Point a{turned[i].x + shift, turned[i].y + shift},
         b{turned[o.next[i]].x + shift, turned[o.next[i]].y + shift};
     const double reach = std::max(moved(forms, i, half), moved(forms, o.next[i], half)) + kSweptRim * forms.span();
-    for_each_cell_run(
-        cells, a.x, a.y, b.x, b.y, [&](int r, int first, int last) { boundary.set_run(r, first, last); },
-        kRim + reach * cells.per_cell);
-    windings.add_edge(a.x, a.y, b.x, b.y);
+    maker.bound_edge(a.x, a.y, b.x, b.y, kRim + reach * cells.per_cell);
+    maker.wind_edge(a.x, a.y, b.x, b.y);
     if (2 * reach >= cells.cell) continue;
     const SegmentClip clip(a.x, a.y, b.x - a.x, b.y - a.y);
     for_each_cell_run(cells, a.x, a.y, b.x, b.y, [&](int r, int first, int last) {
       for (int c = first; c <= last; ++c) {
         const SegmentClip::Part part = clip.within(c * cells.cell + reach, r * cells.cell + reach,
                                                    (c + 1) * cells.cell - reach, (r + 1) * cells.cell - reach);
-        if (part.from <= part.to) raster.touch.set_run(r, c, c);
+        if (part.from <= part.to) maker.touch(r, c, c);
       }
     });
   }
-  windings.fill(boundary, raster);
+  const Raster raster = std::move(maker).with_area();
   if (base.long_edges[0].empty() || base.long_edges[1].empty())
     return CoveredCells(base.grid.whole, base.fixed, raster);
   CoveredCells dead(base.grid.whole, base.fixed, raster, CoveredCells::Counts::left_out);

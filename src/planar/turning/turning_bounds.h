@@ -4,8 +4,7 @@
 // one and S = W + 2 R the span. Two coordinates of one vector are bounded together: |x| + |y| <= sqrt(2) |(x, y)|.
 //   heading      cos and sin err by 16 at most (kHeading).
 //   vertices     of the fixed operand 1 W; of the turning one 2 R for the lattice's coordinate, whose extent is 2 R,
-//   and
-//                1 R for the centre taken off: 3 R.
+//                and 1 R for the centre taken off: 3 R.
 //   place        q + c p - s p': 1 W + sqrt(2) (16 + 3 + 1) R, and two sums of at most W + R: 3 W + 31 R <= 16 S.
 //   direction    c e - s e': 16 + 1 of the edge vector + 1 of the product + 1 of the difference: 19 L a coordinate.
 //   side         d x (v - start) from places: v - start errs by 2 * 16 + 1 = 33 S, times |d|_1 <= sqrt(2) L makes 47;
@@ -40,11 +39,31 @@ inline constexpr double kConcurrency = exact::rounding_bound(402, 512);
 inline constexpr double kTurnedEndSide = exact::rounding_bound(88 + 79 + 2, 256);
 
 /// Of a crossing on a segment, in shares of it: times kTurnedEndSide L S / |d x e|. |d x e| is known to 56 of the 256
-/// that it has to exceed, so shares of at most 1 err by (88 + 79) / (1 - 56 / 256) of those 256 units: less than once.
-/// The rest is slack.
+/// that it has to exceed (kCrossKnown), so shares of at most 1 err by (88 + 79) / (1 - 56 / 256) of those 256 units:
+/// less than once. The rest is slack.
 inline constexpr double kCrossingSlack = 4;
 /// Besides, absolutely: the inverse and the product, of shares up to 1.
 inline constexpr double kCrossingShare = exact::rounding_bound(2, 8);
+
+/// Cross products up to this, times both L, are not divided by.
+inline constexpr double kCrossKnown = exact::rounding_bound(56, 256);
+
+/// Of a difference of coordinates of a place and vertices of either operand, times the span: a place inside a sub-edge
+/// errs by two places, the vertex that turns by one, the differences by roundings.
+inline constexpr double kOverlapPlace = exact::rounding_bound(2 * 32 + 32 + 4, 256);
+/// Of a side of such a vertex, times L and the span: that, a direction (19) times two coordinates of at most 2 S,
+/// products and difference of at most 2 L S.
+inline constexpr double kOverlapSide = exact::rounding_bound(2 * 32 + 32 + 4 + 19 * 4 + 3 * 2, 512);
+
+/// Turning a position back mixes the errors of both coordinates, by |cos| + |sin| <= sqrt(2).
+inline constexpr double kMixed = 1.5;
+/// Of the rest of turning a position back, times the span: cos and sin, sqrt(2) 16, and six operations; and of turning
+/// the offsets, whose sums carry 2.
+inline constexpr double kTurnedBack = exact::rounding_bound(23 + 9, 128),
+                        kTurnedOffset = exact::rounding_bound(23 + 9, 64);
+
+/// Of two doubles of angles and their difference.
+inline constexpr double kAngleDifference = exact::rounding_bound(2 * 12 + 4, 512);
 
 /// Of the double of an angle of at most a turn and a half, in radians: twice an arc tangent, half a turn, their sum.
 /// Each is less than 8 and errs by 4 u or less besides the rounding of what it is made of.

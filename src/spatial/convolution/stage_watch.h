@@ -2,12 +2,12 @@
 #pragma once
 
 #include <atomic>
-#include <chrono>
 #include <cstdint>
 #include <string_view>
 #include <thread>
 
 #include "base/parallel.h"
+#include "base/stopwatch.h"
 #include "dymsum/spatial_sum.h"
 
 namespace dymsum::spatial {
@@ -25,10 +25,9 @@ class StageWatch {
 
   /// Ends the stage before it and begins one; an empty name only ends.
   void begin(std::string_view name) {
-    const auto now = std::chrono::steady_clock::now();
-    if (!stats_.stages.empty() && begun_)
-      stats_.stages.back().ms = std::chrono::duration<double, std::milli>(now - last_).count();
-    last_ = now, begun_ = !name.empty();
+    const double ms = watch_.lap();
+    if (!stats_.stages.empty() && begun_) stats_.stages.back().ms = ms;
+    begun_ = !name.empty();
     if (name.empty()) return;
     stats_.stages.push_back({name, 0});
     ask(0);
@@ -66,7 +65,7 @@ class StageWatch {
  private:
   const SpatialOptions& options_;
   SpatialStats& stats_;
-  std::chrono::steady_clock::time_point last_;
+  Stopwatch watch_;
   bool begun_ = false;
   std::atomic<bool> stop_{false};
   std::atomic<std::uint64_t> held_{0};

@@ -35,7 +35,8 @@ struct Coordinate {
 };
 
 struct Shares {
-  double point = 0, side = 0, of_place = 0, height = 0, cross = 0, angle = 0, crossing = 0;
+  double point = 0, side = 0, of_place = 0, height = 0, cross = 0, angle = 0, gap = 0, box = 0, touch = 0, step = 0,
+         rounded = 0;
   void take(double& most, const BigRational& error, double bound) { most = std::max(most, share(error, bound)); }
 };
 
@@ -68,6 +69,20 @@ Shares largest_shares(int rounds) {
     const double left = dx.value * fy.value, right = dy.value * fx.value;
     most.take(most.cross, exactly(left - right) - (dx.exact * fy.exact - dy.exact * fx.exact),
               kScaledEdgeCross * (left + right));
+    most.take(most.gap, exactly(dx.value - fx.value) - (dx.exact - fx.exact), kScaledEdgeGap * (dx.value + fx.value));
+    // How far a vertex of P lies beside one of Q that a place moves, with a margin taken off.
+    const double margin = kSumBox * span;
+    most.take(most.box, exactly((u - qx.value) - px.value - margin) - (exactly(u) - ex - exactly(margin)), margin);
+    // A vertex that lies on a segment, and a place that is a step away from its start.
+    const double wx = dx.value + fx.value, step = std::abs(random.signed_unit());
+    const BigRational share_of = (eu - ex) / dx.exact;
+    if (abs(share_of) <= 1)
+      most.take(most.touch, exactly((u - x) / dx.value) - share_of,
+                static_cast<float>(kTouchShares * kSumPoint * span / dx.value + kShareRoundings));
+    most.take(most.step, exactly(x + step * dx.value) - (ex + exactly(step) * dx.exact),
+              2 * kSumPoint * span + kStepLength * dx.value + kStepSum * span);
+    const BigRational far = exactly(random.signed_unit() * span) + exactly(random.signed_unit() * 0x1p-60 * wx);
+    most.take(most.rounded, exactly(x + exact::round_to_double(far)) - (ex + far), kRoundedPlace * span);
     const BigRational key = 3 + dx.exact / (dx.exact + dy.exact);
     most.take(most.angle, exactly(pseudo_angle(dx.value, -dy.value)) - key, kAngleError / 2);
   }
@@ -76,11 +91,28 @@ Shares largest_shares(int rounds) {
 
 TEST(SumBounds, sums_and_signs_err_by_less_and_not_by_much_less) {
   const Shares most = largest_shares(20000);
-  for (const double share : {most.point, most.side, most.of_place, most.height, most.cross, most.angle}) {
-    EXPECT_LE(share, 1);
-    EXPECT_GT(share, 1.0 / 8) << most.point << ' ' << most.side << ' ' << most.of_place << ' ' << most.height << ' '
-                              << most.cross << ' ' << most.angle;
+  const double shares[] = {most.point, most.side, most.of_place, most.height, most.cross,  most.angle,
+                           most.gap,   most.box,  most.touch,    most.step,   most.rounded};
+  for (std::size_t k = 0; k < std::size(shares); ++k) {
+    EXPECT_LE(shares[k], 1) << k;
+    EXPECT_GT(shares[k], 1.0 / 16) << k;
   }
+}
+
+// The mediant of two cuts whose denominators are known badly.
+TEST(SumBounds, weights_of_mediants_err_by_less_and_not_by_much_less) {
+  oracles::Random random(23);
+  double most = 0;
+  for (int k = 0; k < 20000; ++k) {
+    const double d0 = 1 + 7 * std::abs(random.signed_unit()), d1 = random.chance(50) ? d0 : 1.0 / d0;
+    const double r = std::abs(random.signed_unit()) * (random.chance(50) ? 0x1p-30 : 0.9),
+                 s = random.chance(50) ? r : 0;
+    const double e0 = d0 * (1 + (random.chance(50) ? r : -r)), e1 = d1 * (1 + (random.chance(50) ? s : -s));
+    const BigRational weight = exactly(d1) / (exactly(d0) + exactly(d1));
+    most = std::max(most, share(exactly(e1 / (e0 + e1)) - weight, kMediantShares * (r + s + exact::kRoundoff * 3)));
+  }
+  EXPECT_LE(most, 1);
+  EXPECT_GT(most, 1.0 / 8);
 }
 
 // Next above powers of two every rounding is as large as it can be, and all go one way.

@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <numbers>
 #include <set>
 
+#include "dymsum/orientation.h"
 #include "dymsum/shapes.h"
 #include "oracles/random.h"
 #include "planar/frames/region_pair.h"
@@ -25,6 +27,15 @@ struct MadeForms {
   MadeForms(const Region& p, const Region& q) {
     base = pair_of_regions(p, q, PairOptions{.moved = 1}).value();
     forms = std::make_unique<TurningForms>(*base);
+  }
+  /// A vertex in the forms' doubles, less the centre of the turning operand.
+  std::array<BigRational, 2> vertex(std::uint32_t op, std::uint32_t v) const {
+    const BigRational unit =
+        exact::exact_value(std::ldexp(1.0, base->lattice->grid_exponent)) / exact::exact_value(base->lattice->unit);
+    const TurningForms::Vec& g = forms->grid_point(op, v);
+    std::array<BigRational, 2> at{BigRational(g.x) * unit, BigRational(g.y) * unit};
+    if (op == 0) return at;
+    return {at[0] - exact::exact_value(forms->centre().x), at[1] - exact::exact_value(forms->centre().y)};
   }
   /// A value of `degree` lengths in the forms' doubles: p / (1 + t^2)^(degree / 2) at t.
   BigRational value(const exact::Polynomial& p, const BigRational& t, int degree) const {
@@ -111,6 +122,131 @@ TEST(TurningBounds, forms_err_by_less_and_not_by_much_less) {
     EXPECT_LE(share, 1);
     EXPECT_GT(share, 1.0 / 40) << most.side << ' ' << most.placed << ' ' << most.cross << ' ' << most.concurrency;
   }
+}
+
+struct Turned {
+  BigRational c, s;
+  explicit Turned(double t) {
+    const BigRational at = exact::exact_value(t);
+    c = (1 - at * at) / (1 + at * at);
+    s = 2 * at / (1 + at * at);
+  }
+  std::array<BigRational, 2> operator()(const std::array<BigRational, 2>& p) const {
+    return {c * p[0] - s * p[1], s * p[0] + c * p[1]};
+  }
+};
+
+// Places, directions, and what is made of them: differences and sides at a place, positions turned back.
+TEST(TurningBounds, places_err_by_less_and_not_by_much_less) {
+  Random random(13);
+  double place = 0, direction = 0, of_difference = 0, of_side = 0, back = 0;
+  for (int k = 0; k < 60; ++k) {
+    const double sizes[] = {1, 0x1p-3, 0x1p-9};
+    const MadeForms m(ring(random, 1.3 * random.signed_unit(), 1.1, sizes[random.below(3)]),
+                      ring(random, 0.7, random.signed_unit(), sizes[random.below(3)]));
+    const TurningForms& f = *m.forms;
+    const double span = f.span();
+    for (int i = 0; i < 40; ++i) {
+      const double t = random.signed_unit();
+      const Turned turned(t);
+      const Heading h = heading_at(t, random.chance(70), random);
+      const auto any = [&] { return static_cast<std::uint32_t>(random.below(5)); };
+      const Pair v{any(), any()};
+      const Point at = f.place(v, h);
+      const auto q = m.vertex(0, v.p), p = turned(m.vertex(1, v.q));
+      add(place, at.x, q[0] + p[0], kTurnedPlace * span);
+      add(place, at.y, q[1] + p[1], kTurnedPlace * span);
+      const WalkSegment edge{1, any(), any()};
+      const Point d = f.direction(edge, h);
+      const auto from = m.vertex(1, edge.edge), to = m.vertex(1, f.operand(1).next[edge.edge]);
+      const auto e = turned({to[0] - from[0], to[1] - from[1]});
+      add(direction, d.x, e[0], kTurnedDirection * f.length1(edge));
+      add(direction, d.y, e[1], kTurnedDirection * f.length1(edge));
+      // A place that errs by two places, against vertices of either operand.
+      const double off = 2 * kTurnedPlace * span, zx = at.x + (random.chance(50) ? off : -off) * 0.9,
+                   zy = at.y + (random.chance(50) ? off : -off) * 0.9;
+      const Pair w{any(), any()};
+      const Point moved = f.place({0, w.q}, h), of_fixed = f.points(0)[w.p], zero = f.points(0)[0];
+      const double tx = zx - (moved.x - zero.x), ty = zy - (moved.y - zero.y);
+      const auto wq = m.vertex(0, w.p), wp = turned(m.vertex(1, w.q));
+      const BigRational ex = q[0] + p[0] - wp[0] - wq[0], ey = q[1] + p[1] - wp[1] - wq[1];
+      add(of_difference, tx - of_fixed.x, ex, kOverlapPlace * span);
+      add(of_side, d.x * (ty - of_fixed.y) - d.y * (tx - of_fixed.x), e[0] * ey - e[1] * ex,
+          kOverlapSide * f.length1(edge) * span);
+      // As TurnedRings does where the resting operand turned for the user.
+      const Point offset{3 * random.signed_unit(), random.signed_unit()};
+      const double x = (h.c * at.x - h.s * at.y) + (h.c * offset.x - h.s * offset.y);
+      const auto whole = turned({exact::exact_value(at.x) + exact::exact_value(offset.x),
+                                 exact::exact_value(at.y) + exact::exact_value(offset.y)});
+      add(back, x, whole[0], kTurnedBack * span + kTurnedOffset * (std::abs(offset.x) + std::abs(offset.y)));
+    }
+  }
+  for (const double most : {place, direction, of_difference, of_side, back}) {
+    EXPECT_LE(most, 1);
+    EXPECT_GT(most, 1.0 / 16) << place << ' ' << direction << ' ' << of_difference << ' ' << of_side << ' ' << back;
+  }
+}
+
+// Shares of crossings from the worst sides and cross products that are possible, in units of what a side is granted.
+TEST(TurningBounds, shares_of_crossings_err_by_less_and_not_by_much_less) {
+  Random random(14);
+  double most = 0;
+  for (int k = 0; k < 20000; ++k) {
+    const double e = 0x1p-40, side = e * (88.0 / 256), end = e * (79.0 / 256), cross = e * (56.0 / 256);
+    const double d = e * (1 + 50 * std::abs(random.signed_unit())), t = std::abs(random.signed_unit());
+    const auto wrong = [&](double by) { return random.chance(50) ? by : -by; };
+    const double n = t * d + wrong(side + end), whole = d + wrong(cross);
+    if (!(whole > e)) continue;
+    add(most, n * (1 / whole), exact::exact_value(t), kCrossingSlack * e / whole + kCrossingShare);
+  }
+  EXPECT_LE(most, 1);
+  EXPECT_GT(most, 1.0 / 8);
+}
+
+// Angles against those of fifty digits: of orientations, and of where segments begin and end.
+TEST(TurningBounds, angles_err_by_less) {
+  using Digits = boost::multiprecision::cpp_bin_float_50;
+  Random random(15);
+  const Digits turn = 2 * boost::math::constants::pi<Digits>();
+  double of_double = 0, of_difference = 0, of_span = 0;
+  const auto off = [&](const Digits& a) {  // from a multiple of a turn
+    return static_cast<double>(abs(Digits(a - turn * round(Digits(a / turn)))));
+  };
+  for (int k = 0; k < 40; ++k) {
+    const MadeForms m(ring(random, 1.3 * random.signed_unit(), 1.1, 1),
+                      ring(random, 0.7, random.signed_unit(), 0x1p-3));
+    const TurnCatalog catalog(*m.forms);
+    const auto angle = [&](std::uint32_t op, std::uint32_t edge) {
+      const auto a = m.vertex(op, edge), b = m.vertex(op, m.forms->operand(op).next[edge]);
+      return Digits(atan2(Digits(BigRational(b[1] - a[1])), Digits(BigRational(b[0] - a[0]))));
+    };
+    const double t = random.signed_unit() * (random.chance(50) ? 1 : 100), u = random.signed_unit();
+    const double theta = Orientation::of(exact::to_rational(exact::exact_value(t)))->radians(),
+                 phi = Orientation::of(exact::to_rational(exact::exact_value(u)))->radians();
+    const Digits truly = 2 * atan(Digits(t)), other = 2 * atan(Digits(u));
+    of_double = std::max(of_double, off(Digits(theta) - truly) / kAngleDouble);
+    of_difference = std::max(of_difference, off(Digits(theta - phi) - (truly - other)) / kAngleDifference);
+    for (std::uint32_t side = 0; side < 2; ++side)
+      for (std::uint32_t e = 0; e < 5; ++e)
+        for (std::uint32_t v = 0; v < 5; ++v) {
+          const WalkSegment s{side, e, v};
+          if (!catalog.may_exist(s)) continue;
+          const std::uint32_t op = 1 - side, in = m.forms->operand(op).prev[v];
+          const TurnCatalog::Span span = catalog.span(s, theta);
+          const Digits at_in = side == 0 ? Digits(angle(0, e) - truly - angle(1, in))
+                                         : Digits(angle(0, in) - truly - angle(1, e)),
+                       at_out = side == 0 ? Digits(angle(0, e) - truly - angle(1, v))
+                                          : Digits(angle(0, v) - truly - angle(1, e));
+          of_span = std::max({of_span, off(Digits(side == 0 ? span.to : span.from) - at_in) / kAngleSlack,
+                              off(Digits(side == 0 ? span.from : span.to) - at_out) / kAngleSlack});
+        }
+  }
+  EXPECT_LE(of_double, 1);
+  EXPECT_GT(of_double, 1.0 / 64);
+  EXPECT_LE(of_difference, 1);
+  EXPECT_GT(of_difference, 1.0 / 1024);
+  EXPECT_LE(of_span, 1);
+  EXPECT_GT(of_span, 1.0 / 8192);
 }
 
 // A turning edge so short that the roundings of its ends are a good part of it, crossed by a long one at a small angle.
