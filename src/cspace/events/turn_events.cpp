@@ -353,6 +353,15 @@ class Collector {
       if (end != nullptr && end->exact_forms() && end->zero_here_only(d, w_.high - w_.low)) return true;
     return false;
   }
+  // Doubles prove it for every part of the window.
+  bool never_zero(const TrigForm2& g, double error) const {
+    constexpr int kParts = 4;
+    for (int k = 0; k < kParts; ++k)
+      if (!g.far_from_zero(Heading::of(w_.middle + w_.half * (2 * k + 1 - kParts) / kParts), w_.half / kParts * kWider,
+                           error))
+        return false;
+    return true;
+  }
   // Whether two lines are one and the same, or the first one crosses a before the second one at all angles.
   bool keep_order(const WalkSegment& a, const Place& x, const Place& y) const {
     const WalkSegment &b = w_.segments[x.crossing->other], &c = w_.segments[y.crossing->other];
@@ -363,6 +372,9 @@ class Collector {
     const double error = forms_.concurrency_error(a, b, c);
     if (g.far_from_zero(w_.heading, w_.half, error)) return true;
     if (at_crowded_end(g, error, [&](const QuarterTurn& end) { return end.concurrent(a, b, c); })) return true;
+    const double first = g.at(Heading::of(w_.low)), last = g.at(Heading::of(w_.high));
+    if (std::min(first, last) < -error && std::max(first, last) > error) return false;
+    if (never_zero(g, error)) return true;
     const exact::Polynomial p = forms_.exact_concurrency(a, b, c, w_.range.chart);
     return !p.is_zero() && roots(p).empty();
   }
