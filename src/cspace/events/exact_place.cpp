@@ -10,7 +10,10 @@ using exact::Polynomial;
 
 namespace {
 
+// Of crossings in doubles: they err by what the side and the cross product do and the angle moves them by, over it.
 constexpr double kLeastSine = 0x1p-4;
+static_assert((kTurnedSide + kTurnedCross + 4 * 0x1p-49) / kLeastSine + kTurnedPlace + 0x1p-49 <=
+              SignsAt::kCrossingNear);
 // Of the cross or scalar product of two edges at the heading, times their lengths: the form (kTurnedCross, and as much
 // for two directions), and what an angle within 2^-49 turns it by.
 constexpr double kProduct = exact::rounding_bound(56 + 2 * 16, 8192);

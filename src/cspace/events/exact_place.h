@@ -45,7 +45,11 @@ class SignsAt {
   /// num / den in doubles, within 2^-49 of max(1, |num / den|). Requires that den is not 0.
   double quotient(const exact::Polynomial& num, const exact::Polynomial& den) const;
 
-  /// The place in the forms' doubles, within 2^-37 of the span; nothing where the lines cross clearly off the first
+  /// What places in doubles err by, times the span: sums of vertices at the heading, whose angle errs by 2^-49; and
+  /// crossings.
+  static constexpr double kCornerNear = 0x1p-45, kCrossingNear = 0x1p-37;
+  static_assert(kTurnedPlace + 0x1p-49 <= kCornerNear);
+  /// The place in the forms' doubles, within these errors; nothing where the lines cross clearly off the first
   /// segment.
   std::optional<Point> near(const ExactPlace& z) const;
   /// (1 + t^2) d_s x (z - start_s), and (1 + t^2) d_s . (z - start_s): of degrees 2 over 0 for a corner, 4 over 2 for a
@@ -56,6 +60,7 @@ class SignsAt {
   /// Sides and places along, of points within 2^-37 of the span and edges turned by an angle within 2^-49, err by less
   /// than this times span and length1.
   static constexpr double kNear = 0x1p-35;
+  static_assert(2 * kCrossingNear + kTurnedSide + 2 * 0x1p-49 <= kNear);
   /// The sign of side; in doubles where `near`, the place in them, tells.
   int side_sign(const WalkSegment& s, const ExactPlace& z, Point near) const;
   /// On the segment, ends included; `within` where it is known to be on its line.

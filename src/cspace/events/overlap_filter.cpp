@@ -8,7 +8,8 @@ OverlapFilter::OverlapFilter(const TurningForms& forms, const TurnWindow& window
   for (std::uint32_t op = 0; op < 2; ++op) {
     Tree& tree = op == 0 ? fixed_ : turning_;
     for (const Component& c : forms.operand(op).components)
-      tree.roots.push_back(build(tree, op, c.first, c.last, op == 0 ? 0 : forms.reach() * window.half * 1.0001));
+      tree.roots.push_back(
+          build(tree, op, c.first, c.last, op == 0 ? 0 : forms.reach() * window.half * exact::kOutwards));
   }
 }
 

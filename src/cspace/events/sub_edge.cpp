@@ -8,13 +8,17 @@ namespace dymsum::planar {
 
 using exact::Polynomial;
 
-Located place_on(const TurningForms& forms, const WalkSegment& s, const WalkSegment& other, bool at_start, Heading h) {
+Located place_on(const TurningForms& forms, const WalkSegment& s, const WalkSegment& other, bool at_start, Heading h,
+                 double turn) {
   if (at_start ? meet_at_ends(forms, other, s) : meet_at_ends(forms, s, other)) return {at_start ? 0.0 : 1.0, 0};
-  const double d = forms.cross(s, other).at(h), t = forms.side(other, TurningForms::start(s)).at(h) / d;
-  // The numerator errs by its bound, the denominator by a share of the lengths: of lines that may be parallel doubles
-  // know nothing.
-  const double rounding = kTurnedCross * forms.length1(s) * forms.length1(other), size = std::abs(d) - rounding;
-  return {t, size > 0 ? (forms.side_error(other) + std::abs(t) * rounding) / size : INFINITY};
+  const TrigForm side = forms.side(other, TurningForms::start(s)), cross = forms.cross(s, other);
+  const double d = cross.at(h), t = side.at(h) / d;
+  // The numerator and the denominator err by their bounds, and change by their swings: of lines that may be parallel
+  // doubles know nothing. Other roundings are less than what the bounds grant beyond what they count.
+  const double n_error = forms.side_error(other) + turn * side.swing(),
+               d_error = kTurnedCross * forms.length1(s) * forms.length1(other) + turn * cross.swing(),
+               size = std::abs(d) - d_error;
+  return {t, size > 0 ? (n_error + std::abs(t) * d_error) / size : INFINITY};
 }
 
 // The start of its segment and a share of its vector, which is a crossing's side / cross. Where the crossing line runs

@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <bitset>
 #include <numeric>
-#include <span>
 
+#include "cspace/events/crossing_orders.h"
 #include "cspace/events/event_angles.h"
 #include "cspace/events/event_place.h"
-#include "cspace/events/quarter_turn.h"
 
 namespace dymsum::planar {
 
@@ -17,8 +16,6 @@ namespace {
 
 /// Where doubles look for events they look a little farther, relative to lengths and in radians.
 constexpr double kNear = 0x1p-18;
-/// Of what is looked for a little farther, relatively.
-constexpr double kWider = 1 + 0x1p-20;
 /// Of a stretch that two segments share, times the span: two places (16 each) and a product with a direction (19 + 2).
 constexpr double kStretch = exact::rounding_bound(2 * 16 + 19 + 2, 8192);
 /// A vertex whose root doubles know worse, or whose slope there is less than this share of what it can be, is looked
@@ -31,7 +28,12 @@ class Collector {
  public:
   Collector(const TurnWindow& window, const TurningForms& forms, const TurnCatalog& catalog,
             const OverlapFilter* filter, const QuarterEnds& ends)
-      : w_(window), forms_(forms), catalog_(catalog), filter_(filter), ends_(ends) {}
+      : w_(window),
+        forms_(forms),
+        catalog_(catalog),
+        filter_(filter),
+        ends_(window, ends),
+        orders_(window, forms, ends_) {}
 
   TurnEvents run(const std::vector<Alignment>& all) {
     add_alignments(all);
@@ -46,12 +48,6 @@ class Collector {
   }
 
  private:
-  struct Crossing {
-    std::uint32_t other = 0;
-    double low = 0, high = 0;  ///< of the parameter along the segment, at all angles
-    std::uint32_t order = 0;   ///< of two with one number, other than 0, the lines keep their order along the segment
-  };
-
   void add_alignments(const std::vector<Alignment>& all) {
     const double slack = 2 * kAngleSlack;
     auto at = std::lower_bound(all.begin(), all.end(), w_.low - slack,
@@ -68,32 +64,14 @@ class Collector {
     }
   }
   bool falls_inside(TurnEvent& event) const {
-    if (ends_.high != nullptr && ends_.high->aligned(event.e, event.f)) return false;
+    if (ends_.high() != nullptr && ends_.high()->aligned(event.e, event.f)) return false;
     const exact::Polynomial p = forms_.exact_alignment(event.e, event.f, w_.range.chart);
     if (forms_.alignment_chart(event.e, event.f) != w_.range.chart) return false;
     return !roots_in(p, w_.range.t_low, w_.range.t_high).empty();
   }
 
-  // Whether a form has its only zero in the window at a crowded end, where `zero` tells exactly that it has one.
-  template <class Form, class Zero>
-  bool at_crowded_end(const Form& f, double error, Zero&& zero) const {
-    for (const QuarterTurn* end : {ends_.low, ends_.high})
-      if (end != nullptr && end->exact_forms() && end->zero_here_only(f, w_.high - w_.low)) return true;
-    for (const QuarterTurn* end : {ends_.low, ends_.high})
-      if (end != nullptr && std::abs(f.at(end->heading())) <= error && end->only_zero(f, w_.high - w_.low, error) &&
-          zero(*end))
-        return true;
-    return false;
-  }
-  // Roots in the window, less those at a crowded end.
-  std::vector<AlgebraicRoot> roots(const exact::Polynomial& p) const {
-    std::vector<AlgebraicRoot> found = roots_in(p, w_.range.t_low, w_.range.t_high);
-    if (ends_.high != nullptr && !found.empty() && exact::compare(found.back(), w_.range.t_high) == 0) found.pop_back();
-    return found;
-  }
-
   // The parameter of b's line along a: N / D. Around its value t at the middle, (N - t D) / D is small.
-  Crossing crossing(std::uint32_t i, std::uint32_t j) const {
+  LineCrossing crossing(std::uint32_t i, std::uint32_t j) const {
     const WalkSegment &a = w_.segments[i], &b = w_.segments[j];
     const TrigForm n = forms_.side(b, TurningForms::start(a)), d = forms_.cross(a, b);
     const double at = d.at(w_.heading), least = std::abs(at) - std::abs(d.slope(w_.heading)) * w_.half -
@@ -117,12 +95,12 @@ class Collector {
       }
       ++out_.pairs;
       for (const auto& [i, j] : {std::pair{m.a, m.b}, std::pair{m.b, m.a}}) {
-        const Crossing c = crossing(i, j);
+        const LineCrossing c = crossing(i, j);
         if (c.high >= -kNear && c.low <= 1 + kNear) crossings_[i].push_back(c);
       }
     }
     for (auto& list : crossings_)
-      std::sort(list.begin(), list.end(), [](const Crossing& a, const Crossing& b) { return a.low < b.low; });
+      std::sort(list.begin(), list.end(), [](const LineCrossing& a, const LineCrossing& b) { return a.low < b.low; });
   }
 
   // Of two segments with the same direction: the stretch that they share once they are on one line is longer than
@@ -140,7 +118,7 @@ class Collector {
     return may_exist(a, theta) && may_exist(b, theta) && share_stretch(a, b, theta);
   }
   bool beside_at_crowded_end(const TrigForm& f, const WalkSegment& s, Pair v) const {
-    return at_crowded_end(f, forms_.side_error(s), [&](const QuarterTurn& end) { return end.on_line(s, v); });
+    return ends_.at_end(f, forms_.side_error(s), [&](const QuarterTurn& end) { return end.on_line(s, v); });
   }
   void overlaps(const WalkSegment& a, const WalkSegment& b) {
     // One edge at both ends of another one: on one line only where the two edges are aligned.
@@ -153,7 +131,7 @@ class Collector {
       return;
     const exact::Polynomial poly = forms_.exact_side(a, TurningForms::start(b), w_.range.chart);
     if (poly.is_zero()) return;
-    for (AlgebraicRoot& root : roots(poly)) {
+    for (AlgebraicRoot& root : ends_.roots(poly)) {
       TurnEvent event = at(std::move(root), TurnEvent::Kind::overlap);
       if (!overlap_at(a, b, event.theta())) continue;
       event.a = a;
@@ -218,7 +196,7 @@ class Collector {
     }
     if (!near) return;
     const exact::Polynomial poly = forms_.exact_side(a, v, w_.range.chart);
-    for (AlgebraicRoot& root : roots(poly)) {
+    for (AlgebraicRoot& root : ends_.roots(poly)) {
       TurnEvent event = at(std::move(root), TurnEvent::Kind::vertex_on_segment);
       if (!on(a, v, event.theta()) || !may_exist(a, event.theta()) || belongs_to_overlap(a, v, event.theta())) continue;
       event.a = a;
@@ -255,7 +233,7 @@ class Collector {
       });
       number[side].resize(order.size());
       for (std::size_t k = 0; k < order.size(); ++k) {
-        if (k == 0 || !same_direction({side, order[k - 1], 0}, {side, order[k], 0})) ++count;
+        if (k == 0 || !same_direction(forms_, {side, order[k - 1], 0}, {side, order[k], 0})) ++count;
         number[side][order[k]] = count;
       }
     }
@@ -274,8 +252,8 @@ class Collector {
   // Every triple is found from its smallest member; with two that are parallel at every angle, from the third one, the
   // only one that crosses both.
   void triples_of(std::uint32_t a) {
-    std::vector<Crossing>& list = crossings_[a];
-    find_orders(a, list);
+    std::vector<LineCrossing>& list = crossings_[a];
+    orders_.find(a, list);
     for (std::size_t k = 0; k < list.size(); ++k)
       for (std::size_t l = k + 1; l < list.size() && list[l].low <= list[k].high; ++l) {
         if ((list[k].order == list[l].order && list[k].order != 0) ||
@@ -284,93 +262,6 @@ class Collector {
         const std::uint32_t b = std::min(list[k].other, list[l].other), c = std::max(list[k].other, list[l].other);
         if (a < b || forms_.parallel(w_.segments[b], w_.segments[c])) triple(a, b, c);
       }
-  }
-
-  // Where many cross at nearly the same places, as beside a crowded quarter turn, most pairs of them keep their order
-  // all the while. In the order of their places at the middle, neighbours that are never at one place within the window
-  // prove that of all between: places are continuous functions of the angle, as no line is parallel to the segment.
-  void find_orders(std::uint32_t i, std::vector<Crossing>& list) const {
-    constexpr std::size_t kMany = 12;
-    std::uint32_t orders = 0;
-    for (std::size_t first = 0; first < list.size();) {
-      std::size_t last = first + 1;
-      for (double high = list[first].high; last < list.size() && list[last].low <= high; ++last)
-        high = std::max(high, list[last].high);
-      if (last - first >= kMany)
-        find_orders(
-            w_.segments[i],
-            {list.begin() + static_cast<std::ptrdiff_t>(first), list.begin() + static_cast<std::ptrdiff_t>(last)},
-            orders);
-      first = last;
-    }
-  }
-  void find_orders(const WalkSegment& a, std::span<Crossing> run, std::uint32_t& orders) const {
-    std::vector<Place> places;
-    for (Crossing& c : run) {
-      const WalkSegment& b = w_.segments[c.other];
-      const TrigForm d = forms_.cross(a, b);
-      const double rounding = kTurnedCross * forms_.length1(a) * forms_.length1(b), cross = d.at(w_.heading),
-                   size = std::abs(cross) - rounding;
-      const bool crosses = d.far_from_zero(w_.heading, w_.half, rounding) || parallel_at_exact_end(d);
-      if (!crosses || !(size > 0)) continue;
-      const double t = forms_.side(b, TurningForms::start(a)).at(w_.heading) / cross;
-      places.push_back({&c, t, (forms_.side_error(b) + std::abs(t) * rounding) / size * kWider, cross > 0 ? 1 : -1});
-    }
-    std::sort(places.begin(), places.end(), [](const Place& x, const Place& y) { return x.at < y.at; });
-    sort_unclear(a, places);
-    for (std::size_t k = 0; k < places.size(); ++k)
-      places[k].crossing->order = k > 0 && keep_order(a, places[k - 1], places[k]) ? orders : ++orders;
-  }
-  // Where a line crosses a at the middle.
-  struct Place {
-    Crossing* crossing;
-    double at, error;
-    int turn;  // the sign of a's direction x the line's
-    bool before(const Place& o) const { return o.at - at - o.error - error > 0; }
-  };
-  // Places that come together at a crowded quarter turn may be nearer to each other than doubles tell. A step or two
-  // sort most of them.
-  void sort_unclear(const WalkSegment& a, std::vector<Place>& places) const {
-    constexpr std::size_t kSteps = 8;
-    for (std::size_t k = 1; k < places.size(); ++k)
-      for (std::size_t j = k; j > 0 && j + kSteps > k && !places[j - 1].before(places[j]) &&
-                              order_beside_end(a, places[j - 1], places[j]) > 0;
-           --j)
-        std::swap(places[j - 1], places[j]);
-  }
-  // The sign of the first place less the second one's in all of the window but a crowded end, at which both are one; 0
-  // where that is not so.
-  int order_beside_end(const WalkSegment& a, const Place& x, const Place& y) const {
-    const TrigForm2 g = forms_.concurrency(a, w_.segments[x.crossing->other], w_.segments[y.crossing->other]);
-    for (const QuarterTurn* end : {ends_.low, ends_.high})
-      if (end != nullptr && end->exact_forms())
-        if (const int sign = end->sign_beside(g, end == ends_.low ? w_.high - w_.low : w_.low - w_.high))
-          return sign * x.turn * y.turn;
-    return 0;
-  }
-  bool parallel_at_exact_end(const TrigForm& d) const {
-    for (const QuarterTurn* end : {ends_.low, ends_.high})
-      if (end != nullptr && end->exact_forms() && end->zero_here_only(d, w_.high - w_.low)) return true;
-    return false;
-  }
-  // Whether two lines are one and the same, or the first one crosses a before the second one at all angles.
-  bool keep_order(const WalkSegment& a, const Place& x, const Place& y) const {
-    const WalkSegment &b = w_.segments[x.crossing->other], &c = w_.segments[y.crossing->other];
-    if (!x.before(y))
-      return order_beside_end(a, x, y) < 0 ||
-             (same_direction(b, c) && forms_.exact_side(b, TurningForms::start(c), w_.range.chart).is_zero());
-    const TrigForm2 g = forms_.concurrency(a, b, c);
-    const double error = forms_.concurrency_error(a, b, c);
-    if (g.far_from_zero(w_.heading, w_.half, error)) return true;
-    if (at_crowded_end(g, error, [&](const QuarterTurn& end) { return end.concurrent(a, b, c); })) return true;
-    const exact::Polynomial p = forms_.exact_concurrency(a, b, c, w_.range.chart);
-    return !p.is_zero() && roots(p).empty();
-  }
-
-  // Opposite directions: a passage between them opens or closes. The same direction: overlaps() sees to it.
-  bool same_direction(const WalkSegment& b, const WalkSegment& c) const {
-    const Point d = forms_.edge(b.side, b.edge), e = forms_.edge(c.side, c.edge);
-    return forms_.parallel(b, c) && d.x * e.x + d.y * e.y > 0;
   }
 
   struct Root {
@@ -420,18 +311,18 @@ class Collector {
     ++out_.triples;
     if (!may_meet(j, k) || !w_.meet(j, k)) return;
     const WalkSegment &a = w_.segments[i], &b = w_.segments[j], &c = w_.segments[k];
-    if (same_direction(b, c)) return;
+    if (same_direction(forms_, b, c)) return;  // overlaps() sees to it
     const TrigForm2 g = forms_.concurrency(a, b, c);
     const double error = forms_.concurrency_error(a, b, c);
     if (g.far_from_zero(w_.heading, w_.half, error)) return;
-    if (at_crowded_end(g, error, [&](const QuarterTurn& end) { return end.concurrent(a, b, c); })) return;
+    if (ends_.at_end(g, error, [&](const QuarterTurn& end) { return end.concurrent(a, b, c); })) return;
     if (!may_matter(a, b, c, g, error)) return;
     const exact::Polynomial poly = forms_.exact_concurrency(a, b, c, w_.range.chart);
     if (poly.is_zero()) {
       out_.always_concurrent.push_back({a, b, c});
       return;
     }
-    for (AlgebraicRoot& root : roots(poly)) {
+    for (AlgebraicRoot& root : ends_.roots(poly)) {
       TurnEvent event = at(std::move(root), TurnEvent::Kind::three_segments);
       if (!all_cross(a, b, c, event.theta(), (event.high - event.low) / 2)) continue;
       event.a = a;
@@ -479,8 +370,9 @@ class Collector {
   const TurningForms& forms_;
   const TurnCatalog& catalog_;
   const OverlapFilter* filter_;
-  QuarterEnds ends_;
-  std::vector<std::vector<Crossing>> crossings_;
+  WindowEnds ends_;
+  CrossingOrders orders_;
+  std::vector<std::vector<LineCrossing>> crossings_;
   std::vector<std::uint32_t> heading_of_;   // of segments
   std::vector<std::bitset<512>> sketches_;  // of the meetings of segments with later ones
   TurnEvents out_;

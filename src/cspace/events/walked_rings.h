@@ -9,6 +9,9 @@
 
 namespace dymsum::planar {
 
+/// Coordinates of robots, obstacles and positions are at most this.
+inline constexpr double kLargestCoordinate = 0x1p400;
+
 /// Whether some of it has no area.
 inline bool has_thin_pieces(const Region& r) { return !r.polylines().empty() || !r.points().empty(); }
 

@@ -130,7 +130,8 @@ Result<MotionCheck> check_motion(const Region& robot, const Region& obstacle, co
   for (const double v : {a.x, a.y, a.theta, b.x, b.y, b.theta})
     if (!std::isfinite(v)) return Error{ErrorCode::not_finite, "a configuration is not finite", {}};
   for (const double v : {a.x, a.y, b.x, b.y})
-    if (std::abs(v) > 0x1p400) return Error{ErrorCode::unsupported_operand, "a coordinate is larger than 2^400", {}};
+    if (std::abs(v) > planar::kLargestCoordinate)
+      return Error{ErrorCode::unsupported_operand, "a coordinate is larger than 2^400", {}};
   return Sweep(robot, obstacle, a, b, scale_for(robot, obstacle, a, b)).run(options);
 }
 

@@ -8,6 +8,10 @@ namespace {
 
 using Node = BoundaryGraph::Node;
 
+/// Of places along two edges in line, times their lengths: the lengths (1 for each coordinate, 2 for the root), shares
+/// of them, sums.
+constexpr double kInLine = exact::rounding_bound(1 + 2 + 1 + 2, 32);
+
 /// Visible sub-edges that follow each other along the common line of two aligned edges, and where they start and end
 /// on it.
 struct AlignedRun {
@@ -22,6 +26,7 @@ class AlignmentEdit {
         catalog_(scene.catalog),
         graph_(scene.graph),
         heading_(Heading::of(event.theta())),
+        turn_(turn_of(event)),
         length_e_(length(1, event.e)),
         length_f_(length(0, event.f)) {
     const std::uint32_t e = event.e, f = event.f, e1 = forms_.operand(1).next[e], f1 = forms_.operand(0).next[f];
@@ -57,8 +62,8 @@ class AlignmentEdit {
       for (std::uint32_t n = graph_.first_on(before_[second]); n != kNobody; n = graph_[n].next_on_segment) {
         const Node& node = graph_[n];
         const double length = second ? length_f_ : length_e_, base = second ? length_e_ : 0;
-        const Located from = place_on(forms_, node.segment, graph_[node.prev].segment, true, heading_),
-                      to = place_on(forms_, node.segment, graph_[node.next].segment, false, heading_);
+        const Located from = place_on(forms_, node.segment, graph_[node.prev].segment, true, heading_, turn_),
+                      to = place_on(forms_, node.segment, graph_[node.next].segment, false, heading_, turn_);
         const AlignedRun run{n, n, base + length * from.t, base + length * to.t, length * (from.error + to.error)};
         if (!(run.from <= run.to + run.error)) return false;
         runs.push_back(run);
@@ -85,7 +90,7 @@ class AlignmentEdit {
   std::vector<WalkSegment> segments_behind(const AlignedRun& run) const {
     const bool from_middle = forms_.end(graph_[graph_[run.first].prev].segment) == middle_;
     const bool to_middle = TurningForms::start(graph_[graph_[run.last].next].segment) == middle_;
-    const double near = 1e-9 * (length_e_ + length_f_) + run.error;
+    const double near = kInLine * (length_e_ + length_f_) + run.error;
     if ((!from_middle && !(std::abs(run.from - length_f_) > near)) ||
         (!to_middle && !(std::abs(run.to - length_f_) > near)))
       return {};
@@ -101,6 +106,7 @@ class AlignmentEdit {
   const TurnCatalog& catalog_;
   const BoundaryGraph& graph_;
   Heading heading_;
+  double turn_;  // what its angle errs by
   double length_e_, length_f_;
   std::array<WalkSegment, 2> before_, behind_;  // along the line, in order
   Pair middle_;                                 // between the two behind the event

@@ -24,13 +24,14 @@ namespace {
 
 using namespace planar;
 
-constexpr double kLargest = 0x1p400;  // of coordinates
+// Of a position in the lattice's doubles, times its span: both coordinates and their sum.
+constexpr double kPositionInSteps = exact::rounding_bound(1 + 1 + 1, 16);
 
 Error unsupported(const char* message) { return {ErrorCode::unsupported_operand, message, {}}; }
 
 std::optional<Error> beyond_range(const Ring& ring) {
   for (const Point& v : ring) {
-    if (std::abs(v.x) <= kLargest && std::abs(v.y) <= kLargest) continue;
+    if (std::abs(v.x) <= kLargestCoordinate && std::abs(v.y) <= kLargestCoordinate) continue;
     Error error = unsupported("a coordinate is larger than 2^400");
     error.evidence.x = v.x;
     error.evidence.y = v.y;
@@ -195,7 +196,7 @@ std::optional<std::uint32_t> CspaceObstacle::slab_of(const Orientation& theta) c
   const State& s = *state_;
   if (s.angles.empty()) return 0;
   const ExactAngle at = exact_angle(theta);
-  const double low = theta.radians() - 0x1p-49, high = theta.radians() + 0x1p-49;
+  const double low = theta.radians() - kAngleDouble, high = theta.radians() + kAngleDouble;
   std::size_t first = 0, last = s.angles.size();  // the first angle beyond theta is in [first, last]
   while (first < last) {
     const std::size_t mid = (first + last) / 2;
@@ -268,7 +269,7 @@ Result<PlanarSum> CspaceObstacle::slice(const Orientation& theta, Semantics sema
 
 bool CspaceObstacle::contains(double x, double y, const Orientation& theta) const {
   // The obstacle of moderate operands is moderate.
-  if (!(std::abs(x) <= 0x1p402 && std::abs(y) <= 0x1p402)) return false;
+  if (!(std::abs(x) <= 4 * kLargestCoordinate && std::abs(y) <= 4 * kLargestCoordinate)) return false;
   const auto base = pair_of_regions(state_->obstacle, state_->robot,
                                     {.moved = 1, .reflect_q = true, .further = {{{Point{x, y}}, {Point{0, 0}}}}});
   const PlacedPair at = placed_at(**base, theta);
@@ -279,7 +280,7 @@ bool CspaceObstacle::contains(double x, double y, const Orientation& theta) cons
   const Pair z = place.first.pair;
   place.x = l.points[0]->x[z.p] + l.points[1]->x[z.q];
   place.y = l.points[0]->y[z.p] + l.points[1]->y[z.q];
-  place.error = 0x1p-49 * l.span;  // some roundings of coordinates of at most the span
+  place.error = kPositionInSteps * l.span;
   place.on = segment_from(l, z);
   return Collision(l, *at.p, *at.q, true).overlaps(place);
 }

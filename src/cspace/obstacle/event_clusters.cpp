@@ -11,7 +11,7 @@ namespace {
 constexpr double kAngle = 0x1p-30;
 /// Places of lines at a smaller sine are not used. They err by less than kCrossing / sine, times the span.
 constexpr double kLeastSine = 0x1p-10, kCrossing = 0x1p-40;
-static_assert(kCrossing / kLeastSine <= kAngle);
+static_assert(kTurnedSide + kTurnedCross + kTurnedPlace <= kCrossing && kCrossing / kLeastSine <= kAngle);
 
 /// A disc that certainly holds the place of an event, or the stretch along which it changes the boundary; infinite for
 /// alignments and where doubles do not tell.

@@ -4,8 +4,30 @@
 
 #include "cspace/events/event_place.h"
 #include "cspace/obstacle/sweep_scene.h"
+#include "exact/rounding_bound.h"
 
 namespace dymsum::planar {
+
+/// Of a place on a segment beside the share's error, in each coordinate, times the span: a place (16), a direction
+/// (19), product and sum.
+inline constexpr double kPlaceError = exact::rounding_bound(16 + 19 + 2, 128);
+/// The same at an angle that errs by `turn`: nothing turns about a centre farther than half a span.
+constexpr double place_error(double turn) { return kPlaceError + turn; }
+
+/// Events whose angles err by more are not planned in doubles.
+inline constexpr double kPlannedTurn = 0x1p-39;
+/// Directions that are nearer to parallel, relatively, have no sign that holds at the event's angle too: a cross
+/// product changes by less than 2 for every radian.
+inline constexpr double kParallel = 0x1p-32;
+static_assert(kTurnedCross + 2 * kPlannedTurn < kParallel);
+/// The same for slopes, in errors of the form: those of sides change by less than 2, those of three lines by less than
+/// 6 (4 + 2) for every radian, as their coefficients add up to 2 and 6.
+inline constexpr double kSlopes = 4096;
+static_assert(kTurnedSide + 2 * kPlannedTurn < kSlopes * kTurnedSide);
+static_assert(4 * kConcurrency + 6 * 6 * kPlannedTurn < kSlopes * kConcurrency);
+
+/// What the double of an event's angle errs by.
+inline double turn_of(const TurnEvent& event) { return (event.high - event.low) / 2 * exact::kOutwards; }
 
 struct EventPlan {
   enum class Verdict : std::uint8_t {

@@ -3,22 +3,11 @@
 
 #include "cspace/obstacle/event_plan.h"
 #include "cspace/obstacle/local_arrangement.h"
-#include "exact/rounding_bound.h"
 
 namespace dymsum::planar {
 namespace {
 
 int sign_of(double v, double error) { return v > error ? 1 : v < -error ? -1 : 0; }
-
-/// Positions along a segment nearer than this (as parameters) are not told apart in doubles.
-constexpr double kUnsure = 0x1p-30;
-/// Segments whose directions differ by less, relatively, are left to exact signs: far more than the form errs by
-/// (kTurnedCross), so that the sign holds at the event's angle too.
-constexpr double kParallel = 0x1p-32;
-/// The same for slopes, in errors of the form.
-constexpr double kSlopes = 4096;
-/// Of a place on a segment beside the share's error, times the span: a place (16), a direction (19), product and sum.
-constexpr double kPlaceError = exact::rounding_bound(16 + 19 + 2, 128);
 
 enum class Fill : std::uint8_t {
   nothing,  ///< the segments do not meet there
@@ -40,7 +29,8 @@ class Meeting {
         forms_(scene.forms),
         catalog_(scene.catalog),
         graph_(scene.graph),
-        heading_(Heading::of(event.theta())) {}
+        heading_(Heading::of(event.theta())),
+        turn_(turn_of(event)) {}
 
   Fill fill() { return event_.kind == TurnEvent::Kind::three_segments ? fill_triple() : fill_vertex(); }
   /// The visible sub-edges that come to the place: those bounded by another segment of it, and those that pass. False
@@ -70,6 +60,7 @@ class Meeting {
   const TurnCatalog& catalog_;
   const BoundaryGraph& graph_;
   Heading heading_;
+  double turn_;  // what its angle errs by
   LocalArrangement local_;
   Point at_;
   double at_error_ = 0;
@@ -98,8 +89,8 @@ Fill Meeting::fill_triple() {
   }
   if (!find_signs() || !event_.root->changes_sign()) return Fill::unsure;
   for (int k = 0; k < 3; ++k) {
-    const Located t = place_on(forms_, s[k], s[(k + 1) % 3], false, heading_),
-                  u = place_on(forms_, s[k], s[(k + 2) % 3], false, heading_);
+    const Located t = place_on(forms_, s[k], s[(k + 1) % 3], false, heading_, turn_),
+                  u = place_on(forms_, s[k], s[(k + 2) % 3], false, heading_, turn_);
     if (const Fill inside = within(t.error < u.error ? t : u); inside != Fill::done) return inside;
   }
   return order_along();
@@ -109,7 +100,7 @@ Fill Meeting::fill_triple() {
 // concurrency.
 Fill Meeting::order_along() {
   const TrigForm2 g = forms_.concurrency(event_.a, event_.b, event_.c);
-  const int after = sign_of(g.slope(heading_), 4096 * forms_.concurrency_error(event_.a, event_.b, event_.c));
+  const int after = sign_of(g.slope(heading_), kSlopes * forms_.concurrency_error(event_.a, event_.b, event_.c));
   if (after == 0) return Fill::unsure;
   for (int k = 0; k < 3; ++k) {
     const int i = (k + 1) % 3, j = (k + 2) % 3;
@@ -126,9 +117,9 @@ void Meeting::find_place() {
   at_error_ = INFINITY;
   for (int k = 0; k < 3; ++k) {
     const WalkSegment& s = local_.members[k].segment;
-    const Located t = place_on(forms_, s, local_.members[(k + 1) % 3].segment, false, heading_);
+    const Located t = place_on(forms_, s, local_.members[(k + 1) % 3].segment, false, heading_, turn_);
     const Point from = start(s), d = forms_.direction(s, heading_);
-    const double error = t.error * forms_.length1(s) + kPlaceError * forms_.span();
+    const double error = t.error * forms_.length1(s) + place_error(turn_) * forms_.span();
     if (!(error < at_error_)) continue;
     at_error_ = error;
     at_ = {from.x + t.t * d.x, from.y + t.t * d.y};
@@ -142,7 +133,7 @@ Fill Meeting::fill_vertex() {
   if (exists == TurnCatalog::Existence::no) return Fill::nothing;
   if (joint.unsure || exists == TurnCatalog::Existence::unsure) return Fill::unsure;
   at_ = forms_.place(event_.v, heading_);
-  at_error_ = kPlaceError * forms_.span();
+  at_error_ = place_error(turn_) * forms_.span();
   const Fill inside = within({along(event_.a), 4 * at_error_ / forms_.length1(event_.a)});
   if (inside != Fill::done) return inside;
   const auto add = [&](const WalkSegment& s) {
@@ -223,9 +214,9 @@ bool Meeting::find_nodes(LocalArrangement::Member& member) {
 
 // Whether the place lies between the ends of a sub-edge.
 std::optional<bool> Meeting::passes(const WalkSegment& s, const BoundaryGraph::Node& node) const {
-  const double t = along(s), error = kUnsure + 4 * at_error_ / forms_.length1(s);
-  const Located u = place_on(forms_, s, graph_[node.prev].segment, true, heading_),
-                v = place_on(forms_, s, graph_[node.next].segment, false, heading_);
+  const double t = along(s), error = 4 * at_error_ / forms_.length1(s);
+  const Located u = place_on(forms_, s, graph_[node.prev].segment, true, heading_, turn_),
+                v = place_on(forms_, s, graph_[node.next].segment, false, heading_, turn_);
   if (!(std::abs(t - u.t) > error + u.error && std::abs(t - v.t) > error + v.error)) return std::nullopt;
   return t > u.t && t < v.t;
 }
@@ -263,7 +254,7 @@ EventPlan plan_meeting(const TurnEvent& event, const SweepScene& scene, const Ov
     return plan;
   };
   Meeting meeting(event, scene);
-  const Fill filled = meeting.fill();
+  const Fill filled = turn_of(event) <= kPlannedTurn ? meeting.fill() : Fill::unsure;
   if (filled == Fill::nothing) return plan;
   // Not generic: of no interest where everything is covered.
   if (filled == Fill::unsure)

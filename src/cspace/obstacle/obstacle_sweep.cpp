@@ -87,7 +87,7 @@ TurnEvent* ObstacleSweep::first_event(const TurnRange& range, std::vector<TurnEv
 }
 
 bool ObstacleSweep::at_end_of(const TurnRange& range, TurnEvent& event) const {
-  return event.high >= range.theta(range.t_high) - 0x1p-40 &&
+  return event.high >= range.theta(range.t_high) - kAngleDouble &&
          exact::compare(exact_root(event, forms_, range), AlgebraicRoot::of(range.t_high)) == 0;
 }
 
@@ -95,7 +95,7 @@ bool ObstacleSweep::at_end_of(const TurnRange& range, TurnEvent& event) const {
 void ObstacleSweep::pass_run(Group& run, Group* following, const TurnRange& range, const OverlapFilter& filter) {
   const auto before = [&](TurnEvent* a, TurnEvent* b) { return compare(*a, *b, range) < 0; };
   if (run.size() > 1) {
-    if (run.back()->high < range.theta(range.t_high) - 0x1p-40 && !matters(run, filter)) return;
+    if (run.back()->high < range.theta(range.t_high) - kAngleDouble && !matters(run, filter)) return;
     std::stable_sort(run.begin(), run.end(), before);
   }
   for (auto first = run.begin(); first != run.end();) {
@@ -297,16 +297,17 @@ void ObstacleSweep::note(Heading h, ObstacleEvent::Kind kind, Point at) {
   swept_.events.push_back({kind, swept_.graph.angle(), position(h, at)});
 }
 
-// Crossings are known within 2^-37 of the span (SignsAt::near), sums of two vertices within 2^-45: they err by the
-// angle's 2^-49 and some roundings. What turns places into positions rounds each of four terms.
+// What turns places into positions rounds each of four terms, of which one is turned by a heading (16).
 TightFeature ObstacleSweep::tight_feature(const TightCandidate& from, const TightCandidate& to) const {
   const Lattice& l = *reader_.base().lattice;
   const Heading h = now_.signs().heading();
   TightFeature feature{swept_.graph.angle(), position(h, from.near), position(h, to.near), 0};
   const double offsets = std::hypot(l.points[0]->offset.x, l.points[0]->offset.y) +
                          std::hypot(l.points[1]->offset.x, l.points[1]->offset.y);
-  const double share = from.place.first.crossing || to.place.first.crossing ? 0x1p-37 : 0x1p-45;
-  feature.error = (share + 0x1p-47) * forms_.span() * l.unit + 0x1p-47 * offsets;
+  const double share =
+      from.place.first.crossing || to.place.first.crossing ? SignsAt::kCrossingNear : SignsAt::kCornerNear;
+  constexpr double kPosition = exact::rounding_bound(16 + 2 * 4, 64);
+  feature.error = (share + kPosition) * forms_.span() * l.unit + kPosition * offsets;
   return feature;
 }
 

@@ -26,7 +26,8 @@ class OverlapEdit {
         inner_(slope < 0 ? event.a : event.b),
         direction_(forms_.direction(a_, heading_)),
         length_(std::hypot(direction_.x, direction_.y)),
-        unsure_(1e-9 * (length_ + forms_.length1(b_))),
+        turn_(turn_of(event)),
+        unsure_(8 * place_error(turn_) * forms_.span()),
         start_(TurningForms::start(outer_)),
         end_(forms_.end(outer_)),
         low_(along(start_)),
@@ -63,8 +64,8 @@ class OverlapEdit {
       const Point e = forms_.direction(*s, heading_);
       const double base = along(TurningForms::start(*s)), own = std::hypot(e.x, e.y);
       for (std::uint32_t n = graph_.first_on(*s); n != kNobody; n = graph_[n].next_on_segment) {
-        const Located first = place_on(forms_, *s, graph_[graph_[n].prev].segment, true, heading_),
-                      last = place_on(forms_, *s, graph_[graph_[n].next].segment, false, heading_);
+        const Located first = place_on(forms_, *s, graph_[graph_[n].prev].segment, true, heading_, turn_),
+                      last = place_on(forms_, *s, graph_[graph_[n].next].segment, false, heading_, turn_);
         found.push_back({{n}, base + own * first.t, base + own * last.t, own * (first.error + last.error)});
       }
     }
@@ -135,7 +136,9 @@ class OverlapEdit {
   Heading heading_;
   const WalkSegment &a_, &b_, &outer_, &inner_;
   Point direction_;  // of a
-  double length_, unsure_;
+  double length_;
+  double turn_;        // what the event's angle errs by
+  double unsure_;      // places along the line that are nearer are not told apart: each errs by up to half of it
   Pair start_, end_;   // of the outer segment
   double low_, high_;  // these along the line
   TurnCatalog::Joint before_, behind_;
@@ -150,9 +153,10 @@ EventPlan plan_overlap(const TurnEvent& event, const SweepScene& scene) {
   const auto exists = [&](const WalkSegment& s) {
     return scene.catalog.exists(s, theta) == TurnCatalog::Existence::yes;
   };
-  if (!event.root->changes_sign() || !exists(event.a) || !exists(event.b)) return unsure;
+  if (turn_of(event) > kPlannedTurn || !event.root->changes_sign() || !exists(event.a) || !exists(event.b))
+    return unsure;
   const double slope = scene.forms.side(event.a, TurningForms::start(event.b)).slope(Heading::of(theta));
-  if (std::abs(slope) <= 4096 * scene.forms.side_error(event.a)) return unsure;
+  if (std::abs(slope) <= kSlopes * scene.forms.side_error(event.a)) return unsure;
   const OverlapEdit overlap(event, scene, slope);
   std::optional<BoundaryEdit> edit = overlap.edit();
   if (!edit) return unsure;

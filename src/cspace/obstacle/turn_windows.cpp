@@ -28,11 +28,12 @@ double thickness(const TurningForms& forms, std::uint32_t op) {
 }
 
 /// Where edges crowd at quarter turns, most pairs are of segments that are covered, but for thin places only: cells
-/// there are less than half as wide as the operands are thick, or hardly one would lie inside.
+/// there are less than half as wide as the operands are thick, or hardly one would lie inside. But no more cells than
+/// 16 for every pair of an edge and a vertex, or a few thin bars far apart spend their time on cells.
 int cells_for_crowd(const TurningForms& forms, double pairs) {
-  const double thin = std::min(thickness(forms, 0), thickness(forms, 1));
+  const double thin = std::min(thickness(forms, 0), thickness(forms, 1)), most = std::min(640.0, 4 * std::sqrt(pairs));
   const int usual = cells_for(pairs);
-  return thin > 0 ? std::max(usual, static_cast<int>(std::min(640.0, 2.5 * forms.span() / thin))) : usual;
+  return thin > 0 ? std::max(usual, static_cast<int>(std::min(most, 2.5 * forms.span() / thin))) : usual;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "cspace/events/walked_rings.h"
 #include "cspace/planner/free_components.h"
 #include "cspace/planner/path_points.h"
 #include "cspace/planner/path_search.h"
@@ -183,7 +184,7 @@ class Planner {
 
 Result<PathEnd> end_of(const Configuration& c) {
   if (!std::isfinite(c.x) || !std::isfinite(c.y)) return Error{ErrorCode::not_finite, "a coordinate is not finite", {}};
-  if (std::abs(c.x) > 0x1p400 || std::abs(c.y) > 0x1p400)
+  if (std::abs(c.x) > planar::kLargestCoordinate || std::abs(c.y) > planar::kLargestCoordinate)
     return Error{ErrorCode::unsupported_operand, "a coordinate is larger than 2^400", {}};
   const Result<Orientation> theta = Orientation::nearest(c.theta);
   if (!theta) return theta.error();

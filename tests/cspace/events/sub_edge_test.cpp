@@ -63,5 +63,26 @@ TEST(SubEdge, nearly_parallel_lines_cross_within_the_error_that_is_said) {
   EXPECT_GT(unknown, 200);
 }
 
+// An event's angle is known up to an interval, of a tenth of which the place moves by more than all roundings.
+TEST(SubEdge, places_are_said_for_every_angle_within_the_turn) {
+  oracles::Random random(4);
+  int moved = 0;
+  for (int k = 0; k < 200; ++k) {
+    const auto base = pair_of_regions(ring(random), ring(random), PairOptions{.moved = 1}).value();
+    const TurningForms forms(*base);
+    const WalkSegment s{0, static_cast<std::uint32_t>(k % 5), 1}, other{1, static_cast<std::uint32_t>(k / 5 % 5), 3};
+    const double t = random.signed_unit(), turn = std::ldexp(1.0, -24 - static_cast<int>(random.below(16)));
+    const Located at =
+        place_on(forms, s, other, true, Heading::of(2 * std::atan(t) + 0.9 * turn * random.signed_unit()), turn);
+    const BigRational x = exact::exact_value(t), cross = value(forms.exact_cross(s, other, 0), x);
+    if (!std::isfinite(at.error) || cross == 0) continue;
+    const BigRational truth = value(forms.exact_side(other, TurningForms::start(s), 0), x) / cross,
+                      off = abs(truth - exact::exact_value(at.t));
+    EXPECT_LE(off, exact::exact_value(at.error));
+    moved += off > exact::exact_value(at.error) / 64;
+  }
+  EXPECT_GT(moved, 20);
+}
+
 }  // namespace
 }  // namespace dymsum::planar
