@@ -7,8 +7,10 @@
 #include <cstdint>
 #include <string_view>
 #include <thread>
+#include <vector>
 
 #include "base/parallel.h"
+#include "base/parallel_sort.h"
 #include "dymsum/spatial_sum.h"
 
 namespace dymsum::spatial {
@@ -52,6 +54,12 @@ class StageWatch {
   void run_stretches(std::size_t count, std::size_t size, F part) {
     run((count + size - 1) / size, [&](std::size_t k) { part(k, k * size, std::min(count, (k + 1) * size)); });
   }
+  /// Sorts by an order in which only equal values are equivalent.
+  template <class T, class Less>
+  void sort(std::vector<T>& values, Less less) const {
+    base::parallel_sort(values, options_.threads, less);
+  }
+  int threads() const { return options_.threads; }
   /// To be called in parts that take long, now and then: as ask() on the caller's thread, and stops on the others, too.
   void ask_within_part(double share) {
     if (stop_.load(std::memory_order_relaxed)) throw Cancelled{};

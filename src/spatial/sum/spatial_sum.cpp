@@ -63,7 +63,7 @@ Result<SpatialSum> spatial::sum_of_operands(const SolidOperand& a, const SolidOp
   try {
     spatial::SolidBoundary boundary = spatial::solid_boundary(a, b, options, sum.stats, watch);
     watch.begin("faces");
-    spatial::assemble(boundary, a, b, sum);
+    spatial::assemble(boundary, a, b, sum, watch);
     if (options.trace) sum.trace = trace_of(boundary);
     watch.begin("");
     const_cast<SpatialPositions&>(SpatialSumInternals::positions(sum)).space = std::move(boundary.space);
@@ -97,9 +97,7 @@ Result<SpatialSum::Rounded> SpatialSum::rounded() const {
     for (const std::uint32_t v : t) {
       if (name[v] == kNone) {
         name[v] = static_cast<std::uint32_t>(result.mesh.vertices.size());
-        const auto [x, y, z] = positions_->at(v);
-        result.mesh.vertices.push_back(
-            {exact::round_to_double(x), exact::round_to_double(y), exact::round_to_double(z)});
+        result.mesh.vertices.push_back(positions_->rounded(v));
       }
       face.push_back(name[v]);
     }
