@@ -5,6 +5,8 @@
 #include <numeric>
 #include <tuple>
 
+#include "base/free_memory.h"
+
 namespace dymsum::spatial {
 
 namespace {
@@ -20,6 +22,9 @@ std::vector<PlaneGroup> plane_groups(const FacetTable& table, const Contacts& co
   };
   for (const auto& [f, g] : contacts.coplanar) parent[root(f)] = root(g);
   std::vector<PlaneGroup> groups;
+  std::size_t count = 0;
+  for (std::uint32_t f = 0; f < parent.size(); ++f) count += root(f) == f;
+  groups.reserve(count);
   std::vector<std::uint32_t> index(table.facets.size(), kNoId);
   group_of.resize(table.facets.size());
   for (std::uint32_t f = 0; f < table.facets.size(); ++f) {
@@ -83,14 +88,17 @@ void collect_edges(SolidArrangement& all, StageWatch& watch) {
   std::vector<Use> uses(begin.back());
   std::vector<std::uint32_t> at(begin.begin(), begin.end() - 1);
   for_each([&](PointId a, PointId b, EdgeUse use) { uses[at[a]++] = {b, use}; });
-  at = {};
+  base::free_memory(at);
   watch.run_stretches(all.points.size(), 1024, [&](std::size_t, std::size_t from, std::size_t to) {
     for (std::size_t a = from; a < to; ++a)
       std::sort(uses.begin() + begin[a], uses.begin() + begin[a + 1], [](const Use& x, const Use& y) {
         return std::tie(x.b, x.use.group, x.use.edge) < std::tie(y.b, y.use.group, y.use.edge);
       });
   });
-  all.edge_uses.reserve(uses.size());
+  std::size_t edges = 0;
+  for (PointId a = 0; a + 1 < begin.size(); ++a)
+    for (std::uint32_t k = begin[a]; k < begin[a + 1]; ++k) edges += k == begin[a] || uses[k].b != uses[k - 1].b;
+  all.edge_uses.reserve(uses.size()), all.edge_ends.reserve(edges), all.first_use.reserve(edges + 1);
   for (PointId a = 0; a + 1 < begin.size(); ++a) {
     const auto first = uses.begin() + begin[a], last = uses.begin() + begin[a + 1];
     for (auto u = first; u != last; ++u) {
@@ -140,9 +148,9 @@ SolidArrangement arrange(SumSpace& space, const FacetTable& table, Contacts cont
     sources.push_back(c.from), sources.push_back(c.to);
     pairs.push_back({c.f, c.g});
   }
-  contacts = {};
+  base::free_memory(contacts.contacts, contacts.coplanar);
   std::vector<PointId> ids = result.points.add(sources, watch);
-  sources = {};
+  base::free_memory(sources);
 
   // Segments of every group.
   std::vector<std::uint32_t> begin(result.groups.size() + 1, 0);
@@ -175,7 +183,7 @@ SolidArrangement arrange(SumSpace& space, const FacetTable& table, Contacts cont
     segments[place[group_of[g]]++] = {to, from, table.facets[f].plane, 0, 1, kNoId};
   }
 
-  pairs = {}, ids = {}, place = {};
+  base::free_memory(pairs, ids, place);
   constexpr std::size_t kPart = 64;
   const std::size_t count = result.groups.size();
   watch.run((count + kPart - 1) / kPart, [&](std::size_t part) {
@@ -189,19 +197,24 @@ SolidArrangement arrange(SumSpace& space, const FacetTable& table, Contacts cont
     watch.hold(bytes);
   });
   // Names of crossings: the same point is found in several planes.
-  segments = {}, begin = {}, group_of = {};
+  base::free_memory(segments, begin, group_of);
+  std::size_t found = 0;
+  for (const PlaneGroup& group : result.groups) found += group.cells.found.size();
+  sources.reserve(found);
   for (PlaneGroup& group : result.groups) {
     sources.insert(sources.end(), group.cells.found.begin(), group.cells.found.end());
     group.names.resize(group.cells.found.size());
-    group.cells.found = {};
+    base::free_memory(group.cells.found);
   }
-  const std::vector<PointId> names = result.points.add(sources, watch);
+  std::vector<PointId> names = result.points.add(sources, watch);
+  base::free_memory(sources);
   at = 0;
   for (PlaneGroup& group : result.groups) {
     for (PointId& name : group.names) name = names[at++];
     group.first_cell = result.cell_count;
     result.cell_count += static_cast<std::uint32_t>(group.cells.cells.size());
   }
+  base::free_memory(names);
   collect_edges(result, watch);
   return result;
 }

@@ -6,6 +6,8 @@
 #include <iterator>
 #include <numeric>
 
+#include "base/free_memory.h"
+
 namespace dymsum::spatial {
 
 namespace {
@@ -64,7 +66,7 @@ class Merger {
   void collect(std::vector<T>& all, std::vector<T> Part::*some) {
     for (Part& part : parts_) {
       std::move((part.*some).begin(), (part.*some).end(), std::back_inserter(all));
-      part.*some = {};
+      base::free_memory(part.*some);
     }
   }
   bool is_selected(const PlaneGroup& group) const {

@@ -1,5 +1,6 @@
 #include "spatial/sum/solid_boundary.h"
 
+#include "base/free_memory.h"
 #include "spatial/boundary/cell_links.h"
 
 namespace dymsum::spatial {
@@ -100,7 +101,7 @@ SolidBoundary solid_boundary(const SolidOperand& p, const SolidOperand& q, const
   stats.inner_facets = drop_inner(convolution, inner, watch);
   watch.hold(convolution.facets.size() * kBytesPerTableFacet);
   result.table = facet_table(*result.space, convolution, watch);
-  convolution.facets = {}, convolution.planes = {};
+  base::free_memory(convolution.facets, convolution.planes);
   watch.begin("contacts");
   Contacts contacts = find_contacts(*result.space, result.table, watch);
   stats.box_pairs = contacts.counts.box_pairs, stats.contacts = contacts.counts.contacts;
