@@ -29,8 +29,8 @@ class Answers {
 };
 
 /// Answers by doubles with a bound, so a "no" may also mean that they do not tell. "Yes" is a proof. Terms and use:
-/// docs/design/solid-sum.md, "Tight features". Threads may ask at once: answers are remembered, and all of them find the
-/// same.
+/// docs/design/solid-sum.md, "Tight features". Threads may ask at once: answers are remembered, and all of them find
+/// the same.
 class LoneContacts {
  public:
   LoneContacts(const SumSpace& space, const FacetTable& table, const SolidOperand& p, const SolidOperand& q);

@@ -240,9 +240,9 @@ class Tight {
     in_parts(free.size(), 16, [&](Part& part, std::size_t i) {
       for (std::size_t k = begin[i]; k < begin[i + 1]; ++k)
         for (const std::int8_t side : {std::int8_t{1}, std::int8_t{-1}})
-          if (!free[i] && !overlaps({arrangement_.points.source(touches[k].at), touches[k].plane, touches[k].cut, 1, 1,
-                                     side},
-                                    part))
+          if (!free[i] &&
+              !overlaps({arrangement_.points.source(touches[k].at), touches[k].plane, touches[k].cut, 1, 1, side},
+                        part))
             free[i] = true;
     });
     for (std::size_t i = 0; i < free.size(); ++i)

@@ -46,7 +46,7 @@ class FeaturePairs {
   std::vector<std::pair<SumPoint, EdgeId>> ends_;  // of all edges of sums, sorted
   bool both_thin_;
   std::unordered_map<std::uint64_t, std::uint32_t> diagonal_[2];  // edges inside faces, and these faces
-  BoxTree facets_;  // only where something is tight
+  BoxTree facets_;                                                // only where something is tight
 };
 
 }  // namespace dymsum::spatial

@@ -164,7 +164,7 @@ class Assembler {
   }
 
   void add_edges() {
-    sum_.edges = edges_of(sum_.faces);
+    sum_.edges = edges_of(sum_.faces, watch_.threads());
     watch_.run_stretches(sum_.edges.size(), kPart, [&](std::size_t, std::size_t first, std::size_t last) {
       for (std::size_t k = first; k < last; ++k) {
         SpatialEdge& edge = sum_.edges[k];

@@ -67,8 +67,8 @@ class TouchingVertices {
       const Vec3 side = at(t[(k + 1) % 3]) - at(t[k]), to = at(v) - at(t[k]);
       const double all = size(u) * size(w) * size(side) * size(to);
       // Each of the four vectors errs by 6 at_error at most and is no longer than 3/2 of its size.
-      const double slack = 32 * sum_.at_error * all * (1 / size(u) + 1 / size(w) + 1 / size(side) + 1 / size(to)) +
-                           all * 0x1p-46;
+      const double slack =
+          32 * sum_.at_error * all * (1 / size(u) + 1 / size(w) + 1 / size(side) + 1 / size(to)) + all * 0x1p-46;
       if (dot(n, cross(side, to)) < -slack) return false;
     }
     return true;
