@@ -41,10 +41,10 @@ MeshData moved(MeshData mesh, double turn, Point3 by, double scale) {
 
 TEST(Rounding, vertices_are_the_nearest_doubles_to_exact_ones) {
   const MeshData ell = oracles::voxel_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 1, 1}});
-  const auto twentieth = [](double v) { return std::ldexp(std::nearbyint(std::ldexp(v, 20)), -20); };
+  const auto snapped = [](double v) { return std::ldexp(std::nearbyint(std::ldexp(v, 20)), -20); };
   for (const double scale : {1.0, 0x1p-60, 0x1p60}) {
-    for (const Point3 by : {Point3{0, 0, 0}, Point3{1e6, -7.25, 1e-3}, Point3{twentieth(1e5 / 3), 1e9, -1e9}}) {
-      const Point3 far{scale * twentieth(by.x), scale * twentieth(by.y), scale * twentieth(by.z)};
+    for (const Point3 by : {Point3{0, 0, 0}, Point3{1e6, -7.25, 1e-3}, Point3{snapped(1e5 / 3), 1e9, -1e9}}) {
+      const Point3 far{scale * snapped(by.x), scale * snapped(by.y), scale * snapped(by.z)};
       const SpatialSum s =
           spatial::sum_of_solids(moved(ell, 1.0 / 3, far, scale), moved(ell, -0.71, {}, scale), {}).value();
       const SpatialSum::Rounded rounded = s.rounded().value();
