@@ -31,23 +31,31 @@ double status_kb(const char* field) {
   return 0;
 }
 
-/// In a process of its own.
-double peak_bytes(const Mesh& p, const Mesh& q) {
-  const RivalAnswer answer = in_child(
+/// Bytes that allocations hold; of a process that has used one thread only.
+double allocated_bytes() {
+  const struct mallinfo2 info = mallinfo2();
+  return static_cast<double>(info.uordblks + info.hblkhd);
+}
+
+/// The peak (as `area`) and what of it the sum holds (as `min_ms`), in a process of its own.
+RivalAnswer measured_memory(const Mesh& p, const Mesh& q) {
+  return in_child(
       [&] {
-        malloc_trim(0);  // or the sum would use what earlier ones gave back, which is counted already
-        std::ofstream("/proc/self/clear_refs") << "5";
-        const double before = status_kb("VmRSS:");
         SpatialOptions options;
         options.threads = 1;
-        const bool ok = minkowski_sum(p, q, options).ok();
+        const Mesh tiny = Mesh::create(ell()).value();
+        if (!minkowski_sum(tiny, tiny, options)) return RivalAnswer{};  // the program's own pages are there now
+        malloc_trim(0);  // or the sum would use what earlier ones gave back, which is counted already
+        std::ofstream("/proc/self/clear_refs") << "5";
+        const double before = status_kb("VmRSS:"), allocated = allocated_bytes();
+        const Result<SpatialSum> sum = minkowski_sum(p, q, options);
         RivalAnswer bytes;
-        bytes.finished = ok;
+        bytes.finished = sum.ok();
         bytes.area = (status_kb("VmHWM:") - before) * 1024;
+        bytes.min_ms = allocated_bytes() - allocated;
         return bytes;
       },
       600);
-  return answer.area;
 }
 
 /// Of a valid mesh.
@@ -114,7 +122,8 @@ Ours measure_ours(const SolidPair& pair, double budget_ms) {
     return ours;
   }
   ours.predicted = predict_cost(*p, *q);
-  ours.peak_bytes = peak_bytes(*p, *q);
+  const RivalAnswer memory = measured_memory(*p, *q);
+  ours.peak_bytes = memory.area, ours.result_bytes = memory.min_ms;
   SpatialSum one, two;
   double used = 0;
   for (int k = 0; k < 3 || (k < 50 && used < budget_ms); ++k) {

@@ -14,6 +14,7 @@ struct Ours {
   std::vector<double> ms, two_threads_ms;  ///< of the wall clock, per repetition
   double validate_ms = 0, round_ms = 0;    ///< Mesh::create of both; rounded() and writing OFF to memory
   double peak_bytes = 0;                   ///< of a process that makes the sum once, over what it had before
+  double result_bytes = 0;                 ///< of these, what the finished sum holds
   SpatialStats stats;
   SpatialCost predicted;
   std::size_t faces = 0, tight = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "spatial/mesh/box_tree.h"
 
@@ -128,10 +129,11 @@ std::optional<Contact> contact(const SumSpace& space, const FacetTable& table, s
 }
 
 Contacts find_contacts(const SumSpace& space, const FacetTable& table, StageWatch& watch) {
-  std::vector<Box> boxes;
-  boxes.reserve(table.facets.size());
-  for (const TableFacet& f : table.facets) boxes.push_back(box_of(space, f));
-  const BoxTree tree(std::move(boxes));
+  std::vector<Box> boxes(table.facets.size());
+  watch.run_stretches(boxes.size(), 1024, [&](std::size_t, std::size_t first, std::size_t last) {
+    for (std::size_t f = first; f < last; ++f) boxes[f] = box_of(space, table.facets[f]);
+  });
+  const BoxTree tree(std::move(boxes), watch.threads());
   constexpr std::size_t kPart = 256;
   const std::size_t count = table.facets.size();
   std::vector<Contacts> parts((count + kPart - 1) / kPart);
@@ -157,7 +159,11 @@ Contacts find_contacts(const SumSpace& space, const FacetTable& table, StageWatc
     watch.hold(some.contacts.size() * kBytesPerContact + some.coplanar.size() * sizeof(some.coplanar[0]));
   });
   Contacts result;
-  for (const Contacts& some : parts) {
+  std::size_t contacts = 0, coplanar = 0;
+  for (const Contacts& some : parts) contacts += some.contacts.size(), coplanar += some.coplanar.size();
+  result.contacts.reserve(contacts), result.coplanar.reserve(coplanar);
+  for (Contacts& part : parts) {
+    const Contacts some = std::exchange(part, {});
     result.contacts.insert(result.contacts.end(), some.contacts.begin(), some.contacts.end());
     result.coplanar.insert(result.coplanar.end(), some.coplanar.begin(), some.coplanar.end());
     result.counts.box_pairs += some.counts.box_pairs;

@@ -8,12 +8,11 @@ namespace dymsum::spatial {
 
 namespace {
 
-void share_planes(const SumSpace& space, PlaneId first, FacetTable& table) {
+void share_planes(const SumSpace& space, PlaneId first, FacetTable& table, StageWatch& watch) {
   const std::vector<exact::Residue> hash = space.plane_hashes(first, table.facets.size());
   std::vector<std::uint32_t> order(hash.size());
   std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return std::tie(hash[a], a) < std::tie(hash[b], b); });
+  watch.sort(order, [&](std::uint32_t a, std::uint32_t b) { return std::tie(hash[a], a) < std::tie(hash[b], b); });
   // Of the planes with one hash, nearly always one; behind those with the hash 0, which may be any plane and come
   // first.
   std::vector<std::uint32_t> leaders;
@@ -36,7 +35,7 @@ void share_planes(const SumSpace& space, PlaneId first, FacetTable& table) {
   }
 }
 
-void share_edges(SumSpace& space, FacetTable& table) {
+void share_edges(SumSpace& space, FacetTable& table, StageWatch& watch) {
   struct Border {
     SumEdge edge;
     std::uint32_t facet;
@@ -54,7 +53,7 @@ void share_edges(SumSpace& space, FacetTable& table) {
       borders.push_back({edge, f, k});
     }
   }
-  std::sort(borders.begin(), borders.end(), [](const Border& a, const Border& b) {
+  watch.sort(borders, [](const Border& a, const Border& b) {
     return std::tie(a.edge, a.facet, a.corner) < std::tie(b.edge, b.facet, b.corner);
   });
   std::vector<SumEdge> edges;
@@ -68,12 +67,12 @@ void share_edges(SumSpace& space, FacetTable& table) {
 
 }  // namespace
 
-FacetTable facet_table(SumSpace& space, const ReducedConvolution& convolution) {
+FacetTable facet_table(SumSpace& space, const ReducedConvolution& convolution, StageWatch& watch) {
   FacetTable table;
   table.facets.reserve(convolution.facets.size());
   for (const SumFacet& facet : convolution.facets) table.facets.push_back({facet, 0, 1, {}, {}});
-  share_planes(space, space.add_planes(convolution.planes), table);
-  share_edges(space, table);
+  share_planes(space, space.add_planes(convolution.planes, watch.threads()), table, watch);
+  share_edges(space, table, watch);
   return table;
 }
 

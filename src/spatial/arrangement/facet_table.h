@@ -24,6 +24,6 @@ struct FacetTable {
 };
 
 /// Adds the planes and edges to the space. O(n log n), and an exact comparison for every facet that shares a plane.
-FacetTable facet_table(SumSpace& space, const ReducedConvolution& convolution);
+FacetTable facet_table(SumSpace& space, const ReducedConvolution& convolution, StageWatch& watch);
 
 }  // namespace dymsum::spatial

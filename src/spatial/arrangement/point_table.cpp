@@ -27,18 +27,23 @@ std::vector<PointId> PointTable::add(std::span<const PointSource> sources, Stage
   const std::size_t known = sources_.size();
   std::vector<PointId> ids;
   ids.reserve(sources.size());
+  std::vector<std::uint32_t> fresh;  // of the sources: those of new points
+  const auto source_of = [&](PointId id) { return id < known ? sources_[id] : sources[fresh[id - known]]; };
+  const auto hash_of = [&](PointId id) { return id < known ? hash_[id] : hashes[fresh[id - known]]; };
   for (std::size_t k = 0; k < sources.size(); ++k) {
     std::size_t at = hashes[k] & (slots_.size() - 1);
     while (slots_[at] != kNoId &&
-           !(hash_[slots_[at]] == hashes[k] && space_.same_point(sources_[slots_[at]], sources[k])))
+           !(hash_of(slots_[at]) == hashes[k] && space_.same_point(source_of(slots_[at]), sources[k])))
       at = (at + 1) & (slots_.size() - 1);
     if (slots_[at] == kNoId) {
-      slots_[at] = static_cast<PointId>(sources_.size());
-      sources_.push_back(sources[k]);
-      hash_.push_back(hashes[k]);
+      slots_[at] = static_cast<PointId>(known + fresh.size());
+      fresh.push_back(static_cast<std::uint32_t>(k));
     }
     ids.push_back(slots_[at]);
   }
+  const std::size_t all = known + fresh.size();
+  sources_.reserve(all), hash_.reserve(all), approx_.reserve(all);
+  for (const std::uint32_t k : fresh) sources_.push_back(sources[k]), hash_.push_back(hashes[k]);
   watch.hold((sources_.size() - known) *
              (sizeof(PointSource) + sizeof(Approx) + sizeof(exact::Residue) + 4 * sizeof(PointId)));
   approx_.resize(sources_.size());

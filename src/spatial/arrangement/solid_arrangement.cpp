@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <tuple>
+
+#include "base/free_memory.h"
 
 namespace dymsum::spatial {
 
@@ -19,6 +22,9 @@ std::vector<PlaneGroup> plane_groups(const FacetTable& table, const Contacts& co
   };
   for (const auto& [f, g] : contacts.coplanar) parent[root(f)] = root(g);
   std::vector<PlaneGroup> groups;
+  std::size_t count = 0;
+  for (std::uint32_t f = 0; f < parent.size(); ++f) count += root(f) == f;
+  groups.reserve(count);
   std::vector<std::uint32_t> index(table.facets.size(), kNoId);
   group_of.resize(table.facets.size());
   for (std::uint32_t f = 0; f < table.facets.size(); ++f) {
@@ -51,7 +57,7 @@ class UprightPlanes {
     const Way u = e.from.q == e.to.q ? Way{Way::Of::p, e.from.p, e.to.p} : Way{Way::Of::q, e.from.q, e.to.q};
     sources_.push_back({e.from, u, {Way::Of::axis, static_cast<std::uint32_t>(axis), 0}, false});
   }
-  void make() { first_ = space_.add_planes(sources_); }
+  void make(int threads) { first_ = space_.add_planes(sources_, threads); }
   PlaneId get(EdgeId edge, int axis) const { return first_ + of_[3 * edge + static_cast<std::size_t>(axis)]; }
 
  private:
@@ -62,7 +68,7 @@ class UprightPlanes {
 };
 
 /// Lists the edges of all planes by their ends: sorted by the smaller end, for each by the other one.
-void collect_edges(SolidArrangement& all) {
+void collect_edges(SolidArrangement& all, StageWatch& watch) {
   std::vector<std::uint32_t> begin(all.points.size() + 1, 0);
   const auto for_each = [&](auto f) {
     for (std::uint32_t g = 0; g < all.groups.size(); ++g) {
@@ -82,10 +88,19 @@ void collect_edges(SolidArrangement& all) {
   std::vector<Use> uses(begin.back());
   std::vector<std::uint32_t> at(begin.begin(), begin.end() - 1);
   for_each([&](PointId a, PointId b, EdgeUse use) { uses[at[a]++] = {b, use}; });
-  all.edge_uses.reserve(uses.size());
+  base::free_memory(at);
+  watch.run_stretches(all.points.size(), 1024, [&](std::size_t, std::size_t from, std::size_t to) {
+    for (std::size_t a = from; a < to; ++a)
+      std::sort(uses.begin() + begin[a], uses.begin() + begin[a + 1], [](const Use& x, const Use& y) {
+        return std::tie(x.b, x.use.group, x.use.edge) < std::tie(y.b, y.use.group, y.use.edge);
+      });
+  });
+  std::size_t edges = 0;
+  for (PointId a = 0; a + 1 < begin.size(); ++a)
+    for (std::uint32_t k = begin[a]; k < begin[a + 1]; ++k) edges += k == begin[a] || uses[k].b != uses[k - 1].b;
+  all.edge_uses.reserve(uses.size()), all.edge_ends.reserve(edges), all.first_use.reserve(edges + 1);
   for (PointId a = 0; a + 1 < begin.size(); ++a) {
     const auto first = uses.begin() + begin[a], last = uses.begin() + begin[a + 1];
-    std::stable_sort(first, last, [](const Use& x, const Use& y) { return x.b < y.b; });
     for (auto u = first; u != last; ++u) {
       if (u == first || u->b != (u - 1)->b) {
         all.edge_ends.push_back({a, u->b});
@@ -119,20 +134,28 @@ SolidArrangement arrange(SumSpace& space, const FacetTable& table, Contacts cont
   UprightPlanes upright(space);
   for (const TableFacet& f : table.facets)
     for (int k = 0; k < f.facet.corners; ++k) upright.want(f.edge[k], dropped_axis(space.plane(f.plane)));
-  upright.make();
+  upright.make(watch.threads());
 
   // Points: corners first, then ends of contacts.
   std::vector<PointSource> sources;
+  sources.reserve(4 * table.facets.size() + 2 * contacts.contacts.size());
   for (const TableFacet& f : table.facets)
     for (int k = 0; k < f.facet.corners; ++k)
       sources.push_back({PointSource::Kind::sum, f.facet.corner[k].p, f.facet.corner[k].q, 0});
-  for (const Contact& c : contacts.contacts) sources.push_back(c.from), sources.push_back(c.to);
+  std::vector<std::array<std::uint32_t, 2>> pairs;  // of facets that meet
+  pairs.reserve(contacts.contacts.size());
+  for (const Contact& c : contacts.contacts) {
+    sources.push_back(c.from), sources.push_back(c.to);
+    pairs.push_back({c.f, c.g});
+  }
+  base::free_memory(contacts.contacts, contacts.coplanar);
   std::vector<PointId> ids = result.points.add(sources, watch);
+  base::free_memory(sources);
 
   // Segments of every group.
   std::vector<std::uint32_t> begin(result.groups.size() + 1, 0);
   for (std::uint32_t i = 0; i < table.facets.size(); ++i) begin[group_of[i] + 1] += table.facets[i].facet.corners;
-  for (const Contact& c : contacts.contacts) ++begin[group_of[c.f] + 1], ++begin[group_of[c.g] + 1];
+  for (const auto& [f, g] : pairs) ++begin[group_of[f] + 1], ++begin[group_of[g] + 1];
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
   std::vector<PlaneSegment> segments(begin.back());
   std::vector<std::uint32_t> place(begin.begin(), begin.end() - 1);
@@ -154,14 +177,13 @@ SolidArrangement arrange(SumSpace& space, const FacetTable& table, Contacts cont
     }
     at += static_cast<std::size_t>(n);
   }
-  for (const Contact& c : contacts.contacts) {
+  for (const auto& [f, g] : pairs) {
     const PointId from = ids[at++], to = ids[at++];
-    const PlaneId f = table.facets[c.f].plane, g = table.facets[c.g].plane;
-    segments[place[group_of[c.f]]++] = {from, to, g, 0, 1, kNoId};
-    segments[place[group_of[c.g]]++] = {to, from, f, 0, 1, kNoId};
+    segments[place[group_of[f]]++] = {from, to, table.facets[g].plane, 0, 1, kNoId};
+    segments[place[group_of[g]]++] = {to, from, table.facets[f].plane, 0, 1, kNoId};
   }
 
-  contacts = {}, sources = {}, ids = {};
+  base::free_memory(pairs, ids, place);
   constexpr std::size_t kPart = 64;
   const std::size_t count = result.groups.size();
   watch.run((count + kPart - 1) / kPart, [&](std::size_t part) {
@@ -175,20 +197,25 @@ SolidArrangement arrange(SumSpace& space, const FacetTable& table, Contacts cont
     watch.hold(bytes);
   });
   // Names of crossings: the same point is found in several planes.
-  segments = {};
-  for (const PlaneGroup& group : result.groups)
+  base::free_memory(segments, begin, group_of);
+  std::size_t found = 0;
+  for (const PlaneGroup& group : result.groups) found += group.cells.found.size();
+  sources.reserve(found);
+  for (PlaneGroup& group : result.groups) {
     sources.insert(sources.end(), group.cells.found.begin(), group.cells.found.end());
-  const std::vector<PointId> names = result.points.add(sources, watch);
+    group.names.resize(group.cells.found.size());
+    base::free_memory(group.cells.found);
+  }
+  std::vector<PointId> names = result.points.add(sources, watch);
+  base::free_memory(sources);
   at = 0;
   for (PlaneGroup& group : result.groups) {
-    group.names.assign(names.begin() + static_cast<std::ptrdiff_t>(at),
-                       names.begin() + static_cast<std::ptrdiff_t>(at + group.cells.found.size()));
-    at += group.cells.found.size();
+    for (PointId& name : group.names) name = names[at++];
     group.first_cell = result.cell_count;
     result.cell_count += static_cast<std::uint32_t>(group.cells.cells.size());
-    group.cells.found = {};
   }
-  collect_edges(result);
+  base::free_memory(names);
+  collect_edges(result, watch);
   return result;
 }
 

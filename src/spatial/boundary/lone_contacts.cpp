@@ -3,7 +3,7 @@
 namespace dymsum::spatial {
 
 LoneContacts::Side::Side(const SumSpace& space, const SolidOperand& operand, const std::vector<Vec3>& vertices)
-    : solid(operand), at(vertices), radius(space.sum_radius()), tame(operand.vertices.size(), 0) {
+    : solid(operand), at(vertices), radius(space.sum_radius()), tame(operand.vertices.size()) {
   normals.reserve(solid.triangles.size());
   for (const Triangle& t : solid.triangles) normals.push_back(normal_direction(at[t[0]], at[t[1]], at[t[2]], radius));
 }
@@ -27,7 +27,7 @@ bool LoneContacts::Side::all_edges(std::uint32_t vertex, F f) const {
 
 /// Whether a way leads inward through all faces at a vertex: moved along it, the material there stays in itself.
 bool LoneContacts::Side::has_free_way(std::uint32_t vertex) {
-  if (tame[vertex] == 0) {
+  return tame.get(vertex, [&] {
     Vec3 sum;
     all_triangles(vertex, [&](std::uint32_t t) {
       const Vec3 n = normals[t].v;
@@ -36,14 +36,12 @@ bool LoneContacts::Side::has_free_way(std::uint32_t vertex) {
       return true;
     });
     const Direction way = scaled_direction(sum, 0);
-    const bool all = all_triangles(vertex, [&](std::uint32_t t) { return filtered_sign(normals[t], way) < 0; });
-    tame[vertex] = all ? 2 : 1;
-  }
-  return tame[vertex] == 2;
+    return all_triangles(vertex, [&](std::uint32_t t) { return filtered_sign(normals[t], way) < 0; });
+  });
 }
 
 LoneContacts::LoneContacts(const SumSpace& space, const FacetTable& table, const SolidOperand& p, const SolidOperand& q)
-    : space_(space), table_(table), p_(space, p, space.p()), q_(space, q, space.q()), edge_(space.edges().size(), 0) {}
+    : space_(space), table_(table), p_(space, p, space.p()), q_(space, q, space.q()), edge_(space.edges().size()) {}
 
 bool LoneContacts::lone(const Side& edges, std::uint32_t from, std::uint32_t to, const Side& vertices,
                         std::uint32_t v) {
@@ -78,13 +76,11 @@ bool LoneContacts::lone(const Side& faces, std::uint32_t vertex, const Side& edg
 }
 
 bool LoneContacts::edge(EdgeId id) {
-  if (edge_[id] == 0) {
+  return edge_.get(id, [&] {
     const SumEdge& e = space_.edges()[id];
     const bool of_p = e.from.q == e.to.q;
-    const bool yes = of_p ? lone(p_, e.from.p, e.to.p, q_, e.from.q) : lone(q_, e.from.q, e.to.q, p_, e.from.p);
-    edge_[id] = yes ? 2 : 1;
-  }
-  return edge_[id] == 2;
+    return of_p ? lone(p_, e.from.p, e.to.p, q_, e.from.q) : lone(q_, e.from.q, e.to.q, p_, e.from.p);
+  });
 }
 
 bool LoneContacts::corner(SumPoint s) {

@@ -1,6 +1,7 @@
 // Where two solids touch in single points: no edge of one is parallel to a face of the other there.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <vector>
 
@@ -9,8 +10,27 @@
 
 namespace dymsum::spatial {
 
+/// Answers to questions that are asked several times, by several threads.
+class Answers {
+ public:
+  explicit Answers(std::size_t count) : known_(count, 0) {}
+
+  /// find() has to be the same whenever it is called.
+  template <class F>
+  bool get(std::size_t k, F find) {
+    const std::atomic_ref<std::uint8_t> known(known_[k]);
+    std::uint8_t answer = known.load(std::memory_order_relaxed);
+    if (answer == 0) known.store(answer = find() ? 2 : 1, std::memory_order_relaxed);
+    return answer == 2;
+  }
+
+ private:
+  std::vector<std::uint8_t> known_;  // 0 not known yet, 1 no, 2 yes
+};
+
 /// Answers by doubles with a bound, so a "no" may also mean that they do not tell. "Yes" is a proof. Terms and use:
-/// docs/design/solid-sum.md, "Tight features".
+/// docs/design/solid-sum.md, "Tight features". Threads may ask at once: answers are remembered, and all of them find
+/// the same.
 class LoneContacts {
  public:
   LoneContacts(const SumSpace& space, const FacetTable& table, const SolidOperand& p, const SolidOperand& q);
@@ -31,7 +51,7 @@ class LoneContacts {
     const std::vector<Vec3>& at;
     double radius;
     std::vector<Direction> normals;
-    std::vector<std::uint8_t> tame;  // per vertex: 0 not known yet, 1 no, 2 yes
+    Answers tame;  // per vertex
 
     Side(const SumSpace& space, const SolidOperand& operand, const std::vector<Vec3>& vertices);
     Direction edge(std::uint32_t from, std::uint32_t to) const { return edge_direction(at[from], at[to], radius); }
@@ -47,7 +67,7 @@ class LoneContacts {
   const SumSpace& space_;
   const FacetTable& table_;
   Side p_, q_;
-  std::vector<std::uint8_t> edge_;  // 0 not known yet, 1 no, 2 yes
+  Answers edge_;
 };
 
 }  // namespace dymsum::spatial

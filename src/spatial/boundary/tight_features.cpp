@@ -34,20 +34,24 @@ class Tight {
         every_place_(every_place),
         watch_(watch),
         outside_(boundary),
-        touched_(arrangement.points.size()) {}
+        touched_(arrangement.points.size()),
+        lone_groups_(arrangement.groups.size()) {}
 
   TightFeatures run() {
-    for (const PlaneGroup& group : arrangement_.groups) look_at_cells(group);
+    in_parts(arrangement_.groups.size(), 16,
+             [&](Part& part, std::size_t g) { look_at_cells(arrangement_.groups[g], part); });
+    for (const std::uint32_t c : result_.cells) outside_[c] = true;
     share_ = 1.0 / 3;
-    const auto edges = static_cast<std::uint32_t>(arrangement_.edge_ends.size());
-    std::vector<bool> closed(edges);
-    for (std::uint32_t e = 0; e < edges; ++e) {
-      closed[e] = touches_outside(e);
+    std::vector<std::uint8_t> closed(arrangement_.edge_ends.size());
+    in_parts(closed.size(), 512, [&](Part& part, std::size_t e) {
+      closed[e] = touches_outside(static_cast<std::uint32_t>(e));
+      if (!closed[e]) look_at_edge(static_cast<std::uint32_t>(e), part);
+    });
+    for (std::uint32_t e = 0; e < closed.size(); ++e)
       if (closed[e]) touch(e);
-    }
-    for (std::uint32_t e = 0; e < edges; ++e)
-      if (!closed[e]) look_at_edge(e);
-    for (const PlaneGroup& group : arrangement_.groups) look_at_touches(group);
+    for (const auto& segment : result_.segments)
+      for (const PointId p : segment) touched_[p] = true;
+    look_at_touches();
     std::sort(dots_.begin(), dots_.end());
     share_ = 2.0 / 3;
     look_at_points();
@@ -55,6 +59,29 @@ class Tight {
   }
 
  private:
+  /// What is found in a part of a loop.
+  struct Part {
+    TightFeatures found;
+    std::vector<Trace> traces;  // scratch: of one place
+  };
+
+  /// Calls f(part, k) for all k below `count`, and puts together what the parts have found, in their order.
+  template <class F>
+  void in_parts(std::size_t count, std::size_t size, F f) {
+    std::vector<TightFeatures> found((count + size - 1) / size);
+    watch_.run_stretches(count, size, [&](std::size_t k, std::size_t first, std::size_t last) {
+      Part part;
+      for (std::size_t i = first; i < last; ++i) f(part, i);
+      found[k] = std::move(part.found);
+    });
+    for (const TightFeatures& some : found) {
+      result_.cells.insert(result_.cells.end(), some.cells.begin(), some.cells.end());
+      result_.segments.insert(result_.segments.end(), some.segments.begin(), some.segments.end());
+      result_.points.insert(result_.points.end(), some.points.begin(), some.points.end());
+      result_.tests += some.tests;
+    }
+  }
+
   /// Whether the closure of a boundary or a tight cell holds an edge.
   bool touches_outside(std::uint32_t edge) const {
     for (const EdgeUse use : arrangement_.uses(edge)) {
@@ -70,7 +97,7 @@ class Tight {
   }
 
   /// Cells with facets of both directions.
-  void look_at_cells(const PlaneGroup& group) {
+  void look_at_cells(const PlaneGroup& group, Part& part) const {
     for (std::uint32_t c = 0; c < group.cells.cells.size(); ++c) {
       const Cell& cell = group.cells.cells[c];
       if (cell.front == 0 || cell.back == 0) continue;
@@ -78,14 +105,13 @@ class Tight {
       const CellEdge& e = group.cells.edges[h / 2];
       const PointId at = arrangement_.point(group, h & 1 ? e.b : e.a);
       const auto way = static_cast<std::int8_t>((e.along ? 1 : -1) * (h & 1 ? -1 : 1));
-      if (overlaps({arrangement_.points.source(at), group.plane, e.cut, way, 1, 0})) continue;
-      outside_[group.first_cell + c] = true;
-      result_.cells.push_back(group.first_cell + c);
+      if (overlaps({arrangement_.points.source(at), group.plane, e.cut, way, 1, 0}, part)) continue;
+      part.found.cells.push_back(group.first_cell + c);
     }
   }
 
-  bool overlaps(const Flag& flag) {
-    if (++result_.tests % 16 == 0) watch_.ask(share_);
+  bool overlaps(const Flag& flag, Part& part) const {
+    if (++part.found.tests % 16 == 0) watch_.ask_within_part(share_);
     return collision_.overlaps(flag);
   }
 
@@ -176,34 +202,51 @@ class Tight {
   }
   /// Whether the contacts inside all facets of a group are single points.
   bool lone_group(std::uint32_t g) {
-    if (lone_groups_.empty()) lone_groups_.assign(arrangement_.groups.size(), 0);
-    if (lone_groups_[g] == 0) {
+    return lone_groups_.get(g, [&] {
       const std::vector<std::uint32_t>& facets = arrangement_.groups[g].facets;
-      lone_groups_[g] =
-          std::all_of(facets.begin(), facets.end(), [&](std::uint32_t f) { return lone_.facet(f); }) ? 2 : 1;
-    }
-    return lone_groups_[g] == 2;
+      return std::all_of(facets.begin(), facets.end(), [&](std::uint32_t f) { return lone_.facet(f); });
+    });
   }
 
-  void look_at_edge(std::uint32_t edge) {
-    traces_.clear();
-    for (const EdgeUse use : arrangement_.uses(edge)) traces_.push_back(edge_trace(edge, use));
-    if (!every_place_ && ((traces_.size() < 3 && free_in_a_wedge(traces_)) || free_by_itself(traces_))) return;
-    const Trace& t = traces_[0];
-    if (overlaps({arrangement_.points.source(t.a), t.plane, t.cut, t.way, 0, 0})) return;
-    result_.segments.push_back({t.a, t.b});
-    touch(edge);
+  void look_at_edge(std::uint32_t edge, Part& part) {
+    std::vector<Trace>& traces = part.traces;
+    traces.clear();
+    for (const EdgeUse use : arrangement_.uses(edge)) traces.push_back(edge_trace(edge, use));
+    if (!every_place_ && ((traces.size() < 3 && free_in_a_wedge(traces)) || free_by_itself(traces))) return;
+    const Trace& t = traces[0];
+    if (overlaps({arrangement_.points.source(t.a), t.plane, t.cut, t.way, 0, 0}, part)) return;
+    part.found.segments.push_back({t.a, t.b});
   }
 
   /// Where facets touch the inside of a cell at a point, the outside may lie in front of that cell.
-  void look_at_touches(const PlaneGroup& group) {
-    for (const PlaneCells::Touch& t : group.cells.touches) {
-      const PointId at = arrangement_.point(group, t.at);
-      dots_.push_back(at);
-      for (const std::int8_t side : {std::int8_t{1}, std::int8_t{-1}})
-        if (!touched_[at] && !overlaps({arrangement_.points.source(at), group.plane, t.cut, 1, 1, side}))
-          touched_[at] = true;
+  void look_at_touches() {
+    struct Touch {
+      PointId at;
+      PlaneId plane, cut;
+    };
+    std::vector<Touch> touches;
+    for (const PlaneGroup& group : arrangement_.groups) {
+      for (const PlaneCells::Touch& t : group.cells.touches) {
+        dots_.push_back(arrangement_.point(group, t.at));
+        if (!touched_[dots_.back()]) touches.push_back({dots_.back(), group.plane, t.cut});
+      }
     }
+    std::stable_sort(touches.begin(), touches.end(), [](const Touch& a, const Touch& b) { return a.at < b.at; });
+    std::vector<std::size_t> begin;  // of the touches at each point
+    for (std::size_t k = 0; k < touches.size(); ++k)
+      if (k == 0 || touches[k].at != touches[k - 1].at) begin.push_back(k);
+    begin.push_back(touches.size());
+    std::vector<std::uint8_t> free(begin.size() - 1);
+    in_parts(free.size(), 16, [&](Part& part, std::size_t i) {
+      for (std::size_t k = begin[i]; k < begin[i + 1]; ++k)
+        for (const std::int8_t side : {std::int8_t{1}, std::int8_t{-1}})
+          if (!free[i] &&
+              !overlaps({arrangement_.points.source(touches[k].at), touches[k].plane, touches[k].cut, 1, 1, side},
+                        part))
+            free[i] = true;
+    });
+    for (std::size_t i = 0; i < free.size(); ++i)
+      if (free[i]) touched_[touches[begin[i]].at] = true;
   }
 
   /// Of the points that nothing outside is known to touch: all edges at each.
@@ -222,19 +265,22 @@ class Tight {
     std::vector<EdgeUse> ends(begin.back());
     std::vector<std::uint32_t> place(begin.begin(), begin.end() - 1);
     for_each([&](PointId at, EdgeUse use) { ends[place[at]++] = use; });
-    for (PointId at = 0; at + 1 < begin.size(); ++at)
-      if (begin[at] < begin[at + 1]) look_at_point(at, {ends.data() + begin[at], ends.data() + begin[at + 1]});
+    in_parts(arrangement_.points.size(), 256, [&](Part& part, std::size_t at) {
+      if (begin[at] < begin[at + 1])
+        look_at_point(static_cast<PointId>(at), {ends.data() + begin[at], ends.data() + begin[at + 1]}, part);
+    });
   }
-  void look_at_point(PointId at, std::span<const EdgeUse> ends) {
-    traces_.clear();
+  void look_at_point(PointId at, std::span<const EdgeUse> ends, Part& part) {
+    std::vector<Trace>& traces = part.traces;
+    traces.clear();
     for (std::size_t first = 0, last = 0; first < ends.size(); first = last) {
       while (last < ends.size() && ends[last].group == ends[first].group) ++last;
-      traces_.push_back(point_trace(at, ends.subspan(first, last - first)));
+      traces.push_back(point_trace(at, ends.subspan(first, last - first)));
     }
     // Facets that touch it inside of a cell are in no trace.
     const bool dot = std::binary_search(dots_.begin(), dots_.end(), at);
-    if (!every_place_ && (free_in_a_wedge(traces_) || (!dot && free_by_itself(traces_)))) return;
-    if (!overlaps({arrangement_.points.source(at), 0, 0, 0, 0, 0})) result_.points.push_back(at);
+    if (!every_place_ && (free_in_a_wedge(traces) || (!dot && free_by_itself(traces)))) return;
+    if (!overlaps({arrangement_.points.source(at), 0, 0, 0, 0, 0}, part)) part.found.points.push_back(at);
   }
 
   const SumSpace& space_;
@@ -243,11 +289,10 @@ class Tight {
   LoneContacts lone_;
   bool every_place_;
   StageWatch& watch_;
-  std::vector<bool> outside_;              // cells of the boundary, and tight ones
-  std::vector<bool> touched_;              // points in the closure of something outside
-  std::vector<PointId> dots_;              // points that facets touch inside of a cell
-  std::vector<Trace> traces_;              // scratch: of one place
-  std::vector<std::uint8_t> lone_groups_;  // 0 not known yet, 1 no, 2 yes
+  std::vector<bool> outside_;  // cells of the boundary, and tight ones
+  std::vector<bool> touched_;  // points in the closure of something outside
+  std::vector<PointId> dots_;  // points that facets touch inside of a cell
+  Answers lone_groups_;        // per group
   double share_ = 0;
   TightFeatures result_;
 };

@@ -1,8 +1,10 @@
 #include "spatial/convolution/grid_space.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
+#include "base/parallel.h"
 #include "spatial/mesh/grid_points.h"
 
 namespace dymsum::spatial {
@@ -90,29 +92,36 @@ Vector3<typename GridSpace<C>::Normal> GridSpace<C>::normal(const PlaneSource& s
 }
 
 template <class C>
-PlaneId GridSpace<C>::add_planes(std::span<const PlaneSource> sources) {
+PlaneId GridSpace<C>::add_planes(std::span<const PlaneSource> sources, int threads) {
   const auto first = static_cast<PlaneId>(n_.size());
   const std::size_t all = n_.size() + sources.size();
-  n_.reserve(all), d_.reserve(all), plane_residues_.reserve(all), planes_.reserve(all);
-  for (const PlaneSource& source : sources) {
-    const auto n = normal(source);
-    const Offset d = dot(n, sum(source.at));
-    n_.push_back(n);
-    d_.push_back(d);
-    plane_residues_.push_back({{exact::residue(n.x), exact::residue(n.y), exact::residue(n.z)}, exact::residue(d)});
-    Plane plane{doubles(n), to_double(d), 0, 0};
-    int exponent = 0;
-    std::frexp(std::max({std::abs(plane.n.x), std::abs(plane.n.y), std::abs(plane.n.z)}), &exponent);
-    const auto scaled = [&](double v) { return std::ldexp(v, -exponent); };
-    plane.n = {scaled(plane.n.x), scaled(plane.n.y), scaled(plane.n.z)};
-    plane.d = scaled(plane.d);
-    plane.norm1 = (std::abs(plane.n.x) + std::abs(plane.n.y) + std::abs(plane.n.z)) * (1 + 0x1p-50);
-    // Conversions err by 2^-52 of each term, products and sums by 2^-53: 8 of these for every term at most. Underflows
-    // by less than the last summand.
-    plane.slack = (plane.norm1 * span_ + std::abs(plane.d)) * 0x1p-49 + 0x1p-1000;
-    planes_.push_back(plane);
-  }
+  n_.resize(all), d_.resize(all), plane_residues_.resize(all), planes_.resize(all);
+  constexpr std::size_t kPart = 512;
+  base::parallel_parts((sources.size() + kPart - 1) / kPart, threads, [&](std::size_t part) {
+    for (std::size_t k = part * kPart; k < std::min(sources.size(), (part + 1) * kPart); ++k)
+      set_plane(first + static_cast<PlaneId>(k), sources[k]);
+  });
   return first;
+}
+
+template <class C>
+void GridSpace<C>::set_plane(PlaneId id, const PlaneSource& source) {
+  const auto n = normal(source);
+  const Offset d = dot(n, sum(source.at));
+  n_[id] = n;
+  d_[id] = d;
+  plane_residues_[id] = {{exact::residue(n.x), exact::residue(n.y), exact::residue(n.z)}, exact::residue(d)};
+  Plane plane{doubles(n), to_double(d), 0, 0};
+  int exponent = 0;
+  std::frexp(std::max({std::abs(plane.n.x), std::abs(plane.n.y), std::abs(plane.n.z)}), &exponent);
+  const auto scaled = [&](double v) { return std::ldexp(v, -exponent); };
+  plane.n = {scaled(plane.n.x), scaled(plane.n.y), scaled(plane.n.z)};
+  plane.d = scaled(plane.d);
+  plane.norm1 = (std::abs(plane.n.x) + std::abs(plane.n.y) + std::abs(plane.n.z)) * (1 + 0x1p-50);
+  // Conversions err by 2^-52 of each term, products and sums by 2^-53: 8 of these for every term at most. Underflows by
+  // less than the last summand.
+  plane.slack = (plane.norm1 * span_ + std::abs(plane.d)) * 0x1p-49 + 0x1p-1000;
+  planes_[id] = plane;
 }
 
 template <class C>

@@ -24,7 +24,7 @@ class GridSpace final : public SumSpace {
 
   GridSpace(std::vector<Point> p, std::vector<Point> q, int bits, const Line (&lines)[3]);
 
-  PlaneId add_planes(std::span<const PlaneSource> sources) override;
+  PlaneId add_planes(std::span<const PlaneSource> sources, int threads) override;
   int exact_side(PlaneId plane, SumPoint point) const override;
   int exact_side(PlaneId plane, const PointSource& point) const override;
   int exact_twist(const SumEdge& a, const SumEdge& b) const override;
@@ -55,6 +55,7 @@ class GridSpace final : public SumSpace {
   exact::Vector3<Edge> way(Way w) const;
   exact::Vector3<Edge> along(const SumEdge& e) const;
   exact::Vector3<Normal> normal(const PlaneSource& source) const;
+  void set_plane(PlaneId id, const PlaneSource& source);
   /// f(Homogeneous) with the point in the narrowest form of its kind.
   template <class F>
   auto with_point(const PointSource& point, F f) const;

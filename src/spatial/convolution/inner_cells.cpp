@@ -1,6 +1,7 @@
 #include "spatial/convolution/inner_cells.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "spatial/convolution/direction.h"
@@ -58,13 +59,13 @@ InnerCells::InnerCells(const SumSpace& space, const SolidOperand& p, const Solid
   step_ = (1.0 / across) * turned((of_p.high - of_p.low) + (of_q.high - of_q.low));
   if (!(std::min({step_.x, step_.y, step_.z}) > 64 * margin_)) return;
   Lattice both[2];
-  watch.run(2, [&](std::size_t k) {
+  for (std::size_t k = 0; k < 2; ++k) {
     const std::vector<Vec3>& from = k == 0 ? space.p() : space.q();
     std::vector<Vec3> at;
     at.reserve(from.size());
     for (const Vec3& v : from) at.push_back(turned(v));
-    both[k] = inside(k == 0 ? p : q, at);
-  });
+    both[k] = inside(k == 0 ? p : q, at, watch);
+  }
   const Lattice &a = both[0], &b = both[1];
   low_ = a.low + b.low;
   for (std::size_t i = 0; i < 3; ++i) size_[i] = a.size[i] + b.size[i] - 1;
@@ -75,17 +76,10 @@ InnerCells::InnerCells(const SumSpace& space, const SolidOperand& p, const Solid
   watch.run(static_cast<std::size_t>(size_[0]), [&](std::size_t x) { add_rows(static_cast<int>(x), p_rows, q_rows); });
 }
 
-InnerCells::Place InnerCells::place(const Lattice& lattice, Vec3 at) const {
-  const auto index = [&](double v, double low, double step, int size) {
-    return std::clamp(static_cast<int>(std::floor((v - low) / step)), 0, size - 1);
-  };
-  return {index(at.x, lattice.low.x, step_.x, lattice.size[0]), index(at.y, lattice.low.y, step_.y, lattice.size[1]),
-          index(at.z, lattice.low.z, step_.z, lattice.size[2])};
-}
-
 /// The boxes that lie inside a solid: those that no triangle comes near fall into connected parts, and one of its boxes
 /// decides for a part.
-InnerCells::Lattice InnerCells::inside(const SolidOperand& solid, const std::vector<Vec3>& at) const {
+InnerCells::Lattice InnerCells::inside(const SolidOperand& solid, const std::vector<Vec3>& at,
+                                       StageWatch& watch) const {
   Lattice lattice;
   Box box;
   for (const Vec3& v : at) box.add(v);
@@ -94,7 +88,16 @@ InnerCells::Lattice InnerCells::inside(const SolidOperand& solid, const std::vec
   lattice.size = {static_cast<int>(size.x / step_.x) + 1, static_cast<int>(size.y / step_.y) + 1,
                   static_cast<int>(size.z / step_.z) + 1};
   lattice.state.assign(lattice.at(lattice.size[0], 0, 0), 0);
-  for (const Triangle& t : solid.triangles) mark(lattice, at[t[0]], at[t[1]], at[t[2]]);
+  const auto in_steps = [&](std::uint32_t v) {
+    const Vec3 d = at[v] - lattice.low;
+    return Vec3{d.x / step_.x, d.y / step_.y, d.z / step_.z};
+  };
+  watch.run_stretches(solid.triangles.size(), 32, [&](std::size_t, std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k) {
+      const Triangle& t = solid.triangles[k];
+      mark(lattice, in_steps(t[0]), in_steps(t[1]), in_steps(t[2]));
+    }
+  });
   for (int x = 0; x < lattice.size[0]; ++x)
     for (int y = 0; y < lattice.size[1]; ++y)
       for (int z = 0; z < lattice.size[2]; ++z)
@@ -102,24 +105,29 @@ InnerCells::Lattice InnerCells::inside(const SolidOperand& solid, const std::vec
   return lattice;
 }
 
-/// Marks what a triangle comes near: in halves until they are smaller than half a box.
+/// Marks what a triangle comes near: in halves until they are smaller than half a box. Coordinates are in steps from
+/// the lattice's corner, off by less than 2^-42.
 void InnerCells::mark(Lattice& lattice, Vec3 a, Vec3 b, Vec3 c) const {
   const Box box = box_around(a, b, c);
   const Vec3 size = box.high - box.low;
-  if (size.x > 0.5 * step_.x || size.y > 0.5 * step_.y || size.z > 0.5 * step_.z) {
-    const auto length = [&](Vec3 d) {
-      return std::max({std::abs(d.x) / step_.x, std::abs(d.y) / step_.y, std::abs(d.z) / step_.z});
-    };
+  if (size.x > 0.5 || size.y > 0.5 || size.z > 0.5) {
+    const auto length = [](Vec3 d) { return std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}); };
     const double ab = length(b - a), bc = length(c - b), ca = length(a - c);
     if (ab >= bc && ab >= ca) return mark(lattice, a, middle(a, b), c), mark(lattice, middle(a, b), b, c);
     if (bc >= ca) return mark(lattice, a, b, middle(b, c)), mark(lattice, a, middle(b, c), c);
     return mark(lattice, a, b, middle(c, a)), mark(lattice, middle(c, a), b, c);
   }
-  const Vec3 room{margin_, margin_, margin_};
-  const Place low = place(lattice, box.low - room), high = place(lattice, box.high + room);
-  for (int x = low[0]; x <= high[0]; ++x)
-    for (int y = low[1]; y <= high[1]; ++y)
-      for (int z = low[2]; z <= high[2]; ++z) lattice.state[lattice.at(x, y, z)] = 3;
+  const auto index = [&](double v, std::size_t axis) {
+    return std::clamp(static_cast<int>(std::floor(v)), 0, lattice.size[axis] - 1);
+  };
+  const Vec3 room{margin_ / step_.x + 0x1p-40, margin_ / step_.y + 0x1p-40, margin_ / step_.z + 0x1p-40};
+  const Vec3 low = box.low - room, high = box.high + room;
+  const Place from{index(low.x, 0), index(low.y, 1), index(low.z, 2)},
+      to{index(high.x, 0), index(high.y, 1), index(high.z, 2)};
+  for (int x = from[0]; x <= to[0]; ++x)
+    for (int y = from[1]; y <= to[1]; ++y)
+      for (int z = from[2]; z <= to[2]; ++z)
+        std::atomic_ref(lattice.state[lattice.at(x, y, z)]).store(3, std::memory_order_relaxed);
 }
 
 /// Decides for the connected part of boxes away from the surface that one of them belongs to.

@@ -44,8 +44,7 @@ class InnerCells {
 
   /// Coordinates with the direction of rows last.
   Vec3 turned(Vec3 v) const { return axis_ == 2 ? v : axis_ == 1 ? Vec3{v.z, v.x, v.y} : Vec3{v.y, v.z, v.x}; }
-  Place place(const Lattice& lattice, Vec3 at) const;
-  Lattice inside(const SolidOperand& solid, const std::vector<Vec3>& at) const;
+  Lattice inside(const SolidOperand& solid, const std::vector<Vec3>& at, StageWatch& watch) const;
   void mark(Lattice& lattice, Vec3 a, Vec3 b, Vec3 c) const;
   void fill(Lattice& lattice, const SolidOperand& solid, const std::vector<Vec3>& at, Place from) const;
   std::vector<Row> rows(const Lattice& lattice) const;

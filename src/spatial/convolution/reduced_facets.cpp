@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "spatial/convolution/direction.h"
 #include "spatial/mesh/box_tree.h"
@@ -265,8 +267,15 @@ void append(ReducedConvolution& all, const ReducedConvolution& some) {
 
 ReducedConvolution reduced_convolution(const SumSpace& space, const SolidOperand& p, const SolidOperand& q,
                                        StageWatch& watch) {
-  const FacetSide a(Way::Of::p, p, space), b(Way::Of::q, q, space);
-  const BoxTree p_cones = cone_tree(a), q_cones = cone_tree(b), q_arcs = arc_tree(b);
+  std::optional<FacetSide> sides[2];
+  watch.run(2, [&](std::size_t k) {
+    if (k == 0) sides[0].emplace(Way::Of::p, p, space);
+    else sides[1].emplace(Way::Of::q, q, space);
+  });
+  const FacetSide &a = *sides[0], &b = *sides[1];
+  BoxTree trees[3];
+  watch.run(3, [&](std::size_t k) { trees[k] = k == 0 ? cone_tree(a) : k == 1 ? cone_tree(b) : arc_tree(b); });
+  const BoxTree &p_cones = trees[0], &q_cones = trees[1], &q_arcs = trees[2];
   // Faces of P, faces of Q, edges of P, in parts.
   constexpr std::uint32_t kPart = 128;
   const auto parts_of = [](std::size_t n) { return (static_cast<std::uint32_t>(n) + kPart - 1) / kPart; };
@@ -289,7 +298,10 @@ ReducedConvolution reduced_convolution(const SumSpace& space, const SolidOperand
     watch.hold(parts[k].facets.size() * (sizeof(SumFacet) + sizeof(PlaneSource)));
   });
   ReducedConvolution all;
-  for (const ReducedConvolution& part : parts) append(all, part);
+  std::size_t count = 0;
+  for (const ReducedConvolution& part : parts) count += part.facets.size();
+  all.facets.reserve(count), all.planes.reserve(count);
+  for (ReducedConvolution& part : parts) append(all, std::exchange(part, {}));
   return all;
 }
 

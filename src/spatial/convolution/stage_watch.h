@@ -1,12 +1,15 @@
 // What the stages of a solid sum share: threads, progress, and a budget of memory.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <string_view>
 #include <thread>
+#include <vector>
 
 #include "base/parallel.h"
+#include "base/parallel_sort.h"
 #include "base/stopwatch.h"
 #include "dymsum/spatial_sum.h"
 
@@ -38,13 +41,28 @@ class StageWatch {
   template <class F>
   void run(std::size_t parts, F part) {
     std::atomic<std::size_t> done{0};
-    const std::thread::id caller = std::this_thread::get_id();
     base::parallel_parts(parts, options_.threads, [&](std::size_t k) {
       if (stop_.load(std::memory_order_relaxed)) throw Cancelled{};
       part(k);
       const std::size_t so_far = done.fetch_add(1, std::memory_order_relaxed) + 1;
-      if (std::this_thread::get_id() == caller) ask(static_cast<double>(so_far) / static_cast<double>(parts));
+      if (std::this_thread::get_id() == caller_) ask(static_cast<double>(so_far) / static_cast<double>(parts));
     });
+  }
+  /// Calls part(k, first, last) for the k-th stretch of `size` of `count` things, as run() does.
+  template <class F>
+  void run_stretches(std::size_t count, std::size_t size, F part) {
+    run((count + size - 1) / size, [&](std::size_t k) { part(k, k * size, std::min(count, (k + 1) * size)); });
+  }
+  /// Sorts by an order in which only equal values are equivalent.
+  template <class T, class Less>
+  void sort(std::vector<T>& values, Less less) const {
+    base::parallel_sort(values, options_.threads, less);
+  }
+  int threads() const { return options_.threads; }
+  /// To be called in parts that take long, now and then: as ask() on the caller's thread, and stops on the others, too.
+  void ask_within_part(double share) {
+    if (stop_.load(std::memory_order_relaxed)) throw Cancelled{};
+    if (std::this_thread::get_id() == caller_) ask(share);
   }
 
   /// To be called by stages that run in one piece, now and then.
@@ -66,6 +84,7 @@ class StageWatch {
   const SpatialOptions& options_;
   SpatialStats& stats_;
   Stopwatch watch_;
+  const std::thread::id caller_ = std::this_thread::get_id();
   bool begun_ = false;
   std::atomic<bool> stop_{false};
   std::atomic<std::uint64_t> held_{0};

@@ -100,7 +100,7 @@ class SumSpace {
   const std::vector<Vec3>& q() const { return q_; }
 
   /// Adds planes; returns the id of the first one. Requires that u and v are not parallel.
-  virtual PlaneId add_planes(std::span<const PlaneSource> sources) = 0;
+  virtual PlaneId add_planes(std::span<const PlaneSource> sources, int threads = 1) = 0;
   /// Adds edges; returns the id of the first one.
   EdgeId add_edges(std::span<const SumEdge> edges);
 

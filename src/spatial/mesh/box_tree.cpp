@@ -2,41 +2,75 @@
 
 #include <numeric>
 
+#include "base/parallel.h"
+
 namespace dymsum::spatial {
 
-BoxTree::BoxTree(std::vector<Box> boxes) : boxes_(std::move(boxes)), order_(boxes_.size()) {
-  std::iota(order_.begin(), order_.end(), 0u);
-  if (boxes_.empty()) return;
-  nodes_.reserve(boxes_.size());
-  build(0, static_cast<std::uint32_t>(boxes_.size()));
+namespace {
+
+/// Of a tree over so many boxes. Both halves of equal sizes have equally many: O(log^2 n).
+std::uint32_t node_count(std::uint32_t boxes, std::uint32_t leaf) {
+  if (boxes <= leaf) return 1;
+  const std::uint32_t half = boxes / 2;
+  return 1 + (2 * half == boxes ? 2 * node_count(half, leaf) : node_count(half, leaf) + node_count(half + 1, leaf));
 }
 
-std::uint32_t BoxTree::build(std::uint32_t first, std::uint32_t last) {
-  const auto id = static_cast<std::uint32_t>(nodes_.size());
-  nodes_.emplace_back();
+}  // namespace
+
+BoxTree::BoxTree(std::vector<Box> boxes, int threads) : boxes_(std::move(boxes)), order_(boxes_.size()) {
+  std::iota(order_.begin(), order_.end(), 0u);
+  if (boxes_.empty()) return;
+  const auto count = static_cast<std::uint32_t>(boxes_.size());
+  nodes_.resize(node_count(count, kLeaf));
+  std::vector<Stretch> stretches{{0, 0, count}};
+  constexpr std::uint32_t kFew = 2048;
+  for (int level = 0; threads != 1 && count > kFew && level < 3; ++level) {
+    std::vector<Stretch> halves(2 * stretches.size());
+    base::parallel_parts(stretches.size(), threads, [&](std::size_t k) {
+      const Stretch& s = stretches[k];
+      const std::uint32_t half = split(s);
+      Node& node = nodes_[s.node];
+      node.left = s.node + 1, node.right = node.left + node_count(half - s.first, kLeaf);
+      halves[2 * k] = {node.left, s.first, half}, halves[2 * k + 1] = {node.right, half, s.last};
+    });
+    stretches.swap(halves);
+  }
+  base::parallel_parts(stretches.size(), threads, [&](std::size_t k) { build(stretches[k]); });
+}
+
+/// Sets the box of a node; returns where its second half begins, or the end of a leaf.
+std::uint32_t BoxTree::split(const Stretch& s) {
   Box box, middles;
-  for (std::uint32_t k = first; k < last; ++k) {
+  for (std::uint32_t k = s.first; k < s.last; ++k) {
     box.add(boxes_[order_[k]]);
     middles.add(boxes_[order_[k]].middle());
   }
-  nodes_[id].box = box;
-  if (last - first <= kLeaf) {
-    nodes_[id].first = first, nodes_[id].last = last;
-    return id;
-  }
+  nodes_[s.node].box = box;
+  if (s.last - s.first <= kLeaf) return s.last;
   const Vec3 extent = middles.high - middles.low;
   double Vec3::*axis = extent.x >= extent.y && extent.x >= extent.z ? &Vec3::x
                        : extent.y >= extent.z                       ? &Vec3::y
                                                                     : &Vec3::z;
-  const std::uint32_t half = first + (last - first) / 2;
-  std::nth_element(order_.begin() + first, order_.begin() + half, order_.begin() + last,
+  const std::uint32_t half = s.first + (s.last - s.first) / 2;
+  std::nth_element(order_.begin() + s.first, order_.begin() + half, order_.begin() + s.last,
                    [&](std::uint32_t a, std::uint32_t b) {
                      const double x = boxes_[a].middle().*axis, y = boxes_[b].middle().*axis;
                      return x != y ? x < y : a < b;
                    });
-  const std::uint32_t left = build(first, half), right = build(half, last);
-  nodes_[id].left = left, nodes_[id].right = right;
-  return id;
+  return half;
+}
+
+/// Returns the node behind its last one.
+std::uint32_t BoxTree::build(const Stretch& s) {
+  const std::uint32_t half = split(s);
+  Node& node = nodes_[s.node];
+  if (half == s.last) {
+    node.first = s.first, node.last = s.last;
+    return s.node + 1;
+  }
+  node.left = s.node + 1;
+  node.right = build({node.left, s.first, half});
+  return build({node.right, half, s.last});
 }
 
 }  // namespace dymsum::spatial

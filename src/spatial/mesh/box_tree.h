@@ -34,8 +34,8 @@ inline bool overlap(const Box& a, const Box& b) {
 class BoxTree {
  public:
   BoxTree() = default;
-  /// O(n log n).
-  explicit BoxTree(std::vector<Box> boxes);
+  /// The same tree for any number of threads. O(n log n).
+  explicit BoxTree(std::vector<Box> boxes, int threads = 1);
 
   const Box& box(std::uint32_t i) const { return boxes_[i]; }
   bool empty() const { return nodes_.empty(); }
@@ -105,7 +105,11 @@ class BoxTree {
     std::uint32_t first = 0, last = 0;  ///< of a leaf
     bool leaf() const { return last != 0; }
   };
-  std::uint32_t build(std::uint32_t first, std::uint32_t last);
+  struct Stretch {
+    std::uint32_t node, first, last;  // of nodes_, of order_
+  };
+  std::uint32_t split(const Stretch& stretch);
+  std::uint32_t build(const Stretch& stretch);
 
   static constexpr std::uint32_t kLeaf = 4;
   std::vector<Box> boxes_;

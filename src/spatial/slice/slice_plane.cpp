@@ -82,7 +82,7 @@ class Builder {
       met.facets.push_back(all.facets[f]);
       met.planes.push_back(all.planes[f]);
     }
-    result_.table = facet_table(*result_.space, met);
+    result_.table = facet_table(*result_.space, met, watch_);
   }
   std::array<int, 4> sides_of(const SumFacet& facet) const {
     std::array<int, 4> sides{};

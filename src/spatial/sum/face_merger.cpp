@@ -1,7 +1,12 @@
 #include "spatial/sum/face_merger.h"
 
 #include <algorithm>
+#include <atomic>
+#include <functional>
+#include <iterator>
 #include <numeric>
+
+#include "base/free_memory.h"
 
 namespace dymsum::spatial {
 
@@ -10,21 +15,66 @@ namespace {
 /// Pieces of lines that neighbouring cells of one plane share and that nothing else selected touches are no borders.
 class Merger {
  public:
-  Merger(const SumSpace& space, const SolidArrangement& arrangement, const Selection& selection)
-      : space_(space), arrangement_(arrangement), selection_(selection) {}
+  Merger(const SumSpace& space, const SolidArrangement& arrangement, const Selection& selection, StageWatch& watch)
+      : space_(space),
+        arrangement_(arrangement),
+        selection_(selection),
+        watch_(watch),
+        parts_((arrangement.groups.size() + kPart - 1) / kPart) {}
 
   std::vector<CellPolygon> run() {
-    count_walls();
-    std::vector<CellPolygon> polygons;
-    for (const PlaneGroup& group : arrangement_.groups) trace(group, polygons);
-    return polygons;
-  }
-  const std::vector<bool>& corners() {
-    if (corner_.empty()) find_corners();
-    return corner_;
+    in_parts([&](Part& part, const PlaneGroup& group) { count_walls(group, part); });
+    collect(walls_, &Part::walls);
+    watch_.sort(walls_, std::less<>());
+    in_parts([&](Part& part, const PlaneGroup& group) { trace(group, part); });
+    collect(polygons_, &Part::polygons), collect(borders_, &Part::borders);
+    find_corners();
+    watch_.run_stretches(polygons_.size(), kPart, [&](std::size_t, std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last; ++k)
+        for (std::vector<PointId>& loop : polygons_[k].loops)
+          std::erase_if(loop, [&](PointId p) { return corner_[p] == 0; });
+    });
+    return std::move(polygons_);
   }
 
  private:
+  struct Border {
+    PointId a, b;
+    PlaneId plane, cut;
+  };
+  /// What a stretch of groups gives.
+  struct Part {
+    std::vector<std::uint64_t> walls;
+    std::vector<CellPolygon> polygons;
+    std::vector<Border> borders;
+    struct Scratch {
+      std::vector<std::uint32_t> next, cell_of, parent, polygon_of;  // per half-edge; per cell
+      std::vector<std::uint8_t> inner, seen;                         // per edge; per half-edge
+    } scratch;
+  };
+  static constexpr std::size_t kPart = 64;
+
+  template <class F>
+  void in_parts(F f) {
+    watch_.run_stretches(arrangement_.groups.size(), kPart, [&](std::size_t k, std::size_t first, std::size_t last) {
+      for (std::size_t g = first; g < last; ++g)
+        if (is_selected(arrangement_.groups[g])) f(parts_[k], arrangement_.groups[g]);
+      parts_[k].scratch = {};
+    });
+  }
+  template <class T>
+  void collect(std::vector<T>& all, std::vector<T> Part::*some) {
+    for (Part& part : parts_) {
+      std::move((part.*some).begin(), (part.*some).end(), std::back_inserter(all));
+      base::free_memory(part.*some);
+    }
+  }
+  bool is_selected(const PlaneGroup& group) const {
+    const auto first = selection_.side.begin() + group.first_cell;
+    return std::any_of(first, first + static_cast<std::ptrdiff_t>(group.cells.cells.size()),
+                       [](std::int8_t side) { return side != 0; });
+  }
+
   static std::uint64_t key(PointId a, PointId b) {
     return (static_cast<std::uint64_t>(std::min(a, b)) << 32) | std::max(a, b);
   }
@@ -37,15 +87,12 @@ class Merger {
   }
 
   /// How many selected cells come to every piece.
-  void count_walls() {
-    for (const PlaneGroup& group : arrangement_.groups) {
-      for (std::uint32_t e = 0; e < group.cells.edges.size(); ++e) {
-        const CellEdge& edge = group.cells.edges[e];
-        for (const std::uint32_t cell : {edge.left, edge.right})
-          if (side(group, cell) != 0) walls_.push_back(key(group, e));
-      }
+  void count_walls(const PlaneGroup& group, Part& part) const {
+    for (std::uint32_t e = 0; e < group.cells.edges.size(); ++e) {
+      const CellEdge& edge = group.cells.edges[e];
+      for (const std::uint32_t cell : {edge.left, edge.right})
+        if (side(group, cell) != 0) part.walls.push_back(key(group, e));
     }
-    std::sort(walls_.begin(), walls_.end());
   }
   bool merged(const PlaneGroup& group, std::uint32_t e) const {
     const CellEdge& edge = group.cells.edges[e];
@@ -55,13 +102,10 @@ class Merger {
     return last - first == 2;
   }
 
-  void trace(const PlaneGroup& group, std::vector<CellPolygon>& polygons) {
+  void trace(const PlaneGroup& group, Part& part) const {
     const PlaneCells& cells = group.cells;
-    const bool any = std::any_of(cells.cells.begin(), cells.cells.end(),
-                                 [&, c = group.first_cell](const Cell&) mutable { return selection_.side[c++] != 0; });
-    if (!any) return;
-    std::vector<std::uint32_t> next(2 * cells.edges.size(), kNoId), cell_of(next.size(), kNoId),
-        parent(cells.cells.size());
+    auto& [next, cell_of, parent, polygon_of, inner, seen] = part.scratch;
+    next.assign(2 * cells.edges.size(), kNoId), cell_of.assign(next.size(), kNoId), parent.resize(cells.cells.size());
     for (std::uint32_t c = 0; c < cells.cells.size(); ++c) {
       for (std::uint32_t l = cells.cells[c].first_loop; l < cells.cells[c].last_loop; ++l) {
         const std::uint32_t begin = cells.loops[l], end = cells.loops[l + 1];
@@ -72,17 +116,17 @@ class Merger {
       }
     }
     std::iota(parent.begin(), parent.end(), 0u);
-    const auto root = [&](std::uint32_t c) {
+    const auto root = [&parent = parent](std::uint32_t c) {
       while (parent[c] != c) c = parent[c] = parent[parent[c]];
       return c;
     };
-    std::vector<bool> inner(cells.edges.size());
+    inner.resize(cells.edges.size()), seen.assign(next.size(), 0);
     for (std::uint32_t e = 0; e < cells.edges.size(); ++e) {
       inner[e] = merged(group, e);
       if (inner[e]) parent[root(cells.edges[e].left)] = root(cells.edges[e].right);
     }
-    std::vector<std::uint32_t> polygon_of(cells.cells.size(), kNoId);
-    std::vector<bool> seen(next.size());
+    std::vector<CellPolygon>& polygons = part.polygons;
+    polygon_of.assign(cells.cells.size(), kNoId);
     for (std::uint32_t h = 0; h < next.size(); ++h) {
       if (seen[h] || cell_of[h] == kNoId || side(group, cell_of[h]) == 0 || inner[h / 2]) continue;
       std::uint32_t& polygon = polygon_of[root(cell_of[h])];
@@ -95,7 +139,7 @@ class Merger {
         seen[g] = true;
         const CellEdge& e = cells.edges[g / 2];
         loop.push_back(arrangement_.point(group, g & 1 ? e.b : e.a));
-        borders_.push_back({loop.back(), arrangement_.point(group, g & 1 ? e.a : e.b), group.plane, e.cut});
+        part.borders.push_back({loop.back(), arrangement_.point(group, g & 1 ? e.a : e.b), group.plane, e.cut});
         g = next[g];
         while (inner[g / 2]) g = next[g ^ 1];
       }
@@ -104,24 +148,26 @@ class Merger {
     }
   }
 
-  struct Border {
-    PointId a, b;
-    PlaneId plane, cut;
-  };
-
   /// A point is no corner where all borders run along one line.
   void find_corners() {
-    corner_.assign(arrangement_.points.size(), false);
+    if (borders_.empty()) return;
+    corner_.assign(arrangement_.points.size(), 0);
     std::vector<std::uint32_t> first(arrangement_.points.size(), kNoId);
-    for (std::uint32_t k = 0; k < borders_.size(); ++k) {
-      for (const PointId at : {borders_[k].a, borders_[k].b}) {
-        if (corner_[at]) continue;
+    for (std::uint32_t k = 0; k < borders_.size(); ++k)
+      for (const PointId at : {borders_[k].a, borders_[k].b})
         if (first[at] == kNoId) first[at] = k;
-        else if (!on_line(borders_[first[at]], borders_[k])) corner_[at] = true;
+    watch_.run_stretches(borders_.size(), 1024, [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) {
+        for (const PointId at : {borders_[k].a, borders_[k].b}) {
+          const std::atomic_ref<std::uint8_t> corner(corner_[at]);
+          if (corner.load(std::memory_order_relaxed) == 0 && !on_line(borders_[first[at]], borders_[k]))
+            corner.store(1, std::memory_order_relaxed);
+        }
       }
-    }
+    });
   }
   bool on_line(const Border& x, const Border& y) const {
+    if (x.plane == y.plane && x.cut == y.cut) return true;
     const auto on = [&](PointId p) {
       const PointSource& s = arrangement_.points.source(p);
       const Approx& a = arrangement_.points.approx(p);
@@ -133,21 +179,19 @@ class Merger {
   const SumSpace& space_;
   const SolidArrangement& arrangement_;
   const Selection& selection_;
+  StageWatch& watch_;
+  std::vector<Part> parts_;
   std::vector<std::uint64_t> walls_;
+  std::vector<CellPolygon> polygons_;
   std::vector<Border> borders_;
-  std::vector<bool> corner_;
+  std::vector<std::uint8_t> corner_;  // per point
 };
 
 }  // namespace
 
 std::vector<CellPolygon> merged_cells(const SumSpace& space, const SolidArrangement& arrangement,
-                                      const Selection& selection) {
-  Merger merger(space, arrangement, selection);
-  std::vector<CellPolygon> result = merger.run();
-  const std::vector<bool>& corner = merger.corners();
-  for (CellPolygon& polygon : result)
-    for (std::vector<PointId>& loop : polygon.loops) std::erase_if(loop, [&](PointId p) { return !corner[p]; });
-  return result;
+                                      const Selection& selection, StageWatch& watch) {
+  return Merger(space, arrangement, selection, watch).run();
 }
 
 }  // namespace dymsum::spatial

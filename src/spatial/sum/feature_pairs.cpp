@@ -1,6 +1,7 @@
 #include "spatial/sum/feature_pairs.h"
 
 #include <algorithm>
+#include <functional>
 #include <stdexcept>
 
 namespace dymsum::spatial {
@@ -39,19 +40,21 @@ std::vector<Box> facet_boxes(const SumSpace& space, const FacetTable& table) {
 
 }  // namespace
 
-FeaturePairs::FeaturePairs(const SolidBoundary& boundary, const SolidOperand& p, const SolidOperand& q)
+FeaturePairs::FeaturePairs(const SolidBoundary& boundary, const SolidOperand& p, const SolidOperand& q,
+                           StageWatch& watch)
     : boundary_(boundary),
       space_(*boundary.space),
       arrangement_(*boundary.arrangement),
       p_(p),
       q_(q),
       both_thin_(p.has_thin() && q.has_thin()),
-      diagonal_{diagonals(p), diagonals(q)},
-      facets_(facet_boxes(*boundary.space, boundary.table)) {
+      diagonal_{diagonals(p), diagonals(q)} {
+  if (!boundary.tight.segments.empty() || !boundary.tight.points.empty())
+    facets_ = BoxTree(facet_boxes(space_, boundary.table), watch.threads());
   const std::vector<SumEdge>& edges = space_.edges();
   ends_.reserve(2 * edges.size());
   for (EdgeId e = 0; e < edges.size(); ++e) ends_.push_back({edges[e].from, e}), ends_.push_back({edges[e].to, e});
-  std::sort(ends_.begin(), ends_.end());
+  watch.sort(ends_, std::less<>());
 }
 
 // The facets of a group tile or overlap; any that covers the cell will do. Of thin parts in both operands either side
@@ -171,16 +174,20 @@ bool FeaturePairs::runs_along(const SumEdge& edge, PointId from, PointId to) con
   const auto norm = [](Vec3 v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
   const double radius = f.radius + t.radius + 8 * space_.sum_radius() + space_.span() * 0x1p-46;
   if (norm(cross(d, way)) > 8 * (norm(d) + norm(way) + radius) * radius) return false;
-  BigRational e[3], w[3], before = 0, after = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto at = [&](SumPoint s) { return space_.exact_coordinate({PointSource::Kind::sum, s.p, s.q, 0}, axis); };
-    const BigRational here = space_.exact_coordinate(arrangement_.points.source(from), axis);
-    e[axis] = at(edge.to) - at(edge.from);
-    w[axis] = space_.exact_coordinate(arrangement_.points.source(to), axis) - here;
-    before += w[axis] * (at(edge.from) - here);
-    after += w[axis] * (at(edge.to) - here);
+  // With from = x / v and to = y / w, in multiples of v w: the way is y v - x w, and sums have the weight 1.
+  using exact::BigInteger;
+  const auto x = space_.homogeneous(arrangement_.points.source(from)),
+             y = space_.homogeneous(arrangement_.points.source(to)),
+             a = space_.homogeneous({PointSource::Kind::sum, edge.from.p, edge.from.q, 0}),
+             b = space_.homogeneous({PointSource::Kind::sum, edge.to.p, edge.to.q, 0});
+  BigInteger e[3], w[3], before = 0, after = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    e[i] = b[i] - a[i];
+    w[i] = y[i] * x[3] - x[i] * y[3];
+    before += w[i] * (a[i] * x[3] - x[i]);
+    after += w[i] * (b[i] * x[3] - x[i]);
   }
-  for (int i = 0; i < 3; ++i)
+  for (std::size_t i = 0; i < 3; ++i)
     if (e[i] * w[(i + 1) % 3] != e[(i + 1) % 3] * w[i]) return false;
   return before > 0 || after > 0;
 }

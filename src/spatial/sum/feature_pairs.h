@@ -17,7 +17,7 @@ SolidContact features_of(const SumFacet& facet, const SolidOperand& p, const Sol
 
 class FeaturePairs {
  public:
-  FeaturePairs(const SolidBoundary& boundary, const SolidOperand& p, const SolidOperand& q);
+  FeaturePairs(const SolidBoundary& boundary, const SolidOperand& p, const SolidOperand& q, StageWatch& watch);
 
   /// The pair of a facet with this side (1 or -1: of the plane's normal) that covers the cell.
   SolidContact of_cell(std::uint32_t cell, int side) const;
@@ -46,7 +46,7 @@ class FeaturePairs {
   std::vector<std::pair<SumPoint, EdgeId>> ends_;  // of all edges of sums, sorted
   bool both_thin_;
   std::unordered_map<std::uint64_t, std::uint32_t> diagonal_[2];  // edges inside faces, and these faces
-  BoxTree facets_;
+  BoxTree facets_;                                                // only where something is tight
 };
 
 }  // namespace dymsum::spatial

@@ -1,5 +1,6 @@
 #include "spatial/sum/solid_boundary.h"
 
+#include "base/free_memory.h"
 #include "spatial/boundary/cell_links.h"
 
 namespace dymsum::spatial {
@@ -47,10 +48,15 @@ int boxes_across(std::size_t facets) { return facets < 500 ? 0 : facets < 2000 ?
 
 /// Facets deep inside the open sum bound nothing, and without them off the facets there still are only cells of the
 /// open sum and cells of the outside.
-std::size_t drop_inner(ReducedConvolution& convolution, const InnerCells& inner) {
+std::size_t drop_inner(ReducedConvolution& convolution, const InnerCells& inner, StageWatch& watch) {
+  if (inner.empty()) return 0;
+  std::vector<std::uint8_t> inside(convolution.facets.size());
+  watch.run_stretches(inside.size(), 512, [&](std::size_t, std::size_t first, std::size_t last) {
+    for (std::size_t f = first; f < last; ++f) inside[f] = inner.hold(convolution.facets[f]);
+  });
   std::size_t kept = 0;
   for (std::size_t f = 0; f < convolution.facets.size(); ++f) {
-    if (inner.hold(convolution.facets[f])) continue;
+    if (inside[f] != 0) continue;
     convolution.facets[kept] = convolution.facets[f];
     convolution.planes[kept++] = convolution.planes[f];
   }
@@ -92,9 +98,10 @@ SolidBoundary solid_boundary(const SolidOperand& p, const SolidOperand& q, const
   // What is left out for speed is proved for solids alone.
   const bool fast = options.engine == SpatialEngine::fast && !p.has_thin() && !q.has_thin();
   const InnerCells inner(*result.space, p, q, fast ? boxes_across(convolution.facets.size()) : 0, watch);
-  stats.inner_facets = drop_inner(convolution, inner);
+  stats.inner_facets = drop_inner(convolution, inner, watch);
   watch.hold(convolution.facets.size() * kBytesPerTableFacet);
-  result.table = facet_table(*result.space, convolution);
+  result.table = facet_table(*result.space, convolution, watch);
+  base::free_memory(convolution.facets, convolution.planes);
   watch.begin("contacts");
   Contacts contacts = find_contacts(*result.space, result.table, watch);
   stats.box_pairs = contacts.counts.box_pairs, stats.contacts = contacts.counts.contacts;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <stdexcept>
 
 #include "spatial/sum/canonical_loop.h"
@@ -17,16 +18,19 @@ namespace {
 
 class Assembler {
  public:
-  Assembler(const SolidBoundary& boundary, const SolidOperand& p, const SolidOperand& q, SpatialSum& sum)
+  Assembler(const SolidBoundary& boundary, const SolidOperand& p, const SolidOperand& q, SpatialSum& sum,
+            StageWatch& watch)
       : boundary_(boundary),
         space_(*boundary.space),
         arrangement_(*boundary.arrangement),
-        pairs_(boundary, p, q),
-        sum_(sum) {}
+        pairs_(boundary, p, q, watch),
+        sum_(sum),
+        watch_(watch) {}
 
   void run() {
-    std::vector<CellPolygon> faces = merged_cells(space_, arrangement_, boundary_selection());
-    std::vector<CellPolygon> tight = merged_cells(space_, arrangement_, tight_selection());
+    std::vector<CellPolygon> faces = merged_cells(space_, arrangement_, boundary_selection(), watch_);
+    std::vector<CellPolygon> tight;
+    if (!boundary_.tight.cells.empty()) tight = merged_cells(space_, arrangement_, tight_selection(), watch_);
     const std::vector<TightLine> lines = joined_lines(space_, arrangement_.points, boundary_.tight.segments);
     name_vertices(faces, tight, lines);
     add_faces(faces);
@@ -79,9 +83,9 @@ class Assembler {
         for (const std::vector<PointId>& loop : polygon.loops) used.insert(used.end(), loop.begin(), loop.end());
     for (const TightLine& line : lines) used.push_back(line.from), used.push_back(line.to);
     used.insert(used.end(), boundary_.tight.points.begin(), boundary_.tight.points.end());
-    std::sort(used.begin(), used.end());
+    watch_.sort(used, std::less<>());
     used.erase(std::unique(used.begin(), used.end()), used.end());
-    std::sort(used.begin(), used.end(), [&](PointId a, PointId b) { return order(a, b) > 0; });
+    watch_.sort(used, [&](PointId a, PointId b) { return order(a, b) > 0; });
     name_.assign(arrangement_.points.size(), kNoId);
     auto source = std::make_shared<SpatialPositions>();
     double world[3], offset[3];
@@ -135,21 +139,24 @@ class Assembler {
   }
 
   void add_faces(const std::vector<CellPolygon>& polygons) {
-    std::vector<SpatialFace> faces;
-    std::vector<std::uint32_t> patch, order, shell(arrangement_.cell_count, kNoId);
-    for (const CellPolygon& polygon : polygons) {
-      const PlaneGroup& group = arrangement_.groups[arrangement_.group_of(polygon.cell)];
-      const int side = group.cells.cells[polygon.cell - group.first_cell].front > 0 ? 1 : -1;
-      const SolidContact contact = pairs_.of_cell(polygon.cell, side);
-      faces.push_back({named(polygon), contact.p, contact.q, 0});
-      patch.push_back(boundary_.patch[polygon.cell]);
-      order.push_back(static_cast<std::uint32_t>(order.size()));
-      if (patch.back() == kNoId) throw std::logic_error("solid sum: a boundary cell that links refute");
-    }
-    std::sort(order.begin(), order.end(),
-              [&](std::uint32_t a, std::uint32_t b) { return faces[a].loops < faces[b].loops; });
+    std::vector<SpatialFace> faces(polygons.size());
+    std::vector<std::uint32_t> order(faces.size()), shell(arrangement_.cell_count, kNoId);
+    watch_.run_stretches(faces.size(), kPart, [&](std::size_t, std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last; ++k) {
+        const CellPolygon& polygon = polygons[k];
+        const PlaneGroup& group = arrangement_.groups[arrangement_.group_of(polygon.cell)];
+        const int side = group.cells.cells[polygon.cell - group.first_cell].front > 0 ? 1 : -1;
+        const SolidContact contact = pairs_.of_cell(polygon.cell, side);
+        faces[k] = {named(polygon), contact.p, contact.q, 0};
+        order[k] = static_cast<std::uint32_t>(k);
+      }
+    });
+    watch_.sort(order, [&](std::uint32_t a, std::uint32_t b) { return faces[a].loops < faces[b].loops; });
+    sum_.faces.reserve(faces.size());
     for (const std::uint32_t k : order) {
-      std::uint32_t& s = shell[patch[k]];
+      const std::uint32_t patch = boundary_.patch[polygons[k].cell];
+      if (patch == kNoId) throw std::logic_error("solid sum: a boundary cell that links refute");
+      std::uint32_t& s = shell[patch];
       if (s == kNoId) s = static_cast<std::uint32_t>(sum_.shells++);
       faces[k].shell = s;
       sum_.faces.push_back(std::move(faces[k]));
@@ -157,8 +164,13 @@ class Assembler {
   }
 
   void add_edges() {
-    sum_.edges = edges_of(sum_.faces);
-    for (SpatialEdge& edge : sum_.edges) edge.contact = pairs_.of_edge(point_of_[edge.from], point_of_[edge.to]);
+    sum_.edges = edges_of(sum_.faces, watch_.threads());
+    watch_.run_stretches(sum_.edges.size(), kPart, [&](std::size_t, std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last; ++k) {
+        SpatialEdge& edge = sum_.edges[k];
+        edge.contact = pairs_.of_edge(point_of_[edge.from], point_of_[edge.to]);
+      }
+    });
   }
 
   void add_tight_faces(const std::vector<CellPolygon>& polygons) {
@@ -200,19 +212,22 @@ class Assembler {
       sum_.tight_point_contacts.push_back(pairs_.of_facets_at(std::array{point_of_[v]}));
   }
 
+  static constexpr std::size_t kPart = 64;
   const SolidBoundary& boundary_;
   const SumSpace& space_;
   const SolidArrangement& arrangement_;
   const FeaturePairs pairs_;
   SpatialSum& sum_;
+  StageWatch& watch_;
   std::vector<PointId> point_of_;    // per vertex
   std::vector<std::uint32_t> name_;  // per point of the arrangement
 };
 
 }  // namespace
 
-void assemble(const SolidBoundary& boundary, const SolidOperand& p, const SolidOperand& q, SpatialSum& sum) {
-  Assembler(boundary, p, q, sum).run();
+void assemble(const SolidBoundary& boundary, const SolidOperand& p, const SolidOperand& q, SpatialSum& sum,
+              StageWatch& watch) {
+  Assembler(boundary, p, q, sum, watch).run();
 }
 
 }  // namespace dymsum::spatial

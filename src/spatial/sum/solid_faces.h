@@ -7,6 +7,7 @@ namespace dymsum::spatial {
 
 /// Fills vertices, faces, shells and tight features, in canonical order. `p` and `q` give the faces and edges of the
 /// operands' meshes.
-void assemble(const SolidBoundary& boundary, const SolidOperand& p, const SolidOperand& q, SpatialSum& sum);
+void assemble(const SolidBoundary& boundary, const SolidOperand& p, const SolidOperand& q, SpatialSum& sum,
+              StageWatch& watch);
 
 }  // namespace dymsum::spatial

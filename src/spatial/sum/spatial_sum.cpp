@@ -4,6 +4,7 @@
 #include <new>
 #include <string>
 
+#include "base/parallel.h"
 #include "spatial/convolution/predicted_cost.h"
 #include "spatial/sum/face_triangles.h"
 #include "spatial/sum/grid_error.h"
@@ -27,6 +28,15 @@ Error too_large(const SpatialOptions& options, const char* what, std::uint64_t b
       {}};
 }
 
+Result<SpatialSum> sum_of_pair(const MeshData& p, const std::vector<bool>& thin_p, const MeshData& q,
+                               const std::vector<bool>& thin_q, const SpatialOptions& options) {
+  spatial::SolidOperand operands[2];
+  base::parallel_parts(2, options.threads, [&](std::size_t k) {
+    operands[k] = k == 0 ? spatial::solid_operand(p, thin_p) : spatial::solid_operand(q, thin_q);
+  });
+  return spatial::sum_of_operands(operands[0], operands[1], options);
+}
+
 }  // namespace
 
 Result<SpatialSum> minkowski_sum(const Mesh& p, const Mesh& q, const SpatialOptions& options) {
@@ -39,15 +49,14 @@ Result<SpatialSum> minkowski_sum(const Mesh& p, const Mesh& q, const SpatialOpti
 }
 
 Result<SpatialSum> spatial::sum_of_solids(const MeshData& p, const MeshData& q, const SpatialOptions& options) {
-  return sum_of_operands(solid_operand(p), solid_operand(q), options);
+  return sum_of_pair(p, {}, q, {}, options);
 }
 
 Result<SpatialSum> spatial::sum_of_solids(const Mesh& p, const Mesh& q, const SpatialOptions& options) {
   if (p.has_thin_parts() && q.has_thin_parts() && options.semantics == Semantics::open)
     return Error{
         ErrorCode::unsupported_operand, "the open sum is defined where one operand has no parts without volume", {}};
-  Result<SpatialSum> sum =
-      sum_of_operands(solid_operand(p.data(), p.thin_faces()), solid_operand(q.data(), q.thin_faces()), options);
+  Result<SpatialSum> sum = sum_of_pair(p.data(), p.thin_faces(), q.data(), q.thin_faces(), options);
   if (sum && sum->faces.empty() && p.has_thin_parts() && q.has_thin_parts())
     return Error{ErrorCode::unsupported_operand, "the sum of these parts without volume has no volume either", {}};
   return sum;
@@ -63,7 +72,7 @@ Result<SpatialSum> spatial::sum_of_operands(const SolidOperand& a, const SolidOp
   try {
     spatial::SolidBoundary boundary = spatial::solid_boundary(a, b, options, sum.stats, watch);
     watch.begin("faces");
-    spatial::assemble(boundary, a, b, sum);
+    spatial::assemble(boundary, a, b, sum, watch);
     if (options.trace) sum.trace = trace_of(boundary);
     watch.begin("");
     const_cast<SpatialPositions&>(SpatialSumInternals::positions(sum)).space = std::move(boundary.space);
@@ -97,9 +106,7 @@ Result<SpatialSum::Rounded> SpatialSum::rounded() const {
     for (const std::uint32_t v : t) {
       if (name[v] == kNone) {
         name[v] = static_cast<std::uint32_t>(result.mesh.vertices.size());
-        const auto [x, y, z] = positions_->at(v);
-        result.mesh.vertices.push_back(
-            {exact::round_to_double(x), exact::round_to_double(y), exact::round_to_double(z)});
+        result.mesh.vertices.push_back(positions_->rounded(v));
       }
       face.push_back(name[v]);
     }

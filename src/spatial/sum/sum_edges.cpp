@@ -1,11 +1,14 @@
 #include "spatial/sum/sum_edges.h"
 
 #include <algorithm>
+#include <functional>
 #include <tuple>
+
+#include "base/parallel_sort.h"
 
 namespace dymsum::spatial {
 
-std::vector<SpatialEdge> edges_of(const std::vector<SpatialFace>& faces) {
+std::vector<SpatialEdge> edges_of(const std::vector<SpatialFace>& faces, int threads) {
   std::vector<std::array<std::uint32_t, 3>> sides;  // from, to, face
   for (std::uint32_t f = 0; f < faces.size(); ++f) {
     for (const std::vector<std::uint32_t>& loop : faces[f].loops) {
@@ -15,8 +18,9 @@ std::vector<SpatialEdge> edges_of(const std::vector<SpatialFace>& faces) {
       }
     }
   }
-  std::sort(sides.begin(), sides.end());
+  base::parallel_sort(sides, threads, std::less<>());
   std::vector<SpatialEdge> edges;
+  edges.reserve(sides.size() / 2);
   for (const auto& [a, b, f] : sides) {
     if (edges.empty() || edges.back().from != a || edges.back().to != b) edges.push_back({a, b, {}, std::nullopt});
     if (edges.back().faces.empty() || edges.back().faces.back() != f) edges.back().faces.push_back(f);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "exact/grid.h"
+
 namespace dymsum::spatial {
 
 using exact::BigInteger;
@@ -10,6 +12,31 @@ ExactPosition SpatialPositions::at(std::size_t vertex) const {
   if (!space) return listed[vertex];
   const PointSource& at = vertices[vertex];
   return {space->world_coordinate(at, 0), space->world_coordinate(at, 1), space->world_coordinate(at, 2)};
+}
+
+// Without at(), whose fractions in lowest terms cost more than all else of writing a sum.
+Point3 SpatialPositions::rounded(std::size_t vertex) const {
+  double result[3];
+  if (!space) {
+    for (std::size_t i = 0; i < 3; ++i) result[i] = exact::round_to_double(listed[vertex][i]);
+    return {result[0], result[1], result[2]};
+  }
+  const std::array<BigInteger, 4> h = space->homogeneous(vertices[vertex]);
+  for (int axis = 0; axis < 3; ++axis) {
+    const SumSpace::Line line = space->line(axis);
+    const exact::Dyadic p = exact::to_dyadic(line.p_offset), q = exact::to_dyadic(line.q_offset);
+    // All in units of the smallest power of two that occurs.
+    int unit = line.exponent;
+    for (const exact::Dyadic& d : {p, q})
+      if (d.mantissa != 0) unit = std::min(unit, d.exponent);
+    BigInteger num = h[static_cast<std::size_t>(axis)] << (line.exponent - unit), den = h[3];
+    for (const exact::Dyadic& d : {p, q})
+      if (d.mantissa != 0) num += (BigInteger(d.mantissa) << (d.exponent - unit)) * h[3];
+    if (unit >= 0) num <<= unit;
+    else den <<= -unit;
+    result[axis] = exact::round_to_double(num, den);
+  }
+  return {result[0], result[1], result[2]};
 }
 
 std::array<BigInteger, 4> SpatialPositions::homogeneous(std::size_t vertex) const {

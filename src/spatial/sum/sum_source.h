@@ -21,6 +21,8 @@ struct SpatialPositions {
   std::vector<ExactPosition> listed;
 
   ExactPosition at(std::size_t vertex) const;
+  /// The nearest doubles.
+  Point3 rounded(std::size_t vertex) const;
 
   // Where all that counts is how positions lie to each other, they are seen from an origin near the sum, in units of
   // powers of two along each axis: the grid's.

@@ -50,19 +50,28 @@ class TouchingVertices {
       Box box;
       box.add(at(v));
       tree.for_each(box, [&](std::uint32_t t) {
-        if (!has(triangles[t], v) && near(triangles[t], v) && contains(triangles[t], v)) touched[t].push_back(v);
+        if (!has(triangles[t], v) && may_hold(triangles[t], v) && contains(triangles[t], v)) touched[t].push_back(v);
       });
     }
     return touched;
   }
 
-  /// False where doubles tell that a vertex is off a triangle's plane.
-  bool near(const Triangle& t, std::uint32_t v) const {
-    const Vec3 u = at(t[1]) - at(t[0]), w = at(t[2]) - at(t[0]), d = at(v) - at(t[0]);
+  /// False where doubles tell that a vertex is off a triangle's plane, or beyond one of its sides.
+  bool may_hold(const Triangle& t, std::uint32_t v) const {
+    const Vec3 u = at(t[1]) - at(t[0]), w = at(t[2]) - at(t[0]), d = at(v) - at(t[0]), n = cross(u, w);
     const auto size = [&](Vec3 x) { return std::abs(x.x) + std::abs(x.y) + std::abs(x.z) + 4 * sum_.at_error; };
     const double error = 8 * sum_.at_error * (size(u) * size(w) + size(w) * size(d) + size(d) * size(u)) +
                          size(u) * size(w) * size(d) * 0x1p-48;
-    return !(std::abs(dot(cross(u, w), d)) > error);
+    if (std::abs(dot(n, d)) > error) return false;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 side = at(t[(k + 1) % 3]) - at(t[k]), to = at(v) - at(t[k]);
+      const double all = size(u) * size(w) * size(side) * size(to);
+      // Each of the four vectors errs by 6 at_error at most and is no longer than 3/2 of its size.
+      const double slack =
+          32 * sum_.at_error * all * (1 / size(u) + 1 / size(w) + 1 / size(side) + 1 / size(to)) + all * 0x1p-46;
+      if (dot(n, cross(side, to)) < -slack) return false;
+    }
+    return true;
   }
 
   const ExactPosition& exact(std::uint32_t v) {

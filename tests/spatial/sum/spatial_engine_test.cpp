@@ -1,11 +1,15 @@
 // The engine of solid sums: what it leaves out, threads, predicted cost, memory, cancelling.
 #include <gtest/gtest.h>
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
 
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
 #include <random>
 #include <set>
+#include <tuple>
 
 #include "dymsum/spatial_sum.h"
 #include "oracles/voxel_solids.h"
@@ -126,20 +130,98 @@ TEST(SpatialEngine, facets_deep_inside_unions_of_cubes_are_dropped) {
   EXPECT_EQ(fast.volume_exact(), static_cast<std::int64_t>(oracles::voxel_sum(p, q).volume));
 }
 
-TEST(SpatialEngine, threads_change_nothing) {
-  const MeshData p = torus(2, 0.6, 16, 8, 0), q = torus(1.3, 0.35, 16, 8, 0.7);
-  const SpatialSum one = sum(p, q), two = sum(p, q, SpatialEngine::fast, 2);
+void expect_same_to_the_last_bit(const SpatialSum& one, const SpatialSum& two) {
   EXPECT_TRUE(one == two);
   EXPECT_EQ(one.vertices, two.vertices);
+  EXPECT_EQ(one.at_error, two.at_error);
+  EXPECT_EQ(one.vertex_contacts, two.vertex_contacts);
   ASSERT_EQ(one.faces.size(), two.faces.size());
   for (std::size_t f = 0; f < one.faces.size(); ++f) {
     EXPECT_EQ(one.faces[f].p, two.faces[f].p);
     EXPECT_EQ(one.faces[f].q, two.faces[f].q);
     EXPECT_EQ(one.faces[f].shell, two.faces[f].shell);
   }
-  EXPECT_EQ(one.stats.points, two.stats.points);
-  EXPECT_EQ(one.stats.contacts, two.stats.contacts);
+  ASSERT_EQ(one.edges.size(), two.edges.size());
+  for (std::size_t e = 0; e < one.edges.size(); ++e) {
+    EXPECT_EQ(one.edges[e].faces, two.edges[e].faces);
+    EXPECT_EQ(one.edges[e].contact, two.edges[e].contact);
+  }
+  EXPECT_EQ(one.tight_face_contacts, two.tight_face_contacts);
+  EXPECT_EQ(one.tight_segment_contacts, two.tight_segment_contacts);
+  EXPECT_EQ(one.tight_point_contacts, two.tight_point_contacts);
+  const SpatialStats &a = one.stats, &b = two.stats;
+  EXPECT_EQ(std::tie(a.inner_facets, a.box_pairs, a.contacts, a.points, a.cells, a.patches),
+            std::tie(b.inner_facets, b.box_pairs, b.contacts, b.points, b.cells, b.patches));
+  EXPECT_EQ(std::tie(a.collision_tests, a.tight_tests), std::tie(b.collision_tests, b.tight_tests));
 }
+
+// Enough facets for every loop to have several parts, and for sorts and trees to be made in parts.
+TEST(SpatialEngine, threads_change_nothing) {
+  const MeshData p = torus(2, 0.6, 32, 16, 0), q = torus(1.3, 0.35, 24, 12, 0.7);
+  const SpatialSum one = sum(p, q);
+  expect_same_to_the_last_bit(one, sum(p, q, SpatialEngine::fast, 2));
+}
+
+TEST(SpatialEngine, threads_change_nothing_where_much_is_tight) {
+  // A block with nine tunnels, and a peg that fits.
+  oracles::Voxels block;
+  for (int x = 0; x < 7; ++x)
+    for (int y = 0; y < 7; ++y)
+      for (int z = 0; z < 2; ++z)
+        if (x % 2 == 0 || y % 2 == 0) block.insert({x, y, z});
+  const MeshData p = oracles::voxel_mesh(block), q = oracles::voxel_mesh({{0, 0, 0}});
+  const SpatialSum one = sum(p, q);
+  EXPECT_EQ(one.tight_segments.size(), 9u);
+  EXPECT_GT(one.stats.tight_tests, 100u);
+  expect_same_to_the_last_bit(one, sum(p, q, SpatialEngine::fast, 2));
+}
+
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)
+/// A sphere with bumps of all sizes: many facets meet.
+MeshData bumpy(int rings, int around, double turn) {
+  MeshData m;
+  const auto place = [&](double a, double b) {
+    const double r = 1 + 0.3 * std::sin(5 * a) * std::sin(4 * b);
+    m.vertices.push_back(
+        turned({r * std::sin(a) * std::cos(b), r * std::sin(a) * std::sin(b), r * std::cos(a)}, turn, 0.7 * turn));
+  };
+  for (int j = 1; j <= rings; ++j)
+    for (int i = 0; i < around; ++i) place(std::numbers::pi * j / (rings + 1), 2 * std::numbers::pi * i / around);
+  place(0, 0), place(std::numbers::pi, 0);
+  const auto id = [&](int i, int j) { return static_cast<std::uint32_t>(j * around + i % around); };
+  const auto top = static_cast<std::uint32_t>(rings * around);
+  for (int i = 0; i < around; ++i) {
+    m.faces.push_back({top, id(i, 0), id(i + 1, 0)});
+    m.faces.push_back({top + 1, id(i + 1, rings - 1), id(i, rings - 1)});
+    for (int j = 0; j + 1 < rings; ++j) {
+      m.faces.push_back({id(i, j), id(i, j + 1), id(i + 1, j + 1)});
+      m.faces.push_back({id(i, j), id(i + 1, j + 1), id(i + 1, j)});
+    }
+  }
+  return m;
+}
+
+// What stages leave behind and nobody needs is given back when they are through.
+TEST(SpatialEngine, holds_less_than_two_kilobytes_a_facet_beside_the_result) {
+  const MeshData p = bumpy(10, 20, 0.2), q = bumpy(10, 20, 1.1);
+  const auto allocated = [] {
+    const struct mallinfo2 info = mallinfo2();
+    return static_cast<double>(info.uordblks + info.hblkhd);
+  };
+  const double before = allocated();
+  double most = 0;
+  SpatialOptions options;
+  options.threads = 1;
+  options.progress = [&](std::string_view, double) {
+    most = std::max(most, allocated() - before);
+    return true;
+  };
+  const SpatialSum s = sum_of_solids(p, q, options).value();
+  const double result = allocated() - before, facets = static_cast<double>(s.stats.face_vertex + s.stats.edge_edge);
+  EXPECT_GT(most, result / 2);
+  EXPECT_LT((most - result) / facets, 2000);
+}
+#endif
 
 TEST(SpatialEngine, cost_is_predicted_from_angles) {
   const Mesh p = Mesh::create(torus(2, 0.6, 32, 16, 0)).value();
