@@ -38,6 +38,7 @@ class Tight {
 
   TightFeatures run() {
     for (const PlaneGroup& group : arrangement_.groups) look_at_cells(group);
+    leave_out_free_cells();
     share_ = 1.0 / 3;
     const auto edges = static_cast<std::uint32_t>(arrangement_.edge_ends.size());
     std::vector<bool> closed(edges);
@@ -67,6 +68,13 @@ class Tight {
   }
   void touch(std::uint32_t edge) {
     for (const PointId p : arrangement_.edge_ends[edge]) touched_[p] = true;
+  }
+
+  /// Of two operands with thin parts some cells have nothing on either side.
+  void leave_out_free_cells() {
+    for (const PlaneGroup& group : arrangement_.groups)
+      for (std::uint32_t c = 0; c < group.cells.cells.size(); ++c)
+        if (group.cells.cells[c].front == 0 && group.cells.cells[c].back == 0) outside_[group.first_cell + c] = true;
   }
 
   /// Cells with facets of both directions.

@@ -4,6 +4,7 @@
 #include <new>
 #include <string>
 
+#include "spatial/boundary/thin_crossings.h"
 #include "spatial/convolution/predicted_cost.h"
 #include "spatial/sum/face_triangles.h"
 #include "spatial/sum/grid_error.h"
@@ -27,6 +28,14 @@ Error too_large(const SpatialOptions& options, const char* what, std::uint64_t b
       {}};
 }
 
+Error no_open_sum(const spatial::ThinCrossing& parts) {
+  Error error{ErrorCode::unsupported_operand,
+              "this face of P and that of Q have no volume and can cross, for which no open sum is defined",
+              {}};
+  error.evidence.face = parts.p, error.evidence.other_face = parts.q;
+  return error;
+}
+
 }  // namespace
 
 Result<SpatialSum> minkowski_sum(const Mesh& p, const Mesh& q, const SpatialOptions& options) {
@@ -43,9 +52,6 @@ Result<SpatialSum> spatial::sum_of_solids(const MeshData& p, const MeshData& q, 
 }
 
 Result<SpatialSum> spatial::sum_of_solids(const Mesh& p, const Mesh& q, const SpatialOptions& options) {
-  if (p.has_thin_parts() && q.has_thin_parts() && options.semantics == Semantics::open)
-    return Error{
-        ErrorCode::unsupported_operand, "the open sum is defined where one operand has no parts without volume", {}};
   Result<SpatialSum> sum =
       sum_of_operands(solid_operand(p.data(), p.thin_faces()), solid_operand(q.data(), q.thin_faces()), options);
   if (sum && sum->faces.empty() && p.has_thin_parts() && q.has_thin_parts())
@@ -69,6 +75,8 @@ Result<SpatialSum> spatial::sum_of_operands(const SolidOperand& a, const SolidOp
     const_cast<SpatialPositions&>(SpatialSumInternals::positions(sum)).space = std::move(boundary.space);
   } catch (const spatial::Cancelled&) {
     return Error{ErrorCode::cancelled, "the computation was cancelled", {}};
+  } catch (const spatial::NoOpenSum& e) {
+    return no_open_sum(e.parts);
   } catch (const spatial::OverBudget& e) {
     return too_large(options, "takes at least", e.bytes);
   } catch (const std::bad_alloc&) {
