@@ -36,7 +36,7 @@ C small(std::int64_t v) {
   }
 }
 
-// The widths of the table in sum_space.h, checked for the two fixed tiers.
+// The widths of the table in sum_space.h, checked for the fixed tiers.
 template <int B>
 constexpr bool widths_hold() {
   using E = decltype(Int<B>{} + Int<B>{});
@@ -49,7 +49,7 @@ constexpr bool widths_hold() {
   return E::kBits == B + 1 && N::kBits == 2 * B + 3 && D::kBits == 3 * B + 6 && X3::kBits == 7 * B + 15 &&
          W3::kBits == 6 * B + 12 && Side3::kBits <= 9 * B + 21;
 }
-static_assert(widths_hold<26>() && widths_hold<54>());
+static_assert(widths_hold<26>() && widths_hold<54>() && widths_hold<72>());
 
 }  // namespace
 
@@ -366,6 +366,8 @@ std::unique_ptr<SumSpace> make_sum_space(const std::vector<Point3>& p, const std
   };
   if (bits <= 26) return make(Int<26>{});
   if (bits <= 54) return make(Int<54>{});
+  // Heights of slices: all digits of a double, next to operands of few.
+  if (bits <= 72) return make(Int<72>{});
   if (bits <= 250) return make(Big{});
   throw std::invalid_argument("coordinates of more than 250 bits on their common grid");
 }
