@@ -11,7 +11,7 @@ namespace {
 /// A prism over an L of which one arm is cut at a slope, turned so that it stands on another plane.
 Mesh sloped(double slope, int turns) {
   MeshData m;
-  const std::vector<std::pair<double, double>> ring{{0, 0}, {6, 0}, {6, 2}, {2, 2 + slope}, {2, 6}, {0, 6}};
+  const std::vector<std::pair<double, double>> ring{{0, 0}, {5, 0}, {5, 2}, {2, 2 + slope}, {2, 6}, {0, 6}};
   for (const double z : {0.0, 5.0})
     for (const auto& [x, y] : ring) m.vertices.push_back({x, y, z});
   m.faces = {{5, 4, 3, 2, 1, 0}, {6, 7, 8, 9, 10, 11}};
@@ -30,7 +30,7 @@ TEST(SeveralOperands, through_fractions_are_those_of_larger_ones) {
     const Result<SpatialSum> three = minkowski_sum(std::vector<Mesh>{p, q, r});
     ASSERT_TRUE(three.ok()) << three.error().to_string();
     // all of it so many times larger that sums of two have whole vertices
-    const double by = 3.0 * 5 * 7 * 11 * 13;
+    const double by = 81.0 * 25 * 7;
     const auto large = [&](const Mesh& m) { return scaled(m, by, by, by).value(); };
     const Result<Mesh> both = as_mesh(minkowski_sum(large(p), large(q)).value());
     ASSERT_TRUE(both.ok()) << both.error().to_string();
@@ -53,9 +53,21 @@ TEST(SeveralOperands, through_fractions_are_those_of_larger_ones) {
 }
 
 TEST(SeveralOperands, in_another_order_where_the_first_sum_is_no_operand) {
-  // Positions of the first two are fractions of many digits; the third one, of a few boxes, goes with either.
-  const Mesh p = sloped(0x1.0000001p0, 0), q = sloped(0x1.000003p1, 1);
-  const Mesh r = Mesh::create(ell()).value();
+  // Slopes of 7 by n and by m: positions of the first two are fractions of both. The third one is a multiple of n long.
+  constexpr double n = 0x1p27 + 1, m = 0x1p27 - 1;
+  const auto large = [](double size, int turns) {
+    MeshData mesh = sloped(0, turns).data();
+    for (Point3& v : mesh.vertices)
+      for (double* c : {&v.x, &v.y, &v.z}) *c *= size;
+    return mesh;
+  };
+  MeshData first = large(n, 0), second = large(m, 1), third = ell();
+  for (Point3& v : first.vertices)
+    if (v.x == 2 * n && v.y == 2 * n) v.y += 21;
+  for (Point3& v : second.vertices)
+    if (v.z == 2 * m && v.x == 2 * m) v.x += 21;
+  for (Point3& v : third.vertices) v = {3 * n * v.x, 3 * n * v.y, 3 * n * v.z};
+  const Mesh p = Mesh::create(first).value(), q = Mesh::create(second).value(), r = Mesh::create(third).value();
   const Result<Mesh> two = as_mesh(minkowski_sum(p, q).value());
   ASSERT_FALSE(two.ok());
   const Result<SpatialSum> three = minkowski_sum(std::vector<Mesh>{p, q, r});

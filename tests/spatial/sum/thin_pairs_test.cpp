@@ -62,7 +62,9 @@ TEST(ThinPairs, of_lattice_cells_have_an_open_sum) {
     EXPECT_TRUE(*made == minkowski_sum(*q, *p, options).value()) << seed;
     EXPECT_TRUE(*made == minkowski_sum(*p, *q).value()) << seed << ", closed";
     options.engine = SpatialEngine::brute;
-    if (k % 4 == 0) EXPECT_TRUE(*made == minkowski_sum(*p, *q, options).value()) << seed << ", brute";
+    if (k % 4 == 0) {
+      EXPECT_TRUE(*made == minkowski_sum(*p, *q, options).value()) << seed << ", brute";
+    }
     for (std::size_t i = 0; i < made->vertices.size() && i < 20; ++i)
       EXPECT_FALSE(contains(*p, *q, made->vertices[i], Semantics::open).value()) << seed;
     tight += expected.tight_faces + expected.tight_edges + expected.tight_points > 0;
@@ -74,9 +76,9 @@ TEST(ThinPairs, of_lattice_cells_have_an_open_sum) {
 TEST(ThinPairs, a_pin_with_a_wire_in_a_slot_with_a_whisker) {
   // A block with a tunnel of 2 x 2 and a wire beside it, a bar as wide with a wire: the bar's way through is tight.
   MeshData block = tunnel(), bar = solids::box(-9, -1, -1, 9, 1, 1).data();
-  for (MeshData* m : {&block, &bar}) {
+  for (const auto& [m, x] : {std::pair{&block, 60.0}, std::pair{&bar, -60.0}}) {
     const auto first = static_cast<std::uint32_t>(m->vertices.size());
-    m->vertices.insert(m->vertices.end(), {{20, 0, 0}, {21, 1, 0}});
+    m->vertices.insert(m->vertices.end(), {{x, 0, 0}, {x + 1, 1, 0}});
     m->faces.push_back({first, first + 1});
   }
   SpatialOptions open;
