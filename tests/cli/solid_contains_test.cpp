@@ -73,7 +73,7 @@ std::string combs(int n) {
         vertices += std::to_string(16 * k + x + z * (k % 4)) + " " + std::to_string(y + z * (k % 3)) + " " +
                     std::to_string(2 * z) + "\n",
             ++count;
-    for (const auto& face : {std::array{3, 2, 1}, {3, 1, 0}, {4, 5, 6}, {4, 6, 7}}) {
+    for (const auto& face : {std::array{3, 2, 1}, {3, 1, 0}, {4, 5, 7}, {5, 6, 7}}) {
       faces += "3";
       for (const int v : face) faces += " " + std::to_string(first + v);
       faces += "\n", ++squares;

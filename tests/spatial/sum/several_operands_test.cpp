@@ -8,23 +8,34 @@
 namespace dymsum {
 namespace {
 
-/// A prism over an L of which one arm is cut at a slope, turned so that it stands on another plane.
-Mesh sloped(double slope, int turns) {
+Mesh prism(const std::vector<std::pair<double, double>>& ring, double height) {
   MeshData m;
-  const std::vector<std::pair<double, double>> ring{{0, 0}, {5, 0}, {5, 2}, {2, 2 + slope}, {2, 6}, {0, 6}};
-  for (const double z : {0.0, 5.0})
+  const auto n = static_cast<std::uint32_t>(ring.size());
+  for (const double z : {0.0, height})
     for (const auto& [x, y] : ring) m.vertices.push_back({x, y, z});
-  m.faces = {{5, 4, 3, 2, 1, 0}, {6, 7, 8, 9, 10, 11}};
-  for (std::uint32_t i = 0; i < 6; ++i) m.faces.push_back({i, (i + 1) % 6, 6 + (i + 1) % 6, 6 + i});
-  for (int k = 0; k < turns; ++k)
-    for (Point3& v : m.vertices) v = {v.y, v.z, v.x};
+  Face bottom, top;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    bottom.insert(bottom.begin(), i), top.push_back(n + i);
+    m.faces.push_back({i, (i + 1) % n, n + (i + 1) % n, n + i});
+  }
+  m.faces.insert(m.faces.end(), {bottom, top});
   return Mesh::create(m).value();
+}
+/// Over a wide L, one arm of which rises by `rise` over 48 of its size towards the corner.
+Mesh sloped(double size, double rise) {
+  return prism({{0, 0}, {50 * size, 0}, {50 * size, 2 * size}, {2 * size, 2 * size + rise}, {2 * size, 61 * size},
+                {0, 61 * size}},
+               5 * size);
+}
+/// Over a square on its tip with a dent: what supports a slope is another tip than what supports its end.
+Mesh dented(double size, double depth) {
+  return prism({{0, -size}, {size, 0}, {0, size}, {-size, 0}, {-size / 4, -size * depth}}, 2 * size);
 }
 
 TEST(SeveralOperands, through_fractions_are_those_of_larger_ones) {
   int fractions = 0;
-  for (const double slope : {0.5, 1.0, 1.5}) {
-    const Mesh p = sloped(slope, 0), q = sloped(2 * slope, 1), r = Mesh::create(ell()).value();
+  for (const double slope : {0.5, 1.0, 2.0}) {
+    const Mesh p = sloped(1, 16 * slope), q = dented(1, 0.25), r = Mesh::create(ell()).value();
     const SpatialSum two = minkowski_sum(p, q).value();
     fractions += as_mesh(two).ok() ? 0 : 1;
     const Result<SpatialSum> three = minkowski_sum(std::vector<Mesh>{p, q, r});
@@ -53,27 +64,21 @@ TEST(SeveralOperands, through_fractions_are_those_of_larger_ones) {
 }
 
 TEST(SeveralOperands, in_another_order_where_the_first_sum_is_no_operand) {
-  // Slopes of 7 by n and by m: positions of the first two are fractions of both. The third one is a multiple of n long.
-  constexpr double n = 0x1p27 + 1, m = 0x1p27 - 1;
-  const auto large = [](double size, int turns) {
-    MeshData mesh = sloped(0, turns).data();
-    for (Point3& v : mesh.vertices)
-      for (double* c : {&v.x, &v.y, &v.z}) *c *= size;
-    return mesh;
-  };
-  MeshData first = large(n, 0), second = large(m, 1), third = ell();
-  for (Point3& v : first.vertices)
-    if (v.x == 2 * n && v.y == 2 * n) v.y += 21;
-  for (Point3& v : second.vertices)
-    if (v.z == 2 * m && v.x == 2 * m) v.x += 21;
-  for (Point3& v : third.vertices) v = {3 * n * v.x, 3 * n * v.y, 3 * n * v.z};
-  const Mesh p = Mesh::create(first).value(), q = Mesh::create(second).value(), r = Mesh::create(third).value();
-  const Result<Mesh> two = as_mesh(minkowski_sum(p, q).value());
-  ASSERT_FALSE(two.ok());
+  // A slope of 7 by 16 n: with the dented prism positions are fractions of n, of twice as many digits as doubles have.
+  constexpr double n = 0x1p27 + 1;
+  const Mesh p = sloped(n, 21), q = dented(1.0 / 16, 0.25), r = Mesh::create(ell()).value();
+  const SpatialSum first = minkowski_sum(p, q).value();
+  EXPECT_EQ(as_mesh(first).error().code, ErrorCode::unsupported_operand);
   const Result<SpatialSum> three = minkowski_sum(std::vector<Mesh>{p, q, r});
   ASSERT_TRUE(three.ok()) << three.error().to_string();
   const Mesh pr = as_mesh(minkowski_sum(p, r).value()).value();
   EXPECT_EQ(*three, minkowski_sum(pr, q).value());
+  // One that goes with neither of them.
+  const Result<SpatialSum> none = minkowski_sum(std::vector<Mesh>{p, q, dented(1, 0.3)});
+  ASSERT_FALSE(none.ok());
+  EXPECT_EQ(none.error().code, ErrorCode::unsupported_operand);
+  EXPECT_EQ(none.error().message.find("the sum of 2 of the operands"), 0u);
+  EXPECT_TRUE(none.error().evidence.x.has_value());
 }
 
 }  // namespace
