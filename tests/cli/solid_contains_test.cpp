@@ -35,7 +35,7 @@ TEST_F(SolidContains, ManyQuestionsAreReadFromAFile) {
   const Outcome bad = work.run("dymsum contains two.off cube.off --at-file places.txt");
   EXPECT_EQ(bad.code, 2);
   EXPECT_NE(bad.err.find("places.txt:6:"), std::string::npos) << bad.err;
-  work.write("places.txt", "# along x\n0 0 0\n1/3, 0, 0\n\n2,0,0 # tight\n1/7 5 0\n1e-300 0 0\n1e-3,1/3,0\n");
+  work.write("places.txt", "# along x\n0 0 0\n1/3, 0, 0\n\n2,0,0 # tight\n1/7 5 0\n1e-30 0 0\n1e-3,1/3,0\n");
   const Json report = json("dymsum contains two.off cube.off --at-file places.txt --at 9,9,9 --semantics open --json");
   std::string inside;
   for (const Json& answer : report["answers"]) inside += answer["inside"].get<bool>() ? "1" : "0";

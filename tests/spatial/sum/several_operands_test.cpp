@@ -71,8 +71,8 @@ TEST(SeveralOperands, in_another_order_where_the_first_sum_is_no_operand) {
   EXPECT_EQ(as_mesh(first).error().code, ErrorCode::unsupported_operand);
   const Result<SpatialSum> three = minkowski_sum(std::vector<Mesh>{p, q, r});
   ASSERT_TRUE(three.ok()) << three.error().to_string();
-  const Mesh pr = as_mesh(minkowski_sum(p, r).value()).value();
-  EXPECT_EQ(*three, minkowski_sum(pr, q).value());
+  const Mesh later = as_mesh(minkowski_sum(q, r).value()).value();
+  EXPECT_EQ(*three, minkowski_sum(p, later).value());
   // One that goes with neither of them.
   const Result<SpatialSum> none = minkowski_sum(std::vector<Mesh>{p, q, dented(1, 0.3)});
   ASSERT_FALSE(none.ok());
