@@ -45,8 +45,7 @@ std::vector<std::string> words_of(const std::string& text) {
   }
   for (const std::string& piece : split(text, ',')) {
     const std::size_t first = piece.find_first_not_of(kBlanks);
-    words.push_back(first == std::string::npos ? ""
-                                               : piece.substr(first, piece.find_last_not_of(kBlanks) + 1 - first));
+    words.push_back(first == std::string::npos ? "" : piece.substr(first, piece.find_last_not_of(kBlanks) + 1 - first));
   }
   return words;
 }

@@ -14,9 +14,7 @@ namespace dymsum::cli {
 namespace {
 
 /// As solid_tier; convex operands have integers of any size in the end.
-int grid_tier(const SpatialSum& sum) {
-  return sum.stats.cells == 0 ? 0 : solid_tier(sum.stats.bits);
-}
+int grid_tier(const SpatialSum& sum) { return sum.stats.cells == 0 ? 0 : solid_tier(sum.stats.bits); }
 
 bool is_tight(const SpatialSum& sum) {
   return !sum.tight_faces.empty() || !sum.tight_segments.empty() || !sum.tight_points.empty();

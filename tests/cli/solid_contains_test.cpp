@@ -80,8 +80,8 @@ std::string combs(int n) {
     }
     for (int i = 0; i < 4; ++i) {
       const int j = (i + 1) % 4;
-      faces += "4 " + std::to_string(first + i) + " " + std::to_string(first + j) + " " + std::to_string(first + 4 + j) +
-               " " + std::to_string(first + 4 + i) + "\n";
+      faces += "4 " + std::to_string(first + i) + " " + std::to_string(first + j) + " " +
+               std::to_string(first + 4 + j) + " " + std::to_string(first + 4 + i) + "\n";
       ++squares;
     }
   }

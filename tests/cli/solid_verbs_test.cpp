@@ -127,10 +127,11 @@ TEST_F(SolidVerbs, StagesAreDrawnBesideTheResult) {
 
 TEST_F(SolidVerbs, TightFacesAreFilledInPictures) {
   // a plate as thick as its slot: a rectangle of positions, drawn as two triangles within four bars
-  work.write("slot.off",
-             "OFF\n16 12 0\n0 0 0\n8 0 0\n8 8 0\n0 8 0\n0 0 1\n8 0 1\n8 8 1\n0 8 1\n0 0 2\n8 0 2\n8 8 2\n0 8 2\n0 0 3\n"
-             "8 0 3\n8 8 3\n0 8 3\n4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n4 8 11 10 9\n4 12 13 "
-             "14 15\n4 8 9 13 12\n4 9 10 14 13\n4 10 11 15 14\n4 11 8 12 15\n");
+  work.write(
+      "slot.off",
+      "OFF\n16 12 0\n0 0 0\n8 0 0\n8 8 0\n0 8 0\n0 0 1\n8 0 1\n8 8 1\n0 8 1\n0 0 2\n8 0 2\n8 8 2\n0 8 2\n0 0 3\n"
+      "8 0 3\n8 8 3\n0 8 3\n4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n4 8 11 10 9\n4 12 13 "
+      "14 15\n4 8 9 13 12\n4 9 10 14 13\n4 10 11 15 14\n4 11 8 12 15\n");
   work.write("plate.off",
              "OFF\n8 6 0\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n0 0 1\n2 0 1\n2 2 1\n0 2 1\n4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n"
              "4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");

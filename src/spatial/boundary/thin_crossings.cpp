@@ -21,8 +21,7 @@ std::optional<std::array<std::uint32_t, 2>> plate_and_segment(const SumSpace& sp
     const auto [u, v] = ways_in(of, plates, t);
     for (std::size_t k = 0; k < segments.segments.size(); ++k) {
       const Wedge& w = segments.wedges[segments.segments[k]];
-      if (space.det(u, v, {other, w.from, w.to}) != 0)
-        return std::array{plates.face[t], segments.segment_face[k]};
+      if (space.det(u, v, {other, w.from, w.to}) != 0) return std::array{plates.face[t], segments.segment_face[k]};
     }
   }
   return std::nullopt;

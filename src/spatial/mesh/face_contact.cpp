@@ -67,7 +67,8 @@ class ContactSearch {
  private:
   SplitFace split(const Triangles& all, std::uint32_t face) const {
     const auto [first, last] = std::equal_range(all.face.begin(), all.face.end(), face);
-    return {face, data_.faces[face],
+    return {face,
+            data_.faces[face],
             {all.triangles.data() + (first - all.face.begin()), static_cast<std::size_t>(last - first)}};
   }
   const Point3& at(std::uint32_t v) const { return data_.vertices[v]; }
@@ -163,8 +164,8 @@ class ContactSearch {
     std::optional<Error> error;
     any_crossing(f_, g_, [&](std::uint32_t u, std::uint32_t v, const Triangle& t) {
       if (crossing(g_, t, u, v).place != Place::edge) return false;
-      error = made("an edge touches one of another face between the ends of both", f_.index, g_.index, u, v,
-                   meeting_.at);
+      error =
+          made("an edge touches one of another face between the ends of both", f_.index, g_.index, u, v, meeting_.at);
       return true;
     });
     return error;

@@ -145,8 +145,8 @@ Result<std::vector<bool>> contains_each(const Mesh& p, const Mesh& q, std::span<
     const Result<std::vector<bool>> together = membership.run(some, scale);
     for (std::size_t k = 0; k < indices.size(); ++k) {
       // One position may need a grid that is too fine for another one.
-      const Result<std::vector<bool>> single = together ? Result<std::vector<bool>>(std::vector<bool>{(*together)[k]})
-                                                        : membership.run({some[k]}, scale);
+      const Result<std::vector<bool>> single =
+          together ? Result<std::vector<bool>>(std::vector<bool>{(*together)[k]}) : membership.run({some[k]}, scale);
       if (!single) return at_position(single.error(), positions[indices[k]]);
       inside[indices[k]] = (*single)[0];
     }

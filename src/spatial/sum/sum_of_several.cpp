@@ -173,8 +173,8 @@ Result<SpatialSum> minkowski_sum(std::span<const Mesh> operands, const SpatialOp
   between.trace = false;
   while (terms.size() > 2) {
     if (std::optional<Error> error = add_two(terms, between)) {
-      error->message = "the sum of " + std::to_string(operands.size() - terms.size() + 2) +
-                       " of the operands: " + error->message;
+      error->message =
+          "the sum of " + std::to_string(operands.size() - terms.size() + 2) + " of the operands: " + error->message;
       return *std::move(error);
     }
   }

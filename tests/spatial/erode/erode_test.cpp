@@ -261,7 +261,7 @@ TEST(SolidOpening, where_the_inner_fit_has_no_volume) {
 
 TEST(SolidOpening, of_unions_of_cubes_is_that_of_lattice_cells) {
   int seams = 0, flat = 0;
-  for (int k = 0; k < fuzz_pairs(14); ++k) {
+  for (int k = 0; k < fuzz_pairs(8); ++k) {
     std::mt19937_64 random(static_cast<std::uint64_t>(500 + k));
     const Voxels a = random_set({3, 3, 3}, 75 + k % 3 * 8, random),
                  b = random_set({1 + k % 2, 1 + k / 2 % 2, 1}, 70, random);
@@ -288,7 +288,7 @@ TEST(SolidOpening, of_unions_of_cubes_is_that_of_lattice_cells) {
       EXPECT_EQ(opening(*again, *q).value().solid.volume_exact(), made.volume_exact()) << "twice is once, " << seed;
     }
   }
-  EXPECT_GT(flat, 4);
+  EXPECT_GT(flat, 2);
   EXPECT_GT(seams, 0);
 }
 

@@ -19,14 +19,21 @@ Evidence contact(const MeshData& data, const std::string& message) {
 
 /// A pyramid with its tip down at the place, over a square of half size 1.
 MeshData tip_at(const Point3& p) {
-  return {{p, {p.x - 1, p.y - 1, p.z + 1}, {p.x + 1, p.y - 1, p.z + 1}, {p.x + 1, p.y + 1, p.z + 1},
+  return {{p,
+           {p.x - 1, p.y - 1, p.z + 1},
+           {p.x + 1, p.y - 1, p.z + 1},
+           {p.x + 1, p.y + 1, p.z + 1},
            {p.x - 1, p.y + 1, p.z + 1}},
           {{1, 2, 3, 4}, {0, 2, 1}, {0, 3, 2}, {0, 4, 3}, {0, 1, 4}}};
 }
 /// A wedge whose edge runs along y at the place, from -1 to 1 of it.
 MeshData ridge_at(const Point3& p) {
-  return {{{p.x, p.y - 1, p.z}, {p.x, p.y + 1, p.z}, {p.x - 1, p.y - 1, p.z + 1}, {p.x + 1, p.y - 1, p.z + 1},
-           {p.x + 1, p.y + 1, p.z + 1}, {p.x - 1, p.y + 1, p.z + 1}},
+  return {{{p.x, p.y - 1, p.z},
+           {p.x, p.y + 1, p.z},
+           {p.x - 1, p.y - 1, p.z + 1},
+           {p.x + 1, p.y - 1, p.z + 1},
+           {p.x + 1, p.y + 1, p.z + 1},
+           {p.x - 1, p.y + 1, p.z + 1}},
           {{2, 3, 4, 5}, {0, 3, 2}, {1, 5, 4}, {0, 1, 4, 3}, {1, 0, 2, 5}}};
 }
 

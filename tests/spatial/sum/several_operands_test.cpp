@@ -23,7 +23,11 @@ Mesh prism(const std::vector<std::pair<double, double>>& ring, double height) {
 }
 /// Over a wide L, one arm of which rises by `rise` over 48 of its size towards the corner.
 Mesh sloped(double size, double rise) {
-  return prism({{0, 0}, {50 * size, 0}, {50 * size, 2 * size}, {2 * size, 2 * size + rise}, {2 * size, 61 * size},
+  return prism({{0, 0},
+                {50 * size, 0},
+                {50 * size, 2 * size},
+                {2 * size, 2 * size + rise},
+                {2 * size, 61 * size},
                 {0, 61 * size}},
                5 * size);
 }

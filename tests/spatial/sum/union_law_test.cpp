@@ -31,11 +31,10 @@ void add_places_of(const SpatialSum& sum, std::vector<RationalPoint3>& places) {
   // between edges of a face, mostly inside it
   for (const SpatialFace& f : sum.faces) {
     const auto& loop = f.loops[0];
-    places.push_back(middle(middle(sum.exact(loop[0]), sum.exact(loop[1])),
-                            middle(sum.exact(loop[1]), sum.exact(loop[2]))));
+    places.push_back(
+        middle(middle(sum.exact(loop[0]), sum.exact(loop[1])), middle(sum.exact(loop[1]), sum.exact(loop[2]))));
   }
-  for (const auto& loops : sum.tight_faces)
-    places.push_back(middle(sum.exact(loops[0][0]), sum.exact(loops[0][2])));
+  for (const auto& loops : sum.tight_faces) places.push_back(middle(sum.exact(loops[0][0]), sum.exact(loops[0][2])));
 }
 
 /// Checks the law at all places, and returns how many are in the open sum.
@@ -62,7 +61,7 @@ Mesh of(const Voxels& voxels, const oracles::IntegerMap& map = oracles::kNoShear
 }
 
 TEST(UnionLaw, of_unions_of_cubes_at_all_cells_of_the_lattice) {
-  for (int k = 0; k < unions(5); ++k) {
+  for (int k = 0; k < unions(3); ++k) {
     std::mt19937_64 random(static_cast<std::uint64_t>(40 + k));
     const Voxels a = oracles::random_voxels(3, random)[0], b = oracles::random_voxels(3, random)[0],
                  q = oracles::random_voxels(2, random)[0];
@@ -74,13 +73,13 @@ TEST(UnionLaw, of_unions_of_cubes_at_all_cells_of_the_lattice) {
     for (int x = -1; x <= 11; ++x)
       for (int y = -1; y <= 11; ++y)
         for (int z = -1; z <= 11; ++z)
-          if ((x + y + z) % 2 != 0 || k % 2 == 0) cells.push_back({half * Rational(x), half * Rational(y), half * Rational(z)});
+          if ((x + y + z) % 2 != 0 || k % 2 == 0)
+            cells.push_back({half * Rational(x), half * Rational(y), half * Rational(z)});
     expect_union(of(both), of(a), of(b), of(q), cells, "seed " + std::to_string(40 + k));
     std::vector<RationalPoint3> centres;
     for (int x = 0; x < 6; ++x)
       for (int y = 0; y < 6; ++y)
-        for (int z = 0; z < 6; ++z)
-          centres.push_back({half + Rational(x), half + Rational(y), half + Rational(z)});
+        for (int z = 0; z < 6; ++z) centres.push_back({half + Rational(x), half + Rational(y), half + Rational(z)});
     const std::vector<bool> in_a = contains_each(of(a), of(q), centres, Semantics::open).value(),
                             in_b = contains_each(of(b), of(q), centres, Semantics::open).value();
     for (std::size_t c = 0; c < centres.size(); ++c) cubes += in_a[c] || in_b[c];
