@@ -17,7 +17,11 @@ namespace {
 
 using exact::BigInteger;
 using exact::BigRational;
-using namespace spatial;
+using spatial::Collision;
+using spatial::Flag;
+using spatial::PointSource;
+using spatial::SolidOperand;
+using spatial::SumSpace;
 
 using Rationals = std::array<BigRational, 3>;
 
@@ -77,8 +81,8 @@ class Membership {
       : p_(p),
         q_(q),
         open_(semantics == Semantics::open),
-        a_(solid_operand(p.data(), p.thin_faces())),
-        b_(solid_operand(q.data(), q.thin_faces())) {}
+        a_(spatial::solid_operand(p.data(), p.thin_faces())),
+        b_(spatial::solid_operand(q.data(), q.thin_faces())) {}
 
   /// Positions in fractions of one number.
   Result<std::vector<bool>> run(const std::vector<Rationals>& positions, const BigInteger& scale) const {
@@ -93,7 +97,7 @@ class Membership {
       q->push_back(parts->q);
     }
     try {
-      return answers(*make_sum_space(*p, *q), first_p, first_q, static_cast<std::uint32_t>(positions.size()));
+      return answers(*spatial::make_sum_space(*p, *q), first_p, first_q, static_cast<std::uint32_t>(positions.size()));
     } catch (const std::invalid_argument& e) {
       return error_of(e.what());
     }
@@ -102,7 +106,7 @@ class Membership {
  private:
   Result<std::vector<bool>> answers(const SumSpace& space, std::uint32_t first_p, std::uint32_t first_q,
                                     std::uint32_t count) const {
-    if (p_.has_thin_parts() && q_.has_thin_parts() && find_thin_crossing(space, a_, b_))
+    if (p_.has_thin_parts() && q_.has_thin_parts() && spatial::find_thin_crossing(space, a_, b_))
       return error_of("both operands have parts without volume that can cross");
     const Collision collision(space, a_, b_);
     std::vector<bool> inside;
