@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "inputs.h"
+#include "numbers.h"
 
 namespace dymsum::cli {
 
@@ -32,6 +33,21 @@ std::string file_text(const std::string& file) {
   std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
   if (!in) refuse(std::string("reading failed: ") + std::strerror(errno));
   return without_mark(std::move(text));
+}
+
+std::vector<std::string> words_of(const std::string& text) {
+  constexpr const char* kBlanks = " \t\r\n";
+  std::vector<std::string> words;
+  if (text.find(',') == std::string::npos) {
+    std::istringstream in(text);
+    for (std::string word; in >> word;) words.push_back(word);
+    return words;
+  }
+  for (const std::string& piece : split(text, ',')) {
+    const std::size_t first = piece.find_first_not_of(kBlanks);
+    words.push_back(first == std::string::npos ? "" : piece.substr(first, piece.find_last_not_of(kBlanks) + 1 - first));
+  }
+  return words;
 }
 
 bool for_each_line(const std::string& text, const TakeLine& take) {

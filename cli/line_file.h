@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "dymsum/result.h"
 
@@ -16,6 +17,9 @@ namespace dymsum::cli {
 /// All of a file, or of standard input for "-", without a byte order mark. Stops when it cannot be read, with the words
 /// of all readers.
 std::string file_text(const std::string& file);
+
+/// The pieces between commas, without the blanks around them; where there are no commas, the words between blanks.
+std::vector<std::string> words_of(const std::string& text);
 
 using TakeLine = std::function<void(const std::string& text, std::int64_t line)>;
 

@@ -52,6 +52,8 @@ std::string milliseconds(double ms) {
 
 }  // namespace
 
+int solid_tier(int bits) { return bits <= 26 ? 26 : bits <= 54 ? 54 : bits <= 72 ? 72 : 0; }
+
 std::string tier_name(int bits) { return bits == 0 ? "arbitrary precision" : std::to_string(bits) + "-bit"; }
 
 std::string shown(const Rational& value) { return value.is_integer() ? value.numerator() : value.to_string(); }

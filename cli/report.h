@@ -59,6 +59,8 @@ std::string shown(const Timing& timing);
 /// That on a line, where a computation was repeated.
 void print_times(std::ostream& out, const Timing& timing);
 
+/// Bits of the integers that hold solid operands of that many bits; 0 for integers of any size.
+int solid_tier(int bits);
 /// "29-bit", "61-bit", "512-bit" or "arbitrary precision" for 0.
 std::string tier_name(int bits);
 /// An area with 17 digits, whatever its size.

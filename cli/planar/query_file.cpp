@@ -1,34 +1,10 @@
 #include "planar/query_file.h"
 
-#include <sstream>
 #include <vector>
 
 #include "line_file.h"
 
 namespace dymsum::cli {
-namespace {
-
-constexpr const char* kBlanks = " \t\r\n";
-
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(kBlanks);
-  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(kBlanks) + 1 - first);
-}
-
-/// The pieces between commas, without the blanks around them; where there are no commas, the words between blanks.
-std::vector<std::string> words_of(const std::string& text) {
-  std::vector<std::string> words;
-  if (text.find(',') != std::string::npos) {
-    for (const std::string& piece : split(text, ',')) words.push_back(trimmed(piece));
-    return words;
-  }
-  std::istringstream in(text);
-  for (std::string word; in >> word;) words.push_back(word);
-  return words;
-}
-
-}  // namespace
-
 std::optional<QueryLine> query_in(const std::string& text) {
   const std::vector<std::string> words = words_of(text);
   if (words.size() < 2 || words.size() > 3) return std::nullopt;

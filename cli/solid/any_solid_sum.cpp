@@ -13,10 +13,8 @@
 namespace dymsum::cli {
 namespace {
 
-/// Bits of the integers that hold the operands; 0 for integers of any size, as convex ones in the end have.
-int grid_tier(const SpatialSum& sum) {
-  return sum.stats.cells == 0 || sum.stats.bits > 54 ? 0 : sum.stats.bits <= 26 ? 26 : 54;
-}
+/// As solid_tier; convex operands have integers of any size in the end.
+int grid_tier(const SpatialSum& sum) { return sum.stats.cells == 0 ? 0 : solid_tier(sum.stats.bits); }
 
 bool is_tight(const SpatialSum& sum) {
   return !sum.tight_faces.empty() || !sum.tight_segments.empty() || !sum.tight_points.empty();

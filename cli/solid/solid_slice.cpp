@@ -14,8 +14,6 @@
 namespace dymsum::cli {
 namespace {
 
-int grid_tier(int bits) { return bits > 54 ? 0 : bits <= 26 ? 26 : 54; }
-
 Json index_json(std::uint32_t index) { return index == SumVertex::kNone ? Json() : Json(index); }
 
 class SliceJson {
@@ -96,7 +94,7 @@ void print_text(std::ostream& out, const std::vector<SolidInput>& inputs, const 
   out << "\n  tight features: " << counted(section.tight_points.size(), "point") << ", "
       << counted(section.tight_segments.size(), "segment") << "\n  " << slice.stats.crossed << " of "
       << slice.stats.facets << " facets at this height, " << shown(timing) << ", "
-      << tier_name(grid_tier(slice.stats.bits)) << " coordinates\n";
+      << tier_name(solid_tier(slice.stats.bits)) << " coordinates\n";
 }
 
 }  // namespace
@@ -127,7 +125,7 @@ ExitCode run_solid_slice(const SumCommand& command, double z, bool reflected) {
   for (const std::string& file : command.output.files) texts.push_back(output(slice, file, command.output));
   for (std::size_t i = 0; i < texts.size(); ++i) write_text(command.output.files[i], texts[i]);
   if (command.report.json) {
-    Json json = report_head("slice", solid_inputs_json(inputs), grid_tier(slice.stats.bits), timing);
+    Json json = report_head("slice", solid_inputs_json(inputs), solid_tier(slice.stats.bits), timing);
     json["z"] = slice.z;
     json.update(size_json(slice.section, command.report.exact));
     json.update({{"segments", slice.section.segments.size()},

@@ -14,6 +14,11 @@ class Marks {
 
   MeshData take() { return std::move(mesh_); }
 
+  void add_triangle(const Point3& a, const Point3& b, const Point3& c) {
+    const std::uint32_t i = add(a.x, a.y, a.z), j = add(b.x, b.y, b.z), k = add(c.x, c.y, c.z);
+    mesh_.faces.push_back({i, j, k});
+  }
+
   std::uint32_t add(double x, double y, double z) {
     mesh_.vertices.push_back({x, y, z});
     return static_cast<std::uint32_t>(mesh_.vertices.size() - 1);
@@ -77,6 +82,7 @@ MeshData tight_marks(const SpatialSum& sum) {
   const auto at = [&](std::uint32_t v) -> const Point3& { return sum.vertices[v]; };
   for (const std::uint32_t v : sum.tight_points) marks.add_point(at(v), 2 * radius);
   for (const auto& [from, to] : sum.tight_segments) marks.add_bar(at(from), at(to));
+  for (const auto& [a, b, c] : sum.tight_triangles()) marks.add_triangle(at(a), at(b), at(c));
   for (const auto& face : sum.tight_faces)
     for (const std::vector<std::uint32_t>& loop : face)
       for (std::size_t k = 0; k < loop.size(); ++k) marks.add_bar(at(loop[k]), at(loop[(k + 1) % loop.size()]));

@@ -1,4 +1,4 @@
-// dymsum contains P Q --at x,y | ROBOT OBSTACLE --at x,y,theta
+// dymsum contains P Q --at x,y | ROBOT OBSTACLE --at x,y,theta | SOLID SOLID --at x,y,z
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
@@ -12,13 +12,14 @@
 #include "planar/tier.h"
 #include "progress_bar.h"
 #include "report.h"
-#include "solid/solid_operands.h"
+#include "solid/solid_contains.h"
 #include "verbs/commands.h"
 
 namespace dymsum::cli {
 namespace {
 
 struct ContainsCommand {
+  const CLI::App* parser = nullptr;
   std::vector<std::string> operands{"", ""}, at;
   std::string at_file, semantics;
   ReportOptions report;
@@ -116,7 +117,10 @@ void print_text(const std::vector<Query>& queries, const std::vector<bool>& insi
 }
 
 ExitCode run_contains(const ContainsCommand& command) {
-  require_planar("contains", command.operands);
+  if (are_solid(command.operands, command.input))
+    return run_solid_contains(
+        {command.operands, command.at, command.at_file, command.semantics, command.report, command.input});
+  refuse_options(*command.parser, {"--hull", "--thin"}, "is for solids");
   const std::vector<Query> queries = read_queries(command);
   const bool robot = queries.front().theta.has_value(), closed = is_closed(command, robot);
   const std::vector<Input> inputs = read_inputs(command.operands, command.input);
@@ -145,13 +149,16 @@ void add_contains(CLI::App& app, Action& action) {
   auto command = std::make_shared<ContainsCommand>();
   CLI::App& verb = *app.add_subcommand(
       "contains",
-      "Whether places lie in P (+) Q, or configurations in the obstacle of ROBOT P and OBSTACLE Q, exactly");
+      "Whether places lie in P (+) Q, planar or solid, or configurations in the obstacle of ROBOT P and OBSTACLE Q, "
+      "exactly");
+  command->parser = &verb;
   add_operands(verb, {"P", "The first operand, or the robot"}, {"Q", "The second operand, or the obstacle"},
                command->operands);
   verb.add_option(
           "--at", command->at,
-          "A place x,y of the sum, or a configuration x,y,theta of the robot, theta in radians or as 90deg; repeatable")
-      ->type_name("x,y[,theta]")
+          "A place x,y of the sum, or a configuration x,y,theta of the robot, theta in radians or as 90deg; of solids "
+          "a place x,y,z, also in fractions 1/3; repeatable")
+      ->type_name("x,y[,theta|,z]")
       ->allow_extra_args(false);
   verb.add_option("--at-file", command->at_file,
                   "Such places or configurations, one a line; # begins a comment; - for standard input")
@@ -161,10 +168,12 @@ void add_contains(CLI::App& app, Action& action) {
                   "configurations)")
       ->check(CLI::IsMember({"closed", "open"}));
   add_report_options(verb, command->report, "Ask N times and report the median and minimum time");
-  add_input_options(verb, command->input);
+  add_solid_input_options(verb, command->input);
+  add_thin_option(verb, command->input);
   verb.footer(
       "Exit code 4 when the answer to a single question is no.\nExample: dymsum contains bar.wkt rooms.wkt --at "
-      "1,2,90deg");
+      "1,2,90deg\n"
+      "Example: dymsum contains part.off tool.off --at 1,2,1/3");
   verb.callback([command, &action] { action = [command] { return run_contains(*command); }; });
 }
 

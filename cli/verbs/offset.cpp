@@ -26,8 +26,11 @@ ExitCode run(const OffsetCommand& command) {
   const OffsetBound bound = command.bound == "inside" ? OffsetBound::inside : OffsetBound::outside;
   // What is no distance is wrong usage, told before anything is read.
   if (command.by == 0) throw Stop(kUsage, "--by wants a distance, not 0");
-  if (const auto ball = tessellated_ball(std::abs(command.by), tolerance, bound); !ball)
-    throw Stop(kUsage, "--tolerance: " + ball.error().to_string(), ball.error());
+  if (const auto ball = tessellated_ball(std::abs(command.by), tolerance, bound); !ball) {
+    // A distance that no tolerance goes with, or a tolerance that does not go with it.
+    const bool any = command.tolerance && tessellated_ball(std::abs(command.by), std::abs(command.by) / 50, bound);
+    throw Stop(kUsage, (any ? "--tolerance: " : "--by: ") + ball.error().to_string(), ball.error());
+  }
   const SolidRun run = read_solid_run("offset", command.solid);
   return run_any_solid(run, [&](const SpatialOptions& options) -> Result<SolidOutcome> {
     Result<SolidOffset> made = offset(run.inputs[0].mesh, command.by, tolerance, bound, options);

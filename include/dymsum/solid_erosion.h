@@ -19,7 +19,8 @@ Result<SpatialSum> erode(const Mesh& a, const Mesh& b, const SpatialOptions& opt
 /// What becomes of positions between two operations that are no doubles.
 enum class BetweenSteps : std::uint8_t {
   exact,    ///< error rounding_changed_topology with the position (the default)
-  rounded,  ///< each coordinate to the nearest double; SolidOpening tells how far that moved them
+  rounded,  ///< each coordinate to the nearest double; SolidOpening tells how far that moved them. Error
+            ///< rounding_changed_topology with the position where that leaves less of a face or a segment
 };
 
 struct SolidOpening {
@@ -28,9 +29,11 @@ struct SolidOpening {
   double moved = 0;
 };
 
-/// (A (-) B) (+) B: the union of all x + B inside A. Exact where the vertices of A (-) B are doubles, as those of
-/// solids with axis-parallel faces; see BetweenSteps. Errors also: unsupported_operand where A (-) B has tight
-/// features, with the position of one: what they add is the sum of B with a set without volume.
+/// (A (-) B) (+) B: the union of all x + B inside A. What is tight in A (-) B counts, positions without room to move:
+/// a channel opened by itself is itself. With Semantics::regular it does not, and only what B covers in positions with
+/// room to move is left. The result's own tight features are those of the open sum with int B, such as the seam
+/// between two copies of B side by side. Exact where the vertices of A (-) B are doubles, as those of solids with
+/// axis-parallel faces; see BetweenSteps.
 Result<SolidOpening> opening(const Mesh& a, const Mesh& b, const SpatialOptions& options = {},
                              BetweenSteps between = BetweenSteps::exact);
 

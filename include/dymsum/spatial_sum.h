@@ -110,6 +110,8 @@ class SpatialSum {
   SpatialStats stats;
   std::optional<SpatialTrace> trace;
 
+  /// The tight faces as triangles of their own vertices, in the faces' order. Exact. O(n^2) for a face of n vertices.
+  std::vector<std::array<std::uint32_t, 3>> tight_triangles() const;
   /// The exact position of a vertex.
   RationalPoint3 exact(std::size_t vertex) const;
   /// The nearest doubles to the exact volume and area of the surface; zero and infinite past the range of doubles
@@ -147,29 +149,40 @@ class SpatialSum {
 /// that are extreme there: O(m + n + k log k) for m and n faces and k facets. Hold a ConvexSum to follow a motion.
 /// All others: O(N log N + K + T log T) for N facets, K of their pairs that meet and T points where three of them do.
 /// Thin parts (Mesh::with_thin_parts) of one operand: the open sum is int P + Q, Q having the thin parts; all else is
-/// the same, tight features included. Of both: closed and regular is the closure of the interior of P + Q, without
-/// tight features; every cell of the arrangement is tested by itself. Errors: cancelled; out_of_memory
+/// the same, tight features included. Of both: the open sum is int P + Q and P + int Q together, and all else is the
+/// same, where no two thin parts can cross: no plate and what is not parallel to it. Where two can, closed and regular
+/// is the closure of the interior of P + Q, without tight features. Errors: cancelled; out_of_memory
 /// where options.memory does not suffice (the message names the need that is known or predicted by then) or the
 /// machine's memory does not; unsupported_operand for operands that are not both convex and whose coordinates need more
-/// than 250 bits on their common grid; for thin parts of both where their sum has no interior, and for their open sum.
+/// than 250 bits on their common grid; for thin parts of both where their sum has no interior, and for the open sum of
+/// such that can cross, with the first two: `face` of P and `other_face` of Q.
 /// Source: Behar 2016, sections 2.3 to 2.6, corrected (docs/design/solid-sum.md).
 Result<SpatialSum> minkowski_sum(const Mesh& p, const Mesh& q, const SpatialOptions& options = {});
 
 /// The regular part of a sum as an operand of further sums: the same set exactly, without what is tight. Errors:
-/// unsupported_operand with the position of a vertex that no doubles hold; then as SpatialSum::rounded.
+/// unsupported_operand with the position of a vertex that no doubles hold.
 Result<Mesh> as_mesh(const SpatialSum& sum);
 
 /// The sum of several operands, at least one, which are added two at a time: convex solids first, then other solids,
-/// then those with thin parts. Sums in between are operands as as_mesh makes them; as the open sum of three takes
-/// nothing from what is tight in that of two, nothing is lost. Faces name features of the last two. Errors: as
-/// minkowski_sum and as_mesh, with the number of operands that were added in the message.
+/// then those with thin parts. Sums in between are operands, without what is tight; as the open sum of three takes
+/// nothing from that, nothing is lost. Vertices of theirs may be fractions, where doubles hold them, and the other
+/// operands, in units of a common denominator of at most 2^52; where none do, other pairs are added first. Faces name
+/// features of the last two. Errors: as minkowski_sum; unsupported_operand where no two operands are left whose sum is
+/// an operand, with the number of those that were added in the message and a vertex of the first sum. Cost: that of all
+/// sums in between, and of those that are no operand.
 Result<SpatialSum> minkowski_sum(std::span<const Mesh> operands, const SpatialOptions& options = {});
 
 /// True when z lies in the sum: P and z - Q meet (closed, regular), or their interiors do (open; of thin parts: they
 /// meet the other one's interior). By that definition, not by the sum's boundary. Nothing that is not finite does.
-/// Exact. O((m + n) log(m + n)) beyond the pairs of triangles with overlapping boxes. Errors: unsupported_operand where
-/// both have thin parts, and for coordinates of more than 250 bits on the common grid.
+/// Exact. O((m + n) log(m + n)) beyond the pairs of triangles with overlapping boxes. Errors, with the position:
+/// unsupported_operand where both have thin parts (open: only where they can cross, as for minkowski_sum), and for
+/// coordinates of more than 250 bits on the common grid.
 Result<bool> contains(const Mesh& p, const Mesh& q, const Point3& z, Semantics semantics = Semantics::closed);
+/// The same for many positions, which may be fractions. Exact. The operands are prepared once, and for every
+/// denominator (powers of two apart) again. Errors also: unsupported_operand where a coordinate of a vertex times that
+/// denominator is no double, or one of the position is no sum of two.
+Result<std::vector<bool>> contains_each(const Mesh& p, const Mesh& q, std::span<const RationalPoint3> positions,
+                                        Semantics semantics = Semantics::closed);
 
 /// What a sum will take, before it is computed: expected numbers of facets of the reduced convolution, if each operand
 /// were turned at random against the other one, and the memory that so many facets need.

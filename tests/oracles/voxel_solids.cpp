@@ -190,34 +190,58 @@ LatticeCells interior_cells(const Voxels& voxels) {
   return cells;
 }
 
-}  // namespace
+/// Does x - Q, x the middle of a cell, meet open cells?
+bool meet(const LatticeCells& inside, const LatticeCells& q, const Voxel& x) {
+  for (const Voxel& b : q) {
+    for (const Voxel& c : inside) {
+      bool meets = true;
+      for (int i = 0; i < 3; ++i) {
+        // x - b is [from, to], the cell a point or an open interval
+        const int half = std::abs(b[i] % 2), from = x[i] - b[i] - half, to = x[i] - b[i] + half;
+        const int open = std::abs(c[i] % 2);
+        meets &= open == 0 ? from <= c[i] && c[i] <= to : from < c[i] + 1 && to > c[i] - 1;
+      }
+      if (meets) return true;
+    }
+  }
+  return false;
+}
 
-VoxelSum lattice_sum(const Voxels& p, const LatticeCells& q) {
-  const LatticeCells inside = interior_cells(p);
+Voxels cubes_of(const LatticeCells& cells) {
+  Voxels cubes;
+  for (const Voxel& c : cells)
+    if (c[0] % 2 != 0 && c[1] % 2 != 0 && c[2] % 2 != 0) cubes.insert({(c[0] - 1) / 2, (c[1] - 1) / 2, (c[2] - 1) / 2});
+  return cubes;
+}
+
+/// Room for all sums of two cells.
+CellGrid grid_of_sums(const LatticeCells& p, const LatticeCells& q) {
   Voxel low{1 << 20, 1 << 20, 1 << 20}, high{-(1 << 20), -(1 << 20), -(1 << 20)};
   for (const Voxel& a : p) {
     for (const Voxel& b : q) {
       for (int i = 0; i < 3; ++i) {
-        low[i] = std::min(low[i], a[i] + b[i] / 2 - 1), high[i] = std::max(high[i], a[i] + b[i] / 2 + 3);
+        low[i] = std::min(low[i], a[i] / 2 + b[i] / 2 - 1), high[i] = std::max(high[i], a[i] / 2 + b[i] / 2 + 3);
       }
     }
   }
-  CellGrid grid(low, high);
-  grid.add_if([&](const Voxel& x) {  // does x - Q, x the middle of the cell, meet the interior?
-    for (const Voxel& b : q) {
-      for (const Voxel& c : inside) {
-        bool meets = true;
-        for (int i = 0; i < 3; ++i) {
-          // x - b is [from, to], the cell a point or an open interval
-          const int half = std::abs(b[i] % 2), from = x[i] - b[i] - half, to = x[i] - b[i] + half;
-          const int open = std::abs(c[i] % 2);
-          meets &= open == 0 ? from <= c[i] && c[i] <= to : from < c[i] + 1 && to > c[i] - 1;
-        }
-        if (meets) return true;
-      }
-    }
-    return false;
-  });
+  return CellGrid(low, high);
+}
+
+}  // namespace
+
+VoxelSum lattice_sum(const Voxels& p, const LatticeCells& q) {
+  LatticeCells cells;
+  for (const Voxel& v : p) cells.insert({2 * v[0] + 1, 2 * v[1] + 1, 2 * v[2] + 1});
+  const LatticeCells inside = interior_cells(p);
+  CellGrid grid = grid_of_sums(cells, q);
+  grid.add_if([&](const Voxel& x) { return meet(inside, q, x); });
+  return grid.count();
+}
+
+VoxelSum lattice_sum_of_both(const LatticeCells& p, const LatticeCells& q) {
+  const LatticeCells inside_p = interior_cells(cubes_of(p)), inside_q = interior_cells(cubes_of(q));
+  CellGrid grid = grid_of_sums(p, q);
+  grid.add_if([&](const Voxel& x) { return meet(inside_p, q, x) || meet(inside_q, p, x); });
   return grid.count();
 }
 

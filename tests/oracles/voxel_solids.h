@@ -39,6 +39,8 @@ MeshData lattice_mesh(const LatticeCells& cells, const IntegerMap& map = kNoShea
 
 /// As voxel_sum of the open sum int P + Q.
 VoxelSum lattice_sum(const Voxels& p, const LatticeCells& q);
+/// Of both together: int P + Q and P + int Q.
+VoxelSum lattice_sum_of_both(const LatticeCells& p, const LatticeCells& q);
 /// The volume of the union of the sums of two cells each.
 std::size_t volume_of_sums(const LatticeCells& p, const LatticeCells& q);
 

@@ -15,6 +15,16 @@ namespace dymsum::spatial {
 
 namespace {
 
+/// Whether a feature lies on the boundary of an operand's solid part.
+bool bounds_solid(const SolidOperand& solid, Feature f) {
+  if (f.kind == Feature::Kind::triangle) return f.index < solid.first_plate;
+  if (f.kind == Feature::Kind::wedge) return solid.wedges[f.index].left < solid.first_plate;
+  const auto first = solid.corners.begin() + solid.corner_begin[f.index],
+             last = solid.corners.begin() + solid.corner_begin[f.index + 1];
+  return std::any_of(first, last, [&](std::uint32_t c) { return c / 3 < solid.first_plate; });
+}
+
+/// The shells to which a feature belongs.
 void mark(const SolidOperand& solid, Feature f, std::vector<bool>& shells) {
   if (f.kind == Feature::Kind::triangle) shells[solid.shell[f.index]] = true;
   if (f.kind == Feature::Kind::wedge) {
@@ -46,9 +56,13 @@ bool Collision::overlaps(const Flag& x) const {
   const std::vector<Touch> touches = all_touches(query);
   for (const Touch& t : touches)
     if (cones_overlap(space_, p_, t.p, q_, t.q)) return true;
-  // Shells that touch something lie outside up to there. Others are inside or outside as a whole.
+  // Shells that touch the other one's solid part lie outside of it up to there. Others are inside or outside as a
+  // whole, also those that touch thin parts, which may lie inside the solid part next to them.
   std::vector<bool> p_touched(p_.shell_vertex.size()), q_touched(q_.shell_vertex.size());
-  for (const Touch& t : touches) mark(p_, t.p, p_touched), mark(q_, t.q, q_touched);
+  for (const Touch& t : touches) {
+    if (bounds_solid(q_, t.q)) mark(p_, t.p, p_touched);
+    if (bounds_solid(p_, t.p)) mark(q_, t.q, q_touched);
+  }
   for (std::size_t k = 0; k < p_touched.size(); ++k)
     if (!p_touched[k] && vertex_inside(query, Way::Of::q, p_.shell_vertex[k])) return true;
   for (std::size_t k = 0; k < q_touched.size(); ++k)

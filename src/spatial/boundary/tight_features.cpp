@@ -41,6 +41,7 @@ class Tight {
     in_parts(arrangement_.groups.size(), 16,
              [&](Part& part, std::size_t g) { look_at_cells(arrangement_.groups[g], part); });
     for (const std::uint32_t c : result_.cells) outside_[c] = true;
+    leave_out_free_cells();
     share_ = 1.0 / 3;
     std::vector<std::uint8_t> closed(arrangement_.edge_ends.size());
     in_parts(closed.size(), 512, [&](Part& part, std::size_t e) {
@@ -94,6 +95,13 @@ class Tight {
   }
   void touch(std::uint32_t edge) {
     for (const PointId p : arrangement_.edge_ends[edge]) touched_[p] = true;
+  }
+
+  /// Of two operands with thin parts some cells have nothing on either side.
+  void leave_out_free_cells() {
+    for (const PlaneGroup& group : arrangement_.groups)
+      for (std::uint32_t c = 0; c < group.cells.cells.size(); ++c)
+        if (group.cells.cells[c].front == 0 && group.cells.cells[c].back == 0) outside_[group.first_cell + c] = true;
   }
 
   /// Cells with facets of both directions.

@@ -51,7 +51,7 @@ constexpr bool widths_hold() {
   return E::kBits == B + 1 && N::kBits == 2 * B + 3 && D::kBits == 3 * B + 6 && X3::kBits == 7 * B + 15 &&
          W3::kBits == 6 * B + 12 && Side3::kBits <= 9 * B + 21;
 }
-static_assert(widths_hold<26>() && widths_hold<61>() && widths_hold<124>());
+static_assert(widths_hold<26>() && widths_hold<61>() && widths_hold<72>() && widths_hold<124>());
 
 }  // namespace
 
@@ -375,6 +375,7 @@ std::unique_ptr<SumSpace> make_sum_space(const std::vector<Point3>& p, const std
   };
   if (bits <= 26) return make(Int<26>{});
   if (bits <= 61) return make(Int<61>{});    // doubles of about one size
+  if (bits <= 72) return make(Int<72>{});    // heights of slices: all digits of a double, next to operands of few
   if (bits <= 124) return make(Int<124>{});  // with what rounding leaves of zeros, as in sin(pi)
   if (bits <= 250) return make(Big{});
   throw std::invalid_argument("coordinates of more than 250 bits on their common grid");

@@ -46,6 +46,7 @@ struct SolidOperand {
   std::vector<std::uint32_t> shell_vertex;  ///< one vertex of every such piece
   std::uint32_t first_plate = 0;            ///< triangles from here on are thin: a front, then its back, and so on
   std::vector<std::uint32_t> segments;      ///< wedges that are thin parts by themselves
+  std::vector<std::uint32_t> segment_face;  ///< of the mesh, per segment
   std::vector<std::uint32_t> points;        ///< vertices that are thin parts by themselves
   std::vector<std::uint32_t> thin_shell;    ///< per vertex: the shell of thin parts there, or Wedge::kNone
 

@@ -129,6 +129,7 @@ class ThinParts {
       const Face& face = data_.faces[f];
       if (!thin_[f] || face.size() != 2) continue;
       operand_.segments.push_back(static_cast<std::uint32_t>(operand_.wedges.size()));
+      operand_.segment_face.push_back(static_cast<std::uint32_t>(f));
       operand_.wedges.push_back({face[0], face[1], Wedge::kNone, Wedge::kNone, 0, 0, Wedge::Bend::convex});
       join(face[0], face[1]);
     }

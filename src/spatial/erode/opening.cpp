@@ -4,10 +4,12 @@
 #include <optional>
 
 #include "dymsum/solid_erosion.h"
+#include "exact/orient3.h"
 #include "spatial/erode/erosion.h"
 #include "spatial/sum/face_triangles.h"
 #include "spatial/sum/sum_of_solids.h"
 #include "spatial/sum/sum_source.h"
+#include "spatial/sum/touching_vertices.h"
 
 namespace dymsum {
 
@@ -30,20 +32,15 @@ Error error_at(ErrorCode code, const char* message, const Point3& at) {
   return error;
 }
 
-std::optional<Point3> first_tight(const SpatialSum& sum) {
-  if (!sum.tight_faces.empty()) return sum.vertices[sum.tight_faces[0][0][0]];
-  if (!sum.tight_segments.empty()) return sum.vertices[sum.tight_segments[0][0]];
-  if (!sum.tight_points.empty()) return sum.vertices[sum.tight_points[0]];
-  return std::nullopt;
-}
-
-/// A result as an operand of the next operation.
+/// A result as an operand of the next operation; faces of what is tight are thin.
 struct Step {
-  MeshData solid;
+  MeshData set;
+  std::vector<bool> thin;  ///< empty where nothing is
   double moved = 0;
 };
 
-Result<Step> next_operand(const SpatialSum& sum, BetweenSteps between) {
+/// Each vertex to the nearest doubles.
+Result<Step> rounded_vertices(const SpatialSum& sum, BetweenSteps between) {
   Step step;
   for (std::size_t v = 0; v < sum.vertices.size(); ++v) {
     double at[3], square = 0;
@@ -58,22 +55,48 @@ Result<Step> next_operand(const SpatialSum& sum, BetweenSteps between) {
       const double distance = exact::round_to_double(gap);
       square += distance * distance;
     }
-    step.solid.vertices.push_back({at[0], at[1], at[2]});
+    step.set.vertices.push_back({at[0], at[1], at[2]});
     if (!moved) continue;
     if (between == BetweenSteps::exact)
       return error_at(ErrorCode::rounding_changed_topology,
-                      "a vertex between the two operations has no doubles for coordinates", step.solid.vertices[v]);
+                      "a vertex between the two operations has no doubles for coordinates", step.set.vertices[v]);
     // The squares of tiny numbers vanish.
     step.moved = std::max(step.moved, std::sqrt(square) * (1 + 0x1p-50) + 0x1p-530);
   }
-  if (step.moved > 0) {
-    Result<SpatialSum::Rounded> rounded = sum.rounded();
-    if (!rounded) return rounded.error();
-    step.solid = std::move(*std::move(rounded)).mesh;
-    return step;
+  return step;
+}
+
+/// What is tight, as points, segments and triangles, of which rounding may leave less.
+std::optional<Error> add_tight(const SpatialSum& sum, Step& step) {
+  if (sum.tight_faces.empty() && sum.tight_segments.empty() && sum.tight_points.empty()) return std::nullopt;
+  step.thin.assign(step.set.faces.size(), false);
+  const std::vector<Point3>& at = step.set.vertices;
+  for (const std::uint32_t v : sum.tight_points) step.set.faces.push_back({v});
+  for (const auto& [from, to] : sum.tight_segments) step.set.faces.push_back({from, to});
+  for (const std::array<std::uint32_t, 3>& t : sum.tight_triangles()) step.set.faces.push_back({t[0], t[1], t[2]});
+  step.thin.resize(step.set.faces.size(), true);
+  for (std::size_t f = 0; f < step.set.faces.size() && step.moved > 0; ++f) {
+    const Face& face = step.set.faces[f];
+    if (!step.thin[f] || face.size() < 2) continue;
+    if (face.size() == 2 ? at[face[0]] != at[face[1]] : !exact::collinear(at[face[0]], at[face[1]], at[face[2]]))
+      continue;
+    return error_at(ErrorCode::rounding_changed_topology,
+                    "rounding leaves less of a tight feature between the two operations", at[face[0]]);
   }
-  for (const spatial::Triangle& t : spatial::triangulated(sum).triangles)
-    step.solid.faces.push_back({t[0], t[1], t[2]});
+  return std::nullopt;
+}
+
+Result<Step> next_operand(const SpatialSum& sum, BetweenSteps between) {
+  Result<Step> made = rounded_vertices(sum, between);
+  if (!made) return made;
+  Step step = *std::move(made);
+  spatial::Triangles all = spatial::triangulated(sum);
+  if (step.moved > 0) {  // the triangles of rounded(), which tells whether they cross then
+    if (const Result<SpatialSum::Rounded> checked = sum.rounded(); !checked) return checked.error();
+    all = spatial::split_at_touching_vertices(sum, std::move(all));
+  }
+  for (const spatial::Triangle& t : all.triangles) step.set.faces.push_back({t[0], t[1], t[2]});
+  if (std::optional<Error> error = add_tight(sum, step)) return *std::move(error);
   return step;
 }
 
@@ -82,16 +105,15 @@ SolidOpening with(SpatialSum solid, double moved) { return {std::move(solid), mo
 }  // namespace
 
 Result<SolidOpening> opening(const Mesh& a, const Mesh& b, const SpatialOptions& options, BetweenSteps between) {
-  const Result<SpatialSum> inner = erode(a, b, options);
+  SpatialOptions inside = options;
+  inside.tight = true;  // where b fits without room to move, it covers what no other position does
+  inside.trace = false;
+  const Result<SpatialSum> inner = erode(a, b, inside);
   if (!inner) return inner.error();
-  if (const std::optional<Point3> tight = first_tight(*inner))
-    return error_at(
-        ErrorCode::unsupported_operand,
-        "the solid fits here without room to move; its sum with positions that have no volume is not supported",
-        *tight);
   const Result<Step> step = next_operand(*inner, between);
   if (!step) return step.error();
-  Result<SpatialSum> sum = spatial::sum_of_solids(step->solid, b.data(), options);
+  Result<SpatialSum> sum = spatial::sum_of_operands(spatial::solid_operand(step->set, step->thin),
+                                                    spatial::solid_operand(b.data()), options);
   if (!sum) return sum.error();
   return with(*std::move(sum), step->moved);
 }
@@ -100,11 +122,12 @@ Result<SolidOpening> closing(const Mesh& a, const Mesh& b, const SpatialOptions&
   if (a.has_thin_parts() || b.has_thin_parts()) return Error{ErrorCode::unsupported_operand, kThin, {}};
   SpatialOptions regular = options;
   regular.tight = false;  // the closed sum holds its tight features
+  regular.trace = false;
   const Result<SpatialSum> outer = minkowski_sum(a, b, regular);
   if (!outer) return outer.error();
   const Result<Step> step = next_operand(*outer, between);
   if (!step) return step.error();
-  Result<SpatialSum> sum = spatial::erosion(step->solid, b.data(), options);
+  Result<SpatialSum> sum = spatial::erosion(step->set, b.data(), options);
   if (!sum) return sum.error();
   return with(*std::move(sum), step->moved);
 }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "spatial/mesh/edge_order.h"
+#include "spatial/mesh/face_contact.h"
 #include "spatial/mesh/face_plane.h"
 #include "spatial/mesh/half_edges.h"
 #include "spatial/mesh/shell_nesting.h"
@@ -206,13 +207,7 @@ class MeshCheck {
   std::optional<Error> check_meetings() const {
     const std::optional<FaceMeeting> meeting = find_meeting(data_, triangles_, boxes_);
     if (!meeting) return std::nullopt;
-    Error error{ErrorCode::faces_cross, "two faces cross or touch where they share no vertex and no edge", {}};
-    error.evidence.face = meeting->face;
-    error.evidence.other_face = meeting->other_face;
-    error.evidence.x = meeting->at.x;
-    error.evidence.y = meeting->at.y;
-    error.evidence.z = meeting->at.z;
-    return error;
+    return contact_error(data_, triangles_, *meeting);
   }
 
   std::optional<Error> check_volumes() {

@@ -199,3 +199,16 @@ Triangles triangulated(const SpatialSum& sum) {
 }
 
 }  // namespace dymsum::spatial
+
+namespace dymsum {
+
+std::vector<std::array<std::uint32_t, 3>> SpatialSum::tight_triangles() const {
+  std::vector<std::array<std::uint32_t, 3>> result;
+  spatial::Turns turn(*this);
+  spatial::FaceSplitter splitter(*this, turn);
+  for (const auto& loops : tight_faces)
+    for (const spatial::Triangle& t : splitter.run({loops, {}, {}, 0})) result.push_back(t);
+  return result;
+}
+
+}  // namespace dymsum

@@ -2,6 +2,7 @@
 
 #include "base/free_memory.h"
 #include "spatial/boundary/cell_links.h"
+#include "spatial/boundary/thin_crossings.h"
 
 namespace dymsum::spatial {
 
@@ -66,15 +67,15 @@ std::size_t drop_inner(ReducedConvolution& convolution, const InnerCells& inner,
 }
 
 /// Behind a facet of two thin parts need not be anything: each cell is given the directions that its two sides tell,
-/// none where they are alike.
+/// both where it lies in the sum, none where it lies outside.
 void look_at_both_sides(SolidArrangement& arrangement, const Collision& collision, StageWatch& watch) {
   for (PlaneGroup& group : arrangement.groups) {
     for (Cell& cell : group.cells.cells) {
       if (collision.tests() % 16 == 15) watch.ask(0);
       const bool above = collision.meets(flag_at(arrangement, group, cell, 1));
       const bool below = collision.meets(flag_at(arrangement, group, cell, -1));
-      cell.front = below && !above;
-      cell.back = above && !below;
+      cell.front = below;
+      cell.back = above;
     }
   }
 }
@@ -110,6 +111,8 @@ SolidBoundary solid_boundary(const SolidOperand& p, const SolidOperand& q, const
       std::make_unique<SolidArrangement>(arrange(*result.space, result.table, std::move(contacts), watch));
   const Collision collision(*result.space, p, q, &inner);
   const bool both_thin = p.has_thin() && q.has_thin();
+  const auto crossing = both_thin ? find_thin_crossing(*result.space, p, q) : std::nullopt;
+  if (crossing && options.semantics == Semantics::open) throw NoOpenSum{*crossing};
   if (both_thin) look_at_both_sides(*result.arrangement, collision, watch);
   watch.begin("links");
   const CellLinks links = link_cells(*result.space, *result.arrangement, watch);
@@ -120,7 +123,7 @@ SolidBoundary solid_boundary(const SolidOperand& p, const SolidOperand& q, const
   result.patch = links.patch;
   stats.collision_tests = collision.tests();
   watch.begin("tight features");
-  if (options.tight && options.semantics != Semantics::regular && !both_thin)
+  if (options.tight && options.semantics != Semantics::regular && !crossing)
     result.tight =
         tight_features(*result.space, result.table, *result.arrangement, result.boundary, collision, !fast, watch);
   watch.begin("");

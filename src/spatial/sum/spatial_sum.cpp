@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/parallel.h"
+#include "spatial/boundary/thin_crossings.h"
 #include "spatial/convolution/predicted_cost.h"
 #include "spatial/sum/face_triangles.h"
 #include "spatial/sum/grid_error.h"
@@ -37,6 +38,14 @@ Result<SpatialSum> sum_of_pair(const MeshData& p, const std::vector<bool>& thin_
   return spatial::sum_of_operands(operands[0], operands[1], options);
 }
 
+Error no_open_sum(const spatial::ThinCrossing& parts) {
+  Error error{ErrorCode::unsupported_operand,
+              "this face of P and that of Q have no volume and can cross, for which no open sum is defined",
+              {}};
+  error.evidence.face = parts.p, error.evidence.other_face = parts.q;
+  return error;
+}
+
 }  // namespace
 
 Result<SpatialSum> minkowski_sum(const Mesh& p, const Mesh& q, const SpatialOptions& options) {
@@ -53,9 +62,6 @@ Result<SpatialSum> spatial::sum_of_solids(const MeshData& p, const MeshData& q, 
 }
 
 Result<SpatialSum> spatial::sum_of_solids(const Mesh& p, const Mesh& q, const SpatialOptions& options) {
-  if (p.has_thin_parts() && q.has_thin_parts() && options.semantics == Semantics::open)
-    return Error{
-        ErrorCode::unsupported_operand, "the open sum is defined where one operand has no parts without volume", {}};
   Result<SpatialSum> sum = sum_of_pair(p.data(), p.thin_faces(), q.data(), q.thin_faces(), options);
   if (sum && sum->faces.empty() && p.has_thin_parts() && q.has_thin_parts())
     return Error{ErrorCode::unsupported_operand, "the sum of these parts without volume has no volume either", {}};
@@ -78,6 +84,8 @@ Result<SpatialSum> spatial::sum_of_operands(const SolidOperand& a, const SolidOp
     const_cast<SpatialPositions&>(SpatialSumInternals::positions(sum)).space = std::move(boundary.space);
   } catch (const spatial::Cancelled&) {
     return Error{ErrorCode::cancelled, "the computation was cancelled", {}};
+  } catch (const spatial::NoOpenSum& e) {
+    return no_open_sum(e.parts);
   } catch (const spatial::OverBudget& e) {
     return too_large(options, "takes at least", e.bytes);
   } catch (const std::bad_alloc&) {

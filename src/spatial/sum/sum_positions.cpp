@@ -9,9 +9,13 @@ namespace dymsum::spatial {
 using exact::BigInteger;
 
 ExactPosition SpatialPositions::at(std::size_t vertex) const {
-  if (!space) return listed[vertex];
-  const PointSource& at = vertices[vertex];
-  return {space->world_coordinate(at, 0), space->world_coordinate(at, 1), space->world_coordinate(at, 2)};
+  const auto coordinate = [&](int axis) {
+    return space ? space->world_coordinate(vertices[vertex], axis) : listed[vertex][static_cast<std::size_t>(axis)];
+  };
+  ExactPosition at{coordinate(0), coordinate(1), coordinate(2)};
+  if (scale != 1)
+    for (exact::BigRational& c : at) c /= scale;
+  return at;
 }
 
 // Without at(), whose fractions in lowest terms cost more than all else of writing a sum.
@@ -40,8 +44,12 @@ Point3 SpatialPositions::rounded(std::size_t vertex) const {
 }
 
 std::array<BigInteger, 4> SpatialPositions::homogeneous(std::size_t vertex) const {
-  if (space) return space->homogeneous(vertices[vertex]);
-  const ExactPosition& at = listed[vertex];
+  if (space) {
+    std::array<BigInteger, 4> h = space->homogeneous(vertices[vertex]);
+    if (scale != 1) h[3] *= scale;
+    return h;
+  }
+  const ExactPosition at = this->at(vertex);
   std::array<BigInteger, 4> h{0, 0, 0, 1};
   for (int axis = 0; axis < 3; ++axis) h[3] = lcm(h[3], BigInteger(denominator(at[axis])));
   for (int axis = 0; axis < 3; ++axis) h[axis] = numerator(at[axis]) * (h[3] / denominator(at[axis]));

@@ -19,6 +19,7 @@ struct SpatialPositions {
   std::shared_ptr<const SumSpace> space;
   std::vector<PointSource> vertices;
   std::vector<ExactPosition> listed;
+  exact::BigInteger scale = 1;  ///< of space and list: positions are theirs divided by it
 
   ExactPosition at(std::size_t vertex) const;
   /// The nearest doubles.

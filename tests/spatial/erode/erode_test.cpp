@@ -108,7 +108,7 @@ int fuzz_pairs(int few) {
 struct LatticeFit {
   std::size_t volume = 0, faces = 0, edges = 0, points = 0;
 };
-LatticeFit lattice_fit(const Voxels& a, const Voxels& b) {
+std::set<Voxel> lattice_fits(const Voxels& a, const Voxels& b) {
   std::set<Voxel> fits;
   const auto holds = [&](const Voxel& cell) {
     for (const Voxel& v : b) {
@@ -127,6 +127,10 @@ LatticeFit lattice_fit(const Voxels& a, const Voxels& b) {
     for (int y = -7; y <= 7; ++y)
       for (int z = -7; z <= 7; ++z)
         if (holds({x, y, z})) fits.insert({x, y, z});
+  return fits;
+}
+LatticeFit lattice_fit(const Voxels& a, const Voxels& b) {
+  const std::set<Voxel> fits = lattice_fits(a, b);
   LatticeFit fit;
   std::set<Voxel> reached;
   for (int dimension = 3; dimension >= 0; --dimension) {
@@ -222,8 +226,84 @@ TEST(SolidOpening, and_closing_of_an_ell) {
   const Mesh hollow = mesh(cavity());
   EXPECT_EQ(closing(hollow, mesh(box(2))).value().solid.volume_exact(), 1000) << "the cavity is filled";
   EXPECT_EQ(opening(hollow, mesh(box(1.5))).value().solid.volume_exact(), 992);
-  EXPECT_EQ(opening(hollow, mesh(box(2))).error().code, ErrorCode::unsupported_operand);
+  EXPECT_EQ(opening(hollow, mesh(box(2))).value().solid.volume_exact(), 992) << "the walls are as thick as the cube";
   EXPECT_TRUE(opening(hollow, mesh(box(4))).value().solid.faces.empty());
+}
+
+/// A U of walls 1 thick.
+MeshData channel() {
+  oracles::Voxels voxels;
+  for (int x = 0; x < 4; ++x)
+    for (int y = 0; y < 3; ++y)
+      for (int z = 0; z < 2; ++z)
+        if (x == 0 || x == 3 || y == 0) voxels.insert({x, y, z});
+  return oracles::voxel_mesh(voxels);
+}
+
+TEST(SolidOpening, where_the_inner_fit_has_no_volume) {
+  const Mesh a = mesh(channel());
+  const SpatialSum itself = spatial::sum_of_solids(a, Mesh::with_thin_parts({{{0, 0, 0}}, {{0}}}).value(), {}).value();
+  const SolidOpening by_itself = opening(a, a).value();
+  EXPECT_EQ(by_itself.solid, itself) << "one position is left";
+  EXPECT_EQ(by_itself.moved, 0);
+  EXPECT_EQ(opening(a, mesh(oracles::voxel_mesh({{0, 0, 0}}))).value().solid.volume_exact(), 16)
+      << "faces: a cube as wide as the walls reaches all of them";
+  // segments: a bar that fits into the floor alone, along z
+  const Mesh bar = solids::box(0, 0, 0, 4, 1, 1);
+  EXPECT_EQ(opening(a, bar).value().solid.volume_exact(), 8);
+  SpatialOptions regular;
+  regular.semantics = Semantics::regular;
+  EXPECT_TRUE(opening(a, bar, regular).value().solid.faces.empty()) << "no room to move";
+  SpatialOptions unlisted;
+  unlisted.tight = false;
+  EXPECT_EQ(opening(a, bar, unlisted).value().solid.volume_exact(), 8) << "what is not listed counts";
+}
+
+TEST(SolidOpening, of_unions_of_cubes_is_that_of_lattice_cells) {
+  int seams = 0, flat = 0;
+  for (int k = 0; k < fuzz_pairs(8); ++k) {
+    std::mt19937_64 random(static_cast<std::uint64_t>(500 + k));
+    const Voxels a = random_set({3, 3, 3}, 75 + k % 3 * 8, random),
+                 b = random_set({1 + k % 2, 1 + k / 2 % 2, 1}, 70, random);
+    const Result<Mesh> p = Mesh::create(oracles::voxel_mesh(a)), q = Mesh::create(oracles::voxel_mesh(b));
+    if (!p || !q) continue;
+    const std::set<Voxel> fits = lattice_fits(a, b);
+    const SpatialSum made = opening(*p, *q).value().solid;
+    const oracles::VoxelSum expected = fits.empty() ? oracles::VoxelSum{} : oracles::lattice_sum(b, fits);
+    const std::string seed = "seed " + std::to_string(500 + k);
+    EXPECT_EQ(made.volume_exact(), static_cast<std::int64_t>(expected.volume)) << seed;
+    EXPECT_EQ(tight_area(made), static_cast<double>(expected.tight_faces)) << seed;
+    double edges = 0;
+    for (const auto& segment : made.tight_segments) edges += length(made, segment);
+    EXPECT_EQ(edges, static_cast<double>(expected.tight_edges)) << seed;
+    EXPECT_EQ(made.tight_points.size(), expected.tight_points) << seed;
+    if (expected.volume == 0) continue;
+    SpatialOptions brute;
+    brute.engine = SpatialEngine::brute;
+    EXPECT_EQ(opening(*p, *q, brute).value().solid, made) << seed;
+    seams += expected.tight_faces > 0;
+    const LatticeFit fit = lattice_fit(a, b);
+    flat += fit.faces + fit.edges + fit.points > 0;
+    if (const Result<Mesh> again = as_mesh(made)) {
+      EXPECT_EQ(opening(*again, *q).value().solid.volume_exact(), made.volume_exact()) << "twice is once, " << seed;
+    }
+  }
+  EXPECT_GT(flat, 2);
+  EXPECT_GT(seams, 0);
+}
+
+TEST(SolidOpening, of_a_tight_fit_that_is_rounded) {
+  // a wedge as thick as the box: the inner fit is a triangle without volume, with corners that are sevenths
+  const Mesh a = Mesh::create({{{0, 0, 0}, {7, 0, 0}, {0, 5, 0}, {0, 0, 1}, {7, 0, 1}, {0, 5, 1}},
+                               {{2, 1, 0}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}}})
+                     .value();
+  const Mesh b = solids::box(0, 0, 0, 0.25, 0.25, 1);
+  EXPECT_EQ(opening(a, b).error().code, ErrorCode::rounding_changed_topology);
+  const SolidOpening rounded = opening(a, b, {}, BetweenSteps::rounded).value();
+  EXPECT_GT(rounded.moved, 0);
+  EXPECT_LT(rounded.moved, 1e-14);
+  // Corners of a quarter at both ends are cut off: a triangle of legs 0.25 and 5/28 at one, 7/20 and 0.25 at the other.
+  EXPECT_NEAR(rounded.solid.volume(), 17.5 - 0.25 * 5 / 56 - 0.25 * 7 / 40, 1e-12);
 }
 
 TEST(SolidOpening, of_what_has_no_doubles_is_told_or_rounded) {
