@@ -22,7 +22,8 @@ ExactPosition SpatialPositions::at(std::size_t vertex) const {
 Point3 SpatialPositions::rounded(std::size_t vertex) const {
   double result[3];
   if (!space) {
-    for (std::size_t i = 0; i < 3; ++i) result[i] = exact::round_to_double(listed[vertex][i]);
+    const ExactPosition exactly = at(vertex);
+    for (std::size_t i = 0; i < 3; ++i) result[i] = exact::round_to_double(exactly[i]);
     return {result[0], result[1], result[2]};
   }
   const std::array<BigInteger, 4> h = space->homogeneous(vertices[vertex]);
@@ -33,7 +34,7 @@ Point3 SpatialPositions::rounded(std::size_t vertex) const {
     int unit = line.exponent;
     for (const exact::Dyadic& d : {p, q})
       if (d.mantissa != 0) unit = std::min(unit, d.exponent);
-    BigInteger num = h[static_cast<std::size_t>(axis)] << (line.exponent - unit), den = h[3];
+    BigInteger num = h[static_cast<std::size_t>(axis)] << (line.exponent - unit), den = h[3] * scale;
     for (const exact::Dyadic& d : {p, q})
       if (d.mantissa != 0) num += (BigInteger(d.mantissa) << (d.exponent - unit)) * h[3];
     if (unit >= 0) num <<= unit;
