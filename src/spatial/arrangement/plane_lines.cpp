@@ -26,7 +26,8 @@ void PlaneLines::merge_equal(std::span<const PlaneSegment> segments) {
     const bool along = s.a < s.b;
     const int left = along ? s.inside : -s.inside;
     stretches_.push_back({std::min(s.a, s.b), std::max(s.a, s.b), s.cut, along, s.side > 0 ? left : 0,
-                          s.side > 0 ? 0 : left, s.border, 0});
+                          s.side > 0 ? 0 : left, s.border, 0, along ? s.a_inner : s.b_inner,
+                          along ? s.b_inner : s.a_inner});
   }
   std::sort(stretches_.begin(), stretches_.end(), [](const Stretch& s, const Stretch& t) {
     return std::tie(s.a, s.b, s.cut, s.border) < std::tie(t.a, t.b, t.cut, t.border);
@@ -40,6 +41,7 @@ void PlaneLines::merge_equal(std::span<const PlaneSegment> segments) {
     }
     Stretch& t = stretches_[kept - 1];
     t.front += s.front, t.back += s.back;
+    t.a_inner = t.a_inner && s.a_inner, t.b_inner = t.b_inner && s.b_inner;
     if (t.border == kNoId) t.border = s.border;
     else if (s.border != kNoId && s.border != t.border) t.border = kManyEdges;
   }
@@ -111,7 +113,7 @@ void PlaneLines::split_line(std::uint32_t first, std::uint32_t last) {
   for (std::uint32_t k = first; k < last; ++k) {
     Stretch& s = stretches_[order_[k]];
     s.cut = lead.cut, s.along = lead.along;
-    if (!before(s.a, s.b)) std::swap(s.a, s.b), s.front = -s.front, s.back = -s.back;
+    if (!before(s.a, s.b)) std::swap(s.a, s.b), std::swap(s.a_inner, s.b_inner), s.front = -s.front, s.back = -s.back;
   }
   std::sort(order_.begin() + first, order_.begin() + last, [&](std::uint32_t i, std::uint32_t j) {
     const Stretch &s = stretches_[i], &t = stretches_[j];
@@ -123,9 +125,11 @@ void PlaneLines::split_line(std::uint32_t first, std::uint32_t last) {
   const auto finish = [&](std::uint32_t k) {
     const PointId start = stretches_[order_[begin]].a;
     const auto run = static_cast<std::uint32_t>(runs_.size());
-    for (std::uint32_t i = begin; i < k; ++i)
-      for (const PointId p : {stretches_[order_[i]].a, stretches_[order_[i]].b})
-        if (p != start && p != end) breaks_.push_back({run, p});
+    for (std::uint32_t i = begin; i < k; ++i) {
+      const Stretch& s = stretches_[order_[i]];
+      if (!s.a_inner && s.a != start && s.a != end) breaks_.push_back({run, s.a});
+      if (!s.b_inner && s.b != start && s.b != end) breaks_.push_back({run, s.b});
+    }
     add_run(begin, k, start, end);
     begin = k;
   };
@@ -276,6 +280,7 @@ void PlaneLines::cut_run(std::uint32_t r, std::span<PointId> points) {
     const std::uint64_t borders = s.border == kNoId ? 0 : s.border == kManyEdges ? 2 : 1;
     const std::array<std::uint64_t, 4> step{static_cast<std::uint64_t>(s.front), static_cast<std::uint64_t>(s.back),
                                             borders, borders == 1 ? s.border : 0};
+    if (step == std::array<std::uint64_t, 4>{}) continue;  // contacts, whose inner ends are no points of the line
     const std::size_t from = place(s.a), to = place(s.b);
     for (std::size_t i = 0; i < 4; ++i) steps_[from][i] += step[i], steps_[to][i] -= step[i];
   }

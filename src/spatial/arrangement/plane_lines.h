@@ -21,6 +21,7 @@ struct PlaneSegment {
   std::int8_t inside = 0;
   std::int8_t side = 1;   ///< of the facet: TableFacet::side
   EdgeId border = kNoId;  ///< of the facet, an edge of sums; none for contacts
+  bool a_inner = false, b_inner = false;  ///< nothing ends there: other segments of the line go on
 };
 
 /// Several edges of sums along one piece.
@@ -57,6 +58,7 @@ class PlaneLines {
     int front, back;
     EdgeId border;
     std::uint32_t line;
+    bool a_inner, b_inner;
   };
   /// Stretches of one line that overlap or touch, from end to end.
   struct Run {

@@ -118,7 +118,8 @@ SolidArrangement arrange(SumSpace& space, const FacetTable& table, Contacts cont
   result.groups = plane_groups(table, contacts, group_of);
   UprightPlanes upright(space);
   for (const TableFacet& f : table.facets)
-    for (int k = 0; k < f.facet.corners; ++k) upright.want(f.edge[k], dropped_axis(space.plane(f.plane)));
+    for (int k = 0; k < f.facet.corners; ++k)
+      if (!table.is_inner(f.edge[k])) upright.want(f.edge[k], dropped_axis(space.plane(f.plane)));
   upright.make();
 
   // Points: corners first, then ends of contacts.
@@ -131,7 +132,9 @@ SolidArrangement arrange(SumSpace& space, const FacetTable& table, Contacts cont
 
   // Segments of every group.
   std::vector<std::uint32_t> begin(result.groups.size() + 1, 0);
-  for (std::uint32_t i = 0; i < table.facets.size(); ++i) begin[group_of[i] + 1] += table.facets[i].facet.corners;
+  for (std::uint32_t i = 0; i < table.facets.size(); ++i)
+    for (int k = 0; k < table.facets[i].facet.corners; ++k)
+      begin[group_of[i] + 1] += table.is_inner(table.facets[i].edge[k]) ? 0 : 1;
   for (const Contact& c : contacts.contacts) ++begin[group_of[c.f] + 1], ++begin[group_of[c.g] + 1];
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
   std::vector<PlaneSegment> segments(begin.back());
@@ -143,6 +146,7 @@ SolidArrangement arrange(SumSpace& space, const FacetTable& table, Contacts cont
     const int axis = dropped_axis(plane), n = f.facet.corners;
     const bool up = (axis == 0 ? plane.n.x : axis == 1 ? plane.n.y : plane.n.z) > 0;
     for (int k = 0; k < n; ++k) {
+      if (table.is_inner(f.edge[k])) continue;
       // n x (e x axis) = e n_axis: along the edge where the normal points up.
       const PointId a = ids[at + static_cast<std::size_t>(k)], b = ids[at + static_cast<std::size_t>((k + 1) % n)];
       const bool along = f.forward[k] == up;
@@ -150,15 +154,16 @@ SolidArrangement arrange(SumSpace& space, const FacetTable& table, Contacts cont
       const int inside = (along ? 1 : -1) * f.side;
       segments[place[group_of[i]]++] = {
           along ? a : b, along ? b : a, upright.get(f.edge[k], axis), static_cast<std::int8_t>(inside),
-          f.side,        f.edge[k]};
+          f.side,        f.edge[k],
+          false,         false};
     }
     at += static_cast<std::size_t>(n);
   }
   for (const Contact& c : contacts.contacts) {
     const PointId from = ids[at++], to = ids[at++];
     const PlaneId f = table.facets[c.f].plane, g = table.facets[c.g].plane;
-    segments[place[group_of[c.f]]++] = {from, to, g, 0, 1, kNoId};
-    segments[place[group_of[c.g]]++] = {to, from, f, 0, 1, kNoId};
+    segments[place[group_of[c.f]]++] = {from, to, g, 0, 1, kNoId, c.from_inner, c.to_inner};
+    segments[place[group_of[c.g]]++] = {to, from, f, 0, 1, kNoId, c.to_inner, c.from_inner};
   }
 
   contacts = {}, sources = {}, ids = {};

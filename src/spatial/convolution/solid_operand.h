@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "dymsum/convex_sum.h"
 #include "dymsum/mesh.h"
 #include "spatial/mesh/triangulate.h"
 
@@ -58,9 +59,11 @@ struct SolidOperand {
 };
 
 /// Requires triangles whose edges pair up into wedges all around: a closed, oriented surface that does not cross
-/// itself, but for the faces that `thin` marks (none where it is empty). Exact. O(n log n) for bounded degrees, O(k^2)
-/// at a vertex with k edges, some of them reflex.
-SolidOperand solid_operand(const MeshData& data, const std::vector<bool>& thin = {});
+/// itself, but for the faces that `thin` marks (none where it is empty). `flat` tells of solid parts whether vertices
+/// in the middle of faces and straight edges are left out; faces in one plane then are named by the smallest of them.
+/// Exact. O(n log n) for bounded degrees, O(k^2) at a vertex with k edges, some of them reflex.
+SolidOperand solid_operand(const MeshData& data, const std::vector<bool>& thin = {},
+                           FlatFeatures flat = FlatFeatures::merged);
 
 /// The extreme rays of the cone that the directions from a vertex to its neighbours span, as positions among these, in
 /// order around it; none where the cone is not pointed, or flat. Requires different directions. O(k^2).

@@ -17,7 +17,8 @@ Result<bool> contains(const Mesh& p, const Mesh& q, const Point3& z, Semantics s
   const SumPoint at{static_cast<std::uint32_t>(p_points.size()), static_cast<std::uint32_t>(q_points.size())};
   p_points.push_back(z);
   q_points.push_back({0, 0, 0});
-  const SolidOperand a = solid_operand(p.data(), p.thin_faces()), b = solid_operand(q.data(), q.thin_faces());
+  const SolidOperand a = solid_operand(p.data(), p.thin_faces(), FlatFeatures::kept),
+                     b = solid_operand(q.data(), q.thin_faces(), FlatFeatures::kept);
   try {
     const std::unique_ptr<SumSpace> space = make_sum_space(p_points, q_points);
     const Collision collision(*space, a, b);

@@ -95,6 +95,7 @@ SolidBoundary solid_boundary(const SolidOperand& p, const SolidOperand& q, const
   stats.inner_facets = drop_inner(convolution, inner);
   watch.hold(convolution.facets.size() * kBytesPerTableFacet);
   result.table = facet_table(*result.space, convolution);
+  if (fast) find_inner_edges(*result.space, p, q, result.table);
   watch.begin("contacts");
   Contacts contacts = find_contacts(*result.space, result.table, watch);
   stats.box_pairs = contacts.counts.box_pairs, stats.contacts = contacts.counts.contacts;

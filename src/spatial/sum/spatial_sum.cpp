@@ -27,6 +27,11 @@ Error too_large(const SpatialOptions& options, const char* what, std::uint64_t b
       {}};
 }
 
+/// The reference takes operands as they are.
+FlatFeatures flat_features(const SpatialOptions& options) {
+  return options.engine == SpatialEngine::brute ? FlatFeatures::kept : FlatFeatures::merged;
+}
+
 }  // namespace
 
 Result<SpatialSum> minkowski_sum(const Mesh& p, const Mesh& q, const SpatialOptions& options) {
@@ -39,15 +44,17 @@ Result<SpatialSum> minkowski_sum(const Mesh& p, const Mesh& q, const SpatialOpti
 }
 
 Result<SpatialSum> spatial::sum_of_solids(const MeshData& p, const MeshData& q, const SpatialOptions& options) {
-  return sum_of_operands(solid_operand(p), solid_operand(q), options);
+  const FlatFeatures flat = flat_features(options);
+  return sum_of_operands(solid_operand(p, {}, flat), solid_operand(q, {}, flat), options);
 }
 
 Result<SpatialSum> spatial::sum_of_solids(const Mesh& p, const Mesh& q, const SpatialOptions& options) {
   if (p.has_thin_parts() && q.has_thin_parts() && options.semantics == Semantics::open)
     return Error{
         ErrorCode::unsupported_operand, "the open sum is defined where one operand has no parts without volume", {}};
-  Result<SpatialSum> sum =
-      sum_of_operands(solid_operand(p.data(), p.thin_faces()), solid_operand(q.data(), q.thin_faces()), options);
+  const FlatFeatures flat = flat_features(options);
+  Result<SpatialSum> sum = sum_of_operands(solid_operand(p.data(), p.thin_faces(), flat),
+                                           solid_operand(q.data(), q.thin_faces(), flat), options);
   if (sum && sum->faces.empty() && p.has_thin_parts() && q.has_thin_parts())
     return Error{ErrorCode::unsupported_operand, "the sum of these parts without volume has no volume either", {}};
   return sum;
