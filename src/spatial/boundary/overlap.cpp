@@ -210,14 +210,19 @@ void Collision::touch_edges(const Query& query, std::uint32_t i, std::uint32_t j
                             std::vector<Touch>& touches) const {
   const Triangle &a = p_.triangles[i], &c = q_.triangles[j];
   const std::vector<Vec3>&p = space_.p(), &q = space_.q();
-  // Edges inside of faces do not bound them, and those on one side of the other triangle's plane do not meet it.
-  const auto counts = [](const SolidOperand& solid, std::uint32_t side) {
-    return side / 3 >= solid.first_plate || solid.wedges[solid.wedge_of[side]].bend != Wedge::Bend::flat;
+  // Where an edge runs along a face nothing changes at edges inside that face, before it comes to the face's border or
+  // ends. Edges on one side of the other triangle's plane do not meet it.
+  const auto is_inner = [](const SolidOperand& solid, std::uint32_t side) {
+    return side / 3 < solid.first_plate && solid.wedges[solid.wedge_of[side]].bend == Wedge::Bend::flat;
   };
   for (std::uint32_t k = 0; k < 3; ++k) {
-    if (h.a[k] * h.a[(k + 1) % 3] > 0 || !counts(p_, 3 * i + k)) continue;
+    const int a_from = h.a[k], a_to = h.a[(k + 1) % 3];
+    if (a_from * a_to > 0) continue;
     for (std::uint32_t l = 0; l < 3; ++l) {
-      if (h.c[l] * h.c[(l + 1) % 3] > 0 || !counts(q_, 3 * j + l)) continue;
+      const int c_from = h.c[l], c_to = h.c[(l + 1) % 3];
+      if (c_from * c_to > 0 || (c_from == 0 && c_to == 0 && is_inner(p_, 3 * i + k)) ||
+          (a_from == 0 && a_to == 0 && is_inner(q_, 3 * j + l)))
+        continue;
       const std::uint32_t e0 = a[k], e1 = a[(k + 1) % 3], g0 = c[l], g1 = c[(l + 1) % 3];
       const Way e{Way::Of::p, e0, e1}, g{Way::Of::q, g0, g1};
       const int axis = axis_across(space_, e, g);
