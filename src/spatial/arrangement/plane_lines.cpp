@@ -1,6 +1,7 @@
 #include "spatial/arrangement/plane_lines.h"
 
 #include <algorithm>
+#include <numeric>
 #include <tuple>
 
 namespace dymsum::spatial {
@@ -29,6 +30,10 @@ void PlaneLines::merge_equal(std::span<const PlaneSegment> segments) {
                           s.side > 0 ? 0 : left, s.border, 0, along ? s.a_inner : s.b_inner,
                           along ? s.b_inner : s.a_inner});
   }
+  std::stable_sort(dots_.begin(), dots_.end(), [](const PlaneSegment& s, const PlaneSegment& t) { return s.a < t.a; });
+  dots_.erase(std::unique(dots_.begin(), dots_.end(),
+                          [](const PlaneSegment& s, const PlaneSegment& t) { return s.a == t.a; }),
+              dots_.end());
   std::sort(stretches_.begin(), stretches_.end(), [](const Stretch& s, const Stretch& t) {
     return std::tie(s.a, s.b, s.cut, s.border) < std::tie(t.a, t.b, t.cut, t.border);
   });
@@ -191,20 +196,38 @@ void PlaneLines::cross(std::uint32_t i, std::uint32_t j) {
   if (tb == 0 && sa * sb < 0) breaks_.push_back({i, t.b});
 }
 
-/// Points inside a run.
+/// Points inside a run: from left to right, among the runs near each.
 void PlaneLines::place_dots() {
-  for (const PlaneSegment& dot : dots_) {
-    const Approx& at = points_.approx(dot.a);
-    const double x = points_.x(at), y = points_.y(at), r = at.radius;
-    for (std::uint32_t k = 0; k < runs_.size(); ++k) {
-      const Run& run = runs_[k];
-      if (x + r < run.low_x || x - r > run.high_x || y + r < run.low_y || y - r > run.high_y) continue;
-      if (dot.a == run.a || dot.a == run.b || points_.left_of(run.cut, dot.a) != 0) continue;
-      const int axis = points_.long_axis(run.a, run.b), way = points_.order(run.a, run.b, axis);
-      if (points_.order(run.a, dot.a, axis) * way > 0 && points_.order(dot.a, run.b, axis) * way > 0)
-        breaks_.push_back({k, dot.a});
-    }
+  if (dots_.empty()) return;
+  const auto left = [&](std::uint32_t k) {
+    const Approx& at = points_.approx(dots_[k].a);
+    return points_.x(at) - at.radius;
+  };
+  std::vector<std::uint32_t>& order = inner_;
+  order.resize(dots_.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return left(a) < left(b); });
+  open_.clear();
+  std::size_t next = 0;
+  double most = 0;
+  for (const PlaneSegment& dot : dots_) most = std::max(most, points_.approx(dot.a).radius);
+  for (const std::uint32_t d : order) {
+    const double low = left(d);
+    while (next < by_x_.size() && runs_[by_x_[next]].low_x <= low + 2 * most) open_.push_back(by_x_[next++]);
+    std::erase_if(open_, [&](std::uint32_t k) { return runs_[k].high_x < low; });
+    for (const std::uint32_t k : open_) place_dot(dots_[d].a, k);
   }
+}
+
+void PlaneLines::place_dot(PointId dot, std::uint32_t k) {
+  const Run& run = runs_[k];
+  const Approx& at = points_.approx(dot);
+  const double x = points_.x(at), y = points_.y(at), r = at.radius;
+  if (x + r < run.low_x || x - r > run.high_x || y + r < run.low_y || y - r > run.high_y) return;
+  if (dot == run.a || dot == run.b || points_.left_of(run.cut, dot) != 0) return;
+  const int axis = points_.long_axis(run.a, run.b), way = points_.order(run.a, run.b, axis);
+  if (points_.order(run.a, dot, axis) * way > 0 && points_.order(dot, run.b, axis) * way > 0)
+    breaks_.push_back({k, dot});
 }
 
 void PlaneLines::name_crossings() {

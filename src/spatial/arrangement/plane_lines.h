@@ -47,7 +47,7 @@ class PlaneLines {
   void run(std::span<const PlaneSegment> segments);
 
   const std::vector<LinePiece>& pieces() const { return pieces_; }
-  /// Segments that are points.
+  /// Segments that are points, each point once.
   const std::vector<PlaneSegment>& dots() const { return dots_; }
 
  private:
@@ -86,6 +86,7 @@ class PlaneLines {
   void cross_runs();
   void cross(std::uint32_t i, std::uint32_t j);
   void place_dots();
+  void place_dot(PointId dot, std::uint32_t run);
   void name_crossings();
   void cut_runs();
   void cut_run(std::uint32_t r, std::span<PointId> points);

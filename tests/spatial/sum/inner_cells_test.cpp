@@ -105,6 +105,11 @@ class InnerCellsOfPrisms {
         const double most = i == 2 ? 2 * height_ : 4;
         low[i] = dyadic(-0.1, most), high[i] = low[i] + dyadic(0, 0.06 * most);
       }
+      if (k % 2 == 1) {  // near the inner steps, where boxes of both may end at once
+        const std::size_t across = random_() % 2;
+        low[across] = s_ + t_ + dyadic(-0.25, 0.05), high[across] = low[across] + dyadic(0, 0.25);
+        low[1 - across] = 2 + std::max(s_, t_) + dyadic(0, 0.2), high[1 - across] = low[1 - across] + 0.0625;
+      }
       const auto a = turn_.forth(low), b = turn_.forth(high);
       Box box;
       box.add(on_grid(a)), box.add(on_grid(b));

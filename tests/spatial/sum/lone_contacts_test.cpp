@@ -1,6 +1,8 @@
 // Single contacts: what is said to be one is no contact along an edge or a face, and there is a way to move apart.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "dymsum/solids.h"
 #include "oracles/voxel_solids.h"
 #include "spatial/boundary/lone_contacts.h"
@@ -104,29 +106,21 @@ TEST(LoneContacts, of_two_corners_have_no_edge_in_a_face_of_the_other) {
   EXPECT_FALSE(Contacts(beside, corner_of_axes()).corner(0, 0));
 }
 
-/// A saddle: faces around vertex 0 lean to all sides, so that no way leads inward through all of them.
-MeshData saddle() {
-  MeshData m;
-  m.vertices = {{0, 0, 0}, {4, 0, 3}, {0, 4, -3}, {-4, 0, 3}, {0, -4, -3}, {0, 0, -9}};
-  m.faces = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}, {5, 2, 1}, {5, 3, 2}, {5, 4, 3}, {5, 1, 4}};
-  return m;
-}
-
-/// Two sharp ridges crossed: no half-space holds all normals at the vertex in the middle.
-MeshData sharp_saddle() {
-  MeshData m = saddle();
-  m.vertices[1] = {1, 0, 30}, m.vertices[3] = {-1, 0, 30};
-  m.vertices[2] = {0, 1, -30}, m.vertices[4] = {0, -1, -30};
-  m.vertices[5] = {0, 0, -90};
-  return m;
-}
-
 TEST(LoneContacts, of_two_corners_leave_a_way_apart) {
-  // Normals at the middle point to all sides: sums of positive multiples of them vanish.
-  MeshData turned = sharp_saddle();
-  for (Point3& v : turned.vertices) v = {3 * v.x + 2 * v.y, 3 * v.y - 2 * v.x, v.z + v.x};
-  EXPECT_FALSE(Contacts(sharp_saddle(), turned).corner(0, 0));
-  EXPECT_TRUE(Contacts(sharp_saddle(), askew()).corner(0, 0)) << "the other one has a way";
+  // Two cubes that touch in a corner have normals to all sides there; nothing of the sheared ones is parallel to them.
+  const oracles::IntegerMap shear{{{7, 1, 2}, {-1, 6, 3}, {2, -3, 8}}};
+  const oracles::Voxels two{{0, 0, 0}, {1, 1, 1}};
+  const auto middle = [](const MeshData& mesh, const Point3& at) {
+    return static_cast<std::uint32_t>(std::find(mesh.vertices.begin(), mesh.vertices.end(), at) -
+                                      mesh.vertices.begin());
+  };
+  const MeshData p = oracles::voxel_mesh(two), q = oracles::voxel_mesh(two, shear),
+                 one = oracles::voxel_mesh({{0, 0, 0}}, shear);
+  const std::uint32_t of_p = middle(p, {1, 1, 1}), of_q = middle(q, {10, 8, 7});
+  ASSERT_LT(of_p, p.vertices.size());
+  ASSERT_LT(of_q, q.vertices.size());
+  EXPECT_FALSE(Contacts(p, q).corner(of_p, of_q));
+  EXPECT_TRUE(Contacts(p, one).corner(of_p, middle(one, {10, 8, 7}))) << "the other one has a way";
 }
 
 TEST(LoneContacts, inside_a_facet_have_nothing_parallel) {
