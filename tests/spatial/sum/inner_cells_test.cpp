@@ -176,6 +176,18 @@ class InnerCellsOfPrisms {
   std::array<double, 3> offset_{}, unit_{};
 };
 
+TEST(InnerCells, know_what_lies_over_a_point) {
+  const Vec3 a{0, 0, 1}, b{4, 0, 1}, c{0, 4, 1};
+  const auto passes = [&](Vec3 from) { return spatial::passes_upward(from, a, b, c, 0x1p-40); };
+  EXPECT_EQ(passes({1, 1, 0}), 1);
+  EXPECT_EQ(passes({1, 1, 2}), 0) << "above";
+  EXPECT_EQ(passes({3, 3, 0}), 0) << "beside";
+  EXPECT_EQ(passes({1, 1, 1}), -1) << "on it";
+  EXPECT_EQ(passes({2, 2, 0}), -1) << "below its border";
+  EXPECT_EQ(passes({2 + 0x1p-41, 2, 0}), -1) << "as far as the margin tells";
+  EXPECT_EQ(spatial::passes_upward({1, 1, 0}, a, c, b, 0x1p-40), 1) << "seen from the other side";
+}
+
 TEST(InnerCells, hold_boxes_and_facets_of_the_open_sum_alone) {
   std::mt19937_64 random(7);
   int boxes = 0, facets = 0;

@@ -120,6 +120,16 @@ TEST(LoneContacts, of_two_corners_leave_a_way_apart) {
   ASSERT_LT(of_p, p.vertices.size());
   ASSERT_LT(of_q, q.vertices.size());
   EXPECT_FALSE(Contacts(p, q).corner(of_p, of_q));
+  // Tip on tip: the normals' sum is zero.
+  MeshData tips = corner_of_axes();
+  for (std::size_t v = 1; v < 4; ++v)
+    tips.vertices.push_back({-tips.vertices[v].x, -tips.vertices[v].y, -tips.vertices[v].z});
+  for (std::size_t f = 0; f < 4; ++f) {
+    Face mirrored;
+    for (const std::uint32_t v : tips.faces[f]) mirrored.insert(mirrored.begin(), v == 0 ? 0 : v + 3);
+    tips.faces.push_back(mirrored);
+  }
+  EXPECT_FALSE(Contacts(tips, q).corner(0, of_q));
   EXPECT_TRUE(Contacts(p, one).corner(of_p, middle(one, {10, 8, 7}))) << "the other one has a way";
 }
 
