@@ -287,9 +287,15 @@ std::vector<SolidPair> solid_pairs(const std::string& data) {
   pairs.push_back({"L + L", "flat", ell(), ell()});
   pairs.push_back({"block + peg that fits", "flat", tunnel(), cube(1)});
   pairs.push_back({"block + thinner peg", "flat", tunnel(), cube(0.96875)});
-  pairs.push_back({"grate 4 + grate 4", "flat", grate(4), grate(4)});
+  for (const int bars : {2, 4, 6, 8}) {
+    const std::string name = "grate " + std::to_string(bars);
+    pairs.push_back({name + " + " + name, "flat", grate(bars), grate(bars)});
+  }
   pairs.push_back({"grate 8 + cube", "flat", grate(8), cube(0.25)});
-  pairs.push_back({"comb 8 + upright comb 8", "flat", comb(8, false), comb(8, true)});
+  for (const int teeth : {4, 8, 16, 32}) {
+    const std::string count = std::to_string(teeth);
+    pairs.push_back({"comb " + count + " + upright comb " + count, "flat", comb(teeth, false), comb(teeth, true)});
+  }
   pairs.push_back({"gear 12 + gear 9", "gears", gear(12, 4), gear(9, 3)});
   pairs.push_back({"gear 24 + turned gear 16", "gears", gear(24, 4), turned(gear(16, 2.5), 0, 0, 0.3)});
   add_real_pairs(data, pairs);

@@ -82,6 +82,11 @@ PointSource source(const TableFacet& f, End end, PlaneId plane) {
   return {PointSource::Kind::edge, f.edge[end.border], plane, 0};
 }
 
+/// Whether the facet goes on behind an end, in its neighbour.
+bool goes_on(const FacetTable& table, const TableFacet& f, End end) {
+  return end.corner < 0 && table.is_inner(f.edge[end.border]);
+}
+
 bool share_edge(const TableFacet& f, const TableFacet& g) {
   for (int i = 0; i < f.facet.corners; ++i)
     for (int j = 0; j < g.facet.corners; ++j)
@@ -118,12 +123,21 @@ std::optional<Contact> contact(const SumSpace& space, const FacetTable& table, s
   if (begin_f && !end_f) length = order(space, f, a->from, g, b->to);
   if (!begin_f && end_f) length = -order(space, f, a->to, g, b->from);
   if (length < 0) return std::nullopt;
-  Contact result{i, j, begin_f ? source(f, a->from, g.plane) : source(g, b->from, f.plane),
-                 end_f ? source(f, a->to, g.plane) : source(g, b->to, f.plane)};
+  // Where both end at one place, both have to go on.
+  const auto inner = [&](End x, End y, int way) {
+    return (way > 0 || goes_on(table, f, x)) && (way < 0 || goes_on(table, g, y));
+  };
+  Contact result{i,
+                 j,
+                 begin_f ? source(f, a->from, g.plane) : source(g, b->from, f.plane),
+                 end_f ? source(f, a->to, g.plane) : source(g, b->to, f.plane),
+                 inner(a->from, b->from, begin),
+                 inner(a->to, b->to, -end)};
   if (length == 0) {
     // One point: by a corner where there is one.
     if (result.from.kind == PointSource::Kind::sum) result.to = result.from;
     else result.from = result.to;
+    result.from_inner = result.to_inner = result.from_inner && result.to_inner;
   }
   return result;
 }
@@ -152,7 +166,8 @@ Contacts find_contacts(const SumSpace& space, const FacetTable& table, StageWatc
         if (table.facets[f].plane == table.facets[g].plane) {
           some.coplanar.push_back({f, g});
         } else if (!share_edge(table.facets[f], table.facets[g])) {
-          if (const std::optional<Contact> c = contact(space, table, f, g)) some.contacts.push_back(*c);
+          const std::optional<Contact> c = contact(space, table, f, g);
+          if (c && !(c->point() && c->from_inner)) some.contacts.push_back(*c);
         }
       }
     }

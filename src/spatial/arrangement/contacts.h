@@ -10,10 +10,12 @@
 namespace dymsum::spatial {
 
 /// The common points of facets f < g, from `from` to `to` in the direction n_f x n_g of their planes' normals; one
-/// point where both are equal.
+/// point where both are equal. `from_inner`: there the contact goes on into neighbours across inner edges of the table,
+/// and nothing ends but triangles; likewise `to_inner`.
 struct Contact {
   std::uint32_t f = 0, g = 0;
   PointSource from, to;
+  bool from_inner = false, to_inner = false;
   bool point() const { return from == to; }
 };
 
@@ -30,8 +32,8 @@ struct Contacts {
 /// The contact of two facets in different planes that share no edge. Exact.
 std::optional<Contact> contact(const SumSpace& space, const FacetTable& table, std::uint32_t f, std::uint32_t g);
 
-/// All of them. Where two facets in different planes share an edge of sums, that edge is all they have in common, and
-/// not listed.
+/// All of them, but for points at which the contacts of neighbours go on. Where two facets in different planes share an
+/// edge of sums, that edge is all they have in common, and not listed.
 Contacts find_contacts(const SumSpace& space, const FacetTable& table, StageWatch& watch);
 
 }  // namespace dymsum::spatial

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 #include <tuple>
+#include <unordered_map>
 
 namespace dymsum::spatial {
 
@@ -65,7 +66,42 @@ void share_edges(SumSpace& space, FacetTable& table, StageWatch& watch) {
   space.add_edges(edges);
 }
 
+std::uint64_t edge_key(std::uint32_t a, std::uint32_t b) {
+  return (static_cast<std::uint64_t>(std::min(a, b)) << 32) | std::max(a, b);
+}
+
+/// The edges of solid parts between two triangles in one plane, and no others: true in the map.
+std::unordered_map<std::uint64_t, bool> flat_edges(const SolidOperand& solid) {
+  std::unordered_map<std::uint64_t, bool> flat;
+  for (const Wedge& w : solid.wedges)
+    if (w.bend == Wedge::Bend::flat && !w.is_segment() && w.left < solid.first_plate)
+      flat.emplace(edge_key(w.from, w.to), true);
+  if (flat.empty()) return flat;
+  // What else meets there makes it an edge like others.
+  std::unordered_map<std::uint64_t, int> wedges;
+  for (const Wedge& w : solid.wedges)
+    if (const auto at = flat.find(edge_key(w.from, w.to)); at != flat.end() && ++wedges[at->first] > 1)
+      at->second = false;
+  return flat;
+}
+
 }  // namespace
+
+void find_inner_edges(const SumSpace& space, const SolidOperand& p, const SolidOperand& q, FacetTable& table) {
+  const std::unordered_map<std::uint64_t, bool> flat[2] = {flat_edges(p), flat_edges(q)};
+  if (flat[0].empty() && flat[1].empty()) return;
+  std::vector<int> balance(space.edges().size(), 0);  // of facets to either side
+  for (const TableFacet& f : table.facets)
+    for (int k = 0; k < f.facet.corners; ++k) balance[f.edge[k]] += f.forward[k] ? 1 : -1;
+  table.inner.assign(space.edges().size(), false);
+  for (EdgeId e = 0; e < balance.size(); ++e) {
+    const SumEdge& edge = space.edges()[e];
+    const bool of_p = edge.from.q == edge.to.q;
+    const std::uint64_t key = of_p ? edge_key(edge.from.p, edge.to.p) : edge_key(edge.from.q, edge.to.q);
+    const auto at = flat[of_p ? 0 : 1].find(key);
+    table.inner[e] = balance[e] == 0 && at != flat[of_p ? 0 : 1].end() && at->second;
+  }
+}
 
 FacetTable facet_table(SumSpace& space, const ReducedConvolution& convolution, StageWatch& watch) {
   FacetTable table;

@@ -19,11 +19,17 @@ struct TableFacet {
 
 struct FacetTable {
   std::vector<TableFacet> facets;
+  std::vector<bool> inner;  ///< per edge of the space: see find_inner_edges; empty where nobody looked
 
+  bool is_inner(EdgeId edge) const { return !inner.empty() && inner[edge]; }
   SumPoint corner(std::uint32_t f, int k) const { return facets[f].facet.corner[k]; }
 };
 
 /// Adds the planes and edges to the space. O(n log n), and an exact comparison for every facet that shares a plane.
 FacetTable facet_table(SumSpace& space, const ReducedConvolution& convolution, StageWatch& watch);
+
+/// Marks the edges of sums that split a face and bound nothing: an edge inside a face of one operand, between two of
+/// its triangles, plus a vertex, where both triangles plus that vertex are in the table. O(n).
+void find_inner_edges(const SumSpace& space, const SolidOperand& p, const SolidOperand& q, FacetTable& table);
 
 }  // namespace dymsum::spatial

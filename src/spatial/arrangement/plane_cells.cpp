@@ -270,10 +270,12 @@ class PlaneArranger::Cells {
     }
   }
   void collect_touches() {
-    for (const PlaneSegment& dot : lines_.dots()) {
-      const auto on = [&](const CellEdge& e) { return e.a == dot.a || e.b == dot.a; };
-      if (std::none_of(result_.edges.begin(), result_.edges.end(), on)) result_.touches.push_back({dot.a, dot.cut});
-    }
+    if (lines_.dots().empty()) return;
+    std::vector<PointId> ends;
+    for (const CellEdge& e : result_.edges) ends.insert(ends.end(), {e.a, e.b});
+    std::sort(ends.begin(), ends.end());
+    for (const PlaneSegment& dot : lines_.dots())
+      if (!std::binary_search(ends.begin(), ends.end(), dot.a)) result_.touches.push_back({dot.a, dot.cut});
   }
   void add_loop(std::uint32_t loop) {
     std::uint32_t h = loop_start_[loop];

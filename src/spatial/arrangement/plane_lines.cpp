@@ -1,6 +1,7 @@
 #include "spatial/arrangement/plane_lines.h"
 
 #include <algorithm>
+#include <numeric>
 #include <tuple>
 
 namespace dymsum::spatial {
@@ -26,8 +27,13 @@ void PlaneLines::merge_equal(std::span<const PlaneSegment> segments) {
     const bool along = s.a < s.b;
     const int left = along ? s.inside : -s.inside;
     stretches_.push_back({std::min(s.a, s.b), std::max(s.a, s.b), s.cut, along, s.side > 0 ? left : 0,
-                          s.side > 0 ? 0 : left, s.border, 0});
+                          s.side > 0 ? 0 : left, s.border, 0, along ? s.a_inner : s.b_inner,
+                          along ? s.b_inner : s.a_inner});
   }
+  std::stable_sort(dots_.begin(), dots_.end(), [](const PlaneSegment& s, const PlaneSegment& t) { return s.a < t.a; });
+  dots_.erase(
+      std::unique(dots_.begin(), dots_.end(), [](const PlaneSegment& s, const PlaneSegment& t) { return s.a == t.a; }),
+      dots_.end());
   std::sort(stretches_.begin(), stretches_.end(), [](const Stretch& s, const Stretch& t) {
     return std::tie(s.a, s.b, s.cut, s.border) < std::tie(t.a, t.b, t.cut, t.border);
   });
@@ -40,6 +46,7 @@ void PlaneLines::merge_equal(std::span<const PlaneSegment> segments) {
     }
     Stretch& t = stretches_[kept - 1];
     t.front += s.front, t.back += s.back;
+    t.a_inner = t.a_inner && s.a_inner, t.b_inner = t.b_inner && s.b_inner;
     if (t.border == kNoId) t.border = s.border;
     else if (s.border != kNoId && s.border != t.border) t.border = kManyEdges;
   }
@@ -111,7 +118,7 @@ void PlaneLines::split_line(std::uint32_t first, std::uint32_t last) {
   for (std::uint32_t k = first; k < last; ++k) {
     Stretch& s = stretches_[order_[k]];
     s.cut = lead.cut, s.along = lead.along;
-    if (!before(s.a, s.b)) std::swap(s.a, s.b), s.front = -s.front, s.back = -s.back;
+    if (!before(s.a, s.b)) std::swap(s.a, s.b), std::swap(s.a_inner, s.b_inner), s.front = -s.front, s.back = -s.back;
   }
   std::sort(order_.begin() + first, order_.begin() + last, [&](std::uint32_t i, std::uint32_t j) {
     const Stretch &s = stretches_[i], &t = stretches_[j];
@@ -123,9 +130,11 @@ void PlaneLines::split_line(std::uint32_t first, std::uint32_t last) {
   const auto finish = [&](std::uint32_t k) {
     const PointId start = stretches_[order_[begin]].a;
     const auto run = static_cast<std::uint32_t>(runs_.size());
-    for (std::uint32_t i = begin; i < k; ++i)
-      for (const PointId p : {stretches_[order_[i]].a, stretches_[order_[i]].b})
-        if (p != start && p != end) breaks_.push_back({run, p});
+    for (std::uint32_t i = begin; i < k; ++i) {
+      const Stretch& s = stretches_[order_[i]];
+      if (!s.a_inner && s.a != start && s.a != end) breaks_.push_back({run, s.a});
+      if (!s.b_inner && s.b != start && s.b != end) breaks_.push_back({run, s.b});
+    }
     add_run(begin, k, start, end);
     begin = k;
   };
@@ -187,20 +196,38 @@ void PlaneLines::cross(std::uint32_t i, std::uint32_t j) {
   if (tb == 0 && sa * sb < 0) breaks_.push_back({i, t.b});
 }
 
-/// Points inside a run.
+/// Points inside a run: from left to right, among the runs near each.
 void PlaneLines::place_dots() {
-  for (const PlaneSegment& dot : dots_) {
-    const Approx& at = points_.approx(dot.a);
-    const double x = points_.x(at), y = points_.y(at), r = at.radius;
-    for (std::uint32_t k = 0; k < runs_.size(); ++k) {
-      const Run& run = runs_[k];
-      if (x + r < run.low_x || x - r > run.high_x || y + r < run.low_y || y - r > run.high_y) continue;
-      if (dot.a == run.a || dot.a == run.b || points_.left_of(run.cut, dot.a) != 0) continue;
-      const int axis = points_.long_axis(run.a, run.b), way = points_.order(run.a, run.b, axis);
-      if (points_.order(run.a, dot.a, axis) * way > 0 && points_.order(dot.a, run.b, axis) * way > 0)
-        breaks_.push_back({k, dot.a});
-    }
+  if (dots_.empty()) return;
+  const auto left = [&](std::uint32_t k) {
+    const Approx& at = points_.approx(dots_[k].a);
+    return points_.x(at) - at.radius;
+  };
+  std::vector<std::uint32_t>& order = inner_;
+  order.resize(dots_.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return left(a) < left(b); });
+  open_.clear();
+  std::size_t next = 0;
+  double most = 0;
+  for (const PlaneSegment& dot : dots_) most = std::max(most, points_.approx(dot.a).radius);
+  for (const std::uint32_t d : order) {
+    const double low = left(d);
+    while (next < by_x_.size() && runs_[by_x_[next]].low_x <= low + 2 * most) open_.push_back(by_x_[next++]);
+    std::erase_if(open_, [&](std::uint32_t k) { return runs_[k].high_x < low; });
+    for (const std::uint32_t k : open_) place_dot(dots_[d].a, k);
   }
+}
+
+void PlaneLines::place_dot(PointId dot, std::uint32_t k) {
+  const Run& run = runs_[k];
+  const Approx& at = points_.approx(dot);
+  const double x = points_.x(at), y = points_.y(at), r = at.radius;
+  if (x + r < run.low_x || x - r > run.high_x || y + r < run.low_y || y - r > run.high_y) return;
+  if (dot == run.a || dot == run.b || points_.left_of(run.cut, dot) != 0) return;
+  const int axis = points_.long_axis(run.a, run.b), way = points_.order(run.a, run.b, axis);
+  if (points_.order(run.a, dot, axis) * way > 0 && points_.order(dot, run.b, axis) * way > 0)
+    breaks_.push_back({k, dot});
 }
 
 void PlaneLines::name_crossings() {
@@ -276,6 +303,7 @@ void PlaneLines::cut_run(std::uint32_t r, std::span<PointId> points) {
     const std::uint64_t borders = s.border == kNoId ? 0 : s.border == kManyEdges ? 2 : 1;
     const std::array<std::uint64_t, 4> step{static_cast<std::uint64_t>(s.front), static_cast<std::uint64_t>(s.back),
                                             borders, borders == 1 ? s.border : 0};
+    if (step == std::array<std::uint64_t, 4>{}) continue;  // contacts, whose inner ends are no points of the line
     const std::size_t from = place(s.a), to = place(s.b);
     for (std::size_t i = 0; i < 4; ++i) steps_[from][i] += step[i], steps_[to][i] -= step[i];
   }

@@ -19,8 +19,9 @@ struct PlaneSegment {
   /// For the border of a facet: 1 where the facet lies to the left of the way from a to b, seen against n, -1 to the
   /// right; 0 for contacts.
   std::int8_t inside = 0;
-  std::int8_t side = 1;   ///< of the facet: TableFacet::side
-  EdgeId border = kNoId;  ///< of the facet, an edge of sums; none for contacts
+  std::int8_t side = 1;                   ///< of the facet: TableFacet::side
+  EdgeId border = kNoId;                  ///< of the facet, an edge of sums; none for contacts
+  bool a_inner = false, b_inner = false;  ///< nothing ends there: other segments of the line go on
 };
 
 /// Several edges of sums along one piece.
@@ -46,7 +47,7 @@ class PlaneLines {
   void run(std::span<const PlaneSegment> segments);
 
   const std::vector<LinePiece>& pieces() const { return pieces_; }
-  /// Segments that are points.
+  /// Segments that are points, each point once.
   const std::vector<PlaneSegment>& dots() const { return dots_; }
 
  private:
@@ -57,6 +58,7 @@ class PlaneLines {
     int front, back;
     EdgeId border;
     std::uint32_t line;
+    bool a_inner, b_inner;
   };
   /// Stretches of one line that overlap or touch, from end to end.
   struct Run {
@@ -84,6 +86,7 @@ class PlaneLines {
   void cross_runs();
   void cross(std::uint32_t i, std::uint32_t j);
   void place_dots();
+  void place_dot(PointId dot, std::uint32_t run);
   void name_crossings();
   void cut_runs();
   void cut_run(std::uint32_t r, std::span<PointId> points);

@@ -133,7 +133,8 @@ SolidArrangement arrange(SumSpace& space, const FacetTable& table, Contacts cont
   result.groups = plane_groups(table, contacts, group_of);
   UprightPlanes upright(space);
   for (const TableFacet& f : table.facets)
-    for (int k = 0; k < f.facet.corners; ++k) upright.want(f.edge[k], dropped_axis(space.plane(f.plane)));
+    for (int k = 0; k < f.facet.corners; ++k)
+      if (!table.is_inner(f.edge[k])) upright.want(f.edge[k], dropped_axis(space.plane(f.plane)));
   upright.make(watch.threads());
 
   // Points: corners first, then ends of contacts.
@@ -142,11 +143,15 @@ SolidArrangement arrange(SumSpace& space, const FacetTable& table, Contacts cont
   for (const TableFacet& f : table.facets)
     for (int k = 0; k < f.facet.corners; ++k)
       sources.push_back({PointSource::Kind::sum, f.facet.corner[k].p, f.facet.corner[k].q, 0});
-  std::vector<std::array<std::uint32_t, 2>> pairs;  // of facets that meet
-  pairs.reserve(contacts.contacts.size());
+  struct Meeting {
+    std::uint32_t f, g;
+    bool from_inner, to_inner;
+  };
+  std::vector<Meeting> meetings;
+  meetings.reserve(contacts.contacts.size());
   for (const Contact& c : contacts.contacts) {
     sources.push_back(c.from), sources.push_back(c.to);
-    pairs.push_back({c.f, c.g});
+    meetings.push_back({c.f, c.g, c.from_inner, c.to_inner});
   }
   base::free_memory(contacts.contacts, contacts.coplanar);
   std::vector<PointId> ids = result.points.add(sources, watch);
@@ -154,8 +159,10 @@ SolidArrangement arrange(SumSpace& space, const FacetTable& table, Contacts cont
 
   // Segments of every group.
   std::vector<std::uint32_t> begin(result.groups.size() + 1, 0);
-  for (std::uint32_t i = 0; i < table.facets.size(); ++i) begin[group_of[i] + 1] += table.facets[i].facet.corners;
-  for (const auto& [f, g] : pairs) ++begin[group_of[f] + 1], ++begin[group_of[g] + 1];
+  for (std::uint32_t i = 0; i < table.facets.size(); ++i)
+    for (int k = 0; k < table.facets[i].facet.corners; ++k)
+      begin[group_of[i] + 1] += table.is_inner(table.facets[i].edge[k]) ? 0 : 1;
+  for (const Meeting& m : meetings) ++begin[group_of[m.f] + 1], ++begin[group_of[m.g] + 1];
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
   std::vector<PlaneSegment> segments(begin.back());
   std::vector<std::uint32_t> place(begin.begin(), begin.end() - 1);
@@ -166,24 +173,30 @@ SolidArrangement arrange(SumSpace& space, const FacetTable& table, Contacts cont
     const int axis = dropped_axis(plane), n = f.facet.corners;
     const bool up = (axis == 0 ? plane.n.x : axis == 1 ? plane.n.y : plane.n.z) > 0;
     for (int k = 0; k < n; ++k) {
+      if (table.is_inner(f.edge[k])) continue;
       // n x (e x axis) = e n_axis: along the edge where the normal points up.
       const PointId a = ids[at + static_cast<std::size_t>(k)], b = ids[at + static_cast<std::size_t>((k + 1) % n)];
       const bool along = f.forward[k] == up;
       // The facet is to the left of its border seen against its own normal.
       const int inside = (along ? 1 : -1) * f.side;
-      segments[place[group_of[i]]++] = {
-          along ? a : b, along ? b : a, upright.get(f.edge[k], axis), static_cast<std::int8_t>(inside),
-          f.side,        f.edge[k]};
+      segments[place[group_of[i]]++] = {along ? a : b,
+                                        along ? b : a,
+                                        upright.get(f.edge[k], axis),
+                                        static_cast<std::int8_t>(inside),
+                                        f.side,
+                                        f.edge[k],
+                                        false,
+                                        false};
     }
     at += static_cast<std::size_t>(n);
   }
-  for (const auto& [f, g] : pairs) {
+  for (const Meeting& m : meetings) {
     const PointId from = ids[at++], to = ids[at++];
-    segments[place[group_of[f]]++] = {from, to, table.facets[g].plane, 0, 1, kNoId};
-    segments[place[group_of[g]]++] = {to, from, table.facets[f].plane, 0, 1, kNoId};
+    segments[place[group_of[m.f]]++] = {from, to, table.facets[m.g].plane, 0, 1, kNoId, m.from_inner, m.to_inner};
+    segments[place[group_of[m.g]]++] = {to, from, table.facets[m.f].plane, 0, 1, kNoId, m.to_inner, m.from_inner};
   }
 
-  base::free_memory(pairs, ids, place);
+  base::free_memory(meetings, ids, place);
   constexpr std::size_t kPart = 64;
   const std::size_t count = result.groups.size();
   watch.run((count + kPart - 1) / kPart, [&](std::size_t part) {

@@ -38,6 +38,17 @@ std::vector<Box> point_boxes(const std::vector<Vec3>& at, const SolidOperand& so
   return boxes;
 }
 
+/// Vertices here and there.
+std::vector<std::uint32_t> some_corners(const SolidOperand& solid) {
+  constexpr std::size_t kSome = 8;
+  std::vector<std::uint32_t> corners;
+  for (const SupportCone& cone : solid.cones) corners.push_back(cone.vertex);
+  std::vector<std::uint32_t> some;
+  for (std::size_t k = 0; k < std::min(kSome, corners.size()); ++k)
+    some.push_back(corners[k * corners.size() / std::min(kSome, corners.size())]);
+  return some;
+}
+
 /// An end of the stretch that a triangle has on another one's plane: on the border from corner k to k + 1, along which
 /// the height rises by the sign `rise`.
 struct End {
@@ -79,6 +90,7 @@ Collision::Collision(const SumSpace& space, const SolidOperand& p, const SolidOp
       q_segments_(segment_boxes(space.q(), q, space.sum_radius())),
       p_points_(point_boxes(space.p(), p, space.sum_radius())),
       q_points_(point_boxes(space.q(), q, space.sum_radius())),
+      samples_{some_corners(p), some_corners(q)},
       inner_(inner) {}
 
 bool Collision::meets(const Flag& x) const {
@@ -98,29 +110,37 @@ bool Collision::meets(const Flag& x) const {
 
 /// The signs of the corners of triangle a of P over x - c, c of Q, and of those of x - c over a. The normal of x - c is
 /// taken as that of c, by the same order of corners: it points inward. All heights are sides of x.
-void Collision::heights(const Query& query, std::uint32_t i, std::uint32_t j, int (&sa)[3], int (&sc)[3]) const {
+Collision::Heights Collision::heights(const Query& query, std::uint32_t i, std::uint32_t j) const {
+  Heights h;
   const Triangle &a = p_.triangles[i], &c = q_.triangles[j];
   const std::vector<Vec3>&p = space_.p(), &q = space_.q();
   const Vec3 ua = p[a[1]] - p[a[0]], va = p[a[2]] - p[a[0]], uc = q[c[1]] - q[c[0]], vc = q[c[2]] - q[c[0]];
   const Way wa = {Way::Of::p, a[0], a[1]}, wa2 = {Way::Of::p, a[0], a[2]}, wc = {Way::Of::q, c[0], c[1]},
             wc2 = {Way::Of::q, c[0], c[2]};
-  for (int k = 0; k < 3; ++k) sc[k] = query.side({{a[0], c[k]}, wa, wa2, false}, ua, va);
-  if ((sc[0] > 0 && sc[1] > 0 && sc[2] > 0) || (sc[0] < 0 && sc[1] < 0 && sc[2] < 0)) {
-    sa[0] = sa[1] = sa[2] = 1;  // apart: they do not matter
-    return;
+  for (int k = 0; k < 3; ++k) h.c[k] = query.side({{a[0], c[k]}, wa, wa2, false}, ua, va);
+  if ((h.c[0] > 0 && h.c[1] > 0 && h.c[2] > 0) || (h.c[0] < 0 && h.c[1] < 0 && h.c[2] < 0)) {
+    h.a[0] = h.a[1] = h.a[2] = 1;  // apart: they do not matter
+    return h;
   }
   // n . (a_k - x + c_0) = -(n . (x - a_k - c_0)).
-  for (int k = 0; k < 3; ++k) sa[k] = -query.side({{a[k], c[0]}, wc, wc2, false}, uc, vc);
+  for (int k = 0; k < 3; ++k) h.a[k] = -query.side({{a[k], c[0]}, wc, wc2, false}, uc, vc);
+  return h;
+}
+
+bool Collision::Heights::apart() const {
+  const auto one_side = [](const int(&s)[3]) {
+    return (s[0] > 0 && s[1] > 0 && s[2] > 0) || (s[0] < 0 && s[1] < 0 && s[2] < 0);
+  };
+  return one_side(a) || one_side(c);
 }
 
 bool Collision::triangles_meet(const Query& query, std::uint32_t i, std::uint32_t j) const {
   const Triangle &a = p_.triangles[i], &c = q_.triangles[j];
   const std::vector<Vec3>&p = space_.p(), &q = space_.q();
-  int sc[3], sa[3];
-  heights(query, i, j, sa, sc);
-  const std::optional<Chord> chord_c = chord(sc);
+  const Heights h = heights(query, i, j);
+  const std::optional<Chord> chord_c = chord(h.c);
   if (!chord_c) return false;
-  const std::optional<Chord> chord_a = chord(sa);
+  const std::optional<Chord> chord_a = chord(h.a);
   if (!chord_a) return false;
   // The corners of x - c run clockwise about uc x vc reflected, that is counter-clockwise about it: a point reflection
   // keeps orientation within a plane. So chord_a runs along n_a x n_c, and chord_c along n_c x n_a.

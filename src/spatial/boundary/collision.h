@@ -1,6 +1,7 @@
 // Whether P overlaps x - Q: whether a position x lies in the open sum.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -36,11 +37,21 @@ class Collision {
  private:
   struct Query;
   struct Touch;
+  /// Signs of the heights of two triangles' corners, each over the other one's plane.
+  struct Heights {
+    int a[3], c[3];
+    bool apart() const;
+  };
   bool pierced(const Query& query, std::uint32_t i, std::uint32_t j) const;
-  void add_touches(const Query& query, std::uint32_t i, std::uint32_t j, std::vector<Touch>& touches) const;
-  void touch_vertices(const Query& query, std::uint32_t i, std::uint32_t j, const int (&sa)[3], const int (&sc)[3],
+  bool pierced(const Query& query, std::uint32_t i, std::uint32_t j, const Heights& h) const;
+  bool vertices_inside(const Query& query) const;
+  bool surely_inside(const Query& query, Way::Of of, std::uint32_t v) const;
+  void add_touches(const Query& query, std::uint32_t i, std::uint32_t j, const Heights& h,
+                   std::vector<Touch>& touches) const;
+  void touch_vertices(const Query& query, std::uint32_t i, std::uint32_t j, const Heights& h,
                       std::vector<Touch>& touches) const;
-  void touch_edges(const Query& query, std::uint32_t i, std::uint32_t j, std::vector<Touch>& touches) const;
+  void touch_edges(const Query& query, std::uint32_t i, std::uint32_t j, const Heights& h,
+                   std::vector<Touch>& touches) const;
   std::optional<Feature> place(const Query& query, Way::Of of, std::uint32_t triangle, std::uint32_t vertex) const;
   bool segment_crosses(const Query& query, Way::Of of, std::uint32_t wedge, std::uint32_t triangle) const;
   bool segments_cross(const Query& query) const;
@@ -51,7 +62,7 @@ class Collision {
   void touch_segment(const Query& query, Way::Of of, std::uint32_t wedge, std::uint32_t triangle,
                      std::vector<Touch>& touches) const;
   bool inside_segment(const Query& query, Way::Of of, std::uint32_t wedge, std::uint32_t vertex) const;
-  void heights(const Query& query, std::uint32_t i, std::uint32_t j, int (&sa)[3], int (&sc)[3]) const;
+  Heights heights(const Query& query, std::uint32_t i, std::uint32_t j) const;
   bool triangles_meet(const Query& query, std::uint32_t i, std::uint32_t j) const;
   bool vertex_inside(const Query& query, Way::Of of, std::uint32_t v) const;
 
@@ -59,6 +70,7 @@ class Collision {
   const SolidOperand &p_, &q_;
   BoxTree p_tree_, q_tree_;
   BoxTree p_segments_, q_segments_, p_points_, q_points_;  // in the order of the operands' lists
+  std::array<std::vector<std::uint32_t>, 2> samples_;      // some vertices of P and of Q
   const InnerCells* inner_;
   mutable std::atomic<std::uint64_t> tests_{0};
 };

@@ -33,6 +33,14 @@ struct Collision::Query {
     return box;
   }
 
+  /// Turned inside out: of reflected pairs those whose boxes overlap by more than touching ones do.
+  Box core() const {
+    Box box;
+    box.add(at.at);
+    box.grow(-(at.radius + space.span() * 0x1p-20));
+    return box;
+  }
+
   /// The side of the plane on which x lies.
   int side(const PlaneSource& plane, Vec3 u, Vec3 v) const {
     const double r = space.sum_radius();

@@ -23,8 +23,14 @@ struct Sector {
 /// The local cone of P, or of -Q, at a feature: of its solid parts, or of its thin ones, which have no inside.
 class Cone {
  public:
-  Cone(const SumSpace& space, const SolidOperand& solid, bool reflected, Feature at, bool thin)
-      : space_(space), solid_(solid), of_(reflected ? Way::Of::q : Way::Of::p), sign_(reflected ? -1 : 1), at_(at) {
+  Cone(const SumSpace& space, const IndexedSolid& indexed, bool reflected, Feature at, bool thin)
+      : space_(space),
+        indexed_(indexed),
+        solid_(indexed.solid),
+        of_(reflected ? Way::Of::q : Way::Of::p),
+        sign_(reflected ? -1 : 1),
+        at_(at) {
+    const SolidOperand& solid = solid_;
     const auto is_wanted = [&](std::uint32_t triangle) { return (triangle >= solid.first_plate) == thin; };
     if (thin) add_segments();
     if (at.kind == Feature::Kind::triangle) {
@@ -69,17 +75,23 @@ class Cone {
   Way way(std::uint32_t from, std::uint32_t to) const { return {of_, from, to}; }
 
   void add_segments() {
-    const bool at_vertex = at_.kind == Feature::Kind::vertex;
     if (at_.kind == Feature::Kind::wedge && solid_.wedges[at_.index].is_segment()) {
       const Wedge& w = solid_.wedges[at_.index];
       rays_.push_back({way(w.from, w.to), 1});
       rays_.push_back({way(w.from, w.to), -1});
     }
-    for (std::size_t k = 0; at_vertex && k < solid_.segments.size(); ++k) {
+    if (at_.kind != Feature::Kind::vertex) return;
+    indexed_.segments.for_each(box_at_vertex(), [&](std::uint32_t k) {
       const Wedge& w = solid_.wedges[solid_.segments[k]];
       if (w.from == at_.index) rays_.push_back({way(w.from, w.to), sign_});
       if (w.to == at_.index) rays_.push_back({way(w.to, w.from), sign_});
-    }
+    });
+  }
+  Box box_at_vertex() const {
+    Box box;
+    box.add(indexed_.at[at_.index]);
+    box.grow(space_.sum_radius());
+    return box;
   }
 
   void add(std::uint32_t triangle, Way from, Way to) {
@@ -102,7 +114,10 @@ class Cone {
       return sign * space_.det(u, w, d.way);
     };
     bool inside = false;
-    for (const Triangle& t : solid_.triangles) {
+    Box above = box_at_vertex();
+    above.high.z = 1e300;
+    indexed_.triangles.for_each(above, [&](std::uint32_t triangle) {
+      const Triangle& t = solid_.triangles[triangle];
       int turn[3];
       for (int k = 0; k < 3; ++k) {
         const std::uint32_t a = t[k], b = t[(k + 1) % 3];
@@ -111,15 +126,16 @@ class Cone {
         for (std::uint32_t axis = 0; axis < 2 && turn[k] == 0; ++axis)
           turn[k] = space_.det(u, up, {Way::Of::axis, axis, 0});
       }
-      if (turn[0] == 0 || turn[0] != turn[1] || turn[1] != turn[2]) continue;
+      if (turn[0] == 0 || turn[0] != turn[1] || turn[1] != turn[2]) return;
       const Way u = way(t[0], t[1]), w = way(t[0], t[2]);
       const int up = space_.det(u, w, {Way::Of::axis, 2, 0});
       if (order(u, w, t[0]) * up < 0) inside = !inside;
-    }
+    });
     return inside;
   }
 
   const SumSpace& space_;
+  const IndexedSolid& indexed_;
   const SolidOperand& solid_;
   Way::Of of_;
   int sign_;
@@ -293,12 +309,12 @@ class Overlap {
 
 }  // namespace
 
-bool cones_overlap(const SumSpace& space, const SolidOperand& p, Feature at_p, const SolidOperand& q, Feature at_q) {
+bool cones_overlap(const SumSpace& space, const IndexedSolid& p, Feature at_p, const IndexedSolid& q, Feature at_q) {
   const Cone a(space, p, false, at_p, false), b(space, q, true, at_q, false);
   const bool solid_a = !a.sectors().empty(), solid_b = !b.sectors().empty();
   if (solid_a && solid_b && Overlap(space, a, b).run()) return true;
-  if (solid_a && q.has_thin() && Overlap(space, a, Cone(space, q, true, at_q, true)).thin_meets()) return true;
-  return solid_b && p.has_thin() && Overlap(space, b, Cone(space, p, false, at_p, true)).thin_meets();
+  if (solid_a && q.solid.has_thin() && Overlap(space, a, Cone(space, q, true, at_q, true)).thin_meets()) return true;
+  return solid_b && p.solid.has_thin() && Overlap(space, b, Cone(space, p, false, at_p, true)).thin_meets();
 }
 
 }  // namespace dymsum::spatial

@@ -10,6 +10,7 @@
 
 #include "spatial/boundary/collision_query.h"
 #include "spatial/boundary/contact_cones.h"
+#include "spatial/convolution/inner_cells.h"
 
 namespace dymsum::spatial {
 
@@ -37,6 +38,12 @@ void mark(const SolidOperand& solid, Feature f, std::vector<bool>& shells) {
     shells[solid.shell[solid.corners[c] / 3]] = true;
 }
 
+template <class T>
+void sort_unique(std::vector<T>& list) {
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+}
+
 }  // namespace
 
 bool Collision::overlaps(const Flag& x) const {
@@ -52,10 +59,26 @@ bool Collision::overlaps(const Flag& x) const {
     witness = {i, j};
     return true;
   };
-  if (p_tree_.any_reflected_pair(q_tree_, query.box(), pierces) || segments_cross(query)) return true;
-  const std::vector<Touch> touches = all_touches(query);
+  // First what may cross deep: where solids lie in line, most pairs touch and no more.
+  if (p_tree_.any_reflected_pair(q_tree_, query.core(), pierces) || segments_cross(query) || vertices_inside(query))
+    return true;
+  std::vector<Touch> touches;
+  const auto pierces_or_touches = [&](std::uint32_t i, std::uint32_t j) {
+    const Heights h = heights(query, i, j);
+    if (h.apart()) return false;
+    if (!pierced(query, i, j, h)) {
+      add_touches(query, i, j, h, touches);
+      return false;
+    }
+    witness = {i, j};
+    return true;
+  };
+  if (p_tree_.any_reflected_pair(q_tree_, query.box(), pierces_or_touches)) return true;
+  add_thin_touches(query, touches);
+  sort_unique(touches);
+  const IndexedSolid p{p_, space_.p(), p_tree_, p_segments_}, q{q_, space_.q(), q_tree_, q_segments_};
   for (const Touch& t : touches)
-    if (cones_overlap(space_, p_, t.p, q_, t.q)) return true;
+    if (cones_overlap(space_, p, t.p, q, t.q)) return true;
   // Shells that touch the other one's solid part lie outside of it up to there. Others are inside or outside as a
   // whole, also those that touch thin parts, which may lie inside the solid part next to them.
   std::vector<bool> p_touched(p_.shell_vertex.size()), q_touched(q_.shell_vertex.size());
@@ -75,27 +98,59 @@ bool Collision::touches(const Flag& x) const { return overlaps(x) || !all_touche
 std::vector<Collision::Touch> Collision::all_touches(const Query& query) const {
   std::vector<Touch> touches;
   p_tree_.any_reflected_pair(q_tree_, query.box(), [&](std::uint32_t i, std::uint32_t j) {
-    add_touches(query, i, j, touches);
+    if (const Heights h = heights(query, i, j); !h.apart()) add_touches(query, i, j, h, touches);
     return false;
   });
   add_thin_touches(query, touches);
-  std::sort(touches.begin(), touches.end());
-  touches.erase(std::unique(touches.begin(), touches.end()), touches.end());
+  sort_unique(touches);
   return touches;
+}
+
+/// A vertex of one solid strictly inside the other one, found by doubles alone: a "no" says nothing.
+bool Collision::vertices_inside(const Query& query) const {
+  return std::any_of(samples_[0].begin(), samples_[0].end(),
+                     [&](std::uint32_t v) { return surely_inside(query, Way::Of::q, v); }) ||
+         std::any_of(samples_[1].begin(), samples_[1].end(),
+                     [&](std::uint32_t v) { return surely_inside(query, Way::Of::p, v); });
+}
+
+/// x - v strictly inside the solid parts of the given operand.
+bool Collision::surely_inside(const Query& query, Way::Of of, std::uint32_t v) const {
+  const bool in_p = of == Way::Of::p;
+  const SolidOperand& solid = in_p ? p_ : q_;
+  const std::vector<Vec3>&at = in_p ? space_.p() : space_.q(), &others = in_p ? space_.q() : space_.p();
+  const Vec3 point = query.at.at - others[v];
+  const double margin = query.at.radius + 4 * space_.sum_radius() + space_.span() * 0x1p-44;
+  Box ray;
+  ray.add(point);
+  ray.grow(2 * margin);
+  ray.high.z = 1e300;
+  bool inside = false, known = true;
+  (in_p ? p_tree_ : q_tree_).for_each(ray, [&](std::uint32_t j) {
+    if (!known || j >= solid.first_plate) return;
+    const Triangle& t = solid.triangles[j];
+    const int pass = passes_upward(point, at[t[0]], at[t[1]], at[t[2]], margin);
+    known = pass >= 0;
+    inside ^= pass == 1;
+  });
+  return known && inside;
 }
 
 namespace {
 
-bool apart(const int (&s)[3]) { return (s[0] > 0 && s[1] > 0 && s[2] > 0) || (s[0] < 0 && s[1] < 0 && s[2] < 0); }
 bool flush(const int (&s)[3]) { return s[0] * s[1] >= 0 && s[1] * s[2] >= 0 && s[2] * s[0] >= 0; }
 
 }  // namespace
 
-/// Whether an edge of one triangle crosses the inside of the other.
 bool Collision::pierced(const Query& query, std::uint32_t i, std::uint32_t j) const {
-  int sa[3], sc[3];
-  heights(query, i, j, sa, sc);
-  if (apart(sc) || apart(sa) || (flush(sa) && flush(sc))) return false;
+  const Heights h = heights(query, i, j);
+  return !h.apart() && pierced(query, i, j, h);
+}
+
+/// Whether an edge of one triangle crosses the inside of the other.
+bool Collision::pierced(const Query& query, std::uint32_t i, std::uint32_t j, const Heights& h) const {
+  const auto &sa = h.a, &sc = h.c;
+  if (flush(sa) && flush(sc)) return false;
   const Triangle &a = p_.triangles[i], &c = q_.triangles[j];
   const std::vector<Vec3>&p = space_.p(), &q = space_.q();
   // twist[k][l]: on which side of the line of c's border l the line of a's border k passes.
@@ -116,12 +171,10 @@ bool Collision::pierced(const Query& query, std::uint32_t i, std::uint32_t j) co
 }
 
 /// Where two triangles touch: corners of one on the other, and edges on edges.
-void Collision::add_touches(const Query& query, std::uint32_t i, std::uint32_t j, std::vector<Touch>& touches) const {
-  int sa[3], sc[3];
-  heights(query, i, j, sa, sc);
-  if (apart(sc) || apart(sa)) return;
-  touch_vertices(query, i, j, sa, sc, touches);
-  touch_edges(query, i, j, touches);
+void Collision::add_touches(const Query& query, std::uint32_t i, std::uint32_t j, const Heights& h,
+                            std::vector<Touch>& touches) const {
+  touch_vertices(query, i, j, h, touches);
+  touch_edges(query, i, j, h, touches);
 }
 
 /// Where a vertex of the other operand lies on a triangle, in whose plane it is: seen along an axis across that plane,
@@ -154,24 +207,36 @@ std::optional<Feature> Collision::place(const Query& query, Way::Of of, std::uin
   return std::nullopt;
 }
 
-void Collision::touch_vertices(const Query& query, std::uint32_t i, std::uint32_t j, const int (&sa)[3],
-                               const int (&sc)[3], std::vector<Touch>& touches) const {
+void Collision::touch_vertices(const Query& query, std::uint32_t i, std::uint32_t j, const Heights& h,
+                               std::vector<Touch>& touches) const {
   const Triangle &a = p_.triangles[i], &c = q_.triangles[j];
   for (int k = 0; k < 3; ++k) {
-    if (sa[k] == 0) {
+    if (h.a[k] == 0) {
       if (const auto f = place(query, Way::Of::q, j, a[k])) touches.push_back({{Feature::Kind::vertex, a[k]}, *f});
     }
-    if (sc[k] == 0) {
+    if (h.c[k] == 0) {
       if (const auto f = place(query, Way::Of::p, i, c[k])) touches.push_back({*f, {Feature::Kind::vertex, c[k]}});
     }
   }
 }
 
-void Collision::touch_edges(const Query& query, std::uint32_t i, std::uint32_t j, std::vector<Touch>& touches) const {
+void Collision::touch_edges(const Query& query, std::uint32_t i, std::uint32_t j, const Heights& h,
+                            std::vector<Touch>& touches) const {
   const Triangle &a = p_.triangles[i], &c = q_.triangles[j];
   const std::vector<Vec3>&p = space_.p(), &q = space_.q();
+  // Where an edge runs along a face nothing changes at edges inside that face, before it comes to the face's border or
+  // ends. Edges on one side of the other triangle's plane do not meet it.
+  const auto is_inner = [](const SolidOperand& solid, std::uint32_t side) {
+    return side / 3 < solid.first_plate && solid.wedges[solid.wedge_of[side]].bend == Wedge::Bend::flat;
+  };
   for (std::uint32_t k = 0; k < 3; ++k) {
+    const int a_from = h.a[k], a_to = h.a[(k + 1) % 3];
+    if (a_from * a_to > 0) continue;
     for (std::uint32_t l = 0; l < 3; ++l) {
+      const int c_from = h.c[l], c_to = h.c[(l + 1) % 3];
+      if (c_from * c_to > 0 || (c_from == 0 && c_to == 0 && is_inner(p_, 3 * i + k)) ||
+          (a_from == 0 && a_to == 0 && is_inner(q_, 3 * j + l)))
+        continue;
       const std::uint32_t e0 = a[k], e1 = a[(k + 1) % 3], g0 = c[l], g1 = c[(l + 1) % 3];
       const Way e{Way::Of::p, e0, e1}, g{Way::Of::q, g0, g1};
       const int axis = axis_across(space_, e, g);

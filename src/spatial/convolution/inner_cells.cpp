@@ -24,29 +24,29 @@ int flattest(Vec3 p, Vec3 q) {
   return static_cast<int>(std::min_element(across, across + 3) - across);
 }
 
-/// Whether the upward ray from a point passes through a triangle: 1 yes, 0 no, -1 not known.
-int passes(Vec3 from, Vec3 a, Vec3 b, Vec3 c, double margin) {
+}  // namespace
+
+int passes_upward(Vec3 from, Vec3 a, Vec3 b, Vec3 c, double margin) {
   const Box box = box_around(a, b, c);
   if (from.x < box.low.x - margin || from.x > box.high.x + margin || from.y < box.low.y - margin ||
       from.y > box.high.y + margin || from.z > box.high.z + margin)
     return 0;
   const auto side = [&](Vec3 u, Vec3 v) {
     const double d = (v.x - u.x) * (from.y - u.y) - (v.y - u.y) * (from.x - u.x);
-    const double error = margin * 8 * (std::abs(v.x - u.x) + std::abs(v.y - u.y) + margin);
+    const double error =
+        margin * 8 *
+        (std::abs(v.x - u.x) + std::abs(v.y - u.y) + std::abs(from.x - u.x) + std::abs(from.y - u.y) + margin);
     return d > error ? 1 : d < -error ? -1 : 0;
   };
   const int s = side(a, b), t = side(b, c), u = side(c, a);
   const bool left = s > 0 || t > 0 || u > 0, right = s < 0 || t < 0 || u < 0;
   if (left && right) return 0;
-  // The point's box touches no triangle, so that it is above or below where it is inside the projection.
   if (s == 0 || t == 0 || u == 0) return -1;
   const double h = dot(cross(b - a, c - a), from - a) * s;
-  const double error = 64 * margin * (direction_norm(b - a) + direction_norm(c - a)) *
-                       (direction_norm(from - a) + direction_norm(b - a));
+  const double error = 64 * margin * (direction_norm(b - a) + direction_norm(c - a) + margin) *
+                       (direction_norm(from - a) + direction_norm(b - a) + margin);
   return h < -error ? 1 : h > error ? 0 : -1;
 }
-
-}  // namespace
 
 InnerCells::InnerCells(const SumSpace& space, const SolidOperand& p, const SolidOperand& q, int across,
                        StageWatch& watch)
@@ -153,7 +153,7 @@ void InnerCells::fill(Lattice& lattice, const SolidOperand& solid, const std::ve
                       lattice.low.z + (cell[2] + 0.5) * step_.z};
     bool inside = false, known = true;
     for (const Triangle& t : solid.triangles) {
-      const int pass = passes(centre, at[t[0]], at[t[1]], at[t[2]], margin_);
+      const int pass = passes_upward(centre, at[t[0]], at[t[1]], at[t[2]], margin_);
       known = known && pass >= 0;
       if (!known) break;
       inside ^= pass == 1;

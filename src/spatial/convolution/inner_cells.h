@@ -11,6 +11,11 @@
 
 namespace dymsum::spatial {
 
+/// Whether the upward ray from a point passes through a triangle: 1 yes, 0 no, -1 not known, as for points on it. The
+/// answer holds for exact coordinates of which those of the point and of a corner are off by `margin` together at most;
+/// that is 2^-44 of all coordinates or more.
+int passes_upward(Vec3 from, Vec3 a, Vec3 b, Vec3 c, double margin);
+
 /// A lattice of boxes over each operand, of one shape: those that lie inside. An open box of P plus an open box of Q is
 /// an open box, twice as wide, of the open sum; the union of these holds most of what is deep inside. All by doubles
 /// with a margin: what it holds is a proof, the rest says nothing.

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "exact/orient3.h"
+#include "spatial/convolution/flat_vertices.h"
 #include "spatial/convolution/thin_parts.h"
 
 namespace dymsum::spatial {
@@ -175,6 +176,26 @@ void add_shells(SolidOperand& solid) {
   for (std::uint32_t t = 0; t < parent.size(); ++t) solid.shell.push_back(index[root(t)]);
 }
 
+void add_surface(SolidOperand& solid, Triangles surface) {
+  solid.triangles = std::move(surface.triangles);
+  solid.face = std::move(surface.face);
+  solid.wedges.clear();
+  add_wedges(solid);
+  solid.wedge_of = wedge_of_side(solid);
+}
+
+bool has_flat_edges(const SolidOperand& solid) {
+  return std::any_of(solid.wedges.begin(), solid.wedges.end(), [](const Wedge& w) { return w.bend == Bend::flat; });
+}
+
+std::vector<bool> vertices_of_thin_faces(const MeshData& data, const std::vector<bool>& thin) {
+  std::vector<bool> marked;
+  if (!thin.empty()) marked.resize(data.vertices.size());
+  for (std::size_t f = 0; f < thin.size(); ++f)
+    for (std::size_t k = 0; thin[f] && k < data.faces[f].size(); ++k) marked[data.faces[f][k]] = true;
+  return marked;
+}
+
 void add_corners(SolidOperand& solid) {
   solid.corner_begin.assign(solid.vertices.size() + 1, 0);
   for (const Triangle& t : solid.triangles)
@@ -264,15 +285,17 @@ std::vector<std::uint32_t> extreme_rays(const std::vector<Point3>& v, std::uint3
   return {};
 }
 
-SolidOperand solid_operand(const MeshData& data, const std::vector<bool>& thin) {
+SolidOperand solid_operand(const MeshData& data, const std::vector<bool>& thin, FlatFeatures flat) {
   SolidOperand solid;
   solid.vertices = data.vertices;
-  Triangles split = solid_triangles(data, thin);
-  solid.triangles = std::move(split.triangles);
-  solid.face = std::move(split.face);
+  add_surface(solid, solid_triangles(data, thin));
+  if (flat == FlatFeatures::merged && has_flat_edges(solid)) {
+    Triangles surface{std::move(solid.triangles), std::move(solid.face)};
+    surface = without_flat_vertices(solid.vertices, std::move(surface), solid.wedges, solid.wedge_of,
+                                    vertices_of_thin_faces(data, thin));
+    add_surface(solid, std::move(surface));
+  }
   solid.first_plate = static_cast<std::uint32_t>(solid.triangles.size());
-  add_wedges(solid);
-  solid.wedge_of = wedge_of_side(solid);
   for_each_fan(solid, solid.wedge_of, [&](const Fan& fan) { add_cone(solid, fan); });
   add_shells(solid);
   if (!thin.empty()) add_thin_parts(solid, data, thin);

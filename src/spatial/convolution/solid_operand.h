@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "dymsum/convex_sum.h"
 #include "dymsum/mesh.h"
 #include "spatial/mesh/triangulate.h"
 
@@ -59,13 +60,15 @@ struct SolidOperand {
 };
 
 /// Requires triangles whose edges pair up into wedges all around: a closed, oriented surface that does not cross
-/// itself, but for the faces that `thin` marks (none where it is empty). Exact. O(n log n) for bounded degrees, O(k^2)
-/// at a vertex with k edges, some of them reflex.
-SolidOperand solid_operand(const MeshData& data, const std::vector<bool>& thin = {});
+/// itself, but for the faces that `thin` marks (none where it is empty). `flat` tells of solid parts whether vertices
+/// in the middle of faces and straight edges are left out; faces in one plane then are named by the smallest of them.
+/// Exact. O(n log n) for bounded degrees, O(k^2) at a vertex with k edges, some of them reflex.
+SolidOperand solid_operand(const MeshData& data, const std::vector<bool>& thin = {},
+                           FlatFeatures flat = FlatFeatures::merged);
 
 /// The extreme rays of the cone that the directions from a vertex to its neighbours span, as positions among these, in
-/// order around it, the first of those to one neighbour; none where the cone is not pointed, or flat. Requires different
-/// directions of different neighbours. O(k^2).
+/// order around it, the first of those to one neighbour; none where the cone is not pointed, or flat. Requires
+/// different directions of different neighbours. O(k^2).
 std::vector<std::uint32_t> extreme_rays(const std::vector<Point3>& vertices, std::uint32_t vertex,
                                         std::span<const std::uint32_t> neighbours);
 

@@ -39,8 +39,9 @@ class Judge {
     result_.cells.assign(cells_.cells.size(), SliceState::outside);
     std::vector<bool> behind(cells_.cells.size());
     for (const CellEdge& e : cells_.edges) {
+      // Pieces of one line bear the name of one of its cuts: others of it need not cross the plane there.
       const int side = line(e).side;
-      if (side == 0) continue;
+      if (side == 0 || !line(e).alone) continue;
       // The cut's normal points to the right of n x n_cut.
       const std::uint32_t back = (side > 0) == e.along ? e.left : e.right;
       if (back != kNoId) behind[back] = true;

@@ -89,44 +89,54 @@ std::optional<SolidContact> FeaturePairs::of_point(PointId at) const {
   return std::nullopt;
 }
 
-std::vector<SolidContact> FeaturePairs::of_facets_at(std::span<const PointId> points) const {
-  const Approx& first = arrangement_.points.approx(points[0]);
+std::vector<SolidContact> FeaturePairs::of_facets_along(PointId at, PointId to) const {
+  const Approx& first = arrangement_.points.approx(at);
   Box box;
   box.add(first.at);
   box.grow(first.radius + space_.span() * 0x1p-50);
   std::vector<SolidContact> contacts;
   facets_.for_each(box, [&](std::uint32_t f) {
     const TableFacet& facet = boundary_.table.facets[f];
-    if (std::all_of(points.begin(), points.end(), [&](PointId at) { return holds(facet, at); }))
-      contacts.push_back(features(facet.facet));
+    if (is_on(facet, at) && is_on(facet, to) && holds_start(facet, at, to)) contacts.push_back(features(facet.facet));
   });
   std::sort(contacts.begin(), contacts.end());
   contacts.erase(std::unique(contacts.begin(), contacts.end()), contacts.end());
   return contacts;
 }
 
-/// Whether the convex facet covers the cell: all corners of the cell lie on or within its borders.
+/// Whether the convex facet covers the cell near the beginning of its first side. Cells end at borders, so it covers
+/// all of it, or other triangles of one face do that go on behind inner edges.
 bool FeaturePairs::covers(const TableFacet& facet, const PlaneGroup& group, const Cell& cell) const {
   if (group.facets.size() == 1) return true;
-  for (std::uint32_t k = group.cells.loops[cell.first_loop]; k < group.cells.loops[cell.first_loop + 1]; ++k) {
-    const std::uint32_t h = group.cells.half_edges[k];
-    const CellEdge& e = group.cells.edges[h / 2];
-    const PointId at = arrangement_.point(group, h & 1 ? e.b : e.a);
-    for (int i = 0; i < facet.facet.corners; ++i)
-      if (!inside_border(facet, i, at)) return false;
+  const std::uint32_t h = group.cells.half_edges[group.cells.loops[cell.first_loop]];
+  const CellEdge& e = group.cells.edges[h / 2];
+  const PointId from = arrangement_.point(group, h & 1 ? e.b : e.a), to = arrangement_.point(group, h & 1 ? e.a : e.b);
+  if (!holds_start(facet, from, to)) return false;
+  // The cell is to the left seen against the plane's normal, the facet to the left of its borders against its own.
+  for (int i = 0; i < facet.facet.corners; ++i) {
+    if (side_of_border(facet, i, from) != 0 || side_of_border(facet, i, to) != 0) continue;
+    const SumPoint a = facet.facet.corner[i], b = facet.facet.corner[(i + 1) % facet.facet.corners];
+    if (runs_with(a, b, from, to) != (facet.side > 0)) return false;
   }
   return true;
 }
 
-bool FeaturePairs::holds(const TableFacet& facet, PointId at) const {
-  if (space_.side(facet.plane, arrangement_.points.source(at), arrangement_.points.approx(at)) != 0) return false;
-  for (int i = 0; i < facet.facet.corners; ++i)
-    if (!inside_border(facet, i, at)) return false;
+/// Whether a facet holds a point of its plane and what is near it on the way to another one there.
+bool FeaturePairs::holds_start(const TableFacet& facet, PointId at, PointId to) const {
+  for (int i = 0; i < facet.facet.corners; ++i) {
+    const int here = side_of_border(facet, i, at);
+    if (here < 0 || (here == 0 && at != to && side_of_border(facet, i, to) < 0)) return false;
+  }
   return true;
 }
 
-/// Left of the border or on it, seen against the facet's normal; requires a point in the facet's plane.
-bool FeaturePairs::inside_border(const TableFacet& facet, int border, PointId at) const {
+bool FeaturePairs::is_on(const TableFacet& facet, PointId at) const {
+  return space_.side(facet.plane, arrangement_.points.source(at), arrangement_.points.approx(at)) == 0;
+}
+
+/// 1 to the left of the border, 0 on its line, -1 to the right, seen against the facet's normal; requires a point in
+/// the facet's plane.
+int FeaturePairs::side_of_border(const TableFacet& facet, int border, PointId at) const {
   const int n = facet.facet.corners;
   const SumPoint a = facet.facet.corner[border], b = facet.facet.corner[(border + 1) % n];
   const Vec3 normal = static_cast<double>(facet.side) * space_.plane(facet.plane).n;
@@ -135,12 +145,12 @@ bool FeaturePairs::inside_border(const TableFacet& facet, int border, PointId at
   const double v = dot(normal, cross(d, p.at - from));
   const double size = std::abs(d.x) + std::abs(d.y) + std::abs(d.z) + 4 * space_.sum_radius();
   const double error = size * (space_.span() * 0x1p-46 + 4 * p.radius + 16 * space_.sum_radius());
-  if (v > error) return true;
-  if (v < -error) return false;
-  return exactly_inside(facet, a, b, at);
+  if (v > error) return 1;
+  if (v < -error) return -1;
+  return exact_side_of_border(facet, a, b, at);
 }
 
-bool FeaturePairs::exactly_inside(const TableFacet& facet, SumPoint a, SumPoint b, PointId at) const {
+int FeaturePairs::exact_side_of_border(const TableFacet& facet, SumPoint a, SumPoint b, PointId at) const {
   const auto coordinate = [&](SumPoint s, int axis) {
     return space_.exact_coordinate({PointSource::Kind::sum, s.p, s.q, 0}, axis);
   };
@@ -153,8 +163,17 @@ bool FeaturePairs::exactly_inside(const TableFacet& facet, SumPoint a, SumPoint 
     const int up = space_.exact_normal(facet.plane, axis) * facet.side;
     if (up == 0) continue;
     const int i = (axis + 1) % 3, j = (axis + 2) % 3;
-    return BigRational(d[i] * w[j] - d[j] * w[i]).sign() * up >= 0;
+    return BigRational(d[i] * w[j] - d[j] * w[i]).sign() * up;
   }
+  throw std::logic_error("solid sum: a plane without a normal");
+}
+
+/// Whether two parallel ways have one direction.
+bool FeaturePairs::runs_with(SumPoint a, SumPoint b, PointId from, PointId to) const {
+  const auto source = [](SumPoint s) { return PointSource{PointSource::Kind::sum, s.p, s.q, 0}; };
+  for (int axis = 0; axis < 3; ++axis)
+    if (const int s = space_.exact_order(source(a), source(b), axis))
+      return s == space_.exact_order(arrangement_.points.source(from), arrangement_.points.source(to), axis);
   return false;
 }
 

@@ -25,14 +25,18 @@ class FeaturePairs {
   std::optional<SolidContact> of_edge(PointId a, PointId b) const;
   /// Two vertices with that sum, or an edge and a vertex; none where three faces cross.
   std::optional<SolidContact> of_point(PointId at) const;
-  /// Of all facets that hold these points, sorted. O(log n + k) for k facets near the first one.
-  std::vector<SolidContact> of_facets_at(std::span<const PointId> points) const;
+  /// Of all facets that hold a point, and what is near it on the way to another one, sorted. O(log n + k) for k facets
+  /// near the point.
+  std::vector<SolidContact> of_facets_at(PointId at) const { return of_facets_along(at, at); }
+  std::vector<SolidContact> of_facets_along(PointId at, PointId to) const;
 
  private:
   bool covers(const TableFacet& facet, const PlaneGroup& group, const Cell& cell) const;
-  bool holds(const TableFacet& facet, PointId at) const;
-  bool inside_border(const TableFacet& facet, int border, PointId at) const;
-  bool exactly_inside(const TableFacet& facet, SumPoint a, SumPoint b, PointId at) const;
+  bool holds_start(const TableFacet& facet, PointId at, PointId to) const;
+  bool is_on(const TableFacet& facet, PointId at) const;
+  int side_of_border(const TableFacet& facet, int border, PointId at) const;
+  int exact_side_of_border(const TableFacet& facet, SumPoint a, SumPoint b, PointId at) const;
+  bool runs_with(SumPoint a, SumPoint b, PointId from, PointId to) const;
   bool is_named_by(PointId at, EdgeId edge) const;
   bool runs_along(const SumEdge& edge, PointId from, PointId to) const;
   SolidContact features(const SumFacet& facet) const { return features_of(facet, p_, q_); }

@@ -102,6 +102,7 @@ SolidBoundary solid_boundary(const SolidOperand& p, const SolidOperand& q, const
   stats.inner_facets = drop_inner(convolution, inner, watch);
   watch.hold(convolution.facets.size() * kBytesPerTableFacet);
   result.table = facet_table(*result.space, convolution, watch);
+  if (fast) find_inner_edges(*result.space, p, q, result.table);
   base::free_memory(convolution.facets, convolution.planes);
   watch.begin("contacts");
   Contacts contacts = find_contacts(*result.space, result.table, watch);

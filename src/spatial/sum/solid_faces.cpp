@@ -196,7 +196,7 @@ class Assembler {
     for (const TightLine& line : lines) {
       const std::uint32_t from = name_[line.from], to = name_[line.to];
       const auto piece = boundary_.tight.segments[from < to ? line.first : line.last];
-      entries.push_back({{std::min(from, to), std::max(from, to)}, pairs_.of_facets_at(piece)});
+      entries.push_back({{std::min(from, to), std::max(from, to)}, pairs_.of_facets_along(piece[0], piece[1])});
     }
     std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.ends < b.ends; });
     for (Entry& entry : entries) {
@@ -209,7 +209,7 @@ class Assembler {
     for (const PointId p : boundary_.tight.points) sum_.tight_points.push_back(name_[p]);
     std::sort(sum_.tight_points.begin(), sum_.tight_points.end());
     for (const std::uint32_t v : sum_.tight_points)
-      sum_.tight_point_contacts.push_back(pairs_.of_facets_at(std::array{point_of_[v]}));
+      sum_.tight_point_contacts.push_back(pairs_.of_facets_at(point_of_[v]));
   }
 
   static constexpr std::size_t kPart = 64;

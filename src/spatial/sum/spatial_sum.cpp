@@ -29,11 +29,17 @@ Error too_large(const SpatialOptions& options, const char* what, std::uint64_t b
       {}};
 }
 
+/// The reference takes operands as they are.
+FlatFeatures flat_features(const SpatialOptions& options) {
+  return options.engine == SpatialEngine::brute ? FlatFeatures::kept : FlatFeatures::merged;
+}
+
 Result<SpatialSum> sum_of_pair(const MeshData& p, const std::vector<bool>& thin_p, const MeshData& q,
                                const std::vector<bool>& thin_q, const SpatialOptions& options) {
   spatial::SolidOperand operands[2];
   base::parallel_parts(2, options.threads, [&](std::size_t k) {
-    operands[k] = k == 0 ? spatial::solid_operand(p, thin_p) : spatial::solid_operand(q, thin_q);
+    operands[k] = k == 0 ? spatial::solid_operand(p, thin_p, flat_features(options))
+                         : spatial::solid_operand(q, thin_q, flat_features(options));
   });
   return spatial::sum_of_operands(operands[0], operands[1], options);
 }
