@@ -166,7 +166,7 @@ inline std::size_t tight_at(const CspaceObstacle& c, double theta) {
   return n;
 }
 
-constexpr std::uint64_t kShareOfSeeds = oracles::kSanitized ? 3 : 1;
+inline const std::uint64_t kShareOfSeeds = oracles::kSanitized ? 3 : 1;
 
 // DYMSUM_FUZZ_OBSTACLES times the usual number of seeds; DYMSUM_SEED replays one.
 template <class F>
