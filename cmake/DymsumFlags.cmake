@@ -30,6 +30,12 @@ function(dymsum_set_flags target)
   endif()
 endfunction()
 
+# A target of any build under sanitizers: with what the preset debug has, its checks of contracts (assert) as well.
+function(dymsum_sanitize target)
+  target_compile_options(${target} PRIVATE -O1 -g1 -UNDEBUG ${DYMSUM_SANITIZE_FLAGS})
+  target_link_options(${target} PUBLIC ${DYMSUM_SANITIZE_FLAGS})
+endfunction()
+
 # Reads HEADERs once for all files of a target. GCC 12's optimiser then warns of overflows that cannot happen, in strings and
 # vectors of the standard library: that their headers are the system's is forgotten in a precompiled header.
 function(dymsum_precompile target)

@@ -2,30 +2,9 @@
 #include <dymsum/dymsum.h>
 #include <iostream>
 
-namespace {
-
-/// A ring of the plane, from z = 0 to `height`.
-dymsum::Mesh prism(const dymsum::Ring& ring, double height) {
-  dymsum::MeshData data;
-  const auto n = static_cast<std::uint32_t>(ring.size());
-  for (const double z : {0.0, height})
-    for (const dymsum::Point& p : ring) data.vertices.push_back({p.x, p.y, z});
-  dymsum::Face bottom, top;
-  for (std::uint32_t k = 0; k < n; ++k) {
-    bottom.insert(bottom.begin(), k);
-    top.push_back(n + k);
-    data.faces.push_back({k, (k + 1) % n, n + (k + 1) % n, n + k});
-  }
-  data.faces.push_back(bottom);
-  data.faces.push_back(top);
-  return dymsum::Mesh::create(data).value();
-}
-
-}  // namespace
-
 int main() {
   using namespace dymsum;
-  const Mesh channel = prism(shapes::letter_u(4, 4, 1).parts().front().outer, 5);  // its groove is 2 wide
+  const Mesh channel = solids::prism(shapes::letter_u(4, 4, 1).parts().front().outer, 5);  // its groove is 2 wide
   const Mesh bar = solids::box(0, 0, 0, 2, 1, 1);
   const SpatialSum sum = minkowski_sum(channel, negated(bar)).value();  // where the bar hits the channel
   std::cout << sum.faces.size() << " faces, " << sum.shells << " shell, volume " << sum.volume_exact().to_string()

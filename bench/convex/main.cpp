@@ -3,17 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <exception>
-#include <filesystem>
-#include <fstream>
-#include <iomanip>
-#include <iostream>
-#include <map>
 #include <sstream>
+#include <stdexcept>
 
 #include "convex/criticality.h"
 #include "convex/measure.h"
 #include "convex/thesis.h"
+#include "page.h"
 #include "scaling/scatter.h"
 
 namespace dymsum::bench {
@@ -30,22 +26,11 @@ struct Options {
   bool wants(const std::string& name) const { return part.empty() || part == name; }
 };
 
-std::string fixed(double v, int digits = 2) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(digits) << v;
-  return text.str();
-}
-std::string ratio(double a, double b) { return a > 0 && b > 0 ? fixed(a / b, a / b < 10 ? 1 : 0) : "-"; }
+using bench::fixed;
+using bench::ratio;
+std::string fixed(double v) { return fixed(v, 2); }
+std::string ratio(double a, double b) { return ratio(a, b, 1); }
 std::string thesis_value(double v) { return v > 0 ? fixed(v) : "-"; }
-
-class Report {
- public:
-  void line(const std::string& text) {
-    std::cout << text << std::endl;
-    markdown << text << "\n";
-  }
-  std::ostringstream markdown, csv;
-};
 
 double geometric_mean(const std::vector<double>& v) {
   double sum = 0;
@@ -282,10 +267,8 @@ int run(int argc, char** argv) {
   if (options.wants("depth")) depths(options, models, report);
   if (options.wants("nef")) nefs(options, models, report);
   if (options.wants("criticality")) criticality(options, models, report);
-  if (options.results.empty()) return 0;
-  std::filesystem::create_directories(options.results);
   const auto write = [&](const std::string& name, const std::string& text) {
-    std::ofstream(options.results + "/" + name) << text;
+    write_result(options.results, name, text);
   };
   write("convex.md", report.markdown.str());
   write("convex.csv",
@@ -303,11 +286,4 @@ int run(int argc, char** argv) {
 }  // namespace
 }  // namespace dymsum::bench
 
-int main(int argc, char** argv) {
-  try {
-    return dymsum::bench::run(argc, argv);
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << "\n";
-    return 1;
-  }
-}
+int main(int argc, char** argv) { return dymsum::bench::guarded(dymsum::bench::run, argc, argv); }

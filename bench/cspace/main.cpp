@@ -1,9 +1,7 @@
 // dymsum_bench_cspace: obstacles of all orientations against slices at 360 of them, by our static engine and by CGAL;
 // tables 4.1 to 4.3 and figure 4.4 of the thesis.
 #include <cstring>
-#include <exception>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <stdexcept>
 
@@ -39,6 +37,7 @@ void opening(Report& report, const std::string& data) {
       "together unless they are called wall time. Values of the thesis, on its 2.13 GHz machine, are in "
       "brackets. P is the robot, which turns; Q the obstacle.");
   if (data.empty()) report.line("\nNo data folder (DYMSUM_DATA): generated shapes stand in for dog, bird and star.");
+  report.csv.precision(12);
   report.csv << "kind,pair,measure,value\n";
 }
 
@@ -144,7 +143,7 @@ void write_figures(const Options& options, const std::vector<TurningPair>& pairs
     for (const TurningPair& pair : pairs) {
       if (pair.name != name) continue;
       const CspaceObstacle obstacle = CspaceObstacle::create(pair.robot, pair.obstacle).value();
-      std::ofstream(options.results + "/" + file) << draw_obstacle(obstacle, pair.name + ": " + pair.shapes);
+      write_result(options.results, file, draw_obstacle(obstacle, pair.name + ": " + pair.shapes));
     }
 }
 
@@ -194,26 +193,18 @@ int run(int argc, char** argv) {
   opening(report, options.data);
   measure_all(report, options, pairs);
   if (options.results.empty()) return 0;
-  std::filesystem::create_directories(options.results);
   if (options.wants("figure")) {
     write_figures(options, pairs);
     report.line(
         "\n## Figure 4.4\n\n![The obstacle of grate1/grate2](figure-4.4.svg)\n\n"
         "![The obstacle of the crossing grates](figure-4.4-grates.svg)");
   }
-  std::ofstream(options.results + "/cspace.md") << report.markdown.str();
-  std::ofstream(options.results + "/cspace.csv") << report.csv.str();
+  write_result(options.results, "cspace.md", report.markdown.str());
+  write_result(options.results, "cspace.csv", report.csv.str());
   return 0;
 }
 
 }  // namespace
 }  // namespace dymsum::bench
 
-int main(int argc, char** argv) {
-  try {
-    return dymsum::bench::run(argc, argv);
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << "\n";
-    return 1;
-  }
-}
+int main(int argc, char** argv) { return dymsum::bench::guarded(dymsum::bench::run, argc, argv); }

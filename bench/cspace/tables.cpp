@@ -1,17 +1,10 @@
 #include "cspace/tables.h"
 
 #include <algorithm>
-#include <iomanip>
-#include <iostream>
 
 namespace dymsum::bench {
 namespace {
 
-std::string fixed(double v, int digits) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(digits) << v;
-  return text.str();
-}
 std::string ms(double v) { return fixed(v, v < 10 ? 2 : v < 100 ? 1 : 0); }
 std::string ratio(double a, double b) {
   return a > 0 && b > 0 ? fixed(a / b, a / b < 1 ? 2 : a / b < 10 ? 1 : 0) : "-";
@@ -29,24 +22,24 @@ std::string events(const ObstacleWork& w) {
 
 void csv_line(Report& report, const std::string& kind, const ObstacleRow& r) {
   const ObstacleWork& w = r.work;
-  report.values(kind, r.name,
-                {{"cpu_ms", r.cpu.median()},
-                 {"cpu_min_ms", r.cpu.min()},
-                 {"wall_ms", r.wall.median()},
-                 {"runs", r.cpu.ms.size()},
-                 {"surfaces", w.surfaces},
-                 {"patches", r.patches},
-                 {"shells", r.shells},
-                 {"free_cells", r.cells},
-                 {"angles", r.angles},
-                 {"alignments", w.alignments},
-                 {"vertex_events", w.vertex_events},
-                 {"triple_events", w.triple_events},
-                 {"tight_events", w.tight_events},
-                 {"local_updates", w.local_updates},
-                 {"whole_slices", w.slices},
-                 {"slabs_compared", r.slabs_compared},
-                 {"slabs_different", r.slabs_different}});
+  add_values(report, kind, r.name,
+             {{"cpu_ms", r.cpu.median()},
+              {"cpu_min_ms", r.cpu.min()},
+              {"wall_ms", r.wall.median()},
+              {"runs", r.cpu.ms.size()},
+              {"surfaces", w.surfaces},
+              {"patches", r.patches},
+              {"shells", r.shells},
+              {"free_cells", r.cells},
+              {"angles", r.angles},
+              {"alignments", w.alignments},
+              {"vertex_events", w.vertex_events},
+              {"triple_events", w.triple_events},
+              {"tight_events", w.tight_events},
+              {"local_updates", w.local_updates},
+              {"whole_slices", w.slices},
+              {"slabs_compared", r.slabs_compared},
+              {"slabs_different", r.slabs_different}});
 }
 
 template <class Row>
@@ -61,21 +54,8 @@ void verdict(Report& report, const std::string& promise, const std::string& meas
 
 }  // namespace
 
-void Report::line(const std::string& text) {
-  std::cout << text << std::endl;
-  markdown << text << "\n";
-}
-void Report::values(const std::string& kind, const std::string& pair, const std::vector<Value>& values) {
-  for (const Value& v : values) csv << kind << "," << pair << "," << v.name << "," << v.value << "\n";
-}
-void Report::row(const std::vector<std::string>& cells) {
-  std::string text = "|";
-  for (const std::string& cell : cells) text += " " + cell + " |";
-  line(text);
-}
-void Report::heading(const std::vector<std::string>& cells) {
-  row(cells);
-  row(std::vector<std::string>(cells.size(), "---"));
+void add_values(Report& report, const std::string& kind, const std::string& pair, const std::vector<Value>& values) {
+  for (const Value& v : values) report.csv << kind << "," << pair << "," << v.name << "," << v.value << "\n";
 }
 
 void obstacle_heading(Report& report) {
@@ -113,17 +93,17 @@ void slices_line(Report& report, const SlicesRow& r, const ObstacleRow& obstacle
               count(r.compared) + " (" + count(r.exact_areas) + " areas as fractions)",
               count(r.vertices_differ) + ", " + count(r.holes_differ) + ", " + count(r.area_differs),
               count(r.any_differs), r.asked > 0 ? count(r.confirmed) + " of " + count(r.asked) + " asked" : "-"});
-  report.values("slices", r.name,
-                {{"static_360_ms", r.ours_ms},
-                 {"static_3600_ms", r.fine_ms},
-                 {"static_3600_measured", r.fine_measured},
-                 {"cgal_360_ms", r.cgal_ms},
-                 {"cgal_measured", r.cgal_measured},
-                 {"compared", r.compared},
-                 {"vertices_differ", r.vertices_differ},
-                 {"holes_differ", r.holes_differ},
-                 {"area_differs", r.area_differs},
-                 {"any_differs", r.any_differs}});
+  add_values(report, "slices", r.name,
+             {{"static_360_ms", r.ours_ms},
+              {"static_3600_ms", r.fine_ms},
+              {"static_3600_measured", r.fine_measured},
+              {"cgal_360_ms", r.cgal_ms},
+              {"cgal_measured", r.cgal_measured},
+              {"compared", r.compared},
+              {"vertices_differ", r.vertices_differ},
+              {"holes_differ", r.holes_differ},
+              {"area_differs", r.area_differs},
+              {"any_differs", r.any_differs}});
 }
 
 void slices_remarks(Report& report, const std::vector<SlicesRow>& rows) {
@@ -145,12 +125,12 @@ void sizes_line(Report& report, const std::string& name, const ConvolutionCounts
   report.row({name, beside(c.complete, t.complete), beside(c.complete_crossings, t.complete_crossings),
               beside(c.reduced, t.reduced), beside(c.reduced_crossings, t.reduced_crossings), count(c.live_crossings),
               count(c.misjudged)});
-  report.values("sizes", name,
-                {{"complete", c.complete},
-                 {"complete_crossings", c.complete_crossings},
-                 {"reduced", c.reduced},
-                 {"reduced_crossings", c.reduced_crossings},
-                 {"computed_crossings", c.live_crossings}});
+  add_values(report, "sizes", name,
+             {{"complete", c.complete},
+              {"complete_crossings", c.complete_crossings},
+              {"reduced", c.reduced},
+              {"reduced_crossings", c.reduced_crossings},
+              {"computed_crossings", c.live_crossings}});
 }
 
 void symmetric_heading(Report& report) {
@@ -181,19 +161,19 @@ void rotation_line(Report& report, const RotationRow& r) {
               ratio(r.static_mean_ms, r.update_mean_ms), count(r.windows), us(r.window_ms), count(r.rebuilt),
               count(r.degenerate), fixed(r.pieces, 0) + ", " + fixed(r.pairs, 0), fixed(r.collision_tests, 2),
               fixed(r.vertices, 0), count(r.compared) + ", " + count(r.different)});
-  report.values("rotation_" + count(static_cast<std::uint64_t>(r.steps)), r.name,
-                {{"update_ms", r.update_ms},
-                 {"update_mean_ms", r.update_mean_ms},
-                 {"static_ms", r.static_ms},
-                 {"static_mean_ms", r.static_mean_ms},
-                 {"window_ms", r.window_ms},
-                 {"windows", r.windows},
-                 {"rebuilt", r.rebuilt},
-                 {"degenerate", r.degenerate},
-                 {"pieces", r.pieces},
-                 {"pairs", r.pairs},
-                 {"compared", r.compared},
-                 {"different", r.different}});
+  add_values(report, "rotation_" + count(static_cast<std::uint64_t>(r.steps)), r.name,
+             {{"update_ms", r.update_ms},
+              {"update_mean_ms", r.update_mean_ms},
+              {"static_ms", r.static_ms},
+              {"static_mean_ms", r.static_mean_ms},
+              {"window_ms", r.window_ms},
+              {"windows", r.windows},
+              {"rebuilt", r.rebuilt},
+              {"degenerate", r.degenerate},
+              {"pieces", r.pieces},
+              {"pairs", r.pairs},
+              {"compared", r.compared},
+              {"different", r.different}});
 }
 
 void promises(Report& report, const std::vector<ObstacleRow>& obstacles, const std::vector<SlicesRow>& slices,

@@ -1,7 +1,6 @@
 // The tables of the benchmark as markdown, on the screen and for the page.
 #pragma once
 
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -9,27 +8,18 @@
 #include "cspace/rotation.h"
 #include "cspace/sizes.h"
 #include "cspace/slices.h"
+#include "page.h"
 
 namespace dymsum::bench {
 
-class Report {
- public:
-  Report() { csv.precision(12); }
-  void line(const std::string& text);
-  void row(const std::vector<std::string>& cells);
-  void heading(const std::vector<std::string>& cells);
-
-  /// A number by name; counts are exact.
-  struct Value {
-    template <class Number>
-    Value(const char* what, Number number) : name(what), value(static_cast<double>(number)) {}
-    const char* name;
-    double value;
-  };
-  void values(const std::string& kind, const std::string& pair, const std::vector<Value>& values);
-
-  std::ostringstream markdown, csv;
+/// A number by name; counts are exact.
+struct Value {
+  template <class Number>
+  Value(const char* what, Number number) : name(what), value(static_cast<double>(number)) {}
+  const char* name;
+  double value;
 };
+void add_values(Report& report, const std::string& kind, const std::string& pair, const std::vector<Value>& values);
 
 /// Table 4.1.
 void obstacle_heading(Report& report);

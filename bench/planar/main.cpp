@@ -1,10 +1,10 @@
 // dymsum_bench_planar: our planar sums measured against CGAL and Clipper in one process.
 #include <algorithm>
-#include <cstring>
-#include <exception>
 #include <iostream>
+#include <stdexcept>
 #include <string>
 
+#include "page.h"
 #include "planar/growth.h"
 #include "planar/report.h"
 
@@ -28,24 +28,19 @@ constexpr const char* kUsage =
     "Environment: DYMSUM_DATA, a folder with planar/ and nesting/ (else ../shared/data beside the checkout, where "
     "present).\n";
 
-bool parse(int argc, char** argv, Options& options) {
+Options parse(int argc, char** argv) {
+  Options options;
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
-    if (word == "--demo") {
-      options.demo = true;
-    } else if (word == "--ours") {
-      options.ours = true;
-    } else if (word == "--growth") {
-      options.growth = true;
-    } else if (word == "--quick") {
-      options.quick = true;
-    } else if ((word == "--results" || word == "--only") && i + 1 < argc) {
-      (word == "--results" ? options.results : options.only) = argv[++i];
-    } else {
-      return false;
-    }
+    if (word == "--demo") options.demo = true;
+    else if (word == "--ours") options.ours = true;
+    else if (word == "--growth") options.growth = true;
+    else if (word == "--quick") options.quick = true;
+    else if (word == "--only" && i + 1 < argc) options.only = argv[++i];
+    else if (word == "--results" && i + 1 < argc) options.results = argv[++i];
+    else throw std::invalid_argument(kUsage);
   }
-  return true;
+  return options;
 }
 
 /// Seconds for each of the rivals other than CGAL's reduced convolution. The many small pairs get little: where the
@@ -60,7 +55,8 @@ double others_limit_s(const Pair& pair, const Options& options) {
 
 bool is_table(Group group) { return group == Group::swim || group == Group::shirts; }
 
-int run(const Options& options) {
+int run(int argc, char** argv) {
+  const Options options = parse(argc, argv);
   if (options.growth) {
     if (measure_growth(8000, options.results, std::cout)) return 0;
     std::cerr << "cannot write into " << options.results << "\n";
@@ -111,16 +107,4 @@ int run(const Options& options) {
 }  // namespace
 }  // namespace dymsum::bench
 
-int main(int argc, char** argv) {
-  dymsum::bench::Options options;
-  if (!dymsum::bench::parse(argc, argv, options)) {
-    std::cerr << dymsum::bench::kUsage;
-    return 1;
-  }
-  try {
-    return dymsum::bench::run(options);
-  } catch (const std::exception& problem) {
-    std::cerr << problem.what() << "\n";
-    return 3;
-  }
-}
+int main(int argc, char** argv) { return dymsum::bench::guarded(dymsum::bench::run, argc, argv); }

@@ -2,14 +2,9 @@
 // exactly at every frame.
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <exception>
-#include <filesystem>
-#include <fstream>
-#include <iomanip>
-#include <iostream>
-#include <sstream>
+#include <stdexcept>
 
+#include "page.h"
 #include "planar/pairs.h"
 #include "scaling/copies.h"
 #include "scaling/measure.h"
@@ -29,21 +24,10 @@ struct Options {
   std::string only, results;
 };
 
-std::string fixed(double v, int digits = 3) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(digits) << v;
-  return text.str();
-}
-std::string ratio(double a, double b) { return b > 0 && a > 0 ? fixed(a / b, a / b < 10 ? 2 : 0) : "-"; }
-
-class Report {
- public:
-  void line(const std::string& text) {
-    std::cout << text << std::endl;
-    markdown << text << "\n";
-  }
-  std::ostringstream markdown, csv;
-};
+using bench::fixed;
+using bench::ratio;
+std::string fixed(double v) { return fixed(v, 3); }
+std::string ratio(double a, double b) { return ratio(a, b, 2); }
 
 void frames_heading(Report& report) {
   report.line(
@@ -257,9 +241,8 @@ std::vector<double> mixed_steps() {
 }
 
 void write_results(Report& report, const Options& options, const std::vector<ScalingPair>& pairs) {
-  std::filesystem::create_directories(options.results);
   const auto write = [&](const std::string& name, const std::string& text) {
-    std::ofstream(options.results + "/" + name) << text;
+    write_result(options.results, name, text);
   };
   write("scaling.csv", report.csv.str());
   for (const ScalingPair& pair : pairs) {
@@ -274,7 +257,20 @@ void write_results(Report& report, const Options& options, const std::vector<Sca
   write("scaling.md", report.markdown.str());
 }
 
-int run(const Options& options) {
+Options parse(int argc, char** argv) {
+  Options options;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word == "--quick") options.quick = true;
+    else if (word == "--only" && i + 1 < argc) options.only = argv[++i];
+    else if (word == "--results" && i + 1 < argc) options.results = argv[++i];
+    else throw std::invalid_argument(kUsage);
+  }
+  return options;
+}
+
+int run(int argc, char** argv) {
+  const Options options = parse(argc, argv);
   Report report;
   const std::string data = data_folder();
   const std::vector<ScalingPair> pairs = frame_pairs(data);
@@ -291,23 +287,4 @@ int run(const Options& options) {
 }  // namespace
 }  // namespace dymsum::bench
 
-int main(int argc, char** argv) {
-  dymsum::bench::Options options;
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    if (word == "--quick") {
-      options.quick = true;
-    } else if ((word == "--only" || word == "--results") && i + 1 < argc) {
-      (word == "--only" ? options.only : options.results) = argv[++i];
-    } else {
-      std::cerr << dymsum::bench::kUsage;
-      return 1;
-    }
-  }
-  try {
-    return dymsum::bench::run(options);
-  } catch (const std::exception& error) {
-    std::cerr << "dymsum_bench_scaling: " << error.what() << "\n";
-    return 3;
-  }
-}
+int main(int argc, char** argv) { return dymsum::bench::guarded(dymsum::bench::run, argc, argv); }

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "dymsum/mesh_io.h"
+#include "dymsum/solids.h"
 
 namespace dymsum::bench {
 namespace {
@@ -242,15 +243,7 @@ MeshData cube(double half) {
   return mesh;
 }
 
-MeshData ell() {
-  MeshData mesh;
-  for (const double z : {0.0, 10.0})
-    for (const auto& [x, y] : {std::pair{0.0, 0.0}, {10.0, 0.0}, {10.0, 4.0}, {4.0, 4.0}, {4.0, 10.0}, {0.0, 10.0}})
-      mesh.vertices.push_back({x, y, z});
-  mesh.faces = {{5, 4, 3, 2, 1, 0}, {6, 7, 8, 9, 10, 11}};
-  for (std::uint32_t i = 0; i < 6; ++i) mesh.faces.push_back({i, (i + 1) % 6, 6 + (i + 1) % 6, 6 + i});
-  return mesh;
-}
+MeshData ell() { return solids::prism({{0, 0}, {10, 0}, {10, 4}, {4, 4}, {4, 10}, {0, 10}}, 10).data(); }
 
 MeshData tunnel() {
   MeshData mesh;

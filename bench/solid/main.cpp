@@ -1,14 +1,11 @@
 // dymsum_bench_solid: sums of solids of any shape, against CGAL's Nef polyhedra and Manifold.
 #include <cmath>
 #include <cstdlib>
-#include <cstring>
-#include <exception>
-#include <filesystem>
-#include <fstream>
 #include <iomanip>
 #include <iostream>
-#include <sstream>
+#include <stdexcept>
 
+#include "page.h"
 #include "solid/measure.h"
 
 namespace dymsum::bench {
@@ -31,21 +28,7 @@ struct Options {
   std::string only, results;
 };
 
-std::string fixed(double v, int digits) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(digits) << v;
-  return text.str();
-}
 std::string number(double v) { return fixed(v, v < 10 ? 2 : v < 100 ? 1 : 0); }
-
-class Report {
- public:
-  void line(const std::string& text) {
-    std::cout << text << std::endl;
-    markdown << text << "\n";
-  }
-  std::ostringstream markdown, csv;
-};
 
 std::string same_volume(const RivalAnswer& theirs, const Ours& ours) {
   return std::abs(theirs.area - ours.volume) <= 1e-6 * std::abs(ours.volume) ? "same"
@@ -218,12 +201,11 @@ std::string environment(const char* name, const std::string& otherwise) {
   return value != nullptr ? value : otherwise;
 }
 
-int run(const Options& options) {
+int run(int argc, char** argv) {
+  const Options options = parse(argc, argv);
   Report report;
   const auto write = [&](const std::string& name, const std::string& text) {
-    if (options.results.empty()) return;
-    std::filesystem::create_directories(options.results);
-    std::ofstream(options.results + "/" + name) << text;
+    write_result(options.results, name, text);
   };
   if (options.growth) {
     growth(report);
@@ -254,11 +236,4 @@ int run(const Options& options) {
 }  // namespace
 }  // namespace dymsum::bench
 
-int main(int argc, char** argv) {
-  try {
-    return dymsum::bench::run(dymsum::bench::parse(argc, argv));
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << "\n";
-    return 1;
-  }
-}
+int main(int argc, char** argv) { return dymsum::bench::guarded(dymsum::bench::run, argc, argv); }

@@ -1,4 +1,4 @@
-// CGAL's Nef_polyhedron_3 Minkowski sum, exact, as a witness for small pairs.
+// CGAL's Nef_polyhedron_3 Minkowski sum, exact, of closed operands.
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Nef_polyhedron_3.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -28,10 +28,18 @@ Nef nef_of(const std::vector<Point3>& vertices) {
   return Nef(hull);
 }
 
-}  // namespace
+Nef nef_of(const MeshData& mesh) {
+  Surface surface;
+  for (const Point3& v : mesh.vertices) surface.add_vertex(Kernel::Point_3(v.x, v.y, v.z));
+  for (const Face& f : mesh.faces) {
+    std::vector<Surface::Vertex_index> corners;
+    for (const std::uint32_t v : f) corners.push_back(Surface::Vertex_index(v));
+    surface.add_face(corners);
+  }
+  return Nef(surface);
+}
 
-NefAnswer cgal_nef_sum(const std::vector<Point3>& p, const std::vector<Point3>& q) {
-  Nef a = nef_of(p), b = nef_of(q);
+NefAnswer sum_of(Nef a, Nef b) {
   const double start = cpu_ms();
   const Nef sum = CGAL::minkowski_sum_3(a, b);
   NefAnswer answer;
@@ -42,5 +50,12 @@ NefAnswer cgal_nef_sum(const std::vector<Point3>& p, const std::vector<Point3>& 
   answer.volume = CGAL::to_double(CGAL::Polygon_mesh_processing::volume(mesh));
   return answer;
 }
+
+}  // namespace
+
+NefAnswer cgal_nef_sum(const std::vector<Point3>& p, const std::vector<Point3>& q) {
+  return sum_of(nef_of(p), nef_of(q));
+}
+NefAnswer cgal_nef_sum_of_solids(const MeshData& p, const MeshData& q) { return sum_of(nef_of(p), nef_of(q)); }
 
 }  // namespace dymsum::bench

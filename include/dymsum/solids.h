@@ -6,10 +6,12 @@
 #include <vector>
 
 #include "dymsum/mesh.h"
+#include "dymsum/region.h"
 
 namespace dymsum::solids {
 
 Mesh box(double x0, double y0, double z0, double x1, double y1, double z1);  ///< 6 quadrangles
+Mesh prism(const Ring& base, double height);  ///< over a simple counter-clockwise ring, from z = 0: 2 faces + its edges
 /// A cube of this size about the origin, every face split into k x k squares of two triangles: 12 k^2 triangles.
 Mesh tessellated_cube(double size, int k);
 Mesh cone(int sides, double radius, double height);       ///< triangles only: 2 sides - 2

@@ -7,7 +7,14 @@
 
 namespace dymsum {
 
-#ifndef __SANITIZE_ADDRESS__
+#ifdef __SANITIZE_ADDRESS__
+
+const std::size_t Scratch::kUsedAtFirst = kBuffer + 1;
+
+void* Scratch::take_block(std::size_t bytes) { return ::operator new(bytes); }
+void Scratch::give_block(void* pointer, std::size_t) { ::operator delete(pointer); }
+
+#else
 namespace {
 
 // Freed blocks by size class, the powers of two and the middles between them.
@@ -51,14 +58,8 @@ class Blocks {
 thread_local Blocks blocks;
 
 }  // namespace
-#endif
 
-#ifdef __SANITIZE_ADDRESS__
-
-void* Scratch::take_block(std::size_t bytes) { return ::operator new(bytes); }
-void Scratch::give_block(void* pointer, std::size_t) { ::operator delete(pointer); }
-
-#else
+const std::size_t Scratch::kUsedAtFirst = 0;
 
 void* Scratch::take_block(std::size_t bytes) { return blocks.take(bytes < 64 ? 64 : bytes); }
 void Scratch::give_block(void* pointer, std::size_t bytes) { blocks.give(pointer, bytes < 64 ? 64 : bytes); }

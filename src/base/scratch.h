@@ -39,21 +39,21 @@ class Scratch {
   }
 
  private:
-#ifdef __SANITIZE_ADDRESS__
-  // Every array an allocation of its own, so that the sanitizer sees its ends.
-  static constexpr std::size_t kBuffer = 16, kSmall = 0;
-#else
   // Arrays that grow leave gaps in the buffer, so only small ones go there.
   static constexpr std::size_t kBuffer = 48 << 10, kSmall = 8 << 10;
-#endif
   static constexpr std::size_t kAlign = alignof(std::max_align_t);
   static constexpr std::size_t rounded(std::size_t bytes) { return (bytes + kAlign - 1) & ~(kAlign - 1); }
 
   static void* take_block(std::size_t bytes);
   static void give_block(void* pointer, std::size_t bytes);
 
+  // What of the buffer is used before the first array: nothing, or in a library built with the address sanitizer more
+  // than all of it, so that every array is an allocation of its own and the sanitizer sees its ends. Not a constant of
+  // this header: a program may be built without the sanitizer and its library with it.
+  static const std::size_t kUsedAtFirst;
+
   alignas(kAlign) std::byte buffer_[kBuffer];
-  std::size_t used_ = 0;
+  std::size_t used_ = kUsedAtFirst;
   std::size_t held_ = 0, peak_ = 0;  // bytes handed out, now and at most
 };
 

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "dymsum/mesh_io.h"
+#include "io/refusal.h"
 
 namespace dymsum::io_test {
 
@@ -31,17 +32,7 @@ inline MeshData read_mesh_text(std::string_view text, MeshFormat format) {
 /// the evidence.
 inline Evidence expect_mesh_refused(std::string_view text, MeshFormat format, ErrorCode code, std::int64_t line,
                                     std::string_view words) {
-  const auto data = parse_mesh(text, format, "dir/test.file");
-  if (data) {
-    ADD_FAILURE() << "accepted:\n" << text.substr(0, 400);
-    return {};
-  }
-  const Error& error = data.error();
-  EXPECT_EQ(name(error.code), name(code)) << error.to_string() << "\n" << text.substr(0, 400);
-  EXPECT_EQ(error.evidence.file, "dir/test.file");
-  EXPECT_EQ(error.evidence.line.value_or(0), line) << error.to_string() << "\n" << text.substr(0, 400);
-  EXPECT_NE(error.message.find(words), std::string::npos) << error.to_string();
-  return error.evidence;
+  return expect_refusal(parse_mesh(text, format, kRefusedFile), text, code, line, words);
 }
 
 }  // namespace dymsum::io_test

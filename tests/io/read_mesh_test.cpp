@@ -75,10 +75,16 @@ TEST(ReadMesh, NumbersAreTheNearestDoubles) {
             expected);
 }
 
+/// expect_mesh_refused for one format.
+struct Refused {
+  MeshFormat format;
+  Evidence operator()(std::string_view text, ErrorCode code, std::int64_t line, std::string_view words) const {
+    return expect_mesh_refused(text, format, code, line, words);
+  }
+};
+
 TEST(ReadMesh, OffErrors) {
-  const auto refused = [](std::string_view text, ErrorCode code, std::int64_t line, std::string_view words) {
-    return expect_mesh_refused(text, MeshFormat::off, code, line, words);
-  };
+  const Refused refused{MeshFormat::off};
   refused("", ErrorCode::truncated, 1, "'OFF'");
   refused("PLY\n", ErrorCode::malformed, 1, "'PLY'");
   refused("4OFF\n1 1 1\n", ErrorCode::malformed, 1, "three-dimensional");
@@ -103,9 +109,7 @@ TEST(ReadMesh, OffErrors) {
 }
 
 TEST(ReadMesh, ObjErrors) {
-  const auto refused = [](std::string_view text, ErrorCode code, std::int64_t line, std::string_view words) {
-    return expect_mesh_refused(text, MeshFormat::obj, code, line, words);
-  };
+  const Refused refused{MeshFormat::obj};
   refused("v 0 0\n", ErrorCode::malformed, 1, "the line ends");
   refused("v 0 0 0\nv 0 0 x\n", ErrorCode::malformed, 2, "'x'");
   EXPECT_EQ(refused("v 0 0 0\nv 0 inf 0\n", ErrorCode::not_finite, 2, "finite").vertex, 1);
@@ -127,9 +131,7 @@ TEST(ReadMesh, ObjErrors) {
 }
 
 TEST(ReadMesh, StlErrors) {
-  const auto refused = [](std::string_view text, ErrorCode code, std::int64_t line, std::string_view words) {
-    return expect_mesh_refused(text, MeshFormat::stl, code, line, words);
-  };
+  const Refused refused{MeshFormat::stl};
   refused("", ErrorCode::truncated, 1, "'solid'");
   refused("solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0\n", ErrorCode::truncated, 4, "coordinate");
   refused("solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 nan\n", ErrorCode::not_finite, 4, "finite");
@@ -151,9 +153,7 @@ TEST(ReadMesh, StlErrors) {
 }
 
 TEST(ReadMesh, PlyErrors) {
-  const auto refused = [](std::string_view text, ErrorCode code, std::int64_t line, std::string_view words) {
-    return expect_mesh_refused(text, MeshFormat::ply, code, line, words);
-  };
+  const Refused refused{MeshFormat::ply};
   const std::string start = "ply\nformat ascii 1.0\n";
   const std::string vertex = "element vertex 1\nproperty float x\nproperty float y\nproperty float z\n";
   const std::string face = "element face 1\nproperty list uchar int vertex_indices\n";

@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "dymsum/region_io.h"
+#include "io/refusal.h"
 
 namespace dymsum::io_test {
 
@@ -46,17 +47,7 @@ inline RegionData read_one(std::string_view text, RegionFormat format) {
 /// evidence.
 inline Evidence expect_refused(std::string_view text, RegionFormat format, ErrorCode code, std::int64_t line,
                                std::string_view words) {
-  const auto shapes = parse_shapes(text, format, "dir/test.file");
-  if (shapes) {
-    ADD_FAILURE() << "accepted:\n" << text.substr(0, 400);
-    return {};
-  }
-  const Error& error = shapes.error();
-  EXPECT_EQ(name(error.code), name(code)) << error.to_string() << "\n" << text.substr(0, 400);
-  EXPECT_EQ(error.evidence.file, "dir/test.file");
-  EXPECT_EQ(error.evidence.line.value_or(-1), line) << error.to_string() << "\n" << text.substr(0, 400);
-  EXPECT_NE(error.message.find(words), std::string::npos) << error.to_string();
-  return error.evidence;
+  return expect_refusal(parse_shapes(text, format, kRefusedFile), text, code, line, words);
 }
 
 /// A folder of its own that disappears with the test.

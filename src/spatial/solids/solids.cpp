@@ -98,6 +98,23 @@ Mesh box(double x0, double y0, double z0, double x1, double y1, double z1) {
   return made("box", std::move(data));
 }
 
+Mesh prism(const Ring& base, double height) {
+  require(height > 0, "prism");
+  MeshData data;
+  const auto n = static_cast<std::uint32_t>(base.size());
+  for (const double z : {0.0, height})
+    for (const Point& p : base) data.vertices.push_back({on_grid(p.x), on_grid(p.y), on_grid(z)});
+  Face bottom, top;
+  for (std::uint32_t k = 0; k < n; ++k) {
+    bottom.push_back(n - 1 - k);
+    top.push_back(n + k);
+    data.faces.push_back({k, (k + 1) % n, n + (k + 1) % n, n + k});
+  }
+  data.faces.push_back(std::move(bottom));
+  data.faces.push_back(std::move(top));
+  return made("prism", std::move(data));
+}
+
 Mesh cone(int sides, double radius, double height) {
   require(sides >= 3 && radius > 0 && height > 0, "cone");
   std::vector<Point3> points{{0, 0, height}};

@@ -18,33 +18,14 @@ constexpr std::array<Turn, 7> kTurns{Turn{0, 1, 5, 0},   Turn{1, 1, 0, 5},  Turn
                                      Turn{-1, 1, 0, -5}, Turn{2, 1, -3, 4}, Turn{-3, 1, -4, -3}};
 
 Region scaled(const Region& r, double f) {
-  RegionData data = r.data();
-  for (Part& part : data.parts) {
-    for (Point& p : part.outer) p = {f * p.x, f * p.y};
-    for (Ring& hole : part.holes)
-      for (Point& p : hole) p = {f * p.x, f * p.y};
-  }
-  for (Polyline& line : data.polylines)
-    for (Point& p : line) p = {f * p.x, f * p.y};
-  for (Point& p : data.points) p = {f * p.x, f * p.y};
-  return *Region::create(data);
+  return *Region::create(mapped(r, [&](Point p) { return Point{f * p.x, f * p.y}; }));
 }
 
 // The reflected robot, turned. Requires multiples of 5.
 Region turned_back(const Region& r, const Turn& turn) {
-  RegionData data = r.data();
-  const auto place = [&](Point p) {
+  return *Region::create(mapped(r, [&](Point p) {
     return Point{-(turn.cosine * p.x - turn.sine * p.y) / 5, -(turn.sine * p.x + turn.cosine * p.y) / 5};
-  };
-  for (Part& part : data.parts) {
-    for (Point& p : part.outer) p = place(p);
-    for (Ring& hole : part.holes)
-      for (Point& p : hole) p = place(p);
-  }
-  for (Polyline& line : data.polylines)
-    for (Point& p : line) p = place(p);
-  for (Point& p : data.points) p = place(p);
-  return *Region::create(data);
+  }));
 }
 
 struct Tally {

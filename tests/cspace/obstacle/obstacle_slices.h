@@ -53,6 +53,21 @@ inline std::vector<Cycle> of_slice(const PlanarSum& sum) {
   return canonical(std::move(cycles));
 }
 
+/// A region's data with every position replaced.
+template <class Map>
+RegionData mapped(const Region& region, Map map) {
+  RegionData data = region.data();
+  for (Part& part : data.parts) {
+    for (Point& p : part.outer) p = map(p);
+    for (Ring& hole : part.holes)
+      for (Point& p : hole) p = map(p);
+  }
+  for (Polyline& line : data.polylines)
+    for (Point& p : line) p = map(p);
+  for (Point& p : data.points) p = map(p);
+  return data;
+}
+
 // The vector of an edge of a region, by its number.
 inline Point edge_vector(const Region& region, std::uint32_t number) {
   std::uint32_t first = 0;
@@ -166,7 +181,7 @@ inline std::size_t tight_at(const CspaceObstacle& c, double theta) {
   return n;
 }
 
-constexpr std::uint64_t kShareOfSeeds = oracles::kSanitized ? 3 : 1;
+inline const std::uint64_t kShareOfSeeds = oracles::kSanitized ? 3 : 1;
 
 // DYMSUM_FUZZ_OBSTACLES times the usual number of seeds; DYMSUM_SEED replays one.
 template <class F>

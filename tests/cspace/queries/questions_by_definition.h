@@ -30,20 +30,6 @@ inline constexpr std::array<Turn, 12> kTurns{Turn{0, 1, 5, 0}, {1, 1, 0, 5},    
 
 inline Region made(RegionData data) { return *Region::create(std::move(data)); }
 
-template <class Map>
-RegionData mapped(const Region& region, Map map) {
-  RegionData data = region.data();
-  for (Part& part : data.parts) {
-    for (Point& p : part.outer) p = map(p);
-    for (Ring& hole : part.holes)
-      for (Point& p : hole) p = map(p);
-  }
-  for (Polyline& line : data.polylines)
-    for (Point& p : line) p = map(p);
-  for (Point& p : data.points) p = map(p);
-  return data;
-}
-
 /// What is true of positions at one orientation, by definition; times 5 all coordinates are integers.
 class Truth {
  public:

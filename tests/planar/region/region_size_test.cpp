@@ -15,7 +15,7 @@
 namespace dymsum::test {
 namespace {
 
-constexpr double kSlowdown = oracles::kSanitized ? 10 : 1;
+const double kSlowdown = oracles::kSanitized ? 10 : 1;
 
 std::string timed_verdict(const char* what, RegionData data, double limit_s) {
   const std::clock_t start = std::clock();

@@ -13,7 +13,22 @@ namespace {
 using exact::BigRational;
 
 BigRational exactly(double v) { return exact::exact_value(v); }
-double share(const BigRational& error, double bound) { return exact::round_to_double(BigRational(abs(error))) / bound; }
+
+/// The largest of many errors as shares of what bounds them.
+class Shares {
+ public:
+  void add(const BigRational& error, double bound) {
+    most_ = std::max(most_, exact::round_to_double(BigRational(abs(error))) / bound);
+  }
+  /// The bound holds, and `some` of it is reached.
+  void expect_bounded(double some) const {
+    EXPECT_LE(most_, 1);
+    EXPECT_GT(most_, some);
+  }
+
+ private:
+  double most_ = 0;
+};
 
 /// Coordinates that carry the rounding that vertices of a lattice do.
 struct Rounded {
@@ -26,7 +41,7 @@ struct Rounded {
 
 TEST(WindowBounds, points_and_sides_err_by_less_and_not_by_much_less) {
   oracles::Random random(7);
-  double of_point = 0, of_side = 0, of_search = 0;
+  Shares of_point, of_side, of_search;
   for (int k = 0; k < 20000; ++k) {
     // All of the span belongs to the fixed operand, to the moving one, or to both.
     const int fixed = random.below(3), moving = fixed == 0 ? 1 : random.below(3);
@@ -39,36 +54,32 @@ TEST(WindowBounds, points_and_sides_err_by_less_and_not_by_much_less) {
                  v = gy.value + tau * ny.value;
     const BigRational ex = fx.exact + scale * mx.exact, ey = fy.exact + scale * my.exact,
                       eu = gx.exact + scale * nx.exact, ev = gy.exact + scale * ny.exact;
-    of_point = std::max(of_point, share(exactly(x) - ex, kWindowPoint * span));
+    of_point.add(exactly(x) - ex, kWindowPoint * span);
     const BigRational side = dx.exact * (ev - ey) - dy.exact * (eu - ex);
     const double length = std::abs(dx.value) + std::abs(dy.value), value = dx.value * (v - y) - dy.value * (u - x);
-    of_side = std::max(of_side, share(exactly(value) - side, kWindowSide * length * span));
-    of_search = std::max(of_search, share(exactly(value) - side, kSearchSide * length * span));
+    of_side.add(exactly(value) - side, kWindowSide * length * span);
+    of_search.add(exactly(value) - side, kSearchSide * length * span);
   }
   // Of the counted errors random ones reach about a half; the rest is the slack that the constants state.
-  EXPECT_LE(of_point, 1);
-  EXPECT_GT(of_point, 1.0 / 32);
-  EXPECT_LE(of_side, 1);
-  EXPECT_GT(of_side, 1.0 / 32);
-  EXPECT_LE(of_search, 1);
-  EXPECT_GT(of_search, 1.0 / 32);
+  of_point.expect_bounded(1.0 / 32);
+  of_side.expect_bounded(1.0 / 32);
+  of_search.expect_bounded(1.0 / 32);
 }
 
 TEST(WindowBounds, cross_products_of_edge_vectors) {
   oracles::Random random(8);
-  double most = 0;
+  Shares shares;
   for (int k = 0; k < 20000; ++k) {
     const Rounded ax(random, 1), ay(random, 1), bx(random, 1), by(random, 1);
     const double u = ax.value * by.value, v = ay.value * bx.value;
-    most = std::max(most, share(exactly(u - v) - (ax.exact * by.exact - ay.exact * bx.exact), kEdgeCross * (u + v)));
+    shares.add(exactly(u - v) - (ax.exact * by.exact - ay.exact * bx.exact), kEdgeCross * (u + v));
   }
-  EXPECT_LE(most, 1);
-  EXPECT_GT(most, 1.0 / 8);
+  shares.expect_bounded(1.0 / 8);
 }
 
 TEST(WindowBounds, shares_of_crossing_lines) {
   oracles::Random random(9);
-  double most = 0;
+  Shares shares;
   for (int k = 0; k < 20000; ++k) {
     const BigRational n = exactly(random.signed_unit()), d = exactly(0.25 + std::abs(random.signed_unit()));
     const double rn = 0x1p-30, rd = 0x1p-3;  // the worst of what is known of both
@@ -76,24 +87,22 @@ TEST(WindowBounds, shares_of_crossing_lines) {
                  value_d = exact::round_to_double(BigRational(d * exactly(random.chance(50) ? 1 + rd : 1 - rd)));
     if (abs(n) > d * 2) continue;
     const double relative = 2 * rd < kKnownDenominator ? rd / (1 - rd) : 0.2;
-    most = std::max(most, share(exactly(value_n / value_d) - n / d, share_error(rn, value_d, relative, 2)));
+    shares.add(exactly(value_n / value_d) - n / d, share_error(rn, value_d, relative, 2));
   }
-  EXPECT_LE(most, 1);
-  EXPECT_GT(most, 1.0 / 8);
+  shares.expect_bounded(1.0 / 8);
 }
 
 TEST(WindowBounds, signs_are_certain_beyond_the_error_of_a_root) {
   oracles::Random random(10);
-  double most = 0;
+  Shares shares;
   for (int k = 0; k < 20000; ++k) {
     const double a = -std::abs(random.signed_unit()), b = 1 + random.signed_unit() / 2,
                  error = random.chance(50) ? 0 : 0x1p-50;
     const double root = -a / b, tau1 = 1;
     const BigRational truth = (-exactly(a) + exactly(error)) / exactly(b) * exactly(1 + 0x1p-53);
-    most = std::max(most, share(exactly(root) - truth, root_error(root, b, error, tau1)));
+    shares.add(exactly(root) - truth, root_error(root, b, error, tau1));
   }
-  EXPECT_LE(most, 1);
-  EXPECT_GT(most, 1.0 / 16);
+  shares.expect_bounded(1.0 / 16);
 }
 
 // Shares that move linearly, evaluated, subtracted, and followed along a line.

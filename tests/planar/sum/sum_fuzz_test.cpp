@@ -16,7 +16,7 @@
 namespace dymsum::oracles {
 namespace {
 
-constexpr std::uint64_t kDefaultPairs = kSanitized ? 150 : 2000;
+const std::uint64_t kDefaultPairs = kSanitized ? 150 : 2000;
 
 std::uint64_t pairs() { return setting("DYMSUM_FUZZ_PAIRS", kDefaultPairs); }
 

@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "dymsum/shapes.h"
+
 namespace dymsum::spatial_test {
 namespace {
 
@@ -68,6 +70,10 @@ TEST(Solids, VolumesAndBounds) {
   EXPECT_EQ(volume(solids::dipyramid(4, 1, 1)), 4.0 / 3);
   EXPECT_EQ(volume(solids::cylinder(4, 1, 3)), 6);
   EXPECT_EQ(volume(solids::cone(4, 1, 3)), 2);
+  const Mesh channel = solids::prism(shapes::letter_u(4, 4, 1).parts().front().outer, 5);
+  EXPECT_EQ(channel.faces().size(), 10u);
+  EXPECT_EQ(volume(channel), 50);
+  EXPECT_EQ(solids::prism({{0, 0}, {1, 0}, {1, 2}, {0, 2}}, 3).canonical(), solids::box(0, 0, 0, 1, 2, 3).canonical());
   const double ball = 4 * std::acos(-1.0) / 3;
   EXPECT_NEAR(volume(solids::geodesic_sphere(12, 1)), ball, 0.02 * ball);
   EXPECT_NEAR(volume(solids::ellipsoid(64, 32, 1, 2, 0.5)), ball, 0.01 * ball);
@@ -95,6 +101,10 @@ TEST(Solids, BadArgumentsThrow) {
   EXPECT_THROW(solids::rod(8, 4, 1, 1), std::invalid_argument);
   EXPECT_THROW(solids::box(0, 0, 0, 1, 0, 1), std::invalid_argument);
   EXPECT_THROW(solids::box(0, 0, 0, -1, 1, 1), std::invalid_argument);
+  EXPECT_THROW(solids::prism({{0, 0}, {1, 0}, {0, 1}}, 0), std::invalid_argument);
+  EXPECT_THROW(solids::prism({{0, 0}, {0, 1}, {1, 0}}, 1), std::invalid_argument);  // clockwise
+  EXPECT_THROW(solids::prism({{0, 0}, {1, 0}}, 1), std::invalid_argument);
+  EXPECT_THROW(solids::prism({}, 1), std::invalid_argument);
   EXPECT_THROW(solids::tessellated_cube(1, 0), std::invalid_argument);
   EXPECT_THROW(solids::geodesic_sphere(0, 1), std::invalid_argument);
   EXPECT_THROW(solids::dipyramid(100, 0x1p-18, 1), std::invalid_argument);  // finer than the grid
