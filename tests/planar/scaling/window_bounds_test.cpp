@@ -108,30 +108,26 @@ TEST(WindowBounds, signs_are_certain_beyond_the_error_of_a_root) {
 // Shares that move linearly, evaluated, subtracted, and followed along a line.
 TEST(WindowBounds, moving_shares_err_by_less_and_not_by_much_less) {
   oracles::Random random(11);
-  double of_share = 0, of_gap = 0, followed = 0;
+  Shares of_share, of_gap, followed;
   for (int k = 0; k < 20000; ++k) {
     const BigRational scale(random.below(1000) + 1, 1001);
     const double tau = exact::round_to_double(scale), b = random.signed_unit(), a = random.chance(50) ? 0 : 1 - b * tau,
                  c = random.signed_unit(), d = random.chance(50) ? 0 : 1 - c * tau;
     const BigRational t = exactly(a) + exactly(b) * scale, u = exactly(d) + exactly(c) * scale;
-    of_share = std::max(of_share, share(exactly(a + b * tau) - t, kShare));
-    of_gap = std::max(of_gap, share(exactly((a + b * tau) - (d + c * tau)) - (t - u), kShareGap));
+    of_share.add(exactly(a + b * tau) - t, kShare);
+    of_gap.add(exactly((a + b * tau) - (d + c * tau)) - (t - u), kShareGap);
     const double x = random.signed_unit(), m = random.signed_unit(), dx = random.signed_unit();
     const double from = x + dx * a, slope = m + dx * b;
     const BigRational at = exactly(x) + exactly(m) * scale + exactly(dx) * t;
-    followed = std::max(followed, share(exactly(from + slope * tau) - at,
-                                        kFollowed * (std::abs(from) + std::abs(slope)) + kWindowPoint * 3));
+    followed.add(exactly(from + slope * tau) - at, kFollowed * (std::abs(from) + std::abs(slope)) + kWindowPoint * 3);
   }
-  for (const double most : {of_share, of_gap, followed}) {
-    EXPECT_LE(most, 1);
-    EXPECT_GT(most, 1.0 / 32) << of_share << ' ' << of_gap << ' ' << followed;
-  }
+  for (const Shares& shares : {of_share, of_gap, followed}) shares.expect_bounded(1.0 / 32);
 }
 
 // Positions blown up and moved to where they are in the input, with the scale rounded.
 TEST(WindowBounds, kept_positions_err_by_less_and_not_by_much_less) {
   oracles::Random random(14);
-  double inside = 0, outside = 0;
+  Shares inside, outside;
   for (int k = 0; k < 20000; ++k) {
     const BigRational s(random.below(1000) + 1, random.below(1000) + 1), tau = 1 / s;
     const double scale = exact::round_to_double(s), t = exact::round_to_double(tau);
@@ -141,19 +137,16 @@ TEST(WindowBounds, kept_positions_err_by_less_and_not_by_much_less) {
     const BigRational truth = s * (exactly(a) + exactly(b) * tau) + exactly(far) * s + exactly(other);
     const double of_span = scale * kKeptPosition * span,
                  of_offsets = kKeptOffsets * (std::abs(far) * scale + std::abs(other));
-    double& most = far == 0 ? inside : outside;
-    most = std::max(most, share(exactly(value) - truth, of_span + of_offsets));
+    (far == 0 ? inside : outside).add(exactly(value) - truth, of_span + of_offsets);
   }
-  EXPECT_LE(inside, 1);
-  EXPECT_GT(inside, 1.0 / 32);
-  EXPECT_LE(outside, 1);
-  EXPECT_GT(outside, 1.0 / 32);
+  inside.expect_bounded(1.0 / 32);
+  outside.expect_bounded(1.0 / 32);
 }
 
 // Where a vertex lies along an edge, by scalar products.
 TEST(WindowBounds, projections_err_by_less_and_not_by_much_less) {
   oracles::Random random(12);
-  double most = 0, of_gap = 0;
+  Shares of_place, of_gap;
   for (int k = 0; k < 20000; ++k) {
     const BigRational scale(random.below(1000) + 1, 1001);  // tau1 = 1
     const double tau = exact::round_to_double(scale);
@@ -177,39 +170,31 @@ TEST(WindowBounds, projections_err_by_less_and_not_by_much_less) {
     const BigRational t = exactly(random.signed_unit() / 4), u = exactly(random.signed_unit() / 4);
     const auto [value, truth] = place(t, 1);
     const auto [other, other_truth] = place(u, 0);
-    most = std::max(most, share(exactly(value) - truth, kProjectedSums * lost + kProjection));
-    of_gap =
-        std::max(of_gap, share(exactly(value - other) - (truth - other_truth), kProjectedGap * lost + kProjectionGap));
+    of_place.add(exactly(value) - truth, kProjectedSums * lost + kProjection);
+    of_gap.add(exactly(value - other) - (truth - other_truth), kProjectedGap * lost + kProjectionGap);
   }
-  EXPECT_LE(most, 1);
-  EXPECT_GT(most, 1.0 / 64);
-  EXPECT_LE(of_gap, 1);
-  EXPECT_GT(of_gap, 1.0 / 128);
+  of_place.expect_bounded(1.0 / 64);
+  of_gap.expect_bounded(1.0 / 128);
 }
 
 TEST(WindowBounds, weights_and_coefficients) {
   oracles::Random random(13);
-  double of_length = 0, of_cross = 0, coefficient = 0;
+  Shares of_length, of_cross, coefficient;
   for (int k = 0; k < 20000; ++k) {
     const Rounded ax(random, 1), ay(random, 1), bx(random, 1), by(random, 1), vx(random, 1), vy(random, 1),
         wx(random, 1), wy(random, 1);
-    of_length = std::max(of_length, share(exactly(ax.value) - ax.exact, kLengthWeight * ax.value));
+    of_length.add(exactly(ax.value) - ax.exact, kLengthWeight * ax.value);
     // A cross product and the three factors that it is multiplied with.
     const BigRational f = 1 + BigRational(random.below(1000), 1001), g = 1 + BigRational(random.below(1000), 1003);
     const double u = ax.value * by.value, v = ay.value * bx.value,
                  weight = std::abs(u - v) * exact::round_to_double(f) * exact::round_to_double(g);
     const BigRational exactly_weight = abs(BigRational(ax.exact * by.exact - ay.exact * bx.exact)) * f * g;
-    of_cross = std::max(of_cross, share(exactly(weight) - exactly_weight,
-                                        kCrossWeight * (u + v) * exact::round_to_double(BigRational(f * g))));
+    of_cross.add(exactly(weight) - exactly_weight, kCrossWeight * (u + v) * exact::round_to_double(BigRational(f * g)));
     const double side = ax.value * (wy.value - vy.value) - ay.value * (wx.value - vx.value);
-    coefficient = std::max(coefficient,
-                           share(exactly(side) - (ax.exact * (wy.exact - vy.exact) - ay.exact * (wx.exact - vx.exact)),
-                                 kSideCoefficient * (ax.value + ay.value)));
+    coefficient.add(exactly(side) - (ax.exact * (wy.exact - vy.exact) - ay.exact * (wx.exact - vx.exact)),
+                    kSideCoefficient * (ax.value + ay.value));
   }
-  for (const double most : {of_length, of_cross, coefficient}) {
-    EXPECT_LE(most, 1);
-    EXPECT_GT(most, 1.0 / 32) << of_length << ' ' << of_cross << ' ' << coefficient;
-  }
+  for (const Shares& shares : {of_length, of_cross, coefficient}) shares.expect_bounded(1.0 / 32);
 }
 
 // a + b s known to be positive somewhere in a range of two roots that both are known badly: doubles do not know.
