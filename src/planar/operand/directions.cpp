@@ -6,9 +6,9 @@
 #include <cstring>
 
 #include "base/scratch.h"
-#include "planar/operand/sum_bounds.h"
 #include "planar/operand/operand.h"
 #include "planar/operand/own_edges.h"
+#include "planar/operand/sum_bounds.h"
 
 namespace dymsum::planar {
 namespace {

@@ -10,8 +10,8 @@
 #include "exact/grid.h"
 #include "exact/int.h"
 #include "exact/integer_pair.h"
-#include "planar/operand/sum_bounds.h"
 #include "planar/operand/lattice_build.h"
+#include "planar/operand/sum_bounds.h"
 #include "planar/position/position_signs.h"
 
 namespace dymsum::planar {

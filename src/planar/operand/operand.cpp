@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "base/scratch.h"
-#include "planar/operand/sum_bounds.h"
 #include "planar/operand/own_edges.h"
+#include "planar/operand/sum_bounds.h"
 
 namespace dymsum::planar {
 namespace {

@@ -13,6 +13,15 @@
 
 namespace dymsum::test {
 
+struct PolytopePair {
+  spatial::Polytope p, q;
+};
+
+/// The map of a pose of P, Q staying where it is.
+inline spatial::RelativeMap map_of(const SolidPose& p) {
+  return spatial::RelativeMap(spatial::PoseFactors::of(p), spatial::PoseFactors::of({}));
+}
+
 /// Every crossing by its number: the edges that meet.
 inline std::map<std::uint32_t, std::pair<std::uint32_t, std::uint32_t>> by_number(const spatial::Overlay& o) {
   std::map<std::uint32_t, std::pair<std::uint32_t, std::uint32_t>> all;

@@ -45,18 +45,12 @@ Mesh bulging_box(int n, double bulge) {
   return *convex_hull(at);
 }
 
-RelativeMap map_of(const SolidPose& p) { return RelativeMap(PoseFactors::of(p), PoseFactors::of({})); }
-
 std::string place(std::uint64_t seed, std::size_t pair, std::uint64_t move) {
   return "seed " + std::to_string(seed) + " pair " + std::to_string(pair) + " move " + std::to_string(move);
 }
 
-struct Pair {
-  Polytope p, q;
-};
-
 /// Few faces with long arcs and many with short ones, the former as P, as Q and on both sides.
-std::vector<Pair> pairs(std::mt19937_64& random) {
+std::vector<PolytopePair> pairs_of_long_arcs(std::mt19937_64& random) {
   const auto make = [](const Mesh& mesh) { return *spatial::make_polytope(mesh); };
   const Polytope prism = make(leaning_prism(24, 1.5)), rod = make(leaning_prism(5, 6));
   const Polytope ball = make(random_round_polytope(random, 150)), other = make(random_round_polytope(random, 60));
@@ -69,7 +63,7 @@ TEST(OverlayUpdate, equals_the_static_overlay_and_reports_its_changes) {
   const std::uint64_t seed = setting("DYMSUM_FUZZ_SEED", 51), moves = setting("DYMSUM_FUZZ_MOVES", 2100);
   std::mt19937_64 random(seed);
   const std::vector<double> angles{1e-5, 1e-3, 0.005, 0.0126, 0.03, 0.08, 0.2, 2};
-  const std::vector<Pair> all = pairs(random);
+  const std::vector<PolytopePair> all = pairs_of_long_arcs(random);
   for (std::size_t i = 0; i < all.size(); ++i) {
     Overlay moving(all[i].p, all[i].q);
     SolidPose pose{random_rotation(random), {}};
@@ -173,7 +167,7 @@ TEST(OverlayUpdate, cells_smaller_than_the_move_jump_over_normals) {
 
 TEST(OverlayUpdate, either_operand_may_be_walked) {
   std::mt19937_64 random(52);
-  for (const Pair& pair : pairs(random)) {
+  for (const PolytopePair& pair : pairs_of_long_arcs(random)) {
     Overlay one(pair.p, pair.q), two(pair.q, pair.p);
     Rotation turn = random_rotation(random);
     for (int k = 0; k < 30; ++k) {

@@ -14,7 +14,6 @@ namespace {
 
 using spatial::Overlay;
 using spatial::Polytope;
-using spatial::PoseFactors;
 using spatial::RelativeMap;
 
 double at_20_bits(double v) { return std::nearbyint(v * 0x1p20) * 0x1p-20; }
@@ -31,17 +30,11 @@ Mesh turned_profile(int sides, double top, double from) {
   return *convex_hull(at);
 }
 
-RelativeMap map_of(const SolidPose& p) { return RelativeMap(PoseFactors::of(p), PoseFactors::of({})); }
-
 std::string place(std::size_t pair, int move) {
   return "pair " + std::to_string(pair) + " move " + std::to_string(move);
 }
 
-struct Pair {
-  Polytope p, q;
-};
-
-std::vector<Pair> pairs(std::mt19937_64& random) {
+std::vector<PolytopePair> pairs_with_shared_axes(std::mt19937_64& random) {
   const auto make = [](const Mesh& mesh) { return *spatial::make_polytope(mesh); };
   const Polytope cylinder = make(turned_profile(12, 1, 0)), other = make(turned_profile(9, 1, 0.3)),
                  cone = make(turned_profile(10, 0, 0.1)), frustum = make(turned_profile(12, 0.5, 0)),
@@ -90,7 +83,7 @@ SolidPose next_pose(const SolidPose& pose, std::mt19937_64& random) {
 TEST(SharedAxis, moves_equal_the_overlay_from_nothing_and_the_brute_force) {
   const std::uint64_t seed = setting("DYMSUM_FUZZ_SEED", 61), moves = setting("DYMSUM_FUZZ_MOVES", 1300);
   std::mt19937_64 random(seed);
-  const std::vector<Pair> all = pairs(random);
+  const std::vector<PolytopePair> all = pairs_with_shared_axes(random);
   for (std::size_t i = 0; i < all.size(); ++i) {
     Overlay moving(all[i].p, all[i].q);
     SolidPose pose;

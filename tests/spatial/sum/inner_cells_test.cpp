@@ -21,8 +21,7 @@ using spatial::Vec3;
 MeshData l_prism(double step, double height) {
   MeshData m;
   for (const double z : {0.0, height})
-    for (const auto& [x, y] :
-         {std::pair{0.0, 0.0}, {2.0, 0.0}, {2.0, step}, {step, step}, {step, 2.0}, {0.0, 2.0}})
+    for (const auto& [x, y] : {std::pair{0.0, 0.0}, {2.0, 0.0}, {2.0, step}, {step, step}, {step, 2.0}, {0.0, 2.0}})
       m.vertices.push_back({x, y, z});
   m.faces = {{5, 4, 3, 2, 1, 0}, {6, 7, 8, 9, 10, 11}};
   for (std::uint32_t i = 0; i < 6; ++i) m.faces.push_back({i, (i + 1) % 6, 6 + (i + 1) % 6, 6 + i});

@@ -50,8 +50,8 @@ class Contacts {
   }
   /// Edge ab of P, vertex 0 of Q, and the plane of two edges of Q.
   bool crosses(std::uint32_t a, std::uint32_t b, std::uint32_t u, std::uint32_t v) {
-    const auto plane = space_->add_planes(
-        std::array{spatial::PlaneSource{{0, 0}, {Way::Of::q, 0, u}, {Way::Of::q, 0, v}, false}});
+    const auto plane =
+        space_->add_planes(std::array{spatial::PlaneSource{{0, 0}, {Way::Of::q, 0, u}, {Way::Of::q, 0, v}, false}});
     const auto id = space_->add_edges(std::array{SumEdge{{a, 0}, {b, 0}}});
     return LoneContacts(*space_, {}, p_, q_).crosses(id, plane);
   }
