@@ -196,6 +196,7 @@ TEST(EventPlan, applied_it_is_the_slice_behind_the_event) {
       {shapes::star(4, 0.5, 1), shapes::star(4, 0.5, 1)},
       {square, polygon(box(-3, -3, 3, 3), {reversed(box(-1, -1, 1, 1))})},
       {square, polygon(box(-3, -3, 3, 3), {reversed(box(-1.25, -1.25, 1.25, 1.25))})},
+      {shapes::rectangle(-1, -1, 1, 1), polygon(box(0, 0, 12, 12), {reversed({{3, 3}, {8, 4}, {4, 6.5}})})},
   };
   Compared compared;
   for_seeds(6, [&](Random& random) {
