@@ -37,7 +37,7 @@ struct Row {
   std::size_t p_vertices = 0, q_vertices = 0;
   std::size_t p_corners = 0, q_corners = 0;  ///< vertices that are not collinear with their neighbours
   OurAnswer ours;
-  RivalAnswer reduced, full, angle_bisector, vertical, clipper;
+  RivalAnswer reduced, full, angle_bisector, vertical, clipper, clipper2;
   Verdict verdict = Verdict::unknown;
   std::string remark;
 

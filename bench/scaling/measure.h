@@ -5,21 +5,9 @@
 #include <vector>
 
 #include "dymsum/scaling_sum.h"
+#include "scaling/pairs.h"
 
 namespace dymsum::bench {
-
-/// A pair whose coordinates are integers of at most 24 bits, so that scales with few bits give doubles again: everyone
-/// computes the same.
-struct ScalingPair {
-  std::string name;
-  Region p, q;
-  bool q_scales = false;
-};
-
-/// The pairs of the frame table; those of the thesis need its polygons in `data`.
-std::vector<ScalingPair> frame_pairs(const std::string& data);
-/// dog, G1, G2, G3, G4 against each other: table 6.1, with shapes of the same vertex counts.
-std::vector<ScalingPair> table_pairs();
 
 struct FrameSample {
   double s = 1, ms = 0, static_ms = 0;
