@@ -156,6 +156,10 @@ double Row::ratio_to_best_cgal() const {
   return best / ours.median_ms;
 }
 
+bool Row::agrees(const RivalAnswer& clipper) const {
+  return clipper.holes == ours.holes && std::fabs(clipper.area - ours.area) <= 1e-6 * std::fabs(ours.area);
+}
+
 Row measure_pair(const Pair& pair, const Effort& effort) {
   Row row;
   row.name = pair.name;
