@@ -58,6 +58,7 @@ void map_all(const std::array<double, 9>& m, const Vectors& v, Vectors& to) {
 template <std::size_t N>
 inline void products(Point3 n, const Vectors& v, std::size_t at, double (&to)[N]) {
   const double *x = v.x.data() + at, *y = v.y.data() + at, *z = v.z.data() + at;
+#pragma GCC unroll 1  // or GCC takes the loop apart before it finds that it can be vectorised
   for (std::size_t k = 0; k < N; ++k) to[k] = n.x * x[k] + n.y * y[k] + n.z * z[k];
 }
 

@@ -43,7 +43,7 @@ void depths(const Options& options, const std::vector<solids::NamedMesh>& models
   report.line(
       "P turns by 2 pi / 500 a query, Q is somewhere inside. Ours is exact; the others are compared with it, errors "
       "relative to P's width. Coal is reached through Python; its time is what it measures itself inside of its calls, "
-      "without Python's.\n");
+      "without Python's, the least of three rounds.\n");
   if (!has_python()) report.line("Coal is left out: DYMSUM_PYTHON names no interpreter.\n");
   report.heading({"pair", "system", "us a query", "queries", "wrong by more than 1e-6", "largest error"});
   for (const auto& [p, q] :

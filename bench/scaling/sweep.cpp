@@ -28,6 +28,7 @@ bool use_threads(Options& options, int threads) {
 struct Scaling {
   using Sum = ScalingSum;
   using Place = Scale;
+  static constexpr bool kRounds = true;  // regions at a place have rounded points
 
   explicit Scaling(const ScalingPair& pair) : pair_(pair) {
     MovingOptions options;
@@ -57,6 +58,7 @@ struct Scaling {
 struct Turning {
   using Sum = RotatingSum;
   using Place = Orientation;
+  static constexpr bool kRounds = false;
 
   explicit Turning(const ScalingPair& pair) : pair_(pair) {}
 
@@ -166,7 +168,7 @@ void time_statics(SweepRow& row, const ScalingPair& pair, const std::vector<type
     });
     if (!made) continue;
     fresh.push_back(ms);
-    rounded.push_back(timed([&] { motion.sum_of(*made, places[i]); }));
+    if (Motion::kRounds) rounded.push_back(timed([&] { motion.sum_of(*made, places[i]); }));
   }
   row.prepared = spread(prepared);
   row.fresh = spread(fresh);

@@ -104,10 +104,11 @@ void promise_means(Report& report, const std::vector<SweepRow>& rows, const Prom
   }
   if (worst == nullptr) return;
   if (promised.least > 0)
-    report.promise(
-        promised.text + ", raw, mean of all frames: " + fixed(promised.least, 1) + " times static on every pair" +
-            (promised.star_500 > 0 ? " (star 500: " + fixed(promised.star_500, 1) + ")" : ""),
-        "least " + ratio(worst->prepared.mean, spread(worst->there).mean, 2) + ", " + worst->name, least >= 1);
+    report.promise(promised.text + ", raw, mean of all frames: " + fixed(promised.least, promised.least < 1 ? 2 : 0) +
+                       " times static on every pair" +
+                       (promised.star_500 > 0 ? " (star 500: " + fixed(promised.star_500, 0) + ")" : ""),
+                   "least " + ratio(worst->prepared.mean, spread(worst->there).mean, 2) + ", " + worst->name,
+                   least >= 1);
   if (promised.mean > 0)
     report.promise(
         promised.text + ", raw, mean of all frames: " + fixed(promised.mean, 0) + " times static as geometric mean",
@@ -148,8 +149,8 @@ void sweep_promises(Report& report, const std::vector<SweepRow>& scaling, const 
   for (const SweepRow& r : rows) {
     compared += r.compared;
     different += r.different;
-    // Of the gain of a median frame, what the mean frame of the way back has of it.
-    const double share = spread(r.there).median / spread(r.back).mean;
+    const double median_gain = r.prepared.median / spread(r.there).median;
+    const double share = r.prepared.mean / spread(r.back).mean / median_gain;
     if (r.steps != kScattered && (slowest == nullptr || share < back)) slowest = &r, back = share;
     if (r.two_there.size() + r.two_back.size() < 1000) continue;
     std::vector<double> both = r.two_there;
