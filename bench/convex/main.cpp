@@ -20,8 +20,8 @@ namespace {
 constexpr const char* kUsage =
     "dymsum_bench_convex [--only TEXT] [--part NAME] [--results DIR]\n"
     "  --only TEXT    only pairs whose name (\"ellipse + GS3\") contains TEXT\n"
-    "  --part NAME    only one of: rotation, axes, steps, cubes, scaling, depth, nef,\n"
-    "                 criticality\n"
+    "  --part NAME    only one of: rotation, axes, steps, cubes, growth, scaling, depth,\n"
+    "                 nef, criticality\n"
     "  --results DIR  also write convex.md, convex.csv and the figures into DIR\n"
     "Environment: DYMSUM_PYTHON, an interpreter that has coal (`./run bench convex` makes one).\n";
 
@@ -143,6 +143,7 @@ int run(int argc, char** argv) {
   if (options.wants("axes")) shared_axis_table(report, wanted);
   if (options.wants("steps")) step_table(report, models, wanted, step_dots, static_dots);
   if (options.wants("cubes")) cubes_table(report, update_dots, brute_dots);
+  if (options.wants("growth")) growth_table(report, wanted);
   if (options.wants("scaling")) scaling_table(report, models, wanted);
   if (options.wants("depth")) depths(options, models, report);
   if (options.wants("nef")) nefs(options, models, report);

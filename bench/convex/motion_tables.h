@@ -28,6 +28,8 @@ void step_table(Report& report, const Models& models, const WantedPair& wanted, 
                 std::vector<Dot>& from_scratch);
 /// Figure 5.6.
 void cubes_table(Report& report, std::vector<Dot>& update, std::vector<Dot>& brute);
+/// Spheres of up to 100,000 triangles together.
+void growth_table(Report& report, const WantedPair& wanted);
 /// Table 6.2.
 void scaling_table(Report& report, const Models& models, const WantedPair& wanted);
 

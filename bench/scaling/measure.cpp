@@ -115,15 +115,8 @@ FramesRow measure_frames(const ScalingPair& pair, const FramesPlan& plan) {
                           (!rival.area_exact.empty() && rival.area_exact != sum.sum().area_exact().to_string());
   }
   row.frames = n;
-  const auto mean = [](const Times& t) {
-    double total = 0;
-    for (const double v : t.ms) total += v;
-    return t.ms.empty() ? 0 : total / static_cast<double>(t.ms.size());
-  };
-  row.frame_ms = frame.median();
-  row.frame_mean_ms = mean(frame);
-  row.static_ms = fresh.median();
-  row.static_mean_ms = mean(fresh);
+  row.frame_ms = spread(frame.ms);
+  row.static_ms = spread(fresh.ms);
   row.kept = kept.median();
   row.update_ms = update.median();
   row.window_ms = window.median();

@@ -6,6 +6,7 @@
 
 #include "dymsum/scaling_sum.h"
 #include "scaling/pairs.h"
+#include "spread.h"
 
 namespace dymsum::bench {
 
@@ -19,7 +20,7 @@ struct FramesRow {
   std::string name, steps;
   std::size_t p_vertices = 0, q_vertices = 0;
   std::uint64_t segments = 0, vertices = 0, holes = 0, pieces = 0, candidates = 0, bytes = 0;
-  double frame_ms = 0, frame_mean_ms = 0, static_ms = 0, static_mean_ms = 0;
+  Spread frame_ms, static_ms;
   double all_pairs_ms = 0, cgal_ms = 0;  ///< on a few of the frames; 0: not measured
   std::uint64_t frames = 0, windows = 0, rebuilt = 0, degenerate = 0, compared = 0, different = 0, cgal_different = 0;
   double kept = 1;                      ///< median share of corners that the frame before had

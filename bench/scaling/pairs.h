@@ -1,6 +1,7 @@
 // The pairs of regions of the benchmarks in which one operand moves.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,9 @@ struct ScalingPair {
   Region p, q;
   bool q_scales = false;
 };
+
+/// Which pairs are measured.
+using Wanted = std::function<bool(const ScalingPair&)>;
 
 /// Coordinates as files and generators give them, or integers of at most 22 bits on one grid for both operands: then
 /// scales with few bits give doubles again, and everyone computes the same.

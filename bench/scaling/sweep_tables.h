@@ -1,7 +1,6 @@
 // Tables of whole sweeps, and what the project promises of them.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -9,8 +8,6 @@
 #include "scaling/sweep.h"
 
 namespace dymsum::bench {
-
-using Wanted = std::function<bool(const ScalingPair&)>;
 
 /// Scales in the steps that users type, on raw and snapped coordinates: there, back and scattered.
 std::vector<SweepRow> scaling_sweeps(Report& report, const std::string& data, const Wanted& wanted);
