@@ -32,6 +32,9 @@ void Report::heading(const std::vector<std::string>& cells) {
   row(cells);
   row(std::vector<std::string>(cells.size(), "---"));
 }
+void Report::promise(const std::string& text, const std::string& measured, bool met) {
+  line("- " + text + ": " + measured + (met ? " (met)" : " (**NOT met**)"));
+}
 
 void write_result(const std::string& folder, const std::string& name, const std::string& text) {
   if (folder.empty()) return;

@@ -18,6 +18,8 @@ class Report {
   void line(const std::string& text);
   void row(const std::vector<std::string>& cells);
   void heading(const std::vector<std::string>& cells);
+  /// "- promise: measured (met)".
+  void promise(const std::string& text, const std::string& measured, bool met);
 
   std::ostringstream markdown, csv;
 };

@@ -1,5 +1,5 @@
-// dymsum_bench_convex: convex solids that turn and scale, against the thesis's brute force, our static walk, CGAL's
-// hull of vertex sums, FCL and libccd.
+// dymsum_bench_convex: convex solids that turn and scale, against brute force, our static walk, CGAL's hull of vertex
+// sums, FCL, libccd and Coal.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -7,9 +7,11 @@
 #include <stdexcept>
 
 #include "convex/criticality.h"
+#include "convex/depth.h"
 #include "convex/measure.h"
-#include "convex/thesis.h"
+#include "convex/motion_tables.h"
 #include "page.h"
+#include "python.h"
 #include "scaling/scatter.h"
 
 namespace dymsum::bench {
@@ -18,8 +20,10 @@ namespace {
 constexpr const char* kUsage =
     "dymsum_bench_convex [--only TEXT] [--part NAME] [--results DIR]\n"
     "  --only TEXT    only pairs whose name (\"ellipse + GS3\") contains TEXT\n"
-    "  --part NAME    only one of: rotation, steps, cubes, scaling, depth, nef, criticality\n"
-    "  --results DIR  also write convex.md, convex.csv and the figures into DIR\n";
+    "  --part NAME    only one of: rotation, axes, steps, cubes, growth, scaling, depth,\n"
+    "                 nef, criticality\n"
+    "  --results DIR  also write convex.md, convex.csv and the figures into DIR\n"
+    "Environment: DYMSUM_PYTHON, an interpreter that has coal (`./run bench convex` makes one).\n";
 
 struct Options {
   std::string only, part, results;
@@ -28,156 +32,28 @@ struct Options {
 
 using bench::fixed;
 using bench::ratio;
-std::string fixed(double v) { return fixed(v, 2); }
 std::string ratio(double a, double b) { return ratio(a, b, 1); }
-std::string thesis_value(double v) { return v > 0 ? fixed(v) : "-"; }
-
-double geometric_mean(const std::vector<double>& v) {
-  double sum = 0;
-  for (const double x : v) sum += std::log(x);
-  return v.empty() ? 0 : std::exp(sum / static_cast<double>(v.size()));
-}
-
-void heading(Report& report) {
-  report.line(
-      "| pair | triangles | facets | update us | faces, crossings checked, arcs mended | changed | brute us | / update "
-      "| thesis | brute merged us | / update | static us | / update | CGAL hull us | / update | exact signs | "
-      "compared, different |");
-  report.line("|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|");
-}
-
-void line(Report& report, const MotionRow& r, const std::string& kind, double thesis) {
-  const auto per_move = [&](std::uint64_t v) {
-    return fixed(static_cast<double>(v) / static_cast<double>(r.moves), 1);
-  };
-  report.line("| " + r.p + " + " + r.q + " | " + std::to_string(r.p_triangles) + ", " + std::to_string(r.q_triangles) +
-              " | " + std::to_string(r.facets) + " | " + fixed(r.update_us) + " | " + per_move(r.work.vertex_checks) +
-              ", " + per_move(r.work.crossing_checks) + ", " + per_move(r.work.arc_checks) + " | " +
-              per_move(r.work.facets_added) + " | " + fixed(r.brute_us, 1) + " | **" + ratio(r.brute_us, r.update_us) +
-              "** | " + thesis_value(thesis) + " | " + fixed(r.brute_merged_us, 1) + " | " +
-              ratio(r.brute_merged_us, r.update_us) + " | " + fixed(r.static_us, 1) + " | " +
-              ratio(r.static_us, r.update_us) + " | " + (r.hull_us > 0 ? fixed(r.hull_us, 0) : "-") + " | " +
-              ratio(r.hull_us, r.update_us) + " | " + per_move(r.work.exact_signs) + " | " +
-              std::to_string(r.compared) + ", " + std::to_string(r.different) + " |");
-  report.csv << kind << "," << r.p << "," << r.q << "," << r.facets << "," << r.update_us << "," << r.brute_us << ","
-             << r.brute_merged_us << "," << r.static_us << "," << r.hull_us << "," << r.different << "\n";
-}
-
-const solids::NamedMesh& model(const std::vector<solids::NamedMesh>& models, std::string_view name) {
-  return *std::find_if(models.begin(), models.end(), [&](const solids::NamedMesh& m) { return m.name == name; });
-}
 
 bool selected(const Options& options, const solids::NamedMesh& p, const solids::NamedMesh& q) {
   return (std::string(p.name) + " + " + std::string(q.name)).find(options.only) != std::string::npos;
-}
-
-/// Tables 5.1 and 5.2.
-void rotations(const Options& options, const std::vector<solids::NamedMesh>& models, Report& report) {
-  report.line("\n## Rotation, 500 steps a turn (tables 5.1 and 5.2)\n");
-  report.line(
-      "100 moves about random axes. `brute` is the thesis's method on the triangles as they stand, `brute merged` on "
-      "whole faces.\n");
-  heading(report);
-  std::vector<double> gains;
-  std::size_t below = 0, different = 0, slow = 0;
-  for (std::size_t j = 0; j < models.size(); ++j)
-    for (std::size_t i = 0; i <= j; ++i) {
-      if (!selected(options, models[i], models[j])) continue;
-      const bool large = models[i].mesh.triangle_count() + models[j].mesh.triangle_count() > 300;
-      MotionProtocol protocol;
-      protocol.hull_moves = 1;
-      const MotionRow row = measure_rotation(models[i], models[j], 500, protocol);
-      const double thesis = thesis_rotation(row.p, row.q);
-      line(report, row, "rotation", thesis);
-      gains.push_back(row.brute_us / row.update_us);
-      below += thesis > 0 && gains.back() < thesis;
-      different += row.different;
-      slow += large && row.static_us < 3 * row.update_us;
-    }
-  if (gains.empty()) return;
-  report.line("\nGeometric mean of brute / update: " + fixed(geometric_mean(gains), 0) + ", least " +
-              fixed(*std::min_element(gains.begin(), gains.end()), 1) +
-              ". Pairs below the thesis's value: " + std::to_string(below) +
-              ". Pairs of more than 300 triangles less than 3 times faster than static: " + std::to_string(slow) +
-              ". Answers that differ: " + std::to_string(different) + ".");
-}
-
-/// Figure 5.5, and the promise at 5,000 steps.
-void step_sizes(const Options& options, const std::vector<solids::NamedMesh>& models, Report& report,
-                std::vector<Dot>& dots, std::vector<Dot>& static_dots) {
-  report.line("\n## Size of the step (figure 5.5)\n");
-  heading(report);
-  const auto one = [&](const solids::NamedMesh& p, const solids::NamedMesh& q, int steps, bool plot) {
-    if (!selected(options, p, q)) return;
-    MotionProtocol protocol;
-    protocol.brute_moves = 1;
-    MotionRow row = measure_rotation(p, q, steps, protocol);
-    if (plot) dots.push_back({static_cast<double>(steps), row.update_us});
-    if (plot) static_dots.push_back({static_cast<double>(steps), row.static_us});
-    row.p = std::to_string(steps) + " steps: " + row.p;
-    line(report, row, "steps", 0);
-  };
-  for (const int steps : {10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000, 100000})
-    one(model(models, "ellipse"), model(models, "ellipse"), steps, true);
-  for (const solids::NamedMesh& p : models)
-    for (const solids::NamedMesh& q : models)
-      if (p.name <= q.name && p.name != q.name && p.mesh.triangle_count() + q.mesh.triangle_count() > 300)
-        one(p, q, 5000, false);
-}
-
-/// Figure 5.6.
-void cubes(Report& report, std::vector<Dot>& update, std::vector<Dot>& brute) {
-  report.line("\n## Tessellated cubes (figure 5.6)\n");
-  report.line(
-      "Up to 200 triangles lie in each plane: we merge them, so the work does not grow; the brute force takes them as "
-      "they stand.\n");
-  heading(report);
-  for (int k = 1; k <= 10; ++k) {
-    const solids::NamedMesh cube{"cube", solids::tessellated_cube(10, k)};
-    MotionProtocol protocol;
-    protocol.brute_moves = 2;
-    const MotionRow row = measure_rotation(cube, cube, 500, protocol);
-    line(report, row, "cubes", 0);
-    update.push_back({12.0 * k * k, row.update_us});
-    brute.push_back({12.0 * k * k, row.brute_us});
-  }
-}
-
-/// Table 6.2.
-void scalings(const Options& options, const std::vector<solids::NamedMesh>& models, Report& report) {
-  report.line("\n## Non-uniform scaling, 100 random factors (table 6.2)\n");
-  heading(report);
-  std::vector<double> gains, thesis;
-  std::size_t below = 0;
-  for (const char* p : {"ellipse", "GS3", "GS4", "TI", "v-rod"})
-    for (const char* q : {"ellipse", "GS3", "GS4", "TI", "v-rod"}) {
-      if (!selected(options, model(models, p), model(models, q))) continue;
-      const MotionRow row = measure_scaling(model(models, p), model(models, q), {});
-      const double theirs = thesis_scaling(p, q);
-      line(report, row, "scaling", theirs);
-      gains.push_back(row.brute_us / row.update_us);
-      thesis.push_back(theirs);
-      below += gains.back() < theirs;
-    }
-  report.line("\nGeometric mean " + fixed(geometric_mean(gains), 0) + ", the thesis's " +
-              fixed(geometric_mean(thesis), 1) + "; pairs below the thesis's value: " + std::to_string(below) + ".");
 }
 
 void depths(const Options& options, const std::vector<solids::NamedMesh>& models, Report& report) {
   report.line("\n## Penetration depth\n");
   report.line(
       "P turns by 2 pi / 500 a query, Q is somewhere inside. Ours is exact; the others are compared with it, errors "
-      "relative to P's width.\n");
-  report.line("| pair | system | us a query | queries | wrong by more than 1e-6 | largest error |");
-  report.line("|---|---|---|---|---|---|");
+      "relative to P's width. Coal is reached through Python; its time is what it measures itself inside of its calls, "
+      "without Python's, the least of three rounds.\n");
+  if (!has_python()) report.line("Coal is left out: DYMSUM_PYTHON names no interpreter.\n");
+  report.heading({"pair", "system", "us a query", "queries", "wrong by more than 1e-6", "largest error"});
   for (const auto& [p, q] :
        {std::pair{"cube", "T"}, {"T", "TI"}, {"GS3", "v-rod"}, {"ellipse", "GS4"}, {"ellipse", "ellipse"}}) {
     if (!selected(options, model(models, p), model(models, q))) continue;
     for (const DepthRow& r : measure_depth(model(models, p), model(models, q), 200)) {
       std::ostringstream worst;
       worst << r.worst;
-      report.line("| " + r.p + " + " + r.q + " | " + r.system + " | " + fixed(r.us, 1) + " | " +
-                  std::to_string(r.queries) + " | " + std::to_string(r.wrong) + " | " + worst.str() + " |");
+      report.row({r.p + " + " + r.q, r.system, r.us > 0 ? fixed(r.us, 1) : "no answer", std::to_string(r.queries),
+                  std::to_string(r.wrong), worst.str()});
     }
   }
 }
@@ -260,10 +136,15 @@ int run(int argc, char** argv) {
       "`./run bench convex --results docs/results` made this page. Times are means of processor time per move, one "
       "thread.");
   std::vector<Dot> step_dots, static_dots, update_dots, brute_dots;
-  if (options.wants("rotation")) rotations(options, models, report);
-  if (options.wants("steps")) step_sizes(options, models, report, step_dots, static_dots);
-  if (options.wants("cubes")) cubes(report, update_dots, brute_dots);
-  if (options.wants("scaling")) scalings(options, models, report);
+  const WantedPair wanted = [&](const solids::NamedMesh& p, const solids::NamedMesh& q) {
+    return selected(options, p, q);
+  };
+  if (options.wants("rotation")) rotation_tables(report, models, wanted);
+  if (options.wants("axes")) shared_axis_table(report, wanted);
+  if (options.wants("steps")) step_table(report, models, wanted, step_dots, static_dots);
+  if (options.wants("cubes")) cubes_table(report, update_dots, brute_dots);
+  if (options.wants("growth")) growth_table(report, wanted);
+  if (options.wants("scaling")) scaling_table(report, models, wanted);
   if (options.wants("depth")) depths(options, models, report);
   if (options.wants("nef")) nefs(options, models, report);
   if (options.wants("criticality")) criticality(options, models, report);
@@ -271,8 +152,7 @@ int run(int argc, char** argv) {
     write_result(options.results, name, text);
   };
   write("convex.md", report.markdown.str());
-  write("convex.csv",
-        "kind,p,q,facets,update_us,brute_us,brute_merged_us,static_us,hull_us,different\n" + report.csv.str());
+  write("convex.csv", kMotionColumns + report.csv.str());
   if (!step_dots.empty())
     write("figure-5.5.svg",
           draw_scatter("One update (left), the static walk at the same poses (right), ellipse + ellipse",

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <random>
+#include <utility>
 
+#include "convex/expert.h"
 #include "versus/rival.h"
 #include "versus/solid_rivals.h"
 
@@ -40,6 +43,86 @@ std::vector<Point3> posed(const Mesh& mesh, const SolidPose& pose) {
   return out;
 }
 
+void add(const MotionWork& work, MotionWork& total) {
+  total.vertex_checks += work.vertex_checks;
+  total.vertex_errors += work.vertex_errors;
+  total.crossing_checks += work.crossing_checks;
+  total.arc_checks += work.arc_checks;
+  total.arcs_changed += work.arcs_changed;
+  total.steps += work.steps;
+  total.facets_added += work.facets_added;
+  total.exact_signs += work.exact_signs;
+}
+
+/// The brute forces at one pose: the thesis's on triangles and on whole faces, the expert's.
+class Brutes {
+ public:
+  Brutes(const solids::NamedMesh& p, const solids::NamedMesh& q, bool expert)
+      : triangles_(*ConvexSum::create(p.mesh, q.mesh, FlatFeatures::kept)) {
+    if (expert) expert_.emplace(p.mesh, q.mesh);
+  }
+
+  /// Adds their times; whether all agree. `merged` is rebuilt.
+  bool run(MotionRow& row, const SolidPose& pose, const ConvexSum& moving, ConvexSum& merged) {
+    row.brute_merged_us += repeated_us([&] { merged.rebuild(ConvexEngine::brute); });
+    bool same = merged.same_combinatorics(moving);
+    triangles_.set(pose);
+    row.brute_us += repeated_us([&] { triangles_.rebuild(ConvexEngine::brute); });
+    same = same && triangles_.volume_exact() == moving.volume_exact();
+    if (!expert_) return same;
+    for (const auto& [signs, us] : {std::pair{ExpertBrute::Signs::by_pairs, &MotionRow::expert_pairs_us},
+                                    {ExpertBrute::Signs::by_faces, &MotionRow::expert_faces_us}}) {
+      row.*us += repeated_us([&, how = signs] { expert_->build(pose, how); });
+      same = same && expert_->crossings() == moving.edge_edge_count() &&
+             std::abs(expert_->volume() / moving.volume() - 1) < 1e-9;
+    }
+    return same;
+  }
+
+ private:
+  ConvexSum triangles_;
+  std::optional<ExpertBrute> expert_;
+};
+
+/// The finished solid by updating, in an order that stays where sums keep it; how many vertices it has.
+template <class Sum>
+std::size_t finish(Sum& moving) {
+  if constexpr (requires { moving.solid(); }) return moving.solid().vertex_count;
+  else return moving.sum().vertices.size();
+}
+
+/// Every move up to the finished solid, twice; the better time of each move counts.
+void time_solids(MotionRow& row, const solids::NamedMesh& p, const solids::NamedMesh& q,
+                 const std::vector<SolidPose>& poses, ConvexSum& moving, ConvexSum& merged) {
+  const double clock_us = 1e3 * clock_ms();
+  const auto all_moves = [&](auto&& make) {
+    std::vector<double> best(row.moves, 1e300);
+    for (int round = 0; round < 2; ++round) {
+      make(poses[0]);
+      for (std::size_t k = 1; k < poses.size(); ++k) {
+        const double us = timed_us([&] { make(poses[k]); }) - clock_us;
+        best[k - 1] = std::min(best[k - 1], std::max(us, 0.0));
+      }
+    }
+    return spread(best);
+  };
+  row.update_solid_us = all_moves([&](const SolidPose& pose) {
+    moving.set(pose);
+    finish(moving);
+  });
+  row.static_solid_us = all_moves([&](const SolidPose& pose) {
+    merged.rebuild(pose, {});
+    merged.sum();
+  });
+  row.fresh_solid_us = repeated_us([&] { convex_sum(p.mesh, q.mesh, poses.back()).value(); });
+}
+
+/// Whether the static walk gives the same solid.
+bool same_solids(ConvexSum& moving, const ConvexSum& merged) {
+  const SolidSum answer = merged.sum();
+  return moving.sum() == answer && finish(moving) == answer.vertices.size();
+}
+
 MotionRow measure(const solids::NamedMesh& p, const solids::NamedMesh& q, const std::vector<SolidPose>& poses,
                   const MotionProtocol& protocol) {
   MotionRow row;
@@ -62,8 +145,7 @@ MotionRow measure(const solids::NamedMesh& p, const solids::NamedMesh& q, const 
 
   // The static walk at the same poses in the same order, the same way: at one pose again and again it would be a fifth
   // faster.
-  ConvexSum merged = *ConvexSum::create(p.mesh, q.mesh),
-            triangles = *ConvexSum::create(p.mesh, q.mesh, FlatFeatures::kept);
+  ConvexSum merged = *ConvexSum::create(p.mesh, q.mesh);
   row.static_us = 1e300;
   for (int round = 0; round < 3; ++round) {
     const double us = timed_us([&] {
@@ -72,34 +154,25 @@ MotionRow measure(const solids::NamedMesh& p, const solids::NamedMesh& q, const 
     row.static_us = std::min(row.static_us, us / static_cast<double>(row.moves));
   }
 
+  if (protocol.solids) time_solids(row, p, q, poses, moving, merged);
+
   // The same moves again, with the others' turns in between.
   moving.set(poses[0]);
   const auto every = [&](int count) {
     return count > 0 ? std::max<std::size_t>(1, row.moves / static_cast<std::size_t>(count)) : row.moves + 1;
   };
+  std::optional<Brutes> brutes;
+  if (protocol.brute_moves > 0) brutes.emplace(p, q, protocol.expert);
   std::size_t brute_runs = 0, hull_runs = 0;
   for (std::size_t k = 1; k < poses.size(); ++k) {
-    const MotionWork work = moving.set(poses[k]);
-    row.work.vertex_checks += work.vertex_checks;
-    row.work.vertex_errors += work.vertex_errors;
-    row.work.crossing_checks += work.crossing_checks;
-    row.work.arc_checks += work.arc_checks;
-    row.work.arcs_changed += work.arcs_changed;
-    row.work.steps += work.steps;
-    row.work.facets_added += work.facets_added;
-    row.work.exact_signs += work.exact_signs;
-    row.facets = moving.face_vertex_count() + moving.edge_edge_count();
+    add(moving.set(poses[k]), row.work);
     if (k % 10 != 0 && k % every(protocol.brute_moves) != 0) continue;
     merged.rebuild(poses[k], {});
     ++row.compared;
-    bool same = merged.same_combinatorics(moving);
+    bool same = merged.same_combinatorics(moving) && (!protocol.solids || same_solids(moving, merged));
     if (k % every(protocol.brute_moves) == 0) {
       ++brute_runs;
-      row.brute_merged_us += repeated_us([&] { merged.rebuild(ConvexEngine::brute); });
-      same = same && merged.same_combinatorics(moving);
-      triangles.set(poses[k]);
-      row.brute_us += repeated_us([&] { triangles.rebuild(ConvexEngine::brute); });
-      same = same && triangles.volume_exact() == moving.volume_exact();
+      same = brutes->run(row, poses[k], moving, merged) && same;
     }
     if (k % every(protocol.hull_moves) == 0) {
       ++hull_runs;
@@ -109,8 +182,11 @@ MotionRow measure(const solids::NamedMesh& p, const solids::NamedMesh& q, const 
     }
     row.different += !same;
   }
-  if (brute_runs > 0) row.brute_us /= static_cast<double>(brute_runs);
-  if (brute_runs > 0) row.brute_merged_us /= static_cast<double>(brute_runs);
+  row.facets = moving.facet_count().all;
+  if (brute_runs > 0)
+    for (double MotionRow::*us :
+         {&MotionRow::brute_us, &MotionRow::brute_merged_us, &MotionRow::expert_pairs_us, &MotionRow::expert_faces_us})
+      row.*us /= static_cast<double>(brute_runs);
   if (hull_runs > 0) row.hull_us /= static_cast<double>(hull_runs);
   return row;
 }
@@ -138,6 +214,14 @@ MotionRow measure_rotation(const solids::NamedMesh& p, const solids::NamedMesh& 
   return measure(p, q, poses, protocol);
 }
 
+MotionRow measure_shared_axis(const solids::NamedMesh& p, const solids::NamedMesh& q, int steps,
+                              const MotionProtocol& protocol) {
+  const double angle = 2 * std::acos(-1.0) / steps;
+  std::vector<SolidPose> poses(1);
+  for (int k = 1; k <= protocol.moves; ++k) poses.push_back({*Rotation::about({0, 0, 1}, k * angle), {}});
+  return measure(p, q, poses, protocol);
+}
+
 MotionRow measure_scaling(const solids::NamedMesh& p, const solids::NamedMesh& q, const MotionProtocol& protocol) {
   std::mt19937_64 random(protocol.seed);
   std::uniform_real_distribution<double> factor(-1, 1);
@@ -162,43 +246,6 @@ NefRow measure_nef(const solids::NamedMesh& p, const solids::NamedMesh& q, const
   row.nef_vertices = nef.vertices;
   row.same = row.vertices == row.nef_vertices && std::abs(nef.volume / sum.volume() - 1) < 1e-9;
   return row;
-}
-
-std::vector<DepthRow> measure_depth(const solids::NamedMesh& p, const solids::NamedMesh& q, int queries) {
-  std::mt19937_64 random(7);
-  std::uniform_real_distribution<double> offset(-0.3, 0.3);
-  ConvexSum difference = *ConvexSum::create(p.mesh, negated(q.mesh));
-  const DepthPair pair(p.mesh, q.mesh);
-  const std::array<double, 6> box = bounds(p.mesh);
-  const double size = box[3] - box[0];
-  std::vector<DepthRow> rows;
-  rows.push_back({std::string(p.name), std::string(q.name), "dymsum, moving", 0, 0, 0, 0});
-  for (const DepthRival rival : {DepthRival::fcl, DepthRival::ccd_gjk_epa, DepthRival::ccd_mpr})
-    rows.push_back({std::string(p.name), std::string(q.name), name(rival), 0, 0, 0, 0});
-  Rotation turn;
-  const Rotation step = *Rotation::about({1, 2, 3}, 0.0126);
-  for (int k = 0; k < queries; ++k) {
-    turn = step * turn;
-    const Point3 at{size * offset(random), size * offset(random), size * offset(random)};
-    double m[9];
-    for (int i = 0; i < 9; ++i) m[i] = static_cast<double>(turn.matrix()[i]) / static_cast<double>(turn.norm());
-    ConvexDepth truth;
-    rows[0].us += timed_us([&] {
-      difference.set(turn);
-      truth = difference.depth(at);
-    });
-    ++rows[0].queries;
-    for (int r = 0; r < 3; ++r) {
-      double depth = 0;
-      rows[r + 1].us += timed_us([&] { depth = pair.depth(static_cast<DepthRival>(r), m, at); });
-      ++rows[r + 1].queries;
-      const double error = std::abs(depth - truth.depth) / size;
-      rows[r + 1].wrong += error > 1e-6;
-      rows[r + 1].worst = std::max(rows[r + 1].worst, error);
-    }
-  }
-  for (DepthRow& row : rows) row.us /= static_cast<double>(row.queries);
-  return rows;
 }
 
 }  // namespace dymsum::bench

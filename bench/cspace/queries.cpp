@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cspace/sampled_depth.h"
+#include "spread.h"
 
 namespace dymsum::bench {
 namespace {
@@ -42,23 +43,15 @@ std::vector<Configuration> around(const CspaceObstacle& obstacle, std::size_t co
 
 // The time of every question, sorted.
 template <class F>
-std::vector<double> timed(const std::vector<Configuration>& questions, F&& ask) {
+Spread timed(const std::vector<Configuration>& questions, F&& ask) {
   std::vector<double> times;
   for (const Configuration& q : questions) {
     const Clock::time_point start = Clock::now();
     ask(q);
     times.push_back(microseconds_since(start));
   }
-  std::sort(times.begin(), times.end());
-  return times;
+  return spread(times);
 }
-
-double mean(const std::vector<double>& v) {
-  double sum = 0;
-  for (const double t : v) sum += t;
-  return sum / static_cast<double>(v.size());
-}
-double median(const std::vector<double>& sorted) { return sorted[sorted.size() / 2]; }
 
 std::string joined(const std::vector<double>& values) {
   std::string text;
@@ -77,8 +70,8 @@ void measure_contains(const ObstacleQueries& queries, const std::vector<Configur
   const Clock::time_point start = Clock::now();
   queries.contains(questions, 1);
   const double batch = microseconds_since(start) / static_cast<double>(questions.size());
-  const std::vector<double> times = timed(questions, [&](const Configuration& c) { queries.contains(c); });
-  row.push_back(joined({batch, median(times)}));
+  const Spread times = timed(questions, [&](const Configuration& c) { queries.contains(c); });
+  row.push_back(joined({batch, times.median}));
   row.push_back(std::to_string(queries.exact_answers()) + " of " + std::to_string(2 * questions.size()));
 }
 
@@ -86,8 +79,8 @@ std::vector<Clearance> measure_clearance(const ObstacleQueries& queries, const s
                                          Cells& row) {
   std::vector<Clearance> found;
   const auto ask = [&](const Configuration& c) { found.push_back(queries.clearance(c)); };
-  const std::vector<double> times = timed(questions, ask);
-  row.push_back(joined({mean(times), median(times), times.back()}));
+  const Spread times = timed(questions, ask);
+  row.push_back(joined({times.mean, times.median, times.worst}));
   row.push_back(shown(static_cast<double>(queries.bounds_evaluated()) / static_cast<double>(questions.size())));
   double worst = 0;
   for (const Clearance& c : found) worst = std::max(worst, c.error);
@@ -100,7 +93,7 @@ void measure_sampled(const SampledDepth& sampled, const std::vector<Configuratio
                      const std::vector<Clearance>& exact, Cells& row) {
   std::vector<SampledAnswer> found;
   const auto ask = [&](const Configuration& c) { found.push_back(sampled.clearance(c)); };
-  row.push_back(shown(mean(timed(questions, ask))));
+  row.push_back(shown(timed(questions, ask).mean));
   const double count = static_cast<double>(questions.size());
   double error = 0, wrong = 0;
   for (std::size_t k = 0; k < questions.size(); ++k) {
@@ -151,8 +144,8 @@ void QueryTables::row(const QueryPair& pair) {
   const std::vector<Configuration> some = around(obstacle, questions_, 2);
   measure_contains(queries, around(obstacle, 100 * questions_, 1), cells);
   const std::vector<Clearance> exact = measure_clearance(queries, some, cells);
-  cells.push_back(shown(mean(timed(some, [&](const Configuration& c) { queries.clearance(c, INFINITY); }))));
-  cells.push_back(shown(mean(timed(some, [&](const Configuration& c) { queries.free_angles(c.x, c.y); }))));
+  cells.push_back(shown(timed(some, [&](const Configuration& c) { queries.clearance(c, INFINITY); }).mean));
+  cells.push_back(shown(timed(some, [&](const Configuration& c) { queries.free_angles(c.x, c.y); }).mean));
   start = Clock::now();
   const SampledDepth sampled(obstacle, queries, queries.gyration_radius(), around(obstacle, samples_, 3));
   const double precomputed = microseconds_since(start) / 1e6;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <numbers>
-#include <numeric>
 
 #include "dymsum/cspace_obstacle.h"
 #include "dymsum/rotating_sum.h"
@@ -10,16 +9,6 @@
 
 namespace dymsum::bench {
 namespace {
-
-double median(std::vector<double> list) {
-  if (list.empty()) return 0;
-  std::sort(list.begin(), list.end());
-  return list[list.size() / 2];
-}
-
-double mean(const std::vector<double>& list) {
-  return list.empty() ? 0 : std::accumulate(list.begin(), list.end(), 0.0) / static_cast<double>(list.size());
-}
 
 RotatingSum rotating(const TurningPair& pair) {
   MovingOptions options;
@@ -71,11 +60,9 @@ RotationRow measure_rotation(const TurningPair& pair, int steps) {
     ++row.compared;
     row.different += !(again.sum() == cspace_slice(pair.robot, pair.obstacle, theta).value());
   }
-  row.update_ms = median(updates);
-  row.update_mean_ms = mean(updates);
-  row.static_ms = median(slices);
-  row.static_mean_ms = mean(slices);
-  row.window_ms = median(windows);
+  row.update_ms = spread(updates);
+  row.static_ms = spread(slices);
+  row.window_ms = spread(windows).median;
   return row;
 }
 

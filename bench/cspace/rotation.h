@@ -6,14 +6,15 @@
 #include <vector>
 
 #include "cspace/turning_pairs.h"
+#include "spread.h"
 
 namespace dymsum::bench {
 
 struct RotationRow {
   std::string name;
-  int steps = 0;                                                                ///< a turn
-  double update_ms = 0, update_mean_ms = 0, static_ms = 0, static_mean_ms = 0;  ///< medians and means of frames
-  double window_ms = 0;  ///< median of the frames that built a window
+  int steps = 0;                ///< a turn
+  Spread update_ms, static_ms;  ///< of frames
+  double window_ms = 0;         ///< median of the frames that built a window
   std::uint64_t windows = 0, rebuilt = 0, degenerate = 0;
   double pieces = 0, pairs = 0, collision_tests = 0;  ///< a frame
   std::size_t compared = 0, different = 0;

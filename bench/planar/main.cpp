@@ -1,4 +1,4 @@
-// dymsum_bench_planar: our planar sums measured against CGAL and Clipper in one process.
+// dymsum_bench_planar: our planar sums measured against CGAL and both Clippers in one process.
 #include <algorithm>
 #include <iostream>
 #include <stdexcept>
@@ -18,7 +18,8 @@ struct Options {
 
 constexpr const char* kUsage =
     "dymsum_bench_planar [--demo | --ours | --growth] [--quick] [--only TEXT] [--results DIR]\n"
-    "  (default)      all pairs against CGAL's reduced convolution, its other methods where they finish, and Clipper\n"
+    "  (default)      all pairs against CGAL's reduced convolution, its other methods where they finish, Clipper 6\n"
+    "                 and Clipper2\n"
     "  --demo         a short table, under a minute\n"
     "  --ours         our engine alone, with its work and what a piece of work costs\n"
     "  --growth       our engine alone on ever larger operands; with --results growth.md\n"

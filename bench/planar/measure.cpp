@@ -156,6 +156,10 @@ double Row::ratio_to_best_cgal() const {
   return best / ours.median_ms;
 }
 
+bool Row::agrees(const RivalAnswer& clipper) const {
+  return clipper.holes == ours.holes && std::fabs(clipper.area - ours.area) <= 1e-6 * std::fabs(ours.area);
+}
+
 Row measure_pair(const Pair& pair, const Effort& effort) {
   Row row;
   row.name = pair.name;
@@ -175,7 +179,8 @@ Row measure_pair(const Pair& pair, const Effort& effort) {
     row.full = operands.sum_in_child(CgalMethod::full_convolution, kOtherRepeats, limit);
     row.angle_bisector = operands.sum_in_child(CgalMethod::small_side_angle_bisector, kOtherRepeats, limit);
     row.vertical = operands.sum_in_child(CgalMethod::vertical_decomposition, kOtherRepeats, limit);
-    row.clipper = ClipperOperands(pair.p.data(), second.data()).sum_in_child(kOtherRepeats, limit);
+    row.clipper = clipper_sum_in_child(Clipper::six, pair.p.data(), second.data(), kOtherRepeats, limit);
+    row.clipper2 = clipper_sum_in_child(Clipper::two, pair.p.data(), second.data(), kOtherRepeats, limit);
   }
   judge(row, operands, limit);
   return row;

@@ -37,11 +37,13 @@ struct Row {
   std::size_t p_vertices = 0, q_vertices = 0;
   std::size_t p_corners = 0, q_corners = 0;  ///< vertices that are not collinear with their neighbours
   OurAnswer ours;
-  RivalAnswer reduced, full, angle_bisector, vertical, clipper;
+  RivalAnswer reduced, full, angle_bisector, vertical, clipper, clipper2;
   Verdict verdict = Verdict::unknown;
   std::string remark;
 
   double ratio() const { return reduced.median_ms / ours.median_ms; }  ///< against CGAL's reduced convolution
+  /// Whether a Clipper says what we say: the same holes, and the area to 1e-6, as it sums on a grid of 28 bits.
+  bool agrees(const RivalAnswer& clipper) const;
   double fresh_ratio() const { return reduced.median_ms / ours.fresh_ms; }
   /// Against whichever of CGAL's methods was fastest with the right answer.
   double ratio_to_best_cgal() const;

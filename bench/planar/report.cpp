@@ -24,6 +24,7 @@ std::string times(RivalAnswer answer) {
   if (answer.why_not.rfind("stopped after", 0) == 0) return answer.why_not.replace(0, 14, ">");
   if (answer.why_not.rfind("crashed", 0) == 0) return "crash";
   if (answer.why_not == "cannot take holes") return "holes";
+  if (answer.why_not == "not built") return "-";
   return answer.why_not.empty() ? "-" : "failed";
 }
 
@@ -48,15 +49,23 @@ const char* verdict_text(Verdict verdict) {
   return "";
 }
 
+double area_error(const Row& row, const RivalAnswer& answer) {
+  return std::fabs(answer.area - row.ours.area) / std::fabs(row.ours.area);
+}
+/// Its time, with a star where its answer differs.
+std::string clipper_times(const Row& row, const RivalAnswer& answer) {
+  return times(answer) + (answer.finished && !row.agrees(answer) ? "*" : "");
+}
+
 double per(double amount, double count) { return count > 0 ? amount / count : 0; }
 
 }  // namespace
 
 void print_heading(std::ostream& out) {
   char line[256];
-  std::snprintf(line, sizeof line, "%-32s %9s %8s %6s %5s | %9s %9s | %9s %9s %7s | %8s %8s %8s %8s | %s\n", "pair",
+  std::snprintf(line, sizeof line, "%-32s %9s %8s %6s %5s | %9s %9s | %9s %9s %7s | %8s %8s %8s %8s %8s | %s\n", "pair",
                 "corners", "reduced", "sum", "holes", "ours ms", "fresh", "CGAL ms", "(min)", "ratio", "full",
-                "bisector", "vertical", "Clipper", "check");
+                "bisector", "vertical", "Clipper6", "Clipper2", "check");
   out << line;
 }
 
@@ -64,21 +73,20 @@ void print_row(std::ostream& out, const Row& row) {
   char line[320];
   const OurAnswer& ours = row.ours;
   const std::string sizes = std::to_string(row.p_vertices) + "+" + std::to_string(row.q_vertices);
-  std::snprintf(line, sizeof line, "%-32s %9s %8llu %6zu %5zu | %9s %9s | %9s %9s %7s | %8s %8s %8s %8s | %s\n",
+  std::snprintf(line, sizeof line, "%-32s %9s %8llu %6zu %5zu | %9s %9s | %9s %9s %7s | %8s %8s %8s %8s %8s | %s\n",
                 row.name.c_str(), sizes.c_str(), static_cast<unsigned long long>(ours.convolution.reduced),
                 ours.vertices, ours.holes, milliseconds(ours.median_ms).c_str(), milliseconds(ours.fresh_ms).c_str(),
                 times(row.reduced).c_str(), row.reduced.finished ? milliseconds(row.reduced.min_ms).c_str() : "-",
                 row.reduced.finished ? ratio_text(row.ratio()).c_str() : "-", times(row.full).c_str(),
                 times(row.angle_bisector).c_str(), times(row.vertical).c_str(), times(row.clipper).c_str(),
-                verdict_text(row.verdict));
+                times(row.clipper2).c_str(), verdict_text(row.verdict));
   out << line;
   if (!row.remark.empty()) out << "    " << row.remark << "\n";
-  if (row.clipper.finished) {
-    const double error = std::fabs(row.clipper.area - row.ours.area) / std::fabs(row.ours.area);
-    if (error > 1e-6 || row.clipper.holes != row.ours.holes) {
-      std::snprintf(line, sizeof line, "    Clipper differs: area off by %.1e, %zu holes\n", error, row.clipper.holes);
-      out << line;
-    }
+  for (const auto& [name, answer] : {std::pair{"Clipper 6", &row.clipper}, {"Clipper2", &row.clipper2}}) {
+    if (!answer->finished || row.agrees(*answer)) continue;
+    std::snprintf(line, sizeof line, "    %s differs: area off by %.1e, %zu holes\n", name, area_error(row, *answer),
+                  answer->holes);
+    out << line;
   }
 }
 
@@ -133,7 +141,7 @@ std::string to_csv(const std::vector<Row>& rows) {
   out << "group,pair,p_vertices,q_vertices,full,kinetic,reduced,tier,vertices,holes,area,ours_median_ms,ours_min_ms,"
          "ours_fresh_ms,ours_runs,cgal_median_ms,cgal_min_ms,cgal_runs,ratio,cgal_full_ms,cgal_bisector_ms,cgal_"
          "vertical_ms,clipper_"
-         "ms,"
+         "ms,clipper2_ms,"
          "live_segments,pair_tests,crossings,loops,collision_tests,peak_bytes,check,remark\n";
   const auto ms = [&](const RivalAnswer& answer) {
     if (answer.finished) out << answer.median_ms;
@@ -150,7 +158,8 @@ std::string to_csv(const std::vector<Row>& rows) {
     out << ',' << row.reduced.runs << ',';
     if (row.reduced.finished) out << row.ratio();
     out << ',';
-    for (const RivalAnswer* other : {&row.full, &row.angle_bisector, &row.vertical, &row.clipper}) ms(*other);
+    for (const RivalAnswer* other : {&row.full, &row.angle_bisector, &row.vertical, &row.clipper, &row.clipper2})
+      ms(*other);
     out << o.stats.live_segments << ',' << o.stats.pair_tests << ',' << o.stats.crossings << ',' << o.stats.loops << ','
         << o.stats.collision_tests << ',' << o.stats.peak_bytes << ',' << verdict_text(row.verdict) << ",\""
         << row.remark << "\"\n";
@@ -160,7 +169,8 @@ std::string to_csv(const std::vector<Row>& rows) {
 
 std::string to_markdown(const std::vector<Row>& rows) {
   std::ostringstream out;
-  out << "# Planar sums against CGAL 5.5.1 and Clipper 6\n\nMade by `./run bench planar --results docs/results`. Times "
+  out << "# Planar sums against CGAL 5.5.1, Clipper 6 and Clipper2\n\nMade by `./run bench planar --results "
+         "docs/results`. Times "
          "are "
          "medians in milliseconds of processor time on one machine, less what reading the clock takes; trust the "
          "ratios.\n\n";
@@ -176,14 +186,18 @@ std::string to_markdown(const std::vector<Row>& rows) {
          "polygons that are there and checks nothing.\n";
   out << "\n## Sizes of the convolutions\n\n";
   for (const std::string& line : thesis_counts(rows)) out << "- " << line << "\n";
+  out << "\n## Beside Clipper\n\nBoth sum on a grid of 28 bits; a star below: their holes differ from ours, or their "
+         "area "
+         "by more than 1e-6.\n\n";
+  for (const std::string& line : clipper_lines(rows)) out << "- " << line << "\n";
   Group group = Group::thesis;
   bool first = true;
   for (const Row& row : rows) {
     if (first || row.group != group) {
       out << "\n## " << name(row.group)
           << "\n\n| pair | corners | reduced | sum | holes | ours | fresh | CGAL reduced convolution | "
-             "ratio | CGAL full | bisector | vertical | Clipper | check "
-             "|\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
+             "ratio | CGAL full | bisector | vertical | Clipper 6 | Clipper2 | check "
+             "|\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
     }
     first = false;
     group = row.group;
@@ -191,8 +205,8 @@ std::string to_markdown(const std::vector<Row>& rows) {
         << row.ours.convolution.reduced << " | " << row.ours.vertices << " | " << row.ours.holes << " | "
         << milliseconds(row.ours.median_ms) << " | " << milliseconds(row.ours.fresh_ms) << " | " << times(row.reduced)
         << " | " << (row.reduced.finished ? ratio_text(row.ratio()) : "-") << " | " << times(row.full) << " | "
-        << times(row.angle_bisector) << " | " << times(row.vertical) << " | " << times(row.clipper) << " | "
-        << verdict_text(row.verdict) << " |\n";
+        << times(row.angle_bisector) << " | " << times(row.vertical) << " | " << clipper_times(row, row.clipper)
+        << " | " << clipper_times(row, row.clipper2) << " | " << verdict_text(row.verdict) << " |\n";
   }
   return out.str();
 }

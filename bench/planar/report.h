@@ -30,6 +30,9 @@ std::vector<Target> targets(const std::vector<Row>& rows);
 /// The sizes of our convolutions beside those the thesis prints, for its own polygons.
 std::vector<std::string> thesis_counts(const std::vector<Row>& rows);
 
+/// How both Clippers compare with ours where they finish.
+std::vector<std::string> clipper_lines(const std::vector<Row>& rows);
+
 /// Sizes of the convolutions and mean ratios of the groups.
 void print_summary(std::ostream& out, const std::vector<Row>& rows);
 void print_promises(std::ostream& out, const std::vector<Row>& rows);

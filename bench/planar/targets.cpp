@@ -5,6 +5,7 @@
 #include <ostream>
 
 #include "planar/report.h"
+#include "spread.h"
 
 namespace dymsum::bench {
 namespace {
@@ -24,13 +25,10 @@ const Row* find(const std::vector<Row>& rows, const std::string& name) {
 }
 
 double geometric_mean(const std::vector<Row>& rows, double (Row::*ratio)() const, const Group* group = nullptr) {
-  double sum = 0, count = 0;
-  for (const Row& row : rows) {
-    if (!row.reduced.finished || (group != nullptr && row.group != *group)) continue;
-    sum += std::log((row.*ratio)());
-    count += 1;
-  }
-  return count > 0 ? std::exp(sum / count) : 0;
+  std::vector<double> ratios;
+  for (const Row& row : rows)
+    if (row.reduced.finished && (group == nullptr || row.group == *group)) ratios.push_back((row.*ratio)());
+  return bench::geometric_mean(ratios);
 }
 
 template <class Value, class Counts>
@@ -131,6 +129,26 @@ std::vector<std::string> thesis_counts(const std::vector<Row>& rows) {
   return lines;
 }
 
+std::vector<std::string> clipper_lines(const std::vector<Row>& rows) {
+  std::vector<std::string> lines;
+  for (const auto& [name, answer] : {std::pair{"Clipper 6", &Row::clipper}, {"Clipper2", &Row::clipper2}}) {
+    std::vector<double> ratios;
+    std::size_t slower = 0, different = 0;
+    for (const Row& row : rows) {
+      if (!(row.*answer).finished) continue;
+      ratios.push_back((row.*answer).median_ms / row.ours.median_ms);
+      slower += ratios.back() < 1;
+      different += !row.agrees(row.*answer);
+    }
+    if (ratios.empty()) continue;
+    lines.push_back(std::string(name) +
+                    text(" / ours: geometric mean %.0f, least %.1f", geometric_mean(ratios), quantile(ratios, 0)) +
+                    text(", of %.0f pairs; ours slower on %.0f", ratios.size(), static_cast<double>(slower)) +
+                    text("; another answer on %.0f", different));
+  }
+  return lines;
+}
+
 void print_summary(std::ostream& out, const std::vector<Row>& rows) {
   out << "\n== Sizes of the convolutions\n";
   for (const std::string& line : thesis_counts(rows)) out << line << "\n";
@@ -140,6 +158,7 @@ void print_summary(std::ostream& out, const std::vector<Row>& rows) {
     if (mean > 0)
       out << name(group) << ": " << text("%.0f, %.1f", mean, geometric_mean(rows, &Row::fresh_ratio, &group)) << "\n";
   }
+  for (const std::string& line : clipper_lines(rows)) out << line << "\n";
   const Row* best = least(
       rows, [](const Row& r) { return r.ratio_to_best_cgal(); }, [](const Row& r) { return r.reduced.finished; });
   if (best != nullptr) {

@@ -5,21 +5,10 @@
 #include <vector>
 
 #include "dymsum/scaling_sum.h"
+#include "scaling/pairs.h"
+#include "spread.h"
 
 namespace dymsum::bench {
-
-/// A pair whose coordinates are integers of at most 24 bits, so that scales with few bits give doubles again: everyone
-/// computes the same.
-struct ScalingPair {
-  std::string name;
-  Region p, q;
-  bool q_scales = false;
-};
-
-/// The pairs of the frame table; those of the thesis need its polygons in `data`.
-std::vector<ScalingPair> frame_pairs(const std::string& data);
-/// dog, G1, G2, G3, G4 against each other: table 6.1, with shapes of the same vertex counts.
-std::vector<ScalingPair> table_pairs();
 
 struct FrameSample {
   double s = 1, ms = 0, static_ms = 0;
@@ -31,7 +20,7 @@ struct FramesRow {
   std::string name, steps;
   std::size_t p_vertices = 0, q_vertices = 0;
   std::uint64_t segments = 0, vertices = 0, holes = 0, pieces = 0, candidates = 0, bytes = 0;
-  double frame_ms = 0, frame_mean_ms = 0, static_ms = 0, static_mean_ms = 0;
+  Spread frame_ms, static_ms;
   double all_pairs_ms = 0, cgal_ms = 0;  ///< on a few of the frames; 0: not measured
   std::uint64_t frames = 0, windows = 0, rebuilt = 0, degenerate = 0, compared = 0, different = 0, cgal_different = 0;
   double kept = 1;                      ///< median share of corners that the frame before had

@@ -7,6 +7,7 @@
 
 #include "page.h"
 #include "solid/measure.h"
+#include "spread.h"
 
 namespace dymsum::bench {
 namespace {
@@ -117,10 +118,8 @@ void summary(const std::vector<SolidRow>& rows, Report& report) {
     for (const SolidRow& r : rows)
       if (const double v = value(r); r.ours.wrong.empty() && v > 0) all.push_back(v);
     if (all.empty()) return;
-    double logs = 0;
-    for (const double v : all) logs += std::log(v);
-    report.line("- " + what + ": geometric mean " + number(std::exp(logs / static_cast<double>(all.size()))) +
-                ", median " + number(quantile(all, 0.5)) + ", least " + number(quantile(all, 0)) + ", of " +
+    report.line("- " + what + ": geometric mean " + number(geometric_mean(all)) + ", median " +
+                number(quantile(all, 0.5)) + ", least " + number(quantile(all, 0)) + ", of " +
                 std::to_string(all.size()) + " pairs");
   };
   report.line("\n## Ratios\n");
@@ -214,7 +213,6 @@ int run(int argc, char** argv) {
   }
   SolidProtocol protocol;
   protocol.limit_s = options.ours ? 0 : 60 * options.minutes;
-  protocol.python = environment("DYMSUM_PYTHON", "");
   std::vector<SolidRow> rows;
   report.csv << kColumns;
   for (const SolidPair& pair :

@@ -2,16 +2,14 @@
 
 #include <malloc.h>
 
-#include <unistd.h>
-
 #include <chrono>
 #include <cmath>
-#include <cstdio>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 
 #include "dymsum/mesh_io.h"
+#include "python.h"
+#include "spread.h"
 #include "versus/child.h"
 #include "versus/solid_rivals.h"
 
@@ -76,26 +74,14 @@ RivalAnswer ask_cgal(const SolidPair& pair, double limit_s) {
 
 RivalAnswer ask_manifold(const SolidPair& pair, bool guard, const SolidProtocol& protocol) {
   RivalAnswer answer;
-  if (protocol.python.empty()) {
+  if (!has_python()) {
     answer.why_not = "no manifold3d";
     return answer;
   }
-  const auto folder = std::filesystem::temp_directory_path() / ("dymsum_bench_" + std::to_string(::getpid()));
-  std::filesystem::create_directories(folder);
-  std::ofstream(folder / "p.off") << format_mesh(triangles_of(pair.p), MeshFormat::off);
-  std::ofstream(folder / "q.off") << format_mesh(triangles_of(pair.q), MeshFormat::off);
-  std::ostringstream command;
-  command << "timeout " << protocol.limit_s << " '" << protocol.python << "' '" << DYMSUM_SOURCE_DIR
-          << "/bench/versus/manifold_sum.py' '" << (folder / "p.off").string() << "' '" << (folder / "q.off").string()
-          << "'" << (guard ? " --guard" : "") << " 2>/dev/null";
-  std::string text;
-  if (FILE* pipe = popen(command.str().c_str(), "r"); pipe != nullptr) {
-    char buffer[256];
-    while (std::fgets(buffer, sizeof buffer, pipe) != nullptr) text += buffer;
-    pclose(pipe);
-  }
-  std::filesystem::remove_all(folder);
-  std::istringstream words(text);
+  std::istringstream words(ask_python("manifold_sum.py",
+                                      {{"p.off", format_mesh(triangles_of(pair.p), MeshFormat::off)},
+                                       {"q.off", format_mesh(triangles_of(pair.q), MeshFormat::off)}},
+                                      guard ? "--guard" : "", protocol.limit_s));
   if (words >> answer.median_ms >> answer.area >> answer.outer) {
     answer.finished = true, answer.runs = 1, answer.min_ms = answer.median_ms;
   } else {
@@ -105,12 +91,6 @@ RivalAnswer ask_manifold(const SolidPair& pair, bool guard, const SolidProtocol&
 }
 
 }  // namespace
-
-double quantile(std::vector<double> values, double share) {
-  if (values.empty()) return 0;
-  std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size() - 1)))];
-}
 
 Ours measure_ours(const SolidPair& pair, double budget_ms) {
   Ours ours;

@@ -33,13 +33,9 @@ struct SolidRow {
 struct SolidProtocol {
   double budget_ms = 1500;  ///< for the repetitions of ours
   double limit_s = 0;       ///< for each rival; 0: none is asked
-  std::string python;       ///< with manifold3d; empty: none
 };
 
 Ours measure_ours(const SolidPair& pair, double budget_ms);
 SolidRow measure_pair(const SolidPair& pair, const SolidProtocol& protocol);
-
-/// Of sorted or unsorted values.
-double quantile(std::vector<double> values, double share);
 
 }  // namespace dymsum::bench

@@ -2,6 +2,11 @@
 
 #include <polyclipping/clipper.hpp>
 
+#ifdef DYMSUM_CLIPPER2
+#include <clipper2/clipper.engine.h>
+#include <clipper2/clipper.minkowski.h>
+#endif
+
 #include <algorithm>
 #include <cmath>
 #include <exception>
@@ -20,82 +25,106 @@ double largest(const RegionData& region) {
   return size;
 }
 
-ClipperLib::Path path(const RegionData& region, int exponent) {
-  ClipperLib::Path result;
-  for (const Point& p : region.parts.at(0).outer) {
-    result.push_back({std::llround(std::ldexp(p.x, exponent)), std::llround(std::ldexp(p.y, exponent))});
+struct Six {
+  using Path = ClipperLib::Path;
+  using Paths = ClipperLib::Paths;
+  static ClipperLib::IntPoint point(std::int64_t x, std::int64_t y) { return {x, y}; }
+  static Path moved(Path path, ClipperLib::IntPoint by) {
+    for (ClipperLib::IntPoint& p : path) p.X += by.X, p.Y += by.Y;
+    return path;
   }
+  static Paths sum(const Path& pattern, const Path& path) {
+    Paths swept, sum;
+    ClipperLib::MinkowskiSum(pattern, path, swept, true);
+    ClipperLib::Clipper join;
+    join.AddPaths(swept, ClipperLib::ptSubject, true);
+    join.AddPath(moved(path, pattern[0]), ClipperLib::ptSubject, true);
+    join.AddPath(moved(pattern, path[0]), ClipperLib::ptSubject, true);
+    join.Execute(ClipperLib::ctUnion, sum, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
+    return sum;
+  }
+  static double area(const Path& ring) { return ClipperLib::Area(ring); }
+};
+
+#ifdef DYMSUM_CLIPPER2
+struct Two {
+  using Path = Clipper2Lib::Path64;
+  using Paths = Clipper2Lib::Paths64;
+  static Clipper2Lib::Point64 point(std::int64_t x, std::int64_t y) { return {x, y}; }
+  static Path moved(Path path, Clipper2Lib::Point64 by) {
+    for (Clipper2Lib::Point64& p : path) p = p + by;
+    return path;
+  }
+  static Paths sum(const Path& pattern, const Path& path) {
+    Paths all = Clipper2Lib::MinkowskiSum(pattern, path, true), sum;
+    all.push_back(moved(path, pattern[0]));
+    all.push_back(moved(pattern, path[0]));
+    Clipper2Lib::Clipper64 join;
+    join.AddSubject(all);
+    join.Execute(Clipper2Lib::ClipType::Union, Clipper2Lib::FillRule::NonZero, sum);
+    return sum;
+  }
+  static double area(const Path& ring) { return Clipper2Lib::Area(ring); }
+};
+#endif
+
+template <class Version>
+typename Version::Path path(const RegionData& region, int exponent) {
+  typename Version::Path result;
+  for (const Point& p : region.parts.at(0).outer)
+    result.push_back(Version::point(std::llround(std::ldexp(p.x, exponent)), std::llround(std::ldexp(p.y, exponent))));
   return result;
 }
 
-ClipperLib::Path moved(ClipperLib::Path path, ClipperLib::IntPoint by) {
-  for (ClipperLib::IntPoint& p : path) {
-    p.X += by.X;
-    p.Y += by.Y;
+template <class Version>
+RivalAnswer answer_of(const RegionData& p, const RegionData& q, const Repeats& repeats) {
+  RivalAnswer answer;
+  int exponent = 0;
+  std::frexp(std::max(largest(p), largest(q)), &exponent);
+  exponent = kBits - exponent;
+  const typename Version::Path a = path<Version>(p, exponent), b = path<Version>(q, exponent);
+  typename Version::Paths last;
+  const Times times = measure(
+      repeats, [&] { return Version::sum(a, b); }, [&](typename Version::Paths&& sum) { last = std::move(sum); });
+  answer.median_ms = times.median();
+  answer.min_ms = times.min();
+  answer.runs = static_cast<int>(times.ms.size());
+  for (const auto& ring : last) {
+    const double area = Version::area(ring);
+    answer.area += area;
+    (area >= 0 ? answer.outer : answer.holes) += 1;
+    answer.vertices += ring.size();
   }
-  return path;
+  answer.area = std::ldexp(answer.area, -2 * exponent);
+  answer.finished = true;
+  return answer;
 }
 
-ClipperLib::Paths compute(const ClipperLib::Path& pattern, const ClipperLib::Path& path) {
-  ClipperLib::Paths swept;
-  ClipperLib::MinkowskiSum(pattern, path, swept, true);
-  ClipperLib::Clipper join;
-  join.AddPaths(swept, ClipperLib::ptSubject, true);
-  join.AddPath(moved(path, pattern[0]), ClipperLib::ptSubject, true);
-  join.AddPath(moved(pattern, path[0]), ClipperLib::ptSubject, true);
-  ClipperLib::Paths sum;
-  join.Execute(ClipperLib::ctUnion, sum, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
-  return sum;
+RivalAnswer failed(const std::string& why) {
+  RivalAnswer answer;
+  answer.why_not = why;
+  return answer;
+}
+
+RivalAnswer ask(Clipper which, const RegionData& p, const RegionData& q, const Repeats& repeats) {
+  if (!p.parts.at(0).holes.empty() || !q.parts.at(0).holes.empty()) return failed("cannot take holes");
+  try {
+    if (which == Clipper::six) return answer_of<Six>(p, q, repeats);
+#ifdef DYMSUM_CLIPPER2
+    return answer_of<Two>(p, q, repeats);
+#else
+    return failed("not built");
+#endif
+  } catch (const std::exception& problem) {
+    return failed(std::string("threw: ") + problem.what());
+  }
 }
 
 }  // namespace
 
-struct ClipperOperands::Paths {
-  ClipperLib::Path p, q;
-  int exponent = 0;
-  bool has_holes = false;
-};
-
-ClipperOperands::ClipperOperands(const RegionData& p, const RegionData& q) : paths_(new Paths) {
-  int exponent = 0;
-  std::frexp(std::max(largest(p), largest(q)), &exponent);
-  paths_->exponent = kBits - exponent;
-  paths_->p = path(p, paths_->exponent);
-  paths_->q = path(q, paths_->exponent);
-  paths_->has_holes = !p.parts.at(0).holes.empty() || !q.parts.at(0).holes.empty();
-}
-ClipperOperands::~ClipperOperands() = default;
-
-RivalAnswer ClipperOperands::sum(const Repeats& repeats) const {
-  RivalAnswer answer;
-  if (paths_->has_holes) {
-    answer.why_not = "cannot take holes";
-    return answer;
-  }
-  try {
-    ClipperLib::Paths last;
-    const Times times = measure(
-        repeats, [&] { return compute(paths_->p, paths_->q); },
-        [&](ClipperLib::Paths&& sum) { last = std::move(sum); });
-    answer.median_ms = times.median();
-    answer.min_ms = times.min();
-    answer.runs = static_cast<int>(times.ms.size());
-    for (const ClipperLib::Path& ring : last) {
-      answer.area += ClipperLib::Area(ring);
-      (ClipperLib::Orientation(ring) ? answer.outer : answer.holes) += 1;
-      answer.vertices += ring.size();
-    }
-    answer.area = std::ldexp(answer.area, -2 * paths_->exponent);
-    answer.finished = true;
-  } catch (const std::exception& problem) {
-    answer = RivalAnswer{};
-    answer.why_not = std::string("threw: ") + problem.what();
-  }
-  return answer;
-}
-
-RivalAnswer ClipperOperands::sum_in_child(const Repeats& repeats, double limit_s) const {
-  return in_child([&] { return sum(repeats); }, limit_s);
+RivalAnswer clipper_sum_in_child(Clipper which, const RegionData& p, const RegionData& q, const Repeats& repeats,
+                                 double limit_s) {
+  return in_child([&] { return ask(which, p, q, repeats); }, limit_s);
 }
 
 }  // namespace dymsum::bench

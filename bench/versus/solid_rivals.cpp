@@ -31,7 +31,9 @@ HullAnswer cgal_hull_of_sums(const std::vector<Point3>& p, const std::vector<Poi
 const char* name(DepthRival rival) {
   switch (rival) {
     case DepthRival::fcl:
-      return "FCL 0.7";
+      return "FCL 0.7, its own tolerance";
+    case DepthRival::fcl_tight:
+      return "FCL 0.7, tolerance 1e-12";
     case DepthRival::ccd_gjk_epa:
       return "libccd GJK/EPA";
     case DepthRival::ccd_mpr:
@@ -102,13 +104,14 @@ DepthPair::DepthPair(const Mesh& p, const Mesh& q) : objects_(new Objects{p, q, 
 DepthPair::~DepthPair() = default;
 
 double DepthPair::depth(DepthRival rival, const double (&m)[9], Point3 at) const {
-  if (rival == DepthRival::fcl) {
+  if (rival == DepthRival::fcl || rival == DepthRival::fcl_tight) {
     fcl::Transform3d a = fcl::Transform3d::Identity(), b = fcl::Transform3d::Identity();
     for (int r = 0; r < 3; ++r)
       for (int c = 0; c < 3; ++c) a.linear()(r, c) = m[3 * r + c];
     b.translation() = fcl::Vector3d(at.x, at.y, at.z);
     fcl::CollisionRequest<double> request(1, true);
     request.gjk_solver_type = fcl::GST_LIBCCD;
+    if (rival == DepthRival::fcl_tight) request.gjk_tolerance = 1e-12;
     fcl::CollisionResult<double> result;
     const fcl::CollisionObject<double> x(objects_->fcl_p, a), y(objects_->fcl_q, b);
     fcl::collide(&x, &y, request, result);

@@ -30,7 +30,7 @@ struct NefAnswer {
 NefAnswer cgal_nef_sum_of_solids(const MeshData& p, const MeshData& q);
 NefAnswer cgal_nef_sum(const std::vector<Point3>& p, const std::vector<Point3>& q);
 
-enum class DepthRival { fcl, ccd_gjk_epa, ccd_mpr };
+enum class DepthRival { fcl, fcl_tight, ccd_gjk_epa, ccd_mpr };
 const char* name(DepthRival rival);
 
 /// A pair of convex solids prepared for repeated queries; q is moved by a translation, p is turned by the matrix given.

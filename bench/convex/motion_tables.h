@@ -1,0 +1,36 @@
+// Tables of convex sums in motion: updates alone, and up to the finished solid.
+#pragma once
+
+#include <functional>
+#include <string_view>
+#include <vector>
+
+#include "convex/measure.h"
+#include "page.h"
+#include "scaling/scatter.h"
+
+namespace dymsum::bench {
+
+using Models = std::vector<solids::NamedMesh>;
+using WantedPair = std::function<bool(const solids::NamedMesh& p, const solids::NamedMesh& q)>;
+
+const solids::NamedMesh& model(const Models& models, std::string_view name);
+
+/// The columns of Report::csv.
+extern const char* const kMotionColumns;
+
+/// Tables 5.1 and 5.2, all pairs; and the same motions up to the finished solids.
+void rotation_tables(Report& report, const Models& models, const WantedPair& wanted);
+/// Solids that have many directions in common and turn about the axis of all of them.
+void shared_axis_table(Report& report, const WantedPair& wanted);
+/// Figure 5.5, and the promise at 5,000 steps; the dots of the figure.
+void step_table(Report& report, const Models& models, const WantedPair& wanted, std::vector<Dot>& update,
+                std::vector<Dot>& from_scratch);
+/// Figure 5.6.
+void cubes_table(Report& report, std::vector<Dot>& update, std::vector<Dot>& brute);
+/// Spheres of up to 100,000 triangles together.
+void growth_table(Report& report, const WantedPair& wanted);
+/// Table 6.2.
+void scaling_table(Report& report, const Models& models, const WantedPair& wanted);
+
+}  // namespace dymsum::bench
