@@ -15,7 +15,7 @@ bool are_solid(const std::vector<std::string>& files, const InputOptions& option
   if (!planar.empty())
     for (const std::string& file : files) refuse_unknown_extension(file);
   if (!solid.empty() && !planar.empty())
-    throw Stop(kUsage, solid + " is a solid and " + planar + " is not: operands are solids, or planar, all of them");
+    throw Stop(kUsage, solid + " is a solid and " + planar + " is not: all operands have to be solids, or none");
   return planar.empty();
 }
 

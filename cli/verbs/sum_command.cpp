@@ -59,20 +59,20 @@ void add_output_options(CLI::App& verb, SumCommand& command, bool planar_result)
       ->check(CLI::IsMember(formats))
       ->capture_default_str();
   verb.add_flag("--round-repair", command.output.round_repair,
-                std::string(planar_result ? "" : "Planar: ") +
-                    "where rounding would change the topology, merge what collides instead of refusing");
+                std::string(planar_result ? "Where" : "Planar: where") +
+                    " rounding would change the topology, merge what collides instead of refusing");
 }
 
 void add_sum_options(CLI::App& verb, SumCommand& command, bool planar_result) {
   add_output_options(verb, command, planar_result);
-  const std::string planar = planar_result ? "Planar operands: " : "";
   verb.add_option("--engine", command.engine,
-                  planar + "how the boundary is found; all give the same result" +
-                      (planar_result ? "" : "; of solids fast or brute"))
+                  planar_result ? "Planar operands: how the boundary is found; all give the same result"
+                                : "How the boundary is found; all give the same result; of solids fast or brute")
       ->check(CLI::IsMember({"fast", "brute", "winding"}))
       ->capture_default_str();
   verb.add_option("--semantics", command.semantics,
-                  planar + "closed: sum of closed sets; open: touching is allowed; regular: no tight features")
+                  std::string(planar_result ? "Planar operands: " : "") +
+                      "closed: sum of closed sets; open: touching is allowed; regular: no tight features")
       ->check(CLI::IsMember({"closed", "open", "regular"}))
       ->capture_default_str();
   add_report_options(verb, command.report, "Compute N times and report the median and minimum time");
