@@ -76,6 +76,7 @@ void refuse_selection(const std::string& file) {
 }
 
 void refuse_unknown_extension(const std::string& file) {
+  refuse_selection(file);
   if (file == "-" || is_footprint(file) || mesh_format(file) || names_region(file)) return;
   Error error = read_shapes(file).error();
   if (error.code == ErrorCode::unsupported_format) error.message += ", .off, .obj, .stl, .ply";

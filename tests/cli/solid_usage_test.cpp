@@ -50,7 +50,7 @@ TEST_F(SolidUsage, AMemoryLimitIsOfEveryVerbThatComputesASum) {
                std::to_string(4 * k + f[2]) + "\n";
   }
   work.write("many.off", "OFF\n240 240 0\n" + vertices + faces);
-  for (const char* verb : {"sum many.off many.off", "erode many.off wedge.off", "opening many.off wedge.off",
+  for (const char* verb : {"sum many.off many.off", "erode many.off many.off", "opening many.off many.off",
                            "closing many.off many.off", "offset many.off --by 0.5", "slice many.off many.off --z 2"}) {
     const Json failure = json(std::string("dymsum ") + verb + " --memory 1 --json", 2)["error"];
     EXPECT_EQ(failure["code"], "out_of_memory") << verb;
@@ -118,8 +118,7 @@ TEST_F(SolidUsage, FilesWithVerticesAloneSaySo) {
 
 TEST_F(SolidUsage, WhatRoundingSpoilsIsDrawnAndTheErrorTellsWhatElseHoldsIt) {
   work.write("speck.off", "OFF\n4 4 0\n0 0 0\n1e-18 0 0\n0 1e-18 0\n0 0 1e-18\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
-  for (const char* verb :
-       {"sum ell.off speck.off", "nfp ell.off speck.off", "erode ell.off speck.off", "offset ell.off --by 1e-17"}) {
+  for (const char* verb : {"sum ell.off speck.off", "erode ell.off speck.off", "offset ell.off --by 1e-17"}) {
     for (const std::string file : {"r.off", "r.obj", "r.ply", "r.stl"})
       says(std::string(verb) + " -o " + file, 2,
            file + ": two vertices round to one place (.json keeps it exactly, .glb draws it) at ");

@@ -190,7 +190,7 @@ TEST(ReadMesh, PlyErrors) {
     refused(start + vertex + face + "end_header\n0 0 0\n3 0 0 " + number + "\n", ErrorCode::malformed, 11,
             "no integer");
   refused(start + vertex + "element edge 1\nproperty int vertex1\nproperty int vertex2\nend_header\n0 0 0\n0 7\n",
-          ErrorCode::bad_index, 11, "an edge names a vertex that does not exist: 7");
+          ErrorCode::bad_index, 12, "an edge names a vertex that does not exist: 7");
   refused(start + vertex + face + "end_header\n0 0 0\n3 0 0 0.5\n", ErrorCode::malformed, 11, "no integer");
   refused(start + vertex + face + "end_header\n0 0 0\n-3 0 0 0\n", ErrorCode::malformed, 11, "no count");
   refused(start + vertex + face + "end_header\n0 0 0\n1e300 0 0 0\n", ErrorCode::truncated, 11, "longer than the rest");

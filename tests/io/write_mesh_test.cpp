@@ -160,8 +160,8 @@ TEST(WriteMesh, FilesAreReplacedAsAWhole) {
 
 TEST(WriteMesh, APictureIsDrawnWhateverRoundingDoesToPartsOfIt) {
   const auto with_pit = [](double size) {  // a box, and a cavity of this size in it
-    MeshData data = solids::box(0, 0, 0, 4, 4, 4).data();
-    const MeshData pit = solids::box(1, 1, 1, 1 + size, 1 + size, 1 + size).data();
+    MeshData data = solids::box(0, 0, 0, 128, 128, 128).data();
+    const MeshData pit = solids::box(64, 64, 64, 64 + size, 64 + size, 64 + size).data();
     data.vertices.insert(data.vertices.end(), pit.vertices.begin(), pit.vertices.end());
     for (const Face& face : pit.faces) {
       Face& turned = data.faces.emplace_back(face.rbegin(), face.rend());
@@ -171,10 +171,10 @@ TEST(WriteMesh, APictureIsDrawnWhateverRoundingDoesToPartsOfIt) {
   };
   EXPECT_FALSE(rounding_error(with_pit(1), MeshFormat::stl));
   EXPECT_FALSE(rounding_error(with_pit(1), MeshFormat::glb));
-  EXPECT_EQ(rounding_error(with_pit(0x1p-30), MeshFormat::stl)->code, ErrorCode::rounding_changed_topology);
-  EXPECT_FALSE(rounding_error(with_pit(0x1p-30), MeshFormat::glb)) << "the box shows";
-  EXPECT_EQ(numbers<std::uint32_t>(opened(format_mesh(with_pit(0x1p-30), MeshFormat::glb)), 2, 1).size(), 36u);
-  const Mesh needle = solids::box(0, 1, 1, 4, 1 + 0x1p-30, 1 + 0x1p-30);
+  EXPECT_EQ(rounding_error(with_pit(0x1p-20), MeshFormat::stl)->code, ErrorCode::rounding_changed_topology);
+  EXPECT_FALSE(rounding_error(with_pit(0x1p-20), MeshFormat::glb)) << "the box shows";
+  EXPECT_EQ(numbers<std::uint32_t>(opened(format_mesh(with_pit(0x1p-20), MeshFormat::glb)), 2, 1).size(), 36u);
+  const Mesh needle = solids::box(0, 64, 64, 4, 64 + 0x1p-20, 64 + 0x1p-20);
   const std::optional<Error> error = rounding_error(needle, MeshFormat::glb);
   ASSERT_TRUE(error) << "nothing would show";
   EXPECT_EQ(error->code, ErrorCode::rounding_changed_topology);
