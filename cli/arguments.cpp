@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 
+#include "dymsum/region_io.h"
 #include "exit_code.h"
 #include "outputs.h"
 
@@ -14,7 +15,7 @@ namespace {
 /// One name for one file, however its path is written.
 std::string place_of(const std::string& output) {
   std::error_code unknown;
-  const std::filesystem::path place = std::filesystem::absolute(output, unknown);
+  const std::filesystem::path place = std::filesystem::absolute(written_path(output), unknown);
   return output == "-" || unknown ? output : std::filesystem::weakly_canonical(place, unknown).string();
 }
 

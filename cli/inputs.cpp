@@ -62,6 +62,7 @@ Error in_operand(Error error, const std::vector<Input>& inputs) {
 RegionFormat format_named(const std::string& name) { return require(region_format("." + name)); }
 
 RegionFormat format_of_text(std::string_view text) {
+  text = without_mark(text);
   const auto first = std::find_if_not(text.begin(), text.end(), [](unsigned char c) { return std::isspace(c) != 0; });
   if (first == text.end()) return RegionFormat::poly;
   if (*first == '<') return RegionFormat::svg;
@@ -73,14 +74,13 @@ RegionFormat format_of_text(std::string_view text) {
 
 bool is_footprint(const std::string& operand) { return operand.starts_with("["); }
 
-std::string without_mark(std::string text) {
+std::string_view without_mark(std::string_view text) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   return text.starts_with(kByteOrderMark) ? text.substr(kByteOrderMark.size()) : text;
 }
 
 const std::string& standard_input() {
-  static const std::string text =
-      without_mark({std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()});
+  static const std::string text{std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
   return text;
 }
 

@@ -49,8 +49,8 @@ T require_of(const std::vector<Input>& inputs, Result<T> result);
 bool is_footprint(const std::string& operand);
 
 /// A text without the mark of its byte order.
-std::string without_mark(std::string text);
-/// All of standard input, read once, without such a mark.
+std::string_view without_mark(std::string_view text);
+/// All of standard input, read once, as it is.
 const std::string& standard_input();
 /// All shapes of FILE, FILE#NAME, "-" or a footprint.
 std::vector<NamedShape> read_all(const std::string& file, const InputOptions& options);

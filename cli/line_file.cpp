@@ -14,6 +14,16 @@
 #include "numbers.h"
 
 namespace dymsum::cli {
+namespace {
+
+/// Without the mark of its byte order; where lines end in carriage returns alone, these are line feeds.
+std::string text_of_lines(std::string_view bytes) {
+  std::string text(without_mark(bytes));
+  if (text.find('\n') == std::string::npos) std::replace(text.begin(), text.end(), '\r', '\n');
+  return text;
+}
+
+}  // namespace
 
 void refuse_line(Error error, const std::string& file, std::optional<std::int64_t> line) {
   error.evidence.file = shown_file(file);
@@ -22,7 +32,7 @@ void refuse_line(Error error, const std::string& file, std::optional<std::int64_
 }
 
 std::string file_text(const std::string& file) {
-  if (file == "-") return standard_input();
+  if (file == "-") return text_of_lines(standard_input());
   const auto refuse = [&](const std::string& why) {
     refuse_line({ErrorCode::cannot_open, why, {}}, file, std::nullopt);
   };
@@ -32,7 +42,7 @@ std::string file_text(const std::string& file) {
   if (!in) refuse(std::strerror(errno));
   std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
   if (!in) refuse(std::string("reading failed: ") + std::strerror(errno));
-  return without_mark(std::move(text));
+  return text_of_lines(text);
 }
 
 std::vector<std::string> words_of(const std::string& text) {

@@ -11,6 +11,7 @@ namespace dymsum::cli {
 
 std::optional<double> finite_number(const std::string& text) {
   if (text.empty() || std::isspace(static_cast<unsigned char>(text.front())) != 0) return std::nullopt;
+  if (text.find_first_of("xX") != std::string::npos) return std::nullopt;  // hexadecimal
   char* end = nullptr;
   const double value = std::strtod(text.c_str(), &end);
   if (end != text.c_str() + text.size() || !std::isfinite(value)) return std::nullopt;

@@ -54,8 +54,12 @@ CLI::Option* add_error_option(CLI::App& verb, std::optional<double>& error, cons
                [](const std::string& text) { return finite_number(text).value_or(0) >= Orientation::kAngularError; });
 }
 
-void add_operands(CLI::App& verb, const Operand& first, const Operand& second, std::vector<std::string>& operands) {
-  const char* const file = ": a file, FILE#NAME for one shape of several, or - for standard input";
+void add_operands(CLI::App& verb, const Operand& first, const Operand& second, std::vector<std::string>& operands,
+                  OperandKind kind) {
+  // Files of solids hold one shape.
+  const char* const file = kind == OperandKind::solid
+                               ? ": a file, or - for standard input"
+                               : ": a file, FILE#NAME for one shape of several, or - for standard input";
   verb.add_option(first.name, operands[0], first.what + file)->required()->type_name("");
   verb.add_option(second.name, operands[1], second.what + file)->required()->type_name("");
 }
@@ -77,7 +81,8 @@ Angle read_angle(const AngleOptions& options) {
 
 void refuse_options(const CLI::App& verb, const std::vector<std::string>& options, const std::string& why) {
   for (const std::string& name : options)
-    if (verb.count(name) > 0) throw Stop(kUsage, name + " " + why);
+    if (const CLI::Option* option = verb.get_option_no_throw(name); option && option->count() > 0)
+      throw Stop(kUsage, name + " " + why);
 }
 
 void add_report_options(CLI::App& verb, ReportOptions& options, const std::string& repeated) {
@@ -87,39 +92,54 @@ void add_report_options(CLI::App& verb, ReportOptions& options, const std::strin
       ->capture_default_str();
 }
 
-void add_repair_option(CLI::App& verb, InputOptions& options) {
-  verb.add_flag("--repair", options.repair,
-                "Merge duplicate and collinear vertices, fix orientation, and say on standard error what changed");
+void add_repair_option(CLI::App& verb, InputOptions& options, OperandKind kind) {
+  const std::string planar = "merge duplicate and collinear vertices, fix orientation",
+                    solid =
+                        "merge duplicate vertices, drop unused ones and faces without area, split faces that are "
+                        "not plane, turn over faces and shells",
+                    what = kind == OperandKind::planar  ? planar
+                           : kind == OperandKind::solid ? solid
+                                                        : planar + "; of solids: " + solid;
+  verb.add_flag("--repair", options.repair, "Mend operands, and say on standard error what changed: " + what);
 }
 
-void add_exact_option(CLI::App& verb, ReportOptions& options) {
+void add_exact_option(CLI::App& verb, ReportOptions& options, OperandKind kind) {
+  const std::string key = kind == OperandKind::planar  ? "area_exact"
+                          : kind == OperandKind::solid ? "volume_exact"
+                                                       : "area_exact (of solids volume_exact)";
+  const std::string length = kind == OperandKind::solid ? "" : "for regions of more than 10000 vertices, and ";
   verb.add_flag("--exact", options.exact,
-                "With --json: area_exact (of solids volume_exact) as a fraction of any length. Else it is null for "
-                "sums of more "
-                "than 10000 "
-                "vertices, and where the "
-                "denominators of the vertices, powers of two apart, have more than 16384 bits together: thousands of "
-                "crossings take "
-                "minutes. area and volume are correctly rounded always")
+                "With --json: " + key + " as a fraction of any length. Else it is null " + length +
+                    "where the denominators of the vertices, powers of two apart, have more than 16384 bits together: "
+                    "thousands of crossings take minutes. Areas and volumes are correctly rounded always")
       ->needs("--json");
 }
 
-void add_input_options(CLI::App& verb, InputOptions& options) {
-  add_repair_option(verb, options);
-  verb.add_option("--from", options.from, "Format of standard input; otherwise told from its first characters")
-      ->check(CLI::IsMember({"poly", "wkt", "geojson", "svg", "json"}));
+void add_from_option(CLI::App& verb, InputOptions& options, OperandKind kind) {
+  std::vector<std::string> formats;
+  if (kind != OperandKind::solid) formats = {"poly", "wkt", "geojson", "svg", "json"};
+  if (kind != OperandKind::planar) formats.insert(formats.end(), {"off", "obj", "stl", "ply"});
+  const std::string but = kind == OperandKind::planar ? "" : " (not of binary .stl)";
+  verb.add_option("--from", options.from, "Format of standard input; otherwise told from its first characters" + but)
+      ->check(CLI::IsMember(formats));
 }
 
-void add_solid_input_options(CLI::App& verb, InputOptions& options) {
-  add_repair_option(verb, options);
+void add_input_options(CLI::App& verb, InputOptions& options) {
+  add_repair_option(verb, options, OperandKind::planar);
+  add_from_option(verb, options, OperandKind::planar);
+}
+
+void add_solid_input_options(CLI::App& verb, InputOptions& options, OperandKind kind, Hulls hulls) {
+  add_repair_option(verb, options, kind);
+  const std::string of = kind == OperandKind::either ? "Solids: take" : "Take",
+                    results = hulls == Hulls::of_results_too ? "; of rounded results that are convex too" : "";
   verb.add_flag("--hull", options.hull,
-                "Solids: take the exact convex hull of each, for those that are convex but for rounding, and say on "
-                "standard error "
-                "how far the surface was from it; of rounded results too")
+                of +
+                    " the exact convex hull of each operand, for those that are convex but for rounding, and say on "
+                    "standard error how far the surface was from it" +
+                    results)
       ->excludes("--repair");
-  verb.add_option("--from", options.from,
-                  "Format of standard input; otherwise told from its first characters (not of binary .stl)")
-      ->check(CLI::IsMember({"poly", "wkt", "geojson", "svg", "json", "off", "obj", "stl", "ply"}));
+  add_from_option(verb, options, kind);
 }
 
 void add_thin_option(CLI::App& verb, InputOptions& options) {

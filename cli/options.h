@@ -29,8 +29,12 @@ struct Operand {
   std::string name, what;
 };
 
+/// Which operands a verb has, or an option is for.
+enum class OperandKind { planar, solid, either };
+
 /// Declares two required operands. Requires: `operands` holds two.
-void add_operands(CLI::App& verb, const Operand& first, const Operand& second, std::vector<std::string>& operands);
+void add_operands(CLI::App& verb, const Operand& first, const Operand& second, std::vector<std::string>& operands,
+                  OperandKind kind = OperandKind::either);
 
 /// ROBOT and OBSTACLE, in the order of all verbs for robots that turn.
 inline const Operand kRobot{"ROBOT", "The shape that turns about the origin of its coordinates, and moves"};
@@ -40,14 +44,19 @@ inline const Operand kObstacle{"OBSTACLE", "The shape that stays"};
 void add_report_options(CLI::App& verb, ReportOptions& options, const std::string& repeated);
 
 /// Declares --repair.
-void add_repair_option(CLI::App& verb, InputOptions& options);
-/// Declares --exact, for verbs whose reports hold `area_exact`.
-void add_exact_option(CLI::App& verb, ReportOptions& options);
+void add_repair_option(CLI::App& verb, InputOptions& options, OperandKind kind);
+/// Declares --exact, for verbs whose reports hold `area_exact` of regions or `volume_exact` of solids.
+void add_exact_option(CLI::App& verb, ReportOptions& options, OperandKind kind);
+/// Declares --from.
+void add_from_option(CLI::App& verb, InputOptions& options, OperandKind kind);
 
-/// Declares --repair and --from.
+/// Declares --repair and --from of planar operands.
 void add_input_options(CLI::App& verb, InputOptions& options);
-/// Declares them and --hull, for verbs that take solids, with the formats of these.
-void add_solid_input_options(CLI::App& verb, InputOptions& options);
+/// What --hull takes the hull of.
+enum class Hulls { of_operands, of_results_too };
+/// Declares --repair, --from and --hull, for verbs that take solids.
+void add_solid_input_options(CLI::App& verb, InputOptions& options, OperandKind kind = OperandKind::either,
+                             Hulls hulls = Hulls::of_operands);
 void add_thin_option(CLI::App& verb, InputOptions& options);
 
 /// --angle or --degrees, as they were written.

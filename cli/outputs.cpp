@@ -89,22 +89,24 @@ bool writes_rounded(const OutputOptions& options) {
 
 void check_writable(const std::string& file) {
   if (file == "-") return;
-  const auto demand = [&](bool holds, const std::string& else_what) {
-    if (holds) return;
-    Error error{ErrorCode::cannot_write, else_what + ": " + std::strerror(errno), {}};
+  const auto refuse = [&](std::string what) {
+    Error error{ErrorCode::cannot_write, std::move(what), {}};
     error.evidence.file = file;
     stop_with(error);
   };
+  const auto refuse_if = [&](int failed, const std::string& what) {
+    if (failed != 0) refuse(what + ": " + std::strerror(errno));
+  };
   std::error_code ignored;
-  const std::filesystem::path target = std::filesystem::weakly_canonical(file, ignored);
   const auto status = std::filesystem::status(file, ignored);
-  errno = EISDIR;
-  demand(!std::filesystem::is_directory(status), "this is a directory");
-  if (std::filesystem::exists(status)) demand(::access(file.c_str(), W_OK) == 0, "the file may not be changed");
+  if (std::filesystem::is_directory(status)) refuse("this is a directory");
+  if (std::filesystem::exists(status)) refuse_if(::access(file.c_str(), W_OK), "the file may not be changed");
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) return;  // devices and pipes
-  const std::filesystem::path folder =
-      target.empty() ? std::filesystem::path(file).parent_path() : target.parent_path();
-  demand(::access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK) == 0, "no file can be made here");
+  const std::filesystem::path target = written_path(file), folder = target.parent_path();
+  if (std::filesystem::is_symlink(target, ignored)) refuse("symbolic links lead from it round in a circle");
+  refuse_if(
+      ::access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK),
+      target == file ? "no file can be made here" : "no file can be made at " + target.string() + ", where it leads");
 }
 
 void write_text(const std::string& file, const std::string& text) {

@@ -121,6 +121,16 @@ std::string stages_of(const SpatialSum& sum, const SpatialSum::Rounded& rounded)
   return format_glb(all, {colours, {}, &cuts});
 }
 
+/// A picture is drawn whatever rounding does to parts of it.
+std::string picture_of(const SpatialSum& sum, const std::string& file, bool stages) {
+  const SpatialSum::Rounded drawn = sum.drawn();
+  if (const std::optional<Error> error = picture_error(drawn.mesh)) stop_for(*error, file, kExactFile);
+  if (stages && sum.trace && !sum.trace->facets.empty()) return stages_of(sum, drawn);
+  const std::vector<FaceColour> colours = colours_of(sum, drawn);
+  const MeshData marks = tight_marks(sum);
+  return format_glb(drawn.mesh, {colours, {}, &marks});
+}
+
 }  // namespace
 
 bool is_stage_mesh(const std::string& file) { return file.ends_with("stages.glb"); }
@@ -145,31 +155,22 @@ std::string any_solid_output(const SpatialSum& sum, const std::string& file, con
   const std::string name = format_name(file, how.to);
   if (name.ends_with(".json")) return exact_json(sum).dump(1) + "\n";
   const MeshFormat format = require(mesh_format(name));
-  Result<SpatialSum::Rounded> rounded = sum.rounded();
-  if (!rounded) {
-    Error error = rounded.error();
-    error.evidence.file = file;
-    error.message += " (.json keeps the sum exactly)";
-    stop_with(error);
-  }
-  if (is_stage_mesh(name) && sum.trace && !sum.trace->facets.empty()) return stages_of(sum, *rounded);
-  const std::vector<FaceColour> colours = colours_of(sum, *rounded);
+  if (format == MeshFormat::glb) return picture_of(sum, file, is_stage_mesh(name));
+  const Result<SpatialSum::Rounded> rounded = sum.rounded();
+  if (!rounded) stop_for(rounded.error(), file);
   const Result<Mesh> mesh = Mesh::create(rounded->mesh);
-  if (format != MeshFormat::glb) {
-    if (mesh) return mesh_text(*mesh, format, file, colours);
-    // A set that no mesh is: no file of one would be read back.
-    Error error = mesh.error();
-    error.evidence.file = file;
-    error.message += " (.json keeps the sum exactly, .glb draws it)";
-    stop_with(error);
-  }
-  if (mesh) mesh_text(*mesh, format, file);  // whether single precision holds it
-  const MeshData marks = tight_marks(sum);
-  return format_glb(rounded->mesh, {colours, {}, &marks});
+  if (!mesh) stop_for(mesh.error(), file);  // a set that no mesh is: no file of one would be read back
+  return mesh_text(*mesh, format, file, colours_of(sum, *rounded));
 }
 
 Error in_solid_operand(Error error, const std::vector<SolidInput>& inputs) {
   const Evidence& at = error.evidence;
+  if (error.code == ErrorCode::unsupported_operand && at == Evidence()) {
+    // Of a pair the second one is at fault that every position holds.
+    for (const SolidInput& input : inputs)
+      if (input.mesh.empty()) error.evidence.file = shown_file(input.file);
+    return error;
+  }
   if (!at.file.empty() || !at.vertex || !at.x || !at.y || !at.z) return error;
   const Point3 place{*at.x, *at.y, *at.z}, reflected{-*at.x, -*at.y, -*at.z};
   const auto input = std::find_if(inputs.begin(), inputs.end(), [&](const SolidInput& one) {

@@ -9,8 +9,9 @@
 
 namespace dymsum::cli {
 
-/// .json the exact sum with provenance, else a closed mesh of triangles coloured by kind, with tight features in red in
-/// .glb; a Stop where rounding would spoil it. Stages need a sum with its trace.
+/// .json the exact sum with provenance, else a closed mesh of triangles coloured by kind; a Stop where rounding would
+/// spoil it. .glb is a picture, with tight features in red, which is drawn whatever rounding does to parts of it.
+/// Stages need a sum with its trace.
 std::string any_solid_output(const SpatialSum& sum, const std::string& file, const SolidOutput& how);
 
 /// Whether a file's name asks for the picture of the stages ("stages.glb", "x.stages.glb"): the convolution, cut along
@@ -20,7 +21,8 @@ bool is_stage_mesh(const std::string& file);
 /// The summary of a report. volume_exact is null where it is long, unless it is wanted `exact`.
 Json any_solid_sum_json(const SpatialSum& sum, bool exact);
 
-/// The error with the file of the operand that has the vertex it tells, or whose reflection has.
+/// The error with the file of the operand that has the vertex it tells, or whose reflection has; where it tells
+/// nothing, of the last one that is empty.
 Error in_solid_operand(Error error, const std::vector<SolidInput>& inputs);
 
 }  // namespace dymsum::cli

@@ -4,14 +4,15 @@
 
 #include "options.h"
 #include "outputs.h"
+#include "solid/solid_limits.h"
 
 namespace dymsum::cli {
 
 void add_solid_options(CLI::App& verb, SolidCommand& command) {
   command.parser = &verb;
   verb.add_option("-o", command.files,
-                  "Write the result; repeatable; by extension .off .obj .stl .ply .glb (rounded), .json (exact, with "
-                  "provenance); - is standard output")
+                  "Write the result; repeatable; by extension .off .obj .stl .ply (rounded), .glb (picture), .json "
+                  "(exact, with provenance); - is standard output")
       ->type_name("FILE")
       ->allow_extra_args(false);
   verb.add_option("--to", command.to, "Format of -o -")
@@ -21,8 +22,9 @@ void add_solid_options(CLI::App& verb, SolidCommand& command) {
       ->check(CLI::IsMember({"fast", "brute"}))
       ->capture_default_str();
   add_report_options(verb, command.report, "Compute N times and report the median and minimum time");
-  add_exact_option(verb, command.report);
-  add_solid_input_options(verb, command.input);
+  add_exact_option(verb, command.report, OperandKind::solid);
+  add_memory_option(verb, command.memory_mb, OperandKind::solid);
+  add_solid_input_options(verb, command.input, OperandKind::solid);
 }
 
 SolidRun read_solid_run(const std::string& verb, const SolidCommand& command) {
@@ -30,8 +32,11 @@ SolidRun read_solid_run(const std::string& verb, const SolidCommand& command) {
   report_stream(command.files, command.report.json);
   const SolidOutput how{command.to, false, false};
   check_solid_outputs(command.files, how);
-  if (!are_solid(command.operands, command.input)) throw Stop(kUsage, verb + " is for solids");
-  return {verb, command.engine, read_solids(command.operands, command.input), command.report, command.files, how, true};
+  require_solid(verb, command.operands, command.input);
+  SolidRun run{verb, command.engine, read_solids(command.operands, command.input), command.report, command.files, how,
+               true};
+  run.memory_mb = command.memory_mb;
+  return run;
 }
 
 }  // namespace dymsum::cli

@@ -8,6 +8,7 @@
 #include "progress_bar.h"
 #include "report.h"
 #include "solid/solid_inputs.h"
+#include "solid/solid_outputs.h"
 #include "timing.h"
 
 namespace dymsum::cli {
@@ -73,7 +74,7 @@ ExitCode run_solid_info(const SolidInfo& command) {
   {
     const InterruptGuard guard;
     const WriteGuard writing;
-    for (const std::string& file : command.pictures) require(write_mesh(mesh, file));
+    for (const std::string& file : command.pictures) write_text(file, mesh_text(mesh, MeshFormat::glb, file));
   }
   if (command.json) {
     print_report(info_json(*solid, not_convex, timing));

@@ -1,6 +1,8 @@
 #include "solid/solid_inputs.h"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <iostream>
 #include <optional>
 #include <string_view>
@@ -12,15 +14,27 @@ namespace dymsum::cli {
 
 namespace {
 
-/// The format of a text that begins as only solids do: OFF or ply, solid (text .stl), or a vertex of .obj.
+/// The first word of a text behind comments, in small letters.
+std::string first_word(std::string_view text) {
+  const auto skip = [&](std::size_t length) { text.remove_prefix(std::min(length, text.size())); };
+  const auto skip_blanks = [&] { skip(text.find_first_not_of(" \t\r\n\f\v")); };
+  for (skip_blanks(); text.starts_with('#'); skip_blanks()) skip(text.find_first_of("\r\n"));
+  constexpr std::size_t kLongest = 16;  // of those that are looked for, and more
+  text = text.substr(0, kLongest);
+  std::string word(text.substr(0, text.find_first_of(" \t\r\n\f\v")));
+  for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return word;
+}
+
+/// The format of a text that begins as only solids do: OFF or ply, solid (text .stl), or a statement of .obj.
 std::optional<MeshFormat> solid_format_of(std::string_view text) {
-  const auto skip_blanks = [&] { text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size())); };
-  for (skip_blanks(); text.starts_with('#'); skip_blanks()) text.remove_prefix(std::min(text.find('\n'), text.size()));
-  const std::string_view word = text.substr(0, text.find_first_of(" \t\r\n"));
-  if (word.ends_with("OFF")) return MeshFormat::off;
+  constexpr std::array<std::string_view, 9> kObj{"v", "vn", "vt", "mtllib", "usemtl", "o", "g", "s", "f"};
+  const std::string word = first_word(without_mark(text));
+  if (word.ends_with("off")) return MeshFormat::off;
   if (word == "ply") return MeshFormat::ply;
   if (word == "solid") return MeshFormat::stl;
-  return word == "v" ? std::optional(MeshFormat::obj) : std::nullopt;
+  if (std::find(kObj.begin(), kObj.end(), word) != kObj.end()) return MeshFormat::obj;
+  return std::nullopt;
 }
 
 std::optional<MeshFormat> format_of_input(const InputOptions& options) {
@@ -29,17 +43,27 @@ std::optional<MeshFormat> format_of_input(const InputOptions& options) {
   return named ? std::optional(*named) : std::nullopt;
 }
 
-/// Says how parts without volume are taken where that is what is wrong.
-Error without_volume(Error error, const InputOptions& options) {
+/// Says how parts without volume are taken, and vertices without a face, where these are what is wrong.
+Error with_remedy(Error error, bool no_faces, const InputOptions& options) {
   const bool thin = error.code == ErrorCode::not_closed || error.code == ErrorCode::too_few_vertices;
-  if (thin && options.offers_thin && !options.thin) error.message += "; --thin takes parts without volume";
+  if (thin && options.offers_thin && !options.thin) error.message += " (--thin takes parts without volume)";
+  if (error.code != ErrorCode::bad_index || error.evidence.face) return error;
+  if (no_faces) error.message = "the file holds vertices and no faces (--hull takes the convex hull of points)";
+  else error.message += " (--repair drops such vertices)";
   return error;
+}
+
+/// What repair did, also where that leaves nothing.
+void tell(const MeshRepairReport& report, const Mesh& mesh, const std::string& file) {
+  if (!report.changed() && !mesh.empty()) return;
+  std::cerr << file << ": " << (report.changed() ? "repaired: " : "") << report.to_string()
+            << (mesh.empty() ? "; it holds no face with an area, and is taken as the empty solid" : "") << "\n";
 }
 
 Result<SolidInput> hull_of(const MeshData& data, const std::string& file) {
   Result<HulledMesh> hull = hulled(data);
   if (!hull) return hull.error();
-  std::cerr << file << ": convex hull: " << hull->report.to_string() << "\n";
+  std::cerr << shown_file(file) << ": convex hull: " << hull->report.to_string() << "\n";
   return SolidInput{file, hull->mesh, hull->report};
 }
 
@@ -49,6 +73,14 @@ void refuse_selection(const std::string& file) {
   const std::size_t mark = file.rfind('#');
   if (mark == std::string::npos || !mesh_format(file.substr(0, mark))) return;
   throw Stop(kUsage, file + ": the file of a solid holds one shape; name it without " + file.substr(mark));
+}
+
+void refuse_unknown_extension(const std::string& file) {
+  refuse_selection(file);
+  if (file == "-" || is_footprint(file) || mesh_format(file) || names_region(file)) return;
+  Error error = read_shapes(file).error();
+  if (error.code == ErrorCode::unsupported_format) error.message += ", .off, .obj, .stl, .ply";
+  stop_with(error);
 }
 
 bool names_solid(const std::string& file, const InputOptions& options) {
@@ -75,13 +107,14 @@ Result<SolidInput> make_solid(MeshData data, const std::string& file, const Inpu
     return hull;
   }
   if (!options.repair) {
+    const bool no_faces = data.faces.empty();
     Result<Mesh> mesh = options.thin ? Mesh::with_thin_parts(std::move(data)) : Mesh::create(std::move(data));
-    if (!mesh) return in_file(without_volume(mesh.error(), options));
+    if (!mesh) return in_file(with_remedy(mesh.error(), no_faces, options));
     return SolidInput{file, std::move(mesh).value()};
   }
   Result<RepairedMesh> repaired = repair(std::move(data));
   if (!repaired) return in_file(repaired.error());
-  if (repaired->report.changed()) std::cerr << file << ": repaired: " << repaired->report.to_string() << "\n";
+  tell(repaired->report, repaired->mesh, shown_file(file));
   return SolidInput{file, std::move(repaired).value().mesh};
 }
 

@@ -20,6 +20,8 @@ struct SolidInput {
 
 /// Stops with wrong usage for FILE#NAME where FILE is one of a solid.
 void refuse_selection(const std::string& file);
+/// Stops with bad input where a file's extension is one of no input at all.
+void refuse_unknown_extension(const std::string& file);
 /// Whether a file's extension is one of a solid (.off .obj .stl .ply .glb), or standard input holds one: by --from,
 /// else by its first characters.
 bool names_solid(const std::string& file, const InputOptions& options);

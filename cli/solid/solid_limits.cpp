@@ -15,10 +15,12 @@ constexpr double kManyFacets = 40000;
 
 }  // namespace
 
-void add_memory_option(CLI::App& verb, double& megabytes) {
-  verb.add_option("--memory", megabytes, "Solids: stop with an error before more than MB megabytes are held")
-      ->check(CLI::Range(1.0, 1e9))
-      ->type_name("MB");
+void add_memory_option(CLI::App& verb, double& megabytes, OperandKind kind) {
+  const std::string of = kind == OperandKind::solid ? "Stop" : "Solids: stop",
+                    what = of +
+                           " with an error before more than MB megabytes are held beside operands and result (not "
+                           "of sums of convex solids)";
+  within(verb.add_option("--memory", megabytes, what), 1, 1e9)->type_name("MB");
 }
 
 std::uint64_t memory_bytes(double megabytes) { return static_cast<std::uint64_t>(std::llround(megabytes * 1e6)); }

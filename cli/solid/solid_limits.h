@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "dymsum/mesh.h"
+#include "options.h"
 
 namespace CLI {
 class App;
@@ -12,7 +13,7 @@ class App;
 namespace dymsum::cli {
 
 /// --memory MB.
-void add_memory_option(CLI::App& verb, double& megabytes);
+void add_memory_option(CLI::App& verb, double& megabytes, OperandKind kind);
 std::uint64_t memory_bytes(double megabytes);
 
 /// Says on standard error what a sum will take where that is more than about a second.

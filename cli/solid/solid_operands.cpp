@@ -10,14 +10,24 @@
 namespace dymsum::cli {
 
 bool are_solid(const std::vector<std::string>& files, const InputOptions& options) {
-  std::size_t solids = 0;
-  for (const std::string& file : files) solids += names_solid(file, options);
-  if (solids != 0 && solids != files.size()) throw Stop(kUsage, "one operand is planar and the other one solid");
-  return solids != 0;
+  std::string solid, planar;
+  for (const std::string& file : files) (names_solid(file, options) ? solid : planar) = shown_file(file);
+  if (!planar.empty())
+    for (const std::string& file : files) refuse_unknown_extension(file);
+  if (!solid.empty() && !planar.empty())
+    throw Stop(kUsage, solid + " is a solid and " + planar + " is not: all operands have to be solids, or none");
+  return planar.empty();
 }
 
 void require_planar(const std::string& verb, const std::vector<std::string>& files) {
-  if (are_solid(files)) throw Stop(kUsage, verb + " is for planar operands");
+  for (const std::string& file : files)
+    if (names_solid(file, {}))
+      throw Stop(kUsage, verb + " is for planar operands; " + shown_file(file) + " is a solid");
+}
+
+void require_solid(const std::string& verb, const std::vector<std::string>& files, const InputOptions& options) {
+  if (!are_solid(files, options))
+    throw Stop(kUsage, verb + " is for solids: .off .obj .stl .ply, not " + shown_file(files[0]));
 }
 
 std::vector<SolidInput> read_solids(const std::vector<std::string>& files, const InputOptions& options) {
@@ -32,7 +42,8 @@ std::vector<SolidInput> read_convex_solids(const std::vector<std::string>& files
   for (const SolidInput& input : inputs) {
     // Told here, where the file is known.
     if (std::optional<Error> error = convexity_error(input.mesh)) {
-      error->evidence.file = input.file;
+      error->evidence.file = shown_file(input.file);
+      error->message += " (only convex solids are taken; --hull takes the convex hull)";
       stop_with(*error);
     }
   }

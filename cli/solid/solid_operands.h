@@ -9,10 +9,11 @@
 namespace dymsum::cli {
 
 /// Whether all operands are solids, told by their extensions or by what standard input holds; a Stop when only some
-/// are.
-bool are_solid(const std::vector<std::string>& files, const InputOptions& options = {});
-/// A Stop for verbs that are for planar operands only, when there are others.
+/// are, and for extensions that are neither of regions nor of solids.
+bool are_solid(const std::vector<std::string>& files, const InputOptions& options);
+/// Stops for verbs that are for planar operands only, or for solids, when there are others.
 void require_planar(const std::string& verb, const std::vector<std::string>& files);
+void require_solid(const std::string& verb, const std::vector<std::string>& files, const InputOptions& options);
 /// The solids of files, of any shape.
 std::vector<SolidInput> read_solids(const std::vector<std::string>& files, const InputOptions& options);
 /// The convex solids of files.

@@ -131,7 +131,9 @@ class FacetsAt {
 
 Mesh rounded_mesh(const SolidSum& sum, Precision precision, const std::string& file, bool hull, bool picture) {
   if (hull || picture) {
-    const HulledMesh hulled = require(sum.rounded_hull(precision));
+    const Result<HulledMesh> made = sum.rounded_hull(precision);
+    if (!made) stop_for(made.error(), file, kExactFile);
+    const HulledMesh& hulled = *made;
     if (hull && hulled.mesh.vertices().size() != sum.vertices.size()) {
       std::cerr << file << ": rounded, " << counted(sum.vertices.size(), "vertex", "vertices") << " became "
                 << hulled.mesh.vertices().size() << ", largest deviation " << hulled.report.deviation << "\n";
@@ -140,21 +142,22 @@ Mesh rounded_mesh(const SolidSum& sum, Precision precision, const std::string& f
   }
   Result<Mesh> mesh = sum.rounded_mesh(precision);
   if (mesh) return std::move(mesh).value();
-  Error error = mesh.error();
-  error.evidence.file = file;
-  if (error.code == ErrorCode::rounding_changed_topology)
-    error.message += " (--hull writes the convex hull of what is left; .json keeps the sum exactly)";
-  stop_with(error);
+  const std::string hull_too = "--hull writes the convex hull of what is left; ";
+  stop_for(mesh.error(), file,
+           (mesh.error().code == ErrorCode::rounding_changed_topology ? hull_too : "") + kOtherFiles);
 }
 
 }  // namespace
 
+void stop_for(Error error, const std::string& file, const std::string& instead) {
+  error.evidence.file = file;
+  error.message += " (" + instead + ")";
+  stop_with(error);
+}
+
 std::string mesh_text(const Mesh& mesh, MeshFormat format, const std::string& file,
-                      const std::vector<FaceColour>& colours) {
-  if (std::optional<Error> error = rounding_error(mesh, format)) {
-    error->evidence.file = file;
-    stop_with(*error);
-  }
+                      const std::vector<FaceColour>& colours, const std::string& instead) {
+  if (const std::optional<Error> error = rounding_error(mesh, format)) stop_for(*error, file, instead);
   return format_mesh(mesh, format, colours);
 }
 
@@ -186,7 +189,8 @@ std::string solid_output(const SolidSum& sum, const std::string& file, const Sol
   const Precision precision = format == MeshFormat::glb ? Precision::doubles : precision_of(format);
   Mesh mesh = rounded_mesh(sum, precision, file, how.hull, format == MeshFormat::glb);
   if (how.triangulate) mesh = triangulated(mesh).mesh;
-  return mesh_text(mesh, format, file, facet_colours(sum, mesh, precision));
+  return mesh_text(mesh, format, file, facet_colours(sum, mesh, precision),
+                   format == MeshFormat::glb ? kExactFile : kDoubles);
 }
 
 Json feature_json(const SolidFeature& f) {

@@ -31,9 +31,16 @@ MeshFormat mesh_output_format(const std::string& file, const std::string& to);
 /// .json the exact sum with provenance, otherwise a valid convex mesh in which facets are coloured by kind, or red
 /// where they changed; a Stop where rounding would spoil it.
 std::string solid_output(const SolidSum& sum, const std::string& file, const SolidOutput& how = {});
+/// What else may be written, for messages.
+inline constexpr const char* kExactFile = ".json keeps it exactly";
+inline constexpr const char* kOtherFiles = ".json keeps it exactly, .glb draws it";
+inline constexpr const char* kDoubles = ".off, .obj and .ply hold it";
+/// Ends with the error that is about this output, and what else may be done.
+[[noreturn]] void stop_for(Error error, const std::string& file, const std::string& instead = kOtherFiles);
+
 /// The bytes of a file; a Stop where single precision cannot hold the mesh.
 std::string mesh_text(const Mesh& mesh, MeshFormat format, const std::string& file,
-                      const std::vector<FaceColour>& colours = {});
+                      const std::vector<FaceColour>& colours = {}, const std::string& instead = kDoubles);
 
 /// face + vertex, vertex + face, edge + edge, merged.
 std::string facet_kind(const SolidFacet& facet);

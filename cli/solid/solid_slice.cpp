@@ -9,6 +9,7 @@
 #include "progress_bar.h"
 #include "report.h"
 #include "solid/any_solid_outputs.h"
+#include "solid/solid_limits.h"
 #include "timing.h"
 
 namespace dymsum::cli {
@@ -76,8 +77,10 @@ std::string output(const SolidSlice& slice, const std::string& file, const Outpu
   }
   const Result<Region> region = slice.section.rounded();
   if (region) return format_sum(slice.section, *region, format);
-  throw Stop(kBadInput, region.error().to_string() + " (--round-repair merges what collides; .json keeps it exact)",
-             region.error());
+  Error error = region.error();
+  error.evidence.file = file;
+  error.message += " (--round-repair merges what collides; .json keeps it exactly, .svg draws it)";
+  stop_with(error);
 }
 
 void print_text(std::ostream& out, const std::vector<SolidInput>& inputs, const SolidSlice& slice,
@@ -100,7 +103,7 @@ void print_text(std::ostream& out, const std::vector<SolidInput>& inputs, const 
 }  // namespace
 
 ExitCode run_solid_slice(const SumCommand& command, double z, bool reflected) {
-  refuse_options(*command.parser, {"--engine", "--semantics"}, "is for planar operands");
+  refuse_options(*command.parser, {"--engine", "--semantics"}, "of slice is for planar operands");
   if (!writes_to_stdout(command.output.files)) refuse_options(*command.parser, {"--to"}, "is the format of -o -");
   for (const std::string& file : command.output.files)
     if (is_stage_picture(file)) throw Stop(kUsage, file + ": stages are drawn of planar operands");
@@ -114,6 +117,7 @@ ExitCode run_solid_slice(const SumCommand& command, double z, bool reflected) {
   std::optional<ProgressBar> bar(std::in_place);
   SpatialOptions options;
   options.progress = bar->callback();
+  options.memory = memory_bytes(command.memory_mb);
   const auto [slice, timing] = timed(command.report.repeat, [&] {
     Result<SolidSlice> made = slice_of_sum(inputs[0].mesh, q, z, options);
     throw_if_interrupted();

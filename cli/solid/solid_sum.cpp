@@ -17,7 +17,8 @@ namespace dymsum::cli {
 namespace {
 
 ConvexEngine engine_of(const SumCommand& command) {
-  if (command.engine == "winding") throw Stop(kUsage, "solids have the engines fast and brute");
+  if (command.engine == "winding")
+    throw Stop(kUsage, "--engine winding is for planar operands; for solids there are fast and brute");
   return command.engine == "brute" ? ConvexEngine::brute : ConvexEngine::walk;
 }
 
@@ -48,9 +49,7 @@ void print_text(std::ostream& out, const std::string& verb, const std::vector<So
 /// Of solids that need not be convex.
 ExitCode run_general(const SumVerb& verb, const SumCommand& command, const std::vector<SolidInput>& inputs,
                      const SolidOutput& how) {
-  // Results are triangles.
-  if (verb.name == "erode") refuse_options(*command.parser, {"--triangulate"}, "is for sums of convex solids");
-  else if (inputs.size() == 2) announce_cost(inputs[0].mesh, inputs[1].mesh);
+  if (verb.is_sum && inputs.size() == 2) announce_cost(inputs[0].mesh, inputs[1].mesh);
   const SolidRun run{verb.name,        command.engine,    inputs,           command.report, command.output.files, how,
                      verb.empty_is_no, command.semantics, command.memory_mb};
   return run_any_solid(run, [&](const SpatialOptions& options) -> Result<SolidOutcome> {
@@ -68,10 +67,6 @@ ExitCode run_general(const SumVerb& verb, const SumCommand& command, const std::
 
 ExitCode run_solid_sum(const SumVerb& verb, const SumCommand& command) {
   refuse_options(*command.parser, {"--round-repair"}, "is for planar operands");
-  if (verb.name == "erode") {
-    refuse_options(*command.parser, {"--semantics"}, "is for planar operands");
-    refuse_options(*command.parser, {"--thin"}, "is for sums");
-  }
   const ConvexEngine engine = engine_of(command);
   std::ostream& out = report_stream(command.output.files, command.report.json);
   if (!writes_to_stdout(command.output.files)) refuse_options(*command.parser, {"--to"}, "is the format of -o -");
@@ -86,7 +81,7 @@ ExitCode run_solid_sum(const SumVerb& verb, const SumCommand& command) {
   const std::vector<SolidInput> inputs = read_solids(operands, command.input);
   const auto convex = [](const SolidInput& input) { return !convexity_error(input.mesh); };
   const std::vector<std::string>& files = command.output.files;
-  if (verb.name == "erode" || std::any_of(files.begin(), files.end(), is_stage_mesh) ||
+  if (!verb.is_sum || std::any_of(files.begin(), files.end(), is_stage_mesh) ||
       !std::all_of(inputs.begin(), inputs.end(), convex))
     return run_general(verb, command, inputs, how);
   const InterruptGuard guard;

@@ -25,6 +25,7 @@ struct ConvertCommand {
 ExitCode run(const ConvertCommand& command) {
   report_stream({command.out}, command.json);
   refuse_unused_format({command.in}, command.input);
+  refuse_unknown_extension(command.in);
   if (command.out != "-") refuse_options(*command.parser, {"--to"}, "is the format of the output -");
   if (names_solid(command.in, command.input)) {
     const std::string to = command.parser->count("--to") > 0 ? command.output.to : "off";

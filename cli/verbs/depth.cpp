@@ -29,7 +29,7 @@ std::string feature_text(const SolidFeature& f) {
 }
 
 ExitCode run(const DepthCommand& command) {
-  if (!are_solid(command.operands, command.input)) throw Stop(kUsage, "depth wants convex solids: .off .obj .stl .ply");
+  require_solid("depth", command.operands, command.input);
   if (command.axis.empty() == command.angle.given()) throw Stop(kUsage, "--axis and --angle or --degrees go together");
   const Point3 moved = command.moved.empty() ? Point3{} : parse_point(command.moved, "--move");
   SolidPose pose;
@@ -67,19 +67,13 @@ void add_depth(CLI::App& app, Action& action) {
   auto command = std::make_shared<DepthCommand>();
   CLI::App& verb = *app.add_subcommand(
       "depth", "The penetration depth of convex solids: the shortest translation of Q that separates them");
-  // A shape of several is selected by name in planar files only.
-  const char* const file = ": a file, or - for standard input";
-  verb.add_option("P", command->operands[0], std::string("A convex solid, which may turn") + file)
-      ->required()
-      ->type_name("");
-  verb.add_option("Q", command->operands[1], std::string("Another one, which may move") + file)
-      ->required()
-      ->type_name("");
+  add_operands(verb, {"P", "A convex solid, which may turn"}, {"Q", "Another one, which may move"}, command->operands,
+               OperandKind::solid);
   verb.add_option("--move", command->moved, "Move Q by this translation first")->type_name("X,Y,Z");
   verb.add_option("--axis", command->axis, "Turn P about this axis through the origin first")->type_name("X,Y,Z");
   add_angle_options(verb, command->angle, "by this angle,");
   add_report_options(verb, command->report, "Compute N times and report the median and minimum time");
-  add_solid_input_options(verb, command->input);
+  add_solid_input_options(verb, command->input, OperandKind::solid);
   verb.footer(
       "Exit code 4 when their interiors do not meet.\nExample: dymsum depth box.off rod.off --move 0.5,0,0 --json");
   verb.callback([command, &action] { action = [command] { return run(*command); }; });

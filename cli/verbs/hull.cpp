@@ -34,9 +34,7 @@ void add_hull(CLI::App& app, Action& action) {
   verb.add_option("--to", command->to, "Format of the output -")
       ->check(CLI::IsMember({"off", "obj", "stl", "ply", "glb"}))
       ->capture_default_str();
-  verb.add_option("--from", command->input.from,
-                  "Format of standard input; otherwise told from its first characters (not of binary .stl)")
-      ->check(CLI::IsMember({"off", "obj", "stl", "ply"}));
+  add_from_option(verb, command->input, OperandKind::solid);
   verb.add_flag("--triangulate", command->triangulate, "Split faces into triangles, for programs that take no others");
   verb.add_flag("--json", command->json, "Print one JSON object with the deviation");
   verb.footer("Example: dymsum hull scanned.stl convex.off --json");

@@ -107,6 +107,7 @@ void draw(const InfoCommand& command, const std::vector<Shape>& shapes) {
 
 ExitCode run(const InfoCommand& command) {
   refuse_unused_format({command.file}, command.input);
+  refuse_unknown_extension(command.file);
   if (names_solid(command.file, command.input)) {
     return run_solid_info({command.file, command.json, command.input, command.output.files});
   }

@@ -22,6 +22,7 @@ void add_nfp(CLI::App& app, Action& action) {
     return minkowski_sum(fixed, negated(moving), options);
   };
   verb.reflects_second = true;
+  verb.is_sum = true;
   add_sum_verb(app, verb, action);
 }
 

@@ -71,6 +71,7 @@ void add_offset(CLI::App& app, Action& action) {
   add_solid_options(verb, command->solid);
   verb.footer(
       "The sum with the ball, or the inner fit of it, is exact: what differs from the offset is the ball alone.\n"
+      "Exit code 4 where nothing is left.\n"
       "Example: dymsum offset part.off --by 0.5 --tolerance 0.01 -o grown.off");
   verb.callback([command, &action] { action = [command] { return run(*command); }; });
 }

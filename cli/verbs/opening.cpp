@@ -25,8 +25,9 @@ ExitCode run(const std::string& verb, Operation operation, const OpeningCommand&
     Result<SolidOpening> made = operation(run.inputs[0].mesh, run.inputs[1].mesh, options, between);
     if (!made) {
       Error error = made.error();
-      if (!command.round_between && error.code == ErrorCode::rounding_changed_topology)
-        error.message += " (--round-between rounds it)";
+      if (error.code == ErrorCode::rounding_changed_topology)
+        error.message +=
+            command.round_between ? " (of what is between the two operations)" : " (--round-between rounds it)";
       return error;
     }
     const double moved = made->moved;
@@ -44,7 +45,8 @@ void add(CLI::App& app, Action& action, const std::string& name, Operation opera
   auto command = std::make_shared<OpeningCommand>();
   CLI::App& verb = *app.add_subcommand(name, description);
   command->solid.operands = {"", ""};
-  add_operands(verb, {"A", "The solid"}, {"B", "The solid it is worked with"}, command->solid.operands);
+  add_operands(verb, {"A", "The solid"}, {"B", "The solid it is worked with"}, command->solid.operands,
+               OperandKind::solid);
   add_solid_options(verb, command->solid);
   verb.add_flag("--round-between", command->round_between,
                 "Round vertices between the two operations that have no doubles for coordinates, and report how far "

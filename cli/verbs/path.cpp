@@ -278,7 +278,7 @@ void add_path(CLI::App& app, Action& action) {
       ->type_name("FILE")
       ->allow_extra_args(false);
   add_report_options(verb, command->report, "Compute N times and report the median and minimum time");
-  add_repair_option(verb, command->source.input);
+  add_repair_option(verb, command->source.input, OperandKind::planar);
   verb.footer("Example: dymsum path bar.wkt rooms.wkt --from -6,0,1.5708 --to 6,0,0 -o path.svg");
   verb.callback([command, &action] { action = [command] { return run_path(*command); }; });
 }

@@ -79,8 +79,8 @@ void add_rotate(CLI::App& app, Action& action) {
       ->type_name("FILE")
       ->allow_extra_args(false);
   add_report_options(verb, command->planar.report, "Turn N times and report the median and minimum frame");
-  add_exact_option(verb, command->planar.report);
-  add_solid_input_options(verb, command->planar.input);
+  add_exact_option(verb, command->planar.report, OperandKind::planar);
+  add_solid_input_options(verb, command->planar.input, OperandKind::either, Hulls::of_results_too);
   verb.footer("Example: dymsum rotate rod.off box.off --steps 500 --axis 1,2,3 -o turn.html");
   verb.callback([command, &action] { action = [command] { return run(*command); }; });
 }

@@ -138,16 +138,17 @@ void add_options(CLI::App& verb, ScaleCommand& command) {
       ->type_name("S,S,...")
       ->allow_extra_args(false);
   verb.add_option("--copies", command.copies,
-                  "Copies of P, one `scale x y` a line: the sum of each with Q, from one sum that scales")
+                  "Planar: copies of P, one `scale x y` a line: the sum of each with Q, from one sum that scales")
       ->type_name("FILE");
   verb.add_flag("--robot", command.robot, "Q is a robot and P an obstacle: sums with -Q");
   verb.add_option("--scaled", command.scaled, "Which operand scales")
       ->check(CLI::IsMember({"p", "q"}))
       ->capture_default_str();
-  verb.add_option("--mode", command.mode, "automatic chooses between the others by their cost; all give the same sums")
+  verb.add_option("--mode", command.mode,
+                  "Planar: automatic chooses between the others by their cost; all give the same sums")
       ->check(CLI::IsMember({"automatic", "window", "rebuild"}))
       ->capture_default_str();
-  verb.add_option("--semantics", command.semantics, "closed, open or regular")
+  verb.add_option("--semantics", command.semantics, "Planar: closed, open or regular")
       ->check(CLI::IsMember({"closed", "open", "regular"}))
       ->capture_default_str();
   verb.add_option("-o", command.files,
@@ -157,10 +158,10 @@ void add_options(CLI::App& verb, ScaleCommand& command) {
                   ".ply .glb .json; repeatable")
       ->type_name("FILE")
       ->allow_extra_args(false);
-  verb.add_flag("--events", command.events, "List the exact scales at which the sum changes");
+  verb.add_flag("--events", command.events, "Planar: list the exact scales at which the sum changes");
   add_report_options(verb, command.report, "Sweep N times and report the median and minimum frame");
-  add_exact_option(verb, command.report);
-  add_solid_input_options(verb, command.input);
+  add_exact_option(verb, command.report, OperandKind::planar);
+  add_solid_input_options(verb, command.input, OperandKind::either, Hulls::of_results_too);
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ ExitCode run_slice(const SliceCommand& command) {
     if (!command.z) throw Stop(kUsage, "slice of solids wants the height --z");
     return run_solid_slice(command.sum, *command.z, command.reflect);
   }
-  refuse_options(*command.sum.parser, {"--z", "--reflect", "--hull"}, "is for solids");
+  refuse_options(*command.sum.parser, {"--z", "--reflect", "--hull", "--memory"}, "is for solids");
   SumVerb verb = slice_verb();
   const Orientation theta = asked_orientation(command);
   verb.orientation = theta;
@@ -75,10 +75,12 @@ ExitCode run_slice(const SliceCommand& command) {
 void add_slice(CLI::App& app, Action& action) {
   auto command = std::make_shared<SliceCommand>();
   CLI::App& verb = declare_sum_verb(app, slice_verb(), command->sum);
-  verb.add_option("--tan-half", command->tan_half, "Tangent of half the angle, exact: 3/7, 0.25; inf is half a turn")
+  verb.add_option("--tan-half", command->tan_half,
+                  "Planar operands: tangent of half the angle, exact: 3/7, 0.25; inf is half a turn")
       ->type_name("N/D");
-  add_angle_options(verb, command->angle, "The angle, met within 2^-50 or --error,");
-  add_error_option(verb, command->error, "Largest error of the angle in radians: a simpler tangent is taken");
+  add_angle_options(verb, command->angle, "Planar operands: the angle, met within 2^-50 or --error,");
+  add_error_option(verb, command->error,
+                   "Planar operands: largest error of the angle in radians: a simpler tangent is taken");
   within(verb.add_option("--z", command->z, "Solids: the height, a number taken at face value"), -1e300, 1e300)
       ->type_name("Z");
   verb.add_flag("--reflect", command->reflect, "Solids: of P + -Q instead of P + Q");

@@ -16,6 +16,7 @@ void add_sum(CLI::App& app, Action& action) {
   };
   verb.solid = [](const Mesh& p, const Mesh& q, const SpatialOptions& options) { return minkowski_sum(p, q, options); };
   verb.several = true;
+  verb.is_sum = true;
   add_sum_verb(app, verb, action);
 }
 

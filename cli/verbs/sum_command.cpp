@@ -42,26 +42,41 @@ bool is_empty(const PlanarSum& sum) {
          sum.tight_points.empty();
 }
 
-void add_sum_options(CLI::App& verb, SumCommand& command) {
+void add_output_options(CLI::App& verb, SumCommand& command, bool planar_result) {
+  const std::string planar =
+                        "by extension .poly .wkt .geojson (rounded), .json (exact, with provenance), .svg (picture)",
+                    stages =
+                        planar_result ? ", of planar operands stages.svg (the stages)" : ", stages.svg (the stages)",
+                    solid = planar_result ? "" : "; of solids .off .obj .stl .ply (rounded), .json, .glb, stages.glb";
   verb.add_option("-o", command.output.files,
-                  "Write the result; repeatable; by extension .poly .wkt .geojson (rounded), .json (exact, with "
-                  "provenance), .svg (picture), stages.svg (the stages); - is standard output")
+                  "Write the result; repeatable; " + planar + stages + solid + "; - is standard output")
       ->type_name("FILE")
       ->allow_extra_args(false);
-  verb.add_option("--to", command.output.to, "Format of -o -; of solids off if not given")
-      ->check(CLI::IsMember({"poly", "wkt", "geojson", "svg", "json", "off", "obj", "stl", "ply", "glb"}))
+  std::vector<std::string> formats{"poly", "wkt", "geojson", "svg", "json"};
+  if (!planar_result) formats.insert(formats.end(), {"off", "obj", "stl", "ply", "glb"});
+  verb.add_option("--to", command.output.to,
+                  planar_result ? "Format of -o -" : "Format of -o -; of solids off if not given")
+      ->check(CLI::IsMember(formats))
       ->capture_default_str();
   verb.add_flag("--round-repair", command.output.round_repair,
-                "Where rounding would change the topology, merge what collides instead of refusing");
-  verb.add_option("--engine", command.engine, "How the boundary is found; all give the same result")
+                std::string(planar_result ? "Where" : "Planar: where") +
+                    " rounding would change the topology, merge what collides instead of refusing");
+}
+
+void add_sum_options(CLI::App& verb, SumCommand& command, bool planar_result) {
+  add_output_options(verb, command, planar_result);
+  verb.add_option("--engine", command.engine,
+                  planar_result ? "Planar operands: how the boundary is found; all give the same result"
+                                : "How the boundary is found; all give the same result; of solids fast or brute")
       ->check(CLI::IsMember({"fast", "brute", "winding"}))
       ->capture_default_str();
   verb.add_option("--semantics", command.semantics,
-                  "closed: sum of closed sets; open: touching is allowed; regular: no tight features")
+                  std::string(planar_result ? "Planar operands: " : "") +
+                      "closed: sum of closed sets; open: touching is allowed; regular: no tight features")
       ->check(CLI::IsMember({"closed", "open", "regular"}))
       ->capture_default_str();
   add_report_options(verb, command.report, "Compute N times and report the median and minimum time");
-  add_exact_option(verb, command.report);
+  add_exact_option(verb, command.report, planar_result ? OperandKind::planar : OperandKind::either);
 }
 
 }  // namespace
@@ -71,12 +86,12 @@ CLI::App& declare_sum_verb(CLI::App& app, const SumVerb& verb, SumCommand& comma
   add_operands(parser, verb.first, verb.second, command.operands);
   if (verb.several)
     parser.add_option("MORE", command.more, "More solids: the sum of all, exact throughout")->type_name("");
-  add_sum_options(parser, command);
-  if (!verb.planar_result)
+  add_sum_options(parser, command, verb.planar_result);
+  add_solid_input_options(parser, command.input, OperandKind::either,
+                          verb.is_sum ? Hulls::of_results_too : Hulls::of_operands);
+  add_memory_option(parser, command.memory_mb, OperandKind::either);
+  if (verb.is_sum) {
     parser.add_flag("--triangulate", command.triangulate, "Solids: write triangles, for programs that take no others");
-  add_solid_input_options(parser, command.input);
-  if (!verb.planar_result) {
-    add_memory_option(parser, command.memory_mb);
     add_thin_option(parser, command.input);
   }
   parser.footer(verb.footer);
@@ -93,7 +108,7 @@ void add_sum_verb(CLI::App& app, const SumVerb& verb, Action& action) {
 ExitCode run_sum(const SumVerb& verb, const SumCommand& command) {
   if (are_solid(command.operands, command.input)) return run_solid_sum(verb, command);
   if (!command.more.empty()) throw Stop(kUsage, "more than two operands have to be solids");
-  if (!verb.planar_result) refuse_options(*command.parser, {"--triangulate", "--memory", "--thin"}, "is for solids");
+  refuse_options(*command.parser, {"--triangulate", "--memory", "--thin"}, "is for solids");
   std::ostream& out = report_stream(command.output.files, command.report.json);
   check(command);
   SumReport report;

@@ -32,6 +32,7 @@ struct SumVerb {
   bool reflects_second = false;            ///< the convolution behind it is that of P and -Q
   bool empty_is_no = false;                ///< an empty result ends with kNo
   bool planar_result = false;              ///< of solids, too
+  bool is_sum = false;                     ///< of solids: takes parts without volume, and keeps convex faces whole
   bool several = false;                    ///< takes more than two solids
   std::optional<Orientation> orientation;  ///< of the operand that is turned, for the report
   /// The operands as pictures show them and as the convolution is counted; empty: as they are read.

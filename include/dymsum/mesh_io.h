@@ -57,10 +57,12 @@ std::string format_glb(const MeshData& mesh, const GlbLook& look);
 /// stl and glb hold single precision.
 Precision precision_of(MeshFormat format);
 /// Nothing where a file of this format holds the solid: off, obj and ply always do. Else what rounding to single
-/// precision did to it: cannot_write past its range, and for points and segments; rounding_changed_topology, in stl
-/// where the file would not read back as a valid mesh, in glb, which is a picture, where a shell would enclose nothing
-/// any more.
+/// precision did to it: cannot_write for points and segments, and past its range; rounding_changed_topology in stl
+/// where the file would not read back as a valid mesh. Of glb as picture_error.
 std::optional<Error> rounding_error(const Mesh& mesh, MeshFormat format);
+/// Nothing where a glb file shows the mesh, whatever rounding does to parts of it. Else cannot_write where a coordinate
+/// is past the range of single precision, rounding_changed_topology where no face would have an area.
+std::optional<Error> picture_error(const MeshData& mesh);
 /// Replaces the file as a whole. Errors: cannot_write, unsupported_format, and as rounding_error.
 Result<std::size_t> write_mesh(const Mesh& mesh, const std::string& path);
 

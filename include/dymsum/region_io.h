@@ -20,6 +20,8 @@ enum class RegionFormat { poly, wkt, geojson, svg, json };
 
 /// The format a path's extension names.
 Result<RegionFormat> region_format(std::string_view path);
+/// Whether read_shapes reads files of that name, by the extension, perhaps in front of a "#": those formats and maps.
+bool names_region(const std::string& path);
 
 /// One named shape of a file. Most files hold one; nesting instances and GeoJSON collections may hold several.
 struct NamedShape {
@@ -47,8 +49,11 @@ std::string format_region(const Region& region, RegionFormat format);
 std::string format_sum(const PlanarSum& sum, const Region& rounded, RegionFormat format);
 
 /// Writes text to a path ("-" is standard output) through a temporary file beside it, so that an existing file is
-/// replaced only by a complete one. Error cannot_write.
+/// replaced only by a complete one. Symbolic links stay and what they name is written, also where that is not there
+/// yet. Error cannot_write.
 Result<void> write_file(const std::string& path, std::string_view text);
+/// The file that this replaces: the path itself, or where symbolic links lead from it in the end.
+std::string written_path(const std::string& path);
 
 /// Pictures (SVG text). `draw_sum` shows P, Q and the sum with tight features; `draw_trace` the stages side by side.
 std::string draw_region(const Region& region);

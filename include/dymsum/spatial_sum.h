@@ -133,6 +133,8 @@ class SpatialSum {
   /// one way as the other. Tight features are no part of it. Error rounding_changed_topology with the position where
   /// two vertices round to one, a triangle to a line, or triangles cross or touch. O(n log n) beyond the triangles.
   Result<Rounded> rounded() const;
+  /// The same for a picture: whatever rounding does, triangles may have become lines, and cross.
+  Rounded drawn() const;
 
   /// The same set with the same tight features, exactly. Provenance and stats are not compared.
   friend bool operator==(const SpatialSum& a, const SpatialSum& b);

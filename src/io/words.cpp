@@ -100,10 +100,13 @@ std::uint64_t Words::count(const std::string& what, const Evidence& evidence) {
 }
 
 std::uint32_t Words::index(std::uint64_t vertices, Evidence evidence) {
-  const std::uint64_t value = count("a vertex number", evidence);
-  if (value < vertices) return static_cast<std::uint32_t>(value);
-  evidence.vertex = static_cast<std::int64_t>(std::min<std::uint64_t>(value, std::numeric_limits<std::int64_t>::max()));
-  fail_at(at_ - 1, ErrorCode::bad_index, "a face names a vertex that does not exist", std::move(evidence));
+  const std::string_view word = peek();
+  const std::uint64_t value = count("the index of a vertex", evidence);
+  if (value < std::min<std::uint64_t>(vertices, UINT32_MAX)) return static_cast<std::uint32_t>(value);
+  if (value <= std::uint64_t{std::numeric_limits<std::int64_t>::max()})
+    evidence.vertex = static_cast<std::int64_t>(value);
+  fail_at(at_ - 1, ErrorCode::bad_index, "a face names a vertex that does not exist: " + in_quotes(word),
+          std::move(evidence));
 }
 
 void Words::fail(ErrorCode code, std::string message, Evidence evidence) const {

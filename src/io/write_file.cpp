@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "dymsum/region_io.h"
+#include "io/read_file.h"
 
 namespace dymsum {
 
@@ -114,6 +115,18 @@ int write_through(const std::string& path, std::string_view text) {
 
 }  // namespace
 
+std::string written_path(const std::string& path) {
+  constexpr int kMostLinks = 40;  // as the system follows
+  std::filesystem::path target = path;
+  std::error_code none;
+  for (int k = 0; k < kMostLinks; ++k) {
+    const std::filesystem::path next = std::filesystem::read_symlink(target, none);
+    if (none) break;                       // no link
+    target = target.parent_path() / next;  // next alone where it is absolute
+  }
+  return target.string();
+}
+
 Result<void> write_file(const std::string& path, std::string_view text) {
   if (path == "-") {
     const int error = write_all(STDOUT_FILENO, text);
@@ -122,7 +135,8 @@ Result<void> write_file(const std::string& path, std::string_view text) {
   }
   std::error_code ignored;
   const auto status = std::filesystem::status(path, ignored);
-  if (std::filesystem::is_directory(status)) return cannot_write(path, "this is a directory", EISDIR);
+  if (std::filesystem::is_directory(status))
+    return io::file_error(ErrorCode::cannot_write, "this is a directory", path);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
     const int error = write_through(path, text);
     if (error) return cannot_write(path, "writing failed", error);
@@ -131,11 +145,12 @@ Result<void> write_file(const std::string& path, std::string_view text) {
   if (std::filesystem::exists(status) && ::access(path.c_str(), W_OK) != 0) {
     return cannot_write(path, "the file may not be changed", errno);
   }
-  // a symbolic link keeps pointing at the file that is replaced
-  const auto target = std::filesystem::is_symlink(path, ignored) ? std::filesystem::weakly_canonical(path, ignored)
-                                                                 : std::filesystem::path(path);
-  Draft draft(target.empty() ? std::filesystem::path(path) : target);
-  if (const int error = draft.open()) return cannot_write(path, "no file can be made here", error);
+  const std::filesystem::path target = written_path(path);
+  if (std::filesystem::is_symlink(target, ignored))
+    return io::file_error(ErrorCode::cannot_write, "symbolic links lead from it round in a circle", path);
+  Draft draft(target);
+  const std::string place = target == path ? "here" : "at " + target.string() + ", where it leads";
+  if (const int error = draft.open()) return cannot_write(path, "no file can be made " + place, error);
   if (const int error = draft.write(text))
     return cannot_write(path, "writing failed, an older file is untouched", error);
   if (const int error = draft.publish()) return cannot_write(path, "the finished file cannot take its name", error);

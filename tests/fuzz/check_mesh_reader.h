@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "dymsum/mesh_io.h"
+#include "fuzz/text_lines.h"
 
 namespace dymsum::fuzz {
 
@@ -24,9 +25,7 @@ inline std::string check_mesh_reader(std::string_view bytes, MeshFormat format) 
   if (!data) {
     const Error& error = data.error();
     if (error.evidence.file != "fuzzed" || error.message.empty()) return "an error without file or sentence";
-    std::int64_t lines = 1;
-    for (const char c : bytes) lines += c == '\n';
-    const bool line = error.evidence.line && *error.evidence.line >= 1 && *error.evidence.line <= lines;
+    const bool line = error.evidence.line && *error.evidence.line >= 1 && *error.evidence.line <= most_lines(bytes);
     const bool byte = is_binary_file(bytes, format) && error.message.find("(byte ") != std::string::npos;
     if (!line && !byte) return "an error without a line or a byte of the file";
     if (error.code != ErrorCode::malformed && error.code != ErrorCode::truncated &&

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "dymsum/region_io.h"
+#include "fuzz/text_lines.h"
 
 namespace dymsum::fuzz {
 
@@ -20,9 +21,7 @@ inline std::string check_reader(std::string_view text, RegionFormat format) {
   if (!shapes) {
     const Error& error = shapes.error();
     if (error.evidence.file != "fuzzed" || error.message.empty()) return "an error without file or sentence";
-    std::int64_t lines = 1;
-    for (const char c : text) lines += c == '\n';
-    if (!error.evidence.line || *error.evidence.line < 1 || *error.evidence.line > lines)
+    if (!error.evidence.line || *error.evidence.line < 1 || *error.evidence.line > most_lines(text))
       return "an error without a line of the file";
     if (error.code != ErrorCode::malformed && error.code != ErrorCode::truncated && error.code != ErrorCode::not_finite)
       return "an error of another room";

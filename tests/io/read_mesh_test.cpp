@@ -1,6 +1,7 @@
 // The readers of meshes, text by text.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -101,7 +102,9 @@ TEST(ReadMesh, OffErrors) {
   EXPECT_EQ(index.face, 0);
   EXPECT_EQ(index.vertex, 3);
   refused("OFF\n1 1 0\n0 0 0\n3 0 0 -1\n", ErrorCode::malformed, 4, "'-1'");
-  refused("OFF\n1 1 0\n0 0 0\n3 0 0 99999999999999999999999\n", ErrorCode::bad_index, 4, "does not exist");
+  EXPECT_FALSE(refused("OFF\n1 1 0\n0 0 0\n3 0 0 99999999999999999999\n", ErrorCode::bad_index, 4,
+                       "does not exist: '99999999999999999999'")
+                   .vertex);
   refused("OFF\n1 1 0\n0 0 0\n3 0 0 0 1 2 3 4 5\n", ErrorCode::malformed, 4, "more than a colour");
   EXPECT_EQ(refused("OFF\n1 2 0\n0 0 0\n1 0\n", ErrorCode::truncated, 4, "announces 2 faces").face, 1);
   refused("OFF\n1 0 0\n0 0 0\nrest\n", ErrorCode::malformed, 4, "'rest'");
@@ -118,7 +121,7 @@ TEST(ReadMesh, ObjErrors) {
   refused("v 0 0 0\nf -2 1 1\n", ErrorCode::bad_index, 2, "'-2'");
   refused("v 0 0 0\nf 1/x 1x 1\n", ErrorCode::malformed, 2, "'1x'");
   refused("v 0 0 0\nf 1 1 99999999999999999999\n", ErrorCode::bad_index, 2, "'99999999999999999999'");
-  const Evidence late = refused("v 0 0 0\n\nf 1 1 2\n", ErrorCode::bad_index, 3, "does not exist");
+  const Evidence late = refused("v 0 0 0\n\nf 1 1 2\n", ErrorCode::bad_index, 3, "does not exist: '2'");
   EXPECT_EQ(late.vertex, 1);
   EXPECT_EQ(late.face, 0);
   refused("curv 0 1\n", ErrorCode::malformed, 1, "'curv'");
@@ -150,6 +153,10 @@ TEST(ReadMesh, StlErrors) {
   std::string huge = cube;
   std::memset(&huge[80], 0xff, 4);
   refused(huge, ErrorCode::truncated, 0, "4294967295 triangles");
+  std::string named = cube.substr(0, 200);
+  named.replace(0, 10, "solid cube");
+  refused(named, ErrorCode::truncated, 0, "12 triangles and has room for 2");
+  refused(corpus("read_obj/cube.obj"), ErrorCode::malformed, 1, "expected 'solid' instead of ");
 }
 
 TEST(ReadMesh, PlyErrors) {
@@ -175,7 +182,15 @@ TEST(ReadMesh, PlyErrors) {
       refused(start + vertex + face + "end_header\n0 0 0\n3 0 0 1\n", ErrorCode::bad_index, 11, "exist");
   EXPECT_EQ(index.face, 0);
   EXPECT_EQ(index.vertex, 1);
-  refused(start + vertex + face + "end_header\n0 0 0\n3 0 0 -1\n", ErrorCode::bad_index, 11, "exist");
+  const Evidence negative =
+      refused(start + vertex + face + "end_header\n0 0 0\n3 0 0 -1\n", ErrorCode::bad_index, 11, "exist: -1");
+  EXPECT_EQ(negative.face, 0);
+  EXPECT_FALSE(negative.vertex) << "there is none of that index";
+  for (const char* const number : {"inf", "nan", "1e400"})
+    refused(start + vertex + face + "end_header\n0 0 0\n3 0 0 " + number + "\n", ErrorCode::malformed, 11,
+            "no integer");
+  refused(start + vertex + "element edge 1\nproperty int vertex1\nproperty int vertex2\nend_header\n0 0 0\n0 7\n",
+          ErrorCode::bad_index, 12, "an edge names a vertex that does not exist: 7");
   refused(start + vertex + face + "end_header\n0 0 0\n3 0 0 0.5\n", ErrorCode::malformed, 11, "no integer");
   refused(start + vertex + face + "end_header\n0 0 0\n-3 0 0 0\n", ErrorCode::malformed, 11, "no count");
   refused(start + vertex + face + "end_header\n0 0 0\n1e300 0 0 0\n", ErrorCode::truncated, 11, "longer than the rest");
@@ -185,6 +200,53 @@ TEST(ReadMesh, PlyErrors) {
   refused(binary.substr(0, binary.size() - 18), ErrorCode::truncated, 0,
           "(byte " + std::to_string(binary.size() - 18) + ")");
   refused(binary + "!", ErrorCode::malformed, 0, "(byte " + std::to_string(binary.size()) + ")");
+}
+
+/// The text with other ends of its lines, or with something in front.
+std::string with_line_ends(const std::string& text, const std::string& end) {
+  std::string out;
+  for (const char c : text) out += c == '\n' ? end : std::string(1, c);
+  return out;
+}
+
+TEST(ReadMesh, LinesMayEndInAnyWayAndBeginBehindAMark) {
+  const std::string mark = "\xEF\xBB\xBF";
+  const std::string comment = "# a comment does not hide the rest\n";
+  for (const auto& [file, format] :
+       std::vector<std::pair<std::string, MeshFormat>>{{"read_off/cube.off", MeshFormat::off},
+                                                       {"read_obj/cube.obj", MeshFormat::obj},
+                                                       {"read_stl/cube_text.stl", MeshFormat::stl},
+                                                       {"read_ply/cube_text.ply", MeshFormat::ply}}) {
+    const bool comments = format == MeshFormat::off || format == MeshFormat::obj;
+    const std::string text = (comments ? comment : "") + corpus(file);
+    const MeshData expected = read_mesh_text(text, format);
+    EXPECT_EQ(expected.vertices.size(), 8u) << file;
+    for (const char* const end : {"\n", "\r\n", "\r"}) {
+      const std::string other = with_line_ends(text, end);
+      EXPECT_EQ(read_mesh_text(other, format), expected) << file;
+      EXPECT_EQ(read_mesh_text(mark + other, format), expected) << file << " behind a mark";
+      EXPECT_EQ(read_mesh_text(mark + end + " " + end + other, format), expected) << file << " behind blank lines";
+    }
+  }
+  expect_mesh_refused("# a\rv 0 0 0\rx\r", MeshFormat::obj, ErrorCode::malformed, 3, "'x'");
+  const std::string binary = corpus("read_ply/cube_little.ply");
+  const std::size_t body = binary.find("end_header\n") + 11;
+  for (const char* const end : {"\r\n", "\r"})
+    EXPECT_EQ(read_mesh_text(with_line_ends(binary.substr(0, body), end) + binary.substr(body), MeshFormat::ply),
+              read_mesh_text(binary, MeshFormat::ply));
+}
+
+TEST(ReadMesh, KeywordsHaveAnyCase) {
+  const std::string text = corpus("read_off/cube.off");
+  const MeshData cube = read_mesh_text(text, MeshFormat::off);
+  ASSERT_TRUE(text.starts_with("OFF"));
+  for (const char* const word : {"off", "Off"})
+    EXPECT_EQ(read_mesh_text(word + text.substr(3), MeshFormat::off), cube) << word;
+  const std::string coloured = "\n1 0 0\n1 2 3 0.5 0.5 0.5 1\n";
+  for (const char* const word : {"COFF", "coff", "stOFF", "STCNoff"})
+    EXPECT_EQ(read_mesh_text(word + coloured, MeshFormat::off).vertices, (std::vector<Point3>{{1, 2, 3}})) << word;
+  expect_mesh_refused("nOFF\n3\n1 0 0\n", MeshFormat::off, ErrorCode::malformed, 1, "three-dimensional");
+  expect_mesh_refused("noff\n3\n1 0 0\n", MeshFormat::off, ErrorCode::malformed, 1, "three-dimensional");
 }
 
 TEST(ReadMesh, PathsAndFormats) {

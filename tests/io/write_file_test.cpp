@@ -42,6 +42,40 @@ TEST(WriteFile, keeps_permissions_and_symbolic_links) {
   EXPECT_EQ(fs::status(folder / "real.wkt").permissions(), fs::perms::owner_read | fs::perms::owner_write);
 }
 
+TEST(WriteFile, symbolic_links_to_what_is_not_there_yet_stay_and_are_followed) {
+  const Folder folder("dangling");
+  fs::create_directory(folder / "inner");
+  fs::create_symlink("../made.wkt", folder / "inner/link.wkt");
+  fs::create_symlink("inner/link.wkt", folder / "chain.wkt");
+  fs::create_symlink(folder / "made.wkt", folder / "absolute.wkt");
+  EXPECT_EQ(fs::path(written_path(folder / "chain.wkt")).lexically_normal(), folder / "made.wkt");
+  EXPECT_EQ(written_path(folder / "made.wkt"), folder / "made.wkt");
+  for (const char* const link : {"chain.wkt", "absolute.wkt", "inner/link.wkt"}) {
+    fs::remove(folder / "made.wkt");
+    ASSERT_TRUE(write_file(folder / link, link).ok()) << link;
+    EXPECT_TRUE(fs::is_symlink(folder / link)) << link;
+    EXPECT_FALSE(fs::is_symlink(folder / "made.wkt"));
+    EXPECT_EQ(text_of(folder / "made.wkt"), link);
+  }
+}
+
+TEST(WriteFile, symbolic_links_that_lead_nowhere_are_refused) {
+  const Folder folder("nowhere");
+  fs::create_symlink("b.wkt", folder / "a.wkt");
+  fs::create_symlink("a.wkt", folder / "b.wkt");
+  fs::create_symlink("missing/c.wkt", folder / "c.wkt");
+  const auto circle = write_file(folder / "a.wkt", "one"), missing = write_file(folder / "c.wkt", "one");
+  ASSERT_FALSE(circle.ok());
+  EXPECT_EQ(circle.error().code, ErrorCode::cannot_write);
+  EXPECT_NE(circle.error().message.find("in a circle"), std::string::npos) << circle.error().to_string();
+  ASSERT_FALSE(missing.ok());
+  EXPECT_EQ(missing.error().code, ErrorCode::cannot_write);
+  EXPECT_NE(missing.error().message.find("missing/c.wkt, where it leads"), std::string::npos)
+      << missing.error().to_string();
+  EXPECT_EQ(missing.error().evidence.file, folder / "c.wkt");
+  for (const char* const link : {"a.wkt", "b.wkt", "c.wkt"}) EXPECT_TRUE(fs::is_symlink(folder / link)) << link;
+}
+
 TEST(WriteFile, new_files_obey_the_mask) {
   const Folder folder("mask");
   const mode_t old = ::umask(027);

@@ -158,6 +158,30 @@ TEST(WriteMesh, FilesAreReplacedAsAWhole) {
   EXPECT_EQ(folder.file_count(), 5u);
 }
 
+TEST(WriteMesh, APictureIsDrawnWhateverRoundingDoesToPartsOfIt) {
+  const auto with_pit = [](double size) {  // a box, and a cavity of this size in it
+    MeshData data = solids::box(0, 0, 0, 128, 128, 128).data();
+    const MeshData pit = solids::box(64, 64, 64, 64 + size, 64 + size, 64 + size).data();
+    data.vertices.insert(data.vertices.end(), pit.vertices.begin(), pit.vertices.end());
+    for (const Face& face : pit.faces) {
+      Face& turned = data.faces.emplace_back(face.rbegin(), face.rend());
+      for (std::uint32_t& v : turned) v += 8;
+    }
+    return Mesh::create(data).value();
+  };
+  EXPECT_FALSE(rounding_error(with_pit(1), MeshFormat::stl));
+  EXPECT_FALSE(rounding_error(with_pit(1), MeshFormat::glb));
+  EXPECT_EQ(rounding_error(with_pit(0x1p-20), MeshFormat::stl)->code, ErrorCode::rounding_changed_topology);
+  EXPECT_FALSE(rounding_error(with_pit(0x1p-20), MeshFormat::glb)) << "the box shows";
+  EXPECT_EQ(numbers<std::uint32_t>(opened(format_mesh(with_pit(0x1p-20), MeshFormat::glb)), 2, 1).size(), 36u);
+  const Mesh needle = solids::box(0, 64, 64, 4, 64 + 0x1p-20, 64 + 0x1p-20);
+  const std::optional<Error> error = rounding_error(needle, MeshFormat::glb);
+  ASSERT_TRUE(error) << "nothing would show";
+  EXPECT_EQ(error->code, ErrorCode::rounding_changed_topology);
+  EXPECT_FALSE(picture_error(MeshData{}));
+  EXPECT_EQ(picture_error({{{0, 0, 0}, {1, 0, 0}, {0, 1e39, 0}}, {{0, 1, 2}}})->code, ErrorCode::cannot_write);
+}
+
 TEST(WriteMesh, WhatSinglePrecisionCannotHoldIsRefused) {
   const Folder folder("write_mesh");
   const Mesh large = *scaled(solids::box(0, 0, 0, 1, 1, 1), 1, 1e39, 1);

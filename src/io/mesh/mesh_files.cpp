@@ -5,6 +5,7 @@
 #include "dymsum/mesh_io.h"
 #include "dymsum/region_io.h"
 #include "io/mesh/mesh_readers.h"
+#include "io/plain_text.h"
 #include "io/read_file.h"
 
 namespace dymsum {
@@ -14,9 +15,9 @@ namespace {
 MeshData read_format(const io::Source& source, MeshFormat format) {
   switch (format) {
     case MeshFormat::off:
-      return io::read_off(source);
+      return io::read_off({io::PlainText(source.text).view(), source.file});
     case MeshFormat::obj:
-      return io::read_obj(source);
+      return io::read_obj({io::PlainText(source.text).view(), source.file});
     case MeshFormat::stl:
       return io::read_stl(source);
     case MeshFormat::ply:
@@ -40,8 +41,6 @@ Result<MeshFormat> mesh_format(std::string_view path) {
 }
 
 Result<MeshData> parse_mesh(std::string_view bytes, MeshFormat format, std::string_view file) {
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  if (format != MeshFormat::stl && bytes.starts_with(kByteOrderMark)) bytes.remove_prefix(kByteOrderMark.size());
   try {
     return read_format({bytes, file}, format);
   } catch (io::ReadFailure& failure) {

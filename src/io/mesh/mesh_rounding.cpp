@@ -4,9 +4,8 @@
 #include <utility>
 
 #include "dymsum/mesh_io.h"
+#include "exact/orient3.h"
 #include "io/mesh/mesh_readers.h"
-#include "spatial/mesh/edge_order.h"
-#include "spatial/mesh/six_volume.h"
 
 namespace dymsum {
 namespace {
@@ -30,13 +29,11 @@ Error changed(std::string what, Evidence evidence) {
   return {ErrorCode::rounding_changed_topology, "in single precision, " + std::move(what), std::move(evidence)};
 }
 
-/// Requires the same faces.
-std::optional<Error> vanished_shell(const Mesh& mesh, const MeshData& rounded) {
-  if (mesh.has_thin_parts()) return std::nullopt;  // a picture
-  const MeshData& exact = mesh.data();
-  const spatial::Shells shells = spatial::find_shells(spatial::half_edges(exact));
-  if (spatial::shell_signs(exact, shells) == spatial::shell_signs(rounded, shells)) return std::nullopt;
-  return changed("a shell encloses no volume", {});
+/// Whether its corners are on no line.
+bool has_area(const Face& face, const std::vector<Point3>& at) {
+  const auto second = std::find_if(face.begin(), face.end(), [&](std::uint32_t v) { return at[v] != at[face[0]]; });
+  return std::any_of(second, face.end(),
+                     [&](std::uint32_t v) { return !exact::collinear(at[face[0]], at[*second], at[v]); });
 }
 
 }  // namespace
@@ -53,11 +50,9 @@ std::optional<Error> rounding_error(const Mesh& mesh, MeshFormat format) {
     error.evidence.face = static_cast<std::int64_t>(f);
     return error;
   }
-  const Mesh split = triangulated(mesh).mesh;
-  const MeshData& triangles = split.data();  // what a file would hold
-  const Result<MeshData> data = in_singles(triangles);
+  if (format == MeshFormat::glb) return picture_error(mesh.data());
+  const Result<MeshData> data = in_singles(triangulated(mesh).mesh.data());  // what a file would hold
   if (!data) return data.error();
-  if (format == MeshFormat::glb) return vanished_shell(split, *data);
   // As the reader does: vertices at one place are one, and what no longer is a solid is refused.
   const Result<Mesh> back = mesh.has_thin_parts() ? Mesh::with_thin_parts(*data) : Mesh::create(*data);
   if (back) return std::nullopt;
@@ -65,6 +60,14 @@ std::optional<Error> rounding_error(const Mesh& mesh, MeshFormat format) {
   evidence.face.reset();  // of the triangles, not of the mesh's faces
   evidence.other_face.reset();
   return changed(back.error().message, std::move(evidence));
+}
+
+std::optional<Error> picture_error(const MeshData& mesh) {
+  const Result<MeshData> data = in_singles(mesh);
+  if (!data) return data.error();
+  const auto shows = [&](const Face& face) { return has_area(face, data->vertices); };
+  if (data->faces.empty() || std::any_of(data->faces.begin(), data->faces.end(), shows)) return std::nullopt;
+  return changed("no face has an area", {});
 }
 
 }  // namespace dymsum

@@ -1,6 +1,6 @@
 // OBJ: one statement per line, or several that backslashes join; of these `v`, `f`, `l` (polylines, but for
 // the edges of faces) and `p` (points) make the mesh. A face's corners
-// are vertex numbers from 1 on, or from -1 backwards from the last vertex so far, each perhaps followed by
+// are indices of vertices from 1 on, or from -1 backwards from the last vertex so far, each perhaps followed by
 // /texture/normal, which is skipped.
 #include <algorithm>
 #include <array>
@@ -68,7 +68,7 @@ class ObjReader {
   void read_face(std::size_t start, std::string_view keyword) {
     const Evidence evidence = at_face(data_.faces.size());
     Face face;
-    need_more("a vertex number", evidence);
+    need_more("the index of a vertex", evidence);
     while (!words_.at_line_end()) face.push_back(read_corner(evidence));
     const std::size_t corners = keyword == "f" ? face.size() : keyword == "l" ? 2 : 1;
     if (keyword == "l" && face.size() < 2)
@@ -95,14 +95,15 @@ class ObjReader {
 
   std::uint32_t read_corner(Evidence evidence) {
     const std::size_t start = words_.offset();
-    std::string_view text = words_.take("a vertex number");
+    std::string_view text = words_.take("the index of a vertex");
     const std::string_view word = text;
     const bool backwards = text.starts_with('-');
     if (backwards) text.remove_prefix(1);
     const ScannedCount number = scan_count(text);
     const bool ends = number.length == text.size() || (number.length > 0 && text[number.length] == '/');
     if (number.length == 0 || !ends) {
-      words_.fail_at(start, ErrorCode::malformed, "expected a vertex number instead of " + in_quotes(word), evidence);
+      words_.fail_at(start, ErrorCode::malformed, "expected the index of a vertex instead of " + in_quotes(word),
+                     evidence);
     }
     const std::uint64_t so_far = data_.vertices.size();
     // later vertices may be named, too: check_indices looks when all are known
@@ -118,7 +119,10 @@ class ObjReader {
         if (v < data_.vertices.size()) continue;
         Evidence evidence = at_face(f);
         evidence.vertex = v;
-        words_.fail_at(face_offset_[f], ErrorCode::bad_index, "a face names a vertex that does not exist", evidence);
+        // As the file counts, from 1.
+        const std::string named = in_quotes(std::to_string(std::uint64_t{v} + 1));
+        words_.fail_at(face_offset_[f], ErrorCode::bad_index, "a face names a vertex that does not exist: " + named,
+                       evidence);
       }
     }
   }

@@ -1,6 +1,6 @@
-// OFF: a keyword, counts of vertices, faces and edges, the vertices, and per face a count, vertex numbers and perhaps a
-// colour up to the line's end. In front of OFF, ST, C and N announce texture coordinates, colours and normals at the
-// vertices: they are skipped up to the line's end.
+// OFF: a keyword in any case, counts of vertices, faces and edges, the vertices, and per face a count, indices
+// and perhaps a colour up to the line's end. In front of OFF, ST, C and N announce texture coordinates, colours and
+// normals at the vertices: they are skipped up to the line's end. (A small n would announce other dimensions.)
 #include <algorithm>
 #include <cstdint>
 #include <string>
@@ -35,13 +35,14 @@ class OffReader {
     if (!word.empty() && is_digit(word[0]) && scan_count(word).length == word.size()) return;  // it may be missing
     const std::size_t start = words_.offset();
     std::string_view prefix = words_.take("'OFF'");
-    if (!prefix.ends_with("OFF"))
+    if (prefix.size() < 3 || !same_word(prefix.substr(prefix.size() - 3), "OFF"))
       words_.fail_at(start, ErrorCode::malformed, "expected 'OFF' instead of " + in_quotes(word));
     prefix.remove_suffix(3);
     extras_ = !prefix.empty();
-    for (const std::string_view part : {"ST", "C", "N"}) {
-      if (prefix.starts_with(part)) prefix.remove_prefix(part.size());
+    for (const std::string_view part : {"ST", "C"}) {
+      if (same_word(prefix.substr(0, part.size()), part)) prefix.remove_prefix(part.size());
     }
+    if (prefix.starts_with('N')) prefix.remove_prefix(1);
     if (!prefix.empty()) {
       words_.fail_at(start, ErrorCode::malformed, in_quotes(word) + " files are not read, only three-dimensional ones");
     }

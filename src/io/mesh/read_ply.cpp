@@ -1,7 +1,7 @@
-// PLY, text and binary: the elements vertex (x, y, z), face (a list of vertex numbers) and edge (vertex1, vertex2), of
-// which those of faces say nothing new; others are skipped. Every
-// property that is read takes at least a byte of the file, and elements without properties are not counted through, so
-// that announced numbers cost neither time nor memory.
+// PLY, text and binary: the elements vertex (x, y, z), face (a list of indices of vertices) and edge (vertex1,
+// vertex2), of which those of faces say nothing new; others are skipped. Every property that is read takes at least a
+// byte of the file, and elements without properties are not counted through, so that announced numbers cost neither
+// time nor memory.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -13,6 +13,8 @@
 #include "io/mesh/face_edges.h"
 #include "io/mesh/mesh_readers.h"
 #include "io/mesh/ply_header.h"
+#include "io/number_text.h"
+#include "io/plain_text.h"
 #include "io/words.h"
 
 namespace dymsum::io {
@@ -150,8 +152,8 @@ class BodyReader {
       }
       const double value = numbers_.next(property.type, evidence);
       if (vertex) store(p, property.name, value, evidence);
-      if (edge && property.name == "vertex1") ends[0] = corner(value, evidence);
-      if (edge && property.name == "vertex2") ends[1] = corner(value, evidence);
+      if (edge && property.name == "vertex1") ends[0] = corner(value, "an edge", evidence);
+      if (edge && property.name == "vertex2") ends[1] = corner(value, "an edge", evidence);
     }
     if (vertex) data_.vertices.push_back(p);
     if (edge) edges_.push_back(std::move(ends));
@@ -175,18 +177,23 @@ class BodyReader {
     Face face;
     for (auto left = static_cast<std::uint64_t>(length); left > 0; --left) {
       const double value = numbers_.next(property.type, evidence);
-      if (corners) face.push_back(corner(value, evidence));
+      if (corners) face.push_back(corner(value, "a face", evidence));
     }
     if (corners) data_.faces.push_back(std::move(face));
   }
 
-  std::uint32_t corner(double value, Evidence evidence) {
-    if (value != std::floor(value)) numbers_.fail(ErrorCode::malformed, "a vertex number is no integer", evidence);
+  /// The index of a vertex that `of` names.
+  std::uint32_t corner(double value, const char* of, Evidence evidence) {
+    if (!std::isfinite(value) || value != std::floor(value))
+      numbers_.fail(ErrorCode::malformed, "the index of a vertex is no integer", evidence);
     if (value >= 0 && value < static_cast<double>(std::min<std::uint64_t>(vertices_, UINT32_MAX))) {
       return static_cast<std::uint32_t>(value);
     }
-    if (std::abs(value) < 0x1p62) evidence.vertex = static_cast<std::int64_t>(value);
-    numbers_.fail(ErrorCode::bad_index, "a face names a vertex that does not exist", std::move(evidence));
+    if (value >= 0 && value < 0x1p62) evidence.vertex = static_cast<std::int64_t>(value);
+    std::string named;
+    append_number(named, value);
+    numbers_.fail(ErrorCode::bad_index, std::string(of) + " names a vertex that does not exist: " + named,
+                  std::move(evidence));
   }
 
   Numbers numbers_;
@@ -215,9 +222,20 @@ void check_elements(const PlyHeader& header, const Words& words) {
   }
 }
 
+/// How many bytes are text: those of the header with one behind it, which ends the line, where the numbers are none.
+std::size_t text_of(std::string_view bytes) {
+  constexpr std::string_view kEnd = "end_header";
+  const std::size_t end = bytes.find(kEnd);
+  if (end == std::string_view::npos || bytes.substr(0, end).find("binary_") == std::string_view::npos)
+    return bytes.size();
+  return std::min(end + kEnd.size() + 1, bytes.size());
+}
+
 }  // namespace
 
-MeshData read_ply(const Source& source) {
+MeshData read_ply(const Source& given) {
+  const PlainText plain(given.text, text_of(given.text));
+  const Source source{plain.view(), given.file};
   Words words(source, false);
   const PlyHeader header = read_ply_header(words);
   check_elements(header, words);

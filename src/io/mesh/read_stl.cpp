@@ -13,6 +13,7 @@
 
 #include "io/bytes.h"
 #include "io/mesh/mesh_readers.h"
+#include "io/plain_text.h"
 #include "io/words.h"
 
 namespace dymsum::io {
@@ -104,11 +105,29 @@ MeshData read_binary(const Source& source) {
   return data;
 }
 
-bool is_binary(std::string_view bytes) {
-  if (bytes.size() >= kHeader && kHeader + kTriangle * announced_triangles(bytes) == bytes.size()) return true;
-  const std::size_t first =
-      static_cast<std::size_t>(std::find_if_not(bytes.begin(), bytes.end(), is_blank) - bytes.begin());
-  return first < bytes.size() && !same_word(bytes.substr(first, 5), "solid");
+bool has_announced_size(std::string_view bytes) {
+  return bytes.size() >= kHeader && kHeader + kTriangle * announced_triangles(bytes) == bytes.size();
+}
+
+/// Whether it begins as text does, or holds nothing. Binary files that were cut off may begin so, too.
+bool is_text(std::string_view text) {
+  const auto first = static_cast<std::size_t>(std::find_if_not(text.begin(), text.end(), is_blank) - text.begin());
+  return first == text.size() ||
+         (same_word(text.substr(first, 5), "solid") && text.find('\0') == std::string_view::npos);
+}
+
+/// Whether text stands where a binary file has its number of triangles: another format under this name.
+bool counts_in_letters(std::string_view bytes) {
+  const std::string_view count = bytes.substr(std::min(bytes.size(), kHeader - 4), 4);
+  return count.size() == 4 &&
+         std::all_of(count.begin(), count.end(), [](char c) { return is_blank(c) || (c >= ' ' && c <= '~'); });
+}
+
+MeshData read_triangles(const Source& source) {
+  if (has_announced_size(source.text)) return read_binary(source);
+  const PlainText plain(source.text);
+  if (is_text(plain.view()) || counts_in_letters(source.text)) return TextReader({plain.view(), source.file}).read();
+  return read_binary(source);
 }
 
 }  // namespace
@@ -141,7 +160,7 @@ void merge_equal_vertices(MeshData& data) {
 }
 
 MeshData read_stl(const Source& source) {
-  MeshData data = is_binary(source.text) ? read_binary(source) : TextReader(source).read();
+  MeshData data = read_triangles(source);
   merge_equal_vertices(data);
   return data;
 }

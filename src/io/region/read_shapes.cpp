@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "io/number_text.h"
+#include "io/plain_text.h"
 #include "io/read_file.h"
 #include "io/region/grid_map.h"
 #include "io/region/readers.h"
@@ -100,7 +101,8 @@ Result<std::vector<NamedShape>> read_map(const Selection& selection) {
   const Result<std::string> text = io::read_file(selection.file);
   if (!text) return text.error();
   try {
-    const io::Source source{*text, selection.file};
+    const io::PlainText plain(*text);
+    const io::Source source{plain.view(), selection.file};
     const std::string set = selection.shape.value_or("");
     const io::GridSet cells = io::grid_set(source, set);
     const io::GridMap map = extension(selection.file) == ".map" ? io::read_movingai(source) : io::read_ros_map(source);
@@ -120,10 +122,9 @@ Result<RegionFormat> region_format(std::string_view path) {
 
 Result<std::vector<NamedShape>> parse_shapes(std::string_view text, RegionFormat format,
                                              std::string_view name_for_errors) {
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  const io::PlainText plain(text);
   try {
-    std::vector<NamedShape> shapes = read_format({text, name_for_errors}, format);
+    std::vector<NamedShape> shapes = read_format({plain.view(), name_for_errors}, format);
     name_shapes(shapes, name_for_errors);
     return shapes;
   } catch (io::ReadFailure& failure) {
@@ -131,12 +132,18 @@ Result<std::vector<NamedShape>> parse_shapes(std::string_view text, RegionFormat
   }
 }
 
+bool names_region(const std::string& path) {
+  const std::string file = split_selection(path).file;
+  return io::names_map(file) || format_of_extension(file);
+}
+
 Result<std::vector<NamedShape>> read_shapes(const std::string& path) {
   const Selection selection = split_selection(path);
   if (io::names_map(selection.file)) return read_map(selection);
   const std::optional<RegionFormat> known = format_of_extension(selection.file);
   if (selection.file != "-" && !known && !io::is_directory(selection.file))
-    return region_format(selection.file).error();
+    return file_error(ErrorCode::unsupported_format,
+                      "the extension is none of .poly, .wkt, .geojson, .svg, .json, .yaml, .map", selection.file);
   const Result<std::string> text = io::read_file(selection.file);
   if (!text) return text.error();
   const Result<RegionFormat> format = known ? Result<RegionFormat>(*known) : format_of_text(*text, selection.file);

@@ -43,7 +43,7 @@ struct Step {
 Result<Step> rounded_vertices(const SpatialSum& sum, BetweenSteps between) {
   Step step;
   for (std::size_t v = 0; v < sum.vertices.size(); ++v) {
-    double at[3], square = 0;
+    double at[3], by[3];
     bool moved = false;
     const spatial::ExactPosition exact = spatial::SpatialSumInternals::positions(sum).at(v);
     for (int axis = 0; axis < 3; ++axis) {
@@ -52,16 +52,15 @@ Result<Step> rounded_vertices(const SpatialSum& sum, BetweenSteps between) {
         return error_at(ErrorCode::not_finite, "a vertex between the steps is beyond the doubles", sum.vertices[v]);
       const BigRational gap = exact[axis] - exact::exact_value(at[axis]);
       moved = moved || !gap.is_zero();
-      const double distance = exact::round_to_double(gap);
-      square += distance * distance;
+      by[axis] = exact::round_to_double(gap);
     }
     step.set.vertices.push_back({at[0], at[1], at[2]});
     if (!moved) continue;
     if (between == BetweenSteps::exact)
       return error_at(ErrorCode::rounding_changed_topology,
                       "a vertex between the two operations has no doubles for coordinates", step.set.vertices[v]);
-    // The squares of tiny numbers vanish.
-    step.moved = std::max(step.moved, std::sqrt(square) * (1 + 0x1p-50) + 0x1p-530);
+    // Gaps below the least double vanish.
+    step.moved = std::max(step.moved, std::hypot(by[0], by[1], by[2]) * (1 + 0x1p-50) + 0x1p-1072);
   }
   return step;
 }

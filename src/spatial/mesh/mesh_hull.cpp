@@ -61,7 +61,9 @@ class Depths {
     if (sign(below) == 0) return 0;
     const int top = bit_length(n);
     if constexpr (std::is_same_v<C, exact::Big>) {
-      return std::ldexp(rounded(below, -top) / length(rounded(n, -top)), places_.exponent);
+      // Grids as fine as the least doubles have more units than doubles count: both are scaled to about 1.
+      const int deep = bit_length(below);
+      return std::ldexp(rounded(below, -deep) / length(rounded(n, -top)), places_.exponent + deep - top);
     } else {
       return std::ldexp(to_double(below) / length(rounded(n, -top)), places_.exponent - top);
     }
@@ -163,6 +165,7 @@ Result<HulledMesh> hulled(const MeshData& data) {
   if (auto error = spatial::check_finite(data.vertices)) return *std::move(error);
   if (auto error = spatial::check_indices(data)) return *std::move(error);
   const spatial::UsedPoints used = spatial::used_points(data);
+  if (used.points.empty()) return Error{ErrorCode::no_area, "there are no points to take the hull of", {}};
   Result<Mesh> hull = convex_hull(used.points);
   if (!hull) return hull.error();
   HullReport report;

@@ -161,7 +161,8 @@ class MeshCheck {
     }
     const auto unused = std::find(used.begin(), used.end(), false);
     if (unused == used.end()) return std::nullopt;
-    return error_at(ErrorCode::bad_index, "no face uses a vertex", static_cast<std::uint32_t>(unused - used.begin()));
+    return error_at(ErrorCode::bad_index, "no face uses this vertex",
+                    static_cast<std::uint32_t>(unused - used.begin()));
   }
 
   std::optional<Error> check_faces() const {

@@ -25,18 +25,18 @@ std::optional<Error> rounding_error(const MeshData& mesh) {
   std::sort(sorted.begin(), sorted.end(),
             [](const Point3& a, const Point3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); });
   const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
-  if (twice != sorted.end()) return error_at("two vertices of the sum round to one place", *twice);
+  if (twice != sorted.end()) return error_at("two vertices round to one place", *twice);
   Triangles triangles;
   for (const Face& face : mesh.faces) {
     const Point3 &a = mesh.vertices[face[0]], &b = mesh.vertices[face[1]], &c = mesh.vertices[face[2]];
-    if (exact::collinear(a, b, c)) return error_at("a triangle of the sum rounds to a line", a);
+    if (exact::collinear(a, b, c)) return error_at("a triangle rounds to a line", a);
     triangles.triangles.push_back({face[0], face[1], face[2]});
   }
   triangles.face.resize(mesh.faces.size());
   std::iota(triangles.face.begin(), triangles.face.end(), 0u);
   const auto meeting = find_meeting(mesh, triangles, boxes_of(mesh.vertices, triangles.triangles));
   if (!meeting) return std::nullopt;
-  return error_at("two faces of the sum cross or touch once they are rounded", meeting->at);
+  return error_at("two faces cross or touch once they are rounded", meeting->at);
 }
 
 }  // namespace dymsum::spatial

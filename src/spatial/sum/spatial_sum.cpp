@@ -25,7 +25,7 @@ std::string megabytes(std::uint64_t bytes) { return std::to_string((bytes + 9999
 Error too_large(const SpatialOptions& options, const char* what, std::uint64_t bytes) {
   return {
       ErrorCode::out_of_memory,
-      std::string("the sum ") + what + " " + megabytes(bytes) + " of memory, the limit is " + megabytes(options.memory),
+      std::string("this ") + what + " " + megabytes(bytes) + " of memory, the limit is " + megabytes(options.memory),
       {}};
 }
 
@@ -95,9 +95,8 @@ Result<SpatialSum> spatial::sum_of_operands(const SolidOperand& a, const SolidOp
   } catch (const spatial::OverBudget& e) {
     return too_large(options, "takes at least", e.bytes);
   } catch (const std::bad_alloc&) {
-    return Error{ErrorCode::out_of_memory,
-                 "the sum needs more memory than there is; predicted were " + megabytes(cost.bytes),
-                 {}};
+    return Error{
+        ErrorCode::out_of_memory, "this needs more memory than there is; predicted were " + megabytes(cost.bytes), {}};
   } catch (const std::invalid_argument&) {
     if (std::optional<Error> error = grid_error(a.vertices, b.vertices)) return *std::move(error);
     throw;
@@ -110,7 +109,7 @@ RationalPoint3 SpatialSum::exact(std::size_t vertex) const {
   return {exact::to_rational(x), exact::to_rational(y), exact::to_rational(z)};
 }
 
-Result<SpatialSum::Rounded> SpatialSum::rounded() const {
+SpatialSum::Rounded SpatialSum::drawn() const {
   Rounded result;
   constexpr std::uint32_t kNone = 0xffffffff;
   std::vector<std::uint32_t> name(vertices.size(), kNone);
@@ -127,6 +126,11 @@ Result<SpatialSum::Rounded> SpatialSum::rounded() const {
     result.mesh.faces.push_back(std::move(face));
   }
   result.face = std::move(all.face);
+  return result;
+}
+
+Result<SpatialSum::Rounded> SpatialSum::rounded() const {
+  Rounded result = drawn();
   if (std::optional<Error> error = spatial::rounding_error(result.mesh)) return *std::move(error);
   return result;
 }

@@ -36,6 +36,18 @@ TEST(MeshHull, the_deviation_is_that_of_the_deepest_place) {
   EXPECT_EQ(hulled(small)->report.deviation, 0.5 * tiny);
 }
 
+TEST(MeshHull, a_depth_of_more_units_of_the_grid_than_doubles_count_is_a_number) {
+  for (const double size : {1.0, 0x1p1000}) {
+    MeshData data;
+    for (const Point3& p : {Point3{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {0.25, 1, 1}})
+      data.vertices.push_back({size * p.x, size * p.y, size * p.z});
+    data.vertices.push_back({0x1p-1074, size, size});
+    const HullReport report = hulled(data)->report;
+    EXPECT_EQ(report.inside_vertices, 2u);
+    EXPECT_EQ(report.deviation, 0.25 * size);
+  }
+}
+
 TEST(MeshHull, an_edge_below_the_hull_counts_although_all_vertices_are_corners) {
   // A tetrahedron whose two back faces meet in the other diagonal: all four vertices are corners.
   const std::vector<Point3> at{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1, 4}, {1, 1, -1}};
