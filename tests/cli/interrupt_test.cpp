@@ -1,6 +1,7 @@
 // Long work: the progress bar, and Ctrl-C.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -113,14 +114,16 @@ TEST_F(LongWork, OutOfMemoryIsAnErrorWithSizes) {
   EXPECT_FALSE(work.exists("sum.wkt"));
 }
 
-TEST_F(LongWork, TheBarIsOnlyForTerminals) {
+TEST_F(LongWork, TheBarIsOnlyForTerminalsAndElsewhereALineTells) {
   work.write("b.wkt", format_region(shapes::noisy_star(1500, 0.9, 5), RegionFormat::wkt));
-  const std::string command =
-      "timeout --foreground --preserve-status -s INT -k 60 2.5 dymsum sum b.wkt b.wkt --engine brute "
-      "--repeat 1000";
-  const Outcome piped = work.run(command);
-  EXPECT_EQ(piped.err, "dymsum: interrupted\n");
-  const Outcome terminal = work.run("script -qec '" + command + "' typescript");
+  const std::string command = " dymsum sum b.wkt b.wkt --engine brute --repeat 1000";
+  const std::string timeout = "timeout --foreground --preserve-status -s INT -k 60 ";
+  const Outcome piped = work.run(timeout + "4" + command);
+  EXPECT_TRUE(piped.err.starts_with("dymsum: at work for ")) << piped.err;
+  EXPECT_NE(piped.err.find("% "), std::string::npos) << piped.err;
+  EXPECT_TRUE(piped.err.ends_with("\ndymsum: interrupted\n")) << piped.err;
+  EXPECT_EQ(std::count(piped.err.begin(), piped.err.end(), '\n'), 2) << piped.err;
+  const Outcome terminal = work.run("script -qec '" + timeout + "2.5" + command + "' typescript");
   EXPECT_EQ(terminal.code, 130) << terminal.out;
   EXPECT_NE(terminal.out.find("% "), std::string::npos) << terminal.out;
   EXPECT_NE(terminal.out.find("["), std::string::npos);
