@@ -116,14 +116,17 @@ TEST_F(LongWork, OutOfMemoryIsAnErrorWithSizes) {
 
 TEST_F(LongWork, TheBarIsOnlyForTerminalsAndElsewhereALineTells) {
   work.write("b.wkt", format_region(shapes::noisy_star(1500, 0.9, 5), RegionFormat::wkt));
-  const std::string command = " dymsum sum b.wkt b.wkt --engine brute --repeat 1000";
-  const std::string timeout = "timeout --foreground --preserve-status -s INT -k 60 ";
-  const Outcome piped = work.run(timeout + "4" + command);
-  EXPECT_TRUE(piped.err.starts_with("dymsum: at work for ")) << piped.err;
-  EXPECT_NE(piped.err.find("% "), std::string::npos) << piped.err;
-  EXPECT_TRUE(piped.err.ends_with("\ndymsum: interrupted\n")) << piped.err;
-  EXPECT_EQ(std::count(piped.err.begin(), piped.err.end(), '\n'), 2) << piped.err;
-  const Outcome terminal = work.run("script -qec '" + timeout + "2.5" + command + "' typescript");
+  const std::string command = "dymsum sum b.wkt b.wkt --engine brute --repeat 1000";
+  const Outcome piped = work.run("timeout 60 sh -c '" + command +
+                                 " 2> told & until grep -qs work told; do sleep 0.1; done; kill -INT $!; wait $!'");
+  EXPECT_EQ(piped.code, 130) << piped.err;
+  const std::string told = work.read("told");
+  EXPECT_TRUE(told.starts_with("dymsum: at work for ")) << told;
+  EXPECT_NE(told.find("% "), std::string::npos) << told;
+  EXPECT_TRUE(told.ends_with("\ndymsum: interrupted\n")) << told;
+  EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 2) << told;
+  const Outcome terminal =
+      work.run("script -qec 'timeout --foreground --preserve-status -s INT -k 60 2.5 " + command + "' typescript");
   EXPECT_EQ(terminal.code, 130) << terminal.out;
   EXPECT_NE(terminal.out.find("% "), std::string::npos) << terminal.out;
   EXPECT_NE(terminal.out.find("["), std::string::npos);
