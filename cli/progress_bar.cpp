@@ -17,7 +17,7 @@ namespace {
 volatile std::sig_atomic_t interrupted = 0, writing = 0, bar_shown = 0;
 std::string last_words;  // on standard output; not changed once signals are caught
 
-// The stage that is being drawn: there is one bar at a time.
+// The stage that is being worked on: there is one bar at a time.
 struct Stage {
   std::string name;
   double fraction = 0;
@@ -31,6 +31,13 @@ std::string time_left(double seconds, double share) {
   const double left = seconds / share * (1 - share);
   return left < 100 ? ", " + std::to_string(static_cast<int>(std::ceil(left))) + " s left"
                     : ", " + std::to_string(static_cast<int>(std::ceil(std::min(left / 60, 1e6)))) + " min left";
+}
+
+// Of the current stage, with its name.
+std::string how_far(std::chrono::steady_clock::time_point now) {
+  const double share = std::clamp(current.fraction, 0.0, 1.0);
+  return std::to_string(static_cast<int>(share * 100)) + "% " + current.name +
+         time_left(std::chrono::duration<double>(now - current.start).count(), share);
 }
 
 void say(int file, std::string_view text) {
@@ -69,7 +76,9 @@ void throw_if_interrupted() {
 }
 
 ProgressBar::ProgressBar()
-    : next_draw_(Clock::now() + std::chrono::seconds(1)), terminal_(isatty(STDERR_FILENO) == 1) {}
+    : terminal_(isatty(STDERR_FILENO) == 1),
+      start_(Clock::now()),
+      next_(start_ + std::chrono::seconds(terminal_ ? 1 : 2)) {}
 
 ProgressBar::~ProgressBar() {
   if (drawn_) std::cerr << "\r\x1b[K" << std::flush;
@@ -78,28 +87,36 @@ ProgressBar::~ProgressBar() {
 
 Progress ProgressBar::callback() {
   return [this](std::string_view stage, double fraction) {
-    if (terminal_) draw(stage, fraction);
+    const Clock::time_point now = Clock::now();
+    if (stage != current.name || fraction < current.fraction) {  // the next stage, or the same one once more
+      current.name = stage;
+      current.start = now;
+    }
+    current.fraction = fraction;
+    if (now >= next_) {
+      if (terminal_) draw(now);
+      else print_line(now);
+    }
     return interrupted == 0;
   };
 }
 
-void ProgressBar::draw(std::string_view stage, double fraction) {
-  const auto now = Clock::now();
-  if (stage != current.name || fraction < current.fraction) {  // the next stage, or the same one once more
-    current.name = stage;
-    current.start = now;
-  }
-  current.fraction = fraction;
-  if (now < next_draw_) return;
-  next_draw_ = now + std::chrono::milliseconds(100);
+void ProgressBar::draw(Clock::time_point now) {
+  next_ = now + std::chrono::milliseconds(100);
   drawn_ = true;
   bar_shown = 1;
   constexpr int kWidth = 40;
-  const double share = std::clamp(fraction, 0.0, 1.0);
+  const double share = std::clamp(current.fraction, 0.0, 1.0);
   const auto full = static_cast<std::size_t>(share * kWidth);
-  std::cerr << "\r[" << std::string(full, '#') << std::string(kWidth - full, '.') << "] "
-            << static_cast<int>(share * 100) << "% " << stage
-            << time_left(std::chrono::duration<double>(now - current.start).count(), share) << "\x1b[K" << std::flush;
+  std::cerr << "\r[" << std::string(full, '#') << std::string(kWidth - full, '.') << "] " << how_far(now) << "\x1b[K"
+            << std::flush;
+}
+
+void ProgressBar::print_line(Clock::time_point now) {
+  next_ = now + (now - start_);
+  std::cerr << "dymsum: at work for " << std::chrono::duration_cast<std::chrono::seconds>(now - start_).count()
+            << " s, " << how_far(now) << "\n"
+            << std::flush;
 }
 
 }  // namespace dymsum::cli

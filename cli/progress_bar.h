@@ -1,4 +1,4 @@
-// Progress on a terminal, and Ctrl-C.
+// Progress on standard error, and Ctrl-C.
 #pragma once
 
 #include <chrono>
@@ -34,7 +34,8 @@ void print_when_interrupted(std::string text);
 
 void throw_if_interrupted();  ///< Stop with kInterrupted
 
-/// A bar on standard error, only where that is a terminal and only after a second of work; gone when the work is.
+/// Tells on standard error how far a computation is: on a terminal by a bar, after a second of work and gone when the
+/// work is; elsewhere by a line after two seconds, and another one whenever the time so far has doubled.
 class ProgressBar {
  public:
   ProgressBar();
@@ -46,11 +47,12 @@ class ProgressBar {
   Progress callback();
 
  private:
-  void draw(std::string_view stage, double fraction);
-
   using Clock = std::chrono::steady_clock;
-  Clock::time_point next_draw_;
+  void draw(Clock::time_point now);
+  void print_line(Clock::time_point now);
+
   bool terminal_ = false;
+  Clock::time_point start_, next_;  ///< `next_`: when something is told again
   bool drawn_ = false;
 };
 

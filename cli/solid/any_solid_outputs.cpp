@@ -135,6 +135,11 @@ std::string picture_of(const SpatialSum& sum, const std::string& file, bool stag
 
 bool is_stage_mesh(const std::string& file) { return file.ends_with("stages.glb"); }
 
+std::uint64_t stage_mesh_bytes(const SpatialTrace& trace) {
+  // Measured: two triangles for a facet, eight for the bar along a piece, with their corners, which are numbered.
+  return 900 * trace.facets.size() + 2400 * trace.pieces.size();
+}
+
 Json any_solid_sum_json(const SpatialSum& sum, bool exact) {
   constexpr std::size_t kMostBits = 16384;
   const std::optional<Rational> volume = exact ? std::optional(sum.volume_exact()) : sum.volume_exact_within(kMostBits);

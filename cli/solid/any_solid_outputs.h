@@ -17,6 +17,8 @@ std::string any_solid_output(const SpatialSum& sum, const std::string& file, con
 /// Whether a file's name asks for the picture of the stages ("stages.glb", "x.stages.glb"): the convolution, cut along
 /// red lines, beside the result.
 bool is_stage_mesh(const std::string& file);
+/// What drawing the stages takes beside the sum, as a mesh and as a file.
+std::uint64_t stage_mesh_bytes(const SpatialTrace& trace);
 
 /// The summary of a report. volume_exact is null where it is long, unless it is wanted `exact`.
 Json any_solid_sum_json(const SpatialSum& sum, bool exact);

@@ -37,6 +37,16 @@ void print_text(std::ostream& out, const SolidRun& run, const SolidOutcome& outc
       << shown(timing) << ", " << tier_name(grid_tier(sum)) << " coordinates\n";
 }
 
+/// Pictures of the stages have more of them than the computation holds at once.
+void check_stage_memory(const SpatialSum& sum, std::uint64_t memory) {
+  const std::uint64_t bytes = sum.trace ? stage_mesh_bytes(*sum.trace) : 0;
+  if (memory == 0 || bytes <= memory) return;
+  const auto megabytes = [](std::uint64_t b) { return std::to_string((b + 999999) / 1000000) + " MB"; };
+  stop_with({ErrorCode::out_of_memory,
+             "drawing the stages takes about " + megabytes(bytes) + " of memory, the limit is " + megabytes(memory),
+             {}});
+}
+
 }  // namespace
 
 ExitCode run_any_solid(const SolidRun& run, const std::function<Result<SolidOutcome>(const SpatialOptions&)>& compute) {
@@ -58,6 +68,7 @@ ExitCode run_any_solid(const SolidRun& run, const std::function<Result<SolidOutc
   });
   bar.reset();
   const SpatialSum& sum = outcome.solid;
+  check_stage_memory(sum, options.memory);
   std::vector<std::string> texts;
   for (const std::string& file : run.files) texts.push_back(any_solid_output(sum, file, run.how));
   for (std::size_t i = 0; i < texts.size(); ++i) write_text(run.files[i], texts[i]);

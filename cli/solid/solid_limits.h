@@ -16,7 +16,7 @@ namespace dymsum::cli {
 void add_memory_option(CLI::App& verb, double& megabytes, OperandKind kind);
 std::uint64_t memory_bytes(double megabytes);
 
-/// Says on standard error what a sum will take where that is more than about a second.
+/// Says on standard error what a sum is expected to take where that may be more than a second.
 void announce_cost(const Mesh& p, const Mesh& q);
 
 }  // namespace dymsum::cli

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <iostream>
 
-#include "dymsum/convex_sum.h"
+#include "dymsum/convex_memory.h"
 #include "progress_bar.h"
 #include "report.h"
 #include "solid/any_solid_sum.h"
@@ -23,14 +23,15 @@ ConvexEngine engine_of(const SumCommand& command) {
 }
 
 /// The tier and the sum, of more than two solids one after the other, exactly.
-std::pair<int, SolidSum> sum_of(const std::vector<SolidInput>& inputs, const Mesh& q, ConvexEngine engine) {
-  ConvexSum sum = require(ConvexSum::create(inputs[0].mesh, q));
+std::pair<int, SolidSum> sum_of(const std::vector<SolidInput>& inputs, const Mesh& q, ConvexEngine engine,
+                                std::uint64_t memory) {
+  ConvexSum sum = require(convex_sum_within(inputs[0].mesh, q, memory));
   for (std::size_t k = 2;; ++k) {
     if (engine == ConvexEngine::brute) sum.rebuild(engine);
     SolidSum result = sum.sum();
     throw_if_interrupted();
     if (k >= inputs.size()) return {sum.tier_bits(), std::move(result)};
-    sum = require(ConvexSum::create(result, inputs[k].mesh));
+    sum = require(convex_sum_within(result, inputs[k].mesh, memory));
   }
 }
 
@@ -86,7 +87,8 @@ ExitCode run_solid_sum(const SumVerb& verb, const SumCommand& command) {
     return run_general(verb, command, inputs, how);
   const InterruptGuard guard;
   const Mesh q = verb.reflects_second ? negated(inputs[1].mesh) : inputs[1].mesh;
-  const auto [made, timing] = timed(command.report.repeat, [&] { return sum_of(inputs, q, engine); });
+  const std::uint64_t memory = memory_bytes(command.memory_mb);
+  const auto [made, timing] = timed(command.report.repeat, [&] { return sum_of(inputs, q, engine, memory); });
   const auto& [tier, sum] = made;
   std::vector<std::string> texts;
   for (const std::string& file : command.output.files) texts.push_back(solid_output(sum, file, how));

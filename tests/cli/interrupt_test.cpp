@@ -1,6 +1,7 @@
 // Long work: the progress bar, and Ctrl-C.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -113,14 +114,19 @@ TEST_F(LongWork, OutOfMemoryIsAnErrorWithSizes) {
   EXPECT_FALSE(work.exists("sum.wkt"));
 }
 
-TEST_F(LongWork, TheBarIsOnlyForTerminals) {
+TEST_F(LongWork, TheBarIsOnlyForTerminalsAndElsewhereALineTells) {
   work.write("b.wkt", format_region(shapes::noisy_star(1500, 0.9, 5), RegionFormat::wkt));
-  const std::string command =
-      "timeout --foreground --preserve-status -s INT -k 60 2.5 dymsum sum b.wkt b.wkt --engine brute "
-      "--repeat 1000";
-  const Outcome piped = work.run(command);
-  EXPECT_EQ(piped.err, "dymsum: interrupted\n");
-  const Outcome terminal = work.run("script -qec '" + command + "' typescript");
+  const std::string command = "dymsum sum b.wkt b.wkt --engine brute --repeat 1000";
+  const Outcome piped = work.run("timeout 60 sh -c '" + command +
+                                 " 2> told & until grep -qs work told; do sleep 0.1; done; kill -INT $!; wait $!'");
+  EXPECT_EQ(piped.code, 130) << piped.err;
+  const std::string told = work.read("told");
+  EXPECT_TRUE(told.starts_with("dymsum: at work for ")) << told;
+  EXPECT_NE(told.find("% "), std::string::npos) << told;
+  EXPECT_TRUE(told.ends_with("\ndymsum: interrupted\n")) << told;
+  EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 2) << told;
+  const Outcome terminal =
+      work.run("script -qec 'timeout --foreground --preserve-status -s INT -k 60 2.5 " + command + "' typescript");
   EXPECT_EQ(terminal.code, 130) << terminal.out;
   EXPECT_NE(terminal.out.find("% "), std::string::npos) << terminal.out;
   EXPECT_NE(terminal.out.find("["), std::string::npos);

@@ -1,5 +1,7 @@
 // contains with solid operands; what a sum is expected to take, and the limit of what it may.
 #include "cli_fixture.h"
+#include "dymsum/mesh_io.h"
+#include "dymsum/solids.h"
 
 namespace dymsum::cli_test {
 namespace {
@@ -110,6 +112,45 @@ TEST_F(SolidContains, WhatALongSumWillTakeIsToldBeforeAndHasALimit) {
   work.run("dymsum sum few.off few.off -o free.json");
   EXPECT_EQ(work.read("free.json"), work.read("few.json")) << "a limit changes nothing";
   CliTest::refused("dymsum sum few.off few.off --memory 0", "--memory");
+}
+
+TEST_F(SolidContains, TheLimitIsForConvexSolidsAndStagesToo) {
+  work.write("ball.off", format_mesh(solids::geodesic_sphere(20, 1).data(), MeshFormat::off));
+  work.write("few.off", combs(12));
+  for (const char* const sum : {"sum ball.off ball.off", "sum ball.off ball.off ball.off", "nfp ball.off ball.off",
+                                "sum ball.off ball.off --engine brute"}) {
+    const Outcome refused = work.run(std::string("dymsum ") + sum + " --memory 1 -o none.off");
+    EXPECT_EQ(refused.code, 2) << sum;
+    EXPECT_NE(refused.err.find("the sum of convex solids takes at least "), std::string::npos) << refused.err;
+    EXPECT_NE(refused.err.find("the limit is 1 MB"), std::string::npos) << refused.err;
+  }
+  EXPECT_EQ(work.run("dymsum sum ball.off ball.off --memory 100").code, 0);
+  // Enough for the sum, not for a picture of all its pieces.
+  EXPECT_EQ(work.run("dymsum sum few.off few.off --memory 30").code, 0);
+  const Outcome stages = work.run("dymsum sum few.off few.off --memory 30 -o stages.glb");
+  EXPECT_EQ(stages.code, 2);
+  EXPECT_NE(stages.err.find("drawing the stages takes about "), std::string::npos) << stages.err;
+  EXPECT_FALSE(work.exists("stages.glb"));
+}
+
+TEST_F(SolidContains, MassesOfParallelFacesAreAnnounced) {
+  std::string planks, faces;  // in a row, apart
+  for (int k = 0; k < 25; ++k) {
+    for (const int z : {0, 1})
+      for (const auto& [x, y] : {std::pair{0, 0}, {1, 0}, {1, 99}, {0, 99}})
+        planks += std::to_string(2 * k + x) + " " + std::to_string(y) + " " + std::to_string(z) + "\n";
+    for (const auto& f :
+         {std::array{3, 2, 1, 0}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}) {
+      faces += "4";
+      for (const int v : f) faces += " " + std::to_string(8 * k + v);
+      faces += "\n";
+    }
+  }
+  work.write("planks.off", "OFF\n200 150 0\n" + planks + faces);
+  const Outcome refused = work.run("dymsum sum planks.off planks.off --memory 1");
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_TRUE(refused.err.starts_with("expected: about ")) << refused.err;
+  EXPECT_NE(refused.err.find("several times that where many faces are parallel\n"), std::string::npos) << refused.err;
 }
 
 }  // namespace

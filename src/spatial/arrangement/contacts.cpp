@@ -171,6 +171,7 @@ Contacts find_contacts(const SumSpace& space, const FacetTable& table, StageWatc
         }
       }
     }
+    some.contacts.shrink_to_fit(), some.coplanar.shrink_to_fit();
     watch.hold(some.contacts.size() * kBytesPerContact + some.coplanar.size() * sizeof(some.coplanar[0]));
   });
   Contacts result;

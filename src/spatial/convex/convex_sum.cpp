@@ -1,8 +1,11 @@
 #include "dymsum/convex_sum.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
+#include "base/budget_error.h"
+#include "dymsum/convex_memory.h"
 #include "spatial/convex/assemble.h"
 #include "spatial/convex/convex_state.h"
 #include "spatial/convex/exact_solid.h"
@@ -52,18 +55,12 @@ namespace {
 
 std::shared_ptr<const Polytope> shared(Polytope p) { return std::make_shared<const Polytope>(std::move(p)); }
 
-}  // namespace
+struct Operands {
+  std::shared_ptr<const Polytope> p, q;
+  std::shared_ptr<const spatial::ConvexOperands> source;
+};
 
-ConvexSum ConvexSum::of(std::shared_ptr<const Polytope> p, std::shared_ptr<const Polytope> q,
-                        std::shared_ptr<const spatial::ConvexOperands> source) {
-  auto state = std::make_unique<State>(std::move(p), std::move(q), std::move(source));
-  state->overlay.build(spatial::RelativeMap());
-  state->report();
-  state->overlay.forget_changes();
-  return ConvexSum(std::move(state));
-}
-
-Result<ConvexSum> ConvexSum::create(const Mesh& p, const Mesh& q, FlatFeatures flat) {
+Result<Operands> operands_of(const Mesh& p, const Mesh& q, FlatFeatures flat) {
   const bool merge = flat == FlatFeatures::merged;
   Result<Polytope> a = spatial::make_polytope(p, merge), b = spatial::make_polytope(q, merge);
   if (!a) return a.error();
@@ -71,10 +68,59 @@ Result<ConvexSum> ConvexSum::create(const Mesh& p, const Mesh& q, FlatFeatures f
   auto source = std::make_shared<spatial::ConvexOperands>();
   source->operand[0].vertices = p.vertices();
   source->operand[1].vertices = q.vertices();
-  return of(shared(std::move(a).value()), shared(std::move(b).value()), std::move(source));
+  return Operands{shared(std::move(a).value()), shared(std::move(b).value()), std::move(source)};
 }
 
-Result<ConvexSum> ConvexSum::create(const SolidSum& p, const Mesh& q) {
+/// A crossing, its certificate and its entry among the changes, in arrays that are copied as they grow.
+constexpr std::size_t kBytesPerCrossing = 3 * (sizeof(spatial::Crossing) + sizeof(double) + sizeof(std::uint32_t));
+
+}  // namespace
+
+ConvexSum ConvexSum::of(std::shared_ptr<const Polytope> p, std::shared_ptr<const Polytope> q,
+                        std::shared_ptr<const spatial::ConvexOperands> source) {
+  return spatial::ConvexSumInternals::of(std::move(p), std::move(q), std::move(source), 0).value();
+}
+
+Result<ConvexSum> spatial::ConvexSumInternals::of(std::shared_ptr<const Polytope> p, std::shared_ptr<const Polytope> q,
+                                                  std::shared_ptr<const ConvexOperands> source, std::uint64_t memory) {
+  ConvexSum made(std::make_unique<State>(std::move(p), std::move(q), std::move(source)));
+  State& state = *made.state_;
+  if (memory != 0) {
+    if (made.bytes() > memory)
+      return base::budget_error("this takes at least", made.bytes(), memory);
+    state.overlay.limit_crossings((memory - made.bytes()) / kBytesPerCrossing);
+  }
+  try {
+    state.overlay.build(spatial::RelativeMap());
+  } catch (const spatial::TooManyCrossings&) {
+    return Error{ErrorCode::out_of_memory,
+                 "the sum of convex solids takes more memory than the limit of " + base::megabytes(memory),
+                 {}};
+  }
+  state.overlay.limit_crossings(std::numeric_limits<std::size_t>::max());
+  state.report();
+  state.overlay.forget_changes();
+  return made;
+}
+
+Result<ConvexSum> ConvexSum::create(const Mesh& p, const Mesh& q, FlatFeatures flat) {
+  Result<Operands> made = operands_of(p, q, flat);
+  if (!made) return made.error();
+  Operands operands = *std::move(made);
+  return of(std::move(operands.p), std::move(operands.q), std::move(operands.source));
+}
+
+Result<ConvexSum> ConvexSum::create(const SolidSum& p, const Mesh& q) { return convex_sum_within(p, q, 0); }
+
+Result<ConvexSum> convex_sum_within(const Mesh& p, const Mesh& q, std::uint64_t memory) {
+  Result<Operands> made = operands_of(p, q, FlatFeatures::merged);
+  if (!made) return made.error();
+  Operands operands = *std::move(made);
+  return spatial::ConvexSumInternals::of(std::move(operands.p), std::move(operands.q), std::move(operands.source),
+                                         memory);
+}
+
+Result<ConvexSum> convex_sum_within(const SolidSum& p, const Mesh& q, std::uint64_t memory) {
   Result<spatial::ExactSolid> solid = spatial::exact_solid(p);
   if (!solid) return solid.error();
   Result<Polytope> b = spatial::make_polytope(q);
@@ -83,7 +129,8 @@ Result<ConvexSum> ConvexSum::create(const SolidSum& p, const Mesh& q) {
   source->operand[0].exact = solid->vertices;
   source->operand[0].exponent = solid->exponent;
   source->operand[1].vertices = q.vertices();
-  return of(shared(spatial::make_polytope(*solid)), shared(std::move(b).value()), std::move(source));
+  return spatial::ConvexSumInternals::of(shared(spatial::make_polytope(*solid)), shared(std::move(b).value()),
+                                         std::move(source), memory);
 }
 
 const MotionWork& ConvexSum::set(const SolidPose& p, const SolidPose& q) {

@@ -85,7 +85,10 @@ std::optional<Error> add_tight(const SpatialSum& sum, Step& step) {
   return std::nullopt;
 }
 
-Result<Step> next_operand(const SpatialSum& sum, BetweenSteps between) {
+/// Of a sum that is not needed any more.
+Result<Step> next_operand(Result<SpatialSum> first, BetweenSteps between) {
+  if (!first) return first.error();
+  const SpatialSum& sum = *first;
   Result<Step> made = rounded_vertices(sum, between);
   if (!made) return made;
   Step step = *std::move(made);
@@ -107,9 +110,7 @@ Result<SolidOpening> opening(const Mesh& a, const Mesh& b, const SpatialOptions&
   SpatialOptions inside = options;
   inside.tight = true;  // where b fits without room to move, it covers what no other position does
   inside.trace = false;
-  const Result<SpatialSum> inner = erode(a, b, inside);
-  if (!inner) return inner.error();
-  const Result<Step> step = next_operand(*inner, between);
+  const Result<Step> step = next_operand(erode(a, b, inside), between);
   if (!step) return step.error();
   Result<SpatialSum> sum = spatial::sum_of_operands(spatial::solid_operand(step->set, step->thin),
                                                     spatial::solid_operand(b.data()), options);
@@ -122,9 +123,7 @@ Result<SolidOpening> closing(const Mesh& a, const Mesh& b, const SpatialOptions&
   SpatialOptions regular = options;
   regular.tight = false;  // the closed sum holds its tight features
   regular.trace = false;
-  const Result<SpatialSum> outer = minkowski_sum(a, b, regular);
-  if (!outer) return outer.error();
-  const Result<Step> step = next_operand(*outer, between);
+  const Result<Step> step = next_operand(minkowski_sum(a, b, regular), between);
   if (!step) return step.error();
   Result<SpatialSum> sum = spatial::erosion(step->set, b.data(), options);
   if (!sum) return sum.error();

@@ -147,6 +147,7 @@ void Overlay::touch(int op, std::uint32_t e) {
 
 /// While crossings are found from nothing: a crossing of edge e of P after the one before it, if any.
 std::uint32_t Overlay::append_crossing(std::uint32_t e, HalfEdge q, double until, std::uint32_t before) {
+  if (crossings_.size() >= most_crossings_) throw TooManyCrossings{};
   const auto id = static_cast<std::uint32_t>(crossings_.size());
   std::uint32_t& head = head_[1][q / 2];
   crossings_.push_back({e, q, {kNoCrossing, head}});

@@ -48,12 +48,17 @@ struct OverlayWork {
   std::uint64_t exact_signs = 0;  ///< signs that doubles did not decide
 };
 
+/// Thrown by a build that finds more crossings than Overlay::limit_crossings allows.
+struct TooManyCrossings {};
+
 class Overlay {
  public:
   Overlay(const Polytope& p, const Polytope& q);
 
   /// From nothing: by walking over both maps, O(faces + steps).
   void build(const RelativeMap& map);
+  /// Of builds to come by walking. Where one throws, the overlay is good for nothing any more.
+  void limit_crossings(std::size_t most) { most_crossings_ = most; }
   /// The same by the definition: all faces with all vertices and all edges with all edges. O(m n).
   void build_brute(const RelativeMap& map);
   /// From the state at the map before: corrects what the motion made wrong. `use_margins` = false checks everything.
@@ -180,6 +185,7 @@ class Overlay {
   std::array<std::vector<std::uint32_t>, 2> extreme_;
   std::array<std::vector<std::uint32_t>, 2> head_;
   std::vector<Crossing> crossings_;
+  std::size_t most_crossings_ = std::numeric_limits<std::size_t>::max();
   std::vector<std::uint32_t> free_;
   // Pairs of faces that face the same way, also by either face, and the cells in which the arcs of half-edges of such
   // faces begin. Not where there are flat edges, whose arcs are points.

@@ -3,12 +3,36 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
+#include <tuple>
+
+#include "spatial/mesh/sweep_triangles.h"
 
 namespace dymsum::spatial {
 
 namespace {
 
 using exact::Axis;
+
+/// The places of a face as it is looked at, along one of the two axes that are seen and, of equal ones, the other.
+class FaceOrder final : public PlaneOrder {
+ public:
+  FaceOrder(const std::vector<Point3>& vertices, View view) : vertices_(vertices), view_(view) {}
+
+  bool before(std::uint32_t a, std::uint32_t b) override {
+    const Point3 &p = vertices_[a], &q = vertices_[b];
+    if (view_.axis == Axis::x) return std::tie(p.y, p.z) < std::tie(q.y, q.z);
+    if (view_.axis == Axis::y) return std::tie(p.z, p.x) < std::tie(q.z, q.x);
+    return std::tie(p.x, p.y) < std::tie(q.x, q.y);
+  }
+  int turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) override {
+    return view_.sign * exact::normal_sign(vertices_[a], vertices_[b], vertices_[c], view_.axis);
+  }
+
+ private:
+  const std::vector<Point3>& vertices_;
+  View view_;
+};
 
 /// A polygon that loses its ears one by one; corners are places in the face.
 class Ears {
@@ -101,6 +125,12 @@ View average_view(const std::vector<Point3>& vertices, const Face& face) {
 
 std::vector<Triangle> triangulated(const std::vector<Point3>& vertices, const Face& face, View view) {
   if (face.size() == 3) return {{face[0], face[1], face[2]}};
+  // Ears are for any face, and of operands their triangles meet fewer others than the long ones of a sweep.
+  constexpr std::size_t kFewCorners = 400;
+  if (face.size() > kFewCorners) {
+    FaceOrder order(vertices, view);
+    if (auto triangles = sweep_triangles(std::span(&face, 1), order)) return *std::move(triangles);
+  }
   return Ears(vertices, face, view).cut();
 }
 

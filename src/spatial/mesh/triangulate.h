@@ -23,10 +23,11 @@ View view_of(const FacePlane& plane);
 /// A view of a face that is not plane, along the axis of its largest average normal, in doubles.
 View average_view(const std::vector<Point3>& vertices, const Face& face);
 
-/// The face as k - 2 triangles of its own k vertices, by cutting ears. Where the projection is a simple polygon, as it
+/// The face as k - 2 triangles of its own k vertices. Where the projection is a simple polygon, as it
 /// is for a valid face, they are counter-clockwise in it and each has area; where it is not, they still use every edge
-/// of the face once and their other edges twice, in opposite directions. Exact. For r corners of at least 180 degrees
-/// O(k (r + 1)) where an ear is always near, O(k^2 (r + 1)) at worst.
+/// of the face once and their other edges twice, in opposite directions. Exact. O(k log k) by a sweep; where that finds
+/// no simple polygon, ears are cut: for r corners of at least 180 degrees O(k (r + 1)) where one is always near,
+/// O(k^2 (r + 1)) at worst.
 std::vector<Triangle> triangulated(const std::vector<Point3>& vertices, const Face& face, View view);
 
 /// All faces of a valid mesh, with the face of every triangle; points and segments have none.

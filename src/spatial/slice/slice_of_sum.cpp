@@ -1,14 +1,11 @@
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <stdexcept>
-#include <string>
 
+#include "base/budget_error.h"
 #include "dymsum/solid_slice.h"
 #include "exact/big.h"
 #include "spatial/convolution/stage_watch.h"
 #include "spatial/slice/slice_region.h"
-#include "spatial/sum/grid_error.h"
 
 namespace dymsum {
 
@@ -48,11 +45,9 @@ Result<SolidSlice> slice_of_sum(const Mesh& p, const Mesh& q, double z, const Sp
   } catch (const spatial::Cancelled&) {
     return kCancelled;
   } catch (const spatial::OverBudget& e) {
-    return Error{
-        ErrorCode::out_of_memory, "the slice takes at least " + std::to_string(e.bytes) + " bytes of memory", {}};
-  } catch (const std::invalid_argument&) {
-    if (std::optional<Error> error = spatial::grid_error(p.vertices(), q.vertices())) return *std::move(error);
-    throw;
+    return base::budget_error("the slice takes at least", e.bytes, options.memory);
+  } catch (const spatial::NoGridForSlice& e) {
+    return e.error;
   }
   return slice;
 }

@@ -1,9 +1,14 @@
 #include "spatial/slice/slice_plane.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
 
 #include "exact/big.h"
 #include "spatial/erode/frame.h"
+#include "spatial/sum/grid_error.h"
 
 namespace dymsum::spatial {
 
@@ -55,18 +60,38 @@ class Builder {
     first_corner_ = static_cast<std::uint32_t>(p.size());
     anchor_ = static_cast<std::uint32_t>(q.size());
     const auto [z, anchor_z] = split(height_, q[0].z);
-    const auto frame = [&](double Point3::*axis) {
-      const auto [low, high] = range_of(p_.vertices, axis);
-      const auto [q_low, q_high] = range_of(q_.vertices, axis);
-      return framed(low, high, q_high - q_low);
-    };
-    const auto x = frame(&Point3::x), y = frame(&Point3::y);
+    const std::array<double, 2> x = frame('x', &Point3::x), y = frame('y', &Point3::y);
     for (const auto& [i, j] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}})
       p.push_back({x[static_cast<std::size_t>(i)], y[static_cast<std::size_t>(j)], z});
     q.push_back({q[0].x, q[0].y, anchor_z});
+    if (const GridNeed need = grid_need(p, q); need.bits > kMostGridBits) throw NoGridForSlice{too_fine(need)};
     result_.space = make_sum_space(p, q);
     const PlaneSource plane{{first_corner_, anchor_}, {Way::Of::axis, 0, 0}, {Way::Of::axis, 1, 0}, false};
     result_.plane = result_.space->add_planes(std::array{plane});
+  }
+
+  std::array<double, 2> frame(char name, double Point3::*axis) const {
+    const auto [low, high] = range_of(p_.vertices, axis);
+    const auto [q_low, q_high] = range_of(q_.vertices, axis);
+    const std::array<double, 2> wide = framed(low, high, q_high - q_low);
+    if (std::isfinite(wide[0]) && std::isfinite(wide[1])) return wide;
+    throw NoGridForSlice{{ErrorCode::unsupported_operand,
+                          std::string("no doubles are wide enough for a frame around the slice along ") + name,
+                          {}}};
+  }
+
+  /// What is wrong with the operands, or else with them and the height, or with the frame.
+  Error too_fine(const GridNeed& need) const {
+    if (std::optional<Error> error = grid_error(p_.vertices, q_.vertices)) return *std::move(error);
+    const bool height = need.axis == 'z';
+    Error error{ErrorCode::unsupported_operand,
+                std::string(height ? "the height z" : "the frame") + " of the slice and the operands' vertices need " +
+                    std::to_string(need.bits) + " bits on their common grid along " + need.axis + ", and " +
+                    std::to_string(kMostGridBits) + " are the most",
+                {}};
+    if (height) error.evidence.z = height_;
+    else error.evidence.x = need.at.x, error.evidence.y = need.at.y, error.evidence.z = need.at.z;
+    return error;
   }
 
   void take_facets() {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "dymsum/result.h"
 #include "spatial/arrangement/facet_table.h"
 #include "spatial/arrangement/plane_cells.h"
 #include "spatial/convolution/solid_operand.h"
@@ -34,7 +35,12 @@ struct SlicePlane {
   PointId point(PointId id) const { return id < cells.known ? id : names[id - cells.known]; }
 };
 
-/// Requires operands that are not empty.
+/// Thrown where no space holds the operands with the plane and its frame.
+struct NoGridForSlice {
+  Error error;
+};
+
+/// Requires operands that are not empty. Throws NoGridForSlice, and what reduced_convolution throws.
 SlicePlane slice_plane(const SolidOperand& p, const SolidOperand& q, double height, StageWatch& watch);
 
 }  // namespace dymsum::spatial

@@ -10,7 +10,7 @@ namespace dymsum::spatial {
 namespace {
 
 struct Axis {
-  const char* name;
+  char name;
   double Point3::*coordinate;
 };
 
@@ -39,27 +39,29 @@ int bits_of(const std::vector<Point3>& vertices, double Point3::*axis, int expon
 
 }  // namespace
 
-std::optional<Error> grid_error(const std::vector<Point3>& p, const std::vector<Point3>& q) {
-  Finest worst;
-  int most = 0;
-  const char* name = "x";
-  for (const Axis& axis : {Axis{"x", &Point3::x}, Axis{"y", &Point3::y}, Axis{"z", &Point3::z}}) {
+GridNeed grid_need(const std::vector<Point3>& p, const std::vector<Point3>& q) {
+  GridNeed most;
+  for (const Axis& axis : {Axis{'x', &Point3::x}, Axis{'y', &Point3::y}, Axis{'z', &Point3::z}}) {
     Finest finest;
     finest.look(p, axis.coordinate);
     finest.look(q, axis.coordinate);
     if (finest.exponent == 2000) continue;
     const int bits =
         std::max(bits_of(p, axis.coordinate, finest.exponent), bits_of(q, axis.coordinate, finest.exponent));
-    if (bits <= most) continue;
-    most = bits, worst = finest, name = axis.name;
+    if (bits > most.bits) most = {bits, axis.name, finest.vertex, finest.at};
   }
-  if (most <= 250) return std::nullopt;
+  return most;
+}
+
+std::optional<Error> grid_error(const std::vector<Point3>& p, const std::vector<Point3>& q) {
+  const GridNeed need = grid_need(p, q);
+  if (need.bits <= kMostGridBits) return std::nullopt;
   Error error{ErrorCode::unsupported_operand,
-              "coordinates of more than 250 bits on the operands' common grid: " + std::to_string(most) + " along " +
-                  name + ", where this vertex has the smallest digit and others are far away",
+              "coordinates of more than 250 bits on the operands' common grid: " + std::to_string(need.bits) +
+                  " along " + need.axis + ", where this vertex has the smallest digit and others are far away",
               {}};
-  error.evidence.vertex = static_cast<std::int64_t>(worst.vertex);
-  error.evidence.x = worst.at.x, error.evidence.y = worst.at.y, error.evidence.z = worst.at.z;
+  error.evidence.vertex = static_cast<std::int64_t>(need.vertex);
+  error.evidence.x = need.at.x, error.evidence.y = need.at.y, error.evidence.z = need.at.z;
   return error;
 }
 

@@ -4,6 +4,7 @@
 #include <new>
 #include <string>
 
+#include "base/budget_error.h"
 #include "base/parallel.h"
 #include "spatial/boundary/thin_crossings.h"
 #include "spatial/convolution/predicted_cost.h"
@@ -19,15 +20,6 @@
 namespace dymsum {
 
 namespace {
-
-std::string megabytes(std::uint64_t bytes) { return std::to_string((bytes + 999999) / 1000000) + " MB"; }
-
-Error too_large(const SpatialOptions& options, const char* what, std::uint64_t bytes) {
-  return {
-      ErrorCode::out_of_memory,
-      std::string("this ") + what + " " + megabytes(bytes) + " of memory, the limit is " + megabytes(options.memory),
-      {}};
-}
 
 /// The reference takes operands as they are.
 FlatFeatures flat_features(const SpatialOptions& options) {
@@ -58,7 +50,9 @@ Result<SpatialSum> minkowski_sum(const Mesh& p, const Mesh& q, const SpatialOpti
   if (options.engine == SpatialEngine::fast && !options.trace) {
     if (options.progress && !options.progress("convex", 0))
       return Error{ErrorCode::cancelled, "the computation was cancelled", {}};
-    if (const Result<SolidSum> convex = convex_sum(p, q)) return spatial::boundary_of(*convex);
+    const Result<SolidSum> convex = spatial::small_convex_sum(p, q, options.memory);
+    if (convex) return spatial::boundary_of(*convex);
+    if (convex.error().code == ErrorCode::out_of_memory) return convex.error();
   }
   return spatial::sum_of_solids(p, q, options);
 }
@@ -79,13 +73,14 @@ Result<SpatialSum> spatial::sum_of_operands(const SolidOperand& a, const SolidOp
   SpatialSum sum;
   if (a.vertices.empty() || b.vertices.empty()) return sum;
   const SpatialCost cost = predicted_cost(a, b);
-  if (options.memory != 0 && cost.bytes > options.memory) return too_large(options, "is predicted to take", cost.bytes);
+  if (options.memory != 0 && cost.bytes > options.memory)
+    return base::budget_error("this is predicted to take", cost.bytes, options.memory);
   StageWatch watch(options, sum.stats);
   try {
     spatial::SolidBoundary boundary = spatial::solid_boundary(a, b, options, sum.stats, watch);
     watch.begin("faces");
     spatial::assemble(boundary, a, b, sum, watch);
-    if (options.trace) sum.trace = trace_of(boundary);
+    if (options.trace) sum.trace = trace_of(boundary, watch);
     watch.begin("");
     const_cast<SpatialPositions&>(SpatialSumInternals::positions(sum)).space = std::move(boundary.space);
   } catch (const spatial::Cancelled&) {
@@ -93,10 +88,11 @@ Result<SpatialSum> spatial::sum_of_operands(const SolidOperand& a, const SolidOp
   } catch (const spatial::NoOpenSum& e) {
     return no_open_sum(e.parts);
   } catch (const spatial::OverBudget& e) {
-    return too_large(options, "takes at least", e.bytes);
+    return base::budget_error("this takes at least", e.bytes, options.memory);
   } catch (const std::bad_alloc&) {
-    return Error{
-        ErrorCode::out_of_memory, "this needs more memory than there is; predicted were " + megabytes(cost.bytes), {}};
+    return Error{ErrorCode::out_of_memory,
+                 "this needs more memory than there is; predicted were " + base::megabytes(cost.bytes),
+                 {}};
   } catch (const std::invalid_argument&) {
     if (std::optional<Error> error = grid_error(a.vertices, b.vertices)) return *std::move(error);
     throw;

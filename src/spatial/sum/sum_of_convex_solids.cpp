@@ -2,6 +2,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/budget_error.h"
+#include "dymsum/convex_memory.h"
 #include "spatial/convex/convex_state.h"
 #include "spatial/convex/exact_places.h"
 #include "spatial/sum/sum_edges.h"
@@ -26,6 +28,9 @@ ExactPosition position(const BigVector& numerators, const exact::BigRational& un
   return {of(numerators[0]), of(numerators[1]), of(numerators[2])};
 }
 
+/// The facet and about as many vertices as a SolidSum, with exact positions.
+constexpr std::size_t kBytesPerConvexFacet = 400;
+
 using Kind = SolidFeature::Kind;
 
 SolidFeature feature(std::uint32_t a, std::uint32_t b) {
@@ -39,6 +44,14 @@ SolidContact between(const SolidSum::Vertex& a, const SolidSum::Vertex& b) {
 }
 
 }  // namespace
+
+Result<SolidSum> small_convex_sum(const Mesh& p, const Mesh& q, std::uint64_t memory) {
+  const Result<ConvexSum> sum = convex_sum_within(p, q, memory);
+  if (!sum) return sum.error();
+  const std::uint64_t bytes = memory == 0 ? 0 : sum->bytes() + sum->facet_count().all * kBytesPerConvexFacet;
+  if (bytes > memory) return base::budget_error("this takes at least", bytes, memory);
+  return sum->sum();
+}
 
 // The facets of a convex sum are its faces: whole, without holes, and nothing is tight.
 SpatialSum boundary_of(const SolidSum& convex) {

@@ -14,6 +14,10 @@ Result<SpatialSum> sum_of_solids(const Mesh& p, const Mesh& q, const SpatialOpti
 
 Result<SpatialSum> sum_of_operands(const SolidOperand& p, const SolidOperand& q, const SpatialOptions& options);
 
+/// convex_sum(p, q) where at most `memory` bytes suffice for it and for boundary_of, beside operands and result; else
+/// the error out_of_memory. 0: no limit.
+Result<SolidSum> small_convex_sum(const Mesh& p, const Mesh& q, std::uint64_t memory);
+
 /// The same set as a SpatialSum. Faces keep the features that the convex sum names. O(n log n) exact comparisons.
 SpatialSum boundary_of(const SolidSum& convex);
 

@@ -26,28 +26,34 @@ class World {
 
 }  // namespace
 
-SpatialTrace trace_of(const SolidBoundary& boundary) {
+SpatialTrace trace_of(const SolidBoundary& boundary, StageWatch& watch) {
   SpatialTrace trace;
+  watch.hold(boundary.table.facets.size() * (sizeof(SpatialTrace::Facet) + 4 * sizeof(Point3)));
+  trace.facets.reserve(boundary.table.facets.size());
   const SumSpace& space = *boundary.space;
   const World world(space);
   for (const TableFacet& f : boundary.table.facets) {
     SpatialTrace::Facet& facet = trace.facets.emplace_back();
+    facet.corners.reserve(static_cast<std::size_t>(f.facet.corners));
     facet.kind = static_cast<SpatialTrace::Facet::Kind>(f.facet.kind);
     for (int k = 0; k < f.facet.corners; ++k) facet.corners.push_back(world(space.approx(f.facet.corner[k])));
   }
   const SolidArrangement& arrangement = *boundary.arrangement;
-  std::vector<std::array<PointId, 2>> pieces;
-  for (const PlaneGroup& group : arrangement.groups) {
-    for (const CellEdge& e : group.cells.edges) {
-      const PointId a = arrangement.point(group, e.a), b = arrangement.point(group, e.b);
-      // What runs through facets, not around them.
-      if (e.left != kNoId && e.right != kNoId) pieces.push_back({std::min(a, b), std::max(a, b)});
-    }
-  }
-  std::sort(pieces.begin(), pieces.end());
-  pieces.erase(std::unique(pieces.begin(), pieces.end()), pieces.end());
-  for (const auto& [a, b] : pieces)
+  // What runs through facets, not around them.
+  const auto inside = [&](std::uint32_t edge) {
+    const auto uses = arrangement.uses(edge);
+    return std::any_of(uses.begin(), uses.end(), [&](EdgeUse use) {
+      const CellEdge& e = arrangement.edge(use);
+      return e.left != kNoId && e.right != kNoId;
+    });
+  };
+  watch.hold(arrangement.edge_ends.size() * sizeof(trace.pieces[0]));
+  trace.pieces.reserve(arrangement.edge_ends.size());
+  for (std::uint32_t edge = 0; edge < arrangement.edge_ends.size(); ++edge) {
+    if (!inside(edge)) continue;
+    const auto [a, b] = arrangement.edge_ends[edge];
     trace.pieces.push_back({world(arrangement.points.approx(a).at), world(arrangement.points.approx(b).at)});
+  }
   return trace;
 }
 

@@ -5,6 +5,7 @@
 
 namespace dymsum::spatial {
 
-SpatialTrace trace_of(const SolidBoundary& boundary);
+/// Throws OverBudget.
+SpatialTrace trace_of(const SolidBoundary& boundary, StageWatch& watch);
 
 }  // namespace dymsum::spatial

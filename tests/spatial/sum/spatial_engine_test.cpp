@@ -11,6 +11,8 @@
 #include <set>
 #include <tuple>
 
+#include "dymsum/convex_memory.h"
+#include "dymsum/solids.h"
 #include "dymsum/spatial_sum.h"
 #include "oracles/sanitized.h"
 #include "oracles/voxel_solids.h"
@@ -265,6 +267,37 @@ TEST(SpatialEngine, more_memory_than_allowed_is_an_error_before_it_is_taken) {
   const Error actual = minkowski_sum(g, g, options).error();
   EXPECT_EQ(actual.code, ErrorCode::out_of_memory);
   EXPECT_NE(actual.message.find("at least"), std::string::npos) << actual.message;
+}
+
+TEST(SpatialEngine, convex_solids_keep_to_the_budget_too) {
+  const Mesh p = solids::cylinder(300, 1, 1);
+  MeshData turned = p.data();
+  for (Point3& v : turned.vertices) v = {v.z, v.x, v.y};
+  const Mesh q = Mesh::create(std::move(turned)).value();
+  EXPECT_TRUE(convex_sum_within(p, q, 100'000'000).ok());
+  SpatialOptions options;
+  for (const std::uint64_t memory : {10'000u, 300'000u, 1'500'000u}) {  // operands, crossings, the sum
+    options.memory = memory;
+    const auto sum = minkowski_sum(p, q, options);
+    ASSERT_FALSE(sum) << memory;
+    EXPECT_EQ(sum.error().code, ErrorCode::out_of_memory);
+    EXPECT_NE(sum.error().message.find("the sum of convex solids takes"), std::string::npos);
+  }
+  // About one axis the sum is small, however many pairs of edges there are.
+  EXPECT_TRUE(minkowski_sum(p, solids::cylinder(299, 2, 1), options).ok());
+  EXPECT_FALSE(convex_sum_within(p, q, 300'000));
+  const SolidSum first = convex_sum_within(p, p, 0)->sum();
+  EXPECT_FALSE(convex_sum_within(first, q, 300'000));
+  EXPECT_TRUE(convex_sum_within(first, q, 0).ok());
+}
+
+TEST(SpatialEngine, stages_that_are_recorded_count) {
+  const MeshData p = torus(2, 0.6, 16, 8, 0), q = torus(1.3, 0.35, 16, 8, 0.7);
+  SpatialOptions options;
+  options.memory = sum_of_solids(p, q, {}).value().stats.held_bytes;
+  EXPECT_TRUE(sum_of_solids(p, q, options).ok());
+  options.trace = true;
+  EXPECT_EQ(sum_of_solids(p, q, options).error().code, ErrorCode::out_of_memory);
 }
 
 TEST(SpatialEngine, can_be_cancelled_in_every_stage) {

@@ -1,0 +1,15 @@
+// Sums of convex solids within a budget of memory.
+#pragma once
+
+#include <cstdint>
+
+#include "dymsum/convex_sum.h"
+
+namespace dymsum {
+
+/// ConvexSum::create(p, q) that holds at most `memory` bytes, prepared operands included; 0: no limit. Errors also:
+/// out_of_memory, found out before more is taken than what the operands alone need.
+Result<ConvexSum> convex_sum_within(const Mesh& p, const Mesh& q, std::uint64_t memory);
+Result<ConvexSum> convex_sum_within(const SolidSum& p, const Mesh& q, std::uint64_t memory);
+
+}  // namespace dymsum
