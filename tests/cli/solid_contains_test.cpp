@@ -121,7 +121,7 @@ TEST_F(SolidContains, TheLimitIsForConvexSolidsAndStagesToo) {
                                 "sum ball.off ball.off --engine brute"}) {
     const Outcome refused = work.run(std::string("dymsum ") + sum + " --memory 1 -o none.off");
     EXPECT_EQ(refused.code, 2) << sum;
-    EXPECT_NE(refused.err.find("this takes at least "), std::string::npos) << refused.err;
+    EXPECT_NE(refused.err.find("the sum of convex solids takes at least "), std::string::npos) << refused.err;
     EXPECT_NE(refused.err.find("the limit is 1 MB"), std::string::npos) << refused.err;
   }
   EXPECT_EQ(work.run("dymsum sum ball.off ball.off --memory 100").code, 0);

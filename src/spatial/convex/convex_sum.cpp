@@ -87,7 +87,7 @@ Result<ConvexSum> spatial::ConvexSumInternals::of(std::shared_ptr<const Polytope
   State& state = *made.state_;
   if (memory != 0) {
     if (made.bytes() > memory)
-      return base::budget_error("this takes at least", made.bytes(), memory);
+      return base::budget_error("the sum of convex solids takes at least", made.bytes(), memory);
     state.overlay.limit_crossings((memory - made.bytes()) / kBytesPerCrossing);
   }
   try {

@@ -74,7 +74,7 @@ Result<SpatialSum> spatial::sum_of_operands(const SolidOperand& a, const SolidOp
   if (a.vertices.empty() || b.vertices.empty()) return sum;
   const SpatialCost cost = predicted_cost(a, b);
   if (options.memory != 0 && cost.bytes > options.memory)
-    return base::budget_error("this is predicted to take", cost.bytes, options.memory);
+    return base::budget_error("the sum is predicted to take", cost.bytes, options.memory);
   StageWatch watch(options, sum.stats);
   try {
     spatial::SolidBoundary boundary = spatial::solid_boundary(a, b, options, sum.stats, watch);
@@ -88,10 +88,10 @@ Result<SpatialSum> spatial::sum_of_operands(const SolidOperand& a, const SolidOp
   } catch (const spatial::NoOpenSum& e) {
     return no_open_sum(e.parts);
   } catch (const spatial::OverBudget& e) {
-    return base::budget_error("this takes at least", e.bytes, options.memory);
+    return base::budget_error("the sum takes at least", e.bytes, options.memory);
   } catch (const std::bad_alloc&) {
     return Error{ErrorCode::out_of_memory,
-                 "this needs more memory than there is; predicted were " + base::megabytes(cost.bytes),
+                 "the sum needs more memory than there is; predicted were " + base::megabytes(cost.bytes),
                  {}};
   } catch (const std::invalid_argument&) {
     if (std::optional<Error> error = grid_error(a.vertices, b.vertices)) return *std::move(error);

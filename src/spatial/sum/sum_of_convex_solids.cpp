@@ -49,7 +49,7 @@ Result<SolidSum> small_convex_sum(const Mesh& p, const Mesh& q, std::uint64_t me
   const Result<ConvexSum> sum = convex_sum_within(p, q, memory);
   if (!sum) return sum.error();
   const std::uint64_t bytes = memory == 0 ? 0 : sum->bytes() + sum->facet_count().all * kBytesPerConvexFacet;
-  if (bytes > memory) return base::budget_error("this takes at least", bytes, memory);
+  if (bytes > memory) return base::budget_error("the sum of convex solids takes at least", bytes, memory);
   return sum->sum();
 }
 
