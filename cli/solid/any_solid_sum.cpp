@@ -37,6 +37,13 @@ void print_text(std::ostream& out, const SolidRun& run, const SolidOutcome& outc
       << shown(timing) << ", " << tier_name(grid_tier(sum)) << " coordinates\n";
 }
 
+/// Names the operand at fault; of limits of memory, which are of a sum, the verb that is made of sums.
+Error told(Error error, const SolidRun& run) {
+  const bool is_sum = run.verb == "sum" || run.verb == "nfp";
+  if (error.code == ErrorCode::out_of_memory && !is_sum) error.message = "in this " + run.verb + ", " + error.message;
+  return in_solid_operand(std::move(error), run.inputs);
+}
+
 }  // namespace
 
 ExitCode run_any_solid(const SolidRun& run, const std::function<Result<SolidOutcome>(const SpatialOptions&)>& compute) {
@@ -53,7 +60,7 @@ ExitCode run_any_solid(const SolidRun& run, const std::function<Result<SolidOutc
   const auto [outcome, timing] = timed(run.report.repeat, [&] {
     Result<SolidOutcome> made = compute(options);
     throw_if_interrupted();
-    if (!made) stop_with(in_solid_operand(made.error(), run.inputs));
+    if (!made) stop_with(told(made.error(), run));
     return *std::move(made);
   });
   bar.reset();

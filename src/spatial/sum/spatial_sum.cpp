@@ -25,7 +25,7 @@ std::string megabytes(std::uint64_t bytes) { return std::to_string((bytes + 9999
 Error too_large(const SpatialOptions& options, const char* what, std::uint64_t bytes) {
   return {
       ErrorCode::out_of_memory,
-      std::string("this ") + what + " " + megabytes(bytes) + " of memory, the limit is " + megabytes(options.memory),
+      std::string("the sum ") + what + " " + megabytes(bytes) + " of memory, the limit is " + megabytes(options.memory),
       {}};
 }
 
@@ -96,7 +96,7 @@ Result<SpatialSum> spatial::sum_of_operands(const SolidOperand& a, const SolidOp
     return too_large(options, "takes at least", e.bytes);
   } catch (const std::bad_alloc&) {
     return Error{
-        ErrorCode::out_of_memory, "this needs more memory than there is; predicted were " + megabytes(cost.bytes), {}};
+        ErrorCode::out_of_memory, "the sum needs more memory than there is; predicted were " + megabytes(cost.bytes), {}};
   } catch (const std::invalid_argument&) {
     if (std::optional<Error> error = grid_error(a.vertices, b.vertices)) return *std::move(error);
     throw;
