@@ -98,7 +98,7 @@ TEST_F(SolidContains, WhatALongSumWillTakeIsToldBeforeAndHasALimit) {
   EXPECT_TRUE(refused.err.starts_with("expected: about ")) << refused.err;
   EXPECT_NE(refused.err.find(" face + vertex and "), std::string::npos) << refused.err;
   EXPECT_NE(refused.err.find(" edge + edge facets, "), std::string::npos) << refused.err;
-  EXPECT_NE(refused.err.find("this is predicted to take "), std::string::npos) << refused.err;
+  EXPECT_NE(refused.err.find("the sum is predicted to take "), std::string::npos) << refused.err;
   EXPECT_NE(refused.err.find("the limit is 20 MB"), std::string::npos) << refused.err;
   EXPECT_EQ(refused.out, "");
   const std::string told = refused.err.substr(refused.err.find("facets, ") + 8);
