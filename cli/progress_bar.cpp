@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <csignal>
+#include <ctime>
 #include <iostream>
 #include <string>
 #include <utility>
@@ -32,6 +33,9 @@ std::string time_left(double seconds, double share) {
   return left < 100 ? ", " + std::to_string(static_cast<int>(std::ceil(left))) + " s left"
                     : ", " + std::to_string(static_cast<int>(std::ceil(std::min(left / 60, 1e6)))) + " min left";
 }
+
+// Where other programs have the processor, what takes long need not be much.
+double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 // Of the current stage, with its name.
 std::string how_far(std::chrono::steady_clock::time_point now) {
@@ -95,7 +99,7 @@ Progress ProgressBar::callback() {
     current.fraction = fraction;
     if (now >= next_) {
       if (terminal_) draw(now);
-      else print_line(now);
+      else if (processor_seconds() >= 1) print_line(now);
     }
     return interrupted == 0;
   };

@@ -35,7 +35,7 @@ void print_when_interrupted(std::string text);
 void throw_if_interrupted();  ///< Stop with kInterrupted
 
 /// Tells on standard error how far a computation is: on a terminal by a bar, after a second of work and gone when the
-/// work is; elsewhere by a line after two seconds, and another one whenever the time so far has doubled.
+/// work is; elsewhere by a line after two seconds, one of them computed, and whenever the time so far has doubled.
 class ProgressBar {
  public:
   ProgressBar();

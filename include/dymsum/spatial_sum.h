@@ -110,7 +110,7 @@ class SpatialSum {
   SpatialStats stats;
   std::optional<SpatialTrace> trace;
 
-  /// The tight faces as triangles of their own vertices, in the faces' order. Exact. O(n^2) for a face of n vertices.
+  /// The tight faces as triangles of their own vertices, in the faces' order. Exact. O(n log n).
   std::vector<std::array<std::uint32_t, 3>> tight_triangles() const;
   /// The exact position of a vertex.
   RationalPoint3 exact(std::size_t vertex) const;

@@ -21,8 +21,9 @@ class PlaneOrder {
 
 /// Triangles, counter-clockwise, each with area, whose union is what lies to the left of the rings: an outer one
 /// counter-clockwise and its holes clockwise, perhaps several of these. Rings cross nowhere but may touch in vertices;
-/// a way there and back may be part of a ring, to a hole, or a ring: a slit. Nothing, or triangles that use every edge of the rings
-/// once and all others twice, in opposite directions, where the rings are not such. O(n log n) for n vertices.
+/// a way there and back may be part of a ring, to a hole, or a ring: a slit. Nothing, or triangles that use every edge
+/// of the rings once and all others twice, in opposite directions, where the rings are not such. O(n log n) for n
+/// vertices.
 std::optional<std::vector<std::array<std::uint32_t, 3>>> sweep_triangles(
     std::span<const std::vector<std::uint32_t>> rings, PlaneOrder& order);
 
