@@ -175,12 +175,12 @@ void time_statics(SweepRow& row, const ScalingPair& pair, const std::vector<type
   row.rounded = spread(rounded);
 }
 
-/// A round of its own, with threads where there are some.
+/// A round of its own.
 template <class Motion>
 void compare(SweepRow& row, const ScalingPair& pair, const std::vector<typename Motion::Place>& places,
-             const SweepPlan& plan) {
+             const SweepPlan& plan, int threads) {
   MovingOptions options;
-  use_threads(options, 2);
+  if (!use_threads(options, threads)) return;
   auto sum = Motion::Sum::create(pair.p, pair.q, options).value();
   Motion motion(pair);
   const std::vector<std::size_t> chosen = some_of(places.size(), plan.statics);
@@ -205,7 +205,7 @@ SweepRow measure(const ScalingPair& pair, const std::vector<typename Motion::Pla
   time_statics<Motion>(row, pair, places, plan);
   time_one_thread<Motion>(row, pair, places, plan);
   time_two_threads<Motion>(row, pair, places, plan);
-  compare<Motion>(row, pair, places, plan);
+  for (const int threads : {1, 2}) compare<Motion>(row, pair, places, plan, threads);
   return row;
 }
 
