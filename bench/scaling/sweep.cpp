@@ -156,11 +156,10 @@ void time_statics(SweepRow& row, const ScalingPair& pair, const std::vector<type
     work();
     return std::max(cpu_ms() - start - clock, 0.0);
   };
-  std::vector<double> prepared, fresh, rounded;
-  motion.from_scratch(places.back());  // prepares the operands
-  for (const std::size_t i : some_of(places.size(), plan.statics))
-    prepared.push_back(timed([&] { motion.from_scratch(places[i]); }));
-  for (const std::size_t i : some_of(places.size(), plan.statics / 3)) {
+  std::vector<double> fresh, rounded;
+  motion.from_scratch(places.back());  // prepares the operands, and is not where the sweep begins
+  for (const auto& place : places) row.statics.push_back(timed([&] { motion.from_scratch(place); }));
+  for (const std::size_t i : some_of(places.size(), plan.some / 3)) {
     std::optional<std::pair<Region, Region>> made;
     const double ms = timed([&] {
       made = motion.regions(places[i]);
@@ -170,7 +169,6 @@ void time_statics(SweepRow& row, const ScalingPair& pair, const std::vector<type
     fresh.push_back(ms);
     if (Motion::kRounds) rounded.push_back(timed([&] { motion.sum_of(*made, places[i]); }));
   }
-  row.prepared = spread(prepared);
   row.fresh = spread(fresh);
   row.rounded = spread(rounded);
 }
@@ -183,7 +181,7 @@ void compare(SweepRow& row, const ScalingPair& pair, const std::vector<typename 
   if (!use_threads(options, threads)) return;
   auto sum = Motion::Sum::create(pair.p, pair.q, options).value();
   Motion motion(pair);
-  const std::vector<std::size_t> chosen = some_of(places.size(), plan.statics);
+  const std::vector<std::size_t> chosen = some_of(places.size(), plan.some);
   const auto check = [&](std::size_t i) {
     sum.set(places[i]).value();
     if (!std::binary_search(chosen.begin(), chosen.end(), i)) return;
