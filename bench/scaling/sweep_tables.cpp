@@ -186,7 +186,7 @@ void sweep_promises(Report& report, const std::vector<SweepRow>& scaling, const 
 
 std::string sweep_csv(const std::vector<SweepRow>& rows) {
   std::ostringstream out;
-  out.precision(4);
+  out.precision(3);
   out << "pair,coordinates,steps,pass,fresh_ms,rounded_ms,frames_ms\n";
   const auto pass = [&](const SweepRow& r, const char* name, const std::vector<double>& times) {
     if (times.empty()) return;
