@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "convex/expert.h"
+#include "dymsum/dymsum.h"  // ConvexSolid, where there is one
 #include "versus/rival.h"
 #include "versus/solid_rivals.h"
 

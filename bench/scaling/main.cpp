@@ -38,11 +38,14 @@ std::vector<SweepRow> sweeps(Report& report, const Options& options, const std::
       "start from scratch. Raw coordinates are those of the files and generators; snapped ones are integers of 22 "
       "bits. "
       "P moves. There: each frame the median of three rounds; then the same way back with the same sum. Factors are "
-      "static / frame: of means (bold), and of medians. p99 and worst are frames, in mean static sums. With two "
-      "threads they are of all frames of three rounds, there and back, by the clock on the wall. Static: at some of "
-      "the very places, exactly, operands having been summed before; `from points`: both regions made, with all "
-      "checks, and summed once; `rounded`: these once more. The scaled points of the last two are rounded to doubles, "
-      "which is another set. Turned ones are exact. Frames are compared with static sums outside of the clock.");
+      "static / frame: of means (bold), and of medians. p99 and worst are frames in static sums at the same place. "
+      "With "
+      "two threads all frames of three rounds count, there and back, by the clock on the wall. Static: the sum from "
+      "scratch at every one of the places, exactly, operands having been summed before; `from points`: both regions "
+      "made, with all checks, and summed once; `rounded`: these once more. The scaled points of the last two are "
+      "rounded to doubles, which is another set. Turned ones are exact. Frames are compared with static sums outside "
+      "of "
+      "the clock.");
   std::vector<SweepRow> scaling, turning;
   if (options.wants("sweeps")) scaling = scaling_sweeps(report, data, wanted);
   if (options.wants("turning")) turning = turning_sweeps(report, data, wanted);

@@ -156,11 +156,10 @@ void time_statics(SweepRow& row, const ScalingPair& pair, const std::vector<type
     work();
     return std::max(cpu_ms() - start - clock, 0.0);
   };
-  std::vector<double> prepared, fresh, rounded;
-  motion.from_scratch(places.back());  // prepares the operands
-  for (const std::size_t i : some_of(places.size(), plan.statics))
-    prepared.push_back(timed([&] { motion.from_scratch(places[i]); }));
-  for (const std::size_t i : some_of(places.size(), plan.statics / 3)) {
+  std::vector<double> fresh, rounded;
+  motion.from_scratch(places.back());  // prepares the operands, and is not where the sweep begins
+  for (const auto& place : places) row.statics.push_back(timed([&] { motion.from_scratch(place); }));
+  for (const std::size_t i : some_of(places.size(), plan.some / 3)) {
     std::optional<std::pair<Region, Region>> made;
     const double ms = timed([&] {
       made = motion.regions(places[i]);
@@ -170,20 +169,19 @@ void time_statics(SweepRow& row, const ScalingPair& pair, const std::vector<type
     fresh.push_back(ms);
     if (Motion::kRounds) rounded.push_back(timed([&] { motion.sum_of(*made, places[i]); }));
   }
-  row.prepared = spread(prepared);
   row.fresh = spread(fresh);
   row.rounded = spread(rounded);
 }
 
-/// A round of its own, with threads where there are some.
+/// A round of its own.
 template <class Motion>
 void compare(SweepRow& row, const ScalingPair& pair, const std::vector<typename Motion::Place>& places,
-             const SweepPlan& plan) {
+             const SweepPlan& plan, int threads) {
   MovingOptions options;
-  use_threads(options, 2);
+  if (!use_threads(options, threads)) return;
   auto sum = Motion::Sum::create(pair.p, pair.q, options).value();
   Motion motion(pair);
-  const std::vector<std::size_t> chosen = some_of(places.size(), plan.statics);
+  const std::vector<std::size_t> chosen = some_of(places.size(), plan.some);
   const auto check = [&](std::size_t i) {
     sum.set(places[i]).value();
     if (!std::binary_search(chosen.begin(), chosen.end(), i)) return;
@@ -205,7 +203,7 @@ SweepRow measure(const ScalingPair& pair, const std::vector<typename Motion::Pla
   time_statics<Motion>(row, pair, places, plan);
   time_one_thread<Motion>(row, pair, places, plan);
   time_two_threads<Motion>(row, pair, places, plan);
-  compare<Motion>(row, pair, places, plan);
+  for (const int threads : {1, 2}) compare<Motion>(row, pair, places, plan, threads);
   return row;
 }
 

@@ -18,10 +18,11 @@ namespace dymsum::bench {
 struct SweepRow {
   std::string name, coordinates, steps;
   std::uint64_t vertices = 0;  ///< of the largest frame compared
-  /// Of some of the places. `prepared`: the sum from scratch at the exact place, of operands that have been summed
-  /// before. `fresh`: both regions made from points, with all checks, and one sum; a scaled operand's points are
-  /// rounded to doubles. `rounded` (scaling only): these regions summed a second time.
-  Spread prepared, fresh, rounded;
+  /// At every place: the sum from scratch at the exact place, of operands that have been summed before.
+  std::vector<double> statics;
+  /// At some of the places. `fresh`: both regions made from points, with all checks, and one sum; a scaled operand's
+  /// points are rounded to doubles. `rounded` (scaling only): these regions summed a second time.
+  Spread fresh, rounded;
   std::vector<double> there, back;                         ///< of each frame; the first one holds the making of the sum
   std::vector<double> two_there, two_back;                 ///< with a second thread; empty where sums cannot use one
   std::uint64_t windows = 0, rebuilt = 0, degenerate = 0;  ///< frames of one round, there and back
@@ -32,7 +33,7 @@ struct SweepPlan {
   std::string coordinates, steps;  ///< for the table
   int rounds = 3;
   double round_ms = 4000;  ///< no further round once they have taken this together
-  std::size_t statics = 30;
+  std::size_t some = 30;   ///< frames that are compared; a third of them fresh
 };
 
 /// s P (+) Q at these scales.

@@ -49,22 +49,39 @@ void heading(Report& report) {
 std::string count(std::uint64_t n) { return std::to_string(n); }
 std::string ms(double v) { return v > 0 ? fixed(v, v < 1 ? 3 : 2) : "-"; }
 
-/// A frame in static sums.
-std::string in_statics(double frame_ms, const SweepRow& row) { return fixed(frame_ms / row.prepared.mean, 2); }
+enum class Way { there, back };
+
+/// Frames of any number of rounds, each in static sums at its place.
+std::vector<double> waits(const SweepRow& r, const std::vector<double>& frames, Way way) {
+  std::vector<double> all;
+  const std::size_t places = r.statics.size();
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const std::size_t place = way == Way::there ? i % places : places - 2 - i % (places - 1);
+    all.push_back(frames[i] / std::max(r.statics[place], 1e-6));
+  }
+  return all;
+}
+
+std::vector<double> joined(std::vector<double> a, const std::vector<double>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+std::vector<double> two_thread_waits(const SweepRow& r) {
+  return joined(waits(r, r.two_there, Way::there), waits(r, r.two_back, Way::back));
+}
 
 void line(Report& report, const SweepRow& r) {
-  const Spread there = spread(r.there), back = spread(r.back);
-  std::vector<double> both = r.two_there;
-  both.insert(both.end(), r.two_back.begin(), r.two_back.end());
-  const Spread two = spread(both);
-  const bool threads = two.count > 0;
-  report.row({r.name, r.coordinates, count(r.vertices), ms(r.prepared.mean), ms(r.fresh.mean), ms(r.rounded.mean),
-              count(there.count), "**" + ratio(r.prepared.mean, there.mean, 1) + "**",
-              ratio(r.prepared.median, there.median, 1), in_statics(there.p99, r), in_statics(there.worst, r),
-              ratio(r.prepared.mean, back.mean, 1), in_statics(back.p99, r), in_statics(back.worst, r),
-              count(r.windows) + ", " + count(r.rebuilt) + ", " + count(r.degenerate),
-              threads ? ratio(r.prepared.mean, two.mean, 1) : "-", threads ? in_statics(two.p99, r) : "-",
-              threads ? in_statics(two.worst, r) : "-", count(r.compared) + ", " + count(r.different)});
+  const Spread statics = spread(r.statics), there = spread(r.there), back = spread(r.back);
+  const Spread there_waits = spread(waits(r, r.there, Way::there)), back_waits = spread(waits(r, r.back, Way::back));
+  const Spread two = spread(joined(r.two_there, r.two_back)), two_waits = spread(two_thread_waits(r));
+  const auto wait = [](double v) { return v > 0 ? fixed(v, 2) : "-"; };
+  report.row({r.name, r.coordinates, count(r.vertices), ms(statics.mean), ms(r.fresh.mean), ms(r.rounded.mean),
+              count(there.count), "**" + ratio(statics.mean, there.mean, 1) + "**",
+              ratio(statics.median, there.median, 1), wait(there_waits.p99), wait(there_waits.worst),
+              ratio(statics.mean, back.mean, 1), wait(back_waits.p99), wait(back_waits.worst),
+              count(r.windows) + ", " + count(r.rebuilt) + ", " + count(r.degenerate), ratio(statics.mean, two.mean, 1),
+              wait(two_waits.p99), wait(two_waits.worst), count(r.compared) + ", " + count(r.different)});
 }
 
 /// One table: raw and snapped coordinates of a pair below each other.
@@ -97,7 +114,7 @@ void promise_means(Report& report, const std::vector<SweepRow>& rows, const Prom
   double least = 0;
   for (const SweepRow& r : rows) {
     if (r.steps != promised.steps || r.coordinates != "raw") continue;
-    gains.push_back(r.prepared.mean / spread(r.there).mean);
+    gains.push_back(spread(r.statics).mean / spread(r.there).mean);
     const bool star = promised.star_500 > 0 && r.name == "star 500 + star 500";
     const double margin = gains.back() / (star ? promised.star_500 : promised.least);
     if (worst == nullptr || margin < least) worst = &r, least = margin;
@@ -107,7 +124,7 @@ void promise_means(Report& report, const std::vector<SweepRow>& rows, const Prom
     report.promise(promised.text + ", raw, mean of all frames: " + fixed(promised.least, promised.least < 1 ? 2 : 0) +
                        " times static on every pair" +
                        (promised.star_500 > 0 ? " (star 500: " + fixed(promised.star_500, 0) + ")" : ""),
-                   "least " + ratio(worst->prepared.mean, spread(worst->there).mean, 2) + ", " + worst->name,
+                   "least " + ratio(spread(worst->statics).mean, spread(worst->there).mean, 2) + ", " + worst->name,
                    least >= 1);
   if (promised.mean > 0)
     report.promise(
@@ -149,13 +166,11 @@ void sweep_promises(Report& report, const std::vector<SweepRow>& scaling, const 
   for (const SweepRow& r : rows) {
     compared += r.compared;
     different += r.different;
-    const double median_gain = r.prepared.median / spread(r.there).median;
-    const double share = r.prepared.mean / spread(r.back).mean / median_gain;
+    const Spread statics = spread(r.statics);
+    const double share = statics.mean / spread(r.back).mean / (statics.median / spread(r.there).median);
     if (r.steps != kScattered && (slowest == nullptr || share < back)) slowest = &r, back = share;
     if (r.two_there.size() + r.two_back.size() < 1000) continue;
-    std::vector<double> both = r.two_there;
-    both.insert(both.end(), r.two_back.begin(), r.two_back.end());
-    const double p99 = spread(both).p99 / r.prepared.mean;
+    const double p99 = spread(two_thread_waits(r)).p99;
     if (late == nullptr || p99 > wait) late = &r, wait = p99;
   }
   if (slowest != nullptr)
@@ -171,16 +186,17 @@ void sweep_promises(Report& report, const std::vector<SweepRow>& scaling, const 
 
 std::string sweep_csv(const std::vector<SweepRow>& rows) {
   std::ostringstream out;
-  out.precision(4);
-  out << "pair,coordinates,steps,pass,static_ms,fresh_ms,rounded_ms,frames_ms\n";
+  out.precision(3);
+  out << "pair,coordinates,steps,pass,fresh_ms,rounded_ms,frames_ms\n";
   const auto pass = [&](const SweepRow& r, const char* name, const std::vector<double>& times) {
     if (times.empty()) return;
-    out << r.name << "," << r.coordinates << ",\"" << r.steps << "\"," << name << "," << r.prepared.mean << ","
-        << r.fresh.mean << "," << r.rounded.mean << ",";
+    out << r.name << "," << r.coordinates << ",\"" << r.steps << "\"," << name << "," << r.fresh.mean << ","
+        << r.rounded.mean << ",";
     for (std::size_t i = 0; i < times.size(); ++i) out << (i > 0 ? " " : "") << times[i];
     out << "\n";
   };
   for (const SweepRow& r : rows) {
+    pass(r, "static", r.statics);
     pass(r, "there", r.there);
     pass(r, "back", r.back);
     pass(r, "two threads, there", r.two_there);

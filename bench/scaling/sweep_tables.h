@@ -16,7 +16,7 @@ std::vector<SweepRow> turning_sweeps(Report& report, const std::string& data, co
 
 void sweep_promises(Report& report, const std::vector<SweepRow>& scaling, const std::vector<SweepRow>& turning);
 
-/// One line a row and pass: the static mean, then the time of every frame, in milliseconds.
+/// One line a row and pass: the time of every frame, and of the static sum at every place, in milliseconds.
 std::string sweep_csv(const std::vector<SweepRow>& rows);
 
 }  // namespace dymsum::bench
