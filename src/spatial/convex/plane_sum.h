@@ -5,13 +5,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "spatial/convex/vertex_pair.h"
 #include "spatial/gauss/signs.h"
 
 namespace dymsum::spatial {
-
-struct VertexPair {
-  std::uint32_t p = 0, q = 0;  ///< of the polytopes
-};
 
 /// p and q: vertices of P and Q, counter-clockwise seen against the outward normal of face f of operand op, to which
 /// both are perpendicular. Returns the true vertices of the sum, in that order: edges of equal direction become one.

@@ -1,0 +1,124 @@
+#include "spatial/convex/facet_corners.h"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+#include "spatial/convex/plane_sum.h"
+
+namespace dymsum::spatial {
+namespace {
+
+std::vector<std::uint32_t> face_vertices(const Polytope& p, std::uint32_t f) {
+  std::vector<std::uint32_t> v;
+  HalfEdge h = p.first[f];
+  do {
+    v.push_back(p.origin[h]);
+    h = p.next[h];
+  } while (h != p.first[f]);
+  return v;
+}
+
+/// The feature of the other operand that is extreme in the direction of a face: its vertices counter-clockwise seen
+/// from outside, and, of a face, its index in the polytope.
+struct ExtremeFeature {
+  std::vector<std::uint32_t> vertices;
+  std::uint32_t face = 0;
+};
+
+SolidFeature feature(const Polytope& p, const ExtremeFeature& x) {
+  if (x.vertices.size() == 1) return vertex_feature(p, x.vertices[0]);
+  if (x.vertices.size() == 2) return edge_feature(p, x.vertices[0], x.vertices[1]);
+  return face_feature(p, x.face);
+}
+
+/// The edges at the extreme vertex of face f of operand op that are level, as positions in its ring: at most two, which
+/// then are neighbours.
+struct LevelEdges {
+  std::uint32_t count = 0;
+  std::array<std::size_t, 2> slot{};
+};
+LevelEdges level_edges(const Overlay& overlay, int op, std::uint32_t f) {
+  const std::span<const HalfEdge> ring = overlay.poly(1 - op).leaving(overlay.extreme(op, f));
+  LevelEdges level;
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    if (overlay.signs().true_sign(op, f, ring[k]) != 0) continue;
+    if (level.count == 2) throw std::logic_error("level_edges: three level edges at a vertex");
+    level.slot[level.count++] = k;
+  }
+  return level;
+}
+
+// All edges at the extreme vertex fall or are level; level ones bound the extreme feature, and two level ones are
+// neighbours in the ring.
+ExtremeFeature extreme_feature(const Overlay& overlay, int op, std::uint32_t f, const LevelEdges& edges) {
+  const Polytope& other = overlay.poly(1 - op);
+  const std::uint32_t v = overlay.extreme(op, f);
+  const std::span<const HalfEdge> ring = other.leaving(v);
+  const std::array<std::size_t, 2>& level = edges.slot;
+  if (edges.count == 1) return {{v, other.target(ring[level[0]])}, 0};
+  const std::size_t k =
+      level[1] == level[0] + 1 ? level[0] : level[1];  // the face is on the left of the first of the two
+  const std::uint32_t g = other.face[ring[k]];
+  return {face_vertices(other, g), g};
+}
+
+}  // namespace
+
+SolidFeature vertex_feature(const Polytope& p, std::uint32_t v) {
+  return {SolidFeature::Kind::vertex, p.source_vertex[v], 0};
+}
+
+SolidFeature edge_feature(const Polytope& p, std::uint32_t a, std::uint32_t b) {
+  const std::uint32_t from = p.source_vertex[a], to = p.source_vertex[b];
+  return {SolidFeature::Kind::edge, std::min(from, to), std::max(from, to)};
+}
+
+SolidFeature face_feature(const Polytope& p, std::uint32_t f) {
+  return {SolidFeature::Kind::face, p.source_face[f], 0};
+}
+
+FacetFeatures append_face_and_vertex(const Overlay& overlay, int op, std::uint32_t f,
+                                     std::vector<VertexPair>& corners) {
+  const Polytope &mine = overlay.poly(op), &other = overlay.poly(1 - op);
+  const std::uint32_t v = overlay.extreme(op, f);
+  HalfEdge h = mine.first[f];
+  do {
+    corners.push_back(op == 0 ? VertexPair{mine.origin[h], v} : VertexPair{v, mine.origin[h]});
+    h = mine.next[h];
+  } while (h != mine.first[f]);
+  const SolidFeature face = face_feature(mine, f), vertex = vertex_feature(other, v);
+  return op == 0 ? FacetFeatures{face, vertex, kNoFace} : FacetFeatures{vertex, face, kNoFace};
+}
+
+FacetFeatures append_face(const Overlay& overlay, int op, std::uint32_t f, std::vector<VertexPair>& corners) {
+  const LevelEdges edges = level_edges(overlay, op, f);
+  if (edges.count == 0) return append_face_and_vertex(overlay, op, f, corners);
+  const ExtremeFeature mine{face_vertices(overlay.poly(op), f), f}, other = extreme_feature(overlay, op, f, edges);
+  const ExtremeFeature &p = op == 0 ? mine : other, &q = op == 0 ? other : mine;
+  const bool parallel = other.vertices.size() > 2;
+  const FacetFeatures features{feature(overlay.poly(0), p), feature(overlay.poly(1), q),
+                               parallel ? other.face : kNoFace};
+  if (op == 1 && parallel) return features;
+  std::vector<VertexPair> sum = plane_sum(overlay.signs(), p.vertices, q.vertices, op, f);
+  std::rotate(sum.begin(), std::min_element(sum.begin(), sum.end()), sum.end());
+  corners.insert(corners.end(), sum.begin(), sum.end());
+  return features;
+}
+
+FacetFeatures append_crossing(const Overlay& overlay, const Crossing& c, std::vector<VertexPair>& corners) {
+  const Polytope &p = overlay.poly(0), &q = overlay.poly(1);
+  // The arc of e has the cell of its second vertex on its left; h leaves the cell of its origin.
+  const std::uint32_t a = p.origin[2 * c.p], b = p.target(2 * c.p), from = q.origin[c.q], to = q.target(c.q);
+  corners.insert(corners.end(), {{a, to}, {b, to}, {b, from}, {a, from}});
+  return {edge_feature(p, a, b), edge_feature(q, from, to), kNoFace};
+}
+
+bool crosses_properly(const Overlay& overlay, const Crossing& c) {
+  const Signs& s = overlay.signs();
+  const Polytope &p = overlay.poly(0), &q = overlay.poly(1);
+  return s.true_sign(0, p.face[2 * c.p], c.q) != 0 && s.true_sign(0, p.face[2 * c.p + 1], c.q) != 0 &&
+         s.true_sign(1, q.face[c.q], 2 * c.p) != 0 && s.true_sign(1, q.face[twin(c.q)], 2 * c.p) != 0;
+}
+
+}  // namespace dymsum::spatial
