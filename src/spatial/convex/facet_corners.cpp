@@ -9,27 +9,12 @@
 namespace dymsum::spatial {
 namespace {
 
-std::vector<std::uint32_t> face_vertices(const Polytope& p, std::uint32_t f) {
-  std::vector<std::uint32_t> v;
+void append_edges(const Polytope& p, std::uint32_t f, std::vector<HalfEdge>& edges) {
   HalfEdge h = p.first[f];
   do {
-    v.push_back(p.origin[h]);
+    edges.push_back(h);
     h = p.next[h];
   } while (h != p.first[f]);
-  return v;
-}
-
-/// The feature of the other operand that is extreme in the direction of a face: its vertices counter-clockwise seen
-/// from outside, and, of a face, its index in the polytope.
-struct ExtremeFeature {
-  std::vector<std::uint32_t> vertices;
-  std::uint32_t face = 0;
-};
-
-SolidFeature feature(const Polytope& p, const ExtremeFeature& x) {
-  if (x.vertices.size() == 1) return vertex_feature(p, x.vertices[0]);
-  if (x.vertices.size() == 2) return edge_feature(p, x.vertices[0], x.vertices[1]);
-  return face_feature(p, x.face);
 }
 
 /// The edges at the extreme vertex of face f of operand op that are level, as positions in its ring: at most two, which
@@ -50,17 +35,11 @@ LevelEdges level_edges(const Overlay& overlay, int op, std::uint32_t f) {
 }
 
 // All edges at the extreme vertex fall or are level; level ones bound the extreme feature, and two level ones are
-// neighbours in the ring.
-ExtremeFeature extreme_feature(const Overlay& overlay, int op, std::uint32_t f, const LevelEdges& edges) {
+// neighbours in the ring: the face is on the left of the first of the two.
+std::uint32_t level_face(const Overlay& overlay, int op, std::uint32_t f, const LevelEdges& level) {
   const Polytope& other = overlay.poly(1 - op);
-  const std::uint32_t v = overlay.extreme(op, f);
-  const std::span<const HalfEdge> ring = other.leaving(v);
-  const std::array<std::size_t, 2>& level = edges.slot;
-  if (edges.count == 1) return {{v, other.target(ring[level[0]])}, 0};
-  const std::size_t k =
-      level[1] == level[0] + 1 ? level[0] : level[1];  // the face is on the left of the first of the two
-  const std::uint32_t g = other.face[ring[k]];
-  return {face_vertices(other, g), g};
+  const std::size_t k = level.slot[1] == level.slot[0] + 1 ? level.slot[0] : level.slot[1];
+  return other.face[other.leaving(overlay.extreme(op, f))[k]];
 }
 
 }  // namespace
@@ -94,15 +73,23 @@ FacetFeatures append_face_and_vertex(const Overlay& overlay, int op, std::uint32
 FacetFeatures append_face(const Overlay& overlay, int op, std::uint32_t f, std::vector<VertexPair>& corners) {
   const LevelEdges edges = level_edges(overlay, op, f);
   if (edges.count == 0) return append_face_and_vertex(overlay, op, f, corners);
-  const ExtremeFeature mine{face_vertices(overlay.poly(op), f), f}, other = extreme_feature(overlay, op, f, edges);
-  const ExtremeFeature &p = op == 0 ? mine : other, &q = op == 0 ? other : mine;
-  const bool parallel = other.vertices.size() > 2;
-  const FacetFeatures features{feature(overlay.poly(0), p), feature(overlay.poly(1), q),
-                               parallel ? other.face : kNoFace};
-  if (op == 1 && parallel) return features;
-  std::vector<VertexPair> sum = plane_sum(overlay.signs(), p.vertices, q.vertices, op, f);
-  std::rotate(sum.begin(), std::min_element(sum.begin(), sum.end()), sum.end());
-  corners.insert(corners.end(), sum.begin(), sum.end());
+  const Polytope &mine = overlay.poly(op), &other = overlay.poly(1 - op);
+  const std::uint32_t v = overlay.extreme(op, f), g = edges.count == 2 ? level_face(overlay, op, f, edges) : kNoFace;
+  const HalfEdge level = other.leaving(v)[edges.slot[0]];
+  const SolidFeature face = face_feature(mine, f),
+                     beyond = g == kNoFace ? edge_feature(other, v, other.target(level)) : face_feature(other, g);
+  const FacetFeatures features =
+      op == 0 ? FacetFeatures{face, beyond, g} : FacetFeatures{beyond, face, g};
+  if (op == 1 && g != kNoFace) return features;
+  std::vector<HalfEdge> round;
+  append_edges(mine, f, round);
+  const std::size_t n = round.size(), first = corners.size();
+  if (g == kNoFace) round.insert(round.end(), {level, twin(level)});
+  else append_edges(other, g, round);
+  const FlatFeature a{0, std::span(round).first(n)}, b{v, std::span(round).subspan(n)};
+  append_plane_sum(overlay.signs(), op == 0 ? a : b, op == 0 ? b : a, op, f, corners);
+  const auto begin = corners.begin() + static_cast<std::ptrdiff_t>(first);
+  std::rotate(begin, std::min_element(begin, corners.end()), corners.end());
   return features;
 }
 
