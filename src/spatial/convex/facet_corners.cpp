@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "spatial/convex/plane_sum.h"
+#include "spatial/gauss/most_rise.h"
 
 namespace dymsum::spatial {
 namespace {
@@ -24,13 +25,15 @@ struct LevelEdges {
   std::array<std::size_t, 2> slot{};
 };
 LevelEdges level_edges(const Overlay& overlay, int op, std::uint32_t f) {
-  const std::span<const HalfEdge> ring = overlay.poly(1 - op).leaving(overlay.extreme(op, f));
+  const Polytope& other = overlay.poly(1 - op);
+  const Signs& signs = overlay.signs();
+  const std::uint32_t v = overlay.extreme(op, f);
   LevelEdges level;
-  for (std::size_t k = 0; k < ring.size(); ++k) {
-    if (overlay.signs().true_sign(op, f, ring[k]) != 0) continue;
+  look_above(other, v, signs.row_now(op, f), -signs.error(op), [&](std::uint32_t k) {
+    if (signs.true_sign(op, f, other.leaving(v)[k]) != 0) return;
     if (level.count == 2) throw std::logic_error("level_edges: three level edges at a vertex");
     level.slot[level.count++] = k;
-  }
+  });
   return level;
 }
 
@@ -78,8 +81,7 @@ FacetFeatures append_face(const Overlay& overlay, int op, std::uint32_t f, std::
   const HalfEdge level = other.leaving(v)[edges.slot[0]];
   const SolidFeature face = face_feature(mine, f),
                      beyond = g == kNoFace ? edge_feature(other, v, other.target(level)) : face_feature(other, g);
-  const FacetFeatures features =
-      op == 0 ? FacetFeatures{face, beyond, g} : FacetFeatures{beyond, face, g};
+  const FacetFeatures features = op == 0 ? FacetFeatures{face, beyond, g} : FacetFeatures{beyond, face, g};
   if (op == 1 && g != kNoFace) return features;
   std::vector<HalfEdge> round;
   append_edges(mine, f, round);

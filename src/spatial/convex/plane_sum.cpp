@@ -6,9 +6,9 @@
 namespace dymsum::spatial {
 namespace {
 
-/// Of n . (u x M w) for unit vectors, times the norm of the map: three unit vectors (8 roundings each), an entry (2), the
-/// products and the sums of a cross product (3) and of two vectors times a matrix (6); in all at most sqrt(2) Frobenius
-/// norms, which are at most sqrt(3) norms each.
+/// Of n . (u x M w) for unit vectors, times the norm of the map: three unit vectors (8 roundings each), an entry (2),
+/// the products and the sums of a cross product (3) and of two vectors times a matrix (6); in all at most sqrt(2)
+/// Frobenius norms, which are at most sqrt(3) norms each.
 constexpr double kTurnError = exact::rounding_bound(3 * (3 * 8 + 2 + 3 + 6), 128);
 
 /// How an edge of P and an edge of Q lie to each other in the plane: the sign of their cross product along the normal,
@@ -42,7 +42,8 @@ class Edges {
   }
 
  private:
-  // Seen from the operand that the normal n belongs to: the map to it takes edges to edges, and turns none the other way.
+  // Seen from the operand that the normal n belongs to: the map to it takes edges to edges, and turns none the other
+  // way.
   double cross_in_doubles(HalfEdge u, HalfEdge w) const {
     const Vec3 n = s_.poly(op_).normal[f_], a = s_.poly(0).along(u), b = s_.poly(1).along(w);
     const Mat3& m = s_.map().approx(op_);

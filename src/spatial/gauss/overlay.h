@@ -133,6 +133,11 @@ class Overlay {
   void make_levels();
   bool climb(int op, std::uint32_t f, std::uint32_t start, Vec3 row);
   std::uint32_t step_near_zero(int op, std::uint32_t f, std::uint32_t v);
+  struct Steepest {
+    double most;
+    std::uint32_t at;  // in the rings; where nothing certainly rises, any
+  };
+  Steepest steepest(int op, std::uint32_t v, Vec3 row) const;
   void note_face(int op, std::uint32_t f);
   void touch(int op, std::uint32_t e);
   std::uint32_t order_along(int op, std::uint32_t e, std::uint32_t v);
@@ -230,7 +235,7 @@ class Overlay {
   std::vector<Across> across_;
   std::vector<std::uint32_t> walking_, joining_;
   std::vector<std::uint8_t> altered_;
-  std::vector<std::uint32_t> dropped_, touched_, uncrossed_, expired_, broken_, breaks_, spreading_;
+  std::vector<std::uint32_t> dropped_, touched_, uncrossed_, expired_, broken_, breaks_, spreading_, on_arcs_;
   std::array<std::vector<std::uint8_t>, 2> is_touched_;
   OverlayWork work_;
   Changes changes_;

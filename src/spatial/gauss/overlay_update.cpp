@@ -139,7 +139,7 @@ HalfEdge Overlay::exit_in_doubt(HalfEdge h, std::uint32_t v, Vec3 along) const {
   const Polytope& other = poly(op);
   const auto value = [&](std::uint32_t k) { return dot(other.ring_normal[k], along); };
   const auto sign = [&](std::uint32_t k) { return signs_.sign_now(op, other.ring_face[k], h); };
-  return other.ring[leaving_slot(other, v, signs_.error(op), value, sign)];
+  return other.ring[leaving_slot(other, v, along, signs_.error(op), value, sign)];
 }
 
 /// Corrects the crossings of an arc of the walker in place, from its left face to its right one: all of them when its
