@@ -127,6 +127,8 @@ enum class FlatFeatures : std::uint8_t {
   kept,    ///< features of their own, as in the thesis: slower, with the same sums
 };
 
+struct ConvexSolid;
+
 /// Holds P (+) Q and follows the motion of both. Moving corrects the errors that the motion introduces; the result
 /// equals a fresh computation, always. Thread-compatible.
 class ConvexSum {
@@ -171,8 +173,14 @@ class ConvexSum {
   /// O(size), without making the sum. Requires merged operands, as `create` makes them by default.
   FacetCount facet_count() const;
 
-  /// The sum at the current poses. O(size log size).
+  /// The sum at the current poses, in canonical order. O(size log size).
   SolidSum sum() const;
+  /// The same solid in an order that stays, kept and brought up to date (convex_solid.h): facets that differ from those
+  /// of the last call are made again, whatever moves were in between, and the positions of all vertices are computed,
+  /// as turning moves all. Valid until the next call or the end of this object; set and rebuild leave it as it is. The
+  /// first call makes all of it. O(faces + crossings) comparisons of indices, O(vertices) additions, and the facets
+  /// that changed; no memory is allocated once warm, unless the poses are scaled.
+  const ConvexSolid& solid();
   /// From mixed volumes, O(faces): independent of the facets.
   Rational volume_exact() const;
   /// With a relative error of at most 1e-12, wherever and of whatever shape the operands are; beyond the range of

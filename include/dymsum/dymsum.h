@@ -4,6 +4,7 @@
 #include "dymsum/area_text.h"
 #include "dymsum/convex_memory.h"
 #include "dymsum/convex_polygon_sum.h"
+#include "dymsum/convex_solid.h"
 #include "dymsum/convex_sum.h"
 #include "dymsum/criticality_map.h"
 #include "dymsum/cspace_obstacle.h"

@@ -9,6 +9,7 @@
 #include "exact/square_root.h"
 #include "spatial/convex/assemble.h"
 #include "spatial/convex/convex_state.h"
+#include "spatial/convex/facet_corners.h"
 #include "spatial/convex/posed_doubles.h"
 #include "spatial/mesh/rounded_vector.h"
 

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "dymsum/convex_sum.h"
 #include "spatial/convex/exact_places.h"
+#include "spatial/convex/kept_solid.h"
 #include "spatial/gauss/overlay.h"
 
 namespace dymsum {
@@ -21,6 +23,7 @@ class ConvexSum::State {
   SolidPose p_pose, q_pose;
   spatial::PoseFactors p_factors, q_factors;
   MotionWork work;
+  std::optional<spatial::KeptSolid> kept;  ///< from the first call of solid() on
 
   const spatial::Polytope& poly(int op) const { return op == 0 ? *p : *q; }
   const MotionWork& report();

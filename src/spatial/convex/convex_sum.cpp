@@ -166,6 +166,7 @@ std::size_t ConvexSum::bytes() const {
   std::size_t total =
       sizeof(*state_) - sizeof(spatial::Overlay) + state_->overlay.bytes() + state_->p->bytes() + state_->q->bytes();
   for (const spatial::ConvexOperands::Operand& o : state_->source->operand) total += o.bytes();
+  if (state_->kept) total += state_->kept->bytes() - sizeof(*state_->kept);
   return total;
 }
 bool ConvexSum::same_combinatorics(const ConvexSum& other) const { return state_->overlay == other.state_->overlay; }
@@ -178,6 +179,13 @@ SolidSum ConvexSum::sum() const {
   spatial::ConvexSumInternals::set_operands(sum, state_->source);
   spatial::place_sum(sum);
   return sum;
+}
+
+const ConvexSolid& ConvexSum::solid() {
+  State& s = *state_;
+  if (!s.kept) s.kept.emplace(s.overlay, *s.source);
+  s.kept->follow(s.overlay, s.p_pose, s.q_pose);
+  return s.kept->solid();
 }
 
 Rational ConvexSum::volume_exact() const {

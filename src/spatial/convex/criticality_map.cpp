@@ -9,6 +9,7 @@
 #include "spatial/convex/assemble.h"
 #include "spatial/convex/convex_state.h"
 #include "spatial/convex/exact_places.h"
+#include "spatial/convex/facet_corners.h"
 #include "spatial/convex/place_sum.h"
 #include "spatial/convex/structure_store.h"
 #include "spatial/convex/turn_events.h"

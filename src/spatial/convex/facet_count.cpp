@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "spatial/convex/assemble.h"
+#include "spatial/convex/facet_corners.h"
 
 namespace dymsum::spatial {
 namespace {

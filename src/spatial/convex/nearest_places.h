@@ -1,34 +1,59 @@
-// Positions of the vertices of a sum as the doubles nearest to the exact ones, from pairs of doubles: for nearly all
-// vertices these prove which double is the nearest.
+// Positions of the vertices of a sum as the doubles nearest to the exact ones. Every vertex of an operand is turned and
+// scaled once, in pairs of doubles, two vertices at a time; a vertex of the sum is one addition, which proves its
+// rounding or, hardly ever, leaves it to exact numbers.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
-#include "base/double_pair.h"
 #include "spatial/convex/exact_places.h"
+#include "spatial/convex/vertex_pair.h"
 
 namespace dymsum::spatial {
 
 class NearestPlaces {
  public:
-  NearestPlaces(const ConvexOperands& source, const SolidPose& p, const SolidPose& q);
+  /// Of some vertices of each operand, by their indices in the operand. `source` has to outlive this.
+  NearestPlaces(const ConvexOperands& source, const std::array<std::span<const std::uint32_t>, 2>& vertices);
 
-  /// The doubles nearest to the exact position of vertex p of P plus vertex q of Q; nothing where pairs of doubles do
-  /// not tell.
-  std::optional<Point3> operator()(std::uint32_t p, std::uint32_t q) const;
+  /// O(vertices) for an operand whose pose is another one than before.
+  void pose(const SolidPose& p, const SolidPose& q);
+  /// at[i] becomes the doubles nearest to the exact position of pairs[i], by positions in the lists of vertices;
+  /// infinite past the range of doubles. Entries whose pair is kNoPair are set to 0. Requires poses.
+  void place(std::span<const VertexPair> pairs, std::span<Point3> at);
+  /// How many vertices of the last call exact numbers decided.
+  std::size_t decided_exactly() const { return decided_exactly_; }
+  /// Memory held, without the exact numbers.
+  std::size_t bytes() const;
 
  private:
-  struct Coordinate {
-    base::DoublePair at;
-    double size = 0;  ///< of its terms, all told
+  /// Of a posed vertex: within `error` of high + low. Three coordinates each, and a 0.
+  struct alignas(32) Posed {
+    std::array<double, 4> high, low, error;
   };
-  using Position = std::array<Coordinate, 3>;
+  struct Operand {
+    std::vector<std::uint32_t> vertex;
+    /// Coordinates as given: upper + lower in halves of 26 bits, and what a double does not hold, in `rest`, which is
+    /// empty for doubles.
+    std::array<std::vector<double>, 3> upper, lower, rest;
+    bool tells = true;            ///< no coordinate is out of range
+    std::array<bool, 3> exact{};  ///< high + low of this coordinate are exact, of all vertices
+    std::vector<Posed> posed;
+    std::optional<SolidPose> pose;
+  };
+  void take(Operand& operand, const ConvexOperands::Operand& source, std::span<const std::uint32_t> vertices);
+  void pose(Operand& operand, const SolidPose& pose);
+  Point3 in_doubt(VertexPair pair);
+  std::optional<double> exact_in_doubles(VertexPair pair, std::size_t coordinate) const;
+  Point3 exactly(VertexPair pair);
 
-  bool tells_ = false;
-  std::array<std::vector<Position>, 2> posed_;
+  const ConvexOperands* source_;
+  std::array<Operand, 2> operand_;
+  std::optional<ExactPlaces> exactly_;
+  std::size_t decided_exactly_ = 0;
 };
 
 }  // namespace dymsum::spatial

@@ -1,9 +1,15 @@
 #include "spatial/convex/plane_sum.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace dymsum::spatial {
 namespace {
+
+/// Of n . (u x M w) for unit vectors, times the norm of the map: three unit vectors (8 roundings each), an entry (2),
+/// the products and the sums of a cross product (3) and of two vectors times a matrix (6); in all at most sqrt(2)
+/// Frobenius norms, which are at most sqrt(3) norms each.
+constexpr double kTurnError = exact::rounding_bound(3 * (3 * 8 + 2 + 3 + 6), 128);
 
 /// How an edge of P and an edge of Q lie to each other in the plane: the sign of their cross product along the normal,
 /// and, when that is zero, of their dot product.
@@ -11,21 +17,45 @@ struct Turn {
   int cross = 0, dot = 0;
 };
 
-/// Edge vectors of both polygons, compared exactly.
 class Edges {
  public:
-  Edges(const Signs& signs, const std::vector<std::uint32_t>& p, const std::vector<std::uint32_t>& q, int op,
-        std::uint32_t f)
-      : s_(signs), p_(p), q_(q), op_(op), f_(f) {}
+  Edges(const Signs& signs, const FlatFeature& p, const FlatFeature& q, int op, std::uint32_t f)
+      : s_(signs), p_(p.edges), q_(q.edges), op_(op), f_(f), error_(kTurnError * signs.map().norm(op)) {}
 
   Turn turn(std::size_t i, std::size_t j) const {
+    const double cross = cross_in_doubles(p_[i], q_[j]);
+    if (cross > error_) return {1, 0};
+    if (cross < -error_) return {-1, 0};
+    return exact_turn(p_[i], q_[j]);
+  }
+  /// The edge of Q from which the angle of edge 0 of P is next.
+  std::size_t first_of_q() const {
+    Turn before = turn(0, q_.size() - 1);
+    for (std::size_t j = 0; j < q_.size(); ++j) {
+      const Turn here = turn(0, j);
+      const bool after_the_one_before = before.cross < 0 || (before.cross == 0 && before.dot < 0);
+      const bool not_after_this = here.cross > 0 || (here.cross == 0 && here.dot > 0);
+      if (after_the_one_before && not_after_this) return j;
+      before = here;
+    }
+    throw std::logic_error("plane_sum: not a convex polygon");
+  }
+
+ private:
+  // Seen from the operand that the normal n belongs to: the map to it takes edges to edges, and turns none the other
+  // way.
+  double cross_in_doubles(HalfEdge u, HalfEdge w) const {
+    const Vec3 n = s_.poly(op_).normal[f_], a = s_.poly(0).along(u), b = s_.poly(1).along(w);
+    const Mat3& m = s_.map().approx(op_);
+    return op_ == 0 ? dot(cross(n, a), m * b) : -dot(cross(n, b), m * a);
+  }
+  Turn exact_turn(HalfEdge edge_of_p, HalfEdge edge_of_q) const {
     return s_.with_types([&](auto c, auto m) {
       using C = decltype(c);
       using M = decltype(m);
       const Polytope &a = s_.poly(0), &b = s_.poly(1);
-      const auto u = a.template place<C>(p_[(i + 1) % p_.size()]) - a.template place<C>(p_[i]);
-      const auto w = exact::apply(s_.map().template matrix<M>(0),
-                                  b.template place<C>(q_[(j + 1) % q_.size()]) - b.template place<C>(q_[j]));
+      const auto u = a.template edge_vector<C>(edge_of_p);
+      const auto w = exact::apply(s_.map().template matrix<M>(0), b.template edge_vector<C>(edge_of_q));
       const auto perpendicular = exact::cross(u, w);
       const int side =
           op_ == 0
@@ -35,54 +65,42 @@ class Edges {
       return Turn{side, exact::sign(exact::dot(u, w))};
     });
   }
-  /// The edge of Q from which the angle of edge 0 of P is next.
-  std::size_t first_of_q() const {
-    for (std::size_t j = 0; j < q_.size(); ++j) {
-      const Turn before = turn(0, (j + q_.size() - 1) % q_.size()), here = turn(0, j);
-      const bool after_the_one_before = before.cross < 0 || (before.cross == 0 && before.dot < 0);
-      const bool not_after_this = here.cross > 0 || (here.cross == 0 && here.dot > 0);
-      if (after_the_one_before && not_after_this) return j;
-    }
-    throw std::logic_error("plane_sum: not a convex polygon");
-  }
 
- private:
   const Signs& s_;
-  const std::vector<std::uint32_t>&p_, &q_;
+  std::span<const HalfEdge> p_, q_;
   int op_;
   std::uint32_t f_;
+  double error_;
 };
 
 }  // namespace
 
-std::vector<VertexPair> plane_sum(const Signs& signs, const std::vector<std::uint32_t>& p,
-                                  const std::vector<std::uint32_t>& q, int op, std::uint32_t f) {
-  std::vector<VertexPair> sum;
-  if (q.size() == 1) {
-    for (const std::uint32_t v : p) sum.push_back({v, q[0]});
-    return sum;
-  }
-  if (p.size() == 1) {
-    for (const std::uint32_t v : q) sum.push_back({p[0], v});
-    return sum;
+void append_plane_sum(const Signs& signs, const FlatFeature& p, const FlatFeature& q, int op, std::uint32_t f,
+                      std::vector<VertexPair>& sum) {
+  const auto vertex_of_p = [&](std::size_t i) { return p.edges.empty() ? p.vertex : signs.poly(0).origin[p.edges[i]]; };
+  const auto vertex_of_q = [&](std::size_t j) { return q.edges.empty() ? q.vertex : signs.poly(1).origin[q.edges[j]]; };
+  if (p.edges.empty() || q.edges.empty()) {
+    for (std::size_t k = 0; k < std::max(p.edges.size(), q.edges.size()); ++k)
+      sum.push_back({vertex_of_p(k), vertex_of_q(k)});
+    return;
   }
   // Both turn once; the smaller angle comes next, and gaps are at most a half turn.
   const Edges edges(signs, p, q, op, f);
-  const std::size_t start = edges.first_of_q();
+  const std::size_t np = p.edges.size(), nq = q.edges.size(), start = edges.first_of_q();
+  const auto around = [nq](std::size_t j) { return j < nq ? j : j - nq; };
   std::size_t i = 0, j = 0;
-  while (i < p.size() || j < q.size()) {
-    sum.push_back({p[i % p.size()], q[(start + j) % q.size()]});
-    if (i == p.size()) {
+  while (i < np || j < nq) {
+    sum.push_back({vertex_of_p(i < np ? i : 0), vertex_of_q(around(start + (j < nq ? j : 0)))});
+    if (i == np) {
       ++j;
-    } else if (j == q.size()) {
+    } else if (j == nq) {
       ++i;
     } else {
-      const Turn t = edges.turn(i, (start + j) % q.size());
+      const Turn t = edges.turn(i, around(start + j));
       if (t.cross >= 0) ++i;
       if (t.cross < 0 || (t.cross == 0 && t.dot > 0)) ++j;
     }
   }
-  return sum;
 }
 
 }  // namespace dymsum::spatial

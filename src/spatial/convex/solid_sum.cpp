@@ -91,22 +91,22 @@ namespace spatial {
 
 void place_sum(SolidSum& sum) {
   const ConvexOperands& operands = ConvexSumInternals::operands(sum);
-  const NearestPlaces nearest(operands, sum.p_pose, sum.q_pose);
-  std::optional<ExactPlaces> exactly;
-  sum.at.clear();
-  sum.at.reserve(sum.vertices.size());
-  for (const SolidSum::Vertex& v : sum.vertices) {
-    if (const std::optional<Point3> at = nearest(v.p, v.q)) {
-      sum.at.push_back(*at);
-      continue;
+  std::array<std::vector<std::uint32_t>, 2> used, position;  // vertices of the sum, and where these stand among them
+  for (std::size_t op = 0; op < 2; ++op) position[op].assign(operands.operand[op].size(), kNoPair.p);
+  const auto position_of = [&](std::size_t op, std::uint32_t v) {
+    if (position[op][v] == kNoPair.p) {
+      position[op][v] = static_cast<std::uint32_t>(used[op].size());
+      used[op].push_back(v);
     }
-    if (!exactly) exactly.emplace(operands, sum.p_pose, sum.q_pose);
-    const BigVector a = exactly->of(0, v.p), b = exactly->of(1, v.q);
-    const auto rounded = [&](std::size_t k) {
-      return exact::round_to_double(BigRational(BigInteger(a[k] + b[k])) * exactly->unit());
-    };
-    sum.at.push_back({rounded(0), rounded(1), rounded(2)});
-  }
+    return position[op][v];
+  };
+  std::vector<VertexPair> pairs;
+  pairs.reserve(sum.vertices.size());
+  for (const SolidSum::Vertex& v : sum.vertices) pairs.push_back({position_of(0, v.p), position_of(1, v.q)});
+  NearestPlaces places(operands, {used[0], used[1]});
+  places.pose(sum.p_pose, sum.q_pose);
+  sum.at.resize(pairs.size());
+  places.place(pairs, sum.at);
 }
 
 }  // namespace spatial

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "spatial/gauss/leaving_slot.h"
+#include "spatial/gauss/most_rise.h"
 
 namespace dymsum::spatial {
 namespace {
@@ -70,9 +71,41 @@ void Overlay::make_levels() {
 /// Doubles cannot tell whether an edge rises: any that does will do. The vertex it leads to, or v itself, which is then
 /// extreme.
 std::uint32_t Overlay::step_near_zero(int op, std::uint32_t f, std::uint32_t v) {
-  for (const HalfEdge h : poly(1 - op).leaving(v))
-    if (signs_.sign_now(op, f, h) > 0) return poly(1 - op).target(h);
-  return v;
+  const Polytope& other = poly(1 - op);
+  std::uint32_t to = v;
+  look_above(other, v, signs_.row_now(op, f), -signs_.error(op), [&](std::uint32_t k) {
+    const HalfEdge h = other.leaving(v)[k];
+    if (to == v && signs_.sign_now(op, f, h) > 0) to = other.target(h);
+  });
+  return to;
+}
+
+/// Of the edges at v in direction `row`: the product of the steepest one, and its slot.
+inline Overlay::Steepest Overlay::steepest(int op, std::uint32_t v, Vec3 row) const {
+  const Polytope& other = poly(1 - op);
+  const std::uint32_t begin = other.ring_start[v], end = other.ring_start[v + 1];
+  const auto value = [&](std::uint32_t k) { return dot(row, other.ring_direction[k]); };
+  if (const RingBounds* bounds = other.bounds(other.direction_bounds, v)) {
+    const auto of_slot = [&](std::uint32_t k) { return value(begin + k); };
+    const double above = bounds->above_all(row, of_slot);
+    if (above < -signs_.error(op)) return {above, begin};  // all fall, whichever falls least
+    const std::uint32_t k = begin + bounds->largest(row, of_slot);
+    return {value(k), k};
+  }
+  // Two, so that comparisons need not wait for each other; rings have three or more.
+  double most = value(begin), also = value(begin + 1);
+  std::uint32_t k = begin + 2;
+  for (; k + 1 < end; k += 2) {
+    const double a = value(k), b = value(k + 1);
+    most = a > most ? a : most;
+    also = b > also ? b : also;
+  }
+  if (k < end) also = std::max(also, value(k));
+  most = std::max(most, also);
+  k = begin;
+  if (most > signs_.error(op))
+    while (value(k) != most) ++k;
+  return {most, k};
 }
 
 /// Walks from `start` to the extreme vertex of face f, whose row is given: every step is along an edge that rises, so
@@ -82,26 +115,13 @@ bool Overlay::climb(int op, std::uint32_t f, std::uint32_t start, Vec3 row) {
   const double error = signs_.error(op);
   const std::uint32_t before = extreme_[op][f];
   for (std::uint32_t v = start;; ++work_.steps) {
-    const std::uint32_t begin = other.ring_start[v], end = other.ring_start[v + 1];
-    const auto value = [&](std::uint32_t k) { return dot(row, other.ring_direction[k]); };
-    // Two, so that comparisons need not wait for each other; rings have three or more.
-    double most = value(begin), also = value(begin + 1);
-    std::uint32_t k = begin + 2;
-    for (; k + 1 < end; k += 2) {
-      const double a = value(k), b = value(k + 1);
-      most = a > most ? a : most;
-      also = b > also ? b : also;
-    }
-    if (k < end) also = std::max(also, value(k));
-    most = std::max(most, also);
+    const auto [most, k] = steepest(op, v, row);
     if (most < -error) {
       vertex_until_[op][f] = later(signs_.margin(op, most));
       extreme_[op][f] = v;
       return v != before;
     }
     if (most > error) {
-      k = begin;
-      while (value(k) != most) ++k;
       v = other.target(other.ring[k]);
       continue;
     }
@@ -123,9 +143,10 @@ void Overlay::walk(std::uint32_t e) {
   const auto value = [&](std::uint32_t k) { return dot(signs_.row(1, q.ring_face[k]), along); };
   const auto sign = [&](std::uint32_t k) { return signs_.sign(1, q.ring_face[k], 2 * e); };
   const std::uint32_t end = end_cell(0, 2 * e + 1);
+  const Vec3 mapped = signs_.mapped_edge(1, e);
   std::uint32_t last = kNoCrossing, walked = 0;
   for (std::uint32_t v = end_cell(0, 2 * e); v != end; ++walked) {
-    const HalfEdge exit = q.ring[leaving_slot(q, v, signs_.error(1), value, sign)];
+    const HalfEdge exit = q.ring[leaving_slot(q, v, mapped, signs_.error(1), value, sign)];
     if (walked > q.edge_count()) throw std::logic_error("Overlay: an arc does not end");
     // The signs that updates rely on: see overlay_update.cpp.
     const Vec3 d = q.direction[exit / 2];

@@ -88,6 +88,16 @@ class Overlay {
   std::uint32_t first_crossing(int op, std::uint32_t e) const { return head_[op][e]; }
   const Crossing& crossing(std::uint32_t id) const { return crossings_[id]; }
   std::size_t crossing_count() const { return crossings_.size() - free_.size(); }
+  /// Indices of crossings are below this; some may be free.
+  std::uint32_t crossing_indices() const { return static_cast<std::uint32_t>(crossings_.size()); }
+  bool is_crossing(std::uint32_t id) const { return crossing_until_[id] != kForever; }
+
+  /// The operand whose faces and crossings have certificates.
+  int walker() const { return walker_; }
+  /// Whether doubles prove that all edges at the extreme vertex of face f of the walker truly fall.
+  bool surely_extreme(std::uint32_t f) const { return vertex_until_[walker_][f] > clock_ || fall_in_doubles(f); }
+  /// Whether doubles prove that the circle of the walker's edge truly passes between the two faces at the other one.
+  bool surely_crosses(std::uint32_t id) const { return crossing_until_[id] > clock_ || passes_in_doubles(id); }
 
   const OverlayWork& work() const { return work_; }
   /// Of the last update or build: faces (operand, face) with another extreme vertex, and crossings that are new. Ids
@@ -128,6 +138,11 @@ class Overlay {
   void make_levels();
   bool climb(int op, std::uint32_t f, std::uint32_t start, Vec3 row);
   std::uint32_t step_near_zero(int op, std::uint32_t f, std::uint32_t v);
+  struct Steepest {
+    double most;
+    std::uint32_t at;  // in the rings; where nothing certainly rises, any
+  };
+  Steepest steepest(int op, std::uint32_t v, Vec3 row) const;
   void note_face(int op, std::uint32_t f);
   void touch(int op, std::uint32_t e);
   std::uint32_t order_along(int op, std::uint32_t e, std::uint32_t v);
@@ -162,6 +177,8 @@ class Overlay {
   std::uint32_t add_crossing(std::uint32_t e, HalfEdge over);
   void remove_crossing(std::uint32_t id);
   double slack(HalfEdge over, Vec3 along) const;
+  bool fall_in_doubles(std::uint32_t f) const;
+  bool passes_in_doubles(std::uint32_t id) const;
   HalfEdge exit_now(HalfEdge h, std::uint32_t v, Vec3 along) const;
   HalfEdge exit_in_doubt(HalfEdge h, std::uint32_t v, Vec3 along) const;
   std::pair<std::uint32_t, std::uint32_t> cells_of_ends(int op, std::uint32_t e);
@@ -224,7 +241,7 @@ class Overlay {
   std::vector<Across> across_;
   std::vector<std::uint32_t> walking_, joining_;
   std::vector<std::uint8_t> altered_;
-  std::vector<std::uint32_t> dropped_, touched_, uncrossed_, expired_, broken_, breaks_, spreading_;
+  std::vector<std::uint32_t> dropped_, touched_, uncrossed_, expired_, broken_, breaks_, spreading_, on_arcs_;
   std::array<std::vector<std::uint8_t>, 2> is_touched_;
   OverlayWork work_;
   Changes changes_;

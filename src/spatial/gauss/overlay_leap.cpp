@@ -107,7 +107,10 @@ void Overlay::step_to_faces(float float_error) {
     const HalfEdge over = exit_of(walk, float_error);
     const double beyond = dot(walk.row, other.direction[over / 2]) * (1 - 2 * static_cast<double>(over & 1));
     bool crosses = beyond > 0;
-    if (!(std::abs(beyond) > error)) crosses = signs_.sign_now(w, walk.goal, over) > 0;
+    if (!(std::abs(beyond) > error)) {
+      crosses = signs_.sign_now(w, walk.goal, over) > 0;
+      on_arcs_.push_back(walk.goal);
+    }
     const std::uint32_t back = walk.h & 1, id = static_cast<std::uint32_t>(n);
     std::uint32_t& before = found[walk.after].next;
     found[n] = {walk.h / 2, over ^ back, before, kEnd, kNoCrossing};

@@ -16,13 +16,10 @@ std::uint32_t Overlay::parallel_face(int op, std::uint32_t f) const {
   const Polytope& other = poly(1 - op);
   const std::uint32_t v = extreme_[op][f], begin = other.ring_start[v], size = other.ring_start[v + 1] - begin;
   const Vec3 row = signs_.row_now(op, f);
-  const double error = signs_.error(op);
   std::uint32_t first = size, second = size;
-  for (std::uint32_t k = 0; k < size && second == size; ++k) {
-    if (std::abs(dot(row, other.ring_direction[begin + k])) > error) continue;
-    if (signs_.true_sign(op, f, other.ring[begin + k]) != 0) continue;
-    (first == size ? first : second) = k;
-  }
+  look_above(other, v, row, -signs_.error(op), [&](std::uint32_t k) {
+    if (second == size && signs_.true_sign(op, f, other.ring[begin + k]) == 0) (first == size ? first : second) = k;
+  });
   if (second == size) return kNoFace;
   // Two level edges are neighbours in the ring, and the face lies on the left of the first of the two.
   return other.ring_face[begin + (second == first + 1 ? first : second)];
@@ -175,13 +172,17 @@ void Overlay::keep_pairs() {
   }
 }
 
-/// After a long move, whose walks went through the crossings near pairs that it did not know of.
+/// After a long move, whose walks went through the crossings near pairs that it did not know of. The walk to a face of
+/// such a pair has come to an arc on which it lies: the last cell is one of those round the other face of the pair, and
+/// the circle, which goes through that, enters or leaves the cell across one of its two arcs there.
 void Overlay::mend_new_pairs() {
   const int w = walker_;
-  expired_.clear();
-  const double error = signs_.error(w);
-  for (std::uint32_t f = 0; f < poly(w).face_count(); ++f)
-    if (!(most_rise(poly(1 - w), extreme_[w][f], signs_.row_now(w, f)) < -error)) expired_.push_back(f);
+  expired_.swap(on_arcs_);
+  on_arcs_.clear();
+  expired_.push_back(visits_[w][0].face);  // which was climbed for
+  for (const FacePair& pair : pairs_) expired_.push_back(w == 0 ? pair.p : pair.q);
+  std::sort(expired_.begin(), expired_.end());
+  expired_.erase(std::unique(expired_.begin(), expired_.end()), expired_.end());
   const std::size_t kept = pairs_.size();
   follow_pairs(expired_);
   if (pairs_.size() == kept) return;

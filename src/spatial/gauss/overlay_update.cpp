@@ -101,6 +101,17 @@ inline double Overlay::slack(HalfEdge over, Vec3 along) const {
   return least > signs_.error(op) ? signs_.margin(op, least) : kBeforeAll;
 }
 
+bool Overlay::fall_in_doubles(std::uint32_t f) const {
+  const int w = walker_;
+  return most_rise(poly(1 - w), extreme_[w][f], signs_.row_now(w, f)) < -signs_.error(w);
+}
+
+bool Overlay::passes_in_doubles(std::uint32_t id) const {
+  const int w = walker_;
+  const Crossing& c = crossings_[id];
+  return slack(across(w, c), signs_.mapped_edge(1 - w, edge_of(w, c))) != kBeforeAll;
+}
+
 /// Crossings whose certificates have ended: those that doubles do not prove any more break the arc that they lie on.
 void Overlay::check_crossings() {
   const int w = walker_;
@@ -128,7 +139,7 @@ HalfEdge Overlay::exit_in_doubt(HalfEdge h, std::uint32_t v, Vec3 along) const {
   const Polytope& other = poly(op);
   const auto value = [&](std::uint32_t k) { return dot(other.ring_normal[k], along); };
   const auto sign = [&](std::uint32_t k) { return signs_.sign_now(op, other.ring_face[k], h); };
-  return other.ring[leaving_slot(other, v, signs_.error(op), value, sign)];
+  return other.ring[leaving_slot(other, v, along, signs_.error(op), value, sign)];
 }
 
 /// Corrects the crossings of an arc of the walker in place, from its left face to its right one: all of them when its

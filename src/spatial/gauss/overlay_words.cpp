@@ -47,8 +47,8 @@ std::size_t Overlay::bytes() const {
          of(extreme_[0], extreme_[1], head_[0], head_[1], crossings_, free_, visits_[0], visits_[1], vertex_until_[0],
             vertex_until_[1], crossing_until_, chords_, also_chords_, levels_, walks_, found_, across_, walking_,
             joining_, altered_, pairs_, parted_, parallel_[0], parallel_[1], start_[0], start_[1], dropped_, touched_,
-            uncrossed_, expired_, broken_, breaks_, spreading_, is_touched_[0], is_touched_[1], changes_.faces[0],
-            changes_.faces[1], changes_.crossings);
+            uncrossed_, expired_, broken_, breaks_, spreading_, on_arcs_, is_touched_[0], is_touched_[1],
+            changes_.faces[0], changes_.faces[1], changes_.crossings);
 }
 
 }  // namespace dymsum::spatial

@@ -222,6 +222,17 @@ void make_eights(Polytope& p) {
   }
 }
 
+void make_bounds(Polytope& p) {
+  const auto edges = [&](std::uint32_t v) { return p.ring_start[v + 1] - p.ring_start[v]; };
+  for (std::uint32_t v = 0; v < p.vertex_count(); ++v) {
+    if (edges(v) < RingBounds::kManyEdges) continue;
+    p.direction_bounds.resize(p.vertex_count());
+    p.normal_bounds.resize(p.vertex_count());
+    p.direction_bounds[v] = RingBounds(std::span(p.ring_direction).subspan(p.ring_start[v], edges(v)));
+    p.normal_bounds[v] = RingBounds(std::span(p.ring_normal).subspan(p.ring_start[v], edges(v)));
+  }
+}
+
 /// The triangles of a face's fan, seen from a corner, all turn the same way, and seen from a vertex all are in front of
 /// it: nothing that is added cancels.
 template <class C>
@@ -277,6 +288,7 @@ Polytope make(const GridPlaces& all, std::size_t vertices, const std::vector<Fac
   make_rings(p);
   make_units(p, edges);
   make_eights(p);
+  make_bounds(p);
   measure(p);
   return p;
 }
@@ -285,8 +297,12 @@ Polytope make(const GridPlaces& all, std::size_t vertices, const std::vector<Fac
 
 std::size_t Polytope::bytes() const {
   const auto of = [](const auto&... v) { return (std::size_t{0} + ... + (v.capacity() * sizeof(v[0]))); };
-  return sizeof(*this) + of(from_first, grid, big, source_vertex, ring_start, ring, ring_direction, ring_face,
-                            ring_normal, eight, sides, origin, face, next, direction, normal, area, first, source_face);
+  std::size_t bounds = 0;
+  for (const std::vector<RingBounds>* all : {&direction_bounds, &normal_bounds})
+    for (const RingBounds& b : *all) bounds += sizeof(b) + b.bytes();
+  return sizeof(*this) + bounds +
+         of(from_first, grid, big, source_vertex, ring_start, ring, ring_direction, ring_face, ring_normal, eight,
+            sides, origin, face, next, direction, normal, area, first, source_face);
 }
 
 Result<Polytope> make_polytope(const Mesh& mesh, bool merge) {

@@ -8,6 +8,7 @@
 
 #include "dymsum/mesh.h"
 #include "dymsum/result.h"
+#include "spatial/gauss/ring_bounds.h"
 #include "spatial/mesh/grid_places.h"
 #include "spatial/mesh/ring_of_eight.h"
 #include "spatial/mesh/vec3.h"
@@ -31,6 +32,8 @@ struct Polytope : GridPlaces {
   std::vector<std::uint32_t> ring_face;      // face on the left of each of ring
   std::vector<Vec3> ring_normal;             // and its outward unit normal
   std::vector<RingOfEight> eight;            // the ring of each vertex once more, for floats
+  // Of vertices of many edges ring_direction and ring_normal once more; empty where there are no such vertices.
+  std::vector<RingBounds> direction_bounds, normal_bounds;
   // Half-edges.
   std::vector<std::uint32_t> origin, face;
   std::vector<HalfEdge> next;  // in the face
@@ -55,6 +58,10 @@ struct Polytope : GridPlaces {
   std::uint32_t target(HalfEdge h) const { return origin[twin(h)]; }
   std::span<const HalfEdge> leaving(std::uint32_t v) const {
     return {ring.data() + ring_start[v], ring.data() + ring_start[v + 1]};
+  }
+  /// The bounds of a vertex of many edges, or nothing.
+  const RingBounds* bounds(const std::vector<RingBounds>& of, std::uint32_t v) const {
+    return of.empty() || of[v].empty() ? nullptr : &of[v];
   }
   /// The unit vector along a half-edge.
   Vec3 along(HalfEdge h) const { return (h & 1) ? -direction[h / 2] : direction[h / 2]; }

@@ -3,6 +3,7 @@
 
 #include "exact/big.h"
 #include "spatial/convex/convex_cases.h"
+#include "spatial/convex/nearest_places.h"
 #include "spatial/convex/setting.h"
 
 namespace dymsum::test {
@@ -50,6 +51,38 @@ TEST(NearestPlaces, where_pairs_of_doubles_do_not_tell_are_exact) {
   }
   const Mesh large = between(-0x1p1000, 0x1p1000);
   expect_nearest(*convex_sum(large, large), "large");
+}
+
+// Raw coordinates of two solids add up to half-way cases half of the time, along an axis that both keep.
+TEST(NearestPlaces, half_way_cases_along_a_kept_axis_need_no_exact_numbers) {
+  std::mt19937_64 random(72);
+  std::uniform_real_distribution<double> coordinate(0.5, 1);
+  spatial::ConvexOperands source;
+  std::vector<std::uint32_t> all;
+  for (std::uint32_t v = 0; v < 51; ++v) {
+    all.push_back(v);
+    for (spatial::ConvexOperands::Operand& operand : source.operand)
+      operand.vertices.push_back({coordinate(random), coordinate(random), coordinate(random)});
+  }
+  std::vector<spatial::VertexPair> pairs;
+  for (const std::uint32_t p : all)
+    for (const std::uint32_t q : all) pairs.push_back({p, q});
+  std::vector<Point3> at(pairs.size());
+  spatial::NearestPlaces places(source, {all, all});
+  const SolidPose still, turned{*Rotation::about({0, 0, 1}, 0.7), {}}, quarter{*Rotation::of(1, 1, 1, 1), {}};
+  for (const auto& [p, q] : {std::pair{still, still}, {turned, still}, {quarter, still}, {turned, quarter}}) {
+    places.pose(p, q);
+    places.place(pairs, at);
+    EXPECT_EQ(places.decided_exactly(), 0u);
+    const spatial::ExactPlaces exactly(source, p, q);
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const spatial::BigVector a = exactly.of(0, pairs[i].p), b = exactly.of(1, pairs[i].q);
+      std::array<double, 3> nearest;
+      for (std::size_t k = 0; k < 3; ++k)
+        nearest[k] = exact::round_to_double(exact::BigRational(exact::BigInteger(a[k] + b[k])) * exactly.unit());
+      ASSERT_EQ(at[i], (Point3{nearest[0], nearest[1], nearest[2]}));
+    }
+  }
 }
 
 }  // namespace

@@ -54,9 +54,9 @@ std::vector<PolytopePair> pairs_of_long_arcs(std::mt19937_64& random) {
   const auto make = [](const Mesh& mesh) { return *spatial::make_polytope(mesh); };
   const Polytope prism = make(leaning_prism(24, 1.5)), rod = make(leaning_prism(5, 6));
   const Polytope ball = make(random_round_polytope(random, 150)), other = make(random_round_polytope(random, 60));
-  const Polytope tips = make(spindle(20));
-  return {{prism, ball}, {ball, prism}, {rod, ball},   {ball, rod}, {prism, rod},
-          {other, ball}, {ball, other}, {other, tips}, {tips, ball}};
+  const Polytope tips = make(spindle(20)), sharp = make(spindle(70));  // of many edges
+  return {{prism, ball}, {ball, prism}, {rod, ball},  {ball, rod},    {prism, rod},  {other, ball},
+          {ball, other}, {other, tips}, {tips, ball}, {other, sharp}, {sharp, ball}, {sharp, tips}};
 }
 
 TEST(OverlayUpdate, equals_the_static_overlay_and_reports_its_changes) {

@@ -39,10 +39,11 @@ std::vector<PolytopePair> pairs_with_shared_axes(std::mt19937_64& random) {
   const Polytope cylinder = make(turned_profile(12, 1, 0)), other = make(turned_profile(9, 1, 0.3)),
                  cone = make(turned_profile(10, 0, 0.1)), frustum = make(turned_profile(12, 0.5, 0)),
                  box = make(solids::box(-1, -2, -1, 1, 2, 1)), grid = make(random_grid_polytope(random, 14, 3)),
-                 again = make(random_grid_polytope(random, 20, 3)), cut = make(turned_profile(4, 0.5, 0));
+                 again = make(random_grid_polytope(random, 20, 3)), cut = make(turned_profile(4, 0.5, 0)),
+                 sharp = make(turned_profile(40, 0, 0.1));
   return {{cylinder, cylinder}, {cylinder, other}, {other, cylinder}, {cylinder, cone}, {cone, other},
           {frustum, cylinder},  {box, cylinder},   {box, box},        {grid, again},    {grid, grid},
-          {frustum, frustum},   {cut, box},        {again, cylinder}};
+          {frustum, frustum},   {cut, box},        {again, cylinder}, {sharp, sharp},   {sharp, cylinder}};
 }
 
 /// About the shared axis z mostly, to where sides are parallel again and away, quarter turns, flips, and off the axis.

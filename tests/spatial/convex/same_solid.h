@@ -1,0 +1,129 @@
+// A solid that followed against one from nothing, and against what it says that it changed.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "dymsum/convex_solid.h"
+
+namespace dymsum::test {
+
+/// Face by face: the same vertices at the same positions, the same facets, nothing else.
+inline void expect_same_solid(const ConvexSolid& kept, const SolidSum& fresh, const std::string& where) {
+  std::map<SolidSum::Vertex, std::uint32_t> live;
+  for (std::uint32_t v = 0; v < kept.vertices.size(); ++v)
+    if (kept.vertices[v].p != ConvexSolid::kFree) ASSERT_TRUE(live.emplace(kept.vertices[v], v).second) << where;
+  ASSERT_EQ(live.size(), kept.vertex_count) << where;
+  ASSERT_EQ(live.size(), fresh.vertices.size()) << where;
+  std::vector<std::uint32_t> canonical(kept.vertices.size());
+  std::uint32_t next = 0;
+  for (const auto& [pair, v] : live) {
+    ASSERT_EQ(pair, fresh.vertices[next]) << where;
+    ASSERT_EQ(kept.at[v], fresh.at[next]) << where;
+    canonical[v] = next++;
+  }
+  std::vector<SolidFacet> facets;
+  for (std::size_t f = 0; f < kept.facets.size(); ++f) {
+    if (kept.facets[f].count == 0) continue;
+    SolidFacet& facet = facets.emplace_back();
+    for (const std::uint32_t v : kept.corners_of(f)) facet.vertices.push_back(canonical[v]);
+    std::rotate(facet.vertices.begin(), std::min_element(facet.vertices.begin(), facet.vertices.end()),
+                facet.vertices.end());
+    facet.p = kept.facets[f].p;
+    facet.q = kept.facets[f].q;
+  }
+  std::sort(facets.begin(), facets.end(),
+            [](const SolidFacet& a, const SolidFacet& b) { return a.vertices < b.vertices; });
+  ASSERT_EQ(kept.facet_count, fresh.facets.size()) << where;
+  ASSERT_EQ(facets, fresh.facets) << where;
+  ASSERT_EQ(kept.p_pose, fresh.p_pose) << where;
+  ASSERT_EQ(kept.q_pose, fresh.q_pose) << where;
+}
+
+/// The vertices of a facet by pairs; none where its index is free.
+inline std::vector<SolidSum::Vertex> pairs_of(const ConvexSolid& solid, std::size_t facet) {
+  std::vector<SolidSum::Vertex> pairs;
+  if (facet < solid.facets.size())
+    for (const std::uint32_t v : solid.corners_of(facet)) pairs.push_back(solid.vertices[v]);
+  return pairs;
+}
+
+/// Facets and vertices that are not listed are as before, those that are listed changed as it says.
+inline void expect_true_changes(const ConvexSolid& before, const ConvexSolid& now, const std::string& where) {
+  using Kind = FacetChange::Kind;
+  std::map<std::uint32_t, std::vector<FacetChange>> listed;
+  for (const FacetChange& c : now.changes.facets) listed[c.facet].push_back(c);
+  ASSERT_TRUE(std::is_sorted(now.changes.facets.begin(), now.changes.facets.end(),
+                             [](const FacetChange& a, const FacetChange& b) { return a.facet < b.facet; }));
+  for (std::uint32_t f = 0; f < now.facets.size(); ++f) {
+    std::vector<SolidSum::Vertex> was = pairs_of(before, f), is = pairs_of(now, f);
+    const auto it = listed.find(f);
+    ASSERT_EQ(it == listed.end(), was == is && (is.empty() || (before.facets[f].p == now.facets[f].p &&
+                                                               before.facets[f].q == now.facets[f].q)))
+        << where << " facet " << f;
+    if (it == listed.end()) continue;
+    std::sort(was.begin(), was.end());
+    std::sort(is.begin(), is.end());
+    std::vector<SolidSum::Vertex> both;
+    std::set_intersection(was.begin(), was.end(), is.begin(), is.end(), std::back_inserter(both));
+    const auto count = [](const std::vector<SolidSum::Vertex>& v) { return static_cast<std::uint32_t>(v.size()); };
+    std::vector<FacetChange> expected;
+    if (it->second.size() == 1 && it->second[0].kind == Kind::reshaped) {
+      ASSERT_TRUE(!was.empty() && !is.empty()) << where;
+      expected = {{Kind::reshaped, f, count(is) - count(both), count(was) - count(both)}};
+    } else {
+      if (!was.empty()) expected.push_back({Kind::disappeared, f, 0, count(was)});
+      if (!is.empty()) expected.push_back({Kind::appeared, f, count(is), 0});
+    }
+    ASSERT_EQ(it->second, expected) << where << " facet " << f;
+  }
+  std::vector<std::uint32_t> appeared, disappeared;
+  const SolidSum::Vertex free{ConvexSolid::kFree, ConvexSolid::kFree};
+  for (std::uint32_t v = 0; v < now.vertices.size(); ++v) {
+    const SolidSum::Vertex was = v < before.vertices.size() ? before.vertices[v] : free;
+    if (was == now.vertices[v]) {
+      ASSERT_TRUE(now.changes.moved || before.at[v] == now.at[v]) << where;
+      continue;
+    }
+    ASSERT_TRUE(was == free || now.vertices[v] == free) << where << ": not in use for something else at once";
+    (was == free ? appeared : disappeared).push_back(v);
+  }
+  ASSERT_EQ(now.changes.vertices_appeared, appeared) << where;
+  ASSERT_EQ(now.changes.vertices_disappeared, disappeared) << where;
+}
+
+/// Which of n indices lie in ranges that are in order and apart.
+inline std::vector<bool> covered_by(const std::vector<IndexRange>& ranges, std::size_t n) {
+  std::vector<bool> covered(n, false);
+  std::size_t end = 0;
+  for (const IndexRange& r : ranges) {
+    EXPECT_GE(r.first, end);
+    end = r.first + r.count;
+    EXPECT_LE(end, n);
+    std::fill_n(covered.begin() + static_cast<std::ptrdiff_t>(r.first), r.count, true);
+  }
+  return covered;
+}
+
+/// Buffers brought up to date equal those written anew, and are what they were outside the ranges that they name.
+inline void expect_true_buffers(const ConvexSolid& solid, const SolidBuffers& before, const SolidBuffers& now,
+                                const std::string& where) {
+  SolidBuffers fresh;
+  solid.write(fresh);
+  ASSERT_EQ(now.positions, fresh.positions) << where;
+  ASSERT_EQ(now.triangles, fresh.triangles) << where;
+  const auto expect_covered = [&](const auto& was, const auto& is, const std::vector<IndexRange>& ranges) {
+    const std::vector<bool> covered = covered_by(ranges, is.size() / 3);
+    for (std::size_t i = 0; i < is.size(); ++i)
+      if (i >= was.size() || was[i] != is[i]) ASSERT_TRUE(covered[i / 3]) << where << " " << i;
+  };
+  expect_covered(before.positions, now.positions, now.positions_changed);
+  expect_covered(before.triangles, now.triangles, now.triangles_changed);
+}
+
+}  // namespace dymsum::test
