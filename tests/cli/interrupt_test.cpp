@@ -125,8 +125,8 @@ TEST_F(LongWork, TheBarIsOnlyForTerminalsAndElsewhereALineTells) {
   EXPECT_NE(told.find("% "), std::string::npos) << told;
   EXPECT_TRUE(told.ends_with("\ndymsum: interrupted\n")) << told;
   EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 2) << told;
-  const Outcome terminal =
-      work.run("script -qec 'timeout --foreground --preserve-status -s INT -k 60 2.5 " + command + "' typescript");
+  work.write("wait.sh", command + " & until grep -qs left seen; do sleep 0.1; done; kill -INT $!; wait $!");
+  const Outcome terminal = work.run("timeout 60 script -qefc 'sh wait.sh' seen");
   EXPECT_EQ(terminal.code, 130) << terminal.out;
   EXPECT_NE(terminal.out.find("% "), std::string::npos) << terminal.out;
   EXPECT_NE(terminal.out.find("["), std::string::npos);
