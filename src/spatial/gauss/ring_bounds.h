@@ -43,6 +43,7 @@ class RingBounds {
       const double centre = dot(balls_[start_of(top_) + k].centre, along);
       enough = centre > enough ? centre : enough;
     }
+    if (!(enough < 0)) return size;  // the products of a ball's vectors with it are as large on average
     enough *= 0.25;
     double most = -2 * size;
     const auto is_far = [&](const Ball& ball) {
