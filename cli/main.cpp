@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
+#include <csignal>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -107,7 +108,7 @@ Stop wrong_usage(const CLI::App& app, const CLI::ParseError& error, int argc, ch
   if (what.empty()) what = error.what();
   std::string usage = "dymsum " + verb;
   for (const CLI::Option* option : parser.get_options(&CLI::Option::get_positional))
-    usage += " " + option->get_name(true);
+    usage += " " + (option->get_required() ? option->get_name(true) : "[" + option->get_name(true) + "...]");
   return {kUsage, what + "\nUsage: " + usage + " [options]; " + "dymsum " + verb + " --help says more"};
 }
 
@@ -143,6 +144,7 @@ ExitCode tell(const Stop& stop, int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit on sizes of files is an error of writing
   try {
     const ExitCode code = run(argc, argv);
     if (!std::cout.flush()) throw Stop(kBadInput, "cannot write to standard output");

@@ -42,7 +42,7 @@ Json vertex_list(const SpatialSum& sum) {
   Json list = Json::array();
   for (std::size_t i = 0; i < sum.vertices.size(); ++i) {
     const RationalPoint3 at = sum.exact(i);
-    list.push_back(with_contact({{"at", {sum.vertices[i].x, sum.vertices[i].y, sum.vertices[i].z}},
+    list.push_back(with_contact({{"at", {at.x.to_double(), at.y.to_double(), at.z.to_double()}},
                                  {"exact", {at.x.to_string(), at.y.to_string(), at.z.to_string()}}},
                                 sum.vertex_contacts[i]));
   }

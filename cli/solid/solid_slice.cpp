@@ -38,7 +38,7 @@ class SliceJson {
  private:
   Json vertex(const SumVertex& v) const {
     const RationalPoint at = slice_.section.exact(v);
-    return {{"at", {v.at.x, v.at.y}},
+    return {{"at", {at.x.to_double(), at.y.to_double()}},
             {"exact", {at.x.to_string(), at.y.to_string()}},
             {"in", index_json(v.in.p)},
             {"out", index_json(v.out.p)}};

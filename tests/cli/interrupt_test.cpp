@@ -114,6 +114,14 @@ TEST_F(LongWork, OutOfMemoryIsAnErrorWithSizes) {
   EXPECT_FALSE(work.exists("sum.wkt"));
 }
 
+TEST_F(LongWork, AFileThatMayNotGrowIsAnErrorAndLeavesTheOldOne) {
+  work.write("sum.wkt", "old");
+  const Outcome outcome = work.run("sh -c 'ulimit -f 1; exec dymsum sum a.wkt a.wkt -o sum.wkt'");
+  EXPECT_EQ(outcome.code, 2) << outcome.err;
+  EXPECT_NE(outcome.err.find("sum.wkt: writing failed"), std::string::npos) << outcome.err;
+  EXPECT_EQ(work.read("sum.wkt"), "old");
+}
+
 TEST_F(LongWork, TheBarIsOnlyForTerminalsAndElsewhereALineTells) {
   work.write("b.wkt", format_region(shapes::noisy_star(1500, 0.9, 5), RegionFormat::wkt));
   const std::string command = "dymsum sum b.wkt b.wkt --engine brute --repeat 1000";

@@ -87,7 +87,9 @@ class Membership {
   /// Positions in fractions of one number.
   Result<std::vector<bool>> run(const std::vector<Rationals>& positions, const BigInteger& scale) const {
     std::optional<std::vector<Point3>> p = times(p_.vertices(), scale), q = times(q_.vertices(), scale);
-    if (!p || !q) return error_of("no doubles hold the operands in units of this position's denominator");
+    if (!p || !q)
+      return error_of(
+          "no doubles hold the operands' coordinates times this position's denominator: ask for a position of doubles");
     // Each is the sum of one more vertex of both, of which no triangle knows.
     const auto first_p = static_cast<std::uint32_t>(p->size()), first_q = static_cast<std::uint32_t>(q->size());
     for (const Rationals& at : positions) {
@@ -134,7 +136,7 @@ Result<std::vector<bool>> contains_each(const Mesh& p, const Mesh& q, std::span<
   std::vector<bool> inside(positions.size());
   if (p.empty() || q.empty()) return inside;
   if (p.has_thin_parts() && q.has_thin_parts() && semantics != Semantics::open)
-    return error_of("both operands have parts without volume");
+    return error_of("both operands have parts without volume: only the open sum of such can be asked");
   std::map<BigInteger, std::vector<std::size_t>> same;  // indices by denominators
   std::vector<Rationals> at;
   for (std::size_t k = 0; k < positions.size(); ++k) {
