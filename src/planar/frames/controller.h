@@ -11,6 +11,9 @@ namespace dymsum::planar {
 /// Steps and widths are natural logarithms of scales, or angles.
 class WindowController {
  public:
+  /// The first window covers so many steps ahead, where that is not wider than windows should be.
+  explicit WindowController(double first_frames = 6) : frames_ahead_(first_frames) {}
+
   struct Choice {
     bool window = false;
     double behind = 0, ahead = 0;  ///< how far the window reaches below and above the scale
@@ -36,7 +39,7 @@ class WindowController {
   void rest(double step);
 
   double static_cost_ = 0;
-  double frames_ahead_ = 6;  ///< how many steps a window covers ahead
+  double frames_ahead_;      ///< how many steps a window covers ahead
   double factor_ = 1.5;      ///< what that was last multiplied by
   double last_cost_ = 0;     ///< a frame of the last window, with its share of the building
   double compared_ = 0;      ///< the same less what was forgiven

@@ -96,6 +96,10 @@ MovingSum::WindowCost ScalingSum::State::cost_of_window() const {
 }
 
 Result<FrameChanges> ScalingSum::State::move_to(const Scale& x, const Scale& y) {
+  if (x == scale && y == scale_y && exact_source(sum) != nullptr) {
+    work = {};
+    return FrameChanges{};
+  }
   x_ = scale_value(x);
   y_ = x == y ? x_ : scale_value(y);
   const bool empty = base->operands[0].size() == 0 || base->operands[1].size() == 0;

@@ -19,6 +19,7 @@
 
 namespace dymsum::planar {
 
+class CoverMemory;
 class ReducedConvolution;
 
 /// a + b tau.
@@ -30,6 +31,7 @@ struct Linear {
 /// A segment of the reduced convolution that is live somewhere in the window.
 struct LiveSegment {
   WalkSegment walk;
+  std::uint32_t id;  ///< in the convolution
   Linear x, y;    ///< where it starts
   double dx, dy;  ///< the unscaled edge vector
   bool moving;    ///< an edge of the moving operand: its length is tau, otherwise 1
@@ -98,6 +100,7 @@ struct WindowSettings {
   bool mask = true;
   bool covers = true;  ///< leave out crossings and nodes that two edges prove covered while they exist
   std::uint64_t most_pairs = UINT64_MAX;  ///< the window is abandoned when more boxes of pieces meet
+  CoverMemory* memory = nullptr;          ///< of windows of the same convolution
   double shrink = 1;  ///< tests: sweep masks and pairs over this share of the window only; less than 1 is wrong
 };
 
@@ -138,7 +141,8 @@ class Window : public CandidateIndex {
   std::size_t bytes() const;
 
  private:
-  void add_segment(const WalkSegment& w, std::uint32_t id, const WindowFrame& swept, const SweptMask& mask);
+  void add_live(const ReducedConvolution& convolution, const WindowFrame& swept, const SweptMask& mask);
+  void add_segment(const WalkSegment& w, std::uint32_t id);
   void link_pieces(const ReducedConvolution& convolution);
 
   const OperandPair& base_;

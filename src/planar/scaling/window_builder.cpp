@@ -26,6 +26,7 @@ constexpr std::uint32_t kMaskFrom = 300;  // segments from which a mask pays
 
 const ReducedConvolution& WindowBuilder::convolution_for(double low, double high) {
   if (convolution_ != nullptr && low >= fill_low_ && high <= fill_high_) return *convolution_;
+  memory_.clear();
   const auto& [p, q] = base_->operands;
   const Lattice& lattice = *base_->lattice;
   const bool holes = has_holes(p) || has_holes(q);
@@ -98,6 +99,7 @@ std::unique_ptr<Window> WindowBuilder::frames(double low, double high, double at
   const ReducedConvolution& convolution = convolution_for(low, high);
   WindowSettings settings = with_grid(settings_for(exact::exact_value(low), exact::exact_value(high), at));
   settings.most_pairs = most_pairs;
+  settings.memory = &memory_;
   return std::make_unique<Window>(*base_, convolution, settings);
 }
 

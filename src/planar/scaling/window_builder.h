@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "exact/big.h"
-#include "planar/scaling/window.h"
+#include "planar/scaling/cover_memory.h"
 
 namespace dymsum::planar {
 
@@ -32,6 +32,7 @@ class WindowBuilder {
   std::array<double, 2> sizes(double s) const;
 
   std::shared_ptr<const OperandPair> base_;
+  CoverMemory memory_;  ///< of windows for frames, made from convolution_
   std::shared_ptr<const ReducedConvolution> convolution_;
   double fill_low_ = 0, fill_high_ = 0;  ///< scales for which the convolution's filled holes are right
 };

@@ -92,7 +92,7 @@ std::pair<int, int> covered_cells_and_wrong_ones(const Region& p, const Region& 
                                                 frame.moving == 1 ? multiplied(q, tau, tau).data() : q.data());
     for (int row = 1; row + 1 < g.rows; ++row)
       for (int column = 1; column + 1 < g.columns; ++column) {
-        if (!mask.covered(row, column) || mask.live(row - 1, column - 1, row + 1, column + 1) == 0) continue;
+        if (!mask.covered(row, column) || !mask.any_live(row - 1, column - 1, row + 1, column + 1)) continue;
         ++dead;
         const double rim = 8 * planar::kReach;
         bool inside = true;
