@@ -10,8 +10,7 @@ constexpr double kWidest = 1.0;  // a window covers at most so much ahead
 constexpr double kFrames = 2;    // and at least this many steps
 constexpr double kSteps = kFrames + 0.5,
                  kWidestSteps = 2.5;  // where those are so much wider than windows should be, none is tried
-constexpr double kFirst = 0.4;        // the first one, whose cost nobody knows, at most so much: to 1.5 times a scale
-constexpr double kMostFrames = 64;
+constexpr double kMostFrames = 160;
 constexpr double kLargestStep = 0.16;  // beyond it no window has been seen to pay
 constexpr double kNarrowest = 1e-6;
 constexpr double kTooExpensive =
@@ -100,7 +99,7 @@ WindowController::Choice WindowController::choose(double step, double widest, Fr
     if (served > 0 && last_cost_ > 0.7 * static_cost_ && ++windows_since_ % 4 == 0) return {};
     if (rest_ > 0 && size > 0.5 * bad_step_) return {};
   }
-  if (compared_ == 0) frames_ahead_ = std::clamp(kFirst / size, kFrames, frames_ahead_);
+  if (compared_ == 0) frames_ahead_ = std::clamp(first_width_ / size, kFrames, frames_ahead_);
   const double wide = std::min(frames_ahead_ * size, std::max(widest, kSteps * size));
   const double ahead = std::clamp(wide, kNarrowest, kWidest), behind = std::max(0.02 * size, kNarrowest);
   return step >= 0 ? Choice{true, std::min(behind, ahead), ahead} : Choice{true, ahead, std::min(behind, ahead)};

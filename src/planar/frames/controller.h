@@ -11,8 +11,9 @@ namespace dymsum::planar {
 /// Steps and widths are natural logarithms of scales, or angles.
 class WindowController {
  public:
-  /// The first window covers so many steps ahead, where that is not wider than windows should be.
-  explicit WindowController(double first_frames = 6) : frames_ahead_(first_frames) {}
+  WindowController() = default;
+  /// The first window, whose cost nobody knows, covers at most so many steps ahead, and at most `first_width`.
+  WindowController(double first_frames, double first_width) : frames_ahead_(first_frames), first_width_(first_width) {}
 
   struct Choice {
     bool window = false;
@@ -38,8 +39,9 @@ class WindowController {
   void close_window();
   void rest(double step);
 
+  double first_width_ = 0.4;
   double static_cost_ = 0;
-  double frames_ahead_;      ///< how many steps a window covers ahead
+  double frames_ahead_ = 6;  ///< how many steps a window covers ahead
   double factor_ = 1.5;      ///< what that was last multiplied by
   double last_cost_ = 0;     ///< a frame of the last window, with its share of the building
   double compared_ = 0;      ///< the same less what was forgiven

@@ -1,67 +1,45 @@
-// What windows before found out about crossings inside the sum: most pairs of segments that cross in one window cross
-// in the next one too, and mostly the same edges cover them.
+// What windows before found out about crossings inside the sum: the edges that covered one crossing of a segment often
+// cover the next one, in this window or a later one.
 #pragma once
 
-#include <bit>
+#include <array>
 #include <cstdint>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "planar/scaling/edge_search.h"
 
 namespace dymsum::planar {
 
-/// By pairs of segments, named by their ids in one convolution. What is remembered decides nothing: edges are asked
-/// again whether they cross, and a crossing that is not known to be covered only costs.
+/// By segments, named by their ids in one convolution. What is remembered decides nothing: edges are asked again
+/// whether they cross.
 class CoverMemory {
  public:
-  struct Known {
-    std::uint64_t pair = kFree;
-    CrossingEdges edges{};    ///< that covered it, where `vain` is 0
-    std::uint32_t vain = 0;   ///< how often it was asked about since a search in vain, counting that one
-  };
-  /// What is known of a pair; what is asked about for the first time is free to be filled in.
-  Known& at(std::uint32_t a, std::uint32_t b) {
-    if (2 * (used_ + 1) > slots_.size()) grow();
-    const std::uint64_t pair = a < b ? std::uint64_t{a} << 32 | b : std::uint64_t{b} << 32 | a;
-    Known& known = slots_[find(pair)];
-    if (known.pair == kFree) {
-      known.pair = pair;
-      ++used_;
-      known.vain = kNew;
-    }
-    return known;
+  /// Forgets everything; for a convolution with so many segments.
+  void reset(std::uint32_t segments) { of_.assign(segments, {}); }
+  std::size_t bytes() const { return of_.capacity() * sizeof(Covers); }
+
+  /// Whether edges that are remembered for one of two segments cross at both places.
+  bool covers(std::uint32_t a, std::uint32_t b, const EdgeSearch& search, const EdgeSearch::Place& from,
+              const EdgeSearch::Place& to) {
+    for (std::size_t k = 0; k < 2; ++k)
+      for (const std::uint32_t segment : {a, b}) {
+        Covers& known = of_[segment];
+        if (known[k][0] == kNone || !search.cross(known[k], from, to)) continue;
+        if (k > 0) std::swap(known[0], known[1]);
+        return true;
+      }
+    return false;
   }
-  static constexpr std::uint32_t kNew = 0xffffffff;  ///< in `vain`: nothing is known yet
-  void clear() {
-    slots_.clear();
-    used_ = 0;
-  }
-  std::size_t bytes() const { return slots_.capacity() * sizeof(Known); }
+  void remember(std::uint32_t segment, const CrossingEdges& edges) { of_[segment] = {edges, of_[segment][0]}; }
 
  private:
-  static constexpr std::uint64_t kFree = ~std::uint64_t{0};
-  static constexpr std::size_t kLeast = 1024, kMost = std::size_t{1} << 18;
-
-  std::size_t find(std::uint64_t pair) const {
-    std::size_t at = (pair * 0x9e3779b97f4a7c15u >> 20) & (slots_.size() - 1);
-    while (slots_[at].pair != kFree && slots_[at].pair != pair) at = (at + 1) & (slots_.size() - 1);
-    return at;
-  }
-  // Beyond kMost everything is forgotten: what windows far away knew serves nobody.
-  void grow() {
-    std::vector<Known> before(slots_.size() >= kMost ? kLeast : std::max(kLeast, 2 * slots_.size()));
-    before.swap(slots_);
-    used_ = 0;
-    if (before.size() >= kMost) return;
-    for (const Known& known : before)
-      if (known.pair != kFree) {
-        slots_[find(known.pair)] = known;
-        ++used_;
-      }
-  }
-
-  std::vector<Known> slots_;
-  std::size_t used_ = 0;
+  struct Covers : std::array<CrossingEdges, 2> {  // the last one first
+    Covers() : array{CrossingEdges{kNone, kNone}, CrossingEdges{kNone, kNone}} {}
+    Covers(const CrossingEdges& last, const CrossingEdges& before) : array{last, before} {}
+  };
+  std::vector<Covers> of_;
 };
 
 }  // namespace dymsum::planar

@@ -16,10 +16,6 @@ namespace {
 
 constexpr double kCheapWindow = 4000;  // some milliseconds to build: no window as cheap as that is abandoned
 
-// What building a window counts when frames are compared: less than whole, as it makes few frames late and all the
-// others faster.
-constexpr double kLate = 0.65;
-
 }  // namespace
 
 PlacedPair ScalingSum::State::placed() const {
@@ -92,7 +88,7 @@ double ScalingSum::State::cost_of(const FrameWork& done) {
 }
 
 MovingSum::WindowCost ScalingSum::State::cost_of_window() const {
-  return {kLate * planar::cost_of_window(*frames_->window, frames_->convolution->size()), 0};
+  return {planar::cost_of_window(*frames_->window, frames_->convolution->size()), 0};
 }
 
 Result<FrameChanges> ScalingSum::State::move_to(const Scale& x, const Scale& y) {

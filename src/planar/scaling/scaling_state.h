@@ -13,7 +13,9 @@ namespace dymsum {
 class ScalingSum::State final : public planar::MovingSum {
  public:
   State(std::shared_ptr<const planar::OperandPair> base, MovingOptions options)
-      : MovingSum(std::move(options)), base(base), windows(std::move(base)) {}
+      : MovingSum(std::move(options)), base(base), windows(std::move(base)) {
+    controller_ = planar::WindowController(kFirstFrames, kFirstWidth);
+  }
 
   /// Moves to diag(x, y). Changes nothing on an error.
   Result<FrameChanges> move_to(const Scale& x, const Scale& y);
@@ -22,7 +24,10 @@ class ScalingSum::State final : public planar::MovingSum {
   planar::WindowBuilder windows;
   Scale scale, scale_y;
 
+
  private:
+  /// Of the first window: where steps are small it is not narrower for that, as building costs nearly as much.
+  static constexpr double kFirstFrames = 160, kFirstWidth = 0.12;
   /// What frames inside the window look at.
   struct Frames {
     double low = 0, high = 0;  ///< scales the window covers

@@ -26,7 +26,6 @@ constexpr std::uint32_t kMaskFrom = 300;  // segments from which a mask pays
 
 const ReducedConvolution& WindowBuilder::convolution_for(double low, double high) {
   if (convolution_ != nullptr && low >= fill_low_ && high <= fill_high_) return *convolution_;
-  memory_.clear();
   const auto& [p, q] = base_->operands;
   const Lattice& lattice = *base_->lattice;
   const bool holes = has_holes(p) || has_holes(q);
@@ -34,6 +33,7 @@ const ReducedConvolution& WindowBuilder::convolution_for(double low, double high
   fill_high_ = holes ? high * 1.5 : INFINITY;
   if (!holes) {
     convolution_ = std::make_shared<ReducedConvolution>(lattice, p, q);
+    memory_.reset(convolution_->size());
     return *convolution_;
   }
   const auto lattice_at = [&](double s) {
@@ -43,6 +43,7 @@ const ReducedConvolution& WindowBuilder::convolution_for(double low, double high
   const auto at_low = lattice_at(fill_low_), at_high = lattice_at(fill_high_);
   const FillLattice fill(lattice, *at_low, *at_high, base_->moved);
   convolution_ = std::make_shared<ReducedConvolution>(fill, p, q);
+  memory_.reset(convolution_->size());
   return *convolution_;
 }
 

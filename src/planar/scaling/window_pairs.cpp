@@ -15,9 +15,6 @@ namespace {
 /// Crossings known worse than this are left to exact signs at every scale. Any value is right.
 constexpr double kKnownShare = 0x1p-8;
 
-/// A pair whose crossing no edges covered is looked at again after so many windows. Any value is right.
-constexpr std::uint32_t kWindowsSpared = 4;
-
 /// What a piece sweeps lies in its box, some of a cell wider than it; in cells of the mask.
 struct PieceBox {
   int row0, column0, row1, column1;
@@ -79,7 +76,6 @@ class PairTests {
   void test(std::uint32_t i, std::uint32_t j);
   bool dead_throughout(const Candidate& c) const;
   bool covered_throughout(const Candidate& c) const;
-  bool covered_as_before(CoverMemory::Known& known, const EdgeSearch::Place& from, const EdgeSearch::Place& to) const;
   void test_parallel(Candidate c);
   void solve(Candidate& c) const;
 
@@ -183,21 +179,12 @@ bool PairTests::covered_throughout(const Candidate& c) const {
   const EdgeSearch::Place from = at(std::max(c.out_low, swept_.tau0)), to = at(std::min(c.out_high, swept_.tau1));
   if (search_.memory == nullptr) return search_.edges->find_or_spare(from, to).has_value();
   const LiveSegment& b = window_.segments[window_.pieces[c.b].segment];
-  return covered_as_before(search_.memory->at(a.id, b.id), from, to);
-}
-
-// By the edges that covered it in a window before. What was looked for in vain is not looked for in every window.
-bool PairTests::covered_as_before(CoverMemory::Known& known, const EdgeSearch::Place& from,
-                                  const EdgeSearch::Place& to) const {
-  if (known.vain == 0 && search_.edges->cross(known.edges, from, to)) return true;
-  if (known.vain != 0 && known.vain < kWindowsSpared) {
-    ++known.vain;
-    return false;
-  }
+  if (search_.memory->covers(a.id, b.id, *search_.edges, from, to)) return true;
   const std::optional<CrossingEdges> edges = search_.edges->find_or_spare(from, to);
-  known.vain = edges ? 0 : 1;
-  if (edges) known.edges = *edges;
-  return edges.has_value();
+  if (!edges) return false;
+  search_.memory->remember(a.id, *edges);
+  search_.memory->remember(b.id, *edges);
+  return true;
 }
 
 // Parallel pieces can touch where their lines coincide.
