@@ -56,6 +56,7 @@ void WindowController::built(double cost, double forgiven) {
   spent_ = static_cost_ > 0 ? std::min(cost, kMostOfWindow * static_cost_) : cost;
   forgiven_ = std::min(forgiven, spent_);
   served_ = 1;
+  counts_ = true;
 }
 
 void WindowController::abandoned(double step) {
@@ -72,9 +73,20 @@ void WindowController::rest(double step) {
 
 double WindowController::most_expensive_building() const { return kMostOfBuilding * static_cost_; }
 
+void WindowController::returned() {
+  close_window();
+  counts_ = false;
+}
+
 void WindowController::updated(double cost) {
+  if (!counts_) return;
   spent_ += static_cost_ > 0 ? std::min(cost, kMostOfFrame * static_cost_) : cost;
   ++served_;
+}
+
+double WindowController::width(double step, double widest) const {
+  const double size = std::abs(step);
+  return std::clamp(std::min(frames_ahead_ * size, std::max(widest, kSteps * size)), kNarrowest, kWidest);
 }
 
 WindowController::Choice WindowController::choose(double step, double widest, FrameMode mode, double window) {
@@ -100,8 +112,7 @@ WindowController::Choice WindowController::choose(double step, double widest, Fr
     if (rest_ > 0 && size > 0.5 * bad_step_) return {};
   }
   if (compared_ == 0) frames_ahead_ = std::clamp(first_width_ / size, kFrames, frames_ahead_);
-  const double wide = std::min(frames_ahead_ * size, std::max(widest, kSteps * size));
-  const double ahead = std::clamp(wide, kNarrowest, kWidest), behind = std::max(0.02 * size, kNarrowest);
+  const double ahead = width(step, widest), behind = std::max(0.02 * size, kNarrowest);
   return step >= 0 ? Choice{true, std::min(behind, ahead), ahead} : Choice{true, ahead, std::min(behind, ahead)};
 }
 

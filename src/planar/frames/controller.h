@@ -33,19 +33,26 @@ class WindowController {
   void abandoned(double step);
   /// Whether frames inside the window have been more expensive than from scratch three times in a row.
   bool give_up(double cost);
+  /// Frames go on in a window that was built before: what they cost tells nothing of how wide windows should be.
+  void returned();
+  /// Frames go on in a window that was made ahead; built() tells what it cost.
+  void entered() { close_window(); }
+  /// How wide the next window should be, `step` after step.
+  double width(double step, double widest) const;
   void updated(double cost);
 
  private:
   void close_window();
   void rest(double step);
 
-  double first_width_ = 0.4;
   double static_cost_ = 0;
   double frames_ahead_ = 6;  ///< how many steps a window covers ahead
+  double first_width_ = 0.4;
   double factor_ = 1.5;      ///< what that was last multiplied by
   double last_cost_ = 0;     ///< a frame of the last window, with its share of the building
   double compared_ = 0;      ///< the same less what was forgiven
   double spent_ = 0, forgiven_ = 0;
+  bool counts_ = false;       ///< frames are of the window that was built last
   std::uint64_t served_ = 0;  ///< frames of the open window
   double recent_ = 0;         ///< the largest recent step, fading
   int expensive_ = 0;

@@ -16,8 +16,8 @@ namespace dymsum::planar {
 /// whether they cross.
 class CoverMemory {
  public:
-  /// Forgets everything; for a convolution with so many segments.
-  void reset(std::uint32_t segments) { of_.assign(segments, {}); }
+  /// Of a convolution with so many segments.
+  explicit CoverMemory(std::uint32_t segments) : of_(segments) {}
   std::size_t bytes() const { return of_.capacity() * sizeof(Covers); }
 
   /// Whether edges that are remembered for one of two segments cross at both places.

@@ -35,8 +35,9 @@ Window::Window(const OperandPair& base, const ReducedConvolution& convolution, c
   const std::vector<PieceEnds> ends = cut_pieces(*this, swept, mask);
   EdgeSearch search(*this);
   const auto touch_pairs =
-      find_candidates(*this, swept, mask, ends, settings.most_pairs, {settings.covers ? &search : nullptr, settings.memory});
-  abandoned = !touch_pairs;
+      find_candidates(*this, swept, mask, ends, settings.most_pairs, settings.stop,
+                      {settings.covers ? &search : nullptr, settings.memory});
+  abandoned = !touch_pairs || settings.stop.stop_requested();
   if (abandoned) return;
   make_nodes(*this, *touch_pairs);
   if (settings.covers) drop_covered_nodes(*this, swept);

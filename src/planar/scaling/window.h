@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
 #include "base/two_lanes.h"
@@ -101,6 +102,7 @@ struct WindowSettings {
   bool covers = true;  ///< leave out crossings and nodes that two edges prove covered while they exist
   std::uint64_t most_pairs = UINT64_MAX;  ///< the window is abandoned when more boxes of pieces meet
   CoverMemory* memory = nullptr;          ///< of windows of the same convolution
+  std::stop_token stop;  ///< the window is abandoned when that is asked for
   double shrink = 1;  ///< tests: sweep masks and pairs over this share of the window only; less than 1 is wrong
 };
 
@@ -137,7 +139,7 @@ class Window : public CandidateIndex {
   }
   Pair exact(WalkPair v) const { return {base_.operands[0].source[v.p], base_.operands[1].source[v.q]}; }
   std::uint64_t pair_tests = 0;
-  bool abandoned = false;  ///< more pairs than allowed: nothing here is to be used
+  bool abandoned = false;  ///< more pairs than allowed, or stopped: nothing here is to be used
   std::size_t bytes() const;
 
  private:

@@ -69,7 +69,7 @@ class PairTests {
         search_(search),
         always_on_(window),
         touches_(window, always_on_) {}
-  bool run(const std::vector<PieceEnds>& ends, std::uint64_t most_pairs);
+  bool run(const std::vector<PieceEnds>& ends, std::uint64_t most_pairs, const std::stop_token& stop);
   const std::vector<WalkPair>& touch_pairs() const { return touches_.pairs(); }
 
  private:
@@ -88,7 +88,7 @@ class PairTests {
 };
 
 // Pieces meet in what their boxes share; where all of that is dead nothing matters.
-bool PairTests::run(const std::vector<PieceEnds>& ends, std::uint64_t most_pairs) {
+bool PairTests::run(const std::vector<PieceEnds>& ends, std::uint64_t most_pairs, const std::stop_token& stop) {
   PiecePairs close;
   const PieceBoxes boxes(ends, mask_.grid());
   Scratch memory;
@@ -104,14 +104,18 @@ bool PairTests::run(const std::vector<PieceEnds>& ends, std::uint64_t most_pairs
   sweep_boxes(
       std::span<const BoxQuanta>(boxes.quanta), &memory,
       [&](std::uint32_t, std::uint32_t) {
-        return [go_on = window_.pair_tests <= most_pairs](std::uint32_t) { return go_on; };
+        const bool go_on = window_.pair_tests <= most_pairs && !stop.stop_requested();
+        return [go_on](std::uint32_t) { return go_on; };
       },
       [&](std::uint32_t i, std::span<const std::uint32_t> others) {
         for (const std::uint32_t j : others) meet(i, j);
       });
-  if (window_.pair_tests > most_pairs) return false;
+  if (window_.pair_tests > most_pairs || stop.stop_requested()) return false;
   share_lines(window_, always_on_, close);
-  for (const auto& [i, j] : close) test(i, j);
+  for (const auto& [i, j] : close) {
+    if (stop.stop_requested()) return false;
+    test(i, j);
+  }
   return true;
 }
 
@@ -229,9 +233,9 @@ void PairTests::solve(Candidate& c) const {
 
 std::optional<std::vector<WalkPair>> find_candidates(Window& window, const WindowFrame& swept, const SweptMask& mask,
                                                      const std::vector<PieceEnds>& ends, std::uint64_t most_pairs,
-                                                     const CoverSearch& search) {
+                                                     const std::stop_token& stop, const CoverSearch& search) {
   PairTests tests(window, swept, mask, search);
-  if (!tests.run(ends, most_pairs)) return std::nullopt;
+  if (!tests.run(ends, most_pairs, stop)) return std::nullopt;
   return tests.touch_pairs();
 }
 
