@@ -93,6 +93,7 @@ WindowController::Choice WindowController::choose(double step, double widest, Fr
   const double size = std::abs(step);
   if (mode == FrameMode::rebuild) return {};
   if (window > 0) return {true, 0.1 * window, window};
+  if (size == 0 && mode == FrameMode::automatic) return {};  // nobody knows where the motion goes
   // Large steps are remembered for a while: among random jumps a small one is no sweep.
   recent_ = std::max(size, 0.8 * recent_);
   const std::uint64_t served = served_;
