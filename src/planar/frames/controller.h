@@ -12,8 +12,10 @@ namespace dymsum::planar {
 class WindowController {
  public:
   WindowController() = default;
-  /// The first window, whose cost nobody knows, covers at most so many steps ahead, and at most `first_width`.
-  WindowController(double first_frames, double first_width) : frames_ahead_(first_frames), first_width_(first_width) {}
+  /// The first window, whose cost nobody knows, covers at most so many steps ahead, and at most `first_width`; the next
+  /// ones `factor` times as many or fewer.
+  WindowController(double first_frames, double first_width, double factor)
+      : frames_ahead_(first_frames), first_width_(first_width), factor_(factor) {}
 
   struct Choice {
     bool window = false;
@@ -48,9 +50,9 @@ class WindowController {
   double static_cost_ = 0;
   double frames_ahead_ = 6;  ///< how many steps a window covers ahead
   double first_width_ = 0.4;
-  double factor_ = 1.5;      ///< what that was last multiplied by
-  double last_cost_ = 0;     ///< a frame of the last window, with its share of the building
-  double compared_ = 0;      ///< the same less what was forgiven
+  double factor_ = 1.5;   ///< what that was last multiplied by
+  double last_cost_ = 0;  ///< a frame of the last window, with its share of the building
+  double compared_ = 0;   ///< the same less what was forgiven
   double spent_ = 0, forgiven_ = 0;
   bool counts_ = false;       ///< frames are of the window that was built last
   std::uint64_t served_ = 0;  ///< frames of the open window

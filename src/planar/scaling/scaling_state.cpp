@@ -26,8 +26,7 @@ PlacedPair ScalingSum::State::placed() const {
 WindowPlan ScalingSum::State::plan(double low, double high, double at) {
   const std::uint32_t all = windows.convolution_for(low, high).size();
   const double most = chooses() ? controller_.most_expensive_building() : 0;
-  return windows.plan(low, high, at,
-                      most > 0 ? pairs_of_window(std::max(most, kCheapWindow), all) : UINT64_MAX);
+  return windows.plan(low, high, at, most > 0 ? pairs_of_window(std::max(most, kCheapWindow), all) : UINT64_MAX);
 }
 
 // It reaches back to the old position: for who comes back, and for steps that go to and fro.

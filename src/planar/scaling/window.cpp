@@ -34,9 +34,8 @@ Window::Window(const OperandPair& base, const ReducedConvolution& convolution, c
   add_live(convolution, swept, mask);
   const std::vector<PieceEnds> ends = cut_pieces(*this, swept, mask);
   EdgeSearch search(*this);
-  const auto touch_pairs =
-      find_candidates(*this, swept, mask, ends, settings.most_pairs, settings.stop,
-                      {settings.covers ? &search : nullptr, settings.memory});
+  const auto touch_pairs = find_candidates(*this, swept, mask, ends, settings.most_pairs, settings.stop,
+                                           {settings.covers ? &search : nullptr, settings.memory});
   abandoned = !touch_pairs || settings.stop.stop_requested();
   if (abandoned) return;
   make_nodes(*this, *touch_pairs);
@@ -52,7 +51,11 @@ Segment Window::exact(std::uint32_t s) const {
 
 std::size_t Window::bytes() const {
   return segments.capacity() * sizeof(LiveSegment) + pieces.capacity() * (sizeof(Piece) + sizeof(PieceEnds)) +
-         candidates.capacity() * sizeof(Candidate) + (first_of.capacity() + of.capacity() + live.capacity()) * 4;
+         candidates.capacity() * sizeof(Candidate) + touches.capacity() * sizeof(PersistentTouch) +
+         nodes.capacity() * sizeof(PersistentNode) + rays.capacity() * sizeof(PersistentNode::Ray) +
+         (folds.capacity() + touching.capacity()) * 8 +
+         (first_touch.capacity() + head_ray.capacity() + tail_ray.capacity() + node_of_ray.capacity()) * 4 +
+         (first_of.capacity() + of.capacity() + live.capacity()) * 4;
 }
 
 namespace {
@@ -77,8 +80,8 @@ struct SweptBoxes {
                        y = moves ? tau * o.y[i] + swept.shift_y(tau) : o.y[i];
           b = {std::min(b.row0, y), std::min(b.column0, x), std::max(b.row1, y), std::max(b.column1, x)};
         }
-      boxes.push_back({b.row0 * grid.per_cell, b.column0 * grid.per_cell, b.row1 * grid.per_cell,
-                       b.column1 * grid.per_cell});
+      boxes.push_back(
+          {b.row0 * grid.per_cell, b.column0 * grid.per_cell, b.row1 * grid.per_cell, b.column1 * grid.per_cell});
     }
   }
   std::vector<Box> boxes;

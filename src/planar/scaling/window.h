@@ -33,9 +33,9 @@ struct Linear {
 struct LiveSegment {
   WalkSegment walk;
   std::uint32_t id;  ///< in the convolution
-  Linear x, y;    ///< where it starts
-  double dx, dy;  ///< the unscaled edge vector
-  bool moving;    ///< an edge of the moving operand: its length is tau, otherwise 1
+  Linear x, y;       ///< where it starts
+  double dx, dy;     ///< the unscaled edge vector
+  bool moving;       ///< an edge of the moving operand: its length is tau, otherwise 1
   WalkPair start, end;
   Contact contact;
   std::uint32_t first_piece = 0, last_piece = 0;  ///< its pieces [first_piece, last_piece)
@@ -102,7 +102,7 @@ struct WindowSettings {
   bool covers = true;  ///< leave out crossings and nodes that two edges prove covered while they exist
   std::uint64_t most_pairs = UINT64_MAX;  ///< the window is abandoned when more boxes of pieces meet
   CoverMemory* memory = nullptr;          ///< of windows of the same convolution
-  std::stop_token stop;  ///< the window is abandoned when that is asked for
+  std::stop_token stop;                   ///< the window is abandoned when that is asked for
   double shrink = 1;  ///< tests: sweep masks and pairs over this share of the window only; less than 1 is wrong
 };
 

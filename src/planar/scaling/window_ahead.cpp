@@ -1,5 +1,6 @@
 #include "planar/scaling/window_ahead.h"
 
+#include <new>
 #include <utility>
 
 namespace dymsum::planar {
@@ -8,13 +9,17 @@ void WindowAhead::start(WindowPlan plan, std::shared_ptr<const OperandPair> base
   ready_ = false;
   thread_ = std::jthread([this, plan = std::move(plan), base = std::move(base), entry](std::stop_token stop) mutable {
     plan.settings.stop = stop;
-    std::unique_ptr<WindowFrames> frames = window_frames(*base, plan);
-    if (frames != nullptr && !stop.stop_requested()) {
-      ExactFrame frame(base, scale_value(entry));
-      FrameWork work;
-      frames->follow(frame, work);
+    try {
+      std::unique_ptr<WindowFrames> frames = window_frames(*base, plan);
+      if (frames != nullptr && !stop.stop_requested()) {
+        ExactFrame frame(base, scale_value(entry));
+        FrameWork work;
+        frames->follow(frame, work);
+      }
+      frames_ = std::move(frames);
+    } catch (const std::bad_alloc&) {
+      // Then there is no window, as where it would cost too much.
     }
-    frames_ = std::move(frames);
     ready_.store(true, std::memory_order_release);
   });
 }

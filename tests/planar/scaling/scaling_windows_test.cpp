@@ -124,11 +124,11 @@ class Steps {
       step_ = 1 + random_.below(80);
     }
     const long sign = random_.chance(50) ? 1 : -1;
-    if (kind_ == 0) at_ += random_.below(5) - 2;                      // tiny, or none
-    else if (kind_ == 1) at_ = 2048 + random_.below(10000);           // anywhere
-    else if (kind_ == 2) at_ += (left_ % 2 == 0 ? 1 : -1) * step_;    // to and fro
-    else if (kind_ == 3) at_ += step_;                                // a sweep
-    else at_ += sign * random_.below(300);                            // wild
+    if (kind_ == 0) at_ += random_.below(5) - 2;                    // tiny, or none
+    else if (kind_ == 1) at_ = 2048 + random_.below(10000);         // anywhere
+    else if (kind_ == 2) at_ += (left_ % 2 == 0 ? 1 : -1) * step_;  // to and fro
+    else if (kind_ == 3) at_ += step_;                              // a sweep
+    else at_ += sign * random_.below(300);                          // wild
     at_ = std::clamp(at_, 1024L, 20000L);
     return at_;
   }
