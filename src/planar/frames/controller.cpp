@@ -64,10 +64,11 @@ void WindowController::abandoned(double step) {
   rest(step);
 }
 
-void WindowController::rest(double step) {
+// `lost`: so many frames from scratch would have been made in the time that windows took besides.
+void WindowController::rest(double step, double lost) {
   const double size = std::abs(step);
   bad_step_ = bad_step_ == 0 ? size : std::min(bad_step_, size);
-  rest_ = backoff_;
+  rest_ = std::max(backoff_, std::min(kLongestRest, static_cast<std::uint64_t>(payback_ * lost)));
   backoff_ = std::min<std::uint64_t>(2 * backoff_, kLongestRest);
 }
 
@@ -102,7 +103,7 @@ WindowController::Choice WindowController::choose(double step, double widest, Fr
     // A window that cost more a frame than computing from scratch: leave it for a while, or until steps get much
     // smaller.
     if (served > 0 && last_cost_ > kTooExpensive * static_cost_) {
-      rest(step);
+      rest(step, static_cast<double>(served) * (last_cost_ / static_cost_ - 1));
     } else if (served > 0) {
       bad_step_ = 0;
       backoff_ = 8;

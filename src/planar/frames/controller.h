@@ -13,9 +13,10 @@ class WindowController {
  public:
   WindowController() = default;
   /// The first window, whose cost nobody knows, covers at most so many steps ahead, and at most `first_width`; the next
-  /// ones `factor` times as many or fewer.
-  WindowController(double first_frames, double first_width, double factor)
-      : frames_ahead_(first_frames), first_width_(first_width), factor_(factor) {}
+  /// ones `factor` times as many or fewer. What windows cost more than frames from scratch, these have to make up for
+  /// by `payback` times as many before another one is tried.
+  WindowController(double first_frames, double first_width, double factor, double payback)
+      : frames_ahead_(first_frames), first_width_(first_width), factor_(factor), payback_(payback) {}
 
   struct Choice {
     bool window = false;
@@ -45,7 +46,7 @@ class WindowController {
 
  private:
   void close_window();
-  void rest(double step);
+  void rest(double step, double lost = 0);
 
   double static_cost_ = 0;
   double frames_ahead_ = 6;  ///< how many steps a window covers ahead
@@ -57,6 +58,7 @@ class WindowController {
   bool counts_ = false;       ///< frames are of the window that was built last
   std::uint64_t served_ = 0;  ///< frames of the open window
   double recent_ = 0;         ///< the largest recent step, fading
+  double payback_ = 0;
   int expensive_ = 0;
   std::uint64_t windows_since_ = 0;
   double bad_step_ = 0;                   ///< windows did not pay at this step

@@ -29,9 +29,10 @@ WindowPlan ScalingSum::State::plan(double low, double high, double at) {
   return windows.plan(low, high, at, most > 0 ? pairs_of_window(std::max(most, kCheapWindow), all) : UINT64_MAX);
 }
 
-// It reaches back to the old position: for who comes back, and for steps that go to and fro.
+// It reaches back to the old position, for who comes back and for steps that go to and fro; but not to one where much
+// touched, as where an operand is summed with itself at s = 1.
 WindowPlan ScalingSum::State::plan_from(const Move& move, const WindowController::Choice& reach) {
-  const double at = x_.approx, back = std::min(std::abs(move.step), kWidestStep);
+  const double at = x_.approx, back = sum.stats.degenerate_nodes > 0 ? 0 : std::min(std::abs(move.step), kWidestStep);
   const double behind = move.step > 0 ? std::max(reach.behind, back + kBeyond) : reach.behind,
                ahead = move.step < 0 ? std::max(reach.ahead, back + kBeyond) : reach.ahead;
   return plan(at * std::exp(-behind), at * std::exp(ahead), at);

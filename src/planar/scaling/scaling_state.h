@@ -15,7 +15,7 @@ class ScalingSum::State final : public planar::MovingSum {
  public:
   State(std::shared_ptr<const planar::OperandPair> base, MovingOptions options)
       : MovingSum(std::move(options)), base(base), windows(std::move(base)) {
-    controller_ = planar::WindowController(kFirstFrames, kFirstWidth, kFactor);
+    controller_ = planar::WindowController(kFirstFrames, kFirstWidth, kFactor, kPayback);
   }
 
   /// Moves to diag(x, y). Changes nothing on an error.
@@ -30,7 +30,7 @@ class ScalingSum::State final : public planar::MovingSum {
 
  private:
   /// Of the first window: where steps are small it is not narrower for that, as building costs nearly as much.
-  static constexpr double kFirstFrames = 160, kFirstWidth = 0.12, kFactor = 1.2;
+  static constexpr double kFirstFrames = 160, kFirstWidth = 0.12, kFactor = 1.2, kPayback = 8;
 
   planar::PlacedPair placed() const override;
   bool awaits_window(const Move& move) const override;
