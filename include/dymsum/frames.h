@@ -14,9 +14,9 @@ namespace dymsum {
 enum class MovingOperand : std::uint8_t { p, q };
 
 /// How frames are made. automatic: the controller chooses between the two by what they have cost, with hysteresis.
-/// Building a window counts less than whole, as it makes few frames late and most of them many times cheaper: where
-/// steps are large a whole sweep can take up to twice as long as with `rebuild`. Costs are counted work, not time:
-/// every run makes the same choices. All give the identical sum.
+/// A RotatingSum counts building a window less than whole, as it makes few frames late and most of them many times
+/// cheaper: where steps are large a whole sweep can take up to twice as long as with `rebuild`. Costs are counted work,
+/// not time: every run makes the same choices. All give the identical sum.
 enum class FrameMode : std::uint8_t {
   automatic,
   window,   ///< always update inside windows, however short they live
@@ -31,6 +31,13 @@ struct MovingOptions {
   /// How far windows reach ahead: relative to the scale (0.05: from s to 1.05 s), or in radians; 0: chosen by the
   /// controller.
   double window = 0;
+  /// Windows that a ScalingSum has left are kept in at most so many bytes, the least recently used ones going first:
+  /// coming back costs frames, no windows. 0: none is kept.
+  std::uint64_t kept_window_bytes = std::uint64_t{64} << 20;
+  /// With two or more, a ScalingSum whose frames are made automatically makes its windows ahead on a thread of its own,
+  /// and no frame waits for one: until it is ready frames are computed from scratch. The sums are the same; which
+  /// frames were rebuilt, and the rest of FrameWork, then depend on time. Other modes make no windows ahead.
+  int threads = 1;
   ForcedTier forced_tier;
   Progress progress;  ///< asked before a window is built and between stages of a rebuild, see progress.h
 };
@@ -38,7 +45,7 @@ struct MovingOptions {
 /// The work of one frame.
 struct FrameWork {
   bool rebuilt = false;                 ///< computed from scratch, without a window
-  bool new_window = false;              ///< a window was built
+  bool new_window = false;              ///< the first frame of a window that was built for it, or ahead
   bool degenerate = false;              ///< something touches at this very scale or angle: no update could serve
   std::uint64_t pieces = 0;             ///< pieces of segments that are live in the window
   std::uint64_t candidates = 0;         ///< pairs of pieces that may meet in the window where it is not proved covered

@@ -53,6 +53,7 @@ Result<std::vector<CopySum>> scaled_copies(const Region& master, const Region& q
                                            const MovingOptions& options) {
   MovingOptions scaling = options;
   scaling.moving = MovingOperand::p;
+  scaling.kept_window_bytes = 0;  // scales ascend
   Result<std::shared_ptr<const planar::OperandPair>> base = planar::pair_of_regions(master, q, scaling);
   if (!base) return base.error();
   planar::ScalingState state(std::move(base).value(), scaling);

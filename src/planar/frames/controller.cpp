@@ -10,8 +10,7 @@ constexpr double kWidest = 1.0;  // a window covers at most so much ahead
 constexpr double kFrames = 2;    // and at least this many steps
 constexpr double kSteps = kFrames + 0.5,
                  kWidestSteps = 2.5;  // where those are so much wider than windows should be, none is tried
-constexpr double kFirst = 0.4;        // the first one, whose cost nobody knows, at most so much: to 1.5 times a scale
-constexpr double kMostFrames = 64;
+constexpr double kMostFrames = 160;
 constexpr double kLargestStep = 0.16;  // beyond it no window has been seen to pay
 constexpr double kNarrowest = 1e-6;
 constexpr double kTooExpensive =
@@ -57,6 +56,7 @@ void WindowController::built(double cost, double forgiven) {
   spent_ = static_cost_ > 0 ? std::min(cost, kMostOfWindow * static_cost_) : cost;
   forgiven_ = std::min(forgiven, spent_);
   served_ = 1;
+  counts_ = true;
 }
 
 void WindowController::abandoned(double step) {
@@ -64,24 +64,37 @@ void WindowController::abandoned(double step) {
   rest(step);
 }
 
-void WindowController::rest(double step) {
+// `lost`: so many frames from scratch would have been made in the time that windows took besides.
+void WindowController::rest(double step, double lost) {
   const double size = std::abs(step);
   bad_step_ = bad_step_ == 0 ? size : std::min(bad_step_, size);
-  rest_ = backoff_;
+  rest_ = std::max(backoff_, std::min(kLongestRest, static_cast<std::uint64_t>(payback_ * lost)));
   backoff_ = std::min<std::uint64_t>(2 * backoff_, kLongestRest);
 }
 
 double WindowController::most_expensive_building() const { return kMostOfBuilding * static_cost_; }
 
+void WindowController::returned() {
+  close_window();
+  counts_ = false;
+}
+
 void WindowController::updated(double cost) {
+  if (!counts_) return;
   spent_ += static_cost_ > 0 ? std::min(cost, kMostOfFrame * static_cost_) : cost;
   ++served_;
+}
+
+double WindowController::width(double step, double widest) const {
+  const double size = std::abs(step);
+  return std::clamp(std::min(frames_ahead_ * size, std::max(widest, kSteps * size)), kNarrowest, kWidest);
 }
 
 WindowController::Choice WindowController::choose(double step, double widest, FrameMode mode, double window) {
   const double size = std::abs(step);
   if (mode == FrameMode::rebuild) return {};
   if (window > 0) return {true, 0.1 * window, window};
+  if (size == 0 && mode == FrameMode::automatic) return {};  // nobody knows where the motion goes
   // Large steps are remembered for a while: among random jumps a small one is no sweep.
   recent_ = std::max(size, 0.8 * recent_);
   const std::uint64_t served = served_;
@@ -90,7 +103,7 @@ WindowController::Choice WindowController::choose(double step, double widest, Fr
     // A window that cost more a frame than computing from scratch: leave it for a while, or until steps get much
     // smaller.
     if (served > 0 && last_cost_ > kTooExpensive * static_cost_) {
-      rest(step);
+      rest(step, static_cast<double>(served) * (last_cost_ / static_cost_ - 1));
     } else if (served > 0) {
       bad_step_ = 0;
       backoff_ = 8;
@@ -100,9 +113,8 @@ WindowController::Choice WindowController::choose(double step, double widest, Fr
     if (served > 0 && last_cost_ > 0.7 * static_cost_ && ++windows_since_ % 4 == 0) return {};
     if (rest_ > 0 && size > 0.5 * bad_step_) return {};
   }
-  if (compared_ == 0) frames_ahead_ = std::clamp(kFirst / size, kFrames, frames_ahead_);
-  const double wide = std::min(frames_ahead_ * size, std::max(widest, kSteps * size));
-  const double ahead = std::clamp(wide, kNarrowest, kWidest), behind = std::max(0.02 * size, kNarrowest);
+  if (compared_ == 0) frames_ahead_ = std::clamp(first_width_ / size, kFrames, frames_ahead_);
+  const double ahead = width(step, widest), behind = std::max(0.02 * size, kNarrowest);
   return step >= 0 ? Choice{true, std::min(behind, ahead), ahead} : Choice{true, ahead, std::min(behind, ahead)};
 }
 

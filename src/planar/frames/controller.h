@@ -11,6 +11,13 @@ namespace dymsum::planar {
 /// Steps and widths are natural logarithms of scales, or angles.
 class WindowController {
  public:
+  WindowController() = default;
+  /// The first window, whose cost nobody knows, covers at most so many steps ahead, and at most `first_width`; the next
+  /// ones `factor` times as many or fewer. What windows cost more than frames from scratch, these have to make up for
+  /// by `payback` times as many before another one is tried.
+  WindowController(double first_frames, double first_width, double factor, double payback)
+      : frames_ahead_(first_frames), first_width_(first_width), factor_(factor), payback_(payback) {}
+
   struct Choice {
     bool window = false;
     double behind = 0, ahead = 0;  ///< how far the window reaches below and above the scale
@@ -29,20 +36,29 @@ class WindowController {
   void abandoned(double step);
   /// Whether frames inside the window have been more expensive than from scratch three times in a row.
   bool give_up(double cost);
+  /// Frames go on in a window that was built before: what they cost tells nothing of how wide windows should be.
+  void returned();
+  /// Frames go on in a window that was made ahead; built() tells what it cost.
+  void entered() { close_window(); }
+  /// How wide the next window should be, `step` after step.
+  double width(double step, double widest) const;
   void updated(double cost);
 
  private:
   void close_window();
-  void rest(double step);
+  void rest(double step, double lost = 0);
 
   double static_cost_ = 0;
   double frames_ahead_ = 6;  ///< how many steps a window covers ahead
-  double factor_ = 1.5;      ///< what that was last multiplied by
-  double last_cost_ = 0;     ///< a frame of the last window, with its share of the building
-  double compared_ = 0;      ///< the same less what was forgiven
+  double first_width_ = 0.4;
+  double factor_ = 1.5;   ///< what that was last multiplied by
+  double last_cost_ = 0;  ///< a frame of the last window, with its share of the building
+  double compared_ = 0;   ///< the same less what was forgiven
   double spent_ = 0, forgiven_ = 0;
+  bool counts_ = false;       ///< frames are of the window that was built last
   std::uint64_t served_ = 0;  ///< frames of the open window
   double recent_ = 0;         ///< the largest recent step, fading
+  double payback_ = 0;
   int expensive_ = 0;
   std::uint64_t windows_since_ = 0;
   double bad_step_ = 0;                   ///< windows did not pay at this step

@@ -31,9 +31,11 @@ Result<FrameChanges> MovingSum::move(const Move& move) {
 Result<bool> MovingSum::open_window(const Move& move, FrameWork& next_work) {
   if (!move.windows || options.mode == FrameMode::rebuild) return false;
   if (move.inside) return true;
+  if (awaits_window(move)) return false;
   const WindowController::Choice reach = controller_.choose(move.step, move.widest, options.mode, move.asked);
   if (!reach.window) return false;
   if (options.progress && !options.progress("window", 0)) return Error{ErrorCode::cancelled, "stopped on request", {}};
+  if (build_elsewhere(move, reach)) return false;
   next_work.new_window = build_window(move, reach);
   if (!next_work.new_window) controller_.abandoned(move.step);
   return next_work.new_window;
@@ -92,7 +94,7 @@ void MovingSum::charge(const FrameWork& done) {
     controller_.rebuilt(cost);
   } else {
     controller_.updated(cost);
-    if (chooses() && controller_.give_up(cost)) drop_window();
+    if (chooses() && controller_.give_up(cost)) abandon_window();
   }
 }
 

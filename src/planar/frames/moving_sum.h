@@ -59,9 +59,15 @@ class MovingSum {
  private:
   /// The operands at the new position.
   virtual PlacedPair placed() const = 0;
+  /// A window for the new position is under way elsewhere: the frame is computed from scratch.
+  virtual bool awaits_window(const Move&) const { return false; }
+  /// Whether a window that reaches so far is made elsewhere; until then frames are computed from scratch.
+  virtual bool build_elsewhere(const Move&, const WindowController::Choice&) { return false; }
   /// Makes the current window one that covers the new position. False: it would cost too much, and there is none.
   virtual bool build_window(const Move& move, const WindowController::Choice& reach) = 0;
   virtual void drop_window() = 0;
+  /// The same where frames inside it were more expensive than from scratch.
+  virtual void abandon_window() { drop_window(); }
   virtual bool has_window() const = 0;
   /// The frame at the new position inside the window; nothing where it has to be computed from scratch.
   virtual std::optional<NextFrame> window_frame(const Move& move, FrameWork& work) = 0;

@@ -159,20 +159,10 @@ class CoveredCells {
   void cover(int row, int column) { covered_.set(row, column); }
   /// Whether some cell of a rectangle is live. O(rows) for up to 64 columns; a live cell in the first rows ends it.
   bool any_live(int row0, int column0, int row1, int column1) const {
-    const int a = column0 / 64, b = column1 / 64;
-    const std::uint64_t head = ~std::uint64_t{0} << (column0 % 64), tail = ~std::uint64_t{0} >> (63 - column1 % 64);
-    for (int r = row0; r <= row1; ++r) {
-      const std::uint64_t* w = covered_.row(r);
-      if (a == b) {
-        if ((~w[a] & head & tail) != 0) return true;
-        continue;
-      }
-      if ((~w[a] & head) != 0 || (~w[b] & tail) != 0) return true;
-      for (int i = a + 1; i < b; ++i)
-        if (~w[i] != 0) return true;
-    }
-    return false;
+    return any(row0, column0, row1, column1, ~std::uint64_t{0});
   }
+  /// Whether some cell of a rectangle is covered. As expensive.
+  bool any_covered(int row0, int column0, int row1, int column1) const { return any(row0, column0, row1, column1, 0); }
   /// How many cells of a rectangle are live. O(1). Requires: the counts were made.
   std::uint32_t live(int row0, int column0, int row1, int column1) const {
     const std::size_t w = std::size_t(grid_.columns) + 1;
@@ -184,6 +174,22 @@ class CoveredCells {
 
  private:
   void count();
+  // Whether some cell of a rectangle is covered, or with `flip` all ones live.
+  bool any(int row0, int column0, int row1, int column1, std::uint64_t flip) const {
+    const int a = column0 / 64, b = column1 / 64;
+    const std::uint64_t head = ~std::uint64_t{0} << (column0 % 64), tail = ~std::uint64_t{0} >> (63 - column1 % 64);
+    for (int r = row0; r <= row1; ++r) {
+      const std::uint64_t* w = covered_.row(r);
+      if (a == b) {
+        if (((w[a] ^ flip) & head & tail) != 0) return true;
+        continue;
+      }
+      if (((w[a] ^ flip) & head) != 0 || ((w[b] ^ flip) & tail) != 0) return true;
+      for (int i = a + 1; i < b; ++i)
+        if ((w[i] ^ flip) != 0) return true;
+    }
+    return false;
+  }
 
   Grid grid_;
   Bitmap covered_;

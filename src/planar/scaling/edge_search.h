@@ -25,6 +25,10 @@ class EdgeSearch {
     double x, y, error, tau;
   };
   bool cross(const CrossingEdges& edges, const Place& at) const { return cross(edges, Way(at, at)); }
+  /// At both places, see find_or_spare().
+  bool cross(const CrossingEdges& edges, const Place& from, const Place& to) const {
+    return cross(edges, Way(from, to));
+  }
   /// Some that cross: of those that did so lately, for what covered other places often covers this one, or of all.
   /// Nothing where doubles know none, as where one operand lies in the other.
   std::optional<CrossingEdges> find(const Place& at) { return find(Way(at, at)); }

@@ -116,6 +116,7 @@ MovingOptions probe_options(MovingOptions options) {
   options.mode = FrameMode::window;
   options.window = 1.0 / 16;
   options.progress = {};
+  options.kept_window_bytes = 0;  // scales ascend
   return options;
 }
 

@@ -7,12 +7,12 @@ namespace {
 
 double of(double each, std::uint64_t n) { return each * static_cast<double>(n); }
 
-constexpr double kPairOfBoxes = 0.076;
+constexpr double kWindow = 45, kSegment = 0.06, kPairOfBoxes = 0.07, kPiece = 0.5;
 
 }  // namespace
 
 std::uint64_t pairs_of_window(double cost, std::uint32_t all) {
-  return static_cast<std::uint64_t>(std::max(0.0, cost - 70 - of(0.135, all)) / kPairOfBoxes);
+  return static_cast<std::uint64_t>(std::max(0.0, cost - kWindow - of(kSegment, all)) / kPairOfBoxes);
 }
 
 double cost_of_sum(const PlanarSum& sum) {
@@ -23,7 +23,7 @@ double cost_of_sum(const PlanarSum& sum) {
 }
 
 double cost_of_window(const Window& window, std::uint32_t all) {
-  return 70 + of(0.135, all) + of(kPairOfBoxes, window.pair_tests) + of(0.86, window.pieces.size());
+  return kWindow + of(kSegment, all) + of(kPairOfBoxes, window.pair_tests) + of(kPiece, window.pieces.size());
 }
 
 double cost_of_frame(const FrameWork& work, const PlanarSum& sum) {

@@ -14,11 +14,8 @@ using namespace planar;
 
 namespace {
 
+constexpr double kWidestStep = 0.16, kBeyond = 0x1p-30;  // longer steps are not reached back over; beyond the end
 constexpr double kCheapWindow = 4000;  // some milliseconds to build: no window as cheap as that is abandoned
-
-// What building a window counts when frames are compared: less than whole, as it makes few frames late and all the
-// others faster.
-constexpr double kLate = 0.65;
 
 }  // namespace
 
@@ -26,16 +23,25 @@ PlacedPair ScalingSum::State::placed() const {
   return base->placed_on_lattice(base->lattice_at(base->lattice_scale(x_, y_)));
 }
 
-bool ScalingSum::State::build_window(const Move&, const WindowController::Choice& reach) {
-  const double low = x_.approx * std::exp(-reach.behind), high = x_.approx * std::exp(reach.ahead);
-  drop_window();
+WindowPlan ScalingSum::State::plan(double low, double high, double at) {
   const std::uint32_t all = windows.convolution_for(low, high).size();
   const double most = chooses() ? controller_.most_expensive_building() : 0;
-  const std::uint64_t most_pairs = most > 0 ? pairs_of_window(std::max(most, kCheapWindow), all) : UINT64_MAX;
-  std::unique_ptr<Window> window = windows.frames(low, high, x_.approx, most_pairs);
-  if (window->abandoned) return false;
-  frames_.reset(new Frames{low, high, windows.convolution(), std::move(window)});
-  return true;
+  return windows.plan(low, high, at, most > 0 ? pairs_of_window(std::max(most, kCheapWindow), all) : UINT64_MAX);
+}
+
+// It reaches back to the old position, for who comes back and for steps that go to and fro; but not to one where much
+// touched, as where an operand is summed with itself at s = 1.
+WindowPlan ScalingSum::State::plan_from(const Move& move, const WindowController::Choice& reach) {
+  const double at = x_.approx, back = sum.stats.degenerate_nodes > 0 ? 0 : std::min(std::abs(move.step), kWidestStep);
+  const double behind = move.step > 0 ? std::max(reach.behind, back + kBeyond) : reach.behind,
+               ahead = move.step < 0 ? std::max(reach.ahead, back + kBeyond) : reach.ahead;
+  return plan(at * std::exp(-behind), at * std::exp(ahead), at);
+}
+
+bool ScalingSum::State::build_window(const Move& move, const WindowController::Choice& reach) {
+  leave_window();
+  frames_ = window_frames(*base, plan_from(move, reach));
+  return frames_ != nullptr;
 }
 
 // The kept loops at tau: rings in canonical order.
@@ -53,25 +59,25 @@ MovingSum::NextFrame ScalingSum::State::assemble(double tau, ExactFrame& frame, 
     in_order.push_back(kept.loops[i]);
     next.identities.push_back(&kept.loops[i]->ring);
   }
-  next.followed = frames_->known;
+  next.followed = last_ == frames_.get();
   if (next.followed) frames_->loops.follow(in_order, identities_, stays, next.changes);
   return next;
 }
 
 std::optional<MovingSum::NextFrame> ScalingSum::State::window_frame(const Move& move, FrameWork& next_work) {
-  auto& [low, high, convolution, window, lists, loops, rings, known] = *frames_;
   ExactFrame frame(base, x_);
-  const double tau = frame.tau(window->frame().moving);
+  const Window& window = *frames_->window;
   NextFrame next;
-  if (lists.repair(tau, frame, next_work) && loops.update(tau, frame, !known, next_work)) {
-    next = assemble(tau, frame, move.stays);
-    known = true;
+  if (!frames_->served) next_work.new_window = true;
+  frames_->served = true;
+  if (frames_->follow(frame, next_work)) {
+    next = assemble(frame.tau(window.frame().moving), frame, move.stays);
+    last_ = frames_.get();
   } else {
     next_work.degenerate = true;
-    next.sum = degenerate_frame(*window, *convolution, frame, options.semantics);
+    next.sum = degenerate_frame(window, *frames_->convolution, frame, options.semantics);
     next_work.loops_traced = next.sum.stats.loops;
-    known = false;
-    loops.loops().clear();
+    last_ = nullptr;
   }
   next_work.exact_signs += frame.exact_signs;
   if (frame.has_collision()) {
@@ -79,11 +85,11 @@ std::optional<MovingSum::NextFrame> ScalingSum::State::window_frame(const Move& 
     next_work.collision_tests = std::max<std::uint64_t>(next_work.collision_tests, counts.tests);
     next_work.exact_signs += counts.exact;
   }
-  next_work.pieces = window->pieces.size();
-  next_work.candidates = window->candidates.size();
-  next_work.window_low = low;
-  next_work.window_high = high;
-  next_work.peak_bytes = window->bytes() + lists.bytes() + loops.bytes();
+  next_work.pieces = window.pieces.size();
+  next_work.candidates = window.candidates.size();
+  next_work.window_low = frames_->low;
+  next_work.window_high = frames_->high;
+  next_work.peak_bytes = frames_->bytes();
   return next;
 }
 
@@ -92,22 +98,29 @@ double ScalingSum::State::cost_of(const FrameWork& done) {
 }
 
 MovingSum::WindowCost ScalingSum::State::cost_of_window() const {
-  return {kLate * planar::cost_of_window(*frames_->window, frames_->convolution->size()), 0};
+  return {planar::cost_of_window(*frames_->window, frames_->convolution->size()), 0};
 }
 
 Result<FrameChanges> ScalingSum::State::move_to(const Scale& x, const Scale& y) {
+  if (x == scale && y == scale_y && exact_source(sum) != nullptr) {
+    work = {};
+    return FrameChanges{};
+  }
   x_ = scale_value(x);
   y_ = x == y ? x_ : scale_value(y);
   const bool empty = base->operands[0].size() == 0 || base->operands[1].size() == 0;
   Move to;
   to.windows = x == y && scale == scale_y && base->regular && !empty;
-  to.inside = frames_ != nullptr && x_.approx > frames_->low && x_.approx < frames_->high;
   to.stays = x == scale && y == scale_y;
   to.step = std::log(x_.approx / scale.approx());
   to.widest = windows.widest(x_.approx);
   to.asked = std::log1p(options.window);
+  if (to.windows && options.mode != FrameMode::rebuild) enter_window();
+  to.inside = frames_ != nullptr && frames_->covers(x_.approx);
   Result<FrameChanges> changes = move(to);
   if (!changes) return changes;
+  if (work.rebuilt) last_ = nullptr;
+  if (to.windows && makes_ahead()) make_next_window(to.step, to.widest);
   scale = x;
   scale_y = y;
   return changes;

@@ -28,7 +28,7 @@ void touch_at_both_ends(const Grid& cells, Place2 a0, Place2 b0, Place2 a1, Plac
 
 template <class At>
 Raster rasterize(const Operand& o, const Grid& cells, bool moves, const At& at) {
-  RasterMaker<CentreWindings> maker(cells);
+  RasterMaker<CentreParities> maker(cells);
   std::vector<std::array<int, 3>> scratch;
   const double rim = kRim * cells.cell;
   for (const Loop& loop : o.loops)
@@ -60,7 +60,7 @@ CoveredCells covered_cells_of(const Lattice& unscaled, const std::array<Operand,
       return Place2{tau * x[v] + frame.shift_x(tau), tau * y[v] + frame.shift_y(tau)};
     });
   };
-  return CoveredCells(grid.whole, raster(0), raster(1));
+  return CoveredCells(grid.whole, raster(0), raster(1), CoveredCells::Counts::left_out);
 }
 
 }  // namespace

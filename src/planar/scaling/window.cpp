@@ -31,14 +31,12 @@ Window::Window(const OperandPair& base, const ReducedConvolution& convolution, c
   const std::uint32_t m = frame_.moving;
   span_ = std::max(base.width[1 - m], base.height[1 - m]) + 2 * frame_.tau1 * std::max(base.width[m], base.height[m]);
   const SweptMask mask(*base.lattice, base.operands, swept, settings.cells, settings.mask);
-  live.assign(convolution.size(), kNone);
-  std::uint32_t id = 0;
-  convolution.for_each([&](const WalkSegment& w) { add_segment(w, id++, swept, mask); });
+  add_live(convolution, swept, mask);
   const std::vector<PieceEnds> ends = cut_pieces(*this, swept, mask);
   EdgeSearch search(*this);
-  const auto touch_pairs =
-      find_candidates(*this, swept, mask, ends, settings.most_pairs, settings.covers ? &search : nullptr);
-  abandoned = !touch_pairs;
+  const auto touch_pairs = find_candidates(*this, swept, mask, ends, settings.most_pairs, settings.stop,
+                                           {settings.covers ? &search : nullptr, settings.memory});
+  abandoned = !touch_pairs || settings.stop.stop_requested();
   if (abandoned) return;
   make_nodes(*this, *touch_pairs);
   if (settings.covers) drop_covered_nodes(*this, swept);
@@ -53,42 +51,83 @@ Segment Window::exact(std::uint32_t s) const {
 
 std::size_t Window::bytes() const {
   return segments.capacity() * sizeof(LiveSegment) + pieces.capacity() * (sizeof(Piece) + sizeof(PieceEnds)) +
-         candidates.capacity() * sizeof(Candidate) + (first_of.capacity() + of.capacity() + live.capacity()) * 4;
+         candidates.capacity() * sizeof(Candidate) + touches.capacity() * sizeof(PersistentTouch) +
+         nodes.capacity() * sizeof(PersistentNode) + rays.capacity() * sizeof(PersistentNode::Ray) +
+         (folds.capacity() + touching.capacity()) * 8 +
+         (first_touch.capacity() + head_ray.capacity() + tail_ray.capacity() + node_of_ray.capacity()) * 4 +
+         (first_of.capacity() + of.capacity() + live.capacity()) * 4;
 }
 
-void Window::add_segment(const WalkSegment& w, std::uint32_t id, const WindowFrame& swept, const SweptMask& mask) {
+namespace {
+
+/// What edges or vertices of an operand sweep in a window, in cells of its grid. A segment sweeps the sum of what its
+/// edge and its vertex do.
+struct SweptBoxes {
+  struct Box {
+    double row0, column0, row1, column1;
+  };
+  /// `ends`: of every edge, its ends; otherwise of every vertex.
+  SweptBoxes(const OperandPair& base, std::uint32_t op, const WindowFrame& swept, const Grid& grid, bool ends) {
+    const Operand& o = base.operands[op];
+    const bool moves = op == swept.moving;
+    boxes.reserve(o.size());
+    for (std::uint32_t v = 0; v < o.size(); ++v) {
+      const std::uint32_t w = ends ? o.next[v] : v;
+      Box b{INFINITY, INFINITY, -INFINITY, -INFINITY};
+      for (const double tau : {swept.tau0, swept.tau1})
+        for (const std::uint32_t i : {v, w}) {
+          const double x = moves ? tau * o.x[i] + swept.shift_x(tau) : o.x[i],
+                       y = moves ? tau * o.y[i] + swept.shift_y(tau) : o.y[i];
+          b = {std::min(b.row0, y), std::min(b.column0, x), std::max(b.row1, y), std::max(b.column1, x)};
+        }
+      boxes.push_back(
+          {b.row0 * grid.per_cell, b.column0 * grid.per_cell, b.row1 * grid.per_cell, b.column1 * grid.per_cell});
+    }
+  }
+  std::vector<Box> boxes;
+};
+
+}  // namespace
+
+// Those that come near a live cell.
+void Window::add_live(const ReducedConvolution& convolution, const WindowFrame& swept, const SweptMask& mask) {
+  live.assign(convolution.size(), kNone);
+  const Grid& g = mask.grid();
+  constexpr double reach = 2 * kReach;
+  std::vector<SweptBoxes> edges, vertices;
+  for (std::uint32_t op = 0; op < 2; ++op) {
+    edges.emplace_back(base_, op, swept, g, true);
+    vertices.emplace_back(base_, op, swept, g, false);
+  }
+  std::uint32_t id = 0;
+  convolution.for_each_turn([&](std::uint32_t side, std::uint32_t v, std::span<const std::uint32_t> turn,
+                                std::uint32_t lo, std::uint32_t count) {
+    const SweptBoxes::Box at = vertices[1 - side].boxes[v];
+    for (std::uint32_t k = 0, i = lo; k < count; ++k, ++id, i = i + 1 == turn.size() ? 0 : i + 1) {
+      const SweptBoxes::Box& e = edges[side].boxes[turn[i]];
+      const auto row = [&](double r) { return std::clamp(static_cast<int>(r), 0, g.rows - 1); };
+      const auto column = [&](double c) { return std::clamp(static_cast<int>(c), 0, g.columns - 1); };
+      if (mask.any_live(row(at.row0 + e.row0 - reach), column(at.column0 + e.column0 - reach),
+                        row(at.row1 + e.row1 + reach), column(at.column1 + e.column1 + reach)))
+        add_segment({side, turn[i], v}, id);
+    }
+  });
+}
+
+void Window::add_segment(const WalkSegment& w, std::uint32_t id) {
   const std::uint32_t m = frame_.moving;
   const Operand &o = base_.operands[w.side], &other = base_.operands[1 - w.side];
-  const std::uint32_t a = o.source[w.edge], b = o.source[o.next[w.edge]], v = other.source[w.vertex];
-  const Lattice& l = *base_.lattice;
-  // The moving operand's vertices at the segment's ends; the fixed one's.
   const bool moving = w.side == m;
-  const std::uint32_t move_a = moving ? a : v, move_b = moving ? b : v, rest_a = moving ? v : a,
-                      rest_b = moving ? v : b;
-  const std::vector<double>&xm = l.points[m]->x, &ym = l.points[m]->y, &xf = l.points[1 - m]->x,
-        &yf = l.points[1 - m]->y;
-  double x0 = INFINITY, x1 = -INFINITY, y0 = INFINITY, y1 = -INFINITY;
-  for (const double tau : {swept.tau0, swept.tau1}) {
-    const double sx = swept.shift_x(tau), sy = swept.shift_y(tau);
-    const double ax = xf[rest_a] + tau * xm[move_a] + sx, bx = xf[rest_b] + tau * xm[move_b] + sx;
-    const double ay = yf[rest_a] + tau * ym[move_a] + sy, by = yf[rest_b] + tau * ym[move_b] + sy;
-    x0 = std::min({x0, ax, bx});
-    x1 = std::max({x1, ax, bx});
-    y0 = std::min({y0, ay, by});
-    y1 = std::max({y1, ay, by});
-  }
-  const Grid& g = mask.grid();
-  const double reach = 2 * kReach * g.cell;
-  if (mask.live(g.row(y0 - reach), g.column(x0 - reach), g.row(y1 + reach), g.column(x1 + reach)) == 0) return;
+  const std::uint32_t next = o.next[w.edge];
   live[id] = static_cast<std::uint32_t>(segments.size());
   LiveSegment s;
   s.walk = w;
+  s.id = id;
   s.moving = moving;
-  s.x = {xf[rest_a], xm[move_a]};
-  s.y = {yf[rest_a], ym[move_a]};
+  s.x = moving ? Linear{other.x[w.vertex], o.x[w.edge]} : Linear{o.x[w.edge], other.x[w.vertex]};
+  s.y = moving ? Linear{other.y[w.vertex], o.y[w.edge]} : Linear{o.y[w.edge], other.y[w.vertex]};
   s.dx = o.ex[w.edge];
   s.dy = o.ey[w.edge];
-  const std::uint32_t next = o.next[w.edge];
   s.start = w.side == 0 ? WalkPair{w.edge, w.vertex} : WalkPair{w.vertex, w.edge};
   s.end = w.side == 0 ? WalkPair{next, w.vertex} : WalkPair{w.vertex, next};
   s.contact = contact_of(w, base_.operands[0], base_.operands[1]);

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
 #include "base/two_lanes.h"
@@ -19,6 +20,7 @@
 
 namespace dymsum::planar {
 
+class CoverMemory;
 class ReducedConvolution;
 
 /// a + b tau.
@@ -30,9 +32,10 @@ struct Linear {
 /// A segment of the reduced convolution that is live somewhere in the window.
 struct LiveSegment {
   WalkSegment walk;
-  Linear x, y;    ///< where it starts
-  double dx, dy;  ///< the unscaled edge vector
-  bool moving;    ///< an edge of the moving operand: its length is tau, otherwise 1
+  std::uint32_t id;  ///< in the convolution
+  Linear x, y;       ///< where it starts
+  double dx, dy;     ///< the unscaled edge vector
+  bool moving;       ///< an edge of the moving operand: its length is tau, otherwise 1
   WalkPair start, end;
   Contact contact;
   std::uint32_t first_piece = 0, last_piece = 0;  ///< its pieces [first_piece, last_piece)
@@ -98,6 +101,8 @@ struct WindowSettings {
   bool mask = true;
   bool covers = true;  ///< leave out crossings and nodes that two edges prove covered while they exist
   std::uint64_t most_pairs = UINT64_MAX;  ///< the window is abandoned when more boxes of pieces meet
+  CoverMemory* memory = nullptr;          ///< of windows of the same convolution
+  std::stop_token stop;                   ///< the window is abandoned when that is asked for
   double shrink = 1;  ///< tests: sweep masks and pairs over this share of the window only; less than 1 is wrong
 };
 
@@ -134,11 +139,12 @@ class Window : public CandidateIndex {
   }
   Pair exact(WalkPair v) const { return {base_.operands[0].source[v.p], base_.operands[1].source[v.q]}; }
   std::uint64_t pair_tests = 0;
-  bool abandoned = false;  ///< more pairs than allowed: nothing here is to be used
+  bool abandoned = false;  ///< more pairs than allowed, or stopped: nothing here is to be used
   std::size_t bytes() const;
 
  private:
-  void add_segment(const WalkSegment& w, std::uint32_t id, const WindowFrame& swept, const SweptMask& mask);
+  void add_live(const ReducedConvolution& convolution, const WindowFrame& swept, const SweptMask& mask);
+  void add_segment(const WalkSegment& w, std::uint32_t id);
   void link_pieces(const ReducedConvolution& convolution);
 
   const OperandPair& base_;

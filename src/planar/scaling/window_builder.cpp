@@ -33,6 +33,7 @@ const ReducedConvolution& WindowBuilder::convolution_for(double low, double high
   fill_high_ = holes ? high * 1.5 : INFINITY;
   if (!holes) {
     convolution_ = std::make_shared<ReducedConvolution>(lattice, p, q);
+    memory_ = std::make_shared<CoverMemory>(convolution_->size());
     return *convolution_;
   }
   const auto lattice_at = [&](double s) {
@@ -42,6 +43,7 @@ const ReducedConvolution& WindowBuilder::convolution_for(double low, double high
   const auto at_low = lattice_at(fill_low_), at_high = lattice_at(fill_high_);
   const FillLattice fill(lattice, *at_low, *at_high, base_->moved);
   convolution_ = std::make_shared<ReducedConvolution>(fill, p, q);
+  memory_ = std::make_shared<CoverMemory>(convolution_->size());
   return *convolution_;
 }
 
@@ -94,11 +96,19 @@ std::unique_ptr<Window> WindowBuilder::between(const BigRational& low, const Big
   return std::make_unique<Window>(*base_, convolution, settings);
 }
 
-std::unique_ptr<Window> WindowBuilder::frames(double low, double high, double at, std::uint64_t most_pairs) {
-  const ReducedConvolution& convolution = convolution_for(low, high);
-  WindowSettings settings = with_grid(settings_for(exact::exact_value(low), exact::exact_value(high), at));
-  settings.most_pairs = most_pairs;
-  return std::make_unique<Window>(*base_, convolution, settings);
+WindowPlan WindowBuilder::plan(double low, double high, double at, std::uint64_t most_pairs) {
+  convolution_for(low, high);
+  WindowPlan plan{low, high, convolution_, memory_, {}};
+  plan.settings = with_grid(settings_for(exact::exact_value(low), exact::exact_value(high), at));
+  plan.settings.most_pairs = most_pairs;
+  plan.settings.memory = memory_.get();
+  return plan;
+}
+
+std::unique_ptr<WindowFrames> window_frames(const OperandPair& base, const WindowPlan& plan) {
+  auto window = std::make_unique<Window>(base, *plan.convolution, plan.settings);
+  if (window->abandoned) return nullptr;
+  return std::unique_ptr<WindowFrames>(new WindowFrames{plan.low, plan.high, plan.convolution, std::move(window)});
 }
 
 }  // namespace dymsum::planar

@@ -4,9 +4,20 @@
 #include <memory>
 
 #include "exact/big.h"
-#include "planar/scaling/window.h"
+#include "planar/scaling/cover_memory.h"
+#include "planar/scaling/window_frames.h"
 
 namespace dymsum::planar {
+
+/// All that a window for frames is made of, so that any thread can.
+struct WindowPlan {
+  double low = 0, high = 0;
+  std::shared_ptr<const ReducedConvolution> convolution;
+  std::shared_ptr<CoverMemory> memory;  ///< used by one window at a time
+  WindowSettings settings;
+};
+/// Nothing where it is abandoned.
+std::unique_ptr<WindowFrames> window_frames(const OperandPair& base, const WindowPlan& plan);
 
 class WindowBuilder {
  public:
@@ -14,8 +25,9 @@ class WindowBuilder {
 
   /// A window for the events in [low, high]; without `covers` also of crossings inside the sum.
   std::unique_ptr<Window> between(const exact::BigRational& low, const exact::BigRational& high, bool covers = false);
-  /// A window for frames in (low, high), near `at` at first; abandoned when more than `most_pairs` boxes meet.
-  std::unique_ptr<Window> frames(double low, double high, double at, std::uint64_t most_pairs);
+  /// For frames in (low, high), near `at` at first; abandoned when more than `most_pairs` boxes meet. Plans of one
+  /// convolution share a memory.
+  WindowPlan plan(double low, double high, double at, std::uint64_t most_pairs);
   /// The width, as a logarithm, beyond which masks lose more than longer windows gain.
   double widest(double s) const;
 
@@ -32,6 +44,7 @@ class WindowBuilder {
   std::array<double, 2> sizes(double s) const;
 
   std::shared_ptr<const OperandPair> base_;
+  std::shared_ptr<CoverMemory> memory_;  ///< of windows for frames, made from convolution_
   std::shared_ptr<const ReducedConvolution> convolution_;
   double fill_low_ = 0, fill_high_ = 0;  ///< scales for which the convolution's filled holes are right
 };

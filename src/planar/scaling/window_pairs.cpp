@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planar/scaling/edge_search.h"
+#include "base/box_sweep.h"
+#include "planar/scaling/cover_memory.h"
 #include "planar/scaling/piece_range.h"
 #include "planar/scaling/window_nodes.h"
 #include "planar/scaling/window_overlaps.h"
@@ -14,72 +15,32 @@ namespace {
 /// Crossings known worse than this are left to exact signs at every scale. Any value is right.
 constexpr double kKnownShare = 0x1p-8;
 
-/// What a piece sweeps lies in its box, some of a cell wider than it.
+/// What a piece sweeps lies in its box, some of a cell wider than it; in cells of the mask.
 struct PieceBox {
-  double x0, x1, y0, y1;
-  int column0, column1, row0, row1;  ///< of the mask
-  std::uint32_t piece, first_strip, last_strip;
+  int row0, column0, row1, column1;
 };
 
-std::vector<PieceBox> boxes_of(const std::vector<PieceEnds>& ends, const Grid& g) {
-  const double reach = 4 * kReach * g.cell;
-  std::vector<PieceBox> boxes;
-  boxes.reserve(ends.size());
-  for (const PieceEnds& e : ends) {
-    const Two x_low = least(e.ax, e.bx), x_high = most(e.ax, e.bx), y_low = least(e.ay, e.by),
-              y_high = most(e.ay, e.by);
-    const double x0 = std::min(x_low[0], x_low[1]) - reach, x1 = std::max(x_high[0], x_high[1]) + reach;
-    const double y0 = std::min(y_low[0], y_low[1]) - reach, y1 = std::max(y_high[0], y_high[1]) + reach;
-    boxes.push_back({x0, x1, y0, y1, g.column(x0), g.column(x1), g.row(y0), g.row(y1),
-                     static_cast<std::uint32_t>(boxes.size()), 0, 0});
-  }
-  std::sort(boxes.begin(), boxes.end(),
-            [](const PieceBox& a, const PieceBox& b) { return a.x0 != b.x0 ? a.x0 < b.x0 : a.piece < b.piece; });
-  return boxes;
-}
-
-/// Calls f(box, box) once for each pair of boxes that meet, until it returns false: a sweep in x in each of some
-/// horizontal strips, twice as high as a box on the average. A pair belongs to the strip in which the higher one of the
-/// two begins.
-template <class F>
-void for_each_close_pair(const std::vector<PieceEnds>& ends, const Grid& g, F&& f) {
-  if (ends.empty()) return;
-  std::vector<PieceBox> boxes = boxes_of(ends, g);
-  double bottom = INFINITY, top = -INFINITY, total = 0;
-  for (const PieceBox& b : boxes) {
-    bottom = std::min(bottom, b.y0);
-    top = std::max(top, b.y1);
-    total += b.y1 - b.y0;
-  }
-  const double height = std::max(2 * total / static_cast<double>(boxes.size()), (top - bottom) / 4096);
-  const auto strip = [&](double y) { return static_cast<std::uint32_t>((y - bottom) / height); };
-  std::vector<std::uint32_t> start(strip(top) + 2, 0);
-  for (PieceBox& b : boxes) {
-    b.first_strip = strip(b.y0);
-    b.last_strip = strip(b.y1);
-    for (std::uint32_t s = b.first_strip; s <= b.last_strip; ++s) ++start[s + 1];
-  }
-  for (std::size_t s = 1; s < start.size(); ++s) start[s] += start[s - 1];
-  std::vector<PieceBox> inside(start.back());
-  std::vector<std::uint32_t> at(start.begin(), start.end() - 1);
-  for (const PieceBox& b : boxes)
-    for (std::uint32_t s = b.first_strip; s <= b.last_strip; ++s) inside[at[s]++] = b;
-  std::vector<std::uint32_t> found;
-  for (std::uint32_t s = 0; s + 1 < start.size(); ++s)
-    for (std::uint32_t i = start[s]; i < start[s + 1]; ++i) {
-      const PieceBox a = inside[i];
-      // Half of them meet, which no processor foresees: they are collected without a branch.
-      found.resize(std::max<std::size_t>(found.size(), start[s + 1] - i));
-      std::size_t n = 0;
-      for (std::uint32_t j = i + 1; j < start[s + 1] && inside[j].x0 <= a.x1; ++j) {
-        const PieceBox& b = inside[j];
-        found[n] = j;
-        n += (b.y0 <= a.y1) & (b.y1 >= a.y0) & (std::max(a.first_strip, b.first_strip) == s);
-      }
-      for (std::size_t k = 0; k < n; ++k)
-        if (!f(a, inside[found[k]])) return;
+/// The boxes of pieces, in cells and in quanta.
+struct PieceBoxes {
+  PieceBoxes(const std::vector<PieceEnds>& ends, const Grid& g) {
+    const double reach = 4 * kReach * g.cell, per_x = (kBoxQuanta - 1) / (g.columns * g.cell),
+                 per_y = (kBoxQuanta - 1) / (g.rows * g.cell);
+    // What is not less stays so: boxes that meet do in quanta too.
+    const auto quantum = [](double v) { return static_cast<std::int16_t>(std::clamp(v, 0.0, kBoxQuanta - 1.0)); };
+    cells.reserve(ends.size());
+    quanta.reserve(ends.size());
+    for (const PieceEnds& e : ends) {
+      const Two x_low = least(e.ax, e.bx), x_high = most(e.ax, e.bx), y_low = least(e.ay, e.by),
+                y_high = most(e.ay, e.by);
+      const double x0 = std::min(x_low[0], x_low[1]) - reach, x1 = std::max(x_high[0], x_high[1]) + reach;
+      const double y0 = std::min(y_low[0], y_low[1]) - reach, y1 = std::max(y_high[0], y_high[1]) + reach;
+      cells.push_back({g.row(y0), g.column(x0), g.row(y1), g.column(x1)});
+      quanta.push_back({quantum(x0 * per_x), quantum(y0 * per_y), quantum(x1 * per_x), quantum(y1 * per_y)});
     }
-}
+  }
+  std::vector<PieceBox> cells;
+  std::vector<BoxQuanta> quanta;
+};
 
 /// Doubles prove at both ends of the window that one piece stays on one side of the other's line; sides are linear in
 /// tau.
@@ -101,14 +62,14 @@ Product product(const LiveSegment& a, const LiveSegment& b) {
 
 class PairTests {
  public:
-  PairTests(Window& window, const WindowFrame& swept, const SweptMask& mask, EdgeSearch* search)
+  PairTests(Window& window, const WindowFrame& swept, const SweptMask& mask, const CoverSearch& search)
       : window_(window),
         swept_(swept),
         mask_(mask),
         search_(search),
         always_on_(window),
         touches_(window, always_on_) {}
-  bool run(const std::vector<PieceEnds>& ends, std::uint64_t most_pairs);
+  bool run(const std::vector<PieceEnds>& ends, std::uint64_t most_pairs, const std::stop_token& stop);
   const std::vector<WalkPair>& touch_pairs() const { return touches_.pairs(); }
 
  private:
@@ -121,26 +82,40 @@ class PairTests {
   Window& window_;
   const WindowFrame& swept_;
   const SweptMask& mask_;
-  EdgeSearch* search_;  // none: crossings inside the sum are found too
+  CoverSearch search_;
   AlwaysOn always_on_;
   TouchFinder touches_;
 };
 
 // Pieces meet in what their boxes share; where all of that is dead nothing matters.
-bool PairTests::run(const std::vector<PieceEnds>& ends, std::uint64_t most_pairs) {
+bool PairTests::run(const std::vector<PieceEnds>& ends, std::uint64_t most_pairs, const std::stop_token& stop) {
   PiecePairs close;
-  for_each_close_pair(ends, mask_.grid(), [&](const PieceBox& a, const PieceBox& b) {
-    if (mask_.live(std::max(a.row0, b.row0), b.column0, std::min(a.row1, b.row1), std::min(a.column1, b.column1)) == 0)
-      return true;
-    if (++window_.pair_tests > most_pairs) return false;
-    const std::uint32_t i = std::min(a.piece, b.piece), j = std::max(a.piece, b.piece);
+  const PieceBoxes boxes(ends, mask_.grid());
+  Scratch memory;
+  const auto meet = [&](std::uint32_t i, std::uint32_t j) {
+    const PieceBox &a = boxes.cells[i], &b = boxes.cells[j];
+    if (!mask_.any_live(std::max(a.row0, b.row0), std::max(a.column0, b.column0), std::min(a.row1, b.row1),
+                        std::min(a.column1, b.column1)))
+      return;
+    ++window_.pair_tests;
     if (window_.pieces[i].segment != window_.pieces[j].segment && !apart(ends[i], ends[j]) && !apart(ends[j], ends[i]))
-      close.push_back({i, j});
-    return true;
-  });
-  if (window_.pair_tests > most_pairs) return false;
+      close.push_back({std::min(i, j), std::max(i, j)});
+  };
+  sweep_boxes(
+      std::span<const BoxQuanta>(boxes.quanta), &memory,
+      [&](std::uint32_t, std::uint32_t) {
+        const bool go_on = window_.pair_tests <= most_pairs && !stop.stop_requested();
+        return [go_on](std::uint32_t) { return go_on; };
+      },
+      [&](std::uint32_t i, std::span<const std::uint32_t> others) {
+        for (const std::uint32_t j : others) meet(i, j);
+      });
+  if (window_.pair_tests > most_pairs || stop.stop_requested()) return false;
   share_lines(window_, always_on_, close);
-  for (const auto& [i, j] : close) test(i, j);
+  for (const auto& [i, j] : close) {
+    if (stop.stop_requested()) return false;
+    test(i, j);
+  }
   return true;
 }
 
@@ -177,7 +152,7 @@ void PairTests::test(std::uint32_t i, std::uint32_t j) {
   if (c.out_high <= window_.frame().tau0 || c.out_low >= window_.frame().tau1) return;
   // An end of one on the line of the other, throughout the window as far as doubles tell: at every scale?
   if ((at_a[0] || at_a[1] || at_b[0] || at_b[1]) && touches_.touch_always(c, at_a, at_b)) return;
-  if (!dead_throughout(c) && (search_ == nullptr || !covered_throughout(c))) window_.candidates.push_back(c);
+  if (!dead_throughout(c) && (search_.edges == nullptr || !covered_throughout(c))) window_.candidates.push_back(c);
 }
 
 // Crossings move along a line: those that do so in dead cells only are left out. Boundaries end at crossings on the
@@ -193,8 +168,8 @@ bool PairTests::dead_throughout(const Candidate& c) const {
     x[k] = a.x.at(tau) + t * a.dx + swept_.shift_x(tau);
     y[k] = a.y.at(tau) + t * a.dy + swept_.shift_y(tau);
   }
-  return mask_.live(g.row(std::min(y[0], y[1]) - reach), g.column(std::min(x[0], x[1]) - reach),
-                    g.row(std::max(y[0], y[1]) + reach), g.column(std::max(x[0], x[1]) + reach)) == 0;
+  return !mask_.any_live(g.row(std::min(y[0], y[1]) - reach), g.column(std::min(x[0], x[1]) - reach),
+                         g.row(std::max(y[0], y[1]) + reach), g.column(std::max(x[0], x[1]) + reach));
 }
 
 // The same where two edges cross there all the while (edge_search.h).
@@ -205,8 +180,15 @@ bool PairTests::covered_throughout(const Candidate& c) const {
     return EdgeSearch::Place{a.x.at(tau) + t * a.dx, a.y.at(tau) + t * a.dy,
                              t_error * std::max(std::abs(a.dx), std::abs(a.dy)) + kWindowPoint * window_.span(), tau};
   };
-  return search_->find_or_spare(at(std::max(c.out_low, swept_.tau0)), at(std::min(c.out_high, swept_.tau1)))
-      .has_value();
+  const EdgeSearch::Place from = at(std::max(c.out_low, swept_.tau0)), to = at(std::min(c.out_high, swept_.tau1));
+  if (search_.memory == nullptr) return search_.edges->find_or_spare(from, to).has_value();
+  const LiveSegment& b = window_.segments[window_.pieces[c.b].segment];
+  if (search_.memory->covers(a.id, b.id, *search_.edges, from, to)) return true;
+  const std::optional<CrossingEdges> edges = search_.edges->find_or_spare(from, to);
+  if (!edges) return false;
+  search_.memory->remember(a.id, *edges);
+  search_.memory->remember(b.id, *edges);
+  return true;
 }
 
 // Parallel pieces can touch where their lines coincide.
@@ -251,9 +233,9 @@ void PairTests::solve(Candidate& c) const {
 
 std::optional<std::vector<WalkPair>> find_candidates(Window& window, const WindowFrame& swept, const SweptMask& mask,
                                                      const std::vector<PieceEnds>& ends, std::uint64_t most_pairs,
-                                                     EdgeSearch* search) {
+                                                     const std::stop_token& stop, const CoverSearch& search) {
   PairTests tests(window, swept, mask, search);
-  if (!tests.run(ends, most_pairs)) return std::nullopt;
+  if (!tests.run(ends, most_pairs, stop)) return std::nullopt;
   return tests.touch_pairs();
 }
 

@@ -5,17 +5,26 @@
 #include <optional>
 #include <vector>
 
+#include <stop_token>
+
 #include "planar/scaling/window_pieces.h"
 
 namespace dymsum::planar {
 
+class CoverMemory;
 class EdgeSearch;
 
+/// How crossings inside the sum are found, to be left out.
+struct CoverSearch {
+  EdgeSearch* edges = nullptr;    ///< none: they are not
+  CoverMemory* memory = nullptr;  ///< of windows before, if there is one
+};
+
 /// Fills in a window's candidates, and what touches at every scale. Returns for every touch its pair of vertices;
-/// nothing where more than `most_pairs` boxes of pieces meet. `search`, if there is one, leaves out crossings that two
-/// edges prove covered while they exist.
+/// nothing where more than `most_pairs` boxes of pieces meet, or where it is stopped. `search` leaves out crossings
+/// that two edges prove covered while they exist.
 std::optional<std::vector<WalkPair>> find_candidates(Window& window, const WindowFrame& swept, const SweptMask& mask,
                                                      const std::vector<PieceEnds>& ends, std::uint64_t most_pairs,
-                                                     EdgeSearch* search);
+                                                     const std::stop_token& stop, const CoverSearch& search);
 
 }  // namespace dymsum::planar

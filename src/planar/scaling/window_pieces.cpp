@@ -51,8 +51,7 @@ class PieceCutter {
   /// In order along the segment; valid until the next call.
   const std::vector<CutPlace>& cuts(const SweptSegment& s) {
     cuts_.clear();
-    const Cells near = cells_near(ends_between(s, {{0, 0}}, {{1, 1}}));
-    if (near.live == near.all) return cuts_;
+    if (!any_covered(ends_between(s, {{0, 0}}, {{1, 1}}))) return cuts_;
     const SegmentClip first(s.ax[0], s.ay[0], s.ex[0], s.ey[0]), last(s.ax[1], s.ay[1], s.ex[1], s.ey[1]);
     for_each_cell_run(grid_, s.ax[0], s.ay[0], s.ax[0] + s.ex[0], s.ay[0] + s.ey[0], [&](int row, int from, int to) {
       for (int c = from; c <= to; ++c) {
@@ -68,20 +67,25 @@ class PieceCutter {
   }
 
   /// Whether a live cell is near what the piece sweeps.
-  bool live(const PieceEnds& e) const { return cells_near(e).live > 0; }
+  bool live(const PieceEnds& e) const {
+    const Cells near = cells_near(e);
+    return mask_.any_live(near.row0, near.column0, near.row1, near.column1);
+  }
 
  private:
   struct Cells {
-    std::uint32_t live, all;
+    int row0, column0, row1, column1;
   };
+
+  bool any_covered(const PieceEnds& e) const {
+    const Cells near = cells_near(e);
+    return mask_.any_covered(near.row0, near.column0, near.row1, near.column1);
+  }
 
   Cells cells_near(const PieceEnds& e) const {
     const auto [x0, x1] = std::minmax({e.ax[0], e.ax[1], e.bx[0], e.bx[1]});
     const auto [y0, y1] = std::minmax({e.ay[0], e.ay[1], e.by[0], e.by[1]});
-    const int r0 = grid_.row(y0 - reach_), r1 = grid_.row(y1 + reach_), c0 = grid_.column(x0 - reach_),
-              c1 = grid_.column(x1 + reach_);
-    return {mask_.live(r0, c0, r1, c1),
-            static_cast<std::uint32_t>(r1 - r0 + 1) * static_cast<std::uint32_t>(c1 - c0 + 1)};
+    return {grid_.row(y0 - reach_), grid_.column(x0 - reach_), grid_.row(y1 + reach_), grid_.column(x1 + reach_)};
   }
 
   SegmentClip::Part in_cell(const SegmentClip& segment, int row, int column) const {

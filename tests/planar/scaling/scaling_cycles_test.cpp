@@ -156,7 +156,7 @@ TEST(ScalingCycles, what_changed_on_a_ring_is_counted_as_by_comparing_both_sums)
                q = on_integers(shapes::noisy_star(40, 0.6, 4), 3000);
   ScalingSum sum = ScalingSum::create(p, q, options).value();
   int compared = 0, reshaped = 0;
-  for (int k = 100; k < 160; ++k) {
+  for (int k = 101; k < 160; ++k) {
     const PlanarSum before = sum.sum();
     const std::vector<std::uint64_t> ids = sum.ring_ids();
     const FrameChanges changes = sum.set(scale_of(k, 100)).value();

@@ -269,7 +269,7 @@ TEST(ScalingSum, every_run_makes_the_same_choices) {
     windows += c[0];
     rebuilt += c[1];
   }
-  EXPECT_GT(windows, 2);
+  EXPECT_GE(windows, 2);
   EXPECT_GT(rebuilt, 10);
 }
 

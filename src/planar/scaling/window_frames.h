@@ -1,0 +1,32 @@
+// A window of scales with all that frames inside it know.
+#pragma once
+
+#include <memory>
+
+#include "planar/scaling/loop_rings.h"
+
+namespace dymsum::planar {
+
+struct WindowFrames {
+  double low = 0, high = 0;  ///< scales the window covers
+  std::shared_ptr<const ReducedConvolution> convolution;
+  std::unique_ptr<Window> window;
+  PieceLists lists{*window};
+  FrameLoops loops{lists};
+  LoopRings rings{loops};
+  bool known = false;   ///< the loops are those of the last frame that was made here
+  bool served = false;  ///< a frame of the sum was made here
+
+  bool covers(double s) const { return s > low && s < high; }
+  std::size_t bytes() const { return window->bytes() + lists.bytes() + loops.bytes(); }
+  /// Brings lists and loops to a scale inside. False where something touches there that needs the vertex routine, and
+  /// then nothing is known.
+  bool follow(ExactFrame& frame, FrameWork& work) {
+    const double tau = frame.tau(window->frame().moving);
+    known = lists.repair(tau, frame, work) && loops.update(tau, frame, !known, work);
+    if (!known) loops.loops().clear();
+    return known;
+  }
+};
+
+}  // namespace dymsum::planar
