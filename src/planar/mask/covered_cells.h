@@ -148,9 +148,9 @@ class CoveredCells {
   enum class Counts { made, left_out };
 
   /// No cell is covered.
-  explicit CoveredCells(const Grid& grid);
+  explicit CoveredCells(const Grid& grid, Counts counts = Counts::made);
   CoveredCells(const Grid& grid, const Raster& p, const Raster& q, Counts counts = Counts::made);
-  /// Others that lie inside. The counts are made.
+  /// Others that lie inside. Counts are not made again.
   void add(const Bitmap& inside);
 
   const Grid& grid() const { return grid_; }
@@ -159,19 +159,11 @@ class CoveredCells {
   void cover(int row, int column) { covered_.set(row, column); }
   /// Whether some cell of a rectangle is live. O(rows) for up to 64 columns; a live cell in the first rows ends it.
   bool any_live(int row0, int column0, int row1, int column1) const {
-    const int a = column0 / 64, b = column1 / 64;
-    const std::uint64_t head = ~std::uint64_t{0} << (column0 % 64), tail = ~std::uint64_t{0} >> (63 - column1 % 64);
-    for (int r = row0; r <= row1; ++r) {
-      const std::uint64_t* w = covered_.row(r);
-      if (a == b) {
-        if ((~w[a] & head & tail) != 0) return true;
-        continue;
-      }
-      if ((~w[a] & head) != 0 || (~w[b] & tail) != 0) return true;
-      for (int i = a + 1; i < b; ++i)
-        if (~w[i] != 0) return true;
-    }
-    return false;
+    return any(row0, column0, row1, column1, [](std::uint64_t word) { return ~word; });
+  }
+  /// Whether some cell of a rectangle is covered. Likewise.
+  bool any_covered(int row0, int column0, int row1, int column1) const {
+    return any(row0, column0, row1, column1, [](std::uint64_t word) { return word; });
   }
   /// How many cells of a rectangle are live. O(1). Requires: the counts were made.
   std::uint32_t live(int row0, int column0, int row1, int column1) const {
@@ -184,6 +176,22 @@ class CoveredCells {
 
  private:
   void count();
+  template <class Wanted>
+  bool any(int row0, int column0, int row1, int column1, Wanted&& wanted) const {
+    const int a = column0 / 64, b = column1 / 64;
+    const std::uint64_t head = ~std::uint64_t{0} << (column0 % 64), tail = ~std::uint64_t{0} >> (63 - column1 % 64);
+    for (int r = row0; r <= row1; ++r) {
+      const std::uint64_t* w = covered_.row(r);
+      if (a == b) {
+        if ((wanted(w[a]) & head & tail) != 0) return true;
+        continue;
+      }
+      if ((wanted(w[a]) & head) != 0 || (wanted(w[b]) & tail) != 0) return true;
+      for (int i = a + 1; i < b; ++i)
+        if (wanted(w[i]) != 0) return true;
+    }
+    return false;
+  }
 
   Grid grid_;
   Bitmap covered_;

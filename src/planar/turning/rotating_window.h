@@ -55,7 +55,7 @@ class RotatingWindow : public CandidateIndex {
   std::vector<std::uint32_t> changing;  ///< segments that do not exist at every angle
   std::vector<std::uint32_t> rounds;    ///< whole pieces that may follow each other all round, without quiet ones
   std::vector<std::uint32_t> circles;   ///< quiet pieces whose followers lead back to them, one of each circle
-  std::uint64_t all_segments = 0, pair_tests = 0;
+  std::uint64_t all_segments = 0, pair_tests = 0, cells = 0;  ///< what building it looked at; cells of the mask
 
   const TurningForms& forms() const { return forms_; }
   /// The live segment of that name, or kNone.
@@ -80,10 +80,12 @@ class RotatingWindow : public CandidateIndex {
   };
   Swept swept(const WalkSegment& s) const;
   void add_segments(const CoveredCells& dead);
+  bool add_segment(const WalkSegment& walk, const CoveredCells& dead);
   void add_pieces(const Swept& w, const CoveredCells& dead);
+  void find_cuts(double x, double y, Point d, double reach, const CoveredCells& dead);
   Box box_of(const TurnPiece& p, double reach) const;
   void find_candidates(const CoveredCells& dead);
-  bool apart(const TurnPiece& p, const TurnPiece& q) const;
+  std::vector<std::array<std::uint32_t, 2>> near_pairs(const std::vector<Box>& boxes);
   void find_next();
   void find_dead_tails();
   void find_runs();
@@ -92,9 +94,10 @@ class RotatingWindow : public CandidateIndex {
   const TurningForms& forms_;
   const TurnCatalog& catalog_;
   double shift_ = 0;                        // of coordinates to those of the grid
+  bool masked_ = false;                     // cells may be dead
   std::array<std::vector<Turn>, 2> turns_;  // by side and vertex
   std::vector<std::uint32_t> live_;         // all segments of the window -> segments
-  std::vector<double> moved_;               // how far each of its vertices moves from there
+  std::vector<double> moved_;               // how far a place with each turning vertex moves from there
   std::vector<Swept> swept_;                // of segments
   std::vector<double> cuts_;
 };

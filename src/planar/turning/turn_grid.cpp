@@ -10,7 +10,7 @@ namespace {
 
 Raster fixed_raster(const TurningForms& forms, const Grid& cells) {
   const Operand& o = forms.operand(0);
-  RasterMaker<CentreWindings> maker(cells);
+  RasterMaker<CentreParities> maker(cells);
   for (std::uint32_t i = 0; i < o.size(); ++i) {
     const Point a = forms.points(0)[i], b = forms.points(0)[o.next[i]];
     maker.touch_edge(a.x, a.y, b.x, b.y);
@@ -36,7 +36,7 @@ CoveredCells covered_cells(const TurnGrid& base, const std::vector<Point>& turne
   const TurningForms& forms = base.forms;
   const Grid& cells = base.grid.part[1];
   const Operand& o = forms.operand(1);
-  RasterMaker<CentreWindings> maker(cells);
+  RasterMaker<CentreParities> maker(cells);
   const double shift = forms.reach();
   for (std::uint32_t i = 0; i < o.size(); ++i) {
     const Point a{turned[i].x + shift, turned[i].y + shift},
@@ -55,10 +55,8 @@ CoveredCells covered_cells(const TurnGrid& base, const std::vector<Point>& turne
     });
   }
   const Raster raster = std::move(maker).with_area();
-  if (base.long_edges[0].empty() || base.long_edges[1].empty())
-    return CoveredCells(base.grid.whole, base.fixed, raster);
   CoveredCells dead(base.grid.whole, base.fixed, raster, CoveredCells::Counts::left_out);
-  dead.add(edge_parallelograms(base, turned, half));
+  if (!base.long_edges[0].empty() && !base.long_edges[1].empty()) dead.add(edge_parallelograms(base, turned, half));
   return dead;
 }
 
