@@ -16,8 +16,11 @@ inline double cost_of_slice(const SumStats& s, std::size_t vertices) {
          cost_of(0.0027, s.pair_tests) + cost_of(1.5, s.collision_tests);
 }
 
+/// Of two pieces whose boxes meet, when a window is built.
+inline constexpr double kCostOfPair = 0.022;
+
 inline double cost_of_window(const RotatingWindow& w) {
-  return 5 + cost_of(0.008, w.all_segments) + cost_of(0.062, w.pieces.size()) + cost_of(0.088, w.pair_tests) +
+  return 5 + cost_of(0.008, w.all_segments) + cost_of(0.062, w.pieces.size()) + cost_of(kCostOfPair, w.pair_tests) +
          cost_of(0.004, w.cells);
 }
 

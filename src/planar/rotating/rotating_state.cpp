@@ -15,11 +15,15 @@ using namespace planar;
 namespace {
 
 constexpr double kMaskFrom = 100;    // segments from which a mask pays
-constexpr std::size_t kFewLoops = 8;
 constexpr double kCellsSwept = 1.1;  // a cell is so many times as wide as vertices move from the middle of a window
+constexpr double kCellsPerRoot = 3.5, kMostCells = 256, kLeastCells = 8;
 // Beyond a sweep either way of this share of the extent, divided by the root of the number of segments, pairs that may
 // meet abound.
-constexpr double kWidest = 1.0 / 7;
+constexpr double kWidest = 0.3;
+// What pairs of boxes may cost before a window is given up, times a frame from scratch.
+constexpr double kMostOfPairs = 3;
+// Loops that are tested at the start of a window: with more of them it begins at the frame before.
+constexpr std::size_t kFewLoops = 8;
 
 }  // namespace
 
@@ -57,10 +61,9 @@ double RotatingSum::State::widest_window() const {
 
 int RotatingSum::State::cells_for(double half) const {
   const double most = extent() / (kCellsSwept * half * forms_->reach());
-  const double usual = std::clamp(4 * std::sqrt(segments_), 8.0, 256.0);
+  const double cells = std::clamp(std::min(kCellsPerRoot * std::sqrt(segments_), most), kLeastCells, kMostCells);
   // In steps of a root of two, so that few grids are made.
-  const double steps = std::floor(2 * std::log2(std::max(8.0, std::min(usual, most)) / 8));
-  return static_cast<int>(8 * std::exp2(0.5 * steps));
+  return static_cast<int>(kLeastCells * std::exp2(0.5 * std::floor(2 * std::log2(cells / kLeastCells))));
 }
 
 bool RotatingSum::State::build_window(const Move& move, const WindowController::Choice& reach) {
@@ -75,7 +78,10 @@ bool RotatingSum::State::build_window(const Move& move, const WindowController::
   const int cells = cells_for(half);
   std::unique_ptr<TurnGrid>& grid = grids_[cells];
   if (!grid) grid = std::make_unique<TurnGrid>(*forms_, cells);
-  RotatingWindow next(*grid, *catalog_, 0.5 * (low + high), half, segments_ >= kMaskFrom);
+  const std::size_t most_pairs =
+      chooses() ? static_cast<std::size_t>(kMostOfPairs * slice_cost_ / kCostOfPair) : ~std::size_t{0};
+  RotatingWindow next(*grid, *catalog_, 0.5 * (low + high), half, segments_ >= kMaskFrom, most_pairs);
+  if (!next.complete) return false;
   if (frames_ != nullptr) loops_->renumber(frames_->window, next);
   frames_ = std::make_unique<Frames>(std::move(next), *forms_base_, swapped_, swapped_ == p_turns());
   return true;

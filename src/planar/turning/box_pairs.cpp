@@ -22,7 +22,7 @@ int BoxPairs::strips() const {
       std::clamp<long>(kBoxQuanta / (kHeights * mean), 1, static_cast<long>(std::min(kMost, boxes_.size() / kBoxes))));
 }
 
-std::vector<std::array<std::uint32_t, 2>> BoxPairs::find() {
+std::vector<std::array<std::uint32_t, 2>> BoxPairs::find(std::size_t most) {
   const int n = strips(), height = kBoxQuanta / n + 1;
   std::vector<std::vector<std::uint64_t>> of(static_cast<std::size_t>(n));
   for (std::uint32_t i = 0; i < boxes_.size(); ++i)
@@ -30,7 +30,7 @@ std::vector<std::array<std::uint32_t, 2>> BoxPairs::find() {
       of[static_cast<std::size_t>(k)].push_back(left_order(boxes_[i].x0, i));
   pairs_.resize(4 * boxes_.size() + 4 * kLanes);
   count_ = 0;
-  for (int k = 0; k < n; ++k) sweep(of[static_cast<std::size_t>(k)], static_cast<std::int16_t>(k * height));
+  for (int k = 0; k < n && count_ <= most; ++k) sweep(of[static_cast<std::size_t>(k)], static_cast<std::int16_t>(k * height));
   pairs_.resize(count_);
   return std::move(pairs_);
 }
@@ -57,7 +57,8 @@ void BoxPairs::sweep(std::vector<std::uint64_t>& order, std::int16_t strip) {
     const Lanes low = Lanes{} + y0[i], high = Lanes{} + y1[i], far = Lanes{} + right, first = Lanes{} + least;
     for (std::size_t j = i + 1; x0[j] <= right; j += kLanes) {
       const Lanes begins = load_lanes(y0 + j);
-      const Lanes meets = (begins <= high) & (begins >= first) & (load_lanes(y1 + j) >= low) & (load_lanes(x0 + j) <= far);
+      const Lanes meets =
+          (begins <= high) & (begins >= first) & (load_lanes(y1 + j) >= low) & (load_lanes(x0 + j) <= far);
       std::array<std::int16_t, kLanes> hits;
       std::array<std::uint64_t, 2> halves;
       std::memcpy(&hits, &meets, sizeof hits);
@@ -66,7 +67,8 @@ void BoxPairs::sweep(std::vector<std::uint64_t>& order, std::int16_t strip) {
       if (count_ + kLanes > pairs_.size()) pairs_.resize(2 * pairs_.size());
       std::array<std::uint32_t, 2>* to = pairs_.data() + count_;
       for (std::uint32_t k = 0; k < kLanes; ++k) {
-        *to = {s, static_cast<std::uint32_t>(order[j + k])};
+        const auto t = static_cast<std::uint32_t>(order[j + k]);
+        *to = {std::min(s, t), std::max(s, t)};
         to -= hits[k];
       }
       count_ = static_cast<std::size_t>(to - pairs_.data());

@@ -22,8 +22,9 @@ class BoxPairs {
     boxes_.push_back({quantum(x0), quantum(y0), quantum(x1), quantum(y1)});
   }
 
-  /// Every two boxes that meet, once, and some that nearly do. O(n log n + pairs of a strip that meet in x / 8).
-  std::vector<std::array<std::uint32_t, 2>> find();
+  /// Every two boxes that meet, once, and some that nearly do; only some of them if there are more than `most`.
+  /// O(n log n + pairs of a strip that meet in x / 8).
+  std::vector<std::array<std::uint32_t, 2>> find(std::size_t most = ~std::size_t{0});
 
  private:
   struct Box {

@@ -14,7 +14,8 @@ constexpr double kCutFrom = 2.5;  // cells at least so many times as wide as poi
 
 }  // namespace
 
-RotatingWindow::RotatingWindow(const TurnGrid& grid, const TurnCatalog& catalog, double mid, double h, bool mask)
+RotatingWindow::RotatingWindow(const TurnGrid& grid, const TurnCatalog& catalog, double mid, double h, bool mask,
+                               std::size_t most_pairs)
     : middle(mid),
       half(h * exact::kOutwards + kAngleSlack),
       heading(Heading::of(mid)),
@@ -27,13 +28,14 @@ RotatingWindow::RotatingWindow(const TurnGrid& grid, const TurnCatalog& catalog,
   for (std::uint32_t v = 0; v < forms_.size(1); ++v) {
     const Point& p = forms_.points(1)[v];
     turned.push_back({heading.c * p.x - heading.s * p.y, heading.s * p.x + heading.c * p.y});
-    moved_.push_back(moved(forms_, v, half) + kSweptPlace * forms_.span());
+    moved_.push_back(farther_by(moved_by(turned.back(), half), kSweptPlace * forms_.span()));
   }
   const CoveredCells dead = mask ? covered_cells(grid, turned, half) : CoveredCells(grid.grid.whole, CoveredCells::Counts::left_out);
   if (mask) cells = static_cast<std::uint64_t>(dead.grid().rows) * static_cast<std::uint64_t>(dead.grid().columns);
   add_segments(dead);
   find_next();
-  find_candidates(dead);
+  find_candidates(dead, most_pairs);
+  if (!complete) return;
   index(candidates, pieces.size());
   find_dead_tails();
   find_runs();
@@ -64,7 +66,7 @@ RotatingWindow::Swept RotatingWindow::swept(const WalkSegment& s) const {
   w.turning = turned[from.q];
   const Point &a = s.side == 0 ? w.fixed : w.turning, &b = s.side == 0 ? forms_.points(0)[to] : turned[to];
   w.d = {b.x - a.x, b.y - a.y};
-  w.reach = s.side == 0 ? moved_[from.q] : std::max(moved_[from.q], moved_[to]);
+  w.reach = s.side == 0 ? moved_[from.q] : farther(moved_[from.q], moved_[to]);
   w.side = s.side;
   return w;
 }
@@ -116,10 +118,10 @@ bool RotatingWindow::add_segment(const WalkSegment& walk, const CoveredCells& de
 
 // Shares of points of a segment that lie farther inside a dead cell than `reach`: of one or two points for each cell
 // that the segment passes.
-void RotatingWindow::find_cuts(double x, double y, Point d, double reach, const CoveredCells& dead) {
+void RotatingWindow::find_cuts(Point start, Point d, Point reach, const CoveredCells& dead) {
   const Grid& g = dead.grid();
-  const double u = x * g.per_cell, v = y * g.per_cell, du = d.x * g.per_cell, dv = d.y * g.per_cell;
-  const double rim = reach * g.per_cell, other = 1 - rim;
+  const double u = start.x * g.per_cell, v = start.y * g.per_cell, du = d.x * g.per_cell, dv = d.y * g.per_cell;
+  const double rim_u = reach.x * g.per_cell, rim_v = reach.y * g.per_cell;
   const int points = 1 + static_cast<int>(1.5 * std::max(std::abs(du), std::abs(dv)));
   const double step = 1.0 / points;
   int last_row = -1, last_column = -1;
@@ -127,7 +129,7 @@ void RotatingWindow::find_cuts(double x, double y, Point d, double reach, const 
     const double t = (k + 0.5) * step, at_u = u + t * du, at_v = v + t * dv;
     const int column = static_cast<int>(at_u), row = static_cast<int>(at_v);
     const double in_u = at_u - column, in_v = at_v - row;
-    if (!((in_u > rim) & (in_u < other) & (in_v > rim) & (in_v < other))) continue;
+    if (!((in_u > rim_u) & (in_u < 1 - rim_u) & (in_v > rim_v) & (in_v < 1 - rim_v))) continue;
     if ((row == last_row && column == last_column) || !dead.covered(row, column)) continue;
     last_row = row;
     last_column = column;
@@ -139,14 +141,15 @@ void RotatingWindow::find_cuts(double x, double y, Point d, double reach, const 
 // moves.
 void RotatingWindow::add_pieces(const Swept& w, const CoveredCells& dead) {
   const Grid& g = dead.grid();
-  const double x = w.x() + shift_, y = w.y() + shift_, reach = w.reach + 2 * kReach * g.cell;
+  const double x = w.x() + shift_, y = w.y() + shift_;
+  const Point reach = farther_by(w.reach, 2 * kReach * g.cell);
   const auto live_near = [&](double from, double to) {
     const double u = x + from * w.d.x, v = x + to * w.d.x, a = y + from * w.d.y, b = y + to * w.d.y;
-    return dead.any_live(g.row(std::min(a, b) - reach), g.column(std::min(u, v) - reach),
-                         g.row(std::max(a, b) + reach), g.column(std::max(u, v) + reach));
+    return dead.any_live(g.row(std::min(a, b) - reach.y), g.column(std::min(u, v) - reach.x),
+                         g.row(std::max(a, b) + reach.y), g.column(std::max(u, v) + reach.x));
   };
   cuts_.clear();
-  if (masked_ && kCutFrom * reach < g.cell) find_cuts(x, y, w.d, reach, dead);
+  if (masked_ && kCutFrom * std::max(reach.x, reach.y) < g.cell) find_cuts({x, y}, w.d, reach, dead);
   for (std::size_t k = 0; k <= cuts_.size(); ++k) {
     TurnPiece p;
     p.segment = static_cast<std::uint32_t>(segments.size());
@@ -161,14 +164,16 @@ void RotatingWindow::add_pieces(const Swept& w, const CoveredCells& dead) {
 
 RotatingWindow::Box RotatingWindow::box_of(const TurnPiece& p, double reach) const {
   const Swept& w = swept_[p.segment];
-  const double x = w.x() + shift_, y = w.y() + shift_, by = w.reach + reach;
+  const double x = w.x() + shift_, y = w.y() + shift_;
+  const Point by = farther_by(w.reach, reach);
   const double ax = x + p.head * w.d.x, ay = y + p.head * w.d.y, bx = x + p.tail * w.d.x, cy = y + p.tail * w.d.y;
-  return {std::min(ax, bx) - by, std::min(ay, cy) - by, std::max(ax, bx) + by, std::max(ay, cy) + by};
+  return {std::min(ax, bx) - by.x, std::min(ay, cy) - by.y, std::max(ax, bx) + by.x, std::max(ay, cy) + by.y};
 }
 
 // Pairs of pieces whose boxes meet, less those that stay apart. Without branches that cannot be predicted: every pair is
 // listed, and the place moves on for those that stay.
-std::vector<std::array<std::uint32_t, 2>> RotatingWindow::near_pairs(const std::vector<Box>& boxes) {
+std::vector<std::array<std::uint32_t, 2>> RotatingWindow::near_pairs(const std::vector<Box>& boxes,
+                                                                     std::size_t most_pairs) {
   BoxPairs pairs(forms_.span());
   PieceLines lines(forms_.span(), half);
   pairs.reserve(pieces.size());
@@ -178,9 +183,11 @@ std::vector<std::array<std::uint32_t, 2>> RotatingWindow::near_pairs(const std::
     const Swept& w = swept_[pieces[i].segment];
     lines.add(w.side, w.fixed, w.turning, w.d, pieces[i].head, pieces[i].tail);
   }
-  std::vector<std::array<std::uint32_t, 2>> near = pairs.find();
+  std::vector<std::array<std::uint32_t, 2>> near = pairs.find(most_pairs);
   const std::size_t count = near.size();
   pair_tests = count;
+  complete = count <= most_pairs;
+  if (!complete) return {};
   near.resize((count + 3) / 4 * 4, {0, 0});
   std::size_t n = 0;
   for (std::size_t k = 0; k < near.size(); k += 4) {
@@ -198,13 +205,13 @@ std::vector<std::array<std::uint32_t, 2>> RotatingWindow::near_pairs(const std::
 
 // Less those that are never there at once, those with a vertex in common, beside which they do not meet, and those that
 // meet in dead cells only: what does is covered.
-void RotatingWindow::find_candidates(const CoveredCells& dead) {
+void RotatingWindow::find_candidates(const CoveredCells& dead, std::size_t most_pairs) {
   const Grid& g = dead.grid();
   const double reach = kReach * g.cell;
   std::vector<Box> boxes;
   boxes.reserve(pieces.size());
   for (const TurnPiece& p : pieces) boxes.push_back(box_of(p, reach));
-  const std::vector<std::array<std::uint32_t, 2>> near = near_pairs(boxes);
+  const std::vector<std::array<std::uint32_t, 2>> near = near_pairs(boxes, most_pairs);
   candidates.reserve(near.size());
   constexpr double kSlack = 4 * kAngleSlack;  // of two spans, either within two of them
   for (const auto [i, j] : near) {

@@ -41,15 +41,16 @@ CoveredCells covered_cells(const TurnGrid& base, const std::vector<Point>& turne
   for (std::uint32_t i = 0; i < o.size(); ++i) {
     const Point a{turned[i].x + shift, turned[i].y + shift},
         b{turned[o.next[i]].x + shift, turned[o.next[i]].y + shift};
-    const double reach = std::max(moved(forms, i, half), moved(forms, o.next[i], half)) + kSweptRim * forms.span();
-    maker.bound_edge(a.x, a.y, b.x, b.y, kRim + reach * cells.per_cell);
+    const Point reach =
+        farther_by(farther(moved_by(turned[i], half), moved_by(turned[o.next[i]], half)), kSweptRim * forms.span());
+    maker.bound_edge(a.x, a.y, b.x, b.y, kRim + std::max(reach.x, reach.y) * cells.per_cell);
     maker.wind_edge(a.x, a.y, b.x, b.y);
-    if (2 * reach >= cells.cell) continue;
+    if (2 * reach.x >= cells.cell || 2 * reach.y >= cells.cell) continue;
     const SegmentClip clip(a.x, a.y, b.x - a.x, b.y - a.y);
     for_each_cell_run(cells, a.x, a.y, b.x, b.y, [&](int r, int first, int last) {
       for (int c = first; c <= last; ++c) {
-        const SegmentClip::Part part = clip.within(c * cells.cell + reach, r * cells.cell + reach,
-                                                   (c + 1) * cells.cell - reach, (r + 1) * cells.cell - reach);
+        const SegmentClip::Part part = clip.within(c * cells.cell + reach.x, r * cells.cell + reach.y,
+                                                   (c + 1) * cells.cell - reach.x, (r + 1) * cells.cell - reach.y);
         if (part.from <= part.to) maker.touch(r, c, c);
       }
     });
