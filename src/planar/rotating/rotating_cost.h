@@ -12,16 +12,16 @@ inline double cost_of(double each, std::uint64_t n) { return each * static_cast<
 
 /// Of operands with so many vertices together.
 inline double cost_of_slice(const SumStats& s, std::size_t vertices) {
-  return 2 + cost_of(0.082, vertices) + cost_of(0.033, s.reduced_segments) + cost_of(0.145, s.crossings) +
-         cost_of(0.0027, s.pair_tests) + cost_of(1.5, s.collision_tests);
+  return 2 + cost_of(0.08, vertices) + cost_of(0.03, s.reduced_segments) + cost_of(0.135, s.crossings) +
+         cost_of(0.0025, s.pair_tests) + cost_of(1.5, s.collision_tests);
 }
 
 /// Of two pieces whose boxes meet, when a window is built.
-inline constexpr double kCostOfPair = 0.022;
+inline constexpr double kCostOfPair = 0.03;
 
 inline double cost_of_window(const RotatingWindow& w) {
-  return 5 + cost_of(0.008, w.all_segments) + cost_of(0.062, w.pieces.size()) + cost_of(kCostOfPair, w.pair_tests) +
-         cost_of(0.004, w.cells);
+  return 12 + cost_of(0.011, w.all_segments) + cost_of(0.084, w.pieces.size()) + cost_of(kCostOfPair, w.pair_tests) +
+         cost_of(0.0055, w.cells);
 }
 
 /// `slice`: a frame from scratch.

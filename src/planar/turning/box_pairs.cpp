@@ -30,7 +30,8 @@ std::vector<std::array<std::uint32_t, 2>> BoxPairs::find(std::size_t most) {
       of[static_cast<std::size_t>(k)].push_back(left_order(boxes_[i].x0, i));
   pairs_.resize(4 * boxes_.size() + 4 * kLanes);
   count_ = 0;
-  for (int k = 0; k < n && count_ <= most; ++k) sweep(of[static_cast<std::size_t>(k)], static_cast<std::int16_t>(k * height));
+  for (int k = 0; k < n && count_ <= most; ++k)
+    sweep(of[static_cast<std::size_t>(k)], static_cast<std::int16_t>(k * height), most);
   pairs_.resize(count_);
   return std::move(pairs_);
 }
@@ -38,7 +39,7 @@ std::vector<std::array<std::uint32_t, 2>> BoxPairs::find(std::size_t most) {
 // Of a strip, the pairs whose common part begins in it: one of them does. Behind the last box lie some that start to
 // the right of everything and meet nothing. Which of eight boxes meet cannot be predicted: all are listed and the place
 // moves on for those that do.
-void BoxPairs::sweep(std::vector<std::uint64_t>& order, std::int16_t strip) {
+void BoxPairs::sweep(std::vector<std::uint64_t>& order, std::int16_t strip, std::size_t most) {
   sort_by_left(order);
   const std::size_t n = order.size(), padded = n + 2 * kLanes;
   sides_.resize(3 * padded);
@@ -51,7 +52,7 @@ void BoxPairs::sweep(std::vector<std::uint64_t>& order, std::int16_t strip) {
     y1[k] = b.y1;
   }
   order.resize(padded);
-  for (std::size_t i = 0; i < n; ++i) {
+  for (std::size_t i = 0; i < n && count_ <= most; ++i) {
     const auto s = static_cast<std::uint32_t>(order[i]);
     const std::int16_t right = boxes_[s].x1, least = y0[i] >= strip ? std::int16_t{0} : strip;
     const Lanes low = Lanes{} + y0[i], high = Lanes{} + y1[i], far = Lanes{} + right, first = Lanes{} + least;

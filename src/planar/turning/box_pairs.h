@@ -36,7 +36,7 @@ class BoxPairs {
   }
 
   int strips() const;
-  void sweep(std::vector<std::uint64_t>& order, std::int16_t low);
+  void sweep(std::vector<std::uint64_t>& order, std::int16_t low, std::size_t most);
 
   double per_unit_ = 0;
   std::vector<Box> boxes_;
