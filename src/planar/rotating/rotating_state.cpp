@@ -21,7 +21,7 @@ constexpr double kCellsPerRoot = 3.5, kMostCells = 256, kLeastCells = 8;
 // meet abound.
 constexpr double kWidest = 0.3;
 // What pairs of boxes may cost before a window is given up, times a frame from scratch.
-constexpr double kMostOfPairs = 2;
+constexpr double kMostOfPairs = 3;
 // Loops that are tested at the start of a window: with more of them it begins at the frame before.
 constexpr std::size_t kFewLoops = 8;
 

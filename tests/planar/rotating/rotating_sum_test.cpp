@@ -181,21 +181,22 @@ TEST(RotatingSum, random_walks_equal_slices) {
         updated += !sum.work().rebuilt && !sum.work().new_window;
         ASSERT_NO_FATAL_FAILURE(expect_frame(sum, fresh(shape.p, shape.q, orientation, options), true)) << "step " << k;
       }
-      EXPECT_GT(updated, 20u);
+      EXPECT_GT(updated, 10u);
     }
 }
 
-// Edges that are nearly in line, as raw outlines have them, cross their likes at places that doubles know badly.
+// Raw outlines have many: doubles know the place badly, and every sign well.
 TEST(RotatingSum, crossings_of_nearly_parallel_edges_are_no_reason_to_compute_from_scratch) {
-  const Region p = Region::create(
-                       RegionData{{{{{0, 0}, {2000, 0}, {2000, 10}, {1000, 10 - 0x1p-17}, {0, 10}}, {}}}, {}, {}})
+  // The lower step rises over the place of the upper one's end.
+  const double low = 5 - 0x1p-10;
+  const Region p = Region::create(RegionData{{{{{0, 0}, {20, 0}, {20, 5}, {10, 5}, {10, low}, {0, low}}, {}}}, {}, {}})
                        .value(),
-               q = shapes::rectangle(0, 0, 3, 1);
+               q = shapes::rectangle(0, 0, 8, 8);
   MovingOptions options;
   options.mode = FrameMode::window;
   RotatingSum sum = RotatingSum::create(p, q, options).value();
   for (int k = 0; k < 20; ++k) {
-    const Orientation orientation = at(0.3 + 0.01 * k);
+    const Orientation orientation = at(-0.0005 - 0.0001 * k, 1e-9);
     ASSERT_TRUE(sum.set(orientation).ok());
     EXPECT_FALSE(sum.work().rebuilt) << k;
     const PlanarSum wanted = fresh(p, q, orientation, options);
