@@ -20,6 +20,8 @@ constexpr double kCellsPerRoot = 3.5, kMostCells = 256, kLeastCells = 8;
 // Beyond a sweep either way of this share of the extent, divided by the root of the number of segments, pairs that may
 // meet abound.
 constexpr double kWidest = 0.3;
+// No window is tried for larger steps, in shares of the widest one: it would sweep too far to pay within a few frames.
+constexpr double kLargestStep = 0.4;
 // What pairs of boxes may cost before a window is given up, times a frame from scratch.
 constexpr double kMostOfPairs = 3;
 // Loops that are tested at the start of a window: with more of them it begins at the frame before.
@@ -149,13 +151,13 @@ Result<FrameChanges> RotatingSum::State::move_to(const Orientation& theta) {
   }
   theta_ = theta;
   Move to;
-  to.windows = forms_ != nullptr;
   const double angle = moving_angle(theta);
   to.step = std::remainder(angle - moving_angle(orientation), kTurn);
   // Doubles of angles err, so a window's ends are left a little early.
   to.inside = frames_ != nullptr && std::abs(std::remainder(angle - frames_->window.middle, kTurn)) <=
                                         frames_->window.half - kAngleDifference;
-  to.widest = to.windows ? widest_window() : 0;
+  to.widest = forms_ != nullptr ? widest_window() : 0;
+  to.windows = forms_ != nullptr && (to.inside || !chooses() || std::abs(to.step) <= kLargestStep * to.widest);
   to.asked = options.window;
   Result<FrameChanges> changes = move(to);
   if (changes) orientation = theta;

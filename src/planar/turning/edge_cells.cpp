@@ -25,8 +25,9 @@ EdgeCells::EdgeCells(const TurningForms& forms, const CoveredCells& cells, const
     edges_[side].reserve(o.size());
     for (std::uint32_t e = 0; e < o.size(); ++e) {
       const Point a = at[e], b = at[o.next[e]];
+      const Point by = side == 0 ? Point{} : farther(reach[e], reach[o.next[e]]);
       edges_[side].push_back(bounds(std::min(a.x, b.x), std::min(a.y, b.y), std::max(a.x, b.x), std::max(a.y, b.y),
-                                    farther_by(side == 0 ? Point{} : farther(reach[e], reach[o.next[e]]), 4 * kReach * g.cell)));
+                                    farther_by(by, 4 * kReach * g.cell)));
     }
     vertices_[side].reserve(other.size());
     for (std::uint32_t v = 0; v < other.size(); ++v) {

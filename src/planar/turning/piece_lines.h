@@ -24,8 +24,8 @@ class PieceLines {
                        Four{to(std::abs(d.x) + std::abs(d.y)), side == 0 ? 0.0F : 1.0F, 0, 0}});
   }
 
-  /// Of four pairs: bit k where pieces a[k] and b[k] certainly meet at no angle of the range, as both ends of one stay on
-  /// the same side of the other one's line. Some that stay apart are not told.
+  /// Of four pairs: bit k where pieces a[k] and b[k] certainly meet at no angle of the range, as both ends of one stay
+  /// on the same side of the other one's line. Some that stay apart are not told.
   std::uint32_t apart(const std::array<std::uint32_t, 4>& a, const std::array<std::uint32_t, 4>& b) const;
 
  private:

@@ -30,7 +30,8 @@ RotatingWindow::RotatingWindow(const TurnGrid& grid, const TurnCatalog& catalog,
     turned.push_back({heading.c * p.x - heading.s * p.y, heading.s * p.x + heading.c * p.y});
     moved_.push_back(farther_by(moved_by(turned.back(), half), kSweptPlace * forms_.span()));
   }
-  const CoveredCells dead = mask ? covered_cells(grid, turned, half) : CoveredCells(grid.grid.whole, CoveredCells::Counts::left_out);
+  const CoveredCells dead = mask ? covered_cells(grid, turned, half)
+                                 : CoveredCells(grid.grid.whole, CoveredCells::Counts::left_out);
   if (mask) cells = static_cast<std::uint64_t>(dead.grid().rows) * static_cast<std::uint64_t>(dead.grid().columns);
   add_segments(dead);
   find_next();
@@ -170,8 +171,8 @@ RotatingWindow::Box RotatingWindow::box_of(const TurnPiece& p, double reach) con
   return {std::min(ax, bx) - by.x, std::min(ay, cy) - by.y, std::max(ax, bx) + by.x, std::max(ay, cy) + by.y};
 }
 
-// Pairs of pieces whose boxes meet, less those that stay apart. Without branches that cannot be predicted: every pair is
-// listed, and the place moves on for those that stay.
+// Pairs of pieces whose boxes meet, less those that stay apart. Without branches that cannot be predicted: every pair
+// is listed, and the place moves on for those that stay.
 std::vector<std::array<std::uint32_t, 2>> RotatingWindow::near_pairs(const std::vector<Box>& boxes,
                                                                      std::size_t most_pairs) {
   BoxPairs pairs(forms_.span());

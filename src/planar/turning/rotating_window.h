@@ -43,8 +43,8 @@ struct TurnCandidate {
 
 class RotatingWindow : public CandidateIndex {
  public:
-  /// Angles within `half` of `middle`, a little more being covered. `mask` off: no cell is dead. Given up where boxes of
-  /// more than `most_pairs` pairs of pieces meet.
+  /// Angles within `half` of `middle`, a little more being covered. `mask` off: no cell is dead. Given up where boxes
+  /// of more than `most_pairs` pairs of pieces meet.
   RotatingWindow(const TurnGrid& grid, const TurnCatalog& catalog, double middle, double half, bool mask,
                  std::size_t most_pairs = ~std::size_t{0});
 
