@@ -296,7 +296,9 @@ SumGrid::SumGrid(std::array<double, 2> width, std::array<double, 2> height, int 
   whole.rows = part[0].rows + part[1].rows;
 }
 
-CoveredCells::CoveredCells(const Grid& grid) : grid_(grid), covered_(grid.rows, grid.columns) { count(); }
+CoveredCells::CoveredCells(const Grid& grid, Counts counts) : grid_(grid), covered_(grid.rows, grid.columns) {
+  if (counts == Counts::made) count();
+}
 
 CoveredCells::CoveredCells(const Grid& grid, const Raster& p, const Raster& q, Counts counts)
     : grid_(grid), covered_(grid.rows, grid.columns) {
@@ -310,7 +312,6 @@ CoveredCells::CoveredCells(const Grid& grid, const Raster& p, const Raster& q, C
 
 void CoveredCells::add(const Bitmap& inside) {
   for (std::size_t i = 0; i < covered_.bits.size(); ++i) covered_.bits[i] |= inside.bits[i];
-  count();
 }
 
 void CoveredCells::count() {

@@ -148,9 +148,9 @@ class CoveredCells {
   enum class Counts { made, left_out };
 
   /// No cell is covered.
-  explicit CoveredCells(const Grid& grid);
+  explicit CoveredCells(const Grid& grid, Counts counts = Counts::made);
   CoveredCells(const Grid& grid, const Raster& p, const Raster& q, Counts counts = Counts::made);
-  /// Others that lie inside. The counts are made.
+  /// Others that lie inside. Counts are not made again.
   void add(const Bitmap& inside);
 
   const Grid& grid() const { return grid_; }

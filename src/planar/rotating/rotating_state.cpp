@@ -14,15 +14,18 @@ using namespace planar;
 
 namespace {
 
-// In the choice of a width windows count by half: they are what makes few frames late, wide ones are what makes all
-// others slower.
-constexpr double kLate = 0.5;
-
 constexpr double kMaskFrom = 100;    // segments from which a mask pays
 constexpr double kCellsSwept = 1.1;  // a cell is so many times as wide as vertices move from the middle of a window
+constexpr double kCellsPerRoot = 3.5, kMostCells = 256, kLeastCells = 8;
 // Beyond a sweep either way of this share of the extent, divided by the root of the number of segments, pairs that may
 // meet abound.
-constexpr double kWidest = 1.0 / 7;
+constexpr double kWidest = 0.3;
+// No window is tried for larger steps, in shares of the widest one: it would sweep too far to pay within a few frames.
+constexpr double kLargestStep = 0.4;
+// What pairs of boxes may cost before a window is given up, times a frame from scratch.
+constexpr double kMostOfPairs = 3;
+// Loops that are tested at the start of a window: with more of them it begins at the frame before.
+constexpr std::size_t kFewLoops = 8;
 
 }  // namespace
 
@@ -59,29 +62,35 @@ double RotatingSum::State::widest_window() const {
 }
 
 int RotatingSum::State::cells_for(double half) const {
-  const double most = std::min(1024.0, extent() / (kCellsSwept * half * forms_->reach()));
-  const int usual = std::clamp(static_cast<int>(6 * std::sqrt(segments_)), 8, 256);
-  return std::max(8, std::min(usual, static_cast<int>(most)));
+  const double most = extent() / (kCellsSwept * half * forms_->reach());
+  const double cells = std::clamp(std::min(kCellsPerRoot * std::sqrt(segments_), most), kLeastCells, kMostCells);
+  // In steps of a root of two, so that few grids are made.
+  return static_cast<int>(kLeastCells * std::exp2(0.5 * std::floor(2 * std::log2(cells / kLeastCells))));
 }
 
 bool RotatingSum::State::build_window(const Move& move, const WindowController::Choice& reach) {
   auto [chosen, behind, ahead] = reach;
   if (options.window > 0 && move.step < 0) std::swap(behind, ahead);
-  // The frame before lies inside, so that what is known of it serves.
-  const double back = loops_->known() && std::abs(move.step) < 0.5 ? 1.001 * std::abs(move.step) : 0;
-  double& towards = move.step >= 0 ? behind : ahead;
-  towards = std::max(towards, back);
+  // Where many loops would have to be tested the frame before lies inside, so that what is known of it serves.
+  if (loops_->loops().size() > kFewLoops && std::abs(move.step) < 0.5) {
+    double& towards = move.step >= 0 ? behind : ahead;
+    towards = std::max(towards, 1.001 * std::abs(move.step));
+  }
   const double angle = moving_angle(theta_), low = angle - behind, high = angle + ahead, half = 0.5 * (high - low);
-  if (const int cells = cells_for(half); grid_ == nullptr || grid_->cells != cells)
-    grid_ = std::make_unique<TurnGrid>(*forms_, cells);
-  RotatingWindow next(*grid_, *catalog_, 0.5 * (low + high), half, segments_ >= kMaskFrom);
+  const int cells = cells_for(half);
+  std::unique_ptr<TurnGrid>& grid = grids_[cells];
+  if (!grid) grid = std::make_unique<TurnGrid>(*forms_, cells);
+  const std::size_t most_pairs =
+      chooses() ? static_cast<std::size_t>(kMostOfPairs * slice_cost_ / kCostOfPair) : ~std::size_t{0};
+  RotatingWindow next(*grid, *catalog_, 0.5 * (low + high), half, segments_ >= kMaskFrom, most_pairs);
+  if (!next.complete) return false;
   if (frames_ != nullptr) loops_->renumber(frames_->window, next);
   frames_ = std::make_unique<Frames>(std::move(next), *forms_base_, swapped_, swapped_ == p_turns());
   return true;
 }
 
-// The kept loops as rings in canonical order. False where a position is known too badly.
-bool RotatingSum::State::assemble(NextFrame& next) {
+// The kept loops as rings in canonical order.
+void RotatingSum::State::assemble(NextFrame& next) {
   const RotatingWindow& window = frames_->window;
   const RotatingFrame& frame = frames_->frame;
   PlanarSum& sum = next.sum;
@@ -91,17 +100,15 @@ bool RotatingSum::State::assemble(NextFrame& next) {
   sum.stats.live_segments = window.segments.size();
   sum.stats.crossings = frame.crossings().size();
   sum.stats.loops = loops_->loops().size();
-  std::optional<TurnedRings::Rings> kept = frames_->rings.at(theta_, frame, *loops_);
-  if (!kept) return false;
-  sum.at_error = kept->at_error;
+  TurnedRings::Rings kept = frames_->rings.at(theta_, frame, *loops_, *exact_source(sum));
+  sum.at_error = kept.at_error;
   const VertexOrder order(*exact_source(sum), sum.at_error);
-  for (SumRing& ring : kept->rings)
+  for (SumRing& ring : kept.rings)
     if (const std::size_t first = smallest_vertex(ring.vertices, order, sum.at_error); first != 0)
       std::rotate(ring.vertices.begin(), ring.vertices.begin() + static_cast<std::ptrdiff_t>(first),
                   ring.vertices.end());
-  for (const std::size_t i : place_rings(std::move(kept->rings), kept->outer, sum))
-    next.identities.push_back(&kept->loops[i]->ring);
-  return true;
+  for (const std::size_t i : place_rings(std::move(kept.rings), kept.outer, sum))
+    next.identities.push_back(&kept.loops[i]->ring);
 }
 
 // Nothing where doubles do not decide the frame.
@@ -118,10 +125,9 @@ std::optional<MovingSum::NextFrame> RotatingSum::State::window_frame(const Move&
   if (frames_->frame.compute(std::remainder(angle - window.middle, kTurn), Heading::of(angle))) {
     ExactOverlap overlap(base_, theta_);
     loops_->update(frames_->frame, overlap, identities_, next_work, next.changes);
-    if (assemble(next)) {
-      next_work.exact_signs += overlap.exact_signs();
-      return next;
-    }
+    assemble(next);
+    next_work.exact_signs += overlap.exact_signs();
+    return next;
   }
   next_work.degenerate = true;
   loops_->forget();
@@ -130,13 +136,12 @@ std::optional<MovingSum::NextFrame> RotatingSum::State::window_frame(const Move&
 
 double RotatingSum::State::cost_of(const FrameWork& done) {
   if (!done.rebuilt) return cost_of_frame(done, sum, slice_cost_);
-  slice_cost_ = cost_of_slice(sum.stats);
+  slice_cost_ = cost_of_slice(sum.stats, base_->operands[0].size() + base_->operands[1].size());
   return slice_cost_;
 }
 
 MovingSum::WindowCost RotatingSum::State::cost_of_window() const {
-  const double cost = planar::cost_of_window(frames_->window);
-  return {cost, kLate * cost};
+  return {planar::cost_of_window(frames_->window), 0};
 }
 
 Result<FrameChanges> RotatingSum::State::move_to(const Orientation& theta) {
@@ -146,13 +151,13 @@ Result<FrameChanges> RotatingSum::State::move_to(const Orientation& theta) {
   }
   theta_ = theta;
   Move to;
-  to.windows = forms_ != nullptr;
   const double angle = moving_angle(theta);
   to.step = std::remainder(angle - moving_angle(orientation), kTurn);
   // Doubles of angles err, so a window's ends are left a little early.
   to.inside = frames_ != nullptr && std::abs(std::remainder(angle - frames_->window.middle, kTurn)) <=
                                         frames_->window.half - kAngleDifference;
-  to.widest = to.windows ? widest_window() : 0;
+  to.widest = forms_ != nullptr ? widest_window() : 0;
+  to.windows = forms_ != nullptr && (to.inside || !chooses() || std::abs(to.step) <= kLargestStep * to.widest);
   to.asked = options.window;
   Result<FrameChanges> changes = move(to);
   if (changes) orientation = theta;

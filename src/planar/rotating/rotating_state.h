@@ -1,6 +1,7 @@
 // The state behind a RotatingSum: the window of angles, its frame and loops.
 #pragma once
 
+#include <map>
 #include <memory>
 
 #include "dymsum/rotating_sum.h"
@@ -46,14 +47,14 @@ class RotatingSum::State final : public planar::MovingSum {
   double widest_window() const;
   double extent() const;
   int cells_for(double half) const;
-  bool assemble(NextFrame& next);
+  void assemble(NextFrame& next);
 
   std::shared_ptr<const planar::OperandPair> base_;        // P is operand 0
   std::shared_ptr<const planar::OperandPair> forms_base_;  // the moving operand is operand 1: the smaller one
   bool swapped_ = false;                                   // that is P
   std::unique_ptr<planar::TurningForms> forms_;            // none: every frame is a rebuild
   std::unique_ptr<planar::TurnCatalog> catalog_;
-  std::unique_ptr<planar::TurnGrid> grid_;
+  std::map<int, std::unique_ptr<planar::TurnGrid>> grids_;  // by cells
   double segments_ = 0;    // of the reduced convolution, about
   double slice_cost_ = 0;  // of the last frame from scratch
   Orientation theta_;      // the new position, during a move

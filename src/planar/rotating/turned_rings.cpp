@@ -8,7 +8,7 @@
 namespace dymsum::planar {
 namespace {
 
-/// Positions that are known worse than this, times the span, make the frame be computed from scratch. Any value is
+/// Crossings that are known worse than this, times the span, are rounded from their exact positions. Any value is
 /// right.
 constexpr double kPoor = 0x1p-36;
 
@@ -53,6 +53,15 @@ double TurnedRings::input_error(double error) const {
   return (kMixed * error + kTurnedBack * forms_.span()) * l.unit + kTurnedOffset * offsets;
 }
 
+// Of a crossing.
+Point TurnedRings::exactly_rounded(const RotatingFrame::Step& s, const RotatingFrame::Step& next) {
+  if (!nearest_) nearest_.emplace(*source_);
+  SumVertex v;
+  v.in = names(s.segment).contact;
+  v.out = names(next.segment).contact;
+  return (*nearest_)(v);
+}
+
 // The steps of a kept loop that end at vertices and their positions, from the leftmost on: doubles mostly know where a
 // ring begins. Returns the largest error, in the frame.
 double TurnedRings::find_positions(const RotatingLoops::Loop& loop, const RotatingFrame& frame, const Rigid& to_sum) {
@@ -61,22 +70,20 @@ double TurnedRings::find_positions(const RotatingLoops::Loop& loop, const Rotati
   steps_.resize(loop.vertices);
   positions_.resize(loop.vertices);
   std::size_t n = 0, first = 0;
+  const double poor = kPoor * forms_.span();
   double leftmost = INFINITY, worst = frame.point_error();
   for (std::uint32_t k = loop.first; k < loop.last; ++k) {
     const RotatingFrame::Step& s = steps[k];
     if (s.straight) continue;
-    double x, y;
     if (s.to_crossing == RotatingFrame::kEnd) {
       const Point at = frame.place(window_.segments[s.segment].end);
-      x = at.x;
-      y = at.y;
-    } else {
-      const RotatingFrame::Located z = frame.end_of(s);
+      positions_[n] = rigid(at.x, at.y);
+    } else if (const RotatingFrame::Located z = frame.end_of(s); z.error <= poor) {
       worst = std::max(worst, z.error);
-      x = z.at.x;
-      y = z.at.y;
+      positions_[n] = rigid(z.at.x, z.at.y);
+    } else {
+      positions_[n] = exactly_rounded(s, steps[k + 1 == loop.last ? loop.first : k + 1]);
     }
-    positions_[n] = rigid(x, y);
     const double u = positions_[n].x;
     first = u < leftmost ? n : first;
     leftmost = std::min(u, leftmost);
@@ -105,16 +112,16 @@ SumRing TurnedRings::ring(const RotatingLoops::Loop& loop, const RotatingFrame& 
   return ring;
 }
 
-std::optional<TurnedRings::Rings> TurnedRings::at(const Orientation& theta, const RotatingFrame& frame,
-                                                  RotatingLoops& loops) {
+TurnedRings::Rings TurnedRings::at(const Orientation& theta, const RotatingFrame& frame, RotatingLoops& loops,
+                                   const ExactSource& source) {
+  source_ = &source;
+  nearest_.reset();
   Rings kept;
   const Rigid rigid = to_sum(theta);
-  const double poor = kPoor * forms_.span();
   double error = 0;
   for (RotatingLoops::Loop& loop : loops.loops()) {
     if (!loop.kept) continue;
     error = std::max(error, find_positions(loop, frame, rigid));
-    if (error > poor) return std::nullopt;
     kept.rings.push_back(ring(loop, frame));
     kept.outer.push_back(loop.turning > 0);
     kept.loops.push_back(&loop);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dymsum/orientation.h"
+#include "planar/position/nearest_point.h"
 #include "planar/rotating/rotating_loops.h"
 
 namespace dymsum::planar {
@@ -22,8 +23,8 @@ class TurnedRings {
     std::vector<RotatingLoops::Loop*> loops;
     double at_error = 0;
   };
-  /// The kept loops. Nothing where a position is known too badly.
-  std::optional<Rings> at(const Orientation& theta, const RotatingFrame& frame, RotatingLoops& loops);
+  /// The kept loops; `source` knows their exact positions.
+  Rings at(const Orientation& theta, const RotatingFrame& frame, RotatingLoops& loops, const ExactSource& source);
 
  private:
   /// From the coordinates of the forms to those of the sum: scaled, perhaps turned, and moved.
@@ -40,6 +41,7 @@ class TurnedRings {
   Rigid to_sum(const Orientation& theta) const;
   double input_error(double error) const;
   const Names& names(std::uint32_t segment);
+  Point exactly_rounded(const RotatingFrame::Step& s, const RotatingFrame::Step& next);
   double find_positions(const RotatingLoops::Loop& loop, const RotatingFrame& frame, const Rigid& to_sum);
   SumRing ring(const RotatingLoops::Loop& loop, const RotatingFrame& frame);
 
@@ -50,6 +52,8 @@ class TurnedRings {
   std::vector<Names> names_;          // of segments, made when first asked for
   std::vector<std::uint32_t> steps_;  // scratch: the steps of a ring that end at its vertices
   std::vector<Point> positions_;      // and where
+  const ExactSource* source_ = nullptr;  // during at()
+  std::optional<NearestPoint> nearest_;  // made when first asked for
 };
 
 }  // namespace dymsum::planar

@@ -1,4 +1,5 @@
-// Pairs of boxes that meet: a sweep over their left sides in 15-bit numbers, eight at a time.
+// Pairs of boxes that meet: a sweep over their left sides in 15-bit numbers, eight at a time, in each of several
+// horizontal strips.
 #pragma once
 
 #include <algorithm>
@@ -21,8 +22,9 @@ class BoxPairs {
     boxes_.push_back({quantum(x0), quantum(y0), quantum(x1), quantum(y1)});
   }
 
-  /// Every two boxes that meet, once, and some that nearly do. O(n log n + pairs that meet in x / 8).
-  std::vector<std::array<std::uint32_t, 2>> find();
+  /// Every two boxes that meet, once, and some that nearly do; only some of them if there are more than `most`.
+  /// O(n log n + pairs of a strip that meet in x / 8).
+  std::vector<std::array<std::uint32_t, 2>> find(std::size_t most = ~std::size_t{0});
 
  private:
   struct Box {
@@ -33,9 +35,14 @@ class BoxPairs {
     return static_cast<std::int16_t>(std::clamp(v * per_unit_, 0.0, double{kBoxQuanta - 1}));
   }
 
+  int strips() const;
+  void sweep(std::vector<std::uint64_t>& order, std::int16_t low, std::size_t most);
+
   double per_unit_ = 0;
   std::vector<Box> boxes_;
-  std::vector<std::uint64_t> order_;  // left side, number
+  std::vector<std::int16_t> sides_;  // of the boxes of a strip in their order: left, low, high
+  std::vector<std::array<std::uint32_t, 2>> pairs_;
+  std::size_t count_ = 0;
 };
 
 }  // namespace dymsum::planar

@@ -3,29 +3,40 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planar/mask/segment_clip.h"
 #include "planar/turning/box_pairs.h"
+#include "planar/turning/edge_cells.h"
+#include "planar/turning/piece_lines.h"
 
 namespace dymsum::planar {
+namespace {
 
-RotatingWindow::RotatingWindow(const TurnGrid& grid, const TurnCatalog& catalog, double mid, double h, bool mask)
+constexpr double kCutFrom = 2.5;  // cells at least so many times as wide as points move are looked at for cuts
+
+}  // namespace
+
+RotatingWindow::RotatingWindow(const TurnGrid& grid, const TurnCatalog& catalog, double mid, double h, bool mask,
+                               std::size_t most_pairs)
     : middle(mid),
       half(h * exact::kOutwards + kAngleSlack),
       heading(Heading::of(mid)),
       forms_(grid.forms),
       catalog_(catalog),
-      shift_(grid.forms.reach()) {
+      shift_(grid.forms.reach()),
+      masked_(mask) {
   turned.reserve(forms_.points(1).size());
   moved_.reserve(forms_.points(1).size());
   for (std::uint32_t v = 0; v < forms_.size(1); ++v) {
     const Point& p = forms_.points(1)[v];
     turned.push_back({heading.c * p.x - heading.s * p.y, heading.s * p.x + heading.c * p.y});
-    moved_.push_back(moved(forms_, v, half));
+    moved_.push_back(farther_by(moved_by(turned.back(), half), kSweptPlace * forms_.span()));
   }
-  const CoveredCells dead = mask ? covered_cells(grid, turned, half) : CoveredCells(grid.grid.whole);
+  const CoveredCells dead = mask ? covered_cells(grid, turned, half)
+                                 : CoveredCells(grid.grid.whole, CoveredCells::Counts::left_out);
+  if (mask) cells = static_cast<std::uint64_t>(dead.grid().rows) * static_cast<std::uint64_t>(dead.grid().columns);
   add_segments(dead);
   find_next();
-  find_candidates(dead);
+  find_candidates(dead, most_pairs);
+  if (!complete) return;
   index(candidates, pieces.size());
   find_dead_tails();
   find_runs();
@@ -56,13 +67,12 @@ RotatingWindow::Swept RotatingWindow::swept(const WalkSegment& s) const {
   w.turning = turned[from.q];
   const Point &a = s.side == 0 ? w.fixed : w.turning, &b = s.side == 0 ? forms_.points(0)[to] : turned[to];
   w.d = {b.x - a.x, b.y - a.y};
-  w.reach = (s.side == 0 ? moved_[from.q] : std::max(moved_[from.q], moved_[to])) + kSweptPlace * forms_.span();
+  w.reach = s.side == 0 ? moved_[from.q] : farther(moved_[from.q], moved_[to]);
   w.side = s.side;
   return w;
 }
 
 void RotatingWindow::add_segments(const CoveredCells& dead) {
-  const Grid& g = dead.grid();
   for (std::uint32_t side = 0; side < 2; ++side) turns_[side].assign(forms_.size(1 - side), {});
   const std::size_t usual =
       4 * (std::size_t{forms_.size(0)} + forms_.size(1));  // convolutions are a few times as large as the operands
@@ -70,64 +80,77 @@ void RotatingWindow::add_segments(const CoveredCells& dead) {
   segments.reserve(usual);
   swept_.reserve(usual);
   pieces.reserve(usual);
+  const EdgeCells cells(forms_, dead, turned, moved_);
   catalog_.for_each_turn(
       middle - half, middle + half,
       [&](std::uint32_t side, std::uint32_t vertex, const auto& edges, std::size_t at, std::size_t count) {
+        const std::size_t base = live_.size();
         turns_[side][vertex] = {static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(count),
-                                static_cast<std::uint32_t>(live_.size())};
+                                static_cast<std::uint32_t>(base)};
+        live_.resize(base + count, kNone);
         for (std::size_t k = 0; k < count; ++k, at = at + 1 == edges.size() ? 0 : at + 1) {
-          live_.push_back(kNone);
-          const WalkSegment walk{side, edges[at].edge, vertex};
-          const Swept w = swept(walk);
-          const double x = w.x() + shift_, y = w.y() + shift_, reach = w.reach + 2 * kReach * g.cell;
-          if (dead.live(g.row(std::min(y, y + w.d.y) - reach), g.column(std::min(x, x + w.d.x) - reach),
-                        g.row(std::max(y, y + w.d.y) + reach), g.column(std::max(x, x + w.d.x) + reach)) == 0)
-            continue;
-          TurnSegment s{walk};
-          s.first_piece = static_cast<std::uint32_t>(pieces.size());
-          add_pieces(w, dead);
-          s.last_piece = static_cast<std::uint32_t>(pieces.size());
-          if (s.first_piece == s.last_piece) continue;
-          live_.back() = static_cast<std::uint32_t>(segments.size());
-          s.span = catalog_.span(walk, middle);
-          s.throughout = s.span.from < -half - 2 * kAngleSlack && s.span.to > half + 2 * kAngleSlack;
-          if (!s.throughout) changing.push_back(static_cast<std::uint32_t>(segments.size()));
-          s.start = TurningForms::start(walk);
-          s.end = forms_.end(walk);
-          s.length1 = forms_.length1(walk);
-          segments.push_back(s);
-          swept_.push_back(w);
-          swept_.back().length1 = s.length1;
+          if (cells.covered(side, edges[at].edge, vertex)) continue;
+          if (add_segment({side, edges[at].edge, vertex}, dead))
+            live_[base + k] = static_cast<std::uint32_t>(segments.size() - 1);
         }
       });
   all_segments = live_.size();
+}
+
+// False where nothing of it is live.
+bool RotatingWindow::add_segment(const WalkSegment& walk, const CoveredCells& dead) {
+  const Swept w = swept(walk);
+  TurnSegment s{walk};
+  s.first_piece = static_cast<std::uint32_t>(pieces.size());
+  add_pieces(w, dead);
+  s.last_piece = static_cast<std::uint32_t>(pieces.size());
+  if (s.first_piece == s.last_piece) return false;
+  s.span = catalog_.span(walk, middle);
+  s.throughout = s.span.from < -half - 2 * kAngleSlack && s.span.to > half + 2 * kAngleSlack;
+  if (!s.throughout) changing.push_back(static_cast<std::uint32_t>(segments.size()));
+  s.start = TurningForms::start(walk);
+  s.end = forms_.end(walk);
+  s.length1 = forms_.length1(walk);
+  segments.push_back(s);
+  swept_.push_back(w);
+  swept_.back().length1 = s.length1;
+  return true;
+}
+
+// Shares of points of a segment that lie farther inside a dead cell than `reach`: of one or two points for each cell
+// that the segment passes.
+void RotatingWindow::find_cuts(Point start, Point d, Point reach, const CoveredCells& dead) {
+  const Grid& g = dead.grid();
+  const double u = start.x * g.per_cell, v = start.y * g.per_cell, du = d.x * g.per_cell, dv = d.y * g.per_cell;
+  const double rim_u = reach.x * g.per_cell, rim_v = reach.y * g.per_cell;
+  const int points = 1 + static_cast<int>(1.5 * std::max(std::abs(du), std::abs(dv)));
+  const double step = 1.0 / points;
+  int last_row = -1, last_column = -1;
+  for (int k = 0; k < points; ++k) {
+    const double t = (k + 0.5) * step, at_u = u + t * du, at_v = v + t * dv;
+    const int column = static_cast<int>(at_u), row = static_cast<int>(at_v);
+    const double in_u = at_u - column, in_v = at_v - row;
+    if (!((in_u > rim_u) & (in_u < 1 - rim_u) & (in_v > rim_v) & (in_v < 1 - rim_v))) continue;
+    if ((row == last_row && column == last_column) || !dead.covered(row, column)) continue;
+    last_row = row;
+    last_column = column;
+    cuts_.push_back(t);
+  }
 }
 
 // Cut where a point of the segment stays in one dead cell throughout: at the middle it lies farther inside than it
 // moves.
 void RotatingWindow::add_pieces(const Swept& w, const CoveredCells& dead) {
   const Grid& g = dead.grid();
-  const double x = w.x() + shift_, y = w.y() + shift_, reach = w.reach + 2 * kReach * g.cell;
-  const auto cells_near = [&](double from, double to) {
+  const double x = w.x() + shift_, y = w.y() + shift_;
+  const Point reach = farther_by(w.reach, 2 * kReach * g.cell);
+  const auto live_near = [&](double from, double to) {
     const double u = x + from * w.d.x, v = x + to * w.d.x, a = y + from * w.d.y, b = y + to * w.d.y;
-    const int r0 = g.row(std::min(a, b) - reach), r1 = g.row(std::max(a, b) + reach);
-    const int c0 = g.column(std::min(u, v) - reach), c1 = g.column(std::max(u, v) + reach);
-    return std::array{dead.live(r0, c0, r1, c1),
-                      static_cast<std::uint32_t>(r1 - r0 + 1) * static_cast<std::uint32_t>(c1 - c0 + 1)};
+    return dead.any_live(g.row(std::min(a, b) - reach.y), g.column(std::min(u, v) - reach.x),
+                         g.row(std::max(a, b) + reach.y), g.column(std::max(u, v) + reach.x));
   };
   cuts_.clear();
-  if (const auto [live, all] = cells_near(0, 1); live < all && 2 * reach < g.cell) {
-    const SegmentClip clip(x, y, w.d.x, w.d.y);
-    for_each_cell_run(g, x, y, x + w.d.x, y + w.d.y, [&](int row, int first, int last) {
-      for (int c = first; c <= last; ++c) {
-        if (!dead.covered(row, c)) continue;
-        const SegmentClip::Part part =
-            clip.within(c * g.cell + reach, row * g.cell + reach, (c + 1) * g.cell - reach, (row + 1) * g.cell - reach);
-        if (part.to > part.from) cuts_.push_back(part.middle());
-      }
-    });
-    std::sort(cuts_.begin(), cuts_.end());
-  }
+  if (masked_ && kCutFrom * std::max(reach.x, reach.y) < g.cell) find_cuts({x, y}, w.d, reach, dead);
   for (std::size_t k = 0; k <= cuts_.size(); ++k) {
     TurnPiece p;
     p.segment = static_cast<std::uint32_t>(segments.size());
@@ -135,79 +158,74 @@ void RotatingWindow::add_pieces(const Swept& w, const CoveredCells& dead) {
     p.tail_cut = p.tail_dead = k < cuts_.size();
     if (p.head_cut) p.head = cuts_[k - 1];
     if (p.tail_cut) p.tail = cuts_[k];
-    if (!cuts_.empty() && cells_near(p.head, p.tail)[0] == 0) continue;
+    if (!cuts_.empty() && !live_near(p.head, p.tail)) continue;
     pieces.push_back(p);
   }
 }
 
-// Both ends of one piece on the same side of the other one's line at every angle, by Taylor's formula. Without
-// branches.
-bool RotatingWindow::apart(const TurnPiece& p, const TurnPiece& q) const {
-  const Swept &a = swept_[p.segment], &b = swept_[q.segment];
-  const double fx = b.fixed.x - a.fixed.x, fy = b.fixed.y - a.fixed.y, tx = b.turning.x - a.turning.x,
-               ty = b.turning.y - a.turning.y;
-  const double k = a.d.x * b.d.y - a.d.y * b.d.x, dot = a.side != b.side ? a.d.x * b.d.x + a.d.y * b.d.y : 0;
-  const double second = 0.5 * half * half * exact::kOutwards, bound = kApart * forms_.span();
-  // The side of the place at share u of `other` against `line` is `value` + u k, and its slope `slope` + u dot: what
-  // turns against a line is the other operand's vertex. `sign` tells the direction of the offset.
-  const auto beside = [&](const Swept& line, const Swept& other, double sign, double head, double tail) {
-    const double rx = line.side == 0 ? tx : fx, ry = line.side == 0 ? ty : fy;
-    const double value = sign * (line.d.x * (fy + ty) - line.d.y * (fx + tx)),
-                 slope = sign * (line.d.x * rx + line.d.y * ry);
-    const double v = value + sign * head * k, w = value + sign * tail * k;
-    const double most =
-        line.length1 * (second * (std::abs(rx) + std::abs(ry) + (a.side != b.side ? other.length1 : 0)) + bound);
-    const double low = std::min(v, w), high = std::max(v, w),
-                 turn = half * std::max(std::abs(slope + head * dot), std::abs(slope + tail * dot)) + most;
-    return (low > turn) | (high < -turn);
-  };
-  return beside(a, b, 1, q.head, q.tail) | beside(b, a, -1, p.head, p.tail);
-}
-
 RotatingWindow::Box RotatingWindow::box_of(const TurnPiece& p, double reach) const {
   const Swept& w = swept_[p.segment];
-  const double x = w.x() + shift_, y = w.y() + shift_, by = w.reach + reach;
+  const double x = w.x() + shift_, y = w.y() + shift_;
+  const Point by = farther_by(w.reach, reach);
   const double ax = x + p.head * w.d.x, ay = y + p.head * w.d.y, bx = x + p.tail * w.d.x, cy = y + p.tail * w.d.y;
-  return {std::min(ax, bx) - by, std::min(ay, cy) - by, std::max(ax, bx) + by, std::max(ay, cy) + by};
+  return {std::min(ax, bx) - by.x, std::min(ay, cy) - by.y, std::max(ax, bx) + by.x, std::max(ay, cy) + by.y};
 }
 
-// Pieces whose swept boxes meet in a live cell, less those that certainly do not meet: what meets in dead cells is
-// covered.
-void RotatingWindow::find_candidates(const CoveredCells& dead) {
+// Pairs of pieces whose boxes meet, less those that stay apart. Without branches that cannot be predicted: every pair
+// is listed, and the place moves on for those that stay.
+std::vector<std::array<std::uint32_t, 2>> RotatingWindow::near_pairs(const std::vector<Box>& boxes,
+                                                                     std::size_t most_pairs) {
+  BoxPairs pairs(forms_.span());
+  PieceLines lines(forms_.span(), half);
+  pairs.reserve(pieces.size());
+  lines.reserve(pieces.size());
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    pairs.add(boxes[i].x0, boxes[i].y0, boxes[i].x1, boxes[i].y1);
+    const Swept& w = swept_[pieces[i].segment];
+    lines.add(w.side, w.fixed, w.turning, w.d, pieces[i].head, pieces[i].tail);
+  }
+  std::vector<std::array<std::uint32_t, 2>> near = pairs.find(most_pairs);
+  const std::size_t count = near.size();
+  pair_tests = count;
+  complete = count <= most_pairs;
+  if (!complete) return {};
+  near.resize((count + 3) / 4 * 4, {0, 0});
+  std::size_t n = 0;
+  for (std::size_t k = 0; k < near.size(); k += 4) {
+    const std::array four{near[k], near[k + 1], near[k + 2], near[k + 3]};
+    const std::uint32_t apart = lines.apart({four[0][0], four[1][0], four[2][0], four[3][0]},
+                                            {four[0][1], four[1][1], four[2][1], four[3][1]});
+    for (std::size_t i = 0; i < 4; ++i) {
+      near[n] = four[i];
+      n += static_cast<std::size_t>((apart >> i & 1) == 0 && k + i < count);
+    }
+  }
+  near.resize(n);
+  return near;
+}
+
+// Less those that are never there at once, those with a vertex in common, beside which they do not meet, and those that
+// meet in dead cells only: what does is covered.
+void RotatingWindow::find_candidates(const CoveredCells& dead, std::size_t most_pairs) {
   const Grid& g = dead.grid();
   const double reach = kReach * g.cell;
-  BoxPairs pairs(forms_.span());
-  pairs.reserve(pieces.size());
-  for (const TurnPiece& p : pieces) {
-    const Box box = box_of(p, reach);
-    pairs.add(box.x0, box.y0, box.x1, box.y1);
-  }
-  // Without branches that cannot be predicted: every pair is listed, and the place moves on for those that stay.
-  std::vector<std::array<std::uint32_t, 2>> near = pairs.find();
-  std::size_t n = 0;
+  std::vector<Box> boxes;
+  boxes.reserve(pieces.size());
+  for (const TurnPiece& p : pieces) boxes.push_back(box_of(p, reach));
+  const std::vector<std::array<std::uint32_t, 2>> near = near_pairs(boxes, most_pairs);
+  candidates.reserve(near.size());
+  constexpr double kSlack = 4 * kAngleSlack;  // of two spans, either within two of them
   for (const auto [i, j] : near) {
     const TurnSegment &s = segments[pieces[i].segment], &t = segments[pieces[j].segment];
-    constexpr double kSlack = 4 * kAngleSlack;  // of two spans, either within two of them
-    // Never at once; or with a vertex in common, beside which they do not meet.
-    const bool never = (s.span.from > t.span.to + kSlack) | (t.span.from > s.span.to + kSlack);
-    near[n] = {i, j};
-    n += !(never | (s.start == t.start) | (s.start == t.end) | (s.end == t.start) | (s.end == t.end));
+    if ((s.span.from > t.span.to + kSlack) | (t.span.from > s.span.to + kSlack) | (s.start == t.start) |
+        (s.start == t.end) | (s.end == t.start) | (s.end == t.end))
+      continue;
+    const Box &u = boxes[i], &v = boxes[j];
+    if (masked_ && !dead.any_live(g.row(std::max(u.y0, v.y0)), g.column(std::max(u.x0, v.x0)),
+                                  g.row(std::min(u.y1, v.y1)), g.column(std::min(u.x1, v.x1))))
+      continue;
+    candidates.push_back({i, j, pieces[i].segment, pieces[j].segment});
   }
-  pair_tests = n;
-  candidates.resize(n);
-  std::size_t kept = 0;
-  for (std::size_t k = 0; k < n; ++k) {
-    const TurnPiece &p = pieces[near[k][0]], &q = pieces[near[k][1]];
-    candidates[kept] = {near[k][0], near[k][1], p.segment, q.segment};
-    kept += !apart(p, q);
-  }
-  candidates.resize(kept);
-  if (dead.covered_cells() == 0) return;
-  std::erase_if(candidates, [&](const TurnCandidate& m) {
-    const Box u = box_of(pieces[m.a], reach), v = box_of(pieces[m.b], reach);
-    return dead.live(g.row(std::max(u.y0, v.y0)), g.column(std::max(u.x0, v.x0)), g.row(std::min(u.y1, v.y1)),
-                     g.column(std::min(u.x1, v.x1))) == 0;
-  });
 }
 
 // As at most one of the two exists at a time, one that exists throughout is the only one.

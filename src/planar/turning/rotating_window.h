@@ -43,8 +43,12 @@ struct TurnCandidate {
 
 class RotatingWindow : public CandidateIndex {
  public:
-  /// Angles within `half` of `middle`, a little more being covered. `mask` off: no cell is dead.
-  RotatingWindow(const TurnGrid& grid, const TurnCatalog& catalog, double middle, double half, bool mask);
+  /// Angles within `half` of `middle`, a little more being covered. `mask` off: no cell is dead. Given up where boxes
+  /// of more than `most_pairs` pairs of pieces meet.
+  RotatingWindow(const TurnGrid& grid, const TurnCatalog& catalog, double middle, double half, bool mask,
+                 std::size_t most_pairs = ~std::size_t{0});
+
+  bool complete = true;  ///< not given up
 
   double middle = 0, half = 0;
   Heading heading;            ///< of the middle
@@ -55,7 +59,7 @@ class RotatingWindow : public CandidateIndex {
   std::vector<std::uint32_t> changing;  ///< segments that do not exist at every angle
   std::vector<std::uint32_t> rounds;    ///< whole pieces that may follow each other all round, without quiet ones
   std::vector<std::uint32_t> circles;   ///< quiet pieces whose followers lead back to them, one of each circle
-  std::uint64_t all_segments = 0, pair_tests = 0;
+  std::uint64_t all_segments = 0, pair_tests = 0, cells = 0;  ///< what building it looked at; cells of the mask
 
   const TurningForms& forms() const { return forms_; }
   /// The live segment of that name, or kNone.
@@ -64,10 +68,11 @@ class RotatingWindow : public CandidateIndex {
 
  private:
   /// A segment at the middle: the vertices it starts with, its vector and |vector|_1, and how far a point of it moves
-  /// from there.
+  /// from there in either axis.
   struct Swept {
     Point fixed, turning, d;
-    double length1 = 0, reach = 0;
+    double length1 = 0;
+    Point reach;
     std::uint32_t side = 0;
     double x() const { return fixed.x + turning.x; }
     double y() const { return fixed.y + turning.y; }
@@ -80,10 +85,13 @@ class RotatingWindow : public CandidateIndex {
   };
   Swept swept(const WalkSegment& s) const;
   void add_segments(const CoveredCells& dead);
+  bool add_segment(const WalkSegment& walk, const CoveredCells& dead);
   void add_pieces(const Swept& w, const CoveredCells& dead);
+  void find_cuts(Point start, Point d, Point reach, const CoveredCells& dead);
   Box box_of(const TurnPiece& p, double reach) const;
-  void find_candidates(const CoveredCells& dead);
-  bool apart(const TurnPiece& p, const TurnPiece& q) const;
+  void find_candidates(const CoveredCells& dead, std::size_t most_pairs);
+  std::vector<std::array<std::uint32_t, 2>> near_pairs(const std::vector<Box>& boxes,
+                                                       std::size_t most_pairs);
   void find_next();
   void find_dead_tails();
   void find_runs();
@@ -92,9 +100,10 @@ class RotatingWindow : public CandidateIndex {
   const TurningForms& forms_;
   const TurnCatalog& catalog_;
   double shift_ = 0;                        // of coordinates to those of the grid
+  bool masked_ = false;                     // cells may be dead
   std::array<std::vector<Turn>, 2> turns_;  // by side and vertex
   std::vector<std::uint32_t> live_;         // all segments of the window -> segments
-  std::vector<double> moved_;               // how far each of its vertices moves from there
+  std::vector<Point> moved_;                // how far a place with each turning vertex moves from there
   std::vector<Swept> swept_;                // of segments
   std::vector<double> cuts_;
 };

@@ -20,6 +20,8 @@ TurnCatalog::TurnCatalog(const TurningForms& forms) : forms_(forms) {
       }
     for (auto* list : {&edges_[op], &outer_edges_[op]})
       std::sort(list->begin(), list->end(), [](const Edge& a, const Edge& b) { return a.angle < b.angle; });
+    start_[op].index(edges_[op]);
+    outer_start_[op].index(outer_edges_[op]);
     const auto ranks = [&](const std::vector<Edge>& list, std::vector<std::uint32_t>& rank) {
       rank.assign(o.size(), ~std::uint32_t{0});
       for (std::uint32_t k = 0; k < list.size(); ++k) rank[list[k].edge] = k;
@@ -35,10 +37,13 @@ TurnCatalog::TurnCatalog(const TurningForms& forms) : forms_(forms) {
   }
 }
 
-std::size_t TurnCatalog::lower_bound(const std::vector<Edge>& edges, double angle) {
-  const auto at =
-      std::lower_bound(edges.begin(), edges.end(), angle, [](const Edge& e, double a) { return e.angle < a; });
-  return at == edges.end() ? 0 : static_cast<std::size_t>(at - edges.begin());
+void TurnCatalog::Starts::index(const std::vector<Edge>& edges) {
+  first.assign(edges.size(), 0);
+  std::uint32_t at = 0;
+  for (std::size_t k = 0; k < first.size(); ++k) {
+    while (at < edges.size() && stretch(edges[at].angle) < k) ++at;
+    first[k] = at;
+  }
 }
 
 bool TurnCatalog::may_exist(const WalkSegment& s) const {

@@ -1,6 +1,7 @@
 // Which segments of the reduced convolution exist at which angle: edges and convex vertices by direction.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <numbers>
 #include <vector>
@@ -53,10 +54,12 @@ class TurnCatalog {
         // Directions of edges, less the rotation of the turning operand, between those of the corner.
         const double from = positive_angle(corner.in + (side == 0 ? low : -high) - kAngleSlack),
                      length = corner.turn + (high - low) + 2 * kAngleSlack;
-        const std::size_t first = lower_bound(edges, from);
+        const std::size_t first = (corner.of_hole ? outer_start_ : start_)[side].at_or_behind(edges, from);
         std::size_t at = first, count = 0;
-        for (; count < edges.size(); ++count, at = at + 1 == edges.size() ? 0 : at + 1)
-          if (positive_angle(edges[at].angle - from) > length) break;
+        for (; count < edges.size(); ++count, at = at + 1 == edges.size() ? 0 : at + 1) {
+          const double behind = edges[at].angle - from;  // of two angles in [0, 2 pi)
+          if ((behind < 0 ? behind + kTurn : behind) > length) break;
+        }
         f(side, corner.vertex, edges, first, count);
       }
     }
@@ -121,10 +124,26 @@ class TurnCatalog {
     std::uint32_t vertex = 0;
     bool of_hole = false;
   };
-  static std::size_t lower_bound(const std::vector<Edge>& edges, double angle);
+  /// Where to look in a sorted list: of as many equal stretches of a turn as there are edges, the first one that is not
+  /// before it.
+  struct Starts {
+    std::vector<std::uint32_t> first;
+    void index(const std::vector<Edge>& edges);
+    /// The first edge whose angle is not less than one in [0, 2 pi), all round; requires edges.
+    std::size_t at_or_behind(const std::vector<Edge>& edges, double angle) const {
+      std::size_t at = first[std::min(first.size() - 1, stretch(angle))];
+      while (at > 0 && edges[at - 1].angle >= angle) --at;
+      while (at < edges.size() && edges[at].angle < angle) ++at;
+      return at == edges.size() ? 0 : at;
+    }
+    std::size_t stretch(double angle) const {
+      return static_cast<std::size_t>(angle * (static_cast<double>(first.size()) / kTurn));
+    }
+  };
 
   const TurningForms& forms_;
   std::array<std::vector<Edge>, 2> edges_, outer_edges_;  // sorted
+  std::array<Starts, 2> start_, outer_start_;             // of these
   std::array<std::vector<Corner>, 2> corners_;
   std::array<std::vector<double>, 2> angle_, turn_;  // of edges; of convex vertices
   std::array<std::vector<std::uint8_t>, 2> of_hole_;

@@ -1,6 +1,8 @@
 // Cells of the sum that stay inside it while an operand turns a little: what windows of angles are made with.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "planar/mask/covered_cells.h"
@@ -24,6 +26,16 @@ class TurnGrid {
 inline double moved(const TurningForms& forms, std::uint32_t v, double half) {
   return forms.radius(v) * half * exact::kOutwards;
 }
+
+/// How far a vertex at p, about the centre of the turn, moves in either axis within `half` radians, at most: by
+/// p (cos - 1) and across it by p sin.
+inline Point moved_by(Point p, double half) {
+  const double x = std::abs(p.x), y = std::abs(p.y), second = 0.5 * half * half;
+  return {(y * half + x * second) * exact::kOutwards, (x * half + y * second) * exact::kOutwards};
+}
+/// What is at least as far in both axes.
+inline Point farther(Point a, Point b) { return {std::max(a.x, b.x), std::max(a.y, b.y)}; }
+inline Point farther_by(Point a, double by) { return {a.x + by, a.y + by}; }
 
 /// Cells of the sum that are inside it at every angle within `half` of the one at which the turning operand's vertices
 /// are `turned`.

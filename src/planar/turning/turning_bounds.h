@@ -69,12 +69,19 @@ inline constexpr double kAngleDifference = exact::rounding_bound(2 * 12 + 4, 512
 /// Each is less than 8 and errs by 4 u or less besides the rounding of what it is made of.
 inline constexpr double kAngleDouble = exact::rounding_bound(12, 32);
 
-/// How far two pieces have to be apart in a window, times L and the span: a side (88) and a share of d x e (79), with
-/// the half of the window, at most a radian, times the same of its slope.
-/// An edge vector that is the difference of its ends errs by 8 S, which may be all that there is of a short one: this
-/// turns its line about its start, so that the line still passes what crosses the edge within 8 L, and two ends beyond
-/// the bound on one side of it are not on two sides of the edge's.
-inline constexpr double kApart = exact::rounding_bound(2 * (88 + 79), 512);
+/// How far two pieces have to be apart in a window, times L, in shares of the span: computed in floats. In their units
+/// of roundoff, with L' of the other edge at most 2 S:
+///   offsets   converted, subtracted and added: 3 W + 4 R + S <= 5 S.
+///   value     with d, which errs by L, products and difference: 5 + 1 + 2 + 1 = 9 L S.
+///   k, dot    4 L L' <= 8 L S; times a share, which is rounded, 4 L S more; added to the value or slope 3 L S.
+///   slope     the offset that turns, chosen by a product: 12 S; with d, products and sum 16 L S. Times the half of the
+///             window, at most a radian.
+///   turn      its own roundings: 10 L S.
+/// Together 24 + 31 + 10 <= 65 L S; what the doubles themselves err by is nothing beside it.
+/// An edge vector that is the difference of its ends errs by 8 S of a double's units, which may be all that there is of
+/// a short one: this turns its line about its start, so that the line still passes what crosses the edge within 8 L,
+/// and two ends beyond the bound on one side of it are not on two sides of the edge's.
+inline constexpr double kApart = 128 * exact::kFloatRoundoff;
 /// What places at the middle of a window err by at most, times the span, when swept: the place, and the radius of a
 /// vertex (4 R) times the half.
 inline constexpr double kSweptPlace = exact::rounding_bound(16 + 4, 128);

@@ -153,6 +153,61 @@ TEST(RotatingSum, larger_pairs_with_masks_equal_slices) {
       }
 }
 
+// Steps of every kind: windows are entered from either side, left at once, and built anew in the middle of nowhere.
+TEST(RotatingSum, random_walks_equal_slices) {
+  const Shape shapes[]{{"star and star", shapes::noisy_star(26, 0.5, 1), shapes::noisy_star(20, 0.7, 2)},
+                       {"random with holes and gear", shapes::random_polygon(50, 3, 7), shapes::gear(7, 1, 1.3)}};
+  for (const Shape& shape : shapes)
+    for (const FrameMode mode : {FrameMode::window, FrameMode::automatic}) {
+      SCOPED_TRACE(shape.name);
+      MovingOptions options;
+      options.mode = mode;
+      RotatingSum sum = RotatingSum::create(shape.p, shape.q, options).value();
+      oracles::Random random(9);
+      std::uint64_t updated = 0;
+      double theta = 0.2;
+      for (int k = 0; k < 120; ++k) {
+        const double share = static_cast<double>(1 + random.below(1000)) / 1000, sign = random.chance(50) ? 1 : -1;
+        switch (k / 5 % 6) {
+          case 0: theta += sign * share * 1e-7; break;
+          case 1: theta += 0.0126; break;
+          case 2: theta -= 0.0126 * share; break;
+          case 3: theta += k % 2 == 0 ? 0.02 : -0.02; break;
+          case 4: theta += sign * 3 * share; break;
+          default: theta = 0.5 * std::numbers::pi * static_cast<double>(random.below(4)) + sign * share * 0.004; break;
+        }
+        const Orientation orientation = at(theta, 1e-9);
+        ASSERT_TRUE(sum.set(orientation).ok());
+        updated += !sum.work().rebuilt && !sum.work().new_window;
+        ASSERT_NO_FATAL_FAILURE(expect_frame(sum, fresh(shape.p, shape.q, orientation, options), true)) << "step " << k;
+      }
+      EXPECT_GT(updated, 10u);
+    }
+}
+
+// Raw outlines have many: doubles know the place badly, and every sign well.
+TEST(RotatingSum, crossings_of_nearly_parallel_edges_are_no_reason_to_compute_from_scratch) {
+  // The lower step rises over the place of the upper one's end.
+  const double low = 5 - 0x1p-10;
+  const Region p = Region::create(RegionData{{{{{0, 0}, {20, 0}, {20, 5}, {10, 5}, {10, low}, {0, low}}, {}}}, {}, {}})
+                       .value(),
+               q = shapes::rectangle(0, 0, 8, 8);
+  MovingOptions options;
+  options.mode = FrameMode::window;
+  RotatingSum sum = RotatingSum::create(p, q, options).value();
+  for (int k = 0; k < 20; ++k) {
+    const Orientation orientation = at(-0.0005 - 0.0001 * k, 1e-9);
+    ASSERT_TRUE(sum.set(orientation).ok());
+    EXPECT_FALSE(sum.work().rebuilt) << k;
+    const PlanarSum wanted = fresh(p, q, orientation, options);
+    ASSERT_NO_FATAL_FAILURE(expect_frame(sum, wanted, true)) << k;
+    EXPECT_LT(sum.sum().at_error, 1e-9) << "positions are rounded from exact ones";
+    EXPECT_TRUE(std::ranges::any_of(sum.sum().parts[0].outer.vertices,
+                                    [](const SumVertex& v) { return v.corner_p == SumVertex::kNone; }))
+        << "a crossing";
+  }
+}
+
 TEST(RotatingSum, every_slice_around_an_event_is_right_from_both_sides) {
   // A square in a slot: free at quarter turns only.
   const Region slot = shapes::grate(4, 2, 1, 3), square = shapes::rectangle(0, 0, 1, 1);
