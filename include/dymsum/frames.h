@@ -45,7 +45,7 @@ struct MovingOptions {
 /// The work of one frame.
 struct FrameWork {
   bool rebuilt = false;                 ///< computed from scratch, without a window
-  bool new_window = false;              ///< the first frame of a window that was built for it, or ahead
+  bool new_window = false;              ///< a window was built for it, by the thread that asked
   bool degenerate = false;              ///< something touches at this very scale or angle: no update could serve
   std::uint64_t pieces = 0;             ///< pieces of segments that are live in the window
   std::uint64_t candidates = 0;         ///< pairs of pieces that may meet in the window where it is not proved covered

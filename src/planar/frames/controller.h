@@ -36,10 +36,9 @@ class WindowController {
   void abandoned(double step);
   /// Whether frames inside the window have been more expensive than from scratch three times in a row.
   bool give_up(double cost);
-  /// Frames go on in a window that was built before: what they cost tells nothing of how wide windows should be.
+  /// Frames go on in a window that was built before, or elsewhere: what they cost tells nothing of how wide windows
+  /// should be, nor whether they pay.
   void returned();
-  /// Frames go on in a window that was made ahead; built() tells what it cost.
-  void entered() { close_window(); }
   /// How wide the next window should be, `step` after step.
   double width(double step, double widest) const;
   void updated(double cost);

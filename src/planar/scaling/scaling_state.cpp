@@ -68,8 +68,6 @@ std::optional<MovingSum::NextFrame> ScalingSum::State::window_frame(const Move& 
   ExactFrame frame(base, x_);
   const Window& window = *frames_->window;
   NextFrame next;
-  if (!frames_->served) next_work.new_window = true;
-  frames_->served = true;
   if (frames_->follow(frame, next_work)) {
     next = assemble(frame.tau(window.frame().moving), frame, move.stays);
     last_ = frames_.get();

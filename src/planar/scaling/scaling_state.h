@@ -30,7 +30,7 @@ class ScalingSum::State final : public planar::MovingSum {
 
  private:
   /// Of the first window: where steps are small it is not narrower for that, as building costs nearly as much.
-  static constexpr double kFirstFrames = 160, kFirstWidth = 0.12, kFactor = 1.2, kPayback = 8;
+  static constexpr double kFirstFrames = 160, kFirstWidth = 0.08, kFactor = 1.2, kPayback = 8;
 
   planar::PlacedPair placed() const override;
   bool awaits_window(const Move& move) const override;

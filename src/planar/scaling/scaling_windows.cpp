@@ -32,8 +32,7 @@ void ScalingSum::State::enter_window() {
   leave_window();
   frames_ = std::move(next);
   too_expensive_ahead_ = false;
-  if (frames_->served) controller_.returned();
-  else controller_.entered();
+  controller_.returned();
 }
 
 void ScalingSum::State::take_window_ahead() {

@@ -14,8 +14,7 @@ struct WindowFrames {
   PieceLists lists{*window};
   FrameLoops loops{lists};
   LoopRings rings{loops};
-  bool known = false;   ///< the loops are those of the last frame that was made here
-  bool served = false;  ///< a frame of the sum was made here
+  bool known = false;  ///< the loops are those of the last frame that was made here
 
   bool covers(double s) const { return s > low && s < high; }
   std::size_t bytes() const { return window->bytes() + lists.bytes() + loops.bytes(); }

@@ -234,7 +234,7 @@ TEST(ScalingWindow, where_a_window_is_abandoned_the_frame_is_computed_from_scrat
   const Region p = on_integers(shapes::noisy_star(400, 0.9, 3), 1 << 20),
                q = on_integers(shapes::noisy_star(400, 0.9, 4), 1 << 20);
   ScalingSum sum = ScalingSum::create(p, q).value();
-  for (const int k : {105, 110, 115}) {
+  for (const int k : {106, 112, 118}) {
     ASSERT_TRUE(sum.set(scale_of(k, 100)).ok());
     EXPECT_TRUE(sum.work().rebuilt) << k;
     EXPECT_FALSE(sum.work().new_window) << k;
