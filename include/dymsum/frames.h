@@ -14,9 +14,8 @@ namespace dymsum {
 enum class MovingOperand : std::uint8_t { p, q };
 
 /// How frames are made. automatic: the controller chooses between the two by what they have cost, with hysteresis.
-/// A RotatingSum counts building a window less than whole, as it makes few frames late and most of them many times
-/// cheaper: where steps are large a whole sweep can take up to twice as long as with `rebuild`. Costs are counted work,
-/// not time: every run makes the same choices. All give the identical sum.
+/// Costs are counted work, not time: every run makes the same choices, unless windows are made ahead (`threads`). All
+/// give the identical sum.
 enum class FrameMode : std::uint8_t {
   automatic,
   window,   ///< always update inside windows, however short they live

@@ -44,8 +44,7 @@ class OffReader {
     }
     if (prefix.starts_with('N')) prefix.remove_prefix(1);
     if (!prefix.empty()) {
-      words_.fail_at(start, ErrorCode::malformed,
-                     in_quotes(word) + " files are not read, only three-dimensional ones");
+      words_.fail_at(start, ErrorCode::malformed, in_quotes(word) + " files are not read, only three-dimensional ones");
     }
     if (same_word(words_.peek(), "BINARY")) words_.fail(ErrorCode::malformed, "binary OFF files are not read");
   }

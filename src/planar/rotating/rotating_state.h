@@ -55,9 +55,9 @@ class RotatingSum::State final : public planar::MovingSum {
   std::unique_ptr<planar::TurningForms> forms_;            // none: every frame is a rebuild
   std::unique_ptr<planar::TurnCatalog> catalog_;
   std::map<int, std::unique_ptr<planar::TurnGrid>> grids_;  // by cells
-  double segments_ = 0;    // of the reduced convolution, about
-  double slice_cost_ = 0;  // of the last frame from scratch
-  Orientation theta_;      // the new position, during a move
+  double segments_ = 0;                                     // of the reduced convolution, about
+  double slice_cost_ = 0;                                   // of the last frame from scratch
+  Orientation theta_;                                       // the new position, during a move
   std::unique_ptr<Frames> frames_;
   std::unique_ptr<planar::RotatingLoops> loops_;
 };

@@ -49,9 +49,9 @@ class TurnedRings {
   const RotatingWindow& window_;
   const TurningForms& forms_;
   bool swapped_, moving_turns_;
-  std::vector<Names> names_;          // of segments, made when first asked for
-  std::vector<std::uint32_t> steps_;  // scratch: the steps of a ring that end at its vertices
-  std::vector<Point> positions_;      // and where
+  std::vector<Names> names_;             // of segments, made when first asked for
+  std::vector<std::uint32_t> steps_;     // scratch: the steps of a ring that end at its vertices
+  std::vector<Point> positions_;         // and where
   const ExactSource* source_ = nullptr;  // during at()
   std::optional<NearestPoint> nearest_;  // made when first asked for
 };

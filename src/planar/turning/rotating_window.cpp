@@ -30,8 +30,8 @@ RotatingWindow::RotatingWindow(const TurnGrid& grid, const TurnCatalog& catalog,
     turned.push_back({heading.c * p.x - heading.s * p.y, heading.s * p.x + heading.c * p.y});
     moved_.push_back(farther_by(moved_by(turned.back(), half), kSweptPlace * forms_.span()));
   }
-  const CoveredCells dead = mask ? covered_cells(grid, turned, half)
-                                 : CoveredCells(grid.grid.whole, CoveredCells::Counts::left_out);
+  const CoveredCells dead =
+      mask ? covered_cells(grid, turned, half) : CoveredCells(grid.grid.whole, CoveredCells::Counts::left_out);
   if (mask) cells = static_cast<std::uint64_t>(dead.grid().rows) * static_cast<std::uint64_t>(dead.grid().columns);
   add_segments(dead);
   find_next();
@@ -193,8 +193,8 @@ std::vector<std::array<std::uint32_t, 2>> RotatingWindow::near_pairs(const std::
   std::size_t n = 0;
   for (std::size_t k = 0; k < near.size(); k += 4) {
     const std::array four{near[k], near[k + 1], near[k + 2], near[k + 3]};
-    const std::uint32_t apart = lines.apart({four[0][0], four[1][0], four[2][0], four[3][0]},
-                                            {four[0][1], four[1][1], four[2][1], four[3][1]});
+    const std::uint32_t apart =
+        lines.apart({four[0][0], four[1][0], four[2][0], four[3][0]}, {four[0][1], four[1][1], four[2][1], four[3][1]});
     for (std::size_t i = 0; i < 4; ++i) {
       near[n] = four[i];
       n += static_cast<std::size_t>((apart >> i & 1) == 0 && k + i < count);

@@ -90,8 +90,7 @@ class RotatingWindow : public CandidateIndex {
   void find_cuts(Point start, Point d, Point reach, const CoveredCells& dead);
   Box box_of(const TurnPiece& p, double reach) const;
   void find_candidates(const CoveredCells& dead, std::size_t most_pairs);
-  std::vector<std::array<std::uint32_t, 2>> near_pairs(const std::vector<Box>& boxes,
-                                                       std::size_t most_pairs);
+  std::vector<std::array<std::uint32_t, 2>> near_pairs(const std::vector<Box>& boxes, std::size_t most_pairs);
   void find_next();
   void find_dead_tails();
   void find_runs();

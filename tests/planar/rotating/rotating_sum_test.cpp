@@ -169,12 +169,24 @@ TEST(RotatingSum, random_walks_equal_slices) {
       for (int k = 0; k < 120; ++k) {
         const double share = static_cast<double>(1 + random.below(1000)) / 1000, sign = random.chance(50) ? 1 : -1;
         switch (k / 5 % 6) {
-          case 0: theta += sign * share * 1e-7; break;
-          case 1: theta += 0.0126; break;
-          case 2: theta -= 0.0126 * share; break;
-          case 3: theta += k % 2 == 0 ? 0.02 : -0.02; break;
-          case 4: theta += sign * 3 * share; break;
-          default: theta = 0.5 * std::numbers::pi * static_cast<double>(random.below(4)) + sign * share * 0.004; break;
+          case 0:
+            theta += sign * share * 1e-7;
+            break;
+          case 1:
+            theta += 0.0126;
+            break;
+          case 2:
+            theta -= 0.0126 * share;
+            break;
+          case 3:
+            theta += k % 2 == 0 ? 0.02 : -0.02;
+            break;
+          case 4:
+            theta += sign * 3 * share;
+            break;
+          default:
+            theta = 0.5 * std::numbers::pi * static_cast<double>(random.below(4)) + sign * share * 0.004;
+            break;
         }
         const Orientation orientation = at(theta, 1e-9);
         ASSERT_TRUE(sum.set(orientation).ok());
@@ -202,9 +214,9 @@ TEST(RotatingSum, crossings_of_nearly_parallel_edges_are_no_reason_to_compute_fr
     const PlanarSum wanted = fresh(p, q, orientation, options);
     ASSERT_NO_FATAL_FAILURE(expect_frame(sum, wanted, true)) << k;
     EXPECT_LT(sum.sum().at_error, 1e-9) << "positions are rounded from exact ones";
-    EXPECT_TRUE(std::ranges::any_of(sum.sum().parts[0].outer.vertices,
-                                    [](const SumVertex& v) { return v.corner_p == SumVertex::kNone; }))
-        << "a crossing";
+    EXPECT_TRUE(std::ranges::any_of(sum.sum().parts[0].outer.vertices, [](const SumVertex& v) {
+      return v.corner_p == SumVertex::kNone;
+    })) << "a crossing";
   }
 }
 

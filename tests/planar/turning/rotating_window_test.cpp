@@ -15,14 +15,14 @@
 namespace dymsum::planar {
 namespace {
 
-struct Turned {
+struct TurnedPair {
   std::shared_ptr<const OperandPair> base;
   std::unique_ptr<TurningForms> forms;
   std::unique_ptr<TurnCatalog> catalog;
 };
 
-Turned turned(const Region& p, const Region& q) {
-  Turned t;
+TurnedPair turned(const Region& p, const Region& q) {
+  TurnedPair t;
   t.base = pair_of_regions(p, q, PairOptions{.moved = 1}).value();
   t.forms = std::make_unique<TurningForms>(*t.base);
   t.catalog = std::make_unique<TurnCatalog>(*t.forms);
@@ -30,7 +30,7 @@ Turned turned(const Region& p, const Region& q) {
 }
 
 /// The segments that certainly exist at an angle, without the lists of the catalog.
-std::vector<WalkSegment> existing(const Turned& t, double theta) {
+std::vector<WalkSegment> existing(const TurnedPair& t, double theta) {
   std::vector<WalkSegment> found;
   for (std::uint32_t side = 0; side < 2; ++side)
     for (std::uint32_t e = 0; e < t.forms->size(side); ++e)
@@ -59,7 +59,7 @@ bool certainly_cross(const Drawn& s, const Drawn& t, double span) {
   return std::min({std::abs(a), std::abs(b), std::abs(c), std::abs(d)}) > least && a * b < 0 && c * d < 0;
 }
 
-void expect_all_crossings(const Turned& t, double middle, double half, std::size_t& crossings) {
+void expect_all_crossings(const TurnedPair& t, double middle, double half, std::size_t& crossings) {
   const TurnGrid grid(*t.forms, 24);
   const RotatingWindow window(grid, *t.catalog, middle, half, false);
   std::set<std::pair<std::uint32_t, std::uint32_t>> candidates;
@@ -85,13 +85,12 @@ void expect_all_crossings(const Turned& t, double middle, double half, std::size
 }
 
 TEST(RotatingWindow, knows_every_segment_and_every_crossing_inside_it) {
-  const std::vector<std::pair<Region, Region>> pairs{
-      {shapes::noisy_star(24, 0.5, 1), shapes::noisy_star(18, 0.7, 2)},
-      {shapes::random_polygon(40, 2, 3), shapes::gear(6, 1, 1.3)},
-      {shapes::comb(7, 2, 1, 5), shapes::letter_l(4, 3, 0.5)}};
+  const std::vector<std::pair<Region, Region>> pairs{{shapes::noisy_star(24, 0.5, 1), shapes::noisy_star(18, 0.7, 2)},
+                                                     {shapes::random_polygon(40, 2, 3), shapes::gear(6, 1, 1.3)},
+                                                     {shapes::comb(7, 2, 1, 5), shapes::letter_l(4, 3, 0.5)}};
   std::size_t crossings = 0;
   for (const auto& [p, q] : pairs) {
-    const Turned t = turned(p, q);
+    const TurnedPair t = turned(p, q);
     for (const double middle : {0.1, 1.3, -2.9})
       for (const double half : {0.002, 0.03, 0.15, 0.6})
         ASSERT_NO_FATAL_FAILURE(expect_all_crossings(t, middle, half, crossings)) << middle << ", " << half;
@@ -100,7 +99,7 @@ TEST(RotatingWindow, knows_every_segment_and_every_crossing_inside_it) {
 }
 
 TEST(RotatingWindow, is_given_up_where_too_many_boxes_meet) {
-  const Turned t = turned(shapes::noisy_star(40, 0.5, 1), shapes::noisy_star(30, 0.7, 2));
+  const TurnedPair t = turned(shapes::noisy_star(40, 0.5, 1), shapes::noisy_star(30, 0.7, 2));
   const TurnGrid grid(*t.forms, 24);
   const RotatingWindow whole(grid, *t.catalog, 0.3, 0.05, true);
   EXPECT_TRUE(whole.complete);
