@@ -64,7 +64,7 @@ TEST(RingOfEight, edges_are_those_that_doubles_find) {
         const auto sign = [&](std::uint32_t slot) { return value(slot) > 0 ? 1 : -1; };
         const std::uint32_t edge = leaving_edge(p.eight[v], spatial::in_floats(along), error);
         if (edge == spatial::kNoEdge) continue;
-        ASSERT_EQ(edge, p.ring[leaving_slot(p, v, 1e-12, value, sign)]) << "vertex " << v;
+        ASSERT_EQ(edge, p.ring[leaving_slot(p, v, along, 1e-12, value, sign)]) << "vertex " << v;
         ++found[size];
       }
       // Through a normal: floats are not asked.
