@@ -1,6 +1,7 @@
 #include "spatial/convex/plane_sum.h"
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 
 namespace dymsum::spatial {
@@ -26,6 +27,7 @@ class Edges {
     const double cross = cross_in_doubles(p_[i], q_[j]);
     if (cross > error_) return {1, 0};
     if (cross < -error_) return {-1, 0};
+    if (const int dot = plainly_parallel(p_[i], q_[j])) return {0, dot};
     return exact_turn(p_[i], q_[j]);
   }
   /// The edge of Q from which the angle of edge 0 of P is next.
@@ -48,6 +50,24 @@ class Edges {
     const Vec3 n = s_.poly(op_).normal[f_], a = s_.poly(0).along(u), b = s_.poly(1).along(w);
     const Mat3& m = s_.map().approx(op_);
     return op_ == 0 ? dot(cross(n, a), m * b) : -dot(cross(n, b), m * a);
+  }
+  /// Where every term of the cross product has a factor zero, as for edges along an axis that both solids keep, and
+  /// doubles tell the dot product: its sign; 0 otherwise. Doubles that stand for numbers of the two narrow kinds are
+  /// zero only where those are.
+  int plainly_parallel(HalfEdge u, HalfEdge w) const {
+    constexpr int kNarrow = 61, kNarrowMap = 126;
+    if (std::max(s_.poly(0).bits, s_.poly(1).bits) > kNarrow || s_.map().bits() > kNarrowMap) return 0;
+    const Vec3 a = s_.poly(0).along(u), b = s_.poly(1).along(w);
+    const Mat3& m = s_.map().approx(0);
+    const std::array<double, 3> x{a.x, a.y, a.z};
+    std::array<bool, 3> zero;  // of M w
+    for (std::size_t k = 0; k < 3; ++k)
+      zero[k] = (m[k].x == 0 || b.x == 0) && (m[k].y == 0 || b.y == 0) && (m[k].z == 0 || b.z == 0);
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j)
+        if (i != j && x[i] != 0 && !zero[j]) return 0;
+    const double along = dot(a, m * b);
+    return along > s_.error(0) ? 1 : along < -s_.error(0) ? -1 : 0;
   }
   Turn exact_turn(HalfEdge edge_of_p, HalfEdge edge_of_q) const {
     return s_.with_types([&](auto c, auto m) {

@@ -10,10 +10,11 @@
 
 namespace dymsum::spatial {
 
-/// Of a vertex of many edges, see below: runs of faces on one side of the circle are passed at once.
+/// Of a vertex of many edges, see below: runs of faces on one side of the circle are passed at once. Out of the loops
+/// that walk, which it would slow down.
 template <class Value, class Sign>
-std::uint32_t leaving_slot_of_many(const Polytope& other, std::uint32_t v, const RingBounds& bounds, Vec3 along,
-                                   double error, const Value& value, const Sign& sign) {
+[[gnu::noinline]] std::uint32_t leaving_slot_of_many(const Polytope& other, std::uint32_t v, const RingBounds& bounds,
+                                                     Vec3 along, double error, const Value& value, const Sign& sign) {
   const std::uint32_t begin = other.ring_start[v], size = other.ring_start[v + 1] - begin;
   const auto is_left = [&](std::uint32_t k) {
     const double side = value(begin + k);

@@ -80,32 +80,17 @@ std::uint32_t Overlay::step_near_zero(int op, std::uint32_t f, std::uint32_t v) 
   return to;
 }
 
-/// Of the edges at v in direction `row`: the product of the steepest one, and its slot.
-inline Overlay::Steepest Overlay::steepest(int op, std::uint32_t v, Vec3 row) const {
+/// Of a vertex of many edges: the product of the steepest one with `row`, and its place in the rings. Where all fall
+/// something at least as large, see RingBounds.
+Overlay::Steepest Overlay::steepest_of_many(int op, std::uint32_t v, Vec3 row) const {
   const Polytope& other = poly(1 - op);
-  const std::uint32_t begin = other.ring_start[v], end = other.ring_start[v + 1];
-  const auto value = [&](std::uint32_t k) { return dot(row, other.ring_direction[k]); };
-  if (const RingBounds* bounds = other.bounds(other.direction_bounds, v)) {
-    const auto of_slot = [&](std::uint32_t k) { return value(begin + k); };
-    const double above = bounds->above_all(row, of_slot);
-    if (above < -signs_.error(op)) return {above, begin};  // all fall, whichever falls least
-    const std::uint32_t k = begin + bounds->largest(row, of_slot);
-    return {value(k), k};
-  }
-  // Two, so that comparisons need not wait for each other; rings have three or more.
-  double most = value(begin), also = value(begin + 1);
-  std::uint32_t k = begin + 2;
-  for (; k + 1 < end; k += 2) {
-    const double a = value(k), b = value(k + 1);
-    most = a > most ? a : most;
-    also = b > also ? b : also;
-  }
-  if (k < end) also = std::max(also, value(k));
-  most = std::max(most, also);
-  k = begin;
-  if (most > signs_.error(op))
-    while (value(k) != most) ++k;
-  return {most, k};
+  const RingBounds& bounds = other.direction_bounds[v];
+  const std::uint32_t begin = other.ring_start[v];
+  const auto value = [&](std::uint32_t k) { return dot(row, other.ring_direction[begin + k]); };
+  const double above = bounds.above_all(row, value);
+  if (above < -signs_.error(op)) return {above, begin};
+  const std::uint32_t k = bounds.largest(row, value);
+  return {value(k), begin + k};
 }
 
 /// Walks from `start` to the extreme vertex of face f, whose row is given: every step is along an edge that rises, so
@@ -115,13 +100,34 @@ bool Overlay::climb(int op, std::uint32_t f, std::uint32_t start, Vec3 row) {
   const double error = signs_.error(op);
   const std::uint32_t before = extreme_[op][f];
   for (std::uint32_t v = start;; ++work_.steps) {
-    const auto [most, k] = steepest(op, v, row);
+    const std::uint32_t begin = other.ring_start[v], end = other.ring_start[v + 1];
+    const auto value = [&](std::uint32_t i) { return dot(row, other.ring_direction[i]); };
+    double most;
+    std::uint32_t k = begin;
+    if (other.bounds(other.direction_bounds, v) != nullptr) {
+      const Steepest steepest = steepest_of_many(op, v, row);
+      most = steepest.most;
+      k = steepest.at;
+    } else {
+      // Two, so that comparisons need not wait for each other; rings have three or more.
+      double also = value(begin + 1);
+      most = value(begin);
+      for (k = begin + 2; k + 1 < end; k += 2) {
+        const double a = value(k), b = value(k + 1);
+        most = a > most ? a : most;
+        also = b > also ? b : also;
+      }
+      if (k < end) also = std::max(also, value(k));
+      most = std::max(most, also);
+      k = begin;
+    }
     if (most < -error) {
       vertex_until_[op][f] = later(signs_.margin(op, most));
       extreme_[op][f] = v;
       return v != before;
     }
     if (most > error) {
+      while (value(k) != most) ++k;
       v = other.target(other.ring[k]);
       continue;
     }
@@ -143,7 +149,7 @@ void Overlay::walk(std::uint32_t e) {
   const auto value = [&](std::uint32_t k) { return dot(signs_.row(1, q.ring_face[k]), along); };
   const auto sign = [&](std::uint32_t k) { return signs_.sign(1, q.ring_face[k], 2 * e); };
   const std::uint32_t end = end_cell(0, 2 * e + 1);
-  const Vec3 mapped = signs_.mapped_edge(1, e);
+  const Vec3 mapped = q.normal_bounds.empty() ? Vec3{} : signs_.mapped_edge(1, e);
   std::uint32_t last = kNoCrossing, walked = 0;
   for (std::uint32_t v = end_cell(0, 2 * e); v != end; ++walked) {
     const HalfEdge exit = q.ring[leaving_slot(q, v, mapped, signs_.error(1), value, sign)];

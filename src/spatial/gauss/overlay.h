@@ -140,9 +140,9 @@ class Overlay {
   std::uint32_t step_near_zero(int op, std::uint32_t f, std::uint32_t v);
   struct Steepest {
     double most;
-    std::uint32_t at;  // in the rings; where nothing certainly rises, any
+    std::uint32_t at;  // in the rings
   };
-  Steepest steepest(int op, std::uint32_t v, Vec3 row) const;
+  Steepest steepest_of_many(int op, std::uint32_t v, Vec3 row) const;
   void note_face(int op, std::uint32_t f);
   void touch(int op, std::uint32_t e);
   std::uint32_t order_along(int op, std::uint32_t e, std::uint32_t v);

@@ -16,10 +16,10 @@ namespace dymsum::test {
 /// Face by face: the same vertices at the same positions, the same facets, nothing else.
 inline void expect_same_solid(const ConvexSolid& kept, const SolidSum& fresh, const std::string& where) {
   std::map<SolidSum::Vertex, std::uint32_t> live;
-  for (std::uint32_t v = 0; v < kept.vertices.size(); ++v)
-    if (kept.vertices[v].p != ConvexSolid::kFree) {
-      ASSERT_TRUE(live.emplace(kept.vertices[v], v).second) << where;
-    }
+  for (std::uint32_t v = 0; v < kept.vertices.size(); ++v) {
+    if (kept.vertices[v].p == ConvexSolid::kFree) continue;
+    ASSERT_TRUE(live.emplace(kept.vertices[v], v).second) << where;
+  }
   ASSERT_EQ(live.size(), kept.vertex_count) << where;
   ASSERT_EQ(live.size(), fresh.vertices.size()) << where;
   std::vector<std::uint32_t> canonical(kept.vertices.size());
@@ -121,10 +121,10 @@ inline void expect_true_buffers(const ConvexSolid& solid, const SolidBuffers& be
   ASSERT_EQ(now.triangles, fresh.triangles) << where;
   const auto expect_covered = [&](const auto& was, const auto& is, const std::vector<IndexRange>& ranges) {
     const std::vector<bool> covered = covered_by(ranges, is.size() / 3);
-    for (std::size_t i = 0; i < is.size(); ++i)
-      if (i >= was.size() || was[i] != is[i]) {
-        ASSERT_TRUE(covered[i / 3]) << where << " " << i;
-      }
+    for (std::size_t i = 0; i < is.size(); ++i) {
+      const bool same = i < was.size() && was[i] == is[i];
+      ASSERT_TRUE(same || covered[i / 3]) << where << " " << i;
+    }
   };
   expect_covered(before.positions, now.positions, now.positions_changed);
   expect_covered(before.triangles, now.triangles, now.triangles_changed);
