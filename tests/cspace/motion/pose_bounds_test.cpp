@@ -110,8 +110,7 @@ TEST(PoseBounds, sliding_along_an_edge_is_undecided) {
     const Point to = on(-0x1p-8);
     const MotionCheck slide = check_motion(robot, below, {d.x, d.y, 0}, {to.x, to.y, 0}).value();
     ASSERT_EQ(slide.outcome, MotionCheck::Outcome::undecided) << k;
-    const MotionCheck cut =
-        check_motion(robot, below, {d.x, d.y - 0x1p-44, 0}, {to.x, to.y - 0x1p-44, 0}).value();
+    const MotionCheck cut = check_motion(robot, below, {d.x, d.y - 0x1p-44, 0}, {to.x, to.y - 0x1p-44, 0}).value();
     ASSERT_EQ(cut.outcome, MotionCheck::Outcome::blocked) << k;
   }
 }

@@ -44,8 +44,7 @@ TEST(ObstacleBounds, places_on_segments_err_by_less_and_not_by_much_less) {
   for (int k = 0; k < 40; ++k) {
     const double sizes[] = {1, 0x1p-3, 0x1p-9};
     const auto base = pair_of_regions(pentagon_about(random, 1.3, 1.1, sizes[random.below(3)]),
-                                      pentagon_about(random, 0.7, 0.2, sizes[random.below(3)]),
-                                      PairOptions{.moved = 1})
+                                      pentagon_about(random, 0.7, 0.2, sizes[random.below(3)]), PairOptions{.moved = 1})
                           .value();
     const TurningForms forms(*base);
     const BigRational unit =

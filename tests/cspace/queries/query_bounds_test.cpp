@@ -115,8 +115,7 @@ Digits passing_angle(const CspaceObstacle& obstacle, const Contact& contact, Poi
   const Digits constant = turns ? across(d, r) : across(d, gap), c = turns ? across(d, gap) : across(d, r),
                s = turns ? Digits(-inner(d, gap)) : inner(d, r);
   Digits theta = near;
-  for (int k = 0; k < 6; ++k)
-    theta -= (constant + c * cos(theta) + s * sin(theta)) / (s * cos(theta) - c * sin(theta));
+  for (int k = 0; k < 6; ++k) theta -= (constant + c * cos(theta) + s * sin(theta)) / (s * cos(theta) - c * sin(theta));
   return theta;
 }
 
