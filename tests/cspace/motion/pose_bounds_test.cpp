@@ -79,8 +79,9 @@ TEST(PoseBounds, a_corner_on_a_floor_is_unsure_and_certain_a_little_above_and_be
   }
 }
 
-// A tiny robot in the middle of a long edge, where the foot of the perpendicular is all that errs.
-TEST(PoseBounds, no_gap_of_a_corner_on_a_long_edge) {
+// A tiny robot in the middle of a long edge, where the cross product and the foot of the perpendicular are all that
+// errs.
+TEST(PoseBounds, a_corner_on_a_long_edge_is_unsure_and_has_no_gap) {
   oracles::Random random(42);
   const double t = 0x1p-30;
   const Region robot = one_ring({{0, 0}, {t, t}, {-t, t}});
@@ -91,7 +92,10 @@ TEST(PoseBounds, no_gap_of_a_corner_on_a_long_edge) {
     const Point right{m * d.x, m * d.y}, left{-n * d.x, -n * d.y};
     const Region below = one_ring({right, left, {left.x, left.y - 1}, {right.x, right.y - 1}});
     Pose pose(robot, below);
+    ASSERT_EQ(pose.overlap(0, 0, 1, 0, 0), Pose::Overlap::unsure) << k;
     ASSERT_EQ(pose.gap(0, 0, 1, 0, 0).at_least, 0) << k;
+    ASSERT_EQ(pose.overlap(0, 0x1p-42, 1, 0, 0), Pose::Overlap::no) << k;
+    ASSERT_EQ(pose.overlap(0, -0x1p-42, 1, 0, 0), Pose::Overlap::yes) << k;
     ASSERT_GT(pose.gap(0, 0x1p-42, 1, 0, 0).at_least, 0) << k;
   }
 }

@@ -47,7 +47,7 @@ Digits crossing_at(const PatchEnd& end, int k, const Digits& psi) {
 TEST(QueryBounds, crossings_near_parallel_lines_err_by_less_and_not_by_much_less) {
   oracles::Random random(71);
   LargestShare of_reference, of_distance;
-  for (int k = 0; k < 20000; ++k) {
+  for (int k = 0; k < 10000; ++k) {
     PatchEnd end = mixed_crossing(random);
     const double x = 0.5 * random.signed_unit() * std::ldexp(1.0, -random.below(12));
     if (k % 2 == 0) {

@@ -16,7 +16,7 @@ BigRational exact_of(double v) { return exact::exact_value(v); }
 TEST(SampleBounds, weights_of_mediants_err_by_less_and_not_by_much_less) {
   oracles::Random random(15);
   double most = 0;
-  for (int k = 0; k < 20000; ++k) {
+  for (int k = 0; k < 10000; ++k) {
     const double d0 = std::abs(random.signed_unit()) + 0x1p-60, d1 = std::abs(random.signed_unit()) + 0x1p-60;
     const BigRational weight = exact_of(d1) / (exact_of(d0) + exact_of(d1)),
                       off = abs(BigRational(exact_of(d1 / (d0 + d1)) / weight - 1));
@@ -30,7 +30,7 @@ TEST(SampleBounds, weights_of_mediants_err_by_less_and_not_by_much_less) {
 TEST(SampleBounds, samples_err_by_less_and_not_by_much_less) {
   oracles::Random random(16);
   double most = 0;
-  for (int k = 0; k < 20000; ++k) {
+  for (int k = 0; k < 10000; ++k) {
     const int fixed = random.below(3), moving = fixed == 0 ? 1 : random.below(3);
     const double span = fixed + 2.0 * moving;
     const BigRational scale(random.below(1000) + 1, 1001), grow(random.below(1000) + 1001, 1001);  // tau1 = 1

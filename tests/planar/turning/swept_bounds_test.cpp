@@ -35,7 +35,7 @@ TEST(SweptBounds, places_move_by_less_and_not_by_much_less) {
   using Digits = boost::multiprecision::cpp_bin_float_50;
   oracles::Random random(23);
   double of_place = 0, of_rim = 0;
-  for (int k = 0; k < 40; ++k) {
+  for (int k = 0; k < 20; ++k) {
     const double sizes[] = {1, 0x1p-3};
     const auto base = pair_of_regions(swept_ring(random, 1.3, 1.1, sizes[random.below(2)]),
                                       swept_ring(random, 0.7, 0.2, sizes[random.below(2)]), PairOptions{.moved = 1})
