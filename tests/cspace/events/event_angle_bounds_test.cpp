@@ -30,7 +30,7 @@ TEST(EventAngleBounds, angles_err_by_less_and_not_by_much_less) {
     const Digits middle = (Digits(event.low) + Digits(event.high)) / 2;
     most = std::max(most, static_cast<double>(Digits(abs(Digits(truth - middle)))) / kEventAngle);
   }
-  EXPECT_GT(most, 1.0 / 8);
+  EXPECT_GT(most, 1.0 / 16);
 }
 
 }  // namespace
