@@ -43,8 +43,7 @@ class Lines {
 
  private:
   /// Whether they have the same direction in the sum. Asked only where some pair has exactly, and of edges that meet in
-  /// a contact: far more than the roundings of the angle, far less than directions that differ there. Decides which
-  /// joints of the mesh are drawn together, no sign.
+  /// a contact: far more than the roundings of the angle. It says by which line a joint of the mesh is found again.
   bool parallel(std::uint32_t of_obstacle, std::uint32_t of_robot) const {
     constexpr double kRoundings = 1e-9;
     const Point d = along(obstacle_, of_obstacle), r = along(robot_, of_robot);
