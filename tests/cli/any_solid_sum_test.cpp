@@ -1,5 +1,9 @@
 // sum and nfp of solids that are not convex.
+#include <cmath>
+#include <sstream>
+
 #include "cli_fixture.h"
+#include "dymsum/rational.h"
 
 namespace dymsum::cli_test {
 namespace {
@@ -19,6 +23,39 @@ class AnySolidSum : public CliTest {
     work.write("cube.off", kCube);
   }
 };
+
+/// The tunnel in coordinates of all digits, far away from the origin; of triangles, as four such corners lie in no
+/// plane.
+std::string free_tunnel(double a) {
+  std::istringstream in(kTunnel);
+  std::string head;
+  std::getline(in, head);
+  std::getline(in, head);
+  std::ostringstream out;
+  out.precision(17);
+  out << "OFF\n16 32 0\n";
+  for (int k = 0; k < 16; ++k) {
+    double x = 0, y = 0, z = 0;
+    in >> x >> y >> z;
+    out << 1e4 + x * std::cos(a) - y * std::sin(a) << " " << x * std::sin(a) + y * std::cos(a) + 0.3 * z << " " << z
+        << "\n";
+  }
+  for (int n = 0, i = 0, j = 0, k = 0, l = 0; in >> n >> i >> j >> k >> l;)
+    out << "3 " << i << " " << j << " " << k << "\n3 " << i << " " << k << " " << l << "\n";
+  return out.str();
+}
+
+TEST_F(AnySolidSum, NumbersInJsonAreTheDoublesNearestToTheirFractions) {
+  work.write("p.off", free_tunnel(0.3));
+  work.write("q.off", free_tunnel(1.1));
+  json("dymsum sum p.off q.off -o sum.json --json");
+  const Json sum = Json::parse(work.read("sum.json"));
+  std::size_t compared = 0;
+  for (const Json& vertex : sum["vertex_list"])
+    for (std::size_t axis = 0; axis < 3; ++axis, ++compared)
+      EXPECT_EQ(vertex["at"][axis], Rational::parse(vertex["exact"][axis].get<std::string>()).value().to_double());
+  EXPECT_GT(compared, 60u);
+}
 
 TEST_F(AnySolidSum, APegAsWideAsItsTunnelHasOneWayThrough) {
   const Json sum = json("dymsum nfp tunnel.off cube.off -o fit.json -o fit.glb -o fit.off --json");

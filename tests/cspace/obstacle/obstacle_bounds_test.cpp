@@ -8,6 +8,7 @@
 #include "cspace/obstacle/event_plan.h"
 #include "dymsum/cspace_obstacle.h"
 #include "oracles/random.h"
+#include "oracles/random_pentagon.h"
 #include "planar/frames/region_pair.h"
 
 namespace dymsum::planar {
@@ -17,17 +18,6 @@ using exact::BigRational;
 using ExactPair = std::array<BigRational, 2>;
 
 BigRational rational_of(double v) { return exact::exact_value(v); }
-
-/// Free doubles about (x, y).
-Region pentagon_about(oracles::Random& random, double x, double y, double size) {
-  RegionData data;
-  data.parts.emplace_back();
-  for (int k = 0; k < 5; ++k) {
-    const double angle = 2 * std::numbers::pi * (k + 0.4 * random.signed_unit()) / 5;
-    data.parts[0].outer.push_back({x + size * std::cos(angle), y + size * std::sin(angle)});
-  }
-  return Region::create(std::move(data)).value();
-}
 
 struct RationalTurn {
   BigRational c, s;
@@ -43,9 +33,10 @@ TEST(ObstacleBounds, places_on_segments_err_by_less_and_not_by_much_less) {
   double most = 0;
   for (int k = 0; k < 40; ++k) {
     const double sizes[] = {1, 0x1p-3, 0x1p-9};
-    const auto base = pair_of_regions(pentagon_about(random, 1.3, 1.1, sizes[random.below(3)]),
-                                      pentagon_about(random, 0.7, 0.2, sizes[random.below(3)]), PairOptions{.moved = 1})
-                          .value();
+    const auto base =
+        pair_of_regions(oracles::random_pentagon(random, 1.3, 1.1, sizes[random.below(3)]),
+                        oracles::random_pentagon(random, 0.7, 0.2, sizes[random.below(3)]), PairOptions{.moved = 1})
+            .value();
     const TurningForms forms(*base);
     const BigRational unit =
         rational_of(std::ldexp(1.0, base->lattice->grid_exponent)) / rational_of(base->lattice->unit);
@@ -83,7 +74,7 @@ TEST(ObstacleBounds, alignments_that_doubles_hardly_tell_apart_are_in_their_orde
   oracles::Random random(62);
   int close = 0;
   for (int k = 0; k < 200; ++k) {
-    const Region robot = pentagon_about(random, 0, 0, 1);
+    const Region robot = oracles::random_pentagon(random, 0, 0, 1);
     // Half a turn as well, where angles begin and end.
     const double by = k % 3 == 0 ? std::numbers::pi : random.signed_unit() * 3, c = std::cos(by), s = std::sin(by);
     RegionData data;

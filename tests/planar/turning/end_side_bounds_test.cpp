@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "oracles/random.h"
+#include "oracles/random_pentagon.h"
 #include "planar/frames/region_pair.h"
 #include "planar/turning/exact_angle.h"
 #include "planar/turning/turning_forms.h"
@@ -14,25 +15,16 @@ namespace {
 
 using exact::BigRational;
 
-Region pentagon_at(oracles::Random& random, double x, double y, double size) {
-  RegionData data;
-  data.parts.emplace_back();
-  for (int k = 0; k < 5; ++k) {
-    const double angle = 2 * std::numbers::pi * (k + 0.4 * random.signed_unit()) / 5;
-    data.parts[0].outer.push_back({x + size * std::cos(angle), y + size * std::sin(angle)});
-  }
-  return Region::create(std::move(data)).value();
-}
-
 // The side of a segment's end as that of its start and what its direction adds.
 TEST(EndSideBounds, sides_of_ends_err_by_less_and_not_by_much_less) {
   oracles::Random random(21);
   double most = 0;
   for (int k = 0; k < 40; ++k) {
     const double sizes[] = {1, 0x1p-3, 0x1p-9};
-    const auto base = pair_of_regions(pentagon_at(random, 1.3, 1.1, sizes[random.below(3)]),
-                                      pentagon_at(random, 0.7, 0.2, sizes[random.below(3)]), PairOptions{.moved = 1})
-                          .value();
+    const auto base =
+        pair_of_regions(oracles::random_pentagon(random, 1.3, 1.1, sizes[random.below(3)]),
+                        oracles::random_pentagon(random, 0.7, 0.2, sizes[random.below(3)]), PairOptions{.moved = 1})
+            .value();
     const TurningForms forms(*base);
     BigRational unit = exact::exact_value(std::ldexp(1.0, base->lattice->grid_exponent));
     unit /= exact::exact_value(base->lattice->unit);

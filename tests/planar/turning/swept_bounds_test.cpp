@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "oracles/random.h"
+#include "oracles/random_pentagon.h"
 #include "planar/frames/region_pair.h"
 #include "planar/turning/turn_grid.h"
 
@@ -14,16 +15,6 @@ namespace {
 
 using exact::BigRational;
 using ExactPlane = std::array<BigRational, 2>;
-
-Region swept_ring(oracles::Random& random, double x, double y, double size) {
-  RegionData data;
-  data.parts.emplace_back();
-  for (int k = 0; k < 5; ++k) {
-    const double angle = 2 * std::numbers::pi * (k + 0.4 * random.signed_unit()) / 5;
-    data.parts[0].outer.push_back({x + size * std::cos(angle), y + size * std::sin(angle)});
-  }
-  return Region::create(std::move(data)).value();
-}
 
 ExactPlane turned_by(const BigRational& t, const ExactPlane& p) {
   const BigRational c = (1 - t * t) / (1 + t * t), s = 2 * t / (1 + t * t);
@@ -37,9 +28,10 @@ TEST(SweptBounds, places_move_by_less_and_not_by_much_less) {
   double of_place = 0, of_rim = 0;
   for (int k = 0; k < 20; ++k) {
     const double sizes[] = {1, 0x1p-3};
-    const auto base = pair_of_regions(swept_ring(random, 1.3, 1.1, sizes[random.below(2)]),
-                                      swept_ring(random, 0.7, 0.2, sizes[random.below(2)]), PairOptions{.moved = 1})
-                          .value();
+    const auto base =
+        pair_of_regions(oracles::random_pentagon(random, 1.3, 1.1, sizes[random.below(2)]),
+                        oracles::random_pentagon(random, 0.7, 0.2, sizes[random.below(2)]), PairOptions{.moved = 1})
+            .value();
     const TurningForms forms(*base);
     BigRational unit = exact::exact_value(std::ldexp(1.0, base->lattice->grid_exponent));
     unit /= exact::exact_value(base->lattice->unit);
