@@ -7,7 +7,7 @@
 
 #include "dymsum/region_io.h"
 #include "exit_code.h"
-#include "outputs.h"
+#include "inputs.h"
 
 namespace dymsum::cli {
 namespace {
@@ -35,7 +35,7 @@ void check_arguments(const CLI::App& verb) {
     if (option->check_name("-o")) refuse_repeated(*option);
     for (const std::string& value : option->results()) {
       if (value.empty()) throw Stop(kUsage, option->get_name() + " is given as an empty text");
-      if (output) check_writable(value);
+      if (output) require(check_writable(value));
       if (output || value != "-") continue;
       if (input_taken) throw Stop(kUsage, "standard input can be only one of the operands and files that are read");
       input_taken = true;

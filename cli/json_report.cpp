@@ -2,6 +2,7 @@
 
 #include <iostream>
 
+#include "dymsum/version.h"
 #include "progress_bar.h"
 
 namespace dymsum::cli {

@@ -8,6 +8,7 @@
 #include <new>
 
 #include "arguments.h"
+#include "dymsum/version.h"
 #include "exit_code.h"
 #include "json_report.h"
 #include "progress_bar.h"

@@ -1,14 +1,8 @@
 #include "outputs.h"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
 #include <iostream>
 #include <optional>
-#include <system_error>
 #include <utility>
 
 #include "dymsum/mesh_io.h"
@@ -85,28 +79,6 @@ bool writes_rounded(const OutputOptions& options) {
     const RegionFormat format = output_format(file, options);
     return format != RegionFormat::json && format != RegionFormat::svg;
   });
-}
-
-void check_writable(const std::string& file) {
-  if (file == "-") return;
-  const auto refuse = [&](std::string what) {
-    Error error{ErrorCode::cannot_write, std::move(what), {}};
-    error.evidence.file = file;
-    stop_with(error);
-  };
-  const auto refuse_if = [&](int failed, const std::string& what) {
-    if (failed != 0) refuse(what + ": " + std::strerror(errno));
-  };
-  std::error_code ignored;
-  const auto status = std::filesystem::status(file, ignored);
-  if (std::filesystem::is_directory(status)) refuse("this is a directory");
-  if (std::filesystem::exists(status)) refuse_if(::access(file.c_str(), W_OK), "the file may not be changed");
-  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) return;  // devices and pipes
-  const std::filesystem::path target = written_path(file), folder = target.parent_path();
-  if (std::filesystem::is_symlink(target, ignored)) refuse("symbolic links lead from it round in a circle");
-  refuse_if(
-      ::access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK),
-      target == file ? "no file can be made here" : "no file can be made at " + target.string() + ", where it leads");
 }
 
 void write_text(const std::string& file, const std::string& text) {

@@ -36,9 +36,6 @@ bool writes_rounded(const OutputOptions& options);
 /// before everything is ready; every file is replaced as a whole.
 void write_sum(const Region& p, const Region& q, const PlanarSum& sum, const OutputOptions& options);
 
-/// A Stop where a file cannot be written, as far as can be told without writing it: a directory, a folder that does not
-/// exist, files that may not be changed.
-void check_writable(const std::string& file);
 void write_text(const std::string& file, const std::string& text);
 /// What tells the format of an output: the file's name, or --to for "-".
 std::string format_name(const std::string& file, const std::string& to);

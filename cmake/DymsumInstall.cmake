@@ -13,6 +13,18 @@ if(DYMSUM_BUILD_CLI)
 endif()
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 
+# Programs that link the static library need what it uses as well.
+get_target_property(DYMSUM_TYPE dymsum TYPE)
+if(DYMSUM_TYPE STREQUAL "STATIC_LIBRARY")
+  set(DYMSUM_PC_REQUIRES "Requires: pugixml tbb")
+else()
+  set(DYMSUM_PC_REQUIRES "Requires.private: pugixml tbb")
+endif()
+# The prefix as seen from the file: an installation may be moved, and installed with another --prefix.
+file(RELATIVE_PATH DYMSUM_PC_PREFIX "${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig" "${CMAKE_INSTALL_PREFIX}")
+configure_file("${CMAKE_CURRENT_LIST_DIR}/dymsum.pc.in" "${PROJECT_BINARY_DIR}/dymsum.pc" @ONLY)
+install(FILES "${PROJECT_BINARY_DIR}/dymsum.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
+
 configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/dymsumConfig.cmake.in"
   "${PROJECT_BINARY_DIR}/dymsumConfig.cmake" INSTALL_DESTINATION "${DYMSUM_CMAKE_DIR}")
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/dymsumConfigVersion.cmake" COMPATIBILITY SameMinorVersion)

@@ -39,4 +39,5 @@
 #include "dymsum/spatial_sum.h"
 #include "dymsum/spatial_trace.h"
 #include "dymsum/trace.h"
+#include "dymsum/version.h"
 #include "dymsum/volume_text.h"

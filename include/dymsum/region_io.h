@@ -52,7 +52,10 @@ std::string format_sum(const PlanarSum& sum, const Region& rounded, RegionFormat
 /// replaced only by a complete one. Symbolic links stay and what they name is written, also where that is not there
 /// yet. Error cannot_write.
 Result<void> write_file(const std::string& path, std::string_view text);
-/// The file that this replaces: the path itself, or where symbolic links lead from it in the end.
+/// Whether write_file can do it, as far as can be told without writing: error cannot_write for a directory, a folder
+/// that does not exist, a file that may not be changed.
+Result<void> check_writable(const std::string& path);
+/// The file that write_file replaces: the path itself, or where symbolic links lead from it in the end.
 std::string written_path(const std::string& path);
 
 /// Pictures (SVG text). `draw_sum` shows P, Q and the sum with tight features; `draw_trace` the stages side by side.

@@ -1,16 +1,12 @@
-// Output files appear whole or not at all: the text goes to a nameless file, or one with another name, in the same
-// directory, is synced, and is renamed over the target as the last step.
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
-#include <cerrno>
+// Output files appear whole or not at all: the text goes to a draft in the same directory, which takes the target's
+// name as the last step.
 #include <cstring>
 #include <filesystem>
 #include <string>
 #include <system_error>
 #include <utility>
 
+#include "base/output_file.h"
 #include "dymsum/region_io.h"
 #include "io/read_file.h"
 
@@ -24,93 +20,17 @@ Error cannot_write(const std::string& path, const std::string& what, int error) 
   return {ErrorCode::cannot_write, what + ": " + std::strerror(error), std::move(evidence)};
 }
 
-/// 0, or the error number.
-int write_all(int file, std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t count = ::write(file, text.data(), text.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) return errno;
-    text.remove_prefix(static_cast<std::size_t>(count));
-  }
-  return 0;
+/// Which is there, but not as a file: it can be written to, not replaced.
+bool is_device(const std::filesystem::path& path) {
+  std::error_code ignored;
+  const auto status = std::filesystem::status(path, ignored);
+  return std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
+         !std::filesystem::is_directory(status);
 }
 
-/// A file beside the target that disappears unless `publish` succeeds.
-class Draft {
- public:
-  explicit Draft(const std::filesystem::path& target) : target_(target), directory_(target.parent_path()) {
-    if (directory_.empty()) directory_ = ".";
-  }
-  Draft(const Draft&) = delete;
-  Draft& operator=(const Draft&) = delete;
-  ~Draft() {
-    if (file_ >= 0) ::close(file_);
-    if (!name_.empty()) ::unlink(name_.c_str());
-  }
-
-  int open() {
-#ifdef O_TMPFILE
-    file_ = ::open(directory_.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
-    if (file_ >= 0) return 0;
-#endif
-    for (unsigned attempt = 0;; ++attempt) {
-      const std::string name = draft_name(attempt);
-      file_ = ::open(name.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
-      if (file_ < 0 && errno == EEXIST && attempt < kMostNames) continue;
-      if (file_ < 0) return errno;
-      name_ = name;
-      return 0;
-    }
-  }
-
-  int write(std::string_view text) {
-    if (const int error = write_all(file_, text)) return error;
-    struct stat old;
-    if (::stat(target_.c_str(), &old) == 0 && ::fchmod(file_, old.st_mode & 0777) != 0) return errno;
-    return ::fsync(file_) == 0 ? 0 : errno;
-  }
-
-  int publish() {
-    if (const int error = name_.empty() ? give_name() : 0) return error;
-    const int closed = ::close(std::exchange(file_, -1)) == 0 ? 0 : errno;
-    if (closed) return closed;
-    if (::rename(name_.c_str(), target_.c_str()) != 0) return errno;
-    name_.clear();
-    return 0;
-  }
-
- private:
-  static constexpr unsigned kMostNames = 1000;
-
-  std::string draft_name(unsigned attempt) const {
-    const std::string number = std::to_string(::getpid()) + "-" + std::to_string(attempt);
-    return (directory_ / ("." + target_.filename().string() + "." + number + ".part")).string();
-  }
-
-  int give_name() {
-    const std::string self = "/proc/self/fd/" + std::to_string(file_);
-    for (unsigned attempt = 0;; ++attempt) {
-      const std::string name = draft_name(attempt);
-      if (::linkat(AT_FDCWD, self.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0) {
-        name_ = name;
-        return 0;
-      }
-      if (errno != EEXIST || attempt >= kMostNames) return errno;
-    }
-  }
-
-  std::filesystem::path target_, directory_;
-  std::string name_;
-  int file_ = -1;
-};
-
-/// Devices and pipes cannot be replaced, only written to.
-int write_through(const std::string& path, std::string_view text) {
-  const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-  if (file < 0) return errno;
-  const int error = write_all(file, text);
-  const int closed = ::close(file) == 0 ? 0 : errno;
-  return error ? error : closed;
+/// Where the file that replaces `path` comes to be.
+std::string where(const std::string& path, const std::filesystem::path& target) {
+  return target == path ? "here" : "at " + target.string() + ", where it leads";
 }
 
 }  // namespace
@@ -127,30 +47,39 @@ std::string written_path(const std::string& path) {
   return target.string();
 }
 
-Result<void> write_file(const std::string& path, std::string_view text) {
-  if (path == "-") {
-    const int error = write_all(STDOUT_FILENO, text);
-    if (error) return cannot_write(path, "writing to standard output failed", error);
-    return {};
-  }
+Result<void> check_writable(const std::string& path) {
+  if (path == "-") return {};
   std::error_code ignored;
   const auto status = std::filesystem::status(path, ignored);
   if (std::filesystem::is_directory(status))
     return io::file_error(ErrorCode::cannot_write, "this is a directory", path);
-  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
-    const int error = write_through(path, text);
-    if (error) return cannot_write(path, "writing failed", error);
-    return {};
+  if (std::filesystem::exists(status)) {
+    if (const int error = base::may_be_changed(path)) return cannot_write(path, "the file may not be changed", error);
   }
-  if (std::filesystem::exists(status) && ::access(path.c_str(), W_OK) != 0) {
-    return cannot_write(path, "the file may not be changed", errno);
-  }
+  if (is_device(path)) return {};
   const std::filesystem::path target = written_path(path);
   if (std::filesystem::is_symlink(target, ignored))
     return io::file_error(ErrorCode::cannot_write, "symbolic links lead from it round in a circle", path);
-  Draft draft(target);
-  const std::string place = target == path ? "here" : "at " + target.string() + ", where it leads";
-  if (const int error = draft.open()) return cannot_write(path, "no file can be made " + place, error);
+  if (const int error = base::may_hold_new_files(target.parent_path()))
+    return cannot_write(path, "no file can be made " + where(path, target), error);
+  return {};
+}
+
+Result<void> write_file(const std::string& path, std::string_view text) {
+  if (path == "-") {
+    const int error = base::write_to_standard_output(text);
+    if (error) return cannot_write(path, "writing to standard output failed", error);
+    return {};
+  }
+  if (Result<void> may = check_writable(path); !may) return may;
+  if (is_device(path)) {
+    const int error = base::write_through(path, text);
+    if (error) return cannot_write(path, "writing failed", error);
+    return {};
+  }
+  const std::filesystem::path target = written_path(path);
+  base::OutputDraft draft(target);
+  if (const int error = draft.open()) return cannot_write(path, "no file can be made " + where(path, target), error);
   if (const int error = draft.write(text))
     return cannot_write(path, "writing failed, an older file is untouched", error);
   if (const int error = draft.publish()) return cannot_write(path, "the finished file cannot take its name", error);

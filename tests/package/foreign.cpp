@@ -4,6 +4,7 @@
 #include <dymsum/dymsum.h>
 
 int main() {
+  static_assert(DYMSUM_VERSION_NUMBER >= 100, "0.1.0 or later");
   const auto unit = dymsum::shapes::rectangle(0, 0, 1, 1);
   const auto large = dymsum::shapes::rectangle(0, 0, 3, 3);
   const auto sum = dymsum::minkowski_sum(unit, large);

@@ -1,5 +1,5 @@
-# Installs the build in BUILD_DIR below WORK_DIR, then configures, builds and runs the foreign project in SOURCE_DIR
-# against nothing but that installation.
+# Installs the build in BUILD_DIR below WORK_DIR, then builds and runs the foreign project in SOURCE_DIR against nothing but
+# that installation: with CMake, and with pkg-config by hand.
 function(step)
   execute_process(COMMAND ${ARGV} RESULT_VARIABLE code OUTPUT_VARIABLE text ERROR_VARIABLE text)
   if(NOT code EQUAL 0)
@@ -16,6 +16,19 @@ step("${CMAKE_COMMAND}" --build "${WORK_DIR}/build")
 step("${WORK_DIR}/build/foreign")
 if(NOT output STREQUAL "16\n")
   message(FATAL_ERROR "the foreign program printed '${output}' instead of 16")
+endif()
+
+file(GLOB pkgconfig "${WORK_DIR}/prefix/lib*/pkgconfig" "${WORK_DIR}/prefix/lib*/*/pkgconfig")
+step("${CMAKE_COMMAND}" -E env "PKG_CONFIG_PATH=${pkgconfig}" pkg-config --modversion dymsum)
+if(NOT output STREQUAL "${VERSION}\n")
+  message(FATAL_ERROR "pkg-config says version '${output}' instead of ${VERSION}")
+endif()
+step("${CMAKE_COMMAND}" -E env "PKG_CONFIG_PATH=${pkgconfig}" pkg-config --cflags --libs dymsum)
+separate_arguments(flags UNIX_COMMAND "${output}")
+step("${CXX}" -std=c++20 "${SOURCE_DIR}/foreign.cpp" ${flags} -o "${WORK_DIR}/by_hand")
+step("${CMAKE_COMMAND}" -E env "LD_LIBRARY_PATH=${pkgconfig}/.." "${WORK_DIR}/by_hand")
+if(NOT output STREQUAL "16\n")
+  message(FATAL_ERROR "the program made with pkg-config printed '${output}' instead of 16")
 endif()
 
 file(GLOB config "${WORK_DIR}/prefix/lib*/cmake/dymsum/*.cmake" "${WORK_DIR}/prefix/lib*/*/cmake/dymsum/*.cmake")

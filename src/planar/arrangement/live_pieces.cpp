@@ -192,8 +192,8 @@ std::optional<Refined> refine(const Operand& p, const Operand& q, InteriorMask& 
       many || always ? uncovered_spans(soup, reach, always ? 1 : kTranslates, poll) : Array<Span>(soup.memory);
   if (!spans.empty()) visits = count_visits(soup, spans, mask, poll);
   const bool fine = always || (soup.size() >= kFew && visits.pairs >= kPairsEach * soup.size());
-  std::optional<Refined> refined(std::in_place, fine ? FineCells(p, q, mask) : FineCells(mask), LivePieces(soup.memory),
-                                 fine);
+  std::optional<Refined> refined =
+      Refined{fine ? FineCells(p, q, mask) : FineCells(mask), LivePieces(soup.memory), fine};
   const bool pays = fine && refine_crowded(refined->cells, visits, always ? 1 : kCrowd, poll);
   if (!always && !pays && 2 * visits.pairs > pairs) return std::nullopt;
   refined->live = live_pieces(soup, spans, refined->cells, poll);

@@ -203,15 +203,16 @@ void add_run_pairs(Bitmap& target, const RunRows& a, const RunRows& b, int sprea
     return x.longest.last - x.longest.first > y.longest.last - y.longest.first;
   });
   for (std::size_t d = 0; d <= static_cast<std::size_t>(spread); ++d) {
-    for (const auto& [r, x] : order)
-      for_each_beyond(x, longest_b, rows_b, full, r + d, [&](std::size_t k) {
-        add(r + d + k, {x.first + longest_b.first[k], x.last + longest_b.last[k]});
+    for (const Row& a_row : order)
+      for_each_beyond(a_row.longest, longest_b, rows_b, full, a_row.row + d, [&](std::size_t k) {
+        add(a_row.row + d + k, {a_row.longest.first + longest_b.first[k], a_row.longest.last + longest_b.last[k]});
       });
-    for (const auto& [r, x] : order) {
-      const auto row = runs(a, r);
-      for_each_beyond(wider({row.front().first, row.back().last}), extent_b, rows_b, full, r + d, [&](std::size_t k) {
+    for (const Row& a_row : order) {
+      const auto row = runs(a, a_row.row);
+      const Run extent = wider({row.front().first, row.back().last});
+      for_each_beyond(extent, extent_b, rows_b, full, a_row.row + d, [&](std::size_t k) {
         for (const Run& u : row)
-          for (const Run& v : runs(b, k)) add(r + d + k, wider({u.first + v.first, u.last + v.last}));
+          for (const Run& v : runs(b, k)) add(a_row.row + d + k, wider({u.first + v.first, u.last + v.last}));
       });
     }
   }

@@ -1,0 +1,100 @@
+#include "base/output_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <utility>
+
+namespace dymsum::base {
+namespace {
+
+constexpr unsigned kMostNames = 1000;
+
+int write_all(int file, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t count = ::write(file, text.data(), text.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return errno;
+    text.remove_prefix(static_cast<std::size_t>(count));
+  }
+  return 0;
+}
+
+}  // namespace
+
+int may_be_changed(const std::filesystem::path& path) { return ::access(path.c_str(), W_OK) == 0 ? 0 : errno; }
+
+int may_hold_new_files(const std::filesystem::path& folder) {
+  return ::access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK) == 0 ? 0 : errno;
+}
+
+int write_to_standard_output(std::string_view text) { return write_all(STDOUT_FILENO, text); }
+
+int write_through(const std::filesystem::path& path, std::string_view text) {
+  const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  if (file < 0) return errno;
+  const int error = write_all(file, text);
+  const int closed = ::close(file) == 0 ? 0 : errno;
+  return error ? error : closed;
+}
+
+OutputDraft::OutputDraft(const std::filesystem::path& target) : target_(target), directory_(target.parent_path()) {
+  if (directory_.empty()) directory_ = ".";
+}
+
+OutputDraft::~OutputDraft() {
+  if (file_ >= 0) ::close(file_);
+  if (!name_.empty()) ::unlink(name_.c_str());
+}
+
+int OutputDraft::open() {
+#ifdef O_TMPFILE
+  file_ = ::open(directory_.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+  if (file_ >= 0) return 0;
+#endif
+  for (unsigned attempt = 0;; ++attempt) {
+    const std::string name = draft_name(attempt);
+    file_ = ::open(name.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
+    if (file_ < 0 && errno == EEXIST && attempt < kMostNames) continue;
+    if (file_ < 0) return errno;
+    name_ = name;
+    return 0;
+  }
+}
+
+int OutputDraft::write(std::string_view text) {
+  if (const int error = write_all(file_, text)) return error;
+  struct stat old;
+  if (::stat(target_.c_str(), &old) == 0 && ::fchmod(file_, old.st_mode & 0777) != 0) return errno;
+  return ::fsync(file_) == 0 ? 0 : errno;
+}
+
+int OutputDraft::publish() {
+  if (const int error = name_.empty() ? give_name() : 0) return error;
+  const int closed = ::close(std::exchange(file_, -1)) == 0 ? 0 : errno;
+  if (closed) return closed;
+  if (::rename(name_.c_str(), target_.c_str()) != 0) return errno;
+  name_.clear();
+  return 0;
+}
+
+std::string OutputDraft::draft_name(unsigned attempt) const {
+  const std::string number = std::to_string(::getpid()) + "-" + std::to_string(attempt);
+  return (directory_ / ("." + target_.filename().string() + "." + number + ".part")).string();
+}
+
+int OutputDraft::give_name() {
+  const std::string self = "/proc/self/fd/" + std::to_string(file_);
+  for (unsigned attempt = 0;; ++attempt) {
+    const std::string name = draft_name(attempt);
+    if (::linkat(AT_FDCWD, self.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0) {
+      name_ = name;
+      return 0;
+    }
+    if (errno != EEXIST || attempt >= kMostNames) return errno;
+  }
+}
+
+}  // namespace dymsum::base
