@@ -11,6 +11,10 @@ install(EXPORT dymsumTargets NAMESPACE dymsum:: DESTINATION "${DYMSUM_CMAKE_DIR}
 if(DYMSUM_BUILD_CLI)
   install(TARGETS dymsum_cli RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
 endif()
+if(DYMSUM_BUILD_OMPL)
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/adapters/ompl/dymsum" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
+    FILES_MATCHING PATTERN "*.h")
+endif()
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 
 # Programs that link the static library need what it uses as well.

@@ -71,7 +71,7 @@ const std::vector<fs::path>& sources() {
   static const std::vector<fs::path> kSources = [] {
     std::vector<fs::path> found = {kRoot / "run", kRoot / "CMakeLists.txt", kRoot / "CMakePresets.json",
                                    kRoot / "docs/guide/report.schema.json"};
-    for (const char* top : {"include", "src", "cli", "examples", "tests", "bench", "cmake"})
+    for (const char* top : {"include", "src", "cli", "adapters", "examples", "tests", "bench", "cmake"})
       for (const auto& entry : fs::recursive_directory_iterator(kRoot / top))
         if (entry.is_regular_file()) found.push_back(entry.path());
     return found;
@@ -101,9 +101,9 @@ TEST(Documents, TheReadmeLeadsToEveryGuideAndDesignPage) {
 }
 
 TEST(Documents, PathsAreThere) {
-  static const std::set<std::string> kTops = {"base",     "exact", "planar", "cspace", "spatial", "depth",
-                                              "fit",      "io",    "src",    "cli",    "dymsum",  "docs",
-                                              "examples", "tests", "bench",  "include"};
+  static const std::set<std::string> kTops = {"base",     "exact", "planar", "cspace",  "spatial", "depth",
+                                              "fit",      "io",    "src",    "cli",     "dymsum",  "docs",
+                                              "examples", "tests", "bench",  "include", "adapters"};
   static const std::regex kPath("[a-z0-9_./-]+");
   static const std::regex kFile(R"([A-Za-z0-9_-]+\.(h|cpp))");
   std::set<std::string> files;
@@ -115,7 +115,8 @@ TEST(Documents, PathsAreThere) {
         EXPECT_TRUE(files.contains(name)) << page << ": " << name;
       } else if (const std::size_t slash = name.find('/');
                  slash != std::string::npos && kTops.contains(name.substr(0, slash)) && std::regex_match(name, kPath)) {
-        EXPECT_TRUE(is_there(kRoot / name) || is_there(kRoot / "src" / name) || is_there(kRoot / "include" / name))
+        EXPECT_TRUE(is_there(kRoot / name) || is_there(kRoot / "src" / name) || is_there(kRoot / "include" / name) ||
+                    is_there(kRoot / "adapters/ompl" / name))
             << page << ": " << name;
       } else {
         continue;

@@ -60,8 +60,15 @@ const std::vector<std::string> kRooms = {
 const std::map<std::string, std::string> kUnheard = {{"planar/arrangement", "planar/convolution"}};
 
 /// Those of the other trees. The folders of the command line include each other freely.
-const std::vector<std::string> kOtherRooms = {"include/dymsum", "cli",          "cli/verbs", "cli/planar",
-                                              "cli/solid",      "cli/pictures", "examples"};
+const std::vector<std::string> kOtherRooms = {"include/dymsum",
+                                              "cli",
+                                              "cli/verbs",
+                                              "cli/planar",
+                                              "cli/solid",
+                                              "cli/pictures",
+                                              "examples",
+                                              "adapters/ompl/dymsum",
+                                              "adapters/ompl/dymsum/ompl"};
 
 /// Headers from outside the standard library by the first folder of the rooms that may include them. What the operating
 /// system has for files and terminals is in two files: elsewhere another system finds nothing to replace.
@@ -74,6 +81,8 @@ const std::map<std::string, std::vector<std::string>> kForeign = {
     {"spatial", {"emmintrin.h"}},
     {"io", {"nlohmann/", "pugixml.hpp"}},
     {"cli", {"CLI/", "nlohmann/", "unistd.h"}},
+    {"adapters", {"ompl/"}},
+    {"examples", {"ompl/"}},
 };
 
 /// The folder of a path if it is one of these rooms, or "".
@@ -109,7 +118,11 @@ class Judge {
   }
 
   std::string in_quotes(const std::string& name) const {
-    if (name.starts_with("dymsum/")) return fs::exists(root_ / "include" / name) ? "" : "no such public header";
+    if (name.starts_with("dymsum/")) {
+      const bool found = fs::exists(root_ / "include" / name) ||
+                         ((top_ == "adapters" || top_ == "examples") && fs::exists(root_ / "adapters/ompl" / name));
+      return found ? "" : "no such public header";
+    }
     if (top_ == "include") return "public headers include only the standard library and each other";
     if (fs::exists((root_ / path_).parent_path() / name) && name.find("..") == std::string::npos) return "";
     if (top_ == "cli" && fs::exists(root_ / top_ / name)) return "";
@@ -152,7 +165,7 @@ const std::vector<std::string>& other_rooms() { return kOtherRooms; }
 
 Reading read_tree(const fs::path& root) {
   std::vector<std::string> files;
-  for (const char* top : {"include", "src", "cli", "examples"}) {
+  for (const char* top : {"include", "src", "cli", "adapters", "examples"}) {
     if (!fs::exists(root / top)) continue;
     for (const auto& entry : fs::recursive_directory_iterator(root / top)) {
       const std::string extension = entry.path().extension().string();
