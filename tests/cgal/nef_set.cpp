@@ -114,12 +114,6 @@ NefSet NefSet::complement() const { return NefSet({polyhedron_->nef.complement()
 NefSet NefSet::regularized() const { return NefSet({polyhedron_->nef.regularization()}); }
 NefSet NefSet::without(const NefSet& other) const { return NefSet({polyhedron_->nef - other.polyhedron_->nef}); }
 NefSet NefSet::common_with(const NefSet& other) const { return NefSet({polyhedron_->nef * other.polyhedron_->nef}); }
-NefSet NefSet::reflected_at(const Place& at) const {
-  const Position to = position_of(at);
-  Nef moved = polyhedron_->nef;
-  moved.transform(Nef::Aff_transformation_3(-1, 0, 0, to.x(), 0, -1, 0, to.y(), 0, 0, -1, to.z()));
-  return NefSet({moved});
-}
 NefSet united(const std::vector<NefSet>& sets) {
   CGAL::Nef_nary_union_3<Nef> all;
   for (const NefSet& set : sets) all.add_polyhedron(set.polyhedron_->nef);

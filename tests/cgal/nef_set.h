@@ -46,7 +46,6 @@ class NefSet {
   NefSet regularized() const;  ///< the closure of the interior
   NefSet without(const NefSet& other) const;
   NefSet common_with(const NefSet& other) const;
-  NefSet reflected_at(const Place& at) const;  ///< at - this
   friend NefSet united(const std::vector<NefSet>& sets);
   friend bool operator==(const NefSet& a, const NefSet& b);
 

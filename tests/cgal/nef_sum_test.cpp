@@ -122,7 +122,8 @@ class Comparison {
         q_(Mesh::create(q).value()),
         nef_p_(NefSet::solid(p)),
         nef_q_(NefSet::solid(q)),
-        witness_(checked_pieces(nef_p_), checked_pieces(nef_q_)),
+        q_pieces_(checked_pieces(nef_q_)),
+        witness_(checked_pieces(nef_p_), q_pieces_),
         tally_(tally) {}
 
   void run(std::uint64_t seed) {
@@ -145,6 +146,17 @@ class Comparison {
   }
 
  private:
+  /// at - Q.
+  NefSet q_reflected_at(const Place& at) const {
+    std::vector<NefSet> hulls;
+    for (const std::vector<Place>& piece : q_pieces_) {
+      std::vector<Place> places;
+      for (const Place& b : piece) places.push_back({at[0] - b[0], at[1] - b[1], at[2] - b[2]});
+      hulls.push_back(NefSet::hull(places));
+    }
+    return united(hulls);
+  }
+
   void compare_sets() {
     const Cells boundary = witness_.closed.cells(), tight = witness_.tight.cells();
     for (const Semantics semantics : {Semantics::closed, Semantics::open, Semantics::regular})
@@ -177,7 +189,7 @@ class Comparison {
     for (const Place& at : tight) {
       EXPECT_TRUE(inside.locate(at).marked && !witness_.open.locate(at).marked);
       EXPECT_TRUE(witness_.tight.locate(at).marked);
-      const NefSet moved = nef_q_.reflected_at(at);
+      const NefSet moved = q_reflected_at(at);
       EXPECT_TRUE(nef_p_.interior().common_with(moved).empty() && nef_p_.common_with(moved.interior()).empty());
       EXPECT_FALSE(nef_p_.common_with(moved).empty());
     }
@@ -216,6 +228,7 @@ class Comparison {
 
   Mesh p_, q_;
   NefSet nef_p_, nef_q_;
+  Pieces q_pieces_;
   Witness witness_;
   SpatialSum sum_;
   Tally& tally_;
