@@ -315,7 +315,7 @@ MeshData around(const MeshData& hollow) {
 // The key is the cavity reflected: it fits in one position at least. A part of it, or a shorter one, fits in more.
 TEST(NefSum, of_cavities_and_their_keys) {
   Tally tally;
-  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+  for (std::uint64_t seed = 0; seed < 7; ++seed) {
     std::mt19937_64 random(seed);
     const MeshData hollow = seed < 6 ? tetrahedron(random) : random_solids::valid_polyhedron(random).data();
     compare("seed " + std::to_string(seed), around(hollow), reflected(hollow), seed, tally);
@@ -339,7 +339,7 @@ TEST(NefSum, of_unions_of_cubes) {
 
 TEST(NefSum, of_small_polyhedra) {
   Tally tally;
-  for (std::uint64_t seed = 0; seed < 8; ++seed) {
+  for (std::uint64_t seed = 0; seed < 5; ++seed) {
     std::mt19937_64 random(seed);
     const Mesh p = random_solids::valid_polyhedron(random), q = random_solids::valid_polyhedron(random);
     compare("seed " + std::to_string(seed), p.data(), q.data(), seed, tally);
