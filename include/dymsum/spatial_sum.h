@@ -176,13 +176,11 @@ Result<SpatialSum> minkowski_sum(std::span<const Mesh> operands, const SpatialOp
 
 /// True when z lies in the sum: P and z - Q meet (closed, regular), or their interiors do (open; of thin parts: they
 /// meet the other one's interior). By that definition, not by the sum's boundary. Nothing that is not finite does.
-/// Exact. O((m + n) log(m + n)) beyond the pairs of triangles with overlapping boxes. Errors, with the position:
-/// unsupported_operand where both have thin parts (open: only where they can cross, as for minkowski_sum), and for
-/// coordinates of more than 250 bits on the common grid.
+/// Exact. O((m + n) log(m + n)) beyond the pairs of triangles with overlapping boxes. Errors: unsupported_operand where
+/// both have thin parts (open: only where they can cross, as for minkowski_sum; closed: never), and for operands whose
+/// coordinates need more than 250 bits on their common grid.
 Result<bool> contains(const Mesh& p, const Mesh& q, const Point3& z, Semantics semantics = Semantics::closed);
-/// The same for many positions, which may be fractions. Exact. The operands are prepared once, and for every
-/// denominator (powers of two apart) again. Errors also: unsupported_operand where a coordinate of a vertex times that
-/// denominator is no double, or one of the position is no sum of two.
+/// The same for many positions, which may be any fractions. Exact. The operands are prepared once.
 Result<std::vector<bool>> contains_each(const Mesh& p, const Mesh& q, std::span<const RationalPoint3> positions,
                                         Semantics semantics = Semantics::closed);
 

@@ -57,10 +57,12 @@ TEST_F(SolidContains, PartsWithoutVolumeAndWrongUsage) {
   refused("dymsum contains two.off cube.off --at 1,2", "--at");
   refused("dymsum contains two.off cube.off --at 1,2,1/0", "--at");
   refused("dymsum contains two.off cube.off --at 1,2,90deg", "--at");
-  const Json failure = json("dymsum contains two.off cube.off --at 0,1e-200,0 --json", 2)["error"];
-  EXPECT_EQ(failure["code"], "unsupported_operand");
-  EXPECT_EQ(failure["evidence"]["y"], 1e-200) << "more than 250 bits";
-  EXPECT_EQ(json("dymsum contains wire.off wire.off --thin --at 0,0,0 --json", 2)["error"]["code"],
+  EXPECT_EQ(code("two.off cube.off --semantics open --at 6,0,1e-200"), 4) << "of any size";
+  EXPECT_EQ(code("two.off cube.off --semantics open --at 5.5,1.9999999999999998,1e-200"), 0);
+  EXPECT_EQ(code("wire.off wire.off --thin --at 6,0,0"), 0);
+  EXPECT_EQ(code("wire.off wire.off --thin --at 6,1e-200,0"), 4);
+  work.write("plate.off", "OFF\n4 1 0\n0 0 0\n0 2 0\n0 2 2\n0 0 2\n4 0 1 2 3\n");
+  EXPECT_EQ(json("dymsum contains wire.off plate.off --thin --semantics open --at 1,1,1 --json", 2)["error"]["code"],
             "unsupported_operand");
 }
 

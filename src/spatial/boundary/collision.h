@@ -27,7 +27,7 @@ class Collision {
   /// meet the other one's interior. Exact.
   bool overlaps(const Flag& x) const;
 
-  /// Whether they meet or touch, for any x. Requires that one of them has no thin parts. Exact.
+  /// Whether they meet or touch, for any x and parts of any dimension. Exact.
   bool touches(const Flag& x) const;
 
   std::uint64_t tests() const { return tests_; }
@@ -62,6 +62,8 @@ class Collision {
   void touch_segment(const Query& query, Way::Of of, std::uint32_t wedge, std::uint32_t triangle,
                      std::vector<Touch>& touches) const;
   bool inside_segment(const Query& query, Way::Of of, std::uint32_t wedge, std::uint32_t vertex) const;
+  bool edges_cross(const Query& query, Way e, Way g) const;
+  bool thin_lines_meet(const Query& query) const;
   Heights heights(const Query& query, std::uint32_t i, std::uint32_t j) const;
   bool triangles_meet(const Query& query, std::uint32_t i, std::uint32_t j) const;
   bool vertex_inside(const Query& query, Way::Of of, std::uint32_t v) const;

@@ -16,14 +16,26 @@ struct Collision::Query {
   const Flag& flag;
   Approx at;
 
-  /// A sum in exact doubles, without steps.
-  bool plain;
+  /// Coordinates of x in exact doubles, without steps, are multiples of 1 over this: a power of two; 0 where x is not
+  /// so.
+  double per_unit;
 
   Query(const SumSpace& s, const Flag& x)
       : space(s),
         flag(x),
         at(s.approximate(x.at)),
-        plain(x.at.kind == PointSource::Kind::sum && x.way == 0 && x.left == 0 && x.side == 0) {}
+        per_unit(x.way == 0 && x.left == 0 && x.side == 0 ? steps_per_unit() : 0) {}
+
+  double steps_per_unit() const {
+    if (flag.at.kind == PointSource::Kind::sum) return 1;
+    if (flag.at.kind != PointSource::Kind::place || at.radius != 0) return 0;
+    double steps = 1;
+    while (steps < 0x1p40 &&
+           (is_fraction(at.at.x * steps) || is_fraction(at.at.y * steps) || is_fraction(at.at.z * steps)))
+      steps *= 2;
+    return steps < 0x1p40 ? steps : 0;
+  }
+  static bool is_fraction(double v) { return v != std::floor(v); }
 
   /// Where x is.
   Box box() const {
@@ -47,7 +59,8 @@ struct Collision::Query {
     const Vec3 n = cross(u, v), gap = at.at - space.approx(plane.at);
     const double U = sum_of_sizes(u) + 4 * r, V = sum_of_sizes(v) + 4 * r, W = sum_of_sizes(gap) + at.radius + 4 * r;
     const double value = dot(n, gap);
-    if (plain && space.computed_exactly(U, V, W)) return value == 0 ? 0 : (value > 0) != plane.reversed ? 1 : -1;
+    if (per_unit != 0 && space.computed_exactly(U, V, W * per_unit))
+      return value == 0 ? 0 : (value > 0) != plane.reversed ? 1 : -1;
     const double error =
         U * V * W * 0x1p-48 + 8 * r * (U * V + V * W + U * W) + U * V * (at.radius + space.span() * 0x1p-52);
     if (value > error || value < -error) return (value > 0) != plane.reversed ? 1 : -1;

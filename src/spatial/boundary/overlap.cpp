@@ -100,7 +100,11 @@ bool Collision::overlaps(const Flag& x) const {
   return false;
 }
 
-bool Collision::touches(const Flag& x) const { return overlaps(x) || !all_touches(Query(space_, x)).empty(); }
+bool Collision::touches(const Flag& x) const {
+  if (overlaps(x)) return true;
+  const Query query(space_, x);
+  return !all_touches(query).empty() || thin_lines_meet(query);
+}
 
 std::vector<Collision::Touch> Collision::all_touches(const Query& query) const {
   std::vector<Touch> touches;

@@ -79,28 +79,63 @@ void Collision::touch_segment(const Query& query, Way::Of of, std::uint32_t wedg
   const Wedge& w = (in_p ? p_ : q_).wedges[wedge];
   const SolidOperand& solid = in_p ? q_ : p_;
   const Triangle& t = solid.triangles[triangle];
-  const std::vector<Vec3>&at = in_p ? space_.p() : space_.q(), &corners = in_p ? space_.q() : space_.p();
-  const auto sum = [&](std::uint32_t end, std::uint32_t corner) {
-    return in_p ? SumPoint{end, corner} : SumPoint{corner, end};
-  };
   const auto add = [&](Feature mine, Feature its) { touches.push_back(in_p ? Touch{mine, its} : Touch{its, mine}); };
   for (const std::uint32_t end : {w.from, w.to}) touch_end(query, of, end, triangle, touches);
   for (std::uint32_t k = 0; k < 3; ++k) {
     const std::uint32_t a = t[k], b = t[(k + 1) % 3];
     if (inside_segment(query, of, wedge, a)) add({Feature::Kind::wedge, wedge}, {Feature::Kind::vertex, a});
     const Way e{of, w.from, w.to}, g{other, a, b};
-    const int axis = axis_across(space_, e, g);
-    const Vec3 along_e = at[w.to] - at[w.from], along_g = corners[b] - corners[a];
-    if (axis < 0 || query.side({sum(w.from, a), e, g, false}, along_e, along_g) != 0) continue;
-    const Way up{Way::Of::axis, static_cast<std::uint32_t>(axis), 0};
-    const auto between = [&](SumPoint first, SumPoint second, Way line, Vec3 along) {
-      return query.side({first, line, up, false}, along, axis_vector(axis)) *
-                 query.side({second, line, up, false}, along, axis_vector(axis)) <
-             0;
-    };
-    if (between(sum(w.from, a), sum(w.to, a), g, along_g) && between(sum(w.from, a), sum(w.from, b), e, along_e))
+    if (in_p ? edges_cross(query, e, g) : edges_cross(query, g, e))
       add({Feature::Kind::wedge, wedge}, {Feature::Kind::wedge, solid.wedge_of[3 * triangle + k]});
   }
+}
+
+/// Whether edge e of P and x - g, g an edge of Q, cross between their ends, and are not parallel.
+bool Collision::edges_cross(const Query& query, Way e, Way g) const {
+  const Vec3 along_e = space_.p()[e.to] - space_.p()[e.from], along_g = space_.q()[g.to] - space_.q()[g.from];
+  const int axis = axis_across(space_, e, g);
+  if (axis < 0 || query.side({{e.from, g.from}, e, g, false}, along_e, along_g) != 0) return false;
+  const Way up{Way::Of::axis, static_cast<std::uint32_t>(axis), 0};
+  const auto between = [&](SumPoint first, SumPoint second, Way line, Vec3 along) {
+    return query.side({first, line, up, false}, along, axis_vector(axis)) *
+               query.side({second, line, up, false}, along, axis_vector(axis)) <
+           0;
+  };
+  return between({e.from, g.from}, {e.to, g.from}, g, along_g) && between({e.from, g.from}, {e.from, g.to}, e, along_e);
+}
+
+/// Whether segments and points of both, which are thin parts by themselves, have anything in common.
+bool Collision::thin_lines_meet(const Query& query) const {
+  const Box box = query.box();
+  const auto same = [&](std::uint32_t v, std::uint32_t w) {  // vertices of P and of Q: x is their sum
+    for (std::uint32_t axis = 0; axis < 3; ++axis) {
+      const std::uint32_t i = (axis + 1) % 3, j = (axis + 2) % 3;
+      if (query.side({{v, w}, {Way::Of::axis, i, 0}, {Way::Of::axis, j, 0}, false}, axis_vector(static_cast<int>(i)),
+                     axis_vector(static_cast<int>(j))) != 0)
+        return false;
+    }
+    return true;
+  };
+  const auto on_p = [&](std::uint32_t wedge, std::uint32_t w) {
+    const Wedge& e = p_.wedges[wedge];
+    return same(e.from, w) || same(e.to, w) || inside_segment(query, Way::Of::p, wedge, w);
+  };
+  const auto on_q = [&](std::uint32_t wedge, std::uint32_t v) {
+    const Wedge& g = q_.wedges[wedge];
+    return same(v, g.from) || same(v, g.to) || inside_segment(query, Way::Of::q, wedge, v);
+  };
+  const auto segments = [&](std::uint32_t i, std::uint32_t j) {
+    const Wedge &e = p_.wedges[p_.segments[i]], &g = q_.wedges[q_.segments[j]];
+    return on_p(p_.segments[i], g.from) || on_p(p_.segments[i], g.to) || on_q(q_.segments[j], e.from) ||
+           on_q(q_.segments[j], e.to) || edges_cross(query, {Way::Of::p, e.from, e.to}, {Way::Of::q, g.from, g.to});
+  };
+  return p_segments_.any_reflected_pair(q_segments_, box, segments) ||
+         p_segments_.any_reflected_pair(
+             q_points_, box, [&](std::uint32_t i, std::uint32_t j) { return on_p(p_.segments[i], q_.points[j]); }) ||
+         p_points_.any_reflected_pair(
+             q_segments_, box, [&](std::uint32_t i, std::uint32_t j) { return on_q(q_.segments[j], p_.points[i]); }) ||
+         p_points_.any_reflected_pair(
+             q_points_, box, [&](std::uint32_t i, std::uint32_t j) { return same(p_.points[i], q_.points[j]); });
 }
 
 /// Whether a vertex of the other operand lies between the ends of a segment.

@@ -254,7 +254,8 @@ int GridSpace<C>::exact_side(const PlaneSource& plane, const Flag& flag) const {
   exact_signs_.fetch_add(1, std::memory_order_relaxed);
   const auto m = normal(plane);
   const Offset d = dot(m, sum(plane.at));
-  const int at = with_point(flag.at, [&](const auto& h) { return sign(dot(m, h.x) - d * h.w) * sign(h.w); });
+  const auto height = [&](const auto& h) { return sign(dot(m, h.x) - d * h.w) * sign(h.w); };
+  const int at = flag.at.kind == PointSource::Kind::place ? height(places_[flag.at.a].at) : with_point(flag.at, height);
   if (at != 0) return at;
   if (flag.way != 0) {
     const int along = flag.way * sign(dot(m, cross(n_[flag.plane], n_[flag.cut])));
@@ -276,6 +277,7 @@ int GridSpace<C>::exact_normal(const PlaneSource& plane, int axis) const {
 
 template <class C>
 Approx GridSpace<C>::exact_approximation(const PointSource& point) const {
+  if (point.kind == PointSource::Kind::place) return places_[point.a].approx;
   exact_signs_.fetch_add(1, std::memory_order_relaxed);
   return with_point(point, [&](const auto& h) {
     // Both within 2^-52, the quotient rounded once more. Weights beyond doubles are scaled away by BigRational.
@@ -305,6 +307,31 @@ std::array<exact::BigInteger, 4> GridSpace<C>::homogeneous(const PointSource& po
       for (exact::BigInteger& c : v) c = -c;
     return v;
   });
+}
+
+template <class C>
+std::optional<PointSource> GridSpace<C>::add_place(const std::array<exact::BigRational, 3>& world) {
+  std::array<exact::BigRational, 3> at;
+  exact::BigInteger w = 1;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const Line& line = lines_[axis];
+    const exact::BigInteger power = exact::BigInteger(1) << std::abs(line.exponent);
+    at[axis] = world[axis] - exact::exact_value(line.p_offset) - exact::exact_value(line.q_offset);
+    if (line.exponent >= 0) at[axis] /= power;
+    else at[axis] *= power;
+    if (abs(at[axis]) > exact::exact_value(span_)) return std::nullopt;
+    w = lcm(w, denominator(at[axis]));
+  }
+  const auto over_w = [&](std::size_t axis) {
+    return Big(exact::BigInteger(numerator(at[axis]) * (w / denominator(at[axis]))));
+  };
+  const Vec3 near{exact::round_to_double(at[0]), exact::round_to_double(at[1]), exact::round_to_double(at[2])};
+  const bool is_near =
+      exact::exact_value(near.x) == at[0] && exact::exact_value(near.y) == at[1] && exact::exact_value(near.z) == at[2];
+  // Rounded to the nearest, or to a multiple of 2^-1074.
+  const double size = std::max({std::abs(near.x), std::abs(near.y), std::abs(near.z)});
+  places_.push_back({{{over_w(0), over_w(1), over_w(2)}, Big(w)}, {near, is_near ? 0 : size * 0x1p-50 + 0x1p-1000}});
+  return PointSource{PointSource::Kind::place, static_cast<std::uint32_t>(places_.size() - 1), 0, 0};
 }
 
 template <class C>

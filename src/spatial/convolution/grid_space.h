@@ -46,6 +46,7 @@ class GridSpace final : public SumSpace {
   int bits() const override { return bits_; }
   exact::BigRational exact_coordinate(const PointSource& point, int axis) const override;
   std::array<exact::BigInteger, 4> homogeneous(const PointSource& point) const override;
+  std::optional<PointSource> add_place(const std::array<exact::BigRational, 3>& world) override;
 
  protected:
   exact::Residue hash_of_zero_weight(const PointSource& point) const override;
@@ -63,6 +64,11 @@ class GridSpace final : public SumSpace {
   std::vector<Point> p_int_, q_int_;
   std::vector<exact::Vector3<Normal>> n_;
   std::vector<Offset> d_;
+  struct Place {
+    Homogeneous<exact::Big, exact::Big> at;  // w > 0
+    Approx approx;
+  };
+  std::vector<Place> places_;
   int bits_;
 };
 

@@ -75,6 +75,7 @@ int SumSpace::det(Way u, Way v, Way w) const {
 
 Approx SumSpace::approximate(const PointSource& point) const {
   if (point.kind == PointSource::Kind::sum) return {approx(SumPoint{point.a, point.b}), sum_radius_};
+  if (point.kind == PointSource::Kind::place) return exact_approximation(point);
   const double limit = span_ * 0x1p-30;
   if (point.kind == PointSource::Kind::edge) {
     const SumEdge& edge = edges_[point.a];

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -62,10 +63,11 @@ struct Plane {
   double norm1 = 0;  ///< |n.x| + |n.y| + |n.z|, rounded up
 };
 
-/// A point: a sum, an edge of sums where it crosses a plane, or three planes.
+/// A point: a sum, an edge of sums where it crosses a plane, or three planes; or a place that need not have to do with
+/// the operands, about which a flag's side and approximations can be asked.
 struct PointSource {
-  enum class Kind : std::uint8_t { sum, edge, planes } kind = Kind::sum;
-  std::uint32_t a = 0, b = 0, c = 0;  ///< p, q; edge, plane; three planes in ascending order
+  enum class Kind : std::uint8_t { sum, edge, planes, place } kind = Kind::sum;
+  std::uint32_t a = 0, b = 0, c = 0;  ///< p, q; edge, plane; three planes in ascending order; what add_place gave
   friend auto operator<=>(const PointSource&, const PointSource&) = default;
 };
 
@@ -168,6 +170,8 @@ class SumSpace {
   virtual exact::BigRational exact_coordinate(const PointSource& point, int axis) const = 0;
   /// x, y, z and w > 0: the position on the grid is (x, y, z) / w, not in lowest terms.
   virtual std::array<exact::BigInteger, 4> homogeneous(const PointSource& point) const = 0;
+  /// Adds a place by the operands' own numbers, of any size; nothing where no sum is: beyond `span` along an axis.
+  virtual std::optional<PointSource> add_place(const std::array<exact::BigRational, 3>& world) = 0;
   std::uint64_t exact_signs() const { return exact_signs_; }
 
  protected:

@@ -12,70 +12,14 @@
 #include "dymsum/convex_sum.h"
 #include "dymsum/solids.h"
 #include "dymsum/spatial_sum.h"
+#include "spatial/sum/random_solids.h"
 #include "spatial/sum/sum_of_solids.h"
 
 namespace dymsum {
 namespace {
 
-using Tetrahedron = std::array<Point3, 4>;  // positively oriented
-
-Point3 minus(Point3 a, Point3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-double det(Point3 a, Point3 b, Point3 c) {
-  return a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) + a.z * (b.x * c.y - b.y * c.x);
-}
-double six_volume(const Tetrahedron& t) { return det(minus(t[1], t[0]), minus(t[2], t[0]), minus(t[3], t[0])); }
-
-/// Some of the tetrahedra of cubes cut along their diagonals, vertices moved a little; none turned over.
-std::vector<Tetrahedron> random_complex(std::mt19937_64& random, int cubes, int scale) {
-  std::map<std::array<int, 3>, Point3> at;
-  for (int x = 0; x <= cubes; ++x)
-    for (int y = 0; y <= cubes; ++y)
-      for (int z = 0; z <= cubes; ++z) {
-        const auto moved = [&](int c) { return static_cast<double>(scale * c + static_cast<int>(random() % 2)); };
-        at[{x, y, z}] = {moved(x), moved(y), moved(z)};
-      }
-  std::vector<Tetrahedron> chosen;
-  for (int x = 0; x < cubes; ++x)
-    for (int y = 0; y < cubes; ++y)
-      for (int z = 0; z < cubes; ++z)
-        for (std::array<std::size_t, 3> order :
-             {std::array<std::size_t, 3>{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}) {
-          std::array<int, 3> corner{x, y, z};
-          Tetrahedron t{at[corner]};
-          for (std::size_t k = 0; k < 3; ++k) {
-            ++corner[order[k]];
-            t[k + 1] = at[corner];
-          }
-          if (six_volume(t) < 0) std::swap(t[0], t[1]);
-          const bool turned_over = scale < 3 && six_volume(t) == 0;
-          if (random() % 3 != 0 && !turned_over) chosen.push_back(t);
-        }
-  return chosen;
-}
-
-/// The triangles of one tetrahedron only.
-MeshData boundary(const std::vector<Tetrahedron>& complex) {
-  MeshData mesh;
-  std::map<std::array<double, 3>, std::uint32_t> index;
-  const auto vertex = [&](const Point3& p) {
-    const auto [place, added] =
-        index.emplace(std::array{p.x, p.y, p.z}, static_cast<std::uint32_t>(mesh.vertices.size()));
-    if (added) mesh.vertices.push_back(p);
-    return place->second;
-  };
-  std::map<std::array<std::uint32_t, 3>, std::pair<Face, int>> triangles;
-  for (const Tetrahedron& t : complex)
-    for (const auto& [i, j, k] : {std::array<std::size_t, 3>{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}) {
-      const Face face{vertex(t[i]), vertex(t[j]), vertex(t[k])};
-      std::array<std::uint32_t, 3> sorted{face[0], face[1], face[2]};
-      std::sort(sorted.begin(), sorted.end());
-      auto& [first, count] = triangles[sorted];
-      first = face, ++count;
-    }
-  for (const auto& [sorted, triangle] : triangles)
-    if (triangle.second == 1) mesh.faces.push_back(triangle.first);
-  return mesh;
-}
+using random_solids::boundary, random_solids::det, random_solids::minus, random_solids::random_complex;
+using random_solids::six_volume, random_solids::Tetrahedron;
 
 Mesh solid_of(const Tetrahedron& t) {
   return Mesh::create({{t[0], t[1], t[2], t[3]}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}}).value();

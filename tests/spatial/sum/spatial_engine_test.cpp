@@ -16,11 +16,13 @@
 #include "dymsum/spatial_sum.h"
 #include "oracles/sanitized.h"
 #include "oracles/voxel_solids.h"
+#include "spatial/sum/random_solids.h"
 #include "spatial/sum/sum_of_solids.h"
 
 namespace dymsum {
 namespace {
 
+using random_solids::valid_polyhedron;
 using spatial::sum_of_solids;
 
 int fuzz_pairs(int few) {
@@ -50,42 +52,6 @@ MeshData torus(double large, double small, int nu, int nv, double turn) {
       m.faces.push_back({id(i, j), id(i + 1, j + 1), id(i, j + 1)});
     }
   return m;
-}
-
-/// Rings of vertices at small integers between two poles, star-shaped or nearly so; not always valid.
-MeshData tiny_polyhedron(std::mt19937_64& random) {
-  const auto below = [&](int n) { return static_cast<int>(random() % static_cast<std::uint64_t>(n)); };
-  const int rings = 1 + below(3), around = 3 + below(3);
-  const int size = 2 + below(3);
-  MeshData m;
-  const auto place = [&](double z, double r, double angle) {
-    const double s = size * (0.4 + 0.2 * below(4));
-    m.vertices.push_back(
-        {std::nearbyint(s * r * std::cos(angle)), std::nearbyint(s * r * std::sin(angle)), std::nearbyint(s * z)});
-  };
-  place(-1, 0, 0);
-  for (int j = 1; j <= rings; ++j)
-    for (int i = 0; i < around; ++i) {
-      const double a = std::numbers::pi * j / (rings + 1);
-      place(-std::cos(a), std::sin(a), 2 * std::numbers::pi * i / around);
-    }
-  place(1, 0, 0);
-  const auto top = static_cast<std::uint32_t>(m.vertices.size() - 1);
-  const auto id = [&](int i, int j) { return static_cast<std::uint32_t>(1 + j * around + i % around); };
-  for (int i = 0; i < around; ++i) {
-    m.faces.push_back({0, id(i + 1, 0), id(i, 0)});
-    m.faces.push_back({top, id(i, rings - 1), id(i + 1, rings - 1)});
-    for (int j = 0; j + 1 < rings; ++j) {
-      m.faces.push_back({id(i, j), id(i + 1, j), id(i + 1, j + 1)});
-      m.faces.push_back({id(i, j), id(i + 1, j + 1), id(i, j + 1)});
-    }
-  }
-  return m;
-}
-
-Mesh valid_polyhedron(std::mt19937_64& random) {
-  while (true)
-    if (Result<Mesh> mesh = Mesh::create(tiny_polyhedron(random)); mesh.ok()) return *std::move(mesh);
 }
 
 SpatialSum sum(const MeshData& p, const MeshData& q, SpatialEngine engine = SpatialEngine::fast, int threads = 1) {
