@@ -1,0 +1,174 @@
+// What functions take besides the library's own classes: anything that is a region or a mesh to Python's other
+// packages, scales as numbers, and arrays of rows of doubles.
+#pragma once
+
+#include <nanobind/nanobind.h>
+#include <nanobind/ndarray.h>
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "dymsum/mesh.h"
+#include "dymsum/region.h"
+#include "dymsum/scale.h"
+#include "errors.h"
+
+namespace dymsum::python {
+
+/// Whether dymsum._convert makes a value of this kind, "region" or "mesh", of an object. Never raises.
+bool is_like(nb::handle object, std::string_view kind) noexcept;
+/// What its function `maker` makes of the object; raises what is wrong with that.
+nb::object converted(nb::handle object, const char* maker);
+
+/// A Region, a Mesh or their data (T), kept alive; made of the object that was handed in where that is none.
+template <class T>
+struct Argument {
+  nb::object object;
+  const T& operator*() const { return *nb::inst_ptr<T>(object); }
+  const T* operator->() const { return nb::inst_ptr<T>(object); }
+};
+using RegionArgument = Argument<Region>;
+using MeshArgument = Argument<Mesh>;
+using RegionDataArgument = Argument<RegionData>;
+using MeshDataArgument = Argument<MeshData>;
+
+/// A Scale, or a number that is taken exactly.
+struct ScaleArgument {
+  Scale value;
+};
+
+/// An array of shape (n, K) of doubles in rows, kept alive: the caller's own where it is one, without a copy.
+template <std::size_t K>
+struct Rows {
+  nb::object kept;
+  const double* data = nullptr;
+  std::size_t size = 0;
+  const double* row(std::size_t n) const { return data + n * K; }
+};
+
+/// numpy.ascontiguousarray(object, float64); raises what numpy does.
+nb::object contiguous(nb::handle object);
+
+/// An array of its own memory, of shape (values.size() / columns, columns), or (values.size()) where columns is 0.
+template <class T>
+nb::object array_of(std::vector<T> values, std::size_t columns = 0) {
+  auto* kept = new std::vector<T>(std::move(values));
+  const nb::capsule owner(kept, [](void* p) noexcept { delete static_cast<std::vector<T>*>(p); });
+  const std::size_t shape[] = {columns ? kept->size() / columns : kept->size(), columns};
+  return nb::cast(nb::ndarray<nb::numpy, T>(kept->data(), columns ? 2 : 1, shape, owner));
+}
+
+using PointsView = nb::ndarray<nb::numpy, const double, nb::shape<-1, 2>>;
+using Points3View = nb::ndarray<nb::numpy, const double, nb::shape<-1, 3>>;
+
+/// The doubles of an array of structs that begin with K of them, by reference: `owner` is the Python object that they
+/// live in.
+template <std::size_t K, class T>
+nb::ndarray<nb::numpy, const double, nb::shape<-1, static_cast<nb::ssize_t>(K)>> view_of(std::span<const T> items,
+                                                                                        nb::handle owner) {
+  static_assert(sizeof(T) % sizeof(double) == 0);
+  static const double kNothing[K] = {};
+  const std::size_t shape[] = {items.size(), K};
+  const std::int64_t strides[] = {sizeof(T) / sizeof(double), 1};
+  const double* data = items.empty() ? kNothing : reinterpret_cast<const double*>(items.data());
+  return {data, 2, shape, owner, strides};
+}
+
+}  // namespace dymsum::python
+
+namespace nanobind::detail {
+
+/// What an object has to be like, and the function of dymsum._convert that makes a T of it.
+template <class T>
+struct argument_caster {
+  using Value = dymsum::python::Argument<T>;
+  template <typename U>
+  using Cast = Value;
+  template <typename U>
+  bool can_cast() const {
+    return true;
+  }
+  static constexpr bool kPlanar = std::is_same_v<T, dymsum::Region> || std::is_same_v<T, dymsum::RegionData>;
+  static constexpr bool kData = std::is_same_v<T, dymsum::RegionData> || std::is_same_v<T, dymsum::MeshData>;
+  static constexpr const char* kKind = kPlanar ? "region" : "mesh";
+  static constexpr const char* kMaker = kPlanar ? kData ? "region_data" : "region" : kData ? "mesh_data" : "mesh";
+  bool from_python(handle src, uint32_t flags, cleanup_list*) noexcept {
+    ready_ = isinstance<T>(src);
+    if (!ready_ && !((flags & cast_flags::convert) && dymsum::python::is_like(src, kKind))) return false;
+    object_ = borrow(src);
+    return true;
+  }
+  /// Converts here and not above, so that what is wrong with the object is raised, and no TypeError.
+  explicit operator Value() { return {ready_ ? object_ : dymsum::python::converted(object_, kMaker)}; }
+
+ private:
+  object object_;
+  bool ready_ = false;
+};
+
+template <>
+struct type_caster<dymsum::python::RegionArgument> : argument_caster<dymsum::Region> {
+  static constexpr auto Name = const_name("dymsum._convert.RegionLike");
+};
+template <>
+struct type_caster<dymsum::python::MeshArgument> : argument_caster<dymsum::Mesh> {
+  static constexpr auto Name = const_name("dymsum._convert.MeshLike");
+};
+template <>
+struct type_caster<dymsum::python::RegionDataArgument> : argument_caster<dymsum::RegionData> {
+  static constexpr auto Name = const_name("dymsum._convert.RegionLike");
+};
+template <>
+struct type_caster<dymsum::python::MeshDataArgument> : argument_caster<dymsum::MeshData> {
+  static constexpr auto Name = const_name("dymsum._convert.MeshLike");
+};
+
+template <>
+struct type_caster<dymsum::python::ScaleArgument> {
+  static constexpr auto Name = const_name("Scale | fractions.Fraction | float");
+  using Value = dymsum::python::ScaleArgument;
+  template <typename U>
+  using Cast = Value;
+  template <typename U>
+  bool can_cast() const {
+    return true;
+  }
+  bool from_python(handle src, uint32_t flags, cleanup_list* list) noexcept;
+  static handle from_cpp(const Value& of, rv_policy, cleanup_list*) noexcept { return nanobind::cast(of.value).release(); }
+  explicit operator Value() { return {dymsum::python::take(dymsum::Result<dymsum::Scale>(value))}; }
+  dymsum::Result<dymsum::Scale> value = dymsum::Scale();
+};
+
+template <std::size_t K>
+struct type_caster<dymsum::python::Rows<K>> {
+  NB_TYPE_CASTER(dymsum::python::Rows<K>, const_name("numpy.typing.ArrayLike"))
+  using Array = ndarray<const double, shape<-1, static_cast<ssize_t>(K)>, c_contig, device::cpu>;
+  bool from_python(handle src, uint32_t flags, cleanup_list*) noexcept {
+    try {
+      if (take(src)) return true;
+      if (!(flags & cast_flags::convert)) return false;
+      const object array = dymsum::python::contiguous(src);
+      if (len(array) == 0) {  // of an empty list numpy tells no columns
+        value.kept = array;
+        return true;
+      }
+      return take(array);
+    } catch (std::exception&) {
+      return false;
+    }
+  }
+
+ private:
+  bool take(handle src) {
+    Array array;
+    if (!try_cast(src, array, false)) return false;
+    value.data = array.data();
+    value.size = array.shape(0);
+    value.kept = nanobind::cast(array, rv_policy::reference);
+    return true;
+  }
+};
+
+}  // namespace nanobind::detail
